@@ -1,0 +1,3 @@
+//! Mechanics of serial arms, written over expressions.
+
+pub mod param;

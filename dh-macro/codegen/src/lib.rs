@@ -1,0 +1,8 @@
+//! From a robot's DH table to closed-form, straight-line Rust.
+//!
+//! `YAML -> robot (validated, exact angles) -> sym (hash-consed graph) -> arm (sweeps, regressor, base)
+//! -> tape -> rust (text) | sym::eval (runs it)`
+
+pub mod arm;
+pub mod robot;
+pub mod sym;

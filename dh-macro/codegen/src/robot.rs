@@ -1,0 +1,228 @@
+//! A validated serial robot: SI units, exact angles. Knows no file format.
+
+mod angle;
+mod inertia;
+mod length;
+
+pub use angle::Angle;
+pub use inertia::Inertia;
+pub use length::{Length, Polynomial};
+
+/// Which Denavit-Hartenberg convention the rows are written in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Convention {
+    /// Khalil-Kleinfinger: `T(i-1,i) = RotX(alpha) TransX(d) RotZ(theta) TransZ(r)`.
+    Modified,
+    /// Classical: `T(i-1,i) = RotZ(theta) TransZ(r) TransX(d) RotX(alpha)`.
+    Standard,
+}
+
+/// What a joint lets its link do (Khalil's sigma).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum JointKind {
+    /// Turns about z: sigma = 0; `q` adds to `theta`.
+    Revolute,
+    /// Slides along z: sigma = 1; `q` adds to `r`.
+    Prismatic,
+    /// Does not move: sigma = 2; has no `q`.
+    Fixed,
+}
+
+/// Limits of one joint; `None` where the file says nothing.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Limits {
+    /// Lower and upper position, rad or m.
+    pub position: Option<[f64; 2]>,
+    /// Largest speed, rad/s or m/s, symmetric.
+    pub velocity: Option<f64>,
+    /// Largest acceleration, rad/s^2 or m/s^2, symmetric.
+    pub acceleration: Option<f64>,
+    /// Largest jerk, rad/s^3 or m/s^3, symmetric.
+    pub jerk: Option<f64>,
+    /// Largest torque or force, N m or N, symmetric.
+    pub torque: Option<f64>,
+}
+
+/// A named effect of the contract's section 5 with its parameters, as the file gives it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Effect {
+    /// One of [`EFFECT_NAMES`].
+    pub name: String,
+    /// Parameter name and value, in the file's order; a bare number has the name `value`.
+    pub parameters: Vec<(String, f64)>,
+}
+
+/// The vocabulary of effects beyond the rigid body (contract, section 5), in its order.
+pub const EFFECT_NAMES: [&str; 24] = [
+    "viscous_friction",
+    "coulomb_friction",
+    "asymmetric_friction",
+    "stribeck_friction",
+    "nonlinear_viscous_friction",
+    "load_dependent_friction",
+    "presliding_hysteresis",
+    "friction_drift",
+    "position_dependent_friction",
+    "rotor_inertia",
+    "torque_ripple",
+    "joint_elasticity",
+    "backlash",
+    "gear_coupling",
+    "torque_gain_error",
+    "torque_offset",
+    "torque_saturation",
+    "encoder_offset",
+    "geometric_error",
+    "link_inertia_error",
+    "payload",
+    "base_tilt",
+    "joint_spring",
+    "external_contact",
+];
+
+/// The drive of a joint. A `Some` says that the model *has* the parameter (zero: not known yet).
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Drive {
+    /// `IA`: rotor inertia on the link side of the gear, kg m^2 (kg for a prismatic joint).
+    pub rotor_inertia: Option<f64>,
+    /// Motor turns per joint turn.
+    pub gear_ratio: Option<f64>,
+    /// Joint-side torque per motor current, N m / A.
+    pub torque_constant: Option<f64>,
+    /// `FV`: viscous friction, N m s/rad.
+    pub viscous_friction: Option<f64>,
+    /// `FC`: Coulomb friction, N m.
+    pub coulomb_friction: Option<f64>,
+    /// `FO`: constant torque offset, N m.
+    pub offset: Option<f64>,
+    /// Every other law of the vocabulary that the file names.
+    pub effects: Vec<Effect>,
+}
+
+/// One row of the DH table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Joint {
+    /// Name in the file, or `joint<i>`.
+    pub name: String,
+    /// Revolute, prismatic or fixed.
+    pub kind: JointKind,
+    /// Whether a motor drives it (mu).
+    pub actuated: bool,
+    /// Twist about x, rad.
+    pub alpha: Angle,
+    /// Length along x, m.
+    pub d: Length,
+    /// Constant part of the turn about z, rad.
+    pub theta: Angle,
+    /// Constant part of the shift along z, m.
+    pub r: Length,
+    /// Limits.
+    pub limits: Limits,
+    /// Rotor, gear and friction.
+    pub drive: Drive,
+}
+
+/// A body fixed to the last frame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tool {
+    /// Name in the file.
+    pub name: String,
+    /// Origin of the tool frame in the last DH frame, m.
+    pub xyz: [f64; 3],
+    /// Fixed-axis roll, pitch, yaw: `R = RotZ(yaw) RotY(pitch) RotX(roll)`, exact where a quarter turn.
+    pub rpy: [Angle; 3],
+    /// Inertial parameters in the tool frame, about its origin; `None` when the file gives only a pose.
+    pub inertia: Option<Inertia>,
+    /// Length and width of the tool, m, for recognition and painting.
+    pub geometry: Option<ToolGeometry>,
+}
+
+/// The size of a tool, m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ToolGeometry {
+    /// Along the roller's axis.
+    pub length: f64,
+    /// Across it.
+    pub width: f64,
+}
+
+/// A sphere that stands for part of a link in distance checks.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sphere {
+    /// Row of the DH table that carries it, from 1 (0: the base).
+    pub link: usize,
+    /// Centre in that row's frame, m.
+    pub center: [f64; 3],
+    /// Radius, m.
+    pub radius: f64,
+}
+
+/// What must not be hit.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Collision {
+    /// Lowest z that elbow, wrist and tool may reach, m, in the base frame.
+    pub ground: Option<f64>,
+    /// Spheres on links.
+    pub spheres: Vec<Sphere>,
+}
+
+/// A serial robot, base to tip.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Robot {
+    /// Name, in lower-case-with-dashes.
+    pub name: String,
+    /// Convention of the rows.
+    pub convention: Convention,
+    /// Named constants, in the file's order.
+    pub constants: Vec<(String, f64)>,
+    /// Gravity in the base frame, m/s^2.
+    pub gravity: [f64; 3],
+    /// Rows of the DH table.
+    pub joints: Vec<Joint>,
+    /// Inertial parameters of each row's link in its DH frame, where known. Empty or one per row.
+    pub links: Vec<Option<Inertia>>,
+    /// The tool.
+    pub tool: Option<Tool>,
+    /// Spheres and ground.
+    pub collision: Collision,
+    /// Effects of the whole robot (`effects:` at the top of the file).
+    pub effects: Vec<Effect>,
+}
+
+impl Robot {
+    /// Rows that move, in order: index into [`Robot::joints`].
+    pub fn moving(&self) -> Vec<usize> {
+        (0..self.joints.len()).filter(|&i| self.joints[i].kind != JointKind::Fixed).collect()
+    }
+
+    /// Degrees of freedom: number of moving rows; the length of `q`.
+    pub fn dof(&self) -> usize {
+        self.moving().len()
+    }
+
+    /// Inertial parameters of every link with the tool folded into the last one, or `None` where a link's are unknown.
+    pub fn inertias(&self) -> Option<Vec<Inertia>> {
+        let mut all: Vec<Inertia> = self.links.iter().cloned().collect::<Option<_>>()?;
+        if all.len() != self.joints.len() {
+            return None;
+        }
+        if let (Some(tool), Some(last)) = (&self.tool, all.last_mut())
+            && let Some(inertia) = &tool.inertia
+        {
+            *last = last.plus(&inertia.moved(&tool.rotation(), &tool.xyz));
+        }
+        Some(all)
+    }
+}
+
+impl Tool {
+    /// Rotation from the tool frame to the last DH frame, row-major.
+    pub fn rotation(&self) -> [[f64; 3]; 3] {
+        let [(sr, cr), (sp, cp), (sy, cy)] = [0, 1, 2].map(|i| self.rpy[i].sin_cos());
+        [
+            [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
+            [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
+            [-sp, cp * sr, cp * cr],
+        ]
+    }
+}

@@ -1,0 +1,1 @@
+//! Expressions: hash-consed graph, tape, evaluator. Knows nothing of mechanics.

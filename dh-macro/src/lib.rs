@@ -1,0 +1,1 @@
+//! `#[derive(DhRobot)]`: the door to `dh-codegen`.

@@ -1,0 +1,3 @@
+//! From a robot's DH table to closed-form Rust, and from a recorded motion to an identified model.
+
+pub mod arm;

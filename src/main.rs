@@ -1,0 +1,2 @@
+//! The command `denavit`.
+fn main() {}
