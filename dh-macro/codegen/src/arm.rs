@@ -1,3 +1,24 @@
 //! Mechanics of serial arms, written over expressions.
+//!
+//! `Robot -> Chain (one form for both DH conventions) -> sweeps -> Kernel (a tape with a signature)`.
 
+pub mod base;
+pub mod chain;
+mod dynamics;
+mod energy;
+pub mod kernel;
+mod kinematics;
+mod motion;
 pub mod param;
+mod plan;
+mod regressor;
+mod screw;
+mod subspace;
+mod wrench;
+
+pub use base::{BaseParameter, BaseParameters};
+pub use kernel::{Argument, Function, Kernel};
+pub use kinematics::Pose;
+pub use model::Model;
+
+mod model;

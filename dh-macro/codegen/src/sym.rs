@@ -1,1 +1,16 @@
-//! Expressions: hash-consed graph, tape, evaluator. Knows nothing of mechanics.
+//! Expressions: a hash-consed graph, simplified at birth, and the straight-line tape that it is lowered to.
+//!
+//! `Graph -> factor -> signs -> Tape -> print | eval`. Nothing here knows mechanics.
+
+mod eval;
+mod factor;
+mod graph;
+mod rules;
+mod signs;
+mod tape;
+mod vec3;
+
+pub use eval::{Evaluator, LANES};
+pub use graph::{Ex, Graph, Node, Op};
+pub use tape::{Instruction, Kind, Operand, OperationCount, Section, Tape};
+pub use vec3::{Mat3, Vec3};

@@ -1,0 +1,325 @@
+//! One form for both DH conventions: a chain of *joint frames* whose z axes are the joint axes.
+//!
+//! Modified rows are that chain already: `RotX(alpha) TransX(d) RotZ(theta) TransZ(r)`, and the body's frame is the joint
+//! frame. In a standard row `RotZ(theta) TransZ(r) TransX(d) RotX(alpha)` the last two factors commute, so they are the
+//! first two of the next joint frame; the body's frame is the joint frame followed by them.
+
+use crate::robot::{Convention, JointKind, Robot};
+use crate::sym::{Ex, Graph, Mat3, Vec3};
+
+/// Where the inputs of every kernel stand: `q, sin, cos, dq, ddq, tau` of each degree of freedom, then the parameters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Inputs {
+    /// Degrees of freedom.
+    pub dof: usize,
+}
+
+/// A group of inputs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Group {
+    /// Positions (read for prismatic joints only).
+    Position,
+    /// Sines of the revolute joints' angles.
+    Sine,
+    /// Cosines of the revolute joints' angles.
+    Cosine,
+    /// Velocities.
+    Velocity,
+    /// Accelerations.
+    Acceleration,
+    /// Torques of the actuators.
+    Torque,
+    /// Standard or base parameters.
+    Parameter,
+}
+
+impl Group {
+    const JOINT: [Self; 6] =
+        [Self::Position, Self::Sine, Self::Cosine, Self::Velocity, Self::Acceleration, Self::Torque];
+}
+
+impl Inputs {
+    /// Index of the input with this place in its group.
+    pub fn index(self, group: Group, at: usize) -> usize {
+        Group::JOINT.iter().position(|&g| g == group).unwrap_or(Group::JOINT.len()) * self.dof + at
+    }
+
+    /// Group and place of an input.
+    pub fn locate(self, index: usize) -> (Group, usize) {
+        match Group::JOINT.get(index / self.dof.max(1)) {
+            Some(&group) => (group, index % self.dof),
+            None => (Group::Parameter, index - Group::JOINT.len() * self.dof),
+        }
+    }
+}
+
+/// One joint frame, relative to the one before: `RotX(alpha) TransX(d) RotZ(theta) TransZ(r)`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// How it moves.
+    pub kind: JointKind,
+    /// Its degree of freedom, from 0.
+    pub dof: Option<usize>,
+    /// Sine and cosine of the twist.
+    pub alpha: (f64, f64),
+    /// Length along x, m.
+    pub d: f64,
+    /// Quarter turns that are added to the angle exactly.
+    pub quarter_turns: i64,
+    /// What else is added to it, rad. Of a revolute joint it goes into the sine and cosine that are given to the kernel.
+    pub angle: f64,
+    /// Constant shift along z, m.
+    pub r: f64,
+    /// From the joint frame to the body's frame: `TransX(d) RotX(alpha)`, sine and cosine of the latter. `None`: the same frame.
+    pub body: Option<(f64, (f64, f64))>,
+}
+
+/// The joint frames, base to tip.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chain {
+    /// One for each row of the DH table.
+    pub rows: Vec<Row>,
+    /// Minus gravity: the acceleration of the base that stands for it, m/s^2.
+    pub lift: [f64; 3],
+    /// Rotation and origin of the tool frame in the last DH frame.
+    pub tool: Option<([[f64; 3]; 3], [f64; 3])>,
+}
+
+impl Chain {
+    /// The chain of a robot.
+    pub fn new(robot: &Robot) -> Self {
+        let mut rows = Vec::with_capacity(robot.joints.len());
+        let mut before = ((0.0, 1.0), 0.0); // what a standard row hands on to the next
+        let mut dof = 0;
+        for joint in &robot.joints {
+            let here = (joint.alpha.sin_cos(), joint.d.value);
+            let ((alpha, d), body) = match robot.convention {
+                Convention::Modified => (here, None),
+                Convention::Standard => {
+                    let given = before;
+                    before = here;
+                    (given, if here == ((0.0, 1.0), 0.0) { None } else { Some((here.1, here.0)) })
+                }
+            };
+            let (quarter_turns, angle) = match joint.theta.quarter_turns() {
+                Some(k) => (k, 0.0),
+                None => (0, joint.theta.value),
+            };
+            let moves = joint.kind != JointKind::Fixed;
+            rows.push(Row {
+                kind: joint.kind,
+                dof: moves.then_some(dof),
+                alpha,
+                d,
+                quarter_turns,
+                angle,
+                r: joint.r.value,
+                body,
+            });
+            dof += usize::from(moves);
+        }
+        Self {
+            rows,
+            lift: robot.gravity.map(|g| -g),
+            tool: robot.tool.as_ref().map(|t| (t.rotation(), t.xyz)),
+        }
+    }
+
+    /// Degrees of freedom.
+    pub fn dof(&self) -> usize {
+        self.rows.iter().filter(|r| r.dof.is_some()).count()
+    }
+
+    /// What is added to each revolute joint's `q` before its sine and cosine are taken, rad.
+    pub fn angle_offsets(&self) -> Vec<f64> {
+        self.rows
+            .iter()
+            .filter(|r| r.dof.is_some())
+            .map(|r| if r.kind == JointKind::Revolute { r.angle } else { 0.0 })
+            .collect()
+    }
+
+    /// The chain over a graph: inputs become expressions.
+    pub fn over<'g>(&self, graph: &'g Graph) -> Links<'g> {
+        let inputs = Inputs { dof: self.dof() };
+        let links = self.rows.iter().map(|row| Link::new(graph, row, inputs)).collect();
+        Links { graph, inputs, links, lift: Vec3::numbers(graph, self.lift), tool: self.tool }
+    }
+}
+
+/// A [`Chain`] whose entries are expressions.
+pub struct Links<'g> {
+    /// Where its expressions live.
+    pub graph: &'g Graph,
+    /// Where inputs stand.
+    pub inputs: Inputs,
+    /// Base to tip.
+    pub links: Vec<Link<'g>>,
+    /// Minus gravity.
+    pub lift: Vec3<'g>,
+    /// Pose of the tool frame in the last DH frame.
+    pub tool: Option<([[f64; 3]; 3], [f64; 3])>,
+}
+
+impl<'g> Links<'g> {
+    /// An input as an expression.
+    pub fn input(&self, group: Group, at: usize) -> Ex<'g> {
+        self.graph.input(self.inputs.index(group, at))
+    }
+
+    /// The number.
+    pub fn number(&self, value: f64) -> Ex<'g> {
+        self.graph.constant(value)
+    }
+
+    /// Velocity input of a row; zero for a fixed one.
+    pub fn velocity(&self, row: usize) -> Ex<'g> {
+        self.links[row].dof.map_or(self.number(0.0), |k| self.input(Group::Velocity, k))
+    }
+
+    /// Acceleration input of a row; zero for a fixed one.
+    pub fn acceleration(&self, row: usize) -> Ex<'g> {
+        self.links[row].dof.map_or(self.number(0.0), |k| self.input(Group::Acceleration, k))
+    }
+
+    /// Rows that move, with their degree of freedom.
+    pub fn moving(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        self.links.iter().enumerate().filter_map(|(row, l)| l.dof.map(|k| (row, k)))
+    }
+}
+
+/// A row over a graph.
+#[derive(Clone, Copy)]
+pub struct Link<'g> {
+    /// How it moves.
+    pub kind: JointKind,
+    /// Its degree of freedom.
+    pub dof: Option<usize>,
+    /// Sine and cosine of the turn about z.
+    turn: (Ex<'g>, Ex<'g>),
+    /// Sine and cosine of the twist about x.
+    twist: (Ex<'g>, Ex<'g>),
+    /// Shift along x.
+    pub d: Ex<'g>,
+    /// Shift along z, with `q` of a prismatic joint in it.
+    pub r: Ex<'g>,
+    /// The constant part of the shift along z, m.
+    pub r_constant: f64,
+    body: Option<(Ex<'g>, (Ex<'g>, Ex<'g>))>,
+}
+
+/// `RotX(angle) v`.
+fn about_x<'g>((s, c): (Ex<'g>, Ex<'g>), v: Vec3<'g>) -> Vec3<'g> {
+    let [x, y, z] = v.0;
+    Vec3([x, c * y - s * z, s * y + c * z])
+}
+
+/// `RotX(-angle) v`.
+fn back_about_x<'g>((s, c): (Ex<'g>, Ex<'g>), v: Vec3<'g>) -> Vec3<'g> {
+    let [x, y, z] = v.0;
+    Vec3([x, c * y + s * z, c * z - s * y])
+}
+
+impl<'g> Link<'g> {
+    fn new(g: &'g Graph, row: &Row, inputs: Inputs) -> Self {
+        let (s, c) = match (row.kind, row.dof) {
+            (JointKind::Revolute, Some(k)) => {
+                (g.input(inputs.index(Group::Sine, k)), g.input(inputs.index(Group::Cosine, k)))
+            }
+            _ => {
+                let (s, c) = row.angle.sin_cos();
+                (g.constant(s), g.constant(c))
+            }
+        };
+        let turn = match row.quarter_turns.rem_euclid(4) {
+            0 => (s, c),
+            1 => (c, -s),
+            2 => (-s, -c),
+            _ => (-c, s),
+        };
+        let r = match (row.kind, row.dof) {
+            (JointKind::Prismatic, Some(k)) => g.input(inputs.index(Group::Position, k)) + row.r,
+            _ => g.constant(row.r),
+        };
+        let pair = |(s, c): (f64, f64)| (g.constant(s), g.constant(c));
+        Self {
+            kind: row.kind,
+            dof: row.dof,
+            turn,
+            twist: pair(row.alpha),
+            d: g.constant(row.d),
+            r,
+            r_constant: row.r,
+            body: row.body.map(|(d, twist)| (g.constant(d), pair(twist))),
+        }
+    }
+
+    /// From the previous joint frame into this one's axes.
+    pub fn inward(&self, v: Vec3<'g>) -> Vec3<'g> {
+        self.unturn(self.untwist(v))
+    }
+
+    /// From this joint frame into the previous one's axes.
+    pub fn outward(&self, v: Vec3<'g>) -> Vec3<'g> {
+        about_x(self.twist, self.turned(v))
+    }
+
+    /// From the previous joint frame into the axes between `RotX` and `RotZ`.
+    pub fn untwist(&self, v: Vec3<'g>) -> Vec3<'g> {
+        back_about_x(self.twist, v)
+    }
+
+    /// From the axes between `RotX` and `RotZ` into this joint frame.
+    pub fn unturn(&self, v: Vec3<'g>) -> Vec3<'g> {
+        let ([x, y, z], (s, c)) = (v.0, self.turn);
+        Vec3([c * x + s * y, c * y - s * x, z])
+    }
+
+    /// From this joint frame into the axes between `RotX` and `RotZ`.
+    pub fn turned(&self, v: Vec3<'g>) -> Vec3<'g> {
+        let ([x, y, z], (s, c)) = (v.0, self.turn);
+        Vec3([c * x - s * y, s * x + c * y, z])
+    }
+
+    /// From the axes between `RotX` and `RotZ` into the previous joint frame.
+    pub fn twisted(&self, v: Vec3<'g>) -> Vec3<'g> {
+        about_x(self.twist, v)
+    }
+
+    /// This joint frame's origin from the previous one's, in the axes between `RotX` and `RotZ`; `shifted`: before `TransZ(r)`.
+    pub fn step(&self, shifted: bool) -> Vec3<'g> {
+        let zero = self.d - self.d;
+        Vec3([self.d, zero, if shifted { zero } else { self.r }])
+    }
+
+    /// Unit vector z of the joint frame.
+    pub fn axis(&self) -> Vec3<'g> {
+        Vec3::numbers(self.d.graph(), [0.0, 0.0, 1.0])
+    }
+
+    /// Is the body's frame another one than the joint frame?
+    pub fn has_body_frame(&self) -> bool {
+        self.body.is_some()
+    }
+
+    /// The body frame's origin in the joint frame.
+    pub fn body_origin(&self) -> Vec3<'g> {
+        let zero = self.d - self.d;
+        Vec3([self.body.map_or(zero, |(d, _)| d), zero, zero])
+    }
+
+    /// From the joint frame into the body frame's axes.
+    pub fn into_body(&self, v: Vec3<'g>) -> Vec3<'g> {
+        self.body.map_or(v, |(_, twist)| back_about_x(twist, v))
+    }
+
+    /// From the body frame into the joint frame's axes.
+    pub fn out_of_body(&self, v: Vec3<'g>) -> Vec3<'g> {
+        self.body.map_or(v, |(_, twist)| about_x(twist, v))
+    }
+}
+
+/// Rotation from the tool frame into the last DH frame, as expressions.
+pub(super) fn tool_rotation<'g>(g: &'g Graph, tool: &([[f64; 3]; 3], [f64; 3])) -> Mat3<'g> {
+    Mat3::numbers(g, tool.0)
+}

@@ -1,0 +1,169 @@
+//! What is generated for each robot: functions with signatures, each a tape.
+
+use super::chain::{Group, Inputs};
+use crate::sym::{Ex, Tape};
+
+/// A quantity that can be generated or evaluated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Function {
+    /// Top three rows of every DH frame's homogeneous matrix, `rows x 3 x 4`.
+    Frames,
+    /// The last DH frame, `3 x 4`.
+    ForwardKinematics,
+    /// The tool frame, `3 x 4`.
+    ToolPose,
+    /// `6 x n`, linear part first, of the last DH frame's origin, base axes.
+    Jacobian,
+    /// `dJ/dt dq`, `6`.
+    JacobianDotVelocity,
+    /// `tau` from standard parameters.
+    InverseDynamics,
+    /// `tau` from base parameters.
+    InverseDynamicsBase,
+    /// `M`, `n x n`, from base parameters.
+    MassMatrix,
+    /// `C dq` from base parameters.
+    Coriolis,
+    /// `g` from base parameters.
+    Gravity,
+    /// `ddq` from base parameters.
+    ForwardDynamics,
+    /// `W`, `n x P`.
+    Regressor,
+    /// `W_b`, `n x B`.
+    BaseRegressor,
+    /// `W` at rest, `n x P`.
+    GravityRegressor,
+    /// `T = h phi`, `P`.
+    KineticEnergyRegressor,
+    /// `U = h phi`, `P`.
+    PotentialEnergyRegressor,
+    /// Ten columns of a body in the tool frame, `n x 10`.
+    PayloadRegressor,
+}
+
+impl Function {
+    /// All, in the order of the generated crate.
+    pub const ALL: [Self; 17] = [
+        Self::Frames,
+        Self::ForwardKinematics,
+        Self::ToolPose,
+        Self::Jacobian,
+        Self::JacobianDotVelocity,
+        Self::InverseDynamics,
+        Self::InverseDynamicsBase,
+        Self::MassMatrix,
+        Self::Coriolis,
+        Self::Gravity,
+        Self::ForwardDynamics,
+        Self::Regressor,
+        Self::BaseRegressor,
+        Self::GravityRegressor,
+        Self::KineticEnergyRegressor,
+        Self::PotentialEnergyRegressor,
+        Self::PayloadRegressor,
+    ];
+
+    /// Name in code and commands.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Frames => "frames",
+            Self::ForwardKinematics => "forward_kinematics",
+            Self::ToolPose => "tool_pose",
+            Self::Jacobian => "jacobian",
+            Self::JacobianDotVelocity => "jacobian_dot_velocity",
+            Self::InverseDynamics => "inverse_dynamics",
+            Self::InverseDynamicsBase => "inverse_dynamics_base",
+            Self::MassMatrix => "mass_matrix",
+            Self::Coriolis => "coriolis",
+            Self::Gravity => "gravity",
+            Self::ForwardDynamics => "forward_dynamics",
+            Self::Regressor => "regressor",
+            Self::BaseRegressor => "base_regressor",
+            Self::GravityRegressor => "gravity_regressor",
+            Self::KineticEnergyRegressor => "kinetic_energy_regressor",
+            Self::PotentialEnergyRegressor => "potential_energy_regressor",
+            Self::PayloadRegressor => "payload_regressor",
+        }
+    }
+
+    /// What it reads, in the order of its signature.
+    pub fn arguments(self) -> &'static [Argument] {
+        use Argument::{Accelerations, BaseParameters, Configuration, StandardParameters, Torques, Velocities};
+        match self {
+            Self::Frames
+            | Self::ForwardKinematics
+            | Self::ToolPose
+            | Self::Jacobian
+            | Self::GravityRegressor
+            | Self::PotentialEnergyRegressor => &[Configuration],
+            Self::JacobianDotVelocity | Self::KineticEnergyRegressor => &[Configuration, Velocities],
+            Self::InverseDynamics => &[Configuration, Velocities, Accelerations, StandardParameters],
+            Self::InverseDynamicsBase => &[Configuration, Velocities, Accelerations, BaseParameters],
+            Self::MassMatrix | Self::Gravity => &[Configuration, BaseParameters],
+            Self::Coriolis => &[Configuration, Velocities, BaseParameters],
+            Self::ForwardDynamics => &[Configuration, Velocities, Torques, BaseParameters],
+            Self::Regressor | Self::BaseRegressor | Self::PayloadRegressor => {
+                &[Configuration, Velocities, Accelerations]
+            }
+        }
+    }
+}
+
+/// An argument of a generated function.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Argument {
+    /// Sines, cosines and positions.
+    Configuration,
+    /// `dq`.
+    Velocities,
+    /// `ddq`.
+    Accelerations,
+    /// `tau`.
+    Torques,
+    /// `phi`.
+    StandardParameters,
+    /// `beta`.
+    BaseParameters,
+}
+
+impl Argument {
+    /// Which inputs it carries.
+    pub fn groups(self) -> &'static [Group] {
+        match self {
+            Self::Configuration => &[Group::Position, Group::Sine, Group::Cosine],
+            Self::Velocities => &[Group::Velocity],
+            Self::Accelerations => &[Group::Acceleration],
+            Self::Torques => &[Group::Torque],
+            Self::StandardParameters | Self::BaseParameters => &[Group::Parameter],
+        }
+    }
+}
+
+/// A function with its tape.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Kernel {
+    /// What it computes.
+    pub function: Function,
+    /// Extents of the result, outermost first; the tape's outputs are row-major.
+    pub shape: Vec<usize>,
+    /// Where inputs stand.
+    pub inputs: Inputs,
+    /// The program.
+    pub tape: Tape,
+}
+
+impl Kernel {
+    pub(super) fn new(function: Function, inputs: Inputs, shape: Vec<usize>, roots: &[Ex<'_>]) -> Self {
+        let tape = match roots.first() {
+            Some(first) => Tape::new(first.graph(), roots),
+            None => Tape { code: Vec::new(), outputs: Vec::new(), labels: Vec::new(), sections: Vec::new() },
+        };
+        Self { function, shape, inputs, tape }
+    }
+
+    /// Outputs that are not structurally zero: index into the row-major result.
+    pub fn nonzeros(&self) -> Vec<usize> {
+        (0..self.tape.outputs.len()).filter(|&i| !self.tape.is_zero(i)).collect()
+    }
+}

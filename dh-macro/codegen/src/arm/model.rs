@@ -1,0 +1,135 @@
+//! A robot made ready: base parameters, the plan with the fewest operations, and any kernel on demand.
+
+use super::base::BaseParameters;
+use super::chain::{Chain, Links};
+use super::dynamics::{self, Values};
+use super::kernel::{Function, Kernel};
+use super::motion::{Include, can_shift};
+use super::param::{Parameter, standard};
+use super::plan::{self, Plan};
+use super::regressor::Columns;
+use super::{energy, kinematics};
+use crate::robot::Robot;
+use crate::sym::{Ex, Graph, Tape};
+
+/// Everything that kernels are built from.
+pub struct Model {
+    chain: Chain,
+    standard: Vec<Parameter>,
+    base: BaseParameters,
+    plan: Plan,
+}
+
+impl Model {
+    /// Groups the parameters and searches the plan.
+    pub fn new(robot: &Robot) -> Self {
+        let chain = Chain::new(robot);
+        let standard = standard(robot);
+        let base = BaseParameters::new(robot);
+        let leaders: Vec<Parameter> = base.0.iter().map(|b| b.leader).collect();
+        let cost = |plan: &Plan| {
+            let graph = Graph::new();
+            Tape::estimate(&graph, &base_regressor(&chain.over(&graph), &leaders, plan))
+        };
+        let plan = plan::search(chain.rows.len(), |row| can_shift(&chain.rows[row]), cost);
+        Self { chain, standard, base, plan }
+    }
+
+    /// Degrees of freedom.
+    pub fn dof(&self) -> usize {
+        self.chain.dof()
+    }
+
+    /// The chain of joint frames.
+    pub fn chain(&self) -> &Chain {
+        &self.chain
+    }
+
+    /// The standard parameters, in the order of the regressor's columns.
+    pub fn standard(&self) -> &[Parameter] {
+        &self.standard
+    }
+
+    /// The base parameters, in the order of the base regressor's columns.
+    pub fn base(&self) -> &BaseParameters {
+        &self.base
+    }
+
+    /// Builds the tape of a function.
+    pub fn kernel(&self, function: Function) -> Kernel {
+        let n = self.dof();
+        let graph = Graph::new();
+        let links = self.chain.over(&graph);
+        let leaders: Vec<Parameter> = self.base.0.iter().map(|b| b.leader).collect();
+        let make = |shape: Vec<usize>, roots: Vec<Ex<'_>>| Kernel::new(function, links.inputs, shape, &roots);
+        let base_values = || Values::new(&links, &leaders);
+        let columns = |parameters: &[Parameter], include: Include| {
+            let columns = Columns::new(&links, &self.plan, include);
+            let all: Vec<Vec<Ex<'_>>> = parameters.iter().map(|p| columns.column(*p)).collect();
+            by_rows(n, &all)
+        };
+        match function {
+            Function::Frames => {
+                let poses = kinematics::frames(&links);
+                make(vec![poses.len(), 3, 4], poses.iter().flat_map(|p| p.entries()).collect())
+            }
+            Function::ForwardKinematics => {
+                make(vec![3, 4], kinematics::frames(&links).last().map(|p| p.entries()).unwrap_or_default())
+            }
+            Function::ToolPose => make(vec![3, 4], kinematics::tool(&links).map(|p| p.entries()).unwrap_or_default()),
+            Function::Jacobian => make(vec![6, n], kinematics::jacobian(&links)),
+            Function::JacobianDotVelocity => make(vec![6], kinematics::jacobian_dot_velocity(&links)),
+            Function::InverseDynamics => {
+                let values = Values::new(&links, &self.standard);
+                make(vec![n], dynamics::torques(&links, &values, Include::ALL, true))
+            }
+            Function::InverseDynamicsBase => {
+                make(vec![n], dynamics::torques(&links, &base_values(), Include::ALL, true))
+            }
+            Function::Coriolis => make(vec![n], dynamics::torques(&links, &base_values(), Include::VELOCITY, false)),
+            Function::Gravity => make(vec![n], dynamics::torques(&links, &base_values(), Include::GRAVITY, false)),
+            Function::MassMatrix => {
+                let upper = dynamics::mass_matrix(&links, &base_values());
+                let full = (0..n).flat_map(|i| (0..n).map(move |j| (i.min(j), i.max(j))));
+                make(vec![n, n], full.map(|(i, j)| upper[i][j]).collect())
+            }
+            Function::ForwardDynamics => {
+                let values = base_values();
+                let mass = dynamics::mass_matrix(&links, &values);
+                let bias = dynamics::torques(&links, &values, Include::BIAS, true);
+                let right: Vec<Ex<'_>> =
+                    bias.iter().enumerate().map(|(k, &b)| links.input(super::chain::Group::Torque, k) - b).collect();
+                make(vec![n], dynamics::solve(&links, &mass, &right))
+            }
+            Function::Regressor => make(vec![n, self.standard.len()], columns(&self.standard, Include::ALL)),
+            Function::BaseRegressor => make(vec![n, leaders.len()], base_regressor(&links, &leaders, &self.plan)),
+            Function::GravityRegressor => {
+                let links_only: Vec<Parameter> =
+                    self.standard.iter().copied().filter(|p| matches!(p, Parameter::Link(..))).collect();
+                make(vec![n, links_only.len()], columns(&links_only, Include::GRAVITY))
+            }
+            Function::KineticEnergyRegressor => {
+                make(vec![self.standard.len()], energy::kinetic(&links, &self.standard))
+            }
+            Function::PotentialEnergyRegressor => {
+                make(vec![self.standard.len()], energy::potential(&links, &self.standard))
+            }
+            Function::PayloadRegressor => {
+                let columns = Columns::new(&links, &self.plan, Include::ALL);
+                make(vec![n, 10], by_rows(n, &columns.payload()))
+            }
+        }
+    }
+}
+
+/// The base regressor for a plan, row-major: the columns of the leaders.
+fn base_regressor<'g>(links: &Links<'g>, leaders: &[Parameter], plan: &Plan) -> Vec<Ex<'g>> {
+    let columns = Columns::new(links, plan, Include::ALL);
+    let all: Vec<Vec<Ex<'g>>> = leaders.iter().map(|p| columns.column(*p)).collect();
+    by_rows(links.inputs.dof, &all)
+}
+
+/// Columns to row-major entries.
+fn by_rows<'g>(n: usize, columns: &[Vec<Ex<'g>>]) -> Vec<Ex<'g>> {
+    (0..n).flat_map(|i| columns.iter().map(move |c| c[i])).collect()
+}

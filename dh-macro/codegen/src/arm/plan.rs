@@ -1,0 +1,105 @@
+//! Where each column is computed: choices that change the number of operations, not the result.
+
+/// How the wrench of one column becomes torques.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct ColumnPlan {
+    /// The wrench is carried inward to this frame (row), and its moment projected there on the axes of the joints before.
+    pub moment: usize,
+    /// The force is turned further inward, to this frame's axes, before it is projected.
+    pub force: usize,
+    /// For joints up to this row the moment is first taken about this frame's origin: axes that meet there then see no force.
+    pub about: usize,
+}
+
+impl ColumnPlan {
+    /// Everything in one frame.
+    pub fn at(row: usize) -> Self {
+        Self { moment: row, force: row, about: row }
+    }
+}
+
+/// The choices for one row.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RowPlan {
+    /// Compute about the origin before `TransZ(r)`, and combine columns afterwards.
+    pub shifted: bool,
+    /// One for each of the ten parameters.
+    pub columns: [ColumnPlan; 10],
+}
+
+/// The choices for all rows.
+pub type Plan = Vec<RowPlan>;
+
+/// How far inward a frame is looked for.
+const REACH: usize = 2;
+/// Rounds of moves.
+const PASSES: usize = 3;
+
+/// Every link in its own frame.
+pub fn plain(rows: usize) -> Plan {
+    (0..rows).map(|row| RowPlan { shifted: false, columns: [ColumnPlan::at(row); 10] }).collect()
+}
+
+/// Descent from [`plain`]: one move at a time, kept where it makes `cost` smaller, until none does. A move sets the frames of
+/// one kind of column for a run of neighbouring rows (links with a common wrist gain only together).
+pub fn search(rows: usize, can_shift: impl Fn(usize) -> bool, cost: impl Fn(&Plan) -> usize) -> Plan {
+    let mut best = plain(rows);
+    let mut best_cost = cost(&best);
+    let mut try_plan = |best: &mut Plan, trial: Plan| {
+        if trial != *best {
+            let trial_cost = cost(&trial);
+            if trial_cost < best_cost {
+                (*best, best_cost) = (trial, trial_cost);
+                return true;
+            }
+        }
+        false
+    };
+    for _pass in 0..PASSES {
+        let mut improved = false;
+        for last in (0..rows).rev() {
+            for first in 0..=last {
+                for inner in 0..=first {
+                    let mut trial = best.clone();
+                    for row in first..=last {
+                        for column in &mut trial[row].columns[..4] {
+                            column.force = inner.min(column.moment);
+                        }
+                    }
+                    improved |= try_plan(&mut best, trial);
+                    for moment in inner..=first {
+                        let mut trial = best.clone();
+                        for row in first..=last {
+                            trial[row].columns[..4].fill(ColumnPlan { moment, force: moment, about: inner });
+                        }
+                        improved |= try_plan(&mut best, trial);
+                    }
+                }
+                for back in 0..=REACH.min(first) {
+                    for kind in [0..4, 4..10, 0..10] {
+                        let mut trial = best.clone();
+                        for row in first..=last {
+                            for column in &mut trial[row].columns[kind.clone()] {
+                                column.moment = row - back;
+                                column.force = column.force.min(column.moment);
+                                column.about = column.about.min(column.moment);
+                            }
+                        }
+                        improved |= try_plan(&mut best, trial);
+                    }
+                }
+            }
+            if can_shift(last) {
+                let mut trial = best.clone();
+                trial[last].shifted = !trial[last].shifted;
+                improved |= try_plan(&mut best, trial.clone());
+                trial[last].columns = [ColumnPlan::at(last); 10];
+                improved |= try_plan(&mut best, trial);
+            }
+        }
+        if !improved {
+            break;
+        }
+    }
+    best
+}

@@ -1,0 +1,209 @@
+//! Runs a tape on f64, many states at a time: the meaning of a tape.
+
+use super::tape::{Instruction, Kind, Operand, Tape};
+
+/// States that are carried through the tape together.
+pub const LANES: usize = 32;
+
+type Lane = [f64; LANES];
+
+#[derive(Debug, Clone, Copy)]
+struct Step {
+    kind: Kind,
+    a: u32,
+    b: u32,
+    out: u32,
+}
+
+/// A tape made ready to run: temporaries share slots as soon as they are no longer needed.
+#[derive(Debug, Clone)]
+pub struct Evaluator {
+    steps: Vec<Step>,
+    constants: Vec<(u32, f64)>,
+    inputs: Vec<(u32, usize)>,
+    /// For each output: the slot it is in, and after which step it can be read (it may be overwritten later).
+    outputs: Vec<(usize, u32, usize)>,
+    slots: usize,
+    output_count: usize,
+}
+
+impl Evaluator {
+    /// Gives every operand a slot.
+    pub fn new(tape: &Tape) -> Self {
+        let mut slots = Slots::default();
+        let mut constants: Vec<(u32, f64)> = Vec::new();
+        let mut inputs: Vec<(u32, usize)> = Vec::new();
+        let mut pinned = |operand: Operand, slots: &mut Slots| -> Option<u32> {
+            match operand {
+                Operand::Temp(_) => None,
+                Operand::Constant(c) => {
+                    Some(match constants.iter().find(|(_, x)| x.to_bits() == c.to_bits()) {
+                        Some((slot, _)) => *slot,
+                        None => {
+                            let slot = slots.take();
+                            constants.push((slot, c));
+                            slot
+                        }
+                    })
+                }
+                Operand::Input(i) => Some(match inputs.iter().find(|(_, x)| *x == i as usize) {
+                    Some((slot, _)) => *slot,
+                    None => {
+                        let slot = slots.take();
+                        inputs.push((slot, i as usize));
+                        slot
+                    }
+                }),
+            }
+        };
+        // Last reader of each temporary, so that its slot can be used again.
+        let mut last = vec![0usize; tape.code.len()];
+        for (at, Instruction { a, b, .. }) in tape.code.iter().enumerate() {
+            for operand in [a, b] {
+                if let Operand::Temp(t) = operand {
+                    last[*t as usize] = at;
+                }
+            }
+        }
+        let mut at_step: Vec<Vec<usize>> = vec![Vec::new(); tape.code.len()];
+        let mut outputs = Vec::with_capacity(tape.outputs.len());
+        for (index, output) in tape.outputs.iter().enumerate() {
+            match output {
+                Operand::Temp(t) => at_step[*t as usize].push(index),
+                other => {
+                    if let Some(slot) = pinned(*other, &mut slots) {
+                        outputs.push((0, slot, index));
+                    }
+                }
+            }
+        }
+        let mut place = vec![0u32; tape.code.len()];
+        let mut steps = Vec::with_capacity(tape.code.len());
+        for (at, Instruction { kind, a, b }) in tape.code.iter().enumerate() {
+            let mut slot_of = |operand: &Operand, slots: &mut Slots| match operand {
+                Operand::Temp(t) => place[*t as usize],
+                other => pinned(*other, slots).unwrap_or(0),
+            };
+            let (sa, sb) = (slot_of(a, &mut slots), slot_of(b, &mut slots));
+            for (k, operand) in [a, b].into_iter().enumerate() {
+                if let Operand::Temp(t) = operand
+                    && last[*t as usize] == at
+                    && !(k == 1 && a == b)
+                {
+                    slots.release(place[*t as usize]);
+                }
+            }
+            let out = slots.take();
+            place[at] = out;
+            steps.push(Step { kind: *kind, a: sa, b: sb, out });
+            outputs.extend(at_step[at].iter().map(|&index| (at + 1, out, index)));
+            if last[at] == 0 && !at_step[at].is_empty() {
+                slots.release(out); // an output that nothing else reads
+            }
+        }
+        outputs.sort_unstable();
+        Self { steps, constants, inputs, outputs, slots: slots.count as usize, output_count: tape.outputs.len() }
+    }
+
+    /// Number of values that come out per state.
+    pub fn outputs(&self) -> usize {
+        self.output_count
+    }
+
+    /// Runs `len` states. Input `i` of state `s` is `inputs(i)[s]`; output `o` of state `s` goes to `out[o * len + s]`.
+    ///
+    /// # Panics
+    /// If `out` is shorter than `outputs() * len` or an input column than `len`.
+    pub fn run<'a>(&self, len: usize, inputs: impl Fn(usize) -> &'a [f64], out: &mut [f64]) {
+        let mut slots: Vec<Lane> = vec![[0.0; LANES]; self.slots];
+        for &(slot, value) in &self.constants {
+            slots[slot as usize] = [value; LANES];
+        }
+        let mut start = 0;
+        while start < len {
+            let width = LANES.min(len - start);
+            for &(slot, index) in &self.inputs {
+                slots[slot as usize][..width].copy_from_slice(&inputs(index)[start..start + width]);
+            }
+            let mut pending = self.outputs.iter().peekable();
+            let mut write = |after: usize, slots: &[Lane]| {
+                while let Some(&(_, slot, index)) = pending.next_if(|(step, _, _)| *step <= after) {
+                    let from = index * len + start;
+                    out[from..from + width].copy_from_slice(&slots[slot as usize][..width]);
+                }
+            };
+            write(0, &slots);
+            for (at, step) in self.steps.iter().enumerate() {
+                let (a, b) = (slots[step.a as usize], slots[step.b as usize]);
+                let result = &mut slots[step.out as usize];
+                match step.kind {
+                    Kind::Add => (0..LANES).for_each(|l| result[l] = a[l] + b[l]),
+                    Kind::Sub => (0..LANES).for_each(|l| result[l] = a[l] - b[l]),
+                    Kind::Mul => (0..LANES).for_each(|l| result[l] = a[l] * b[l]),
+                    Kind::Div => (0..LANES).for_each(|l| result[l] = a[l] / b[l]),
+                    Kind::Neg => (0..LANES).for_each(|l| result[l] = -a[l]),
+                    Kind::Sign => (0..LANES).for_each(|l| result[l] = sign(a[l])),
+                }
+                write(at + 1, &slots);
+            }
+            start += width;
+        }
+    }
+}
+
+/// The meaning of `Sign`: what the generated crates' `Scalar::sign` does.
+fn sign(x: f64) -> f64 {
+    if x > 0.0 {
+        1.0
+    } else if x < 0.0 {
+        -1.0
+    } else {
+        x * 0.0
+    }
+}
+
+/// Slots in use and free ones.
+#[derive(Default)]
+struct Slots {
+    free: Vec<u32>,
+    count: u32,
+}
+
+impl Slots {
+    fn take(&mut self) -> u32 {
+        self.free.pop().unwrap_or_else(|| {
+            self.count += 1;
+            self.count - 1
+        })
+    }
+
+    fn release(&mut self, slot: u32) {
+        self.free.push(slot);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Graph;
+    use super::*;
+
+    #[test]
+    fn a_batch_is_each_state_by_itself() {
+        let g = Graph::new();
+        let (x, y) = (g.input(0), g.input(1));
+        let tape = Tape::new(&g, &[x * y - x / y, g.constant(2.5), y, -(x * x), (x - y).sign()]);
+        let run = Evaluator::new(&tape);
+        let n = 3 * LANES + 5;
+        let xs: Vec<f64> = (0..n).map(|i| i as f64 * 0.37 - 9.0).collect();
+        let ys: Vec<f64> = (0..n).map(|i| (i as f64).sin() + 1.5).collect();
+        let mut out = vec![0.0; 5 * n];
+        run.run(n, |i| if i == 0 { &xs } else { &ys }, &mut out);
+        for s in 0..n {
+            let (x, y) = (xs[s], ys[s]);
+            let expected = [x * y - x / y, 2.5, y, -(x * x), if x > y { 1.0 } else { -1.0 }];
+            for (o, e) in expected.iter().enumerate() {
+                assert_eq!(out[o * n + s], *e, "output {o} of state {s}");
+            }
+        }
+    }
+}

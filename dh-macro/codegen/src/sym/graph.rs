@@ -1,0 +1,231 @@
+//! The arena: the only place where a node is made.
+
+use core::cell::RefCell;
+use core::fmt;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+use rustc_hash::FxHashMap;
+
+use super::rules;
+
+/// Handle of a node in its [`Graph`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Node(pub(super) u32);
+
+impl Node {
+    /// Place in the arena: operands always stand before the node that uses them.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// What a node computes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Op {
+    /// A number, by its bits (so that equal numbers are one node).
+    Constant(u64),
+    /// The input with this index.
+    Input(u32),
+    /// `a + b`, operands in arena order.
+    Add(Node, Node),
+    /// `a - b`.
+    Sub(Node, Node),
+    /// `a * b`, operands in arena order.
+    Mul(Node, Node),
+    /// `-a`.
+    Neg(Node),
+    /// `a / b`.
+    Div(Node, Node),
+    /// `-1`, `0` or `1`.
+    Sign(Node),
+}
+
+impl Op {
+    /// The nodes that this one reads.
+    pub fn operands(self) -> impl Iterator<Item = Node> {
+        let (a, b) = match self {
+            Op::Constant(_) | Op::Input(_) => (None, None),
+            Op::Neg(a) | Op::Sign(a) => (Some(a), None),
+            Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) => (Some(a), Some(b)),
+        };
+        a.into_iter().chain(b)
+    }
+}
+
+#[derive(Default)]
+struct Arena {
+    ops: Vec<Op>,
+    index: FxHashMap<Op, Node>,
+    labels: FxHashMap<Node, String>,
+    sections: Vec<(usize, String)>,
+}
+
+/// One arena of expressions. All handles of one computation belong to one graph.
+#[derive(Default)]
+pub struct Graph(RefCell<Arena>);
+
+/// An expression: a handle that can be added and multiplied. Rules of [`super::rules`] apply at every birth.
+#[derive(Clone, Copy)]
+pub struct Ex<'g> {
+    graph: &'g Graph,
+    node: Node,
+}
+
+impl Graph {
+    /// An empty graph.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The number `value`; `-0.0` is `0.0`.
+    pub fn constant(&self, value: f64) -> Ex<'_> {
+        self.wrap(self.insert(Op::Constant((value + 0.0).to_bits())))
+    }
+
+    /// The input with this index.
+    pub fn input(&self, index: usize) -> Ex<'_> {
+        self.wrap(self.insert(Op::Input(index as u32)))
+    }
+
+    /// Names what follows, up to the next section: a comment in the printed code.
+    pub fn section(&self, title: impl Into<String>) {
+        let mut arena = self.0.borrow_mut();
+        let start = arena.ops.len();
+        arena.sections.push((start, title.into()));
+    }
+
+    /// Gives an expression the name that a book would use; the first name of a node stays.
+    pub fn label(&self, ex: Ex<'_>, name: impl Into<String>) {
+        let mut arena = self.0.borrow_mut();
+        if matches!(arena.ops[ex.node.index()], Op::Constant(_) | Op::Input(_)) {
+            return;
+        }
+        arena.labels.entry(ex.node).or_insert_with(|| name.into());
+    }
+
+    /// Finds or appends; nothing else creates a node.
+    pub(super) fn insert(&self, op: Op) -> Node {
+        let mut arena = self.0.borrow_mut();
+        if let Some(&node) = arena.index.get(&op) {
+            return node;
+        }
+        let node = Node(arena.ops.len() as u32);
+        arena.ops.push(op);
+        arena.index.insert(op, node);
+        node
+    }
+
+    /// Is this operation there already?
+    pub(super) fn find(&self, op: Op) -> Option<Node> {
+        self.0.borrow().index.get(&op).copied()
+    }
+
+    /// What the node computes.
+    pub fn op(&self, node: Node) -> Op {
+        self.0.borrow().ops[node.index()]
+    }
+
+    /// Number of nodes.
+    pub fn len(&self) -> usize {
+        self.0.borrow().ops.len()
+    }
+
+    /// No node yet?
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    pub(super) fn wrap(&self, node: Node) -> Ex<'_> {
+        Ex { graph: self, node }
+    }
+
+    pub(super) fn name_of(&self, node: Node) -> Option<String> {
+        self.0.borrow().labels.get(&node).cloned()
+    }
+
+    pub(super) fn sections(&self) -> Vec<(usize, String)> {
+        self.0.borrow().sections.clone()
+    }
+}
+
+impl<'g> Ex<'g> {
+    /// The handle in the arena.
+    pub fn node(self) -> Node {
+        self.node
+    }
+
+    /// The graph that holds it.
+    pub fn graph(self) -> &'g Graph {
+        self.graph
+    }
+
+    /// The number, if it is one.
+    pub fn as_constant(self) -> Option<f64> {
+        match self.graph.op(self.node) {
+            Op::Constant(bits) => Some(f64::from_bits(bits)),
+            _ => None,
+        }
+    }
+
+    /// Structurally zero?
+    pub fn is_zero(self) -> bool {
+        self.as_constant() == Some(0.0)
+    }
+
+    /// `-1`, `0` or `1`.
+    pub fn sign(self) -> Self {
+        self.graph.wrap(rules::sign(self.graph, self.node))
+    }
+
+    /// `-a` as an operation of its own, whatever `a` is.
+    pub(super) fn negated(self) -> Self {
+        match self.as_constant() {
+            Some(value) => self.graph.constant(-value),
+            None => self.graph.wrap(self.graph.insert(Op::Neg(self.node))),
+        }
+    }
+
+    /// Square.
+    pub fn squared(self) -> Self {
+        self * self
+    }
+}
+
+impl fmt::Debug for Ex<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "#{}", self.node.0)
+    }
+}
+
+impl PartialEq for Ex<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        self.node == other.node
+    }
+}
+
+macro_rules! operator {
+    ($trait:ident, $method:ident) => {
+        impl<'g> $trait for Ex<'g> {
+            type Output = Ex<'g>;
+            fn $method(self, other: Self) -> Self {
+                self.graph.wrap(rules::$method(self.graph, self.node, other.node))
+            }
+        }
+        impl<'g> $trait<f64> for Ex<'g> {
+            type Output = Ex<'g>;
+            fn $method(self, other: f64) -> Self {
+                $trait::$method(self, self.graph.constant(other))
+            }
+        }
+    };
+}
+operator!(Add, add);
+operator!(Sub, sub);
+operator!(Mul, mul);
+operator!(Div, div);
+
+impl<'g> Neg for Ex<'g> {
+    type Output = Ex<'g>;
+    fn neg(self) -> Self {
+        self.graph.wrap(rules::neg(self.graph, self.node))
+    }
+}
