@@ -27,7 +27,7 @@ fn main() {
     let gen3 = [(2, 0.0, -0.28481), (1, 0.0, -0.01175), (-1, 0.0, -0.42076), (1, 0.0, -0.01275), (-1, 0.0, -0.31436), (1, 0.0, -0.00035), (-1, 0.0, -0.167455)];
     for (name, rows) in [("lwr", &lwr[..]), ("panda", &panda[..]), ("ur10", &ur10[..]), ("puma", &puma[..]), ("gen3", &gen3[..])] {
         let t = std::time::Instant::now();
-        let model = Model::new(&arm(name, rows, false));
+        let model = Model::new(&arm(name, rows, false)); let t0 = std::time::Instant::now(); write(&arm(name, rows, true)); println!("crate in {:?}", t0.elapsed());
         let search = t.elapsed();
         let ia = Model::new(&arm(name, rows, true)).base().len();
         println!("{name}: base {} with IA {ia}; search {search:?}", model.base().len());
@@ -41,5 +41,14 @@ fn main() {
             println!("   {:28} {:4}x {:4}+ = {:5}  nnz {} of {}", f.name(), c.mul, c.add, c.total(), k.nonzeros().len(), k.tape.outputs.len());
         }
         if name == "lwr" && false { for b in &model.base().0 { println!("      {}", b.grouping); } }
+    }
+}
+
+#[allow(dead_code)]
+fn write(robot: &Robot) {
+    for (path, text) in dh_codegen::krate(robot, "") {
+        let to = std::path::Path::new("/tmp/gen").join(&robot.name).join(path);
+        std::fs::create_dir_all(to.parent().unwrap()).unwrap();
+        std::fs::write(to, text).unwrap();
     }
 }

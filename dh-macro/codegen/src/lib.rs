@@ -4,5 +4,11 @@
 //! -> tape -> rust (text) | sym::eval (runs it)`
 
 pub mod arm;
+pub mod interpret;
 pub mod robot;
+pub mod rust;
+pub mod runtime;
 pub mod sym;
+
+pub use rust::krate::krate;
+pub use rust::module::module;

@@ -56,6 +56,10 @@ impl Evaluator {
                 }),
             }
         };
+        // These are loaded once, before the first step: they get their slots before any temporary does.
+        for operand in tape.code.iter().flat_map(|step| [step.a, step.b]).chain(tape.outputs.iter().copied()) {
+            pinned(operand, &mut slots);
+        }
         // Last reader of each temporary, so that its slot can be used again.
         let mut last = vec![0usize; tape.code.len()];
         for (at, Instruction { a, b, .. }) in tape.code.iter().enumerate() {

@@ -1,0 +1,137 @@
+//! Runs the kernels of any robot at run time: the second reader of the tapes.
+
+use std::collections::BTreeMap;
+
+use crate::arm::chain::Group;
+use crate::arm::{Function, Kernel, Model};
+use crate::runtime::Scalar;
+use crate::sym::Evaluator;
+
+/// States and parameters of a batch, joint-major: sample `s` of joint `j` at `j * len + s`. Unused parts may be empty.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Batch<'a> {
+    /// Number of states.
+    pub len: usize,
+    /// Positions.
+    pub q: &'a [f64],
+    /// Velocities.
+    pub dq: &'a [f64],
+    /// Accelerations.
+    pub ddq: &'a [f64],
+    /// Torques.
+    pub tau: &'a [f64],
+    /// Standard or base parameters, the same for all states.
+    pub parameters: &'a [f64],
+}
+
+/// One state.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct State<'a> {
+    /// Positions.
+    pub q: &'a [f64],
+    /// Velocities.
+    pub dq: &'a [f64],
+    /// Accelerations.
+    pub ddq: &'a [f64],
+    /// Torques.
+    pub tau: &'a [f64],
+    /// Standard or base parameters.
+    pub parameters: &'a [f64],
+}
+
+struct Ready {
+    kernel: Kernel,
+    evaluator: Evaluator,
+    nonzeros: Vec<usize>,
+}
+
+/// Tapes of a robot, ready to run. Results agree bit for bit with the generated code.
+pub struct Interpreter {
+    dof: usize,
+    offsets: Vec<f64>,
+    ready: BTreeMap<Function, Ready>,
+}
+
+impl Interpreter {
+    /// Of these functions only: building a tape takes milliseconds.
+    pub fn new(model: &Model, functions: &[Function]) -> Self {
+        let kernels: Vec<Kernel> = functions.iter().map(|&f| model.kernel(f)).collect();
+        Self::from_kernels(model, &kernels)
+    }
+
+    /// Of kernels that are there already.
+    pub fn from_kernels(model: &Model, kernels: &[Kernel]) -> Self {
+        let ready = kernels.iter().map(|kernel| {
+            let evaluator = Evaluator::new(&kernel.tape);
+            (kernel.function, Ready { evaluator, nonzeros: kernel.nonzeros(), kernel: kernel.clone() })
+        });
+        Self { dof: model.dof(), offsets: model.chain().angle_offsets(), ready: ready.collect() }
+    }
+
+    /// Extents of a function's result.
+    pub fn shape(&self, function: Function) -> Option<&[usize]> {
+        self.ready.get(&function).map(|r| r.kernel.shape.as_slice())
+    }
+
+    /// Places of the entries that are not structurally zero, in the row-major result.
+    pub fn nonzeros(&self, function: Function) -> Option<&[usize]> {
+        self.ready.get(&function).map(|r| r.nonzeros.as_slice())
+    }
+
+    /// Every output of every state: output `o` of state `s` goes to `out[o * len + s]`.
+    ///
+    /// # Panics
+    /// If the function is not among those that were made ready, or a part of the batch is too short.
+    pub fn run(&self, function: Function, batch: &Batch<'_>, out: &mut [f64]) {
+        let ready = &self.ready[&function];
+        let len = batch.len;
+        let (mut sin, mut cos) = (Vec::new(), Vec::new());
+        if ready.kernel.function.arguments().contains(&crate::arm::Argument::Configuration) {
+            let angles: Vec<f64> = (0..self.dof * len).map(|k| batch.q[k] + self.offsets[k / len.max(1)]).collect();
+            (sin, cos) = sines_and_cosines(&angles);
+        }
+        let parameters: Vec<Vec<f64>> = batch.parameters.iter().map(|&p| vec![p; len]).collect();
+        let inputs = ready.kernel.inputs;
+        ready.evaluator.run(
+            len,
+            |i| {
+                let (group, at) = inputs.locate(i);
+                let source: &[f64] = match group {
+                    Group::Position => batch.q,
+                    Group::Sine => &sin,
+                    Group::Cosine => &cos,
+                    Group::Velocity => batch.dq,
+                    Group::Acceleration => batch.ddq,
+                    Group::Torque => batch.tau,
+                    Group::Parameter => return &parameters[at],
+                };
+                &source[at * len..(at + 1) * len]
+            },
+            out,
+        );
+    }
+
+    /// The row-major result of one state.
+    ///
+    /// # Panics
+    /// Like [`Interpreter::run`].
+    pub fn one(&self, function: Function, state: &State<'_>) -> Vec<f64> {
+        let mut out = vec![0.0; self.ready[&function].kernel.tape.outputs.len()];
+        let State { q, dq, ddq, tau, parameters } = *state;
+        self.run(function, &Batch { len: 1, q, dq, ddq, tau, parameters }, &mut out);
+        out
+    }
+}
+
+/// Of any number of angles, with the runtime's own polynomials.
+fn sines_and_cosines(angles: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let (mut sin, mut cos) = (Vec::with_capacity(angles.len()), Vec::with_capacity(angles.len()));
+    for chunk in angles.chunks(8) {
+        let mut eight = [0.0; 8];
+        eight[..chunk.len()].copy_from_slice(chunk);
+        let (s, c) = f64::sin_cos_all(&eight);
+        sin.extend_from_slice(&s[..chunk.len()]);
+        cos.extend_from_slice(&c[..chunk.len()]);
+    }
+    (sin, cos)
+}

@@ -1,0 +1,10 @@
+//! Tapes as Rust text, with comments: kernels, the shell around them, whole crates. Knows no mechanics.
+
+pub mod kernel_file;
+pub mod krate;
+pub mod module;
+mod names;
+mod print;
+pub mod runtime_files;
+mod shell;
+mod tests_file;

@@ -1,0 +1,256 @@
+//! One file per function: the kernel over sines and cosines, dense and packed.
+
+use core::fmt::Write;
+
+use super::names::Names;
+use super::print::{statements, wrapped};
+use crate::arm::chain::Group;
+use crate::arm::{Argument, Function, Kernel};
+use crate::robot::Robot;
+use crate::sym::Operand;
+
+/// What a function means, for people.
+pub(super) fn doc(function: Function) -> (&'static str, &'static str) {
+    match function {
+        Function::Frames => (
+            "DH frames of all rows in the base frame",
+            "`out[i]` is the top three rows of the homogeneous matrix `T(0, i+1)`, m and one. Khalil and Dombre, 3.2.",
+        ),
+        Function::ForwardKinematics => (
+            "The last DH frame in the base frame",
+            "`out` is the top three rows of `T(0, n)`: axes of the frame as columns, then its origin, m. Khalil and Dombre, 3.2.",
+        ),
+        Function::ToolPose => (
+            "The tool frame in the base frame",
+            "Like `forward_kinematics`, followed by the tool's pose (the identity where the robot file has no tool).",
+        ),
+        Function::Jacobian => (
+            "Jacobian of the last DH frame's origin, in base axes",
+            "`(v, w) = J dq`: rows 0-2 linear, m/s, rows 3-5 angular, rad/s. Khalil and Dombre, 5.2.",
+        ),
+        Function::JacobianDotVelocity => (
+            "Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`",
+            "In base axes; entries 0-2 linear, m/s^2, 3-5 angular, rad/s^2. Khalil and Dombre, 5.10.",
+        ),
+        Function::InverseDynamics => (
+            "Torques from the standard parameters",
+            "`tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil and Dombre, 9.5.2.",
+        ),
+        Function::InverseDynamicsBase => (
+            "Torques from the base parameters",
+            "`tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil and Dombre, 9.6.",
+        ),
+        Function::MassMatrix => (
+            "Mass matrix `M`, symmetric, kg m^2",
+            "From the base parameters, rotors on the diagonal, by composite bodies. Featherstone, 6.2.",
+        ),
+        Function::Coriolis => {
+            ("Coriolis and centrifugal torques `C dq`", "N m, from the base parameters; no gravity, no friction.")
+        }
+        Function::Gravity => {
+            ("Gravity torques `g`", "N m, from the base parameters: what holds the arm up at rest.")
+        }
+        Function::ForwardDynamics => (
+            "Accelerations that torques cause",
+            "`ddq = M^-1 (tau - C dq - g - friction)`, rad/s^2, from the base parameters; `M = L D L'` written out.",
+        ),
+        Function::Regressor => (
+            "Regressor `W` of the standard parameters",
+            "`tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.",
+        ),
+        Function::BaseRegressor => (
+            "Regressor `W_b` of the base parameters",
+            "`tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4.",
+        ),
+        Function::GravityRegressor => (
+            "Regressor at rest",
+            "`g = W_g phi` for the links' parameters only; columns as the first of `STANDARD_NAMES`.",
+        ),
+        Function::KineticEnergyRegressor => {
+            ("Kinetic energy, one entry per standard parameter", "`T = h phi`, J per unit. Khalil and Dombre, 9.4.")
+        }
+        Function::PotentialEnergyRegressor => (
+            "Potential energy, one entry per standard parameter",
+            "`U = h phi`, J per unit, zero at the base frame's origin; an offset torque counts as `FO q`.",
+        ),
+        Function::PayloadRegressor => (
+            "Regressor of a body fixed to the tool frame",
+            "`tau = W_L phi_L`, columns `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool frame, about its origin (the paper's (7)).",
+        ),
+    }
+}
+
+/// What the printer has to know of the robot.
+pub(super) struct Context<'a> {
+    pub robot: &'a Robot,
+    pub standard: &'a [String],
+    pub base: &'a [String],
+}
+
+impl Context<'_> {
+    fn parameters(&self, function: Function) -> &[String] {
+        if function.arguments().contains(&Argument::StandardParameters) { self.standard } else { self.base }
+    }
+}
+
+/// Rust type of a result.
+pub(super) fn array(shape: &[usize]) -> String {
+    shape.iter().rev().fold("S".to_string(), |inner, n| format!("[{inner}; {n}]"))
+}
+
+/// `name: type` of each argument.
+pub(super) fn signature(function: Function, configuration: &str) -> String {
+    let one = |a: &Argument| match a {
+        Argument::Configuration => configuration.to_string(),
+        Argument::Velocities => "dq: &[S; DOF]".to_string(),
+        Argument::Accelerations => "ddq: &[S; DOF]".to_string(),
+        Argument::Torques => "tau: &[S; DOF]".to_string(),
+        Argument::StandardParameters => "phi: &[S; STANDARD]".to_string(),
+        Argument::BaseParameters => "beta: &[S; BASE]".to_string(),
+    };
+    function.arguments().iter().map(one).collect::<Vec<_>>().join(", ")
+}
+
+/// Is there a packed form beside the dense one? Only where it has fewer entries.
+pub(super) fn has_packed(kernel: &Kernel) -> bool {
+    kernel.nonzeros().len() < kernel.tape.outputs.len()
+}
+
+/// `[1][2]` for a place in the row-major result.
+fn place(shape: &[usize], mut at: usize) -> String {
+    let mut text = String::new();
+    let mut rest: usize = shape.iter().product();
+    for n in shape {
+        rest /= n;
+        let _ = write!(text, "[{}]", at / rest);
+        at %= rest;
+    }
+    text
+}
+
+/// The text of `src/kernel/<function>.rs`.
+pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
+    let function = kernel.function;
+    let (title, meaning) = doc(function);
+    let names = Names::new(&kernel.tape, kernel.inputs, context.parameters(function), &context.robot.constants);
+    let count = kernel.tape.operations();
+    let nonzeros = kernel.nonzeros();
+    let packed = has_packed(kernel);
+    let size: usize = kernel.shape.iter().product();
+    let shape = kernel.shape.iter().map(usize::to_string).collect::<Vec<_>>().join(" x ");
+
+    let mut text = String::new();
+    let _ = writeln!(text, "//! {title}.\n//!\n//! {meaning}\n//!");
+    let _ = writeln!(text, "//! {} multiplications, {} additions; {shape}, {} of {size} structurally nonzero.\n", count.mul, count.add, nonzeros.len());
+    let uses = ["DOF", "STANDARD", "BASE"].into_iter().filter(|c| signature(function, "").contains(c));
+    let uses: Vec<&str> = uses.chain(["Trig"]).collect();
+    let _ = writeln!(text, "use super::super::runtime::Scalar;\nuse super::super::{{{}}};\n", uses.join(", "));
+
+    if packed {
+        let _ = writeln!(text, "/// Entries that are not structurally zero.\npub const NONZEROS: usize = {};\n", nonzeros.len());
+        let rows: Vec<String> = nonzeros.iter().map(|&o| format!("({}, {})", o / (size / kernel.shape[0]), o % (size / kernel.shape[0]))).collect();
+        let of = if kernel.shape.len() == 2 { "Row and column" } else { "First index, and the rest row-major," };
+        let list: Vec<String> = rows.chunks(10).map(|c| format!("    {},", c.join(", "))).collect();
+        let _ = writeln!(text, "/// {of} of each of them, in the order of [`packed`].\npub const PATTERN: [(usize, usize); NONZEROS] = [\n{}\n];\n", list.join("\n"));
+    }
+    let arguments = signature(function, "trig: &Trig<S>");
+    let call: Vec<&str> = function.arguments().iter().map(|a| match a {
+        Argument::Configuration => "trig",
+        Argument::Velocities => "dq",
+        Argument::Accelerations => "ddq",
+        Argument::Torques => "tau",
+        Argument::StandardParameters => "phi",
+        Argument::BaseParameters => "beta",
+    }).collect();
+    let _ = writeln!(text, "/// {title}: every entry of `out` is written.\n#[inline]\npub fn dense<S: Scalar>({arguments}, out: &mut {}) {{", array(&kernel.shape));
+    if packed {
+        let flat = ".as_flattened_mut()".repeat(kernel.shape.len() - 1);
+        let _ = writeln!(text, "    out{flat}.fill(S::ZERO);");
+    }
+    let _ = writeln!(text, "    entries({}, |k, x| {{", call.join(", "));
+    let target = match (packed, kernel.shape.len()) {
+        (true, 1) => "out[PATTERN[k].0] = x;".to_string(),
+        (true, 2) => "out[PATTERN[k].0][PATTERN[k].1] = x;".to_string(),
+        (true, _) => format!("out[PATTERN[k].0][PATTERN[k].1 / {0}][PATTERN[k].1 % {0}] = x;", kernel.shape[2]),
+        (false, 1) => "out[k] = x;".to_string(),
+        (false, 2) => format!("out[k / {0}][k % {0}] = x;", kernel.shape[1]),
+        (false, _) => format!("out[k / {1}][k % {1} / {0}][k % {0}] = x;", kernel.shape[2], kernel.shape[1] * kernel.shape[2]),
+    };
+    let _ = writeln!(text, "        {target}\n    }});\n}}\n");
+    if packed {
+        let _ = writeln!(text, "/// The same, only the entries of [`PATTERN`].\n#[inline]\npub fn packed<S: Scalar>({arguments}, out: &mut [S; NONZEROS]) {{\n    entries({}, |k, x| out[k] = x);\n}}\n", call.join(", "));
+    }
+    let _ = writeln!(text, "#[allow(non_snake_case, clippy::all)]\n#[inline(always)]\nfn entries<S: Scalar>({arguments}, mut put: impl FnMut(usize, S)) {{");
+    text += &inputs(kernel, &names);
+    for (name, value) in names.constants() {
+        let _ = writeln!(text, "    let {name} = S::constant({value:?});");
+    }
+    let columns = column_names(function, context);
+    text += &statements(&kernel.tape, &names, &nonzeros, |o, value| {
+        let k = nonzeros.iter().position(|&n| n == o).unwrap_or(0);
+        let note = match (&columns, kernel.shape.as_slice()) {
+            (Some(columns), [_, width]) => format!(" // row {}, {}", o / width + 1, columns[o % width]),
+            _ if kernel.shape.len() > 1 => format!(" // {}", place(&kernel.shape, o)),
+            _ => String::new(),
+        };
+        format!("put({k}, {value});{note}")
+    });
+    text += "}\n";
+    text
+}
+
+fn column_names(function: Function, context: &Context<'_>) -> Option<Vec<String>> {
+    match function {
+        Function::Regressor | Function::GravityRegressor => Some(context.standard.to_vec()),
+        Function::BaseRegressor => Some(context.base.to_vec()),
+        Function::PayloadRegressor => {
+            Some(["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"].map(String::from).to_vec())
+        }
+        _ => None,
+    }
+}
+
+/// Takes the arguments apart: only what is read gets a name.
+fn inputs(kernel: &Kernel, names: &Names) -> String {
+    let mut used = vec![];
+    let mut note = |operand: &Operand| {
+        if let Operand::Input(i) = operand {
+            used.push(*i as usize);
+        }
+    };
+    kernel.tape.code.iter().flat_map(|s| [&s.a, &s.b]).for_each(&mut note);
+    kernel.tape.outputs.iter().for_each(&mut note);
+    used.sort_unstable();
+    used.dedup();
+    let mut text = String::new();
+    for argument in kernel.function.arguments() {
+        for &group in argument.groups() {
+            let (source, len) = match group {
+                Group::Position => ("trig.q", kernel.inputs.dof),
+                Group::Sine => ("trig.sin", kernel.inputs.dof),
+                Group::Cosine => ("trig.cos", kernel.inputs.dof),
+                Group::Velocity => ("*dq", kernel.inputs.dof),
+                Group::Acceleration => ("*ddq", kernel.inputs.dof),
+                Group::Torque => ("*tau", kernel.inputs.dof),
+                Group::Parameter if *argument == Argument::StandardParameters => ("*phi", usize::MAX),
+                Group::Parameter => ("*beta", usize::MAX),
+            };
+            let here: Vec<usize> = used.iter().map(|&i| kernel.inputs.locate(i)).filter(|(g, _)| *g == group).map(|(_, at)| at).collect();
+            let Some(&last) = here.last() else {
+                if group != Group::Position && group != Group::Sine && group != Group::Cosine {
+                    let _ = writeln!(text, "    let _ = {};", source.trim_start_matches('*'));
+                }
+                continue;
+            };
+            let list: Vec<String> = (0..=last).map(|at| if here.binary_search(&at).is_ok() { names.input(group, at) } else { "_".into() }).collect();
+            let rest = if last + 1 < len { ", .." } else { "" };
+            let list = wrapped(&list, 12);
+            let rest = if list.starts_with('\n') { rest.trim_start_matches(", ") } else { rest };
+            let _ = writeln!(text, "    let [{}{rest}] = {source};", if rest.is_empty() { list.clone() } else if list.starts_with('\n') { format!("{}    ", list) } else { list.clone() });
+        }
+    }
+    if !used.iter().any(|&i| matches!(kernel.inputs.locate(i).0, Group::Position | Group::Sine | Group::Cosine)) {
+        text += "    let _ = trig;\n";
+    }
+    text
+}

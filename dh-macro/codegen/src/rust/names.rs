@@ -1,0 +1,76 @@
+//! Names of inputs, temporaries and constants in the printed code.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::arm::chain::{Group, Inputs};
+use crate::sym::{Operand, Tape};
+
+/// What every operand of a tape is called.
+pub(super) struct Names {
+    inputs: Inputs,
+    parameters: Vec<String>,
+    temps: Vec<String>,
+    constants: BTreeMap<u64, String>,
+}
+
+impl Names {
+    /// `named` are the file's constants: where a number of the tape is one of them, it gets that name.
+    pub(super) fn new(tape: &Tape, inputs: Inputs, parameters: &[String], named: &[(String, f64)]) -> Self {
+        let mut constants = BTreeMap::new();
+        let mut taken: BTreeSet<String> = BTreeSet::new();
+        let mut add = |operand: &Operand| {
+            if let Operand::Constant(value) = operand
+                && !constants.contains_key(&value.to_bits())
+            {
+                let own = named.iter().find(|(n, v)| v == value && !taken.contains(n)).map(|(n, _)| n.clone());
+                let name = own.unwrap_or_else(|| format!("k{}", constants.len()));
+                taken.insert(name.clone());
+                constants.insert(value.to_bits(), name);
+            }
+        };
+        tape.code.iter().flat_map(|s| [&s.a, &s.b]).for_each(&mut add);
+        // Structural zeros are never stored one by one.
+        tape.outputs.iter().filter(|o| **o != Operand::Constant(0.0)).for_each(&mut add);
+        let mut temps = Vec::with_capacity(tape.code.len());
+        for (i, label) in tape.labels.iter().enumerate() {
+            temps.push(match label {
+                Some(label) if taken.insert(label.clone()) => label.clone(),
+                _ => format!("t{i}"),
+            });
+        }
+        Self { inputs, parameters: parameters.to_vec(), temps, constants }
+    }
+
+    /// The constants, by name.
+    pub(super) fn constants(&self) -> impl Iterator<Item = (&str, f64)> {
+        let mut all: Vec<(&str, f64)> = self.constants.iter().map(|(b, n)| (n.as_str(), f64::from_bits(*b))).collect();
+        all.sort_by(|a, b| (a.0.len(), a.0).cmp(&(b.0.len(), b.0)));
+        all.into_iter()
+    }
+
+    /// Name of an operand.
+    pub(super) fn of(&self, operand: Operand) -> String {
+        match operand {
+            Operand::Constant(value) => self.constants.get(&value.to_bits()).cloned().unwrap_or_default(),
+            Operand::Temp(i) => self.temps[i as usize].clone(),
+            Operand::Input(i) => {
+                let (group, at) = self.inputs.locate(i as usize);
+                self.input(group, at)
+            }
+        }
+    }
+
+    /// Name of an input: joints count from one.
+    pub(super) fn input(&self, group: Group, at: usize) -> String {
+        let letter = match group {
+            Group::Position => "q",
+            Group::Sine => "s",
+            Group::Cosine => "c",
+            Group::Velocity => "dq",
+            Group::Acceleration => "ddq",
+            Group::Torque => "tau",
+            Group::Parameter => return self.parameters.get(at).cloned().unwrap_or_else(|| format!("p{at}")),
+        };
+        format!("{letter}{}", at + 1)
+    }
+}
