@@ -22,3 +22,6 @@ pub use finding::{Clock, Finding, Kind, Severity};
 pub use keep::Keep;
 pub use open::{Format, open};
 pub use whole::Log;
+
+#[cfg(test)]
+mod tests;

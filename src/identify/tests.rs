@@ -3,6 +3,7 @@
 mod fit;
 mod honesty;
 mod logs;
+mod speed;
 mod unexcited;
 
 use super::{

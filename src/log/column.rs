@@ -108,7 +108,10 @@ impl Layout {
     /// From the header's names. `t`, and `q` and `tau` of joints `1..dof`, must be there; a quantity that is given for some joints
     /// but not for all of them is an error too.
     pub fn new<S: AsRef<str>>(file: &str, header: &[S]) -> Result<Self, LogError> {
-        let names: Vec<&str> = header.iter().map(|n| n.as_ref().trim().trim_start_matches('\u{feff}')).collect();
+        let names: Vec<&str> = header
+            .iter()
+            .map(|n| n.as_ref().trim_matches(|c: char| c.is_whitespace() || c == '"' || c == '\u{feff}'))
+            .collect();
         let mut layout = Self {
             file: file.into(),
             dof: 0,

@@ -113,12 +113,12 @@ where
     let mut done = 0;
     while done < take {
         let (mut values, mut defined) = (Vec::with_capacity(take - done), Vec::new());
-        let (records, found, levels) = reader.read_records(take - done, Some(&mut defined), None, &mut values)?;
+        let (records, found, _) = reader.read_records(take - done, Some(&mut defined), None, &mut values)?;
         if records == 0 {
             break;
         }
         let mut next = values.into_iter().take(found);
-        if levels == 0 {
+        if defined.is_empty() {
             out.extend(next.map(&convert));
         } else {
             let full = defined.iter().copied().max().unwrap_or(0).max(1);

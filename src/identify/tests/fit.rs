@@ -107,7 +107,8 @@ fn validation_is_that_of_a_direct_prediction() {
     let mut stack = Stack::new("b", &arm, StackSettings { dead_zone: DeadZone::Off, ..Default::default() });
     stack.absorb(&b);
     let b_factors = stack.finish();
-    let found = solve(&arm, &[factors(&arm, &[a])], &[b_factors.clone()], &IdentifySettings::default()).unwrap();
+    let found =
+        solve(&arm, &[factors(&arm, &[a])], std::slice::from_ref(&b_factors), &IdentifySettings::default()).unwrap();
     let len = b.states.len;
     let mut predicted = vec![0.0; 2 * len];
     torque(&arm, &b.states, &found.values(), &mut predicted);
@@ -193,7 +194,7 @@ fn wrong_numbers_are_refused() {
     let f = factors(&arm, &[motion(&arm, 1.0, 100.0, 0.0)]);
     assert!(solve(&arm, &[], &[], &IdentifySettings::default()).is_err());
     let prior = IdentifySettings { prior: Some(vec![0.0; 3]), ..Default::default() };
-    assert!(solve(&arm, &[f.clone()], &[], &prior).is_err());
+    assert!(solve(&arm, std::slice::from_ref(&f), &[], &prior).is_err());
     let mut short = motion(&arm, 1.0, 100.0, 0.0);
     short.core = 0..5;
     assert!(solve(&arm, &[factors(&arm, &[short])], &[], &IdentifySettings::default()).is_err());
