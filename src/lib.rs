@@ -1,3 +1,7 @@
 //! From a robot's DH table to closed-form Rust, and from a recorded motion to an identified model.
 
 pub mod arm;
+pub mod identify;
+pub mod log;
+pub mod report;
+pub mod signal;

@@ -1,0 +1,120 @@
+//! What identification found: plain data.
+
+use super::{Accuracy, Dropped, Noise};
+use crate::log::Finding;
+
+/// What became of a parameter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Standing {
+    /// Estimated, with a standard deviation.
+    Identified,
+    /// The data do not tell it, or not apart from others: see [`Identification::confused`].
+    NotIdentifiable,
+    /// Left out as not essential: zero.
+    Dropped,
+}
+
+/// A base parameter with its estimate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Estimate {
+    /// Name: `ZZ1R`.
+    pub name: String,
+    /// Unit.
+    pub unit: String,
+    /// `ZZ1R = ZZ1 + ...`.
+    pub grouping: String,
+    /// Value.
+    pub value: f64,
+    /// Standard deviation; infinite where the data do not tell the parameter.
+    pub std: f64,
+    /// What became of it.
+    pub standing: Standing,
+    /// Value of the robot file, where it was given.
+    pub prior: Option<f64>,
+}
+
+impl Estimate {
+    /// `100 std / |value|`.
+    pub fn relative_std_percent(&self) -> f64 {
+        100.0 * self.std / self.value.abs()
+    }
+}
+
+/// Parameters that the data do not tell apart, or at all.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Confused {
+    /// Names.
+    pub parameters: Vec<String>,
+    /// How many combinations of them are open. As many as parameters: none of them acts in this data.
+    pub open: usize,
+}
+
+/// Ratios of the largest to the smallest singular value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Condition {
+    /// Of the weighted stack.
+    pub weighted: f64,
+    /// Of the weighted stack with columns of unit norm: free of units.
+    pub scaled: f64,
+    /// Of the stack as it is, the paper's criterion.
+    pub plain: f64,
+}
+
+/// One log as it was used.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LogSummary {
+    /// Name.
+    pub name: String,
+    /// Samples used, per joint.
+    pub samples: Vec<usize>,
+    /// Seconds of motion.
+    pub seconds: f64,
+    /// Whether it validates, not fits.
+    pub validates: bool,
+    /// Errors on this log.
+    pub accuracy: Accuracy,
+}
+
+/// All that was found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Identification {
+    /// The robot's name.
+    pub robot: String,
+    /// One per base parameter, in the order of the regressor's columns.
+    pub parameters: Vec<Estimate>,
+    /// Correlation of the estimates, row-major, `B * B`; NaN where a parameter has no standard deviation.
+    pub correlation: Vec<f64>,
+    /// Noise of the joints and how independent its samples are.
+    pub noise: Noise,
+    /// Errors on all fitted logs.
+    pub fit: Accuracy,
+    /// Errors on all validating logs.
+    pub validation: Option<Accuracy>,
+    /// Errors of the robot file as it was, on the fitted logs.
+    pub fit_before: Option<Accuracy>,
+    /// Errors of the robot file as it was, on the validating logs.
+    pub validation_before: Option<Accuracy>,
+    /// Each log.
+    pub logs: Vec<LogSummary>,
+    /// Condition numbers.
+    pub condition: Condition,
+    /// Parameters that the data do not tell apart.
+    pub confused: Vec<Confused>,
+    /// Parameters that were left out, in the order of their going, and what it cost.
+    pub dropped: Vec<Dropped>,
+    /// Rounds until the weights settled.
+    pub iterations: usize,
+    /// Whether joints were weighted by their noise.
+    pub weighted: bool,
+    /// Suspicions that need a model: signs.
+    pub findings: Vec<Finding>,
+    /// Samples used in the fit, over all joints.
+    pub samples: usize,
+}
+
+impl Identification {
+    /// The base parameters' values.
+    pub fn values(&self) -> Vec<f64> {
+        self.parameters.iter().map(|p| p.value).collect()
+    }
+}

@@ -1,0 +1,49 @@
+//! The rows of the base regressor: each joint's columns, evaluated over a block of samples.
+
+use crate::arm::{Arm, States};
+
+/// Where each joint's entries stand in [`Arm::base_pattern`].
+#[derive(Debug, Clone)]
+pub(super) struct Rows {
+    /// Base parameters of each joint's row.
+    pub(super) columns: Vec<Vec<usize>>,
+    /// First entry of each joint's row in the pattern, and the end.
+    pub(super) offsets: Vec<usize>,
+    /// Position of each joint's Coulomb column, `FCj`, within its row.
+    pub(super) coulomb: Vec<Option<usize>>,
+}
+
+impl Rows {
+    pub(super) fn new(arm: &dyn Arm) -> Self {
+        let mut columns = vec![Vec::new(); arm.dof()];
+        for &(row, column) in arm.base_pattern() {
+            columns[row].push(column);
+        }
+        let mut offsets = vec![0];
+        for row in &columns {
+            offsets.push(offsets[offsets.len() - 1] + row.len());
+        }
+        let name = |c: usize| arm.base_parameters()[c].name.trim_end_matches('R').to_string();
+        let coulomb =
+            |(joint, row): (usize, &Vec<usize>)| row.iter().position(|&c| name(c) == format!("FC{}", joint + 1));
+        let coulomb = columns.iter().enumerate().map(coulomb).collect();
+        Self { columns, offsets, coulomb }
+    }
+
+    /// The regressor's entries, `entries * len`. Where `sign` (joint-major) is given it takes the place of the velocity's sign in the
+    /// Coulomb columns.
+    pub(super) fn evaluate(&self, arm: &dyn Arm, states: &States, sign: &[f64], out: &mut Vec<f64>) {
+        let len = states.len;
+        out.clear();
+        out.resize(arm.base_pattern().len() * len, 0.0);
+        arm.base_regressor(states, out);
+        if sign.len() == arm.dof() * len {
+            for (joint, coulomb) in self.coulomb.iter().enumerate() {
+                if let Some(column) = coulomb {
+                    let entry = self.offsets[joint] + column;
+                    out[entry * len..(entry + 1) * len].copy_from_slice(&sign[joint * len..(joint + 1) * len]);
+                }
+            }
+        }
+    }
+}

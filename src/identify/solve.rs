@@ -1,0 +1,234 @@
+//! Factors of logs -> [`Identification`].
+
+use super::{
+    accuracy, essential,
+    essential::Essential,
+    recover::base_of,
+    result::{Condition, Confused, Estimate, Identification, LogSummary, Standing},
+    sign,
+    spectrum::{Small, coupled},
+    stack::Factors,
+    statistics::covariance,
+    wls::{JointSystem, Problem, stacked},
+};
+use crate::arm::Arm;
+
+/// How to solve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct IdentifySettings {
+    /// Whether each joint is weighted by its own noise. Default true.
+    pub weighted: bool,
+    /// Whether to leave out parameters that are not essential. Default no.
+    pub essential: Option<Essential>,
+    /// Standard parameters of the robot file: what to compare with, and what stands where the data say nothing.
+    pub prior: Option<Vec<f64>>,
+    /// Combinations whose singular value (columns of unit norm) is below this times the largest are not told by the data.
+    /// Default 1e-10: above rounding, below any noise.
+    pub tolerance: f64,
+    /// Most rounds of weighting. Default 20.
+    pub most_iterations: usize,
+}
+
+impl Default for IdentifySettings {
+    fn default() -> Self {
+        Self { weighted: true, essential: None, prior: None, tolerance: 1e-10, most_iterations: 20 }
+    }
+}
+
+/// Why nothing could be identified.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum IdentifyError {
+    /// No log.
+    #[error("there is no log to fit")]
+    NoLog,
+    /// Every torque is zero.
+    #[error(
+        "the torques of all joints are zero throughout; take logs, or the torque column (tau, taum), that were measured"
+    )]
+    NoTorque,
+    /// Fewer equations than unknowns.
+    #[error("{samples} samples of {joints} joints are too few for {parameters} parameters; record a longer motion")]
+    TooFew {
+        /// Samples over all joints.
+        samples: usize,
+        /// Joints.
+        joints: usize,
+        /// Unknowns.
+        parameters: usize,
+    },
+    /// Factors of another arm, or a prior of the wrong length.
+    #[error("{what}: {found} where the arm has {expected}")]
+    Mismatch {
+        /// What does not fit.
+        what: String,
+        /// Given.
+        found: usize,
+        /// Needed.
+        expected: usize,
+    },
+    /// Numbers overflowed: positions or torques beyond all measure.
+    #[error("the equations contain infinite numbers; look for absurd values in the log")]
+    NotFinite,
+}
+
+/// Identifies the base parameters from `fit`, and tries them on `validate`.
+pub fn solve(
+    arm: &dyn Arm,
+    fit: &[Factors],
+    validate: &[Factors],
+    settings: &IdentifySettings,
+) -> Result<Identification, IdentifyError> {
+    let parameters = arm.base_parameters();
+    check(arm, fit, validate, settings)?;
+    let joints = JointSystem::all(fit, parameters.len());
+    let samples: usize = joints.iter().map(|j| j.samples).sum();
+    if samples == 0 {
+        return Err(IdentifyError::NoTorque);
+    }
+    if samples < parameters.len() {
+        return Err(IdentifyError::TooFew { samples, joints: joints.len(), parameters: parameters.len() });
+    }
+    if joints.iter().chain(&JointSystem::all(validate, parameters.len())).any(|j| j.gram.iter().any(|v| !v.is_finite()))
+    {
+        return Err(IdentifyError::NotFinite);
+    }
+    let before = settings.prior.as_ref().map(|standard| base_of(arm, standard));
+    let prior = before.clone().unwrap_or_else(|| vec![0.0; parameters.len()]);
+    let problem = Problem {
+        joints: &joints,
+        parameters: parameters.len(),
+        prior: &prior,
+        tolerance: settings.tolerance,
+        weighted: settings.weighted,
+        most_iterations: settings.most_iterations.max(1),
+    };
+    let everything: Vec<usize> = (0..parameters.len()).collect();
+    let mut solution = problem.solve(&everything, None);
+    let names: Vec<String> = parameters.iter().map(|p| p.name.clone()).collect();
+    let groups = coupled(&solution.null);
+    let confused: Vec<Confused> = groups
+        .iter()
+        .map(|group| Confused {
+            parameters: group.iter().map(|&i| names[solution.active[i]].clone()).collect(),
+            open: group.iter().map(|&i| solution.null.row(i).norm_squared()).sum::<f64>().round() as usize,
+        })
+        .collect();
+    let mut open = vec![false; parameters.len()];
+    groups.iter().flatten().for_each(|&i| open[solution.active[i]] = true);
+    let mut dropped = Vec::new();
+    if let Some(essential) = settings.essential {
+        let told: Vec<usize> = everything.iter().copied().filter(|&c| !open[c]).collect();
+        let start = if told.len() < everything.len() {
+            problem.solve(&told, Some(&solution.weights))
+        } else {
+            solution.clone()
+        };
+        let (active, gone) = essential::reduce(&problem, &start, &names, essential);
+        if told.len() == everything.len() || !gone.is_empty() {
+            dropped = gone;
+            solution = problem.solve(&active, Some(&solution.weights));
+        }
+    }
+    let (noise, covariance) = covariance(&joints, &solution, parameters.len());
+    let mut std = vec![0.0; parameters.len()];
+    for (i, &c) in solution.active.iter().enumerate() {
+        std[c] = if open[c] { f64::INFINITY } else { covariance[(i, i)].max(0.0).sqrt() };
+    }
+    let mut correlation = vec![f64::NAN; parameters.len() * parameters.len()];
+    for (i, &row) in solution.active.iter().enumerate() {
+        for (k, &column) in solution.active.iter().enumerate() {
+            if !open[row] && !open[column] {
+                let value = covariance[(i, k)] / (std[row] * std[column]);
+                correlation[row * parameters.len() + column] = if i == k { 1.0 } else { value };
+            }
+        }
+    }
+    let mut findings = match &before {
+        Some(beta) if beta.iter().any(|v| *v != 0.0) => sign::against_model(&joints, beta),
+        _ => Vec::new(),
+    };
+    if findings.is_empty() {
+        findings = sign::against_fit(arm, &problem, &solution, &std);
+    }
+    for log in validate {
+        for suspicion in sign::by_log(log, &solution.beta) {
+            if findings.iter().all(|f| f.column != suspicion.column) {
+                findings.push(suspicion);
+            }
+        }
+    }
+    let [weighted, scaled] = solution.small.conditions();
+    let plain =
+        Small::new(&stacked(&joints, &vec![1.0; joints.len()], &solution.active, parameters.len())).conditions()[0];
+    let total = |logs: &[Factors], beta: &[f64]| accuracy(&logs.iter().collect::<Vec<_>>(), beta);
+    let some = !validate.is_empty();
+    Ok(Identification {
+        robot: arm.name().into(),
+        parameters: parameters
+            .iter()
+            .enumerate()
+            .map(|(c, p)| Estimate {
+                name: p.name.clone(),
+                unit: p.unit.clone(),
+                grouping: p.grouping.clone(),
+                value: solution.beta[c],
+                std: std[c],
+                standing: match (open[c], solution.active.contains(&c)) {
+                    (true, _) => Standing::NotIdentifiable,
+                    (false, true) => Standing::Identified,
+                    (false, false) => Standing::Dropped,
+                },
+                prior: before.as_ref().map(|b| b[c]),
+            })
+            .collect(),
+        correlation,
+        noise,
+        fit: total(fit, &solution.beta),
+        validation: some.then(|| total(validate, &solution.beta)),
+        fit_before: before.as_ref().map(|beta| total(fit, beta)),
+        validation_before: before.as_ref().filter(|_| some).map(|beta| total(validate, beta)),
+        logs: fit
+            .iter()
+            .map(|log| (log, false))
+            .chain(validate.iter().map(|log| (log, true)))
+            .map(|(log, validates)| LogSummary {
+                name: log.name.clone(),
+                samples: log.joints.iter().map(|j| j.samples).collect(),
+                seconds: log.seconds,
+                validates,
+                accuracy: accuracy(&[log], &solution.beta),
+            })
+            .collect(),
+        condition: Condition { weighted, scaled, plain },
+        confused,
+        dropped,
+        iterations: solution.iterations,
+        weighted: settings.weighted,
+        findings,
+        samples,
+    })
+}
+
+fn check(
+    arm: &dyn Arm,
+    fit: &[Factors],
+    validate: &[Factors],
+    settings: &IdentifySettings,
+) -> Result<(), IdentifyError> {
+    if fit.is_empty() {
+        return Err(IdentifyError::NoLog);
+    }
+    let same = |what: String, found: usize, expected: usize| match found == expected {
+        true => Ok(()),
+        false => Err(IdentifyError::Mismatch { what, found, expected }),
+    };
+    for log in fit.iter().chain(validate) {
+        same(format!("{}: joints", log.name), log.joints.len(), arm.dof())?;
+        same(format!("{}: parameters", log.name), log.parameters, arm.base_parameters().len())?;
+    }
+    match &settings.prior {
+        Some(prior) => same("standard parameters given".into(), prior.len(), arm.standard_names().len()),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,275 @@
+//! Motions -> one triangular factor per joint, over only that joint's columns.
+
+use super::{batches::Batches, rows::Rows, triangle::Triangle};
+use crate::{
+    arm::Arm,
+    signal::{Motion, MotionBlock, low_pass},
+};
+
+/// What is done with samples of a joint near standstill, where the sign of its velocity is noise.
+///
+/// There a joint's Coulomb column and its true friction disagree by up to twice the friction, so the joint's own row is left out.
+/// A joint that is inside its dead zone for more than half of a stretch is taken to stand on purpose: its rows stay, with zero in
+/// the Coulomb column. (Filtered motions bring the filtered sign along, see [`Motion::sign`]; then the zero is that of the noise.)
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum DeadZone {
+    /// Three standard deviations of the velocity error that the noise of `q` leaves (see [`Motion::velocity_noise`]), at most
+    /// 2 % of the joint's largest speed in the stretch.
+    #[default]
+    FromNoise,
+    /// This speed, rad/s.
+    Fixed(f64),
+    /// All samples are used.
+    Off,
+}
+
+/// How the stack is built.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StackSettings {
+    /// Samples near standstill.
+    pub dead_zone: DeadZone,
+    /// Least length of a batch, s, for the standard deviations: several times the correlation time of filtered noise. Default 0.5,
+    /// five periods of the default cutoff.
+    pub batch: f64,
+    /// Low-pass (order, Hz) through which the columns of the regressor and the torque are run alike before every `stride`th sample is used:
+    /// Gautier's parallel filter (Khalil and Dombre, section 12.5.3). Needs motions with margins. Default none.
+    pub parallel: Option<(usize, f64)>,
+}
+
+impl Default for StackSettings {
+    fn default() -> Self {
+        Self { dead_zone: DeadZone::FromNoise, batch: 0.5, parallel: None }
+    }
+}
+
+/// What is known of one joint's equations: `R_j' R_j = [W_j tau_j]' [W_j tau_j]`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JointFactor {
+    /// Base parameters that the joint's torque can depend on; the factor's columns, before the torque.
+    pub columns: Vec<usize>,
+    /// The factor, `columns.len() + 1` square.
+    pub triangle: Triangle,
+    /// Samples used.
+    pub samples: usize,
+    /// Least and largest torque, N m.
+    pub range: [f64; 2],
+    pub(super) batches: Batches,
+}
+
+impl JointFactor {
+    /// Whether there is a torque to explain.
+    pub fn is_live(&self) -> bool {
+        let n = self.columns.len();
+        self.samples > 0 && self.triangle.column(n).iter().any(|v| *v != 0.0)
+    }
+
+    /// Root mean square of the torque, N m.
+    pub fn torque_rms(&self) -> f64 {
+        let n = self.columns.len();
+        let mut last = vec![0.0; n + 1];
+        last[n] = 1.0;
+        self.triangle.norm_of(&last) / (self.samples.max(1) as f64).sqrt()
+    }
+
+    /// Root of the sum of squares of `tau - W beta`, N m, for all base parameters.
+    pub fn residual_norm(&self, beta: &[f64]) -> f64 {
+        let mut x: Vec<f64> = self.columns.iter().map(|&c| -beta[c]).collect();
+        x.push(1.0);
+        self.triangle.norm_of(&x)
+    }
+}
+
+/// What is known of a log, whatever its length.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Factors {
+    /// Name of the log.
+    pub name: String,
+    /// One per joint.
+    pub joints: Vec<JointFactor>,
+    /// Seconds of motion.
+    pub seconds: f64,
+    /// Number of base parameters.
+    pub parameters: usize,
+}
+
+/// Builds [`Factors`] from motions.
+pub struct Stack<'a> {
+    arm: &'a dyn Arm,
+    settings: StackSettings,
+    factors: Factors,
+    rows: Rows,
+    open: Vec<Triangle>,
+    in_batch: usize,
+    block: MotionBlock,
+    regressor: Vec<f64>,
+    work: Vec<f64>,
+}
+
+/// Samples that are evaluated and annihilated at once: a joint's block then stays in the second-level cache.
+const BLOCK: usize = 256;
+
+impl<'a> Stack<'a> {
+    /// For a log of this name, of this arm.
+    pub fn new(name: &str, arm: &'a dyn Arm, settings: StackSettings) -> Self {
+        let parameters = arm.base_parameters().len();
+        let rows = Rows::new(arm);
+        let joints: Vec<JointFactor> = rows
+            .columns
+            .iter()
+            .cloned()
+            .map(|columns| JointFactor {
+                triangle: Triangle::new(columns.len() + 1),
+                columns,
+                samples: 0,
+                range: [f64::INFINITY, f64::NEG_INFINITY],
+                batches: Batches::new(),
+            })
+            .collect();
+        Self {
+            open: joints.iter().map(|j| Triangle::new(j.columns.len() + 1)).collect(),
+            factors: Factors { name: name.into(), joints, seconds: 0.0, parameters },
+            arm,
+            settings,
+            rows,
+            in_batch: 0,
+            block: MotionBlock::default(),
+            regressor: Vec::new(),
+            work: Vec::new(),
+        }
+    }
+
+    /// Takes in a stretch of motion.
+    pub fn absorb(&mut self, motion: &Motion) {
+        let dead = self.dead_zones(motion);
+        let step = motion.period * motion.stride.max(1) as f64;
+        let full = ((self.settings.batch / step).ceil() as usize).max(8);
+        self.factors.seconds += motion.picks().len() as f64 * step;
+        if let Some((order, cutoff)) = self.settings.parallel
+            && let Ok(sos) = low_pass(order, cutoff, motion.period.recip())
+        {
+            self.absorb_filtered(motion, &sos, &dead, full);
+            return;
+        }
+        let (mut block, mut regressor) = (std::mem::take(&mut self.block), std::mem::take(&mut self.regressor));
+        let mut from = 0;
+        loop {
+            let rows = BLOCK.min(full - self.in_batch);
+            let count = motion.gather(from, rows, &mut block);
+            if count == 0 {
+                break;
+            }
+            from += count;
+            self.rows.evaluate(self.arm, &block.states, &block.sign, &mut regressor);
+            self.take_block(&block.states.dq, &regressor, &block.tau, count, &dead);
+            self.end_batch(full);
+        }
+        (self.block, self.regressor) = (block, regressor);
+    }
+
+    /// Runs each column and the torque through the same low-pass, then uses the picked samples.
+    fn absorb_filtered(&mut self, motion: &Motion, sos: &crate::signal::Sos, dead: &[(f64, bool)], full: usize) {
+        let len = motion.states.len;
+        let mut regressor = Vec::new();
+        self.rows.evaluate(self.arm, &motion.states, &motion.sign, &mut regressor);
+        let mut tau = motion.tau.clone();
+        let pad = sos.settling();
+        let picks: Vec<usize> = motion.picks().collect();
+        let thin = |x: &mut Vec<f64>| {
+            let mut out = Vec::with_capacity(x.len() / len.max(1) * picks.len());
+            for column in x.chunks_exact_mut(len.max(1)) {
+                sos.forward_backward(column, pad);
+                out.extend(picks.iter().map(|&s| column[s]));
+            }
+            *x = out;
+        };
+        thin(&mut regressor);
+        thin(&mut tau);
+        let mut dq = Vec::new();
+        for joint in 0..self.arm.dof() {
+            dq.extend(picks.iter().map(|&s| motion.states.dq[joint * len + s]));
+        }
+        let count = picks.len();
+        let part = |x: &[f64], rows: std::ops::Range<usize>| -> Vec<f64> {
+            x.chunks_exact(count.max(1)).flat_map(|c| c[rows.clone()].to_vec()).collect()
+        };
+        let mut from = 0;
+        while from < count {
+            let rows = from..(from + BLOCK.min(full - self.in_batch)).min(count);
+            from = rows.end;
+            let (dq, w, t) = (part(&dq, rows.clone()), part(&regressor, rows.clone()), part(&tau, rows.clone()));
+            self.take_block(&dq, &w, &t, rows.len(), dead);
+            self.end_batch(full);
+        }
+    }
+
+    /// Speed of each joint below which its rows are left out, and whether it stands.
+    fn dead_zones(&self, motion: &Motion) -> Vec<(f64, bool)> {
+        let len = motion.states.len;
+        (0..self.arm.dof())
+            .map(|joint| {
+                let dq = &motion.states.dq[joint * len..(joint + 1) * len];
+                let largest = dq.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+                let zone = match self.settings.dead_zone {
+                    _ if self.rows.coulomb[joint].is_none() => return (-1.0, false),
+                    DeadZone::Off => return (-1.0, false),
+                    DeadZone::Fixed(speed) => speed,
+                    DeadZone::FromNoise => (3.0 * motion.velocity_noise[joint]).min(0.02 * largest),
+                };
+                let inside = dq.iter().filter(|v| v.abs() <= zone).count();
+                (zone, 2 * inside > len)
+            })
+            .collect()
+    }
+
+    /// `regressor` by entry of the pattern, `count` rows each; `dq` and `tau` joint-major.
+    fn take_block(&mut self, dq: &[f64], regressor: &[f64], tau: &[f64], count: usize, dead: &[(f64, bool)]) {
+        for (joint, factor) in self.factors.joints.iter_mut().enumerate() {
+            let n = factor.columns.len();
+            let w = &regressor[self.rows.offsets[joint] * count..self.rows.offsets[joint + 1] * count];
+            let (dq, tau) = (&dq[joint * count..(joint + 1) * count], &tau[joint * count..(joint + 1) * count]);
+            let (zone, stands) = dead[joint];
+            self.work.clear();
+            let used = if stands || dq.iter().all(|v| v.abs() > zone) {
+                self.work.extend_from_slice(w);
+                self.work.extend_from_slice(tau);
+                if let (true, Some(k)) = (stands, self.rows.coulomb[joint]) {
+                    let column = &mut self.work[k * count..(k + 1) * count];
+                    column.iter_mut().zip(dq).filter(|(_, v)| v.abs() <= zone).for_each(|(c, _)| *c = 0.0);
+                }
+                count
+            } else {
+                let kept: Vec<usize> = (0..count).filter(|&s| dq[s].abs() > zone).collect();
+                for column in w.chunks_exact(count).chain([tau]) {
+                    self.work.extend(kept.iter().map(|&s| column[s]));
+                }
+                kept.len()
+            };
+            for &value in &self.work[n * used..] {
+                factor.range = [factor.range[0].min(value), factor.range[1].max(value)];
+            }
+            factor.samples += used;
+            self.open[joint].absorb(&mut self.work, used);
+        }
+        self.in_batch += count;
+    }
+
+    fn end_batch(&mut self, full: usize) {
+        if self.in_batch >= full {
+            self.in_batch = 0;
+            for (factor, open) in self.factors.joints.iter_mut().zip(&mut self.open) {
+                factor.batches.push(open);
+                factor.triangle.merge(open);
+                *open = Triangle::new(open.columns());
+            }
+        }
+    }
+
+    /// The factors of all that was taken in.
+    pub fn finish(mut self) -> Factors {
+        if self.in_batch > 0 {
+            self.end_batch(self.in_batch);
+        }
+        self.factors.joints.iter_mut().for_each(|j| j.batches.close());
+        self.factors
+    }
+}

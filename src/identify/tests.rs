@@ -1,0 +1,37 @@
+//! The whole room on the planar arm: exact without noise, honest with it, frank where the data say nothing.
+
+mod fit;
+mod honesty;
+mod logs;
+mod speed;
+mod unexcited;
+
+use super::{
+    Factors, Identification, IdentifySettings, Stack, StackSettings,
+    planar::{Normal, Planar},
+    solve,
+};
+use crate::signal::{Motion, low_pass};
+
+fn factors(arm: &Planar, motions: &[Motion]) -> Factors {
+    let mut stack = Stack::new("test", arm, StackSettings::default());
+    motions.iter().for_each(|m| stack.absorb(m));
+    stack.finish()
+}
+
+fn identify(arm: &Planar, motions: &[Motion]) -> Identification {
+    solve(arm, &[factors(arm, motions)], &[], &IdentifySettings::default()).unwrap()
+}
+
+/// Adds noise to the torques, N m per joint: white, or white through the zero-phase low-pass of the default filter.
+fn add_noise(motion: &mut Motion, sigma: [f64; 2], filtered: bool, seed: u64) {
+    let len = motion.states.len;
+    let mut normal = Normal::new(seed);
+    for (joint, sigma) in sigma.into_iter().enumerate() {
+        let mut noise: Vec<f64> = (0..len).map(|_| sigma * normal.next()).collect();
+        if filtered {
+            low_pass(5, 10.0, motion.period.recip()).unwrap().forward_backward(&mut noise, 200);
+        }
+        motion.tau[joint * len..(joint + 1) * len].iter_mut().zip(noise).for_each(|(t, n)| *t += n);
+    }
+}

@@ -1,0 +1,133 @@
+//! From a file's bytes to parameters.
+
+use super::*;
+use crate::{
+    identify::planar::{log, motion},
+    log::{LogError, csv, open},
+    signal::{Filter, Prepare, PrepareError, each_motion},
+};
+
+fn bytes(motion: &Motion) -> Vec<u8> {
+    let mut out = Vec::new();
+    csv::write(&log(motion), &mut out).unwrap();
+    out
+}
+
+fn from_bytes(
+    arm: &Planar,
+    csv: &[u8],
+    prepare: &Prepare,
+    settings: StackSettings,
+) -> Result<Identification, PrepareError> {
+    let mut source = open("planar.csv", csv)?;
+    let mut stack = Stack::new("planar.csv", arm, settings);
+    each_motion(source.as_mut(), 2, prepare, |m| stack.absorb(m))?;
+    Ok(solve(arm, &[stack.finish()], &[], &IdentifySettings::default()).unwrap())
+}
+
+/// Largest error relative to what the parameter is worth in torque: 1 kg m^2 is as bad as 1 N m.
+fn worst(arm: &Planar, found: &Identification) -> f64 {
+    found.parameters.iter().zip(arm.beta()).map(|(p, t)| (p.value - t).abs()).fold(0.0, f64::max)
+}
+
+#[test]
+fn positions_and_torques_suffice() {
+    let arm = Planar::new();
+    let m = motion(&arm, 20.0, 1000.0, 0.0);
+    let prepare = Prepare::default();
+    let found = from_bytes(&arm, &bytes(&m), &prepare, StackSettings::default()).unwrap();
+    // The low-pass rounds the steps of the Coulomb torque; the parallel filter rounds the column alike.
+    assert!(worst(&arm, &found) < 0.06, "{}", worst(&arm, &found));
+    let parallel =
+        StackSettings { parallel: Some((5, 10.0)), dead_zone: super::super::DeadZone::Off, ..Default::default() };
+    let unfiltered = Prepare { margins: true, filter: None, ..prepare };
+    let better = from_bytes(&arm, &bytes(&m), &unfiltered, parallel).unwrap();
+    assert!(worst(&arm, &better) < 0.003, "{}", worst(&arm, &better));
+}
+
+#[test]
+fn chunks_do_not_show() {
+    let arm = Planar::new();
+    let mut m = motion(&arm, 20.0, 200.0, 0.0);
+    add_noise(&mut m, [0.3, 0.1], false, 5);
+    let csv = bytes(&m);
+    let whole = from_bytes(&arm, &csv, &Prepare::default(), StackSettings::default()).unwrap();
+    for chunk in [100, 777] {
+        for stride in [1, 5] {
+            let once = Prepare { stride, ..Prepare::default() };
+            let pieces = Prepare { chunk, ..once };
+            let fixed = StackSettings { dead_zone: super::super::DeadZone::Fixed(0.01), ..Default::default() };
+            let a = from_bytes(&arm, &csv, &once, fixed).unwrap();
+            let b = from_bytes(&arm, &csv, &pieces, fixed).unwrap();
+            assert_eq!(a.samples, b.samples);
+            for ((a, b), w) in a.parameters.iter().zip(&b.parameters).zip(&whole.parameters) {
+                // Only the velocity noise, found chunk by chunk, differs.
+                assert!((a.value - b.value).abs() < 0.3 * a.std, "{}: {} {}", a.name, a.value, b.value);
+                assert!((a.value - w.value).abs() < 3.0 * w.std);
+            }
+        }
+    }
+}
+
+#[test]
+fn chunks_are_filtered_as_the_whole_is() {
+    let arm = Planar::new();
+    let mut m = motion(&arm, 20.0, 200.0, 0.0);
+    add_noise(&mut m, [0.3, 0.1], false, 5);
+    let csv = bytes(&m);
+    let all = |chunk: usize| {
+        let (mut q, mut ddq, mut tau, mut times) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let prepare = Prepare { chunk, stride: 3, ..Prepare::default() };
+        each_motion(open("x", &csv[..]).unwrap().as_mut(), 2, &prepare, |m| {
+            let mut block = crate::signal::MotionBlock::default();
+            let n = m.gather(0, usize::MAX, &mut block);
+            q.extend_from_slice(&block.states.q[n..]);
+            ddq.extend_from_slice(&block.states.ddq[n..]);
+            tau.extend_from_slice(&block.tau[..n]);
+            times.extend(m.picks().map(|s| m.time(s)));
+        })
+        .unwrap();
+        [q, ddq, tau, times]
+    };
+    let whole = all(1 << 20);
+    assert_eq!(whole[0].len(), 1307); // 4000 samples less 2 * 40, every third
+    for chunk in [90, 1000] {
+        for (a, b) in whole.iter().flatten().zip(all(chunk).iter().flatten()) {
+            assert!((a - b).abs() < 1e-8, "{a} {b}");
+        }
+    }
+}
+
+#[test]
+fn noise_in_torque_and_position() {
+    let arm = Planar::new();
+    let mut m = motion(&arm, 20.0, 1000.0, 0.0);
+    add_noise(&mut m, [1.0, 0.5], false, 6);
+    let mut normal = Normal::new(12);
+    m.states.q.iter_mut().for_each(|q| *q += 2e-5 * normal.next());
+    let found = from_bytes(&arm, &bytes(&m), &Prepare::default(), StackSettings::default()).unwrap();
+    assert!(worst(&arm, &found) < 0.1, "{}", worst(&arm, &found));
+}
+
+#[test]
+fn a_cutoff_beyond_the_rate_says_so() {
+    let arm = Planar::new();
+    let csv = bytes(&motion(&arm, 10.0, 15.0, 0.0));
+    let error = from_bytes(&arm, &csv, &Prepare::default(), StackSettings::default()).unwrap_err();
+    assert!(error.to_string().contains("10 Hz"), "{error}");
+    let low = Prepare { filter: Some(Filter { order: 5, cutoff: 4.0 }), ..Prepare::default() };
+    assert!(from_bytes(&arm, &csv, &low, StackSettings::default()).is_ok());
+    let coarse = Prepare { stride: 3, ..low };
+    assert!(matches!(
+        from_bytes(&arm, &csv, &coarse, StackSettings::default()),
+        Err(PrepareError::Stride { most: 1, .. })
+    ));
+}
+
+#[test]
+fn another_robots_log() {
+    let error = open("x.csv", &b"t,q1,tau1\n0,0,0\n"[..])
+        .map_err(PrepareError::from)
+        .and_then(|mut s| each_motion(s.as_mut(), 2, &Prepare::default(), |_| ()));
+    assert!(matches!(error, Err(PrepareError::Log(LogError::Joints { found: 1, expected: 2, .. }))));
+}

@@ -1,0 +1,136 @@
+//! `cargo test --release identify::tests::speed -- --ignored --nocapture`: how long 10,000 samples of seven joints take.
+
+use std::time::Instant;
+
+use super::*;
+use crate::arm::{Arm, BaseParameter, States};
+
+/// Seven joints, 57 columns with the structure of a serial arm: joint `j` sees the inertial parameters of the links from `j` on.
+struct Wide {
+    base: Vec<BaseParameter>,
+    pattern: Vec<(usize, usize)>,
+    names: Vec<String>,
+}
+
+impl Wide {
+    fn new() -> Self {
+        let mut links = vec![(0, "ZZ1R".to_string())];
+        for link in 1..7 {
+            links.extend(["XX", "XY", "XZ", "YZ", "ZZ", "MSX", "MSY"].map(|p| (link, format!("{p}{}", link + 1))));
+        }
+        let names: Vec<(usize, String)> = links
+            .into_iter()
+            .chain((0..7).flat_map(|j| [(j, format!("FV{}", j + 1))]))
+            .chain((0..7).map(|j| (j, format!("FC{}", j + 1))))
+            .collect();
+        let mut pattern = Vec::new();
+        for joint in 0..7 {
+            for (column, (link, name)) in names.iter().enumerate() {
+                if if name.starts_with('F') { *link == joint } else { *link >= joint } {
+                    pattern.push((joint, column));
+                }
+            }
+        }
+        let base = names
+            .iter()
+            .map(|(_, name)| BaseParameter {
+                name: name.clone(),
+                grouping: name.clone(),
+                coefficients: vec![],
+                unit: String::new(),
+            })
+            .collect();
+        Self { base, pattern, names: Vec::new() }
+    }
+}
+
+impl Arm for Wide {
+    fn name(&self) -> &str {
+        "wide"
+    }
+    fn dof(&self) -> usize {
+        7
+    }
+    fn standard_names(&self) -> &[String] {
+        &self.names
+    }
+    fn base_parameters(&self) -> &[BaseParameter] {
+        &self.base
+    }
+    fn base_pattern(&self) -> &[(usize, usize)] {
+        &self.pattern
+    }
+    /// Cheap numbers of the right shape: the model's own time is not measured here.
+    fn base_regressor(&self, states: &States, out: &mut [f64]) {
+        let n = states.len;
+        for (k, &(row, column)) in self.pattern.iter().enumerate() {
+            for s in 0..n {
+                let (q, v) = (states.q[row * n + s], states.dq[(column % 7) * n + s]);
+                out[k * n + s] =
+                    q * (1.0 + 0.1 * k as f64) + v * (0.3 * (k * k) as f64).sin() + ((s * (k + 3)) % 17) as f64 * 0.1;
+            }
+        }
+    }
+    fn inverse_dynamics(&self, _: &States, _: &[f64], _: &mut [f64]) {}
+}
+
+#[test]
+#[ignore = "measures time"]
+fn ten_thousand_samples() {
+    let arm = Wide::new();
+    let len = 10_000;
+    let mut normal = Normal::new(1);
+    let mut random = || (0..7 * len).map(|_| normal.next()).collect::<Vec<f64>>();
+    let states = States { len, q: random(), dq: random(), ddq: random() };
+    let mut regressor = vec![0.0; arm.pattern.len() * len];
+    arm.base_regressor(&states, &mut regressor);
+    let mut tau = random();
+    for (k, &(row, column)) in arm.pattern.iter().enumerate() {
+        (0..len).for_each(|s| tau[row * len + s] += regressor[k * len + s] * (1.0 + column as f64));
+    }
+    let m = Motion {
+        period: 1e-3,
+        states,
+        tau,
+        core: 0..len,
+        stride: 1,
+        velocity_noise: vec![0.0; 7],
+        ..Default::default()
+    };
+    eprintln!("{} columns, {} entries", arm.base.len(), arm.pattern.len());
+    for _ in 0..5 {
+        let start = Instant::now();
+        let mut out = vec![0.0; arm.pattern.len() * 256];
+        let mut block = crate::signal::MotionBlock::default();
+        let mut from = 0;
+        loop {
+            let count = m.gather(from, 256, &mut block);
+            if count == 0 {
+                break;
+            }
+            arm.base_regressor(&block.states, &mut out[..arm.pattern.len() * count]);
+            from += count;
+        }
+        let model = start.elapsed();
+        let start = Instant::now();
+        let mut stack = Stack::new("speed", &arm, StackSettings::default());
+        stack.absorb(&m);
+        let f = [stack.finish()];
+        let factor = start.elapsed() - model;
+        let start = Instant::now();
+        let found = solve(&arm, &f, &[], &IdentifySettings::default()).unwrap();
+        let solved = start.elapsed();
+        let start = Instant::now();
+        let essential =
+            IdentifySettings { essential: Some(crate::identify::Essential::default()), ..Default::default() };
+        solve(&arm, &f, &[], &essential).unwrap();
+        eprintln!(
+            "factor {:.1} ms, solve {:.1} ms ({} rounds), with essential {:.1} ms; model {:.1} ms",
+            1e3 * factor.as_secs_f64(),
+            1e3 * solved.as_secs_f64(),
+            found.iterations,
+            1e3 * start.elapsed().as_secs_f64(),
+            1e3 * model.as_secs_f64()
+        );
+    }
+}

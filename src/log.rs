@@ -1,0 +1,27 @@
+//! Measured data: files become blocks of rows, the doctor looks at each row, and what passes goes on.
+//!
+//! `Source` (CSV, Parquet) -> [`Block`] -> [`Doctor`] -> rows in segments. Nothing here opens a file: the caller hands in bytes.
+//! Knows the columns of contract section 3; knows no robot.
+
+mod block;
+mod column;
+pub mod csv;
+mod doctor;
+mod error;
+mod finding;
+mod keep;
+mod open;
+pub mod parquet;
+mod whole;
+
+pub use block::{BadCell, Block, Source};
+pub use column::{Layout, Quantity, Role};
+pub use doctor::{Doctor, Verdict};
+pub use error::LogError;
+pub use finding::{Clock, Finding, Kind, Severity};
+pub use keep::Keep;
+pub use open::{Format, open};
+pub use whole::Log;
+
+#[cfg(test)]
+mod tests;

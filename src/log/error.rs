@@ -1,0 +1,81 @@
+//! Why a log can't be used: what, where, how to mend it.
+
+use super::Finding;
+
+/// A log that can't be used.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum LogError {
+    /// The bytes can't be read or unpacked.
+    #[error("{file}, near line {line}: the log can't be read: {source}")]
+    Read {
+        /// File.
+        file: String,
+        /// Line, from 1.
+        line: u64,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// The file has no header.
+    #[error("{file}: the log is empty; its first line must name the columns: t, q1, .., tau1, ..")]
+    Empty {
+        /// File.
+        file: String,
+    },
+    /// A column that must be there is not.
+    #[error("{file}, line 1: the column `{column}` is missing{}; columns understood: {known}", rename(.lookalike))]
+    MissingColumn {
+        /// File.
+        file: String,
+        /// The column.
+        column: String,
+        /// Columns that are there and understood.
+        known: String,
+        /// A column that may be it under another name.
+        lookalike: Option<String>,
+    },
+    /// Two columns have one name.
+    #[error("{file}, line 1: the column `{column}` stands there twice; rename or remove one")]
+    DoubleColumn {
+        /// File.
+        file: String,
+        /// The column.
+        column: String,
+    },
+    /// Number of joints differs from the robot's.
+    #[error(
+        "{file}: the log has {found} joints (q1..q{found}), the robot has {expected}; take the log or the robot file that belongs to it"
+    )]
+    Joints {
+        /// File.
+        file: String,
+        /// Of the log.
+        found: usize,
+        /// Of the robot.
+        expected: usize,
+    },
+    /// Not a Parquet file, or one with something that is not read here.
+    #[error("{file}: the Parquet file can't be read: {what}")]
+    Parquet {
+        /// File.
+        file: String,
+        /// What the reader said.
+        what: String,
+    },
+    /// The doctor found what must not be passed over silently.
+    #[error("{file}: {}", list(.findings))]
+    Rejected {
+        /// File.
+        file: String,
+        /// All findings, also those that would not have stopped it.
+        findings: Vec<Finding>,
+    },
+}
+
+fn rename(lookalike: &Option<String>) -> String {
+    lookalike.as_ref().map_or(String::new(), |name| format!(" (is it `{name}`? rename it)"))
+}
+
+fn list(findings: &[Finding]) -> String {
+    findings.iter().filter(|f| f.is_fatal()).map(|f| f.to_string()).collect::<Vec<_>>().join("; ")
+}

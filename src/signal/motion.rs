@@ -1,0 +1,91 @@
+//! A stretch of motion, ready for the model.
+
+use std::ops::Range;
+
+use crate::arm::States;
+
+/// Filtered motion and torque of consecutive, evenly spaced samples of one segment.
+///
+/// `core` is what is to be used; the samples around it are there so that what is computed from the motion can itself be filtered.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Motion {
+    /// Number of the segment within the log, from 0.
+    pub segment: usize,
+    /// Time of the first sample, s.
+    pub start: f64,
+    /// Spacing, s.
+    pub period: f64,
+    /// Positions, velocities, accelerations, joint-major.
+    pub states: States,
+    /// Torques, joint-major, `dof * len`, N m.
+    pub tau: Vec<f64>,
+    /// Sign of each velocity (zero inside its noise), through the same low-pass as the torque, joint-major; empty where nothing was
+    /// filtered. The low-pass rounds the steps of the Coulomb torque, and this is what it makes of them.
+    pub sign: Vec<f64>,
+    /// Samples to be used.
+    pub core: Range<usize>,
+    /// Every how many samples one is used.
+    pub stride: usize,
+    /// Standard deviation of the velocity error that the noise of `q` leaves after the filter, rad/s, per joint.
+    pub velocity_noise: Vec<f64>,
+}
+
+/// Some used samples of a motion, joint-major.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct MotionBlock {
+    /// Positions, velocities, accelerations.
+    pub states: States,
+    /// Torques, N m.
+    pub tau: Vec<f64>,
+    /// [`Motion::sign`].
+    pub sign: Vec<f64>,
+}
+
+impl Motion {
+    /// Indices of the samples to be used.
+    pub fn picks(&self) -> impl ExactSizeIterator<Item = usize> + use<> {
+        self.core.clone().step_by(self.stride.max(1))
+    }
+
+    /// Number of joints.
+    pub fn dof(&self) -> usize {
+        self.velocity_noise.len()
+    }
+
+    /// Time of a sample, s.
+    pub fn time(&self, sample: usize) -> f64 {
+        self.start + sample as f64 * self.period
+    }
+
+    /// Copies samples `picks[from..]`, at most `rows`, into `block`. Returns how many.
+    pub fn gather(&self, from: usize, rows: usize, block: &mut MotionBlock) -> usize {
+        let MotionBlock { states, tau, sign } = block;
+        let stride = self.stride.max(1);
+        let first = self.core.start + from * stride;
+        let count = if first >= self.core.end { 0 } else { (self.core.end - first).div_ceil(stride).min(rows) };
+        let len = self.states.len;
+        let pick = |source: &[f64], out: &mut Vec<f64>| {
+            out.clear();
+            for joint in 0..self.dof() {
+                let row = &source[joint * len..(joint + 1) * len];
+                if stride == 1 {
+                    out.extend_from_slice(&row[first..first + count]);
+                } else {
+                    out.extend((0..count).map(|i| row[first + i * stride]));
+                }
+            }
+        };
+        if count > 0 {
+            states.len = count;
+            pick(&self.states.q, &mut states.q);
+            pick(&self.states.dq, &mut states.dq);
+            pick(&self.states.ddq, &mut states.ddq);
+            pick(&self.tau, tau);
+            sign.clear();
+            if self.sign.len() == self.dof() * len {
+                pick(&self.sign, sign);
+            }
+        }
+        count
+    }
+}

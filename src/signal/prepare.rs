@@ -1,0 +1,509 @@
+//! Rows of a log -> even clock -> zero-phase low-pass -> derivatives -> [`Motion`]s, in bounded memory.
+//!
+//! A segment that is longer than a chunk is filtered in overlapping chunks. The overlap is as long as the filter remembers (to 1e-12),
+//! so the result is that of filtering the segment at once.
+
+use super::{Motion, central, central_second, even, even::smoother_evenly, low_pass, sos::Sos};
+use crate::{
+    arm::States,
+    log::{Block, Clock, Doctor, Finding, Keep, Kind, Layout, LogError, Quantity, Role, Severity, Source, Verdict},
+};
+
+/// A zero-phase Butterworth low-pass.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Filter {
+    /// Order of one pass; forward and backward double it.
+    pub order: usize,
+    /// Frequency at which one pass is at -3 dB, Hz.
+    pub cutoff: f64,
+}
+
+impl Default for Filter {
+    /// The paper's: order 5, 10 Hz (section III.E).
+    fn default() -> Self {
+        Self { order: 5, cutoff: 10.0 }
+    }
+}
+
+/// Where velocities and accelerations come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Derivatives {
+    /// Central differences of the filtered positions. Recorded velocities are often filtered, and late.
+    #[default]
+    FromPosition,
+    /// The log's `dq`, filtered, and its `ddq` or the central difference of `dq`.
+    Recorded,
+    /// Zero: a log of static poses.
+    AtRest,
+}
+
+/// How samples become motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Prepare {
+    /// Low-pass for positions and torques alike; `None`: none.
+    pub filter: Option<Filter>,
+    /// Source of velocities and accelerations.
+    pub derivatives: Derivatives,
+    /// What is cut off at both ends of each segment, s: where filter and differences know only one side. Default two periods of
+    /// the default cutoff.
+    pub trim: f64,
+    /// Every how many samples one is used, after the low-pass. Default 1.
+    pub stride: usize,
+    /// The torque columns. Default `tau`.
+    pub torque: Quantity,
+    /// What the user allows.
+    pub keep: Keep,
+    /// Samples that are filtered at once. Default 65,536; bounds the memory; a chunk also is
+    /// the stretch over which the noise of `q` is found.
+    pub chunk: usize,
+    /// Whether motions carry samples around their core, for filtering what is computed from them.
+    pub margins: bool,
+}
+
+impl Default for Prepare {
+    fn default() -> Self {
+        Self {
+            filter: Some(Filter::default()),
+            derivatives: Derivatives::FromPosition,
+            trim: 0.2,
+            stride: 1,
+            torque: Quantity::Tau,
+            keep: Keep::default(),
+            chunk: 1 << 16,
+            margins: false,
+        }
+    }
+}
+
+/// Why a log can't be prepared.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum PrepareError {
+    /// The log itself.
+    #[error(transparent)]
+    Log(#[from] LogError),
+    /// The filter does not go with the sampling rate.
+    #[error("{file}: {source}")]
+    Cutoff {
+        /// File.
+        file: String,
+        /// What does not fit.
+        source: super::CutoffError,
+    },
+    /// Decimation would fold frequencies that the low-pass lets through.
+    #[error(
+        "{file}: every {stride}th sample of {rate:.1} Hz is too few for a low-pass of {cutoff} Hz; at most every {most}th"
+    )]
+    Stride {
+        /// File.
+        file: String,
+        /// Asked for.
+        stride: usize,
+        /// Sampling rate, Hz.
+        rate: f64,
+        /// Cutoff, Hz.
+        cutoff: f64,
+        /// Largest stride that keeps the rate above 2.5 times the cutoff.
+        most: usize,
+    },
+    /// Nothing is left to work with.
+    #[error(
+        "{file}: nothing is left of {samples} samples after filtering and cutting {trim} s off both ends of each segment; record longer stretches or lower the trim"
+    )]
+    NothingLeft {
+        /// File.
+        file: String,
+        /// Samples that the log has.
+        samples: usize,
+        /// Cut at each end, s.
+        trim: f64,
+    },
+}
+
+/// What preparing a log showed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Prepared {
+    /// File.
+    pub file: String,
+    /// Findings of the doctor and of the clock.
+    pub findings: Vec<Finding>,
+    /// Rows of the log that were usable.
+    pub rows: usize,
+    /// Samples handed on.
+    pub samples: usize,
+    /// Segments.
+    pub segments: usize,
+    /// Usual sampling rate, Hz.
+    pub rate: f64,
+}
+
+/// Reads a log to its end and hands each [`Motion`] to `sink`.
+pub fn each_motion(
+    source: &mut dyn Source,
+    dof: usize,
+    prepare: &Prepare,
+    mut sink: impl FnMut(&Motion),
+) -> Result<Prepared, PrepareError> {
+    let layout = source.layout().clone();
+    let mut preparer = Preparer::new(&layout, dof, prepare)?;
+    let mut doctor = Doctor::new(&layout, prepare.torque, prepare.keep);
+    let (mut block, mut verdicts) = (Block::default(), Vec::new());
+    let mut row_values = Vec::new();
+    let (mut rows, mut samples) = (0, 0);
+    let mut hand_on = |motions: Vec<Motion>| {
+        for motion in motions {
+            samples += motion.picks().len();
+            sink(&motion);
+        }
+    };
+    loop {
+        source.next_block(8192, &mut block)?;
+        if block.is_empty() {
+            break;
+        }
+        doctor.admit(&block, &mut verdicts);
+        preparer.nominal = doctor.period();
+        for (row, verdict) in verdicts.iter().enumerate().filter(|(_, v)| **v != Verdict::Drop) {
+            if *verdict == Verdict::Start {
+                hand_on(preparer.end_segment()?);
+            }
+            row_values.clear();
+            row_values.extend(preparer.sources.iter().map(|&column| block.columns[column][row]));
+            preparer.push(block.columns[preparer.time][row], &row_values);
+            rows += 1;
+        }
+        hand_on(preparer.advance()?);
+    }
+    hand_on(preparer.end_segment()?);
+    let mut findings = doctor.finish();
+    findings.append(&mut preparer.findings);
+    if findings.iter().any(Finding::is_fatal) {
+        return Err(LogError::Rejected { file: layout.file, findings }.into());
+    }
+    if samples == 0 {
+        return Err(PrepareError::NothingLeft { file: layout.file, samples: rows, trim: prepare.trim });
+    }
+    let rate = preparer.nominal.map_or(0.0, f64::recip);
+    Ok(Prepared { file: layout.file, findings, rows, samples, segments: preparer.segment, rate })
+}
+
+/// The running state between rows and motions.
+pub struct Preparer {
+    settings: Prepare,
+    file: String,
+    dof: usize,
+    /// Index of `t` among a block's columns.
+    time: usize,
+    /// Indices of the channels among a block's columns: `q`, `tau`, then `dq`, `ddq` if they are used.
+    sources: Vec<usize>,
+    /// The log's usual step, s.
+    nominal: Option<f64>,
+    segment: usize,
+    findings: Vec<Finding>,
+    /// Rows that are not evened yet.
+    raw_time: Vec<f64>,
+    raw: Vec<Vec<f64>>,
+    clock: Option<SegmentClock>,
+    /// Evened samples that are still needed, and the number of the first of them in the segment.
+    evened: Vec<Vec<f64>>,
+    first: usize,
+    /// Samples of the segment that were handed on.
+    done: usize,
+    filter: Option<Sos>,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct SegmentClock {
+    start: f64,
+    period: f64,
+    resample: bool,
+    /// Samples produced.
+    produced: usize,
+    last: f64,
+}
+
+/// Rows by which the clock of a segment is judged.
+const JUDGE: usize = 1024;
+
+impl Preparer {
+    /// For logs with this layout.
+    pub fn new(layout: &Layout, dof: usize, prepare: &Prepare) -> Result<Self, LogError> {
+        if layout.dof != dof {
+            return Err(LogError::Joints { file: layout.file.clone(), found: layout.dof, expected: dof });
+        }
+        let mut sources = layout.require_all(Quantity::Q, dof)?;
+        sources.extend(layout.require_all(prepare.torque, dof)?);
+        if prepare.derivatives == Derivatives::Recorded {
+            sources.extend(layout.require_all(Quantity::Dq, dof)?);
+            if layout.has(Quantity::Ddq) {
+                sources.extend(layout.require_all(Quantity::Ddq, dof)?);
+            }
+        }
+        Ok(Self {
+            settings: *prepare,
+            file: layout.file.clone(),
+            dof,
+            time: layout.require(Role::Time)?,
+            raw: vec![Vec::new(); sources.len()],
+            evened: vec![Vec::new(); sources.len()],
+            sources,
+            nominal: None,
+            segment: 0,
+            findings: Vec::new(),
+            raw_time: Vec::new(),
+            clock: None,
+            first: 0,
+            done: 0,
+            filter: None,
+        })
+    }
+
+    fn push(&mut self, time: f64, values: &[f64]) {
+        self.raw_time.push(time);
+        for (to, value) in self.raw.iter_mut().zip(values) {
+            to.push(*value);
+        }
+    }
+
+    /// Motions that can be made now.
+    fn advance(&mut self) -> Result<Vec<Motion>, PrepareError> {
+        if self.raw_time.len() < JUDGE {
+            return Ok(Vec::new());
+        }
+        self.even_out(false)?;
+        self.motions(false)
+    }
+
+    /// Motions of what is left of the segment; the next row begins another.
+    fn end_segment(&mut self) -> Result<Vec<Motion>, PrepareError> {
+        let mut motions = Vec::new();
+        if !self.raw_time.is_empty() || self.clock.is_some() {
+            self.even_out(true)?;
+            motions = self.motions(true)?;
+            self.segment += 1;
+        }
+        self.raw_time.clear();
+        self.raw.iter_mut().for_each(Vec::clear);
+        self.evened.iter_mut().for_each(Vec::clear);
+        (self.clock, self.first, self.done) = (None, 0, 0);
+        Ok(motions)
+    }
+
+    /// Decides how the segment's clock is evened: from its first rows.
+    fn judge_clock(&mut self) -> Result<SegmentClock, PrepareError> {
+        let t = &self.raw_time;
+        let nominal = self.nominal.unwrap_or(1.0);
+        let usual: Vec<f64> = t.windows(2).map(|w| w[1] - w[0]).filter(|d| *d < 1.5 * nominal).collect();
+        let far = t.windows(2).filter(|w| (w[1] - w[0] - nominal).abs() > 0.5 * nominal).count();
+        let mean = if usual.is_empty() { nominal } else { usual.iter().sum::<f64>() / usual.len() as f64 };
+        let rms = (usual.iter().map(|d| (d - mean) * (d - mean)).sum::<f64>() / usual.len().max(1) as f64).sqrt();
+        let mut resample = 20 * far > t.len().max(20);
+        if !resample && rms > 0.01 * mean {
+            let channels: Vec<&[f64]> = self.raw[..self.dof].iter().map(Vec::as_slice).collect();
+            resample = !smoother_evenly(t, &channels, mean);
+        }
+        if resample || rms > 0.01 * mean {
+            let kind = Kind::Evened { clock: if resample { Clock::Resampled } else { Clock::Even } };
+            match self.findings.iter_mut().find(|f| f.kind == kind) {
+                Some(known) => known.count += 1,
+                None => {
+                    let column = Some("t".to_string());
+                    self.findings.push(Finding { kind, severity: Severity::Note, line: None, column, count: 1 });
+                }
+            }
+        }
+        let period = if resample { nominal } else { mean };
+        if let Some(filter) = self.settings.filter {
+            let rate = period.recip();
+            let sos = low_pass(filter.order, filter.cutoff, rate)
+                .map_err(|source| PrepareError::Cutoff { file: self.file.clone(), source })?;
+            let most = ((rate / (2.5 * filter.cutoff)) as usize).max(1);
+            if self.settings.stride > most {
+                let (file, stride) = (self.file.clone(), self.settings.stride);
+                return Err(PrepareError::Stride { file, stride, rate, cutoff: filter.cutoff, most });
+            }
+            self.filter = Some(sos);
+        }
+        Ok(SegmentClock { start: t[0], period, resample, produced: 0, last: t[0] })
+    }
+
+    fn even_out(&mut self, end: bool) -> Result<(), PrepareError> {
+        if self.raw_time.is_empty() {
+            return Ok(());
+        }
+        let mut clock = match self.clock {
+            Some(clock) => clock,
+            None => self.judge_clock()?,
+        };
+        if clock.resample {
+            let n = self.raw_time.len();
+            let limit = if end { n } else { n.saturating_sub(2) };
+            let mut used = 0;
+            loop {
+                let at = clock.start + clock.produced as f64 * clock.period;
+                // A few ulps past the last stamp still belong to it.
+                if limit == 0 || at > self.raw_time[limit - 1] + 1e-9 * clock.period {
+                    break;
+                }
+                while used + 1 < n && self.raw_time[used + 1] < at {
+                    used += 1;
+                }
+                let window = used.saturating_sub(2)..(used + 4).min(n);
+                for (to, from) in self.evened.iter_mut().zip(&self.raw) {
+                    to.push(even(&self.raw_time[window.clone()], &from[window.clone()], at));
+                }
+                clock.produced += 1;
+            }
+            let keep_from = used.saturating_sub(3);
+            self.raw_time.drain(..keep_from);
+            self.raw.iter_mut().for_each(|x| drop(x.drain(..keep_from)));
+        } else {
+            for row in 0..self.raw_time.len() {
+                let step = self.raw_time[row] - clock.last;
+                // A sample that the recorder missed is put in on the line between its neighbours.
+                if clock.produced > 0 && step > 1.5 * clock.period {
+                    for (to, from) in self.evened.iter_mut().zip(&self.raw) {
+                        let before = to.last().copied().unwrap_or(from[row]);
+                        to.push(0.5 * (before + from[row]));
+                    }
+                    clock.produced += 1;
+                }
+                for (to, from) in self.evened.iter_mut().zip(&self.raw) {
+                    to.push(from[row]);
+                }
+                clock.produced += 1;
+                clock.last = self.raw_time[row];
+            }
+            self.raw_time.clear();
+            self.raw.iter_mut().for_each(Vec::clear);
+        }
+        self.clock = Some(clock);
+        Ok(())
+    }
+
+    fn motions(&mut self, end: bool) -> Result<Vec<Motion>, PrepareError> {
+        let Some(clock) = self.clock else { return Ok(Vec::new()) };
+        let settle = self.filter.as_ref().map_or(2, |f| f.settling() + 2);
+        let margin = if self.settings.margins { settle } else { 0 };
+        let trim = match self.settings.derivatives {
+            Derivatives::AtRest => 0,
+            _ => ((self.settings.trim / clock.period).ceil() as usize).max(1),
+        };
+        let trim = if self.filter.is_none() { trim.min(1) } else { trim };
+        let stride = self.settings.stride.max(1);
+        let chunk = self.settings.chunk.max(stride).next_multiple_of(stride);
+        let produced = self.first + self.evened[0].len();
+        let mut motions = Vec::new();
+        if self.done == 0 {
+            self.done = trim;
+        }
+        loop {
+            let whole = self.done + chunk + settle + margin;
+            let core_end = if produced >= whole {
+                self.done + chunk
+            } else if end {
+                produced.saturating_sub(trim)
+            } else {
+                break;
+            };
+            if core_end <= self.done {
+                if motions.is_empty() && self.done == trim {
+                    self.note_short(produced);
+                }
+                break;
+            }
+            motions.push(self.motion(clock, self.done..core_end, margin));
+            self.done = core_end;
+            // What the next chunk does not need any more.
+            let obsolete = self.done.saturating_sub(settle + margin).saturating_sub(self.first);
+            self.evened.iter_mut().for_each(|x| drop(x.drain(..obsolete.min(x.len()))));
+            self.first += obsolete;
+        }
+        Ok(motions)
+    }
+
+    fn note_short(&mut self, rows: usize) {
+        match self.findings.iter_mut().find(|f| matches!(f.kind, Kind::ShortSegments { .. })) {
+            Some(Finding { kind: Kind::ShortSegments { samples }, count, .. }) => {
+                *samples += rows;
+                *count += 1;
+            }
+            _ => {
+                let kind = Kind::ShortSegments { samples: rows };
+                self.findings.push(Finding { kind, severity: Severity::Warning, line: None, column: None, count: 1 });
+            }
+        }
+    }
+
+    /// Filters what there is and cuts the core (sample numbers of the segment) with its margin out of it.
+    fn motion(&self, clock: SegmentClock, core: std::ops::Range<usize>, margin: usize) -> Motion {
+        let (n, dof, rate) = (self.evened[0].len(), self.dof, clock.period.recip());
+        let pad = self.settings.filter.map_or(0, |f| (rate / f.cutoff).ceil() as usize);
+        let smooth = |x: &[f64]| {
+            let mut y = x.to_vec();
+            if let Some(sos) = &self.filter {
+                sos.forward_backward(&mut y, pad.max(sos.scipy_padding()));
+            }
+            y
+        };
+        let from = core.start.saturating_sub(margin).max(self.first) - self.first;
+        let to = (core.end + margin - self.first).min(n);
+        let mut motion = Motion {
+            segment: self.segment,
+            start: clock.start + (self.first + from) as f64 * clock.period,
+            period: clock.period,
+            core: core.start - self.first - from..core.end - self.first - from,
+            stride: self.settings.stride.max(1),
+            states: States { len: to - from, ..States::default() },
+            tau: Vec::with_capacity(dof * (to - from)),
+            velocity_noise: Vec::with_capacity(dof),
+            sign: Vec::new(),
+        };
+        let mut speeds = Vec::with_capacity(dof);
+        for joint in 0..dof {
+            let q = smooth(&self.evened[joint]);
+            let (dq, ddq) = match self.settings.derivatives {
+                Derivatives::FromPosition => (central(&q, clock.period), central_second(&q, clock.period)),
+                Derivatives::AtRest => (vec![0.0; n], vec![0.0; n]),
+                Derivatives::Recorded => {
+                    let dq = smooth(&self.evened[2 * dof + joint]);
+                    let ddq = match self.evened.get(3 * dof + joint) {
+                        Some(ddq) => smooth(ddq),
+                        None => central(&dq, clock.period),
+                    };
+                    (dq, ddq)
+                }
+            };
+            motion.velocity_noise.push(match (self.settings.filter, self.settings.derivatives) {
+                (Some(filter), Derivatives::FromPosition) => {
+                    velocity_noise(&self.evened[joint], &q, filter.cutoff, rate)
+                }
+                _ => 0.0,
+            });
+            motion.states.q.extend_from_slice(&q[from..to]);
+            motion.states.dq.extend_from_slice(&dq[from..to]);
+            motion.states.ddq.extend_from_slice(&ddq[from..to]);
+            speeds.push(dq);
+        }
+        if self.filter.is_some() && self.settings.derivatives != Derivatives::AtRest {
+            for (joint, dq) in speeds.iter().enumerate() {
+                let largest = dq.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+                let noise = (3.0 * motion.velocity_noise[joint]).min(0.02 * largest);
+                let sign = |v: &f64| if v.abs() > noise { v.signum() } else { 0.0 };
+                motion.sign.extend_from_slice(&smooth(&dq.iter().map(sign).collect::<Vec<_>>())[from..to]);
+            }
+        }
+        for joint in 0..dof {
+            motion.tau.extend_from_slice(&smooth(&self.evened[dof + joint])[from..to]);
+        }
+        motion
+    }
+}
+
+/// Standard deviation of the velocity error, from what the filter took out of the position: white noise of density
+/// `s^2 / (rate / 2)` per Hz, differentiated up to the cutoff, `s_v = 2 pi s sqrt(2 fc^3 / (3 rate))`.
+fn velocity_noise(raw: &[f64], smooth: &[f64], cutoff: f64, rate: f64) -> f64 {
+    let squares: f64 = raw.iter().zip(smooth).map(|(a, b)| (a - b) * (a - b)).sum();
+    let s = (squares / raw.len().max(1) as f64).sqrt();
+    std::f64::consts::TAU * s * (2.0 * cutoff.powi(3) / (3.0 * rate)).sqrt()
+}
