@@ -2,21 +2,18 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::sincos;
+use super::{Pack, sincos};
 
-/// A number, or a pack of numbers that are computed side by side.
+/// A number, or a pack of numbers that are computed side by side. `Default` is zero.
 pub trait Scalar:
     Copy
+    + Default
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// Zero.
-    const ZERO: Self;
-    /// One.
-    const ONE: Self;
     /// The number `value`.
     fn constant(value: f64) -> Self;
     /// `-1`, `0` or `1`; NaN of NaN.
@@ -26,8 +23,6 @@ pub trait Scalar:
 }
 
 impl Scalar for f64 {
-    const ZERO: Self = 0.0;
-    const ONE: Self = 1.0;
     #[inline(always)]
     fn constant(value: f64) -> Self {
         value
@@ -44,6 +39,33 @@ impl Scalar for f64 {
     }
     #[inline]
     fn sin_cos_all<const N: usize>(angles: &[Self; N]) -> ([Self; N], [Self; N]) {
-        sincos::all(angles)
+        let (mut sin, mut cos) = ([0.0; N], [0.0; N]);
+        let mut start = 0;
+        while start < N {
+            let len = if N - start < 8 { N - start } else { 8 };
+            let mut lanes = [0.0; 8];
+            lanes[..len].copy_from_slice(&angles[start..start + len]);
+            let (s, c) = sincos::eight(Pack::new(lanes));
+            sin[start..start + len].copy_from_slice(&s.to_array()[..len]);
+            cos[start..start + len].copy_from_slice(&c.to_array()[..len]);
+            start += len;
+        }
+        (sin, cos)
+    }
+}
+
+impl Scalar for f32 {
+    #[inline(always)]
+    fn constant(value: f64) -> Self {
+        value as f32
+    }
+    #[inline(always)]
+    fn sign(self) -> Self {
+        f64::from(self).sign() as f32
+    }
+    #[inline]
+    fn sin_cos_all<const N: usize>(angles: &[Self; N]) -> ([Self; N], [Self; N]) {
+        let (sin, cos) = f64::sin_cos_all(&angles.map(f64::from));
+        (sin.map(|x| x as f32), cos.map(|x| x as f32))
     }
 }

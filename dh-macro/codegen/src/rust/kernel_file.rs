@@ -165,7 +165,7 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
     let _ = writeln!(text, "/// {title}: every entry of `out` is written.\n#[inline]\npub fn dense<S: Scalar>({arguments}, out: &mut {}) {{", array(&kernel.shape));
     if packed {
         let flat = ".as_flattened_mut()".repeat(kernel.shape.len() - 1);
-        let _ = writeln!(text, "    out{flat}.fill(S::ZERO);");
+        let _ = writeln!(text, "    out{flat}.fill(S::default());");
     }
     let _ = writeln!(text, "    entries({}, |k, x| {{", call.join(", "));
     let target = match (packed, kernel.shape.len()) {

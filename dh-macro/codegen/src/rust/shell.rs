@@ -62,7 +62,7 @@ pub(super) fn print(robot: &Robot, model: &Model, kernels: &[Kernel], context: &
         format!("    ({:?}, {}, {}),\n", k.function.name(), c.mul, c.add)
     }).collect::<String>());
     t += &trig(robot, model);
-    t += "/// Base parameters from standard ones, `beta = K phi`.\n#[must_use]\npub fn base_parameters<S: Scalar>(phi: &[S; STANDARD]) -> [S; BASE] {\n    core::array::from_fn(|k| {\n        BASE_COEFFICIENTS[k].iter().fold(S::ZERO, |sum, &(i, c)| sum + phi[i] * S::constant(c))\n    })\n}\n";
+    t += "/// Base parameters from standard ones, `beta = K phi`.\n#[must_use]\npub fn base_parameters<S: Scalar>(phi: &[S; STANDARD]) -> [S; BASE] {\n    core::array::from_fn(|k| {\n        BASE_COEFFICIENTS[k].iter().fold(S::default(), |sum, &(i, c)| sum + phi[i] * S::constant(c))\n    })\n}\n";
     for kernel in kernels {
         let function = kernel.function;
         let (title, meaning) = doc(function);
@@ -76,7 +76,7 @@ pub(super) fn print(robot: &Robot, model: &Model, kernels: &[Kernel], context: &
             Argument::BaseParameters => "beta",
         }).collect();
         let shape = array(&kernel.shape);
-        let zero = kernel.shape.iter().rev().fold("S::ZERO".to_string(), |inner, n| format!("[{inner}; {n}]"));
+        let zero = kernel.shape.iter().rev().fold("S::default()".to_string(), |inner, n| format!("[{inner}; {n}]"));
         let packed = if has_packed(kernel) { format!(" Packed form: [`kernel::{name}::packed`].") } else { String::new() };
         let _ = writeln!(t, "\n/// {title}.\n///\n/// {meaning}{packed}\n#[must_use]\n#[inline]\npub fn {name}<S: Scalar>({}) -> {shape} {{\n    let mut out = {zero};\n    kernel::{name}::dense({}, &mut out);\n    out\n}}", signature(function, "q: &[S; DOF]"), call.join(", "));
     }
@@ -94,7 +94,7 @@ fn trig(robot: &Robot, model: &Model) -> String {
         let _ = writeln!(t, "/// Added to each joint's angle before its sine is taken, rad (quarter turns are in the kernels).\npub const ANGLE_OFFSETS: [f64; DOF] = [{}];\n", list.join(", "));
     }
     let angles = if any { "&core::array::from_fn(|i| q[i] + S::constant(ANGLE_OFFSETS[i]))" } else { "q" };
-    let body = if revolute { format!("let (sin, cos) = S::sin_cos_all({angles});\n        Self {{ q: *q, sin, cos }}") } else { "Self { q: *q, sin: [S::ZERO; DOF], cos: [S::ONE; DOF] }".into() };
+    let body = if revolute { format!("let (sin, cos) = S::sin_cos_all({angles});\n        Self {{ q: *q, sin, cos }}") } else { "Self { q: *q, sin: [S::default(); DOF], cos: [S::constant(1.0); DOF] }".into() };
     let _ = writeln!(t, "impl<S: Scalar> Trig<S> {{\n    /// Sines and cosines of all joint angles together.\n    #[must_use]\n    #[inline]\n    pub fn new(q: &[S; DOF]) -> Self {{\n        {body}\n    }}\n}}\n");
     t
 }
