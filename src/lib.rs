@@ -2,6 +2,7 @@
 
 pub mod arm;
 pub mod identify;
+pub mod interpreted;
 pub mod log;
 pub mod report;
 pub mod signal;

@@ -42,6 +42,7 @@ pub struct State<'a> {
 struct Ready {
     kernel: Kernel,
     evaluator: Evaluator,
+    packed: Evaluator,
     nonzeros: Vec<usize>,
 }
 
@@ -62,8 +63,10 @@ impl Interpreter {
     /// Of kernels that are there already.
     pub fn from_kernels(model: &Model, kernels: &[Kernel]) -> Self {
         let ready = kernels.iter().map(|kernel| {
+            let nonzeros = kernel.nonzeros();
+            let packed = Evaluator::of(&kernel.tape, &nonzeros);
             let evaluator = Evaluator::new(&kernel.tape);
-            (kernel.function, Ready { evaluator, nonzeros: kernel.nonzeros(), kernel: kernel.clone() })
+            (kernel.function, Ready { evaluator, packed, nonzeros, kernel: kernel.clone() })
         });
         Self { dof: model.dof(), offsets: model.chain().angle_offsets(), ready: ready.collect() }
     }
@@ -84,15 +87,28 @@ impl Interpreter {
     /// If the function is not among those that were made ready, or a part of the batch is too short.
     pub fn run(&self, function: Function, batch: &Batch<'_>, out: &mut [f64]) {
         let ready = &self.ready[&function];
+        self.run_on(&ready.kernel, &ready.evaluator, batch, out);
+    }
+
+    /// The same, only the entries of [`Interpreter::nonzeros`], in their order.
+    ///
+    /// # Panics
+    /// Like [`Interpreter::run`].
+    pub fn run_nonzeros(&self, function: Function, batch: &Batch<'_>, out: &mut [f64]) {
+        let ready = &self.ready[&function];
+        self.run_on(&ready.kernel, &ready.packed, batch, out);
+    }
+
+    fn run_on(&self, kernel: &Kernel, evaluator: &Evaluator, batch: &Batch<'_>, out: &mut [f64]) {
         let len = batch.len;
         let (mut sin, mut cos) = (Vec::new(), Vec::new());
-        if ready.kernel.function.arguments().contains(&crate::arm::Argument::Configuration) {
+        if kernel.function.arguments().contains(&crate::arm::Argument::Configuration) {
             let angles: Vec<f64> = (0..self.dof * len).map(|k| batch.q[k] + self.offsets[k / len.max(1)]).collect();
             (sin, cos) = sines_and_cosines(&angles);
         }
         let parameters: Vec<Vec<f64>> = batch.parameters.iter().map(|&p| vec![p; len]).collect();
-        let inputs = ready.kernel.inputs;
-        ready.evaluator.run(
+        let inputs = kernel.inputs;
+        evaluator.run(
             len,
             |i| {
                 let (group, at) = inputs.locate(i);

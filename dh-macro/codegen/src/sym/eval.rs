@@ -28,8 +28,15 @@ pub struct Evaluator {
 }
 
 impl Evaluator {
-    /// Gives every operand a slot.
+    /// All outputs of a tape.
     pub fn new(tape: &Tape) -> Self {
+        let all: Vec<usize> = (0..tape.outputs.len()).collect();
+        Self::of(tape, &all)
+    }
+
+    /// Some outputs of a tape, in this order: gives every operand a slot.
+    pub fn of(tape: &Tape, wanted: &[usize]) -> Self {
+        let roots: Vec<Operand> = wanted.iter().map(|&o| tape.outputs[o]).collect();
         let mut slots = Slots::default();
         let mut constants: Vec<(u32, f64)> = Vec::new();
         let mut inputs: Vec<(u32, usize)> = Vec::new();
@@ -57,7 +64,7 @@ impl Evaluator {
             }
         };
         // These are loaded once, before the first step: they get their slots before any temporary does.
-        for operand in tape.code.iter().flat_map(|step| [step.a, step.b]).chain(tape.outputs.iter().copied()) {
+        for operand in tape.code.iter().flat_map(|step| [step.a, step.b]).chain(roots.iter().copied()) {
             pinned(operand, &mut slots);
         }
         // Last reader of each temporary, so that its slot can be used again.
@@ -70,8 +77,8 @@ impl Evaluator {
             }
         }
         let mut at_step: Vec<Vec<usize>> = vec![Vec::new(); tape.code.len()];
-        let mut outputs = Vec::with_capacity(tape.outputs.len());
-        for (index, output) in tape.outputs.iter().enumerate() {
+        let mut outputs = Vec::with_capacity(roots.len());
+        for (index, output) in roots.iter().enumerate() {
             match output {
                 Operand::Temp(t) => at_step[*t as usize].push(index),
                 other => {
@@ -106,7 +113,7 @@ impl Evaluator {
             }
         }
         outputs.sort_unstable();
-        Self { steps, constants, inputs, outputs, slots: slots.count as usize, output_count: tape.outputs.len() }
+        Self { steps, constants, inputs, outputs, slots: slots.count as usize, output_count: roots.len() }
     }
 
     /// Number of values that come out per state.

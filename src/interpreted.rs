@@ -1,0 +1,106 @@
+//! An [`Arm`] whose tapes are run: any robot file, without compiling.
+
+use dh_codegen::arm::{Function, Model};
+use dh_codegen::interpret::{Batch, Interpreter};
+use dh_codegen::robot::Robot;
+
+use crate::arm::{Arm, BaseParameter, States};
+
+/// A robot made ready to be evaluated in batches.
+pub struct Interpreted {
+    name: String,
+    model: Model,
+    interpreter: Interpreter,
+    standard: Vec<String>,
+    base: Vec<BaseParameter>,
+    pattern: Vec<(usize, usize)>,
+}
+
+impl Interpreted {
+    /// Builds the tapes that an [`Arm`] needs, and those of `more`.
+    pub fn new(robot: &Robot, more: &[Function]) -> Self {
+        let model = Model::new(robot);
+        let mut functions = vec![Function::BaseRegressor, Function::InverseDynamics];
+        functions.extend(more);
+        functions.sort_unstable();
+        functions.dedup();
+        let interpreter = Interpreter::new(&model, &functions);
+        let base: Vec<BaseParameter> = model
+            .base()
+            .0
+            .iter()
+            .map(|b| BaseParameter {
+                name: b.name.clone(),
+                grouping: b.grouping.clone(),
+                coefficients: b.coefficients.clone(),
+                unit: b.leader.unit(robot).to_string(),
+            })
+            .collect();
+        let width = base.len().max(1);
+        let nonzeros = interpreter.nonzeros(Function::BaseRegressor).unwrap_or_default();
+        Self {
+            name: robot.name.clone(),
+            standard: model.standard().iter().map(|p| p.name()).collect(),
+            pattern: nonzeros.iter().map(|&o| (o / width, o % width)).collect(),
+            base,
+            model,
+            interpreter,
+        }
+    }
+
+    /// The engine's model, for groupings and operation counts.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// Row-major result of any function that was asked for, one vector per state; `parameters` are standard or base ones,
+    /// whichever the function takes.
+    ///
+    /// # Panics
+    /// If the function was not among those given to [`Interpreted::new`].
+    pub fn evaluate(&self, function: Function, states: &States, tau: &[f64], parameters: &[f64]) -> Vec<Vec<f64>> {
+        let size: usize = self.interpreter.shape(function).map_or(0, |s| s.iter().product());
+        let mut out = vec![0.0; size * states.len];
+        self.interpreter.run(function, &batch(states, tau, parameters), &mut out);
+        (0..states.len).map(|s| (0..size).map(|o| out[o * states.len + s]).collect()).collect()
+    }
+
+    /// Extents of a function's result.
+    pub fn shape(&self, function: Function) -> Vec<usize> {
+        self.interpreter.shape(function).unwrap_or_default().to_vec()
+    }
+}
+
+fn batch<'a>(states: &'a States, tau: &'a [f64], parameters: &'a [f64]) -> Batch<'a> {
+    Batch { len: states.len, q: &states.q, dq: &states.dq, ddq: &states.ddq, tau, parameters }
+}
+
+impl Arm for Interpreted {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn dof(&self) -> usize {
+        self.model.dof()
+    }
+
+    fn standard_names(&self) -> &[String] {
+        &self.standard
+    }
+
+    fn base_parameters(&self) -> &[BaseParameter] {
+        &self.base
+    }
+
+    fn base_pattern(&self) -> &[(usize, usize)] {
+        &self.pattern
+    }
+
+    fn base_regressor(&self, states: &States, out: &mut [f64]) {
+        self.interpreter.run_nonzeros(Function::BaseRegressor, &batch(states, &[], &[]), out);
+    }
+
+    fn inverse_dynamics(&self, states: &States, standard: &[f64], out: &mut [f64]) {
+        self.interpreter.run(Function::InverseDynamics, &batch(states, &[], standard), out);
+    }
+}
