@@ -4,6 +4,7 @@
 
 pub mod base;
 pub mod chain;
+mod class;
 mod dynamics;
 mod energy;
 pub mod kernel;
@@ -17,6 +18,7 @@ mod subspace;
 mod wrench;
 
 pub use base::{BaseParameter, BaseParameters};
+pub use class::{Class, classify};
 pub use kernel::{Argument, Function, Kernel};
 pub use kinematics::Pose;
 pub use model::Model;

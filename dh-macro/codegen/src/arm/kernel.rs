@@ -1,7 +1,7 @@
 //! What is generated for each robot: functions with signatures, each a tape.
 
 use super::chain::{Group, Inputs};
-use crate::sym::{Ex, Tape};
+use crate::sym::{Ex, Operand, Tape};
 
 /// A quantity that can be generated or evaluated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -160,6 +160,20 @@ impl Kernel {
             None => Tape { code: Vec::new(), outputs: Vec::new(), labels: Vec::new(), sections: Vec::new() },
         };
         Self { function, shape, inputs, tape }
+    }
+
+    /// Joints whose sine or cosine is read.
+    pub fn sines(&self) -> usize {
+        let read = self.tape.code.iter().flat_map(|s| [s.a, s.b]).chain(self.tape.outputs.iter().copied());
+        let joints: std::collections::BTreeSet<usize> = read
+            .filter_map(|operand| match operand {
+                Operand::Input(i) => Some(self.inputs.locate(i as usize)),
+                _ => None,
+            })
+            .filter(|(group, _)| matches!(group, Group::Sine | Group::Cosine))
+            .map(|(_, joint)| joint)
+            .collect();
+        joints.len()
     }
 
     /// Outputs that are not structurally zero: index into the row-major result.

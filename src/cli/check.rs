@@ -1,0 +1,34 @@
+//! `denavit check`: reads, validates, and says what the file describes.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::{Failure, files};
+use crate::interpreted::Interpreted;
+use crate::report::{check_json, check_text};
+
+/// Read a robot file, validate it, and say what it describes: table, kinematic class, base parameters, operation counts.
+#[derive(Args)]
+#[command(after_help = "Example:\n  denavit check robots/kuka-lwr4.yaml\n  denavit check robots/kuka-lwr4.yaml --json -")]
+pub(super) struct Check {
+    /// Robot file.
+    robot: PathBuf,
+    /// Write the result as JSON; `-` for standard output.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+impl Check {
+    pub(super) fn run(self) -> Result<(), Failure> {
+        let file = files::robot(&self.robot)?;
+        let arm = Interpreted::new(&file.robot, &[]);
+        if let Some(target) = &self.json {
+            files::json(target, &check_json::value(&file.robot, arm.model()))?;
+        }
+        if !files::is_stdout(&self.json) {
+            files::print(&check_text::text(&file.robot, arm.model()))?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,62 @@
+//! `denavit generate`: writes the drop-in crate, or says whether the one on disk is stale.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::{Failure, files};
+
+/// Write the drop-in crate with the robot's closed-form functions.
+///
+/// The crate is a folder of its own: no_std, no allocation, no dependency. The same file always gives the same bytes.
+#[derive(Args)]
+#[command(after_help = "Example:\n  denavit generate robots/kuka-lwr4.yaml --out generated/kuka-lwr4\n  denavit generate robots/kuka-lwr4.yaml --out generated/kuka-lwr4 --check")]
+pub(super) struct Generate {
+    /// Robot file.
+    robot: PathBuf,
+    /// Folder of the crate; made if it is not there. Only files of the crate are written.
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// Write nothing; exit with 1 where the crate in DIR is not what would be written.
+    #[arg(long)]
+    check: bool,
+    /// Write the list of files and what became of them as JSON; `-` for standard output.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+impl Generate {
+    pub(super) fn run(self) -> Result<(), Failure> {
+        let file = files::robot(&self.robot)?;
+        let crate_files = dh_codegen::krate(&file.robot, &file.text);
+        let stale = differing(&self.out, &crate_files);
+        if self.check && !stale.is_empty() {
+            let again = format!("denavit generate {} --out {}", self.robot.display(), self.out.display());
+            return Err(Failure::other(format!("stale in {}: {}; run `{again}`", self.out.display(), stale.join(", "))));
+        }
+        if !self.check {
+            for path in &stale {
+                files::write(&self.out.join(path), crate_files[*path].as_bytes())?;
+            }
+        }
+        if let Some(target) = &self.json {
+            let value = serde_json::json!({ "out": self.out.display().to_string(), "files": crate_files.len(), "written": if self.check { vec![] } else { stale.clone() } });
+            files::json(target, &value)?;
+        }
+        if !files::is_stdout(&self.json) {
+            let what = if stale.is_empty() { "up to date".into() } else { format!("{} of {} files written", stale.len(), crate_files.len()) };
+            files::print(&format!("{}: {what}\n", self.out.display()))?;
+        }
+        Ok(())
+    }
+}
+
+/// Files that are not on disk as they would be written.
+fn differing<'a>(out: &Path, crate_files: &'a BTreeMap<String, String>) -> Vec<&'a str> {
+    crate_files
+        .iter()
+        .filter(|(path, text)| std::fs::read(out.join(path)).ok().as_deref() != Some(text.as_bytes()))
+        .map(|(path, _)| path.as_str())
+        .collect()
+}

@@ -1,0 +1,44 @@
+//! `check --json`.
+
+use dh_codegen::arm::{Function, Kernel, Model, classify};
+use dh_codegen::robot::Robot;
+use serde_json::{Map, Value, json};
+
+/// Multiplications, additions, and pairs of sines and cosines that a kernel reads.
+pub(super) fn operations(model: &Model) -> Vec<(Function, usize, usize, usize)> {
+    let one = |f: &Function| {
+        let kernel: Kernel = model.kernel(*f);
+        let count = kernel.tape.operations();
+        (*f, count.mul, count.add, kernel.sines())
+    };
+    Function::ALL.iter().map(one).collect()
+}
+
+/// What the file describes.
+pub fn value(robot: &Robot, model: &Model) -> Value {
+    let class = classify(model.chain());
+    let standard: Vec<String> = model.standard().iter().map(|p| p.name()).collect();
+    let base: Vec<Value> = model
+        .base()
+        .0
+        .iter()
+        .map(|b| {
+            let coefficients: Map<String, Value> =
+                b.coefficients.iter().map(|&(i, c)| (standard[i].clone(), json!(c))).collect();
+            json!({ "name": b.name, "grouping": b.grouping, "unit": b.leader.unit(robot), "coefficients": coefficients })
+        })
+        .collect();
+    let counts: Map<String, Value> = operations(model)
+        .into_iter()
+        .map(|(f, mul, add, sincos)| (f.name().to_string(), json!({ "mul": mul, "add": add, "sincos": sincos })))
+        .collect();
+    json!({
+        "name": robot.name,
+        "dof": model.dof(),
+        "joints": class.joints,
+        "ik": { "class": class.name, "reason": class.reason },
+        "standard_parameters": standard,
+        "base_parameters": base,
+        "operations": counts,
+    })
+}
