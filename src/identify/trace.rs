@@ -7,7 +7,7 @@ use crate::{
 };
 
 /// The most points per curve.
-const MOST: usize = 3000;
+const MOST: usize = 2400;
 
 /// A joint's curves: least and largest value within each point's stretch of time.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -54,10 +54,11 @@ impl Triangle {
             let (left, right) = block.split_at_mut((k + 1) * rows);
             let v = &left[k * rows..][..filled(k)];
             let squares = dot(v, v);
-            if squares == 0.0 {
+            let diagonal = self.r[k + k * n];
+            // What a filter leaves of a constant can be so small that its square is no proper number any more.
+            if squares == 0.0 || diagonal * diagonal + squares < 1e-280 {
                 continue;
             }
-            let diagonal = self.r[k + k * n];
             let norm = (diagonal * diagonal + squares).sqrt();
             let beta = if diagonal > 0.0 { -norm } else { norm };
             let top = diagonal - beta;
@@ -171,6 +172,13 @@ mod tests {
         let x = noise(n, 8);
         let direct = (nalgebra::DMatrix::from_column_slice(m, n, &a) * nalgebra::DVector::from_vec(x.clone())).norm();
         assert!((whole.norm_of(&x) - direct).abs() < 1e-12);
+    }
+
+    #[test]
+    fn numbers_whose_squares_vanish() {
+        let mut t = Triangle::new(2);
+        t.absorb(&mut [1e-160, 3e-161, 0.0, 1e-162, 1.0, 2.0, 2.0, 0.0], 4);
+        assert!((t.norm_of(&[0.0, 1.0]) - 3.0).abs() < 1e-12 && t.norm_of(&[1.0, 0.0]).is_finite());
     }
 
     #[test]

@@ -47,6 +47,8 @@ pub struct Prepare {
     /// What is cut off at both ends of each segment, s: where filter and differences know only one side. Default two periods of
     /// the default cutoff.
     pub trim: f64,
+    /// By how much the torque was recorded later than the motion, s: it is moved back by this. Default 0.
+    pub torque_delay: f64,
     /// Every how many samples one is used, after the low-pass. Default 1.
     pub stride: usize,
     /// The torque columns. Default `tau`.
@@ -66,6 +68,7 @@ impl Default for Prepare {
             filter: Some(Filter::default()),
             derivatives: Derivatives::FromPosition,
             trim: 0.2,
+            torque_delay: 0.0,
             stride: 1,
             torque: Quantity::Tau,
             keep: Keep::default(),
@@ -383,13 +386,18 @@ impl Preparer {
 
     fn motions(&mut self, end: bool) -> Result<Vec<Motion>, PrepareError> {
         let Some(clock) = self.clock else { return Ok(Vec::new()) };
-        let settle = self.filter.as_ref().map_or(2, |f| f.settling() + 2);
+        let late = (self.settings.torque_delay.abs() / clock.period).ceil() as usize;
+        let settle = self.filter.as_ref().map_or(2, |f| f.settling() + 2) + late;
         let margin = if self.settings.margins { settle } else { 0 };
         let trim = match self.settings.derivatives {
             Derivatives::AtRest => 0,
-            _ => ((self.settings.trim / clock.period).ceil() as usize).max(1),
+            _ => {
+                let differences = 1;
+                let filtered = if self.filter.is_some() { self.settings.trim } else { 0.0 };
+                let seconds = filtered.max(self.settings.torque_delay.abs());
+                ((seconds / clock.period).ceil() as usize).max(differences)
+            }
         };
-        let trim = if self.filter.is_none() { trim.min(1) } else { trim };
         let stride = self.settings.stride.max(1);
         let chunk = self.settings.chunk.max(stride).next_multiple_of(stride);
         let produced = self.first + self.evened[0].len();
@@ -494,10 +502,23 @@ impl Preparer {
             }
         }
         for joint in 0..dof {
-            motion.tau.extend_from_slice(&smooth(&self.evened[dof + joint])[from..to]);
+            let tau = smooth(&self.evened[dof + joint]);
+            let tau = later(tau, self.settings.torque_delay / clock.period);
+            motion.tau.extend_from_slice(&tau[from..to]);
         }
         motion
     }
+}
+
+/// The signal `by` samples later, on the line between samples (it is smooth by now); the ends are held.
+fn later(x: Vec<f64>, by: f64) -> Vec<f64> {
+    if by == 0.0 || !by.is_finite() {
+        return x;
+    }
+    let last = x.len().saturating_sub(1);
+    let whole = by.floor();
+    let at = |k: usize| x[(k as f64 + whole).clamp(0.0, last as f64) as usize];
+    (0..x.len()).map(|k| at(k) + (by - whole) * (at(k + 1) - at(k))).collect()
 }
 
 /// Standard deviation of the velocity error, from what the filter took out of the position: white noise of density

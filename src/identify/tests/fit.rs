@@ -136,7 +136,7 @@ fn thinned_traces_keep_their_spikes() {
     let mut tracer = Tracer::new("m", false, &arm, &arm.beta());
     tracer.absorb(&m);
     let trace = tracer.finish();
-    assert!(trace.time.len() <= 3000 && trace.thinning == 4);
+    assert!(trace.time.len() <= 2400 && trace.thinning == 8);
     let spike = trace.joints[0].residual.iter().position(|r| r[1] > 999.0).unwrap();
     assert!((trace.time[spike] - 77.77).abs() < 0.05);
 }

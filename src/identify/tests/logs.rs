@@ -99,6 +99,22 @@ fn chunks_are_filtered_as_the_whole_is() {
 }
 
 #[test]
+fn a_late_torque_is_moved_back() {
+    let arm = Planar::new();
+    let mut m = motion(&arm, 20.0, 500.0, 0.0);
+    let len = m.states.len;
+    let late = 17; // samples: 34 ms
+    for row in m.tau.chunks_mut(len) {
+        row.copy_within(..len - late, late);
+    }
+    let csv = bytes(&m);
+    let as_is = from_bytes(&arm, &csv, &Prepare::default(), StackSettings::default()).unwrap();
+    let moved = Prepare { torque_delay: 0.034, chunk: 3000, ..Prepare::default() };
+    let mended = from_bytes(&arm, &csv, &moved, StackSettings::default()).unwrap();
+    assert!(worst(&arm, &as_is) > 0.5 && worst(&arm, &mended) < 0.06, "{}", worst(&arm, &mended));
+}
+
+#[test]
 fn noise_in_torque_and_position() {
     let arm = Planar::new();
     let mut m = motion(&arm, 20.0, 1000.0, 0.0);

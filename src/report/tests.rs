@@ -1,0 +1,101 @@
+//! What the reports must keep.
+
+use super::*;
+use crate::identify::{
+    Accuracy, Condition, Confused, Estimate, Identification, LogSummary, Noise, Standing, Trace, TraceJoint,
+};
+
+fn found() -> Identification {
+    let accuracy = Accuracy {
+        rms: vec![0.5, f64::NAN],
+        nrms: vec![0.01, f64::NAN],
+        torque_rms: vec![10.0, f64::NAN],
+        samples: vec![100, 0],
+    };
+    let estimate = |name: &str, std: f64, standing| Estimate {
+        name: name.into(),
+        unit: "kg m^2".into(),
+        grouping: format!("{name} = ZZ1 + L1**2*M2"),
+        value: 1.25,
+        std,
+        standing,
+        prior: Some(1.0),
+    };
+    Identification {
+        robot: "two <links>".into(),
+        parameters: vec![
+            estimate("ZZ1R", 0.0125, Standing::Identified),
+            estimate("MSX2", f64::INFINITY, Standing::NotIdentifiable),
+        ],
+        correlation: vec![1.0, f64::NAN, f64::NAN, f64::NAN],
+        noise: Noise {
+            sigma: vec![0.5, 0.0],
+            inflation: vec![3.0, 1.0],
+            effective_samples: vec![33.0, 0.0],
+            batches: vec![20, 0],
+        },
+        fit: accuracy.clone(),
+        validation: Some(accuracy.clone()),
+        fit_before: None,
+        validation_before: None,
+        logs: vec![LogSummary {
+            name: "a.csv".into(),
+            samples: vec![100, 0],
+            seconds: 1.0,
+            validates: false,
+            accuracy,
+        }],
+        condition: Condition { weighted: 3.0, scaled: 2.0, plain: f64::INFINITY },
+        confused: vec![Confused { parameters: vec!["MSX2".into()], open: 1 }],
+        dropped: vec![],
+        iterations: 3,
+        weighted: true,
+        findings: vec![],
+        samples: 100,
+    }
+}
+
+#[test]
+fn json_of_the_contract() {
+    let value = identify_json(&found(), &[], &[("version".into(), "1".into())]);
+    let text = value.to_string();
+    let back: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(back["parameters"][0]["name"], "ZZ1R");
+    assert!((back["parameters"][0]["relative_std_percent"].as_f64().unwrap() - 1.0).abs() < 1e-12);
+    assert!(back["parameters"][1]["relative_std_percent"].is_null());
+    assert_eq!(back["rms"]["fit"][0], 0.5);
+    assert!(back["rms"]["validate"][1].is_null() && back["condition_number"].is_null());
+    assert_eq!(back["nrms"]["fit"][0], 0.01);
+    assert_eq!(back["samples"], 100);
+    assert_eq!(back["provenance"]["version"], "1");
+}
+
+#[test]
+fn text_names_what_is_open() {
+    let text = identify_text(&found(), &[]);
+    assert!(text.contains("ZZ1R  1.250  0.01250"), "{text}");
+    assert!(text.contains("MSX2 does not act in this data."), "{text}");
+    assert!(text.contains("5.0 %"), "{text}");
+}
+
+#[test]
+fn page_stands_alone() {
+    let curve = vec![[1.0, 1.0], [2.0, 2.5]];
+    let joint = TraceJoint { measured: curve.clone(), estimated: curve.clone(), residual: curve };
+    let trace = Trace {
+        name: "</script>.csv".into(),
+        time: vec![0.0, 0.01],
+        segment: vec![0, 0],
+        joints: vec![joint.clone(), joint],
+        thinning: 1,
+        validates: true,
+    };
+    let page = identify_html(&found(), &[], &[trace], &[("robot file".into(), "a & b".into())]);
+    for outside in ["http://", "https://", "src=", "href=", "@import", "url("] {
+        let used = page.replace("http://www.w3.org/2000/svg", "").contains(outside);
+        assert!(!used, "{outside}");
+    }
+    assert!(page.contains("two &lt;links&gt;") && page.contains("a &amp; b"));
+    assert_eq!(page.matches("</script>").count(), 2);
+    assert!(page.len() < 60_000);
+}
