@@ -1,5 +1,8 @@
 //! The only room that formats results: plain data in, text, JSON or a page out. Writes no file and no terminal.
 
+pub mod check_json;
+pub mod check_text;
+pub mod eval_json;
 mod identify_html;
 mod identify_json;
 mod identify_text;

@@ -227,8 +227,75 @@ mod lanes {
     }
 }
 
+/// Four registers of two: what every x86-64 has.
+#[cfg(all(target_arch = "x86_64", not(target_feature = "avx2"), not(target_feature = "avx512f")))]
+#[allow(unsafe_code)]
+mod lanes {
+    use core::arch::x86_64::*;
+
+    #[derive(Clone, Copy, Debug)]
+    pub(super) struct Lanes([__m128d; 4]);
+
+    // SAFETY, for all of this module: SSE2 belongs to every x86-64, and no memory is touched but pairs inside arrays of eight
+    // through unaligned loads and stores.
+    macro_rules! two {
+        ($($name:ident = $intrinsic:ident;)*) => {
+            $(#[inline(always)] pub(super) fn $name(Lanes(a): Lanes, Lanes(b): Lanes) -> Lanes {
+                unsafe {
+                    Lanes([$intrinsic(a[0], b[0]), $intrinsic(a[1], b[1]), $intrinsic(a[2], b[2]), $intrinsic(a[3], b[3])])
+                }
+            })*
+        };
+    }
+    two! { add = _mm_add_pd; sub = _mm_sub_pd; mul = _mm_mul_pd; div = _mm_div_pd; }
+
+    #[inline(always)]
+    pub(super) fn load(v: &[f64; 8]) -> Lanes {
+        let at = |k: usize| unsafe { _mm_loadu_pd(v.as_ptr().add(k)) };
+        Lanes([at(0), at(2), at(4), at(6)])
+    }
+    #[inline(always)]
+    pub(super) fn store(v: Lanes) -> [f64; 8] {
+        let mut out = [0.0; 8];
+        for k in 0..4 {
+            unsafe { _mm_storeu_pd(out.as_mut_ptr().add(2 * k), v.0[k]) }
+        }
+        out
+    }
+    #[inline(always)]
+    pub(super) fn splat(x: f64) -> Lanes {
+        Lanes([unsafe { _mm_set1_pd(x) }; 4])
+    }
+    #[inline(always)]
+    pub(super) fn neg(v: Lanes) -> Lanes {
+        Lanes(v.0.map(|v| unsafe { _mm_xor_pd(v, _mm_set1_pd(-0.0)) }))
+    }
+    /// `a` where the mask's bits are set, else `b`.
+    #[inline(always)]
+    fn pick(mask: __m128d, a: __m128d, b: __m128d) -> __m128d {
+        unsafe { _mm_or_pd(_mm_and_pd(mask, a), _mm_andnot_pd(mask, b)) }
+    }
+    #[inline(always)]
+    pub(super) fn unless_zero(v: Lanes, x: Lanes) -> Lanes {
+        let one = |k: usize| pick(unsafe { _mm_cmpeq_pd(x.0[k], _mm_setzero_pd()) }, x.0[k], v.0[k]);
+        Lanes([one(0), one(1), one(2), one(3)])
+    }
+    #[inline(always)]
+    pub(super) fn quarter_turned(s: Lanes, c: Lanes, turns: Lanes) -> (Lanes, Lanes) {
+        let half = |k: usize| unsafe {
+            let (turns, one, two) = (_mm_castpd_si128(turns.0[k]), _mm_set1_epi64x(1), _mm_set1_epi64x(2));
+            let odd = _mm_castsi128_pd(_mm_sub_epi64(_mm_setzero_si128(), _mm_and_si128(turns, one)));
+            let (sin, cos) = (pick(odd, c.0[k], s.0[k]), pick(odd, s.0[k], c.0[k]));
+            let sign = |t| _mm_castsi128_pd(_mm_slli_epi64::<62>(_mm_and_si128(t, two)));
+            (_mm_xor_pd(sin, sign(turns)), _mm_xor_pd(cos, sign(_mm_add_epi64(turns, one))))
+        };
+        let [a, b, c, d] = [half(0), half(1), half(2), half(3)];
+        (Lanes([a.0, b.0, c.0, d.0]), Lanes([a.1, b.1, c.1, d.1]))
+    }
+}
+
 /// Any other target: arrays.
-#[cfg(not(all(target_arch = "x86_64", any(target_feature = "avx2", target_feature = "avx512f"))))]
+#[cfg(not(target_arch = "x86_64"))]
 mod lanes {
     pub(super) type Lanes = [f64; 8];
 

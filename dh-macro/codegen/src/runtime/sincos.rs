@@ -3,7 +3,8 @@
 //! Reduction by quarter turns with pi/2 in three pieces (Cody and Waite; the first two have 33 bits, so their products with a
 //! quarter-turn count below 2^20 are exact) and a carried tail; then the polynomials of fdlibm's `k_sin.c` and `k_cos.c`. Beyond
 //! that range: Payne and Hanek, with integers. Only additions and multiplications, each rounded: the same bits on every machine,
-//! for one angle or for eight. Within 1 ulp (0.79 measured over three million angles, see the tests).
+//! for one angle or for eight. Within 1 ulp: 0.63 at
+//! most against 40-digit values (`tests/sincos.rs` of dh-codegen).
 
 use super::{Pack, Scalar};
 

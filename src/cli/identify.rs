@@ -1,0 +1,266 @@
+//! `denavit identify`: from logs to base parameters, and the robot file with the values in place.
+
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use dh_codegen::arm::param::{self, DriveTerm, Parameter};
+use dh_codegen::robot::{Inertia, Robot};
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::{Failure, files};
+use crate::arm::Arm;
+use crate::identify::{
+    DeadZone, Essential, Factors, Identification, IdentifySettings, Stack, StackSettings, Trace, Tracer, recover_standard,
+    solve,
+};
+use crate::interpreted::Interpreted;
+use crate::log::{Keep, Quantity, open};
+use crate::report;
+use crate::signal::{Derivatives, Filter, Motion, Prepare, Prepared, each_motion};
+
+/// Identify the base parameters from logs, validate them on others, and write the robot file with the values in place.
+///
+/// Logs are CSV, .csv.gz or Parquet with columns `t, q1.., tau1..` (and more, see the robot's README). They are low-passed forward
+/// and backward, positions are differentiated by central differences, and the base regressor is fitted by least squares with each
+/// joint weighted by its own noise. Drive parameters are identified where the robot file's `drive` has them (a value of 0 will do).
+#[derive(Args)]
+#[command(after_help = "Example:\n  denavit identify robots/kuka-iiwa14.yaml run1.csv run2.csv --validate run3.csv \\\n      --out identified.yaml --report identified.html")]
+pub(super) struct Identify {
+    /// Robot file.
+    robot: PathBuf,
+    /// Logs to fit.
+    #[arg(required = true, value_name = "LOG")]
+    logs: Vec<PathBuf>,
+    /// Logs to validate on; they are not used to fit.
+    #[arg(long, num_args = 1.., value_name = "LOG")]
+    validate: Vec<PathBuf>,
+    /// Robot file to write, with the identified values in place.
+    #[arg(long, value_name = "ROBOT2")]
+    out: Option<PathBuf>,
+    /// Write the result as JSON; `-` for standard output.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write a page with torques, residuals, parameters and correlations.
+    #[arg(long, value_name = "FILE.html")]
+    report: Option<PathBuf>,
+    /// Cut-off frequency of the low-pass, Hz; 0 for none.
+    #[arg(long, default_value_t = 10.0)]
+    cutoff: f64,
+    /// Order of one pass of the Butterworth low-pass.
+    #[arg(long, default_value_t = 5)]
+    order: usize,
+    /// Seconds cut off both ends of each stretch.
+    #[arg(long, default_value_t = 0.2)]
+    trim: f64,
+    /// Use every n-th sample, after the low-pass.
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    stride: usize,
+    /// Where velocities and accelerations come from.
+    #[arg(long, value_enum, default_value_t = Source::Position)]
+    derivatives: Source,
+    /// Which torque: `tau`, or `taum` (motor side).
+    #[arg(long, value_enum, default_value_t = Torque::Tau)]
+    torque: Torque,
+    /// Ordinary least squares: do not weight joints by their noise.
+    #[arg(long)]
+    ordinary: bool,
+    /// Leave out parameters that are not essential.
+    #[arg(long)]
+    essential: bool,
+    /// Speed below which a joint's rows are not used, rad/s; default from the noise.
+    #[arg(long, value_name = "SPEED")]
+    dead_zone: Option<f64>,
+    /// Keep what is normally refused: bad-rows, gaps, restarts, duplicates, irregular-clock, stuck, clipped, dead-torque,
+    /// large-angles, or all.
+    #[arg(long, value_delimiter = ',', value_name = "WHAT")]
+    keep: Vec<String>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Source {
+    /// Central differences of the low-passed positions.
+    Position,
+    /// The log's `dq` (and `ddq`).
+    Recorded,
+    /// Zero: static poses.
+    Rest,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Torque {
+    Tau,
+    Taum,
+}
+
+impl Identify {
+    pub(super) fn run(self) -> Result<(), Failure> {
+        let file = files::robot(&self.robot)?;
+        let prepare = self.prepare()?;
+        let arm = Interpreted::new(&file.robot, &[]);
+        let prior = param::standard_values(&file.robot);
+
+        let settings = self.stack_settings();
+        let mut prepared = Vec::new();
+        let mut factor = |path: &PathBuf| -> Result<Factors, Failure> {
+            let mut stack = Stack::new(&path.display().to_string(), &arm, settings);
+            prepared.push(pass(path, arm.dof(), &prepare, |motion| stack.absorb(motion))?);
+            Ok(stack.finish())
+        };
+        let fit: Vec<Factors> = self.logs.iter().map(&mut factor).collect::<Result<_, _>>()?;
+        let validate: Vec<Factors> = self.validate.iter().map(&mut factor).collect::<Result<_, _>>()?;
+
+        let solving = IdentifySettings {
+            weighted: !self.ordinary,
+            essential: self.essential.then(Essential::default),
+            prior: prior.clone(),
+            ..IdentifySettings::default()
+        };
+        let found = solve(&arm, &fit, &validate, &solving).map_err(Failure::input)?;
+        let provenance = self.provenance(&file.text);
+
+        if let Some(path) = &self.report {
+            let traces = self.traces(&arm, &found, &prepare)?;
+            files::write(path, report::identify_html(&found, &prepared, &traces, &provenance).as_bytes())?;
+        }
+        if let Some(path) = &self.out {
+            let standard = recover_standard(&arm, &found.values(), prior.as_deref()).map_err(Failure::other)?;
+            let robot = with_values(file.robot, &standard);
+            files::write(path, robot.to_yaml().as_bytes())?;
+        }
+        if let Some(target) = &self.json {
+            files::json(target, &report::identify_json(&found, &prepared, &provenance))?;
+        }
+        if !files::is_stdout(&self.json) {
+            files::print(&report::identify_text(&found, &prepared))?;
+            for path in self.out.iter().chain(&self.report) {
+                files::print(&format!("wrote {}\n", path.display()))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn prepare(&self) -> Result<Prepare, Failure> {
+        let mut keep = Keep::default();
+        for name in &self.keep {
+            if name == "all" {
+                keep = Keep::all();
+            } else if !keep.set(name) {
+                return Err(Failure::input(format!("--keep {name}: choose among {}, all", Keep::NAMES.join(", "))));
+            }
+        }
+        let bad = |what: String| Err(Failure::input(what));
+        if !(self.cutoff >= 0.0 && self.cutoff.is_finite()) {
+            return bad(format!("--cutoff {}: a frequency in Hz, or 0 for none", self.cutoff));
+        }
+        if !(1..=12).contains(&self.order) {
+            return bad(format!("--order {}: from 1 to 12", self.order));
+        }
+        if !(self.trim >= 0.0 && self.trim.is_finite()) {
+            return bad(format!("--trim {}: seconds, zero or more", self.trim));
+        }
+        if self.stride == 0 {
+            return bad("--stride 0: one or more".into());
+        }
+        Ok(Prepare {
+            filter: (self.cutoff > 0.0).then_some(Filter { order: self.order, cutoff: self.cutoff }),
+            derivatives: match self.derivatives {
+                Source::Position => Derivatives::FromPosition,
+                Source::Recorded => Derivatives::Recorded,
+                Source::Rest => Derivatives::AtRest,
+            },
+            trim: self.trim,
+            stride: self.stride,
+            torque: match self.torque {
+                Torque::Tau => Quantity::Tau,
+                Torque::Taum => Quantity::Taum,
+            },
+            keep,
+            ..Prepare::default()
+        })
+    }
+
+    fn stack_settings(&self) -> StackSettings {
+        let dead_zone = match self.dead_zone {
+            Some(speed) if speed > 0.0 => DeadZone::Fixed(speed),
+            Some(_) => DeadZone::Off,
+            None => DeadZone::FromNoise,
+        };
+        StackSettings { dead_zone, ..StackSettings::default() }
+    }
+
+    /// The torques over time, for drawing: a second pass, now that the parameters are known.
+    fn traces(&self, arm: &Interpreted, found: &Identification, prepare: &Prepare) -> Result<Vec<Trace>, Failure> {
+        let beta = found.values();
+        let logs = self.logs.iter().map(|p| (p, false)).chain(self.validate.iter().map(|p| (p, true)));
+        logs.map(|(path, validates)| {
+            let mut tracer = Tracer::new(&path.display().to_string(), validates, arm, &beta);
+            pass(path, arm.dof(), prepare, |motion| tracer.absorb(motion))?;
+            Ok(tracer.finish())
+        })
+        .collect()
+    }
+
+    fn provenance(&self, text: &str) -> Vec<(String, String)> {
+        let list = |paths: &[PathBuf]| paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ");
+        let filter = if self.cutoff > 0.0 {
+            format!("Butterworth order {}, {} Hz, forward and backward", self.order, self.cutoff)
+        } else {
+            "none".into()
+        };
+        vec![
+            ("denavit".into(), env!("CARGO_PKG_VERSION").into()),
+            ("robot file".into(), format!("{} ({} bytes)", self.robot.display(), text.len())),
+            ("fitted logs".into(), list(&self.logs)),
+            ("validating logs".into(), list(&self.validate)),
+            ("low-pass".into(), filter),
+        ]
+    }
+}
+
+/// One pass over a log, with a bar on a terminal.
+fn pass(path: &Path, dof: usize, prepare: &Prepare, sink: impl FnMut(&Motion)) -> Result<Prepared, Failure> {
+    let file = files::open(path)?;
+    let shown = path.display().to_string();
+    let bar = match file.metadata() {
+        Ok(meta) if meta.len() > 1 << 20 => ProgressBar::new(meta.len()),
+        _ => ProgressBar::hidden(),
+    };
+    if let Ok(style) = ProgressStyle::with_template("{msg} [{bar:30}] {bytes}/{total_bytes} {eta}") {
+        bar.set_style(style);
+    }
+    bar.set_message(shown.clone());
+    let reader: Box<dyn Read> = Box::new(std::io::BufReader::new(bar.wrap_read(file)));
+    let mut source = open(&shown, reader).map_err(Failure::input)?;
+    let prepared = each_motion(&mut *source, dof, prepare, sink).map_err(Failure::input)?;
+    bar.finish_and_clear();
+    Ok(prepared)
+}
+
+/// The robot with these standard parameters; what the tool contributes to the last link is taken out again.
+fn with_values(mut robot: Robot, standard: &[f64]) -> Robot {
+    let parameters = param::standard(&robot);
+    let mut links = vec![[0.0; 10]; robot.joints.len()];
+    for (parameter, &value) in parameters.iter().zip(standard) {
+        match *parameter {
+            Parameter::Link(row, which) => links[row][which as usize] = value,
+            Parameter::Drive(row, term) => {
+                let drive = &mut robot.joints[row].drive;
+                *match term {
+                    DriveTerm::IA => &mut drive.rotor_inertia,
+                    DriveTerm::FV => &mut drive.viscous_friction,
+                    DriveTerm::FC => &mut drive.coulomb_friction,
+                    DriveTerm::FO => &mut drive.offset,
+                } = Some(value);
+            }
+        }
+    }
+    if let (Some(tool), Some(last)) = (&robot.tool, links.last_mut())
+        && let Some(inertia) = &tool.inertia
+    {
+        let carried = inertia.moved(&tool.rotation(), &tool.xyz).to_array();
+        last.iter_mut().zip(carried).for_each(|(l, c)| *l -= c);
+    }
+    robot.links = links.into_iter().map(|l| Some(Inertia::from_array(l))).collect();
+    robot
+}
