@@ -5,5 +5,6 @@ pub mod cli;
 pub mod identify;
 pub mod interpreted;
 pub mod log;
+pub mod numeric;
 pub mod report;
 pub mod signal;

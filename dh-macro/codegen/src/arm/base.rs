@@ -388,7 +388,10 @@ impl Reach {
 
 /// Which parameter of a link is kept if there is a choice, the first ones most: the custom of the literature. (Keeping `YY`
 /// for `XX` changes the base regressors of the arms in `robots/` by less than half a per cent, either way.)
-const PREFERENCE: [usize; 12] = [ZZ, MSY, MSX, YZ, XZ, XY, XX, YY, MSZ, M, FO, IA];
+///
+/// `FO` goes first: where a prismatic joint's weight, rotor and offset can't be told apart, mass matrix and torques are right, and
+/// only the gravity torque from base parameters has the offset in it.
+const PREFERENCE: [usize; 12] = [ZZ, MSY, MSX, YZ, XZ, XY, XX, YY, MSZ, M, IA, FO];
 
 impl BaseParameters {
     /// Groups the standard parameters of a robot.

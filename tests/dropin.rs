@@ -1,0 +1,101 @@
+//! A generated crate stands alone: no `std`, no allocation, and no way into a panic.
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::path::Path;
+use std::process::Command;
+
+struct Counting;
+
+thread_local! {
+    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+}
+
+// SAFETY: hands everything on to the system's allocator.
+#[allow(unsafe_code)]
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.with(|n| n.set(n.get() + 1));
+        unsafe { System.alloc(layout) }
+    }
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+#[test]
+fn nothing_is_allocated() {
+    use kuka_lwr4 as arm;
+    let (q, phi) = ([0.3; arm::DOF], [0.1; arm::STANDARD]);
+    let before = ALLOCATIONS.with(Cell::get);
+    let beta = arm::base_parameters(&phi);
+    let sums = [
+        arm::frames(&q)[6][0][0],
+        arm::tool_pose(&q)[0][0],
+        arm::forward_kinematics(&q)[0][0],
+        arm::jacobian(&q)[0][0],
+        arm::jacobian_dot_velocity(&q, &q)[0],
+        arm::inverse_dynamics(&q, &q, &q, &phi)[0],
+        arm::inverse_dynamics_base(&q, &q, &q, &beta)[0],
+        arm::mass_matrix(&q, &beta)[0][0],
+        arm::coriolis(&q, &q, &beta)[0],
+        arm::gravity(&q, &beta)[0],
+        arm::forward_dynamics(&q, &q, &q, &beta)[0],
+        arm::regressor(&q, &q, &q)[0][0],
+        arm::base_regressor(&q, &q, &q)[0][0],
+        arm::gravity_regressor(&q)[0][0],
+        arm::kinetic_energy_regressor(&q, &q)[0],
+        arm::potential_energy_regressor(&q)[0],
+        arm::payload_regressor(&q, &q, &q)[0][0],
+    ];
+    let after = ALLOCATIONS.with(Cell::get);
+    assert_eq!(after, before, "{sums:?}");
+    drop(vec![0u8; 10]);
+    assert!(ALLOCATIONS.with(Cell::get) > after, "the counter counts");
+}
+
+/// The kernels go into a static library without `std` whose panic handler calls a function that does not exist. If any path led
+/// there, the program could not be linked.
+#[test]
+fn no_panic_can_be_reached() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("no_panic");
+    std::fs::create_dir_all(folder.join("src")).unwrap();
+    let manifest = format!(
+        "[package]\nname = \"no-panic\"\nversion = \"0.1.0\"\nedition = \"2024\"\n[lib]\ncrate-type = [\"staticlib\"]\n[dependencies]\nkuka-lwr4 = {{ path = {:?} }}\n[profile.release]\npanic = \"abort\"\nopt-level = 3\nlto = true\ncodegen-units = 1\n[workspace]\n",
+        root.join("generated/kuka-lwr4")
+    );
+    std::fs::write(folder.join("Cargo.toml"), manifest).unwrap();
+    let source = |body: &str| {
+        format!(
+            "#![no_std]\nuse kuka_lwr4::*;\nunsafe extern \"C\" {{ fn a_panic_is_reachable() -> !; }}\n#[panic_handler]\nfn panic(_: &core::panic::PanicInfo) -> ! {{ unsafe {{ a_panic_is_reachable() }} }}\n#[unsafe(no_mangle)]\npub extern \"C\" fn run(q: &[f64; DOF], phi: &[f64; STANDARD], beta: &[f64; BASE], i: usize) -> f64 {{ {body} }}\n"
+        )
+    };
+    let all = "frames(q)[6][0][0] + tool_pose(q)[0][0] + forward_kinematics(q)[0][0] + jacobian(q)[0][0] + jacobian_dot_velocity(q, q)[0] + inverse_dynamics(q, q, q, phi)[0] + inverse_dynamics_base(q, q, q, beta)[0] + mass_matrix(q, beta)[0][0] + coriolis(q, q, beta)[0] + gravity(q, beta)[0] + forward_dynamics(q, q, q, beta)[0] + regressor(q, q, q)[0][0] + base_regressor(q, q, q)[0][0] + gravity_regressor(q)[0][0] + kinetic_energy_regressor(q, q)[0] + potential_energy_regressor(q)[0] + payload_regressor(q, q, q)[0][0] + i as f64";
+    assert!(links(&folder, &source(all)), "a kernel can panic");
+    assert!(!links(&folder, &source("q[i] + phi[0] + beta[0]")), "the check must notice an index out of bounds");
+}
+
+fn links(folder: &Path, source: &str) -> bool {
+    std::fs::write(folder.join("src/lib.rs"), source).unwrap();
+    std::fs::write(folder.join("main.c"), "double run(void*, void*, void*, unsigned long);\nint main(int n, char **v) { double x[999]; return (int)run(x, x, x, n); }\n").unwrap();
+    let target = folder.join("target");
+    let built = Command::new(env!("CARGO"))
+        .args(["build", "--release", "--quiet", "--target-dir"])
+        .arg(&target)
+        .current_dir(folder)
+        .env_remove("RUSTFLAGS")
+        .status()
+        .unwrap();
+    assert!(built.success(), "the library without std does not build");
+    Command::new("cc")
+        .args(["main.c", "-o", "main", "-Wl,--gc-sections", "target/release/libno_panic.a"])
+        .current_dir(folder)
+        .output()
+        .unwrap()
+        .status
+        .success()
+}

@@ -1,0 +1,47 @@
+//! `generated/` is what the generator would write today. A stale file is rewritten, and the test fails once.
+
+use std::path::Path;
+
+use dh_codegen::robot::Robot;
+
+const CRATES: [&str; 6] = ["planar2r", "kuka-lwr4", "franka-panda", "ur10e", "kinova-gen3", "stanford"];
+
+#[test]
+fn generated_crates_are_fresh() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut stale = Vec::new();
+    for name in CRATES {
+        let text = std::fs::read_to_string(root.join(format!("robots/{name}.yaml"))).unwrap();
+        let robot = Robot::from_yaml(&text, &|f| Err(format!("{f}: not expected"))).unwrap().robot;
+        assert_eq!(robot.name, name);
+        for (path, expected) in dh_codegen::krate(&robot, &text) {
+            let file = root.join("generated").join(name).join(&path);
+            if std::fs::read(&file).ok().as_deref() != Some(expected.as_bytes()) {
+                std::fs::create_dir_all(file.parent().unwrap()).unwrap();
+                std::fs::write(&file, expected).unwrap();
+                stale.push(format!("{name}/{path}"));
+            }
+        }
+    }
+    assert!(stale.is_empty(), "these were stale and have been rewritten; look at the diff: {stale:#?}");
+}
+
+#[test]
+fn every_generated_crate_is_watched() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("generated");
+    for entry in std::fs::read_dir(root).unwrap() {
+        let entry = entry.unwrap();
+        if entry.path().join("Cargo.toml").exists() {
+            let name = entry.file_name().into_string().unwrap();
+            assert!(CRATES.contains(&name.as_str()), "{name} is not in the list of tests/fresh.rs");
+        }
+    }
+}
+
+#[test]
+fn the_same_file_gives_the_same_bytes() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("robots/ur10e.yaml");
+    let text = std::fs::read_to_string(path).unwrap();
+    let read = || Robot::from_yaml(&text, &|f| Err(f.to_string())).unwrap().robot;
+    assert_eq!(dh_codegen::krate(&read(), &text), dh_codegen::krate(&read(), &text));
+}
