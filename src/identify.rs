@@ -26,7 +26,7 @@ mod tests;
 
 pub use accuracy::{Accuracy, accuracy};
 pub use essential::{Dropped, Essential};
-pub use recover::{RecoverError, recover_standard};
+pub use recover::{RecoverError, implausible_links, recover_standard};
 pub use result::{Condition, Confused, Estimate, Identification, LogSummary, Standing};
 pub use solve::{IdentifyError, IdentifySettings, solve};
 pub use stack::{DeadZone, Factors, JointFactor, Stack, StackSettings};

@@ -98,6 +98,23 @@ fn chunks_are_filtered_as_the_whole_is() {
     }
 }
 
+/// White noise on the recorded torque, the whole way from the file: the truth is where the deviations say.
+#[test]
+fn honest_from_the_file_on() {
+    let arm = Planar::new();
+    let clean = motion(&arm, 10.0, 500.0, 0.0);
+    let (mut within, mut all) = (0, 0);
+    for seed in 0..30 {
+        let mut m = clean.clone();
+        add_noise(&mut m, [6.0, 2.0], false, 700 + seed);
+        let found = from_bytes(&arm, &bytes(&m), &Prepare::default(), StackSettings::default()).unwrap();
+        within += found.parameters.iter().zip(arm.beta()).filter(|(p, t)| (p.value - t).abs() < 2.0 * p.std).count();
+        all += found.parameters.len();
+    }
+    let share = within as f64 / all as f64;
+    assert!((0.92..0.985).contains(&share), "{share}");
+}
+
 #[test]
 fn a_late_torque_is_moved_back() {
     let arm = Planar::new();
