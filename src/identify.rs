@@ -2,7 +2,33 @@
 //!
 //! [`Motion`](crate::signal::Motion)s -> [`Stack`]: one triangular factor per joint -> [`solve`]: weighted least squares on the small
 //! stacked factors -> [`Identification`]. The log passes once; weights, essential parameters, validation and standard deviations
-//! all come from the factors. Sees a robot only as an [`Arm`](crate::arm::Arm); prints nothing.
+//! all come from the factors.
+//!
+//! ```
+//! use denavit::{arm::Arm, identify::*, log, report, signal::{Prepare, each_motion}};
+//!
+//! fn run(arm: &dyn Arm, fit: &[u8], validate: &[u8], prior: Vec<f64>) -> Result<String, Box<dyn std::error::Error>> {
+//!     let prepare = Prepare::default(); // the paper's filter; `keep`, `trim`, `torque` as the user says
+//!     let stack = |name: &str, bytes: &[u8]| -> Result<_, Box<dyn std::error::Error>> {
+//!         let mut stack = Stack::new(name, arm, StackSettings::default());
+//!         let mut source = log::open(name, bytes)?; // any `Read`: CSV, CSV gzipped, Parquet
+//!         let prepared = each_motion(source.as_mut(), arm.dof(), &prepare, |motion| stack.absorb(motion))?;
+//!         Ok((stack.finish(), prepared))
+//!     };
+//!     let ((fit_factors, a), (validate_factors, b)) = (stack("fit.csv", fit)?, stack("validate.csv", validate)?);
+//!     let settings = IdentifySettings { prior: Some(prior.clone()), essential: Some(Essential::default()), ..Default::default() };
+//!     let found = solve(arm, &[fit_factors], &[validate_factors], &settings)?;
+//!     let _for_the_robot_file = recover_standard(arm, &found.values(), Some(&prior))?;
+//!     let _json = report::identify_json(&found, &[a.clone(), b.clone()], &[]).to_string();
+//!     // For the page's curves a log is read once more.
+//!     let mut tracer = Tracer::new("validate.csv", true, arm, &found.values());
+//!     each_motion(log::open("validate.csv", validate)?.as_mut(), arm.dof(), &prepare, |motion| tracer.absorb(motion))?;
+//!     let _page = report::identify_html(&found, &[a.clone(), b.clone()], &[tracer.finish()], &[]);
+//!     Ok(report::identify_text(&found, &[a, b]))
+//! }
+//! ```
+//!
+//! Sees a robot only as an [`Arm`](crate::arm::Arm); prints nothing.
 
 mod accuracy;
 mod batches;
@@ -26,7 +52,7 @@ mod tests;
 
 pub use accuracy::{Accuracy, accuracy};
 pub use essential::{Dropped, Essential};
-pub use recover::{RecoverError, recover_standard};
+pub use recover::{RecoverError, implausible_links, recover_standard};
 pub use result::{Condition, Confused, Estimate, Identification, LogSummary, Standing};
 pub use solve::{IdentifyError, IdentifySettings, solve};
 pub use stack::{DeadZone, Factors, JointFactor, Stack, StackSettings};

@@ -58,6 +58,31 @@ pub fn recover_standard(arm: &dyn Arm, beta: &[f64], prior: Option<&[f64]>) -> R
     Ok(phi.iter().copied().collect())
 }
 
+/// Links (numbered as in the names, from 1) whose standard parameters no body can have: the pseudo-inertia
+/// `[[tr(I)/2 1 - I, MS], [MS', M]]` is not positive definite (Wensing, Kim and Slotine 2018). Least squares does not ask for it.
+pub fn implausible_links(names: &[String], standard: &[f64]) -> Vec<usize> {
+    let value = |kind: &str, link: usize| {
+        let name = format!("{kind}{link}");
+        names.iter().position(|n| *n == name).and_then(|i| standard.get(i)).copied()
+    };
+    let links = names.iter().filter_map(|n| n.strip_prefix('M')?.parse::<usize>().ok());
+    links
+        .filter(|&link| {
+            let [m, x, y, z] = ["M", "MSX", "MSY", "MSZ"].map(|k| value(k, link).unwrap_or(0.0));
+            let [xx, yy, zz, xy, xz, yz] = ["XX", "YY", "ZZ", "XY", "XZ", "YZ"].map(|k| value(k, link).unwrap_or(0.0));
+            let half = (xx + yy + zz) / 2.0;
+            #[rustfmt::skip]
+            let pseudo = nalgebra::Matrix4::new(
+                half - xx, -xy, -xz, x,
+                -xy, half - yy, -yz, y,
+                -xz, -yz, half - zz, z,
+                x, y, z, m,
+            );
+            pseudo.cholesky().is_none()
+        })
+        .collect()
+}
+
 /// How large a change of this parameter may be.
 fn size(names: &[String], prior: &[f64], index: usize) -> f64 {
     const LENGTH: f64 = 0.2;
@@ -73,5 +98,37 @@ fn size(names: &[String], prior: &[f64], index: usize) -> f64 {
         "MSX" | "MSY" | "MSZ" => mass() * LENGTH,
         "XX" | "YY" | "ZZ" | "XY" | "XZ" | "YZ" => mass() * LENGTH * LENGTH,
         _ => prior[index].abs().max(0.1),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_body_and_what_is_none() {
+        let names: Vec<String> =
+            ["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"].map(|k| format!("{k}2")).to_vec();
+        // A ball of 2 kg, radius 0.1 m, at (0.3, 0, 0.1) m.
+        let (m, x, z, ball) = (2.0, 0.3, 0.1, 0.4 * 2.0 * 0.01);
+        let body = [
+            m,
+            m * x,
+            0.0,
+            m * z,
+            ball + m * z * z,
+            ball + m * (x * x + z * z),
+            ball + m * x * x,
+            0.0,
+            -m * x * z,
+            0.0,
+        ];
+        assert!(implausible_links(&names, &body).is_empty());
+        let mut none = body;
+        none[0] = -1.0;
+        assert_eq!(implausible_links(&names, &none), [2]);
+        let mut thin = body;
+        thin[6] = 0.01; // less than M x^2
+        assert_eq!(implausible_links(&names, &thin), [2]);
     }
 }

@@ -18,7 +18,7 @@ pub struct Keep {
     pub stuck: bool,
     /// A torque that is cut off at a level: used as it is.
     pub clipped: bool,
-    /// A torque that is zero throughout: used as it is.
+    /// A torque that is zero throughout: the joint then takes no part in the fit.
     pub dead_torque: bool,
     /// Positions beyond two turns, which look like degrees: used as they are.
     pub large_angles: bool,

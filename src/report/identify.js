@@ -121,9 +121,11 @@ const drawLog = (box, packed) => {
 };
 document.querySelectorAll('.plots').forEach(box => drawLog(box, data.traces[+box.dataset.trace]));
 
-// Heat map: blue is positive, red negative, white zero; grey where there is no estimate.
+// Heat map: blue is positive, red negative, white zero; without the parameters that have no estimate.
 (() => {
-  const box = document.getElementById('correlation'), names = data.names, n = names.length;
+  const box = document.getElementById('correlation'), all = data.names.length;
+  const shown = data.names.map((_, i) => i).filter(i => data.correlation[i * all + i] !== null);
+  const names = shown.map(i => data.names[i]), n = names.length;
   if (!n) return box.remove();
   const cell = Math.max(10, Math.min(24, 640 / n)), left = 56, top = 52, size = n * cell;
   const svg = make(box, 'svg', { viewBox: `0 0 ${left + size + 10} ${top + size + 24}`, role: 'img', 'aria-label': 'correlation' });
@@ -137,9 +139,9 @@ document.querySelectorAll('.plots').forEach(box => drawLog(box, data.traces[+box
     make(svg, 'text', { x: left - 4, y: top + (i + 0.7) * cell, 'text-anchor': 'end' }, row);
     make(svg, 'text', { transform: `translate(${left + (i + 0.7) * cell},${top - 4}) rotate(-90)` }, row);
     names.forEach((column, k) => {
-      const c = data.correlation[i * n + k];
-      const rect = make(svg, 'rect', { x: left + k * cell, y: top + i * cell, width: cell - 0.5, height: cell - 0.5, fill: c === null ? '#eceef0' : colour(c) });
-      const text = c === null ? `${row}, ${column}: not estimated` : `${row}, ${column}: ${(c / 100).toFixed(2)}`;
+      const c = data.correlation[shown[i] * all + shown[k]];
+      const rect = make(svg, 'rect', { x: left + k * cell, y: top + i * cell, width: cell - 0.5, height: cell - 0.5, fill: colour(c) });
+      const text = `${row}, ${column}: ${(c / 100).toFixed(2)}`;
       rect.addEventListener('pointerenter', () => { label.textContent = text; });
     });
   });

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::number::{figure, pad, percent};
+use super::number::{digits, figure, pad, percent};
 use crate::{
     identify::{Accuracy, Identification, Standing},
     log::Severity,
@@ -19,7 +19,7 @@ pub fn identify_verdict(found: &Identification) -> String {
     let mean = live.iter().map(|&j| accuracy.rms[j]).sum::<f64>() / live.len().max(1) as f64;
     let mut text = format!(
         "On {on} the model misses the measured torque by {} N m (mean over joints of the RMS), {} % of it",
-        figure(mean),
+        digits(mean, 3),
         percent(accuracy.relative_error_percent())
     );
     let worst =
@@ -28,6 +28,16 @@ pub fn identify_verdict(found: &Identification) -> String {
         let _ = write!(text, "; worst is joint {} with {} %", worst + 1, percent(accuracy.percent_of_torque(worst)));
     }
     text.push_str(". ");
+    if let Some(validation) = &found.validation {
+        let (here, there) = (found.fit.relative_error_percent(), validation.relative_error_percent());
+        if there > 2.0 * here {
+            let _ = write!(
+                text,
+                "On the data it was fitted to it misses only {} %: it does not carry over, so fit a richer motion, or fewer parameters. ",
+                percent(here)
+            );
+        }
+    }
     let before = if found.validation.is_some() { &found.validation_before } else { &found.fit_before };
     if let Some(before) = before {
         let _ = write!(text, "The robot file as it was misses by {} %. ", percent(before.relative_error_percent()));
@@ -113,6 +123,10 @@ pub fn identify_text(found: &Identification, logs: &[Prepared]) -> String {
     out
 }
 
+fn share(of_torque: f64) -> String {
+    if of_torque.is_finite() { format!("({} %)", percent(of_torque)) } else { String::new() }
+}
+
 /// One row per joint.
 fn torque_table(found: &Identification) -> String {
     let mut head = vec!["joint".to_string(), "torque".into(), "fit".into(), "".into()];
@@ -130,7 +144,7 @@ fn torque_table(found: &Identification) -> String {
     for joint in 0..found.fit.rms.len() {
         let mut row = vec![(joint + 1).to_string(), figure(found.fit.torque_rms[joint])];
         for accuracy in &columns {
-            row.extend([figure(accuracy.rms[joint]), format!("({} %)", percent(accuracy.percent_of_torque(joint)))]);
+            row.extend([figure(accuracy.rms[joint]), share(accuracy.percent_of_torque(joint))]);
         }
         let last = found.validation.as_ref().unwrap_or(&found.fit);
         row.push(percent(100.0 * last.nrms[joint]));

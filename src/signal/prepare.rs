@@ -38,7 +38,7 @@ pub enum Derivatives {
 }
 
 /// How samples become motion.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Prepare {
     /// Low-pass for positions and torques alike; `None`: none.
     pub filter: Option<Filter>,
@@ -53,6 +53,8 @@ pub struct Prepare {
     pub stride: usize,
     /// The torque columns. Default `tau`.
     pub torque: Quantity,
+    /// What each joint's torque column is multiplied by: N m per A where the columns are currents. Default empty: 1 for all.
+    pub torque_gains: Vec<f64>,
     /// What the user allows.
     pub keep: Keep,
     /// Samples that are filtered at once. Default 65,536; bounds the memory; a chunk also is
@@ -71,6 +73,7 @@ impl Default for Prepare {
             torque_delay: 0.0,
             stride: 1,
             torque: Quantity::Tau,
+            torque_gains: Vec::new(),
             keep: Keep::default(),
             chunk: 1 << 16,
             margins: false,
@@ -243,7 +246,7 @@ impl Preparer {
             }
         }
         Ok(Self {
-            settings: *prepare,
+            settings: prepare.clone(),
             file: layout.file.clone(),
             dof,
             time: layout.require(Role::Time)?,
@@ -502,7 +505,10 @@ impl Preparer {
             }
         }
         for joint in 0..dof {
-            let tau = smooth(&self.evened[dof + joint]);
+            let mut tau = smooth(&self.evened[dof + joint]);
+            if let Some(gain) = self.settings.torque_gains.get(joint) {
+                tau.iter_mut().for_each(|t| *t *= gain);
+            }
             let tau = later(tau, self.settings.torque_delay / clock.period);
             motion.tau.extend_from_slice(&tau[from..to]);
         }

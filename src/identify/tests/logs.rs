@@ -3,7 +3,7 @@
 use super::*;
 use crate::{
     identify::planar::{log, motion},
-    log::{LogError, csv, open},
+    log::{LogError, Quantity, csv, open},
     signal::{Filter, Prepare, PrepareError, each_motion},
 };
 
@@ -40,7 +40,7 @@ fn positions_and_torques_suffice() {
     assert!(worst(&arm, &found) < 0.06, "{}", worst(&arm, &found));
     let parallel =
         StackSettings { parallel: Some((5, 10.0)), dead_zone: super::super::DeadZone::Off, ..Default::default() };
-    let unfiltered = Prepare { margins: true, filter: None, ..prepare };
+    let unfiltered = Prepare { margins: true, filter: None, ..prepare.clone() };
     let better = from_bytes(&arm, &bytes(&m), &unfiltered, parallel).unwrap();
     assert!(worst(&arm, &better) < 0.003, "{}", worst(&arm, &better));
 }
@@ -55,7 +55,7 @@ fn chunks_do_not_show() {
     for chunk in [100, 777] {
         for stride in [1, 5] {
             let once = Prepare { stride, ..Prepare::default() };
-            let pieces = Prepare { chunk, ..once };
+            let pieces = Prepare { chunk, ..once.clone() };
             let fixed = StackSettings { dead_zone: super::super::DeadZone::Fixed(0.01), ..Default::default() };
             let a = from_bytes(&arm, &csv, &once, fixed).unwrap();
             let b = from_bytes(&arm, &csv, &pieces, fixed).unwrap();
@@ -98,6 +98,23 @@ fn chunks_are_filtered_as_the_whole_is() {
     }
 }
 
+/// White noise on the recorded torque, the whole way from the file: the truth is where the deviations say.
+#[test]
+fn honest_from_the_file_on() {
+    let arm = Planar::new();
+    let clean = motion(&arm, 10.0, 500.0, 0.0);
+    let (mut within, mut all) = (0, 0);
+    for seed in 0..30 {
+        let mut m = clean.clone();
+        add_noise(&mut m, [6.0, 2.0], false, 700 + seed);
+        let found = from_bytes(&arm, &bytes(&m), &Prepare::default(), StackSettings::default()).unwrap();
+        within += found.parameters.iter().zip(arm.beta()).filter(|(p, t)| (p.value - t).abs() < 2.0 * p.std).count();
+        all += found.parameters.len();
+    }
+    let share = within as f64 / all as f64;
+    assert!((0.92..0.985).contains(&share), "{share}");
+}
+
 #[test]
 fn a_late_torque_is_moved_back() {
     let arm = Planar::new();
@@ -112,6 +129,22 @@ fn a_late_torque_is_moved_back() {
     let moved = Prepare { torque_delay: 0.034, chunk: 3000, ..Prepare::default() };
     let mended = from_bytes(&arm, &csv, &moved, StackSettings::default()).unwrap();
     assert!(worst(&arm, &as_is) > 0.5 && worst(&arm, &mended) < 0.06, "{}", worst(&arm, &mended));
+}
+
+#[test]
+fn currents_become_torques() {
+    let arm = Planar::new();
+    let m = motion(&arm, 20.0, 500.0, 0.0);
+    let mut log = log(&m);
+    log.layout = crate::log::Layout::new("currents.csv", &["t", "q1", "q2", "i1", "i2"]).unwrap();
+    log.columns[3].iter_mut().for_each(|tau| *tau /= 8.0);
+    log.columns[4].iter_mut().for_each(|tau| *tau /= -2.0);
+    let mut csv = Vec::new();
+    csv::write(&log, &mut csv).unwrap();
+    let without = from_bytes(&arm, &csv, &Prepare::default(), StackSettings::default()).unwrap_err().to_string();
+    assert!(without.contains("`tau1`"), "{without}");
+    let prepare = Prepare { torque: Quantity::Current, torque_gains: vec![8.0, -2.0], ..Prepare::default() };
+    assert!(worst(&arm, &from_bytes(&arm, &csv, &prepare, StackSettings::default()).unwrap()) < 0.06);
 }
 
 #[test]
@@ -133,7 +166,7 @@ fn a_cutoff_beyond_the_rate_says_so() {
     assert!(error.to_string().contains("10 Hz"), "{error}");
     let low = Prepare { filter: Some(Filter { order: 5, cutoff: 4.0 }), ..Prepare::default() };
     assert!(from_bytes(&arm, &csv, &low, StackSettings::default()).is_ok());
-    let coarse = Prepare { stride: 3, ..low };
+    let coarse = Prepare { stride: 3, ..low.clone() };
     assert!(matches!(
         from_bytes(&arm, &csv, &coarse, StackSettings::default()),
         Err(PrepareError::Stride { most: 1, .. })

@@ -134,3 +134,55 @@ fn ten_thousand_samples() {
         );
     }
 }
+
+/// An hour of seven joints at 1 kHz, written as it is read: a 16 s piece again and again.
+struct Hour {
+    piece: Vec<String>,
+    row: usize,
+    rest: Vec<u8>,
+}
+
+impl std::io::Read for Hour {
+    fn read(&mut self, out: &mut [u8]) -> std::io::Result<usize> {
+        while self.rest.is_empty() && self.row < 3_600_000 {
+            for _ in 0..64 {
+                let cells = &self.piece[self.row % self.piece.len()];
+                self.rest.extend_from_slice(format!("{:.3}{cells}\n", self.row as f64 * 1e-3).as_bytes());
+                self.row += 1;
+            }
+        }
+        let n = self.rest.len().min(out.len());
+        out[..n].copy_from_slice(&self.rest[..n]);
+        self.rest.drain(..n);
+        Ok(n)
+    }
+}
+
+#[test]
+#[ignore = "measures time and memory"]
+fn an_hour_in_bounded_memory() {
+    let arm = Wide::new();
+    let mut normal = Normal::new(2);
+    let piece = (0..16_000).map(|k| {
+        let x = std::f64::consts::TAU * k as f64 / 16_000.0;
+        let q = (0..7).map(|j| format!(",{:.6}", (x * (j + 1) as f64).sin() + 0.3 * (x * (3 * j + 2) as f64).cos()));
+        q.chain((0..7).map(|j| format!(",{:.4}", 10.0 * (x * (j + 1) as f64).cos() + normal.next()))).collect()
+    });
+    let header = "t,q1,q2,q3,q4,q5,q6,q7,tau1,tau2,tau3,tau4,tau5,tau6,tau7\n";
+    let hour = Hour { piece: piece.collect(), row: 0, rest: header.into() };
+    let start = Instant::now();
+    let mut stack = Stack::new("hour", &arm, StackSettings::default());
+    let mut source = crate::log::open("hour.csv", hour).unwrap();
+    let prepared = crate::signal::each_motion(source.as_mut(), 7, &Default::default(), |m| stack.absorb(m)).unwrap();
+    let read = start.elapsed();
+    let found = solve(&arm, &[stack.finish()], &[], &IdentifySettings::default()).unwrap();
+    let memory = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let peak = memory.lines().find(|l| l.starts_with("VmHWM")).unwrap_or("peak unknown");
+    eprintln!(
+        "{} samples in {:.1} s, solve {:.1} ms; {peak}",
+        prepared.samples,
+        read.as_secs_f64(),
+        1e3 * (start.elapsed() - read).as_secs_f64()
+    );
+    assert!(found.samples > 20_000_000);
+}
