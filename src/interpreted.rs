@@ -53,6 +53,14 @@ impl Interpreted {
         &self.model
     }
 
+    /// Any function that was asked for, over a batch: entry `o` of the row-major result at sample `s` goes to `out[o * len + s]`.
+    ///
+    /// # Panics
+    /// Like [`Interpreted::evaluate`].
+    pub fn run(&self, function: Function, states: &States, tau: &[f64], parameters: &[f64], out: &mut [f64]) {
+        self.interpreter.run(function, &batch(states, tau, parameters), out);
+    }
+
     /// Row-major result of any function that was asked for, one vector per state; `parameters` are standard or base ones,
     /// whichever the function takes.
     ///
@@ -61,7 +69,7 @@ impl Interpreted {
     pub fn evaluate(&self, function: Function, states: &States, tau: &[f64], parameters: &[f64]) -> Vec<Vec<f64>> {
         let size: usize = self.interpreter.shape(function).map_or(0, |s| s.iter().product());
         let mut out = vec![0.0; size * states.len];
-        self.interpreter.run(function, &batch(states, tau, parameters), &mut out);
+        self.run(function, states, tau, parameters, &mut out);
         (0..states.len).map(|s| (0..size).map(|o| out[o * states.len + s]).collect()).collect()
     }
 

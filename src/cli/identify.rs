@@ -53,6 +53,9 @@ pub(super) struct Identify {
     /// Seconds cut off both ends of each stretch.
     #[arg(long, default_value_t = 0.2)]
     trim: f64,
+    /// Seconds by which the torque is late against the positions; it is moved back by as much.
+    #[arg(long, default_value_t = 0.0, value_name = "SECONDS", allow_negative_numbers = true)]
+    delay: f64,
     /// Use every n-th sample, after the low-pass.
     #[arg(long, default_value_t = 1, value_name = "N")]
     stride: usize,
@@ -159,6 +162,9 @@ impl Identify {
         if !(self.trim >= 0.0 && self.trim.is_finite()) {
             return bad(format!("--trim {}: seconds, zero or more", self.trim));
         }
+        if !(self.delay.abs() <= 10.0) {
+            return bad(format!("--delay {}: seconds, at most 10", self.delay));
+        }
         if self.stride == 0 {
             return bad("--stride 0: one or more".into());
         }
@@ -170,6 +176,7 @@ impl Identify {
                 Source::Rest => Derivatives::AtRest,
             },
             trim: self.trim,
+            torque_delay: self.delay,
             stride: self.stride,
             torque: match self.torque {
                 Torque::Tau => Quantity::Tau,
