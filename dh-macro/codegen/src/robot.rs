@@ -1,12 +1,29 @@
-//! A validated serial robot: SI units, exact angles. Knows no file format.
+//! A validated serial robot: SI units, exact angles; and its file.
+//!
+//! `text -> yaml (tree with places) -> check (by the tables in keys, numbers by expression) -> Robot | Problems`,
+//! and back by `write`. What stands in this file knows no file format.
 
 mod angle;
+mod check;
+mod decimal;
+mod expression;
 mod inertia;
+mod keys;
 mod length;
+mod physical;
+mod problem;
+mod reader;
+mod schema;
+mod write;
+mod yaml;
 
 pub use angle::Angle;
+pub use check::Reading;
 pub use inertia::Inertia;
 pub use length::{Length, Polynomial};
+pub use physical::NotPhysical;
+pub use problem::{Note, Problem, Problems};
+pub use schema::schema;
 
 /// Which Denavit-Hartenberg convention the rows are written in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,7 +70,7 @@ pub struct Effect {
 }
 
 /// The vocabulary of effects beyond the rigid body (contract, section 5), in its order.
-pub const EFFECT_NAMES: [&str; 24] = [
+pub const EFFECT_NAMES: [&str; 25] = [
     "viscous_friction",
     "coulomb_friction",
     "asymmetric_friction",
@@ -78,6 +95,7 @@ pub const EFFECT_NAMES: [&str; 24] = [
     "base_tilt",
     "joint_spring",
     "external_contact",
+    "time_delay",
 ];
 
 /// The drive of a joint. A `Some` says that the model *has* the parameter (zero: not known yet).

@@ -39,6 +39,11 @@ impl Polynomial {
         }
     }
 
+    /// Every coefficient a finite number?
+    pub fn is_finite(&self) -> bool {
+        self.terms.values().all(|c| c.is_finite())
+    }
+
     /// Number of terms.
     pub fn len(&self) -> usize {
         self.terms.len()

@@ -1,0 +1,232 @@
+//! Text -> tree -> checked robot, or every problem at once.
+
+mod body;
+mod drive;
+mod joint;
+
+use super::expression::{RESERVED, is_name};
+use super::keys;
+use super::problem::{Note, Problem, Problems};
+use super::reader::{Fields, Findings};
+use super::yaml::{self, Kind, Mark, shortened};
+use super::{Collision, Convention, Robot, Sphere};
+
+/// A robot as its file gives it, and what the reader did or saw on the way.
+#[derive(Debug, Clone)]
+pub struct Reading {
+    /// The robot.
+    pub robot: Robot,
+    /// Decimals that were read as exact angles, values that look like another unit, ...
+    pub notes: Vec<Note>,
+}
+
+/// Gravity where the file gives none, m/s^2: the contract's value.
+const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
+
+/// Words that can't name a crate.
+const NOT_CRATES: &[&str] = &[
+    "abstract",
+    "as",
+    "async",
+    "await",
+    "become",
+    "box",
+    "break",
+    "const",
+    "continue",
+    "core",
+    "crate",
+    "do",
+    "dyn",
+    "else",
+    "enum",
+    "extern",
+    "false",
+    "final",
+    "fn",
+    "for",
+    "gen",
+    "if",
+    "impl",
+    "in",
+    "let",
+    "loop",
+    "macro",
+    "match",
+    "mod",
+    "move",
+    "mut",
+    "override",
+    "priv",
+    "proc-macro",
+    "pub",
+    "ref",
+    "return",
+    "self",
+    "static",
+    "std",
+    "struct",
+    "super",
+    "test",
+    "trait",
+    "true",
+    "try",
+    "type",
+    "typeof",
+    "unsafe",
+    "unsized",
+    "use",
+    "virtual",
+    "where",
+    "while",
+    "yield",
+];
+
+impl Robot {
+    /// Reads a robot file. `files` gives the text of a tool file by the name that stands behind `tool:`.
+    ///
+    /// All mistakes are reported together, each with its line and column.
+    pub fn from_yaml(text: &str, files: &dyn Fn(&str) -> Result<String, String>) -> Result<Reading, Problems> {
+        let root = yaml::parse(text).map_err(Problems)?;
+        let mut found = Findings::default();
+        let robot = found.fields(&root, "", &keys::ROBOT).map(|top| robot(&top, files, &mut found));
+        found.problems.sort_by(|a, b| (&a.file, a.line, a.column).cmp(&(&b.file, b.line, b.column)));
+        found.notes.sort_by(|a, b| (&a.file, a.line, a.column).cmp(&(&b.file, b.line, b.column)));
+        match robot {
+            Some(robot) if found.problems.is_empty() => Ok(Reading { robot, notes: found.notes }),
+            _ => Err(Problems(found.problems)),
+        }
+    }
+
+    /// [`Robot::from_yaml`] for bytes that may not be UTF-8.
+    pub fn from_bytes(bytes: &[u8], files: &dyn Fn(&str) -> Result<String, String>) -> Result<Reading, Problems> {
+        match core::str::from_utf8(bytes) {
+            Ok(text) => Self::from_yaml(text, files),
+            Err(error) => {
+                let good = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
+                let byte = bytes.get(error.valid_up_to()).copied().unwrap_or_default();
+                Err(Problems(vec![Problem {
+                    file: None,
+                    path: String::new(),
+                    line: good.matches('\n').count() + 1,
+                    column: good.chars().rev().take_while(|&c| c != '\n').count() + 1,
+                    what: format!("the byte 0x{byte:02x} is not UTF-8"),
+                    mend: "save the file as UTF-8 text".to_string(),
+                }]))
+            }
+        }
+    }
+}
+
+/// The robot, with defaults in place of what was found wrong.
+fn robot(top: &Fields<'_>, files: &dyn Fn(&str) -> Result<String, String>, to: &mut Findings) -> Robot {
+    constants(top, to);
+    let name = top.text("name", to).unwrap_or_default();
+    check_name(&name, top, to);
+    top.text("source", to);
+    let convention = match top.choice("convention", to) {
+        Some("standard") => Convention::Standard,
+        _ => Convention::Modified,
+    };
+    let gravity = gravity(top, to);
+    let joints = joint::joints(top, to);
+    let links = body::links(top, joints.len(), to);
+    let tool = body::tool(top, files, to);
+    let collision = collision(top, joints.len(), to);
+    let effects = top.node("effects").map(|(node, path)| drive::effects(node, &path, to)).unwrap_or_default();
+    let constants = to.scope.constants();
+    Robot { name, convention, constants, gravity, joints, links, tool, collision, effects }
+}
+
+fn constants(top: &Fields<'_>, to: &mut Findings) {
+    let Some((node, path)) = top.node("constants") else { return };
+    let Kind::Map(fields) = &node.kind else {
+        let mend = "write a mapping of names to numbers: { L1: 0.31, L2: 0.40 }";
+        to.problem(node.mark, &path, format!("{} stands here", node.kind.describe()), mend);
+        return;
+    };
+    for (word, node) in fields {
+        let path = format!("{path}.{}", shortened(&word.text));
+        if RESERVED.contains(&word.text.as_str()) {
+            let what = format!("`{}` has a meaning of its own", word.text);
+            to.problem(word.mark, &path, what, "give the constant another name");
+            continue;
+        }
+        if !is_name(&word.text) {
+            let what = format!("`{}` can't name a constant", shortened(&word.text));
+            to.problem(word.mark, &path, what, "use letters, digits and _, a letter first");
+            continue;
+        }
+        // A wrong constant is defined all the same: one problem, not one for every use.
+        let value = to.value(node, &path, "a number").map(|(value, _)| value);
+        if let Some(value) = value.or_else(|| to.scope.evaluate("1").ok()) {
+            to.scope.define(&word.text, value);
+        }
+    }
+}
+
+/// The name is also that of the crate that is written for the robot.
+fn check_name(name: &str, top: &Fields<'_>, to: &mut Findings) {
+    let Some((node, path)) = top.node("name").filter(|_| !name.is_empty()) else { return };
+    let good = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-' || c == '_';
+    if NOT_CRATES.contains(&name) {
+        let what = format!("`{name}` is a reserved word and can't name a crate");
+        to.problem(node.mark, &path, what, format!("write {name}-robot"));
+    } else if name.len() > 64 {
+        let what = format!("the name has {} characters; a crate's name has at most 64", name.len());
+        to.problem(node.mark, &path, what, "shorten it");
+    } else if !name.starts_with(|c: char| c.is_ascii_lowercase()) || !name.chars().all(good) {
+        let mut slug: String = name.to_lowercase().chars().map(|c| if good(c) { c } else { '-' }).collect();
+        slug = slug.trim_matches('-').to_string();
+        if !slug.starts_with(|c: char| c.is_ascii_lowercase()) {
+            slug = format!("robot-{slug}").trim_end_matches('-').to_string();
+        }
+        let what = format!("`{}` can't name a crate", shortened(name));
+        to.problem(
+            node.mark,
+            &path,
+            what,
+            format!("write {}: lower case, digits and dashes, a letter first", shortened(&slug)),
+        );
+    }
+}
+
+fn gravity(top: &Fields<'_>, to: &mut Findings) -> [f64; 3] {
+    let Some((node, path)) = top.node("gravity") else { return GRAVITY };
+    let Some(gravity) = top.vector::<3>("gravity", to) else { return GRAVITY };
+    let length = gravity.iter().fold(0.0f64, |sum, g| sum.hypot(*g));
+    if length == 0.0 {
+        to.note(node.mark, &path, "gravity is 0: masses and first moments will be hard to see");
+    } else if !(1.0..=30.0).contains(&length) {
+        to.note(node.mark, &path, format!("gravity has the length {length} m/s^2; on Earth it is 9.81"));
+    } else if gravity[2] > 0.9 * length {
+        to.note(node.mark, &path, "gravity points along +z of the base frame: is the robot hung from the ceiling?");
+    }
+    gravity
+}
+
+fn collision(top: &Fields<'_>, rows: usize, to: &mut Findings) -> Collision {
+    let Some(fields) = top.map("collision", to) else { return Collision::default() };
+    let ground = fields.number("ground", to);
+    let mut spheres = Vec::new();
+    for (node, path) in fields.rows("spheres", to).unwrap_or_default() {
+        let Some(sphere) = fields.row("spheres", node, &path, to) else { continue };
+        let (link, center) = (sphere.count("link", to), sphere.vector::<3>("center", to));
+        let radius = sphere.number("radius", to);
+        if let (Some(link), Some((node, path))) = (link, sphere.node("link"))
+            && link > rows
+        {
+            let mend = format!("write the number of a row, 1 to {rows}, or 0 for the base");
+            to.problem(node.mark, &path, format!("there is no row {link}"), mend);
+        }
+        if let (Some(link), Some(center), Some(radius)) = (link, center, radius) {
+            spheres.push(Sphere { link, center, radius });
+        }
+    }
+    Collision { ground, spheres }
+}
+
+/// Where a mapping starts, for problems of the whole of it.
+fn place(fields: &Fields<'_>) -> (Mark, String) {
+    (fields.mark, fields.path.clone())
+}

@@ -1,0 +1,134 @@
+//! Links and tool: inertial parameters, and whether a body can have them.
+
+use super::super::keys;
+use super::super::problem::Problem;
+use super::super::reader::{Fields, Findings};
+use super::super::yaml::{self, Kind, Mark, shortened};
+use super::super::{Angle, Inertia, Tool, ToolGeometry};
+use super::place;
+
+/// Inertial parameters per row of the DH table.
+pub(super) fn links(top: &Fields<'_>, rows: usize, to: &mut Findings) -> Vec<Option<Inertia>> {
+    let Some((node, path)) = top.node("links").filter(|(node, _)| !matches!(node.kind, Kind::Null)) else {
+        return Vec::new();
+    };
+    let items = top.rows("links", to).unwrap_or_default();
+    if items.len() != rows && matches!(node.kind, Kind::List(_)) {
+        let what = format!("{} links stand here, but there are {rows} joints", items.len());
+        to.problem(node.mark, &path, what, "write one entry per joint, null where nothing is known");
+    }
+    items
+        .into_iter()
+        .map(|(node, path)| {
+            if matches!(node.kind, Kind::Null) {
+                return None;
+            }
+            let fields = top.row("links", node, &path, to)?;
+            inertia(&fields, "link", to)
+        })
+        .collect()
+}
+
+/// `M`, `MS`, `I`; a body that can't be is a problem, unless its values were identified.
+fn inertia(fields: &Fields<'_>, what: &str, to: &mut Findings) -> Option<Inertia> {
+    let (m, ms, i) = (fields.number("M", to), fields.vector("MS", to), fields.vector("I", to));
+    let identified = fields.flag("identified", to).unwrap_or(false);
+    let inertia = Inertia { m: m?, ms: ms?, i: i? };
+    if let Err(defect) = inertia.physical() {
+        let (mark, path) = place(fields);
+        if identified {
+            to.note(mark, &path, format!("no body is like this identified {what}: {defect}"));
+        } else {
+            let mend = "MS is mass times centre of mass, I is about the frame's origin (not the centre of mass); \
+                        values from an identification may carry `identified: true`";
+            to.problem(mark, &path, format!("no body is like this {what}: {defect}"), mend);
+        }
+    }
+    Some(inertia)
+}
+
+/// The tool, from here or from its own file.
+pub(super) fn tool(
+    top: &Fields<'_>,
+    files: &dyn Fn(&str) -> Result<String, String>,
+    to: &mut Findings,
+) -> Option<Tool> {
+    let (node, path) = top.node("tool")?;
+    match &node.kind {
+        Kind::Null => None,
+        Kind::Scalar { text, .. } => tool_file(text.trim(), node.mark, &path, files, to),
+        _ => top.map("tool", to).and_then(|fields| tool_fields(&fields, "tool", to)),
+    }
+}
+
+fn tool_file(
+    name: &str,
+    mark: Mark,
+    path: &str,
+    files: &dyn Fn(&str) -> Result<String, String>,
+    to: &mut Findings,
+) -> Option<Tool> {
+    let inside =
+        !name.starts_with(['/', '\\']) && !name.contains(':') && name.split(['/', '\\']).all(|part| part != "..");
+    if !inside || !(name.ends_with(".yaml") || name.ends_with(".yml")) {
+        let what = format!("`{}` is not the name of a tool file", shortened(name));
+        to.problem(
+            mark,
+            path,
+            what,
+            "write a .yaml file's name relative to this file, as in tools/roller.yaml, or the tool itself",
+        );
+        return None;
+    }
+    let text = match files(name) {
+        Ok(text) => text,
+        Err(error) => {
+            to.problem(
+                mark,
+                path,
+                format!("the tool file can't be read: {error}"),
+                "its name is relative to this file",
+            );
+            return None;
+        }
+    };
+    let mut found = Findings { file: Some(name.to_string()), ..Findings::default() };
+    let tool = match yaml::parse(&text) {
+        Ok(root) => {
+            let stem = name.rsplit('/').next().and_then(|file| file.rsplit_once('.')).map_or(name, |(stem, _)| stem);
+            let fields = found.fields(&root, "", &keys::TOOL);
+            fields.and_then(|fields| tool_fields(&fields, stem, &mut found))
+        }
+        Err(problems) => {
+            let named = |problem: Problem| Problem { file: Some(name.to_string()), ..problem };
+            found.problems.extend(problems.into_iter().map(named));
+            None
+        }
+    };
+    to.problems.append(&mut found.problems);
+    to.notes.append(&mut found.notes);
+    tool
+}
+
+fn tool_fields(fields: &Fields<'_>, name: &str, to: &mut Findings) -> Option<Tool> {
+    let name = fields.text("name", to).unwrap_or_else(|| name.to_string());
+    fields.text("source", to);
+    let pose = fields.map("pose", to);
+    let pose = pose.map(|pose| (pose.vector("xyz", to), pose.angles("rpy", to)));
+    let (xyz, rpy) = pose.unwrap_or_default();
+    let inertial = ["M", "MS", "I"];
+    let (here, absent): (Vec<&str>, Vec<&str>) = inertial.iter().partition(|name| fields.has(name));
+    if !here.is_empty() && !absent.is_empty() {
+        let (mark, path) = place(fields);
+        let what = format!("{} without {}", here.join(", "), absent.join(", "));
+        to.problem(mark, &path, what, "write M, MS and I together, or none of them");
+    }
+    let inertia = inertia(fields, "tool", to);
+    let geometry = fields.map("geometry", to);
+    let geometry = geometry.and_then(|geometry| {
+        let (length, width) = (geometry.number("length", to), geometry.number("width", to));
+        Some(ToolGeometry { length: length?, width: width? })
+    });
+    let rpy = rpy.unwrap_or_else(|| [Angle::zero(), Angle::zero(), Angle::zero()]);
+    Some(Tool { name, xyz: xyz.unwrap_or_default(), rpy, inertia, geometry })
+}

@@ -1,0 +1,141 @@
+//! Rotor, gear, friction, and the effects beyond the rigid body.
+
+use super::super::keys::{EITHER, WHOLE_ROBOT};
+use super::super::problem::closest;
+use super::super::reader::{Fields, Findings, join};
+use super::super::yaml::{Kind, Node, Word, shortened};
+use super::super::{Drive, EFFECT_NAMES, Effect};
+
+/// Effects that are parameters of [`Drive`] themselves.
+const OWN_PLACE: [&str; 3] = ["rotor_inertia", "viscous_friction", "coulomb_friction"];
+
+/// The drive of a joint.
+pub(super) fn drive(fields: &Fields<'_>, to: &mut Findings) -> Drive {
+    let mut drive = Drive {
+        rotor_inertia: fields.number("rotor_inertia", to),
+        gear_ratio: fields.number("gear_ratio", to),
+        torque_constant: fields.number("torque_constant", to),
+        ..Drive::default()
+    };
+    if let (Some(0.0), Some((node, path))) = (drive.gear_ratio, fields.node("gear_ratio")) {
+        to.problem(
+            node.mark,
+            &path,
+            "gear_ratio must not be 0",
+            "write motor turns per joint turn, 1 for a direct drive",
+        );
+    }
+    if let Some(friction) = fields.map("friction", to) {
+        drive.viscous_friction = friction.number("viscous_friction", to);
+        drive.coulomb_friction = friction.number("coulomb_friction", to);
+        drive.offset = friction.number("offset", to);
+        laws(&friction, &mut drive, to);
+    }
+    laws(fields, &mut drive, to);
+    drive
+}
+
+/// Laws that stand under their own names, in `drive` or in `drive.friction`.
+fn laws(fields: &Fields<'_>, drive: &mut Drive, to: &mut Findings) {
+    let in_friction = fields.path.ends_with(".friction");
+    for (word, node) in fields.fields {
+        let name = word.text.as_str();
+        if !EFFECT_NAMES.contains(&name) {
+            continue;
+        }
+        let path = join(&fields.path, name);
+        match name {
+            "rotor_inertia" if in_friction => {
+                to.problem(
+                    word.mark,
+                    &path,
+                    "rotor_inertia is not a friction law",
+                    "write it in `drive`, beside `friction`",
+                );
+            }
+            "rotor_inertia" => {}
+            "viscous_friction" | "coulomb_friction" if in_friction => {}
+            "viscous_friction" => plain_law(&mut drive.viscous_friction, node, &path, name, to),
+            "coulomb_friction" => plain_law(&mut drive.coulomb_friction, node, &path, name, to),
+            _ if WHOLE_ROBOT.contains(&name) => {
+                let mend = "write it under `effects` at the top of the file";
+                to.problem(word.mark, &path, format!("{name} concerns the whole robot, not a joint"), mend);
+            }
+            _ if drive.effects.iter().any(|effect| effect.name == name) => {
+                to.problem(
+                    word.mark,
+                    &path,
+                    format!("{name} stands in `drive` and in `drive.friction`"),
+                    "keep one of the two",
+                );
+            }
+            _ => drive.effects.push(effect(word, node, &path, to)),
+        }
+    }
+}
+
+/// `viscous_friction` or `coulomb_friction` beside `friction`.
+fn plain_law(slot: &mut Option<f64>, node: &Node, path: &str, name: &str, to: &mut Findings) {
+    if slot.is_some() {
+        to.problem(node.mark, path, format!("{name} stands in `drive` and in `drive.friction`"), "keep one of the two");
+        return;
+    }
+    let value = to.number(node, path, "a number");
+    if let Some(value) = value.filter(|&v| v < 0.0) {
+        to.problem(node.mark, path, format!("{name} must not be negative; it is {value}"), "write its size");
+    }
+    *slot = value;
+}
+
+/// `effects:` at the top of the file.
+pub(super) fn effects(node: &Node, path: &str, to: &mut Findings) -> Vec<Effect> {
+    let Kind::Map(fields) = &node.kind else {
+        let mend = "write a mapping of effects to numbers: base_tilt: { roll: 1deg }";
+        to.problem(node.mark, path, format!("{} stands here", node.kind.describe()), mend);
+        return Vec::new();
+    };
+    let mut effects = Vec::new();
+    for (word, node) in fields {
+        let name = word.text.as_str();
+        let path = join(path, &shortened(name));
+        if WHOLE_ROBOT.contains(&name) || EITHER.contains(&name) {
+            effects.push(effect(word, node, &path, to));
+        } else if EFFECT_NAMES.contains(&name) {
+            let place =
+                if OWN_PLACE.contains(&name) { "`drive` of that joint" } else { "`drive` of the joint that has it" };
+            to.problem(word.mark, &path, format!("{name} belongs to one joint"), format!("write it in the {place}"));
+        } else {
+            let mend = match closest(name, EFFECT_NAMES) {
+                Some(close) => format!("did you mean `{close}`?"),
+                None => format!("the effects are {}", EFFECT_NAMES.join(", ")),
+            };
+            to.problem(word.mark, &path, format!("`{}` is not an effect", shortened(name)), mend);
+        }
+    }
+    effects
+}
+
+/// A bare number, or a mapping of named numbers.
+fn effect(word: &Word, node: &Node, path: &str, to: &mut Findings) -> Effect {
+    const EXPECTED: &str = "a number, or a mapping of named numbers: { amplitude: 0.3, order: 3 }";
+    let parameters = match &node.kind {
+        Kind::Map(fields) => fields
+            .iter()
+            .filter_map(|(key, node)| {
+                let path = join(path, &shortened(&key.text));
+                to.number(node, &path, "a number").map(|value| (key.text.clone(), value))
+            })
+            .collect(),
+        Kind::Null => {
+            to.problem(
+                node.mark,
+                path,
+                "nothing stands here",
+                format!("write {EXPECTED}, {{}} where nothing is known"),
+            );
+            Vec::new()
+        }
+        _ => to.number(node, path, EXPECTED).map(|value| ("value".to_string(), value)).into_iter().collect(),
+    };
+    Effect { name: word.text.clone(), parameters }
+}

@@ -1,0 +1,549 @@
+//! The numbers of a robot file: `+ - * / ( )`, `pi`, named constants, `90deg`.
+
+use core::f64::consts::PI;
+
+use super::decimal::{QuarterTurns, quarter_turns};
+use super::problem::closest;
+use super::yaml::shortened;
+use super::{Angle, Length, Polynomial};
+
+/// Longest expression, characters.
+const LONGEST: usize = 1000;
+/// Deepest brackets.
+const DEEPEST: usize = 32;
+/// A product of polynomials with more terms than this is kept as a plain number.
+const MOST_TERMS: usize = 64;
+
+/// Words that can't name a constant.
+pub(super) const RESERVED: [&str; 3] = ["pi", "deg", "rad"];
+
+/// Why a text is not a number.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct ExpressionError {
+    /// Character in the text where it is seen, from 0.
+    pub(super) offset: usize,
+    pub(super) what: String,
+    pub(super) mend: String,
+}
+
+/// A reduced fraction, `q > 0`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Ratio {
+    p: i64,
+    q: i64,
+}
+
+impl Ratio {
+    fn new(p: i128, q: i128) -> Option<Self> {
+        let (mut a, mut b) = (p.unsigned_abs(), q.unsigned_abs());
+        while b != 0 {
+            (a, b) = (b, a % b);
+        }
+        let g = i128::try_from(a).ok().filter(|&g| q != 0 && g != 0)? * q.signum();
+        // A fraction that f64 can't hold exactly is of no use as an exact one.
+        let exact = |v: i128| i64::try_from(v).ok().filter(|v| v.unsigned_abs() <= 1 << 53);
+        Some(Self { p: exact(p / g)?, q: exact(q / g)? })
+    }
+
+    fn add(self, b: Self) -> Option<Self> {
+        let (ap, aq, bp, bq) = (self.p as i128, self.q as i128, b.p as i128, b.q as i128);
+        Self::new(ap * bq + bp * aq, aq * bq)
+    }
+
+    fn mul(self, b: Self) -> Option<Self> {
+        Self::new(self.p as i128 * b.p as i128, self.q as i128 * b.q as i128)
+    }
+
+    fn div(self, b: Self) -> Option<Self> {
+        Self::new(self.p as i128 * b.q as i128, self.q as i128 * b.p as i128)
+    }
+
+    /// An unsigned decimal literal.
+    fn literal(text: &str) -> Option<Self> {
+        let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let fraction = fraction.trim_end_matches('0');
+        let exponent: i32 = exponent.parse().ok()?;
+        let digits: i128 = format!("0{whole}{fraction}").parse().ok().filter(|&d| d < 1 << 60)?;
+        let power = exponent.checked_sub(i32::try_from(fraction.len()).ok()?)?;
+        let scale = 10i128.checked_pow(power.unsigned_abs()).filter(|&s| s < 1 << 60)?;
+        if power < 0 { Self::new(digits, scale) } else { Self::new(digits * scale, 1) }
+    }
+}
+
+/// A number with all that is known about it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Value {
+    /// The number.
+    pub(super) number: f64,
+    /// Exactly this fraction.
+    rational: Option<Ratio>,
+    /// Exactly this fraction of pi.
+    of_pi: Option<Ratio>,
+    /// In the named constants.
+    polynomial: Option<Polynomial>,
+    /// Just one decimal: negative?, as written.
+    decimal: Option<(bool, String)>,
+}
+
+impl Value {
+    fn literal(text: &str, number: f64) -> Self {
+        let rational = Ratio::literal(text);
+        let of_pi = (number == 0.0).then_some(Ratio { p: 0, q: 1 });
+        let polynomial = Some(Polynomial::number(number));
+        Self { number, rational, of_pi, polynomial, decimal: Some((false, text.to_string())) }
+    }
+
+    fn fraction_of_pi(ratio: Ratio) -> Self {
+        let number = ratio.p as f64 * PI / ratio.q as f64;
+        let rational = (ratio.p == 0).then_some(ratio);
+        Self { number, rational, of_pi: Some(ratio), polynomial: Some(Polynomial::number(number)), decimal: None }
+    }
+
+    fn build(number: f64, rational: Option<Ratio>, of_pi: Option<Ratio>, polynomial: Option<Polynomial>) -> Self {
+        let number = of_pi.map_or(number, |r| r.p as f64 * PI / r.q as f64);
+        let polynomial = polynomial.filter(Polynomial::is_finite);
+        Self { number, rational, of_pi, polynomial, decimal: None }
+    }
+
+    fn negated(mut self) -> Self {
+        let minus = |r: Ratio| Ratio { p: -r.p, q: r.q };
+        self.number = -self.number;
+        self.rational = self.rational.map(minus);
+        self.of_pi = self.of_pi.map(minus);
+        self.polynomial = self.polynomial.map(|p| p.scale(-1.0));
+        self.decimal = self.decimal.map(|(negative, text)| (!negative, text));
+        self
+    }
+
+    fn plus(&self, b: &Self) -> Self {
+        let rational = self.rational.zip(b.rational).and_then(|(a, b)| a.add(b));
+        let of_pi = self.of_pi.zip(b.of_pi).and_then(|(a, b)| a.add(b));
+        let polynomial = self.polynomial.as_ref().zip(b.polynomial.as_ref()).map(|(a, b)| a.add(b));
+        Self::build(self.number + b.number, rational, of_pi, polynomial)
+    }
+
+    fn times(&self, b: &Self) -> Self {
+        let rational = self.rational.zip(b.rational).and_then(|(a, b)| a.mul(b));
+        let pair = self.of_pi.zip(b.rational).or(self.rational.zip(b.of_pi));
+        let polynomial = self.polynomial.as_ref().zip(b.polynomial.as_ref());
+        let small = polynomial.filter(|(a, b)| a.len() * b.len() <= MOST_TERMS);
+        let of_pi = pair.and_then(|(a, b)| a.mul(b));
+        Self::build(self.number * b.number, rational, of_pi, small.map(|(a, b)| a.mul(b)))
+    }
+
+    /// `b` is not zero.
+    fn over(&self, b: &Self) -> Self {
+        let same = self.rational.zip(b.rational).or(self.of_pi.zip(b.of_pi));
+        let rational = same.and_then(|(a, b)| a.div(b));
+        let of_pi = self.of_pi.zip(b.rational).and_then(|(a, b)| a.div(b));
+        let divisor = b.polynomial.as_ref().and_then(Polynomial::as_number).filter(|&d| d != 0.0);
+        let polynomial = self.polynomial.as_ref().zip(divisor).map(|(p, d)| p.scale(1.0 / d));
+        Self::build(self.number / b.number, rational, of_pi, polynomial)
+    }
+
+    /// As a length, m.
+    pub(super) fn length(self, text: &str) -> Length {
+        let closed_form = self.polynomial.unwrap_or_else(|| Polynomial::number(self.number));
+        Length { value: self.number, closed_form, text: text.to_string() }
+    }
+
+    /// As an angle, rad, and what was read into it.
+    pub(super) fn angle(self, text: &str) -> (Angle, Option<String>) {
+        if let Some(Ratio { p, q }) = self.of_pi {
+            return (Angle { value: self.number, pi_multiple: Some((p, q)), text: text.to_string() }, None);
+        }
+        let plain = Angle { value: self.number, pi_multiple: None, text: text.to_string() };
+        let Some((negative, literal)) = self.decimal else { return (plain, None) };
+        let written = if text.contains(&literal) { text.to_string() } else { format!("{text} = {literal}") };
+        let turned = |turns: u32| Angle::pi_fraction(if negative { -1 } else { 1 } * i64::from(turns), 2);
+        match quarter_turns(&literal) {
+            QuarterTurns::All(turns) => {
+                let exact = turned(turns);
+                let note = format!("{written} read as {}", exact.text);
+                (Angle { text: text.to_string(), ..exact }, Some(note))
+            }
+            QuarterTurns::Maybe(turns) => {
+                let exact = turned(turns).text;
+                (
+                    plain,
+                    Some(format!(
+                        "{written} is not exact and was read as it stands; if {exact} is meant, write {exact}"
+                    )),
+                )
+            }
+            QuarterTurns::No => (plain, None),
+        }
+    }
+}
+
+/// The named constants, in the file's order.
+#[derive(Debug, Default)]
+pub(super) struct Scope {
+    names: Vec<(String, Value)>,
+}
+
+impl Scope {
+    /// Adds a constant.
+    pub(super) fn define(&mut self, name: &str, mut value: Value) {
+        value.polynomial = Some(Polynomial::constant(self.names.len()));
+        self.names.push((name.to_string(), value));
+    }
+
+    /// Names and values.
+    pub(super) fn constants(&self) -> Vec<(String, f64)> {
+        self.names.iter().map(|(name, value)| (name.clone(), value.number)).collect()
+    }
+
+    /// What a text means.
+    pub(super) fn evaluate(&self, text: &str) -> Result<Value, ExpressionError> {
+        let characters: Vec<char> = text.chars().collect();
+        if characters.len() > LONGEST {
+            let what = format!("an expression of {} characters; at most {LONGEST} are read", characters.len());
+            return Err(ExpressionError { offset: 0, what, mend: "split it with named constants".to_string() });
+        }
+        let mut reader = Reader { scope: self, characters, at: 0, depth: 0 };
+        let value = reader.sum()?;
+        match reader.peek() {
+            None => Ok(value),
+            Some(_) => Err(reader.unexpected()),
+        }
+    }
+}
+
+/// May this name a constant?
+pub(super) fn is_name(text: &str) -> bool {
+    text.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+        && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+}
+
+struct Reader<'a> {
+    scope: &'a Scope,
+    characters: Vec<char>,
+    at: usize,
+    depth: usize,
+}
+
+impl Reader<'_> {
+    fn peek(&mut self) -> Option<char> {
+        while self.characters.get(self.at).is_some_and(|c| c.is_whitespace()) {
+            self.at += 1;
+        }
+        self.characters.get(self.at).copied()
+    }
+
+    fn take_while(&mut self, keep: impl Fn(char) -> bool) -> String {
+        let rest = &self.characters[self.at..];
+        let taken: String = rest.iter().copied().take_while(|&c| keep(c)).collect();
+        self.at += taken.chars().count();
+        taken
+    }
+
+    fn error<T>(&self, offset: usize, what: impl Into<String>, mend: impl Into<String>) -> Result<T, ExpressionError> {
+        Err(ExpressionError { offset, what: what.into(), mend: mend.into() })
+    }
+
+    fn finite(&self, offset: usize, value: Value) -> Result<Value, ExpressionError> {
+        if value.number.is_finite() {
+            return Ok(value);
+        }
+        self.error(offset, "the result is too large for a number", "check the exponents; units are m, rad, s, kg, N")
+    }
+
+    /// `product (+|- product)*`
+    fn sum(&mut self) -> Result<Value, ExpressionError> {
+        let mut value = self.product()?;
+        while let Some(sign @ ('+' | '-')) = self.peek() {
+            let offset = self.at;
+            self.at += 1;
+            let other = self.product()?;
+            let other = if sign == '-' { other.negated() } else { other };
+            value = self.finite(offset, value.plus(&other))?;
+        }
+        Ok(value)
+    }
+
+    /// `unary (*|/ unary)*`
+    fn product(&mut self) -> Result<Value, ExpressionError> {
+        let mut value = self.unary()?;
+        while let Some(operator @ ('*' | '/')) = self.peek() {
+            let offset = self.at;
+            self.at += 1;
+            if operator == '*' && self.characters.get(self.at) == Some(&'*') {
+                return self.error(offset, "`**` is not read", "write a power as a product: L1*L1");
+            }
+            let other = self.unary()?;
+            value = match operator {
+                '*' => value.times(&other),
+                _ if other.number == 0.0 => {
+                    return self.error(offset, "division by zero", "the divisor must not be 0");
+                }
+                _ => value.over(&other),
+            };
+            value = self.finite(offset, value)?;
+        }
+        Ok(value)
+    }
+
+    /// `(+|-)* primary (deg|rad)?`
+    fn unary(&mut self) -> Result<Value, ExpressionError> {
+        let mut negative = false;
+        while let Some(sign @ ('+' | '-')) = self.peek() {
+            negative ^= sign == '-';
+            self.at += 1;
+        }
+        let value = self.primary()?;
+        let value = self.suffix(value)?;
+        Ok(if negative { value.negated() } else { value })
+    }
+
+    fn primary(&mut self) -> Result<Value, ExpressionError> {
+        let offset = {
+            self.peek();
+            self.at
+        };
+        match self.peek() {
+            Some('(') => {
+                self.at += 1;
+                self.depth += 1;
+                if self.depth > DEEPEST {
+                    return self.error(
+                        offset,
+                        format!("more than {DEEPEST} brackets in each other"),
+                        "use named constants",
+                    );
+                }
+                let value = self.sum()?;
+                if self.peek() != Some(')') {
+                    return self.error(offset, "this bracket is not closed", "add the missing `)`");
+                }
+                self.at += 1;
+                self.depth -= 1;
+                Ok(value)
+            }
+            Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
+            Some(c) if c.is_ascii_alphabetic() || c == '_' => self.named(),
+            _ => Err(self.unexpected()),
+        }
+    }
+
+    fn number(&mut self) -> Result<Value, ExpressionError> {
+        let offset = self.at;
+        let mut literal = self.take_while(|c| c.is_ascii_digit() || c == '.');
+        if let [mark @ ('e' | 'E'), rest @ ..] = &self.characters[self.at..] {
+            let sign = rest.first().filter(|c| ['+', '-'].contains(c));
+            let digit = if sign.is_some() { rest.get(1) } else { rest.first() };
+            if digit.is_some_and(char::is_ascii_digit) {
+                literal.push(*mark);
+                literal.extend(sign);
+                self.at += 1 + usize::from(sign.is_some());
+                literal += &self.take_while(|c| c.is_ascii_digit());
+            }
+        }
+        match literal.parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(Value::literal(&literal, number)),
+            Ok(_) => {
+                self.error(offset, format!("{} is too large for a number", shortened(&literal)), "check the exponent")
+            }
+            Err(_) => {
+                let mend = "write digits with at most one point, and an exponent as in 1.5e-3";
+                self.error(offset, format!("`{}` is not a number", shortened(&literal)), mend)
+            }
+        }
+    }
+
+    fn named(&mut self) -> Result<Value, ExpressionError> {
+        let offset = self.at;
+        let name = self.take_while(|c| c.is_ascii_alphanumeric() || c == '_');
+        if name == "pi" {
+            return Ok(Value::fraction_of_pi(Ratio { p: 1, q: 1 }));
+        }
+        if let Some((_, value)) = self.scope.names.iter().find(|(known, _)| *known == name) {
+            return Ok(value.clone());
+        }
+        let (name, known) = (shortened(&name), self.scope.names.iter().map(|(known, _)| known.as_str()));
+        let mend = match name.as_str() {
+            "deg" | "rad" => format!("write the unit behind its number: 90{name}"),
+            "nan" | "NaN" | "inf" | "Inf" | "infinity" => "leave the key out where a value is not known".to_string(),
+            "s" | "m" | "mm" | "cm" | "kg" | "g" | "N" | "Nm" | "A" => {
+                "units other than deg and rad are not written: m, s, kg, N are understood".to_string()
+            }
+            "sin" | "cos" | "tan" | "sqrt" => "only + - * / ( ) are read; write the value".to_string(),
+            _ => match closest(&name, known.clone().chain(["pi"])) {
+                Some(close) => format!("did you mean `{close}`?"),
+                None if self.scope.names.is_empty() => {
+                    "define it under `constants`, which must stand in the file".to_string()
+                }
+                None => format!("the constants are {}", known.collect::<Vec<_>>().join(", ")),
+            },
+        };
+        self.error(offset, format!("`{name}` is not a named constant"), mend)
+    }
+
+    /// `deg` or `rad` behind a number, a name or a bracket.
+    fn suffix(&mut self, value: Value) -> Result<Value, ExpressionError> {
+        let Some(c) = self.peek() else { return Ok(value) };
+        if !(c.is_ascii_alphabetic() || c == '_') {
+            return Ok(value);
+        }
+        let offset = self.at;
+        let word = self.take_while(|c| c.is_ascii_alphanumeric() || c == '_');
+        match word.as_str() {
+            "rad" => Ok(value),
+            "deg" => {
+                let degree = Value::fraction_of_pi(Ratio { p: 1, q: 180 });
+                self.finite(offset, value.times(&degree))
+            }
+            "degrees" | "degree" | "grad" => self.error(offset, format!("the unit `{word}` is not read"), "write deg"),
+            "radians" | "radian" => {
+                self.error(offset, format!("the unit `{word}` is not read"), "write rad, or nothing")
+            }
+            "pi" => self.error(offset, "`pi` follows without an operator", "write a product with `*`: 2*pi"),
+            _ if self.scope.names.iter().any(|(name, _)| *name == word) => {
+                let what = format!("`{}` follows without an operator", shortened(&word));
+                self.error(offset, what, format!("write a product with `*`: 2*{}", shortened(&word)))
+            }
+            _ => {
+                let mend = "only deg and rad may follow a number; m, s, kg, N are understood and not written";
+                self.error(offset, format!("`{}` follows a number", shortened(&word)), mend)
+            }
+        }
+    }
+
+    fn unexpected(&mut self) -> ExpressionError {
+        let (what, mend) = match self.peek() {
+            None if self.characters.iter().all(|c| c.is_whitespace()) => ("the text is empty".into(), "write a number"),
+            None => ("the expression ends too early".into(), "a number is missing at the end"),
+            Some(')') => ("a `)` without its `(`".to_string(), "delete it, or open the bracket"),
+            Some('^') => ("`^` is not read".into(), "write a power as a product: L1*L1"),
+            Some(',') => ("a comma stands in a number".into(), "write a decimal point: 1.5"),
+            Some('\u{b0}') => ("the sign of a degree is not read".into(), "write deg: 90deg"),
+            Some('\u{2212}' | '\u{2013}') => ("a dash that is no minus".into(), "write the `-` of the keyboard"),
+            Some('\u{3c0}') => ("the letter for pi is not read".into(), "write pi"),
+            Some(c @ ('*' | '/')) => (format!("`{c}` stands where a number is missing"), "write a number before it"),
+            Some(c) if c.is_ascii_digit() || c == '(' => {
+                (format!("`{c}` follows without an operator"), "write a product with `*`")
+            }
+            Some(c) => {
+                (format!("`{c}` does not belong in a number"), "digits, + - * / ( ), pi, deg and named constants")
+            }
+        };
+        ExpressionError { offset: self.at, what, mend: mend.to_string() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scope() -> Scope {
+        let mut scope = Scope::default();
+        for (name, text) in
+            [("L1", "0.3105"), ("L2", "0.40"), ("A", "22.5deg"), ("B", "1.5708"), ("C", "-1.5707963"), ("Z", "0")]
+        {
+            let value = scope.evaluate(text).unwrap();
+            scope.define(name, value);
+        }
+        scope
+    }
+
+    #[test]
+    fn fractions_of_pi_stay_exact() {
+        let scope = scope();
+        for (text, expected) in [
+            ("pi/2", (1, 2)),
+            ("-pi/2", (-1, 2)),
+            ("90deg", (1, 2)),
+            ("-90 deg", (-1, 2)),
+            ("22.5deg", (1, 8)),
+            ("3*pi/4", (3, 4)),
+            ("A", (1, 8)),
+            ("pi - A*2", (3, 4)),
+            ("0.5*pi", (1, 2)),
+            ("(30 + 60)deg", (1, 2)),
+            ("--90deg", (1, 2)),
+            ("pi*(pi/pi)", (1, 1)),
+            ("0", (0, 1)),
+            ("0.0", (0, 1)),
+            ("1.5708", (1, 2)),
+            ("-1.5708rad", (-1, 2)),
+            ("(1.5708)", (1, 2)),
+            ("B", (1, 2)),
+            ("-B", (-1, 2)),
+            ("C", (-1, 2)),
+            ("3.14159", (1, 1)),
+        ] {
+            let (angle, _) = scope.evaluate(text).unwrap().angle(text);
+            assert_eq!(angle.pi_multiple, Some(expected), "{text}");
+            assert_eq!(angle.value, Angle::pi_fraction(expected.0, expected.1).value, "{text}");
+        }
+        for text in ["1.5712", "1.57", "B + 0", "1.5708 + 0", "2*0.7854", "1", "L1*1"] {
+            assert_eq!(scope.evaluate(text).unwrap().angle(text).0.pi_multiple, None, "{text}");
+        }
+    }
+
+    #[test]
+    fn readings_are_told() {
+        let scope = scope();
+        let note = |text: &str| scope.evaluate(text).unwrap().angle(text).1.unwrap_or_default();
+        assert_eq!(note("1.5708"), "1.5708 read as pi/2");
+        assert_eq!(note("-1.5708"), "-1.5708 read as -pi/2");
+        assert_eq!(note("B"), "B = 1.5708 read as pi/2");
+        assert_eq!(note("1.57"), "1.57 is not exact and was read as it stands; if pi/2 is meant, write pi/2");
+        assert_eq!(note("1.5712") + &note("pi/2") + &note("1.5708 + 0"), "");
+    }
+
+    #[test]
+    fn lengths_are_polynomials_in_the_constants() {
+        let scope = scope();
+        let length = |text: &str| scope.evaluate(text).unwrap().length(text);
+        for (text, closed) in [
+            ("L1 + 0.1", "0.1 + L1"),
+            ("2*L2", "2*L2"),
+            ("L1/2", "0.5*L1"),
+            ("-(L1 - L2)", "-L1 + L2"),
+            ("(L1+L2)*(L1-L2)", "L1^2 - L2^2"),
+            ("0.3105", "0.3105"),
+            ("L1 - L1", "0"),
+        ] {
+            assert_eq!(length(text).closed_form.text(&scope.constants()), closed, "{text}");
+        }
+        let quotient = length("L1/L2");
+        assert_eq!(quotient.closed_form.as_number(), Some(0.3105 / 0.40));
+        assert_eq!(length("(((L1+L2)*(L1+L2)))*1e3").value, (0.3105 + 0.4) * (0.3105 + 0.4) * 1e3);
+    }
+
+    #[test]
+    fn what_is_no_number_says_where_and_why() {
+        let scope = scope();
+        for (text, offset, word) in [
+            ("1/0", 1, "division by zero"),
+            ("1/(L1-L1)", 1, "division by zero"),
+            ("pi/Z", 2, "division by zero"),
+            ("1e308*10", 5, "too large"),
+            ("1e999", 0, "too large"),
+            ("L9", 0, "not a named constant"),
+            ("2*L22", 2, "not a named constant"),
+            ("nan", 0, "not a named constant"),
+            (".inf", 0, "not a number"),
+            ("1.2.3", 0, "not a number"),
+            ("1 +", 3, "ends too early"),
+            ("", 0, "empty"),
+            ("(1", 0, "not closed"),
+            ("1)", 1, "without its"),
+            ("2^3", 1, "is not read"),
+            ("2**3", 1, "is not read"),
+            ("2L1", 1, "without an operator"),
+            ("1 2", 2, "without an operator"),
+            ("5mm", 1, "follows a number"),
+            ("90\u{b0}", 2, "degree"),
+            ("1,5", 1, "comma"),
+        ] {
+            let error = scope.evaluate(text).expect_err(text);
+            assert!(error.what.contains(word) && error.offset == offset, "{text}: {error:?}");
+        }
+        assert!(scope.evaluate(&"(".repeat(900)).is_err());
+        assert!(scope.evaluate(&"1+".repeat(5000)).is_err());
+        assert_eq!(scope.evaluate(&format!("{}1", "-".repeat(900))).unwrap().number, 1.0);
+    }
+}

@@ -1,0 +1,236 @@
+//! Every key of a robot file, once: the checker and the editor's schema both read these tables.
+
+/// A mapping of the file.
+#[derive(Debug)]
+pub(super) struct Table {
+    /// For messages: what such a mapping is.
+    pub(super) what: &'static str,
+    pub(super) keys: &'static [Key],
+    /// Names of the effects vocabulary may stand here too.
+    pub(super) effects: bool,
+}
+
+/// A key of a mapping.
+#[derive(Debug)]
+pub(super) struct Key {
+    pub(super) name: &'static str,
+    pub(super) shape: Shape,
+    pub(super) unit: &'static str,
+    pub(super) doc: &'static str,
+    pub(super) required: bool,
+}
+
+/// What stands behind a key.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Shape {
+    Text,
+    Flag,
+    Choice(&'static [&'static str]),
+    /// A whole number, from 0.
+    Count,
+    Number,
+    NotNegative,
+    Positive,
+    Angle,
+    Length,
+    /// So many numbers.
+    Vector(usize),
+    /// So many angles.
+    Angles(usize),
+    /// Names and numbers.
+    Constants,
+    Map(&'static Table),
+    /// A mapping, or the name of a file that holds it.
+    MapOrFile(&'static Table),
+    Rows(&'static Table),
+    RowsOrNull(&'static Table),
+    /// Only names of the effects vocabulary.
+    Effects,
+}
+
+impl Shape {
+    /// For messages: what is expected.
+    pub(super) fn describe(&self) -> String {
+        match self {
+            Self::Text => "text".to_string(),
+            Self::Flag => "true or false".to_string(),
+            Self::Choice(words) => words.join(" or "),
+            Self::Count => "a whole number".to_string(),
+            Self::Number | Self::NotNegative | Self::Positive => "a number".to_string(),
+            Self::Angle => "an angle".to_string(),
+            Self::Length => "a length".to_string(),
+            Self::Vector(n) => format!("a list of {n} numbers"),
+            Self::Angles(n) => format!("a list of {n} angles"),
+            Self::Constants => "a mapping of names to numbers".to_string(),
+            Self::Map(table) => format!("a mapping with the keys {}", table.names().join(", ")),
+            Self::MapOrFile(table) => {
+                format!("the name of a file, or a mapping with the keys {}", table.names().join(", "))
+            }
+            Self::Rows(table) => format!("a list with one mapping per {}", table.what),
+            Self::RowsOrNull(table) => format!("a list with one mapping (or null) per {}", table.what),
+            Self::Effects => "a mapping of effects to numbers".to_string(),
+        }
+    }
+}
+
+impl Table {
+    pub(super) fn names(&self) -> Vec<&'static str> {
+        self.keys.iter().map(|key| key.name).collect()
+    }
+
+    pub(super) fn key(&self, name: &str) -> Option<&'static Key> {
+        self.keys.iter().find(|key| key.name == name)
+    }
+}
+
+const fn key(name: &'static str, shape: Shape, unit: &'static str, doc: &'static str) -> Key {
+    Key { name, shape, unit, doc, required: false }
+}
+
+const fn required(name: &'static str, shape: Shape, unit: &'static str, doc: &'static str) -> Key {
+    Key { name, shape, unit, doc, required: true }
+}
+
+use Shape::{Angle, Angles, Choice, Constants, Count, Effects, Flag, Length, Map, MapOrFile};
+use Shape::{NotNegative, Number, Positive, Rows, RowsOrNull, Text, Vector};
+
+pub(super) static ROBOT: Table = Table {
+    what: "robot",
+    effects: false,
+    keys: &[
+        required("name", Text, "", "Name of the robot and of the crate written for it: lower case, digits, dashes."),
+        key("source", Text, "", "Where the numbers come from; free text."),
+        required("convention", Choice(&["modified", "standard"]), "", "Denavit-Hartenberg convention of the rows."),
+        key("constants", Constants, "m, rad", "Named constants; may be used in every number below."),
+        key("gravity", Vector(3), "m/s^2", "Gravity in the base frame; default [0, 0, -9.81]."),
+        required("joints", Rows(&JOINT), "", "Rows of the DH table, base to tip."),
+        key("links", RowsOrNull(&LINK), "", "Inertial parameters, one entry per joint; null where unknown."),
+        key("tool", MapOrFile(&TOOL), "", "Body fixed to the last frame."),
+        key("collision", Map(&COLLISION), "", "What must not be hit."),
+        key("effects", Effects, "", "Effects beyond the rigid body that concern the whole robot."),
+    ],
+};
+
+pub(super) static JOINT: Table = Table {
+    what: "joint",
+    effects: false,
+    keys: &[
+        key("name", Text, "", "Name of the joint; default joint1, joint2, ..."),
+        required("type", Choice(&["revolute", "prismatic", "fixed"]), "", "sigma = 0, 1, 2."),
+        key("antecedent", Count, "", "a: number of the row before, from 1; 0 is the base. Default: the row before."),
+        key("actuated", Flag, "", "mu: whether a motor drives the joint; default true, false for a fixed one."),
+        key("alpha", Angle, "rad", "Twist about x; default 0."),
+        key("d", Length, "m", "Length along x; default 0."),
+        key("theta", Angle, "rad", "Turn about z: the offset of a revolute joint; default 0."),
+        key("r", Length, "m", "Shift along z: the offset of a prismatic joint; default 0."),
+        key("position", Vector(2), "rad or m", "Lower and upper limit of q."),
+        key("velocity", Positive, "rad/s or m/s", "Largest speed, symmetric."),
+        key("acceleration", Positive, "rad/s^2 or m/s^2", "Largest acceleration, symmetric."),
+        key("jerk", Positive, "rad/s^3 or m/s^3", "Largest jerk, symmetric."),
+        key("torque", Positive, "N m or N", "Largest torque or force, symmetric."),
+        key("drive", Map(&DRIVE), "", "Rotor, gear, friction and other effects of the drive."),
+    ],
+};
+
+pub(super) static DRIVE: Table = Table {
+    what: "drive",
+    effects: true,
+    keys: &[
+        key("rotor_inertia", NotNegative, "kg m^2 or kg", "IA: rotor inertia on the link side of the gear."),
+        key("gear_ratio", Number, "", "Motor turns per joint turn; negative where the gear reverses."),
+        key("torque_constant", Positive, "N m/A", "Joint-side torque per motor current."),
+        key("friction", Map(&FRICTION), "", "Friction laws."),
+    ],
+};
+
+pub(super) static FRICTION: Table = Table {
+    what: "friction",
+    effects: true,
+    keys: &[
+        key("viscous_friction", NotNegative, "N m s/rad or N s/m", "FV: torque per speed."),
+        key("coulomb_friction", NotNegative, "N m or N", "FC: torque against the direction of motion."),
+        key("offset", Number, "N m or N", "FO: constant torque."),
+    ],
+};
+
+pub(super) static LINK: Table = Table {
+    what: "link",
+    effects: false,
+    keys: &[
+        required("M", Number, "kg", "Mass."),
+        required("MS", Vector(3), "kg m", "First moments MSX MSY MSZ: mass times centre of mass."),
+        required(
+            "I",
+            Vector(6),
+            "kg m^2",
+            "Tensor XX YY ZZ XY XZ YZ about the frame's origin; XY is the tensor's entry.",
+        ),
+        key("identified", Flag, "", "The values were identified: they need not be those of a possible body."),
+    ],
+};
+
+pub(super) static TOOL: Table = Table {
+    what: "tool",
+    effects: false,
+    keys: &[
+        key("name", Text, "", "Name of the tool."),
+        key("source", Text, "", "Where the numbers come from; free text."),
+        key("pose", Map(&POSE), "", "The tool frame in the last DH frame."),
+        key("M", Number, "kg", "Mass; M, MS and I stand together or not at all."),
+        key("MS", Vector(3), "kg m", "First moments in the tool frame."),
+        key("I", Vector(6), "kg m^2", "Tensor XX YY ZZ XY XZ YZ in the tool frame, about its origin."),
+        key("identified", Flag, "", "The values were identified: they need not be those of a possible body."),
+        key("geometry", Map(&GEOMETRY), "", "Size of the tool."),
+    ],
+};
+
+pub(super) static POSE: Table = Table {
+    what: "pose",
+    effects: false,
+    keys: &[
+        key("xyz", Vector(3), "m", "Origin of the tool frame; default 0."),
+        key("rpy", Angles(3), "rad", "Fixed-axis roll, pitch, yaw: RotZ(yaw) RotY(pitch) RotX(roll); default 0."),
+    ],
+};
+
+pub(super) static GEOMETRY: Table = Table {
+    what: "geometry",
+    effects: false,
+    keys: &[
+        required("length", Positive, "m", "Along the roller's axis."),
+        required("width", Positive, "m", "Across it."),
+    ],
+};
+
+pub(super) static COLLISION: Table = Table {
+    what: "collision",
+    effects: false,
+    keys: &[
+        key("ground", Number, "m", "Lowest z that elbow, wrist and tool may reach, in the base frame."),
+        key("spheres", Rows(&SPHERE), "", "Spheres that stand for links in distance checks."),
+    ],
+};
+
+pub(super) static SPHERE: Table = Table {
+    what: "sphere",
+    effects: false,
+    keys: &[
+        required("link", Count, "", "Row of the DH table that carries it, from 1; 0 is the base."),
+        required("center", Vector(3), "m", "Centre in that row's frame."),
+        required("radius", Positive, "m", "Radius."),
+    ],
+};
+
+/// Effects that can only be of the whole robot.
+pub(super) const WHOLE_ROBOT: [&str; 3] = ["payload", "base_tilt", "external_contact"];
+
+/// Effects that may be of one joint or of the whole robot; all others are of a joint.
+pub(super) const EITHER: [&str; 7] = [
+    "friction_drift",
+    "gear_coupling",
+    "torque_gain_error",
+    "encoder_offset",
+    "geometric_error",
+    "link_inertia_error",
+    "time_delay",
+];

@@ -1,0 +1,281 @@
+//! Reads mappings by the tables of [`super::keys`] and collects every problem on the way.
+
+use super::expression::{Scope, Value};
+use super::keys::{Key, Shape, Table};
+use super::problem::{Note, Problem, closest};
+use super::yaml::{Kind, Mark, Node, Word, shortened};
+use super::{Angle, EFFECT_NAMES, Length};
+
+/// What was found so far.
+#[derive(Debug, Default)]
+pub(super) struct Findings {
+    /// The file being read, when it is not the robot file.
+    pub(super) file: Option<String>,
+    pub(super) problems: Vec<Problem>,
+    pub(super) notes: Vec<Note>,
+    pub(super) scope: Scope,
+}
+
+impl Findings {
+    pub(super) fn problem(&mut self, mark: Mark, path: &str, what: impl Into<String>, mend: impl Into<String>) {
+        self.problems.push(Problem {
+            file: self.file.clone(),
+            path: path.to_string(),
+            line: mark.line,
+            column: mark.column,
+            what: what.into(),
+            mend: mend.into(),
+        });
+    }
+
+    pub(super) fn note(&mut self, mark: Mark, path: &str, what: impl Into<String>) {
+        let (file, path) = (self.file.clone(), path.to_string());
+        self.notes.push(Note { file, path, line: mark.line, column: mark.column, what: what.into() });
+    }
+
+    /// The mapping at `node`, its keys checked against the table.
+    pub(super) fn fields<'a>(&mut self, node: &'a Node, path: &str, table: &'static Table) -> Option<Fields<'a>> {
+        let Kind::Map(fields) = &node.kind else {
+            let expected = format!("a {} is a mapping with the keys {}", table.what, table.names().join(", "));
+            self.problem(node.mark, path, format!("{} stands here", node.kind.describe()), expected);
+            return None;
+        };
+        for (word, _) in fields {
+            if table.key(&word.text).is_none() && !(table.effects && EFFECT_NAMES.contains(&word.text.as_str())) {
+                self.unknown_key(word, path, table);
+            }
+        }
+        for key in table.keys.iter().filter(|key| key.required) {
+            if !fields.iter().any(|(word, _)| word.text == key.name) {
+                let mend = format!("add `{}:` with {}{}", key.name, key.shape.describe(), unit(key));
+                self.problem(node.mark, path, format!("the key `{}` is missing", key.name), mend);
+            }
+        }
+        Some(Fields { fields, mark: node.mark, path: path.to_string(), table })
+    }
+
+    fn unknown_key(&mut self, word: &Word, path: &str, table: &Table) {
+        let effects = if table.effects { &EFFECT_NAMES[..] } else { &[] };
+        let candidates = table.names().into_iter().chain(effects.iter().copied());
+        let mend = match closest(&word.text, candidates) {
+            Some(close) => format!("did you mean `{close}`?"),
+            None if table.effects => {
+                format!("the keys here are {}, and the effects of robots/README.md", table.names().join(", "))
+            }
+            None => format!("the keys of a {} are {}", table.what, table.names().join(", ")),
+        };
+        let what = format!("`{}` is not a key of a {}", shortened(&word.text), table.what);
+        self.problem(word.mark, &join(path, &shortened(&word.text)), what, mend);
+    }
+
+    /// The items of a list.
+    pub(super) fn list<'a>(&mut self, node: &'a Node, path: &str, expected: &str) -> Option<&'a [Node]> {
+        if let Kind::List(items) = &node.kind {
+            return Some(items);
+        }
+        self.problem(node.mark, path, format!("{} stands here", node.kind.describe()), format!("write {expected}"));
+        None
+    }
+
+    /// What the expression at `node` means, and its text.
+    pub(super) fn value<'a>(&mut self, node: &'a Node, path: &str, expected: &str) -> Option<(Value, &'a str)> {
+        let Kind::Scalar { text, quoted } = &node.kind else {
+            self.problem(node.mark, path, format!("{} stands here", node.kind.describe()), format!("write {expected}"));
+            return None;
+        };
+        match self.scope.evaluate(text) {
+            Ok(value) => Some((value, text.trim())),
+            Err(error) => {
+                let column = node.mark.column + error.offset + usize::from(*quoted);
+                let mark = Mark { line: node.mark.line, column };
+                self.problem(mark, path, error.what, error.mend);
+                None
+            }
+        }
+    }
+
+    /// A number in plain form.
+    pub(super) fn number(&mut self, node: &Node, path: &str, expected: &str) -> Option<f64> {
+        self.value(node, path, expected).map(|(value, _)| value.number)
+    }
+
+    fn angle(&mut self, node: &Node, path: &str, expected: &str) -> Option<Angle> {
+        let (value, text) = self.value(node, path, expected)?;
+        let (angle, reading) = value.angle(text);
+        if let Some(reading) = reading {
+            self.note(node.mark, path, reading);
+        } else if angle.pi_multiple.is_none() && angle.value.abs() > 7.0 {
+            let turns = angle.value / core::f64::consts::TAU;
+            self.note(
+                node.mark,
+                path,
+                format!("{text} rad is {turns:.1} turns; if degrees are meant, write {text}deg"),
+            );
+        }
+        Some(angle)
+    }
+}
+
+/// ` (m)`, or nothing.
+fn unit(key: &Key) -> String {
+    if key.unit.is_empty() { String::new() } else { format!(" ({})", key.unit) }
+}
+
+/// `joints[3]` and `alpha` make `joints[3].alpha`.
+pub(super) fn join(path: &str, name: &str) -> String {
+    if path.is_empty() { name.to_string() } else { format!("{path}.{name}") }
+}
+
+/// A mapping whose keys were checked. A getter gives `None` where the key is absent or was found wrong.
+pub(super) struct Fields<'a> {
+    pub(super) fields: &'a [(Word, Node)],
+    pub(super) mark: Mark,
+    pub(super) path: String,
+    table: &'static Table,
+}
+
+impl<'a> Fields<'a> {
+    /// The value of a key with its path and what is expected there.
+    fn get(&self, name: &str) -> Option<(&'a Node, String, String, Shape)> {
+        let key = self.table.key(name)?;
+        let node = &self.fields.iter().find(|(word, _)| word.text == name)?.1;
+        let about = format!("{}{}: {}", key.shape.describe(), unit(key), key.doc.trim_end_matches('.'));
+        Some((node, join(&self.path, name), about, key.shape))
+    }
+
+    /// The value of a key and its path.
+    pub(super) fn node(&self, name: &str) -> Option<(&'a Node, String)> {
+        self.get(name).map(|(node, path, ..)| (node, path))
+    }
+
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.fields.iter().any(|(word, _)| word.text == name)
+    }
+
+    pub(super) fn text(&self, name: &str, to: &mut Findings) -> Option<String> {
+        let (node, path, about, _) = self.get(name)?;
+        match &node.kind {
+            Kind::Scalar { text, .. } if !text.trim().is_empty() => Some(text.trim().to_string()),
+            other => {
+                to.problem(node.mark, &path, format!("{} stands here", other.describe()), format!("write {about}"));
+                None
+            }
+        }
+    }
+
+    /// One of the words of the key's table entry.
+    pub(super) fn choice(&self, name: &str, to: &mut Findings) -> Option<&'static str> {
+        let (node, path, _, shape) = self.get(name)?;
+        let text = self.text(name, to)?;
+        let Shape::Choice(words) = shape else { return None };
+        let found = words.iter().copied().find(|word| *word == text);
+        if found.is_none() {
+            let mend = match closest(&text, words.iter().copied()) {
+                Some(close) => format!("did you mean `{close}`?"),
+                None => format!("write {}", words.join(" or ")),
+            };
+            to.problem(node.mark, &path, format!("`{}` is not a {name}", shortened(&text)), mend);
+        }
+        found
+    }
+
+    pub(super) fn flag(&self, name: &str, to: &mut Findings) -> Option<bool> {
+        let (node, path, about, _) = self.get(name)?;
+        match &node.kind {
+            Kind::Scalar { text, quoted: false } if text == "true" => Some(true),
+            Kind::Scalar { text, quoted: false } if text == "false" => Some(false),
+            other => {
+                to.problem(node.mark, &path, format!("{} stands here", other.describe()), format!("write {about}"));
+                None
+            }
+        }
+    }
+
+    /// A whole number from 0.
+    pub(super) fn count(&self, name: &str, to: &mut Findings) -> Option<usize> {
+        let (node, path, about, _) = self.get(name)?;
+        let value = to.number(node, &path, &about)?;
+        if value.fract() == 0.0 && (0.0..=1e6).contains(&value) {
+            return Some(value as usize);
+        }
+        to.problem(node.mark, &path, format!("{value} is not a whole number from 0"), format!("write {about}"));
+        None
+    }
+
+    /// A number within the bounds of its table entry.
+    pub(super) fn number(&self, name: &str, to: &mut Findings) -> Option<f64> {
+        let (node, path, about, shape) = self.get(name)?;
+        let value = to.number(node, &path, &about)?;
+        let wrong = match shape {
+            Shape::NotNegative if value < 0.0 => "must not be negative",
+            Shape::Positive if value < 0.0 => "must not be negative",
+            Shape::Positive if value == 0.0 => "must not be 0",
+            _ => return Some(value),
+        };
+        to.problem(node.mark, &path, format!("{name} {wrong}; it is {value}"), format!("write {about}"));
+        None
+    }
+
+    pub(super) fn angle(&self, name: &str, to: &mut Findings) -> Option<Angle> {
+        let (node, path, about, _) = self.get(name)?;
+        to.angle(node, &path, &about)
+    }
+
+    pub(super) fn length(&self, name: &str, to: &mut Findings) -> Option<Length> {
+        let (node, path, about, _) = self.get(name)?;
+        let (value, text) = to.value(node, &path, &about)?;
+        if value.number.abs() > 20.0 {
+            let mend = format!("{} m is long for a robot; if mm are meant, write {text}/1000", value.number);
+            to.note(node.mark, &path, mend);
+        }
+        Some(value.length(text))
+    }
+
+    /// The items of a list of exactly `N`, with their paths.
+    fn items<const N: usize>(&self, name: &str, to: &mut Findings) -> Option<[(&'a Node, String, String); N]> {
+        let (node, path, about, _) = self.get(name)?;
+        let items = to.list(node, &path, &about)?;
+        if items.len() != N {
+            to.problem(
+                node.mark,
+                &path,
+                format!("{} values stand here, not {N}", items.len()),
+                format!("write {about}"),
+            );
+            return None;
+        }
+        Some(core::array::from_fn(|k| (&items[k], format!("{path}[{}]", k + 1), about.clone())))
+    }
+
+    pub(super) fn vector<const N: usize>(&self, name: &str, to: &mut Findings) -> Option<[f64; N]> {
+        let items = self.items::<N>(name, to)?;
+        let values = items.map(|(node, path, about)| to.number(node, &path, &about));
+        values.iter().all(Option::is_some).then(|| values.map(Option::unwrap_or_default))
+    }
+
+    pub(super) fn angles<const N: usize>(&self, name: &str, to: &mut Findings) -> Option<[Angle; N]> {
+        let items = self.items::<N>(name, to)?;
+        let angles = items.map(|(node, path, about)| to.angle(node, &path, &about));
+        angles.iter().all(Option::is_some).then(|| angles.map(|angle| angle.unwrap_or_else(Angle::zero)))
+    }
+
+    /// The mapping behind a key.
+    pub(super) fn map(&self, name: &str, to: &mut Findings) -> Option<Fields<'a>> {
+        let (node, path, _, shape) = self.get(name)?;
+        let (Shape::Map(table) | Shape::MapOrFile(table)) = shape else { return None };
+        to.fields(node, &path, table)
+    }
+
+    /// The list behind a key: its items with their paths, `joints[1]`, `joints[2]`.
+    pub(super) fn rows(&self, name: &str, to: &mut Findings) -> Option<Vec<(&'a Node, String)>> {
+        let (node, path, about, _) = self.get(name)?;
+        let items = to.list(node, &path, &about)?;
+        Some(items.iter().enumerate().map(|(k, item)| (item, format!("{path}[{}]", k + 1))).collect())
+    }
+
+    /// Rows that are mappings of the table of their key.
+    pub(super) fn row(&self, name: &str, node: &'a Node, path: &str, to: &mut Findings) -> Option<Fields<'a>> {
+        let (Shape::Rows(table) | Shape::RowsOrNull(table)) = self.table.key(name)?.shape else { return None };
+        to.fields(node, path, table)
+    }
+}

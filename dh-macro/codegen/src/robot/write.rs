@@ -1,0 +1,282 @@
+//! A robot back to the text of its file.
+
+use core::fmt::Write;
+
+use super::expression::Scope;
+use super::yaml::{self, Kind};
+use super::{Angle, Convention, Drive, Effect, Inertia, Joint, JointKind, Length, Limits, Robot, Tool};
+
+/// Widest line before a row of the table is broken.
+const WIDTH: usize = 110;
+
+impl Robot {
+    /// The robot as a file that [`Robot::from_yaml`] reads back to the same robot: numbers bit by bit, angles and
+    /// lengths in their own words. Comments, `source` and the words of constants are not part of a robot.
+    pub fn to_yaml(&self) -> String {
+        let mut scope = Scope::default();
+        let mut constants = Vec::new();
+        for (name, value) in &self.constants {
+            let text = constant(*value);
+            if let Ok(value) = scope.evaluate(&text) {
+                scope.define(name, value);
+            }
+            constants.push((name.clone(), text));
+        }
+        let mut out = String::from("# yaml-language-server: $schema=robot.schema.json\n");
+        let convention = if self.convention == Convention::Modified { "modified" } else { "standard" };
+        out += &format!("name: {}\nconvention: {convention}\n", word(&self.name));
+        if !constants.is_empty() {
+            out += &format!("constants: {}\n", flow(&constants, 0));
+        }
+        out += &format!("gravity: {}\n\njoints:\n", list(&self.gravity));
+        for joint in &self.joints {
+            out += &format!("  - {}\n", flow(&joint_fields(joint, &scope), 4));
+        }
+        if !self.links.is_empty() {
+            out += "\nlinks:\n";
+            for link in &self.links {
+                let text = link.as_ref().map_or("null".to_string(), |inertia| flow(&inertia_fields(inertia), 4));
+                out += &format!("  - {text}\n");
+            }
+        }
+        if let Some(tool) = &self.tool {
+            out += "\ntool:\n";
+            for (key, value) in tool_fields(tool, &scope) {
+                out += &format!("  {key}: {value}\n");
+            }
+        }
+        if self.collision.ground.is_some() || !self.collision.spheres.is_empty() {
+            out += "\ncollision:\n";
+            if let Some(ground) = self.collision.ground {
+                out += &format!("  ground: {}\n", number(ground));
+            }
+            if !self.collision.spheres.is_empty() {
+                out += "  spheres:\n";
+            }
+            for sphere in &self.collision.spheres {
+                let fields = [
+                    ("link".to_string(), sphere.link.to_string()),
+                    ("center".to_string(), list(&sphere.center)),
+                    ("radius".to_string(), number(sphere.radius)),
+                ];
+                out += &format!("    - {}\n", flow(&fields, 6));
+            }
+        }
+        if !self.effects.is_empty() {
+            out += "\neffects:\n";
+            for effect in &self.effects {
+                let (name, parameters) = effect_field(effect);
+                out += &format!("  {name}: {parameters}\n");
+            }
+        }
+        out
+    }
+}
+
+type Field = (String, String);
+
+fn field(key: &str, value: impl Into<String>) -> Field {
+    (key.to_string(), value.into())
+}
+
+fn joint_fields(joint: &Joint, scope: &Scope) -> Vec<Field> {
+    let kind = match joint.kind {
+        JointKind::Revolute => "revolute",
+        JointKind::Prismatic => "prismatic",
+        JointKind::Fixed => "fixed",
+    };
+    let mut fields = vec![field("name", word(&joint.name)), field("type", kind)];
+    if !joint.actuated && joint.kind != JointKind::Fixed {
+        fields.push(field("actuated", "false"));
+    }
+    fields.push(field("alpha", angle(&joint.alpha, scope)));
+    fields.push(field("d", length(&joint.d, scope)));
+    fields.push(field("theta", angle(&joint.theta, scope)));
+    fields.push(field("r", length(&joint.r, scope)));
+    limit_fields(joint, &mut fields);
+    let drive = drive_fields(&joint.drive);
+    if !drive.is_empty() {
+        fields.push(field("drive", braces(&drive)));
+    }
+    fields
+}
+
+fn limit_fields(joint: &Joint, fields: &mut Vec<Field>) {
+    // In degrees where that is the same number: 170deg is easier to read than 2.9670597283903604.
+    let turning = |value: f64| if joint.kind == JointKind::Revolute { degrees(value) } else { number(value) };
+    let Limits { position, velocity, acceleration, jerk, torque } = &joint.limits;
+    if let Some([lower, upper]) = *position {
+        fields.push(field("position", format!("[{}, {}]", turning(lower), turning(upper))));
+    }
+    for (key, value) in [("velocity", velocity), ("acceleration", acceleration), ("jerk", jerk)] {
+        fields.extend(value.map(|value| field(key, turning(value))));
+    }
+    fields.extend(torque.map(|value| field("torque", number(value))));
+}
+
+fn drive_fields(drive: &Drive) -> Vec<Field> {
+    let some = |key: &str, value: Option<f64>| value.map(|value| field(key, number(value)));
+    let mut fields: Vec<Field> = Vec::new();
+    fields.extend(some("rotor_inertia", drive.rotor_inertia));
+    fields.extend(some("gear_ratio", drive.gear_ratio));
+    fields.extend(some("torque_constant", drive.torque_constant));
+    let mut friction: Vec<Field> = Vec::new();
+    friction.extend(some("viscous_friction", drive.viscous_friction));
+    friction.extend(some("coulomb_friction", drive.coulomb_friction));
+    friction.extend(some("offset", drive.offset));
+    if !friction.is_empty() {
+        fields.push(field("friction", braces(&friction)));
+    }
+    fields.extend(drive.effects.iter().map(effect_field));
+    fields
+}
+
+fn effect_field(effect: &Effect) -> Field {
+    let parameters: Vec<Field> = effect.parameters.iter().map(|(key, value)| (word(key), number(*value))).collect();
+    match effect.parameters.as_slice() {
+        [(name, value)] if name == "value" => (effect.name.clone(), number(*value)),
+        _ => (effect.name.clone(), braces(&parameters)),
+    }
+}
+
+fn inertia_fields(inertia: &Inertia) -> Vec<Field> {
+    let mut fields = vec![field("M", number(inertia.m)), field("MS", list(&inertia.ms)), field("I", list(&inertia.i))];
+    if inertia.physical().is_err() {
+        fields.push(field("identified", "true"));
+    }
+    fields
+}
+
+fn tool_fields(tool: &Tool, scope: &Scope) -> Vec<Field> {
+    let mut fields = vec![field("name", word(&tool.name))];
+    let rpy: Vec<String> = tool.rpy.iter().map(|a| angle(a, scope)).collect();
+    fields.push(field("pose", format!("{{ xyz: {}, rpy: [{}] }}", list(&tool.xyz), rpy.join(", "))));
+    if let Some(inertia) = &tool.inertia {
+        fields.extend(inertia_fields(inertia));
+    }
+    if let Some(size) = tool.geometry {
+        fields.push(field("geometry", format!("{{ length: {}, width: {} }}", number(size.length), number(size.width))));
+    }
+    fields
+}
+
+/// `{ a: 1, b: 2 }`, on one line.
+fn braces(fields: &[Field]) -> String {
+    if fields.is_empty() {
+        return "{}".to_string();
+    }
+    let inner: Vec<String> = fields.iter().map(|(key, value)| format!("{key}: {value}")).collect();
+    format!("{{ {} }}", inner.join(", "))
+}
+
+/// `{ a: 1, b: 2 }`, broken where a line would be too long; `indent` is the column of the brace.
+fn flow(fields: &[Field], indent: usize) -> String {
+    let mut out = String::from("{ ");
+    let mut column = indent + 2;
+    for (k, (key, value)) in fields.iter().enumerate() {
+        let item = format!("{key}: {value}");
+        if k > 0 && column + item.len() > WIDTH {
+            let _ = write!(out, ",\n{:width$}", "", width = indent + 2);
+            column = indent + 2;
+        } else if k > 0 {
+            out += ", ";
+            column += 2;
+        }
+        column += item.len();
+        out += &item;
+    }
+    out + " }"
+}
+
+/// Shortest decimal that reads back to the same bits.
+fn number(value: f64) -> String {
+    let text = format!("{value:?}");
+    text.strip_suffix(".0").map_or(text.clone(), str::to_string)
+}
+
+fn list(values: &[f64]) -> String {
+    format!("[{}]", values.iter().map(|v| number(*v)).collect::<Vec<_>>().join(", "))
+}
+
+/// `170deg` where that has the same bits, else the number.
+fn degrees(value: f64) -> String {
+    let rounded: f64 = format!("{:.4}", value.to_degrees()).parse().unwrap_or(value);
+    let text = format!("{}deg", number(rounded));
+    let same = Scope::default().evaluate(&text).is_ok_and(|v| v.number.to_bits() == value.to_bits());
+    if same && value != 0.0 { text } else { number(value) }
+}
+
+/// `pi/8` where that has the same bits, so that an angle made of the constant stays exact; else the number.
+fn constant(value: f64) -> String {
+    for q in 1..=360i64 {
+        let p = (value * q as f64 / core::f64::consts::PI).round();
+        if p != 0.0 && p.abs() <= 720.0 && Angle::pi_fraction(p as i64, q).value.to_bits() == value.to_bits() {
+            return Angle::pi_fraction(p as i64, q).text;
+        }
+    }
+    number(value)
+}
+
+/// The angle's own words if they still mean it.
+fn angle(angle: &Angle, scope: &Scope) -> String {
+    let plain = number(angle.value);
+    let exact = angle.pi_multiple.map(|(p, q)| Angle::pi_fraction(p, q).text);
+    // Behind `+ 0` a decimal is an expression, which is never read as a rounded pi/2.
+    let candidates = [Some(own(&angle.text)), exact, Some(plain.clone()), Some(format!("{plain} + 0"))];
+    let means = |text: &String| {
+        let read = safe(text).then(|| scope.evaluate(text).ok()).flatten().map(|value| value.angle(text).0);
+        read.is_some_and(|read| read.value == angle.value && read.pi_multiple == angle.pi_multiple)
+    };
+    candidates.into_iter().flatten().find(means).unwrap_or(plain)
+}
+
+/// The length's own words if they still mean it.
+fn length(length: &Length, scope: &Scope) -> String {
+    let plain = number(length.value);
+    let candidates = [own(&length.text), products(&length.closed_form.text(&scope.constants())), plain.clone()];
+    let means = |text: &String| {
+        let read = safe(text).then(|| scope.evaluate(text).ok()).flatten().map(|value| value.length(text));
+        read.is_some_and(|read| read.value == length.value && read.closed_form == length.closed_form)
+    };
+    candidates.into_iter().find(means).unwrap_or(plain)
+}
+
+fn own(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// `L1^3` as `L1*L1*L1`.
+fn products(text: &str) -> String {
+    let power = |factor: &str| match factor.split_once('^') {
+        Some((name, power)) => vec![name; power.parse().unwrap_or(1)].join("*"),
+        None => factor.to_string(),
+    };
+    let term = |term: &str| term.split('*').map(power).collect::<Vec<_>>().join("*");
+    text.split(' ').map(term).collect::<Vec<_>>().join(" ")
+}
+
+/// May an expression stand in a flow mapping without quotes?
+fn safe(text: &str) -> bool {
+    !text.starts_with("- ") && text.chars().all(|c| c.is_ascii_alphanumeric() || "+-*/()._ ".contains(c))
+}
+
+/// Text, in quotes where YAML would read something else.
+fn word(text: &str) -> String {
+    let plain = text.starts_with(|c: char| c.is_ascii_alphabetic())
+        && text.chars().all(|c| c.is_ascii_alphanumeric() || "-_. ".contains(c))
+        && !text.ends_with(' ');
+    let same = |node: yaml::Node| matches!(node.kind, Kind::Scalar { text: read, .. } if read == text);
+    if plain && yaml::parse(text).is_ok_and(same) {
+        return text.to_string();
+    }
+    let escaped: String = text
+        .chars()
+        .map(|c| match c {
+            '"' => "\\\"".to_string(),
+            '\\' => "\\\\".to_string(),
+            c if c.is_control() || c == '\u{feff}' => format!("\\U{:08x}", c as u32),
+            c => c.to_string(),
+        })
+        .collect();
+    format!("\"{escaped}\"")
+}
