@@ -43,8 +43,8 @@ macro_rules! arm {
     ($module:ident, $name:literal) => {
         mod $module {
             use super::*;
-            use $module as arm;
-            use $module::runtime::Pack;
+            use ::$module as arm;
+            use ::$module::runtime::Pack;
 
             const N: usize = arm::DOF;
 

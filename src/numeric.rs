@@ -69,7 +69,10 @@ impl Numeric {
             .collect();
         let tool = robot.tool.as_ref().map_or_else(Isometry3::identity, |t| {
             let [roll, pitch, yaw] = [0, 1, 2].map(|i| t.rpy[i].value);
-            Isometry3::from_parts(Vector3::from(t.xyz).into(), nalgebra::UnitQuaternion::from_euler_angles(roll, pitch, yaw))
+            Isometry3::from_parts(
+                Vector3::from(t.xyz).into(),
+                nalgebra::UnitQuaternion::from_euler_angles(roll, pitch, yaw),
+            )
         });
         Self { bodies, gravity: robot.gravity.into(), tool, parameters: param::standard(robot) }
     }

@@ -33,7 +33,8 @@ macro_rules! agrees {
             assert_eq!((model.dof(), model.base().len(), model.standard().len()), (arm::DOF, arm::BASE, arm::STANDARD));
             for seed in 0..40 {
                 let array = |k: u64, n: usize| numbers(seed * 10 + k, n);
-                let (q, dq, ddq, tau) = (array(1, arm::DOF), array(2, arm::DOF), array(3, arm::DOF), array(4, arm::DOF));
+                let (q, dq, ddq, tau) =
+                    (array(1, arm::DOF), array(2, arm::DOF), array(3, arm::DOF), array(4, arm::DOF));
                 let phi = array(5, arm::STANDARD);
                 let [aq, adq, addq, atau]: [[f64; arm::DOF]; 4] =
                     [&q, &dq, &ddq, &tau].map(|v| v.as_slice().try_into().unwrap());
@@ -46,7 +47,11 @@ macro_rules! agrees {
                     assert_eq!(interpreted.len(), generated.len());
                     for (i, (a, b)) in interpreted.iter().zip(generated).enumerate() {
                         // A structural zero of the dense form is +0 whatever the sign a product would give it.
-                        assert!(a.to_bits() == b.to_bits() || (*a == 0.0 && *b == 0.0), "{} entry {i}: {a} {b}", f.name());
+                        assert!(
+                            a.to_bits() == b.to_bits() || (*a == 0.0 && *b == 0.0),
+                            "{} entry {i}: {a} {b}",
+                            f.name()
+                        );
                     }
                 };
                 check(Function::Frames, &[], arm::frames(&aq).as_flattened().as_flattened());

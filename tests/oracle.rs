@@ -1,9 +1,9 @@
 //! The tapes against the numeric recursion, which shares no code with them, on hundreds of random chains.
 
+use denavit::numeric::{Numeric, Random, random_robot, rank};
 use dh_codegen::arm::param::{DriveTerm, Parameter, standard_values};
 use dh_codegen::arm::{BaseParameters, Function, Model};
 use dh_codegen::interpret::{Interpreter, State};
-use denavit::numeric::{Numeric, Random, random_robot, rank};
 use nalgebra::{DMatrix, DVector, Isometry3};
 
 fn close(what: &str, a: f64, b: f64, size: f64) {
@@ -55,9 +55,12 @@ fn every_function_agrees_on_random_chains() {
         for _ in 0..3 {
             let [q, dq, ddq] = [3.0, 2.0, 5.0].map(|s| random.vector(n, s));
             let tau = oracle.inverse_dynamics(&q, &dq, &ddq, &phi);
-            let at = |f: Function, parameters: &[f64]| run.one(f, &State { q: &q, dq: &dq, ddq: &ddq, tau: tau.as_slice(), parameters });
+            let at = |f: Function, parameters: &[f64]| {
+                run.one(f, &State { q: &q, dq: &dq, ddq: &ddq, tau: tau.as_slice(), parameters })
+            };
             let name = |f: Function| format!("{} of {seed}", f.name());
-            let check = |f: Function, parameters: &[f64], expected: &[f64]| compare(&name(f), &at(f, parameters), expected);
+            let check =
+                |f: Function, parameters: &[f64], expected: &[f64]| compare(&name(f), &at(f, parameters), expected);
             check(Function::Frames, &[], &oracle.frames(&q).iter().flat_map(rows_of).collect::<Vec<_>>());
             check(Function::ForwardKinematics, &[], &rows_of(&oracle.forward_kinematics(&q)));
             check(Function::ToolPose, &[], &rows_of(&oracle.tool_pose(&q)));
@@ -92,7 +95,11 @@ fn every_function_agrees_on_random_chains() {
                 .sum();
             close("potential energy", of_links, oracle.potential_energy(&q, &phi), 10.0);
             let wb = DMatrix::from_row_slice(n, beta.len(), &at(Function::BaseRegressor, &[]));
-            compare("base regressor times base parameters", (wb * DVector::from_column_slice(&beta)).as_slice(), tau.as_slice());
+            compare(
+                "base regressor times base parameters",
+                (wb * DVector::from_column_slice(&beta)).as_slice(),
+                tau.as_slice(),
+            );
             // Where a joint carries nothing there is no forward dynamics.
             if oracle.forward_dynamics(&q, &dq, tau.as_slice(), &phi).is_some() {
                 let found = at(Function::ForwardDynamics, &beta);

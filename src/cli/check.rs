@@ -10,7 +10,9 @@ use crate::report::{check_json, check_text};
 
 /// Read a robot file, validate it, and say what it describes: table, kinematic class, base parameters, operation counts.
 #[derive(Args)]
-#[command(after_help = "Example:\n  denavit check robots/kuka-lwr4.yaml\n  denavit check robots/kuka-lwr4.yaml --json -")]
+#[command(
+    after_help = "Example:\n  denavit check robots/kuka-lwr4.yaml\n  denavit check robots/kuka-lwr4.yaml --json -"
+)]
 pub(super) struct Check {
     /// Robot file.
     robot: PathBuf,

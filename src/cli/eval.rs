@@ -15,7 +15,9 @@ use crate::report::eval_json;
 /// The states have columns `q1.., dq1.., ddq1..` (and `tau1..` for forward_dynamics); those that the quantity does not need may be
 /// left out. Joints count from 1 and leave out fixed rows. Torques include the friction and the tool of the robot file.
 #[derive(Args)]
-#[command(after_help = "Example:\n  denavit eval robots/kuka-lwr4.yaml --quantity jacobian --states states.csv --json -")]
+#[command(
+    after_help = "Example:\n  denavit eval robots/kuka-lwr4.yaml --quantity jacobian --states states.csv --json -"
+)]
 pub(super) struct Eval {
     /// Robot file.
     robot: PathBuf,
@@ -78,7 +80,11 @@ impl Eval {
         let arguments = function.arguments();
         let n = arm.dof();
         let column = |prefix: &str, argument: Argument| -> Result<Vec<f64>, Failure> {
-            if arguments.contains(&argument) { table.joints(prefix, n) } else { Ok(table.joints(prefix, n).unwrap_or_else(|_| vec![0.0; n * table.len])) }
+            if arguments.contains(&argument) {
+                table.joints(prefix, n)
+            } else {
+                Ok(table.joints(prefix, n).unwrap_or_else(|_| vec![0.0; n * table.len]))
+            }
         };
         let states = States {
             len: table.len,
@@ -143,7 +149,10 @@ impl Table {
         for j in 1..=n {
             let name = format!("{prefix}{j}");
             let at = self.header.iter().position(|h| *h == name).ok_or_else(|| {
-                Failure::input(format!("{}: there is no column {name}; the robot has {n} joints, so {prefix}1 to {prefix}{n} are needed", self.file))
+                Failure::input(format!(
+                    "{}: there is no column {name}; the robot has {n} joints, so {prefix}1 to {prefix}{n} are needed",
+                    self.file
+                ))
             })?;
             all.extend_from_slice(&self.columns[at]);
         }

@@ -20,7 +20,8 @@ pub(super) fn robot(path: &Path) -> Result<RobotFile, Failure> {
     let shown = path.display().to_string();
     let text = text(path)?;
     let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
-    let load = |name: &str| fs::read_to_string(folder.join(name)).map_err(|e| format!("{}: {e}", folder.join(name).display()));
+    let load =
+        |name: &str| fs::read_to_string(folder.join(name)).map_err(|e| format!("{}: {e}", folder.join(name).display()));
     match Robot::from_yaml(&text, &load) {
         Ok(reading) => {
             for note in &reading.notes {
@@ -36,7 +37,11 @@ pub(super) fn robot(path: &Path) -> Result<RobotFile, Failure> {
 pub(super) fn text(path: &Path) -> Result<String, Failure> {
     fs::read(path).map_err(|e| unreadable(path, &e)).and_then(|bytes| {
         String::from_utf8(bytes).map_err(|e| {
-            Failure::input(format!("{}: byte {} is not UTF-8 text; save the file as UTF-8", path.display(), e.utf8_error().valid_up_to()))
+            Failure::input(format!(
+                "{}: byte {} is not UTF-8 text; save the file as UTF-8",
+                path.display(),
+                e.utf8_error().valid_up_to()
+            ))
         })
     })
 }

@@ -11,7 +11,9 @@ use super::{Failure, files};
 ///
 /// The crate is a folder of its own: no_std, no allocation, no dependency. The same file always gives the same bytes.
 #[derive(Args)]
-#[command(after_help = "Example:\n  denavit generate robots/kuka-lwr4.yaml --out generated/kuka-lwr4\n  denavit generate robots/kuka-lwr4.yaml --out generated/kuka-lwr4 --check")]
+#[command(
+    after_help = "Example:\n  denavit generate robots/kuka-lwr4.yaml --out generated/kuka-lwr4\n  denavit generate robots/kuka-lwr4.yaml --out generated/kuka-lwr4 --check"
+)]
 pub(super) struct Generate {
     /// Robot file.
     robot: PathBuf,
@@ -33,7 +35,11 @@ impl Generate {
         let stale = differing(&self.out, &crate_files);
         if self.check && !stale.is_empty() {
             let again = format!("denavit generate {} --out {}", self.robot.display(), self.out.display());
-            return Err(Failure::other(format!("stale in {}: {}; run `{again}`", self.out.display(), stale.join(", "))));
+            return Err(Failure::other(format!(
+                "stale in {}: {}; run `{again}`",
+                self.out.display(),
+                stale.join(", ")
+            )));
         }
         if !self.check {
             for path in &stale {
@@ -45,7 +51,11 @@ impl Generate {
             files::json(target, &value)?;
         }
         if !files::is_stdout(&self.json) {
-            let what = if stale.is_empty() { "up to date".into() } else { format!("{} of {} files written", stale.len(), crate_files.len()) };
+            let what = if stale.is_empty() {
+                "up to date".into()
+            } else {
+                format!("{} of {} files written", stale.len(), crate_files.len())
+            };
             files::print(&format!("{}: {what}\n", self.out.display()))?;
         }
         Ok(())

@@ -11,8 +11,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use super::{Failure, files};
 use crate::arm::Arm;
 use crate::identify::{
-    DeadZone, Essential, Factors, Identification, IdentifySettings, Stack, StackSettings, Trace, Tracer, recover_standard,
-    solve,
+    DeadZone, Essential, Factors, Identification, IdentifySettings, Stack, StackSettings, Trace, Tracer,
+    recover_standard, solve,
 };
 use crate::interpreted::Interpreted;
 use crate::log::{Keep, Quantity, open};
@@ -25,7 +25,9 @@ use crate::signal::{Derivatives, Filter, Motion, Prepare, Prepared, each_motion}
 /// and backward, positions are differentiated by central differences, and the base regressor is fitted by least squares with each
 /// joint weighted by its own noise. Drive parameters are identified where the robot file's `drive` has them (a value of 0 will do).
 #[derive(Args)]
-#[command(after_help = "Example:\n  denavit identify robots/kuka-iiwa14.yaml run1.csv run2.csv --validate run3.csv \\\n      --out identified.yaml --report identified.html")]
+#[command(
+    after_help = "Example:\n  denavit identify robots/kuka-iiwa14.yaml run1.csv run2.csv --validate run3.csv \\\n      --out identified.yaml --report identified.html"
+)]
 pub(super) struct Identify {
     /// Robot file.
     robot: PathBuf,
@@ -162,7 +164,7 @@ impl Identify {
         if !(self.trim >= 0.0 && self.trim.is_finite()) {
             return bad(format!("--trim {}: seconds, zero or more", self.trim));
         }
-        if !(self.delay.abs() <= 10.0) {
+        if self.delay.is_nan() || self.delay.abs() > 10.0 {
             return bad(format!("--delay {}: seconds, at most 10", self.delay));
         }
         if self.stride == 0 {

@@ -22,7 +22,8 @@ pub fn rank(arm: &Numeric, seed: u64, states: usize, at_rest: bool) -> Rank {
     let mut stack = DMatrix::zeros(n * states, p);
     for k in 0..states {
         let q = random.vector(n, 3.0);
-        let (dq, ddq) = if at_rest { (vec![0.0; n], vec![0.0; n]) } else { (random.vector(n, 2.0), random.vector(n, 4.0)) };
+        let (dq, ddq) =
+            if at_rest { (vec![0.0; n], vec![0.0; n]) } else { (random.vector(n, 2.0), random.vector(n, 4.0)) };
         stack.rows_mut(k * n, n).copy_from(&arm.regressor(&q, &dq, &ddq));
     }
     for mut column in stack.column_iter_mut() {

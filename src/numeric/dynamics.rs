@@ -10,8 +10,10 @@ impl Numeric {
     fn rnea(&self, q: &[f64], dq: &[f64], ddq: &[f64], phi: &[f64], gravity: bool) -> DVector<f64> {
         let (x, s, inertia) = (self.transforms(q), self.axes(), self.inertias(phi));
         let mut velocity = Motion6::zero();
-        let mut acceleration =
-            Motion6 { w: nalgebra::Vector3::zeros(), v: if gravity { -self.gravity } else { nalgebra::Vector3::zeros() } };
+        let mut acceleration = Motion6 {
+            w: nalgebra::Vector3::zeros(),
+            v: if gravity { -self.gravity } else { nalgebra::Vector3::zeros() },
+        };
         let mut forces = Vec::with_capacity(self.rows());
         for i in 0..self.rows() {
             let (rate, second) = self.bodies[i].dof.map_or((0.0, 0.0), |k| (dq[k], ddq[k]));

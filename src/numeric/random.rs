@@ -1,8 +1,6 @@
 //! Random arms and states for tests, from a seed: the same on every machine and in every version (so no crate's generator).
 
-use dh_codegen::robot::{
-    Angle, Collision, Convention, Drive, Inertia, Joint, JointKind, Length, Limits, Robot, Tool,
-};
+use dh_codegen::robot::{Angle, Collision, Convention, Drive, Inertia, Joint, JointKind, Length, Limits, Robot, Tool};
 
 /// splitmix64 (Steele, Lea and Flood 2014).
 #[derive(Debug, Clone)]
@@ -55,9 +53,14 @@ pub fn random_robot(seed: u64, rows: usize) -> Robot {
     let mut random = Random::new(seed);
     let nice = random.pick(3) > 0;
     let angle = |random: &mut Random| {
-        if nice || random.pick(2) == 0 { Angle::pi_fraction(random.pick(4) as i64 - 1, 2) } else { Angle::radians(random.even(3.0)) }
+        if nice || random.pick(2) == 0 {
+            Angle::pi_fraction(random.pick(4) as i64 - 1, 2)
+        } else {
+            Angle::radians(random.even(3.0))
+        }
     };
-    let length = |random: &mut Random| if random.pick(2) == 0 { Length::zero() } else { Length::meters(random.even(0.6)) };
+    let length =
+        |random: &mut Random| if random.pick(2) == 0 { Length::zero() } else { Length::meters(random.even(0.6)) };
     let joints = (0..rows)
         .map(|row| {
             let kind = match random.pick(8) {

@@ -23,7 +23,14 @@ impl Numeric {
     }
 
     /// Torques of all joints for one unit parameter of a body that moves like this.
-    fn column(&self, x: &[SpatialTransform], s: &[Motion6], row: usize, motion: &(Motion6, Motion6), which: Inertial) -> DVector<f64> {
+    fn column(
+        &self,
+        x: &[SpatialTransform],
+        s: &[Motion6],
+        row: usize,
+        motion: &(Motion6, Motion6),
+        which: Inertial,
+    ) -> DVector<f64> {
         let unit = Inertia6::unit(which);
         let mut force = unit.times(&motion.1) + motion.0.cross_force(&unit.times(&motion.0));
         let mut tau = DVector::zeros(self.dof());
@@ -48,7 +55,13 @@ impl Numeric {
                     w[(k, column)] = match term {
                         DriveTerm::IA => ddq[k],
                         DriveTerm::FV => dq[k],
-                        DriveTerm::FC => if dq[k] == 0.0 { 0.0 } else { dq[k].signum() },
+                        DriveTerm::FC => {
+                            if dq[k] == 0.0 {
+                                0.0
+                            } else {
+                                dq[k].signum()
+                            }
+                        }
                         DriveTerm::FO => 1.0,
                     };
                 }

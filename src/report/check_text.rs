@@ -13,10 +13,24 @@ pub fn text(robot: &Robot, model: &Model) -> String {
         Convention::Standard => "standard",
     };
     let _ = writeln!(t, "{}: {} degrees of freedom, {convention} DH table\n", robot.name, model.dof());
-    let _ = writeln!(t, "  {:>3} {:<12} {:<10} {:>12} {:>10} {:>12} {:>10}", "j", "name", "type", "alpha", "d", "theta", "r");
+    let _ = writeln!(
+        t,
+        "  {:>3} {:<12} {:<10} {:>12} {:>10} {:>12} {:>10}",
+        "j", "name", "type", "alpha", "d", "theta", "r"
+    );
     for (j, joint) in robot.joints.iter().enumerate() {
         let kind = format!("{:?}", joint.kind).to_lowercase();
-        let _ = writeln!(t, "  {:>3} {:<12} {:<10} {:>12} {:>10} {:>12} {:>10}", j + 1, joint.name, kind, joint.alpha.text, joint.d.text, joint.theta.text, joint.r.text);
+        let _ = writeln!(
+            t,
+            "  {:>3} {:<12} {:<10} {:>12} {:>10} {:>12} {:>10}",
+            j + 1,
+            joint.name,
+            kind,
+            joint.alpha.text,
+            joint.d.text,
+            joint.theta.text,
+            joint.r.text
+        );
     }
     if !robot.constants.is_empty() {
         let list: Vec<String> = robot.constants.iter().map(|(n, v)| format!("{n} = {v}")).collect();
@@ -24,12 +38,23 @@ pub fn text(robot: &Robot, model: &Model) -> String {
     }
     let class = classify(model.chain());
     let _ = writeln!(t, "\nkinematic class: {}\ninverse kinematics: {} ({})", class.joints, class.name, class.reason);
-    let inertial = model.base().0.iter().filter(|b| matches!(b.leader, dh_codegen::arm::param::Parameter::Link(..))).count();
-    let _ = writeln!(t, "\nbase parameters: {} of {} standard ones ({inertial} inertial, {} of the drives)\n", model.base().len(), model.standard().len(), model.base().len() - inertial);
+    let inertial =
+        model.base().0.iter().filter(|b| matches!(b.leader, dh_codegen::arm::param::Parameter::Link(..))).count();
+    let _ = writeln!(
+        t,
+        "\nbase parameters: {} of {} standard ones ({inertial} inertial, {} of the drives)\n",
+        model.base().len(),
+        model.standard().len(),
+        model.base().len() - inertial
+    );
     for b in &model.base().0 {
         let _ = writeln!(t, "  {}", b.grouping);
     }
-    let _ = writeln!(t, "\noperations, sines and cosines apart:\n\n  {:<28} {:>5} {:>5} {:>9}", "function", "mul", "add", "sin/cos");
+    let _ = writeln!(
+        t,
+        "\noperations, sines and cosines apart:\n\n  {:<28} {:>5} {:>5} {:>9}",
+        "function", "mul", "add", "sin/cos"
+    );
     for (f, mul, add, sincos) in super::check_json::operations(model) {
         let _ = writeln!(t, "  {:<28} {mul:>5} {add:>5} {sincos:>9}", f.name());
     }

@@ -6,8 +6,8 @@
 pub mod arm;
 pub mod interpret;
 pub mod robot;
-pub mod rust;
 pub mod runtime;
+pub mod rust;
 pub mod sym;
 
 pub use rust::krate::krate;

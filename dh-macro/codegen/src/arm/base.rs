@@ -87,13 +87,7 @@ const FO: usize = 11;
 
 /// The body seen from a frame whose origin lies `s` behind, along the axis with first moment `along`; `i`, `j` are the
 /// diagonal entries across, `p`, `q` the products with the other two first moments.
-fn translated<T: Ring>(
-    v: &Ten<T>,
-    s: &T,
-    along: usize,
-    [i, j]: [usize; 2],
-    products: [(usize, usize); 2],
-) -> Ten<T> {
+fn translated<T: Ring>(v: &Ten<T>, s: &T, along: usize, [i, j]: [usize; 2], products: [(usize, usize); 2]) -> Ten<T> {
     let mut out = v.clone();
     let across = v[along].by(s).times(2.0).plus(&v[M].by(s).by(s));
     out[along] = v[along].plus(&v[M].by(s));
@@ -142,9 +136,12 @@ fn rot_z<T: Ring>(v: &Ten<T>, (s, c): (f64, f64)) -> Ten<T> {
     out
 }
 
+/// A linear map of parameters.
+type Order = fn(&Ten<f64>) -> Ten<f64>;
+
 /// What a joint's motion does to a body's parameters, order by order: the constant part, then the coefficients of
 /// `cos q, sin q, cos 2q, sin 2q` (revolute) or `q, q^2` (prismatic).
-fn harmonics(kind: JointKind) -> Vec<fn(&Ten<f64>) -> Ten<f64>> {
+fn harmonics(kind: JointKind) -> Vec<Order> {
     match kind {
         JointKind::Revolute => vec![
             constant_part::<f64>,
@@ -322,7 +319,7 @@ impl Reach {
             Self { velocities: Subspace::default(), kinetic: Subspace::default(), potential: Subspace::default() };
         let orders = harmonics(step.kind);
         let row12 = |row: &Ten<f64>, ia: f64, fo: f64| -> Vec<f64> { row.iter().copied().chain([ia, fo]).collect() };
-        let seen = |row: &[f64], order: fn(&Ten<f64>) -> Ten<f64>| pulled_back(row, |v| order(&step.after(v, &d, &r)));
+        let seen = |row: &[f64], order: Order| pulled_back(row, |v| order(&step.after(v, &d, &r)));
         let before = |row: &[f64]| pulled_back(row, |v| step.before(v, &d));
 
         let mut own = [0.0; 6];
@@ -420,7 +417,11 @@ impl BaseParameters {
             if let Some(form) = &mut forms[to] {
                 for (&i, c) in what {
                     let sum = form.get(&i).cloned().unwrap_or_default().add(&c.mul(factor));
-                    if sum.is_zero() { form.remove(&i) } else { form.insert(i, sum) };
+                    if sum.is_zero() {
+                        form.remove(&i)
+                    } else {
+                        form.insert(i, sum)
+                    };
                 }
             }
         };

@@ -118,11 +118,7 @@ impl Chain {
             });
             dof += usize::from(moves);
         }
-        Self {
-            rows,
-            lift: robot.gravity.map(|g| -g),
-            tool: robot.tool.as_ref().map(|t| (t.rotation(), t.xyz)),
-        }
+        Self { rows, lift: robot.gravity.map(|g| -g), tool: robot.tool.as_ref().map(|t| (t.rotation(), t.xyz)) }
     }
 
     /// Degrees of freedom.
@@ -288,7 +284,7 @@ impl<'g> Link<'g> {
 
     /// This joint frame's origin from the previous one's, in the axes between `RotX` and `RotZ`; `shifted`: before `TransZ(r)`.
     pub fn step(&self, shifted: bool) -> Vec3<'g> {
-        let zero = self.d - self.d;
+        let zero = self.d.graph().constant(0.0);
         Vec3([self.d, zero, if shifted { zero } else { self.r }])
     }
 
@@ -304,7 +300,7 @@ impl<'g> Link<'g> {
 
     /// The body frame's origin in the joint frame.
     pub fn body_origin(&self) -> Vec3<'g> {
-        let zero = self.d - self.d;
+        let zero = self.d.graph().constant(0.0);
         Vec3([self.body.map_or(zero, |(d, _)| d), zero, zero])
     }
 

@@ -51,7 +51,9 @@ pub fn classify(chain: &Chain) -> Class {
     }
     let kinds = &joints[..moving];
     match kinds {
-        "RRRRRRR" if spherical(rows, 0) && spherical(rows, 4) && rows[3].d == 0.0 && rows[4].d == 0.0 && rows[3].r == 0.0 => {
+        "RRRRRRR"
+            if spherical(rows, 0) && spherical(rows, 4) && rows[3].d == 0.0 && rows[4].d == 0.0 && rows[3].r == 0.0 =>
+        {
             class("srs", "axes 1-3 meet in a shoulder, 5-7 in a wrist, and axis 4 meets both upper and lower arm")
         }
         "RRRRRRR" if spherical(rows, 0) && rows[5].d == 0.0 => {
@@ -60,7 +62,9 @@ pub fn classify(chain: &Chain) -> Class {
         "RRRRRR" if spherical(rows, 3) => class("6r-spherical-wrist", "axes 4-6 meet in one point"),
         "RRRRRR" if all_parallel(rows, 1, 3) => class("6r-three-parallel", "axes 2-4 are parallel"),
         "RRPRRR" if spherical(rows, 3) => class("stanford", "axes 4-6 meet in one point, joint 3 slides"),
-        "RRRP" | "RRPR" | "PRRR" if all_parallel(rows, 0, moving - 1) => class("scara", "all axes are parallel, one joint slides"),
+        "RRRP" | "RRPR" | "PRRR" if all_parallel(rows, 0, moving - 1) => {
+            class("scara", "all axes are parallel, one joint slides")
+        }
         k if k.chars().all(|c| c == 'R') && moving <= 3 && moving > 0 && all_parallel(rows, 0, moving - 1) => {
             class("planar", "all axes are parallel")
         }

@@ -75,8 +75,7 @@ fn carried<'g>(links: &Links<'g>, row: usize, p: [Ex<'g>; 10]) -> [Ex<'g>; 10] {
     let tensor = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
     let rotate = |t: [[Ex<'g>; 3]; 3], turn: &dyn Fn(Vec3<'g>) -> Vec3<'g>| -> [[Ex<'g>; 3]; 3] {
         let half = t.map(|row| turn(Vec3(row)).0); // T R'
-        let columns: [[Ex<'g>; 3]; 3] =
-            core::array::from_fn(|j| turn(Vec3(core::array::from_fn(|i| half[i][j]))).0); // R (T R')
+        let columns: [[Ex<'g>; 3]; 3] = core::array::from_fn(|j| turn(Vec3(core::array::from_fn(|i| half[i][j]))).0); // R (T R')
         core::array::from_fn(|i| core::array::from_fn(|j| if i <= j { columns[j][i] } else { columns[i][j] }))
     };
     let t = rotate(tensor, &|v| link.turned(v));
@@ -111,8 +110,12 @@ pub(super) fn mass_matrix<'g>(links: &Links<'g>, values: &Values<'g>) -> Vec<Vec
             let [m, lx, ly, lz, _, _, zz, _, xz, yz] = composite;
             let screw = Screw::own(links, row);
             let mut momentum = match link.kind {
-                crate::robot::JointKind::Revolute => Wrench { f: Vec3([-ly, lx, links.number(0.0)]), n: Vec3([xz, yz, zz]) },
-                _ => Wrench { f: Vec3([links.number(0.0), links.number(0.0), m]), n: Vec3([ly, -lx, links.number(0.0)]) },
+                crate::robot::JointKind::Revolute => {
+                    Wrench { f: Vec3([-ly, lx, links.number(0.0)]), n: Vec3([xz, yz, zz]) }
+                }
+                _ => {
+                    Wrench { f: Vec3([links.number(0.0), links.number(0.0), m]), n: Vec3([ly, -lx, links.number(0.0)]) }
+                }
             };
             let _ = lz;
             mass[k][k] = screw.dot(&momentum);
@@ -154,7 +157,18 @@ fn out_of_body<'g>(links: &Links<'g>, row: usize, p: [Ex<'g>; 10]) -> [Ex<'g>; 1
         let diagonal = if i == j { trace } else { links.number(0.0) };
         full[j][i] + diagonal - (l.0[i] * s.0[j] + s.0[i] * ls.0[j])
     };
-    [at(Inertial::M), ls.0[0], ls.0[1], ls.0[2], entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)]
+    [
+        at(Inertial::M),
+        ls.0[0],
+        ls.0[1],
+        ls.0[2],
+        entry(0, 0),
+        entry(1, 1),
+        entry(2, 2),
+        entry(0, 1),
+        entry(0, 2),
+        entry(1, 2),
+    ]
 }
 
 /// `ddq` from `M ddq = tau - bias`, by `M = L D L'` written out.

@@ -74,7 +74,9 @@ impl<'g> Sweep<'g> {
             let a = link.inward(before.a + u * to_origin);
             let axis = link.axis();
             let (w, dw, a, a_shifted) = match link.kind {
-                JointKind::Revolute => (w + axis.scale(dq), dw + w.cross(axis).scale(dq) + axis.scale(ddq), a, a_shifted),
+                JointKind::Revolute => {
+                    (w + axis.scale(dq), dw + w.cross(axis).scale(dq) + axis.scale(ddq), a, a_shifted)
+                }
                 JointKind::Prismatic => {
                     let slide = w.cross(axis).scale(dq * 2.0) + axis.scale(ddq);
                     (w, dw, a + slide, a_shifted)

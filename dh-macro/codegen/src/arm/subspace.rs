@@ -18,7 +18,9 @@ impl Subspace {
 
     /// Adds a vector; the largest entry that is left becomes the pivot.
     pub fn insert(&mut self, vector: &[f64]) {
-        let largest = |v: &[f64]| v.iter().enumerate().fold((0, 0.0f64), |best, (k, x)| if x.abs() > best.1 { (k, x.abs()) } else { best });
+        let largest = |v: &[f64]| {
+            v.iter().enumerate().fold((0, 0.0f64), |best, (k, x)| if x.abs() > best.1 { (k, x.abs()) } else { best })
+        };
         let (_, size) = largest(vector);
         if size == 0.0 {
             return;

@@ -6,13 +6,7 @@ use super::{Pack, sincos};
 
 /// A number, or a pack of numbers that are computed side by side. `Default` is zero.
 pub trait Scalar:
-    Copy
-    + Default
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
+    Copy + Default + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
     /// The number `value`.
     fn constant(value: f64) -> Self;
@@ -40,15 +34,15 @@ impl Scalar for f64 {
     #[inline]
     fn sin_cos_all<const N: usize>(angles: &[Self; N]) -> ([Self; N], [Self; N]) {
         let (mut sin, mut cos) = ([0.0; N], [0.0; N]);
-        let mut start = 0;
-        while start < N {
-            let len = if N - start < 8 { N - start } else { 8 };
-            let mut lanes = [0.0; 8];
-            lanes[..len].copy_from_slice(&angles[start..start + len]);
-            let (s, c) = sincos::eight(Pack::new(lanes));
-            sin[start..start + len].copy_from_slice(&s.to_array()[..len]);
-            cos[start..start + len].copy_from_slice(&c.to_array()[..len]);
-            start += len;
+        for start in (0..N).step_by(8) {
+            let (s, c) =
+                sincos::eight(Pack::new(core::array::from_fn(|l| if start + l < N { angles[start + l] } else { 0.0 })));
+            let (s, c) = (s.to_array(), c.to_array());
+            for l in 0..8 {
+                if start + l < N {
+                    (sin[start + l], cos[start + l]) = (s[l], c[l]);
+                }
+            }
         }
         (sin, cos)
     }

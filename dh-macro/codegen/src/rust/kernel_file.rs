@@ -47,9 +47,7 @@ pub(super) fn doc(function: Function) -> (&'static str, &'static str) {
         Function::Coriolis => {
             ("Coriolis and centrifugal torques `C dq`", "N m, from the base parameters; no gravity, no friction.")
         }
-        Function::Gravity => {
-            ("Gravity torques `g`", "N m, from the base parameters: what holds the arm up at rest.")
-        }
+        Function::Gravity => ("Gravity torques `g`", "N m, from the base parameters: what holds the arm up at rest."),
         Function::ForwardDynamics => (
             "Accelerations that torques cause",
             "`ddq = M^-1 (tau - C dq - g - friction)`, rad/s^2, from the base parameters; `M = L D L'` written out.",
@@ -141,28 +139,53 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
 
     let mut text = String::new();
     let _ = writeln!(text, "//! {title}.\n//!\n//! {meaning}\n//!");
-    let _ = writeln!(text, "//! {} multiplications, {} additions; {shape}, {} of {size} structurally nonzero.\n", count.mul, count.add, nonzeros.len());
+    let _ = writeln!(
+        text,
+        "//! {} multiplications, {} additions; {shape}, {} of {size} structurally nonzero.\n",
+        count.mul,
+        count.add,
+        nonzeros.len()
+    );
     let uses = ["DOF", "STANDARD", "BASE"].into_iter().filter(|c| signature(function, "").contains(c));
     let uses: Vec<&str> = uses.chain(["Trig"]).collect();
     let _ = writeln!(text, "use super::super::runtime::Scalar;\nuse super::super::{{{}}};\n", uses.join(", "));
 
     if packed {
-        let _ = writeln!(text, "/// Entries that are not structurally zero.\npub const NONZEROS: usize = {};\n", nonzeros.len());
-        let rows: Vec<String> = nonzeros.iter().map(|&o| format!("({}, {})", o / (size / kernel.shape[0]), o % (size / kernel.shape[0]))).collect();
+        let _ = writeln!(
+            text,
+            "/// Entries that are not structurally zero.\npub const NONZEROS: usize = {};\n",
+            nonzeros.len()
+        );
+        let rows: Vec<String> = nonzeros
+            .iter()
+            .map(|&o| format!("({}, {})", o / (size / kernel.shape[0]), o % (size / kernel.shape[0])))
+            .collect();
         let of = if kernel.shape.len() == 2 { "Row and column" } else { "First index, and the rest row-major," };
         let list: Vec<String> = rows.chunks(10).map(|c| format!("    {},", c.join(", "))).collect();
-        let _ = writeln!(text, "/// {of} of each of them, in the order of [`packed`].\npub const PATTERN: [(usize, usize); NONZEROS] = [\n{}\n];\n", list.join("\n"));
+        let _ = writeln!(
+            text,
+            "/// {of} of each of them, in the order of [`packed`].\npub const PATTERN: [(usize, usize); NONZEROS] = [\n{}\n];\n",
+            list.join("\n")
+        );
     }
     let arguments = signature(function, "trig: &Trig<S>");
-    let call: Vec<&str> = function.arguments().iter().map(|a| match a {
-        Argument::Configuration => "trig",
-        Argument::Velocities => "dq",
-        Argument::Accelerations => "ddq",
-        Argument::Torques => "tau",
-        Argument::StandardParameters => "phi",
-        Argument::BaseParameters => "beta",
-    }).collect();
-    let _ = writeln!(text, "/// {title}: every entry of `out` is written.\n#[inline]\npub fn dense<S: Scalar>({arguments}, out: &mut {}) {{", array(&kernel.shape));
+    let call: Vec<&str> = function
+        .arguments()
+        .iter()
+        .map(|a| match a {
+            Argument::Configuration => "trig",
+            Argument::Velocities => "dq",
+            Argument::Accelerations => "ddq",
+            Argument::Torques => "tau",
+            Argument::StandardParameters => "phi",
+            Argument::BaseParameters => "beta",
+        })
+        .collect();
+    let _ = writeln!(
+        text,
+        "/// {title}: every entry of `out` is written.\n#[inline]\npub fn dense<S: Scalar>({arguments}, out: &mut {}) {{",
+        array(&kernel.shape)
+    );
     if packed {
         let flat = ".as_flattened_mut()".repeat(kernel.shape.len() - 1);
         let _ = writeln!(text, "    out{flat}.fill(S::default());");
@@ -174,13 +197,22 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
         (true, _) => format!("out[PATTERN[k].0][PATTERN[k].1 / {0}][PATTERN[k].1 % {0}] = x;", kernel.shape[2]),
         (false, 1) => "out[k] = x;".to_string(),
         (false, 2) => format!("out[k / {0}][k % {0}] = x;", kernel.shape[1]),
-        (false, _) => format!("out[k / {1}][k % {1} / {0}][k % {0}] = x;", kernel.shape[2], kernel.shape[1] * kernel.shape[2]),
+        (false, _) => {
+            format!("out[k / {1}][k % {1} / {0}][k % {0}] = x;", kernel.shape[2], kernel.shape[1] * kernel.shape[2])
+        }
     };
     let _ = writeln!(text, "        {target}\n    }});\n}}\n");
     if packed {
-        let _ = writeln!(text, "/// The same, only the entries of [`PATTERN`].\n#[inline]\npub fn packed<S: Scalar>({arguments}, out: &mut [S; NONZEROS]) {{\n    entries({}, |k, x| out[k] = x);\n}}\n", call.join(", "));
+        let _ = writeln!(
+            text,
+            "/// The same, only the entries of [`PATTERN`].\n#[inline]\npub fn packed<S: Scalar>({arguments}, out: &mut [S; NONZEROS]) {{\n    entries({}, |k, x| out[k] = x);\n}}\n",
+            call.join(", ")
+        );
     }
-    let _ = writeln!(text, "#[allow(non_snake_case, clippy::all)]\n#[inline(always)]\nfn entries<S: Scalar>({arguments}, mut put: impl FnMut(usize, S)) {{");
+    let _ = writeln!(
+        text,
+        "#[allow(non_snake_case, clippy::all)]\n#[inline(always)]\nfn entries<S: Scalar>({arguments}, mut put: impl FnMut(usize, S)) {{"
+    );
     text += &inputs(kernel, &names);
     for (name, value) in names.constants() {
         let _ = writeln!(text, "    let {name} = S::constant({value:?});");
@@ -235,18 +267,31 @@ fn inputs(kernel: &Kernel, names: &Names) -> String {
                 Group::Parameter if *argument == Argument::StandardParameters => ("*phi", usize::MAX),
                 Group::Parameter => ("*beta", usize::MAX),
             };
-            let here: Vec<usize> = used.iter().map(|&i| kernel.inputs.locate(i)).filter(|(g, _)| *g == group).map(|(_, at)| at).collect();
+            let here: Vec<usize> =
+                used.iter().map(|&i| kernel.inputs.locate(i)).filter(|(g, _)| *g == group).map(|(_, at)| at).collect();
             let Some(&last) = here.last() else {
                 if group != Group::Position && group != Group::Sine && group != Group::Cosine {
                     let _ = writeln!(text, "    let _ = {};", source.trim_start_matches('*'));
                 }
                 continue;
             };
-            let list: Vec<String> = (0..=last).map(|at| if here.binary_search(&at).is_ok() { names.input(group, at) } else { "_".into() }).collect();
+            let list: Vec<String> = (0..=last)
+                .map(|at| if here.binary_search(&at).is_ok() { names.input(group, at) } else { "_".into() })
+                .collect();
             let rest = if last + 1 < len { ", .." } else { "" };
             let list = wrapped(&list, 12);
             let rest = if list.starts_with('\n') { rest.trim_start_matches(", ") } else { rest };
-            let _ = writeln!(text, "    let [{}{rest}] = {source};", if rest.is_empty() { list.clone() } else if list.starts_with('\n') { format!("{}    ", list) } else { list.clone() });
+            let _ = writeln!(
+                text,
+                "    let [{}{rest}] = {source};",
+                if rest.is_empty() {
+                    list.clone()
+                } else if list.starts_with('\n') {
+                    format!("{}    ", list)
+                } else {
+                    list.clone()
+                }
+            );
         }
     }
     if !used.iter().any(|&i| matches!(kernel.inputs.locate(i).0, Group::Position | Group::Sine | Group::Cosine)) {

@@ -39,19 +39,42 @@ pub(super) fn parts(robot: &Robot, source: &str) -> Parts {
         files.insert((*path).to_string(), (*text).to_string());
     }
     files.insert("tests.rs".to_string(), tests_file::print(&model, &Interpreter::from_kernels(&model, &kernels)));
-    Parts { header: header(robot, &model, &kernels, source), root: shell::print(robot, &model, &kernels, &context), files }
+    Parts {
+        header: header(robot, &model, &kernels, source),
+        root: shell::print(robot, &model, &kernels, &context),
+        files,
+    }
 }
 
 /// The crate's front page.
 fn header(robot: &Robot, model: &Model, kernels: &[Kernel], source: &str) -> String {
     let mut t = String::new();
-    let _ = writeln!(t, "//! Closed-form kinematics and dynamics of `{}`: {} degrees of freedom, {} base parameters.", robot.name, model.dof(), model.base().len());
-    let _ = writeln!(t, "//!\n//! Written by denavit {} from the robot file with digest {:016x}; do not edit, run `denavit generate` again.", env!("CARGO_PKG_VERSION"), shell::digest(source));
+    let _ = writeln!(
+        t,
+        "//! Closed-form kinematics and dynamics of `{}`: {} degrees of freedom, {} base parameters.",
+        robot.name,
+        model.dof(),
+        model.base().len()
+    );
+    let _ = writeln!(
+        t,
+        "//!\n//! Written by denavit {} from the robot file with digest {:016x}; do not edit, run `denavit generate` again.",
+        env!("CARGO_PKG_VERSION"),
+        shell::digest(source)
+    );
     t += "//!\n//! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Nothing is allocated; nothing but `core` is used.\n//! Kernels ([`kernel`]) take sines and cosines ([`Trig`]); the functions here take `q`.\n//! All are generic over [`runtime::Scalar`]: `f64`, `f32` and packs of states run the same text.\n//!\n//! | function | result | multiplications | additions |\n//! |---|---|---|---|\n";
     for kernel in kernels {
         let c = kernel.tape.operations();
         let shape: Vec<String> = kernel.shape.iter().map(usize::to_string).collect();
-        let _ = writeln!(t, "//! | [`{}`]: {} | {} | {} | {} |", kernel.function.name(), doc(kernel.function).0, shape.join(" x "), c.mul, c.add);
+        let _ = writeln!(
+            t,
+            "//! | [`{}`]: {} | {} | {} | {} |",
+            kernel.function.name(),
+            doc(kernel.function).0,
+            shape.join(" x "),
+            c.mul,
+            c.add
+        );
     }
     t
 }

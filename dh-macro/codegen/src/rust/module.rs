@@ -16,7 +16,8 @@ fn inlined(text: &str, folder: &str, file: &dyn Fn(&str) -> Option<String>) -> S
     let mut out = String::with_capacity(text.len());
     for line in text.lines() {
         let declared = line.trim_end().strip_suffix(';').and_then(|l| {
-            let name = l.trim_start().trim_start_matches("pub(super) ").trim_start_matches("pub ").strip_prefix("mod ")?;
+            let name =
+                l.trim_start().trim_start_matches("pub(super) ").trim_start_matches("pub ").strip_prefix("mod ")?;
             Some((l.to_string(), name.to_string()))
         });
         match declared.and_then(|(head, name)| Some((head, file(&format!("{folder}{name}.rs"))?, name))) {

@@ -175,8 +175,16 @@ fn expression(tape: &Tape, names: &Names, inlined: &[bool], at: usize) -> String
         Kind::Sub => {
             format!("{} - {}", operand(step.a, &|k| k == Kind::Neg), operand(step.b, &|k| sum(k) || k == Kind::Neg))
         }
-        Kind::Mul => format!("{} * {}", operand(step.a, &|k| k != Kind::Mul && k != Kind::Sign), operand(step.b, &|k| k != Kind::Sign)),
-        Kind::Div => format!("{} / {}", operand(step.a, &|k| k != Kind::Mul && k != Kind::Sign), operand(step.b, &|k| k != Kind::Sign)),
+        Kind::Mul => format!(
+            "{} * {}",
+            operand(step.a, &|k| k != Kind::Mul && k != Kind::Sign),
+            operand(step.b, &|k| k != Kind::Sign)
+        ),
+        Kind::Div => format!(
+            "{} / {}",
+            operand(step.a, &|k| k != Kind::Mul && k != Kind::Sign),
+            operand(step.b, &|k| k != Kind::Sign)
+        ),
         Kind::Neg => format!("-{}", operand(step.a, &|k| k != Kind::Sign)),
         Kind::Sign => format!("{}.sign()", operand(step.a, &|_| true)),
     }

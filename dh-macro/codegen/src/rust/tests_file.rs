@@ -34,7 +34,11 @@ pub(super) fn print(model: &Model, interpreter: &Interpreter) -> String {
     let _ = writeln!(t, "const DQ: [f64; DOF] = [{}];", list(&dq));
     let _ = writeln!(t, "const DDQ: [f64; DOF] = [{}];", list(&ddq));
     let _ = writeln!(t, "const PHI: [f64; STANDARD] = [{}];", list(&phi));
-    let _ = writeln!(t, "/// What the interpreter of the same tape answers, to the last bit.\nconst TAU: [f64; DOF] = [{}];", list(&tau));
+    let _ = writeln!(
+        t,
+        "/// What the interpreter of the same tape answers, to the last bit.\nconst TAU: [f64; DOF] = [{}];",
+        list(&tau)
+    );
     t += r#"
 fn close(a: f64, b: f64, size: f64) {
     assert!((a - b).abs() <= 1e-11 * (1.0 + size), "{a} is not {b}");

@@ -43,16 +43,14 @@ impl Evaluator {
         let mut pinned = |operand: Operand, slots: &mut Slots| -> Option<u32> {
             match operand {
                 Operand::Temp(_) => None,
-                Operand::Constant(c) => {
-                    Some(match constants.iter().find(|(_, x)| x.to_bits() == c.to_bits()) {
-                        Some((slot, _)) => *slot,
-                        None => {
-                            let slot = slots.take();
-                            constants.push((slot, c));
-                            slot
-                        }
-                    })
-                }
+                Operand::Constant(c) => Some(match constants.iter().find(|(_, x)| x.to_bits() == c.to_bits()) {
+                    Some((slot, _)) => *slot,
+                    None => {
+                        let slot = slots.take();
+                        constants.push((slot, c));
+                        slot
+                    }
+                }),
                 Operand::Input(i) => Some(match inputs.iter().find(|(_, x)| *x == i as usize) {
                     Some((slot, _)) => *slot,
                     None => {

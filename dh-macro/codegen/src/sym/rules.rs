@@ -153,7 +153,16 @@ pub(super) fn sign(g: &Graph, a: Node) -> Node {
     match g.op(a) {
         Op::Constant(bits) => {
             let x = f64::from_bits(bits);
-            constant(g, if x > 0.0 { 1.0 } else if x < 0.0 { -1.0 } else { 0.0 })
+            constant(
+                g,
+                if x > 0.0 {
+                    1.0
+                } else if x < 0.0 {
+                    -1.0
+                } else {
+                    0.0
+                },
+            )
         }
         Op::Neg(x) => {
             let s = sign(g, x);

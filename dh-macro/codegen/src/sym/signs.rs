@@ -14,8 +14,7 @@ pub(super) fn settled(graph: &Graph, roots: &[Node]) -> (Graph, Vec<Node>) {
     let mut turned = vec![false; ops.len()];
     let mut negative = vec![false; ops.len()];
     let mut best = negatives(&ops, roots, &turned, &mut negative);
-    let differences: Vec<usize> =
-        (0..ops.len()).filter(|&i| matches!(ops[i], Op::Add(..) | Op::Sub(..))).collect();
+    let differences: Vec<usize> = (0..ops.len()).filter(|&i| matches!(ops[i], Op::Add(..) | Op::Sub(..))).collect();
     // Alone, and together with a sum that it is made of: moves that change nothing are taken too, they open the way to others.
     let mut moves: Vec<Vec<usize>> = differences.iter().map(|&i| vec![i]).collect();
     for &i in &differences {

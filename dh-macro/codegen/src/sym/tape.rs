@@ -1,8 +1,8 @@
 //! Roots of a graph, in order, as a straight-line program. Text is printed from it, and it can be run.
 
 use super::factor::factored;
-use super::signs::settled;
 use super::graph::{Ex, Graph, Op};
+use super::signs::settled;
 
 /// Where an operand comes from.
 #[derive(Debug, Clone, Copy, PartialEq)]

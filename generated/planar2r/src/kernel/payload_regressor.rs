@@ -1,0 +1,92 @@
+//! Regressor of a body fixed to the tool frame.
+//!
+//! `tau = W_L phi_L`, columns `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool frame, about its origin (the paper's (7)).
+//!
+//! 21 multiplications, 15 additions; 2 x 10, 8 of 20 structurally nonzero.
+
+use super::super::runtime::Scalar;
+use super::super::{DOF, Trig};
+
+/// Entries that are not structurally zero.
+pub const NONZEROS: usize = 8;
+
+/// Row and column of each of them, in the order of [`packed`].
+pub const PATTERN: [(usize, usize); NONZEROS] = [
+    (0, 0), (0, 1), (0, 2), (0, 6), (1, 0), (1, 1), (1, 2), (1, 6),
+];
+
+/// Regressor of a body fixed to the tool frame: every entry of `out` is written.
+#[inline]
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 2]) {
+    out.as_flattened_mut().fill(S::default());
+    entries(trig, dq, ddq, |k, x| {
+        out[PATTERN[k].0][PATTERN[k].1] = x;
+    });
+}
+
+/// The same, only the entries of [`PATTERN`].
+#[inline]
+pub fn packed<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [S; NONZEROS]) {
+    entries(trig, dq, ddq, |k, x| out[k] = x);
+}
+
+#[allow(non_snake_case, clippy::all)]
+#[inline(always)]
+fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: impl FnMut(usize, S)) {
+    let [s1, s2] = trig.sin;
+    let [c1, c2] = trig.cos;
+    let [dq1, dq2] = *dq;
+    let [ddq1, ddq2] = *ddq;
+    let L1 = S::constant(0.5);
+    let L2 = S::constant(0.4);
+    let k0 = S::constant(9.81);
+    // link 1: motion
+    let [a1_x, a1_y] = {
+        let a1_x = s1 * k0;
+        let a1_y = c1 * k0;
+        [a1_x, a1_y]
+    };
+    // link 2: motion
+    let [t9, a2_y, w2_z, dw2_z] = {
+        let t5 = L1 * (dq1 * dq1) - a1_x;
+        let t6 = a1_y + L1 * ddq1;
+        let t9 = c2 * t5 - s2 * t6;
+        let a2_y = c2 * t6 + s2 * t5;
+        let w2_z = dq1 + dq2;
+        let dw2_z = ddq1 + ddq2;
+        put(3, dw2_z); // row 1, ZZ
+        put(6, t9); // row 2, MSY
+        put(7, dw2_z); // row 2, ZZ
+        [t9, a2_y, w2_z, dw2_z]
+    };
+    // joint axes in frame 2
+    let [v1_2_x, v1_2_y, t17, t19, t20, t21, t22] = {
+        let v1_2_x = s2 * L1;
+        let v1_2_y = c2 * L1;
+        let t17 = w2_z * w2_z;
+        let t19 = dw2_z * L2;
+        let t20 = t9 + L2 * t17;
+        let t21 = a2_y + t19;
+        let t22 = L2 * t21;
+        put(4, t22); // row 2, M
+        [v1_2_x, v1_2_y, t17, t19, t20, t21, t22]
+    };
+    // payload: column M
+    let t27 = {
+        let t26 = t22 + (v1_2_y * t21 - v1_2_x * t20);
+        let t27 = t19 + t21;
+        put(0, t26); // row 1, M
+        put(5, t27); // row 2, MSX
+        t27
+    };
+    // payload: column MSX
+    {
+        let t31 = t27 + (dw2_z * v1_2_y - v1_2_x * t17);
+        put(1, t31); // row 1, MSX
+    }
+    // payload: column MSY
+    {
+        let t35 = t9 - (dw2_z * v1_2_x + v1_2_y * t17);
+        put(2, t35); // row 1, MSY
+    }
+}

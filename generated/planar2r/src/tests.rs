@@ -1,0 +1,63 @@
+//! Consistency of the generated functions with each other, and a stored check vector.
+
+use super::*;
+
+const Q: [f64; DOF] = [-0.15358173847198486, 0.018814802169799805];
+const DQ: [f64; DOF] = [0.5364192724227905, 0.8342322111129761];
+const DDQ: [f64; DOF] = [-0.7735795974731445, -0.3503504991531372];
+const PHI: [f64; STANDARD] = [-0.08357858657836914, 0.46506690979003906, 0.554935097694397, -0.3443901538848877, -0.9381728172302246, -0.36106765270233154, 0.9568207263946533, -0.6125220060348511, 0.8210475444793701, -0.09194540977478027, -0.83368980884552, -0.9050981998443604, 0.9776283502578735, 0.9525574445724487, -0.5295736789703369, -0.18684661388397217, -0.6830548048019409, -0.2710700035095215, 0.7036701440811157, 0.1631767749786377, -0.17402172088623047, 0.3421546220779419, 0.1769545078277588, 0.8368265628814697];
+/// What the interpreter of the same tape answers, to the last bit.
+const TAU: [f64; DOF] = [-5.825244071686454, -5.124643243508759];
+
+fn close(a: f64, b: f64, size: f64) {
+    assert!((a - b).abs() <= 1e-11 * (1.0 + size), "{a} is not {b}");
+}
+
+fn product<const M: usize>(w: &[[f64; M]; DOF], x: &[f64; M]) -> [f64; DOF] {
+    core::array::from_fn(|i| (0..M).map(|k| w[i][k] * x[k]).sum())
+}
+
+#[test]
+fn the_check_vector_comes_out_bit_for_bit() {
+    assert_eq!(inverse_dynamics(&Q, &DQ, &DDQ, &PHI), TAU);
+}
+
+#[test]
+fn regressor_times_parameters_is_inverse_dynamics() {
+    let tau = product(&regressor(&Q, &DQ, &DDQ), &PHI);
+    let beta = base_parameters(&PHI);
+    let from_base = product(&base_regressor(&Q, &DQ, &DDQ), &beta);
+    let direct = inverse_dynamics_base(&Q, &DQ, &DDQ, &beta);
+    let size = TAU.iter().fold(0.0f64, |s, t| s.max(t.abs()));
+    for i in 0..DOF {
+        close(tau[i], TAU[i], size);
+        close(from_base[i], TAU[i], size);
+        close(direct[i], TAU[i], size);
+    }
+}
+
+#[test]
+fn the_mass_matrix_is_symmetric_and_fits_the_torques() {
+    let beta = base_parameters(&PHI);
+    let mass = mass_matrix(&Q, &beta);
+    let still = inverse_dynamics_base(&Q, &DQ, &[0.0; DOF], &beta);
+    let size = TAU.iter().fold(0.0f64, |s, t| s.max(t.abs()));
+    for i in 0..DOF {
+        for j in 0..DOF {
+            assert_eq!(mass[i][j], mass[j][i]);
+        }
+        let inertial: f64 = (0..DOF).map(|j| mass[i][j] * DDQ[j]).sum();
+        close(inertial + still[i], TAU[i], size);
+    }
+}
+
+#[test]
+fn at_rest_there_is_only_gravity() {
+    let beta = base_parameters(&PHI);
+    let g = gravity(&Q, &beta);
+    let w = gravity_regressor(&Q);
+    for i in 0..DOF {
+        let sum: f64 = w[i].iter().zip(&PHI).map(|(w, p)| w * p).sum();
+        close(sum, g[i], 10.0);
+    }
+}

@@ -1,0 +1,131 @@
+//! Jacobian of the last DH frame's origin, in base axes.
+//!
+//! `(v, w) = J dq`: rows 0-2 linear, m/s, rows 3-5 angular, rad/s. Khalil and Dombre, 5.2.
+//!
+//! 44 multiplications, 27 additions; 6 x 6, 26 of 36 structurally nonzero.
+
+use super::super::runtime::Scalar;
+use super::super::{Trig};
+
+/// Entries that are not structurally zero.
+pub const NONZEROS: usize = 26;
+
+/// Row and column of each of them, in the order of [`packed`].
+pub const PATTERN: [(usize, usize); NONZEROS] = [
+    (0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (1, 0), (1, 1), (1, 2), (1, 3), (1, 4),
+    (2, 1), (2, 2), (2, 3), (2, 4), (3, 1), (3, 3), (3, 4), (3, 5), (4, 1), (4, 3),
+    (4, 4), (4, 5), (5, 0), (5, 3), (5, 4), (5, 5),
+];
+
+/// Jacobian of the last DH frame's origin, in base axes: every entry of `out` is written.
+#[inline]
+pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 6]; 6]) {
+    out.as_flattened_mut().fill(S::default());
+    entries(trig, |k, x| {
+        out[PATTERN[k].0][PATTERN[k].1] = x;
+    });
+}
+
+/// The same, only the entries of [`PATTERN`].
+#[inline]
+pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
+    entries(trig, |k, x| out[k] = x);
+}
+
+#[allow(non_snake_case, clippy::all)]
+#[inline(always)]
+fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
+    let [_, _, q3, ..] = trig.q;
+    let [s1, s2, _, s4, s5, ..] = trig.sin;
+    let [c1, c2, _, c4, c5, ..] = trig.cos;
+    let D1 = S::constant(0.412);
+    let D2 = S::constant(0.154);
+    let D6 = S::constant(0.263);
+    let k3 = S::constant(1.0);
+    // frame 2
+    let [t0, t1, t2, t3, t4, t5] = {
+        let t0 = s1 * D2;
+        let t1 = c1 * D2;
+        let t2 = c1 * c2;
+        let t3 = c1 * s2;
+        let t4 = s1 * c2;
+        let t5 = s1 * s2;
+        put(2, t3); // [0][2]
+        put(7, t5); // [1][2]
+        put(11, c2); // [2][2]
+        put(15, t3); // [3][3]
+        put(18, c1); // [4][1]
+        put(19, t5); // [4][3]
+        put(22, k3); // [5][0]
+        put(23, c2); // [5][3]
+        [t0, t1, t2, t3, t4, t5]
+    };
+    // frame 3
+    let [t9, t10, t11] = {
+        let t9 = q3 * t3 - t0;
+        let t10 = t1 + q3 * t5;
+        let t11 = D1 + c2 * q3;
+        [t9, t10, t11]
+    };
+    // frame 4
+    let [t14, t17, t20, t23, t24, t25] = {
+        let t14 = s1 * c4 + s4 * t2;
+        let t17 = c4 * t2 - s1 * s4;
+        let t20 = c1 * c4 - s4 * t4;
+        let t23 = c4 * t4 + c1 * s4;
+        let t24 = s2 * s4;
+        let t25 = s2 * c4;
+        put(16, t17); // [3][4]
+        put(20, t23); // [4][4]
+        [t14, t17, t20, t23, t24, t25]
+    };
+    // frame 5
+    let [t28, t31, t34] = {
+        let t28 = c5 * t3 + s5 * t14;
+        let t31 = c5 * t5 - s5 * t20;
+        let t34 = c2 * c5 - s5 * t24;
+        put(17, t28); // [3][5]
+        put(21, t31); // [4][5]
+        put(25, t34); // [5][5]
+        [t28, t31, t34]
+    };
+    // frame 6
+    let [t35, t36, t37, t38, t39, t40] = {
+        let t35 = D6 * t28;
+        let t36 = D6 * t31;
+        let t37 = D6 * t34;
+        let t38 = t9 + t35;
+        let t39 = t10 + t36;
+        let t40 = t11 + t37;
+        put(5, t38); // [1][0]
+        [t35, t36, t37, t38, t39, t40]
+    };
+    // columns
+    {
+        let t41 = t40 - D1;
+        let t44 = c1 * t41;
+        let t45 = s1 * t41;
+        let t48 = s1 * (t1 - t39) - c1 * (t0 + t38);
+        let t51 = t5 * t37 - c2 * t36;
+        let t54 = c2 * t35 - t3 * t37;
+        let t57 = t3 * t36 - t5 * t35;
+        let t60 = t23 * t37 + t25 * t36;
+        let t66 = t17 * t36 - t23 * t35;
+        let t67 = -t39;
+        let t68 = -(t25 * t35 + t17 * t37);
+        let t69 = -s1;
+        let t70 = -t25;
+        put(0, t67); // [0][0]
+        put(1, t44); // [0][1]
+        put(3, t51); // [0][3]
+        put(4, t60); // [0][4]
+        put(6, t45); // [1][1]
+        put(8, t54); // [1][3]
+        put(9, t68); // [1][4]
+        put(10, t48); // [2][1]
+        put(12, t57); // [2][3]
+        put(13, t66); // [2][4]
+        put(14, t69); // [3][1]
+        put(24, t70); // [5][4]
+    }
+}

@@ -1,0 +1,63 @@
+//! Consistency of the generated functions with each other, and a stored check vector.
+
+use super::*;
+
+const Q: [f64; DOF] = [-0.15358173847198486, 0.018814802169799805, 0.2967187166213989, -0.23427331447601318, 0.590895414352417, 0.0010224580764770508];
+const DQ: [f64; DOF] = [0.5364192724227905, 0.8342322111129761, 0.3827909231185913, -0.2709789276123047, -0.5854606628417969, -0.1196742057800293];
+const DDQ: [f64; DOF] = [-0.7735795974731445, -0.3503504991531372, 0.46886301040649414, -0.3076845407485962, 0.23818325996398926, -0.24037086963653564];
+const PHI: [f64; STANDARD] = [-0.08357858657836914, 0.46506690979003906, 0.554935097694397, -0.3443901538848877, -0.9381728172302246, -0.36106765270233154, 0.9568207263946533, -0.6125220060348511, 0.8210475444793701, -0.09194540977478027, -0.83368980884552, -0.9050981998443604, 0.9776283502578735, 0.9525574445724487, -0.5295736789703369, -0.18684661388397217, -0.6830548048019409, -0.2710700035095215, 0.7036701440811157, 0.1631767749786377, -0.17402172088623047, 0.3421546220779419, 0.1769545078277588, 0.8368265628814697, -0.8107051849365234, 0.5867948532104492, 0.6589376926422119, 0.8312602043151855, 0.26376235485076904, 0.492397665977478, -0.4847680330276489, -0.19721722602844238, -0.3937588930130005, 0.3037540912628174, -0.7279425859451294, 0.6258370876312256, -0.7586435079574585, -0.8024013042449951, 0.09565246105194092, 0.6859145164489746, 0.3170276880264282, -0.16469287872314453, -0.36151742935180664, -0.8808259963989258, 0.5742906332015991, -0.05156147480010986, -0.2560371160507202, 0.47957682609558105, 0.763738751411438, 0.3314594030380249, -0.12545156478881836, -0.6442421674728394, 0.29802238941192627, -0.7723948955535889, -0.9617632627487183, 0.039313435554504395, -0.5865349769592285, -0.46957170963287354, 0.4593973159790039, 0.8330234289169312];
+/// What the interpreter of the same tape answers, to the last bit.
+const TAU: [f64; DOF] = [0.5251020569020016, 1.5271190673030626, -4.550118196104327, 0.6622144399370721, 14.704177992772287, 2.6823268780436047];
+
+fn close(a: f64, b: f64, size: f64) {
+    assert!((a - b).abs() <= 1e-11 * (1.0 + size), "{a} is not {b}");
+}
+
+fn product<const M: usize>(w: &[[f64; M]; DOF], x: &[f64; M]) -> [f64; DOF] {
+    core::array::from_fn(|i| (0..M).map(|k| w[i][k] * x[k]).sum())
+}
+
+#[test]
+fn the_check_vector_comes_out_bit_for_bit() {
+    assert_eq!(inverse_dynamics(&Q, &DQ, &DDQ, &PHI), TAU);
+}
+
+#[test]
+fn regressor_times_parameters_is_inverse_dynamics() {
+    let tau = product(&regressor(&Q, &DQ, &DDQ), &PHI);
+    let beta = base_parameters(&PHI);
+    let from_base = product(&base_regressor(&Q, &DQ, &DDQ), &beta);
+    let direct = inverse_dynamics_base(&Q, &DQ, &DDQ, &beta);
+    let size = TAU.iter().fold(0.0f64, |s, t| s.max(t.abs()));
+    for i in 0..DOF {
+        close(tau[i], TAU[i], size);
+        close(from_base[i], TAU[i], size);
+        close(direct[i], TAU[i], size);
+    }
+}
+
+#[test]
+fn the_mass_matrix_is_symmetric_and_fits_the_torques() {
+    let beta = base_parameters(&PHI);
+    let mass = mass_matrix(&Q, &beta);
+    let still = inverse_dynamics_base(&Q, &DQ, &[0.0; DOF], &beta);
+    let size = TAU.iter().fold(0.0f64, |s, t| s.max(t.abs()));
+    for i in 0..DOF {
+        for j in 0..DOF {
+            assert_eq!(mass[i][j], mass[j][i]);
+        }
+        let inertial: f64 = (0..DOF).map(|j| mass[i][j] * DDQ[j]).sum();
+        close(inertial + still[i], TAU[i], size);
+    }
+}
+
+#[test]
+fn at_rest_there_is_only_gravity() {
+    let beta = base_parameters(&PHI);
+    let g = gravity(&Q, &beta);
+    let w = gravity_regressor(&Q);
+    for i in 0..DOF {
+        let sum: f64 = w[i].iter().zip(&PHI).map(|(w, p)| w * p).sum();
+        close(sum, g[i], 10.0);
+    }
+}

@@ -1,0 +1,641 @@
+//! Regressor `W_b` of the base parameters.
+//!
+//! `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4.
+//!
+//! 328 multiplications, 258 additions; 6 x 36, 139 of 216 structurally nonzero.
+
+use super::super::runtime::Scalar;
+use super::super::{DOF, Trig};
+
+/// Entries that are not structurally zero.
+pub const NONZEROS: usize = 139;
+
+/// Row and column of each of them, in the order of [`packed`].
+pub const PATTERN: [(usize, usize); NONZEROS] = [
+    (0, 0), (0, 3), (0, 4), (0, 5), (0, 6), (0, 7), (0, 8), (0, 9), (0, 10), (0, 11),
+    (0, 12), (0, 13), (0, 14), (0, 15), (0, 16), (0, 17), (0, 18), (0, 19), (0, 20), (0, 21),
+    (0, 22), (0, 23), (0, 24), (0, 25), (0, 26), (0, 27), (0, 28), (0, 29), (0, 30), (0, 31),
+    (0, 32), (0, 33), (0, 34), (0, 35), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 6),
+    (1, 7), (1, 8), (1, 9), (1, 10), (1, 11), (1, 12), (1, 13), (1, 14), (1, 15), (1, 16),
+    (1, 17), (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26),
+    (1, 27), (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (2, 8),
+    (2, 9), (2, 10), (2, 11), (2, 12), (2, 13), (2, 14), (2, 15), (2, 16), (2, 17), (2, 18),
+    (2, 19), (2, 20), (2, 21), (2, 22), (2, 23), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28),
+    (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35), (3, 15), (3, 16), (3, 17),
+    (3, 18), (3, 19), (3, 20), (3, 21), (3, 22), (3, 23), (3, 24), (3, 25), (3, 26), (3, 27),
+    (3, 28), (3, 29), (3, 30), (3, 31), (3, 32), (3, 33), (3, 34), (3, 35), (4, 22), (4, 23),
+    (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (4, 30), (4, 31), (4, 32), (4, 33),
+    (4, 34), (4, 35), (5, 29), (5, 30), (5, 31), (5, 32), (5, 33), (5, 34), (5, 35),
+];
+
+/// Regressor `W_b` of the base parameters: every entry of `out` is written.
+#[inline]
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 36]; 6]) {
+    out.as_flattened_mut().fill(S::default());
+    entries(trig, dq, ddq, |k, x| {
+        out[PATTERN[k].0][PATTERN[k].1] = x;
+    });
+}
+
+/// The same, only the entries of [`PATTERN`].
+#[inline]
+pub fn packed<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [S; NONZEROS]) {
+    entries(trig, dq, ddq, |k, x| out[k] = x);
+}
+
+#[allow(non_snake_case, clippy::all)]
+#[inline(always)]
+fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: impl FnMut(usize, S)) {
+    let [_, s2, s3, s4, s5, s6] = trig.sin;
+    let [_, c2, c3, c4, c5, c6] = trig.cos;
+    let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
+    let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6] = *ddq;
+    let A3 = S::constant(-0.57155);
+    let D4 = S::constant(0.17415);
+    let D5 = S::constant(0.11985);
+    let D6 = S::constant(0.11655);
+    let k0 = S::constant(9.81);
+    let k1 = S::constant(0.6127);
+    let k2 = S::constant(0.57155);
+    // link 2: motion
+    let [w2_x, w2_y, a2_x, a2_y, t6, t7, dw2_x, dw2_y] = {
+        let w2_x = s2 * dq1;
+        let w2_y = c2 * dq1;
+        let t2 = s2 * ddq1;
+        let t3 = c2 * ddq1;
+        let a2_x = s2 * k0;
+        let a2_y = c2 * k0;
+        let t6 = dq2 * w2_y;
+        let t7 = dq2 * w2_x;
+        let dw2_x = t2 + t6;
+        let dw2_y = t3 - t7;
+        put(0, ddq1); // row 1, ZZ1R
+        put(34, a2_y); // row 2, MSX2R
+        put(37, ddq2); // row 2, ZZ2R
+        put(39, t2); // row 2, XZ2R
+        put(40, t3); // row 2, YZ2
+        [w2_x, w2_y, a2_x, a2_y, t6, t7, dw2_x, dw2_y]
+    };
+    // link 3: motion
+    let [
+        w3_x, t15, t22, t23, t24, t25, t27, t28,
+        t29, t30, t33, t38, t41, w3_z, dw3_x, t46,
+        dw3_z,
+    ] = {
+        let w3_x = c3 * w2_x + s3 * w2_y;
+        let t15 = s3 * w2_x - c3 * w2_y;
+        let t22 = w2_x * w2_x;
+        let t23 = w2_y * w2_y;
+        let t24 = dq2 * dq2;
+        let t25 = w2_x * w2_y;
+        let t27 = ddq2 - t25;
+        let t28 = ddq2 + t25;
+        let t29 = dw2_y - t7;
+        let t30 = t6 + dw2_x;
+        let t33 = t29 * k1;
+        let t34 = a2_x + (t23 + t24) * k1;
+        let t35 = t28 * k1 - a2_y;
+        let t38 = s3 * t35 - c3 * t34;
+        let t41 = c3 * t35 + s3 * t34;
+        let w3_z = dq2 + dq3;
+        let dw3_x = c3 * dw2_x + s3 * dw2_y - dq3 * t15;
+        let t46 = s3 * dw2_x - c3 * dw2_y + dq3 * w3_x;
+        let dw3_z = ddq2 + ddq3;
+        put(44, dw3_z); // row 2, ZZ3R
+        put(70, t38); // row 3, MSY3
+        put(72, dw3_z); // row 3, ZZ3R
+        [
+        w3_x, t15, t22, t23, t24, t25, t27, t28,
+        t29, t30, t33, t38, t41, w3_z, dw3_x, t46,
+        dw3_z,
+    ]
+    };
+    // link 4: motion
+    let [
+        w4_x, t53, t60, t61, t62, t64, t65, t66,
+        t67, t69, t70, t72, t73, t86, t89, a4_y,
+        w4_z, t96, t97, dw4_z,
+    ] = {
+        let w4_x = c4 * w3_x - s4 * t15;
+        let t53 = c4 * t15 + s4 * w3_x;
+        let t60 = w3_x * w3_x;
+        let t61 = t15 * t15;
+        let t62 = w3_z * w3_z;
+        let t63 = w3_x * t15;
+        let t64 = w3_x * w3_z;
+        let t65 = t15 * w3_z;
+        let t66 = t61 + t62;
+        let t67 = dw3_z + t63;
+        let t68 = t64 - t46;
+        let t69 = t63 - dw3_z;
+        let t70 = t60 + t62;
+        let t71 = dw3_x + t65;
+        let t72 = t46 + t64;
+        let t73 = t65 - dw3_x;
+        let t84 = t38 - (t66 * k2 + D4 * t68);
+        let t85 = t41 + (D4 * t71 - t69 * k2);
+        let t86 = t33 - (t72 * k2 + D4 * (t60 + t61));
+        let t89 = c4 * t84 + s4 * t85;
+        let a4_y = s4 * t84 - c4 * t85;
+        let w4_z = w3_z + dq4;
+        let t96 = s4 * t46 - c4 * dw3_x + dq4 * t53;
+        let t97 = c4 * t46 + s4 * dw3_x + dq4 * w4_x;
+        let dw4_z = dw3_z + ddq4;
+        put(43, t63); // row 2, XX3R
+        put(46, t71); // row 2, XZ3R
+        put(47, t68); // row 2, YZ3
+        put(51, dw4_z); // row 2, ZZ4R
+        put(71, t63); // row 3, XX3R
+        put(74, t71); // row 3, XZ3R
+        put(75, t68); // row 3, YZ3
+        put(79, dw4_z); // row 3, ZZ4R
+        put(97, a4_y); // row 4, MSX4
+        put(98, t89); // row 4, MSY4R
+        put(100, dw4_z); // row 4, ZZ4R
+        [
+        w4_x, t53, t60, t61, t62, t64, t65, t66,
+        t67, t69, t70, t72, t73, t86, t89, a4_y,
+        w4_z, t96, t97, dw4_z,
+    ]
+    };
+    // link 5: motion
+    let [
+        w5_x, w5_y, t111, t112, t113, t115, t116, t117,
+        t118, t120, t121, t122, t123, t128, t132, a5_y,
+        w5_z, dw5_x, t140, dw5_z,
+    ] = {
+        let w5_x = c5 * w4_x + s5 * w4_z;
+        let w5_y = c5 * w4_z - s5 * w4_x;
+        let t111 = w4_x * w4_x;
+        let t112 = t53 * t53;
+        let t113 = w4_z * w4_z;
+        let t114 = w4_x * t53;
+        let t115 = w4_x * w4_z;
+        let t116 = t53 * w4_z;
+        let t117 = t112 + t113;
+        let t118 = dw4_z + t114;
+        let t119 = t115 - t97;
+        let t120 = t114 - dw4_z;
+        let t121 = t111 + t113;
+        let t122 = t97 + t115;
+        let t123 = t96 + t116;
+        let t127 = t89 - D5 * t118;
+        let t128 = a4_y + D5 * t121;
+        let t129 = t86 + D5 * t123;
+        let t132 = c5 * t127 - s5 * t129;
+        let a5_y = c5 * t129 + s5 * t127;
+        let w5_z = t53 + dq5;
+        let dw5_x = s5 * dw4_z - c5 * t96 + dq5 * w5_y;
+        let t140 = dq5 * w5_x - (c5 * dw4_z + s5 * t96);
+        let dw5_z = t97 + ddq5;
+        put(50, t114); // row 2, XX4R
+        put(54, t119); // row 2, YZ4
+        put(78, t114); // row 3, XX4R
+        put(82, t119); // row 3, YZ4
+        put(99, t114); // row 4, XX4R
+        put(103, t119); // row 4, YZ4
+        put(118, a5_y); // row 5, MSX5
+        put(119, t132); // row 5, MSY5R
+        put(121, dw5_z); // row 5, ZZ5R
+        [
+        w5_x, w5_y, t111, t112, t113, t115, t116, t117,
+        t118, t120, t121, t122, t123, t128, t132, a5_y,
+        w5_z, dw5_x, t140, dw5_z,
+    ]
+    };
+    // link 6: motion
+    let [
+        w6_x, t147, t154, t155, t156, t157, t158, t159,
+        t160, t161, t162, t163, t164, t165, t166, t167,
+        t172, t176, a6_y, w6_z, t183, t184, dw6_z,
+    ] = {
+        let w6_x = c6 * w5_x - s6 * w5_z;
+        let t147 = c6 * w5_z + s6 * w5_x;
+        let t154 = w5_x * w5_x;
+        let t155 = w5_y * w5_y;
+        let t156 = w5_z * w5_z;
+        let t157 = w5_x * w5_y;
+        let t158 = w5_x * w5_z;
+        let t159 = w5_y * w5_z;
+        let t160 = t155 + t156;
+        let t161 = dw5_z - t157;
+        let t162 = t158 - t140;
+        let t163 = dw5_z + t157;
+        let t164 = t154 + t156;
+        let t165 = dw5_x - t159;
+        let t166 = t140 + t158;
+        let t167 = dw5_x + t159;
+        let t171 = t132 + D6 * t161;
+        let t172 = D6 * t164 - a5_y;
+        let t173 = D6 * t167 - t128;
+        let t176 = c6 * t171 + s6 * t173;
+        let a6_y = s6 * t171 - c6 * t173;
+        let w6_z = w5_y + dq6;
+        let t183 = s6 * dw5_z - c6 * dw5_x + dq6 * t147;
+        let t184 = c6 * dw5_z + s6 * dw5_x + dq6 * w6_x;
+        let dw6_z = ddq6 - t140;
+        put(123, t165); // row 5, XZ5
+        put(124, t162); // row 5, YZ5
+        put(132, a6_y); // row 6, MSX6
+        put(133, t176); // row 6, MSY6
+        put(135, dw6_z); // row 6, ZZ6
+        [
+        w6_x, t147, t154, t155, t156, t157, t158, t159,
+        t160, t161, t162, t163, t164, t165, t166, t167,
+        t172, t176, a6_y, w6_z, t183, t184, dw6_z,
+    ]
+    };
+    // joint axes in frame 3
+    let [v1_3_z, z1_3_x, t192, t193, t194] = {
+        let v1_3_z = c2 * k1;
+        let z1_3_x = s2 * c3 + c2 * s3;
+        let t192 = s2 * s3 - c2 * c3;
+        let t193 = s3 * k1;
+        let t194 = c3 * k1;
+        [v1_3_z, z1_3_x, t192, t193, t194]
+    };
+    // joint axes in frame 4
+    let [
+        t198, t201, t204, t207, t210, t214, t217, t218,
+        v3_5_z,
+    ] = {
+        let t195 = D4 * t192;
+        let t196 = D4 * z1_3_x;
+        let t198 = k2 * t192 - v1_3_z;
+        let t201 = s4 * t192 - c4 * z1_3_x;
+        let t204 = c4 * t192 + s4 * z1_3_x;
+        let t207 = c4 * t195 + s4 * t196;
+        let t210 = s4 * t195 - c4 * t196;
+        let t211 = t194 - A3;
+        let t214 = c4 * t193 + s4 * t211;
+        let t217 = c4 * t211 - s4 * t193;
+        let t218 = s4 * k2;
+        let v3_5_z = c4 * k2;
+        [
+        t198, t201, t204, t207, t210, t214, t217, t218,
+        v3_5_z,
+    ]
+    };
+    // joint axes in frame 5
+    let [t220, t221] = {
+        let t220 = c5 * t201;
+        let t221 = s5 * t201;
+        [t220, t221]
+    };
+    // XX2: column
+    let t223 = {
+        let t223 = c2 * t7;
+        let t224 = s2 * dw2_x + t223;
+        put(1, t224); // row 1, XX2R
+        t223
+    };
+    // ZZ2: column
+    {
+        let t226 = s2 * t6 - t223;
+        put(2, t226); // row 1, ZZ2R
+    }
+    // XY2: column
+    {
+        let t227 = t22 - t23;
+        let t230 = s2 * t29 + c2 * t30;
+        put(3, t230); // row 1, XY2
+        put(38, t227); // row 2, XY2
+    }
+    // XZ2: column
+    {
+        let t234 = s2 * t28 + c2 * (t24 - t22);
+        put(4, t234); // row 1, XZ2R
+    }
+    // YZ2: column
+    {
+        let t238 = c2 * t27 - s2 * (t24 - t23);
+        put(5, t238); // row 1, YZ2
+    }
+    // MSX3: column
+    {
+        let t241 = t33 * t192 + t72 * v1_3_z;
+        let t245 = t66 * t193 + t69 * t194 - t41;
+        put(6, t241); // row 1, MSX3R
+        put(41, t245); // row 2, MSX3R
+    }
+    // MSY3: column
+    {
+        let t248 = t33 * z1_3_x - t73 * v1_3_z;
+        let t252 = t38 + (t67 * t193 + t70 * t194);
+        put(7, t248); // row 1, MSY3
+        put(42, t252); // row 2, MSY3
+    }
+    // XX3: column
+    let t254 = {
+        let t254 = t64 * t192;
+        let t255 = dw3_x * z1_3_x - t254;
+        put(8, t255); // row 1, XX3R
+        t254
+    };
+    // ZZ3: column
+    {
+        let t257 = t254 - t65 * z1_3_x;
+        put(9, t257); // row 1, ZZ3R
+    }
+    // XY3: column
+    {
+        let t258 = t60 - t61;
+        let t261 = t73 * t192 - t72 * z1_3_x;
+        put(10, t261); // row 1, XY3
+        put(45, t258); // row 2, XY3
+        put(73, t258); // row 3, XY3
+    }
+    // XZ3: column
+    {
+        let t265 = t192 * (t60 - t62) - t69 * z1_3_x;
+        put(11, t265); // row 1, XZ3R
+    }
+    // YZ3: column
+    {
+        let t269 = z1_3_x * (t61 - t62) - t67 * t192;
+        put(12, t269); // row 1, YZ3
+    }
+    // MSX4: column
+    {
+        let t276 = t86 * t204 - (t122 * t198 - (t117 * t207 - t120 * t210));
+        let t280 = a4_y + (t117 * t214 + t120 * t217);
+        let t284 = a4_y + (t117 * t218 + t120 * v3_5_z);
+        put(13, t276); // row 1, MSX4
+        put(48, t280); // row 2, MSX4
+        put(76, t284); // row 3, MSX4
+    }
+    // MSY4: column
+    {
+        let t291 = t123 * t198 + (t118 * t207 - t121 * t210) - t86 * t201;
+        let t295 = t89 + (t118 * t214 + t121 * t217);
+        let t299 = t89 + (t118 * t218 + t121 * v3_5_z);
+        put(14, t291); // row 1, MSY4R
+        put(49, t295); // row 2, MSY4R
+        put(77, t299); // row 3, MSY4R
+    }
+    // XX4: column
+    let t301 = {
+        let t301 = t115 * t204;
+        let t302 = t96 * t201 - t301;
+        put(15, t302); // row 1, XX4R
+        t301
+    };
+    // ZZ4: column
+    {
+        let t304 = t301 + t116 * t201;
+        put(16, t304); // row 1, ZZ4R
+    }
+    // XY4: column
+    {
+        let t305 = t111 - t112;
+        let t308 = t122 * t201 + t123 * t204;
+        put(17, t308); // row 1, XY4
+        put(52, t305); // row 2, XY4
+        put(80, t305); // row 3, XY4
+        put(101, t305); // row 4, XY4
+    }
+    // XZ4: column
+    {
+        let t310 = t116 - t96;
+        let t313 = t120 * t201 - t204 * (t113 - t111);
+        put(18, t313); // row 1, XZ4
+        put(53, t310); // row 2, XZ4
+        put(81, t310); // row 3, XZ4
+        put(102, t310); // row 4, XZ4
+    }
+    // YZ4: column
+    {
+        let t317 = t201 * (t113 - t112) - t118 * t204;
+        put(19, t317); // row 1, YZ4
+    }
+    // MSX5: column
+    let [t319, t324, t325] = {
+        let t319 = s5 * t163;
+        let t320 = c5 * t160 + t319;
+        let t323 = c5 * t163 - s5 * t160;
+        let t324 = s5 * t128;
+        let t325 = c5 * t128;
+        let t329 = t325 - D5 * t320;
+        let t337 = t207 * t320 - t166 * t210 - t198 * t323;
+        let t338 = t201 * (t324 + D5 * t323) + a5_y * t204 + t337;
+        let t342 = t329 + (t214 * t320 + t166 * t217);
+        let t346 = t329 + (t218 * t320 + t166 * v3_5_z);
+        put(20, t338); // row 1, MSX5
+        put(55, t342); // row 2, MSX5
+        put(83, t346); // row 3, MSX5
+        put(104, t329); // row 4, MSX5
+        [t319, t324, t325]
+    };
+    // MSY5: column
+    let t347 = {
+        let t347 = c5 * t161;
+        let t349 = s5 * t164 - t347;
+        let t352 = s5 * t161 + c5 * t164;
+        let t356 = D5 * t349 - t324;
+        let t364 = t207 * t349 + t167 * t210 - t198 * t352;
+        let t365 = t201 * (t325 - D5 * t352) + t132 * t204 - t364;
+        let t369 = t356 + (t167 * t217 - t214 * t349);
+        let t373 = t356 + (t167 * v3_5_z - t218 * t349);
+        put(21, t365); // row 1, MSY5R
+        put(56, t369); // row 2, MSY5R
+        put(84, t373); // row 3, MSY5R
+        put(105, t356); // row 4, MSY5R
+        t347
+    };
+    // XX5: column
+    let [t375, t380] = {
+        let t375 = t158 * t221;
+        let t378 = t375 - dw5_x * t220 - t157 * t204;
+        let t380 = c5 * t158;
+        let t381 = s5 * dw5_x + t380;
+        put(22, t378); // row 1, XX5R
+        put(57, t381); // row 2, XX5R
+        put(85, t381); // row 3, XX5R
+        put(106, t381); // row 4, XX5R
+        [t375, t380]
+    };
+    // ZZ5: column
+    {
+        let t385 = dw5_z * t204 - (t375 + t159 * t220);
+        let t387 = s5 * t159 - t380;
+        put(23, t385); // row 1, ZZ5R
+        put(58, t387); // row 2, ZZ5R
+        put(86, t387); // row 3, ZZ5R
+        put(107, t387); // row 4, ZZ5R
+    }
+    // XY5: column
+    {
+        let t388 = t154 - t155;
+        let t393 = t204 * t388 + (t166 * t220 + t167 * t221);
+        let t396 = c5 * t167 - s5 * t166;
+        put(24, t393); // row 1, XY5
+        put(59, t396); // row 2, XY5
+        put(87, t396); // row 3, XY5
+        put(108, t396); // row 4, XY5
+        put(122, t388); // row 5, XY5
+    }
+    // XZ5: column
+    {
+        let t397 = t156 - t154;
+        let t402 = t165 * t204 - (t163 * t220 - t221 * t397);
+        let t404 = t319 + c5 * t397;
+        put(25, t402); // row 1, XZ5
+        put(60, t404); // row 2, XZ5
+        put(88, t404); // row 3, XZ5
+        put(109, t404); // row 4, XZ5
+    }
+    // YZ5: column
+    {
+        let t405 = t156 - t155;
+        let t410 = t162 * t204 + (t220 * t405 + t161 * t221);
+        let t412 = t347 - s5 * t405;
+        put(26, t410); // row 1, YZ5
+        put(61, t412); // row 2, YZ5
+        put(89, t412); // row 3, YZ5
+        put(110, t412); // row 4, YZ5
+    }
+    // MSX6: column
+    let [
+        t413, t414, t415, t416, t417, t418, t420, t421,
+        t423, t424, t425, t426, t428, t431, t433, t434,
+    ] = {
+        let t413 = w6_x * w6_x;
+        let t414 = t147 * t147;
+        let t415 = w6_z * w6_z;
+        let t416 = w6_x * t147;
+        let t417 = w6_x * w6_z;
+        let t418 = t147 * w6_z;
+        let t419 = t414 + t415;
+        let t420 = dw6_z + t416;
+        let t421 = t417 - t184;
+        let t422 = dw6_z - t416;
+        let t423 = t413 + t415;
+        let t424 = t418 - t183;
+        let t425 = t184 + t417;
+        let t426 = t183 + t418;
+        let t428 = s6 * t422;
+        let t429 = c6 * t419 + t428;
+        let t431 = c6 * t422;
+        let t432 = s6 * t419 - t431;
+        let t433 = s6 * t172;
+        let t434 = c6 * t172;
+        let t437 = D6 * t432 - t433;
+        let t438 = D6 * t429 - t434;
+        let t441 = c5 * t429 + s5 * t425;
+        let t444 = c5 * t425 - s5 * t429;
+        let t454 = s5 * t437 + c5 * a6_y - D5 * t441;
+        let t457 = t204 * t438 - t201 * (c5 * t437 - s5 * a6_y - D5 * t444);
+        let t463 = t457 + (t207 * t441 - t210 * t432 - t198 * t444);
+        let t467 = t454 + (t214 * t441 + t217 * t432);
+        let t471 = t454 + (t218 * t441 + v3_5_z * t432);
+        put(27, t463); // row 1, MSX6
+        put(62, t467); // row 2, MSX6
+        put(90, t471); // row 3, MSX6
+        put(111, t454); // row 4, MSX6
+        put(125, t438); // row 5, MSX6
+        put(134, t416); // row 6, XX6R
+        put(137, t424); // row 6, XZ6
+        put(138, t421); // row 6, YZ6
+        [
+        t413, t414, t415, t416, t417, t418, t420, t421,
+        t423, t424, t425, t426, t428, t431, t433, t434,
+    ]
+    };
+    // MSY6: column
+    let [t472, t475] = {
+        let t472 = c6 * t420;
+        let t474 = s6 * t423 - t472;
+        let t475 = s6 * t420;
+        let t477 = t475 + c6 * t423;
+        let t480 = t434 - D6 * t477;
+        let t481 = t433 - D6 * t474;
+        let t484 = c5 * t474 + s5 * t426;
+        let t487 = s5 * t474 - c5 * t426;
+        let t497 = c5 * t176 - s5 * t480 + D5 * t484;
+        let t500 = t201 * (c5 * t480 + s5 * t176 + D5 * t487) + t204 * t481;
+        let t506 = t500 - (t198 * t487 + (t207 * t484 + t210 * t477));
+        let t510 = t497 + (t217 * t477 - t214 * t484);
+        let t514 = t497 + (v3_5_z * t477 - t218 * t484);
+        put(28, t506); // row 1, MSY6
+        put(63, t510); // row 2, MSY6
+        put(91, t514); // row 3, MSY6
+        put(112, t497); // row 4, MSY6
+        put(126, t481); // row 5, MSY6
+        [t472, t475]
+    };
+    // XX6: column
+    let [t516, t519] = {
+        let t516 = s6 * t417;
+        let t517 = c6 * t183 + t516;
+        let t519 = c6 * t417;
+        let t520 = s6 * t183 - t519;
+        let t525 = t204 * t520 + (t220 * t517 + t221 * t416);
+        let t528 = c5 * t416 - s5 * t517;
+        put(29, t525); // row 1, XX6R
+        put(64, t528); // row 2, XX6R
+        put(92, t528); // row 3, XX6R
+        put(113, t528); // row 4, XX6R
+        put(127, t520); // row 5, XX6R
+        [t516, t519]
+    };
+    // ZZ6: column
+    {
+        let t530 = t516 - c6 * t418;
+        let t532 = t519 + s6 * t418;
+        let t537 = t204 * t532 + (dw6_z * t221 - t220 * t530);
+        let t540 = s5 * t530 + c5 * dw6_z;
+        put(30, t537); // row 1, ZZ6
+        put(65, t540); // row 2, ZZ6
+        put(93, t540); // row 3, ZZ6
+        put(114, t540); // row 4, ZZ6
+        put(128, t532); // row 5, ZZ6
+    }
+    // XY6: column
+    {
+        let t541 = t413 - t414;
+        let t544 = c6 * t425 - s6 * t426;
+        let t547 = s6 * t425 + c6 * t426;
+        let t552 = t204 * t547 + (t220 * t544 + t221 * t541);
+        let t555 = c5 * t541 - s5 * t544;
+        put(31, t552); // row 1, XY6
+        put(66, t555); // row 2, XY6
+        put(94, t555); // row 3, XY6
+        put(115, t555); // row 4, XY6
+        put(129, t547); // row 5, XY6
+        put(136, t541); // row 6, XY6
+    }
+    // XZ6: column
+    {
+        let t556 = t413 - t415;
+        let t558 = t431 + s6 * t556;
+        let t560 = c6 * t556 - t428;
+        let t565 = t204 * t560 + (t221 * t424 - t220 * t558);
+        let t568 = s5 * t558 + c5 * t424;
+        put(32, t565); // row 1, XZ6
+        put(67, t568); // row 2, XZ6
+        put(95, t568); // row 3, XZ6
+        put(116, t568); // row 4, XZ6
+        put(130, t560); // row 5, XZ6
+    }
+    // YZ6: column
+    {
+        let t569 = t415 - t414;
+        let t571 = t475 + c6 * t569;
+        let t573 = s6 * t569 - t472;
+        let t578 = t204 * t573 + (t220 * t571 + t221 * t421);
+        let t581 = c5 * t421 - s5 * t571;
+        let t582 = -a2_x;
+        let t583 = -t25;
+        let t584 = -t41;
+        let t585 = -t157;
+        put(33, t578); // row 1, YZ6
+        put(35, t582); // row 2, MSY2
+        put(36, t583); // row 2, XX2R
+        put(68, t581); // row 2, YZ6
+        put(69, t584); // row 3, MSX3R
+        put(96, t581); // row 3, YZ6
+        put(117, t581); // row 4, YZ6
+        put(120, t585); // row 5, XX5R
+        put(131, t573); // row 5, YZ6
+    }
+}

@@ -1,0 +1,508 @@
+//! Closed-form kinematics and dynamics of `ur10e`: 6 degrees of freedom, 36 base parameters.
+//!
+//! Written by denavit 0.1.0 from the robot file with digest bb7cec90929ef43f; do not edit, run `denavit generate` again.
+//!
+//! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Nothing is allocated; nothing but `core` is used.
+//! Kernels ([`kernel`]) take sines and cosines ([`Trig`]); the functions here take `q`.
+//! All are generic over [`runtime::Scalar`]: `f64`, `f32` and packs of states run the same text.
+//!
+//! | function | result | multiplications | additions |
+//! |---|---|---|---|
+//! | [`frames`]: DH frames of all rows in the base frame | 6 x 3 x 4 | 64 | 50 |
+//! | [`forward_kinematics`]: The last DH frame in the base frame | 3 x 4 | 64 | 35 |
+//! | [`tool_pose`]: The tool frame in the base frame | 3 x 4 | 64 | 35 |
+//! | [`jacobian`]: Jacobian of the last DH frame's origin, in base axes | 6 x 6 | 65 | 40 |
+//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 158 | 91 |
+//! | [`inverse_dynamics`]: Torques from the standard parameters | 6 | 301 | 299 |
+//! | [`inverse_dynamics_base`]: Torques from the base parameters | 6 | 262 | 247 |
+//! | [`mass_matrix`]: Mass matrix `M`, symmetric, kg m^2 | 6 x 6 | 163 | 143 |
+//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 6 | 247 | 223 |
+//! | [`gravity`]: Gravity torques `g` | 6 | 48 | 26 |
+//! | [`forward_dynamics`]: Accelerations that torques cause | 6 | 531 | 441 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 60 | 438 | 344 |
+//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 6 x 36 | 328 | 258 |
+//! | [`gravity_regressor`]: Regressor at rest | 6 x 60 | 111 | 63 |
+//! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 60 | 127 | 50 |
+//! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 60 | 32 | 12 |
+//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 6 x 10 | 270 | 190 |
+
+#![no_std]
+#![deny(unsafe_code)]
+#![warn(missing_docs)]
+#![allow(clippy::all)]
+
+#[cfg(test)]
+extern crate std;
+
+pub mod kernel;
+pub mod runtime;
+#[cfg(test)]
+mod tests;
+
+use runtime::Scalar;
+
+/// Name of the robot.
+pub const NAME: &str = "ur10e";
+/// Degrees of freedom.
+pub const DOF: usize = 6;
+/// Rows of the DH table, fixed ones too.
+pub const ROWS: usize = 6;
+/// Standard parameters: ten per row, then the drives'.
+pub const STANDARD: usize = 60;
+/// Base parameters.
+pub const BASE: usize = 36;
+
+/// Joints, in the order of `q`.
+pub const JOINT_NAMES: [&str; DOF] = [
+    "base",
+    "shoulder",
+    "elbow",
+    "wrist1",
+    "wrist2",
+    "wrist3",
+];
+/// Standard parameters, in the order of the regressor's columns (SI; tensors about the frame's origin).
+pub const STANDARD_NAMES: [&str; STANDARD] = [
+    "M1",
+    "MSX1",
+    "MSY1",
+    "MSZ1",
+    "XX1",
+    "YY1",
+    "ZZ1",
+    "XY1",
+    "XZ1",
+    "YZ1",
+    "M2",
+    "MSX2",
+    "MSY2",
+    "MSZ2",
+    "XX2",
+    "YY2",
+    "ZZ2",
+    "XY2",
+    "XZ2",
+    "YZ2",
+    "M3",
+    "MSX3",
+    "MSY3",
+    "MSZ3",
+    "XX3",
+    "YY3",
+    "ZZ3",
+    "XY3",
+    "XZ3",
+    "YZ3",
+    "M4",
+    "MSX4",
+    "MSY4",
+    "MSZ4",
+    "XX4",
+    "YY4",
+    "ZZ4",
+    "XY4",
+    "XZ4",
+    "YZ4",
+    "M5",
+    "MSX5",
+    "MSY5",
+    "MSZ5",
+    "XX5",
+    "YY5",
+    "ZZ5",
+    "XY5",
+    "XZ5",
+    "YZ5",
+    "M6",
+    "MSX6",
+    "MSY6",
+    "MSZ6",
+    "XX6",
+    "YY6",
+    "ZZ6",
+    "XY6",
+    "XZ6",
+    "YZ6",
+];
+/// Base parameters, in the order of the base regressor's columns.
+pub const BASE_NAMES: [&str; BASE] = [
+    "ZZ1R",
+    "MSX2R",
+    "MSY2",
+    "XX2R",
+    "ZZ2R",
+    "XY2",
+    "XZ2R",
+    "YZ2",
+    "MSX3R",
+    "MSY3",
+    "XX3R",
+    "ZZ3R",
+    "XY3",
+    "XZ3R",
+    "YZ3",
+    "MSX4",
+    "MSY4R",
+    "XX4R",
+    "ZZ4R",
+    "XY4",
+    "XZ4",
+    "YZ4",
+    "MSX5",
+    "MSY5R",
+    "XX5R",
+    "ZZ5R",
+    "XY5",
+    "XZ5",
+    "YZ5",
+    "MSX6",
+    "MSY6",
+    "XX6R",
+    "ZZ6",
+    "XY6",
+    "XZ6",
+    "YZ6",
+];
+/// What each base parameter groups, in the constants of the robot file.
+pub const BASE_GROUPINGS: [&str; BASE] = [
+    "ZZ1R = ZZ1 + YY2 + YY3 + YY4 + A2^2*M3 + (A2^2 + A3^2 + D4^2)*(M4 + M5 + M6) + 2*D4*MSZ4",
+    "MSX2R = MSX2 + A2*(M3 + M4 + M5 + M6)",
+    "MSY2 = MSY2",
+    "XX2R = XX2 - YY2 - A2^2*(M3 + M4 + M5 + M6)",
+    "ZZ2R = ZZ2 + A2^2*(M3 + M4 + M5 + M6)",
+    "XY2 = XY2",
+    "XZ2R = XZ2 - A2*(MSZ3 + MSZ4) - A2*D4*(M4 + M5 + M6)",
+    "YZ2 = YZ2",
+    "MSX3R = MSX3 + A3*(M4 + M5 + M6)",
+    "MSY3 = MSY3",
+    "XX3R = XX3 - YY3 - A3^2*(M4 + M5 + M6)",
+    "ZZ3R = ZZ3 + A3^2*(M4 + M5 + M6)",
+    "XY3 = XY3",
+    "XZ3R = XZ3 - A3*D4*(M4 + M5 + M6) - A3*MSZ4",
+    "YZ3 = YZ3",
+    "MSX4 = MSX4",
+    "MSY4R = MSY4 - D5*(M5 + M6) - MSZ5",
+    "XX4R = XX4 - YY4 + D5^2*(M5 + M6) + 2*D5*MSZ5 + YY5",
+    "ZZ4R = ZZ4 + D5^2*(M5 + M6) + 2*D5*MSZ5 + YY5",
+    "XY4 = XY4",
+    "XZ4 = XZ4",
+    "YZ4 = YZ4",
+    "MSX5 = MSX5",
+    "MSY5R = MSY5 + D6*M6 + MSZ6",
+    "XX5R = XX5 - YY5 + D6^2*M6 + 2*D6*MSZ6 + YY6",
+    "ZZ5R = ZZ5 + D6^2*M6 + 2*D6*MSZ6 + YY6",
+    "XY5 = XY5",
+    "XZ5 = XZ5",
+    "YZ5 = YZ5",
+    "MSX6 = MSX6",
+    "MSY6 = MSY6",
+    "XX6R = XX6 - YY6",
+    "ZZ6 = ZZ6",
+    "XY6 = XY6",
+    "XZ6 = XZ6",
+    "YZ6 = YZ6",
+];
+/// The same as numbers: index into the standard parameters, and factor.
+pub const BASE_COEFFICIENTS: [&[(usize, f64)]; BASE] = [
+    &[(6, 1.0), (15, 1.0), (20, 0.37540129000000005), (25, 1.0), (30, 0.732398915), (33, 0.3483), (35, 1.0), (40, 0.732398915), (50, 0.732398915)],
+    &[(11, 1.0), (20, -0.6127), (30, -0.6127), (40, -0.6127), (50, -0.6127)],
+    &[(12, 1.0)],
+    &[(14, 1.0), (15, -1.0), (20, -0.37540129000000005), (30, -0.37540129000000005), (40, -0.37540129000000005), (50, -0.37540129000000005)],
+    &[(16, 1.0), (20, 0.37540129000000005), (30, 0.37540129000000005), (40, 0.37540129000000005), (50, 0.37540129000000005)],
+    &[(17, 1.0)],
+    &[(18, 1.0), (23, 0.6127), (30, 0.10670170500000001), (33, 0.6127), (40, 0.10670170500000001), (50, 0.10670170500000001)],
+    &[(19, 1.0)],
+    &[(21, 1.0), (30, -0.57155), (40, -0.57155), (50, -0.57155)],
+    &[(22, 1.0)],
+    &[(24, 1.0), (25, -1.0), (30, -0.3266694025), (40, -0.3266694025), (50, -0.3266694025)],
+    &[(26, 1.0), (30, 0.3266694025), (40, 0.3266694025), (50, 0.3266694025)],
+    &[(27, 1.0)],
+    &[(28, 1.0), (30, 0.0995354325), (33, 0.57155), (40, 0.0995354325), (50, 0.0995354325)],
+    &[(29, 1.0)],
+    &[(31, 1.0)],
+    &[(32, 1.0), (40, -0.11985), (43, -1.0), (50, -0.11985)],
+    &[(34, 1.0), (35, -1.0), (40, 0.0143640225), (43, 0.2397), (45, 1.0), (50, 0.0143640225)],
+    &[(36, 1.0), (40, 0.0143640225), (43, 0.2397), (45, 1.0), (50, 0.0143640225)],
+    &[(37, 1.0)],
+    &[(38, 1.0)],
+    &[(39, 1.0)],
+    &[(41, 1.0)],
+    &[(42, 1.0), (50, 0.11655), (53, 1.0)],
+    &[(44, 1.0), (45, -1.0), (50, 0.0135839025), (53, 0.2331), (55, 1.0)],
+    &[(46, 1.0), (50, 0.0135839025), (53, 0.2331), (55, 1.0)],
+    &[(47, 1.0)],
+    &[(48, 1.0)],
+    &[(49, 1.0)],
+    &[(51, 1.0)],
+    &[(52, 1.0)],
+    &[(54, 1.0), (55, -1.0)],
+    &[(56, 1.0)],
+    &[(57, 1.0)],
+    &[(58, 1.0)],
+    &[(59, 1.0)],
+];
+
+/// Constant `D1` of the robot file.
+#[allow(non_upper_case_globals)]
+pub const D1: f64 = 0.1807;
+/// Constant `A2` of the robot file.
+#[allow(non_upper_case_globals)]
+pub const A2: f64 = -0.6127;
+/// Constant `A3` of the robot file.
+#[allow(non_upper_case_globals)]
+pub const A3: f64 = -0.57155;
+/// Constant `D4` of the robot file.
+#[allow(non_upper_case_globals)]
+pub const D4: f64 = 0.17415;
+/// Constant `D5` of the robot file.
+#[allow(non_upper_case_globals)]
+pub const D5: f64 = 0.11985;
+/// Constant `D6` of the robot file.
+#[allow(non_upper_case_globals)]
+pub const D6: f64 = 0.11655;
+/// Lower and upper position of each joint, rad or m.
+pub const POSITION_LIMITS: [Option<[f64; 2]>; DOF] = [Some([-6.283185307179586, 6.283185307179586]), Some([-6.283185307179586, 6.283185307179586]), Some([-6.283185307179586, 6.283185307179586]), Some([-6.283185307179586, 6.283185307179586]), Some([-6.283185307179586, 6.283185307179586]), Some([-6.283185307179586, 6.283185307179586])];
+/// Largest speeds, rad/s or m/s.
+pub const VELOCITY_LIMITS: [Option<f64>; DOF] = [Some(2.0943951023931953), Some(2.0943951023931953), Some(3.141592653589793), Some(3.141592653589793), Some(3.141592653589793), Some(3.141592653589793)];
+/// Largest accelerations, rad/s^2 or m/s^2.
+pub const ACCELERATION_LIMITS: [Option<f64>; DOF] = [None, None, None, None, None, None];
+/// Largest torques or forces, N m or N.
+pub const TORQUE_LIMITS: [Option<f64>; DOF] = [Some(330.0), Some(330.0), Some(150.0), Some(56.0), Some(56.0), Some(56.0)];
+/// The robot file's standard parameters, its tool in the last link.
+pub const STANDARD_VALUES: Option<[f64; STANDARD]> = Some([7.369, 0.154749, -0.198963, 0.0, 0.03519126166, 0.03306898966, 0.0293470425, 0.004178223, 0.0, 0.0, 13.051, -3.0369677, 0.0, 2.062058, 0.3625111015, 1.458208158, 1.132402994, 0.0, 0.4798408966, 0.0, 3.989, -1.32255295, 0.0, 0.271252, 0.0296641985, 0.571137406, 0.55269227, 0.0, 0.0899336006, 0.0, 2.1, 0.0, -0.0378, 0.0147, 0.006256422811, 0.005576022811, 0.00658665, 0.0, 0.0, 0.0002646, 1.98, 0.0, 0.03564, -0.01386, 0.005898912936, 0.005257392936, 0.00621027, 0.0, 0.0, 0.00024948, 0.615, 0.0, 0.0, -0.01599, 0.0008552085742, 0.0008552085742, 0.0006226875, 0.0, 0.0, 0.0]);
+/// Name, multiplications and additions of each function, sines and cosines apart (`DOF` pairs).
+pub const OPERATIONS: [(&str, usize, usize); 17] = [
+    ("frames", 64, 50),
+    ("forward_kinematics", 64, 35),
+    ("tool_pose", 64, 35),
+    ("jacobian", 65, 40),
+    ("jacobian_dot_velocity", 158, 91),
+    ("inverse_dynamics", 301, 299),
+    ("inverse_dynamics_base", 262, 247),
+    ("mass_matrix", 163, 143),
+    ("coriolis", 247, 223),
+    ("gravity", 48, 26),
+    ("forward_dynamics", 531, 441),
+    ("regressor", 438, 344),
+    ("base_regressor", 328, 258),
+    ("gravity_regressor", 111, 63),
+    ("kinetic_energy_regressor", 127, 50),
+    ("potential_energy_regressor", 32, 12),
+    ("payload_regressor", 270, 190),
+];
+
+/// A configuration with the sines and cosines that all kernels share: make it once per state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Trig<S> {
+    /// Positions, rad or m.
+    pub q: [S; DOF],
+    /// Sines of the joint angles, constant offsets (quarter turns apart) included.
+    pub sin: [S; DOF],
+    /// Their cosines.
+    pub cos: [S; DOF],
+}
+
+impl<S: Scalar> Trig<S> {
+    /// Sines and cosines of all joint angles together.
+    #[must_use]
+    #[inline]
+    pub fn new(q: &[S; DOF]) -> Self {
+        let (sin, cos) = S::sin_cos_all(q);
+        Self { q: *q, sin, cos }
+    }
+}
+
+/// Base parameters from standard ones, `beta = K phi`.
+#[must_use]
+pub fn base_parameters<S: Scalar>(phi: &[S; STANDARD]) -> [S; BASE] {
+    core::array::from_fn(|k| {
+        BASE_COEFFICIENTS[k].iter().fold(S::default(), |sum, &(i, c)| sum + phi[i] * S::constant(c))
+    })
+}
+
+/// DH frames of all rows in the base frame.
+///
+/// `out[i]` is the top three rows of the homogeneous matrix `T(0, i+1)`, m and one. Khalil and Dombre, 3.2. Packed form: [`kernel::frames::packed`].
+#[must_use]
+#[inline]
+pub fn frames<S: Scalar>(q: &[S; DOF]) -> [[[S; 4]; 3]; 6] {
+    let mut out = [[[S::default(); 4]; 3]; 6];
+    kernel::frames::dense(&Trig::new(q), &mut out);
+    out
+}
+
+/// The last DH frame in the base frame.
+///
+/// `out` is the top three rows of `T(0, n)`: axes of the frame as columns, then its origin, m. Khalil and Dombre, 3.2.
+#[must_use]
+#[inline]
+pub fn forward_kinematics<S: Scalar>(q: &[S; DOF]) -> [[S; 4]; 3] {
+    let mut out = [[S::default(); 4]; 3];
+    kernel::forward_kinematics::dense(&Trig::new(q), &mut out);
+    out
+}
+
+/// The tool frame in the base frame.
+///
+/// Like `forward_kinematics`, followed by the tool's pose (the identity where the robot file has no tool).
+#[must_use]
+#[inline]
+pub fn tool_pose<S: Scalar>(q: &[S; DOF]) -> [[S; 4]; 3] {
+    let mut out = [[S::default(); 4]; 3];
+    kernel::tool_pose::dense(&Trig::new(q), &mut out);
+    out
+}
+
+/// Jacobian of the last DH frame's origin, in base axes.
+///
+/// `(v, w) = J dq`: rows 0-2 linear, m/s, rows 3-5 angular, rad/s. Khalil and Dombre, 5.2. Packed form: [`kernel::jacobian::packed`].
+#[must_use]
+#[inline]
+pub fn jacobian<S: Scalar>(q: &[S; DOF]) -> [[S; 6]; 6] {
+    let mut out = [[S::default(); 6]; 6];
+    kernel::jacobian::dense(&Trig::new(q), &mut out);
+    out
+}
+
+/// Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`.
+///
+/// In base axes; entries 0-2 linear, m/s^2, 3-5 angular, rad/s^2. Khalil and Dombre, 5.10.
+#[must_use]
+#[inline]
+pub fn jacobian_dot_velocity<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 6] {
+    let mut out = [S::default(); 6];
+    kernel::jacobian_dot_velocity::dense(&Trig::new(q), dq, &mut out);
+    out
+}
+
+/// Torques from the standard parameters.
+///
+/// `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil and Dombre, 9.5.2.
+#[must_use]
+#[inline]
+pub fn inverse_dynamics<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; STANDARD]) -> [S; 6] {
+    let mut out = [S::default(); 6];
+    kernel::inverse_dynamics::dense(&Trig::new(q), dq, ddq, phi, &mut out);
+    out
+}
+
+/// Torques from the base parameters.
+///
+/// `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil and Dombre, 9.6.
+#[must_use]
+#[inline]
+pub fn inverse_dynamics_base<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; BASE]) -> [S; 6] {
+    let mut out = [S::default(); 6];
+    kernel::inverse_dynamics_base::dense(&Trig::new(q), dq, ddq, beta, &mut out);
+    out
+}
+
+/// Mass matrix `M`, symmetric, kg m^2.
+///
+/// From the base parameters, rotors on the diagonal, by composite bodies. Featherstone, 6.2.
+#[must_use]
+#[inline]
+pub fn mass_matrix<S: Scalar>(q: &[S; DOF], beta: &[S; BASE]) -> [[S; 6]; 6] {
+    let mut out = [[S::default(); 6]; 6];
+    kernel::mass_matrix::dense(&Trig::new(q), beta, &mut out);
+    out
+}
+
+/// Coriolis and centrifugal torques `C dq`.
+///
+/// N m, from the base parameters; no gravity, no friction.
+#[must_use]
+#[inline]
+pub fn coriolis<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], beta: &[S; BASE]) -> [S; 6] {
+    let mut out = [S::default(); 6];
+    kernel::coriolis::dense(&Trig::new(q), dq, beta, &mut out);
+    out
+}
+
+/// Gravity torques `g`.
+///
+/// N m, from the base parameters: what holds the arm up at rest.
+#[must_use]
+#[inline]
+pub fn gravity<S: Scalar>(q: &[S; DOF], beta: &[S; BASE]) -> [S; 6] {
+    let mut out = [S::default(); 6];
+    kernel::gravity::dense(&Trig::new(q), beta, &mut out);
+    out
+}
+
+/// Accelerations that torques cause.
+///
+/// `ddq = M^-1 (tau - C dq - g - friction)`, rad/s^2, from the base parameters; `M = L D L'` written out.
+#[must_use]
+#[inline]
+pub fn forward_dynamics<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], tau: &[S; DOF], beta: &[S; BASE]) -> [S; 6] {
+    let mut out = [S::default(); 6];
+    kernel::forward_dynamics::dense(&Trig::new(q), dq, tau, beta, &mut out);
+    out
+}
+
+/// Regressor `W` of the standard parameters.
+///
+/// `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4. Packed form: [`kernel::regressor::packed`].
+#[must_use]
+#[inline]
+pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 60]; 6] {
+    let mut out = [[S::default(); 60]; 6];
+    kernel::regressor::dense(&Trig::new(q), dq, ddq, &mut out);
+    out
+}
+
+/// Regressor `W_b` of the base parameters.
+///
+/// `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4. Packed form: [`kernel::base_regressor::packed`].
+#[must_use]
+#[inline]
+pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 36]; 6] {
+    let mut out = [[S::default(); 36]; 6];
+    kernel::base_regressor::dense(&Trig::new(q), dq, ddq, &mut out);
+    out
+}
+
+/// Regressor at rest.
+///
+/// `g = W_g phi` for the links' parameters only; columns as the first of `STANDARD_NAMES`. Packed form: [`kernel::gravity_regressor::packed`].
+#[must_use]
+#[inline]
+pub fn gravity_regressor<S: Scalar>(q: &[S; DOF]) -> [[S; 60]; 6] {
+    let mut out = [[S::default(); 60]; 6];
+    kernel::gravity_regressor::dense(&Trig::new(q), &mut out);
+    out
+}
+
+/// Kinetic energy, one entry per standard parameter.
+///
+/// `T = h phi`, J per unit. Khalil and Dombre, 9.4. Packed form: [`kernel::kinetic_energy_regressor::packed`].
+#[must_use]
+#[inline]
+pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 60] {
+    let mut out = [S::default(); 60];
+    kernel::kinetic_energy_regressor::dense(&Trig::new(q), dq, &mut out);
+    out
+}
+
+/// Potential energy, one entry per standard parameter.
+///
+/// `U = h phi`, J per unit, zero at the base frame's origin; an offset torque counts as `FO q`. Packed form: [`kernel::potential_energy_regressor::packed`].
+#[must_use]
+#[inline]
+pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 60] {
+    let mut out = [S::default(); 60];
+    kernel::potential_energy_regressor::dense(&Trig::new(q), &mut out);
+    out
+}
+
+/// Regressor of a body fixed to the tool frame.
+///
+/// `tau = W_L phi_L`, columns `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool frame, about its origin (the paper's (7)). Packed form: [`kernel::payload_regressor::packed`].
+#[must_use]
+#[inline]
+pub fn payload_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 10]; 6] {
+    let mut out = [[S::default(); 10]; 6];
+    kernel::payload_regressor::dense(&Trig::new(q), dq, ddq, &mut out);
+    out
+}
