@@ -1,6 +1,6 @@
 //! Each function of two arms: generated for one state, generated for packs of eight, interpreted in batches, numeric in nalgebra.
 //! Sines and cosines are included everywhere. `cargo bench` prints medians per call; a call of `pack` is eight states and one of
-//! `batch` is 1024.
+//! `batch` is 1000.
 //!
 //! For the figures of the README: `RUSTFLAGS="-C target-cpu=native" cargo bench --bench kernels`.
 
@@ -16,7 +16,7 @@ fn main() {
 }
 
 /// States in a batch.
-const BATCH: usize = 1024;
+const BATCH: usize = 1000;
 
 fn robot(name: &str) -> Robot {
     let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR"));

@@ -3,7 +3,7 @@
 use super::tape::{Instruction, Kind, Operand, Tape};
 
 /// States that are carried through the tape together.
-pub const LANES: usize = 32;
+pub const LANES: usize = 64;
 
 type Lane = [f64; LANES];
 
@@ -160,15 +160,11 @@ impl Evaluator {
     }
 }
 
-/// The meaning of `Sign`: what the generated crates' `Scalar::sign` does.
+/// The meaning of `Sign`: what the generated crates' `Scalar::sign` does. By selection, which vectorises, not by branches.
 fn sign(x: f64) -> f64 {
-    if x > 0.0 {
-        1.0
-    } else if x < 0.0 {
-        -1.0
-    } else {
-        x * 0.0
-    }
+    let positive = if x > 0.0 { 1.0 } else { 0.0 };
+    let negative = if x < 0.0 { 1.0 } else { 0.0 };
+    if x.is_nan() { x } else { positive - negative }
 }
 
 /// Slots in use and free ones.
