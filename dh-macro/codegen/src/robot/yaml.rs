@@ -111,7 +111,9 @@ fn what_for(info: &str) -> String {
 fn mend_for(info: &str) -> &'static str {
     if info.contains("recursion") {
         "a robot file needs six; check the brackets"
-    } else if info.contains("flow") || info.contains("']'") || info.contains("'}'") {
+    } else if info.contains("anchor") {
+        "aliases (`*name`) are not read: write the value out"
+    } else if info.contains("flow") || info.contains("':'") || info.contains("']'") || info.contains("'}'") {
         "look for a `[`, `{` or `,` too many or too few, here or just above"
     } else if info.contains("quote") || info.contains("scalar") {
         "look for a quote that is not closed"
