@@ -24,11 +24,14 @@ fn every_robot_reads_without_a_problem() {
 #[test]
 fn a_written_robot_reads_back_the_same() {
     for path in files("") {
-        let robot = read(&path).unwrap().robot;
-        let text = robot.to_yaml();
-        let again = Robot::from_yaml(&text, &|_| Err(String::new())).unwrap_or_else(|e| panic!("{e}\n{text}")).robot;
-        assert_eq!(again, robot, "{text}");
-        assert_eq!(again.to_yaml(), text);
+        let reading = read(&path).unwrap();
+        let robot = reading.robot;
+        assert!(reading.source.is_some());
+        let text = robot.to_yaml_with_source(reading.source.as_deref());
+        let again = Robot::from_yaml(&text, &|_| Err(String::new())).unwrap_or_else(|e| panic!("{e}\n{text}"));
+        assert_eq!(again.robot, robot, "{text}");
+        assert_eq!(again.source, reading.source);
+        assert_eq!(again.robot.to_yaml_with_source(again.source.as_deref()), text);
     }
 }
 
@@ -74,4 +77,11 @@ fn the_schema_is_fresh() {
         std::fs::write(&path, fresh).unwrap();
         panic!("{} was stale and has been rewritten; run the test again and commit the file", path.display());
     }
+}
+
+/// The layout of a written file, for a person to look at.
+#[test]
+fn a_written_file_can_be_read_by_a_person() {
+    let reading = read(&robots().join("kuka-lwr4.yaml")).unwrap();
+    insta::assert_snapshot!("written", reading.robot.to_yaml_with_source(reading.source.as_deref()));
 }
