@@ -16,6 +16,8 @@ use super::{Collision, Convention, Robot, Sphere};
 pub struct Reading {
     /// The robot.
     pub robot: Robot,
+    /// Where the numbers come from, if the file says so.
+    pub source: Option<String>,
     /// Decimals that were read as exact angles, values that look like another unit, ...
     pub notes: Vec<Note>,
 }
@@ -25,60 +27,10 @@ const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 
 /// Words that can't name a crate.
 const NOT_CRATES: &[&str] = &[
-    "abstract",
-    "as",
-    "async",
-    "await",
-    "become",
-    "box",
-    "break",
-    "const",
-    "continue",
-    "core",
-    "crate",
-    "do",
-    "dyn",
-    "else",
-    "enum",
-    "extern",
-    "false",
-    "final",
-    "fn",
-    "for",
-    "gen",
-    "if",
-    "impl",
-    "in",
-    "let",
-    "loop",
-    "macro",
-    "match",
-    "mod",
-    "move",
-    "mut",
-    "override",
-    "priv",
-    "proc-macro",
-    "pub",
-    "ref",
-    "return",
-    "self",
-    "static",
-    "std",
-    "struct",
-    "super",
-    "test",
-    "trait",
-    "true",
-    "try",
-    "type",
-    "typeof",
-    "unsafe",
-    "unsized",
-    "use",
-    "virtual",
-    "where",
-    "while",
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "core", "crate", "do", "dyn",
+    "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro",
+    "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static", "std", "struct",
+    "super", "test", "trait", "true", "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while",
     "yield",
 ];
 
@@ -89,11 +41,13 @@ impl Robot {
     pub fn from_yaml(text: &str, files: &dyn Fn(&str) -> Result<String, String>) -> Result<Reading, Problems> {
         let root = yaml::parse(text).map_err(Problems)?;
         let mut found = Findings::default();
-        let robot = found.fields(&root, "", &keys::ROBOT).map(|top| robot(&top, files, &mut found));
+        let top = found.fields(&root, "", &keys::ROBOT);
+        let source = top.as_ref().and_then(|top| top.text("source", &mut found));
+        let robot = top.map(|top| robot(&top, files, &mut found));
         found.problems.sort_by(|a, b| (&a.file, a.line, a.column).cmp(&(&b.file, b.line, b.column)));
         found.notes.sort_by(|a, b| (&a.file, a.line, a.column).cmp(&(&b.file, b.line, b.column)));
         match robot {
-            Some(robot) if found.problems.is_empty() => Ok(Reading { robot, notes: found.notes }),
+            Some(robot) if found.problems.is_empty() => Ok(Reading { robot, source, notes: found.notes }),
             _ => Err(Problems(found.problems)),
         }
     }
@@ -123,7 +77,6 @@ fn robot(top: &Fields<'_>, files: &dyn Fn(&str) -> Result<String, String>, to: &
     constants(top, to);
     let name = top.text("name", to).unwrap_or_default();
     check_name(&name, top, to);
-    top.text("source", to);
     let convention = match top.choice("convention", to) {
         Some("standard") => Convention::Standard,
         _ => Convention::Modified,

@@ -346,7 +346,13 @@ impl Reader<'_> {
                 self.error(offset, format!("{} is too large for a number", shortened(&literal)), "check the exponent")
             }
             Err(_) => {
-                let mend = "write digits with at most one point, and an exponent as in 1.5e-3";
+                let word = self.take_while(|c| c.is_ascii_alphabetic());
+                let mend = if word.is_empty() {
+                    "write digits with at most one point, and an exponent as in 1.5e-3"
+                } else {
+                    "leave the key out where a value is not known"
+                };
+                literal += &word;
                 self.error(offset, format!("`{}` is not a number", shortened(&literal)), mend)
             }
         }
@@ -372,7 +378,7 @@ impl Reader<'_> {
             _ => match closest(&name, known.clone().chain(["pi"])) {
                 Some(close) => format!("did you mean `{close}`?"),
                 None if self.scope.names.is_empty() => {
-                    "define it under `constants`, which must stand in the file".to_string()
+                    "define it under `constants`; a constant may use those before it".to_string()
                 }
                 None => format!("the constants are {}", known.collect::<Vec<_>>().join(", ")),
             },

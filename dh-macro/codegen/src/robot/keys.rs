@@ -144,7 +144,7 @@ pub(super) static DRIVE: Table = Table {
 };
 
 pub(super) static FRICTION: Table = Table {
-    what: "friction",
+    what: "friction mapping",
     effects: true,
     keys: &[
         key("viscous_friction", NotNegative, "N m s/rad or N s/m", "FV: torque per speed."),

@@ -148,6 +148,12 @@ impl<'a> Fields<'a> {
         self.get(name).map(|(node, path, ..)| (node, path))
     }
 
+    /// The place of the key itself, for problems of its presence, and its path.
+    pub(super) fn key(&self, name: &str) -> Option<(Mark, String)> {
+        let (word, _) = self.fields.iter().find(|(word, _)| word.text == name)?;
+        Some((word.mark, join(&self.path, name)))
+    }
+
     pub(super) fn has(&self, name: &str) -> bool {
         self.fields.iter().any(|(word, _)| word.text == name)
     }
@@ -205,14 +211,13 @@ impl<'a> Fields<'a> {
     /// A number within the bounds of its table entry.
     pub(super) fn number(&self, name: &str, to: &mut Findings) -> Option<f64> {
         let (node, path, about, shape) = self.get(name)?;
-        let value = to.number(node, &path, &about)?;
+        let (value, text) = to.value(node, &path, &about)?;
         let wrong = match shape {
-            Shape::NotNegative if value < 0.0 => "must not be negative",
-            Shape::Positive if value < 0.0 => "must not be negative",
-            Shape::Positive if value == 0.0 => "must not be 0",
-            _ => return Some(value),
+            Shape::NotNegative | Shape::Positive if value.number < 0.0 => "must not be negative",
+            Shape::Positive if value.number == 0.0 => "must not be 0",
+            _ => return Some(value.number),
         };
-        to.problem(node.mark, &path, format!("{name} {wrong}; it is {value}"), format!("write {about}"));
+        to.problem(node.mark, &path, format!("{name} {wrong}; it is {text}"), format!("write its size, {about}"));
         None
     }
 

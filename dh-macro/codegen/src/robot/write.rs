@@ -1,7 +1,5 @@
 //! A robot back to the text of its file.
 
-use core::fmt::Write;
-
 use super::expression::Scope;
 use super::yaml::{self, Kind};
 use super::{Angle, Convention, Drive, Effect, Inertia, Joint, JointKind, Length, Limits, Robot, Tool};
@@ -13,6 +11,11 @@ impl Robot {
     /// The robot as a file that [`Robot::from_yaml`] reads back to the same robot: numbers bit by bit, angles and
     /// lengths in their own words. Comments, `source` and the words of constants are not part of a robot.
     pub fn to_yaml(&self) -> String {
+        self.to_yaml_with_source(None)
+    }
+
+    /// [`Robot::to_yaml`] with the key `source`: where the numbers come from, as [`super::Reading::source`] or better.
+    pub fn to_yaml_with_source(&self, source: Option<&str>) -> String {
         let mut scope = Scope::default();
         let mut constants = Vec::new();
         for (name, value) in &self.constants {
@@ -24,13 +27,18 @@ impl Robot {
         }
         let mut out = String::from("# yaml-language-server: $schema=robot.schema.json\n");
         let convention = if self.convention == Convention::Modified { "modified" } else { "standard" };
-        out += &format!("name: {}\nconvention: {convention}\n", word(&self.name));
+        out += &format!("name: {}\n", word(&self.name));
+        if let Some(source) = source {
+            out += &format!("source: {}\n", word(source));
+        }
+        out += &format!("convention: {convention}\n");
         if !constants.is_empty() {
             out += &format!("constants: {}\n", flow(&constants, 0));
         }
         out += &format!("gravity: {}\n\njoints:\n", list(&self.gravity));
         for joint in &self.joints {
-            out += &format!("  - {}\n", flow(&joint_fields(joint, &scope), 4));
+            let groups = [row_fields(joint, &scope), limit_fields(joint), drive_field(joint)];
+            out += &format!("  - {}\n", flow_groups(&groups, 4));
         }
         if !self.links.is_empty() {
             out += "\nlinks:\n";
@@ -79,7 +87,8 @@ fn field(key: &str, value: impl Into<String>) -> Field {
     (key.to_string(), value.into())
 }
 
-fn joint_fields(joint: &Joint, scope: &Scope) -> Vec<Field> {
+/// What the joint is, and its row of the table.
+fn row_fields(joint: &Joint, scope: &Scope) -> Vec<Field> {
     let kind = match joint.kind {
         JointKind::Revolute => "revolute",
         JointKind::Prismatic => "prismatic",
@@ -93,15 +102,11 @@ fn joint_fields(joint: &Joint, scope: &Scope) -> Vec<Field> {
     fields.push(field("d", length(&joint.d, scope)));
     fields.push(field("theta", angle(&joint.theta, scope)));
     fields.push(field("r", length(&joint.r, scope)));
-    limit_fields(joint, &mut fields);
-    let drive = drive_fields(&joint.drive);
-    if !drive.is_empty() {
-        fields.push(field("drive", braces(&drive)));
-    }
     fields
 }
 
-fn limit_fields(joint: &Joint, fields: &mut Vec<Field>) {
+fn limit_fields(joint: &Joint) -> Vec<Field> {
+    let mut fields = Vec::new();
     // In degrees where that is the same number: 170deg is easier to read than 2.9670597283903604.
     let turning = |value: f64| if joint.kind == JointKind::Revolute { degrees(value) } else { number(value) };
     let Limits { position, velocity, acceleration, jerk, torque } = &joint.limits;
@@ -112,6 +117,12 @@ fn limit_fields(joint: &Joint, fields: &mut Vec<Field>) {
         fields.extend(value.map(|value| field(key, turning(value))));
     }
     fields.extend(torque.map(|value| field("torque", number(value))));
+    fields
+}
+
+fn drive_field(joint: &Joint) -> Vec<Field> {
+    let drive = drive_fields(&joint.drive);
+    if drive.is_empty() { Vec::new() } else { vec![field("drive", flow(&drive, 13))] }
 }
 
 fn drive_fields(drive: &Drive) -> Vec<Field> {
@@ -171,19 +182,28 @@ fn braces(fields: &[Field]) -> String {
 
 /// `{ a: 1, b: 2 }`, broken where a line would be too long; `indent` is the column of the brace.
 fn flow(fields: &[Field], indent: usize) -> String {
+    flow_groups(&[fields.to_vec()], indent)
+}
+
+/// The same, with a new line for every group.
+fn flow_groups(groups: &[Vec<Field>], indent: usize) -> String {
     let mut out = String::from("{ ");
     let mut column = indent + 2;
-    for (k, (key, value)) in fields.iter().enumerate() {
-        let item = format!("{key}: {value}");
-        if k > 0 && column + item.len() > WIDTH {
-            let _ = write!(out, ",\n{:width$}", "", width = indent + 2);
-            column = indent + 2;
-        } else if k > 0 {
-            out += ", ";
-            column += 2;
+    let new_line = format!(",\n{:width$}", "", width = indent + 2);
+    for fields in groups {
+        for (k, (key, value)) in fields.iter().enumerate() {
+            let item = format!("{key}: {value}");
+            let first = out.len() == 2;
+            if !first && (k == 0 || column + item.len() > WIDTH) {
+                out += &new_line;
+                column = indent + 2;
+            } else if !first {
+                out += ", ";
+                column += 2;
+            }
+            column += item.len();
+            out += &item;
         }
-        column += item.len();
-        out += &item;
     }
     out + " }"
 }

@@ -5,9 +5,11 @@ use saphyr_parser::{Event, Parser, ScalarStyle};
 use super::problem::Problem;
 
 /// Longest file that is read, bytes.
-const LARGEST: usize = 4 << 20;
+const LARGEST: usize = 1 << 20;
 /// Deepest nesting that is read; a robot file needs six.
 const DEEPEST: usize = 32;
+/// Longest list or mapping that is read.
+const MOST_ENTRIES: usize = 1000;
 /// After this many problems of the text itself the rest would be noise.
 const MOST_PROBLEMS: usize = 50;
 
@@ -111,7 +113,9 @@ fn what_for(info: &str) -> String {
 fn mend_for(info: &str) -> &'static str {
     if info.contains("recursion") {
         "a robot file needs six; check the brackets"
-    } else if info.contains("flow") || info.contains("']'") || info.contains("'}'") {
+    } else if info.contains("anchor") {
+        "aliases (`*name`) are not read: write the value out"
+    } else if info.contains("flow") || info.contains("':'") || info.contains("']'") || info.contains("'}'") {
         "look for a `[`, `{` or `,` too many or too few, here or just above"
     } else if info.contains("quote") || info.contains("scalar") {
         "look for a quote that is not closed"
@@ -175,6 +179,16 @@ impl Tree {
     }
 
     fn take(&mut self, event: Event<'_>, mark: Mark) -> Result<(), Stop> {
+        let entries = match self.open.last() {
+            Some(Open::List(_, items)) => items.len(),
+            Some(Open::Map(_, fields, _)) => fields.len(),
+            None => 0,
+        };
+        if entries > MOST_ENTRIES {
+            let what = format!("more than {MOST_ENTRIES} entries in a list or mapping");
+            self.problem(mark, what, "this does not look like a robot file");
+            return Err(Stop);
+        }
         match event {
             Event::Nothing | Event::StreamStart | Event::StreamEnd | Event::DocumentEnd => {}
             Event::DocumentStart(_) => {
@@ -307,7 +321,10 @@ mod tests {
         assert!(first(&"[".repeat(100_000)).contains("nesting"));
         assert!(first(&"{a: ".repeat(100)).contains("nesting"));
         assert!(first(&"- ".repeat(5_000)).contains("nesting"));
-        assert!(first(&"a".repeat(5 << 20)).contains("bytes"));
+        assert!(first(&"a".repeat(2 << 20)).contains("bytes"));
+        assert!(first(&"- a\n".repeat(200_000)).contains("entries"));
+        let many: String = (0..50_000).map(|k| format!("k{k}: 1\n")).collect();
+        assert!(first(&many).contains("entries"));
         assert!(first(" \n\n").contains("empty"));
         assert!(first("# only a comment\n").contains("empty"));
     }

@@ -14,8 +14,9 @@ pub(super) fn links(top: &Fields<'_>, rows: usize, to: &mut Findings) -> Vec<Opt
     };
     let items = top.rows("links", to).unwrap_or_default();
     if items.len() != rows && matches!(node.kind, Kind::List(_)) {
-        let what = format!("{} links stand here, but there are {rows} joints", items.len());
-        to.problem(node.mark, &path, what, "write one entry per joint, null where nothing is known");
+        let what = format!("the number of links is {}, that of joints {rows}", items.len());
+        let mark = top.key("links").map_or(node.mark, |(mark, _)| mark);
+        to.problem(mark, &path, what, "write one entry per joint, null where nothing is known");
     }
     items
         .into_iter()
@@ -68,16 +69,9 @@ fn tool_file(
     files: &dyn Fn(&str) -> Result<String, String>,
     to: &mut Findings,
 ) -> Option<Tool> {
-    let inside =
-        !name.starts_with(['/', '\\']) && !name.contains(':') && name.split(['/', '\\']).all(|part| part != "..");
-    if !inside || !(name.ends_with(".yaml") || name.ends_with(".yml")) {
-        let what = format!("`{}` is not the name of a tool file", shortened(name));
-        to.problem(
-            mark,
-            path,
-            what,
-            "write a .yaml file's name relative to this file, as in tools/roller.yaml, or the tool itself",
-        );
+    if !(name.ends_with(".yaml") || name.ends_with(".yml")) {
+        let mend = "write the name of a .yaml file, relative to this one, as in tools/roller.yaml, or the tool itself";
+        to.problem(mark, path, format!("`{}` is not the name of a tool file", shortened(name)), mend);
         return None;
     }
     let text = match files(name) {

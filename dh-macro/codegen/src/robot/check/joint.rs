@@ -33,7 +33,8 @@ pub(super) fn joints(top: &Fields<'_>, to: &mut Findings) -> Vec<Joint> {
         joints.push(joint);
     }
     if !joints.is_empty() && joints.iter().all(|joint| joint.kind == JointKind::Fixed) && to.problems.is_empty() {
-        to.problem(node.mark, &path, "every joint is fixed", "at least one must be revolute or prismatic");
+        let mark = top.key("joints").map_or(node.mark, |(mark, _)| mark);
+        to.problem(mark, &path, "every joint is fixed", "at least one must be revolute or prismatic");
     }
     joints
 }
@@ -90,9 +91,9 @@ fn antecedent(row: usize, fields: &Fields<'_>, to: &mut Findings) {
 
 fn actuated(kind: JointKind, fields: &Fields<'_>, to: &mut Findings) -> bool {
     let actuated = fields.flag("actuated", to);
-    if let (JointKind::Fixed, Some(true), Some((node, path))) = (kind, actuated, fields.node("actuated")) {
+    if let (JointKind::Fixed, Some(true), Some((mark, path))) = (kind, actuated, fields.key("actuated")) {
         to.problem(
-            node.mark,
+            mark,
             &path,
             "a fixed joint has no motor",
             "delete the key, or make the joint revolute or prismatic",
@@ -102,18 +103,18 @@ fn actuated(kind: JointKind, fields: &Fields<'_>, to: &mut Findings) -> bool {
 }
 
 fn drive(kind: JointKind, fields: &Fields<'_>, to: &mut Findings) -> Drive {
-    let Some((node, path)) = fields.node("drive") else { return Drive::default() };
+    let Some((mark, path)) = fields.key("drive") else { return Drive::default() };
     let unactuated = fields.has("actuated") && fields.node("actuated").is_some_and(|(node, _)| is_false(node));
     if kind == JointKind::Fixed {
         to.problem(
-            node.mark,
+            mark,
             &path,
             "a fixed joint has no drive",
             "delete the key, or make the joint revolute or prismatic",
         );
     } else if unactuated {
         let mend = "delete `drive`, or delete `actuated: false`";
-        to.problem(node.mark, &path, "a joint without a motor has no drive", mend);
+        to.problem(mark, &path, "a joint without a motor has no drive", mend);
     }
     fields.map("drive", to).map(|fields| drive::drive(&fields, to)).unwrap_or_default()
 }
@@ -125,9 +126,9 @@ fn is_false(node: &Node) -> bool {
 fn limits(kind: JointKind, fields: &Fields<'_>, to: &mut Findings) -> Limits {
     if kind == JointKind::Fixed {
         for name in ["position", "velocity", "acceleration", "jerk", "torque"] {
-            if let Some((node, path)) = fields.node(name) {
+            if let Some((mark, path)) = fields.key(name) {
                 let mend = "delete the key, or make the joint revolute or prismatic";
-                to.problem(node.mark, &path, format!("a fixed joint has no {name} limit"), mend);
+                to.problem(mark, &path, format!("a fixed joint has no {name} limit"), mend);
             }
         }
         return Limits::default();
@@ -142,7 +143,11 @@ fn limits(kind: JointKind, fields: &Fields<'_>, to: &mut Findings) -> Limits {
     if let (Some([lower, upper]), Some((node, path))) = (limits.position, fields.node("position"))
         && lower >= upper
     {
-        let what = format!("the interval [{lower}, {upper}] is empty");
+        let written = match &node.kind {
+            Kind::List(items) => items.iter().map(|item| item.kind.describe()).collect::<Vec<_>>().join(" to "),
+            _ => format!("{lower} to {upper}"),
+        };
+        let what = format!("the interval from {written} is empty");
         let mend = if lower > upper { "write the lower limit first" } else { "write a lower and an upper limit" };
         to.problem(node.mark, &path, what, mend);
     }

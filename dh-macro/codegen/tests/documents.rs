@@ -1,0 +1,73 @@
+//! What robots/README.md shows is true, and tool files are read.
+
+mod common;
+
+use common::robots;
+use dh_codegen::robot::{EFFECT_NAMES, Robot};
+
+fn no_files(name: &str) -> Result<String, String> {
+    Err(format!("{name} was not found"))
+}
+
+#[test]
+fn the_example_of_the_readme_is_good() {
+    let readme = std::fs::read_to_string(robots().join("README.md")).unwrap();
+    let example = readme.split("```yaml\n").nth(1).unwrap().split("```").next().unwrap();
+    let reading = Robot::from_yaml(example, &no_files).unwrap_or_else(|problems| panic!("{problems}"));
+    assert!(reading.notes.is_empty(), "{:?}", reading.notes);
+    let robot = reading.robot;
+    assert_eq!(robot.tool.as_ref().map(|tool| tool.rpy[2].quarter_turns()), Some(Some(1)));
+    assert_eq!(robot.joints[1].r.closed_form.text(&robot.constants), "-0.1 + 2*L2");
+    assert_eq!(robot.joints[0].drive.effects[0].parameters[1], ("order".to_string(), 3.0));
+    for name in EFFECT_NAMES {
+        assert!(readme.contains(name), "{name}");
+    }
+}
+
+const ROBOT: &str = "name: a\nconvention: modified\njoints: [ { type: revolute, alpha: 1.5708, theta: A } ]\n";
+
+#[test]
+fn a_tool_may_have_its_own_file() {
+    let text = format!("{}tool: brush.yaml\n", ROBOT.replace("theta: A", "theta: 0"));
+    let good = Robot::from_yaml(&text, &|name| Ok(format!("# {name}\npose: {{ rpy: [0, 3.1416, 0] }}\n"))).unwrap();
+    assert_eq!(good.robot.tool.unwrap().name, "brush");
+    let notes: Vec<String> = good.notes.iter().map(|note| note.to_string()).collect();
+    assert_eq!(
+        notes,
+        ["3:36: joints[1].alpha: 1.5708 read as pi/2", "brush.yaml:2:18: pose.rpy[2]: 3.1416 read as pi"]
+    );
+
+    let broken = Robot::from_yaml(&text, &|_| Ok("pose: { xzy: [0, 0, 0] }\nM: -1\n".to_string())).unwrap_err();
+    let printed = broken.in_file("robots/a.yaml").to_string();
+    assert!(printed.starts_with("brush.yaml:1:1: M without MS, I;"), "{printed}");
+    assert!(printed.contains("\nbrush.yaml:1:9: pose.xzy: `xzy` is not a key of a pose; help: did you mean `xyz`?"));
+    let text = Robot::from_yaml(&text, &|_| Ok("[".to_string())).unwrap_err().to_string();
+    assert!(text.starts_with("brush.yaml:"), "{text}");
+}
+
+#[test]
+fn a_rounded_angle_may_stand_in_a_constant() {
+    let text = ROBOT.replace("joints", "constants: { A: -1.570796 }\njoints");
+    let reading = Robot::from_yaml(&text, &no_files).unwrap();
+    assert_eq!(reading.robot.joints[0].theta.quarter_turns(), Some(-1));
+    assert_eq!(reading.notes[1].what, "A = 1.570796 read as -pi/2");
+}
+
+#[test]
+fn identified_links_need_not_be_bodies() {
+    let link = "links: [ { M: -1, MS: [0, 0, 0], I: [1, 1, 1, 0, 0, 0], identified: true } ]\n";
+    let text = ROBOT.replace("theta: A", "theta: 0") + link;
+    let reading = Robot::from_yaml(&text, &no_files).unwrap();
+    assert_eq!(reading.notes[1].what, "no body is like this identified link: the mass is -1 kg");
+    assert!(reading.robot.to_yaml().contains("identified: true"));
+    assert!(Robot::from_yaml(&text.replace(", identified: true", ""), &no_files).is_err());
+}
+
+#[test]
+fn values_in_another_unit_are_noticed() {
+    let joint = "{ type: revolute, alpha: 90, d: 310, position: [-170, 170], velocity: 110 }";
+    let text = format!("name: a\nconvention: modified\ngravity: [0, 0, -981]\njoints: [ {joint} ]\n");
+    let notes = Robot::from_yaml(&text, &no_files).unwrap().notes;
+    let paths: Vec<&str> = notes.iter().map(|note| note.path.as_str()).collect();
+    assert_eq!(paths, ["gravity", "joints[1].alpha", "joints[1].d", "joints[1].position", "joints[1].velocity"]);
+}
