@@ -23,13 +23,9 @@ impl Scalar for f64 {
     }
     #[inline(always)]
     fn sign(self) -> Self {
-        if self > 0.0 {
-            1.0
-        } else if self < 0.0 {
-            -1.0
-        } else {
-            self * 0.0
-        }
+        let positive = if self > 0.0 { 1.0 } else { 0.0 };
+        let negative = if self < 0.0 { 1.0 } else { 0.0 };
+        if self.is_nan() { self } else { positive - negative }
     }
     #[inline]
     fn sin_cos_all<const N: usize>(angles: &[Self; N]) -> ([Self; N], [Self; N]) {
