@@ -12,8 +12,10 @@ mod keys;
 mod length;
 mod physical;
 mod problem;
+mod ratio;
 mod reader;
 mod schema;
+mod value;
 mod write;
 mod yaml;
 

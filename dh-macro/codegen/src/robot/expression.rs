@@ -1,18 +1,14 @@
 //! The numbers of a robot file: `+ - * / ( )`, `pi`, named constants, `90deg`.
 
-use core::f64::consts::PI;
-
-use super::decimal::{QuarterTurns, quarter_turns};
 use super::problem::closest;
+use super::ratio::Ratio;
+use super::value::Value;
 use super::yaml::shortened;
-use super::{Angle, Length, Polynomial};
 
 /// Longest expression, characters.
 const LONGEST: usize = 1000;
 /// Deepest brackets.
 const DEEPEST: usize = 32;
-/// A product of polynomials with more terms than this is kept as a plain number.
-const MOST_TERMS: usize = 64;
 
 /// Words that can't name a constant.
 pub(super) const RESERVED: [&str; 3] = ["pi", "deg", "rad"];
@@ -26,157 +22,6 @@ pub(super) struct ExpressionError {
     pub(super) mend: String,
 }
 
-/// A reduced fraction, `q > 0`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Ratio {
-    p: i64,
-    q: i64,
-}
-
-impl Ratio {
-    fn new(p: i128, q: i128) -> Option<Self> {
-        let (mut a, mut b) = (p.unsigned_abs(), q.unsigned_abs());
-        while b != 0 {
-            (a, b) = (b, a % b);
-        }
-        let g = i128::try_from(a).ok().filter(|&g| q != 0 && g != 0)? * q.signum();
-        // A fraction that f64 can't hold exactly is of no use as an exact one.
-        let exact = |v: i128| i64::try_from(v).ok().filter(|v| v.unsigned_abs() <= 1 << 53);
-        Some(Self { p: exact(p / g)?, q: exact(q / g)? })
-    }
-
-    fn add(self, b: Self) -> Option<Self> {
-        let (ap, aq, bp, bq) = (self.p as i128, self.q as i128, b.p as i128, b.q as i128);
-        Self::new(ap * bq + bp * aq, aq * bq)
-    }
-
-    fn mul(self, b: Self) -> Option<Self> {
-        Self::new(self.p as i128 * b.p as i128, self.q as i128 * b.q as i128)
-    }
-
-    fn div(self, b: Self) -> Option<Self> {
-        Self::new(self.p as i128 * b.q as i128, self.q as i128 * b.p as i128)
-    }
-
-    /// An unsigned decimal literal.
-    fn literal(text: &str) -> Option<Self> {
-        let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
-        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-        let fraction = fraction.trim_end_matches('0');
-        let exponent: i32 = exponent.parse().ok()?;
-        let digits: i128 = format!("0{whole}{fraction}").parse().ok().filter(|&d| d < 1 << 60)?;
-        let power = exponent.checked_sub(i32::try_from(fraction.len()).ok()?)?;
-        let scale = 10i128.checked_pow(power.unsigned_abs()).filter(|&s| s < 1 << 60)?;
-        if power < 0 { Self::new(digits, scale) } else { Self::new(digits * scale, 1) }
-    }
-}
-
-/// A number with all that is known about it.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Value {
-    /// The number.
-    pub(super) number: f64,
-    /// Exactly this fraction.
-    rational: Option<Ratio>,
-    /// Exactly this fraction of pi.
-    of_pi: Option<Ratio>,
-    /// In the named constants.
-    polynomial: Option<Polynomial>,
-    /// Just one decimal: negative?, as written.
-    decimal: Option<(bool, String)>,
-}
-
-impl Value {
-    fn literal(text: &str, number: f64) -> Self {
-        let rational = Ratio::literal(text);
-        let of_pi = (number == 0.0).then_some(Ratio { p: 0, q: 1 });
-        let polynomial = Some(Polynomial::number(number));
-        Self { number, rational, of_pi, polynomial, decimal: Some((false, text.to_string())) }
-    }
-
-    fn fraction_of_pi(ratio: Ratio) -> Self {
-        let number = ratio.p as f64 * PI / ratio.q as f64;
-        let rational = (ratio.p == 0).then_some(ratio);
-        Self { number, rational, of_pi: Some(ratio), polynomial: Some(Polynomial::number(number)), decimal: None }
-    }
-
-    fn build(number: f64, rational: Option<Ratio>, of_pi: Option<Ratio>, polynomial: Option<Polynomial>) -> Self {
-        let number = of_pi.map_or(number, |r| r.p as f64 * PI / r.q as f64);
-        let polynomial = polynomial.filter(Polynomial::is_finite);
-        Self { number, rational, of_pi, polynomial, decimal: None }
-    }
-
-    fn negated(mut self) -> Self {
-        let minus = |r: Ratio| Ratio { p: -r.p, q: r.q };
-        self.number = -self.number;
-        self.rational = self.rational.map(minus);
-        self.of_pi = self.of_pi.map(minus);
-        self.polynomial = self.polynomial.map(|p| p.scale(-1.0));
-        self.decimal = self.decimal.map(|(negative, text)| (!negative, text));
-        self
-    }
-
-    fn plus(&self, b: &Self) -> Self {
-        let rational = self.rational.zip(b.rational).and_then(|(a, b)| a.add(b));
-        let of_pi = self.of_pi.zip(b.of_pi).and_then(|(a, b)| a.add(b));
-        let polynomial = self.polynomial.as_ref().zip(b.polynomial.as_ref()).map(|(a, b)| a.add(b));
-        Self::build(self.number + b.number, rational, of_pi, polynomial)
-    }
-
-    fn times(&self, b: &Self) -> Self {
-        let rational = self.rational.zip(b.rational).and_then(|(a, b)| a.mul(b));
-        let pair = self.of_pi.zip(b.rational).or(self.rational.zip(b.of_pi));
-        let polynomial = self.polynomial.as_ref().zip(b.polynomial.as_ref());
-        let small = polynomial.filter(|(a, b)| a.len() * b.len() <= MOST_TERMS);
-        let of_pi = pair.and_then(|(a, b)| a.mul(b));
-        Self::build(self.number * b.number, rational, of_pi, small.map(|(a, b)| a.mul(b)))
-    }
-
-    /// `b` is not zero.
-    fn over(&self, b: &Self) -> Self {
-        let same = self.rational.zip(b.rational).or(self.of_pi.zip(b.of_pi));
-        let rational = same.and_then(|(a, b)| a.div(b));
-        let of_pi = self.of_pi.zip(b.rational).and_then(|(a, b)| a.div(b));
-        let divisor = b.polynomial.as_ref().and_then(Polynomial::as_number).filter(|&d| d != 0.0);
-        let polynomial = self.polynomial.as_ref().zip(divisor).map(|(p, d)| p.scale(1.0 / d));
-        Self::build(self.number / b.number, rational, of_pi, polynomial)
-    }
-
-    /// As a length, m.
-    pub(super) fn length(self, text: &str) -> Length {
-        let closed_form = self.polynomial.unwrap_or_else(|| Polynomial::number(self.number));
-        Length { value: self.number, closed_form, text: text.to_string() }
-    }
-
-    /// As an angle, rad, and what was read into it.
-    pub(super) fn angle(self, text: &str) -> (Angle, Option<String>) {
-        if let Some(Ratio { p, q }) = self.of_pi {
-            return (Angle { value: self.number, pi_multiple: Some((p, q)), text: text.to_string() }, None);
-        }
-        let plain = Angle { value: self.number, pi_multiple: None, text: text.to_string() };
-        let Some((negative, literal)) = self.decimal else { return (plain, None) };
-        let written = if text.contains(&literal) { text.to_string() } else { format!("{text} = {literal}") };
-        let turned = |turns: u32| Angle::pi_fraction(if negative { -1 } else { 1 } * i64::from(turns), 2);
-        match quarter_turns(&literal) {
-            QuarterTurns::All(turns) => {
-                let exact = turned(turns);
-                let note = format!("{written} read as {}", exact.text);
-                (Angle { text: text.to_string(), ..exact }, Some(note))
-            }
-            QuarterTurns::Maybe(turns) => {
-                let exact = turned(turns).text;
-                (
-                    plain,
-                    Some(format!(
-                        "{written} is not exact and was read as it stands; if {exact} is meant, write {exact}"
-                    )),
-                )
-            }
-            QuarterTurns::No => (plain, None),
-        }
-    }
-}
-
 /// The named constants, in the file's order.
 #[derive(Debug, Default)]
 pub(super) struct Scope {
@@ -186,7 +31,7 @@ pub(super) struct Scope {
 impl Scope {
     /// Adds a constant.
     pub(super) fn define(&mut self, name: &str, mut value: Value) {
-        value.polynomial = Some(Polynomial::constant(self.names.len()));
+        value.becomes_constant(self.names.len());
         self.names.push((name.to_string(), value));
     }
 
@@ -441,6 +286,7 @@ impl Reader<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::robot::Angle;
 
     fn scope() -> Scope {
         let mut scope = Scope::default();

@@ -1,8 +1,9 @@
 //! Reads mappings by the tables of [`super::keys`] and collects every problem on the way.
 
-use super::expression::{Scope, Value};
+use super::expression::Scope;
 use super::keys::{Key, Shape, Table};
 use super::problem::{Note, Problem, closest};
+use super::value::Value;
 use super::yaml::{Kind, Mark, Node, Word, shortened};
 use super::{Angle, EFFECT_NAMES, Length};
 
