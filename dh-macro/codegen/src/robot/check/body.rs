@@ -30,15 +30,21 @@ pub(super) fn links(top: &Fields<'_>, rows: usize, to: &mut Findings) -> Vec<Opt
         .collect()
 }
 
-/// `M`, `MS`, `I`; a body that can't be is a problem, unless its values were identified.
+/// `M`, `MS`, `I`; a body that can't be is a problem, unless its values were identified. Where mass and tensor could each be a
+/// body's and only do not go with the first moments, it is a note: data sheets round, and their tensors are often about another
+/// point.
 fn inertia(fields: &Fields<'_>, what: &str, to: &mut Findings) -> Option<Inertia> {
     let (m, ms, i) = (fields.number("M", to), fields.vector("MS", to), fields.vector("I", to));
     let identified = fields.flag("identified", to).unwrap_or(false);
     let inertia = Inertia { m: m?, ms: ms?, i: i? };
     if let Err(defect) = inertia.physical() {
         let (mark, path) = place(fields);
+        let apart = Inertia { ms: [0.0; 3], ..inertia }.physical().is_ok() && inertia.m > 0.0;
         if identified {
             to.note(mark, &path, format!("no body is like this identified {what}: {defect}"));
+        } else if apart {
+            let advice = "look whether I is about the frame's origin (not the centre of mass), and MS is mass times centre";
+            to.note(mark, &path, format!("no body is like this {what}: {defect}; {advice}"));
         } else {
             let mend = "MS is mass times centre of mass, I is about the frame's origin (not the centre of mass); \
                         values from an identification may carry `identified: true`";
