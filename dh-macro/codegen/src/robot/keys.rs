@@ -29,7 +29,6 @@ pub(super) enum Shape {
     /// A whole number, from 0.
     Count,
     Number,
-    NotNegative,
     Positive,
     Angle,
     Length,
@@ -56,7 +55,7 @@ impl Shape {
             Self::Flag => "true or false".to_string(),
             Self::Choice(words) => words.join(" or "),
             Self::Count => "a whole number".to_string(),
-            Self::Number | Self::NotNegative | Self::Positive => "a number".to_string(),
+            Self::Number | Self::Positive => "a number".to_string(),
             Self::Angle => "an angle".to_string(),
             Self::Length => "a length".to_string(),
             Self::Vector(n) => format!("a list of {n} numbers"),
@@ -92,7 +91,7 @@ const fn required(name: &'static str, shape: Shape, unit: &'static str, doc: &'s
 }
 
 use Shape::{Angle, Angles, Choice, Constants, Count, Effects, Flag, Length, Map, MapOrFile};
-use Shape::{NotNegative, Number, Positive, Rows, RowsOrNull, Text, Vector};
+use Shape::{Number, Positive, Rows, RowsOrNull, Text, Vector};
 
 pub(super) static ROBOT: Table = Table {
     what: "robot",
@@ -136,10 +135,11 @@ pub(super) static DRIVE: Table = Table {
     what: "drive",
     effects: true,
     keys: &[
-        key("rotor_inertia", NotNegative, "kg m^2 or kg", "IA: rotor inertia on the link side of the gear."),
+        key("rotor_inertia", Number, "kg m^2 or kg", "IA: rotor inertia on the link side of the gear."),
         key("gear_ratio", Number, "", "Motor turns per joint turn; negative where the gear reverses."),
         key("torque_constant", Positive, "N m/A", "Joint-side torque per motor current."),
         key("friction", Map(&FRICTION), "", "Friction laws."),
+        key("identified", Flag, "", "The values were identified: a badly excited one may be negative."),
     ],
 };
 
@@ -147,8 +147,8 @@ pub(super) static FRICTION: Table = Table {
     what: "friction mapping",
     effects: true,
     keys: &[
-        key("viscous_friction", NotNegative, "N m s/rad or N s/m", "FV: torque per speed."),
-        key("coulomb_friction", NotNegative, "N m or N", "FC: torque against the direction of motion."),
+        key("viscous_friction", Number, "N m s/rad or N s/m", "FV: torque per speed."),
+        key("coulomb_friction", Number, "N m or N", "FC: torque against the direction of motion."),
         key("offset", Number, "N m or N", "FO: constant torque."),
     ],
 };

@@ -214,7 +214,7 @@ impl<'a> Fields<'a> {
         let (node, path, about, shape) = self.get(name)?;
         let (value, text) = to.value(node, &path, &about)?;
         let wrong = match shape {
-            Shape::NotNegative | Shape::Positive if value.number < 0.0 => "must not be negative",
+            Shape::Positive if value.number < 0.0 => "must not be negative",
             Shape::Positive if value.number == 0.0 => "must not be 0",
             _ => return Some(value.number),
         };

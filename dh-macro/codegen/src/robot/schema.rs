@@ -104,7 +104,6 @@ fn shape(shape: &Shape) -> Vec<(&'static str, Json)> {
         Shape::Choice(words) => vec![("enum", Json::words(words))],
         Shape::Count => vec![kind("integer"), ("minimum", Json::Number(0))],
         Shape::Number | Shape::Angle | Shape::Length => number(),
-        Shape::NotNegative => with("minimum", 0),
         Shape::Positive => with("exclusiveMinimum", 0),
         Shape::Vector(count) | Shape::Angles(count) => items(count),
         Shape::Constants => vec![kind("object"), ("additionalProperties", Json::Map(number()))],

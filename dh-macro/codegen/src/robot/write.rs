@@ -138,6 +138,10 @@ fn drive_fields(drive: &Drive) -> Vec<Field> {
     if !friction.is_empty() {
         fields.push(field("friction", braces(&friction)));
     }
+    let signed = [drive.rotor_inertia, drive.viscous_friction, drive.coulomb_friction];
+    if signed.into_iter().flatten().any(|value| value < 0.0) {
+        fields.push(field("identified", "true")); // else the file could not be read again
+    }
     fields.extend(drive.effects.iter().map(effect_field));
     fields
 }

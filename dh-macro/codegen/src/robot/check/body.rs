@@ -43,7 +43,8 @@ fn inertia(fields: &Fields<'_>, what: &str, to: &mut Findings) -> Option<Inertia
         if identified {
             to.note(mark, &path, format!("no body is like this identified {what}: {defect}"));
         } else if apart {
-            let advice = "look whether I is about the frame's origin (not the centre of mass), and MS is mass times centre";
+            let advice =
+                "look whether I is about the frame's origin (not the centre of mass), and MS is mass times centre";
             to.note(mark, &path, format!("no body is like this {what}: {defect}; {advice}"));
         } else {
             let mend = "MS is mass times centre of mass, I is about the frame's origin (not the centre of mass); \

@@ -17,6 +17,7 @@ pub(super) fn drive(fields: &Fields<'_>, to: &mut Findings) -> Drive {
         torque_constant: fields.number("torque_constant", to),
         ..Drive::default()
     };
+    let identified = fields.flag("identified", to).unwrap_or(false);
     if let (Some(0.0), Some((node, path))) = (drive.gear_ratio, fields.node("gear_ratio")) {
         to.problem(
             node.mark,
@@ -29,10 +30,25 @@ pub(super) fn drive(fields: &Fields<'_>, to: &mut Findings) -> Drive {
         drive.viscous_friction = friction.number("viscous_friction", to);
         drive.coulomb_friction = friction.number("coulomb_friction", to);
         drive.offset = friction.number("offset", to);
+        not_negative(&friction, "viscous_friction", drive.viscous_friction, identified, to);
+        not_negative(&friction, "coulomb_friction", drive.coulomb_friction, identified, to);
         laws(&friction, &mut drive, to);
     }
+    not_negative(fields, "rotor_inertia", drive.rotor_inertia, identified, to);
     laws(fields, &mut drive, to);
     drive
+}
+
+/// A drive takes energy: less than none is a problem, and a note where the value was identified from data that hardly show it.
+fn not_negative(fields: &Fields<'_>, name: &str, value: Option<f64>, identified: bool, to: &mut Findings) {
+    if let (Some(value), Some((node, path))) = (value.filter(|&v| v < 0.0), fields.node(name)) {
+        if identified {
+            to.note(node.mark, &path, format!("the identified {name} is negative ({value}): the data hardly show it"));
+        } else {
+            let mend = "write its size; values from an identification may carry `identified: true` in `drive`";
+            to.problem(node.mark, &path, format!("{name} must not be negative; it is {value}"), mend);
+        }
+    }
 }
 
 /// Laws that stand under their own names, in `drive` or in `drive.friction`.
