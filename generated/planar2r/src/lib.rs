@@ -53,14 +53,50 @@ pub const STANDARD: usize = 24;
 pub const BASE: usize = 10;
 
 /// Joints, in the order of `q`.
-pub const JOINT_NAMES: [&str; DOF] = ["shoulder", "elbow"];
+pub const JOINT_NAMES: [&str; DOF] = [
+    "shoulder",
+    "elbow",
+];
 /// Standard parameters, in the order of the regressor's columns (SI; tensors about the frame's origin).
 pub const STANDARD_NAMES: [&str; STANDARD] = [
-    "M1", "MSX1", "MSY1", "MSZ1", "XX1", "YY1", "ZZ1", "XY1", "XZ1", "YZ1", "M2", "MSX2", "MSY2", "MSZ2", "XX2", "YY2",
-    "ZZ2", "XY2", "XZ2", "YZ2", "FV1", "FV2", "FC1", "FC2",
+    "M1",
+    "MSX1",
+    "MSY1",
+    "MSZ1",
+    "XX1",
+    "YY1",
+    "ZZ1",
+    "XY1",
+    "XZ1",
+    "YZ1",
+    "M2",
+    "MSX2",
+    "MSY2",
+    "MSZ2",
+    "XX2",
+    "YY2",
+    "ZZ2",
+    "XY2",
+    "XZ2",
+    "YZ2",
+    "FV1",
+    "FV2",
+    "FC1",
+    "FC2",
 ];
 /// Base parameters, in the order of the base regressor's columns.
-pub const BASE_NAMES: [&str; BASE] = ["MSX1R", "MSY1", "ZZ1R", "MSX2", "MSY2", "ZZ2", "FV1", "FV2", "FC1", "FC2"];
+pub const BASE_NAMES: [&str; BASE] = [
+    "MSX1R",
+    "MSY1",
+    "ZZ1R",
+    "MSX2",
+    "MSY2",
+    "ZZ2",
+    "FV1",
+    "FV2",
+    "FC1",
+    "FC2",
+];
 /// What each base parameter groups, in the constants of the robot file.
 pub const BASE_GROUPINGS: [&str; BASE] = [
     "MSX1R = MSX1 + L1*M2",
@@ -95,8 +131,7 @@ pub const L1: f64 = 0.5;
 #[allow(non_upper_case_globals)]
 pub const L2: f64 = 0.4;
 /// Lower and upper position of each joint, rad or m.
-pub const POSITION_LIMITS: [Option<[f64; 2]>; DOF] =
-    [Some([-2.9670597283903604, 2.9670597283903604]), Some([-2.6179938779914944, 2.6179938779914944])];
+pub const POSITION_LIMITS: [Option<[f64; 2]>; DOF] = [Some([-2.9670597283903604, 2.9670597283903604]), Some([-2.6179938779914944, 2.6179938779914944])];
 /// Largest speeds, rad/s or m/s.
 pub const VELOCITY_LIMITS: [Option<f64>; DOF] = [Some(3.141592653589793), Some(3.141592653589793)];
 /// Largest accelerations, rad/s^2 or m/s^2.
@@ -104,32 +139,7 @@ pub const ACCELERATION_LIMITS: [Option<f64>; DOF] = [Some(10.471975511965978), S
 /// Largest torques or forces, N m or N.
 pub const TORQUE_LIMITS: [Option<f64>; DOF] = [Some(20.0), Some(8.0)];
 /// The robot file's standard parameters, its tool in the last link.
-pub const STANDARD_VALUES: Option<[f64; STANDARD]> = Some([
-    0.5,
-    0.125,
-    0.0,
-    0.0,
-    0.0,
-    0.041666666666666664,
-    0.041666666666666664,
-    0.0,
-    0.0,
-    0.0,
-    0.4,
-    0.08000000000000002,
-    0.0,
-    0.0,
-    0.0,
-    0.02133333333333334,
-    0.02133333333333334,
-    0.0,
-    0.0,
-    0.0,
-    0.1,
-    0.05,
-    0.2,
-    0.1,
-]);
+pub const STANDARD_VALUES: Option<[f64; STANDARD]> = Some([0.5, 0.125, 0.0, 0.0, 0.0, 0.041666666666666664, 0.041666666666666664, 0.0, 0.0, 0.0, 0.4, 0.08000000000000002, 0.0, 0.0, 0.0, 0.02133333333333334, 0.02133333333333334, 0.0, 0.0, 0.0, 0.1, 0.05, 0.2, 0.1]);
 /// Name, multiplications and additions of each function, sines and cosines apart (`DOF` pairs).
 pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("frames", 6, 4),

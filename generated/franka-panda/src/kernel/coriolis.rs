@@ -5,7 +5,7 @@
 //! 301 multiplications, 276 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, DOF, Trig};
+use super::super::{DOF, BASE, Trig};
 
 /// Coriolis and centrifugal torques `C dq`: every entry of `out` is written.
 #[inline]
@@ -22,51 +22,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [
-        _,
-        _,
-        _,
-        XX2R,
-        ZZ2R,
-        XY2,
-        XZ2,
-        YZ2,
-        MSX3R,
-        MSY3R,
-        XX3R,
-        ZZ3R,
-        XY3R,
-        XZ3,
-        YZ3,
-        MSX4R,
-        MSY4R,
-        XX4R,
-        ZZ4R,
-        XY4R,
-        XZ4,
-        YZ4,
-        MSX5,
-        MSY5R,
-        XX5R,
-        ZZ5R,
-        XY5,
-        XZ5,
-        YZ5,
-        MSX6R,
-        MSY6R,
-        XX6R,
-        ZZ6R,
-        XY6R,
-        XZ6,
-        YZ6,
-        MSX7,
-        MSY7,
-        XX7R,
-        ZZ7,
-        XY7,
-        XZ7,
-        YZ7,
-        ..,
-    ] = *beta;
+        _, _, _, XX2R, ZZ2R, XY2, XZ2, YZ2, MSX3R, MSY3R, XX3R, ZZ3R,
+        XY3R, XZ3, YZ3, MSX4R, MSY4R, XX4R, ZZ4R, XY4R, XZ4, YZ4, MSX5, MSY5R,
+        XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6R, MSY6R, XX6R, ZZ6R, XY6R, XZ6, YZ6,
+        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
+        ..] = *beta;
     let A = S::constant(0.0825);
     let L2 = S::constant(0.316);
     let L3 = S::constant(0.384);
@@ -80,7 +40,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         [t0, t1, t2, dw2_y]
     };
     // link 3: motion
-    let [t6, w3_y, t12, t13, t14, t15, t17, t18, t20, a3_x, a3_y, w3_z, dw3_x, dw3_y] = {
+    let [
+        t6, w3_y, t12, t13, t14, t15, t17, t18,
+        t20, a3_x, a3_y, w3_z, dw3_x, dw3_y,
+    ] = {
         let t6 = c3 * t0 - s3 * dq2;
         let w3_y = c3 * dq2 + s3 * t0;
         let t12 = t0 * t0;
@@ -97,32 +60,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let w3_z = t1 + dq3;
         let dw3_x = dq3 * w3_y - c3 * t2;
         let dw3_y = s3 * t2 + dq3 * t6;
-        [t6, w3_y, t12, t13, t14, t15, t17, t18, t20, a3_x, a3_y, w3_z, dw3_x, dw3_y]
+        [
+        t6, w3_y, t12, t13, t14, t15, t17, t18,
+        t20, a3_x, a3_y, w3_z, dw3_x, dw3_y,
+    ]
     };
     // link 4: motion
     let [
-        t35,
-        w4_y,
-        t45,
-        t46,
-        t47,
-        t48,
-        t49,
-        t50,
-        t51,
-        t52,
-        t53,
-        t54,
-        t55,
-        t56,
-        t57,
-        t58,
-        t63,
-        t67,
-        a4_y,
-        t71,
-        dw4_x,
-        t75,
+        t35, w4_y, t45, t46, t47, t48, t49, t50,
+        t51, t52, t53, t54, t55, t56, t57, t58,
+        t63, t67, a4_y, t71, dw4_x, t75,
     ] = {
         let t35 = c4 * t6 - s4 * w3_z;
         let w4_y = c4 * w3_z + s4 * t6;
@@ -149,34 +96,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let dw4_x = c4 * dw3_x - s4 * dw2_y + dq4 * w4_y;
         let t75 = c4 * dw2_y + s4 * dw3_x - dq4 * t35;
         [
-            t35, w4_y, t45, t46, t47, t48, t49, t50, t51, t52, t53, t54, t55, t56, t57, t58, t63, t67, a4_y, t71,
-            dw4_x, t75,
-        ]
+        t35, w4_y, t45, t46, t47, t48, t49, t50,
+        t51, t52, t53, t54, t55, t56, t57, t58,
+        t63, t67, a4_y, t71, dw4_x, t75,
+    ]
     };
     // link 5: motion
     let [
-        t78,
-        t81,
-        t88,
-        t89,
-        t90,
-        t91,
-        t92,
-        t93,
-        t94,
-        t95,
-        t96,
-        t97,
-        t98,
-        t99,
-        t100,
-        t101,
-        a5_z,
-        t116,
-        t119,
-        w5_z,
-        dw5_x,
-        dw5_y,
+        t78, t81, t88, t89, t90, t91, t92, t93,
+        t94, t95, t96, t97, t98, t99, t100, t101,
+        a5_z, t116, t119, w5_z, dw5_x, dw5_y,
     ] = {
         let t78 = c5 * t35 - s5 * t71;
         let t81 = c5 * t71 + s5 * t35;
@@ -203,33 +132,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let dw5_x = c5 * dw4_x + s5 * dw3_y + dq5 * t81;
         let dw5_y = c5 * dw3_y - s5 * dw4_x + dq5 * t78;
         [
-            t78, t81, t88, t89, t90, t91, t92, t93, t94, t95, t96, t97, t98, t99, t100, t101, a5_z, t116, t119, w5_z,
-            dw5_x, dw5_y,
-        ]
+        t78, t81, t88, t89, t90, t91, t92, t93,
+        t94, t95, t96, t97, t98, t99, t100, t101,
+        a5_z, t116, t119, w5_z, dw5_x, dw5_y,
+    ]
     };
     // link 6: motion
     let [
-        t127,
-        w6_y,
-        t137,
-        t138,
-        t139,
-        t140,
-        t141,
-        t142,
-        t143,
-        t144,
-        t145,
-        t146,
-        t147,
-        t148,
-        t149,
-        t150,
-        t153,
-        a6_y,
-        w6_z,
-        dw6_x,
-        dw7_z,
+        t127, w6_y, t137, t138, t139, t140, t141, t142,
+        t143, t144, t145, t146, t147, t148, t149, t150,
+        t153, a6_y, w6_z, dw6_x, dw7_z,
     ] = {
         let t127 = c6 * t78 - s6 * w5_z;
         let w6_y = c6 * w5_z + s6 * t78;
@@ -253,34 +165,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let dw6_x = c6 * dw5_x - s6 * t75 + dq6 * w6_y;
         let dw7_z = c6 * t75 + s6 * dw5_x - dq6 * t127;
         [
-            t127, w6_y, t137, t138, t139, t140, t141, t142, t143, t144, t145, t146, t147, t148, t149, t150, t153, a6_y,
-            w6_z, dw6_x, dw7_z,
-        ]
+        t127, w6_y, t137, t138, t139, t140, t141, t142,
+        t143, t144, t145, t146, t147, t148, t149, t150,
+        t153, a6_y, w6_z, dw6_x, dw7_z,
+    ]
     };
     // link 7: motion
     let [
-        t164,
-        w7_y,
-        t174,
-        t175,
-        t176,
-        t177,
-        t178,
-        t179,
-        t180,
-        t181,
-        t182,
-        t183,
-        t184,
-        t185,
-        t186,
-        t187,
-        t192,
-        t196,
-        a7_y,
-        t200,
-        dw7_x,
-        t204,
+        t164, w7_y, t174, t175, t176, t177, t178, t179,
+        t180, t181, t182, t183, t184, t185, t186, t187,
+        t192, t196, a7_y, t200, dw7_x, t204,
     ] = {
         let t164 = c7 * t127 - s7 * w6_z;
         let w7_y = c7 * w6_z + s7 * t127;
@@ -307,9 +201,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let dw7_x = c7 * dw6_x - s7 * dw5_y + dq7 * w7_y;
         let t204 = c7 * dw5_y + s7 * dw6_x - dq7 * t164;
         [
-            t164, w7_y, t174, t175, t176, t177, t178, t179, t180, t181, t182, t183, t184, t185, t186, t187, t192, t196,
-            a7_y, t200, dw7_x, t204,
-        ]
+        t164, w7_y, t174, t175, t176, t177, t178, t179,
+        t180, t181, t182, t183, t184, t185, t186, t187,
+        t192, t196, a7_y, t200, dw7_x, t204,
+    ]
     };
     // link 7: force and moment
     let [f7_z, t267, t270, t273, t279, t280] = {

@@ -5,7 +5,7 @@
 //! 697 multiplications, 575 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, DOF, Trig};
+use super::super::{DOF, BASE, Trig};
 
 /// Accelerations that torques cause: every entry of `out` is written.
 #[inline]
@@ -23,51 +23,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [tau1, tau2, tau3, tau4, tau5, tau6, tau7] = *tau;
     let [
-        ZZ1R,
-        MSX2,
-        MSY2R,
-        XX2R,
-        ZZ2R,
-        XY2,
-        XZ2,
-        YZ2,
-        MSX3R,
-        MSY3R,
-        XX3R,
-        ZZ3R,
-        XY3R,
-        XZ3,
-        YZ3,
-        MSX4R,
-        MSY4R,
-        XX4R,
-        ZZ4R,
-        XY4R,
-        XZ4,
-        YZ4,
-        MSX5,
-        MSY5R,
-        XX5R,
-        ZZ5R,
-        XY5,
-        XZ5,
-        YZ5,
-        MSX6R,
-        MSY6R,
-        XX6R,
-        ZZ6R,
-        XY6R,
-        XZ6,
-        YZ6,
-        MSX7,
-        MSY7,
-        XX7R,
-        ZZ7,
-        XY7,
-        XZ7,
-        YZ7,
-        ..,
-    ] = *beta;
+        ZZ1R, MSX2, MSY2R, XX2R, ZZ2R, XY2, XZ2, YZ2, MSX3R, MSY3R, XX3R, ZZ3R,
+        XY3R, XZ3, YZ3, MSX4R, MSY4R, XX4R, ZZ4R, XY4R, XZ4, YZ4, MSX5, MSY5R,
+        XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6R, MSY6R, XX6R, ZZ6R, XY6R, XZ6, YZ6,
+        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
+        ..] = *beta;
     let A = S::constant(0.0825);
     let L2 = S::constant(0.316);
     let L3 = S::constant(0.384);
@@ -75,7 +35,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     let k4 = S::constant(9.81);
     let k5 = S::constant(1.0);
     // composite body 7
-    let [t2, t5, t8, t11, t21, t40, t55, t72, t75, t95, t97, t98, t99] = {
+    let [
+        t2, t5, t8, t11, t21, t40, t55, t72,
+        t75, t95, t97, t98, t99,
+    ] = {
         let t2 = c7 * MSY7 + s7 * MSX7;
         let t5 = c7 * MSX7 - s7 * MSY7;
         let t8 = c7 * XZ7 - s7 * YZ7;
@@ -107,10 +70,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t97 = c7 * t81 - s7 * t77 - k0 * t2;
         let t98 = s7 * t81 + c7 * t77 + t92;
         let t99 = ZZ7 + t92;
-        [t2, t5, t8, t11, t21, t40, t55, t72, t75, t95, t97, t98, t99]
+        [
+        t2, t5, t8, t11, t21, t40, t55, t72,
+        t75, t95, t97, t98, t99,
+    ]
     };
     // composite body 6
-    let [t102, t108, t111, t114, t117, t121, t124, t132, t147, t164, t167, t180, t183, t186, t187] = {
+    let [
+        t102, t108, t111, t114, t117, t121, t124, t132,
+        t147, t164, t167, t180, t183, t186, t187,
+    ] = {
         let t100 = MSX6R + t5;
         let t101 = XX6R + t95;
         let t102 = ZZ6R + t98;
@@ -144,10 +113,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t183 = c6 * t173 - s6 * t177;
         let t186 = s6 * t173 + c6 * t177;
         let t187 = t108 + t108;
-        [t102, t108, t111, t114, t117, t121, t124, t132, t147, t164, t167, t180, t183, t186, t187]
+        [
+        t102, t108, t111, t114, t117, t121, t124, t132,
+        t147, t164, t167, t180, t183, t186, t187,
+    ]
     };
     // composite body 5
-    let [t191, t197, t200, t211, t222, t239, t242, t266, t267, t268, t271, t272, t276] = {
+    let [
+        t191, t197, t200, t211, t222, t239, t242, t266,
+        t267, t268, t271, t272, t276,
+    ] = {
         let t188 = MSX5 + t111;
         let t189 = MSY5R - t2;
         let t190 = XX5R + t180;
@@ -183,10 +158,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t272 = s5 * t248 + c5 * t250 + t263;
         let t274 = L3 * t108;
         let t276 = t191 + t263 - (t274 + t274);
-        [t191, t197, t200, t211, t222, t239, t242, t266, t267, t268, t271, t272, t276]
+        [
+        t191, t197, t200, t211, t222, t239, t242, t266,
+        t267, t268, t271, t272, t276,
+    ]
     };
     // composite body 4
-    let [t280, t286, t289, t295, t309, t312, t333, t337, t339, t340, t341, t342] = {
+    let [
+        t280, t286, t289, t295, t309, t312, t333, t337,
+        t339, t340, t341, t342,
+    ] = {
         let t277 = MSX4R + t200;
         let t278 = MSY4R + t108;
         let t279 = XX4R + t266;
@@ -215,7 +196,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t340 = t267 + t292;
         let t341 = s4 * t318 + c4 * t322 + t334;
         let t342 = t280 + t334;
-        [t280, t286, t289, t295, t309, t312, t333, t337, t339, t340, t341, t342]
+        [
+        t280, t286, t289, t295, t309, t312, t333, t337,
+        t339, t340, t341, t342,
+    ]
     };
     // composite body 3
     let [t346, t364, t365, t368, t384, t389, t390, t394] = {
@@ -266,7 +250,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         [t413, t414, t415, t416, t417, dw2_y]
     };
     // link 3: motion
-    let [w3_x, w3_y, t427, t428, t429, t430, t432, t433, t438, a3_x, a3_y, w3_z, dw3_x, dw3_y] = {
+    let [
+        w3_x, w3_y, t427, t428, t429, t430, t432, t433,
+        t438, a3_x, a3_y, w3_z, dw3_x, dw3_y,
+    ] = {
         let w3_x = s3 * dq2 - c3 * t413;
         let w3_y = c3 * dq2 + s3 * t413;
         let t427 = t413 * t413;
@@ -283,32 +270,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let w3_z = t414 + dq3;
         let dw3_x = dq3 * w3_y - c3 * t417;
         let dw3_y = s3 * t417 - dq3 * w3_x;
-        [w3_x, w3_y, t427, t428, t429, t430, t432, t433, t438, a3_x, a3_y, w3_z, dw3_x, dw3_y]
+        [
+        w3_x, w3_y, t427, t428, t429, t430, t432, t433,
+        t438, a3_x, a3_y, w3_z, dw3_x, dw3_y,
+    ]
     };
     // link 4: motion
     let [
-        w4_x,
-        w4_y,
-        t462,
-        t463,
-        t464,
-        t465,
-        t466,
-        t467,
-        t468,
-        t469,
-        t470,
-        t471,
-        t472,
-        t473,
-        t474,
-        t475,
-        t480,
-        a4_x,
-        a4_y,
-        w4_z,
-        dw4_x,
-        t492,
+        w4_x, w4_y, t462, t463, t464, t465, t466, t467,
+        t468, t469, t470, t471, t472, t473, t474, t475,
+        t480, a4_x, a4_y, w4_z, dw4_x, t492,
     ] = {
         let w4_x = c4 * w3_x + s4 * w3_z;
         let w4_y = c4 * w3_z - s4 * w3_x;
@@ -335,34 +306,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let dw4_x = c4 * dw3_x - s4 * dw2_y + dq4 * w4_y;
         let t492 = c4 * dw2_y + s4 * dw3_x + dq4 * w4_x;
         [
-            w4_x, w4_y, t462, t463, t464, t465, t466, t467, t468, t469, t470, t471, t472, t473, t474, t475, t480, a4_x,
-            a4_y, w4_z, dw4_x, t492,
-        ]
+        w4_x, w4_y, t462, t463, t464, t465, t466, t467,
+        t468, t469, t470, t471, t472, t473, t474, t475,
+        t480, a4_x, a4_y, w4_z, dw4_x, t492,
+    ]
     };
     // link 5: motion
     let [
-        w5_x,
-        t498,
-        t505,
-        t506,
-        t507,
-        t508,
-        t509,
-        t510,
-        t511,
-        t512,
-        t513,
-        t514,
-        t515,
-        t516,
-        t517,
-        t518,
-        a5_z,
-        a5_x,
-        a6_z,
-        w5_z,
-        dw5_x,
-        dw5_y,
+        w5_x, t498, t505, t506, t507, t508, t509, t510,
+        t511, t512, t513, t514, t515, t516, t517, t518,
+        a5_z, a5_x, a6_z, w5_z, dw5_x, dw5_y,
     ] = {
         let w5_x = c5 * w4_x - s5 * w4_z;
         let t498 = c5 * w4_z + s5 * w4_x;
@@ -389,33 +342,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let dw5_x = c5 * dw4_x + s5 * dw3_y - dq5 * t498;
         let dw5_y = c5 * dw3_y - s5 * dw4_x - dq5 * w5_x;
         [
-            w5_x, t498, t505, t506, t507, t508, t509, t510, t511, t512, t513, t514, t515, t516, t517, t518, a5_z, a5_x,
-            a6_z, w5_z, dw5_x, dw5_y,
-        ]
+        w5_x, t498, t505, t506, t507, t508, t509, t510,
+        t511, t512, t513, t514, t515, t516, t517, t518,
+        a5_z, a5_x, a6_z, w5_z, dw5_x, dw5_y,
+    ]
     };
     // link 6: motion
     let [
-        w6_x,
-        w6_y,
-        t554,
-        t555,
-        t556,
-        t557,
-        t558,
-        t559,
-        t560,
-        t561,
-        t562,
-        t563,
-        t564,
-        t565,
-        t566,
-        t567,
-        a6_x,
-        a6_y,
-        w6_z,
-        dw6_x,
-        dw7_z,
+        w6_x, w6_y, t554, t555, t556, t557, t558, t559,
+        t560, t561, t562, t563, t564, t565, t566, t567,
+        a6_x, a6_y, w6_z, dw6_x, dw7_z,
     ] = {
         let w6_x = c6 * w5_x + s6 * w5_z;
         let w6_y = c6 * w5_z - s6 * w5_x;
@@ -439,34 +375,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let dw6_x = c6 * dw5_x - s6 * t492 + dq6 * w6_y;
         let dw7_z = c6 * t492 + s6 * dw5_x + dq6 * w6_x;
         [
-            w6_x, w6_y, t554, t555, t556, t557, t558, t559, t560, t561, t562, t563, t564, t565, t566, t567, a6_x, a6_y,
-            w6_z, dw6_x, dw7_z,
-        ]
+        w6_x, w6_y, t554, t555, t556, t557, t558, t559,
+        t560, t561, t562, t563, t564, t565, t566, t567,
+        a6_x, a6_y, w6_z, dw6_x, dw7_z,
+    ]
     };
     // link 7: motion
     let [
-        w7_x,
-        w7_y,
-        t591,
-        t592,
-        t593,
-        t594,
-        t595,
-        t596,
-        t597,
-        t598,
-        t599,
-        t600,
-        t601,
-        t602,
-        t603,
-        t604,
-        t609,
-        a7_x,
-        a7_y,
-        w7_z,
-        dw7_x,
-        t621,
+        w7_x, w7_y, t591, t592, t593, t594, t595, t596,
+        t597, t598, t599, t600, t601, t602, t603, t604,
+        t609, a7_x, a7_y, w7_z, dw7_x, t621,
     ] = {
         let w7_x = c7 * w6_x + s7 * w6_z;
         let w7_y = c7 * w6_z - s7 * w6_x;
@@ -493,9 +411,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let dw7_x = c7 * dw6_x - s7 * dw5_y + dq7 * w7_y;
         let t621 = c7 * dw5_y + s7 * dw6_x + dq7 * w7_x;
         [
-            w7_x, w7_y, t591, t592, t593, t594, t595, t596, t597, t598, t599, t600, t601, t602, t603, t604, t609, a7_x,
-            a7_y, w7_z, dw7_x, t621,
-        ]
+        w7_x, w7_y, t591, t592, t593, t594, t595, t596,
+        t597, t598, t599, t600, t601, t602, t603, t604,
+        t609, a7_x, a7_y, w7_z, dw7_x, t621,
+    ]
     };
     // link 7: force and moment
     let [f7_z, n7_z, t684, t687, t690, t696, t697] = {
@@ -628,34 +547,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     };
     // M = L D L'
     let [
-        t1005,
-        t1006,
-        t1007,
-        t1008,
-        t1009,
-        t1010,
-        t1011,
-        t1015,
-        t1019,
-        t1022,
-        t1025,
-        t1028,
-        t1031,
-        t1038,
-        t1045,
-        t1050,
-        t1055,
-        t1060,
-        t1070,
-        t1080,
-        t1087,
-        t1094,
-        t1107,
-        t1120,
-        t1129,
-        t1145,
-        t1161,
-        t1180,
+        t1005, t1006, t1007, t1008, t1009, t1010, t1011, t1015,
+        t1019, t1022, t1025, t1028, t1031, t1038, t1045, t1050,
+        t1055, t1060, t1070, t1080, t1087, t1094, t1107, t1120,
+        t1129, t1145, t1161, t1180,
     ] = {
         let t1005 = k5 / t412;
         let t1006 = t402 * t1005;
@@ -715,9 +610,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t1173 = ZZ7 - t412 * (t1011 * t1011) - t1014 * (t1031 * t1031) - t1169 - t1172;
         let t1180 = k5 / (t1173 - t1106 * (t1129 * t1129) - t1144 * (t1161 * t1161));
         [
-            t1005, t1006, t1007, t1008, t1009, t1010, t1011, t1015, t1019, t1022, t1025, t1028, t1031, t1038, t1045,
-            t1050, t1055, t1060, t1070, t1080, t1087, t1094, t1107, t1120, t1129, t1145, t1161, t1180,
-        ]
+        t1005, t1006, t1007, t1008, t1009, t1010, t1011, t1015,
+        t1019, t1022, t1025, t1028, t1031, t1038, t1045, t1050,
+        t1055, t1060, t1070, t1080, t1087, t1094, t1107, t1120,
+        t1129, t1145, t1161, t1180,
+    ]
     };
     // ddq
     {

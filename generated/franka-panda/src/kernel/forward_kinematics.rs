@@ -4,8 +4,8 @@
 //!
 //! 77 multiplications, 41 additions; 3 x 4, 12 of 12 structurally nonzero.
 
-use super::super::Trig;
 use super::super::runtime::Scalar;
+use super::super::{Trig};
 
 /// The last DH frame in the base frame: every entry of `out` is written.
 #[inline]
@@ -34,7 +34,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [t0, t1, t2, t3]
     };
     // frame 3
-    let [t4, t5, t7, t10, t13, t16, t19, t20, t21] = {
+    let [
+        t4, t5, t7, t10, t13, t16, t19, t20,
+        t21,
+    ] = {
         let t4 = L2 * t1;
         let t5 = L2 * t3;
         let t7 = L1 + c2 * L2;
@@ -44,10 +47,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t19 = c1 * c3 - s3 * t2;
         let t20 = s2 * c3;
         let t21 = s2 * s3;
-        [t4, t5, t7, t10, t13, t16, t19, t20, t21]
+        [
+        t4, t5, t7, t10, t13, t16, t19, t20,
+        t21,
+    ]
     };
     // frame 4
-    let [t25, t26, t27, t30, t33, t36, t39, t42, t45] = {
+    let [
+        t25, t26, t27, t30, t33, t36, t39, t42,
+        t45,
+    ] = {
         let t25 = A * t10 - t4;
         let t26 = t5 + A * t16;
         let t27 = t7 - A * t20;
@@ -57,10 +66,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t39 = s4 * t16 - c4 * t3;
         let t42 = c2 * s4 - c4 * t20;
         let t45 = c2 * c4 + s4 * t20;
-        [t25, t26, t27, t30, t33, t36, t39, t42, t45]
+        [
+        t25, t26, t27, t30, t33, t36, t39, t42,
+        t45,
+    ]
     };
     // frame 5
-    let [t55, t56, t57, t60, t63, t66, t69, t72, t75] = {
+    let [
+        t55, t56, t57, t60, t63, t66, t69, t72,
+        t75,
+    ] = {
         let t55 = t25 + (A * t30 - L3 * t33);
         let t56 = t26 - (A * t36 + L3 * t39);
         let t57 = t27 + (L3 * t45 - A * t42);
@@ -70,10 +85,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t69 = s5 * t36 - c5 * t19;
         let t72 = c5 * t42 + s5 * t21;
         let t75 = s5 * t42 - c5 * t21;
-        [t55, t56, t57, t60, t63, t66, t69, t72, t75]
+        [
+        t55, t56, t57, t60, t63, t66, t69, t72,
+        t75,
+    ]
     };
     // frame 6
-    let [t78, t79, t80, t83, t84, t85, t88, t89, t90] = {
+    let [
+        t78, t79, t80, t83, t84, t85, t88, t89,
+        t90,
+    ] = {
         let t78 = c6 * t60 + s6 * t33;
         let t79 = c6 * t33;
         let t80 = s6 * t60;
@@ -83,7 +104,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t88 = c6 * t72 + s6 * t45;
         let t89 = c6 * t45;
         let t90 = s6 * t72;
-        [t78, t79, t80, t83, t84, t85, t88, t89, t90]
+        [
+        t78, t79, t80, t83, t84, t85, t88, t89,
+        t90,
+    ]
     };
     // frame 7
     {

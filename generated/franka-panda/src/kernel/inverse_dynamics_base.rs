@@ -5,7 +5,7 @@
 //! 314 multiplications, 295 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, DOF, Trig};
+use super::super::{DOF, BASE, Trig};
 
 /// Torques from the base parameters: every entry of `out` is written.
 #[inline]
@@ -23,58 +23,21 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6, ddq7] = *ddq;
     let [
-        ZZ1R,
-        MSX2,
-        MSY2R,
-        XX2R,
-        ZZ2R,
-        XY2,
-        XZ2,
-        YZ2,
-        MSX3R,
-        MSY3R,
-        XX3R,
-        ZZ3R,
-        XY3R,
-        XZ3,
-        YZ3,
-        MSX4R,
-        MSY4R,
-        XX4R,
-        ZZ4R,
-        XY4R,
-        XZ4,
-        YZ4,
-        MSX5,
-        MSY5R,
-        XX5R,
-        ZZ5R,
-        XY5,
-        XZ5,
-        YZ5,
-        MSX6R,
-        MSY6R,
-        XX6R,
-        ZZ6R,
-        XY6R,
-        XZ6,
-        YZ6,
-        MSX7,
-        MSY7,
-        XX7R,
-        ZZ7,
-        XY7,
-        XZ7,
-        YZ7,
-        ..,
-    ] = *beta;
+        ZZ1R, MSX2, MSY2R, XX2R, ZZ2R, XY2, XZ2, YZ2, MSX3R, MSY3R, XX3R, ZZ3R,
+        XY3R, XZ3, YZ3, MSX4R, MSY4R, XX4R, ZZ4R, XY4R, XZ4, YZ4, MSX5, MSY5R,
+        XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6R, MSY6R, XX6R, ZZ6R, XY6R, XZ6, YZ6,
+        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
+        ..] = *beta;
     let A = S::constant(0.0825);
     let L2 = S::constant(0.316);
     let L3 = S::constant(0.384);
     let k0 = S::constant(9.81);
     let k4 = S::constant(0.088);
     // link 2: motion
-    let [t0, t1, t2, t3, t4, t5, t6, t7, t8, dw2_y] = {
+    let [
+        t0, t1, t2, t3, t4, t5, t6, t7,
+        t8, dw2_y,
+    ] = {
         let t0 = s2 * dq1;
         let t1 = c2 * dq1;
         let t2 = s2 * ddq1;
@@ -85,10 +48,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t7 = dq2 * t0;
         let t8 = t2 + t6;
         let dw2_y = t7 - t3;
-        [t0, t1, t2, t3, t4, t5, t6, t7, t8, dw2_y]
+        [
+        t0, t1, t2, t3, t4, t5, t6, t7,
+        t8, dw2_y,
+    ]
     };
     // link 3: motion
-    let [w3_x, w3_y, t22, t23, t24, t25, t26, t27, t29, t30, t35, a3_x, a3_y, w3_z, dw3_x, dw3_y, dw3_z] = {
+    let [
+        w3_x, w3_y, t22, t23, t24, t25, t26, t27,
+        t29, t30, t35, a3_x, a3_y, w3_z, dw3_x, dw3_y,
+        dw3_z,
+    ] = {
         let w3_x = s3 * dq2 - c3 * t0;
         let w3_y = c3 * dq2 + s3 * t0;
         let t22 = t0 * t0;
@@ -108,33 +78,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let dw3_x = s3 * ddq2 - c3 * t8 + dq3 * w3_y;
         let dw3_y = c3 * ddq2 + s3 * t8 - dq3 * w3_x;
         let dw3_z = ddq3 - dw2_y;
-        [w3_x, w3_y, t22, t23, t24, t25, t26, t27, t29, t30, t35, a3_x, a3_y, w3_z, dw3_x, dw3_y, dw3_z]
+        [
+        w3_x, w3_y, t22, t23, t24, t25, t26, t27,
+        t29, t30, t35, a3_x, a3_y, w3_z, dw3_x, dw3_y,
+        dw3_z,
+    ]
     };
     // link 4: motion
     let [
-        w4_x,
-        w4_y,
-        t60,
-        t61,
-        t62,
-        t63,
-        t64,
-        t65,
-        t66,
-        t67,
-        t68,
-        t69,
-        t70,
-        t71,
-        t72,
-        t73,
-        t78,
-        a4_x,
-        a4_y,
-        w4_z,
-        dw4_x,
-        dw4_y,
-        dw4_z,
+        w4_x, w4_y, t60, t61, t62, t63, t64, t65,
+        t66, t67, t68, t69, t70, t71, t72, t73,
+        t78, a4_x, a4_y, w4_z, dw4_x, dw4_y, dw4_z,
     ] = {
         let w4_x = c4 * w3_x + s4 * w3_z;
         let w4_y = c4 * w3_z - s4 * w3_x;
@@ -162,35 +116,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let dw4_y = c4 * dw3_z - s4 * dw3_x - dq4 * w4_x;
         let dw4_z = ddq4 - dw3_y;
         [
-            w4_x, w4_y, t60, t61, t62, t63, t64, t65, t66, t67, t68, t69, t70, t71, t72, t73, t78, a4_x, a4_y, w4_z,
-            dw4_x, dw4_y, dw4_z,
-        ]
+        w4_x, w4_y, t60, t61, t62, t63, t64, t65,
+        t66, t67, t68, t69, t70, t71, t72, t73,
+        t78, a4_x, a4_y, w4_z, dw4_x, dw4_y, dw4_z,
+    ]
     };
     // link 5: motion
     let [
-        w5_x,
-        t97,
-        t104,
-        t105,
-        t106,
-        t107,
-        t108,
-        t109,
-        t110,
-        t111,
-        t112,
-        t113,
-        t114,
-        t115,
-        t116,
-        t117,
-        a5_z,
-        a5_x,
-        a6_z,
-        w5_z,
-        dw5_x,
-        t140,
-        dw5_z,
+        w5_x, t97, t104, t105, t106, t107, t108, t109,
+        t110, t111, t112, t113, t114, t115, t116, t117,
+        a5_z, a5_x, a6_z, w5_z, dw5_x, t140, dw5_z,
     ] = {
         let w5_x = c5 * w4_x - s5 * w4_z;
         let t97 = c5 * w4_z + s5 * w4_x;
@@ -218,34 +153,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t140 = c5 * dw4_z + s5 * dw4_x + dq5 * w5_x;
         let dw5_z = dw4_y + ddq5;
         [
-            w5_x, t97, t104, t105, t106, t107, t108, t109, t110, t111, t112, t113, t114, t115, t116, t117, a5_z, a5_x,
-            a6_z, w5_z, dw5_x, t140, dw5_z,
-        ]
+        w5_x, t97, t104, t105, t106, t107, t108, t109,
+        t110, t111, t112, t113, t114, t115, t116, t117,
+        a5_z, a5_x, a6_z, w5_z, dw5_x, t140, dw5_z,
+    ]
     };
     // link 6: motion
     let [
-        w6_x,
-        w6_y,
-        t154,
-        t155,
-        t156,
-        t157,
-        t158,
-        t159,
-        t160,
-        t161,
-        t162,
-        t163,
-        t164,
-        t165,
-        t166,
-        t167,
-        a6_x,
-        a6_y,
-        w6_z,
-        dw6_x,
-        dw6_y,
-        dw6_z,
+        w6_x, w6_y, t154, t155, t156, t157, t158, t159,
+        t160, t161, t162, t163, t164, t165, t166, t167,
+        a6_x, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
     ] = {
         let w6_x = c6 * w5_x + s6 * w5_z;
         let w6_y = c6 * w5_z - s6 * w5_x;
@@ -270,35 +187,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let dw6_y = c6 * dw5_z - s6 * dw5_x - dq6 * w6_x;
         let dw6_z = t140 + ddq6;
         [
-            w6_x, w6_y, t154, t155, t156, t157, t158, t159, t160, t161, t162, t163, t164, t165, t166, t167, a6_x, a6_y,
-            w6_z, dw6_x, dw6_y, dw6_z,
-        ]
+        w6_x, w6_y, t154, t155, t156, t157, t158, t159,
+        t160, t161, t162, t163, t164, t165, t166, t167,
+        a6_x, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
+    ]
     };
     // link 7: motion
     let [
-        w7_x,
-        w7_y,
-        t192,
-        t193,
-        t194,
-        t195,
-        t196,
-        t197,
-        t198,
-        t199,
-        t200,
-        t201,
-        t202,
-        t203,
-        t204,
-        t205,
-        t210,
-        a7_x,
-        a7_y,
-        w7_z,
-        dw7_x,
-        dw7_y,
-        dw7_z,
+        w7_x, w7_y, t192, t193, t194, t195, t196, t197,
+        t198, t199, t200, t201, t202, t203, t204, t205,
+        t210, a7_x, a7_y, w7_z, dw7_x, dw7_y, dw7_z,
     ] = {
         let w7_x = c7 * w6_x + s7 * w6_z;
         let w7_y = c7 * w6_z - s7 * w6_x;
@@ -326,9 +224,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let dw7_y = c7 * dw6_z - s7 * dw6_x - dq7 * w7_x;
         let dw7_z = ddq7 - dw6_y;
         [
-            w7_x, w7_y, t192, t193, t194, t195, t196, t197, t198, t199, t200, t201, t202, t203, t204, t205, t210, a7_x,
-            a7_y, w7_z, dw7_x, dw7_y, dw7_z,
-        ]
+        w7_x, w7_y, t192, t193, t194, t195, t196, t197,
+        t198, t199, t200, t201, t202, t203, t204, t205,
+        t210, a7_x, a7_y, w7_z, dw7_x, dw7_y, dw7_z,
+    ]
     };
     // link 7: force and moment
     let [f7_z, t286, t289, t292, t298, t299] = {

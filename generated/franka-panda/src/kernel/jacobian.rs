@@ -4,49 +4,18 @@
 //!
 //! 93 multiplications, 57 additions; 6 x 7, 35 of 42 structurally nonzero.
 
-use super::super::Trig;
 use super::super::runtime::Scalar;
+use super::super::{Trig};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 35;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
-    (0, 0),
-    (0, 1),
-    (0, 2),
-    (0, 3),
-    (0, 4),
-    (0, 5),
-    (1, 0),
-    (1, 1),
-    (1, 2),
-    (1, 3),
-    (1, 4),
-    (1, 5),
-    (2, 1),
-    (2, 2),
-    (2, 3),
-    (2, 4),
-    (2, 5),
-    (3, 1),
-    (3, 2),
-    (3, 3),
-    (3, 4),
-    (3, 5),
-    (3, 6),
-    (4, 1),
-    (4, 2),
-    (4, 3),
-    (4, 4),
-    (4, 5),
-    (4, 6),
-    (5, 0),
-    (5, 2),
-    (5, 3),
-    (5, 4),
-    (5, 5),
-    (5, 6),
+    (0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (1, 0), (1, 1), (1, 2), (1, 3),
+    (1, 4), (1, 5), (2, 1), (2, 2), (2, 3), (2, 4), (2, 5), (3, 1), (3, 2), (3, 3),
+    (3, 4), (3, 5), (3, 6), (4, 1), (4, 2), (4, 3), (4, 4), (4, 5), (4, 6), (5, 0),
+    (5, 2), (5, 3), (5, 4), (5, 5), (5, 6),
 ];
 
 /// Jacobian of the last DH frame's origin, in base axes: every entry of `out` is written.
@@ -89,7 +58,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [t0, t1, t2, t3]
     };
     // frame 3
-    let [t4, t5, t7, t10, t13, t16, t19, t20, t21] = {
+    let [
+        t4, t5, t7, t10, t13, t16, t19, t20,
+        t21,
+    ] = {
         let t4 = L2 * t1;
         let t5 = L2 * t3;
         let t7 = L1 + c2 * L2;
@@ -101,10 +73,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t21 = s2 * s3;
         put(19, t13); // [3][3]
         put(25, t19); // [4][3]
-        [t4, t5, t7, t10, t13, t16, t19, t20, t21]
+        [
+        t4, t5, t7, t10, t13, t16, t19, t20,
+        t21,
+    ]
     };
     // frame 4
-    let [t25, t26, t27, t30, t33, t36, t39, t42, t45] = {
+    let [
+        t25, t26, t27, t30, t33, t36, t39, t42,
+        t45,
+    ] = {
         let t25 = t4 + A * t10;
         let t26 = t5 + A * t16;
         let t27 = A * t20 - t7;
@@ -117,10 +95,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(20, t33); // [3][4]
         put(26, t39); // [4][4]
         put(32, t45); // [5][4]
-        [t25, t26, t27, t30, t33, t36, t39, t42, t45]
+        [
+        t25, t26, t27, t30, t33, t36, t39, t42,
+        t45,
+    ]
     };
     // frame 5
-    let [t55, t56, t57, t60, t63, t66, t69, t72, t75] = {
+    let [
+        t55, t56, t57, t60, t63, t66, t69, t72,
+        t75,
+    ] = {
         let t55 = A * t30 - L3 * t33 - t25;
         let t56 = A * t36 - L3 * t39 - t26;
         let t57 = t27 + (A * t42 - L3 * t45);
@@ -133,10 +117,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(21, t63); // [3][5]
         put(27, t69); // [4][5]
         put(33, t75); // [5][5]
-        [t55, t56, t57, t60, t63, t66, t69, t72, t75]
+        [
+        t55, t56, t57, t60, t63, t66, t69, t72,
+        t75,
+    ]
     };
     // frame 6
-    let [t78, t79, t80, t83, t84, t85, t88, t89, t90] = {
+    let [
+        t78, t79, t80, t83, t84, t85, t88, t89,
+        t90,
+    ] = {
         let t78 = c6 * t60 + s6 * t33;
         let t79 = c6 * t33;
         let t80 = s6 * t60;
@@ -146,7 +136,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t88 = c6 * t72 + s6 * t45;
         let t89 = c6 * t45;
         let t90 = s6 * t72;
-        [t78, t79, t80, t83, t84, t85, t88, t89, t90]
+        [
+        t78, t79, t80, t83, t84, t85, t88, t89,
+        t90,
+    ]
     };
     // frame 7
     let [t91, t92, t93, t94, t95, t96] = {

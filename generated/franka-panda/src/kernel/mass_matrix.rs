@@ -21,51 +21,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
     let [_, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [
-        ZZ1R,
-        _,
-        _,
-        XX2R,
-        ZZ2R,
-        XY2,
-        XZ2,
-        YZ2,
-        MSX3R,
-        MSY3R,
-        XX3R,
-        ZZ3R,
-        XY3R,
-        XZ3,
-        YZ3,
-        MSX4R,
-        MSY4R,
-        XX4R,
-        ZZ4R,
-        XY4R,
-        XZ4,
-        YZ4,
-        MSX5,
-        MSY5R,
-        XX5R,
-        ZZ5R,
-        XY5,
-        XZ5,
-        YZ5,
-        MSX6R,
-        MSY6R,
-        XX6R,
-        ZZ6R,
-        XY6R,
-        XZ6,
-        YZ6,
-        MSX7,
-        MSY7,
-        XX7R,
-        ZZ7,
-        XY7,
-        XZ7,
-        YZ7,
-        ..,
-    ] = *beta;
+        ZZ1R, _, _, XX2R, ZZ2R, XY2, XZ2, YZ2, MSX3R, MSY3R, XX3R, ZZ3R,
+        XY3R, XZ3, YZ3, MSX4R, MSY4R, XX4R, ZZ4R, XY4R, XZ4, YZ4, MSX5, MSY5R,
+        XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6R, MSY6R, XX6R, ZZ6R, XY6R, XZ6, YZ6,
+        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
+        ..] = *beta;
     let A = S::constant(0.0825);
     let L2 = S::constant(0.316);
     let L3 = S::constant(0.384);
@@ -119,7 +79,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         [t2, t5, t8, t11, t95, t97, t98, t99]
     };
     // composite body 6
-    let [t108, t111, t114, t117, t121, t124, t180, t183, t186, t187] = {
+    let [
+        t108, t111, t114, t117, t121, t124, t180, t183,
+        t186, t187,
+    ] = {
         let t100 = MSX6R + t5;
         let t101 = XX6R - t95;
         let t102 = ZZ6R + t98;
@@ -164,10 +127,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         put(38, t132); // [5][3]
         put(39, t117); // [5][4]
         put(40, t102); // [5][5]
-        [t108, t111, t114, t117, t121, t124, t180, t183, t186, t187]
+        [
+        t108, t111, t114, t117, t121, t124, t180, t183,
+        t186, t187,
+    ]
     };
     // composite body 5
-    let [t197, t200, t211, t266, t267, t268, t271, t272, t276] = {
+    let [
+        t197, t200, t211, t266, t267, t268, t271, t272,
+        t276,
+    ] = {
         let t188 = t111 - MSX5;
         let t189 = MSY5R - t2;
         let t190 = XX5R - t180;
@@ -212,10 +181,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         put(30, t222); // [4][2]
         put(31, t211); // [4][3]
         put(32, t191); // [4][4]
-        [t197, t200, t211, t266, t267, t268, t271, t272, t276]
+        [
+        t197, t200, t211, t266, t267, t268, t271, t272,
+        t276,
+    ]
     };
     // composite body 4
-    let [t286, t289, t295, t333, t337, t339, t340, t341, t342] = {
+    let [
+        t286, t289, t295, t333, t337, t339, t340, t341,
+        t342,
+    ] = {
         let t277 = t200 - MSX4R;
         let t278 = MSY4R + t108;
         let t279 = t266 - XX4R;
@@ -251,7 +226,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         put(22, t309); // [3][1]
         put(23, t295); // [3][2]
         put(24, t280); // [3][3]
-        [t286, t289, t295, t333, t337, t339, t340, t341, t342]
+        [
+        t286, t289, t295, t333, t337, t339, t340, t341,
+        t342,
+    ]
     };
     // composite body 3
     let [t364, t365, t384, t389, t390, t394] = {

@@ -12,74 +12,13 @@ pub const NONZEROS: usize = 68;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
-    (0, 0),
-    (0, 1),
-    (0, 2),
-    (0, 3),
-    (0, 4),
-    (0, 5),
-    (0, 6),
-    (0, 7),
-    (0, 8),
-    (0, 9),
-    (1, 0),
-    (1, 1),
-    (1, 2),
-    (1, 3),
-    (1, 4),
-    (1, 5),
-    (1, 6),
-    (1, 7),
-    (1, 8),
-    (1, 9),
-    (2, 0),
-    (2, 1),
-    (2, 2),
-    (2, 3),
-    (2, 4),
-    (2, 5),
-    (2, 6),
-    (2, 7),
-    (2, 8),
-    (2, 9),
-    (3, 0),
-    (3, 1),
-    (3, 2),
-    (3, 3),
-    (3, 4),
-    (3, 5),
-    (3, 6),
-    (3, 7),
-    (3, 8),
-    (3, 9),
-    (4, 0),
-    (4, 1),
-    (4, 2),
-    (4, 3),
-    (4, 4),
-    (4, 5),
-    (4, 6),
-    (4, 7),
-    (4, 8),
-    (4, 9),
-    (5, 0),
-    (5, 1),
-    (5, 2),
-    (5, 3),
-    (5, 4),
-    (5, 5),
-    (5, 6),
-    (5, 7),
-    (5, 8),
-    (5, 9),
-    (6, 1),
-    (6, 2),
-    (6, 4),
-    (6, 5),
-    (6, 6),
-    (6, 7),
-    (6, 8),
-    (6, 9),
+    (0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (0, 6), (0, 7), (0, 8), (0, 9),
+    (1, 0), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 6), (1, 7), (1, 8), (1, 9),
+    (2, 0), (2, 1), (2, 2), (2, 3), (2, 4), (2, 5), (2, 6), (2, 7), (2, 8), (2, 9),
+    (3, 0), (3, 1), (3, 2), (3, 3), (3, 4), (3, 5), (3, 6), (3, 7), (3, 8), (3, 9),
+    (4, 0), (4, 1), (4, 2), (4, 3), (4, 4), (4, 5), (4, 6), (4, 7), (4, 8), (4, 9),
+    (5, 0), (5, 1), (5, 2), (5, 3), (5, 4), (5, 5), (5, 6), (5, 7), (5, 8), (5, 9),
+    (6, 1), (6, 2), (6, 4), (6, 5), (6, 6), (6, 7), (6, 8), (6, 9),
 ];
 
 /// Regressor of a body fixed to the tool frame: every entry of `out` is written.
@@ -121,7 +60,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t0, t1, t4, t5, t6, t8, t9]
     };
     // link 3: motion
-    let [t12, w3_y, t32, t35, a3_y, w3_z, dw3_x, dw3_y, dw3_z] = {
+    let [
+        t12, w3_y, t32, t35, a3_y, w3_z, dw3_x, dw3_y,
+        dw3_z,
+    ] = {
         let t12 = c3 * t0 - s3 * dq2;
         let w3_y = c3 * dq2 + s3 * t0;
         let t30 = L2 * (t6 + t8);
@@ -133,10 +75,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw3_x = s3 * ddq2 - c3 * t8 + dq3 * w3_y;
         let dw3_y = c3 * ddq2 + s3 * t8 + dq3 * t12;
         let dw3_z = t9 + ddq3;
-        [t12, w3_y, t32, t35, a3_y, w3_z, dw3_x, dw3_y, dw3_z]
+        [
+        t12, w3_y, t32, t35, a3_y, w3_z, dw3_x, dw3_y,
+        dw3_z,
+    ]
     };
     // link 4: motion
-    let [t47, w4_y, t68, a4_x, a4_y, w4_z, dw4_x, dw4_y, t81] = {
+    let [
+        t47, w4_y, t68, a4_x, a4_y, w4_z, dw4_x, dw4_y,
+        t81,
+    ] = {
         let t47 = c4 * t12 - s4 * w3_z;
         let w4_y = c4 * w3_z + s4 * t12;
         let t67 = t35 + A * (w3_y * w3_y + w3_z * w3_z);
@@ -148,10 +96,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw4_x = c4 * dw3_x + s4 * dw3_z + dq4 * w4_y;
         let dw4_y = dq4 * t47 - (s4 * dw3_x - c4 * dw3_z);
         let t81 = dw3_y - ddq4;
-        [t47, w4_y, t68, a4_x, a4_y, w4_z, dw4_x, dw4_y, t81]
+        [
+        t47, w4_y, t68, a4_x, a4_y, w4_z, dw4_x, dw4_y,
+        t81,
+    ]
     };
     // link 5: motion
-    let [t84, t87, t116, a5_x, t123, w5_z, dw5_x, t128, dw5_z] = {
+    let [
+        t84, t87, t116, a5_x, t123, w5_z, dw5_x, t128,
+        dw5_z,
+    ] = {
         let t84 = c5 * t47 + s5 * w4_z;
         let t87 = s5 * t47 - c5 * w4_z;
         let t96 = w4_z * w4_z;
@@ -165,7 +119,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw5_x = c5 * dw4_x + s5 * t81 + dq5 * t87;
         let t128 = c5 * t81 - s5 * dw4_x + dq5 * t84;
         let dw5_z = dw4_y + ddq5;
-        [t84, t87, t116, a5_x, t123, w5_z, dw5_x, t128, dw5_z]
+        [
+        t84, t87, t116, a5_x, t123, w5_z, dw5_x, t128,
+        dw5_z,
+    ]
     };
     // link 6: motion
     let [t132, w6_y, t144, t147, w6_z, dw6_x, t152, dw6_z] = {
@@ -180,7 +137,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t132, w6_y, t144, t147, w6_z, dw6_x, t152, dw6_z]
     };
     // link 7: motion
-    let [w7_x, w7_y, t177, t181, a7_y, w7_z, dw7_x, dw7_y, dw7_z] = {
+    let [
+        w7_x, w7_y, t177, t181, a7_y, w7_z, dw7_x, dw7_y,
+        dw7_z,
+    ] = {
         let w7_x = s7 * w6_z - c7 * t132;
         let w7_y = c7 * w6_z + s7 * t132;
         let t176 = t144 + k4 * (w6_y * w6_y + w6_z * w6_z);
@@ -195,7 +155,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(60, a7_y); // row 7, MSX
         put(61, t181); // row 7, MSY
         put(64, dw7_z); // row 7, ZZ
-        [w7_x, w7_y, t177, t181, a7_y, w7_z, dw7_x, dw7_y, dw7_z]
+        [
+        w7_x, w7_y, t177, t181, a7_y, w7_z, dw7_x, dw7_y,
+        dw7_z,
+    ]
     };
     // joint axes in frame 3
     let [t191, z1_3_y] = {
@@ -223,7 +186,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [z1_5_x, t206, z2_5_x, t212, t213, z3_5_x, z3_6_z]
     };
     // joint axes in frame 7
-    let [t216, t217, t218, t219, t220, t221, t222, t223, t224, t225, t226, t227, t228, t229, t230] = {
+    let [
+        t216, t217, t218, t219, t220, t221, t222, t223,
+        t224, t225, t226, t227, t228, t229, t230,
+    ] = {
         let t216 = w7_x * w7_x;
         let t217 = w7_y * w7_y;
         let t218 = w7_z * w7_z;
@@ -242,7 +208,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(63, t219); // row 7, YY
         put(66, t227); // row 7, XZ
         put(67, t224); // row 7, YZ
-        [t216, t217, t218, t219, t220, t221, t222, t223, t224, t225, t226, t227, t228, t229, t230]
+        [
+        t216, t217, t218, t219, t220, t221, t222, t223,
+        t224, t225, t226, t227, t228, t229, t230,
+    ]
     };
     // payload: column M
     let [t233, t236, t237, t268, t271] = {

@@ -4,39 +4,17 @@
 //!
 //! 39 multiplications, 19 additions; 70, 25 of 70 structurally nonzero.
 
-use super::super::Trig;
 use super::super::runtime::Scalar;
+use super::super::{Trig};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 25;
 
 /// First index, and the rest row-major, of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
-    (0, 0),
-    (3, 0),
-    (10, 0),
-    (11, 0),
-    (12, 0),
-    (20, 0),
-    (21, 0),
-    (22, 0),
-    (23, 0),
-    (30, 0),
-    (31, 0),
-    (32, 0),
-    (33, 0),
-    (40, 0),
-    (41, 0),
-    (42, 0),
-    (43, 0),
-    (50, 0),
-    (51, 0),
-    (52, 0),
-    (53, 0),
-    (60, 0),
-    (61, 0),
-    (62, 0),
-    (63, 0),
+    (0, 0), (3, 0), (10, 0), (11, 0), (12, 0), (20, 0), (21, 0), (22, 0), (23, 0), (30, 0),
+    (31, 0), (32, 0), (33, 0), (40, 0), (41, 0), (42, 0), (43, 0), (50, 0), (51, 0), (52, 0),
+    (53, 0), (60, 0), (61, 0), (62, 0), (63, 0),
 ];
 
 /// Potential energy, one entry per standard parameter: every entry of `out` is written.

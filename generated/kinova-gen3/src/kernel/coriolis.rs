@@ -5,7 +5,7 @@
 //! 314 multiplications, 288 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, DOF, Trig};
+use super::super::{DOF, BASE, Trig};
 
 /// Coriolis and centrifugal torques `C dq`: every entry of `out` is written.
 #[inline]
@@ -22,51 +22,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [
-        _,
-        MSX2,
-        MSY2R,
-        XX2R,
-        ZZ2R,
-        XY2,
-        XZ2,
-        YZ2,
-        MSX3,
-        MSY3R,
-        XX3R,
-        ZZ3R,
-        XY3,
-        XZ3,
-        YZ3,
-        MSX4,
-        MSY4R,
-        XX4R,
-        ZZ4R,
-        XY4,
-        XZ4,
-        YZ4,
-        MSX5,
-        MSY5R,
-        XX5R,
-        ZZ5R,
-        XY5,
-        XZ5,
-        YZ5,
-        MSX6,
-        MSY6R,
-        XX6R,
-        ZZ6R,
-        XY6,
-        XZ6,
-        YZ6,
-        MSX7,
-        MSY7,
-        XX7R,
-        ZZ7,
-        XY7,
-        XZ7,
-        YZ7,
-        ..,
-    ] = *beta;
+        _, MSX2, MSY2R, XX2R, ZZ2R, XY2, XZ2, YZ2, MSX3, MSY3R, XX3R, ZZ3R,
+        XY3, XZ3, YZ3, MSX4, MSY4R, XX4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSY5R,
+        XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6R, XX6R, ZZ6R, XY6, XZ6, YZ6,
+        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
+        ..] = *beta;
     let k0 = S::constant(0.01175);
     let k1 = S::constant(0.42076);
     let k2 = S::constant(0.01275);
@@ -83,7 +43,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         [w2_x, w2_y, a2_z, dw2_x, t5]
     };
     // link 3: motion
-    let [w3_x, t11, t14, t15, t16, t17, t18, t19, t20, t21, a3_z, t28, a3_y, w3_z, dw3_x, dw4_z] = {
+    let [
+        w3_x, t11, t14, t15, t16, t17, t18, t19,
+        t20, t21, a3_z, t28, a3_y, w3_z, dw3_x, dw4_z,
+    ] = {
         let w3_x = c3 * w2_x - s3 * dq2;
         let t11 = c3 * dq2 + s3 * w2_x;
         let t14 = w2_x * w2_x;
@@ -102,32 +65,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let w3_z = w2_y + dq3;
         let dw3_x = c3 * dw2_x - dq3 * t11;
         let dw4_z = s3 * dw2_x + dq3 * w3_x;
-        [w3_x, t11, t14, t15, t16, t17, t18, t19, t20, t21, a3_z, t28, a3_y, w3_z, dw3_x, dw4_z]
+        [
+        w3_x, t11, t14, t15, t16, t17, t18, t19,
+        t20, t21, a3_z, t28, a3_y, w3_z, dw3_x, dw4_z,
+    ]
     };
     // link 4: motion
     let [
-        w4_x,
-        w4_y,
-        t49,
-        t50,
-        t51,
-        t52,
-        t53,
-        t54,
-        t55,
-        t56,
-        t57,
-        t58,
-        t59,
-        t60,
-        t61,
-        t62,
-        t67,
-        a4_x,
-        a4_y,
-        w4_z,
-        dw4_x,
-        t79,
+        w4_x, w4_y, t49, t50, t51, t52, t53, t54,
+        t55, t56, t57, t58, t59, t60, t61, t62,
+        t67, a4_x, a4_y, w4_z, dw4_x, t79,
     ] = {
         let w4_x = c4 * w3_x + s4 * w3_z;
         let w4_y = c4 * w3_z - s4 * w3_x;
@@ -154,34 +101,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let dw4_x = c4 * dw3_x - s4 * t5 + dq4 * w4_y;
         let t79 = c4 * t5 + s4 * dw3_x + dq4 * w4_x;
         [
-            w4_x, w4_y, t49, t50, t51, t52, t53, t54, t55, t56, t57, t58, t59, t60, t61, t62, t67, a4_x, a4_y, w4_z,
-            dw4_x, t79,
-        ]
+        w4_x, w4_y, t49, t50, t51, t52, t53, t54,
+        t55, t56, t57, t58, t59, t60, t61, t62,
+        t67, a4_x, a4_y, w4_z, dw4_x, t79,
+    ]
     };
     // link 5: motion
     let [
-        w5_x,
-        t85,
-        t92,
-        t93,
-        t94,
-        t95,
-        t96,
-        t97,
-        t98,
-        t99,
-        t100,
-        t101,
-        t102,
-        t103,
-        t104,
-        t105,
-        a5_z,
-        a5_x,
-        a5_y,
-        w5_z,
-        dw5_x,
-        dw6_z,
+        w5_x, t85, t92, t93, t94, t95, t96, t97,
+        t98, t99, t100, t101, t102, t103, t104, t105,
+        a5_z, a5_x, a5_y, w5_z, dw5_x, dw6_z,
     ] = {
         let w5_x = c5 * w4_x - s5 * w4_z;
         let t85 = c5 * w4_z + s5 * w4_x;
@@ -208,34 +137,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let dw5_x = c5 * dw4_x - s5 * dw4_z - dq5 * t85;
         let dw6_z = c5 * dw4_z + s5 * dw4_x + dq5 * w5_x;
         [
-            w5_x, t85, t92, t93, t94, t95, t96, t97, t98, t99, t100, t101, t102, t103, t104, t105, a5_z, a5_x, a5_y,
-            w5_z, dw5_x, dw6_z,
-        ]
+        w5_x, t85, t92, t93, t94, t95, t96, t97,
+        t98, t99, t100, t101, t102, t103, t104, t105,
+        a5_z, a5_x, a5_y, w5_z, dw5_x, dw6_z,
+    ]
     };
     // link 6: motion
     let [
-        w6_x,
-        w6_y,
-        t135,
-        t136,
-        t137,
-        t138,
-        t139,
-        t140,
-        t141,
-        t142,
-        t143,
-        t144,
-        t145,
-        t146,
-        t147,
-        t148,
-        t153,
-        a6_x,
-        a6_y,
-        w6_z,
-        dw6_x,
-        t165,
+        w6_x, w6_y, t135, t136, t137, t138, t139, t140,
+        t141, t142, t143, t144, t145, t146, t147, t148,
+        t153, a6_x, a6_y, w6_z, dw6_x, t165,
     ] = {
         let w6_x = c6 * w5_x + s6 * w5_z;
         let w6_y = c6 * w5_z - s6 * w5_x;
@@ -262,34 +173,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let dw6_x = c6 * dw5_x - s6 * t79 + dq6 * w6_y;
         let t165 = c6 * t79 + s6 * dw5_x + dq6 * w6_x;
         [
-            w6_x, w6_y, t135, t136, t137, t138, t139, t140, t141, t142, t143, t144, t145, t146, t147, t148, t153, a6_x,
-            a6_y, w6_z, dw6_x, t165,
-        ]
+        w6_x, w6_y, t135, t136, t137, t138, t139, t140,
+        t141, t142, t143, t144, t145, t146, t147, t148,
+        t153, a6_x, a6_y, w6_z, dw6_x, t165,
+    ]
     };
     // link 7: motion
     let [
-        w7_x,
-        t171,
-        t178,
-        t179,
-        t180,
-        t181,
-        t182,
-        t183,
-        t184,
-        t185,
-        t186,
-        t187,
-        t188,
-        t189,
-        t190,
-        t191,
-        a7_z,
-        a7_x,
-        a7_y,
-        w7_z,
-        dw7_x,
-        t208,
+        w7_x, t171, t178, t179, t180, t181, t182, t183,
+        t184, t185, t186, t187, t188, t189, t190, t191,
+        a7_z, a7_x, a7_y, w7_z, dw7_x, t208,
     ] = {
         let w7_x = c7 * w6_x - s7 * w6_z;
         let t171 = c7 * w6_z + s7 * w6_x;
@@ -316,9 +209,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let dw7_x = c7 * dw6_x - s7 * dw6_z - dq7 * t171;
         let t208 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
         [
-            w7_x, t171, t178, t179, t180, t181, t182, t183, t184, t185, t186, t187, t188, t189, t190, t191, a7_z, a7_x,
-            a7_y, w7_z, dw7_x, t208,
-        ]
+        w7_x, t171, t178, t179, t180, t181, t182, t183,
+        t184, t185, t186, t187, t188, t189, t190, t191,
+        a7_z, a7_x, a7_y, w7_z, dw7_x, t208,
+    ]
     };
     // link 7: force and moment
     let [f7_z, n7_z, t271, t274, t283, t284] = {

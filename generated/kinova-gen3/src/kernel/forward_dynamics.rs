@@ -5,7 +5,7 @@
 //! 729 multiplications, 593 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, DOF, Trig};
+use super::super::{DOF, BASE, Trig};
 
 /// Accelerations that torques cause: every entry of `out` is written.
 #[inline]
@@ -23,51 +23,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [tau1, tau2, tau3, tau4, tau5, tau6, tau7] = *tau;
     let [
-        ZZ1R,
-        MSX2,
-        MSY2R,
-        XX2R,
-        ZZ2R,
-        XY2,
-        XZ2,
-        YZ2,
-        MSX3,
-        MSY3R,
-        XX3R,
-        ZZ3R,
-        XY3,
-        XZ3,
-        YZ3,
-        MSX4,
-        MSY4R,
-        XX4R,
-        ZZ4R,
-        XY4,
-        XZ4,
-        YZ4,
-        MSX5,
-        MSY5R,
-        XX5R,
-        ZZ5R,
-        XY5,
-        XZ5,
-        YZ5,
-        MSX6,
-        MSY6R,
-        XX6R,
-        ZZ6R,
-        XY6,
-        XZ6,
-        YZ6,
-        MSX7,
-        MSY7,
-        XX7R,
-        ZZ7,
-        XY7,
-        XZ7,
-        YZ7,
-        ..,
-    ] = *beta;
+        ZZ1R, MSX2, MSY2R, XX2R, ZZ2R, XY2, XZ2, YZ2, MSX3, MSY3R, XX3R, ZZ3R,
+        XY3, XZ3, YZ3, MSX4, MSY4R, XX4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSY5R,
+        XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6R, XX6R, ZZ6R, XY6, XZ6, YZ6,
+        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
+        ..] = *beta;
     let k0 = S::constant(0.167455);
     let k1 = S::constant(0.00035);
     let k2 = S::constant(0.31436);
@@ -77,7 +37,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     let k6 = S::constant(9.81);
     let k7 = S::constant(1.0);
     // composite body 7
-    let [t2, t5, t14, t15, t19, t22, t27, t43, t59, t75, t83, t92, t95, t98, t99] = {
+    let [
+        t2, t5, t14, t15, t19, t22, t27, t43,
+        t59, t75, t83, t92, t95, t98, t99,
+    ] = {
         let t2 = c7 * MSY7 + s7 * MSX7;
         let t5 = c7 * MSX7 - s7 * MSY7;
         let t14 = c7 * XZ7 - s7 * YZ7 + t5 * k0;
@@ -107,10 +70,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t95 = c7 * t89 - s7 * t85;
         let t98 = s7 * t89 + c7 * t85;
         let t99 = t2 + t2;
-        [t2, t5, t14, t15, t19, t22, t27, t43, t59, t75, t83, t92, t95, t98, t99]
+        [
+        t2, t5, t14, t15, t19, t22, t27, t43,
+        t59, t75, t83, t92, t95, t98, t99,
+    ]
     };
     // composite body 6
-    let [t102, t108, t111, t120, t121, t133, t149, t165, t173, t187, t191, t193, t194, t198] = {
+    let [
+        t102, t108, t111, t120, t121, t133, t149, t165,
+        t173, t187, t191, t193, t194, t198,
+    ] = {
         let t100 = MSX6 + t5;
         let t101 = XX6R + t92;
         let t102 = ZZ6R + t98;
@@ -144,10 +113,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t194 = s6 * t179 + c6 * t181 + t192;
         let t196 = t2 * k1;
         let t198 = t102 + t192 - (t196 + t196);
-        [t102, t108, t111, t120, t121, t133, t149, t165, t173, t187, t191, t193, t194, t198]
+        [
+        t102, t108, t111, t120, t121, t133, t149, t165,
+        t173, t187, t191, t193, t194, t198,
+    ]
     };
     // composite body 5
-    let [t202, t208, t211, t220, t221, t233, t249, t257, t273, t277, t279, t280, t284] = {
+    let [
+        t202, t208, t211, t220, t221, t233, t249, t257,
+        t273, t277, t279, t280, t284,
+    ] = {
         let t199 = MSX5 + t111;
         let t200 = MSY5R + t2;
         let t201 = XX5R + t193;
@@ -178,10 +153,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t280 = s5 * t263 + c5 * t267 - t278;
         let t282 = k2 * t108;
         let t284 = t202 - t278 + (t282 + t282);
-        [t202, t208, t211, t220, t221, t233, t249, t257, t273, t277, t279, t280, t284]
+        [
+        t202, t208, t211, t220, t221, t233, t249, t257,
+        t273, t277, t279, t280, t284,
+    ]
     };
     // composite body 4
-    let [t288, t294, t297, t306, t307, t319, t327, t343, t347, t349, t350, t354] = {
+    let [
+        t288, t294, t297, t306, t307, t319, t327, t343,
+        t347, t349, t350, t354,
+    ] = {
         let t285 = MSX4 + t211;
         let t286 = MSY4R + t108;
         let t287 = XX4R + t279;
@@ -209,10 +190,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t350 = s4 * t333 + c4 * t337 + t348;
         let t352 = k3 * t208;
         let t354 = t288 + t348 - (t352 + t352);
-        [t288, t294, t297, t306, t307, t319, t327, t343, t347, t349, t350, t354]
+        [
+        t288, t294, t297, t306, t307, t319, t327, t343,
+        t347, t349, t350, t354,
+    ]
     };
     // composite body 3
-    let [t358, t367, t376, t377, t383, t399, t403, t405, t406, t410] = {
+    let [
+        t358, t367, t376, t377, t383, t399, t403, t405,
+        t406, t410,
+    ] = {
         let t355 = MSX3 + t297;
         let t356 = MSY3R + t208;
         let t357 = XX3R + t349;
@@ -236,7 +223,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t406 = s3 * t389 + c3 * t393 - t404;
         let t408 = k4 * t294;
         let t410 = t358 - t404 + (t408 + t408);
-        [t358, t367, t376, t377, t383, t399, t403, t405, t406, t410]
+        [
+        t358, t367, t376, t377, t383, t399, t403, t405,
+        t406, t410,
+    ]
     };
     // composite body 2
     let [t414, t425, t436] = {
@@ -265,7 +255,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         [w2_x, w2_y, t441, t442, a2_z, dw2_x, t445]
     };
     // link 3: motion
-    let [w3_x, t451, t454, t455, t456, t457, t458, t459, t460, t461, a3_z, t470, a3_y, w3_z, dw3_x, dw4_z] = {
+    let [
+        w3_x, t451, t454, t455, t456, t457, t458, t459,
+        t460, t461, a3_z, t470, a3_y, w3_z, dw3_x, dw4_z,
+    ] = {
         let w3_x = c3 * w2_x - s3 * dq2;
         let t451 = c3 * dq2 + s3 * w2_x;
         let t454 = w2_x * w2_x;
@@ -284,32 +277,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let w3_z = w2_y + dq3;
         let dw3_x = c3 * dw2_x - dq3 * t451;
         let dw4_z = s3 * dw2_x + dq3 * w3_x;
-        [w3_x, t451, t454, t455, t456, t457, t458, t459, t460, t461, a3_z, t470, a3_y, w3_z, dw3_x, dw4_z]
+        [
+        w3_x, t451, t454, t455, t456, t457, t458, t459,
+        t460, t461, a3_z, t470, a3_y, w3_z, dw3_x, dw4_z,
+    ]
     };
     // link 4: motion
     let [
-        w4_x,
-        w4_y,
-        t491,
-        t492,
-        t493,
-        t494,
-        t495,
-        t496,
-        t497,
-        t498,
-        t499,
-        t500,
-        t501,
-        t502,
-        t503,
-        t504,
-        t509,
-        a4_x,
-        a4_y,
-        w4_z,
-        dw4_x,
-        t521,
+        w4_x, w4_y, t491, t492, t493, t494, t495, t496,
+        t497, t498, t499, t500, t501, t502, t503, t504,
+        t509, a4_x, a4_y, w4_z, dw4_x, t521,
     ] = {
         let w4_x = c4 * w3_x + s4 * w3_z;
         let w4_y = c4 * w3_z - s4 * w3_x;
@@ -336,34 +313,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let dw4_x = c4 * dw3_x - s4 * t445 + dq4 * w4_y;
         let t521 = c4 * t445 + s4 * dw3_x + dq4 * w4_x;
         [
-            w4_x, w4_y, t491, t492, t493, t494, t495, t496, t497, t498, t499, t500, t501, t502, t503, t504, t509, a4_x,
-            a4_y, w4_z, dw4_x, t521,
-        ]
+        w4_x, w4_y, t491, t492, t493, t494, t495, t496,
+        t497, t498, t499, t500, t501, t502, t503, t504,
+        t509, a4_x, a4_y, w4_z, dw4_x, t521,
+    ]
     };
     // link 5: motion
     let [
-        w5_x,
-        t527,
-        t534,
-        t535,
-        t536,
-        t537,
-        t538,
-        t539,
-        t540,
-        t541,
-        t542,
-        t543,
-        t544,
-        t545,
-        t546,
-        t547,
-        a5_z,
-        a5_x,
-        a5_y,
-        w5_z,
-        dw5_x,
-        dw6_z,
+        w5_x, t527, t534, t535, t536, t537, t538, t539,
+        t540, t541, t542, t543, t544, t545, t546, t547,
+        a5_z, a5_x, a5_y, w5_z, dw5_x, dw6_z,
     ] = {
         let w5_x = c5 * w4_x - s5 * w4_z;
         let t527 = c5 * w4_z + s5 * w4_x;
@@ -390,34 +349,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let dw5_x = c5 * dw4_x - s5 * dw4_z - dq5 * t527;
         let dw6_z = c5 * dw4_z + s5 * dw4_x + dq5 * w5_x;
         [
-            w5_x, t527, t534, t535, t536, t537, t538, t539, t540, t541, t542, t543, t544, t545, t546, t547, a5_z, a5_x,
-            a5_y, w5_z, dw5_x, dw6_z,
-        ]
+        w5_x, t527, t534, t535, t536, t537, t538, t539,
+        t540, t541, t542, t543, t544, t545, t546, t547,
+        a5_z, a5_x, a5_y, w5_z, dw5_x, dw6_z,
+    ]
     };
     // link 6: motion
     let [
-        w6_x,
-        w6_y,
-        t577,
-        t578,
-        t579,
-        t580,
-        t581,
-        t582,
-        t583,
-        t584,
-        t585,
-        t586,
-        t587,
-        t588,
-        t589,
-        t590,
-        t595,
-        a6_x,
-        a6_y,
-        w6_z,
-        dw6_x,
-        t607,
+        w6_x, w6_y, t577, t578, t579, t580, t581, t582,
+        t583, t584, t585, t586, t587, t588, t589, t590,
+        t595, a6_x, a6_y, w6_z, dw6_x, t607,
     ] = {
         let w6_x = c6 * w5_x + s6 * w5_z;
         let w6_y = c6 * w5_z - s6 * w5_x;
@@ -444,34 +385,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let dw6_x = c6 * dw5_x - s6 * t521 + dq6 * w6_y;
         let t607 = c6 * t521 + s6 * dw5_x + dq6 * w6_x;
         [
-            w6_x, w6_y, t577, t578, t579, t580, t581, t582, t583, t584, t585, t586, t587, t588, t589, t590, t595, a6_x,
-            a6_y, w6_z, dw6_x, t607,
-        ]
+        w6_x, w6_y, t577, t578, t579, t580, t581, t582,
+        t583, t584, t585, t586, t587, t588, t589, t590,
+        t595, a6_x, a6_y, w6_z, dw6_x, t607,
+    ]
     };
     // link 7: motion
     let [
-        w7_x,
-        t613,
-        t620,
-        t621,
-        t622,
-        t623,
-        t624,
-        t625,
-        t626,
-        t627,
-        t628,
-        t629,
-        t630,
-        t631,
-        t632,
-        t633,
-        a7_z,
-        a7_x,
-        a7_y,
-        w7_z,
-        dw7_x,
-        t650,
+        w7_x, t613, t620, t621, t622, t623, t624, t625,
+        t626, t627, t628, t629, t630, t631, t632, t633,
+        a7_z, a7_x, a7_y, w7_z, dw7_x, t650,
     ] = {
         let w7_x = c7 * w6_x - s7 * w6_z;
         let t613 = c7 * w6_z + s7 * w6_x;
@@ -498,9 +421,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let dw7_x = c7 * dw6_x - s7 * dw6_z - dq7 * t613;
         let t650 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
         [
-            w7_x, t613, t620, t621, t622, t623, t624, t625, t626, t627, t628, t629, t630, t631, t632, t633, a7_z, a7_x,
-            a7_y, w7_z, dw7_x, t650,
-        ]
+        w7_x, t613, t620, t621, t622, t623, t624, t625,
+        t626, t627, t628, t629, t630, t631, t632, t633,
+        a7_z, a7_x, a7_y, w7_z, dw7_x, t650,
+    ]
     };
     // link 7: force and moment
     let [f7_z, n7_z, t713, t716, t725, t726] = {
@@ -638,34 +562,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     };
     // M = L D L'
     let [
-        t1055,
-        t1056,
-        t1057,
-        t1058,
-        t1059,
-        t1060,
-        t1061,
-        t1065,
-        t1069,
-        t1072,
-        t1075,
-        t1078,
-        t1081,
-        t1088,
-        t1095,
-        t1100,
-        t1105,
-        t1110,
-        t1120,
-        t1130,
-        t1137,
-        t1144,
-        t1157,
-        t1170,
-        t1179,
-        t1195,
-        t1211,
-        t1230,
+        t1055, t1056, t1057, t1058, t1059, t1060, t1061, t1065,
+        t1069, t1072, t1075, t1078, t1081, t1088, t1095, t1100,
+        t1105, t1110, t1120, t1130, t1137, t1144, t1157, t1170,
+        t1179, t1195, t1211, t1230,
     ] = {
         let t1055 = k7 / t437;
         let t1056 = t425 * t1055;
@@ -725,9 +625,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t1223 = ZZ7 - t437 * (t1061 * t1061) - t1064 * (t1081 * t1081) - t1219 - t1222;
         let t1230 = k7 / (t1223 - t1156 * (t1179 * t1179) - t1194 * (t1211 * t1211));
         [
-            t1055, t1056, t1057, t1058, t1059, t1060, t1061, t1065, t1069, t1072, t1075, t1078, t1081, t1088, t1095,
-            t1100, t1105, t1110, t1120, t1130, t1137, t1144, t1157, t1170, t1179, t1195, t1211, t1230,
-        ]
+        t1055, t1056, t1057, t1058, t1059, t1060, t1061, t1065,
+        t1069, t1072, t1075, t1078, t1081, t1088, t1095, t1100,
+        t1105, t1110, t1120, t1130, t1137, t1144, t1157, t1170,
+        t1179, t1195, t1211, t1230,
+    ]
     };
     // ddq
     {

@@ -4,8 +4,8 @@
 //!
 //! 79 multiplications, 43 additions; 3 x 4, 12 of 12 structurally nonzero.
 
-use super::super::Trig;
 use super::super::runtime::Scalar;
+use super::super::{Trig};
 
 /// The last DH frame in the base frame: every entry of `out` is written.
 #[inline]
@@ -38,7 +38,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [t0, t1, t2, t3, t4, t5]
     };
     // frame 3
-    let [t9, t10, t11, t14, t17, t20, t23, t24, t25] = {
+    let [
+        t9, t10, t11, t14, t17, t20, t23, t24,
+        t25,
+    ] = {
         let t9 = t0 - t3 * k1;
         let t10 = t1 + t5 * k1;
         let t11 = k2 + c2 * k1;
@@ -48,10 +51,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t23 = s3 * t4 - c1 * c3;
         let t24 = s2 * c3;
         let t25 = s2 * s3;
-        [t9, t10, t11, t14, t17, t20, t23, t24, t25]
+        [
+        t9, t10, t11, t14, t17, t20, t23, t24,
+        t25,
+    ]
     };
     // frame 4
-    let [t29, t30, t31, t34, t37, t40, t43, t46, t49] = {
+    let [
+        t29, t30, t31, t34, t37, t40, t43, t46,
+        t49,
+    ] = {
         let t29 = t9 + t17 * k3;
         let t30 = t23 * k3 - t10;
         let t31 = t11 + t25 * k3;
@@ -61,10 +70,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t43 = c4 * t5 + s4 * t20;
         let t46 = c4 * t24 + c2 * s4;
         let t49 = c2 * c4 - s4 * t24;
-        [t29, t30, t31, t34, t37, t40, t43, t46, t49]
+        [
+        t29, t30, t31, t34, t37, t40, t43, t46,
+        t49,
+    ]
     };
     // frame 5
-    let [t53, t54, t55, t58, t61, t64, t67, t70, t73] = {
+    let [
+        t53, t54, t55, t58, t61, t64, t67, t70,
+        t73,
+    ] = {
         let t53 = t37 * k4 - t29;
         let t54 = t43 * k4 - t30;
         let t55 = t31 + t49 * k4;
@@ -74,10 +89,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t67 = c5 * t23 + s5 * t40;
         let t70 = c5 * t46 - s5 * t25;
         let t73 = c5 * t25 + s5 * t46;
-        [t53, t54, t55, t58, t61, t64, t67, t70, t73]
+        [
+        t53, t54, t55, t58, t61, t64, t67, t70,
+        t73,
+    ]
     };
     // frame 6
-    let [t77, t78, t79, t82, t85, t88, t91, t94, t97] = {
+    let [
+        t77, t78, t79, t82, t85, t88, t91, t94,
+        t97,
+    ] = {
         let t77 = t53 + t61 * k5;
         let t78 = t67 * k5 - t54;
         let t79 = t55 + t73 * k5;
@@ -90,7 +111,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(2, t85); // [0][2]
         put(6, t91); // [1][2]
         put(10, t97); // [2][2]
-        [t77, t78, t79, t82, t85, t88, t91, t94, t97]
+        [
+        t77, t78, t79, t82, t85, t88, t91, t94,
+        t97,
+    ]
     };
     // frame 7
     {

@@ -17,90 +17,19 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S;
 
 #[allow(non_snake_case, clippy::all)]
 #[inline(always)]
-fn entries<S: Scalar>(
-    trig: &Trig<S>,
-    dq: &[S; DOF],
-    ddq: &[S; DOF],
-    phi: &[S; STANDARD],
-    mut put: impl FnMut(usize, S),
-) {
+fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; STANDARD], mut put: impl FnMut(usize, S)) {
     let [_, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6, ddq7] = *ddq;
     let [
-        _,
-        _,
-        _,
-        _,
-        _,
-        _,
-        ZZ1,
-        _,
-        _,
-        _,
-        M2,
-        MSX2,
-        MSY2,
-        MSZ2,
-        XX2,
-        YY2,
-        ZZ2,
-        XY2,
-        XZ2,
-        YZ2,
-        M3,
-        MSX3,
-        MSY3,
-        MSZ3,
-        XX3,
-        YY3,
-        ZZ3,
-        XY3,
-        XZ3,
-        YZ3,
-        M4,
-        MSX4,
-        MSY4,
-        MSZ4,
-        XX4,
-        YY4,
-        ZZ4,
-        XY4,
-        XZ4,
-        YZ4,
-        M5,
-        MSX5,
-        MSY5,
-        MSZ5,
-        XX5,
-        YY5,
-        ZZ5,
-        XY5,
-        XZ5,
-        YZ5,
-        M6,
-        MSX6,
-        MSY6,
-        MSZ6,
-        XX6,
-        YY6,
-        ZZ6,
-        XY6,
-        XZ6,
-        YZ6,
-        M7,
-        MSX7,
-        MSY7,
-        MSZ7,
-        XX7,
-        YY7,
-        ZZ7,
-        XY7,
-        XZ7,
-        YZ7,
-        ..,
-    ] = *phi;
+        _, _, _, _, _, _, ZZ1, _, _, _, M2, MSX2,
+        MSY2, MSZ2, XX2, YY2, ZZ2, XY2, XZ2, YZ2, M3, MSX3, MSY3, MSZ3,
+        XX3, YY3, ZZ3, XY3, XZ3, YZ3, M4, MSX4, MSY4, MSZ4, XX4, YY4,
+        ZZ4, XY4, XZ4, YZ4, M5, MSX5, MSY5, MSZ5, XX5, YY5, ZZ5, XY5,
+        XZ5, YZ5, M6, MSX6, MSY6, MSZ6, XX6, YY6, ZZ6, XY6, XZ6, YZ6,
+        M7, MSX7, MSY7, MSZ7, XX7, YY7, ZZ7, XY7, XZ7, YZ7,
+        ..] = *phi;
     let k0 = S::constant(9.81);
     let k1 = S::constant(0.01175);
     let k2 = S::constant(0.42076);
@@ -109,7 +38,10 @@ fn entries<S: Scalar>(
     let k5 = S::constant(0.00035);
     let k6 = S::constant(0.167455);
     // link 2: motion
-    let [w2_x, w2_y, t2, t3, a2_z, t10, a2_y, t13, t14, dw2_x, dw2_y] = {
+    let [
+        w2_x, w2_y, t2, t3, a2_z, t10, a2_y, t13,
+        t14, dw2_x, dw2_y,
+    ] = {
         let w2_x = s2 * dq1;
         let w2_y = c2 * dq1;
         let t2 = s2 * ddq1;
@@ -122,10 +54,17 @@ fn entries<S: Scalar>(
         let t14 = dq2 * w2_x;
         let dw2_x = t2 + t13;
         let dw2_y = t3 - t14;
-        [w2_x, w2_y, t2, t3, a2_z, t10, a2_y, t13, t14, dw2_x, dw2_y]
+        [
+        w2_x, w2_y, t2, t3, a2_z, t10, a2_y, t13,
+        t14, dw2_x, dw2_y,
+    ]
     };
     // link 3: motion
-    let [w3_x, t22, t29, t30, t31, t32, t33, t34, t35, t36, t37, t38, a3_z, t47, a3_y, w3_z, dw3_x, t55, dw3_z] = {
+    let [
+        w3_x, t22, t29, t30, t31, t32, t33, t34,
+        t35, t36, t37, t38, a3_z, t47, a3_y, w3_z,
+        dw3_x, t55, dw3_z,
+    ] = {
         let w3_x = c3 * w2_x - s3 * dq2;
         let t22 = c3 * dq2 + s3 * w2_x;
         let t29 = w2_x * w2_x;
@@ -147,34 +86,17 @@ fn entries<S: Scalar>(
         let dw3_x = c3 * dw2_x - s3 * ddq2 - dq3 * t22;
         let t55 = c3 * ddq2 + s3 * dw2_x + dq3 * w3_x;
         let dw3_z = dw2_y + ddq3;
-        [w3_x, t22, t29, t30, t31, t32, t33, t34, t35, t36, t37, t38, a3_z, t47, a3_y, w3_z, dw3_x, t55, dw3_z]
+        [
+        w3_x, t22, t29, t30, t31, t32, t33, t34,
+        t35, t36, t37, t38, a3_z, t47, a3_y, w3_z,
+        dw3_x, t55, dw3_z,
+    ]
     };
     // link 4: motion
     let [
-        w4_x,
-        w4_y,
-        t69,
-        t70,
-        t71,
-        t72,
-        t73,
-        t74,
-        t75,
-        t76,
-        t77,
-        t78,
-        t79,
-        t80,
-        t81,
-        t82,
-        t83,
-        t88,
-        a4_x,
-        a4_y,
-        w4_z,
-        dw4_x,
-        dw4_y,
-        dw4_z,
+        w4_x, w4_y, t69, t70, t71, t72, t73, t74,
+        t75, t76, t77, t78, t79, t80, t81, t82,
+        t83, t88, a4_x, a4_y, w4_z, dw4_x, dw4_y, dw4_z,
     ] = {
         let w4_x = c4 * w3_x + s4 * w3_z;
         let w4_y = c4 * w3_z - s4 * w3_x;
@@ -203,36 +125,16 @@ fn entries<S: Scalar>(
         let dw4_y = c4 * dw3_z - s4 * dw3_x - dq4 * w4_x;
         let dw4_z = t55 + ddq4;
         [
-            w4_x, w4_y, t69, t70, t71, t72, t73, t74, t75, t76, t77, t78, t79, t80, t81, t82, t83, t88, a4_x, a4_y,
-            w4_z, dw4_x, dw4_y, dw4_z,
-        ]
+        w4_x, w4_y, t69, t70, t71, t72, t73, t74,
+        t75, t76, t77, t78, t79, t80, t81, t82,
+        t83, t88, a4_x, a4_y, w4_z, dw4_x, dw4_y, dw4_z,
+    ]
     };
     // link 5: motion
     let [
-        w5_x,
-        t107,
-        t114,
-        t115,
-        t116,
-        t117,
-        t118,
-        t119,
-        t120,
-        t121,
-        t122,
-        t123,
-        t124,
-        t125,
-        t126,
-        t127,
-        t128,
-        a5_z,
-        a5_x,
-        a5_y,
-        w5_z,
-        dw5_x,
-        t145,
-        dw5_z,
+        w5_x, t107, t114, t115, t116, t117, t118, t119,
+        t120, t121, t122, t123, t124, t125, t126, t127,
+        t128, a5_z, a5_x, a5_y, w5_z, dw5_x, t145, dw5_z,
     ] = {
         let w5_x = c5 * w4_x - s5 * w4_z;
         let t107 = c5 * w4_z + s5 * w4_x;
@@ -261,36 +163,16 @@ fn entries<S: Scalar>(
         let t145 = c5 * dw4_z + s5 * dw4_x + dq5 * w5_x;
         let dw5_z = dw4_y + ddq5;
         [
-            w5_x, t107, t114, t115, t116, t117, t118, t119, t120, t121, t122, t123, t124, t125, t126, t127, t128, a5_z,
-            a5_x, a5_y, w5_z, dw5_x, t145, dw5_z,
-        ]
+        w5_x, t107, t114, t115, t116, t117, t118, t119,
+        t120, t121, t122, t123, t124, t125, t126, t127,
+        t128, a5_z, a5_x, a5_y, w5_z, dw5_x, t145, dw5_z,
+    ]
     };
     // link 6: motion
     let [
-        w6_x,
-        w6_y,
-        t159,
-        t160,
-        t161,
-        t162,
-        t163,
-        t164,
-        t165,
-        t166,
-        t167,
-        t168,
-        t169,
-        t170,
-        t171,
-        t172,
-        t173,
-        t178,
-        a6_x,
-        a6_y,
-        w6_z,
-        dw6_x,
-        dw6_y,
-        dw6_z,
+        w6_x, w6_y, t159, t160, t161, t162, t163, t164,
+        t165, t166, t167, t168, t169, t170, t171, t172,
+        t173, t178, a6_x, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
     ] = {
         let w6_x = c6 * w5_x + s6 * w5_z;
         let w6_y = c6 * w5_z - s6 * w5_x;
@@ -319,36 +201,16 @@ fn entries<S: Scalar>(
         let dw6_y = c6 * dw5_z - s6 * dw5_x - dq6 * w6_x;
         let dw6_z = t145 + ddq6;
         [
-            w6_x, w6_y, t159, t160, t161, t162, t163, t164, t165, t166, t167, t168, t169, t170, t171, t172, t173, t178,
-            a6_x, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
-        ]
+        w6_x, w6_y, t159, t160, t161, t162, t163, t164,
+        t165, t166, t167, t168, t169, t170, t171, t172,
+        t173, t178, a6_x, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
+    ]
     };
     // link 7: motion
     let [
-        w7_x,
-        t197,
-        t204,
-        t205,
-        t206,
-        t207,
-        t208,
-        t209,
-        t210,
-        t211,
-        t212,
-        t213,
-        t214,
-        t215,
-        t216,
-        t217,
-        t218,
-        a7_z,
-        a7_x,
-        a7_y,
-        w7_z,
-        dw7_x,
-        t235,
-        dw7_z,
+        w7_x, t197, t204, t205, t206, t207, t208, t209,
+        t210, t211, t212, t213, t214, t215, t216, t217,
+        t218, a7_z, a7_x, a7_y, w7_z, dw7_x, t235, dw7_z,
     ] = {
         let w7_x = c7 * w6_x - s7 * w6_z;
         let t197 = c7 * w6_z + s7 * w6_x;
@@ -377,9 +239,10 @@ fn entries<S: Scalar>(
         let t235 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
         let dw7_z = dw6_y + ddq7;
         [
-            w7_x, t197, t204, t205, t206, t207, t208, t209, t210, t211, t212, t213, t214, t215, t216, t217, t218, a7_z,
-            a7_x, a7_y, w7_z, dw7_x, t235, dw7_z,
-        ]
+        w7_x, t197, t204, t205, t206, t207, t208, t209,
+        t210, t211, t212, t213, t214, t215, t216, t217,
+        t218, a7_z, a7_x, a7_y, w7_z, dw7_x, t235, dw7_z,
+    ]
     };
     // link 7: force and moment
     let [f7_z, n7_z, t320, t323, t332, t333] = {

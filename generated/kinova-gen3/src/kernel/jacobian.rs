@@ -4,49 +4,18 @@
 //!
 //! 89 multiplications, 65 additions; 6 x 7, 35 of 42 structurally nonzero.
 
-use super::super::Trig;
 use super::super::runtime::Scalar;
+use super::super::{Trig};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 35;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
-    (0, 0),
-    (0, 1),
-    (0, 2),
-    (0, 3),
-    (0, 4),
-    (0, 5),
-    (1, 0),
-    (1, 1),
-    (1, 2),
-    (1, 3),
-    (1, 4),
-    (1, 5),
-    (2, 1),
-    (2, 2),
-    (2, 3),
-    (2, 4),
-    (2, 5),
-    (3, 1),
-    (3, 2),
-    (3, 3),
-    (3, 4),
-    (3, 5),
-    (3, 6),
-    (4, 1),
-    (4, 2),
-    (4, 3),
-    (4, 4),
-    (4, 5),
-    (4, 6),
-    (5, 0),
-    (5, 2),
-    (5, 3),
-    (5, 4),
-    (5, 5),
-    (5, 6),
+    (0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (1, 0), (1, 1), (1, 2), (1, 3),
+    (1, 4), (1, 5), (2, 1), (2, 2), (2, 3), (2, 4), (2, 5), (3, 1), (3, 2), (3, 3),
+    (3, 4), (3, 5), (3, 6), (4, 1), (4, 2), (4, 3), (4, 4), (4, 5), (4, 6), (5, 0),
+    (5, 2), (5, 3), (5, 4), (5, 5), (5, 6),
 ];
 
 /// Jacobian of the last DH frame's origin, in base axes: every entry of `out` is written.
@@ -92,7 +61,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [t0, t1, t2, t3, t4, t5]
     };
     // frame 3
-    let [t9, t10, t11, t14, t17, t20, t23, t24, t25] = {
+    let [
+        t9, t10, t11, t14, t17, t20, t23, t24,
+        t25,
+    ] = {
         let t9 = t0 - t3 * k1;
         let t10 = t1 + t5 * k1;
         let t11 = k2 + c2 * k1;
@@ -104,10 +76,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t25 = s2 * s3;
         put(19, t17); // [3][3]
         put(25, t23); // [4][3]
-        [t9, t10, t11, t14, t17, t20, t23, t24, t25]
+        [
+        t9, t10, t11, t14, t17, t20, t23, t24,
+        t25,
+    ]
     };
     // frame 4
-    let [t29, t30, t31, t34, t37, t40, t43, t46, t49] = {
+    let [
+        t29, t30, t31, t34, t37, t40, t43, t46,
+        t49,
+    ] = {
         let t29 = t9 + t17 * k3;
         let t30 = t10 + t23 * k3;
         let t31 = t11 + t25 * k3;
@@ -120,10 +98,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(20, t37); // [3][4]
         put(26, t43); // [4][4]
         put(32, t49); // [5][4]
-        [t29, t30, t31, t34, t37, t40, t43, t46, t49]
+        [
+        t29, t30, t31, t34, t37, t40, t43, t46,
+        t49,
+    ]
     };
     // frame 5
-    let [t53, t54, t55, t58, t61, t64, t67, t70, t73] = {
+    let [
+        t53, t54, t55, t58, t61, t64, t67, t70,
+        t73,
+    ] = {
         let t53 = t29 + t37 * k4;
         let t54 = t30 + t43 * k4;
         let t55 = t31 - t49 * k4;
@@ -135,7 +119,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t73 = c5 * t25 + s5 * t46;
         put(21, t61); // [3][5]
         put(27, t67); // [4][5]
-        [t53, t54, t55, t58, t61, t64, t67, t70, t73]
+        [
+        t53, t54, t55, t58, t61, t64, t67, t70,
+        t73,
+    ]
     };
     // frame 6
     let [t77, t78, t79, t82, t85, t88] = {

@@ -21,51 +21,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
     let [_, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [
-        ZZ1R,
-        MSX2,
-        MSY2R,
-        XX2R,
-        ZZ2R,
-        XY2,
-        XZ2,
-        YZ2,
-        MSX3,
-        MSY3R,
-        XX3R,
-        ZZ3R,
-        XY3,
-        XZ3,
-        YZ3,
-        MSX4,
-        MSY4R,
-        XX4R,
-        ZZ4R,
-        XY4,
-        XZ4,
-        YZ4,
-        MSX5,
-        MSY5R,
-        XX5R,
-        ZZ5R,
-        XY5,
-        XZ5,
-        YZ5,
-        MSX6,
-        MSY6R,
-        XX6R,
-        ZZ6R,
-        XY6,
-        XZ6,
-        YZ6,
-        MSX7,
-        MSY7,
-        XX7R,
-        ZZ7,
-        XY7,
-        XZ7,
-        YZ7,
-        ..,
-    ] = *beta;
+        ZZ1R, MSX2, MSY2R, XX2R, ZZ2R, XY2, XZ2, YZ2, MSX3, MSY3R, XX3R, ZZ3R,
+        XY3, XZ3, YZ3, MSX4, MSY4R, XX4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSY5R,
+        XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6R, XX6R, ZZ6R, XY6, XZ6, YZ6,
+        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
+        ..] = *beta;
     let k0 = S::constant(0.167455);
     let k1 = S::constant(0.00035);
     let k2 = S::constant(0.31436);
@@ -73,7 +33,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
     let k4 = S::constant(0.42076);
     let k5 = S::constant(0.01175);
     // composite body 7
-    let [t2, t5, t14, t15, t19, t22, t92, t95, t98, t99] = {
+    let [
+        t2, t5, t14, t15, t19, t22, t92, t95,
+        t98, t99,
+    ] = {
         let t2 = c7 * MSY7 + s7 * MSX7;
         let t5 = s7 * MSY7 - c7 * MSX7;
         let t14 = c7 * XZ7 - s7 * YZ7 - t5 * k0;
@@ -114,10 +77,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         put(45, t43); // [6][3]
         put(46, t27); // [6][4]
         put(48, ZZ7); // [6][6]
-        [t2, t5, t14, t15, t19, t22, t92, t95, t98, t99]
+        [
+        t2, t5, t14, t15, t19, t22, t92, t95,
+        t98, t99,
+    ]
     };
     // composite body 6
-    let [t108, t111, t120, t121, t187, t191, t193, t194, t198] = {
+    let [
+        t108, t111, t120, t121, t187, t191, t193, t194,
+        t198,
+    ] = {
         let t100 = MSX6 - t5;
         let t101 = t92 - XX6R;
         let t102 = ZZ6R + t98;
@@ -162,10 +131,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         put(38, t133); // [5][3]
         put(39, t121); // [5][4]
         put(40, t102); // [5][5]
-        [t108, t111, t120, t121, t187, t191, t193, t194, t198]
+        [
+        t108, t111, t120, t121, t187, t191, t193, t194,
+        t198,
+    ]
     };
     // composite body 5
-    let [t208, t211, t220, t221, t273, t277, t279, t280, t284] = {
+    let [
+        t208, t211, t220, t221, t273, t277, t279, t280,
+        t284,
+    ] = {
         let t199 = MSX5 + t111;
         let t200 = MSY5R + t2;
         let t201 = XX5R + t193;
@@ -205,10 +180,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         put(30, t233); // [4][2]
         put(31, t221); // [4][3]
         put(32, t202); // [4][4]
-        [t208, t211, t220, t221, t273, t277, t279, t280, t284]
+        [
+        t208, t211, t220, t221, t273, t277, t279, t280,
+        t284,
+    ]
     };
     // composite body 4
-    let [t294, t297, t306, t307, t343, t347, t349, t350, t354] = {
+    let [
+        t294, t297, t306, t307, t343, t347, t349, t350,
+        t354,
+    ] = {
         let t285 = MSX4 + t211;
         let t286 = MSY4R + t108;
         let t287 = XX4R - t279;
@@ -243,7 +224,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         put(22, t319); // [3][1]
         put(23, t307); // [3][2]
         put(24, t288); // [3][3]
-        [t294, t297, t306, t307, t343, t347, t349, t350, t354]
+        [
+        t294, t297, t306, t307, t343, t347, t349, t350,
+        t354,
+    ]
     };
     // composite body 3
     let [t367, t376, t377, t399, t403, t405, t406, t410] = {

@@ -12,74 +12,13 @@ pub const NONZEROS: usize = 68;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
-    (0, 0),
-    (0, 1),
-    (0, 2),
-    (0, 3),
-    (0, 4),
-    (0, 5),
-    (0, 6),
-    (0, 7),
-    (0, 8),
-    (0, 9),
-    (1, 0),
-    (1, 1),
-    (1, 2),
-    (1, 3),
-    (1, 4),
-    (1, 5),
-    (1, 6),
-    (1, 7),
-    (1, 8),
-    (1, 9),
-    (2, 0),
-    (2, 1),
-    (2, 2),
-    (2, 3),
-    (2, 4),
-    (2, 5),
-    (2, 6),
-    (2, 7),
-    (2, 8),
-    (2, 9),
-    (3, 0),
-    (3, 1),
-    (3, 2),
-    (3, 3),
-    (3, 4),
-    (3, 5),
-    (3, 6),
-    (3, 7),
-    (3, 8),
-    (3, 9),
-    (4, 0),
-    (4, 1),
-    (4, 2),
-    (4, 3),
-    (4, 4),
-    (4, 5),
-    (4, 6),
-    (4, 7),
-    (4, 8),
-    (4, 9),
-    (5, 0),
-    (5, 1),
-    (5, 2),
-    (5, 3),
-    (5, 4),
-    (5, 5),
-    (5, 6),
-    (5, 7),
-    (5, 8),
-    (5, 9),
-    (6, 1),
-    (6, 2),
-    (6, 4),
-    (6, 5),
-    (6, 6),
-    (6, 7),
-    (6, 8),
-    (6, 9),
+    (0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (0, 6), (0, 7), (0, 8), (0, 9),
+    (1, 0), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 6), (1, 7), (1, 8), (1, 9),
+    (2, 0), (2, 1), (2, 2), (2, 3), (2, 4), (2, 5), (2, 6), (2, 7), (2, 8), (2, 9),
+    (3, 0), (3, 1), (3, 2), (3, 3), (3, 4), (3, 5), (3, 6), (3, 7), (3, 8), (3, 9),
+    (4, 0), (4, 1), (4, 2), (4, 3), (4, 4), (4, 5), (4, 6), (4, 7), (4, 8), (4, 9),
+    (5, 0), (5, 1), (5, 2), (5, 3), (5, 4), (5, 5), (5, 6), (5, 7), (5, 8), (5, 9),
+    (6, 1), (6, 2), (6, 4), (6, 5), (6, 6), (6, 7), (6, 8), (6, 9),
 ];
 
 /// Regressor of a body fixed to the tool frame: every entry of `out` is written.
@@ -125,7 +64,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [w2_x, w2_y, a2_z, t10, a2_y, t13, dw2_x, dw2_y]
     };
     // link 3: motion
-    let [w3_x, t22, a3_z, t43, a3_y, w3_z, t50, t51, dw3_z] = {
+    let [
+        w3_x, t22, a3_z, t43, a3_y, w3_z, t50, t51,
+        dw3_z,
+    ] = {
         let w3_x = c3 * w2_x - s3 * dq2;
         let t22 = c3 * dq2 + s3 * w2_x;
         let t38 = t10 + (w2_x * w2_y - ddq2) * k2;
@@ -137,10 +79,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t50 = s3 * ddq2 - c3 * dw2_x + dq3 * t22;
         let t51 = c3 * ddq2 + s3 * dw2_x + dq3 * w3_x;
         let dw3_z = dw2_y + ddq3;
-        [w3_x, t22, a3_z, t43, a3_y, w3_z, t50, t51, dw3_z]
+        [
+        w3_x, t22, a3_z, t43, a3_y, w3_z, t50, t51,
+        dw3_z,
+    ]
     };
     // link 4: motion
-    let [w4_x, t58, t76, a4_x, a4_y, w4_z, t87, t88, dw4_z] = {
+    let [
+        w4_x, t58, t76, a4_x, a4_y, w4_z, t87, t88,
+        dw4_z,
+    ] = {
         let w4_x = c4 * w3_x + s4 * w3_z;
         let t58 = s4 * w3_x - c4 * w3_z;
         let t75 = t43 + (dw3_z + w3_x * t22) * k3;
@@ -152,10 +100,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t87 = dq4 * t58 - (s4 * dw3_z - c4 * t50);
         let t88 = dq4 * w4_x - (c4 * dw3_z + s4 * t50);
         let dw4_z = t51 + ddq4;
-        [w4_x, t58, t76, a4_x, a4_y, w4_z, t87, t88, dw4_z]
+        [
+        w4_x, t58, t76, a4_x, a4_y, w4_z, t87, t88,
+        dw4_z,
+    ]
     };
     // link 5: motion
-    let [w5_x, t95, a5_z, a5_x, a5_y, t121, t124, t125, dw5_z] = {
+    let [
+        w5_x, t95, a5_z, a5_x, a5_y, t121, t124, t125,
+        dw5_z,
+    ] = {
         let w5_x = c5 * w4_x - s5 * w4_z;
         let t95 = c5 * w4_z + s5 * w4_x;
         let t112 = a4_x + (dw4_z + w4_x * t58) * k4;
@@ -167,10 +121,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t124 = c5 * t87 + s5 * dw4_z + dq5 * t95;
         let t125 = c5 * dw4_z - s5 * t87 + dq5 * w5_x;
         let dw5_z = ddq5 - t88;
-        [w5_x, t95, a5_z, a5_x, a5_y, t121, t124, t125, dw5_z]
+        [
+        w5_x, t95, a5_z, a5_x, a5_y, t121, t124, t125,
+        dw5_z,
+    ]
     };
     // link 6: motion
-    let [w6_x, t132, t150, t154, a6_y, w6_z, t161, dw6_y, dw6_z] = {
+    let [
+        w6_x, t132, t150, t154, a6_y, w6_z, t161, dw6_y,
+        dw6_z,
+    ] = {
         let w6_x = c6 * w5_x - s6 * t121;
         let t132 = c6 * t121 + s6 * w5_x;
         let t149 = (dw5_z + w5_x * t95) * k5 - a5_x;
@@ -182,10 +142,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t161 = c6 * t124 - s6 * dw5_z + dq6 * t132;
         let dw6_y = c6 * dw5_z + s6 * t124 - dq6 * w6_x;
         let dw6_z = t125 + ddq6;
-        [w6_x, t132, t150, t154, a6_y, w6_z, t161, dw6_y, dw6_z]
+        [
+        w6_x, t132, t150, t154, a6_y, w6_z, t161, dw6_y,
+        dw6_z,
+    ]
     };
     // link 7: motion
-    let [w7_x, t169, a7_z, t191, a7_y, w7_z, t198, t199, dw7_z] = {
+    let [
+        w7_x, t169, a7_z, t191, a7_y, w7_z, t198, t199,
+        dw7_z,
+    ] = {
         let w7_x = c7 * w6_x - s7 * w6_z;
         let t169 = c7 * w6_z + s7 * w6_x;
         let t186 = t154 - (dw6_z + w6_x * t132) * k6;
@@ -200,7 +166,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(60, a7_y); // row 7, MSX
         put(61, t191); // row 7, MSY
         put(64, dw7_z); // row 7, ZZ
-        [w7_x, t169, a7_z, t191, a7_y, w7_z, t198, t199, dw7_z]
+        [
+        w7_x, t169, a7_z, t191, a7_y, w7_z, t198, t199,
+        dw7_z,
+    ]
     };
     // joint axes in frame 2
     let [t201, v1_2_y] = {
@@ -242,7 +211,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t232, z1_6_z, t238, t241, z3_5_x, z3_6_z]
     };
     // joint axes in frame 7
-    let [t244, t245, t246, t247, t248, t249, t250, t251, t252, t253, t254, t255, t256, t257, t258] = {
+    let [
+        t244, t245, t246, t247, t248, t249, t250, t251,
+        t252, t253, t254, t255, t256, t257, t258,
+    ] = {
         let t244 = w7_x * w7_x;
         let t245 = t169 * t169;
         let t246 = w7_z * w7_z;
@@ -261,7 +233,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(62, t247); // row 7, XX
         put(66, t255); // row 7, XZ
         put(67, t252); // row 7, YZ
-        [t244, t245, t246, t247, t248, t249, t250, t251, t252, t253, t254, t255, t256, t257, t258]
+        [
+        t244, t245, t246, t247, t248, t249, t250, t251,
+        t252, t253, t254, t255, t256, t257, t258,
+    ]
     };
     // payload: column M
     let [t261, t264, t266] = {

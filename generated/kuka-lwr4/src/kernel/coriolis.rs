@@ -5,7 +5,7 @@
 //! 284 multiplications, 260 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, DOF, Trig};
+use super::super::{DOF, BASE, Trig};
 
 /// Coriolis and centrifugal torques `C dq`: every entry of `out` is written.
 #[inline]
@@ -22,51 +22,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [
-        _,
-        _,
-        _,
-        XX2R,
-        ZZ2R,
-        XY2,
-        XZ2,
-        YZ2,
-        MSX3,
-        MSY3R,
-        XX3R,
-        ZZ3R,
-        XY3,
-        XZ3,
-        YZ3,
-        MSX4,
-        MSY4R,
-        XX4R,
-        ZZ4R,
-        XY4,
-        XZ4,
-        YZ4,
-        MSX5,
-        MSY5R,
-        XX5R,
-        ZZ5R,
-        XY5,
-        XZ5,
-        YZ5,
-        MSX6,
-        MSY6R,
-        XX6R,
-        ZZ6R,
-        XY6,
-        XZ6,
-        YZ6,
-        MSX7,
-        MSY7,
-        XX7R,
-        ZZ7,
-        XY7,
-        XZ7,
-        YZ7,
-        ..,
-    ] = *beta;
+        _, _, _, XX2R, ZZ2R, XY2, XZ2, YZ2, MSX3, MSY3R, XX3R, ZZ3R,
+        XY3, XZ3, YZ3, MSX4, MSY4R, XX4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSY5R,
+        XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6R, XX6R, ZZ6R, XY6, XZ6, YZ6,
+        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
+        ..] = *beta;
     let L2 = S::constant(0.4);
     let L3 = S::constant(0.39);
     // link 2: motion
@@ -78,7 +38,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         [w2_x, w2_y, dw2_x, t3]
     };
     // link 3: motion
-    let [w3_x, t9, t12, t13, t14, t15, t17, t18, t20, a3_x, t27, w3_z, dw3_x, t32] = {
+    let [
+        w3_x, t9, t12, t13, t14, t15, t17, t18,
+        t20, a3_x, t27, w3_z, dw3_x, t32,
+    ] = {
         let w3_x = c3 * w2_x - s3 * dq2;
         let t9 = c3 * dq2 + s3 * w2_x;
         let t12 = w2_x * w2_x;
@@ -95,31 +58,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let w3_z = w2_y + dq3;
         let dw3_x = c3 * dw2_x - dq3 * t9;
         let t32 = s3 * dw2_x + dq3 * w3_x;
-        [w3_x, t9, t12, t13, t14, t15, t17, t18, t20, a3_x, t27, w3_z, dw3_x, t32]
+        [
+        w3_x, t9, t12, t13, t14, t15, t17, t18,
+        t20, a3_x, t27, w3_z, dw3_x, t32,
+    ]
     };
     // link 4: motion
     let [
-        w4_x,
-        t38,
-        t45,
-        t46,
-        t47,
-        t48,
-        t49,
-        t50,
-        t51,
-        t52,
-        t53,
-        t54,
-        t55,
-        t56,
-        t57,
-        t58,
-        a4_x,
-        a4_y,
-        w4_z,
-        dw4_x,
-        dw4_y,
+        w4_x, t38, t45, t46, t47, t48, t49, t50,
+        t51, t52, t53, t54, t55, t56, t57, t58,
+        a4_x, a4_y, w4_z, dw4_x, dw4_y,
     ] = {
         let w4_x = c4 * w3_x - s4 * w3_z;
         let t38 = c4 * w3_z + s4 * w3_x;
@@ -143,34 +91,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let dw4_x = c4 * dw3_x + s4 * t3 - dq4 * t38;
         let dw4_y = c4 * t3 - s4 * dw3_x - dq4 * w4_x;
         [
-            w4_x, t38, t45, t46, t47, t48, t49, t50, t51, t52, t53, t54, t55, t56, t57, t58, a4_x, a4_y, w4_z, dw4_x,
-            dw4_y,
-        ]
+        w4_x, t38, t45, t46, t47, t48, t49, t50,
+        t51, t52, t53, t54, t55, t56, t57, t58,
+        a4_x, a4_y, w4_z, dw4_x, dw4_y,
+    ]
     };
     // link 5: motion
     let [
-        w5_x,
-        w5_y,
-        t82,
-        t83,
-        t84,
-        t85,
-        t86,
-        t87,
-        t88,
-        t89,
-        t90,
-        t91,
-        t92,
-        t93,
-        t94,
-        t95,
-        t100,
-        a5_x,
-        a6_z,
-        w5_z,
-        dw5_x,
-        dw6_z,
+        w5_x, w5_y, t82, t83, t84, t85, t86, t87,
+        t88, t89, t90, t91, t92, t93, t94, t95,
+        t100, a5_x, a6_z, w5_z, dw5_x, dw6_z,
     ] = {
         let w5_x = c5 * w4_x + s5 * w4_z;
         let w5_y = c5 * w4_z - s5 * w4_x;
@@ -197,33 +127,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let dw5_x = c5 * dw4_x - s5 * t32 + dq5 * w5_y;
         let dw6_z = c5 * t32 + s5 * dw4_x + dq5 * w5_x;
         [
-            w5_x, w5_y, t82, t83, t84, t85, t86, t87, t88, t89, t90, t91, t92, t93, t94, t95, t100, a5_x, a6_z, w5_z,
-            dw5_x, dw6_z,
-        ]
+        w5_x, w5_y, t82, t83, t84, t85, t86, t87,
+        t88, t89, t90, t91, t92, t93, t94, t95,
+        t100, a5_x, a6_z, w5_z, dw5_x, dw6_z,
+    ]
     };
     // link 6: motion
     let [
-        w6_x,
-        w6_y,
-        t125,
-        t126,
-        t127,
-        t128,
-        t129,
-        t130,
-        t131,
-        t132,
-        t133,
-        t134,
-        t135,
-        t136,
-        t137,
-        t138,
-        a6_x,
-        t144,
-        w6_z,
-        dw6_x,
-        t149,
+        w6_x, w6_y, t125, t126, t127, t128, t129, t130,
+        t131, t132, t133, t134, t135, t136, t137, t138,
+        a6_x, t144, w6_z, dw6_x, t149,
     ] = {
         let w6_x = c6 * w5_x + s6 * w5_z;
         let w6_y = c6 * w5_z - s6 * w5_x;
@@ -247,33 +160,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let dw6_x = c6 * dw5_x - s6 * dw4_y + dq6 * w6_y;
         let t149 = c6 * dw4_y + s6 * dw5_x + dq6 * w6_x;
         [
-            w6_x, w6_y, t125, t126, t127, t128, t129, t130, t131, t132, t133, t134, t135, t136, t137, t138, a6_x, t144,
-            w6_z, dw6_x, t149,
-        ]
+        w6_x, w6_y, t125, t126, t127, t128, t129, t130,
+        t131, t132, t133, t134, t135, t136, t137, t138,
+        a6_x, t144, w6_z, dw6_x, t149,
+    ]
     };
     // link 7: motion
     let [
-        w7_x,
-        t155,
-        t162,
-        t163,
-        t164,
-        t165,
-        t166,
-        t167,
-        t168,
-        t169,
-        t170,
-        t171,
-        t172,
-        t173,
-        t174,
-        t175,
-        a7_x,
-        t181,
-        w7_z,
-        dw7_x,
-        t186,
+        w7_x, t155, t162, t163, t164, t165, t166, t167,
+        t168, t169, t170, t171, t172, t173, t174, t175,
+        a7_x, t181, w7_z, dw7_x, t186,
     ] = {
         let w7_x = c7 * w6_x - s7 * w6_z;
         let t155 = c7 * w6_z + s7 * w6_x;
@@ -297,9 +193,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let dw7_x = c7 * dw6_x - s7 * dw6_z - dq7 * t155;
         let t186 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
         [
-            w7_x, t155, t162, t163, t164, t165, t166, t167, t168, t169, t170, t171, t172, t173, t174, t175, a7_x, t181,
-            w7_z, dw7_x, t186,
-        ]
+        w7_x, t155, t162, t163, t164, t165, t166, t167,
+        t168, t169, t170, t171, t172, t173, t174, t175,
+        a7_x, t181, w7_z, dw7_x, t186,
+    ]
     };
     // link 7: force and moment
     let [f7_z, n7_z, t249, t252, t255, t258] = {

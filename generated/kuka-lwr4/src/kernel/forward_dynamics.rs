@@ -5,7 +5,7 @@
 //! 668 multiplications, 536 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, DOF, Trig};
+use super::super::{DOF, BASE, Trig};
 
 /// Accelerations that torques cause: every entry of `out` is written.
 #[inline]
@@ -23,71 +23,21 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [tau1, tau2, tau3, tau4, tau5, tau6, tau7] = *tau;
     let [
-        ZZ1R,
-        MSX2,
-        MSY2R,
-        XX2R,
-        ZZ2R,
-        XY2,
-        XZ2,
-        YZ2,
-        MSX3,
-        MSY3R,
-        XX3R,
-        ZZ3R,
-        XY3,
-        XZ3,
-        YZ3,
-        MSX4,
-        MSY4R,
-        XX4R,
-        ZZ4R,
-        XY4,
-        XZ4,
-        YZ4,
-        MSX5,
-        MSY5R,
-        XX5R,
-        ZZ5R,
-        XY5,
-        XZ5,
-        YZ5,
-        MSX6,
-        MSY6R,
-        XX6R,
-        ZZ6R,
-        XY6,
-        XZ6,
-        YZ6,
-        MSX7,
-        MSY7,
-        XX7R,
-        ZZ7,
-        XY7,
-        XZ7,
-        YZ7,
-        FV1,
-        FV2,
-        FV3,
-        FV4,
-        FV5,
-        FV6,
-        FV7,
-        FC1,
-        FC2,
-        FC3,
-        FC4,
-        FC5,
-        FC6,
-        FC7,
-        ..,
-    ] = *beta;
+        ZZ1R, MSX2, MSY2R, XX2R, ZZ2R, XY2, XZ2, YZ2, MSX3, MSY3R, XX3R, ZZ3R,
+        XY3, XZ3, YZ3, MSX4, MSY4R, XX4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSY5R,
+        XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6R, XX6R, ZZ6R, XY6, XZ6, YZ6,
+        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7, FV1, FV2, FV3, FV4, FV5,
+        FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7,
+        ..] = *beta;
     let L2 = S::constant(0.4);
     let L3 = S::constant(0.39);
     let k2 = S::constant(9.81);
     let k3 = S::constant(1.0);
     // composite body 7
-    let [t2, t5, t8, t11, t15, t18, t19, t35, t44, t60, t63, t72, t75, t78] = {
+    let [
+        t2, t5, t8, t11, t15, t18, t19, t35,
+        t44, t60, t63, t72, t75, t78,
+    ] = {
         let t2 = c7 * MSY7 + s7 * MSX7;
         let t5 = c7 * MSX7 - s7 * MSY7;
         let t8 = c7 * XZ7 - s7 * YZ7;
@@ -113,10 +63,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t72 = c7 * (c7 * XX7R - t65) - s7 * t68;
         let t75 = c7 * t69 - s7 * t65;
         let t78 = s7 * t69 + c7 * t65;
-        [t2, t5, t8, t11, t15, t18, t19, t35, t44, t60, t63, t72, t75, t78]
+        [
+        t2, t5, t8, t11, t15, t18, t19, t35,
+        t44, t60, t63, t72, t75, t78,
+    ]
     };
     // composite body 6
-    let [t81, t87, t90, t93, t96, t100, t103, t108, t117, t133, t136, t147, t150, t153, t154] = {
+    let [
+        t81, t87, t90, t93, t96, t100, t103, t108,
+        t117, t133, t136, t147, t150, t153, t154,
+    ] = {
         let t79 = MSX6 + t5;
         let t80 = XX6R + t72;
         let t81 = ZZ6R + t78;
@@ -147,10 +103,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t150 = c6 * t142 - s6 * t144;
         let t153 = s6 * t142 + c6 * t144;
         let t154 = t87 + t87;
-        [t81, t87, t90, t93, t96, t100, t103, t108, t117, t133, t136, t147, t150, t153, t154]
+        [
+        t81, t87, t90, t93, t96, t100, t103, t108,
+        t117, t133, t136, t147, t150, t153, t154,
+    ]
     };
     // composite body 5
-    let [t158, t164, t167, t176, t177, t184, t200, t203, t217, t222, t223, t227] = {
+    let [
+        t158, t164, t167, t176, t177, t184, t200, t203,
+        t217, t222, t223, t227,
+    ] = {
         let t155 = MSX5 + t90;
         let t156 = MSY5R + t2;
         let t157 = XX5R + t147;
@@ -178,10 +140,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t223 = s5 * t209 + c5 * t211 + t221;
         let t225 = L3 * t87;
         let t227 = t158 + t221 - (t225 + t225);
-        [t158, t164, t167, t176, t177, t184, t200, t203, t217, t222, t223, t227]
+        [
+        t158, t164, t167, t176, t177, t184, t200, t203,
+        t217, t222, t223, t227,
+    ]
     };
     // composite body 4
-    let [t231, t237, t240, t243, t246, t250, t253, t258, t261, t274, t277, t280, t281] = {
+    let [
+        t231, t237, t240, t243, t246, t250, t253, t258,
+        t261, t274, t277, t280, t281,
+    ] = {
         let t228 = MSX4 + t167;
         let t229 = MSY4R - t87;
         let t230 = XX4R + t222;
@@ -205,7 +173,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t277 = c4 * t267 - s4 * t271;
         let t280 = s4 * t267 + c4 * t271;
         let t281 = t237 + t237;
-        [t231, t237, t240, t243, t246, t250, t253, t258, t261, t274, t277, t280, t281]
+        [
+        t231, t237, t240, t243, t246, t250, t253, t258,
+        t261, t274, t277, t280, t281,
+    ]
     };
     // composite body 3
     let [t285, t303, t304, t307, t321, t326, t327, t331] = {
@@ -256,7 +227,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         [w2_x, w2_y, a2_x, a2_y, dw2_x, t355]
     };
     // link 3: motion
-    let [w3_x, t361, t364, t365, t366, t367, t369, t370, a3_z, a3_x, t381, w3_z, dw3_x, t386] = {
+    let [
+        w3_x, t361, t364, t365, t366, t367, t369, t370,
+        a3_z, a3_x, t381, w3_z, dw3_x, t386,
+    ] = {
         let w3_x = c3 * w2_x - s3 * dq2;
         let t361 = c3 * dq2 + s3 * w2_x;
         let t364 = w2_x * w2_x;
@@ -273,31 +247,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let w3_z = w2_y + dq3;
         let dw3_x = c3 * dw2_x - dq3 * t361;
         let t386 = s3 * dw2_x + dq3 * w3_x;
-        [w3_x, t361, t364, t365, t366, t367, t369, t370, a3_z, a3_x, t381, w3_z, dw3_x, t386]
+        [
+        w3_x, t361, t364, t365, t366, t367, t369, t370,
+        a3_z, a3_x, t381, w3_z, dw3_x, t386,
+    ]
     };
     // link 4: motion
     let [
-        w4_x,
-        t392,
-        t399,
-        t400,
-        t401,
-        t402,
-        t403,
-        t404,
-        t405,
-        t406,
-        t407,
-        t408,
-        t409,
-        t410,
-        t411,
-        t412,
-        a4_x,
-        t418,
-        w4_z,
-        dw4_x,
-        dw4_y,
+        w4_x, t392, t399, t400, t401, t402, t403, t404,
+        t405, t406, t407, t408, t409, t410, t411, t412,
+        a4_x, t418, w4_z, dw4_x, dw4_y,
     ] = {
         let w4_x = c4 * w3_x - s4 * w3_z;
         let t392 = c4 * w3_z + s4 * w3_x;
@@ -321,34 +280,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let dw4_x = c4 * dw3_x + s4 * t355 - dq4 * t392;
         let dw4_y = c4 * t355 - s4 * dw3_x - dq4 * w4_x;
         [
-            w4_x, t392, t399, t400, t401, t402, t403, t404, t405, t406, t407, t408, t409, t410, t411, t412, a4_x, t418,
-            w4_z, dw4_x, dw4_y,
-        ]
+        w4_x, t392, t399, t400, t401, t402, t403, t404,
+        t405, t406, t407, t408, t409, t410, t411, t412,
+        a4_x, t418, w4_z, dw4_x, dw4_y,
+    ]
     };
     // link 5: motion
     let [
-        w5_x,
-        w5_y,
-        t436,
-        t437,
-        t438,
-        t439,
-        t440,
-        t441,
-        t442,
-        t443,
-        t444,
-        t445,
-        t446,
-        t447,
-        t448,
-        t449,
-        t454,
-        a5_x,
-        a6_z,
-        w5_z,
-        dw5_x,
-        dw6_z,
+        w5_x, w5_y, t436, t437, t438, t439, t440, t441,
+        t442, t443, t444, t445, t446, t447, t448, t449,
+        t454, a5_x, a6_z, w5_z, dw5_x, dw6_z,
     ] = {
         let w5_x = c5 * w4_x + s5 * w4_z;
         let w5_y = c5 * w4_z - s5 * w4_x;
@@ -375,33 +316,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let dw5_x = c5 * dw4_x - s5 * t386 + dq5 * w5_y;
         let dw6_z = c5 * t386 + s5 * dw4_x + dq5 * w5_x;
         [
-            w5_x, w5_y, t436, t437, t438, t439, t440, t441, t442, t443, t444, t445, t446, t447, t448, t449, t454, a5_x,
-            a6_z, w5_z, dw5_x, dw6_z,
-        ]
+        w5_x, w5_y, t436, t437, t438, t439, t440, t441,
+        t442, t443, t444, t445, t446, t447, t448, t449,
+        t454, a5_x, a6_z, w5_z, dw5_x, dw6_z,
+    ]
     };
     // link 6: motion
     let [
-        w6_x,
-        w6_y,
-        t479,
-        t480,
-        t481,
-        t482,
-        t483,
-        t484,
-        t485,
-        t486,
-        t487,
-        t488,
-        t489,
-        t490,
-        t491,
-        t492,
-        a6_x,
-        t498,
-        w6_z,
-        dw6_x,
-        t503,
+        w6_x, w6_y, t479, t480, t481, t482, t483, t484,
+        t485, t486, t487, t488, t489, t490, t491, t492,
+        a6_x, t498, w6_z, dw6_x, t503,
     ] = {
         let w6_x = c6 * w5_x + s6 * w5_z;
         let w6_y = c6 * w5_z - s6 * w5_x;
@@ -425,33 +349,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let dw6_x = c6 * dw5_x - s6 * dw4_y + dq6 * w6_y;
         let t503 = c6 * dw4_y + s6 * dw5_x + dq6 * w6_x;
         [
-            w6_x, w6_y, t479, t480, t481, t482, t483, t484, t485, t486, t487, t488, t489, t490, t491, t492, a6_x, t498,
-            w6_z, dw6_x, t503,
-        ]
+        w6_x, w6_y, t479, t480, t481, t482, t483, t484,
+        t485, t486, t487, t488, t489, t490, t491, t492,
+        a6_x, t498, w6_z, dw6_x, t503,
+    ]
     };
     // link 7: motion
     let [
-        w7_x,
-        t509,
-        t516,
-        t517,
-        t518,
-        t519,
-        t520,
-        t521,
-        t522,
-        t523,
-        t524,
-        t525,
-        t526,
-        t527,
-        t528,
-        t529,
-        a7_x,
-        t535,
-        w7_z,
-        dw7_x,
-        t540,
+        w7_x, t509, t516, t517, t518, t519, t520, t521,
+        t522, t523, t524, t525, t526, t527, t528, t529,
+        a7_x, t535, w7_z, dw7_x, t540,
     ] = {
         let w7_x = c7 * w6_x - s7 * w6_z;
         let t509 = c7 * w6_z + s7 * w6_x;
@@ -475,9 +382,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let dw7_x = c7 * dw6_x - s7 * dw6_z - dq7 * t509;
         let t540 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
         [
-            w7_x, t509, t516, t517, t518, t519, t520, t521, t522, t523, t524, t525, t526, t527, t528, t529, a7_x, t535,
-            w7_z, dw7_x, t540,
-        ]
+        w7_x, t509, t516, t517, t518, t519, t520, t521,
+        t522, t523, t524, t525, t526, t527, t528, t529,
+        a7_x, t535, w7_z, dw7_x, t540,
+    ]
     };
     // link 7: force and moment
     let [f7_z, n7_z, t603, t606, t609, t612] = {
@@ -606,34 +514,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     };
     // M = L D L'
     let [
-        t944,
-        t945,
-        t946,
-        t947,
-        t948,
-        t949,
-        t950,
-        t954,
-        t958,
-        t961,
-        t964,
-        t967,
-        t970,
-        t977,
-        t984,
-        t989,
-        t994,
-        t999,
-        t1009,
-        t1019,
-        t1026,
-        t1033,
-        t1046,
-        t1059,
-        t1068,
-        t1084,
-        t1100,
-        t1119,
+        t944, t945, t946, t947, t948, t949, t950, t954,
+        t958, t961, t964, t967, t970, t977, t984, t989,
+        t994, t999, t1009, t1019, t1026, t1033, t1046, t1059,
+        t1068, t1084, t1100, t1119,
     ] = {
         let t944 = k3 / t349;
         let t945 = t339 * t944;
@@ -693,9 +577,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t1112 = ZZ7 - t349 * (t950 * t950) - t953 * (t970 * t970) - t1108 - t1111;
         let t1119 = k3 / (t1112 - t1045 * (t1068 * t1068) - t1083 * (t1100 * t1100));
         [
-            t944, t945, t946, t947, t948, t949, t950, t954, t958, t961, t964, t967, t970, t977, t984, t989, t994, t999,
-            t1009, t1019, t1026, t1033, t1046, t1059, t1068, t1084, t1100, t1119,
-        ]
+        t944, t945, t946, t947, t948, t949, t950, t954,
+        t958, t961, t964, t967, t970, t977, t984, t989,
+        t994, t999, t1009, t1019, t1026, t1033, t1046, t1059,
+        t1068, t1084, t1100, t1119,
+    ]
     };
     // ddq
     {

@@ -4,8 +4,8 @@
 //!
 //! 68 multiplications, 33 additions; 3 x 4, 12 of 12 structurally nonzero.
 
-use super::super::Trig;
 use super::super::runtime::Scalar;
+use super::super::{Trig};
 
 /// The last DH frame in the base frame: every entry of `out` is written.
 #[inline]
@@ -32,7 +32,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [t0, t1, t2, t3]
     };
     // frame 3
-    let [t4, t5, t7, t10, t13, t16, t19, t20, t21] = {
+    let [
+        t4, t5, t7, t10, t13, t16, t19, t20,
+        t21,
+    ] = {
         let t4 = L2 * t1;
         let t5 = L2 * t3;
         let t7 = L1 + c2 * L2;
@@ -42,7 +45,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t19 = c1 * c3 - s3 * t2;
         let t20 = s2 * c3;
         let t21 = s2 * s3;
-        [t4, t5, t7, t10, t13, t16, t19, t20, t21]
+        [
+        t4, t5, t7, t10, t13, t16, t19, t20,
+        t21,
+    ]
     };
     // frame 4
     let [t24, t27, t30, t33, t36, t39] = {

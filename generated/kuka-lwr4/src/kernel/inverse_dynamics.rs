@@ -17,109 +17,28 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S;
 
 #[allow(non_snake_case, clippy::all)]
 #[inline(always)]
-fn entries<S: Scalar>(
-    trig: &Trig<S>,
-    dq: &[S; DOF],
-    ddq: &[S; DOF],
-    phi: &[S; STANDARD],
-    mut put: impl FnMut(usize, S),
-) {
+fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; STANDARD], mut put: impl FnMut(usize, S)) {
     let [_, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6, ddq7] = *ddq;
     let [
-        _,
-        _,
-        _,
-        _,
-        _,
-        _,
-        ZZ1,
-        _,
-        _,
-        _,
-        _,
-        MSX2,
-        MSY2,
-        MSZ2,
-        XX2,
-        YY2,
-        ZZ2,
-        XY2,
-        XZ2,
-        YZ2,
-        M3,
-        MSX3,
-        MSY3,
-        MSZ3,
-        XX3,
-        YY3,
-        ZZ3,
-        XY3,
-        XZ3,
-        YZ3,
-        M4,
-        MSX4,
-        MSY4,
-        MSZ4,
-        XX4,
-        YY4,
-        ZZ4,
-        XY4,
-        XZ4,
-        YZ4,
-        M5,
-        MSX5,
-        MSY5,
-        MSZ5,
-        XX5,
-        YY5,
-        ZZ5,
-        XY5,
-        XZ5,
-        YZ5,
-        M6,
-        MSX6,
-        MSY6,
-        MSZ6,
-        XX6,
-        YY6,
-        ZZ6,
-        XY6,
-        XZ6,
-        YZ6,
-        M7,
-        MSX7,
-        MSY7,
-        MSZ7,
-        XX7,
-        YY7,
-        ZZ7,
-        XY7,
-        XZ7,
-        YZ7,
-        FV1,
-        FV2,
-        FV3,
-        FV4,
-        FV5,
-        FV6,
-        FV7,
-        FC1,
-        FC2,
-        FC3,
-        FC4,
-        FC5,
-        FC6,
-        FC7,
-        ..,
-    ] = *phi;
+        _, _, _, _, _, _, ZZ1, _, _, _, _, MSX2,
+        MSY2, MSZ2, XX2, YY2, ZZ2, XY2, XZ2, YZ2, M3, MSX3, MSY3, MSZ3,
+        XX3, YY3, ZZ3, XY3, XZ3, YZ3, M4, MSX4, MSY4, MSZ4, XX4, YY4,
+        ZZ4, XY4, XZ4, YZ4, M5, MSX5, MSY5, MSZ5, XX5, YY5, ZZ5, XY5,
+        XZ5, YZ5, M6, MSX6, MSY6, MSZ6, XX6, YY6, ZZ6, XY6, XZ6, YZ6,
+        M7, MSX7, MSY7, MSZ7, XX7, YY7, ZZ7, XY7, XZ7, YZ7, FV1, FV2,
+        FV3, FV4, FV5, FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7,
+        ..] = *phi;
     let L2 = S::constant(0.4);
     let L3 = S::constant(0.39);
     let k0 = S::constant(9.81);
     // link 2: motion
-    let [w2_x, w2_y, t2, t3, a2_x, a2_y, t6, t7, dw2_x, dw2_y] = {
+    let [
+        w2_x, w2_y, t2, t3, a2_x, a2_y, t6, t7,
+        dw2_x, dw2_y,
+    ] = {
         let w2_x = s2 * dq1;
         let w2_y = c2 * dq1;
         let t2 = s2 * ddq1;
@@ -130,10 +49,17 @@ fn entries<S: Scalar>(
         let t7 = dq2 * w2_x;
         let dw2_x = t2 + t6;
         let dw2_y = t3 - t7;
-        [w2_x, w2_y, t2, t3, a2_x, a2_y, t6, t7, dw2_x, dw2_y]
+        [
+        w2_x, w2_y, t2, t3, a2_x, a2_y, t6, t7,
+        dw2_x, dw2_y,
+    ]
     };
     // link 3: motion
-    let [w3_x, t15, t22, t23, t24, t25, t26, t27, t29, t30, a3_z, a3_x, t41, w3_z, dw3_x, t46, dw3_z] = {
+    let [
+        w3_x, t15, t22, t23, t24, t25, t26, t27,
+        t29, t30, a3_z, a3_x, t41, w3_z, dw3_x, t46,
+        dw3_z,
+    ] = {
         let w3_x = c3 * w2_x - s3 * dq2;
         let t15 = c3 * dq2 + s3 * w2_x;
         let t22 = w2_x * w2_x;
@@ -153,32 +79,17 @@ fn entries<S: Scalar>(
         let dw3_x = c3 * dw2_x - s3 * ddq2 - dq3 * t15;
         let t46 = c3 * ddq2 + s3 * dw2_x + dq3 * w3_x;
         let dw3_z = dw2_y + ddq3;
-        [w3_x, t15, t22, t23, t24, t25, t26, t27, t29, t30, a3_z, a3_x, t41, w3_z, dw3_x, t46, dw3_z]
+        [
+        w3_x, t15, t22, t23, t24, t25, t26, t27,
+        t29, t30, a3_z, a3_x, t41, w3_z, dw3_x, t46,
+        dw3_z,
+    ]
     };
     // link 4: motion
     let [
-        w4_x,
-        t53,
-        t60,
-        t61,
-        t62,
-        t63,
-        t64,
-        t65,
-        t66,
-        t67,
-        t68,
-        t69,
-        t70,
-        t71,
-        t72,
-        t73,
-        a4_x,
-        t79,
-        w4_z,
-        dw4_x,
-        t84,
-        dw4_z,
+        w4_x, t53, t60, t61, t62, t63, t64, t65,
+        t66, t67, t68, t69, t70, t71, t72, t73,
+        a4_x, t79, w4_z, dw4_x, t84, dw4_z,
     ] = {
         let w4_x = c4 * w3_x - s4 * w3_z;
         let t53 = c4 * w3_z + s4 * w3_x;
@@ -203,36 +114,16 @@ fn entries<S: Scalar>(
         let t84 = c4 * dw3_z + s4 * dw3_x + dq4 * w4_x;
         let dw4_z = ddq4 - t46;
         [
-            w4_x, t53, t60, t61, t62, t63, t64, t65, t66, t67, t68, t69, t70, t71, t72, t73, a4_x, t79, w4_z, dw4_x,
-            t84, dw4_z,
-        ]
+        w4_x, t53, t60, t61, t62, t63, t64, t65,
+        t66, t67, t68, t69, t70, t71, t72, t73,
+        a4_x, t79, w4_z, dw4_x, t84, dw4_z,
+    ]
     };
     // link 5: motion
     let [
-        w5_x,
-        w5_y,
-        t98,
-        t99,
-        t100,
-        t101,
-        t102,
-        t103,
-        t104,
-        t105,
-        t106,
-        t107,
-        t108,
-        t109,
-        t110,
-        t111,
-        t112,
-        t117,
-        a5_x,
-        a6_z,
-        w5_z,
-        dw5_x,
-        dw5_y,
-        dw5_z,
+        w5_x, w5_y, t98, t99, t100, t101, t102, t103,
+        t104, t105, t106, t107, t108, t109, t110, t111,
+        t112, t117, a5_x, a6_z, w5_z, dw5_x, dw5_y, dw5_z,
     ] = {
         let w5_x = c5 * w4_x + s5 * w4_z;
         let w5_y = c5 * w4_z - s5 * w4_x;
@@ -261,35 +152,16 @@ fn entries<S: Scalar>(
         let dw5_y = c5 * dw4_z - s5 * dw4_x - dq5 * w5_x;
         let dw5_z = t84 + ddq5;
         [
-            w5_x, w5_y, t98, t99, t100, t101, t102, t103, t104, t105, t106, t107, t108, t109, t110, t111, t112, t117,
-            a5_x, a6_z, w5_z, dw5_x, dw5_y, dw5_z,
-        ]
+        w5_x, w5_y, t98, t99, t100, t101, t102, t103,
+        t104, t105, t106, t107, t108, t109, t110, t111,
+        t112, t117, a5_x, a6_z, w5_z, dw5_x, dw5_y, dw5_z,
+    ]
     };
     // link 6: motion
     let [
-        w6_x,
-        w6_y,
-        t143,
-        t144,
-        t145,
-        t146,
-        t147,
-        t148,
-        t149,
-        t150,
-        t151,
-        t152,
-        t153,
-        t154,
-        t155,
-        t156,
-        t157,
-        a6_x,
-        t163,
-        w6_z,
-        dw6_x,
-        dw6_y,
-        dw6_z,
+        w6_x, w6_y, t143, t144, t145, t146, t147, t148,
+        t149, t150, t151, t152, t153, t154, t155, t156,
+        t157, a6_x, t163, w6_z, dw6_x, dw6_y, dw6_z,
     ] = {
         let w6_x = c6 * w5_x + s6 * w5_z;
         let w6_y = c6 * w5_z - s6 * w5_x;
@@ -315,35 +187,16 @@ fn entries<S: Scalar>(
         let dw6_y = c6 * dw5_z - s6 * dw5_x - dq6 * w6_x;
         let dw6_z = ddq6 - dw5_y;
         [
-            w6_x, w6_y, t143, t144, t145, t146, t147, t148, t149, t150, t151, t152, t153, t154, t155, t156, t157, a6_x,
-            t163, w6_z, dw6_x, dw6_y, dw6_z,
-        ]
+        w6_x, w6_y, t143, t144, t145, t146, t147, t148,
+        t149, t150, t151, t152, t153, t154, t155, t156,
+        t157, a6_x, t163, w6_z, dw6_x, dw6_y, dw6_z,
+    ]
     };
     // link 7: motion
     let [
-        w7_x,
-        t175,
-        t182,
-        t183,
-        t184,
-        t185,
-        t186,
-        t187,
-        t188,
-        t189,
-        t190,
-        t191,
-        t192,
-        t193,
-        t194,
-        t195,
-        t196,
-        a7_x,
-        t202,
-        w7_z,
-        dw7_x,
-        t207,
-        dw7_z,
+        w7_x, t175, t182, t183, t184, t185, t186, t187,
+        t188, t189, t190, t191, t192, t193, t194, t195,
+        t196, a7_x, t202, w7_z, dw7_x, t207, dw7_z,
     ] = {
         let w7_x = c7 * w6_x - s7 * w6_z;
         let t175 = c7 * w6_z + s7 * w6_x;
@@ -369,9 +222,10 @@ fn entries<S: Scalar>(
         let t207 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
         let dw7_z = dw6_y + ddq7;
         [
-            w7_x, t175, t182, t183, t184, t185, t186, t187, t188, t189, t190, t191, t192, t193, t194, t195, t196, a7_x,
-            t202, w7_z, dw7_x, t207, dw7_z,
-        ]
+        w7_x, t175, t182, t183, t184, t185, t186, t187,
+        t188, t189, t190, t191, t192, t193, t194, t195,
+        t196, a7_x, t202, w7_z, dw7_x, t207, dw7_z,
+    ]
     };
     // link 7: force and moment
     let [f7_z, n7_z, t292, t295, t298, t301] = {

@@ -5,7 +5,7 @@
 //! 311 multiplications, 293 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, DOF, Trig};
+use super::super::{DOF, BASE, Trig};
 
 /// Torques from the base parameters: every entry of `out` is written.
 #[inline]
@@ -23,70 +23,20 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6, ddq7] = *ddq;
     let [
-        ZZ1R,
-        MSX2,
-        MSY2R,
-        XX2R,
-        ZZ2R,
-        XY2,
-        XZ2,
-        YZ2,
-        MSX3,
-        MSY3R,
-        XX3R,
-        ZZ3R,
-        XY3,
-        XZ3,
-        YZ3,
-        MSX4,
-        MSY4R,
-        XX4R,
-        ZZ4R,
-        XY4,
-        XZ4,
-        YZ4,
-        MSX5,
-        MSY5R,
-        XX5R,
-        ZZ5R,
-        XY5,
-        XZ5,
-        YZ5,
-        MSX6,
-        MSY6R,
-        XX6R,
-        ZZ6R,
-        XY6,
-        XZ6,
-        YZ6,
-        MSX7,
-        MSY7,
-        XX7R,
-        ZZ7,
-        XY7,
-        XZ7,
-        YZ7,
-        FV1,
-        FV2,
-        FV3,
-        FV4,
-        FV5,
-        FV6,
-        FV7,
-        FC1,
-        FC2,
-        FC3,
-        FC4,
-        FC5,
-        FC6,
-        FC7,
-        ..,
-    ] = *beta;
+        ZZ1R, MSX2, MSY2R, XX2R, ZZ2R, XY2, XZ2, YZ2, MSX3, MSY3R, XX3R, ZZ3R,
+        XY3, XZ3, YZ3, MSX4, MSY4R, XX4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSY5R,
+        XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6R, XX6R, ZZ6R, XY6, XZ6, YZ6,
+        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7, FV1, FV2, FV3, FV4, FV5,
+        FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7,
+        ..] = *beta;
     let L2 = S::constant(0.4);
     let L3 = S::constant(0.39);
     let k0 = S::constant(9.81);
     // link 2: motion
-    let [w2_x, w2_y, t2, t3, a2_x, a2_y, t6, t7, dw2_x, dw2_y] = {
+    let [
+        w2_x, w2_y, t2, t3, a2_x, a2_y, t6, t7,
+        dw2_x, dw2_y,
+    ] = {
         let w2_x = s2 * dq1;
         let w2_y = c2 * dq1;
         let t2 = s2 * ddq1;
@@ -97,10 +47,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t7 = dq2 * w2_x;
         let dw2_x = t2 + t6;
         let dw2_y = t3 - t7;
-        [w2_x, w2_y, t2, t3, a2_x, a2_y, t6, t7, dw2_x, dw2_y]
+        [
+        w2_x, w2_y, t2, t3, a2_x, a2_y, t6, t7,
+        dw2_x, dw2_y,
+    ]
     };
     // link 3: motion
-    let [w3_x, t15, t22, t23, t24, t25, t26, t27, t29, t30, a3_z, a3_x, t41, w3_z, dw3_x, t46, dw3_z] = {
+    let [
+        w3_x, t15, t22, t23, t24, t25, t26, t27,
+        t29, t30, a3_z, a3_x, t41, w3_z, dw3_x, t46,
+        dw3_z,
+    ] = {
         let w3_x = c3 * w2_x - s3 * dq2;
         let t15 = c3 * dq2 + s3 * w2_x;
         let t22 = w2_x * w2_x;
@@ -120,32 +77,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let dw3_x = c3 * dw2_x - s3 * ddq2 - dq3 * t15;
         let t46 = c3 * ddq2 + s3 * dw2_x + dq3 * w3_x;
         let dw3_z = dw2_y + ddq3;
-        [w3_x, t15, t22, t23, t24, t25, t26, t27, t29, t30, a3_z, a3_x, t41, w3_z, dw3_x, t46, dw3_z]
+        [
+        w3_x, t15, t22, t23, t24, t25, t26, t27,
+        t29, t30, a3_z, a3_x, t41, w3_z, dw3_x, t46,
+        dw3_z,
+    ]
     };
     // link 4: motion
     let [
-        w4_x,
-        t53,
-        t60,
-        t61,
-        t62,
-        t63,
-        t64,
-        t65,
-        t66,
-        t67,
-        t68,
-        t69,
-        t70,
-        t71,
-        t72,
-        t73,
-        a4_x,
-        t79,
-        w4_z,
-        dw4_x,
-        t84,
-        dw4_z,
+        w4_x, t53, t60, t61, t62, t63, t64, t65,
+        t66, t67, t68, t69, t70, t71, t72, t73,
+        a4_x, t79, w4_z, dw4_x, t84, dw4_z,
     ] = {
         let w4_x = c4 * w3_x - s4 * w3_z;
         let t53 = c4 * w3_z + s4 * w3_x;
@@ -170,35 +112,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t84 = c4 * dw3_z + s4 * dw3_x + dq4 * w4_x;
         let dw4_z = ddq4 - t46;
         [
-            w4_x, t53, t60, t61, t62, t63, t64, t65, t66, t67, t68, t69, t70, t71, t72, t73, a4_x, t79, w4_z, dw4_x,
-            t84, dw4_z,
-        ]
+        w4_x, t53, t60, t61, t62, t63, t64, t65,
+        t66, t67, t68, t69, t70, t71, t72, t73,
+        a4_x, t79, w4_z, dw4_x, t84, dw4_z,
+    ]
     };
     // link 5: motion
     let [
-        w5_x,
-        w5_y,
-        t98,
-        t99,
-        t100,
-        t101,
-        t102,
-        t103,
-        t104,
-        t105,
-        t106,
-        t107,
-        t108,
-        t109,
-        t110,
-        t111,
-        t116,
-        a5_x,
-        a6_z,
-        w5_z,
-        dw5_x,
-        dw5_y,
-        dw5_z,
+        w5_x, w5_y, t98, t99, t100, t101, t102, t103,
+        t104, t105, t106, t107, t108, t109, t110, t111,
+        t116, a5_x, a6_z, w5_z, dw5_x, dw5_y, dw5_z,
     ] = {
         let w5_x = c5 * w4_x + s5 * w4_z;
         let w5_y = c5 * w4_z - s5 * w4_x;
@@ -226,34 +149,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let dw5_y = c5 * dw4_z - s5 * dw4_x - dq5 * w5_x;
         let dw5_z = t84 + ddq5;
         [
-            w5_x, w5_y, t98, t99, t100, t101, t102, t103, t104, t105, t106, t107, t108, t109, t110, t111, t116, a5_x,
-            a6_z, w5_z, dw5_x, dw5_y, dw5_z,
-        ]
+        w5_x, w5_y, t98, t99, t100, t101, t102, t103,
+        t104, t105, t106, t107, t108, t109, t110, t111,
+        t116, a5_x, a6_z, w5_z, dw5_x, dw5_y, dw5_z,
+    ]
     };
     // link 6: motion
     let [
-        w6_x,
-        w6_y,
-        t142,
-        t143,
-        t144,
-        t145,
-        t146,
-        t147,
-        t148,
-        t149,
-        t150,
-        t151,
-        t152,
-        t153,
-        t154,
-        t155,
-        a6_x,
-        t161,
-        w6_z,
-        dw6_x,
-        dw6_y,
-        dw6_z,
+        w6_x, w6_y, t142, t143, t144, t145, t146, t147,
+        t148, t149, t150, t151, t152, t153, t154, t155,
+        a6_x, t161, w6_z, dw6_x, dw6_y, dw6_z,
     ] = {
         let w6_x = c6 * w5_x + s6 * w5_z;
         let w6_y = c6 * w5_z - s6 * w5_x;
@@ -278,34 +183,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let dw6_y = c6 * dw5_z - s6 * dw5_x - dq6 * w6_x;
         let dw6_z = ddq6 - dw5_y;
         [
-            w6_x, w6_y, t142, t143, t144, t145, t146, t147, t148, t149, t150, t151, t152, t153, t154, t155, a6_x, t161,
-            w6_z, dw6_x, dw6_y, dw6_z,
-        ]
+        w6_x, w6_y, t142, t143, t144, t145, t146, t147,
+        t148, t149, t150, t151, t152, t153, t154, t155,
+        a6_x, t161, w6_z, dw6_x, dw6_y, dw6_z,
+    ]
     };
     // link 7: motion
     let [
-        w7_x,
-        t173,
-        t180,
-        t181,
-        t182,
-        t183,
-        t184,
-        t185,
-        t186,
-        t187,
-        t188,
-        t189,
-        t190,
-        t191,
-        t192,
-        t193,
-        a7_x,
-        t199,
-        w7_z,
-        dw7_x,
-        t204,
-        dw7_z,
+        w7_x, t173, t180, t181, t182, t183, t184, t185,
+        t186, t187, t188, t189, t190, t191, t192, t193,
+        a7_x, t199, w7_z, dw7_x, t204, dw7_z,
     ] = {
         let w7_x = c7 * w6_x - s7 * w6_z;
         let t173 = c7 * w6_z + s7 * w6_x;
@@ -330,9 +217,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t204 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
         let dw7_z = dw6_y + ddq7;
         [
-            w7_x, t173, t180, t181, t182, t183, t184, t185, t186, t187, t188, t189, t190, t191, t192, t193, a7_x, t199,
-            w7_z, dw7_x, t204, dw7_z,
-        ]
+        w7_x, t173, t180, t181, t182, t183, t184, t185,
+        t186, t187, t188, t189, t190, t191, t192, t193,
+        a7_x, t199, w7_z, dw7_x, t204, dw7_z,
+    ]
     };
     // link 7: force and moment
     let [f7_z, n7_z, t268, t271, t274, t277] = {

@@ -4,43 +4,17 @@
 //!
 //! 66 multiplications, 38 additions; 6 x 7, 29 of 42 structurally nonzero.
 
-use super::super::Trig;
 use super::super::runtime::Scalar;
+use super::super::{Trig};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 29;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
-    (0, 0),
-    (0, 1),
-    (0, 2),
-    (0, 3),
-    (1, 0),
-    (1, 1),
-    (1, 2),
-    (1, 3),
-    (2, 1),
-    (2, 2),
-    (2, 3),
-    (3, 1),
-    (3, 2),
-    (3, 3),
-    (3, 4),
-    (3, 5),
-    (3, 6),
-    (4, 1),
-    (4, 2),
-    (4, 3),
-    (4, 4),
-    (4, 5),
-    (4, 6),
-    (5, 0),
-    (5, 2),
-    (5, 3),
-    (5, 4),
-    (5, 5),
-    (5, 6),
+    (0, 0), (0, 1), (0, 2), (0, 3), (1, 0), (1, 1), (1, 2), (1, 3), (2, 1), (2, 2),
+    (2, 3), (3, 1), (3, 2), (3, 3), (3, 4), (3, 5), (3, 6), (4, 1), (4, 2), (4, 3),
+    (4, 4), (4, 5), (4, 6), (5, 0), (5, 2), (5, 3), (5, 4), (5, 5), (5, 6),
 ];
 
 /// Jacobian of the last DH frame's origin, in base axes: every entry of `out` is written.
@@ -79,7 +53,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [t0, t1, t2, t3]
     };
     // frame 3
-    let [t4, t5, t7, t10, t13, t16, t19, t20, t21] = {
+    let [
+        t4, t5, t7, t10, t13, t16, t19, t20,
+        t21,
+    ] = {
         let t4 = L2 * t1;
         let t5 = L2 * t3;
         let t7 = L1 + c2 * L2;
@@ -90,7 +67,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t20 = s2 * c3;
         let t21 = s2 * s3;
         put(19, t19); // [4][3]
-        [t4, t5, t7, t10, t13, t16, t19, t20, t21]
+        [
+        t4, t5, t7, t10, t13, t16, t19, t20,
+        t21,
+    ]
     };
     // frame 4
     let [t24, t27, t30, t33, t36, t39] = {
@@ -105,7 +85,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [t24, t27, t30, t33, t36, t39]
     };
     // frame 5
-    let [t40, t41, t42, t43, t44, t45, t48, t54, t55, t56, t59] = {
+    let [
+        t40, t41, t42, t43, t44, t45, t48, t54,
+        t55, t56, t59,
+    ] = {
         let t40 = L3 * t27;
         let t41 = L3 * t33;
         let t42 = L3 * t39;
@@ -123,7 +106,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(4, t43); // [1][0]
         put(15, t51); // [3][5]
         put(27, t62); // [5][5]
-        [t40, t41, t42, t43, t44, t45, t48, t54, t55, t56, t59]
+        [
+        t40, t41, t42, t43, t44, t45, t48, t54,
+        t55, t56, t59,
+    ]
     };
     // frame 6
     let t69 = {

@@ -21,55 +21,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
     let [_, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [
-        ZZ1R,
-        _,
-        _,
-        XX2R,
-        ZZ2R,
-        XY2,
-        XZ2,
-        YZ2,
-        MSX3,
-        MSY3R,
-        XX3R,
-        ZZ3R,
-        XY3,
-        XZ3,
-        YZ3,
-        MSX4,
-        MSY4R,
-        XX4R,
-        ZZ4R,
-        XY4,
-        XZ4,
-        YZ4,
-        MSX5,
-        MSY5R,
-        XX5R,
-        ZZ5R,
-        XY5,
-        XZ5,
-        YZ5,
-        MSX6,
-        MSY6R,
-        XX6R,
-        ZZ6R,
-        XY6,
-        XZ6,
-        YZ6,
-        MSX7,
-        MSY7,
-        XX7R,
-        ZZ7,
-        XY7,
-        XZ7,
-        YZ7,
-        ..,
-    ] = *beta;
+        ZZ1R, _, _, XX2R, ZZ2R, XY2, XZ2, YZ2, MSX3, MSY3R, XX3R, ZZ3R,
+        XY3, XZ3, YZ3, MSX4, MSY4R, XX4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSY5R,
+        XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6R, XX6R, ZZ6R, XY6, XZ6, YZ6,
+        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
+        ..] = *beta;
     let L2 = S::constant(0.4);
     let L3 = S::constant(0.39);
     // composite body 7
-    let [t2, t5, t8, t11, t15, t18, t72, t75, t78] = {
+    let [
+        t2, t5, t8, t11, t15, t18, t72, t75,
+        t78,
+    ] = {
         let t2 = c7 * MSY7 + s7 * MSX7;
         let t5 = c7 * MSX7 - s7 * MSY7;
         let t8 = c7 * XZ7 - s7 * YZ7;
@@ -106,10 +69,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         put(45, t35); // [6][3]
         put(46, t19); // [6][4]
         put(48, ZZ7); // [6][6]
-        [t2, t5, t8, t11, t15, t18, t72, t75, t78]
+        [
+        t2, t5, t8, t11, t15, t18, t72, t75,
+        t78,
+    ]
     };
     // composite body 6
-    let [t87, t90, t93, t96, t100, t103, t147, t150, t153, t154] = {
+    let [
+        t87, t90, t93, t96, t100, t103, t147, t150,
+        t153, t154,
+    ] = {
         let t79 = MSX6 + t5;
         let t80 = XX6R - t72;
         let t81 = ZZ6R + t78;
@@ -151,7 +120,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         put(38, t108); // [5][3]
         put(39, t96); // [5][4]
         put(40, t81); // [5][5]
-        [t87, t90, t93, t96, t100, t103, t147, t150, t153, t154]
+        [
+        t87, t90, t93, t96, t100, t103, t147, t150,
+        t153, t154,
+    ]
     };
     // composite body 5
     let [t164, t167, t176, t177, t217, t222, t223, t227] = {
@@ -194,7 +166,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         [t164, t167, t176, t177, t217, t222, t223, t227]
     };
     // composite body 4
-    let [t237, t240, t243, t246, t250, t253, t274, t277, t280, t281] = {
+    let [
+        t237, t240, t243, t246, t250, t253, t274, t277,
+        t280, t281,
+    ] = {
         let t228 = MSX4 + t167;
         let t229 = t87 - MSY4R;
         let t230 = XX4R + t222;
@@ -225,7 +200,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         put(22, t258); // [3][1]
         put(23, t246); // [3][2]
         put(24, t231); // [3][3]
-        [t237, t240, t243, t246, t250, t253, t274, t277, t280, t281]
+        [
+        t237, t240, t243, t246, t250, t253, t274, t277,
+        t280, t281,
+    ]
     };
     // composite body 3
     let [t303, t304, t321, t326, t327, t331] = {

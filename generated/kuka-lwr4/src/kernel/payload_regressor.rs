@@ -12,72 +12,13 @@ pub const NONZEROS: usize = 66;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
-    (0, 0),
-    (0, 1),
-    (0, 2),
-    (0, 3),
-    (0, 4),
-    (0, 5),
-    (0, 6),
-    (0, 7),
-    (0, 8),
-    (0, 9),
-    (1, 0),
-    (1, 1),
-    (1, 2),
-    (1, 3),
-    (1, 4),
-    (1, 5),
-    (1, 6),
-    (1, 7),
-    (1, 8),
-    (1, 9),
-    (2, 0),
-    (2, 1),
-    (2, 2),
-    (2, 3),
-    (2, 4),
-    (2, 5),
-    (2, 6),
-    (2, 7),
-    (2, 8),
-    (2, 9),
-    (3, 0),
-    (3, 1),
-    (3, 2),
-    (3, 3),
-    (3, 4),
-    (3, 5),
-    (3, 6),
-    (3, 7),
-    (3, 8),
-    (3, 9),
-    (4, 1),
-    (4, 2),
-    (4, 3),
-    (4, 4),
-    (4, 5),
-    (4, 6),
-    (4, 7),
-    (4, 8),
-    (4, 9),
-    (5, 1),
-    (5, 2),
-    (5, 3),
-    (5, 4),
-    (5, 5),
-    (5, 6),
-    (5, 7),
-    (5, 8),
-    (5, 9),
-    (6, 1),
-    (6, 2),
-    (6, 4),
-    (6, 5),
-    (6, 6),
-    (6, 7),
-    (6, 8),
-    (6, 9),
+    (0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (0, 6), (0, 7), (0, 8), (0, 9),
+    (1, 0), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 6), (1, 7), (1, 8), (1, 9),
+    (2, 0), (2, 1), (2, 2), (2, 3), (2, 4), (2, 5), (2, 6), (2, 7), (2, 8), (2, 9),
+    (3, 0), (3, 1), (3, 2), (3, 3), (3, 4), (3, 5), (3, 6), (3, 7), (3, 8), (3, 9),
+    (4, 1), (4, 2), (4, 3), (4, 4), (4, 5), (4, 6), (4, 7), (4, 8), (4, 9), (5, 1),
+    (5, 2), (5, 3), (5, 4), (5, 5), (5, 6), (5, 7), (5, 8), (5, 9), (6, 1), (6, 2),
+    (6, 4), (6, 5), (6, 6), (6, 7), (6, 8), (6, 9),
 ];
 
 /// Regressor of a body fixed to the tool frame: every entry of `out` is written.
@@ -117,7 +58,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [w2_x, w2_y, a2_x, a2_y, t6, dw2_x, dw2_y]
     };
     // link 3: motion
-    let [t12, t15, a3_z, t35, t38, w3_z, t42, t43, dw3_z] = {
+    let [
+        t12, t15, a3_z, t35, t38, w3_z, t42, t43,
+        dw3_z,
+    ] = {
         let t12 = s3 * dq2 - c3 * w2_x;
         let t15 = c3 * dq2 + s3 * w2_x;
         let t30 = L2 * (t6 + dw2_x);
@@ -129,7 +73,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t42 = dq3 * t15 - (c3 * dw2_x - s3 * ddq2);
         let t43 = dq3 * t12 - (c3 * ddq2 + s3 * dw2_x);
         let dw3_z = dw2_y + ddq3;
-        [t12, t15, a3_z, t35, t38, w3_z, t42, t43, dw3_z]
+        [
+        t12, t15, a3_z, t35, t38, w3_z, t42, t43,
+        dw3_z,
+    ]
     };
     // link 4: motion
     let [t47, t50, t59, t62, w4_z, t66, t67, dw4_z] = {
@@ -144,7 +91,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t47, t50, t59, t62, w4_z, t66, t67, dw4_z]
     };
     // link 5: motion
-    let [w5_x, w5_y, t92, t96, a6_z, w5_z, dw5_x, dw5_y, dw5_z] = {
+    let [
+        w5_x, w5_y, t92, t96, a6_z, w5_z, dw5_x, dw5_y,
+        dw5_z,
+    ] = {
         let w5_x = s5 * w4_z - c5 * t47;
         let w5_y = c5 * w4_z + s5 * t47;
         let t91 = t59 - L3 * (dw4_z + t47 * t50);
@@ -156,7 +106,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw5_x = s5 * dw4_z - c5 * t66 + dq5 * w5_y;
         let dw5_y = c5 * dw4_z + s5 * t66 - dq5 * w5_x;
         let dw5_z = t67 + ddq5;
-        [w5_x, w5_y, t92, t96, a6_z, w5_z, dw5_x, dw5_y, dw5_z]
+        [
+        w5_x, w5_y, t92, t96, a6_z, w5_z, dw5_x, dw5_y,
+        dw5_z,
+    ]
     };
     // link 6: motion
     let [w6_x, t111, t120, t123, t124, t127, dw6_y, t129] = {
@@ -210,7 +163,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [z1_5_x, z1_6_z, t172, t175, t176, z3_5_y]
     };
     // joint axes in frame 7
-    let [t178, t179, t180, t181, t182, t183, t184, t185, t186, t187, t188, t189, t190, t191, t192] = {
+    let [
+        t178, t179, t180, t181, t182, t183, t184, t185,
+        t186, t187, t188, t189, t190, t191, t192,
+    ] = {
         let t178 = w7_x * w7_x;
         let t179 = t135 * t135;
         let t180 = t148 * t148;
@@ -228,7 +184,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t192 = t178 + t179;
         put(61, t181); // row 7, YY
         put(64, t189); // row 7, XZ
-        [t178, t179, t180, t181, t182, t183, t184, t185, t186, t187, t188, t189, t190, t191, t192]
+        [
+        t178, t179, t180, t181, t182, t183, t184, t185,
+        t186, t187, t188, t189, t190, t191, t192,
+    ]
     };
     // payload: column M
     let [t195, t198] = {

@@ -11,8 +11,10 @@ use super::super::{DOF, Trig};
 pub const NONZEROS: usize = 13;
 
 /// Row and column of each of them, in the order of [`packed`].
-pub const PATTERN: [(usize, usize); NONZEROS] =
-    [(0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (0, 6), (0, 8), (1, 3), (1, 4), (1, 5), (1, 7), (1, 9)];
+pub const PATTERN: [(usize, usize); NONZEROS] = [
+    (0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (0, 6), (0, 8), (1, 3), (1, 4),
+    (1, 5), (1, 7), (1, 9),
+];
 
 /// Regressor `W_b` of the base parameters: every entry of `out` is written.
 #[inline]

@@ -5,7 +5,7 @@
 //! 12 multiplications, 4 additions; 2, 2 of 2 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, DOF, Trig};
+use super::super::{DOF, BASE, Trig};
 
 /// Coriolis and centrifugal torques `C dq`: every entry of `out` is written.
 #[inline]

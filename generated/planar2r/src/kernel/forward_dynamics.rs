@@ -5,7 +5,7 @@
 //! 35 multiplications, 23 additions; 2, 2 of 2 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, DOF, Trig};
+use super::super::{DOF, BASE, Trig};
 
 /// Accelerations that torques cause: every entry of `out` is written.
 #[inline]

@@ -4,14 +4,16 @@
 //!
 //! 6 multiplications, 3 additions; 3 x 4, 7 of 12 structurally nonzero.
 
-use super::super::Trig;
 use super::super::runtime::Scalar;
+use super::super::{Trig};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 7;
 
 /// Row and column of each of them, in the order of [`packed`].
-pub const PATTERN: [(usize, usize); NONZEROS] = [(0, 0), (0, 1), (0, 3), (1, 0), (1, 1), (1, 3), (2, 2)];
+pub const PATTERN: [(usize, usize); NONZEROS] = [
+    (0, 0), (0, 1), (0, 3), (1, 0), (1, 1), (1, 3), (2, 2),
+];
 
 /// The last DH frame in the base frame: every entry of `out` is written.
 #[inline]

@@ -4,15 +4,17 @@
 //!
 //! 6 multiplications, 4 additions; 2 x 3 x 4, 12 of 24 structurally nonzero.
 
-use super::super::Trig;
 use super::super::runtime::Scalar;
+use super::super::{Trig};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 12;
 
 /// First index, and the rest row-major, of each of them, in the order of [`packed`].
-pub const PATTERN: [(usize, usize); NONZEROS] =
-    [(0, 0), (0, 1), (0, 4), (0, 5), (0, 10), (1, 0), (1, 1), (1, 3), (1, 4), (1, 5), (1, 7), (1, 10)];
+pub const PATTERN: [(usize, usize); NONZEROS] = [
+    (0, 0), (0, 1), (0, 4), (0, 5), (0, 10), (1, 0), (1, 1), (1, 3), (1, 4), (1, 5),
+    (1, 7), (1, 10),
+];
 
 /// DH frames of all rows in the base frame: every entry of `out` is written.
 #[inline]

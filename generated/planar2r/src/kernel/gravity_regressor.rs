@@ -4,14 +4,16 @@
 //!
 //! 10 multiplications, 5 additions; 2 x 20, 7 of 40 structurally nonzero.
 
-use super::super::Trig;
 use super::super::runtime::Scalar;
+use super::super::{Trig};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 7;
 
 /// Row and column of each of them, in the order of [`packed`].
-pub const PATTERN: [(usize, usize); NONZEROS] = [(0, 1), (0, 2), (0, 10), (0, 11), (0, 12), (1, 11), (1, 12)];
+pub const PATTERN: [(usize, usize); NONZEROS] = [
+    (0, 1), (0, 2), (0, 10), (0, 11), (0, 12), (1, 11), (1, 12),
+];
 
 /// Regressor at rest: every entry of `out` is written.
 #[inline]

@@ -17,18 +17,15 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S;
 
 #[allow(non_snake_case, clippy::all)]
 #[inline(always)]
-fn entries<S: Scalar>(
-    trig: &Trig<S>,
-    dq: &[S; DOF],
-    ddq: &[S; DOF],
-    phi: &[S; STANDARD],
-    mut put: impl FnMut(usize, S),
-) {
+fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; STANDARD], mut put: impl FnMut(usize, S)) {
     let [s1, s2] = trig.sin;
     let [c1, c2] = trig.cos;
     let [dq1, dq2] = *dq;
     let [ddq1, ddq2] = *ddq;
-    let [_, MSX1, MSY1, _, _, _, ZZ1, _, _, _, M2, MSX2, MSY2, _, _, _, ZZ2, _, _, _, FV1, FV2, FC1, FC2, ..] = *phi;
+    let [
+        _, MSX1, MSY1, _, _, _, ZZ1, _, _, _, M2, MSX2,
+        MSY2, _, _, _, ZZ2, _, _, _, FV1, FV2, FC1, FC2,
+        ..] = *phi;
     let L1 = S::constant(0.5);
     let k0 = S::constant(9.81);
     // link 1: motion

@@ -5,7 +5,7 @@
 //! 27 multiplications, 19 additions; 2, 2 of 2 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, DOF, Trig};
+use super::super::{DOF, BASE, Trig};
 
 /// Torques from the base parameters: every entry of `out` is written.
 #[inline]

@@ -4,14 +4,16 @@
 //!
 //! 2 multiplications, 1 additions; 6 x 2, 4 of 12 structurally nonzero.
 
-use super::super::Trig;
 use super::super::runtime::Scalar;
+use super::super::{Trig};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 4;
 
 /// Row and column of each of them, in the order of [`packed`].
-pub const PATTERN: [(usize, usize); NONZEROS] = [(0, 0), (1, 0), (5, 0), (5, 1)];
+pub const PATTERN: [(usize, usize); NONZEROS] = [
+    (0, 0), (1, 0), (5, 0), (5, 1),
+];
 
 /// Jacobian of the last DH frame's origin, in base axes: every entry of `out` is written.
 #[inline]

@@ -11,7 +11,9 @@ use super::super::{DOF, Trig};
 pub const NONZEROS: usize = 2;
 
 /// First index, and the rest row-major, of each of them, in the order of [`packed`].
-pub const PATTERN: [(usize, usize); NONZEROS] = [(0, 0), (1, 0)];
+pub const PATTERN: [(usize, usize); NONZEROS] = [
+    (0, 0), (1, 0),
+];
 
 /// Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`: every entry of `out` is written.
 #[inline]

@@ -11,7 +11,9 @@ use super::super::{DOF, Trig};
 pub const NONZEROS: usize = 5;
 
 /// First index, and the rest row-major, of each of them, in the order of [`packed`].
-pub const PATTERN: [(usize, usize); NONZEROS] = [(6, 0), (10, 0), (11, 0), (12, 0), (16, 0)];
+pub const PATTERN: [(usize, usize); NONZEROS] = [
+    (6, 0), (10, 0), (11, 0), (12, 0), (16, 0),
+];
 
 /// Kinetic energy, one entry per standard parameter: every entry of `out` is written.
 #[inline]

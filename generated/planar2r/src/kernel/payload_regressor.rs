@@ -11,7 +11,9 @@ use super::super::{DOF, Trig};
 pub const NONZEROS: usize = 8;
 
 /// Row and column of each of them, in the order of [`packed`].
-pub const PATTERN: [(usize, usize); NONZEROS] = [(0, 0), (0, 1), (0, 2), (0, 6), (1, 0), (1, 1), (1, 2), (1, 6)];
+pub const PATTERN: [(usize, usize); NONZEROS] = [
+    (0, 0), (0, 1), (0, 2), (0, 6), (1, 0), (1, 1), (1, 2), (1, 6),
+];
 
 /// Regressor of a body fixed to the tool frame: every entry of `out` is written.
 #[inline]

@@ -4,14 +4,16 @@
 //!
 //! 9 multiplications, 2 additions; 24, 5 of 24 structurally nonzero.
 
-use super::super::Trig;
 use super::super::runtime::Scalar;
+use super::super::{Trig};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 5;
 
 /// First index, and the rest row-major, of each of them, in the order of [`packed`].
-pub const PATTERN: [(usize, usize); NONZEROS] = [(1, 0), (2, 0), (10, 0), (11, 0), (12, 0)];
+pub const PATTERN: [(usize, usize); NONZEROS] = [
+    (1, 0), (2, 0), (10, 0), (11, 0), (12, 0),
+];
 
 /// Potential energy, one entry per standard parameter: every entry of `out` is written.
 #[inline]

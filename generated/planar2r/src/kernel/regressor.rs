@@ -12,20 +12,8 @@ pub const NONZEROS: usize = 14;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
-    (0, 1),
-    (0, 2),
-    (0, 6),
-    (0, 10),
-    (0, 11),
-    (0, 12),
-    (0, 16),
-    (0, 20),
-    (0, 22),
-    (1, 11),
-    (1, 12),
-    (1, 16),
-    (1, 21),
-    (1, 23),
+    (0, 1), (0, 2), (0, 6), (0, 10), (0, 11), (0, 12), (0, 16), (0, 20), (0, 22), (1, 11),
+    (1, 12), (1, 16), (1, 21), (1, 23),
 ];
 
 /// Regressor `W` of the standard parameters: every entry of `out` is written.

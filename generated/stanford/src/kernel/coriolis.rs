@@ -5,7 +5,7 @@
 //! 214 multiplications, 194 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, DOF, Trig};
+use super::super::{DOF, BASE, Trig};
 
 /// Coriolis and centrifugal torques `C dq`: every entry of `out` is written.
 #[inline]
@@ -23,41 +23,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
     let [_, c2, _, c4, c5, c6] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
     let [
-        _,
-        MSX2,
-        MSZ2,
-        YY2R,
-        ZZ2R,
-        XY2R,
-        XZ2R,
-        YZ2R,
-        M3R,
-        MSX3,
-        MSY3,
-        MSZ3R,
-        MSX4,
-        MSZ4R,
-        YY4R,
-        ZZ4R,
-        XY4,
-        XZ4,
-        YZ4,
-        MSX5,
-        MSZ5R,
-        YY5R,
-        ZZ5R,
-        XY5,
-        XZ5,
-        YZ5,
-        MSX6,
-        MSY6,
-        XX6R,
-        ZZ6,
-        XY6,
-        XZ6,
-        YZ6,
-        ..,
-    ] = *beta;
+        _, MSX2, MSZ2, YY2R, ZZ2R, XY2R, XZ2R, YZ2R, M3R, MSX3, MSY3, MSZ3R,
+        MSX4, MSZ4R, YY4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSZ5R, YY5R, ZZ5R, XY5,
+        XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6,
+        ..] = *beta;
     let D2 = S::constant(0.154);
     let D6 = S::constant(0.263);
     let k1 = S::constant(2.0);
@@ -71,7 +40,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         [t0, w3_z, t3, t4, dw2_y]
     };
     // link 3: motion
-    let [t6, t7, t8, t9, t10, t11, t12, t13, t14, t16, t22, a3_y] = {
+    let [
+        t6, t7, t8, t9, t10, t11, t12, t13,
+        t14, t16, t22, a3_y,
+    ] = {
         let t6 = t0 * t0;
         let t7 = w3_z * w3_z;
         let t8 = dq2 * dq2;
@@ -85,7 +57,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let t19 = dq3 * k1;
         let t22 = q3 * t13 - t3 + t0 * t19;
         let a3_y = dq2 * t19 - q3 * t9;
-        [t6, t7, t8, t9, t10, t11, t12, t13, t14, t16, t22, a3_y]
+        [
+        t6, t7, t8, t9, t10, t11, t12, t13,
+        t14, t16, t22, a3_y,
+    ]
     };
     // link 4: motion
     let [t26, w4_y, a4_x, a4_y, w4_z, dw4_x, dw4_y] = {
@@ -99,7 +74,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         [t26, w4_y, a4_x, a4_y, w4_z, dw4_x, dw4_y]
     };
     // link 5: motion
-    let [t45, t48, t55, t56, t57, t58, t59, t60, t61, t62, t63, t64, t65, t66, t67, t68, a5_x, a5_y, w5_z, t78, dw5_y] = {
+    let [
+        t45, t48, t55, t56, t57, t58, t59, t60,
+        t61, t62, t63, t64, t65, t66, t67, t68,
+        a5_x, a5_y, w5_z, t78, dw5_y,
+    ] = {
         let t45 = c5 * t26 + s5 * w4_z;
         let t48 = c5 * w4_z - s5 * t26;
         let t55 = t26 * t26;
@@ -121,32 +100,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let w5_z = w4_y + dq5;
         let t78 = dq5 * t48 - (c5 * dw4_x + s5 * dw2_y);
         let dw5_y = c5 * dw2_y - s5 * dw4_x + dq5 * t45;
-        [t45, t48, t55, t56, t57, t58, t59, t60, t61, t62, t63, t64, t65, t66, t67, t68, a5_x, a5_y, w5_z, t78, dw5_y]
+        [
+        t45, t48, t55, t56, t57, t58, t59, t60,
+        t61, t62, t63, t64, t65, t66, t67, t68,
+        a5_x, a5_y, w5_z, t78, dw5_y,
+    ]
     };
     // link 6: motion
     let [
-        t82,
-        w6_y,
-        t92,
-        t93,
-        t94,
-        t95,
-        t96,
-        t97,
-        t98,
-        t99,
-        t100,
-        t101,
-        t102,
-        t103,
-        t104,
-        t105,
-        t110,
-        t114,
-        a6_y,
-        w6_z,
-        dw6_x,
-        dw6_y,
+        t82, w6_y, t92, t93, t94, t95, t96, t97,
+        t98, t99, t100, t101, t102, t103, t104, t105,
+        t110, t114, a6_y, w6_z, dw6_x, dw6_y,
     ] = {
         let t82 = c6 * t45 - s6 * w5_z;
         let w6_y = c6 * w5_z + s6 * t45;
@@ -173,9 +137,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let dw6_x = s6 * dw4_y - c6 * t78 + dq6 * w6_y;
         let dw6_y = c6 * dw4_y + s6 * t78 + dq6 * t82;
         [
-            t82, w6_y, t92, t93, t94, t95, t96, t97, t98, t99, t100, t101, t102, t103, t104, t105, t110, t114, a6_y,
-            w6_z, dw6_x, dw6_y,
-        ]
+        t82, w6_y, t92, t93, t94, t95, t96, t97,
+        t98, t99, t100, t101, t102, t103, t104, t105,
+        t110, t114, a6_y, w6_z, dw6_x, dw6_y,
+    ]
     };
     // link 6: force and moment
     let [t174, n6_z, t185, t188, t197, t198] = {

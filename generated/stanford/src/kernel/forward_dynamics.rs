@@ -5,7 +5,7 @@
 //! 455 multiplications, 363 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, DOF, Trig};
+use super::super::{DOF, BASE, Trig};
 
 /// Accelerations that torques cause: every entry of `out` is written.
 #[inline]
@@ -24,48 +24,20 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
     let [tau1, tau2, tau3, tau4, tau5, tau6] = *tau;
     let [
-        YY1R,
-        MSX2,
-        MSZ2,
-        YY2R,
-        ZZ2R,
-        XY2R,
-        XZ2R,
-        YZ2R,
-        M3R,
-        MSX3,
-        MSY3,
-        MSZ3R,
-        MSX4,
-        MSZ4R,
-        YY4R,
-        ZZ4R,
-        XY4,
-        XZ4,
-        YZ4,
-        MSX5,
-        MSZ5R,
-        YY5R,
-        ZZ5R,
-        XY5,
-        XZ5,
-        YZ5,
-        MSX6,
-        MSY6,
-        XX6R,
-        ZZ6,
-        XY6,
-        XZ6,
-        YZ6,
-        ..,
-    ] = *beta;
+        YY1R, MSX2, MSZ2, YY2R, ZZ2R, XY2R, XZ2R, YZ2R, M3R, MSX3, MSY3, MSZ3R,
+        MSX4, MSZ4R, YY4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSZ5R, YY5R, ZZ5R, XY5,
+        XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6,
+        ..] = *beta;
     let D2 = S::constant(0.154);
     let D6 = S::constant(0.263);
     let k2 = S::constant(9.81);
     let k3 = S::constant(2.0);
     let k4 = S::constant(1.0);
     // composite body 6
-    let [t2, t5, t14, t15, t17, t23, t39, t47, t56, t59, t62] = {
+    let [
+        t2, t5, t14, t15, t17, t23, t39, t47,
+        t56, t59, t62,
+    ] = {
         let t2 = c6 * MSY6 + s6 * MSX6;
         let t5 = c6 * MSX6 - s6 * MSY6;
         let t14 = c6 * XZ6 - s6 * YZ6 - D6 * t5;
@@ -84,10 +56,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t56 = c6 * (c6 * XX6R - t49) - s6 * t52;
         let t59 = c6 * t53 - s6 * t49;
         let t62 = s6 * t53 + c6 * t49;
-        [t2, t5, t14, t15, t17, t23, t39, t47, t56, t59, t62]
+        [
+        t2, t5, t14, t15, t17, t23, t39, t47,
+        t56, t59, t62,
+    ]
     };
     // composite body 5
-    let [t65, t71, t74, t77, t80, t92, t100, t113, t116, t119] = {
+    let [
+        t65, t71, t74, t77, t80, t92, t100, t113,
+        t116, t119,
+    ] = {
         let t63 = MSX5 + t5;
         let t64 = ZZ5R + ZZ6;
         let t65 = YY5R + t62;
@@ -110,10 +88,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t113 = c5 * (c5 * t56 + t102) + s5 * (t105 + s5 * t64);
         let t116 = c5 * t106 - s5 * t110;
         let t119 = s5 * t106 + c5 * t110;
-        [t65, t71, t74, t77, t80, t92, t100, t113, t116, t119]
+        [
+        t65, t71, t74, t77, t80, t92, t100, t113,
+        t116, t119,
+    ]
     };
     // composite body 4
-    let [t123, t129, t132, t135, t138, t142, t148, t161, t164, t167] = {
+    let [
+        t123, t129, t132, t135, t138, t142, t148, t161,
+        t164, t167,
+    ] = {
         let t120 = MSX4 + t74;
         let t121 = MSZ4R + t2;
         let t122 = ZZ4R + t65;
@@ -134,7 +118,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t161 = c4 * (c4 * t113 - t150) - s4 * (t153 - s4 * t122);
         let t164 = c4 * t154 - s4 * t158;
         let t167 = s4 * t154 + c4 * t158;
-        [t123, t129, t132, t135, t138, t142, t148, t161, t164, t167]
+        [
+        t123, t129, t132, t135, t138, t142, t148, t161,
+        t164, t167,
+    ]
     };
     // composite body 3
     let [t168, t169, t174, t176, t179, t181, t182, t184] = {
@@ -178,7 +165,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         [t215, w3_z, t218, t219, t220, t221, dw2_y]
     };
     // link 3: motion
-    let [t223, t224, t225, t226, t227, t228, t229, t230, t231, t236, t241, a3_y] = {
+    let [
+        t223, t224, t225, t226, t227, t228, t229, t230,
+        t231, t236, t241, a3_y,
+    ] = {
         let t223 = t215 * t215;
         let t224 = w3_z * w3_z;
         let t225 = dq2 * dq2;
@@ -192,7 +182,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t238 = dq3 * k3;
         let t241 = q3 * t230 - t220 + t215 * t238;
         let a3_y = dq2 * t238 - (t218 + q3 * t226);
-        [t223, t224, t225, t226, t227, t228, t229, t230, t231, t236, t241, a3_y]
+        [
+        t223, t224, t225, t226, t227, t228, t229, t230,
+        t231, t236, t241, a3_y,
+    ]
     };
     // link 4: motion
     let [t245, w4_y, a4_x, a4_y, w4_z, dw4_x, dw4_y] = {
@@ -207,27 +200,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     };
     // link 5: motion
     let [
-        t264,
-        w5_y,
-        t274,
-        t275,
-        t276,
-        t277,
-        t278,
-        t279,
-        t280,
-        t281,
-        t282,
-        t283,
-        t284,
-        t285,
-        t286,
-        t287,
-        a5_x,
-        a5_y,
-        w5_z,
-        dw5_x,
-        dw5_y,
+        t264, w5_y, t274, t275, t276, t277, t278, t279,
+        t280, t281, t282, t283, t284, t285, t286, t287,
+        a5_x, a5_y, w5_z, dw5_x, dw5_y,
     ] = {
         let t264 = c5 * t245 + s5 * w4_z;
         let w5_y = s5 * t245 - c5 * w4_z;
@@ -251,34 +226,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let dw5_x = c5 * dw4_x + s5 * dw2_y + dq5 * w5_y;
         let dw5_y = c5 * dw2_y - s5 * dw4_x + dq5 * t264;
         [
-            t264, w5_y, t274, t275, t276, t277, t278, t279, t280, t281, t282, t283, t284, t285, t286, t287, a5_x, a5_y,
-            w5_z, dw5_x, dw5_y,
-        ]
+        t264, w5_y, t274, t275, t276, t277, t278, t279,
+        t280, t281, t282, t283, t284, t285, t286, t287,
+        a5_x, a5_y, w5_z, dw5_x, dw5_y,
+    ]
     };
     // link 6: motion
     let [
-        w6_x,
-        w6_y,
-        t311,
-        t312,
-        t313,
-        t314,
-        t315,
-        t316,
-        t317,
-        t318,
-        t319,
-        t320,
-        t321,
-        t322,
-        t323,
-        t324,
-        t329,
-        a6_x,
-        a6_y,
-        w6_z,
-        dw6_x,
-        dw6_y,
+        w6_x, w6_y, t311, t312, t313, t314, t315, t316,
+        t317, t318, t319, t320, t321, t322, t323, t324,
+        t329, a6_x, a6_y, w6_z, dw6_x, dw6_y,
     ] = {
         let w6_x = s6 * w5_z - c6 * t264;
         let w6_y = c6 * w5_z + s6 * t264;
@@ -305,9 +262,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let dw6_x = c6 * dw5_x + s6 * dw4_y + dq6 * w6_y;
         let dw6_y = c6 * dw4_y - s6 * dw5_x - dq6 * w6_x;
         [
-            w6_x, w6_y, t311, t312, t313, t314, t315, t316, t317, t318, t319, t320, t321, t322, t323, t324, t329, a6_x,
-            a6_y, w6_z, dw6_x, dw6_y,
-        ]
+        w6_x, w6_y, t311, t312, t313, t314, t315, t316,
+        t317, t318, t319, t320, t321, t322, t323, t324,
+        t329, a6_x, a6_y, w6_z, dw6_x, dw6_y,
+    ]
     };
     // link 6: force and moment
     let [f6_z, n6_z, t404, t407, t416, t417] = {
@@ -418,27 +376,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     };
     // M = L D L'
     let [
-        t637,
-        t638,
-        t639,
-        t640,
-        t641,
-        t642,
-        t646,
-        t650,
-        t653,
-        t656,
-        t659,
-        t666,
-        t672,
-        t677,
-        t682,
-        t692,
-        t702,
-        t709,
-        t722,
-        t735,
-        t751,
+        t637, t638, t639, t640, t641, t642, t646, t650,
+        t653, t656, t659, t666, t672, t677, t682, t692,
+        t702, t709, t722, t735, t751,
     ] = {
         let t637 = k4 / t214;
         let t638 = t199 * t637;
@@ -481,9 +421,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t747 = ZZ6 - t214 * (t642 * t642) - t645 * (t659 * t659) - t743 - t746;
         let t751 = k4 / (t747 - t721 * (t735 * t735));
         [
-            t637, t638, t639, t640, t641, t642, t646, t650, t653, t656, t659, t666, t672, t677, t682, t692, t702, t709,
-            t722, t735, t751,
-        ]
+        t637, t638, t639, t640, t641, t642, t646, t650,
+        t653, t656, t659, t666, t672, t677, t682, t692,
+        t702, t709, t722, t735, t751,
+    ]
     };
     // ddq
     {

@@ -22,36 +22,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
     let [_, s2, _, s4, s5, s6] = trig.sin;
     let [_, c2, _, c4, c5, c6] = trig.cos;
     let [
-        _,
-        MSX2,
-        MSZ2,
-        _,
-        _,
-        _,
-        _,
-        _,
-        M3R,
-        MSX3,
-        MSY3,
-        MSZ3R,
-        MSX4,
-        MSZ4R,
-        _,
-        _,
-        _,
-        _,
-        _,
-        MSX5,
-        MSZ5R,
-        _,
-        _,
-        _,
-        _,
-        _,
-        MSX6,
-        MSY6,
-        ..,
-    ] = *beta;
+        _, MSX2, MSZ2, _, _, _, _, _, M3R, MSX3, MSY3, MSZ3R,
+        MSX4, MSZ4R, _, _, _, _, _, MSX5, MSZ5R, _, _, _,
+        _, _, MSX6, MSY6,
+        ..] = *beta;
     let D2 = S::constant(0.154);
     let k0 = S::constant(9.81);
     // link 2: motion

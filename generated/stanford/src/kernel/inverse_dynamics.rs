@@ -17,87 +17,28 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S;
 
 #[allow(non_snake_case, clippy::all)]
 #[inline(always)]
-fn entries<S: Scalar>(
-    trig: &Trig<S>,
-    dq: &[S; DOF],
-    ddq: &[S; DOF],
-    phi: &[S; STANDARD],
-    mut put: impl FnMut(usize, S),
-) {
+fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; STANDARD], mut put: impl FnMut(usize, S)) {
     let [_, _, q3, ..] = trig.q;
     let [_, s2, _, s4, s5, s6] = trig.sin;
     let [_, c2, _, c4, c5, c6] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6] = *ddq;
     let [
-        _,
-        _,
-        _,
-        _,
-        _,
-        YY1,
-        _,
-        _,
-        _,
-        _,
-        M2,
-        MSX2,
-        MSY2,
-        MSZ2,
-        XX2,
-        YY2,
-        ZZ2,
-        XY2,
-        XZ2,
-        YZ2,
-        M3,
-        MSX3,
-        MSY3,
-        MSZ3,
-        XX3,
-        YY3,
-        ZZ3,
-        XY3,
-        XZ3,
-        YZ3,
-        M4,
-        MSX4,
-        MSY4,
-        MSZ4,
-        XX4,
-        YY4,
-        ZZ4,
-        XY4,
-        XZ4,
-        YZ4,
-        M5,
-        MSX5,
-        MSY5,
-        MSZ5,
-        XX5,
-        YY5,
-        ZZ5,
-        XY5,
-        XZ5,
-        YZ5,
-        M6,
-        MSX6,
-        MSY6,
-        MSZ6,
-        XX6,
-        YY6,
-        ZZ6,
-        XY6,
-        XZ6,
-        YZ6,
-        ..,
-    ] = *phi;
+        _, _, _, _, _, YY1, _, _, _, _, M2, MSX2,
+        MSY2, MSZ2, XX2, YY2, ZZ2, XY2, XZ2, YZ2, M3, MSX3, MSY3, MSZ3,
+        XX3, YY3, ZZ3, XY3, XZ3, YZ3, M4, MSX4, MSY4, MSZ4, XX4, YY4,
+        ZZ4, XY4, XZ4, YZ4, M5, MSX5, MSY5, MSZ5, XX5, YY5, ZZ5, XY5,
+        XZ5, YZ5, M6, MSX6, MSY6, MSZ6, XX6, YY6, ZZ6, XY6, XZ6, YZ6,
+        ..] = *phi;
     let D2 = S::constant(0.154);
     let D6 = S::constant(0.263);
     let k0 = S::constant(9.81);
     let k2 = S::constant(2.0);
     // link 2: motion
-    let [t0, w3_z, t2, t3, t8, t10, a2_y, t13, t14, t15, dw2_y] = {
+    let [
+        t0, w3_z, t2, t3, t8, t10, a2_y, t13,
+        t14, t15, dw2_y,
+    ] = {
         let t0 = s2 * dq1;
         let w3_z = c2 * dq1;
         let t2 = s2 * ddq1;
@@ -110,10 +51,16 @@ fn entries<S: Scalar>(
         let t14 = dq2 * t0;
         let t15 = t2 + t13;
         let dw2_y = t14 - t3;
-        [t0, w3_z, t2, t3, t8, t10, a2_y, t13, t14, t15, dw2_y]
+        [
+        t0, w3_z, t2, t3, t8, t10, a2_y, t13,
+        t14, t15, dw2_y,
+    ]
     };
     // link 3: motion
-    let [t17, t18, t19, t20, t21, t22, t23, t24, t25, t26, t27, t37, t38, a3_z] = {
+    let [
+        t17, t18, t19, t20, t21, t22, t23, t24,
+        t25, t26, t27, t37, t38, a3_z,
+    ] = {
         let t17 = t0 * t0;
         let t18 = w3_z * w3_z;
         let t19 = dq2 * dq2;
@@ -129,7 +76,10 @@ fn entries<S: Scalar>(
         let t37 = q3 * t26 - t8 + t0 * t34;
         let t38 = t10 + q3 * t22 - dq2 * t34;
         let a3_z = ddq3 - (a2_y + q3 * t24);
-        [t17, t18, t19, t20, t21, t22, t23, t24, t25, t26, t27, t37, t38, a3_z]
+        [
+        t17, t18, t19, t20, t21, t22, t23, t24,
+        t25, t26, t27, t37, t38, a3_z,
+    ]
     };
     // link 4: motion
     let [t42, w4_y, t54, a4_y, w4_z, dw4_x, dw4_y, dw4_z] = {
@@ -145,29 +95,9 @@ fn entries<S: Scalar>(
     };
     // link 5: motion
     let [
-        t66,
-        t69,
-        t76,
-        t77,
-        t78,
-        t79,
-        t80,
-        t81,
-        t82,
-        t83,
-        t84,
-        t85,
-        t86,
-        t87,
-        t88,
-        t89,
-        t90,
-        t93,
-        t96,
-        w5_z,
-        dw5_x,
-        t101,
-        dw5_z,
+        t66, t69, t76, t77, t78, t79, t80, t81,
+        t82, t83, t84, t85, t86, t87, t88, t89,
+        t90, t93, t96, w5_z, dw5_x, t101, dw5_z,
     ] = {
         let t66 = c5 * t42 + s5 * w4_z;
         let t69 = c5 * w4_z - s5 * t42;
@@ -193,36 +123,16 @@ fn entries<S: Scalar>(
         let t101 = c5 * dw4_z + s5 * dw4_x - dq5 * t66;
         let dw5_z = dw4_y + ddq5;
         [
-            t66, t69, t76, t77, t78, t79, t80, t81, t82, t83, t84, t85, t86, t87, t88, t89, t90, t93, t96, w5_z, dw5_x,
-            t101, dw5_z,
-        ]
+        t66, t69, t76, t77, t78, t79, t80, t81,
+        t82, t83, t84, t85, t86, t87, t88, t89,
+        t90, t93, t96, w5_z, dw5_x, t101, dw5_z,
+    ]
     };
     // link 6: motion
     let [
-        w6_x,
-        w6_y,
-        t115,
-        t116,
-        t117,
-        t118,
-        t119,
-        t120,
-        t121,
-        t122,
-        t123,
-        t124,
-        t125,
-        t126,
-        t127,
-        t128,
-        t129,
-        t134,
-        a6_x,
-        a6_y,
-        w6_z,
-        dw6_x,
-        dw6_y,
-        dw6_z,
+        w6_x, w6_y, t115, t116, t117, t118, t119, t120,
+        t121, t122, t123, t124, t125, t126, t127, t128,
+        t129, t134, a6_x, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
     ] = {
         let w6_x = s6 * w5_z - c6 * t66;
         let w6_y = c6 * w5_z + s6 * t66;
@@ -251,9 +161,10 @@ fn entries<S: Scalar>(
         let dw6_y = c6 * dw5_z - s6 * dw5_x - dq6 * w6_x;
         let dw6_z = t101 + ddq6;
         [
-            w6_x, w6_y, t115, t116, t117, t118, t119, t120, t121, t122, t123, t124, t125, t126, t127, t128, t129, t134,
-            a6_x, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
-        ]
+        w6_x, w6_y, t115, t116, t117, t118, t119, t120,
+        t121, t122, t123, t124, t125, t126, t127, t128,
+        t129, t134, a6_x, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
+    ]
     };
     // link 6: force and moment
     let [t216, n6_z, t231, t234, t243, t244] = {

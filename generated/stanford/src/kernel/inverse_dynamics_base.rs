@@ -5,7 +5,7 @@
 //! 232 multiplications, 216 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, DOF, Trig};
+use super::super::{DOF, BASE, Trig};
 
 /// Torques from the base parameters: every entry of `out` is written.
 #[inline]
@@ -24,47 +24,19 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6] = *ddq;
     let [
-        YY1R,
-        MSX2,
-        MSZ2,
-        YY2R,
-        ZZ2R,
-        XY2R,
-        XZ2R,
-        YZ2R,
-        M3R,
-        MSX3,
-        MSY3,
-        MSZ3R,
-        MSX4,
-        MSZ4R,
-        YY4R,
-        ZZ4R,
-        XY4,
-        XZ4,
-        YZ4,
-        MSX5,
-        MSZ5R,
-        YY5R,
-        ZZ5R,
-        XY5,
-        XZ5,
-        YZ5,
-        MSX6,
-        MSY6,
-        XX6R,
-        ZZ6,
-        XY6,
-        XZ6,
-        YZ6,
-        ..,
-    ] = *beta;
+        YY1R, MSX2, MSZ2, YY2R, ZZ2R, XY2R, XZ2R, YZ2R, M3R, MSX3, MSY3, MSZ3R,
+        MSX4, MSZ4R, YY4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSZ5R, YY5R, ZZ5R, XY5,
+        XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6,
+        ..] = *beta;
     let D2 = S::constant(0.154);
     let D6 = S::constant(0.263);
     let k0 = S::constant(9.81);
     let k2 = S::constant(2.0);
     // link 2: motion
-    let [t0, w3_z, t2, t3, t8, t10, a2_y, t13, t14, t15, dw2_y] = {
+    let [
+        t0, w3_z, t2, t3, t8, t10, a2_y, t13,
+        t14, t15, dw2_y,
+    ] = {
         let t0 = s2 * dq1;
         let w3_z = c2 * dq1;
         let t2 = s2 * ddq1;
@@ -77,10 +49,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t14 = dq2 * t0;
         let t15 = t2 + t13;
         let dw2_y = t14 - t3;
-        [t0, w3_z, t2, t3, t8, t10, a2_y, t13, t14, t15, dw2_y]
+        [
+        t0, w3_z, t2, t3, t8, t10, a2_y, t13,
+        t14, t15, dw2_y,
+    ]
     };
     // link 3: motion
-    let [t17, t18, t19, t20, t21, t22, t23, t24, t25, t26, t27, t37, a3_y, t39] = {
+    let [
+        t17, t18, t19, t20, t21, t22, t23, t24,
+        t25, t26, t27, t37, a3_y, t39,
+    ] = {
         let t17 = t0 * t0;
         let t18 = w3_z * w3_z;
         let t19 = dq2 * dq2;
@@ -96,7 +74,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t37 = q3 * t26 - t8 + t0 * t34;
         let a3_y = dq2 * t34 - (t10 + q3 * t22);
         let t39 = a2_y + q3 * t24 - ddq3;
-        [t17, t18, t19, t20, t21, t22, t23, t24, t25, t26, t27, t37, a3_y, t39]
+        [
+        t17, t18, t19, t20, t21, t22, t23, t24,
+        t25, t26, t27, t37, a3_y, t39,
+    ]
     };
     // link 4: motion
     let [t42, t45, a4_x, a4_y, w4_z, t61, dw4_y, t63] = {
@@ -112,28 +93,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
     };
     // link 5: motion
     let [
-        t66,
-        w5_y,
-        t76,
-        t77,
-        t78,
-        t79,
-        t80,
-        t81,
-        t82,
-        t83,
-        t84,
-        t85,
-        t86,
-        t87,
-        t88,
-        t89,
-        a5_x,
-        t95,
-        t96,
-        dw5_x,
-        dw5_y,
-        dw5_z,
+        t66, w5_y, t76, t77, t78, t79, t80, t81,
+        t82, t83, t84, t85, t86, t87, t88, t89,
+        a5_x, t95, t96, dw5_x, dw5_y, dw5_z,
     ] = {
         let t66 = c5 * t42 + s5 * w4_z;
         let w5_y = s5 * t42 - c5 * w4_z;
@@ -158,35 +120,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let dw5_y = c5 * t63 + s5 * t61 + dq5 * t66;
         let dw5_z = dw4_y + ddq5;
         [
-            t66, w5_y, t76, t77, t78, t79, t80, t81, t82, t83, t84, t85, t86, t87, t88, t89, a5_x, t95, t96, dw5_x,
-            dw5_y, dw5_z,
-        ]
+        t66, w5_y, t76, t77, t78, t79, t80, t81,
+        t82, t83, t84, t85, t86, t87, t88, t89,
+        a5_x, t95, t96, dw5_x, dw5_y, dw5_z,
+    ]
     };
     // link 6: motion
     let [
-        t104,
-        t107,
-        t114,
-        t115,
-        t116,
-        t117,
-        t118,
-        t119,
-        t120,
-        t121,
-        t122,
-        t123,
-        t124,
-        t125,
-        t126,
-        t127,
-        t132,
-        a6_x,
-        a6_y,
-        t140,
-        dw6_x,
-        dw6_y,
-        dw6_z,
+        t104, t107, t114, t115, t116, t117, t118, t119,
+        t120, t121, t122, t123, t124, t125, t126, t127,
+        t132, a6_x, a6_y, t140, dw6_x, dw6_y, dw6_z,
     ] = {
         let t104 = c6 * t66 + s6 * t96;
         let t107 = c6 * t96 - s6 * t66;
@@ -214,9 +157,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let dw6_y = dq6 * t104 - (s6 * dw5_x - c6 * dw5_z);
         let dw6_z = ddq6 - dw5_y;
         [
-            t104, t107, t114, t115, t116, t117, t118, t119, t120, t121, t122, t123, t124, t125, t126, t127, t132, a6_x,
-            a6_y, t140, dw6_x, dw6_y, dw6_z,
-        ]
+        t104, t107, t114, t115, t116, t117, t118, t119,
+        t120, t121, t122, t123, t124, t125, t126, t127,
+        t132, a6_x, a6_y, t140, dw6_x, dw6_y, dw6_z,
+    ]
     };
     // link 6: force and moment
     let [f6_z, n6_z, t208, t211, t220, t221] = {

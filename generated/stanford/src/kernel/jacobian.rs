@@ -4,40 +4,17 @@
 //!
 //! 44 multiplications, 27 additions; 6 x 6, 26 of 36 structurally nonzero.
 
-use super::super::Trig;
 use super::super::runtime::Scalar;
+use super::super::{Trig};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 26;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
-    (0, 0),
-    (0, 1),
-    (0, 2),
-    (0, 3),
-    (0, 4),
-    (1, 0),
-    (1, 1),
-    (1, 2),
-    (1, 3),
-    (1, 4),
-    (2, 1),
-    (2, 2),
-    (2, 3),
-    (2, 4),
-    (3, 1),
-    (3, 3),
-    (3, 4),
-    (3, 5),
-    (4, 1),
-    (4, 3),
-    (4, 4),
-    (4, 5),
-    (5, 0),
-    (5, 3),
-    (5, 4),
-    (5, 5),
+    (0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (1, 0), (1, 1), (1, 2), (1, 3), (1, 4),
+    (2, 1), (2, 2), (2, 3), (2, 4), (3, 1), (3, 3), (3, 4), (3, 5), (4, 1), (4, 3),
+    (4, 4), (4, 5), (5, 0), (5, 3), (5, 4), (5, 5),
 ];
 
 /// Jacobian of the last DH frame's origin, in base axes: every entry of `out` is written.

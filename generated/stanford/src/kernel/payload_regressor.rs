@@ -12,58 +12,12 @@ pub const NONZEROS: usize = 52;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
-    (0, 0),
-    (0, 1),
-    (0, 2),
-    (0, 3),
-    (0, 4),
-    (0, 5),
-    (0, 6),
-    (0, 7),
-    (0, 8),
-    (0, 9),
-    (1, 0),
-    (1, 1),
-    (1, 2),
-    (1, 3),
-    (1, 4),
-    (1, 5),
-    (1, 6),
-    (1, 7),
-    (1, 8),
-    (1, 9),
-    (2, 0),
-    (2, 1),
-    (2, 2),
-    (2, 3),
-    (3, 0),
-    (3, 1),
-    (3, 2),
-    (3, 3),
-    (3, 4),
-    (3, 5),
-    (3, 6),
-    (3, 7),
-    (3, 8),
-    (3, 9),
-    (4, 0),
-    (4, 1),
-    (4, 2),
-    (4, 3),
-    (4, 4),
-    (4, 5),
-    (4, 6),
-    (4, 7),
-    (4, 8),
-    (4, 9),
-    (5, 1),
-    (5, 2),
-    (5, 4),
-    (5, 5),
-    (5, 6),
-    (5, 7),
-    (5, 8),
-    (5, 9),
+    (0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (0, 6), (0, 7), (0, 8), (0, 9),
+    (1, 0), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 6), (1, 7), (1, 8), (1, 9),
+    (2, 0), (2, 1), (2, 2), (2, 3), (3, 0), (3, 1), (3, 2), (3, 3), (3, 4), (3, 5),
+    (3, 6), (3, 7), (3, 8), (3, 9), (4, 0), (4, 1), (4, 2), (4, 3), (4, 4), (4, 5),
+    (4, 6), (4, 7), (4, 8), (4, 9), (5, 1), (5, 2), (5, 4), (5, 5), (5, 6), (5, 7),
+    (5, 8), (5, 9),
 ];
 
 /// Regressor of a body fixed to the tool frame: every entry of `out` is written.
@@ -139,7 +93,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t61, w5_y, t73, t76, w5_z, t80, t81, dw5_z]
     };
     // link 6: motion
-    let [t85, w6_y, t106, t110, a6_y, w6_z, dw6_x, dw6_y, dw6_z] = {
+    let [
+        t85, w6_y, t106, t110, a6_y, w6_z, dw6_x, dw6_y,
+        dw6_z,
+    ] = {
         let t85 = c6 * t61 - s6 * w5_z;
         let w6_y = c6 * w5_z + s6 * t61;
         let t105 = t73 - D6 * (dw5_z + t61 * w5_y);
@@ -154,7 +111,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(44, a6_y); // row 6, MSX
         put(45, t110); // row 6, MSY
         put(48, dw6_z); // row 6, ZZ
-        [t85, w6_y, t106, t110, a6_y, w6_z, dw6_x, dw6_y, dw6_z]
+        [
+        t85, w6_y, t106, t110, a6_y, w6_z, dw6_x, dw6_y,
+        dw6_z,
+    ]
     };
     // joint axes in frame 2
     let [t120, v1_2_y] = {
@@ -171,7 +131,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t122, t123, t124, t125]
     };
     // joint axes in frame 6
-    let [t126, t127, t128, t129, t130, t131, t132, t133, t134, t135, t136, t137, t138, t139, t140] = {
+    let [
+        t126, t127, t128, t129, t130, t131, t132, t133,
+        t134, t135, t136, t137, t138, t139, t140,
+    ] = {
         let t126 = t85 * t85;
         let t127 = w6_y * w6_y;
         let t128 = w6_z * w6_z;
@@ -190,7 +153,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(46, t129); // row 6, XX
         put(50, t137); // row 6, XZ
         put(51, t134); // row 6, YZ
-        [t126, t127, t128, t129, t130, t131, t132, t133, t134, t135, t136, t137, t138, t139, t140]
+        [
+        t126, t127, t128, t129, t130, t131, t132, t133,
+        t134, t135, t136, t137, t138, t139, t140,
+    ]
     };
     // payload: column M
     let [t143, t146, t148] = {

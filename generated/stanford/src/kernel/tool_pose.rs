@@ -4,8 +4,8 @@
 //!
 //! 46 multiplications, 23 additions; 3 x 4, 12 of 12 structurally nonzero.
 
-use super::super::Trig;
 use super::super::runtime::Scalar;
+use super::super::{Trig};
 
 /// The tool frame in the base frame: every entry of `out` is written.
 #[inline]

@@ -5,7 +5,7 @@
 //! 247 multiplications, 223 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, DOF, Trig};
+use super::super::{DOF, BASE, Trig};
 
 /// Coriolis and centrifugal torques `C dq`: every entry of `out` is written.
 #[inline]
@@ -22,44 +22,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
     let [_, c2, c3, c4, c5, c6] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
     let [
-        _,
-        _,
-        _,
-        XX2R,
-        ZZ2R,
-        XY2,
-        XZ2R,
-        YZ2,
-        MSX3R,
-        MSY3,
-        XX3R,
-        ZZ3R,
-        XY3,
-        XZ3R,
-        YZ3,
-        MSX4,
-        MSY4R,
-        XX4R,
-        ZZ4R,
-        XY4,
-        XZ4,
-        YZ4,
-        MSX5,
-        MSY5R,
-        XX5R,
-        ZZ5R,
-        XY5,
-        XZ5,
-        YZ5,
-        MSX6,
-        MSY6,
-        XX6R,
-        ZZ6,
-        XY6,
-        XZ6,
-        YZ6,
-        ..,
-    ] = *beta;
+        _, _, _, XX2R, ZZ2R, XY2, XZ2R, YZ2, MSX3R, MSY3, XX3R, ZZ3R,
+        XY3, XZ3R, YZ3, MSX4, MSY4R, XX4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSY5R,
+        XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6,
+        ..] = *beta;
     let D4 = S::constant(0.17415);
     let D5 = S::constant(0.11985);
     let D6 = S::constant(0.11655);
@@ -74,7 +40,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         [w2_x, w2_y, dw2_x, t3]
     };
     // link 3: motion
-    let [w3_x, w3_y, t16, t17, t18, t19, t21, t22, t25, a3_x, t31, w3_z, dw3_x, t36] = {
+    let [
+        w3_x, w3_y, t16, t17, t18, t19, t21, t22,
+        t25, a3_x, t31, w3_z, dw3_x, t36,
+    ] = {
         let w3_x = c3 * w2_x + s3 * w2_y;
         let w3_y = c3 * w2_y - s3 * w2_x;
         let t16 = w2_x * w2_x;
@@ -91,10 +60,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let w3_z = dq2 + dq3;
         let dw3_x = c3 * dw2_x - s3 * t3 + dq3 * w3_y;
         let t36 = c3 * t3 + s3 * dw2_x + dq3 * w3_x;
-        [w3_x, w3_y, t16, t17, t18, t19, t21, t22, t25, a3_x, t31, w3_z, dw3_x, t36]
+        [
+        w3_x, w3_y, t16, t17, t18, t19, t21, t22,
+        t25, a3_x, t31, w3_z, dw3_x, t36,
+    ]
     };
     // link 4: motion
-    let [w4_x, w4_y, t49, t50, t51, t52, t53, t54, t55, t56, t57, t58, t59, t60, t73, a4_x, a4_y, w4_z, dw4_x, dw5_z] = {
+    let [
+        w4_x, w4_y, t49, t50, t51, t52, t53, t54,
+        t55, t56, t57, t58, t59, t60, t73, a4_x,
+        a4_y, w4_z, dw4_x, dw5_z,
+    ] = {
         let w4_x = c4 * w3_x + s4 * w3_y;
         let w4_y = c4 * w3_y - s4 * w3_x;
         let t49 = w3_x * w3_x;
@@ -117,30 +93,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let w4_z = w3_z + dq4;
         let dw4_x = c4 * dw3_x - s4 * t36 + dq4 * w4_y;
         let dw5_z = c4 * t36 + s4 * dw3_x + dq4 * w4_x;
-        [w4_x, w4_y, t49, t50, t51, t52, t53, t54, t55, t56, t57, t58, t59, t60, t73, a4_x, a4_y, w4_z, dw4_x, dw5_z]
+        [
+        w4_x, w4_y, t49, t50, t51, t52, t53, t54,
+        t55, t56, t57, t58, t59, t60, t73, a4_x,
+        a4_y, w4_z, dw4_x, dw5_z,
+    ]
     };
     // link 5: motion
     let [
-        w5_x,
-        w5_y,
-        t93,
-        t94,
-        t95,
-        t96,
-        t97,
-        t98,
-        t99,
-        t100,
-        t101,
-        t102,
-        t103,
-        t104,
-        t109,
-        a5_x,
-        t116,
-        w5_z,
-        dw5_x,
-        t121,
+        w5_x, w5_y, t93, t94, t95, t96, t97, t98,
+        t99, t100, t101, t102, t103, t104, t109, a5_x,
+        t116, w5_z, dw5_x, t121,
     ] = {
         let w5_x = c5 * w4_x + s5 * w4_z;
         let w5_y = c5 * w4_z - s5 * w4_x;
@@ -165,34 +128,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let dw5_x = c5 * dw4_x + dq5 * w5_y;
         let t121 = s5 * dw4_x + dq5 * w5_x;
         [
-            w5_x, w5_y, t93, t94, t95, t96, t97, t98, t99, t100, t101, t102, t103, t104, t109, a5_x, t116, w5_z, dw5_x,
-            t121,
-        ]
+        w5_x, w5_y, t93, t94, t95, t96, t97, t98,
+        t99, t100, t101, t102, t103, t104, t109, a5_x,
+        t116, w5_z, dw5_x, t121,
+    ]
     };
     // link 6: motion
     let [
-        w6_x,
-        t127,
-        t134,
-        t135,
-        t136,
-        t137,
-        t138,
-        t139,
-        t140,
-        t141,
-        t142,
-        t143,
-        t144,
-        t145,
-        t146,
-        t147,
-        t152,
-        a6_x,
-        t159,
-        w6_z,
-        dw6_x,
-        t164,
+        w6_x, t127, t134, t135, t136, t137, t138, t139,
+        t140, t141, t142, t143, t144, t145, t146, t147,
+        t152, a6_x, t159, w6_z, dw6_x, t164,
     ] = {
         let w6_x = c6 * w5_x - s6 * w5_z;
         let t127 = c6 * w5_z + s6 * w5_x;
@@ -219,9 +164,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let dw6_x = c6 * dw5_x - s6 * dw5_z - dq6 * t127;
         let t164 = c6 * dw5_z + s6 * dw5_x + dq6 * w6_x;
         [
-            w6_x, t127, t134, t135, t136, t137, t138, t139, t140, t141, t142, t143, t144, t145, t146, t147, t152, a6_x,
-            t159, w6_z, dw6_x, t164,
-        ]
+        w6_x, t127, t134, t135, t136, t137, t138, t139,
+        t140, t141, t142, t143, t144, t145, t146, t147,
+        t152, a6_x, t159, w6_z, dw6_x, t164,
+    ]
     };
     // link 6: force and moment
     let [f6_z, n6_z, t227, t230, t239, t240] = {

@@ -5,7 +5,7 @@
 //! 531 multiplications, 441 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, DOF, Trig};
+use super::super::{DOF, BASE, Trig};
 
 /// Accelerations that torques cause: every entry of `out` is written.
 #[inline]
@@ -23,44 +23,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
     let [tau1, tau2, tau3, tau4, tau5, tau6] = *tau;
     let [
-        ZZ1R,
-        MSX2R,
-        MSY2,
-        XX2R,
-        ZZ2R,
-        XY2,
-        XZ2R,
-        YZ2,
-        MSX3R,
-        MSY3,
-        XX3R,
-        ZZ3R,
-        XY3,
-        XZ3R,
-        YZ3,
-        MSX4,
-        MSY4R,
-        XX4R,
-        ZZ4R,
-        XY4,
-        XZ4,
-        YZ4,
-        MSX5,
-        MSY5R,
-        XX5R,
-        ZZ5R,
-        XY5,
-        XZ5,
-        YZ5,
-        MSX6,
-        MSY6,
-        XX6R,
-        ZZ6,
-        XY6,
-        XZ6,
-        YZ6,
-        ..,
-    ] = *beta;
+        ZZ1R, MSX2R, MSY2, XX2R, ZZ2R, XY2, XZ2R, YZ2, MSX3R, MSY3, XX3R, ZZ3R,
+        XY3, XZ3R, YZ3, MSX4, MSY4R, XX4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSY5R,
+        XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6,
+        ..] = *beta;
     let D4 = S::constant(0.17415);
     let D5 = S::constant(0.11985);
     let D6 = S::constant(0.11655);
@@ -69,7 +35,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     let k5 = S::constant(9.81);
     let k6 = S::constant(1.0);
     // composite body 6
-    let [t2, t5, t14, t15, t19, t22, t27, t47, t60, t63, t72, t75, t78, t79] = {
+    let [
+        t2, t5, t14, t15, t19, t22, t27, t47,
+        t60, t63, t72, t75, t78, t79,
+    ] = {
         let t2 = c6 * MSY6 + s6 * MSX6;
         let t5 = c6 * MSX6 - s6 * MSY6;
         let t14 = c6 * XZ6 - s6 * YZ6 - D6 * t5;
@@ -95,10 +64,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t75 = c6 * t69 - s6 * t65;
         let t78 = s6 * t69 + c6 * t65;
         let t79 = t2 + t2;
-        [t2, t5, t14, t15, t19, t22, t27, t47, t60, t63, t72, t75, t78, t79]
+        [
+        t2, t5, t14, t15, t19, t22, t27, t47,
+        t60, t63, t72, t75, t78, t79,
+    ]
     };
     // composite body 5
-    let [t82, t88, t91, t100, t101, t117, t130, t133, t147, t151, t153, t154, t158] = {
+    let [
+        t82, t88, t91, t100, t101, t117, t130, t133,
+        t147, t151, t153, t154, t158,
+    ] = {
         let t80 = MSX5 + t5;
         let t81 = XX5R + t72;
         let t82 = ZZ5R + t78;
@@ -128,10 +103,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t154 = s5 * t139 + c5 * t141 - t152;
         let t156 = D5 * t2;
         let t158 = t82 - t152 + (t156 + t156);
-        [t82, t88, t91, t100, t101, t117, t130, t133, t147, t151, t153, t154, t158]
+        [
+        t82, t88, t91, t100, t101, t117, t130, t133,
+        t147, t151, t153, t154, t158,
+    ]
     };
     // composite body 4
-    let [t162, t168, t171, t182, t183, t194, t197, t223, t225, t228, t229, t233] = {
+    let [
+        t162, t168, t171, t182, t183, t194, t197, t223,
+        t225, t228, t229, t233,
+    ] = {
         let t159 = MSX4 + t91;
         let t160 = MSY4R + t2;
         let t161 = XX4R + t153;
@@ -162,10 +143,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t229 = s4 * t203 + c4 * t207 + t220;
         let t231 = D4 * t88;
         let t233 = t162 + t220 - (t231 + t231);
-        [t162, t168, t171, t182, t183, t194, t197, t223, t225, t228, t229, t233]
+        [
+        t162, t168, t171, t182, t183, t194, t197, t223,
+        t225, t228, t229, t233,
+    ]
     };
     // composite body 3
-    let [t237, t252, t254, t257, t281, t283, t285, t286, t287] = {
+    let [
+        t237, t252, t254, t257, t281, t283, t285, t286,
+        t287,
+    ] = {
         let t234 = MSX3R + t171;
         let t235 = MSY3 + t168;
         let t236 = XX3R + t223;
@@ -190,7 +177,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t285 = t249 + k4 * t88;
         let t286 = s3 * t263 + c3 * t267 - t278;
         let t287 = t237 - t278;
-        [t237, t252, t254, t257, t281, t283, t285, t286, t287]
+        [
+        t237, t252, t254, t257, t281, t283, t285, t286,
+        t287,
+    ]
     };
     // composite body 2
     let [t289, t295, t304] = {
@@ -217,7 +207,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         [w2_x, w2_y, a2_x, a2_y, dw2_x, t311]
     };
     // link 3: motion
-    let [w3_x, w3_y, t324, t325, t326, t327, t329, t330, t333, a3_x, a3_y, w3_z, dw3_x, t346] = {
+    let [
+        w3_x, w3_y, t324, t325, t326, t327, t329, t330,
+        t333, a3_x, a3_y, w3_z, dw3_x, t346,
+    ] = {
         let w3_x = c3 * w2_x + s3 * w2_y;
         let w3_y = c3 * w2_y - s3 * w2_x;
         let t324 = w2_x * w2_x;
@@ -234,30 +227,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let w3_z = dq2 + dq3;
         let dw3_x = c3 * dw2_x - s3 * t311 + dq3 * w3_y;
         let t346 = c3 * t311 + s3 * dw2_x + dq3 * w3_x;
-        [w3_x, w3_y, t324, t325, t326, t327, t329, t330, t333, a3_x, a3_y, w3_z, dw3_x, t346]
+        [
+        w3_x, w3_y, t324, t325, t326, t327, t329, t330,
+        t333, a3_x, a3_y, w3_z, dw3_x, t346,
+    ]
     };
     // link 4: motion
     let [
-        w4_x,
-        w4_y,
-        t359,
-        t360,
-        t361,
-        t362,
-        t363,
-        t364,
-        t365,
-        t366,
-        t367,
-        t368,
-        t369,
-        t370,
-        t383,
-        a4_x,
-        a4_y,
-        w4_z,
-        dw4_x,
-        dw5_z,
+        w4_x, w4_y, t359, t360, t361, t362, t363, t364,
+        t365, t366, t367, t368, t369, t370, t383, a4_x,
+        a4_y, w4_z, dw4_x, dw5_z,
     ] = {
         let w4_x = c4 * w3_x + s4 * w3_y;
         let w4_y = c4 * w3_y - s4 * w3_x;
@@ -282,32 +261,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let dw4_x = c4 * dw3_x - s4 * t346 + dq4 * w4_y;
         let dw5_z = c4 * t346 + s4 * dw3_x + dq4 * w4_x;
         [
-            w4_x, w4_y, t359, t360, t361, t362, t363, t364, t365, t366, t367, t368, t369, t370, t383, a4_x, a4_y, w4_z,
-            dw4_x, dw5_z,
-        ]
+        w4_x, w4_y, t359, t360, t361, t362, t363, t364,
+        t365, t366, t367, t368, t369, t370, t383, a4_x,
+        a4_y, w4_z, dw4_x, dw5_z,
+    ]
     };
     // link 5: motion
     let [
-        w5_x,
-        w5_y,
-        t403,
-        t404,
-        t405,
-        t406,
-        t407,
-        t408,
-        t409,
-        t410,
-        t411,
-        t412,
-        t413,
-        t414,
-        t419,
-        a5_x,
-        t426,
-        w5_z,
-        dw5_x,
-        t431,
+        w5_x, w5_y, t403, t404, t405, t406, t407, t408,
+        t409, t410, t411, t412, t413, t414, t419, a5_x,
+        t426, w5_z, dw5_x, t431,
     ] = {
         let w5_x = c5 * w4_x + s5 * w4_z;
         let w5_y = c5 * w4_z - s5 * w4_x;
@@ -332,34 +295,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let dw5_x = c5 * dw4_x + dq5 * w5_y;
         let t431 = s5 * dw4_x + dq5 * w5_x;
         [
-            w5_x, w5_y, t403, t404, t405, t406, t407, t408, t409, t410, t411, t412, t413, t414, t419, a5_x, t426, w5_z,
-            dw5_x, t431,
-        ]
+        w5_x, w5_y, t403, t404, t405, t406, t407, t408,
+        t409, t410, t411, t412, t413, t414, t419, a5_x,
+        t426, w5_z, dw5_x, t431,
+    ]
     };
     // link 6: motion
     let [
-        w6_x,
-        t437,
-        t444,
-        t445,
-        t446,
-        t447,
-        t448,
-        t449,
-        t450,
-        t451,
-        t452,
-        t453,
-        t454,
-        t455,
-        t456,
-        t457,
-        t462,
-        a6_x,
-        t469,
-        w6_z,
-        dw6_x,
-        t474,
+        w6_x, t437, t444, t445, t446, t447, t448, t449,
+        t450, t451, t452, t453, t454, t455, t456, t457,
+        t462, a6_x, t469, w6_z, dw6_x, t474,
     ] = {
         let w6_x = c6 * w5_x - s6 * w5_z;
         let t437 = c6 * w5_z + s6 * w5_x;
@@ -386,9 +331,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let dw6_x = c6 * dw5_x - s6 * dw5_z - dq6 * t437;
         let t474 = c6 * dw5_z + s6 * dw5_x + dq6 * w6_x;
         [
-            w6_x, t437, t444, t445, t446, t447, t448, t449, t450, t451, t452, t453, t454, t455, t456, t457, t462, a6_x,
-            t469, w6_z, dw6_x, t474,
-        ]
+        w6_x, t437, t444, t445, t446, t447, t448, t449,
+        t450, t451, t452, t453, t454, t455, t456, t457,
+        t462, a6_x, t469, w6_z, dw6_x, t474,
+    ]
     };
     // link 6: force and moment
     let [f6_z, n6_z, t537, t540, t549, t550] = {
@@ -502,27 +448,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     };
     // M = L D L'
     let [
-        t790,
-        t791,
-        t792,
-        t793,
-        t794,
-        t795,
-        t799,
-        t803,
-        t806,
-        t809,
-        t812,
-        t819,
-        t826,
-        t831,
-        t836,
-        t846,
-        t856,
-        t863,
-        t876,
-        t889,
-        t905,
+        t790, t791, t792, t793, t794, t795, t799, t803,
+        t806, t809, t812, t819, t826, t831, t836, t846,
+        t856, t863, t876, t889, t905,
     ] = {
         let t790 = k6 / t305;
         let t791 = t295 * t790;
@@ -565,9 +493,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t901 = ZZ6 - t305 * (t795 * t795) - t798 * (t812 * t812) - t897 - t900;
         let t905 = k6 / (t901 - t875 * (t889 * t889));
         [
-            t790, t791, t792, t793, t794, t795, t799, t803, t806, t809, t812, t819, t826, t831, t836, t846, t856, t863,
-            t876, t889, t905,
-        ]
+        t790, t791, t792, t793, t794, t795, t799, t803,
+        t806, t809, t812, t819, t826, t831, t836, t846,
+        t856, t863, t876, t889, t905,
+    ]
     };
     // ddq
     {

@@ -4,8 +4,8 @@
 //!
 //! 64 multiplications, 35 additions; 3 x 4, 12 of 12 structurally nonzero.
 
-use super::super::Trig;
 use super::super::runtime::Scalar;
+use super::super::{Trig};
 
 /// The last DH frame in the base frame: every entry of `out` is written.
 #[inline]
@@ -35,7 +35,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [t0, t1, t2, t3]
     };
     // frame 3
-    let [t4, t5, t7, t10, t13, t16, t19, t22, t25] = {
+    let [
+        t4, t5, t7, t10, t13, t16, t19, t22,
+        t25,
+    ] = {
         let t4 = t0 * k0;
         let t5 = t2 * k0;
         let t7 = s2 * k0 - D1;
@@ -45,10 +48,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t19 = c3 * t3 + s3 * t2;
         let t22 = s2 * c3 + c2 * s3;
         let t25 = s2 * s3 - c2 * c3;
-        [t4, t5, t7, t10, t13, t16, t19, t22, t25]
+        [
+        t4, t5, t7, t10, t13, t16, t19, t22,
+        t25,
+    ]
     };
     // frame 4
-    let [t33, t34, t35, t38, t41, t44, t47, t50, t53] = {
+    let [
+        t33, t34, t35, t38, t41, t44, t47, t50,
+        t53,
+    ] = {
         let t33 = t10 * k2 + s1 * D4 - t4;
         let t34 = t16 * k2 - c1 * D4 - t5;
         let t35 = t7 + t22 * k2;
@@ -58,10 +67,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t47 = s4 * t16 - c4 * t19;
         let t50 = s4 * t25 - c4 * t22;
         let t53 = c4 * t25 + s4 * t22;
-        [t33, t34, t35, t38, t41, t44, t47, t50, t53]
+        [
+        t33, t34, t35, t38, t41, t44, t47, t50,
+        t53,
+    ]
     };
     // frame 5
-    let [t57, t58, t59, t62, t65, t68, t71, t72, t73] = {
+    let [
+        t57, t58, t59, t62, t65, t68, t71, t72,
+        t73,
+    ] = {
         let t57 = D5 * t41 - t33;
         let t58 = D5 * t47 - t34;
         let t59 = t35 - D5 * t53;
@@ -74,7 +89,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(2, t65); // [0][2]
         put(6, t71); // [1][2]
         put(10, t73); // [2][2]
-        [t57, t58, t59, t62, t65, t68, t71, t72, t73]
+        [
+        t57, t58, t59, t62, t65, t68, t71, t72,
+        t73,
+    ]
     };
     // frame 6
     {

@@ -21,39 +21,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
     let [_, s2, s3, s4, s5, s6] = trig.sin;
     let [_, c2, c3, c4, c5, c6] = trig.cos;
     let [
-        _,
-        MSX2R,
-        MSY2,
-        _,
-        _,
-        _,
-        _,
-        _,
-        MSX3R,
-        MSY3,
-        _,
-        _,
-        _,
-        _,
-        _,
-        MSX4,
-        MSY4R,
-        _,
-        _,
-        _,
-        _,
-        _,
-        MSX5,
-        MSY5R,
-        _,
-        _,
-        _,
-        _,
-        _,
-        MSX6,
-        MSY6,
-        ..,
-    ] = *beta;
+        _, MSX2R, MSY2, _, _, _, _, _, MSX3R, MSY3, _, _,
+        _, _, _, MSX4, MSY4R, _, _, _, _, _, MSX5, MSY5R,
+        _, _, _, _, _, MSX6, MSY6,
+        ..] = *beta;
     let k0 = S::constant(9.81);
     // link 2: motion
     let [a2_x, a2_y] = {

@@ -17,80 +17,18 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S;
 
 #[allow(non_snake_case, clippy::all)]
 #[inline(always)]
-fn entries<S: Scalar>(
-    trig: &Trig<S>,
-    dq: &[S; DOF],
-    ddq: &[S; DOF],
-    phi: &[S; STANDARD],
-    mut put: impl FnMut(usize, S),
-) {
+fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; STANDARD], mut put: impl FnMut(usize, S)) {
     let [_, s2, s3, s4, s5, s6] = trig.sin;
     let [_, c2, c3, c4, c5, c6] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6] = *ddq;
     let [
-        _,
-        _,
-        _,
-        _,
-        _,
-        _,
-        ZZ1,
-        _,
-        _,
-        _,
-        _,
-        MSX2,
-        MSY2,
-        MSZ2,
-        XX2,
-        YY2,
-        ZZ2,
-        XY2,
-        XZ2,
-        YZ2,
-        M3,
-        MSX3,
-        MSY3,
-        MSZ3,
-        XX3,
-        YY3,
-        ZZ3,
-        XY3,
-        XZ3,
-        YZ3,
-        M4,
-        MSX4,
-        MSY4,
-        MSZ4,
-        XX4,
-        YY4,
-        ZZ4,
-        XY4,
-        XZ4,
-        YZ4,
-        M5,
-        MSX5,
-        MSY5,
-        MSZ5,
-        XX5,
-        YY5,
-        ZZ5,
-        XY5,
-        XZ5,
-        YZ5,
-        M6,
-        MSX6,
-        MSY6,
-        MSZ6,
-        XX6,
-        YY6,
-        ZZ6,
-        XY6,
-        XZ6,
-        YZ6,
-        ..,
-    ] = *phi;
+        _, _, _, _, _, _, ZZ1, _, _, _, _, MSX2,
+        MSY2, MSZ2, XX2, YY2, ZZ2, XY2, XZ2, YZ2, M3, MSX3, MSY3, MSZ3,
+        XX3, YY3, ZZ3, XY3, XZ3, YZ3, M4, MSX4, MSY4, MSZ4, XX4, YY4,
+        ZZ4, XY4, XZ4, YZ4, M5, MSX5, MSY5, MSZ5, XX5, YY5, ZZ5, XY5,
+        XZ5, YZ5, M6, MSX6, MSY6, MSZ6, XX6, YY6, ZZ6, XY6, XZ6, YZ6,
+        ..] = *phi;
     let D4 = S::constant(0.17415);
     let D5 = S::constant(0.11985);
     let D6 = S::constant(0.11655);
@@ -98,7 +36,10 @@ fn entries<S: Scalar>(
     let k1 = S::constant(0.6127);
     let k2 = S::constant(0.57155);
     // link 2: motion
-    let [w2_x, w2_y, t2, t3, a2_x, a2_y, t6, t7, dw2_x, dw2_y] = {
+    let [
+        w2_x, w2_y, t2, t3, a2_x, a2_y, t6, t7,
+        dw2_x, dw2_y,
+    ] = {
         let w2_x = s2 * dq1;
         let w2_y = c2 * dq1;
         let t2 = s2 * ddq1;
@@ -109,10 +50,17 @@ fn entries<S: Scalar>(
         let t7 = dq2 * w2_x;
         let dw2_x = t2 + t6;
         let dw2_y = t3 - t7;
-        [w2_x, w2_y, t2, t3, a2_x, a2_y, t6, t7, dw2_x, dw2_y]
+        [
+        w2_x, w2_y, t2, t3, a2_x, a2_y, t6, t7,
+        dw2_x, dw2_y,
+    ]
     };
     // link 3: motion
-    let [w3_x, w3_y, t22, t23, t24, t25, t27, t28, t29, t30, t33, a3_x, a3_y, w3_z, dw3_x, dw3_y, dw3_z] = {
+    let [
+        w3_x, w3_y, t22, t23, t24, t25, t27, t28,
+        t29, t30, t33, a3_x, a3_y, w3_z, dw3_x, dw3_y,
+        dw3_z,
+    ] = {
         let w3_x = c3 * w2_x + s3 * w2_y;
         let w3_y = c3 * w2_y - s3 * w2_x;
         let t22 = w2_x * w2_x;
@@ -132,34 +80,17 @@ fn entries<S: Scalar>(
         let dw3_x = c3 * dw2_x + s3 * dw2_y + dq3 * w3_y;
         let dw3_y = c3 * dw2_y - s3 * dw2_x - dq3 * w3_x;
         let dw3_z = ddq2 + ddq3;
-        [w3_x, w3_y, t22, t23, t24, t25, t27, t28, t29, t30, t33, a3_x, a3_y, w3_z, dw3_x, dw3_y, dw3_z]
+        [
+        w3_x, w3_y, t22, t23, t24, t25, t27, t28,
+        t29, t30, t33, a3_x, a3_y, w3_z, dw3_x, dw3_y,
+        dw3_z,
+    ]
     };
     // link 4: motion
     let [
-        w4_x,
-        w4_y,
-        t60,
-        t61,
-        t62,
-        t63,
-        t64,
-        t65,
-        t66,
-        t67,
-        t68,
-        t69,
-        t70,
-        t71,
-        t72,
-        t73,
-        t74,
-        t86,
-        a4_x,
-        a4_y,
-        w4_z,
-        dw4_x,
-        dw4_y,
-        dw4_z,
+        w4_x, w4_y, t60, t61, t62, t63, t64, t65,
+        t66, t67, t68, t69, t70, t71, t72, t73,
+        t74, t86, a4_x, a4_y, w4_z, dw4_x, dw4_y, dw4_z,
     ] = {
         let w4_x = c4 * w3_x + s4 * w3_y;
         let w4_y = c4 * w3_y - s4 * w3_x;
@@ -188,36 +119,16 @@ fn entries<S: Scalar>(
         let dw4_y = c4 * dw3_y - s4 * dw3_x - dq4 * w4_x;
         let dw4_z = dw3_z + ddq4;
         [
-            w4_x, w4_y, t60, t61, t62, t63, t64, t65, t66, t67, t68, t69, t70, t71, t72, t73, t74, t86, a4_x, a4_y,
-            w4_z, dw4_x, dw4_y, dw4_z,
-        ]
+        w4_x, w4_y, t60, t61, t62, t63, t64, t65,
+        t66, t67, t68, t69, t70, t71, t72, t73,
+        t74, t86, a4_x, a4_y, w4_z, dw4_x, dw4_y, dw4_z,
+    ]
     };
     // link 5: motion
     let [
-        w5_x,
-        w5_y,
-        t111,
-        t112,
-        t113,
-        t114,
-        t115,
-        t116,
-        t117,
-        t118,
-        t119,
-        t120,
-        t121,
-        t122,
-        t123,
-        t124,
-        t125,
-        t130,
-        a5_x,
-        t137,
-        w5_z,
-        dw5_x,
-        dw5_y,
-        dw5_z,
+        w5_x, w5_y, t111, t112, t113, t114, t115, t116,
+        t117, t118, t119, t120, t121, t122, t123, t124,
+        t125, t130, a5_x, t137, w5_z, dw5_x, dw5_y, dw5_z,
     ] = {
         let w5_x = c5 * w4_x + s5 * w4_z;
         let w5_y = c5 * w4_z - s5 * w4_x;
@@ -246,36 +157,16 @@ fn entries<S: Scalar>(
         let dw5_y = c5 * dw4_z - s5 * dw4_x - dq5 * w5_x;
         let dw5_z = ddq5 - dw4_y;
         [
-            w5_x, w5_y, t111, t112, t113, t114, t115, t116, t117, t118, t119, t120, t121, t122, t123, t124, t125, t130,
-            a5_x, t137, w5_z, dw5_x, dw5_y, dw5_z,
-        ]
+        w5_x, w5_y, t111, t112, t113, t114, t115, t116,
+        t117, t118, t119, t120, t121, t122, t123, t124,
+        t125, t130, a5_x, t137, w5_z, dw5_x, dw5_y, dw5_z,
+    ]
     };
     // link 6: motion
     let [
-        w6_x,
-        t149,
-        t156,
-        t157,
-        t158,
-        t159,
-        t160,
-        t161,
-        t162,
-        t163,
-        t164,
-        t165,
-        t166,
-        t167,
-        t168,
-        t169,
-        t170,
-        t175,
-        a6_x,
-        t182,
-        w6_z,
-        dw6_x,
-        t187,
-        dw6_z,
+        w6_x, t149, t156, t157, t158, t159, t160, t161,
+        t162, t163, t164, t165, t166, t167, t168, t169,
+        t170, t175, a6_x, t182, w6_z, dw6_x, t187, dw6_z,
     ] = {
         let w6_x = c6 * w5_x - s6 * w5_z;
         let t149 = c6 * w5_z + s6 * w5_x;
@@ -304,9 +195,10 @@ fn entries<S: Scalar>(
         let t187 = c6 * dw5_z + s6 * dw5_x + dq6 * w6_x;
         let dw6_z = dw5_y + ddq6;
         [
-            w6_x, t149, t156, t157, t158, t159, t160, t161, t162, t163, t164, t165, t166, t167, t168, t169, t170, t175,
-            a6_x, t182, w6_z, dw6_x, t187, dw6_z,
-        ]
+        w6_x, t149, t156, t157, t158, t159, t160, t161,
+        t162, t163, t164, t165, t166, t167, t168, t169,
+        t170, t175, a6_x, t182, w6_z, dw6_x, t187, dw6_z,
+    ]
     };
     // link 6: force and moment
     let [f6_z, n6_z, t272, t275, t284, t285] = {

@@ -4,41 +4,17 @@
 //!
 //! 65 multiplications, 40 additions; 6 x 6, 27 of 36 structurally nonzero.
 
-use super::super::Trig;
 use super::super::runtime::Scalar;
+use super::super::{Trig};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 27;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
-    (0, 0),
-    (0, 1),
-    (0, 2),
-    (0, 3),
-    (0, 4),
-    (1, 0),
-    (1, 1),
-    (1, 2),
-    (1, 3),
-    (1, 4),
-    (2, 1),
-    (2, 2),
-    (2, 3),
-    (2, 4),
-    (3, 1),
-    (3, 2),
-    (3, 3),
-    (3, 4),
-    (3, 5),
-    (4, 1),
-    (4, 2),
-    (4, 3),
-    (4, 4),
-    (4, 5),
-    (5, 0),
-    (5, 4),
-    (5, 5),
+    (0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (1, 0), (1, 1), (1, 2), (1, 3), (1, 4),
+    (2, 1), (2, 2), (2, 3), (2, 4), (3, 1), (3, 2), (3, 3), (3, 4), (3, 5), (4, 1),
+    (4, 2), (4, 3), (4, 4), (4, 5), (5, 0), (5, 4), (5, 5),
 ];
 
 /// Jacobian of the last DH frame's origin, in base axes: every entry of `out` is written.
@@ -81,7 +57,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [t0, t1, t2, t3]
     };
     // frame 3
-    let [t4, t5, t7, t10, t13, t16, t19, t22, t25] = {
+    let [
+        t4, t5, t7, t10, t13, t16, t19, t22,
+        t25,
+    ] = {
         let t4 = t0 * k0;
         let t5 = t2 * k0;
         let t7 = s2 * k0 - D1;
@@ -91,10 +70,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t19 = c3 * t3 + s3 * t2;
         let t22 = s2 * c3 + c2 * s3;
         let t25 = s2 * s3 - c2 * c3;
-        [t4, t5, t7, t10, t13, t16, t19, t22, t25]
+        [
+        t4, t5, t7, t10, t13, t16, t19, t22,
+        t25,
+    ]
     };
     // frame 4
-    let [t33, t34, t35, t38, t41, t44, t47, t50, t53] = {
+    let [
+        t33, t34, t35, t38, t41, t44, t47, t50,
+        t53,
+    ] = {
         let t33 = t4 + (t10 * k2 - s1 * D4);
         let t34 = t5 - (t16 * k2 - c1 * D4);
         let t35 = t7 + t22 * k2;
@@ -107,7 +92,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(17, t41); // [3][4]
         put(22, t47); // [4][4]
         put(25, t53); // [5][4]
-        [t33, t34, t35, t38, t41, t44, t47, t50, t53]
+        [
+        t33, t34, t35, t38, t41, t44, t47, t50,
+        t53,
+    ]
     };
     // frame 5
     let [t57, t58, t59, t62, t65, t66] = {

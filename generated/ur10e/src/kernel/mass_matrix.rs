@@ -21,51 +21,20 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
     let [_, s2, s3, s4, s5, s6] = trig.sin;
     let [_, c2, c3, c4, c5, c6] = trig.cos;
     let [
-        ZZ1R,
-        _,
-        _,
-        XX2R,
-        ZZ2R,
-        XY2,
-        XZ2R,
-        YZ2,
-        MSX3R,
-        MSY3,
-        XX3R,
-        ZZ3R,
-        XY3,
-        XZ3R,
-        YZ3,
-        MSX4,
-        MSY4R,
-        XX4R,
-        ZZ4R,
-        XY4,
-        XZ4,
-        YZ4,
-        MSX5,
-        MSY5R,
-        XX5R,
-        ZZ5R,
-        XY5,
-        XZ5,
-        YZ5,
-        MSX6,
-        MSY6,
-        XX6R,
-        ZZ6,
-        XY6,
-        XZ6,
-        YZ6,
-        ..,
-    ] = *beta;
+        ZZ1R, _, _, XX2R, ZZ2R, XY2, XZ2R, YZ2, MSX3R, MSY3, XX3R, ZZ3R,
+        XY3, XZ3R, YZ3, MSX4, MSY4R, XX4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSY5R,
+        XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6,
+        ..] = *beta;
     let D4 = S::constant(0.17415);
     let D5 = S::constant(0.11985);
     let D6 = S::constant(0.11655);
     let k3 = S::constant(0.57155);
     let k4 = S::constant(0.6127);
     // composite body 6
-    let [t2, t5, t14, t15, t19, t22, t72, t75, t78, t79] = {
+    let [
+        t2, t5, t14, t15, t19, t22, t72, t75,
+        t78, t79,
+    ] = {
         let t2 = c6 * MSY6 + s6 * MSX6;
         let t5 = s6 * MSY6 - c6 * MSX6;
         let t14 = c6 * XZ6 - s6 * YZ6 + D6 * t5;
@@ -102,10 +71,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         put(33, t27); // [5][3]
         put(34, t15); // [5][4]
         put(35, ZZ6); // [5][5]
-        [t2, t5, t14, t15, t19, t22, t72, t75, t78, t79]
+        [
+        t2, t5, t14, t15, t19, t22, t72, t75,
+        t78, t79,
+    ]
     };
     // composite body 5
-    let [t88, t91, t100, t101, t147, t151, t153, t154, t158] = {
+    let [
+        t88, t91, t100, t101, t147, t151, t153, t154,
+        t158,
+    ] = {
         let t80 = t5 - MSX5;
         let t81 = t72 - XX5R;
         let t82 = ZZ5R + t78;
@@ -144,7 +119,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         put(26, t117); // [4][2]
         put(27, t101); // [4][3]
         put(28, t82); // [4][4]
-        [t88, t91, t100, t101, t147, t151, t153, t154, t158]
+        [
+        t88, t91, t100, t101, t147, t151, t153, t154,
+        t158,
+    ]
     };
     // composite body 4
     let [t168, t171, t182, t223, t225, t228, t229, t233] = {

@@ -12,64 +12,12 @@ pub const NONZEROS: usize = 58;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
-    (0, 0),
-    (0, 1),
-    (0, 2),
-    (0, 3),
-    (0, 4),
-    (0, 5),
-    (0, 6),
-    (0, 7),
-    (0, 8),
-    (0, 9),
-    (1, 0),
-    (1, 1),
-    (1, 2),
-    (1, 3),
-    (1, 4),
-    (1, 5),
-    (1, 6),
-    (1, 7),
-    (1, 8),
-    (1, 9),
-    (2, 0),
-    (2, 1),
-    (2, 2),
-    (2, 3),
-    (2, 4),
-    (2, 5),
-    (2, 6),
-    (2, 7),
-    (2, 8),
-    (2, 9),
-    (3, 0),
-    (3, 1),
-    (3, 2),
-    (3, 3),
-    (3, 4),
-    (3, 5),
-    (3, 6),
-    (3, 7),
-    (3, 8),
-    (3, 9),
-    (4, 0),
-    (4, 1),
-    (4, 2),
-    (4, 3),
-    (4, 4),
-    (4, 5),
-    (4, 6),
-    (4, 7),
-    (4, 8),
-    (4, 9),
-    (5, 1),
-    (5, 2),
-    (5, 4),
-    (5, 5),
-    (5, 6),
-    (5, 7),
-    (5, 8),
-    (5, 9),
+    (0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (0, 6), (0, 7), (0, 8), (0, 9),
+    (1, 0), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 6), (1, 7), (1, 8), (1, 9),
+    (2, 0), (2, 1), (2, 2), (2, 3), (2, 4), (2, 5), (2, 6), (2, 7), (2, 8), (2, 9),
+    (3, 0), (3, 1), (3, 2), (3, 3), (3, 4), (3, 5), (3, 6), (3, 7), (3, 8), (3, 9),
+    (4, 0), (4, 1), (4, 2), (4, 3), (4, 4), (4, 5), (4, 6), (4, 7), (4, 8), (4, 9),
+    (5, 1), (5, 2), (5, 4), (5, 5), (5, 6), (5, 7), (5, 8), (5, 9),
 ];
 
 /// Regressor of a body fixed to the tool frame: every entry of `out` is written.
@@ -113,7 +61,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [w2_x, w2_y, a2_x, a2_y, t7, dw2_x, dw2_y]
     };
     // link 3: motion
-    let [w3_x, w3_y, t30, a3_x, t38, w3_z, dw3_x, t43, dw3_z] = {
+    let [
+        w3_x, w3_y, t30, a3_x, t38, w3_z, dw3_x, t43,
+        dw3_z,
+    ] = {
         let w3_x = c3 * w2_x + s3 * w2_y;
         let w3_y = c3 * w2_y - s3 * w2_x;
         let t30 = (t7 - dw2_y) * k1;
@@ -125,10 +76,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw3_x = c3 * dw2_x + s3 * dw2_y + dq3 * w3_y;
         let t43 = s3 * dw2_x - c3 * dw2_y + dq3 * w3_x;
         let dw3_z = ddq2 + ddq3;
-        [w3_x, w3_y, t30, a3_x, t38, w3_z, dw3_x, t43, dw3_z]
+        [
+        w3_x, w3_y, t30, a3_x, t38, w3_z, dw3_x, t43,
+        dw3_z,
+    ]
     };
     // link 4: motion
-    let [w4_x, w4_y, t80, t83, t86, w4_z, dw4_x, t91, dw4_z] = {
+    let [
+        w4_x, w4_y, t80, t83, t86, w4_z, dw4_x, t91,
+        dw4_z,
+    ] = {
         let w4_x = c4 * w3_x + s4 * w3_y;
         let w4_y = c4 * w3_y - s4 * w3_x;
         let t58 = w3_y * w3_y;
@@ -142,10 +99,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw4_x = c4 * dw3_x - s4 * t43 + dq4 * w4_y;
         let t91 = c4 * t43 + s4 * dw3_x + dq4 * w4_x;
         let dw4_z = dw3_z + ddq4;
-        [w4_x, w4_y, t80, t83, t86, w4_z, dw4_x, t91, dw4_z]
+        [
+        w4_x, w4_y, t80, t83, t86, w4_z, dw4_x, t91,
+        dw4_z,
+    ]
     };
     // link 5: motion
-    let [w5_x, t98, t116, t120, t123, w5_z, t127, t128, dw5_z] = {
+    let [
+        w5_x, t98, t116, t120, t123, w5_z, t127, t128,
+        dw5_z,
+    ] = {
         let w5_x = c5 * w4_x + s5 * w4_z;
         let t98 = s5 * w4_x - c5 * w4_z;
         let t115 = t83 - D5 * (dw4_z - w4_x * w4_y);
@@ -157,10 +120,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t127 = dq5 * t98 - (c5 * dw4_x + s5 * dw4_z);
         let t128 = dq5 * w5_x - (c5 * dw4_z - s5 * dw4_x);
         let dw5_z = t91 + ddq5;
-        [w5_x, t98, t116, t120, t123, w5_z, t127, t128, dw5_z]
+        [
+        w5_x, t98, t116, t120, t123, w5_z, t127, t128,
+        dw5_z,
+    ]
     };
     // link 6: motion
-    let [w6_x, t135, t153, t157, a6_y, w6_z, t164, t165, dw6_z] = {
+    let [
+        w6_x, t135, t153, t157, a6_y, w6_z, t164, t165,
+        dw6_z,
+    ] = {
         let w6_x = c6 * w5_x - s6 * w5_z;
         let t135 = c6 * w5_z + s6 * w5_x;
         let t152 = t120 + D6 * (dw5_z + w5_x * t98);
@@ -175,7 +144,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(50, a6_y); // row 6, MSX
         put(51, t157); // row 6, MSY
         put(54, dw6_z); // row 6, ZZ
-        [w6_x, t135, t153, t157, a6_y, w6_z, t164, t165, dw6_z]
+        [
+        w6_x, t135, t153, t157, a6_y, w6_z, t164, t165,
+        dw6_z,
+    ]
     };
     // joint axes in frame 3
     let [v1_3_z, z1_3_x, t173, t174, t175] = {
@@ -187,7 +159,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [v1_3_z, z1_3_x, t173, t174, t175]
     };
     // joint axes in frame 4
-    let [v1_4_z, t182, t185, t188, t191, t195, v2_4_y, t199, v3_5_z] = {
+    let [
+        v1_4_z, t182, t185, t188, t191, t195, v2_4_y, t199,
+        v3_5_z,
+    ] = {
         let t176 = D4 * t173;
         let t177 = D4 * z1_3_x;
         let v1_4_z = v1_3_z - k2 * t173;
@@ -200,7 +175,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let v2_4_y = s4 * t174 - c4 * t192;
         let t199 = s4 * k2;
         let v3_5_z = c4 * k2;
-        [v1_4_z, t182, t185, t188, t191, t195, v2_4_y, t199, v3_5_z]
+        [
+        v1_4_z, t182, t185, t188, t191, t195, v2_4_y, t199,
+        v3_5_z,
+    ]
     };
     // joint axes in frame 5
     let [t201, t202] = {
@@ -209,7 +187,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t201, t202]
     };
     // joint axes in frame 6
-    let [t203, t204, t205, t206, t207, t208, t209, t210, t211, t212, t213, t214, t215, t216, t217] = {
+    let [
+        t203, t204, t205, t206, t207, t208, t209, t210,
+        t211, t212, t213, t214, t215, t216, t217,
+    ] = {
         let t203 = w6_x * w6_x;
         let t204 = t135 * t135;
         let t205 = w6_z * w6_z;
@@ -228,7 +209,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(52, t206); // row 6, XX
         put(56, t214); // row 6, XZ
         put(57, t211); // row 6, YZ
-        [t203, t204, t205, t206, t207, t208, t209, t210, t211, t212, t213, t214, t215, t216, t217]
+        [
+        t203, t204, t205, t206, t207, t208, t209, t210,
+        t211, t212, t213, t214, t215, t216, t217,
+    ]
     };
     // payload: column M
     let [t220, t223] = {

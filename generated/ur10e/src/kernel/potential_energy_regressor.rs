@@ -4,33 +4,16 @@
 //!
 //! 32 multiplications, 12 additions; 60, 19 of 60 structurally nonzero.
 
-use super::super::Trig;
 use super::super::runtime::Scalar;
+use super::super::{Trig};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 19;
 
 /// First index, and the rest row-major, of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
-    (0, 0),
-    (3, 0),
-    (10, 0),
-    (11, 0),
-    (12, 0),
-    (20, 0),
-    (21, 0),
-    (22, 0),
-    (30, 0),
-    (31, 0),
-    (32, 0),
-    (40, 0),
-    (41, 0),
-    (42, 0),
-    (43, 0),
-    (50, 0),
-    (51, 0),
-    (52, 0),
-    (53, 0),
+    (0, 0), (3, 0), (10, 0), (11, 0), (12, 0), (20, 0), (21, 0), (22, 0), (30, 0), (31, 0),
+    (32, 0), (40, 0), (41, 0), (42, 0), (43, 0), (50, 0), (51, 0), (52, 0), (53, 0),
 ];
 
 /// Potential energy, one entry per standard parameter: every entry of `out` is written.
