@@ -1,4 +1,31 @@
 //! From a robot's DH table to closed-form Rust, and from a recorded motion to an identified model.
+//!
+//! `YAML -> robot -> tapes -> Arm`, and `log -> signal -> identify -> report`:
+//!
+//! ```
+//! use denavit::arm::{Arm, States};
+//! use denavit::interpreted::Interpreted;
+//! use dh_codegen::robot::Robot;
+//!
+//! let text = "
+//! name: pendulum
+//! convention: modified
+//! gravity: [0, -9.81, 0]
+//! joints: [ { type: revolute } ]
+//! links: [ { M: 2, MS: [1, 0, 0], I: [0, 0.5, 0.5, 0, 0, 0] } ]
+//! ";
+//! let robot = Robot::from_yaml(text, &|name| Err(format!("no file {name}")))?.robot;
+//! let arm = Interpreted::new(&robot, &[]);
+//! let names: Vec<&str> = arm.base_parameters().iter().map(|b| b.name.as_str()).collect();
+//! assert_eq!(names, ["MSX1", "MSY1", "ZZ1"]);
+//!
+//! // Held level, a kilogram metre weighs 9.81 N m.
+//! let level = States { len: 1, q: vec![0.0], dq: vec![0.0], ddq: vec![0.0] };
+//! let mut tau = [0.0];
+//! arm.inverse_dynamics(&level, &[2.0, 1.0, 0.0, 0.0, 0.0, 0.5, 0.5, 0.0, 0.0, 0.0], &mut tau);
+//! assert!((tau[0] - 9.81).abs() < 1e-12);
+//! # Ok::<(), dh_codegen::robot::Problems>(())
+//! ```
 
 pub mod arm;
 pub mod cli;
