@@ -92,7 +92,7 @@ macro_rules! arm {
                     function!($f, $which, @full, |$q, $v, $a, $p, $b| $body, |$q, $v, $a, $p, $b| $body, |$m, $nq, $nv, $na, $np| $numeric);
                 };
             }
-            function!(forward_kinematics, ForwardKinematics, |q, _, _, _, _| arm::forward_kinematics(q), |m, q, _, _, _| m.forward_kinematics(q));
+            function!(forward_kinematics, ForwardKinematics, |q, _, _, _, _| arm::forward_kinematics(q), |m, q, _, _, _| m.frames(q));
             function!(jacobian, Jacobian, |q, _, _, _, _| arm::jacobian(q), |m, q, _, _, _| m.jacobian(q));
             function!(inverse_dynamics, InverseDynamics, |q, v, a, p, _| arm::inverse_dynamics(q, v, a, p), |m, q, v, a, p| m.inverse_dynamics(q, v, a, p));
             function!(inverse_dynamics_base, InverseDynamicsBase, |q, v, a, _, b| arm::inverse_dynamics_base(q, v, a, b), |m, q, v, a, p| m.inverse_dynamics(q, v, a, p));

@@ -19,9 +19,8 @@ fn main() {
 
     // The same text on eight configurations at once.
     use arm::runtime::Pack;
-    let sweep: [Pack; arm::DOF] = core::array::from_fn(|k| {
-        Pack::new(core::array::from_fn(|lane| if k == 3 { 0.2 * lane as f64 } else { q[k] }))
-    });
+    let sweep: [Pack; arm::DOF] =
+        core::array::from_fn(|k| Pack::new(core::array::from_fn(|lane| if k == 3 { 0.2 * lane as f64 } else { q[k] })));
     let heights = arm::forward_kinematics(&sweep)[2][3].to_array();
     println!("height of the wrist while the elbow bends, m: {heights:.3?}");
     assert!(heights.windows(2).all(|w| (w[0] - w[1]).abs() < 0.1));

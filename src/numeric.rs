@@ -1,181 +1,196 @@
-//! The numeric version: recursive algorithms on spatial vectors, written from Featherstone, "Rigid Body Dynamics Algorithms"
-//! (2008), in nalgebra. The oracle of the tests and the baseline of the benches; shares nothing with the generator but the robot
-//! type and the order of the parameters.
+//! Rigid-body algorithms of a serial arm, run on numbers: the oracle of the tests and the baseline of the benches.
 //!
-//! Spatial vectors have the angular part first. `Xup[i]` takes motion vectors from body `i - 1` to body `i` (Featherstone's
-//! `iXλ(i)`), bodies being the DH frames of the rows.
+//! `Robot -> rows (transform(q), axis) -> one recursive sweep per algorithm, in spatial vectors -> nalgebra`
+//!
+//! Written from R. Featherstone, *Rigid Body Dynamics Algorithms* (Springer 2008; "RBDA" below). Invariant: this room
+//! shares nothing with the code generator but the robot's type and the order of the parameters ([`dh_codegen::arm::param`]),
+//! so that agreement between the two means something.
+//!
+//! Everywhere: `n` degrees of freedom, `P` standard parameters `phi` in the order of `param::standard`; `q` in rad or m,
+//! one entry per moving row; torques in N m (N for a prismatic joint), those of the actuators on the links, positive in
+//! the direction in which `q` grows. Parameters are given anew at each call, so one [`Numeric`] serves any estimate. A tool
+//! counts only through its pose here: `param::standard_values` folds its inertia into the last link's.
+//!
+//! Every method panics when an argument has the wrong length (`q`, `dq`, `ddq`, `tau`: `n`; `phi`: `P`), and says which.
 
-mod base;
-mod dynamics;
+mod aba;
+pub mod base;
+mod coriolis_matrix;
+mod crba;
 mod energy;
 mod kinematics;
-mod random;
+mod payload;
+#[cfg(test)]
+mod published;
+pub mod random;
 mod regressor;
-mod spatial;
+mod rnea;
+mod row;
+#[doc(hidden)]
+pub mod samples;
+pub mod spatial;
 
-pub use base::{Rank, rank};
-pub use random::{Random, random_robot};
-pub use spatial::{Force, Inertia6, Motion6, SpatialTransform};
+use dh_codegen::arm::param::{self, DriveTerm, Parameter};
+use dh_codegen::robot::Robot;
+use nalgebra::{Matrix3, Vector3};
 
-use dh_codegen::arm::param::{self, DriveTerm, Inertial, Parameter};
-use dh_codegen::robot::{Convention, JointKind, Robot};
-use nalgebra::{Isometry3, Matrix3, Vector3};
+use row::Row;
+use spatial::{ArticulatedInertia, Force, Motion, Plucker, SpatialInertia};
 
-/// A robot ready for the recursions.
+/// A column of a drive parameter.
+#[derive(Debug, Clone, Copy)]
+struct DriveColumn {
+    /// Index into `phi`.
+    column: usize,
+    /// Index of the row.
+    row: usize,
+    /// Index into `q`; `None` for a drive on a fixed row, which does nothing.
+    joint: Option<usize>,
+    term: DriveTerm,
+}
+
+/// A robot, ready to compute.
 #[derive(Debug, Clone)]
 pub struct Numeric {
-    bodies: Vec<Body>,
+    rows: Vec<Row>,
+    dof: usize,
+    /// In the base frame, m/s^2.
     gravity: Vector3<f64>,
-    tool: Isometry3<f64>,
-    parameters: Vec<Parameter>,
+    /// From the last DH frame to the tool frame; the identity without a tool.
+    tool: Plucker,
+    drives: Vec<DriveColumn>,
+    parameters: usize,
 }
 
-/// A row of the DH table.
+/// Room for the intermediate results of one call, so that repeated calls through the `_into` methods allocate nothing.
 #[derive(Debug, Clone)]
-struct Body {
-    kind: JointKind,
-    dof: Option<usize>,
-    /// Before and after the joint's own motion, whichever the convention has.
-    before: Isometry3<f64>,
-    theta: f64,
-    r: f64,
-    after: Isometry3<f64>,
-}
-
-fn about(axis: Vector3<f64>, angle: f64) -> nalgebra::UnitQuaternion<f64> {
-    nalgebra::UnitQuaternion::from_scaled_axis(axis * angle)
+pub struct Workspace {
+    x: Vec<Plucker>,
+    v: Vec<Motion>,
+    a: Vec<Motion>,
+    f: Vec<Force>,
+    inertia: Vec<SpatialInertia>,
+    articulated: Vec<ArticulatedInertia>,
+    u: Vec<Force>,
+    d: Vec<f64>,
 }
 
 impl Numeric {
-    /// Takes over geometry and gravity; parameters are given to each function.
+    /// From a robot's rows, gravity, tool pose and the list of its drive parameters.
     pub fn new(robot: &Robot) -> Self {
-        let mut dof = 0;
-        let bodies = robot
-            .joints
-            .iter()
-            .map(|joint| {
-                let x = Isometry3::from_parts(
-                    Vector3::new(joint.d.value, 0.0, 0.0).into(),
-                    about(Vector3::x(), joint.alpha.value),
-                );
-                let (before, after) = match robot.convention {
-                    Convention::Modified => (x, Isometry3::identity()),
-                    Convention::Standard => (Isometry3::identity(), x),
-                };
-                let own = (joint.kind != JointKind::Fixed).then_some(dof);
-                dof += usize::from(own.is_some());
-                Body { kind: joint.kind, dof: own, before, theta: joint.theta.value, r: joint.r.value, after }
-            })
-            .collect();
-        let tool = robot.tool.as_ref().map_or_else(Isometry3::identity, |t| {
-            let [roll, pitch, yaw] = [0, 1, 2].map(|i| t.rpy[i].value);
-            Isometry3::from_parts(
-                Vector3::from(t.xyz).into(),
-                nalgebra::UnitQuaternion::from_euler_angles(roll, pitch, yaw),
-            )
+        let mut moving = vec![None; robot.joints.len()];
+        for (joint, row) in robot.moving().into_iter().enumerate() {
+            moving[row] = Some(joint);
+        }
+        let rows =
+            robot.joints.iter().zip(&moving).map(|(row, &joint)| Row::new(robot.convention, row, joint)).collect();
+        let standard = param::standard(robot);
+        let drives = standard.iter().enumerate().filter_map(|(column, p)| match *p {
+            Parameter::Drive(row, term) => Some(DriveColumn { column, row, joint: moving[row], term }),
+            Parameter::Link(..) => None,
         });
-        Self { bodies, gravity: robot.gravity.into(), tool, parameters: param::standard(robot) }
+        let tool = robot.tool.as_ref().map_or_else(Plucker::identity, |tool| Plucker {
+            rotation: Matrix3::from(tool.rotation()).transpose(), // `from` reads columns
+            origin: Vector3::from(tool.xyz),
+        });
+        Self {
+            rows,
+            dof: robot.dof(),
+            gravity: Vector3::from(robot.gravity),
+            tool,
+            drives: drives.collect(),
+            parameters: standard.len(),
+        }
     }
 
-    /// Degrees of freedom.
+    /// Degrees of freedom, `n`.
     pub fn dof(&self) -> usize {
-        self.bodies.iter().filter(|b| b.dof.is_some()).count()
+        self.dof
     }
 
-    /// Rows of the table.
-    pub fn rows(&self) -> usize {
-        self.bodies.len()
+    /// Number of standard parameters, `P`.
+    pub fn parameters(&self) -> usize {
+        self.parameters
     }
 
-    /// Standard parameters, in the order of the regressor's columns.
-    pub fn parameters(&self) -> &[Parameter] {
-        &self.parameters
-    }
-
-    /// Pose of each body in the one before.
-    fn local(&self, row: usize, q: &[f64]) -> Isometry3<f64> {
-        let body = &self.bodies[row];
-        let position = body.dof.map_or(0.0, |k| q[k]);
-        let (turn, slide) = match body.kind {
-            JointKind::Revolute => (position, 0.0),
-            JointKind::Prismatic => (0.0, position),
-            JointKind::Fixed => (0.0, 0.0),
-        };
-        let joint = Isometry3::from_parts(
-            Vector3::new(0.0, 0.0, body.r + slide).into(),
-            about(Vector3::z(), body.theta + turn),
-        );
-        body.before * joint * body.after
-    }
-
-    /// `Xup` of each body.
-    fn transforms(&self, q: &[f64]) -> Vec<SpatialTransform> {
-        (0..self.rows()).map(|row| SpatialTransform::from_pose(&self.local(row, q))).collect()
-    }
-
-    /// Motion subspace of each joint in its body's frame; zero for a fixed row.
-    fn axes(&self) -> Vec<Motion6> {
-        self.bodies
-            .iter()
-            .map(|body| {
-                let own = match body.kind {
-                    JointKind::Revolute => Motion6 { w: Vector3::z(), v: Vector3::zeros() },
-                    JointKind::Prismatic => Motion6 { w: Vector3::zeros(), v: Vector3::z() },
-                    JointKind::Fixed => Motion6::zero(),
-                };
-                SpatialTransform::from_pose(&body.after).motion(&own)
-            })
-            .collect()
-    }
-
-    /// Spatial inertia of each body from the standard parameters.
-    fn inertias(&self, phi: &[f64]) -> Vec<Inertia6> {
-        let mut all = vec![Inertia6::default(); self.rows()];
-        for (parameter, &value) in self.parameters.iter().zip(phi) {
-            if let Parameter::Link(row, which) = *parameter {
-                all[row] = all[row].plus(&Inertia6::unit(which).scaled(value));
-            }
+    /// Room for the `_into` methods; of this robot only.
+    pub fn workspace(&self) -> Workspace {
+        let rows = self.rows.len();
+        Workspace {
+            x: vec![Plucker::identity(); rows],
+            v: vec![Motion::zero(); rows],
+            a: vec![Motion::zero(); rows],
+            f: vec![Force::zero(); rows],
+            inertia: vec![SpatialInertia::zero(); rows],
+            articulated: vec![SpatialInertia::zero().into(); rows],
+            u: vec![Force::zero(); rows],
+            d: vec![0.0; rows],
         }
-        all
     }
 
-    /// Value of a drive term of each degree of freedom; zero where the model does not have it.
-    fn drive(&self, term: DriveTerm, phi: &[f64]) -> Vec<f64> {
-        let mut all = vec![0.0; self.dof()];
-        for (parameter, &value) in self.parameters.iter().zip(phi) {
-            if let Parameter::Drive(row, t) = *parameter
-                && t == term
-                && let Some(k) = self.bodies[row].dof
-            {
-                all[k] = value;
-            }
-        }
-        all
+    /// Spatial acceleration of the base that stands for gravity (RBDA, section 5.3): upwards, as the free fall is not felt.
+    fn base_acceleration(&self) -> Motion {
+        Motion { w: Vector3::zeros(), v: -self.gravity }
+    }
+
+    fn check(&self, name: &str, length: usize) {
+        assert_eq!(length, self.dof, "{name} has one entry per moving row");
+    }
+
+    fn check_phi(&self, phi: &[f64]) {
+        assert_eq!(phi.len(), self.parameters, "phi has the entries of param::standard");
     }
 }
 
-impl Inertia6 {
-    /// One of the ten parameters equal to one, all others zero.
-    pub fn unit(which: Inertial) -> Self {
-        let mut i = Self::default();
-        let e = |a: usize, b: usize| {
-            let mut m = Matrix3::zeros();
-            m[(a, b)] = 1.0;
-            m[(b, a)] = 1.0;
-            m
-        };
-        match which {
-            Inertial::M => i.mass = 1.0,
-            Inertial::MSX => i.moment.x = 1.0,
-            Inertial::MSY => i.moment.y = 1.0,
-            Inertial::MSZ => i.moment.z = 1.0,
-            Inertial::XX => i.tensor = e(0, 0),
-            Inertial::YY => i.tensor = e(1, 1),
-            Inertial::ZZ => i.tensor = e(2, 2),
-            Inertial::XY => i.tensor = e(0, 1),
-            Inertial::XZ => i.tensor = e(0, 2),
-            Inertial::YZ => i.tensor = e(1, 2),
+/// The ten parameters of row `i`.
+fn body(phi: &[f64], i: usize) -> SpatialInertia {
+    SpatialInertia::from_parameters(&phi[10 * i..10 * i + 10])
+}
+
+/// Sign with `sign(0) = 0`, unlike `f64::signum`: a joint at rest shows no Coulomb friction.
+fn sign(x: f64) -> f64 {
+    if x == 0.0 { 0.0 } else { x.signum() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::base::{Reduction, Torques};
+    use super::*;
+    use dh_codegen::robot::JointKind;
+
+    /// Robots that cannot move, with rows and without, have results of size zero and nothing to stumble over.
+    #[test]
+    fn a_robot_without_joints_computes_nothing() {
+        let mut fixed = samples::with_rotors(samples::planar_2r());
+        fixed.joints.iter_mut().for_each(|j| j.kind = JointKind::Fixed);
+        let mut empty = samples::planar_2r();
+        empty.joints.clear();
+        for robot in [fixed, empty] {
+            let (numeric, rows) = (Numeric::new(&robot), robot.joints.len());
+            let phi = vec![1.0; numeric.parameters()];
+            assert_eq!(numeric.dof(), 0);
+            assert_eq!(numeric.frames(&[]).len(), rows);
+            assert_eq!(numeric.jacobian(&[]).ncols(), 0);
+            assert_eq!(numeric.jacobian_dot_dq(&[], &[]).norm(), 0.0);
+            assert_eq!(numeric.inverse_dynamics(&[], &[], &[], &phi).len(), 0);
+            assert_eq!(numeric.forward_dynamics(&[], &[], &[], &phi).len(), 0);
+            assert_eq!(numeric.mass_matrix(&[], &phi).len(), 0);
+            assert_eq!(numeric.coriolis_matrix(&[], &[], &phi).len(), 0);
+            assert_eq!(numeric.regressor(&[], &[], &[]).shape(), (0, phi.len()));
+            assert_eq!(numeric.payload_regressor(&[], &[], &[]).shape(), (0, 10));
+            assert_eq!(numeric.kinetic_energy(&[], &[], &phi), 0.0);
+            assert!(numeric.potential_energy(&[], &phi).is_finite());
+            assert_eq!(base::rank(&robot, 1, 10).rank, 0);
+            assert_eq!(base::null_space(&robot, Torques::Motion, 1, 10).ncols(), phi.len());
+            assert_eq!(Reduction::pivoted(&robot, 1, 10).base_values(&phi).len(), 0);
+            assert_eq!(Reduction::customary(&robot, 1, 10).unwrap().dependent.len(), phi.len());
         }
-        i
+    }
+
+    #[test]
+    #[should_panic(expected = "dq has one entry per moving row")]
+    fn a_wrong_length_is_named() {
+        let numeric = Numeric::new(&samples::planar_2r());
+        let _ = numeric.inverse_dynamics(&[0.0; 2], &[0.0; 3], &[0.0; 2], &[0.0; 20]);
     }
 }

@@ -1,93 +1,91 @@
-//! The regressor: each unit parameter's spatial force, carried to the joints inside of it.
+//! The regressor: torques are linear in the standard parameters, `tau = Y(q, dq, ddq) phi`.
 
-use dh_codegen::arm::param::{DriveTerm, Inertial, Parameter};
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::{DMatrix, SMatrix};
 
-use super::{Inertia6, Motion6, Numeric, SpatialTransform};
+use super::rnea::{Sweep, drive_factor};
+use super::spatial::{Force, body_regressor};
+use super::{Numeric, Workspace};
 
 impl Numeric {
-    /// Velocity and acceleration (gravity in it) of every body.
-    fn motions(&self, q: &[f64], dq: &[f64], ddq: &[f64]) -> Vec<(Motion6, Motion6)> {
-        let (x, s) = (self.transforms(q), self.axes());
-        let mut velocity = Motion6::zero();
-        let mut acceleration = Motion6 { w: Vector3::zeros(), v: -self.gravity };
-        (0..self.rows())
-            .map(|i| {
-                let (rate, second) = self.bodies[i].dof.map_or((0.0, 0.0), |k| (dq[k], ddq[k]));
-                let joint = s[i].scaled(rate);
-                velocity = x[i].motion(&velocity) + joint;
-                acceleration = x[i].motion(&acceleration) + s[i].scaled(second) + velocity.cross(&joint);
-                (velocity, acceleration)
-            })
-            .collect()
-    }
-
-    /// Torques of all joints for one unit parameter of a body that moves like this.
-    fn column(
-        &self,
-        x: &[SpatialTransform],
-        s: &[Motion6],
-        row: usize,
-        motion: &(Motion6, Motion6),
-        which: Inertial,
-    ) -> DVector<f64> {
-        let unit = Inertia6::unit(which);
-        let mut force = unit.times(&motion.1) + motion.0.cross_force(&unit.times(&motion.0));
-        let mut tau = DVector::zeros(self.dof());
-        for i in (0..=row).rev() {
-            if let Some(k) = self.bodies[i].dof {
-                tau[k] = s[i].dot(&force);
-            }
-            force = x[i].force_back(&force);
-        }
-        tau
-    }
-
-    /// `n x P`: `tau = W phi`.
+    /// `Y`, `n x P`, in the order of `param::standard`: each body's regressor ([`body_regressor`]), carried inward from
+    /// joint to joint; then the drives' columns.
     pub fn regressor(&self, q: &[f64], dq: &[f64], ddq: &[f64]) -> DMatrix<f64> {
-        let (x, s, motions) = (self.transforms(q), self.axes(), self.motions(q, dq, ddq));
-        let mut w = DMatrix::zeros(self.dof(), self.parameters.len());
-        for (column, parameter) in self.parameters.iter().enumerate() {
-            match *parameter {
-                Parameter::Link(row, which) => w.set_column(column, &self.column(&x, &s, row, &motions[row], which)),
-                Parameter::Drive(row, term) => {
-                    let Some(k) = self.bodies[row].dof else { continue };
-                    w[(k, column)] = match term {
-                        DriveTerm::IA => ddq[k],
-                        DriveTerm::FV => dq[k],
-                        DriveTerm::FC => {
-                            if dq[k] == 0.0 {
-                                0.0
-                            } else {
-                                dq[k].signum()
-                            }
-                        }
-                        DriveTerm::FO => 1.0,
-                    };
-                }
-            }
-        }
-        w
+        let mut y = DMatrix::zeros(self.dof, self.parameters);
+        self.regressor_into(&mut self.workspace(), q, dq, ddq, &mut y);
+        y
     }
 
-    /// `n x 10`: columns of a body in the tool frame.
-    pub fn payload_regressor(&self, q: &[f64], dq: &[f64], ddq: &[f64]) -> DMatrix<f64> {
-        let (x, s, motions) = (self.transforms(q), self.axes(), self.motions(q, dq, ddq));
-        let mut w = DMatrix::zeros(self.dof(), 10);
-        let Some(last) = self.rows().checked_sub(1) else { return w };
-        let to_tool = SpatialTransform::from_pose(&self.tool);
-        let (velocity, acceleration) = (to_tool.motion(&motions[last].0), to_tool.motion(&motions[last].1));
-        for (column, which) in Inertial::ALL.into_iter().enumerate() {
-            let unit = Inertia6::unit(which);
-            let mut force = unit.times(&acceleration) + velocity.cross_force(&unit.times(&velocity));
-            force = to_tool.force_back(&force);
-            for i in (0..=last).rev() {
-                if let Some(k) = self.bodies[i].dof {
-                    w[(k, column)] = s[i].dot(&force);
-                }
-                force = x[i].force_back(&force);
+    /// [`Numeric::regressor`] without allocation; `y` is `n x P`.
+    pub fn regressor_into(&self, work: &mut Workspace, q: &[f64], dq: &[f64], ddq: &[f64], y: &mut DMatrix<f64>) {
+        self.check("q", q.len());
+        self.check("dq", dq.len());
+        self.check("ddq", ddq.len());
+        assert_eq!(y.shape(), (self.dof, self.parameters), "y is n x P");
+        self.link_columns(work, &Sweep { q, dq, ddq, base_acceleration: self.base_acceleration() }, y);
+        for drive in &self.drives {
+            if let Some(j) = drive.joint {
+                y[(j, drive.column)] = drive_factor(drive.term, dq[j], ddq[j]);
             }
         }
-        w
+    }
+
+    /// The regressor of the gravity torque, `n x P`: `g(q) = Y phi`. The drives' columns are zero.
+    pub fn gravity_regressor(&self, q: &[f64]) -> DMatrix<f64> {
+        self.check("q", q.len());
+        let mut y = DMatrix::zeros(self.dof, self.parameters);
+        let sweep = Sweep { q, dq: &[], ddq: &[], base_acceleration: self.base_acceleration() };
+        self.link_columns(&mut self.workspace(), &sweep, &mut y);
+        y
+    }
+
+    fn link_columns(&self, work: &mut Workspace, sweep: &Sweep<'_>, y: &mut DMatrix<f64>) {
+        self.outward(work, sweep);
+        y.fill(0.0);
+        for i in 0..self.rows.len() {
+            let forces = body_regressor(&work.v[i], &work.a[i]);
+            self.carry_inward(work, i, &forces, 10 * i, y);
+        }
+    }
+
+    /// Forces on frame `i`, one a column, moment first -> their joint torques, in the columns of `y` from `first` on.
+    pub(super) fn carry_inward(
+        &self,
+        work: &Workspace,
+        i: usize,
+        forces: &SMatrix<f64, 6, 10>,
+        first: usize,
+        y: &mut DMatrix<f64>,
+    ) {
+        for (k, column) in forces.column_iter().enumerate() {
+            let mut force = Force { n: column.fixed_rows::<3>(0).into(), f: column.fixed_rows::<3>(3).into() };
+            for l in (0..=i).rev() {
+                if let Some(j) = self.rows[l].joint {
+                    y[(j, first + k)] = self.rows[l].axis.dot(&force);
+                }
+                force = work.x[l].force_to_parent(&force);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::random::{Family, Random};
+    use nalgebra::DVector;
+
+    #[test]
+    fn regressor_times_parameters_is_the_newton_euler_torque() {
+        let mut random = Random::new(61);
+        for case in 0..300 {
+            let robot = random.robot(&Family::default());
+            let (numeric, phi, s) = (Numeric::new(&robot), random.phi(&robot), random.state(&robot));
+            let phi_vector = DVector::from_column_slice(&phi);
+            let tau = numeric.inverse_dynamics(&s.q, &s.dq, &s.ddq, &phi);
+            let linear = numeric.regressor(&s.q, &s.dq, &s.ddq) * &phi_vector;
+            assert!((&tau - linear).amax() < 1e-12 * (1.0 + tau.amax()), "case {case}");
+            let (g, linear) = (numeric.gravity(&s.q, &phi), numeric.gravity_regressor(&s.q) * &phi_vector);
+            assert!((&g - linear).amax() < 1e-12 * (1.0 + g.amax()), "case {case}");
+        }
     }
 }

@@ -3,6 +3,11 @@
 /// What counts as nothing, relative to the vector that came in. Calibrated arms differ from nominal ones by 1e-4 and its
 /// square; rounding stays below 1e-14.
 const NOTHING: f64 = 1e-10;
+/// What elimination leaves of an exact zero.
+const ROUNDING: f64 = 1e-14;
+/// How large a column must be in its row to be bound by it, relative to the row's largest entry: first clearly, then at all. A twist
+/// of 1.5716 is nearly a right angle, and binding the column that nearly vanishes would give groupings with factors of 1e6.
+const THRESHOLDS: [f64; 3] = [0.05, 1e-3, 0.0];
 
 /// A subspace spanned by rows in reduced echelon form.
 #[derive(Debug, Clone, Default)]
@@ -34,7 +39,7 @@ impl Subspace {
             return;
         }
         let lead = v[pivot];
-        v.iter_mut().for_each(|x| *x = if x.abs() <= NOTHING { 0.0 } else { *x / lead });
+        v.iter_mut().for_each(|x| *x = if x.abs() <= ROUNDING { 0.0 } else { *x / lead });
         for row in &mut self.rows {
             eliminate(row, &v, pivot);
         }
@@ -47,21 +52,30 @@ impl Subspace {
     pub fn null_space(&self, keep: &[usize]) -> Vec<(usize, Vec<f64>)> {
         let mut rows = self.rows.clone();
         let mut bound: Vec<(usize, usize)> = Vec::new(); // (column, row)
-        for &column in keep {
-            let used: Vec<usize> = bound.iter().map(|&(_, row)| row).collect();
-            let candidate = (0..rows.len())
-                .filter(|r| !used.contains(r))
-                .max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()));
-            let Some(row) = candidate.filter(|&r| rows[r][column].abs() > NOTHING) else { continue };
-            let lead = rows[row][column];
-            let scaled: Vec<f64> = rows[row].iter().map(|x| x / lead).collect();
-            for (other, r) in rows.iter_mut().enumerate() {
-                if other != row {
-                    eliminate(r, &scaled, column);
+        for threshold in THRESHOLDS {
+            for &column in keep {
+                if bound.iter().any(|&(c, _)| c == column) {
+                    continue;
                 }
+                let used: Vec<usize> = bound.iter().map(|&(_, row)| row).collect();
+                let candidate = (0..rows.len())
+                    .filter(|r| !used.contains(r))
+                    .max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()));
+                let large = |r: &usize| {
+                    let largest = rows[*r].iter().fold(0.0f64, |m, x| m.max(x.abs()));
+                    rows[*r][column].abs() > (threshold * largest).max(NOTHING)
+                };
+                let Some(row) = candidate.filter(large) else { continue };
+                let lead = rows[row][column];
+                let scaled: Vec<f64> = rows[row].iter().map(|x| x / lead).collect();
+                for (other, r) in rows.iter_mut().enumerate() {
+                    if other != row {
+                        eliminate(r, &scaled, column);
+                    }
+                }
+                rows[row] = scaled;
+                bound.push((column, row));
             }
-            rows[row] = scaled;
-            bound.push((column, row));
         }
         let free = keep.iter().copied().filter(|c| bound.iter().all(|(b, _)| b != c));
         free.map(|column| {
