@@ -3,14 +3,30 @@
 use std::process::ExitCode;
 
 use clap::Parser;
+use clap::error::ErrorKind;
 use denavit::cli::{Cli, Failure};
 
 fn main() -> ExitCode {
-    match Cli::parse().run() {
+    let done = match Cli::try_parse() {
+        Ok(cli) => cli.run(),
+        // A wrong use is one paragraph like any other error; help and version are clap's to print.
+        Err(e) if e.use_stderr() && e.kind() != ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            Err(Failure::input(one_paragraph(&e.render().to_string())))
+        }
+        Err(e) => e.exit(),
+    };
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(Failure { status, message }) => {
             eprintln!("denavit: {message}");
             ExitCode::from(status)
         }
     }
+}
+
+/// The blocks of clap's message, one after the other.
+fn one_paragraph(message: &str) -> String {
+    let blocks = message.trim_start_matches("error: ").split("\n\n");
+    let lines = |block: &str| block.split_whitespace().collect::<Vec<_>>().join(" ");
+    blocks.map(lines).filter(|b| !b.is_empty()).collect::<Vec<_>>().join("; ")
 }

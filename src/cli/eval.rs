@@ -79,12 +79,9 @@ impl Eval {
         let table = Table::read(&self.states)?;
         let arguments = function.arguments();
         let n = arm.dof();
+        let wants = |a| arguments.contains(&a);
         let column = |prefix: &str, argument: Argument| -> Result<Vec<f64>, Failure> {
-            if arguments.contains(&argument) {
-                table.joints(prefix, n)
-            } else {
-                Ok(table.joints(prefix, n).unwrap_or_else(|_| vec![0.0; n * table.len]))
-            }
+            if wants(argument) { table.joints(prefix, n) } else { Ok(vec![0.0; n * table.len]) }
         };
         let states = States {
             len: table.len,
@@ -92,8 +89,7 @@ impl Eval {
             dq: column("dq", Argument::Velocities)?,
             ddq: column("ddq", Argument::Accelerations)?,
         };
-        let tau = if arguments.contains(&Argument::Torques) { table.joints("tau", n)? } else { Vec::new() };
-        let wants = |a| arguments.contains(&a);
+        let tau = if wants(Argument::Torques) { table.joints("tau", n)? } else { Vec::new() };
         let parameters = if wants(Argument::StandardParameters) || wants(Argument::BaseParameters) {
             let standard = param::standard_values(&file.robot).ok_or_else(|| {
                 Failure::input(format!(
@@ -113,48 +109,63 @@ impl Eval {
     }
 }
 
-/// Numbers with a header.
+/// Numbers with a header. What is not a number matters only in a column that is asked for.
 struct Table {
     file: String,
-    header: Vec<String>,
-    columns: Vec<Vec<f64>>,
+    columns: Vec<Column>,
     len: usize,
+}
+
+struct Column {
+    name: String,
+    values: Vec<f64>,
+    /// The first cell that is not a finite number, and its line.
+    bad: Option<(String, u64)>,
 }
 
 impl Table {
     fn read(path: &std::path::Path) -> Result<Self, Failure> {
         let file = path.display().to_string();
         let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(files::open(path)?);
-        let bad = |e: csv::Error| Failure::input(format!("{file}: {e}"));
-        let header: Vec<String> = reader.headers().map_err(bad)?.iter().map(str::to_string).collect();
-        let mut columns = vec![Vec::new(); header.len()];
+        let wrong = |e: csv::Error| Failure::input(format!("{file}: {e}; write one row of numbers per state"));
+        let header = reader.headers().map_err(wrong)?;
+        if header.is_empty() {
+            return Err(Failure::input(format!("{file} is empty; its first line must name the columns: q1, q2, ..")));
+        }
+        let column = |name: &str| Column { name: name.into(), values: Vec::new(), bad: None };
+        let mut columns: Vec<Column> = header.iter().map(column).collect();
         let mut len = 0;
         for row in reader.records() {
-            let row = row.map_err(bad)?;
-            let line = row.position().map_or(0, csv::Position::line);
-            for ((cell, name), column) in row.iter().zip(&header).zip(&mut columns) {
-                let value: f64 = cell.parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| {
-                    Failure::input(format!("{file}: line {line}, column {name}: `{cell}` is not a finite number"))
-                })?;
-                column.push(value);
+            let row = row.map_err(wrong)?;
+            for (cell, column) in row.iter().zip(&mut columns) {
+                let value = cell.parse().ok().filter(|v: &f64| v.is_finite());
+                if value.is_none() && column.bad.is_none() {
+                    column.bad = Some((cell.into(), row.position().map_or(0, csv::Position::line)));
+                }
+                column.values.push(value.unwrap_or(f64::NAN));
             }
             len += 1;
         }
-        Ok(Self { file, header, columns, len })
+        Ok(Self { file, columns, len })
     }
 
     /// Columns `prefix1..prefixn`, joint-major.
     fn joints(&self, prefix: &str, n: usize) -> Result<Vec<f64>, Failure> {
+        let file = &self.file;
         let mut all = Vec::with_capacity(n * self.len);
         for j in 1..=n {
             let name = format!("{prefix}{j}");
-            let at = self.header.iter().position(|h| *h == name).ok_or_else(|| {
+            let column = self.columns.iter().find(|c| c.name == name).ok_or_else(|| {
                 Failure::input(format!(
-                    "{}: there is no column {name}; the robot has {n} joints, so {prefix}1 to {prefix}{n} are needed",
-                    self.file
+                    "{file}, line 1: there is no column {name}; the robot has {n} joints, so {prefix}1 to {prefix}{n} are needed"
                 ))
             })?;
-            all.extend_from_slice(&self.columns[at]);
+            if let Some((cell, line)) = &column.bad {
+                return Err(Failure::input(format!(
+                    "{file}, line {line}, column {name}: `{cell}` is not a finite number; mend the cell or leave out the row"
+                )));
+            }
+            all.extend_from_slice(&column.values);
         }
         Ok(all)
     }

@@ -29,7 +29,7 @@ pub(super) fn robot(path: &Path) -> Result<RobotFile, Failure> {
             }
             Ok(RobotFile { robot: reading.robot, text })
         }
-        Err(problems) => Err(Failure::input(format!("{shown} can't be used:\n{problems}"))),
+        Err(problems) => Err(Failure::input(format!("{shown} can't be used:\n{}", problems.in_file(&shown)))),
     }
 }
 
@@ -50,7 +50,7 @@ pub(super) fn text(path: &Path) -> Result<String, Failure> {
 pub(super) fn open(path: &Path) -> Result<fs::File, Failure> {
     let file = fs::File::open(path).map_err(|e| unreadable(path, &e))?;
     match file.metadata() {
-        Ok(meta) if meta.is_dir() => Err(Failure::input(format!("{} is a folder; name a file", path.display()))),
+        Ok(meta) if meta.is_dir() => Err(unreadable(path, &ErrorKind::IsADirectory.into())),
         _ => Ok(file),
     }
 }
@@ -58,6 +58,7 @@ pub(super) fn open(path: &Path) -> Result<fs::File, Failure> {
 fn unreadable(path: &Path, error: &std::io::Error) -> Failure {
     let advice = match error.kind() {
         ErrorKind::NotFound => "; check the path",
+        ErrorKind::IsADirectory => "; name a file in this folder",
         ErrorKind::PermissionDenied => "; check its permissions",
         _ => "",
     };
@@ -73,8 +74,10 @@ pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let mut name = path.file_name().unwrap_or_default().to_os_string();
     name.push(".tmp");
     let beside = path.with_file_name(name);
-    fs::write(&beside, bytes).map_err(failed)?;
-    fs::rename(&beside, path).map_err(failed)
+    fs::write(&beside, bytes).and_then(|()| fs::rename(&beside, path)).map_err(|e| {
+        let _ = fs::remove_file(&beside);
+        failed(e)
+    })
 }
 
 /// Where `--json` goes.

@@ -1,0 +1,6 @@
+use dh_macro::DhRobot;
+
+#[derive(DhRobot)]
+struct Nameless;
+
+fn main() {}

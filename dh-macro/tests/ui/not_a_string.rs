@@ -1,0 +1,7 @@
+use dh_macro::DhRobot;
+
+#[derive(DhRobot)]
+#[dh(file = robots)]
+struct Unquoted;
+
+fn main() {}

@@ -1,0 +1,7 @@
+use dh_macro::DhRobot;
+
+#[derive(DhRobot)]
+#[dh(path = "robots/broken.yaml")]
+struct Keyed;
+
+fn main() {}

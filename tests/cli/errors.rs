@@ -1,0 +1,98 @@
+//! A wrong use ends with 2 and one paragraph: what, where, how to mend it.
+
+use super::*;
+
+/// The command must end with `status`, print nothing on standard output, and say all of `parts` in one paragraph.
+fn fails(status: i32, arguments: &[&str], parts: &[&str]) {
+    let run = denavit(arguments);
+    assert_eq!(run.status, Some(status), "{arguments:?}: {}", run.err);
+    assert_eq!(run.out, "", "{arguments:?}");
+    assert!(run.err.starts_with("denavit: ") && !run.err.trim_end().contains("\n\n"), "{arguments:?}: {}", run.err);
+    for part in parts {
+        assert!(run.err.contains(part), "{arguments:?}: no `{part}` in: {}", run.err);
+    }
+}
+
+fn eval<'a>(robot: &'a str, quantity: &'a str, states: &'a str) -> [&'a str; 6] {
+    ["eval", robot, "--quantity", quantity, "--states", states]
+}
+
+const PLANAR: &str = "robots/planar2r.yaml";
+
+#[test]
+fn of_the_command_line() {
+    fails(2, &["chekc", PLANAR], &["chekc", "--help"]);
+    fails(2, &["check"], &["<ROBOT>", "--help"]);
+    fails(2, &["check", PLANAR, "--jsn"], &["--jsn", "--json"]);
+    fails(2, &eval(PLANAR, "momentum", "x.csv"), &["momentum", "--quantity", "mass_matrix", "--help"]);
+    fails(2, &["identify", PLANAR], &["<LOG>"]);
+    fails(2, &["identify", PLANAR, "x.csv", "--cutoff", "-3"], &["-3"]);
+    fails(2, &["identify", PLANAR, "x.csv", "--keep", "everything"], &["everything", "gaps", "all"]);
+    fails(2, &["identify", PLANAR, "x.csv", "--order", "0"], &["--order 0", "1 to 12"]);
+}
+
+#[test]
+fn of_paths() {
+    fails(2, &["check", "no/such.yaml"], &["no/such.yaml", "check the path"]);
+    fails(2, &["check", "robots"], &["robots", "name a file"]);
+    fails(2, &eval(PLANAR, "gravity", "no/such.csv"), &["no/such.csv", "check the path"]);
+    fails(2, &eval(PLANAR, "gravity", "robots"), &["robots", "name a file"]);
+    fails(2, &["identify", PLANAR, "no/such.csv"], &["no/such.csv", "check the path"]);
+    fails(2, &["identify", PLANAR, "robots"], &["robots", "name a file"]);
+    // Not the input's fault: the place to write to.
+    let folder = folder("errors-paths");
+    let out = folder.display().to_string();
+    fails(1, &["check", PLANAR, "--json", &out], &[&out, "can't be written"]);
+    let left: Vec<_> = std::fs::read_dir(folder.parent().unwrap()).unwrap().map(|e| e.unwrap().file_name()).collect();
+    assert!(!left.contains(&"errors-paths.tmp".into()), "no scraps");
+}
+
+#[test]
+fn of_robot_files() {
+    let folder = folder("errors-robots");
+    let bad = file(&folder, "latin1.yaml", b"name: b\xe9ta\n");
+    fails(2, &["check", &bad], &["latin1.yaml", "byte 7", "UTF-8"]);
+    let empty = file(&folder, "empty.yaml", "");
+    fails(2, &["check", &empty], &["empty.yaml"]);
+    let text = "name: two\njoints:\n  - { type: revolute, alpha: pi/3x }\n  - { type: revolut }\n";
+    let slips = file(&folder, "slips.yaml", text);
+    fails(2, &["check", &slips], &["slips.yaml:3:", "joints[1].alpha", "slips.yaml:4:", "revolute"]);
+    let states = file(&folder, "states.csv", csv(&columns(&["q", "dq", "ddq"], 6), &[vec![0.0; 18]]));
+    fails(2, &eval("robots/stanford.yaml", "inverse_dynamics", &states), &["stanford.yaml", "links:", "identify"]);
+}
+
+#[test]
+fn of_states() {
+    let folder = folder("errors-states");
+    let run = |name: &str, text: &str, quantity: &str, parts: &[&str]| {
+        fails(2, &eval(PLANAR, quantity, &file(&folder, name, text)), &[&[name][..], parts].concat());
+    };
+    run("empty.csv", "", "gravity", &["empty", "q1"]);
+    run("few.csv", "q1\n0.1\n", "gravity", &["q2", "2 joints"]);
+    run("speed.csv", "q1,q2\n0.1,0.2\n", "coriolis", &["dq1"]);
+    run("torque.csv", "q1,q2,dq1,dq2\n0,0,0,0\n", "forward_dynamics", &["tau1"]);
+    run("nan.csv", "q1,q2\n0.1,0.2\n0.3,NaN\n", "gravity", &["line 3", "column q2", "NaN", "mend"]);
+    run("ragged.csv", "q1,q2\n0.1,0.2\n0.3\n", "gravity", &["line: 3", "1 field", "2"]);
+}
+
+#[test]
+fn of_logs() {
+    let folder = folder("errors-logs");
+    let log = |rows: usize| -> Vec<Vec<f64>> {
+        let wave = |k: usize, w: f64| (0.01 * k as f64 * w).sin();
+        (0..rows).map(|k| vec![0.01 * k as f64, wave(k, 3.0), wave(k, 5.0), wave(k, 2.0), wave(k, 7.0)]).collect()
+    };
+    let header: Vec<String> = ["t", "q1", "q2", "tau1", "tau2"].map(String::from).to_vec();
+    let run = |name: &str, text: &str, parts: &[&str]| {
+        fails(2, &["identify", PLANAR, &file(&folder, name, text)], &[&[name][..], parts].concat());
+    };
+    run("empty.csv", "", &["empty", "q1"]);
+    run("header.csv", &(header.join(",") + "\n"), &[]);
+    run("column.csv", &csv(&header, &log(500)).replacen("tau2", "torque2", 1), &["tau2", "missing"]);
+    let cell = csv(&header, &log(500)).lines().enumerate().fold(String::new(), |text, (k, line)| {
+        let line = if k == 200 { "2,0,NaN,0,0" } else { line };
+        text + line + "\n"
+    });
+    run("nan.csv", &cell, &["line 201", "q2", "--keep"]);
+    fails(2, &["identify", "robots/ur10e.yaml", &file(&folder, "two.csv", csv(&header, &log(500)))], &["two.csv", "6"]);
+}

@@ -1,0 +1,174 @@
+//! Logs of a robot whose parameters are known: what goes in must come out.
+
+use std::io::Write;
+use std::sync::OnceLock;
+
+use denavit::numeric::{Numeric, Random};
+use dh_codegen::arm::{BaseParameters, param};
+use serde_json::Value;
+
+use super::*;
+
+const ROBOT: &str = "robots/kuka-lwr4.yaml";
+const NOISE: f64 = 0.005; // N m, standard deviation of the torque signal
+
+/// Records the robot in a periodic motion (five harmonics of 0.1 Hz per joint, within a rad or so), 250 samples per second.
+fn record(seconds: usize, seed: u64) -> String {
+    let robot = read_robot(ROBOT);
+    let (arm, phi) = (Numeric::new(&robot), param::standard_values(&robot).unwrap());
+    let (n, mut random) = (arm.dof(), Random::new(seed));
+    let waves: Vec<Vec<[f64; 3]>> = (0..n)
+        .map(|_| {
+            (1..=5).map(|k| [random.even(0.45), 0.2 * std::f64::consts::PI * k as f64, random.even(3.0)]).collect()
+        })
+        .collect();
+    let rest = random.vector(n, 0.8);
+    let rows: Vec<Vec<f64>> = (0..250 * seconds)
+        .map(|sample| {
+            let t = sample as f64 / 250.0;
+            let sum = |joint: &Vec<[f64; 3]>, derivative: i32| -> f64 {
+                // The k-th derivative of a sine is a sine that leads by k quarter turns.
+                let lead = std::f64::consts::FRAC_PI_2 * f64::from(derivative);
+                joint.iter().map(|[a, w, phase]| a * w.powi(derivative) * (w * t + phase + lead).sin()).sum()
+            };
+            let q: Vec<f64> = waves.iter().zip(&rest).map(|(joint, rest)| rest + sum(joint, 0)).collect();
+            let [dq, ddq] = [1, 2].map(|k| waves.iter().map(|joint| sum(joint, k)).collect::<Vec<f64>>());
+            let tau = arm.inverse_dynamics(&q, &dq, &ddq, &phi);
+            // The sum of three even draws is bell-shaped enough; each has the variance 1/3.
+            let noisy = tau.iter().map(|tau| tau + NOISE * (random.even(1.0) + random.even(1.0) + random.even(1.0)));
+            std::iter::once(t).chain(q.iter().copied()).chain(noisy).collect()
+        })
+        .collect();
+    csv(&[vec!["t".to_string()], columns(&["q", "tau"], n)].concat(), &rows)
+}
+
+/// One run of the command that all tests look at: it takes seconds.
+struct Identified {
+    folder: PathBuf,
+    fit: String,
+    validate: String,
+    said: Value,
+}
+
+fn identified() -> &'static Identified {
+    static ONCE: OnceLock<Identified> = OnceLock::new();
+    ONCE.get_or_init(|| {
+        let folder = folder("identify");
+        let fit = file(&folder, "fit.csv", record(30, 1));
+        let validate = file(&folder, "validate.csv", record(10, 2));
+        let [out, report] = ["identified.yaml", "identified.html"].map(|f| folder.join(f).display().to_string());
+        let more = ["--validate", &validate, "--out", &out, "--report", &report, "--json", "-"];
+        let said = json(&[&["identify", ROBOT, &fit][..], &more].concat());
+        Identified { folder, fit, validate, said }
+    })
+}
+
+fn values(said: &Value) -> Vec<f64> {
+    said["parameters"].as_array().unwrap().iter().map(|p| p["value"].as_f64().unwrap()).collect()
+}
+
+#[test]
+fn the_parameters_of_the_robot_are_found() {
+    let (said, robot) = (&identified().said, read_robot(ROBOT));
+    let base = BaseParameters::new(&robot);
+    let truth = base.values(&param::standard_values(&robot).unwrap());
+    let found = said["parameters"].as_array().unwrap();
+    assert_eq!(found.len(), truth.len());
+    let mut sharp = 0;
+    for ((parameter, base), truth) in found.iter().zip(&base.0).zip(truth) {
+        assert_eq!(parameter["name"], base.name);
+        let [value, std] = ["value", "std"].map(|key| parameter[key].as_f64().unwrap());
+        let error = (value - truth).abs();
+        // A bias of the filter and the differences is allowed for beside the scatter: half a per cent, or 2e-4 of a parameter
+        // that is next to nothing.
+        assert!(error < 5.0 * std + 0.005 * truth.abs() + 2e-4, "{}: {value} +- {std}, is {truth}", base.name);
+        if std < 0.003 * value.abs() {
+            assert!(error < 0.01 * truth.abs(), "{}: {value} +- {std}, is {truth}", base.name);
+            sharp += 1;
+        }
+    }
+    // The others are next to nothing in this arm: products of inertia of symmetric links, and the hand's.
+    assert!(sharp >= 22, "only {sharp} are sharp");
+}
+
+#[test]
+fn the_json_has_what_the_contract_lists() {
+    let said = &identified().said;
+    for parameter in said["parameters"].as_array().unwrap() {
+        assert!(parameter["name"].is_string() && parameter["value"].is_f64());
+        assert!(parameter["relative_std_percent"].is_f64(), "{parameter}");
+    }
+    for key in ["rms", "nrms"] {
+        for set in ["fit", "validate"] {
+            assert_eq!(numbers(&said[key][set]).len(), 7);
+        }
+    }
+    assert!(said["condition_number"].as_f64().unwrap() > 1.0);
+    assert!(said["samples"].as_u64().unwrap() > 7000);
+    // The low-pass takes most of the noise; its own error and that of the differences grow with the torque.
+    for set in ["fit", "validate"] {
+        for (rms, torque) in numbers(&said["rms"][set]).iter().zip(numbers(&said["torque_rms"][set])) {
+            assert!(*rms < NOISE + 0.0005 * torque, "{set}: {rms} of {torque}");
+        }
+    }
+}
+
+#[test]
+fn the_robot_file_reads_back_and_predicts_the_same() {
+    let run = identified();
+    let out = run.folder.join("identified.yaml").display().to_string();
+    assert_eq!(denavit(&["check", &out]).status, Some(0));
+    let robot = read_robot(&out);
+    let base = BaseParameters::new(&robot).values(&param::standard_values(&robot).unwrap());
+    for (file, said) in base.iter().zip(values(&run.said)) {
+        assert!((file - said).abs() < 1e-9 * (1.0 + said.abs()), "{file} {said}");
+    }
+    let mut random = Random::new(5);
+    let states = csv(&columns(&["q", "dq", "ddq"], 7), &[random.vector(21, 1.5), random.vector(21, 1.5)]);
+    let states = file(&run.folder, "states.csv", states);
+    let eval = |robot: &str, quantity: &str| json(&["eval", robot, "--quantity", quantity, "--states", &states]);
+    let (tau, w) = (eval(&out, "inverse_dynamics"), eval(ROBOT, "base_regressor"));
+    for state in 0..2 {
+        let (tau, w) = (numbers(&tau["values"][state]), numbers(&w["values"][state]));
+        for (joint, row) in w.chunks(base.len()).enumerate() {
+            let predicted: f64 = row.iter().zip(values(&run.said)).map(|(w, b)| w * b).sum();
+            assert!((tau[joint] - predicted).abs() < 1e-8, "joint {joint}: {} {predicted}", tau[joint]);
+        }
+    }
+}
+
+#[test]
+fn the_page_stands_alone_and_shows_every_joint_and_parameter() {
+    let run = identified();
+    let page = std::fs::read_to_string(run.folder.join("identified.html")).unwrap();
+    for joint in 1..=7 {
+        assert!(page.contains(&format!("<tr><th>{joint}<td>")), "joint {joint}");
+    }
+    for parameter in run.said["parameters"].as_array().unwrap() {
+        assert!(page.contains(parameter["name"].as_str().unwrap()));
+    }
+    assert!(page.contains("fit.csv") && page.contains("validate.csv"));
+    for outside in ["src=\"http", "src='http", "src=http", "<link", "@import", "fetch("] {
+        assert!(!page.contains(outside), "{outside}");
+    }
+}
+
+#[test]
+fn a_gzipped_log_says_the_same() {
+    let run = identified();
+    let path = run.folder.join("fit.csv.gz");
+    let mut packed = flate2::write::GzEncoder::new(std::fs::File::create(&path).unwrap(), flate2::Compression::fast());
+    packed.write_all(&std::fs::read(&run.fit).unwrap()).unwrap();
+    packed.finish().unwrap();
+    let said = json(&["identify", ROBOT, &path.display().to_string(), "--validate", &run.validate, "--json", "-"]);
+    assert_eq!(said["parameters"], run.said["parameters"]);
+    assert_eq!(said["rms"], run.said["rms"]);
+}
+
+#[test]
+fn without_json_the_result_is_told_in_words() {
+    let run = identified();
+    let told = denavit(&["identify", ROBOT, &run.fit]);
+    assert_eq!(told.status, Some(0), "{}", told.err);
+    assert!(told.out.contains("ZZ1R") && told.out.contains("FC7"), "{}", told.out);
+}

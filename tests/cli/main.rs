@@ -1,0 +1,77 @@
+//! The command itself, as a process: what it prints, what it writes, how it ends.
+
+mod check;
+mod errors;
+mod eval;
+mod generate;
+mod identify;
+
+use std::path::PathBuf;
+use std::process::Command;
+
+use dh_codegen::robot::Robot;
+
+/// How a run ended and what it said.
+struct Run {
+    status: Option<i32>,
+    out: String,
+    err: String,
+}
+
+/// Runs the command at the root of the repository, so that `robots/..` is found.
+fn denavit(arguments: &[&str]) -> Run {
+    let run = Command::new(env!("CARGO_BIN_EXE_denavit"))
+        .args(arguments)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    Run { status: run.status.code(), out: text(run.stdout), err: text(run.stderr) }
+}
+
+/// What a successful run with `--json -` prints: one JSON value and nothing else.
+fn json(arguments: &[&str]) -> serde_json::Value {
+    let run = denavit(arguments);
+    assert_eq!(run.status, Some(0), "{}", run.err);
+    serde_json::from_str(&run.out).unwrap()
+}
+
+/// An empty folder of a test's own.
+fn folder(name: &str) -> PathBuf {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("cli").join(name);
+    let _ = std::fs::remove_dir_all(&path);
+    std::fs::create_dir_all(&path).unwrap();
+    path
+}
+
+/// Writes a file and gives its path as an argument.
+fn file(folder: &std::path::Path, name: &str, text: impl AsRef<[u8]>) -> String {
+    let path = folder.join(name);
+    std::fs::write(&path, text).unwrap();
+    path.display().to_string()
+}
+
+fn read_robot(path: &str) -> Robot {
+    let text = std::fs::read_to_string(PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap();
+    Robot::from_yaml(&text, &|f| Err(f.to_string())).unwrap().robot
+}
+
+fn numbers(value: &serde_json::Value) -> Vec<f64> {
+    value.as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect()
+}
+
+fn strings(value: &serde_json::Value) -> Vec<&str> {
+    value.as_array().unwrap().iter().map(|v| v.as_str().unwrap()).collect()
+}
+
+/// Columns with a header.
+fn csv(header: &[String], rows: &[Vec<f64>]) -> String {
+    let line = |row: &Vec<f64>| row.iter().map(f64::to_string).collect::<Vec<_>>().join(",");
+    let lines: Vec<String> = std::iter::once(header.join(",")).chain(rows.iter().map(line)).collect();
+    lines.join("\n") + "\n"
+}
+
+/// `q1..qn` and the like.
+fn columns(prefixes: &[&str], n: usize) -> Vec<String> {
+    prefixes.iter().flat_map(|p| (1..=n).map(move |j| format!("{p}{j}"))).collect()
+}
