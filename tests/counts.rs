@@ -1,6 +1,6 @@
 //! What the closed form costs and how many base parameters it finds: figures that must not get worse unnoticed.
 
-use denavit::numeric::{Numeric, rank};
+use denavit::numeric::base::{Torques, rank, rank_of};
 use dh_codegen::arm::param::{DriveTerm, Parameter};
 use dh_codegen::arm::{BaseParameters, Function, Model};
 use dh_codegen::robot::{Drive, Robot};
@@ -76,12 +76,12 @@ fn base_counts(name: &str) -> [usize; 4] {
     let tilted = Robot { gravity: [1.0, 2.0, -9.0], ..robot.clone() };
     let closed = |robot: &Robot| {
         let closed = BaseParameters::new(robot).len();
-        let numeric = rank(&Numeric::new(robot), 3, 60, false);
-        assert!(numeric.last > 1e3 * numeric.next, "{name}: the rank itself is in doubt: {numeric:?}");
+        let numeric = rank(robot, 3, 60);
+        assert!(numeric.gap > 1e3, "{name}: the rank itself is in doubt: {numeric:?}");
         assert_eq!(closed, numeric.rank, "{name}");
         closed
     };
-    [closed(&robot), closed(&rotors), rank(&Numeric::new(&robot), 3, 60, true).rank, closed(&tilted)]
+    [closed(&robot), closed(&rotors), rank_of(&robot, Torques::Gravity, 3, 60).rank, closed(&tilted)]
 }
 
 #[test]
@@ -115,7 +115,7 @@ fn every_robot_has_as_many_as_the_rank() {
         let name = path.file_stem().unwrap().to_str().unwrap();
         let robot = with_drives(name);
         let base = BaseParameters::new(&robot);
-        assert_eq!(base.len(), rank(&Numeric::new(&robot), 11, 60, false).rank, "{name}");
+        assert_eq!(base.len(), rank(&robot, 11, 60).rank, "{name}");
         let coulomb = |b: &&dh_codegen::arm::BaseParameter| matches!(b.leader, Parameter::Drive(_, DriveTerm::FC));
         let given = robot.joints.iter().filter(|j| j.drive.coulomb_friction.is_some()).count();
         assert_eq!(base.0.iter().filter(coulomb).count(), given, "{name}: Coulomb friction groups with nothing");

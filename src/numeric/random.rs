@@ -82,6 +82,16 @@ impl Random {
         low + (high - low) * unit
     }
 
+    /// Evenly between `-size` and `size`.
+    pub fn even(&mut self, size: f64) -> f64 {
+        self.uniform(-size, size)
+    }
+
+    /// Several of them.
+    pub fn vector(&mut self, len: usize, size: f64) -> Vec<f64> {
+        (0..len).map(|_| self.even(size)).collect()
+    }
+
     /// True with this probability.
     pub fn chance(&mut self, probability: f64) -> bool {
         self.uniform(0.0, 1.0) < probability

@@ -1,6 +1,7 @@
 //! All nine quantities against the numeric recursion, which shares no code with what is run here.
 
-use denavit::numeric::{Numeric, Random};
+use denavit::numeric::Numeric;
+use denavit::numeric::random::Random;
 use dh_codegen::arm::param;
 use nalgebra::{DMatrix, DVector};
 
@@ -77,8 +78,9 @@ fn column(v: DVector<f64>) -> DMatrix<f64> {
 fn all_quantities(name: &str) {
     let bench = Bench::new(name);
     let (arm, phi) = (&bench.oracle, &bench.phi);
-    bench.agrees("forward_kinematics", |[q, ..]| arm.forward_kinematics(q).to_homogeneous().resize(4, 4, 0.0));
-    bench.agrees("jacobian", |[q, ..]| arm.jacobian(q));
+    let arm_rows = read_robot(&bench.robot).joints.len();
+    bench.agrees("forward_kinematics", |[q, ..]| DMatrix::from_fn(4, 4, |i, j| arm.frames(q)[arm_rows - 1][(i, j)]));
+    bench.agrees("jacobian", |[q, ..]| DMatrix::from_column_slice(6, arm.dof(), arm.jacobian(q).as_slice()));
     bench.agrees("regressor", |[q, dq, ddq, _]| arm.regressor(q, dq, ddq));
     bench.agrees("inverse_dynamics", |[_, _, _, tau]| column(DVector::from_column_slice(tau)));
     bench.agrees("mass_matrix", |[q, ..]| arm.mass_matrix(q, phi));

@@ -3,7 +3,8 @@
 use std::io::Write;
 use std::sync::OnceLock;
 
-use denavit::numeric::{Numeric, Random};
+use denavit::numeric::Numeric;
+use denavit::numeric::random::Random;
 use dh_codegen::arm::{BaseParameters, param};
 use serde_json::Value;
 
