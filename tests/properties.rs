@@ -173,6 +173,10 @@ proptest! {
         let found = DVector::from_vec(arm.at(JacobianDotVelocity, [&q, &dq, &[]], &[]));
         prop_assert!(apart(&found, &slope(twist)) < 1e-7);
     }
+}
+
+proptest! {
+    #![proptest_config(few(12))] // two arms of up to eight joints in each
 
     /// The same arm in both conventions: the same motion, the same torques, as many base parameters.
     #[test]
