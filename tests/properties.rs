@@ -3,7 +3,7 @@
 //! Few cases each: a chain of eight rows takes a good part of a second to make ready at this profile's optimisation, and
 //! `tests/oracle.rs` runs over hundreds of chains anyway.
 
-use denavit::numeric::{Random, random_robot};
+use denavit::numeric::random::{Family, Random};
 use dh_codegen::arm::param::{DriveTerm, Parameter, standard_values};
 use dh_codegen::arm::{Function, Model};
 use dh_codegen::interpret::{Interpreter, State};
@@ -69,7 +69,10 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 /// Some chain that moves, and numbers for its states.
 fn chain() -> impl Strategy<Value = (Robot, Random)> {
     (any::<u64>(), 1usize..=8)
-        .prop_map(|(seed, rows)| (random_robot(seed, rows), Random::new(!seed)))
+        .prop_map(|(seed, rows)| {
+            let family = Family { rows: [rows, rows], ..Family::default() };
+            (Random::new(seed).robot(&family), Random::new(!seed))
+        })
         .prop_filter("nothing moves", |(robot, _)| robot.dof() > 0)
 }
 
