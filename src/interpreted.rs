@@ -1,6 +1,6 @@
 //! An [`Arm`] whose tapes are run: any robot file, without compiling.
 
-use dh_codegen::arm::{Function, Model};
+use dh_codegen::arm::{Argument, Function, Model};
 use dh_codegen::interpret::{Batch, Interpreter};
 use dh_codegen::robot::Robot;
 
@@ -61,15 +61,24 @@ impl Interpreted {
         self.interpreter.run(function, &batch(states, tau, parameters), out);
     }
 
-    /// Row-major result of any function that was asked for, one vector per state; `parameters` are standard or base ones,
-    /// whichever the function takes.
+    /// Row-major result of any function that was asked for, one vector per state, for these standard parameters (empty where the
+    /// function takes none).
     ///
     /// # Panics
     /// If the function was not among those given to [`Interpreted::new`].
-    pub fn evaluate(&self, function: Function, states: &States, tau: &[f64], parameters: &[f64]) -> Vec<Vec<f64>> {
+    pub fn evaluate(&self, function: Function, states: &States, tau: &[f64], standard: &[f64]) -> Vec<Vec<f64>> {
         let size: usize = self.interpreter.shape(function).map_or(0, |s| s.iter().product());
         let mut out = vec![0.0; size * states.len];
-        self.run(function, states, tau, parameters, &mut out);
+        if function.arguments().contains(&Argument::BaseParameters) {
+            self.run(function, states, tau, &self.model.base().values(standard), &mut out);
+        } else {
+            self.run(function, states, tau, standard, &mut out);
+        }
+        if function == Function::Gravity {
+            for (joint, offset) in self.model.offsets_in_gravity(standard) {
+                out[joint * states.len..(joint + 1) * states.len].iter_mut().for_each(|tau| *tau -= offset);
+            }
+        }
         (0..states.len).map(|s| (0..size).map(|o| out[o * states.len + s]).collect()).collect()
     }
 

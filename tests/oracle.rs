@@ -3,7 +3,7 @@
 use denavit::numeric::Numeric;
 use denavit::numeric::base::rank;
 use denavit::numeric::random::{Family, Random, State as RandomState};
-use dh_codegen::arm::param::{DriveTerm, Parameter, standard_values};
+use dh_codegen::arm::param::standard_values;
 use dh_codegen::arm::{BaseParameters, Function, Model};
 use dh_codegen::interpret::{Interpreter, State};
 use nalgebra::{DMatrix, DVector, Matrix4};
@@ -28,17 +28,6 @@ fn compare(what: &str, got: &[f64], expected: &[f64]) {
     for (i, (a, b)) in got.iter().zip(expected).enumerate() {
         close(&format!("{what} entry {i}"), *a, *b, size);
     }
-}
-
-/// Offset torque of each degree of freedom, and whether it is a base parameter of its own.
-fn offsets(model: &Model, phi: &[f64]) -> Vec<(f64, bool)> {
-    let moving: Vec<usize> = (0..model.chain().rows.len()).filter(|&r| model.chain().rows[r].dof.is_some()).collect();
-    let value = |row: usize| {
-        let p = Parameter::Drive(row, DriveTerm::FO);
-        let at = model.standard().iter().position(|x| *x == p)?;
-        Some((phi[at], model.base().0.iter().any(|b| b.leader == p)))
-    };
-    moving.into_iter().map(|row| value(row).unwrap_or((0.0, true))).collect()
 }
 
 #[test]
@@ -75,8 +64,8 @@ fn every_function_agrees_on_random_chains() {
             check(Function::Coriolis, &beta, oracle.coriolis(&q, &dq, &phi).as_slice());
             // An offset that can't be told from a prismatic joint's weight is in the gravity torque (see `BaseParameters`).
             let mut gravity = oracle.gravity(&q, &phi);
-            for (k, (offset, kept)) in offsets(&model, &phi).into_iter().enumerate() {
-                gravity[k] += if kept { 0.0 } else { offset };
+            for (k, offset) in model.offsets_in_gravity(&phi) {
+                gravity[k] += offset;
             }
             check(Function::Gravity, &beta, gravity.as_slice());
             check(Function::Regressor, &[], &row_major(&oracle.regressor(&q, &dq, &ddq)));

@@ -90,19 +90,18 @@ impl Eval {
             ddq: column("ddq", Argument::Accelerations)?,
         };
         let tau = if wants(Argument::Torques) { table.joints("tau", n)? } else { Vec::new() };
-        let parameters = if wants(Argument::StandardParameters) || wants(Argument::BaseParameters) {
-            let standard = param::standard_values(&file.robot).ok_or_else(|| {
+        let standard = if wants(Argument::StandardParameters) || wants(Argument::BaseParameters) {
+            param::standard_values(&file.robot).ok_or_else(|| {
                 Failure::input(format!(
                     "{}: {} needs the inertial parameters of every link; add a `links:` list with one entry per joint, or identify them (`denavit identify`)",
                     self.robot.display(),
                     function.name()
                 ))
-            })?;
-            if wants(Argument::BaseParameters) { arm.model().base().values(&standard) } else { standard }
+            })?
         } else {
             Vec::new()
         };
-        let values = arm.evaluate(function, &states, &tau, &parameters);
+        let values = arm.evaluate(function, &states, &tau, &standard);
         let shape = arm.shape(function);
         let value = eval_json::value(function.name(), &arm, &shape, values);
         files::json(&self.json, &value)

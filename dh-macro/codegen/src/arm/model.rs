@@ -5,7 +5,7 @@ use super::chain::{Chain, Links};
 use super::dynamics::{self, Values};
 use super::kernel::{Function, Kernel};
 use super::motion::{Include, can_shift};
-use super::param::{Parameter, standard};
+use super::param::{DriveTerm, Parameter, standard};
 use super::plan::{self, Plan};
 use super::regressor::Columns;
 use super::{energy, kinematics};
@@ -53,6 +53,17 @@ impl Model {
     /// The base parameters, in the order of the base regressor's columns.
     pub fn base(&self) -> &BaseParameters {
         &self.base
+    }
+
+    /// Offsets that the gravity torque from base parameters has in it: degree of freedom, and torque, N m. A prismatic joint's
+    /// weight, rotor and offset can't be told apart, so there `FO` is grouped (see [`BaseParameters`]).
+    pub fn offsets_in_gravity(&self, standard: &[f64]) -> Vec<(usize, f64)> {
+        let grouped = |p: &Parameter| self.base.0.iter().all(|b| b.leader != *p);
+        let offset = |(p, &value): (&Parameter, &f64)| match *p {
+            Parameter::Drive(row, DriveTerm::FO) if grouped(p) => self.chain.rows[row].dof.map(|k| (k, value)),
+            _ => None,
+        };
+        self.standard.iter().zip(standard).filter_map(offset).collect()
     }
 
     /// Builds the tape of a function.
