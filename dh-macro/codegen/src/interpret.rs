@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::arm::chain::Group;
-use crate::arm::{Function, Kernel, Model};
+use crate::arm::{Argument, Function, Kernel, Model};
 use crate::runtime::Scalar;
 use crate::sym::Evaluator;
 
@@ -102,11 +102,17 @@ impl Interpreter {
     fn run_on(&self, kernel: &Kernel, evaluator: &Evaluator, batch: &Batch<'_>, out: &mut [f64]) {
         let len = batch.len;
         let (mut sin, mut cos) = (Vec::new(), Vec::new());
-        if kernel.function.arguments().contains(&crate::arm::Argument::Configuration) {
+        if kernel.function.arguments().contains(&Argument::Configuration) {
             let angles: Vec<f64> = (0..self.dof * len).map(|k| batch.q[k] + self.offsets[k / len.max(1)]).collect();
             (sin, cos) = sines_and_cosines(&angles);
         }
-        let parameters: Vec<Vec<f64>> = batch.parameters.iter().map(|&p| vec![p; len]).collect();
+        let arguments = kernel.function.arguments();
+        let takes = |a| arguments.contains(&a);
+        let parameters: Vec<Vec<f64>> = if takes(Argument::StandardParameters) || takes(Argument::BaseParameters) {
+            batch.parameters.iter().map(|&p| vec![p; len]).collect()
+        } else {
+            Vec::new()
+        };
         let inputs = kernel.inputs;
         evaluator.run(
             len,
