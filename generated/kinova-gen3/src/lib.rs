@@ -19,8 +19,8 @@
 //! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 7 | 314 | 288 |
 //! | [`gravity`]: Gravity torques `g` | 7 | 64 | 38 |
 //! | [`forward_dynamics`]: Accelerations that torques cause | 7 | 729 | 593 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 70 | 956 | 706 |
-//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 43 | 691 | 502 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 70 | 956 | 705 |
+//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 43 | 691 | 501 |
 //! | [`gravity_regressor`]: Regressor at rest | 7 x 70 | 283 | 166 |
 //! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 70 | 163 | 68 |
 //! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 70 | 40 | 19 |
@@ -297,8 +297,8 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("coriolis", 314, 288),
     ("gravity", 64, 38),
     ("forward_dynamics", 729, 593),
-    ("regressor", 956, 706),
-    ("base_regressor", 691, 502),
+    ("regressor", 956, 705),
+    ("base_regressor", 691, 501),
     ("gravity_regressor", 283, 166),
     ("kinetic_energy_regressor", 163, 68),
     ("potential_energy_regressor", 40, 19),

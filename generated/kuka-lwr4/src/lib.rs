@@ -19,8 +19,8 @@
 //! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 7 | 284 | 260 |
 //! | [`gravity`]: Gravity torques `g` | 7 | 64 | 38 |
 //! | [`forward_dynamics`]: Accelerations that torques cause | 7 | 668 | 536 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 84 | 811 | 577 |
-//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 57 | 612 | 436 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 84 | 811 | 573 |
+//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 57 | 612 | 433 |
 //! | [`gravity_regressor`]: Regressor at rest | 7 x 70 | 236 | 133 |
 //! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 84 | 143 | 53 |
 //! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 84 | 34 | 14 |
@@ -362,8 +362,8 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("coriolis", 284, 260),
     ("gravity", 64, 38),
     ("forward_dynamics", 668, 536),
-    ("regressor", 811, 577),
-    ("base_regressor", 612, 436),
+    ("regressor", 811, 573),
+    ("base_regressor", 612, 433),
     ("gravity_regressor", 236, 133),
     ("kinetic_energy_regressor", 143, 53),
     ("potential_energy_regressor", 34, 14),

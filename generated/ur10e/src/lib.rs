@@ -19,7 +19,7 @@
 //! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 6 | 247 | 223 |
 //! | [`gravity`]: Gravity torques `g` | 6 | 48 | 26 |
 //! | [`forward_dynamics`]: Accelerations that torques cause | 6 | 531 | 441 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 60 | 438 | 344 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 60 | 438 | 341 |
 //! | [`base_regressor`]: Regressor `W_b` of the base parameters | 6 x 36 | 328 | 258 |
 //! | [`gravity_regressor`]: Regressor at rest | 6 x 60 | 111 | 63 |
 //! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 60 | 127 | 50 |
@@ -283,7 +283,7 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("coriolis", 247, 223),
     ("gravity", 48, 26),
     ("forward_dynamics", 531, 441),
-    ("regressor", 438, 344),
+    ("regressor", 438, 341),
     ("base_regressor", 328, 258),
     ("gravity_regressor", 111, 63),
     ("kinetic_energy_regressor", 127, 50),

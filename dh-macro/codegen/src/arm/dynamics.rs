@@ -1,8 +1,10 @@
 //! Inverse dynamics (Newton-Euler), mass matrix (composite bodies) and forward dynamics, for given parameters.
 
+use core::array::from_fn;
+
 use super::chain::{Group, Links};
 use super::motion::{Include, Sweep, along_axis};
-use super::param::{DriveTerm, Inertial, Parameter};
+use super::param::{DriveTerm, Parameter};
 use super::screw::Screw;
 use super::wrench::Wrench;
 use crate::sym::{Ex, Vec3};
@@ -67,32 +69,45 @@ pub(super) fn torques<'g>(links: &Links<'g>, values: &Values<'g>, include: Inclu
     tau
 }
 
+/// A symmetric tensor.
+type Tensor<'g> = [[Ex<'g>; 3]; 3];
+
+/// `R T R'` for the rotation that `turn` makes of vectors.
+fn turned<'g>(t: Tensor<'g>, turn: impl Fn(Vec3<'g>) -> Vec3<'g>) -> Tensor<'g> {
+    let half = t.map(|row| turn(Vec3(row)).0); // T R'
+    let columns: Tensor<'g> = from_fn(|j| turn(Vec3(from_fn(|i| half[i][j]))).0);
+    from_fn(|i| from_fn(|j| if i <= j { columns[j][i] } else { columns[i][j] }))
+}
+
+/// First moments and tensor about the origin from which the present one is seen at `s`:
+/// `l + m s`, `I + (2 l.s + m s.s) E - (l s' + s l') - m s s'`.
+fn shifted<'g>(links: &Links<'g>, m: Ex<'g>, l: Vec3<'g>, t: Tensor<'g>, s: Vec3<'g>) -> (Vec3<'g>, Tensor<'g>) {
+    let ls = l + s.scale(m);
+    let trace = s.dot(l + ls);
+    let entry = |i: usize, j: usize| {
+        let diagonal = if i == j { trace } else { links.number(0.0) };
+        t[i][j] + diagonal - (l.0[i] * s.0[j] + s.0[i] * ls.0[j])
+    };
+    (ls, from_fn(|i| from_fn(|j| entry(i.min(j), i.max(j)))))
+}
+
+/// Mass, first moments and tensor of ten parameters, and back.
+fn apart<'g>([m, lx, ly, lz, xx, yy, zz, xy, xz, yz]: [Ex<'g>; 10]) -> (Ex<'g>, Vec3<'g>, Tensor<'g>) {
+    (m, Vec3([lx, ly, lz]), [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+}
+
+fn together<'g>(m: Ex<'g>, l: Vec3<'g>, t: Tensor<'g>) -> [Ex<'g>; 10] {
+    [m, l.0[0], l.0[1], l.0[2], t[0][0], t[1][1], t[2][2], t[0][1], t[0][2], t[1][2]]
+}
+
 /// Ten parameters of a body carried from the joint frame of `row` to the previous joint frame.
 fn carried<'g>(links: &Links<'g>, row: usize, p: [Ex<'g>; 10]) -> [Ex<'g>; 10] {
     let link = &links.links[row];
-    let [m, lx, ly, lz, xx, yy, zz, xy, xz, yz] = p;
-    // Turned about z; in halves of sum and difference it would be two products less and three sums more.
-    let tensor = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
-    let rotate = |t: [[Ex<'g>; 3]; 3], turn: &dyn Fn(Vec3<'g>) -> Vec3<'g>| -> [[Ex<'g>; 3]; 3] {
-        let half = t.map(|row| turn(Vec3(row)).0); // T R'
-        let columns: [[Ex<'g>; 3]; 3] = core::array::from_fn(|j| turn(Vec3(core::array::from_fn(|i| half[i][j]))).0); // R (T R')
-        core::array::from_fn(|i| core::array::from_fn(|j| if i <= j { columns[j][i] } else { columns[i][j] }))
-    };
-    let t = rotate(tensor, &|v| link.turned(v));
-    let l = link.turned(Vec3([lx, ly, lz]));
-    // To the origin of the frame before, along x and z: I' = I + (2 l.s + m s.s) E - (l s' + s l') - m s s'.
-    let s = link.step(false);
-    let ls = l + s.scale(m);
-    let trace = s.dot(l + ls);
-    let t: [[Ex<'g>; 3]; 3] = core::array::from_fn(|i| {
-        core::array::from_fn(|j| {
-            let diagonal = if i == j { trace } else { links.number(0.0) };
-            t[i][j] + diagonal - (l.0[i] * s.0[j] + s.0[i] * ls.0[j])
-        })
-    });
-    let l = link.twisted(ls);
-    let t = rotate(t, &|v| link.twisted(v));
-    [m, l.0[0], l.0[1], l.0[2], t[0][0], t[1][1], t[2][2], t[0][1], t[0][2], t[1][2]]
+    let (m, l, t) = apart(p);
+    let t = turned(t, |v| link.turned(v));
+    let (l, t) = shifted(links, m, link.turned(l), t, link.step(false));
+    let l = link.twisted(l);
+    together(m, l, turned(t, |v| link.twisted(v)))
 }
 
 /// Upper triangle of the mass matrix, `m[i][j]` for `i <= j`, by composite bodies (Featherstone, 6.2; the rotors on the diagonal).
@@ -107,7 +122,7 @@ pub(super) fn mass_matrix<'g>(links: &Links<'g>, values: &Values<'g>) -> Vec<Vec
         composite = core::array::from_fn(|k| composite[k] + own[k]);
         if let Some(k) = link.dof {
             // Momentum of the composite body for a unit velocity of this joint.
-            let [m, lx, ly, lz, _, _, zz, _, xz, yz] = composite;
+            let [m, lx, ly, _, _, _, zz, _, xz, yz] = composite;
             let screw = Screw::own(links, row);
             let mut momentum = match link.kind {
                 crate::robot::JointKind::Revolute => {
@@ -117,7 +132,6 @@ pub(super) fn mass_matrix<'g>(links: &Links<'g>, values: &Values<'g>) -> Vec<Vec
                     Wrench { f: Vec3([links.number(0.0), links.number(0.0), m]), n: Vec3([ly, -lx, links.number(0.0)]) }
                 }
             };
-            let _ = lz;
             mass[k][k] = screw.dot(&momentum);
             if let Some(rotor) = values.rotor(row) {
                 mass[k][k] = mass[k][k] + rotor;
@@ -140,35 +154,10 @@ fn out_of_body<'g>(links: &Links<'g>, row: usize, p: [Ex<'g>; 10]) -> [Ex<'g>; 1
     if !link.has_body_frame() {
         return p;
     }
-    let at = |which: Inertial| p[which as usize];
-    let l = link.out_of_body(Vec3([at(Inertial::MSX), at(Inertial::MSY), at(Inertial::MSZ)]));
-    let t = [
-        [at(Inertial::XX), at(Inertial::XY), at(Inertial::XZ)],
-        [at(Inertial::XY), at(Inertial::YY), at(Inertial::YZ)],
-        [at(Inertial::XZ), at(Inertial::YZ), at(Inertial::ZZ)],
-    ];
-    let half = t.map(|row| link.out_of_body(Vec3(row)).0);
-    let full: [[Ex<'g>; 3]; 3] =
-        core::array::from_fn(|j| link.out_of_body(Vec3(core::array::from_fn(|i| half[i][j]))).0);
-    let s = link.body_origin();
-    let ls = l + s.scale(at(Inertial::M));
-    let trace = s.dot(l + ls);
-    let entry = |i: usize, j: usize| {
-        let diagonal = if i == j { trace } else { links.number(0.0) };
-        full[j][i] + diagonal - (l.0[i] * s.0[j] + s.0[i] * ls.0[j])
-    };
-    [
-        at(Inertial::M),
-        ls.0[0],
-        ls.0[1],
-        ls.0[2],
-        entry(0, 0),
-        entry(1, 1),
-        entry(2, 2),
-        entry(0, 1),
-        entry(0, 2),
-        entry(1, 2),
-    ]
+    let (m, l, t) = apart(p);
+    let t = turned(t, |v| link.out_of_body(v));
+    let (l, t) = shifted(links, m, link.out_of_body(l), t, link.body_origin());
+    together(m, l, t)
 }
 
 /// `ddq` from `M ddq = tau - bias`, by `M = L D L'` written out.

@@ -112,7 +112,7 @@ pub(super) fn can_shift(row: &Row) -> bool {
     row.body.is_none() && row.kind != JointKind::Prismatic && row.r != 0.0
 }
 
-/// `v x w` along z only: entry needed by a revolute joint.
+/// What a joint feels of a wrench in its own frame: moment about z, force along z, nothing where it is fixed.
 pub(super) fn along_axis<'g>(kind: JointKind, f: Vec3<'g>, n: Vec3<'g>) -> Option<Ex<'g>> {
     match kind {
         JointKind::Revolute => Some(n.0[2]),

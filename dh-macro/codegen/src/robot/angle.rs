@@ -2,6 +2,8 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
+use crate::runtime::Scalar;
+
 /// An angle in rad that remembers whether it is an exact multiple of pi.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Angle {
@@ -54,7 +56,7 @@ impl Angle {
 
     /// Sine and cosine; 0, 1 and -1 without rounding error at quarter turns, 1/2 at sixths.
     pub fn sin_cos(&self) -> (f64, f64) {
-        let Some((p, q)) = self.pi_multiple else { return self.value.sin_cos() };
+        let Some((p, q)) = self.pi_multiple else { return everywhere_alike(self.value) };
         // Reduce to [-pi/4, pi/4] exactly: angle = k * pi/2 + rest.
         let k = (2 * p as i128 + (q as i128) / 2).div_euclid(q as i128);
         let rest = 2 * p as i128 - k * q as i128; // rest / (2 q) * pi
@@ -63,7 +65,7 @@ impl Angle {
         } else if 6 * rest.abs() == 2 * q as i128 {
             (0.5 * rest.signum() as f64, 0.75f64.sqrt())
         } else {
-            (rest as f64 / q as f64 * FRAC_PI_2).sin_cos()
+            everywhere_alike(rest as f64 / q as f64 * FRAC_PI_2)
         };
         match k.rem_euclid(4) {
             0 => (s, c),
@@ -72,6 +74,12 @@ impl Angle {
             _ => (-c, s),
         }
     }
+}
+
+/// Sine and cosine by the runtime's polynomials: the library's differ between machines, and so would generated code.
+fn everywhere_alike(angle: f64) -> (f64, f64) {
+    let ([sin], [cos]) = f64::sin_cos_all(&[angle]);
+    (sin, cos)
 }
 
 fn gcd(a: u64, b: u64) -> u64 {

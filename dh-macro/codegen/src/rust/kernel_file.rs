@@ -109,6 +109,19 @@ pub(super) fn signature(function: Function, configuration: &str) -> String {
     function.arguments().iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
+/// The arguments as they are handed on.
+pub(super) fn call(function: Function, configuration: &str) -> String {
+    let one = |a: &Argument| match a {
+        Argument::Configuration => configuration,
+        Argument::Velocities => "dq",
+        Argument::Accelerations => "ddq",
+        Argument::Torques => "tau",
+        Argument::StandardParameters => "phi",
+        Argument::BaseParameters => "beta",
+    };
+    function.arguments().iter().map(one).collect::<Vec<_>>().join(", ")
+}
+
 /// Is there a packed form beside the dense one? Only where it has fewer entries.
 pub(super) fn has_packed(kernel: &Kernel) -> bool {
     kernel.nonzeros().len() < kernel.tape.outputs.len()
@@ -169,18 +182,7 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
         );
     }
     let arguments = signature(function, "trig: &Trig<S>");
-    let call: Vec<&str> = function
-        .arguments()
-        .iter()
-        .map(|a| match a {
-            Argument::Configuration => "trig",
-            Argument::Velocities => "dq",
-            Argument::Accelerations => "ddq",
-            Argument::Torques => "tau",
-            Argument::StandardParameters => "phi",
-            Argument::BaseParameters => "beta",
-        })
-        .collect();
+    let call = call(function, "trig");
     let _ = writeln!(
         text,
         "/// {title}: every entry of `out` is written.\n#[inline]\npub fn dense<S: Scalar>({arguments}, out: &mut {}) {{",
@@ -190,7 +192,7 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
         let flat = ".as_flattened_mut()".repeat(kernel.shape.len() - 1);
         let _ = writeln!(text, "    out{flat}.fill(S::default());");
     }
-    let _ = writeln!(text, "    entries({}, |k, x| {{", call.join(", "));
+    let _ = writeln!(text, "    entries({}, |k, x| {{", call);
     let target = match (packed, kernel.shape.len()) {
         (true, 1) => "out[PATTERN[k].0] = x;".to_string(),
         (true, 2) => "out[PATTERN[k].0][PATTERN[k].1] = x;".to_string(),
@@ -206,7 +208,7 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
         let _ = writeln!(
             text,
             "/// The same, only the entries of [`PATTERN`].\n#[inline]\npub fn packed<S: Scalar>({arguments}, out: &mut [S; NONZEROS]) {{\n    entries({}, |k, x| out[k] = x);\n}}\n",
-            call.join(", ")
+            call
         );
     }
     let _ = writeln!(

@@ -2,8 +2,8 @@
 
 use core::fmt::Write;
 
-use super::kernel_file::{Context, array, doc, has_packed, signature};
-use crate::arm::{Argument, Kernel, Model};
+use super::kernel_file::{Context, array, call, doc, has_packed, signature};
+use crate::arm::{Kernel, Model};
 use crate::robot::{JointKind, Robot};
 
 /// FNV-1a of a text: tells whether a crate was made from this file.
@@ -124,18 +124,7 @@ pub(super) fn print(robot: &Robot, model: &Model, kernels: &[Kernel], context: &
         let function = kernel.function;
         let (title, meaning) = doc(function);
         let name = function.name();
-        let call: Vec<&str> = function
-            .arguments()
-            .iter()
-            .map(|a| match a {
-                Argument::Configuration => "&Trig::new(q)",
-                Argument::Velocities => "dq",
-                Argument::Accelerations => "ddq",
-                Argument::Torques => "tau",
-                Argument::StandardParameters => "phi",
-                Argument::BaseParameters => "beta",
-            })
-            .collect();
+        let call = call(function, "&Trig::new(q)");
         let shape = array(&kernel.shape);
         let zero = kernel.shape.iter().rev().fold("S::default()".to_string(), |inner, n| format!("[{inner}; {n}]"));
         let packed =
@@ -144,7 +133,7 @@ pub(super) fn print(robot: &Robot, model: &Model, kernels: &[Kernel], context: &
             t,
             "\n/// {title}.\n///\n/// {meaning}{packed}\n#[must_use]\n#[inline]\npub fn {name}<S: Scalar>({}) -> {shape} {{\n    let mut out = {zero};\n    kernel::{name}::dense({}, &mut out);\n    out\n}}",
             signature(function, "q: &[S; DOF]"),
-            call.join(", ")
+            call
         );
     }
     t

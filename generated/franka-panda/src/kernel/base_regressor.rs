@@ -2,7 +2,7 @@
 //!
 //! `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 640 multiplications, 478 additions; 7 x 43, 188 of 301 structurally nonzero.
+//! 640 multiplications, 472 additions; 7 x 43, 188 of 301 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
@@ -86,7 +86,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // link 3: motion
     let [
         t12, w3_y, t22, t23, t24, t25, t26, t27,
-        t29, t30, t31, t32, t37, t40, a3_y, w3_z,
+        t29, t30, t31, t32, t37, a3_x, t43, w3_z,
         dw3_x, dw3_y, dw3_z,
     ] = {
         let t12 = c3 * t0 - s3 * dq2;
@@ -102,10 +102,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t31 = c3 * t4;
         let t32 = s3 * t4;
         let t35 = L2 * t30;
-        let t36 = t4 - L2 * t26;
-        let t37 = L2 * (t22 + t24) - t5;
-        let t40 = c3 * t36 - s3 * t35;
-        let a3_y = c3 * t35 + s3 * t36;
+        let t36 = L2 * t26 - t4;
+        let t37 = t5 - L2 * (t22 + t24);
+        let a3_x = c3 * t36 + s3 * t35;
+        let t43 = s3 * t36 - c3 * t35;
         let w3_z = t1 + dq3;
         let dw3_x = s3 * ddq2 - c3 * t8 + dq3 * w3_y;
         let dw3_y = c3 * ddq2 + s3 * t8 + dq3 * t12;
@@ -113,17 +113,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(86, dw3_z); // row 3, ZZ3R
         [
         t12, w3_y, t22, t23, t24, t25, t26, t27,
-        t29, t30, t31, t32, t37, t40, a3_y, w3_z,
+        t29, t30, t31, t32, t37, a3_x, t43, w3_z,
         dw3_x, dw3_y, dw3_z,
     ]
     };
     // link 4: motion
     let [
-        w4_x, w4_y, t62, t63, t64, t65, t66, t67,
+        t52, w4_y, t62, t63, t64, t65, t66, t67,
         t69, t70, t71, t72, t73, t74, t79, t83,
-        a4_y, t87, dw4_x, dw4_y, dw4_z,
+        a4_y, w4_z, dw4_x, dw4_y, dw4_z,
     ] = {
-        let w4_x = s4 * w3_z - c4 * t12;
+        let t52 = c4 * t12 - s4 * w3_z;
         let w4_y = c4 * w3_z + s4 * t12;
         let t62 = t12 * t12;
         let t63 = w3_y * w3_y;
@@ -137,14 +137,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t72 = dw3_x - t67;
         let t73 = dw3_y + t66;
         let t74 = dw3_x + t67;
-        let t78 = t40 + A * (t63 + t64);
-        let t79 = a3_y - A * t71;
-        let t80 = t37 + A * t73;
-        let t83 = c4 * t78 + s4 * t80;
-        let a4_y = s4 * t78 - c4 * t80;
-        let t87 = w3_y - dq4;
+        let t78 = A * (t63 + t64) - a3_x;
+        let t79 = t43 + A * t71;
+        let t80 = t37 - A * t73;
+        let t83 = c4 * t78 - s4 * t80;
+        let a4_y = c4 * t80 + s4 * t78;
+        let w4_z = dq4 - w3_y;
         let dw4_x = c4 * dw3_x + s4 * dw3_z + dq4 * w4_y;
-        let dw4_y = c4 * dw3_z - s4 * dw3_x - dq4 * w4_x;
+        let dw4_y = c4 * dw3_z - s4 * dw3_x + dq4 * t52;
         let dw4_z = ddq4 - dw3_y;
         put(85, t65); // row 3, XX3R
         put(88, t72); // row 3, XZ3
@@ -153,72 +153,73 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(119, t83); // row 4, MSY4R
         put(121, dw4_z); // row 4, ZZ4R
         [
-        w4_x, w4_y, t62, t63, t64, t65, t66, t67,
+        t52, w4_y, t62, t63, t64, t65, t66, t67,
         t69, t70, t71, t72, t73, t74, t79, t83,
-        a4_y, t87, dw4_x, dw4_y, dw4_z,
+        a4_y, w4_z, dw4_x, dw4_y, dw4_z,
     ]
     };
     // link 5: motion
     let [
-        w5_x, t98, t105, t106, t107, t108, t109, t110,
+        t95, t98, t105, t106, t107, t108, t109, t110,
         t111, t112, t113, t114, t115, t116, t117, t118,
         t121, t129, t133, a5_y, w5_z, t140, t141, dw5_z,
     ] = {
-        let w5_x = c5 * w4_x + s5 * t87;
-        let t98 = s5 * w4_x - c5 * t87;
-        let t105 = w4_x * w4_x;
+        let t95 = c5 * t52 + s5 * w4_z;
+        let t98 = c5 * w4_z - s5 * t52;
+        let t105 = t52 * t52;
         let t106 = w4_y * w4_y;
-        let t107 = t87 * t87;
-        let t108 = w4_x * w4_y;
-        let t109 = w4_x * t87;
-        let t110 = w4_y * t87;
+        let t107 = w4_z * w4_z;
+        let t108 = t52 * w4_y;
+        let t109 = t52 * w4_z;
+        let t110 = w4_y * w4_z;
         let t111 = t106 + t107;
-        let t112 = t108 - dw4_z;
+        let t112 = dw4_z + t108;
         let t113 = dw4_y - t109;
-        let t114 = dw4_z + t108;
+        let t114 = dw4_z - t108;
         let t115 = t105 + t107;
-        let t116 = dw4_x + t110;
+        let t116 = dw4_x - t110;
         let t117 = dw4_y + t109;
-        let t118 = t110 - dw4_x;
+        let t118 = dw4_x + t110;
         let t121 = A * t117;
-        let t128 = t83 - (A * t111 + L3 * t112);
+        let t128 = t83 + (L3 * t112 - A * t111);
         let t129 = A * t114 + L3 * t115 - a4_y;
-        let t130 = t121 - L3 * t118 - t79;
+        let t130 = t79 + (t121 + L3 * t118);
         let t133 = c5 * t128 + s5 * t130;
         let a5_y = s5 * t128 - c5 * t130;
         let w5_z = w4_y + dq5;
         let t140 = dq5 * t98 - (c5 * dw4_x - s5 * dw4_z);
-        let t141 = c5 * dw4_z + s5 * dw4_x + dq5 * w5_x;
+        let t141 = dq5 * t95 - (c5 * dw4_z + s5 * dw4_x);
         let dw5_z = dw4_y + ddq5;
+        put(120, t108); // row 4, XX4R
         put(123, t116); // row 4, XZ4
         put(124, t113); // row 4, YZ4
         put(146, a5_y); // row 5, MSX5
         put(147, t133); // row 5, MSY5R
         put(149, dw5_z); // row 5, ZZ5R
         [
-        w5_x, t98, t105, t106, t107, t108, t109, t110,
+        t95, t98, t105, t106, t107, t108, t109, t110,
         t111, t112, t113, t114, t115, t116, t117, t118,
         t121, t129, t133, a5_y, w5_z, t140, t141, dw5_z,
     ]
     };
     // link 6: motion
     let [
-        w6_x, t148, t155, t156, t157, t158, t159, t160,
+        t145, w6_y, t155, t156, t157, t158, t159, t160,
         t161, t162, t163, t164, t165, t166, t167, t168,
-        t171, a6_y, w6_z, t178, dw6_y, dw6_z,
+        t171, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
     ] = {
-        let w6_x = c6 * w5_x + s6 * w5_z;
-        let t148 = s6 * w5_x - c6 * w5_z;
-        let t155 = w5_x * w5_x;
+        let t145 = c6 * t95 - s6 * w5_z;
+        let w6_y = c6 * w5_z + s6 * t95;
+        let t155 = t95 * t95;
         let t156 = t98 * t98;
         let t157 = w5_z * w5_z;
-        let t158 = w5_x * t98;
-        let t159 = w5_x * w5_z;
+        let t158 = t95 * t98;
+        let t159 = t95 * w5_z;
         let t160 = t98 * w5_z;
         let t161 = t156 + t157;
-        let t162 = dw5_z + t158;
-        let t163 = t159 - t141;
-        let t164 = dw5_z - t158;
+        let t162 = t158 - dw5_z;
+        let t163 = t141 - t159;
+        let t164 = dw5_z + t158;
         let t165 = t155 + t157;
         let t166 = t160 - t140;
         let t167 = t141 + t159;
@@ -226,51 +227,50 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t171 = c6 * t133 + s6 * t129;
         let a6_y = s6 * t133 - c6 * t129;
         let w6_z = t98 + dq6;
-        let t178 = c6 * t140 - s6 * dw5_z + dq6 * t148;
-        let dw6_y = c6 * dw5_z + s6 * t140 - dq6 * w6_x;
-        let dw6_z = t141 + ddq6;
-        put(148, t158); // row 5, XX5R
+        let dw6_x = s6 * dw5_z - c6 * t140 + dq6 * w6_y;
+        let dw6_y = c6 * dw5_z + s6 * t140 + dq6 * t145;
+        let dw6_z = ddq6 - t141;
         put(151, t166); // row 5, XZ5
         put(152, t163); // row 5, YZ5
         put(167, a6_y); // row 6, MSX6R
         put(168, t171); // row 6, MSY6R
         put(170, dw6_z); // row 6, ZZ6R
         [
-        w6_x, t148, t155, t156, t157, t158, t159, t160,
+        t145, w6_y, t155, t156, t157, t158, t159, t160,
         t161, t162, t163, t164, t165, t166, t167, t168,
-        t171, a6_y, w6_z, t178, dw6_y, dw6_z,
+        t171, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
     ]
     };
     // link 7: motion
     let [
-        w7_x, w7_y, t193, t194, t195, t196, t197, t198,
+        t183, w7_y, t193, t194, t195, t196, t197, t198,
         t199, t200, t201, t202, t203, t204, t205, t206,
         t211, t215, a7_y, w7_z, dw7_x, dw7_y, dw7_z,
     ] = {
-        let w7_x = c7 * w6_x + s7 * w6_z;
-        let w7_y = c7 * w6_z - s7 * w6_x;
-        let t193 = w6_x * w6_x;
-        let t194 = t148 * t148;
+        let t183 = c7 * t145 - s7 * w6_z;
+        let w7_y = c7 * w6_z + s7 * t145;
+        let t193 = t145 * t145;
+        let t194 = w6_y * w6_y;
         let t195 = w6_z * w6_z;
-        let t196 = w6_x * t148;
-        let t197 = w6_x * w6_z;
-        let t198 = t148 * w6_z;
+        let t196 = t145 * w6_y;
+        let t197 = t145 * w6_z;
+        let t198 = w6_y * w6_z;
         let t199 = t194 + t195;
         let t200 = dw6_z + t196;
-        let t201 = dw6_y + t197;
+        let t201 = dw6_y - t197;
         let t202 = t196 - dw6_z;
         let t203 = t193 + t195;
-        let t204 = t198 - t178;
-        let t205 = dw6_y - t197;
-        let t206 = t178 + t198;
+        let t204 = dw6_x - t198;
+        let t205 = dw6_y + t197;
+        let t206 = dw6_x + t198;
         let t210 = t171 + k4 * t199;
         let t211 = k4 * t202 - a6_y;
         let t212 = a5_y + k4 * t205;
         let t215 = c7 * t210 + s7 * t212;
         let a7_y = s7 * t210 - c7 * t212;
-        let w7_z = t148 + dq7;
-        let dw7_x = s7 * dw6_z - c7 * t178 + dq7 * w7_y;
-        let dw7_y = c7 * dw6_z + s7 * t178 - dq7 * w7_x;
+        let w7_z = dq7 - w6_y;
+        let dw7_x = c7 * dw6_x + s7 * dw6_z + dq7 * w7_y;
+        let dw7_y = c7 * dw6_z - s7 * dw6_x + dq7 * t183;
         let dw7_z = ddq7 - dw6_y;
         put(169, t196); // row 6, XX6R
         put(172, t204); // row 6, XZ6
@@ -279,7 +279,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(182, t215); // row 7, MSY7
         put(184, dw7_z); // row 7, ZZ7
         [
-        w7_x, w7_y, t193, t194, t195, t196, t197, t198,
+        t183, w7_y, t193, t194, t195, t196, t197, t198,
         t199, t200, t201, t202, t203, t204, t205, t206,
         t211, t215, a7_y, w7_z, dw7_x, dw7_y, dw7_z,
     ]
@@ -346,17 +346,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t269, t270, t271]
     };
     // XZ3: column
-    let [t283, t285] = {
+    let t283 = {
         let t272 = t64 - t62;
         let t277 = c2 * t72 + (t71 * t225 + z1_3_y * t272);
         let t279 = c3 * t272 - t271;
         let t281 = t269 - L2 * t277;
         let t283 = t270 + L2 * t279;
-        let t285 = L2 * t72 - t32;
+        let t285 = t32 - L2 * t72;
         put(6, t281); // row 1, MSX3R
         put(11, t277); // row 1, XZ3
         put(53, t279); // row 2, XZ3
-        [t283, t285]
+        put(83, t285); // row 3, MSX3R
+        t283
     };
     // MSY3: column
     let [t288, t289, t290] = {
@@ -391,7 +392,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // ZZ3: column
     {
-        let t316 = c2 * dw3_z - (t67 * t225 - t306);
+        let t316 = c2 * dw3_z + (t306 - t67 * t225);
         let t318 = t311 + s3 * t67;
         put(9, t316); // row 1, ZZ3R
         put(51, t318); // row 2, ZZ3R
@@ -410,11 +411,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t329 = t247 + L2 * s4;
         let t332 = s4 * A - L2 * c4;
         let t333 = t117 * t332;
-        let t338 = t79 + t117 * t329;
-        let t339 = a4_y + (t114 * t329 - t111 * t332);
-        let t344 = z1_4_x * t333 + z1_4_y * t338 - z1_3_y * t339;
-        let t349 = z2_4_x * t333 - t234 * t338 - c3 * t339;
-        let t351 = t121 + c4 * t79;
+        let t338 = t117 * t329 - t79;
+        let t339 = t111 * t332 - t114 * t329 - a4_y;
+        let t344 = z1_3_y * t339 + (z1_4_x * t333 + z1_4_y * t338);
+        let t349 = c3 * t339 - (t234 * t338 - z2_4_x * t333);
+        let t351 = t121 - c4 * t79;
         put(13, t344); // row 1, MSX4R
         put(55, t349); // row 2, MSX4R
         put(90, t351); // row 3, MSX4R
@@ -424,10 +425,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     {
         let t353 = t118 * t329;
         let t357 = t118 * t332 - t79;
-        let t358 = t115 * t329 - t112 * t332 - t83;
-        let t363 = z1_3_y * t358 + (z1_4_x * t357 + z1_4_y * t353);
-        let t368 = c3 * t358 + (z2_4_x * t357 - t234 * t353);
-        let t371 = A * t118 - s4 * t79;
+        let t358 = t115 * t329 + t112 * t332 - t83;
+        let t363 = z1_3_y * t358 - (z1_4_x * t357 + z1_4_y * t353);
+        let t368 = c3 * t358 + (t234 * t353 - z2_4_x * t357);
+        let t371 = s4 * t79 - A * t118;
         put(14, t363); // row 1, MSY4R
         put(56, t368); // row 2, MSY4R
         put(91, t371); // row 3, MSY4R
@@ -435,9 +436,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XX4: column
     let [t373, t378, t383] = {
         let t373 = t109 * z1_4_y;
-        let t376 = t108 * z1_3_y + (dw4_x * z1_4_x - t373);
+        let t376 = dw4_x * z1_4_x - t373 - t108 * z1_3_y;
         let t378 = t109 * t234;
-        let t381 = c3 * t108 + (dw4_x * z2_4_x + t378);
+        let t381 = dw4_x * z2_4_x + t378 - c3 * t108;
         let t383 = c4 * t109;
         let t384 = s4 * dw4_x - t383;
         put(15, t376); // row 1, XX4R
@@ -446,19 +447,20 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t373, t378, t383]
     };
     // ZZ4: column
-    let [t388, t392] = {
-        let t388 = dw4_z * z1_3_y - (t373 - t110 * z1_4_x);
-        let t392 = c3 * dw4_z + (t378 + t110 * z2_4_x);
-        let t394 = t383 - s4 * t110;
+    {
+        let t388 = t373 + t110 * z1_4_x - dw4_z * z1_3_y;
+        let t392 = t110 * z2_4_x - t378 - c3 * dw4_z;
+        let t394 = t383 + s4 * t110;
+        put(16, t388); // row 1, ZZ4R
+        put(58, t392); // row 2, ZZ4R
         put(93, t394); // row 3, ZZ4R
-        [t388, t392]
-    };
+    }
     // XY4: column
     {
         let t395 = t105 - t106;
-        let t400 = t117 * z1_4_x - t118 * z1_4_y - z1_3_y * t395;
-        let t405 = t117 * z2_4_x + t118 * t234 - c3 * t395;
-        let t408 = s4 * t117 - c4 * t118;
+        let t400 = t117 * z1_4_x + t118 * z1_4_y - z1_3_y * t395;
+        let t405 = t117 * z2_4_x - t118 * t234 - c3 * t395;
+        let t408 = s4 * t117 + c4 * t118;
         put(17, t400); // row 1, XY4R
         put(59, t405); // row 2, XY4R
         put(94, t408); // row 3, XY4R
@@ -477,9 +479,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // YZ4: column
     {
         let t423 = t106 - t107;
-        let t428 = z1_4_x * t423 - t112 * z1_4_y - t113 * z1_3_y;
-        let t433 = z2_4_x * t423 + t112 * t234 - c3 * t113;
-        let t436 = s4 * t423 - c4 * t112;
+        let t428 = z1_4_x * t423 + t112 * z1_4_y - t113 * z1_3_y;
+        let t433 = z2_4_x * t423 - t112 * t234 - c3 * t113;
+        let t436 = s4 * t423 + c4 * t112;
         put(19, t428); // row 1, YZ4
         put(61, t433); // row 2, YZ4
         put(96, t436); // row 3, YZ4
@@ -493,14 +495,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t444 = c5 * t129;
         let t449 = A * t442;
         let t450 = t443 + L3 * t442;
-        let t451 = L3 * t439 - A * t167 - t444;
-        let t452 = t449 - a5_y;
+        let t451 = L3 * t439 + A * t167 - t444;
+        let t452 = a5_y - t449;
         let t458 = t332 * t442 - t450;
-        let t459 = t452 - t329 * t442;
-        let t460 = t332 * t439 - t167 * t329 - t451;
-        let t465 = z1_3_y * t460 + (z1_4_x * t458 - z1_4_y * t459);
-        let t470 = c3 * t460 + (z2_4_x * t458 + t234 * t459);
-        let t474 = t449 - (s4 * t450 + c4 * t452);
+        let t459 = t452 + t329 * t442;
+        let t460 = t167 * t329 + t332 * t439 - t451;
+        let t465 = z1_3_y * t460 + (z1_4_x * t458 + z1_4_y * t459);
+        let t470 = c3 * t460 + (z2_4_x * t458 - t234 * t459);
+        let t474 = t449 - (s4 * t450 - c4 * t452);
         put(20, t465); // row 1, MSX5
         put(62, t470); // row 2, MSX5
         put(97, t474); // row 3, MSX5
@@ -510,18 +512,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSY5: column
     let t475 = {
         let t475 = c5 * t162;
-        let t477 = t475 - s5 * t165;
-        let t480 = s5 * t162 + c5 * t165;
+        let t477 = t475 + s5 * t165;
+        let t480 = s5 * t162 - c5 * t165;
         let t485 = A * t480;
-        let t486 = L3 * t480 - t444;
-        let t487 = t443 + (L3 * t477 + A * t168);
-        let t488 = t133 + t485;
-        let t494 = t332 * t480 - t486;
-        let t495 = t329 * t480 - t488;
-        let t496 = t168 * t329 + t332 * t477 - t487;
-        let t501 = z1_3_y * t496 - (z1_4_x * t494 + z1_4_y * t495);
-        let t506 = c3 * t496 - (z2_4_x * t494 - t234 * t495);
-        let t510 = s4 * t486 + c4 * t488 - t485;
+        let t486 = t444 + L3 * t480;
+        let t487 = t443 + (A * t168 - L3 * t477);
+        let t488 = t133 - t485;
+        let t494 = t486 - t332 * t480;
+        let t495 = t488 + t329 * t480;
+        let t496 = t168 * t329 - t332 * t477 - t487;
+        let t501 = z1_3_y * t496 + (z1_4_y * t495 - z1_4_x * t494);
+        let t506 = c3 * t496 - (z2_4_x * t494 + t234 * t495);
+        let t510 = t485 - (s4 * t486 - c4 * t488);
         put(21, t501); // row 1, MSY5R
         put(63, t506); // row 2, MSY5R
         put(98, t510); // row 3, MSY5R
@@ -529,38 +531,39 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t475
     };
     // XX5: column
-    let [t512, t517, t520, t522, t527] = {
+    let [t512, t517, t522, t527] = {
         let t512 = t159 * t240;
-        let t515 = t158 * z1_4_y - (t140 * z1_5_x + t512);
+        let t515 = t512 - t140 * z1_5_x - t158 * z1_4_y;
         let t517 = t159 * t246;
-        let t520 = t158 * t234 + (t140 * z2_5_x + t517);
+        let t520 = t158 * t234 - (t140 * z2_5_x - t517);
         let t522 = t159 * z3_6_z;
-        let t525 = c4 * t158 - (t140 * z3_5_x + t522);
+        let t525 = t522 - t140 * z3_5_x - c4 * t158;
         let t527 = c5 * t159;
-        let t528 = s5 * t140 - t527;
+        let t528 = s5 * t140 + t527;
         put(22, t515); // row 1, XX5R
+        put(64, t520); // row 2, XX5R
         put(99, t525); // row 3, XX5R
         put(127, t528); // row 4, XX5R
-        [t512, t517, t520, t522, t527]
+        [t512, t517, t522, t527]
     };
     // ZZ5: column
-    {
-        let t532 = dw5_z * z1_4_y + (t512 - t160 * z1_5_x);
-        let t536 = t517 - t160 * z2_5_x - dw5_z * t234;
-        let t540 = c4 * dw5_z + (t522 - t160 * z3_5_x);
-        let t542 = t527 + s5 * t160;
+    let t536 = {
+        let t532 = dw5_z * z1_4_y - (t512 + t160 * z1_5_x);
+        let t536 = dw5_z * t234 + (t517 + t160 * z2_5_x);
+        let t540 = c4 * dw5_z - (t522 + t160 * z3_5_x);
+        let t542 = s5 * t160 - t527;
         put(23, t532); // row 1, ZZ5R
-        put(65, t536); // row 2, ZZ5R
         put(100, t540); // row 3, ZZ5R
         put(128, t542); // row 4, ZZ5R
-    }
+        t536
+    };
     // XY5: column
     {
         let t543 = t155 - t156;
-        let t548 = z1_4_y * t543 + (t168 * t240 - t167 * z1_5_x);
-        let t553 = t168 * t246 - t167 * z2_5_x - t234 * t543;
-        let t558 = c4 * t543 + (t168 * z3_6_z - t167 * z3_5_x);
-        let t561 = s5 * t167 + c5 * t168;
+        let t548 = z1_4_y * t543 + (t167 * z1_5_x + t168 * t240);
+        let t553 = t167 * z2_5_x + t168 * t246 - t234 * t543;
+        let t558 = c4 * t543 + (t167 * z3_5_x + t168 * z3_6_z);
+        let t561 = c5 * t168 - s5 * t167;
         put(24, t548); // row 1, XY5
         put(66, t553); // row 2, XY5
         put(101, t558); // row 3, XY5
@@ -580,29 +583,29 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(130, t579); // row 4, XZ5
     }
     // YZ5: column
-    let t590 = {
+    {
         let t580 = t157 - t156;
-        let t585 = t163 * z1_4_y - (z1_5_x * t580 + t162 * t240);
-        let t590 = t163 * t234 + (z2_5_x * t580 + t162 * t246);
-        let t595 = c4 * t163 - (z3_5_x * t580 + t162 * z3_6_z);
-        let t597 = s5 * t580 - t475;
+        let t585 = t163 * z1_4_y + (t162 * t240 - z1_5_x * t580);
+        let t590 = t162 * t246 - z2_5_x * t580 - t163 * t234;
+        let t595 = c4 * t163 + (t162 * z3_6_z - z3_5_x * t580);
+        let t597 = t475 + s5 * t580;
         put(26, t585); // row 1, YZ5
+        put(68, t590); // row 2, YZ5
         put(103, t595); // row 3, YZ5
         put(131, t597); // row 4, YZ5
-        t590
-    };
+    }
     // MSX6: column
     let [t599, t602, t604, t605] = {
         let t599 = s6 * t202;
-        let t600 = t599 - c6 * t199;
+        let t600 = c6 * t199 - t599;
         let t602 = c6 * t202;
         let t603 = s6 * t199 + t602;
         let t604 = s6 * a5_y;
         let t605 = c6 * a5_y;
-        let t608 = s5 * t205 - c5 * t600;
-        let t611 = s5 * t600 + c5 * t205;
+        let t608 = c5 * t600 + s5 * t205;
+        let t611 = c5 * t205 - s5 * t600;
         let t622 = A * t611;
-        let t623 = L3 * t611 - (s5 * a6_y - c5 * t604);
+        let t623 = c5 * t604 - s5 * a6_y + L3 * t611;
         let t624 = s5 * t604 + c5 * a6_y + (L3 * t608 + A * t603);
         let t625 = t622 - t605;
         let t631 = t332 * t611 - t623;
@@ -621,21 +624,21 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSY6: column
     let [t648, t651] = {
         let t648 = c6 * t200;
-        let t650 = s6 * t203 - t648;
+        let t650 = t648 - s6 * t203;
         let t651 = s6 * t200;
         let t653 = t651 + c6 * t203;
-        let t656 = s5 * t206 - c5 * t650;
+        let t656 = c5 * t650 - s5 * t206;
         let t659 = s5 * t650 + c5 * t206;
         let t670 = A * t659;
-        let t671 = s5 * t171 - c5 * t605 - L3 * t659;
+        let t671 = L3 * t659 - (c5 * t605 - s5 * t171);
         let t672 = s5 * t605 + c5 * t171 + (L3 * t656 + A * t653);
-        let t673 = t604 + t670;
-        let t679 = t671 + t332 * t659;
+        let t673 = t670 - t604;
+        let t679 = t671 - t332 * t659;
         let t680 = t329 * t659 - t673;
         let t681 = t329 * t653 + t332 * t656 - t672;
-        let t686 = z1_3_y * t681 + (z1_4_x * t679 + z1_4_y * t680);
-        let t691 = c3 * t681 + (z2_4_x * t679 - t234 * t680);
-        let t695 = t670 - (c4 * t673 - s4 * t671);
+        let t686 = z1_3_y * t681 + (z1_4_x * t679 - z1_4_y * t680);
+        let t691 = c3 * t681 + (z2_4_x * t679 + t234 * t680);
+        let t695 = s4 * t671 + c4 * t673 - t670;
         put(28, t686); // row 1, MSY6R
         put(70, t691); // row 2, MSY6R
         put(105, t695); // row 3, MSY6R
@@ -645,13 +648,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XX6: column
     let [t697, t700] = {
         let t697 = s6 * t197;
-        let t698 = c6 * t178 + t697;
+        let t698 = c6 * dw6_x + t697;
         let t700 = c6 * t197;
-        let t701 = t700 - s6 * t178;
-        let t706 = z1_4_y * t701 - (z1_5_x * t698 - t196 * t240);
-        let t711 = t196 * t246 - z2_5_x * t698 - t234 * t701;
-        let t716 = c4 * t701 + (t196 * z3_6_z - z3_5_x * t698);
-        let t719 = s5 * t698 + c5 * t196;
+        let t701 = s6 * dw6_x - t700;
+        let t706 = z1_4_y * t701 + (z1_5_x * t698 + t196 * t240);
+        let t711 = z2_5_x * t698 + t196 * t246 - t234 * t701;
+        let t716 = c4 * t701 + (z3_5_x * t698 + t196 * z3_6_z);
+        let t719 = c5 * t196 - s5 * t698;
         put(29, t706); // row 1, XX6R
         put(71, t711); // row 2, XX6R
         put(106, t716); // row 3, XX6R
@@ -660,24 +663,24 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t697, t700]
     };
     // ZZ6: column
-    let t723 = {
-        let t721 = t697 - c6 * t198;
+    {
+        let t721 = c6 * t198 - t697;
         let t723 = t700 + s6 * t198;
-        let t728 = z1_5_x * t721 + dw6_z * t240 - z1_4_y * t723;
-        let t733 = t234 * t723 + (z2_5_x * t721 + dw6_z * t246);
-        let t738 = z3_5_x * t721 + dw6_z * z3_6_z - c4 * t723;
+        let t728 = z1_4_y * t723 + (z1_5_x * t721 + dw6_z * t240);
+        let t733 = z2_5_x * t721 + dw6_z * t246 - t234 * t723;
+        let t738 = c4 * t723 + (z3_5_x * t721 + dw6_z * z3_6_z);
         let t741 = c5 * dw6_z - s5 * t721;
         put(30, t728); // row 1, ZZ6R
         put(72, t733); // row 2, ZZ6R
         put(107, t738); // row 3, ZZ6R
         put(135, t741); // row 4, ZZ6R
-        t723
-    };
+        put(156, t723); // row 5, ZZ6R
+    }
     // XY6: column
     {
         let t742 = t193 - t194;
-        let t745 = c6 * t205 + s6 * t206;
-        let t748 = s6 * t205 - c6 * t206;
+        let t745 = c6 * t205 - s6 * t206;
+        let t748 = s6 * t205 + c6 * t206;
         let t753 = z1_4_y * t748 + (z1_5_x * t745 + t240 * t742);
         let t758 = z2_5_x * t745 + t246 * t742 - t234 * t748;
         let t763 = c4 * t748 + (z3_5_x * t745 + z3_6_z * t742);
@@ -724,50 +727,51 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t813, t814, t815, t816, t817, t818, t820, t821,
         t823, t824, t825, t826, t828, t831, t833, t834,
     ] = {
-        let t813 = w7_x * w7_x;
+        let t813 = t183 * t183;
         let t814 = w7_y * w7_y;
         let t815 = w7_z * w7_z;
-        let t816 = w7_x * w7_y;
-        let t817 = w7_x * w7_z;
+        let t816 = t183 * w7_y;
+        let t817 = t183 * w7_z;
         let t818 = w7_y * w7_z;
         let t819 = t814 + t815;
-        let t820 = dw7_z - t816;
-        let t821 = dw7_y + t817;
-        let t822 = dw7_z + t816;
+        let t820 = dw7_z + t816;
+        let t821 = dw7_y - t817;
+        let t822 = dw7_z - t816;
         let t823 = t813 + t815;
         let t824 = dw7_x - t818;
-        let t825 = dw7_y - t817;
+        let t825 = dw7_y + t817;
         let t826 = dw7_x + t818;
         let t828 = s7 * t822;
         let t829 = c7 * t819 + t828;
         let t831 = c7 * t822;
-        let t832 = s7 * t819 - t831;
+        let t832 = t831 - s7 * t819;
         let t833 = s7 * t211;
         let t834 = c7 * t211;
         let t837 = k4 * t825 - t834;
-        let t838 = k4 * t832 - a7_y;
+        let t838 = a7_y + k4 * t832;
         let t841 = c6 * t829 + s6 * t825;
         let t844 = s6 * t829 - c6 * t825;
-        let t847 = c6 * t833 - s6 * t838;
-        let t850 = s6 * t833 + c6 * t838;
-        let t853 = c5 * t841 + s5 * t832;
-        let t856 = c5 * t832 - s5 * t841;
+        let t847 = c6 * t833 + s6 * t838;
+        let t850 = s6 * t833 - c6 * t838;
+        let t853 = s5 * t832 - c5 * t841;
+        let t856 = s5 * t841 + c5 * t832;
         let t867 = A * t856;
-        let t868 = c5 * t847 + s5 * t837 - L3 * t856;
-        let t869 = L3 * t853 + A * t844 - (s5 * t847 - c5 * t837);
-        let t870 = t867 - t850;
-        let t876 = t868 + t332 * t856;
+        let t868 = c5 * t847 + s5 * t837 + L3 * t856;
+        let t869 = c5 * t837 - s5 * t847 + (A * t844 - L3 * t853);
+        let t870 = t850 + t867;
+        let t876 = t332 * t856 - t868;
         let t877 = t329 * t856 - t870;
-        let t878 = t329 * t844 + t332 * t853 - t869;
-        let t883 = z1_3_y * t878 + (z1_4_x * t876 + z1_4_y * t877);
-        let t888 = c3 * t878 - (t234 * t877 - z2_4_x * t876);
-        let t892 = t867 - (c4 * t870 - s4 * t868);
+        let t878 = t329 * t844 - t332 * t853 - t869;
+        let t883 = z1_3_y * t878 - (z1_4_x * t876 + z1_4_y * t877);
+        let t888 = c3 * t878 + (t234 * t877 - z2_4_x * t876);
+        let t892 = s4 * t868 + c4 * t870 - t867;
         put(34, t883); // row 1, MSX7
         put(76, t888); // row 2, MSX7
         put(111, t892); // row 3, MSX7
         put(139, t869); // row 4, MSX7
         put(160, t850); // row 5, MSX7
         put(174, t837); // row 6, MSX7
+        put(183, t816); // row 7, XX7R
         put(186, t824); // row 7, XZ7
         put(187, t821); // row 7, YZ7
         [
@@ -778,27 +782,27 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSY7: column
     let [t893, t896] = {
         let t893 = c7 * t820;
-        let t895 = t893 - s7 * t823;
+        let t895 = s7 * t823 - t893;
         let t896 = s7 * t820;
         let t898 = t896 + c7 * t823;
         let t901 = t833 - k4 * t826;
         let t902 = k4 * t898 - t215;
-        let t905 = s6 * t826 - c6 * t895;
-        let t908 = s6 * t895 + c6 * t826;
+        let t905 = c6 * t895 + s6 * t826;
+        let t908 = c6 * t826 - s6 * t895;
         let t911 = s6 * t902 - c6 * t834;
         let t914 = s6 * t834 + c6 * t902;
-        let t917 = s5 * t898 - c5 * t905;
+        let t917 = c5 * t905 - s5 * t898;
         let t920 = s5 * t905 + c5 * t898;
         let t931 = A * t920;
-        let t932 = c5 * t911 - s5 * t901 + L3 * t920;
-        let t933 = s5 * t911 + c5 * t901 + (L3 * t917 + A * t908);
-        let t934 = t914 - t931;
-        let t940 = t332 * t920 - t932;
-        let t941 = t934 + t329 * t920;
-        let t942 = t933 - (t329 * t908 + t332 * t917);
-        let t947 = z1_4_x * t940 + z1_4_y * t941 - z1_3_y * t942;
-        let t952 = z2_4_x * t940 - t234 * t941 - c3 * t942;
-        let t956 = t931 + (c4 * t934 - s4 * t932);
+        let t932 = s5 * t901 - c5 * t911 - L3 * t920;
+        let t933 = s5 * t911 + c5 * t901 + (A * t908 - L3 * t917);
+        let t934 = t931 - t914;
+        let t940 = t932 + t332 * t920;
+        let t941 = t934 - t329 * t920;
+        let t942 = t933 + (t332 * t917 - t329 * t908);
+        let t947 = z1_4_x * t940 - z1_4_y * t941 - z1_3_y * t942;
+        let t952 = z2_4_x * t940 + t234 * t941 - c3 * t942;
+        let t956 = t931 + (s4 * t932 - c4 * t934);
         put(35, t947); // row 1, MSY7
         put(77, t952); // row 2, MSY7
         put(112, t956); // row 3, MSY7
@@ -810,15 +814,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XX7: column
     let [t958, t961] = {
         let t958 = s7 * t817;
-        let t959 = c7 * dw7_x - t958;
+        let t959 = c7 * dw7_x + t958;
         let t961 = c7 * t817;
-        let t962 = s7 * dw7_x + t961;
-        let t965 = s6 * t816 - c6 * t959;
-        let t968 = s6 * t959 + c6 * t816;
-        let t973 = z1_4_y * t968 + (t240 * t962 - z1_5_x * t965);
-        let t978 = t246 * t962 - z2_5_x * t965 - t234 * t968;
-        let t983 = c4 * t968 - (z3_5_x * t965 - z3_6_z * t962);
-        let t986 = s5 * t965 + c5 * t962;
+        let t962 = s7 * dw7_x - t961;
+        let t965 = c6 * t959 + s6 * t816;
+        let t968 = s6 * t959 - c6 * t816;
+        let t973 = z1_4_y * t968 + (z1_5_x * t965 + t240 * t962);
+        let t978 = z2_5_x * t965 + t246 * t962 - t234 * t968;
+        let t983 = c4 * t968 + (z3_5_x * t965 + z3_6_z * t962);
+        let t986 = c5 * t962 - s5 * t965;
         put(36, t973); // row 1, XX7R
         put(78, t978); // row 2, XX7R
         put(113, t983); // row 3, XX7R
@@ -829,8 +833,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // ZZ7: column
     {
-        let t988 = t958 + c7 * t818;
-        let t990 = s7 * t818 - t961;
+        let t988 = c7 * t818 - t958;
+        let t990 = t961 + s7 * t818;
         let t993 = c6 * t988 + s6 * dw7_z;
         let t996 = s6 * t988 - c6 * dw7_z;
         let t1001 = z1_4_y * t996 + (z1_5_x * t993 + t240 * t990);
@@ -892,39 +896,27 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1095 = z2_5_x * t1082 + t246 * t1079 - t234 * t1085;
         let t1100 = c4 * t1085 + (z3_5_x * t1082 + z3_6_z * t1079);
         let t1103 = c5 * t1079 - s5 * t1082;
-        let t1104 = -t388;
-        let t1105 = -t5;
-        let t1106 = -t25;
-        let t1107 = -t2;
-        let t1108 = -t3;
-        let t1109 = -t283;
-        let t1110 = -t392;
-        let t1111 = -t520;
-        let t1112 = -t590;
-        let t1113 = -t285;
-        let t1114 = -t108;
-        let t1115 = -t604;
-        let t1116 = -t723;
-        let t1117 = -t816;
-        put(16, t1104); // row 1, ZZ4R
+        let t1104 = -t5;
+        let t1105 = -t25;
+        let t1106 = -t2;
+        let t1107 = -t3;
+        let t1108 = -t283;
+        let t1109 = -t536;
+        let t1110 = -t158;
+        let t1111 = -t604;
         put(40, t1090); // row 1, YZ7
-        put(41, t1105); // row 2, MSX2
-        put(43, t1106); // row 2, XX2R
-        put(46, t1107); // row 2, XZ2
-        put(47, t1108); // row 2, YZ2
-        put(48, t1109); // row 2, MSX3R
-        put(58, t1110); // row 2, ZZ4R
-        put(64, t1111); // row 2, XX5R
-        put(68, t1112); // row 2, YZ5
+        put(41, t1104); // row 2, MSX2
+        put(43, t1105); // row 2, XX2R
+        put(46, t1106); // row 2, XZ2
+        put(47, t1107); // row 2, YZ2
+        put(48, t1108); // row 2, MSX3R
+        put(65, t1109); // row 2, ZZ5R
         put(82, t1095); // row 2, YZ7
-        put(83, t1113); // row 3, MSX3R
         put(117, t1100); // row 3, YZ7
-        put(120, t1114); // row 4, XX4R
         put(145, t1103); // row 4, YZ7
-        put(154, t1115); // row 5, MSY6R
-        put(156, t1116); // row 5, ZZ6R
+        put(148, t1110); // row 5, XX5R
+        put(154, t1111); // row 5, MSY6R
         put(166, t1085); // row 5, YZ7
         put(180, t1079); // row 6, YZ7
-        put(183, t1117); // row 7, XX7R
     }
 }

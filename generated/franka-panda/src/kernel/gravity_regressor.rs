@@ -81,16 +81,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [t12, a5_y]
     };
     // link 6: motion
-    let [a6_x, a6_y] = {
-        let a6_x = s6 * a4_y - c6 * t12;
+    let [t18, a6_y] = {
+        let t18 = c6 * t12 - s6 * a4_y;
         let a6_y = c6 * a4_y + s6 * t12;
         put(84, a6_y); // row 6, MSX6
-        [a6_x, a6_y]
+        put(85, t18); // row 6, MSY6
+        [t18, a6_y]
     };
     // link 7: motion
     let [t24, t27] = {
-        let t24 = s7 * a5_y - c7 * a6_x;
-        let t27 = c7 * a5_y + s7 * a6_x;
+        let t24 = c7 * t18 + s7 * a5_y;
+        let t27 = c7 * a5_y - s7 * t18;
         put(91, t24); // row 7, MSY7
         [t24, t27]
     };
@@ -101,12 +102,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [t28, z1_3_y]
     };
     // joint axes in frame 4
-    let [t32, z1_4_y, z2_4_x, t37] = {
-        let t32 = c4 * t28 - c2 * s4;
+    let [z1_4_x, z1_4_y, z2_4_x, t37] = {
+        let z1_4_x = c2 * s4 - c4 * t28;
         let z1_4_y = c2 * c4 + s4 * t28;
         let z2_4_x = s3 * c4;
         let t37 = s3 * s4;
-        [t32, z1_4_y, z2_4_x, t37]
+        [z1_4_x, z1_4_y, z2_4_x, t37]
     };
     // joint axes in frame 5
     let t38 = {
@@ -154,7 +155,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t64 = a3_y * t59;
         let t65 = a4_y * t59;
         let t67 = t6 * t62 - t65;
-        let t72 = z1_3_y * t67 + (z1_4_y * t64 - t32 * t63);
+        let t72 = z1_3_y * t67 + (z1_4_x * t63 + z1_4_y * t64);
         let t77 = c3 * t67 + (z2_4_x * t63 - t37 * t64);
         let t78 = A * a3_y;
         put(5, t72); // row 1, M4
@@ -172,21 +173,19 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t84
     };
     // MSY4: column
-    let [t91, t92] = {
-        let t88 = a3_y * t32 - t6 * z1_3_y;
+    let [t88, t91, t92] = {
+        let t88 = a3_y * z1_4_x + t6 * z1_3_y;
         let t91 = a3_y * z2_4_x + c3 * t6;
         let t92 = s4 * a3_y;
-        put(7, t88); // row 1, MSY4
-        [t91, t92]
+        [t88, t91, t92]
     };
     // MSZ4: column
-    let t101 = {
-        let t95 = a4_y * t32 - t6 * z1_4_y;
+    let [t95, t101] = {
+        let t95 = a4_y * z1_4_x + t6 * z1_4_y;
         let t98 = t6 * t37 - a4_y * z2_4_x;
         let t101 = s4 * a4_y + c4 * t6;
-        put(8, t95); // row 1, MSZ4
         put(30, t98); // row 2, MSZ4
-        t101
+        [t95, t101]
     };
     // M5: column
     let [t103, t104, t106, t107] = {
@@ -197,11 +196,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t108 = L3 * t107;
         let t111 = L3 * t104 - A * a4_y;
         let t112 = A * t107;
-        let t117 = t62 * t107 - t108;
-        let t118 = t59 * t107 - t112;
+        let t117 = t108 - t62 * t107;
+        let t118 = t112 - t59 * t107;
         let t119 = t62 * t104 - t65 - t111;
-        let t124 = z1_3_y * t119 - (z1_4_y * t118 - t32 * t117);
-        let t129 = c3 * t119 - (z2_4_x * t117 - t37 * t118);
+        let t124 = z1_3_y * t119 + (z1_4_x * t117 + z1_4_y * t118);
+        let t129 = c3 * t119 - (t37 * t118 - z2_4_x * t117);
         let t133 = s4 * t108 + c4 * t112 - t112;
         put(9, t124); // row 1, M5
         put(31, t129); // row 2, M5
@@ -214,7 +213,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [t134, t135] = {
         let t134 = s5 * a4_y;
         let t135 = c5 * a4_y;
-        let t140 = a5_y * z1_4_y - t32 * t134 - z1_3_y * t135;
+        let t140 = z1_4_x * t134 + a5_y * z1_4_y - z1_3_y * t135;
         let t145 = z2_4_x * t134 - a5_y * t37 - c3 * t135;
         let t148 = s4 * t134 + c4 * a5_y;
         put(10, t140); // row 1, MSX5
@@ -225,7 +224,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSY5: column
     {
-        let t153 = z1_3_y * t134 + (t12 * z1_4_y - t32 * t135);
+        let t153 = z1_3_y * t134 + (z1_4_x * t135 + t12 * z1_4_y);
         let t158 = c3 * t134 + (z2_4_x * t135 - t12 * t37);
         let t161 = s4 * t135 + c4 * t12;
         put(11, t153); // row 1, MSY5
@@ -233,36 +232,35 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(51, t161); // row 3, MSY5
     }
     // MSZ5: column
-    let t164 = {
-        let t164 = t32 * t107 + z1_3_y * t104;
+    {
+        let t164 = z1_4_x * t107 - z1_3_y * t104;
         let t167 = z2_4_x * t107 - c3 * t104;
         let t168 = s4 * t107;
+        put(12, t164); // row 1, MSZ5
         put(34, t167); // row 2, MSZ5
         put(52, t168); // row 3, MSZ5
-        t164
-    };
+    }
     // M6: column
     let [t170, t171, t173, t174] = {
         let t170 = s6 * a6_y;
-        let t171 = c6 * a6_x - t170;
+        let t171 = c6 * t18 + t170;
         let t173 = c6 * a6_y;
-        let t174 = s6 * a6_x + t173;
-        let t176 = t103 - c5 * t171;
-        let t178 = t106 + s5 * t171;
+        let t174 = s6 * t18 - t173;
+        let t176 = t103 + c5 * t171;
+        let t178 = t106 - s5 * t171;
         let t179 = L3 * t178;
-        let t182 = L3 * t176 - A * t174;
+        let t182 = L3 * t176 + A * t174;
         let t183 = A * t178;
         let t189 = t179 - t62 * t178;
         let t190 = t183 - t59 * t178;
-        let t191 = t62 * t176 - t59 * t174 - t182;
-        let t196 = z1_3_y * t191 + (t32 * t189 - z1_4_y * t190);
+        let t191 = t59 * t174 + t62 * t176 - t182;
+        let t196 = z1_3_y * t191 - (z1_4_x * t189 + z1_4_y * t190);
         let t201 = c3 * t191 + (t37 * t190 - z2_4_x * t189);
         let t205 = t183 - (s4 * t179 + c4 * t183);
         put(13, t196); // row 1, M6
         put(35, t201); // row 2, M6
         put(53, t205); // row 3, M6
         put(67, t182); // row 4, M6
-        put(79, t171); // row 5, MSZ6
         [t170, t171, t173, t174]
     };
     // MSX6: column
@@ -271,7 +269,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t207 = c6 * a5_y;
         let t210 = s5 * a6_y - c5 * t206;
         let t213 = s5 * t206 + c5 * a6_y;
-        let t218 = z1_4_y * t207 - t32 * t210 - z1_3_y * t213;
+        let t218 = z1_4_x * t210 + z1_4_y * t207 - z1_3_y * t213;
         let t223 = z2_4_x * t210 - t37 * t207 - c3 * t213;
         let t226 = s4 * t210 + c4 * t207;
         put(14, t218); // row 1, MSX6
@@ -282,28 +280,28 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [t206, t207]
     };
     // MSY6: column
-    let t245 = {
-        let t229 = c5 * t207 + s5 * a6_x;
-        let t232 = s5 * t207 - c5 * a6_x;
-        let t237 = t32 * t229 - z1_4_y * t206 - z1_3_y * t232;
-        let t242 = t37 * t206 - z2_4_x * t229 - c3 * t232;
-        let t245 = s4 * t229 + c4 * t206;
+    {
+        let t229 = s5 * t18 - c5 * t207;
+        let t232 = s5 * t207 + c5 * t18;
+        let t237 = z1_4_x * t229 - z1_4_y * t206 - z1_3_y * t232;
+        let t242 = z2_4_x * t229 + t37 * t206 - c3 * t232;
+        let t245 = s4 * t229 - c4 * t206;
         put(15, t237); // row 1, MSY6
         put(37, t242); // row 2, MSY6
+        put(55, t245); // row 3, MSY6
         put(69, t232); // row 4, MSY6
-        t245
-    };
+    }
     // MSZ6: column
-    let t257 = {
+    let t247 = {
         let t246 = c5 * t174;
         let t247 = s5 * t174;
-        let t252 = t32 * t246 + z1_4_y * t171 - z1_3_y * t247;
+        let t252 = z1_3_y * t247 - (z1_4_y * t171 - z1_4_x * t246);
         let t257 = c3 * t247 + (z2_4_x * t246 + t37 * t171);
-        let t260 = c4 * t171 - s4 * t246;
+        let t260 = s4 * t246 - c4 * t171;
         put(16, t252); // row 1, MSZ6
+        put(38, t257); // row 2, MSZ6
         put(56, t260); // row 3, MSZ6
-        put(70, t247); // row 4, MSZ6
-        t257
+        t247
     };
     // M7: column
     let [t263, t266] = {
@@ -311,21 +309,21 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t266 = s7 * t24 + c7 * t27;
         let t267 = k4 * a6_y;
         let t268 = k4 * t266;
-        let t270 = c6 * t263 - t170;
+        let t270 = t170 - c6 * t263;
         let t272 = t173 + s6 * t263;
         let t273 = s6 * t268;
         let t274 = c6 * t268;
-        let t277 = s5 * t266 - c5 * t270;
-        let t280 = s5 * t270 + c5 * t266;
+        let t277 = c5 * t270 + s5 * t266;
+        let t280 = c5 * t266 - s5 * t270;
         let t291 = A * t280;
         let t292 = s5 * t267 - c5 * t273 - L3 * t280;
-        let t293 = s5 * t273 + c5 * t267 + (L3 * t277 - A * t272);
+        let t293 = s5 * t273 + c5 * t267 - (A * t272 - L3 * t277);
         let t294 = t274 - t291;
         let t300 = t292 + t62 * t280;
         let t301 = t294 + t59 * t280;
-        let t302 = t62 * t277 - t59 * t272 - t293;
-        let t307 = z1_3_y * t302 - (t32 * t300 - z1_4_y * t301);
-        let t312 = c3 * t302 + (z2_4_x * t300 - t37 * t301);
+        let t302 = t293 + (t59 * t272 - t62 * t277);
+        let t307 = z1_4_x * t300 + z1_4_y * t301 - z1_3_y * t302;
+        let t312 = z2_4_x * t300 - t37 * t301 - c3 * t302;
         let t316 = t291 + (s4 * t292 + c4 * t294);
         put(17, t307); // row 1, M7
         put(39, t312); // row 2, M7
@@ -344,7 +342,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t324 = c6 * t27 - s6 * t317;
         let t327 = s5 * t318 - c5 * t321;
         let t330 = s5 * t321 + c5 * t318;
-        let t335 = z1_4_y * t324 - t32 * t327 - z1_3_y * t330;
+        let t335 = z1_4_x * t327 + z1_4_y * t324 - z1_3_y * t330;
         let t340 = z2_4_x * t327 - t37 * t324 - c3 * t330;
         let t343 = s4 * t327 + c4 * t324;
         put(18, t335); // row 1, MSX7
@@ -356,18 +354,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [t317, t318]
     };
     // MSY7: column
-    let [t349, t368] = {
-        let t346 = c6 * t318 - s6 * t24;
+    let [t349, t355] = {
+        let t346 = s6 * t24 - c6 * t318;
         let t349 = s6 * t318 + c6 * t24;
-        let t352 = c5 * t346 + s5 * t317;
-        let t355 = s5 * t346 - c5 * t317;
-        let t360 = t32 * t352 - z1_4_y * t349 - z1_3_y * t355;
-        let t365 = t37 * t349 - z2_4_x * t352 - c3 * t355;
-        let t368 = s4 * t352 + c4 * t349;
+        let t352 = c5 * t346 - s5 * t317;
+        let t355 = s5 * t346 + c5 * t317;
+        let t360 = z1_3_y * t355 + (z1_4_x * t352 - z1_4_y * t349);
+        let t365 = c3 * t355 + (z2_4_x * t352 + t37 * t349);
+        let t368 = s4 * t352 - c4 * t349;
         put(19, t360); // row 1, MSY7
         put(41, t365); // row 2, MSY7
-        put(73, t355); // row 4, MSY7
-        [t349, t368]
+        put(59, t368); // row 3, MSY7
+        [t349, t355]
     };
     // MSZ7: column
     {
@@ -375,48 +373,48 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t370 = s6 * t266;
         let t373 = c5 * t369 + s5 * t263;
         let t376 = c5 * t263 - s5 * t369;
-        let t381 = z1_4_y * t370 - t32 * t373 - z1_3_y * t376;
+        let t381 = z1_4_x * t373 + z1_4_y * t370 - z1_3_y * t376;
         let t386 = z2_4_x * t373 - t37 * t370 - c3 * t376;
         let t389 = s4 * t373 + c4 * t370;
-        let t390 = -t164;
-        let t391 = -a3_z;
-        let t392 = -t49;
-        let t393 = -t53;
-        let t394 = -t44;
-        let t395 = -t84;
-        let t396 = -t91;
-        let t397 = -t257;
+        let t390 = -t88;
+        let t391 = -t95;
+        let t392 = -a3_z;
+        let t393 = -t49;
+        let t394 = -t53;
+        let t395 = -t44;
+        let t396 = -t84;
+        let t397 = -t91;
         let t398 = -t92;
         let t399 = -t101;
-        let t400 = -t245;
-        let t401 = -t368;
-        let t402 = -t134;
+        let t400 = -t134;
+        let t401 = -t247;
+        let t402 = -t355;
         let t403 = -t206;
-        let t404 = -t349;
-        let t405 = -a6_x;
+        let t404 = -t171;
+        let t405 = -t349;
         let t406 = -t317;
         let t407 = -t27;
-        put(12, t390); // row 1, MSZ5
+        put(7, t390); // row 1, MSY4
+        put(8, t391); // row 1, MSZ4
         put(20, t381); // row 1, MSZ7
-        put(21, t391); // row 2, MSX2
-        put(23, t392); // row 2, M3
-        put(24, t393); // row 2, MSX3
-        put(26, t394); // row 2, MSZ3
-        put(28, t395); // row 2, MSX4
-        put(29, t396); // row 2, MSY4
-        put(38, t397); // row 2, MSZ6
+        put(21, t392); // row 2, MSX2
+        put(23, t393); // row 2, M3
+        put(24, t394); // row 2, MSX3
+        put(26, t395); // row 2, MSZ3
+        put(28, t396); // row 2, MSX4
+        put(29, t397); // row 2, MSY4
         put(42, t386); // row 2, MSZ7
         put(47, t398); // row 3, MSY4
         put(48, t399); // row 3, MSZ4
-        put(55, t400); // row 3, MSY6
-        put(59, t401); // row 3, MSY7
         put(60, t389); // row 3, MSZ7
-        put(65, t402); // row 4, MSY5
+        put(65, t400); // row 4, MSY5
+        put(70, t401); // row 4, MSZ6
+        put(73, t402); // row 4, MSY7
         put(74, t376); // row 4, MSZ7
         put(78, t403); // row 5, MSY6
-        put(82, t404); // row 5, MSY7
+        put(79, t404); // row 5, MSZ6
+        put(82, t405); // row 5, MSY7
         put(83, t370); // row 5, MSZ7
-        put(85, t405); // row 6, MSY6
         put(88, t406); // row 6, MSY7
         put(90, t407); // row 7, MSX7
     }

@@ -85,7 +85,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     ] = {
         let t25 = t4 + A * t10;
         let t26 = t5 + A * t16;
-        let t27 = A * t20 - t7;
+        let t27 = t7 - A * t20;
         let t30 = c4 * t10 + s4 * t1;
         let t33 = c4 * t1 - s4 * t10;
         let t36 = c4 * t16 + s4 * t3;
@@ -105,9 +105,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t55, t56, t57, t60, t63, t66, t69, t72,
         t75,
     ] = {
-        let t55 = A * t30 - L3 * t33 - t25;
+        let t55 = t25 - (A * t30 - L3 * t33);
         let t56 = A * t36 - L3 * t39 - t26;
-        let t57 = t27 + (A * t42 - L3 * t45);
+        let t57 = A * t42 - L3 * t45 - t27;
         let t60 = c5 * t30 - s5 * t13;
         let t63 = c5 * t13 + s5 * t30;
         let t66 = c5 * t36 - s5 * t19;
@@ -146,7 +146,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t91 = k4 * t78;
         let t92 = k4 * t83;
         let t93 = k4 * t88;
-        let t94 = t91 - t55;
+        let t94 = t55 + t91;
         let t95 = t56 - t92;
         let t96 = t93 - t57;
         let t97 = t80 - t79;
@@ -173,7 +173,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t117 = t3 * t106 - t1 * t107;
         let t118 = t25 - t94;
         let t119 = t26 + t95;
-        let t120 = t27 + t96;
+        let t120 = t96 - t27;
         let t123 = t19 * t120 - t21 * t119;
         let t126 = t21 * t118 - t13 * t120;
         let t129 = t19 * t118 - t13 * t119;

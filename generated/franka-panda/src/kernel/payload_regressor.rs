@@ -2,7 +2,7 @@
 //!
 //! `tau = W_L phi_L`, columns `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool frame, about its origin (the paper's (7)).
 //!
-//! 394 multiplications, 269 additions; 7 x 10, 68 of 70 structurally nonzero.
+//! 394 multiplications, 268 additions; 7 x 10, 68 of 70 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
@@ -61,66 +61,66 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // link 3: motion
     let [
-        t12, w3_y, t32, t35, a3_y, w3_z, dw3_x, dw3_y,
+        t12, w3_y, t32, t35, a3_y, w3_z, t42, dw3_y,
         dw3_z,
     ] = {
         let t12 = c3 * t0 - s3 * dq2;
         let w3_y = c3 * dq2 + s3 * t0;
         let t30 = L2 * (t6 + t8);
         let t31 = t4 + L2 * (t0 * t1 - ddq2);
-        let t32 = t5 - L2 * (t0 * t0 + dq2 * dq2);
+        let t32 = L2 * (t0 * t0 + dq2 * dq2) - t5;
         let t35 = c3 * t31 - s3 * t30;
         let a3_y = c3 * t30 + s3 * t31;
         let w3_z = t1 + dq3;
-        let dw3_x = s3 * ddq2 - c3 * t8 + dq3 * w3_y;
+        let t42 = c3 * t8 - s3 * ddq2 - dq3 * w3_y;
         let dw3_y = c3 * ddq2 + s3 * t8 + dq3 * t12;
         let dw3_z = t9 + ddq3;
         [
-        t12, w3_y, t32, t35, a3_y, w3_z, dw3_x, dw3_y,
+        t12, w3_y, t32, t35, a3_y, w3_z, t42, dw3_y,
         dw3_z,
     ]
     };
     // link 4: motion
     let [
-        t47, w4_y, t68, a4_x, a4_y, w4_z, dw4_x, dw4_y,
+        t47, w4_y, t68, t72, a4_y, w4_z, dw4_x, dw4_y,
         t81,
     ] = {
         let t47 = c4 * t12 - s4 * w3_z;
         let w4_y = c4 * w3_z + s4 * t12;
         let t67 = t35 + A * (w3_y * w3_y + w3_z * w3_z);
         let t68 = a3_y - A * (t12 * w3_y - dw3_z);
-        let t69 = t32 - A * (dw3_y + t12 * w3_z);
-        let a4_x = s4 * t69 - c4 * t67;
-        let a4_y = c4 * t69 + s4 * t67;
+        let t69 = t32 + A * (dw3_y + t12 * w3_z);
+        let t72 = c4 * t67 + s4 * t69;
+        let a4_y = s4 * t67 - c4 * t69;
         let w4_z = dq4 - w3_y;
-        let dw4_x = c4 * dw3_x + s4 * dw3_z + dq4 * w4_y;
-        let dw4_y = dq4 * t47 - (s4 * dw3_x - c4 * dw3_z);
+        let dw4_x = s4 * dw3_z - c4 * t42 + dq4 * w4_y;
+        let dw4_y = c4 * dw3_z + s4 * t42 + dq4 * t47;
         let t81 = dw3_y - ddq4;
         [
-        t47, w4_y, t68, a4_x, a4_y, w4_z, dw4_x, dw4_y,
+        t47, w4_y, t68, t72, a4_y, w4_z, dw4_x, dw4_y,
         t81,
     ]
     };
     // link 5: motion
     let [
-        t84, t87, t116, a5_x, t123, w5_z, dw5_x, t128,
+        t84, t87, t116, t120, a6_z, w5_z, dw5_x, t128,
         dw5_z,
     ] = {
         let t84 = c5 * t47 + s5 * w4_z;
-        let t87 = s5 * t47 - c5 * w4_z;
+        let t87 = c5 * w4_z - s5 * t47;
         let t96 = w4_z * w4_z;
         let t97 = t47 * w4_y;
-        let t115 = a4_x + (A * (w4_y * w4_y + t96) - L3 * (t97 - t81));
+        let t115 = t72 - (A * (w4_y * w4_y + t96) + L3 * (t81 - t97));
         let t116 = L3 * (t47 * t47 + t96) - A * (t81 + t97) - a4_y;
-        let t117 = t68 - (A * (dw4_y + t47 * w4_z) + L3 * (dw4_x + w4_y * w4_z));
-        let a5_x = c5 * t115 + s5 * t117;
-        let t123 = c5 * t117 - s5 * t115;
+        let t117 = A * (dw4_y + t47 * w4_z) + L3 * (dw4_x + w4_y * w4_z) - t68;
+        let t120 = c5 * t115 + s5 * t117;
+        let a6_z = c5 * t117 - s5 * t115;
         let w5_z = w4_y + dq5;
-        let dw5_x = c5 * dw4_x + s5 * t81 + dq5 * t87;
-        let t128 = c5 * t81 - s5 * dw4_x + dq5 * t84;
+        let dw5_x = c5 * dw4_x + s5 * t81 - dq5 * t87;
+        let t128 = s5 * dw4_x - c5 * t81 - dq5 * t84;
         let dw5_z = dw4_y + ddq5;
         [
-        t84, t87, t116, a5_x, t123, w5_z, dw5_x, t128,
+        t84, t87, t116, t120, a6_z, w5_z, dw5_x, t128,
         dw5_z,
     ]
     };
@@ -128,35 +128,35 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [t132, w6_y, t144, t147, w6_z, dw6_x, t152, dw6_z] = {
         let t132 = c6 * t84 - s6 * w5_z;
         let w6_y = c6 * w5_z + s6 * t84;
-        let t144 = s6 * t116 - c6 * a5_x;
-        let t147 = c6 * t116 + s6 * a5_x;
-        let w6_z = dq6 - t87;
+        let t144 = c6 * t120 + s6 * t116;
+        let t147 = c6 * t116 - s6 * t120;
+        let w6_z = t87 + dq6;
         let dw6_x = c6 * dw5_x + s6 * dw5_z + dq6 * w6_y;
         let t152 = s6 * dw5_x - c6 * dw5_z - dq6 * t132;
-        let dw6_z = ddq6 - t128;
+        let dw6_z = t128 + ddq6;
         [t132, w6_y, t144, t147, w6_z, dw6_x, t152, dw6_z]
     };
     // link 7: motion
     let [
-        w7_x, w7_y, t177, t181, a7_y, w7_z, dw7_x, dw7_y,
+        t156, w7_y, t177, t181, a7_y, w7_z, dw7_x, dw7_y,
         dw7_z,
     ] = {
-        let w7_x = s7 * w6_z - c7 * t132;
+        let t156 = c7 * t132 - s7 * w6_z;
         let w7_y = c7 * w6_z + s7 * t132;
         let t176 = t144 + k4 * (w6_y * w6_y + w6_z * w6_z);
-        let t177 = t147 - k4 * (dw6_z - t132 * w6_y);
-        let t178 = t123 + k4 * (t132 * w6_z - t152);
-        let t181 = c7 * t176 + s7 * t178;
-        let a7_y = s7 * t176 - c7 * t178;
+        let t177 = t147 + k4 * (t132 * w6_y - dw6_z);
+        let t178 = a6_z + k4 * (t152 - t132 * w6_z);
+        let t181 = c7 * t176 - s7 * t178;
+        let a7_y = c7 * t178 + s7 * t176;
         let w7_z = dq7 - w6_y;
         let dw7_x = c7 * dw6_x + s7 * dw6_z + dq7 * w7_y;
-        let dw7_y = c7 * dw6_z - s7 * dw6_x - dq7 * w7_x;
+        let dw7_y = c7 * dw6_z - s7 * dw6_x + dq7 * t156;
         let dw7_z = t152 + ddq7;
         put(60, a7_y); // row 7, MSX
         put(61, t181); // row 7, MSY
         put(64, dw7_z); // row 7, ZZ
         [
-        w7_x, w7_y, t177, t181, a7_y, w7_z, dw7_x, dw7_y,
+        t156, w7_y, t177, t181, a7_y, w7_z, dw7_x, dw7_y,
         dw7_z,
     ]
     };
@@ -190,22 +190,22 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t216, t217, t218, t219, t220, t221, t222, t223,
         t224, t225, t226, t227, t228, t229, t230,
     ] = {
-        let t216 = w7_x * w7_x;
+        let t216 = t156 * t156;
         let t217 = w7_y * w7_y;
         let t218 = w7_z * w7_z;
-        let t219 = w7_x * w7_y;
-        let t220 = w7_x * w7_z;
+        let t219 = t156 * w7_y;
+        let t220 = t156 * w7_z;
         let t221 = w7_y * w7_z;
         let t222 = t217 + t218;
-        let t223 = dw7_z - t219;
-        let t224 = dw7_y + t220;
-        let t225 = dw7_z + t219;
+        let t223 = dw7_z + t219;
+        let t224 = dw7_y - t220;
+        let t225 = dw7_z - t219;
         let t226 = t216 + t218;
         let t227 = dw7_x - t221;
-        let t228 = dw7_y - t220;
+        let t228 = dw7_y + t220;
         let t229 = dw7_x + t221;
         let t230 = t216 + t217;
-        put(63, t219); // row 7, YY
+        put(62, t219); // row 7, XX
         put(66, t227); // row 7, XZ
         put(67, t224); // row 7, YZ
         [
@@ -219,24 +219,24 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t236 = s7 * t181 - c7 * a7_y;
         let t237 = k4 * t177;
         let t238 = k4 * t236;
-        let t241 = c6 * t233 - s6 * t177;
+        let t241 = s6 * t177 - c6 * t233;
         let t244 = s6 * t233 + c6 * t177;
         let t245 = s6 * t238;
         let t246 = c6 * t238;
-        let t249 = c5 * t241 + s5 * t236;
-        let t252 = c5 * t236 - s5 * t241;
+        let t249 = s5 * t236 - c5 * t241;
+        let t252 = s5 * t241 + c5 * t236;
         let t263 = A * t252;
         let t264 = c5 * t245 + s5 * t237 + L3 * t252;
-        let t265 = s5 * t245 - c5 * t237 + (L3 * t249 + A * t244);
-        let t266 = t263 - t246;
+        let t265 = L3 * t249 + A * t244 - (c5 * t237 - s5 * t245);
+        let t266 = t246 - t263;
         let t268 = t213 + L2 * s4;
         let t271 = s4 * A - L2 * c4;
-        let t277 = t264 - t252 * t271;
-        let t278 = t266 - t252 * t268;
+        let t277 = t252 * t271 - t264;
+        let t278 = t266 + t252 * t268;
         let t279 = t244 * t268 + t249 * t271 - t265;
-        let t284 = z1_3_y * t279 - (z1_4_x * t277 + z1_4_y * t278);
-        let t289 = c3 * t279 + (t200 * t278 - z2_4_x * t277);
-        let t293 = t263 - (s4 * t264 + c4 * t266);
+        let t284 = z1_3_y * t279 + (z1_4_x * t277 + z1_4_y * t278);
+        let t289 = c3 * t279 - (t200 * t278 - z2_4_x * t277);
+        let t293 = t263 + (c4 * t266 - s4 * t264);
         put(0, t284); // row 1, M
         put(10, t289); // row 2, M
         put(20, t293); // row 3, M
@@ -253,23 +253,23 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t300 = s7 * t177;
         let t301 = c7 * t177;
         let t304 = k4 * t228 - t301;
-        let t305 = a7_y - k4 * t299;
+        let t305 = k4 * t299 - a7_y;
         let t308 = c6 * t296 + s6 * t228;
         let t311 = c6 * t228 - s6 * t296;
-        let t314 = c6 * t300 + s6 * t305;
-        let t317 = s6 * t300 - c6 * t305;
+        let t314 = c6 * t300 - s6 * t305;
+        let t317 = s6 * t300 + c6 * t305;
         let t320 = c5 * t308 + s5 * t299;
-        let t323 = s5 * t308 - c5 * t299;
+        let t323 = c5 * t299 - s5 * t308;
         let t334 = A * t323;
-        let t335 = c5 * t314 + s5 * t304 + L3 * t323;
-        let t336 = L3 * t320 - A * t311 - (s5 * t314 - c5 * t304);
-        let t337 = t317 + t334;
-        let t343 = t271 * t323 - t335;
-        let t344 = t337 - t268 * t323;
-        let t345 = t271 * t320 - t268 * t311 - t336;
-        let t350 = z1_3_y * t345 - (z1_4_x * t343 - z1_4_y * t344);
-        let t355 = c3 * t345 - (z2_4_x * t343 + t200 * t344);
-        let t359 = s4 * t335 + c4 * t337 - t334;
+        let t335 = c5 * t314 + s5 * t304 - L3 * t323;
+        let t336 = c5 * t304 - s5 * t314 - (A * t311 - L3 * t320);
+        let t337 = t317 - t334;
+        let t343 = t335 + t271 * t323;
+        let t344 = t337 + t268 * t323;
+        let t345 = t336 + (t268 * t311 - t271 * t320);
+        let t350 = z1_4_x * t343 + z1_4_y * t344 - z1_3_y * t345;
+        let t355 = z2_4_x * t343 - t200 * t344 - c3 * t345;
+        let t359 = t334 + (s4 * t335 + c4 * t337);
         put(1, t350); // row 1, MSX
         put(11, t355); // row 2, MSX
         put(21, t359); // row 3, MSX
@@ -285,23 +285,23 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t363 = s7 * t223;
         let t365 = t363 + c7 * t226;
         let t368 = t300 - k4 * t229;
-        let t369 = k4 * t365 - t181;
+        let t369 = t181 - k4 * t365;
         let t372 = s6 * t229 - c6 * t362;
         let t375 = s6 * t362 + c6 * t229;
-        let t378 = c6 * t301 - s6 * t369;
-        let t381 = s6 * t301 + c6 * t369;
-        let t384 = s5 * t365 - c5 * t372;
+        let t378 = c6 * t301 + s6 * t369;
+        let t381 = s6 * t301 - c6 * t369;
+        let t384 = c5 * t372 - s5 * t365;
         let t387 = s5 * t372 + c5 * t365;
         let t398 = A * t387;
-        let t399 = L3 * t387 - (c5 * t378 + s5 * t368);
-        let t400 = c5 * t368 - s5 * t378 + (L3 * t384 + A * t375);
-        let t401 = t398 - t381;
-        let t407 = t399 - t271 * t387;
-        let t408 = t401 - t268 * t387;
-        let t409 = t268 * t375 + t271 * t384 - t400;
-        let t414 = z1_3_y * t409 - (z1_4_x * t407 + z1_4_y * t408);
-        let t419 = c3 * t409 + (t200 * t408 - z2_4_x * t407);
-        let t423 = t398 - (s4 * t399 + c4 * t401);
+        let t399 = c5 * t378 + s5 * t368 - L3 * t387;
+        let t400 = A * t375 - L3 * t384 - (s5 * t378 - c5 * t368);
+        let t401 = t381 - t398;
+        let t407 = t399 + t271 * t387;
+        let t408 = t401 + t268 * t387;
+        let t409 = t400 - (t268 * t375 - t271 * t384);
+        let t414 = z1_4_x * t407 + z1_4_y * t408 - z1_3_y * t409;
+        let t419 = z2_4_x * t407 - t200 * t408 - c3 * t409;
+        let t423 = t398 + (s4 * t399 + c4 * t401);
         put(2, t414); // row 1, MSY
         put(12, t419); // row 2, MSY
         put(22, t423); // row 3, MSY
@@ -316,22 +316,22 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t429 = c7 * t227 - s7 * t224;
         let t431 = k4 * t429;
         let t432 = k4 * t230 - t233;
-        let t435 = c6 * t426 - s6 * t230;
+        let t435 = s6 * t230 - c6 * t426;
         let t438 = s6 * t426 + c6 * t230;
         let t441 = s6 * t431 - c6 * t236;
         let t444 = s6 * t236 + c6 * t431;
-        let t447 = s5 * t429 - c5 * t435;
-        let t450 = s5 * t435 + c5 * t429;
+        let t447 = c5 * t435 + s5 * t429;
+        let t450 = s5 * t435 - c5 * t429;
         let t461 = A * t450;
-        let t462 = c5 * t441 - s5 * t432 + L3 * t450;
+        let t462 = s5 * t432 - c5 * t441 + L3 * t450;
         let t463 = s5 * t441 + c5 * t432 + (L3 * t447 - A * t438);
-        let t464 = t461 - t444;
-        let t470 = t271 * t450 - t462;
-        let t471 = t268 * t450 - t464;
-        let t472 = t271 * t447 - t268 * t438 - t463;
-        let t477 = z1_3_y * t472 + (z1_4_x * t470 + z1_4_y * t471);
-        let t482 = c3 * t472 - (t200 * t471 - z2_4_x * t470);
-        let t486 = t461 - (s4 * t462 + c4 * t464);
+        let t464 = t444 + t461;
+        let t470 = t462 - t271 * t450;
+        let t471 = t464 - t268 * t450;
+        let t472 = t463 + (t268 * t438 - t271 * t447);
+        let t477 = z1_4_x * t470 + z1_4_y * t471 - z1_3_y * t472;
+        let t482 = z2_4_x * t470 - t200 * t471 - c3 * t472;
+        let t486 = s4 * t462 + c4 * t464 - t461;
         put(3, t477); // row 1, MSZ
         put(13, t482); // row 2, MSZ
         put(23, t486); // row 3, MSZ
@@ -342,13 +342,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // payload: column XX
     let [t488, t491, t494, t497] = {
         let t488 = s7 * t220;
-        let t489 = c7 * dw7_x - t488;
+        let t489 = c7 * dw7_x + t488;
         let t491 = c7 * t220;
-        let t492 = s7 * dw7_x + t491;
+        let t492 = s7 * dw7_x - t491;
         let t494 = s6 * t219;
-        let t495 = c6 * t489 - t494;
+        let t495 = c6 * t489 + t494;
         let t497 = c6 * t219;
-        let t498 = s6 * t489 + t497;
+        let t498 = s6 * t489 - t497;
         let t503 = z1_4_y * t498 + (z1_5_x * t495 + t206 * t492);
         let t508 = z2_5_x * t495 + t212 * t492 - t200 * t498;
         let t513 = c4 * t498 + (z3_5_x * t495 + z3_6_z * t492);
@@ -362,28 +362,29 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t488, t491, t494, t497]
     };
     // payload: column YY
-    let [t517, t520, t526] = {
+    let [t517, t520] = {
         let t517 = c7 * t221;
         let t519 = t517 + s7 * dw7_y;
         let t520 = s7 * t221;
         let t522 = c7 * dw7_y - t520;
-        let t524 = c6 * t519 - t494;
-        let t526 = t497 + s6 * t519;
-        let t531 = t206 * t522 - z1_5_x * t524 - z1_4_y * t526;
-        let t536 = t200 * t526 + (t212 * t522 - z2_5_x * t524);
-        let t541 = z3_6_z * t522 - z3_5_x * t524 - c4 * t526;
+        let t524 = t494 + c6 * t519;
+        let t526 = t497 - s6 * t519;
+        let t531 = z1_4_y * t526 - (z1_5_x * t524 - t206 * t522);
+        let t536 = t212 * t522 - z2_5_x * t524 - t200 * t526;
+        let t541 = c4 * t526 - (z3_5_x * t524 - z3_6_z * t522);
         let t544 = s5 * t524 + c5 * t522;
         put(5, t531); // row 1, YY
         put(15, t536); // row 2, YY
         put(25, t541); // row 3, YY
         put(35, t544); // row 4, YY
+        put(45, t526); // row 5, YY
         put(55, t522); // row 6, YY
-        [t517, t520, t526]
+        [t517, t520]
     };
     // payload: column ZZ
     let t571 = {
-        let t545 = t488 + t517;
-        let t546 = t520 - t491;
+        let t545 = t517 - t488;
+        let t546 = t491 + t520;
         let t549 = c6 * t545 + s6 * dw7_z;
         let t552 = s6 * t545 - c6 * dw7_z;
         let t557 = z1_4_y * t552 + (z1_5_x * t549 + t206 * t546);
@@ -448,17 +449,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t651 = z2_5_x * t638 + t212 * t635 - t200 * t641;
         let t656 = c4 * t641 + (z3_5_x * t638 + z3_6_z * t635);
         let t659 = c5 * t635 - s5 * t638;
-        let t660 = -t526;
-        let t661 = -t237;
-        let t662 = -t219;
+        let t660 = -t237;
+        let t661 = -t219;
         put(9, t646); // row 1, YZ
         put(19, t651); // row 2, YZ
         put(29, t656); // row 3, YZ
         put(39, t659); // row 4, YZ
-        put(45, t660); // row 5, YY
         put(49, t641); // row 5, YZ
-        put(50, t661); // row 6, M
+        put(50, t660); // row 6, M
         put(59, t635); // row 6, YZ
-        put(62, t662); // row 7, XX
+        put(63, t661); // row 7, YY
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 872 multiplications, 655 additions; 7 x 70, 255 of 490 structurally nonzero.
+//! 872 multiplications, 652 additions; 7 x 70, 255 of 490 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
@@ -94,11 +94,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // link 3: motion
     let [
-        w3_x, w3_y, t22, t23, t24, t25, t26, t27,
-        t29, t30, t31, t32, t37, t40, a3_y, w3_z,
+        t12, w3_y, t22, t23, t24, t25, t26, t27,
+        t29, t30, t31, t32, t37, a3_x, a3_y, w3_z,
         dw3_x, dw3_y, dw3_z,
     ] = {
-        let w3_x = s3 * dq2 - c3 * t0;
+        let t12 = c3 * t0 - s3 * dq2;
         let w3_y = c3 * dq2 + s3 * t0;
         let t22 = t0 * t0;
         let t23 = t1 * t1;
@@ -113,104 +113,105 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t35 = L2 * t30;
         let t36 = t4 + L2 * t26;
         let t37 = t5 - L2 * (t22 + t24);
-        let t40 = c3 * t36 - s3 * t35;
+        let a3_x = s3 * t35 - c3 * t36;
         let a3_y = c3 * t35 + s3 * t36;
         let w3_z = t1 + dq3;
-        let dw3_x = s3 * ddq2 - c3 * t8 + dq3 * w3_y;
-        let dw3_y = c3 * ddq2 + s3 * t8 - dq3 * w3_x;
+        let dw3_x = dq3 * w3_y - (c3 * t8 - s3 * ddq2);
+        let dw3_y = c3 * ddq2 + s3 * t8 + dq3 * t12;
         let dw3_z = t9 + ddq3;
         put(61, t25); // row 2, YY2
         put(120, dw3_z); // row 3, ZZ3
         [
-        w3_x, w3_y, t22, t23, t24, t25, t26, t27,
-        t29, t30, t31, t32, t37, t40, a3_y, w3_z,
+        t12, w3_y, t22, t23, t24, t25, t26, t27,
+        t29, t30, t31, t32, t37, a3_x, a3_y, w3_z,
         dw3_x, dw3_y, dw3_z,
     ]
     };
     // link 4: motion
     let [
-        w4_x, w4_y, t62, t63, t64, t65, t66, t67,
+        t52, w4_y, t62, t63, t64, t65, t66, t67,
         t69, t70, t71, t72, t73, t74, t79, t83,
-        a4_y, t87, dw4_x, t91, dw4_z,
+        a4_y, w4_z, dw4_x, dw4_y, dw4_z,
     ] = {
-        let w4_x = c4 * w3_x + s4 * w3_z;
-        let w4_y = c4 * w3_z - s4 * w3_x;
-        let t62 = w3_x * w3_x;
+        let t52 = c4 * t12 - s4 * w3_z;
+        let w4_y = c4 * w3_z + s4 * t12;
+        let t62 = t12 * t12;
         let t63 = w3_y * w3_y;
         let t64 = w3_z * w3_z;
-        let t65 = w3_x * w3_y;
-        let t66 = w3_x * w3_z;
+        let t65 = t12 * w3_y;
+        let t66 = t12 * w3_z;
         let t67 = w3_y * w3_z;
-        let t69 = t65 - dw3_z;
-        let t70 = dw3_y + t66;
-        let t71 = dw3_z + t65;
+        let t69 = dw3_z + t65;
+        let t70 = dw3_y - t66;
+        let t71 = dw3_z - t65;
         let t72 = dw3_x - t67;
-        let t73 = dw3_y - t66;
+        let t73 = dw3_y + t66;
         let t74 = dw3_x + t67;
-        let t78 = t40 + A * (t63 + t64);
+        let t78 = A * (t63 + t64) - a3_x;
         let t79 = a3_y + A * t71;
-        let t80 = t37 - A * t73;
-        let t83 = c4 * t78 - s4 * t80;
-        let a4_y = c4 * t80 + s4 * t78;
-        let t87 = w3_y - dq4;
+        let t80 = A * t73 - t37;
+        let t83 = c4 * t78 + s4 * t80;
+        let a4_y = s4 * t78 - c4 * t80;
+        let w4_z = dq4 - w3_y;
         let dw4_x = c4 * dw3_x + s4 * dw3_z + dq4 * w4_y;
-        let t91 = dq4 * w4_x - (c4 * dw3_z - s4 * dw3_x);
+        let dw4_y = c4 * dw3_z - s4 * dw3_x + dq4 * t52;
         let dw4_z = ddq4 - dw3_y;
-        put(119, t65); // row 3, YY3
+        put(118, t65); // row 3, XX3
         put(122, t72); // row 3, XZ3
         put(123, t70); // row 3, YZ3
         put(164, a4_y); // row 4, MSX4
         put(165, t83); // row 4, MSY4
         put(168, dw4_z); // row 4, ZZ4
         [
-        w4_x, w4_y, t62, t63, t64, t65, t66, t67,
+        t52, w4_y, t62, t63, t64, t65, t66, t67,
         t69, t70, t71, t72, t73, t74, t79, t83,
-        a4_y, t87, dw4_x, t91, dw4_z,
+        a4_y, w4_z, dw4_x, dw4_y, dw4_z,
     ]
     };
     // link 5: motion
     let [
-        w5_x, t98, t105, t106, t107, t108, t109, t110,
+        t95, t98, t105, t106, t107, t108, t109, t110,
         t111, t112, t113, t114, t115, t116, t117, t118,
-        t119, t122, a5_z, t134, a5_y, w5_z, dw5_x, t142,
+        t119, t122, a5_z, t134, a5_y, w5_z, t141, t142,
         dw5_z,
     ] = {
-        let w5_x = c5 * w4_x + s5 * t87;
-        let t98 = s5 * w4_x - c5 * t87;
-        let t105 = w4_x * w4_x;
+        let t95 = c5 * t52 + s5 * w4_z;
+        let t98 = c5 * w4_z - s5 * t52;
+        let t105 = t52 * t52;
         let t106 = w4_y * w4_y;
-        let t107 = t87 * t87;
-        let t108 = w4_x * w4_y;
-        let t109 = w4_x * t87;
-        let t110 = w4_y * t87;
+        let t107 = w4_z * w4_z;
+        let t108 = t52 * w4_y;
+        let t109 = t52 * w4_z;
+        let t110 = w4_y * w4_z;
         let t111 = t106 + t107;
-        let t112 = dw4_z - t108;
-        let t113 = t91 + t109;
-        let t114 = dw4_z + t108;
+        let t112 = dw4_z + t108;
+        let t113 = dw4_y - t109;
+        let t114 = dw4_z - t108;
         let t115 = t105 + t107;
-        let t116 = dw4_x + t110;
-        let t117 = t109 - t91;
-        let t118 = t110 - dw4_x;
+        let t116 = dw4_x - t110;
+        let t117 = dw4_y + t109;
+        let t118 = dw4_x + t110;
         let t119 = t105 + t106;
         let t122 = A * t117;
         let t129 = t83 + (L3 * t112 - A * t111);
         let a5_z = a4_y - (A * t114 + L3 * t115);
-        let t131 = t79 - (t122 - L3 * t118);
-        let t134 = c5 * t129 - s5 * t131;
-        let a5_y = c5 * t131 + s5 * t129;
+        let t131 = t122 + L3 * t118 - t79;
+        let t134 = c5 * t129 + s5 * t131;
+        let a5_y = s5 * t129 - c5 * t131;
         let w5_z = w4_y + dq5;
-        let dw5_x = c5 * dw4_x - s5 * dw4_z - dq5 * t98;
-        let t142 = c5 * dw4_z + s5 * dw4_x + dq5 * w5_x;
-        let dw5_z = ddq5 - t91;
-        put(167, t108); // row 4, YY4
+        let t141 = s5 * dw4_z - c5 * dw4_x + dq5 * t98;
+        let t142 = dq5 * t95 - (c5 * dw4_z + s5 * dw4_x);
+        let dw5_z = dw4_y + ddq5;
+        put(166, t108); // row 4, XX4
         put(170, t116); // row 4, XZ4
+        put(171, t113); // row 4, YZ4
         put(202, a5_y); // row 5, MSX5
         put(203, t134); // row 5, MSY5
         put(206, dw5_z); // row 5, ZZ5
         [
-        w5_x, t98, t105, t106, t107, t108, t109, t110,
+        t95, t98, t105, t106, t107, t108, t109, t110,
         t111, t112, t113, t114, t115, t116, t117, t118,
-        t119, t122, a5_z, t134, a5_y, w5_z, dw5_x, t142,
+        t119, t122, a5_z, t134, a5_y, w5_z, t141, t142,
         dw5_z,
     ]
     };
@@ -220,30 +221,30 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t162, t163, t164, t165, t166, t167, t168, t169,
         t170, t173, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
     ] = {
-        let w6_x = c6 * w5_x + s6 * w5_z;
-        let w6_y = c6 * w5_z - s6 * w5_x;
-        let t156 = w5_x * w5_x;
+        let w6_x = s6 * w5_z - c6 * t95;
+        let w6_y = c6 * w5_z + s6 * t95;
+        let t156 = t95 * t95;
         let t157 = t98 * t98;
         let t158 = w5_z * w5_z;
-        let t159 = w5_x * t98;
-        let t160 = w5_x * w5_z;
+        let t159 = t95 * t98;
+        let t160 = t95 * w5_z;
         let t161 = t98 * w5_z;
         let t162 = t157 + t158;
-        let t163 = dw5_z + t159;
-        let t164 = t160 - t142;
-        let t165 = dw5_z - t159;
+        let t163 = t159 - dw5_z;
+        let t164 = t142 - t160;
+        let t165 = dw5_z + t159;
         let t166 = t156 + t158;
-        let t167 = dw5_x + t161;
+        let t167 = t161 - t141;
         let t168 = t142 + t160;
-        let t169 = t161 - dw5_x;
+        let t169 = t141 + t161;
         let t170 = t156 + t157;
         let t173 = c6 * t134 - s6 * a5_z;
         let a6_y = c6 * a5_z + s6 * t134;
         let w6_z = t98 + dq6;
-        let dw6_x = c6 * dw5_x + s6 * dw5_z + dq6 * w6_y;
-        let dw6_y = c6 * dw5_z - s6 * dw5_x - dq6 * w6_x;
-        let dw6_z = t142 + ddq6;
-        put(204, t159); // row 5, XX5
+        let dw6_x = dq6 * w6_y - (c6 * t141 - s6 * dw5_z);
+        let dw6_y = c6 * dw5_z + s6 * t141 - dq6 * w6_x;
+        let dw6_z = ddq6 - t142;
+        put(205, t159); // row 5, YY5
         put(208, t167); // row 5, XZ5
         put(209, t164); // row 5, YZ5
         put(229, a6_y); // row 6, MSX6
@@ -259,7 +260,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [
         w7_x, w7_y, t195, t196, t197, t198, t199, t200,
         t201, t202, t203, t204, t205, t206, t207, t208,
-        t209, t214, t218, a7_y, t222, dw7_x, dw7_y, dw7_z,
+        t209, t214, t218, a7_y, t222, dw7_x, dw7_y, t227,
     ] = {
         let w7_x = c7 * w6_x + s7 * w6_z;
         let w7_y = c7 * w6_z - s7 * w6_x;
@@ -286,17 +287,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t222 = w6_y - dq7;
         let dw7_x = c7 * dw6_x + s7 * dw6_z + dq7 * w7_y;
         let dw7_y = c7 * dw6_z - s7 * dw6_x - dq7 * w7_x;
-        let dw7_z = ddq7 - dw6_y;
+        let t227 = dw6_y - ddq7;
         put(232, t198); // row 6, YY6
         put(235, t206); // row 6, XZ6
         put(236, t203); // row 6, YZ6
         put(247, a7_y); // row 7, MSX7
         put(248, t218); // row 7, MSY7
-        put(251, dw7_z); // row 7, ZZ7
         [
         w7_x, w7_y, t195, t196, t197, t198, t199, t200,
         t201, t202, t203, t204, t205, t206, t207, t208,
-        t209, t214, t218, a7_y, t222, dw7_x, dw7_y, dw7_z,
+        t209, t214, t218, a7_y, t222, dw7_x, dw7_y, t227,
     ]
     };
     // joint axes in frame 3
@@ -362,7 +362,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // YZ2: column
     {
-        let t274 = s2 * (t24 - t23) + c2 * t26;
+        let t274 = c2 * t26 - s2 * (t23 - t24);
         put(7, t274); // row 1, YZ2
     }
     // M3: column
@@ -381,9 +381,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [t284, t285, t287, t289, t290] = {
         let t284 = t66 * z1_3_y;
         let t285 = c2 * t65;
-        let t287 = t284 - dw3_x * t228 - t285;
+        let t287 = t285 - (dw3_x * t228 + t284);
         let t289 = c3 * t66;
-        let t290 = s3 * dw3_x + t289;
+        let t290 = s3 * dw3_x - t289;
         put(12, t287); // row 1, XX3
         put(70, t290); // row 2, XX3
         [t284, t285, t287, t289, t290]
@@ -391,7 +391,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // YY3: column
     let [t291, t295, t298, t299] = {
         let t291 = t67 * t228;
-        let t294 = t285 + (t291 + dw3_y * z1_3_y);
+        let t294 = t291 + dw3_y * z1_3_y - t285;
         let t295 = s3 * t67;
         let t297 = c3 * dw3_y - t295;
         let t298 = t287 + t294;
@@ -406,23 +406,24 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // MSX3: column
     let [t306, t307, t308] = {
-        let t306 = t5 * z1_3_y - c2 * t32;
+        let t306 = c2 * t32 - t5 * z1_3_y;
         let t307 = c3 * t5;
         let t308 = s3 * t71;
         [t306, t307, t308]
     };
     // XZ3: column
-    let [t314, t316] = {
+    let t320 = {
         let t309 = t62 - t64;
-        let t314 = t71 * t228 + z1_3_y * t309 - c2 * t72;
-        let t316 = c3 * t309 - t308;
-        let t318 = L2 * t314 - t306;
-        let t320 = L2 * t316 - t307;
+        let t314 = c2 * t72 - (t71 * t228 + z1_3_y * t309);
+        let t316 = t308 - c3 * t309;
+        let t318 = t306 - L2 * t314;
+        let t320 = t307 + L2 * t316;
         let t322 = t32 - L2 * t72;
         put(9, t318); // row 1, MSX3
-        put(67, t320); // row 2, MSX3
+        put(16, t314); // row 1, XZ3
+        put(74, t316); // row 2, XZ3
         put(116, t322); // row 3, MSX3
-        [t314, t316]
+        t320
     };
     // MSY3: column
     let [t325, t326, t327] = {
@@ -434,8 +435,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // YZ3: column
     {
         let t328 = t63 - t64;
-        let t333 = c2 * t70 - (t228 * t328 + t69 * z1_3_y);
-        let t335 = s3 * t328 - t327;
+        let t333 = c2 * t70 - (t228 * t328 - t69 * z1_3_y);
+        let t335 = t327 + s3 * t328;
         let t337 = t325 - L2 * t333;
         let t339 = t326 - L2 * t335;
         let t341 = t31 - L2 * t70;
@@ -454,8 +455,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // ZZ3: column
     {
-        let t348 = c2 * dw3_z - (t284 + t291);
-        let t349 = t295 - t289;
+        let t348 = c2 * dw3_z + (t284 - t291);
+        let t349 = t289 + t295;
         put(14, t348); // row 1, ZZ3
         put(72, t349); // row 2, ZZ3
     }
@@ -487,33 +488,33 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     {
         let t380 = t117 * t363;
         let t385 = t79 + t117 * t360;
-        let t386 = a4_y - (t111 * t363 - t114 * t360);
-        let t391 = z1_4_x * t380 + z1_4_y * t385 - z1_3_y * t386;
-        let t396 = z2_4_x * t380 - t237 * t385 - c3 * t386;
+        let t386 = t111 * t363 - t114 * t360 - a4_y;
+        let t391 = z1_3_y * t386 + (z1_4_x * t380 + z1_4_y * t385);
+        let t396 = c3 * t386 - (t237 * t385 - z2_4_x * t380);
         let t398 = t122 + c4 * t79;
         put(19, t391); // row 1, MSX4
         put(77, t396); // row 2, MSX4
         put(125, t398); // row 3, MSX4
     }
     // MSY4: column
-    {
+    let t418 = {
         let t400 = t118 * t360;
-        let t404 = t118 * t363 - t79;
+        let t404 = t79 + t118 * t363;
         let t405 = t115 * t360 + t112 * t363 - t83;
-        let t410 = z1_3_y * t405 + (z1_4_x * t404 + z1_4_y * t400);
-        let t415 = c3 * t405 + (z2_4_x * t404 - t237 * t400);
-        let t418 = A * t118 - s4 * t79;
+        let t410 = z1_3_y * t405 - (z1_4_x * t404 + z1_4_y * t400);
+        let t415 = c3 * t405 + (t237 * t400 - z2_4_x * t404);
+        let t418 = s4 * t79 + A * t118;
         put(20, t410); // row 1, MSY4
         put(78, t415); // row 2, MSY4
-        put(126, t418); // row 3, MSY4
-    }
+        t418
+    };
     // MSZ4: column
     {
-        let t423 = t116 * t360 + t113 * t363;
-        let t424 = a4_y - t119 * t363;
-        let t425 = t119 * t360 - t83;
-        let t430 = z1_3_y * t423 + (z1_4_y * t425 - z1_4_x * t424);
-        let t435 = c3 * t423 - (z2_4_x * t424 + t237 * t425);
+        let t423 = t116 * t360 - t113 * t363;
+        let t424 = t119 * t363 - a4_y;
+        let t425 = t83 - t119 * t360;
+        let t430 = z1_3_y * t423 - (z1_4_y * t425 - z1_4_x * t424);
+        let t435 = c3 * t423 + (z2_4_x * t424 + t237 * t425);
         let t440 = A * t119 - (s4 * a4_y + c4 * t83);
         put(21, t430); // row 1, MSZ4
         put(79, t435); // row 2, MSZ4
@@ -523,10 +524,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [t442, t443, t447, t448, t452] = {
         let t442 = t109 * z1_4_y;
         let t443 = t108 * z1_3_y;
-        let t445 = t443 + (dw4_x * z1_4_x - t442);
+        let t445 = dw4_x * z1_4_x - t442 - t443;
         let t447 = t109 * t237;
         let t448 = c3 * t108;
-        let t450 = t448 + (dw4_x * z2_4_x + t447);
+        let t450 = dw4_x * z2_4_x + t447 - t448;
         let t452 = c4 * t109;
         let t453 = s4 * dw4_x - t452;
         put(22, t445); // row 1, XX4
@@ -537,31 +538,31 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // YY4: column
     let [t454, t458, t462] = {
         let t454 = t110 * z1_4_x;
-        let t457 = t454 - t91 * z1_4_y - t443;
+        let t457 = t443 - (t454 - dw4_y * z1_4_y);
         let t458 = t110 * z2_4_x;
-        let t461 = t458 + t91 * t237 - t448;
+        let t461 = t448 - (t458 + dw4_y * t237);
         let t462 = s4 * t110;
-        let t464 = t462 - c4 * t91;
+        let t464 = c4 * dw4_y - t462;
         put(23, t457); // row 1, YY4
         put(81, t461); // row 2, YY4
         put(129, t464); // row 3, YY4
         [t454, t458, t462]
     };
     // ZZ4: column
-    let t470 = {
-        let t467 = t442 - t454 - dw4_z * z1_3_y;
-        let t470 = c3 * dw4_z + (t447 + t458);
-        let t471 = t452 - t462;
+    {
+        let t467 = t442 + t454 - dw4_z * z1_3_y;
+        let t470 = t458 - t447 - c3 * dw4_z;
+        let t471 = t452 + t462;
         put(24, t467); // row 1, ZZ4
+        put(82, t470); // row 2, ZZ4
         put(130, t471); // row 3, ZZ4
-        t470
-    };
+    }
     // XY4: column
     {
         let t472 = t105 - t106;
-        let t477 = t117 * z1_4_x - t118 * z1_4_y - z1_3_y * t472;
-        let t482 = t117 * z2_4_x + t118 * t237 - c3 * t472;
-        let t485 = s4 * t117 - c4 * t118;
+        let t477 = t117 * z1_4_x + t118 * z1_4_y - z1_3_y * t472;
+        let t482 = t117 * z2_4_x - t118 * t237 - c3 * t472;
+        let t485 = s4 * t117 + c4 * t118;
         put(25, t477); // row 1, XY4
         put(83, t482); // row 2, XY4
         put(131, t485); // row 3, XY4
@@ -580,8 +581,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // YZ4: column
     {
         let t500 = t106 - t107;
-        let t505 = t113 * z1_3_y + (z1_4_x * t500 + t112 * z1_4_y);
-        let t510 = c3 * t113 - (t112 * t237 - z2_4_x * t500);
+        let t505 = z1_4_x * t500 + t112 * z1_4_y - t113 * z1_3_y;
+        let t510 = z2_4_x * t500 - t112 * t237 - c3 * t113;
         let t513 = s4 * t500 + c4 * t112;
         put(27, t505); // row 1, YZ4
         put(85, t510); // row 2, YZ4
@@ -596,11 +597,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t520 = L3 * t519;
         let t523 = L3 * t516 - A * a5_z;
         let t524 = A * t519;
-        let t530 = t363 * t519 - t520;
-        let t531 = t524 - t360 * t519;
-        let t532 = t363 * t516 - a5_z * t360 - t523;
-        let t537 = z1_3_y * t532 + (z1_4_y * t531 - z1_4_x * t530);
-        let t542 = c3 * t532 - (z2_4_x * t530 + t237 * t531);
+        let t530 = t520 - t363 * t519;
+        let t531 = t360 * t519 - t524;
+        let t532 = t523 - (t363 * t516 - a5_z * t360);
+        let t537 = z1_4_x * t530 - z1_4_y * t531 - z1_3_y * t532;
+        let t542 = z2_4_x * t530 + t237 * t531 - c3 * t532;
         let t546 = s4 * t520 + c4 * t524 - t524;
         put(28, t537); // row 1, M5
         put(86, t542); // row 2, M5
@@ -617,13 +618,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t554 = c5 * a5_z;
         let t559 = A * t552;
         let t560 = t553 - L3 * t552;
-        let t561 = t554 + (L3 * t549 - A * t168);
+        let t561 = t554 + (L3 * t549 + A * t168);
         let t562 = t559 - a5_y;
         let t568 = t560 + t363 * t552;
         let t569 = t360 * t552 - t562;
-        let t570 = t561 - (t363 * t549 - t168 * t360);
-        let t575 = z1_4_x * t568 + z1_4_y * t569 - z1_3_y * t570;
-        let t580 = z2_4_x * t568 - t237 * t569 - c3 * t570;
+        let t570 = t168 * t360 + t363 * t549 - t561;
+        let t575 = z1_3_y * t570 + (z1_4_x * t568 + z1_4_y * t569);
+        let t580 = c3 * t570 + (z2_4_x * t568 - t237 * t569);
         let t584 = t559 + (s4 * t560 - c4 * t562);
         put(29, t575); // row 1, MSX5
         put(87, t580); // row 2, MSX5
@@ -634,18 +635,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSY5: column
     let t585 = {
         let t585 = c5 * t163;
-        let t587 = t585 - s5 * t166;
-        let t590 = s5 * t163 + c5 * t166;
+        let t587 = t585 + s5 * t166;
+        let t590 = s5 * t163 - c5 * t166;
         let t595 = A * t590;
-        let t596 = t554 + L3 * t590;
-        let t597 = L3 * t587 + A * t169 - t553;
-        let t598 = t134 + t595;
-        let t604 = t596 - t363 * t590;
-        let t605 = t598 - t360 * t590;
-        let t606 = t169 * t360 + t363 * t587 - t597;
+        let t596 = t554 - L3 * t590;
+        let t597 = A * t169 - L3 * t587 - t553;
+        let t598 = t595 - t134;
+        let t604 = t596 + t363 * t590;
+        let t605 = t360 * t590 - t598;
+        let t606 = t169 * t360 - t363 * t587 - t597;
         let t611 = z1_3_y * t606 + (z1_4_x * t604 + z1_4_y * t605);
-        let t616 = c3 * t606 + (z2_4_x * t604 - t237 * t605);
-        let t620 = s4 * t596 + c4 * t598 - t595;
+        let t616 = c3 * t606 - (t237 * t605 - z2_4_x * t604);
+        let t620 = t595 + (s4 * t596 - c4 * t598);
         put(30, t611); // row 1, MSY5
         put(88, t616); // row 2, MSY5
         put(136, t620); // row 3, MSY5
@@ -658,12 +659,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t626 = c5 * t167 - s5 * t164;
         let t631 = A * t626;
         let t632 = t519 + L3 * t626;
-        let t633 = t516 - (L3 * t623 - A * t170);
-        let t639 = t363 * t626 - t632;
+        let t633 = t516 + (A * t170 - L3 * t623);
+        let t639 = t632 - t363 * t626;
         let t640 = t360 * t626 - t631;
-        let t641 = t170 * t360 - t363 * t623 - t633;
-        let t646 = z1_3_y * t641 - (z1_4_x * t639 + z1_4_y * t640);
-        let t651 = c3 * t641 + (t237 * t640 - z2_4_x * t639);
+        let t641 = t633 + (t363 * t623 - t170 * t360);
+        let t646 = z1_4_x * t639 - z1_4_y * t640 - z1_3_y * t641;
+        let t651 = z2_4_x * t639 + t237 * t640 - c3 * t641;
         let t655 = s4 * t632 + c4 * t631 - t631;
         put(31, t646); // row 1, MSZ5
         put(89, t651); // row 2, MSZ5
@@ -671,57 +672,57 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(175, t633); // row 4, MSZ5
     }
     // XX5: column
-    let [t657, t658, t662, t663, t667, t668, t672, t673] = {
+    let [t657, t658, t662, t663, t667, t668, t672] = {
         let t657 = t160 * t243;
         let t658 = t159 * z1_4_y;
-        let t660 = t658 + (dw5_x * z1_5_x - t657);
+        let t660 = t657 - t141 * z1_5_x - t658;
         let t662 = t160 * t249;
         let t663 = t159 * t237;
-        let t665 = dw5_x * z2_5_x - t662 - t663;
+        let t665 = t663 + (t662 - t141 * z2_5_x);
         let t667 = t160 * z3_6_z;
         let t668 = c4 * t159;
-        let t670 = t668 + (dw5_x * z3_5_x - t667);
+        let t670 = t667 - t141 * z3_5_x - t668;
         let t672 = c5 * t160;
-        let t673 = s5 * dw5_x + t672;
+        let t673 = s5 * t141 + t672;
         put(32, t660); // row 1, XX5
         put(90, t665); // row 2, XX5
         put(138, t670); // row 3, XX5
-        [t657, t658, t662, t663, t667, t668, t672, t673]
+        put(176, t673); // row 4, XX5
+        [t657, t658, t662, t663, t667, t668, t672]
     };
     // YY5: column
-    let [t674, t678, t682, t686] = {
+    let [t674, t678, t682, t686, t688] = {
         let t674 = t161 * z1_5_x;
-        let t677 = t674 + t142 * t243 - t658;
+        let t677 = t658 + (t674 - t142 * t243);
         let t678 = t161 * z2_5_x;
-        let t681 = t663 + (t678 + t142 * t249);
+        let t681 = t678 - t142 * t249 - t663;
         let t682 = t161 * z3_5_x;
-        let t685 = t682 + t142 * z3_6_z - t668;
+        let t685 = t668 + (t682 - t142 * z3_6_z);
         let t686 = s5 * t161;
-        let t688 = c5 * t142 - t686;
+        let t688 = t686 + c5 * t142;
         put(33, t677); // row 1, YY5
         put(91, t681); // row 2, YY5
         put(139, t685); // row 3, YY5
-        put(177, t688); // row 4, YY5
-        [t674, t678, t682, t686]
+        [t674, t678, t682, t686, t688]
     };
     // ZZ5: column
-    {
-        let t691 = dw5_z * z1_4_y + (t657 - t674);
-        let t694 = t662 - t678 - dw5_z * t237;
-        let t697 = c4 * dw5_z + (t667 - t682);
-        let t698 = t672 + t686;
+    let t694 = {
+        let t691 = dw5_z * z1_4_y - (t657 + t674);
+        let t694 = dw5_z * t237 + (t662 + t678);
+        let t697 = c4 * dw5_z - (t667 + t682);
+        let t698 = t686 - t672;
         put(34, t691); // row 1, ZZ5
-        put(92, t694); // row 2, ZZ5
         put(140, t697); // row 3, ZZ5
         put(178, t698); // row 4, ZZ5
-    }
+        t694
+    };
     // XY5: column
     {
         let t699 = t156 - t157;
-        let t704 = z1_4_y * t699 + (t169 * t243 - t168 * z1_5_x);
-        let t709 = t169 * t249 - t168 * z2_5_x - t237 * t699;
-        let t714 = c4 * t699 + (t169 * z3_6_z - t168 * z3_5_x);
-        let t717 = s5 * t168 + c5 * t169;
+        let t704 = z1_4_y * t699 + (t168 * z1_5_x + t169 * t243);
+        let t709 = t168 * z2_5_x + t169 * t249 - t237 * t699;
+        let t714 = c4 * t699 + (t168 * z3_5_x + t169 * z3_6_z);
+        let t717 = c5 * t169 - s5 * t168;
         put(35, t704); // row 1, XY5
         put(93, t709); // row 2, XY5
         put(141, t714); // row 3, XY5
@@ -741,32 +742,32 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(180, t735); // row 4, XZ5
     }
     // YZ5: column
-    let t746 = {
-        let t736 = t158 - t157;
-        let t741 = t164 * z1_4_y - (z1_5_x * t736 + t163 * t243);
-        let t746 = t164 * t237 + (z2_5_x * t736 + t163 * t249);
-        let t751 = c4 * t164 - (z3_5_x * t736 + t163 * z3_6_z);
-        let t753 = s5 * t736 - t585;
+    {
+        let t736 = t157 - t158;
+        let t741 = t164 * z1_4_y + (z1_5_x * t736 + t163 * t243);
+        let t746 = z2_5_x * t736 + t163 * t249 - t164 * t237;
+        let t751 = c4 * t164 + (z3_5_x * t736 + t163 * z3_6_z);
+        let t753 = t585 - s5 * t736;
         put(37, t741); // row 1, YZ5
+        put(95, t746); // row 2, YZ5
         put(143, t751); // row 3, YZ5
         put(181, t753); // row 4, YZ5
-        t746
-    };
+    }
     // M6: column
     let [t756, t759] = {
         let t756 = c6 * t173 + s6 * a6_y;
-        let t759 = c6 * a6_y - s6 * t173;
+        let t759 = s6 * t173 - c6 * a6_y;
         let t761 = t515 + c5 * t756;
-        let t763 = s5 * t756 - t518;
+        let t763 = t518 - s5 * t756;
         let t764 = L3 * t763;
-        let t767 = L3 * t761 - A * t759;
+        let t767 = L3 * t761 + A * t759;
         let t768 = A * t763;
-        let t774 = t764 - t363 * t763;
-        let t775 = t360 * t763 - t768;
-        let t776 = t363 * t761 - t360 * t759 - t767;
-        let t781 = z1_3_y * t776 + (z1_4_x * t774 - z1_4_y * t775);
+        let t774 = t363 * t763 - t764;
+        let t775 = t768 - t360 * t763;
+        let t776 = t360 * t759 + t363 * t761 - t767;
+        let t781 = z1_3_y * t776 - (z1_4_y * t775 - z1_4_x * t774);
         let t786 = c3 * t776 + (z2_4_x * t774 + t237 * t775);
-        let t790 = s4 * t764 + c4 * t768 - t768;
+        let t790 = t768 - (s4 * t764 + c4 * t768);
         put(38, t781); // row 1, M6
         put(96, t786); // row 2, M6
         put(144, t790); // row 3, M6
@@ -782,17 +783,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t797 = s6 * a5_y;
         let t798 = c6 * a5_y;
         let t801 = c5 * t793 + s5 * t207;
-        let t804 = s5 * t793 - c5 * t207;
+        let t804 = c5 * t207 - s5 * t793;
         let t815 = A * t804;
-        let t816 = L3 * t804 - (c5 * t797 - s5 * a6_y);
+        let t816 = c5 * t797 - s5 * a6_y + L3 * t804;
         let t817 = s5 * t797 + c5 * a6_y + (L3 * t801 + A * t796);
-        let t818 = t798 + t815;
-        let t824 = t816 - t363 * t804;
+        let t818 = t815 - t798;
+        let t824 = t363 * t804 - t816;
         let t825 = t818 - t360 * t804;
         let t826 = t360 * t796 + t363 * t801 - t817;
-        let t831 = z1_3_y * t826 + (z1_4_x * t824 + z1_4_y * t825);
-        let t836 = c3 * t826 + (z2_4_x * t824 - t237 * t825);
-        let t840 = s4 * t816 + c4 * t818 - t815;
+        let t831 = z1_3_y * t826 - (z1_4_y * t825 - z1_4_x * t824);
+        let t836 = c3 * t826 + (z2_4_x * t824 + t237 * t825);
+        let t840 = t815 - (s4 * t816 + c4 * t818);
         put(39, t831); // row 1, MSX6
         put(97, t836); // row 2, MSX6
         put(145, t840); // row 3, MSX6
@@ -803,21 +804,21 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSY6: column
     let [t841, t844] = {
         let t841 = c6 * t202;
-        let t843 = t841 - s6 * t205;
+        let t843 = s6 * t205 - t841;
         let t844 = s6 * t202;
         let t846 = t844 + c6 * t205;
-        let t849 = c5 * t843 - s5 * t208;
-        let t852 = s5 * t843 + c5 * t208;
+        let t849 = c5 * t843 + s5 * t208;
+        let t852 = s5 * t843 - c5 * t208;
         let t863 = A * t852;
-        let t864 = s5 * t173 - c5 * t798 + L3 * t852;
-        let t865 = s5 * t798 + c5 * t173 + (L3 * t849 + A * t846);
-        let t866 = t797 - t863;
-        let t872 = t864 - t363 * t852;
-        let t873 = t866 + t360 * t852;
-        let t874 = t360 * t846 + t363 * t849 - t865;
-        let t879 = z1_3_y * t874 + (z1_4_x * t872 - z1_4_y * t873);
-        let t884 = c3 * t874 + (z2_4_x * t872 + t237 * t873);
-        let t888 = s4 * t864 - c4 * t866 - t863;
+        let t864 = c5 * t798 - s5 * t173 + L3 * t852;
+        let t865 = s5 * t798 + c5 * t173 + (A * t846 - L3 * t849);
+        let t866 = t797 + t863;
+        let t872 = t363 * t852 - t864;
+        let t873 = t866 - t360 * t852;
+        let t874 = t865 - (t360 * t846 - t363 * t849);
+        let t879 = z1_4_x * t872 - z1_4_y * t873 - z1_3_y * t874;
+        let t884 = z2_4_x * t872 + t237 * t873 - c3 * t874;
+        let t888 = t863 - (s4 * t864 + c4 * t866);
         put(40, t879); // row 1, MSY6
         put(98, t884); // row 2, MSY6
         put(146, t888); // row 3, MSY6
@@ -827,43 +828,43 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSZ6: column
     {
         let t891 = c6 * t203 + s6 * t206;
-        let t894 = s6 * t203 - c6 * t206;
+        let t894 = c6 * t206 - s6 * t203;
         let t897 = s5 * t209 - c5 * t891;
         let t900 = s5 * t891 + c5 * t209;
         let t907 = A * t900;
-        let t908 = c5 * t759 + L3 * t900;
-        let t909 = s5 * t759 + (L3 * t897 - A * t894);
+        let t908 = c5 * t759 - L3 * t900;
+        let t909 = L3 * t897 + A * t894 - s5 * t759;
         let t910 = t756 + t907;
-        let t916 = t908 - t363 * t900;
+        let t916 = t908 + t363 * t900;
         let t917 = t360 * t900 - t910;
-        let t918 = t363 * t897 - t360 * t894 - t909;
-        let t923 = z1_3_y * t918 - (z1_4_x * t916 - z1_4_y * t917);
-        let t928 = c3 * t918 - (z2_4_x * t916 + t237 * t917);
-        let t932 = t907 - (s4 * t908 + c4 * t910);
+        let t918 = t360 * t894 + t363 * t897 - t909;
+        let t923 = z1_3_y * t918 + (z1_4_x * t916 + z1_4_y * t917);
+        let t928 = c3 * t918 + (z2_4_x * t916 - t237 * t917);
+        let t932 = t907 + (s4 * t908 - c4 * t910);
         put(41, t923); // row 1, MSZ6
         put(99, t928); // row 2, MSZ6
         put(147, t932); // row 3, MSZ6
         put(185, t909); // row 4, MSZ6
     }
     // XX6: column
-    let [t934, t937, t940, t945, t948, t950, t955] = {
+    let [t934, t937, t940, t945, t950, t955, t956] = {
         let t934 = s6 * t199;
-        let t935 = t934 - c6 * dw6_x;
+        let t935 = c6 * dw6_x - t934;
         let t937 = c6 * t199;
         let t938 = s6 * dw6_x + t937;
         let t940 = t198 * t243;
-        let t943 = z1_4_y * t938 - (z1_5_x * t935 + t940);
+        let t943 = z1_4_y * t938 - (t940 - z1_5_x * t935);
         let t945 = t198 * t249;
-        let t948 = t237 * t938 + (z2_5_x * t935 + t945);
+        let t948 = z2_5_x * t935 - t945 - t237 * t938;
         let t950 = t198 * z3_6_z;
-        let t953 = c4 * t938 - (z3_5_x * t935 + t950);
+        let t953 = c4 * t938 + (z3_5_x * t935 - t950);
         let t955 = c5 * t198;
-        let t956 = s5 * t935 - t955;
+        let t956 = s5 * t935 + t955;
         put(42, t943); // row 1, XX6
+        put(100, t948); // row 2, XX6
         put(148, t953); // row 3, XX6
-        put(186, t956); // row 4, XX6
         put(213, t938); // row 5, XX6
-        [t934, t937, t940, t945, t948, t950, t955]
+        [t934, t937, t940, t945, t950, t955, t956]
     };
     // YY6: column
     let [t957, t960] = {
@@ -873,7 +874,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t962 = c6 * dw6_y - t960;
         let t966 = z1_4_y * t962 - (z1_5_x * t959 - t940);
         let t970 = t945 - z2_5_x * t959 - t237 * t962;
-        let t974 = c4 * t962 + (t950 - z3_5_x * t959);
+        let t974 = c4 * t962 - (z3_5_x * t959 - t950);
         let t976 = t955 + s5 * t959;
         put(43, t966); // row 1, YY6
         put(101, t970); // row 2, YY6
@@ -914,13 +915,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // XZ6: column
     {
-        let t1022 = t195 - t197;
-        let t1024 = t795 + s6 * t1022;
-        let t1026 = t792 - c6 * t1022;
-        let t1031 = z1_4_y * t1026 + (z1_5_x * t1024 + t206 * t243);
-        let t1036 = z2_5_x * t1024 + t206 * t249 - t237 * t1026;
-        let t1041 = c4 * t1026 + (z3_5_x * t1024 + t206 * z3_6_z);
-        let t1044 = c5 * t206 - s5 * t1024;
+        let t1022 = t197 - t195;
+        let t1024 = s6 * t1022 - t795;
+        let t1026 = t792 + c6 * t1022;
+        let t1031 = z1_4_y * t1026 - (z1_5_x * t1024 - t206 * t243);
+        let t1036 = t206 * t249 - z2_5_x * t1024 - t237 * t1026;
+        let t1041 = c4 * t1026 + (t206 * z3_6_z - z3_5_x * t1024);
+        let t1044 = s5 * t1024 + c5 * t206;
         put(46, t1031); // row 1, XZ6
         put(104, t1036); // row 2, XZ6
         put(152, t1041); // row 3, XZ6
@@ -929,13 +930,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // YZ6: column
     {
-        let t1045 = t196 - t197;
-        let t1047 = c6 * t1045 - t844;
-        let t1049 = t841 + s6 * t1045;
-        let t1054 = z1_4_y * t1049 + (z1_5_x * t1047 + t203 * t243);
-        let t1059 = z2_5_x * t1047 + t203 * t249 - t237 * t1049;
-        let t1064 = c4 * t1049 + (z3_5_x * t1047 + t203 * z3_6_z);
-        let t1067 = c5 * t203 - s5 * t1047;
+        let t1045 = t197 - t196;
+        let t1047 = t844 + c6 * t1045;
+        let t1049 = t841 - s6 * t1045;
+        let t1054 = z1_4_y * t1049 + (t203 * t243 - z1_5_x * t1047);
+        let t1059 = t203 * t249 - z2_5_x * t1047 - t237 * t1049;
+        let t1064 = c4 * t1049 + (t203 * z3_6_z - z3_5_x * t1047);
+        let t1067 = s5 * t1047 + c5 * t203;
         put(47, t1054); // row 1, YZ6
         put(105, t1059); // row 2, YZ6
         put(153, t1064); // row 3, YZ6
@@ -955,9 +956,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1072 = w7_x * t222;
         let t1073 = w7_y * t222;
         let t1074 = t1069 + t1070;
-        let t1075 = dw7_z - t1071;
-        let t1076 = t1072 - dw7_y;
-        let t1077 = dw7_z + t1071;
+        let t1075 = t227 + t1071;
+        let t1076 = dw7_y - t1072;
+        let t1077 = t1071 - t227;
         let t1078 = t1068 + t1070;
         let t1079 = dw7_x + t1073;
         let t1080 = dw7_y + t1072;
@@ -974,15 +975,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1101 = c5 * t1093 + s5 * t1088;
         let t1104 = c5 * t1088 - s5 * t1093;
         let t1115 = A * t1104;
-        let t1116 = c5 * t1097 - s5 * t1089 + L3 * t1104;
+        let t1116 = s5 * t1089 - c5 * t1097 - L3 * t1104;
         let t1117 = s5 * t1097 + c5 * t1089 + (L3 * t1101 + A * t1096);
-        let t1118 = t1115 - t1098;
-        let t1124 = t1116 - t363 * t1104;
-        let t1125 = t1118 - t360 * t1104;
+        let t1118 = t1098 - t1115;
+        let t1124 = t1116 + t363 * t1104;
+        let t1125 = t1118 + t360 * t1104;
         let t1126 = t360 * t1096 + t363 * t1101 - t1117;
-        let t1131 = z1_3_y * t1126 - (z1_4_x * t1124 + z1_4_y * t1125);
-        let t1136 = c3 * t1126 + (t237 * t1125 - z2_4_x * t1124);
-        let t1140 = t1115 - (s4 * t1116 + c4 * t1118);
+        let t1131 = z1_3_y * t1126 + (z1_4_x * t1124 + z1_4_y * t1125);
+        let t1136 = c3 * t1126 - (t237 * t1125 - z2_4_x * t1124);
+        let t1140 = t1115 + (s4 * t1116 + c4 * t1118);
         put(48, t1131); // row 1, M7
         put(106, t1136); // row 2, M7
         put(154, t1140); // row 3, M7
@@ -991,6 +992,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(237, t1089); // row 6, M7
         put(250, t1071); // row 7, YY7
         put(253, t1079); // row 7, XZ7
+        put(254, t1076); // row 7, YZ7
         [
         t1068, t1069, t1070, t1071, t1072, t1073, t1074, t1075,
         t1076, t1077, t1078, t1079, t1080, t1081, t1082, t1085,
@@ -1014,14 +1016,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1167 = c5 * t1155 + s5 * t1146;
         let t1170 = s5 * t1155 - c5 * t1146;
         let t1181 = A * t1170;
-        let t1182 = L3 * t1170 - (c5 * t1161 - s5 * t1151);
+        let t1182 = s5 * t1151 - c5 * t1161 + L3 * t1170;
         let t1183 = s5 * t1161 + c5 * t1151 + (L3 * t1167 + A * t1158);
         let t1184 = t1164 + t1181;
         let t1190 = t1182 - t363 * t1170;
         let t1191 = t1184 - t360 * t1170;
         let t1192 = t360 * t1158 + t363 * t1167 - t1183;
         let t1197 = z1_3_y * t1192 + (z1_4_x * t1190 + z1_4_y * t1191);
-        let t1202 = c3 * t1192 - (t237 * t1191 - z2_4_x * t1190);
+        let t1202 = c3 * t1192 + (z2_4_x * t1190 - t237 * t1191);
         let t1206 = s4 * t1182 + c4 * t1184 - t1181;
         put(49, t1197); // row 1, MSX7
         put(107, t1202); // row 2, MSX7
@@ -1034,27 +1036,27 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSY7: column
     let [t1207, t1210] = {
         let t1207 = c7 * t1075;
-        let t1209 = t1207 - s7 * t1078;
+        let t1209 = t1207 + s7 * t1078;
         let t1210 = s7 * t1075;
-        let t1212 = t1210 + c7 * t1078;
+        let t1212 = c7 * t1078 - t1210;
         let t1215 = k4 * t1081 - t1147;
         let t1216 = k4 * t1212 - t218;
-        let t1219 = c6 * t1209 + s6 * t1081;
-        let t1222 = c6 * t1081 - s6 * t1209;
+        let t1219 = s6 * t1081 - c6 * t1209;
+        let t1222 = s6 * t1209 + c6 * t1081;
         let t1225 = c6 * t1148 + s6 * t1216;
         let t1228 = c6 * t1216 - s6 * t1148;
         let t1231 = c5 * t1219 + s5 * t1212;
         let t1234 = c5 * t1212 - s5 * t1219;
         let t1245 = A * t1234;
-        let t1246 = c5 * t1225 - s5 * t1215 + L3 * t1234;
-        let t1247 = s5 * t1225 + c5 * t1215 + (L3 * t1231 - A * t1222);
-        let t1248 = t1228 - t1245;
-        let t1254 = t363 * t1234 - t1246;
-        let t1255 = t1248 + t360 * t1234;
-        let t1256 = t363 * t1231 - t360 * t1222 - t1247;
-        let t1261 = z1_3_y * t1256 + (z1_4_x * t1254 + z1_4_y * t1255);
-        let t1266 = c3 * t1256 + (z2_4_x * t1254 - t237 * t1255);
-        let t1270 = t1245 - (s4 * t1246 - c4 * t1248);
+        let t1246 = s5 * t1215 - c5 * t1225 - L3 * t1234;
+        let t1247 = s5 * t1225 + c5 * t1215 - (A * t1222 - L3 * t1231);
+        let t1248 = t1245 - t1228;
+        let t1254 = t1246 + t363 * t1234;
+        let t1255 = t1248 - t360 * t1234;
+        let t1256 = t1247 + (t360 * t1222 - t363 * t1231);
+        let t1261 = z1_4_x * t1254 - z1_4_y * t1255 - z1_3_y * t1256;
+        let t1266 = z2_4_x * t1254 + t237 * t1255 - c3 * t1256;
+        let t1270 = t1245 + (s4 * t1246 - c4 * t1248);
         put(50, t1261); // row 1, MSY7
         put(108, t1266); // row 2, MSY7
         put(156, t1270); // row 3, MSY7
@@ -1065,26 +1067,26 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // MSZ7: column
     {
-        let t1273 = c7 * t1076 - s7 * t1079;
-        let t1276 = s7 * t1076 + c7 * t1079;
+        let t1273 = c7 * t1076 + s7 * t1079;
+        let t1276 = c7 * t1079 - s7 * t1076;
         let t1278 = k4 * t1276;
         let t1279 = k4 * t1082 - t1085;
-        let t1282 = c6 * t1273 + s6 * t1082;
-        let t1285 = c6 * t1082 - s6 * t1273;
-        let t1288 = s6 * t1278 - c6 * t1088;
+        let t1282 = s6 * t1082 - c6 * t1273;
+        let t1285 = s6 * t1273 + c6 * t1082;
+        let t1288 = c6 * t1088 - s6 * t1278;
         let t1291 = s6 * t1088 + c6 * t1278;
         let t1294 = c5 * t1282 + s5 * t1276;
         let t1297 = c5 * t1276 - s5 * t1282;
         let t1308 = A * t1297;
-        let t1309 = L3 * t1297 - (s5 * t1279 - c5 * t1288);
-        let t1310 = s5 * t1288 + c5 * t1279 + (L3 * t1294 - A * t1285);
-        let t1311 = t1291 - t1308;
-        let t1317 = t363 * t1297 - t1309;
-        let t1318 = t1311 + t360 * t1297;
+        let t1309 = c5 * t1288 + s5 * t1279 - L3 * t1297;
+        let t1310 = c5 * t1279 - s5 * t1288 - (A * t1285 - L3 * t1294);
+        let t1311 = t1308 - t1291;
+        let t1317 = t1309 + t363 * t1297;
+        let t1318 = t360 * t1297 - t1311;
         let t1319 = t363 * t1294 - t360 * t1285 - t1310;
         let t1324 = z1_3_y * t1319 + (z1_4_x * t1317 + z1_4_y * t1318);
-        let t1329 = c3 * t1319 + (z2_4_x * t1317 - t237 * t1318);
-        let t1333 = t1308 + (c4 * t1311 - s4 * t1309);
+        let t1329 = c3 * t1319 - (t237 * t1318 - z2_4_x * t1317);
+        let t1333 = t1308 + (s4 * t1309 - c4 * t1311);
         put(51, t1324); // row 1, MSZ7
         put(109, t1329); // row 2, MSZ7
         put(157, t1333); // row 3, MSZ7
@@ -1104,7 +1106,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1345 = s6 * t1336 + t1344;
         let t1350 = z1_4_y * t1345 - (z1_5_x * t1342 - t243 * t1339);
         let t1355 = t249 * t1339 - z2_5_x * t1342 - t237 * t1345;
-        let t1360 = c4 * t1345 - (z3_5_x * t1342 - z3_6_z * t1339);
+        let t1360 = c4 * t1345 + (z3_6_z * t1339 - z3_5_x * t1342);
         let t1363 = s5 * t1342 + c5 * t1339;
         put(52, t1350); // row 1, XX7
         put(110, t1355); // row 2, XX7
@@ -1135,22 +1137,22 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t1364, t1367]
     };
     // ZZ7: column
-    let t1399 = {
+    {
         let t1392 = t1335 + t1364;
         let t1393 = t1338 - t1367;
-        let t1396 = s6 * dw7_z - c6 * t1392;
-        let t1399 = s6 * t1392 + c6 * dw7_z;
-        let t1404 = z1_5_x * t1396 + t243 * t1393 - z1_4_y * t1399;
-        let t1409 = t237 * t1399 + (z2_5_x * t1396 + t249 * t1393);
-        let t1414 = z3_5_x * t1396 + z3_6_z * t1393 - c4 * t1399;
-        let t1417 = c5 * t1393 - s5 * t1396;
+        let t1396 = c6 * t1392 + s6 * t227;
+        let t1399 = c6 * t227 - s6 * t1392;
+        let t1404 = z1_4_y * t1399 - (z1_5_x * t1396 - t243 * t1393);
+        let t1409 = t249 * t1393 - z2_5_x * t1396 - t237 * t1399;
+        let t1414 = c4 * t1399 + (z3_6_z * t1393 - z3_5_x * t1396);
+        let t1417 = s5 * t1396 + c5 * t1393;
         put(54, t1404); // row 1, ZZ7
         put(112, t1409); // row 2, ZZ7
         put(160, t1414); // row 3, ZZ7
         put(198, t1417); // row 4, ZZ7
+        put(225, t1399); // row 5, ZZ7
         put(243, t1393); // row 6, ZZ7
-        t1399
-    };
+    }
     // XY7: column
     {
         let t1418 = t1068 - t1069;
@@ -1191,59 +1193,53 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // YZ7: column
     {
         let t1478 = t1069 - t1070;
-        let t1480 = t1210 - c7 * t1478;
-        let t1482 = t1207 + s7 * t1478;
+        let t1480 = t1210 + c7 * t1478;
+        let t1482 = s7 * t1478 - t1207;
         let t1485 = c6 * t1480 + s6 * t1076;
-        let t1488 = c6 * t1076 - s6 * t1480;
-        let t1493 = z1_4_y * t1488 + (t243 * t1482 - z1_5_x * t1485);
-        let t1498 = t249 * t1482 - z2_5_x * t1485 - t237 * t1488;
-        let t1503 = c4 * t1488 + (z3_6_z * t1482 - z3_5_x * t1485);
-        let t1506 = s5 * t1485 + c5 * t1482;
-        let t1507 = -t314;
-        let t1508 = -t5;
-        let t1509 = -t25;
-        let t1510 = -t2;
-        let t1511 = -t3;
-        let t1512 = -t316;
-        let t1513 = -t470;
-        let t1514 = -t746;
-        let t1515 = -t948;
-        let t1516 = -t65;
-        let t1517 = -t108;
-        let t1518 = -t113;
-        let t1519 = -t673;
-        let t1520 = -t159;
-        let t1521 = -t797;
-        let t1522 = -t756;
-        let t1523 = -t1399;
-        let t1524 = -t198;
-        let t1525 = -t1071;
-        let t1526 = -t1076;
-        put(16, t1507); // row 1, XZ3
+        let t1488 = s6 * t1480 - c6 * t1076;
+        let t1493 = z1_4_y * t1488 + (z1_5_x * t1485 + t243 * t1482);
+        let t1498 = z2_5_x * t1485 + t249 * t1482 - t237 * t1488;
+        let t1503 = c4 * t1488 + (z3_5_x * t1485 + z3_6_z * t1482);
+        let t1506 = c5 * t1482 - s5 * t1485;
+        let t1507 = -t5;
+        let t1508 = -t25;
+        let t1509 = -t2;
+        let t1510 = -t3;
+        let t1511 = -t320;
+        let t1512 = -t694;
+        let t1513 = -t65;
+        let t1514 = -t418;
+        let t1515 = -t108;
+        let t1516 = -t688;
+        let t1517 = -t956;
+        let t1518 = -t159;
+        let t1519 = -t797;
+        let t1520 = -t756;
+        let t1521 = -t198;
+        let t1522 = -t1071;
+        let t1523 = -t227;
         put(57, t1493); // row 1, YZ7
-        put(58, t1508); // row 2, MSX2
-        put(60, t1509); // row 2, XX2
-        put(64, t1510); // row 2, XZ2
-        put(65, t1511); // row 2, YZ2
-        put(74, t1512); // row 2, XZ3
-        put(82, t1513); // row 2, ZZ4
-        put(95, t1514); // row 2, YZ5
-        put(100, t1515); // row 2, XX6
+        put(58, t1507); // row 2, MSX2
+        put(60, t1508); // row 2, XX2
+        put(64, t1509); // row 2, XZ2
+        put(65, t1510); // row 2, YZ2
+        put(67, t1511); // row 2, MSX3
+        put(92, t1512); // row 2, ZZ5
         put(115, t1498); // row 2, YZ7
-        put(118, t1516); // row 3, XX3
+        put(119, t1513); // row 3, YY3
+        put(126, t1514); // row 3, MSY4
         put(163, t1503); // row 3, YZ7
-        put(166, t1517); // row 4, XX4
-        put(171, t1518); // row 4, YZ4
-        put(176, t1519); // row 4, XX5
+        put(167, t1515); // row 4, YY4
+        put(177, t1516); // row 4, YY5
+        put(186, t1517); // row 4, XX6
         put(201, t1506); // row 4, YZ7
-        put(205, t1520); // row 5, YY5
-        put(211, t1521); // row 5, MSY6
-        put(212, t1522); // row 5, MSZ6
-        put(225, t1523); // row 5, ZZ7
+        put(204, t1518); // row 5, XX5
+        put(211, t1519); // row 5, MSY6
+        put(212, t1520); // row 5, MSZ6
         put(228, t1488); // row 5, YZ7
-        put(231, t1524); // row 6, XX6
+        put(231, t1521); // row 6, XX6
         put(246, t1482); // row 6, YZ7
-        put(249, t1525); // row 7, XX7
-        put(254, t1526); // row 7, YZ7
+        put(249, t1522); // row 7, XX7
+        put(251, t1523); // row 7, ZZ7
     }
 }

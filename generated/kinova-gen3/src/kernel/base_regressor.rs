@@ -2,7 +2,7 @@
 //!
 //! `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 691 multiplications, 502 additions; 7 x 43, 190 of 301 structurally nonzero.
+//! 691 multiplications, 501 additions; 7 x 43, 190 of 301 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
@@ -93,7 +93,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // link 3: motion
     let [
         w3_x, t22, t29, t30, t31, t32, t33, t34,
-        t36, t37, a3_z, t46, a3_y, w3_z, t53, t54,
+        t36, t37, t42, t46, a3_y, w3_z, t53, t54,
         dw3_z,
     ] = {
         let w3_x = c3 * w2_x - s3 * dq2;
@@ -107,10 +107,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t36 = dw2_y - t14;
         let t37 = t13 + dw2_x;
         let t41 = t10 - t33 * k2;
-        let a3_z = (t29 + t31) * k2 - t12;
-        let t43 = t37 * k2 - a2_z;
-        let t46 = c3 * t41 - s3 * t43;
-        let a3_y = c3 * t43 + s3 * t41;
+        let t42 = t12 - (t29 + t31) * k2;
+        let t43 = a2_z - t37 * k2;
+        let t46 = c3 * t41 + s3 * t43;
+        let a3_y = s3 * t41 - c3 * t43;
         let w3_z = w2_y + dq3;
         let t53 = s3 * ddq2 - c3 * dw2_x + dq3 * t22;
         let t54 = c3 * ddq2 + s3 * dw2_x + dq3 * w3_x;
@@ -120,18 +120,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(88, dw3_z); // row 3, ZZ3R
         [
         w3_x, t22, t29, t30, t31, t32, t33, t34,
-        t36, t37, a3_z, t46, a3_y, w3_z, t53, t54,
+        t36, t37, t42, t46, a3_y, w3_z, t53, t54,
         dw3_z,
     ]
     };
     // link 4: motion
     let [
-        w4_x, w4_y, t68, t69, t70, t71, t72, t73,
+        w4_x, t61, t68, t69, t70, t71, t72, t73,
         t74, t75, t76, t77, t78, t79, t80, t81,
         t86, t90, a4_y, w4_z, dw4_x, dw4_y, dw4_z,
     ] = {
         let w4_x = c4 * w3_x + s4 * w3_z;
-        let w4_y = c4 * w3_z - s4 * w3_x;
+        let t61 = s4 * w3_x - c4 * w3_z;
         let t68 = w3_x * w3_x;
         let t69 = t22 * t22;
         let t70 = w3_z * w3_z;
@@ -147,12 +147,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t80 = t54 + t72;
         let t81 = t53 + t73;
         let t85 = t46 + t75 * k3;
-        let t86 = t78 * k3 - a3_y;
-        let t87 = t81 * k3 - a3_z;
+        let t86 = a3_y - t78 * k3;
+        let t87 = t42 + t81 * k3;
         let t90 = c4 * t85 + s4 * t87;
         let a4_y = s4 * t85 - c4 * t87;
         let w4_z = t22 + dq4;
-        let dw4_x = s4 * dw3_z - c4 * t53 + dq4 * w4_y;
+        let dw4_x = s4 * dw3_z - c4 * t53 - dq4 * t61;
         let dw4_y = c4 * dw3_z + s4 * t53 - dq4 * w4_x;
         let dw4_z = t54 + ddq4;
         put(87, t71); // row 3, XX3R
@@ -162,7 +162,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(121, t90); // row 4, MSY4R
         put(123, dw4_z); // row 4, ZZ4R
         [
-        w4_x, w4_y, t68, t69, t70, t71, t72, t73,
+        w4_x, t61, t68, t69, t70, t71, t72, t73,
         t74, t75, t76, t77, t78, t79, t80, t81,
         t86, t90, a4_y, w4_z, dw4_x, dw4_y, dw4_z,
     ]
@@ -171,33 +171,34 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [
         w5_x, t105, t112, t113, t114, t115, t116, t117,
         t118, t119, t120, t121, t122, t123, t124, t125,
-        a5_z, t134, a5_y, w5_z, dw5_x, t142, dw5_z,
+        a5_z, t134, a5_y, w5_z, t141, t142, dw5_z,
     ] = {
         let w5_x = c5 * w4_x - s5 * w4_z;
         let t105 = c5 * w4_z + s5 * w4_x;
         let t112 = w4_x * w4_x;
-        let t113 = w4_y * w4_y;
+        let t113 = t61 * t61;
         let t114 = w4_z * w4_z;
-        let t115 = w4_x * w4_y;
+        let t115 = w4_x * t61;
         let t116 = w4_x * w4_z;
-        let t117 = w4_y * w4_z;
+        let t117 = t61 * w4_z;
         let t118 = t113 + t114;
-        let t119 = dw4_z - t115;
+        let t119 = dw4_z + t115;
         let t120 = dw4_y + t116;
-        let t121 = dw4_z + t115;
+        let t121 = dw4_z - t115;
         let t122 = t112 + t114;
-        let t123 = dw4_x - t117;
+        let t123 = dw4_x + t117;
         let t124 = dw4_y - t116;
-        let t125 = dw4_x + t117;
+        let t125 = dw4_x - t117;
         let t129 = t90 - t119 * k4;
         let a5_z = a4_y + t122 * k4;
-        let t131 = t86 - t125 * k4;
-        let t134 = c5 * t129 + s5 * t131;
-        let a5_y = s5 * t129 - c5 * t131;
-        let w5_z = w4_y + dq5;
-        let dw5_x = c5 * dw4_x - s5 * dw4_z - dq5 * t105;
+        let t131 = t86 + t125 * k4;
+        let t134 = c5 * t129 - s5 * t131;
+        let a5_y = c5 * t131 + s5 * t129;
+        let w5_z = dq5 - t61;
+        let t141 = s5 * dw4_z - c5 * dw4_x + dq5 * t105;
         let t142 = c5 * dw4_z + s5 * dw4_x + dq5 * w5_x;
         let dw5_z = dw4_y + ddq5;
+        put(122, t115); // row 4, XX4R
         put(125, t123); // row 4, XZ4
         put(126, t120); // row 4, YZ4
         put(148, a5_y); // row 5, MSX5
@@ -206,7 +207,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [
         w5_x, t105, t112, t113, t114, t115, t116, t117,
         t118, t119, t120, t121, t122, t123, t124, t125,
-        a5_z, t134, a5_y, w5_z, dw5_x, t142, dw5_z,
+        a5_z, t134, a5_y, w5_z, t141, t142, dw5_z,
     ]
     };
     // link 6: motion
@@ -226,19 +227,19 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t162 = t157 + t158;
         let t163 = dw5_z + t159;
         let t164 = t160 - t142;
-        let t165 = t159 - dw5_z;
+        let t165 = dw5_z - t159;
         let t166 = t156 + t158;
-        let t167 = dw5_x + t161;
+        let t167 = t161 - t141;
         let t168 = t142 + t160;
-        let t169 = t161 - dw5_x;
+        let t169 = t141 + t161;
         let t173 = t134 + t163 * k5;
         let t174 = t166 * k5 - a5_y;
-        let t175 = a5_z - t169 * k5;
-        let t178 = c6 * t173 - s6 * t175;
-        let a6_y = c6 * t175 + s6 * t173;
+        let t175 = t169 * k5 - a5_z;
+        let t178 = c6 * t173 + s6 * t175;
+        let a6_y = s6 * t173 - c6 * t175;
         let w6_z = t105 + dq6;
-        let dw6_x = c6 * dw5_x + s6 * dw5_z - dq6 * t149;
-        let t186 = s6 * dw5_x - c6 * dw5_z + dq6 * w6_x;
+        let dw6_x = s6 * dw5_z - c6 * t141 - dq6 * t149;
+        let t186 = dq6 * w6_x - (c6 * dw5_z + s6 * t141);
         let dw6_z = t142 + ddq6;
         put(150, t159); // row 5, XX5R
         put(153, t167); // row 5, XZ5
@@ -276,9 +277,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t213 = dw6_x - t205;
         let t217 = t178 - t207 * k6;
         let a7_z = a6_y + t210 * k6;
-        let t219 = t174 - t213 * k6;
-        let t222 = c7 * t217 + s7 * t219;
-        let a7_y = s7 * t217 - c7 * t219;
+        let t219 = t213 * k6 - t174;
+        let t222 = c7 * t217 - s7 * t219;
+        let a7_y = c7 * t219 + s7 * t217;
         let w7_z = dq7 - t149;
         let t229 = s7 * dw6_z - c7 * dw6_x + dq7 * t193;
         let t230 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
@@ -320,7 +321,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let z2_4_y = s3 * s4;
         let t253 = c4 * v2_3_x;
         let t254 = s4 * v2_3_x;
-        let t257 = c4 * t239 - s4 * v1_2_y;
+        let t257 = s4 * v1_2_y - c4 * t239;
         let t260 = c4 * v1_2_y + s4 * t239;
         [z1_4_x, z1_4_y, t251, z2_4_y, t253, t254, t257, t260]
     };
@@ -374,16 +375,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSX3: column
     {
         let t305 = t80 * v1_2_y - (t77 * v1_3_y - t74 * t239);
-        let t306 = a3_z * z1_4_z + c2 * a3_y + t305;
-        let t311 = c3 * a3_z + (t77 * v2_4_z - t74 * v2_3_x);
+        let t306 = c2 * a3_y - t42 * z1_4_z + t305;
+        let t311 = t77 * v2_4_z - t74 * v2_3_x - c3 * t42;
         put(8, t306); // row 1, MSX3
         put(50, t311); // row 2, MSX3
     }
     // MSY3: column
     {
         let t319 = t81 * v1_2_y + (t78 * v1_3_y - t75 * t239);
-        let t320 = a3_z * z1_3_x + c2 * t46 - t319;
-        let t325 = t78 * v2_4_z - t75 * v2_3_x - s3 * a3_z;
+        let t320 = c2 * t46 - t42 * z1_3_x - t319;
+        let t325 = s3 * t42 + (t78 * v2_4_z - t75 * v2_3_x);
         put(9, t320); // row 1, MSY3R
         put(51, t325); // row 2, MSY3R
     }
@@ -415,9 +416,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // XZ3: column
     {
-        let t349 = t68 - t70;
-        let t354 = c2 * t79 - (t77 * z1_3_x - z1_4_z * t349);
-        let t357 = s3 * t77 + c3 * t349;
+        let t349 = t70 - t68;
+        let t354 = c2 * t79 - (t77 * z1_3_x + z1_4_z * t349);
+        let t357 = s3 * t77 - c3 * t349;
         put(13, t354); // row 1, XZ3
         put(55, t357); // row 2, XZ3
     }
@@ -433,14 +434,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [t368, t373, t374] = {
         let t368 = s4 * t121;
         let t369 = c4 * t118 + t368;
-        let t372 = c4 * t121 - s4 * t118;
+        let t372 = s4 * t118 - c4 * t121;
         let t373 = s4 * t86;
         let t374 = c4 * t86;
         let t377 = t373 + k3 * t372;
-        let t378 = k3 * t369 - t374;
-        let t388 = v1_2_y * t372 + (t239 * t369 + t124 * v1_3_y);
-        let t389 = c2 * t378 + (z1_3_x * t377 + a4_y * z1_4_z) + t388;
-        let t396 = c3 * a4_y - s3 * t377 - (v2_3_x * t369 + t124 * v2_4_z);
+        let t378 = t374 + k3 * t369;
+        let t388 = t239 * t369 + t124 * v1_3_y - v1_2_y * t372;
+        let t389 = c2 * t378 - (z1_3_x * t377 - a4_y * z1_4_z) + t388;
+        let t396 = s3 * t377 + c3 * a4_y - (v2_3_x * t369 + t124 * v2_4_z);
         put(15, t389); // row 1, MSX4
         put(57, t396); // row 2, MSX4
         put(92, t378); // row 3, MSX4
@@ -449,13 +450,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSY4: column
     let t397 = {
         let t397 = c4 * t119;
-        let t399 = s4 * t122 - t397;
+        let t399 = t397 - s4 * t122;
         let t402 = s4 * t119 + c4 * t122;
-        let t405 = k3 * t402 - t374;
-        let t406 = t373 - k3 * t399;
-        let t416 = v1_2_y * t402 + (t239 * t399 + t125 * v1_3_y);
-        let t417 = c2 * t406 - (z1_3_x * t405 - t90 * z1_4_z) - t416;
-        let t424 = s3 * t405 + c3 * t90 + (v2_3_x * t399 + t125 * v2_4_z);
+        let t405 = t374 + k3 * t402;
+        let t406 = k3 * t399 - t373;
+        let t416 = v1_2_y * t402 + (t125 * v1_3_y - t239 * t399);
+        let t417 = c2 * t406 + (t90 * z1_4_z - z1_3_x * t405) - t416;
+        let t424 = s3 * t405 + c3 * t90 + (t125 * v2_4_z - v2_3_x * t399);
         put(16, t417); // row 1, MSY4R
         put(58, t424); // row 2, MSY4R
         put(93, t406); // row 3, MSY4R
@@ -464,9 +465,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XX4: column
     let [t426, t431, t436] = {
         let t426 = t116 * z1_4_y;
-        let t429 = dw4_x * z1_4_x + t426 - t115 * z1_4_z;
+        let t429 = t115 * z1_4_z + (dw4_x * z1_4_x + t426);
         let t431 = t116 * z2_4_y;
-        let t434 = t431 - dw4_x * t251 - c3 * t115;
+        let t434 = c3 * t115 - (dw4_x * t251 - t431);
         let t436 = c4 * t116;
         let t437 = s4 * dw4_x + t436;
         put(17, t429); // row 1, XX4R
@@ -475,14 +476,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t426, t431, t436]
     };
     // ZZ4: column
-    {
-        let t441 = dw4_z * z1_4_z + (t117 * z1_4_x - t426);
-        let t445 = c3 * dw4_z - (t431 + t117 * t251);
-        let t447 = s4 * t117 - t436;
+    let t447 = {
+        let t441 = dw4_z * z1_4_z - (t426 + t117 * z1_4_x);
+        let t445 = c3 * dw4_z - (t431 - t117 * t251);
+        let t447 = t436 + s4 * t117;
         put(18, t441); // row 1, ZZ4R
         put(60, t445); // row 2, ZZ4R
-        put(95, t447); // row 3, ZZ4R
-    }
+        t447
+    };
     // XY4: column
     {
         let t448 = t112 - t113;
@@ -517,15 +518,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSX5: column
     let [t489, t494, t495] = {
         let t489 = s5 * t165;
-        let t490 = c5 * t162 - t489;
-        let t493 = s5 * t162 + c5 * t165;
+        let t490 = c5 * t162 + t489;
+        let t493 = s5 * t162 - c5 * t165;
         let t494 = s5 * a5_z;
         let t495 = c5 * a5_z;
         let t499 = t495 - k4 * t490;
         let t502 = t494 - k4 * t493 + k3 * t168;
         let t503 = a5_y + k3 * t490;
-        let t513 = t257 * t490 + t168 * t260 - v1_3_y * t493;
-        let t514 = z1_4_z * t499 + (z1_4_x * t502 + z1_4_y * t503) + t513;
+        let t513 = v1_3_y * t493 - (t168 * t260 - t257 * t490);
+        let t514 = z1_4_z * t499 + (z1_4_x * t502 + z1_4_y * t503) - t513;
         let t524 = v2_4_z * t493 - (t253 * t490 + t168 * t254);
         let t525 = c3 * t499 + (z2_4_y * t503 - t251 * t502) + t524;
         let t528 = s4 * t502 + c4 * t503;
@@ -541,13 +542,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t531 = s5 * t166 - t529;
         let t534 = s5 * t163 + c5 * t166;
         let t538 = k4 * t531 - t494;
-        let t541 = k4 * t534 - t495 + k3 * t169;
+        let t541 = t495 - k4 * t534 - k3 * t169;
         let t542 = t134 - k3 * t531;
-        let t552 = v1_3_y * t534 + (t257 * t531 + t169 * t260);
-        let t553 = z1_4_z * t538 - (z1_4_x * t541 - z1_4_y * t542) - t552;
+        let t552 = v1_3_y * t534 + (t169 * t260 - t257 * t531);
+        let t553 = z1_4_z * t538 + (z1_4_x * t541 + z1_4_y * t542) - t552;
         let t563 = v2_4_z * t534 + (t253 * t531 + t169 * t254);
-        let t564 = c3 * t538 + (t251 * t541 + z2_4_y * t542) + t563;
-        let t567 = c4 * t542 - s4 * t541;
+        let t564 = c3 * t538 + (z2_4_y * t542 - t251 * t541) + t563;
+        let t567 = s4 * t541 + c4 * t542;
         put(23, t553); // row 1, MSY5R
         put(65, t564); // row 2, MSY5R
         put(100, t567); // row 3, MSY5R
@@ -555,25 +556,26 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t529
     };
     // XX5: column
-    let [t569, t574, t579, t584, t585] = {
+    let [t569, t574, t579, t584] = {
         let t569 = t160 * z1_6_z;
-        let t572 = t159 * z1_4_y - (dw5_x * t263 + t569);
+        let t572 = t159 * z1_4_y - (t569 - t141 * t263);
         let t574 = t160 * t272;
-        let t577 = t159 * z2_4_y - (dw5_x * t269 + t574);
+        let t577 = t159 * z2_4_y + (t141 * t269 - t574);
         let t579 = t160 * z3_6_z;
-        let t582 = c4 * t159 + (dw5_x * z3_5_x - t579);
+        let t582 = c4 * t159 - (t141 * z3_5_x + t579);
         let t584 = c5 * t160;
-        let t585 = s5 * dw5_x + t584;
+        let t585 = s5 * t141 - t584;
         put(24, t572); // row 1, XX5R
         put(66, t577); // row 2, XX5R
         put(101, t582); // row 3, XX5R
-        [t569, t574, t579, t584, t585]
+        put(129, t585); // row 4, XX5R
+        [t569, t574, t579, t584]
     };
     // ZZ5: column
     {
         let t589 = dw5_z * z1_4_y + (t569 + t161 * t263);
         let t593 = dw5_z * z2_4_y + (t574 + t161 * t269);
-        let t597 = c4 * dw5_z - (t161 * z3_5_x - t579);
+        let t597 = c4 * dw5_z + (t579 - t161 * z3_5_x);
         let t599 = t584 + s5 * t161;
         put(25, t589); // row 1, ZZ5R
         put(67, t593); // row 2, ZZ5R
@@ -585,7 +587,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t600 = t156 - t157;
         let t605 = z1_4_y * t600 + (t168 * t263 + t169 * z1_6_z);
         let t610 = z2_4_y * t600 + (t168 * t269 + t169 * t272);
-        let t615 = c4 * t600 + (t169 * z3_6_z - t168 * z3_5_x);
+        let t615 = c4 * t600 - (t168 * z3_5_x - t169 * z3_6_z);
         let t618 = s5 * t168 + c5 * t169;
         put(26, t605); // row 1, XY5
         put(68, t610); // row 2, XY5
@@ -596,10 +598,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XZ5: column
     {
         let t619 = t156 - t158;
-        let t624 = t167 * z1_4_y + (t165 * t263 + z1_6_z * t619);
-        let t629 = t167 * z2_4_y + (t165 * t269 + t272 * t619);
-        let t634 = c4 * t167 - (t165 * z3_5_x - z3_6_z * t619);
-        let t636 = t489 + c5 * t619;
+        let t624 = t167 * z1_4_y + (z1_6_z * t619 - t165 * t263);
+        let t629 = t167 * z2_4_y + (t272 * t619 - t165 * t269);
+        let t634 = c4 * t167 + (t165 * z3_5_x + z3_6_z * t619);
+        let t636 = c5 * t619 - t489;
         put(27, t624); // row 1, XZ5
         put(69, t629); // row 2, XZ5
         put(104, t634); // row 3, XZ5
@@ -609,7 +611,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     {
         let t637 = t158 - t157;
         let t642 = t164 * z1_4_y + (t263 * t637 - t163 * z1_6_z);
-        let t647 = t164 * z2_4_y + (t269 * t637 - t163 * t272);
+        let t647 = t164 * z2_4_y - (t163 * t272 - t269 * t637);
         let t652 = c4 * t164 - (z3_5_x * t637 + t163 * z3_6_z);
         let t654 = s5 * t637 - t529;
         put(28, t642); // row 1, YZ5
@@ -622,21 +624,21 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t656 = s6 * t209;
         let t657 = c6 * t206 + t656;
         let t659 = c6 * t209;
-        let t660 = t659 - s6 * t206;
+        let t660 = s6 * t206 - t659;
         let t661 = s6 * t174;
         let t662 = c6 * t174;
-        let t665 = t661 + k5 * t660;
+        let t665 = k5 * t660 - t661;
         let t666 = k5 * t657 - t662;
-        let t669 = c5 * t657 - s5 * t212;
+        let t669 = s5 * t212 - c5 * t657;
         let t672 = s5 * t657 + c5 * t212;
-        let t682 = c5 * a6_y - s5 * t665 - k4 * t669;
-        let t685 = k4 * t672 - (c5 * t665 + s5 * a6_y) - k3 * t660;
-        let t686 = t666 + k3 * t669;
-        let t696 = t257 * t669 + t260 * t660 - v1_3_y * t672;
-        let t697 = z1_4_z * t682 + (z1_4_y * t686 - z1_4_x * t685) + t696;
-        let t707 = v2_4_z * t672 - (t253 * t669 + t254 * t660);
-        let t708 = c3 * t682 + (t251 * t685 + z2_4_y * t686) + t707;
-        let t711 = c4 * t686 - s4 * t685;
+        let t682 = s5 * t665 + c5 * a6_y + k4 * t669;
+        let t685 = s5 * a6_y - c5 * t665 - k4 * t672 - k3 * t660;
+        let t686 = t666 - k3 * t669;
+        let t696 = t257 * t669 - t260 * t660 - v1_3_y * t672;
+        let t697 = z1_4_z * t682 + (z1_4_x * t685 + z1_4_y * t686) + t696;
+        let t707 = v2_4_z * t672 + (t253 * t669 + t254 * t660);
+        let t708 = c3 * t682 - (t251 * t685 - z2_4_y * t686) + t707;
+        let t711 = s4 * t685 + c4 * t686;
         put(29, t697); // row 1, MSX6
         put(71, t708); // row 2, MSX6
         put(106, t711); // row 3, MSX6
@@ -647,21 +649,21 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSY6: column
     let [t712, t715] = {
         let t712 = c6 * t207;
-        let t714 = s6 * t210 - t712;
+        let t714 = t712 - s6 * t210;
         let t715 = s6 * t207;
         let t717 = t715 + c6 * t210;
-        let t720 = t662 - k5 * t717;
-        let t721 = t661 - k5 * t714;
-        let t724 = c5 * t714 + s5 * t213;
-        let t727 = c5 * t213 - s5 * t714;
-        let t737 = c5 * t178 - s5 * t720 + k4 * t724;
-        let t740 = c5 * t720 + s5 * t178 - k4 * t727 - k3 * t717;
+        let t720 = k5 * t717 - t662;
+        let t721 = t661 + k5 * t714;
+        let t724 = s5 * t213 - c5 * t714;
+        let t727 = s5 * t714 + c5 * t213;
+        let t737 = s5 * t720 + c5 * t178 + k4 * t724;
+        let t740 = k4 * t727 - (s5 * t178 - c5 * t720) + k3 * t717;
         let t741 = t721 - k3 * t724;
-        let t751 = v1_3_y * t727 + (t257 * t724 + t260 * t717);
-        let t752 = z1_4_z * t737 + (z1_4_x * t740 + z1_4_y * t741) - t751;
+        let t751 = v1_3_y * t727 - (t257 * t724 - t260 * t717);
+        let t752 = z1_4_z * t737 - (z1_4_x * t740 - z1_4_y * t741) - t751;
         let t762 = v2_4_z * t727 + (t253 * t724 + t254 * t717);
-        let t763 = c3 * t737 - (t251 * t740 - z2_4_y * t741) + t762;
-        let t766 = s4 * t740 + c4 * t741;
+        let t763 = c3 * t737 + (t251 * t740 + z2_4_y * t741) + t762;
+        let t766 = c4 * t741 - s4 * t740;
         put(30, t752); // row 1, MSY6R
         put(72, t763); // row 2, MSY6R
         put(107, t766); // row 3, MSY6R
@@ -672,13 +674,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XX6: column
     let [t768, t771] = {
         let t768 = s6 * t204;
-        let t769 = c6 * dw6_x - t768;
+        let t769 = t768 - c6 * dw6_x;
         let t771 = c6 * t204;
         let t772 = s6 * dw6_x + t771;
-        let t777 = z1_4_y * t772 - (t263 * t769 - t203 * z1_6_z);
-        let t782 = z2_4_y * t772 + (t203 * t272 - t269 * t769);
-        let t787 = c4 * t772 + (z3_5_x * t769 + t203 * z3_6_z);
-        let t790 = c5 * t203 - s5 * t769;
+        let t777 = z1_4_y * t772 + (t263 * t769 + t203 * z1_6_z);
+        let t782 = z2_4_y * t772 + (t269 * t769 + t203 * t272);
+        let t787 = c4 * t772 + (t203 * z3_6_z - z3_5_x * t769);
+        let t790 = s5 * t769 + c5 * t203;
         put(31, t777); // row 1, XX6R
         put(73, t782); // row 2, XX6R
         put(108, t787); // row 3, XX6R
@@ -718,13 +720,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // XZ6: column
     {
-        let t838 = t200 - t202;
-        let t840 = t659 + s6 * t838;
-        let t842 = t656 - c6 * t838;
-        let t847 = z1_4_y * t842 + (t211 * z1_6_z - t263 * t840);
-        let t852 = z2_4_y * t842 + (t211 * t272 - t269 * t840);
-        let t857 = c4 * t842 + (z3_5_x * t840 + t211 * z3_6_z);
-        let t860 = c5 * t211 - s5 * t840;
+        let t838 = t202 - t200;
+        let t840 = s6 * t838 - t659;
+        let t842 = t656 + c6 * t838;
+        let t847 = z1_4_y * t842 + (t263 * t840 + t211 * z1_6_z);
+        let t852 = z2_4_y * t842 + (t269 * t840 + t211 * t272);
+        let t857 = c4 * t842 + (t211 * z3_6_z - z3_5_x * t840);
+        let t860 = s5 * t840 + c5 * t211;
         put(34, t847); // row 1, XZ6
         put(76, t852); // row 2, XZ6
         put(111, t857); // row 3, XZ6
@@ -733,9 +735,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // YZ6: column
     {
-        let t861 = t202 - t201;
-        let t863 = t715 + c6 * t861;
-        let t865 = t712 - s6 * t861;
+        let t861 = t201 - t202;
+        let t863 = t715 - c6 * t861;
+        let t865 = t712 + s6 * t861;
         let t870 = z1_4_y * t865 + (t263 * t863 + t208 * z1_6_z);
         let t875 = z2_4_y * t865 + (t269 * t863 + t208 * t272);
         let t880 = c4 * t865 + (t208 * z3_6_z - z3_5_x * t863);
@@ -773,20 +775,20 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t905 = c7 * a7_z;
         let t908 = t904 - k6 * t903;
         let t909 = t905 + k6 * t900;
-        let t912 = c6 * t900 - s6 * t896;
+        let t912 = s6 * t896 - c6 * t900;
         let t915 = s6 * t900 + c6 * t896;
-        let t924 = k5 * t915 - (s6 * a7_y - c6 * t908);
-        let t925 = s6 * t908 + c6 * a7_y - k5 * t912;
-        let t928 = c5 * t912 + s5 * t903;
-        let t931 = s5 * t912 - c5 * t903;
-        let t941 = c5 * t909 - s5 * t924 + k4 * t928;
-        let t944 = c5 * t924 + s5 * t909 + k4 * t931 + k3 * t915;
-        let t945 = t925 - k3 * t928;
-        let t955 = v1_3_y * t931 - (t257 * t928 - t260 * t915);
-        let t956 = z1_4_z * t941 + (z1_4_x * t944 + z1_4_y * t945) + t955;
-        let t966 = t253 * t928 - t254 * t915 - v2_4_z * t931;
-        let t967 = c3 * t941 + (z2_4_y * t945 - t251 * t944) + t966;
-        let t970 = s4 * t944 + c4 * t945;
+        let t924 = c6 * t908 - s6 * a7_y + k5 * t915;
+        let t925 = s6 * t908 + c6 * a7_y + k5 * t912;
+        let t928 = s5 * t903 - c5 * t912;
+        let t931 = s5 * t912 + c5 * t903;
+        let t941 = k4 * t928 - (s5 * t924 - c5 * t909);
+        let t944 = c5 * t924 + s5 * t909 - k4 * t931 + k3 * t915;
+        let t945 = k3 * t928 - t925;
+        let t955 = t257 * t928 + t260 * t915 - v1_3_y * t931;
+        let t956 = z1_4_z * t941 - (z1_4_y * t945 - z1_4_x * t944) + t955;
+        let t961 = t251 * t944 + z2_4_y * t945 - c3 * t941;
+        let t967 = v2_4_z * t931 + (t253 * t928 - t254 * t915) - t961;
+        let t970 = s4 * t944 - c4 * t945;
         put(36, t956); // row 1, MSX7
         put(78, t967); // row 2, MSX7
         put(113, t970); // row 3, MSX7
@@ -807,22 +809,22 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t973 = s7 * t894 - t971;
         let t974 = s7 * t891;
         let t976 = t974 + c7 * t894;
-        let t979 = k6 * t976 - t905;
+        let t979 = t905 - k6 * t976;
         let t980 = k6 * t973 - t904;
         let t983 = c6 * t973 + s6 * t897;
-        let t986 = c6 * t897 - s6 * t973;
-        let t995 = c6 * t979 + s6 * t222 + k5 * t986;
-        let t996 = c6 * t222 - s6 * t979 - k5 * t983;
+        let t986 = s6 * t973 - c6 * t897;
+        let t995 = c6 * t979 - s6 * t222 + k5 * t986;
+        let t996 = s6 * t979 + c6 * t222 - k5 * t983;
         let t999 = c5 * t983 + s5 * t976;
         let t1002 = s5 * t983 - c5 * t976;
-        let t1012 = s5 * t995 + c5 * t980 + k4 * t999;
-        let t1015 = k3 * t986 - (k4 * t1002 - (c5 * t995 - s5 * t980));
-        let t1016 = t996 - k3 * t999;
-        let t1021 = z1_4_x * t1015 - z1_4_y * t1016 - z1_4_z * t1012;
-        let t1027 = v1_3_y * t1002 - (t257 * t999 + t260 * t986) - t1021;
-        let t1037 = v2_4_z * t1002 - (t253 * t999 + t254 * t986);
-        let t1038 = c3 * t1012 + (t251 * t1015 + z2_4_y * t1016) - t1037;
-        let t1041 = c4 * t1016 - s4 * t1015;
+        let t1012 = k4 * t999 - (s5 * t995 - c5 * t980);
+        let t1015 = c5 * t995 + s5 * t980 + k4 * t1002 + k3 * t986;
+        let t1016 = k3 * t999 - t996;
+        let t1026 = v1_3_y * t1002 + (t257 * t999 + t260 * t986);
+        let t1027 = z1_4_z * t1012 + (z1_4_x * t1015 - z1_4_y * t1016) + t1026;
+        let t1037 = v2_4_z * t1002 - (t253 * t999 - t254 * t986);
+        let t1038 = c3 * t1012 - (t251 * t1015 + z2_4_y * t1016) - t1037;
+        let t1041 = s4 * t1015 - c4 * t1016;
         put(37, t1027); // row 1, MSY7
         put(79, t1038); // row 2, MSY7
         put(114, t1041); // row 3, MSY7
@@ -841,7 +843,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1053 = c6 * t887 - s6 * t1044;
         let t1058 = z1_4_y * t1053 + (t263 * t1050 + z1_6_z * t1047);
         let t1063 = z2_4_y * t1053 + (t269 * t1050 + t272 * t1047);
-        let t1068 = c4 * t1053 - (z3_5_x * t1050 - z3_6_z * t1047);
+        let t1068 = c4 * t1053 + (z3_6_z * t1047 - z3_5_x * t1050);
         let t1071 = s5 * t1050 + c5 * t1047;
         put(38, t1058); // row 1, XX7R
         put(80, t1063); // row 2, XX7R
@@ -859,7 +861,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1081 = s6 * t1073 + c6 * dw7_z;
         let t1086 = z1_4_y * t1081 + (t263 * t1078 + z1_6_z * t1075);
         let t1091 = z2_4_y * t1081 + (t269 * t1078 + t272 * t1075);
-        let t1096 = c4 * t1081 + (z3_6_z * t1075 - z3_5_x * t1078);
+        let t1096 = c4 * t1081 - (z3_5_x * t1078 - z3_6_z * t1075);
         let t1099 = s5 * t1078 + c5 * t1075;
         put(39, t1086); // row 1, ZZ7
         put(81, t1091); // row 2, ZZ7
@@ -877,7 +879,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1112 = c6 * t1100 - s6 * t1103;
         let t1117 = z1_4_y * t1112 + (t263 * t1109 + z1_6_z * t1106);
         let t1122 = z2_4_y * t1112 + (t269 * t1109 + t272 * t1106);
-        let t1127 = c4 * t1112 + (z3_6_z * t1106 - z3_5_x * t1109);
+        let t1127 = c4 * t1112 - (z3_5_x * t1109 - z3_6_z * t1106);
         let t1130 = s5 * t1109 + c5 * t1106;
         put(40, t1117); // row 1, XY7
         put(82, t1122); // row 2, XY7
@@ -889,14 +891,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // XZ7: column
     {
-        let t1131 = t886 - t884;
-        let t1133 = t902 + s7 * t1131;
-        let t1135 = t899 - c7 * t1131;
-        let t1138 = c6 * t1133 + s6 * t895;
-        let t1141 = c6 * t895 - s6 * t1133;
+        let t1131 = t884 - t886;
+        let t1133 = s7 * t1131 - t902;
+        let t1135 = t899 + c7 * t1131;
+        let t1138 = s6 * t895 - c6 * t1133;
+        let t1141 = s6 * t1133 + c6 * t895;
         let t1146 = z1_4_y * t1141 + (t263 * t1138 + z1_6_z * t1135);
         let t1151 = z2_4_y * t1141 + (t269 * t1138 + t272 * t1135);
-        let t1156 = c4 * t1141 + (z3_6_z * t1135 - z3_5_x * t1138);
+        let t1156 = c4 * t1141 - (z3_5_x * t1138 - z3_6_z * t1135);
         let t1159 = s5 * t1138 + c5 * t1135;
         put(41, t1146); // row 1, XZ7
         put(83, t1151); // row 2, XZ7
@@ -914,20 +916,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1170 = c6 * t892 - s6 * t1162;
         let t1175 = z1_4_y * t1170 + (t263 * t1167 + z1_6_z * t1164);
         let t1180 = z2_4_y * t1170 + (t269 * t1167 + t272 * t1164);
-        let t1185 = c4 * t1170 - (z3_5_x * t1167 - z3_6_z * t1164);
+        let t1185 = c4 * t1170 + (z3_6_z * t1164 - z3_5_x * t1167);
         let t1188 = s5 * t1167 + c5 * t1164;
         let t1189 = -t32;
-        let t1190 = -t115;
-        let t1191 = -t585;
-        let t1192 = -t794;
+        let t1190 = -t447;
+        let t1191 = -t794;
         put(42, t1175); // row 1, YZ7
         put(45, t1189); // row 2, XX2R
         put(84, t1180); // row 2, YZ7
+        put(95, t1190); // row 3, ZZ4R
         put(119, t1185); // row 3, YZ7
-        put(122, t1190); // row 4, XX4R
-        put(129, t1191); // row 4, XX5R
         put(147, t1188); // row 4, YZ7
-        put(158, t1192); // row 5, ZZ6R
+        put(158, t1191); // row 5, ZZ6R
         put(168, t1170); // row 5, YZ7
         put(182, t1164); // row 6, YZ7
     }

@@ -128,11 +128,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [z1_4_x, z1_4_y, t47, z2_4_y, t49, t50, t53, t56]
     };
     // MSZ2: column
-    let t60 = {
-        let t59 = s2 * t1 - c2 * t0;
+    let t59 = {
+        let t59 = c2 * t0 - s2 * t1;
         let t60 = k1 * t59;
-        put(1, t59); // row 1, MSZ2
-        t60
+        put(0, t60); // row 1, M2
+        t59
     };
     // M3: column
     let [t62, t67, t68] = {
@@ -210,12 +210,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t130 = s5 * t12 - t129;
         let t132 = k4 * t127;
         let t134 = k3 * t127;
-        let t135 = k4 * t130 - k3 * a4_y;
-        let t145 = v1_3_y * t130 + (t53 * t127 - a4_y * t56);
-        let t146 = z1_4_y * t134 - z1_4_x * t135 - z1_4_z * t132 - t145;
-        let t156 = v2_4_z * t130 - (t49 * t127 + a4_y * t50);
-        let t157 = t47 * t135 + z2_4_y * t134 - c3 * t132 + t156;
-        let t160 = c4 * t134 - s4 * t135;
+        let t135 = k3 * a4_y - k4 * t130;
+        let t140 = z1_4_z * t132 - (z1_4_x * t135 + z1_4_y * t134);
+        let t146 = a4_y * t56 - t53 * t127 - v1_3_y * t130 - t140;
+        let t151 = c3 * t132 + (t47 * t135 - z2_4_y * t134);
+        let t157 = v2_4_z * t130 - (t49 * t127 + a4_y * t50) - t151;
+        let t160 = s4 * t135 + c4 * t134;
         put(10, t146); // row 1, M5
         put(32, t157); // row 2, M5
         put(50, t160); // row 3, M5
@@ -227,7 +227,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t161 = s5 * a4_y;
         let t162 = c5 * a4_y;
         let t167 = z1_4_z * t162 + (z1_4_x * t161 + a5_y * z1_4_y);
-        let t172 = c3 * t162 + (a5_y * z2_4_y - t47 * t161);
+        let t172 = c3 * t162 - (t47 * t161 - a5_y * z2_4_y);
         let t175 = s4 * t161 + c4 * a5_y;
         put(11, t167); // row 1, MSX5
         put(33, t172); // row 2, MSX5
@@ -310,7 +310,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t283 = c5 * t201;
         let t284 = s5 * t201;
         let t289 = z1_4_z * t284 - (z1_4_x * t283 + z1_4_y * t198);
-        let t294 = c3 * t284 + (t47 * t283 - z2_4_y * t198);
+        let t294 = c3 * t284 - (z2_4_y * t198 - t47 * t283);
         let t297 = s4 * t283 + c4 * t198;
         put(17, t289); // row 1, MSZ6
         put(39, t294); // row 2, MSZ6
@@ -330,13 +330,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t318 = s5 * t303 - c5 * t307;
         let t321 = s5 * t307 + c5 * t303;
         let t331 = k4 * t318 - (s5 * t314 + c5 * t305);
-        let t334 = c5 * t314 - s5 * t305 - k4 * t321 + k3 * t309;
+        let t334 = s5 * t305 - c5 * t314 + k4 * t321 - k3 * t309;
         let t335 = t315 - k3 * t318;
         let t345 = t53 * t318 + t56 * t309 - v1_3_y * t321;
-        let t346 = z1_4_z * t331 + (z1_4_x * t334 + z1_4_y * t335) + t345;
+        let t346 = z1_4_z * t331 + (z1_4_y * t335 - z1_4_x * t334) + t345;
         let t356 = v2_4_z * t321 + (t49 * t318 - t50 * t309);
-        let t357 = c3 * t331 + (z2_4_y * t335 - t47 * t334) + t356;
-        let t360 = s4 * t334 + c4 * t335;
+        let t357 = c3 * t331 + (t47 * t334 + z2_4_y * t335) + t356;
+        let t360 = c4 * t335 - s4 * t334;
         put(18, t346); // row 1, M7
         put(40, t357); // row 2, M7
         put(58, t360); // row 3, M7
@@ -349,13 +349,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [t361, t362] = {
         let t361 = s7 * a6_y;
         let t362 = c7 * a6_y;
-        let t365 = c6 * t361 - s6 * a7_y;
+        let t365 = s6 * a7_y - c6 * t361;
         let t368 = s6 * t361 + c6 * a7_y;
-        let t371 = c5 * t365 + s5 * t362;
-        let t374 = c5 * t362 - s5 * t365;
-        let t379 = z1_4_z * t374 + (z1_4_x * t371 + z1_4_y * t368);
-        let t384 = c3 * t374 + (z2_4_y * t368 - t47 * t371);
-        let t387 = s4 * t371 + c4 * t368;
+        let t371 = c5 * t365 - s5 * t362;
+        let t374 = s5 * t365 + c5 * t362;
+        let t379 = z1_4_z * t374 + (z1_4_y * t368 - z1_4_x * t371);
+        let t384 = c3 * t374 + (t47 * t371 + z2_4_y * t368);
+        let t387 = c4 * t368 - s4 * t371;
         put(19, t379); // row 1, MSX7
         put(41, t384); // row 2, MSX7
         put(59, t387); // row 3, MSX7
@@ -388,7 +388,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t425 = z1_4_z * t420 + (z1_4_x * t417 + z1_4_y * t414);
         let t430 = c3 * t420 - (t47 * t417 - z2_4_y * t414);
         let t433 = s4 * t417 + c4 * t414;
-        let t434 = -t60;
+        let t434 = -t59;
         let t435 = -t1;
         let t436 = -t68;
         let t437 = -t72;
@@ -403,7 +403,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t446 = -t198;
         let t447 = -t305;
         let t448 = -t361;
-        put(0, t434); // row 1, M2
+        put(1, t434); // row 1, MSZ2
         put(21, t425); // row 1, MSZ7
         put(22, t435); // row 2, MSX2
         put(24, t436); // row 2, M3

@@ -65,7 +65,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t9, t10, t11, t14, t17, t20, t23, t24,
         t25,
     ] = {
-        let t9 = t0 - t3 * k1;
+        let t9 = t3 * k1 - t0;
         let t10 = t1 + t5 * k1;
         let t11 = k2 + c2 * k1;
         let t14 = s1 * s3 - c3 * t2;
@@ -86,7 +86,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t29, t30, t31, t34, t37, t40, t43, t46,
         t49,
     ] = {
-        let t29 = t9 + t17 * k3;
+        let t29 = t17 * k3 - t9;
         let t30 = t10 + t23 * k3;
         let t31 = t11 + t25 * k3;
         let t34 = c4 * t14 + s4 * t3;
@@ -115,7 +115,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t61 = c5 * t17 - s5 * t34;
         let t64 = c5 * t40 - s5 * t23;
         let t67 = c5 * t23 + s5 * t40;
-        let t70 = s5 * t25 - c5 * t46;
+        let t70 = c5 * t46 - s5 * t25;
         let t73 = c5 * t25 + s5 * t46;
         put(21, t61); // [3][5]
         put(27, t67); // [4][5]
@@ -131,7 +131,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t79 = t55 + t73 * k5;
         let t82 = c6 * t37 + s6 * t58;
         let t85 = s6 * t64 - c6 * t43;
-        let t88 = c6 * t49 - s6 * t70;
+        let t88 = c6 * t49 + s6 * t70;
         put(22, t82); // [3][6]
         put(34, t88); // [5][6]
         [t77, t78, t79, t82, t85, t88]
@@ -152,8 +152,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     {
         let t95 = t94 - k2;
         let t98 = c1 * t95;
-        let t102 = s1 * (t1 + t93) - c1 * (t0 - t92);
-        let t103 = t92 - t9;
+        let t102 = s1 * (t1 + t93) + c1 * (t92 - t0);
+        let t103 = t9 + t92;
         let t104 = t10 + t93;
         let t105 = t94 - t11;
         let t108 = t5 * t105 + c2 * t104;
@@ -161,9 +161,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t114 = t5 * t103 - t3 * t104;
         let t115 = t92 - t29;
         let t116 = t30 + t93;
-        let t117 = t31 - t94;
-        let t120 = t25 * t116 - t23 * t117;
-        let t123 = t25 * t115 + t17 * t117;
+        let t117 = t94 - t31;
+        let t120 = t23 * t117 + t25 * t116;
+        let t123 = t25 * t115 - t17 * t117;
         let t126 = t17 * t116 + t23 * t115;
         let t127 = t53 - t92;
         let t128 = t54 + t93;

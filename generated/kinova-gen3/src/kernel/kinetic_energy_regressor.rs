@@ -61,32 +61,32 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     // link 3: velocity
     let [t10, t13, t16, t19, t20] = {
         let t6 = t1 * k1;
-        let t7 = t3 - dq2 * k1;
-        let t10 = s3 * dq2 - c3 * t1;
+        let t7 = dq2 * k1 - t3;
+        let t10 = c3 * t1 - s3 * dq2;
         let t13 = c3 * dq2 + s3 * t1;
-        let t16 = c3 * t7 - s3 * t6;
-        let t19 = c3 * t6 + s3 * t7;
+        let t16 = c3 * t7 + s3 * t6;
+        let t19 = s3 * t7 - c3 * t6;
         let t20 = t2 + dq3;
         [t10, t13, t16, t19, t20]
     };
     // link 4: velocity
     let [t27, t30, t33, t36, t37] = {
-        let t23 = t16 + t20 * k2;
-        let t24 = t10 * k2 - t4;
-        let t27 = s4 * t20 - c4 * t10;
-        let t30 = c4 * t20 + s4 * t10;
-        let t33 = c4 * t23 + s4 * t24;
-        let t36 = c4 * t24 - s4 * t23;
+        let t23 = t20 * k2 - t16;
+        let t24 = t4 + t10 * k2;
+        let t27 = c4 * t10 + s4 * t20;
+        let t30 = c4 * t20 - s4 * t10;
+        let t33 = s4 * t24 - c4 * t23;
+        let t36 = c4 * t24 + s4 * t23;
         let t37 = t13 + dq4;
         [t27, t30, t33, t36, t37]
     };
     // link 5: velocity
     let [t44, t47, t50, t53, t54] = {
-        let t40 = t33 - t37 * k3;
-        let t41 = t19 + t27 * k3;
-        let t44 = s5 * t37 - c5 * t27;
+        let t40 = t33 + t37 * k3;
+        let t41 = t19 - t27 * k3;
+        let t44 = c5 * t27 - s5 * t37;
         let t47 = c5 * t37 + s5 * t27;
-        let t50 = c5 * t40 - s5 * t41;
+        let t50 = s5 * t41 - c5 * t40;
         let t53 = c5 * t41 + s5 * t40;
         let t54 = t30 + dq5;
         [t44, t47, t50, t53, t54]
@@ -95,21 +95,21 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     let [t61, t64, t67, t70, t71] = {
         let t57 = t50 + t54 * k4;
         let t58 = t36 + t44 * k4;
-        let t61 = s6 * t54 - c6 * t44;
-        let t64 = c6 * t54 + s6 * t44;
-        let t67 = c6 * t57 + s6 * t58;
-        let t70 = c6 * t58 - s6 * t57;
+        let t61 = c6 * t44 + s6 * t54;
+        let t64 = c6 * t54 - s6 * t44;
+        let t67 = s6 * t58 - c6 * t57;
+        let t70 = c6 * t58 + s6 * t57;
         let t71 = t47 + dq6;
         [t61, t64, t67, t70, t71]
     };
     // link 7: velocity
     let [t78, t81, t84, t87, t88] = {
-        let t74 = t67 - t71 * k5;
-        let t75 = t53 + t61 * k5;
-        let t78 = s7 * t71 - c7 * t61;
+        let t74 = t67 + t71 * k5;
+        let t75 = t61 * k5 - t53;
+        let t78 = c7 * t61 - s7 * t71;
         let t81 = c7 * t71 + s7 * t61;
-        let t84 = c7 * t74 - s7 * t75;
-        let t87 = c7 * t75 + s7 * t74;
+        let t84 = c7 * t74 + s7 * t75;
+        let t87 = s7 * t74 - c7 * t75;
         let t88 = t64 + dq7;
         [t78, t81, t84, t87, t88]
     };
@@ -126,18 +126,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         let t106 = t1 * t2;
         let t107 = dq2 * t1;
         let t108 = dq2 * t2;
-        let t111 = t19 * t20 + t4 * t13;
-        let t114 = t16 * t20 - t4 * t10;
-        let t117 = t13 * t16 + t10 * t19;
+        let t111 = t4 * t13 - t19 * t20;
+        let t114 = t4 * t10 - t16 * t20;
+        let t117 = t10 * t19 - t13 * t16;
         let t119 = t19 * t19;
         let t122 = k6 * (t97 + (t16 * t16 + t119));
         let t124 = k6 * (t10 * t10);
         let t126 = k6 * (t13 * t13);
         let t128 = k6 * (t20 * t20);
-        let t129 = t10 * t13;
-        let t134 = t19 * t30 - t36 * t37;
-        let t137 = t33 * t37 - t19 * t27;
-        let t140 = t27 * t36 - t30 * t33;
+        let t130 = t10 * t20;
+        let t134 = t36 * t37 - t19 * t30;
+        let t137 = t19 * t27 - t33 * t37;
+        let t140 = t30 * t33 - t27 * t36;
         let t142 = t36 * t36;
         let t145 = k6 * (t119 + (t33 * t33 + t142));
         let t147 = k6 * (t27 * t27);
@@ -146,7 +146,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         let t152 = t27 * t30;
         let t153 = t27 * t37;
         let t154 = t30 * t37;
-        let t157 = t53 * t54 - t36 * t47;
+        let t157 = t36 * t47 - t53 * t54;
         let t160 = t36 * t44 + t50 * t54;
         let t163 = t47 * t50 + t44 * t53;
         let t165 = t53 * t53;
@@ -154,10 +154,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         let t170 = k6 * (t44 * t44);
         let t172 = k6 * (t47 * t47);
         let t174 = k6 * (t54 * t54);
-        let t175 = t44 * t47;
-        let t180 = t53 * t64 - t70 * t71;
-        let t183 = t67 * t71 - t53 * t61;
-        let t186 = t61 * t70 - t64 * t67;
+        let t176 = t44 * t54;
+        let t180 = t70 * t71 - t53 * t64;
+        let t183 = t53 * t61 - t67 * t71;
+        let t186 = t64 * t67 - t61 * t70;
         let t188 = t70 * t70;
         let t191 = k6 * (t165 + (t67 * t67 + t188));
         let t193 = k6 * (t61 * t61);
@@ -166,20 +166,20 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         let t198 = t61 * t64;
         let t199 = t61 * t71;
         let t200 = t64 * t71;
-        let t203 = t87 * t88 - t70 * t81;
-        let t206 = t70 * t78 + t84 * t88;
-        let t209 = t81 * t84 + t78 * t87;
+        let t203 = t70 * t81 - t87 * t88;
+        let t206 = t70 * t78 - t84 * t88;
+        let t209 = t78 * t87 - t81 * t84;
         let t214 = k6 * (t188 + (t84 * t84 + t87 * t87));
         let t216 = k6 * (t78 * t78);
         let t218 = k6 * (t81 * t81);
         let t220 = k6 * (t88 * t88);
-        let t221 = t78 * t81;
+        let t222 = t78 * t88;
         let t224 = -(t2 * t3 + t1 * t4);
-        let t225 = -(t10 * t20);
+        let t225 = -(t10 * t13);
         let t226 = -(t13 * t20);
-        let t227 = -(t44 * t54);
+        let t227 = -(t44 * t47);
         let t228 = -(t47 * t54);
-        let t229 = -(t78 * t88);
+        let t229 = -(t78 * t81);
         let t230 = -(t81 * t88);
         put(0, t90);
         put(1, t99);
@@ -199,8 +199,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         put(15, t124);
         put(16, t126);
         put(17, t128);
-        put(18, t129);
-        put(19, t225);
+        put(18, t225);
+        put(19, t130);
         put(20, t226);
         put(21, t145);
         put(22, t134);
@@ -219,8 +219,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         put(35, t170);
         put(36, t172);
         put(37, t174);
-        put(38, t175);
-        put(39, t227);
+        put(38, t227);
+        put(39, t176);
         put(40, t228);
         put(41, t191);
         put(42, t180);
@@ -239,8 +239,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         put(55, t216);
         put(56, t218);
         put(57, t220);
-        put(58, t221);
-        put(59, t229);
+        put(58, t229);
+        put(59, t222);
         put(60, t230);
     }
 }

@@ -51,123 +51,122 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let k5 = S::constant(0.00035);
     let k6 = S::constant(0.167455);
     // link 2: motion
-    let [w2_x, w2_y, a2_z, t10, a2_y, t13, dw2_x, dw2_y] = {
+    let [w2_x, w2_y, a2_z, t10, t12, t13, dw2_x, t16] = {
         let w2_x = s2 * dq1;
         let w2_y = c2 * dq1;
         let t7 = ddq1 * k1;
         let a2_z = dq1 * dq1 * k1;
         let t10 = s2 * k0 + c2 * t7;
-        let a2_y = s2 * t7 - c2 * k0;
+        let t12 = c2 * k0 - s2 * t7;
         let t13 = dq2 * w2_y;
         let dw2_x = s2 * ddq1 + t13;
-        let dw2_y = c2 * ddq1 - dq2 * w2_x;
-        [w2_x, w2_y, a2_z, t10, a2_y, t13, dw2_x, dw2_y]
+        let t16 = dq2 * w2_x - c2 * ddq1;
+        [w2_x, w2_y, a2_z, t10, t12, t13, dw2_x, t16]
     };
     // link 3: motion
     let [
         w3_x, t22, a3_z, t43, a3_y, w3_z, t50, t51,
-        dw3_z,
+        t52,
     ] = {
         let w3_x = c3 * w2_x - s3 * dq2;
         let t22 = c3 * dq2 + s3 * w2_x;
         let t38 = t10 + (w2_x * w2_y - ddq2) * k2;
-        let a3_z = a2_y + (w2_x * w2_x + dq2 * dq2) * k2;
-        let t40 = a2_z - (t13 + dw2_x) * k2;
-        let t43 = c3 * t38 + s3 * t40;
-        let a3_y = s3 * t38 - c3 * t40;
+        let a3_z = (w2_x * w2_x + dq2 * dq2) * k2 - t12;
+        let t40 = (t13 + dw2_x) * k2 - a2_z;
+        let t43 = c3 * t38 - s3 * t40;
+        let a3_y = c3 * t40 + s3 * t38;
         let w3_z = w2_y + dq3;
         let t50 = s3 * ddq2 - c3 * dw2_x + dq3 * t22;
         let t51 = c3 * ddq2 + s3 * dw2_x + dq3 * w3_x;
-        let dw3_z = dw2_y + ddq3;
+        let t52 = t16 - ddq3;
         [
         w3_x, t22, a3_z, t43, a3_y, w3_z, t50, t51,
-        dw3_z,
+        t52,
     ]
     };
     // link 4: motion
     let [
-        w4_x, t58, t76, a4_x, a4_y, w4_z, t87, t88,
+        w4_x, w4_y, t76, a4_x, a4_y, w4_z, t87, t88,
         dw4_z,
     ] = {
         let w4_x = c4 * w3_x + s4 * w3_z;
-        let t58 = s4 * w3_x - c4 * w3_z;
-        let t75 = t43 + (dw3_z + w3_x * t22) * k3;
-        let t76 = a3_y - (w3_x * w3_x + w3_z * w3_z) * k3;
+        let w4_y = c4 * w3_z - s4 * w3_x;
+        let t75 = t43 - (t52 - w3_x * t22) * k3;
+        let t76 = (w3_x * w3_x + w3_z * w3_z) * k3 - a3_y;
         let t77 = a3_z - (t50 + t22 * w3_z) * k3;
         let a4_x = s4 * t77 - c4 * t75;
         let a4_y = c4 * t77 + s4 * t75;
         let w4_z = t22 + dq4;
-        let t87 = dq4 * t58 - (s4 * dw3_z - c4 * t50);
-        let t88 = dq4 * w4_x - (c4 * dw3_z + s4 * t50);
+        let t87 = c4 * t50 + s4 * t52 - dq4 * w4_y;
+        let t88 = c4 * t52 - s4 * t50 + dq4 * w4_x;
         let dw4_z = t51 + ddq4;
         [
-        w4_x, t58, t76, a4_x, a4_y, w4_z, t87, t88,
+        w4_x, w4_y, t76, a4_x, a4_y, w4_z, t87, t88,
         dw4_z,
     ]
     };
     // link 5: motion
     let [
-        w5_x, t95, a5_z, a5_x, a5_y, t121, t124, t125,
-        dw5_z,
+        t92, t95, a5_z, t117, a5_y, w5_z, t124, t125,
+        t126,
     ] = {
-        let w5_x = c5 * w4_x - s5 * w4_z;
+        let t92 = s5 * w4_z - c5 * w4_x;
         let t95 = c5 * w4_z + s5 * w4_x;
-        let t112 = a4_x + (dw4_z + w4_x * t58) * k4;
+        let t112 = (w4_x * w4_y - dw4_z) * k4 - a4_x;
         let a5_z = a4_y + (w4_x * w4_x + w4_z * w4_z) * k4;
-        let t114 = t76 - (t87 + t58 * w4_z) * k4;
-        let a5_x = c5 * t112 + s5 * t114;
-        let a5_y = c5 * t114 - s5 * t112;
-        let t121 = t58 - dq5;
+        let t114 = t76 + (t87 - w4_y * w4_z) * k4;
+        let t117 = c5 * t112 + s5 * t114;
+        let a5_y = s5 * t112 - c5 * t114;
+        let w5_z = w4_y + dq5;
         let t124 = c5 * t87 + s5 * dw4_z + dq5 * t95;
-        let t125 = c5 * dw4_z - s5 * t87 + dq5 * w5_x;
-        let dw5_z = ddq5 - t88;
+        let t125 = s5 * t87 - c5 * dw4_z + dq5 * t92;
+        let t126 = t88 - ddq5;
         [
-        w5_x, t95, a5_z, a5_x, a5_y, t121, t124, t125,
-        dw5_z,
+        t92, t95, a5_z, t117, a5_y, w5_z, t124, t125,
+        t126,
     ]
     };
     // link 6: motion
     let [
-        w6_x, t132, t150, t154, a6_y, w6_z, t161, dw6_y,
+        w6_x, w6_y, t150, t154, a6_y, w6_z, dw6_x, dw6_y,
         dw6_z,
     ] = {
-        let w6_x = c6 * w5_x - s6 * t121;
-        let t132 = c6 * t121 + s6 * w5_x;
-        let t149 = (dw5_z + w5_x * t95) * k5 - a5_x;
-        let t150 = a5_y - (w5_x * w5_x + t121 * t121) * k5;
-        let t151 = a5_z - (t124 - t95 * t121) * k5;
-        let t154 = c6 * t149 - s6 * t151;
-        let a6_y = c6 * t151 + s6 * t149;
+        let w6_x = s6 * w5_z - c6 * t92;
+        let w6_y = c6 * w5_z + s6 * t92;
+        let t149 = t117 - (t126 + t92 * t95) * k5;
+        let t150 = a5_y - (t92 * t92 + w5_z * w5_z) * k5;
+        let t151 = (t124 + t95 * w5_z) * k5 - a5_z;
+        let t154 = c6 * t149 + s6 * t151;
+        let a6_y = s6 * t149 - c6 * t151;
         let w6_z = t95 + dq6;
-        let t161 = c6 * t124 - s6 * dw5_z + dq6 * t132;
-        let dw6_y = c6 * dw5_z + s6 * t124 - dq6 * w6_x;
-        let dw6_z = t125 + ddq6;
+        let dw6_x = dq6 * w6_y - (c6 * t124 + s6 * t126);
+        let dw6_y = s6 * t124 - c6 * t126 - dq6 * w6_x;
+        let dw6_z = ddq6 - t125;
         [
-        w6_x, t132, t150, t154, a6_y, w6_z, t161, dw6_y,
+        w6_x, w6_y, t150, t154, a6_y, w6_z, dw6_x, dw6_y,
         dw6_z,
     ]
     };
     // link 7: motion
     let [
-        w7_x, t169, a7_z, t191, a7_y, w7_z, t198, t199,
+        w7_x, t169, a7_z, a7_x, a7_y, w7_z, t198, t199,
         dw7_z,
     ] = {
         let w7_x = c7 * w6_x - s7 * w6_z;
         let t169 = c7 * w6_z + s7 * w6_x;
-        let t186 = t154 - (dw6_z + w6_x * t132) * k6;
+        let t186 = (dw6_z - w6_x * w6_y) * k6 - t154;
         let a7_z = a6_y + (w6_x * w6_x + w6_z * w6_z) * k6;
-        let t188 = (t161 + t132 * w6_z) * k6 - t150;
-        let t191 = c7 * t186 + s7 * t188;
-        let a7_y = s7 * t186 - c7 * t188;
-        let w7_z = dq7 - t132;
-        let t198 = c7 * t161 + s7 * dw6_z + dq7 * t169;
-        let t199 = c7 * dw6_z - s7 * t161 + dq7 * w7_x;
+        let t188 = t150 + (dw6_x + w6_y * w6_z) * k6;
+        let a7_x = c7 * t186 + s7 * t188;
+        let a7_y = c7 * t188 - s7 * t186;
+        let w7_z = w6_y + dq7;
+        let t198 = dq7 * t169 - (c7 * dw6_x - s7 * dw6_z);
+        let t199 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
         let dw7_z = dw6_y + ddq7;
         put(60, a7_y); // row 7, MSX
-        put(61, t191); // row 7, MSY
         put(64, dw7_z); // row 7, ZZ
         [
-        w7_x, t169, a7_z, t191, a7_y, w7_z, t198, t199,
+        w7_x, t169, a7_z, a7_x, a7_y, w7_z, t198, t199,
         dw7_z,
     ]
     };
@@ -201,14 +200,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [z1_4_x, z1_4_y, t220, z2_4_y, t222, t223, t226, t229]
     };
     // joint axes in frame 5
-    let [t232, z1_6_z, t238, t241, z3_5_x, z3_6_z] = {
-        let t232 = s5 * z1_4_z - c5 * z1_4_x;
+    let [z1_5_x, z1_6_z, t238, t241, z3_5_x, z3_6_z] = {
+        let z1_5_x = c5 * z1_4_x - s5 * z1_4_z;
         let z1_6_z = c5 * z1_4_z + s5 * z1_4_x;
         let t238 = c5 * t220 + c3 * s5;
         let t241 = c3 * c5 - s5 * t220;
         let z3_5_x = s4 * c5;
         let z3_6_z = s4 * s5;
-        [t232, z1_6_z, t238, t241, z3_5_x, z3_6_z]
+        [z1_5_x, z1_6_z, t238, t241, z3_5_x, z3_6_z]
     };
     // joint axes in frame 7
     let [
@@ -239,31 +238,32 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     ]
     };
     // payload: column M
-    let [t261, t264, t266] = {
-        let t261 = c7 * t191 + s7 * a7_y;
-        let t264 = s7 * t191 - c7 * a7_y;
+    let [t261, t264] = {
+        let t261 = c7 * a7_x - s7 * a7_y;
+        let t264 = s7 * a7_x + c7 * a7_y;
         let t265 = k6 * t264;
         let t266 = k6 * t261;
-        let t269 = c6 * t261 + s6 * a7_z;
-        let t272 = c6 * a7_z - s6 * t261;
-        let t277 = c6 * t265 - k5 * t272;
-        let t278 = k5 * t269 - s6 * t265;
+        let t269 = c6 * t261 - s6 * a7_z;
+        let t272 = s6 * t261 + c6 * a7_z;
+        let t277 = c6 * t265 + k5 * t272;
+        let t278 = s6 * t265 - k5 * t269;
         let t281 = c5 * t269 - s5 * t264;
         let t284 = s5 * t269 + c5 * t264;
-        let t294 = s5 * t277 - c5 * t266 - k4 * t281;
-        let t297 = k3 * t272 - (c5 * t277 + s5 * t266 + k4 * t284);
-        let t298 = t278 + k3 * t281;
-        let t308 = v1_3_y * t284 + (t226 * t281 + t229 * t272);
-        let t309 = z1_4_z * t294 + (z1_4_x * t297 + z1_4_y * t298) - t308;
-        let t319 = v2_4_z * t284 - (t222 * t281 + t223 * t272);
-        let t320 = c3 * t294 + (z2_4_y * t298 - t220 * t297) + t319;
+        let t294 = k4 * t281 - (s5 * t277 - c5 * t266);
+        let t297 = c5 * t277 + s5 * t266 + k4 * t284 + k3 * t272;
+        let t298 = t278 - k3 * t281;
+        let t308 = v1_3_y * t284 + (t226 * t281 - t229 * t272);
+        let t309 = z1_4_z * t294 + (z1_4_x * t297 + z1_4_y * t298) + t308;
+        let t319 = v2_4_z * t284 + (t223 * t272 - t222 * t281);
+        let t320 = c3 * t294 + (z2_4_y * t298 - t220 * t297) - t319;
         let t323 = s4 * t297 + c4 * t298;
         put(0, t309); // row 1, M
         put(10, t320); // row 2, M
         put(20, t323); // row 3, M
         put(30, t294); // row 4, M
         put(40, t278); // row 5, M
-        [t261, t264, t266]
+        put(50, t266); // row 6, M
+        [t261, t264]
     };
     // payload: column MSX
     let [t325, t328, t330, t331] = {
@@ -273,22 +273,22 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t329 = s7 * t250 - t328;
         let t330 = s7 * a7_z;
         let t331 = c7 * a7_z;
-        let t334 = t330 - k6 * t329;
+        let t334 = k6 * t329 - t330;
         let t335 = t331 - k6 * t326;
         let t338 = c6 * t326 + s6 * t256;
         let t341 = c6 * t256 - s6 * t326;
-        let t350 = c6 * t334 - s6 * a7_y + k5 * t341;
-        let t351 = s6 * t334 + c6 * a7_y + k5 * t338;
-        let t354 = s5 * t329 - c5 * t338;
+        let t350 = c6 * t334 + s6 * a7_y - k5 * t341;
+        let t351 = c6 * a7_y - s6 * t334 + k5 * t338;
+        let t354 = c5 * t338 - s5 * t329;
         let t357 = s5 * t338 + c5 * t329;
-        let t367 = c5 * t335 - s5 * t350 + k4 * t354;
-        let t370 = c5 * t350 + s5 * t335 - k4 * t357 + k3 * t341;
-        let t371 = t351 - k3 * t354;
-        let t381 = v1_3_y * t357 + (t229 * t341 - t226 * t354);
-        let t382 = z1_4_z * t367 + (z1_4_x * t370 + z1_4_y * t371) - t381;
-        let t392 = t223 * t341 - t222 * t354 - v2_4_z * t357;
-        let t393 = c3 * t367 + (z2_4_y * t371 - t220 * t370) - t392;
-        let t396 = s4 * t370 + c4 * t371;
+        let t367 = s5 * t350 + c5 * t335 - k4 * t354;
+        let t370 = c5 * t350 - s5 * t335 + k4 * t357 - k3 * t341;
+        let t371 = t351 + k3 * t354;
+        let t381 = v1_3_y * t357 + (t226 * t354 + t229 * t341);
+        let t382 = z1_4_z * t367 - (z1_4_x * t370 - z1_4_y * t371) - t381;
+        let t392 = v2_4_z * t357 - (t222 * t354 + t223 * t341);
+        let t393 = c3 * t367 + (t220 * t370 + z2_4_y * t371) + t392;
+        let t396 = c4 * t371 - s4 * t370;
         put(1, t382); // row 1, MSX
         put(11, t393); // row 2, MSX
         put(21, t396); // row 3, MSX
@@ -307,18 +307,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t406 = k6 * t399 - t330;
         let t409 = c6 * t399 + s6 * t257;
         let t412 = c6 * t257 - s6 * t399;
-        let t421 = c6 * t405 - s6 * t191 - k5 * t412;
-        let t422 = s6 * t405 + c6 * t191 - k5 * t409;
+        let t421 = k5 * t412 - (c6 * t405 + s6 * a7_x);
+        let t422 = s6 * t405 - c6 * a7_x - k5 * t409;
         let t425 = c5 * t409 + s5 * t402;
         let t428 = c5 * t402 - s5 * t409;
-        let t438 = c5 * t406 - s5 * t421 + k4 * t425;
-        let t441 = c5 * t421 + s5 * t406 - k4 * t428 - k3 * t412;
-        let t442 = k3 * t425 - t422;
-        let t452 = v1_3_y * t428 - (t226 * t425 + t229 * t412);
-        let t453 = z1_4_z * t438 + (z1_4_x * t441 - z1_4_y * t442) - t452;
+        let t438 = s5 * t421 + c5 * t406 + k4 * t425;
+        let t441 = k4 * t428 - (s5 * t406 - c5 * t421) + k3 * t412;
+        let t442 = t422 - k3 * t425;
+        let t452 = t226 * t425 + t229 * t412 - v1_3_y * t428;
+        let t453 = z1_4_z * t438 + (z1_4_y * t442 - z1_4_x * t441) + t452;
         let t463 = v2_4_z * t428 + (t222 * t425 + t223 * t412);
-        let t464 = c3 * t438 - (t220 * t441 + z2_4_y * t442) + t463;
-        let t467 = s4 * t441 - c4 * t442;
+        let t464 = c3 * t438 + (t220 * t441 + z2_4_y * t442) + t463;
+        let t467 = c4 * t442 - s4 * t441;
         put(2, t453); // row 1, MSY
         put(12, t464); // row 2, MSY
         put(22, t467); // row 3, MSY
@@ -331,8 +331,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     {
         let t470 = c7 * t252 + s7 * t255;
         let t473 = s7 * t252 - c7 * t255;
-        let t476 = t264 + k6 * t473;
-        let t477 = t261 + k6 * t470;
+        let t476 = k6 * t473 - t264;
+        let t477 = k6 * t470 - t261;
         let t480 = c6 * t470 + s6 * t258;
         let t483 = s6 * t470 - c6 * t258;
         let t488 = c6 * t476 + k5 * t483;
@@ -342,10 +342,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t505 = c5 * t477 - s5 * t488 - k4 * t492;
         let t508 = c5 * t488 + s5 * t477 + k4 * t495 + k3 * t483;
         let t509 = t489 + k3 * t492;
-        let t519 = v1_3_y * t495 - (t226 * t492 + t229 * t483);
-        let t520 = z1_4_z * t505 + (z1_4_x * t508 + z1_4_y * t509) + t519;
+        let t519 = t226 * t492 + t229 * t483 - v1_3_y * t495;
+        let t520 = z1_4_z * t505 + (z1_4_x * t508 + z1_4_y * t509) - t519;
         let t530 = v2_4_z * t495 + (t222 * t492 + t223 * t483);
-        let t531 = c3 * t505 - (t220 * t508 - z2_4_y * t509) - t530;
+        let t531 = c3 * t505 + (z2_4_y * t509 - t220 * t508) - t530;
         let t534 = s4 * t508 + c4 * t509;
         put(3, t520); // row 1, MSZ
         put(13, t531); // row 2, MSZ
@@ -364,9 +364,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t543 = c6 * t537 + t542;
         let t545 = c6 * t247;
         let t546 = t545 - s6 * t537;
-        let t551 = z1_4_y * t546 + (t232 * t543 + z1_6_z * t540);
+        let t551 = z1_4_y * t546 + (z1_6_z * t540 - z1_5_x * t543);
         let t556 = z2_4_y * t546 + (t238 * t543 + t241 * t540);
-        let t561 = c4 * t546 - (z3_5_x * t543 - z3_6_z * t540);
+        let t561 = c4 * t546 + (z3_6_z * t540 - z3_5_x * t543);
         let t564 = s5 * t543 + c5 * t540;
         put(4, t551); // row 1, XX
         put(14, t556); // row 2, XX
@@ -384,7 +384,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t570 = c7 * t199 - t568;
         let t572 = t542 + c6 * t567;
         let t574 = s6 * t567 - t545;
-        let t579 = z1_4_y * t574 + (z1_6_z * t570 - t232 * t572);
+        let t579 = z1_4_y * t574 + (z1_5_x * t572 + z1_6_z * t570);
         let t584 = z2_4_y * t574 + (t241 * t570 - t238 * t572);
         let t589 = c4 * t574 + (z3_5_x * t572 + z3_6_z * t570);
         let t592 = c5 * t570 - s5 * t572;
@@ -402,7 +402,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t594 = t539 + t568;
         let t597 = s6 * dw7_z - c6 * t593;
         let t600 = s6 * t593 + c6 * dw7_z;
-        let t605 = z1_4_y * t600 + (t232 * t597 + z1_6_z * t594);
+        let t605 = z1_4_y * t600 + (z1_6_z * t594 - z1_5_x * t597);
         let t610 = z2_4_y * t600 + (t238 * t597 + t241 * t594);
         let t615 = c4 * t600 + (z3_6_z * t594 - z3_5_x * t597);
         let t618 = s5 * t597 + c5 * t594;
@@ -420,12 +420,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let t650 = {
         let t622 = s7 * t257 - c7 * t256;
         let t625 = s7 * t256 + c7 * t257;
-        let t628 = c6 * t622 - s6 * t619;
+        let t628 = s6 * t619 - c6 * t622;
         let t631 = s6 * t622 + c6 * t619;
-        let t636 = z1_4_y * t631 + (z1_6_z * t625 - t232 * t628);
-        let t641 = z2_4_y * t631 + (t241 * t625 - t238 * t628);
-        let t646 = c4 * t631 + (z3_5_x * t628 + z3_6_z * t625);
-        let t649 = c5 * t625 - s5 * t628;
+        let t636 = z1_4_y * t631 + (z1_6_z * t625 - z1_5_x * t628);
+        let t641 = z2_4_y * t631 + (t238 * t628 + t241 * t625);
+        let t646 = c4 * t631 - (z3_5_x * t628 - z3_6_z * t625);
+        let t649 = s5 * t628 + c5 * t625;
         let t650 = t244 - t246;
         put(7, t636); // row 1, XY
         put(17, t641); // row 2, XY
@@ -439,12 +439,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let t679 = {
         let t652 = t328 + s7 * t650;
         let t654 = c7 * t650 - t325;
-        let t657 = c6 * t652 - s6 * t255;
+        let t657 = s6 * t255 - c6 * t652;
         let t660 = s6 * t652 + c6 * t255;
-        let t665 = z1_4_y * t660 - (t232 * t657 - z1_6_z * t654);
-        let t670 = z2_4_y * t660 + (t241 * t654 - t238 * t657);
-        let t675 = c4 * t660 + (z3_5_x * t657 + z3_6_z * t654);
-        let t678 = c5 * t654 - s5 * t657;
+        let t665 = z1_4_y * t660 + (z1_6_z * t654 - z1_5_x * t657);
+        let t670 = z2_4_y * t660 + (t238 * t657 + t241 * t654);
+        let t675 = c4 * t660 + (z3_6_z * t654 - z3_5_x * t657);
+        let t678 = s5 * t657 + c5 * t654;
         let t679 = t246 - t245;
         put(8, t665); // row 1, XZ
         put(18, t670); // row 2, XZ
@@ -460,19 +460,19 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t683 = s7 * t679 - t397;
         let t686 = c6 * t681 + s6 * t252;
         let t689 = c6 * t252 - s6 * t681;
-        let t694 = z1_4_y * t689 + (t232 * t686 + z1_6_z * t683);
+        let t694 = z1_4_y * t689 + (z1_6_z * t683 - z1_5_x * t686);
         let t699 = z2_4_y * t689 + (t238 * t686 + t241 * t683);
         let t704 = c4 * t689 + (z3_6_z * t683 - z3_5_x * t686);
         let t707 = s5 * t686 + c5 * t683;
-        let t708 = -t266;
+        let t708 = -a7_x;
         let t709 = -t247;
         put(9, t694); // row 1, YZ
         put(19, t699); // row 2, YZ
         put(29, t704); // row 3, YZ
         put(39, t707); // row 4, YZ
         put(49, t689); // row 5, YZ
-        put(50, t708); // row 6, M
         put(59, t683); // row 6, YZ
+        put(61, t708); // row 7, MSY
         put(63, t709); // row 7, YY
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 612 multiplications, 436 additions; 7 x 57, 202 of 399 structurally nonzero.
+//! 612 multiplications, 433 additions; 7 x 57, 202 of 399 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
@@ -98,17 +98,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t23 = w2_y * w2_y;
         let t24 = dq2 * dq2;
         let t25 = w2_x * w2_y;
-        let t26 = t25 - ddq2;
+        let t26 = ddq2 - t25;
         let t27 = ddq2 + t25;
         let t29 = t7 + t9;
         let t30 = t6 + dw2_x;
         let t31 = c3 * a2_x;
         let t32 = s3 * a2_x;
         let t35 = L2 * t30;
-        let t36 = a2_x + L2 * t26;
+        let t36 = L2 * t26 - a2_x;
         let t37 = L2 * (t22 + t24) - a2_y;
-        let t40 = s3 * t35 - c3 * t36;
-        let t43 = c3 * t35 + s3 * t36;
+        let t40 = c3 * t36 + s3 * t35;
+        let t43 = c3 * t35 - s3 * t36;
         let w3_z = w2_y + dq3;
         let t47 = s3 * ddq2 - c3 * dw2_x + dq3 * t15;
         let t48 = c3 * ddq2 + s3 * dw2_x + dq3 * w3_x;
@@ -124,7 +124,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [
         w4_x, t55, t62, t63, t64, t65, t66, t67,
         t68, t69, t70, t71, t72, t73, t76, a4_y,
-        w4_z, t83, t84, t85,
+        w4_z, t83, t84, dw4_z,
     ] = {
         let w4_x = c4 * w3_x - s4 * w3_z;
         let t55 = c4 * w3_z + s4 * w3_x;
@@ -145,22 +145,23 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let w4_z = dq4 - t15;
         let t83 = c4 * t47 + s4 * dw3_z + dq4 * t55;
         let t84 = c4 * dw3_z - s4 * t47 + dq4 * w4_x;
-        let t85 = t48 - ddq4;
+        let dw4_z = ddq4 - t48;
         put(89, t65); // row 3, XX3R
         put(93, t69); // row 3, YZ3
         put(124, a4_y); // row 4, MSX4
         put(125, t76); // row 4, MSY4R
+        put(127, dw4_z); // row 4, ZZ4R
         [
         w4_x, t55, t62, t63, t64, t65, t66, t67,
         t68, t69, t70, t71, t72, t73, t76, a4_y,
-        w4_z, t83, t84, t85,
+        w4_z, t83, t84, dw4_z,
     ]
     };
     // link 5: motion
     let [
         w5_x, t91, t98, t99, t100, t101, t102, t103,
         t104, t105, t106, t107, t108, t109, t110, t111,
-        t116, t120, a5_y, w5_z, t127, t128, dw5_z,
+        t116, t120, a5_y, w5_z, t127, dw5_y, dw5_z,
     ] = {
         let w5_x = c5 * w4_x + s5 * w4_z;
         let t91 = s5 * w4_x - c5 * w4_z;
@@ -171,21 +172,21 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t102 = w4_x * w4_z;
         let t103 = t55 * w4_z;
         let t104 = t99 + t100;
-        let t105 = t85 - t101;
+        let t105 = dw4_z + t101;
         let t106 = t102 - t84;
-        let t107 = t85 + t101;
+        let t107 = t101 - dw4_z;
         let t108 = t98 + t100;
         let t109 = t103 - t83;
         let t110 = t84 + t102;
         let t111 = t83 + t103;
-        let t115 = t76 + L3 * t105;
+        let t115 = t76 - L3 * t105;
         let t116 = a4_y + L3 * t108;
-        let t117 = t43 - L3 * t111;
-        let t120 = c5 * t115 + s5 * t117;
-        let a5_y = s5 * t115 - c5 * t117;
+        let t117 = L3 * t111 - t43;
+        let t120 = c5 * t115 - s5 * t117;
+        let a5_y = c5 * t117 + s5 * t115;
         let w5_z = t55 + dq5;
-        let t127 = c5 * t83 + s5 * t85 + dq5 * t91;
-        let t128 = dq5 * w5_x - (s5 * t83 - c5 * t85);
+        let t127 = c5 * t83 - s5 * dw4_z + dq5 * t91;
+        let dw5_y = c5 * dw4_z + s5 * t83 - dq5 * w5_x;
         let dw5_z = t84 + ddq5;
         put(126, t101); // row 4, XX4R
         put(129, t109); // row 4, XZ4
@@ -196,7 +197,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [
         w5_x, t91, t98, t99, t100, t101, t102, t103,
         t104, t105, t106, t107, t108, t109, t110, t111,
-        t116, t120, a5_y, w5_z, t127, t128, dw5_z,
+        t116, t120, a5_y, w5_z, t127, dw5_y, dw5_z,
     ]
     };
     // link 6: motion
@@ -215,18 +216,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t147 = t91 * w5_z;
         let t148 = t143 + t144;
         let t149 = dw5_z + t145;
-        let t150 = t146 - t128;
+        let t150 = dw5_y + t146;
         let t151 = t145 - dw5_z;
         let t152 = t142 + t144;
         let t153 = t147 - t127;
-        let t154 = t128 + t146;
+        let t154 = dw5_y - t146;
         let t155 = t127 + t147;
         let t158 = c6 * t120 + s6 * t116;
         let a6_y = s6 * t120 - c6 * t116;
         let w6_z = t91 + dq6;
         let dw6_x = s6 * dw5_z - c6 * t127 + dq6 * w6_y;
         let dw6_y = c6 * dw5_z + s6 * t127 - dq6 * w6_x;
-        let dw6_z = t128 + ddq6;
+        let dw6_z = ddq6 - dw5_y;
         put(156, t145); // row 5, XX5R
         put(159, t153); // row 5, XZ5
         put(160, t150); // row 5, YZ5
@@ -243,7 +244,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [
         w7_x, t173, t180, t181, t182, t183, t184, t185,
         t186, t187, t188, t189, t190, t191, t192, t193,
-        t196, a7_y, w7_z, t203, t204, dw7_z,
+        t196, a7_y, w7_z, dw7_x, t204, dw7_z,
     ] = {
         let w7_x = c7 * w6_x - s7 * w6_z;
         let t173 = c7 * w6_z + s7 * w6_x;
@@ -254,17 +255,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t184 = w6_x * w6_z;
         let t185 = w6_y * w6_z;
         let t186 = t181 + t182;
-        let t187 = t183 - dw6_z;
+        let t187 = dw6_z - t183;
         let t188 = dw6_y + t184;
         let t189 = dw6_z + t183;
         let t190 = t180 + t182;
         let t191 = dw6_x - t185;
-        let t192 = t184 - dw6_y;
+        let t192 = dw6_y - t184;
         let t193 = dw6_x + t185;
         let t196 = c7 * t158 - s7 * a5_y;
         let a7_y = c7 * a5_y + s7 * t158;
         let w7_z = w6_y + dq7;
-        let t203 = s7 * dw6_z - c7 * dw6_x + dq7 * t173;
+        let dw7_x = c7 * dw6_x - s7 * dw6_z - dq7 * t173;
         let t204 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
         let dw7_z = dw6_y + ddq7;
         put(182, t191); // row 6, XZ6
@@ -275,7 +276,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [
         w7_x, t173, t180, t181, t182, t183, t184, t185,
         t186, t187, t188, t189, t190, t191, t192, t193,
-        t196, a7_y, w7_z, t203, t204, dw7_z,
+        t196, a7_y, w7_z, dw7_x, t204, dw7_z,
     ]
     };
     // joint axes in frame 3
@@ -328,7 +329,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // YZ2: column
     {
-        let t246 = s2 * (t23 - t24) - c2 * t26;
+        let t246 = s2 * (t23 - t24) + c2 * t26;
         put(5, t246); // row 1, YZ2
     }
     // MSX3: column
@@ -358,17 +359,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t268, t269]
     };
     // YZ3: column
-    let [t282, t284] = {
+    let [t278, t284] = {
         let t270 = t64 - t63;
         let t275 = c2 * t69 - (z1_3_x * t270 + t68 * t207);
-        let t278 = s3 * t270 - c3 * t68;
+        let t278 = c3 * t68 - s3 * t270;
         let t280 = t268 - L2 * t275;
-        let t282 = t269 + L2 * t278;
+        let t282 = L2 * t278 - t269;
         let t284 = t31 + L2 * t69;
         put(7, t280); // row 1, MSY3R
         put(12, t275); // row 1, YZ3
-        put(56, t278); // row 2, YZ3
-        [t282, t284]
+        put(51, t282); // row 2, MSY3R
+        [t278, t284]
     };
     // XX3: column
     let [t286, t291] = {
@@ -390,7 +391,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XY3: column
     {
         let t299 = t62 - t63;
-        let t304 = c2 * t299 - (t72 * z1_3_x - t73 * t207);
+        let t304 = c2 * t299 + (t73 * t207 - t72 * z1_3_x);
         let t307 = s3 * t72 + c3 * t73;
         put(10, t304); // row 1, XY3
         put(54, t307); // row 2, XY3
@@ -414,9 +415,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let t325 = {
         let t325 = c4 * t105;
         let t330 = t312 - L2 * t111;
-        let t331 = t76 + L2 * (t325 + s4 * t108);
-        let t336 = c2 * t311 - (z1_3_x * t330 + t207 * t331);
-        let t339 = s3 * t330 - c3 * t331;
+        let t331 = L2 * (t325 - s4 * t108) - t76;
+        let t336 = c2 * t311 + (t207 * t331 - z1_3_x * t330);
+        let t339 = s3 * t330 + c3 * t331;
         put(14, t336); // row 1, MSY4R
         put(58, t339); // row 2, MSY4R
         t325
@@ -436,8 +437,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // ZZ4: column
     {
-        let t356 = t85 * t207 + (t341 + t103 * t210);
-        let t360 = c3 * t85 - (t346 - t103 * t214);
+        let t356 = t341 + t103 * t210 - dw4_z * t207;
+        let t360 = t103 * t214 - t346 - c3 * dw4_z;
         let t362 = t351 + s4 * t103;
         put(16, t356); // row 1, ZZ4R
         put(60, t360); // row 2, ZZ4R
@@ -456,10 +457,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // XZ4: column
     {
-        let t377 = t98 - t100;
-        let t382 = t107 * t210 + z1_5_z * t377 - t109 * t207;
-        let t387 = t107 * t214 - z2_4_y * t377 - c3 * t109;
-        let t389 = t309 + c4 * t377;
+        let t377 = t100 - t98;
+        let t382 = t107 * t210 - z1_5_z * t377 - t109 * t207;
+        let t387 = t107 * t214 + z2_4_y * t377 - c3 * t109;
+        let t389 = t309 - c4 * t377;
         put(18, t382); // row 1, XZ4
         put(62, t387); // row 2, XZ4
         put(99, t389); // row 3, XZ4
@@ -467,9 +468,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // YZ4: column
     {
         let t390 = t100 - t99;
-        let t395 = t210 * t390 + t105 * z1_5_z - t106 * t207;
-        let t400 = t214 * t390 - t105 * z2_4_y - c3 * t106;
-        let t402 = t325 + s4 * t390;
+        let t395 = t210 * t390 - t105 * z1_5_z - t106 * t207;
+        let t400 = t214 * t390 + t105 * z2_4_y - c3 * t106;
+        let t402 = s4 * t390 - t325;
         put(19, t395); // row 1, YZ4
         put(63, t400); // row 2, YZ4
         put(100, t402); // row 3, YZ4
@@ -485,7 +486,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t414 = t410 - L3 * t405;
         let t423 = s4 * t413 + c4 * a5_y;
         let t426 = s4 * a5_y - c4 * t413 + L2 * t408;
-        let t427 = L2 * (c4 * t405 - s4 * t154) - t414;
+        let t427 = L2 * (c4 * t405 + s4 * t154) - t414;
         let t432 = c2 * t423 + (z1_3_x * t426 + t207 * t427);
         let t435 = c3 * t427 - s3 * t426;
         put(20, t432); // row 1, MSX5
@@ -499,10 +500,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t436 = c5 * t149;
         let t438 = s5 * t152 - t436;
         let t441 = s5 * t149 + c5 * t152;
-        let t444 = L3 * t441 - t410;
+        let t444 = t410 - L3 * t441;
         let t445 = L3 * t438 - t409;
-        let t454 = c4 * t120 - s4 * t444;
-        let t457 = c4 * t444 + s4 * t120 + L2 * t441;
+        let t454 = s4 * t444 + c4 * t120;
+        let t457 = s4 * t120 - c4 * t444 + L2 * t441;
         let t458 = L2 * (s4 * t155 - c4 * t438) - t445;
         let t463 = c2 * t454 + (z1_3_x * t457 + t207 * t458);
         let t466 = c3 * t458 - s3 * t457;
@@ -515,7 +516,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XX5: column
     let [t468, t473, t478, t483] = {
         let t468 = t146 * z1_6_z;
-        let t471 = t145 * z1_5_z + (t127 * t218 - t468);
+        let t471 = t145 * z1_5_z - (t468 - t127 * t218);
         let t473 = t146 * t227;
         let t476 = t127 * t224 - t473 - t145 * z2_4_y;
         let t478 = t146 * z3_5_y;
@@ -532,7 +533,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let t498 = {
         let t488 = dw5_z * z1_5_z + (t468 + t147 * t218);
         let t492 = t473 + t147 * t224 - dw5_z * z2_4_y;
-        let t496 = c4 * dw5_z - (t478 - t147 * t228);
+        let t496 = c4 * dw5_z + (t147 * t228 - t478);
         let t498 = t483 + s5 * t147;
         put(23, t488); // row 1, ZZ5R
         put(67, t492); // row 2, ZZ5R
@@ -540,22 +541,22 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t498
     };
     // XY5: column
-    let t517 = {
+    {
         let t499 = t142 - t143;
-        let t504 = z1_5_z * t499 + (t154 * t218 + t155 * z1_6_z);
-        let t509 = t154 * t224 + t155 * t227 - z2_4_y * t499;
-        let t514 = c4 * t499 - (t155 * z3_5_y - t154 * t228);
-        let t517 = s5 * t154 + c5 * t155;
+        let t504 = z1_5_z * t499 + (t155 * z1_6_z - t154 * t218);
+        let t509 = t155 * t227 - t154 * t224 - z2_4_y * t499;
+        let t514 = c4 * t499 - (t154 * t228 + t155 * z3_5_y);
+        let t517 = s5 * t154 - c5 * t155;
         put(24, t504); // row 1, XY5
         put(68, t509); // row 2, XY5
         put(105, t514); // row 3, XY5
+        put(135, t517); // row 4, XY5
         put(158, t499); // row 5, XY5
-        t517
-    };
+    }
     // XZ5: column
     {
         let t518 = t144 - t142;
-        let t523 = t153 * z1_5_z - (z1_6_z * t518 - t151 * t218);
+        let t523 = t153 * z1_5_z + (t151 * t218 - z1_6_z * t518);
         let t528 = t151 * t224 - t227 * t518 - t153 * z2_4_y;
         let t533 = c4 * t153 + (t151 * t228 + z3_5_y * t518);
         let t535 = c5 * t518 - t404;
@@ -577,42 +578,41 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(137, t553); // row 4, YZ5
     }
     // MSX6: column
-    let [t555, t558, t560, t561] = {
+    let [t555, t558, t560, t561, t577] = {
         let t555 = s6 * t189;
         let t556 = c6 * t186 + t555;
         let t558 = c6 * t189;
         let t560 = s6 * a5_y;
         let t561 = c6 * a5_y;
-        let t564 = s5 * t192 - c5 * t556;
-        let t567 = s5 * t556 + c5 * t192;
-        let t576 = s5 * a6_y - c5 * t560 + L3 * t567;
-        let t577 = L3 * t564 - (s5 * t560 + c5 * a6_y);
-        let t586 = c4 * t561 - s4 * t576;
-        let t589 = c4 * t576 + s4 * t561 + L2 * t567;
-        let t590 = L2 * (s4 * (s6 * t186 - t558) - c4 * t564) - t577;
-        let t595 = c2 * t586 + (z1_3_x * t589 + t207 * t590);
-        let t598 = c3 * t590 - s3 * t589;
+        let t564 = c5 * t556 + s5 * t192;
+        let t567 = c5 * t192 - s5 * t556;
+        let t576 = c5 * t560 - s5 * a6_y + L3 * t567;
+        let t577 = s5 * t560 + c5 * a6_y + L3 * t564;
+        let t586 = s4 * t576 + c4 * t561;
+        let t589 = L2 * t567 - (s4 * t561 - c4 * t576);
+        let t590 = t577 + L2 * (c4 * t564 - s4 * (t558 - s6 * t186));
+        let t595 = c2 * t586 - (z1_3_x * t589 - t207 * t590);
+        let t598 = s3 * t589 + c3 * t590;
         put(27, t595); // row 1, MSX6
         put(71, t598); // row 2, MSX6
         put(108, t586); // row 3, MSX6
-        put(138, t577); // row 4, MSX6
         put(161, t561); // row 5, MSX6
-        [t555, t558, t560, t561]
+        [t555, t558, t560, t561, t577]
     };
     // MSY6: column
     let [t599, t602] = {
         let t599 = c6 * t187;
-        let t601 = t599 + s6 * t190;
+        let t601 = t599 - s6 * t190;
         let t602 = s6 * t187;
-        let t607 = c5 * t601 + s5 * t193;
-        let t610 = s5 * t601 - c5 * t193;
-        let t619 = L3 * t610 - (s5 * t158 - c5 * t561);
+        let t607 = s5 * t193 - c5 * t601;
+        let t610 = s5 * t601 + c5 * t193;
+        let t619 = c5 * t561 - s5 * t158 - L3 * t610;
         let t620 = L3 * t607 - (s5 * t561 + c5 * t158);
         let t629 = s4 * t619 - c4 * t560;
-        let t632 = c4 * t619 + s4 * t560 + L2 * t610;
-        let t633 = L2 * (s4 * (c6 * t190 - t602) - c4 * t607) - t620;
-        let t638 = c2 * t629 + (t207 * t633 - z1_3_x * t632);
-        let t641 = s3 * t632 + c3 * t633;
+        let t632 = c4 * t619 + s4 * t560 - L2 * t610;
+        let t633 = t620 - L2 * (s4 * (t602 + c6 * t190) - c4 * t607);
+        let t638 = c2 * t629 - (z1_3_x * t632 + t207 * t633);
+        let t641 = s3 * t632 - c3 * t633;
         put(28, t638); // row 1, MSY6R
         put(72, t641); // row 2, MSY6R
         put(109, t629); // row 3, MSY6R
@@ -625,7 +625,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t644 = t643 - c6 * dw6_x;
         let t646 = c6 * t184;
         let t647 = s6 * dw6_x + t646;
-        let t652 = z1_5_z * t647 - (t183 * z1_6_z - t218 * t644);
+        let t652 = z1_5_z * t647 + (t218 * t644 - t183 * z1_6_z);
         let t657 = t224 * t644 - t183 * t227 - z2_4_y * t647;
         let t662 = c4 * t647 + (t228 * t644 + t183 * z3_5_y);
         let t665 = c5 * t183 - s5 * t644;
@@ -640,7 +640,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     {
         let t667 = t643 + c6 * t185;
         let t669 = s6 * t185 - t646;
-        let t674 = z1_5_z * t669 - (t218 * t667 - dw6_z * z1_6_z);
+        let t674 = z1_5_z * t669 + (dw6_z * z1_6_z - t218 * t667);
         let t679 = dw6_z * t227 - t224 * t667 - z2_4_y * t669;
         let t684 = c4 * t669 - (t228 * t667 + dw6_z * z3_5_y);
         let t687 = s5 * t667 - c5 * dw6_z;
@@ -651,26 +651,26 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(164, t669); // row 5, ZZ6R
     }
     // XY6: column
-    let t688 = {
-        let t688 = t181 - t180;
-        let t691 = c6 * t192 + s6 * t193;
-        let t694 = c6 * t193 - s6 * t192;
-        let t699 = z1_5_z * t694 - (z1_6_z * t688 - t218 * t691);
-        let t704 = t224 * t691 - t227 * t688 - z2_4_y * t694;
-        let t709 = c4 * t694 + (t228 * t691 + z3_5_y * t688);
-        let t712 = c5 * t688 - s5 * t691;
+    {
+        let t688 = t180 - t181;
+        let t691 = c6 * t192 - s6 * t193;
+        let t694 = s6 * t192 + c6 * t193;
+        let t699 = z1_5_z * t694 + (z1_6_z * t688 - t218 * t691);
+        let t704 = t227 * t688 - t224 * t691 - z2_4_y * t694;
+        let t709 = c4 * t694 - (t228 * t691 + z3_5_y * t688);
+        let t712 = s5 * t691 - c5 * t688;
         put(31, t699); // row 1, XY6
         put(75, t704); // row 2, XY6
         put(112, t709); // row 3, XY6
         put(142, t712); // row 4, XY6
         put(165, t694); // row 5, XY6
-        t688
-    };
+        put(181, t688); // row 6, XY6
+    }
     // XZ6: column
     {
-        let t713 = t180 - t182;
-        let t715 = t558 + s6 * t713;
-        let t717 = t555 - c6 * t713;
+        let t713 = t182 - t180;
+        let t715 = t558 - s6 * t713;
+        let t717 = t555 + c6 * t713;
         let t722 = z1_5_z * t717 + (t191 * z1_6_z - t218 * t715);
         let t727 = t191 * t227 - t224 * t715 - z2_4_y * t717;
         let t732 = c4 * t717 - (t228 * t715 + t191 * z3_5_y);
@@ -684,8 +684,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // YZ6: column
     {
         let t736 = t181 - t182;
-        let t738 = t602 + c6 * t736;
-        let t740 = s6 * t736 - t599;
+        let t738 = c6 * t736 - t602;
+        let t740 = t599 + s6 * t736;
         let t745 = z1_5_z * t740 + (t188 * z1_6_z - t218 * t738);
         let t750 = t188 * t227 - t224 * t738 - z2_4_y * t740;
         let t755 = c4 * t740 - (t228 * t738 + t188 * z3_5_y);
@@ -700,7 +700,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [
         t759, t760, t761, t762, t763, t764, t766, t767,
         t769, t770, t771, t772, t774, t777, t779, t780,
-        t808,
     ] = {
         let t759 = w7_x * w7_x;
         let t760 = t173 * t173;
@@ -711,32 +710,33 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t765 = t760 + t761;
         let t766 = dw7_z + t762;
         let t767 = t763 - t204;
-        let t768 = dw7_z - t762;
+        let t768 = t762 - dw7_z;
         let t769 = t759 + t761;
-        let t770 = t764 - t203;
+        let t770 = dw7_x + t764;
         let t771 = t204 + t763;
-        let t772 = t203 + t764;
+        let t772 = t764 - dw7_x;
         let t774 = s7 * t768;
-        let t775 = c7 * t765 + t774;
+        let t775 = c7 * t765 - t774;
         let t777 = c7 * t768;
-        let t778 = t777 - s7 * t765;
+        let t778 = s7 * t765 + t777;
         let t779 = s7 * a6_y;
         let t780 = c7 * a6_y;
         let t783 = c6 * t775 + s6 * t771;
-        let t789 = s6 * a7_y - c6 * t779;
+        let t789 = c6 * t779 - s6 * a7_y;
         let t792 = s6 * t779 + c6 * a7_y;
-        let t795 = c5 * t783 + s5 * t778;
-        let t798 = s5 * t783 - c5 * t778;
-        let t807 = c5 * t789 - s5 * t780 - L3 * t798;
-        let t808 = s5 * t789 + c5 * t780 + L3 * t795;
-        let t817 = s4 * t807 + c4 * t792;
-        let t820 = c4 * t807 - s4 * t792 - L2 * t798;
-        let t821 = t808 + L2 * (c4 * t795 - s4 * (c6 * t771 - s6 * t775));
-        let t826 = c2 * t817 + (t207 * t821 - z1_3_x * t820);
-        let t829 = s3 * t820 + c3 * t821;
+        let t795 = c5 * t783 - s5 * t778;
+        let t798 = s5 * t783 + c5 * t778;
+        let t807 = c5 * t789 + s5 * t780 + L3 * t798;
+        let t808 = s5 * t789 - c5 * t780 - L3 * t795;
+        let t817 = c4 * t792 - s4 * t807;
+        let t820 = c4 * t807 + s4 * t792 + L2 * t798;
+        let t821 = L2 * (c4 * t795 + s4 * (s6 * t775 - c6 * t771)) - t808;
+        let t826 = c2 * t817 + (z1_3_x * t820 + t207 * t821);
+        let t829 = c3 * t821 - s3 * t820;
         put(34, t826); // row 1, MSX7
         put(78, t829); // row 2, MSX7
         put(115, t817); // row 3, MSX7
+        put(145, t808); // row 4, MSX7
         put(168, t792); // row 5, MSX7
         put(184, t780); // row 6, MSX7
         put(195, t762); // row 7, XX7R
@@ -745,25 +745,24 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [
         t759, t760, t761, t762, t763, t764, t766, t767,
         t769, t770, t771, t772, t774, t777, t779, t780,
-        t808,
     ]
     };
     // MSY7: column
     let [t830, t833] = {
         let t830 = c7 * t766;
-        let t832 = t830 - s7 * t769;
+        let t832 = s7 * t769 - t830;
         let t833 = s7 * t766;
         let t835 = t833 + c7 * t769;
-        let t838 = c6 * t832 - s6 * t772;
-        let t844 = s6 * t196 - c6 * t780;
+        let t838 = c6 * t832 + s6 * t772;
+        let t844 = c6 * t780 - s6 * t196;
         let t847 = s6 * t780 + c6 * t196;
-        let t850 = s5 * t835 - c5 * t838;
-        let t853 = s5 * t838 + c5 * t835;
-        let t862 = L3 * t853 - (c5 * t844 + s5 * t779);
-        let t863 = c5 * t779 - s5 * t844 + L3 * t850;
-        let t872 = c4 * t847 - s4 * t862;
-        let t875 = c4 * t862 + s4 * t847 + L2 * t853;
-        let t876 = L2 * (s4 * (s6 * t832 + c6 * t772) - c4 * t850) - t863;
+        let t850 = c5 * t838 + s5 * t835;
+        let t853 = s5 * t838 - c5 * t835;
+        let t862 = L3 * t853 - (c5 * t844 - s5 * t779);
+        let t863 = s5 * t844 + c5 * t779 + L3 * t850;
+        let t872 = s4 * t862 + c4 * t847;
+        let t875 = s4 * t847 - c4 * t862 - L2 * t853;
+        let t876 = L2 * (s4 * (c6 * t772 - s6 * t832) - c4 * t850) - t863;
         let t881 = c2 * t872 + (z1_3_x * t875 + t207 * t876);
         let t884 = c3 * t876 - s3 * t875;
         put(35, t881); // row 1, MSY7
@@ -774,23 +773,23 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t830, t833]
     };
     // XX7: column
-    let [t886, t889, t914] = {
+    let [t886, t889, t890] = {
         let t886 = s7 * t763;
-        let t887 = c7 * t203 + t886;
+        let t887 = c7 * dw7_x - t886;
         let t889 = c7 * t763;
-        let t890 = s7 * t203 - t889;
-        let t893 = c6 * t887 + s6 * t762;
-        let t896 = c6 * t762 - s6 * t887;
-        let t901 = z1_5_z * t896 + (t218 * t893 + z1_6_z * t890);
-        let t906 = t224 * t893 + t227 * t890 - z2_4_y * t896;
-        let t911 = c4 * t896 + (t228 * t893 - z3_5_y * t890);
-        let t914 = s5 * t893 + c5 * t890;
+        let t890 = s7 * dw7_x + t889;
+        let t893 = s6 * t762 - c6 * t887;
+        let t896 = s6 * t887 + c6 * t762;
+        let t901 = z1_5_z * t896 + (t218 * t893 - z1_6_z * t890);
+        let t906 = t224 * t893 - t227 * t890 - z2_4_y * t896;
+        let t911 = c4 * t896 + (t228 * t893 + z3_5_y * t890);
+        let t914 = c5 * t890 - s5 * t893;
         put(36, t901); // row 1, XX7R
         put(80, t906); // row 2, XX7R
         put(117, t911); // row 3, XX7R
+        put(147, t914); // row 4, XX7R
         put(170, t896); // row 5, XX7R
-        put(186, t890); // row 6, XX7R
-        [t886, t889, t914]
+        [t886, t889, t890]
     };
     // ZZ7: column
     {
@@ -798,7 +797,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t918 = t889 + s7 * t764;
         let t921 = c6 * t916 - s6 * dw7_z;
         let t924 = s6 * t916 + c6 * dw7_z;
-        let t929 = z1_5_z * t924 + (z1_6_z * t918 - t218 * t921);
+        let t929 = z1_5_z * t924 - (t218 * t921 - z1_6_z * t918);
         let t934 = t227 * t918 - t224 * t921 - z2_4_y * t924;
         let t939 = c4 * t924 - (t228 * t921 + z3_5_y * t918);
         let t942 = s5 * t921 - c5 * t918;
@@ -831,8 +830,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XZ7: column
     {
         let t974 = t759 - t761;
-        let t976 = t777 + s7 * t974;
-        let t978 = c7 * t974 - t774;
+        let t976 = s7 * t974 - t777;
+        let t978 = t774 + c7 * t974;
         let t981 = c6 * t976 - s6 * t770;
         let t984 = s6 * t976 + c6 * t770;
         let t989 = z1_5_z * t984 + (z1_6_z * t978 - t218 * t981);
@@ -848,14 +847,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // YZ7: column
     {
-        let t1003 = t761 - t760;
-        let t1005 = t833 + c7 * t1003;
-        let t1007 = s7 * t1003 - t830;
+        let t1003 = t760 - t761;
+        let t1005 = t833 - c7 * t1003;
+        let t1007 = t830 + s7 * t1003;
         let t1010 = c6 * t1005 + s6 * t767;
         let t1013 = c6 * t767 - s6 * t1005;
-        let t1018 = z1_5_z * t1013 + (t218 * t1010 + z1_6_z * t1007);
-        let t1023 = t224 * t1010 + t227 * t1007 - z2_4_y * t1013;
-        let t1028 = c4 * t1013 + (t228 * t1010 - z3_5_y * t1007);
+        let t1018 = z1_5_z * t1013 + (t218 * t1010 - z1_6_z * t1007);
+        let t1023 = t224 * t1010 - t227 * t1007 - z2_4_y * t1013;
+        let t1028 = c4 * t1013 + (t228 * t1010 + z3_5_y * t1007);
+        let t1031 = c5 * t1007 - s5 * t1010;
         let t1032 = dq1.sign();
         let t1033 = dq2.sign();
         let t1034 = dq3.sign();
@@ -865,25 +865,22 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1038 = dq7.sign();
         let t1039 = -a2_x;
         let t1040 = -t25;
-        let t1041 = -t282;
+        let t1041 = -t278;
         let t1042 = -t284;
         let t1043 = -t71;
         let t1044 = -t312;
-        let t1045 = -t85;
-        let t1046 = -t498;
-        let t1047 = -t517;
-        let t1048 = -t808;
-        let t1049 = -t914;
-        let t1050 = -(s5 * t1010 + c5 * t1007);
-        let t1051 = -t560;
-        let t1052 = -t183;
-        let t1053 = -t688;
-        let t1054 = -t779;
+        let t1045 = -t498;
+        let t1046 = -t577;
+        let t1047 = -t560;
+        let t1048 = -t183;
+        let t1049 = -t779;
+        let t1050 = -t890;
+        let t1051 = -t1007;
         put(40, t1018); // row 1, YZ7
         put(42, t1032); // row 1, FC1
         put(44, t1039); // row 2, MSY2R
         put(45, t1040); // row 2, XX2R
-        put(51, t1041); // row 2, MSY3R
+        put(56, t1041); // row 2, YZ3
         put(84, t1023); // row 2, YZ7
         put(86, t1033); // row 2, FC2
         put(88, t1042); // row 3, MSY3R
@@ -891,20 +888,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(94, t1044); // row 3, MSX4
         put(121, t1028); // row 3, YZ7
         put(123, t1034); // row 3, FC3
-        put(127, t1045); // row 4, ZZ4R
-        put(134, t1046); // row 4, ZZ5R
-        put(135, t1047); // row 4, XY5
-        put(145, t1048); // row 4, MSX7
-        put(147, t1049); // row 4, XX7R
-        put(151, t1050); // row 4, YZ7
+        put(134, t1045); // row 4, ZZ5R
+        put(138, t1046); // row 4, MSX6
+        put(151, t1031); // row 4, YZ7
         put(153, t1035); // row 4, FC4
-        put(162, t1051); // row 5, MSY6R
+        put(162, t1047); // row 5, MSY6R
         put(174, t1013); // row 5, YZ7
         put(176, t1036); // row 5, FC5
-        put(179, t1052); // row 6, XX6R
-        put(181, t1053); // row 6, XY6
-        put(185, t1054); // row 6, MSY7
-        put(190, t1007); // row 6, YZ7
+        put(179, t1048); // row 6, XX6R
+        put(185, t1049); // row 6, MSY7
+        put(186, t1050); // row 6, XX7R
+        put(190, t1051); // row 6, YZ7
         put(192, t1037); // row 6, FC6
         put(201, t1038); // row 7, FC7
     }

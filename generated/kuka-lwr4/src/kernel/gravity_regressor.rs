@@ -82,11 +82,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [a6_x, a6_y]
     };
     // link 7: motion
-    let [a7_x, a7_y] = {
+    let [a7_x, t27] = {
         let a7_x = c7 * a6_x + s7 * a5_y;
-        let a7_y = c7 * a5_y - s7 * a6_x;
-        put(87, a7_y); // row 7, MSX7
-        [a7_x, a7_y]
+        let t27 = s7 * a6_x - c7 * a5_y;
+        [a7_x, t27]
     };
     // joint axes in frame 3
     let [z1_3_x, t29] = {
@@ -208,7 +207,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     {
         let t139 = c4 * t90;
         let t140 = s4 * t90;
-        let t145 = c2 * t140 - (z1_3_x * t139 - t29 * t87);
+        let t145 = c2 * t140 + (t29 * t87 - z1_3_x * t139);
         let t148 = s3 * t139 + c3 * t87;
         put(12, t145); // row 1, MSZ5
         put(34, t148); // row 2, MSZ5
@@ -240,12 +239,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [t178, t179, t185] = {
         let t178 = s6 * a5_y;
         let t179 = c6 * a5_y;
-        let t182 = s5 * a6_y - c5 * t178;
+        let t182 = c5 * t178 - s5 * a6_y;
         let t185 = s5 * t178 + c5 * a6_y;
-        let t188 = c4 * t182 + s4 * t179;
-        let t191 = c4 * t179 - s4 * t182;
-        let t196 = c2 * t191 + (z1_3_x * t188 + t29 * t185);
-        let t199 = c3 * t185 - s3 * t188;
+        let t188 = c4 * t182 - s4 * t179;
+        let t191 = s4 * t182 + c4 * t179;
+        let t196 = c2 * t191 - (z1_3_x * t188 - t29 * t185);
+        let t199 = s3 * t188 + c3 * t185;
         put(14, t196); // row 1, MSX6
         put(36, t199); // row 2, MSX6
         put(53, t191); // row 3, MSX6
@@ -280,11 +279,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // M7: column
     let [t238, t241] = {
-        let t238 = c7 * a7_x - s7 * a7_y;
-        let t241 = s7 * a7_x + c7 * a7_y;
+        let t238 = c7 * a7_x + s7 * t27;
+        let t241 = c7 * t27 - s7 * a7_x;
         let t243 = c6 * t238 - t150;
-        let t248 = c5 * t243 - s5 * t241;
-        let t251 = s5 * t243 + c5 * t241;
+        let t248 = c5 * t243 + s5 * t241;
+        let t251 = s5 * t243 - c5 * t241;
         let t252 = L3 * t251;
         let t253 = L3 * t248;
         let t258 = s4 * t252;
@@ -302,8 +301,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [t271, t272, t284] = {
         let t271 = s7 * a6_y;
         let t272 = c7 * a6_y;
-        let t275 = c6 * t271 - s6 * a7_y;
-        let t278 = s6 * t271 + c6 * a7_y;
+        let t275 = c6 * t271 + s6 * t27;
+        let t278 = s6 * t271 - c6 * t27;
         let t281 = c5 * t275 + s5 * t272;
         let t284 = c5 * t272 - s5 * t275;
         let t287 = c4 * t281 + s4 * t278;
@@ -337,10 +336,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     {
         let t325 = c6 * t241;
         let t326 = s6 * t241;
-        let t329 = c5 * t325 + s5 * t238;
-        let t332 = c5 * t238 - s5 * t325;
-        let t335 = c4 * t329 + s4 * t326;
-        let t338 = s4 * t329 - c4 * t326;
+        let t329 = s5 * t238 - c5 * t325;
+        let t332 = s5 * t325 + c5 * t238;
+        let t335 = c4 * t329 - s4 * t326;
+        let t338 = s4 * t329 + c4 * t326;
         let t343 = c2 * t338 - (z1_3_x * t335 + t29 * t332);
         let t346 = s3 * t335 - c3 * t332;
         let t347 = -a2_x;
@@ -360,10 +359,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t361 = -t221;
         let t362 = -t284;
         let t363 = -t178;
-        let t364 = -t326;
-        let t365 = -a6_x;
-        let t366 = -t271;
-        let t367 = -t238;
+        let t364 = -a6_x;
+        let t365 = -t271;
+        let t366 = -t238;
+        let t367 = -t27;
         let t368 = -a7_x;
         put(20, t343); // row 1, MSZ7
         put(22, t347); // row 2, MSY2
@@ -386,10 +385,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(71, t362); // row 4, MSX7
         put(73, t332); // row 4, MSZ7
         put(77, t363); // row 5, MSY6
-        put(81, t364); // row 5, MSZ7
-        put(83, t365); // row 6, MSY6
-        put(85, t366); // row 6, MSY7
-        put(86, t367); // row 6, MSZ7
+        put(81, t326); // row 5, MSZ7
+        put(83, t364); // row 6, MSY6
+        put(85, t365); // row 6, MSY7
+        put(86, t366); // row 6, MSZ7
+        put(87, t367); // row 7, MSX7
         put(88, t368); // row 7, MSY7
     }
 }

@@ -95,7 +95,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t43 = t40 - t4;
         let t44 = t5 + t41;
         let t45 = t7 + t42;
-        let t48 = s5 * t13 - c5 * t24;
+        let t48 = c5 * t24 - s5 * t13;
         let t51 = c5 * t13 + s5 * t24;
         let t54 = c5 * t30 + s5 * t19;
         let t55 = c5 * t19;
@@ -113,7 +113,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // frame 6
     let t69 = {
-        let t65 = c6 * t27 + s6 * t48;
+        let t65 = c6 * t27 - s6 * t48;
         let t66 = t56 - t55;
         let t69 = c6 * t33 + s6 * t54;
         let t72 = c6 * t39 + s6 * t59;

@@ -72,12 +72,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     };
     // link 5: velocity
     let [t32, t35, t38, t41, t42] = {
-        let t28 = t23 - L3 * t25;
+        let t28 = L3 * t25 - t23;
         let t29 = L3 * t19 - t15;
         let t32 = c5 * t19 + s5 * t25;
         let t35 = c5 * t25 - s5 * t19;
-        let t38 = c5 * t28 + s5 * t29;
-        let t41 = c5 * t29 - s5 * t28;
+        let t38 = s5 * t29 - c5 * t28;
+        let t41 = c5 * t29 + s5 * t28;
         let t42 = t22 + dq5;
         [t32, t35, t38, t41, t42]
     };

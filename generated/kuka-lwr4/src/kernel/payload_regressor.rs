@@ -47,96 +47,96 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let L3 = S::constant(0.39);
     let k0 = S::constant(9.81);
     // link 2: motion
-    let [w2_x, w2_y, a2_x, a2_y, t6, dw2_x, dw2_y] = {
+    let [w2_x, w2_y, a2_x, a2_y, t6, dw2_x, t9] = {
         let w2_x = s2 * dq1;
         let w2_y = c2 * dq1;
         let a2_x = s2 * k0;
         let a2_y = c2 * k0;
         let t6 = dq2 * w2_y;
         let dw2_x = s2 * ddq1 + t6;
-        let dw2_y = c2 * ddq1 - dq2 * w2_x;
-        [w2_x, w2_y, a2_x, a2_y, t6, dw2_x, dw2_y]
+        let t9 = dq2 * w2_x - c2 * ddq1;
+        [w2_x, w2_y, a2_x, a2_y, t6, dw2_x, t9]
     };
     // link 3: motion
     let [
-        t12, t15, a3_z, t35, t38, w3_z, t42, t43,
-        dw3_z,
+        w3_x, t15, t32, t35, t38, w3_z, t42, t43,
+        t44,
     ] = {
-        let t12 = s3 * dq2 - c3 * w2_x;
+        let w3_x = c3 * w2_x - s3 * dq2;
         let t15 = c3 * dq2 + s3 * w2_x;
         let t30 = L2 * (t6 + dw2_x);
-        let t31 = a2_x + L2 * (w2_x * w2_y - ddq2);
-        let a3_z = a2_y - L2 * (w2_x * w2_x + dq2 * dq2);
-        let t35 = s3 * t30 - c3 * t31;
-        let t38 = c3 * t30 + s3 * t31;
+        let t31 = L2 * (ddq2 - w2_x * w2_y) - a2_x;
+        let t32 = L2 * (w2_x * w2_x + dq2 * dq2) - a2_y;
+        let t35 = c3 * t31 + s3 * t30;
+        let t38 = c3 * t30 - s3 * t31;
         let w3_z = w2_y + dq3;
         let t42 = dq3 * t15 - (c3 * dw2_x - s3 * ddq2);
-        let t43 = dq3 * t12 - (c3 * ddq2 + s3 * dw2_x);
-        let dw3_z = dw2_y + ddq3;
+        let t43 = c3 * ddq2 + s3 * dw2_x + dq3 * w3_x;
+        let t44 = t9 - ddq3;
         [
-        t12, t15, a3_z, t35, t38, w3_z, t42, t43,
-        dw3_z,
+        w3_x, t15, t32, t35, t38, w3_z, t42, t43,
+        t44,
     ]
     };
     // link 4: motion
-    let [t47, t50, t59, t62, w4_z, t66, t67, dw4_z] = {
-        let t47 = c4 * t12 + s4 * w3_z;
-        let t50 = s4 * t12 - c4 * w3_z;
-        let t59 = c4 * t35 + s4 * a3_z;
-        let t62 = s4 * t35 - c4 * a3_z;
+    let [w4_x, t50, a4_x, t62, w4_z, t66, t67, t68] = {
+        let w4_x = c4 * w3_x - s4 * w3_z;
+        let t50 = c4 * w3_z + s4 * w3_x;
+        let a4_x = s4 * t32 - c4 * t35;
+        let t62 = c4 * t32 + s4 * t35;
         let w4_z = dq4 - t15;
-        let t66 = c4 * t42 + s4 * dw3_z - dq4 * t50;
-        let t67 = c4 * dw3_z - s4 * t42 - dq4 * t47;
-        let dw4_z = t43 + ddq4;
-        [t47, t50, t59, t62, w4_z, t66, t67, dw4_z]
+        let t66 = dq4 * t50 - (s4 * t44 - c4 * t42);
+        let t67 = dq4 * w4_x - (c4 * t44 + s4 * t42);
+        let t68 = t43 - ddq4;
+        [w4_x, t50, a4_x, t62, w4_z, t66, t67, t68]
     };
     // link 5: motion
     let [
-        w5_x, w5_y, t92, t96, a6_z, w5_z, dw5_x, dw5_y,
+        w5_x, t74, t92, a5_x, t99, w5_z, t103, t104,
         dw5_z,
     ] = {
-        let w5_x = s5 * w4_z - c5 * t47;
-        let w5_y = c5 * w4_z + s5 * t47;
-        let t91 = t59 - L3 * (dw4_z + t47 * t50);
-        let t92 = t62 + L3 * (t47 * t47 + w4_z * w4_z);
-        let t93 = t38 + L3 * (t50 * w4_z - t66);
-        let t96 = c5 * t91 + s5 * t93;
-        let a6_z = c5 * t93 - s5 * t91;
-        let w5_z = dq5 - t50;
-        let dw5_x = s5 * dw4_z - c5 * t66 + dq5 * w5_y;
-        let dw5_y = c5 * dw4_z + s5 * t66 - dq5 * w5_x;
+        let w5_x = c5 * w4_x + s5 * w4_z;
+        let t74 = s5 * w4_x - c5 * w4_z;
+        let t91 = a4_x - L3 * (t68 - w4_x * t50);
+        let t92 = t62 + L3 * (w4_x * w4_x + w4_z * w4_z);
+        let t93 = L3 * (t66 + t50 * w4_z) - t38;
+        let a5_x = c5 * t91 + s5 * t93;
+        let t99 = c5 * t93 - s5 * t91;
+        let w5_z = t50 + dq5;
+        let t103 = c5 * t66 + s5 * t68 + dq5 * t74;
+        let t104 = c5 * t68 - s5 * t66 + dq5 * w5_x;
         let dw5_z = t67 + ddq5;
         [
-        w5_x, w5_y, t92, t96, a6_z, w5_z, dw5_x, dw5_y,
+        w5_x, t74, t92, a5_x, t99, w5_z, t103, t104,
         dw5_z,
     ]
     };
     // link 6: motion
-    let [w6_x, t111, t120, t123, t124, t127, dw6_y, t129] = {
+    let [w6_x, w6_y, t120, t123, w6_z, dw6_x, t128, dw6_z] = {
         let w6_x = c6 * w5_x + s6 * w5_z;
-        let t111 = s6 * w5_x - c6 * w5_z;
-        let t120 = c6 * t96 + s6 * t92;
-        let t123 = c6 * t92 - s6 * t96;
-        let t124 = w5_y - dq6;
-        let t127 = dq6 * t111 - (c6 * dw5_x + s6 * dw5_z);
-        let dw6_y = c6 * dw5_z - s6 * dw5_x - dq6 * w6_x;
-        let t129 = dw5_y - ddq6;
-        [w6_x, t111, t120, t123, t124, t127, dw6_y, t129]
+        let w6_y = c6 * w5_z - s6 * w5_x;
+        let t120 = s6 * t92 - c6 * a5_x;
+        let t123 = c6 * t92 + s6 * a5_x;
+        let w6_z = t74 + dq6;
+        let dw6_x = s6 * dw5_z - c6 * t103 + dq6 * w6_y;
+        let t128 = dq6 * w6_x - (c6 * dw5_z + s6 * t103);
+        let dw6_z = t104 + ddq6;
+        [w6_x, w6_y, t120, t123, w6_z, dw6_x, t128, dw6_z]
     };
     // link 7: motion
-    let [w7_x, t135, t144, a7_y, t148, t151, t152, dw7_z] = {
-        let w7_x = c7 * w6_x + s7 * t124;
-        let t135 = c7 * t124 - s7 * w6_x;
-        let t144 = c7 * t120 + s7 * a6_z;
-        let a7_y = s7 * t120 - c7 * a6_z;
-        let t148 = t111 - dq7;
-        let t151 = c7 * t127 - s7 * t129 - dq7 * t135;
-        let t152 = dq7 * w7_x - (c7 * t129 + s7 * t127);
-        let dw7_z = dw6_y + ddq7;
+    let [w7_x, t135, t144, a7_y, w7_z, dw7_x, t152, dw7_z] = {
+        let w7_x = c7 * w6_x - s7 * w6_z;
+        let t135 = c7 * w6_z + s7 * w6_x;
+        let t144 = c7 * t120 - s7 * t99;
+        let a7_y = c7 * t99 + s7 * t120;
+        let w7_z = w6_y + dq7;
+        let dw7_x = c7 * dw6_x - s7 * dw6_z - dq7 * t135;
+        let t152 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
+        let dw7_z = ddq7 - t128;
         put(58, a7_y); // row 7, MSX
         put(59, t144); // row 7, MSY
         put(62, dw7_z); // row 7, ZZ
-        [w7_x, t135, t144, a7_y, t148, t151, t152, dw7_z]
+        [w7_x, t135, t144, a7_y, w7_z, dw7_x, t152, dw7_z]
     };
     // joint axes in frame 3
     let [z1_3_x, t155] = {
@@ -145,22 +145,22 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [z1_3_x, t155]
     };
     // joint axes in frame 4
-    let [z1_4_x, z1_5_z, t162, z2_4_y] = {
-        let z1_4_x = c4 * z1_3_x - c2 * s4;
+    let [t158, z1_5_z, t162, z2_4_y] = {
+        let t158 = c2 * s4 - c4 * z1_3_x;
         let z1_5_z = c2 * c4 + s4 * z1_3_x;
         let t162 = s3 * c4;
         let z2_4_y = s3 * s4;
-        [z1_4_x, z1_5_z, t162, z2_4_y]
+        [t158, z1_5_z, t162, z2_4_y]
     };
     // joint axes in frame 5
-    let [z1_5_x, z1_6_z, t172, t175, t176, z3_5_y] = {
-        let z1_5_x = c5 * z1_4_x - s5 * t155;
-        let z1_6_z = c5 * t155 + s5 * z1_4_x;
+    let [t166, z1_6_z, t172, t175, t176, z3_5_y] = {
+        let t166 = c5 * t158 + s5 * t155;
+        let z1_6_z = c5 * t155 - s5 * t158;
         let t172 = c5 * t162 + c3 * s5;
         let t175 = c3 * c5 - s5 * t162;
         let t176 = s4 * c5;
         let z3_5_y = s4 * s5;
-        [z1_5_x, z1_6_z, t172, t175, t176, z3_5_y]
+        [t166, z1_6_z, t172, t175, t176, z3_5_y]
     };
     // joint axes in frame 7
     let [
@@ -169,21 +169,22 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     ] = {
         let t178 = w7_x * w7_x;
         let t179 = t135 * t135;
-        let t180 = t148 * t148;
+        let t180 = w7_z * w7_z;
         let t181 = w7_x * t135;
-        let t182 = w7_x * t148;
-        let t183 = t135 * t148;
+        let t182 = w7_x * w7_z;
+        let t183 = t135 * w7_z;
         let t184 = t179 + t180;
-        let t185 = t181 - dw7_z;
-        let t186 = t152 + t182;
-        let t187 = dw7_z + t181;
+        let t185 = dw7_z + t181;
+        let t186 = t182 - t152;
+        let t187 = dw7_z - t181;
         let t188 = t178 + t180;
-        let t189 = t183 - t151;
-        let t190 = t182 - t152;
-        let t191 = t151 + t183;
+        let t189 = dw7_x + t183;
+        let t190 = t152 + t182;
+        let t191 = t183 - dw7_x;
         let t192 = t178 + t179;
-        put(61, t181); // row 7, YY
+        put(60, t181); // row 7, XX
         put(64, t189); // row 7, XZ
+        put(65, t186); // row 7, YZ
         [
         t178, t179, t180, t181, t182, t183, t184, t185,
         t186, t187, t188, t189, t190, t191, t192,
@@ -201,7 +202,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t217 = s4 * t211;
         let t220 = c4 * t211 + L2 * t210;
         let t221 = L2 * (s4 * (s6 * t195 + c6 * t123) - c4 * t207) - t212;
-        let t226 = c2 * t217 - (z1_3_x * t220 - t155 * t221);
+        let t226 = c2 * t217 + (t155 * t221 - z1_3_x * t220);
         let t229 = s3 * t220 + c3 * t221;
         put(0, t226); // row 1, M
         put(10, t229); // row 2, M
@@ -218,7 +219,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t235 = t234 - s7 * t184;
         let t236 = s7 * t123;
         let t237 = c7 * t123;
-        let t240 = c6 * t232 - s6 * t190;
+        let t240 = c6 * t232 + s6 * t190;
         let t246 = c6 * t236 + s6 * a7_y;
         let t249 = c6 * a7_y - s6 * t236;
         let t252 = c5 * t240 + s5 * t235;
@@ -226,8 +227,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t264 = c5 * t246 + s5 * t237 + L3 * t255;
         let t265 = c5 * t237 - s5 * t246 - L3 * t252;
         let t274 = s4 * t264 + c4 * t249;
-        let t277 = L2 * t255 - (s4 * t249 - c4 * t264);
-        let t278 = L2 * (c4 * t252 + s4 * (s6 * t232 + c6 * t190)) - t265;
+        let t277 = c4 * t264 - s4 * t249 + L2 * t255;
+        let t278 = L2 * (c4 * t252 + s4 * (s6 * t232 - c6 * t190)) - t265;
         let t283 = c2 * t274 + (t155 * t278 - z1_3_x * t277);
         let t286 = s3 * t277 + c3 * t278;
         put(1, t283); // row 1, MSX
@@ -241,21 +242,21 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // payload: column MSY
     let [t287, t290] = {
         let t287 = c7 * t185;
-        let t289 = t287 + s7 * t188;
+        let t289 = s7 * t188 - t287;
         let t290 = s7 * t185;
-        let t292 = c7 * t188 - t290;
+        let t292 = t290 + c7 * t188;
         let t295 = c6 * t289 + s6 * t191;
         let t301 = c6 * t237 + s6 * t144;
         let t304 = c6 * t144 - s6 * t237;
         let t307 = c5 * t295 + s5 * t292;
-        let t310 = c5 * t292 - s5 * t295;
-        let t319 = c5 * t301 - s5 * t236 - L3 * t310;
+        let t310 = s5 * t295 - c5 * t292;
+        let t319 = c5 * t301 - s5 * t236 + L3 * t310;
         let t320 = L3 * t307 - (s5 * t301 + c5 * t236);
         let t329 = s4 * t319 + c4 * t304;
-        let t332 = c4 * t319 - s4 * t304 - L2 * t310;
-        let t333 = L2 * (s4 * (c6 * t191 - s6 * t289) - c4 * t307) - t320;
-        let t338 = c2 * t329 + (t155 * t333 - z1_3_x * t332);
-        let t341 = s3 * t332 + c3 * t333;
+        let t332 = c4 * t319 - s4 * t304 + L2 * t310;
+        let t333 = t320 + L2 * (c4 * t307 + s4 * (s6 * t289 - c6 * t191));
+        let t338 = c2 * t329 - (z1_3_x * t332 + t155 * t333);
+        let t341 = s3 * t332 - c3 * t333;
         put(2, t338); // row 1, MSY
         put(12, t341); // row 2, MSY
         put(22, t329); // row 3, MSY
@@ -265,9 +266,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column MSZ
     {
-        let t344 = c7 * t186 - s7 * t189;
-        let t347 = s7 * t186 + c7 * t189;
-        let t350 = s6 * t192 - c6 * t344;
+        let t344 = c7 * t186 + s7 * t189;
+        let t347 = c7 * t189 - s7 * t186;
+        let t350 = c6 * t344 + s6 * t192;
         let t354 = c6 * t198;
         let t355 = s6 * t198;
         let t358 = c5 * t350 + s5 * t347;
@@ -276,7 +277,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t371 = L3 * t358 - (c5 * t195 - s5 * t354);
         let t380 = s4 * t370 + c4 * t355;
         let t383 = c4 * t370 - s4 * t355 + L2 * t361;
-        let t384 = t371 + L2 * (c4 * t358 - s4 * (s6 * t344 + c6 * t192));
+        let t384 = t371 + L2 * (c4 * t358 - s4 * (c6 * t192 - s6 * t344));
         let t389 = c2 * t380 - (z1_3_x * t383 + t155 * t384);
         let t392 = s3 * t383 - c3 * t384;
         put(3, t389); // row 1, MSZ
@@ -286,26 +287,25 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(42, t355); // row 5, MSZ
     }
     // payload: column XX
-    let [t394, t397, t400, t403] = {
+    let [t394, t397, t398, t400, t403] = {
         let t394 = s7 * t182;
-        let t395 = t394 - c7 * t151;
+        let t395 = c7 * dw7_x - t394;
         let t397 = c7 * t182;
-        let t398 = s7 * t151 + t397;
+        let t398 = s7 * dw7_x + t397;
         let t400 = s6 * t181;
-        let t401 = c6 * t395 + t400;
+        let t401 = t400 - c6 * t395;
         let t403 = c6 * t181;
-        let t404 = s6 * t395 - t403;
-        let t409 = z1_5_z * t404 + (z1_5_x * t401 + z1_6_z * t398);
-        let t414 = t175 * t398 - t172 * t401 - z2_4_y * t404;
-        let t419 = c4 * t404 - (t176 * t401 + z3_5_y * t398);
-        let t422 = s5 * t401 - c5 * t398;
+        let t404 = s6 * t395 + t403;
+        let t409 = z1_5_z * t404 + (t166 * t401 - z1_6_z * t398);
+        let t414 = t172 * t401 - t175 * t398 - z2_4_y * t404;
+        let t419 = c4 * t404 + (t176 * t401 + z3_5_y * t398);
+        let t422 = c5 * t398 - s5 * t401;
         put(4, t409); // row 1, XX
         put(14, t414); // row 2, XX
         put(24, t419); // row 3, XX
         put(34, t422); // row 4, XX
         put(43, t404); // row 5, XX
-        put(52, t398); // row 6, XX
-        [t394, t397, t400, t403]
+        [t394, t397, t398, t400, t403]
     };
     // payload: column YY
     let [t423, t426] = {
@@ -313,9 +313,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t425 = t423 + s7 * t152;
         let t426 = s7 * t183;
         let t428 = c7 * t152 - t426;
-        let t430 = c6 * t425 - t400;
-        let t432 = t403 + s6 * t425;
-        let t437 = z1_5_z * t432 + (z1_5_x * t430 + z1_6_z * t428);
+        let t430 = t400 + c6 * t425;
+        let t432 = s6 * t425 - t403;
+        let t437 = z1_5_z * t432 + (z1_6_z * t428 - t166 * t430);
         let t442 = t175 * t428 - t172 * t430 - z2_4_y * t432;
         let t447 = c4 * t432 - (t176 * t430 + z3_5_y * t428);
         let t450 = s5 * t430 - c5 * t428;
@@ -328,31 +328,32 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t423, t426]
     };
     // payload: column ZZ
-    let [t452, t477] = {
-        let t451 = t394 + t423;
-        let t452 = t397 - t426;
-        let t455 = c6 * t451 + s6 * dw7_z;
-        let t458 = c6 * dw7_z - s6 * t451;
-        let t463 = z1_5_z * t458 - (z1_5_x * t455 + z1_6_z * t452);
-        let t468 = t172 * t455 - t175 * t452 - z2_4_y * t458;
-        let t473 = c4 * t458 + (t176 * t455 + z3_5_y * t452);
-        let t476 = c5 * t452 - s5 * t455;
+    let t477 = {
+        let t451 = t394 - t423;
+        let t452 = t397 + t426;
+        let t455 = c6 * t451 - s6 * dw7_z;
+        let t458 = s6 * t451 + c6 * dw7_z;
+        let t463 = z1_5_z * t458 - (t166 * t455 - z1_6_z * t452);
+        let t468 = t175 * t452 - t172 * t455 - z2_4_y * t458;
+        let t473 = c4 * t458 - (t176 * t455 + z3_5_y * t452);
+        let t476 = s5 * t455 - c5 * t452;
         let t477 = t178 - t179;
         put(6, t463); // row 1, ZZ
         put(16, t468); // row 2, ZZ
         put(26, t473); // row 3, ZZ
         put(36, t476); // row 4, ZZ
         put(45, t458); // row 5, ZZ
+        put(54, t452); // row 6, ZZ
         put(63, t477); // row 7, XY
-        [t452, t477]
+        t477
     };
     // payload: column XY
     let t508 = {
-        let t480 = c7 * t190 + s7 * t191;
-        let t483 = c7 * t191 - s7 * t190;
+        let t480 = s7 * t191 - c7 * t190;
+        let t483 = s7 * t190 + c7 * t191;
         let t486 = c6 * t480 - s6 * t477;
         let t489 = s6 * t480 + c6 * t477;
-        let t494 = z1_5_z * t489 + (z1_5_x * t486 + z1_6_z * t483);
+        let t494 = z1_5_z * t489 - (t166 * t486 - z1_6_z * t483);
         let t499 = t175 * t483 - t172 * t486 - z2_4_y * t489;
         let t504 = c4 * t489 - (t176 * t486 + z3_5_y * t483);
         let t507 = s5 * t486 - c5 * t483;
@@ -371,11 +372,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t512 = c7 * t508 - t231;
         let t515 = c6 * t510 - s6 * t189;
         let t518 = s6 * t510 + c6 * t189;
-        let t523 = z1_5_z * t518 + (z1_5_x * t515 + z1_6_z * t512);
+        let t523 = z1_5_z * t518 - (t166 * t515 - z1_6_z * t512);
         let t528 = t175 * t512 - t172 * t515 - z2_4_y * t518;
         let t533 = c4 * t518 - (t176 * t515 + z3_5_y * t512);
         let t536 = s5 * t515 - c5 * t512;
-        let t537 = t179 - t180;
+        let t537 = t180 - t179;
         put(8, t523); // row 1, XZ
         put(18, t528); // row 2, XZ
         put(28, t533); // row 3, XZ
@@ -387,26 +388,24 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // payload: column YZ
     {
         let t539 = t290 + c7 * t537;
-        let t541 = t287 - s7 * t537;
+        let t541 = s7 * t537 - t287;
         let t544 = c6 * t539 + s6 * t186;
-        let t547 = s6 * t539 - c6 * t186;
-        let t552 = z1_5_z * t547 + (z1_5_x * t544 + z1_6_z * t541);
-        let t557 = t175 * t541 - t172 * t544 - z2_4_y * t547;
-        let t562 = c4 * t547 - (t176 * t544 + z3_5_y * t541);
-        let t565 = s5 * t544 - c5 * t541;
-        let t566 = -t237;
-        let t567 = -t452;
-        let t568 = -t181;
-        let t569 = -t186;
+        let t547 = c6 * t186 - s6 * t539;
+        let t552 = z1_5_z * t547 + (t166 * t544 + z1_6_z * t541);
+        let t557 = t172 * t544 + t175 * t541 - z2_4_y * t547;
+        let t562 = c4 * t547 + (t176 * t544 - z3_5_y * t541);
+        let t566 = -(s5 * t544 + c5 * t541);
+        let t567 = -t237;
+        let t568 = -t398;
+        let t569 = -t181;
         put(9, t552); // row 1, YZ
         put(19, t557); // row 2, YZ
         put(29, t562); // row 3, YZ
-        put(39, t565); // row 4, YZ
+        put(39, t566); // row 4, YZ
         put(48, t547); // row 5, YZ
-        put(49, t566); // row 6, MSX
-        put(54, t567); // row 6, ZZ
+        put(49, t567); // row 6, MSX
+        put(52, t568); // row 6, XX
         put(57, t541); // row 6, YZ
-        put(60, t568); // row 7, XX
-        put(65, t569); // row 7, YZ
+        put(61, t569); // row 7, YY
     }
 }

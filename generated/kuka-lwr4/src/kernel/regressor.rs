@@ -2,7 +2,7 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 811 multiplications, 577 additions; 7 x 84, 266 of 588 structurally nonzero.
+//! 811 multiplications, 573 additions; 7 x 84, 266 of 588 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
@@ -97,7 +97,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // link 3: motion
     let [
         w3_x, t15, t22, t23, t24, t25, t26, t27,
-        t29, t30, t31, t32, t37, t40, t43, w3_z,
+        t29, t30, t31, t32, a3_z, t40, t43, w3_z,
         t47, t48, dw3_z,
     ] = {
         let w3_x = c3 * w2_x - s3 * dq2;
@@ -108,34 +108,34 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t25 = w2_x * w2_y;
         let t26 = t25 - ddq2;
         let t27 = ddq2 + t25;
-        let t29 = t7 - dw2_y;
+        let t29 = dw2_y - t7;
         let t30 = t6 + dw2_x;
         let t31 = c3 * a2_x;
         let t32 = s3 * a2_x;
         let t35 = L2 * t30;
         let t36 = a2_x + L2 * t26;
-        let t37 = L2 * (t22 + t24) - a2_y;
+        let a3_z = a2_y - L2 * (t22 + t24);
         let t40 = s3 * t35 - c3 * t36;
         let t43 = c3 * t35 + s3 * t36;
         let w3_z = w2_y + dq3;
-        let t47 = s3 * ddq2 - c3 * dw2_x + dq3 * t15;
+        let t47 = dq3 * t15 - (c3 * dw2_x - s3 * ddq2);
         let t48 = c3 * ddq2 + s3 * dw2_x + dq3 * w3_x;
         let dw3_z = dw2_y + ddq3;
         put(63, t25); // row 2, YY2
         put(124, dw3_z); // row 3, ZZ3
         [
         w3_x, t15, t22, t23, t24, t25, t26, t27,
-        t29, t30, t31, t32, t37, t40, t43, w3_z,
+        t29, t30, t31, t32, a3_z, t40, t43, w3_z,
         t47, t48, dw3_z,
     ]
     };
     // link 4: motion
     let [
-        w4_x, t55, t62, t63, t64, t65, t66, t67,
+        t52, t55, t62, t63, t64, t65, t66, t67,
         t68, t69, t70, t71, t72, t73, t76, a4_y,
-        w4_z, t83, t84, dw4_z,
+        t80, t83, t84, dw4_z,
     ] = {
-        let w4_x = c4 * w3_x - s4 * w3_z;
+        let t52 = s4 * w3_z - c4 * w3_x;
         let t55 = c4 * w3_z + s4 * w3_x;
         let t62 = w3_x * w3_x;
         let t63 = t15 * t15;
@@ -149,11 +149,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t71 = t67 - t47;
         let t72 = t48 + t66;
         let t73 = t47 + t67;
-        let t76 = c4 * t40 - s4 * t37;
-        let a4_y = c4 * t37 + s4 * t40;
-        let w4_z = dq4 - t15;
+        let t76 = c4 * t40 + s4 * a3_z;
+        let a4_y = s4 * t40 - c4 * a3_z;
+        let t80 = t15 - dq4;
         let t83 = c4 * t47 + s4 * dw3_z + dq4 * t55;
-        let t84 = c4 * dw3_z - s4 * t47 + dq4 * w4_x;
+        let t84 = s4 * t47 - c4 * dw3_z + dq4 * t52;
         let dw4_z = ddq4 - t48;
         put(122, t65); // row 3, XX3
         put(126, t71); // row 3, XZ3
@@ -162,51 +162,52 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(170, t76); // row 4, MSY4
         put(173, dw4_z); // row 4, ZZ4
         [
-        w4_x, t55, t62, t63, t64, t65, t66, t67,
+        t52, t55, t62, t63, t64, t65, t66, t67,
         t68, t69, t70, t71, t72, t73, t76, a4_y,
-        w4_z, t83, t84, dw4_z,
+        t80, t83, t84, dw4_z,
     ]
     };
     // link 5: motion
     let [
-        w5_x, w5_y, t98, t99, t100, t101, t102, t103,
+        t88, t91, t98, t99, t100, t101, t102, t103,
         t104, t105, t106, t107, t108, t109, t110, t111,
-        t112, t117, a5_x, a6_z, w5_z, dw5_x, dw5_y, dw5_z,
+        t112, t117, t121, a5_y, w5_z, t128, dw5_y, dw5_z,
     ] = {
-        let w5_x = c5 * w4_x + s5 * w4_z;
-        let w5_y = c5 * w4_z - s5 * w4_x;
-        let t98 = w4_x * w4_x;
+        let t88 = c5 * t52 + s5 * t80;
+        let t91 = c5 * t80 - s5 * t52;
+        let t98 = t52 * t52;
         let t99 = t55 * t55;
-        let t100 = w4_z * w4_z;
-        let t101 = w4_x * t55;
-        let t102 = w4_x * w4_z;
-        let t103 = t55 * w4_z;
+        let t100 = t80 * t80;
+        let t101 = t52 * t55;
+        let t102 = t52 * t80;
+        let t103 = t55 * t80;
         let t104 = t99 + t100;
-        let t105 = dw4_z + t101;
-        let t106 = t102 - t84;
-        let t107 = t101 - dw4_z;
+        let t105 = t101 - dw4_z;
+        let t106 = t84 + t102;
+        let t107 = dw4_z + t101;
         let t108 = t98 + t100;
-        let t109 = t103 - t83;
-        let t110 = t84 + t102;
-        let t111 = t83 + t103;
+        let t109 = t83 + t103;
+        let t110 = t102 - t84;
+        let t111 = t103 - t83;
         let t112 = t98 + t99;
-        let t116 = L3 * t105 - t76;
+        let t116 = t76 + L3 * t105;
         let t117 = a4_y + L3 * t108;
-        let t118 = t43 - L3 * t111;
-        let a5_x = c5 * t116 - s5 * t118;
-        let a6_z = c5 * t118 + s5 * t116;
+        let t118 = t43 + L3 * t111;
+        let t121 = c5 * t116 + s5 * t118;
+        let a5_y = s5 * t116 - c5 * t118;
         let w5_z = t55 + dq5;
-        let dw5_x = s5 * dw4_z - c5 * t83 + dq5 * w5_y;
-        let dw5_y = c5 * dw4_z + s5 * t83 - dq5 * w5_x;
-        let dw5_z = t84 + ddq5;
-        put(171, t101); // row 4, XX4
-        put(175, t109); // row 4, XZ4
+        let t128 = c5 * t83 - s5 * dw4_z + dq5 * t91;
+        let dw5_y = c5 * dw4_z + s5 * t83 + dq5 * t88;
+        let dw5_z = ddq5 - t84;
+        put(172, t101); // row 4, YY4
         put(176, t106); // row 4, YZ4
+        put(209, a5_y); // row 5, MSX5
+        put(210, t121); // row 5, MSY5
         put(213, dw5_z); // row 5, ZZ5
         [
-        w5_x, w5_y, t98, t99, t100, t101, t102, t103,
+        t88, t91, t98, t99, t100, t101, t102, t103,
         t104, t105, t106, t107, t108, t109, t110, t111,
-        t112, t117, a5_x, a6_z, w5_z, dw5_x, dw5_y, dw5_z,
+        t112, t117, t121, a5_y, w5_z, t128, dw5_y, dw5_z,
     ]
     };
     // link 6: motion
@@ -215,28 +216,28 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t149, t150, t151, t152, t153, t154, t155, t156,
         t157, t160, t163, w6_z, dw6_x, dw6_y, dw6_z,
     ] = {
-        let w6_x = c6 * w5_x + s6 * w5_z;
-        let w6_y = c6 * w5_z - s6 * w5_x;
-        let t143 = w5_x * w5_x;
-        let t144 = w5_y * w5_y;
+        let w6_x = s6 * w5_z - c6 * t88;
+        let w6_y = c6 * w5_z + s6 * t88;
+        let t143 = t88 * t88;
+        let t144 = t91 * t91;
         let t145 = w5_z * w5_z;
-        let t146 = w5_x * w5_y;
-        let t147 = w5_x * w5_z;
-        let t148 = w5_y * w5_z;
+        let t146 = t88 * t91;
+        let t147 = t88 * w5_z;
+        let t148 = t91 * w5_z;
         let t149 = t144 + t145;
-        let t150 = t146 - dw5_z;
-        let t151 = dw5_y + t147;
+        let t150 = dw5_z - t146;
+        let t151 = dw5_y - t147;
         let t152 = dw5_z + t146;
         let t153 = t143 + t145;
-        let t154 = dw5_x - t148;
-        let t155 = t147 - dw5_y;
-        let t156 = dw5_x + t148;
+        let t154 = t148 - t128;
+        let t155 = dw5_y + t147;
+        let t156 = t128 + t148;
         let t157 = t143 + t144;
-        let t160 = s6 * t117 - c6 * a5_x;
-        let t163 = c6 * t117 + s6 * a5_x;
-        let w6_z = dq6 - w5_y;
-        let dw6_x = c6 * dw5_x + s6 * dw5_z + dq6 * w6_y;
-        let dw6_y = c6 * dw5_z - s6 * dw5_x - dq6 * w6_x;
+        let t160 = c6 * t121 + s6 * t117;
+        let t163 = c6 * t117 - s6 * t121;
+        let w6_z = t91 + dq6;
+        let dw6_x = s6 * dw5_z - c6 * t128 + dq6 * w6_y;
+        let dw6_y = c6 * dw5_z + s6 * t128 - dq6 * w6_x;
         let dw6_z = ddq6 - dw5_y;
         put(212, t146); // row 5, YY5
         put(215, t154); // row 5, XZ5
@@ -253,7 +254,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [
         w7_x, t175, t182, t183, t184, t185, t186, t187,
         t188, t189, t190, t191, t192, t193, t194, t195,
-        t196, t199, a7_y, w7_z, dw7_x, t207, dw7_z,
+        t196, t199, a7_y, w7_z, t206, t207, dw7_z,
     ] = {
         let w7_x = c7 * w6_x - s7 * w6_z;
         let t175 = c7 * w6_z + s7 * w6_x;
@@ -264,7 +265,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t186 = w6_x * w6_z;
         let t187 = w6_y * w6_z;
         let t188 = t183 + t184;
-        let t189 = t185 - dw6_z;
+        let t189 = dw6_z - t185;
         let t190 = dw6_y + t186;
         let t191 = dw6_z + t185;
         let t192 = t182 + t184;
@@ -272,10 +273,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t194 = dw6_y - t186;
         let t195 = dw6_x + t187;
         let t196 = t182 + t183;
-        let t199 = c7 * t160 + s7 * a6_z;
-        let a7_y = s7 * t160 - c7 * a6_z;
+        let t199 = c7 * t160 - s7 * a5_y;
+        let a7_y = c7 * a5_y + s7 * t160;
         let w7_z = w6_y + dq7;
-        let dw7_x = c7 * dw6_x - s7 * dw6_z - dq7 * t175;
+        let t206 = s7 * dw6_z - c7 * dw6_x + dq7 * t175;
         let t207 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
         let dw7_z = dw6_y + ddq7;
         put(240, t185); // row 6, YY6
@@ -287,7 +288,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [
         w7_x, t175, t182, t183, t184, t185, t186, t187,
         t188, t189, t190, t191, t192, t193, t194, t195,
-        t196, t199, a7_y, w7_z, dw7_x, t207, dw7_z,
+        t196, t199, a7_y, w7_z, t206, t207, dw7_z,
     ]
     };
     // joint axes in frame 3
@@ -341,13 +342,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XY2: column
     {
         let t243 = t22 - t23;
-        let t246 = c2 * t30 - s2 * t29;
+        let t246 = s2 * t29 + c2 * t30;
         put(5, t246); // row 1, XY2
         put(65, t243); // row 2, XY2
     }
     // XZ2: column
     {
-        let t250 = s2 * t27 - c2 * (t22 - t24);
+        let t250 = s2 * t27 + c2 * (t24 - t22);
         put(6, t250); // row 1, XZ2
     }
     // YZ2: column
@@ -417,17 +418,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t305, t306]
     };
     // YZ3: column
-    let [t319, t321] = {
-        let t307 = t64 - t63;
-        let t312 = c2 * t69 - (z1_3_x * t307 + t68 * t210);
-        let t315 = s3 * t307 - c3 * t68;
+    let [t315, t321] = {
+        let t307 = t63 - t64;
+        let t312 = c2 * t69 - (t68 * t210 - z1_3_x * t307);
+        let t315 = s3 * t307 + c3 * t68;
         let t317 = t305 - L2 * t312;
-        let t319 = t306 + L2 * t315;
+        let t319 = L2 * t315 - t306;
         let t321 = t31 + L2 * t69;
         put(10, t317); // row 1, MSY3
         put(17, t312); // row 1, YZ3
-        put(77, t315); // row 2, YZ3
-        [t319, t321]
+        put(70, t319); // row 2, MSY3
+        [t315, t321]
     };
     // YY3: column
     {
@@ -446,7 +447,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XY3: column
     {
         let t330 = t62 - t63;
-        let t335 = c2 * t330 + (t73 * t210 - t72 * z1_3_x);
+        let t335 = c2 * t330 - (t72 * z1_3_x - t73 * t210);
         let t338 = s3 * t72 + c3 * t73;
         put(15, t335); // row 1, XY3
         put(75, t338); // row 2, XY3
@@ -455,7 +456,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // M4: column
     let [t341, t344] = {
         let t341 = c4 * t76 + s4 * a4_y;
-        let t344 = c4 * a4_y - s4 * t76;
+        let t344 = s4 * t76 - c4 * a4_y;
         let t345 = L2 * t43;
         let t346 = L2 * t341;
         let t349 = z1_3_x * t345 + t210 * t346;
@@ -471,7 +472,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t356 = s4 * t43;
         let t357 = c4 * t43;
         let t360 = t356 + L2 * t110;
-        let t361 = L2 * (c4 * t104 - t354) - a4_y;
+        let t361 = L2 * (c4 * t104 + t354) - a4_y;
         let t366 = t210 * t361 - z1_3_x * t360 - c2 * t357;
         let t369 = s3 * t360 + c3 * t361;
         put(19, t366); // row 1, MSX4
@@ -482,31 +483,31 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSY4: column
     let t370 = {
         let t370 = c4 * t105;
-        let t375 = t357 - L2 * t111;
-        let t376 = L2 * (t370 - s4 * t108) - t76;
-        let t381 = c2 * t356 - (z1_3_x * t375 - t210 * t376);
-        let t384 = s3 * t375 + c3 * t376;
+        let t375 = t357 + L2 * t111;
+        let t376 = t76 + L2 * (t370 + s4 * t108);
+        let t381 = c2 * t356 - (z1_3_x * t375 + t210 * t376);
+        let t384 = s3 * t375 - c3 * t376;
         put(20, t381); // row 1, MSY4
         put(80, t384); // row 2, MSY4
         t370
     };
     // MSZ4: column
-    let t398 = {
-        let t389 = L2 * (c4 * t106 + s4 * t109);
-        let t390 = L2 * t112 - t344;
-        let t395 = c2 * t341 + (z1_3_x * t390 - t210 * t389);
-        let t398 = s3 * t390 + c3 * t389;
+    {
+        let t389 = L2 * (s4 * t109 - c4 * t106);
+        let t390 = t344 + L2 * t112;
+        let t395 = c2 * t341 + (z1_3_x * t390 + t210 * t389);
+        let t398 = c3 * t389 - s3 * t390;
         put(21, t395); // row 1, MSZ4
-        t398
-    };
+        put(81, t398); // row 2, MSZ4
+    }
     // XX4: column
     let [t400, t401, t405, t406, t410] = {
         let t400 = t102 * z1_5_z;
         let t401 = t101 * t210;
-        let t403 = t83 * t213 - t400 - t401;
+        let t403 = t401 - (t400 - t83 * t213);
         let t405 = t102 * z2_4_y;
         let t406 = c3 * t101;
-        let t408 = t83 * t217 + t405 - t406;
+        let t408 = t406 + (t83 * t217 + t405);
         let t410 = c4 * t102;
         let t411 = s4 * t83 - t410;
         put(22, t403); // row 1, XX4
@@ -515,23 +516,22 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t400, t401, t405, t406, t410]
     };
     // YY4: column
-    let [t412, t416, t420] = {
+    let [t412, t415, t416, t420] = {
         let t412 = t103 * t213;
-        let t415 = t401 - (t412 - t84 * z1_5_z);
+        let t415 = t401 + (t84 * z1_5_z - t412);
         let t416 = t103 * t217;
-        let t419 = t406 - (t416 + t84 * z2_4_y);
+        let t419 = t416 + t84 * z2_4_y - t406;
         let t420 = s4 * t103;
-        let t422 = c4 * t84 - t420;
-        put(23, t415); // row 1, YY4
+        let t422 = t420 - c4 * t84;
         put(83, t419); // row 2, YY4
         put(132, t422); // row 3, YY4
-        [t412, t416, t420]
+        [t412, t415, t416, t420]
     };
     // ZZ4: column
     let t428 = {
-        let t425 = t400 + t412 - dw4_z * t210;
-        let t428 = c3 * dw4_z + (t405 - t416);
-        let t429 = t410 + t420;
+        let t425 = t400 - t412 - dw4_z * t210;
+        let t428 = c3 * dw4_z + (t405 + t416);
+        let t429 = t410 - t420;
         put(24, t425); // row 1, ZZ4
         put(133, t429); // row 3, ZZ4
         t428
@@ -539,9 +539,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XY4: column
     {
         let t430 = t98 - t99;
-        let t435 = t110 * t213 + t111 * z1_5_z - t210 * t430;
-        let t440 = t110 * t217 - t111 * z2_4_y - c3 * t430;
-        let t443 = s4 * t110 + c4 * t111;
+        let t435 = t110 * t213 - t111 * z1_5_z - t210 * t430;
+        let t440 = t110 * t217 + t111 * z2_4_y - c3 * t430;
+        let t443 = s4 * t110 - c4 * t111;
         put(25, t435); // row 1, XY4
         put(85, t440); // row 2, XY4
         put(134, t443); // row 3, XY4
@@ -550,9 +550,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XZ4: column
     {
         let t444 = t98 - t100;
-        let t449 = t107 * t213 + z1_5_z * t444 - t109 * t210;
-        let t454 = t107 * t217 - z2_4_y * t444 - c3 * t109;
-        let t456 = t354 + c4 * t444;
+        let t449 = t109 * t210 + (z1_5_z * t444 - t107 * t213);
+        let t454 = c3 * t109 - (t107 * t217 + z2_4_y * t444);
+        let t456 = c4 * t444 - t354;
         put(26, t449); // row 1, XZ4
         put(86, t454); // row 2, XZ4
         put(135, t456); // row 3, XZ4
@@ -560,46 +560,45 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // YZ4: column
     {
         let t457 = t100 - t99;
-        let t462 = t213 * t457 - t105 * z1_5_z - t106 * t210;
-        let t467 = t217 * t457 + t105 * z2_4_y - c3 * t106;
-        let t469 = s4 * t457 - t370;
+        let t462 = t213 * t457 + t105 * z1_5_z - t106 * t210;
+        let t467 = t217 * t457 - t105 * z2_4_y - c3 * t106;
+        let t469 = t370 + s4 * t457;
         put(27, t462); // row 1, YZ4
         put(87, t467); // row 2, YZ4
         put(136, t469); // row 3, YZ4
     }
     // M5: column
-    let [t471, t472, t474, t475] = {
-        let t471 = s5 * a6_z;
-        let t472 = c5 * a5_x + t471;
-        let t474 = c5 * a6_z;
-        let t475 = s5 * a5_x - t474;
+    let [t471, t472, t474, t475, t477] = {
+        let t471 = s5 * a5_y;
+        let t472 = c5 * t121 + t471;
+        let t474 = c5 * a5_y;
+        let t475 = t474 - s5 * t121;
         let t476 = L3 * t475;
         let t477 = L3 * t472;
         let t482 = s4 * t476;
         let t485 = c4 * t476 + L2 * t475;
-        let t486 = t477 - L2 * (s4 * t117 - c4 * t472);
-        let t491 = c2 * t482 - (z1_3_x * t485 + t210 * t486);
-        let t494 = s3 * t485 - c3 * t486;
+        let t486 = t477 + L2 * (c4 * t472 + s4 * t117);
+        let t491 = c2 * t482 + (t210 * t486 - z1_3_x * t485);
+        let t494 = s3 * t485 + c3 * t486;
         put(28, t491); // row 1, M5
         put(88, t494); // row 2, M5
         put(137, t482); // row 3, M5
-        put(177, t477); // row 4, M5
-        [t471, t472, t474, t475]
+        [t471, t472, t474, t475, t477]
     };
     // MSX5: column
     let [t496, t501, t502] = {
         let t496 = s5 * t152;
         let t497 = c5 * t149 + t496;
-        let t500 = s5 * t149 - c5 * t152;
+        let t500 = c5 * t152 - s5 * t149;
         let t501 = s5 * t117;
         let t502 = c5 * t117;
-        let t505 = t501 - L3 * t500;
+        let t505 = t501 + L3 * t500;
         let t506 = t502 - L3 * t497;
-        let t515 = s4 * t505 - c4 * a6_z;
-        let t518 = L2 * t500 - (c4 * t505 + s4 * a6_z);
-        let t519 = L2 * (c4 * t497 - s4 * t155) - t506;
-        let t524 = c2 * t515 + (z1_3_x * t518 + t210 * t519);
-        let t527 = c3 * t519 - s3 * t518;
+        let t515 = s4 * t505 + c4 * a5_y;
+        let t518 = L2 * t500 - (s4 * a5_y - c4 * t505);
+        let t519 = L2 * (c4 * t497 + s4 * t155) - t506;
+        let t524 = c2 * t515 - (z1_3_x * t518 - t210 * t519);
+        let t527 = s3 * t518 + c3 * t519;
         put(29, t524); // row 1, MSX5
         put(89, t527); // row 2, MSX5
         put(138, t515); // row 3, MSX5
@@ -609,15 +608,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSY5: column
     let t528 = {
         let t528 = c5 * t150;
-        let t530 = t528 + s5 * t153;
-        let t533 = s5 * t150 - c5 * t153;
-        let t536 = t502 + L3 * t533;
+        let t530 = s5 * t153 - t528;
+        let t533 = s5 * t150 + c5 * t153;
+        let t536 = t502 - L3 * t533;
         let t537 = L3 * t530 - t501;
-        let t546 = s4 * t536 - c4 * a5_x;
-        let t549 = c4 * t536 + s4 * a5_x + L2 * t533;
-        let t550 = t537 + L2 * (c4 * t530 + s4 * t156);
-        let t555 = c2 * t546 - (z1_3_x * t549 + t210 * t550);
-        let t558 = s3 * t549 - c3 * t550;
+        let t546 = s4 * t536 + c4 * t121;
+        let t549 = s4 * t121 - c4 * t536 + L2 * t533;
+        let t550 = L2 * (s4 * t156 - c4 * t530) - t537;
+        let t555 = c2 * t546 + (z1_3_x * t549 + t210 * t550);
+        let t558 = c3 * t550 - s3 * t549;
         put(30, t555); // row 1, MSY5
         put(90, t558); // row 2, MSY5
         put(139, t546); // row 3, MSY5
@@ -627,59 +626,58 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSZ5: column
     {
         let t561 = c5 * t151 + s5 * t154;
-        let t564 = c5 * t154 - s5 * t151;
-        let t567 = t475 - L3 * t564;
-        let t568 = t472 + L3 * t561;
+        let t564 = s5 * t151 - c5 * t154;
+        let t567 = t475 + L3 * t564;
+        let t568 = L3 * t561 - t472;
         let t573 = s4 * t567;
-        let t576 = L2 * t564 - c4 * t567;
+        let t576 = c4 * t567 + L2 * t564;
         let t577 = L2 * (s4 * t157 - c4 * t561) - t568;
-        let t582 = c2 * t573 + (z1_3_x * t576 + t210 * t577);
-        let t585 = c3 * t577 - s3 * t576;
+        let t582 = c2 * t573 + (t210 * t577 - z1_3_x * t576);
+        let t585 = s3 * t576 + c3 * t577;
         put(31, t582); // row 1, MSZ5
         put(91, t585); // row 2, MSZ5
         put(140, t573); // row 3, MSZ5
         put(180, t568); // row 4, MSZ5
     }
     // XX5: column
-    let [t587, t588, t590, t592, t593, t597, t598, t602] = {
+    let [t587, t588, t592, t593, t597, t598, t602, t603] = {
         let t587 = t147 * z1_6_z;
         let t588 = t146 * z1_5_z;
-        let t590 = t588 + (dw5_x * t221 + t587);
+        let t590 = t128 * t221 + t587 - t588;
         let t592 = t147 * t230;
         let t593 = t146 * z2_4_y;
-        let t595 = t593 - (dw5_x * t227 + t592);
+        let t595 = t593 + (t128 * t227 + t592);
         let t597 = t147 * z3_5_y;
         let t598 = c4 * t146;
-        let t600 = t597 - dw5_x * t231 - t598;
+        let t600 = t128 * t231 - t597 - t598;
         let t602 = c5 * t147;
-        let t603 = s5 * dw5_x + t602;
+        let t603 = s5 * t128 + t602;
+        put(32, t590); // row 1, XX5
         put(92, t595); // row 2, XX5
         put(141, t600); // row 3, XX5
-        put(181, t603); // row 4, XX5
-        [t587, t588, t590, t592, t593, t597, t598, t602]
+        [t587, t588, t592, t593, t597, t598, t602, t603]
     };
     // YY5: column
-    let [t604, t608, t612, t616] = {
+    let [t604, t608, t611, t612, t616] = {
         let t604 = t148 * t221;
-        let t607 = t588 - (dw5_y * z1_6_z - t604);
+        let t607 = t588 - (t604 + dw5_y * z1_6_z);
         let t608 = t148 * t227;
-        let t611 = t608 - dw5_y * t230 - t593;
+        let t611 = t593 + (t608 + dw5_y * t230);
         let t612 = t148 * t231;
-        let t615 = t598 + (t612 + dw5_y * z3_5_y);
+        let t615 = t598 - (t612 - dw5_y * z3_5_y);
         let t616 = s5 * t148;
-        let t618 = c5 * dw5_y - t616;
+        let t618 = t616 + c5 * dw5_y;
         put(33, t607); // row 1, YY5
-        put(93, t611); // row 2, YY5
         put(142, t615); // row 3, YY5
         put(182, t618); // row 4, YY5
-        [t604, t608, t612, t616]
+        [t604, t608, t611, t612, t616]
     };
     // ZZ5: column
     {
-        let t621 = dw5_z * z1_5_z + (t587 - t604);
-        let t624 = t592 - t608 - dw5_z * z2_4_y;
-        let t627 = c4 * dw5_z - (t597 + t612);
-        let t628 = t616 - t602;
+        let t621 = dw5_z * z1_5_z + (t604 - t587);
+        let t624 = t608 - t592 - dw5_z * z2_4_y;
+        let t627 = c4 * dw5_z + (t597 + t612);
+        let t628 = t602 - t616;
         put(34, t621); // row 1, ZZ5
         put(94, t624); // row 2, ZZ5
         put(143, t627); // row 3, ZZ5
@@ -688,10 +686,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XY5: column
     {
         let t629 = t143 - t144;
-        let t634 = z1_5_z * t629 + (t155 * t221 - t156 * z1_6_z);
-        let t639 = t155 * t227 - t156 * t230 - z2_4_y * t629;
-        let t644 = c4 * t629 + (t155 * t231 + t156 * z3_5_y);
-        let t647 = c5 * t156 - s5 * t155;
+        let t634 = z1_5_z * t629 - (t155 * t221 - t156 * z1_6_z);
+        let t639 = t156 * t230 - t155 * t227 - z2_4_y * t629;
+        let t644 = c4 * t629 - (t155 * t231 + t156 * z3_5_y);
+        let t647 = s5 * t155 - c5 * t156;
         put(35, t634); // row 1, XY5
         put(95, t639); // row 2, XY5
         put(144, t644); // row 3, XY5
@@ -699,24 +697,24 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(214, t629); // row 5, XY5
     }
     // XZ5: column
-    let t658 = {
+    {
         let t648 = t143 - t145;
         let t653 = t154 * z1_5_z + (z1_6_z * t648 - t152 * t221);
-        let t658 = t154 * z2_4_y + (t152 * t227 - t230 * t648);
+        let t658 = t230 * t648 - t152 * t227 - t154 * z2_4_y;
         let t663 = c4 * t154 - (t152 * t231 + z3_5_y * t648);
         let t665 = t496 - c5 * t648;
         put(36, t653); // row 1, XZ5
+        put(96, t658); // row 2, XZ5
         put(145, t663); // row 3, XZ5
         put(185, t665); // row 4, XZ5
-        t658
-    };
+    }
     // YZ5: column
     {
-        let t666 = t144 - t145;
-        let t671 = t151 * z1_5_z + (t150 * z1_6_z - t221 * t666);
-        let t676 = t150 * t230 - t227 * t666 - t151 * z2_4_y;
-        let t681 = c4 * t151 - (t231 * t666 + t150 * z3_5_y);
-        let t683 = s5 * t666 - t528;
+        let t666 = t145 - t144;
+        let t671 = t151 * z1_5_z + (t221 * t666 - t150 * z1_6_z);
+        let t676 = t227 * t666 - t150 * t230 - t151 * z2_4_y;
+        let t681 = c4 * t151 + (t231 * t666 + t150 * z3_5_y);
+        let t683 = t528 - s5 * t666;
         put(37, t671); // row 1, YZ5
         put(97, t676); // row 2, YZ5
         put(146, t681); // row 3, YZ5
@@ -728,15 +726,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t686 = t685 - c6 * t160;
         let t688 = c6 * t163;
         let t689 = s6 * t160 + t688;
-        let t691 = t471 + c5 * t686;
-        let t693 = s5 * t686 - t474;
+        let t691 = c5 * t686 - t471;
+        let t693 = t474 + s5 * t686;
         let t694 = L3 * t693;
         let t695 = L3 * t691;
         let t700 = s4 * t694;
         let t703 = c4 * t694 + L2 * t693;
-        let t704 = t695 + L2 * (c4 * t691 - s4 * t689);
-        let t709 = c2 * t700 - (z1_3_x * t703 + t210 * t704);
-        let t712 = s3 * t703 - c3 * t704;
+        let t704 = L2 * (s4 * t689 - c4 * t691) - t695;
+        let t709 = c2 * t700 + (t210 * t704 - z1_3_x * t703);
+        let t712 = s3 * t703 + c3 * t704;
         put(38, t709); // row 1, M6
         put(98, t712); // row 2, M6
         put(147, t700); // row 3, M6
@@ -749,36 +747,36 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t714 = s6 * t191;
         let t715 = c6 * t188 + t714;
         let t717 = c6 * t191;
-        let t719 = s6 * a6_z;
-        let t720 = c6 * a6_z;
+        let t719 = s6 * a5_y;
+        let t720 = c6 * a5_y;
         let t723 = c5 * t715 + s5 * t194;
         let t726 = c5 * t194 - s5 * t715;
-        let t735 = s5 * t163 - c5 * t719 + L3 * t726;
-        let t736 = s5 * t719 + c5 * t163 - L3 * t723;
-        let t745 = s4 * t735 - c4 * t720;
-        let t748 = c4 * t735 + s4 * t720 + L2 * t726;
-        let t749 = L2 * (c4 * t723 + s4 * (s6 * t188 - t717)) - t736;
-        let t754 = c2 * t745 + (t210 * t749 - z1_3_x * t748);
-        let t757 = s3 * t748 + c3 * t749;
+        let t735 = c5 * t719 + s5 * t163 + L3 * t726;
+        let t736 = c5 * t163 - s5 * t719 - L3 * t723;
+        let t745 = s4 * t735 + c4 * t720;
+        let t748 = c4 * t735 - s4 * t720 + L2 * t726;
+        let t749 = t736 - L2 * (c4 * t723 + s4 * (s6 * t188 - t717));
+        let t754 = c2 * t745 - (z1_3_x * t748 + t210 * t749);
+        let t757 = s3 * t748 - c3 * t749;
         put(39, t754); // row 1, MSX6
         put(99, t757); // row 2, MSX6
         put(148, t745); // row 3, MSX6
         put(188, t736); // row 4, MSX6
-        put(218, t719); // row 5, MSY6
+        put(217, t720); // row 5, MSX6
         [t714, t717, t719, t720]
     };
     // MSY6: column
     let [t758, t761] = {
         let t758 = c6 * t189;
-        let t760 = t758 + s6 * t192;
+        let t760 = s6 * t192 - t758;
         let t761 = s6 * t189;
         let t766 = c5 * t760 + s5 * t195;
         let t769 = s5 * t760 - c5 * t195;
-        let t778 = L3 * t769 - (c5 * t720 + s5 * t160);
-        let t779 = s5 * t720 - c5 * t160 + L3 * t766;
-        let t788 = s4 * t778 + c4 * t719;
-        let t791 = c4 * t778 - s4 * t719 + L2 * t769;
-        let t792 = t779 - L2 * (s4 * (c6 * t192 - t761) - c4 * t766);
+        let t778 = c5 * t720 - s5 * t160 + L3 * t769;
+        let t779 = L3 * t766 - (s5 * t720 + c5 * t160);
+        let t788 = s4 * t778 - c4 * t719;
+        let t791 = c4 * t778 + s4 * t719 + L2 * t769;
+        let t792 = t779 + L2 * (c4 * t766 - s4 * (t761 + c6 * t192));
         let t797 = c2 * t788 - (z1_3_x * t791 + t210 * t792);
         let t800 = s3 * t791 - c3 * t792;
         put(40, t797); // row 1, MSY6
@@ -790,39 +788,40 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSZ6: column
     {
         let t803 = c6 * t190 + s6 * t193;
-        let t809 = s5 * t196 - c5 * t803;
+        let t809 = c5 * t803 - s5 * t196;
         let t812 = s5 * t803 + c5 * t196;
-        let t817 = L3 * t812 - c5 * t689;
-        let t818 = s5 * t689 - L3 * t809;
-        let t827 = s4 * t817 + c4 * t686;
-        let t830 = s4 * t686 - c4 * t817 - L2 * t812;
-        let t831 = L2 * (c4 * t809 - s4 * (s6 * t190 - c6 * t193)) - t818;
-        let t836 = c2 * t827 + (z1_3_x * t830 + t210 * t831);
-        let t839 = c3 * t831 - s3 * t830;
+        let t817 = c5 * t689 - L3 * t812;
+        let t818 = s5 * t689 + L3 * t809;
+        let t827 = c4 * t686 - s4 * t817;
+        let t830 = L2 * t812 - (c4 * t817 + s4 * t686);
+        let t831 = L2 * (s4 * (c6 * t193 - s6 * t190) - c4 * t809) - t818;
+        let t836 = c2 * t827 + (t210 * t831 - z1_3_x * t830);
+        let t839 = s3 * t830 + c3 * t831;
         put(41, t836); // row 1, MSZ6
         put(101, t839); // row 2, MSZ6
         put(150, t827); // row 3, MSZ6
         put(190, t818); // row 4, MSZ6
     }
     // XX6: column
-    let [t841, t844, t847, t852, t855, t857, t862] = {
+    let [t841, t844, t847, t852, t857, t862] = {
         let t841 = s6 * t186;
         let t842 = t841 - c6 * dw6_x;
         let t844 = c6 * t186;
         let t845 = s6 * dw6_x + t844;
         let t847 = t185 * z1_6_z;
-        let t850 = z1_5_z * t845 + (t221 * t842 - t847);
+        let t850 = z1_5_z * t845 - (t847 - t221 * t842);
         let t852 = t185 * t230;
-        let t855 = z2_4_y * t845 + (t852 - t227 * t842);
+        let t855 = t227 * t842 - t852 - z2_4_y * t845;
         let t857 = t185 * z3_5_y;
         let t860 = c4 * t845 + (t231 * t842 + t857);
         let t862 = c5 * t185;
         let t863 = t862 - s5 * t842;
         put(42, t850); // row 1, XX6
+        put(102, t855); // row 2, XX6
         put(151, t860); // row 3, XX6
         put(191, t863); // row 4, XX6
         put(220, t845); // row 5, XX6
-        [t841, t844, t847, t852, t855, t857, t862]
+        [t841, t844, t847, t852, t857, t862]
     };
     // YY6: column
     let [t864, t867, t883] = {
@@ -859,7 +858,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t904 = t182 - t183;
         let t907 = c6 * t194 - s6 * t195;
         let t910 = s6 * t194 + c6 * t195;
-        let t915 = z1_5_z * t910 + (z1_6_z * t904 - t221 * t907);
+        let t915 = z1_5_z * t910 - (t221 * t907 - z1_6_z * t904);
         let t920 = t230 * t904 - t227 * t907 - z2_4_y * t910;
         let t925 = c4 * t910 - (t231 * t907 + z3_5_y * t904);
         let t928 = s5 * t907 - c5 * t904;
@@ -871,25 +870,25 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(242, t904); // row 6, XY6
     }
     // XZ6: column
-    let t943 = {
-        let t929 = t182 - t184;
-        let t931 = t717 + s6 * t929;
-        let t933 = t714 - c6 * t929;
-        let t938 = z1_5_z * t933 + (t193 * z1_6_z - t221 * t931);
-        let t943 = z2_4_y * t933 + (t227 * t931 - t193 * t230);
+    {
+        let t929 = t184 - t182;
+        let t931 = t717 - s6 * t929;
+        let t933 = t714 + c6 * t929;
+        let t938 = z1_5_z * t933 - (t221 * t931 - t193 * z1_6_z);
+        let t943 = t193 * t230 - t227 * t931 - z2_4_y * t933;
         let t948 = c4 * t933 - (t231 * t931 + t193 * z3_5_y);
         let t951 = s5 * t931 - c5 * t193;
         put(46, t938); // row 1, XZ6
+        put(106, t943); // row 2, XZ6
         put(155, t948); // row 3, XZ6
         put(195, t951); // row 4, XZ6
         put(224, t933); // row 5, XZ6
-        t943
-    };
+    }
     // YZ6: column
     {
         let t952 = t183 - t184;
-        let t954 = t761 + c6 * t952;
-        let t956 = s6 * t952 - t758;
+        let t954 = c6 * t952 - t761;
+        let t956 = t758 + s6 * t952;
         let t961 = z1_5_z * t956 + (t190 * z1_6_z - t221 * t954);
         let t966 = t190 * t230 - t227 * t954 - z2_4_y * t956;
         let t971 = c4 * t956 - (t231 * t954 + t190 * z3_5_y);
@@ -917,9 +916,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t983 = t979 - t207;
         let t984 = t978 - dw7_z;
         let t985 = t975 + t977;
-        let t986 = dw7_x + t980;
+        let t986 = t980 - t206;
         let t987 = t207 + t979;
-        let t988 = t980 - dw7_x;
+        let t988 = t206 + t980;
         let t989 = t975 + t976;
         let t992 = c7 * t199 + s7 * a7_y;
         let t995 = s7 * t199 - c7 * a7_y;
@@ -930,9 +929,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1007 = L3 * t1002;
         let t1012 = s4 * t1006;
         let t1015 = c4 * t1006 + L2 * t1005;
-        let t1016 = t1007 - L2 * (s4 * (t688 + s6 * t992) - c4 * t1002);
-        let t1021 = c2 * t1012 - (z1_3_x * t1015 + t210 * t1016);
-        let t1024 = s3 * t1015 - c3 * t1016;
+        let t1016 = L2 * (s4 * (t688 + s6 * t992) - c4 * t1002) - t1007;
+        let t1021 = c2 * t1012 - (z1_3_x * t1015 - t210 * t1016);
+        let t1024 = s3 * t1015 + c3 * t1016;
         put(48, t1021); // row 1, M7
         put(108, t1024); // row 2, M7
         put(157, t1012); // row 3, M7
@@ -950,23 +949,23 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSX7: column
     let [t1026, t1029, t1031, t1032] = {
         let t1026 = s7 * t984;
-        let t1027 = c7 * t981 - t1026;
+        let t1027 = t1026 - c7 * t981;
         let t1029 = c7 * t984;
         let t1030 = s7 * t981 + t1029;
         let t1031 = s7 * t163;
         let t1032 = c7 * t163;
-        let t1035 = c6 * t1027 + s6 * t987;
+        let t1035 = c6 * t1027 - s6 * t987;
         let t1041 = c6 * t1031 + s6 * a7_y;
         let t1044 = c6 * a7_y - s6 * t1031;
-        let t1047 = c5 * t1035 - s5 * t1030;
-        let t1050 = s5 * t1035 + c5 * t1030;
-        let t1059 = c5 * t1041 + s5 * t1032 - L3 * t1050;
-        let t1060 = c5 * t1032 - s5 * t1041 - L3 * t1047;
+        let t1047 = c5 * t1035 + s5 * t1030;
+        let t1050 = s5 * t1035 - c5 * t1030;
+        let t1059 = c5 * t1041 + s5 * t1032 + L3 * t1050;
+        let t1060 = L3 * t1047 - (s5 * t1041 - c5 * t1032);
         let t1069 = s4 * t1059 + c4 * t1044;
-        let t1072 = c4 * t1059 - s4 * t1044 - L2 * t1050;
-        let t1073 = L2 * (c4 * t1047 - s4 * (c6 * t987 - s6 * t1027)) - t1060;
-        let t1078 = c2 * t1069 + (t210 * t1073 - z1_3_x * t1072);
-        let t1081 = s3 * t1072 + c3 * t1073;
+        let t1072 = c4 * t1059 - s4 * t1044 + L2 * t1050;
+        let t1073 = t1060 + L2 * (c4 * t1047 + s4 * (s6 * t1027 + c6 * t987));
+        let t1078 = c2 * t1069 - (z1_3_x * t1072 + t210 * t1073);
+        let t1081 = s3 * t1072 - c3 * t1073;
         put(49, t1078); // row 1, MSX7
         put(109, t1081); // row 2, MSX7
         put(158, t1069); // row 3, MSX7
@@ -986,7 +985,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1099 = c6 * t199 - s6 * t1032;
         let t1102 = s5 * t1087 - c5 * t1090;
         let t1105 = s5 * t1090 + c5 * t1087;
-        let t1114 = s5 * t1031 - c5 * t1096 + L3 * t1105;
+        let t1114 = L3 * t1105 - (c5 * t1096 - s5 * t1031);
         let t1115 = L3 * t1102 - (s5 * t1096 + c5 * t1031);
         let t1124 = c4 * t1099 - s4 * t1114;
         let t1127 = c4 * t1114 + s4 * t1099 + L2 * t1105;
@@ -1003,19 +1002,19 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSZ7: column
     {
         let t1139 = c7 * t983 + s7 * t986;
-        let t1142 = c7 * t986 - s7 * t983;
+        let t1142 = s7 * t983 - c7 * t986;
         let t1145 = c6 * t1139 + s6 * t989;
         let t1149 = c6 * t995;
         let t1150 = s6 * t995;
-        let t1153 = c5 * t1145 + s5 * t1142;
-        let t1156 = s5 * t1145 - c5 * t1142;
-        let t1165 = L3 * t1156 - (c5 * t1149 + s5 * t992);
+        let t1153 = c5 * t1145 - s5 * t1142;
+        let t1156 = s5 * t1145 + c5 * t1142;
+        let t1165 = c5 * t1149 + s5 * t992 - L3 * t1156;
         let t1166 = s5 * t1149 - c5 * t992 + L3 * t1153;
-        let t1175 = s4 * t1165 + c4 * t1150;
-        let t1178 = c4 * t1165 - s4 * t1150 + L2 * t1156;
+        let t1175 = c4 * t1150 - s4 * t1165;
+        let t1178 = c4 * t1165 + s4 * t1150 - L2 * t1156;
         let t1179 = L2 * (s4 * (c6 * t989 - s6 * t1139) - c4 * t1153) - t1166;
-        let t1184 = c2 * t1175 - (z1_3_x * t1178 - t210 * t1179);
-        let t1187 = s3 * t1178 + c3 * t1179;
+        let t1184 = c2 * t1175 + (z1_3_x * t1178 + t210 * t1179);
+        let t1187 = c3 * t1179 - s3 * t1178;
         put(51, t1184); // row 1, MSZ7
         put(111, t1187); // row 2, MSZ7
         put(160, t1175); // row 3, MSZ7
@@ -1025,13 +1024,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XX7: column
     let [t1189, t1192, t1193, t1195, t1198] = {
         let t1189 = s7 * t979;
-        let t1190 = c7 * dw7_x - t1189;
+        let t1190 = c7 * t206 + t1189;
         let t1192 = c7 * t979;
-        let t1193 = s7 * dw7_x + t1192;
+        let t1193 = t1192 - s7 * t206;
         let t1195 = s6 * t978;
-        let t1196 = t1195 - c6 * t1190;
+        let t1196 = c6 * t1190 + t1195;
         let t1198 = c6 * t978;
-        let t1199 = s6 * t1190 + t1198;
+        let t1199 = t1198 - s6 * t1190;
         let t1204 = z1_5_z * t1199 + (t221 * t1196 - z1_6_z * t1193);
         let t1209 = t227 * t1196 - t230 * t1193 - z2_4_y * t1199;
         let t1214 = c4 * t1199 + (t231 * t1196 + z3_5_y * t1193);
@@ -1044,7 +1043,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t1189, t1192, t1193, t1195, t1198]
     };
     // YY7: column
-    let [t1218, t1221, t1237] = {
+    let [t1218, t1221] = {
         let t1218 = c7 * t980;
         let t1220 = t1218 + s7 * t207;
         let t1221 = s7 * t980;
@@ -1052,15 +1051,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1225 = t1195 + c6 * t1220;
         let t1227 = s6 * t1220 - t1198;
         let t1232 = z1_5_z * t1227 - (t221 * t1225 - z1_6_z * t1223);
-        let t1237 = z2_4_y * t1227 + (t227 * t1225 - t230 * t1223);
+        let t1237 = t230 * t1223 - t227 * t1225 - z2_4_y * t1227;
         let t1242 = c4 * t1227 - (t231 * t1225 + z3_5_y * t1223);
         let t1245 = s5 * t1225 - c5 * t1223;
         put(53, t1232); // row 1, YY7
+        put(113, t1237); // row 2, YY7
         put(162, t1242); // row 3, YY7
         put(202, t1245); // row 4, YY7
         put(230, t1227); // row 5, YY7
         put(249, t1223); // row 6, YY7
-        [t1218, t1221, t1237]
+        [t1218, t1221]
     };
     // ZZ7: column
     {
@@ -1068,7 +1068,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1247 = t1192 + t1221;
         let t1250 = c6 * t1246 - s6 * dw7_z;
         let t1253 = s6 * t1246 + c6 * dw7_z;
-        let t1258 = z1_5_z * t1253 - (t221 * t1250 - z1_6_z * t1247);
+        let t1258 = z1_5_z * t1253 + (z1_6_z * t1247 - t221 * t1250);
         let t1263 = t230 * t1247 - t227 * t1250 - z2_4_y * t1253;
         let t1268 = c4 * t1253 - (t231 * t1250 + z3_5_y * t1247);
         let t1271 = s5 * t1250 - c5 * t1247;
@@ -1099,33 +1099,34 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(261, t1272); // row 7, XY7
     }
     // XZ7: column
-    let t1331 = {
-        let t1303 = t977 - t975;
-        let t1305 = t1029 + s7 * t1303;
-        let t1307 = t1026 - c7 * t1303;
-        let t1310 = c6 * t1305 + s6 * t986;
-        let t1313 = c6 * t986 - s6 * t1305;
-        let t1318 = z1_5_z * t1313 + (t221 * t1310 + z1_6_z * t1307);
-        let t1323 = t227 * t1310 + t230 * t1307 - z2_4_y * t1313;
-        let t1328 = c4 * t1313 - (z3_5_y * t1307 - t231 * t1310);
-        let t1331 = s5 * t1310 + c5 * t1307;
+    {
+        let t1303 = t975 - t977;
+        let t1305 = s7 * t1303 - t1029;
+        let t1307 = t1026 + c7 * t1303;
+        let t1310 = c6 * t1305 - s6 * t986;
+        let t1313 = s6 * t1305 + c6 * t986;
+        let t1318 = z1_5_z * t1313 + (z1_6_z * t1307 - t221 * t1310);
+        let t1323 = t230 * t1307 - t227 * t1310 - z2_4_y * t1313;
+        let t1328 = c4 * t1313 - (t231 * t1310 + z3_5_y * t1307);
+        let t1331 = s5 * t1310 - c5 * t1307;
         put(56, t1318); // row 1, XZ7
         put(116, t1323); // row 2, XZ7
         put(165, t1328); // row 3, XZ7
+        put(205, t1331); // row 4, XZ7
         put(233, t1313); // row 5, XZ7
         put(252, t1307); // row 6, XZ7
-        t1331
-    };
+    }
     // YZ7: column
     {
         let t1332 = t977 - t976;
         let t1334 = t1085 + c7 * t1332;
-        let t1336 = s7 * t1332 - t1082;
+        let t1336 = t1082 - s7 * t1332;
         let t1339 = c6 * t1334 + s6 * t983;
         let t1342 = c6 * t983 - s6 * t1334;
-        let t1347 = z1_5_z * t1342 + (t221 * t1339 + z1_6_z * t1336);
-        let t1352 = t227 * t1339 + t230 * t1336 - z2_4_y * t1342;
-        let t1357 = c4 * t1342 + (t231 * t1339 - z3_5_y * t1336);
+        let t1347 = z1_5_z * t1342 + (t221 * t1339 - z1_6_z * t1336);
+        let t1352 = t227 * t1339 - t230 * t1336 - z2_4_y * t1342;
+        let t1357 = c4 * t1342 + (t231 * t1339 + z3_5_y * t1336);
+        let t1360 = c5 * t1336 - s5 * t1339;
         let t1361 = dq1.sign();
         let t1362 = dq2.sign();
         let t1363 = dq3.sign();
@@ -1133,71 +1134,63 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1365 = dq5.sign();
         let t1366 = dq6.sign();
         let t1367 = dq7.sign();
-        let t1368 = -t590;
+        let t1368 = -t415;
         let t1369 = -a2_x;
         let t1370 = -t25;
-        let t1371 = -t319;
-        let t1372 = -t398;
-        let t1373 = -t428;
-        let t1374 = -t658;
-        let t1375 = -t855;
-        let t1376 = -t943;
-        let t1377 = -t1237;
-        let t1378 = -t302;
-        let t1379 = -t321;
-        let t1380 = -t65;
-        let t1381 = -t357;
-        let t1382 = -t101;
-        let t1383 = -t883;
-        let t1384 = -t1331;
-        let t1385 = -(s5 * t1339 + c5 * t1336);
-        let t1386 = -a6_z;
-        let t1387 = -a5_x;
-        let t1388 = -t146;
-        let t1389 = -t720;
-        let t1390 = -t163;
-        let t1391 = -t185;
-        let t1392 = -t1032;
-        let t1393 = -t1193;
-        let t1394 = -t978;
-        put(32, t1368); // row 1, XX5
+        let t1371 = -t315;
+        let t1372 = -t428;
+        let t1373 = -t611;
+        let t1374 = -t302;
+        let t1375 = -t321;
+        let t1376 = -t65;
+        let t1377 = -t357;
+        let t1378 = -t101;
+        let t1379 = -t109;
+        let t1380 = -t477;
+        let t1381 = -t603;
+        let t1382 = -t883;
+        let t1383 = -t146;
+        let t1384 = -t719;
+        let t1385 = -t163;
+        let t1386 = -t185;
+        let t1387 = -t1032;
+        let t1388 = -t1193;
+        let t1389 = -t1336;
+        let t1390 = -t978;
+        put(23, t1368); // row 1, YY4
         put(57, t1347); // row 1, YZ7
         put(59, t1361); // row 1, FC1
         put(61, t1369); // row 2, MSY2
         put(62, t1370); // row 2, XX2
-        put(70, t1371); // row 2, MSY3
-        put(81, t1372); // row 2, MSZ4
-        put(84, t1373); // row 2, ZZ4
-        put(96, t1374); // row 2, XZ5
-        put(102, t1375); // row 2, XX6
-        put(106, t1376); // row 2, XZ6
-        put(113, t1377); // row 2, YY7
+        put(77, t1371); // row 2, YZ3
+        put(84, t1372); // row 2, ZZ4
+        put(93, t1373); // row 2, YY5
         put(117, t1352); // row 2, YZ7
         put(119, t1362); // row 2, FC2
-        put(120, t1378); // row 3, MSX3
-        put(121, t1379); // row 3, MSY3
-        put(123, t1380); // row 3, YY3
-        put(128, t1381); // row 3, MSX4
+        put(120, t1374); // row 3, MSX3
+        put(121, t1375); // row 3, MSY3
+        put(123, t1376); // row 3, YY3
+        put(128, t1377); // row 3, MSX4
         put(166, t1357); // row 3, YZ7
         put(168, t1363); // row 3, FC3
-        put(172, t1382); // row 4, YY4
-        put(192, t1383); // row 4, YY6
-        put(205, t1384); // row 4, XZ7
-        put(206, t1385); // row 4, YZ7
+        put(171, t1378); // row 4, XX4
+        put(175, t1379); // row 4, XZ4
+        put(177, t1380); // row 4, M5
+        put(181, t1381); // row 4, XX5
+        put(192, t1382); // row 4, YY6
+        put(206, t1360); // row 4, YZ7
         put(208, t1364); // row 4, FC4
-        put(209, t1386); // row 5, MSX5
-        put(210, t1387); // row 5, MSY5
-        put(211, t1388); // row 5, XX5
-        put(217, t1389); // row 5, MSX6
+        put(211, t1383); // row 5, XX5
+        put(218, t1384); // row 5, MSY6
         put(234, t1342); // row 5, YZ7
         put(236, t1365); // row 5, FC5
-        put(237, t1390); // row 6, MSX6
-        put(239, t1391); // row 6, XX6
-        put(245, t1392); // row 6, MSX7
-        put(248, t1393); // row 6, XX7
-        put(253, t1336); // row 6, YZ7
+        put(237, t1385); // row 6, MSX6
+        put(239, t1386); // row 6, XX6
+        put(245, t1387); // row 6, MSX7
+        put(248, t1388); // row 6, XX7
+        put(253, t1389); // row 6, YZ7
         put(255, t1366); // row 6, FC6
-        put(259, t1394); // row 7, YY7
+        put(259, t1390); // row 7, YY7
         put(265, t1367); // row 7, FC7
     }
 }

@@ -90,7 +90,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t19 = dq2 * dq2;
         let t20 = t0 * w3_z;
         let t21 = t18 + t19;
-        let t22 = t20 - ddq2;
+        let t22 = ddq2 - t20;
         let t23 = ddq2 + t20;
         let t24 = t17 + t19;
         let t25 = t14 - t16;
@@ -100,7 +100,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t30 = q3 * t26;
         let t34 = dq3 * k2;
         let t37 = t30 - t8 + t0 * t34;
-        let a3_y = dq2 * t34 - (t10 + t28);
+        let a3_y = t28 - t10 + dq2 * t34;
         let t39 = a2_y + q3 * t24 - ddq3;
         put(36, t20); // row 2, ZZ2R
         [
@@ -109,19 +109,19 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     ]
     };
     // link 4: motion
-    let [t42, w4_y, t54, a4_y, w4_z, dw4_x, t62, dw4_z] = {
+    let [t42, w4_y, t54, a4_y, w4_z, t61, t62, dw4_z] = {
         let t42 = c4 * dq2 + s4 * t0;
         let w4_y = s4 * dq2 - c4 * t0;
         let t54 = c4 * t37 - s4 * a3_y;
         let a4_y = c4 * a3_y + s4 * t37;
         let w4_z = w3_z + dq4;
-        let dw4_x = dq4 * w4_y - (c4 * ddq2 + s4 * t15);
+        let t61 = c4 * ddq2 + s4 * t15 - dq4 * w4_y;
         let t62 = c4 * t15 - s4 * ddq2 - dq4 * t42;
         let dw4_z = t16 + ddq4;
         put(75, a4_y); // row 4, MSX4
         put(76, t54); // row 4, MSZ4R
         put(77, dw4_z); // row 4, YY4R
-        [t42, w4_y, t54, a4_y, w4_z, dw4_x, t62, dw4_z]
+        [t42, w4_y, t54, a4_y, w4_z, t61, t62, dw4_z]
     };
     // link 5: motion
     let [
@@ -142,14 +142,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t84 = t62 + t80;
         let t85 = dw4_z - t79;
         let t86 = t76 + t78;
-        let t87 = t81 - dw4_x;
+        let t87 = t61 + t81;
         let t88 = t62 - t80;
-        let t89 = dw4_x + t81;
+        let t89 = t81 - t61;
         let a5_x = s5 * t39 - c5 * t54;
         let a5_y = c5 * t39 + s5 * t54;
         let w5_z = w4_y + dq5;
-        let t99 = s5 * dw4_z - c5 * dw4_x + dq5 * t69;
-        let t100 = c5 * dw4_z + s5 * dw4_x - dq5 * t66;
+        let t99 = c5 * t61 + s5 * dw4_z + dq5 * t69;
+        let t100 = c5 * dw4_z - s5 * t61 - dq5 * t66;
         let dw5_z = ddq5 - t62;
         put(69, t88); // row 3, MSX4
         put(70, t89); // row 3, MSZ4R
@@ -230,7 +230,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // MSZ2: column
     let t160 = {
-        let t160 = t22 * t146 + t24 * v1_2_y;
+        let t160 = t24 * v1_2_y - t22 * t146;
         let t161 = t160 - s2 * t8;
         put(2, t161); // row 1, MSZ2
         t160
@@ -261,7 +261,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // YZ2: column
     {
-        let t178 = s2 * (t18 - t19) - c2 * t22;
+        let t178 = s2 * (t18 - t19) + c2 * t22;
         put(7, t178); // row 1, YZ2R
     }
     // M3: column
@@ -282,13 +282,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSY3: column
     {
         let t198 = t39 - q3 * t21;
-        let t202 = t155 + (c2 * t37 - s2 * (q3 * t25));
+        let t202 = t155 - (s2 * (q3 * t25) - c2 * t37);
         put(10, t202); // row 1, MSY3
         put(42, t198); // row 2, MSY3
     }
     // MSZ3: column
     {
-        let t204 = a3_y - t28;
+        let t204 = t28 + a3_y;
         let t206 = t160 + s2 * (t30 + t37);
         put(11, t206); // row 1, MSZ3R
         put(43, t204); // row 2, MSZ3R
@@ -301,7 +301,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t214 = c4 * t39;
         let t218 = t213 - q3 * t212;
         let t221 = s2 * (q3 * (c4 * t82 + s4 * t85) - t214) + c2 * a4_y;
-        let t225 = t221 + (t146 * t212 - t88 * v1_2_y);
+        let t225 = t221 - (t88 * v1_2_y - t146 * t212);
         put(12, t225); // row 1, MSX4
         put(44, t218); // row 2, MSX4
         [t211, t213, t214]
@@ -336,16 +336,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // XY4: column
     {
-        let t257 = t76 - t78;
-        let t262 = c2 * t87 + (t85 * t148 - t149 * t257);
-        let t264 = t211 + s4 * t257;
+        let t257 = t78 - t76;
+        let t262 = c2 * t87 + (t85 * t148 + t149 * t257);
+        let t264 = t211 - s4 * t257;
         put(16, t262); // row 1, XY4
         put(48, t264); // row 2, XY4
     }
     // XZ4: column
     {
         let t265 = t76 - t77;
-        let t270 = c2 * t265 - (t89 * t149 - t88 * t148);
+        let t270 = c2 * t265 + (t88 * t148 - t89 * t149);
         let t273 = c4 * t88 + s4 * t89;
         put(17, t270); // row 1, XZ4
         put(49, t273); // row 2, XZ4
@@ -369,8 +369,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t289 = c5 * a4_y;
         let t292 = t288 + q3 * t126;
         let t293 = a5_y - q3 * t284;
-        let t303 = v1_2_y * t287 - (t150 * t284 + t126 * t151);
-        let t304 = c2 * t289 - (t148 * t292 + t149 * t293) - t303;
+        let t303 = t150 * t284 + t126 * t151 - v1_2_y * t287;
+        let t304 = c2 * t289 - (t148 * t292 + t149 * t293) + t303;
         let t307 = s4 * t293 - c4 * t292;
         put(19, t304); // row 1, MSX5
         put(51, t307); // row 2, MSX5
@@ -387,8 +387,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t313 = t311 - c5 * t124;
         let t316 = t289 + q3 * t127;
         let t317 = a5_x - q3 * t310;
-        let t327 = t150 * t310 - t127 * t151 - v1_2_y * t313;
-        let t328 = c2 * t288 + (t148 * t316 - t149 * t317) + t327;
+        let t327 = v1_2_y * t313 + (t127 * t151 - t150 * t310);
+        let t328 = c2 * t288 + (t148 * t316 - t149 * t317) - t327;
         let t331 = c4 * t316 + s4 * t317;
         put(20, t328); // row 1, MSZ5R
         put(52, t331); // row 2, MSZ5R
@@ -434,7 +434,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t371 = t115 - t114;
         let t374 = c5 * t126 + s5 * t127;
         let t377 = s5 * t126 - c5 * t127;
-        let t382 = c2 * t377 - (t149 * t371 - t148 * t374);
+        let t382 = c2 * t377 + (t148 * t374 - t149 * t371);
         let t385 = c4 * t374 + s4 * t371;
         put(24, t382); // row 1, XZ5
         put(56, t385); // row 2, XZ5
@@ -446,7 +446,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t386 = t115 - t116;
         let t388 = t311 + c5 * t386;
         let t390 = s5 * t386 - t308;
-        let t395 = c2 * t390 + (t148 * t388 - t122 * t149);
+        let t395 = c2 * t390 - (t122 * t149 - t148 * t388);
         let t398 = c4 * t388 + s4 * t122;
         put(25, t395); // row 1, YZ5
         put(57, t398); // row 2, YZ5
@@ -483,10 +483,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t430 = s5 * t415 - c5 * t411;
         let t436 = s5 * t423 + c5 * a6_y;
         let t439 = c5 * t423 - s5 * a6_y + q3 * t418;
-        let t440 = q3 * t427 - t424;
-        let t450 = v1_2_y * t430 - (t150 * t427 - t151 * t418);
-        let t451 = c2 * t436 + (t148 * t439 + t149 * t440) - t450;
-        let t454 = c4 * t439 - s4 * t440;
+        let t440 = t424 - q3 * t427;
+        let t450 = v1_2_y * t430 + (t151 * t418 - t150 * t427);
+        let t451 = c2 * t436 + (t148 * t439 - t149 * t440) - t450;
+        let t454 = c4 * t439 + s4 * t440;
         put(26, t451); // row 1, MSX6
         put(58, t454); // row 2, MSX6
         put(73, t430); // row 3, MSX6
@@ -511,10 +511,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t467 = c5 * t457 + s5 * t412;
         let t470 = c5 * t412 - s5 * t457;
         let t476 = s5 * t463 + c5 * t136;
-        let t479 = q3 * t460 - (c5 * t463 - s5 * t136);
+        let t479 = s5 * t136 - c5 * t463 + q3 * t460;
         let t480 = t464 + q3 * t467;
-        let t490 = v1_2_y * t470 + (t150 * t467 - t151 * t460);
-        let t491 = c2 * t476 - (t148 * t479 + t149 * t480) - t490;
+        let t490 = t151 * t460 - t150 * t467 - v1_2_y * t470;
+        let t491 = c2 * t476 - (t148 * t479 + t149 * t480) + t490;
         let t494 = s4 * t480 - c4 * t479;
         put(27, t491); // row 1, MSY6
         put(59, t494); // row 2, MSY6
@@ -543,10 +543,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     {
         let t516 = t496 - c6 * t404;
         let t518 = t499 + s6 * t404;
-        let t521 = c5 * t516 - s5 * dw6_z;
+        let t521 = s5 * dw6_z - c5 * t516;
         let t524 = s5 * t516 + c5 * dw6_z;
-        let t529 = c2 * t524 - (t149 * t518 - t148 * t521);
-        let t532 = c4 * t521 + s4 * t518;
+        let t529 = c2 * t524 - (t148 * t521 + t149 * t518);
+        let t532 = s4 * t518 - c4 * t521;
         put(29, t529); // row 1, ZZ6
         put(61, t532); // row 2, ZZ6
         put(92, t524); // row 4, ZZ6

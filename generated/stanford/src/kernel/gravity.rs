@@ -64,38 +64,38 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
     };
     // link 5: force and moment
     let [n5_z, t37, t40] = {
-        let t32 = t23 - MSZ5R * t3;
+        let n5_x = MSZ5R * t3 - t23;
         let n5_y = MSX5 * t3 - n6_z;
         let n5_z = MSX5 * a5_y - MSZ5R * t6 - t26;
-        let t37 = c5 * t32 + s5 * n5_y;
-        let t40 = c5 * n5_y - s5 * t32;
+        let t37 = s5 * n5_y - c5 * n5_x;
+        let t40 = s5 * n5_x + c5 * n5_y;
         put(4, n5_z);
         [n5_z, t37, t40]
     };
     // link 4: force and moment
     let [n4_z, t51, t54] = {
         let t46 = t37 - MSZ4R * a3_z;
-        let n4_y = n5_z - MSX4 * a3_z;
+        let t47 = MSX4 * a3_z - n5_z;
         let n4_z = MSZ4R * t2 - MSX4 * t3 - t40;
-        let t51 = c4 * t46 + s4 * n4_y;
-        let t54 = s4 * t46 - c4 * n4_y;
+        let t51 = c4 * t46 - s4 * t47;
+        let t54 = s4 * t46 + c4 * t47;
         put(3, n4_z);
         [n4_z, t51, t54]
     };
     // link 3: force and moment
-    let [t55, f3_z, t63, n2_y, t66] = {
+    let [t55, f3_z, t63, t64, t66] = {
         let t55 = M3R * t0;
         let f3_z = M3R * a3_z;
         let t63 = t54 + MSX3 * a3_z;
-        let n2_y = MSX3 * t0 - n4_z;
+        let t64 = n4_z - MSX3 * t0;
         let t66 = t51 - (MSY3 * a3_z + MSZ3R * t0) - q3 * t55;
         put(2, f3_z);
-        [t55, f3_z, t63, n2_y, t66]
+        [t55, f3_z, t63, t64, t66]
     };
     // link 2: force and moment
     {
         let n2_z = t66 - (MSZ2 * t0 + MSX2 * a3_z);
-        let n1_z = s2 * t63 - c2 * n2_y + D2 * (c2 * t55 - s2 * f3_z);
+        let n1_z = s2 * t63 + c2 * t64 + D2 * (c2 * t55 - s2 * f3_z);
         put(0, n1_z);
         put(1, n2_z);
     }

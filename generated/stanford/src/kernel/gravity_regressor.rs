@@ -98,8 +98,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSY2: column
     let t27 = {
-        let t27 = s2 * a3_z - c2 * t0;
-        put(3, t27); // row 1, MSX3
+        let t27 = c2 * t0 - s2 * a3_z;
+        put(1, t27); // row 1, MSY2
         t27
     };
     // M3: column
@@ -143,8 +143,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t55 = t54 - s5 * t6;
         let t56 = q3 * t3;
         let t57 = q3 * t52;
-        let t60 = t18 * t56 - t19 * t57;
-        let t66 = v1_2_y * t55 + (t20 * t52 + t3 * t21) - t60;
+        let t65 = v1_2_y * t55 + (t20 * t52 + t3 * t21);
+        let t66 = t19 * t57 - t18 * t56 + t65;
         let t69 = c4 * t56 + s4 * t57;
         put(8, t66); // row 1, M5
         put(40, t52); // row 4, MSY5
@@ -198,10 +198,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [t124, t125] = {
         let t124 = s6 * a5_y;
         let t125 = c6 * a5_y;
-        let t128 = s5 * a6_y - c5 * t124;
+        let t128 = c5 * t124 - s5 * a6_y;
         let t131 = s5 * t124 + c5 * a6_y;
-        let t136 = c2 * t131 - (t18 * t128 + t19 * t125);
-        let t139 = s4 * t125 - c4 * t128;
+        let t136 = c2 * t131 + (t18 * t128 - t19 * t125);
+        let t139 = c4 * t128 + s4 * t125;
         put(13, t136); // row 1, MSX6
         put(30, t139); // row 2, MSX6
         put(43, t131); // row 4, MSX6
@@ -241,7 +241,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t178 = -t99;
         let t179 = -t124;
         let t180 = -t94;
-        put(1, t164); // row 1, MSY2
+        put(3, t164); // row 1, MSX3
         put(15, t160); // row 1, MSZ6
         put(16, t165); // row 2, MSX2
         put(17, t166); // row 2, MSZ2

@@ -81,12 +81,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     };
     // link 6: velocity
     let [t41, t44, t47, t50, t51] = {
-        let t37 = t30 - D6 * t34;
+        let t37 = D6 * t34 - t30;
         let t38 = t20 + D6 * t24;
         let t41 = c6 * t24 + s6 * t34;
         let t44 = c6 * t34 - s6 * t24;
-        let t47 = c6 * t37 + s6 * t38;
-        let t50 = c6 * t38 - s6 * t37;
+        let t47 = s6 * t38 - c6 * t37;
+        let t50 = c6 * t38 + s6 * t37;
         let t51 = t27 - dq6;
         [t41, t44, t47, t50, t51]
     };

@@ -50,20 +50,20 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
     let [t2, t5, t14, t15, t56, t59, t62] = {
         let t2 = c6 * MSY6 + s6 * MSX6;
         let t5 = s6 * MSY6 - c6 * MSX6;
-        let t14 = s6 * YZ6 - c6 * XZ6 - D6 * t5;
+        let t14 = c6 * XZ6 - s6 * YZ6 + D6 * t5;
         let t15 = s6 * XZ6 + c6 * YZ6 - D6 * t2;
         let t16 = c5 * t2;
         let t17 = s5 * t2;
-        let t20 = c5 * t14 - s5 * ZZ6;
-        let t23 = s5 * t14 + c5 * ZZ6;
+        let t20 = c5 * t14 + s5 * ZZ6;
+        let t23 = c5 * ZZ6 - s5 * t14;
         let t29 = s4 * t16 + c4 * t5;
-        let t38 = c4 * t15 - s4 * t20 - q3 * (c4 * t16 - s4 * t5);
-        let t39 = c4 * t20 + s4 * t15 - q3 * t29;
-        let t47 = c2 * t23 - s2 * t38 - D2 * (s2 * t17 - c2 * t29);
+        let t38 = s4 * t20 + c4 * t15 - q3 * (c4 * t16 - s4 * t5);
+        let t39 = s4 * t15 - c4 * t20 - q3 * t29;
+        let t47 = c2 * t23 - s2 * t38 + D2 * (c2 * t29 - s2 * t17);
         let t49 = s6 * XY6;
         let t52 = c6 * XY6;
         let t53 = s6 * XX6R + t52;
-        let t56 = s6 * t52 - c6 * (c6 * XX6R - t49);
+        let t56 = c6 * (t49 - c6 * XX6R) + s6 * t52;
         let t59 = c6 * t53 - s6 * t49;
         let t62 = s6 * t53 + c6 * t49;
         put(5, t47); // [0][5]
@@ -85,7 +85,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t63 = t5 - MSX5;
         let t64 = ZZ5R + ZZ6;
         let t65 = YY5R + t62;
-        let t66 = XZ5 - t14;
+        let t66 = XZ5 + t14;
         let t67 = XY5 + t59;
         let t68 = YZ5 + t15;
         let t71 = c5 * MSZ5R + s5 * t63;
@@ -93,16 +93,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t77 = c5 * t67 + s5 * t68;
         let t80 = c5 * t68 - s5 * t67;
         let t82 = s4 * t71;
-        let t92 = s4 * t65 - c4 * t77 + q3 * t82;
+        let t92 = q3 * t82 - (c4 * t77 - s4 * t65);
         let t96 = s2 * (s4 * t77 + c4 * t65 + q3 * (c4 * t71));
         let t100 = c2 * t80 - t96 - D2 * (c2 * t82 + s2 * t74);
         let t102 = s5 * t66;
         let t105 = c5 * t66;
         let t106 = s5 * t56 + t105;
-        let t110 = c5 * t64 - t102;
-        let t113 = c5 * (t102 - c5 * t56) + s5 * (t105 + s5 * t64);
-        let t116 = c5 * t106 + s5 * t110;
-        let t119 = c5 * t110 - s5 * t106;
+        let t110 = t102 - c5 * t64;
+        let t113 = c5 * (c5 * t56 - t102) - s5 * (t105 + s5 * t64);
+        let t116 = c5 * t106 - s5 * t110;
+        let t119 = s5 * t106 + c5 * t110;
         put(4, t100); // [0][4]
         put(10, t92); // [1][4]
         put(15, t74); // [2][4]
@@ -119,22 +119,22 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t120 = t74 - MSX4;
         let t121 = MSZ4R + t2;
         let t122 = ZZ4R + t65;
-        let t123 = YY4R + t119;
+        let t123 = YY4R - t119;
         let t124 = XZ4 + t77;
         let t125 = XY4 - t116;
-        let t126 = YZ4 - t80;
+        let t126 = t80 - YZ4;
         let t129 = s4 * t120 - c4 * t121;
         let t132 = s4 * t121 + c4 * t120;
-        let t135 = c4 * t125 - s4 * t126;
-        let t138 = s4 * t125 + c4 * t126;
+        let t135 = c4 * t125 + s4 * t126;
+        let t138 = c4 * t126 - s4 * t125;
         let t142 = t135 - q3 * t132;
-        let t148 = c2 * t123 - s2 * (q3 * t129 - t138) + D2 * (c2 * t132);
+        let t148 = c2 * t123 - s2 * (t138 + q3 * t129) + D2 * (c2 * t132);
         let t150 = s4 * t124;
         let t153 = c4 * t124;
-        let t154 = s4 * t113 + t153;
+        let t154 = t153 - s4 * t113;
         let t158 = t150 + c4 * t122;
-        let t161 = s4 * (s4 * t122 - t153) - c4 * (t150 - c4 * t113);
-        let t164 = s4 * t158 - c4 * t154;
+        let t161 = c4 * (c4 * t113 + t150) + s4 * (t153 - s4 * t122);
+        let t164 = c4 * t154 - s4 * t158;
         let t167 = s4 * t154 + c4 * t158;
         put(3, t148); // [0][3]
         put(9, t142); // [1][3]
@@ -152,8 +152,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t176 = t170 + q3 * M3R;
         let t178 = q3 * (t170 + t176);
         let t179 = t167 + t178;
-        let t181 = q3 * t169 - t138;
-        let t182 = t161 + t178;
+        let t181 = t138 + q3 * t169;
+        let t182 = t178 - t161;
         let t184 = t135 + q3 * t168;
         put(2, t174); // [0][2]
         put(8, t169); // [1][2]
@@ -165,11 +165,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
     let t213 = {
         let t188 = YY2R + t182;
         let t189 = XZ2R + t181;
-        let t198 = D2 * (s2 * (MSX2 - t169) - c2 * (MSZ2 + t176));
-        let t199 = c2 * (YZ2R + t184) - s2 * (XY2R + t164) + t198;
-        let t207 = c2 * (s2 * t189 - c2 * (ZZ2R + t123));
+        let t198 = D2 * (c2 * (MSZ2 + t176) + s2 * (t169 - MSX2));
+        let t199 = c2 * (YZ2R + t184) - s2 * (XY2R - t164) - t198;
+        let t207 = c2 * (c2 * (ZZ2R + t123) - s2 * t189);
         let t212 = D2 * (t168 + (t168 - D2 * M3R));
-        let t213 = s2 * (c2 * t189 - s2 * t179) + t207 + t212;
+        let t213 = s2 * (s2 * t179 - c2 * t189) + t207 - t212;
         put(1, t199); // [0][1]
         put(6, t199); // [1][0]
         put(7, t188); // [1][1]
@@ -177,7 +177,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
     };
     // composite body 1
     {
-        let t214 = YY1R - t213;
+        let t214 = YY1R + t213;
         put(0, t214); // [0][0]
     }
 }

@@ -48,7 +48,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let k0 = S::constant(9.81);
     let k2 = S::constant(2.0);
     // link 2: motion
-    let [t0, w3_z, t8, t10, t12, t13, t15, t16] = {
+    let [t0, w3_z, t8, t10, t12, t13, t15, dw2_y] = {
         let t0 = s2 * dq1;
         let w3_z = c2 * dq1;
         let t7 = D2 * ddq1;
@@ -57,40 +57,40 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t12 = c2 * k0 - s2 * t7;
         let t13 = dq2 * w3_z;
         let t15 = s2 * ddq1 + t13;
-        let t16 = c2 * ddq1 - dq2 * t0;
-        [t0, w3_z, t8, t10, t12, t13, t15, t16]
+        let dw2_y = dq2 * t0 - c2 * ddq1;
+        [t0, w3_z, t8, t10, t12, t13, t15, dw2_y]
     };
     // link 3: motion
-    let [t32, a3_y, a3_z] = {
+    let [t32, t33, t34] = {
         let t29 = dq3 * k2;
         let t32 = q3 * (t13 + t15) - t8 + t0 * t29;
-        let a3_y = dq2 * t29 - (t10 + q3 * (t0 * w3_z - ddq2));
-        let a3_z = ddq3 + (t12 - q3 * (t0 * t0 + dq2 * dq2));
-        [t32, a3_y, a3_z]
+        let t33 = t10 + q3 * (t0 * w3_z - ddq2) - dq2 * t29;
+        let t34 = q3 * (t0 * t0 + dq2 * dq2) - t12 - ddq3;
+        [t32, t33, t34]
     };
     // link 4: motion
-    let [t37, w4_y, t49, a4_y, w4_z, dw4_x, dw4_y, dw4_z] = {
+    let [t37, t40, t49, a4_y, w4_z, t56, t57, dw4_z] = {
         let t37 = c4 * dq2 + s4 * t0;
-        let w4_y = s4 * dq2 - c4 * t0;
-        let t49 = c4 * t32 - s4 * a3_y;
-        let a4_y = c4 * a3_y + s4 * t32;
+        let t40 = c4 * t0 - s4 * dq2;
+        let t49 = c4 * t32 + s4 * t33;
+        let a4_y = s4 * t32 - c4 * t33;
         let w4_z = w3_z + dq4;
-        let dw4_x = dq4 * w4_y - (c4 * ddq2 + s4 * t15);
-        let dw4_y = s4 * ddq2 - c4 * t15 + dq4 * t37;
-        let dw4_z = t16 + ddq4;
-        [t37, w4_y, t49, a4_y, w4_z, dw4_x, dw4_y, dw4_z]
+        let t56 = c4 * ddq2 + s4 * t15 + dq4 * t40;
+        let t57 = c4 * t15 - s4 * ddq2 - dq4 * t37;
+        let dw4_z = ddq4 - dw2_y;
+        [t37, t40, t49, a4_y, w4_z, t56, t57, dw4_z]
     };
     // link 5: motion
-    let [t61, w5_y, t73, t76, w5_z, t80, t81, dw5_z] = {
+    let [t61, t64, t73, t76, w5_z, t80, dw5_y, dw5_z] = {
         let t61 = c5 * t37 + s5 * w4_z;
-        let w5_y = s5 * t37 - c5 * w4_z;
-        let t73 = c5 * t49 + s5 * a3_z;
-        let t76 = c5 * a3_z - s5 * t49;
-        let w5_z = w4_y + dq5;
-        let t80 = s5 * dw4_z - c5 * dw4_x - dq5 * w5_y;
-        let t81 = c5 * dw4_z + s5 * dw4_x - dq5 * t61;
-        let dw5_z = dw4_y + ddq5;
-        [t61, w5_y, t73, t76, w5_z, t80, t81, dw5_z]
+        let t64 = c5 * w4_z - s5 * t37;
+        let t73 = c5 * t49 - s5 * t34;
+        let t76 = c5 * t34 + s5 * t49;
+        let w5_z = dq5 - t40;
+        let t80 = c5 * t56 + s5 * dw4_z + dq5 * t64;
+        let dw5_y = s5 * t56 - c5 * dw4_z + dq5 * t61;
+        let dw5_z = ddq5 - t57;
+        [t61, t64, t73, t76, w5_z, t80, dw5_y, dw5_z]
     };
     // link 6: motion
     let [
@@ -99,15 +99,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     ] = {
         let t85 = c6 * t61 - s6 * w5_z;
         let w6_y = c6 * w5_z + s6 * t61;
-        let t105 = t73 - D6 * (dw5_z + t61 * w5_y);
-        let t106 = D6 * (t61 * t61 + w5_z * w5_z) - t76;
-        let t107 = a4_y - D6 * (w5_y * w5_z - t80);
+        let t105 = t73 - D6 * (dw5_z - t61 * t64);
+        let t106 = t76 + D6 * (t61 * t61 + w5_z * w5_z);
+        let t107 = a4_y + D6 * (t80 + t64 * w5_z);
         let t110 = c6 * t105 - s6 * t107;
         let a6_y = c6 * t107 + s6 * t105;
-        let w6_z = dq6 - w5_y;
+        let w6_z = t64 + dq6;
         let dw6_x = s6 * dw5_z - c6 * t80 + dq6 * w6_y;
         let dw6_y = c6 * dw5_z + s6 * t80 + dq6 * t85;
-        let dw6_z = t81 + ddq6;
+        let dw6_z = ddq6 - dw5_y;
         put(44, a6_y); // row 6, MSX
         put(45, t110); // row 6, MSY
         put(48, dw6_z); // row 6, ZZ
@@ -144,7 +144,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t132 = t127 + t128;
         let t133 = dw6_z + t129;
         let t134 = dw6_y - t130;
-        let t135 = dw6_z - t129;
+        let t135 = t129 - dw6_z;
         let t136 = t126 + t128;
         let t137 = dw6_x - t131;
         let t138 = dw6_y + t130;
@@ -169,8 +169,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t156 = s5 * t147;
         let t159 = c5 * t147 + q3 * t146;
         let t160 = t148 + q3 * t151;
-        let t170 = v1_2_y * t154 + (t125 * t146 - t124 * t151);
-        let t171 = c2 * t156 + (t122 * t159 + t123 * t160) - t170;
+        let t170 = t124 * t151 - t125 * t146 - v1_2_y * t154;
+        let t171 = c2 * t156 + (t122 * t159 + t123 * t160) + t170;
         let t174 = c4 * t159 - s4 * t160;
         put(0, t171); // row 1, M
         put(10, t174); // row 2, M
@@ -181,21 +181,21 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // payload: column MSX
     let [t176, t179, t181, t182] = {
         let t176 = s6 * t135;
-        let t177 = c6 * t132 + t176;
+        let t177 = c6 * t132 - t176;
         let t179 = c6 * t135;
-        let t180 = t179 - s6 * t132;
+        let t180 = s6 * t132 + t179;
         let t181 = s6 * t106;
         let t182 = c6 * t106;
-        let t185 = t181 + D6 * t180;
+        let t185 = D6 * t180 - t181;
         let t186 = t182 - D6 * t177;
         let t189 = c5 * t177 + s5 * t138;
         let t192 = s5 * t177 - c5 * t138;
-        let t198 = s5 * t185 + c5 * a6_y;
-        let t201 = c5 * t185 - s5 * a6_y + q3 * t180;
-        let t202 = q3 * t189 - t186;
-        let t212 = v1_2_y * t192 + (t125 * t180 - t124 * t189);
-        let t213 = c2 * t198 + (t122 * t201 + t123 * t202) - t212;
-        let t216 = c4 * t201 - s4 * t202;
+        let t198 = c5 * a6_y - s5 * t185;
+        let t201 = c5 * t185 + s5 * a6_y + q3 * t180;
+        let t202 = t186 - q3 * t189;
+        let t212 = t124 * t189 + t125 * t180 - v1_2_y * t192;
+        let t213 = c2 * t198 - (t122 * t201 + t123 * t202) + t212;
+        let t216 = s4 * t202 - c4 * t201;
         put(1, t213); // row 1, MSX
         put(11, t216); // row 2, MSX
         put(21, t192); // row 3, MSX
@@ -209,12 +209,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t219 = s6 * t136 - t217;
         let t220 = s6 * t133;
         let t222 = t220 + c6 * t136;
-        let t225 = D6 * t222 - t182;
+        let t225 = t182 - D6 * t222;
         let t226 = D6 * t219 - t181;
         let t229 = c5 * t219 + s5 * t139;
         let t232 = c5 * t139 - s5 * t219;
-        let t238 = c5 * t110 - s5 * t225;
-        let t241 = c5 * t225 + s5 * t110 + q3 * t222;
+        let t238 = s5 * t225 + c5 * t110;
+        let t241 = q3 * t222 - (c5 * t225 - s5 * t110);
         let t242 = t226 + q3 * t229;
         let t252 = t125 * t222 - t124 * t229 - v1_2_y * t232;
         let t253 = c2 * t238 - (t122 * t241 + t123 * t242) + t252;
@@ -232,13 +232,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t262 = s6 * t134 - c6 * t137;
         let t265 = t146 + D6 * t262;
         let t266 = D6 * t259 - t143;
-        let t269 = s5 * t140 - c5 * t259;
+        let t269 = c5 * t259 - s5 * t140;
         let t272 = s5 * t259 + c5 * t140;
         let t274 = s5 * t265;
         let t277 = c5 * t265 + q3 * t262;
-        let t278 = t266 - q3 * t269;
-        let t288 = v1_2_y * t272 + (t124 * t269 - t125 * t262);
-        let t289 = c2 * t274 + (t122 * t277 - t123 * t278) + t288;
+        let t278 = t266 + q3 * t269;
+        let t288 = t124 * t269 + t125 * t262 - v1_2_y * t272;
+        let t289 = c2 * t274 + (t122 * t277 - t123 * t278) - t288;
         let t292 = c4 * t277 + s4 * t278;
         put(3, t289); // row 1, MSZ
         put(13, t292); // row 2, MSZ
@@ -284,10 +284,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let t347 = {
         let t331 = t294 - t313;
         let t332 = t297 + t316;
-        let t335 = s5 * dw6_z - c5 * t331;
+        let t335 = c5 * t331 - s5 * dw6_z;
         let t338 = s5 * t331 + c5 * dw6_z;
-        let t343 = c2 * t338 - (t122 * t335 + t123 * t332);
-        let t346 = s4 * t332 - c4 * t335;
+        let t343 = c2 * t338 + (t122 * t335 - t123 * t332);
+        let t346 = c4 * t335 + s4 * t332;
         let t347 = t126 - t127;
         put(6, t343); // row 1, ZZ
         put(16, t346); // row 2, ZZ
@@ -313,11 +313,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column XZ
     let t387 = {
-        let t370 = s6 * t368 - t179;
-        let t372 = t176 + c6 * t368;
+        let t370 = t179 + s6 * t368;
+        let t372 = c6 * t368 - t176;
         let t375 = c5 * t370 - s5 * t137;
         let t378 = s5 * t370 + c5 * t137;
-        let t383 = c2 * t378 + (t122 * t375 - t123 * t372);
+        let t383 = c2 * t378 - (t123 * t372 - t122 * t375);
         let t386 = c4 * t375 + s4 * t372;
         let t387 = t127 - t128;
         put(8, t383); // row 1, XZ
@@ -328,12 +328,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column YZ
     {
-        let t389 = t220 - c6 * t387;
+        let t389 = c6 * t387 - t220;
         let t391 = t217 + s6 * t387;
-        let t394 = c5 * t389 - s5 * t134;
-        let t397 = s5 * t389 + c5 * t134;
-        let t402 = c2 * t397 - (t123 * t391 - t122 * t394);
-        let t405 = c4 * t394 + s4 * t391;
+        let t394 = c5 * t389 + s5 * t134;
+        let t397 = c5 * t134 - s5 * t389;
+        let t402 = c2 * t397 - (t122 * t394 + t123 * t391);
+        let t405 = s4 * t391 - c4 * t394;
         let t406 = -t272;
         let t407 = -t148;
         let t408 = -t129;

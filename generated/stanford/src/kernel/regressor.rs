@@ -97,7 +97,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t19 = dq2 * dq2;
         let t20 = t0 * w3_z;
         let t21 = t18 + t19;
-        let t22 = t20 - ddq2;
+        let t22 = ddq2 - t20;
         let t23 = ddq2 + t20;
         let t24 = t17 + t19;
         let t25 = t14 - t16;
@@ -107,7 +107,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t30 = q3 * t26;
         let t34 = dq3 * k2;
         let t37 = t30 - t8 + t0 * t34;
-        let a3_y = dq2 * t34 - (t10 + t28);
+        let a3_y = t28 - t10 + dq2 * t34;
         let t39 = a2_y + q3 * t24 - ddq3;
         put(55, t20); // row 2, ZZ2
         put(65, t20); // row 2, ZZ3
@@ -177,11 +177,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // link 6: motion
     let [
-        t105, w6_y, t115, t116, t117, t118, t119, t120,
+        w6_x, w6_y, t115, t116, t117, t118, t119, t120,
         t121, t122, t123, t124, t125, t126, t127, t128,
         t129, t134, t138, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
     ] = {
-        let t105 = c6 * t66 - s6 * w5_z;
+        let w6_x = s6 * w5_z - c6 * t66;
         let w6_y = c6 * w5_z + s6 * t66;
         let t115 = t66 * t66;
         let t116 = t69 * t69;
@@ -205,7 +205,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let a6_y = c6 * t135 + s6 * t133;
         let w6_z = t69 + dq6;
         let dw6_x = s6 * dw5_z - c6 * t100 + dq6 * w6_y;
-        let dw6_y = c6 * dw5_z + s6 * t100 + dq6 * t105;
+        let dw6_y = c6 * dw5_z + s6 * t100 - dq6 * w6_x;
         let dw6_z = t101 + ddq6;
         put(146, t118); // row 5, ZZ5
         put(147, t126); // row 5, XY5
@@ -214,7 +214,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(161, t138); // row 6, MSY6
         put(164, dw6_z); // row 6, ZZ6
         [
-        t105, w6_y, t115, t116, t117, t118, t119, t120,
+        w6_x, w6_y, t115, t116, t117, t118, t119, t120,
         t121, t122, t123, t124, t125, t126, t127, t128,
         t129, t134, t138, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
     ]
@@ -254,7 +254,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // MSZ2: column
     let t172 = {
-        let t172 = t22 * t148 + t24 * v1_2_y;
+        let t172 = t24 * v1_2_y - t22 * t148;
         let t173 = t172 - s2 * t8;
         put(4, t173); // row 1, MSZ2
         t172
@@ -283,7 +283,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // XY2: column
     let t184 = {
-        let t184 = s2 * t23 - c2 * (t17 - t19);
+        let t184 = s2 * t23 + c2 * (t19 - t17);
         put(18, t184); // row 1, XY3
         t184
     };
@@ -298,8 +298,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // YZ2: column
     let t192 = {
-        let t192 = s2 * (t19 - t18) + c2 * t22;
-        put(19, t192); // row 1, XZ3
+        let t192 = s2 * (t18 - t19) + c2 * t22;
+        put(10, t192); // row 1, YZ2
         t192
     };
     // M3: column
@@ -327,19 +327,20 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // MSZ3: column
     {
-        let t215 = a3_y - t28;
+        let t215 = t28 + a3_y;
         let t217 = t172 + s2 * (t30 + t37);
         put(14, t217); // row 1, MSZ3
         put(62, t215); // row 2, MSZ3
     }
     // M4: column
-    let [t220, t223, t225] = {
+    let [t220, t223] = {
         let t220 = c4 * t54 + s4 * a4_y;
-        let t223 = s4 * t54 - c4 * a4_y;
+        let t223 = c4 * a4_y - s4 * t54;
         let t225 = q3 * t223;
-        let t229 = s2 * (q3 * t220) + (t197 + t148 * t223);
+        let t229 = s2 * (q3 * t220) + (t197 - t148 * t223);
         put(21, t229); // row 1, M4
-        [t220, t223, t225]
+        put(69, t225); // row 2, M4
+        [t220, t223]
     };
     // MSX4: column
     let [t234, t236, t237] = {
@@ -355,21 +356,21 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t234, t236, t237]
     };
     // MSY4: column
-    {
-        let t254 = c4 * t87 - s4 * t84;
-        let t258 = t223 - q3 * t254;
-        let t259 = s2 * (t220 + q3 * (c4 * t84 + s4 * t87));
-        let t263 = t148 * t254 - t90 * v1_2_y - t259;
-        put(23, t263); // row 1, MSY4
+    let t263 = {
+        let t254 = s4 * t84 - c4 * t87;
+        let t258 = q3 * t254 - t223;
+        let t262 = t148 * t254 + t90 * v1_2_y;
+        let t263 = s2 * (t220 + q3 * (c4 * t84 + s4 * t87)) + t262;
         put(71, t258); // row 2, MSY4
-    }
+        t263
+    };
     // MSZ4: column
     let t267 = {
         let t267 = s4 * t83;
         let t269 = t267 + c4 * t86;
         let t273 = t237 - q3 * t269;
-        let t276 = s2 * (t236 + q3 * (c4 * t83 - s4 * t86)) + c2 * t54;
-        let t280 = t276 - (t89 * v1_2_y - t148 * t269);
+        let t276 = s2 * (t236 - q3 * (s4 * t86 - c4 * t83)) + c2 * t54;
+        let t280 = t276 + (t148 * t269 - t89 * v1_2_y);
         put(24, t280); // row 1, MSZ4
         put(72, t273); // row 2, MSZ4
         t267
@@ -405,7 +406,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XY4: column
     {
         let t300 = t76 - t78;
-        let t305 = c2 * t87 + (t85 * t150 - t151 * t300);
+        let t305 = c2 * t87 - (t151 * t300 - t85 * t150);
         let t307 = t234 + s4 * t300;
         put(28, t305); // row 1, XY4
         put(76, t307); // row 2, XY4
@@ -413,7 +414,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XZ4: column
     {
         let t308 = t76 - t77;
-        let t313 = c2 * t308 - (t89 * t151 - t88 * t150);
+        let t313 = c2 * t308 + (t88 * t150 - t89 * t151);
         let t316 = c4 * t88 + s4 * t89;
         put(29, t313); // row 1, XZ4
         put(77, t316); // row 2, XZ4
@@ -433,8 +434,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t330 = s5 * a5_x + c5 * a5_y;
         let t331 = q3 * a4_y;
         let t332 = q3 * t327;
-        let t340 = a4_y * t153 - t152 * t327 - v1_2_y * t330;
-        let t341 = t150 * t331 + t151 * t332 - t340;
+        let t340 = v1_2_y * t330 - (a4_y * t153 - t152 * t327);
+        let t341 = t150 * t331 + t151 * t332 + t340;
         let t344 = c4 * t331 - s4 * t332;
         put(31, t341); // row 1, M5
         put(79, t344); // row 2, M5
@@ -451,8 +452,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t352 = c5 * a4_y;
         let t355 = t351 + q3 * t127;
         let t356 = a5_y - q3 * t347;
-        let t366 = v1_2_y * t350 - (t152 * t347 + t127 * t153);
-        let t367 = c2 * t352 - (t150 * t355 + t151 * t356) - t366;
+        let t361 = t150 * t355 + t151 * t356 - c2 * t352;
+        let t367 = t152 * t347 + t127 * t153 - v1_2_y * t350 - t361;
         let t370 = s4 * t356 - c4 * t355;
         put(32, t367); // row 1, MSX5
         put(80, t370); // row 2, MSX5
@@ -482,8 +483,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t399 = t397 - c5 * t125;
         let t402 = t352 + q3 * t128;
         let t403 = q3 * t396 - a5_x;
-        let t413 = v1_2_y * t399 + (t128 * t153 - t152 * t396);
-        let t414 = c2 * t351 + (t150 * t402 + t151 * t403) - t413;
+        let t413 = t152 * t396 - t128 * t153 - v1_2_y * t399;
+        let t414 = c2 * t351 + (t150 * t402 + t151 * t403) + t413;
         let t417 = c4 * t402 - s4 * t403;
         put(34, t414); // row 1, MSZ5
         put(82, t417); // row 2, MSZ5
@@ -544,7 +545,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t467 = t116 - t115;
         let t470 = c5 * t127 + s5 * t128;
         let t473 = s5 * t127 - c5 * t128;
-        let t478 = c2 * t473 - (t151 * t467 - t150 * t470);
+        let t478 = c2 * t473 + (t150 * t470 - t151 * t467);
         let t481 = c4 * t470 + s4 * t467;
         put(39, t478); // row 1, XZ5
         put(87, t481); // row 2, XZ5
@@ -568,19 +569,19 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t503, t504, t505, t506, t507, t508, t509, t512,
         t515, t517,
     ] = {
-        let t495 = t105 * t105;
+        let t495 = w6_x * w6_x;
         let t496 = w6_y * w6_y;
         let t497 = w6_z * w6_z;
-        let t498 = t105 * w6_y;
-        let t499 = t105 * w6_z;
+        let t498 = w6_x * w6_y;
+        let t499 = w6_x * w6_z;
         let t500 = w6_y * w6_z;
         let t501 = t496 + t497;
-        let t502 = dw6_z + t498;
-        let t503 = dw6_y - t499;
-        let t504 = dw6_z - t498;
+        let t502 = t498 - dw6_z;
+        let t503 = dw6_y + t499;
+        let t504 = dw6_z + t498;
         let t505 = t495 + t497;
         let t506 = dw6_x - t500;
-        let t507 = dw6_y + t499;
+        let t507 = t499 - dw6_y;
         let t508 = dw6_x + t500;
         let t509 = t495 + t496;
         let t512 = c6 * t138 + s6 * a6_y;
@@ -592,14 +593,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t525 = s5 * t516;
         let t528 = c5 * t516 + q3 * t515;
         let t529 = t517 + q3 * t520;
-        let t539 = v1_2_y * t523 + (t153 * t515 - t152 * t520);
-        let t540 = c2 * t525 + (t150 * t528 + t151 * t529) - t539;
+        let t539 = t152 * t520 - t153 * t515 - v1_2_y * t523;
+        let t540 = c2 * t525 + (t150 * t528 + t151 * t529) + t539;
         let t543 = c4 * t528 - s4 * t529;
         put(41, t540); // row 1, M6
         put(89, t543); // row 2, M6
         put(111, t523); // row 3, M6
         put(132, t525); // row 4, M6
-        put(162, t498); // row 6, XX6
+        put(163, t498); // row 6, YY6
         put(166, t506); // row 6, XZ6
         put(167, t503); // row 6, YZ6
         [
@@ -618,10 +619,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t551 = c6 * t134;
         let t554 = t550 + D6 * t549;
         let t555 = t551 - D6 * t546;
-        let t558 = c5 * t546 + s5 * t507;
-        let t561 = s5 * t546 - c5 * t507;
+        let t558 = c5 * t546 - s5 * t507;
+        let t561 = s5 * t546 + c5 * t507;
         let t567 = s5 * t554 + c5 * a6_y;
-        let t570 = c5 * t554 - s5 * a6_y + q3 * t549;
+        let t570 = q3 * t549 - (s5 * a6_y - c5 * t554);
         let t571 = t555 - q3 * t558;
         let t581 = t152 * t558 - t153 * t549 - v1_2_y * t561;
         let t582 = c2 * t567 + (t150 * t570 - t151 * t571) + t581;
@@ -636,9 +637,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSY6: column
     let [t586, t589] = {
         let t586 = c6 * t502;
-        let t588 = s6 * t505 - t586;
+        let t588 = t586 + s6 * t505;
         let t589 = s6 * t502;
-        let t591 = t589 + c6 * t505;
+        let t591 = c6 * t505 - t589;
         let t594 = D6 * t591 - t551;
         let t595 = D6 * t588 - t550;
         let t598 = c5 * t588 + s5 * t508;
@@ -679,15 +680,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XX6: column
     let [t663, t666, t669, t672] = {
         let t663 = s6 * t499;
-        let t664 = c6 * dw6_x + t663;
+        let t664 = t663 - c6 * dw6_x;
         let t666 = c6 * t499;
-        let t667 = s6 * dw6_x - t666;
+        let t667 = s6 * dw6_x + t666;
         let t669 = s5 * t498;
         let t670 = c5 * t664 + t669;
         let t672 = c5 * t498;
-        let t673 = t672 - s5 * t664;
-        let t678 = c2 * t673 - (t150 * t670 + t151 * t667);
-        let t681 = s4 * t667 - c4 * t670;
+        let t673 = s5 * t664 - t672;
+        let t678 = c2 * t673 + (t150 * t670 - t151 * t667);
+        let t681 = c4 * t670 + s4 * t667;
         put(45, t678); // row 1, XX6
         put(93, t681); // row 2, XX6
         put(136, t673); // row 4, XX6
@@ -700,8 +701,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t684 = t682 + s6 * dw6_y;
         let t685 = s6 * t500;
         let t687 = c6 * dw6_y - t685;
-        let t689 = t669 + c5 * t684;
-        let t691 = s5 * t684 - t672;
+        let t689 = c5 * t684 - t669;
+        let t691 = t672 + s5 * t684;
         let t696 = c2 * t691 + (t150 * t689 - t151 * t687);
         let t699 = c4 * t689 + s4 * t687;
         put(46, t696); // row 1, YY6
@@ -712,12 +713,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // ZZ6: column
     {
-        let t700 = t663 - t682;
-        let t701 = t666 + t685;
-        let t704 = c5 * t700 - s5 * dw6_z;
-        let t707 = s5 * t700 + c5 * dw6_z;
-        let t712 = c2 * t707 + (t150 * t704 - t151 * t701);
-        let t715 = c4 * t704 + s4 * t701;
+        let t700 = t663 + t682;
+        let t701 = t685 - t666;
+        let t704 = c5 * t700 + s5 * dw6_z;
+        let t707 = c5 * dw6_z - s5 * t700;
+        let t712 = c2 * t707 - (t150 * t704 + t151 * t701);
+        let t715 = s4 * t701 - c4 * t704;
         put(47, t712); // row 1, ZZ6
         put(95, t715); // row 2, ZZ6
         put(138, t707); // row 4, ZZ6
@@ -726,12 +727,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XY6: column
     {
         let t716 = t495 - t496;
-        let t719 = c6 * t507 - s6 * t508;
-        let t722 = s6 * t507 + c6 * t508;
-        let t725 = c5 * t719 + s5 * t716;
-        let t728 = c5 * t716 - s5 * t719;
-        let t733 = c2 * t728 - (t150 * t725 + t151 * t722);
-        let t736 = s4 * t722 - c4 * t725;
+        let t719 = c6 * t507 + s6 * t508;
+        let t722 = c6 * t508 - s6 * t507;
+        let t725 = c5 * t719 - s5 * t716;
+        let t728 = s5 * t719 + c5 * t716;
+        let t733 = c2 * t728 + (t150 * t725 - t151 * t722);
+        let t736 = c4 * t725 + s4 * t722;
         put(48, t733); // row 1, XY6
         put(96, t736); // row 2, XY6
         put(139, t728); // row 4, XY6
@@ -741,12 +742,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XZ6: column
     {
         let t737 = t497 - t495;
-        let t739 = t548 - s6 * t737;
+        let t739 = s6 * t737 - t548;
         let t741 = t545 + c6 * t737;
-        let t744 = c5 * t739 + s5 * t506;
-        let t747 = c5 * t506 - s5 * t739;
-        let t752 = c2 * t747 - (t150 * t744 + t151 * t741);
-        let t755 = s4 * t741 - c4 * t744;
+        let t744 = c5 * t739 - s5 * t506;
+        let t747 = s5 * t739 + c5 * t506;
+        let t752 = c2 * t747 + (t150 * t744 - t151 * t741);
+        let t755 = c4 * t744 + s4 * t741;
         put(49, t752); // row 1, XZ6
         put(97, t755); // row 2, XZ6
         put(140, t747); // row 4, XZ6
@@ -754,20 +755,20 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // YZ6: column
     {
-        let t756 = t497 - t496;
+        let t756 = t496 - t497;
         let t758 = t589 + c6 * t756;
-        let t760 = t586 - s6 * t756;
-        let t763 = c5 * t758 - s5 * t503;
-        let t766 = s5 * t758 + c5 * t503;
-        let t771 = c2 * t766 + (t150 * t763 - t151 * t760);
-        let t774 = c4 * t763 + s4 * t760;
+        let t760 = s6 * t756 - t586;
+        let t763 = c5 * t758 + s5 * t503;
+        let t766 = c5 * t503 - s5 * t758;
+        let t771 = c2 * t766 - (t150 * t763 + t151 * t760);
+        let t774 = s4 * t760 - c4 * t763;
         let t775 = -t184;
         let t776 = -t192;
-        let t777 = -t10;
-        let t778 = -t20;
-        let t779 = -t2;
-        let t780 = -t3;
-        let t781 = -t225;
+        let t777 = -t263;
+        let t778 = -t10;
+        let t779 = -t20;
+        let t780 = -t2;
+        let t781 = -t3;
         let t782 = -t39;
         let t783 = -t23;
         let t784 = -t24;
@@ -778,14 +779,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t789 = -t517;
         let t790 = -t498;
         put(8, t775); // row 1, XY2
-        put(10, t776); // row 1, YZ2
+        put(19, t776); // row 1, XZ3
+        put(23, t777); // row 1, MSY4
         put(50, t771); // row 1, YZ6
-        put(52, t777); // row 2, MSZ2
-        put(53, t778); // row 2, XX2
-        put(56, t779); // row 2, XY2
-        put(64, t778); // row 2, YY3
-        put(67, t780); // row 2, XZ3
-        put(69, t781); // row 2, M4
+        put(52, t778); // row 2, MSZ2
+        put(53, t779); // row 2, XX2
+        put(56, t780); // row 2, XY2
+        put(64, t779); // row 2, YY3
+        put(67, t781); // row 2, XZ3
         put(98, t774); // row 2, YZ6
         put(99, t782); // row 3, M3
         put(101, t783); // row 3, MSY3
@@ -798,6 +799,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(144, t788); // row 5, XX5
         put(150, t789); // row 5, M6
         put(159, t760); // row 5, YZ6
-        put(163, t790); // row 6, YY6
+        put(162, t790); // row 6, XX6
     }
 }

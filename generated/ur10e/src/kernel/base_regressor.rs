@@ -79,7 +79,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // link 3: motion
     let [
         w3_x, t15, t22, t23, t24, t25, t27, t28,
-        t29, t30, t33, t38, t41, w3_z, dw3_x, t46,
+        t29, t30, t33, t38, t41, w3_z, dw3_x, dw3_y,
         dw3_z,
     ] = {
         let w3_x = c3 * w2_x + s3 * w2_y;
@@ -88,7 +88,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t23 = w2_y * w2_y;
         let t24 = dq2 * dq2;
         let t25 = w2_x * w2_y;
-        let t27 = ddq2 - t25;
+        let t27 = t25 - ddq2;
         let t28 = ddq2 + t25;
         let t29 = dw2_y - t7;
         let t30 = t6 + dw2_x;
@@ -99,14 +99,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t41 = c3 * t35 + s3 * t34;
         let w3_z = dq2 + dq3;
         let dw3_x = c3 * dw2_x + s3 * dw2_y - dq3 * t15;
-        let t46 = s3 * dw2_x - c3 * dw2_y + dq3 * w3_x;
+        let dw3_y = c3 * dw2_y - s3 * dw2_x - dq3 * w3_x;
         let dw3_z = ddq2 + ddq3;
         put(44, dw3_z); // row 2, ZZ3R
         put(70, t38); // row 3, MSY3
         put(72, dw3_z); // row 3, ZZ3R
         [
         w3_x, t15, t22, t23, t24, t25, t27, t28,
-        t29, t30, t33, t38, t41, w3_z, dw3_x, t46,
+        t29, t30, t33, t38, t41, w3_z, dw3_x, dw3_y,
         dw3_z,
     ]
     };
@@ -126,20 +126,20 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t65 = t15 * w3_z;
         let t66 = t61 + t62;
         let t67 = dw3_z + t63;
-        let t68 = t64 - t46;
-        let t69 = t63 - dw3_z;
+        let t68 = dw3_y + t64;
+        let t69 = dw3_z - t63;
         let t70 = t60 + t62;
         let t71 = dw3_x + t65;
-        let t72 = t46 + t64;
+        let t72 = t64 - dw3_y;
         let t73 = t65 - dw3_x;
         let t84 = t38 - (t66 * k2 + D4 * t68);
-        let t85 = t41 + (D4 * t71 - t69 * k2);
-        let t86 = t33 - (t72 * k2 + D4 * (t60 + t61));
+        let t85 = t41 + (t69 * k2 + D4 * t71);
+        let t86 = t72 * k2 + D4 * (t60 + t61) - t33;
         let t89 = c4 * t84 + s4 * t85;
         let a4_y = s4 * t84 - c4 * t85;
         let w4_z = w3_z + dq4;
-        let t96 = s4 * t46 - c4 * dw3_x + dq4 * t53;
-        let t97 = c4 * t46 + s4 * dw3_x + dq4 * w4_x;
+        let t96 = dq4 * t53 - (c4 * dw3_x + s4 * dw3_y);
+        let t97 = dq4 * w4_x - (c4 * dw3_y - s4 * dw3_x);
         let dw4_z = dw3_z + ddq4;
         put(43, t63); // row 2, XX3R
         put(46, t71); // row 2, XZ3R
@@ -160,12 +160,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // link 5: motion
     let [
-        w5_x, w5_y, t111, t112, t113, t115, t116, t117,
+        w5_x, t104, t111, t112, t113, t115, t116, t117,
         t118, t120, t121, t122, t123, t128, t132, a5_y,
-        w5_z, dw5_x, t140, dw5_z,
+        w5_z, dw5_x, dw5_y, dw5_z,
     ] = {
         let w5_x = c5 * w4_x + s5 * w4_z;
-        let w5_y = c5 * w4_z - s5 * w4_x;
+        let t104 = s5 * w4_x - c5 * w4_z;
         let t111 = w4_x * w4_x;
         let t112 = t53 * t53;
         let t113 = w4_z * w4_z;
@@ -175,18 +175,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t117 = t112 + t113;
         let t118 = dw4_z + t114;
         let t119 = t115 - t97;
-        let t120 = t114 - dw4_z;
+        let t120 = dw4_z - t114;
         let t121 = t111 + t113;
         let t122 = t97 + t115;
         let t123 = t96 + t116;
         let t127 = t89 - D5 * t118;
         let t128 = a4_y + D5 * t121;
-        let t129 = t86 + D5 * t123;
-        let t132 = c5 * t127 - s5 * t129;
-        let a5_y = c5 * t129 + s5 * t127;
+        let t129 = t86 - D5 * t123;
+        let t132 = c5 * t127 + s5 * t129;
+        let a5_y = s5 * t127 - c5 * t129;
         let w5_z = t53 + dq5;
-        let dw5_x = s5 * dw4_z - c5 * t96 + dq5 * w5_y;
-        let t140 = dq5 * w5_x - (c5 * dw4_z + s5 * t96);
+        let dw5_x = s5 * dw4_z - c5 * t96 - dq5 * t104;
+        let dw5_y = c5 * dw4_z + s5 * t96 - dq5 * w5_x;
         let dw5_z = t97 + ddq5;
         put(50, t114); // row 2, XX4R
         put(54, t119); // row 2, YZ4
@@ -198,9 +198,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(119, t132); // row 5, MSY5R
         put(121, dw5_z); // row 5, ZZ5R
         [
-        w5_x, w5_y, t111, t112, t113, t115, t116, t117,
+        w5_x, t104, t111, t112, t113, t115, t116, t117,
         t118, t120, t121, t122, t123, t128, t132, a5_y,
-        w5_z, dw5_x, t140, dw5_z,
+        w5_z, dw5_x, dw5_y, dw5_z,
     ]
     };
     // link 6: motion
@@ -212,28 +212,29 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let w6_x = c6 * w5_x - s6 * w5_z;
         let t147 = c6 * w5_z + s6 * w5_x;
         let t154 = w5_x * w5_x;
-        let t155 = w5_y * w5_y;
+        let t155 = t104 * t104;
         let t156 = w5_z * w5_z;
-        let t157 = w5_x * w5_y;
+        let t157 = w5_x * t104;
         let t158 = w5_x * w5_z;
-        let t159 = w5_y * w5_z;
+        let t159 = t104 * w5_z;
         let t160 = t155 + t156;
-        let t161 = dw5_z - t157;
-        let t162 = t158 - t140;
-        let t163 = dw5_z + t157;
+        let t161 = dw5_z + t157;
+        let t162 = dw5_y + t158;
+        let t163 = t157 - dw5_z;
         let t164 = t154 + t156;
-        let t165 = dw5_x - t159;
-        let t166 = t140 + t158;
-        let t167 = dw5_x + t159;
+        let t165 = dw5_x + t159;
+        let t166 = dw5_y - t158;
+        let t167 = dw5_x - t159;
         let t171 = t132 + D6 * t161;
-        let t172 = D6 * t164 - a5_y;
+        let t172 = a5_y - D6 * t164;
         let t173 = D6 * t167 - t128;
         let t176 = c6 * t171 + s6 * t173;
         let a6_y = s6 * t171 - c6 * t173;
-        let w6_z = w5_y + dq6;
+        let w6_z = dq6 - t104;
         let t183 = s6 * dw5_z - c6 * dw5_x + dq6 * t147;
         let t184 = c6 * dw5_z + s6 * dw5_x + dq6 * w6_x;
-        let dw6_z = ddq6 - t140;
+        let dw6_z = dw5_y + ddq6;
+        put(120, t157); // row 5, XX5R
         put(123, t165); // row 5, XZ5
         put(124, t162); // row 5, YZ5
         put(132, a6_y); // row 6, MSX6
@@ -256,7 +257,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // joint axes in frame 4
     let [
-        t198, t201, t204, t207, t210, t214, t217, t218,
+        t198, t201, t204, t207, v1_5_z, v2_4_x, v2_4_y, t218,
         v3_5_z,
     ] = {
         let t195 = D4 * t192;
@@ -265,14 +266,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t201 = s4 * t192 - c4 * z1_3_x;
         let t204 = c4 * t192 + s4 * z1_3_x;
         let t207 = c4 * t195 + s4 * t196;
-        let t210 = s4 * t195 - c4 * t196;
-        let t211 = t194 - A3;
-        let t214 = c4 * t193 + s4 * t211;
-        let t217 = c4 * t211 - s4 * t193;
+        let v1_5_z = c4 * t196 - s4 * t195;
+        let t211 = A3 - t194;
+        let v2_4_x = s4 * t211 - c4 * t193;
+        let v2_4_y = c4 * t211 + s4 * t193;
         let t218 = s4 * k2;
         let v3_5_z = c4 * k2;
         [
-        t198, t201, t204, t207, t210, t214, t217, t218,
+        t198, t201, t204, t207, v1_5_z, v2_4_x, v2_4_y, t218,
         v3_5_z,
     ]
     };
@@ -308,13 +309,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // YZ2: column
     {
-        let t238 = c2 * t27 - s2 * (t24 - t23);
+        let t238 = s2 * (t23 - t24) - c2 * t27;
         put(5, t238); // row 1, YZ2
     }
     // MSX3: column
     {
         let t241 = t33 * t192 + t72 * v1_3_z;
-        let t245 = t66 * t193 + t69 * t194 - t41;
+        let t245 = t66 * t193 - t69 * t194 - t41;
         put(6, t241); // row 1, MSX3R
         put(41, t245); // row 2, MSX3R
     }
@@ -347,7 +348,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // XZ3: column
     {
-        let t265 = t192 * (t60 - t62) - t69 * z1_3_x;
+        let t265 = t69 * z1_3_x - t192 * (t62 - t60);
         put(11, t265); // row 1, XZ3R
     }
     // YZ3: column
@@ -357,17 +358,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // MSX4: column
     {
-        let t276 = t86 * t204 - (t122 * t198 - (t117 * t207 - t120 * t210));
-        let t280 = a4_y + (t117 * t214 + t120 * t217);
-        let t284 = a4_y + (t117 * t218 + t120 * v3_5_z);
+        let t276 = t117 * t207 - t120 * v1_5_z - t122 * t198 - t86 * t204;
+        let t280 = a4_y + (t120 * v2_4_y - t117 * v2_4_x);
+        let t284 = a4_y + (t117 * t218 - t120 * v3_5_z);
         put(13, t276); // row 1, MSX4
         put(48, t280); // row 2, MSX4
         put(76, t284); // row 3, MSX4
     }
     // MSY4: column
     {
-        let t291 = t123 * t198 + (t118 * t207 - t121 * t210) - t86 * t201;
-        let t295 = t89 + (t118 * t214 + t121 * t217);
+        let t291 = t86 * t201 + (t123 * t198 + (t118 * t207 + t121 * v1_5_z));
+        let t295 = t89 - (t118 * v2_4_x + t121 * v2_4_y);
         let t299 = t89 + (t118 * t218 + t121 * v3_5_z);
         put(14, t291); // row 1, MSY4R
         put(49, t295); // row 2, MSY4R
@@ -397,7 +398,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XZ4: column
     {
         let t310 = t116 - t96;
-        let t313 = t120 * t201 - t204 * (t113 - t111);
+        let t313 = t204 * (t111 - t113) - t120 * t201;
         put(18, t313); // row 1, XZ4
         put(53, t310); // row 2, XZ4
         put(81, t310); // row 3, XZ4
@@ -411,15 +412,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSX5: column
     let [t319, t324, t325] = {
         let t319 = s5 * t163;
-        let t320 = c5 * t160 + t319;
-        let t323 = c5 * t163 - s5 * t160;
+        let t320 = t319 - c5 * t160;
+        let t323 = s5 * t160 + c5 * t163;
         let t324 = s5 * t128;
         let t325 = c5 * t128;
-        let t329 = t325 - D5 * t320;
-        let t337 = t207 * t320 - t166 * t210 - t198 * t323;
-        let t338 = t201 * (t324 + D5 * t323) + a5_y * t204 + t337;
-        let t342 = t329 + (t214 * t320 + t166 * t217);
-        let t346 = t329 + (t218 * t320 + t166 * v3_5_z);
+        let t329 = t325 + D5 * t320;
+        let t337 = t198 * t323 - (t207 * t320 + t166 * v1_5_z);
+        let t338 = t201 * (t324 - D5 * t323) + a5_y * t204 + t337;
+        let t342 = t329 + (v2_4_x * t320 + t166 * v2_4_y);
+        let t346 = t329 - (t218 * t320 + t166 * v3_5_z);
         put(20, t338); // row 1, MSX5
         put(55, t342); // row 2, MSX5
         put(83, t346); // row 3, MSX5
@@ -432,9 +433,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t349 = s5 * t164 - t347;
         let t352 = s5 * t161 + c5 * t164;
         let t356 = D5 * t349 - t324;
-        let t364 = t207 * t349 + t167 * t210 - t198 * t352;
-        let t365 = t201 * (t325 - D5 * t352) + t132 * t204 - t364;
-        let t369 = t356 + (t167 * t217 - t214 * t349);
+        let t364 = t198 * t352 + (t167 * v1_5_z - t207 * t349);
+        let t365 = t201 * (t325 - D5 * t352) + t132 * t204 + t364;
+        let t369 = t356 + (v2_4_x * t349 - t167 * v2_4_y);
         let t373 = t356 + (t167 * v3_5_z - t218 * t349);
         put(21, t365); // row 1, MSY5R
         put(56, t369); // row 2, MSY5R
@@ -445,7 +446,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XX5: column
     let [t375, t380] = {
         let t375 = t158 * t221;
-        let t378 = t375 - dw5_x * t220 - t157 * t204;
+        let t378 = t157 * t204 + (t375 - dw5_x * t220);
         let t380 = c5 * t158;
         let t381 = s5 * dw5_x + t380;
         put(22, t378); // row 1, XX5R
@@ -455,19 +456,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t375, t380]
     };
     // ZZ5: column
-    {
-        let t385 = dw5_z * t204 - (t375 + t159 * t220);
-        let t387 = s5 * t159 - t380;
+    let t387 = {
+        let t385 = dw5_z * t204 + (t159 * t220 - t375);
+        let t387 = t380 + s5 * t159;
         put(23, t385); // row 1, ZZ5R
-        put(58, t387); // row 2, ZZ5R
-        put(86, t387); // row 3, ZZ5R
-        put(107, t387); // row 4, ZZ5R
-    }
+        t387
+    };
     // XY5: column
     {
         let t388 = t154 - t155;
-        let t393 = t204 * t388 + (t166 * t220 + t167 * t221);
-        let t396 = c5 * t167 - s5 * t166;
+        let t393 = t204 * t388 - (t166 * t220 - t167 * t221);
+        let t396 = s5 * t166 + c5 * t167;
         put(24, t393); // row 1, XY5
         put(59, t396); // row 2, XY5
         put(87, t396); // row 3, XY5
@@ -477,8 +476,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XZ5: column
     {
         let t397 = t156 - t154;
-        let t402 = t165 * t204 - (t163 * t220 - t221 * t397);
-        let t404 = t319 + c5 * t397;
+        let t402 = t165 * t204 + (t163 * t220 + t221 * t397);
+        let t404 = c5 * t397 - t319;
         put(25, t402); // row 1, XZ5
         put(60, t404); // row 2, XZ5
         put(88, t404); // row 3, XZ5
@@ -486,9 +485,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // YZ5: column
     {
-        let t405 = t156 - t155;
-        let t410 = t162 * t204 + (t220 * t405 + t161 * t221);
-        let t412 = t347 - s5 * t405;
+        let t405 = t155 - t156;
+        let t410 = t162 * t204 + (t161 * t221 - t220 * t405);
+        let t412 = t347 + s5 * t405;
         put(26, t410); // row 1, YZ5
         put(61, t412); // row 2, YZ5
         put(89, t412); // row 3, YZ5
@@ -519,14 +518,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t432 = s6 * t419 - t431;
         let t433 = s6 * t172;
         let t434 = c6 * t172;
-        let t437 = D6 * t432 - t433;
-        let t438 = D6 * t429 - t434;
+        let t437 = t433 + D6 * t432;
+        let t438 = t434 + D6 * t429;
         let t441 = c5 * t429 + s5 * t425;
         let t444 = c5 * t425 - s5 * t429;
         let t454 = s5 * t437 + c5 * a6_y - D5 * t441;
         let t457 = t204 * t438 - t201 * (c5 * t437 - s5 * a6_y - D5 * t444);
-        let t463 = t457 + (t207 * t441 - t210 * t432 - t198 * t444);
-        let t467 = t454 + (t214 * t441 + t217 * t432);
+        let t463 = t457 - (t198 * t444 - (t207 * t441 + v1_5_z * t432));
+        let t467 = t454 - (v2_4_x * t441 + v2_4_y * t432);
         let t471 = t454 + (t218 * t441 + v3_5_z * t432);
         put(27, t463); // row 1, MSX6
         put(62, t467); // row 2, MSX6
@@ -544,18 +543,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSY6: column
     let [t472, t475] = {
         let t472 = c6 * t420;
-        let t474 = s6 * t423 - t472;
+        let t474 = t472 - s6 * t423;
         let t475 = s6 * t420;
         let t477 = t475 + c6 * t423;
-        let t480 = t434 - D6 * t477;
-        let t481 = t433 - D6 * t474;
-        let t484 = c5 * t474 + s5 * t426;
-        let t487 = s5 * t474 - c5 * t426;
-        let t497 = c5 * t176 - s5 * t480 + D5 * t484;
-        let t500 = t201 * (c5 * t480 + s5 * t176 + D5 * t487) + t204 * t481;
-        let t506 = t500 - (t198 * t487 + (t207 * t484 + t210 * t477));
-        let t510 = t497 + (t217 * t477 - t214 * t484);
-        let t514 = t497 + (v3_5_z * t477 - t218 * t484);
+        let t480 = t434 + D6 * t477;
+        let t481 = D6 * t474 - t433;
+        let t484 = c5 * t474 - s5 * t426;
+        let t487 = s5 * t474 + c5 * t426;
+        let t497 = s5 * t480 + c5 * t176 - D5 * t484;
+        let t500 = t204 * t481 - t201 * (D5 * t487 - (s5 * t176 - c5 * t480));
+        let t506 = t500 + (t198 * t487 + (t207 * t484 + v1_5_z * t477));
+        let t510 = t497 - (v2_4_x * t484 + v2_4_y * t477);
+        let t514 = t497 + (t218 * t484 + v3_5_z * t477);
         put(28, t506); // row 1, MSY6
         put(63, t510); // row 2, MSY6
         put(91, t514); // row 3, MSY6
@@ -580,10 +579,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // ZZ6: column
     {
-        let t530 = t516 - c6 * t418;
+        let t530 = c6 * t418 - t516;
         let t532 = t519 + s6 * t418;
-        let t537 = t204 * t532 + (dw6_z * t221 - t220 * t530);
-        let t540 = s5 * t530 + c5 * dw6_z;
+        let t537 = t204 * t532 + (t220 * t530 + dw6_z * t221);
+        let t540 = c5 * dw6_z - s5 * t530;
         put(30, t537); // row 1, ZZ6
         put(65, t540); // row 2, ZZ6
         put(93, t540); // row 3, ZZ6
@@ -626,16 +625,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t581 = c5 * t421 - s5 * t571;
         let t582 = -a2_x;
         let t583 = -t25;
-        let t584 = -t41;
-        let t585 = -t157;
+        let t584 = -t387;
+        let t585 = -t41;
         put(33, t578); // row 1, YZ6
         put(35, t582); // row 2, MSY2
         put(36, t583); // row 2, XX2R
+        put(58, t584); // row 2, ZZ5R
         put(68, t581); // row 2, YZ6
-        put(69, t584); // row 3, MSX3R
+        put(69, t585); // row 3, MSX3R
+        put(86, t584); // row 3, ZZ5R
         put(96, t581); // row 3, YZ6
+        put(107, t584); // row 4, ZZ5R
         put(117, t581); // row 4, YZ6
-        put(120, t585); // row 5, XX5R
         put(131, t573); // row 5, YZ6
     }
 }

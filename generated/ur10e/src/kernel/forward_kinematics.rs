@@ -77,8 +77,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t57, t58, t59, t62, t65, t68, t71, t72,
         t73,
     ] = {
-        let t57 = D5 * t41 - t33;
-        let t58 = D5 * t47 - t34;
+        let t57 = t33 - D5 * t41;
+        let t58 = t34 - D5 * t47;
         let t59 = t35 - D5 * t53;
         let t62 = s1 * s5 - c5 * t38;
         let t65 = s1 * c5 + s5 * t38;
@@ -96,8 +96,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // frame 6
     {
-        let t77 = D6 * t65 - t57;
-        let t78 = D6 * t71 - t58;
+        let t77 = t57 + D6 * t65;
+        let t78 = t58 + D6 * t71;
         let t79 = D6 * t73 - t59;
         let t82 = c6 * t62 + s6 * t41;
         let t85 = c6 * t41 - s6 * t62;

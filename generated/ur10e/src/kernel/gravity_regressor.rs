@@ -156,7 +156,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t81 = c5 * a5_y;
         let t82 = s5 * t14 - t81;
         let t84 = D5 * t79;
-        let t90 = z1_4_x * (D5 * t82) + (t66 + t43 * t79 - v1_4_z * t82);
+        let t90 = z1_4_x * (D5 * t82) - (v1_4_z * t82 - (t66 + t43 * t79));
         let t93 = t69 + t50 * t79 - t84;
         let t96 = t72 + t54 * t79 - t84;
         put(4, t90); // row 1, M5
@@ -192,10 +192,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t112 = D6 * t111;
         let t113 = D6 * t108;
         let t115 = t78 + c5 * t108;
-        let t117 = s5 * t108 - t81;
+        let t117 = t81 - s5 * t108;
         let t123 = s5 * t112 - D5 * t115;
-        let t131 = t43 * t115 + v1_5_z * t111 - v1_4_z * t117;
-        let t132 = z1_4_x * (c5 * t112 + D5 * t117) + t40 * t113 + t131;
+        let t131 = v1_4_z * t117 + (t43 * t115 + v1_5_z * t111);
+        let t132 = z1_4_x * (c5 * t112 - D5 * t117) + t40 * t113 + t131;
         let t136 = t123 + (t50 * t115 + t53 * t111);
         let t140 = t123 + (t54 * t115 + v3_5_z * t111);
         put(8, t132); // row 1, M6
@@ -211,7 +211,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t141 = s6 * a5_y;
         let t142 = c6 * a5_y;
         let t148 = s5 * t141 + c5 * a6_y;
-        let t151 = z1_4_x * (c5 * t141 - s5 * a6_y) + t40 * t142;
+        let t151 = t40 * t142 - z1_4_x * (s5 * a6_y - c5 * t141);
         put(9, t151); // row 1, MSX6
         put(25, t148); // row 2, MSX6
         put(38, t148); // row 3, MSX6

@@ -63,10 +63,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     ] = {
         let t4 = t0 * k0;
         let t5 = t2 * k0;
-        let t7 = s2 * k0 - D1;
-        let t10 = c3 * t0 - s3 * t1;
+        let t7 = D1 - s2 * k0;
+        let t10 = s3 * t1 - c3 * t0;
         let t13 = c3 * t1 + s3 * t0;
-        let t16 = s3 * t3 - c3 * t2;
+        let t16 = c3 * t2 - s3 * t3;
         let t19 = c3 * t3 + s3 * t2;
         let t22 = s2 * c3 + c2 * s3;
         let t25 = s2 * s3 - c2 * c3;
@@ -80,13 +80,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t33, t34, t35, t38, t41, t44, t47, t50,
         t53,
     ] = {
-        let t33 = t4 + (t10 * k2 - s1 * D4);
-        let t34 = t5 - (t16 * k2 - c1 * D4);
-        let t35 = t7 + t22 * k2;
-        let t38 = c4 * t10 - s4 * t13;
-        let t41 = c4 * t13 + s4 * t10;
-        let t44 = c4 * t16 + s4 * t19;
-        let t47 = c4 * t19 - s4 * t16;
+        let t33 = t10 * k2 + s1 * D4 - t4;
+        let t34 = t5 + (t16 * k2 + c1 * D4);
+        let t35 = t22 * k2 - t7;
+        let t38 = c4 * t10 + s4 * t13;
+        let t41 = c4 * t13 - s4 * t10;
+        let t44 = s4 * t19 - c4 * t16;
+        let t47 = c4 * t19 + s4 * t16;
         let t50 = s4 * t25 - c4 * t22;
         let t53 = c4 * t25 + s4 * t22;
         put(17, t41); // [3][4]
@@ -99,10 +99,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // frame 5
     let [t57, t58, t59, t62, t65, t66] = {
-        let t57 = D5 * t41 - t33;
+        let t57 = t33 + D5 * t41;
         let t58 = t34 - D5 * t47;
         let t59 = t35 - D5 * t53;
-        let t62 = s1 * c5 - s5 * t38;
+        let t62 = s1 * c5 + s5 * t38;
         let t65 = s5 * t44 - c1 * c5;
         let t66 = s5 * t50;
         put(18, t62); // [3][5]
@@ -128,14 +128,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t74 = c1 * t73;
         let t75 = s1 * t73;
         let t78 = c1 * t70 - s1 * t71;
-        let t81 = t72 - t7;
+        let t81 = t7 + t72;
         let t82 = c1 * t81;
         let t83 = s1 * t81;
-        let t86 = s1 * (t5 - t71) + c1 * (t4 + t70);
+        let t86 = c1 * (t4 + t70) - s1 * (t71 - t5);
         let t89 = t72 - t35;
         let t90 = c1 * t89;
         let t91 = s1 * t89;
-        let t94 = c1 * (t33 + t70) - s1 * (t71 - t34);
+        let t94 = s1 * (t34 - t71) - c1 * (t33 - t70);
         let t97 = t47 * t69 - t53 * t68;
         let t100 = t53 * t67 - t41 * t69;
         let t103 = t41 * t68 - t47 * t67;

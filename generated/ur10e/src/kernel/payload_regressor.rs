@@ -62,7 +62,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // link 3: motion
     let [
-        w3_x, w3_y, t30, a3_x, t38, w3_z, dw3_x, t43,
+        w3_x, w3_y, t30, a3_x, a3_y, w3_z, dw3_x, dw3_y,
         dw3_z,
     ] = {
         let w3_x = c3 * w2_x + s3 * w2_y;
@@ -71,57 +71,57 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t31 = a2_x + (w2_y * w2_y + dq2 * dq2) * k1;
         let t32 = a2_y - (ddq2 + w2_x * w2_y) * k1;
         let a3_x = c3 * t31 + s3 * t32;
-        let t38 = s3 * t31 - c3 * t32;
+        let a3_y = c3 * t32 - s3 * t31;
         let w3_z = dq2 + dq3;
         let dw3_x = c3 * dw2_x + s3 * dw2_y + dq3 * w3_y;
-        let t43 = s3 * dw2_x - c3 * dw2_y + dq3 * w3_x;
+        let dw3_y = c3 * dw2_y - s3 * dw2_x - dq3 * w3_x;
         let dw3_z = ddq2 + ddq3;
         [
-        w3_x, w3_y, t30, a3_x, t38, w3_z, dw3_x, t43,
+        w3_x, w3_y, t30, a3_x, a3_y, w3_z, dw3_x, dw3_y,
         dw3_z,
     ]
     };
     // link 4: motion
     let [
-        w4_x, w4_y, t80, t83, t86, w4_z, dw4_x, t91,
+        w4_x, t50, t80, a4_x, a4_y, w4_z, t90, t91,
         dw4_z,
     ] = {
         let w4_x = c4 * w3_x + s4 * w3_y;
-        let w4_y = c4 * w3_y - s4 * w3_x;
+        let t50 = s4 * w3_x - c4 * w3_y;
         let t58 = w3_y * w3_y;
         let t61 = w3_x * w3_z;
-        let t78 = a3_x - (D4 * (t43 - t61) - (t58 + w3_z * w3_z) * k2);
-        let t79 = t38 + ((dw3_z + w3_x * w3_y) * k2 + D4 * (dw3_x - w3_y * w3_z));
-        let t80 = t30 + ((t43 + t61) * k2 + D4 * (w3_x * w3_x + t58));
-        let t83 = s4 * t79 - c4 * t78;
-        let t86 = c4 * t79 + s4 * t78;
+        let t78 = a3_x + ((t58 + w3_z * w3_z) * k2 + D4 * (dw3_y + t61));
+        let t79 = a3_y + (D4 * (w3_y * w3_z - dw3_x) - (dw3_z + w3_x * w3_y) * k2);
+        let t80 = t30 + (D4 * (w3_x * w3_x + t58) - (dw3_y - t61) * k2);
+        let a4_x = c4 * t78 + s4 * t79;
+        let a4_y = c4 * t79 - s4 * t78;
         let w4_z = w3_z + dq4;
-        let dw4_x = c4 * dw3_x - s4 * t43 + dq4 * w4_y;
-        let t91 = c4 * t43 + s4 * dw3_x + dq4 * w4_x;
+        let t90 = dq4 * t50 - (c4 * dw3_x + s4 * dw3_y);
+        let t91 = s4 * dw3_x - c4 * dw3_y + dq4 * w4_x;
         let dw4_z = dw3_z + ddq4;
         [
-        w4_x, w4_y, t80, t83, t86, w4_z, dw4_x, t91,
+        w4_x, t50, t80, a4_x, a4_y, w4_z, t90, t91,
         dw4_z,
     ]
     };
     // link 5: motion
     let [
-        w5_x, t98, t116, t120, t123, w5_z, t127, t128,
+        w5_x, t98, t116, a5_x, t123, w5_z, t127, t128,
         dw5_z,
     ] = {
         let w5_x = c5 * w4_x + s5 * w4_z;
         let t98 = s5 * w4_x - c5 * w4_z;
-        let t115 = t83 - D5 * (dw4_z - w4_x * w4_y);
-        let t116 = t86 - D5 * (w4_x * w4_x + w4_z * w4_z);
-        let t117 = t80 + D5 * (dw4_x + w4_y * w4_z);
-        let t120 = c5 * t115 + s5 * t117;
-        let t123 = s5 * t115 - c5 * t117;
-        let w5_z = dq5 - w4_y;
-        let t127 = dq5 * t98 - (c5 * dw4_x + s5 * dw4_z);
-        let t128 = dq5 * w5_x - (c5 * dw4_z - s5 * dw4_x);
+        let t115 = a4_x + D5 * (dw4_z + w4_x * t50);
+        let t116 = a4_y + D5 * (w4_x * w4_x + w4_z * w4_z);
+        let t117 = t80 - D5 * (t90 + t50 * w4_z);
+        let a5_x = c5 * t115 - s5 * t117;
+        let t123 = c5 * t117 + s5 * t115;
+        let w5_z = t50 + dq5;
+        let t127 = c5 * t90 - s5 * dw4_z + dq5 * t98;
+        let t128 = dq5 * w5_x - (c5 * dw4_z + s5 * t90);
         let dw5_z = t91 + ddq5;
         [
-        w5_x, t98, t116, t120, t123, w5_z, t127, t128,
+        w5_x, t98, t116, a5_x, t123, w5_z, t127, t128,
         dw5_z,
     ]
     };
@@ -132,14 +132,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     ] = {
         let w6_x = c6 * w5_x - s6 * w5_z;
         let t135 = c6 * w5_z + s6 * w5_x;
-        let t152 = t120 + D6 * (dw5_z + w5_x * t98);
-        let t153 = t123 - D6 * (w5_x * w5_x + w5_z * w5_z);
-        let t154 = D6 * (t127 + t98 * w5_z) - t116;
+        let t152 = D6 * (dw5_z + w5_x * t98) - a5_x;
+        let t153 = t123 + D6 * (w5_x * w5_x + w5_z * w5_z);
+        let t154 = t116 + D6 * (t127 + t98 * w5_z);
         let t157 = c6 * t152 - s6 * t154;
         let a6_y = c6 * t154 + s6 * t152;
         let w6_z = dq6 - t98;
         let t164 = c6 * t127 + s6 * dw5_z + dq6 * t135;
-        let t165 = dq6 * w6_x - (s6 * t127 - c6 * dw5_z);
+        let t165 = c6 * dw5_z - s6 * t127 + dq6 * w6_x;
         let dw6_z = ddq6 - t128;
         put(50, a6_y); // row 6, MSX
         put(51, t157); // row 6, MSY
@@ -160,7 +160,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // joint axes in frame 4
     let [
-        v1_4_z, t182, t185, t188, t191, t195, v2_4_y, t199,
+        v1_4_z, t182, t185, t188, t191, v2_4_x, v2_4_y, t199,
         v3_5_z,
     ] = {
         let t176 = D4 * t173;
@@ -170,13 +170,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t185 = c4 * t173 + s4 * z1_3_x;
         let t188 = c4 * t176 + s4 * t177;
         let t191 = s4 * t176 - c4 * t177;
-        let t192 = t175 - A3;
-        let t195 = c4 * t174 + s4 * t192;
-        let v2_4_y = s4 * t174 - c4 * t192;
+        let t192 = A3 - t175;
+        let v2_4_x = s4 * t192 - c4 * t174;
+        let v2_4_y = c4 * t192 + s4 * t174;
         let t199 = s4 * k2;
         let v3_5_z = c4 * k2;
         [
-        v1_4_z, t182, t185, t188, t191, t195, v2_4_y, t199,
+        v1_4_z, t182, t185, t188, t191, v2_4_x, v2_4_y, t199,
         v3_5_z,
     ]
     };
@@ -217,16 +217,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // payload: column M
     let [t220, t223] = {
         let t220 = c6 * t157 + s6 * a6_y;
-        let t223 = s6 * t157 - c6 * a6_y;
+        let t223 = c6 * a6_y - s6 * t157;
         let t224 = D6 * t223;
         let t225 = D6 * t220;
-        let t228 = c5 * t220 + s5 * t153;
-        let t231 = c5 * t153 - s5 * t220;
-        let t237 = s5 * t224 - D5 * t228;
-        let t245 = v1_4_z * t231 + (t188 * t228 - t191 * t223);
-        let t246 = t182 * (D5 * t231 - c5 * t224) + t185 * t225 + t245;
-        let t250 = t237 - (v2_4_y * t223 - t195 * t228);
-        let t254 = t237 + (t199 * t228 + v3_5_z * t223);
+        let t228 = s5 * t153 - c5 * t220;
+        let t231 = s5 * t220 + c5 * t153;
+        let t237 = D5 * t228 - s5 * t224;
+        let t240 = t182 * (D5 * t231 - c5 * t224) - t185 * t225;
+        let t246 = t191 * t223 - t188 * t228 - v1_4_z * t231 - t240;
+        let t250 = t237 + (v2_4_x * t228 + v2_4_y * t223);
+        let t254 = t237 - (t199 * t228 + v3_5_z * t223);
         put(0, t246); // row 1, M
         put(10, t250); // row 2, M
         put(20, t254); // row 3, M
@@ -237,19 +237,19 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // payload: column MSX
     let [t256, t259, t261, t262] = {
         let t256 = s6 * t212;
-        let t257 = t256 - c6 * t209;
+        let t257 = c6 * t209 - t256;
         let t259 = c6 * t212;
         let t260 = s6 * t209 + t259;
         let t261 = s6 * t153;
         let t262 = c6 * t153;
-        let t265 = t261 + D6 * t260;
-        let t266 = t262 - D6 * t257;
-        let t269 = s5 * t215 - c5 * t257;
-        let t272 = s5 * t257 + c5 * t215;
-        let t282 = s5 * t265 + c5 * a6_y - D5 * t269;
-        let t285 = t182 * (s5 * a6_y - c5 * t265 + D5 * t272) + t185 * t266;
-        let t291 = t285 + (v1_4_z * t272 - (t191 * t260 - t188 * t269));
-        let t295 = t282 + (t195 * t269 - v2_4_y * t260);
+        let t265 = t261 - D6 * t260;
+        let t266 = D6 * t257 - t262;
+        let t269 = c5 * t257 + s5 * t215;
+        let t272 = s5 * t257 - c5 * t215;
+        let t282 = c5 * a6_y - s5 * t265 - D5 * t269;
+        let t285 = t185 * t266 - t182 * (D5 * t272 - (c5 * t265 + s5 * a6_y));
+        let t291 = t285 + (t188 * t269 - t191 * t260 - v1_4_z * t272);
+        let t295 = t282 - (v2_4_x * t269 + v2_4_y * t260);
         let t299 = t282 + (t199 * t269 + v3_5_z * t260);
         put(1, t291); // row 1, MSX
         put(11, t295); // row 2, MSX
@@ -264,14 +264,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t302 = t300 - s6 * t213;
         let t303 = s6 * t210;
         let t305 = t303 + c6 * t213;
-        let t308 = t262 + D6 * t305;
-        let t309 = D6 * t302 - t261;
+        let t308 = D6 * t305 - t262;
+        let t309 = t261 + D6 * t302;
         let t312 = s5 * t216 - c5 * t302;
         let t315 = s5 * t302 + c5 * t216;
         let t325 = s5 * t308 + c5 * t157 + D5 * t312;
         let t328 = t182 * (s5 * t157 - c5 * t308 - D5 * t315) + t185 * t309;
         let t334 = t328 - (v1_4_z * t315 + (t188 * t312 + t191 * t305));
-        let t338 = t325 - (t195 * t312 + v2_4_y * t305);
+        let t338 = t325 - (v2_4_y * t305 - v2_4_x * t312);
         let t342 = t325 + (v3_5_z * t305 - t199 * t312);
         put(2, t334); // row 1, MSY
         put(12, t338); // row 2, MSY
@@ -283,16 +283,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // payload: column MSZ
     {
         let t345 = c6 * t211 + s6 * t214;
-        let t348 = c6 * t214 - s6 * t211;
+        let t348 = s6 * t211 - c6 * t214;
         let t351 = t223 + D6 * t348;
         let t352 = t220 - D6 * t345;
         let t355 = c5 * t345 + s5 * t217;
         let t358 = s5 * t345 - c5 * t217;
-        let t364 = s5 * t351 + D5 * t355;
-        let t372 = v1_4_z * t358 - (t188 * t355 + t191 * t348);
-        let t373 = t182 * (D5 * t358 - c5 * t351) + t185 * t352 + t372;
-        let t377 = t364 - (t195 * t355 + v2_4_y * t348);
-        let t381 = t364 - (t199 * t355 - v3_5_z * t348);
+        let t364 = D5 * t355 - s5 * t351;
+        let t372 = v1_4_z * t358 + (t191 * t348 - t188 * t355);
+        let t373 = t182 * (c5 * t351 + D5 * t358) + t185 * t352 + t372;
+        let t377 = t364 + (v2_4_x * t355 + v2_4_y * t348);
+        let t381 = t364 - (t199 * t355 + v3_5_z * t348);
         put(3, t373); // row 1, MSZ
         put(13, t377); // row 2, MSZ
         put(23, t381); // row 3, MSZ
@@ -333,10 +333,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column ZZ
     let t418 = {
-        let t408 = t396 - t383;
+        let t408 = t383 - t396;
         let t409 = t386 + t399;
-        let t414 = t185 * t409 + (t201 * t408 + dw6_z * t202);
-        let t417 = c5 * dw6_z - s5 * t408;
+        let t414 = t185 * t409 + (dw6_z * t202 - t201 * t408);
+        let t417 = s5 * t408 + c5 * dw6_z;
         let t418 = t203 - t204;
         put(6, t414); // row 1, ZZ
         put(16, t417); // row 2, ZZ
@@ -348,11 +348,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column XY
     let t433 = {
-        let t421 = c6 * t215 - s6 * t216;
+        let t421 = s6 * t216 - c6 * t215;
         let t424 = s6 * t215 + c6 * t216;
-        let t429 = t185 * t424 + (t201 * t421 + t202 * t418);
-        let t432 = c5 * t418 - s5 * t421;
-        let t433 = t205 - t203;
+        let t429 = t185 * t424 + (t202 * t418 - t201 * t421);
+        let t432 = s5 * t421 + c5 * t418;
+        let t433 = t203 - t205;
         put(7, t429); // row 1, XY
         put(17, t432); // row 2, XY
         put(27, t432); // row 3, XY
@@ -362,8 +362,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column XZ
     let t446 = {
-        let t435 = t259 + s6 * t433;
-        let t437 = t256 - c6 * t433;
+        let t435 = t259 - s6 * t433;
+        let t437 = t256 + c6 * t433;
         let t442 = t185 * t437 + (t201 * t435 + t202 * t214);
         let t445 = c5 * t214 - s5 * t435;
         let t446 = t205 - t204;

@@ -2,7 +2,7 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 438 multiplications, 344 additions; 6 x 60, 188 of 360 structurally nonzero.
+//! 438 multiplications, 341 additions; 6 x 60, 188 of 360 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
@@ -83,17 +83,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // link 3: motion
     let [
-        w3_x, w3_y, t22, t23, t24, t25, t27, t28,
+        w3_x, t15, t22, t23, t24, t25, t27, t28,
         t29, t30, t33, t38, t41, w3_z, dw3_x, t46,
         dw3_z,
     ] = {
         let w3_x = c3 * w2_x + s3 * w2_y;
-        let w3_y = c3 * w2_y - s3 * w2_x;
+        let t15 = s3 * w2_x - c3 * w2_y;
         let t22 = w2_x * w2_x;
         let t23 = w2_y * w2_y;
         let t24 = dq2 * dq2;
         let t25 = w2_x * w2_y;
-        let t27 = ddq2 - t25;
+        let t27 = t25 - ddq2;
         let t28 = ddq2 + t25;
         let t29 = dw2_y - t7;
         let t30 = t6 + dw2_x;
@@ -103,56 +103,56 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t38 = s3 * t35 - c3 * t34;
         let t41 = c3 * t35 + s3 * t34;
         let w3_z = dq2 + dq3;
-        let dw3_x = c3 * dw2_x + s3 * dw2_y + dq3 * w3_y;
-        let t46 = s3 * dw2_x - c3 * dw2_y + dq3 * w3_x;
+        let dw3_x = c3 * dw2_x + s3 * dw2_y - dq3 * t15;
+        let t46 = dq3 * w3_x - (c3 * dw2_y - s3 * dw2_x);
         let dw3_z = ddq2 + ddq3;
         put(51, t25); // row 2, YY2
         put(62, dw3_z); // row 2, ZZ3
         put(97, t38); // row 3, MSY3
         put(100, dw3_z); // row 3, ZZ3
         [
-        w3_x, w3_y, t22, t23, t24, t25, t27, t28,
+        w3_x, t15, t22, t23, t24, t25, t27, t28,
         t29, t30, t33, t38, t41, w3_z, dw3_x, t46,
         dw3_z,
     ]
     };
     // link 4: motion
     let [
-        w4_x, w4_y, t60, t61, t62, t63, t64, t65,
+        w4_x, t53, t60, t61, t62, t63, t64, t65,
         t66, t67, t68, t69, t70, t71, t72, t73,
-        t74, t86, t89, a4_y, w4_z, dw4_x, t97, dw4_z,
+        t74, t86, t89, a4_y, w4_z, t96, t97, dw4_z,
     ] = {
-        let w4_x = c4 * w3_x + s4 * w3_y;
-        let w4_y = c4 * w3_y - s4 * w3_x;
+        let w4_x = c4 * w3_x - s4 * t15;
+        let t53 = c4 * t15 + s4 * w3_x;
         let t60 = w3_x * w3_x;
-        let t61 = w3_y * w3_y;
+        let t61 = t15 * t15;
         let t62 = w3_z * w3_z;
-        let t63 = w3_x * w3_y;
+        let t63 = w3_x * t15;
         let t64 = w3_x * w3_z;
-        let t65 = w3_y * w3_z;
+        let t65 = t15 * w3_z;
         let t66 = t61 + t62;
-        let t67 = t63 - dw3_z;
+        let t67 = dw3_z + t63;
         let t68 = t64 - t46;
-        let t69 = dw3_z + t63;
+        let t69 = t63 - dw3_z;
         let t70 = t60 + t62;
-        let t71 = dw3_x - t65;
+        let t71 = dw3_x + t65;
         let t72 = t46 + t64;
-        let t73 = dw3_x + t65;
+        let t73 = t65 - dw3_x;
         let t74 = t60 + t61;
         let t84 = t38 - (t66 * k2 + D4 * t68);
-        let t85 = t41 + (t69 * k2 + D4 * t71);
+        let t85 = t41 + (D4 * t71 - t69 * k2);
         let t86 = t33 - (t72 * k2 + D4 * t74);
         let t89 = c4 * t84 + s4 * t85;
         let a4_y = s4 * t84 - c4 * t85;
         let w4_z = w3_z + dq4;
-        let dw4_x = c4 * dw3_x - s4 * t46 + dq4 * w4_y;
+        let t96 = dq4 * t53 - (c4 * dw3_x - s4 * t46);
         let t97 = c4 * t46 + s4 * dw3_x + dq4 * w4_x;
         let dw4_z = dw3_z + ddq4;
-        put(61, t63); // row 2, YY3
+        put(60, t63); // row 2, XX3
         put(64, t71); // row 2, XZ3
         put(65, t68); // row 2, YZ3
         put(72, dw4_z); // row 2, ZZ4
-        put(99, t63); // row 3, YY3
+        put(98, t63); // row 3, XX3
         put(102, t71); // row 3, XZ3
         put(103, t68); // row 3, YZ3
         put(110, dw4_z); // row 3, ZZ4
@@ -160,90 +160,90 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(135, t89); // row 4, MSY4
         put(138, dw4_z); // row 4, ZZ4
         [
-        w4_x, w4_y, t60, t61, t62, t63, t64, t65,
+        w4_x, t53, t60, t61, t62, t63, t64, t65,
         t66, t67, t68, t69, t70, t71, t72, t73,
-        t74, t86, t89, a4_y, w4_z, dw4_x, t97, dw4_z,
+        t74, t86, t89, a4_y, w4_z, t96, t97, dw4_z,
     ]
     };
     // link 5: motion
     let [
         w5_x, w5_y, t111, t112, t113, t114, t115, t116,
         t117, t118, t119, t120, t121, t122, t123, t124,
-        t125, t130, t134, t137, t138, dw5_x, dw5_y, dw5_z,
+        t125, t130, a5_x, a5_y, w5_z, dw5_x, dw5_y, dw5_z,
     ] = {
         let w5_x = c5 * w4_x + s5 * w4_z;
         let w5_y = c5 * w4_z - s5 * w4_x;
         let t111 = w4_x * w4_x;
-        let t112 = w4_y * w4_y;
+        let t112 = t53 * t53;
         let t113 = w4_z * w4_z;
-        let t114 = w4_x * w4_y;
+        let t114 = w4_x * t53;
         let t115 = w4_x * w4_z;
-        let t116 = w4_y * w4_z;
+        let t116 = t53 * w4_z;
         let t117 = t112 + t113;
-        let t118 = t114 - dw4_z;
+        let t118 = dw4_z + t114;
         let t119 = t115 - t97;
-        let t120 = dw4_z + t114;
+        let t120 = t114 - dw4_z;
         let t121 = t111 + t113;
-        let t122 = dw4_x - t116;
+        let t122 = t116 - t96;
         let t123 = t97 + t115;
-        let t124 = dw4_x + t116;
+        let t124 = t96 + t116;
         let t125 = t111 + t112;
-        let t129 = t89 + D5 * t118;
+        let t129 = D5 * t118 - t89;
         let t130 = a4_y + D5 * t121;
-        let t131 = D5 * t124 - t86;
-        let t134 = c5 * t129 + s5 * t131;
-        let t137 = c5 * t131 - s5 * t129;
-        let t138 = w4_y - dq5;
-        let dw5_x = c5 * dw4_x + s5 * dw4_z + dq5 * w5_y;
-        let dw5_y = c5 * dw4_z - s5 * dw4_x - dq5 * w5_x;
+        let t131 = t86 + D5 * t124;
+        let a5_x = c5 * t129 + s5 * t131;
+        let a5_y = c5 * t131 - s5 * t129;
+        let w5_z = t53 + dq5;
+        let dw5_x = s5 * dw4_z - c5 * t96 + dq5 * w5_y;
+        let dw5_y = c5 * dw4_z + s5 * t96 - dq5 * w5_x;
         let dw5_z = t97 + ddq5;
-        put(71, t114); // row 2, YY4
+        put(70, t114); // row 2, XX4
         put(74, t122); // row 2, XZ4
         put(75, t119); // row 2, YZ4
-        put(109, t114); // row 3, YY4
+        put(108, t114); // row 3, XX4
         put(112, t122); // row 3, XZ4
         put(113, t119); // row 3, YZ4
-        put(137, t114); // row 4, YY4
+        put(136, t114); // row 4, XX4
         put(140, t122); // row 4, XZ4
         put(141, t119); // row 4, YZ4
-        put(163, t134); // row 5, MSY5
+        put(162, a5_y); // row 5, MSX5
         put(166, dw5_z); // row 5, ZZ5
         [
         w5_x, w5_y, t111, t112, t113, t114, t115, t116,
         t117, t118, t119, t120, t121, t122, t123, t124,
-        t125, t130, t134, t137, t138, dw5_x, dw5_y, dw5_z,
+        t125, t130, a5_x, a5_y, w5_z, dw5_x, dw5_y, dw5_z,
     ]
     };
     // link 6: motion
     let [
         w6_x, t149, t156, t157, t158, t159, t160, t161,
         t162, t163, t164, t165, t166, t167, t168, t169,
-        t170, t175, t179, a6_y, w6_z, dw6_x, t187, dw6_z,
+        t170, t175, t179, a6_y, w6_z, t186, t187, dw6_z,
     ] = {
-        let w6_x = c6 * w5_x + s6 * t138;
-        let t149 = c6 * t138 - s6 * w5_x;
+        let w6_x = c6 * w5_x - s6 * w5_z;
+        let t149 = c6 * w5_z + s6 * w5_x;
         let t156 = w5_x * w5_x;
         let t157 = w5_y * w5_y;
-        let t158 = t138 * t138;
+        let t158 = w5_z * w5_z;
         let t159 = w5_x * w5_y;
-        let t160 = w5_x * t138;
-        let t161 = w5_y * t138;
+        let t160 = w5_x * w5_z;
+        let t161 = w5_y * w5_z;
         let t162 = t157 + t158;
-        let t163 = t159 - dw5_z;
-        let t164 = dw5_y - t160;
+        let t163 = dw5_z - t159;
+        let t164 = dw5_y + t160;
         let t165 = dw5_z + t159;
         let t166 = t156 + t158;
-        let t167 = dw5_x + t161;
-        let t168 = dw5_y + t160;
-        let t169 = dw5_x - t161;
+        let t167 = dw5_x - t161;
+        let t168 = t160 - dw5_y;
+        let t169 = dw5_x + t161;
         let t170 = t156 + t157;
-        let t174 = t134 - D6 * t163;
-        let t175 = t137 + D6 * t166;
+        let t174 = D6 * t163 - a5_x;
+        let t175 = a5_y - D6 * t166;
         let t176 = t130 - D6 * t169;
         let t179 = c6 * t174 - s6 * t176;
         let a6_y = c6 * t176 + s6 * t174;
         let w6_z = w5_y + dq6;
-        let dw6_x = dq6 * t149 - (s6 * dw5_z - c6 * dw5_x);
+        let t186 = s6 * dw5_z - c6 * dw5_x + dq6 * t149;
         let t187 = c6 * dw5_z + s6 * dw5_x + dq6 * w6_x;
         let dw6_z = dw5_y + ddq6;
         put(165, t159); // row 5, YY5
@@ -255,7 +255,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [
         w6_x, t149, t156, t157, t158, t159, t160, t161,
         t162, t163, t164, t165, t166, t167, t168, t169,
-        t170, t175, t179, a6_y, w6_z, dw6_x, t187, dw6_z,
+        t170, t175, t179, a6_y, w6_z, t186, t187, dw6_z,
     ]
     };
     // joint axes in frame 3
@@ -269,31 +269,31 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // joint axes in frame 4
     let [
-        v1_4_z, z1_4_x, t207, t210, v1_5_z, v2_4_x, v2_4_y, t221,
+        t201, t204, t207, t210, v1_5_z, t217, t220, t221,
         v3_5_z,
     ] = {
         let t198 = D4 * t195;
         let t199 = D4 * z1_3_x;
-        let v1_4_z = v1_3_z - k2 * t195;
-        let z1_4_x = c4 * z1_3_x - s4 * t195;
+        let t201 = k2 * t195 - v1_3_z;
+        let t204 = s4 * t195 - c4 * z1_3_x;
         let t207 = c4 * t195 + s4 * z1_3_x;
         let t210 = c4 * t198 + s4 * t199;
         let v1_5_z = c4 * t199 - s4 * t198;
-        let t214 = A3 - t197;
-        let v2_4_x = s4 * t214 - c4 * t196;
-        let v2_4_y = c4 * t214 + s4 * t196;
+        let t214 = t197 - A3;
+        let t217 = c4 * t196 + s4 * t214;
+        let t220 = c4 * t214 - s4 * t196;
         let t221 = s4 * k2;
         let v3_5_z = c4 * k2;
         [
-        v1_4_z, z1_4_x, t207, t210, v1_5_z, v2_4_x, v2_4_y, t221,
+        t201, t204, t207, t210, v1_5_z, t217, t220, t221,
         v3_5_z,
     ]
     };
     // joint axes in frame 5
-    let [z1_5_x, t224] = {
-        let z1_5_x = c5 * z1_4_x;
-        let t224 = s5 * z1_4_x;
-        [z1_5_x, t224]
+    let [t223, t224] = {
+        let t223 = c5 * t204;
+        let t224 = s5 * t204;
+        [t223, t224]
     };
     // MSZ2: column
     {
@@ -328,12 +328,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // XZ2: column
     {
-        let t242 = s2 * t28 + c2 * (t24 - t22);
+        let t242 = s2 * t28 - c2 * (t22 - t24);
         put(6, t242); // row 1, XZ2
     }
     // YZ2: column
     {
-        let t246 = s2 * (t23 - t24) + c2 * t27;
+        let t246 = s2 * (t23 - t24) - c2 * t27;
         put(7, t246); // row 1, YZ2
     }
     // M3: column
@@ -346,14 +346,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSX3: column
     {
         let t253 = t33 * t195 + t72 * v1_3_z;
-        let t257 = t66 * t196 - t69 * t197 - t41;
+        let t257 = t66 * t196 + t69 * t197 - t41;
         put(9, t253); // row 1, MSX3
         put(57, t257); // row 2, MSX3
     }
     // MSY3: column
     {
-        let t260 = t33 * z1_3_x + t73 * v1_3_z;
-        let t264 = t38 + (t70 * t197 - t67 * t196);
+        let t260 = t33 * z1_3_x - t73 * v1_3_z;
+        let t264 = t38 + (t67 * t196 + t70 * t197);
         put(10, t260); // row 1, MSY3
         put(58, t264); // row 2, MSY3
     }
@@ -374,37 +374,37 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // YY3: column
     let t276 = {
         let t276 = t65 * z1_3_x;
-        let t278 = t46 * t195 - t276;
+        let t278 = t276 + t46 * t195;
         put(13, t278); // row 1, YY3
         t276
     };
     // ZZ3: column
     {
-        let t279 = t274 + t276;
+        let t279 = t274 - t276;
         put(14, t279); // row 1, ZZ3
     }
     // XY3: column
-    let t283 = {
+    {
         let t280 = t60 - t61;
-        let t283 = t72 * z1_3_x + t73 * t195;
+        let t283 = t73 * t195 - t72 * z1_3_x;
+        put(15, t283); // row 1, XY3
         put(63, t280); // row 2, XY3
         put(101, t280); // row 3, XY3
-        t283
-    };
+    }
     // XZ3: column
     {
-        let t287 = t69 * z1_3_x - t195 * (t62 - t60);
+        let t287 = t195 * (t60 - t62) - t69 * z1_3_x;
         put(16, t287); // row 1, XZ3
     }
     // YZ3: column
     {
-        let t291 = z1_3_x * (t61 - t62) + t67 * t195;
+        let t291 = z1_3_x * (t61 - t62) - t67 * t195;
         put(17, t291); // row 1, YZ3
     }
     // M4: column
     {
-        let t296 = t86 * v1_4_z - (a4_y * v1_5_z - t89 * t210);
-        let t299 = a4_y * v2_4_y - t89 * v2_4_x;
+        let t296 = t89 * t210 - a4_y * v1_5_z - t86 * t201;
+        let t299 = t89 * t217 - a4_y * t220;
         let t302 = t89 * t221 - a4_y * v3_5_z;
         put(18, t296); // row 1, M4
         put(66, t299); // row 2, M4
@@ -412,27 +412,27 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // MSX4: column
     {
-        let t309 = t86 * t207 + (t123 * v1_4_z + (t117 * t210 - t120 * v1_5_z));
-        let t313 = a4_y + (t120 * v2_4_y - t117 * v2_4_x);
-        let t317 = a4_y + (t117 * t221 - t120 * v3_5_z);
+        let t309 = t86 * t207 - (t123 * t201 - (t117 * t210 + t120 * v1_5_z));
+        let t313 = a4_y + (t117 * t217 + t120 * t220);
+        let t317 = a4_y + (t117 * t221 + t120 * v3_5_z);
         put(19, t309); // row 1, MSX4
         put(67, t313); // row 2, MSX4
         put(105, t317); // row 3, MSX4
     }
     // MSY4: column
     {
-        let t324 = t86 * z1_4_x + (t124 * v1_4_z + (t121 * v1_5_z - t118 * t210));
-        let t328 = t89 - (t121 * v2_4_y - t118 * v2_4_x);
-        let t332 = t89 + (t121 * v3_5_z - t118 * t221);
+        let t324 = t124 * t201 + (t118 * t210 + t121 * v1_5_z) - t86 * t204;
+        let t328 = t89 + (t118 * t217 + t121 * t220);
+        let t332 = t89 + (t118 * t221 + t121 * v3_5_z);
         put(20, t324); // row 1, MSY4
         put(68, t328); // row 2, MSY4
         put(106, t332); // row 3, MSY4
     }
     // MSZ4: column
     {
-        let t335 = a4_y * z1_4_x - t89 * t207;
-        let t341 = t122 * v1_5_z - t119 * t210 - t125 * v1_4_z - t335;
-        let t344 = t119 * v2_4_x - t122 * v2_4_y;
+        let t340 = t125 * t201 + (t122 * v1_5_z - t119 * t210);
+        let t341 = a4_y * t204 + t89 * t207 + t340;
+        let t344 = t122 * t220 - t119 * t217;
         let t347 = t122 * v3_5_z - t119 * t221;
         put(21, t341); // row 1, MSZ4
         put(69, t344); // row 2, MSZ4
@@ -441,13 +441,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XX4: column
     let t349 = {
         let t349 = t115 * t207;
-        let t350 = dw4_x * z1_4_x - t349;
+        let t350 = t96 * t204 - t349;
         put(22, t350); // row 1, XX4
         t349
     };
     // YY4: column
     let t351 = {
-        let t351 = t116 * z1_4_x;
+        let t351 = t116 * t204;
         let t353 = t97 * t207 - t351;
         put(23, t353); // row 1, YY4
         t351
@@ -458,31 +458,31 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(24, t354); // row 1, ZZ4
     }
     // XY4: column
-    let t358 = {
+    {
         let t355 = t111 - t112;
-        let t358 = t123 * z1_4_x + t124 * t207;
+        let t358 = t123 * t204 + t124 * t207;
+        put(25, t358); // row 1, XY4
         put(73, t355); // row 2, XY4
         put(111, t355); // row 3, XY4
         put(139, t355); // row 4, XY4
-        t358
-    };
+    }
     // XZ4: column
     {
-        let t362 = t120 * z1_4_x + t207 * (t111 - t113);
+        let t362 = t120 * t204 + t207 * (t111 - t113);
         put(26, t362); // row 1, XZ4
     }
     // YZ4: column
     {
-        let t366 = z1_4_x * (t112 - t113) + t118 * t207;
+        let t366 = t204 * (t113 - t112) - t118 * t207;
         put(27, t366); // row 1, YZ4
     }
     // M5: column
     let [t369, t372] = {
-        let t369 = s5 * t137 - c5 * t134;
-        let t372 = s5 * t134 + c5 * t137;
+        let t369 = c5 * a5_x - s5 * a5_y;
+        let t372 = s5 * a5_x + c5 * a5_y;
         let t374 = D5 * t369;
-        let t381 = z1_4_x * (D5 * t372) - (v1_4_z * t372 + (t210 * t369 + t130 * v1_5_z));
-        let t385 = t374 + (v2_4_x * t369 + t130 * v2_4_y);
+        let t381 = t204 * (D5 * t372) - (t201 * t372 + (t210 * t369 + t130 * v1_5_z));
+        let t385 = t374 - (t217 * t369 + t130 * t220);
         let t389 = t374 - (t221 * t369 + t130 * v3_5_z);
         put(28, t381); // row 1, M5
         put(76, t385); // row 2, M5
@@ -494,14 +494,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [t391, t396, t397] = {
         let t391 = s5 * t165;
         let t392 = c5 * t162 + t391;
-        let t395 = c5 * t165 - s5 * t162;
+        let t395 = s5 * t162 - c5 * t165;
         let t396 = s5 * t130;
         let t397 = c5 * t130;
         let t401 = t397 - D5 * t392;
-        let t404 = z1_4_x * (t396 + D5 * t395) + t137 * t207;
-        let t410 = v1_4_z * t395 + (t210 * t392 - t168 * v1_5_z) - t404;
-        let t414 = t401 - (v2_4_x * t392 - t168 * v2_4_y);
-        let t418 = t401 - (t168 * v3_5_z - t221 * t392);
+        let t409 = t201 * t395 + (t210 * t392 + t168 * v1_5_z);
+        let t410 = a5_y * t207 - t204 * (D5 * t395 - t396) + t409;
+        let t414 = t401 + (t217 * t392 + t168 * t220);
+        let t418 = t401 + (t221 * t392 + t168 * v3_5_z);
         put(29, t410); // row 1, MSX5
         put(77, t414); // row 2, MSX5
         put(115, t418); // row 3, MSX5
@@ -511,13 +511,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSY5: column
     let t419 = {
         let t419 = c5 * t163;
-        let t421 = t419 + s5 * t166;
-        let t424 = s5 * t163 - c5 * t166;
+        let t421 = s5 * t166 - t419;
+        let t424 = s5 * t163 + c5 * t166;
         let t428 = D5 * t421 - t396;
-        let t436 = v1_4_z * t424 + (t169 * v1_5_z - t210 * t421);
-        let t437 = t134 * t207 - z1_4_x * (t397 + D5 * t424) + t436;
-        let t441 = t428 + (v2_4_x * t421 - t169 * v2_4_y);
-        let t445 = t428 - (t221 * t421 - t169 * v3_5_z);
+        let t436 = t201 * t424 + (t169 * v1_5_z - t210 * t421);
+        let t437 = t204 * (t397 - D5 * t424) - a5_x * t207 + t436;
+        let t441 = t428 + (t169 * t220 - t217 * t421);
+        let t445 = t428 + (t169 * v3_5_z - t221 * t421);
         put(30, t437); // row 1, MSY5
         put(78, t441); // row 2, MSY5
         put(116, t445); // row 3, MSY5
@@ -527,11 +527,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSZ5: column
     {
         let t448 = c5 * t164 + s5 * t167;
-        let t451 = c5 * t167 - s5 * t164;
+        let t451 = s5 * t164 - c5 * t167;
         let t455 = t369 + D5 * t448;
-        let t461 = v1_4_z * t451 + (t210 * t448 + t170 * v1_5_z);
-        let t462 = z1_4_x * (t372 + D5 * t451) - t461;
-        let t466 = t455 + (v2_4_x * t448 + t170 * v2_4_y);
+        let t461 = t201 * t451 + (t210 * t448 + t170 * v1_5_z);
+        let t462 = t204 * (t372 + D5 * t451) - t461;
+        let t466 = t455 - (t217 * t448 + t170 * t220);
         let t470 = t455 - (t221 * t448 + t170 * v3_5_z);
         put(31, t462); // row 1, MSZ5
         put(79, t466); // row 2, MSZ5
@@ -542,9 +542,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [t472, t473, t477] = {
         let t472 = t160 * t224;
         let t473 = t159 * t207;
-        let t475 = dw5_x * z1_5_x + t472 - t473;
+        let t475 = t472 - dw5_x * t223 - t473;
         let t477 = c5 * t160;
-        let t478 = s5 * dw5_x - t477;
+        let t478 = s5 * dw5_x + t477;
         put(32, t475); // row 1, XX5
         put(80, t478); // row 2, XX5
         put(118, t478); // row 3, XX5
@@ -553,10 +553,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // YY5: column
     let [t479, t483] = {
-        let t479 = t161 * z1_5_x;
-        let t482 = t473 + (t479 - dw5_y * t224);
+        let t479 = t161 * t223;
+        let t482 = t473 + (t479 + dw5_y * t224);
         let t483 = s5 * t161;
-        let t485 = t483 + c5 * dw5_y;
+        let t485 = c5 * dw5_y - t483;
         put(33, t482); // row 1, YY5
         put(81, t485); // row 2, YY5
         put(119, t485); // row 3, YY5
@@ -566,7 +566,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // ZZ5: column
     {
         let t488 = dw5_z * t207 - (t472 + t479);
-        let t489 = t477 - t483;
+        let t489 = t483 - t477;
         put(34, t488); // row 1, ZZ5
         put(82, t489); // row 2, ZZ5
         put(120, t489); // row 3, ZZ5
@@ -575,8 +575,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XY5: column
     {
         let t490 = t156 - t157;
-        let t495 = t207 * t490 + (t168 * z1_5_x - t169 * t224);
-        let t498 = s5 * t168 + c5 * t169;
+        let t495 = t207 * t490 + (t168 * t223 + t169 * t224);
+        let t498 = c5 * t169 - s5 * t168;
         put(35, t495); // row 1, XY5
         put(83, t498); // row 2, XY5
         put(121, t498); // row 3, XY5
@@ -586,7 +586,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XZ5: column
     {
         let t499 = t158 - t156;
-        let t504 = t167 * t207 + (t165 * z1_5_x - t224 * t499);
+        let t504 = t167 * t207 - (t165 * t223 - t224 * t499);
         let t506 = t391 + c5 * t499;
         put(36, t504); // row 1, XZ5
         put(84, t506); // row 2, XZ5
@@ -595,9 +595,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // YZ5: column
     {
-        let t507 = t157 - t158;
-        let t512 = t164 * t207 + (z1_5_x * t507 + t163 * t224);
-        let t514 = s5 * t507 - t419;
+        let t507 = t158 - t157;
+        let t512 = t164 * t207 + (t223 * t507 + t163 * t224);
+        let t514 = t419 - s5 * t507;
         put(37, t512); // row 1, YZ5
         put(85, t514); // row 2, YZ5
         put(123, t514); // row 3, YZ5
@@ -616,31 +616,31 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t519 = w6_x * w6_z;
         let t520 = t149 * w6_z;
         let t521 = t516 + t517;
-        let t522 = t518 - dw6_z;
+        let t522 = dw6_z + t518;
         let t523 = t519 - t187;
-        let t524 = dw6_z + t518;
+        let t524 = dw6_z - t518;
         let t525 = t515 + t517;
-        let t526 = dw6_x - t520;
+        let t526 = t520 - t186;
         let t527 = t187 + t519;
-        let t528 = dw6_x + t520;
+        let t528 = t186 + t520;
         let t529 = t515 + t516;
         let t532 = c6 * t179 + s6 * a6_y;
         let t535 = s6 * t179 - c6 * a6_y;
         let t536 = D6 * t535;
         let t537 = D6 * t532;
-        let t540 = c5 * t532 - s5 * t175;
-        let t543 = s5 * t532 + c5 * t175;
+        let t540 = c5 * t532 + s5 * t175;
+        let t543 = s5 * t532 - c5 * t175;
         let t549 = s5 * t536 - D5 * t540;
-        let t557 = t210 * t540 + v1_5_z * t535 - v1_4_z * t543;
-        let t558 = z1_4_x * (c5 * t536 + D5 * t543) + t207 * t537 + t557;
-        let t562 = t549 - (v2_4_x * t540 + v2_4_y * t535);
+        let t557 = t201 * t543 + (t210 * t540 + v1_5_z * t535);
+        let t558 = t207 * t537 - t204 * (c5 * t536 + D5 * t543) + t557;
+        let t562 = t549 + (t217 * t540 + t220 * t535);
         let t566 = t549 + (t221 * t540 + v3_5_z * t535);
         put(38, t558); // row 1, M6
         put(86, t562); // row 2, M6
         put(124, t566); // row 3, M6
         put(152, t549); // row 4, M6
         put(170, t537); // row 5, M6
-        put(183, t518); // row 6, YY6
+        put(182, t518); // row 6, XX6
         put(186, t526); // row 6, XZ6
         put(187, t523); // row 6, YZ6
         [
@@ -654,18 +654,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t568 = s6 * t524;
         let t569 = c6 * t521 + t568;
         let t571 = c6 * t524;
-        let t572 = t571 - s6 * t521;
+        let t572 = s6 * t521 - t571;
         let t573 = s6 * t175;
         let t574 = c6 * t175;
         let t577 = t573 + D6 * t572;
-        let t578 = D6 * t569 - t574;
+        let t578 = t574 + D6 * t569;
         let t581 = c5 * t569 + s5 * t527;
-        let t584 = c5 * t527 - s5 * t569;
-        let t594 = c5 * a6_y - s5 * t577 - D5 * t581;
-        let t597 = t207 * t578 - z1_4_x * (c5 * t577 + s5 * a6_y + D5 * t584);
-        let t603 = t597 + (v1_4_z * t584 + (t210 * t581 - v1_5_z * t572));
-        let t607 = t594 - (v2_4_x * t581 - v2_4_y * t572);
-        let t611 = t594 + (t221 * t581 - v3_5_z * t572);
+        let t584 = s5 * t569 - c5 * t527;
+        let t594 = s5 * t577 + c5 * a6_y - D5 * t581;
+        let t597 = t207 * t578 - t204 * (c5 * t577 - s5 * a6_y + D5 * t584);
+        let t603 = t597 + (t201 * t584 + (t210 * t581 + v1_5_z * t572));
+        let t607 = t594 + (t217 * t581 + t220 * t572);
+        let t611 = t594 + (t221 * t581 + v3_5_z * t572);
         put(39, t603); // row 1, MSX6
         put(87, t607); // row 2, MSX6
         put(125, t611); // row 3, MSX6
@@ -676,18 +676,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSY6: column
     let [t612, t615] = {
         let t612 = c6 * t522;
-        let t614 = t612 + s6 * t525;
+        let t614 = t612 - s6 * t525;
         let t615 = s6 * t522;
-        let t617 = t615 - c6 * t525;
+        let t617 = t615 + c6 * t525;
         let t620 = t574 + D6 * t617;
-        let t621 = t573 - D6 * t614;
-        let t624 = c5 * t614 - s5 * t528;
+        let t621 = D6 * t614 - t573;
+        let t624 = s5 * t528 - c5 * t614;
         let t627 = s5 * t614 + c5 * t528;
-        let t637 = c5 * t179 - s5 * t620 + D5 * t624;
-        let t640 = t207 * t621 - z1_4_x * (c5 * t620 + s5 * t179 + D5 * t627);
-        let t646 = t640 - (t210 * t624 + v1_5_z * t617 - v1_4_z * t627);
-        let t650 = t637 + (v2_4_x * t624 + v2_4_y * t617);
-        let t654 = t637 - (t221 * t624 + v3_5_z * t617);
+        let t637 = s5 * t620 + c5 * t179 + D5 * t624;
+        let t640 = t204 * (s5 * t179 - c5 * t620 - D5 * t627) + t207 * t621;
+        let t646 = t640 + (t201 * t627 - (t210 * t624 - v1_5_z * t617));
+        let t650 = t637 + (t220 * t617 - t217 * t624);
+        let t654 = t637 + (v3_5_z * t617 - t221 * t624);
         put(40, t646); // row 1, MSY6
         put(88, t650); // row 2, MSY6
         put(126, t654); // row 3, MSY6
@@ -704,9 +704,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t667 = c5 * t657 + s5 * t529;
         let t670 = s5 * t657 - c5 * t529;
         let t676 = s5 * t663 + D5 * t667;
-        let t684 = v1_4_z * t670 - (t210 * t667 - v1_5_z * t660);
-        let t685 = t207 * t664 - z1_4_x * (D5 * t670 - c5 * t663) + t684;
-        let t689 = t676 + (v2_4_x * t667 - v2_4_y * t660);
+        let t684 = v1_5_z * t660 - t210 * t667 - t201 * t670;
+        let t685 = t204 * (D5 * t670 - c5 * t663) + t207 * t664 + t684;
+        let t689 = t676 + (t220 * t660 - t217 * t667);
         let t693 = t676 - (t221 * t667 - v3_5_z * t660);
         put(41, t685); // row 1, MSZ6
         put(89, t689); // row 2, MSZ6
@@ -715,29 +715,30 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(173, t664); // row 5, MSZ6
     }
     // XX6: column
-    let [t695, t698, t699, t701, t706] = {
+    let [t695, t698, t701, t706] = {
         let t695 = s6 * t519;
-        let t696 = c6 * dw6_x - t695;
+        let t696 = c6 * t186 + t695;
         let t698 = c6 * t519;
-        let t699 = s6 * dw6_x + t698;
+        let t699 = s6 * t186 - t698;
         let t701 = t224 * t518;
-        let t704 = z1_5_x * t696 + t701 - t207 * t699;
+        let t704 = t207 * t699 + (t223 * t696 + t701);
         let t706 = c5 * t518;
-        let t707 = s5 * t696 - t706;
+        let t707 = t706 - s5 * t696;
         put(42, t704); // row 1, XX6
         put(90, t707); // row 2, XX6
         put(128, t707); // row 3, XX6
         put(156, t707); // row 4, XX6
-        [t695, t698, t699, t701, t706]
+        put(174, t699); // row 5, XX6
+        [t695, t698, t701, t706]
     };
     // YY6: column
     let [t708, t711] = {
         let t708 = c6 * t520;
-        let t710 = t708 - s6 * t187;
+        let t710 = t708 + s6 * t187;
         let t711 = s6 * t520;
-        let t713 = t711 + c6 * t187;
-        let t717 = t207 * t713 - (t701 + z1_5_x * t710);
-        let t719 = t706 - s5 * t710;
+        let t713 = c6 * t187 - t711;
+        let t717 = t207 * t713 - (t701 + t223 * t710);
+        let t719 = s5 * t710 - t706;
         put(43, t717); // row 1, YY6
         put(91, t719); // row 2, YY6
         put(129, t719); // row 3, YY6
@@ -747,9 +748,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // ZZ6: column
     {
-        let t720 = t695 + t708;
-        let t721 = t698 - t711;
-        let t726 = t207 * t721 + (z1_5_x * t720 - dw6_z * t224);
+        let t720 = t695 - t708;
+        let t721 = t698 + t711;
+        let t726 = t207 * t721 - (t223 * t720 - dw6_z * t224);
         let t729 = s5 * t720 + c5 * dw6_z;
         put(44, t726); // row 1, ZZ6
         put(92, t729); // row 2, ZZ6
@@ -760,10 +761,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // XY6: column
     {
         let t730 = t515 - t516;
-        let t733 = c6 * t527 + s6 * t528;
-        let t736 = s6 * t527 - c6 * t528;
-        let t741 = t207 * t736 - (z1_5_x * t733 + t224 * t730);
-        let t744 = c5 * t730 - s5 * t733;
+        let t733 = s6 * t528 - c6 * t527;
+        let t736 = s6 * t527 + c6 * t528;
+        let t741 = t207 * t736 - (t223 * t733 - t224 * t730);
+        let t744 = s5 * t733 + c5 * t730;
         put(45, t741); // row 1, XY6
         put(93, t744); // row 2, XY6
         put(131, t744); // row 3, XY6
@@ -776,7 +777,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t745 = t515 - t517;
         let t747 = t571 + s6 * t745;
         let t749 = c6 * t745 - t568;
-        let t754 = t207 * t749 + (z1_5_x * t747 - t224 * t526);
+        let t754 = t207 * t749 - (t223 * t747 - t224 * t526);
         let t757 = s5 * t747 + c5 * t526;
         put(46, t754); // row 1, XZ6
         put(94, t757); // row 2, XZ6
@@ -786,40 +787,34 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // YZ6: column
     {
-        let t758 = t516 - t517;
+        let t758 = t517 - t516;
         let t760 = t615 + c6 * t758;
-        let t762 = t612 - s6 * t758;
-        let t767 = t207 * t762 - (t224 * t523 - z1_5_x * t760);
-        let t770 = s5 * t760 + c5 * t523;
-        let t771 = -t283;
-        let t772 = -t358;
-        let t773 = -a2_x;
-        let t774 = -t25;
-        let t775 = -t63;
-        let t776 = -t114;
-        let t777 = -t41;
-        let t778 = -t137;
-        let t779 = -t159;
-        let t780 = -t699;
-        let t781 = -t518;
-        put(15, t771); // row 1, XY3
-        put(25, t772); // row 1, XY4
+        let t762 = s6 * t758 - t612;
+        let t767 = t207 * t762 + (t223 * t760 + t224 * t523);
+        let t770 = c5 * t523 - s5 * t760;
+        let t771 = -a2_x;
+        let t772 = -t25;
+        let t773 = -t63;
+        let t774 = -t114;
+        let t775 = -t41;
+        let t776 = -a5_x;
+        let t777 = -t159;
+        let t778 = -t518;
         put(47, t767); // row 1, YZ6
-        put(49, t773); // row 2, MSY2
-        put(50, t774); // row 2, XX2
-        put(60, t775); // row 2, XX3
-        put(70, t776); // row 2, XX4
+        put(49, t771); // row 2, MSY2
+        put(50, t772); // row 2, XX2
+        put(61, t773); // row 2, YY3
+        put(71, t774); // row 2, YY4
         put(95, t770); // row 2, YZ6
-        put(96, t777); // row 3, MSX3
-        put(98, t775); // row 3, XX3
-        put(108, t776); // row 3, XX4
+        put(96, t775); // row 3, MSX3
+        put(99, t773); // row 3, YY3
+        put(109, t774); // row 3, YY4
         put(133, t770); // row 3, YZ6
-        put(136, t776); // row 4, XX4
+        put(137, t774); // row 4, YY4
         put(161, t770); // row 4, YZ6
-        put(162, t778); // row 5, MSX5
-        put(164, t779); // row 5, XX5
-        put(174, t780); // row 5, XX6
+        put(163, t776); // row 5, MSY5
+        put(164, t777); // row 5, XX5
         put(179, t762); // row 5, YZ6
-        put(182, t781); // row 6, XX6
+        put(183, t778); // row 6, YY6
     }
 }
