@@ -52,3 +52,50 @@ pub trait Arm: Sync {
     /// Torques from standard parameters (`P`), joint-major like the states.
     fn inverse_dynamics(&self, states: &States, standard: &[f64], out: &mut [f64]);
 }
+
+/// A change of an arm that none of its parameters can express.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Change {
+    /// The base is turned by `RotY(pitch) RotX(roll)`, rad, against where its file says it stands.
+    Base {
+        /// About x, rad.
+        roll: f64,
+        /// About y, rad.
+        pitch: f64,
+    },
+    /// A row of the DH table is longer or more twisted than its file says.
+    Row {
+        /// Number of the row, from 0.
+        row: usize,
+        /// Added to `alpha`, rad.
+        alpha: f64,
+        /// Added to `d`, m.
+        d: f64,
+        /// Added to `theta`, rad.
+        theta: f64,
+        /// Added to `r`, m.
+        r: f64,
+    },
+}
+
+/// An arm whose geometry can be questioned: what a diagnosis needs beyond [`Arm`].
+pub trait Plant: Arm {
+    /// Row of each joint, from 0, base to tip.
+    fn rows(&self) -> &[usize];
+
+    /// Motor turns per joint turn, where the file tells.
+    fn gear_ratios(&self) -> &[Option<f64>];
+
+    /// Values of the standard parameters in the file (`P`); `None` where it has no links.
+    fn given(&self) -> Option<&[f64]>;
+
+    /// Value of a drive parameter (index into the standard parameters) in the file, whether or not it has links.
+    fn given_drive(&self, index: usize) -> f64;
+
+    /// [`Arm::inverse_dynamics`] of the arm with a change.
+    fn changed_dynamics(&self, change: &Change, states: &States, standard: &[f64], out: &mut [f64]);
+
+    /// `J'` in the axes of the last frame: the torque on joint `j` of a unit of component `c` (`fx fy fz mx my mz`, at the origin of the
+    /// last frame, in its axes) of a wrench on it at sample `s` goes to `out[(c * n + j) * len + s]`.
+    fn wrench_columns(&self, states: &States, out: &mut [f64]);
+}

@@ -1,6 +1,7 @@
 //! The command line: one verb, one file. Only this room touches disk and terminal.
 
 mod check;
+mod diagnose;
 mod eval;
 mod files;
 mod generate;
@@ -22,6 +23,8 @@ enum Command {
     Check(check::Check),
     /// Write the drop-in crate with the robot's closed-form functions.
     Generate(generate::Generate),
+    /// Find what a simulation of the robot file gets wrong, name the causes, extend the model, measure the gain.
+    Diagnose(diagnose::Diagnose),
     /// Evaluate a quantity of the robot at given states.
     Eval(eval::Eval),
     /// Identify the base parameters from logs, and write the robot file with the values in place.
@@ -37,6 +40,7 @@ impl Cli {
         match self.command {
             Command::Check(verb) => verb.run(),
             Command::Generate(verb) => verb.run(),
+            Command::Diagnose(verb) => verb.run(),
             Command::Eval(verb) => verb.run(),
             Command::Identify(verb) => verb.run(),
         }

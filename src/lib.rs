@@ -29,9 +29,12 @@
 
 pub mod arm;
 pub mod cli;
+pub mod diagnose;
+pub mod extend;
 pub mod identify;
 pub mod interpreted;
 pub mod log;
 pub mod numeric;
+pub mod plant;
 pub mod report;
 pub mod signal;

@@ -2,12 +2,16 @@
 
 pub mod check_json;
 pub mod check_text;
+mod diagnose_json;
+mod diagnose_text;
 pub mod eval_json;
 mod identify_html;
 mod identify_json;
 mod identify_text;
 mod number;
 
+pub use diagnose_json::diagnose_json;
+pub use diagnose_text::{diagnose_text, diagnose_verdict};
 pub use identify_html::identify_html;
 pub use identify_json::identify_json;
 pub use identify_text::{identify_text, identify_verdict};

@@ -4,8 +4,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use dh_codegen::arm::param::{self, DriveTerm, Parameter};
-use dh_codegen::robot::{Inertia, Robot};
+use dh_codegen::arm::param;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::{Failure, files};
@@ -16,8 +15,8 @@ use crate::identify::{
 };
 use crate::interpreted::Interpreted;
 use crate::log::{Keep, Quantity, open};
-use crate::report;
-use crate::signal::{Derivatives, Filter, Motion, Prepare, Prepared, each_motion};
+use crate::{extend, report};
+use crate::signal::{Derivatives, Filter, Motion, Prepare, PrepareError, Prepared, each_motion};
 
 /// Identify the base parameters from logs, validate them on others, and write the robot file with the values in place.
 ///
@@ -93,7 +92,7 @@ enum Source {
 }
 
 #[derive(Clone, Copy, ValueEnum)]
-enum Torque {
+pub(super) enum Torque {
     Tau,
     Taum,
 }
@@ -130,7 +129,7 @@ impl Identify {
         }
         if let Some(path) = &self.out {
             let standard = recover_standard(&arm, &found.values(), prior.as_deref()).map_err(Failure::other)?;
-            let robot = with_values(file.robot, &standard);
+            let robot = extend::with_values(file.robot, &standard);
             files::write(path, robot.to_yaml().as_bytes())?;
         }
         if let Some(target) = &self.json {
@@ -228,7 +227,17 @@ impl Identify {
 }
 
 /// One pass over a log, with a bar on a terminal.
-fn pass(path: &Path, dof: usize, prepare: &Prepare, sink: impl FnMut(&Motion)) -> Result<Prepared, Failure> {
+pub(super) fn pass(path: &Path, dof: usize, prepare: &Prepare, sink: impl FnMut(&Motion)) -> Result<Prepared, Failure> {
+    try_pass(path, dof, prepare, sink)?.map_err(Failure::input)
+}
+
+/// The same; what preparing refuses comes back as it is, for a caller that can do something about it.
+pub(super) fn try_pass(
+    path: &Path,
+    dof: usize,
+    prepare: &Prepare,
+    sink: impl FnMut(&Motion),
+) -> Result<Result<Prepared, PrepareError>, Failure> {
     let file = files::open(path)?;
     let shown = path.display().to_string();
     let bar = match file.metadata() {
@@ -241,35 +250,7 @@ fn pass(path: &Path, dof: usize, prepare: &Prepare, sink: impl FnMut(&Motion)) -
     bar.set_message(shown.clone());
     let reader: Box<dyn Read> = Box::new(std::io::BufReader::new(bar.wrap_read(file)));
     let mut source = open(&shown, reader).map_err(Failure::input)?;
-    let prepared = each_motion(&mut *source, dof, prepare, sink).map_err(Failure::input)?;
+    let prepared = each_motion(&mut *source, dof, prepare, sink);
     bar.finish_and_clear();
     Ok(prepared)
-}
-
-/// The robot with these standard parameters; what the tool contributes to the last link is taken out again.
-fn with_values(mut robot: Robot, standard: &[f64]) -> Robot {
-    let parameters = param::standard(&robot);
-    let mut links = vec![[0.0; 10]; robot.joints.len()];
-    for (parameter, &value) in parameters.iter().zip(standard) {
-        match *parameter {
-            Parameter::Link(row, which) => links[row][which as usize] = value,
-            Parameter::Drive(row, term) => {
-                let drive = &mut robot.joints[row].drive;
-                *match term {
-                    DriveTerm::IA => &mut drive.rotor_inertia,
-                    DriveTerm::FV => &mut drive.viscous_friction,
-                    DriveTerm::FC => &mut drive.coulomb_friction,
-                    DriveTerm::FO => &mut drive.offset,
-                } = Some(value);
-            }
-        }
-    }
-    if let (Some(tool), Some(last)) = (&robot.tool, links.last_mut())
-        && let Some(inertia) = &tool.inertia
-    {
-        let carried = inertia.moved(&tool.rotation(), &tool.xyz).to_array();
-        last.iter_mut().zip(carried).for_each(|(l, c)| *l -= c);
-    }
-    robot.links = links.into_iter().map(|l| Some(Inertia::from_array(l))).collect();
-    robot
 }

@@ -28,6 +28,8 @@ pub struct Motion {
     pub stride: usize,
     /// Standard deviation of the velocity error that the noise of `q` leaves after the filter, rad/s, per joint.
     pub velocity_noise: Vec<f64>,
+    /// Temperatures as recorded, joint-major, deg C; empty where they were not asked for or not recorded.
+    pub temperature: Vec<f64>,
 }
 
 /// Some used samples of a motion, joint-major.

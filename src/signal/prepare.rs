@@ -62,6 +62,10 @@ pub struct Prepare {
     pub chunk: usize,
     /// Whether motions carry samples around their core, for filtering what is computed from them.
     pub margins: bool,
+    /// Whether the torque is handed on as it was recorded, without the low-pass; [`Motion::sign`] is then not low-passed either.
+    pub raw_torque: bool,
+    /// Whether motions carry the temperatures, `temp1..`, where the log has them.
+    pub temperature: bool,
 }
 
 impl Default for Prepare {
@@ -77,6 +81,8 @@ impl Default for Prepare {
             keep: Keep::default(),
             chunk: 1 << 16,
             margins: false,
+            raw_torque: false,
+            temperature: false,
         }
     }
 }
@@ -200,8 +206,10 @@ pub struct Preparer {
     dof: usize,
     /// Index of `t` among a block's columns.
     time: usize,
-    /// Indices of the channels among a block's columns: `q`, `tau`, then `dq`, `ddq` if they are used.
+    /// Indices of the channels among a block's columns: `q`, `tau`, then `dq`, `ddq`, `temp` if they are used.
     sources: Vec<usize>,
+    /// Where the temperatures stand among the channels.
+    temperature: Option<usize>,
     /// The log's usual step, s.
     nominal: Option<f64>,
     segment: usize,
@@ -245,10 +253,16 @@ impl Preparer {
                 sources.extend(layout.require_all(Quantity::Ddq, dof)?);
             }
         }
+        let mut temperature = None;
+        if prepare.temperature && layout.has(Quantity::Temperature) {
+            temperature = Some(sources.len());
+            sources.extend(layout.require_all(Quantity::Temperature, dof)?);
+        }
         Ok(Self {
             settings: prepare.clone(),
             file: layout.file.clone(),
             dof,
+            temperature,
             time: layout.require(Role::Time)?,
             raw: vec![Vec::new(); sources.len()],
             evened: vec![Vec::new(); sources.len()],
@@ -469,6 +483,7 @@ impl Preparer {
             tau: Vec::with_capacity(dof * (to - from)),
             velocity_noise: Vec::with_capacity(dof),
             sign: Vec::new(),
+            temperature: Vec::new(),
         };
         let mut speeds = Vec::with_capacity(dof);
         for joint in 0..dof {
@@ -478,7 +493,7 @@ impl Preparer {
                 Derivatives::AtRest => (vec![0.0; n], vec![0.0; n]),
                 Derivatives::Recorded => {
                     let dq = smooth(&self.evened[2 * dof + joint]);
-                    let ddq = match self.evened.get(3 * dof + joint) {
+                    let ddq = match self.evened.get(3 * dof + joint).filter(|_| self.temperature != Some(3 * dof)) {
                         Some(ddq) => smooth(ddq),
                         None => central(&dq, clock.period),
                     };
@@ -501,16 +516,22 @@ impl Preparer {
                 let largest = dq.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
                 let noise = (3.0 * motion.velocity_noise[joint]).min(0.02 * largest);
                 let sign = |v: &f64| if v.abs() > noise { v.signum() } else { 0.0 };
-                motion.sign.extend_from_slice(&smooth(&dq.iter().map(sign).collect::<Vec<_>>())[from..to]);
+                let signs: Vec<f64> = dq.iter().map(sign).collect();
+                let signs = if self.settings.raw_torque { signs } else { smooth(&signs) };
+                motion.sign.extend_from_slice(&signs[from..to]);
             }
         }
         for joint in 0..dof {
-            let mut tau = smooth(&self.evened[dof + joint]);
+            let recorded = &self.evened[dof + joint];
+            let mut tau = if self.settings.raw_torque { recorded.clone() } else { smooth(recorded) };
             if let Some(gain) = self.settings.torque_gains.get(joint) {
                 tau.iter_mut().for_each(|t| *t *= gain);
             }
             let tau = later(tau, self.settings.torque_delay / clock.period);
             motion.tau.extend_from_slice(&tau[from..to]);
+            if let Some(first) = self.temperature {
+                motion.temperature.extend_from_slice(&self.evened[first + joint][from..to]);
+            }
         }
         motion
     }

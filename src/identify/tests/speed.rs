@@ -95,6 +95,7 @@ fn ten_thousand_samples() {
         core: 0..len,
         stride: 1,
         velocity_noise: vec![0.0; 7],
+        temperature: Vec::new(),
         ..Default::default()
     };
     eprintln!("{} columns, {} entries", arm.base.len(), arm.pattern.len());

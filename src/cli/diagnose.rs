@@ -1,0 +1,143 @@
+//! `denavit diagnose`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use indicatif::ProgressBar;
+
+use super::{Failure, files, identify::try_pass};
+use crate::arm::Arm;
+use crate::diagnose::{self, Diagnosis, Recording, Settings};
+use crate::log::{Keep, Quantity};
+use crate::plant::RobotPlant;
+use crate::signal::{Filter, Prepare, PrepareError, Prepared};
+use crate::{extend, report};
+
+/// Find what a simulation of the robot file gets wrong, name the causes, extend the model, and measure the gain on logs that were not used.
+///
+/// Every effect of the vocabulary (see the robots' README) is tried on every joint against every other, all other parameters refitted with
+/// it; what is accepted must be confirmed by parts of the data that did not fit it. Torques are used as they were recorded; only
+/// positions are low-passed. Without --validate the last three tenths of each stretch are kept for the measure.
+#[derive(Args)]
+#[command(
+    after_help = "Example:\n  denavit diagnose robots/kuka-lwr4.yaml run1.csv --validate run2.csv \\\n      --out extended.yaml --report diagnosis.html"
+)]
+pub(super) struct Diagnose {
+    /// Robot file, with or without link parameters.
+    robot: PathBuf,
+    /// Logs to look for causes in.
+    #[arg(required = true, value_name = "LOG")]
+    logs: Vec<PathBuf>,
+    /// Logs to measure the gain on; they are not used otherwise.
+    #[arg(long, num_args = 1.., value_name = "LOG")]
+    validate: Vec<PathBuf>,
+    /// Robot file to write, with the effects in it.
+    #[arg(long, value_name = "ROBOT2")]
+    out: Option<PathBuf>,
+    /// Write the result as JSON; `-` for standard output.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write a page with the evidence.
+    #[arg(long, value_name = "FILE.html")]
+    report: Option<PathBuf>,
+    /// Cut-off frequency of the low-pass for positions, Hz.
+    #[arg(long, default_value_t = 15.0)]
+    cutoff: f64,
+    /// Windows per second over which torques are averaged to tell causes apart.
+    #[arg(long, default_value_t = 100.0)]
+    rate: f64,
+    /// Which torque: `tau`, or `taum` (motor side).
+    #[arg(long, value_enum, default_value_t = super::identify::Torque::Tau)]
+    torque: super::identify::Torque,
+    /// Keep what is normally refused, as `identify` does.
+    #[arg(long, value_delimiter = ',', value_name = "WHAT")]
+    keep: Vec<String>,
+}
+
+impl Diagnose {
+    pub(super) fn run(self) -> Result<(), Failure> {
+        if !(self.cutoff > 0.0 && self.cutoff.is_finite()) {
+            return Err(Failure::input(format!("--cutoff {}: a frequency in Hz above 0", self.cutoff)));
+        }
+        if !(self.rate >= 10.0 && self.rate <= 1e5) {
+            return Err(Failure::input(format!("--rate {}: windows per second, from 10 to 100000", self.rate)));
+        }
+        let mut keep = Keep::default();
+        for name in &self.keep {
+            if name == "all" {
+                keep = Keep::all();
+            } else if !keep.set(name) {
+                return Err(Failure::input(format!("--keep {name}: choose among {}, all", Keep::NAMES.join(", "))));
+            }
+        }
+        let file = files::robot(&self.robot)?;
+        let plant = RobotPlant::new(&file.robot);
+        let mut prepared = Vec::new();
+        let mut read = |paths: &[PathBuf]| -> Result<Vec<Recording>, Failure> {
+            paths.iter().map(|path| self.record(path, plant.dof(), keep, &mut prepared)).collect()
+        };
+        let (fit, validate) = (read(&self.logs)?, read(&self.validate)?);
+        let bar = ProgressBar::new_spinner();
+        bar.enable_steady_tick(std::time::Duration::from_millis(120));
+        let settings = Settings { rate: self.rate, ..Settings::default() };
+        let found = diagnose::diagnose(&plant, &fit, &validate, &settings, &|what| bar.set_message(what.to_string()))
+            .map_err(Failure::input)?;
+        bar.finish_and_clear();
+        self.deliver(&found, &prepared, file)
+    }
+
+    fn deliver(&self, found: &Diagnosis, prepared: &[Prepared], file: files::RobotFile) -> Result<(), Failure> {
+        let list = |paths: &[PathBuf]| paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ");
+        let provenance = vec![
+            ("denavit".to_string(), env!("CARGO_PKG_VERSION").to_string()),
+            ("robot file".into(), format!("{} ({} bytes)", self.robot.display(), file.text.len())),
+            ("fitted logs".into(), list(&self.logs)),
+            ("validating logs".into(), list(&self.validate)),
+        ];
+        if let Some(path) = &self.out {
+            let mut text = format!("# {} with what `denavit diagnose` found in {}\n", self.robot.display(), list(&self.logs));
+            for cause in found.causes.iter().filter(|c| c.cause != "unknown") {
+                text.push_str(&format!("# {} (probability {:.2}): {}\n", cause.cause, cause.probability, cause.evidence));
+            }
+            text.push_str(&extend::extended(file.robot, found).to_yaml());
+            files::write(path, text.as_bytes())?;
+        }
+        if let Some(target) = &self.json {
+            files::json(target, &report::diagnose_json(found, prepared, &provenance))?;
+        }
+        if !files::is_stdout(&self.json) {
+            files::print(&report::diagnose_text(found, prepared))?;
+            for path in self.out.iter().chain(&self.report) {
+                files::print(&format!("wrote {}\n", path.display()))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// A log, whole; slow ones with as much of the band as they have.
+    fn record(&self, path: &PathBuf, dof: usize, keep: Keep, prepared: &mut Vec<Prepared>) -> Result<Recording, Failure> {
+        let mut cutoff = self.cutoff;
+        loop {
+            let prepare = Prepare {
+                filter: Some(Filter { order: 4, cutoff }),
+                raw_torque: true,
+                temperature: true,
+                torque: match self.torque {
+                    super::identify::Torque::Tau => Quantity::Tau,
+                    super::identify::Torque::Taum => Quantity::Taum,
+                },
+                keep,
+                ..Prepare::default()
+            };
+            let mut recording = Recording::new(&path.display().to_string());
+            match try_pass(path, dof, &prepare, |motion| recording.absorb(motion))? {
+                Ok(found) => {
+                    prepared.push(found);
+                    return Ok(recording);
+                }
+                Err(PrepareError::Cutoff { .. }) if cutoff > 1.0 => cutoff *= 0.6,
+                Err(error) => return Err(Failure::input(error)),
+            }
+        }
+    }
+}

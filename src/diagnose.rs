@@ -1,0 +1,25 @@
+//! What a simulation of the robot file gets wrong, why, and what it gains to put it right.
+//!
+//! [`Motion`](crate::signal::Motion)s -> [`Recording`] -> windows (`scene`) -> every cause of the vocabulary in every place (`causes`) against
+//! every other (`search`), everything else refitted (`model`, `moments`) -> what is left (`structure`) -> [`Diagnosis`], measured on logs
+//! that were used neither to fit nor to choose.
+//!
+//! Sees a robot only as a [`Plant`](crate::arm::Plant); prints nothing.
+
+mod causes;
+mod evidence;
+mod model;
+mod moments;
+mod noise;
+mod record;
+mod result;
+mod run;
+mod scene;
+mod search;
+mod structure;
+
+pub use causes::Named;
+pub use record::{Recording, Stretch};
+pub use result::{Cause, Curve, Diagnosis, Errors, Evidence, NextExperiment, Verdict};
+pub use run::{DiagnoseError, Settings, diagnose};
+pub use search::SearchSettings;

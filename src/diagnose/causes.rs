@@ -1,0 +1,214 @@
+//! The hypotheses: one cause of the vocabulary, one file.
+//!
+//! A cause names places (joints, or the whole robot) where it may act, and for each place a family of columns: linear in its
+//! coefficients, with a few further numbers (`shape`: a speed, an order, a time) that are searched on a grid and then refined.
+
+use super::scene::{Column, Scene};
+
+mod asymmetric_friction;
+mod backlash;
+mod base_tilt;
+mod encoder_offset;
+mod external_contact;
+mod friction_drift;
+mod gear_coupling;
+mod geometric_error;
+mod joint_elasticity;
+mod joint_spring;
+mod link_inertia_error;
+mod load_dependent_friction;
+mod nonlinear_viscous_friction;
+mod payload;
+mod plain;
+mod position_dependent_friction;
+mod presliding_hysteresis;
+mod rotor_inertia;
+mod stribeck_friction;
+mod time_delay;
+mod torque_gain_error;
+mod torque_ripple;
+mod torque_saturation;
+
+pub use plain::{COULOMB, OFFSET, VISCOUS};
+
+/// What kind of thing a cause is: causes of one kind on one joint look alike.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Torque against the motion.
+    Friction,
+    /// Between motor and link.
+    Transmission,
+    /// How signals are measured.
+    Measurement,
+    /// Masses and geometry.
+    Body,
+    /// From outside.
+    Outside,
+}
+
+/// Where a coefficient must lie for the cause to be what its name says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Sign {
+    /// Anywhere.
+    Any,
+    /// Above zero.
+    Positive,
+    /// Below zero.
+    Negative,
+}
+
+/// A linear coefficient with its column.
+#[derive(Debug, Clone)]
+pub struct Term {
+    /// Symbol, as in a robot file: `FL`.
+    pub symbol: String,
+    /// Unit.
+    pub unit: &'static str,
+    /// What one unit of it adds to the torques.
+    pub column: Column,
+    /// Where it must lie.
+    pub sign: Sign,
+}
+
+impl Term {
+    /// A term.
+    pub fn new(symbol: impl Into<String>, unit: &'static str, column: Column, sign: Sign) -> Self {
+        Self { symbol: symbol.into(), unit, column, sign }
+    }
+}
+
+/// A number of the family in which it is not linear.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shape {
+    /// Symbol: `VS`.
+    pub symbol: &'static str,
+    /// Unit.
+    pub unit: &'static str,
+    /// Smallest and largest sensible value.
+    pub range: [f64; 2],
+    /// How finely it is refined: `None` not at all, else the first step, as a share of the value (positive) or as it is (negative).
+    pub step: Option<f64>,
+}
+
+/// A number with its name for the robot file, the report, the JSON.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Named {
+    /// Symbol, without the joint.
+    pub symbol: String,
+    /// Value.
+    pub value: f64,
+    /// Standard deviation; `None` where it was not estimated.
+    pub std: Option<f64>,
+}
+
+/// A hypothesis of the vocabulary.
+pub trait Cause: Sync {
+    /// Identifier of the contract's section 5.
+    fn name(&self) -> &'static str;
+
+    /// What kind of thing it is.
+    fn kind(&self) -> Kind;
+
+    /// Joints (from 0) of each place where it may act; empty for the whole robot.
+    fn places(&self, scene: &Scene<'_>) -> Vec<Vec<usize>> {
+        (0..scene.dof()).map(|j| vec![j]).collect()
+    }
+
+    /// The numbers in which the family is not linear.
+    fn shape(&self) -> &'static [Shape] {
+        &[]
+    }
+
+    /// Values of the shape to try.
+    fn grid(&self, _scene: &Scene<'_>, _place: &[usize], _residual: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        vec![Vec::new()]
+    }
+
+    /// The family's columns; none where this data can't show it.
+    fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term>;
+
+    /// Whether the columns are difference quotients about zero: the shape's first number is their step, which follows the coefficient.
+    fn secant(&self) -> bool {
+        false
+    }
+
+    /// Whether it may act in one part of the data only, so that the other parts can't vouch for it.
+    fn local(&self) -> bool {
+        false
+    }
+
+    /// Whether more than one instance may act in one place (ripple of several orders).
+    fn repeats(&self) -> bool {
+        false
+    }
+
+    /// Whether the columns depend on the rigid model and so must be made anew when that changes.
+    fn rests_on_model(&self) -> bool {
+        false
+    }
+
+    /// Whether estimated coefficients make sense beyond the sign of each.
+    fn plausible(&self, _scene: &Scene<'_>, _place: &[usize], _shape: &[f64], _x: &[f64]) -> bool {
+        true
+    }
+
+    /// What it does, for the sentence of the evidence.
+    fn says(&self) -> &'static str;
+
+    /// What would tell it from others, or show it better.
+    fn shown_by(&self) -> &'static str;
+}
+
+/// All hypotheses that add columns, in the order of the contract.
+pub static CAUSES: [&dyn Cause; 22] = [
+    &asymmetric_friction::AsymmetricFriction,
+    &stribeck_friction::StribeckFriction,
+    &nonlinear_viscous_friction::NonlinearViscousFriction,
+    &load_dependent_friction::LoadDependentFriction,
+    &presliding_hysteresis::PreslidingHysteresis,
+    &friction_drift::FrictionDrift,
+    &position_dependent_friction::PositionDependentFriction,
+    &rotor_inertia::RotorInertia,
+    &torque_ripple::TorqueRipple,
+    &joint_elasticity::JointElasticity,
+    &backlash::Backlash,
+    &gear_coupling::GearCoupling,
+    &torque_gain_error::TorqueGainError,
+    &torque_saturation::TorqueSaturation,
+    &encoder_offset::EncoderOffset,
+    &geometric_error::GeometricError,
+    &link_inertia_error::LinkInertiaError,
+    &payload::Payload,
+    &base_tilt::BaseTilt,
+    &joint_spring::JointSpring,
+    &external_contact::ExternalContact,
+    &time_delay::TimeDelay,
+];
+
+/// The hypothesis of this name.
+pub fn by_name(name: &str) -> Option<&'static dyn Cause> {
+    CAUSES.iter().copied().chain(plain::ALL).find(|c| c.name() == name)
+}
+
+/// Values from `first` to `last`, `count` of them, evenly spaced in their logarithms.
+fn geometric(first: f64, last: f64, count: usize) -> Vec<f64> {
+    let steps = count.saturating_sub(1).max(1) as f64;
+    (0..count).map(|i| first * (last / first).powf(i as f64 / steps)).collect()
+}
+
+/// Largest speed of joint `j`, rad/s.
+pub(super) fn fastest(scene: &Scene<'_>, j: usize) -> f64 {
+    scene.own[j].iter().flat_map(|o| &o.v).fold(0.0, |m, v| m.max(v.abs()))
+}
+
+/// Smallest and largest position of joint `j`, rad.
+fn travel(scene: &Scene<'_>, j: usize) -> [f64; 2] {
+    let all = || scene.own[j].iter().flat_map(|o| o.q.iter().copied());
+    [all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)]
+}
+
+/// Whether joint `j` moves at all: beyond what its noise looks like.
+fn moves(scene: &Scene<'_>, j: usize) -> bool {
+    let [low, high] = travel(scene, j);
+    high - low > 0.02 && fastest(scene, j) > 3.0 * scene.dead[j]
+}

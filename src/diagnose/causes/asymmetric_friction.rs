@@ -1,0 +1,34 @@
+//! `asymmetric_friction`: viscous levels that differ with direction. A difference of the Coulomb levels alone is a torque offset
+//! while the joint moves; see `torque_offset`.
+
+use super::super::scene::Scene;
+use super::{Cause, Kind, Sign, Term, moves};
+
+/// `FVA |v|`, beside the offset that is always among the unknowns.
+pub struct AsymmetricFriction;
+
+impl Cause for AsymmetricFriction {
+    fn name(&self) -> &'static str {
+        "asymmetric_friction"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Friction
+    }
+
+    fn terms(&self, scene: &Scene<'_>, place: &[usize], _: &[f64]) -> Vec<Term> {
+        let j = place[0];
+        if !moves(scene, j) {
+            return Vec::new();
+        }
+        vec![Term::new("FVA", "N m s/rad", scene.pointwise(j, |o, k| o.v[k].abs()), Sign::Any)]
+    }
+
+    fn says(&self) -> &'static str {
+        "friction differs between the two directions"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "the same speeds forward and backward, and the joint at rest between them"
+    }
+}

@@ -1,0 +1,50 @@
+//! `encoder_offset`: a joint's zero is wrong.
+
+use super::super::scene::Scene;
+use super::{Cause, Kind, Shape, Sign, Term};
+
+/// True angle `q + QO`.
+pub struct EncoderOffset;
+
+impl Cause for EncoderOffset {
+    fn name(&self) -> &'static str {
+        "encoder_offset"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Measurement
+    }
+
+    fn shape(&self) -> &'static [Shape] {
+        &[Shape { symbol: "step", unit: "rad", range: [-1.0, 1.0], step: None }]
+    }
+
+    fn grid(&self, _: &Scene<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        vec![vec![1e-3]]
+    }
+
+    fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
+        let j = place[0];
+        let column = scene.column(scene.shifted(j, &vec![1.0; scene.len], shape[0]));
+        if column.rows.is_empty() {
+            return Vec::new();
+        }
+        vec![Term::new("QO", "rad", column, Sign::Any)]
+    }
+
+    fn secant(&self) -> bool {
+        true
+    }
+
+    fn rests_on_model(&self) -> bool {
+        true
+    }
+
+    fn says(&self) -> &'static str {
+        "the joint's zero is not where the file says"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "static poses over the whole travel, or a calibration of the kinematics"
+    }
+}

@@ -1,0 +1,100 @@
+//! `external_contact`: an external wrench acts during part of the log.
+
+use super::super::scene::{Column, Scene};
+use super::{Cause, Kind, Shape, Sign, Term};
+
+/// A constant wrench on the last frame, in its axes, between `start` and `end` (counted in windows, so over all logs).
+pub struct ExternalContact;
+
+const SYMBOLS: [(&str, &str); 6] = [("fx", "N"), ("fy", "N"), ("fz", "N"), ("mx", "N m"), ("my", "N m"), ("mz", "N m")];
+
+impl Cause for ExternalContact {
+    fn name(&self) -> &'static str {
+        "external_contact"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Outside
+    }
+
+    fn places(&self, _: &Scene<'_>) -> Vec<Vec<usize>> {
+        vec![Vec::new()]
+    }
+
+    fn shape(&self) -> &'static [Shape] {
+        &[
+            Shape { symbol: "start", unit: "s", range: [0.0, 1e9], step: None },
+            Shape { symbol: "end", unit: "s", range: [0.0, 1e9], step: None },
+        ]
+    }
+
+    /// The windows in which the residual, scaled by its own noise, is largest against the rest.
+    fn grid(&self, scene: &Scene<'_>, _: &[usize], residual: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let n = scene.len;
+        let mut power = vec![0.0; n + 1];
+        for row in residual {
+            let mut sizes: Vec<f64> = row.iter().map(|e| e * e).filter(|e| *e > 0.0).collect();
+            sizes.sort_by(f64::total_cmp);
+            // A quiet joint's noise: the median of the squares, which a short contact does not move.
+            let Some(&median) = sizes.get(sizes.len() / 2) else { continue };
+            for (p, e) in power[1..].iter_mut().zip(row) {
+                *p += e * e / median;
+            }
+        }
+        for w in 0..n {
+            power[w + 1] += power[w];
+        }
+        let mean = power[n] / n.max(1) as f64;
+        let mut found: Vec<(f64, usize, usize)> = Vec::new();
+        let mut length = (0.15 / scene.step).ceil().max(4.0) as usize;
+        while length <= n / 2 {
+            let mut best = (0.0, 0, 0);
+            for start in (0..n.saturating_sub(length)).step_by((length / 8).max(1)) {
+                let excess = power[start + length] - power[start] - mean * length as f64;
+                if excess / (length as f64).sqrt() > best.0 {
+                    best = (excess / (length as f64).sqrt(), start, start + length);
+                }
+            }
+            found.push(best);
+            length = (length * 4 / 3).max(length + 1);
+        }
+        found.sort_by(|a, b| b.0.total_cmp(&a.0));
+        found.truncate(4);
+        found.iter().filter(|f| f.2 > f.1).map(|f| vec![f.1 as f64, f.2 as f64]).collect()
+    }
+
+    fn terms(&self, scene: &Scene<'_>, _: &[usize], shape: &[f64]) -> Vec<Term> {
+        let (start, end) = (shape[0] as usize, (shape[1] as usize).min(scene.len));
+        let unit = scene.wrenches();
+        let dof = scene.dof();
+        SYMBOLS
+            .iter()
+            .enumerate()
+            .filter_map(|(c, (symbol, name))| {
+                let rows = (0..dof)
+                    .map(|j| {
+                        let mut row = vec![0.0; scene.len];
+                        for w in start..end {
+                            row[w] = -unit[(c * dof + j) * scene.len + w];
+                        }
+                        row
+                    })
+                    .collect();
+                let column: Column = scene.column(rows);
+                (!column.rows.is_empty()).then(|| Term::new(*symbol, name, column, Sign::Any))
+            })
+            .collect()
+    }
+
+    fn local(&self) -> bool {
+        true
+    }
+
+    fn says(&self) -> &'static str {
+        "a force acts on the arm during part of the recording"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "the same motion in free space"
+    }
+}

@@ -1,0 +1,37 @@
+//! `load_dependent_friction`: friction grows with the torque that the gear transmits.
+
+use super::super::scene::Scene;
+use super::{Cause, Kind, Sign, Term, moves};
+
+/// `FL |tau_load| sign(v)`.
+pub struct LoadDependentFriction;
+
+impl Cause for LoadDependentFriction {
+    fn name(&self) -> &'static str {
+        "load_dependent_friction"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Friction
+    }
+
+    fn terms(&self, scene: &Scene<'_>, place: &[usize], _: &[f64]) -> Vec<Term> {
+        let j = place[0];
+        if !moves(scene, j) {
+            return Vec::new();
+        }
+        vec![Term::new("FL", "", scene.pointwise(j, |o, k| o.sign[k] * o.load[k].abs()), Sign::Positive)]
+    }
+
+    fn rests_on_model(&self) -> bool {
+        true
+    }
+
+    fn says(&self) -> &'static str {
+        "friction grows with the transmitted torque"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "the same speeds with and without a payload, or in stretched and in folded postures"
+    }
+}

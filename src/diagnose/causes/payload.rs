@@ -1,0 +1,78 @@
+//! `payload`: an unmodelled body is fixed to the flange.
+
+use super::super::scene::{Column, Scene};
+use super::{Cause, Kind, Sign, Term};
+
+/// The ten parameters of a body in the last frame.
+pub struct Payload;
+
+const SYMBOLS: [(&str, &str); 10] = [
+    ("M", "kg"),
+    ("MSX", "kg m"),
+    ("MSY", "kg m"),
+    ("MSZ", "kg m"),
+    ("XX", "kg m^2"),
+    ("YY", "kg m^2"),
+    ("ZZ", "kg m^2"),
+    ("XY", "kg m^2"),
+    ("XZ", "kg m^2"),
+    ("YZ", "kg m^2"),
+];
+
+/// Columns of the ten parameters of a row's body, through the base parameters that they belong to.
+pub(super) fn body_terms(scene: &Scene<'_>, row: usize) -> Vec<Term> {
+    let base = scene.plant.base_parameters();
+    let rows = scene.base_rows();
+    SYMBOLS
+        .iter()
+        .enumerate()
+        .filter_map(|(k, (symbol, unit))| {
+            let standard = 10 * row + k;
+            let factor: Vec<f64> = base
+                .iter()
+                .map(|b| b.coefficients.iter().filter(|c| c.0 == standard).map(|c| c.1).sum::<f64>())
+                .collect();
+            let torques: Vec<Vec<f64>> = rows
+                .iter()
+                .map(|entries| {
+                    let mut out = vec![0.0; scene.len];
+                    for (b, series) in entries.iter().filter(|(b, _)| factor[*b] != 0.0) {
+                        out.iter_mut().zip(series).for_each(|(o, s)| *o += factor[*b] * s);
+                    }
+                    out
+                })
+                .collect();
+            let column: Column = scene.column(torques);
+            (!column.rows.is_empty()).then(|| Term::new(*symbol, unit, column, Sign::Any))
+        })
+        .collect()
+}
+
+impl Cause for Payload {
+    fn name(&self) -> &'static str {
+        "payload"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Body
+    }
+
+    fn places(&self, _: &Scene<'_>) -> Vec<Vec<usize>> {
+        vec![Vec::new()]
+    }
+
+    fn terms(&self, scene: &Scene<'_>, _: &[usize], _: &[f64]) -> Vec<Term> {
+        match scene.plant.rows().last() {
+            Some(&row) => body_terms(scene, row),
+            None => Vec::new(),
+        }
+    }
+
+    fn says(&self) -> &'static str {
+        "a body that the file does not know is fixed to the flange"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "the same motion without what is mounted on the flange"
+    }
+}

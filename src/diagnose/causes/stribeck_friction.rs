@@ -1,0 +1,49 @@
+//! `stribeck_friction`: friction falls from the breakaway to the Coulomb level as speed rises (Armstrong-Helouvry, Dupont and Canudas de
+//! Wit 1994).
+
+use super::super::scene::Scene;
+use super::{Cause, Kind, Shape, Sign, Term, fastest, geometric, moves};
+
+/// `(FS - FC) exp(-|v / VS|^DS) sign(v)`.
+pub struct StribeckFriction;
+
+impl Cause for StribeckFriction {
+    fn name(&self) -> &'static str {
+        "stribeck_friction"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Friction
+    }
+
+    fn shape(&self) -> &'static [Shape] {
+        &[
+            Shape { symbol: "VS", unit: "rad/s", range: [1e-4, 1e3], step: Some(0.3) },
+            Shape { symbol: "DS", unit: "", range: [0.5, 4.0], step: None },
+        ]
+    }
+
+    fn grid(&self, scene: &Scene<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let (slow, fast) = (2.0 * scene.dead[place[0]], 0.35 * fastest(scene, place[0]));
+        let speeds = geometric(slow.min(0.5 * fast), fast, 8);
+        speeds.iter().flat_map(|&v| [vec![v, 2.0], vec![v, 1.0]]).collect()
+    }
+
+    fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
+        let j = place[0];
+        let (speed, power) = (shape[0], shape[1]);
+        if !moves(scene, j) || speed > 0.5 * fastest(scene, j) {
+            return Vec::new();
+        }
+        let column = scene.pointwise(j, |o, k| o.sign[k] * (-(o.v[k].abs() / speed).powf(power)).exp());
+        vec![Term::new("FS", "N m", column, Sign::Positive)]
+    }
+
+    fn says(&self) -> &'static str {
+        "friction falls from its breakaway level to the Coulomb level as speed rises"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "slow constant speeds, from a hundredth to a tenth of the largest, in both directions"
+    }
+}

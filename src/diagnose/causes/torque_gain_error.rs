@@ -1,0 +1,39 @@
+//! `torque_gain_error`: a joint's torque is scaled.
+
+use super::super::scene::{Column, Scene};
+use super::{Cause, Kind, Sign, Term};
+
+/// `(GT - 1) tau`.
+pub struct TorqueGainError;
+
+impl Cause for TorqueGainError {
+    fn name(&self) -> &'static str {
+        "torque_gain_error"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Measurement
+    }
+
+    fn terms(&self, scene: &Scene<'_>, place: &[usize], _: &[f64]) -> Vec<Term> {
+        let j = place[0];
+        let mut series = scene.whole[j].clone();
+        scene.masked(j, &mut series);
+        if series.iter().all(|t| *t == 0.0) {
+            return Vec::new();
+        }
+        vec![Term::new("GT", "", Column::on(j, series), Sign::Any)]
+    }
+
+    fn rests_on_model(&self) -> bool {
+        true
+    }
+
+    fn says(&self) -> &'static str {
+        "the measured torque is the true one times a factor"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "a known weight held at several lever arms"
+    }
+}

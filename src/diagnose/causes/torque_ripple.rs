@@ -1,0 +1,95 @@
+//! `torque_ripple`: torque periodic in the joint or motor angle.
+
+use super::super::scene::Scene;
+use super::{Cause, Kind, Shape, Sign, Term, moves, travel};
+
+/// `RC cos(RN q) + RS sin(RN q)`.
+pub struct TorqueRipple;
+
+/// Orders whose periodogram of the residual over the angle stands out, highest first.
+fn peaks(scene: &Scene<'_>, j: usize, residual: &[f64]) -> Vec<f64> {
+    let [low, high] = travel(scene, j);
+    let range = (high - low).max(0.05);
+    let q: Vec<f64> = scene.own_column(j, |o| o.q.clone()).rows.pop().map(|r| r.1).unwrap_or_default();
+    let v: Vec<f64> = scene.own_column(j, |o| o.v.clone()).rows.pop().map(|r| r.1).unwrap_or_default();
+    let used: Vec<usize> = (0..scene.len).filter(|&w| scene.live[j][w]).collect();
+    // Beyond this an order goes round within a window for most of the data.
+    let mut speeds: Vec<f64> = used.iter().map(|&w| v[w].abs()).collect();
+    speeds.sort_by(f64::total_cmp);
+    let typical = speeds.get(speeds.len() / 3).copied().unwrap_or(0.0).max(1e-3);
+    let most = (2.0 / (typical * scene.step)).min(1200.0);
+    let step = 0.7 / range;
+    let first = (2.0 * std::f64::consts::PI / range).max(1.0);
+    let count = (((most - first) / step).max(0.0) as usize).min(6000);
+    let power: Vec<f64> = (0..count)
+        .map(|i| {
+            let n = first + i as f64 * step;
+            let (mut c, mut s, mut norm) = (0.0, 0.0, 0.0);
+            for &w in &used {
+                // A window averages over the angle that it covers.
+                let half = 0.5 * n * v[w] * scene.step;
+                let damp = if half.abs() < 1e-6 { 1.0 } else { half.sin() / half };
+                let (sin, cos) = (n * q[w]).sin_cos();
+                (c, s, norm) = (c + residual[w] * damp * cos, s + residual[w] * damp * sin, norm + damp * damp);
+            }
+            (c * c + s * s) / norm.max(1.0)
+        })
+        .collect();
+    let mut order: Vec<usize> = (0..count)
+        .filter(|&i| (i == 0 || power[i] >= power[i - 1]) && (i + 1 == count || power[i] > power[i + 1]))
+        .collect();
+    order.sort_by(|a, b| power[*b].total_cmp(&power[*a]));
+    order.into_iter().take(4).map(|i| first + i as f64 * step).collect()
+}
+
+impl Cause for TorqueRipple {
+    fn name(&self) -> &'static str {
+        "torque_ripple"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Transmission
+    }
+
+    fn shape(&self) -> &'static [Shape] {
+        &[Shape { symbol: "RN", unit: "1/turn", range: [0.5, 5000.0], step: Some(-0.15) }]
+    }
+
+    fn grid(&self, scene: &Scene<'_>, place: &[usize], residual: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let j = place[0];
+        if !moves(scene, j) {
+            return Vec::new();
+        }
+        let mut orders = peaks(scene, j, &residual[j]);
+        let [low, high] = travel(scene, j);
+        let least = 4.0 / (high - low).max(0.05);
+        orders.extend([2.0, 3.0, 4.0, 6.0, 8.0].into_iter().filter(|n| *n >= least));
+        if let Some(gear) = scene.plant.gear_ratios()[j] {
+            orders.extend([1.0, 2.0, 3.0, 4.0, 6.0].map(|k| k * gear.abs()).into_iter().filter(|n| *n >= least));
+        }
+        orders.into_iter().map(|n| vec![n]).collect()
+    }
+
+    fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
+        let (j, n) = (place[0], shape[0]);
+        if !moves(scene, j) {
+            return Vec::new();
+        }
+        vec![
+            Term::new("RC", "N m", scene.pointwise(j, |o, k| (n * o.q[k]).cos()), Sign::Any),
+            Term::new("RS", "N m", scene.pointwise(j, |o, k| (n * o.q[k]).sin()), Sign::Any),
+        ]
+    }
+
+    fn repeats(&self) -> bool {
+        true
+    }
+
+    fn says(&self) -> &'static str {
+        "torque that is periodic in the joint's angle"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "slow constant speed over several periods, in both directions"
+    }
+}

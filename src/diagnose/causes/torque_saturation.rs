@@ -1,0 +1,57 @@
+//! `torque_saturation`: the torque is clipped.
+
+use super::super::scene::{Column, Scene};
+use super::{Cause, Kind, Shape, Sign, Term};
+
+/// `clip(tau, +-TM) - tau`, with a coefficient near 1.
+pub struct TorqueSaturation;
+
+impl Cause for TorqueSaturation {
+    fn name(&self) -> &'static str {
+        "torque_saturation"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Measurement
+    }
+
+    fn shape(&self) -> &'static [Shape] {
+        &[Shape { symbol: "TM", unit: "N m", range: [1e-3, 1e5], step: Some(0.02) }]
+    }
+
+    fn grid(&self, scene: &Scene<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        // A clipped torque lies on its bound for some of the time.
+        let mut sizes: Vec<f64> = scene.y[place[0]].iter().map(|t| t.abs()).filter(|t| *t > 0.0).collect();
+        sizes.sort_by(f64::total_cmp);
+        let at = |share: f64| sizes.get((share * sizes.len() as f64) as usize).copied();
+        [0.7, 0.8, 0.9, 0.95, 0.98, 0.995].into_iter().filter_map(at).map(|t| vec![t]).collect()
+    }
+
+    fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
+        let (j, bound) = (place[0], shape[0]);
+        let mut series: Vec<f64> = scene.whole[j].iter().map(|t| t.clamp(-bound, bound) - t).collect();
+        scene.masked(j, &mut series);
+        if series.iter().filter(|t| **t != 0.0).count() < 5 {
+            return Vec::new();
+        }
+        vec![Term::new("clip", "", Column::on(j, series), Sign::Positive)]
+    }
+
+    fn rests_on_model(&self) -> bool {
+        true
+    }
+
+    fn plausible(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64], x: &[f64]) -> bool {
+        // Nothing measured lies far above the bound.
+        let above = scene.y[place[0]].iter().filter(|t| t.abs() > 1.03 * shape[0]).count();
+        (0.6..1.4).contains(&x[0]) && (above as f64) < 0.01 * scene.len as f64
+    }
+
+    fn says(&self) -> &'static str {
+        "the torque is clipped at a bound"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "the same motion slower, so that the torque stays below the bound"
+    }
+}

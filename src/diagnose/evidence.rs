@@ -1,0 +1,141 @@
+//! Sentences and curves that show a cause.
+
+use super::causes::{Cause, Kind, Named};
+use super::model::{Bench, Chosen, Fitted};
+use super::result::Evidence;
+use super::search::Accepted;
+
+/// Four figures at most.
+fn short(value: f64) -> String {
+    let size = value.abs();
+    if size != 0.0 && !(1e-3..1e4).contains(&size) {
+        return format!("{value:.2e}");
+    }
+    let decimals = if size >= 100.0 { 1 } else if size >= 1.0 { 2 } else if size >= 0.1 { 3 } else { 4 };
+    format!("{value:.decimals$}")
+}
+
+/// One sentence with figures.
+#[allow(clippy::too_many_arguments)]
+pub(super) fn sentence(
+    cause: &dyn Cause,
+    place: &[usize],
+    parameters: &[Named],
+    before: &[f64],
+    after: &[f64],
+    noise: &[f64],
+    on: &str,
+    accepted: Option<&Accepted>,
+) -> String {
+    let gain = |j: &usize| (before[*j].powi(2) - after[*j].powi(2)) / noise[*j].powi(2).max(1e-12);
+    let main = (0..before.len()).max_by(|a, b| gain(a).total_cmp(&gain(b))).unwrap_or(0);
+    let where_ = match place {
+        [] => "the whole robot".to_string(),
+        [j] => format!("joint {}", j + 1),
+        many => format!("joints {}", many.iter().map(|j| (j + 1).to_string()).collect::<Vec<_>>().join(" and ")),
+    };
+    let numbers: Vec<String> = parameters
+        .iter()
+        .map(|p| match p.std {
+            Some(std) => format!("{} = {} +- {}", p.symbol, short(p.value), short(std)),
+            None => format!("{} = {}", p.symbol, short(p.value)),
+        })
+        .collect();
+    let attainable = before[main].powi(2) - noise[main].powi(2);
+    let share = if attainable > 0.0 { 100.0 * (before[main].powi(2) - after[main].powi(2)) / attainable } else { 0.0 };
+    let confirmed = accepted.map_or(String::new(), |a| {
+        if cause.local() { String::new() } else { format!("; {:.0} % of held-out parts of the fitted logs agree", 100.0 * a.confirmed) }
+    });
+    format!(
+        "{where_}: {} ({}); the error of joint {} falls from {} to {} N m on the {} logs, {:.0} % of the variance above its noise{confirmed}",
+        cause.says(),
+        numbers.join(", "),
+        main + 1,
+        short(before[main]),
+        short(after[main]),
+        if on == "fit" { "fitted" } else { "validating" },
+        share.clamp(-999.0, 100.0),
+    )
+}
+
+/// The error without a cause against what the cause says, averaged over what shows it best.
+pub(super) fn curve(bench: &Bench<'_>, fitted: &Fitted, index: usize, chosen: &Chosen) -> Option<Evidence> {
+    let scene = &bench.scene;
+    let terms = &fitted.terms[index];
+    let joint = match chosen.place.first() {
+        Some(j) => *j,
+        None => {
+            // Where it does most.
+            let size = |j: usize| {
+                let squares = terms.iter().zip(&chosen.x).flat_map(|(t, x)| {
+                    t.column.rows.iter().filter(move |r| r.0 == j).flat_map(move |r| r.1.iter().map(move |s| (s * x).powi(2)))
+                });
+                squares.sum::<f64>()
+            };
+            (0..scene.dof()).max_by(|a, b| size(*a).total_cmp(&size(*b)))?
+        }
+    };
+    let mut says = vec![0.0; scene.len];
+    for (term, x) in terms.iter().zip(&chosen.x) {
+        for (_, series) in term.column.rows.iter().filter(|r| r.0 == joint) {
+            says.iter_mut().zip(series).for_each(|(a, s)| *a += x * s);
+        }
+    }
+    let coarse = |f: &dyn Fn(&super::scene::Own, usize) -> f64| -> Vec<f64> {
+        scene.own[joint].iter().flat_map(|own| scene.average_of(own, |k| f(own, k))).collect()
+    };
+    let (over, x): (&str, Vec<f64>) = match (chosen.cause.name(), chosen.cause.kind()) {
+        ("torque_ripple" | "position_dependent_friction" | "joint_spring", _) => ("position, rad", coarse(&|o, k| o.q[k])),
+        ("friction_drift" | "external_contact", _) => ("time, s", scene.time.clone()),
+        ("load_dependent_friction" | "torque_gain_error" | "torque_saturation" | "joint_elasticity" | "backlash", _) => {
+            ("torque of the model, N m", scene.whole[joint].clone())
+        }
+        ("rotor_inertia", _) => ("acceleration, rad/s^2", coarse(&|o, k| o.a[k])),
+        (_, Kind::Friction) | ("time_delay", _) => ("velocity, rad/s", coarse(&|o, k| o.v[k])),
+        _ => ("position, rad", coarse(&|o, k| o.q[k])),
+    };
+    let live: Vec<usize> = (0..scene.len).filter(|&w| scene.live[joint][w]).collect();
+    let low = live.iter().map(|&w| x[w]).fold(f64::INFINITY, f64::min);
+    let high = live.iter().map(|&w| x[w]).fold(f64::NEG_INFINITY, f64::max);
+    if high <= low {
+        return None;
+    }
+    const BINS: usize = 80;
+    let mut sums = vec![[0.0; 4]; BINS];
+    for &w in &live {
+        let bin = (((x[w] - low) / (high - low) * BINS as f64) as usize).min(BINS - 1);
+        let s = &mut sums[bin];
+        *s = [s[0] + 1.0, s[1] + x[w], s[2] + fitted.residual[joint][w] + says[w], s[3] + says[w]];
+    }
+    let used = || sums.iter().filter(|s| s[0] >= 3.0);
+    Some(Evidence {
+        over: format!("{over} (joint {})", joint + 1),
+        x: used().map(|s| s[1] / s[0]).collect(),
+        measured: used().map(|s| s[2] / s[0]).collect(),
+        explained: used().map(|s| s[3] / s[0]).collect(),
+    })
+}
+
+/// Joints whose own base parameters are more than five standard deviations from the file's.
+pub(super) fn changed_links(bench: &Bench<'_>, fitted: &Fitted, covariance: &nalgebra::DMatrix<f64>) -> Vec<usize> {
+    let base = bench.plant.base_parameters();
+    let Some(given) = bench.plant.given() else { return Vec::new() };
+    let mut joints = Vec::new();
+    let wanted: Vec<usize> =
+        (0..base.len()).filter(|&b| !["FV", "FC", "FO"].iter().any(|p| base[b].name.starts_with(p))).collect();
+    for (at, &b) in wanted.iter().enumerate() {
+        let file: f64 = base[b].coefficients.iter().map(|(i, k)| k * given[*i]).sum();
+        let std = covariance[(at, at)].max(0.0).sqrt();
+        let row: usize = base[b].name.trim_end_matches('R').trim_start_matches(|c: char| c.is_alphabetic()).parse().unwrap_or(0);
+        let joint = bench.plant.rows().iter().position(|r| r + 1 == row);
+        if let Some(j) = joint
+            && std > 0.0
+            && (fitted.solution.x[at] - file).abs() > 5.0 * std
+            && !joints.contains(&(j + 1))
+        {
+            joints.push(j + 1);
+        }
+    }
+    joints.sort_unstable();
+    joints
+}

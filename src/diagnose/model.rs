@@ -1,0 +1,401 @@
+//! A model under test: the rigid arm, its friction, and the causes that were accepted so far; fitted to a [`Scene`].
+
+use nalgebra::DMatrix;
+
+use crate::arm::Plant;
+use crate::identify::recover_standard;
+
+use super::causes::{COULOMB, Cause, Named, OFFSET, Term, VISCOUS};
+use super::moments::{Moments, Solution};
+use super::noise::memory;
+use super::record::Recording;
+use super::scene::{Column, Scene};
+
+/// Which parameters of the rigid arm are unknown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Mode {
+    /// None: the file's links are right but for what a cause says.
+    Trusted,
+    /// All base parameters.
+    Refitted,
+}
+
+/// An accepted cause.
+#[derive(Clone)]
+pub struct Chosen {
+    /// What.
+    pub cause: &'static dyn Cause,
+    /// Where: joints, from 0.
+    pub place: Vec<usize>,
+    /// The numbers in which it is not linear.
+    pub shape: Vec<f64>,
+    /// Its coefficients.
+    pub x: Vec<f64>,
+}
+
+/// Names of the friction parameters that are handled beside the base parameters.
+fn friction_of(name: &str) -> Option<(usize, usize)> {
+    ["FV", "FC", "FO"].iter().enumerate().find_map(|(which, prefix)| {
+        let joint: usize = name.strip_prefix(prefix)?.trim_end_matches('R').parse().ok()?;
+        Some((which, joint))
+    })
+}
+
+/// Friction of the file, per joint: `[FV, FC, FO]`; `None` where its model lacks the term.
+pub fn given_friction(plant: &dyn Plant) -> Vec<[Option<f64>; 3]> {
+    let mut out = vec![[None; 3]; plant.dof()];
+    for (i, name) in plant.standard_names().iter().enumerate() {
+        if let Some((which, row)) = friction_of(name)
+            && let Some(j) = plant.rows().iter().position(|r| r + 1 == row)
+        {
+            out[j][which] = Some(plant.given_drive(i));
+        }
+    }
+    out
+}
+
+/// Base parameters that belong to the rigid arm: all but friction.
+fn inertial(plant: &dyn Plant) -> Vec<usize> {
+    let base = plant.base_parameters();
+    (0..base.len()).filter(|&b| friction_of(&base[b].name).is_none()).collect()
+}
+
+/// Values of the base parameters in the file, friction left out.
+fn given_base(plant: &dyn Plant) -> Vec<f64> {
+    let Some(standard) = plant.given() else { return vec![0.0; plant.base_parameters().len()] };
+    plant
+        .base_parameters()
+        .iter()
+        .map(|b| match friction_of(&b.name) {
+            Some(_) => 0.0,
+            None => b.coefficients.iter().map(|(i, k)| k * standard[*i]).sum(),
+        })
+        .collect()
+}
+
+/// A fitted model.
+pub struct Fitted {
+    /// The least-squares problem.
+    pub moments: Moments,
+    /// Its solution.
+    pub solution: Solution,
+    /// Residuals, per joint.
+    pub residual: Vec<Vec<f64>>,
+    /// Windows over which each joint's residual remembers itself.
+    pub memory: Vec<f64>,
+    /// First unknown of friction; three per joint.
+    pub friction: usize,
+    /// First unknown of each chosen cause.
+    pub first: Vec<usize>,
+    /// Their terms.
+    pub terms: Vec<Vec<Term>>,
+}
+
+impl Fitted {
+    /// Covariance of the unknowns.
+    pub fn covariance(&self) -> DMatrix<f64> {
+        self.moments.covariance(&self.solution, &self.memory)
+    }
+}
+
+/// Data with what is known about them.
+pub struct Bench<'a> {
+    /// The arm.
+    pub plant: &'a dyn Plant,
+    /// The logs.
+    pub recordings: &'a [Recording],
+    /// Windows per second.
+    pub rate: f64,
+    /// Unknowns of the rigid arm.
+    pub mode: Mode,
+    /// The data as causes see them.
+    pub scene: Scene<'a>,
+    /// Friction parameters (three per joint) that stay as the file has them.
+    pub frozen: Vec<bool>,
+    /// Whether every window counts.
+    all: bool,
+    base: Vec<Column>,
+    friction: Vec<Column>,
+    y: Vec<Vec<f64>>,
+}
+
+impl<'a> Bench<'a> {
+    /// Sets up. `all`: every sample counts, for the final measure.
+    pub fn new(plant: &'a dyn Plant, recordings: &'a [Recording], rate: f64, mode: Mode, delays: &[f64], all: bool) -> Self {
+        let scene = Scene::new(plant, recordings, rate, delays, all);
+        let frozen = vec![false; 3 * plant.dof()];
+        let (base, friction, y) = Default::default();
+        let mut bench = Self { plant, recordings, rate, mode, scene, frozen, all, base, friction, y };
+        bench.scene.set_model(given_base(plant), plant.given().map(|s| without_friction(plant, s)));
+        bench.prepare();
+        bench
+    }
+
+    /// Columns that do not depend on what is found.
+    fn prepare(&mut self) {
+        let (scene, plant) = (&self.scene, self.plant);
+        self.friction = (0..scene.dof())
+            .flat_map(|j| [&VISCOUS, &COULOMB, &OFFSET].map(|p| p.terms(scene, &[j], &[]).remove(0).column))
+            .collect();
+        self.base = match self.mode {
+            Mode::Trusted => Vec::new(),
+            Mode::Refitted => {
+                let mut rows: Vec<Vec<Vec<f64>>> = Vec::new();
+                let wanted = inertial(plant);
+                rows.resize(wanted.len(), vec![Vec::new(); scene.dof()]);
+                for (j, entries) in scene.base_rows().into_iter().enumerate() {
+                    for (b, series) in entries {
+                        if let Some(at) = wanted.iter().position(|w| *w == b) {
+                            rows[at][j] = series;
+                        }
+                    }
+                }
+                let fill = |rows: Vec<Vec<f64>>| rows.into_iter().map(|r| if r.is_empty() { vec![0.0; scene.len] } else { r }).collect();
+                rows.into_iter().map(|r| scene.column(fill(r))).collect()
+            }
+        };
+        // What the file's friction explains is taken out, and its rigid torque where it is trusted.
+        let given = given_friction(plant);
+        let base = given_base(plant);
+        let rigid = match self.mode {
+            Mode::Trusted if base.iter().any(|b| *b != 0.0) => self.rigid_of(&base),
+            _ => vec![vec![0.0; scene.len]; scene.dof()],
+        };
+        self.y = (0..scene.dof())
+            .map(|j| {
+                let mut y = scene.y[j].clone();
+                y.iter_mut().zip(&rigid[j]).zip(&scene.live[j]).for_each(|((y, r), live)| *y -= if *live { *r } else { 0.0 });
+                for which in 0..3 {
+                    let value = given[j][which].unwrap_or(0.0);
+                    if value != 0.0
+                        && let Some((_, series)) = self.friction[3 * j + which].rows.first()
+                    {
+                        y.iter_mut().zip(series).for_each(|(y, s)| *y -= value * s);
+                    }
+                }
+                y
+            })
+            .collect();
+    }
+
+    fn rigid_of(&self, beta: &[f64]) -> Vec<Vec<f64>> {
+        let mut rows = vec![vec![0.0; self.scene.len]; self.scene.dof()];
+        for (row, entries) in rows.iter_mut().zip(self.scene.base_rows()) {
+            for (b, series) in entries {
+                row.iter_mut().zip(&series).for_each(|(t, s)| *t += beta[b] * s);
+            }
+        }
+        rows
+    }
+
+    /// What is to be explained: the measured torque without what is taken from the file.
+    pub fn target(&self) -> &[Vec<f64>] {
+        &self.y
+    }
+
+    /// Moves the torques by further delays and makes everything anew.
+    fn delay(&mut self, joints: &[usize], by: f64) {
+        let mut delays = self.scene.delays.clone();
+        let all: Vec<usize> = (0..delays.len()).collect();
+        for &j in if joints.is_empty() { &all } else { joints } {
+            delays[j] += by;
+        }
+        let (beta, standard) = (self.scene.beta.clone(), self.scene.standard.clone());
+        self.scene = Scene::new(self.plant, self.recordings, self.rate, &delays, self.all);
+        self.scene.set_model(beta, standard);
+        self.prepare();
+    }
+
+    /// Takes back delays, per joint.
+    pub fn undo_delay(&mut self, by: &[f64]) {
+        for (j, by) in by.iter().enumerate().filter(|(_, by)| **by != 0.0) {
+            self.delay(&[j], *by);
+        }
+    }
+
+    /// Terms of a chosen cause as the scene is now.
+    pub fn terms(&self, chosen: &Chosen) -> Vec<Term> {
+        chosen.cause.terms(&self.scene, &chosen.place, &chosen.shape)
+    }
+
+    /// Fits rigid arm (where unknown), friction and the chosen causes together. Families that are difference quotients are
+    /// made anew about what was found until that settles; so is what rests on the rigid model.
+    pub fn fit(&mut self, chosen: &mut [Chosen]) -> Fitted {
+        let mut weights: Option<Vec<f64>> = None;
+        for round in 0.. {
+            let fitted = self.fit_once(chosen, weights.as_deref());
+            weights = Some(fitted.solution.weights.clone());
+            let mut settled = true;
+            for (i, c) in chosen.iter_mut().enumerate() {
+                let before = c.x.clone();
+                c.x = (0..fitted.terms[i].len()).map(|t| fitted.solution.x[fitted.first[i] + t]).collect();
+                if c.cause.secant() && !c.x.is_empty() {
+                    let x = c.x[0];
+                    if c.cause.name() == "time_delay" {
+                        if x.abs() > 2e-5 && x.is_finite() {
+                            settled = false;
+                            self.delay(&c.place, x.clamp(-0.05, 0.05));
+                            c.shape[0] = 1e-3;
+                        }
+                    } else if x != 0.0 && (x / c.shape[0] - 1.0).abs() > 1e-3 {
+                        c.shape[0] = x;
+                        settled = false;
+                    }
+                }
+                if c.cause.rests_on_model() && before != c.x {
+                    let size = c.x.iter().map(|x| x.abs()).fold(1e-12, f64::max);
+                    let change = before.iter().zip(&c.x).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                    settled &= before.len() == c.x.len() && change < 1e-3 * size;
+                }
+            }
+            self.update_model(&fitted);
+            let rests = self.mode == Mode::Refitted && chosen.iter().any(|c| c.cause.rests_on_model());
+            if (settled && !(rests && round < 2)) || round >= 6 {
+                return fitted;
+            }
+        }
+        unreachable!("the loop returns")
+    }
+
+    fn fit_once(&self, chosen: &[Chosen], weights: Option<&[f64]>) -> Fitted {
+        let terms: Vec<Vec<Term>> = chosen.iter().map(|c| self.terms(c)).collect();
+        let mut columns: Vec<Column> = self.base.clone();
+        let friction = columns.len();
+        let free = self.friction.iter().zip(&self.frozen);
+        columns.extend(free.map(|(column, frozen)| if *frozen { Column::default() } else { column.clone() }));
+        let mut first = Vec::new();
+        for term in &terms {
+            first.push(columns.len());
+            columns.extend(term.iter().map(|t| t.column.clone()));
+        }
+        let moments = Moments::new(&self.scene, &self.y, &columns);
+        let solution = moments.solve(weights);
+        let residual = moments.residual(&solution.x);
+        let memory = residual.iter().zip(&self.scene.live).map(|(e, l)| memory(e, l)).collect();
+        Fitted { moments, solution, residual, memory, friction, first, terms }
+    }
+
+    /// The rigid model, and the torque with friction, as causes see them.
+    fn update_model(&mut self, fitted: &Fitted) {
+        if self.mode == Mode::Refitted {
+            let mut beta = vec![0.0; self.plant.base_parameters().len()];
+            for (at, b) in inertial(self.plant).into_iter().enumerate() {
+                beta[b] = fitted.solution.x[at];
+            }
+            let standard = recover_standard(self.plant, &beta, self.plant.given().map(|s| without_friction(self.plant, s)).as_deref());
+            self.scene.set_model(beta, standard.ok());
+        }
+        let given = given_friction(self.plant);
+        for j in 0..self.scene.dof() {
+            let value = |which: usize| given[j][which].unwrap_or(0.0) + fitted.solution.x[fitted.friction + 3 * j + which];
+            let (fv, fc, fo) = (value(0), value(1), value(2));
+            let mut series = Vec::with_capacity(self.scene.len);
+            for own in &self.scene.own[j] {
+                series.extend(self.scene.average_of(own, |k| fv * own.v[k] + fc * own.sign[k] + fo));
+            }
+            self.scene.whole[j] = series.iter().zip(&self.scene.rigid[j]).map(|(f, r)| f + r).collect();
+        }
+    }
+
+    /// Takes over the rigid model and the friction that another bench found.
+    pub fn adopt(&mut self, other: &Bench<'_>, fitted: &Fitted) {
+        self.scene.set_model(other.scene.beta.clone(), other.scene.standard.clone());
+        let keep = self.mode;
+        self.mode = Mode::Trusted;
+        self.update_model(fitted);
+        self.mode = keep;
+    }
+
+    /// Torques that the model predicts with unknowns `x` (in the order of the fit), beside what the file explains, per joint: the target less
+    /// this is the error.
+    pub fn predict(&self, x: &nalgebra::DVector<f64>, chosen: &[Chosen]) -> Vec<Vec<f64>> {
+        let mut rows = vec![vec![0.0; self.scene.len]; self.scene.dof()];
+        let terms: Vec<Vec<Term>> = chosen.iter().map(|c| self.terms(c)).collect();
+        let mut at = 0;
+        let mut add = |column: &Column| {
+            for (j, series) in &column.rows {
+                rows[*j].iter_mut().zip(series).for_each(|(r, s)| *r += x[at] * s);
+            }
+            at += 1;
+        };
+        self.base.iter().chain(&self.friction).for_each(&mut add);
+        for (chosen, terms) in chosen.iter().zip(&terms) {
+            // A family that this data can't show still has its place among the unknowns.
+            for k in 0..chosen.x.len() {
+                match terms.get(k) {
+                    Some(term) => add(&term.column),
+                    None => add(&Column::default()),
+                }
+            }
+        }
+        rows
+    }
+}
+
+fn without_friction(plant: &dyn Plant, standard: &[f64]) -> Vec<f64> {
+    plant
+        .standard_names()
+        .iter()
+        .zip(standard)
+        .map(|(name, value)| if friction_of(name).is_some() { 0.0 } else { *value })
+        .collect()
+}
+
+/// Values of a chosen cause's parameters with standard deviations, under the names of a robot file.
+pub fn parameters(bench: &Bench<'_>, fitted: &Fitted, covariance: &DMatrix<f64>, index: usize, chosen: &Chosen) -> Vec<Named> {
+    let first = fitted.first[index];
+    let std = |k: usize| covariance[(first + k, first + k)].max(0.0).sqrt();
+    let named = |symbol: &str, value: f64, std: Option<f64>| Named { symbol: symbol.into(), value, std };
+    let joint = chosen.place.first().copied();
+    let friction = |which: usize| {
+        let j = joint.unwrap_or(0);
+        let given = given_friction(bench.plant)[j][which].unwrap_or(0.0);
+        given + fitted.solution.x[fitted.friction + 3 * j + which]
+    };
+    let x = &chosen.x;
+    match chosen.cause.name() {
+        "stribeck_friction" => {
+            // FS is the breakaway level: the sum of the Coulomb level and the part that falls.
+            let (at, j) = (first, fitted.friction + 3 * joint.unwrap_or(0) + 1);
+            let variance = covariance[(at, at)] + covariance[(j, j)] + 2.0 * covariance[(at, j)];
+            vec![
+                named("FS", friction(1) + x[0], Some(variance.max(0.0).sqrt())),
+                named("VS", chosen.shape[0], None),
+                named("DS", chosen.shape[1], None),
+                named("FC", friction(1), None),
+            ]
+        }
+        "joint_elasticity" => vec![named("KE", 1.0 / x[0], Some(std(0) / (x[0] * x[0])))],
+        "time_delay" => {
+            let delay = joint.map_or_else(|| bench.scene.delays.first().copied().unwrap_or(0.0), |j| bench.scene.delays[j]);
+            vec![named("TD", delay + x[0], Some(std(0)))]
+        }
+        "torque_gain_error" => vec![named("GT", 1.0 + x[0], Some(std(0)))],
+        "torque_saturation" => vec![named("TM", chosen.shape[0], None)],
+        "rotor_inertia" => {
+            let given = bench.plant.rows().get(joint.unwrap_or(0)).and_then(|row| {
+                let name = format!("IA{}", row + 1);
+                let at = bench.plant.standard_names().iter().position(|n| *n == name)?;
+                Some(bench.plant.given_drive(at))
+            });
+            vec![named("IA", given.unwrap_or(0.0) + x[0], Some(std(0)))]
+        }
+        "joint_spring" => {
+            let offset = friction(2);
+            vec![named("KS", x[0], Some(std(0))), named("QS", if x[0] == 0.0 { 0.0 } else { -offset / x[0] }, None)]
+        }
+        "external_contact" => {
+            let at = |w: f64| bench.scene.time.get(w as usize).or(bench.scene.time.last()).copied().unwrap_or(0.0);
+            let mut all = vec![named("start", at(chosen.shape[0]), None), named("end", at(chosen.shape[1]), None)];
+            all.extend(fitted.terms[index].iter().zip(x).enumerate().map(|(k, (t, x))| named(&t.symbol, *x, Some(std(k)))));
+            all
+        }
+        _ => {
+            let mut all: Vec<Named> =
+                fitted.terms[index].iter().zip(x).enumerate().map(|(k, (t, x))| named(&t.symbol, *x, Some(std(k)))).collect();
+            let shapes = chosen.cause.shape().iter().zip(&chosen.shape);
+            all.extend(shapes.filter(|(s, _)| s.symbol.chars().all(char::is_uppercase)).map(|(s, v)| named(s.symbol, *v, None)));
+            all
+        }
+    }
+}

@@ -1,0 +1,349 @@
+//! Second moments of columns, joint by joint and part by part: all that least squares, its alternatives and its cross-validation need.
+
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+
+use super::scene::{BLOCKS, Column, Scene};
+
+/// Products of a joint's columns with each other and with the torque, over one part of the data.
+#[derive(Debug, Clone)]
+struct Part {
+    /// `A' A`.
+    gram: DMatrix<f64>,
+    /// `A' y`.
+    with_y: DVector<f64>,
+    /// `y' y`.
+    yy: f64,
+    /// Windows.
+    count: f64,
+}
+
+/// One joint's equations.
+#[derive(Debug, Clone)]
+struct Joint {
+    /// Unknowns that act on it.
+    columns: Vec<usize>,
+    series: Vec<Vec<f64>>,
+    parts: Vec<Part>,
+}
+
+/// Equations of all joints in unknowns `0..unknowns`.
+#[derive(Debug, Clone)]
+pub struct Moments {
+    joints: Vec<Joint>,
+    /// Number of unknowns.
+    pub unknowns: usize,
+    starts: Vec<usize>,
+    y: Vec<Vec<f64>>,
+    /// Of the whole data.
+    whole: Vec<Part>,
+}
+
+/// A least-squares solution.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// The unknowns.
+    pub x: DVector<f64>,
+    /// Weight of each joint, `1 / sigma^2`.
+    pub weights: Vec<f64>,
+    /// Sum of squared residuals of each joint.
+    pub rss: Vec<f64>,
+    /// Windows of each joint.
+    pub counts: Vec<f64>,
+    /// `(sum_j w_j A_j' A_j)^+`.
+    pub inverse: DMatrix<f64>,
+    /// Right-hand side.
+    rhs: DVector<f64>,
+}
+
+/// Columns that are tried beside those of a [`Moments`].
+pub struct Trial {
+    terms: usize,
+    /// Per joint it acts on: the joint, the terms that act there, their products with the joint's columns, with each other and with y, whole data.
+    joints: Vec<TrialJoint>,
+}
+
+struct TrialJoint {
+    joint: usize,
+    terms: Vec<usize>,
+    cross: DMatrix<f64>,
+    gram: DMatrix<f64>,
+    with_y: DVector<f64>,
+}
+
+/// What a trial gives.
+#[derive(Debug, Clone)]
+pub struct Gain {
+    /// Coefficients of the terms.
+    pub x: Vec<f64>,
+    /// Sum of squared residuals of each joint with them.
+    pub rss: Vec<f64>,
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; 8];
+    let (a8, b8) = (a.chunks_exact(8), b.chunks_exact(8));
+    let rest: f64 = a8.remainder().iter().zip(b8.remainder()).map(|(x, y)| x * y).sum();
+    for (x, y) in a8.zip(b8) {
+        for i in 0..8 {
+            sums[i] += x[i] * y[i];
+        }
+    }
+    rest + sums.iter().sum::<f64>()
+}
+
+impl Moments {
+    /// Of these columns and the torque `y` (per joint, masked).
+    pub fn new(scene: &Scene<'_>, y: &[Vec<f64>], columns: &[Column]) -> Self {
+        let mut starts: Vec<usize> = (0..=BLOCKS).map(|b| scene.block.partition_point(|x| *x < b)).collect();
+        starts.dedup();
+        let mut joints: Vec<Joint> = (0..scene.dof())
+            .map(|_| Joint { columns: Vec::new(), series: Vec::new(), parts: Vec::new() })
+            .collect();
+        for (c, column) in columns.iter().enumerate() {
+            for (j, series) in &column.rows {
+                joints[*j].columns.push(c);
+                joints[*j].series.push(series.clone());
+            }
+        }
+        for (j, joint) in joints.iter_mut().enumerate() {
+            let n = joint.columns.len();
+            for range in starts.windows(2).map(|w| w[0]..w[1]) {
+                let cut: Vec<&[f64]> = joint.series.iter().map(|s| &s[range.clone()]).collect();
+                let y = &y[j][range.clone()];
+                let mut gram = DMatrix::zeros(n, n);
+                for i in 0..n {
+                    for k in 0..=i {
+                        let value = dot(cut[i], cut[k]);
+                        gram[(i, k)] = value;
+                        gram[(k, i)] = value;
+                    }
+                }
+                joint.parts.push(Part {
+                    gram,
+                    with_y: DVector::from_fn(n, |i, _| dot(cut[i], y)),
+                    yy: dot(y, y),
+                    count: scene.live[j][range].iter().filter(|l| **l).count() as f64,
+                });
+            }
+        }
+        let mut moments = Self { joints, unknowns: columns.len(), starts, y: y.to_vec(), whole: Vec::new() };
+        moments.whole = moments.sums(|_| true);
+        moments
+    }
+
+    /// Parts of the data.
+    pub fn parts(&self) -> usize {
+        self.starts.len().saturating_sub(1)
+    }
+
+    fn sums(&self, keep: impl Fn(usize) -> bool) -> Vec<Part> {
+        self.joints
+            .iter()
+            .map(|joint| {
+                let n = joint.columns.len();
+                let mut sum = Part { gram: DMatrix::zeros(n, n), with_y: DVector::zeros(n), yy: 0.0, count: 0.0 };
+                for (_, part) in joint.parts.iter().enumerate().filter(|(b, _)| keep(*b)) {
+                    sum.gram += &part.gram;
+                    sum.with_y += &part.with_y;
+                    sum.yy += part.yy;
+                    sum.count += part.count;
+                }
+                sum
+            })
+            .collect()
+    }
+
+    fn assemble(&self, sums: &[Part], weights: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
+        let mut matrix = DMatrix::zeros(self.unknowns, self.unknowns);
+        let mut rhs = DVector::zeros(self.unknowns);
+        for ((joint, sum), weight) in self.joints.iter().zip(sums).zip(weights) {
+            for (i, &p) in joint.columns.iter().enumerate() {
+                rhs[p] += weight * sum.with_y[i];
+                for (k, &q) in joint.columns.iter().enumerate() {
+                    matrix[(p, q)] += weight * sum.gram[(i, k)];
+                }
+            }
+        }
+        (matrix, rhs)
+    }
+
+    fn residuals(&self, sums: &[Part], x: &DVector<f64>) -> Vec<f64> {
+        self.joints
+            .iter()
+            .zip(sums)
+            .map(|(joint, sum)| {
+                let local = DVector::from_iterator(joint.columns.len(), joint.columns.iter().map(|&c| x[c]));
+                (sum.yy - 2.0 * local.dot(&sum.with_y) + local.dot(&(&sum.gram * &local))).max(1e-14 * sum.yy).max(1e-300)
+            })
+            .collect()
+    }
+
+    /// Weighted least squares, each joint by its own residual, weights iterated from `start`.
+    pub fn solve(&self, start: Option<&[f64]>) -> Solution {
+        let sums = &self.whole;
+        let counts: Vec<f64> = sums.iter().map(|s| s.count).collect();
+        let fresh = || sums.iter().map(|s| if s.yy > 0.0 { s.count / s.yy } else { 0.0 }).collect::<Vec<_>>();
+        let mut weights = start.map_or_else(fresh, <[f64]>::to_vec);
+        let mut round = 0;
+        loop {
+            let (matrix, rhs) = self.assemble(sums, &weights);
+            let inverse = pseudo_inverse(&matrix);
+            let x = &inverse * &rhs;
+            let rss = self.residuals(sums, &x);
+            round += 1;
+            let next: Vec<f64> = rss.iter().zip(sums).map(|(r, s)| if s.yy > 0.0 { s.count / r } else { 0.0 }).collect();
+            let change = weights.iter().zip(&next).map(|(a, b)| (a - b).abs() / (a + b).max(1e-300)).fold(0.0, f64::max);
+            if round >= 8 || change < 1e-3 {
+                return Solution { x, weights, rss, counts, inverse, rhs };
+            }
+            weights = next;
+        }
+    }
+
+    /// Sums of squared residuals per joint and part, each part predicted from all others (weights as in `whole`).
+    pub fn cross_validated(&self, whole: &Solution) -> Vec<Vec<f64>> {
+        (0..self.parts())
+            .map(|part| {
+                let sums = self.sums(|b| b != part);
+                let (matrix, rhs) = self.assemble(&sums, &whole.weights);
+                let x = pseudo_inverse(&matrix) * rhs;
+                self.residuals(&self.sums(|b| b == part), &x)
+            })
+            .collect()
+    }
+
+    /// Residual series of each joint, zero where a window is not used.
+    pub fn residual(&self, x: &DVector<f64>) -> Vec<Vec<f64>> {
+        self.joints
+            .iter()
+            .zip(&self.y)
+            .map(|(joint, y)| {
+                let mut e = y.clone();
+                for (&c, series) in joint.columns.iter().zip(&joint.series) {
+                    e.iter_mut().zip(series).for_each(|(e, s)| *e -= x[c] * s);
+                }
+                e
+            })
+            .collect()
+    }
+
+    /// Products of further columns with those that are here.
+    pub fn trial(&self, terms: &[&Column]) -> Trial {
+        let mut touched: Vec<usize> = terms.iter().flat_map(|t| t.rows.iter().map(|r| r.0)).collect();
+        touched.sort_unstable();
+        touched.dedup();
+        let joints = touched
+            .into_iter()
+            .map(|j| {
+                let here: Vec<(usize, &Vec<f64>)> = terms
+                    .iter()
+                    .enumerate()
+                    .filter_map(|(i, t)| t.rows.iter().find(|r| r.0 == j).map(|r| (i, &r.1)))
+                    .collect();
+                let joint = &self.joints[j];
+                TrialJoint {
+                    joint: j,
+                    terms: here.iter().map(|h| h.0).collect(),
+                    cross: DMatrix::from_fn(joint.columns.len(), here.len(), |i, k| dot(&joint.series[i], here[k].1)),
+                    gram: DMatrix::from_fn(here.len(), here.len(), |i, k| dot(here[i].1, here[k].1)),
+                    with_y: DVector::from_fn(here.len(), |i, _| dot(here[i].1, &self.y[j])),
+                }
+            })
+            .collect();
+        Trial { terms: terms.len(), joints }
+    }
+
+    /// What the trial's columns gain beside the others, which are refitted; `None` where the others already say the same.
+    pub fn gain(&self, at: &Solution, trial: &Trial) -> Option<Gain> {
+        let (n, k) = (self.unknowns, trial.terms);
+        let (mut cross, mut gram, mut rhs) = (DMatrix::zeros(n, k), DMatrix::zeros(k, k), DVector::zeros(k));
+        for part in &trial.joints {
+            let (joint, weight) = (&self.joints[part.joint], at.weights[part.joint]);
+            for (b, &t) in part.terms.iter().enumerate() {
+                rhs[t] += weight * part.with_y[b];
+                for (a, &c) in joint.columns.iter().enumerate() {
+                    cross[(c, t)] += weight * part.cross[(a, b)];
+                }
+                for (a, &u) in part.terms.iter().enumerate() {
+                    gram[(u, t)] += weight * part.gram[(a, b)];
+                }
+            }
+        }
+        let solved = &at.inverse * &cross;
+        let reduced = &gram - cross.transpose() * &solved;
+        // What is left of a column beside the others must be more than rounding.
+        if (0..k).all(|t| reduced[(t, t)] <= 1e-7 * gram[(t, t)]) {
+            return None;
+        }
+        let right = rhs - solved.transpose() * &at.rhs;
+        let x = pseudo_inverse(&reduced) * right;
+        let others = &at.x - &solved * &x;
+        let sums: Vec<(DVector<f64>, f64)> = self
+            .joints
+            .iter()
+            .map(|joint| (DVector::from_iterator(joint.columns.len(), joint.columns.iter().map(|&c| others[c])), 0.0))
+            .collect();
+        let rss = self
+            .whole
+            .iter()
+            .enumerate()
+            .map(|(j, sum)| {
+                let local = &sums[j].0;
+                let mut rss = sum.yy - 2.0 * local.dot(&sum.with_y) + local.dot(&(&sum.gram * local));
+                if let Some(part) = trial.joints.iter().find(|p| p.joint == j) {
+                    let own = DVector::from_iterator(part.terms.len(), part.terms.iter().map(|&t| x[t]));
+                    rss += own.dot(&(&part.gram * &own)) - 2.0 * own.dot(&part.with_y) + 2.0 * local.dot(&(&part.cross * &own));
+                }
+                rss.max(1e-14 * sum.yy).max(1e-300)
+            })
+            .collect();
+        Some(Gain { x: x.iter().copied().collect(), rss })
+    }
+}
+
+/// Pseudo-inverse of a symmetric positive semidefinite matrix, in units in which its diagonal is 1.
+pub fn pseudo_inverse(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+    let n = matrix.nrows();
+    let scale: Vec<f64> = (0..n).map(|i| if matrix[(i, i)] > 0.0 { matrix[(i, i)].sqrt().recip() } else { 0.0 }).collect();
+    let scaled = DMatrix::from_fn(n, n, |i, k| matrix[(i, k)] * scale[i] * scale[k]);
+    if n == 1 {
+        return DMatrix::from_element(1, 1, if matrix[(0, 0)] > 0.0 { matrix[(0, 0)].recip() } else { 0.0 });
+    }
+    if let Some(root) = scaled.clone().cholesky() {
+        let l = root.l_dirty();
+        let least = (0..n).map(|i| l[(i, i)]).fold(f64::INFINITY, f64::min);
+        if least > 1e-4 {
+            let mut inverse = root.inverse();
+            for i in 0..n {
+                for k in 0..n {
+                    inverse[(i, k)] *= scale[i] * scale[k];
+                }
+            }
+            return inverse;
+        }
+    }
+    let eigen = SymmetricEigen::new(scaled);
+    let largest = eigen.eigenvalues.iter().fold(0.0_f64, |m, v| m.max(*v));
+    let mut inverse = DMatrix::zeros(n, n);
+    for (value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
+        if *value > 1e-9 * largest {
+            inverse.ger(1.0 / value, &vector, &vector, 1.0);
+        }
+    }
+    for i in 0..n {
+        for k in 0..n {
+            inverse[(i, k)] *= scale[i] * scale[k];
+        }
+    }
+    inverse
+}
+
+impl Moments {
+    /// Covariance of the unknowns where the residuals of joint `j` are alike over `inflation[j]` windows:
+    /// `A^-1 (sum_j w_j lambda_j A_j' A_j) A^-1`.
+    pub fn covariance(&self, at: &Solution, inflation: &[f64]) -> DMatrix<f64> {
+        let weights: Vec<f64> = at.weights.iter().zip(inflation).map(|(w, l)| w * l).collect();
+        let (middle, _) = self.assemble(&self.whole, &weights);
+        &at.inverse * middle * &at.inverse
+    }
+}

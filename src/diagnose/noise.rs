@@ -1,0 +1,77 @@
+//! How noisy the torques are, and how long their errors remember themselves.
+
+use super::record::Recording;
+
+/// Standard deviation of each joint's torque noise, N m, without a model: from fourth differences of the raw samples, in which motion
+/// below a tenth of the sampling rate leaves nothing. Noise that was low-passed before it was recorded is not seen.
+pub fn floor(recordings: &[Recording], dof: usize) -> Vec<f64> {
+    (0..dof)
+        .map(|j| {
+            let mut squares: Vec<f64> = Vec::new();
+            for stretch in recordings.iter().flat_map(|r| &r.stretches) {
+                // The variance of a fourth difference of white noise is 70 times its own (1 + 16 + 36 + 16 + 1).
+                squares.extend(stretch.of(&stretch.tau, j).windows(5).map(|w| {
+                    let d = w[0] - 4.0 * w[1] + 6.0 * w[2] - 4.0 * w[3] + w[4];
+                    d * d / 70.0
+                }));
+            }
+            // Steps of friction are rare and large: the largest hundredth is left out, and what Gauss would have there is put back.
+            squares.sort_by(f64::total_cmp);
+            let kept = squares.len() - squares.len() / 100;
+            let mean = squares[..kept].iter().sum::<f64>() / kept.max(1) as f64;
+            (mean / 0.9245).sqrt()
+        })
+        .collect()
+}
+
+/// Over how many windows a residual remembers itself: `1 + 2 sum rho_k` up to the first negative pair (Geyer 1992), at least 1.
+pub fn memory(residual: &[f64], live: &[bool]) -> f64 {
+    let n = residual.len();
+    let variance: f64 = residual.iter().map(|e| e * e).sum::<f64>();
+    let count = live.iter().filter(|l| **l).count() as f64;
+    if variance == 0.0 || count < 20.0 {
+        return 1.0;
+    }
+    let correlation = |lag: usize| {
+        let (mut sum, mut pairs) = (0.0, 0.0);
+        for w in 0..n - lag {
+            if live[w] && live[w + lag] {
+                sum += residual[w] * residual[w + lag];
+                pairs += 1.0;
+            }
+        }
+        if pairs < 10.0 { 0.0 } else { sum / pairs / (variance / count) }
+    };
+    let mut total = 1.0;
+    let mut lag = 1;
+    while lag + 1 < n.min(400) {
+        let pair = correlation(lag) + correlation(lag + 1);
+        if pair <= 0.02 {
+            break;
+        }
+        total += 2.0 * pair;
+        lag += 2;
+    }
+    total.clamp(1.0, count / 5.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::random::Random;
+
+    #[test]
+    fn memory_of_an_autoregression() {
+        let mut random = Random::new(5);
+        let mut x = 0.0;
+        let series: Vec<f64> = (0..20_000)
+            .map(|_| {
+                x = 0.8 * x + random.uniform(-1.0, 1.0);
+                x
+            })
+            .collect();
+        // (1 + a) / (1 - a)
+        let found = memory(&series, &vec![true; series.len()]);
+        assert!((found / 9.0 - 1.0).abs() < 0.25, "{found}");
+    }
+}

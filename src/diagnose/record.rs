@@ -1,0 +1,101 @@
+//! What was recorded, whole in memory: filtered motion, and the torque as it was measured.
+
+use crate::arm::States;
+use crate::signal::Motion;
+
+/// An uninterrupted, evenly sampled stretch of a log.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stretch {
+    /// Time of the first sample, s.
+    pub start: f64,
+    /// Spacing, s.
+    pub period: f64,
+    /// Motion, joint-major.
+    pub states: States,
+    /// Measured torque, joint-major, N m.
+    pub tau: Vec<f64>,
+    /// Temperature, joint-major, deg C; empty where there is none.
+    pub temperature: Vec<f64>,
+    /// Standard deviation of the velocity error that the noise of the positions leaves, rad/s, per joint.
+    pub velocity_noise: Vec<f64>,
+}
+
+/// A log.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Recording {
+    /// Its name.
+    pub name: String,
+    /// Its stretches, in time.
+    pub stretches: Vec<Stretch>,
+}
+
+impl Recording {
+    /// Without a sample yet.
+    pub fn new(name: &str) -> Self {
+        Self { name: name.into(), stretches: Vec::new() }
+    }
+
+    /// Takes in a stretch of motion. Long stretches come in parts; a part that continues the one before is joined to it.
+    pub fn absorb(&mut self, motion: &Motion) {
+        let (dof, len) = (motion.dof(), motion.states.len);
+        let core = motion.core.clone();
+        let cut = |x: &[f64]| -> Vec<f64> {
+            if x.len() == dof * len { x.chunks_exact(len.max(1)).flat_map(|row| row[core.clone()].to_vec()).collect() } else { Vec::new() }
+        };
+        let states = States {
+            len: core.len(),
+            q: cut(&motion.states.q),
+            dq: cut(&motion.states.dq),
+            ddq: cut(&motion.states.ddq),
+        };
+        self.stretches.push(Stretch {
+            start: motion.time(core.start),
+            period: motion.period,
+            states,
+            tau: cut(&motion.tau),
+            temperature: cut(&motion.temperature),
+            velocity_noise: motion.velocity_noise.clone(),
+        });
+    }
+
+    /// Seconds of motion.
+    pub fn seconds(&self) -> f64 {
+        self.stretches.iter().map(|s| s.states.len as f64 * s.period).sum()
+    }
+
+    /// The first `share` of each stretch, and the rest.
+    pub fn split(&self, share: f64) -> [Self; 2] {
+        let part = |which: usize| {
+            let cut = |s: &Stretch| {
+                let len = s.states.len;
+                let at = (share * len as f64).round() as usize;
+                let range = if which == 0 { 0..at } else { at..len };
+                let take = |x: &[f64]| -> Vec<f64> {
+                    x.chunks_exact(len.max(1)).flat_map(|row| row[range.clone()].to_vec()).collect()
+                };
+                Stretch {
+                    start: s.start + range.start as f64 * s.period,
+                    period: s.period,
+                    states: States {
+                        len: range.len(),
+                        q: take(&s.states.q),
+                        dq: take(&s.states.dq),
+                        ddq: take(&s.states.ddq),
+                    },
+                    tau: take(&s.tau),
+                    temperature: take(&s.temperature),
+                    velocity_noise: s.velocity_noise.clone(),
+                }
+            };
+            Self { name: self.name.clone(), stretches: self.stretches.iter().map(cut).collect() }
+        };
+        [part(0), part(1)]
+    }
+}
+
+impl Stretch {
+    /// Joint `j`'s part of a joint-major series.
+    pub fn of<'a>(&self, series: &'a [f64], j: usize) -> &'a [f64] {
+        &series[j * self.states.len..(j + 1) * self.states.len]
+    }
+}

@@ -1,0 +1,140 @@
+//! What a diagnosis says: plain data.
+
+use super::causes::Named;
+
+/// The whole in a word.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// The causes leave nothing but noise.
+    Explained,
+    /// The causes leave structure.
+    PartlyExplained,
+    /// There is structure, and no cause holds.
+    Unexplained,
+    /// There is nothing but noise.
+    NothingWrong,
+}
+
+impl Verdict {
+    /// As the contract writes it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Explained => "explained",
+            Self::PartlyExplained => "partly_explained",
+            Self::Unexplained => "unexplained",
+            Self::NothingWrong => "nothing_wrong",
+        }
+    }
+}
+
+/// Root mean square errors of a model, per joint, N m.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Errors {
+    /// On the logs that were used to find it.
+    pub fit: Vec<f64>,
+    /// On those that were not.
+    pub validate: Vec<f64>,
+}
+
+/// A curve of the evidence: what the cause has to explain against what it says, over the quantity that shows it best.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Evidence {
+    /// Name of the abscissa, with its unit.
+    pub over: String,
+    /// Abscissa: middles of bins.
+    pub x: Vec<f64>,
+    /// Mean error without the cause in each bin, N m.
+    pub measured: Vec<f64>,
+    /// Mean of what the cause contributes, N m.
+    pub explained: Vec<f64>,
+}
+
+/// A cause that was found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cause {
+    /// Identifier of the contract's section 5.
+    pub cause: &'static str,
+    /// Joints, from 1; empty for the whole robot.
+    pub joints: Vec<usize>,
+    /// How sure it is.
+    pub probability: f64,
+    /// Its parameters; symbols carry the joint's number.
+    pub parameters: Vec<Named>,
+    /// The same without the joint's number, for the robot file.
+    pub keys: Vec<Named>,
+    /// A sentence with figures.
+    pub evidence: String,
+    /// Errors with all causes but this one, per joint, N m.
+    pub rms_before: Vec<f64>,
+    /// Errors with it.
+    pub rms_after: Vec<f64>,
+    /// 90 % interval of the part of the squared error that it takes on its main joint.
+    pub interval: [f64; 2],
+    /// `validate`, or `fit` for what acts in one log only.
+    pub on: &'static str,
+    /// Causes that this data can't tell from it.
+    pub not_distinguished_from: Vec<&'static str>,
+    /// What would show it better, or tell it from those.
+    pub shown_by: &'static str,
+    /// The curve that shows it.
+    pub curve: Option<Evidence>,
+}
+
+/// What would settle what this data leaves open.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NextExperiment {
+    /// The causes to tell apart.
+    pub between: Vec<&'static str>,
+    /// Joints, from 1.
+    pub joints: Vec<usize>,
+    /// The motion, in words.
+    pub motion: String,
+}
+
+/// Measured torque and errors over time, for drawing: of one joint, thinned.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Curve {
+    /// Time, s.
+    pub t: Vec<f64>,
+    /// Measured torque, N m.
+    pub measured: Vec<f64>,
+    /// Error of the file as it was, N m.
+    pub before: Vec<f64>,
+    /// Error of the extended model, N m.
+    pub after: Vec<f64>,
+}
+
+/// All that was found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Diagnosis {
+    /// The robot's name.
+    pub robot: String,
+    /// The whole in a word.
+    pub verdict: Verdict,
+    /// Standard deviation of each joint's torque noise, without a model, N m.
+    pub noise_floor: Vec<f64>,
+    /// Root mean square of the measured torque of the validating logs, N m.
+    pub torque_rms: Vec<f64>,
+    /// Errors of the file as it is.
+    pub baseline: Errors,
+    /// Errors after refitting all base parameters and friction, without any further cause.
+    pub refitted: Errors,
+    /// Errors with all causes.
+    pub extended: Errors,
+    /// Whether the file has link parameters.
+    pub has_links: bool,
+    /// Whether the extended model takes all base parameters anew.
+    pub links_refitted: bool,
+    /// Standard parameters of the extended model.
+    pub standard: Option<Vec<f64>>,
+    /// What was found, in order of what it gains.
+    pub causes: Vec<Cause>,
+    /// What to do next.
+    pub next_experiment: Option<NextExperiment>,
+    /// Whether the validating data are logs of their own, or the ends of the fitted ones.
+    pub own_validation: bool,
+    /// Seconds of motion: fitted, validating.
+    pub seconds: [f64; 2],
+    /// One per joint, of the validating data.
+    pub curves: Vec<Curve>,
+}

@@ -1,0 +1,499 @@
+//! The diagnosis from end to end: recordings in, [`Diagnosis`] out.
+
+use crate::arm::Plant;
+
+use super::causes::{COULOMB, Cause as Hypothesis, Kind, Named, OFFSET, VISCOUS};
+use super::evidence;
+use super::model::{Bench, Chosen, Fitted, Mode, given_friction, parameters};
+use super::noise::floor;
+use super::record::Recording;
+use super::result::{Cause, Curve, Diagnosis, Errors, NextExperiment, Verdict};
+use super::search::{Accepted, Found, SearchSettings, search};
+use super::structure::{Structure, structure};
+
+/// How to diagnose.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// Windows per second. Default 100.
+    pub rate: f64,
+    /// How strict the search is.
+    pub search: SearchSettings,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { rate: 100.0, search: SearchSettings::default() }
+    }
+}
+
+/// Why there is no diagnosis.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum DiagnoseError {
+    /// Too little data.
+    #[error("{seconds:.1} s of usable motion are too little to tell causes apart; record at least 3 s")]
+    TooShort {
+        /// Seconds.
+        seconds: f64,
+    },
+    /// Torques that are zero throughout.
+    #[error("the torques of all joints are zero throughout; take logs in which they were measured")]
+    NoTorque,
+    /// Infinite numbers.
+    #[error("the equations contain infinite numbers; look for absurd values in the logs or the robot file")]
+    NotFinite,
+}
+
+/// Errors per joint and sample at the logs' own rate.
+struct Measured {
+    rms: Vec<f64>,
+    error: Vec<Vec<f64>>,
+    time: Vec<f64>,
+}
+
+const RAW: f64 = 1e9;
+
+/// Errors of a fitted model on recordings, every sample counted.
+fn measure<'a>(
+    plant: &'a dyn Plant,
+    recordings: &'a [Recording],
+    bench: &Bench<'_>,
+    fitted: Option<&Fitted>,
+    chosen: &[Chosen],
+) -> Measured {
+    let mut fine = Bench::new(plant, recordings, RAW, bench.mode, &bench.scene.delays, true);
+    let mut error = match fitted {
+        Some(fitted) => {
+            fine.adopt(bench, fitted);
+            fine.predict(&fitted.solution.x, chosen)
+        }
+        None => vec![vec![0.0; fine.scene.len]; fine.scene.dof()],
+    };
+    for (e, y) in error.iter_mut().zip(fine.target()) {
+        e.iter_mut().zip(y).for_each(|(e, y)| *e = y - *e);
+    }
+    let rms = error.iter().map(|e| root_mean_square(e)).collect();
+    Measured { rms, error, time: fine.scene.time.clone() }
+}
+
+fn root_mean_square(x: &[f64]) -> f64 {
+    (x.iter().map(|x| x * x).sum::<f64>() / x.len().max(1) as f64).sqrt()
+}
+
+/// A cause on its way into the result.
+struct Item {
+    hypothesis: &'static dyn Hypothesis,
+    place: Vec<usize>,
+    /// Among the accepted; `None`: a friction parameter.
+    accepted: Option<usize>,
+    /// Unknowns of friction that belong to it.
+    friction: Vec<usize>,
+}
+
+/// Diagnoses `fit`, and measures on `validate`; where that is empty, on the last three tenths of each stretch of `fit`.
+pub fn diagnose(
+    plant: &dyn Plant,
+    fit: &[Recording],
+    validate: &[Recording],
+    settings: &Settings,
+    progress: &dyn Fn(&str),
+) -> Result<Diagnosis, DiagnoseError> {
+    let own_validation = !validate.is_empty();
+    let parts: Vec<[Recording; 2]> = if own_validation { Vec::new() } else { fit.iter().map(|r| r.split(0.7)).collect() };
+    let first: Vec<Recording> = parts.iter().map(|p| p[0].clone()).collect();
+    let rest: Vec<Recording> = parts.iter().map(|p| p[1].clone()).collect();
+    let (fit, validate) = if own_validation { (fit, validate) } else { (&first[..], &rest[..]) };
+    let seconds: f64 = fit.iter().map(Recording::seconds).sum();
+    let dof = plant.dof();
+    let zeros = vec![0.0; dof];
+    let noise = floor(&[fit, validate].concat(), dof);
+    let start = Bench::new(plant, fit, settings.rate, Mode::Trusted, &zeros, false);
+    if seconds < 2.0 || start.scene.len < 100 {
+        return Err(DiagnoseError::TooShort { seconds });
+    }
+    if start.target().iter().flatten().any(|y| !y.is_finite()) {
+        return Err(DiagnoseError::NotFinite);
+    }
+    if fit.iter().flat_map(|r| &r.stretches).all(|s| s.tau.iter().all(|t| *t == 0.0)) {
+        return Err(DiagnoseError::NoTorque);
+    }
+    let baseline = Errors {
+        fit: measure(plant, fit, &start, None, &[]).rms,
+        validate: measure(plant, validate, &start, None, &[]).rms,
+    };
+    let before = measure(plant, validate, &start, None, &[]).error;
+    let torque_rms: Vec<f64> = (0..dof)
+        .map(|j| {
+            let all: Vec<f64> = validate.iter().flat_map(|r| &r.stretches).flat_map(|s| s.of(&s.tau, j).to_vec()).collect();
+            root_mean_square(&all)
+        })
+        .collect();
+
+    // The same after refitting: what remains is structure.
+    let mut refit = Bench::new(plant, fit, settings.rate, Mode::Refitted, &zeros, false);
+    let plain = refit.fit(&mut []);
+    let refitted = Errors {
+        fit: measure(plant, fit, &refit, Some(&plain), &[]).rms,
+        validate: measure(plant, validate, &refit, Some(&plain), &[]).rms,
+    };
+    drop(refit);
+
+    let has_links = plant.given().is_some_and(|g| g.iter().any(|v| *v != 0.0));
+    let attempt = |mode: Mode| {
+        let mut bench = Bench::new(plant, fit, settings.rate, mode, &zeros, false);
+        let found = search(&mut bench, &noise, &settings.search, progress);
+        (bench, found)
+    };
+    let (mut bench, mut found) = if has_links {
+        progress("the file's links as they are");
+        let (trusted, explained) = attempt(Mode::Trusted);
+        let left = structure(&trusted.scene, &explained.fitted.residual, &noise, &torque_rms);
+        if left.is_empty() {
+            (trusted, explained)
+        } else {
+            progress("all base parameters anew");
+            let (free, other) = attempt(Mode::Refitted);
+            if pays(&explained.fitted, &other.fitted) { (free, other) } else { (trusted, explained) }
+        }
+    } else {
+        attempt(Mode::Refitted)
+    };
+    let fitted = freeze(&mut bench, &mut found, &noise);
+    let items = items(&bench, &found, &fitted, &noise);
+    let chosen: Vec<Chosen> = found.accepted.iter().map(|a| a.chosen.clone()).collect();
+    let left = structure(&bench.scene, &fitted.residual, &noise, &torque_rms);
+
+    progress("measuring on data that was not used");
+    let after = measure(plant, validate, &bench, Some(&fitted), &chosen);
+    let after_fit = measure(plant, fit, &bench, Some(&fitted), &chosen);
+    let covariance = fitted.covariance();
+    let mut causes: Vec<Cause> = Vec::new();
+    for item in &items {
+        let local = item.hypothesis.local();
+        let (on, data, with) = if local { ("fit", fit, &after_fit) } else { ("validate", validate, &after) };
+        let without = leave_out(plant, fit, data, &bench, &chosen, item);
+        let keys = match item.accepted {
+            Some(index) => parameters(&bench, &fitted, &covariance, index, &chosen[index]),
+            None => friction_values(&bench, &fitted, &covariance, item),
+        };
+        let extra = match item.accepted {
+            Some(_) => friction_values(&bench, &fitted, &covariance, item),
+            None => Vec::new(),
+        };
+        let mut keys = keys;
+        for named in extra {
+            if keys.iter().all(|k| k.symbol != named.symbol) {
+                keys.push(named);
+            }
+        }
+        let suffix = item.place.first().map(|j| (j + 1).to_string()).unwrap_or_default();
+        let parameters: Vec<Named> =
+            keys.iter().map(|k| Named { symbol: format!("{}{suffix}", k.symbol), ..k.clone() }).collect();
+        let accepted = item.accepted.map(|a| &found.accepted[a]);
+        let interval = bootstrap(&without, with, &item.place);
+        let rivals = confusable(&bench, item, accepted);
+        causes.push(Cause {
+            cause: item.hypothesis.name(),
+            joints: item.place.iter().map(|j| j + 1).collect(),
+            probability: probability(accepted, &without.rms, &with.rms),
+            evidence: evidence::sentence(item.hypothesis, &item.place, &parameters, &without.rms, &with.rms, &noise, on, accepted),
+            curve: item.accepted.and_then(|index| evidence::curve(&bench, &fitted, index, &chosen[index])),
+            parameters,
+            keys,
+            rms_before: without.rms,
+            rms_after: with.rms.clone(),
+            interval,
+            on,
+            not_distinguished_from: rivals,
+            shown_by: item.hypothesis.shown_by(),
+        });
+    }
+    if bench.mode == Mode::Refitted && has_links {
+        let joints = evidence::changed_links(&bench, &fitted, &covariance);
+        if !joints.is_empty() {
+            causes.push(Cause {
+                cause: "link_inertia_error",
+                evidence: format!("the base parameters of joint(s) {joints:?} differ from the file's by more than five of their standard deviations"),
+                joints,
+                probability: 0.9,
+                parameters: Vec::new(),
+                keys: Vec::new(),
+                rms_before: baseline.validate.clone(),
+                rms_after: refitted.validate.clone(),
+                interval: [f64::NAN; 2],
+                on: "validate",
+                not_distinguished_from: Vec::new(),
+                shown_by: "an exciting motion for the base parameters",
+                curve: None,
+            });
+        }
+    }
+    causes.sort_by(|a, b| taken(b, &noise).total_cmp(&taken(a, &noise)));
+    // A cause that loses on data that was not used is no cause.
+    causes.retain(|c| c.on == "fit" || taken(c, &noise) > 0.0);
+    let verdict = match (causes.is_empty(), left.is_empty()) {
+        (true, true) => Verdict::NothingWrong,
+        (true, false) => Verdict::Unexplained,
+        (false, true) => Verdict::Explained,
+        (false, false) => Verdict::PartlyExplained,
+    };
+    unknown(&mut causes, &left, &after.rms, &noise);
+    let next_experiment = causes.iter().find(|c| !c.not_distinguished_from.is_empty() && c.cause != "unknown").map(|c| NextExperiment {
+        between: std::iter::once(c.cause).chain(c.not_distinguished_from.iter().copied()).collect(),
+        joints: c.joints.clone(),
+        motion: c.shown_by.to_string(),
+    });
+    let curves = (0..dof).map(|j| curve(validate, j, &after, &before)).collect();
+    let extended = Errors { fit: after_fit.rms, validate: after.rms };
+    Ok(Diagnosis {
+        robot: plant.name().to_string(),
+        verdict,
+        noise_floor: noise,
+        torque_rms,
+        baseline,
+        refitted,
+        extended,
+        has_links,
+        links_refitted: bench.mode == Mode::Refitted,
+        standard: bench.scene.standard.clone(),
+        causes,
+        next_experiment,
+        own_validation,
+        seconds: [seconds, validate.iter().map(Recording::seconds).sum()],
+        curves,
+    })
+}
+
+/// Whether refitting all base parameters explains enough more than the few causes of the trusted file.
+fn pays(trusted: &Fitted, free: &Fitted) -> bool {
+    let (mut gain, mut independent) = (0.0, 0.0);
+    let joints = trusted.solution.rss.iter().zip(&free.solution.rss).zip(trusted.solution.counts.iter().zip(&free.memory));
+    for ((a, b), (n, memory)) in joints {
+        if *a > 1e-290 && *b > 1e-290 && *n > 0.0 {
+            gain += n / memory * (a / b).ln();
+            independent += n / memory;
+        }
+    }
+    let more = free.solution.x.len() as f64 - trusted.solution.x.len() as f64;
+    gain > more.max(0.0) * independent.max(2.0).ln() + 20.0
+}
+
+/// Friction parameters that the data do not want changed go back to the file's values.
+fn freeze(bench: &mut Bench<'_>, found: &mut Found, noise: &[f64]) -> Fitted {
+    let mut chosen: Vec<Chosen> = found.accepted.iter().map(|a| a.chosen.clone()).collect();
+    let mut fitted = bench.fit(&mut chosen);
+    let given = given_friction(bench.plant);
+    for _ in 0..3 {
+        let covariance = fitted.covariance();
+        let mut changed = false;
+        for j in 0..bench.scene.dof() {
+            for which in 0..3 {
+                let k = 3 * j + which;
+                if bench.frozen[k] {
+                    continue;
+                }
+                let at = fitted.friction + k;
+                let (value, std) = (fitted.solution.x[at], covariance[(at, at)].max(0.0).sqrt());
+                // What this much of it does to the torque that the others can't: 1 / sqrt(inverse diagonal) is the column's own size.
+                let own = fitted.solution.inverse[(at, at)];
+                let weight = fitted.solution.weights[j] * fitted.solution.counts[j];
+                let effect = if own > 0.0 && weight > 0.0 { value.abs() / (own * weight).sqrt() } else { 0.0 };
+                let small = value.abs() < 0.04 * given[j][which].unwrap_or(0.0).abs();
+                if value.abs() < 4.5 * std || effect < 0.2 * noise[j] || small {
+                    bench.frozen[k] = true;
+                    changed = true;
+                }
+            }
+        }
+        if !changed {
+            break;
+        }
+        fitted = bench.fit(&mut chosen);
+    }
+    for (a, c) in found.accepted.iter_mut().zip(&chosen) {
+        a.chosen = c.clone();
+    }
+    fitted
+}
+
+/// The accepted causes, and the friction parameters that changed and belong to none of them.
+fn items(bench: &Bench<'_>, found: &Found, _fitted: &Fitted, _noise: &[f64]) -> Vec<Item> {
+    let mut items: Vec<Item> = found
+        .accepted
+        .iter()
+        .enumerate()
+        .map(|(index, a)| Item {
+            hypothesis: a.chosen.cause,
+            place: a.chosen.place.clone(),
+            accepted: Some(index),
+            friction: Vec::new(),
+        })
+        .collect();
+    let given = given_friction(bench.plant);
+    for j in 0..bench.scene.dof() {
+        for (which, hypothesis) in [&VISCOUS, &COULOMB, &OFFSET].into_iter().enumerate() {
+            let k = 3 * j + which;
+            if bench.frozen[k] {
+                continue;
+            }
+            // Where a friction law was found, the plain terms that the file already has are part of it.
+            let owner = items.iter_mut().find(|i| {
+                let friction = i.hypothesis.kind() == Kind::Friction && which < 2 && given[j][which].is_some();
+                let shift = which == 2 && matches!(i.hypothesis.name(), "joint_spring" | "asymmetric_friction");
+                i.accepted.is_some() && i.place == [j] && (friction || shift)
+            });
+            match owner {
+                Some(owner) => owner.friction.push(k),
+                None => items.push(Item { hypothesis, place: vec![j], accepted: None, friction: vec![k] }),
+            }
+        }
+    }
+    items
+}
+
+/// Values of the friction parameters that belong to an item.
+fn friction_values(bench: &Bench<'_>, fitted: &Fitted, covariance: &nalgebra::DMatrix<f64>, item: &Item) -> Vec<Named> {
+    let given = given_friction(bench.plant);
+    item.friction
+        .iter()
+        .map(|&k| {
+            let (j, which, at) = (k / 3, k % 3, fitted.friction + k);
+            let base = if which == 2 && item.accepted.is_none() { 0.0 } else { given[j][which].unwrap_or(0.0) };
+            Named {
+                symbol: ["FV", "FC", "TO"][which].to_string(),
+                value: base + fitted.solution.x[at],
+                std: Some(covariance[(at, at)].max(0.0).sqrt()),
+            }
+        })
+        .collect()
+}
+
+/// Errors on `data` of the model that is fitted without one of its causes.
+fn leave_out<'a>(plant: &'a dyn Plant, fit: &'a [Recording], data: &'a [Recording], bench: &Bench<'_>, chosen: &[Chosen], item: &Item) -> Measured {
+    let mut delays = bench.scene.delays.clone();
+    if item.hypothesis.name() == "time_delay" {
+        // The delay's own part of the shift goes.
+        let own: Vec<usize> = if item.place.is_empty() { (0..delays.len()).collect() } else { item.place.clone() };
+        own.iter().for_each(|&j| delays[j] = 0.0);
+    }
+    let mut reduced = Bench::new(plant, fit, bench.rate, bench.mode, &delays, false);
+    reduced.frozen = bench.frozen.clone();
+    item.friction.iter().for_each(|&k| reduced.frozen[k] = true);
+    let mut others: Vec<Chosen> =
+        chosen.iter().enumerate().filter(|(i, _)| item.accepted != Some(*i)).map(|(_, c)| c.clone()).collect();
+    let fitted = reduced.fit(&mut others);
+    measure(plant, data, &reduced, Some(&fitted), &others)
+}
+
+/// How much squared error a cause takes, in units of the noise, summed over joints.
+fn taken(cause: &Cause, noise: &[f64]) -> f64 {
+    let joints = cause.rms_before.iter().zip(&cause.rms_after).zip(noise);
+    joints.map(|((a, b), s)| (a * a - b * b) / (s * s).max(1e-12).max(1e-6 * a * a)).sum()
+}
+
+/// 90 % interval of the share of the squared error on the main joint that the cause takes: moving blocks of half a second (Kuensch 1989).
+fn bootstrap(without: &Measured, with: &Measured, place: &[usize]) -> [f64; 2] {
+    let main = place.first().copied().unwrap_or_else(|| {
+        let gain = |j: &usize| without.rms[*j].powi(2) - with.rms[*j].powi(2);
+        (0..with.rms.len()).max_by(|a, b| gain(a).total_cmp(&gain(b))).unwrap_or(0)
+    });
+    let (Some(a), Some(b)) = (without.error.get(main), with.error.get(main)) else { return [f64::NAN; 2] };
+    let step = with.time.windows(2).map(|w| w[1] - w[0]).find(|d| *d > 0.0).unwrap_or(0.01);
+    let length = ((0.5 / step) as usize).max(1);
+    let n = a.len().min(b.len());
+    let sums: Vec<[f64; 2]> = (0..n / length)
+        .map(|i| {
+            let span = i * length..(i + 1) * length;
+            [a[span.clone()].iter().map(|e| e * e).sum(), b[span].iter().map(|e| e * e).sum()]
+        })
+        .collect();
+    if sums.len() < 4 {
+        return [f64::NAN; 2];
+    }
+    let mut random = crate::numeric::random::Random::new(1);
+    let mut shares: Vec<f64> = (0..400)
+        .map(|_| {
+            let (mut before, mut after) = (0.0, 0.0);
+            for _ in 0..sums.len() {
+                let pick = sums[random.below(sums.len())];
+                before += pick[0];
+                after += pick[1];
+            }
+            if before > 0.0 { 1.0 - after / before } else { 0.0 }
+        })
+        .collect();
+    shares.sort_by(f64::total_cmp);
+    [shares[20], shares[379]]
+}
+
+/// How sure a cause is: support against none at all, and against its rivals.
+fn probability(accepted: Option<&Accepted>, before: &[f64], after: &[f64]) -> f64 {
+    let helps = before.iter().zip(after).any(|(a, b)| a > b);
+    let Some(accepted) = accepted else { return if helps { 0.97 } else { 0.5 } };
+    let against_none = 1.0 / (1.0 + (-accepted.support / 6.0).exp());
+    let against_rivals = 1.0 / (1.0 + accepted.rivals.iter().map(|r| (-r.2.max(0.0) / 4.0).exp()).sum::<f64>());
+    (against_none * against_rivals * accepted.confirmed.max(0.5)).min(0.999)
+}
+
+/// What this data, or any data, can't tell from a cause.
+fn confusable(bench: &Bench<'_>, item: &Item, accepted: Option<&Accepted>) -> Vec<&'static str> {
+    let mut names: Vec<&'static str> = accepted.map(|a| a.rivals.iter().map(|r| r.0).collect()).unwrap_or_default();
+    let last = bench.scene.dof().checked_sub(1);
+    let on_paper: &[&str] = match item.hypothesis.name() {
+        "torque_offset" => &["asymmetric_friction"],
+        "payload" => &["link_inertia_error"],
+        "link_inertia_error" if item.place.first().copied() == last => &["payload"],
+        _ => &[],
+    };
+    names.extend(on_paper);
+    names.sort_unstable();
+    names.dedup();
+    names.retain(|n| *n != item.hypothesis.name());
+    names
+}
+
+/// What is left without a name.
+fn unknown(causes: &mut Vec<Cause>, left: &[Structure], rms: &[f64], noise: &[f64]) {
+    if left.is_empty() {
+        return;
+    }
+    let mut left = left.to_vec();
+    left.sort_by(|a, b| (b.rms / noise[b.joint].max(1e-12)).total_cmp(&(a.rms / noise[a.joint].max(1e-12))));
+    let joints: Vec<usize> = left.iter().map(|s| s.joint + 1).collect();
+    let sentences: Vec<&str> = left.iter().map(|s| s.description.as_str()).collect();
+    let mut after = rms.to_vec();
+    for s in &left {
+        after[s.joint] = (rms[s.joint].powi(2) - s.rms.powi(2)).max(0.0).sqrt();
+    }
+    let entry = Cause {
+        cause: "unknown",
+        joints,
+        probability: 0.9,
+        parameters: Vec::new(),
+        keys: Vec::new(),
+        evidence: format!("structure is left that no listed cause explains: {}", sentences.join("; ")),
+        rms_before: rms.to_vec(),
+        rms_after: after,
+        interval: [f64::NAN; 2],
+        on: "fit",
+        not_distinguished_from: Vec::new(),
+        shown_by: "a longer recording with slow and fast motion of the named joints",
+        curve: None,
+    };
+    let size = taken(&entry, noise);
+    let at = causes.iter().position(|c| taken(c, noise) < size).unwrap_or(causes.len());
+    causes.insert(at, entry);
+}
+
+/// Torque and errors over time, at most 2,000 points.
+fn curve(validate: &[Recording], j: usize, after: &Measured, before: &[Vec<f64>]) -> Curve {
+    let n = after.error[j].len().min(before[j].len());
+    let every = n.div_ceil(2000).max(1);
+    let fine = |x: &[f64]| -> Vec<f64> { x[..n].iter().step_by(every).copied().collect() };
+    let _ = validate;
+    Curve {
+        t: fine(&after.time),
+        measured: Vec::new(),
+        before: fine(&before[j]),
+        after: fine(&after.error[j]),
+    }
+}

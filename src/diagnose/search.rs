@@ -1,0 +1,398 @@
+//! Which causes: one after the other, each against all others, until nothing more is supported.
+//!
+//! A candidate is a cause in a place. Its gain is the logarithm of the ratio of the joints' residual sums of squares without and with it, all
+//! other unknowns refitted; windows count by how long residuals remember themselves. A candidate is accepted if the gain pays for its
+//! unknowns and for how many candidates were tried, if parts of the data that were not used to fit it confirm it, and if it is large
+//! enough to matter beside the noise.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use super::causes::{CAUSES, Cause, Sign};
+use super::model::{Bench, Chosen, Fitted};
+use super::moments::Gain;
+use super::noise::memory;
+
+/// How strict the search is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SearchSettings {
+    /// The most causes.
+    pub most: usize,
+    /// Least effect, as a share of the joint's raw torque noise.
+    pub least_effect: f64,
+    /// Least share of the variance that an earlier cause of the same kind on the same joint took: less is what that cause's law
+    /// does not fit.
+    pub least_share: f64,
+}
+
+impl Default for SearchSettings {
+    fn default() -> Self {
+        Self { most: 8, least_effect: 0.1, least_share: 0.03 }
+    }
+}
+
+/// A cause in a place with its best shape.
+#[derive(Clone)]
+pub struct Candidate {
+    /// What.
+    pub cause: &'static dyn Cause,
+    /// Where.
+    pub place: Vec<usize>,
+    /// Its shape.
+    pub shape: Vec<f64>,
+    /// What it gives.
+    pub gain: Gain,
+    /// Sum over joints of windows times the logarithm of the ratio of residuals, less what its unknowns cost.
+    pub score: f64,
+}
+
+/// An accepted cause with the evidence.
+#[derive(Clone)]
+pub struct Accepted {
+    /// The cause.
+    pub chosen: Chosen,
+    /// Twice the gain in log-likelihood, in independent windows, less the cost.
+    pub support: f64,
+    /// Share of the parts of the data that confirm it.
+    pub confirmed: f64,
+    /// What says nearly the same: cause, place, difference of support.
+    pub rivals: Vec<(&'static str, Vec<usize>, f64)>,
+    /// Variance that it takes, summed over joints, (N m)^2.
+    pub variance: f64,
+}
+
+/// What a search found.
+pub struct Found {
+    /// Accepted causes.
+    pub accepted: Vec<Accepted>,
+    /// The model with them.
+    pub fitted: Fitted,
+    /// The model without any.
+    pub plain: Fitted,
+}
+
+fn unknowns(cause: &dyn Cause, terms: usize) -> f64 {
+    let shape = cause.shape().iter().filter(|s| s.step.is_some()).count();
+    (terms + shape) as f64
+}
+
+/// Evaluates one shape.
+fn evaluate(bench: &Bench<'_>, fitted: &Fitted, cause: &'static dyn Cause, place: &[usize], shape: &[f64]) -> Option<Candidate> {
+    let terms = cause.terms(&bench.scene, place, shape);
+    if terms.is_empty() {
+        return None;
+    }
+    let columns: Vec<_> = terms.iter().map(|t| &t.column).collect();
+    let gain = fitted.moments.gain(&fitted.solution, &fitted.moments.trial(&columns))?;
+    let signed = terms.iter().zip(&gain.x).all(|(t, x)| match t.sign {
+        Sign::Any => true,
+        Sign::Positive => *x > 0.0,
+        Sign::Negative => *x < 0.0,
+    });
+    if !signed || !gain.x.iter().all(|x| x.is_finite()) || !cause.plausible(&bench.scene, place, shape, &gain.x) {
+        return None;
+    }
+    let total: f64 = fitted.solution.counts.iter().sum();
+    let raw: f64 = logs(&fitted.solution.rss, &gain.rss).zip(&fitted.solution.counts).map(|(l, n)| n * l).sum();
+    let score = raw - unknowns(cause, terms.len()) * total.max(2.0).ln();
+    Some(Candidate { cause, place: place.to_vec(), shape: shape.to_vec(), gain, score })
+}
+
+fn logs<'a>(before: &'a [f64], after: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
+    before.iter().zip(after).map(|(a, b)| if *a > 1e-290 && *b > 1e-290 { (a / b).ln() } else { 0.0 })
+}
+
+/// The best shape of every cause in every place, best first.
+pub fn candidates(bench: &Bench<'_>, fitted: &Fitted, wanted: &(dyn Fn(&'static dyn Cause, &[usize]) -> bool + Sync)) -> Vec<Candidate> {
+    let mut tasks: Vec<(&'static dyn Cause, Vec<usize>)> = Vec::new();
+    for cause in CAUSES {
+        tasks.extend(cause.places(&bench.scene).into_iter().filter(|p| wanted(cause, p)).map(|p| (cause, p)));
+    }
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mut found: Vec<(usize, Candidate)> = Vec::new();
+        loop {
+            let at = next.fetch_add(1, Ordering::Relaxed);
+            let Some((cause, place)) = tasks.get(at) else { return found };
+            let best = cause
+                .grid(&bench.scene, place, &fitted.residual)
+                .iter()
+                .filter_map(|shape| evaluate(bench, fitted, *cause, place, shape))
+                .max_by(|a, b| a.score.total_cmp(&b.score));
+            found.extend(best.map(|b| (at, b)));
+        }
+    };
+    let threads = std::thread::available_parallelism().map_or(1, |n| n.get()).min(4);
+    let mut all: Vec<(usize, Candidate)> = std::thread::scope(|scope| {
+        let handles: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+        handles.into_iter().flat_map(|h| h.join().unwrap_or_default()).collect()
+    });
+    all.sort_by_key(|a| a.0);
+    let mut all: Vec<Candidate> = all.into_iter().map(|a| a.1).collect();
+    all.sort_by(|a, b| b.score.total_cmp(&a.score));
+    let refined = all.len().min(10);
+    for candidate in &mut all[..refined] {
+        refine(bench, fitted, candidate);
+    }
+    all.sort_by(|a, b| b.score.total_cmp(&a.score));
+    all
+}
+
+/// Walks each number of the shape up and down with shrinking steps.
+fn refine(bench: &Bench<'_>, fitted: &Fitted, candidate: &mut Candidate) {
+    let shape = candidate.cause.shape();
+    if candidate.cause.secant() && shape.first().is_some_and(|s| s.step.is_none()) {
+        // The step follows the coefficient.
+        for _ in 0..3 {
+            let x = candidate.gain.x[0];
+            let step = x.clamp(shape[0].range[0], shape[0].range[1]);
+            if step == 0.0 {
+                break;
+            }
+            let mut next = candidate.shape.clone();
+            next[0] = step;
+            match evaluate(bench, fitted, candidate.cause, &candidate.place, &next) {
+                Some(better) => *candidate = better,
+                None => break,
+            }
+        }
+    }
+    for (k, number) in shape.iter().enumerate() {
+        let Some(first) = number.step else { continue };
+        let mut step = first;
+        for _ in 0..4 {
+            let mut moved = false;
+            for direction in [1.0, -1.0] {
+                let mut next = candidate.shape.clone();
+                next[k] = if step > 0.0 { next[k] * (1.0 + step).powf(direction) } else { next[k] - direction * step };
+                if next[k] < number.range[0] || next[k] > number.range[1] {
+                    continue;
+                }
+                if let Some(better) = evaluate(bench, fitted, candidate.cause, &candidate.place, &next)
+                    && better.score > candidate.score
+                {
+                    *candidate = better;
+                    moved = true;
+                    break;
+                }
+            }
+            if !moved {
+                step *= 0.4;
+            }
+        }
+    }
+}
+
+/// Searches until nothing more is supported.
+pub fn search(bench: &mut Bench<'_>, noise: &[f64], settings: &SearchSettings, progress: &dyn Fn(&str)) -> Found {
+    let plain = bench.fit(&mut []);
+    let mut chosen: Vec<Chosen> = Vec::new();
+    let mut accepted: Vec<Accepted> = Vec::new();
+    let mut fitted = bench.fit(&mut []);
+    while accepted.len() < settings.most {
+        progress(&format!("{} found, looking for more", accepted.len()));
+        let free = |cause: &'static dyn Cause, place: &[usize]| {
+            cause.repeats() && chosen.iter().filter(|c| c.cause.name() == cause.name() && c.place == place).count() < 2
+                || chosen.iter().all(|c| c.cause.name() != cause.name() || c.place != place)
+        };
+        let wanted = |cause: &'static dyn Cause, place: &[usize]| free(cause, place) && makes_sense(bench, cause);
+        let ranked = candidates(bench, &fitted, &wanted);
+        let tried = ranked.len().max(1);
+        let mut taken = None;
+        for (rank, candidate) in ranked.iter().take(4).enumerate() {
+            let mut trial = chosen.clone();
+            trial.push(Chosen {
+                cause: candidate.cause,
+                place: candidate.place.clone(),
+                shape: candidate.shape.clone(),
+                x: candidate.gain.x.clone(),
+            });
+            let delays = bench.scene.delays.clone();
+            let next = bench.fit(&mut trial);
+            let judged = judge(bench, &fitted, &next, &trial, &accepted, noise, settings, tried);
+            match judged {
+                Some(mut judged) => {
+                    judged.rivals = rivals(&ranked, rank, &next);
+                    taken = Some((judged, trial, next));
+                    break;
+                }
+                None if delays != bench.scene.delays => {
+                    // Undo a delay that was tried.
+                    let by = bench.scene.delays.iter().zip(&delays).map(|(a, b)| b - a).collect::<Vec<_>>();
+                    bench.undo_delay(&by);
+                    fitted = bench.fit(&mut chosen);
+                }
+                None => {}
+            }
+        }
+        let Some((judged, trial, next)) = taken else { break };
+        chosen = trial;
+        accepted.push(judged);
+        fitted = next;
+        for (a, c) in accepted.iter_mut().zip(&chosen) {
+            a.chosen = c.clone();
+        }
+    }
+    progress("weighing the causes against each other");
+    settle(bench, &mut accepted, &mut fitted, noise, settings);
+    Found { accepted, fitted, plain }
+}
+
+/// Wrong links can't be seen where all base parameters are unknown.
+fn makes_sense(bench: &Bench<'_>, cause: &dyn Cause) -> bool {
+    bench.mode == super::model::Mode::Trusted || !matches!(cause.name(), "link_inertia_error" | "payload" | "rotor_inertia")
+        || (cause.name() == "rotor_inertia")
+}
+
+/// Whether the last of `trial` is worth having.
+#[allow(clippy::too_many_arguments)]
+fn judge(
+    bench: &Bench<'_>,
+    before: &Fitted,
+    after: &Fitted,
+    trial: &[Chosen],
+    accepted: &[Accepted],
+    noise: &[f64],
+    settings: &SearchSettings,
+    tried: usize,
+) -> Option<Accepted> {
+    let last = trial.last()?;
+    let terms = after.terms.last()?;
+    if terms.is_empty() || !last.cause.plausible(&bench.scene, &last.place, &last.shape, &last.x) {
+        return None;
+    }
+    if terms.iter().zip(&last.x).any(|(t, x)| t.sign == Sign::Positive && *x <= 0.0) && last.cause.name() != "time_delay" {
+        return None;
+    }
+    let counts = &before.solution.counts;
+    let independent: f64 = counts.iter().zip(&after.memory).map(|(n, m)| n / m).sum();
+    let gain: f64 = logs(&before.solution.rss, &after.solution.rss)
+        .zip(counts.iter().zip(&after.memory))
+        .map(|(l, (n, m))| l * n / m)
+        .sum();
+    let cost = unknowns(last.cause, terms.len()) * independent.max(2.0).ln() + 2.0 * (tried as f64).ln() + 6.0;
+    let support = gain - cost;
+    if support <= 0.0 {
+        return None;
+    }
+    // Large enough beside the noise, on some joint?
+    let taken: Vec<f64> = before
+        .solution
+        .rss
+        .iter()
+        .zip(&after.solution.rss)
+        .zip(counts)
+        .map(|((a, b), n)| if *n > 0.0 { (a - b) / n } else { 0.0 })
+        .collect();
+    let matters = taken.iter().zip(noise).any(|(t, s)| *t > (settings.least_effect * s).powi(2));
+    if !matters {
+        return None;
+    }
+    let variance: f64 = taken.iter().filter(|t| **t > 0.0).sum();
+    // What an earlier law of the same kind does not fit is not another cause.
+    let same = |a: &Accepted| a.chosen.place == last.place && a.chosen.cause.kind() == last.cause.kind() && !last.place.is_empty();
+    let overshadowed = accepted.iter().any(|a| {
+        let share = if same(a) { settings.least_share } else { 0.3 * settings.least_share };
+        let joints = !a.chosen.place.is_empty() && a.chosen.place == last.place;
+        (same(a) || joints) && variance < share * a.variance
+    });
+    if overshadowed {
+        return None;
+    }
+    let confirmed = confirmation(before, after);
+    if !last.cause.local() && confirmed < 0.6 {
+        return None;
+    }
+    Some(Accepted { chosen: last.clone(), support, confirmed, rivals: Vec::new(), variance })
+}
+
+/// Share of the parts of the data that the larger model predicts better from the other parts, parts weighted by what they gain or lose.
+fn confirmation(before: &Fitted, after: &Fitted) -> f64 {
+    let (a, b) = (before.moments.cross_validated(&before.solution), after.moments.cross_validated(&after.solution));
+    let weights = &after.solution.weights;
+    let (mut won, mut lost) = (0.0, 0.0);
+    for (a, b) in a.iter().zip(&b) {
+        let change: f64 = a.iter().zip(b).zip(weights).map(|((a, b), w)| w * (a - b)).sum();
+        if change > 0.0 { won += change } else { lost -= change }
+    }
+    if won + lost > 0.0 { won / (won + lost) } else { 0.0 }
+}
+
+/// Candidates that explain nearly as much as the one that was taken.
+fn rivals(ranked: &[Candidate], taken: usize, after: &Fitted) -> Vec<(&'static str, Vec<usize>, f64)> {
+    let best = &ranked[taken];
+    let memory = best.place.first().map_or_else(
+        || after.memory.iter().sum::<f64>() / after.memory.len().max(1) as f64,
+        |j| after.memory[*j],
+    );
+    ranked
+        .iter()
+        .enumerate()
+        .filter(|(i, c)| *i != taken && (c.cause.name() != best.cause.name()))
+        .filter(|(_, c)| c.place == best.place || c.place.is_empty() || best.place.is_empty())
+        .filter(|(_, c)| best.score - c.score < (10.0 * memory).max(0.015 * best.score))
+        .map(|(_, c)| (c.cause.name(), c.place.clone(), (best.score - c.score) / memory))
+        .take(4)
+        .collect()
+}
+
+/// Takes each cause out in turn: goes without it where it is not missed, and puts another in its place that does better now that the
+/// rest is known.
+fn settle(bench: &mut Bench<'_>, accepted: &mut Vec<Accepted>, fitted: &mut Fitted, noise: &[f64], settings: &SearchSettings) {
+    if accepted.len() < 2 {
+        return;
+    }
+    let mut index = 0;
+    while index < accepted.len() && accepted.len() > 1 {
+        if accepted[index].chosen.cause.name() == "time_delay" {
+            index += 1;
+            continue;
+        }
+        let mut without: Vec<Chosen> = accepted.iter().map(|a| a.chosen.clone()).collect();
+        let removed = without.remove(index);
+        let reduced = bench.fit(&mut without);
+        let others: Vec<Accepted> =
+            accepted.iter().enumerate().filter(|(i, _)| *i != index).map(|(_, a)| a.clone()).collect();
+        let wanted = |cause: &'static dyn Cause, place: &[usize]| {
+            (place == removed.place.as_slice() || place.is_empty())
+                && cause.name() != "time_delay"
+                && makes_sense(bench, cause)
+                && (cause.repeats() || without.iter().all(|c| c.cause.name() != cause.name() || c.place != place))
+        };
+        let ranked = candidates(bench, &reduced, &wanted);
+        let mut replaced = false;
+        for (rank, candidate) in ranked.iter().take(2).enumerate() {
+            let mut trial = without.clone();
+            trial.push(Chosen {
+                cause: candidate.cause,
+                place: candidate.place.clone(),
+                shape: candidate.shape.clone(),
+                x: candidate.gain.x.clone(),
+            });
+            let next = bench.fit(&mut trial);
+            if let Some(mut judged) = judge(bench, &reduced, &next, &trial, &others, noise, settings, ranked.len()) {
+                judged.rivals = rivals(&ranked, rank, &next);
+                let (first, last) = (index, trial.len() - 1);
+                let chosen = trial.remove(last);
+                trial.insert(first, chosen);
+                judged.chosen = trial[first].clone();
+                accepted[index] = judged;
+                for (a, c) in accepted.iter_mut().zip(&trial) {
+                    a.chosen = c.clone();
+                }
+                replaced = true;
+                break;
+            }
+        }
+        if replaced {
+            index += 1;
+        } else {
+            accepted.remove(index);
+        }
+    }
+    let mut chosen: Vec<Chosen> = accepted.iter().map(|a| a.chosen.clone()).collect();
+    *fitted = bench.fit(&mut chosen);
+    for (a, c) in accepted.iter_mut().zip(&chosen) {
+        a.chosen = c.clone();
+    }
+    fitted.memory = fitted.residual.iter().zip(&bench.scene.live).map(|(e, l)| memory(e, l)).collect();
+}
