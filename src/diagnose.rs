@@ -18,6 +18,9 @@ mod scene;
 mod search;
 mod structure;
 
+#[cfg(test)]
+mod tests;
+
 pub use causes::Named;
 pub use record::{Recording, Stretch};
 pub use result::{Cause, Curve, Diagnosis, Errors, Evidence, NextExperiment, Verdict};

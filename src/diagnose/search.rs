@@ -19,6 +19,8 @@ pub struct SearchSettings {
     pub most: usize,
     /// Least effect, as a share of the joint's raw torque noise.
     pub least_effect: f64,
+    /// Least share of a joint's residual variance that a cause takes, in fit and in cross-validation.
+    pub least_gain: f64,
     /// Least share of the variance that an earlier cause of the same kind on the same joint took: less is what that cause's law
     /// does not fit.
     pub least_share: f64,
@@ -26,7 +28,7 @@ pub struct SearchSettings {
 
 impl Default for SearchSettings {
     fn default() -> Self {
-        Self { most: 8, least_effect: 0.1, least_share: 0.03 }
+        Self { most: 8, least_effect: 0.1, least_gain: 0.04, least_share: 0.03 }
     }
 }
 
@@ -283,7 +285,9 @@ fn judge(
         .zip(counts)
         .map(|((a, b), n)| if *n > 0.0 { (a - b) / n } else { 0.0 })
         .collect();
-    let matters = taken.iter().zip(noise).any(|(t, s)| *t > (settings.least_effect * s).powi(2));
+    let size = |j: usize| if counts[j] > 0.0 { before.solution.rss[j] / counts[j] } else { 0.0 };
+    let matters = (0..taken.len())
+        .any(|j| taken[j] > (settings.least_effect * noise[j]).powi(2).max(settings.least_gain * size(j)));
     if !matters {
         return None;
     }
@@ -298,23 +302,35 @@ fn judge(
     if overshadowed {
         return None;
     }
-    let confirmed = confirmation(before, after);
-    if !last.cause.local() && confirmed < 0.6 {
+    let (confirmed, predicted) = confirmation(before, after);
+    if last.cause.local() {
+        // No other part can vouch for it: it must stand out by itself.
+        let stands_out = (0..taken.len()).any(|j| taken[j] > 0.2 * size(j));
+        if !stands_out {
+            return None;
+        }
+    } else if confirmed < 0.75 || predicted < 0.6 * settings.least_gain {
         return None;
     }
     Some(Accepted { chosen: last.clone(), support, confirmed, rivals: Vec::new(), variance })
 }
 
-/// Share of the parts of the data that the larger model predicts better from the other parts, parts weighted by what they gain or lose.
-fn confirmation(before: &Fitted, after: &Fitted) -> f64 {
+/// Share of the parts of the data that the larger model predicts better from the other parts, parts weighted by what they gain or lose; and
+/// the largest share of a joint's error that it takes there.
+fn confirmation(before: &Fitted, after: &Fitted) -> (f64, f64) {
     let (a, b) = (before.moments.cross_validated(&before.solution), after.moments.cross_validated(&after.solution));
     let weights = &after.solution.weights;
     let (mut won, mut lost) = (0.0, 0.0);
+    let mut sums = vec![[0.0; 2]; weights.len()];
     for (a, b) in a.iter().zip(&b) {
         let change: f64 = a.iter().zip(b).zip(weights).map(|((a, b), w)| w * (a - b)).sum();
         if change > 0.0 { won += change } else { lost -= change }
+        for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
+            *sum = [sum[0] + a, sum[1] + b];
+        }
     }
-    if won + lost > 0.0 { won / (won + lost) } else { 0.0 }
+    let share = sums.iter().map(|[a, b]| if *a > 0.0 { 1.0 - b / a } else { 0.0 }).fold(0.0, f64::max);
+    (if won + lost > 0.0 { won / (won + lost) } else { 0.0 }, share)
 }
 
 /// Candidates that explain nearly as much as the one that was taken.

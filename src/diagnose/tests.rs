@@ -1,0 +1,4 @@
+//! Hidden effects must be found; nothing hidden must be called nothing.
+
+mod battery;
+mod world;

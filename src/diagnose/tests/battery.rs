@@ -1,0 +1,107 @@
+//! Seeded cases.
+
+use dh_codegen::robot::Robot;
+
+use super::world::{Hidden, World, record};
+use crate::diagnose::{Diagnosis, Settings, diagnose};
+use crate::numeric::random::Random;
+use crate::plant::RobotPlant;
+
+fn robot(name: &str) -> Robot {
+    let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
+    let mut robot = Robot::from_yaml(&std::fs::read_to_string(path).unwrap(), &|_| Err("none".into())).unwrap().robot;
+    for row in robot.moving() {
+        let drive = &mut robot.joints[row].drive;
+        drive.viscous_friction = Some(drive.viscous_friction.unwrap_or(0.5));
+        drive.coulomb_friction = Some(drive.coulomb_friction.unwrap_or(0.3));
+    }
+    robot
+}
+
+const ROBOTS: [&str; 4] = ["kuka-lwr4", "franka-panda", "ur10e", "puma560"];
+
+fn all(random: &mut Random) -> Vec<Hidden> {
+    vec![
+        Hidden::Nothing,
+        Hidden::Stribeck { speed: random.uniform(0.05, 0.15) },
+        Hidden::SquareViscous,
+        Hidden::RootViscous,
+        Hidden::Load,
+        Hidden::Bristle { distance: random.uniform(0.01, 0.05) },
+        Hidden::Warming { time: random.uniform(4.0, 10.0) },
+        Hidden::Bump { at: random.uniform(-0.3, 0.3), width: random.uniform(0.3, 0.7) },
+        Hidden::Ripple { order: random.uniform(12.0, 60.0) },
+        Hidden::Spring { stiffness: random.uniform(0.1, 0.6) },
+        Hidden::Elastic,
+        Hidden::Gain,
+        Hidden::Offset,
+        Hidden::Viscous,
+        Hidden::Coulomb,
+        Hidden::Saturation,
+        Hidden::Zero,
+        Hidden::Payload,
+        Hidden::Tilt,
+        Hidden::Delay { all: true },
+        Hidden::Delay { all: false },
+        Hidden::Contact,
+        Hidden::Rotor,
+        Hidden::Asymmetric,
+        Hidden::Beat,
+        Hidden::Cross,
+    ]
+}
+
+/// One case: what was hidden, what was found.
+fn case(seed: u64, which: Option<usize>, size: f64) -> (Hidden, usize, Diagnosis, String) {
+    let mut random = Random::new(seed);
+    let name = ROBOTS[random.below(4)];
+    let robot = robot(name);
+    let dof = robot.dof();
+    let list = all(&mut random);
+    let hidden = list[which.unwrap_or_else(|| random.below(list.len()))].clone();
+    let j = random.below(dof);
+    let noise: Vec<f64> = robot.moving().iter().map(|&r| 0.001 * robot.joints[r].limits.torque.unwrap_or(50.0)).collect();
+    let world = World { robot: &robot, hidden: vec![(hidden.clone(), j, size)], noise: &noise, rate: 500.0 };
+    let (a, b) = (world.log(12.0, &mut random), world.log(8.0, &mut random));
+    let (fit, validate) = (record("fit", &a, dof), record("validate", &b, dof));
+    let plant = RobotPlant::new(&robot);
+    let found = diagnose(&plant, &[fit], &[validate], &Settings::default(), &|_| {}).unwrap();
+    (hidden, j, found, name.into())
+}
+
+#[test]
+#[ignore = "minutes; prints the table"]
+fn battery() {
+    let number = |name: &str, default: u64| std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(default);
+    let (from, count) = (number("FROM", 1), number("COUNT", 26));
+    let size = number("SIZE", 4) as f64;
+    let mut right = 0;
+    for seed in from..from + count {
+        let which = (seed as usize) % 26;
+        let clock = std::time::Instant::now();
+        let (hidden, j, found, name) = case(seed, Some(which), size);
+        let first = found.causes.first();
+        let word = first.map_or("nothing_wrong", |c| c.cause);
+        let ok = word == hidden.name();
+        right += usize::from(ok);
+        let list: Vec<String> = found
+            .causes
+            .iter()
+            .map(|c| {
+                let p: Vec<String> = c.parameters.iter().take(3).map(|p| format!("{}={:.3}", p.symbol, p.value)).collect();
+                format!("{}@{:?}p{:.2}[{}]~{:?}", c.cause, c.joints, c.probability, p.join(" "), c.not_distinguished_from)
+            })
+            .collect();
+        println!(
+            "{} seed {seed} {name} {} j{} -> {} | {} ({:.1} s) links_refitted {}",
+            if ok { "  " } else { "XX" },
+            hidden.name(),
+            j + 1,
+            found.verdict.word(),
+            list.join("; "),
+            clock.elapsed().as_secs_f64(),
+            found.links_refitted
+        );
+    }
+    println!("{right} of {count}");
+}
