@@ -95,7 +95,7 @@ pub trait Plant: Arm {
     /// [`Arm::inverse_dynamics`] of the arm with a change.
     fn changed_dynamics(&self, change: &Change, states: &States, standard: &[f64], out: &mut [f64]);
 
-    /// `J'` in the axes of the last frame: the torque on joint `j` of a unit of component `c` (`fx fy fz mx my mz`, at the origin of the
-    /// last frame, in its axes) of a wrench on it at sample `s` goes to `out[(c * n + j) * len + s]`.
-    fn wrench_columns(&self, states: &States, out: &mut [f64]);
+    /// `J'`: the torque on joint `j` of a unit of component `c` (`fx fy fz mx my mz`, at the origin of the last frame, in its axes or in the
+    /// base's) of a wrench on it at sample `s` goes to `out[(c * n + j) * len + s]`.
+    fn wrench_columns(&self, states: &States, base: bool, out: &mut [f64]);
 }

@@ -45,7 +45,9 @@ pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
                 .iter()
                 .zip(standard)
                 .map(|(p, v)| match *p {
-                    Parameter::Drive(row, term) if term != DriveTerm::IA => param::drive_value(&robot, row, term).unwrap_or(0.0),
+                    Parameter::Drive(row, term) if term != DriveTerm::IA => {
+                        param::drive_value(&robot, row, term).unwrap_or(0.0)
+                    }
                     _ => *v,
                 })
                 .collect();

@@ -2,6 +2,7 @@
 
 use dh_codegen::arm::param::{self, Parameter};
 use dh_codegen::robot::{Angle, Length, Robot};
+use nalgebra::Matrix3;
 
 use crate::arm::{Arm, BaseParameter, Change, Plant, States};
 use crate::interpreted::Interpreted;
@@ -45,7 +46,8 @@ fn changed(robot: &Robot, change: &Change) -> Robot {
         }
         Change::Row { row, alpha, d, theta, r } => {
             let joint = &mut robot.joints[row];
-            let turned = |angle: &Angle, by: f64| if by == 0.0 { angle.clone() } else { Angle::radians(angle.value + by) };
+            let turned =
+                |angle: &Angle, by: f64| if by == 0.0 { angle.clone() } else { Angle::radians(angle.value + by) };
             let longer = |length: &Length, by: f64| Length::meters(length.value + by);
             (joint.alpha, joint.theta) = (turned(&joint.alpha, alpha), turned(&joint.theta, theta));
             (joint.d, joint.r) = (longer(&joint.d, d), longer(&joint.r, r));
@@ -95,12 +97,12 @@ impl Plant for RobotPlant {
         });
     }
 
-    fn wrench_columns(&self, states: &States, out: &mut [f64]) {
+    fn wrench_columns(&self, states: &States, base: bool, out: &mut [f64]) {
         let dof = self.dof();
         each(states, dof, |s, q, _, _| {
             let jacobian = self.numeric.jacobian(q);
             let Some(frame) = self.numeric.frames(q).pop() else { return };
-            let turn = frame.fixed_view::<3, 3>(0, 0).transpose();
+            let turn = if base { Matrix3::identity() } else { frame.fixed_view::<3, 3>(0, 0).transpose() };
             for j in 0..dof {
                 let force = turn * jacobian.fixed_view::<3, 1>(0, j);
                 let moment = turn * jacobian.fixed_view::<3, 1>(3, j);
@@ -172,7 +174,12 @@ mod tests {
     fn a_turned_row_is_a_shifted_joint() {
         let (plant, states, given) = swinging();
         let (mut one, mut other) = (vec![0.0; 21], vec![0.0; 21]);
-        plant.changed_dynamics(&Change::Row { row: 3, alpha: 0.0, d: 0.0, theta: 0.2, r: 0.0 }, &states, &given, &mut one);
+        plant.changed_dynamics(
+            &Change::Row { row: 3, alpha: 0.0, d: 0.0, theta: 0.2, r: 0.0 },
+            &states,
+            &given,
+            &mut one,
+        );
         let mut shifted = states.clone();
         shifted.q[9..12].iter_mut().for_each(|q| *q += 0.2);
         plant.inverse_dynamics(&shifted, &given, &mut other);
@@ -183,7 +190,7 @@ mod tests {
     fn the_power_of_a_wrench() {
         let (plant, states, _) = swinging();
         let mut columns = vec![0.0; 6 * 21];
-        plant.wrench_columns(&states, &mut columns);
+        plant.wrench_columns(&states, false, &mut columns);
         // Of a moment about the last axis the last joint carries all.
         assert!((0..3).all(|s| (columns[(5 * 7 + 6) * 3 + s] - 1.0).abs() < 1e-12));
     }

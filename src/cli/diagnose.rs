@@ -95,9 +95,13 @@ impl Diagnose {
             ("validating logs".into(), list(&self.validate)),
         ];
         if let Some(path) = &self.out {
-            let mut text = format!("# {} with what `denavit diagnose` found in {}\n", self.robot.display(), list(&self.logs));
+            let mut text =
+                format!("# {} with what `denavit diagnose` found in {}\n", self.robot.display(), list(&self.logs));
             for cause in found.causes.iter().filter(|c| c.cause != "unknown") {
-                text.push_str(&format!("# {} (probability {:.2}): {}\n", cause.cause, cause.probability, cause.evidence));
+                text.push_str(&format!(
+                    "# {} (probability {:.2}): {}\n",
+                    cause.cause, cause.probability, cause.evidence
+                ));
             }
             text.push_str(&extend::extended(file.robot, found).to_yaml());
             files::write(path, text.as_bytes())?;
@@ -115,7 +119,13 @@ impl Diagnose {
     }
 
     /// A log, whole; slow ones with as much of the band as they have.
-    fn record(&self, path: &PathBuf, dof: usize, keep: Keep, prepared: &mut Vec<Prepared>) -> Result<Recording, Failure> {
+    fn record(
+        &self,
+        path: &PathBuf,
+        dof: usize,
+        keep: Keep,
+        prepared: &mut Vec<Prepared>,
+    ) -> Result<Recording, Failure> {
         let mut cutoff = self.cutoff;
         loop {
             let prepare = Prepare {

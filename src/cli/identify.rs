@@ -15,8 +15,8 @@ use crate::identify::{
 };
 use crate::interpreted::Interpreted;
 use crate::log::{Keep, Quantity, open};
-use crate::{extend, report};
 use crate::signal::{Derivatives, Filter, Motion, Prepare, PrepareError, Prepared, each_motion};
+use crate::{extend, report};
 
 /// Identify the base parameters from logs, validate them on others, and write the robot file with the values in place.
 ///

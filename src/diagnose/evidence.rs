@@ -11,7 +11,15 @@ fn short(value: f64) -> String {
     if size != 0.0 && !(1e-3..1e4).contains(&size) {
         return format!("{value:.2e}");
     }
-    let decimals = if size >= 100.0 { 1 } else if size >= 1.0 { 2 } else if size >= 0.1 { 3 } else { 4 };
+    let decimals = if size >= 100.0 {
+        1
+    } else if size >= 1.0 {
+        2
+    } else if size >= 0.1 {
+        3
+    } else {
+        4
+    };
     format!("{value:.decimals$}")
 }
 
@@ -44,7 +52,11 @@ pub(super) fn sentence(
     let attainable = before[main].powi(2) - noise[main].powi(2);
     let share = if attainable > 0.0 { 100.0 * (before[main].powi(2) - after[main].powi(2)) / attainable } else { 0.0 };
     let confirmed = accepted.map_or(String::new(), |a| {
-        if cause.local() { String::new() } else { format!("; {:.0} % of held-out parts of the fitted logs agree", 100.0 * a.confirmed) }
+        if cause.local() {
+            String::new()
+        } else {
+            format!("; {:.0} % of held-out parts of the fitted logs agree", 100.0 * a.confirmed)
+        }
     });
     format!(
         "{where_}: {} ({}); the error of joint {} falls from {} to {} N m on the {} logs, {:.0} % of the variance above its noise{confirmed}",
@@ -68,7 +80,11 @@ pub(super) fn curve(bench: &Bench<'_>, fitted: &Fitted, index: usize, chosen: &C
             // Where it does most.
             let size = |j: usize| {
                 let squares = terms.iter().zip(&chosen.x).flat_map(|(t, x)| {
-                    t.column.rows.iter().filter(move |r| r.0 == j).flat_map(move |r| r.1.iter().map(move |s| (s * x).powi(2)))
+                    t.column
+                        .rows
+                        .iter()
+                        .filter(move |r| r.0 == j)
+                        .flat_map(move |r| r.1.iter().map(move |s| (s * x).powi(2)))
                 });
                 squares.sum::<f64>()
             };
@@ -85,11 +101,14 @@ pub(super) fn curve(bench: &Bench<'_>, fitted: &Fitted, index: usize, chosen: &C
         scene.own[joint].iter().flat_map(|own| scene.average_of(own, |k| f(own, k))).collect()
     };
     let (over, x): (&str, Vec<f64>) = match (chosen.cause.name(), chosen.cause.kind()) {
-        ("torque_ripple" | "position_dependent_friction" | "joint_spring", _) => ("position, rad", coarse(&|o, k| o.q[k])),
-        ("friction_drift" | "external_contact", _) => ("time, s", scene.time.clone()),
-        ("load_dependent_friction" | "torque_gain_error" | "torque_saturation" | "joint_elasticity" | "backlash", _) => {
-            ("torque of the model, N m", scene.whole[joint].clone())
+        ("torque_ripple" | "position_dependent_friction" | "joint_spring", _) => {
+            ("position, rad", coarse(&|o, k| o.q[k]))
         }
+        ("friction_drift" | "external_contact", _) => ("time, s", scene.time.clone()),
+        (
+            "load_dependent_friction" | "torque_gain_error" | "torque_saturation" | "joint_elasticity" | "backlash",
+            _,
+        ) => ("torque of the model, N m", scene.whole[joint].clone()),
         ("rotor_inertia", _) => ("acceleration, rad/s^2", coarse(&|o, k| o.a[k])),
         (_, Kind::Friction) | ("time_delay", _) => ("velocity, rad/s", coarse(&|o, k| o.v[k])),
         _ => ("position, rad", coarse(&|o, k| o.q[k])),
@@ -126,7 +145,8 @@ pub(super) fn changed_links(bench: &Bench<'_>, fitted: &Fitted, covariance: &nal
     for (at, &b) in wanted.iter().enumerate() {
         let file: f64 = base[b].coefficients.iter().map(|(i, k)| k * given[*i]).sum();
         let std = covariance[(at, at)].max(0.0).sqrt();
-        let row: usize = base[b].name.trim_end_matches('R').trim_start_matches(|c: char| c.is_alphabetic()).parse().unwrap_or(0);
+        let row: usize =
+            base[b].name.trim_end_matches('R').trim_start_matches(|c: char| c.is_alphabetic()).parse().unwrap_or(0);
         let joint = bench.plant.rows().iter().position(|r| r + 1 == row);
         if let Some(j) = joint
             && std > 0.0

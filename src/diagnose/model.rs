@@ -121,7 +121,14 @@ pub struct Bench<'a> {
 
 impl<'a> Bench<'a> {
     /// Sets up. `all`: every sample counts, for the final measure.
-    pub fn new(plant: &'a dyn Plant, recordings: &'a [Recording], rate: f64, mode: Mode, delays: &[f64], all: bool) -> Self {
+    pub fn new(
+        plant: &'a dyn Plant,
+        recordings: &'a [Recording],
+        rate: f64,
+        mode: Mode,
+        delays: &[f64],
+        all: bool,
+    ) -> Self {
         let scene = Scene::new(plant, recordings, rate, delays, all);
         let frozen = vec![false; 3 * plant.dof()];
         let (base, friction, y) = Default::default();
@@ -150,7 +157,9 @@ impl<'a> Bench<'a> {
                         }
                     }
                 }
-                let fill = |rows: Vec<Vec<f64>>| rows.into_iter().map(|r| if r.is_empty() { vec![0.0; scene.len] } else { r }).collect();
+                let fill = |rows: Vec<Vec<f64>>| {
+                    rows.into_iter().map(|r| if r.is_empty() { vec![0.0; scene.len] } else { r }).collect()
+                };
                 rows.into_iter().map(|r| scene.column(fill(r))).collect()
             }
         };
@@ -164,7 +173,10 @@ impl<'a> Bench<'a> {
         self.y = (0..scene.dof())
             .map(|j| {
                 let mut y = scene.y[j].clone();
-                y.iter_mut().zip(&rigid[j]).zip(&scene.live[j]).for_each(|((y, r), live)| *y -= if *live { *r } else { 0.0 });
+                y.iter_mut()
+                    .zip(&rigid[j])
+                    .zip(&scene.live[j])
+                    .for_each(|((y, r), live)| *y -= if *live { *r } else { 0.0 });
                 for which in 0..3 {
                     let value = given[j][which].unwrap_or(0.0);
                     if value != 0.0
@@ -282,12 +294,17 @@ impl<'a> Bench<'a> {
             for (at, b) in inertial(self.plant).into_iter().enumerate() {
                 beta[b] = fitted.solution.x[at];
             }
-            let standard = recover_standard(self.plant, &beta, self.plant.given().map(|s| without_friction(self.plant, s)).as_deref());
+            let standard = recover_standard(
+                self.plant,
+                &beta,
+                self.plant.given().map(|s| without_friction(self.plant, s)).as_deref(),
+            );
             self.scene.set_model(beta, standard.ok());
         }
         let given = given_friction(self.plant);
         for j in 0..self.scene.dof() {
-            let value = |which: usize| given[j][which].unwrap_or(0.0) + fitted.solution.x[fitted.friction + 3 * j + which];
+            let value =
+                |which: usize| given[j][which].unwrap_or(0.0) + fitted.solution.x[fitted.friction + 3 * j + which];
             let (fv, fc, fo) = (value(0), value(1), value(2));
             let mut series = Vec::with_capacity(self.scene.len);
             for own in &self.scene.own[j] {
@@ -342,7 +359,13 @@ fn without_friction(plant: &dyn Plant, standard: &[f64]) -> Vec<f64> {
 }
 
 /// Values of a chosen cause's parameters with standard deviations, under the names of a robot file.
-pub fn parameters(bench: &Bench<'_>, fitted: &Fitted, covariance: &DMatrix<f64>, index: usize, chosen: &Chosen) -> Vec<Named> {
+pub fn parameters(
+    bench: &Bench<'_>,
+    fitted: &Fitted,
+    covariance: &DMatrix<f64>,
+    index: usize,
+    chosen: &Chosen,
+) -> Vec<Named> {
     let first = fitted.first[index];
     let std = |k: usize| covariance[(first + k, first + k)].max(0.0).sqrt();
     let named = |symbol: &str, value: f64, std: Option<f64>| Named { symbol: symbol.into(), value, std };
@@ -367,7 +390,8 @@ pub fn parameters(bench: &Bench<'_>, fitted: &Fitted, covariance: &DMatrix<f64>,
         }
         "joint_elasticity" => vec![named("KE", 1.0 / x[0], Some(std(0) / (x[0] * x[0])))],
         "time_delay" => {
-            let delay = joint.map_or_else(|| bench.scene.delays.first().copied().unwrap_or(0.0), |j| bench.scene.delays[j]);
+            let delay =
+                joint.map_or_else(|| bench.scene.delays.first().copied().unwrap_or(0.0), |j| bench.scene.delays[j]);
             vec![named("TD", delay + x[0], Some(std(0)))]
         }
         "torque_gain_error" => vec![named("GT", 1.0 + x[0], Some(std(0)))],
@@ -387,14 +411,24 @@ pub fn parameters(bench: &Bench<'_>, fitted: &Fitted, covariance: &DMatrix<f64>,
         "external_contact" => {
             let at = |w: f64| bench.scene.time.get(w as usize).or(bench.scene.time.last()).copied().unwrap_or(0.0);
             let mut all = vec![named("start", at(chosen.shape[0]), None), named("end", at(chosen.shape[1]), None)];
-            all.extend(fitted.terms[index].iter().zip(x).enumerate().map(|(k, (t, x))| named(&t.symbol, *x, Some(std(k)))));
+            all.extend(
+                fitted.terms[index].iter().zip(x).enumerate().map(|(k, (t, x))| named(&t.symbol, *x, Some(std(k)))),
+            );
             all
         }
         _ => {
-            let mut all: Vec<Named> =
-                fitted.terms[index].iter().zip(x).enumerate().map(|(k, (t, x))| named(&t.symbol, *x, Some(std(k)))).collect();
+            let mut all: Vec<Named> = fitted.terms[index]
+                .iter()
+                .zip(x)
+                .enumerate()
+                .map(|(k, (t, x))| named(&t.symbol, *x, Some(std(k))))
+                .collect();
             let shapes = chosen.cause.shape().iter().zip(&chosen.shape);
-            all.extend(shapes.filter(|(s, _)| s.symbol.chars().all(char::is_uppercase)).map(|(s, v)| named(s.symbol, *v, None)));
+            all.extend(
+                shapes
+                    .filter(|(s, _)| s.symbol.chars().all(char::is_uppercase))
+                    .map(|(s, v)| named(s.symbol, *v, None)),
+            );
             all
         }
     }

@@ -96,9 +96,8 @@ impl Moments {
     pub fn new(scene: &Scene<'_>, y: &[Vec<f64>], columns: &[Column]) -> Self {
         let mut starts: Vec<usize> = (0..=BLOCKS).map(|b| scene.block.partition_point(|x| *x < b)).collect();
         starts.dedup();
-        let mut joints: Vec<Joint> = (0..scene.dof())
-            .map(|_| Joint { columns: Vec::new(), series: Vec::new(), parts: Vec::new() })
-            .collect();
+        let mut joints: Vec<Joint> =
+            (0..scene.dof()).map(|_| Joint { columns: Vec::new(), series: Vec::new(), parts: Vec::new() }).collect();
         for (c, column) in columns.iter().enumerate() {
             for (j, series) in &column.rows {
                 joints[*j].columns.push(c);
@@ -173,7 +172,9 @@ impl Moments {
             .zip(sums)
             .map(|(joint, sum)| {
                 let local = DVector::from_iterator(joint.columns.len(), joint.columns.iter().map(|&c| x[c]));
-                (sum.yy - 2.0 * local.dot(&sum.with_y) + local.dot(&(&sum.gram * &local))).max(1e-14 * sum.yy).max(1e-300)
+                (sum.yy - 2.0 * local.dot(&sum.with_y) + local.dot(&(&sum.gram * &local)))
+                    .max(1e-14 * sum.yy)
+                    .max(1e-300)
             })
             .collect()
     }
@@ -191,8 +192,10 @@ impl Moments {
             let x = &inverse * &rhs;
             let rss = self.residuals(sums, &x);
             round += 1;
-            let next: Vec<f64> = rss.iter().zip(sums).map(|(r, s)| if s.yy > 0.0 { s.count / r } else { 0.0 }).collect();
-            let change = weights.iter().zip(&next).map(|(a, b)| (a - b).abs() / (a + b).max(1e-300)).fold(0.0, f64::max);
+            let next: Vec<f64> =
+                rss.iter().zip(sums).map(|(r, s)| if s.yy > 0.0 { s.count / r } else { 0.0 }).collect();
+            let change =
+                weights.iter().zip(&next).map(|(a, b)| (a - b).abs() / (a + b).max(1e-300)).fold(0.0, f64::max);
             if round >= 8 || change < 1e-3 {
                 return Solution { x, weights, rss, counts, inverse, rhs };
             }
@@ -292,7 +295,8 @@ impl Moments {
                 let mut rss = sum.yy - 2.0 * local.dot(&sum.with_y) + local.dot(&(&sum.gram * local));
                 if let Some(part) = trial.joints.iter().find(|p| p.joint == j) {
                     let own = DVector::from_iterator(part.terms.len(), part.terms.iter().map(|&t| x[t]));
-                    rss += own.dot(&(&part.gram * &own)) - 2.0 * own.dot(&part.with_y) + 2.0 * local.dot(&(&part.cross * &own));
+                    rss += own.dot(&(&part.gram * &own)) - 2.0 * own.dot(&part.with_y)
+                        + 2.0 * local.dot(&(&part.cross * &own));
                 }
                 rss.max(1e-14 * sum.yy).max(1e-300)
             })
@@ -304,7 +308,8 @@ impl Moments {
 /// Pseudo-inverse of a symmetric positive semidefinite matrix, in units in which its diagonal is 1.
 pub fn pseudo_inverse(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     let n = matrix.nrows();
-    let scale: Vec<f64> = (0..n).map(|i| if matrix[(i, i)] > 0.0 { matrix[(i, i)].sqrt().recip() } else { 0.0 }).collect();
+    let scale: Vec<f64> =
+        (0..n).map(|i| if matrix[(i, i)] > 0.0 { matrix[(i, i)].sqrt().recip() } else { 0.0 }).collect();
     let scaled = DMatrix::from_fn(n, n, |i, k| matrix[(i, k)] * scale[i] * scale[k]);
     if n == 1 {
         return DMatrix::from_element(1, 1, if matrix[(0, 0)] > 0.0 { matrix[(0, 0)].recip() } else { 0.0 });

@@ -40,7 +40,11 @@ impl Recording {
         let (dof, len) = (motion.dof(), motion.states.len);
         let core = motion.core.clone();
         let cut = |x: &[f64]| -> Vec<f64> {
-            if x.len() == dof * len { x.chunks_exact(len.max(1)).flat_map(|row| row[core.clone()].to_vec()).collect() } else { Vec::new() }
+            if x.len() == dof * len {
+                x.chunks_exact(len.max(1)).flat_map(|row| row[core.clone()].to_vec()).collect()
+            } else {
+                Vec::new()
+            }
         };
         let states = States {
             len: core.len(),

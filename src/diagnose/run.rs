@@ -98,7 +98,8 @@ pub fn diagnose(
     progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, DiagnoseError> {
     let own_validation = !validate.is_empty();
-    let parts: Vec<[Recording; 2]> = if own_validation { Vec::new() } else { fit.iter().map(|r| r.split(0.7)).collect() };
+    let parts: Vec<[Recording; 2]> =
+        if own_validation { Vec::new() } else { fit.iter().map(|r| r.split(0.7)).collect() };
     let first: Vec<Recording> = parts.iter().map(|p| p[0].clone()).collect();
     let rest: Vec<Recording> = parts.iter().map(|p| p[1].clone()).collect();
     let (fit, validate) = if own_validation { (fit, validate) } else { (&first[..], &rest[..]) };
@@ -123,7 +124,8 @@ pub fn diagnose(
     let before = measure(plant, validate, &start, None, &[]).error;
     let torque_rms: Vec<f64> = (0..dof)
         .map(|j| {
-            let all: Vec<f64> = validate.iter().flat_map(|r| &r.stretches).flat_map(|s| s.of(&s.tau, j).to_vec()).collect();
+            let all: Vec<f64> =
+                validate.iter().flat_map(|r| &r.stretches).flat_map(|s| s.of(&s.tau, j).to_vec()).collect();
             root_mean_square(&all)
         })
         .collect();
@@ -160,7 +162,7 @@ pub fn diagnose(
     let fitted = freeze(&mut bench, &mut found, &noise);
     let items = items(&bench, &found, &fitted, &noise);
     let chosen: Vec<Chosen> = found.accepted.iter().map(|a| a.chosen.clone()).collect();
-    let left = structure(&bench.scene, &fitted.residual, &noise, &torque_rms);
+    let mut left = structure(&bench.scene, &fitted.residual, &noise, &torque_rms);
 
     progress("measuring on data that was not used");
     let after = measure(plant, validate, &bench, Some(&fitted), &chosen);
@@ -195,7 +197,16 @@ pub fn diagnose(
             cause: item.hypothesis.name(),
             joints: item.place.iter().map(|j| j + 1).collect(),
             probability: probability(accepted, &without.rms, &with.rms),
-            evidence: evidence::sentence(item.hypothesis, &item.place, &parameters, &without.rms, &with.rms, &noise, on, accepted),
+            evidence: evidence::sentence(
+                item.hypothesis,
+                &item.place,
+                &parameters,
+                &without.rms,
+                &with.rms,
+                &noise,
+                on,
+                accepted,
+            ),
             curve: item.accepted.and_then(|index| evidence::curve(&bench, &fitted, index, &chosen[index])),
             parameters,
             keys,
@@ -228,8 +239,18 @@ pub fn diagnose(
         }
     }
     causes.sort_by(|a, b| taken(b, &noise).total_cmp(&taken(a, &noise)));
-    // A cause that loses on data that was not used is no cause.
-    causes.retain(|c| c.on == "fit" || taken(c, &noise) > 0.0);
+    // A cause that loses on data that was not used is no cause; that there was something to explain stays true.
+    let (causes_that_hold, failed): (Vec<Cause>, Vec<Cause>) =
+        causes.into_iter().partition(|c| c.on == "fit" || taken(c, &noise) > 0.0);
+    let mut causes = causes_that_hold;
+    left.extend(failed.iter().map(|c| Structure {
+        joint: c.joints.first().map_or(0, |j| j - 1),
+        rms: c.rms_before.iter().zip(&noise).map(|(a, _)| *a).fold(0.0, f64::max),
+        description: format!(
+            "{} on joint(s) {:?} explains the fitted logs but not the validating ones",
+            c.cause, c.joints
+        ),
+    }));
     let verdict = match (causes.is_empty(), left.is_empty()) {
         (true, true) => Verdict::NothingWrong,
         (true, false) => Verdict::Unexplained,
@@ -237,11 +258,12 @@ pub fn diagnose(
         (false, false) => Verdict::PartlyExplained,
     };
     unknown(&mut causes, &left, &after.rms, &noise);
-    let next_experiment = causes.iter().find(|c| !c.not_distinguished_from.is_empty() && c.cause != "unknown").map(|c| NextExperiment {
-        between: std::iter::once(c.cause).chain(c.not_distinguished_from.iter().copied()).collect(),
-        joints: c.joints.clone(),
-        motion: c.shown_by.to_string(),
-    });
+    let next_experiment =
+        causes.iter().find(|c| !c.not_distinguished_from.is_empty() && c.cause != "unknown").map(|c| NextExperiment {
+            between: std::iter::once(c.cause).chain(c.not_distinguished_from.iter().copied()).collect(),
+            joints: c.joints.clone(),
+            motion: c.shown_by.to_string(),
+        });
     let curves = (0..dof).map(|j| curve(validate, j, &after, &before)).collect();
     let extended = Errors { fit: after_fit.rms, validate: after.rms };
     Ok(Diagnosis {
@@ -266,7 +288,8 @@ pub fn diagnose(
 /// Whether refitting all base parameters explains enough more than the few causes of the trusted file.
 fn pays(trusted: &Fitted, free: &Fitted) -> bool {
     let (mut gain, mut independent) = (0.0, 0.0);
-    let joints = trusted.solution.rss.iter().zip(&free.solution.rss).zip(trusted.solution.counts.iter().zip(&free.memory));
+    let joints =
+        trusted.solution.rss.iter().zip(&free.solution.rss).zip(trusted.solution.counts.iter().zip(&free.memory));
     for ((a, b), (n, memory)) in joints {
         if *a > 1e-290 && *b > 1e-290 && *n > 0.0 {
             gain += n / memory * (a / b).ln();
@@ -368,7 +391,14 @@ fn friction_values(bench: &Bench<'_>, fitted: &Fitted, covariance: &nalgebra::DM
 }
 
 /// Errors on `data` of the model that is fitted without one of its causes.
-fn leave_out<'a>(plant: &'a dyn Plant, fit: &'a [Recording], data: &'a [Recording], bench: &Bench<'_>, chosen: &[Chosen], item: &Item) -> Measured {
+fn leave_out<'a>(
+    plant: &'a dyn Plant,
+    fit: &'a [Recording],
+    data: &'a [Recording],
+    bench: &Bench<'_>,
+    chosen: &[Chosen],
+    item: &Item,
+) -> Measured {
     let mut delays = bench.scene.delays.clone();
     if item.hypothesis.name() == "time_delay" {
         // The delay's own part of the shift goes.
@@ -490,10 +520,5 @@ fn curve(validate: &[Recording], j: usize, after: &Measured, before: &[Vec<f64>]
     let every = n.div_ceil(2000).max(1);
     let fine = |x: &[f64]| -> Vec<f64> { x[..n].iter().step_by(every).copied().collect() };
     let _ = validate;
-    Curve {
-        t: fine(&after.time),
-        measured: Vec::new(),
-        before: fine(&before[j]),
-        after: fine(&after.error[j]),
-    }
+    Curve { t: fine(&after.time), measured: Vec::new(), before: fine(&before[j]), after: fine(&after.error[j]) }
 }

@@ -131,9 +131,10 @@ impl<'a> Scene<'a> {
                 let first = time.len();
                 runs.push(first..first + windows);
                 let mid = 0.5 * (per - 1) as f64;
-                time.extend((0..windows).map(|w| {
-                    stretch.start - begin + (edge as f64 + (w * per) as f64 + mid) * stretch.period
-                }));
+                time.extend(
+                    (0..windows)
+                        .map(|w| stretch.start - begin + (edge as f64 + (w * per) as f64 + mid) * stretch.period),
+                );
                 log.extend(std::iter::repeat_n(number, windows));
                 for (part, delay) in parts.iter_mut().zip(&distinct) {
                     let by = delay / stretch.period;
@@ -148,9 +149,10 @@ impl<'a> Scene<'a> {
                     let by = delays[j] / stretch.period;
                     let v = earlier(stretch.of(&stretch.states.dq, j), span.clone(), by);
                     let sign: Vec<f64> = v.iter().map(|v| if v.abs() > dead[j].0 { v.signum() } else { 0.0 }).collect();
-                    live[j].extend(sign.chunks_exact(per).map(|w| {
-                        all || dead[j].1 || (w.iter().all(|s| *s != 0.0) && w.iter().all(|s| *s == w[0]))
-                    }));
+                    live[j]
+                        .extend(sign.chunks_exact(per).map(|w| {
+                            all || dead[j].1 || (w.iter().all(|s| *s != 0.0) && w.iter().all(|s| *s == w[0]))
+                        }));
                     y[j].extend(average(&stretch.of(&stretch.tau, j)[span.clone()], per));
                     own[j].push(Own {
                         q: earlier(stretch.of(&stretch.states.q, j), span.clone(), by),
@@ -253,11 +255,14 @@ impl<'a> Scene<'a> {
         rows
     }
 
-    /// [`Plant::wrench_columns`] at the windows.
-    pub fn wrenches(&self) -> Vec<f64> {
-        let mut out = vec![0.0; 6 * self.dof() * self.len];
+    /// [`Plant::wrench_columns`] at some windows, in the last frame's axes or the base's.
+    pub fn wrenches(&self, span: std::ops::Range<usize>, base: bool) -> Vec<f64> {
+        let len = span.len();
+        let mut out = vec![0.0; 6 * self.dof() * len];
         if let Some(states) = self.states.first() {
-            self.plant.wrench_columns(states, &mut out);
+            let cut = |x: &[f64]| x.chunks_exact(self.len.max(1)).flat_map(|row| row[span.clone()].to_vec()).collect();
+            let states = States { len, q: cut(&states.q), dq: cut(&states.dq), ddq: cut(&states.ddq) };
+            self.plant.wrench_columns(&states, base, &mut out);
         }
         out
     }

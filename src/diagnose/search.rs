@@ -78,7 +78,13 @@ fn unknowns(cause: &dyn Cause, terms: usize) -> f64 {
 }
 
 /// Evaluates one shape.
-fn evaluate(bench: &Bench<'_>, fitted: &Fitted, cause: &'static dyn Cause, place: &[usize], shape: &[f64]) -> Option<Candidate> {
+fn evaluate(
+    bench: &Bench<'_>,
+    fitted: &Fitted,
+    cause: &'static dyn Cause,
+    place: &[usize],
+    shape: &[f64],
+) -> Option<Candidate> {
     let terms = cause.terms(&bench.scene, place, shape);
     if terms.is_empty() {
         return None;
@@ -104,7 +110,11 @@ fn logs<'a>(before: &'a [f64], after: &'a [f64]) -> impl Iterator<Item = f64> + 
 }
 
 /// The best shape of every cause in every place, best first.
-pub fn candidates(bench: &Bench<'_>, fitted: &Fitted, wanted: &(dyn Fn(&'static dyn Cause, &[usize]) -> bool + Sync)) -> Vec<Candidate> {
+pub fn candidates(
+    bench: &Bench<'_>,
+    fitted: &Fitted,
+    wanted: &(dyn Fn(&'static dyn Cause, &[usize]) -> bool + Sync),
+) -> Vec<Candidate> {
     let mut tasks: Vec<(&'static dyn Cause, Vec<usize>)> = Vec::new();
     for cause in CAUSES {
         tasks.extend(cause.places(&bench.scene).into_iter().filter(|p| wanted(cause, p)).map(|p| (cause, p)));
@@ -144,7 +154,7 @@ fn refine(bench: &Bench<'_>, fitted: &Fitted, candidate: &mut Candidate) {
     let shape = candidate.cause.shape();
     if candidate.cause.secant() && shape.first().is_some_and(|s| s.step.is_none()) {
         // The step follows the coefficient.
-        for _ in 0..3 {
+        for _ in 0..6 {
             let x = candidate.gain.x[0];
             let step = x.clamp(shape[0].range[0], shape[0].range[1]);
             if step == 0.0 {
@@ -161,7 +171,10 @@ fn refine(bench: &Bench<'_>, fitted: &Fitted, candidate: &mut Candidate) {
     for (k, number) in shape.iter().enumerate() {
         let Some(first) = number.step else { continue };
         let mut step = first;
-        for _ in 0..4 {
+        for _ in 0..14 {
+            if step.abs() < 0.05 * first.abs() {
+                break;
+            }
             let mut moved = false;
             for direction in [1.0, -1.0] {
                 let mut next = candidate.shape.clone();
@@ -178,7 +191,7 @@ fn refine(bench: &Bench<'_>, fitted: &Fitted, candidate: &mut Candidate) {
                 }
             }
             if !moved {
-                step *= 0.4;
+                step *= 0.45;
             }
         }
     }
@@ -214,6 +227,13 @@ pub fn search(bench: &mut Bench<'_>, noise: &[f64], settings: &SearchSettings, p
             match judged {
                 Some(mut judged) => {
                     judged.rivals = rivals(&ranked, rank, &next);
+                    if let Some(payload) =
+                        body_on_the_flange(bench, &judged.chosen, next.terms.last().map_or(&[], |t| t))
+                        && let Some(last) = trial.last_mut()
+                    {
+                        *last = payload.clone();
+                        judged.chosen = payload;
+                    }
                     taken = Some((judged, trial, next));
                     break;
                 }
@@ -239,9 +259,21 @@ pub fn search(bench: &mut Bench<'_>, noise: &[f64], settings: &SearchSettings, p
     Found { accepted, fitted, plain }
 }
 
+/// A last link that is heavier by something that can be a body has a payload on it: the columns are the same.
+fn body_on_the_flange(bench: &Bench<'_>, chosen: &Chosen, terms: &[super::causes::Term]) -> Option<Chosen> {
+    let last = chosen.place.first().is_some_and(|j| j + 1 == bench.scene.dof());
+    let value = |symbol: &str| terms.iter().zip(&chosen.x).find(|(t, _)| t.symbol == symbol).map_or(0.0, |(_, x)| *x);
+    if chosen.cause.name() != "link_inertia_error" || !last || value("M") <= 0.0 {
+        return None;
+    }
+    let cause = super::causes::by_name("payload")?;
+    Some(Chosen { cause, place: Vec::new(), ..chosen.clone() })
+}
+
 /// Wrong links can't be seen where all base parameters are unknown.
 fn makes_sense(bench: &Bench<'_>, cause: &dyn Cause) -> bool {
-    bench.mode == super::model::Mode::Trusted || !matches!(cause.name(), "link_inertia_error" | "payload" | "rotor_inertia")
+    bench.mode == super::model::Mode::Trusted
+        || !matches!(cause.name(), "link_inertia_error" | "payload" | "rotor_inertia")
         || (cause.name() == "rotor_inertia")
 }
 
@@ -262,7 +294,9 @@ fn judge(
     if terms.is_empty() || !last.cause.plausible(&bench.scene, &last.place, &last.shape, &last.x) {
         return None;
     }
-    if terms.iter().zip(&last.x).any(|(t, x)| t.sign == Sign::Positive && *x <= 0.0) && last.cause.name() != "time_delay" {
+    if terms.iter().zip(&last.x).any(|(t, x)| t.sign == Sign::Positive && *x <= 0.0)
+        && last.cause.name() != "time_delay"
+    {
         return None;
     }
     let counts = &before.solution.counts;
@@ -293,7 +327,9 @@ fn judge(
     }
     let variance: f64 = taken.iter().filter(|t| **t > 0.0).sum();
     // What an earlier law of the same kind does not fit is not another cause.
-    let same = |a: &Accepted| a.chosen.place == last.place && a.chosen.cause.kind() == last.cause.kind() && !last.place.is_empty();
+    let same = |a: &Accepted| {
+        a.chosen.place == last.place && a.chosen.cause.kind() == last.cause.kind() && !last.place.is_empty()
+    };
     let overshadowed = accepted.iter().any(|a| {
         let share = if same(a) { settings.least_share } else { 0.3 * settings.least_share };
         let joints = !a.chosen.place.is_empty() && a.chosen.place == last.place;
@@ -324,7 +360,11 @@ fn confirmation(before: &Fitted, after: &Fitted) -> (f64, f64) {
     let mut sums = vec![[0.0; 2]; weights.len()];
     for (a, b) in a.iter().zip(&b) {
         let change: f64 = a.iter().zip(b).zip(weights).map(|((a, b), w)| w * (a - b)).sum();
-        if change > 0.0 { won += change } else { lost -= change }
+        if change > 0.0 {
+            won += change
+        } else {
+            lost -= change
+        }
         for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
             *sum = [sum[0] + a, sum[1] + b];
         }
@@ -333,17 +373,24 @@ fn confirmation(before: &Fitted, after: &Fitted) -> (f64, f64) {
     (if won + lost > 0.0 { won / (won + lost) } else { 0.0 }, share)
 }
 
+/// The last link's parameters and a payload are one thing; the vocabulary's table says so, the rivals need not.
+fn same_body(a: &Candidate, b: &Candidate) -> bool {
+    let body = |c: &Candidate| matches!(c.cause.name(), "payload" | "link_inertia_error");
+    body(a) && body(b)
+}
+
 /// Candidates that explain nearly as much as the one that was taken.
 fn rivals(ranked: &[Candidate], taken: usize, after: &Fitted) -> Vec<(&'static str, Vec<usize>, f64)> {
     let best = &ranked[taken];
-    let memory = best.place.first().map_or_else(
-        || after.memory.iter().sum::<f64>() / after.memory.len().max(1) as f64,
-        |j| after.memory[*j],
-    );
+    let memory = best
+        .place
+        .first()
+        .map_or_else(|| after.memory.iter().sum::<f64>() / after.memory.len().max(1) as f64, |j| after.memory[*j]);
     ranked
         .iter()
         .enumerate()
         .filter(|(i, c)| *i != taken && (c.cause.name() != best.cause.name()))
+        .filter(|(_, c)| !same_body(c, best))
         .filter(|(_, c)| c.place == best.place || c.place.is_empty() || best.place.is_empty())
         .filter(|(_, c)| best.score - c.score < (10.0 * memory).max(0.015 * best.score))
         .map(|(_, c)| (c.cause.name(), c.place.clone(), (best.score - c.score) / memory))
@@ -353,7 +400,13 @@ fn rivals(ranked: &[Candidate], taken: usize, after: &Fitted) -> Vec<(&'static s
 
 /// Takes each cause out in turn: goes without it where it is not missed, and puts another in its place that does better now that the
 /// rest is known.
-fn settle(bench: &mut Bench<'_>, accepted: &mut Vec<Accepted>, fitted: &mut Fitted, noise: &[f64], settings: &SearchSettings) {
+fn settle(
+    bench: &mut Bench<'_>,
+    accepted: &mut Vec<Accepted>,
+    fitted: &mut Fitted,
+    noise: &[f64],
+    settings: &SearchSettings,
+) {
     if accepted.len() < 2 {
         return;
     }

@@ -112,7 +112,11 @@ fn maps(scene: &Scene<'_>, j: usize) -> Vec<(&'static str, Vec<Vec<f64>>)> {
     let long = scene.time.iter().fold(1.0_f64, |m, t| m.max(*t));
     let mut maps = vec![(
         "its position",
-        (1..=4).flat_map(|k| [series(&|o, s| (f64::from(k) * o.q[s]).sin()), series(&|o, s| (f64::from(k) * o.q[s]).cos())]).collect::<Vec<_>>(),
+        (1..=4)
+            .flat_map(|k| {
+                [series(&|o, s| (f64::from(k) * o.q[s]).sin()), series(&|o, s| (f64::from(k) * o.q[s]).cos())]
+            })
+            .collect::<Vec<_>>(),
     )];
     maps.push((
         "its position and direction",

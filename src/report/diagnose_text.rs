@@ -12,7 +12,8 @@ pub fn diagnose_verdict(found: &Diagnosis) -> String {
     let named: Vec<&Cause> = found.causes.iter().filter(|c| c.cause != "unknown").collect();
     let mean = |x: &[f64]| (x.iter().map(|x| x * x).sum::<f64>() / x.len().max(1) as f64).sqrt();
     let list = |causes: &[&Cause]| {
-        let each: Vec<String> = causes.iter().take(4).map(|c| format!("{} {}", c.cause.replace('_', " "), place(c))).collect();
+        let each: Vec<String> =
+            causes.iter().take(4).map(|c| format!("{} {}", c.cause.replace('_', " "), place(c))).collect();
         let more = causes.len().saturating_sub(4);
         if more > 0 { format!("{}, and {more} more", each.join(", ")) } else { each.join(", ") }
     };
@@ -28,7 +29,8 @@ pub fn diagnose_verdict(found: &Diagnosis) -> String {
         _ => "There is structure in the error that none of the known causes explains.".to_string(),
     };
     let (before, after) = (mean(&found.baseline.validate), mean(&found.extended.validate));
-    let data = if found.own_validation { "logs that were not used" } else { "the last part of the logs, which was not used" };
+    let data =
+        if found.own_validation { "logs that were not used" } else { "the last part of the logs, which was not used" };
     format!(
         "{first} On {data} the simulation of the file misses the torque by {} N m (RMS over joints), the extended model by {} N m; the noise is {} N m.",
         digits(before, 3),
@@ -59,7 +61,13 @@ pub fn diagnose_text(found: &Diagnosis, logs: &[Prepared]) -> String {
     let _ = writeln!(text, "RMS on validation, N m");
     let _ = writeln!(text, "{}", heads.iter().map(|h| pad(h, 10, true)).collect::<String>());
     for j in 0..found.noise_floor.len() {
-        let row = [found.torque_rms[j], found.baseline.validate[j], found.refitted.validate[j], found.extended.validate[j], found.noise_floor[j]];
+        let row = [
+            found.torque_rms[j],
+            found.baseline.validate[j],
+            found.refitted.validate[j],
+            found.extended.validate[j],
+            found.noise_floor[j],
+        ];
         let _ = write!(text, "{}", pad(&(j + 1).to_string(), 10, true));
         row.iter().for_each(|x| text.push_str(&pad(&digits(*x, 3), 10, true)));
         let _ = writeln!(text, "{}", pad(&format!("{} %", digits(100.0 * row[3] / row[0], 2)), 10, true));

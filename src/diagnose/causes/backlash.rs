@@ -18,7 +18,7 @@ impl Cause for Backlash {
     fn shape(&self) -> &'static [Shape] {
         &[
             Shape { symbol: "step", unit: "rad", range: [1e-7, 1.0], step: None },
-            Shape { symbol: "TB", unit: "", range: [1e-3, 10.0], step: Some(0.4) },
+            Shape { symbol: "TB", unit: "", range: [1e-3, 0.4], step: Some(0.4) },
         ]
     }
 

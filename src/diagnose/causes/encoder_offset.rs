@@ -20,7 +20,7 @@ impl Cause for EncoderOffset {
     }
 
     fn grid(&self, _: &Scene<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        vec![vec![1e-3]]
+        [1e-3, 0.1, -0.1, 0.5, -0.5].iter().map(|step| vec![*step]).collect()
     }
 
     fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {

@@ -1,9 +1,10 @@
-//! `external_contact`: an external wrench acts during part of the log.
+//! `external_contact`: an external wrench acts during part of the log, constant in the axes of the last frame or of the base.
 
 use super::super::scene::{Column, Scene};
 use super::{Cause, Kind, Shape, Sign, Term};
 
-/// A constant wrench on the last frame, in its axes, between `start` and `end` (counted in windows, so over all logs).
+/// A constant wrench on the last frame between `start` and `end` (counted in windows, so over all logs), in the last frame's axes or, with
+/// `base` 1, in those of the base.
 pub struct ExternalContact;
 
 const SYMBOLS: [(&str, &str); 6] = [("fx", "N"), ("fy", "N"), ("fz", "N"), ("mx", "N m"), ("my", "N m"), ("mz", "N m")];
@@ -23,8 +24,9 @@ impl Cause for ExternalContact {
 
     fn shape(&self) -> &'static [Shape] {
         &[
-            Shape { symbol: "start", unit: "s", range: [0.0, 1e9], step: None },
-            Shape { symbol: "end", unit: "s", range: [0.0, 1e9], step: None },
+            Shape { symbol: "start", unit: "s", range: [0.0, 1e9], step: Some(-12.0) },
+            Shape { symbol: "end", unit: "s", range: [0.0, 1e9], step: Some(-12.0) },
+            Shape { symbol: "base", unit: "", range: [0.0, 1.0], step: None },
         ]
     }
 
@@ -60,12 +62,17 @@ impl Cause for ExternalContact {
         }
         found.sort_by(|a, b| b.0.total_cmp(&a.0));
         found.truncate(4);
-        found.iter().filter(|f| f.2 > f.1).map(|f| vec![f.1 as f64, f.2 as f64]).collect()
+        let windows = found.iter().filter(|f| f.2 > f.1);
+        windows.flat_map(|f| [0.0, 1.0].map(|base| vec![f.1 as f64, f.2 as f64, base])).collect()
     }
 
     fn terms(&self, scene: &Scene<'_>, _: &[usize], shape: &[f64]) -> Vec<Term> {
-        let (start, end) = (shape[0] as usize, (shape[1] as usize).min(scene.len));
-        let unit = scene.wrenches();
+        let (start, end) = (shape[0].round() as usize, (shape[1].round() as usize).min(scene.len));
+        if start + 4 > end {
+            return Vec::new();
+        }
+        let unit = scene.wrenches(start..end, shape[2] == 1.0);
+        let len = end - start;
         let dof = scene.dof();
         SYMBOLS
             .iter()
@@ -75,7 +82,7 @@ impl Cause for ExternalContact {
                     .map(|j| {
                         let mut row = vec![0.0; scene.len];
                         for w in start..end {
-                            row[w] = -unit[(c * dof + j) * scene.len + w];
+                            row[w] = -unit[(c * dof + j) * len + w - start];
                         }
                         row
                     })

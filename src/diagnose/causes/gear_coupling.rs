@@ -47,7 +47,12 @@ impl Cause for GearCoupling {
                 scene.masked(joint, &mut out);
                 out
             };
-            Column { rows: vec![(k.min(m), series(k.min(m), if k < m { on_k } else { on_m })), (k.max(m), series(k.max(m), if k < m { on_m } else { on_k }))] }
+            Column {
+                rows: vec![
+                    (k.min(m), series(k.min(m), if k < m { on_k } else { on_m })),
+                    (k.max(m), series(k.max(m), if k < m { on_m } else { on_k })),
+                ],
+            }
         };
         let (own_m, own_k) = (&scene.own[m], &scene.own[k]);
         let sum = |i: usize, s: usize| own_m[i].v[s] + ratio * own_k[i].v[s];
@@ -55,7 +60,12 @@ impl Cause for GearCoupling {
         let sign = |i: usize, s: usize| if sum(i, s).abs() > dead { sum(i, s).signum() } else { 0.0 };
         vec![
             Term::new("IAM", "kg m^2", both(&|i, s| ratio * own_m[i].a[s], &|i, s| ratio * own_k[i].a[s]), Sign::Any),
-            Term::new("FVM", "N m s/rad", both(&|i, s| ratio * own_m[i].v[s], &|i, s| ratio * own_k[i].v[s]), Sign::Any),
+            Term::new(
+                "FVM",
+                "N m s/rad",
+                both(&|i, s| ratio * own_m[i].v[s], &|i, s| ratio * own_k[i].v[s]),
+                Sign::Any,
+            ),
             Term::new("FCM", "N m", both(&|i, s| ratio * sign(i, s), &|i, s| sign(i, s)), Sign::Any),
         ]
     }

@@ -1,8 +1,8 @@
 //! `link_inertia_error`: the given inertial parameters of a link are wrong.
 
 use super::super::scene::Scene;
-use super::{Cause, Kind, Term};
 use super::payload::body_terms;
+use super::{Cause, Kind, Term};
 
 /// The ten parameters of the joint's link.
 pub struct LinkInertiaError;

@@ -60,8 +60,15 @@ fn case(seed: u64, which: Option<usize>, size: f64) -> (Hidden, usize, Diagnosis
     let list = all(&mut random);
     let hidden = list[which.unwrap_or_else(|| random.below(list.len()))].clone();
     let j = random.below(dof);
-    let noise: Vec<f64> = robot.moving().iter().map(|&r| 0.001 * robot.joints[r].limits.torque.unwrap_or(50.0)).collect();
-    let world = World { robot: &robot, hidden: vec![(hidden.clone(), j, size)], noise: &noise, rate: 500.0 };
+    let noise: Vec<f64> =
+        robot.moving().iter().map(|&r| 0.001 * robot.joints[r].limits.torque.unwrap_or(50.0)).collect();
+    let world = World {
+        robot: &robot,
+        hidden: vec![(hidden.clone(), j, size)],
+        noise: &noise,
+        rate: 500.0,
+        sizes: Default::default(),
+    };
     let (a, b) = (world.log(12.0, &mut random), world.log(8.0, &mut random));
     let (fit, validate) = (record("fit", &a, dof), record("validate", &b, dof));
     let plant = RobotPlant::new(&robot);
@@ -88,15 +95,24 @@ fn battery() {
             .causes
             .iter()
             .map(|c| {
-                let p: Vec<String> = c.parameters.iter().take(3).map(|p| format!("{}={:.3}", p.symbol, p.value)).collect();
-                format!("{}@{:?}p{:.2}[{}]~{:?}", c.cause, c.joints, c.probability, p.join(" "), c.not_distinguished_from)
+                let p: Vec<String> =
+                    c.parameters.iter().take(3).map(|p| format!("{}={:.3}", p.symbol, p.value)).collect();
+                format!(
+                    "{}@{:?}p{:.2}[{}]~{:?}",
+                    c.cause,
+                    c.joints,
+                    c.probability,
+                    p.join(" "),
+                    c.not_distinguished_from
+                )
             })
             .collect();
         println!(
-            "{} seed {seed} {name} {} j{} -> {} | {} ({:.1} s) links_refitted {}",
+            "{} seed {seed} {name} {} j{} ({:.1} of noise) -> {} | {} ({:.1} s) links_refitted {}",
             if ok { "  " } else { "XX" },
             hidden.name(),
             j + 1,
+            found.baseline.validate[j] / found.noise_floor[j],
             found.verdict.word(),
             list.join("; "),
             clock.elapsed().as_secs_f64(),

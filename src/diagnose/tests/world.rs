@@ -1,6 +1,8 @@
 //! A robot whose torques come from the numeric recursion and whose effects are written from the literature, apart from the laws
 //! that look for them: a stiff spring-like bristle with a Stribeck curve of its own, springs solved for the link's angle, and so on.
 
+use std::cell::RefCell;
+
 use dh_codegen::arm::param;
 use dh_codegen::robot::Robot;
 
@@ -14,15 +16,28 @@ use crate::signal::{Filter, Prepare, each_motion};
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Hidden {
     Nothing,
-    Stribeck { speed: f64 },
+    Stribeck {
+        speed: f64,
+    },
     SquareViscous,
     RootViscous,
     Load,
-    Bristle { distance: f64 },
-    Warming { time: f64 },
-    Bump { at: f64, width: f64 },
-    Ripple { order: f64 },
-    Spring { stiffness: f64 },
+    Bristle {
+        distance: f64,
+    },
+    Warming {
+        time: f64,
+    },
+    Bump {
+        at: f64,
+        width: f64,
+    },
+    Ripple {
+        order: f64,
+    },
+    Spring {
+        stiffness: f64,
+    },
     Elastic,
     Gain,
     Offset,
@@ -32,7 +47,9 @@ pub(super) enum Hidden {
     Zero,
     Payload,
     Tilt,
-    Delay { all: bool },
+    Delay {
+        all: bool,
+    },
     Contact,
     Rotor,
     Asymmetric,
@@ -127,11 +144,18 @@ pub(super) struct World<'a> {
     /// Noise of each joint's torque.
     pub noise: &'a [f64],
     pub rate: f64,
+    /// Sizes that the first log gave; the others have the same physics.
+    pub sizes: RefCell<Vec<f64>>,
 }
 
 impl World<'_> {
     /// Clean torques along a motion: joint-major.
-    fn torques(&self, q: &[Vec<[f64; 3]>], change: &dyn Fn(usize, usize, [f64; 3]) -> [f64; 3], robot: &Robot) -> Vec<Vec<f64>> {
+    fn torques(
+        &self,
+        q: &[Vec<[f64; 3]>],
+        change: &dyn Fn(usize, usize, [f64; 3]) -> [f64; 3],
+        robot: &Robot,
+    ) -> Vec<Vec<f64>> {
         let numeric = Numeric::new(robot);
         let phi = param::standard_values(robot).unwrap();
         let (dof, n) = (q.len(), q[0].len());
@@ -147,8 +171,26 @@ impl World<'_> {
         out
     }
 
+    /// The size of an effect: what the first log makes it.
+    fn sized(&self, number: usize, make: impl FnOnce() -> f64) -> f64 {
+        if let Some(size) = self.sizes.borrow().get(number) {
+            return *size;
+        }
+        let size = make();
+        self.sizes.borrow_mut().push(size);
+        size
+    }
+
     /// What an effect adds, at unit size or at a physical one, before it is scaled to the wanted root mean square.
-    fn effect(&self, hidden: &Hidden, j: usize, q: &[Vec<[f64; 3]>], clean: &[Vec<f64>], size: f64) -> Vec<Vec<f64>> {
+    fn effect(
+        &self,
+        number: usize,
+        hidden: &Hidden,
+        j: usize,
+        q: &[Vec<[f64; 3]>],
+        clean: &[Vec<f64>],
+        size: f64,
+    ) -> Vec<Vec<f64>> {
         let (dof, n) = (q.len(), q[0].len());
         let mut out = vec![vec![0.0; n]; dof];
         let sign = |v: f64| (v / 2e-3).tanh();
@@ -156,20 +198,22 @@ impl World<'_> {
         let same = |_: usize, _: usize, s: [f64; 3]| s;
         // Scales a torque on joint j to the wanted size.
         let scaled = |mut x: Vec<f64>| {
-            let by = size / rms(&x).max(1e-12);
+            let by = self.sized(number, || size / rms(&x).max(1e-12));
             x.iter_mut().for_each(|x| *x *= by);
             x
         };
         // Finds the size of a change of the arm that gives the wanted torque on joint j.
         let searched = |at: f64, make: &dyn Fn(f64) -> Vec<Vec<f64>>| {
-            let mut x = at;
-            let mut found = make(x);
-            for _ in 0..4 {
-                let now = (0..dof).map(|k| rms(&found[k]) / self.noise[k]).fold(0.0, f64::max) * self.noise[j];
-                x *= size / now.max(1e-15);
-                found = make(x);
-            }
-            found
+            let x = self.sized(number, || {
+                let mut x = at;
+                for _ in 0..4 {
+                    let found = make(x);
+                    let now = (0..dof).map(|k| rms(&found[k]) / self.noise[k]).fold(0.0, f64::max) * self.noise[j];
+                    x *= size / now.max(1e-15);
+                }
+                x
+            });
+            make(x)
         };
         let minus = |mut a: Vec<Vec<f64>>| {
             for (a, b) in a.iter_mut().zip(clean) {
@@ -180,10 +224,19 @@ impl World<'_> {
         match hidden {
             Hidden::Nothing => {}
             // Bo and Pavelescu's exponent 1.4, not the one of Gauss that looks for it.
-            Hidden::Stribeck { speed } => out[j] = scaled(own(&|_, s| sign(s[1]) * (-(s[1].abs() / speed).powf(1.4)).exp())),
+            Hidden::Stribeck { speed } => {
+                out[j] = scaled(own(&|_, s| sign(s[1]) * (-(s[1].abs() / speed).powf(1.4)).exp()))
+            }
             Hidden::SquareViscous => out[j] = scaled(own(&|_, s| s[1] * s[1].abs())),
             Hidden::RootViscous => out[j] = scaled(own(&|_, s| sign(s[1]) * s[1].abs().powf(0.6))),
-            Hidden::Load => out[j] = scaled(own(&|k, s| sign(s[1]) * clean[j][k].abs())),
+            Hidden::Load => {
+                let mut smooth = self.robot.clone();
+                for joint in &mut smooth.joints {
+                    (joint.drive.viscous_friction, joint.drive.coulomb_friction) = (None, None);
+                }
+                let rigid = self.torques(q, &same, &smooth);
+                out[j] = scaled(own(&|k, s| sign(s[1]) * rigid[j][k].abs()));
+            }
             Hidden::Bristle { distance } => {
                 // LuGre with a Stribeck level, ten steps a sample.
                 let mut z = 0.0;
@@ -201,7 +254,9 @@ impl World<'_> {
             Hidden::Warming { time } => {
                 out[j] = scaled(own(&|k, s| (sign(s[1]) + 0.6 * s[1]) * (-(k as f64) / self.rate / time).exp()));
             }
-            Hidden::Bump { at, width } => out[j] = scaled(own(&|_, s| sign(s[1]) * (-((s[0] - at) / width).powi(2)).exp())),
+            Hidden::Bump { at, width } => {
+                out[j] = scaled(own(&|_, s| sign(s[1]) * (-((s[0] - at) / width).powi(2)).exp()))
+            }
             Hidden::Ripple { order } => {
                 out[j] = scaled(own(&|_, s| (order * s[0] + 0.4).sin() + 0.15 * (2.0 * order * s[0]).sin()));
             }
@@ -221,12 +276,20 @@ impl World<'_> {
                 let mut sizes: Vec<f64> = clean[j].iter().map(|t| t.abs()).collect();
                 sizes.sort_by(f64::total_cmp);
                 let clip = |bound: f64| clean[j].iter().map(|t| t.clamp(-bound, bound) - t).collect::<Vec<f64>>();
-                let index = (0..100).find(|i| rms(&clip(sizes[(n - 1) * (99 - i) / 100])) >= size).unwrap_or(60);
-                out[j] = clip(sizes[(n - 1) * (99 - index) / 100]);
+                let bound = self.sized(number, || {
+                    let index = (0..100).find(|i| rms(&clip(sizes[(n - 1) * (99 - i) / 100])) >= size).unwrap_or(60);
+                    sizes[(n - 1) * (99 - index) / 100]
+                });
+                out[j] = clip(bound);
             }
             Hidden::Elastic => {
+                let mut smooth = self.robot.clone();
+                for joint in &mut smooth.joints {
+                    (joint.drive.viscous_friction, joint.drive.coulomb_friction) = (None, None);
+                }
+                let rigid = self.torques(q, &same, &smooth);
                 let make = |c: f64| {
-                    let wind: Vec<f64> = clean[j].iter().map(|t| -c * t).collect();
+                    let wind: Vec<f64> = rigid[j].iter().map(|t| -c * t).collect();
                     let h = 1.0 / self.rate;
                     let d = |x: &[f64], k: usize| (x[(k + 1).min(n - 1)] - x[k.max(1) - 1]) / (2.0 * h);
                     let rate: Vec<f64> = (0..n).map(|k| d(&wind, k)).collect();
@@ -234,7 +297,11 @@ impl World<'_> {
                     let change = |i: usize, k: usize, s: [f64; 3]| {
                         if i == j { [s[0] + wind[k], s[1] + rate[k], s[2] + second[k]] } else { s }
                     };
-                    minus(self.torques(q, &change, self.robot))
+                    let mut torques = self.torques(q, &change, &smooth);
+                    for (a, b) in torques.iter_mut().zip(&rigid) {
+                        a.iter_mut().zip(b).for_each(|(a, b)| *a -= b);
+                    }
+                    torques
                 };
                 out = searched(1e-5, &make);
             }
@@ -312,8 +379,8 @@ impl World<'_> {
         let clean = self.torques(&q, &same, self.robot);
         let (dof, n) = (q.len(), q[0].len());
         let mut tau = clean.clone();
-        for (hidden, j, size) in &self.hidden {
-            let effect = self.effect(hidden, *j, &q, &clean, size * self.noise[*j]);
+        for (number, (hidden, j, size)) in self.hidden.iter().enumerate() {
+            let effect = self.effect(number, hidden, *j, &q, &clean, size * self.noise[*j]);
             for (t, e) in tau.iter_mut().zip(&effect) {
                 t.iter_mut().zip(e).for_each(|(t, e)| *t += e);
             }
