@@ -7,10 +7,14 @@ mod identify_html;
 mod identify_json;
 mod identify_text;
 mod number;
+mod simulate_json;
+mod simulate_text;
 
 pub use identify_html::identify_html;
 pub use identify_json::identify_json;
 pub use identify_text::{identify_text, identify_verdict};
+pub use simulate_json::simulate_json;
+pub use simulate_text::simulate_text;
 
 #[cfg(test)]
 mod tests;

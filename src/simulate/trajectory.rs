@@ -51,7 +51,7 @@ pub type Point = [f64; 3];
 
 impl Trajectory {
     /// From knots, joint-major. Velocities that are missing come from the cubic spline through the positions (its end slopes those
-    /// of the parabola through the three outermost knots), accelerations from the spline through the velocities.
+    /// of the cubic through the four outermost knots), accelerations from the spline through the velocities.
     pub fn new(
         dof: usize,
         t: Vec<f64>,
@@ -188,12 +188,12 @@ fn spline_slopes(t: &[f64], y: &[f64]) -> Vec<f64> {
     if n == 2 {
         return vec![rise(0); 2];
     }
-    // Derivative at the end of the parabola through the three outermost knots.
-    let end = |h0: f64, h1: f64, d0: f64, d1: f64| d0 + (d0 - d1) * h0 / (h0 + h1);
     let step = |k: usize| t[k + 1] - t[k];
     let mut slopes = vec![0.0; n];
-    slopes[0] = end(step(0), step(1), rise(0), rise(1));
-    slopes[n - 1] = end(step(n - 2), step(n - 3), rise(n - 2), rise(n - 3));
+    let near: Vec<usize> = (0..n.min(4)).collect();
+    let far: Vec<usize> = near.iter().map(|k| n - 1 - k).collect();
+    slopes[0] = end_slope(t, y, &near);
+    slopes[n - 1] = end_slope(t, y, &far);
     // h[k] m[k-1] + 2 (h[k-1] + h[k]) m[k] + h[k-1] m[k+1] = 3 (h[k] d[k-1] + h[k-1] d[k])
     let (mut upper, mut right) = (vec![0.0; n], vec![0.0; n]);
     right[0] = slopes[0];
@@ -207,6 +207,18 @@ fn spline_slopes(t: &[f64], y: &[f64]) -> Vec<f64> {
         slopes[k] = right[k] - upper[k] * slopes[k + 1];
     }
     slopes
+}
+
+/// Derivative at the first of these knots of the polynomial through all of them (Lagrange).
+fn end_slope(t: &[f64], y: &[f64], knots: &[usize]) -> f64 {
+    let end = knots[0];
+    let mut slope = 0.0;
+    for &k in &knots[1..] {
+        let others = || knots[1..].iter().filter(move |&&i| i != k);
+        let weight: f64 = others().map(|&i| (t[end] - t[i]) / (t[k] - t[i])).product();
+        slope += (y[k] - y[end]) * weight / (t[k] - t[end]);
+    }
+    slope
 }
 
 #[cfg(test)]

@@ -21,7 +21,7 @@ mod write;
 mod yaml;
 
 pub use angle::Angle;
-pub use check::Reading;
+pub use check::{Reading, Setting, SimulationFile};
 pub use inertia::Inertia;
 pub use length::{Length, Polynomial};
 pub use physical::NotPhysical;

@@ -107,8 +107,10 @@ fn friction_holds_an_arm_that_is_not_heavy_enough() {
         run(&robot, &Effects::default(), &Trajectory::rest(&[0.0, 0.1], 5.0).unwrap(), &free(100.0, 1e-6)).truth;
     let len = truth.t.len();
     for j in 0..2 {
-        let (start, end) = (truth.link_q[j * len], truth.link_q[j * len + len - 1]);
-        assert!((end - start).abs() < 2e-5, "joint {} crept by {}", j + 1, end - start);
+        // The bristle gives way a little at first; then nothing moves.
+        let [start, soon, end] = [0, 100, len - 1].map(|k| truth.link_q[j * len + k]);
+        assert!((soon - start).abs() < 1e-4, "joint {} gave way by {}", j + 1, soon - start);
+        assert!((end - soon).abs() < 1e-9, "joint {} crept by {}", j + 1, end - soon);
     }
 }
 
