@@ -6,6 +6,8 @@ mod eval;
 mod files;
 mod generate;
 mod identify;
+mod simulate;
+mod table;
 
 use clap::{Parser, Subcommand};
 
@@ -29,6 +31,8 @@ enum Command {
     Eval(eval::Eval),
     /// Identify the base parameters from logs, and write the robot file with the values in place.
     Identify(identify::Identify),
+    /// Play a motion on the simulated robot and record a log.
+    Simulate(simulate::Simulate),
 }
 
 impl Cli {
@@ -43,6 +47,7 @@ impl Cli {
             Command::Diagnose(verb) => verb.run(),
             Command::Eval(verb) => verb.run(),
             Command::Identify(verb) => verb.run(),
+            Command::Simulate(verb) => verb.run(),
         }
     }
 }

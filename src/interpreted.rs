@@ -1,5 +1,9 @@
 //! An [`Arm`] whose tapes are run: any robot file, without compiling.
 
+mod bodies;
+
+pub use bodies::Bodies;
+
 use dh_codegen::arm::{Argument, Function, Model};
 use dh_codegen::interpret::{Batch, Interpreter};
 use dh_codegen::robot::Robot;

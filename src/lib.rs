@@ -38,3 +38,4 @@ pub mod numeric;
 pub mod plant;
 pub mod report;
 pub mod signal;
+pub mod simulate;

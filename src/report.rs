@@ -9,12 +9,16 @@ mod identify_html;
 mod identify_json;
 mod identify_text;
 mod number;
+mod simulate_json;
+mod simulate_text;
 
 pub use diagnose_json::diagnose_json;
 pub use diagnose_text::{diagnose_text, diagnose_verdict};
 pub use identify_html::identify_html;
 pub use identify_json::identify_json;
 pub use identify_text::{identify_text, identify_verdict};
+pub use simulate_json::simulate_json;
+pub use simulate_text::simulate_text;
 
 #[cfg(test)]
 mod tests;

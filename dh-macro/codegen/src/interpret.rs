@@ -39,6 +39,13 @@ pub struct State<'a> {
     pub parameters: &'a [f64],
 }
 
+/// Working memory of [`Interpreter::run_one`]; may be shared between functions and robots.
+#[derive(Debug, Clone, Default)]
+pub struct Room {
+    inputs: Vec<f64>,
+    slots: Vec<f64>,
+}
+
 struct Ready {
     kernel: Kernel,
     evaluator: Evaluator,
@@ -131,6 +138,44 @@ impl Interpreter {
             },
             out,
         );
+    }
+
+    /// One state, without allocation once `room` has grown: the row-major result goes to `out`. The same bits as [`Interpreter::run`].
+    ///
+    /// # Panics
+    /// Like [`Interpreter::run`].
+    pub fn run_one(&self, function: Function, state: &State<'_>, room: &mut Room, out: &mut [f64]) {
+        let Ready { kernel, evaluator, .. } = &self.ready[&function];
+        let arguments = kernel.function.arguments();
+        let n = self.dof;
+        let Room { inputs, slots } = room;
+        inputs.clear();
+        inputs.resize(6 * n, 0.0);
+        let index = |group| kernel.inputs.index(group, 0);
+        if arguments.contains(&Argument::Configuration) {
+            inputs[..n].copy_from_slice(&state.q[..n]);
+            for start in (0..n).step_by(8) {
+                let width = (n - start).min(8);
+                let mut angles = [0.0; 8];
+                (0..width).for_each(|l| angles[l] = state.q[start + l] + self.offsets[start + l]);
+                let (s, c) = f64::sin_cos_all(&angles);
+                inputs[index(Group::Sine) + start..][..width].copy_from_slice(&s[..width]);
+                inputs[index(Group::Cosine) + start..][..width].copy_from_slice(&c[..width]);
+            }
+        }
+        for (argument, group, values) in [
+            (Argument::Velocities, Group::Velocity, state.dq),
+            (Argument::Accelerations, Group::Acceleration, state.ddq),
+            (Argument::Torques, Group::Torque, state.tau),
+        ] {
+            if arguments.contains(&argument) {
+                inputs[index(group)..][..n].copy_from_slice(&values[..n]);
+            }
+        }
+        if arguments.contains(&Argument::StandardParameters) || arguments.contains(&Argument::BaseParameters) {
+            inputs.extend_from_slice(state.parameters);
+        }
+        evaluator.run_one(inputs, slots, out);
     }
 
     /// The row-major result of one state.

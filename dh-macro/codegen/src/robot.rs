@@ -6,6 +6,7 @@
 mod angle;
 mod check;
 mod decimal;
+pub mod effect;
 mod expression;
 mod inertia;
 mod keys;
@@ -20,7 +21,7 @@ mod write;
 mod yaml;
 
 pub use angle::Angle;
-pub use check::Reading;
+pub use check::{Reading, Setting, SimulationFile};
 pub use inertia::Inertia;
 pub use length::{Length, Polynomial};
 pub use physical::NotPhysical;
@@ -67,8 +68,17 @@ pub struct Limits {
 pub struct Effect {
     /// One of [`EFFECT_NAMES`].
     pub name: String,
-    /// Parameter name and value, in the file's order; a bare number has the name `value`.
+    /// Keys of the effect's [`effect::Law`] and values, in the file's order; a bare number stands under the first key.
     pub parameters: Vec<(String, f64)>,
+}
+
+/// Effects by where they stand.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Effects {
+    /// Of joints: row of the DH table, from 0.
+    pub joints: Vec<(usize, Effect)>,
+    /// Of the whole robot.
+    pub robot: Vec<Effect>,
 }
 
 /// The vocabulary of effects beyond the rigid body (contract, section 5), in its order.
@@ -218,6 +228,15 @@ impl Robot {
     /// Degrees of freedom: number of moving rows; the length of `q`.
     pub fn dof(&self) -> usize {
         self.moving().len()
+    }
+
+    /// The effects that the file names, beyond what [`Drive`] holds itself.
+    pub fn all_effects(&self) -> Effects {
+        let of = |(row, joint): (usize, &Joint)| joint.drive.effects.iter().map(move |e| (row, e.clone())).collect();
+        Effects {
+            joints: self.joints.iter().enumerate().flat_map::<Vec<_>, _>(of).collect(),
+            robot: self.effects.clone(),
+        }
     }
 
     /// Inertial parameters of every link with the tool folded into the last one, or `None` where a link's are unknown.

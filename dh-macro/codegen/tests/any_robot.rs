@@ -3,6 +3,7 @@
 mod common;
 
 use common::{files, robots};
+use dh_codegen::robot::effect::Law;
 use dh_codegen::robot::{
     Angle, Collision, Convention, Drive, Effect, Inertia, Joint, JointKind, Length, Limits, Polynomial, Robot, Sphere,
     Tool, ToolGeometry,
@@ -59,14 +60,15 @@ fn limits() -> impl Strategy<Value = Limits> {
     )
 }
 
+/// Any of these effects, with none, one or all of the keys of its law.
 fn effect(names: &'static [&'static str]) -> impl Strategy<Value = Effect> {
-    let parameters = prop_oneof![
-        number().prop_map(|value| vec![("value".to_string(), value)]),
-        (number(), number()).prop_map(|(a, b)| vec![("amplitude".to_string(), a), ("true".to_string(), b)]),
-        Just(Vec::new()),
-    ];
-    (prop::sample::select(names), parameters)
-        .prop_map(|(name, parameters)| Effect { name: name.to_string(), parameters })
+    (prop::sample::select(names), 0..3usize, number()).prop_map(|(name, keys, value)| {
+        let law = Law::of(name).expect("a name of the vocabulary");
+        let most = [0, 1, law.keys.len()][keys];
+        let value_of = |k: usize| if law.keys[k].count { 1.0 } else { value + k as f64 };
+        let parameters = (0..most).map(|k| (law.keys[k].name.to_string(), value_of(k))).collect();
+        Effect { name: name.to_string(), parameters }
+    })
 }
 
 fn drive() -> impl Strategy<Value = Drive> {

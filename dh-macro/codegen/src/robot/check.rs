@@ -3,6 +3,9 @@
 mod body;
 mod drive;
 mod joint;
+mod simulation;
+
+pub use simulation::{Setting, SimulationFile};
 
 use super::expression::{RESERVED, is_name};
 use super::keys;
@@ -86,7 +89,7 @@ fn robot(top: &Fields<'_>, files: &dyn Fn(&str) -> Result<String, String>, to: &
     let links = body::links(top, joints.len(), to);
     let tool = body::tool(top, files, to);
     let collision = collision(top, joints.len(), to);
-    let effects = top.node("effects").map(|(node, path)| drive::effects(node, &path, to)).unwrap_or_default();
+    let effects = top.node("effects").map(|(node, path)| drive::effects(node, &path, false, to)).unwrap_or_default();
     let constants = to.scope.constants();
     Robot { name, convention, constants, gravity, joints, links, tool, collision, effects }
 }

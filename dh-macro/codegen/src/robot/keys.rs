@@ -220,17 +220,3 @@ pub(super) static SPHERE: Table = Table {
         required("radius", Positive, "m", "Radius."),
     ],
 };
-
-/// Effects that can only be of the whole robot.
-pub(super) const WHOLE_ROBOT: [&str; 3] = ["payload", "base_tilt", "external_contact"];
-
-/// Effects that may be of one joint or of the whole robot; all others are of a joint.
-pub(super) const EITHER: [&str; 7] = [
-    "friction_drift",
-    "gear_coupling",
-    "torque_gain_error",
-    "encoder_offset",
-    "geometric_error",
-    "link_inertia_error",
-    "time_delay",
-];

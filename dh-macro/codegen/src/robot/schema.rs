@@ -1,7 +1,7 @@
 //! The JSON Schema of robot files for editors, from the tables that the checker uses.
 
-use super::EFFECT_NAMES;
-use super::keys::{EITHER, JOINT, Key, ROBOT, Shape, Table, WHOLE_ROBOT};
+use super::effect::{LAWS, Law, Place};
+use super::keys::{JOINT, Key, ROBOT, Shape, Table};
 
 /// Text of `robots/robot.schema.json`. Editors find it by the first line of each robot file.
 pub fn schema() -> String {
@@ -67,8 +67,8 @@ fn number() -> Vec<(&'static str, Json)> {
 fn table(table: &'static Table) -> Vec<(&'static str, Json)> {
     let mut properties: Vec<(&'static str, Json)> = table.keys.iter().map(|key| (key.name, property(key))).collect();
     if table.effects {
-        let named = |name: &&str| table.key(name).is_none() && !WHOLE_ROBOT.contains(name);
-        properties.extend(EFFECT_NAMES.iter().copied().filter(named).map(|name| (name, effect())));
+        let named = |law: &&Law| table.key(law.name).is_none() && law.place != Place::Robot;
+        properties.extend(LAWS.iter().filter(named).map(|law| (law.name, effect(law))));
     }
     let needed: Vec<&str> = table.keys.iter().filter(|key| key.required).map(|key| key.name).collect();
     vec![
@@ -79,9 +79,24 @@ fn table(table: &'static Table) -> Vec<(&'static str, Json)> {
     ]
 }
 
-fn effect() -> Json {
-    let parameters = Json::Map(vec![kind("object"), ("additionalProperties", Json::Map(number()))]);
-    Json::Map(vec![("anyOf", Json::List(vec![Json::Map(number()), parameters]))])
+/// A number, or a mapping of the law's keys.
+fn effect(law: &'static Law) -> Json {
+    let described = |text: String| {
+        let mut fields = vec![("description", Json::Text(text))];
+        fields.extend(number());
+        Json::Map(fields)
+    };
+    let words = |key: &super::effect::EffectKey| match key.unit {
+        "" => key.doc.to_string(),
+        unit => format!("{} [{unit}]", key.doc),
+    };
+    let properties = law.keys.iter().map(|key| (key.name, described(words(key)))).collect();
+    let mut map = vec![kind("object"), ("properties", Json::Map(properties))];
+    if !law.repeats {
+        map.push(("additionalProperties", Json::Flag(false)));
+    }
+    let either = Json::List(vec![Json::Map(number()), Json::Map(map)]);
+    Json::Map(vec![("description", Json::Text(format!("{}.", law.law))), ("anyOf", either)])
 }
 
 fn property(key: &'static Key) -> Json {
@@ -121,8 +136,8 @@ fn shape(shape: &Shape) -> Vec<(&'static str, Json)> {
             vec![("type", Json::words(&["array", "null"])), ("items", Json::Map(vec![("anyOf", row)]))]
         }
         Shape::Effects => {
-            let names = WHOLE_ROBOT.iter().chain(&EITHER);
-            let properties = names.map(|name| (*name, effect())).collect();
+            let whole = LAWS.iter().filter(|law| law.place != Place::Joint);
+            let properties = whole.map(|law| (law.name, effect(law))).collect();
             vec![kind("object"), ("additionalProperties", Json::Flag(false)), ("properties", Json::Map(properties))]
         }
     }

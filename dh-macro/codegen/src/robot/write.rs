@@ -148,10 +148,7 @@ fn drive_fields(drive: &Drive) -> Vec<Field> {
 
 fn effect_field(effect: &Effect) -> Field {
     let parameters: Vec<Field> = effect.parameters.iter().map(|(key, value)| (word(key), number(*value))).collect();
-    match effect.parameters.as_slice() {
-        [(name, value)] if name == "value" => (effect.name.clone(), number(*value)),
-        _ => (effect.name.clone(), braces(&parameters)),
-    }
+    (effect.name.clone(), braces(&parameters))
 }
 
 fn inertia_fields(inertia: &Inertia) -> Vec<Field> {

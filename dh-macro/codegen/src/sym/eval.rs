@@ -160,6 +160,42 @@ impl Evaluator {
     }
 }
 
+impl Evaluator {
+    /// Runs one state: `inputs[i]` is input `i`, output `o` goes to `out[o]`. `room` is working memory that calls may share;
+    /// what stands in it does not matter. The same bits as [`Evaluator::run`].
+    ///
+    /// # Panics
+    /// If `out` is shorter than `outputs()` or `inputs` than the highest input that is read.
+    pub fn run_one(&self, inputs: &[f64], room: &mut Vec<f64>, out: &mut [f64]) {
+        if room.len() < self.slots {
+            room.resize(self.slots, 0.0);
+        }
+        let slots = &mut room[..self.slots];
+        for &(slot, value) in &self.constants {
+            slots[slot as usize] = value;
+        }
+        for &(slot, index) in &self.inputs {
+            slots[slot as usize] = inputs[index];
+        }
+        let mut done = 0;
+        for &(after, slot, index) in &self.outputs {
+            for step in &self.steps[done..after] {
+                let (a, b) = (slots[step.a as usize], slots[step.b as usize]);
+                slots[step.out as usize] = match step.kind {
+                    Kind::Add => a + b,
+                    Kind::Sub => a - b,
+                    Kind::Mul => a * b,
+                    Kind::Div => a / b,
+                    Kind::Neg => -a,
+                    Kind::Sign => sign(a),
+                };
+            }
+            done = after;
+            out[index] = slots[slot as usize];
+        }
+    }
+}
+
 /// The meaning of `Sign`: what the generated crates' `Scalar::sign` does. By selection, which vectorises, not by branches.
 fn sign(x: f64) -> f64 {
     let positive = if x > 0.0 { 1.0 } else { 0.0 };
@@ -203,8 +239,12 @@ mod tests {
         let ys: Vec<f64> = (0..n).map(|i| (i as f64).sin() + 1.5).collect();
         let mut out = vec![0.0; 5 * n];
         run.run(n, |i| if i == 0 { &xs } else { &ys }, &mut out);
+        let mut room = Vec::new();
         for s in 0..n {
             let (x, y) = (xs[s], ys[s]);
+            let mut one = [0.0; 5];
+            run.run_one(&[x, y], &mut room, &mut one);
+            assert!((0..5).all(|o| one[o].to_bits() == out[o * n + s].to_bits()), "state {s} by itself");
             let expected = [x * y - x / y, 2.5, y, -(x * x), if x > y { 1.0 } else { -1.0 }];
             for (o, e) in expected.iter().enumerate() {
                 assert_eq!(out[o * n + s], *e, "output {o} of state {s}");

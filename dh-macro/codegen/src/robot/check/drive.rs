@@ -1,6 +1,6 @@
 //! Rotor, gear, friction, and the effects beyond the rigid body.
 
-use super::super::keys::{EITHER, WHOLE_ROBOT};
+use super::super::effect::{EffectKey, Law, Magnitude, Place};
 use super::super::problem::closest;
 use super::super::reader::{Fields, Findings, join};
 use super::super::yaml::{Kind, Node, Word, shortened};
@@ -73,7 +73,7 @@ fn laws(fields: &Fields<'_>, drive: &mut Drive, to: &mut Findings) {
             "viscous_friction" | "coulomb_friction" if in_friction => {}
             "viscous_friction" => plain_law(&mut drive.viscous_friction, node, &path, name, to),
             "coulomb_friction" => plain_law(&mut drive.coulomb_friction, node, &path, name, to),
-            _ if WHOLE_ROBOT.contains(&name) => {
+            _ if place(name) == Some(Place::Robot) => {
                 let mend = "write it under `effects` at the top of the file";
                 to.problem(word.mark, &path, format!("{name} concerns the whole robot, not a joint"), mend);
             }
@@ -85,7 +85,7 @@ fn laws(fields: &Fields<'_>, drive: &mut Drive, to: &mut Findings) {
                     "keep one of the two",
                 );
             }
-            _ => drive.effects.push(effect(word, node, &path, to)),
+            _ => drive.effects.push(effect(word, node, &path, false, to)),
         }
     }
 }
@@ -104,7 +104,7 @@ fn plain_law(slot: &mut Option<f64>, node: &Node, path: &str, name: &str, to: &m
 }
 
 /// `effects:` at the top of the file.
-pub(super) fn effects(node: &Node, path: &str, to: &mut Findings) -> Vec<Effect> {
+pub(super) fn effects(node: &Node, path: &str, bare: bool, to: &mut Findings) -> Vec<Effect> {
     let Kind::Map(fields) = &node.kind else {
         let mend = "write a mapping of effects to numbers: base_tilt: { roll: 1deg }";
         to.problem(node.mark, path, format!("{} stands here", node.kind.describe()), mend);
@@ -114,44 +114,116 @@ pub(super) fn effects(node: &Node, path: &str, to: &mut Findings) -> Vec<Effect>
     for (word, node) in fields {
         let name = word.text.as_str();
         let path = join(path, &shortened(name));
-        if WHOLE_ROBOT.contains(&name) || EITHER.contains(&name) {
-            effects.push(effect(word, node, &path, to));
-        } else if EFFECT_NAMES.contains(&name) {
-            let place =
-                if OWN_PLACE.contains(&name) { "`drive` of that joint" } else { "`drive` of the joint that has it" };
-            to.problem(word.mark, &path, format!("{name} belongs to one joint"), format!("write it in the {place}"));
-        } else {
-            let mend = match closest(name, EFFECT_NAMES) {
-                Some(close) => format!("did you mean `{close}`?"),
-                None => format!("the effects are {}", EFFECT_NAMES.join(", ")),
-            };
-            to.problem(word.mark, &path, format!("`{}` is not an effect", shortened(name)), mend);
+        match place(name) {
+            Some(Place::Robot | Place::Either) => effects.push(effect(word, node, &path, bare, to)),
+            Some(Place::Joint) => {
+                let place = if OWN_PLACE.contains(&name) {
+                    "`drive` of that joint"
+                } else {
+                    "`drive` of the joint that has it"
+                };
+                to.problem(
+                    word.mark,
+                    &path,
+                    format!("{name} belongs to one joint"),
+                    format!("write it in the {place}"),
+                );
+            }
+            None => no_effect(word, &path, to),
         }
     }
     effects
 }
 
-/// A bare number, or a mapping of named numbers.
-fn effect(word: &Word, node: &Node, path: &str, to: &mut Findings) -> Effect {
-    const EXPECTED: &str = "a number, or a mapping of named numbers: { amplitude: 0.3, order: 3 }";
-    let parameters = match &node.kind {
-        Kind::Map(fields) => fields
-            .iter()
-            .filter_map(|(key, node)| {
+/// The effects of one joint in a file of effects.
+pub(super) fn effects_of_joint(fields: &[(Word, Node)], path: &str, to: &mut Findings) -> Vec<Effect> {
+    let mut effects = Vec::new();
+    for (word, node) in fields {
+        let path = join(path, &shortened(&word.text));
+        match place(&word.text) {
+            Some(Place::Joint | Place::Either) => effects.push(effect(word, node, &path, true, to)),
+            Some(Place::Robot) => {
+                let mend = "write it under `effects`";
+                to.problem(word.mark, &path, format!("{} concerns the whole robot, not a joint", word.text), mend);
+            }
+            None => no_effect(word, &path, to),
+        }
+    }
+    effects
+}
+
+fn no_effect(word: &Word, path: &str, to: &mut Findings) {
+    let mend = match closest(&word.text, EFFECT_NAMES) {
+        Some(close) => format!("did you mean `{close}`?"),
+        None => format!("the effects are {}", EFFECT_NAMES.join(", ")),
+    };
+    to.problem(word.mark, path, format!("`{}` is not an effect", shortened(&word.text)), mend);
+}
+
+fn place(name: &str) -> Option<Place> {
+    Law::of(name).map(|law| law.place)
+}
+
+/// A bare number, or a mapping of the keys of the effect's law. Where `bare` is true, nothing at all will do too.
+pub(super) fn effect(word: &Word, node: &Node, path: &str, bare: bool, to: &mut Findings) -> Effect {
+    let name = word.text.clone();
+    let Some(law) = Law::of(&name) else { return Effect { name, parameters: Vec::new() } };
+    let first = law.keys[0].name;
+    let expected = format!("a mapping with the keys {}, or a number: {first}", keys_of(law));
+    let mut parameters: Vec<(String, f64)> = Vec::new();
+    match &node.kind {
+        Kind::Map(fields) => {
+            for (key, node) in fields {
                 let path = join(path, &shortened(&key.text));
-                to.number(node, &path, "a number").map(|value| (key.text.clone(), value))
-            })
-            .collect(),
+                let Some(known) = law.key(&key.text) else {
+                    let what = format!("`{}` is not a key of {name}", shortened(&key.text));
+                    let mend = match closest(&key.text, law.keys.iter().map(|key| key.name)) {
+                        Some(close) => format!("did you mean `{close}`? The keys are {}", keys_of(law)),
+                        None => format!("the keys of {name} are {}", keys_of(law)),
+                    };
+                    to.problem(key.mark, &path, what, mend);
+                    continue;
+                };
+                if let Some(value) = to.number(node, &path, &format!("a number: {}", known.doc)) {
+                    parameters.push((key.text.clone(), value));
+                }
+            }
+        }
+        Kind::Null if bare => {}
         Kind::Null => {
             to.problem(
                 node.mark,
                 path,
                 "nothing stands here",
-                format!("write {EXPECTED}, {{}} where nothing is known"),
+                format!("write {expected}; {{}} where nothing is known"),
             );
-            Vec::new()
         }
-        _ => to.number(node, path, EXPECTED).map(|value| ("value".to_string(), value)).into_iter().collect(),
+        _ => parameters.extend(to.number(node, path, &expected).map(|value| (first.to_string(), value))),
+    }
+    for (key, value) in &parameters {
+        let is_count = law.key(key).is_some_and(|key| key.count);
+        if is_count && !(value.fract() == 0.0 && (1.0..=1e6).contains(value)) {
+            let mend = "joints and links are numbered from 1";
+            to.problem(node.mark, &join(path, key), format!("{value} is not the number of a joint"), mend);
+        }
+    }
+    for key in law.keys.iter().filter(|key| key.omitted == Magnitude::Needed) {
+        let there = match &node.kind {
+            Kind::Map(fields) => fields.iter().any(|(word, _)| word.text == key.name),
+            _ => !parameters.is_empty(),
+        };
+        if !there {
+            to.problem(node.mark, path, format!("the key `{}` is missing", key.name), format!("add {}", key.doc));
+        }
+    }
+    Effect { name, parameters }
+}
+
+/// `FS (N m), VS (rad/s), DS`
+fn keys_of(law: &Law) -> String {
+    let with_unit = |key: &EffectKey| match key.unit {
+        "" => key.name.to_string(),
+        unit => format!("{} ({unit})", key.name),
     };
-    Effect { name: word.text.clone(), parameters }
+    law.keys.iter().map(with_unit).collect::<Vec<_>>().join(", ")
 }

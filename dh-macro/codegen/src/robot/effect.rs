@@ -1,0 +1,388 @@
+//! The effects beyond the rigid body: names, keys, units, defaults. The robot file's checker, the simulator and the diagnosis all read
+//! this table.
+//!
+//! Throughout, `v` is the joint's velocity, and a law is what is *added* to the torque of the rigid model, `tau` being the torque of the
+//! actuator on the link. For a prismatic joint read N for N m, and m for rad.
+
+/// Where an effect may stand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// In `drive` (or `drive.friction`) of one joint.
+    Joint,
+    /// Under `effects` at the top of the file.
+    Robot,
+    /// Either; at the top it means every joint.
+    Either,
+}
+
+/// The value of a key that is not written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Magnitude {
+    /// This number.
+    Is(f64),
+    /// This part of the joint's torque limit (of 100 N m where the file gives none).
+    OfTorque(f64),
+    /// As the key's words say; whoever uses it works it out.
+    Derived,
+    /// It must be written.
+    Needed,
+}
+
+/// A key of an effect.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EffectKey {
+    /// Its symbol; a diagnosis adds the joint's number: `FS3`.
+    pub name: &'static str,
+    /// Unit, empty for a plain number.
+    pub unit: &'static str,
+    /// The value where nothing is written about the effect but its name, `{}`.
+    pub default: Magnitude,
+    /// The value where other keys of the effect are written.
+    pub omitted: Magnitude,
+    /// A whole number, from 1.
+    pub count: bool,
+    /// In words.
+    pub doc: &'static str,
+}
+
+/// An effect of the vocabulary (contract, section 5).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Law {
+    /// Its name.
+    pub name: &'static str,
+    /// Where it may stand.
+    pub place: Place,
+    /// Its keys; a bare number is the first.
+    pub keys: &'static [EffectKey],
+    /// Whether the keys may stand again with 2, 3, ... behind them.
+    pub repeats: bool,
+    /// What is added to the torque.
+    pub law: &'static str,
+    /// Where the default magnitudes come from.
+    pub source: &'static str,
+}
+
+/// A key that makes the effect large or small: 0 where other keys are written.
+const fn size(name: &'static str, unit: &'static str, default: Magnitude, doc: &'static str) -> EffectKey {
+    EffectKey { name, unit, default, omitted: Magnitude::Is(0.0), count: false, doc }
+}
+
+/// A key that shapes it: its default holds wherever it is not written.
+const fn shape(name: &'static str, unit: &'static str, default: Magnitude, doc: &'static str) -> EffectKey {
+    EffectKey { name, unit, default, omitted: default, count: false, doc }
+}
+
+/// A number of a joint or link.
+const fn number(name: &'static str, default: Magnitude, doc: &'static str) -> EffectKey {
+    EffectKey { name, unit: "", default, omitted: default, count: true, doc }
+}
+
+const fn law(
+    name: &'static str,
+    place: Place,
+    keys: &'static [EffectKey],
+    law: &'static str,
+    source: &'static str,
+) -> Law {
+    Law { name, place, keys, repeats: false, law, source }
+}
+
+use Magnitude::{Derived, Is, Needed, OfTorque};
+
+/// Ten inertial parameters without defaults of their own.
+const BODY: [EffectKey; 10] = [
+    size("M", "kg", Is(0.0), "mass"),
+    size("MSX", "kg m", Is(0.0), "first moment"),
+    size("MSY", "kg m", Is(0.0), "first moment"),
+    size("MSZ", "kg m", Is(0.0), "first moment"),
+    size("XX", "kg m^2", Is(0.0), "tensor about the frame's origin"),
+    size("YY", "kg m^2", Is(0.0), "tensor about the frame's origin"),
+    size("ZZ", "kg m^2", Is(0.0), "tensor about the frame's origin"),
+    size("XY", "kg m^2", Is(0.0), "tensor about the frame's origin"),
+    size("XZ", "kg m^2", Is(0.0), "tensor about the frame's origin"),
+    size("YZ", "kg m^2", Is(0.0), "tensor about the frame's origin"),
+];
+
+const LWR_TX40: &str = "between the 0.2 % of the torque limit of a KUKA LWR (Katsumata et al., table II) and the 1 to 7 % of a Staubli TX40 (figaroh)";
+
+/// The table.
+pub static LAWS: [Law; 25] = [
+    law(
+        "viscous_friction",
+        Place::Joint,
+        &[shape("FV", "N m s/rad", OfTorque(0.01), "torque per speed")],
+        "FV v",
+        LWR_TX40,
+    ),
+    law("coulomb_friction", Place::Joint, &[shape("FC", "N m", OfTorque(0.01), "level")], "FC sign(v)", LWR_TX40),
+    law(
+        "asymmetric_friction",
+        Place::Joint,
+        &[
+            size("FCA", "N m", OfTorque(0.004), "half the difference of the Coulomb levels forward and backward"),
+            size("FVA", "N m s/rad", OfTorque(0.002), "half the difference of the viscous parts"),
+        ],
+        "FCA |sign(v)| + FVA |v|",
+        "a fifth to a half of the symmetric part, as in Bittencourt and Gunnarsson, J. Dyn. Sys. Meas. Control 134 (2012), and FloBaRoID",
+    ),
+    law(
+        "stribeck_friction",
+        Place::Joint,
+        &[
+            shape("FS", "N m", Derived, "breakaway level; default: the Coulomb level and 1 % of the torque limit"),
+            shape("VS", "rad/s", Is(0.05), "Stribeck velocity"),
+            shape("DS", "", Is(2.0), "exponent"),
+        ],
+        "(FS - FC) exp(-|v / VS|^DS) sign(v), FC the joint's Coulomb level",
+        "Armstrong-Helouvry, Dupont and Canudas de Wit, Automatica 30 (1994); Bittencourt and Gunnarsson (2012): joint-side VS of 0.03 to 0.1 rad/s",
+    ),
+    law(
+        "nonlinear_viscous_friction",
+        Place::Joint,
+        &[shape("FN", "N m (s/rad)^EN", OfTorque(0.015), "torque at 1 rad/s"), shape("EN", "", Is(0.5), "exponent")],
+        "FN |v|^EN sign(v)",
+        "harmonic drives rise less than in proportion to speed: Taghirad and Belanger, J. Dyn. Sys. Meas. Control 120 (1998)",
+    ),
+    law(
+        "load_dependent_friction",
+        Place::Joint,
+        &[shape("FL", "", Is(0.08), "friction per transmitted torque")],
+        "FL |tau_load| sign(v), tau_load the torque of the bodies that the gear transmits",
+        "Hamon, Gautier and Garrec, ICRA 2010 and 2011: 0.03 to 0.15; catalogue efficiencies of harmonic drives of 70 to 90 %",
+    ),
+    law(
+        "presliding_hysteresis",
+        Place::Joint,
+        &[
+            shape("HC", "N m", OfTorque(0.01), "level"),
+            shape("HX", "rad", Is(2e-3), "travel in which it builds up to 1 - 1/e"),
+        ],
+        "HC z, dz/dt = (v / HX)(1 - z sign(v)); in the simulator LuGre's bristle, with its damping",
+        "Canudas de Wit et al., IEEE TAC 40 (1995); Ruderman, Hoffmann and Bertram, IEEE TIE 56 (2009): mrad in joints with harmonic drives",
+    ),
+    law(
+        "friction_drift",
+        Place::Either,
+        &[
+            size("DA", "", Is(0.5), "what cold friction has more than warm friction, as a part of the latter"),
+            shape("DT", "s", Is(30.0), "time constant of the warming"),
+            size("DK", "1/K", Is(0.0), "change per kelvin of the `temp` column"),
+            shape("T0", "degC", Is(25.0), "temperature at which DK does nothing"),
+        ],
+        "the joint's friction times 1 + DA exp(-t / DT) + DK (temp - T0)",
+        "Carlson et al., and Bittencourt and Gunnarsson (2012): 30 to 100 % more friction in a cold gear. Gears take 20 to 40 min to warm; the default is shorter so that a log of half a minute shows it",
+    ),
+    law(
+        "position_dependent_friction",
+        Place::Joint,
+        &[
+            size("PC", "N m", OfTorque(0.004), "amplitude of the cosine"),
+            size("PS", "N m", OfTorque(0.003), "amplitude of the sine"),
+            shape("PN", "", Is(1.0), "periods per turn of the joint"),
+        ],
+        "sign(v) (PC cos(PN q) + PS sin(PN q))",
+        "Armstrong, Control of Machines with Friction (1991): 10 to 40 % of the Coulomb level on a PUMA",
+    ),
+    law(
+        "rotor_inertia",
+        Place::Joint,
+        &[shape("IA", "kg m^2", OfTorque(0.003), "on the link side of the gear")],
+        "IA ddq",
+        "0.001 (TX40, figaroh) to 0.02 (DLR and KUKA arms: Albu-Schaeffer, Ott and Hirzinger, IJRR 26 (2007)) kg m^2 per N m",
+    ),
+    Law {
+        name: "torque_ripple",
+        place: Place::Joint,
+        keys: &[
+            shape("RN", "", Derived, "periods per turn of the joint; default: the gear ratio, 32 where there is none"),
+            size("RC", "N m", OfTorque(0.006), "amplitude of the cosine"),
+            size("RS", "N m", OfTorque(0.003), "amplitude of the sine"),
+        ],
+        repeats: true,
+        law: "RC cos(RN q) + RS sin(RN q)",
+        source: "Tuttle and Seering, IEEE T-RA 12 (1996); Godler et al.: ripple of harmonic drives of 1 to 5 % at once and twice the motor's turn",
+    },
+    law(
+        "joint_elasticity",
+        Place::Joint,
+        &[shape("KE", "N m/rad", OfTorque(60.0), "stiffness"), shape("DE", "N m s/rad", Is(0.0), "damping")],
+        "the angle that is measured is the motor's; the link's is less by tau_link / KE",
+        "Albu-Schaeffer, Ott and Hirzinger (2007): 6 to 15 kN m/rad at 176 N m in the DLR arms",
+    ),
+    law(
+        "backlash",
+        Place::Joint,
+        &[shape("BL", "rad", Is(1e-3), "whole width")],
+        "a dead zone between motor and link",
+        "1 to 6 arc minutes in catalogues of planetary and bevel gears; Nordin and Gutman, Automatica 38 (2002)",
+    ),
+    law(
+        "gear_coupling",
+        Place::Joint,
+        &[
+            number("joint", Needed, "the other joint, k; m is the one that this stands at"),
+            shape("KC", "", Is(1.0), "turns of the motor, on the joint's side, per turn of joint k"),
+            size(
+                "IAM",
+                "kg m^2",
+                Derived,
+                "rotor; default: a quarter of the geometric mean of the two joints' inertias",
+            ),
+            size("FVM", "N m s/rad", Derived, "viscous; default: half the geometric mean of the two joints' FV"),
+            size("FCM", "N m", OfTorque(0.01), "Coulomb"),
+        ],
+        "motor m turns with w = dq_m + KC dq_k: on k KC (IAM ddq_m + FVM dq_m + FCM sign(w)), on m IAM KC ddq_k + FVM KC dq_k + FCM sign(w)",
+        "the wrist of the Staubli TX40 (figaroh): IAM 0.0077, FVM 0.62, FCM 1.96 at 30 N m",
+    ),
+    law(
+        "torque_gain_error",
+        Place::Either,
+        &[shape("GT", "", Is(0.9), "measured torque per true torque")],
+        "measured = GT true",
+        "torque constants differ by 5 to 10 % from the catalogue: Gautier and Briot, J. Dyn. Sys. Meas. Control 136 (2014)",
+    ),
+    law(
+        "torque_offset",
+        Place::Joint,
+        &[shape("TO", "N m", OfTorque(0.01), "offset")],
+        "measured = true + TO",
+        "strain-gauge joint torque sensors: 0.5 to 2 % of the range (iiwa logs of Harvard's Agile Robotics Lab)",
+    ),
+    law(
+        "torque_saturation",
+        Place::Joint,
+        &[shape("TM", "N m", Derived, "limit; default: 0.8 of the largest torque that the motion asks for")],
+        "the torque that is applied is clipped to +-TM",
+        "a drive's current limit",
+    ),
+    law(
+        "encoder_offset",
+        Place::Either,
+        &[shape("QO", "rad", Is(0.02), "offset")],
+        "true angle = measured + QO",
+        "a degree, as after a homing by eye",
+    ),
+    law(
+        "geometric_error",
+        Place::Either,
+        &[
+            size("DALPHA", "rad", Is(0.02), "of alpha"),
+            size("DD", "m", Is(0.01), "of d"),
+            size("DTHETA", "rad", Is(0.0), "of theta"),
+            size("DR", "m", Is(0.0), "of r"),
+        ],
+        "true row of the DH table = given row + these",
+        "a mistaken drawing; calibration (Hollerbach, Khalil and Gautier, Springer Handbook of Robotics, chapter 8) finds a tenth of it in built arms",
+    ),
+    law(
+        "link_inertia_error",
+        Place::Either,
+        &[
+            number("link", Derived, "the link; default: that of the joint that this stands at"),
+            BODY[0],
+            BODY[1],
+            BODY[2],
+            BODY[3],
+            BODY[4],
+            BODY[5],
+            BODY[6],
+            BODY[7],
+            BODY[8],
+            BODY[9],
+        ],
+        "true parameters of the link = given + these; of `{}` a fifth of the given",
+        "CAD against identified parameters differ by 10 to 50 %: Gaz et al., RA-L 2019; Stuerz et al., IFAC 2017",
+    ),
+    law(
+        "payload",
+        Place::Robot,
+        &[
+            size("M", "kg", Is(1.0), "mass"),
+            size("MSX", "kg m", Is(0.02), "first moment"),
+            size("MSY", "kg m", Is(0.0), "first moment"),
+            size("MSZ", "kg m", Is(0.1), "first moment"),
+            size("XX", "kg m^2", Is(0.0125), "tensor about the frame's origin"),
+            size("YY", "kg m^2", Is(0.0129), "tensor about the frame's origin"),
+            size("ZZ", "kg m^2", Is(0.0029), "tensor about the frame's origin"),
+            size("XY", "kg m^2", Is(0.0), "tensor about the frame's origin"),
+            size("XZ", "kg m^2", Is(-0.002), "tensor about the frame's origin"),
+            size("YZ", "kg m^2", Is(0.0), "tensor about the frame's origin"),
+        ],
+        "a body fixed in the last frame; of `M` alone a point mass",
+        "a gripper: 1 kg, a sphere of 0.08 m whose centre is 0.1 m out and 0.02 m aside",
+    ),
+    law(
+        "base_tilt",
+        Place::Robot,
+        &[size("roll", "rad", Is(0.02), "about x"), size("pitch", "rad", Is(0.02), "about y")],
+        "true base = given base turned by RotY(pitch) RotX(roll)",
+        "a degree, as on a cart or an uneven floor",
+    ),
+    law(
+        "joint_spring",
+        Place::Joint,
+        &[shape("KS", "N m/rad", OfTorque(0.05), "stiffness"), shape("QS", "rad", Is(0.0), "angle without torque")],
+        "KS (q - QS)",
+        "cables and hoses: some N m over the travel of an industrial wrist",
+    ),
+    law(
+        "external_contact",
+        Place::Robot,
+        &[
+            shape("start", "s", Derived, "begin; default: a third of the motion"),
+            shape("end", "s", Derived, "end; default: two thirds of the motion"),
+            size("fx", "N", Is(10.0), "force on the tool, tool frame"),
+            size("fy", "N", Is(10.0), "force"),
+            size("fz", "N", Is(-10.0), "force"),
+            size("mx", "N m", Is(0.0), "moment"),
+            size("my", "N m", Is(0.0), "moment"),
+            size("mz", "N m", Is(0.0), "moment"),
+        ],
+        "-J' (wrench on the tool) during the window",
+        "a light push of the hand (Haddadin, De Luca and Albu-Schaeffer, T-RO 33 (2017))",
+    ),
+    law(
+        "time_delay",
+        Place::Either,
+        &[shape("TD", "s", Is(0.005), "how late the torque is")],
+        "the torque sample at t belongs to the motion at t - TD",
+        "some cycles of a field bus; 5 to 10 ms in the iiwa logs of Harvard's Agile Robotics Lab",
+    ),
+];
+
+impl Law {
+    /// The effect of this name.
+    pub fn of(name: &str) -> Option<&'static Self> {
+        LAWS.iter().find(|law| law.name == name)
+    }
+
+    /// The key of this name; of `RN2` the key `RN` where keys repeat.
+    pub fn key(&self, name: &str) -> Option<&'static EffectKey> {
+        let exact = self.keys.iter().find(|key| key.name == name);
+        let again = || {
+            let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
+            let number: usize = name[stem.len()..].parse().ok()?;
+            let fits = self.repeats && (2..=9).contains(&number);
+            self.keys.iter().find(|key| fits && key.name == stem)
+        };
+        exact.or_else(again)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::EFFECT_NAMES;
+    use super::*;
+
+    #[test]
+    fn the_table_is_the_vocabulary() {
+        assert_eq!(LAWS.map(|law| law.name), EFFECT_NAMES);
+        for law in &LAWS {
+            assert!(!law.keys.is_empty() && !law.source.is_empty() && !law.law.is_empty(), "{}", law.name);
+        }
+        let ripple = Law::of("torque_ripple").unwrap();
+        assert_eq!(ripple.key("RC3").unwrap().name, "RC");
+        assert!(ripple.key("RC1").is_none() && ripple.key("RX").is_none());
+        assert!(Law::of("backlash").unwrap().key("BL2").is_none());
+    }
+}

@@ -1,0 +1,244 @@
+//! `denavit simulate`: plays a motion on the simulated robot and records a log.
+
+use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use clap::{Args, ValueEnum};
+use dh_codegen::robot::{Robot, Setting, SimulationFile};
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::table::Table;
+use super::{Failure, files};
+use crate::log::csv;
+use crate::report;
+use crate::simulate::{Method, Mode, Recording, Request, Side, SimulateError, Simulator, Trajectory};
+
+/// Play a motion on the simulated robot and record a log.
+///
+/// The trajectory has columns `t, q1..` and, where they are known, `dq1..` and `ddq1..` (quintics between the rows; what is missing comes
+/// from splines). The bodies are those of the robot file, the drives those of the file and of `--effects`; a loop makes the arm follow, and
+/// sensors of 1 kHz record `t, q1.., tau1.., qd1..`. docs/simulate.md shows every effect.
+#[derive(Args)]
+#[command(
+    after_help = "Example:\n  denavit simulate robots/kuka-lwr4.yaml --trajectory motion.csv --out log.csv \\\n      --effects effects.yaml --seed 1\nwhere effects.yaml may hold\n  joints:\n    3: { stribeck_friction: { FS: 4.1, VS: 0.08 }, backlash: {} }\n  effects: { base_tilt: { roll: 0.5deg } }\n  sensors: { rate: 1000, torque_noise: 0.05 }"
+)]
+pub(super) struct Simulate {
+    /// Robot file; every link's inertial parameters must be in it.
+    robot: PathBuf,
+    /// The motion, CSV with a header.
+    #[arg(long, value_name = "CSV", required_unless_present = "free")]
+    trajectory: Option<PathBuf>,
+    /// Where the log goes: .csv or .csv.gz.
+    #[arg(long, value_name = "LOG")]
+    out: PathBuf,
+    /// Effects, sensors, control and solver.
+    #[arg(long, value_name = "YAML")]
+    effects: Option<PathBuf>,
+    /// Of the noise: the same seed gives the same bytes.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    seed: u64,
+    /// What drives the arm; the effects file may say it too.
+    #[arg(long, value_enum)]
+    control: Option<ControlMode>,
+    /// No torque: a swing of so many seconds from rest, from the trajectory's first row or from --start.
+    #[arg(long, value_name = "SECONDS", conflicts_with = "control")]
+    free: Option<f64>,
+    /// Where a free swing starts: q1,q2,.. in rad.
+    #[arg(long, value_name = "Q", value_delimiter = ',', allow_hyphen_values = true, requires = "free")]
+    start: Option<Vec<f64>>,
+    /// Where the figures of the run go as JSON; `-` for standard output.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum ControlMode {
+    /// Feedforward of the file's model and feedback.
+    Position,
+    /// Gravity of the file's model and feedback.
+    Pd,
+    /// The trajectory's tau columns.
+    Torque,
+    /// None: the motion is followed exactly, and torques follow from the laws.
+    Exact,
+}
+
+impl Simulate {
+    pub(super) fn run(self) -> Result<(), Failure> {
+        let file = files::robot(&self.robot)?;
+        let given = match &self.effects {
+            Some(path) => effects(path, &file.robot)?,
+            None => SimulationFile::default(),
+        };
+        let mut request = Request { seed: self.seed, ..Request::default() };
+        apply(&given, &mut request);
+        if let Some(mode) = self.control {
+            request.control.mode = match mode {
+                ControlMode::Position => Mode::Position,
+                ControlMode::Pd => Mode::Pd,
+                ControlMode::Torque => Mode::Torque,
+                ControlMode::Exact => Mode::Exact,
+            };
+        }
+        if self.free.is_some() {
+            request.control.mode = Mode::Free;
+        }
+        let trajectory = self.trajectory(file.robot.dof(), request.control.mode)?;
+        let simulator = Simulator::new(&file.robot, &given.effects).map_err(|e| self.failed(e))?;
+
+        let span = trajectory.span();
+        let bar = if std::io::stderr().is_terminal() { ProgressBar::new(1000) } else { ProgressBar::hidden() };
+        if let Ok(style) = ProgressStyle::with_template("simulating [{bar:30}] {msg} {eta}") {
+            bar.set_style(style);
+        }
+        let begin = Instant::now();
+        let recording = simulator
+            .run(&trajectory, &request, &mut |t| {
+                bar.set_position((1000.0 * (t - span.start) / (span.end - span.start)) as u64);
+                bar.set_message(format!("{:.1} of {:.1} s", t - span.start, span.end - span.start));
+            })
+            .map_err(|e| self.failed(e))?;
+        let seconds = begin.elapsed().as_secs_f64();
+        bar.finish_and_clear();
+
+        self.write(&recording)?;
+        if let Some(target) = &self.json {
+            files::json(target, &report::simulate_json(&file.robot.name, &recording, &request))?;
+        }
+        if !files::is_stdout(&self.json) {
+            files::print(&report::simulate_text(&file.robot.name, &recording, &request, seconds))?;
+            files::print(&format!("wrote {}\n", self.out.display()))?;
+        }
+        Ok(())
+    }
+
+    fn trajectory(&self, n: usize, mode: Mode) -> Result<Trajectory, Failure> {
+        if let Some(duration) = self.free.filter(|d| !(*d > 0.0 && *d < 1e6)) {
+            return Err(Failure::input(format!("--free {duration}: seconds, more than 0")));
+        }
+        if let (Some(start), Some(duration)) = (&self.start, self.free) {
+            if start.len() != n || !start.iter().all(|q| q.is_finite()) {
+                return Err(Failure::input(format!("--start has {} values; the robot has {n} joints", start.len())));
+            }
+            return Trajectory::rest(start, duration).map_err(Failure::input);
+        }
+        let Some(path) = &self.trajectory else {
+            return Err(Failure::input("--free takes its start from --start q1,q2,.. or from --trajectory CSV"));
+        };
+        let table = Table::read(path)?;
+        let shown = path.display();
+        let found = table.count("q");
+        if found != n {
+            let error = SimulateError::Joints { found, expected: n };
+            return Err(Failure::input(format!("{shown}: {error}")));
+        }
+        let t = table.column("t")?.to_vec();
+        let q = table.joints("q", n)?;
+        if let Some(duration) = self.free {
+            if t.is_empty() {
+                return Err(Failure::input(format!("{shown} has no rows; write where the swing starts")));
+            }
+            let first: Vec<f64> = (0..n).map(|j| q[j * t.len()]).collect();
+            return Trajectory::rest(&first, duration).map_err(Failure::input);
+        }
+        // One column of a kind asks for all of them.
+        let optional = |prefix: &str| -> Result<Option<Vec<f64>>, Failure> {
+            let some = (1..=n).any(|j| table.has(&format!("{prefix}{j}")));
+            some.then(|| table.joints(prefix, n)).transpose()
+        };
+        let tau = if mode == Mode::Torque { optional("tau")? } else { None };
+        let made = Trajectory::new(n, t, q, optional("dq")?, optional("ddq")?);
+        let made = made.and_then(|m| if let Some(tau) = tau { m.with_torques(tau) } else { Ok(m) });
+        made.map_err(|e| Failure::input(format!("{shown}: {e}")))
+    }
+
+    fn failed(&self, error: SimulateError) -> Failure {
+        let place = match (&error, &self.effects) {
+            (SimulateError::NoLinks { .. } | SimulateError::Integration(_), _) | (_, None) => &self.robot,
+            (_, Some(effects)) => effects,
+        };
+        Failure::input(format!("{}: {error}", place.display()))
+    }
+
+    fn write(&self, recording: &Recording) -> Result<(), Failure> {
+        let shown = self.out.display();
+        let name = self.out.file_name().unwrap_or_default().to_string_lossy().to_lowercase();
+        let failed = |e: std::io::Error| Failure::other(format!("{shown} can't be written: {e}"));
+        let mut bytes = Vec::new();
+        if name.ends_with(".gz") {
+            let mut packer = GzEncoder::new(&mut bytes, Compression::default());
+            csv::write(&recording.log, &mut packer).map_err(failed)?;
+            packer.finish().map_err(failed)?;
+        } else if name.ends_with(".parquet") {
+            return Err(Failure::input(format!(
+                "{shown}: logs are written as .csv or .csv.gz; choose one of these names"
+            )));
+        } else {
+            csv::write(&recording.log, &mut bytes).map_err(failed)?;
+        }
+        files::write(&self.out, &bytes)
+    }
+}
+
+fn effects(path: &Path, robot: &Robot) -> Result<SimulationFile, Failure> {
+    let shown = path.display().to_string();
+    let file = SimulationFile::from_yaml(&files::text(path)?, robot)
+        .map_err(|problems| Failure::input(format!("{shown} can't be used:\n{}", problems.in_file(&shown))))?;
+    for note in &file.notes {
+        eprintln!("{shown}: note: {note}");
+    }
+    Ok(file)
+}
+
+/// What the file says of sensors, control and solver.
+fn apply(file: &SimulationFile, request: &mut Request) {
+    for (section, key, value) in &file.settings {
+        let Request { sensors, control, solver, .. } = &mut *request;
+        match value {
+            Setting::Numbers(numbers) => {
+                let (one, all) = (numbers[0], || numbers.clone());
+                match (*section, *key) {
+                    ("sensors", "rate") => sensors.rate = one,
+                    ("sensors", "encoder") => sensors.encoder = all(),
+                    ("sensors", "position_noise") => sensors.position_noise = all(),
+                    ("sensors", "torque_noise") => sensors.torque_noise = all(),
+                    ("sensors", "torque_noise_color.std") => sensors.torque_colour = all(),
+                    ("sensors", "torque_noise_color.corner") => sensors.colour_corner = one,
+                    ("sensors", "torque_step") => sensors.torque_step = all(),
+                    ("sensors", "latency") => sensors.latency = one,
+                    ("sensors", "jitter") => sensors.jitter = one,
+                    ("sensors", "velocity_noise") => sensors.velocity_noise = all(),
+                    ("control", "kp") => control.kp = Some(all()),
+                    ("control", "kd") => control.kd = Some(all()),
+                    ("control", "bandwidth") => control.bandwidth = one,
+                    ("control", "damping") => control.damping = one,
+                    ("solver", "tolerance") => solver.tolerance = one,
+                    ("solver", "step") => solver.longest = one,
+                    _ => {}
+                }
+            }
+            Setting::Flag(flag) => match *key {
+                "dq" => sensors.velocity = *flag,
+                "qd" => sensors.desired = *flag,
+                "temp" => sensors.temperature = *flag,
+                "wrench" => sensors.wrench = *flag,
+                _ => {}
+            },
+            Setting::Word(word) => match (*key, *word) {
+                ("torque", side) => sensors.torque = if side == "link" { Side::Link } else { Side::Motor },
+                ("position", side) => sensors.position = if side == "link" { Side::Link } else { Side::Motor },
+                ("method", "rosenbrock") => solver.method = Method::Rosenbrock,
+                ("method", "dormand-prince") => solver.method = Method::DormandPrince,
+                ("method", _) => solver.method = Method::Auto,
+                ("mode", name) => {
+                    let known = Mode::ALL.iter().find(|(word, _)| *word == name);
+                    control.mode = known.map_or(control.mode, |(_, mode)| *mode);
+                }
+                _ => {}
+            },
+        }
+    }
+}

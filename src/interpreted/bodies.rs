@@ -1,0 +1,91 @@
+//! [`Dynamics`] by running tapes for one state at a time.
+
+use dh_codegen::arm::Function;
+use dh_codegen::arm::param::Parameter;
+use dh_codegen::interpret::{Room, State};
+
+use super::Interpreted;
+use crate::arm::{Dynamics, ToolState};
+
+/// The bodies of an [`Interpreted`] arm with given parameters.
+pub struct Bodies<'a> {
+    arm: &'a Interpreted,
+    standard: Vec<f64>,
+    base: Vec<f64>,
+    still: Vec<f64>,
+    room: Room,
+    scratch: Vec<f64>,
+}
+
+impl Interpreted {
+    /// What [`Interpreted::bodies`] needs to have been asked for in [`Interpreted::new`].
+    pub const BODIES: [Function; 6] = [
+        Function::MassMatrix,
+        Function::InverseDynamicsBase,
+        Function::ForwardKinematics,
+        Function::ToolPose,
+        Function::Jacobian,
+        Function::PotentialEnergyRegressor,
+    ];
+
+    /// The bodies with these standard parameters (`P`); those of drives are left out.
+    pub fn bodies(&self, standard: &[f64]) -> Bodies<'_> {
+        let links_only = |(p, &value): (&Parameter, &f64)| if matches!(p, Parameter::Link(..)) { value } else { 0.0 };
+        let standard: Vec<f64> = self.model.standard().iter().zip(standard).map(links_only).collect();
+        Bodies {
+            base: self.model.base().values(&standard),
+            still: vec![0.0; self.model.dof()],
+            scratch: vec![0.0; standard.len().max(24).max(6 * self.model.dof())],
+            standard,
+            arm: self,
+            room: Room::default(),
+        }
+    }
+}
+
+impl Bodies<'_> {
+    fn run(&mut self, function: Function, q: &[f64], dq: &[f64], out: &mut [f64]) {
+        let state = State { q, dq, ddq: &self.still, tau: &[], parameters: &self.base };
+        self.arm.interpreter.run_one(function, &state, &mut self.room, out);
+    }
+}
+
+impl Dynamics for Bodies<'_> {
+    fn dof(&self) -> usize {
+        self.still.len()
+    }
+
+    fn mass_matrix(&mut self, q: &[f64], mass: &mut [f64]) {
+        self.run(Function::MassMatrix, q, &[], mass);
+    }
+
+    fn bias(&mut self, q: &[f64], dq: &[f64], bias: &mut [f64]) {
+        self.run(Function::InverseDynamicsBase, q, dq, bias);
+    }
+
+    fn tool(&mut self, q: &[f64], tool: &mut ToolState) {
+        let n = self.dof();
+        tool.jacobian.resize(6 * n, 0.0);
+        let mut last = [0.0; 12];
+        self.run(Function::ForwardKinematics, q, &[], &mut last);
+        self.run(Function::ToolPose, q, &[], &mut tool.pose);
+        self.run(Function::Jacobian, q, &[], &mut tool.jacobian);
+        // The Jacobian is the last frame's: v_tool = v_last + w x (p_tool - p_last).
+        let [x, y, z] = [3, 7, 11].map(|k| tool.pose[k] - last[k]);
+        let j = &mut tool.jacobian;
+        for k in 0..n {
+            let [wx, wy, wz] = [3, 4, 5].map(|row| j[row * n + k]);
+            j[k] += wy * z - wz * y;
+            j[n + k] += wz * x - wx * z;
+            j[2 * n + k] += wx * y - wy * x;
+        }
+    }
+
+    fn potential_energy(&mut self, q: &[f64]) -> f64 {
+        let mut regressor = std::mem::take(&mut self.scratch);
+        self.run(Function::PotentialEnergyRegressor, q, &[], &mut regressor);
+        let energy = self.standard.iter().zip(&regressor).map(|(p, h)| p * h).sum();
+        self.scratch = regressor;
+        energy
+    }
+}

@@ -1,0 +1,400 @@
+//! The robot as it might be: bodies, drives with all their effects, a controller, sensors; and the log that it leaves.
+//!
+//! `Robot + Effects -> Simulator` (bodies as they truly are, a [`Drive`] for each joint) `-> Plant` (an ordinary differential equation)
+//! `-> Rosenbrock or Dormand-Prince -> Truth -> Sensors -> Log`.
+//!
+//! The log's `tau` is the torque of the motor at the joint's side of the gear, so `tau = M ddq + c + g + rotor + friction + ...`; with
+//! [`Side::Link`] it is what the gear transmits, and `taum` is the motor's.
+//!
+//! ```
+//! use denavit::simulate::{Control, Effects, Mode, Request, Sensors, Simulator, Trajectory};
+//! use dh_codegen::robot::Robot;
+//!
+//! let text = "
+//! name: pendulum
+//! convention: modified
+//! gravity: [0, -9.81, 0]
+//! joints: [ { type: revolute, torque: 20, drive: { friction: { coulomb_friction: 0.5 } } } ]
+//! links: [ { M: 2, MS: [1, 0, 0], I: [0, 0.5, 0.5, 0, 0, 0] } ]
+//! ";
+//! let robot = Robot::from_yaml(text, &|name| Err(format!("no file {name}")))?.robot;
+//! let simulator = Simulator::new(&robot, &Effects::default())?;
+//! let swing = Trajectory::rest(&[0.3], 2.0)?;
+//! let request = Request {
+//!     control: Control { mode: Mode::Free, ..Control::default() },
+//!     sensors: Sensors::perfect(100.0),
+//!     ..Request::default()
+//! };
+//! let recording = simulator.run(&swing, &request, &mut |_| {})?;
+//! assert_eq!(recording.log.len(), 201);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Never says file; prints nothing. Angles in rad, torques in N m (m and N for a prismatic joint), time in s.
+
+mod bristle;
+mod cholesky;
+mod contact;
+mod control;
+mod drive;
+pub mod effects;
+mod exact;
+mod integrate;
+mod noise;
+mod plant;
+mod robot;
+mod sensors;
+mod trajectory;
+
+#[cfg(test)]
+mod tests;
+
+pub use contact::{External, Wall, Wrench};
+pub use control::{Control, Mode};
+pub use dh_codegen::robot::{Effect, Effects};
+pub use drive::Drive;
+pub use integrate::{Breakdown, Method, Solver};
+pub use sensors::{Sensors, Side, Truth};
+pub use trajectory::{Point, Trajectory, TrajectoryError};
+
+use dh_codegen::robot::Robot;
+
+use crate::arm::{Arm, Dynamics, States};
+use crate::log::Log;
+use control::Table;
+use integrate::Pace;
+use integrate::dormand_prince::DormandPrince;
+use integrate::rosenbrock::Rosenbrock;
+use plant::{Parts, Plant};
+use robot::{Built, Settled, without_coulomb};
+
+/// Why nothing could be simulated.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SimulateError {
+    /// No inertial parameters.
+    #[error(
+        "{robot} can't be simulated: {}; add a `links:` list with the inertial parameters of every joint's link, or identify them (`denavit identify`)",
+        missing.map_or("the robot file has no `links`".to_string(), |row| format!("link {} is not known", row + 1))
+    )]
+    NoLinks {
+        /// Name of the robot.
+        robot: String,
+        /// The first row whose link is not known, from 0; `None`: there are none.
+        missing: Option<usize>,
+    },
+    /// Joints do not agree.
+    #[error(
+        "the trajectory has {found} joints (q1..q{found}), the robot has {expected}; take the trajectory or the robot file that belongs to it"
+    )]
+    Joints {
+        /// Of the trajectory.
+        found: usize,
+        /// Of the robot.
+        expected: usize,
+    },
+    /// A law with an impossible parameter.
+    #[error("{effect} of joint {joint}: {key} is {value}; it must {must}")]
+    Effect {
+        /// Name of the effect.
+        effect: String,
+        /// Number of the joint.
+        joint: usize,
+        /// Its key.
+        key: &'static str,
+        /// What was given.
+        value: f64,
+        /// What it must be.
+        must: &'static str,
+    },
+    /// An effect of a link that is not there.
+    #[error("link_inertia_error: {}; write the number of a link, 1 to {last}", number.map_or("no `link` is named".to_string(), |n| format!("there is no link {n}")))]
+    Link {
+        /// What was given.
+        number: Option<f64>,
+        /// Number of links.
+        last: usize,
+    },
+    /// A setting that makes no sense.
+    #[error("{what} is {value}; it must {must}")]
+    Setting {
+        /// Which.
+        what: &'static str,
+        /// What was given.
+        value: f64,
+        /// What it must be.
+        must: &'static str,
+    },
+    /// A list of the wrong length.
+    #[error("{what} has {found} values; write one, or one for each of the {expected} joints")]
+    List {
+        /// Which.
+        what: &'static str,
+        /// Number of values.
+        found: usize,
+        /// Of the robot.
+        expected: usize,
+    },
+    /// Torque control without torques.
+    #[error(
+        "control in torque mode plays the columns tau1..tau{0} of the trajectory, and it has none; add them, or control by position"
+    )]
+    NoTorques(usize),
+    /// The motion.
+    #[error(transparent)]
+    Trajectory(#[from] TrajectoryError),
+    /// The integration.
+    #[error("{0}")]
+    Integration(#[from] Breakdown),
+}
+
+/// All settings of a run.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Request {
+    /// What drives the arm.
+    pub control: Control,
+    /// What is recorded.
+    pub sensors: Sensors,
+    /// How it is integrated.
+    pub solver: Solver,
+    /// Of the noise.
+    pub seed: u64,
+}
+
+/// A run's results.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recording {
+    /// What the sensors saw: contract section 3.
+    pub log: Log,
+    /// What was.
+    pub truth: Truth,
+    /// The drives as they were, defaults resolved.
+    pub drives: Vec<Drive>,
+    /// How the integration went; `None` in exact mode.
+    pub integration: Option<Integration>,
+}
+
+/// How an integration went.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Integration {
+    /// Which method worked, never [`Method::Auto`].
+    pub method: Method,
+    /// Steps that were taken.
+    pub steps: usize,
+    /// Steps that were too long and were taken again.
+    pub rejected: usize,
+}
+
+/// A robot made ready; runs as often as wanted.
+pub struct Simulator {
+    built: Built,
+}
+
+impl Simulator {
+    /// The robot with the effects of its file and these; a law of the latter takes the place of the file's law of the same name, plain
+    /// friction, inertias and offsets add up. The slow part: run it more than once.
+    pub fn new(robot: &Robot, effects: &Effects) -> Result<Self, SimulateError> {
+        Ok(Self { built: Built::new(robot, effects)? })
+    }
+
+    /// Degrees of freedom.
+    pub fn dof(&self) -> usize {
+        self.built.drives.len()
+    }
+
+    /// Plays the motion. `progress` is told the time in the motion, s, now and then.
+    pub fn run(
+        &self,
+        trajectory: &Trajectory,
+        request: &Request,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Recording, SimulateError> {
+        self.run_against(trajectory, request, &[], progress)
+    }
+
+    /// Plays the motion against something outside.
+    pub fn run_against(
+        &self,
+        trajectory: &Trajectory,
+        request: &Request,
+        external: &[&dyn External],
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Recording, SimulateError> {
+        let n = self.dof();
+        self.check(trajectory, request)?;
+        let span = trajectory.span();
+        let (feedforward, peak, gains) = self.prepare_control(trajectory, request);
+        let start = positions(trajectory, n, span.start);
+        let settled = self.built.settle(&span, &peak, &start);
+        let Settled { drives, couplings, contacts } = &settled;
+        let mut bodies = self.built.real().bodies(&self.built.bodies_standard);
+        let mut plant = Plant::new(Parts {
+            bodies: &mut bodies,
+            drives,
+            couplings,
+            contacts,
+            external,
+            trajectory,
+            control: &request.control,
+            gains,
+            feedforward,
+        });
+        let instants = request.sensors.instants(span.start, span.end, request.seed);
+        let (truth, integration) = if request.control.mode == Mode::Exact {
+            (exact::follow(&self.built, &settled, &plant, trajectory, external, instants), None)
+        } else {
+            let (truth, integration) = integrate(&mut plant, request.solver, instants, progress)?;
+            (truth, Some(integration))
+        };
+        let log = sensors::record(&truth, drives, &request.sensors, request.seed);
+        Ok(Recording { log, truth, drives: settled.drives.clone(), integration })
+    }
+
+    fn check(&self, trajectory: &Trajectory, request: &Request) -> Result<(), SimulateError> {
+        let n = self.dof();
+        if trajectory.dof() != n {
+            return Err(SimulateError::Joints { found: trajectory.dof(), expected: n });
+        }
+        if request.control.mode == Mode::Torque && !trajectory.has_torques() {
+            return Err(SimulateError::NoTorques(n));
+        }
+        let setting = |what, value: f64, good: bool, must| {
+            if good { Ok(()) } else { Err(SimulateError::Setting { what, value, must }) }
+        };
+        let Sensors { rate, latency, jitter, colour_corner, .. } = request.sensors;
+        setting("sensors.rate", rate, rate > 0.0 && rate <= 1e5, "be from 0 to 100000 Hz")?;
+        setting("sensors.latency", latency, (0.0..10.0).contains(&latency), "be from 0 to 10 s")?;
+        setting("sensors.jitter", jitter, (0.0..10.0).contains(&jitter), "be from 0 to 10 s")?;
+        setting("sensors.torque_noise_color.corner", colour_corner, colour_corner > 0.0, "be greater than 0")?;
+        let Solver { tolerance, longest, .. } = request.solver;
+        setting("solver.tolerance", tolerance, (1e-13..=1e-2).contains(&tolerance), "be from 1e-13 to 1e-2")?;
+        setting("solver.step", longest, longest > 0.0 && longest.is_finite(), "be greater than 0")?;
+        let Control { bandwidth, damping, .. } = request.control;
+        setting("control.bandwidth", bandwidth, bandwidth > 0.0 && bandwidth <= 1e4, "be from 0 to 10000 rad/s")?;
+        setting("control.damping", damping, (0.0..=100.0).contains(&damping), "be from 0 to 100")?;
+        let samples = (trajectory.span().end - trajectory.span().start) * rate;
+        setting("the number of samples", samples, samples < 1e8, "be less than 100 million: lower sensors.rate")?;
+        let s = &request.sensors;
+        let lists = [
+            ("sensors.encoder", Some(&s.encoder)),
+            ("sensors.position_noise", Some(&s.position_noise)),
+            ("sensors.torque_noise", Some(&s.torque_noise)),
+            ("sensors.torque_noise_color.std", Some(&s.torque_colour)),
+            ("sensors.torque_step", Some(&s.torque_step)),
+            ("sensors.velocity_noise", Some(&s.velocity_noise)),
+            ("control.kp", request.control.kp.as_ref()),
+            ("control.kd", request.control.kd.as_ref()),
+        ];
+        for (what, list) in lists {
+            let Some(list) = list else { continue };
+            if list.len() != n && list.len() != 1 {
+                return Err(SimulateError::List { what, found: list.len(), expected: n });
+            }
+            for &value in list {
+                setting(what, value, value >= 0.0 && value.is_finite(), "not be negative")?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Feedforward torques, the largest torques of the given model, and the gains.
+    fn prepare_control(&self, trajectory: &Trajectory, request: &Request) -> (Table, Vec<f64>, [Vec<f64>; 2]) {
+        let n = self.dof();
+        let span = trajectory.span();
+        // Fine enough for the cubic through it: a part in 1e6 of a motion of 5 Hz.
+        let len = (((span.end - span.start) / 2e-3).ceil() as usize).clamp(2, 2_000_000) + 1;
+        let step = (span.end - span.start) / (len - 1) as f64;
+        let mut states = States { len, q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };
+        let (mut hint, mut points) = (0, vec![[0.0; 3]; n]);
+        for s in 0..len {
+            trajectory.at((span.start + s as f64 * step).min(span.end), &mut hint, &mut points);
+            for (j, point) in points.iter().enumerate() {
+                let at = j * len + s;
+                (states.q[at], states.dq[at], states.ddq[at]) = (point[0], point[1], point[2]);
+            }
+        }
+        let (given, standard) = (&self.built.given, &self.built.given_standard);
+        let mut peak = vec![0.0; n];
+        let mut torques = vec![0.0; n * len];
+        given.inverse_dynamics(&states, standard, &mut torques);
+        for j in 0..n {
+            peak[j] = torques[j * len..(j + 1) * len].iter().fold(0.0, |a: f64, t| a.max(t.abs()));
+        }
+        // Forty places along the motion tell what a joint has to move.
+        let mut inertia = vec![0.0; n];
+        let mut bodies = given.bodies(standard);
+        let mut mass = vec![0.0; n * n];
+        for s in (0..len).step_by(len.div_ceil(40)) {
+            let q: Vec<f64> = (0..n).map(|j| states.q[j * len + s]).collect();
+            bodies.mass_matrix(&q, &mut mass);
+            (0..n).for_each(|j| inertia[j] = f64::max(inertia[j], mass[j * n + j]));
+        }
+        if request.control.mode == Mode::Pd {
+            states.dq.fill(0.0);
+            states.ddq.fill(0.0);
+        }
+        given.inverse_dynamics(&states, &without_coulomb(given, standard), &mut torques);
+        let feedforward = Table { start: span.start, step, len, values: torques };
+
+        let Control { bandwidth, damping, kp, kd, .. } = &request.control;
+        let moved: Vec<f64> = (0..n).map(|j| inertia[j].max(0.0) + 0.003 * self.built.drives[j].rated).collect();
+        let of = |list: &Option<Vec<f64>>, j: usize| list.as_ref().and_then(|l| l.get(j).or(l.first()).copied());
+        let kp: Vec<f64> = (0..n).map(|j| of(kp, j).unwrap_or(bandwidth * bandwidth * moved[j])).collect();
+        let kd = (0..n).map(|j| of(kd, j).unwrap_or(2.0 * damping * (kp[j] * moved[j]).sqrt())).collect();
+        (feedforward, peak, [kp, kd])
+    }
+}
+
+fn positions(trajectory: &Trajectory, n: usize, t: f64) -> Vec<f64> {
+    let mut points = vec![[0.0; 3]; n];
+    trajectory.at(t, &mut 0, &mut points);
+    points.iter().map(|p| p[0]).collect()
+}
+
+/// From sample to sample; what is there at each.
+fn integrate(
+    plant: &mut Plant<'_>,
+    solver: Solver,
+    instants: Vec<f64>,
+    progress: &mut dyn FnMut(f64),
+) -> Result<(Truth, Integration), Breakdown> {
+    let method = match solver.method {
+        Method::Auto if plant.is_stiff() => Method::Rosenbrock,
+        Method::Auto => Method::DormandPrince,
+        chosen => chosen,
+    };
+    let (mut rosenbrock, mut dormand_prince) = (Rosenbrock::default(), DormandPrince::default());
+    let mut pace = Pace::new(solver);
+    let mut y = plant.initial();
+    let n = plant.drives.len();
+    let total = plant.motor.iter().fold(n, |most, &m| most.max(m + 1));
+    let len = instants.len();
+    let start = instants.first().copied().unwrap_or(0.0);
+    let mut t = start;
+    let mut truth = Truth::sized(n, instants);
+    for k in 0..len {
+        let end = truth.t[k];
+        match method {
+            Method::DormandPrince => dormand_prince.advance(plant, &mut pace, t, end, &mut y)?,
+            Method::Auto | Method::Rosenbrock => rosenbrock.advance(plant, &mut pace, t, end, &mut y)?,
+        }
+        t = end;
+        plant.look(t, &y)?;
+        for j in 0..n {
+            let (at, m) = (j * len + k, plant.motor[j]);
+            truth.motor_q[at] = y[m];
+            truth.motor_dq[at] = y[total + m];
+            truth.link_q[at] = y[j];
+            truth.link_dq[at] = y[total + j];
+            truth.motor_torque[at] = plant.now.motor_torque[j];
+            truth.link_torque[at] = plant.now.link_torque[j];
+            truth.desired[at] = plant.now.desired[j];
+            truth.temperature[at] = plant.drives[j].temperature(t - start);
+        }
+        (0..6).for_each(|i| truth.wrench[i * len + k] = plant.now.wrench[i]);
+        if k % 64 == 0 {
+            progress(t);
+        }
+    }
+    Ok((truth, Integration { method, steps: pace.steps, rejected: pace.rejected }))
+}

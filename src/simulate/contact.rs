@@ -1,0 +1,119 @@
+//! What acts on the tool from outside.
+
+use super::effects::ExternalContact;
+
+/// A wrench on the tool, and how it answers to motion.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Wrench {
+    /// Force (N) and moment (N m) on the tool, about the origin of its frame, base axes.
+    pub wrench: [f64; 6],
+    /// Minus the derivative of the force by the position of the origin, N/m; for the implicit integrator: may be rough, or zero for what
+    /// is soft.
+    pub stiffness: [[f64; 3]; 3],
+    /// Minus the derivative of the force by the velocity of the origin, N s/m.
+    pub damping: [[f64; 3]; 3],
+}
+
+/// Something that pushes on the tool: a wall, a hand, a spring. Any closure of the same form is one.
+pub trait External: Sync {
+    /// The wrench at time `t` (s) on a tool with this frame (top three rows of its homogeneous matrix, base axes) and twist (velocity of
+    /// its origin and angular velocity, base axes).
+    fn wrench(&self, t: f64, pose: &[f64; 12], twist: &[f64; 6]) -> Wrench;
+}
+
+impl<F: Fn(f64, &[f64; 12], &[f64; 6]) -> Wrench + Sync> External for F {
+    fn wrench(&self, t: f64, pose: &[f64; 12], twist: &[f64; 6]) -> Wrench {
+        self(t, pose, twist)
+    }
+}
+
+/// A compliant plane with the damping of Hunt and Crossley (J. Applied Mechanics 42, 1975): `k d (1 + c d')` along the normal while the
+/// tool's origin is `d` deep in it, so that the force begins and ends at zero; never pulls. Sliding is resisted by Coulomb friction,
+/// rounded off below `creep`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wall {
+    /// A point of the plane, base axes, m.
+    pub point: [f64; 3],
+    /// Unit normal, out of the wall.
+    pub normal: [f64; 3],
+    /// `k`, N/m.
+    pub stiffness: f64,
+    /// `c`, s/m.
+    pub damping: f64,
+    /// Coefficient of friction.
+    pub friction: f64,
+    /// Speed below which friction is viscous, m/s.
+    pub creep: f64,
+}
+
+impl Wall {
+    /// A stiff plane: 20 kN/m, a rubber roller on plaster.
+    pub fn new(point: [f64; 3], normal: [f64; 3]) -> Self {
+        let length = normal.iter().map(|n| n * n).sum::<f64>().sqrt();
+        Self { point, normal: normal.map(|n| n / length), stiffness: 2e4, damping: 0.5, friction: 0.0, creep: 1e-2 }
+    }
+}
+
+impl External for Wall {
+    fn wrench(&self, _: f64, pose: &[f64; 12], twist: &[f64; 6]) -> Wrench {
+        let n = self.normal;
+        let depth: f64 = (0..3).map(|k| n[k] * (self.point[k] - pose[4 * k + 3])).sum();
+        let normal_speed: f64 = (0..3).map(|k| n[k] * twist[k]).sum();
+        let mut result = Wrench::default();
+        let factor = 1.0 - self.damping * normal_speed; // d' = -normal_speed
+        if depth <= 0.0 || factor <= 0.0 {
+            return result;
+        }
+        let press = self.stiffness * depth * factor;
+        let sliding: [f64; 3] = std::array::from_fn(|k| twist[k] - normal_speed * n[k]);
+        let speed = (sliding.iter().map(|v| v * v).sum::<f64>() + self.creep * self.creep).sqrt();
+        let drag = self.friction * press / speed;
+        for i in 0..3 {
+            result.wrench[i] = press * n[i] - drag * sliding[i];
+            for k in 0..3 {
+                let along = n[i] * n[k];
+                let across = if i == k { 1.0 - along } else { -along };
+                result.stiffness[i][k] = self.stiffness * factor * along;
+                result.damping[i][k] = self.stiffness * depth * self.damping * along + drag * across;
+            }
+        }
+        result
+    }
+}
+
+/// All that acts at a time, base axes.
+pub(super) fn total(
+    contacts: &[ExternalContact],
+    external: &[&dyn External],
+    t: f64,
+    pose: &[f64; 12],
+    twist: &[f64; 6],
+) -> Wrench {
+    let mut sum = Wrench::default();
+    for contact in contacts {
+        let share = contact.share(t);
+        for (i, total) in sum.wrench.iter_mut().enumerate() {
+            let (row, from) = (4 * (i % 3), 3 * (i / 3));
+            *total += share * (0..3).map(|k| pose[row + k] * contact.wrench[from + k]).sum::<f64>();
+        }
+    }
+    for external in external {
+        let answer = external.wrench(t, pose, twist);
+        (0..6).for_each(|i| sum.wrench[i] += answer.wrench[i]);
+        for i in 0..3 {
+            for k in 0..3 {
+                sum.stiffness[i][k] += answer.stiffness[i][k];
+                sum.damping[i][k] += answer.damping[i][k];
+            }
+        }
+    }
+    sum
+}
+
+/// A wrench in base axes in those of the tool.
+pub(super) fn in_tool(pose: &[f64; 12], wrench: &[f64; 6]) -> [f64; 6] {
+    std::array::from_fn(|i| {
+        let (column, from) = (i % 3, 3 * (i / 3));
+        (0..3).map(|k| pose[4 * k + column] * wrench[from + k]).sum()
+    })
+}

@@ -1,0 +1,166 @@
+//! What stands between the command and the link of one joint: motor, gear, friction, sensors.
+
+use super::bristle::sign;
+use super::effects::{
+    AsymmetricFriction, Backlash, CoulombFriction, FrictionDrift, JointElasticity, JointSpring, LoadDependentFriction,
+    NonlinearViscousFriction, PositionDependentFriction, PreslidingHysteresis, StribeckFriction, TorqueRipple,
+};
+
+/// Temperature of a joint that does not warm, degrees C.
+const ROOM: f64 = 25.0;
+
+/// The drive of one joint with everything that was asked for. Torques in N m at the joint, angles in rad.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drive {
+    /// Whether a motor drives it.
+    pub actuated: bool,
+    /// The joint's torque limit, N m.
+    pub rated: f64,
+    /// `IA`, kg m^2.
+    pub rotor: f64,
+    /// `FC`, `FV`, `FO`.
+    pub plain: CoulombFriction,
+    /// `asymmetric_friction`.
+    pub asymmetric: Option<AsymmetricFriction>,
+    /// `stribeck_friction`.
+    pub stribeck: Option<StribeckFriction>,
+    /// `nonlinear_viscous_friction`.
+    pub nonlinear: Option<NonlinearViscousFriction>,
+    /// `load_dependent_friction`.
+    pub load: Option<LoadDependentFriction>,
+    /// `position_dependent_friction`.
+    pub position: Option<PositionDependentFriction>,
+    /// `presliding_hysteresis`.
+    pub hysteresis: Option<PreslidingHysteresis>,
+    /// `friction_drift`.
+    pub drift: Option<FrictionDrift>,
+    /// `torque_ripple`.
+    pub ripple: Vec<TorqueRipple>,
+    /// `joint_elasticity`.
+    pub elasticity: Option<JointElasticity>,
+    /// `backlash`.
+    pub backlash: Option<Backlash>,
+    /// `joint_spring`.
+    pub spring: Option<JointSpring>,
+    /// `TM`, N m.
+    pub limit: Option<f64>,
+    /// `QO`, rad.
+    pub encoder_offset: f64,
+    /// `GT`.
+    pub gain: f64,
+    /// `TO`, N m.
+    pub offset: f64,
+    /// `TD`, s.
+    pub delay: f64,
+}
+
+impl Drive {
+    /// A drive that does nothing but drive.
+    pub fn ideal(rated: f64) -> Self {
+        Self {
+            actuated: true,
+            rated,
+            rotor: 0.0,
+            plain: CoulombFriction::default(),
+            asymmetric: None,
+            stribeck: None,
+            nonlinear: None,
+            load: None,
+            position: None,
+            hysteresis: None,
+            drift: None,
+            ripple: Vec::new(),
+            elasticity: None,
+            backlash: None,
+            spring: None,
+            limit: None,
+            encoder_offset: 0.0,
+            gain: 1.0,
+            offset: 0.0,
+            delay: 0.0,
+        }
+    }
+
+    /// Whether motor and link can move against each other.
+    pub fn is_soft(&self) -> bool {
+        self.elasticity.is_some() || self.backlash.is_some()
+    }
+
+    /// Whether a law has `sign(v)` in it.
+    pub fn has_sign(&self) -> bool {
+        self.plain.level != 0.0
+            || self.asymmetric.is_some_and(|a| a.level != 0.0)
+            || self.stribeck.is_some()
+            || self.load.is_some()
+            || self.position.is_some()
+    }
+
+    /// Factor of all friction, `t` s after the start.
+    pub fn warmth(&self, t: f64) -> f64 {
+        self.drift.map_or(1.0, |d| d.factor(t))
+    }
+
+    /// Degrees C, `t` s after the start.
+    pub fn temperature(&self, t: f64) -> f64 {
+        self.drift.map_or(ROOM, |d| d.temperature(t))
+    }
+
+    /// What `sign(v)` is multiplied with, without warmth and load.
+    pub fn level(&self, q: f64, v: f64) -> f64 {
+        let coulomb = self.plain.level;
+        coulomb + self.stribeck.map_or(0.0, |s| s.excess(v, coulomb)) + self.position.map_or(0.0, |p| p.excess(q))
+    }
+
+    /// Friction at the motor without warmth, load and offset; `s` and `h` stand for the sign of `v`: see [`super::bristle`].
+    pub fn friction(&self, q: f64, v: f64, s: f64, h: f64) -> f64 {
+        let mut torque = self.plain.viscous * v;
+        if self.has_sign() {
+            torque += self.level(q, v) * s;
+        }
+        if let Some(asymmetric) = self.asymmetric {
+            torque += asymmetric.torque(v, s);
+        }
+        if let Some(nonlinear) = self.nonlinear {
+            torque += nonlinear.slope(v) * v;
+        }
+        if let Some(hysteresis) = self.hysteresis {
+            torque += hysteresis.level * h;
+        }
+        torque
+    }
+
+    /// Viscous slope of the friction at this speed, never negative: for the implicit integrator.
+    pub fn viscosity(&self, v: f64) -> f64 {
+        let slope = self.plain.viscous
+            + self.asymmetric.map_or(0.0, |a| a.viscous * sign(v))
+            + self.nonlinear.map_or(0.0, |n| n.slope(v));
+        slope.max(0.0)
+    }
+
+    /// Ripple torque at this motor angle.
+    pub fn ripple(&self, q: f64) -> f64 {
+        self.ripple.iter().map(|r| r.torque(q)).sum()
+    }
+
+    /// Spring and damper of a soft joint.
+    pub fn transmission(&self) -> JointElasticity {
+        self.elasticity.unwrap_or_else(|| JointElasticity::of_teeth(self.rated, self.rotor))
+    }
+
+    /// Torque of a soft joint on its link, and its slopes, for the motor's angle and velocity before the link's.
+    pub fn transmitted(&self, angle: f64, velocity: f64) -> [f64; 3] {
+        let spring = self.transmission();
+        match self.backlash {
+            Some(backlash) => backlash.torque(&spring, angle, velocity),
+            None => [spring.stiffness * angle + spring.damping * velocity, spring.stiffness, spring.damping],
+        }
+    }
+
+    /// The torque that the drive gives when this is asked for.
+    pub fn clipped(&self, torque: f64) -> f64 {
+        if !self.actuated {
+            return 0.0;
+        }
+        self.limit.map_or(torque, |limit| torque.clamp(-limit, limit))
+    }
+}

@@ -1,0 +1,42 @@
+//! The effects beyond the rigid body, one file each: what is read of it, and its law.
+//!
+//! Names, keys and defaults stand in [`dh_codegen::robot::effect`].
+
+mod asymmetric_friction;
+mod backlash;
+mod coulomb_friction;
+mod friction_drift;
+mod gear_coupling;
+mod joint_elasticity;
+mod joint_spring;
+mod load_dependent_friction;
+mod nonlinear_viscous_friction;
+mod position_dependent_friction;
+mod presliding_hysteresis;
+mod stribeck_friction;
+mod torque_ripple;
+
+pub(super) mod base_tilt;
+pub(super) mod external_contact;
+pub(super) mod geometric_error;
+pub(super) mod link_inertia_error;
+pub(super) mod payload;
+
+mod given;
+pub(super) use given::RATED;
+
+pub use asymmetric_friction::AsymmetricFriction;
+pub use backlash::Backlash;
+pub use coulomb_friction::CoulombFriction;
+pub use external_contact::ExternalContact;
+pub use friction_drift::FrictionDrift;
+pub use gear_coupling::GearCoupling;
+pub use given::Given;
+pub use joint_elasticity::JointElasticity;
+pub use joint_spring::JointSpring;
+pub use load_dependent_friction::LoadDependentFriction;
+pub use nonlinear_viscous_friction::NonlinearViscousFriction;
+pub use position_dependent_friction::PositionDependentFriction;
+pub use presliding_hysteresis::PreslidingHysteresis;
+pub use stribeck_friction::StribeckFriction;
+pub use torque_ripple::TorqueRipple;

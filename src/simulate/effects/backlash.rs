@@ -1,0 +1,29 @@
+//! `backlash`: a dead zone between motor and link (M. Nordin and P. O. Gutman, *Controlling mechanical systems with backlash: a survey*,
+//! Automatica 38, 2002). The teeth push and never pull.
+
+use super::{Given, JointElasticity};
+
+/// A dead zone, and the spring of the teeth on both sides of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Backlash {
+    /// `BL`, rad, the whole width.
+    pub width: f64,
+}
+
+impl Backlash {
+    pub(crate) fn read(given: &Given<'_>) -> Self {
+        Self { width: given.get("BL") }
+    }
+
+    /// Torque on the link, and how it changes with the angle and the velocity of the motor before the link's.
+    pub fn torque(&self, spring: &JointElasticity, angle: f64, velocity: f64) -> [f64; 3] {
+        let half = 0.5 * self.width;
+        if angle.abs() <= half {
+            return [0.0; 3];
+        }
+        let pressed = angle - half.copysign(angle);
+        let torque = spring.stiffness * pressed + spring.damping * velocity;
+        // Damping may not make the teeth pull.
+        if torque * pressed <= 0.0 { [0.0; 3] } else { [torque, spring.stiffness, spring.damping] }
+    }
+}

@@ -1,0 +1,26 @@
+//! `joint_elasticity`: motor and link are two inertias with a spring between them (M. W. Spong, *Modeling and control of elastic joint
+//! robots*, J. Dyn. Sys. Meas. Control 109, 1987). Friction, rotor and ripple act on the motor.
+
+use super::Given;
+
+/// The spring between motor and link.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct JointElasticity {
+    /// `KE`, N m/rad.
+    pub stiffness: f64,
+    /// `DE`, N m s/rad.
+    pub damping: f64,
+}
+
+impl JointElasticity {
+    pub(crate) fn read(given: &Given<'_>) -> Self {
+        Self { stiffness: given.get("KE"), damping: given.get("DE") }
+    }
+
+    /// What the teeth of a gear with backlash meet with where the file gives no elasticity: ten times as stiff as a joint by default, and
+    /// a tenth of critically damped against a rotor of `inertia` kg m^2.
+    pub(crate) fn of_teeth(rated: f64, inertia: f64) -> Self {
+        let stiffness = 600.0 * rated;
+        Self { stiffness, damping: 0.2 * (stiffness * inertia).sqrt() }
+    }
+}

@@ -1,0 +1,26 @@
+//! `nonlinear_viscous_friction`: `FN |v|^EN sign(v)`.
+
+use super::Given;
+
+/// Below this speed, rad/s, a power less than 1 is rounded off, so that its slope stays finite.
+const ROUNDED: f64 = 1e-3;
+
+/// Friction by a power of speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NonlinearViscousFriction {
+    /// `FN`, N m at 1 rad/s.
+    pub level: f64,
+    /// `EN`.
+    pub exponent: f64,
+}
+
+impl NonlinearViscousFriction {
+    pub(crate) fn read(given: &Given<'_>) -> Self {
+        Self { level: given.get("FN"), exponent: given.get("EN") }
+    }
+
+    /// Torque per velocity: the law is this times `v`.
+    pub fn slope(&self, v: f64) -> f64 {
+        self.level * libm::pow(v * v + ROUNDED * ROUNDED, 0.5 * (self.exponent - 1.0))
+    }
+}

@@ -1,0 +1,24 @@
+//! `position_dependent_friction`: `sign(v) (PC cos(PN q) + PS sin(PN q))`.
+
+use super::Given;
+
+/// Friction that varies along the joint's travel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PositionDependentFriction {
+    /// `PC`, `PS`, N m.
+    pub amplitude: [f64; 2],
+    /// `PN`, periods per turn.
+    pub periods: f64,
+}
+
+impl PositionDependentFriction {
+    pub(crate) fn read(given: &Given<'_>) -> Self {
+        Self { amplitude: [given.get("PC"), given.get("PS")], periods: given.get("PN") }
+    }
+
+    /// What the level is higher at this angle, N m.
+    pub fn excess(&self, q: f64) -> f64 {
+        let [cosine, sine] = self.amplitude;
+        cosine * libm::cos(self.periods * q) + sine * libm::sin(self.periods * q)
+    }
+}

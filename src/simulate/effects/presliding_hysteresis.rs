@@ -1,0 +1,19 @@
+//! `presliding_hysteresis`: the bristle of LuGre (C. Canudas de Wit, H. Olsson, K. J. Astrom and P. Lischinsky, *A new model for control
+//! of systems with friction*, IEEE Trans. Automatic Control 40, 1995), whose undamped form is Dahl's.
+
+use super::Given;
+
+/// Friction with memory near reversals.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PreslidingHysteresis {
+    /// `HC`, N m.
+    pub level: f64,
+    /// `HX`, rad: the bristle's stiffness is `HC / HX`.
+    pub travel: f64,
+}
+
+impl PreslidingHysteresis {
+    pub(crate) fn read(given: &Given<'_>) -> Self {
+        Self { level: given.get("HC"), travel: given.get("HX") }
+    }
+}

@@ -1,0 +1,338 @@
+//! From a robot and its effects to what is simulated: bodies as they truly are, and a drive for each joint.
+
+use std::ops::Range;
+
+use dh_codegen::arm::param::{self, Parameter};
+use dh_codegen::robot::{Effect, Effects, Inertia, Robot};
+
+use super::SimulateError;
+use super::drive::Drive;
+use super::effects::{
+    AsymmetricFriction, Backlash, ExternalContact, FrictionDrift, GearCoupling, Given, JointElasticity, JointSpring,
+    LoadDependentFriction, NonlinearViscousFriction, PositionDependentFriction, PreslidingHysteresis, StribeckFriction,
+    TorqueRipple, base_tilt, geometric_error, link_inertia_error, payload,
+};
+use crate::arm::{Arm, Dynamics};
+use crate::interpreted::Interpreted;
+
+/// Rotor of a soft joint whose file gives none, kg m^2 per N m of torque limit: see `rotor_inertia` in the table of effects.
+const ROTOR: f64 = 0.003;
+
+/// The robot as it is, and as its file says.
+pub(super) struct Built {
+    /// As the file says: what the controller knows.
+    pub given: Interpreted,
+    pub given_standard: Vec<f64>,
+    /// As it is; `None` where only parameters differ.
+    real: Option<Interpreted>,
+    /// Links as they are, drives zero.
+    pub bodies_standard: Vec<f64>,
+    /// One for each degree of freedom.
+    pub drives: Vec<Drive>,
+    couplings: Vec<(usize, usize, Effect)>,
+    contacts: Vec<Effect>,
+    /// Drives whose saturation is a part of the peak torque.
+    saturates: Vec<usize>,
+}
+
+/// Motion-dependent defaults, once the motion is known.
+pub(super) struct Settled {
+    pub drives: Vec<Drive>,
+    pub couplings: Vec<GearCoupling>,
+    pub contacts: Vec<ExternalContact>,
+}
+
+impl Built {
+    pub fn new(robot: &Robot, more: &Effects) -> Result<Self, SimulateError> {
+        let given_standard = param::standard_values(robot).ok_or(SimulateError::NoLinks {
+            robot: robot.name.clone(),
+            missing: robot.links.iter().position(Option::is_none).filter(|_| !robot.links.is_empty()),
+        })?;
+        let own = robot.all_effects();
+        let everywhere = own.robot.iter().chain(&more.robot);
+        let of_joints: Vec<(usize, &Effect)> = own
+            .joints
+            .iter()
+            .map(|(row, e)| (*row, e))
+            // What stands at the top means every joint.
+            .chain(
+                everywhere
+                    .clone()
+                    .filter(|e| is_for_every_joint(e))
+                    .flat_map(|e| (0..robot.joints.len()).map(move |row| (row, e))),
+            )
+            .chain(more.joints.iter().map(|(row, e)| (*row, e)))
+            .collect();
+
+        let real_robot = as_it_is(robot, &of_joints, everywhere.clone())?;
+        let differs = real_robot.gravity != robot.gravity || real_robot.joints != robot.joints;
+        let given = Interpreted::new(robot, &Interpreted::BODIES);
+        let real = differs.then(|| Interpreted::new(&real_robot, &Interpreted::BODIES));
+        let standard = param::standard_values(&real_robot).unwrap_or_else(|| given_standard.clone());
+        let bodies_standard = links_only(robot, &standard);
+
+        let moving = robot.moving();
+        let dof_of = |row: usize| moving.iter().position(|&r| r == row);
+        let mut built = Self {
+            given,
+            given_standard,
+            real,
+            bodies_standard,
+            drives: moving.iter().map(|&row| plain_drive(robot, row)).collect(),
+            couplings: Vec::new(),
+            contacts: everywhere.filter(|e| e.name == "external_contact").cloned().collect(),
+            saturates: Vec::new(),
+        };
+        // Plain friction first: a Stribeck law is told the Coulomb level.
+        for plain in [true, false] {
+            for &(row, effect) in &of_joints {
+                let Some(dof) = dof_of(row) else { continue };
+                if PLAIN.contains(&effect.name.as_str()) == plain {
+                    built.take(robot, row, dof, effect, &dof_of)?;
+                }
+            }
+        }
+        for drive in built.drives.iter_mut().filter(|d| d.is_soft() && d.rotor == 0.0) {
+            drive.rotor = ROTOR * drive.rated;
+        }
+        Ok(built)
+    }
+
+    /// The arm as it is.
+    pub fn real(&self) -> &Interpreted {
+        self.real.as_ref().unwrap_or(&self.given)
+    }
+
+    /// One effect of one joint.
+    fn take(
+        &mut self,
+        robot: &Robot,
+        row: usize,
+        dof: usize,
+        effect: &Effect,
+        dof_of: &dyn Fn(usize) -> Option<usize>,
+    ) -> Result<(), SimulateError> {
+        let joint = &robot.joints[row];
+        let given = Given::new(effect, joint.limits.torque);
+        let drive = &mut self.drives[dof];
+        let positive = |key: &'static str, value: f64| {
+            if value > 0.0 {
+                Ok(value)
+            } else {
+                Err(SimulateError::Effect {
+                    effect: effect.name.clone(),
+                    joint: row + 1,
+                    key,
+                    value,
+                    must: "be greater than 0",
+                })
+            }
+        };
+        let not_negative = |key: &'static str, value: f64| {
+            if value >= 0.0 {
+                Ok(value)
+            } else {
+                Err(SimulateError::Effect {
+                    effect: effect.name.clone(),
+                    joint: row + 1,
+                    key,
+                    value,
+                    must: "not be negative",
+                })
+            }
+        };
+        match effect.name.as_str() {
+            "viscous_friction" => drive.plain.viscous += given.get("FV"),
+            "coulomb_friction" => drive.plain.level += given.get("FC"),
+            "rotor_inertia" => drive.rotor += not_negative("IA", given.get("IA"))?,
+            "asymmetric_friction" => drive.asymmetric = Some(AsymmetricFriction::read(&given)),
+            "stribeck_friction" => {
+                let law = StribeckFriction::read(&given, drive.plain.level);
+                positive("VS", law.velocity)?;
+                positive("DS", law.exponent)?;
+                drive.stribeck = Some(law);
+            }
+            "nonlinear_viscous_friction" => {
+                let law = NonlinearViscousFriction::read(&given);
+                not_negative("EN", law.exponent)?;
+                drive.nonlinear = Some(law);
+            }
+            "load_dependent_friction" => {
+                let law = LoadDependentFriction::read(&given);
+                if !(0.0..1.0).contains(&law.factor) {
+                    let (effect, value) = (effect.name.clone(), law.factor);
+                    return Err(SimulateError::Effect {
+                        effect,
+                        joint: row + 1,
+                        key: "FL",
+                        value,
+                        must: "be from 0 to less than 1: beyond, the gear locks",
+                    });
+                }
+                drive.load = Some(law);
+            }
+            "presliding_hysteresis" => {
+                let law = PreslidingHysteresis::read(&given);
+                positive("HX", law.travel)?;
+                drive.hysteresis = Some(law);
+            }
+            "friction_drift" => {
+                let law = FrictionDrift::read(&given);
+                positive("DT", law.time)?;
+                drive.drift = Some(law);
+            }
+            "position_dependent_friction" => drive.position = Some(PositionDependentFriction::read(&given)),
+            "torque_ripple" => drive.ripple.push(TorqueRipple::read(&given, joint.drive.gear_ratio)),
+            "joint_elasticity" => {
+                let law = JointElasticity::read(&given);
+                positive("KE", law.stiffness)?;
+                not_negative("DE", law.damping)?;
+                drive.elasticity = Some(law);
+            }
+            "backlash" => {
+                let law = Backlash::read(&given);
+                not_negative("BL", law.width)?;
+                drive.backlash = Some(law);
+            }
+            "gear_coupling" => {
+                let number = given.stated("joint").unwrap_or(0.0);
+                let other = (number as usize).checked_sub(1).and_then(dof_of).filter(|&k| k != dof);
+                let other = other.ok_or(SimulateError::Effect {
+                    effect: effect.name.clone(),
+                    joint: row + 1,
+                    key: "joint",
+                    value: number,
+                    must: "be the number of another joint that moves",
+                })?;
+                self.couplings.push((dof, other, effect.clone()));
+            }
+            "torque_gain_error" => drive.gain *= given.get("GT"),
+            "torque_offset" => drive.offset += given.get("TO"),
+            "torque_saturation" => match given.stated("TM") {
+                Some(limit) => drive.limit = Some(positive("TM", limit)?),
+                None => self.saturates.push(dof),
+            },
+            "encoder_offset" => drive.encoder_offset += given.get("QO"),
+            "joint_spring" => drive.spring = Some(JointSpring::read(&given)),
+            "time_delay" => drive.delay += given.get("TD"),
+            _ => {} // of the bodies: see `as_it_is`
+        }
+        Ok(())
+    }
+
+    /// Defaults that depend on the motion: its time, the torques that the file's model asks for, the inertia at its start.
+    pub fn settle(&self, span: &Range<f64>, peak: &[f64], start: &[f64]) -> Settled {
+        let mut drives = self.drives.clone();
+        for &j in &self.saturates {
+            drives[j].limit = Some((0.8 * peak[j]).max(1e-3));
+        }
+        let n = drives.len();
+        let mut mass = vec![0.0; n * n];
+        if !self.couplings.is_empty() {
+            self.real().bodies(&self.bodies_standard).mass_matrix(start, &mut mass);
+        }
+        let couplings = self.couplings.iter().map(|(motor, other, effect)| {
+            let given = Given::new(effect, Some(drives[*motor].rated));
+            let (m, k) = (*motor, *other);
+            let inertia = |j: usize| mass[j * n + j] + drives[j].rotor;
+            let derived = |key: &str, value: f64| match given.stated(key) {
+                Some(stated) => stated,
+                None if given.is_bare() || only_joint(effect) => value,
+                None => 0.0,
+            };
+            GearCoupling {
+                motor: m,
+                other: k,
+                ratio: given.get("KC"),
+                rotor: derived("IAM", 0.25 * (inertia(m) * inertia(k)).sqrt()),
+                viscous: derived("FVM", 0.5 * (drives[m].plain.viscous * drives[k].plain.viscous).max(0.0).sqrt()),
+                coulomb: derived("FCM", 0.01 * drives[m].rated),
+            }
+        });
+        let contacts = self.contacts.iter().map(|e| ExternalContact::read(&Given::new(e, None), span)).collect();
+        Settled { couplings: couplings.collect(), contacts, drives }
+    }
+}
+
+/// Laws that add to what stands in the drive already.
+const PLAIN: [&str; 3] = ["viscous_friction", "coulomb_friction", "rotor_inertia"];
+
+/// Whether nothing but the other joint's number (and the ratio) was written.
+fn only_joint(effect: &Effect) -> bool {
+    effect.parameters.iter().all(|(key, _)| key == "joint" || key == "KC")
+}
+
+fn is_for_every_joint(effect: &Effect) -> bool {
+    ["friction_drift", "torque_gain_error", "encoder_offset", "geometric_error", "time_delay"]
+        .contains(&effect.name.as_str())
+}
+
+fn plain_drive(robot: &Robot, row: usize) -> Drive {
+    let joint = &robot.joints[row];
+    let mut drive = Drive::ideal(joint.limits.torque.unwrap_or(super::effects::RATED));
+    drive.actuated = joint.actuated;
+    drive.rotor = joint.drive.rotor_inertia.unwrap_or(0.0);
+    drive.plain.viscous = joint.drive.viscous_friction.unwrap_or(0.0);
+    drive.plain.level = joint.drive.coulomb_friction.unwrap_or(0.0);
+    drive.plain.offset = joint.drive.offset.unwrap_or(0.0);
+    drive
+}
+
+/// The robot with its true base, rows and links.
+fn as_it_is<'e>(
+    robot: &Robot,
+    of_joints: &[(usize, &Effect)],
+    of_robot: impl Iterator<Item = &'e Effect>,
+) -> Result<Robot, SimulateError> {
+    let mut real = robot.clone();
+    for &(row, effect) in of_joints {
+        let given = Given::new(effect, None);
+        match effect.name.as_str() {
+            "geometric_error" => geometric_error::apply(&mut real.joints[row], &given),
+            "link_inertia_error" => {
+                change_link(&mut real, given.stated("link"), Some(row), |l| link_inertia_error::apply(l, &given))?
+            }
+            _ => {}
+        }
+    }
+    for effect in of_robot {
+        let given = Given::new(effect, None);
+        match effect.name.as_str() {
+            "base_tilt" => real.gravity = base_tilt::tilted(real.gravity, &given),
+            "link_inertia_error" => {
+                change_link(&mut real, given.stated("link"), None, |l| link_inertia_error::apply(l, &given))?
+            }
+            "payload" => change_link(&mut real, Some(robot.joints.len() as f64), None, |l| payload::apply(l, &given))?,
+            _ => {}
+        }
+    }
+    Ok(real)
+}
+
+fn change_link(
+    robot: &mut Robot,
+    stated: Option<f64>,
+    row: Option<usize>,
+    change: impl FnOnce(&mut Inertia),
+) -> Result<(), SimulateError> {
+    let last = robot.joints.len();
+    let at = stated.map_or(row, |number| (number as usize).checked_sub(1));
+    match at.and_then(|row| robot.links.get_mut(row)).and_then(Option::as_mut) {
+        Some(link) => {
+            change(link);
+            Ok(())
+        }
+        None => Err(SimulateError::Link { number: stated, last }),
+    }
+}
+
+/// Standard parameters with those of drives zero.
+fn links_only(robot: &Robot, standard: &[f64]) -> Vec<f64> {
+    let parameters = param::standard(robot);
+    parameters.iter().zip(standard).map(|(p, &v)| if matches!(p, Parameter::Link(..)) { v } else { 0.0 }).collect()
+}
+
+/// The file's parameters without Coulomb friction: what a controller feeds forward.
+pub(super) fn without_coulomb(arm: &dyn Arm, standard: &[f64]) -> Vec<f64> {
+    arm.standard_names().iter().zip(standard).map(|(name, &v)| if name.starts_with("FC") { 0.0 } else { v }).collect()
+}

@@ -1,0 +1,250 @@
+//! From what is to what is recorded.
+
+use super::drive::Drive;
+use super::noise::{Coloured, Noise};
+use super::trajectory::Point;
+use crate::log::{Layout, Log};
+
+/// On which side of the gear a sensor sits.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Side {
+    /// Motor: its angle, and the torque that it gives, at the joint's side of the gear.
+    #[default]
+    Motor,
+    /// Link: its angle, and the torque that the gear transmits.
+    Link,
+}
+
+/// What is recorded, and how well. A list has one entry, or one for each joint.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sensors {
+    /// Samples per second.
+    pub rate: f64,
+    /// Step of the encoders, rad; 0: none.
+    pub encoder: Vec<f64>,
+    /// White noise of the positions before they are rounded, standard deviation, rad.
+    pub position_noise: Vec<f64>,
+    /// White noise of the torques, standard deviation, N m.
+    pub torque_noise: Vec<f64>,
+    /// Coloured noise of the torques, standard deviation, N m.
+    pub torque_colour: Vec<f64>,
+    /// Its corner frequency, Hz.
+    pub colour_corner: f64,
+    /// Step of the torque sensors, N m; 0: none.
+    pub torque_step: Vec<f64>,
+    /// Age of all samples at their stamp, s.
+    pub latency: f64,
+    /// Of the sampling instants, standard deviation, s; the stamps are true.
+    pub jitter: f64,
+    /// `tau` is of this side; of the link, `taum` is recorded too.
+    pub torque: Side,
+    /// `q` is of this side; of the link, `qm` is recorded too.
+    pub position: Side,
+    /// Record `dq`.
+    pub velocity: bool,
+    /// Its white noise, standard deviation, rad/s.
+    pub velocity_noise: Vec<f64>,
+    /// Record `qd`.
+    pub desired: bool,
+    /// Record `temp`, in tenths of a degree.
+    pub temperature: bool,
+    /// Record the external wrench.
+    pub wrench: bool,
+}
+
+impl Default for Sensors {
+    /// 1 kHz, 1e-5 rad (19 bits and a half; Kollmorgen and KUKA give 16 to 20 bits), 0.05 N m (the noise floor of the KUKA LWR's and iiwa's
+    /// torque sensors: Jubien, Gautier and Janot, IFAC 2014; `data/iiwa`).
+    fn default() -> Self {
+        Self {
+            rate: 1000.0,
+            encoder: vec![1e-5],
+            position_noise: vec![0.0],
+            torque_noise: vec![0.05],
+            torque_colour: vec![0.0],
+            colour_corner: 2.0,
+            torque_step: vec![0.0],
+            latency: 0.0,
+            jitter: 0.0,
+            torque: Side::Motor,
+            position: Side::Motor,
+            velocity: false,
+            velocity_noise: vec![1e-3],
+            desired: true,
+            temperature: false,
+            wrench: false,
+        }
+    }
+}
+
+impl Sensors {
+    /// Everything as it is.
+    pub fn perfect(rate: f64) -> Self {
+        Self { rate, encoder: vec![0.0], torque_noise: vec![0.0], velocity_noise: vec![0.0], ..Self::default() }
+    }
+
+    /// When samples are taken, `count` of them from `start`.
+    pub(super) fn instants(&self, start: f64, end: f64, seed: u64) -> Vec<f64> {
+        let count = ((end - start) * self.rate * (1.0 + 1e-12) + 1e-9).floor().max(0.0) as usize + 1;
+        let mut noise = Noise::new(seed, 1);
+        let period = 1.0 / self.rate;
+        (0..count)
+            .map(|k| {
+                let even = start + k as f64 / self.rate;
+                if self.jitter <= 0.0 || k == 0 {
+                    return even;
+                }
+                // No sample overtakes its neighbour; stamps have whole microseconds.
+                let off = (self.jitter * noise.normal()).clamp(-0.45 * period, 0.45 * period);
+                (((even + off) * 1e6).round() / 1e6).clamp(start, end)
+            })
+            .collect()
+    }
+}
+
+/// What truly happened, joint-major over the samples.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Truth {
+    /// s
+    pub t: Vec<f64>,
+    /// Angles of the motors at the joint's side, rad.
+    pub motor_q: Vec<f64>,
+    /// rad/s
+    pub motor_dq: Vec<f64>,
+    /// Angles of the links, rad.
+    pub link_q: Vec<f64>,
+    /// rad/s
+    pub link_dq: Vec<f64>,
+    /// Torques of the motors, N m.
+    pub motor_torque: Vec<f64>,
+    /// Torques that the gears transmit, N m.
+    pub link_torque: Vec<f64>,
+    /// Desired motion.
+    pub desired: Vec<Point>,
+    /// degrees C
+    pub temperature: Vec<f64>,
+    /// External force and moment on the tool, tool frame, `6 * samples`.
+    pub wrench: Vec<f64>,
+}
+
+impl Truth {
+    pub(super) fn sized(dof: usize, t: Vec<f64>) -> Self {
+        let all = vec![0.0; dof * t.len()];
+        Self {
+            motor_q: all.clone(),
+            motor_dq: all.clone(),
+            link_q: all.clone(),
+            link_dq: all.clone(),
+            motor_torque: all.clone(),
+            link_torque: all.clone(),
+            desired: vec![[0.0; 3]; all.len()],
+            temperature: all,
+            wrench: vec![0.0; 6 * t.len()],
+            t,
+        }
+    }
+}
+
+/// What the sensors make of it.
+pub(super) fn record(truth: &Truth, drives: &[Drive], sensors: &Sensors, seed: u64) -> Log {
+    let (n, len) = (drives.len(), truth.t.len());
+    let of = |list: &[f64], joint: usize| list.get(joint).or(list.first()).copied().unwrap_or(0.0);
+    let joint = |values: &[f64], j: usize| values[j * len..(j + 1) * len].to_vec();
+    let late = |values: Vec<f64>, age: f64| if age == 0.0 { values } else { shifted(&truth.t, &values, age) };
+    let stepped = |values: &mut Vec<f64>, step: f64| {
+        if step > 0.0 {
+            values.iter_mut().for_each(|v| *v = (*v / step).round() * step);
+        }
+    };
+    let noisy = |values: &mut Vec<f64>, size: f64, stream: u64| {
+        if size > 0.0 {
+            let mut noise = Noise::new(seed, stream);
+            values.iter_mut().for_each(|v| *v += size * noise.normal());
+        }
+    };
+    let mut names = vec!["t".to_string()];
+    let mut columns = vec![truth.t.clone()];
+    let mut add = |prefix: &str, make: &dyn Fn(usize) -> Vec<f64>| {
+        for j in 0..n {
+            names.push(format!("{prefix}{}", j + 1));
+            columns.push(make(j));
+        }
+    };
+    let position = |angles: &[f64], j: usize, stream: u64| {
+        let mut q: Vec<f64> = joint(angles, j).iter().map(|q| q - drives[j].encoder_offset).collect();
+        q = late(q, sensors.latency);
+        noisy(&mut q, of(&sensors.position_noise, j), stream + j as u64);
+        stepped(&mut q, of(&sensors.encoder, j));
+        q
+    };
+    let torque = |torques: &[f64], j: usize, stream: u64| {
+        let drive = &drives[j];
+        let mut tau = late(joint(torques, j), sensors.latency + drive.delay);
+        tau.iter_mut().for_each(|tau| *tau = drive.gain * *tau + drive.offset);
+        noisy(&mut tau, of(&sensors.torque_noise, j), stream + j as u64);
+        let size = of(&sensors.torque_colour, j);
+        if size > 0.0 {
+            let mut colour =
+                Coloured::new(Noise::new(seed, stream + 1000 + j as u64), sensors.colour_corner, 1.0 / sensors.rate);
+            tau.iter_mut().for_each(|tau| *tau += size * colour.next());
+        }
+        stepped(&mut tau, of(&sensors.torque_step, j));
+        tau
+    };
+    let link_position = sensors.position == Side::Link;
+    let link_torque = sensors.torque == Side::Link;
+    add("q", &|j| position(if link_position { &truth.link_q } else { &truth.motor_q }, j, 10_000));
+    if link_position {
+        add("qm", &|j| position(&truth.motor_q, j, 20_000));
+    }
+    if sensors.velocity {
+        add("dq", &|j| {
+            let mut dq = late(joint(if link_position { &truth.link_dq } else { &truth.motor_dq }, j), sensors.latency);
+            noisy(&mut dq, of(&sensors.velocity_noise, j), 30_000 + j as u64);
+            dq
+        });
+    }
+    add("tau", &|j| torque(if link_torque { &truth.link_torque } else { &truth.motor_torque }, j, 40_000));
+    if link_torque {
+        add("taum", &|j| torque(&truth.motor_torque, j, 50_000));
+    }
+    if sensors.desired {
+        add("qd", &|j| truth.desired[j * len..(j + 1) * len].iter().map(|p| p[0]).collect());
+    }
+    if sensors.temperature || drives.iter().any(|d| d.drift.is_some_and(|d| d.per_kelvin != 0.0)) {
+        add("temp", &|j| joint(&truth.temperature, j).iter().map(|c| (c * 10.0).round() / 10.0).collect());
+    }
+    if sensors.wrench {
+        for (i, name) in ["fx", "fy", "fz", "mx", "my", "mz"].iter().enumerate() {
+            names.push((*name).into());
+            columns.push(truth.wrench[i * len..(i + 1) * len].to_vec());
+        }
+    }
+    let roles = names.iter().filter_map(|name| crate::log::Role::of(name)).collect();
+    let positions = (0..names.len()).collect();
+    let layout = Layout { file: "simulated".into(), dof: n, roles, positions, ignored: Vec::new(), width: names.len() };
+    Log { layout, columns, starts: vec![0], findings: Vec::new() }
+}
+
+/// The values that were there `age` s before each instant, by the cubic with finite-difference slopes; the first value before the start.
+fn shifted(t: &[f64], values: &[f64], age: f64) -> Vec<f64> {
+    let last = t.len() - 1;
+    if last == 0 {
+        return values.to_vec();
+    }
+    let slope = |k: usize| {
+        let (a, b) = (k.saturating_sub(1), (k + 1).min(last));
+        (values[b] - values[a]) / (t[b] - t[a])
+    };
+    t.iter()
+        .map(|&now| {
+            let at = (now - age).clamp(t[0], t[last]);
+            let k = t.partition_point(|&x| x <= at).saturating_sub(1).min(last - 1);
+            let h = t[k + 1] - t[k];
+            let s = (at - t[k]) / h;
+            let (a, b) = (slope(k) * h, slope(k + 1) * h);
+            let rise = values[k + 1] - values[k];
+            values[k] + s * (a + s * (3.0 * rise - 2.0 * a - b + s * (a + b - 2.0 * rise)))
+        })
+        .collect()
+}

@@ -1,0 +1,66 @@
+//! Both methods have the order that their papers say, the Rosenbrock method with any Jacobian.
+
+use super::super::integrate::dormand_prince::DormandPrince;
+use super::super::integrate::rosenbrock::Rosenbrock;
+use super::super::integrate::{Breakdown, Linear, Method, Pace, Solver, System};
+
+/// A pendulum that is pushed and damped, with a bristle; how much of its Jacobian is told.
+struct Pendulum {
+    told: f64,
+}
+
+impl System for Pendulum {
+    fn coordinates(&self) -> usize {
+        1
+    }
+
+    fn rate(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Breakdown> {
+        dy[0] = y[1];
+        dy[1] = (-4.0 * y[0].sin() - 0.3 * y[1] - 0.7 * y[2] + (1.3 * t).cos()) / 2.0;
+        dy[2] = (y[1] - (0.1 + y[1] * y[1]).sqrt() * y[2]) / 0.5;
+        Ok(())
+    }
+
+    fn linearise(&mut self, _: f64, y: &[f64], linear: &mut Linear) -> Result<(), Breakdown> {
+        linear.mass = vec![2.0];
+        linear.stiffness = vec![self.told * 4.0 * y[0].cos()];
+        linear.damping = vec![self.told * 0.3];
+        let rates = [self.told * 2.0, -self.told * 2.0 * (0.1 + y[1] * y[1]).sqrt()];
+        linear.bristles = vec![([(0, 1.0), (0, 0.0)], [self.told * 0.7, rates[0], rates[1]])];
+        Ok(())
+    }
+}
+
+fn end(method: Method, told: f64, step: f64) -> [f64; 3] {
+    let mut y = [0.4, 1.0, 0.1];
+    let mut pace = Pace::new(Solver { method, tolerance: 1e12, longest: step });
+    pace.next = step;
+    let mut system = Pendulum { told };
+    match method {
+        Method::DormandPrince => DormandPrince::default().advance(&mut system, &mut pace, 0.0, 4.0, &mut y).unwrap(),
+        _ => Rosenbrock::default().advance(&mut system, &mut pace, 0.0, 4.0, &mut y).unwrap(),
+    }
+    y
+}
+
+#[test]
+fn orders_are_as_published() {
+    let exact = end(Method::DormandPrince, 0.0, 1e-3);
+    let error = |method, told, step| {
+        let y = end(method, told, step);
+        (0..3).map(|i| (y[i] - exact[i]).abs()).fold(0.0, f64::max)
+    };
+    for (method, told, order) in [
+        (Method::DormandPrince, 0.0, 5.0),
+        (Method::Rosenbrock, 1.0, 3.0),
+        (Method::Rosenbrock, 0.6, 3.0),
+        (Method::Rosenbrock, 0.0, 3.0),
+    ] {
+        let (coarse, fine) = (error(method, told, 0.05), error(method, told, 0.025));
+        let found = (coarse / fine).log2();
+        assert!(
+            found > order - 0.35,
+            "{method:?}, {told} of the Jacobian: order {found:.2}, errors {coarse:.1e} {fine:.1e}"
+        );
+    }
+}

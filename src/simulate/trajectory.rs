@@ -1,0 +1,273 @@
+//! The motion that is asked for: knots, and a quintic between each two.
+
+use std::ops::Range;
+
+/// Desired motion. Between knots each joint follows the quintic that has the position, velocity and acceleration of both.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trajectory {
+    dof: usize,
+    t: Vec<f64>,
+    /// Joint-major, `dof * knots`.
+    q: Vec<f64>,
+    dq: Vec<f64>,
+    ddq: Vec<f64>,
+    /// Torques for torque control, joint-major; empty where there are none.
+    tau: Vec<f64>,
+}
+
+/// Why a trajectory can't be played.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum TrajectoryError {
+    /// A single point is no motion.
+    #[error("the trajectory has {0} rows; it takes at least two")]
+    TooShort(usize),
+    /// Time must ascend.
+    #[error("the trajectory's time does not ascend at row {row}: {from} s, then {to} s")]
+    Time {
+        /// Row, from 1.
+        row: usize,
+        /// s
+        from: f64,
+        /// s
+        to: f64,
+    },
+    /// NaN or infinity.
+    #[error("the trajectory holds a value that is not finite")]
+    NotFinite,
+    /// Columns and joints do not go together.
+    #[error("the trajectory has {found} values of {what}, not {expected}")]
+    Length {
+        /// Column.
+        what: &'static str,
+        /// Number of values.
+        found: usize,
+        /// Joints times rows.
+        expected: usize,
+    },
+}
+
+/// Position, velocity, acceleration.
+pub type Point = [f64; 3];
+
+impl Trajectory {
+    /// From knots, joint-major. Velocities that are missing come from the cubic spline through the positions (its end slopes those
+    /// of the cubic through the four outermost knots), accelerations from the spline through the velocities.
+    pub fn new(
+        dof: usize,
+        t: Vec<f64>,
+        q: Vec<f64>,
+        dq: Option<Vec<f64>>,
+        ddq: Option<Vec<f64>>,
+    ) -> Result<Self, TrajectoryError> {
+        let rows = t.len();
+        if rows < 2 {
+            return Err(TrajectoryError::TooShort(rows));
+        }
+        for (what, values) in [("q", Some(&q)), ("dq", dq.as_ref()), ("ddq", ddq.as_ref())] {
+            if let Some(values) = values {
+                if values.len() != dof * rows {
+                    return Err(TrajectoryError::Length { what, found: values.len(), expected: dof * rows });
+                }
+                if !values.iter().all(|v| v.is_finite()) {
+                    return Err(TrajectoryError::NotFinite);
+                }
+            }
+        }
+        if !t.iter().all(|v| v.is_finite()) {
+            return Err(TrajectoryError::NotFinite);
+        }
+        if let Some(row) = t.windows(2).position(|w| w[1] <= w[0]) {
+            return Err(TrajectoryError::Time { row: row + 2, from: t[row], to: t[row + 1] });
+        }
+        let slopes = |values: &[f64]| values.chunks(rows).flat_map(|v| spline_slopes(&t, v)).collect::<Vec<f64>>();
+        let dq = dq.unwrap_or_else(|| slopes(&q));
+        let ddq = ddq.unwrap_or_else(|| slopes(&dq));
+        Ok(Self { dof, t, q, dq, ddq, tau: Vec::new() })
+    }
+
+    /// The same with torques, joint-major, for torque control; they are interpolated linearly.
+    pub fn with_torques(mut self, tau: Vec<f64>) -> Result<Self, TrajectoryError> {
+        let expected = self.dof * self.t.len();
+        if tau.len() != expected {
+            return Err(TrajectoryError::Length { what: "tau", found: tau.len(), expected });
+        }
+        if !tau.iter().all(|v| v.is_finite()) {
+            return Err(TrajectoryError::NotFinite);
+        }
+        self.tau = tau;
+        Ok(self)
+    }
+
+    /// Rest at a position, for some seconds: the start of a free swing.
+    pub fn rest(q: &[f64], duration: f64) -> Result<Self, TrajectoryError> {
+        let twice: Vec<f64> = q.iter().flat_map(|&q| [q, q]).collect();
+        let zero = vec![0.0; twice.len()];
+        Self::new(q.len(), vec![0.0, duration], twice, Some(zero.clone()), Some(zero))
+    }
+
+    /// Degrees of freedom.
+    pub fn dof(&self) -> usize {
+        self.dof
+    }
+
+    /// First and last time, s.
+    pub fn span(&self) -> Range<f64> {
+        self.t[0]..self.t[self.t.len() - 1]
+    }
+
+    /// Whether torques were given.
+    pub fn has_torques(&self) -> bool {
+        !self.tau.is_empty()
+    }
+
+    /// The interval of a time; `hint` is where the last search ended.
+    fn interval(&self, t: f64, hint: &mut usize) -> usize {
+        let last = self.t.len() - 2;
+        let fits = |k: usize| (k == 0 || self.t[k] <= t) && (k == last || t < self.t[k + 1]);
+        if !fits(*hint) {
+            *hint = if *hint < last && fits(*hint + 1) {
+                *hint + 1
+            } else {
+                self.t.partition_point(|&knot| knot <= t).saturating_sub(1).min(last)
+            };
+        }
+        *hint
+    }
+
+    /// Desired motion of every joint; before the first and after the last knot it rests there.
+    pub fn at(&self, t: f64, hint: &mut usize, points: &mut [Point]) {
+        let rows = self.t.len();
+        let inside = t.clamp(self.t[0], self.t[rows - 1]);
+        let k = self.interval(inside, hint);
+        let h = self.t[k + 1] - self.t[k];
+        let s = (inside - self.t[k]) / h;
+        for (j, point) in points.iter_mut().enumerate() {
+            let at = j * rows + k;
+            let knot = |i: usize| [self.q[i], self.dq[i] * h, self.ddq[i] * h * h];
+            let [x, v, a] = quintic(knot(at), knot(at + 1), s);
+            *point = if t == inside { [x, v / h, a / (h * h)] } else { [x, 0.0, 0.0] };
+        }
+    }
+
+    /// Torques that were given, at a time; zero where there are none.
+    pub fn torques_at(&self, t: f64, hint: &mut usize, tau: &mut [f64]) {
+        if self.tau.is_empty() {
+            tau.fill(0.0);
+            return;
+        }
+        let rows = self.t.len();
+        let inside = t.clamp(self.t[0], self.t[rows - 1]);
+        let k = self.interval(inside, hint);
+        let s = (inside - self.t[k]) / (self.t[k + 1] - self.t[k]);
+        for (j, tau) in tau.iter_mut().enumerate() {
+            let at = j * rows + k;
+            *tau = self.tau[at] + s * (self.tau[at + 1] - self.tau[at]);
+        }
+    }
+}
+
+/// The quintic on `[0, 1]` with these values and derivatives at its ends; value and derivatives at `s`.
+fn quintic(a: Point, b: Point, s: f64) -> Point {
+    let d = b[0] - a[0] - a[1] - 0.5 * a[2];
+    let e = b[1] - a[1] - a[2];
+    let f = b[2] - a[2];
+    let c3 = 10.0 * d - 4.0 * e + 0.5 * f;
+    let c4 = -15.0 * d + 7.0 * e - f;
+    let c5 = 6.0 * d - 3.0 * e + 0.5 * f;
+    [
+        a[0] + s * (a[1] + s * (0.5 * a[2] + s * (c3 + s * (c4 + s * c5)))),
+        a[1] + s * (a[2] + s * (3.0 * c3 + s * (4.0 * c4 + s * 5.0 * c5))),
+        a[2] + s * (6.0 * c3 + s * (12.0 * c4 + s * 20.0 * c5)),
+    ]
+}
+
+/// Slopes at the knots of the cubic spline through `(t, y)` with given end slopes (de Boor, *A Practical Guide to Splines*, chapter IV).
+fn spline_slopes(t: &[f64], y: &[f64]) -> Vec<f64> {
+    let n = t.len();
+    let rise = |k: usize| (y[k + 1] - y[k]) / (t[k + 1] - t[k]);
+    if n == 2 {
+        return vec![rise(0); 2];
+    }
+    let step = |k: usize| t[k + 1] - t[k];
+    let mut slopes = vec![0.0; n];
+    let near: Vec<usize> = (0..n.min(4)).collect();
+    let far: Vec<usize> = near.iter().map(|k| n - 1 - k).collect();
+    slopes[0] = end_slope(t, y, &near);
+    slopes[n - 1] = end_slope(t, y, &far);
+    // h[k] m[k-1] + 2 (h[k-1] + h[k]) m[k] + h[k-1] m[k+1] = 3 (h[k] d[k-1] + h[k-1] d[k])
+    let (mut upper, mut right) = (vec![0.0; n], vec![0.0; n]);
+    right[0] = slopes[0];
+    for k in 1..n - 1 {
+        let (before, after) = (step(k - 1), step(k));
+        let pivot = 2.0 * (before + after) - after * upper[k - 1];
+        upper[k] = before / pivot;
+        right[k] = (3.0 * (after * rise(k - 1) + before * rise(k)) - after * right[k - 1]) / pivot;
+    }
+    for k in (1..n - 1).rev() {
+        slopes[k] = right[k] - upper[k] * slopes[k + 1];
+    }
+    slopes
+}
+
+/// Derivative at the first of these knots of the polynomial through all of them (Lagrange).
+fn end_slope(t: &[f64], y: &[f64], knots: &[usize]) -> f64 {
+    let end = knots[0];
+    let mut slope = 0.0;
+    for &k in &knots[1..] {
+        let others = || knots[1..].iter().filter(move |&&i| i != k);
+        let weight: f64 = others().map(|&i| (t[end] - t[i]) / (t[k] - t[i])).product();
+        slope += (y[k] - y[end]) * weight / (t[k] - t[end]);
+    }
+    slope
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sine(step: f64, with: usize) -> Trajectory {
+        let t: Vec<f64> = (0..=(4.0 / step) as usize).map(|k| k as f64 * step).collect();
+        let of = |f: fn(f64) -> f64| t.iter().map(|&t| f(2.0 * t)).collect::<Vec<f64>>();
+        let dq = (with > 0).then(|| of(|x| 2.0 * x.cos()));
+        let ddq = (with > 1).then(|| of(|x| -4.0 * x.sin()));
+        Trajectory::new(1, t.clone(), of(f64::sin), dq, ddq).unwrap()
+    }
+
+    #[test]
+    fn between_knots_the_motion_is_smooth() {
+        for (with, accuracy) in [(0, [2e-5, 2e-3, 1e-1]), (1, [1e-7, 2e-6, 3e-4]), (2, [1e-9, 1e-7, 1e-5])] {
+            let trajectory = sine(0.05, with);
+            let (mut hint, mut point) = (0, [[0.0; 3]]);
+            for k in 0..4001 {
+                let t = f64::from(k) * 1e-3;
+                trajectory.at(t, &mut hint, &mut point);
+                let exact = [(2.0 * t).sin(), 2.0 * (2.0 * t).cos(), -4.0 * (2.0 * t).sin()];
+                for i in 0..3 {
+                    assert!((point[0][i] - exact[i]).abs() < accuracy[i], "{with} {t}: {point:?} {exact:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn it_rests_outside_and_finds_its_place_again() {
+        let trajectory = sine(0.1, 2);
+        let mut point = [[0.0; 3]];
+        let mut hint = 0;
+        trajectory.at(9.0, &mut hint, &mut point);
+        assert_eq!(point[0], [8.0f64.sin(), 0.0, 0.0]);
+        trajectory.at(0.0, &mut hint, &mut point);
+        assert_eq!((hint, point[0]), (0, [0.0, 2.0, -0.0]));
+        trajectory.at(2.0, &mut hint, &mut point);
+        assert!((point[0][0] - 4.0f64.sin()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_is_no_motion_is_refused() {
+        assert_eq!(Trajectory::new(1, vec![0.0], vec![0.0], None, None), Err(TrajectoryError::TooShort(1)));
+        let back = Trajectory::new(1, vec![0.0, 1.0, 1.0], vec![0.0; 3], None, None);
+        assert_eq!(back, Err(TrajectoryError::Time { row: 3, from: 1.0, to: 1.0 }));
+        let nan = Trajectory::new(1, vec![0.0, 1.0], vec![0.0, f64::NAN], None, None);
+        assert_eq!(nan, Err(TrajectoryError::NotFinite));
+    }
+}
