@@ -52,3 +52,10 @@ pub trait Arm: Sync {
     /// Torques from standard parameters (`P`), joint-major like the states.
     fn inverse_dynamics(&self, states: &States, standard: &[f64], out: &mut [f64]);
 }
+
+/// Where the bodies of an arm are, roughly: what is known of them without any weighing.
+pub trait Reach {
+    /// For each link, in its own frame: where its body ends that begins at the frame's origin, m. The next joint for the modified
+    /// convention, the joint before for the standard one, the tool (or the origin) for the last link.
+    fn ends(&self) -> Vec<[f64; 3]>;
+}

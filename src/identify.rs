@@ -32,6 +32,7 @@
 
 mod accuracy;
 mod batches;
+mod consistent;
 mod essential;
 mod recover;
 mod result;
@@ -51,6 +52,10 @@ mod planar;
 mod tests;
 
 pub use accuracy::{Accuracy, accuracy};
+pub use consistent::{
+    Bounds, Consistent, ConsistentError, ConsistentSettings, Cost, PriorBody, Reproduced, Source, Stalled, body_of, consistent,
+    geometric_bodies, possible_bodies, prior_bodies, pseudo_inertia,
+};
 pub use essential::{Dropped, Essential};
 pub use recover::{RecoverError, implausible_links, recover_standard};
 pub use result::{Condition, Confused, Estimate, Identification, LogSummary, Standing};
