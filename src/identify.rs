@@ -32,6 +32,7 @@
 
 mod accuracy;
 mod batches;
+mod carry;
 mod consistent;
 mod essential;
 mod recover;
@@ -52,6 +53,7 @@ mod planar;
 mod tests;
 
 pub use accuracy::{Accuracy, accuracy};
+pub use carry::{CarryOver, carry_over};
 pub use consistent::{
     Bounds, Consistent, ConsistentError, ConsistentSettings, Cost, PriorBody, Reproduced, Source, Stalled, body_of, consistent,
     geometric_bodies, possible_bodies, prior_bodies, pseudo_inertia,

@@ -2,7 +2,7 @@
 
 use dh_codegen::arm::{Argument, Function, Model};
 use dh_codegen::interpret::{Batch, Interpreter};
-use dh_codegen::robot::{Convention, Robot};
+use dh_codegen::robot::{Convention, JointKind, Robot};
 
 use crate::arm::{Arm, BaseParameter, Reach, States};
 
@@ -15,6 +15,7 @@ pub struct Interpreted {
     base: Vec<BaseParameter>,
     pattern: Vec<(usize, usize)>,
     ends: Vec<[f64; 3]>,
+    ranges: Vec<[f64; 3]>,
 }
 
 impl Interpreted {
@@ -45,6 +46,7 @@ impl Interpreted {
             pattern: nonzeros.iter().map(|&o| (o / width, o % width)).collect(),
             base,
             ends: ends(robot),
+            ranges: ranges(robot),
             model,
             interpreter,
         }
@@ -120,9 +122,25 @@ fn ends(robot: &Robot) -> Vec<[f64; 3]> {
         .collect()
 }
 
+/// Positions and speed of the moving joints.
+fn ranges(robot: &Robot) -> Vec<[f64; 3]> {
+    let moving = robot.joints.iter().filter(|joint| joint.kind != JointKind::Fixed);
+    moving
+        .map(|joint| {
+            let half = if joint.kind == JointKind::Revolute { std::f64::consts::PI } else { 0.5 };
+            let [low, high] = joint.limits.position.unwrap_or([-half, half]);
+            [low, high, joint.limits.velocity.unwrap_or(1.0)]
+        })
+        .collect()
+}
+
 impl Reach for Interpreted {
     fn ends(&self) -> Vec<[f64; 3]> {
         self.ends.clone()
+    }
+
+    fn ranges(&self) -> Vec<[f64; 3]> {
+        self.ranges.clone()
     }
 }
 

@@ -2,12 +2,14 @@
 
 pub mod check_json;
 pub mod check_text;
+mod consistent;
 pub mod eval_json;
 mod identify_html;
 mod identify_json;
 mod identify_text;
 mod number;
 
+pub use consistent::{Possible, carry_over_json, carry_over_text, consistent_json, consistent_text};
 pub use identify_html::identify_html;
 pub use identify_json::identify_json;
 pub use identify_text::{identify_text, identify_verdict};

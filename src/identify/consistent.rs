@@ -23,6 +23,7 @@ mod bounds;
 #[cfg(test)]
 mod cuts;
 mod newton;
+mod path;
 mod prior;
 mod pseudo;
 mod reproduce;

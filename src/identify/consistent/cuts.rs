@@ -86,9 +86,6 @@ pub(super) fn by_cuts(problem: &Problem, tolerance: f64, rounds: usize) -> Resul
         if !matches!(solution.status, SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress) {
             return Err(format!("clarabel: {:?} in round {round}", solution.status));
         }
-        if std::env::var("LOOK").is_ok() {
-            println!("{round} {:?} {} {}", solution.status, solution.obj_val, solution.iterations);
-        }
         let v = solution.x[..n].to_vec();
         let mut worst: f64 = 0.0;
         for link in &problem.links {

@@ -5,11 +5,10 @@
 //!        + sum_scalars w or mu [v - log v] + mu/2 sum_free (v - v0)^2 - mu sum_walls log(a'v - b),   subject to e'v = s
 //! ```
 //!
-//! The entropic distance to the prior is at the same time the barrier of the cone: divided by `w` the function is self-concordant
-//! (Nesterov and Nemirovskii 1994; Boyd and Vandenberghe, *Convex Optimization*, sections 9.6 and 11.2), so that damped Newton steps reach
-//! its one minimum from the prior, `v = 1`. `w` and `mu` start large and fall by tens to what was asked, so that each minimum is
-//! near the one before. With `w -> 0` the path ends at the constrained least squares solution of least distance to the prior, and what
-//! it still misses is about `w` per logarithm and eigenvalue (section 11.2.2 there).
+//! The entropic distance to the prior is at the same time the barrier of the cone, so that `F` is smooth and strictly convex inside;
+//! divided by `w` it is self-concordant, and from a neighbourhood of its one minimum Newton's steps converge quadratically to all digits (Boyd and
+//! Vandenberghe, *Convex Optimization*, section 9.6). That neighbourhood is reached by [`path`](super::path). With `w -> 0` the minimum goes to the
+//! constrained least squares solution of least distance to the prior; what it still misses is about `w` per eigenvalue (section 11.2.2).
 
 use nalgebra::{DMatrix, DVector, Matrix4};
 
@@ -171,9 +170,8 @@ impl Problem {
         Some((a, b))
     }
 
-    /// Newton's step, which keeps `e'v`, and the slope along it.
-    fn step(&self, v: &DVector<f64>, weights: Weights) -> Option<(DVector<f64>, f64)> {
-        let (a, b) = self.model(v, weights)?;
+    /// The step `d` that minimises `|A d - b|` and keeps `e'v`, and the slope along it.
+    pub(super) fn least_squares(&self, a: &DMatrix<f64>, b: &DVector<f64>) -> Option<(DVector<f64>, f64)> {
         let n = a.ncols();
         let qr = a.clone().qr();
         let mut y = b.clone();
@@ -187,7 +185,7 @@ impl Problem {
             let along = e.dot(&step) / e.dot(&direction);
             step.axpy(-along, &direction, 1.0);
         }
-        let slope = -b.dot(&(&a * &step));
+        let slope = -b.dot(&(a * &step));
         step.iter().all(|d| d.is_finite()).then_some((step, slope))
     }
 
@@ -199,7 +197,8 @@ impl Problem {
         let mut decrement = f64::INFINITY;
         for steps in 0..MOST {
             let halt = |decrement| Stalled { w: weights.w, steps, decrement };
-            let (step, slope) = self.step(v, weights).ok_or_else(|| halt(decrement))?;
+            let (a, b) = self.model(v, weights).ok_or_else(|| halt(decrement))?;
+            let (step, slope) = self.least_squares(&a, &b).ok_or_else(|| halt(decrement))?;
             let before = decrement;
             decrement = ((-slope).max(0.0) / unit).sqrt();
             if decrement < 1e-7 || (decrement < 1e-3 && decrement > 0.5 * before) {
@@ -232,16 +231,8 @@ impl Problem {
 
     /// From the prior to the minimum at `weights`: the coordinates, and the number of steps.
     pub(super) fn follow(&self, start: &[f64], weights: Weights) -> Result<(Vec<f64>, usize), Stalled> {
-        let mut v = DVector::from_column_slice(start);
-        let mut now = 1e6_f64.max(weights.w).max(weights.mu);
-        let mut steps = 0;
-        loop {
-            let at = Weights { w: now.max(weights.w), mu: now.max(weights.mu) };
-            steps += self.minimise(&mut v, at)?;
-            if at == weights {
-                return Ok((v.as_slice().to_vec(), steps));
-            }
-            now = (now * 0.1).max(weights.w.min(weights.mu));
-        }
+        let (mut v, far) = super::path::near(self, start, weights)?;
+        let close = self.minimise(&mut v, weights)?;
+        Ok((v.as_slice().to_vec(), far + close))
     }
 }
