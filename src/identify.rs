@@ -32,6 +32,8 @@
 
 mod accuracy;
 mod batches;
+mod carry;
+mod consistent;
 mod essential;
 mod recover;
 mod result;
@@ -51,6 +53,11 @@ mod planar;
 mod tests;
 
 pub use accuracy::{Accuracy, accuracy};
+pub use carry::{CarryOver, carry_over};
+pub use consistent::{
+    Bounds, Consistent, ConsistentError, ConsistentSettings, Cost, PriorBody, Reproduced, Source, Stalled, body_of, consistent,
+    geometric_bodies, possible_bodies, prior_bodies, pseudo_inertia,
+};
 pub use essential::{Dropped, Essential};
 pub use recover::{RecoverError, implausible_links, recover_standard};
 pub use result::{Condition, Confused, Estimate, Identification, LogSummary, Standing};

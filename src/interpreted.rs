@@ -6,9 +6,9 @@ pub use bodies::Bodies;
 
 use dh_codegen::arm::{Argument, Function, Model};
 use dh_codegen::interpret::{Batch, Interpreter};
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{Convention, JointKind, Robot};
 
-use crate::arm::{Arm, BaseParameter, States};
+use crate::arm::{Arm, BaseParameter, Reach, States};
 
 /// A robot made ready to be evaluated in batches.
 pub struct Interpreted {
@@ -18,6 +18,8 @@ pub struct Interpreted {
     standard: Vec<String>,
     base: Vec<BaseParameter>,
     pattern: Vec<(usize, usize)>,
+    ends: Vec<[f64; 3]>,
+    ranges: Vec<[f64; 3]>,
 }
 
 impl Interpreted {
@@ -47,6 +49,8 @@ impl Interpreted {
             standard: model.standard().iter().map(|p| p.name()).collect(),
             pattern: nonzeros.iter().map(|&o| (o / width, o % width)).collect(),
             base,
+            ends: ends(robot),
+            ranges: ranges(robot),
             model,
             interpreter,
         }
@@ -94,6 +98,54 @@ impl Interpreted {
 
 fn batch<'a>(states: &'a States, tau: &'a [f64], parameters: &'a [f64]) -> Batch<'a> {
     Batch { len: states.len, q: &states.q, dq: &states.dq, ddq: &states.ddq, tau, parameters }
+}
+
+/// Per row: the next row's origin in this row's frame (modified), or the origin of the row before (standard), sliding joints
+/// at their zero.
+fn ends(robot: &Robot) -> Vec<[f64; 3]> {
+    let rows: Vec<[f64; 4]> = robot
+        .joints
+        .iter()
+        .map(|row| {
+            let (s, c) = row.alpha.sin_cos();
+            [row.d.value, row.r.value, s, c]
+        })
+        .collect();
+    (0..rows.len())
+        .map(|i| match robot.convention {
+            Convention::Modified => match (rows.get(i + 1), &robot.tool) {
+                (Some([d, r, s, c]), _) => [*d, -r * s, r * c],
+                (None, Some(tool)) => tool.xyz,
+                (None, None) => [0.0; 3],
+            },
+            Convention::Standard => {
+                let [d, r, s, c] = rows[i];
+                [-d, -r * s, -r * c]
+            }
+        })
+        .collect()
+}
+
+/// Positions and speed of the moving joints.
+fn ranges(robot: &Robot) -> Vec<[f64; 3]> {
+    let moving = robot.joints.iter().filter(|joint| joint.kind != JointKind::Fixed);
+    moving
+        .map(|joint| {
+            let half = if joint.kind == JointKind::Revolute { std::f64::consts::PI } else { 0.5 };
+            let [low, high] = joint.limits.position.unwrap_or([-half, half]);
+            [low, high, joint.limits.velocity.unwrap_or(1.0)]
+        })
+        .collect()
+}
+
+impl Reach for Interpreted {
+    fn ends(&self) -> Vec<[f64; 3]> {
+        self.ends.clone()
+    }
+
+    fn ranges(&self) -> Vec<[f64; 3]> {
+        self.ranges.clone()
+    }
 }
 
 impl Arm for Interpreted {

@@ -4,6 +4,7 @@ pub mod check_json;
 pub mod check_text;
 mod diagnose_json;
 mod diagnose_text;
+mod consistent;
 pub mod eval_json;
 mod identify_html;
 mod identify_json;
@@ -14,6 +15,7 @@ mod simulate_text;
 
 pub use diagnose_json::diagnose_json;
 pub use diagnose_text::{diagnose_text, diagnose_verdict};
+pub use consistent::{Possible, carry_over_json, carry_over_text, consistent_json, consistent_text};
 pub use identify_html::identify_html;
 pub use identify_json::identify_json;
 pub use identify_text::{identify_text, identify_verdict};

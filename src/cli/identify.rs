@@ -4,14 +4,16 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use dh_codegen::arm::param;
+use dh_codegen::arm::param::{self, Parameter};
+use dh_codegen::robot::Robot;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::{Failure, files};
-use crate::arm::Arm;
+use crate::arm::{Arm, Reach};
 use crate::identify::{
-    DeadZone, Essential, Factors, Identification, IdentifySettings, Stack, StackSettings, Trace, Tracer,
-    recover_standard, solve,
+    Bounds, Consistent, ConsistentError, ConsistentSettings, DeadZone, Essential, Factors, Identification,
+    IdentifySettings, PriorBody, Stack, StackSettings, Trace, Tracer, carry_over, consistent, geometric_bodies,
+    prior_bodies, recover_standard, solve,
 };
 use crate::interpreted::Interpreted;
 use crate::log::{Keep, Quantity, open};
@@ -23,6 +25,9 @@ use crate::{extend, report};
 /// Logs are CSV, .csv.gz or Parquet with columns `t, q1.., tau1..` (and more, see the robot's README). They are low-passed forward
 /// and backward, positions are differentiated by central differences, and the base regressor is fitted by least squares with each
 /// joint weighted by its own noise. Drive parameters are identified where the robot file's `drive` has them (a value of 0 will do).
+///
+/// The robot file that is written has links that could be built (positive mass, possible tensor) and nearly the same torques; what that costs
+/// is printed. What torques don't show comes from the links of the robot file (`--prior cad`) or from the arm's geometry.
 #[derive(Args)]
 #[command(
     after_help = "Example:\n  denavit identify robots/kuka-iiwa14.yaml run1.csv run2.csv --validate run3.csv \\\n      --out identified.yaml --report identified.html"
@@ -72,6 +77,25 @@ pub(super) struct Identify {
     /// Leave out parameters that are not essential.
     #[arg(long)]
     essential: bool,
+    /// Whether the links that are written must be possible bodies: if the data allow it, or the command fails, or not asked for.
+    #[arg(long, value_enum, default_value_t = Consistency::Auto)]
+    consistent: Consistency,
+    /// Where bodies come from as far as torques don't show them.
+    #[arg(long, value_enum, default_value_t = PriorFrom::Cad)]
+    prior: PriorFrom,
+    /// Weight of these bodies: 1 believes them to about 100 %, 100 to 10 %.
+    #[arg(long, default_value_t = 1.0, value_name = "WEIGHT")]
+    prior_weight: f64,
+    /// Mass of all links together, without the tool, kg.
+    #[arg(long, value_name = "KG")]
+    mass_total: Option<f64>,
+    /// CSV with columns `link,what,low,high`: bounds on the mass (`M`, kg) or the centre of mass (`X`, `Y`, `Z`, m, in the link's frame)
+    /// of a link.
+    #[arg(long, value_name = "CSV")]
+    bounds: Option<PathBuf>,
+    /// By how much possible bodies may raise the weighted residual before the data contradict physics, percent.
+    #[arg(long, default_value_t = 10.0, value_name = "PERCENT")]
+    most_cost: f64,
     /// Speed below which a joint's rows are not used, rad/s; default from the noise.
     #[arg(long, value_name = "SPEED")]
     dead_zone: Option<f64>,
@@ -95,6 +119,24 @@ enum Source {
 pub(super) enum Torque {
     Tau,
     Taum,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Consistency {
+    /// Possible bodies where the data allow them; otherwise the plain values, and a warning.
+    Auto,
+    /// Possible bodies, or an error.
+    Require,
+    /// The plain values.
+    Never,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum PriorFrom {
+    /// The links of the robot file.
+    Cad,
+    /// A guess from the arm's geometry, weighing a thousandth.
+    None,
 }
 
 impl Identify {
@@ -122,26 +164,112 @@ impl Identify {
         };
         let found = solve(&arm, &fit, &validate, &solving).map_err(Failure::input)?;
         let provenance = self.provenance(&file.text);
+        let carry = carry_over(&arm, &arm, &found);
+        let possible = match self.consistent {
+            Consistency::Never => None,
+            _ => Some(self.bodies(&file.robot, &arm, &fit, &validate, &found)?),
+        };
+        if let (Consistency::Require, Some(Err(error))) = (self.consistent, &possible) {
+            return Err(Failure::other(format!("no possible bodies: {error}")));
+        }
+        let possible = possible.as_ref().map(|result| report::Possible {
+            result: result.as_ref(),
+            written: self.out.as_ref().map(|_| result.is_ok()),
+        });
 
         if let Some(path) = &self.report {
             let traces = self.traces(&arm, &found, &prepare)?;
             files::write(path, report::identify_html(&found, &prepared, &traces, &provenance).as_bytes())?;
         }
         if let Some(path) = &self.out {
-            let standard = recover_standard(&arm, &found.values(), prior.as_deref()).map_err(Failure::other)?;
+            let standard = match possible.as_ref().map(|p| p.result) {
+                Some(Ok(bodies)) => bodies.standard.clone(),
+                Some(Err(error)) => {
+                    eprintln!("{}: warning: no possible bodies, the plain values were written: {error}", path.display());
+                    recover_standard(&arm, &found.values(), prior.as_deref()).map_err(Failure::other)?
+                }
+                None => recover_standard(&arm, &found.values(), prior.as_deref()).map_err(Failure::other)?,
+            };
             let robot = extend::with_values(file.robot, &standard);
             files::write(path, robot.to_yaml().as_bytes())?;
         }
         if let Some(target) = &self.json {
-            files::json(target, &report::identify_json(&found, &prepared, &provenance))?;
+            let mut json = report::identify_json(&found, &prepared, &provenance);
+            json["carry_over"] = report::carry_over_json(&carry);
+            if let Some(possible) = &possible {
+                json["consistent"] = report::consistent_json(possible);
+            }
+            files::json(target, &json)?;
         }
         if !files::is_stdout(&self.json) {
             files::print(&report::identify_text(&found, &prepared))?;
+            files::print(&report::carry_over_text(&found, &carry))?;
+            if let Some(possible) = &possible {
+                files::print(&report::consistent_text(&found, possible))?;
+            }
             for path in self.out.iter().chain(&self.report) {
                 files::print(&format!("wrote {}\n", path.display()))?;
             }
         }
         Ok(())
+    }
+
+    /// The fit with possible bodies; bad options are a failure, data without such bodies a result.
+    fn bodies(
+        &self,
+        robot: &Robot,
+        arm: &Interpreted,
+        fit: &[Factors],
+        validate: &[Factors],
+        found: &Identification,
+    ) -> Result<Result<Consistent, ConsistentError>, Failure> {
+        if !(self.prior_weight > 0.0 && self.prior_weight.is_finite()) {
+            return Err(Failure::input(format!("--prior-weight {}: a number above 0", self.prior_weight)));
+        }
+        if !(self.most_cost > 0.0) {
+            return Err(Failure::input(format!("--most-cost {}: percent, above 0", self.most_cost)));
+        }
+        let bounds = self.bounds(robot)?;
+        let settings = ConsistentSettings {
+            prior_weight: self.prior_weight,
+            bounds,
+            carried: carried(robot),
+            most_cost_percent: self.most_cost,
+            ..ConsistentSettings::default()
+        };
+        let prior = match self.prior {
+            PriorFrom::Cad => prior(robot, arm),
+            PriorFrom::None => prior_bodies(&[], &geometric_bodies(&arm.ends())),
+        };
+        match consistent(arm, fit, validate, found, &prior, &drives(robot), &settings) {
+            Err(error @ ConsistentError::Bounds { .. }) => Err(Failure::input(error)),
+            result => Ok(result),
+        }
+    }
+
+    /// `--bounds` and `--mass-total`.
+    fn bounds(&self, robot: &Robot) -> Result<Bounds, Failure> {
+        let mut bounds = Bounds { total_mass: self.mass_total, ..Bounds::default() };
+        let Some(path) = &self.bounds else { return Ok(bounds) };
+        let text = files::text(path)?;
+        for (line, row) in (1..).zip(text.lines()).skip(1).filter(|(_, row)| !row.trim().is_empty()) {
+            let bad = |what: &str| {
+                let place = format!("{}, line {line}: {what}", path.display());
+                Failure::input(format!("{place}; a row is `link,what,low,high`, as `2,M,1.5,4` or `2,X,-0.1,0.1`"))
+            };
+            let cells: Vec<&str> = row.split(',').map(str::trim).collect();
+            let &[link, what, low, high] = cells.as_slice() else { return Err(bad("not four columns")) };
+            let number = |text: &str| text.parse::<f64>().ok().filter(|x| !x.is_nan()).ok_or_else(|| bad("not a number"));
+            let range = [number(low)?, number(high)?];
+            let link = link.parse::<usize>().ok().filter(|l| (1..=robot.joints.len()).contains(l));
+            let link = link.ok_or_else(|| bad("no such link"))? - 1;
+            match what {
+                "M" => bounds.mass.push((link, range)),
+                "X" | "Y" | "Z" => bounds.center.push((link, usize::from(what.as_bytes()[0] - b'X'), range)),
+                _ => return Err(bad("`what` is none of M, X, Y, Z")),
+            }
+        }
+        Ok(bounds)
     }
 
     fn prepare(&self) -> Result<Prepare, Failure> {
@@ -253,4 +381,26 @@ pub(super) fn try_pass(
     let prepared = each_motion(&mut *source, dof, prepare, sink);
     bar.finish_and_clear();
     Ok(prepared)
+}
+
+/// The bodies of the robot file, or guesses from the geometry for those that it does not have.
+fn prior(robot: &Robot, arm: &Interpreted) -> Vec<PriorBody> {
+    let known: Vec<Option<[f64; 10]>> = robot.links.iter().map(|l| l.as_ref().map(|l| l.to_array())).collect();
+    prior_bodies(&known, &geometric_bodies(&arm.ends()))
+}
+
+/// The tool, in the last link's frame.
+fn carried(robot: &Robot) -> Vec<(usize, [f64; 10])> {
+    let tool = robot.tool.as_ref().and_then(|tool| Some((tool, tool.inertia.as_ref()?)));
+    let moved = tool.map(|(tool, inertia)| inertia.moved(&tool.rotation(), &tool.xyz).to_array());
+    moved.map(|body| (robot.joints.len().saturating_sub(1), body)).into_iter().collect()
+}
+
+/// What the file says of the drives, among the standard parameters; zero for the links.
+fn drives(robot: &Robot) -> Vec<f64> {
+    let value = |p: &Parameter| match *p {
+        Parameter::Drive(row, term) => param::drive_value(robot, row, term).unwrap_or(0.0),
+        Parameter::Link(..) => 0.0,
+    };
+    param::standard(robot).iter().map(value).collect()
 }

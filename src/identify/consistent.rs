@@ -1,0 +1,292 @@
+//! Standard parameters of possible bodies that explain the data as well as possible bodies can.
+//!
+//! Least squares gives base parameters; nothing in it asks for links that could exist. Here the unknowns are the standard parameters `x`
+//! themselves, the data enter as the same weighted factor as in the plain solution, and every link's pseudo-inertia `P_i(x)` keeps to
+//! its cone:
+//!
+//! ```text
+//! min  1/(2 lambda) |R K x - z|^2 + w sum_i D(P_i(x), P0_i)    with  P_i(x) >= eps P0_i,  IA, FV, FC >= 0,  bounds
+//! ```
+//!
+//! - `R, z`: triangular factor of all joints' equations, each weighted by its noise; `beta = K x` the base parameters.
+//! - `lambda`: samples per independent sample, over all joints; the first term is then minus the logarithm of the likelihood.
+//! - `D(P, P0) = tr(P P0^-1) - log det(P P0^-1) - 4`: the entropic (Bregman log-det) distance of P. Wensing and J.-J. Slotine / T. Lee, P. Wensing
+//!   and F. Park, *Geometric robot dynamic identification: a convex programming approach*, IEEE Transactions on Robotics 36(2), 2020; twice the
+//!   Kullback-Leibler divergence of the normal distributions with these second moments. It does not depend on units or frames. For small
+//!   differences it is half the sum of squared relative differences, so that `w = 1/s^2` says that the prior is good to a relative `s`.
+//! - `eps` (`margin`): in every direction a link has at least this share of its prior's body. The distance is taken from there (of
+//!   `P - eps P0`), which makes it the barrier of the constraint, and the problem smooth, strictly convex: one solution ([`newton`]).
+//!
+//! What torques don't show goes to the prior; what they show beyond doubt stays (`w = 1` against thousands of samples).
+
+mod bounds;
+#[cfg(test)]
+mod cuts;
+mod newton;
+mod path;
+mod prior;
+mod pseudo;
+mod reproduce;
+mod setup;
+#[cfg(test)]
+mod tests;
+
+pub use bounds::Bounds;
+pub use newton::Stalled;
+pub use prior::{PriorBody, Source, geometric_bodies, prior_bodies};
+pub use pseudo::{body_of, pseudo_inertia};
+pub use reproduce::{Reproduced, possible_bodies};
+
+use newton::Weights;
+use setup::{Data, Setup};
+
+use super::{
+    accuracy,
+    accuracy::Accuracy,
+    recover::base_of,
+    result::Identification,
+    stack::Factors,
+    wls::{JointSystem, stacked},
+};
+use crate::arm::Arm;
+
+/// Weight at which prior and barriers do not show any more: what they cost is at most this per link eigenvalue, in units of the
+/// logarithm of the likelihood.
+const VANISHING: f64 = 1e-6;
+
+/// How to fit possible bodies.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ConsistentSettings {
+    /// `w`: 1 believes the prior's bodies to about 100 %, 100 to 10 %. Default 1.
+    pub prior_weight: f64,
+    /// Weight of a guessed body ([`Source::Geometric`]) relative to one from the robot file. Default 1e-3.
+    pub geometric_share: f64,
+    /// `eps`, above 0 and below 1. Default 1e-3.
+    pub margin: f64,
+    /// What is known of masses and centres.
+    pub bounds: Bounds,
+    /// Bodies that are fixed to links (from 0) and known: a tool. The standard parameters contain them, the bodies that are
+    /// looked for do not.
+    pub carried: Vec<(usize, [f64; 10])>,
+    /// By how much possible bodies may raise the weighted residual of the fit, percent, before the data are said to contradict physics.
+    /// Default 10.
+    pub most_cost_percent: f64,
+}
+
+impl Default for ConsistentSettings {
+    fn default() -> Self {
+        Self {
+            prior_weight: 1.0,
+            geometric_share: 1e-3,
+            margin: 1e-3,
+            bounds: Bounds::default(),
+            carried: Vec::new(),
+            most_cost_percent: 10.0,
+        }
+    }
+}
+
+/// Why there are no possible bodies.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ConsistentError {
+    /// A vector of the wrong length.
+    #[error("{what}: {found} where the arm has {expected}")]
+    Length {
+        /// Which.
+        what: &'static str,
+        /// Given.
+        found: usize,
+        /// Needed.
+        expected: usize,
+    },
+    /// The arm's parameters do not describe whole bodies.
+    #[error("link {link} has no parameter {missing}: ten are needed to tell whether it can be a body")]
+    Incomplete {
+        /// From 1.
+        link: usize,
+        /// Name.
+        missing: String,
+    },
+    /// Weights or margin out of range.
+    #[error("the prior's weight must be above 0, and the margin between 0 and 1")]
+    Settings,
+    /// A prior that is no body.
+    #[error("the prior of link {link} is not the body of any distribution of mass")]
+    PriorBody {
+        /// From 1.
+        link: usize,
+    },
+    /// Bounds that leave no room.
+    #[error("the bounds on the bodies contradict each other: {what}")]
+    Bounds {
+        /// Where.
+        what: String,
+    },
+    /// Numbers overflowed.
+    #[error("the equations contain infinite numbers")]
+    NotFinite,
+    /// The solver came to a halt. Nothing is put in its place.
+    #[error("the search for possible bodies came to a halt: {0}")]
+    Stalled(#[from] Stalled),
+    /// No possible bodies explain the torques.
+    #[error(
+        "the data contradict physics: with possible bodies the weighted residual grows by {growth_percent:.0} % (allowed: {allowed_percent} %), \
+         most on joint {joint}, from {plain:.3} to {possible:.3} N m. Look for torques with the wrong sign, a wrong table, gravity or tool, \
+         a delay, or parameters that the model lacks (a rotor inertia, an offset)"
+    )]
+    Contradiction {
+        /// By how much the weighted residual grows, percent.
+        growth_percent: f64,
+        /// How much it may.
+        allowed_percent: f64,
+        /// The joint that pays most, from 1.
+        joint: usize,
+        /// Its RMS with the plain solution, N m.
+        plain: f64,
+        /// Its RMS with possible bodies.
+        possible: f64,
+    },
+}
+
+/// What a fit costs against the plain one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cost {
+    /// By how much the norm of the weighted residual of the fit grows, percent.
+    pub growth_percent: f64,
+    /// Errors on the fitted logs.
+    pub fit: Accuracy,
+    /// Errors on the validating logs.
+    pub validation: Option<Accuracy>,
+}
+
+/// Possible bodies, and what they cost.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Consistent {
+    /// Standard parameters, in the arm's order, what is fixed to links included.
+    pub standard: Vec<f64>,
+    /// Their base parameters.
+    pub base: Vec<f64>,
+    /// Names of the base parameters.
+    pub names: Vec<String>,
+    /// What possibility and prior cost together: the errors of [`Consistent::standard`].
+    pub cost: Cost,
+    /// What possibility alone costs (the prior's weight vanishing).
+    pub possible: Cost,
+    /// Where each link's prior came from.
+    pub sources: Vec<Source>,
+    /// Entropic distance of each link from its prior.
+    pub distances: Vec<f64>,
+    /// Smallest eigenvalue of each link's body in units of its prior: at least the margin.
+    pub margins: Vec<f64>,
+    /// Links (from 1) that the data push to the edge of possibility (prior's weight vanishing): below twice the margin.
+    pub at_the_edge: Vec<usize>,
+    /// Weight of the prior.
+    pub prior_weight: f64,
+    /// The margin that was kept.
+    pub margin: f64,
+    /// Mass of all links, without what is fixed to them, kg.
+    pub total_mass: f64,
+    /// Newton steps, for both fits.
+    pub steps: usize,
+}
+
+/// Fits possible bodies to the factors that [`solve`](super::solve) was given; `found` is what it gave.
+///
+/// `prior`: one body per link, without what is fixed to it ([`prior_bodies`]). `drives`: standard parameters of the robot file, of
+/// which those of the drives are used (zeros where nothing is known).
+pub fn consistent(
+    arm: &dyn Arm,
+    fit: &[Factors],
+    validate: &[Factors],
+    found: &Identification,
+    prior: &[PriorBody],
+    drives: &[f64],
+    settings: &ConsistentSettings,
+) -> Result<Consistent, ConsistentError> {
+    let (data, floor) = data(arm, fit, found)?;
+    let setup = Setup::new(arm, &data, prior, drives, settings)?;
+    let vanishing = Weights { w: VANISHING, mu: VANISHING };
+    let wanted = Weights { w: settings.prior_weight, mu: VANISHING };
+    let total = |logs: &[Factors], beta: &[f64]| accuracy(&logs.iter().collect::<Vec<_>>(), beta);
+    let cost = |v: &[f64]| {
+        let base = base_of(arm, &setup.standard(v));
+        Cost {
+            growth_percent: 100.0 * ((1.0 + 2.0 * setup.problem.misfit(v) / floor).sqrt() - 1.0),
+            fit: total(fit, &base),
+            validation: (!validate.is_empty()).then(|| total(validate, &base)),
+        }
+    };
+    let (v_possible, first) = setup.problem.follow(&setup.start, vanishing)?;
+    let possible = cost(&v_possible);
+    if possible.growth_percent > settings.most_cost_percent {
+        let grown = |j: usize| (possible.fit.rms[j].powi(2) - found.fit.rms[j].powi(2)) / found.noise.sigma[j].powi(2);
+        let joints = (0..found.fit.rms.len()).filter(|&j| found.fit.rms[j].is_finite());
+        let joint = joints.max_by(|&a, &b| grown(a).total_cmp(&grown(b))).unwrap_or(0);
+        return Err(ConsistentError::Contradiction {
+            growth_percent: possible.growth_percent,
+            allowed_percent: settings.most_cost_percent,
+            joint: joint + 1,
+            plain: found.fit.rms[joint],
+            possible: possible.fit.rms[joint],
+        });
+    }
+    let (v, second) = setup.problem.follow(&setup.start, wanted)?;
+    let standard = setup.standard(&v);
+    if standard.iter().any(|x| !x.is_finite()) {
+        return Err(ConsistentError::NotFinite);
+    }
+    let mass = |x: &[f64]| -> f64 { setup.layout.links.iter().map(|l| x[l[0]]).sum() };
+    let carried: f64 = settings.carried.iter().map(|(_, b)| b[0]).sum();
+    let edge = |(link, margin): (usize, &f64)| (*margin < 2.0 * settings.margin).then_some(link + 1);
+    let distance = |l: &newton::Link| setup.problem.distance(&v, l.start).unwrap_or(f64::INFINITY);
+    Ok(Consistent {
+        base: base_of(arm, &standard),
+        names: arm.base_parameters().iter().map(|b| b.name.clone()).collect(),
+        cost: cost(&v),
+        possible,
+        sources: prior.iter().map(|p| p.source).collect(),
+        distances: setup.problem.links.iter().map(distance).collect(),
+        margins: setup.margins(&v),
+        at_the_edge: setup.margins(&v_possible).iter().enumerate().filter_map(edge).collect(),
+        prior_weight: settings.prior_weight,
+        margin: settings.margin,
+        total_mass: mass(&standard) - carried,
+        steps: first + second,
+        standard,
+    })
+}
+
+/// The plain problem in units of its noise, and the square that no parameters remove.
+fn data(arm: &dyn Arm, fit: &[Factors], found: &Identification) -> Result<(Data, f64), ConsistentError> {
+    let parameters = arm.base_parameters().len();
+    let joints = JointSystem::all(fit, parameters);
+    let length = |what, found, expected| match found == expected {
+        true => Ok(()),
+        false => Err(ConsistentError::Length { what, found, expected }),
+    };
+    length("joints", found.noise.sigma.len(), joints.len())?;
+    length("base parameters", found.parameters.len(), parameters)?;
+    // An exact fit would weigh without bounds: torques are not known to more than five digits.
+    let floored = |(joint, sigma): (&JointSystem, &f64)| sigma.max(1e-5 * joint.torque_rms).max(1e-12);
+    let sigmas: Vec<f64> = joints.iter().zip(&found.noise.sigma).map(floored).collect();
+    let weights: Vec<f64> = if found.weighted {
+        sigmas.iter().map(|s| s.recip()).collect()
+    } else {
+        let samples: usize = joints.iter().map(|j| j.samples).sum();
+        let squares: f64 = joints.iter().zip(&sigmas).map(|(j, s)| s * s * j.samples as f64).sum();
+        vec![(samples as f64 / squares).sqrt(); joints.len()]
+    };
+    let active: Vec<usize> = (0..parameters).collect();
+    let triangle = stacked(&joints, &weights, &active, parameters);
+    let effective: f64 = found.noise.effective_samples.iter().sum();
+    let samples: usize = joints.iter().map(|j| j.samples).sum();
+    let root = (effective / samples as f64).min(1.0).sqrt();
+    let r = nalgebra::DMatrix::from_fn(parameters, parameters, |i, k| root * triangle.get(i, k));
+    let z = nalgebra::DVector::from_fn(parameters, |i, _| root * triangle.get(i, parameters));
+    let last = root * triangle.get(parameters, parameters);
+    if r.iter().chain(z.iter()).chain([&last]).any(|x| !x.is_finite()) {
+        return Err(ConsistentError::NotFinite);
+    }
+    Ok((Data { r, z }, (last * last).max(1e-12 * effective)))
+}

@@ -1,0 +1,166 @@
+//! To the neighbourhood of the minimum: primal and dual bodies together, along the central path.
+//!
+//! A body `Z` and the force `S` that its cone exerts satisfy `S Z = t 1`; `t` falls until it is what the distance to the prior asks for.
+//! Steps are Newton's in the scaling of Nesterov and Todd, in which body and force look alike (Y. Nesterov, M. Todd, *Self-scaled barriers*, 1997;
+//! M. Todd, K. Toh, R. Tutuncu, SIAM J. Optimization 8(3), 1998): some tens of them, where steps of the body alone need
+//! hundreds in long valleys. With `G' S G = G^-1 Z G^-T = diag(lambda)` a step changes the scaled body by `D` and the scaled force by
+//! `t / lambda - lambda - D`.
+
+use nalgebra::{DMatrix, DVector, Matrix4, SymmetricEigen, Vector4};
+
+use super::newton::{Problem, Stalled, Wall, Weights};
+use super::pseudo::{basis, coordinates, symmetric};
+
+/// A cone in its scaling.
+struct Scaled {
+    g: Matrix4<f64>,
+    inverse: Matrix4<f64>,
+    lambda: Vector4<f64>,
+}
+
+impl Scaled {
+    fn new(body: &Matrix4<f64>, force: &Matrix4<f64>) -> Option<Self> {
+        let (l, k) = (body.cholesky()?.l(), force.cholesky()?.l());
+        let svd = (k.transpose() * l).svd(false, true);
+        let lambda = svd.singular_values;
+        let half = lambda.map(f64::sqrt);
+        let v_t = svd.v_t?;
+        let g = l * v_t.transpose() * Matrix4::from_diagonal(&half.map(f64::recip));
+        let inverse = Matrix4::from_diagonal(&half) * v_t * l.try_inverse()?;
+        g.iter().chain(inverse.iter()).all(|x| x.is_finite()).then_some(Self { g, inverse, lambda })
+    }
+
+    /// Largest step, up to 1, that keeps nine tenths of the way to the edge for `diag(lambda) + step D`.
+    fn longest(&self, d: &Matrix4<f64>) -> f64 {
+        let root = Matrix4::from_diagonal(&self.lambda.map(|x| x.sqrt().recip()));
+        let least = SymmetricEigen::new(root * d * root).eigenvalues.min();
+        if least < 0.0 { (0.9 / -least).min(1.0) } else { 1.0 }
+    }
+}
+
+/// One positive number and its force.
+struct Single {
+    row: Vec<(usize, f64)>,
+    bound: f64,
+    /// Linear term of the objective in it.
+    linear: f64,
+    floor: f64,
+    force: f64,
+}
+
+/// Coordinates near the minimum of [`Problem::value`], and the steps taken.
+pub(super) fn near(problem: &Problem, start: &[f64], weights: Weights) -> Result<(DVector<f64>, usize), Stalled> {
+    const MOST: usize = 300;
+    let n = problem.j.ncols();
+    let mut v = DVector::from_column_slice(start);
+    let floors: Vec<f64> = problem.links.iter().map(|l| weights.w * l.share).collect();
+    let mut singles: Vec<Single> = problem
+        .scalars
+        .iter()
+        .map(|s| {
+            let floor = if s.known { weights.w } else { weights.mu };
+            Single { row: vec![(s.index, 1.0)], bound: 0.0, linear: floor, floor, force: 0.0 }
+        })
+        .chain(problem.walls.iter().map(|Wall { a, b }| Single {
+            row: a.clone(),
+            bound: *b,
+            linear: 0.0,
+            floor: weights.mu,
+            force: 0.0,
+        }))
+        .collect();
+    let slack = |s: &Single, v: &DVector<f64>| s.row.iter().map(|&(i, a)| a * v[i]).sum::<f64>() - s.bound;
+    let degree = (4 * floors.len() + singles.len()).max(1) as f64;
+
+    // As strong at the start as the misfit pulls.
+    let gradient = problem.j.tr_mul(&(&problem.j * &v - &problem.z));
+    let pull = gradient.dot(&v).abs() / degree;
+    let mut t = pull.clamp(1.0, 1e12).max(weights.w).max(weights.mu);
+    let mut forces: Vec<Matrix4<f64>> = Vec::new();
+    for link in &problem.links {
+        let inverse = problem.inside(v.as_slice(), link.start).try_inverse();
+        forces.push(inverse.unwrap_or_else(Matrix4::identity) * t);
+    }
+    singles.iter_mut().for_each(|s| s.force = t / slack(s, &v).max(f64::MIN_POSITIVE));
+
+    let mut settled = 0;
+    let mut last = 1.0_f64;
+    for steps in 0..MOST {
+        let now = t;
+        let halt = move || Stalled { w: now, steps, decrement: f64::INFINITY };
+        let mut sum = 0.0;
+        let mut scaled = Vec::with_capacity(forces.len());
+        for (link, force) in problem.links.iter().zip(&forces) {
+            let cone = Scaled::new(&problem.inside(v.as_slice(), link.start), force).ok_or_else(halt)?;
+            sum += cone.lambda.norm_squared();
+            scaled.push(cone);
+        }
+        sum += singles.iter().map(|s| s.force * slack(s, &v)).sum::<f64>();
+        // After a long step the target may fall fast; after a short one bodies and forces first go back to the middle.
+        t = (sum / degree) * if last > 0.9 { 0.1 } else if last > 0.5 { 0.4 } else { 0.9 };
+
+        let data = problem.j.nrows();
+        let rows = data + 10 * scaled.len() + singles.len() + problem.free.len();
+        let (mut a, mut b) = (DMatrix::zeros(rows.max(n), n), DVector::zeros(rows.max(n)));
+        a.rows_mut(0, data).copy_from(&problem.j);
+        b.rows_mut(0, data).copy_from(&(&problem.z - &problem.j * &v));
+        let mut row = data;
+        for ((link, cone), floor) in problem.links.iter().zip(&scaled).zip(&floors) {
+            for k in 0..10 {
+                let d = coordinates(&(cone.inverse * basis(k) * cone.inverse.transpose()));
+                a.view_mut((row, link.start + k), (10, 1)).copy_from(&d);
+            }
+            let linear = cone.g.transpose() * cone.g * (floor / (1.0 - problem.margin));
+            let target = Matrix4::from_diagonal(&cone.lambda.map(|x| t.max(*floor) / x));
+            b.rows_mut(row, 10).copy_from(&coordinates(&(target - linear)));
+            row += 10;
+        }
+        for s in &singles {
+            let x = slack(s, &v);
+            let g = (x / s.force).sqrt();
+            s.row.iter().for_each(|&(i, c)| a[(row, i)] += c / g);
+            b[row] = g * (t.max(s.floor) / x - s.linear);
+            row += 1;
+        }
+        for &(i, v0) in &problem.free {
+            a[(row, i)] = weights.mu.sqrt();
+            b[row] = weights.mu.sqrt() * (v0 - v[i]);
+            row += 1;
+        }
+        let (step, _) = problem.least_squares(&a, &b).ok_or_else(halt)?;
+
+        let (mut length, mut changes) = (1.0_f64, Vec::new());
+        for ((link, cone), floor) in problem.links.iter().zip(&scaled).zip(&floors) {
+            let d = symmetric(&step.as_slice()[link.start..link.start + 10]);
+            let body = cone.inverse * d * cone.inverse.transpose();
+            let body = (body + body.transpose()) * 0.5;
+            let force = Matrix4::from_diagonal(&cone.lambda.map(|x| t.max(*floor) / x - x)) - body;
+            length = length.min(cone.longest(&body)).min(cone.longest(&force));
+            changes.push(cone.inverse.transpose() * force * cone.inverse);
+        }
+        let shorten = |x: f64, d: f64, length: f64| if d < 0.0 { length.min(-0.9 * x / d) } else { length };
+        let mut single_changes = Vec::new();
+        for s in &singles {
+            let (x, d) = (slack(s, &v), s.row.iter().map(|&(i, c)| c * step[i]).sum::<f64>());
+            let force = t.max(s.floor) / x - s.force - s.force / x * d;
+            length = shorten(x, d, shorten(s.force, force, length));
+            single_changes.push(force);
+        }
+        if !(length > 1e-12) {
+            return Err(halt());
+        }
+        v.axpy(length, &step, 1.0);
+        for (force, change) in forces.iter_mut().zip(&changes) {
+            *force += change * length;
+            *force = (*force + force.transpose()) * 0.5;
+        }
+        singles.iter_mut().zip(single_changes).for_each(|(s, change)| s.force += length * change);
+        last = length;
+        let down = floors.iter().chain(singles.iter().map(|s| &s.floor)).all(|f| t <= *f);
+        settled = if down && length >= 1.0 { settled + 1 } else { 0 };
+        if settled >= 3 {
+            return Ok((v, steps + 1));
+        }
+    }
+    Err(Stalled { w: t, steps: MOST, decrement: f64::INFINITY })
+}

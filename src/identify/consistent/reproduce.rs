@@ -1,0 +1,81 @@
+//! Possible bodies that have given base parameters: from a published table to links.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::newton::Weights;
+use super::setup::{Data, Setup};
+use super::{ConsistentError, ConsistentSettings, PriorBody};
+use crate::arm::Arm;
+use crate::identify::recover::base_of;
+
+/// Bodies that have these base parameters, or come nearest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reproduced {
+    /// Standard parameters, in the arm's order.
+    pub standard: Vec<f64>,
+    /// Their base parameters less those that were asked for.
+    pub residual: Vec<f64>,
+    /// The largest residual, relative to what such a parameter may be: see [`possible_bodies`].
+    pub worst: f64,
+    /// Smallest eigenvalue of each link's body in units of its prior.
+    pub margins: Vec<f64>,
+    /// Whether the base parameters are met up to rounding: they are those of possible bodies.
+    pub exact: bool,
+}
+
+/// Of all possible bodies that have exactly these base parameters, those nearest to the prior; where there are none, bodies whose base parameters
+/// come nearest, each measured by what is
+/// usual in a robot: 1 kg, 0.2 kg m, 0.04 kg m^2, and 1 in the drives' units.
+///
+/// Uses `margin`, `bounds` and `carried` of the settings.
+pub fn possible_bodies(
+    arm: &dyn Arm,
+    base: &[f64],
+    prior: &[PriorBody],
+    drives: &[f64],
+    settings: &ConsistentSettings,
+) -> Result<Reproduced, ConsistentError> {
+    let b = arm.base_parameters().len();
+    if base.len() != b {
+        return Err(ConsistentError::Length { what: "base parameters", found: base.len(), expected: b });
+    }
+    if base.iter().any(|x| !x.is_finite()) {
+        return Err(ConsistentError::NotFinite);
+    }
+    // Sizes: of a mass m and a length of 0.2 m, as parameters of a robot's link are.
+    let sizes: Vec<f64> = arm
+        .base_parameters()
+        .iter()
+        .map(|p| match p.unit.as_str() {
+            "kg" => 1.0,
+            "kg m" => 0.2,
+            "kg m^2" => 0.04,
+            _ => 1.0,
+        })
+        .collect();
+    // Known to six digits: the prior's weight then vanishes beside it.
+    let sharp = 1e6;
+    let r = DMatrix::from_fn(b, b, |i, k| if i == k { sharp / sizes[i] } else { 0.0 });
+    let z = DVector::from_fn(b, |i, _| sharp * base[i] / sizes[i]);
+    let setup = Setup::new(arm, &Data { r, z }, prior, drives, settings)?;
+    let weights = Weights { w: 1e-3, mu: 1e-6 };
+    let (mut v, _) = setup.problem.follow(&setup.start, weights)?;
+    // The last digits, by the shortest way in units of the prior; kept only if everything stays inside.
+    let (mut next, j) = (DVector::from_column_slice(&v), &setup.problem.j);
+    if let Some(root) = (j * j.transpose()).cholesky() {
+        for _ in 0..3 {
+            let missing = &setup.problem.z - j * &next;
+            next += j.tr_mul(&root.solve(&missing));
+        }
+        let moved = (&next - DVector::from_column_slice(&v)).amax();
+        let inside = setup.problem.value(next.as_slice(), weights).is_some();
+        let total = setup.problem.equal.as_ref().is_none_or(|e| e.slack(next.as_slice()).abs() < 1e-9);
+        if inside && total && moved < 1e-3 {
+            v = next.as_slice().to_vec();
+        }
+    }
+    let standard = setup.standard(&v);
+    let residual: Vec<f64> = base_of(arm, &standard).iter().zip(base).map(|(a, b)| a - b).collect();
+    let worst = residual.iter().zip(&sizes).map(|(r, s)| (r / s).abs()).fold(0.0, f64::max);
+    Ok(Reproduced { margins: setup.margins(&v), exact: worst < 1e-9, standard, residual, worst })
+}

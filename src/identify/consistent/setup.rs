@@ -1,0 +1,212 @@
+//! Standard parameters of an arm as the coordinates that [`Problem`] works in, and back.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::newton::{Link, Problem, Scalar, Wall};
+use super::prior::{PriorBody, Source};
+use super::pseudo::Yardstick;
+use super::{ConsistentError, ConsistentSettings};
+use crate::arm::Arm;
+
+/// Where the parameters of the links and drives stand among the standard ones.
+#[derive(Debug, Clone)]
+pub(super) struct Layout {
+    /// Per link, its ten.
+    pub(super) links: Vec<[usize; 10]>,
+    /// Rotor inertias and friction: not negative.
+    pub(super) positive: Vec<usize>,
+    /// Offsets: of any sign.
+    pub(super) free: Vec<usize>,
+}
+
+impl Layout {
+    pub(super) fn new(names: &[String]) -> Result<Self, ConsistentError> {
+        const KINDS: [&str; 10] = ["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"];
+        let mut used = vec![false; names.len()];
+        let mut links = Vec::new();
+        for number in names.iter().filter_map(|n| n.strip_prefix('M')?.parse::<usize>().ok()) {
+            let mut link = [0; 10];
+            for (place, kind) in link.iter_mut().zip(KINDS) {
+                let name = format!("{kind}{number}");
+                let missing = || ConsistentError::Incomplete { link: number, missing: name.clone() };
+                *place = names.iter().position(|n| *n == name).ok_or_else(missing)?;
+                used[*place] = true;
+            }
+            links.push(link);
+        }
+        let rest = |positive: bool| -> Vec<usize> {
+            let is = |i: &usize| ["IA", "FV", "FC"].iter().any(|kind| names[*i].starts_with(kind)) == positive;
+            (0..names.len()).filter(|&i| !used[i]).filter(is).collect()
+        };
+        Ok(Self { positive: rest(true), free: rest(false), links })
+    }
+}
+
+/// What the data say: `1/2 |r beta - z|^2`, in units of the noise.
+pub(super) struct Data {
+    pub(super) r: DMatrix<f64>,
+    pub(super) z: DVector<f64>,
+}
+
+/// The problem, its start, and the way back.
+pub(super) struct Setup {
+    pub(super) problem: Problem,
+    /// The prior: inside of everything.
+    pub(super) start: Vec<f64>,
+    pub(super) layout: Layout,
+    yardsticks: Vec<Yardstick>,
+    scales: Vec<f64>,
+    offset: Vec<f64>,
+}
+
+/// `K`: base parameters from standard ones.
+pub(super) fn grouping(arm: &dyn Arm) -> DMatrix<f64> {
+    let mut k = DMatrix::zeros(arm.base_parameters().len(), arm.standard_names().len());
+    for (row, base) in arm.base_parameters().iter().enumerate() {
+        base.coefficients.iter().for_each(|&(column, c)| k[(row, column)] += c);
+    }
+    k
+}
+
+impl Setup {
+    /// `drives`: standard parameters of which those of the drives count.
+    pub(super) fn new(
+        arm: &dyn Arm,
+        data: &Data,
+        prior: &[PriorBody],
+        drives: &[f64],
+        settings: &ConsistentSettings,
+    ) -> Result<Self, ConsistentError> {
+        let names = arm.standard_names();
+        let layout = Layout::new(names)?;
+        let length = |what, found: usize, expected: usize| match found == expected {
+            true => Ok(()),
+            false => Err(ConsistentError::Length { what, found, expected }),
+        };
+        length("prior bodies", prior.len(), layout.links.len())?;
+        length("standard parameters", drives.len(), names.len())?;
+        length("base parameters", data.r.ncols(), arm.base_parameters().len())?;
+        let unit = |x: f64| x > 0.0 && x < 1.0;
+        if !(unit(settings.margin) && settings.prior_weight > 0.0 && settings.geometric_share > 0.0) {
+            return Err(ConsistentError::Settings);
+        }
+
+        let mut bodies: Vec<[f64; 10]> = prior.iter().map(|p| p.body).collect();
+        settings.bounds.enforce(&mut bodies)?;
+        let mut offset = vec![0.0; names.len()];
+        for (link, body) in &settings.carried {
+            let places = layout.links.get(*link).ok_or(ConsistentError::Length {
+                what: "links with a body fixed to them",
+                found: link + 1,
+                expected: layout.links.len(),
+            })?;
+            places.iter().zip(body).for_each(|(&i, b)| offset[i] += b);
+        }
+
+        let standard = &data.r * grouping(arm);
+        let z = &data.z - &standard * DVector::from_column_slice(&offset);
+        let (positive, free) = (layout.positive.len(), layout.free.len());
+        let variables = 10 * bodies.len() + positive + free;
+        let mut j = DMatrix::zeros(data.r.nrows(), variables);
+        let mut start = vec![0.0; variables];
+        let (mut yardsticks, mut links) = (Vec::new(), Vec::new());
+        for (link, (body, places)) in bodies.iter().zip(&layout.links).enumerate() {
+            let yardstick = Yardstick::new(body).ok_or(ConsistentError::PriorBody { link: link + 1 })?;
+            let columns = standard.select_columns(places);
+            j.columns_mut(10 * link, 10).copy_from(&(columns * yardstick.to_body));
+            start[10 * link..10 * link + 4].fill(1.0);
+            let share = if prior[link].source == Source::Geometric { settings.geometric_share } else { 1.0 };
+            links.push(Link { start: 10 * link, share });
+            yardsticks.push(yardstick);
+        }
+        let mut scales = vec![1.0; names.len()];
+        let mut problem = Problem {
+            j,
+            z,
+            links,
+            scalars: Vec::new(),
+            free: Vec::new(),
+            walls: Vec::new(),
+            equal: None,
+            margin: settings.margin,
+        };
+        for (k, &i) in layout.positive.iter().enumerate() {
+            let index = 10 * bodies.len() + k;
+            let given = drives[i] > 0.0;
+            scales[i] = if given { drives[i] } else { 0.1 };
+            problem.j.set_column(index, &(standard.column(i) * scales[i]));
+            // Friction changes with temperature and age: only rotors are held to what the file says.
+            problem.scalars.push(Scalar { index, known: given && names[i].starts_with("IA") });
+            start[index] = 1.0;
+        }
+        for (k, &i) in layout.free.iter().enumerate() {
+            let index = 10 * bodies.len() + positive + k;
+            problem.j.set_column(index, &standard.column(i));
+            problem.free.push((index, drives[i]));
+            start[index] = drives[i];
+        }
+        let mut setup = Self { problem, start, layout, yardsticks, scales, offset };
+        setup.build_walls(settings);
+        Ok(setup)
+    }
+
+    fn build_walls(&mut self, settings: &ConsistentSettings) {
+        // A row of the ten parameters, in coordinates.
+        let row = |link: usize, which: usize, factor: f64| -> Vec<(usize, f64)> {
+            (0..10).map(|k| (10 * link + k, factor * self.yardsticks[link].to_body[(which, k)])).collect()
+        };
+        let bounds = &settings.bounds;
+        let mut walls = Vec::new();
+        for &(link, [low, high]) in &bounds.mass {
+            walls.push(Wall { a: row(link, 0, 1.0), b: low });
+            if high.is_finite() {
+                walls.push(Wall { a: row(link, 0, -1.0), b: -high });
+            }
+        }
+        for &(link, axis, [low, high]) in &bounds.center {
+            for (limit, sign) in [(low, 1.0), (high, -1.0)] {
+                if limit.is_finite() {
+                    let (moment, mass) = (row(link, 1 + axis, sign), row(link, 0, sign * limit));
+                    let a = moment.iter().zip(mass).map(|(&(i, s), (_, m))| (i, s - m)).collect();
+                    walls.push(Wall { a, b: 0.0 });
+                }
+            }
+        }
+        let equal = bounds.total_mass.map(|total| {
+            let a = (0..self.yardsticks.len()).flat_map(|link| row(link, 0, 1.0)).collect();
+            Wall { a, b: total }
+        });
+        self.problem.walls = walls;
+        self.problem.equal = equal;
+    }
+
+    /// Standard parameters of coordinates.
+    pub(super) fn standard(&self, v: &[f64]) -> Vec<f64> {
+        let mut x = self.offset.clone();
+        for (link, (places, yardstick)) in self.layout.links.iter().zip(&self.yardsticks).enumerate() {
+            let body = yardstick.to_body * nalgebra::SVector::<f64, 10>::from_column_slice(&v[10 * link..10 * link + 10]);
+            places.iter().zip(body.iter()).for_each(|(&i, b)| x[i] += b);
+        }
+        let rest = self.layout.positive.iter().chain(&self.layout.free);
+        rest.zip(&v[10 * self.yardsticks.len()..]).for_each(|(&i, v)| x[i] += self.scales[i] * v);
+        x
+    }
+
+    /// Coordinates of standard parameters.
+    pub(super) fn coordinates(&self, x: &[f64]) -> Vec<f64> {
+        let mut v = Vec::with_capacity(self.start.len());
+        for (places, yardstick) in self.layout.links.iter().zip(&self.yardsticks) {
+            let body: [f64; 10] = std::array::from_fn(|k| x[places[k]] - self.offset[places[k]]);
+            v.extend(super::pseudo::coordinates(&yardstick.measure(&body)).iter());
+        }
+        let rest = self.layout.positive.iter().chain(&self.layout.free);
+        v.extend(rest.map(|&i| x[i] / self.scales[i]));
+        v
+    }
+
+    /// Smallest eigenvalue of each link's body in units of its prior.
+    pub(super) fn margins(&self, v: &[f64]) -> Vec<f64> {
+        let smallest = |l: &Link| super::pseudo::symmetric(&v[l.start..l.start + 10]).symmetric_eigenvalues().min();
+        self.problem.links.iter().map(smallest).collect()
+    }
+}

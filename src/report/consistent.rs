@@ -1,0 +1,162 @@
+//! Possible bodies: what they cost, as text and as JSON.
+
+use std::fmt::Write;
+
+use serde_json::{Value, json};
+
+use super::number::{figure, pad, percent};
+use crate::identify::{Accuracy, CarryOver, Consistent, ConsistentError, Identification, Source};
+
+/// What came of the search for possible bodies.
+#[derive(Debug, Clone)]
+pub struct Possible<'a> {
+    /// The bodies, or why there are none.
+    pub result: Result<&'a Consistent, &'a ConsistentError>,
+    /// Whether the robot file's values are theirs (`None`: none was written).
+    pub written: Option<bool>,
+}
+
+fn source(source: Source) -> &'static str {
+    match source {
+        Source::File => "file",
+        Source::Thickened => "file, thickened",
+        Source::Geometric => "geometric",
+    }
+}
+
+/// `"consistent"` of `identify --json`.
+pub fn consistent_json(possible: &Possible<'_>) -> Value {
+    let c = match possible.result {
+        Ok(c) => c,
+        Err(error) => {
+            let status = match error {
+                ConsistentError::Contradiction { .. } => "contradiction",
+                _ => "failed",
+            };
+            return json!({ "status": status, "reason": error.to_string(), "written": possible.written });
+        }
+    };
+    let each = |pick: fn(&Accuracy) -> &Vec<f64>| {
+        json!({
+            "fit": pick(&c.cost.fit),
+            "validate": c.cost.validation.as_ref().map(pick),
+            "fit_possible": pick(&c.possible.fit),
+            "validate_possible": c.possible.validation.as_ref().map(pick),
+        })
+    };
+    json!({
+        "status": "possible",
+        "written": possible.written,
+        "parameters": c.names.iter().zip(&c.base).map(|(name, value)| json!({"name": name, "value": value})).collect::<Vec<_>>(),
+        "standard": c.standard,
+        "rms": each(|a| &a.rms),
+        "nrms": each(|a| &a.nrms),
+        "growth_percent": { "possible": c.possible.growth_percent, "with_prior": c.cost.growth_percent },
+        "prior": {
+            "weight": c.prior_weight,
+            "sources": c.sources.iter().map(|s| source(*s)).collect::<Vec<_>>(),
+            "distances": c.distances,
+        },
+        "margin": c.margin,
+        "margins": c.margins,
+        "at_the_edge": c.at_the_edge,
+        "total_mass": c.total_mass,
+        "steps": c.steps,
+    })
+}
+
+/// A section for the terminal.
+pub fn consistent_text(found: &Identification, possible: &Possible<'_>) -> String {
+    let mut out = String::from("\nPossible bodies\n");
+    let c = match possible.result {
+        Ok(c) => c,
+        Err(error) => {
+            let _ = writeln!(out, "  none: {error}.");
+            if possible.written == Some(false) {
+                out.push_str("  The robot file has the plain values; links that can't be bodies are marked `identified: true` there.\n");
+            }
+            return out;
+        }
+    };
+    let _ = writeln!(
+        out,
+        "  To be possible, links pay {} % of the fit's weighted residual; with the prior (weight {}) {} %. Together they weigh {} kg.",
+        percent(c.possible.growth_percent.max(0.0)),
+        figure(c.prior_weight),
+        percent(c.cost.growth_percent.max(0.0)),
+        figure(c.total_mass)
+    );
+    if !c.at_the_edge.is_empty() {
+        let links: Vec<String> = c.at_the_edge.iter().map(usize::to_string).collect();
+        let _ = writeln!(out, "  Without the prior the data push link {} to the edge of what a body can be.", links.join(", "));
+    }
+    let guessed: Vec<String> =
+        (1..).zip(&c.sources).filter(|(_, s)| **s == Source::Geometric).map(|(i, _)| i.to_string()).collect();
+    if !guessed.is_empty() {
+        let _ = writeln!(
+            out,
+            "  The robot file has no body for link {}: where torques don't show it, a cylinder of the density of water stands in.",
+            guessed.join(", ")
+        );
+    }
+    let cell = |text: String| pad(&text, 10, true);
+    let _ = write!(out, "  RMS, N m   {}{}", cell("fit plain".into()), cell("bodies".into()));
+    let validation = found.validation.as_ref().zip(c.cost.validation.as_ref());
+    if validation.is_some() {
+        let _ = write!(out, "{}{}", pad("validate plain", 16, true), cell("bodies".into()));
+    }
+    out.push('\n');
+    for joint in 0..found.fit.rms.len() {
+        let _ = write!(
+            out,
+            "  joint {}{}{}",
+            pad(&(joint + 1).to_string(), 5, false),
+            cell(figure(found.fit.rms[joint])),
+            cell(figure(c.cost.fit.rms[joint]))
+        );
+        if let Some((plain, bodies)) = validation {
+            let _ = write!(out, "{}{}", pad(&figure(plain.rms[joint]), 16, true), cell(figure(bodies.rms[joint])));
+        }
+        out.push('\n');
+    }
+    if possible.written == Some(true) {
+        out.push_str("  The robot file has these bodies.\n");
+    }
+    out
+}
+
+/// `"carry_over"` of `identify --json`.
+pub fn carry_over_json(carry: &CarryOver) -> Value {
+    json!({ "torque_std": carry.torque_std, "ratio": carry.ratio, "doubtful_joints": carry.doubtful() })
+}
+
+/// What to expect of the plain fit elsewhere; empty where it will do.
+pub fn carry_over_text(found: &Identification, carry: &CarryOver) -> String {
+    let doubtful = carry.doubtful();
+    if doubtful.is_empty() {
+        return String::new();
+    }
+    let list: Vec<String> = doubtful
+        .iter()
+        .map(|&j| match carry.torque_std[j - 1].is_finite() && found.fit.rms[j - 1].is_finite() {
+            true => format!("joint {j} ± {} N m (residual here {})", figure(carry.torque_std[j - 1]), figure(found.fit.rms[j - 1])),
+            false => format!("joint {j} open"),
+        })
+        .collect();
+    let unknown: Vec<&str> = found
+        .parameters
+        .iter()
+        .filter(|p| !(p.relative_std_percent() < 50.0))
+        .map(|p| p.name.as_str())
+        .collect();
+    format!(
+        "\nwarning: this fit will not carry over to other motions. All over the arm's range its torques are uncertain by more than its residual: {}. \
+         {} of {} parameters are not known to 50 %: {}. Condition number {} with columns of unit norm. Record a richer motion, or use the possible \
+         bodies with a prior from CAD (`--prior cad --prior-weight 100` believes its bodies to 10 %).\n",
+        list.join(", "),
+        unknown.len(),
+        found.parameters.len(),
+        unknown.join(" "),
+        figure(found.condition.scaled)
+    )
+}
