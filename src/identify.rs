@@ -33,6 +33,7 @@
 mod accuracy;
 mod batches;
 mod essential;
+mod known;
 mod recover;
 mod result;
 mod rows;
@@ -52,6 +53,7 @@ mod tests;
 
 pub use accuracy::{Accuracy, accuracy};
 pub use essential::{Dropped, Essential};
+pub use known::Known;
 pub use recover::{RecoverError, implausible_links, recover_standard};
 pub use result::{Condition, Confused, Estimate, Identification, LogSummary, Standing};
 pub use solve::{IdentifyError, IdentifySettings, solve};

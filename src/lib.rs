@@ -35,3 +35,4 @@ pub mod log;
 pub mod numeric;
 pub mod report;
 pub mod signal;
+pub mod tool;
