@@ -5,6 +5,8 @@ mod eval;
 mod files;
 mod generate;
 mod identify;
+mod prepare;
+mod tool;
 
 use clap::{Parser, Subcommand};
 
@@ -26,6 +28,8 @@ enum Command {
     Eval(eval::Eval),
     /// Identify the base parameters from logs, and write the robot file with the values in place.
     Identify(identify::Identify),
+    /// Identify what the arm carries, and recognise the tool.
+    Tool(tool::ToolVerb),
 }
 
 impl Cli {
@@ -39,6 +43,7 @@ impl Cli {
             Command::Generate(verb) => verb.run(),
             Command::Eval(verb) => verb.run(),
             Command::Identify(verb) => verb.run(),
+            Command::Tool(verb) => verb.run(),
         }
     }
 }

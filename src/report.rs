@@ -7,10 +7,16 @@ mod identify_html;
 mod identify_json;
 mod identify_text;
 mod number;
+mod tool_html;
+mod tool_json;
+mod tool_text;
 
 pub use identify_html::identify_html;
 pub use identify_json::identify_json;
 pub use identify_text::{identify_text, identify_verdict};
+pub use tool_html::tool_html;
+pub use tool_json::tool_json;
+pub use tool_text::{tool_text, tool_verdict};
 
 #[cfg(test)]
 mod tests;

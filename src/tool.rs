@@ -5,16 +5,19 @@
 mod body;
 mod carrying;
 mod catalogue;
+mod found;
 mod identify;
 mod interpolate;
 mod pca;
 mod recognise;
+pub mod rerun;
 mod shape;
 mod table;
 
 pub use body::{Body, moving};
 pub use carrying::{Carrying, names};
 pub use catalogue::{FLANGE, MINI_ROLLERS, RollerSeries, SOURCE, WALL_ROLLERS, catalogue};
+pub use found::{Found, InToolFrame, look_up};
 pub use identify::{Carried, LogError, ToolError, ToolSettings, identify_tool};
 pub use interpolate::{Interval, Relative, interpolate};
 pub use pca::Pca;

@@ -228,7 +228,7 @@ impl Identify {
 }
 
 /// One pass over a log, with a bar on a terminal.
-fn pass(path: &Path, dof: usize, prepare: &Prepare, sink: impl FnMut(&Motion)) -> Result<Prepared, Failure> {
+pub(super) fn pass(path: &Path, dof: usize, prepare: &Prepare, sink: impl FnMut(&Motion)) -> Result<Prepared, Failure> {
     let file = files::open(path)?;
     let shown = path.display().to_string();
     let bar = match file.metadata() {

@@ -11,7 +11,7 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor, StudentsT};
 
 use super::identify::Carried;
 use super::recognise::scale_freedom;
-use super::table::{Entry, Tolerance};
+use super::table::{Entry, Tolerance, family};
 
 /// A number with its interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,6 +43,13 @@ pub struct Relative {
     pub fits: bool,
     /// Whether length or width lie outside of what the table has.
     pub extrapolated: bool,
+}
+
+impl Relative {
+    /// Whether the table's tool of this name is of the family.
+    pub fn family_of(&self, name: &str) -> bool {
+        family(name).is_some_and(|f| f == self.family)
+    }
 }
 
 /// How `f` is built: exponents of length and width.

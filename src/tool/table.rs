@@ -63,12 +63,17 @@ impl Entry {
         Some(Self { name: tool.name.clone(), values, covariance, geometry: tool.geometry, pose })
     }
 
-    /// What tools of one make share: the name without the words that have digits in them. `None` without such a word, or without
-    /// a size: `roller` for `roller-400x180`.
+    /// The family of its name, see [`family`]; `None` without a size.
     pub fn family(&self) -> Option<String> {
         self.geometry?;
-        let words: Vec<&str> = self.name.split(['-', '_', ' ']).collect();
-        let plain: Vec<&str> = words.iter().copied().filter(|w| !w.contains(|c: char| c.is_ascii_digit())).collect();
-        (plain.len() < words.len() && !plain.is_empty()).then(|| plain.join("-"))
+        family(&self.name)
     }
+}
+
+/// What tools of one make share: the name without the words that have digits in them, `roller` for `roller-400x180`. `None`
+/// if there is no such word, or nothing else.
+pub(super) fn family(name: &str) -> Option<String> {
+    let words: Vec<&str> = name.split(['-', '_', ' ']).collect();
+    let plain: Vec<&str> = words.iter().copied().filter(|w| !w.contains(|c: char| c.is_ascii_digit())).collect();
+    (plain.len() < words.len() && !plain.is_empty()).then(|| plain.join("-"))
 }
