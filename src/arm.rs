@@ -138,3 +138,15 @@ pub trait Reach {
     /// largest speed (1 rad/s or m/s where the file has none).
     fn ranges(&self) -> Vec<[f64; 3]>;
 }
+
+/// An arm that can tell what a body in its hand adds to the torques.
+pub trait Payload: Arm {
+    /// Rows and columns of the structural nonzeros of the payload regressor, sorted by row, then column. Columns are the body's ten
+    /// parameters `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool frame, about its origin; in the last DH frame where the robot has
+    /// no tool.
+    fn payload_pattern(&self) -> &[(usize, usize)];
+
+    /// The payload regressor at every sample: entry `k` of [`Payload::payload_pattern`] at sample `s` goes to `out[k * len + s]`.
+    /// A body adds `W_L Phi_L` to the torques (the paper's equation 7).
+    fn payload_regressor(&self, states: &States, out: &mut [f64]);
+}

@@ -8,6 +8,8 @@ mod generate;
 mod identify;
 mod simulate;
 mod table;
+mod prepare;
+mod tool;
 
 use clap::{Parser, Subcommand};
 
@@ -33,6 +35,8 @@ enum Command {
     Identify(identify::Identify),
     /// Play a motion on the simulated robot and record a log.
     Simulate(simulate::Simulate),
+    /// Identify what the arm carries, and recognise the tool.
+    Tool(tool::ToolVerb),
 }
 
 impl Cli {
@@ -48,6 +52,7 @@ impl Cli {
             Command::Eval(verb) => verb.run(),
             Command::Identify(verb) => verb.run(),
             Command::Simulate(verb) => verb.run(),
+            Command::Tool(verb) => verb.run(),
         }
     }
 }

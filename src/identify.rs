@@ -35,6 +35,7 @@ mod batches;
 mod carry;
 mod consistent;
 mod essential;
+mod known;
 mod recover;
 mod result;
 mod rows;
@@ -59,6 +60,7 @@ pub use consistent::{
     geometric_bodies, possible_bodies, prior_bodies, pseudo_inertia,
 };
 pub use essential::{Dropped, Essential};
+pub use known::Known;
 pub use recover::{RecoverError, implausible_links, recover_standard};
 pub use result::{Condition, Confused, Estimate, Identification, LogSummary, Standing};
 pub use solve::{IdentifyError, IdentifySettings, solve};

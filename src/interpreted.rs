@@ -8,7 +8,7 @@ use dh_codegen::arm::{Argument, Function, Model};
 use dh_codegen::interpret::{Batch, Interpreter};
 use dh_codegen::robot::{Convention, JointKind, Robot};
 
-use crate::arm::{Arm, BaseParameter, Reach, States};
+use crate::arm::{Arm, BaseParameter, Payload, Reach, States};
 
 /// A robot made ready to be evaluated in batches.
 pub struct Interpreted {
@@ -20,6 +20,7 @@ pub struct Interpreted {
     pattern: Vec<(usize, usize)>,
     ends: Vec<[f64; 3]>,
     ranges: Vec<[f64; 3]>,
+    payload: Vec<(usize, usize)>,
 }
 
 impl Interpreted {
@@ -44,10 +45,12 @@ impl Interpreted {
             .collect();
         let width = base.len().max(1);
         let nonzeros = interpreter.nonzeros(Function::BaseRegressor).unwrap_or_default();
+        let payload = interpreter.nonzeros(Function::PayloadRegressor).unwrap_or_default();
         Self {
             name: robot.name.clone(),
             standard: model.standard().iter().map(|p| p.name()).collect(),
             pattern: nonzeros.iter().map(|&o| (o / width, o % width)).collect(),
+            payload: payload.iter().map(|&o| (o / 10, o % 10)).collect(),
             base,
             ends: ends(robot),
             ranges: ranges(robot),
@@ -175,5 +178,18 @@ impl Arm for Interpreted {
 
     fn inverse_dynamics(&self, states: &States, standard: &[f64], out: &mut [f64]) {
         self.interpreter.run(Function::InverseDynamics, &batch(states, &[], standard), out);
+    }
+}
+
+/// Of those made with [`Function::PayloadRegressor`]; the others carry nothing.
+impl Payload for Interpreted {
+    fn payload_pattern(&self) -> &[(usize, usize)] {
+        &self.payload
+    }
+
+    fn payload_regressor(&self, states: &States, out: &mut [f64]) {
+        if !self.payload.is_empty() {
+            self.interpreter.run_nonzeros(Function::PayloadRegressor, &batch(states, &[], &[]), out);
+        }
     }
 }

@@ -39,3 +39,4 @@ pub mod plant;
 pub mod report;
 pub mod signal;
 pub mod simulate;
+pub mod tool;

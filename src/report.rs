@@ -12,6 +12,9 @@ mod identify_text;
 mod number;
 mod simulate_json;
 mod simulate_text;
+mod tool_html;
+mod tool_json;
+mod tool_text;
 
 pub use diagnose_json::diagnose_json;
 pub use diagnose_text::{diagnose_text, diagnose_verdict};
@@ -21,6 +24,9 @@ pub use identify_json::identify_json;
 pub use identify_text::{identify_text, identify_verdict};
 pub use simulate_json::simulate_json;
 pub use simulate_text::simulate_text;
+pub use tool_html::tool_html;
+pub use tool_json::tool_json;
+pub use tool_text::{tool_text, tool_verdict};
 
 #[cfg(test)]
 mod tests;

@@ -63,7 +63,7 @@ pub fn identify_html(found: &Identification, logs: &[Prepared], traces: &[Trace]
     )
 }
 
-fn escape(text: &str) -> String {
+pub(super) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;").replace('\'', "&#39;")
 }
 
@@ -74,6 +74,11 @@ fn findings(body: &mut String, found: &Identification, logs: &[Prepared]) {
         .map(|f| ("", f))
         .chain(logs.iter().flat_map(|log| log.findings.iter().map(|f| (log.file.as_str(), f))))
         .collect();
+    findings_list(body, &all);
+}
+
+/// Each with the file that it is about, if any.
+pub(super) fn findings_list(body: &mut String, all: &[(&str, &Finding)]) {
     if all.is_empty() {
         return;
     }
@@ -207,7 +212,7 @@ fn foot(body: &mut String, found: &Identification, provenance: &Provenance) {
 
 /// Curves as integers in steps of 1/4000 of their joint's range, each as the difference to the one before: small, and finer than any
 /// screen.
-fn curves(trace: &Trace) -> Value {
+pub(super) fn curves(trace: &Trace) -> Value {
     let thick = trace.thinning > 1;
     let joints: Vec<Value> = trace
         .joints

@@ -170,9 +170,9 @@ pub struct Tool {
 /// The size of a tool, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ToolGeometry {
-    /// Along the roller's axis.
+    /// From the mount to the far end, along z of the tool frame.
     pub length: f64,
-    /// Across it.
+    /// Of what meets the work: a roller along its axis, a brush across its stroke.
     pub width: f64,
 }
 

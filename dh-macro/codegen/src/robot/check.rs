@@ -12,7 +12,7 @@ use super::keys;
 use super::problem::{Note, Problem, Problems};
 use super::reader::{Fields, Findings};
 use super::yaml::{self, Kind, Mark, shortened};
-use super::{Collision, Convention, Robot, Sphere};
+use super::{Collision, Convention, Robot, Sphere, Tool};
 
 /// A robot as its file gives it, and what the reader did or saw on the way.
 #[derive(Debug, Clone)]
@@ -71,6 +71,19 @@ impl Robot {
                     mend: "save the file as UTF-8 text".to_string(),
                 }]))
             }
+        }
+    }
+}
+
+impl Tool {
+    /// Reads a tool file (the keys of a robot file's `tool`). `name` is what it is called where the file does not say.
+    pub fn from_yaml(text: &str, name: &str) -> Result<(Self, Vec<Note>), Problems> {
+        let mut found = Findings::default();
+        let tool = body::tool_text(text, name, &mut found);
+        found.problems.sort_by_key(|problem| (problem.line, problem.column));
+        match tool {
+            Some(tool) if found.problems.is_empty() => Ok((tool, found.notes)),
+            _ => Err(Problems(found.problems)),
         }
     }
 }

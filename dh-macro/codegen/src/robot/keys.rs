@@ -197,8 +197,8 @@ pub(super) static GEOMETRY: Table = Table {
     what: "geometry",
     effects: false,
     keys: &[
-        required("length", Positive, "m", "Along the roller's axis."),
-        required("width", Positive, "m", "Across it."),
+        required("length", Positive, "m", "From the mount to the far end, along z of the tool frame."),
+        required("width", Positive, "m", "Of what meets the work: a roller along its axis, a brush across its stroke."),
     ],
 };
 

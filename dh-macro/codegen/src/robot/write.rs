@@ -172,6 +172,17 @@ fn tool_fields(tool: &Tool, scope: &Scope) -> Vec<Field> {
     fields
 }
 
+impl Tool {
+    /// The tool as a file of its own, which [`Tool::from_yaml`] reads back bit by bit; `source` says where the numbers come from.
+    pub fn to_yaml(&self, source: Option<&str>) -> String {
+        let mut fields = tool_fields(self, &Scope::default());
+        if let Some(source) = source {
+            fields.insert(1, field("source", word(source)));
+        }
+        fields.iter().map(|(key, value)| format!("{key}: {value}\n")).collect()
+    }
+}
+
 /// `{ a: 1, b: 2 }`, on one line.
 fn braces(fields: &[Field]) -> String {
     if fields.is_empty() {

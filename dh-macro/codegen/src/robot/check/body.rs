@@ -94,21 +94,26 @@ fn tool_file(
         }
     };
     let mut found = Findings { file: Some(name.to_string()), ..Findings::default() };
-    let tool = match yaml::parse(&text) {
-        Ok(root) => {
-            let stem = name.rsplit('/').next().and_then(|file| file.rsplit_once('.')).map_or(name, |(stem, _)| stem);
-            let fields = found.fields(&root, "", &keys::TOOL);
-            fields.and_then(|fields| tool_fields(&fields, stem, &mut found))
-        }
-        Err(problems) => {
-            let named = |problem: Problem| Problem { file: Some(name.to_string()), ..problem };
-            found.problems.extend(problems.into_iter().map(named));
-            None
-        }
-    };
+    let stem = name.rsplit('/').next().and_then(|file| file.rsplit_once('.')).map_or(name, |(stem, _)| stem);
+    let tool = tool_text(&text, stem, &mut found);
     to.problems.append(&mut found.problems);
     to.notes.append(&mut found.notes);
     tool
+}
+
+/// A tool from the text of its file; `name` is what it is called where the file does not say.
+pub(super) fn tool_text(text: &str, name: &str, found: &mut Findings) -> Option<Tool> {
+    match yaml::parse(text) {
+        Ok(root) => {
+            let fields = found.fields(&root, "", &keys::TOOL);
+            fields.and_then(|fields| tool_fields(&fields, name, found))
+        }
+        Err(problems) => {
+            let file = found.file.clone();
+            found.problems.extend(problems.into_iter().map(|problem| Problem { file: file.clone(), ..problem }));
+            None
+        }
+    }
 }
 
 fn tool_fields(fields: &Fields<'_>, name: &str, to: &mut Findings) -> Option<Tool> {

@@ -1,0 +1,212 @@
+//! `denavit tool`: what is in the arm's hand, and which tool that is.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use dh_codegen::arm::{Function, param};
+use dh_codegen::robot::Tool;
+
+use super::identify::pass;
+use super::prepare::Preparation;
+use super::{Failure, files};
+use crate::arm::Arm;
+use crate::identify::{Factors, Stack, Trace, Tracer};
+use crate::interpreted::Interpreted;
+use crate::report;
+use crate::signal::{Prepare, Prepared};
+use crate::tool::{Carrying, Entry, Found, RecogniseSettings, Tolerance, ToolSettings, identify_tool, look_up};
+
+/// Identify what the arm carries, from logs with an empty hand and with the tool, and look it up among known tools.
+///
+/// The ten parameters M, MS and I (XX YY ZZ XY XZ YZ), printed and in the JSON, are those of everything that the loaded log has beyond the
+/// unloaded one, in the robot's last DH frame and about its origin, as in the paper's table III. Where a tool frame is known (the
+/// robot file's tool, else the recognised tool's pose) they are shown in that too. Without an unloaded log the robot file's own
+/// parameters are taken as known. A tool's size is interpolated within a family of the table: tools with a size whose names differ in
+/// words with digits alone, such as roller-300x150 and roller-400x180.
+#[derive(Args)]
+#[command(
+    after_help = "Examples:\n  denavit tool robots/kuka-lwr4.yaml --unloaded empty.csv --loaded roller.csv \\\n      --tools robots/tools --report tool.html\n  denavit tool identified.yaml --loaded roller.csv --tools robots/tools --known-mass 0.2 --json -"
+)]
+pub(super) struct ToolVerb {
+    /// Robot file.
+    robot: PathBuf,
+    /// Logs with an empty hand. Without any, the robot file's parameters are taken as known.
+    #[arg(long, num_args = 1.., value_name = "LOG")]
+    unloaded: Vec<PathBuf>,
+    /// Logs with the tool.
+    #[arg(long, num_args = 1.., required = true, value_name = "LOG")]
+    loaded: Vec<PathBuf>,
+    /// Folder with tool files (*.yaml) to look the tool up in.
+    #[arg(long, value_name = "DIR")]
+    tools: Option<PathBuf>,
+    /// Mass from a scale, kg; the other nine are then known better.
+    #[arg(long, value_name = "KG")]
+    known_mass: Option<f64>,
+    /// Without --unloaded: take only links and rotors from the robot file, and estimate friction and offsets from the loaded log.
+    #[arg(long)]
+    refresh_friction: bool,
+    /// Without --unloaded: the robot file's own tool stays on the arm, and what is carried comes on top. Else it counts as taken off.
+    #[arg(long)]
+    on_top: bool,
+    /// Where the tools' frames sit in the robot's last DH frame, m, in place of the `xyz` of their files.
+    #[arg(long, value_delimiter = ',', num_args = 3, value_name = "X,Y,Z", allow_negative_numbers = true)]
+    mount: Option<Vec<f64>>,
+    /// With what probability a tool of the table is rejected.
+    #[arg(long, default_value_t = 0.01, value_name = "P")]
+    level: f64,
+    /// How well the tool files know the tools and how exactly these are mounted: standard deviations of mass (relative), place (m)
+    /// and direction (rad).
+    #[arg(long, value_delimiter = ',', num_args = 3, value_name = "M,P,A")]
+    tolerance: Option<Vec<f64>>,
+    /// Write the result as JSON; `-` for standard output.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write a page with the body, the table and the torques.
+    #[arg(long, value_name = "FILE.html")]
+    report: Option<PathBuf>,
+    #[command(flatten)]
+    preparation: Preparation,
+}
+
+impl ToolVerb {
+    pub(super) fn run(self) -> Result<(), Failure> {
+        let (tolerance, recognising) = self.looking_up()?;
+        let prepare = self.preparation.prepare()?;
+        let file = files::robot(&self.robot)?;
+        let mut bare = file.robot.clone();
+        let own = bare.tool.take();
+        let table = self.table(&tolerance)?;
+        let arm = Interpreted::new(&bare, &[Function::PayloadRegressor]);
+        let settings = ToolSettings {
+            robot: param::standard_values(if self.on_top { &file.robot } else { &bare }),
+            known_mass: self.known_mass,
+            refresh_friction: self.refresh_friction,
+        };
+        let mut prepared = Vec::new();
+        let mut factors = |paths: &[PathBuf], loaded: bool| -> Result<Vec<Factors>, Failure> {
+            let carrying = Carrying::new(&arm, loaded);
+            paths.iter().map(|path| self.factor(path, &carrying, &prepare, &mut prepared)).collect()
+        };
+        let (unloaded, loaded) = (factors(&self.unloaded, false)?, factors(&self.loaded, true)?);
+        let carried = identify_tool(&arm, &unloaded, &loaded, &settings).map_err(Failure::input)?;
+        let found = look_up(carried, own.as_ref(), table, &tolerance, &recognising);
+        let provenance = self.provenance(&file.text);
+
+        if let Some(path) = &self.report {
+            let traces = self.traces(&arm, &found, &prepare)?;
+            files::write(path, report::tool_html(&found, &prepared, &traces, &provenance).as_bytes())?;
+        }
+        if let Some(target) = &self.json {
+            files::json(target, &report::tool_json(&found, &prepared, &provenance))?;
+        }
+        if !files::is_stdout(&self.json) {
+            files::print(&report::tool_text(&found, &prepared))?;
+            if let Some(path) = &self.report {
+                files::print(&format!("wrote {}\n", path.display()))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn looking_up(&self) -> Result<(Tolerance, RecogniseSettings), Failure> {
+        if !(self.level > 0.0 && self.level < 1.0) {
+            return Err(Failure::input(format!("--level {}: a probability between 0 and 1", self.level)));
+        }
+        let tolerance = match self.tolerance.as_deref() {
+            Some(&[mass, position, angle]) => Tolerance { mass, position, angle },
+            _ => Tolerance::default(),
+        };
+        for size in [tolerance.mass, tolerance.position, tolerance.angle] {
+            if !(size.is_finite() && size >= 0.0) {
+                return Err(Failure::input(format!("--tolerance: {size} is no standard deviation; give zero or more")));
+            }
+        }
+        if let Some(x) = self.mount.iter().flatten().find(|x| !x.is_finite()) {
+            return Err(Failure::input(format!("--mount: {x} is no length")));
+        }
+        Ok((tolerance, RecogniseSettings { level: self.level, ..RecogniseSettings::default() }))
+    }
+
+    /// One pass over a log.
+    fn factor(
+        &self,
+        path: &Path,
+        carrying: &Carrying<'_>,
+        prepare: &Prepare,
+        prepared: &mut Vec<Prepared>,
+    ) -> Result<Factors, Failure> {
+        let mut stack = Stack::new(&path.display().to_string(), carrying, self.preparation.stack());
+        prepared.push(pass(path, carrying.dof(), prepare, |motion| stack.absorb(motion))?);
+        Ok(stack.finish())
+    }
+
+    /// The tool files of the folder, in the order of their names.
+    fn table(&self, tolerance: &Tolerance) -> Result<Vec<Entry>, Failure> {
+        let Some(folder) = &self.tools else { return Ok(Vec::new()) };
+        let shown = folder.display();
+        let listing = fs::read_dir(folder).map_err(|e| {
+            Failure::input(format!("{shown} can't be read: {e}; --tools names a folder with tool files"))
+        })?;
+        let mut paths: Vec<PathBuf> = listing
+            .filter_map(|entry| entry.ok().map(|e| e.path()))
+            .filter(|p| p.extension().is_some_and(|e| e == "yaml" || e == "yml"))
+            .collect();
+        paths.sort();
+        let mount = match self.mount.as_deref() {
+            Some(&[x, y, z]) => Some([x, y, z]),
+            _ => None,
+        };
+        let mut table: Vec<Entry> = Vec::new();
+        for path in &paths {
+            let shown = path.display().to_string();
+            let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
+            let (tool, notes) = Tool::from_yaml(&files::text(path)?, &stem)
+                .map_err(|problems| Failure::input(format!("{shown} can't be used:\n{}", problems.in_file(&shown))))?;
+            notes.iter().for_each(|note| eprintln!("{shown}: note: {note}"));
+            match Entry::new(&tool, mount, tolerance) {
+                Some(entry) if table.iter().any(|e| e.name == entry.name) => {
+                    let what =
+                        format!("{shown}: a tool named {} is in this folder already; give it its own name", entry.name);
+                    return Err(Failure::input(what));
+                }
+                Some(entry) => table.push(entry),
+                None => eprintln!("{shown}: note: has no M, MS and I, so nothing can be recognised by it"),
+            }
+        }
+        if table.is_empty() {
+            return Err(Failure::input(format!("{shown} holds no tool file (*.yaml) with M, MS and I")));
+        }
+        Ok(table)
+    }
+
+    /// The torques over time, for drawing: a second pass.
+    fn traces(&self, arm: &Interpreted, found: &Found, prepare: &Prepare) -> Result<Vec<Trace>, Failure> {
+        let logs = self.loaded.iter().map(|p| (p, true)).chain(self.unloaded.iter().map(|p| (p, false)));
+        logs.map(|(path, loaded)| {
+            let carrying = Carrying::new(arm, loaded);
+            let mut tracer = Tracer::new(&path.display().to_string(), false, &carrying, &found.carried.beta);
+            pass(path, arm.dof(), prepare, |motion| tracer.absorb(motion))?;
+            Ok(tracer.finish())
+        })
+        .collect()
+    }
+
+    fn provenance(&self, text: &str) -> Vec<(String, String)> {
+        let list = |paths: &[PathBuf]| match paths {
+            [] => "none: the robot file's parameters are taken as known".to_string(),
+            paths => paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", "),
+        };
+        let mut rows = vec![
+            ("denavit".into(), env!("CARGO_PKG_VERSION").into()),
+            ("robot file".into(), format!("{} ({} bytes)", self.robot.display(), text.len())),
+            ("unloaded logs".into(), list(&self.unloaded)),
+            ("loaded logs".into(), list(&self.loaded)),
+            ("low-pass".into(), self.preparation.low_pass()),
+        ];
+        if let Some(folder) = &self.tools {
+            rows.push(("tools".into(), folder.display().to_string()));
+        }
+        rows
+    }
+}

@@ -1,0 +1,215 @@
+//! The ten parameters of what the arm carries: the paper's equation (7), solved from the factors of the logs.
+//!
+//! `[tau_u; tau_l] = [W_b 0; W_b W_L] [Phi_b; Phi_L]`, each joint weighted by its own noise, as in [`crate::identify`]. With the robot
+//! identified before, `Phi_b` is known and `tau_l - W_b Phi_b = W_L Phi_L` is solved from the loaded logs alone.
+
+use super::body::{Body, moving};
+use super::carrying::Carrying;
+use crate::arm::Payload;
+use crate::identify::{
+    Accuracy, Factors, Identification, IdentifyError, IdentifySettings, Known, Noise, Standing, accuracy, solve,
+};
+
+/// How to solve.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ToolSettings {
+    /// Standard parameters of the robot without the tool (`P`): what is known where there is no unloaded log; else only what stands
+    /// where the logs say nothing.
+    pub robot: Option<Vec<f64>>,
+    /// Mass from a scale, kg.
+    pub known_mass: Option<f64>,
+    /// Without an unloaded log: whether friction and offsets (`FV FC FO`) are estimated from the loaded log, as they change from day to
+    /// day, and only the links and rotors are taken as known.
+    pub refresh_friction: bool,
+}
+
+/// Why there is no tool.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ToolError {
+    /// The logs.
+    #[error(transparent)]
+    Identify(#[from] IdentifyError),
+    /// Neither an unloaded log nor a robot.
+    #[error(
+        "without an unloaded log the robot's own parameters must be known, and its file does not have them; record the same motion \
+         with an empty hand and give it as --unloaded, or identify the robot first"
+    )]
+    UnknownRobot,
+    /// No loaded log.
+    #[error("there is no loaded log")]
+    NoLoad,
+    /// A mass that is none.
+    #[error("the known mass is {0} kg; give a positive number")]
+    Mass(f64),
+    /// The data say nothing of the tool.
+    #[error(
+        "the loaded log says nothing about what the arm carries: none of its ten parameters can be told; record a motion that moves the wrist"
+    )]
+    NothingTold,
+}
+
+/// Torque errors of one log.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LogError {
+    /// Name.
+    pub name: String,
+    /// Whether the tool was carried.
+    pub loaded: bool,
+    /// Seconds of motion.
+    pub seconds: f64,
+    /// Errors of robot and tool.
+    pub with_tool: Accuracy,
+    /// Errors of the robot alone (same as `with_tool` in an unloaded log).
+    pub robot_alone: Accuracy,
+}
+
+/// What the arm carries, in the arm's last DH frame about its origin (in the tool frame where `arm` has a tool).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Carried {
+    /// The robot's name.
+    pub robot: String,
+    /// `M MSX MSY MSZ XX YY ZZ XY XZ YZ`, kg, kg m, kg m^2.
+    pub values: [f64; 10],
+    /// Their standard deviations; infinite where the data do not tell; zero for a known mass.
+    pub std: [f64; 10],
+    /// Their covariance, row-major `10 * 10`; zero in rows and columns that the data do not tell.
+    pub covariance: Vec<f64>,
+    /// What became of each.
+    pub standing: [Standing; 10],
+    /// The mass that was given.
+    pub known_mass: Option<f64>,
+    /// Whether the robot's own parameters were identified along.
+    pub robot_identified: bool,
+    /// Mass, centre, principal axes; `None` where the data do not tell the mass or the first moments.
+    pub body: Option<Body>,
+    /// Independent samples over all joints, less the number of unknowns: degrees of freedom of the noise.
+    pub freedom: f64,
+    /// Each log.
+    pub logs: Vec<LogError>,
+    /// Noise of the joints.
+    pub noise: Noise,
+    /// Base parameters of [`Carrying`], all of them: the robot's and the ten.
+    pub beta: Vec<f64>,
+    /// Everything that was solved for.
+    pub solved: Identification,
+}
+
+impl Carried {
+    /// `100 std / |value|` of each.
+    pub fn relative_std_percent(&self) -> [f64; 10] {
+        std::array::from_fn(|k| match (self.std[k], self.values[k]) {
+            (0.0, _) => 0.0,
+            (std, value) => 100.0 * std / value.abs(),
+        })
+    }
+
+    /// Which of the ten the data tell (a known mass is told).
+    pub fn told(&self) -> [bool; 10] {
+        self.standing.map(|s| s == Standing::Identified)
+    }
+
+    /// The same body in another frame: `rotation` (row-major) and `origin` of the last frame in that one. `None` where a parameter
+    /// is not told.
+    pub fn moved(&self, rotation: &[[f64; 3]; 3], origin: &[f64; 3]) -> Option<([f64; 10], [f64; 10])> {
+        if !self.told().iter().all(|t| *t) {
+            return None;
+        }
+        let turn = moving(rotation, origin);
+        let values = turn * nalgebra::SVector::from(self.values);
+        let covariance = turn * nalgebra::SMatrix::<f64, 10, 10>::from_row_slice(&self.covariance) * turn.transpose();
+        Some((values.into(), std::array::from_fn(|k| covariance[(k, k)].max(0.0).sqrt())))
+    }
+}
+
+/// Identifies what the arm carries. `unloaded` and `loaded` are factors of [`Carrying`] arms (loaded or not) over `arm`.
+pub fn identify_tool(
+    arm: &dyn Payload,
+    unloaded: &[Factors],
+    loaded: &[Factors],
+    settings: &ToolSettings,
+) -> Result<Carried, ToolError> {
+    if loaded.is_empty() {
+        return Err(ToolError::NoLoad);
+    }
+    if let Some(mass) = settings.known_mass.filter(|m| !(m.is_finite() && *m > 0.0)) {
+        return Err(ToolError::Mass(mass));
+    }
+    let whole = Carrying::new(arm, true);
+    let first = whole.first();
+    let standard = match &settings.robot {
+        Some(robot) if robot.len() != arm.standard_names().len() => {
+            let (what, expected) = ("standard parameters given".to_string(), arm.standard_names().len());
+            return Err(IdentifyError::Mismatch { what, found: robot.len(), expected }.into());
+        }
+        robot => robot.as_ref(),
+    };
+    let mut known: Vec<Option<f64>> = vec![None; first + 10];
+    known[first] = settings.known_mass;
+    if unloaded.is_empty() {
+        let robot = standard.ok_or(ToolError::UnknownRobot)?;
+        for (slot, base) in known.iter_mut().zip(arm.base_parameters()) {
+            let drive = ["FV", "FC", "FO"].iter().any(|kind| base.name.starts_with(kind));
+            if !(settings.refresh_friction && drive) {
+                *slot = Some(base.coefficients.iter().map(|&(i, k)| k * robot[i]).sum());
+            }
+        }
+    }
+    let unknown = Known::new(&whole, &known);
+    let factors: Vec<Factors> = unloaded.iter().chain(loaded).map(|log| unknown.factors(log)).collect();
+    let solving = IdentifySettings {
+        prior: standard.map(|robot| robot.iter().copied().chain([0.0; 10]).collect()),
+        ..IdentifySettings::default()
+    };
+    let solved = solve(&unknown, &factors, &[], &solving)?;
+    let beta = unknown.whole(&solved.values());
+
+    // The ten among what was solved for, in order; a known mass is not there.
+    let count = solved.parameters.len();
+    let ten: Vec<Option<usize>> = match settings.known_mass {
+        Some(_) => std::iter::once(None).chain((count - 9..count).map(Some)).collect(),
+        None => (count - 10..count).map(Some).collect(),
+    };
+    let values: [f64; 10] = std::array::from_fn(|k| beta[first + k]);
+    let standing: [Standing; 10] =
+        std::array::from_fn(|k| ten[k].map_or(Standing::Identified, |i| solved.parameters[i].standing));
+    let std: [f64; 10] = std::array::from_fn(|k| ten[k].map_or(0.0, |i| solved.parameters[i].std));
+    let told = standing.map(|s| s == Standing::Identified);
+    if !told.iter().zip(&ten).any(|(told, place)| *told && place.is_some()) {
+        return Err(ToolError::NothingTold);
+    }
+    let mut covariance = vec![0.0; 100];
+    for i in 0..10 {
+        for k in 0..10 {
+            if let (Some(a), Some(b), true, true) = (ten[i], ten[k], told[i], told[k]) {
+                covariance[10 * i + k] = solved.correlation[a * count + b] * std[i] * std[k];
+            }
+        }
+    }
+    let body = if told[..4].iter().all(|t| *t) { Body::new(&values, &covariance) } else { None };
+    let mut alone = beta.clone();
+    alone[first..].fill(0.0);
+    let error = |log: &Factors, loaded: bool| LogError {
+        name: log.name.clone(),
+        loaded,
+        seconds: log.seconds,
+        with_tool: accuracy(&[log], &beta),
+        robot_alone: accuracy(&[log], &alone),
+    };
+    let logs = unloaded.iter().map(|l| error(l, false)).chain(loaded.iter().map(|l| error(l, true))).collect();
+    Ok(Carried {
+        robot: arm.name().into(),
+        values,
+        std,
+        covariance,
+        standing,
+        known_mass: settings.known_mass,
+        robot_identified: !unloaded.is_empty(),
+        body: body.filter(|_| told.iter().all(|t| *t)),
+        freedom: (solved.noise.effective_samples.iter().sum::<f64>() - count as f64).max(1.0),
+        logs,
+        noise: solved.noise.clone(),
+        beta,
+        solved,
+    })
+}
