@@ -2,6 +2,7 @@
 
 mod check;
 mod eval;
+mod excite;
 mod files;
 mod generate;
 mod identify;
@@ -24,6 +25,8 @@ enum Command {
     Generate(generate::Generate),
     /// Evaluate a quantity of the robot at given states.
     Eval(eval::Eval),
+    /// Design the motion that tells the most about the parameters, inside every limit.
+    Excite(excite::Excite),
     /// Identify the base parameters from logs, and write the robot file with the values in place.
     Identify(identify::Identify),
 }
@@ -38,6 +41,7 @@ impl Cli {
             Command::Check(verb) => verb.run(),
             Command::Generate(verb) => verb.run(),
             Command::Eval(verb) => verb.run(),
+            Command::Excite(verb) => verb.run(),
             Command::Identify(verb) => verb.run(),
         }
     }

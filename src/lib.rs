@@ -29,9 +29,12 @@
 
 pub mod arm;
 pub mod cli;
+pub mod differentiated;
+pub mod excite;
 pub mod identify;
 pub mod interpreted;
 pub mod log;
 pub mod numeric;
 pub mod report;
 pub mod signal;
+pub mod trajectory;

@@ -3,11 +3,13 @@
 pub mod check_json;
 pub mod check_text;
 pub mod eval_json;
+mod excite_text;
 mod identify_html;
 mod identify_json;
 mod identify_text;
 mod number;
 
+pub use excite_text::{excite_json, excite_text, motion_csv};
 pub use identify_html::identify_html;
 pub use identify_json::identify_json;
 pub use identify_text::{identify_text, identify_verdict};
