@@ -6,6 +6,7 @@ mod excite;
 mod files;
 mod generate;
 mod identify;
+mod motion;
 
 use clap::{Parser, Subcommand};
 

@@ -10,7 +10,7 @@
 //! - `precision`: what standard deviation the parameters will have. `shortest`: the shortest motion that reaches a target.
 
 mod bodies;
-// LATER pub mod check;
+pub mod check;
 mod columns;
 mod constraints;
 mod criterion;
@@ -19,10 +19,10 @@ mod design;
 mod extra;
 mod information;
 mod limits;
-// LATER mod precision;
+mod precision;
 mod program;
 mod random;
-// LATER mod shortest;
+mod shortest;
 mod sqp;
 mod start;
 mod subproblem;
@@ -37,8 +37,8 @@ pub use design::{Design, Effort, Progress, Record, Watch, design, discriminate};
 pub use extra::{Extra, FrictionCoverage};
 pub use information::{Conditions, Information};
 pub use limits::{JointLimits, Missing};
-// LATER pub use precision::{Expected, expected};
-// LATER pub use shortest::{Shortest, shortest};
+pub use precision::{Expected, expected, known_from, known_values, nominal};
+pub use shortest::{Shortest, shortest};
 pub use task::Task;
 
 // LATER tests

@@ -7,12 +7,14 @@ mod excite_text;
 mod identify_html;
 mod identify_json;
 mod identify_text;
+mod motion_check;
 mod number;
 
 pub use excite_text::{excite_json, excite_text, motion_csv};
 pub use identify_html::identify_html;
 pub use identify_json::identify_json;
 pub use identify_text::{identify_text, identify_verdict};
+pub use motion_check::{motion_check_json, motion_check_text};
 
 #[cfg(test)]
 mod tests;

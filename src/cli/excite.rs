@@ -1,6 +1,6 @@
 //! `denavit excite`: a motion that tells the most about the parameters, inside every limit; or a check of one.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -11,8 +11,10 @@ use indicatif::{ProgressBar, ProgressStyle};
 use super::{Failure, files};
 use crate::arm::Arm;
 use crate::differentiated::Differentiated;
+use crate::excite::check::check;
 use crate::excite::{Criterion, Curve, Design, Effort, FrictionCoverage, Progress, Task, Watch, design};
 use crate::report;
+use dh_codegen::robot::Robot;
 
 /// Design the motion from which the parameters are identified best, inside every limit of the robot file.
 ///
@@ -26,6 +28,9 @@ use crate::report;
 pub(super) struct Excite {
     /// Robot file.
     robot: PathBuf,
+    /// Check this motion instead of designing one: CSV with t, q.. and, if there, dq.., ddq... Exit status 1 where a limit is broken.
+    #[arg(long, value_name = "CSV", conflicts_with_all = ["out", "criterion", "duration", "report", "coefficients", "ros"])]
+    check: Option<PathBuf>,
     /// Length of the motion, s (of one period with --fourier).
     #[arg(long, default_value_t = 10.0, value_name = "SECONDS")]
     duration: f64,
@@ -119,6 +124,9 @@ impl Excite {
     pub(super) fn run(self) -> Result<(), Failure> {
         self.validate()?;
         let file = files::robot(&self.robot)?;
+        if let Some(path) = &self.check {
+            return self.judge(path, &file.robot);
+        }
         let arm = Differentiated::new(&file.robot);
         let begun = Instant::now();
         let coverage;
@@ -182,6 +190,30 @@ impl Excite {
             }
         }
         Ok(())
+    }
+
+    fn judge(&self, path: &Path, robot: &Robot) -> Result<(), Failure> {
+        let written = super::motion::read(path, robot.dof())?;
+        let verdict = check(robot, &written, Some(self.acceleration_time))
+            .map_err(|e| Failure::input(format!("{}: {e}", path.display())))?;
+        if let Some(target) = &self.json {
+            files::json(target, &report::motion_check_json(&verdict))?;
+        }
+        if !files::is_stdout(&self.json) {
+            files::print(&report::motion_check_text(&verdict))?;
+        }
+        let broken: Vec<String> = verdict
+            .findings
+            .iter()
+            .filter(|f| f.broken)
+            .map(|f| {
+                format!("{} of {} at {:.3} s ({:.5} where {:.5} is allowed)", f.kind, f.who, f.time, f.value, f.limit)
+            })
+            .collect();
+        if broken.is_empty() {
+            return Ok(());
+        }
+        Err(Failure::other(format!("{} breaks {} limits: {}", path.display(), broken.len(), broken.join("; "))))
     }
 
     fn validate(&self) -> Result<(), Failure> {

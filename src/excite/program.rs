@@ -125,13 +125,6 @@ impl<'a> Program<'a> {
         gradient.iter().all(|g| g.is_finite()).then_some((value / self.unit, gradient))
     }
 
-    /// The criterion alone.
-    pub(super) fn value(&self, x: &[f64], power: f64) -> Option<f64> {
-        let information = Information::new(&self.columns, &self.measure.states(x), &self.scaling);
-        let (value, _) = information.judge(&self.task.criterion, power)?;
-        value.is_finite().then_some(value / self.unit)
-    }
-
     /// Every constraint at every time of the guard grid.
     pub(super) fn guarded(&self, x: &[f64]) -> Vec<f64> {
         self.constraints.values(&self.list, &self.guard.states(x))
