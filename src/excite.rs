@@ -41,4 +41,5 @@ pub use precision::{Expected, expected, known_from, known_values, nominal};
 pub use shortest::{Shortest, shortest};
 pub use task::Task;
 
-// LATER tests
+#[cfg(test)]
+mod tests;

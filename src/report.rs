@@ -3,6 +3,7 @@
 pub mod check_json;
 pub mod check_text;
 pub mod eval_json;
+mod excite_html;
 mod excite_text;
 mod identify_html;
 mod identify_json;
@@ -10,7 +11,8 @@ mod identify_text;
 mod motion_check;
 mod number;
 
-pub use excite_text::{excite_json, excite_text, motion_csv};
+pub use excite_html::excite_html;
+pub use excite_text::{Outcome, excite_json, excite_text, joint_trajectory, motion_csv};
 pub use identify_html::identify_html;
 pub use identify_json::identify_json;
 pub use identify_text::{identify_text, identify_verdict};

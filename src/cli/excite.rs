@@ -9,10 +9,13 @@ use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::{Failure, files};
-use crate::arm::Arm;
+use crate::arm::{Arm, States};
 use crate::differentiated::Differentiated;
 use crate::excite::check::check;
-use crate::excite::{Criterion, Curve, Design, Effort, FrictionCoverage, Progress, Task, Watch, design};
+use crate::excite::{
+    Criterion, Curve, Design, Effort, Expected, FrictionCoverage, Progress, Task, Watch, design, expected, known_from,
+    known_values, shortest,
+};
 use crate::report;
 use dh_codegen::robot::Robot;
 
@@ -91,6 +94,18 @@ pub(super) struct Excite {
     /// Standard deviation of the torque noise per joint, N m; one number for all, or one per joint. Weighs the joints; default: all the same.
     #[arg(long, value_delimiter = ',', value_name = "NM")]
     noise: Vec<f64>,
+    /// Cut-off of the low-pass that logs will go through, Hz: noise has at most two independent values per period of it.
+    #[arg(long, default_value_t = 10.0, value_name = "HZ")]
+    cutoff: f64,
+    /// Motions that were played before (CSV): this one complements them.
+    #[arg(long, num_args = 1.., value_name = "CSV")]
+    known: Vec<PathBuf>,
+    /// The file's parameters are known to this share of themselves, percent.
+    #[arg(long, value_name = "PERCENT")]
+    known_std: Option<f64>,
+    /// Find the shortest motion, of at most --duration, after which every essential parameter is known to this share of itself, percent.
+    #[arg(long, value_name = "PERCENT")]
+    target_std: Option<f64>,
     /// Time in which a joint without `acceleration` limit may reach its speed, s.
     #[arg(long, default_value_t = 0.5, value_name = "SECONDS")]
     acceleration_time: f64,
@@ -134,9 +149,8 @@ impl Excite {
             .map_err(|e| Failure::input(format!("{}: {e}", self.robot.display())))?;
         task.criterion = self.criterion.criterion();
         task.curve = self.curve()?;
-        task.rate = self.rate.clamp(20.0, 1000.0);
+        task.rate = CRITERION_RATE;
         task.share = self.speed / 100.0;
-        task.noise = self.noises(arm.dof())?;
         if self.links_only || self.tool {
             task.base = link_columns(&arm);
         }
@@ -149,12 +163,13 @@ impl Excite {
             coverage = FrictionCoverage::new(&task.limits.iter().map(|l| l.velocity).collect::<Vec<_>>(), !has_offset);
             task.extra = Some(&coverage);
         }
+        self.know(&mut task)?;
         for missing in &task.missing {
             let who = if missing.joint.is_empty() { String::new() } else { format!("joint {}: ", missing.joint) };
             eprintln!("{}: note: {who}{}: {}", self.robot.display(), missing.limit, missing.taken);
         }
 
-        let found = self.search(&task)?;
+        let (found, expected, tried) = self.search(&task)?;
         let seconds = begun.elapsed().as_secs_f64();
         if !found.feasible {
             let broken: Vec<String> = found
@@ -180,11 +195,19 @@ impl Excite {
         if let Some(path) = &self.coefficients {
             files::write(path, format!("{:#}\n", found.trajectory.to_json()).as_bytes())?;
         }
+        if let Some(path) = &self.ros {
+            let names: Vec<String> = task.limits.iter().map(|l| l.name.clone()).collect();
+            files::write(path, report::joint_trajectory(&found.trajectory, &names, self.rate).as_bytes())?;
+        }
+        let outcome = report::Outcome { task: &task, found: &found, expected: &expected, tried: &tried, seconds };
+        if let Some(path) = &self.report {
+            files::write(path, report::excite_html(&outcome, &self.provenance(&file.text)).as_bytes())?;
+        }
         if let Some(target) = &self.json {
-            files::json(target, &report::excite_json(&task, &found, seconds))?;
+            files::json(target, &report::excite_json(&outcome))?;
         }
         if !files::is_stdout(&self.json) {
-            files::print(&report::excite_text(&task, &found, seconds))?;
+            files::print(&report::excite_text(&outcome))?;
             for path in self.out.iter().chain(&self.coefficients).chain(&self.ros).chain(&self.report) {
                 files::print(&format!("wrote {}\n", path.display()))?;
             }
@@ -223,6 +246,7 @@ impl Excite {
             ("--spacing", self.spacing, 0.05, 60.0),
             ("--acceleration-time", self.acceleration_time, 1e-3, 100.0),
             ("--speed", self.speed, 1.0, 100.0),
+            ("--cutoff", self.cutoff, 0.01, 1e5),
             ("--time-limit", self.time_limit.unwrap_or(1.0), 0.0, 1e6),
         ];
         for (name, value, low, high) in positive {
@@ -261,6 +285,53 @@ impl Excite {
         })
     }
 
+    /// Noise and what is known before. Plain equation (9) where nothing is said about either.
+    fn know(&self, task: &mut Task<'_>) -> Result<(), Failure> {
+        let dof = task.dof();
+        let share = |name: &str, value: Option<f64>| match value {
+            Some(p) if !(p > 0.0 && p <= 1e4) => {
+                Err(Failure::input(format!("{name} {p}: a share in percent, over zero")))
+            }
+            other => Ok(other.map(|p| p / 100.0)),
+        };
+        let known_std = share("--known-std", self.known_std)?;
+        share("--target-std", self.target_std)?;
+        let given = self.noises(dof)?;
+        if self.noise.is_empty() && self.known.is_empty() && known_std.is_none() && self.target_std.is_none() {
+            return Ok(());
+        }
+        let noise = if self.noise.is_empty() { assumed_noise(task) } else { given };
+        task.noise = self.per_sample(noise);
+        if !self.known.is_empty() {
+            let played: Vec<States> = self.known.iter().map(|path| states_of(path, dof)).collect::<Result<_, _>>()?;
+            task.prior = Some(known_from(task, &played));
+        }
+        if let Some(share) = known_std {
+            let values = known_values(task, share).ok_or_else(|| {
+                Failure::input(
+                    "--known-std: the robot file has no inertial parameters of all links; write them under `links`",
+                )
+            })?;
+            task.prior = Some(task.prior.take().map_or(values.clone(), |p| p + values));
+        }
+        Ok(())
+    }
+
+    /// Noise of successive samples is alike after a low-pass: as if it were larger and independent.
+    fn per_sample(&self, noise: Vec<f64>) -> Vec<f64> {
+        let share = (2.0 * self.cutoff / CRITERION_RATE).min(1.0);
+        noise.into_iter().map(|s| s / share.sqrt()).collect()
+    }
+
+    fn provenance(&self, text: &str) -> Vec<(String, String)> {
+        let command: Vec<String> = std::env::args().collect();
+        vec![
+            ("robot".into(), format!("{} ({} bytes)", self.robot.display(), text.len())),
+            ("command".into(), command.join(" ")),
+            ("program".into(), format!("denavit {}", env!("CARGO_PKG_VERSION"))),
+        ]
+    }
+
     fn noises(&self, dof: usize) -> Result<Vec<f64>, Failure> {
         if let Some(bad) = self.noise.iter().find(|s| !(**s > 0.0 && s.is_finite())) {
             return Err(Failure::input(format!("--noise {bad}: a standard deviation is positive, N m")));
@@ -274,7 +345,7 @@ impl Excite {
     }
 
     /// Runs the designer with a progress bar, Ctrl-C and the time limit.
-    fn search(&self, task: &Task<'_>) -> Result<Design, Failure> {
+    fn search(&self, task: &Task<'_>) -> Result<Found, Failure> {
         let effort = Effort {
             starts: self.starts,
             seed: self.seed,
@@ -313,10 +384,60 @@ impl Excite {
                 stop.store(true, Ordering::Relaxed);
             }
         };
-        let found = design(task, &effort, &Watch { stop: &stop, progress: &progress });
+        let watch = Watch { stop: &stop, progress: &progress };
+        let found = match self.target_std {
+            Some(percent) => shortest(task, percent, &effort, &watch).map(|s| (s.design, s.expected, s.tried)),
+            None => design(task, &effort, &watch).map(|found| {
+                let noise = if task.noise.iter().all(|s| *s == 1.0) {
+                    self.per_sample(assumed_noise(task))
+                } else {
+                    task.noise.clone()
+                };
+                let own = Task { noise, ..task.clone() };
+                let expected = expected(&own, &found.trajectory.sampled(task.rate).1);
+                (found, expected, Vec::new())
+            }),
+        };
         bar.finish_and_clear();
         found.map_err(|e| Failure::other(format!("{}: {e}", self.robot.display())))
     }
+}
+
+/// A design, what to expect of it, and durations that were tried.
+type Found = (Design, Vec<Expected>, Vec<(f64, Option<f64>)>);
+
+/// Samples per second that the criterion counts, as in the paper.
+const CRITERION_RATE: f64 = 100.0;
+
+/// Where no noise is given: half a percent of the torque limit, 0.1 N m where there is none.
+fn assumed_noise(task: &Task<'_>) -> Vec<f64> {
+    task.limits.iter().map(|l| l.torque.map_or(0.1, |t| 0.005 * t)).collect()
+}
+
+/// A motion that was played, at the criterion's rate.
+fn states_of(path: &Path, dof: usize) -> Result<States, Failure> {
+    let motion = super::motion::read(path, dof)?;
+    let bad = |what: &str| Failure::input(format!("{}: {what}", path.display()));
+    if motion.dq.is_empty() || motion.ddq.is_empty() {
+        return Err(bad("a played motion needs the columns dq1.. and ddq1.., as `excite --out` writes them"));
+    }
+    let end = motion.t.last().copied().unwrap_or(0.0) - motion.t.first().copied().unwrap_or(0.0);
+    if motion.t.len() < 2 || end <= 0.0 {
+        return Err(bad("there is no motion in it"));
+    }
+    // The row nearest to each instant.
+    let start = motion.t[0];
+    let rows: Vec<usize> = (0..=(end * CRITERION_RATE).floor() as usize)
+        .map(|k| {
+            let t = start + k as f64 / CRITERION_RATE;
+            let after = motion.t.partition_point(|x| *x < t).min(motion.t.len() - 1);
+            let before = after.saturating_sub(1);
+            if (motion.t[after] - t).abs() < (t - motion.t[before]).abs() { after } else { before }
+        })
+        .collect();
+    let part =
+        |of: &[Vec<f64>]| (0..dof).flat_map(|j| rows.iter().map(move |&r| (j, r))).map(|(j, r)| of[r][j]).collect();
+    Ok(States { len: rows.len(), q: part(&motion.q), dq: part(&motion.dq), ddq: part(&motion.ddq) })
 }
 
 /// Base parameters that are no drive's.

@@ -95,7 +95,7 @@ impl Curve {
                 Bound { rows, share: 1.0 }
             }
             Self::Fourier { period, harmonics, .. } => {
-                let steps = 2 * refine.max(2) * 8 * harmonics;
+                let steps = 4 * refine.max(3) * harmonics;
                 let rows = (0..steps).map(|k| self.row(period * k as f64 / steps as f64, order)).collect();
                 Bound { rows, share: (PI * harmonics as f64 / steps as f64).cos() }
             }

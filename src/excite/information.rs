@@ -112,6 +112,18 @@ impl Information {
         }
     }
 
+    /// Of each column, per unit of its parameter: RMS over the motion of its share in a joint's torque, in standard deviations of that torque's
+    /// noise; of the joint where it is largest.
+    pub(super) fn torque_shares(&self, columns: &Columns<'_>, scaling: &Scaling) -> Vec<f64> {
+        let mut shares = vec![0.0_f64; columns.count()];
+        for e in columns.entries() {
+            let column = &self.values[e.place * self.len..(e.place + 1) * self.len];
+            let rms = (dot(column, column) / self.len.max(1) as f64).sqrt() * scaling.row[e.row];
+            shares[e.column] = shares[e.column].max(rms);
+        }
+        shares
+    }
+
     /// `G^-1`, the covariance in scaled columns; infinite where nothing is told.
     pub fn covariance(&self) -> DMatrix<f64> {
         let (sigma, v, scale) = self.singular(true);
