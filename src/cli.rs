@@ -3,6 +3,7 @@
 mod check;
 mod diagnose;
 mod eval;
+mod excite;
 mod files;
 mod generate;
 mod identify;
@@ -10,6 +11,7 @@ mod simulate;
 mod table;
 mod prepare;
 mod tool;
+mod motion;
 
 use clap::{Parser, Subcommand};
 
@@ -31,6 +33,8 @@ enum Command {
     Diagnose(diagnose::Diagnose),
     /// Evaluate a quantity of the robot at given states.
     Eval(eval::Eval),
+    /// Design the motion that tells the most about the parameters, inside every limit.
+    Excite(excite::Excite),
     /// Identify the base parameters from logs, and write the robot file with the values in place.
     Identify(identify::Identify),
     /// Play a motion on the simulated robot and record a log.
@@ -50,6 +54,7 @@ impl Cli {
             Command::Generate(verb) => verb.run(),
             Command::Diagnose(verb) => verb.run(),
             Command::Eval(verb) => verb.run(),
+            Command::Excite(verb) => verb.run(),
             Command::Identify(verb) => verb.run(),
             Command::Simulate(verb) => verb.run(),
             Command::Tool(verb) => verb.run(),

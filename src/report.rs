@@ -6,9 +6,12 @@ mod diagnose_json;
 mod diagnose_text;
 mod consistent;
 pub mod eval_json;
+mod excite_html;
+mod excite_text;
 mod identify_html;
 mod identify_json;
 mod identify_text;
+mod motion_check;
 mod number;
 mod simulate_json;
 mod simulate_text;
@@ -27,6 +30,9 @@ pub use simulate_text::simulate_text;
 pub use tool_html::tool_html;
 pub use tool_json::tool_json;
 pub use tool_text::{tool_text, tool_verdict};
+pub use excite_html::excite_html;
+pub use excite_text::{Outcome, excite_json, excite_text, joint_trajectory, motion_csv};
+pub use motion_check::{motion_check_json, motion_check_text};
 
 #[cfg(test)]
 mod tests;

@@ -191,7 +191,7 @@ impl Interpreter {
 }
 
 /// Of any number of angles, with the runtime's own polynomials.
-fn sines_and_cosines(angles: &[f64]) -> (Vec<f64>, Vec<f64>) {
+pub(crate) fn sines_and_cosines(angles: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let (mut sin, mut cos) = (Vec::with_capacity(angles.len()), Vec::with_capacity(angles.len()));
     for chunk in angles.chunks(8) {
         let mut eight = [0.0; 8];

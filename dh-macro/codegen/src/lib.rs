@@ -5,6 +5,7 @@
 
 pub mod arm;
 pub mod interpret;
+pub mod pullback;
 pub mod robot;
 pub mod runtime;
 pub mod rust;

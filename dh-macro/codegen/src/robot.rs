@@ -187,6 +187,17 @@ pub struct Sphere {
     pub radius: f64,
 }
 
+/// A box of the surroundings, along the base axes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cuboid {
+    /// Name in the file, or `box<i>`.
+    pub name: String,
+    /// Lowest corner, m, in the base frame.
+    pub min: [f64; 3],
+    /// Highest corner, m.
+    pub max: [f64; 3],
+}
+
 /// What must not be hit.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Collision {
@@ -194,6 +205,8 @@ pub struct Collision {
     pub ground: Option<f64>,
     /// Spheres on links.
     pub spheres: Vec<Sphere>,
+    /// Boxes around the robot.
+    pub boxes: Vec<Cuboid>,
 }
 
 /// A serial robot, base to tip.

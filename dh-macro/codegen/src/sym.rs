@@ -1,7 +1,8 @@
 //! Expressions: a hash-consed graph, simplified at birth, and the straight-line tape that it is lowered to.
 //!
-//! `Graph -> factor -> signs -> Tape -> print | eval`. Nothing here knows mechanics.
+//! `Graph -> factor -> signs -> Tape -> print | eval | adjoint -> Graph`. Nothing here knows mechanics.
 
+mod adjoint;
 mod eval;
 mod factor;
 mod graph;
@@ -10,6 +11,7 @@ mod signs;
 mod tape;
 mod vec3;
 
+pub use adjoint::adjoint;
 pub use eval::{Evaluator, LANES};
 pub use graph::{Ex, Graph, Node, Op};
 pub use tape::{Instruction, Kind, Operand, OperationCount, Section, Tape};

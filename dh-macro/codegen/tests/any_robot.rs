@@ -5,8 +5,8 @@ mod common;
 use common::{files, robots};
 use dh_codegen::robot::effect::Law;
 use dh_codegen::robot::{
-    Angle, Collision, Convention, Drive, Effect, Inertia, Joint, JointKind, Length, Limits, Polynomial, Robot, Sphere,
-    Tool, ToolGeometry,
+    Angle, Collision, Convention, Cuboid, Drive, Effect, Inertia, Joint, JointKind, Length, Limits, Polynomial, Robot,
+    Sphere, Tool, ToolGeometry,
 };
 use proptest::collection::vec;
 use proptest::option;
@@ -136,6 +136,9 @@ fn robot() -> impl Strategy<Value = Robot> {
             joints[0].kind = JointKind::Revolute;
             let links = if known { links[..joints.len().min(4)].to_vec() } else { Vec::new() };
             let spheres = ground.map(|_| Sphere { link: 1, center: gravity, radius: 0.1 }).into_iter().collect();
+            let boxes =
+                ground.map(|g| Cuboid { name: "wall".to_string(), min: [g, g, g], max: [g + 1.0, g + 2.0, g + 0.5] });
+            let boxes = boxes.into_iter().collect();
             Robot {
                 name: "any-robot".to_string(),
                 convention: if standard { Convention::Standard } else { Convention::Modified },
@@ -144,7 +147,7 @@ fn robot() -> impl Strategy<Value = Robot> {
                 joints,
                 links,
                 tool,
-                collision: Collision { ground, spheres },
+                collision: Collision { ground, spheres, boxes },
                 effects: effect.into_iter().collect(),
             }
         },

@@ -12,7 +12,7 @@ use super::keys;
 use super::problem::{Note, Problem, Problems};
 use super::reader::{Fields, Findings};
 use super::yaml::{self, Kind, Mark, shortened};
-use super::{Collision, Convention, Robot, Sphere, Tool};
+use super::{Collision, Convention, Cuboid, Robot, Sphere, Tool};
 
 /// A robot as its file gives it, and what the reader did or saw on the way.
 #[derive(Debug, Clone)]
@@ -192,7 +192,22 @@ fn collision(top: &Fields<'_>, rows: usize, to: &mut Findings) -> Collision {
             spheres.push(Sphere { link, center, radius });
         }
     }
-    Collision { ground, spheres }
+    let mut boxes = Vec::new();
+    for (node, path) in fields.rows("boxes", to).unwrap_or_default() {
+        let Some(cuboid) = fields.row("boxes", node, &path, to) else { continue };
+        let name = cuboid.text("name", to).unwrap_or_else(|| format!("box{}", boxes.len() + 1));
+        let (Some(min), Some(max)) = (cuboid.vector::<3>("min", to), cuboid.vector::<3>("max", to)) else { continue };
+        if (0..3).any(|i| min[i] >= max[i]) {
+            to.problem(
+                node.mark,
+                &path,
+                "the corners of this box are the wrong way round",
+                "each entry of min must be less than that of max",
+            );
+        }
+        boxes.push(Cuboid { name, min, max });
+    }
+    Collision { ground, spheres, boxes }
 }
 
 /// Where a mapping starts, for problems of the whole of it.

@@ -208,6 +208,7 @@ pub(super) static COLLISION: Table = Table {
     keys: &[
         key("ground", Number, "m", "Lowest z that elbow, wrist and tool may reach, in the base frame."),
         key("spheres", Rows(&SPHERE), "", "Spheres that stand for links in distance checks."),
+        key("boxes", Rows(&BOX), "", "Boxes of the surroundings, along the base axes."),
     ],
 };
 
@@ -218,5 +219,15 @@ pub(super) static SPHERE: Table = Table {
         required("link", Count, "", "Row of the DH table that carries it, from 1; 0 is the base."),
         required("center", Vector(3), "m", "Centre in that row's frame."),
         required("radius", Positive, "m", "Radius."),
+    ],
+};
+
+pub(super) static BOX: Table = Table {
+    what: "box",
+    effects: false,
+    keys: &[
+        key("name", Text, "", "Name of the box; default box1, box2, ..."),
+        required("min", Vector(3), "m", "Lowest corner in the base frame."),
+        required("max", Vector(3), "m", "Highest corner in the base frame."),
     ],
 };

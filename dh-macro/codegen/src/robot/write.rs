@@ -2,7 +2,7 @@
 
 use super::expression::Scope;
 use super::yaml::{self, Kind};
-use super::{Angle, Convention, Drive, Effect, Inertia, Joint, JointKind, Length, Limits, Robot, Tool};
+use super::{Angle, Collision, Convention, Drive, Effect, Inertia, Joint, JointKind, Length, Limits, Robot, Tool};
 
 /// Widest line before a row of the table is broken.
 const WIDTH: usize = 110;
@@ -53,7 +53,7 @@ impl Robot {
                 out += &format!("  {key}: {value}\n");
             }
         }
-        if self.collision.ground.is_some() || !self.collision.spheres.is_empty() {
+        if self.collision != Collision::default() {
             out += "\ncollision:\n";
             if let Some(ground) = self.collision.ground {
                 out += &format!("  ground: {}\n", number(ground));
@@ -66,6 +66,17 @@ impl Robot {
                     ("link".to_string(), sphere.link.to_string()),
                     ("center".to_string(), list(&sphere.center)),
                     ("radius".to_string(), number(sphere.radius)),
+                ];
+                out += &format!("    - {}\n", flow(&fields, 6));
+            }
+            if !self.collision.boxes.is_empty() {
+                out += "  boxes:\n";
+            }
+            for cuboid in &self.collision.boxes {
+                let fields = [
+                    ("name".to_string(), word(&cuboid.name)),
+                    ("min".to_string(), list(&cuboid.min)),
+                    ("max".to_string(), list(&cuboid.max)),
                 ];
                 out += &format!("    - {}\n", flow(&fields, 6));
             }

@@ -1,0 +1,139 @@
+//! Vector-Jacobian products of any kernel, run over batches: `seed' d(outputs)/d(q, dq, ddq)`.
+
+use std::collections::BTreeMap;
+
+use crate::arm::Kernel;
+use crate::arm::chain::{Group, Inputs};
+use crate::interpret::{Batch, sines_and_cosines};
+use crate::sym::{Evaluator, Ex, Graph, Operand, Tape, adjoint};
+
+/// The adjoint of a kernel, ready to run.
+pub struct Pullback {
+    inputs: Inputs,
+    evaluator: Evaluator,
+    /// Which derivatives come out: 0 by q, 1 by dq, 2 by ddq; and of which joint.
+    outputs: Vec<(usize, usize)>,
+    /// First input that is a seed.
+    first_seed: usize,
+    offsets: Vec<f64>,
+    tape: Tape,
+}
+
+/// Where [`Pullback::run`] adds derivatives; each part `dof * len`, joint-major like [`Batch`].
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Gradient {
+    /// By positions.
+    pub q: Vec<f64>,
+    /// By velocities.
+    pub dq: Vec<f64>,
+    /// By accelerations.
+    pub ddq: Vec<f64>,
+}
+
+impl Pullback {
+    /// Of these outputs of a kernel (indices into its row-major result), for a robot whose angles have these offsets
+    /// ([`crate::arm::chain::Chain::angle_offsets`]).
+    pub fn new(kernel: &Kernel, wanted: &[usize], offsets: &[f64]) -> Self {
+        let inputs = kernel.inputs;
+        let first_seed = 1 + highest_input(&kernel.tape).max(inputs.index(Group::Parameter, 0));
+        let graph = Graph::new();
+        let seeds: Vec<Ex<'_>> = (0..wanted.len()).map(|k| graph.input(first_seed + k)).collect();
+        let by = adjoint(&graph, &kernel.tape, wanted, &seeds);
+        let mut sums: BTreeMap<(usize, usize), Ex<'_>> = BTreeMap::new();
+        for (input, bar) in by {
+            // d sin = cos dq, d cos = -sin dq.
+            let (part, joint, bar) = match inputs.locate(input) {
+                (Group::Position, j) => (0, j, bar),
+                (Group::Sine, j) => (0, j, bar * graph.input(inputs.index(Group::Cosine, j))),
+                (Group::Cosine, j) => (0, j, -(bar * graph.input(inputs.index(Group::Sine, j)))),
+                (Group::Velocity, j) => (1, j, bar),
+                (Group::Acceleration, j) => (2, j, bar),
+                (Group::Torque | Group::Parameter, _) => continue,
+            };
+            let sum = sums.get(&(part, joint)).map_or(bar, |&sum| sum + bar);
+            sums.insert((part, joint), sum);
+        }
+        let roots: Vec<Ex<'_>> = sums.values().copied().collect();
+        let tape = Tape::new(&graph, &roots);
+        Self {
+            inputs,
+            evaluator: Evaluator::new(&tape),
+            outputs: sums.into_keys().collect(),
+            first_seed,
+            offsets: offsets.to_vec(),
+            tape,
+        }
+    }
+
+    /// The program, for counting or printing: outputs in the order `q`, `dq`, `ddq`, those that are not zero.
+    pub fn tape(&self) -> &Tape {
+        &self.tape
+    }
+
+    /// Seed `k` of sample `s` stands at `seeds[k * len + s]`; derivatives are added to `to`.
+    ///
+    /// # Panics
+    /// If a part of the batch, the seeds or the gradient is too short.
+    pub fn run(&self, batch: &Batch<'_>, seeds: &[f64], to: &mut Gradient) {
+        let len = batch.len;
+        if len == 0 {
+            return;
+        }
+        let dof = self.inputs.dof;
+        let angles: Vec<f64> = (0..dof * len).map(|k| batch.q[k] + self.offsets[k / len]).collect();
+        let (sin, cos) = sines_and_cosines(&angles);
+        let parameters: Vec<Vec<f64>> = batch.parameters.iter().map(|&p| vec![p; len]).collect();
+        let mut out = vec![0.0; self.outputs.len() * len];
+        self.evaluator.run(
+            len,
+            |i| {
+                if i >= self.first_seed {
+                    let k = i - self.first_seed;
+                    return &seeds[k * len..(k + 1) * len];
+                }
+                let (group, at) = self.inputs.locate(i);
+                let source: &[f64] = match group {
+                    Group::Position => batch.q,
+                    Group::Sine => &sin,
+                    Group::Cosine => &cos,
+                    Group::Velocity => batch.dq,
+                    Group::Acceleration => batch.ddq,
+                    Group::Torque => batch.tau,
+                    Group::Parameter => return &parameters[at],
+                };
+                &source[at * len..(at + 1) * len]
+            },
+            &mut out,
+        );
+        for (&(part, joint), column) in self.outputs.iter().zip(out.chunks(len)) {
+            let target = [&mut to.q, &mut to.dq, &mut to.ddq][part].iter_mut().skip(joint * len);
+            target.zip(column).for_each(|(sum, value)| *sum += value);
+        }
+    }
+}
+
+fn highest_input(tape: &Tape) -> usize {
+    let read = tape.code.iter().flat_map(|s| [s.a, s.b]).chain(tape.outputs.iter().copied());
+    read.map(|operand| if let Operand::Input(i) = operand { i as usize } else { 0 }).max().unwrap_or(0)
+}
+
+/// Outputs that are the sign of one velocity, by itself: output and joint. These are the columns of Coulomb friction.
+pub fn velocity_signs(kernel: &Kernel) -> Vec<(usize, usize)> {
+    let sign_of = |output: Operand| match output {
+        Operand::Temp(t) => {
+            let step = kernel.tape.code[t as usize];
+            match (step.kind, step.a) {
+                (crate::sym::Kind::Sign, Operand::Input(i)) => Some(kernel.inputs.locate(i as usize)),
+                _ => None,
+            }
+        }
+        _ => None,
+    };
+    let outputs = kernel.tape.outputs.iter().enumerate();
+    outputs
+        .filter_map(|(at, &output)| match sign_of(output) {
+            Some((Group::Velocity, joint)) => Some((at, joint)),
+            _ => None,
+        })
+        .collect()
+}

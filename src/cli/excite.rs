@@ -1,0 +1,447 @@
+//! `denavit excite`: a motion that tells the most about the parameters, inside every limit; or a check of one.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use clap::{Args, ValueEnum};
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::{Failure, files};
+use crate::arm::{Arm, States};
+use crate::differentiated::Differentiated;
+use crate::excite::check::check;
+use crate::excite::{
+    Criterion, Curve, Design, Effort, Expected, FrictionCoverage, Progress, Task, Watch, design, expected, known_from,
+    known_values, shortest,
+};
+use crate::report;
+use dh_codegen::robot::Robot;
+
+/// Design the motion from which the parameters are identified best, inside every limit of the robot file.
+///
+/// Joints move along clamped quintic splines with a way point every second, from rest to rest. Limits of position, velocity and
+/// acceleration hold between the samples too; torque (from the file's links), ground, spheres and boxes (`collision`) are checked at 500 Hz.
+/// The same robot, options and seed give the same motion.
+#[derive(Args)]
+#[command(
+    after_help = "Example:\n  denavit excite robots/kuka-lwr4.yaml --duration 10 --criterion logdet --out motion.csv --report motion.html\n\nCtrl-C stops early and writes the best feasible motion so far."
+)]
+pub(super) struct Excite {
+    /// Robot file.
+    robot: PathBuf,
+    /// Check this motion instead of designing one: CSV with t, q.. and, if there, dq.., ddq... Exit status 1 where a limit is broken.
+    #[arg(long, value_name = "CSV", conflicts_with_all = ["out", "criterion", "duration", "report", "coefficients", "ros"])]
+    check: Option<PathBuf>,
+    /// Length of the motion, s (of one period with --fourier).
+    #[arg(long, default_value_t = 10.0, value_name = "SECONDS")]
+    duration: f64,
+    /// What is minimised: condition number, -log det, Hadamard's bound (the paper's equation 9), sum of variances, largest variance.
+    #[arg(long, value_enum, default_value_t = Which::Logdet)]
+    criterion: Which,
+    /// Motion to write: CSV with t, q.., dq.., ddq...
+    #[arg(long, value_name = "CSV")]
+    out: Option<PathBuf>,
+    /// Samples per second of the written motion.
+    #[arg(long, default_value_t = 100.0, value_name = "HZ")]
+    rate: f64,
+    /// Spline coefficients (JSON), for the simulator and for other rates.
+    #[arg(long, value_name = "FILE")]
+    coefficients: Option<PathBuf>,
+    /// ROS `JointTrajectory` message (YAML).
+    #[arg(long, value_name = "FILE")]
+    ros: Option<PathBuf>,
+    /// Write the result as JSON; `-` for standard output.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write a page with curves, limits, history and the moving arm.
+    #[arg(long, value_name = "FILE.html")]
+    report: Option<PathBuf>,
+    /// Time between way points, s.
+    #[arg(long, default_value_t = 1.0, value_name = "SECONDS")]
+    spacing: f64,
+    /// Fourier series with so many harmonics instead of a spline.
+    #[arg(long, value_name = "HARMONICS")]
+    fourier: Option<usize>,
+    /// Periods of a Fourier series that are played.
+    #[arg(long, default_value_t = 3)]
+    periods: usize,
+    /// Random motions to begin with.
+    #[arg(long, default_value_t = 6)]
+    starts: usize,
+    /// Seed of the random motions.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Steps of the solver per start, at most.
+    #[arg(long, default_value_t = 60)]
+    iterations: usize,
+    /// Threads; default: all cores. The result does not depend on it.
+    #[arg(long)]
+    threads: Option<usize>,
+    /// Stop after this time with the best so far (then the result depends on the machine), s.
+    #[arg(long, value_name = "SECONDS")]
+    time_limit: Option<f64>,
+    /// Leave the columns of drives out of the criterion: friction, rotor inertia, offsets.
+    #[arg(long)]
+    links_only: bool,
+    /// Only the ten parameters of a body in the tool frame, the robot itself being known.
+    #[arg(long)]
+    tool: bool,
+    /// Tell richer friction laws too: low and high speeds in both directions.
+    #[arg(long)]
+    friction: bool,
+    /// Standard deviation of the torque noise per joint, N m; one number for all, or one per joint. Weighs the joints; default: all the same.
+    #[arg(long, value_delimiter = ',', value_name = "NM")]
+    noise: Vec<f64>,
+    /// Cut-off of the low-pass that logs will go through, Hz: noise has at most two independent values per period of it.
+    #[arg(long, default_value_t = 10.0, value_name = "HZ")]
+    cutoff: f64,
+    /// Motions that were played before (CSV): this one complements them.
+    #[arg(long, num_args = 1.., value_name = "CSV")]
+    known: Vec<PathBuf>,
+    /// The file's parameters are known to this share of themselves, percent.
+    #[arg(long, value_name = "PERCENT")]
+    known_std: Option<f64>,
+    /// Find the shortest motion, of at most --duration, after which every essential parameter is known to this share of itself, percent.
+    #[arg(long, value_name = "PERCENT")]
+    target_std: Option<f64>,
+    /// Time in which a joint without `acceleration` limit may reach its speed, s.
+    #[arg(long, default_value_t = 0.5, value_name = "SECONDS")]
+    acceleration_time: f64,
+    /// Share of velocity, acceleration and jerk limits to use, percent.
+    #[arg(long, default_value_t = 100.0, value_name = "PERCENT")]
+    speed: f64,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Which {
+    Cond,
+    Logdet,
+    Hadamard,
+    Trace,
+    Smallest,
+}
+
+impl Which {
+    fn criterion(self) -> Criterion {
+        match self {
+            Self::Cond => Criterion::Condition,
+            Self::Logdet => Criterion::LogDet,
+            Self::Hadamard => Criterion::Hadamard,
+            Self::Trace => Criterion::Trace,
+            Self::Smallest => Criterion::Smallest,
+        }
+    }
+}
+
+impl Excite {
+    pub(super) fn run(self) -> Result<(), Failure> {
+        self.validate()?;
+        let file = files::robot(&self.robot)?;
+        if let Some(path) = &self.check {
+            return self.judge(path, &file.robot);
+        }
+        let arm = Differentiated::new(&file.robot);
+        let begun = Instant::now();
+        let coverage;
+        let mut task = Task::new(&arm, &file.robot, self.duration, self.acceleration_time)
+            .map_err(|e| Failure::input(format!("{}: {e}", self.robot.display())))?;
+        task.criterion = self.criterion.criterion();
+        task.curve = self.curve()?;
+        task.rate = CRITERION_RATE;
+        task.share = self.speed / 100.0;
+        if self.links_only || self.tool {
+            task.base = link_columns(&arm);
+        }
+        if self.tool {
+            task.base.clear();
+            task.payload = true;
+        }
+        if self.friction {
+            let has_offset = arm.base_parameters().iter().any(|b| b.name.starts_with("FO"));
+            coverage = FrictionCoverage::new(&task.limits.iter().map(|l| l.velocity).collect::<Vec<_>>(), !has_offset);
+            task.extra = Some(&coverage);
+        }
+        self.know(&mut task)?;
+        for missing in &task.missing {
+            let who = if missing.joint.is_empty() { String::new() } else { format!("joint {}: ", missing.joint) };
+            eprintln!("{}: note: {who}{}: {}", self.robot.display(), missing.limit, missing.taken);
+        }
+
+        let (found, expected, tried) = self.search(&task)?;
+        let seconds = begun.elapsed().as_secs_f64();
+        if !found.feasible {
+            let broken: Vec<String> = found
+                .closest
+                .iter()
+                .filter(|w| w.excess > 0.0)
+                .map(|w| format!("{} at {:.2} s", w.what, w.time))
+                .collect();
+            if !found.stopped || self.out.is_none() {
+                return Err(Failure::other(format!(
+                    "no motion inside all limits was found; closest to it: {}; give it more --starts or --iterations, a longer --duration, a lower --speed",
+                    broken.join("; ")
+                )));
+            }
+            return Err(Failure::other(format!(
+                "stopped before any motion inside all limits was found: {}",
+                broken.join("; ")
+            )));
+        }
+        if let Some(path) = &self.out {
+            files::write(path, report::motion_csv(&found.trajectory, self.rate).as_bytes())?;
+        }
+        if let Some(path) = &self.coefficients {
+            files::write(path, format!("{:#}\n", found.trajectory.to_json()).as_bytes())?;
+        }
+        if let Some(path) = &self.ros {
+            let names: Vec<String> = task.limits.iter().map(|l| l.name.clone()).collect();
+            files::write(path, report::joint_trajectory(&found.trajectory, &names, self.rate).as_bytes())?;
+        }
+        let outcome = report::Outcome { task: &task, found: &found, expected: &expected, tried: &tried, seconds };
+        if let Some(path) = &self.report {
+            files::write(path, report::excite_html(&outcome, &self.provenance(&file.text)).as_bytes())?;
+        }
+        if let Some(target) = &self.json {
+            files::json(target, &report::excite_json(&outcome))?;
+        }
+        if !files::is_stdout(&self.json) {
+            files::print(&report::excite_text(&outcome))?;
+            for path in self.out.iter().chain(&self.coefficients).chain(&self.ros).chain(&self.report) {
+                files::print(&format!("wrote {}\n", path.display()))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn judge(&self, path: &Path, robot: &Robot) -> Result<(), Failure> {
+        let written = super::motion::read(path, robot.dof())?;
+        let verdict = check(robot, &written, Some(self.acceleration_time))
+            .map_err(|e| Failure::input(format!("{}: {e}", path.display())))?;
+        if let Some(target) = &self.json {
+            files::json(target, &report::motion_check_json(&verdict))?;
+        }
+        if !files::is_stdout(&self.json) {
+            files::print(&report::motion_check_text(&verdict))?;
+        }
+        let broken: Vec<String> = verdict
+            .findings
+            .iter()
+            .filter(|f| f.broken)
+            .map(|f| {
+                format!("{} of {} at {:.3} s ({:.5} where {:.5} is allowed)", f.kind, f.who, f.time, f.value, f.limit)
+            })
+            .collect();
+        if broken.is_empty() {
+            return Ok(());
+        }
+        Err(Failure::other(format!("{} breaks {} limits: {}", path.display(), broken.len(), broken.join("; "))))
+    }
+
+    fn validate(&self) -> Result<(), Failure> {
+        let positive = [
+            ("--duration", self.duration, 0.2, 600.0),
+            ("--rate", self.rate, 1.0, 10_000.0),
+            ("--spacing", self.spacing, 0.05, 60.0),
+            ("--acceleration-time", self.acceleration_time, 1e-3, 100.0),
+            ("--speed", self.speed, 1.0, 100.0),
+            ("--cutoff", self.cutoff, 0.01, 1e5),
+            ("--time-limit", self.time_limit.unwrap_or(1.0), 0.0, 1e6),
+        ];
+        for (name, value, low, high) in positive {
+            if !(low..=high).contains(&value) {
+                return Err(Failure::input(format!("{name} {value}: from {low} to {high}")));
+            }
+        }
+        let counts = [
+            ("--starts", self.starts, 1, 10_000),
+            ("--iterations", self.iterations, 1, 100_000),
+            ("--periods", self.periods, 1, 1000),
+            ("--threads", self.threads.unwrap_or(1), 1, 1024),
+            ("--fourier", self.fourier.unwrap_or(2), 2, 50),
+        ];
+        for (name, value, low, high) in counts {
+            if !(low..=high).contains(&value) {
+                return Err(Failure::input(format!("{name} {value}: from {low} to {high}")));
+            }
+        }
+        if self.duration / self.spacing > 100.0 {
+            return Err(Failure::input(format!(
+                "--duration {} with --spacing {} makes more than 100 way points; use a wider spacing",
+                self.duration, self.spacing
+            )));
+        }
+        Ok(())
+    }
+
+    fn curve(&self) -> Result<Curve, Failure> {
+        Ok(match self.fourier {
+            Some(harmonics) => Curve::Fourier { period: self.duration, harmonics, periods: self.periods },
+            None => Curve::Spline {
+                duration: self.duration,
+                intervals: ((self.duration / self.spacing).round() as usize).max(1),
+            },
+        })
+    }
+
+    /// Noise and what is known before. Plain equation (9) where nothing is said about either.
+    fn know(&self, task: &mut Task<'_>) -> Result<(), Failure> {
+        let dof = task.dof();
+        let share = |name: &str, value: Option<f64>| match value {
+            Some(p) if !(p > 0.0 && p <= 1e4) => {
+                Err(Failure::input(format!("{name} {p}: a share in percent, over zero")))
+            }
+            other => Ok(other.map(|p| p / 100.0)),
+        };
+        let known_std = share("--known-std", self.known_std)?;
+        share("--target-std", self.target_std)?;
+        let given = self.noises(dof)?;
+        if self.noise.is_empty() && self.known.is_empty() && known_std.is_none() && self.target_std.is_none() {
+            return Ok(());
+        }
+        let noise = if self.noise.is_empty() { assumed_noise(task) } else { given };
+        task.noise = self.per_sample(noise);
+        if !self.known.is_empty() {
+            let played: Vec<States> = self.known.iter().map(|path| states_of(path, dof)).collect::<Result<_, _>>()?;
+            task.prior = Some(known_from(task, &played));
+        }
+        if let Some(share) = known_std {
+            let values = known_values(task, share).ok_or_else(|| {
+                Failure::input(
+                    "--known-std: the robot file has no inertial parameters of all links; write them under `links`",
+                )
+            })?;
+            task.prior = Some(task.prior.take().map_or(values.clone(), |p| p + values));
+        }
+        Ok(())
+    }
+
+    /// Noise of successive samples is alike after a low-pass: as if it were larger and independent.
+    fn per_sample(&self, noise: Vec<f64>) -> Vec<f64> {
+        let share = (2.0 * self.cutoff / CRITERION_RATE).min(1.0);
+        noise.into_iter().map(|s| s / share.sqrt()).collect()
+    }
+
+    fn provenance(&self, text: &str) -> Vec<(String, String)> {
+        let command: Vec<String> = std::env::args().collect();
+        vec![
+            ("robot".into(), format!("{} ({} bytes)", self.robot.display(), text.len())),
+            ("command".into(), command.join(" ")),
+            ("program".into(), format!("denavit {}", env!("CARGO_PKG_VERSION"))),
+        ]
+    }
+
+    fn noises(&self, dof: usize) -> Result<Vec<f64>, Failure> {
+        if let Some(bad) = self.noise.iter().find(|s| !(**s > 0.0 && s.is_finite())) {
+            return Err(Failure::input(format!("--noise {bad}: a standard deviation is positive, N m")));
+        }
+        match self.noise.len() {
+            0 => Ok(vec![1.0; dof]),
+            1 => Ok(vec![self.noise[0]; dof]),
+            n if n == dof => Ok(self.noise.clone()),
+            n => Err(Failure::input(format!("--noise has {n} numbers; give one, or one per joint ({dof})"))),
+        }
+    }
+
+    /// Runs the designer with a progress bar, Ctrl-C and the time limit.
+    fn search(&self, task: &Task<'_>) -> Result<Found, Failure> {
+        let effort = Effort {
+            starts: self.starts,
+            seed: self.seed,
+            iterations: self.iterations,
+            threads: self.threads.unwrap_or(Effort::default().threads),
+            ..Effort::default()
+        };
+        let stop = Arc::new(AtomicBool::new(false));
+        let asked = Arc::clone(&stop);
+        // A second Ctrl-C ends the program at once. Where no handler can be set, the first does.
+        let _ = ctrlc::set_handler(move || {
+            if asked.swap(true, Ordering::Relaxed) {
+                std::process::exit(130);
+            }
+        });
+        let bar = ProgressBar::new(1);
+        if let Ok(style) = ProgressStyle::with_template("{bar:30} {percent}% {msg} {eta} left") {
+            bar.set_style(style);
+        }
+        let begun = Instant::now();
+        let limit = self.time_limit.map(Duration::from_secs_f64);
+        let unit = if matches!(task.criterion, Criterion::LogDet | Criterion::Hadamard) {
+            task.columns().count() as f64
+        } else {
+            1.0
+        };
+        let exponential = matches!(task.criterion, Criterion::Condition | Criterion::Trace | Criterion::Smallest);
+        let name = task.criterion.name();
+        let progress = |p: &Progress| {
+            bar.set_length(p.total as u64);
+            bar.set_position(p.done as u64);
+            let best =
+                p.best.map_or("-".to_string(), |b| format!("{:.2}", if exponential { b.exp() } else { b * unit }));
+            bar.set_message(format!("{name} {best}, worst constraint {:+.3}", p.worst));
+            if limit.is_some_and(|l| begun.elapsed() > l) {
+                stop.store(true, Ordering::Relaxed);
+            }
+        };
+        let watch = Watch { stop: &stop, progress: &progress };
+        let found = match self.target_std {
+            Some(percent) => shortest(task, percent, &effort, &watch).map(|s| (s.design, s.expected, s.tried)),
+            None => design(task, &effort, &watch).map(|found| {
+                let noise = if task.noise.iter().all(|s| *s == 1.0) {
+                    self.per_sample(assumed_noise(task))
+                } else {
+                    task.noise.clone()
+                };
+                let own = Task { noise, ..task.clone() };
+                let expected = expected(&own, &found.trajectory.sampled(task.rate).1);
+                (found, expected, Vec::new())
+            }),
+        };
+        bar.finish_and_clear();
+        found.map_err(|e| Failure::other(format!("{}: {e}", self.robot.display())))
+    }
+}
+
+/// A design, what to expect of it, and durations that were tried.
+type Found = (Design, Vec<Expected>, Vec<(f64, Option<f64>)>);
+
+/// Samples per second that the criterion counts, as in the paper.
+const CRITERION_RATE: f64 = 100.0;
+
+/// Where no noise is given: half a percent of the torque limit, 0.1 N m where there is none.
+fn assumed_noise(task: &Task<'_>) -> Vec<f64> {
+    task.limits.iter().map(|l| l.torque.map_or(0.1, |t| 0.005 * t)).collect()
+}
+
+/// A motion that was played, at the criterion's rate.
+fn states_of(path: &Path, dof: usize) -> Result<States, Failure> {
+    let motion = super::motion::read(path, dof)?;
+    let bad = |what: &str| Failure::input(format!("{}: {what}", path.display()));
+    if motion.dq.is_empty() || motion.ddq.is_empty() {
+        return Err(bad("a played motion needs the columns dq1.. and ddq1.., as `excite --out` writes them"));
+    }
+    let end = motion.t.last().copied().unwrap_or(0.0) - motion.t.first().copied().unwrap_or(0.0);
+    if motion.t.len() < 2 || end <= 0.0 {
+        return Err(bad("there is no motion in it"));
+    }
+    // The row nearest to each instant.
+    let start = motion.t[0];
+    let rows: Vec<usize> = (0..=(end * CRITERION_RATE).floor() as usize)
+        .map(|k| {
+            let t = start + k as f64 / CRITERION_RATE;
+            let after = motion.t.partition_point(|x| *x < t).min(motion.t.len() - 1);
+            let before = after.saturating_sub(1);
+            if (motion.t[after] - t).abs() < (t - motion.t[before]).abs() { after } else { before }
+        })
+        .collect();
+    let part =
+        |of: &[Vec<f64>]| (0..dof).flat_map(|j| rows.iter().map(move |&r| (j, r))).map(|(j, r)| of[r][j]).collect();
+    Ok(States { len: rows.len(), q: part(&motion.q), dq: part(&motion.dq), ddq: part(&motion.ddq) })
+}
+
+/// Base parameters that are no drive's.
+fn link_columns(arm: &Differentiated) -> Vec<usize> {
+    let drive = |name: &str| ["IA", "FV", "FC", "FO"].iter().any(|p| name.starts_with(p));
+    (0..arm.base_parameters().len()).filter(|&b| !drive(&arm.base_parameters()[b].name)).collect()
+}

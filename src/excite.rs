@@ -1,0 +1,45 @@
+//! Exciting motions: the most information about the parameters in the fewest seconds, inside every limit (the paper, section III).
+//!
+//! `robot -> Task -> Program (criterion, constraints, their gradients) -> sqp -> Design`, many starts at once; `check` judges a
+//! written motion and shares no code with any of that.
+//!
+//! - `curve`: splines and Fourier series as linear functions of the search variables; bounds that hold between samples.
+//! - `columns`, `extra`: which columns of the regressor count. `information`, `criterion`: what they tell.
+//! - `bodies`, `constraints`: torque, ground, spheres, boxes. `program`: all of it as one nonlinear program.
+//! - `sqp`, `subproblem`: the solver. `start`: where it begins. `design`: several starts, grids from coarse to fine.
+//! - `precision`: what standard deviation the parameters will have. `shortest`: the shortest motion that reaches a target.
+
+mod bodies;
+pub mod check;
+mod columns;
+mod constraints;
+mod criterion;
+mod curve;
+mod design;
+mod extra;
+mod information;
+mod limits;
+mod precision;
+mod program;
+mod random;
+mod shortest;
+mod sqp;
+mod start;
+mod subproblem;
+mod task;
+
+pub use bodies::{Ball, Block, Bodies, Pair};
+pub use columns::Columns;
+pub use constraints::{Constraint, Worst};
+pub use criterion::Criterion;
+pub use curve::Curve;
+pub use design::{Design, Effort, Progress, Record, Watch, design, discriminate};
+pub use extra::{Extra, FrictionCoverage};
+pub use information::{Conditions, Information};
+pub use limits::{JointLimits, Missing};
+pub use precision::{Expected, expected, known_from, known_values, nominal};
+pub use shortest::{Shortest, shortest};
+pub use task::Task;
+
+#[cfg(test)]
+mod tests;

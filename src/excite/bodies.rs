@@ -1,0 +1,97 @@
+//! Spheres on the arm, the ground, boxes around it.
+
+use dh_codegen::robot::Robot;
+
+/// A sphere fixed to a frame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ball {
+    /// Frame (row of the table from 0); `None`: the base.
+    pub frame: Option<usize>,
+    /// Centre in that frame, m.
+    pub center: [f64; 3],
+    /// m
+    pub radius: f64,
+}
+
+/// A box of the surroundings, along the base axes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Block {
+    /// For messages.
+    pub name: String,
+    /// Lowest corner, m.
+    pub min: [f64; 3],
+    /// Highest corner, m.
+    pub max: [f64; 3],
+}
+
+/// Two spheres that must not meet, by index.
+pub type Pair = (usize, usize);
+
+/// All of them.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Bodies {
+    /// Spheres.
+    pub balls: Vec<Ball>,
+    /// Pairs of spheres that are watched.
+    pub pairs: Vec<Pair>,
+    /// Spheres and boxes that are watched.
+    pub blocked: Vec<(usize, usize)>,
+    /// Boxes.
+    pub blocks: Vec<Block>,
+    /// Lowest z, m, and the frames whose origins stay above it.
+    pub ground: Option<(f64, Vec<usize>)>,
+}
+
+impl Bodies {
+    /// From a robot's spheres, ground and boxes. Pairs: all spheres whose links have at least one link that moves between them (neighbours touch by
+    /// construction), except those that no posture can bring together or apart. Ground: the origins of the frames that move away from the base axis, and the tool.
+    pub fn new(robot: &Robot) -> Self {
+        let balls: Vec<Ball> = robot
+            .collision
+            .spheres
+            .iter()
+            .map(|s| Ball { frame: s.link.checked_sub(1), center: s.center, radius: s.radius })
+            .collect();
+        let moving: Vec<bool> = robot.joints.iter().map(|j| j.kind != dh_codegen::robot::JointKind::Fixed).collect();
+        let between = |a: Option<usize>, b: Option<usize>| {
+            let (low, high) = (a.map_or(0, |a| a + 1), b.map_or(0, |b| b + 1));
+            moving[low.min(high)..low.max(high)].iter().filter(|m| **m).count()
+        };
+        let mut pairs = Vec::new();
+        for a in 0..balls.len() {
+            for b in a + 1..balls.len() {
+                if between(balls[a].frame, balls[b].frame) >= 2 {
+                    pairs.push((a, b));
+                }
+            }
+        }
+        let frames = robot.joints.len() + usize::from(robot.tool.is_some());
+        let blocks: Vec<Block> =
+            robot.collision.boxes.iter().map(|b| Block { name: b.name.clone(), min: b.min, max: b.max }).collect();
+        let blocked = (0..balls.len())
+            .filter(|&k| balls[k].frame.is_some_and(|f| moving[..=f].iter().any(|m| *m)))
+            .flat_map(|k| (0..blocks.len()).map(move |b| (k, b)))
+            .collect();
+        Self { balls, pairs, blocked, blocks, ground: robot.collision.ground.map(|z| (z, (0..frames).collect())) }
+    }
+}
+
+/// Distance from a point to a box and its gradient; inside, minus the depth below the nearest face.
+pub(super) fn distance(point: [f64; 3], block: &Block) -> (f64, [f64; 3]) {
+    let outside: [f64; 3] =
+        std::array::from_fn(|i| (block.min[i] - point[i]).max(0.0) - (point[i] - block.max[i]).max(0.0));
+    let d = outside.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if d > 0.0 {
+        return (d, outside.map(|x| -x / d));
+    }
+    let mut best = (f64::NEG_INFINITY, [0.0; 3]);
+    for i in 0..3 {
+        for (depth, sign) in [(block.min[i] - point[i], -1.0), (point[i] - block.max[i], 1.0)] {
+            if depth > best.0 {
+                best = (depth, [0.0; 3]);
+                best.1[i] = sign;
+            }
+        }
+    }
+    best
+}

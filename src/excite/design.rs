@@ -1,0 +1,355 @@
+//! From a task to a motion: several starts at once, first on coarse grids, the best then on fine ones, and checked between their samples.
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+use crate::trajectory::Trajectory;
+
+use super::constraints::{Constraint, Worst};
+use super::extra::Extra;
+use super::information::{Conditions, Information};
+use super::program::{Grid, Program};
+use super::sqp::{Point, Settings, better, minimise};
+use super::task::Task;
+use super::{Criterion, start};
+
+/// How much work is put in. The result depends on this and on the task, never on the time that it took.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Effort {
+    /// Motions to begin with.
+    pub starts: usize,
+    /// Of the random starts.
+    pub seed: u64,
+    /// At most so many steps from each start.
+    pub iterations: usize,
+    /// Of the starts, so many are taken to the end.
+    pub finalists: usize,
+    /// Threads.
+    pub threads: usize,
+}
+
+impl Default for Effort {
+    fn default() -> Self {
+        let threads = std::thread::available_parallelism().map_or(1, usize::from);
+        Self { starts: 6, seed: 1, iterations: 60, finalists: 2, threads }
+    }
+}
+
+/// A step of the solver, for a plot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Record {
+    /// Which start, from 0.
+    pub start: usize,
+    /// The criterion as it is minimised (smooth, on the coarse or fine grid).
+    pub value: f64,
+    /// Largest constraint value.
+    pub worst: f64,
+}
+
+/// What is told while it runs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Progress {
+    /// Steps done, of all starts.
+    pub done: usize,
+    /// Steps at most.
+    pub total: usize,
+    /// Best value so far among feasible motions, as it is minimised.
+    pub best: Option<f64>,
+    /// Largest constraint value of the last step.
+    pub worst: f64,
+}
+
+/// How a caller follows and stops a design.
+pub struct Watch<'w> {
+    /// Set: stop soon and give the best so far.
+    pub stop: &'w AtomicBool,
+    /// Called now and then, from any thread.
+    pub progress: &'w (dyn Fn(&Progress) + Sync),
+}
+
+/// A motion, and what it is worth.
+#[derive(Debug, Clone)]
+pub struct Design {
+    /// The motion.
+    pub trajectory: Trajectory,
+    /// Its variables, for a further run.
+    pub variables: Vec<f64>,
+    /// Name of the criterion.
+    pub criterion: &'static str,
+    /// The criterion's value at the task's rate, Coulomb's sign as it is.
+    pub value: f64,
+    /// Condition number and determinants as the task weighs and scales.
+    pub scaled: Conditions,
+    /// The same of the base regressor's chosen columns as they are: the paper's equation (9).
+    pub plain: Conditions,
+    /// Does every constraint hold on the finest grid?
+    pub feasible: bool,
+    /// The closest constraint of each kind, margins left out.
+    pub closest: Vec<Worst>,
+    /// Stopped before the end?
+    pub stopped: bool,
+    /// History of all starts.
+    pub history: Vec<Record>,
+    /// Value that each start reached, where feasible.
+    pub starts: Vec<Option<f64>>,
+}
+
+/// Samples per second of the first, coarse part and of its constraints.
+const COARSE: [f64; 2] = [20.0, 20.0];
+/// Of the final part.
+const FINE: [f64; 2] = [50.0, 50.0];
+/// Of the last check.
+const FINEST: f64 = 500.0;
+
+/// Designs a motion.
+///
+/// # Errors
+/// Where no posture is clear of everything, or no motion was found inside the limits: says which constraint and where.
+pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Design, String> {
+    let home = start::home(task).map_err(|worst| {
+        format!(
+            "no posture keeps clear of everything: {} at best; check `position` limits, `collision` and `torque` in the robot file",
+            worst.what
+        )
+    })?;
+    let coarse = Program::new(task, COARSE[0].min(task.rate), COARSE[1]);
+    let powers = task.criterion.powers();
+    let total = effort.starts.max(1) * effort.iterations + effort.finalists.max(1) * 2 * effort.iterations;
+    let counter = AtomicUsize::new(0);
+    let best = Mutex::new(None::<f64>);
+    let histories: Mutex<Vec<(usize, usize, Vec<Record>)>> = Mutex::new(Vec::new());
+
+    let run = |program: &Program<'_>,
+               x: Vec<f64>,
+               powers: &[f64],
+               iterations: usize,
+               radius: f64,
+               start: usize,
+               part: usize| {
+        let mut records = Vec::new();
+        let mut point = Point { x, value: f64::INFINITY, worst: f64::INFINITY };
+        for (k, &power) in powers.iter().enumerate() {
+            let settings = Settings {
+                iterations: iterations / powers.len(),
+                patience: 8,
+                gain: 2e-5,
+                radius: if k == 0 { radius } else { 0.1 },
+            };
+            let mut visit = |at: &Point| {
+                records.push(Record { start, value: at.value, worst: at.worst });
+                let done = counter.fetch_add(1, Ordering::Relaxed);
+                if let Ok(mut best) = best.lock() {
+                    if at.worst <= 0.0 && best.is_none_or(|b| at.value < b) {
+                        *best = Some(at.value);
+                    }
+                    (watch.progress)(&Progress { done, total, best: *best, worst: at.worst });
+                }
+                !watch.stop.load(Ordering::Relaxed)
+            };
+            point = minimise(program, point.x, power, &settings, &mut visit);
+            if watch.stop.load(Ordering::Relaxed) {
+                break;
+            }
+        }
+        if let Ok(mut all) = histories.lock() {
+            all.push((part, start, records));
+        }
+        point
+    };
+
+    // Coarse: every start.
+    let mut points: Vec<(usize, Point)> = parallel(effort.threads, effort.starts.max(1), |k| {
+        if k > 0 && watch.stop.load(Ordering::Relaxed) {
+            return None;
+        }
+        let x = start::random_motion(task, &coarse, &home, effort.seed, k as u64);
+        Some((k, run(&coarse, x, powers, effort.iterations, 0.3, k, 0)))
+    })
+    .into_iter()
+    .flatten()
+    .collect();
+    let starts: Vec<Option<f64>> = points.iter().map(|(_, p)| (p.worst <= 0.0).then_some(p.value)).collect();
+    points.sort_by(|a, b| match (better(&a.1, &b.1), better(&b.1, &a.1)) {
+        (true, false) => std::cmp::Ordering::Less,
+        (false, true) => std::cmp::Ordering::Greater,
+        _ => a.0.cmp(&b.0),
+    });
+    points.truncate(effort.finalists.max(1));
+
+    // Fine: the best of them, with margins that grow until the finest grid is content.
+    let ended = parallel(effort.threads, points.len(), |k| {
+        let (start, point) = &points[k];
+        finish(
+            task,
+            point.x.clone(),
+            |program, x, iterations, radius, part| {
+                let last = &powers[powers.len() - 1..];
+                run(program, x, last, iterations, radius, *start, part)
+            },
+            effort.iterations,
+        )
+    });
+    let mut ended: Vec<Ended> = ended.into_iter().collect();
+    ended.sort_by(|a, b| {
+        (!a.feasible, a.point.value).partial_cmp(&(!b.feasible, b.point.value)).unwrap_or(std::cmp::Ordering::Equal)
+    });
+    let chosen = ended.into_iter().next().ok_or("no start was made")?;
+    let mut histories = histories.into_inner().unwrap_or_default();
+    histories.sort_by_key(|h| (h.0, h.1));
+    let history = histories.into_iter().flat_map(|h| h.2).collect();
+    let stopped = watch.stop.load(Ordering::Relaxed);
+    assess(task, chosen, history, starts, stopped)
+}
+
+struct Ended {
+    point: Point,
+    feasible: bool,
+}
+
+fn finish(
+    task: &Task<'_>,
+    x: Vec<f64>,
+    run: impl Fn(&Program<'_>, Vec<f64>, usize, f64, usize) -> Point,
+    iterations: usize,
+) -> Ended {
+    let mut own = task.clone();
+    let mut point = Point { x, value: f64::INFINITY, worst: f64::INFINITY };
+    let mut last = None;
+    for round in 0..4 {
+        let program = Program::new(&own, FINE[0].min(task.rate), FINE[1]);
+        let iterations = if round == 0 { iterations } else { iterations / 2 };
+        point = run(&program, point.x, iterations, 0.1, 1 + round);
+        let excess = finest(task, &point.x);
+        let (torque, distance) =
+            excess.iter().fold((f64::NEG_INFINITY, f64::NEG_INFINITY), |(t, d), (c, v, _)| match c {
+                Constraint::Torque(_) => (t.max(*v), d),
+                _ => (t, d.max(*v)),
+            });
+        let feasible = torque <= 0.0 && distance <= 0.0;
+        let ended = Ended { point: point.clone(), feasible };
+        if feasible {
+            return ended;
+        }
+        last = Some(ended);
+        // What showed between the samples is added to the margins.
+        own.torque_margin += 1.2 * torque.max(0.0) + 1e-4;
+        own.distance_margin += 0.12 * distance.max(0.0) + 1e-5;
+    }
+    last.unwrap_or(Ended { point, feasible: false })
+}
+
+/// The largest value of every constraint on the finest grid, without margins, and when.
+fn finest(task: &Task<'_>, x: &[f64]) -> Vec<(Constraint, f64, f64)> {
+    let grid = Grid::new(&task.curve, FINEST);
+    let bare = Task { torque_margin: 0.0, distance_margin: 0.0, ..task.clone() };
+    let constraints = bare.constraints();
+    let list = constraints.list();
+    let values = constraints.values(&list, &grid.states(x));
+    let len = grid.times.len();
+    list.iter()
+        .enumerate()
+        .map(|(k, &c)| {
+            let row = &values[k * len..(k + 1) * len];
+            let (s, value) =
+                row.iter().enumerate().fold((0, f64::NEG_INFINITY), |m, (s, v)| if *v > m.1 { (s, *v) } else { m });
+            (c, value, grid.times[s])
+        })
+        .collect()
+}
+
+fn assess(
+    task: &Task<'_>,
+    ended: Ended,
+    history: Vec<Record>,
+    starts: Vec<Option<f64>>,
+    stopped: bool,
+) -> Result<Design, String> {
+    let x = ended.point.x;
+    let trajectory = task.curve.trajectory(&x).ok_or("the variables are no motion")?;
+    let excess = finest(task, &x);
+    let bare = Task { torque_margin: 0.0, distance_margin: 0.0, ..task.clone() };
+    let constraints = bare.constraints();
+    let mut closest: Vec<Worst> = Vec::new();
+    for kind in 0..4 {
+        let of = |c: &Constraint| match c {
+            Constraint::Torque(_) => 0,
+            Constraint::Ground(_) => 1,
+            Constraint::Pair(_) => 2,
+            Constraint::Box(_) => 3,
+        };
+        let worst = excess.iter().filter(|(c, ..)| of(c) == kind).max_by(|a, b| a.1.total_cmp(&b.1));
+        closest.extend(worst.map(|(c, v, t)| Worst { what: constraints.describe(*c, *v), time: *t, excess: *v }));
+    }
+    let grid = Grid::new(&task.curve, task.rate);
+    let states = grid.states(&x);
+    let information = Information::new(&task.columns(), &states, &task.scaling(1.0));
+    let plain = Task { prior: None, noise: vec![1.0; task.dof()], scale: Vec::new(), ..task.clone() };
+    let scaled = information.conditions();
+    let plain = Information::new(&plain.columns(), &states, &plain.scaling(1.0)).conditions();
+    let power = task.criterion.powers().last().copied().unwrap_or(1.0);
+    let minimised = information.judge(&task.criterion, power).map_or(f64::INFINITY, |j| j.0);
+    if !minimised.is_finite() {
+        return Err(
+            "the motion tells nothing about some columns; make it longer, or leave parameters out with --without"
+                .into(),
+        );
+    }
+    Ok(Design {
+        value: task.criterion.reported(&scaled, minimised),
+        criterion: task.criterion.name(),
+        trajectory,
+        variables: x,
+        scaled,
+        plain,
+        feasible: ended.feasible,
+        closest,
+        stopped,
+        history,
+        starts,
+    })
+}
+
+/// Calls `work` with `0..count` on some threads; results in order.
+fn parallel<T: Send>(threads: usize, count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let next = AtomicUsize::new(0);
+    let done: Mutex<Vec<(usize, T)>> = Mutex::new(Vec::new());
+    std::thread::scope(|scope| {
+        for _ in 0..threads.clamp(1, count.max(1)) {
+            scope.spawn(|| {
+                loop {
+                    let k = next.fetch_add(1, Ordering::Relaxed);
+                    if k >= count {
+                        return;
+                    }
+                    let result = work(k);
+                    if let Ok(mut done) = done.lock() {
+                        done.push((k, result));
+                    }
+                }
+            });
+        }
+    });
+    let mut done = done.into_inner().unwrap_or_default();
+    done.sort_by_key(|d| d.0);
+    done.into_iter().map(|d| d.1).collect()
+}
+
+/// The motion that best tells two hypotheses apart: `first` and `second` give the columns that each adds to the base regressor. Maximised is what
+/// of either can't be explained by the base parameters and the other. Everything else is as in the task, whose criterion and
+/// extra columns are replaced.
+///
+/// # Errors
+/// Like [`design`].
+pub fn discriminate(
+    task: &Task<'_>,
+    first: &dyn Extra,
+    second: &dyn Extra,
+    effort: &Effort,
+    watch: &Watch<'_>,
+) -> Result<Design, String> {
+    let both = super::extra::Both::new(first, second);
+    let (base, a, b) = (task.base.len() + 10 * usize::from(task.payload), first.columns(), second.columns());
+    let criterion = Criterion::Separation((base..base + a).collect(), (base + a..base + a + b).collect());
+    let own = Task { criterion, extra: Some(&both), scale: Vec::new(), prior: None, ..task.clone() };
+    design(&own, effort, watch)
+}

@@ -1,0 +1,245 @@
+//! What a motion tells about the columns: `G = sum of W' P W`, and functions of its spectrum.
+//!
+//! `G`'s products lose what lies below 1e-8 of the largest singular value of `W`, so where columns scaled to unit norm are worse conditioned
+//! than 1e5 the factor `R` of `W = Q R` is taken instead, which sees singular values themselves.
+
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+
+use crate::arm::{Gradient, States};
+use crate::identify::Triangle;
+
+use super::columns::Columns;
+use super::criterion::{Criterion, Slope};
+
+/// Weights of rows and columns, and what is known before.
+#[derive(Debug, Clone)]
+pub(super) struct Scaling {
+    /// Of each joint's equations: 1 / standard deviation of its torque noise.
+    pub(super) row: Vec<f64>,
+    /// Of each column: the size that its parameter has.
+    pub(super) column: Vec<f64>,
+    /// Information that is there already, in scaled columns.
+    pub(super) prior: Option<DMatrix<f64>>,
+    /// Samples that each sample of the grid stands for.
+    pub(super) repeat: f64,
+}
+
+/// The weighted, scaled observation matrix of a motion, with what it tells.
+pub struct Information {
+    /// `values * len`, as [`Columns::evaluate`] wrote them.
+    values: Vec<f64>,
+    len: usize,
+    /// `G`, scaled, the prior included.
+    gram: DMatrix<f64>,
+    /// Factor with `R' R = G`, where products are too coarse.
+    factor: Option<DMatrix<f64>>,
+}
+
+/// Condition numbers (ratio of the largest to the smallest singular value) and the two determinants of the paper's equation (9).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Conditions {
+    /// Of the observation matrix.
+    pub condition: f64,
+    /// `log det(W' W)`.
+    pub log_det: f64,
+    /// `log` of the product of the squared column norms.
+    pub hadamard: f64,
+}
+
+impl Information {
+    /// Evaluates the columns at the states.
+    pub(super) fn new(columns: &Columns<'_>, states: &States, scaling: &Scaling) -> Self {
+        let (len, count) = (states.len, columns.count());
+        let mut values = vec![0.0; columns.values() * len];
+        columns.evaluate(states, &mut values);
+        let column_of = |place: usize| &values[place * len..(place + 1) * len];
+        let mut gram = DMatrix::zeros(count, count);
+        let entries = columns.entries();
+        let weight = |row: usize| scaling.row[row] * scaling.row[row] * scaling.repeat;
+        for row in entries.chunk_by(|a, b| a.row == b.row) {
+            for (k, a) in row.iter().enumerate() {
+                for b in &row[k..] {
+                    let product = weight(a.row) * dot(column_of(a.place), column_of(b.place));
+                    gram[(a.column, b.column)] += product * scaling.column[a.column] * scaling.column[b.column];
+                }
+            }
+        }
+        gram.fill_lower_triangle_with_upper_triangle();
+        if let Some(prior) = &scaling.prior {
+            gram += prior;
+        }
+        let factor = poor(&gram).then(|| factor(columns, &values, len, scaling));
+        Self { values, len, gram, factor }
+    }
+
+    /// `G`.
+    pub fn gram(&self) -> &DMatrix<f64> {
+        &self.gram
+    }
+
+    /// The factor, computed if it is not there.
+    fn singular(&self, equilibrate: bool) -> (Vec<f64>, DMatrix<f64>, Vec<f64>) {
+        let n = self.gram.ncols();
+        let unit = |norm: f64| if equilibrate && norm > 0.0 { 1.0 / norm } else { 1.0 };
+        match &self.factor {
+            Some(r) => {
+                let scale: Vec<f64> = (0..n).map(|k| unit(r.column(k).norm())).collect();
+                let scaled = DMatrix::from_fn(r.nrows(), n, |i, k| r[(i, k)] * scale[k]);
+                let svd = scaled.svd(false, true);
+                let v = svd.v_t.map_or_else(|| DMatrix::identity(n, n), |v| v.transpose());
+                (svd.singular_values.iter().copied().collect(), v, scale)
+            }
+            None => {
+                let scale: Vec<f64> = (0..n).map(|k| unit(self.gram[(k, k)].sqrt())).collect();
+                let scaled = DMatrix::from_fn(n, n, |i, k| self.gram[(i, k)] * scale[i] * scale[k]);
+                let eigen = SymmetricEigen::new(scaled);
+                let floor = eigen.eigenvalues.max() * 1e-30;
+                (eigen.eigenvalues.iter().map(|l| l.max(floor).sqrt()).collect(), eigen.eigenvectors, scale)
+            }
+        }
+    }
+
+    /// Condition number and determinants.
+    pub fn conditions(&self) -> Conditions {
+        let (sigma, _, _) = self.singular(false);
+        let (least, most) = sigma.iter().fold((f64::INFINITY, 0.0_f64), |(l, h), s| (l.min(*s), h.max(*s)));
+        let (unit, _, scale) = self.singular(true);
+        let log_scale: f64 = scale.iter().map(|s| s.ln()).sum();
+        Conditions {
+            condition: if least > 0.0 { most / least } else { f64::INFINITY },
+            log_det: 2.0 * (unit.iter().map(|s| s.ln()).sum::<f64>() - log_scale),
+            hadamard: self.gram.diagonal().iter().map(|g| g.ln()).sum(),
+        }
+    }
+
+    /// Of each column, per unit of its parameter: RMS over the motion of its share in a joint's torque, in standard deviations of that torque's
+    /// noise; of the joint where it is largest.
+    pub(super) fn torque_shares(&self, columns: &Columns<'_>, scaling: &Scaling) -> Vec<f64> {
+        let mut shares = vec![0.0_f64; columns.count()];
+        for e in columns.entries() {
+            let column = &self.values[e.place * self.len..(e.place + 1) * self.len];
+            let rms = (dot(column, column) / self.len.max(1) as f64).sqrt() * scaling.row[e.row];
+            shares[e.column] = shares[e.column].max(rms);
+        }
+        shares
+    }
+
+    /// `G^-1`, the covariance in scaled columns; infinite where nothing is told.
+    pub fn covariance(&self) -> DMatrix<f64> {
+        let (sigma, v, scale) = self.singular(true);
+        let most = sigma.iter().fold(0.0_f64, |m, s| m.max(*s));
+        let n = sigma.len();
+        let inverse =
+            DVector::from_iterator(n, sigma.iter().map(|s| if *s > 1e-13 * most { 1.0 / (s * s) } else { 1e30 }));
+        DMatrix::from_fn(n, n, |i, k| {
+            (0..n).map(|l| v[(i, l)] * inverse[l] * v[(k, l)]).sum::<f64>() * scale[i] * scale[k]
+        })
+    }
+
+    /// Value of a criterion with this power of its smooth form, and its derivative by `G` in the form that keeps its digits.
+    pub(super) fn judge(&self, criterion: &Criterion, power: f64) -> Option<(f64, Slope)> {
+        if criterion.by_gram() && self.factor.is_none() {
+            return criterion.of_gram(&self.gram);
+        }
+        let (sigma, v, scale) = self.singular(criterion.ignores_scale());
+        criterion.of_spectrum(&sigma, &v, &scale, &self.gram, power)
+    }
+
+    /// Adds the derivative of a criterion by the states.
+    pub(super) fn pull(
+        &self,
+        columns: &Columns<'_>,
+        states: &States,
+        scaling: &Scaling,
+        slope: &Slope,
+        to: &mut Gradient,
+    ) {
+        let len = self.len;
+        let mut seeds = vec![0.0; self.values.len()];
+        for row in columns.entries().chunk_by(|a, b| a.row == b.row) {
+            let weight = scaling.row[row[0].row].powi(2) * scaling.repeat;
+            match slope {
+                Slope::Dense(f) => {
+                    for a in row {
+                        let (before, rest) = seeds.split_at_mut(a.place * len);
+                        let _ = before;
+                        let seed = &mut rest[..len];
+                        for b in row {
+                            let factor = 2.0
+                                * weight
+                                * scaling.column[a.column]
+                                * scaling.column[b.column]
+                                * f[(a.column, b.column)];
+                            axpy(factor, &self.values[b.place * len..(b.place + 1) * len], seed);
+                        }
+                    }
+                }
+                // F = U diag(d) U': W U first, which is of order one, so that nothing cancels.
+                Slope::Factored { u, d } => {
+                    for l in 0..d.len() {
+                        let mut product = vec![0.0; len];
+                        for b in row {
+                            axpy(
+                                scaling.column[b.column] * u[(b.column, l)],
+                                &self.values[b.place * len..(b.place + 1) * len],
+                                &mut product,
+                            );
+                        }
+                        for a in row {
+                            let factor = 2.0 * weight * d[l] * u[(a.column, l)] * scaling.column[a.column];
+                            axpy(factor, &product, &mut seeds[a.place * len..(a.place + 1) * len]);
+                        }
+                    }
+                }
+            }
+        }
+        columns.vjp(states, &seeds, to);
+    }
+}
+
+/// Are the products too coarse? Judged by the pivots of columns scaled to unit norm.
+fn poor(gram: &DMatrix<f64>) -> bool {
+    let scale: Vec<f64> = gram.diagonal().iter().map(|g| if *g > 0.0 { 1.0 / g.sqrt() } else { 1.0 }).collect();
+    let unit = DMatrix::from_fn(gram.nrows(), gram.ncols(), |i, k| gram[(i, k)] * scale[i] * scale[k]);
+    match unit.cholesky() {
+        Some(factor) => factor.l_dirty().diagonal().iter().any(|pivot| *pivot < 1e-4),
+        None => true,
+    }
+}
+
+/// The triangular factor of the weighted rows, the prior's included.
+fn factor(columns: &Columns<'_>, values: &[f64], len: usize, scaling: &Scaling) -> DMatrix<f64> {
+    let count = columns.count();
+    let mut triangle = Triangle::new(count);
+    for row in columns.entries().chunk_by(|a, b| a.row == b.row) {
+        let mut block = vec![0.0; len * count];
+        for e in row {
+            let factor = scaling.row[e.row] * scaling.repeat.sqrt() * scaling.column[e.column];
+            axpy(factor, &values[e.place * len..(e.place + 1) * len], &mut block[e.column * len..(e.column + 1) * len]);
+        }
+        triangle.absorb(&mut block, len);
+    }
+    if let Some(prior) = &scaling.prior {
+        let eigen = SymmetricEigen::new(prior.clone());
+        let root =
+            DMatrix::from_diagonal(&eigen.eigenvalues.map(|l| l.max(0.0).sqrt())) * eigen.eigenvectors.transpose();
+        triangle.absorb(&mut root.as_slice().to_vec(), count);
+    }
+    DMatrix::from_fn(count, count, |i, k| triangle.get(i, k))
+}
+
+/// By four accumulators, which vectorises and keeps the order of the sum fixed.
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let (mut sums, even) = ([0.0; 4], a.len() / 4 * 4);
+    for (x, y) in a[..even].chunks_exact(4).zip(b[..even].chunks_exact(4)) {
+        for l in 0..4 {
+            sums[l] += x[l] * y[l];
+        }
+    }
+    let rest: f64 = a[even..].iter().zip(&b[even..]).map(|(x, y)| x * y).sum();
+    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
+}
+
+fn axpy(factor: f64, x: &[f64], to: &mut [f64]) {
+    to.iter_mut().zip(x).for_each(|(y, x)| *y += factor * x);
+}

@@ -1,0 +1,78 @@
+//! How short can it be? The shortest motion after which every essential parameter is known well enough.
+
+use crate::trajectory::Trajectory;
+
+use super::Curve;
+use super::design::{Design, Effort, Watch, design};
+use super::precision::{Expected, expected};
+use super::task::Task;
+
+/// A motion that reaches the target, and the way to it.
+#[derive(Debug, Clone)]
+pub struct Shortest {
+    /// The motion.
+    pub design: Design,
+    /// What to expect of it.
+    pub expected: Vec<Expected>,
+    /// Durations that were tried, s, with the largest relative standard deviation of an essential parameter, percent (`None`: no
+    /// feasible motion).
+    pub tried: Vec<(f64, Option<f64>)>,
+}
+
+/// Tries durations in steps of half a second up to that of the task, by bisection: longer motions tell more. Essential are the
+/// parameters that are so in the longest motion.
+///
+/// # Errors
+/// Where not even the longest motion reaches the target (says by how much, and which parameter), no nominal values are known, or no
+/// motion is feasible.
+pub fn shortest(task: &Task<'_>, percent: f64, effort: &Effort, watch: &Watch<'_>) -> Result<Shortest, String> {
+    let Curve::Spline { duration, intervals } = task.curve else {
+        return Err("a target needs splines".into());
+    };
+    let spacing = duration / intervals as f64;
+    let mut essential: Option<Vec<bool>> = None;
+    let mut tried = Vec::new();
+    let mut attempt = |seconds: f64| -> Result<(Design, Vec<Expected>, Option<(String, f64)>), String> {
+        let intervals = ((seconds / spacing).round() as usize).max(1);
+        let own = Task { curve: Curve::Spline { duration: seconds, intervals }, ..task.clone() };
+        let found = design(&own, effort, watch)?;
+        let expected = expected(&own, &played(&found.trajectory, own.rate));
+        let mask = essential.get_or_insert_with(|| expected.iter().map(|e| e.essential == Some(true)).collect());
+        let worst = expected
+            .iter()
+            .zip(mask.iter())
+            .filter(|(_, m)| **m)
+            .filter_map(|(e, _)| Some((e.name.clone(), e.relative_percent()?)))
+            .max_by(|a, b| a.1.total_cmp(&b.1));
+        tried.push((seconds, worst.as_ref().filter(|_| found.feasible).map(|w| w.1)));
+        Ok((found, expected, worst))
+    };
+    let (found, values, worst) = attempt(duration)?;
+    let Some((name, reached)) = worst else {
+        return Err("no parameter is essential at this noise, or the file has no nominal values; give `links`".into());
+    };
+    if reached > percent || !found.feasible {
+        return Err(format!(
+            "{duration} s do not reach {percent} %: {name} stays at {reached:.1} %; allow a longer --duration, or give what is known"
+        ));
+    }
+    let mut best = (found, values);
+    // In half seconds: `low` fails, `high` succeeds.
+    let (mut low, mut high) = (1, (2.0 * duration).floor() as usize);
+    while high - low > 1 {
+        let middle = low.midpoint(high);
+        match attempt(0.5 * middle as f64) {
+            Ok((found, values, Some((_, reached)))) if found.feasible && reached <= percent => {
+                best = (found, values);
+                high = middle;
+            }
+            _ => low = middle,
+        }
+    }
+    Ok(Shortest { design: best.0, expected: best.1, tried })
+}
+
+/// The states of a motion at a rate.
+pub(super) fn played(motion: &Trajectory, rate: f64) -> crate::arm::States {
+    motion.sampled(rate).1
+}

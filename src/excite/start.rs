@@ -1,0 +1,66 @@
+//! Where a run begins: a posture in the clear, and a random motion about it that keeps the bounds.
+
+use crate::arm::States;
+
+use super::constraints::Worst;
+use super::program::Program;
+use super::random::Random;
+use super::task::Task;
+
+/// The posture that keeps most clear of everything, of some thousand.
+pub(super) fn home(task: &Task<'_>) -> Result<Vec<f64>, Worst> {
+    let (n, len) = (task.dof(), 4096);
+    let mut random = Random::new(7, 0);
+    let mut states = States { len, q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };
+    for j in 0..n {
+        let [low, high] = task.limits[j].position;
+        let middle = if low < 0.0 && high > 0.0 { 0.0 } else { 0.5 * (low + high) };
+        for s in 0..len {
+            // The first is the middle; the further, the wider.
+            let share = 0.9 * s as f64 / len as f64;
+            states.q[j * len + s] = random.uniform(middle + share * (low - middle), middle + share * (high - middle));
+        }
+    }
+    let constraints = task.constraints();
+    let list = constraints.list();
+    let values = constraints.values(&list, &states);
+    let mut best = (f64::INFINITY, 0, 0);
+    for s in 0..len {
+        let (mut worst, mut at) = (f64::NEG_INFINITY, 0);
+        for k in 0..list.len() {
+            if values[k * len + s] > worst {
+                (worst, at) = (values[k * len + s], k);
+            }
+        }
+        // A little clear is clear enough: the earliest then.
+        let worst = worst.max(-0.3);
+        if worst < best.0 {
+            best = (worst, s, at);
+        }
+    }
+    if best.0 > 0.0 {
+        let what = constraints.describe(list[best.2], best.0);
+        return Err(Worst { what, time: 0.0, excess: best.0 });
+    }
+    Ok((0..n).map(|j| states.q[j * len + best.1]).collect())
+}
+
+/// A random motion about a posture.
+pub(super) fn random_motion(task: &Task<'_>, program: &Program<'_>, home: &[f64], seed: u64, stream: u64) -> Vec<f64> {
+    let mut random = Random::new(seed, stream.wrapping_add(100));
+    let rest: Vec<f64> = home.iter().flat_map(|&q| task.curve.rest(q)).collect();
+    let mut step = vec![0.0; rest.len()];
+    let count = task.curve.count();
+    for j in 0..task.dof() {
+        // Each joint by itself uses what its bounds allow.
+        let mut alone = vec![0.0; rest.len()];
+        let [low, high] = task.limits[j].position;
+        let wide = (high - low).min(4.0);
+        for k in 0..count {
+            alone[j * count + k] = random.uniform(-0.5, 0.5) * wide;
+        }
+        let room = program.room(&rest, &alone);
+        (0..count).for_each(|k| step[j * count + k] = 0.8 * room * alone[j * count + k]);
+    }
+    rest.iter().zip(&step).map(|(r, d)| r + d).collect()
+}

@@ -1,0 +1,171 @@
+//! What is asked for: robot, limits, motion family, columns, criterion, what is known.
+
+use dh_codegen::arm::param;
+use dh_codegen::robot::Robot;
+use nalgebra::DMatrix;
+
+use crate::arm::{Arm, Differentiable, States};
+use crate::differentiated::Differentiated;
+
+use super::bodies::Bodies;
+use super::columns::Columns;
+use super::constraints::{Constraint, Constraints};
+use super::criterion::Criterion;
+use super::curve::Curve;
+use super::extra::Extra;
+use super::information::Scaling;
+use super::limits::{JointLimits, Missing};
+use super::random::Random;
+
+/// A task for the designer. Fields may be changed between [`Task::new`] and [`super::design`].
+#[derive(Clone)]
+pub struct Task<'a> {
+    /// The arm.
+    pub arm: &'a dyn Differentiable,
+    /// Limits per joint.
+    pub limits: Vec<JointLimits>,
+    /// What the file does not say, and what was taken.
+    pub missing: Vec<Missing>,
+    /// Standard parameters of the nominal model; `None`: torques are not checked.
+    pub standard: Option<Vec<f64>>,
+    /// Spheres, ground, boxes.
+    pub bodies: Bodies,
+    /// Family of motions.
+    pub curve: Curve,
+    /// Criterion.
+    pub criterion: Criterion,
+    /// Indices of the base parameters whose columns count.
+    pub base: Vec<usize>,
+    /// With the ten columns of a body in the tool frame.
+    pub payload: bool,
+    /// Further columns.
+    pub extra: Option<&'a dyn Extra>,
+    /// Standard deviation of each joint's torque noise, N m; all 1: plain equation (9).
+    pub noise: Vec<f64>,
+    /// Factor of each column; empty: 1.
+    pub scale: Vec<f64>,
+    /// Information that is there already, in unscaled columns and the noise's units: `W' P W` of earlier motions, or one over variances.
+    pub prior: Option<DMatrix<f64>>,
+    /// Samples per second that the criterion counts.
+    pub rate: f64,
+    /// Share of the torque limits that is kept free.
+    pub torque_margin: f64,
+    /// Distance that is kept to ground, spheres and boxes, m.
+    pub distance_margin: f64,
+    /// Share of the limits of position, velocity, acceleration and jerk that is used.
+    pub share: f64,
+}
+
+impl<'a> Task<'a> {
+    /// The paper's task for a robot: all base parameters, log det, splines with a way point every second.
+    ///
+    /// # Errors
+    /// Where limits are missing that a motion can't be planned without.
+    pub fn new(arm: &'a Differentiated, robot: &Robot, duration: f64, acceleration_time: f64) -> Result<Self, String> {
+        let mut missing = Vec::new();
+        let limits: Vec<JointLimits> = robot
+            .moving()
+            .into_iter()
+            .map(|row| {
+                let joint = &robot.joints[row];
+                let revolute = joint.kind == dh_codegen::robot::JointKind::Revolute;
+                JointLimits::new(&joint.name, revolute, &joint.limits, acceleration_time, &mut missing)
+            })
+            .collect::<Result<_, _>>()?;
+        if limits.is_empty() {
+            return Err("this robot has no joint that moves".into());
+        }
+        let standard = param::standard_values(robot);
+        if standard.is_none() {
+            missing.push(Missing {
+                joint: String::new(),
+                limit: "links",
+                taken: "the file has no inertial parameters of all links: torques are not checked".into(),
+            });
+        }
+        let mut task = Self {
+            noise: vec![1.0; limits.len()],
+            base: (0..arm.base_parameters().len()).collect(),
+            arm,
+            limits,
+            missing,
+            standard,
+            bodies: Bodies::new(robot),
+            curve: Curve::Spline { duration, intervals: (duration.round() as usize).max(1) },
+            criterion: Criterion::LogDet,
+            payload: false,
+            extra: None,
+            scale: Vec::new(),
+            prior: None,
+            rate: 100.0,
+            torque_margin: 0.01,
+            distance_margin: 0.005,
+            share: 1.0,
+        };
+        task.forget_constant();
+        Ok(task)
+    }
+
+    /// Degrees of freedom.
+    pub fn dof(&self) -> usize {
+        self.limits.len()
+    }
+
+    /// Leaves out what no posture changes: frames on the base axis, spheres that turn about it.
+    fn forget_constant(&mut self) {
+        let mut random = Random::new(1, 1);
+        let (n, len) = (self.dof(), 200);
+        let mut states = States { len, q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };
+        for j in 0..n {
+            let [low, high] = self.limits[j].position;
+            states.q[j * len..(j + 1) * len].iter_mut().for_each(|q| *q = random.uniform(low, high));
+        }
+        let constraints = self.constraints();
+        let list: Vec<Constraint> =
+            constraints.list().into_iter().filter(|c| !matches!(c, Constraint::Torque(_))).collect();
+        let values = constraints.values(&list, &states);
+        let varies = |k: usize| {
+            let row = &values[k * len..(k + 1) * len];
+            let (low, high) = row.iter().fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(*v), h.max(*v)));
+            high - low > 1e-9
+        };
+        let kept: Vec<Constraint> = list.iter().enumerate().filter(|&(k, _)| varies(k)).map(|(_, c)| *c).collect();
+        if let Some((_, frames)) = &mut self.bodies.ground {
+            frames.retain(|f| kept.contains(&Constraint::Ground(*f)));
+        }
+        let pick = |all: &[(usize, usize)], make: fn(usize) -> Constraint| {
+            (0..all.len()).filter(|&k| kept.contains(&make(k))).map(|k| all[k]).collect::<Vec<_>>()
+        };
+        self.bodies.pairs = pick(&self.bodies.pairs, Constraint::Pair);
+        self.bodies.blocked = pick(&self.bodies.blocked, Constraint::Box);
+    }
+
+    pub(super) fn constraints(&self) -> Constraints<'_> {
+        Constraints {
+            arm: self.arm,
+            limits: &self.limits,
+            standard: self.standard.as_deref(),
+            bodies: &self.bodies,
+            torque_margin: self.torque_margin,
+            distance_margin: self.distance_margin,
+        }
+    }
+
+    /// The columns that count.
+    pub fn columns(&self) -> Columns<'a> {
+        Columns::new(self.arm, &self.base, self.payload, self.extra)
+    }
+
+    /// The columns with Coulomb's sign made smooth: over two percent of the largest speed.
+    pub(super) fn smooth_columns(&self) -> Columns<'a> {
+        self.columns().smooth(self.limits.iter().map(|l| 0.02 * l.velocity).collect())
+    }
+
+    pub(super) fn scaling(&self, repeat: f64) -> Scaling {
+        let count = self.columns().count();
+        let column = if self.scale.len() == count { self.scale.clone() } else { vec![1.0; count] };
+        let prior = self.prior.as_ref().filter(|p| p.ncols() == count);
+        let prior = prior.map(|p| DMatrix::from_fn(count, count, |i, k| p[(i, k)] * column[i] * column[k]));
+        Scaling { row: self.noise.iter().map(|s| 1.0 / s).collect(), column, prior, repeat }
+    }
+}
