@@ -33,8 +33,8 @@ impl Cause for PositionDependentFriction {
         }
         let n = shape[0];
         vec![
-            Term::new("PC", "N m", scene.pointwise(j, |o, k| o.sign[k] * (n * o.q[k]).cos()), Sign::Any),
-            Term::new("PS", "N m", scene.pointwise(j, |o, k| o.sign[k] * (n * o.q[k]).sin()), Sign::Any),
+            Term::new("PC", scene.pointwise(j, |o, k| o.sign[k] * (n * o.q[k]).cos()), Sign::Any),
+            Term::new("PS", scene.pointwise(j, |o, k| o.sign[k] * (n * o.q[k]).sin()), Sign::Any),
         ]
     }
 

@@ -76,8 +76,8 @@ impl Cause for TorqueRipple {
             return Vec::new();
         }
         vec![
-            Term::new("RC", "N m", scene.pointwise(j, |o, k| (n * o.q[k]).cos()), Sign::Any),
-            Term::new("RS", "N m", scene.pointwise(j, |o, k| (n * o.q[k]).sin()), Sign::Any),
+            Term::new("RC", scene.pointwise(j, |o, k| (n * o.q[k]).cos()), Sign::Any),
+            Term::new("RS", scene.pointwise(j, |o, k| (n * o.q[k]).sin()), Sign::Any),
         ]
     }
 
