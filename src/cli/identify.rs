@@ -77,8 +77,15 @@ pub(super) struct Identify {
     /// Leave out parameters that are not essential.
     #[arg(long)]
     essential: bool,
-    /// Whether the links that are written must be possible bodies: if the data allow it, or the command fails, or not asked for.
-    #[arg(long, value_enum, default_value_t = Consistency::Auto)]
+    /// Whether the links that are written must be possible bodies; without a value: `require`.
+    #[arg(
+        long,
+        value_enum,
+        default_value_t = Consistency::Auto,
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "require"
+    )]
     consistent: Consistency,
     /// Where bodies come from as far as torques don't show them.
     #[arg(long, value_enum, default_value_t = PriorFrom::Cad)]
@@ -93,8 +100,8 @@ pub(super) struct Identify {
     /// of a link.
     #[arg(long, value_name = "CSV")]
     bounds: Option<PathBuf>,
-    /// By how much possible bodies may raise the weighted residual before the data contradict physics, percent.
-    #[arg(long, default_value_t = 10.0, value_name = "PERCENT")]
+    /// By how much possible bodies may raise the weighted residual, beyond noise, before the data contradict physics, percent.
+    #[arg(long, default_value_t = 25.0, value_name = "PERCENT")]
     most_cost: f64,
     /// Speed below which a joint's rows are not used, rad/s; default from the noise.
     #[arg(long, value_name = "SPEED")]
@@ -185,7 +192,10 @@ impl Identify {
             let standard = match possible.as_ref().map(|p| p.result) {
                 Some(Ok(bodies)) => bodies.standard.clone(),
                 Some(Err(error)) => {
-                    eprintln!("{}: warning: no possible bodies, the plain values were written: {error}", path.display());
+                    eprintln!(
+                        "{}: warning: no possible bodies, the plain values were written: {error}",
+                        path.display()
+                    );
                     recover_standard(&arm, &found.values(), prior.as_deref()).map_err(Failure::other)?
                 }
                 None => recover_standard(&arm, &found.values(), prior.as_deref()).map_err(Failure::other)?,
@@ -259,7 +269,8 @@ impl Identify {
             };
             let cells: Vec<&str> = row.split(',').map(str::trim).collect();
             let &[link, what, low, high] = cells.as_slice() else { return Err(bad("not four columns")) };
-            let number = |text: &str| text.parse::<f64>().ok().filter(|x| !x.is_nan()).ok_or_else(|| bad("not a number"));
+            let number =
+                |text: &str| text.parse::<f64>().ok().filter(|x| !x.is_nan()).ok_or_else(|| bad("not a number"));
             let range = [number(low)?, number(high)?];
             let link = link.parse::<usize>().ok().filter(|l| (1..=robot.joints.len()).contains(l));
             let link = link.ok_or_else(|| bad("no such link"))? - 1;

@@ -51,7 +51,7 @@ pub fn consistent_json(possible: &Possible<'_>) -> Value {
         "standard": c.standard,
         "rms": each(|a| &a.rms),
         "nrms": each(|a| &a.nrms),
-        "growth_percent": { "possible": c.possible.growth_percent, "with_prior": c.cost.growth_percent },
+        "growth_percent": { "possible": c.possible.growth_percent, "with_prior": c.cost.growth_percent, "significant": c.significant },
         "prior": {
             "weight": c.prior_weight,
             "sources": c.sources.iter().map(|s| source(*s)).collect::<Vec<_>>(),
@@ -80,15 +80,20 @@ pub fn consistent_text(found: &Identification, possible: &Possible<'_>) -> Strin
     };
     let _ = writeln!(
         out,
-        "  To be possible, links pay {} % of the fit's weighted residual; with the prior (weight {}) {} %. Together they weigh {} kg.",
+        "  To be possible, links pay {} % of the fit's weighted residual, {} than noise explains; with the prior (weight {}) {} %. Together they weigh {} kg.",
         percent(c.possible.growth_percent.max(0.0)),
+        if c.significant { "more" } else { "no more" },
         figure(c.prior_weight),
         percent(c.cost.growth_percent.max(0.0)),
         figure(c.total_mass)
     );
     if !c.at_the_edge.is_empty() {
         let links: Vec<String> = c.at_the_edge.iter().map(usize::to_string).collect();
-        let _ = writeln!(out, "  Without the prior the data push link {} to the edge of what a body can be.", links.join(", "));
+        let _ = writeln!(
+            out,
+            "  Without the prior the data push link {} to the edge of what a body can be.",
+            links.join(", ")
+        );
     }
     let guessed: Vec<String> =
         (1..).zip(&c.sources).filter(|(_, s)| **s == Source::Geometric).map(|(i, _)| i.to_string()).collect();
@@ -139,16 +144,16 @@ pub fn carry_over_text(found: &Identification, carry: &CarryOver) -> String {
     let list: Vec<String> = doubtful
         .iter()
         .map(|&j| match carry.torque_std[j - 1].is_finite() && found.fit.rms[j - 1].is_finite() {
-            true => format!("joint {j} ± {} N m (residual here {})", figure(carry.torque_std[j - 1]), figure(found.fit.rms[j - 1])),
+            true => format!(
+                "joint {j} ± {} N m (residual here {})",
+                figure(carry.torque_std[j - 1]),
+                figure(found.fit.rms[j - 1])
+            ),
             false => format!("joint {j} open"),
         })
         .collect();
-    let unknown: Vec<&str> = found
-        .parameters
-        .iter()
-        .filter(|p| !(p.relative_std_percent() < 50.0))
-        .map(|p| p.name.as_str())
-        .collect();
+    let unknown: Vec<&str> =
+        found.parameters.iter().filter(|p| !(p.relative_std_percent() < 50.0)).map(|p| p.name.as_str()).collect();
     format!(
         "\nwarning: this fit will not carry over to other motions. All over the arm's range its torques are uncertain by more than its residual: {}. \
          {} of {} parameters are not known to 50 %: {}. Condition number {} with columns of unit norm. Record a richer motion, or use the possible \
