@@ -239,8 +239,11 @@ fn base_parameters_of_possible_bodies_are_reproduced() {
         let mut none = base.clone();
         let heaviest = arm.base_parameters().iter().position(|b| b.name.starts_with("ZZ")).unwrap();
         none[heaviest] = -1.0;
-        let result = possible_bodies(&arm, &none, &prior, &truth, &ConsistentSettings::default()).unwrap();
-        assert!(!result.exact && result.residual[heaviest] > 0.5, "{:?}", result.residual);
+        // Impossible: the nearest, or a halt; never said to be met.
+        match possible_bodies(&arm, &none, &prior, &truth, &ConsistentSettings::default()) {
+            Ok(result) => assert!(!result.exact && result.residual[heaviest] > 0.5, "{:?}", result.residual),
+            Err(error) => assert!(matches!(error, ConsistentError::Stalled(_)), "{error}"),
+        }
     }
 }
 
