@@ -25,7 +25,7 @@ enum Command {
     /// Evaluate a quantity of the robot at given states.
     Eval(eval::Eval),
     /// Identify the base parameters from logs, and write the robot file with the values in place.
-    Identify(identify::Identify),
+    Identify(Box<identify::Identify>),
 }
 
 impl Cli {

@@ -13,7 +13,7 @@ use crate::arm::{Arm, Reach};
 use crate::identify::{
     Bounds, Consistent, ConsistentError, ConsistentSettings, DeadZone, Essential, Factors, Identification,
     IdentifySettings, PriorBody, Stack, StackSettings, Trace, Tracer, carry_over, consistent, geometric_bodies,
-    prior_bodies, recover_standard, solve,
+    possible_bodies, prior_bodies, recover_standard, solve,
 };
 use crate::interpreted::Interpreted;
 use crate::log::{Keep, Quantity, open};
@@ -179,9 +179,19 @@ impl Identify {
         if let (Consistency::Require, Some(Err(error))) = (self.consistent, &possible) {
             return Err(Failure::other(format!("no possible bodies: {error}")));
         }
+        // Where the plain solution is possible itself, the file has bodies with exactly its base parameters.
+        let exact = match (self.consistent, &possible) {
+            (Consistency::Auto, Some(Ok(_))) if self.prior_weight == 1.0 => {
+                let (prior, settings) = (self.prior_of(&file.robot, &arm), self.settings(&file.robot)?);
+                let same = possible_bodies(&arm, &found.values(), &prior, &drives(&file.robot), &settings);
+                same.ok().filter(|same| same.exact).map(|same| same.standard)
+            }
+            _ => None,
+        };
         let possible = possible.as_ref().map(|result| report::Possible {
             result: result.as_ref(),
             written: self.out.as_ref().map(|_| result.is_ok()),
+            plain: exact.is_some(),
         });
 
         if let Some(path) = &self.report {
@@ -190,7 +200,7 @@ impl Identify {
         }
         if let Some(path) = &self.out {
             let standard = match possible.as_ref().map(|p| p.result) {
-                Some(Ok(bodies)) => bodies.standard.clone(),
+                Some(Ok(bodies)) => exact.clone().unwrap_or_else(|| bodies.standard.clone()),
                 Some(Err(error)) => {
                     eprintln!(
                         "{}: warning: no possible bodies, the plain values were written: {error}",
@@ -236,24 +246,30 @@ impl Identify {
         if !(self.prior_weight > 0.0 && self.prior_weight.is_finite()) {
             return Err(Failure::input(format!("--prior-weight {}: a number above 0", self.prior_weight)));
         }
-        if !(self.most_cost > 0.0) {
+        if self.most_cost.is_nan() || self.most_cost <= 0.0 {
             return Err(Failure::input(format!("--most-cost {}: percent, above 0", self.most_cost)));
         }
-        let bounds = self.bounds(robot)?;
-        let settings = ConsistentSettings {
-            prior_weight: self.prior_weight,
-            bounds,
-            carried: carried(robot),
-            most_cost_percent: self.most_cost,
-            ..ConsistentSettings::default()
-        };
-        let prior = match self.prior {
-            PriorFrom::Cad => prior(robot, arm),
-            PriorFrom::None => prior_bodies(&[], &geometric_bodies(&arm.ends())),
-        };
+        let (settings, prior) = (self.settings(robot)?, self.prior_of(robot, arm));
         match consistent(arm, fit, validate, found, &prior, &drives(robot), &settings) {
             Err(error @ ConsistentError::Bounds { .. }) => Err(Failure::input(error)),
             result => Ok(result),
+        }
+    }
+
+    fn settings(&self, robot: &Robot) -> Result<ConsistentSettings, Failure> {
+        Ok(ConsistentSettings {
+            prior_weight: self.prior_weight,
+            bounds: self.bounds(robot)?,
+            carried: carried(robot),
+            most_cost_percent: self.most_cost,
+            ..ConsistentSettings::default()
+        })
+    }
+
+    fn prior_of(&self, robot: &Robot, arm: &Interpreted) -> Vec<PriorBody> {
+        match self.prior {
+            PriorFrom::Cad => prior(robot, arm),
+            PriorFrom::None => prior_bodies(&[], &geometric_bodies(&arm.ends())),
         }
     }
 

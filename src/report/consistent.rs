@@ -14,6 +14,8 @@ pub struct Possible<'a> {
     pub result: Result<&'a Consistent, &'a ConsistentError>,
     /// Whether the robot file's values are theirs (`None`: none was written).
     pub written: Option<bool>,
+    /// Whether what was written are bodies with exactly the plain solution's base parameters: it is possible itself.
+    pub plain: bool,
 }
 
 fn source(source: Source) -> &'static str {
@@ -47,6 +49,7 @@ pub fn consistent_json(possible: &Possible<'_>) -> Value {
     json!({
         "status": "possible",
         "written": possible.written,
+        "written_is_plain": possible.plain,
         "parameters": c.names.iter().zip(&c.base).map(|(name, value)| json!({"name": name, "value": value})).collect::<Vec<_>>(),
         "standard": c.standard,
         "rms": each(|a| &a.rms),
@@ -125,7 +128,10 @@ pub fn consistent_text(found: &Identification, possible: &Possible<'_>) -> Strin
         out.push('\n');
     }
     if possible.written == Some(true) {
-        out.push_str("  The robot file has these bodies.\n");
+        out.push_str(match possible.plain {
+            true => "  The plain parameters are those of possible bodies; the robot file has such, with exactly these parameters.\n",
+            false => "  The robot file has these bodies.\n",
+        });
     }
     out
 }
@@ -152,8 +158,12 @@ pub fn carry_over_text(found: &Identification, carry: &CarryOver) -> String {
             false => format!("joint {j} open"),
         })
         .collect();
-    let unknown: Vec<&str> =
-        found.parameters.iter().filter(|p| !(p.relative_std_percent() < 50.0)).map(|p| p.name.as_str()).collect();
+    let unknown: Vec<&str> = found
+        .parameters
+        .iter()
+        .filter(|p| p.relative_std_percent().is_nan() || p.relative_std_percent() >= 50.0)
+        .map(|p| p.name.as_str())
+        .collect();
     format!(
         "\nwarning: this fit will not carry over to other motions. All over the arm's range its torques are uncertain by more than its residual: {}. \
          {} of {} parameters are not known to 50 %: {}. Condition number {} with columns of unit norm. Record a richer motion, or use the possible \

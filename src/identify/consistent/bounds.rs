@@ -29,14 +29,14 @@ impl Bounds {
         }
         let ranges = self.mass.iter().map(|b| (b.0, b.1)).chain(self.center.iter().map(|b| (b.0, b.2)));
         for (link, [low, high]) in ranges {
-            if !(low < high) {
+            if low.is_nan() || high.is_nan() || low >= high {
                 return bad(format!("link {}: the least value, {low}, is not below the largest, {high}", link + 1));
             }
         }
         let (mut least, mut most) = (0.0, 0.0);
         for link in 0..links {
             let [low, high] = self.mass_of(link);
-            if !(low < high) {
+            if low.is_nan() || high.is_nan() || low >= high {
                 return bad(format!("link {}: bounds leave it no mass between {low} and {high} kg", link + 1));
             }
             (least, most) = (least + low, most + high);

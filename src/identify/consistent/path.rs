@@ -162,7 +162,7 @@ pub(super) fn near(problem: &Problem, start: &[f64], weights: Weights) -> Result
             length = shorten(x, d, shorten(s.force, force, length));
             single_changes.push(force);
         }
-        if !(length > 1e-6) {
+        if length.is_nan() || length <= 1e-6 {
             // Stuck at the edge: forces that balance the bodies push away from it.
             resets += 1;
             if resets >= 20 {
