@@ -36,7 +36,7 @@ enum Command {
     /// Design the motion that tells the most about the parameters, inside every limit.
     Excite(excite::Excite),
     /// Identify the base parameters from logs, and write the robot file with the values in place.
-    Identify(identify::Identify),
+    Identify(Box<identify::Identify>),
     /// Play a motion on the simulated robot and record a log.
     Simulate(simulate::Simulate),
     /// Identify what the arm carries, and recognise the tool.

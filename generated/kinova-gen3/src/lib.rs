@@ -1,6 +1,6 @@
 //! Closed-form kinematics and dynamics of `kinova-gen3`: 7 degrees of freedom, 43 base parameters.
 //!
-//! Written by denavit 0.1.0 from the robot file with digest c5adb8dda47cc37b; do not edit, run `denavit generate` again.
+//! Written by denavit 0.1.0 from the robot file with digest aac4bdb306374538; do not edit, run `denavit generate` again.
 //!
 //! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Nothing is allocated; nothing but `core` is used.
 //! Kernels ([`kernel`]) take sines and cosines ([`Trig`]); the functions here take `q`.
@@ -282,8 +282,8 @@ pub const VELOCITY_LIMITS: [Option<f64>; DOF] = [Some(1.396), Some(1.396), Some(
 pub const ACCELERATION_LIMITS: [Option<f64>; DOF] = [None, None, None, None, None, None, None];
 /// Largest torques or forces, N m or N.
 pub const TORQUE_LIMITS: [Option<f64>; DOF] = [Some(39.0), Some(39.0), Some(39.0), Some(39.0), Some(9.0), Some(9.0), Some(9.0)];
-/// The robot file's standard parameters: it does not have them all.
-pub const STANDARD_VALUES: Option<[f64; STANDARD]> = None;
+/// The robot file's standard parameters, its tool in the last link.
+pub const STANDARD_VALUES: Option<[f64; STANDARD]> = Some([1.3773, -3.1678e-5, -0.014274337, 0.075779046, 0.008887302, 0.009000364, 0.00155694, 6.72e-7, 3.743e-6, 0.001233374, 1.1636, -5.1198e-5, -0.115871288, -0.008032331, 0.02268191, 0.001127449, 0.022793465, -9.8e-8, -3.53e-7, -0.00149086, 1.1636, -5.1198e-5, -0.007727468, 0.107619037, 0.020936788, 0.021080472, 0.00109432, -3.4e-7, -2.265e-6, 0.001320698, 0.9302, -1.6744e-5, -0.070209636, -0.008028556, 0.013515577, 0.000700295, 0.013615283, -2.264e-6, -1.45e-7, -0.001105979, 0.6781, 6.78e-7, -0.006395839, 0.028512071, 0.002855173, 0.002805847, 0.000459326, 6e-9, -2.9e-8, 0.000524926, 0.6781, 6.78e-7, -0.030842022, -0.006424998, 0.003104665, 0.000470877, 0.003043788, 3.1e-8, 6e-9, -0.000570228, 0.5, 0.0001405, 0.005701, 0.0158635, 0.001155304, 0.000872341, 0.000674042, 1.398e-6, -1.458e-6, -0.000298876]);
 /// Name, multiplications and additions of each function, sines and cosines apart (`DOF` pairs).
 pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("frames", 79, 64),
