@@ -224,8 +224,10 @@ impl Simulator {
         self.check(trajectory, request)?;
         let span = trajectory.span();
         let (feedforward, peak, gains) = self.prepare_control(trajectory, request);
-        let start = positions(trajectory, n, span.start);
-        let settled = self.built.settle(&span, &peak, &start);
+        let places: Vec<Vec<f64>> = (0..=20)
+            .map(|k| positions(trajectory, n, span.start + f64::from(k) / 20.0 * (span.end - span.start)))
+            .collect();
+        let settled = self.built.settle(&span, &peak, &places);
         let Settled { drives, couplings, contacts } = &settled;
         let mut bodies = self.built.real().bodies(&self.built.bodies_standard);
         let mut plant = Plant::new(Parts {
