@@ -140,6 +140,9 @@ pub enum SimulateError {
         "control in torque mode plays the columns tau1..tau{0} of the trajectory, and it has none; add them, or control by position"
     )]
     NoTorques(usize),
+    /// Numbers grew out of all bounds.
+    #[error("the simulation gave values that are not finite; look for effects or gains of an impossible size")]
+    NotFinite,
     /// The motion.
     #[error(transparent)]
     Trajectory(#[from] TrajectoryError),
@@ -249,6 +252,9 @@ impl Simulator {
             (truth, Some(integration))
         };
         let log = sensors::record(&truth, drives, &request.sensors, request.seed);
+        if !log.columns.iter().flatten().all(|value| value.is_finite()) {
+            return Err(SimulateError::NotFinite);
+        }
         Ok(Recording { log, truth, drives: settled.drives.clone(), integration })
     }
 

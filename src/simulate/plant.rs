@@ -9,7 +9,7 @@ use super::contact::{self, External};
 use super::control::{Control, Mode, Table};
 use super::drive::Drive;
 use super::effects::{ExternalContact, GearCoupling};
-use super::integrate::{Breakdown, Linear, System};
+use super::integrate::{Breakdown, Linear, LinearBristle, System};
 use super::trajectory::{Point, Trajectory};
 use crate::arm::{Dynamics, ToolState};
 
@@ -406,7 +406,8 @@ impl System for Plant<'_> {
             }
             .max(0.0);
             let [rate_v, rate_z] = bristle.rate_slopes(speed, z);
-            linear.bristles.push((bristle.along, [level * by_z.max(0.0), rate_v.max(0.0), rate_z]));
+            let (c, a) = (level * by_z.max(0.0), rate_v.max(0.0));
+            linear.bristles.push(LinearBristle { along: bristle.along, c, a, b: rate_z });
             for &(i, fi) in &bristle.along {
                 for &(k, fk) in &bristle.along {
                     linear.damping[i * total + k] += level * by_v.max(0.0) * fi * fk;

@@ -53,8 +53,8 @@ pub struct Sensors {
 }
 
 impl Default for Sensors {
-    /// 1 kHz as in the paper; 1e-5 rad, an absolute encoder of 19 bits or a motor's of 13 bits behind a gear of 100; 0.05 N m white, what is
-    /// left of the torques of the iiwa logs in `data` above 30 Hz.
+    /// 1 kHz as in the paper; 1e-5 rad, an absolute encoder of 19 bits or a motor's of 13 bits behind a gear of 100; 0.05 N m white, the
+    /// order of what the joint torque sensors of light-weight arms resolve.
     fn default() -> Self {
         Self {
             rate: 1000.0,

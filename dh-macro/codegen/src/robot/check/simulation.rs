@@ -254,9 +254,13 @@ fn setting(section: &str, name: &str, mark: Mark, node: &Node, file: &mut Simula
             wrong(&words.join(" or "));
             None
         }
+        (Form::Each, Kind::List(items)) if items.is_empty() => {
+            wrong("a number, or one for each joint");
+            None
+        }
         (Form::Each, Kind::List(items)) => {
             let numbers: Vec<f64> = items.iter().filter_map(|item| to.number(item, &path, known.doc)).collect();
-            (numbers.len() == items.len() && !items.is_empty()).then_some(Setting::Numbers(numbers))
+            (numbers.len() == items.len()).then_some(Setting::Numbers(numbers))
         }
         (Form::Number | Form::Each, _) => to.number(node, &path, known.doc).map(|value| Setting::Numbers(vec![value])),
     };
