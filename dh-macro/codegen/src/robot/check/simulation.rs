@@ -82,6 +82,10 @@ static KNOWN: [Known; 24] = [
 impl SimulationFile {
     /// Reads the file for a robot; joints stand there by number or name. All mistakes are reported together.
     pub fn from_yaml(text: &str, robot: &Robot) -> Result<Self, Problems> {
+        let says_something = |line: &str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
+        if !text.lines().any(says_something) {
+            return Ok(Self::default());
+        }
         let root = yaml::parse(text).map_err(Problems)?;
         let mut found = Findings::default();
         let mut file = Self::default();
