@@ -27,7 +27,7 @@ pub enum Method {
 
 impl Default for Solver {
     fn default() -> Self {
-        Self { method: Method::Auto, tolerance: 1e-6, longest: 0.01 }
+        Self { method: Method::Auto, tolerance: 1e-5, longest: 0.01 }
     }
 }
 
@@ -74,8 +74,17 @@ pub(super) struct Linear {
     pub mass: Vec<f64>,
     pub stiffness: Vec<f64>,
     pub damping: Vec<f64>,
-    /// Two entries of each bristle's direction, and `c`, `a`, `b`.
-    pub bristles: Vec<([(usize, f64); 2], [f64; 3])>,
+    pub bristles: Vec<LinearBristle>,
+}
+
+/// A bristle among the stiff parts.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LinearBristle {
+    /// Coordinates and factors of its direction.
+    pub along: [(usize, f64); 2],
+    pub c: f64,
+    pub a: f64,
+    pub b: f64,
 }
 
 /// The step that comes next.

@@ -6,6 +6,7 @@ mod eval;
 mod generate;
 mod identify;
 mod tool;
+mod simulate;
 
 use std::path::PathBuf;
 use std::process::Command;

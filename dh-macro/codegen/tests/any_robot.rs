@@ -127,7 +127,7 @@ fn robot() -> impl Strategy<Value = Robot> {
         (joints, constants)
     });
     let rest = (option::of(tool()), [number(), number(), number()], any::<bool>(), any::<bool>());
-    let effects = option::of(effect(&["base_tilt", "gear_coupling", "payload"]));
+    let effects = option::of(effect(&["base_tilt", "torque_gain_error", "payload"]));
     (joints, rest, vec(option::of(inertia()), 4), option::of(number()), effects).prop_map(
         |((mut joints, constants), (tool, gravity, standard, known), links, ground, effect)| {
             for (k, joint) in joints.iter_mut().enumerate() {
