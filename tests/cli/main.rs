@@ -3,6 +3,7 @@
 mod check;
 mod errors;
 mod eval;
+mod excite;
 mod generate;
 mod identify;
 mod tool;
