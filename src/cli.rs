@@ -5,6 +5,8 @@ mod eval;
 mod files;
 mod generate;
 mod identify;
+mod ik;
+mod table;
 
 use clap::{Parser, Subcommand};
 
@@ -24,6 +26,8 @@ enum Command {
     Generate(generate::Generate),
     /// Evaluate a quantity of the robot at given states.
     Eval(eval::Eval),
+    /// Find every posture that brings the arm to given poses.
+    Ik(ik::Ik),
     /// Identify the base parameters from logs, and write the robot file with the values in place.
     Identify(identify::Identify),
 }
@@ -38,6 +42,7 @@ impl Cli {
             Command::Check(verb) => verb.run(),
             Command::Generate(verb) => verb.run(),
             Command::Eval(verb) => verb.run(),
+            Command::Ik(verb) => verb.run(),
             Command::Identify(verb) => verb.run(),
         }
     }

@@ -31,6 +31,7 @@ pub mod arm;
 pub mod cli;
 pub mod identify;
 pub mod interpreted;
+pub mod inverse;
 pub mod log;
 pub mod numeric;
 pub mod report;

@@ -6,6 +6,8 @@ pub mod eval_json;
 mod identify_html;
 mod identify_json;
 mod identify_text;
+pub mod ik_json;
+pub mod ik_text;
 mod number;
 
 pub use identify_html::identify_html;

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use dh_codegen::arm::{Argument, Function, param};
 
+use super::table::Table;
 use super::{Failure, files};
 use crate::arm::{Arm, States};
 use crate::interpreted::Interpreted;
@@ -105,67 +106,5 @@ impl Eval {
         let shape = arm.shape(function);
         let value = eval_json::value(function.name(), &arm, &shape, values);
         files::json(&self.json, &value)
-    }
-}
-
-/// Numbers with a header. What is not a number matters only in a column that is asked for.
-struct Table {
-    file: String,
-    columns: Vec<Column>,
-    len: usize,
-}
-
-struct Column {
-    name: String,
-    values: Vec<f64>,
-    /// The first cell that is not a finite number, and its line.
-    bad: Option<(String, u64)>,
-}
-
-impl Table {
-    fn read(path: &std::path::Path) -> Result<Self, Failure> {
-        let file = path.display().to_string();
-        let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(files::open(path)?);
-        let wrong = |e: csv::Error| Failure::input(format!("{file}: {e}; write one row of numbers per state"));
-        let header = reader.headers().map_err(wrong)?;
-        if header.is_empty() {
-            return Err(Failure::input(format!("{file} is empty; its first line must name the columns: q1, q2, ..")));
-        }
-        let column = |name: &str| Column { name: name.into(), values: Vec::new(), bad: None };
-        let mut columns: Vec<Column> = header.iter().map(column).collect();
-        let mut len = 0;
-        for row in reader.records() {
-            let row = row.map_err(wrong)?;
-            for (cell, column) in row.iter().zip(&mut columns) {
-                let value = cell.parse().ok().filter(|v: &f64| v.is_finite());
-                if value.is_none() && column.bad.is_none() {
-                    column.bad = Some((cell.into(), row.position().map_or(0, csv::Position::line)));
-                }
-                column.values.push(value.unwrap_or(f64::NAN));
-            }
-            len += 1;
-        }
-        Ok(Self { file, columns, len })
-    }
-
-    /// Columns `prefix1..prefixn`, joint-major.
-    fn joints(&self, prefix: &str, n: usize) -> Result<Vec<f64>, Failure> {
-        let file = &self.file;
-        let mut all = Vec::with_capacity(n * self.len);
-        for j in 1..=n {
-            let name = format!("{prefix}{j}");
-            let column = self.columns.iter().find(|c| c.name == name).ok_or_else(|| {
-                Failure::input(format!(
-                    "{file}, line 1: there is no column {name}; the robot has {n} joints, so {prefix}1 to {prefix}{n} are needed"
-                ))
-            })?;
-            if let Some((cell, line)) = &column.bad {
-                return Err(Failure::input(format!(
-                    "{file}, line {line}, column {name}: `{cell}` is not a finite number; mend the cell or leave out the row"
-                )));
-            }
-            all.extend_from_slice(&column.values);
-        }
-        Ok(all)
     }
 }
