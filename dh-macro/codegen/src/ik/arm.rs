@@ -99,7 +99,7 @@ impl<const N: usize> Arm<N> {
         }
         let g = target.after(&self.home.inverse());
         let near = query.near.map_or([Value::ZERO; N], |q| polish::values(self, q));
-        let mut all: List<Candidate<N>, 16> = List::new(Candidate { values: near, branch: Branch::NONE, free: 0 });
+        let mut all: List<Candidate<N>, 17> = List::new(Candidate { values: near, branch: Branch::NONE, free: 0 });
         let mut second_plane = false;
         match &self.family {
             Family::Six(six) => self.six(six, &g, &near, &mut all),
@@ -143,6 +143,10 @@ impl<const N: usize> Arm<N> {
             }
             Family::Numerical => numerical::search(self, &g, query, &near, &mut all),
         }
+        // Of a family of postures, the member nearest to the one that was named.
+        if let (Some(_), Some(free)) = (query.near, all.iter().find(|c| c.free != 0).copied()) {
+            all.push(Candidate { values: near, ..free });
+        }
         let mut solutions = self.finish(&g, query, all.as_slice());
         solutions.second_plane = second_plane;
         Ok(solutions)
@@ -165,7 +169,7 @@ impl<const N: usize> Arm<N> {
         }
     }
 
-    fn six(&self, six: &Six, g: &Displacement, near: &[Value; N], all: &mut List<Candidate<N>, 16>) {
+    fn six(&self, six: &Six, g: &Displacement, near: &[Value; N], all: &mut List<Candidate<N>, 17>) {
         let finds = if six.reversed { six.solve(&g.inverse(), &six.near(near)) } else { six.solve(g, &six.near(near)) };
         for f in finds.iter() {
             let mut values = *near;
@@ -229,8 +233,7 @@ impl<const N: usize> Arm<N> {
             if p + r < best[0] + best[1] {
                 best = [p, r];
             }
-            let reach = 1.0 + super::vector::norm(g.point(self.home.shift));
-            if !(p <= query.tolerance * reach && r <= query.tolerance * reach) {
+            if !(p <= query.tolerance && r <= query.tolerance) {
                 out.lost += 1;
                 continue;
             }

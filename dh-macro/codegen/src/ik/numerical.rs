@@ -5,7 +5,7 @@ use super::axis::Value;
 use super::list::List;
 use super::polish::{polish, sizes, values};
 use super::pose::Displacement;
-use super::solution::Branch;
+use super::solution::{Branch, CAPACITY};
 
 /// Starts; every one gets as many steps.
 const STARTS: u64 = 48;
@@ -17,7 +17,7 @@ pub(super) fn search<const N: usize>(
     g: &Displacement,
     query: &Query<'_, N>,
     near: &[Value; N],
-    all: &mut List<Candidate<N>, 16>,
+    all: &mut List<Candidate<N>, 17>,
 ) {
     let mut state = 0x9E37_79B9_7F4A_7C15u64;
     let mut closest: Option<(f64, Candidate<N>)> = None;
@@ -43,7 +43,7 @@ pub(super) fn search<const N: usize>(
                         && (!arm.axes[i].slides || (a.way - b.way).abs() < 1e-6)
                 })
             };
-            if !all.iter().any(same) && !all.push(candidate) {
+            if !all.iter().any(same) && (!all.push(candidate) || all.len() == CAPACITY) {
                 return;
             }
         } else if closest.is_none_or(|(d, _)| p + r < d) {

@@ -6,7 +6,7 @@ use super::real::root;
 use super::vector::{Turn, Vector, add, cross, dot, norm, scale, sub};
 
 /// Below this sine an angle hangs on the last digits of the pose: it is reported as free.
-pub(super) const FREE: f64 = 1e-8;
+pub(super) const FREE: f64 = 1e-6;
 
 /// Two answers, the second first where the sign is minus; equal at a double root.
 #[derive(Debug, Clone, Copy)]
@@ -20,8 +20,9 @@ pub(super) struct Pair {
 /// The turn about `h` that takes `from` nearest to `to`, and how well it is known (product of their distances from `h`).
 #[inline(always)]
 pub(super) fn towards(h: Vector, from: Vector, to: Vector) -> (Turn, f64) {
-    let c = dot(from, to) - dot(h, from) * dot(h, to);
-    Turn::along(c, dot(h, cross(from, to)))
+    // Across the axis first: beside it, products of the whole vectors would be all rounding.
+    let (f, t) = (cross(h, from), cross(h, to));
+    Turn::along(dot(f, t), dot(h, cross(f, t)))
 }
 
 /// `a cos + b sin = d`. Where there is no answer, the nearest one twice.
