@@ -188,7 +188,7 @@ fn family(name: &str, class: &str, shapes: &[[&str; 4]], oblique: bool) -> Figur
     let arms: usize = std::env::var("DENAVIT_IK_ARMS").ok().and_then(|n| n.parse().ok()).unwrap_or(12);
     let postures: usize = std::env::var("DENAVIT_IK_MEMBER_POSTURES").ok().and_then(|n| n.parse().ok()).unwrap_or(60);
     let mut figures = Figures::default();
-    let mut random = Random(name.bytes().fold(11, |s, b| s * 31 + u64::from(b)));
+    let mut random = Random(name.bytes().fold(11u64, |s, b| s.wrapping_mul(31).wrapping_add(u64::from(b))));
     for k in 0..arms.max(shapes.len()) {
         let [kinds, twists, d, r] = shapes[k % shapes.len()];
         let rows = rows(&mut random, kinds, twists, d, r);
@@ -300,7 +300,7 @@ family!(
 );
 family!(
     sliding,
-    "6-spherical-wrist",
+    "6-spherical-wrist|stanford",
     false,
     0.002,
     ["PRRRRR", "++0|||", "dddd00", "rrrr0r"],
@@ -365,7 +365,7 @@ family!(
 );
 family!(
     three,
-    "3-axis",
+    "3-axis|scara",
     false,
     0.0,
     ["RRR", "+|0", "ddd", "rrr"],

@@ -271,7 +271,17 @@ impl<const N: usize> Arm<N> {
         }
         if let Some(near) = query.near {
             let far = |s: &Solution<N>| s.q.iter().zip(near).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
-            out.list.as_mut_slice().sort_unstable_by(|a, b| far(a).total_cmp(&far(b)));
+            // By insertion: a library sort has a way into a panic.
+            let list = out.list.as_mut_slice();
+            for i in 1..list.len() {
+                for j in (1..=i).rev() {
+                    let (Some(a), Some(b)) = (list.get(j - 1), list.get(j)) else { break };
+                    if far(a) <= far(b) {
+                        break;
+                    }
+                    list.swap(j - 1, j);
+                }
+            }
         }
         out
     }
