@@ -7,11 +7,12 @@ mod excite;
 mod files;
 mod generate;
 mod identify;
+mod ik;
+mod motion;
+mod prepare;
 mod simulate;
 mod table;
-mod prepare;
 mod tool;
-mod motion;
 
 use clap::{Parser, Subcommand};
 
@@ -35,6 +36,8 @@ enum Command {
     Eval(eval::Eval),
     /// Design the motion that tells the most about the parameters, inside every limit.
     Excite(excite::Excite),
+    /// Find every posture that brings the arm to given poses.
+    Ik(ik::Ik),
     /// Identify the base parameters from logs, and write the robot file with the values in place.
     Identify(Box<identify::Identify>),
     /// Play a motion on the simulated robot and record a log.
@@ -55,6 +58,7 @@ impl Cli {
             Command::Diagnose(verb) => verb.run(),
             Command::Eval(verb) => verb.run(),
             Command::Excite(verb) => verb.run(),
+            Command::Ik(verb) => verb.run(),
             Command::Identify(verb) => verb.run(),
             Command::Simulate(verb) => verb.run(),
             Command::Tool(verb) => verb.run(),

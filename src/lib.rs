@@ -30,11 +30,12 @@
 pub mod arm;
 pub mod cli;
 pub mod diagnose;
-pub mod extend;
 pub mod differentiated;
 pub mod excite;
+pub mod extend;
 pub mod identify;
 pub mod interpreted;
+pub mod inverse;
 pub mod log;
 pub mod numeric;
 pub mod plant;

@@ -140,7 +140,8 @@ impl<'a> Bench<'a> {
         let scene = Scene::new(plant, recordings, rate, delays, all);
         let frozen = vec![false; 3 * plant.dof()];
         let (base, friction, y) = Default::default();
-        let mut bench = Self { plant, recordings, rate, mode, scene, frozen, all, known: Mutex::default(), base, friction, y };
+        let mut bench =
+            Self { plant, recordings, rate, mode, scene, frozen, all, known: Mutex::default(), base, friction, y };
         bench.scene.set_model(given_base(plant), plant.given().map(|s| without_friction(plant, s)));
         bench.prepare();
         bench
@@ -241,7 +242,8 @@ impl<'a> Bench<'a> {
 
     /// Terms of a cause; made once where they depend on the motion alone.
     pub fn family(&self, cause: &'static dyn Cause, place: &[usize], shape: &[f64]) -> Arc<Vec<Term>> {
-        let rests = cause.rests_on_model() && (self.mode == Mode::Refitted || cause.rests_on_friction() || cause.secant());
+        let rests =
+            cause.rests_on_model() && (self.mode == Mode::Refitted || cause.rests_on_friction() || cause.secant());
         if rests || self.all {
             return Arc::new(cause.terms(&self.scene, place, shape));
         }
@@ -421,7 +423,9 @@ pub fn parameters(
                 0.0 => vec![named("DK", share, None)],
                 time => vec![named("DA", share, None), named("DT", time, None)],
             };
-            all.extend(fitted.terms[index].iter().zip(x).enumerate().map(|(k, (t, x))| named(&t.symbol, *x, Some(std(k)))));
+            all.extend(
+                fitted.terms[index].iter().zip(x).enumerate().map(|(k, (t, x))| named(&t.symbol, *x, Some(std(k)))),
+            );
             all.retain(|n| n.value.is_finite());
             all
         }

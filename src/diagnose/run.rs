@@ -499,7 +499,11 @@ fn unknown(causes: &mut Vec<Cause>, left: &[Structure], rms: &[f64], noise: &[f6
     let mut left = left.to_vec();
     left.sort_by(|a, b| (b.rms / noise[b.joint].max(1e-12)).total_cmp(&(a.rms / noise[a.joint].max(1e-12))));
     let mut joints: Vec<usize> = Vec::new();
-    left.iter().map(|s| s.joint + 1).for_each(|j| if !joints.contains(&j) { joints.push(j) });
+    left.iter().map(|s| s.joint + 1).for_each(|j| {
+        if !joints.contains(&j) {
+            joints.push(j)
+        }
+    });
     let sentences: Vec<&str> = left.iter().map(|s| s.description.as_str()).collect();
     let mut after = rms.to_vec();
     for s in &left {

@@ -68,7 +68,7 @@ pub struct Found {
     pub accepted: Vec<Accepted>,
     /// The model with them.
     pub fitted: Fitted,
-    }
+}
 
 fn unknowns(cause: &dyn Cause, terms: usize) -> f64 {
     let shape = cause.shape().iter().filter(|s| s.step.is_some()).count();
@@ -364,7 +364,11 @@ fn confirmation(before: &Fitted, after: &Fitted) -> Confirmation {
     let mut sums = vec![[0.0; 2]; weights.len()];
     for (a, b) in a.iter().zip(&b) {
         let change: f64 = a.iter().zip(b).zip(weights).map(|((a, b), w)| w * (a - b)).sum();
-        if change > 0.0 { won += change } else { lost -= change }
+        if change > 0.0 {
+            won += change
+        } else {
+            lost -= change
+        }
         for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
             *sum = [sum[0] + a, sum[1] + b];
         }

@@ -6,8 +6,8 @@ mod eval;
 mod excite;
 mod generate;
 mod identify;
-mod tool;
 mod simulate;
+mod tool;
 
 use std::path::PathBuf;
 use std::process::Command;

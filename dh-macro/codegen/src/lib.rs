@@ -4,6 +4,7 @@
 //! -> tape -> rust (text) | sym::eval (runs it)`
 
 pub mod arm;
+pub mod ik;
 pub mod interpret;
 pub mod pullback;
 pub mod robot;

@@ -34,6 +34,7 @@
 #[cfg(test)]
 extern crate std;
 
+pub mod ik;
 pub mod kernel;
 pub mod runtime;
 #[cfg(test)]
@@ -304,6 +305,51 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("potential_energy_regressor", 40, 19),
     ("payload_regressor", 426, 284),
 ];
+
+/// Which inverse the arm has.
+pub const IK_CLASS: &str = "srs";
+/// What in its geometry makes it so.
+pub const IK_REASON: &str = "nearly: axes 1-3 meet in a shoulder, 5-7 in a wrist, and axis 4 meets both upper and lower arm: by swivel angle; closed form of that nominal arm, each branch refined by Newton's steps";
+/// Lines of the joints at `q = 0` in base axes, m, and how the arm is taken apart.
+pub const IK: ik::Arm<DOF> = ik::Arm {
+    axes: [
+        ik::Axis { slides: false, h: [0.0, 0.0, -1.0], c: [0.0, 0.0, 0.28481] },
+        ik::Axis { slides: false, h: [0.0, 1.0, 0.0], c: [0.0, -0.01175, 0.28481] },
+        ik::Axis { slides: false, h: [0.0, 0.0, -1.0], c: [0.0, -0.01175, 0.70557] },
+        ik::Axis { slides: false, h: [0.0, 1.0, 0.0], c: [0.0, -0.0245, 0.70557] },
+        ik::Axis { slides: false, h: [0.0, 0.0, -1.0], c: [0.0, -0.0245, 1.01993] },
+        ik::Axis { slides: false, h: [0.0, 1.0, 0.0], c: [0.0, -0.02485, 1.01993] },
+        ik::Axis { slides: false, h: [0.0, 0.0, -1.0], c: [0.0, -0.02485, 1.187385] },
+    ],
+    home: ik::Displacement { rotation: [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]], shift: [0.0, -0.02485, 1.187385] },
+    limits: POSITION_LIMITS,
+    exact: false,
+    family: ik::Family::Swivel(ik::Swivel {
+        axes: [
+        ik::Axis { slides: false, h: [0.0, 0.0, -1.0], c: [0.0, -0.005875, 0.28481] },
+        ik::Axis { slides: false, h: [0.0, 1.0, 0.0], c: [0.0, -0.005875, 0.28481] },
+        ik::Axis { slides: false, h: [-0.0, 0.029101653200527617, -0.9995764571962448], c: [0.0, -0.005875, 0.28481] },
+        ik::Axis { slides: false, h: [0.0, 0.9995764571962447, 0.029101653200527617], c: [0.0, -0.018125000000000002, 0.70557] },
+        ik::Axis { slides: false, h: [-0.0, 0.020831462845291086, -0.9997830015336955], c: [0.0, -0.024675000000000002, 1.01993] },
+        ik::Axis { slides: false, h: [0.0, 1.0, 0.0], c: [0.0, -0.024675000000000002, 1.01993] },
+        ik::Axis { slides: false, h: [0.0, 0.0, -1.0], c: [0.0, -0.024675000000000002, 1.01993] },
+        ],
+        shoulder: [0.0, -0.005875, 0.28481],
+        elbow: [0.0, -0.018125000000000002, 0.70557],
+        wrist: [0.0, -0.024675000000000002, 1.01993],
+    }),
+};
+
+/// Every posture that brings the last DH frame to a pose: the top three rows of `T(0, n)`, m.
+///
+/// Nearly: axes 1-3 meet in a shoulder, 5-7 in a wrist, and axis 4 meets both upper and lower arm: by swivel angle; closed form of that nominal arm, each branch refined by Newton's steps. `query.redundancy` is the swivel angle, rad.
+///
+/// # Errors
+/// If an entry is not finite, or the rotation is none.
+#[inline]
+pub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {
+    IK.solve(pose, query)
+}
 
 /// A configuration with the sines and cosines that all kernels share: make it once per state.
 #[derive(Clone, Copy, Debug, PartialEq)]
