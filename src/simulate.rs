@@ -387,6 +387,7 @@ fn integrate(
             Method::Auto | Method::Rosenbrock => rosenbrock.advance(plant, &mut pace, t, end, &mut y)?,
         }
         t = end;
+        pace.sampled();
         plant.look(t, &y)?;
         for j in 0..n {
             let (at, m) = (j * len + k, plant.motor[j]);
