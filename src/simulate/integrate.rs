@@ -94,22 +94,17 @@ pub(super) struct Pace {
     pub solver: Solver,
     pub steps: usize,
     pub rejected: usize,
-    /// Steps since the last sample, good or not.
-    since: usize,
+    /// Time of the first step.
+    begun: Option<f64>,
 }
 
-/// So many steps from one sample to the next are as good as no end.
-const MOST: usize = 300_000;
+/// Steps that average less than a microsecond, after so many at the start, are as good as no end.
+const MOST: usize = 200_000;
 const SHORTEST: f64 = 1e-12;
 
 impl Pace {
     pub fn new(solver: Solver) -> Self {
-        Self { next: 1e-4_f64.min(solver.longest), solver, steps: 0, rejected: 0, since: 0 }
-    }
-
-    /// A sample was met.
-    pub fn sampled(&mut self) {
-        self.since = 0;
+        Self { next: 1e-4_f64.min(solver.longest), solver, steps: 0, rejected: 0, begun: None }
     }
 
     /// Length of the step from `t` so that `end` is met, and whether it meets it.
@@ -128,8 +123,8 @@ impl Pace {
     /// Judges a step of length `h` with this error (1: as large as allowed) of a method whose estimate has this order.
     pub fn judge(&mut self, t: f64, h: f64, error: f64, order: f64) -> Result<bool, Breakdown> {
         let good = error <= 1.0;
-        self.since += 1;
-        if self.since > MOST {
+        let begun = *self.begun.get_or_insert(t);
+        if (self.steps + self.rejected) as f64 > MOST as f64 + 1e6 * (t - begun) {
             return Err(Breakdown::Step { time: t, step: h });
         }
         let factor =
