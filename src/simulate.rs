@@ -299,7 +299,7 @@ impl Simulator {
                 return Err(SimulateError::List { what, found: list.len(), expected: n });
             }
             for &value in list {
-                setting(what, value, value >= 0.0 && value.is_finite(), "not be negative")?;
+                setting(what, value, (0.0..=1e9).contains(&value), "be from 0 to 1e9")?;
             }
         }
         Ok(())

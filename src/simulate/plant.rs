@@ -168,9 +168,12 @@ impl<'a> Plant<'a> {
         }
     }
 
-    /// Whether an explicit method would crawl.
+    /// Whether an explicit method would crawl: gains made for a drive are high for the light link behind it.
     pub fn is_stiff(&self) -> bool {
-        !self.bristles.is_empty() || self.coordinates > self.n || !self.external.is_empty()
+        matches!(self.control.mode, Mode::Position | Mode::Pd)
+            || !self.bristles.is_empty()
+            || self.coordinates > self.n
+            || !self.external.is_empty()
     }
 
     /// On the motion, at its start.

@@ -83,7 +83,8 @@ impl Rosenbrock {
                 }
             }
         }
-        cholesky::factor(n, &mut self.matrix).map_err(|joint| Breakdown::Mass { joint: joint + 1, time: t })?;
+        // The mass matrix passed already: what is added to it is out of bounds.
+        cholesky::factor(n, &mut self.matrix).map_err(|_| Breakdown::Step { time: t, step: h })?;
         for i in 0..4 {
             self.stage.copy_from_slice(y);
             self.sum.fill(0.0);
