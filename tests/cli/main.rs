@@ -1,6 +1,7 @@
 //! The command itself, as a process: what it prints, what it writes, how it ends.
 
 mod check;
+mod diagnose;
 mod errors;
 mod eval;
 mod excite;
