@@ -106,7 +106,10 @@ impl<'a> Program<'a> {
     /// The criterion per column and its gradient; `None` where it is not defined (information without full rank).
     pub(super) fn objective(&self, x: &[f64], power: f64) -> Option<(f64, Vec<f64>)> {
         let states = self.measure.states(x);
-        let information = Information::new(&self.columns, &states, &self.scaling);
+        let mut information = Information::new(&self.columns, &states, &self.scaling);
+        if !self.task.criterion.by_gram() {
+            information.sharpen(&self.columns, &self.scaling);
+        }
         let (value, slope) = information.judge(&self.task.criterion, power)?;
         if !value.is_finite() {
             return None;
