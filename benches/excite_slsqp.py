@@ -103,6 +103,8 @@ def slsqp():
     begun, cpu = time.time(), time.process_time()
     done = minimize(f, x, method="SLSQP", constraints={"type": "ineq", "fun": lambda x: 1 - a @ x, "jac": lambda x: -a}, options={"maxiter": ITERATIONS})
     print(f"SLSQP: {CRITERION} {done.fun:.3f} after {done.nit} iterations, {calls[0]} values, {time.time() - begun:.1f} s, {time.process_time() - cpu:.1f} s of processor; {done.message}", flush=True)
+    worst = max(np.abs(b @ done.x.reshape(7, 11).T / limit).max() for b, limit in zip(SAMPLES, [POSITION, VELOCITY, ACCELERATION]))
+    print(f"SLSQP: at 1,001 samples, {100 * worst:.1f} % of a limit is used", flush=True)
     return done.fun
 
 

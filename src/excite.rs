@@ -8,7 +8,7 @@
 //! - `bodies`, `constraints`: torque, ground, spheres, boxes. `program`: all of it as one nonlinear program.
 //! - `sqp`, `subproblem`: the solver. `start`: where it begins. `design`: several starts, grids from coarse to fine.
 //! - `precision`: what standard deviation the parameters will have. `shortest`: the shortest motion that reaches a target.
-//! `durations`: what longer motions gain.
+//!   `durations`: what longer motions gain.
 
 mod bodies;
 pub mod check;

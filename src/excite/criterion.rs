@@ -152,7 +152,7 @@ impl Criterion {
 }
 
 /// `log det` and inverse, with columns scaled to unit norm in between.
-fn log_det(gram: &DMatrix<f64>) -> Option<(f64, DMatrix<f64>)> {
+pub(super) fn log_det(gram: &DMatrix<f64>) -> Option<(f64, DMatrix<f64>)> {
     let n = gram.ncols();
     let scale: Vec<f64> = gram.diagonal().iter().map(|g| 1.0 / g.sqrt()).collect();
     if scale.iter().any(|s| !s.is_finite()) {

@@ -96,7 +96,7 @@ impl Curve {
                 Bound { rows, share: 1.0 }
             }
             Self::Fourier { period, harmonics, .. } => {
-                let steps = 4 * refine.max(3) * harmonics;
+                let steps = 16 * harmonics;
                 let rows = (0..steps).map(|k| self.row(period * k as f64 / steps as f64, order)).collect();
                 Bound { rows, share: (PI * harmonics as f64 / steps as f64).cos() }
             }

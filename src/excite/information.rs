@@ -72,6 +72,18 @@ impl Information {
         Self { values, len, gram, factor }
     }
 
+    /// Takes the factor where eigenvalues of the products would lose more than some ten digits: `tr G tr G^-1` is at least the square of the
+    /// condition number.
+    pub(super) fn sharpen(&mut self, columns: &Columns<'_>, scaling: &Scaling) {
+        if self.factor.is_some() {
+            return;
+        }
+        let inverse = super::criterion::log_det(&self.gram).map(|(_, inverse)| inverse.trace());
+        if inverse.is_none_or(|inverse| self.gram.trace() * inverse > 1e6) {
+            self.factor = Some(factor(columns, &self.values, self.len, scaling));
+        }
+    }
+
     /// `G`.
     pub fn gram(&self) -> &DMatrix<f64> {
         &self.gram

@@ -49,16 +49,14 @@ fn gradients_of_criteria_meet_differences() {
             let mut task = Task::new(&arm, &robot, 4.0, 0.5).unwrap();
             let power = criterion.powers()[0];
             task.criterion = criterion;
-            // Eigenvalues of products carry the rounding of the largest: a wider step.
-            let h = if task.criterion.by_gram() { 2e-5 } else { 2e-4 };
-            let program = Program::new(&task, 25.0, 10.0);
+            let program = Program::new(&task, 25.0, 10.0, 4);
             let x = motion(&task, k as u64);
             let (_, gradient) = program.objective(&x, power).unwrap();
             let mut random = Random::new(9, k as u64);
             for _ in 0..2 {
                 let d: Vec<f64> = x.iter().map(|_| random.uniform(-1.0, 1.0)).collect();
                 let slope: f64 = d.iter().zip(&gradient).map(|(d, g)| d * g).sum();
-                let numeric = difference(&|x| program.objective(x, power).unwrap().0, &x, &d, h);
+                let numeric = difference(&|x| program.objective(x, power).unwrap().0, &x, &d, 2e-5);
                 let scale = 1.0 + slope.abs();
                 assert!((slope - numeric).abs() < 1e-7 * scale, "{name} {:?}: {slope} {numeric}", task.criterion);
             }
@@ -77,7 +75,7 @@ fn gradients_of_constraints_meet_differences() {
         });
         let arm = Differentiated::new(&robot);
         let task = Task::new(&arm, &robot, 3.0, 0.5).unwrap();
-        let program = Program::new(&task, 10.0, 7.0);
+        let program = Program::new(&task, 10.0, 7.0, 4);
         assert!(task.bodies.pairs.len() >= 12, "{name} has {} pairs", task.bodies.pairs.len());
         let x = motion(&task, 4);
         let mut random = Random::new(2, 2);
@@ -210,7 +208,7 @@ fn log_det_is_meaningful_at_condition_numbers_of_1e8() {
         let x = motion(&task, 5);
         task.base.clear();
         task.extra = Some(&nearly);
-        let program = Program::new(&task, 50.0, 5.0);
+        let program = Program::new(&task, 50.0, 5.0, 4);
         let (value, gradient) = program.objective(&x, 1.0).unwrap();
         values.push(2.0 * value + 2.0 * share.ln()); // the unit is the number of columns
         let d: Vec<f64> = x.iter().enumerate().map(|(k, _)| (k as f64).cos()).collect();
