@@ -185,7 +185,10 @@ impl Identify {
             let standard = match possible.as_ref().map(|p| p.result) {
                 Some(Ok(bodies)) => bodies.standard.clone(),
                 Some(Err(error)) => {
-                    eprintln!("{}: warning: no possible bodies, the plain values were written: {error}", path.display());
+                    eprintln!(
+                        "{}: warning: no possible bodies, the plain values were written: {error}",
+                        path.display()
+                    );
                     recover_standard(&arm, &found.values(), prior.as_deref()).map_err(Failure::other)?
                 }
                 None => recover_standard(&arm, &found.values(), prior.as_deref()).map_err(Failure::other)?,
@@ -259,7 +262,8 @@ impl Identify {
             };
             let cells: Vec<&str> = row.split(',').map(str::trim).collect();
             let &[link, what, low, high] = cells.as_slice() else { return Err(bad("not four columns")) };
-            let number = |text: &str| text.parse::<f64>().ok().filter(|x| !x.is_nan()).ok_or_else(|| bad("not a number"));
+            let number =
+                |text: &str| text.parse::<f64>().ok().filter(|x| !x.is_nan()).ok_or_else(|| bad("not a number"));
             let range = [number(low)?, number(high)?];
             let link = link.parse::<usize>().ok().filter(|l| (1..=robot.joints.len()).contains(l));
             let link = link.ok_or_else(|| bad("no such link"))? - 1;

@@ -88,7 +88,11 @@ pub fn consistent_text(found: &Identification, possible: &Possible<'_>) -> Strin
     );
     if !c.at_the_edge.is_empty() {
         let links: Vec<String> = c.at_the_edge.iter().map(usize::to_string).collect();
-        let _ = writeln!(out, "  Without the prior the data push link {} to the edge of what a body can be.", links.join(", "));
+        let _ = writeln!(
+            out,
+            "  Without the prior the data push link {} to the edge of what a body can be.",
+            links.join(", ")
+        );
     }
     let guessed: Vec<String> =
         (1..).zip(&c.sources).filter(|(_, s)| **s == Source::Geometric).map(|(i, _)| i.to_string()).collect();
@@ -139,16 +143,16 @@ pub fn carry_over_text(found: &Identification, carry: &CarryOver) -> String {
     let list: Vec<String> = doubtful
         .iter()
         .map(|&j| match carry.torque_std[j - 1].is_finite() && found.fit.rms[j - 1].is_finite() {
-            true => format!("joint {j} ± {} N m (residual here {})", figure(carry.torque_std[j - 1]), figure(found.fit.rms[j - 1])),
+            true => format!(
+                "joint {j} ± {} N m (residual here {})",
+                figure(carry.torque_std[j - 1]),
+                figure(found.fit.rms[j - 1])
+            ),
             false => format!("joint {j} open"),
         })
         .collect();
-    let unknown: Vec<&str> = found
-        .parameters
-        .iter()
-        .filter(|p| !(p.relative_std_percent() < 50.0))
-        .map(|p| p.name.as_str())
-        .collect();
+    let unknown: Vec<&str> =
+        found.parameters.iter().filter(|p| !(p.relative_std_percent() < 50.0)).map(|p| p.name.as_str()).collect();
     format!(
         "\nwarning: this fit will not carry over to other motions. All over the arm's range its torques are uncertain by more than its residual: {}. \
          {} of {} parameters are not known to 50 %: {}. Condition number {} with columns of unit norm. Record a richer motion, or use the possible \

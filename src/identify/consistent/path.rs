@@ -97,7 +97,14 @@ pub(super) fn near(problem: &Problem, start: &[f64], weights: Weights) -> Result
         }
         sum += singles.iter().map(|s| s.force * slack(s, &v)).sum::<f64>();
         // After a long step the target may fall fast; after a short one bodies and forces first go back to the middle.
-        t = (sum / degree) * if last > 0.9 { 0.1 } else if last > 0.5 { 0.4 } else { 0.9 };
+        t = (sum / degree)
+            * if last > 0.9 {
+                0.1
+            } else if last > 0.5 {
+                0.4
+            } else {
+                0.9
+            };
 
         let data = problem.j.nrows();
         let rows = data + 10 * scaled.len() + singles.len() + problem.free.len();

@@ -184,7 +184,8 @@ impl Setup {
     pub(super) fn standard(&self, v: &[f64]) -> Vec<f64> {
         let mut x = self.offset.clone();
         for (link, (places, yardstick)) in self.layout.links.iter().zip(&self.yardsticks).enumerate() {
-            let body = yardstick.to_body * nalgebra::SVector::<f64, 10>::from_column_slice(&v[10 * link..10 * link + 10]);
+            let body =
+                yardstick.to_body * nalgebra::SVector::<f64, 10>::from_column_slice(&v[10 * link..10 * link + 10]);
             places.iter().zip(body.iter()).for_each(|(&i, b)| x[i] += b);
         }
         let rest = self.layout.positive.iter().chain(&self.layout.free);

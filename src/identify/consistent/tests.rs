@@ -20,7 +20,9 @@ fn robot(seed: u64, rows: [usize; 2]) -> (Robot, Interpreted, Vec<f64>) {
     let mut robot = random.robot(&family);
     for joint in &mut robot.joints {
         // Friction and rotors as bodies: not negative.
-        for term in [&mut joint.drive.rotor_inertia, &mut joint.drive.viscous_friction, &mut joint.drive.coulomb_friction] {
+        for term in
+            [&mut joint.drive.rotor_inertia, &mut joint.drive.viscous_friction, &mut joint.drive.coulomb_friction]
+        {
             *term = term.map(f64::abs);
         }
     }
@@ -48,7 +50,8 @@ fn equations(arm: &Interpreted, truth: &[f64], states: usize, noise: f64, seed: 
         }
     }
     let beta = grouping(arm) * DVector::from_column_slice(truth);
-    let tau = &w * beta + DVector::from_fn(n * states, |_, _| noise * (random.even(1.0) + random.even(1.0) + random.even(1.0)));
+    let tau = &w * beta
+        + DVector::from_fn(n * states, |_, _| noise * (random.even(1.0) + random.even(1.0) + random.even(1.0)));
     // Of the equations their triangular factor, and one row for what no parameters remove.
     let mut all = w.insert_column(b, 0.0);
     all.set_column(b, &tau);
@@ -72,7 +75,10 @@ fn two_routes_agree() {
         let data = equations(&arm, &truth, 60, 30.0, seed);
         let prior = prior_bodies(&bodies(&truth, robot.joints.len()), &geometric_bodies(&arm.ends()));
         // Without bounds, what no torque shows could grow without end, and the sum of squares have no least value.
-        let bounds = Bounds { mass: (0..prior.len()).map(|l| (l, [0.3 * prior[l].body[0], 3.0 * prior[l].body[0]])).collect(), ..Bounds::default() };
+        let bounds = Bounds {
+            mass: (0..prior.len()).map(|l| (l, [0.3 * prior[l].body[0], 3.0 * prior[l].body[0]])).collect(),
+            ..Bounds::default()
+        };
         let settings = ConsistentSettings { bounds, ..ConsistentSettings::default() };
         let mut setup = Setup::new(&arm, &data, &prior, &truth, &settings).unwrap();
         for link in &setup.problem.links {
@@ -83,10 +89,13 @@ fn two_routes_agree() {
         let (v, steps) = setup.problem.follow(&setup.start, weights).unwrap();
         let (cut, rounds) = cuts::by_cuts(&setup.problem, 1e-9, 60).unwrap();
         let (upper, lower) = (setup.problem.misfit(&v), setup.problem.misfit(&cut));
-        println!("{seed}: {upper} {lower} {:.2e} in {rounds} rounds, {steps} steps, plain {}", upper / lower - 1.0, floor(&data));
+        println!(
+            "{seed}: {upper} {lower} {:.2e} in {rounds} rounds, {steps} steps, plain {}",
+            upper / lower - 1.0,
+            floor(&data)
+        );
         assert!((upper - lower).abs() < 1e-9 * upper, "seed {seed}: {upper} {lower}");
         tight += usize::from(upper > floor(&data) + 0.1);
     }
     assert!(tight >= 6, "the cones matter in {tight} cases only");
 }
-
