@@ -10,6 +10,9 @@ mod identify;
 mod ik;
 mod motion;
 mod prepare;
+mod motion;
+mod prepare;
+mod reproduce;
 mod simulate;
 mod table;
 mod tool;
@@ -40,6 +43,9 @@ enum Command {
     Ik(ik::Ik),
     /// Identify the base parameters from logs, and write the robot file with the values in place.
     Identify(Box<identify::Identify>),
+    Identify(identify::Identify),
+    /// Run the paper's experiments and print each table and figure beside the paper's own values.
+    Reproduce(reproduce::Reproduce),
     /// Play a motion on the simulated robot and record a log.
     Simulate(simulate::Simulate),
     /// Identify what the arm carries, and recognise the tool.
@@ -60,6 +66,7 @@ impl Cli {
             Command::Excite(verb) => verb.run(),
             Command::Ik(verb) => verb.run(),
             Command::Identify(verb) => verb.run(),
+            Command::Reproduce(verb) => verb.run(),
             Command::Simulate(verb) => verb.run(),
             Command::Tool(verb) => verb.run(),
         }

@@ -40,6 +40,7 @@ pub mod log;
 pub mod numeric;
 pub mod plant;
 pub mod report;
+pub mod reproduce;
 pub mod signal;
 pub mod simulate;
 pub mod tool;
