@@ -5,6 +5,7 @@ mod errors;
 mod eval;
 mod generate;
 mod identify;
+mod ik;
 
 use std::path::PathBuf;
 use std::process::Command;

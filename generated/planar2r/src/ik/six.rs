@@ -104,12 +104,8 @@ impl Six {
                 dot(h, sub(sub(x, one.c), along)),
                 norm(rel),
             );
-            let firsts = if pair.free {
-                free |= 1;
-                [near[0]; 2]
-            } else {
-                pair.both.map(Value::turn)
-            };
+            free |= u8::from(pair.free);
+            let firsts = if pair.blind { [near[0]; 2] } else { pair.both.map(Value::turn) };
             for (i, first) in firsts.into_iter().enumerate() {
                 let goal = one.direction(first.back(), goal6);
                 for (j, fifth) in tilt(h, five.h, six.h, goal).both.into_iter().enumerate() {
