@@ -95,7 +95,7 @@ fn wrong_poses_are_told() {
     let cases = [
         (csv(&pose_columns()[1..], &[good[1..].to_vec()]), "no column r11"),
         (csv(&pose_columns(), &[vec![2.0; 12]]), "not a rotation"),
-        (csv(&pose_columns(), &[good.clone()]).replace("1,0,0,0", "1,NaN,0,0"), "not a finite number"),
+        (csv(&pose_columns(), core::slice::from_ref(&good)).replace("1,0,0,0", "1,NaN,0,0"), "not a finite number"),
     ];
     for (k, (text, expected)) in cases.into_iter().enumerate() {
         let poses = file(&folder, &format!("{k}.csv"), text);

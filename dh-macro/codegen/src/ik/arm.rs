@@ -253,7 +253,7 @@ impl<const N: usize> Arm<N> {
             if p.max(r) > 1e-13 {
                 let steps = if self.exact { 8 } else { 40 };
                 e = match locked {
-                    Some(joint) => self.held(joint).polished(g, &mut values, hold, steps),
+                    Some(joint) => self.held(joint).polished(g, &mut values, steps),
                     None => polish(self, g, &mut values, hold, steps),
                 };
             }
@@ -331,13 +331,7 @@ struct Held<'a, const N: usize> {
 }
 
 impl<const N: usize> Held<'_, N> {
-    fn polished(
-        &self,
-        g: &Displacement,
-        v: &mut [Value; N],
-        _hold: Option<&dyn Fn(&[Value; N]) -> f64>,
-        steps: usize,
-    ) -> polish::Twist {
+    fn polished(&self, g: &Displacement, v: &mut [Value; N], steps: usize) -> polish::Twist {
         // A stiff further equation: the joint stays where it is.
         let start = v.get(self.joint).copied().unwrap_or(Value::ZERO);
         let slides = self.arm.axes.get(self.joint).is_some_and(|a| a.slides);
@@ -346,11 +340,10 @@ impl<const N: usize> Held<'_, N> {
             let back = here.turn.then(start.turn.back());
             if slides { here.way - start.way } else { super::real::angle(back.s, back.c) }
         };
-        let e = polish(self.arm, g, v, Some(&hold), steps);
+        polish(self.arm, g, v, Some(&hold), steps);
         if let Some(place) = v.get_mut(self.joint) {
             *place = start;
         }
-        let _ = e;
         remainder(self.arm, g, v)
     }
 }
