@@ -126,7 +126,7 @@ fn examine<const N: usize>(inverse: &Inverse, random: &mut Random, postures: usi
             nearest = nearest.min(far);
         }
         figures.postures += 1;
-        if !(nearest < 1e-5) {
+        if nearest.is_nan() || nearest >= 1e-5 {
             figures.missed += 1;
             if figures.missed < 6 {
                 eprintln!(
