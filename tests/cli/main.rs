@@ -9,6 +9,7 @@ mod generate;
 mod identify;
 mod simulate;
 mod tool;
+mod ik;
 
 use std::path::PathBuf;
 use std::process::Command;

@@ -126,7 +126,7 @@ fn examine<const N: usize>(inverse: &Inverse, random: &mut Random, postures: usi
             nearest = nearest.min(far);
         }
         figures.postures += 1;
-        if !(nearest < 1e-5) {
+        if nearest.is_nan() || nearest >= 1e-5 {
             figures.missed += 1;
             if figures.missed < 6 {
                 eprintln!(
@@ -185,8 +185,8 @@ fn degenerate(inverse: &Inverse) -> bool {
 }
 
 fn family(name: &str, class: &str, shapes: &[[&str; 4]], oblique: bool) -> Figures {
-    let arms: usize = std::env::var("DENAVIT_IK_ARMS").ok().and_then(|n| n.parse().ok()).unwrap_or(12);
-    let postures: usize = std::env::var("DENAVIT_IK_MEMBER_POSTURES").ok().and_then(|n| n.parse().ok()).unwrap_or(60);
+    let arms: usize = std::env::var("DENAVIT_IK_ARMS").ok().and_then(|n| n.parse().ok()).unwrap_or(6);
+    let postures: usize = std::env::var("DENAVIT_IK_MEMBER_POSTURES").ok().and_then(|n| n.parse().ok()).unwrap_or(40);
     let mut figures = Figures::default();
     let mut random = Random(name.bytes().fold(11u64, |s, b| s.wrapping_mul(31).wrapping_add(u64::from(b))));
     for k in 0..arms.max(shapes.len()) {

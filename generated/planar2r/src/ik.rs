@@ -6,6 +6,7 @@
 
 mod arm;
 mod axis;
+mod interval;
 mod list;
 mod numerical;
 mod plane;
@@ -22,6 +23,7 @@ mod vector;
 
 pub use arm::{Arm, Family, Query};
 pub use axis::Axis;
+pub use interval::{Interval, Intervals};
 pub use list::List;
 pub use plane::Plane;
 pub use pose::Displacement;

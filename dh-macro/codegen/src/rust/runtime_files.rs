@@ -5,6 +5,7 @@ pub const FILES: &[(&str, &str)] = &[
     ("ik.rs", include_str!("../ik.rs")),
     ("ik/arm.rs", include_str!("../ik/arm.rs")),
     ("ik/axis.rs", include_str!("../ik/axis.rs")),
+    ("ik/interval.rs", include_str!("../ik/interval.rs")),
     ("ik/list.rs", include_str!("../ik/list.rs")),
     ("ik/numerical.rs", include_str!("../ik/numerical.rs")),
     ("ik/plane.rs", include_str!("../ik/plane.rs")),

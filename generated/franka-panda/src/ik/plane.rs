@@ -68,7 +68,7 @@ impl Plane {
                 let to = sub(goal, one.c);
                 let pair = reach(two, three.c, one.c, dot(to, to));
                 for second in pair.both {
-                    let second = if pair.free { near[1] } else { Value::turn(second) };
+                    let second = if pair.blind { near[1] } else { Value::turn(second) };
                     let arm = sub(two.point(second, three.c), one.c);
                     let (first, known) = towards(one.h, arm, to);
                     let first = if known > 1e-26 { Value::turn(first) } else { near[0] };

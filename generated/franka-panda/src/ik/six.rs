@@ -104,12 +104,8 @@ impl Six {
                 dot(h, sub(sub(x, one.c), along)),
                 norm(rel),
             );
-            let firsts = if pair.free {
-                free |= 1;
-                [near[0]; 2]
-            } else {
-                pair.both.map(Value::turn)
-            };
+            free |= u8::from(pair.free);
+            let firsts = if pair.blind { [near[0]; 2] } else { pair.both.map(Value::turn) };
             for (i, first) in firsts.into_iter().enumerate() {
                 let goal = one.direction(first.back(), goal6);
                 for (j, fifth) in tilt(h, five.h, six.h, goal).both.into_iter().enumerate() {
@@ -143,13 +139,14 @@ impl Six {
                 (turn, Value::turn(towards(six.h, side, back).0))
             } else {
                 free |= 32;
-                let carried = |x: Vector| v5.turn.about(five.h, near[5].turn.about(six.h, x));
+                let v6 = self.last_within_reach(g, v1, v5, near[5]);
+                let carried = |x: Vector| v5.turn.about(five.h, v6.turn.about(six.h, x));
                 let other = cross(six.h, side);
                 let image2 = one.direction(v1.back(), super::vector::times(&g.rotation, other));
                 // The better seen of two directions across axis 6.
                 let (a, na) = towards(h, carried(side), image);
                 let (b, nb) = towards(h, carried(other), image2);
-                (if na >= nb { a } else { b }, near[5])
+                (if na >= nb { a } else { b }, v6)
             };
             let four_at = six.point(v6.back(), five.point(v5.back(), four.c));
             let target = one.point(v1.back(), g.point(four_at));
@@ -172,6 +169,31 @@ impl Six {
             }
         }
         finds
+    }
+
+    /// Axis 6 is parallel to the three: its turn is free as far as the planar arm still reaches. The near one, or else one in the
+    /// middle of what it reaches.
+    fn last_within_reach(&self, g: &Displacement, v1: Value, v5: Value, near: Value) -> Value {
+        let [one, two, three, four, five, six] = &self.axes;
+        let h = two.h;
+        let across = |x: Vector| norm(sub(x, scale(dot(h, x), h)));
+        let (upper, fore) = (across(sub(three.c, two.c)), across(sub(four.c, three.c)));
+        let (least, most) = ((upper - fore).abs(), upper + fore);
+        let hand = five.point(v5.back(), four.c);
+        let there = |x: Vector| across(sub(one.point(v1.back(), g.point(x)), two.c));
+        let now = there(six.point(near.back(), hand));
+        if now > least && now < most {
+            return near;
+        }
+        // Distances from the hand's side: it turns about axis 6 at `radius`, and the axis stands `away` from axis 2.
+        let rel = sub(hand, six.c);
+        let radius = norm(sub(rel, scale(dot(six.h, rel), six.h)));
+        let away = there(six.c);
+        let (low, high) = (least.max((away - radius).abs()), most.min(away + radius));
+        let goal = 0.5 * (low + high);
+        let shoulder = g.back(one.point(v1, two.c));
+        let lift = dot(six.h, sub(hand, shoulder));
+        Value::turn(reach(&six.reversed(), hand, shoulder, goal * goal + lift * lift).both[0])
     }
 
     /// Fills the joints of an arm; those of a reversed one have the same values.

@@ -143,13 +143,41 @@ impl<const N: usize> Arm<N> {
             }
             Family::Numerical => numerical::search(self, &g, query, &near, &mut all),
         }
-        // Of a family of postures, the member nearest to the one that was named.
-        if let (Some(_), Some(free)) = (query.near, all.iter().find(|c| c.free != 0).copied()) {
-            all.push(Candidate { values: near, ..free });
+        // Of a family of postures, the member nearest to the one that was named; and that one itself where it is there already.
+        if query.near.is_some() && !all.is_empty() {
+            let [p, r] = sizes(&remainder(self, &g, &near));
+            if p.max(r) < 1e-9 || all.iter().any(|c| c.free != 0) {
+                let far = |c: &Candidate<N>| {
+                    c.values.iter().zip(&near).fold(0.0f64, |m, (a, b)| {
+                        m.max((a.turn.c - b.turn.c).abs() + (a.turn.s - b.turn.s).abs() + (a.way - b.way).abs())
+                    })
+                };
+                let closest = all.iter().copied().reduce(|a, b| if far(&b) < far(&a) { b } else { a });
+                if let Some(closest) = closest {
+                    all.push(Candidate { values: near, ..closest });
+                }
+            }
         }
         let mut solutions = self.finish(&g, query, all.as_slice());
         solutions.second_plane = second_plane;
         Ok(solutions)
+    }
+
+    /// The next posture along a path: the solution nearest to the last one, through singularities too. `None` where the pose is
+    /// out of reach, or where every posture is farther than `largest_step` (rad or m, any joint): a jump is never made.
+    ///
+    /// # Errors
+    /// Like [`Arm::solve`].
+    pub fn follow(
+        &self,
+        pose: &[[f64; 4]; 3],
+        last: &[f64; N],
+        query: &Query<'_, N>,
+        largest_step: f64,
+    ) -> Result<Option<Solution<N>>, PoseError> {
+        let found = self.solve(pose, &Query { near: Some(last), ..*query })?;
+        let near = |s: &&Solution<N>| (0..N).all(|i| (s.q[i] - last[i]).abs() <= largest_step);
+        Ok(found.as_slice().first().filter(near).copied())
     }
 
     fn axes_first(&self) -> Axis {
@@ -225,7 +253,7 @@ impl<const N: usize> Arm<N> {
             if p.max(r) > 1e-13 {
                 let steps = if self.exact { 8 } else { 40 };
                 e = match locked {
-                    Some(joint) => self.held(joint).polished(g, &mut values, hold, steps),
+                    Some(joint) => self.held(joint).polished(g, &mut values, steps),
                     None => polish(self, g, &mut values, hold, steps),
                 };
             }
@@ -303,13 +331,7 @@ struct Held<'a, const N: usize> {
 }
 
 impl<const N: usize> Held<'_, N> {
-    fn polished(
-        &self,
-        g: &Displacement,
-        v: &mut [Value; N],
-        _hold: Option<&dyn Fn(&[Value; N]) -> f64>,
-        steps: usize,
-    ) -> polish::Twist {
+    fn polished(&self, g: &Displacement, v: &mut [Value; N], steps: usize) -> polish::Twist {
         // A stiff further equation: the joint stays where it is.
         let start = v.get(self.joint).copied().unwrap_or(Value::ZERO);
         let slides = self.arm.axes.get(self.joint).is_some_and(|a| a.slides);
@@ -318,11 +340,10 @@ impl<const N: usize> Held<'_, N> {
             let back = here.turn.then(start.turn.back());
             if slides { here.way - start.way } else { super::real::angle(back.s, back.c) }
         };
-        let e = polish(self.arm, g, v, Some(&hold), steps);
+        polish(self.arm, g, v, Some(&hold), steps);
         if let Some(place) = v.get_mut(self.joint) {
             *place = start;
         }
-        let _ = e;
         remainder(self.arm, g, v)
     }
 }
@@ -338,7 +359,7 @@ fn put<const N: usize>(values: &mut [Value; N], joint: Option<u8>, v: Value) {
 }
 
 /// The whole turns that respect the limits and lie nearest to `near` (or zero), with the distance to the nearest limit.
-fn fitted(q: f64, slides: bool, limits: Option<[f64; 2]>, near: Option<f64>) -> (f64, f64) {
+pub(super) fn fitted(q: f64, slides: bool, limits: Option<[f64; 2]>, near: Option<f64>) -> (f64, f64) {
     use core::f64::consts::TAU;
     let mut x = q;
     if !slides {
@@ -368,7 +389,7 @@ fn ceiling(x: f64) -> f64 {
 }
 
 /// A pose with finite entries and a true rotation.
-fn checked(pose: &[[f64; 4]; 3]) -> Result<Displacement, PoseError> {
+pub(super) fn checked(pose: &[[f64; 4]; 3]) -> Result<Displacement, PoseError> {
     for (i, row) in pose.iter().enumerate() {
         for (j, x) in row.iter().enumerate() {
             // Beyond that squares overflow, and no arm is as long.

@@ -48,6 +48,10 @@ pub(super) fn remainder<const N: usize>(arm: &Arm<N>, g: &Displacement, v: &[Val
     let r = product(&g.rotation, &transposed(&here.rotation));
     let w = [r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]];
     let s = norm(w) / 2.0;
+    if s < 1e-6 && r[0][0] + r[1][1] + r[2][2] > 2.0 {
+        // The sine is the angle.
+        return [x, y, z, 0.5 * w[0], 0.5 * w[1], 0.5 * w[2]];
+    }
     let c = (r[0][0] + r[1][1] + r[2][2] - 1.0) / 2.0;
     // Turn by `a` about w: the skew part is sin a. Near pi it loses the axis; any will do there.
     let a = angle(s, c);

@@ -108,17 +108,13 @@ fn meet([one, two, three]: &[Axis; 3], x: Vector, w: Vector, p: Vector, near: &[
         [Value::way(half - along), Value::way(-half - along)]
     } else {
         let pair = reach(three, w, x, length2);
-        if pair.free {
-            free |= 4;
-            [near[2]; 2]
-        } else {
-            pair.both.map(Value::turn)
-        }
+        free |= u8::from(pair.free) << 2;
+        if pair.blind { [near[2]; 2] } else { pair.both.map(Value::turn) }
     };
     for (i, third) in thirds.into_iter().enumerate() {
         let arm = sub(three.point(third, w), x);
         let pair = tilt(one.h, two.h, arm, to);
-        let seconds = if pair.free { [near[1]; 2] } else { pair.both.map(Value::turn) };
+        let seconds = if pair.blind { [near[1]; 2] } else { pair.both.map(Value::turn) };
         for (j, second) in seconds.into_iter().enumerate() {
             let from = add(x, second.turn.about(two.h, arm));
             let (first, loose) = first_turn(one, from, p, near[0]);
@@ -141,12 +137,8 @@ fn parallel([one, two, three]: &[Axis; 3], w: Vector, p: Vector, near: &[Value; 
         let across = sub(rel, along);
         let d = dot(h, sub(p, add(three.c, along)));
         let pair = circle(dot(h, across), dot(h, cross(three.h, across)), d, norm(rel));
-        if pair.free {
-            free |= 4;
-            [near[2]; 2]
-        } else {
-            pair.both.map(Value::turn)
-        }
+        free |= u8::from(pair.free) << 2;
+        if pair.blind { [near[2]; 2] } else { pair.both.map(Value::turn) }
     };
     for (i, third) in thirds.into_iter().enumerate() {
         if three.slides && i == 1 {
@@ -155,7 +147,7 @@ fn parallel([one, two, three]: &[Axis; 3], w: Vector, p: Vector, near: &[Value; 
         let arm = three.point(third, w);
         let to = sub(p, one.c);
         let pair = reach(two, arm, one.c, dot(to, to));
-        let seconds = if pair.free { [near[1]; 2] } else { pair.both.map(Value::turn) };
+        let seconds = if pair.blind { [near[1]; 2] } else { pair.both.map(Value::turn) };
         for (j, second) in seconds.into_iter().enumerate() {
             let (first, loose) = first_turn(one, two.point(second, arm), p, near[0]);
             let free = free | u8::from(loose) | u8::from(pair.free) << 1;
@@ -283,7 +275,7 @@ fn turn_slides([one, two, three]: &[Axis; 3], w: Vector, p: Vector, near: &[Valu
     let across = sub(rel, scale(along, one.h));
     let d = dot(m, sub(w, add(one.c, scale(along, one.h))));
     let pair = circle(dot(m, across), -dot(m, cross(one.h, across)), d, norm(rel));
-    let turns = if pair.free { [near[0]; 2] } else { pair.both.map(Value::turn) };
+    let turns = if pair.blind { [near[0]; 2] } else { pair.both.map(Value::turn) };
     for (i, first) in turns.into_iter().enumerate() {
         let (s, t) = two_ways(two.h, three.h, sub(one.point(first.back(), p), w));
         let values = [first, Value::way(s), Value::way(t)];
@@ -303,7 +295,7 @@ fn slide_turn_slide([one, two, three]: &[Axis; 3], w: Vector, p: Vector, near: &
     };
     let (f, g) = (part(m, three.h), part(one.h, n));
     let pair = circle(f[0] - g[0], f[1] - g[1], g[2] - f[2], norm(m) + norm(n));
-    let turns = if pair.free { [near[1]; 2] } else { pair.both.map(Value::turn) };
+    let turns = if pair.blind { [near[1]; 2] } else { pair.both.map(Value::turn) };
     for (i, second) in turns.into_iter().enumerate() {
         let out = second.turn.about(two.h, three.h);
         let (s, t) = two_ways(one.h, out, sub(p, two.point(second, w)));

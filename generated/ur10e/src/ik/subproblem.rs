@@ -15,6 +15,8 @@ pub(super) struct Pair {
     pub both: [Turn; 2],
     /// Every angle is an answer, or nearly so.
     pub free: bool,
+    /// The data say nothing at all: the two turns are none.
+    pub blind: bool,
 }
 
 /// The turn about `h` that takes `from` nearest to `to`, and how well it is known (product of their distances from `h`).
@@ -30,14 +32,14 @@ pub(super) fn towards(h: Vector, from: Vector, to: Vector) -> (Turn, f64) {
 pub(super) fn circle(a: f64, b: f64, d: f64, size: f64) -> Pair {
     let r = root(a * a + b * b);
     if !(r > 1e-14 * size) {
-        return Pair { both: [Turn::NONE; 2], free: true };
+        return Pair { both: [Turn::NONE; 2], free: true, blind: true };
     }
     let d = d.clamp(-r, r);
     let w = root((r - d) * (r + d));
     let (c0, s0, k) = (a / r, b / r, 1.0 / r);
     let (c, s) = (d * k, w * k);
     let turn = |s: f64| Turn { c: c0 * c - s0 * s, s: s0 * c + c0 * s };
-    Pair { both: [turn(s), turn(-s)], free: r < FREE * size }
+    Pair { both: [turn(s), turn(-s)], free: r < FREE * size, blind: false }
 }
 
 /// Turns of `axis` that bring `w` to the distance `length` from `x`.
@@ -62,7 +64,7 @@ pub(super) fn reach(axis: &Axis, w: Vector, x: Vector, length2: f64) -> Pair {
 pub(super) fn tilt(first: Vector, second: Vector, w: Vector, p: Vector) -> Pair {
     let (wn, pn) = (norm(w), norm(p));
     if !(wn > 1e-150) || !(pn > 1e-150) {
-        return Pair { both: [Turn::NONE; 2], free: true };
+        return Pair { both: [Turn::NONE; 2], free: true, blind: true };
     }
     let (ca, sa) = (dot(first, second), norm(cross(first, second)));
     let (cb, sb) = (dot(second, w) / wn, norm(cross(second, w)) / wn);
@@ -80,8 +82,8 @@ pub(super) fn tilt(first: Vector, second: Vector, w: Vector, p: Vector) -> Pair 
     let sum = x + y;
     let (middle, known) = towards(second, w, first);
     if !(sum > 1e-14) || !(known > 1e-14 * wn) {
-        return Pair { both: [Turn::NONE; 2], free: true };
+        return Pair { both: [Turn::NONE; 2], free: true, blind: true };
     }
     let (c, s) = ((y - x) / sum, 2.0 * root(x * y) / sum);
-    Pair { both: [middle.then(Turn { c, s }), middle.then(Turn { c, s: -s })], free: known < FREE * wn }
+    Pair { both: [middle.then(Turn { c, s }), middle.then(Turn { c, s: -s })], free: known < FREE * wn, blind: false }
 }
