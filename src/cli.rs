@@ -10,8 +10,6 @@ mod identify;
 mod ik;
 mod motion;
 mod prepare;
-mod motion;
-mod prepare;
 mod reproduce;
 mod simulate;
 mod table;
@@ -43,7 +41,6 @@ enum Command {
     Ik(ik::Ik),
     /// Identify the base parameters from logs, and write the robot file with the values in place.
     Identify(Box<identify::Identify>),
-    Identify(identify::Identify),
     /// Run the paper's experiments and print each table and figure beside the paper's own values.
     Reproduce(reproduce::Reproduce),
     /// Play a motion on the simulated robot and record a log.

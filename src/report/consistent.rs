@@ -164,8 +164,6 @@ pub fn carry_over_text(found: &Identification, carry: &CarryOver) -> String {
         .filter(|p| p.relative_std_percent().is_nan() || p.relative_std_percent() >= 50.0)
         .map(|p| p.name.as_str())
         .collect();
-    let unknown: Vec<&str> =
-        found.parameters.iter().filter(|p| !(p.relative_std_percent() < 50.0)).map(|p| p.name.as_str()).collect();
     format!(
         "\nwarning: this fit will not carry over to other motions. All over the arm's range its torques are uncertain by more than its residual: {}. \
          {} of {} parameters are not known to 50 %: {}. Condition number {} with columns of unit norm. Record a richer motion, or use the possible \

@@ -7,9 +7,9 @@ mod eval;
 mod excite;
 mod generate;
 mod identify;
+mod ik;
 mod simulate;
 mod tool;
-mod ik;
 
 use std::path::PathBuf;
 use std::process::Command;
