@@ -1,6 +1,6 @@
 //! Closed-form kinematics and dynamics of `franka-panda`: 7 degrees of freedom, 43 base parameters.
 //!
-//! Written by denavit 0.1.0 from the robot file with digest d860381fce5c2aaf; do not edit, run `denavit generate` again.
+//! Written by denavit 0.1.0 from the robot file with digest 396235f55402f7e3; do not edit, run `denavit generate` again.
 //!
 //! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Nothing is allocated; nothing but `core` is used.
 //! Kernels ([`kernel`]) take sines and cosines ([`Trig`]); the functions here take `q`.

@@ -1,6 +1,6 @@
 //! Closed-form kinematics and dynamics of `kinova-gen3`: 7 degrees of freedom, 43 base parameters.
 //!
-//! Written by denavit 0.1.0 from the robot file with digest c5adb8dda47cc37b; do not edit, run `denavit generate` again.
+//! Written by denavit 0.1.0 from the robot file with digest 6d2a8a9f6592bcf3; do not edit, run `denavit generate` again.
 //!
 //! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Nothing is allocated; nothing but `core` is used.
 //! Kernels ([`kernel`]) take sines and cosines ([`Trig`]); the functions here take `q`.

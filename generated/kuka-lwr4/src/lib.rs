@@ -1,6 +1,6 @@
 //! Closed-form kinematics and dynamics of `kuka-lwr4`: 7 degrees of freedom, 57 base parameters.
 //!
-//! Written by denavit 0.1.0 from the robot file with digest 30b06f7769f64200; do not edit, run `denavit generate` again.
+//! Written by denavit 0.1.0 from the robot file with digest f8d57707902fc852; do not edit, run `denavit generate` again.
 //!
 //! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Nothing is allocated; nothing but `core` is used.
 //! Kernels ([`kernel`]) take sines and cosines ([`Trig`]); the functions here take `q`.

@@ -1,6 +1,6 @@
 //! Closed-form kinematics and dynamics of `ur10e`: 6 degrees of freedom, 36 base parameters.
 //!
-//! Written by denavit 0.1.0 from the robot file with digest bb7cec90929ef43f; do not edit, run `denavit generate` again.
+//! Written by denavit 0.1.0 from the robot file with digest cb7182a994aa7cfa; do not edit, run `denavit generate` again.
 //!
 //! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Nothing is allocated; nothing but `core` is used.
 //! Kernels ([`kernel`]) take sines and cosines ([`Trig`]); the functions here take `q`.
