@@ -2,6 +2,7 @@
 
 pub mod check_json;
 pub mod check_text;
+mod diagnose_html;
 mod diagnose_json;
 mod diagnose_text;
 mod consistent;
@@ -19,6 +20,7 @@ mod tool_html;
 mod tool_json;
 mod tool_text;
 
+pub use diagnose_html::diagnose_html;
 pub use diagnose_json::diagnose_json;
 pub use diagnose_text::{diagnose_text, diagnose_verdict};
 pub use consistent::{Possible, carry_over_json, carry_over_text, consistent_json, consistent_text};
