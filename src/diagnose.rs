@@ -8,6 +8,7 @@
 
 mod causes;
 mod evidence;
+mod maps;
 mod model;
 mod moments;
 mod noise;
@@ -23,6 +24,6 @@ mod tests;
 
 pub use causes::Named;
 pub use record::{Recording, Stretch};
-pub use result::{Cause, Curve, Diagnosis, Errors, Evidence, NextExperiment, Verdict};
+pub use result::{Cause, Curve, Diagnosis, ErrorMap, Errors, Evidence, NextExperiment, Verdict};
 pub use run::{DiagnoseError, Settings, diagnose};
 pub use search::SearchSettings;

@@ -3,6 +3,7 @@
 pub mod check_json;
 pub mod check_text;
 mod consistent;
+mod diagnose_html;
 mod diagnose_json;
 mod diagnose_text;
 pub mod eval_json;
@@ -25,6 +26,7 @@ mod tool_json;
 mod tool_text;
 
 pub use consistent::{Possible, carry_over_json, carry_over_text, consistent_json, consistent_text};
+pub use diagnose_html::diagnose_html;
 pub use diagnose_json::diagnose_json;
 pub use diagnose_text::{diagnose_text, diagnose_verdict};
 pub use excite_html::excite_html;

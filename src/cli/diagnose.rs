@@ -109,6 +109,9 @@ impl Diagnose {
         if let Some(target) = &self.json {
             files::json(target, &report::diagnose_json(found, prepared, &provenance))?;
         }
+        if let Some(path) = &self.report {
+            files::write(path, report::diagnose_html(found, prepared, &provenance).as_bytes())?;
+        }
         if !files::is_stdout(&self.json) {
             files::print(&report::diagnose_text(found, prepared))?;
             for path in self.out.iter().chain(&self.report) {

@@ -32,7 +32,6 @@ pub struct Moments {
     joints: Vec<Joint>,
     /// Number of unknowns.
     pub unknowns: usize,
-    starts: Vec<usize>,
     y: Vec<Vec<f64>>,
     /// Of the whole data.
     whole: Vec<Part>,
@@ -94,8 +93,14 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 impl Moments {
     /// Of these columns and the torque `y` (per joint, masked).
     pub fn new(scene: &Scene<'_>, y: &[Vec<f64>], columns: &[Column]) -> Self {
-        let mut starts: Vec<usize> = (0..=BLOCKS).map(|b| scene.block.partition_point(|x| *x < b)).collect();
-        starts.dedup();
+        // Pieces of the data, and the part that each belongs to.
+        let mut pieces: Vec<(std::ops::Range<usize>, usize)> = Vec::new();
+        for (w, &part) in scene.block.iter().enumerate() {
+            match pieces.last_mut() {
+                Some((range, last)) if *last == part => range.end = w + 1,
+                _ => pieces.push((w..w + 1, part)),
+            }
+        }
         let mut joints: Vec<Joint> =
             (0..scene.dof()).map(|_| Joint { columns: Vec::new(), series: Vec::new(), parts: Vec::new() }).collect();
         for (c, column) in columns.iter().enumerate() {
@@ -106,33 +111,32 @@ impl Moments {
         }
         for (j, joint) in joints.iter_mut().enumerate() {
             let n = joint.columns.len();
-            for range in starts.windows(2).map(|w| w[0]..w[1]) {
-                let cut: Vec<&[f64]> = joint.series.iter().map(|s| &s[range.clone()]).collect();
-                let y = &y[j][range.clone()];
-                let mut gram = DMatrix::zeros(n, n);
-                for i in 0..n {
-                    for k in 0..=i {
-                        let value = dot(cut[i], cut[k]);
-                        gram[(i, k)] = value;
-                        gram[(k, i)] = value;
+            for part in 0..BLOCKS {
+                let mut sum = Part { gram: DMatrix::zeros(n, n), with_y: DVector::zeros(n), yy: 0.0, count: 0.0 };
+                for (range, _) in pieces.iter().filter(|p| p.1 == part) {
+                    let cut: Vec<&[f64]> = joint.series.iter().map(|s| &s[range.clone()]).collect();
+                    let y = &y[j][range.clone()];
+                    for i in 0..n {
+                        for k in 0..=i {
+                            sum.gram[(i, k)] += dot(cut[i], cut[k]);
+                        }
+                        sum.with_y[i] += dot(cut[i], y);
                     }
+                    sum.yy += dot(y, y);
+                    sum.count += scene.live[j][range.clone()].iter().filter(|l| **l).count() as f64;
                 }
-                joint.parts.push(Part {
-                    gram,
-                    with_y: DVector::from_fn(n, |i, _| dot(cut[i], y)),
-                    yy: dot(y, y),
-                    count: scene.live[j][range].iter().filter(|l| **l).count() as f64,
-                });
+                sum.gram.fill_upper_triangle_with_lower_triangle();
+                joint.parts.push(sum);
             }
         }
-        let mut moments = Self { joints, unknowns: columns.len(), starts, y: y.to_vec(), whole: Vec::new() };
+        let mut moments = Self { joints, unknowns: columns.len(), y: y.to_vec(), whole: Vec::new() };
         moments.whole = moments.sums(|_| true);
         moments
     }
 
     /// Parts of the data.
     pub fn parts(&self) -> usize {
-        self.starts.len().saturating_sub(1)
+        BLOCKS
     }
 
     fn sums(&self, keep: impl Fn(usize) -> bool) -> Vec<Part> {

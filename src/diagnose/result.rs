@@ -94,10 +94,23 @@ pub struct NextExperiment {
 /// Measured torque and errors over time, for drawing: of one joint, thinned.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Curve {
-    /// Time, s.
+    /// Time, s; one log after the other.
     pub t: Vec<f64>,
     /// Measured torque, N m.
     pub measured: Vec<f64>,
+    /// Error of the file as it was, N m.
+    pub before: Vec<f64>,
+    /// Error of the extended model, N m.
+    pub after: Vec<f64>,
+}
+
+/// Error against a quantity, before and after: of one joint, on the validating data.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ErrorMap {
+    /// Name of the abscissa, with its unit; against `frequency, Hz` the ordinates are amplitudes, otherwise means of bins.
+    pub over: &'static str,
+    /// Abscissa.
+    pub x: Vec<f64>,
     /// Error of the file as it was, N m.
     pub before: Vec<f64>,
     /// Error of the extended model, N m.
@@ -137,4 +150,6 @@ pub struct Diagnosis {
     pub seconds: [f64; 2],
     /// One per joint, of the validating data.
     pub curves: Vec<Curve>,
+    /// Maps of the error, per joint, of the validating data.
+    pub maps: Vec<Vec<ErrorMap>>,
 }

@@ -4,6 +4,7 @@ use crate::arm::Plant;
 
 use super::causes::{COULOMB, Cause as Hypothesis, Kind, Named, OFFSET, VISCOUS};
 use super::evidence;
+use super::maps::View;
 use super::model::{Bench, Chosen, Fitted, Mode, given_friction, parameters};
 use super::noise::floor;
 use super::record::Recording;
@@ -48,6 +49,7 @@ struct Measured {
     rms: Vec<f64>,
     error: Vec<Vec<f64>>,
     time: Vec<f64>,
+    view: View,
 }
 
 const RAW: f64 = 1e9;
@@ -78,7 +80,7 @@ fn measure<'a>(
         }
     }
     let rms = error.iter().map(|e| root_mean_square(e)).collect();
-    Measured { rms, error, time: fine.scene.time.clone() }
+    Measured { rms, error, time: fine.scene.time.clone(), view: View::of(&fine.scene) }
 }
 
 fn root_mean_square(x: &[f64]) -> f64 {
@@ -272,7 +274,8 @@ pub fn diagnose(
             joints: c.joints.clone(),
             motion: c.shown_by.to_string(),
         });
-    let curves = (0..dof).map(|j| curve(validate, j, &after, &before)).collect();
+    let curves = (0..dof).map(|j| curve(j, &after, &before)).collect();
+    let maps = (0..dof).map(|j| after.view.maps(j, &before[j], &after.error[j])).collect();
     let extended = Errors { fit: after_fit.rms, validate: after.rms };
     Ok(Diagnosis {
         robot: plant.name().to_string(),
@@ -290,6 +293,7 @@ pub fn diagnose(
         own_validation,
         seconds: [seconds, validate.iter().map(Recording::seconds).sum()],
         curves,
+        maps,
     })
 }
 
@@ -531,10 +535,14 @@ fn unknown(causes: &mut Vec<Cause>, left: &[Structure], rms: &[f64], noise: &[f6
 }
 
 /// Torque and errors over time, at most 2,000 points.
-fn curve(validate: &[Recording], j: usize, after: &Measured, before: &[Vec<f64>]) -> Curve {
+fn curve(j: usize, after: &Measured, before: &[Vec<f64>]) -> Curve {
     let n = after.error[j].len().min(before[j].len());
     let every = n.div_ceil(2000).max(1);
     let fine = |x: &[f64]| -> Vec<f64> { x[..n].iter().step_by(every).copied().collect() };
-    let _ = validate;
-    Curve { t: fine(&after.time), measured: Vec::new(), before: fine(&before[j]), after: fine(&after.error[j]) }
+    Curve {
+        t: fine(&after.view.clock()),
+        measured: fine(&after.view.torque[j]),
+        before: fine(&before[j]),
+        after: fine(&after.error[j]),
+    }
 }

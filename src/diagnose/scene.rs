@@ -14,8 +14,12 @@ const EDGE: f64 = 0.15;
 /// The largest delay that is looked for, s.
 pub const MOST_DELAY: f64 = 0.14;
 
-/// Contiguous parts of the data, for cross-validation.
+/// Parts of the data, for cross-validation; each is made of pieces from everywhere, so that what is left out lies within what the
+/// others saw.
 pub const BLOCKS: usize = 8;
+
+/// Length of a piece, s: longer than residuals remember themselves.
+const PIECE: f64 = 1.0;
 
 /// One joint during one stretch, at the rate of the log.
 #[derive(Debug, Clone)]
@@ -177,7 +181,9 @@ impl<'a> Scene<'a> {
             row.iter_mut().zip(live).filter(|(_, l)| !**l).for_each(|(y, _)| *y = 0.0);
         }
         Self {
-            block: (0..len).map(|w| w * BLOCKS / len.max(1)).collect(),
+            block: (0..len)
+                .map(|w| (w as f64 * step / PIECE.min(len as f64 * step / BLOCKS as f64)) as usize % BLOCKS)
+                .collect(),
             rigid: vec![vec![0.0; len]; dof],
             whole: vec![vec![0.0; len]; dof],
             beta: vec![0.0; plant.base_parameters().len()],

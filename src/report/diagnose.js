@@ -1,0 +1,122 @@
+'use strict';
+const data = JSON.parse(document.getElementById('data').textContent);
+const NS = 'http://www.w3.org/2000/svg';
+const make = (parent, name, attributes, text) => {
+  const node = document.createElementNS(NS, name);
+  for (const key in attributes) node.setAttribute(key, attributes[key]);
+  if (text !== undefined) node.textContent = text;
+  parent.appendChild(node);
+  return node;
+};
+const ticks = (low, high, count) => {
+  const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw));
+  const step = power * [1, 2, 5, 10].find(m => m * power >= raw * (1 - 1e-9));
+  const all = [];
+  for (let k = Math.ceil(low / step); k * step <= high; k++) all.push(k * step);
+  const places = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  return { all, text: v => places > 5 || Math.abs(high) >= 1e6 ? v.toExponential(1) : v.toFixed(places) };
+};
+const reach = (lists, zero) => {
+  let low = zero ? 0 : Infinity, high = zero ? 0 : -Infinity;
+  for (const list of lists) for (const v of list) if (v !== null) { low = Math.min(low, v); high = Math.max(high, v); }
+  if (!(high > low)) { low = Number.isFinite(low) ? low - 1 : -1; high = low + 2; }
+  return [low, high];
+};
+const room = ([low, high]) => [low - 0.06 * (high - low), high + 0.06 * (high - low)];
+const canvas = (box, w, h, label) => make(box, 'svg', { viewBox: `0 0 ${w} ${h}`, role: 'img', 'aria-label': label });
+
+// A frame with grid and ticks; returns the maps from values to places.
+const frame = (svg, { left, right, top, bottom, x, y, across = 6, up = 5, bare = false }) => {
+  const px = v => left + (v - x[0]) / (x[1] - x[0]) * (right - left);
+  const py = v => bottom - (v - y[0]) / (y[1] - y[0]) * (bottom - top);
+  const vertical = ticks(y[0], y[1], up), horizontal = ticks(x[0], x[1], across);
+  for (const v of vertical.all) {
+    make(svg, 'line', { class: Math.abs(v) < 1e-12 ? 'zero' : 'grid', x1: left, x2: right, y1: py(v), y2: py(v) });
+    make(svg, 'text', { x: left - 5, y: py(v) + 4, 'text-anchor': 'end' }, vertical.text(Math.abs(v) < 1e-12 ? 0 : v));
+  }
+  for (const v of horizontal.all) {
+    make(svg, 'line', { class: 'grid', x1: px(v), x2: px(v), y1: top, y2: bottom });
+    if (!bare) make(svg, 'text', { x: px(v), y: bottom + 14, 'text-anchor': 'middle' }, horizontal.text(Math.abs(v) < 1e-12 ? 0 : v));
+  }
+  return { px, py };
+};
+// `gap`: steps larger than this begin a new line.
+const line = (svg, name, at, x, y, gap = Infinity) => {
+  let d = '', last = null;
+  x.forEach((v, i) => {
+    if (y[i] === null || v === null) { last = null; return; }
+    d += (last === null || v - last > gap || v < last ? 'M' : 'L') + at.px(v).toFixed(1) + ' ' + at.py(y[i]).toFixed(1);
+    last = v;
+  });
+  make(svg, 'path', { class: name, d });
+};
+
+// Each cause: what it explains over what shows it best, and what it gains on each joint.
+document.querySelectorAll('[data-cause]').forEach(box => {
+  const cause = data.causes[+box.dataset.cause], W = 560, H = 270, LEFT = 58, TOP = 30, RIGHT = W - 10, BOTTOM = H - 42;
+  if (cause.curve) {
+    const { over, x, measured, explained } = cause.curve, svg = canvas(box, W, H, 'measured and explained');
+    const at = frame(svg, { left: LEFT, right: RIGHT, top: TOP, bottom: BOTTOM, x: room(reach([x])), y: room(reach([measured, explained], true)) });
+    line(svg, 'explained', at, x, explained);
+    x.forEach((v, i) => measured[i] !== null && make(svg, 'circle', { cx: at.px(v), cy: at.py(measured[i]), r: 2.2 }));
+    make(svg, 'text', { class: 'axis', x: (LEFT + RIGHT) / 2, y: H - 8, 'text-anchor': 'middle' }, over);
+    make(svg, 'text', { class: 'axis', transform: `translate(13,${(TOP + BOTTOM) / 2}) rotate(-90)`, 'text-anchor': 'middle' }, 'error, N m');
+    make(svg, 'circle', { cx: LEFT + 5, cy: 13, r: 2.6 });
+    make(svg, 'text', { x: LEFT + 12, y: 17 }, 'error without the cause, means of bins');
+    make(svg, 'path', { class: 'explained', d: `M${LEFT + 262} 13h22` });
+    make(svg, 'text', { x: LEFT + 290, y: 17 }, 'what the cause says');
+  }
+  const { before, after } = cause, svg = canvas(box, W, H, 'gain per joint'), n = before.length;
+  const at = frame(svg, { left: LEFT, right: RIGHT, top: TOP, bottom: BOTTOM, x: [0.4, n + 0.6], y: [0, 1.06 * reach([before, after, data.noise], true)[1]], across: n, bare: true });
+  const wide = 0.36 * (RIGHT - LEFT) / (n + 0.2);
+  for (let j = 0; j < n; j++) {
+    const middle = at.px(j + 1), bar = (name, x, v) => make(svg, 'rect', { class: name, x, y: at.py(v), width: wide, height: BOTTOM - at.py(v) });
+    bar('before', middle - wide, before[j] ?? 0);
+    bar('after', middle, after[j] ?? 0);
+    make(svg, 'line', { class: 'noise', x1: middle - 1.2 * wide, x2: middle + 1.2 * wide, y1: at.py(data.noise[j] ?? 0), y2: at.py(data.noise[j] ?? 0) });
+    make(svg, 'text', { x: middle, y: BOTTOM + 15, 'text-anchor': 'middle' }, j + 1);
+  }
+  make(svg, 'text', { class: 'axis', x: (LEFT + RIGHT) / 2, y: H - 8, 'text-anchor': 'middle' }, 'joint');
+  make(svg, 'text', { class: 'axis', transform: `translate(13,${(TOP + BOTTOM) / 2}) rotate(-90)`, 'text-anchor': 'middle' }, 'RMS error, N m');
+  make(svg, 'rect', { class: 'before', x: LEFT, y: 8, width: 12, height: 10 });
+  make(svg, 'text', { x: LEFT + 17, y: 17 }, 'without the cause');
+  make(svg, 'rect', { class: 'after', x: LEFT + 130, y: 8, width: 12, height: 10 });
+  make(svg, 'text', { x: LEFT + 147, y: 17 }, 'with it');
+  make(svg, 'path', { class: 'noise', d: `M${LEFT + 210} 13h22` });
+  make(svg, 'text', { x: LEFT + 238, y: 17 }, 'noise');
+});
+
+// Measured torque above, error below, one plot per joint.
+data.curves.forEach((curve, j) => {
+  const box = document.getElementById('curves'), W = 560, H = 250, LEFT = 54, RIGHT = W - 8, svg = canvas(box, W, H, `joint ${j + 1}`);
+  if (!curve.t.length) return;
+  const steps = curve.t.slice(1).map((t, i) => t - curve.t[i]).sort((a, b) => a - b), gap = 3 * (steps[steps.length >> 1] || 1);
+  const panel = (top, bottom, names, up, bare) => {
+    const at = frame(svg, { left: LEFT, right: RIGHT, top, bottom, x: reach([curve.t]), y: room(reach(names.map(n => curve[n]))), up, bare });
+    names.forEach(name => line(svg, name, at, curve.t, curve[name], gap));
+  };
+  panel(20, 112, ['measured'], 4, true);
+  panel(124, 226, ['before', 'after'], 4, false);
+  make(svg, 'text', { class: 'title', x: LEFT, y: 13 }, `joint ${j + 1}`);
+  make(svg, 'text', { x: RIGHT, y: 13, 'text-anchor': 'end' }, 'torque above, error below; N m over s');
+});
+
+// Small multiples: one row per joint, the same height of axis for all means of a joint.
+data.maps.forEach((maps, j) => {
+  const row = document.createElement('div');
+  row.className = 'maps';
+  document.getElementById('maps').appendChild(row);
+  const means = maps.filter(m => !m.over.startsWith('frequency'));
+  const shared = room(reach(means.flatMap(m => [m.before, m.after]), true));
+  maps.forEach((map, k) => {
+    const W = 280, H = 200, LEFT = 52, RIGHT = W - 6, TOP = 22, BOTTOM = H - 38, svg = canvas(row, W, H, `joint ${j + 1}, ${map.over}`);
+    const spectrum = map.over.startsWith('frequency');
+    const y = spectrum ? [0, 1.06 * reach([map.before, map.after], true)[1]] : shared;
+    const at = frame(svg, { left: LEFT, right: RIGHT, top: TOP, bottom: BOTTOM, x: reach([map.x]), y, across: 3, up: 4 });
+    line(svg, 'before', at, map.x, map.before);
+    line(svg, 'after', at, map.x, map.after);
+    if (!k) make(svg, 'text', { class: 'title', x: LEFT, y: 14 }, `joint ${j + 1}, N m`);
+    if (spectrum) make(svg, 'text', { class: 'axis', x: LEFT, y: 14 }, 'amplitude, N m');
+    make(svg, 'text', { class: 'axis', x: (LEFT + RIGHT) / 2, y: H - 6, 'text-anchor': 'middle' }, map.over);
+  });
+});
