@@ -36,12 +36,7 @@ impl View {
                 [row(&states.q), row(&states.dq), row(&states.ddq), scene.whole[j].clone()]
             })
             .collect();
-        Self {
-            time: scene.time.clone(),
-            torque: scene.y.clone(),
-            runs: scene.runs.clone(),
-            over,
-        }
+        Self { time: scene.time.clone(), torque: scene.y.clone(), runs: scene.runs.clone(), over }
     }
 
     /// Time with one log after the other, s.

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use super::identify_html::{escape, findings_list};
 use super::number::{digits, figure, percent};
 use super::{Provenance, diagnose_verdict};
-use crate::diagnose::{Cause, Diagnosis};
+use crate::diagnose::{Cause, Diagnosis, Evidence};
 use crate::log::Finding;
 use crate::signal::Prepared;
 
@@ -163,7 +163,15 @@ fn cause(body: &mut String, number: usize, c: &Cause) {
             escape(c.shown_by)
         );
     }
+    if c.curve.as_ref().is_some_and(|e| !drawn(e)) {
+        body.push_str("<p class=note>It acts by shifting the torques in time, so it adds no curve of its own to draw against the error; the bars show what the shift gains.</p>\n");
+    }
     let _ = writeln!(body, "<div class=grid2 data-cause={number}></div></article>");
+}
+
+/// Whether a curve shows its cause: one that acts by shifting time adds no torque of its own, and a line at zero would mislead.
+fn drawn(curve: &Evidence) -> bool {
+    curve.explained.iter().any(|x| x.is_finite() && *x != 0.0)
 }
 
 /// Numbers for the script, with the digits that a plot shows.
@@ -172,7 +180,7 @@ fn data(found: &Diagnosis) -> Value {
         .causes
         .iter()
         .map(|c| {
-            let curve = c.curve.as_ref().filter(|e| !e.x.is_empty()).map(|e| {
+            let curve = c.curve.as_ref().filter(|e| drawn(e)).map(|e| {
                 json!({ "over": e.over, "x": short(&e.x), "measured": short(&e.measured), "explained": short(&e.explained) })
             });
             json!({ "curve": curve, "before": short(&c.rms_before), "after": short(&c.rms_after) })
