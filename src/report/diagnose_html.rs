@@ -163,15 +163,16 @@ fn cause(body: &mut String, number: usize, c: &Cause) {
             escape(c.shown_by)
         );
     }
-    if c.curve.as_ref().is_some_and(|e| !drawn(e)) {
+    if c.cause == "time_delay" {
         body.push_str("<p class=note>It acts by shifting the torques in time, so it adds no curve of its own to draw against the error; the bars show what the shift gains.</p>\n");
     }
     let _ = writeln!(body, "<div class=grid2 data-cause={number}></div></article>");
 }
 
-/// Whether a curve shows its cause: one that acts by shifting time adds no torque of its own, and a line at zero would mislead.
-fn drawn(curve: &Evidence) -> bool {
-    curve.explained.iter().any(|x| x.is_finite() && *x != 0.0)
+/// The curve, where it shows its cause: a delay is taken out by shifting time, adds no torque of its own, and would be a misleading line at
+/// zero.
+fn drawn(c: &Cause) -> Option<&Evidence> {
+    c.curve.as_ref().filter(|e| c.cause != "time_delay" && !e.x.is_empty())
 }
 
 /// Numbers for the script, with the digits that a plot shows.
@@ -180,7 +181,7 @@ fn data(found: &Diagnosis) -> Value {
         .causes
         .iter()
         .map(|c| {
-            let curve = c.curve.as_ref().filter(|e| drawn(e)).map(|e| {
+            let curve = drawn(c).map(|e| {
                 json!({ "over": e.over, "x": short(&e.x), "measured": short(&e.measured), "explained": short(&e.explained) })
             });
             json!({ "curve": curve, "before": short(&c.rms_before), "after": short(&c.rms_after) })

@@ -116,7 +116,7 @@ fn diagnosis_page_stands_alone() {
         links_refitted: false,
         standard: None,
         causes: vec![Cause {
-            cause: "time_delay",
+            cause: "joint_elasticity",
             joints: vec![1],
             probability: 0.95,
             parameters: vec![Named { symbol: "td1".into(), value: 0.02, std: Some(0.001) }],
@@ -136,7 +136,7 @@ fn diagnosis_page_stands_alone() {
             }),
         }],
         next_experiment: Some(NextExperiment {
-            between: vec!["time_delay", "viscous_friction"],
+            between: vec!["joint_elasticity", "viscous_friction"],
             joints: vec![1],
             motion: "a second speed".into(),
         }),
@@ -166,4 +166,8 @@ fn diagnosis_page_stands_alone() {
     let data: serde_json::Value = serde_json::from_str(&page[start..end].replace("<\\/", "</")).unwrap();
     assert!(data["causes"][0]["after"][0].is_null() && data["causes"][0]["curve"]["measured"][1].is_null());
     assert_eq!(data["curves"][0]["after"][1], 0.12346);
+    // A delay has no curve of its own.
+    let mut late = found;
+    late.causes[0].cause = "time_delay";
+    assert!(diagnose_html(&late, &[], &[]).contains("\"curve\":null"));
 }
