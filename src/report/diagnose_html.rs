@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use super::identify_html::{escape, findings_list};
 use super::number::{digits, figure, percent};
 use super::{Provenance, diagnose_verdict};
-use crate::diagnose::{Cause, Diagnosis};
+use crate::diagnose::{Cause, Diagnosis, Evidence};
 use crate::log::Finding;
 use crate::signal::Prepared;
 
@@ -163,7 +163,16 @@ fn cause(body: &mut String, number: usize, c: &Cause) {
             escape(c.shown_by)
         );
     }
+    if c.cause == "time_delay" {
+        body.push_str("<p class=note>It acts by shifting the torques in time, so it adds no curve of its own to draw against the error; the bars show what the shift gains.</p>\n");
+    }
     let _ = writeln!(body, "<div class=grid2 data-cause={number}></div></article>");
+}
+
+/// The curve, where it shows its cause: a delay is taken out by shifting time, adds no torque of its own, and would be a misleading line at
+/// zero.
+fn drawn(c: &Cause) -> Option<&Evidence> {
+    c.curve.as_ref().filter(|e| c.cause != "time_delay" && !e.x.is_empty())
 }
 
 /// Numbers for the script, with the digits that a plot shows.
@@ -172,7 +181,7 @@ fn data(found: &Diagnosis) -> Value {
         .causes
         .iter()
         .map(|c| {
-            let curve = c.curve.as_ref().filter(|e| !e.x.is_empty()).map(|e| {
+            let curve = drawn(c).map(|e| {
                 json!({ "over": e.over, "x": short(&e.x), "measured": short(&e.measured), "explained": short(&e.explained) })
             });
             json!({ "curve": curve, "before": short(&c.rms_before), "after": short(&c.rms_after) })

@@ -99,3 +99,75 @@ fn page_stands_alone() {
     assert_eq!(page.matches("</script>").count(), 2);
     assert!(page.len() < 60_000);
 }
+
+#[test]
+fn diagnosis_page_stands_alone() {
+    use crate::diagnose::{Cause, Curve, Diagnosis, ErrorMap, Errors, Evidence, Named, NextExperiment, Verdict};
+    let errors = |x: f64| Errors { fit: vec![x], validate: vec![x] };
+    let found = Diagnosis {
+        robot: "a <b>".into(),
+        verdict: Verdict::Explained,
+        noise_floor: vec![0.1],
+        torque_rms: vec![10.0],
+        baseline: errors(1.0),
+        refitted: errors(0.5),
+        extended: errors(0.1),
+        has_links: true,
+        links_refitted: false,
+        standard: None,
+        causes: vec![Cause {
+            cause: "joint_elasticity",
+            joints: vec![1],
+            probability: 0.95,
+            parameters: vec![Named { symbol: "td1".into(), value: 0.02, std: Some(0.001) }],
+            keys: vec![],
+            evidence: "joint 1: </script> late".into(),
+            rms_before: vec![1.0],
+            rms_after: vec![f64::NAN],
+            interval: [0.9, 0.99],
+            on: "validate",
+            not_distinguished_from: vec!["viscous_friction"],
+            shown_by: "a second speed",
+            curve: Some(Evidence {
+                over: "velocity, rad/s (joint 1)".into(),
+                x: vec![-1.0, 1.0],
+                measured: vec![0.5, f64::INFINITY],
+                explained: vec![0.5, 0.25],
+            }),
+        }],
+        next_experiment: Some(NextExperiment {
+            between: vec!["joint_elasticity", "viscous_friction"],
+            joints: vec![1],
+            motion: "a second speed".into(),
+        }),
+        own_validation: true,
+        seconds: [20.0, 10.0],
+        curves: vec![Curve {
+            t: vec![0.0, 0.1],
+            measured: vec![1.0, 2.0],
+            before: vec![0.5, 0.4],
+            after: vec![0.1, 0.123456789],
+        }],
+        maps: vec![vec![ErrorMap { over: "velocity, rad/s", x: vec![0.0], before: vec![1.0], after: vec![0.1] }]],
+    };
+    let page = diagnose_html(&found, &[], &[("robot file".into(), "a & b".into())]);
+    for outside in ["http://", "https://", "src=", "href=", "@import", "url("] {
+        let used = page.replace("http://www.w3.org/2000/svg", "").contains(outside);
+        assert!(!used, "{outside}");
+    }
+    assert_eq!(page.matches("</script>").count(), 2);
+    assert!(page.contains("a &lt;b&gt;") && page.contains("a &amp; b"));
+    assert!(page.contains("<tr><th>td1<td>0.02000<td>0.0010</tr>"), "value and deviation");
+    assert!(page.contains("Not told apart from viscous friction") && page.contains("a second speed"));
+    // (1 - 0.01) / (1 - 0.01): all that could be gained.
+    assert!(page.contains("<td>100 %</tr>"));
+    let start = page.find("application/json>").unwrap() + "application/json>".len();
+    let end = start + page[start..].find("</script>").unwrap();
+    let data: serde_json::Value = serde_json::from_str(&page[start..end].replace("<\\/", "</")).unwrap();
+    assert!(data["causes"][0]["after"][0].is_null() && data["causes"][0]["curve"]["measured"][1].is_null());
+    assert_eq!(data["curves"][0]["after"][1], 0.12346);
+    // A delay has no curve of its own.
+    let mut late = found;
+    late.causes[0].cause = "time_delay";
+    assert!(diagnose_html(&late, &[], &[]).contains("\"curve\":null"));
+}
