@@ -7,11 +7,12 @@ mod excite;
 mod files;
 mod generate;
 mod identify;
+mod motion;
+mod prepare;
+mod reproduce;
 mod simulate;
 mod table;
-mod prepare;
 mod tool;
-mod motion;
 
 use clap::{Parser, Subcommand};
 
@@ -37,6 +38,8 @@ enum Command {
     Excite(excite::Excite),
     /// Identify the base parameters from logs, and write the robot file with the values in place.
     Identify(identify::Identify),
+    /// Run the paper's experiments and print each table and figure beside the paper's own values.
+    Reproduce(reproduce::Reproduce),
     /// Play a motion on the simulated robot and record a log.
     Simulate(simulate::Simulate),
     /// Identify what the arm carries, and recognise the tool.
@@ -56,6 +59,7 @@ impl Cli {
             Command::Eval(verb) => verb.run(),
             Command::Excite(verb) => verb.run(),
             Command::Identify(verb) => verb.run(),
+            Command::Reproduce(verb) => verb.run(),
             Command::Simulate(verb) => verb.run(),
             Command::Tool(verb) => verb.run(),
         }

@@ -30,15 +30,16 @@
 pub mod arm;
 pub mod cli;
 pub mod diagnose;
-pub mod extend;
 pub mod differentiated;
 pub mod excite;
+pub mod extend;
 pub mod identify;
 pub mod interpreted;
 pub mod log;
 pub mod numeric;
 pub mod plant;
 pub mod report;
+pub mod reproduce;
 pub mod signal;
 pub mod simulate;
 pub mod tool;

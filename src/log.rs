@@ -12,6 +12,7 @@ mod finding;
 mod keep;
 mod open;
 pub mod parquet;
+mod replay;
 mod whole;
 
 pub use block::{BadCell, Block, Source};
@@ -21,6 +22,7 @@ pub use error::LogError;
 pub use finding::{Clock, Finding, Kind, Severity};
 pub use keep::Keep;
 pub use open::{Format, open};
+pub use replay::Replay;
 pub use whole::Log;
 
 #[cfg(test)]

@@ -2,9 +2,9 @@
 
 pub mod check_json;
 pub mod check_text;
+mod consistent;
 mod diagnose_json;
 mod diagnose_text;
-mod consistent;
 pub mod eval_json;
 mod excite_html;
 mod excite_text;
@@ -13,26 +13,32 @@ mod identify_json;
 mod identify_text;
 mod motion_check;
 mod number;
+mod reproduce_html;
+mod reproduce_json;
+mod reproduce_text;
 mod simulate_json;
 mod simulate_text;
 mod tool_html;
 mod tool_json;
 mod tool_text;
 
+pub use consistent::{Possible, carry_over_json, carry_over_text, consistent_json, consistent_text};
 pub use diagnose_json::diagnose_json;
 pub use diagnose_text::{diagnose_text, diagnose_verdict};
-pub use consistent::{Possible, carry_over_json, carry_over_text, consistent_json, consistent_text};
+pub use excite_html::excite_html;
+pub use excite_text::{Outcome, excite_json, excite_text, joint_trajectory, motion_csv};
 pub use identify_html::identify_html;
 pub use identify_json::identify_json;
 pub use identify_text::{identify_text, identify_verdict};
+pub use motion_check::{motion_check_json, motion_check_text};
+pub use reproduce_html::reproduce_html;
+pub use reproduce_json::reproduce_json;
+pub use reproduce_text::{Parts, reproduce_text};
 pub use simulate_json::simulate_json;
 pub use simulate_text::simulate_text;
 pub use tool_html::tool_html;
 pub use tool_json::tool_json;
 pub use tool_text::{tool_text, tool_verdict};
-pub use excite_html::excite_html;
-pub use excite_text::{Outcome, excite_json, excite_text, joint_trajectory, motion_csv};
-pub use motion_check::{motion_check_json, motion_check_text};
 
 #[cfg(test)]
 mod tests;

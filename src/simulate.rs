@@ -174,6 +174,14 @@ pub struct Recording {
     pub integration: Option<Integration>,
 }
 
+impl Recording {
+    /// The log that other sensors, or the same ones with other noise, would have left of the same run. Rate, jitter and sides stay those of the run's
+    /// instants.
+    pub fn seen_by(&self, sensors: &Sensors, seed: u64) -> Log {
+        sensors::record(&self.truth, &self.drives, sensors, seed)
+    }
+}
+
 /// How an integration went.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Integration {

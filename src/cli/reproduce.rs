@@ -1,0 +1,94 @@
+//! `denavit reproduce`: the paper's experiments, each table and figure beside the paper's own values.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::{Failure, files};
+use crate::report::{self, Parts};
+use crate::reproduce::{self, Settings};
+
+/// Run the paper's experiments on the simulated robot and print each table and figure beside the paper's own values, with a verdict per row.
+///
+/// Needs no file: the KUKA LWR and its tools are built in, motions are designed and played on the spot. A verdict compares what should be
+/// small: better (by more than 5 %), within (5 %), or short by so many percent.
+#[derive(Args)]
+#[command(
+    after_help = "Example:\n  denavit reproduce identification --report reproduce.html\nParts:\n  identification   sections II.D, II.E, III.E, VI.A: Fig. 6, tables II and III, Fig. 10, and whether standard deviations are honest\nWithout a part: all of them."
+)]
+pub(super) struct Reproduce {
+    /// Which part; default: all.
+    #[arg(value_enum)]
+    part: Option<Part>,
+    /// Runs with other noise, to see whether standard deviations are honest; 0 for none.
+    #[arg(long, value_name = "N", default_value_t = Settings::default().runs)]
+    runs: usize,
+    /// Of motions and noise: the same seed gives the same figures.
+    #[arg(long, value_name = "N", default_value_t = Settings::default().seed)]
+    seed: u64,
+    /// Write rows and figures as JSON; `-` for standard output.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write a page with tables and figures.
+    #[arg(long, value_name = "FILE.html")]
+    report: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Part {
+    /// Sections II.D, II.E, III.E, VI.A.
+    Identification,
+}
+
+/// More runs tell nothing more.
+const MOST_RUNS: usize = 100_000;
+
+impl Reproduce {
+    pub(super) fn run(self) -> Result<(), Failure> {
+        if self.runs > MOST_RUNS {
+            return Err(Failure::input(format!("--runs {}: at most {MOST_RUNS}", self.runs)));
+        }
+        let asked = |part: Part| self.part.is_none_or(|p| p == part);
+        let mut parts = Parts::default();
+        if asked(Part::Identification) {
+            parts.identification = Some(self.identification()?);
+        }
+        if let Some(path) = &self.report {
+            files::write(path, report::reproduce_html(&parts, &self.provenance()).as_bytes())?;
+        }
+        if let Some(target) = &self.json {
+            files::json(target, &report::reproduce_json(&parts))?;
+        }
+        if !files::is_stdout(&self.json) {
+            files::print(&report::reproduce_text(&parts))?;
+            if let Some(path) = &self.report {
+                files::print(&format!("wrote {}\n", path.display()))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn identification(&self) -> Result<reproduce::Experiment, Failure> {
+        let bar = ProgressBar::new(1000);
+        if let Ok(style) = ProgressStyle::with_template("identification [{bar:30}] {percent}% {msg}") {
+            bar.set_style(style);
+        }
+        let watch = |what: &str, share: f64| {
+            bar.set_position((1000.0 * share) as u64);
+            bar.set_message(what.to_string());
+        };
+        let settings = Settings { runs: self.runs, seed: self.seed };
+        let found = reproduce::identification(&settings, &watch);
+        bar.finish_and_clear();
+        found.map_err(Failure::other)
+    }
+
+    fn provenance(&self) -> Vec<(String, String)> {
+        vec![
+            ("denavit".into(), env!("CARGO_PKG_VERSION").into()),
+            ("seed".into(), self.seed.to_string()),
+            ("robot".into(), "robots/kuka-lwr4.yaml, built in".into()),
+        ]
+    }
+}

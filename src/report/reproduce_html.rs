@@ -1,0 +1,150 @@
+//! The paper's experiments as one page that needs no network.
+
+use std::fmt::Write;
+
+use serde_json::json;
+
+use super::Provenance;
+use super::identify_html::{curves, escape};
+use super::number::digits;
+use super::reproduce_text::{Parts, Table, identification_verdict, tables};
+use crate::reproduce::Experiment;
+
+/// The page.
+pub fn reproduce_html(parts: &Parts, provenance: &Provenance) -> String {
+    let mut body = String::new();
+    let mut traces = Vec::new();
+    if let Some(found) = &parts.identification {
+        let _ = writeln!(
+            body,
+            "<header><p class=kicker>The paper, rerun</p><h1>Optimal exciting motion for fast robot identification</h1><p class=verdict>{}</p></header>",
+            escape(&identification_verdict(found))
+        );
+        for table in tables(found) {
+            section(&mut body, &table, found, traces.len());
+        }
+        traces.push(curves(&found.fig10.trace));
+    }
+    body.push_str("<section><h2>How this was made</h2><dl>\n");
+    for (what, value) in provenance {
+        let _ = writeln!(body, "<dt>{}<dd>{}", escape(what), escape(value));
+    }
+    body.push_str("</dl></section>\n");
+    let data = json!({ "traces": traces, "names": [], "correlation": [] }).to_string().replace("</", "<\\/");
+    format!(
+        "<!doctype html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport content='width=device-width, initial-scale=1'>\n<title>The paper, rerun</title>\n<style>\n{}{}</style></head>\n<body>\n{body}<noscript><p>The curves need JavaScript; the tables do not.</p></noscript>\n<script id=data type=application/json>{data}</script>\n<script>\n{}</script>\n</body></html>\n",
+        include_str!("identify.css"),
+        include_str!("reproduce.css"),
+        include_str!("identify.js"),
+    )
+}
+
+fn section(body: &mut String, table: &Table, found: &Experiment, trace: usize) {
+    let _ = writeln!(body, "<section><h2>{}</h2><p class=note>{}</p>", escape(&table.title), escape(&table.note));
+    if table.title.starts_with("Fig. 6:") {
+        bars(body, found);
+    }
+    body.push_str("<div class=scroll><table><thead><tr>");
+    table.head.iter().for_each(|h| {
+        let _ = write!(body, "<th>{}", escape(h));
+    });
+    body.push_str("</tr></thead><tbody>\n");
+    let verdicts = table.head.last().is_some_and(|h| *h == "verdict");
+    for row in &table.rows {
+        body.push_str("<tr>");
+        for (k, cell) in row.iter().enumerate() {
+            let class = match cell.as_str() {
+                _ if !verdicts || k + 1 < row.len() => "",
+                "better" | "within" | "holds" => " class=good",
+                c if c.starts_with("short") || c.starts_with("falls") => " class=bad",
+                _ => "",
+            };
+            let tag = if k == 0 { "th" } else { "td" };
+            let _ = write!(body, "<{tag}{class}>{}", escape(cell));
+        }
+        body.push_str("</tr>\n");
+    }
+    body.push_str("</tbody></table></div>\n");
+    if table.title.starts_with("Fig. 10") {
+        let _ = writeln!(
+            body,
+            "<p class=note><span class='key measured'></span>measured <span class='key estimated'></span>estimated <span class='key residual'></span>residual (its own panel), N m over s. Drag to zoom all joints, double-click to go back.</p><div class=plots data-trace={trace}></div>"
+        );
+    }
+    body.push_str("</section>\n");
+}
+
+/// Fig. 6 as bars: for each joint one per criterion, and the means beside the paper's.
+fn bars(body: &mut String, found: &Experiment) {
+    const WIDTH: f64 = 820.0;
+    const HEIGHT: f64 = 230.0;
+    let joints = found.floor.len();
+    let most = found
+        .fig6
+        .iter()
+        .flat_map(|r| r.unmodelled.rms.iter().copied().chain([r.paper]))
+        .filter(|v| v.is_finite())
+        .fold(0.1, f64::max);
+    let (left, bottom, top) = (40.0, HEIGHT - 24.0, 12.0);
+    let y = |v: f64| bottom - (bottom - top) * v / most;
+    let group = (WIDTH - left) / (joints + 2) as f64;
+    let _ = writeln!(
+        body,
+        "<svg class=bars viewBox='0 0 {WIDTH} {HEIGHT}' role=img aria-label='RMS per joint and criterion'>"
+    );
+    let step = if most > 1.0 { 0.5 } else { 0.2 };
+    let mut tick = 0.0;
+    while tick <= most {
+        let _ = writeln!(
+            body,
+            "<line class=grid x1={left} x2={WIDTH} y1={0:.1} y2={0:.1} /><text x={1} y={2:.1} text-anchor=end>{tick:.1}</text>",
+            y(tick),
+            left - 5.0,
+            y(tick) + 4.0
+        );
+        tick += step;
+    }
+    let bar = |body: &mut String, slot: usize, k: usize, value: f64, floor: Option<f64>, class: &str| {
+        let wide = group / 4.2;
+        let x = left + slot as f64 * group + (k as f64 + 0.6) * wide;
+        let _ = writeln!(
+            body,
+            "<rect class='{class}' x={x:.1} y={:.1} width={:.1} height={:.1}><title>{} N m</title></rect>",
+            y(value),
+            wide - 2.0,
+            (bottom - y(value)).max(0.0),
+            digits(value, 3)
+        );
+        if let Some(floor) = floor {
+            let _ = writeln!(
+                body,
+                "<rect class=floor x={x:.1} y={:.1} width={:.1} height={:.1} />",
+                y(floor),
+                wide - 2.0,
+                bottom - y(floor)
+            );
+        }
+    };
+    for (k, row) in found.fig6.iter().enumerate() {
+        let class = format!("criterion{k}");
+        for j in 0..joints {
+            bar(body, j, k, row.unmodelled.rms[j], Some(row.noise_only.rms[j]), &class);
+        }
+        bar(body, joints, k, row.unmodelled.mean(), Some(row.noise_only.mean()), &class);
+        bar(body, joints + 1, k, row.paper, None, &class);
+    }
+    let label = |slot: usize| match slot {
+        s if s < joints => format!("joint {}", s + 1),
+        s if s == joints => "mean".into(),
+        _ => "paper's mean".to_string(),
+    };
+    for slot in 0..joints + 2 {
+        let x = left + (slot as f64 + 0.5) * group;
+        let _ = writeln!(body, "<text x={x:.1} y={:.1} text-anchor=middle>{}</text>", HEIGHT - 8.0, label(slot));
+    }
+    body.push_str("</svg><p class=note>");
+    for (k, row) in found.fig6.iter().enumerate() {
+        let _ = write!(body, "<span class='swatch criterion{k}'></span>{} ", row.criterion);
+    }
+    body.push_str("<span class='swatch floor'></span>the same with noise only. RMS, N m.</p>\n");
+}

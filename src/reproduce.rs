@@ -1,0 +1,63 @@
+//! The paper's experiments, rerun (Katsumata et al., *Optimal exciting motion for fast robot identification*): each function gives rows with
+//! ours, the paper's value, and a verdict.
+//!
+//! `robot file + effects -> simulate -> signal -> identify`, and each table or figure of the paper in a file of its own. The "real" robot is
+//! the simulated one; what is known of it stands in [`lwr`]. Prints nothing; touches no file: the robot is built in.
+
+pub mod chain;
+pub mod fig10;
+pub mod fig6;
+pub mod honesty;
+pub mod identification;
+pub mod lwr;
+pub mod motions;
+pub mod table2;
+pub mod table3;
+mod verdict;
+
+#[cfg(test)]
+mod tests;
+
+pub use identification::{Experiment, Settings, identification};
+pub use verdict::Verdict;
+
+use crate::identify::IdentifyError;
+use crate::signal::PrepareError;
+use crate::simulate::SimulateError;
+use crate::tool::ToolError;
+use crate::tool::rerun::BenchError;
+
+/// Why an experiment could not be run.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReproduceError {
+    /// The built-in robot or its effects.
+    #[error("the built-in robot can't be used: {0}")]
+    Robot(String),
+    /// The exciting motion.
+    #[error("{what}: {why}")]
+    Design {
+        /// Which motion.
+        what: String,
+        /// What is in the way.
+        why: String,
+    },
+    /// The simulation.
+    #[error(transparent)]
+    Simulate(#[from] SimulateError),
+    /// The log.
+    #[error(transparent)]
+    Prepare(#[from] PrepareError),
+    /// The fit.
+    #[error(transparent)]
+    Identify(#[from] IdentifyError),
+    /// The fit of what is carried.
+    #[error(transparent)]
+    Tool(#[from] ToolError),
+    /// Table III.
+    #[error(transparent)]
+    Bench(#[from] BenchError),
+}
+
+/// Told now and then, from any thread: what is being done, and the share that is done of all, 0 to 1.
+pub type Watch<'a> = &'a (dyn Fn(&str, f64) + Sync);

@@ -1,0 +1,115 @@
+//! Fig. 6: torque errors on the motion that validates, for the models that three criteria's motions gave.
+
+use super::verdict::Verdict;
+use crate::identify::{Accuracy, Factors, Identification};
+
+/// Averages over the joints of the RMS difference, N m (section III.E): by `J_c`, `J_d`, `J_h`.
+pub const PAPER: [(&str, f64); 3] = [("cond", 0.69), ("logdet", 0.42), ("hadamard", 0.45)];
+
+/// Held-out RMS above the floor by more than this share is said to miss something.
+pub const ABOVE_FLOOR: f64 = 0.05;
+
+/// One model on the motion that validates.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bars {
+    /// Root mean square of measured less estimated torque, N m, per joint.
+    pub rms: Vec<f64>,
+    /// That by the range of the measured torque.
+    pub nrms: Vec<f64>,
+    /// What the parameters' own standard deviations add to it, N m, per joint.
+    pub uncertainty: Vec<f64>,
+}
+
+impl Bars {
+    /// From an identification and the factors that it was validated on.
+    pub fn new(found: &Identification, validate: &Factors) -> Self {
+        let Accuracy { rms, nrms, .. } = found.validation.clone().unwrap_or_default();
+        Self { rms, nrms, uncertainty: uncertainty(found, validate) }
+    }
+
+    /// Mean over the joints, N m.
+    pub fn mean(&self) -> f64 {
+        mean(&self.rms)
+    }
+}
+
+/// `sqrt(tr(W C W') / N)` of each joint's equations `W`, `C` the covariance of the parameters: the torque error to expect of parameters that
+/// are as uncertain as they say.
+fn uncertainty(found: &Identification, validate: &Factors) -> Vec<f64> {
+    let p = found.parameters.len();
+    let covariance = |i: usize, k: usize| {
+        let value = found.correlation[i * p + k] * found.parameters[i].std * found.parameters[k].std;
+        if value.is_finite() { value } else { 0.0 }
+    };
+    let joint = |factor: &crate::identify::JointFactor| {
+        let n = factor.columns.len();
+        let gram = factor.triangle.gram();
+        let mut sum = 0.0_f64;
+        for (a, &i) in factor.columns.iter().enumerate() {
+            for (b, &k) in factor.columns.iter().enumerate() {
+                sum += gram[a + b * (n + 1)] * covariance(i, k);
+            }
+        }
+        (sum.max(0.0) / factor.samples.max(1) as f64).sqrt()
+    };
+    validate.joints.iter().map(joint).collect()
+}
+
+/// A criterion's row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// `cond`, `logdet`, `hadamard`.
+    pub criterion: &'static str,
+    /// The paper's average, N m.
+    pub paper: f64,
+    /// The robot with noise alone.
+    pub noise_only: Bars,
+    /// The robot with effects that the model has not.
+    pub unmodelled: Bars,
+    /// Known noise floor, N m, per joint.
+    pub floor: Vec<f64>,
+    /// RMS of the true parameters on the same log, N m, per joint: noise as it fell, and what the chain itself adds.
+    pub true_parameters: Vec<f64>,
+}
+
+impl Row {
+    /// Average of the noise-only case above the floor, as a share of it.
+    pub fn above_floor(&self) -> f64 {
+        self.noise_only.mean() / mean(&self.floor) - 1.0
+    }
+
+    /// What of that the true parameters show as well, and what the parameters' uncertainty adds: shares of the floor.
+    pub fn explained(&self) -> [f64; 2] {
+        let floor = mean(&self.floor);
+        let with = |k: usize| self.true_parameters[k].hypot(self.noise_only.uncertainty[k]);
+        let both = mean(&(0..self.floor.len()).map(with).collect::<Vec<_>>());
+        let chain = mean(&self.true_parameters);
+        [chain / floor - 1.0, (both - chain) / floor]
+    }
+
+    /// Of the noise-only case: is it at the floor?
+    pub fn at_floor(&self) -> Verdict {
+        Verdict::at_most(self.noise_only.mean(), (1.0 + ABOVE_FLOOR) * mean(&self.floor))
+    }
+
+    /// Against the paper, with effects that the model has not. Their size was chosen once for all three criteria, so that the order of the
+    /// criteria and their ratios tell more than the size.
+    pub fn verdict(&self) -> Verdict {
+        Verdict::less(self.unmodelled.mean(), self.paper)
+    }
+}
+
+/// Arithmetic mean.
+pub fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len().max(1) as f64
+}
+
+/// The criteria from best to worst, ours and the paper's.
+pub fn order(rows: &[Row]) -> [Vec<&'static str>; 2] {
+    let sorted = |key: &dyn Fn(&Row) -> f64| {
+        let mut all: Vec<(&'static str, f64)> = rows.iter().map(|r| (r.criterion, key(r))).collect();
+        all.sort_by(|a, b| a.1.total_cmp(&b.1));
+        all.into_iter().map(|(name, _)| name).collect()
+    };
+    [sorted(&|r| r.unmodelled.mean()), sorted(&|r| r.paper)]
+}

@@ -1,0 +1,56 @@
+//! Ours against the paper's, in a word.
+
+use std::fmt;
+
+/// How a figure that should be small compares with the paper's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Verdict {
+    /// Smaller by more than the tolerance.
+    Better,
+    /// Within the tolerance.
+    Within,
+    /// Larger, by this many percent of the paper's.
+    Short(f64),
+    /// There is nothing to compare with.
+    Open,
+}
+
+/// Two figures within so much of each other are alike: what the paper's printed digits tell.
+const ALIKE: f64 = 0.05;
+
+impl Verdict {
+    /// For a figure of which less is better.
+    pub fn less(ours: f64, paper: f64) -> Self {
+        match ours / paper {
+            ratio if !ratio.is_finite() => Self::Open,
+            ratio if ratio < 1.0 - ALIKE => Self::Better,
+            ratio if ratio <= 1.0 + ALIKE => Self::Within,
+            ratio => Self::Short(100.0 * (ratio - 1.0)),
+        }
+    }
+
+    /// For a claim that holds or does not, by how many percent.
+    pub fn at_most(ours: f64, limit: f64) -> Self {
+        match ours / limit {
+            ratio if !ratio.is_finite() => Self::Open,
+            ratio if ratio <= 1.0 => Self::Within,
+            ratio => Self::Short(100.0 * (ratio - 1.0)),
+        }
+    }
+
+    /// Not short of it.
+    pub fn holds(&self) -> bool {
+        matches!(self, Self::Better | Self::Within)
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Better => f.write_str("better"),
+            Self::Within => f.write_str("within"),
+            Self::Short(percent) => write!(f, "short by {percent:.0} %"),
+            Self::Open => f.write_str("open"),
+        }
+    }
+}
