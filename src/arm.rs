@@ -123,9 +123,6 @@ pub trait Dynamics {
 
     /// Frame and Jacobian of the tool, of the last frame where there is none.
     fn tool(&mut self, q: &[f64], tool: &mut ToolState);
-
-    /// Potential energy, J, up to a constant.
-    fn potential_energy(&mut self, q: &[f64]) -> f64;
 }
 
 /// Where the bodies of an arm are, roughly: what is known of them without any weighing.

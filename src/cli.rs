@@ -7,6 +7,7 @@ mod excite;
 mod files;
 mod generate;
 mod identify;
+mod ik;
 mod motion;
 mod prepare;
 mod reproduce;
@@ -36,8 +37,10 @@ enum Command {
     Eval(eval::Eval),
     /// Design the motion that tells the most about the parameters, inside every limit.
     Excite(excite::Excite),
+    /// Find every posture that brings the arm to given poses.
+    Ik(ik::Ik),
     /// Identify the base parameters from logs, and write the robot file with the values in place.
-    Identify(identify::Identify),
+    Identify(Box<identify::Identify>),
     /// Run the paper's experiments and print each table and figure beside the paper's own values.
     Reproduce(reproduce::Reproduce),
     /// Play a motion on the simulated robot and record a log.
@@ -58,6 +61,7 @@ impl Cli {
             Command::Diagnose(verb) => verb.run(),
             Command::Eval(verb) => verb.run(),
             Command::Excite(verb) => verb.run(),
+            Command::Ik(verb) => verb.run(),
             Command::Identify(verb) => verb.run(),
             Command::Reproduce(verb) => verb.run(),
             Command::Simulate(verb) => verb.run(),

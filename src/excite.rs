@@ -8,6 +8,7 @@
 //! - `bodies`, `constraints`: torque, ground, spheres, boxes. `program`: all of it as one nonlinear program.
 //! - `sqp`, `subproblem`: the solver. `start`: where it begins. `design`: several starts, grids from coarse to fine.
 //! - `precision`: what standard deviation the parameters will have. `shortest`: the shortest motion that reaches a target.
+//!   `durations`: what longer motions gain.
 
 mod bodies;
 pub mod check;
@@ -16,6 +17,7 @@ mod constraints;
 mod criterion;
 mod curve;
 mod design;
+mod durations;
 mod extra;
 mod information;
 mod limits;
@@ -34,6 +36,7 @@ pub use constraints::{Constraint, Worst};
 pub use criterion::Criterion;
 pub use curve::Curve;
 pub use design::{Design, Effort, Progress, Record, Watch, design, discriminate};
+pub use durations::{AtDuration, by_duration};
 pub use extra::{Extra, FrictionCoverage};
 pub use information::{Conditions, Information};
 pub use limits::{JointLimits, Missing};

@@ -1,6 +1,7 @@
 //! The robot file that comes back: links and drives with identified values, effects with what a diagnosis found.
 
 use dh_codegen::arm::param::{self, DriveTerm, Parameter};
+use dh_codegen::robot::effect::Law;
 use dh_codegen::robot::{Effect, Inertia, Robot};
 
 use crate::diagnose::{Cause, Diagnosis};
@@ -95,6 +96,11 @@ fn put(robot: &mut Robot, moving: &[usize], cause: &Cause) {
         && let Some(other) = cause.joints.get(1).and_then(|j| moving.get(j - 1))
     {
         left.insert(0, ("joint".into(), (other + 1) as f64));
+    }
+    // The file knows the keys of its own table; what else was found stands in the comments and the JSON.
+    left.retain(|(key, _)| Law::of(cause.cause).is_some_and(|law| law.key(key).is_some()));
+    if left.is_empty() {
+        return;
     }
     let effects = match row {
         Some(row) => &mut robot.joints[row].drive.effects,

@@ -35,6 +35,7 @@ pub mod excite;
 pub mod extend;
 pub mod identify;
 pub mod interpreted;
+pub mod inverse;
 pub mod log;
 pub mod numeric;
 pub mod plant;

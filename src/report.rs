@@ -11,6 +11,8 @@ mod excite_text;
 mod identify_html;
 mod identify_json;
 mod identify_text;
+pub mod ik_json;
+pub mod ik_text;
 mod motion_check;
 mod number;
 mod reproduce_html;

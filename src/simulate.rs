@@ -140,6 +140,9 @@ pub enum SimulateError {
         "control in torque mode plays the columns tau1..tau{0} of the trajectory, and it has none; add them, or control by position"
     )]
     NoTorques(usize),
+    /// Numbers grew out of all bounds.
+    #[error("the simulation gave values that are not finite; look for effects or gains of an impossible size")]
+    NotFinite,
     /// The motion.
     #[error(transparent)]
     Trajectory(#[from] TrajectoryError),
@@ -232,8 +235,10 @@ impl Simulator {
         self.check(trajectory, request)?;
         let span = trajectory.span();
         let (feedforward, peak, gains) = self.prepare_control(trajectory, request);
-        let start = positions(trajectory, n, span.start);
-        let settled = self.built.settle(&span, &peak, &start);
+        let places: Vec<Vec<f64>> = (0..=20)
+            .map(|k| positions(trajectory, n, span.start + f64::from(k) / 20.0 * (span.end - span.start)))
+            .collect();
+        let settled = self.built.settle(&span, &peak, &places);
         let Settled { drives, couplings, contacts } = &settled;
         let mut bodies = self.built.real().bodies(&self.built.bodies_standard);
         let mut plant = Plant::new(Parts {
@@ -255,6 +260,9 @@ impl Simulator {
             (truth, Some(integration))
         };
         let log = sensors::record(&truth, drives, &request.sensors, request.seed);
+        if !log.columns.iter().flatten().all(|value| value.is_finite()) {
+            return Err(SimulateError::NotFinite);
+        }
         Ok(Recording { log, truth, drives: settled.drives.clone(), integration })
     }
 
@@ -299,7 +307,7 @@ impl Simulator {
                 return Err(SimulateError::List { what, found: list.len(), expected: n });
             }
             for &value in list {
-                setting(what, value, value >= 0.0 && value.is_finite(), "not be negative")?;
+                setting(what, value, (0.0..=1e9).contains(&value), "be from 0 to 1e9")?;
             }
         }
         Ok(())

@@ -35,7 +35,7 @@ pub(super) struct Excite {
     #[arg(long, value_name = "CSV", conflicts_with_all = ["out", "criterion", "duration", "report", "coefficients", "ros"])]
     check: Option<PathBuf>,
     /// Length of the motion, s (of one period with --fourier).
-    #[arg(long, default_value_t = 10.0, value_name = "SECONDS")]
+    #[arg(long, default_value_t = 10.0, value_name = "SECONDS", allow_negative_numbers = true)]
     duration: f64,
     /// What is minimised: condition number, -log det, Hadamard's bound (the paper's equation 9), sum of variances, largest variance.
     #[arg(long, value_enum, default_value_t = Which::Logdet)]
@@ -68,7 +68,7 @@ pub(super) struct Excite {
     #[arg(long, default_value_t = 3)]
     periods: usize,
     /// Random motions to begin with.
-    #[arg(long, default_value_t = 6)]
+    #[arg(long, default_value_t = 12)]
     starts: usize,
     /// Seed of the random motions.
     #[arg(long, default_value_t = 1)]

@@ -13,7 +13,7 @@ use crate::arm::{Arm, Reach};
 use crate::identify::{
     Bounds, Consistent, ConsistentError, ConsistentSettings, DeadZone, Essential, Factors, Identification,
     IdentifySettings, PriorBody, Stack, StackSettings, Trace, Tracer, carry_over, consistent, geometric_bodies,
-    prior_bodies, recover_standard, solve,
+    possible_bodies, prior_bodies, recover_standard, solve,
 };
 use crate::interpreted::Interpreted;
 use crate::log::{Keep, Quantity, open};
@@ -77,8 +77,15 @@ pub(super) struct Identify {
     /// Leave out parameters that are not essential.
     #[arg(long)]
     essential: bool,
-    /// Whether the links that are written must be possible bodies: if the data allow it, or the command fails, or not asked for.
-    #[arg(long, value_enum, default_value_t = Consistency::Auto)]
+    /// Whether the links that are written must be possible bodies; without a value: `require`.
+    #[arg(
+        long,
+        value_enum,
+        default_value_t = Consistency::Auto,
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "require"
+    )]
     consistent: Consistency,
     /// Where bodies come from as far as torques don't show them.
     #[arg(long, value_enum, default_value_t = PriorFrom::Cad)]
@@ -93,8 +100,8 @@ pub(super) struct Identify {
     /// of a link.
     #[arg(long, value_name = "CSV")]
     bounds: Option<PathBuf>,
-    /// By how much possible bodies may raise the weighted residual before the data contradict physics, percent.
-    #[arg(long, default_value_t = 10.0, value_name = "PERCENT")]
+    /// By how much possible bodies may raise the weighted residual, beyond noise, before the data contradict physics, percent.
+    #[arg(long, default_value_t = 25.0, value_name = "PERCENT")]
     most_cost: f64,
     /// Speed below which a joint's rows are not used, rad/s; default from the noise.
     #[arg(long, value_name = "SPEED")]
@@ -172,9 +179,19 @@ impl Identify {
         if let (Consistency::Require, Some(Err(error))) = (self.consistent, &possible) {
             return Err(Failure::other(format!("no possible bodies: {error}")));
         }
+        // Where the plain solution is possible itself, the file has bodies with exactly its base parameters.
+        let exact = match (self.consistent, &possible) {
+            (Consistency::Auto, Some(Ok(_))) if self.prior_weight == 1.0 => {
+                let (prior, settings) = (self.prior_of(&file.robot, &arm), self.settings(&file.robot)?);
+                let same = possible_bodies(&arm, &found.values(), &prior, &drives(&file.robot), &settings);
+                same.ok().filter(|same| same.exact).map(|same| same.standard)
+            }
+            _ => None,
+        };
         let possible = possible.as_ref().map(|result| report::Possible {
             result: result.as_ref(),
             written: self.out.as_ref().map(|_| result.is_ok()),
+            plain: exact.is_some(),
         });
 
         if let Some(path) = &self.report {
@@ -183,9 +200,12 @@ impl Identify {
         }
         if let Some(path) = &self.out {
             let standard = match possible.as_ref().map(|p| p.result) {
-                Some(Ok(bodies)) => bodies.standard.clone(),
+                Some(Ok(bodies)) => exact.clone().unwrap_or_else(|| bodies.standard.clone()),
                 Some(Err(error)) => {
-                    eprintln!("{}: warning: no possible bodies, the plain values were written: {error}", path.display());
+                    eprintln!(
+                        "{}: warning: no possible bodies, the plain values were written: {error}",
+                        path.display()
+                    );
                     recover_standard(&arm, &found.values(), prior.as_deref()).map_err(Failure::other)?
                 }
                 None => recover_standard(&arm, &found.values(), prior.as_deref()).map_err(Failure::other)?,
@@ -226,24 +246,30 @@ impl Identify {
         if !(self.prior_weight > 0.0 && self.prior_weight.is_finite()) {
             return Err(Failure::input(format!("--prior-weight {}: a number above 0", self.prior_weight)));
         }
-        if !(self.most_cost > 0.0) {
+        if self.most_cost.is_nan() || self.most_cost <= 0.0 {
             return Err(Failure::input(format!("--most-cost {}: percent, above 0", self.most_cost)));
         }
-        let bounds = self.bounds(robot)?;
-        let settings = ConsistentSettings {
-            prior_weight: self.prior_weight,
-            bounds,
-            carried: carried(robot),
-            most_cost_percent: self.most_cost,
-            ..ConsistentSettings::default()
-        };
-        let prior = match self.prior {
-            PriorFrom::Cad => prior(robot, arm),
-            PriorFrom::None => prior_bodies(&[], &geometric_bodies(&arm.ends())),
-        };
+        let (settings, prior) = (self.settings(robot)?, self.prior_of(robot, arm));
         match consistent(arm, fit, validate, found, &prior, &drives(robot), &settings) {
             Err(error @ ConsistentError::Bounds { .. }) => Err(Failure::input(error)),
             result => Ok(result),
+        }
+    }
+
+    fn settings(&self, robot: &Robot) -> Result<ConsistentSettings, Failure> {
+        Ok(ConsistentSettings {
+            prior_weight: self.prior_weight,
+            bounds: self.bounds(robot)?,
+            carried: carried(robot),
+            most_cost_percent: self.most_cost,
+            ..ConsistentSettings::default()
+        })
+    }
+
+    fn prior_of(&self, robot: &Robot, arm: &Interpreted) -> Vec<PriorBody> {
+        match self.prior {
+            PriorFrom::Cad => prior(robot, arm),
+            PriorFrom::None => prior_bodies(&[], &geometric_bodies(&arm.ends())),
         }
     }
 
@@ -259,7 +285,8 @@ impl Identify {
             };
             let cells: Vec<&str> = row.split(',').map(str::trim).collect();
             let &[link, what, low, high] = cells.as_slice() else { return Err(bad("not four columns")) };
-            let number = |text: &str| text.parse::<f64>().ok().filter(|x| !x.is_nan()).ok_or_else(|| bad("not a number"));
+            let number =
+                |text: &str| text.parse::<f64>().ok().filter(|x| !x.is_nan()).ok_or_else(|| bad("not a number"));
             let range = [number(low)?, number(high)?];
             let link = link.parse::<usize>().ok().filter(|l| (1..=robot.joints.len()).contains(l));
             let link = link.ok_or_else(|| bad("no such link"))? - 1;

@@ -68,6 +68,13 @@ enum ControlMode {
 
 impl Simulate {
     pub(super) fn run(self) -> Result<(), Failure> {
+        let name = self.out.to_string_lossy().to_lowercase();
+        if !name.ends_with(".csv") && !name.ends_with(".csv.gz") {
+            let shown = self.out.display();
+            return Err(Failure::input(format!(
+                "--out {shown}: logs are written as .csv or .csv.gz; choose such a name"
+            )));
+        }
         let file = files::robot(&self.robot)?;
         let given = match &self.effects {
             Some(path) => effects(path, &file.robot)?,
@@ -172,10 +179,6 @@ impl Simulate {
             let mut packer = GzEncoder::new(&mut bytes, Compression::default());
             csv::write(&recording.log, &mut packer).map_err(failed)?;
             packer.finish().map_err(failed)?;
-        } else if name.ends_with(".parquet") {
-            return Err(Failure::input(format!(
-                "{shown}: logs are written as .csv or .csv.gz; choose one of these names"
-            )));
         } else {
             csv::write(&recording.log, &mut bytes).map_err(failed)?;
         }

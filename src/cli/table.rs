@@ -6,7 +6,7 @@ use super::{Failure, files};
 
 /// Numbers with a header. What is not a number matters only in a column that is asked for.
 pub(super) struct Table {
-    file: String,
+    pub(super) file: String,
     columns: Vec<Column>,
     pub(super) len: usize,
 }

@@ -50,14 +50,14 @@ pub(super) struct ToolVerb {
     #[arg(long)]
     on_top: bool,
     /// Where the tools' frames sit in the robot's last DH frame, m, in place of the `xyz` of their files.
-    #[arg(long, value_delimiter = ',', num_args = 3, value_name = "X,Y,Z", allow_negative_numbers = true)]
+    #[arg(long, value_delimiter = ',', num_args = 1, value_name = "X,Y,Z", allow_negative_numbers = true)]
     mount: Option<Vec<f64>>,
     /// With what probability a tool of the table is rejected.
     #[arg(long, default_value_t = 0.01, value_name = "P")]
     level: f64,
     /// How well the tool files know the tools and how exactly these are mounted: standard deviations of mass (relative), place (m)
     /// and direction (rad).
-    #[arg(long, value_delimiter = ',', num_args = 3, value_name = "M,P,A")]
+    #[arg(long, value_delimiter = ',', num_args = 1, value_name = "M,P,A")]
     tolerance: Option<Vec<f64>>,
     /// Write the result as JSON; `-` for standard output.
     #[arg(long, value_name = "FILE")]
@@ -115,12 +115,19 @@ impl ToolVerb {
         }
         let tolerance = match self.tolerance.as_deref() {
             Some(&[mass, position, angle]) => Tolerance { mass, position, angle },
-            _ => Tolerance::default(),
+            Some(other) => {
+                let what = format!("--tolerance: {} numbers; give three, as in 0.005,0.0005,0.005", other.len());
+                return Err(Failure::input(what));
+            }
+            None => Tolerance::default(),
         };
         for size in [tolerance.mass, tolerance.position, tolerance.angle] {
             if !(size.is_finite() && size >= 0.0) {
                 return Err(Failure::input(format!("--tolerance: {size} is no standard deviation; give zero or more")));
             }
+        }
+        if let Some(mount) = self.mount.as_ref().filter(|m| m.len() != 3) {
+            return Err(Failure::input(format!("--mount: {} numbers; give three, as in 0,0,0.107", mount.len())));
         }
         if let Some(x) = self.mount.iter().flatten().find(|x| !x.is_finite()) {
             return Err(Failure::input(format!("--mount: {x} is no length")));

@@ -53,8 +53,6 @@ pub enum Sign {
     Any,
     /// Above zero.
     Positive,
-    /// Below zero.
-    Negative,
 }
 
 /// A linear coefficient with its column.
@@ -62,8 +60,6 @@ pub enum Sign {
 pub struct Term {
     /// Symbol, as in a robot file: `FL`.
     pub symbol: String,
-    /// Unit.
-    pub unit: &'static str,
     /// What one unit of it adds to the torques.
     pub column: Column,
     /// Where it must lie.
@@ -72,8 +68,8 @@ pub struct Term {
 
 impl Term {
     /// A term.
-    pub fn new(symbol: impl Into<String>, unit: &'static str, column: Column, sign: Sign) -> Self {
-        Self { symbol: symbol.into(), unit, column, sign }
+    pub fn new(symbol: impl Into<String>, column: Column, sign: Sign) -> Self {
+        Self { symbol: symbol.into(), column, sign }
     }
 }
 
@@ -144,6 +140,11 @@ pub trait Cause: Sync {
 
     /// Whether the columns depend on the rigid model and so must be made anew when that changes.
     fn rests_on_model(&self) -> bool {
+        false
+    }
+
+    /// Whether they also depend on the friction found so far.
+    fn rests_on_friction(&self) -> bool {
         false
     }
 

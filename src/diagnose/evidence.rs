@@ -36,7 +36,12 @@ pub(super) fn sentence(
     accepted: Option<&Accepted>,
 ) -> String {
     let gain = |j: &usize| (before[*j].powi(2) - after[*j].powi(2)) / noise[*j].powi(2).max(1e-12);
-    let main = (0..before.len()).max_by(|a, b| gain(a).total_cmp(&gain(b))).unwrap_or(0);
+    let most = |joints: &mut dyn Iterator<Item = usize>| joints.max_by(|a, b| gain(a).total_cmp(&gain(b)));
+    // Its own joint, if it gains there.
+    let main = most(&mut place.iter().copied())
+        .filter(|j| gain(j) > 0.0)
+        .or_else(|| most(&mut (0..before.len())))
+        .unwrap_or(0);
     let where_ = match place {
         [] => "the whole robot".to_string(),
         [j] => format!("joint {}", j + 1),

@@ -1,5 +1,8 @@
 //! A model under test: the rigid arm, its friction, and the causes that were accepted so far; fitted to a [`Scene`].
 
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
 use nalgebra::DMatrix;
 
 use crate::arm::Plant;
@@ -88,7 +91,7 @@ pub struct Fitted {
     /// First unknown of each chosen cause.
     pub first: Vec<usize>,
     /// Their terms.
-    pub terms: Vec<Vec<Term>>,
+    pub terms: Vec<Arc<Vec<Term>>>,
 }
 
 impl Fitted {
@@ -97,6 +100,9 @@ impl Fitted {
         self.moments.covariance(&self.solution, &self.memory)
     }
 }
+
+/// What tells one set of terms from another.
+type Key = (&'static str, Vec<usize>, Vec<u64>);
 
 /// Data with what is known about them.
 pub struct Bench<'a> {
@@ -114,6 +120,8 @@ pub struct Bench<'a> {
     pub frozen: Vec<bool>,
     /// Whether every window counts.
     all: bool,
+    /// Terms of families that depend on the motion alone, by cause, place and shape.
+    known: Mutex<HashMap<Key, Arc<Vec<Term>>>>,
     base: Vec<Column>,
     friction: Vec<Column>,
     y: Vec<Vec<f64>>,
@@ -132,7 +140,8 @@ impl<'a> Bench<'a> {
         let scene = Scene::new(plant, recordings, rate, delays, all);
         let frozen = vec![false; 3 * plant.dof()];
         let (base, friction, y) = Default::default();
-        let mut bench = Self { plant, recordings, rate, mode, scene, frozen, all, base, friction, y };
+        let mut bench =
+            Self { plant, recordings, rate, mode, scene, frozen, all, known: Mutex::default(), base, friction, y };
         bench.scene.set_model(given_base(plant), plant.given().map(|s| without_friction(plant, s)));
         bench.prepare();
         bench
@@ -215,6 +224,7 @@ impl<'a> Bench<'a> {
         let (beta, standard) = (self.scene.beta.clone(), self.scene.standard.clone());
         self.scene = Scene::new(self.plant, self.recordings, self.rate, &delays, self.all);
         self.scene.set_model(beta, standard);
+        self.known = Mutex::default();
         self.prepare();
     }
 
@@ -226,8 +236,25 @@ impl<'a> Bench<'a> {
     }
 
     /// Terms of a chosen cause as the scene is now.
-    pub fn terms(&self, chosen: &Chosen) -> Vec<Term> {
-        chosen.cause.terms(&self.scene, &chosen.place, &chosen.shape)
+    pub fn terms(&self, chosen: &Chosen) -> Arc<Vec<Term>> {
+        self.family(chosen.cause, &chosen.place, &chosen.shape)
+    }
+
+    /// Terms of a cause; made once where they depend on the motion alone.
+    pub fn family(&self, cause: &'static dyn Cause, place: &[usize], shape: &[f64]) -> Arc<Vec<Term>> {
+        let rests =
+            cause.rests_on_model() && (self.mode == Mode::Refitted || cause.rests_on_friction() || cause.secant());
+        if rests || self.all {
+            return Arc::new(cause.terms(&self.scene, place, shape));
+        }
+        let key = (cause.name(), place.to_vec(), shape.iter().map(|s| s.to_bits()).collect());
+        let lock = || self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(found) = lock().get(&key) {
+            return found.clone();
+        }
+        let made = Arc::new(cause.terms(&self.scene, place, shape));
+        lock().insert(key, made.clone());
+        made
     }
 
     /// Fits rigid arm (where unknown), friction and the chosen causes together. Families that are difference quotients are
@@ -270,7 +297,7 @@ impl<'a> Bench<'a> {
     }
 
     fn fit_once(&self, chosen: &[Chosen], weights: Option<&[f64]>) -> Fitted {
-        let terms: Vec<Vec<Term>> = chosen.iter().map(|c| self.terms(c)).collect();
+        let terms: Vec<Arc<Vec<Term>>> = chosen.iter().map(|c| self.terms(c)).collect();
         let mut columns: Vec<Column> = self.base.clone();
         let friction = columns.len();
         let free = self.friction.iter().zip(&self.frozen);
@@ -327,7 +354,7 @@ impl<'a> Bench<'a> {
     /// this is the error.
     pub fn predict(&self, x: &nalgebra::DVector<f64>, chosen: &[Chosen]) -> Vec<Vec<f64>> {
         let mut rows = vec![vec![0.0; self.scene.len]; self.scene.dof()];
-        let terms: Vec<Vec<Term>> = chosen.iter().map(|c| self.terms(c)).collect();
+        let terms: Vec<Arc<Vec<Term>>> = chosen.iter().map(|c| self.terms(c)).collect();
         let mut at = 0;
         let mut add = |column: &Column| {
             for (j, series) in &column.rows {
@@ -388,6 +415,21 @@ pub fn parameters(
                 named("FC", friction(1), None),
             ]
         }
+        "friction_drift" => {
+            // The file's law scales all friction; of the two parts the larger one says by how much.
+            let [level, slope] = [1, 0].map(friction);
+            let share = if level.abs() > 0.2 * slope.abs() { x[0] / level } else { x[1] / slope };
+            let mut all = match chosen.shape[0] {
+                0.0 => vec![named("DK", share, None)],
+                time => vec![named("DA", share, None), named("DT", time, None)],
+            };
+            all.extend(
+                fitted.terms[index].iter().zip(x).enumerate().map(|(k, (t, x))| named(&t.symbol, *x, Some(std(k)))),
+            );
+            all.retain(|n| n.value.is_finite());
+            all
+        }
+        "backlash" => vec![named("BL", x[0], Some(std(0)))],
         "joint_elasticity" => vec![named("KE", 1.0 / x[0], Some(std(0) / (x[0] * x[0])))],
         "time_delay" => {
             let delay =

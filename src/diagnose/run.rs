@@ -71,6 +71,12 @@ fn measure<'a>(
     for (e, y) in error.iter_mut().zip(fine.target()) {
         e.iter_mut().zip(y).for_each(|(e, y)| *e = y - *e);
     }
+    // A joint whose sensor was off has no error.
+    for (j, e) in error.iter_mut().enumerate() {
+        if recordings.iter().flat_map(|r| &r.stretches).all(|s| s.of(&s.tau, j).iter().all(|t| *t == 0.0)) {
+            e.iter_mut().for_each(|e| *e = 0.0);
+        }
+    }
     let rms = error.iter().map(|e| root_mean_square(e)).collect();
     Measured { rms, error, time: fine.scene.time.clone() }
 }
@@ -238,14 +244,16 @@ pub fn diagnose(
             });
         }
     }
-    causes.sort_by(|a, b| taken(b, &noise).total_cmp(&taken(a, &noise)));
+    // What a gain is measured by: the noise, or a fiftieth of the torque where the noise is less.
+    let scale: Vec<f64> = noise.iter().zip(&torque_rms).map(|(s, t)| (s * s + (0.02 * t).powi(2)).sqrt()).collect();
+    causes.sort_by(|a, b| taken(b, &scale).total_cmp(&taken(a, &scale)));
     // A cause that loses on data that was not used is no cause; that there was something to explain stays true.
     let (causes_that_hold, failed): (Vec<Cause>, Vec<Cause>) =
-        causes.into_iter().partition(|c| c.on == "fit" || taken(c, &noise) > 0.0);
+        causes.into_iter().partition(|c| c.on == "fit" || taken(c, &scale) > 0.0);
     let mut causes = causes_that_hold;
-    left.extend(failed.iter().map(|c| Structure {
+    left.extend(failed.iter().filter(|c| c.curve.is_some()).map(|c| Structure {
         joint: c.joints.first().map_or(0, |j| j - 1),
-        rms: c.rms_before.iter().zip(&noise).map(|(a, _)| *a).fold(0.0, f64::max),
+        rms: 0.0,
         description: format!(
             "{} on joint(s) {:?} explains the fitted logs but not the validating ones",
             c.cause, c.joints
@@ -257,7 +265,7 @@ pub fn diagnose(
         (false, true) => Verdict::Explained,
         (false, false) => Verdict::PartlyExplained,
     };
-    unknown(&mut causes, &left, &after.rms, &noise);
+    unknown(&mut causes, &left, &after.rms, &scale);
     let next_experiment =
         causes.iter().find(|c| !c.not_distinguished_from.is_empty() && c.cause != "unknown").map(|c| NextExperiment {
             between: std::iter::once(c.cause).chain(c.not_distinguished_from.iter().copied()).collect(),
@@ -285,19 +293,20 @@ pub fn diagnose(
     })
 }
 
-/// Whether refitting all base parameters explains enough more than the few causes of the trusted file.
+/// Whether all base parameters anew predict left-out parts of the data better than the few causes of the trusted file do, joint by joint
+/// in the logarithm, beyond a twentieth.
 fn pays(trusted: &Fitted, free: &Fitted) -> bool {
-    let (mut gain, mut independent) = (0.0, 0.0);
-    let joints =
-        trusted.solution.rss.iter().zip(&free.solution.rss).zip(trusted.solution.counts.iter().zip(&free.memory));
-    for ((a, b), (n, memory)) in joints {
-        if *a > 1e-290 && *b > 1e-290 && *n > 0.0 {
-            gain += n / memory * (a / b).ln();
-            independent += n / memory;
+    let sums = |fitted: &Fitted| {
+        let mut sums = vec![0.0; fitted.solution.rss.len()];
+        for part in fitted.moments.cross_validated(&fitted.solution) {
+            sums.iter_mut().zip(part).for_each(|(s, p)| *s += p);
         }
-    }
-    let more = free.solution.x.len() as f64 - trusted.solution.x.len() as f64;
-    gain > more.max(0.0) * independent.max(2.0).ln() + 20.0
+        sums
+    };
+    let (a, b) = (sums(trusted), sums(free));
+    let live = trusted.solution.counts.iter().filter(|n| **n > 0.0).count().max(1) as f64;
+    let logs: f64 = a.iter().zip(&b).filter(|(a, b)| **a > 1e-200 && **b > 1e-200).map(|(a, b)| (a / b).ln()).sum();
+    logs / live > 0.05
 }
 
 /// Friction parameters that the data do not want changed go back to the file's values.
@@ -321,7 +330,9 @@ fn freeze(bench: &mut Bench<'_>, found: &mut Found, noise: &[f64]) -> Fitted {
                 let weight = fitted.solution.weights[j] * fitted.solution.counts[j];
                 let effect = if own > 0.0 && weight > 0.0 { value.abs() / (own * weight).sqrt() } else { 0.0 };
                 let small = value.abs() < 0.04 * given[j][which].unwrap_or(0.0).abs();
-                if value.abs() < 4.5 * std || effect < 0.2 * noise[j] || small {
+                // Friction that drives the joint is none.
+                let drives = which < 2 && given[j][which].unwrap_or(0.0) + value < 0.0;
+                if value.abs() < 4.5 * std || effect < 0.2 * noise[j] || small || drives {
                     bench.frozen[k] = true;
                     changed = true;
                 }
@@ -488,7 +499,12 @@ fn unknown(causes: &mut Vec<Cause>, left: &[Structure], rms: &[f64], noise: &[f6
     }
     let mut left = left.to_vec();
     left.sort_by(|a, b| (b.rms / noise[b.joint].max(1e-12)).total_cmp(&(a.rms / noise[a.joint].max(1e-12))));
-    let joints: Vec<usize> = left.iter().map(|s| s.joint + 1).collect();
+    let mut joints: Vec<usize> = Vec::new();
+    left.iter().map(|s| s.joint + 1).for_each(|j| {
+        if !joints.contains(&j) {
+            joints.push(j)
+        }
+    });
     let sentences: Vec<&str> = left.iter().map(|s| s.description.as_str()).collect();
     let mut after = rms.to_vec();
     for s in &left {

@@ -34,8 +34,6 @@ pub struct Own {
     pub t: Vec<f64>,
     /// Temperature, deg C; empty where there is none.
     pub temperature: Vec<f64>,
-    /// Spacing, s.
-    pub period: f64,
     first: usize,
     windows: usize,
     per: usize,
@@ -69,8 +67,6 @@ pub struct Scene<'a> {
     pub seen: Vec<usize>,
     /// Time of each window since its recording began, s.
     pub time: Vec<f64>,
-    /// Number of the recording.
-    pub log: Vec<usize>,
     /// Whether a window is used for a joint's torque.
     pub live: Vec<Vec<bool>>,
     /// Part of the data, for cross-validation.
@@ -114,9 +110,9 @@ impl<'a> Scene<'a> {
         let dead = dead_zones(recordings, dof);
         let (mut y, mut live) = (vec![Vec::new(); dof], vec![Vec::new(); dof]);
         let mut parts: Vec<[Vec<Vec<f64>>; 3]> = vec![std::array::from_fn(|_| vec![Vec::new(); dof]); distinct.len()];
-        let (mut own, mut time, mut log, mut runs) = (vec![Vec::new(); dof], Vec::new(), Vec::new(), Vec::new());
+        let (mut own, mut time, mut runs) = (vec![Vec::new(); dof], Vec::new(), Vec::new());
         let mut step = 1.0 / rate;
-        for (number, recording) in recordings.iter().enumerate() {
+        for recording in recordings {
             let begin = recording.stretches.first().map_or(0.0, |s| s.start);
             for stretch in &recording.stretches {
                 let per = ((1.0 / (rate * stretch.period)).round() as usize).max(1);
@@ -135,7 +131,6 @@ impl<'a> Scene<'a> {
                     (0..windows)
                         .map(|w| stretch.start - begin + (edge as f64 + (w * per) as f64 + mid) * stretch.period),
                 );
-                log.extend(std::iter::repeat_n(number, windows));
                 for (part, delay) in parts.iter_mut().zip(&distinct) {
                     let by = delay / stretch.period;
                     for j in 0..dof {
@@ -164,7 +159,6 @@ impl<'a> Scene<'a> {
                         } else {
                             stretch.of(&stretch.temperature, j)[span.clone()].to_vec()
                         },
-                        period: stretch.period,
                         v,
                         sign,
                         first,
@@ -196,7 +190,6 @@ impl<'a> Scene<'a> {
             states,
             seen,
             time,
-            log,
             live,
             runs,
             own,

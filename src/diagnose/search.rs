@@ -28,7 +28,7 @@ pub struct SearchSettings {
 
 impl Default for SearchSettings {
     fn default() -> Self {
-        Self { most: 8, least_effect: 0.1, least_gain: 0.04, least_share: 0.03 }
+        Self { most: 8, least_effect: 0.1, least_gain: 0.08, least_share: 0.03 }
     }
 }
 
@@ -68,8 +68,6 @@ pub struct Found {
     pub accepted: Vec<Accepted>,
     /// The model with them.
     pub fitted: Fitted,
-    /// The model without any.
-    pub plain: Fitted,
 }
 
 fn unknowns(cause: &dyn Cause, terms: usize) -> f64 {
@@ -85,7 +83,7 @@ fn evaluate(
     place: &[usize],
     shape: &[f64],
 ) -> Option<Candidate> {
-    let terms = cause.terms(&bench.scene, place, shape);
+    let terms = bench.family(cause, place, shape);
     if terms.is_empty() {
         return None;
     }
@@ -94,7 +92,6 @@ fn evaluate(
     let signed = terms.iter().zip(&gain.x).all(|(t, x)| match t.sign {
         Sign::Any => true,
         Sign::Positive => *x > 0.0,
-        Sign::Negative => *x < 0.0,
     });
     if !signed || !gain.x.iter().all(|x| x.is_finite()) || !cause.plausible(&bench.scene, place, shape, &gain.x) {
         return None;
@@ -199,7 +196,6 @@ fn refine(bench: &Bench<'_>, fitted: &Fitted, candidate: &mut Candidate) {
 
 /// Searches until nothing more is supported.
 pub fn search(bench: &mut Bench<'_>, noise: &[f64], settings: &SearchSettings, progress: &dyn Fn(&str)) -> Found {
-    let plain = bench.fit(&mut []);
     let mut chosen: Vec<Chosen> = Vec::new();
     let mut accepted: Vec<Accepted> = Vec::new();
     let mut fitted = bench.fit(&mut []);
@@ -228,7 +224,7 @@ pub fn search(bench: &mut Bench<'_>, noise: &[f64], settings: &SearchSettings, p
                 Some(mut judged) => {
                     judged.rivals = rivals(&ranked, rank, &next);
                     if let Some(payload) =
-                        body_on_the_flange(bench, &judged.chosen, next.terms.last().map_or(&[], |t| t))
+                        body_on_the_flange(bench, &judged.chosen, next.terms.last().map_or(&[], |t| t.as_slice()))
                         && let Some(last) = trial.last_mut()
                     {
                         *last = payload.clone();
@@ -256,7 +252,7 @@ pub fn search(bench: &mut Bench<'_>, noise: &[f64], settings: &SearchSettings, p
     }
     progress("weighing the causes against each other");
     settle(bench, &mut accepted, &mut fitted, noise, settings);
-    Found { accepted, fitted, plain }
+    Found { accepted, fitted }
 }
 
 /// A last link that is heavier by something that can be a body has a payload on it: the columns are the same.
@@ -338,22 +334,30 @@ fn judge(
     if overshadowed {
         return None;
     }
-    let (confirmed, predicted) = confirmation(before, after);
+    let Confirmation { confirmed, predicted, spoilt } = confirmation(before, after);
     if last.cause.local() {
         // No other part can vouch for it: it must stand out by itself.
-        let stands_out = (0..taken.len()).any(|j| taken[j] > 0.2 * size(j));
+        let stands_out = (0..taken.len()).any(|j| taken[j] > 0.25 * size(j));
         if !stands_out {
             return None;
         }
-    } else if confirmed < 0.75 || predicted < 0.6 * settings.least_gain {
+    } else if confirmed < 0.75 || predicted < 0.6 * settings.least_gain || spoilt > 0.1 {
         return None;
     }
     Some(Accepted { chosen: last.clone(), support, confirmed, rivals: Vec::new(), variance })
 }
 
-/// Share of the parts of the data that the larger model predicts better from the other parts, parts weighted by what they gain or lose; and
-/// the largest share of a joint's error that it takes there.
-fn confirmation(before: &Fitted, after: &Fitted) -> (f64, f64) {
+/// What parts of the data say that were left out of the fit in turn.
+struct Confirmation {
+    /// Share of the parts that the larger model predicts better, parts weighted by what they gain or lose.
+    confirmed: f64,
+    /// The largest share of a joint's error that it takes.
+    predicted: f64,
+    /// The largest share by which a joint's error grows.
+    spoilt: f64,
+}
+
+fn confirmation(before: &Fitted, after: &Fitted) -> Confirmation {
     let (a, b) = (before.moments.cross_validated(&before.solution), after.moments.cross_validated(&after.solution));
     let weights = &after.solution.weights;
     let (mut won, mut lost) = (0.0, 0.0);
@@ -369,14 +373,18 @@ fn confirmation(before: &Fitted, after: &Fitted) -> (f64, f64) {
             *sum = [sum[0] + a, sum[1] + b];
         }
     }
-    let share = sums.iter().map(|[a, b]| if *a > 0.0 { 1.0 - b / a } else { 0.0 }).fold(0.0, f64::max);
-    (if won + lost > 0.0 { won / (won + lost) } else { 0.0 }, share)
+    let shares = || sums.iter().map(|[a, b]| if *a > 1e-200 { 1.0 - b / a } else { 0.0 });
+    Confirmation {
+        confirmed: if won + lost > 0.0 { won / (won + lost) } else { 0.0 },
+        predicted: shares().fold(0.0, f64::max),
+        spoilt: -shares().fold(0.0, f64::min),
+    }
 }
 
 /// The last link's parameters and a payload are one thing; the vocabulary's table says so, the rivals need not.
 fn same_body(a: &Candidate, b: &Candidate) -> bool {
     let body = |c: &Candidate| matches!(c.cause.name(), "payload" | "link_inertia_error");
-    body(a) && body(b)
+    body(a) && body(b) && (a.score - b.score).abs() < 1e-6 * a.score.abs().max(1.0)
 }
 
 /// Candidates that explain nearly as much as the one that was taken.

@@ -54,8 +54,9 @@ impl Criterion {
         }
     }
 
+    /// Can it do without a spectrum, where products are good enough?
     pub(super) fn by_gram(&self) -> bool {
-        matches!(self, Self::LogDet | Self::Hadamard | Self::Separation(..))
+        self.ignores_scale() || *self == Self::Trace
     }
 
     /// Does a factor per column only add a constant?
@@ -74,6 +75,11 @@ impl Criterion {
             Self::LogDet => {
                 let (log, inverse) = log_det(gram)?;
                 Some((-log, Slope::Dense(-inverse)))
+            }
+            Self::Trace => {
+                let (_, inverse) = log_det(gram)?;
+                let trace = inverse.trace();
+                Some((trace.ln(), Slope::Dense(&inverse * &inverse / -trace)))
             }
             Self::Separation(first, second) => {
                 let (all, inverse) = log_det(gram)?;
@@ -146,7 +152,7 @@ impl Criterion {
 }
 
 /// `log det` and inverse, with columns scaled to unit norm in between.
-fn log_det(gram: &DMatrix<f64>) -> Option<(f64, DMatrix<f64>)> {
+pub(super) fn log_det(gram: &DMatrix<f64>) -> Option<(f64, DMatrix<f64>)> {
     let n = gram.ncols();
     let scale: Vec<f64> = gram.diagonal().iter().map(|g| 1.0 / g.sqrt()).collect();
     if scale.iter().any(|s| !s.is_finite()) {

@@ -84,7 +84,8 @@ impl Curve {
     pub(super) fn bound(&self, order: usize, refine: usize) -> Bound {
         match *self {
             Self::Spline { duration, intervals } => {
-                let rows = hull(duration, intervals, order, refine);
+                // A short motion has few intervals: no fewer than 24 pieces.
+                let rows = hull(duration, intervals, order, refine.max(24usize.div_ceil(intervals)));
                 let folded = rows.iter().map(|row| {
                     let mut folded = vec![0.0; intervals + 1];
                     row.iter().enumerate().for_each(|(c, value)| folded[variable(c, intervals)] += value);
@@ -95,7 +96,7 @@ impl Curve {
                 Bound { rows, share: 1.0 }
             }
             Self::Fourier { period, harmonics, .. } => {
-                let steps = 4 * refine.max(3) * harmonics;
+                let steps = 16 * harmonics;
                 let rows = (0..steps).map(|k| self.row(period * k as f64 / steps as f64, order)).collect();
                 Bound { rows, share: (PI * harmonics as f64 / steps as f64).cos() }
             }

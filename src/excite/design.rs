@@ -31,7 +31,7 @@ pub struct Effort {
 impl Default for Effort {
     fn default() -> Self {
         let threads = std::thread::available_parallelism().map_or(1, usize::from);
-        Self { starts: 6, seed: 1, iterations: 60, finalists: 2, threads }
+        Self { starts: 12, seed: 1, iterations: 60, finalists: 2, threads }
     }
 }
 
@@ -94,10 +94,10 @@ pub struct Design {
     pub starts: Vec<Option<f64>>,
 }
 
-/// Samples per second of the first, coarse part and of its constraints.
-const COARSE: [f64; 2] = [20.0, 20.0];
-/// Of the final part.
-const FINE: [f64; 2] = [50.0, 50.0];
+/// Samples per second of the criterion and of the constraints, and hull pieces per interval, in the first, coarse part.
+const COARSE: (f64, f64, usize) = (20.0, 20.0, 4);
+/// In the final part.
+const FINE: (f64, f64, usize) = (50.0, 50.0, 12);
 /// Of the last check.
 const FINEST: f64 = 500.0;
 
@@ -112,7 +112,7 @@ pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Des
             worst.what
         )
     })?;
-    let coarse = Program::new(task, COARSE[0].min(task.rate), COARSE[1]);
+    let coarse = Program::new(task, COARSE.0.min(task.rate), COARSE.1, COARSE.2);
     let powers = task.criterion.powers();
     let total = effort.starts.max(1) * effort.iterations + effort.finalists.max(1) * 2 * effort.iterations;
     let counter = AtomicUsize::new(0);
@@ -163,7 +163,7 @@ pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Des
             return None;
         }
         let x = start::random_motion(task, &coarse, &home, effort.seed, k as u64);
-        Some((k, run(&coarse, x, powers, effort.iterations, 0.3, k, 0)))
+        Some((k, run(&coarse, x, powers, effort.iterations, 1.0, k, 0)))
     })
     .into_iter()
     .flatten()
@@ -216,7 +216,7 @@ fn finish(
     let mut point = Point { x, value: f64::INFINITY, worst: f64::INFINITY };
     let mut last = None;
     for round in 0..4 {
-        let program = Program::new(&own, FINE[0].min(task.rate), FINE[1]);
+        let program = Program::new(&own, FINE.0.min(task.rate), FINE.1, FINE.2);
         let iterations = if round == 0 { iterations } else { iterations / 2 };
         point = run(&program, point.x, iterations, 0.1, 1 + round);
         let excess = finest(task, &point.x);

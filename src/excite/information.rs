@@ -1,7 +1,7 @@
 //! What a motion tells about the columns: `G = sum of W' P W`, and functions of its spectrum.
 //!
-//! `G`'s products lose what lies below 1e-8 of the largest singular value of `W`, so where columns scaled to unit norm are worse conditioned
-//! than 1e5 the factor `R` of `W = Q R` is taken instead, which sees singular values themselves.
+//! `G`'s products lose what lies below 1e-8 of the largest singular value of `W`, so where pivots say that digits are at
+//! stake the factor `R` of `W = Q R` is taken instead, which sees singular values themselves.
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
@@ -70,6 +70,18 @@ impl Information {
         }
         let factor = poor(&gram).then(|| factor(columns, &values, len, scaling));
         Self { values, len, gram, factor }
+    }
+
+    /// Takes the factor where eigenvalues of the products would lose more than some ten digits: `tr G tr G^-1` is at least the square of the
+    /// condition number.
+    pub(super) fn sharpen(&mut self, columns: &Columns<'_>, scaling: &Scaling) {
+        if self.factor.is_some() {
+            return;
+        }
+        let inverse = super::criterion::log_det(&self.gram).map(|(_, inverse)| inverse.trace());
+        if inverse.is_none_or(|inverse| self.gram.trace() * inverse > 1e6) {
+            self.factor = Some(factor(columns, &self.values, self.len, scaling));
+        }
     }
 
     /// `G`.
@@ -197,8 +209,16 @@ impl Information {
     }
 }
 
-/// Are the products too coarse? Judged by the pivots of columns scaled to unit norm.
+/// Are the products too coarse? Judged by the pivots, of columns scaled to unit norm and as they are: the ratio of the latter is at most the square of the
+/// condition number, by which eigenvalues of products lose digits.
 fn poor(gram: &DMatrix<f64>) -> bool {
+    let plain = gram.clone().cholesky().map(|factor| {
+        let pivots = factor.l_dirty().diagonal();
+        pivots.min() < 1e-3 * pivots.max()
+    });
+    if plain.unwrap_or(true) {
+        return true;
+    }
     let scale: Vec<f64> = gram.diagonal().iter().map(|g| if *g > 0.0 { 1.0 / g.sqrt() } else { 1.0 }).collect();
     let unit = DMatrix::from_fn(gram.nrows(), gram.ncols(), |i, k| gram[(i, k)] * scale[i] * scale[k]);
     match unit.cholesky() {

@@ -67,8 +67,8 @@ pub(super) struct Program<'a> {
 }
 
 impl<'a> Program<'a> {
-    /// `measure`: samples per second of the criterion; `guard`: of the constraints.
-    pub(super) fn new(task: &'a Task<'a>, measure: f64, guard: f64) -> Self {
+    /// `measure`: samples per second of the criterion; `guard`: of the constraints; `refine`: hull pieces per interval.
+    pub(super) fn new(task: &'a Task<'a>, measure: f64, guard: f64, refine: usize) -> Self {
         let columns = task.smooth_columns();
         let constraints = task.constraints();
         let list = constraints.list();
@@ -76,7 +76,7 @@ impl<'a> Program<'a> {
         let bounds = orders
             .filter(|&order| task.limits.iter().any(|l| l.range(order).is_some()))
             .map(|order| {
-                let bound = task.curve.bound(order, 4);
+                let bound = task.curve.bound(order, refine);
                 (order, bound.rows, bound.share)
             })
             .collect();
@@ -106,7 +106,10 @@ impl<'a> Program<'a> {
     /// The criterion per column and its gradient; `None` where it is not defined (information without full rank).
     pub(super) fn objective(&self, x: &[f64], power: f64) -> Option<(f64, Vec<f64>)> {
         let states = self.measure.states(x);
-        let information = Information::new(&self.columns, &states, &self.scaling);
+        let mut information = Information::new(&self.columns, &states, &self.scaling);
+        if !self.task.criterion.by_gram() {
+            information.sharpen(&self.columns, &self.scaling);
+        }
         let (value, slope) = information.judge(&self.task.criterion, power)?;
         if !value.is_finite() {
             return None;

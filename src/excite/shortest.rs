@@ -19,6 +19,9 @@ pub struct Shortest {
     pub tried: Vec<(f64, Option<f64>)>,
 }
 
+/// A motion, what to expect of it, and the essential parameter that is known worst, percent.
+type Attempt = (Design, Vec<Expected>, Option<(String, f64)>);
+
 /// Tries durations in steps of half a second up to that of the task, by bisection: longer motions tell more. Essential are the
 /// parameters that are so in the longest motion.
 ///
@@ -32,7 +35,7 @@ pub fn shortest(task: &Task<'_>, percent: f64, effort: &Effort, watch: &Watch<'_
     let spacing = duration / intervals as f64;
     let mut essential: Option<Vec<bool>> = None;
     let mut tried = Vec::new();
-    let mut attempt = |seconds: f64| -> Result<(Design, Vec<Expected>, Option<(String, f64)>), String> {
+    let mut attempt = |seconds: f64| -> Result<Attempt, String> {
         let intervals = ((seconds / spacing).round() as usize).max(1);
         let own = Task { curve: Curve::Spline { duration: seconds, intervals }, ..task.clone() };
         let found = design(&own, effort, watch)?;

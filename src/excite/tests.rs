@@ -49,7 +49,7 @@ fn gradients_of_criteria_meet_differences() {
             let mut task = Task::new(&arm, &robot, 4.0, 0.5).unwrap();
             let power = criterion.powers()[0];
             task.criterion = criterion;
-            let program = Program::new(&task, 25.0, 10.0);
+            let program = Program::new(&task, 25.0, 10.0, 4);
             let x = motion(&task, k as u64);
             let (_, gradient) = program.objective(&x, power).unwrap();
             let mut random = Random::new(9, k as u64);
@@ -75,7 +75,7 @@ fn gradients_of_constraints_meet_differences() {
         });
         let arm = Differentiated::new(&robot);
         let task = Task::new(&arm, &robot, 3.0, 0.5).unwrap();
-        let program = Program::new(&task, 10.0, 7.0);
+        let program = Program::new(&task, 10.0, 7.0, 4);
         assert!(task.bodies.pairs.len() >= 12, "{name} has {} pairs", task.bodies.pairs.len());
         let x = motion(&task, 4);
         let mut random = Random::new(2, 2);
@@ -201,14 +201,14 @@ fn log_det_is_meaningful_at_condition_numbers_of_1e8() {
     }
     let robot = robot("kuka-lwr4");
     let arm = Differentiated::new(&robot);
-    let mut task = Task::new(&arm, &robot, 4.0, 0.5).unwrap();
-    let x = motion(&task, 5);
     let mut values = Vec::new();
     for share in [1e-2, 1e-8] {
         let nearly = Nearly { share, pattern: [(0, 0), (0, 1)] };
+        let mut task = Task::new(&arm, &robot, 4.0, 0.5).unwrap();
+        let x = motion(&task, 5);
         task.base.clear();
         task.extra = Some(&nearly);
-        let program = Program::new(&task, 50.0, 5.0);
+        let program = Program::new(&task, 50.0, 5.0, 4);
         let (value, gradient) = program.objective(&x, 1.0).unwrap();
         values.push(2.0 * value + 2.0 * share.ln()); // the unit is the number of columns
         let d: Vec<f64> = x.iter().enumerate().map(|(k, _)| (k as f64).cos()).collect();

@@ -42,9 +42,10 @@ pub fn carry_over(arm: &dyn Arm, reach: &dyn Reach, found: &Identification) -> C
         states.q.extend((0..STATES).map(|s| low + (high - low) * even(j, s)));
     }
     for (which, factor) in [(1, 0.5), (2, 2.0)] {
-        let values = ranges.iter().enumerate().flat_map(|(j, [_, _, speed])| {
-            (0..STATES).map(move |s| (which, j, s, factor * speed))
-        });
+        let values = ranges
+            .iter()
+            .enumerate()
+            .flat_map(|(j, [_, _, speed])| (0..STATES).map(move |s| (which, j, s, factor * speed)));
         let values: Vec<f64> = values.map(|(w, j, s, size)| size * (2.0 * even(w * n + j, s) - 1.0)).collect();
         if which == 1 { states.dq = values } else { states.ddq = values }
     }

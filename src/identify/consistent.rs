@@ -40,6 +40,8 @@ pub use reproduce::{Reproduced, possible_bodies};
 use newton::Weights;
 use setup::{Data, Setup};
 
+use statrs::distribution::{ContinuousCDF, FisherSnedecor};
+
 use super::{
     accuracy,
     accuracy::Accuracy,
@@ -68,8 +70,9 @@ pub struct ConsistentSettings {
     /// Bodies that are fixed to links (from 0) and known: a tool. The standard parameters contain them, the bodies that are
     /// looked for do not.
     pub carried: Vec<(usize, [f64; 10])>,
-    /// By how much possible bodies may raise the weighted residual of the fit, percent, before the data are said to contradict physics.
-    /// Default 10.
+    /// By how much possible bodies may raise the weighted residual of the fit, percent, before the data are said to contradict physics;
+    /// and it must be more than noise explains (an F test at 0.1 % over the independent samples: a short log's plain fit follows the noise, and
+    /// is better than the truth). Default 25.
     pub most_cost_percent: f64,
 }
 
@@ -81,7 +84,7 @@ impl Default for ConsistentSettings {
             margin: 1e-3,
             bounds: Bounds::default(),
             carried: Vec::new(),
-            most_cost_percent: 10.0,
+            most_cost_percent: 25.0,
         }
     }
 }
@@ -173,6 +176,9 @@ pub struct Consistent {
     pub cost: Cost,
     /// What possibility alone costs (the prior's weight vanishing).
     pub possible: Cost,
+    /// Whether what possibility alone costs is more than noise explains: some of the residual is not noise, and the plain solution
+    /// follows it into the impossible.
+    pub significant: bool,
     /// Where each link's prior came from.
     pub sources: Vec<Source>,
     /// Entropic distance of each link from its prior.
@@ -205,8 +211,11 @@ pub fn consistent(
     settings: &ConsistentSettings,
 ) -> Result<Consistent, ConsistentError> {
     let (data, floor) = data(arm, fit, found)?;
+    let parameters = arm.base_parameters().len() as f64;
+    let freedom = found.noise.effective_samples.iter().sum::<f64>() - parameters;
     let setup = Setup::new(arm, &data, prior, drives, settings)?;
-    let vanishing = Weights { w: VANISHING, mu: VANISHING };
+    let shares = setup.problem.links.iter().map(|l| l.share).fold(1.0, f64::min);
+    let vanishing = Weights { w: VANISHING / shares, mu: VANISHING };
     let wanted = Weights { w: settings.prior_weight, mu: VANISHING };
     let total = |logs: &[Factors], beta: &[f64]| accuracy(&logs.iter().collect::<Vec<_>>(), beta);
     let cost = |v: &[f64]| {
@@ -217,20 +226,39 @@ pub fn consistent(
             validation: (!validate.is_empty()).then(|| total(validate, &base)),
         }
     };
-    let (v_possible, first) = setup.problem.follow(&setup.start, vanishing)?;
-    let possible = cost(&v_possible);
-    if possible.growth_percent > settings.most_cost_percent {
-        let grown = |j: usize| (possible.fit.rms[j].powi(2) - found.fit.rms[j].powi(2)) / found.noise.sigma[j].powi(2);
+    let significant = |v: &[f64]| {
+        FisherSnedecor::new(parameters, freedom).is_ok_and(|distribution| {
+            let f = (2.0 * setup.problem.misfit(v) / parameters) / (floor / freedom);
+            f > distribution.inverse_cdf(0.999)
+        })
+    };
+    let check = |v: &[f64], cost: &Cost| {
+        if cost.growth_percent <= settings.most_cost_percent || !significant(v) {
+            return Ok(());
+        }
+        let grown = |j: usize| (cost.fit.rms[j].powi(2) - found.fit.rms[j].powi(2)) / found.noise.sigma[j].powi(2);
         let joints = (0..found.fit.rms.len()).filter(|&j| found.fit.rms[j].is_finite());
         let joint = joints.max_by(|&a, &b| grown(a).total_cmp(&grown(b))).unwrap_or(0);
-        return Err(ConsistentError::Contradiction {
-            growth_percent: possible.growth_percent,
+        Err(ConsistentError::Contradiction {
+            growth_percent: cost.growth_percent,
             allowed_percent: settings.most_cost_percent,
             joint: joint + 1,
             plain: found.fit.rms[joint],
-            possible: possible.fit.rms[joint],
-        });
+            possible: cost.fit.rms[joint],
+        })
+    };
+    // Where bodies are out of the question a rough answer tells, and all digits of the sharp one would go into the size of the misfit.
+    let rough = 1e-6 * setup.problem.misfit(&setup.start);
+    if rough > vanishing.w {
+        let (v, _) = setup.problem.follow(&setup.start, Weights { w: rough, mu: rough })?;
+        if setup.problem.misfit(&v) > 1e4 * rough {
+            check(&v, &cost(&v))?;
+        }
     }
+    let (v_possible, first) = setup.problem.follow(&setup.start, vanishing)?;
+    let possible = cost(&v_possible);
+    check(&v_possible, &possible)?;
+    let significant = significant(&v_possible);
     let (v, second) = setup.problem.follow(&setup.start, wanted)?;
     let standard = setup.standard(&v);
     if standard.iter().any(|x| !x.is_finite()) {
@@ -245,6 +273,7 @@ pub fn consistent(
         names: arm.base_parameters().iter().map(|b| b.name.clone()).collect(),
         cost: cost(&v),
         possible,
+        significant,
         sources: prior.iter().map(|p| p.source).collect(),
         distances: setup.problem.links.iter().map(distance).collect(),
         margins: setup.margins(&v),

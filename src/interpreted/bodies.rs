@@ -10,33 +10,29 @@ use crate::arm::{Dynamics, ToolState};
 /// The bodies of an [`Interpreted`] arm with given parameters.
 pub struct Bodies<'a> {
     arm: &'a Interpreted,
-    standard: Vec<f64>,
     base: Vec<f64>,
     still: Vec<f64>,
     room: Room,
-    scratch: Vec<f64>,
 }
 
 impl Interpreted {
     /// What [`Interpreted::bodies`] needs to have been asked for in [`Interpreted::new`].
-    pub const BODIES: [Function; 6] = [
+    pub const BODIES: [Function; 5] = [
         Function::MassMatrix,
         Function::InverseDynamicsBase,
         Function::ForwardKinematics,
         Function::ToolPose,
         Function::Jacobian,
-        Function::PotentialEnergyRegressor,
     ];
 
-    /// The bodies with these standard parameters (`P`); those of drives are left out.
+    /// The bodies with these standard parameters (`P`); those of drives are left out. What they compute panics unless
+    /// [`Interpreted::BODIES`] were asked for.
     pub fn bodies(&self, standard: &[f64]) -> Bodies<'_> {
         let links_only = |(p, &value): (&Parameter, &f64)| if matches!(p, Parameter::Link(..)) { value } else { 0.0 };
         let standard: Vec<f64> = self.model.standard().iter().zip(standard).map(links_only).collect();
         Bodies {
             base: self.model.base().values(&standard),
             still: vec![0.0; self.model.dof()],
-            scratch: vec![0.0; standard.len().max(24).max(6 * self.model.dof())],
-            standard,
             arm: self,
             room: Room::default(),
         }
@@ -79,13 +75,5 @@ impl Dynamics for Bodies<'_> {
             j[n + k] += wz * x - wx * z;
             j[2 * n + k] += wx * y - wy * x;
         }
-    }
-
-    fn potential_energy(&mut self, q: &[f64]) -> f64 {
-        let mut regressor = std::mem::take(&mut self.scratch);
-        self.run(Function::PotentialEnergyRegressor, q, &[], &mut regressor);
-        let energy = self.standard.iter().zip(&regressor).map(|(p, h)| p * h).sum();
-        self.scratch = regressor;
-        energy
     }
 }

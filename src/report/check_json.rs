@@ -1,6 +1,6 @@
 //! `check --json`.
 
-use dh_codegen::arm::{Function, Kernel, Model, classify};
+use dh_codegen::arm::{Function, Inverse, Kernel, Model};
 use dh_codegen::robot::Robot;
 use serde_json::{Map, Value, json};
 
@@ -16,7 +16,7 @@ pub(super) fn operations(model: &Model) -> Vec<(Function, usize, usize, usize)> 
 
 /// What the file describes.
 pub fn value(robot: &Robot, model: &Model) -> Value {
-    let class = classify(model.chain());
+    let class = Inverse::new(model.chain());
     let standard: Vec<String> = model.standard().iter().map(|p| p.name()).collect();
     let base: Vec<Value> = model
         .base()
@@ -36,7 +36,7 @@ pub fn value(robot: &Robot, model: &Model) -> Value {
         "name": robot.name,
         "dof": model.dof(),
         "joints": class.joints,
-        "ik": { "class": class.name, "reason": class.reason },
+        "ik": { "class": class.class, "exact": class.exact, "reason": class.reason },
         "standard_parameters": standard,
         "base_parameters": base,
         "operations": counts,

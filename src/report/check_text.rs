@@ -2,7 +2,7 @@
 
 use core::fmt::Write;
 
-use dh_codegen::arm::{Model, classify};
+use dh_codegen::arm::{Inverse, Model};
 use dh_codegen::robot::{Convention, Robot};
 
 /// Table, class, base parameters, operation counts.
@@ -36,8 +36,8 @@ pub fn text(robot: &Robot, model: &Model) -> String {
         let list: Vec<String> = robot.constants.iter().map(|(n, v)| format!("{n} = {v}")).collect();
         let _ = writeln!(t, "  {}", list.join(", "));
     }
-    let class = classify(model.chain());
-    let _ = writeln!(t, "\nkinematic class: {}\ninverse kinematics: {} ({})", class.joints, class.name, class.reason);
+    let class = Inverse::new(model.chain());
+    let _ = writeln!(t, "\nkinematic class: {}\ninverse kinematics: {} ({})", class.joints, class.class, class.reason);
     let inertial =
         model.base().0.iter().filter(|b| matches!(b.leader, dh_codegen::arm::param::Parameter::Link(..))).count();
     let _ = writeln!(

@@ -14,6 +14,8 @@ pub struct Possible<'a> {
     pub result: Result<&'a Consistent, &'a ConsistentError>,
     /// Whether the robot file's values are theirs (`None`: none was written).
     pub written: Option<bool>,
+    /// Whether what was written are bodies with exactly the plain solution's base parameters: it is possible itself.
+    pub plain: bool,
 }
 
 fn source(source: Source) -> &'static str {
@@ -47,11 +49,12 @@ pub fn consistent_json(possible: &Possible<'_>) -> Value {
     json!({
         "status": "possible",
         "written": possible.written,
+        "written_is_plain": possible.plain,
         "parameters": c.names.iter().zip(&c.base).map(|(name, value)| json!({"name": name, "value": value})).collect::<Vec<_>>(),
         "standard": c.standard,
         "rms": each(|a| &a.rms),
         "nrms": each(|a| &a.nrms),
-        "growth_percent": { "possible": c.possible.growth_percent, "with_prior": c.cost.growth_percent },
+        "growth_percent": { "possible": c.possible.growth_percent, "with_prior": c.cost.growth_percent, "significant": c.significant },
         "prior": {
             "weight": c.prior_weight,
             "sources": c.sources.iter().map(|s| source(*s)).collect::<Vec<_>>(),
@@ -80,15 +83,20 @@ pub fn consistent_text(found: &Identification, possible: &Possible<'_>) -> Strin
     };
     let _ = writeln!(
         out,
-        "  To be possible, links pay {} % of the fit's weighted residual; with the prior (weight {}) {} %. Together they weigh {} kg.",
+        "  To be possible, links pay {} % of the fit's weighted residual, {} than noise explains; with the prior (weight {}) {} %. Together they weigh {} kg.",
         percent(c.possible.growth_percent.max(0.0)),
+        if c.significant { "more" } else { "no more" },
         figure(c.prior_weight),
         percent(c.cost.growth_percent.max(0.0)),
         figure(c.total_mass)
     );
     if !c.at_the_edge.is_empty() {
         let links: Vec<String> = c.at_the_edge.iter().map(usize::to_string).collect();
-        let _ = writeln!(out, "  Without the prior the data push link {} to the edge of what a body can be.", links.join(", "));
+        let _ = writeln!(
+            out,
+            "  Without the prior the data push link {} to the edge of what a body can be.",
+            links.join(", ")
+        );
     }
     let guessed: Vec<String> =
         (1..).zip(&c.sources).filter(|(_, s)| **s == Source::Geometric).map(|(i, _)| i.to_string()).collect();
@@ -120,7 +128,10 @@ pub fn consistent_text(found: &Identification, possible: &Possible<'_>) -> Strin
         out.push('\n');
     }
     if possible.written == Some(true) {
-        out.push_str("  The robot file has these bodies.\n");
+        out.push_str(match possible.plain {
+            true => "  The plain parameters are those of possible bodies; the robot file has such, with exactly these parameters.\n",
+            false => "  The robot file has these bodies.\n",
+        });
     }
     out
 }
@@ -139,14 +150,18 @@ pub fn carry_over_text(found: &Identification, carry: &CarryOver) -> String {
     let list: Vec<String> = doubtful
         .iter()
         .map(|&j| match carry.torque_std[j - 1].is_finite() && found.fit.rms[j - 1].is_finite() {
-            true => format!("joint {j} ± {} N m (residual here {})", figure(carry.torque_std[j - 1]), figure(found.fit.rms[j - 1])),
+            true => format!(
+                "joint {j} ± {} N m (residual here {})",
+                figure(carry.torque_std[j - 1]),
+                figure(found.fit.rms[j - 1])
+            ),
             false => format!("joint {j} open"),
         })
         .collect();
     let unknown: Vec<&str> = found
         .parameters
         .iter()
-        .filter(|p| !(p.relative_std_percent() < 50.0))
+        .filter(|p| p.relative_std_percent().is_nan() || p.relative_std_percent() >= 50.0)
         .map(|p| p.name.as_str())
         .collect();
     format!(

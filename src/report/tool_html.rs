@@ -13,6 +13,9 @@ use crate::identify::{Standing, Trace};
 use crate::signal::Prepared;
 use crate::tool::{Found, Recognition, Relative, names};
 
+/// The most tools that a figure shows.
+const SHOWN: usize = 12;
+
 /// The page.
 pub fn tool_html(found: &Found, logs: &[Prepared], traces: &[Trace], provenance: &Provenance) -> String {
     let carried = &found.carried;
@@ -162,7 +165,6 @@ fn workshop(body: &mut String, found: &Found) {
 
 /// Distances of the nearest tools as bars on a logarithmic scale, with the limit.
 fn ranking(body: &mut String, r: &Recognition) {
-    const SHOWN: usize = 12;
     let shown = &r.candidates[..SHOWN.min(r.candidates.len())];
     let largest = shown.iter().map(|c| c.distance).fold(2.0 * r.limit, f64::max);
     let least = shown.iter().map(|c| c.distance).fold(0.5 * r.limit, f64::min).max(1e-3);
@@ -218,7 +220,10 @@ fn space(body: &mut String, r: &Recognition) {
     if r.pca.components() < 2 {
         return;
     }
-    let points: Vec<[f64; 2]> = r.table_scores.iter().chain([&r.scores]).map(|s| [s[0], s[1]]).collect();
+    // A heavy tool far away would press the others into a corner: the window is that of the nearest.
+    let near = || r.candidates.iter().take(SHOWN);
+    let points: Vec<[f64; 2]> =
+        near().map(|c| &r.table_scores[c.entry]).chain([&r.scores]).map(|s| [s[0], s[1]]).collect();
     let range = [0, 1].map(|k| {
         let (low, high) =
             points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p[k]), h.max(p[k])));
@@ -229,12 +234,12 @@ fn space(body: &mut String, r: &Recognition) {
     let y = |v: f64| 380.0 - 360.0 * (v - range[1][0]) / (range[1][1] - range[1][0]);
     let _ = write!(
         body,
-        "<section><h2>The table in two of {} components</h2><p class=note>Equation (8) of the paper: U<sub>p</sub>′Φ. {} components hold {} % of the table's sum of squares. The ellipse holds the identified tool with 95 %; hover for names.</p><svg class=space viewBox='0 0 800 420' role=img aria-label='principal components'><rect x=50 y=20 width=720 height=360 class=frame />",
+        "<section><h2>The table in two of {} components</h2><p class=note>Equation (8) of the paper: U<sub>p</sub>′Φ. {} components hold {} % of the table's sum of squares. The ellipse holds the identified tool with 95 %; hover for names. Tools that are far away lie outside of the window.</p><svg class=space viewBox='0 0 800 420' role=img aria-label='principal components'><rect x=50 y=20 width=720 height=360 class=frame />",
         r.pca.components(),
         r.pca.components(),
         digits(100.0 * r.pca.explained[r.pca.components() - 1], 6)
     );
-    for (score, c) in r.candidates.iter().map(|c| (&r.table_scores[c.entry], c)) {
+    for (score, c) in near().map(|c| (&r.table_scores[c.entry], c)) {
         let class = if c.distance <= r.limit { "inside" } else { "outside" };
         let _ = write!(
             body,
@@ -244,7 +249,7 @@ fn space(body: &mut String, r: &Recognition) {
             escape(&c.name)
         );
     }
-    for c in r.candidates.iter().take(3) {
+    if let Some(c) = r.candidates.first() {
         let score = &r.table_scores[c.entry];
         let right = x(score[0]) > 640.0;
         let _ = write!(

@@ -133,7 +133,7 @@ impl Drive {
     pub fn viscosity(&self, v: f64) -> f64 {
         let slope = self.plain.viscous
             + self.asymmetric.map_or(0.0, |a| a.viscous * sign(v))
-            + self.nonlinear.map_or(0.0, |n| n.slope(v));
+            + self.nonlinear.map_or(0.0, |n| n.derivative(v));
         slope.max(0.0)
     }
 

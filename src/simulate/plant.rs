@@ -9,7 +9,7 @@ use super::contact::{self, External};
 use super::control::{Control, Mode, Table};
 use super::drive::Drive;
 use super::effects::{ExternalContact, GearCoupling};
-use super::integrate::{Breakdown, Linear, System};
+use super::integrate::{Breakdown, Linear, LinearBristle, System};
 use super::trajectory::{Point, Trajectory};
 use crate::arm::{Dynamics, ToolState};
 
@@ -168,9 +168,12 @@ impl<'a> Plant<'a> {
         }
     }
 
-    /// Whether an explicit method would crawl.
+    /// Whether an explicit method would crawl: gains made for a drive are high for the light link behind it.
     pub fn is_stiff(&self) -> bool {
-        !self.bristles.is_empty() || self.coordinates > self.n || !self.external.is_empty()
+        matches!(self.control.mode, Mode::Position | Mode::Pd)
+            || !self.bristles.is_empty()
+            || self.coordinates > self.n
+            || !self.external.is_empty()
     }
 
     /// On the motion, at its start.
@@ -370,16 +373,28 @@ impl System for Plant<'_> {
             }
         }
         let feedback = matches!(self.control.mode, Mode::Position | Mode::Pd);
+        // What the motor gives reaches a stiff joint's link less the friction that grows with it.
+        let passes: Vec<f64> = (0..n)
+            .map(|j| match self.drives[j].load {
+                Some(load) if self.motor[j] == j => {
+                    let side = super::bristle::sign(self.now.link_torque[j]);
+                    1.0 / (1.0 + load.level(1.0) * self.drives[j].warmth(since) * self.work.sign[j] * side).max(0.1)
+                }
+                _ => 1.0,
+            })
+            .collect();
         for (j, drive) in self.drives.iter().enumerate() {
             let m = self.motor[j];
             let at = m * total + m;
             let clipped = drive.limit.is_some_and(|limit| self.now.motor_torque[j].abs() >= limit);
+            let mut stiffness = drive.ripple.iter().map(|r| r.slope(x[m])).sum::<f64>().max(0.0);
+            let mut damping = drive.warmth(since) * drive.viscosity(v[m]);
             if feedback && drive.actuated && !clipped {
-                linear.stiffness[at] += self.gains[0][j];
-                linear.damping[at] += self.gains[1][j];
+                stiffness += self.gains[0][j];
+                damping += self.gains[1][j];
             }
-            linear.damping[at] += drive.warmth(since) * drive.viscosity(v[m]);
-            linear.stiffness[at] += drive.ripple.iter().map(|r| r.slope(x[m])).sum::<f64>().max(0.0);
+            linear.stiffness[at] += passes[j] * stiffness;
+            linear.damping[at] += passes[j] * damping;
             linear.stiffness[j * total + j] += drive.spring.map_or(0.0, |s| s.stiffness.max(0.0));
             if m != j {
                 let [_, stiffness, damping] = drive.transmitted(x[m] - x[j], v[m] - v[j]);
@@ -403,10 +418,11 @@ impl System for Plant<'_> {
                 }
                 Part::Hysteresis => drive.warmth(since) * drive.hysteresis.map_or(0.0, |h| h.level),
                 Part::Coupling(k) => self.couplings[k].coulomb,
-            }
-            .max(0.0);
+            };
+            let level = level.max(0.0) * if bristle.part == Part::Sign { passes[bristle.joint] } else { 1.0 };
             let [rate_v, rate_z] = bristle.rate_slopes(speed, z);
-            linear.bristles.push((bristle.along, [level * by_z.max(0.0), rate_v.max(0.0), rate_z]));
+            let (c, a) = (level * by_z.max(0.0), rate_v.max(0.0));
+            linear.bristles.push(LinearBristle { along: bristle.along, c, a, b: rate_z });
             for &(i, fi) in &bristle.along {
                 for &(k, fk) in &bristle.along {
                     linear.damping[i * total + k] += level * by_v.max(0.0) * fi * fk;

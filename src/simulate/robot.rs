@@ -6,6 +6,7 @@ use dh_codegen::arm::param::{self, Parameter};
 use dh_codegen::robot::{Effect, Effects, Inertia, Robot};
 
 use super::SimulateError;
+use super::cholesky;
 use super::drive::Drive;
 use super::effects::{
     AsymmetricFriction, Backlash, ExternalContact, FrictionDrift, GearCoupling, Given, JointElasticity, JointSpring,
@@ -220,37 +221,62 @@ impl Built {
         Ok(())
     }
 
-    /// Defaults that depend on the motion: its time, the torques that the file's model asks for, the inertia at its start.
-    pub fn settle(&self, span: &Range<f64>, peak: &[f64], start: &[f64]) -> Settled {
+    /// Defaults that depend on the motion: its time, the torques that the file's model asks for, the inertia along it (`places`).
+    pub fn settle(&self, span: &Range<f64>, peak: &[f64], places: &[Vec<f64>]) -> Settled {
         let mut drives = self.drives.clone();
         for &j in &self.saturates {
             drives[j].limit = Some((0.8 * peak[j]).max(1e-3));
         }
-        let n = drives.len();
-        let mut mass = vec![0.0; n * n];
-        if !self.couplings.is_empty() {
-            self.real().bodies(&self.bodies_standard).mass_matrix(start, &mut mass);
-        }
         let couplings = self.couplings.iter().map(|(motor, other, effect)| {
             let given = Given::new(effect, Some(drives[*motor].rated));
             let (m, k) = (*motor, *other);
-            let inertia = |j: usize| mass[j * n + j] + drives[j].rotor;
-            let derived = |key: &str, value: f64| match given.stated(key) {
+            let derived = |key: &str, value: &dyn Fn() -> f64| match given.stated(key) {
                 Some(stated) => stated,
-                None if given.is_bare() || only_joint(effect) => value,
+                None if only_joint(effect) => value(),
                 None => 0.0,
             };
+            let ratio = given.get("KC");
             GearCoupling {
                 motor: m,
                 other: k,
-                ratio: given.get("KC"),
-                rotor: derived("IAM", 0.25 * (inertia(m) * inertia(k)).sqrt()),
-                viscous: derived("FVM", 0.5 * (drives[m].plain.viscous * drives[k].plain.viscous).max(0.0).sqrt()),
-                coulomb: derived("FCM", 0.01 * drives[m].rated),
+                ratio,
+                rotor: derived("IAM", &|| self.bearable_rotor(m, k, &drives, places) / ratio.abs().max(1.0)),
+                viscous: derived("FVM", &|| 0.5 * (drives[m].plain.viscous * drives[k].plain.viscous).max(0.0).sqrt()),
+                coulomb: derived("FCM", &|| 0.01 * drives[m].rated),
             }
         });
         let contacts = self.contacts.iter().map(|e| ExternalContact::read(&Given::new(e, None), span)).collect();
         Settled { couplings: couplings.collect(), contacts, drives }
+    }
+
+    /// Half of what an inertia between two joints may be at most: with a larger one the mass matrix need not be positive definite. Along
+    /// the motion, the least of `1 / (4 sqrt(p q))`, `p` and `q` the joints' entries of its inverse.
+    fn bearable_rotor(&self, m: usize, k: usize, drives: &[Drive], places: &[Vec<f64>]) -> f64 {
+        let n = drives.len();
+        let mut mass = vec![0.0; n * n];
+        let mut bodies = self.real().bodies(&self.bodies_standard);
+        let mut least = f64::INFINITY;
+        for q in places {
+            bodies.mass_matrix(q, &mut mass);
+            for (j, drive) in drives.iter().enumerate() {
+                mass[j * n + j] += drive.rotor;
+            }
+            if cholesky::factor(n, &mut mass).is_err() {
+                return 0.0;
+            }
+            let [p, q] = [m, k].map(|j| {
+                let mut unit = vec![0.0; n];
+                unit[j] = 1.0;
+                cholesky::solve(n, &mass, &mut unit);
+                unit[j]
+            });
+            least = least.min(0.25 / (p * q).sqrt());
+        }
+        // A soft joint's motor is coupled by its rotor alone.
+        for j in [m, k].into_iter().filter(|&j| drives[j].is_soft()) {
+            least = least.min(0.25 * drives[j].rotor);
+        }
+        if least.is_finite() { least } else { 0.0 }
     }
 }
 

@@ -53,8 +53,8 @@ pub struct Sensors {
 }
 
 impl Default for Sensors {
-    /// 1 kHz, 1e-5 rad (19 bits and a half; Kollmorgen and KUKA give 16 to 20 bits), 0.05 N m (the noise floor of the KUKA LWR's and iiwa's
-    /// torque sensors: Jubien, Gautier and Janot, IFAC 2014; `data/iiwa`).
+    /// 1 kHz as in the paper; 1e-5 rad, an absolute encoder of 19 bits or a motor's of 13 bits behind a gear of 100; 0.05 N m white, the
+    /// order of what the joint torque sensors of light-weight arms resolve.
     fn default() -> Self {
         Self {
             rate: 1000.0,

@@ -235,7 +235,7 @@ mod tests {
 
     #[test]
     fn between_knots_the_motion_is_smooth() {
-        for (with, accuracy) in [(0, [2e-5, 2e-3, 1e-1]), (1, [1e-7, 2e-6, 3e-4]), (2, [1e-9, 1e-7, 1e-5])] {
+        for (with, accuracy) in [(0, [2e-5, 2e-3, 1e-1]), (1, [1e-6, 2e-5, 2e-3]), (2, [1e-9, 1e-7, 1e-5])] {
             let trajectory = sine(0.05, with);
             let (mut hint, mut point) = (0, [[0.0; 3]]);
             for k in 0..4001 {

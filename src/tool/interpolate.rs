@@ -134,7 +134,9 @@ pub fn interpolate(carried: &Carried, table: &[Entry], tolerance: &Tolerance, le
         let members: Vec<&Entry> = table.iter().filter(|e| e.family().as_ref() == Some(name)).collect();
         relative(carried, &Family::new(name, &members)?, &told, tolerance, level)
     });
-    found.min_by(|a, b| (a.distance / a.limit).total_cmp(&(b.distance / b.limit)))
+    // A family in which the tool lies between others is better evidence than one that must be stretched to it.
+    let rank = |r: &Relative| (!r.fits, r.extrapolated);
+    found.min_by(|a, b| rank(a).cmp(&rank(b)).then((a.distance / a.limit).total_cmp(&(b.distance / b.limit))))
 }
 
 /// Gauss and Newton's descent from the best member of the family, with a shorter step where the long one leads upwards.
@@ -197,6 +199,7 @@ fn relative(carried: &Carried, family: &Family, told: &[usize], tolerance: &Tole
         let std = covariance[(k, k)].max(0.0).sqrt();
         Interval { value: size[k], std, ends: [size[k] - reach * std, size[k] + reach * std] }
     };
+    let beyond = |by: f64| (0..2).any(|k| (size[k] - family.range[k][0]).abs() > by * family.range[k][1]);
     let finite = distance.is_finite() && size.iter().all(|s| s.is_finite());
     finite.then(|| Relative {
         family: family.name.clone(),
@@ -205,9 +208,10 @@ fn relative(carried: &Carried, family: &Family, told: &[usize], tolerance: &Tole
         width: interval(1),
         distance,
         limit,
-        fits: distance <= limit && size.iter().all(|s| *s > 0.0),
-        // A tenth of the table's range is let pass: the polynomial does not end there.
-        extrapolated: (0..2).any(|k| (size[k] - family.range[k][0]).abs() > 1.2 * family.range[k][1]),
+        // Half the table's range beyond its ends the polynomial means nothing any more.
+        fits: distance <= limit && size.iter().all(|s| *s > 0.0) && !beyond(2.0),
+        // A tenth of the range is let pass: the polynomial does not end there.
+        extrapolated: beyond(1.2),
     })
 }
 

@@ -1,10 +1,14 @@
 //! The command itself, as a process: what it prints, what it writes, how it ends.
 
 mod check;
+mod diagnose;
 mod errors;
 mod eval;
+mod excite;
 mod generate;
 mod identify;
+mod ik;
+mod simulate;
 mod tool;
 
 use std::path::PathBuf;

@@ -4,9 +4,9 @@
 
 pub mod base;
 pub mod chain;
-mod class;
 mod dynamics;
 mod energy;
+mod inverse;
 pub mod kernel;
 mod kinematics;
 mod motion;
@@ -18,7 +18,7 @@ mod subspace;
 mod wrench;
 
 pub use base::{BaseParameter, BaseParameters};
-pub use class::{Class, classify};
+pub use inverse::Inverse;
 pub use kernel::{Argument, Function, Kernel};
 pub use kinematics::Pose;
 pub use model::Model;

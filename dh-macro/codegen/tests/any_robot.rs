@@ -127,7 +127,7 @@ fn robot() -> impl Strategy<Value = Robot> {
         (joints, constants)
     });
     let rest = (option::of(tool()), [number(), number(), number()], any::<bool>(), any::<bool>());
-    let effects = option::of(effect(&["base_tilt", "gear_coupling", "payload"]));
+    let effects = option::of(effect(&["base_tilt", "torque_gain_error", "payload"]));
     (joints, rest, vec(option::of(inertia()), 4), option::of(number()), effects).prop_map(
         |((mut joints, constants), (tool, gravity, standard, known), links, ground, effect)| {
             for (k, joint) in joints.iter_mut().enumerate() {
@@ -136,9 +136,8 @@ fn robot() -> impl Strategy<Value = Robot> {
             joints[0].kind = JointKind::Revolute;
             let links = if known { links[..joints.len().min(4)].to_vec() } else { Vec::new() };
             let spheres = ground.map(|_| Sphere { link: 1, center: gravity, radius: 0.1 }).into_iter().collect();
-            let boxes =
-                ground.map(|g| Cuboid { name: "wall".to_string(), min: [g, g, g], max: [g + 1.0, g + 2.0, g + 0.5] });
-            let boxes = boxes.into_iter().collect();
+            let wall = || Cuboid { name: "wall".to_string(), min: [-0.5, 0.25, -1.0], max: [0.5, 1.0, 2.0] };
+            let boxes = ground.map(|_| wall()).into_iter().collect();
             Robot {
                 name: "any-robot".to_string(),
                 convention: if standard { Convention::Standard } else { Convention::Modified },

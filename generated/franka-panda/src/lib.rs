@@ -1,6 +1,6 @@
 //! Closed-form kinematics and dynamics of `franka-panda`: 7 degrees of freedom, 43 base parameters.
 //!
-//! Written by denavit 0.1.0 from the robot file with digest d860381fce5c2aaf; do not edit, run `denavit generate` again.
+//! Written by denavit 0.1.0 from the robot file with digest 396235f55402f7e3; do not edit, run `denavit generate` again.
 //!
 //! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Nothing is allocated; nothing but `core` is used.
 //! Kernels ([`kernel`]) take sines and cosines ([`Trig`]); the functions here take `q`.
@@ -34,6 +34,7 @@
 #[cfg(test)]
 extern crate std;
 
+pub mod ik;
 pub mod kernel;
 pub mod runtime;
 #[cfg(test)]
@@ -316,6 +317,50 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("potential_energy_regressor", 39, 19),
     ("payload_regressor", 394, 268),
 ];
+
+/// Which inverse the arm has.
+pub const IK_CLASS: &str = "7r-offset";
+/// What in its geometry makes it so.
+pub const IK_REASON: &str = "axes 1-3 meet in one point, and so do the first two of the others; joint 7 is given";
+/// Lines of the joints at `q = 0` in base axes, m, and how the arm is taken apart.
+pub const IK: ik::Arm<DOF> = ik::Arm {
+    axes: [
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 0.333] },
+        ik::Axis { slides: false, h: [0.0, 1.0, 0.0], c: [0.0, 0.0, 0.333] },
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 0.649] },
+        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [0.0825, 0.0, 0.649] },
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 1.033] },
+        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [0.0, 0.0, 1.033] },
+        ik::Axis { slides: false, h: [0.0, 0.0, -1.0], c: [0.088, 0.0, 1.033] },
+    ],
+    home: ik::Displacement { rotation: [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]], shift: [0.088, 0.0, 1.033] },
+    limits: POSITION_LIMITS,
+    exact: true,
+    family: ik::Family::Locked { joint: 6, six: ik::Six {
+        axes: [
+        ik::Axis { slides: false, h: [-0.0, 1.0, -0.0], c: [0.0, 0.0, 1.033] },
+        ik::Axis { slides: false, h: [-0.0, -0.0, -1.0], c: [0.0, 0.0, 1.033] },
+        ik::Axis { slides: false, h: [-0.0, 1.0, -0.0], c: [0.0825, 0.0, 0.649] },
+        ik::Axis { slides: false, h: [-0.0, -0.0, -1.0], c: [0.0, 0.0, 0.649] },
+        ik::Axis { slides: false, h: [-0.0, -1.0, -0.0], c: [0.0, 0.0, 0.333] },
+        ik::Axis { slides: false, h: [-0.0, -0.0, -1.0], c: [0.0, 0.0, 0.333] },
+        ],
+        joints: [Some(5), Some(4), Some(3), Some(2), Some(1), Some(0)],
+        reversed: true,
+        method: ik::Method::Wrist { center: [0.0, 0.0, 0.333], regional: ik::Regional::Meet { mirrored: false, at: [0.0, 0.0, 1.033] } },
+    } },
+};
+
+/// Every posture that brings the last DH frame to a pose: the top three rows of `T(0, n)`, m.
+///
+/// Axes 1-3 meet in one point, and so do the first two of the others; joint 7 is given. `query.redundancy` is the position of joint 7.
+///
+/// # Errors
+/// If an entry is not finite, or the rotation is none.
+#[inline]
+pub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {
+    IK.solve(pose, query)
+}
 
 /// A configuration with the sines and cosines that all kernels share: make it once per state.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! Closed-form kinematics and dynamics of `kinova-gen3`: 7 degrees of freedom, 43 base parameters.
 //!
-//! Written by denavit 0.1.0 from the robot file with digest c5adb8dda47cc37b; do not edit, run `denavit generate` again.
+//! Written by denavit 0.1.0 from the robot file with digest 943b9505623597c8; do not edit, run `denavit generate` again.
 //!
 //! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Nothing is allocated; nothing but `core` is used.
 //! Kernels ([`kernel`]) take sines and cosines ([`Trig`]); the functions here take `q`.
@@ -34,6 +34,7 @@
 #[cfg(test)]
 extern crate std;
 
+pub mod ik;
 pub mod kernel;
 pub mod runtime;
 #[cfg(test)]
@@ -282,8 +283,8 @@ pub const VELOCITY_LIMITS: [Option<f64>; DOF] = [Some(1.396), Some(1.396), Some(
 pub const ACCELERATION_LIMITS: [Option<f64>; DOF] = [None, None, None, None, None, None, None];
 /// Largest torques or forces, N m or N.
 pub const TORQUE_LIMITS: [Option<f64>; DOF] = [Some(39.0), Some(39.0), Some(39.0), Some(39.0), Some(9.0), Some(9.0), Some(9.0)];
-/// The robot file's standard parameters: it does not have them all.
-pub const STANDARD_VALUES: Option<[f64; STANDARD]> = None;
+/// The robot file's standard parameters, its tool in the last link.
+pub const STANDARD_VALUES: Option<[f64; STANDARD]> = Some([1.3773, -3.1678e-5, -0.014274337, 0.075779046, 0.008887302, 0.009000364, 0.00155694, 6.72e-7, 3.743e-6, 0.001233374, 1.1636, -5.1198e-5, -0.115871288, -0.008032331, 0.02268191, 0.001127449, 0.022793465, -9.8e-8, -3.53e-7, -0.00149086, 1.1636, -5.1198e-5, -0.007727468, 0.107619037, 0.020936788, 0.021080472, 0.00109432, -3.4e-7, -2.265e-6, 0.001320698, 0.9302, -1.6744e-5, -0.070209636, -0.008028556, 0.013515577, 0.000700295, 0.013615283, -2.264e-6, -1.45e-7, -0.001105979, 0.6781, 6.78e-7, -0.006395839, 0.028512071, 0.002855173, 0.002805847, 0.000459326, 6e-9, -2.9e-8, 0.000524926, 0.6781, 6.78e-7, -0.030842022, -0.006424998, 0.003104665, 0.000470877, 0.003043788, 3.1e-8, 6e-9, -0.000570228, 0.5, 0.0001405, 0.005701, 0.0158635, 0.001155304, 0.000872341, 0.000674042, 1.398e-6, -1.458e-6, -0.000298876]);
 /// Name, multiplications and additions of each function, sines and cosines apart (`DOF` pairs).
 pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("frames", 79, 64),
@@ -304,6 +305,51 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("potential_energy_regressor", 40, 19),
     ("payload_regressor", 426, 284),
 ];
+
+/// Which inverse the arm has.
+pub const IK_CLASS: &str = "srs";
+/// What in its geometry makes it so.
+pub const IK_REASON: &str = "nearly: axes 1-3 meet in a shoulder, 5-7 in a wrist, and axis 4 meets both upper and lower arm: by swivel angle; closed form of that nominal arm, each branch refined by Newton's steps";
+/// Lines of the joints at `q = 0` in base axes, m, and how the arm is taken apart.
+pub const IK: ik::Arm<DOF> = ik::Arm {
+    axes: [
+        ik::Axis { slides: false, h: [0.0, 0.0, -1.0], c: [0.0, 0.0, 0.28481] },
+        ik::Axis { slides: false, h: [0.0, 1.0, 0.0], c: [0.0, -0.01175, 0.28481] },
+        ik::Axis { slides: false, h: [0.0, 0.0, -1.0], c: [0.0, -0.01175, 0.70557] },
+        ik::Axis { slides: false, h: [0.0, 1.0, 0.0], c: [0.0, -0.0245, 0.70557] },
+        ik::Axis { slides: false, h: [0.0, 0.0, -1.0], c: [0.0, -0.0245, 1.01993] },
+        ik::Axis { slides: false, h: [0.0, 1.0, 0.0], c: [0.0, -0.02485, 1.01993] },
+        ik::Axis { slides: false, h: [0.0, 0.0, -1.0], c: [0.0, -0.02485, 1.187385] },
+    ],
+    home: ik::Displacement { rotation: [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]], shift: [0.0, -0.02485, 1.187385] },
+    limits: POSITION_LIMITS,
+    exact: false,
+    family: ik::Family::Swivel(ik::Swivel {
+        axes: [
+        ik::Axis { slides: false, h: [0.0, 0.0, -1.0], c: [0.0, -0.005875, 0.28481] },
+        ik::Axis { slides: false, h: [0.0, 1.0, 0.0], c: [0.0, -0.005875, 0.28481] },
+        ik::Axis { slides: false, h: [-0.0, 0.029101653200527617, -0.9995764571962448], c: [0.0, -0.005875, 0.28481] },
+        ik::Axis { slides: false, h: [0.0, 0.9995764571962447, 0.029101653200527617], c: [0.0, -0.018125000000000002, 0.70557] },
+        ik::Axis { slides: false, h: [-0.0, 0.020831462845291086, -0.9997830015336955], c: [0.0, -0.024675000000000002, 1.01993] },
+        ik::Axis { slides: false, h: [0.0, 1.0, 0.0], c: [0.0, -0.024675000000000002, 1.01993] },
+        ik::Axis { slides: false, h: [0.0, 0.0, -1.0], c: [0.0, -0.024675000000000002, 1.01993] },
+        ],
+        shoulder: [0.0, -0.005875, 0.28481],
+        elbow: [0.0, -0.018125000000000002, 0.70557],
+        wrist: [0.0, -0.024675000000000002, 1.01993],
+    }),
+};
+
+/// Every posture that brings the last DH frame to a pose: the top three rows of `T(0, n)`, m.
+///
+/// Nearly: axes 1-3 meet in a shoulder, 5-7 in a wrist, and axis 4 meets both upper and lower arm: by swivel angle; closed form of that nominal arm, each branch refined by Newton's steps. `query.redundancy` is the swivel angle, rad.
+///
+/// # Errors
+/// If an entry is not finite, or the rotation is none.
+#[inline]
+pub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {
+    IK.solve(pose, query)
+}
 
 /// A configuration with the sines and cosines that all kernels share: make it once per state.
 #[derive(Clone, Copy, Debug, PartialEq)]

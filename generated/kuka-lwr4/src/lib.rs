@@ -1,6 +1,6 @@
 //! Closed-form kinematics and dynamics of `kuka-lwr4`: 7 degrees of freedom, 57 base parameters.
 //!
-//! Written by denavit 0.1.0 from the robot file with digest 30b06f7769f64200; do not edit, run `denavit generate` again.
+//! Written by denavit 0.1.0 from the robot file with digest f8d57707902fc852; do not edit, run `denavit generate` again.
 //!
 //! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Nothing is allocated; nothing but `core` is used.
 //! Kernels ([`kernel`]) take sines and cosines ([`Trig`]); the functions here take `q`.
@@ -34,6 +34,7 @@
 #[cfg(test)]
 extern crate std;
 
+pub mod ik;
 pub mod kernel;
 pub mod runtime;
 #[cfg(test)]
@@ -369,6 +370,51 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("potential_energy_regressor", 34, 14),
     ("payload_regressor", 349, 221),
 ];
+
+/// Which inverse the arm has.
+pub const IK_CLASS: &str = "srs";
+/// What in its geometry makes it so.
+pub const IK_REASON: &str = "axes 1-3 meet in a shoulder, 5-7 in a wrist, and axis 4 meets both upper and lower arm: by swivel angle";
+/// Lines of the joints at `q = 0` in base axes, m, and how the arm is taken apart.
+pub const IK: ik::Arm<DOF> = ik::Arm {
+    axes: [
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 0.3105] },
+        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [0.0, 0.0, 0.3105] },
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 0.7105] },
+        ik::Axis { slides: false, h: [0.0, 1.0, 0.0], c: [0.0, 0.0, 0.7105] },
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 1.1005] },
+        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [0.0, 0.0, 1.1005] },
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 1.1005] },
+    ],
+    home: ik::Displacement { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], shift: [0.0, 0.0, 1.1005] },
+    limits: POSITION_LIMITS,
+    exact: true,
+    family: ik::Family::Swivel(ik::Swivel {
+        axes: [
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 0.3105] },
+        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [0.0, 0.0, 0.3105] },
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 0.7105] },
+        ik::Axis { slides: false, h: [0.0, 1.0, 0.0], c: [0.0, 0.0, 0.7105] },
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 1.1005] },
+        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [0.0, 0.0, 1.1005] },
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 1.1005] },
+        ],
+        shoulder: [0.0, 0.0, 0.3105],
+        elbow: [0.0, 0.0, 0.7105],
+        wrist: [0.0, 0.0, 1.1005],
+    }),
+};
+
+/// Every posture that brings the last DH frame to a pose: the top three rows of `T(0, n)`, m.
+///
+/// Axes 1-3 meet in a shoulder, 5-7 in a wrist, and axis 4 meets both upper and lower arm: by swivel angle. `query.redundancy` is the swivel angle, rad.
+///
+/// # Errors
+/// If an entry is not finite, or the rotation is none.
+#[inline]
+pub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {
+    IK.solve(pose, query)
+}
 
 /// A configuration with the sines and cosines that all kernels share: make it once per state.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,5 +4,5 @@ mod pack;
 mod scalar;
 mod sincos;
 
-pub use pack::Pack;
+pub use pack::{Pack, square_root};
 pub use scalar::Scalar;

@@ -34,6 +34,7 @@
 #[cfg(test)]
 extern crate std;
 
+pub mod ik;
 pub mod kernel;
 pub mod runtime;
 #[cfg(test)]
@@ -160,6 +161,42 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("potential_energy_regressor", 9, 2),
     ("payload_regressor", 21, 15),
 ];
+
+/// Which inverse the arm has.
+pub const IK_CLASS: &str = "planar";
+/// What in its geometry makes it so.
+pub const IK_REASON: &str = "all turning axes are parallel, everything moves in one plane";
+/// Lines of the joints at `q = 0` in base axes, m, and how the arm is taken apart.
+pub const IK: ik::Arm<DOF> = ik::Arm {
+    axes: [
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 0.0] },
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.5, 0.0, 0.0] },
+    ],
+    home: ik::Displacement { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], shift: [0.5, 0.0, 0.0] },
+    limits: POSITION_LIMITS,
+    exact: true,
+    family: ik::Family::Plane(ik::Plane {
+        h: [0.0, 0.0, 1.0],
+        axes: [
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 0.0] },
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.5, 0.0, 0.0] },
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [1.0, 0.5, 0.0] },
+        ],
+        joints: [Some(0), Some(1), None],
+        lift: None,
+    }),
+};
+
+/// Every posture that brings the last DH frame to a pose: the top three rows of `T(0, n)`, m.
+///
+/// All turning axes are parallel, everything moves in one plane.
+///
+/// # Errors
+/// If an entry is not finite, or the rotation is none.
+#[inline]
+pub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {
+    IK.solve(pose, query)
+}
 
 /// A configuration with the sines and cosines that all kernels share: make it once per state.
 #[derive(Clone, Copy, Debug, PartialEq)]

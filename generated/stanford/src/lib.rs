@@ -34,6 +34,7 @@
 #[cfg(test)]
 extern crate std;
 
+pub mod ik;
 pub mod kernel;
 pub mod runtime;
 #[cfg(test)]
@@ -272,6 +273,49 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("potential_energy_regressor", 22, 12),
     ("payload_regressor", 245, 164),
 ];
+
+/// Which inverse the arm has.
+pub const IK_CLASS: &str = "stanford";
+/// What in its geometry makes it so.
+pub const IK_REASON: &str = "axes 4-6 meet in one point, joint 3 of the others slides, the first two meet";
+/// Lines of the joints at `q = 0` in base axes, m, and how the arm is taken apart.
+pub const IK: ik::Arm<DOF> = ik::Arm {
+    axes: [
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 0.412] },
+        ik::Axis { slides: false, h: [0.0, 1.0, 0.0], c: [0.0, 0.154, 0.412] },
+        ik::Axis { slides: true, h: [0.0, 0.0, 1.0], c: [0.0, 0.154, 0.412] },
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.154, 0.412] },
+        ik::Axis { slides: false, h: [1.0, 0.0, 0.0], c: [0.0, 0.154, 0.412] },
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.154, 0.675] },
+    ],
+    home: ik::Displacement { rotation: [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]], shift: [0.0, 0.154, 0.675] },
+    limits: POSITION_LIMITS,
+    exact: true,
+    family: ik::Family::Six(ik::Six {
+        axes: [
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 0.412] },
+        ik::Axis { slides: false, h: [0.0, 1.0, 0.0], c: [0.0, 0.154, 0.412] },
+        ik::Axis { slides: true, h: [0.0, 0.0, 1.0], c: [0.0, 0.154, 0.412] },
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.154, 0.412] },
+        ik::Axis { slides: false, h: [1.0, 0.0, 0.0], c: [0.0, 0.154, 0.412] },
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.154, 0.675] },
+        ],
+        joints: [Some(0), Some(1), Some(2), Some(3), Some(4), Some(5)],
+        reversed: false,
+        method: ik::Method::Wrist { center: [0.0, 0.154, 0.412], regional: ik::Regional::Meet { mirrored: false, at: [0.0, 0.0, 0.412] } },
+    }),
+};
+
+/// Every posture that brings the last DH frame to a pose: the top three rows of `T(0, n)`, m.
+///
+/// Axes 4-6 meet in one point, joint 3 of the others slides, the first two meet.
+///
+/// # Errors
+/// If an entry is not finite, or the rotation is none.
+#[inline]
+pub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {
+    IK.solve(pose, query)
+}
 
 /// A configuration with the sines and cosines that all kernels share: make it once per state.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! Closed-form kinematics and dynamics of `ur10e`: 6 degrees of freedom, 36 base parameters.
 //!
-//! Written by denavit 0.1.0 from the robot file with digest bb7cec90929ef43f; do not edit, run `denavit generate` again.
+//! Written by denavit 0.1.0 from the robot file with digest cb7182a994aa7cfa; do not edit, run `denavit generate` again.
 //!
 //! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Nothing is allocated; nothing but `core` is used.
 //! Kernels ([`kernel`]) take sines and cosines ([`Trig`]); the functions here take `q`.
@@ -34,6 +34,7 @@
 #[cfg(test)]
 extern crate std;
 
+pub mod ik;
 pub mod kernel;
 pub mod runtime;
 #[cfg(test)]
@@ -290,6 +291,49 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("potential_energy_regressor", 32, 12),
     ("payload_regressor", 270, 190),
 ];
+
+/// Which inverse the arm has.
+pub const IK_CLASS: &str = "6r-three-parallel";
+/// What in its geometry makes it so.
+pub const IK_REASON: &str = "axes 2-4 are parallel, and the two at their end meet";
+/// Lines of the joints at `q = 0` in base axes, m, and how the arm is taken apart.
+pub const IK: ik::Arm<DOF> = ik::Arm {
+    axes: [
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 0.1807] },
+        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [0.0, 0.0, 0.1807] },
+        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [-0.6127, 0.0, 0.1807] },
+        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [-1.18425, -0.17415, 0.1807] },
+        ik::Axis { slides: false, h: [0.0, 0.0, -1.0], c: [-1.18425, -0.17415, 0.06085] },
+        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [-1.18425, -0.2907, 0.06085] },
+    ],
+    home: ik::Displacement { rotation: [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]], shift: [-1.18425, -0.2907, 0.06085] },
+    limits: POSITION_LIMITS,
+    exact: true,
+    family: ik::Family::Six(ik::Six {
+        axes: [
+        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 0.1807] },
+        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [0.0, 0.0, 0.1807] },
+        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [-0.6127, 0.0, 0.1807] },
+        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [-1.18425, -0.17415, 0.1807] },
+        ik::Axis { slides: false, h: [0.0, 0.0, -1.0], c: [-1.18425, -0.17415, 0.06085] },
+        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [-1.18425, -0.2907, 0.06085] },
+        ],
+        joints: [Some(0), Some(1), Some(2), Some(3), Some(4), Some(5)],
+        reversed: false,
+        method: ik::Method::ThreeParallel { meet: Some([-1.18425, -0.17415, 0.06085]) },
+    }),
+};
+
+/// Every posture that brings the last DH frame to a pose: the top three rows of `T(0, n)`, m.
+///
+/// Axes 2-4 are parallel, and the two at their end meet.
+///
+/// # Errors
+/// If an entry is not finite, or the rotation is none.
+#[inline]
+pub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {
+    IK.solve(pose, query)
+}
 
 /// A configuration with the sines and cosines that all kernels share: make it once per state.
 #[derive(Clone, Copy, Debug, PartialEq)]

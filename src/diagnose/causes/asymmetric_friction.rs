@@ -21,7 +21,7 @@ impl Cause for AsymmetricFriction {
         if !moves(scene, j) {
             return Vec::new();
         }
-        vec![Term::new("FVA", "N m s/rad", scene.pointwise(j, |o, k| o.v[k].abs()), Sign::Any)]
+        vec![Term::new("FVA", scene.pointwise(j, |o, k| o.v[k].abs()), Sign::Any)]
     }
 
     fn says(&self) -> &'static str {

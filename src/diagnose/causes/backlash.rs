@@ -35,7 +35,7 @@ impl Cause for Backlash {
             return Vec::new();
         }
         let gap: Vec<f64> = torque.iter().map(|t| -0.5 * (t / (shape[1] * rms)).tanh()).collect();
-        vec![Term::new("BL", "rad", scene.column(scene.shifted(j, &gap, shape[0])), Sign::Positive)]
+        vec![Term::new("BL", scene.column(scene.shifted(j, &gap, shape[0])), Sign::Positive)]
     }
 
     fn secant(&self) -> bool {

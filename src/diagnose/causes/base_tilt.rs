@@ -28,7 +28,7 @@ impl Cause for BaseTilt {
             .into_iter()
             .filter_map(|(symbol, roll, pitch)| {
                 let column = scene.column(scene.changed(&Change::Base { roll, pitch }, standard, step));
-                (!column.rows.is_empty()).then(|| Term::new(symbol, "rad", column, Sign::Any))
+                (!column.rows.is_empty()).then(|| Term::new(symbol, column, Sign::Any))
             })
             .collect()
     }

@@ -29,7 +29,7 @@ impl Cause for EncoderOffset {
         if column.rows.is_empty() {
             return Vec::new();
         }
-        vec![Term::new("QO", "rad", column, Sign::Any)]
+        vec![Term::new("QO", column, Sign::Any)]
     }
 
     fn secant(&self) -> bool {

@@ -7,7 +7,7 @@ use super::{Cause, Kind, Shape, Sign, Term};
 /// `base` 1, in those of the base.
 pub struct ExternalContact;
 
-const SYMBOLS: [(&str, &str); 6] = [("fx", "N"), ("fy", "N"), ("fz", "N"), ("mx", "N m"), ("my", "N m"), ("mz", "N m")];
+const SYMBOLS: [&str; 6] = ["fx", "fy", "fz", "mx", "my", "mz"];
 
 impl Cause for ExternalContact {
     fn name(&self) -> &'static str {
@@ -77,7 +77,7 @@ impl Cause for ExternalContact {
         SYMBOLS
             .iter()
             .enumerate()
-            .filter_map(|(c, (symbol, name))| {
+            .filter_map(|(c, symbol)| {
                 let rows = (0..dof)
                     .map(|j| {
                         let mut row = vec![0.0; scene.len];
@@ -88,7 +88,7 @@ impl Cause for ExternalContact {
                     })
                     .collect();
                 let column: Column = scene.column(rows);
-                (!column.rows.is_empty()).then(|| Term::new(*symbol, name, column, Sign::Any))
+                (!column.rows.is_empty()).then(|| Term::new(*symbol, column, Sign::Any))
             })
             .collect()
     }

@@ -50,14 +50,14 @@ impl Cause for FrictionDrift {
             let Some((mean, _)) = Self::temperature(scene, j) else { return Vec::new() };
             let warm = |k: usize, o: &super::super::scene::Own| o.temperature[k] - mean;
             return vec![
-                Term::new("DCK", "N m/K", scene.pointwise(j, |o, k| o.sign[k] * warm(k, o)), Sign::Any),
-                Term::new("DVK", "N m s/rad/K", scene.pointwise(j, |o, k| o.v[k] * warm(k, o)), Sign::Any),
+                Term::new("DCK", scene.pointwise(j, |o, k| o.sign[k] * warm(k, o)), Sign::Any),
+                Term::new("DVK", scene.pointwise(j, |o, k| o.v[k] * warm(k, o)), Sign::Any),
             ];
         }
         let fade = |t: f64| (-t / shape[0]).exp();
         vec![
-            Term::new("DC", "N m", scene.pointwise(j, |o, k| o.sign[k] * fade(o.t[k])), Sign::Any),
-            Term::new("DV", "N m s/rad", scene.pointwise(j, |o, k| o.v[k] * fade(o.t[k])), Sign::Any),
+            Term::new("DC", scene.pointwise(j, |o, k| o.sign[k] * fade(o.t[k])), Sign::Any),
+            Term::new("DV", scene.pointwise(j, |o, k| o.v[k] * fade(o.t[k])), Sign::Any),
         ]
     }
 

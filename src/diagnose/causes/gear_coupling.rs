@@ -59,14 +59,9 @@ impl Cause for GearCoupling {
         let dead = scene.dead[m].max(scene.dead[k]);
         let sign = |i: usize, s: usize| if sum(i, s).abs() > dead { sum(i, s).signum() } else { 0.0 };
         vec![
-            Term::new("IAM", "kg m^2", both(&|i, s| ratio * own_m[i].a[s], &|i, s| ratio * own_k[i].a[s]), Sign::Any),
-            Term::new(
-                "FVM",
-                "N m s/rad",
-                both(&|i, s| ratio * own_m[i].v[s], &|i, s| ratio * own_k[i].v[s]),
-                Sign::Any,
-            ),
-            Term::new("FCM", "N m", both(&|i, s| ratio * sign(i, s), &|i, s| sign(i, s)), Sign::Any),
+            Term::new("IAM", both(&|i, s| ratio * own_m[i].a[s], &|i, s| ratio * own_k[i].a[s]), Sign::Any),
+            Term::new("FVM", both(&|i, s| ratio * own_m[i].v[s], &|i, s| ratio * own_k[i].v[s]), Sign::Any),
+            Term::new("FCM", both(&|i, s| ratio * sign(i, s), &|i, s| sign(i, s)), Sign::Any),
         ]
     }
 

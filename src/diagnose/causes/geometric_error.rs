@@ -39,7 +39,7 @@ impl Cause for GeometricError {
         if column.rows.is_empty() {
             return Vec::new();
         }
-        vec![Term::new(WHICH[which].0, WHICH[which].1, column, Sign::Any)]
+        vec![Term::new(WHICH[which].0, column, Sign::Any)]
     }
 
     fn secant(&self) -> bool {

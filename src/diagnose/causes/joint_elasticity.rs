@@ -30,7 +30,7 @@ impl Cause for JointElasticity {
             return Vec::new();
         }
         let column = scene.column(scene.shifted(j, &wound, shape[0]));
-        vec![Term::new("CE", "rad/N m", column, Sign::Positive)]
+        vec![Term::new("CE", column, Sign::Positive)]
     }
 
     fn secant(&self) -> bool {

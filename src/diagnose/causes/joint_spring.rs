@@ -20,7 +20,7 @@ impl Cause for JointSpring {
         if !moves(scene, j) {
             return Vec::new();
         }
-        vec![Term::new("KS", "N m/rad", scene.pointwise(j, |o, k| o.q[k]), Sign::Any)]
+        vec![Term::new("KS", scene.pointwise(j, |o, k| o.q[k]), Sign::Any)]
     }
 
     fn says(&self) -> &'static str {

@@ -20,7 +20,7 @@ impl Cause for LoadDependentFriction {
         if !moves(scene, j) {
             return Vec::new();
         }
-        vec![Term::new("FL", "", scene.pointwise(j, |o, k| o.sign[k] * o.load[k].abs()), Sign::Positive)]
+        vec![Term::new("FL", scene.pointwise(j, |o, k| o.sign[k] * o.load[k].abs()), Sign::Positive)]
     }
 
     fn rests_on_model(&self) -> bool {

@@ -28,7 +28,7 @@ impl Cause for NonlinearViscousFriction {
         if !moves(scene, j) || (power - 1.0).abs() < 0.05 {
             return Vec::new();
         }
-        vec![Term::new("FN", "N m", scene.pointwise(j, |o, k| o.sign[k] * o.v[k].abs().powf(power)), Sign::Any)]
+        vec![Term::new("FN", scene.pointwise(j, |o, k| o.sign[k] * o.v[k].abs().powf(power)), Sign::Any)]
     }
 
     fn says(&self) -> &'static str {

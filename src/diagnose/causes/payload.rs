@@ -6,18 +6,7 @@ use super::{Cause, Kind, Sign, Term};
 /// The ten parameters of a body in the last frame.
 pub struct Payload;
 
-const SYMBOLS: [(&str, &str); 10] = [
-    ("M", "kg"),
-    ("MSX", "kg m"),
-    ("MSY", "kg m"),
-    ("MSZ", "kg m"),
-    ("XX", "kg m^2"),
-    ("YY", "kg m^2"),
-    ("ZZ", "kg m^2"),
-    ("XY", "kg m^2"),
-    ("XZ", "kg m^2"),
-    ("YZ", "kg m^2"),
-];
+const SYMBOLS: [&str; 10] = ["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"];
 
 /// Columns of the ten parameters of a row's body, through the base parameters that they belong to.
 pub(super) fn body_terms(scene: &Scene<'_>, row: usize) -> Vec<Term> {
@@ -26,7 +15,7 @@ pub(super) fn body_terms(scene: &Scene<'_>, row: usize) -> Vec<Term> {
     SYMBOLS
         .iter()
         .enumerate()
-        .filter_map(|(k, (symbol, unit))| {
+        .filter_map(|(k, symbol)| {
             let standard = 10 * row + k;
             let factor: Vec<f64> = base
                 .iter()
@@ -43,7 +32,7 @@ pub(super) fn body_terms(scene: &Scene<'_>, row: usize) -> Vec<Term> {
                 })
                 .collect();
             let column: Column = scene.column(torques);
-            (!column.rows.is_empty()).then(|| Term::new(*symbol, unit, column, Sign::Any))
+            (!column.rows.is_empty()).then(|| Term::new(*symbol, column, Sign::Any))
         })
         .collect()
 }

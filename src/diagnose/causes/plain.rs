@@ -7,7 +7,6 @@ use super::{Cause, Kind, Sign, Term};
 pub struct Plain {
     name: &'static str,
     symbol: &'static str,
-    unit: &'static str,
     says: &'static str,
     shown_by: &'static str,
 }
@@ -16,7 +15,6 @@ pub struct Plain {
 pub static VISCOUS: Plain = Plain {
     name: "viscous_friction",
     symbol: "FV",
-    unit: "N m s/rad",
     says: "friction in proportion to speed that the given model lacks or has wrong",
     shown_by: "constant speeds of several sizes in both directions",
 };
@@ -25,7 +23,6 @@ pub static VISCOUS: Plain = Plain {
 pub static COULOMB: Plain = Plain {
     name: "coulomb_friction",
     symbol: "FC",
-    unit: "N m",
     says: "friction of constant size against the motion that the given model lacks or has wrong",
     shown_by: "slow motion in both directions through the same positions",
 };
@@ -34,7 +31,6 @@ pub static COULOMB: Plain = Plain {
 pub static OFFSET: Plain = Plain {
     name: "torque_offset",
     symbol: "TO",
-    unit: "N m",
     says: "a constant shift of the torque",
     shown_by: "the joint at rest in positions where gravity does not load it",
 };
@@ -58,7 +54,7 @@ impl Cause for Plain {
             "FC" => scene.pointwise(j, |o, k| o.sign[k]),
             _ => scene.pointwise(j, |_, _| 1.0),
         };
-        vec![Term::new(self.symbol, self.unit, column, Sign::Any)]
+        vec![Term::new(self.symbol, column, Sign::Any)]
     }
 
     fn says(&self) -> &'static str {

@@ -27,14 +27,14 @@ impl Cause for PositionDependentFriction {
     }
 
     fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
-        let j = place[0];
-        if !moves(scene, j) {
+        let (j, n) = (place[0], shape[0]);
+        let [low, high] = travel(scene, j);
+        if !moves(scene, j) || n * (high - low) < 2.0 {
             return Vec::new();
         }
-        let n = shape[0];
         vec![
-            Term::new("PC", "N m", scene.pointwise(j, |o, k| o.sign[k] * (n * o.q[k]).cos()), Sign::Any),
-            Term::new("PS", "N m", scene.pointwise(j, |o, k| o.sign[k] * (n * o.q[k]).sin()), Sign::Any),
+            Term::new("PC", scene.pointwise(j, |o, k| o.sign[k] * (n * o.q[k]).cos()), Sign::Any),
+            Term::new("PS", scene.pointwise(j, |o, k| o.sign[k] * (n * o.q[k]).sin()), Sign::Any),
         ]
     }
 

@@ -49,7 +49,7 @@ impl Cause for PreslidingHysteresis {
         if !moves(scene, j) || shape[0] > 0.2 * (high - low) {
             return Vec::new();
         }
-        vec![Term::new("HC", "N m", scene.own_column(j, |own| bristle(own, shape[0])), Sign::Positive)]
+        vec![Term::new("HC", scene.own_column(j, |own| bristle(own, shape[0])), Sign::Positive)]
     }
 
     fn says(&self) -> &'static str {

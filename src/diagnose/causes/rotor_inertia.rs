@@ -20,7 +20,7 @@ impl Cause for RotorInertia {
         if !moves(scene, j) {
             return Vec::new();
         }
-        vec![Term::new("IA", "kg m^2", scene.pointwise(j, |o, k| o.a[k]), Sign::Any)]
+        vec![Term::new("IA", scene.pointwise(j, |o, k| o.a[k]), Sign::Any)]
     }
 
     fn says(&self) -> &'static str {

@@ -36,7 +36,7 @@ impl Cause for StribeckFriction {
             return Vec::new();
         }
         let column = scene.pointwise(j, |o, k| o.sign[k] * (-(o.v[k].abs() / speed).powf(power)).exp());
-        vec![Term::new("FS", "N m", column, Sign::Positive)]
+        vec![Term::new("FS", column, Sign::Positive)]
     }
 
     fn says(&self) -> &'static str {

@@ -41,7 +41,7 @@ impl Cause for TimeDelay {
         if column.rows.is_empty() {
             return Vec::new();
         }
-        vec![Term::new("TD", "s", column, Sign::Any)]
+        vec![Term::new("TD", column, Sign::Any)]
     }
 
     fn secant(&self) -> bool {
@@ -49,6 +49,10 @@ impl Cause for TimeDelay {
     }
 
     fn rests_on_model(&self) -> bool {
+        true
+    }
+
+    fn rests_on_friction(&self) -> bool {
         true
     }
 

@@ -22,10 +22,14 @@ impl Cause for TorqueGainError {
         if series.iter().all(|t| *t == 0.0) {
             return Vec::new();
         }
-        vec![Term::new("GT", "", Column::on(j, series), Sign::Any)]
+        vec![Term::new("GT", Column::on(j, series), Sign::Any)]
     }
 
     fn rests_on_model(&self) -> bool {
+        true
+    }
+
+    fn rests_on_friction(&self) -> bool {
         true
     }
 

@@ -19,7 +19,7 @@ fn peaks(scene: &Scene<'_>, j: usize, residual: &[f64]) -> Vec<f64> {
     let typical = speeds.get(speeds.len() / 3).copied().unwrap_or(0.0).max(1e-3);
     let most = (2.0 / (typical * scene.step)).min(1200.0);
     let step = 0.7 / range;
-    let first = (2.0 * std::f64::consts::PI / range).max(1.0);
+    let first = (9.5 / range).max(1.0);
     let count = (((most - first) / step).max(0.0) as usize).min(6000);
     let power: Vec<f64> = (0..count)
         .map(|i| {
@@ -62,7 +62,7 @@ impl Cause for TorqueRipple {
         }
         let mut orders = peaks(scene, j, &residual[j]);
         let [low, high] = travel(scene, j);
-        let least = 4.0 / (high - low).max(0.05);
+        let least = 9.5 / (high - low).max(0.05);
         orders.extend([2.0, 3.0, 4.0, 6.0, 8.0].into_iter().filter(|n| *n >= least));
         if let Some(gear) = scene.plant.gear_ratios()[j] {
             orders.extend([1.0, 2.0, 3.0, 4.0, 6.0].map(|k| k * gear.abs()).into_iter().filter(|n| *n >= least));
@@ -72,12 +72,14 @@ impl Cause for TorqueRipple {
 
     fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
         let (j, n) = (place[0], shape[0]);
-        if !moves(scene, j) {
+        // Less than a period and a half in the travel is no ripple.
+        let [low, high] = travel(scene, j);
+        if !moves(scene, j) || n * (high - low) < 9.4 {
             return Vec::new();
         }
         vec![
-            Term::new("RC", "N m", scene.pointwise(j, |o, k| (n * o.q[k]).cos()), Sign::Any),
-            Term::new("RS", "N m", scene.pointwise(j, |o, k| (n * o.q[k]).sin()), Sign::Any),
+            Term::new("RC", scene.pointwise(j, |o, k| (n * o.q[k]).cos()), Sign::Any),
+            Term::new("RS", scene.pointwise(j, |o, k| (n * o.q[k]).sin()), Sign::Any),
         ]
     }
 

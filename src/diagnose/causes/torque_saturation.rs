@@ -34,10 +34,14 @@ impl Cause for TorqueSaturation {
         if series.iter().filter(|t| **t != 0.0).count() < 5 {
             return Vec::new();
         }
-        vec![Term::new("clip", "", Column::on(j, series), Sign::Positive)]
+        vec![Term::new("clip", Column::on(j, series), Sign::Positive)]
     }
 
     fn rests_on_model(&self) -> bool {
+        true
+    }
+
+    fn rests_on_friction(&self) -> bool {
         true
     }
 

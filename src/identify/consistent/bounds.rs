@@ -29,22 +29,22 @@ impl Bounds {
         }
         let ranges = self.mass.iter().map(|b| (b.0, b.1)).chain(self.center.iter().map(|b| (b.0, b.2)));
         for (link, [low, high]) in ranges {
-            if !(low < high) {
+            if low.is_nan() || high.is_nan() || low >= high {
                 return bad(format!("link {}: the least value, {low}, is not below the largest, {high}", link + 1));
             }
         }
         let (mut least, mut most) = (0.0, 0.0);
         for link in 0..links {
             let [low, high] = self.mass_of(link);
-            if !(low < high) {
+            if low.is_nan() || high.is_nan() || low >= high {
                 return bad(format!("link {}: bounds leave it no mass between {low} and {high} kg", link + 1));
             }
             (least, most) = (least + low, most + high);
         }
         match self.total_mass {
-            Some(total) if !(total > least && total < most && total.is_finite()) => {
-                bad(format!("a total of {total} kg can't be reached: the links' masses add up to between {least} and {most} kg"))
-            }
+            Some(total) if !(total > least && total < most && total.is_finite()) => bad(format!(
+                "a total of {total} kg can't be reached: the links' masses add up to between {least} and {most} kg"
+            )),
             _ => Ok(()),
         }
     }
@@ -74,7 +74,9 @@ impl Bounds {
                 if total > sum && (0..masses.len()).any(|l| bound(l).is_infinite()) {
                     let open: f64 = (0..masses.len()).filter(|&l| bound(l).is_infinite()).map(|l| masses[l]).sum();
                     let factor = 1.0 + (total - sum) / open;
-                    (0..masses.len()).map(|l| if bound(l).is_infinite() { masses[l] * factor } else { masses[l] }).collect()
+                    (0..masses.len())
+                        .map(|l| if bound(l).is_infinite() { masses[l] * factor } else { masses[l] })
+                        .collect()
                 } else {
                     let way: f64 = (0..masses.len()).map(|l| bound(l) - masses[l]).sum();
                     let share = if way == 0.0 { 0.0 } else { (total - sum) / way };
@@ -92,7 +94,9 @@ impl Bounds {
                 *body = placed(body, mass, center);
             }
             if !is_body(body) {
-                return Err(ConsistentError::Bounds { what: format!("link {}: no body could be placed inside", link + 1) });
+                return Err(ConsistentError::Bounds {
+                    what: format!("link {}: no body could be placed inside", link + 1),
+                });
             }
         }
         Ok(())

@@ -83,7 +83,10 @@ pub(super) fn by_cuts(problem: &Problem, tolerance: f64, rounds: usize) -> Resul
         let mut solver = DefaultSolver::new(&p, &q, &a, &b, &cones, settings).map_err(|e| format!("{e:?}"))?;
         solver.solve();
         let solution = &solver.solution;
-        if !matches!(solution.status, SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress) {
+        if !matches!(
+            solution.status,
+            SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress
+        ) {
             return Err(format!("clarabel: {:?} in round {round}", solution.status));
         }
         let v = solution.x[..n].to_vec();

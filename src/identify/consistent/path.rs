@@ -50,7 +50,7 @@ struct Single {
 
 /// Coordinates near the minimum of [`Problem::value`], and the steps taken.
 pub(super) fn near(problem: &Problem, start: &[f64], weights: Weights) -> Result<(DVector<f64>, usize), Stalled> {
-    const MOST: usize = 300;
+    const MOST: usize = 200;
     let n = problem.j.ncols();
     let mut v = DVector::from_column_slice(start);
     let floors: Vec<f64> = problem.links.iter().map(|l| weights.w * l.share).collect();
@@ -83,21 +83,37 @@ pub(super) fn near(problem: &Problem, start: &[f64], weights: Weights) -> Result
     }
     singles.iter_mut().for_each(|s| s.force = t / slack(s, &v).max(f64::MIN_POSITIVE));
 
-    let mut settled = 0;
+    let (mut settled, mut resets) = (0, 0);
     let mut last = 1.0_f64;
     for steps in 0..MOST {
         let now = t;
         let halt = move || Stalled { w: now, steps, decrement: f64::INFINITY };
         let mut sum = 0.0;
         let mut scaled = Vec::with_capacity(forces.len());
-        for (link, force) in problem.links.iter().zip(&forces) {
-            let cone = Scaled::new(&problem.inside(v.as_slice(), link.start), force).ok_or_else(halt)?;
+        for (link, force) in problem.links.iter().zip(&mut forces) {
+            let body = problem.inside(v.as_slice(), link.start);
+            let cone = match Scaled::new(&body, force) {
+                Some(cone) => cone,
+                // Rounding took the force out of its cone: one that balances the body takes its place.
+                None => {
+                    resets += 1;
+                    *force = body.cholesky().filter(|_| resets < 20).ok_or_else(halt)?.inverse() * t;
+                    Scaled::new(&body, force).ok_or_else(halt)?
+                }
+            };
             sum += cone.lambda.norm_squared();
             scaled.push(cone);
         }
         sum += singles.iter().map(|s| s.force * slack(s, &v)).sum::<f64>();
         // After a long step the target may fall fast; after a short one bodies and forces first go back to the middle.
-        t = (sum / degree) * if last > 0.9 { 0.1 } else if last > 0.5 { 0.4 } else { 0.9 };
+        t = (sum / degree)
+            * if last > 0.9 {
+                0.1
+            } else if last > 0.5 {
+                0.4
+            } else {
+                0.9
+            };
 
         let data = problem.j.nrows();
         let rows = data + 10 * scaled.len() + singles.len() + problem.free.len();
@@ -146,8 +162,19 @@ pub(super) fn near(problem: &Problem, start: &[f64], weights: Weights) -> Result
             length = shorten(x, d, shorten(s.force, force, length));
             single_changes.push(force);
         }
-        if !(length > 1e-12) {
-            return Err(halt());
+        if length.is_nan() || length <= 1e-6 {
+            // Stuck at the edge: forces that balance the bodies push away from it.
+            resets += 1;
+            if resets >= 20 {
+                return Err(halt());
+            }
+            t = (10.0 * t).max(sum / degree);
+            for (link, force) in problem.links.iter().zip(&mut forces) {
+                *force = problem.inside(v.as_slice(), link.start).cholesky().ok_or_else(halt)?.inverse() * t;
+            }
+            singles.iter_mut().for_each(|s| s.force = t / slack(s, &v).max(f64::MIN_POSITIVE));
+            last = 0.0;
+            continue;
         }
         v.axpy(length, &step, 1.0);
         for (force, change) in forces.iter_mut().zip(&changes) {
@@ -162,5 +189,6 @@ pub(super) fn near(problem: &Problem, start: &[f64], weights: Weights) -> Result
             return Ok((v, steps + 1));
         }
     }
-    Err(Stalled { w: t, steps: MOST, decrement: f64::INFINITY })
+    // Newton's method tells whether this is near enough.
+    Ok((v, MOST))
 }

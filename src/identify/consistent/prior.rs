@@ -60,9 +60,8 @@ pub fn prior_bodies(file: &[Option<[f64; 10]>], guesses: &[[f64; 10]]) -> Vec<Pr
         .enumerate()
         .map(|(link, guess)| {
             let known = file.get(link).copied().flatten().filter(|b| b[0] > 0.0);
-            let smallest = |body: &[f64; 10]| {
-                Yardstick::new(guess).map_or(0.0, |y| y.measure(body).symmetric_eigenvalues().min())
-            };
+            let smallest =
+                |body: &[f64; 10]| Yardstick::new(guess).map_or(0.0, |y| y.measure(body).symmetric_eigenvalues().min());
             match known {
                 Some(body) if smallest(&body) > 1e-6 && is_body(&body) => PriorBody { body, source: Source::File },
                 Some(body) if smallest(&body) > -1e-6 => {

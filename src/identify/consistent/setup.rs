@@ -184,24 +184,13 @@ impl Setup {
     pub(super) fn standard(&self, v: &[f64]) -> Vec<f64> {
         let mut x = self.offset.clone();
         for (link, (places, yardstick)) in self.layout.links.iter().zip(&self.yardsticks).enumerate() {
-            let body = yardstick.to_body * nalgebra::SVector::<f64, 10>::from_column_slice(&v[10 * link..10 * link + 10]);
+            let body =
+                yardstick.to_body * nalgebra::SVector::<f64, 10>::from_column_slice(&v[10 * link..10 * link + 10]);
             places.iter().zip(body.iter()).for_each(|(&i, b)| x[i] += b);
         }
         let rest = self.layout.positive.iter().chain(&self.layout.free);
         rest.zip(&v[10 * self.yardsticks.len()..]).for_each(|(&i, v)| x[i] += self.scales[i] * v);
         x
-    }
-
-    /// Coordinates of standard parameters.
-    pub(super) fn coordinates(&self, x: &[f64]) -> Vec<f64> {
-        let mut v = Vec::with_capacity(self.start.len());
-        for (places, yardstick) in self.layout.links.iter().zip(&self.yardsticks) {
-            let body: [f64; 10] = std::array::from_fn(|k| x[places[k]] - self.offset[places[k]]);
-            v.extend(super::pseudo::coordinates(&yardstick.measure(&body)).iter());
-        }
-        let rest = self.layout.positive.iter().chain(&self.layout.free);
-        v.extend(rest.map(|&i| x[i] / self.scales[i]));
-        v
     }
 
     /// Smallest eigenvalue of each link's body in units of its prior.

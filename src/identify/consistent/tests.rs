@@ -15,12 +15,17 @@ use crate::signal::Motion;
 
 /// A random robot with possible bodies, and its standard parameters.
 fn robot(seed: u64, rows: [usize; 2]) -> (Robot, Interpreted, Vec<f64>) {
+    of(seed, &Family { rows, tool: 0.0, upright: 1.0, ..Family::default() })
+}
+
+fn of(seed: u64, family: &Family) -> (Robot, Interpreted, Vec<f64>) {
     let mut random = Random::new(seed);
-    let family = Family { rows, tool: 0.0, upright: 1.0, ..Family::default() };
-    let mut robot = random.robot(&family);
+    let mut robot = random.robot(family);
     for joint in &mut robot.joints {
         // Friction and rotors as bodies: not negative.
-        for term in [&mut joint.drive.rotor_inertia, &mut joint.drive.viscous_friction, &mut joint.drive.coulomb_friction] {
+        for term in
+            [&mut joint.drive.rotor_inertia, &mut joint.drive.viscous_friction, &mut joint.drive.coulomb_friction]
+        {
             *term = term.map(f64::abs);
         }
     }
@@ -48,7 +53,8 @@ fn equations(arm: &Interpreted, truth: &[f64], states: usize, noise: f64, seed: 
         }
     }
     let beta = grouping(arm) * DVector::from_column_slice(truth);
-    let tau = &w * beta + DVector::from_fn(n * states, |_, _| noise * (random.even(1.0) + random.even(1.0) + random.even(1.0)));
+    let tau = &w * beta
+        + DVector::from_fn(n * states, |_, _| noise * (random.even(1.0) + random.even(1.0) + random.even(1.0)));
     // Of the equations their triangular factor, and one row for what no parameters remove.
     let mut all = w.insert_column(b, 0.0);
     all.set_column(b, &tau);
@@ -72,7 +78,10 @@ fn two_routes_agree() {
         let data = equations(&arm, &truth, 60, 30.0, seed);
         let prior = prior_bodies(&bodies(&truth, robot.joints.len()), &geometric_bodies(&arm.ends()));
         // Without bounds, what no torque shows could grow without end, and the sum of squares have no least value.
-        let bounds = Bounds { mass: (0..prior.len()).map(|l| (l, [0.3 * prior[l].body[0], 3.0 * prior[l].body[0]])).collect(), ..Bounds::default() };
+        let bounds = Bounds {
+            mass: (0..prior.len()).map(|l| (l, [0.3 * prior[l].body[0], 3.0 * prior[l].body[0]])).collect(),
+            ..Bounds::default()
+        };
         let settings = ConsistentSettings { bounds, ..ConsistentSettings::default() };
         let mut setup = Setup::new(&arm, &data, &prior, &truth, &settings).unwrap();
         for link in &setup.problem.links {
@@ -83,10 +92,223 @@ fn two_routes_agree() {
         let (v, steps) = setup.problem.follow(&setup.start, weights).unwrap();
         let (cut, rounds) = cuts::by_cuts(&setup.problem, 1e-9, 60).unwrap();
         let (upper, lower) = (setup.problem.misfit(&v), setup.problem.misfit(&cut));
-        println!("{seed}: {upper} {lower} {:.2e} in {rounds} rounds, {steps} steps, plain {}", upper / lower - 1.0, floor(&data));
+        println!(
+            "{seed}: {upper} {lower} {:.2e} in {rounds} rounds, {steps} steps, plain {}",
+            upper / lower - 1.0,
+            floor(&data)
+        );
         assert!((upper - lower).abs() < 1e-9 * upper, "seed {seed}: {upper} {lower}");
         tight += usize::from(upper > floor(&data) + 0.1);
     }
     assert!(tight >= 6, "the cones matter in {tight} cases only");
 }
 
+/// A motion of some sines with the robot's torque, white noise on it.
+fn motion(arm: &Interpreted, truth: &[f64], seconds: f64, noise: f64, seed: u64) -> Motion {
+    let (rate, n) = (200.0, arm.dof());
+    let len = (seconds * rate) as usize;
+    let mut random = Random::new(seed);
+    let mut states = States { len, ..States::default() };
+    let terms: Vec<Vec<[f64; 3]>> =
+        (0..n).map(|_| (1..=4).map(|k| [random.even(0.5), 1.3 * f64::from(k), random.even(3.0)]).collect()).collect();
+    let sum = |j: usize, s: usize, g: &dyn Fn(f64, f64, f64) -> f64| -> f64 {
+        terms[j].iter().map(|&[a, w, p]| g(a, w, w * s as f64 / rate + p)).sum()
+    };
+    for j in 0..n {
+        states.q.extend((0..len).map(|s| sum(j, s, &|a, _, x| a * x.sin())));
+        states.dq.extend((0..len).map(|s| sum(j, s, &|a, w, x| a * w * x.cos())));
+        states.ddq.extend((0..len).map(|s| sum(j, s, &|a, w, x| -a * w * w * x.sin())));
+    }
+    let mut tau = vec![0.0; n * len];
+    arm.inverse_dynamics(&states, truth, &mut tau);
+    tau.iter_mut().for_each(|t| *t += noise * (random.even(1.0) + random.even(1.0) + random.even(1.0)));
+    Motion {
+        period: rate.recip(),
+        states,
+        tau,
+        core: 0..len,
+        stride: 1,
+        velocity_noise: vec![0.0; n],
+        ..Motion::default()
+    }
+}
+
+fn factors(arm: &Interpreted, motion: &Motion) -> Factors {
+    let mut stack = Stack::new("test", arm, StackSettings::default());
+    stack.absorb(motion);
+    stack.finish()
+}
+
+#[test]
+fn random_arms_get_possible_bodies_and_the_plain_ones_where_these_are_possible() {
+    let (mut inside, mut outside) = (0, 0);
+    for seed in 0..12 {
+        let (robot, arm, truth) = robot(300 + seed, [1, 6]);
+        let (noise, seconds) = if seed % 2 == 0 { (5e-3, 10.0) } else { (5.0, 2.0) };
+        let logs = [factors(&arm, &motion(&arm, &truth, seconds, noise, seed))];
+        let found = solve(&arm, &logs, &[], &IdentifySettings::default()).unwrap();
+        let guesses = geometric_bodies(&arm.ends());
+        let drives = vec![0.0; truth.len()];
+        for prior in [prior_bodies(&bodies(&truth, robot.joints.len()), &guesses), prior_bodies(&[], &guesses)] {
+            let result = consistent(&arm, &logs, &[], &found, &prior, &drives, &ConsistentSettings::default()).unwrap();
+            for link in 0..robot.joints.len() {
+                let body: [f64; 10] = result.standard[10 * link..10 * link + 10].try_into().unwrap();
+                assert!(pseudo::is_body(&body), "seed {seed}: {body:?}");
+                assert!(result.margins[link] > result.margin);
+            }
+            for (name, value) in arm.standard_names().iter().zip(&result.standard) {
+                let signed = ["IA", "FV", "FC"].iter().any(|kind| name.starts_with(kind));
+                assert!(!signed || *value > 0.0, "{name} {value}");
+            }
+            // Where possibility costs nothing, the parameters are the plain ones, but for what noise and prior share.
+            if result.possible.growth_percent < 1e-3 {
+                inside += 1;
+                for (p, q) in found.parameters.iter().zip(&result.base) {
+                    assert!(
+                        (p.value - q).abs() < 2.0 * p.std + 1e-9,
+                        "seed {seed} {}: {} {q} ± {}",
+                        p.name,
+                        p.value,
+                        p.std
+                    );
+                }
+            } else {
+                outside += 1;
+            }
+        }
+    }
+    assert!(inside >= 8 && outside >= 4, "{inside} inside, {outside} outside");
+}
+
+#[test]
+fn torques_of_no_body_are_refused() {
+    let (robot, arm, truth) = robot(305, [3, 3]);
+    let mut motion = motion(&arm, &truth, 10.0, 0.01, 1);
+    motion.tau.iter_mut().for_each(|t| *t = -*t);
+    let logs = [factors(&arm, &motion)];
+    let found = solve(&arm, &logs, &[], &IdentifySettings::default()).unwrap();
+    let prior = prior_bodies(&bodies(&truth, robot.joints.len()), &geometric_bodies(&arm.ends()));
+    let drives = vec![0.0; truth.len()];
+    let error = consistent(&arm, &logs, &[], &found, &prior, &drives, &ConsistentSettings::default()).unwrap_err();
+    assert!(
+        matches!(error, ConsistentError::Contradiction { growth_percent, .. } if growth_percent > 100.0),
+        "{error}"
+    );
+    assert!(error.to_string().contains("wrong sign"));
+}
+
+#[test]
+fn the_prior_pulls_as_it_weighs_and_bounds_hold() {
+    // Of turning joints: sliding ones would weigh the links.
+    let turning = Family { rows: [4, 4], prismatic: 0.0, fixed: 0.0, tool: 0.0, upright: 1.0, ..Family::default() };
+    let (robot, arm, truth) = of(41, &turning);
+    let logs = [factors(&arm, &motion(&arm, &truth, 2.0, 1.0, 3))];
+    let found = solve(&arm, &logs, &[], &IdentifySettings::default()).unwrap();
+    let links = robot.joints.len();
+    let prior = prior_bodies(&bodies(&truth, links), &geometric_bodies(&arm.ends()));
+    let drives = vec![0.0; truth.len()];
+    let fit = |settings: &ConsistentSettings| consistent(&arm, &logs, &[], &found, &prior, &drives, settings).unwrap();
+    let (mut distance, mut growth) = (f64::INFINITY, -1.0);
+    for weight in [1e-2, 1.0, 1e2, 1e4, 1e8] {
+        let result = fit(&ConsistentSettings { prior_weight: weight, ..ConsistentSettings::default() });
+        let now: f64 = result.distances.iter().sum();
+        assert!(now <= distance && result.cost.growth_percent >= growth, "{weight}: {now} {distance}");
+        (distance, growth) = (now, result.cost.growth_percent);
+    }
+    assert!(distance < 1e-6, "{distance}");
+
+    let total: f64 = 1.2 * (0..links).map(|l| truth[10 * l]).sum::<f64>();
+    let bounds = Bounds { mass: vec![(0, [0.1, 40.0])], center: vec![(0, 0, [0.01, 0.02])], total_mass: Some(total) };
+    let settings = ConsistentSettings { bounds, ..ConsistentSettings::default() };
+    let result = fit(&settings);
+    assert!((result.total_mass / total - 1.0).abs() < 1e-9);
+    let center = result.standard[1] / result.standard[0];
+    assert!((0.01..0.02).contains(&center), "{center}");
+    assert_eq!(result, fit(&settings), "the same every time");
+}
+
+#[test]
+fn base_parameters_of_possible_bodies_are_reproduced() {
+    for seed in 0..6 {
+        let (robot, arm, truth) = robot(500 + seed, [2, 7]);
+        let base = base_of(&arm, &truth);
+        let prior = prior_bodies(&[], &geometric_bodies(&arm.ends()));
+        let result = possible_bodies(&arm, &base, &prior, &truth, &ConsistentSettings::default()).unwrap();
+        assert!(result.worst < 1e-5, "seed {seed}: {}", result.worst);
+        assert!(result.margins.iter().all(|m| *m > 1e-3) && result.margins.len() == robot.joints.len());
+        let mut none = base.clone();
+        let heaviest = arm.base_parameters().iter().position(|b| b.name.starts_with("ZZ")).unwrap();
+        none[heaviest] = -1.0;
+        // Impossible: the nearest, or a halt; never said to be met.
+        match possible_bodies(&arm, &none, &prior, &truth, &ConsistentSettings::default()) {
+            Ok(result) => assert!(!result.exact && result.residual[heaviest] > 0.5, "{:?}", result.residual),
+            Err(error) => assert!(matches!(error, ConsistentError::Stalled(_)), "{error}"),
+        }
+    }
+}
+
+fn file(name: &str) -> (Robot, Interpreted) {
+    let text = std::fs::read_to_string(format!("robots/{name}.yaml")).unwrap();
+    let robot = Robot::from_yaml(&text, &|name| Err(format!("no {name}"))).unwrap().robot;
+    let arm = Interpreted::new(&robot, &[]);
+    (robot, arm)
+}
+
+/// The LWR's links are bodies, and so are the published base parameters: others reproduce them from a mere guess.
+#[test]
+fn the_published_lwr_is_possible() {
+    let (robot, arm) = file("kuka-lwr4");
+    let standard = param::standard_values(&robot).unwrap();
+    let known = bodies(&standard, 7);
+    for body in known.iter().flatten() {
+        assert!(pseudo::is_body(body), "{body:?}");
+    }
+    let base = base_of(&arm, &standard);
+    for prior in
+        [prior_bodies(&known, &geometric_bodies(&arm.ends())), prior_bodies(&[], &geometric_bodies(&arm.ends()))]
+    {
+        let result = possible_bodies(&arm, &base, &prior, &standard, &ConsistentSettings::default()).unwrap();
+        println!("worst {:.2e} exact {} margins {:?}", result.worst, result.exact, result.margins);
+        assert!(result.worst < 1e-4, "{}", result.worst);
+    }
+}
+
+/// A short, badly exciting log: the plain fit is worthless elsewhere and is announced as such; possible bodies with the vendor's prior carry over.
+#[test]
+fn a_poor_log_carries_over_with_a_prior() {
+    use crate::{
+        log,
+        signal::{Prepare, each_motion},
+    };
+    let folder = "../shared/data/kinova-gen3";
+    let Ok(fit) = std::fs::File::open(format!("{folder}/optitraj1.csv")) else { return };
+    let (_, arm) = file("kinova-gen3");
+    let (robot, _) = file("kinova-gen3");
+    let prepare = Prepare { keep: log::Keep::all(), ..Prepare::default() };
+    let stack = |file: std::fs::File| {
+        let mut stack = Stack::new("gen3", &arm, StackSettings::default());
+        let mut source = log::open("gen3.csv", std::io::BufReader::new(file)).unwrap();
+        each_motion(&mut *source, 7, &prepare, |m| stack.absorb(m)).unwrap();
+        stack.finish()
+    };
+    let fit = [stack(fit)];
+    let validate = [stack(std::fs::File::open(format!("{folder}/sync7_run.csv")).unwrap())];
+    let standard = param::standard_values(&robot).unwrap();
+    let found = solve(&arm, &fit, &validate, &IdentifySettings { prior: Some(standard.clone()), ..Default::default() })
+        .unwrap();
+    let carry = crate::identify::carry_over(&arm, &arm, &found);
+    assert!(carry.doubtful().len() >= 4, "{carry:?}");
+    let prior = prior_bodies(&bodies(&standard, 7), &geometric_bodies(&arm.ends()));
+    let settings = ConsistentSettings { most_cost_percent: 100.0, ..ConsistentSettings::default() };
+    let result = consistent(&arm, &fit, &validate, &found, &prior, &vec![0.0; standard.len()], &settings).unwrap();
+    let (plain, bodies) = (found.validation.unwrap(), result.cost.validation.unwrap());
+    for joint in 1..7 {
+        assert!(
+            bodies.rms[joint] < 0.7 * plain.rms[joint],
+            "joint {}: {} {}",
+            joint + 1,
+            bodies.rms[joint],
+            plain.rms[joint]
+        );
+    }
+}

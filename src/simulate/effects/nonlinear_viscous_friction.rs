@@ -23,4 +23,10 @@ impl NonlinearViscousFriction {
     pub fn slope(&self, v: f64) -> f64 {
         self.level * libm::pow(v * v + ROUNDED * ROUNDED, 0.5 * (self.exponent - 1.0))
     }
+
+    /// Derivative of the law by `v`.
+    pub fn derivative(&self, v: f64) -> f64 {
+        let square = v * v + ROUNDED * ROUNDED;
+        self.slope(v) * (self.exponent * v * v + ROUNDED * ROUNDED) / square
+    }
 }

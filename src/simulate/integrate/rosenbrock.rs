@@ -4,7 +4,7 @@
 //! mass matrix.
 
 use super::super::cholesky;
-use super::{Breakdown, Linear, Pace, System, norm};
+use super::{Breakdown, Linear, LinearBristle, Pace, System, norm};
 
 const GAMMA: f64 = 4.358_665_215_084_59e-1;
 const ALPHA: [[f64; 3]; 4] = [
@@ -75,15 +75,16 @@ impl Rosenbrock {
         self.matrix.extend(
             (0..n * n).map(|i| self.linear.mass[i] + hg * self.linear.damping[i] + hg * hg * self.linear.stiffness[i]),
         );
-        for (along, [c, a, b]) in &self.linear.bristles {
+        for &LinearBristle { along, c, a, b } in &self.linear.bristles {
             let weight = hg * hg * c * a / (1.0 - hg * b);
-            for &(i, fi) in along {
-                for &(k, fk) in along {
+            for (i, fi) in along {
+                for (k, fk) in along {
                     self.matrix[i * n + k] += weight * fi * fk;
                 }
             }
         }
-        cholesky::factor(n, &mut self.matrix).map_err(|joint| Breakdown::Mass { joint: joint + 1, time: t })?;
+        // The mass matrix passed already: what is added to it is out of bounds.
+        cholesky::factor(n, &mut self.matrix).map_err(|_| Breakdown::Step { time: t, step: h })?;
         for i in 0..4 {
             self.stage.copy_from_slice(y);
             self.sum.fill(0.0);
@@ -121,11 +122,11 @@ impl Rosenbrock {
             }
             self.right.push(value);
         }
-        for (b, (along, [c, rate_v, rate_z])) in bristles.iter().enumerate() {
+        for (b, &LinearBristle { along, c, a: rate_v, b: rate_z }) in bristles.iter().enumerate() {
             let z = 2 * n + b;
             let s_v: f64 = along.iter().map(|&(k, factor)| factor * s[n + k]).sum();
             let known = h * (f[z] + rate_v * s_v + rate_z * s[z]) / (1.0 - hg * rate_z);
-            for &(k, factor) in along {
+            for (k, factor) in along {
                 self.right[k] -= factor * c * (h * s[z] + hg * known);
             }
         }
@@ -135,7 +136,7 @@ impl Rosenbrock {
             k[n + c] = self.right[c];
             k[c] = h * (f[c] + s[n + c]) + hg * self.right[c];
         }
-        for (b, (along, [_, rate_v, rate_z])) in bristles.iter().enumerate() {
+        for (b, &LinearBristle { along, a: rate_v, b: rate_z, .. }) in bristles.iter().enumerate() {
             let z = 2 * n + b;
             let s_v: f64 = along.iter().map(|&(k, factor)| factor * s[n + k]).sum();
             let k_v: f64 = along.iter().map(|&(c, factor)| factor * self.right[c]).sum();

@@ -2,7 +2,7 @@
 
 use super::super::integrate::dormand_prince::DormandPrince;
 use super::super::integrate::rosenbrock::Rosenbrock;
-use super::super::integrate::{Breakdown, Linear, Method, Pace, Solver, System};
+use super::super::integrate::{Breakdown, Linear, LinearBristle, Method, Pace, Solver, System};
 
 /// A pendulum that is pushed and damped, with a bristle; how much of its Jacobian is told.
 struct Pendulum {
@@ -25,8 +25,8 @@ impl System for Pendulum {
         linear.mass = vec![2.0];
         linear.stiffness = vec![self.told * 4.0 * y[0].cos()];
         linear.damping = vec![self.told * 0.3];
-        let rates = [self.told * 2.0, -self.told * 2.0 * (0.1 + y[1] * y[1]).sqrt()];
-        linear.bristles = vec![([(0, 1.0), (0, 0.0)], [self.told * 0.7, rates[0], rates[1]])];
+        let (a, b) = (self.told * 2.0, -self.told * 2.0 * (0.1 + y[1] * y[1]).sqrt());
+        linear.bristles = vec![LinearBristle { along: [(0, 1.0), (0, 0.0)], c: self.told * 0.7, a, b }];
         Ok(())
     }
 }

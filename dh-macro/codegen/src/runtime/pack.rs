@@ -47,6 +47,52 @@ impl Pack {
     }
 }
 
+/// Square root, correctly rounded; NaN of a negative number.
+#[inline(always)]
+#[must_use]
+pub fn square_root(x: f64) -> f64 {
+    root::square_root(x)
+}
+
+/// In one instruction.
+#[cfg(target_arch = "x86_64")]
+#[allow(unsafe_code)]
+mod root {
+    use core::arch::x86_64::{_mm_cvtsd_f64, _mm_set_sd, _mm_sqrt_sd};
+
+    #[inline(always)]
+    pub(super) fn square_root(x: f64) -> f64 {
+        // SAFETY: SSE2 belongs to every x86-64.
+        unsafe {
+            let v = _mm_set_sd(x);
+            _mm_cvtsd_f64(_mm_sqrt_sd(v, v))
+        }
+    }
+}
+
+/// With integers, the same bits.
+#[cfg(not(target_arch = "x86_64"))]
+mod root {
+    pub(super) fn square_root(x: f64) -> f64 {
+        if !(x > 0.0) || x == f64::INFINITY {
+            return if x < 0.0 { f64::NAN } else { x };
+        }
+        let (x, up) = if x < f64::MIN_POSITIVE { (x * 18_014_398_509_481_984.0, 27) } else { (x, 0) }; // 2^54
+        let exponent = ((x.to_bits() >> 52) & 0x7ff) as i64 - 1075; // x = mantissa 2^exponent
+        let mantissa = u128::from((x.to_bits() & ((1 << 52) - 1)) | (1 << 52));
+        let odd = exponent & 1;
+        // 54 bits of the root: one to round by; the rest, if any, breaks the tie (a root is never half way).
+        let square = mantissa << (54 + odd);
+        let root = square.isqrt();
+        let sticky = u128::from(root * root != square);
+        let twice = (root << 1 | sticky) as u64;
+        // root = value 2^((exponent - odd - 54)/2)
+        let rounded = ((twice + 1 + ((twice >> 2) & 1)) >> 2) as f64; // 53 bits: exact
+        let power = (exponent - odd - 54) / 2 + 1 - up;
+        rounded * f64::from_bits(((power + 1023) as u64) << 52)
+    }
+}
+
 impl From<[f64; 8]> for Pack {
     #[inline(always)]
     fn from(values: [f64; 8]) -> Self {

@@ -2,6 +2,23 @@
 
 /// Path below `src/` of a generated crate, and text.
 pub const FILES: &[(&str, &str)] = &[
+    ("ik.rs", include_str!("../ik.rs")),
+    ("ik/arm.rs", include_str!("../ik/arm.rs")),
+    ("ik/axis.rs", include_str!("../ik/axis.rs")),
+    ("ik/interval.rs", include_str!("../ik/interval.rs")),
+    ("ik/list.rs", include_str!("../ik/list.rs")),
+    ("ik/numerical.rs", include_str!("../ik/numerical.rs")),
+    ("ik/plane.rs", include_str!("../ik/plane.rs")),
+    ("ik/polish.rs", include_str!("../ik/polish.rs")),
+    ("ik/pose.rs", include_str!("../ik/pose.rs")),
+    ("ik/quartic.rs", include_str!("../ik/quartic.rs")),
+    ("ik/real.rs", include_str!("../ik/real.rs")),
+    ("ik/regional.rs", include_str!("../ik/regional.rs")),
+    ("ik/six.rs", include_str!("../ik/six.rs")),
+    ("ik/solution.rs", include_str!("../ik/solution.rs")),
+    ("ik/subproblem.rs", include_str!("../ik/subproblem.rs")),
+    ("ik/swivel.rs", include_str!("../ik/swivel.rs")),
+    ("ik/vector.rs", include_str!("../ik/vector.rs")),
     ("runtime.rs", include_str!("../runtime.rs")),
     ("runtime/pack.rs", include_str!("../runtime/pack.rs")),
     ("runtime/scalar.rs", include_str!("../runtime/scalar.rs")),

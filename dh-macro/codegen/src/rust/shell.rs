@@ -24,7 +24,10 @@ pub(super) fn print(robot: &Robot, model: &Model, kernels: &[Kernel], context: &
     let mut t = String::new();
     let moving = robot.moving();
     let (n, p, b) = (model.dof(), model.standard().len(), model.base().len());
-    let _ = writeln!(t, "pub mod kernel;\npub mod runtime;\n#[cfg(test)]\nmod tests;\n\nuse runtime::Scalar;\n");
+    let _ = writeln!(
+        t,
+        "pub mod ik;\npub mod kernel;\npub mod runtime;\n#[cfg(test)]\nmod tests;\n\nuse runtime::Scalar;\n"
+    );
     let _ = writeln!(t, "/// Name of the robot.\npub const NAME: &str = {:?};", robot.name);
     let _ = writeln!(t, "/// Degrees of freedom.\npub const DOF: usize = {n};");
     let _ = writeln!(t, "/// Rows of the DH table, fixed ones too.\npub const ROWS: usize = {};", robot.joints.len());
@@ -118,6 +121,7 @@ pub(super) fn print(robot: &Robot, model: &Model, kernels: &[Kernel], context: &
             })
             .collect::<String>()
     );
+    t += &super::inverse::print(model);
     t += &trig(robot, model);
     t += "/// Base parameters from standard ones, `beta = K phi`.\n#[must_use]\npub fn base_parameters<S: Scalar>(phi: &[S; STANDARD]) -> [S; BASE] {\n    core::array::from_fn(|k| {\n        BASE_COEFFICIENTS[k].iter().fold(S::default(), |sum, &(i, c)| sum + phi[i] * S::constant(c))\n    })\n}\n";
     for kernel in kernels {

@@ -82,6 +82,10 @@ static KNOWN: [Known; 24] = [
 impl SimulationFile {
     /// Reads the file for a robot; joints stand there by number or name. All mistakes are reported together.
     pub fn from_yaml(text: &str, robot: &Robot) -> Result<Self, Problems> {
+        let says_something = |line: &str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
+        if !text.lines().any(says_something) {
+            return Ok(Self::default());
+        }
         let root = yaml::parse(text).map_err(Problems)?;
         let mut found = Findings::default();
         let mut file = Self::default();
@@ -254,9 +258,13 @@ fn setting(section: &str, name: &str, mark: Mark, node: &Node, file: &mut Simula
             wrong(&words.join(" or "));
             None
         }
+        (Form::Each, Kind::List(items)) if items.is_empty() => {
+            wrong("a number, or one for each joint");
+            None
+        }
         (Form::Each, Kind::List(items)) => {
             let numbers: Vec<f64> = items.iter().filter_map(|item| to.number(item, &path, known.doc)).collect();
-            (numbers.len() == items.len() && !items.is_empty()).then_some(Setting::Numbers(numbers))
+            (numbers.len() == items.len()).then_some(Setting::Numbers(numbers))
         }
         (Form::Number | Form::Each, _) => to.number(node, &path, known.doc).map(|value| Setting::Numbers(vec![value])),
     };

@@ -1,0 +1,91 @@
+//! The constants of an arm's inverse, and the function that is called with them.
+
+use core::fmt::{Debug, Write};
+
+use crate::arm::{Inverse, Model};
+use crate::ik::{Axis, Family, Method, Six};
+
+/// One per line.
+fn axes(axes: &[Axis]) -> String {
+    axes.iter().map(|a| format!("        ik::{a:?},\n")).collect()
+}
+
+/// An option whose value has a name of its own.
+fn some<T: Debug>(value: &Option<T>) -> String {
+    value.as_ref().map_or("None".into(), |v| format!("Some({v:?})"))
+}
+
+fn six(six: &Six) -> String {
+    let joints: Vec<String> = six.joints.iter().map(some).collect();
+    let method = match &six.method {
+        Method::Wrist { center, regional } => {
+            format!("ik::Method::Wrist {{ center: {center:?}, regional: ik::Regional::{regional:?} }}")
+        }
+        Method::ThreeParallel { meet } => format!("ik::Method::ThreeParallel {{ meet: {} }}", some(meet)),
+    };
+    format!(
+        "ik::Six {{\n        axes: [\n{}        ],\n        joints: [{}],\n        reversed: {},\n        method: {method},\n    }}",
+        axes(&six.axes),
+        joints.join(", "),
+        six.reversed
+    )
+}
+
+fn family(family: &Family) -> String {
+    match family {
+        Family::Six(s) => format!("ik::Family::Six({})", six(s)),
+        Family::Locked { joint, six: s } => format!("ik::Family::Locked {{ joint: {joint}, six: {} }}", six(s)),
+        Family::Swivel(s) => format!(
+            "ik::Family::Swivel(ik::Swivel {{\n        axes: [\n{}        ],\n        shoulder: {:?},\n        elbow: {:?},\n        wrist: {:?},\n    }})",
+            axes(&s.axes),
+            s.shoulder,
+            s.elbow,
+            s.wrist
+        ),
+        Family::Plane(p) => {
+            let joints: Vec<String> = p.joints.iter().map(some).collect();
+            let lift =
+                p.lift.as_ref().map_or("None".into(), |(a, j, before)| format!("Some((ik::{a:?}, {j}, {before}))"));
+            format!(
+                "ik::Family::Plane(ik::Plane {{\n        h: {:?},\n        axes: [\n{}        ],\n        joints: [{}],\n        lift: {lift},\n    }})",
+                p.h,
+                axes(&p.axes),
+                joints.join(", ")
+            )
+        }
+        Family::Slides => "ik::Family::Slides".into(),
+        Family::Numerical => "ik::Family::Numerical".into(),
+    }
+}
+
+/// Class, reason, constants, function.
+pub(super) fn print(model: &Model) -> String {
+    let inverse = Inverse::new(model.chain());
+    let mut t = String::new();
+    let _ = writeln!(t, "/// Which inverse the arm has.\npub const IK_CLASS: &str = {:?};", inverse.class);
+    let _ = writeln!(t, "/// What in its geometry makes it so.\npub const IK_REASON: &str = {:?};", inverse.reason);
+    let _ = writeln!(
+        t,
+        "/// Lines of the joints at `q = 0` in base axes, m, and how the arm is taken apart.\npub const IK: ik::Arm<DOF> = ik::Arm {{\n    axes: [\n{}    ],\n    home: ik::{:?},\n    limits: POSITION_LIMITS,\n    exact: {},\n    family: {},\n}};\n",
+        axes(&inverse.axes),
+        inverse.home,
+        inverse.exact,
+        family(&inverse.family)
+    );
+    let redundancy = match &inverse.family {
+        Family::Swivel(_) => " `query.redundancy` is the swivel angle, rad.".to_string(),
+        Family::Locked { joint, .. } => format!(" `query.redundancy` is the position of joint {}.", joint + 1),
+        _ => String::new(),
+    };
+    let _ = writeln!(
+        t,
+        "/// Every posture that brings the last DH frame to a pose: the top three rows of `T(0, n)`, m.\n///\n/// {}.{redundancy}\n///\n/// # Errors\n/// If an entry is not finite, or the rotation is none.\n#[inline]\npub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {{\n    IK.solve(pose, query)\n}}\n",
+        capital(&inverse.reason)
+    );
+    t
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |c| c.to_uppercase().collect::<String>() + letters.as_str())
+}

@@ -1,0 +1,45 @@
+//! A list of bounded length that lives where it is declared.
+
+/// Up to `K` items; what does not fit is left out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct List<T, const K: usize> {
+    items: [T; K],
+    len: usize,
+}
+
+impl<T: Copy, const K: usize> List<T, K> {
+    pub(super) fn new(filler: T) -> Self {
+        Self { items: [filler; K], len: 0 }
+    }
+
+    /// Adds an item; false where there is no room.
+    #[inline]
+    pub(super) fn push(&mut self, item: T) -> bool {
+        match self.items.get_mut(self.len) {
+            Some(place) => {
+                *place = item;
+                self.len += 1;
+                true
+            }
+            None => false,
+        }
+    }
+
+    /// The items.
+    #[inline]
+    pub fn as_slice(&self) -> &[T] {
+        self.items.get(..self.len).unwrap_or(&[])
+    }
+
+    #[inline]
+    pub(super) fn as_mut_slice(&mut self) -> &mut [T] {
+        self.items.get_mut(..self.len).unwrap_or(&mut [])
+    }
+}
+
+impl<T: Copy, const K: usize> core::ops::Deref for List<T, K> {
+    type Target = [T];
+    fn deref(&self) -> &[T] {
+        self.as_slice()
+    }
+}

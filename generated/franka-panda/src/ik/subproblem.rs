@@ -1,0 +1,89 @@
+//! Canonical subproblems (Paden 1986, Kahan 1983; Murray, Li and Sastry, 3.3), written so that a double root costs no accuracy
+//! that the data have.
+
+use super::axis::Axis;
+use super::real::root;
+use super::vector::{Turn, Vector, add, cross, dot, norm, scale, sub};
+
+/// Below this sine an angle hangs on the last digits of the pose: it is reported as free.
+pub(super) const FREE: f64 = 1e-6;
+
+/// Two answers, the second first where the sign is minus; equal at a double root.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pair {
+    /// With the plus and with the minus sign.
+    pub both: [Turn; 2],
+    /// Every angle is an answer, or nearly so.
+    pub free: bool,
+    /// The data say nothing at all: the two turns are none.
+    pub blind: bool,
+}
+
+/// The turn about `h` that takes `from` nearest to `to`, and how well it is known (product of their distances from `h`).
+#[inline(always)]
+pub(super) fn towards(h: Vector, from: Vector, to: Vector) -> (Turn, f64) {
+    // Across the axis first: beside it, products of the whole vectors would be all rounding.
+    let (f, t) = (cross(h, from), cross(h, to));
+    Turn::along(dot(f, t), dot(h, cross(f, t)))
+}
+
+/// `a cos + b sin = d`. Where there is no answer, the nearest one twice.
+#[inline(always)]
+pub(super) fn circle(a: f64, b: f64, d: f64, size: f64) -> Pair {
+    let r = root(a * a + b * b);
+    if !(r > 1e-14 * size) {
+        return Pair { both: [Turn::NONE; 2], free: true, blind: true };
+    }
+    let d = d.clamp(-r, r);
+    let w = root((r - d) * (r + d));
+    let (c0, s0, k) = (a / r, b / r, 1.0 / r);
+    let (c, s) = (d * k, w * k);
+    let turn = |s: f64| Turn { c: c0 * c - s0 * s, s: s0 * c + c0 * s };
+    Pair { both: [turn(s), turn(-s)], free: r < FREE * size, blind: false }
+}
+
+/// Turns of `axis` that bring `w` to the distance `length` from `x`.
+#[inline(always)]
+pub(super) fn reach(axis: &Axis, w: Vector, x: Vector, length2: f64) -> Pair {
+    let rel = sub(w, axis.c);
+    let along = dot(axis.h, rel);
+    let k = sub(add(axis.c, scale(along, axis.h)), x);
+    let k_across = sub(k, scale(dot(axis.h, k), axis.h));
+    let across = sub(rel, scale(along, axis.h));
+    let a = 2.0 * dot(k_across, across);
+    let b = 2.0 * dot(k_across, cross(axis.h, across));
+    // Heron: the two distances from the axis and the height between them, so that a stretched arm keeps its digits.
+    let height = dot(axis.h, k);
+    let (k2, w2) = (dot(k_across, k_across), dot(across, across));
+    circle(a, b, length2 - height * height - k2 - w2, k2 + w2 + height * height)
+}
+
+/// Turns of `second` for which `R(first) R(second) w` can point along `p`: `first . R(second) w = first . p` for directions
+/// that need not have the same length. By half angles of the spherical triangle, so that the sine of a small answer is exact.
+#[inline(always)]
+pub(super) fn tilt(first: Vector, second: Vector, w: Vector, p: Vector) -> Pair {
+    let (wn, pn) = (norm(w), norm(p));
+    if !(wn > 1e-150) || !(pn > 1e-150) {
+        return Pair { both: [Turn::NONE; 2], free: true, blind: true };
+    }
+    let (ca, sa) = (dot(first, second), norm(cross(first, second)));
+    let (cb, sb) = (dot(second, w) / wn, norm(cross(second, w)) / wn);
+    let (cg, sg) = (dot(first, p) / pn, norm(cross(first, p)) / pn);
+    // Difference and sum of the sides at the vertex `second`.
+    let (cd, sd) = (ca * cb + sa * sb, sa * cb - ca * sb);
+    let (cs, ss) = (ca * cb - sa * sb, sa * cb + ca * sb);
+    // x = cos(difference) - cos(gamma), y = cos(gamma) - cos(sum); near 0 and pi by products of sines.
+    let unlike = |c: f64, s: f64| {
+        let sum = c + cg;
+        if sum.abs() > 1.0 { (sg * c - cg * s) * (sg * c + cg * s) / sum } else { c - cg }
+    };
+    let x = unlike(cd, sd).max(0.0);
+    let y = (-unlike(cs, ss)).max(0.0);
+    let sum = x + y;
+    let (middle, known) = towards(second, w, first);
+    if !(sum > 1e-14) || !(known > 1e-14 * wn) {
+        return Pair { both: [Turn::NONE; 2], free: true, blind: true };
+    }
+    let (c, s) = ((y - x) / sum, 2.0 * root(x * y) / sum);
+    Pair { both: [middle.then(Turn { c, s }), middle.then(Turn { c, s: -s })], free: known < FREE * wn, blind: false }
+}

@@ -1,0 +1,184 @@
+//! Newton's steps with the arm's own Jacobian (Lynch and Park, 6.2), and how far a posture is from the pose.
+
+use super::super::runtime::Scalar;
+use super::arm::Arm;
+use super::axis::Value;
+use super::pose::Displacement;
+use super::real::{angle, root};
+use super::vector::{IDENTITY, Turn, Vector, cross, norm, product, scale, sub, times, transposed};
+
+/// `[v; w]`: the step in m and the turn in rad, base axes, that are left to the pose.
+pub(super) type Twist = [f64; 6];
+
+/// Lengths of the two halves.
+pub(super) fn sizes(e: &Twist) -> [f64; 2] {
+    [norm([e[0], e[1], e[2]]), norm([e[3], e[4], e[5]])]
+}
+
+/// Turns of all joints.
+pub(super) fn values<const N: usize>(arm: &Arm<N>, q: &[f64; N]) -> [Value; N] {
+    let (sin, cos) = f64::sin_cos_all(q);
+    core::array::from_fn(
+        |i| {
+            if arm.axes[i].slides { Value::way(q[i]) } else { Value::turn(Turn { c: cos[i], s: sin[i] }) }
+        },
+    )
+}
+
+/// Positions from turns, each within half a turn of zero.
+pub(super) fn positions<const N: usize>(arm: &Arm<N>, v: &[Value; N]) -> [f64; N] {
+    core::array::from_fn(|i| if arm.axes[i].slides { v[i].way } else { angle(v[i].turn.s, v[i].turn.c) })
+}
+
+/// `E1 .. En`.
+pub(super) fn forward<const N: usize>(arm: &Arm<N>, v: &[Value; N]) -> Displacement {
+    let mut x = [[0.0; 3], IDENTITY[0], IDENTITY[1]];
+    for i in (0..N).rev() {
+        let axis = &arm.axes[i];
+        x = [axis.point(v[i], x[0]), axis.direction(v[i], x[1]), axis.direction(v[i], x[2])];
+    }
+    let columns = [x[1], x[2], cross(x[1], x[2])];
+    Displacement { rotation: transposed(&columns), shift: x[0] }
+}
+
+/// What is left from `E1 .. En` to `g`, at the last frame's origin.
+pub(super) fn remainder<const N: usize>(arm: &Arm<N>, g: &Displacement, v: &[Value; N]) -> Twist {
+    let here = forward(arm, v);
+    let [x, y, z] = sub(g.point(arm.home.shift), here.point(arm.home.shift));
+    let r = product(&g.rotation, &transposed(&here.rotation));
+    let w = [r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]];
+    let s = norm(w) / 2.0;
+    if s < 1e-6 && r[0][0] + r[1][1] + r[2][2] > 2.0 {
+        // The sine is the angle.
+        return [x, y, z, 0.5 * w[0], 0.5 * w[1], 0.5 * w[2]];
+    }
+    let c = (r[0][0] + r[1][1] + r[2][2] - 1.0) / 2.0;
+    // Turn by `a` about w: the skew part is sin a. Near pi it loses the axis; any will do there.
+    let a = angle(s, c);
+    let k = if s > 1e-9 { a / (2.0 * s) } else { 0.5 };
+    let w = if s <= 1e-9 && c < 0.0 { [core::f64::consts::PI, 0.0, 0.0] } else { scale(k, w) };
+    [x, y, z, w[0], w[1], w[2]]
+}
+
+/// Columns `[v; w]` of the last frame's origin, one per joint.
+pub(super) fn jacobian<const N: usize>(arm: &Arm<N>, v: &[Value; N]) -> [Twist; N] {
+    let tip = forward(arm, v).point(arm.home.shift);
+    let mut before = Displacement::NONE;
+    core::array::from_fn(|i| {
+        let axis = &arm.axes[i];
+        let h = times(&before.rotation, axis.h);
+        let c = before.point(axis.c);
+        before = before.after(&axis.displacement(v[i]));
+        let (l, w): (Vector, Vector) = if axis.slides { (h, [0.0; 3]) } else { (cross(h, sub(tip, c)), h) };
+        [l[0], l[1], l[2], w[0], w[1], w[2]]
+    })
+}
+
+/// `(J' J + damping) d = J' e` by Cholesky; rows of `more` are further equations with their own remainder.
+pub(super) fn step<const N: usize>(
+    columns: &[Twist; N],
+    e: &Twist,
+    more: Option<(&[f64; N], f64)>,
+    damping: f64,
+) -> [f64; N] {
+    let mut a = [[0.0; N]; N];
+    let mut b = [0.0; N];
+    let dot6 = |a: &Twist, b: &Twist| a.iter().zip(b).fold(0.0, |s, (x, y)| s + x * y);
+    let mut trace = 0.0;
+    for i in 0..N {
+        for j in 0..=i {
+            a[i][j] = dot6(&columns[i], &columns[j]);
+        }
+        b[i] = dot6(&columns[i], e);
+        if let Some((row, left)) = more {
+            for j in 0..=i {
+                a[i][j] += row[i] * row[j];
+            }
+            b[i] += row[i] * left;
+        }
+        trace += a[i][i];
+    }
+    for i in 0..N {
+        a[i][i] += damping * trace + 1e-300;
+        for j in 0..=i {
+            let mut sum = a[i][j];
+            for k in 0..j {
+                sum -= a[i][k] * a[j][k];
+            }
+            if i == j {
+                a[i][i] = root(sum).max(1e-150);
+            } else {
+                a[i][j] = sum / a[j][j];
+            }
+        }
+        for k in 0..i {
+            b[i] -= a[i][k] * b[k];
+        }
+        b[i] /= a[i][i];
+    }
+    for i in (0..N).rev() {
+        for k in i + 1..N {
+            b[i] -= a[k][i] * b[k];
+        }
+        b[i] /= a[i][i];
+    }
+    b
+}
+
+/// `v` moved on by `d`.
+pub(super) fn moved<const N: usize>(v: &[Value; N], d: &[f64; N]) -> [Value; N] {
+    let (sin, cos) = f64::sin_cos_all(d);
+    core::array::from_fn(|i| {
+        let turn = v[i].turn.then(Turn { c: cos[i], s: sin[i] });
+        // Keep the length one.
+        let k = 1.5 - 0.5 * (turn.c * turn.c + turn.s * turn.s);
+        Value { turn: Turn { c: turn.c * k, s: turn.s * k }, way: v[i].way + d[i] }
+    })
+}
+
+/// Steps until what is left is rounding, or no step helps.
+pub(super) fn polish<const N: usize>(
+    arm: &Arm<N>,
+    g: &Displacement,
+    v: &mut [Value; N],
+    hold: Option<&dyn Fn(&[Value; N]) -> f64>,
+    steps: usize,
+) -> Twist {
+    let mut e = remainder(arm, g, v);
+    let mut held = hold.map_or(0.0, |f| f(v));
+    let size = |e: &Twist, held: f64| root(e.iter().fold(held * held, |s, x| s + x * x));
+    let fine = 2e-15 * (1.0 + norm(g.point(arm.home.shift)));
+    let mut left = size(&e, held);
+    let mut damping = 1e-15;
+    for _ in 0..steps {
+        if !(left > fine) {
+            break;
+        }
+        let columns = jacobian(arm, v);
+        let mut row = [0.0; N];
+        if let Some(f) = hold {
+            // Central differences: they only steer the step.
+            for i in 0..N {
+                let mut d = [0.0; N];
+                d[i] = 1e-6;
+                let up = f(&moved(v, &d));
+                d[i] = -1e-6;
+                row[i] = (f(&moved(v, &d)) - up) / 2e-6;
+            }
+        }
+        let d = step(&columns, &e, hold.map(|_| (&row, held)), damping);
+        let next = moved(v, &d);
+        let next_e = remainder(arm, g, &next);
+        let next_held = hold.map_or(0.0, |f| f(&next));
+        let next_left = size(&next_e, next_held);
+        if next_left < left {
+            (*v, e, held, left) = (next, next_e, next_held, next_left);
+            damping = (damping * 0.01).max(1e-15);
+        } else if left < 1e-13 || damping > 1e3 {
+            break;
+        } else {
+            damping = (damping * 100.0).max(1e-10);
+        }
+    }
+    e
+}

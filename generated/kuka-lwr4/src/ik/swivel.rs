@@ -1,0 +1,144 @@
+//! Seven joints with a spherical shoulder, an elbow and a spherical wrist, at a given swivel angle of the elbow about the line from
+//! shoulder to wrist (the paper's equation 1; Tolani, Goswami and Badler 2000).
+
+use super::axis::{Axis, Value};
+use super::list::List;
+use super::pose::Displacement;
+use super::real::angle;
+use super::regional::orient;
+use super::solution::Branch;
+use super::subproblem::reach;
+use super::vector::{Matrix, Vector, add, beside, cross, dot, norm, scale, sub, transposed, transposed_times, unit};
+
+/// Lines and points of the arm at `q = 0`, in base axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Swivel {
+    /// Base to tip.
+    pub axes: [Axis; 7],
+    /// Where axes 1 to 3 meet, m.
+    pub shoulder: Vector,
+    /// Where axes 3, 4 and 5 meet, m.
+    pub elbow: Vector,
+    /// Where axes 5 to 7 meet, m.
+    pub wrist: Vector,
+}
+
+/// A plane through shoulder and wrist from which the swivel angle is counted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reference {
+    /// The paper's vector b: at swivel angle zero the elbow lies on its side of the line from shoulder to wrist.
+    pub b: Vector,
+    /// What takes its place where b is parallel to that line.
+    pub second: Vector,
+}
+
+impl Reference {
+    /// `b` up, the second forwards.
+    pub const UP: Self = Self { b: [0.0, 0.0, 1.0], second: [1.0, 0.0, 0.0] };
+
+    /// `u` and `v` of the paper for the unit vector `n` from shoulder to wrist; true: by the second vector.
+    pub(super) fn plane(&self, n: Vector) -> (Vector, Vector, bool) {
+        let across = |b: Vector| sub(b, scale(dot(n, b), n));
+        let (first, second) = (across(self.b), across(self.second));
+        let poor = !(norm(first) > 1e-6 * norm(self.b));
+        let u = match (poor, norm(second) > 1e-6 * norm(self.second)) {
+            (false, _) => unit(first),
+            (true, true) => unit(second),
+            (true, false) => beside(n),
+        };
+        (u, cross(n, u), poor)
+    }
+}
+
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Found7 {
+    pub values: [Value; 7],
+    pub branch: Branch,
+    pub free: u8,
+}
+
+/// The columns of a frame.
+type Frame = [Vector; 3];
+
+fn from_to(from: &Frame, to: &Frame) -> Matrix {
+    // sum of to_k from_k'
+    super::vector::product(&transposed(to), from)
+}
+
+/// What the pose alone says: the direction from shoulder to wrist, and for each elbow its angle and the upper arm's frame.
+pub(super) struct Elbows {
+    pub n: Vector,
+    pub both: [(Value, Frame); 2],
+    pub stretched: bool,
+}
+
+impl Swivel {
+    /// In the upper arm's frame at `q = 0`: direction to the wrist, and beside it direction to the elbow, for an angle of joint 4.
+    fn upper(&self, v4: Value, side: f64) -> (Frame, f64) {
+        let w = unit(sub(self.axes[3].point(v4, self.wrist), self.shoulder));
+        let across = cross(self.axes[3].h, w);
+        let out = dot(sub(self.elbow, self.shoulder), across);
+        let sign = if out.abs() > 1e-15 { out } else { side };
+        let e = unit(scale(if sign < 0.0 { -1.0 } else { 1.0 }, across));
+        ([w, e, cross(w, e)], out.abs())
+    }
+
+    pub(super) fn elbows(&self, g: &Displacement) -> Elbows {
+        let to = sub(g.point(self.wrist), self.shoulder);
+        let n = if norm(to) > 1e-12 { unit(to) } else { self.axes[0].h };
+        let pair = reach(&self.axes[3], self.wrist, self.shoulder, dot(to, to));
+        let mut stretched = false;
+        let mut side = -1.0;
+        let both = pair.both.map(|t| {
+            side = -side;
+            let (frame, out) = self.upper(Value::turn(t), side);
+            stretched |= out < 1e-8 * norm(sub(self.elbow, self.shoulder));
+            (Value::turn(t), frame)
+        });
+        Elbows { n, both, stretched }
+    }
+
+    /// All answers at a swivel angle (its cosine and sine).
+    pub(super) fn solve(
+        &self,
+        g: &Displacement,
+        reference: &Reference,
+        (c, s): (f64, f64),
+        near: &[Value; 7],
+    ) -> (List<Found7, 8>, bool) {
+        let nothing = Found7 { values: [Value::ZERO; 7], branch: Branch::NONE, free: 0 };
+        let mut finds = List::new(nothing);
+        let Elbows { n, both, stretched } = self.elbows(g);
+        let (u, v, second) = reference.plane(n);
+        let e = add(scale(c, u), scale(s, v));
+        let goal: Frame = [n, e, cross(n, e)];
+        let [a1, a2, a3, a4, a5, a6, a7] = &self.axes;
+        for (i, (v4, frame)) in both.into_iter().enumerate() {
+            let upper = from_to(&frame, &goal);
+            // R(4)' R(123)' R(G), column by column.
+            let columns = transposed(&g.rotation).map(|x| a4.direction(v4.back(), transposed_times(&upper, x)));
+            let hand = transposed(&columns);
+            let wrists = orient(&[a5.h, a6.h, a7.h], &hand, near[4].turn);
+            for (j, (first, f1)) in orient(&[a1.h, a2.h, a3.h], &upper, near[0].turn).into_iter().enumerate() {
+                for (k, (last, f2)) in wrists.iter().enumerate() {
+                    let [v1, v2, v3] = first.map(Value::turn);
+                    let [v5, v6, v7] = last.map(Value::turn);
+                    let sign = |bit: usize| if bit == 0 { 1 } else { -1 };
+                    let branch = Branch { shoulder: sign(j), elbow: sign(i), wrist: sign(k), ..Branch::NONE };
+                    let free = f1 | f2 << 4 | if stretched { 4 } else { 0 };
+                    finds.push(Found7 { values: [v1, v2, v3, v4, v5, v6, v7], branch, free });
+                }
+            }
+        }
+        (finds, second)
+    }
+
+    /// The swivel angle of a posture, rad, and whether it is counted from the second plane.
+    pub(super) fn angle(&self, values: &[Value; 7], reference: &Reference) -> (f64, bool) {
+        let (frame, _) = self.upper(values[3], 1.0);
+        let upper = |x: Vector| (0..3).rev().fold(x, |x, k| self.axes[k].direction(values[k], x));
+        let (n, e) = (upper(frame[0]), upper(frame[1]));
+        let (u, v, second) = reference.plane(n);
+        (angle(dot(e, v), dot(e, u)), second)
+    }
+}

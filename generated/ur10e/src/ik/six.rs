@@ -1,0 +1,203 @@
+//! Six joints: a spherical wrist behind three joints of any kind (Pieper 1968), or three parallel axes in the middle.
+//!
+//! An arm with fewer joints is completed by joints that stay at zero; one with its sphere at the shoulder is solved from its tip:
+//! `E1 .. E6 = G` is `E6' .. E1' = G'`.
+
+use super::axis::{Axis, Value};
+use super::list::List;
+use super::pose::Displacement;
+use super::quartic::two_turns;
+use super::regional::{self, Regional, orient};
+use super::solution::Branch;
+use super::subproblem::{FREE, circle, reach, tilt, towards};
+use super::vector::{Turn, Vector, beside, cross, dot, norm, scale, sub};
+
+/// How six joints are taken apart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Method {
+    /// Axes 4, 5 and 6 meet.
+    Wrist {
+        /// Where, m.
+        center: Vector,
+        /// The first three.
+        regional: Regional,
+    },
+    /// Axes 2, 3 and 4 are parallel.
+    ThreeParallel {
+        /// Where axes 5 and 6 meet, if they do, m.
+        meet: Option<Vector>,
+    },
+}
+
+/// Six joints with their lines.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Six {
+    /// In the order in which they are solved, lines already reversed where the arm is.
+    pub axes: [Axis; 6],
+    /// Which joint of the arm each is, from 0; `None`: one that stays at zero.
+    pub joints: [Option<u8>; 6],
+    /// From the tip?
+    pub reversed: bool,
+    /// How.
+    pub method: Method,
+}
+
+/// What is found of six joints.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Found {
+    pub values: [Value; 6],
+    pub branch: Branch,
+    pub free: u8,
+}
+
+pub(super) type Finds = List<Found, 16>;
+
+pub(super) const NOTHING: Found = Found { values: [Value::ZERO; 6], branch: Branch::NONE, free: 0 };
+
+impl Six {
+    /// All answers of `E1 .. E6 = g` in this order; where there is none, the nearest ones.
+    pub(super) fn solve(&self, g: &Displacement, near: &[Value; 6]) -> Finds {
+        match &self.method {
+            Method::Wrist { center, regional } => self.wrist(g, *center, regional, near),
+            Method::ThreeParallel { meet } => self.three_parallel(g, *meet, near),
+        }
+    }
+
+    fn wrist(&self, g: &Displacement, center: Vector, regional: &Regional, near: &[Value; 6]) -> Finds {
+        let mut finds = List::new(NOTHING);
+        let [one, two, three, four, five, six] = &self.axes;
+        let places =
+            regional::solve(regional, &[*one, *two, *three], center, g.point(center), &[near[0], near[1], near[2]]);
+        for place in places.iter() {
+            let [v1, v2, v3] = place.values;
+            let back = |x: Vector| three.direction(v3.back(), two.direction(v2.back(), one.direction(v1.back(), x)));
+            let columns = super::vector::transposed(&g.rotation).map(back);
+            let rotation = super::vector::transposed(&columns);
+            for (i, (turns, free)) in orient(&[four.h, five.h, six.h], &rotation, near[3].turn).into_iter().enumerate()
+            {
+                let [v4, v5, v6] = turns.map(Value::turn);
+                finds.push(Found {
+                    values: [v1, v2, v3, v4, v5, v6],
+                    branch: Branch::of_wrist(regional, place.branch, i as u8, self.reversed),
+                    free: place.free | free << 3,
+                });
+            }
+        }
+        finds
+    }
+
+    /// What the three parallel axes leave alone gives joints 1 and 5; then they are a planar arm.
+    fn three_parallel(&self, g: &Displacement, meet: Option<Vector>, near: &[Value; 6]) -> Finds {
+        let mut finds = List::new(NOTHING);
+        let [one, two, three, four, five, six] = &self.axes;
+        let h = two.h;
+        let mut free = 0;
+        // Joint 1, with the two answers of joint 5 for each.
+        let mut starts: List<(Value, Value, u8, u8), 8> = List::new((Value::ZERO, Value::ZERO, 0, 0));
+        let goal6 = super::vector::times(&g.rotation, six.h);
+        if let Some(x) = meet {
+            let rel = sub(g.point(x), one.c);
+            let along = scale(dot(one.h, rel), one.h);
+            let pair = circle(
+                dot(h, sub(rel, along)),
+                -dot(h, cross(one.h, rel)),
+                dot(h, sub(sub(x, one.c), along)),
+                norm(rel),
+            );
+            free |= u8::from(pair.free);
+            let firsts = if pair.blind { [near[0]; 2] } else { pair.both.map(Value::turn) };
+            for (i, first) in firsts.into_iter().enumerate() {
+                let goal = one.direction(first.back(), goal6);
+                for (j, fifth) in tilt(h, five.h, six.h, goal).both.into_iter().enumerate() {
+                    starts.push((first, Value::turn(fifth), i as u8, j as u8));
+                }
+            }
+        } else {
+            let part = |b: Vector, a: Vector, r: Vector| {
+                let along = dot(a, r);
+                ([dot(b, r) - dot(b, a) * along, dot(b, cross(a, r))], dot(b, a) * along)
+            };
+            let (p1, k1) = part(h, one.h, sub(g.point(six.c), one.c));
+            let (d1, l1) = part(h, one.h, goal6);
+            let (p5, k5) = part(h, five.h, sub(six.c, five.c));
+            let (d5, l5) = part(h, five.h, six.h);
+            let a = [[p1[0], -p1[1]], [d1[0], -d1[1]]];
+            let k = [k1 + dot(h, one.c) - k5 - dot(h, five.c), l1 - l5];
+            for (i, &(first, fifth)) in two_turns(&a, &k, &[p5, d5]).iter().enumerate() {
+                starts.push((Value::turn(first), Value::turn(fifth), i as u8 | 4, 0));
+            }
+        }
+        for &(v1, v5, shoulder, wrist) in starts.iter() {
+            let mut free = free;
+            let goal = one.direction(v1.back(), goal6);
+            let side = beside(six.h);
+            let image = one.direction(v1.back(), super::vector::times(&g.rotation, side));
+            let (turn, known) = towards(h, v5.turn.about(five.h, six.h), goal);
+            let (sum, v6) = if known > 1e-28 {
+                free |= if known < FREE * FREE { 32 } else { 0 };
+                let back = v5.back().turn.about(five.h, turn.back().about(h, image));
+                (turn, Value::turn(towards(six.h, side, back).0))
+            } else {
+                free |= 32;
+                let v6 = self.last_within_reach(g, v1, v5, near[5]);
+                let carried = |x: Vector| v5.turn.about(five.h, v6.turn.about(six.h, x));
+                let other = cross(six.h, side);
+                let image2 = one.direction(v1.back(), super::vector::times(&g.rotation, other));
+                // The better seen of two directions across axis 6.
+                let (a, na) = towards(h, carried(side), image);
+                let (b, nb) = towards(h, carried(other), image2);
+                (if na >= nb { a } else { b }, v6)
+            };
+            let four_at = six.point(v6.back(), five.point(v5.back(), four.c));
+            let target = one.point(v1.back(), g.point(four_at));
+            let to = sub(target, two.c);
+            let pair = reach(three, four.c, two.c, dot(to, to));
+            for (j, third) in pair.both.into_iter().enumerate() {
+                let arm = sub(three.point(Value::turn(third), four.c), two.c);
+                let (second, known) = towards(h, arm, to);
+                let same = |axis: &Axis, t: Turn| if dot(axis.h, h) < 0.0 { t.back() } else { t };
+                let second = if known > 1e-26 { second } else { near[1].turn };
+                let fourth = sum.then(second.back()).then(same(three, third).back());
+                let mut free = free;
+                free |= if known > FREE * FREE * dot(to, to).max(1e-6) { 0 } else { 2 };
+                free |= if pair.free { 4 } else { 0 };
+                finds.push(Found {
+                    values: [v1, Value::turn(second), Value::turn(third), Value::turn(same(four, fourth)), v5, v6],
+                    branch: Branch::of_three_parallel(shoulder, j as u8, wrist, self.reversed),
+                    free,
+                });
+            }
+        }
+        finds
+    }
+
+    /// Axis 6 is parallel to the three: its turn is free as far as the planar arm still reaches. The near one, or else one in the
+    /// middle of what it reaches.
+    fn last_within_reach(&self, g: &Displacement, v1: Value, v5: Value, near: Value) -> Value {
+        let [one, two, three, four, five, six] = &self.axes;
+        let h = two.h;
+        let across = |x: Vector| norm(sub(x, scale(dot(h, x), h)));
+        let (upper, fore) = (across(sub(three.c, two.c)), across(sub(four.c, three.c)));
+        let (least, most) = ((upper - fore).abs(), upper + fore);
+        let hand = five.point(v5.back(), four.c);
+        let there = |x: Vector| across(sub(one.point(v1.back(), g.point(x)), two.c));
+        let now = there(six.point(near.back(), hand));
+        if now > least && now < most {
+            return near;
+        }
+        // Distances from the hand's side: it turns about axis 6 at `radius`, and the axis stands `away` from axis 2.
+        let rel = sub(hand, six.c);
+        let radius = norm(sub(rel, scale(dot(six.h, rel), six.h)));
+        let away = there(six.c);
+        let (low, high) = (least.max((away - radius).abs()), most.min(away + radius));
+        let goal = 0.5 * (low + high);
+        let shoulder = g.back(one.point(v1, two.c));
+        let lift = dot(six.h, sub(hand, shoulder));
+        Value::turn(reach(&six.reversed(), hand, shoulder, goal * goal + lift * lift).both[0])
+    }
+
+    /// Fills the joints of an arm; those of a reversed one have the same values.
+    pub(super) fn near<const N: usize>(&self, near: &[Value; N]) -> [Value; 6] {
+        self.joints.map(|j| j.and_then(|j| near.get(usize::from(j)).copied()).unwrap_or(Value::ZERO))
+    }
+}

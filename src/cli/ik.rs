@@ -1,0 +1,167 @@
+//! `denavit ik`: every posture that brings the arm to given poses.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use dh_codegen::arm::Model;
+use dh_codegen::ik::{Displacement, Family, Reference};
+use indicatif::ProgressBar;
+
+use super::table::Table;
+use super::{Failure, files};
+use crate::inverse::{Ask, Kinematics, MOST, Postures};
+use crate::report::{ik_json, ik_text};
+
+const ENTRIES: [&str; 12] = ["r11", "r12", "r13", "px", "r21", "r22", "r23", "py", "r31", "r32", "r33", "pz"];
+
+/// Find every posture that brings the arm to given poses, in closed form where the arm has one.
+///
+/// A pose is that of the last DH frame in the base frame, as `denavit eval --quantity forward_kinematics` prints it: columns
+/// `r11 r12 r13 px r21 r22 r23 py r31 r32 r33 pz`, m. The tool of the robot file does not count, unless `--tool` is given: then
+/// poses are those of its tool frame.
+///
+/// A redundant arm wants a column `swivel`, rad: the angle of the elbow about the line from shoulder to wrist, from the plane of the
+/// reference vector (`--reference`), or the position of the joint that is locked (`denavit check` tells which). Without it, zero.
+/// Columns `q1..qn`, if there are any, are a posture near which to choose: its solutions stand first, and where the arm is singular
+/// the free joints stay as they are there.
+#[derive(Args)]
+#[command(after_help = "Example:\n  denavit ik robots/ur10e.yaml --poses poses.csv --json -")]
+pub(super) struct Ik {
+    /// Robot file.
+    robot: PathBuf,
+    /// Poses, CSV with a header, one per row.
+    #[arg(long, value_name = "CSV")]
+    poses: PathBuf,
+    /// Poses are those of the tool frame.
+    #[arg(long)]
+    tool: bool,
+    /// The vector `b` of the swivel angle, in base axes: at zero the elbow lies on its side of the line from shoulder to wrist.
+    #[arg(
+        long,
+        value_name = "X,Y,Z",
+        value_delimiter = ',',
+        num_args = 1,
+        allow_hyphen_values = true,
+        default_value = "0,0,1"
+    )]
+    reference: Vec<f64>,
+    /// What takes its place where it is parallel to that line.
+    #[arg(
+        long,
+        value_name = "X,Y,Z",
+        value_delimiter = ',',
+        num_args = 1,
+        allow_hyphen_values = true,
+        default_value = "1,0,0"
+    )]
+    second_reference: Vec<f64>,
+    /// What may be left to a pose, m and rad. An arm with fewer than six joints reaches rounded poses only nearly: give more.
+    #[arg(long, value_name = "SIZE", default_value_t = 1e-12)]
+    tolerance: f64,
+    /// Write the result as JSON; `-` for standard output.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+impl Ik {
+    pub(super) fn run(self) -> Result<(), Failure> {
+        let file = files::robot(&self.robot)?;
+        let robot = &file.robot;
+        let reference = Reference {
+            b: vector("--reference", &self.reference)?,
+            second: vector("--second-reference", &self.second_reference)?,
+        };
+        if !(self.tolerance > 0.0 && self.tolerance.is_finite()) {
+            return Err(Failure::input("--tolerance must be a positive number, in m and rad; 1e-12 is rounding"));
+        }
+        let tool = match (self.tool, &robot.tool) {
+            (false, _) => None,
+            (true, Some(t)) => Some(Displacement { rotation: t.rotation(), shift: t.xyz }.inverse()),
+            (true, None) => {
+                return Err(Failure::input(format!(
+                    "{}: there is no `tool:`, so --tool says nothing; leave it out, or add the tool's pose to the file",
+                    self.robot.display()
+                )));
+            }
+        };
+        let model = Model::new(robot);
+        let kinematics = Kinematics::new(robot, &model).ok_or_else(|| {
+            Failure::input(format!(
+                "{}: the robot has {} joints; postures are found for up to {MOST}",
+                self.robot.display(),
+                robot.dof()
+            ))
+        })?;
+        let redundant = matches!(kinematics.inverse().family, Family::Swivel(_) | Family::Locked { .. });
+        let poses = self.solve(robot.dof(), &kinematics, reference, tool)?;
+        if let Some(target) = &self.json {
+            files::json(target, &ik_json::value(&robot.name, kinematics.inverse(), redundant, &poses))?;
+        }
+        if !files::is_stdout(&self.json) {
+            files::print(&ik_text::text(&robot.name, kinematics.inverse(), &poses))?;
+        }
+        Ok(())
+    }
+
+    fn solve(
+        &self,
+        n: usize,
+        kinematics: &Kinematics,
+        reference: Reference,
+        tool: Option<Displacement>,
+    ) -> Result<Vec<Postures>, Failure> {
+        let table = Table::read(&self.poses)?;
+        let file = &table.file;
+        let mut entries = Vec::with_capacity(12);
+        for name in ENTRIES {
+            if !table.has(name) {
+                return Err(Failure::input(format!(
+                    "{file}, line 1: there is no column {name}; a pose has the columns {}",
+                    ENTRIES.join(" ")
+                )));
+            }
+            entries.push(table.column(name)?);
+        }
+        let swivel = if table.has("swivel") { Some(table.column("swivel")?) } else { None };
+        let near = if table.has("q1") { Some(table.joints("q", n)?) } else { None };
+        let bar = if table.len > 10_000 { ProgressBar::new(table.len as u64) } else { ProgressBar::hidden() };
+        let mut poses = Vec::with_capacity(table.len);
+        for row in 0..table.len {
+            let given: [[f64; 4]; 3] = core::array::from_fn(|i| core::array::from_fn(|j| entries[4 * i + j][row]));
+            let pose = match &tool {
+                Some(back) => rows(&Displacement::from_rows(&given).after(back)),
+                None => given,
+            };
+            let ask = Ask {
+                redundancy: swivel.map_or(0.0, |s| s[row]),
+                reference,
+                near: near.as_ref().map(|q| (0..n).map(|j| q[j * table.len + row]).collect()),
+                tolerance: self.tolerance,
+            };
+            poses.push(kinematics.solve(&pose, &ask).map_err(|e| {
+                Failure::input(format!(
+                    "{file}, pose {} (line {}): {e}; a rotation has orthogonal columns of length one, to 1e-6",
+                    row + 1,
+                    row + 2
+                ))
+            })?);
+            bar.inc(1);
+        }
+        bar.finish_and_clear();
+        Ok(poses)
+    }
+}
+
+fn rows(t: &Displacement) -> [[f64; 4]; 3] {
+    core::array::from_fn(|i| {
+        let [x, y, z] = t.rotation[i];
+        [x, y, z, t.shift[i]]
+    })
+}
+
+fn vector(option: &str, numbers: &[f64]) -> Result<[f64; 3], Failure> {
+    let vector: Option<[f64; 3]> = numbers.try_into().ok();
+    vector
+        .filter(|v| v.iter().all(|x| x.is_finite()) && v.iter().any(|x| x.abs() > 1e-9))
+        .ok_or_else(|| Failure::input(format!("{option} takes three numbers, not all zero, with commas: 0,0,1")))
+}

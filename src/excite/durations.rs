@@ -1,0 +1,55 @@
+//! The criterion against the duration (the paper's figure 5): when does a longer motion stop paying?
+
+use super::Curve;
+use super::criterion::Criterion;
+use super::design::{Effort, Watch, design};
+use super::task::Task;
+
+/// One criterion at one duration.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AtDuration {
+    /// The criterion's name.
+    pub criterion: &'static str,
+    /// s
+    pub seconds: f64,
+    /// Its value; `None`: no motion inside the limits, or one that tells nothing about some column.
+    pub value: Option<f64>,
+    /// Condition number of the plain columns.
+    pub condition: Option<f64>,
+    /// Value less that of the duration before: what the added time has gained (negative: better).
+    pub change: Option<f64>,
+}
+
+/// Designs a motion for every criterion and duration (ascending), with way points as far apart as in the task.
+pub fn by_duration(
+    task: &Task<'_>,
+    criteria: &[Criterion],
+    durations: &[f64],
+    effort: &Effort,
+    watch: &Watch<'_>,
+) -> Vec<AtDuration> {
+    let spacing = match task.curve {
+        Curve::Spline { duration, intervals } => duration / intervals as f64,
+        Curve::Fourier { .. } => 1.0,
+    };
+    let mut rows: Vec<AtDuration> = Vec::new();
+    for criterion in criteria {
+        let mut before: Option<f64> = None;
+        for &seconds in durations {
+            let intervals = ((seconds / spacing).round() as usize).max(1);
+            let curve = Curve::Spline { duration: seconds, intervals };
+            let own = Task { criterion: criterion.clone(), curve, ..task.clone() };
+            let found = design(&own, effort, watch).ok().filter(|found| found.feasible);
+            let value = found.as_ref().map(|found| found.value).filter(|v| v.is_finite());
+            rows.push(AtDuration {
+                criterion: criterion.name(),
+                seconds,
+                value,
+                condition: found.map(|found| found.plain.condition).filter(|c| c.is_finite()),
+                change: before.zip(value).map(|(before, value)| value - before),
+            });
+            before = value;
+        }
+    }
+    rows
+}

@@ -1,0 +1,153 @@
+//! Inverse kinematics of any robot file, without compiling: the text that generated crates carry, run by the interpreter.
+
+use dh_codegen::arm::{Inverse, Model};
+use dh_codegen::ik::{Arm, Branch, Query, Reference, Status};
+use dh_codegen::robot::Robot;
+
+pub use dh_codegen::ik::PoseError;
+
+/// One posture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Posture {
+    /// Positions, rad or m, `dof` entries.
+    pub q: Vec<f64>,
+    /// Which posture it is.
+    pub branch: Branch,
+    /// Distance of the last frame's origin from the pose's, m.
+    pub position_error: f64,
+    /// Angle between the last frame and the pose, rad.
+    pub rotation_error: f64,
+    /// Does it respect the limits?
+    pub within_limits: bool,
+    /// Distance to the nearest limit, rad or m; infinite where no joint has one.
+    pub margin: f64,
+    /// Joints, from 0, that can move together and leave the pose as it is.
+    pub free: Vec<usize>,
+}
+
+/// All postures of one pose.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Postures {
+    /// What became of the pose.
+    pub status: Status,
+    /// In the order of their branches, or by distance from the near posture.
+    pub list: Vec<Posture>,
+    /// Of an unreachable pose: how far off the nearest posture that was found is, m and rad.
+    pub distance: [f64; 2],
+    /// Branches of the nominal arm that were not found on the real one.
+    pub lost: u32,
+    /// The swivel angle, rad, or position of the locked joint that was used.
+    pub redundancy: f64,
+    /// Was the second reference plane used?
+    pub second_plane: bool,
+}
+
+/// What is asked beside the pose.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ask {
+    /// Of a redundant arm: swivel angle, rad, or position of the locked joint, rad or m.
+    pub redundancy: f64,
+    /// From where the swivel angle is counted.
+    pub reference: Reference,
+    /// A posture: free joints and whole turns are taken near it, and nearest solutions stand first.
+    pub near: Option<Vec<f64>>,
+    /// What may be left to the pose, m and rad.
+    pub tolerance: f64,
+}
+
+impl Default for Ask {
+    fn default() -> Self {
+        let Query { redundancy, reference, tolerance, .. } = Query::<1>::default();
+        Self { redundancy, reference, near: None, tolerance }
+    }
+}
+
+/// Arms of each size behind one door.
+trait Solver: Send + Sync {
+    fn solve(&self, pose: &[[f64; 4]; 3], ask: &Ask) -> Result<Postures, PoseError>;
+    fn redundancy(&self, q: &[f64], reference: &Reference) -> f64;
+}
+
+impl<const N: usize> Solver for Arm<N> {
+    fn solve(&self, pose: &[[f64; 4]; 3], ask: &Ask) -> Result<Postures, PoseError> {
+        let near: Option<[f64; N]> = ask.near.as_ref().and_then(|q| q.as_slice().try_into().ok());
+        let query = Query {
+            redundancy: ask.redundancy,
+            reference: ask.reference,
+            near: near.as_ref(),
+            tolerance: ask.tolerance,
+        };
+        let found = Arm::solve(self, pose, &query)?;
+        let list = found.as_slice().iter().map(|s| Posture {
+            q: s.q.to_vec(),
+            branch: s.branch,
+            position_error: s.position_error,
+            rotation_error: s.rotation_error,
+            within_limits: s.within_limits,
+            margin: s.margin,
+            free: (0..N).filter(|j| s.free >> j & 1 == 1).collect(),
+        });
+        Ok(Postures {
+            status: found.status,
+            list: list.collect(),
+            distance: found.distance,
+            lost: found.lost,
+            redundancy: found.redundancy,
+            second_plane: found.second_plane,
+        })
+    }
+
+    fn redundancy(&self, q: &[f64], reference: &Reference) -> f64 {
+        q.try_into().map_or(0.0, |q| Arm::redundancy(self, q, reference))
+    }
+}
+
+/// The inverse of one robot.
+pub struct Kinematics {
+    inverse: Inverse,
+    solver: Box<dyn Solver>,
+}
+
+/// The most joints that are solved for.
+pub const MOST: usize = 8;
+
+impl Kinematics {
+    /// Of a robot; `None` where it has more than [`MOST`] joints.
+    pub fn new(robot: &Robot, model: &Model) -> Option<Self> {
+        let inverse = Inverse::new(model.chain());
+        let limits: Vec<_> = robot.moving().iter().map(|&i| robot.joints[i].limits.position).collect();
+        fn boxed<const N: usize>(inverse: &Inverse, limits: &[Option<[f64; 2]>]) -> Option<Box<dyn Solver>> {
+            Some(Box::new(inverse.arm::<N>(limits)?))
+        }
+        let solver = match limits.len() {
+            1 => boxed::<1>(&inverse, &limits),
+            2 => boxed::<2>(&inverse, &limits),
+            3 => boxed::<3>(&inverse, &limits),
+            4 => boxed::<4>(&inverse, &limits),
+            5 => boxed::<5>(&inverse, &limits),
+            6 => boxed::<6>(&inverse, &limits),
+            7 => boxed::<7>(&inverse, &limits),
+            8 => boxed::<MOST>(&inverse, &limits),
+            _ => None,
+        }?;
+        Some(Self { inverse, solver })
+    }
+
+    /// Class and reason.
+    pub fn inverse(&self) -> &Inverse {
+        &self.inverse
+    }
+
+    /// All postures that bring the last DH frame to a pose: the top three rows of its homogeneous matrix, m.
+    ///
+    /// # Errors
+    /// If an entry is not finite or the rotation is none.
+    pub fn solve(&self, pose: &[[f64; 4]; 3], ask: &Ask) -> Result<Postures, PoseError> {
+        self.solver.solve(pose, ask)
+    }
+
+    /// Swivel angle or locked joint of a posture; zero for an arm that is not redundant.
+    pub fn redundancy(&self, q: &[f64], reference: &Reference) -> f64 {
+        self.solver.redundancy(q, reference)
+    }
+}

@@ -1,0 +1,61 @@
+//! `ik --json`.
+
+use dh_codegen::arm::Inverse;
+use dh_codegen::ik::Status;
+use serde_json::{Value, json};
+
+use crate::inverse::Postures;
+
+/// The status as the contract writes it.
+pub(super) fn status(status: Status) -> &'static str {
+    match status {
+        Status::Ok => "ok",
+        Status::Unreachable => "unreachable",
+        Status::Singular => "singular",
+    }
+}
+
+/// `{"class", "poses": [{"status", "solutions": [..]}]}`.
+pub fn value(name: &str, inverse: &Inverse, redundant: bool, poses: &[Postures]) -> Value {
+    let pose = |p: &Postures| {
+        let solutions: Vec<Value> = p
+            .list
+            .iter()
+            .map(|s| {
+                let mut v = json!({
+                    "q": s.q,
+                    "branch": s.branch.to_string(),
+                    "position_error": s.position_error,
+                    "rotation_error": s.rotation_error,
+                    "within_limits": s.within_limits,
+                    // Without limits there is no margin: null, and not an infinity that JSON does not have.
+                    "limit_margin": if s.margin.is_finite() { json!(s.margin) } else { Value::Null },
+                });
+                if !s.free.is_empty() {
+                    v["free_joints"] = json!(s.free.iter().map(|j| j + 1).collect::<Vec<_>>());
+                }
+                v
+            })
+            .collect();
+        let mut v = json!({ "status": status(p.status), "solutions": solutions });
+        if p.status == Status::Unreachable {
+            v["distance"] = json!({ "position": p.distance[0], "rotation": p.distance[1] });
+        }
+        if redundant {
+            v["swivel"] = json!(p.redundancy);
+        }
+        if p.second_plane {
+            v["reference_plane"] = json!("second");
+        }
+        if !inverse.exact {
+            v["branches_lost"] = json!(p.lost);
+        }
+        v
+    };
+    json!({
+        "name": name,
+        "class": inverse.class,
+        "exact": inverse.exact,
+        "poses": poses.iter().map(pose).collect::<Vec<_>>(),
+    })
+}

@@ -1,0 +1,123 @@
+//! `denavit diagnose` on logs of the simulated robot: files in, verdict out.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use super::denavit;
+
+fn folder(name: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("diagnose").join(name);
+    fs::create_dir_all(&path).unwrap();
+    path
+}
+
+/// Sums of sines, all joints, starting at rest.
+fn motion(path: &Path, dof: usize, seconds: f64, seed: f64) {
+    let mut text = String::from("t");
+    (1..=dof).for_each(|j| write!(text, ",q{j}").unwrap());
+    text.push('\n');
+    let rate = 100.0;
+    for k in 0..(seconds * rate) as usize {
+        let t = k as f64 / rate;
+        // Grows from nothing, so that the controller need not jump.
+        let s = (t / 1.5).min(1.0);
+        let grow = s * s * s * (10.0 - 15.0 * s + 6.0 * s * s);
+        write!(text, "{t}").unwrap();
+        for j in 0..dof {
+            let f = |n: f64| {
+                (std::f64::consts::TAU * (0.11 * n + 0.013 * j as f64 + 0.003 * seed) * t + n + seed + j as f64).sin()
+            };
+            write!(text, ",{}", grow * (0.5 * f(1.0) + 0.25 * f(2.0) + 0.12 * f(4.0))).unwrap();
+        }
+        text.push('\n');
+    }
+    fs::write(path, text).unwrap();
+}
+
+fn simulate(place: &Path, name: &str, motion: &Path, effects: &str, seed: &str) -> String {
+    let (file, log) = (place.join(format!("{name}.effects.yaml")), place.join(format!("{name}.csv")));
+    fs::write(&file, effects).unwrap();
+    let (file, motion, log) = (file.to_str().unwrap(), motion.to_str().unwrap(), log.to_str().unwrap());
+    let run = denavit(&[
+        "simulate",
+        "robots/kuka-lwr4.yaml",
+        "--trajectory",
+        motion,
+        "--out",
+        log,
+        "--effects",
+        file,
+        "--seed",
+        seed,
+    ]);
+    assert_eq!(run.status, Some(0), "{}", run.err);
+    log.to_string()
+}
+
+fn diagnosis(name: &str, effect: &str) -> (Value, String) {
+    let place = folder(name);
+    let effects = format!("{effect}\nsensors: {{ rate: 500, torque_noise: 0.05 }}\n");
+    let (one, two) = (place.join("one.csv"), place.join("two.csv"));
+    motion(&one, 7, 10.0, 1.0);
+    motion(&two, 7, 6.0, 2.0);
+    let fit = simulate(&place, "fit", &one, &effects, "1");
+    let validate = simulate(&place, "validate", &two, &effects, "2");
+    let out = place.join("extended.yaml");
+    let out = out.to_str().unwrap();
+    let run =
+        denavit(&["diagnose", "robots/kuka-lwr4.yaml", &fit, "--validate", &validate, "--out", out, "--json", "-"]);
+    assert_eq!(run.status, Some(0), "{}", run.err);
+    (serde_json::from_str(&run.out).unwrap(), out.to_string())
+}
+
+#[test]
+fn nothing_hidden_is_nothing_wrong() {
+    let (found, _) = diagnosis("nothing", "joints: {}");
+    assert_eq!(found["verdict"], "nothing_wrong", "{found:#}");
+    assert_eq!(found["causes"].as_array().unwrap().len(), 0);
+    for j in 0..7 {
+        let (noise, error) =
+            (found["noise_floor"][j].as_f64().unwrap(), found["extended"]["rms"]["validate"][j].as_f64().unwrap());
+        assert!((0.8..1.2).contains(&(noise / 0.05)) && error < 1.35 * noise, "joint {}: {noise} {error}", j + 1);
+    }
+}
+
+#[test]
+fn a_hidden_ripple_comes_back_in_the_robot_file() {
+    let (found, out) = diagnosis("ripple", "joints: { 4: { torque_ripple: { RN: 20, RC: 0.3, RS: 0.2 } } }");
+    let first = &found["causes"][0];
+    assert_eq!(
+        (first["cause"].as_str(), &first["joints"]),
+        (Some("torque_ripple"), &serde_json::json!([4])),
+        "{found:#}"
+    );
+    assert!((first["parameters"]["RC4"].as_f64().unwrap() - 0.3).abs() < 0.02);
+    let gain = &first["gain"];
+    assert!(gain["rms_after"][3].as_f64().unwrap() < 0.3 * gain["rms_before"][3].as_f64().unwrap());
+    assert!(fs::read_to_string(&out).unwrap().contains("torque_ripple"));
+    let check = denavit(&["check", &out]);
+    assert_eq!(check.status, Some(0), "{}", check.err);
+}
+
+#[test]
+fn a_hidden_payload_is_the_whole_robots() {
+    let (found, _) = diagnosis(
+        "payload",
+        "joints: {}\neffects: { payload: { M: 0.8, MSX: 0.02, MSZ: 0.1, XX: 0.02, YY: 0.02, ZZ: 0.003, XZ: -0.0025 } }",
+    );
+    let first = &found["causes"][0];
+    assert_eq!((first["cause"].as_str(), &first["joints"]), (Some("payload"), &serde_json::json!([])), "{found:#}");
+    assert!(first["not_distinguished_from"].as_array().unwrap().contains(&"link_inertia_error".into()));
+}
+
+#[test]
+fn bad_use_is_said_in_one_paragraph() {
+    let run = denavit(&["diagnose", "robots/kuka-lwr4.yaml", "no-such.csv"]);
+    assert_eq!(run.status, Some(2));
+    assert!(run.err.contains("no-such.csv"), "{}", run.err);
+    let run = denavit(&["diagnose", "robots/kuka-lwr4.yaml", "no-such.csv", "--rate", "1"]);
+    assert!(run.status == Some(2) && run.err.contains("--rate"), "{}", run.err);
+}

@@ -1,0 +1,121 @@
+//! Motions as files: what the contract fixes, what the numeric oracle says about them, how wrong uses end.
+
+use denavit::numeric::Numeric;
+use denavit::trajectory::Trajectory;
+use dh_codegen::arm::param;
+use nalgebra::DMatrix;
+
+use super::*;
+
+const ROBOT: &str = "robots/kuka-lwr4.yaml";
+const QUICK: [&str; 6] = ["--duration", "4", "--starts", "2", "--iterations", "15"];
+
+fn rows(path: &str) -> (Vec<String>, Vec<Vec<f64>>) {
+    let text = std::fs::read_to_string(path).unwrap();
+    let mut lines = text.lines();
+    let header = lines.next().unwrap().split(',').map(String::from).collect();
+    (header, lines.map(|l| l.split(',').map(|c| c.parse().unwrap()).collect()).collect())
+}
+
+#[test]
+fn the_written_motion_is_what_the_json_says() {
+    let folder = folder("excite");
+    let path = |name: &str| folder.join(name).display().to_string();
+    let (csv, coefficients, ros, page) = (path("m.csv"), path("m.json"), path("m.yaml"), path("m.html"));
+    let files = ["--out", &csv, "--coefficients", &coefficients, "--ros", &ros, "--report", &page, "--json", "-"];
+    let found = json(&[&["excite", ROBOT, "--criterion", "cond"], &QUICK[..], &files[..]].concat());
+    assert_eq!(found["criterion"], "cond");
+    assert_eq!(found["feasible"], true);
+    assert!(found["seconds"].as_f64().unwrap() > 0.0);
+
+    let (header, rows) = rows(&csv);
+    let names = |p: &str| (1..=7).map(|j| format!("{p}{j}")).collect::<Vec<_>>();
+    assert_eq!(header, [vec!["t".into()], names("q"), names("dq"), names("ddq")].concat());
+    assert_eq!(rows.len(), 401);
+
+    // The condition number of equation (9) by the oracle: leaders' own columns of the numeric regressor.
+    let robot = read_robot(ROBOT);
+    let numeric = Numeric::new(&robot);
+    let standard: Vec<String> = param::standard(&robot).iter().map(|p| p.name()).collect();
+    let leaders: Vec<usize> = found["columns"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|c| {
+            let name = c.as_str().unwrap();
+            standard.iter().position(|s| s == name || format!("{s}R") == name).unwrap()
+        })
+        .collect();
+    let mut w = DMatrix::zeros(7 * rows.len(), leaders.len());
+    for (s, row) in rows.iter().enumerate() {
+        let full = numeric.regressor(&row[1..8], &row[8..15], &row[15..22]);
+        for (k, &column) in leaders.iter().enumerate() {
+            w.view_mut((7 * s, k), (7, 1)).copy_from(&full.column(column));
+        }
+    }
+    let sigma = w.singular_values();
+    let condition = sigma.max() / sigma.min();
+    assert!((found["condition_number"].as_f64().unwrap() / condition - 1.0).abs() < 1e-3, "{condition} {found}");
+    assert!((found["value"].as_f64().unwrap() / condition - 1.0).abs() < 1e-3);
+
+    // The same motion from its coefficients, by the checker, and as ROS reads it.
+    let value = serde_json::from_str(&std::fs::read_to_string(&coefficients).unwrap()).unwrap();
+    let motion = Trajectory::from_json(&value).unwrap();
+    for row in rows.iter().step_by(37) {
+        let at = motion.at(row[0]);
+        let all = at.q.iter().chain(&at.dq).chain(&at.ddq);
+        all.zip(&row[1..]).for_each(|(a, b)| assert!((a - b).abs() < 1e-9));
+    }
+    let verdict = json(&["excite", ROBOT, "--check", &csv, "--json", "-"]);
+    assert_eq!(verdict["feasible"], true, "{verdict}");
+    let ros = std::fs::read_to_string(&ros).unwrap();
+    assert!(ros.contains("joint_names: [\"A1\", \"A2\"") && ros.matches("time_from_start").count() == 401);
+    let page = std::fs::read_to_string(&page).unwrap();
+    assert!(page.contains("<canvas") || page.contains("id=arm"));
+    assert!(!page.contains("http://") || page.matches("http://").count() == page.matches("http://www.w3.org").count());
+    assert!(!page.contains("NaN"));
+
+    // The same seed, the same bytes.
+    let again = path("again.csv");
+    let run = denavit(
+        &[&["excite", ROBOT, "--criterion", "cond", "--threads", "1"], &QUICK[..], &["--out", &again]].concat(),
+    );
+    assert_eq!(run.status, Some(0), "{}", run.err);
+    assert_eq!(std::fs::read(&csv).unwrap(), std::fs::read(&again).unwrap());
+}
+
+#[test]
+fn a_motion_for_another_robot_is_refused_by_name() {
+    let folder = folder("excite_refused");
+    let path = folder.join("m.csv").display().to_string();
+    let run = denavit(&[&["excite", ROBOT], &QUICK[..], &["--out", &path]].concat());
+    assert_eq!(run.status, Some(0), "{}", run.err);
+    let run = denavit(&["excite", "robots/franka-panda.yaml", "--check", &path]);
+    assert_eq!(run.status, Some(1));
+    assert!(run.err.contains("position of J4"), "{}", run.err);
+}
+
+#[test]
+fn wrong_uses_end_with_2() {
+    let folder = folder("excite_wrong");
+    let bad = file(&folder, "bad.csv", "t,q1,q2,q3,q4,q5,q6,q7\n0,0,0,0,0,0,0,x\n");
+    let short = file(&folder, "short.csv", "t,q1\n0,0\n");
+    let back = file(&folder, "back.csv", "t,q1,q2,q3,q4,q5,q6,q7\n0,0,0,0,0,0,0,0\n1,0,0,0,0,0,0,0\n1,0,0,0,0,0,0,0\n");
+    let slow = file(&folder, "slow.yaml", "name: bare\nconvention: modified\njoints: [ { type: revolute } ]\n");
+    for (arguments, says) in [
+        (vec!["excite", ROBOT, "--duration", "-1"], "--duration"),
+        (vec!["excite", ROBOT, "--duration", "NaN"], "--duration"),
+        (vec!["excite", ROBOT, "--noise", "1,2"], "--noise"),
+        (vec!["excite", ROBOT, "--criterion", "best"], "--criterion"),
+        (vec!["excite", ROBOT, "--duration", "500", "--spacing", "0.1"], "--spacing"),
+        (vec!["excite", ROBOT, "--check", &bad], "line 2, column `q7`"),
+        (vec!["excite", ROBOT, "--check", &short], "`q2`"),
+        (vec!["excite", ROBOT, "--check", &back], "time does not ascend"),
+        (vec!["excite", ROBOT, "--check", "nowhere.csv"], "nowhere.csv"),
+        (vec!["excite", &slow], "`velocity`"),
+    ] {
+        let run = denavit(&arguments);
+        assert_eq!(run.status, Some(2), "{arguments:?}: {}", run.err);
+        assert!(run.err.contains(says), "{arguments:?}: {}", run.err);
+    }
+}

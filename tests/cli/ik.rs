@@ -1,0 +1,114 @@
+//! `denavit ik` as the contract has it.
+
+use denavit::numeric::Numeric;
+use denavit::numeric::random::Random;
+
+use super::*;
+
+fn pose_columns() -> Vec<String> {
+    ["r11", "r12", "r13", "px", "r21", "r22", "r23", "py", "r31", "r32", "r33", "pz"].map(String::from).to_vec()
+}
+
+fn row(m: &nalgebra::Matrix4<f64>) -> Vec<f64> {
+    (0..12).map(|k| m[(k / 4, k % 4)]).collect()
+}
+
+/// Poses of random postures; every solution reaches its pose and one is the posture.
+#[test]
+fn solutions_reach_their_poses() {
+    for (name, class) in [("puma560", "6r-spherical-wrist"), ("ur10e", "6r-three-parallel"), ("stanford", "stanford")] {
+        let robot = read_robot(&format!("robots/{name}.yaml"));
+        let oracle = Numeric::new(&robot);
+        let mut random = Random::new(17);
+        let postures: Vec<Vec<f64>> = (0..5).map(|_| random.vector(6, 1.2)).collect();
+        let goals: Vec<_> = postures.iter().map(|q| *oracle.frames(q).last().unwrap()).collect();
+        let folder = folder(&format!("ik-{name}"));
+        let rows: Vec<Vec<f64>> = goals.iter().map(row).collect();
+        let poses = file(&folder, "poses.csv", csv(&pose_columns(), &rows));
+        let said = json(&["ik", &format!("robots/{name}.yaml"), "--poses", &poses, "--json", "-"]);
+        assert_eq!(said["class"], class);
+        assert_eq!(json(&["check", &format!("robots/{name}.yaml"), "--json", "-"])["ik"]["class"], class);
+        for ((pose, goal), q) in said["poses"].as_array().unwrap().iter().zip(&goals).zip(&postures) {
+            assert_eq!(pose["status"], "ok");
+            let solutions = pose["solutions"].as_array().unwrap();
+            let mut met = false;
+            for s in solutions {
+                let found = numbers(&s["q"]);
+                assert!((oracle.frames(&found).last().unwrap() - goal).abs().max() < 1e-12);
+                assert!(s["position_error"].as_f64().unwrap() < 1e-12 && s["rotation_error"].as_f64().unwrap() < 1e-12);
+                assert!(s["branch"].is_string() && s["within_limits"].is_boolean());
+                met |= found.iter().zip(q).all(|(a, b)| ((a - b) / 2.0).sin().abs() < 1e-8);
+            }
+            assert!(met, "{name} {q:?}");
+        }
+    }
+}
+
+/// The swivel column turns the elbow and leaves the pose; without it the angle is zero.
+#[test]
+fn a_redundant_arm_takes_its_swivel_from_the_file() {
+    let robot = read_robot("robots/kuka-iiwa14.yaml");
+    let oracle = Numeric::new(&robot);
+    let goal = *oracle.frames(&[0.3, 0.5, -0.2, 1.1, 0.4, -0.8, 0.1]).last().unwrap();
+    let folder = folder("ik-swivel");
+    let mut header = pose_columns();
+    header.push("swivel".into());
+    let rows: Vec<Vec<f64>> = [0.0, 0.7].iter().map(|phi| [row(&goal), vec![*phi]].concat()).collect();
+    let poses = file(&folder, "poses.csv", csv(&header, &rows));
+    let said = json(&["ik", "robots/kuka-iiwa14.yaml", "--poses", &poses, "--json", "-"]);
+    let all = said["poses"].as_array().unwrap();
+    assert_eq!((all.len(), all[1]["swivel"].as_f64()), (2, Some(0.7)));
+    assert_ne!(all[0]["solutions"], all[1]["solutions"]);
+    for pose in all {
+        assert_eq!(pose["solutions"].as_array().unwrap().len(), 8);
+        for s in pose["solutions"].as_array().unwrap() {
+            assert!((oracle.frames(&numbers(&s["q"])).last().unwrap() - goal).abs().max() < 1e-12);
+        }
+    }
+}
+
+/// With `--tool` the poses are the tool's.
+#[test]
+fn the_tool_counts_when_asked() {
+    let robot = read_robot("robots/planar2r.yaml");
+    let oracle = Numeric::new(&robot);
+    let folder = folder("ik-tool");
+    let q = [0.4, 0.9];
+    let poses = file(&folder, "poses.csv", csv(&pose_columns(), &[row(&oracle.tool(&q))]));
+    let met = |arguments: &[&str]| {
+        let said = json(arguments);
+        said["poses"][0]["solutions"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .any(|s| numbers(&s["q"]).iter().zip(q).all(|(a, b)| (a - b).abs() < 1e-9))
+    };
+    assert!(met(&["ik", "robots/planar2r.yaml", "--poses", &poses, "--tool", "--json", "-"]));
+    assert!(!met(&["ik", "robots/planar2r.yaml", "--poses", &poses, "--json", "-"]));
+}
+
+/// What is wrong is said with its place, and the status is 2.
+#[test]
+fn wrong_poses_are_told() {
+    let folder = folder("ik-wrong");
+    let good = row(&nalgebra::Matrix4::identity());
+    let cases = [
+        (csv(&pose_columns()[1..], &[good[1..].to_vec()]), "no column r11"),
+        (csv(&pose_columns(), &[vec![2.0; 12]]), "not a rotation"),
+        (csv(&pose_columns(), core::slice::from_ref(&good)).replace("1,0,0,0", "1,NaN,0,0"), "not a finite number"),
+    ];
+    for (k, (text, expected)) in cases.into_iter().enumerate() {
+        let poses = file(&folder, &format!("{k}.csv"), text);
+        let run = denavit(&["ik", "robots/ur10e.yaml", "--poses", &poses, "--json", "-"]);
+        assert_eq!(run.status, Some(2));
+        assert!(run.err.contains(expected) && run.out.is_empty(), "{}", run.err);
+    }
+    let poses = file(
+        &folder,
+        "far.csv",
+        csv(&pose_columns(), &[vec![1.0, 0.0, 0.0, 9.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]]),
+    );
+    let said = json(&["ik", "robots/ur10e.yaml", "--poses", &poses, "--json", "-"]);
+    assert_eq!(said["poses"][0]["status"], "unreachable");
+    assert!(said["poses"][0]["distance"]["position"].as_f64().unwrap() > 7.0);
+}

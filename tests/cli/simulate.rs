@@ -1,0 +1,120 @@
+//! `denavit simulate`: logs that `identify` takes, the same for the same seed, and mistakes that are explained.
+
+use super::*;
+
+const ROBOT: &str = "robots/planar2r.yaml";
+
+/// Two joints that swing for some seconds, at rest at both ends.
+fn motion(folder: &std::path::Path, seconds: f64) -> String {
+    let rows = (seconds / 0.02).round() as usize;
+    let mut text = String::from("t,q1,q2\n");
+    for k in 0..=rows {
+        let t = k as f64 * 0.02;
+        let window = (std::f64::consts::PI * t / seconds).sin().powi(2);
+        let (a, b) = ((2.0 * t).sin() + 0.4 * (5.1 * t).sin(), (3.1 * t).cos());
+        text += &format!("{t},{},{}\n", 1.2 * window * a, 0.9 * window * b);
+    }
+    file(folder, "motion.csv", text)
+}
+
+#[test]
+fn a_simulated_log_identifies_without_a_warning() {
+    let folder = folder("simulate-identify");
+    let (motion, log) = (motion(&folder, 8.0), folder.join("log.csv.gz").display().to_string());
+    let run = denavit(&["simulate", ROBOT, "--trajectory", &motion, "--out", &log, "--seed", "3"]);
+    assert_eq!(run.status, Some(0), "{}", run.err);
+    assert!(run.err.is_empty(), "{}", run.err);
+    assert!(run.out.contains("times faster than real time") && run.out.contains("8001 samples"), "{}", run.out);
+    let found = json(&["identify", ROBOT, &log, "--validate", &log, "--json", "-"]);
+    // The file's own friction comes out again.
+    for (name, expected) in [("FV1", 0.1), ("FC1", 0.2), ("FV2", 0.05), ("FC2", 0.1)] {
+        let list = found["parameters"].as_array().unwrap();
+        let value = list.iter().find(|p| p["name"] == name).unwrap()["value"].as_f64().unwrap();
+        assert!((value - expected).abs() < 0.02, "{name} {value}");
+    }
+    let rms = numbers(&found["rms"]["validate"]);
+    assert!(rms.iter().all(|r| *r < 0.06), "{rms:?}");
+    let check = denavit(&["identify", ROBOT, &log, "--validate", &log]);
+    assert!(!check.out.contains("warning") && check.err.is_empty(), "{}{}", check.out, check.err);
+}
+
+#[test]
+fn the_same_seed_gives_the_same_bytes() {
+    let folder = folder("simulate-seed");
+    let motion = motion(&folder, 2.0);
+    let effects = file(
+        &folder,
+        "effects.yaml",
+        "joints: { elbow: { backlash: {}, presliding_hysteresis: {} }, 1: { torque_ripple: { RN: 20, RC: 0.1 } } }\n\
+         sensors: { rate: 500, dq: true, torque: link, temp: true }\n",
+    );
+    let log = |name: &str, seed: &str| {
+        let out = folder.join(name).display().to_string();
+        let arguments =
+            ["simulate", ROBOT, "--trajectory", &motion, "--out", &out, "--effects", &effects, "--seed", seed];
+        let report = json(&[&arguments[..], &["--json", "-"]].concat());
+        assert_eq!(report["samples"], 1001);
+        (std::fs::read(&out).unwrap(), report)
+    };
+    let (a, b, c) = (log("a.csv", "1"), log("b.csv", "1"), log("c.csv", "2"));
+    assert!(a == b && a.0 != c.0);
+    let header = String::from_utf8_lossy(&a.0).lines().next().unwrap().to_string();
+    assert_eq!(header, "t,q1,q2,dq1,dq2,tau1,tau2,taum1,taum2,qd1,qd2,temp1,temp2");
+}
+
+#[test]
+fn a_free_swing_needs_no_trajectory() {
+    let folder = folder("simulate-free");
+    let log = folder.join("swing.csv").display().to_string();
+    let run = denavit(&["simulate", ROBOT, "--free", "1", "--start", "-0.3,0.4", "--out", &log]);
+    assert_eq!(run.status, Some(0), "{}", run.err);
+    assert_eq!(std::fs::read_to_string(&log).unwrap().lines().count(), 1002);
+}
+
+#[test]
+fn mistakes_are_told_and_mended() {
+    let folder = folder("simulate-mistakes");
+    let (motion, log) = (motion(&folder, 2.0), folder.join("log.csv").display().to_string());
+    let three = file(&folder, "three.csv", "t,q1,q2,q3\n0,0,0,0\n1,1,1,1\n");
+    let back = file(&folder, "back.csv", "t,q1,q2\n0,0,0\n1,1,1\n0.5,1,1\n");
+    let text = file(&folder, "text.csv", "t,q1,q2\n0,0,0\n1,one,1\n");
+    let key = file(&folder, "key.yaml", "joints: { 1: { backlash: { width: 1 } } }\n");
+    let law = file(&folder, "law.yaml", "joints: { 1: { stribeck_friction: { FS: 1, VS: 0 } } }\n");
+    let coupled = file(&folder, "coupled.yaml", "joints: { 1: { gear_coupling: { joint: 1 } } }\n");
+    let sensors = file(&folder, "sensors.yaml", "sensors: { torque_noise: [1, 2, 3] }\n");
+    let torque = file(&folder, "torque.yaml", "control: { mode: torque }\n");
+    for (robot, trajectory, effects, expected) in [
+        ("robots/kuka-lbr-med7.yaml", &motion, None, "the robot has 7"),
+        ("robots/staubli-tx40.yaml", &motion, None, "the robot has 6"),
+        (ROBOT, &three, None, "the trajectory has 3 joints"),
+        (ROBOT, &back, None, "does not ascend at row 3: 1 s, then 0.5 s"),
+        (ROBOT, &text, None, "line 3, column q1: `one` is not a finite number"),
+        (ROBOT, &motion, Some(&key), "the keys of backlash are BL (rad)"),
+        (ROBOT, &motion, Some(&law), "stribeck_friction of joint 1: VS is 0; it must be greater than 0"),
+        (
+            ROBOT,
+            &motion,
+            Some(&coupled),
+            "gear_coupling of joint 1: joint is 1; it must be the number of another joint",
+        ),
+        (
+            ROBOT,
+            &motion,
+            Some(&sensors),
+            "sensors.torque_noise has 3 values; write one, or one for each of the 2 joints",
+        ),
+        (ROBOT, &motion, Some(&torque), "plays the columns tau1..tau2 of the trajectory, and it has none"),
+    ] {
+        let mut arguments = vec!["simulate", robot, "--trajectory", trajectory, "--out", &log];
+        if let Some(effects) = effects {
+            arguments.extend(["--effects", effects]);
+        }
+        let run = denavit(&arguments);
+        assert_eq!(run.status, Some(2), "{expected}: {}", run.err);
+        assert!(run.err.contains(expected), "{expected}: {}", run.err);
+    }
+    let nowhere =
+        denavit(&["simulate", "robots/kuka-lbr-med7.yaml", "--free", "1", "--start", "0,0,0,0,0,0,0", "--out", &log]);
+    assert_eq!(nowhere.status, Some(2));
+    assert!(nowhere.err.contains("has no `links`; add a `links:` list"), "{}", nowhere.err);
+}

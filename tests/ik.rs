@@ -1,0 +1,358 @@
+//! Inverse kinematics against the numeric recursion: every solution reaches its pose, and the posture that made the pose is found.
+//!
+//! `DENAVIT_IK_POSTURES` sets how many random postures each arm gets (1,000 here, a million before a release).
+
+use core::f64::consts::{PI, TAU};
+
+use denavit::inverse::{Ask, Kinematics, Postures};
+use denavit::numeric::Numeric;
+use denavit::numeric::random::Random;
+use dh_codegen::arm::Model;
+use dh_codegen::ik::{Arm, Branch, Query, Reference, Status};
+use dh_codegen::robot::{JointKind, Robot};
+
+fn postures() -> usize {
+    std::env::var("DENAVIT_IK_POSTURES").ok().and_then(|n| n.parse().ok()).unwrap_or(1000)
+}
+
+fn robot(name: &str) -> Robot {
+    let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
+    Robot::from_yaml(&std::fs::read_to_string(path).unwrap(), &|f| Err(f.to_string())).unwrap().robot
+}
+
+/// An arm, its inverse, and the recursion that shares no code with it.
+struct Bench {
+    robot: Robot,
+    oracle: Numeric,
+    ik: Kinematics,
+    slides: Vec<bool>,
+}
+
+impl Bench {
+    fn new(robot: Robot) -> Self {
+        let ik = Kinematics::new(&robot, &Model::new(&robot)).unwrap();
+        let slides = robot.moving().iter().map(|&i| robot.joints[i].kind == JointKind::Prismatic).collect();
+        Self { oracle: Numeric::new(&robot), ik, slides, robot }
+    }
+
+    fn pose(&self, q: &[f64]) -> [[f64; 4]; 3] {
+        let m = *self.oracle.frames(q).last().unwrap();
+        core::array::from_fn(|i| core::array::from_fn(|j| m[(i, j)]))
+    }
+
+    fn solve(&self, q: &[f64], near: bool) -> Postures {
+        let redundancy = self.ik.redundancy(q, &Reference::UP);
+        let near = near.then(|| q.to_vec());
+        self.ik.solve(&self.pose(q), &Ask { redundancy, near, ..Ask::default() }).unwrap()
+    }
+
+    fn distance(&self, a: &[f64], b: &[f64]) -> f64 {
+        (0..a.len()).fold(0.0, |m: f64, i| {
+            let d = a[i] - b[i];
+            m.max(if self.slides[i] { d } else { d - TAU * (d / TAU).round() }.abs())
+        })
+    }
+
+    /// Largest error of the solutions' poses, and how far the nearest solution is from the posture.
+    fn check(&self, q: &[f64], near: bool) -> (f64, f64, Postures) {
+        let goal = self.pose(q);
+        let found = self.solve(q, near);
+        let mut error: f64 = 0.0;
+        let mut nearest = f64::INFINITY;
+        for s in &found.list {
+            assert!(s.q.iter().all(|x| x.is_finite()));
+            let pose = self.pose(&s.q);
+            for (a, b) in pose.as_flattened().iter().zip(goal.as_flattened()) {
+                error = error.max((a - b).abs());
+            }
+            nearest = nearest.min(self.distance(&s.q, q));
+        }
+        (error, nearest, found)
+    }
+
+    fn random(&self, random: &mut Random) -> Vec<f64> {
+        self.robot
+            .moving()
+            .iter()
+            .map(|&i| {
+                let slides = self.robot.joints[i].kind == JointKind::Prismatic;
+                let [low, high] =
+                    self.robot.joints[i].limits.position.unwrap_or(if slides { [0.1, 0.9] } else { [-PI, PI] });
+                random.uniform(low, high)
+            })
+            .collect()
+    }
+}
+
+const ROBOTS: [(&str, &str); 11] = [
+    ("kuka-lwr4", "srs"),
+    ("kuka-iiwa14", "srs"),
+    ("kuka-lbr-med7", "srs"),
+    ("franka-panda", "7r-offset"),
+    ("kinova-gen3", "srs"),
+    ("puma560", "6r-spherical-wrist"),
+    ("staubli-tx40", "6r-spherical-wrist"),
+    ("ur10e", "6r-three-parallel"),
+    ("scara", "scara"),
+    ("stanford", "stanford"),
+    ("planar2r", "planar"),
+];
+
+#[test]
+fn classes() {
+    for (name, class) in ROBOTS {
+        let bench = Bench::new(robot(name));
+        let inverse = bench.ik.inverse();
+        assert_eq!(inverse.class, class, "{name}: {}", inverse.reason);
+        assert_eq!(inverse.exact, name != "kinova-gen3", "{name}: {}", inverse.reason);
+    }
+}
+
+#[test]
+fn random_postures() {
+    for (name, _) in ROBOTS {
+        let bench = Bench::new(robot(name));
+        let mut random = Random::new(1);
+        let (mut missed, mut worst, mut far, mut outside) = (0, 0.0f64, 0.0f64, 0);
+        for _ in 0..postures() {
+            let q = bench.random(&mut random);
+            let (error, nearest, found) = bench.check(&q, false);
+            worst = worst.max(error);
+            if nearest > 1e-6 {
+                missed += 1;
+                if missed < 4 {
+                    eprintln!("{name}: {q:?}: {nearest} {:?} lost {}", found.status, found.lost);
+                }
+            } else {
+                far = far.max(nearest);
+                let own = found.list.iter().find(|s| bench.distance(&s.q, &q) <= nearest).unwrap();
+                outside += usize::from(!own.within_limits);
+            }
+        }
+        eprintln!("{name}: missed {missed}, worst pose {worst:.1e}, farthest {far:.1e}, outside {outside}");
+        assert!(worst < 1e-12, "{name}: {worst}");
+        assert_eq!(outside, 0, "{name}");
+        if bench.ik.inverse().exact {
+            assert_eq!(missed, 0, "{name}");
+        }
+    }
+}
+
+/// Multiples of 15, 30, 45 and 90 degrees, joints at their limits, and postures at and beside singularities. Where the pose leaves
+/// joints free, the posture is found when it is named as near.
+#[test]
+fn nice_angles_limits_and_singularities() {
+    for (name, _) in ROBOTS.into_iter().filter(|(name, _)| *name != "kinova-gen3") {
+        let bench = Bench::new(robot(name));
+        let mut random = Random::new(2);
+        let (mut missed, mut worst, mut empty, mut unmarked) = (0, 0.0f64, 0, 0);
+        let count = (postures() / 2).min(40_000);
+        for k in 0..count {
+            let mut q = bench.random(&mut random);
+            let step = [15.0, 30.0, 45.0, 90.0][random.below(4)] * PI / 180.0;
+            let beside = [0.0, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12][random.below(6)];
+            for j in 0..q.len() {
+                let limits = bench.robot.joints[bench.robot.moving()[j]].limits.position;
+                match (k % 4, limits) {
+                    (0, _) if !bench.slides[j] => q[j] = (q[j] / step).round() * step,
+                    (1, Some(l)) if random.chance(0.5) => q[j] = l[random.below(2)],
+                    (2 | 3, _) if !bench.slides[j] && random.chance(0.4) => {
+                        q[j] = (q[j] / (PI / 2.0)).round() * PI / 2.0 + beside * random.even(1.0);
+                    }
+                    _ => {}
+                }
+            }
+            let (error, nearest, _) = bench.check(&q, true);
+            worst = worst.max(error);
+            if nearest > 1e-5 {
+                missed += 1;
+                if missed < 4 {
+                    eprintln!("{name}: near {q:?}: {nearest:e}");
+                }
+            }
+            let (error, nearest, found) = bench.check(&q, false);
+            worst = worst.max(error);
+            empty += usize::from(found.list.is_empty());
+            if nearest > 1e-4 && found.status == Status::Ok {
+                unmarked += 1;
+                if unmarked < 4 {
+                    eprintln!("{name}: unmarked {q:?}: {nearest:e} of {}", found.list.len());
+                }
+            }
+        }
+        eprintln!(
+            "{name}: {count} special: missed {missed}, empty {empty}, unmarked {unmarked}, worst pose {worst:.1e}"
+        );
+        assert!(worst < 1e-12, "{name}: {worst}");
+        assert_eq!((missed, empty), (0, 0), "{name}");
+        // Two singularities at once: rounding of the one decides where the other's free joints end.
+        assert!(unmarked * 50 <= count, "{name}: {unmarked}");
+    }
+}
+
+/// Limits of the interpreted arm as the runtime's own type.
+fn seven(name: &str) -> (Arm<7>, Bench) {
+    let bench = Bench::new(robot(name));
+    let limits: Vec<_> = bench.robot.moving().iter().map(|&i| bench.robot.joints[i].limits.position).collect();
+    (bench.ik.inverse().arm(&limits).unwrap(), bench)
+}
+
+/// The intervals of the swivel angle are where a dense scan finds the branch within its limits.
+#[test]
+fn swivel_intervals_agree_with_a_scan() {
+    const SCAN: usize = 180;
+    for name in ["kuka-lwr4", "kuka-iiwa14"] {
+        let (arm, bench) = seven(name);
+        let mut random = Random::new(3);
+        let (mut inside, mut outside) = (0, 0);
+        for _ in 0..(postures() / 50).clamp(1, 10_000) {
+            let q: [f64; 7] = bench.random(&mut random).try_into().unwrap();
+            let pose = arm.forward(&q);
+            let sign = |random: &mut Random| if random.chance(0.5) { 1 } else { -1 };
+            let (shoulder, elbow, wrist) = (sign(&mut random), sign(&mut random), sign(&mut random));
+            let branch = Branch { shoulder, elbow, wrist, root: 0, numerical: false };
+            let intervals = arm.swivel_intervals(&pose, branch, &Reference::UP).unwrap().unwrap();
+            for k in 0..SCAN {
+                let phi = -PI + TAU * (k as f64 + 0.37) / SCAN as f64;
+                if intervals.iter().any(|i| (phi - i.from).abs().min((phi - i.to).abs()) < 1e-7) {
+                    continue;
+                }
+                let found = arm.solve(&pose, &Query { redundancy: phi, ..Query::default() }).unwrap();
+                let own = found.as_slice().iter().find(|s| s.branch == branch).expect("every branch is there");
+                let allowed = intervals.iter().any(|i| i.from < phi && phi < i.to);
+                assert_eq!(own.within_limits, allowed, "{name} {q:?} {branch} at {phi}: {intervals:?}");
+                if allowed { inside += 1 } else { outside += 1 }
+            }
+            if let Some((phi, margin)) = arm.best_swivel(&pose, branch, &Reference::UP).unwrap() {
+                assert!(margin >= 0.0 && intervals.iter().any(|i| i.from <= phi && phi <= i.to));
+            }
+        }
+        assert!(inside > 100 && outside > 100, "{name}: the scan must see both: {inside} {outside}");
+    }
+}
+
+/// The swivel's velocity against the angle one step later.
+#[test]
+fn swivel_velocity_is_the_derivative() {
+    let (arm, bench) = seven("kuka-iiwa14");
+    let mut random = Random::new(4);
+    for _ in 0..50 {
+        let q: [f64; 7] = bench.random(&mut random).try_into().unwrap();
+        let dq: [f64; 7] = random.vector(7, 1.0).try_into().unwrap();
+        let h = 1e-7;
+        let later = core::array::from_fn(|i| q[i] + h * dq[i]);
+        let d = arm.redundancy(&later, &Reference::UP) - arm.redundancy(&q, &Reference::UP);
+        let d = d - TAU * (d / TAU).round();
+        let v = arm.swivel_velocity(&q, &dq, &Reference::UP);
+        assert!((v - d / h).abs() < 1e-4 * (1.0 + v * v), "{v} {}", d / h);
+    }
+}
+
+/// A path whose wrist goes straight through is followed without a jump, and back to the posture it was made from.
+#[test]
+fn a_path_through_the_wrist_singularity_is_followed() {
+    for name in ["puma560", "staubli-tx40"] {
+        let bench = Bench::new(robot(name));
+        let limits: Vec<_> = bench.robot.moving().iter().map(|&i| bench.robot.joints[i].limits.position).collect();
+        let arm: Arm<6> = bench.ik.inverse().arm(&limits).unwrap();
+        let at = |t: f64| [0.3 + 0.2 * t, -0.4 + 0.1 * t, 0.9 - 0.3 * t, 0.5 + 0.3 * t, 0.4 * t, -0.2 + 0.1 * t];
+        let mut last = at(-1.0);
+        for k in 0..=400 {
+            let q = at(-1.0 + f64::from(k) / 200.0);
+            let next = arm.follow(&arm.forward(&q), &last, &Query::default(), 0.05).unwrap();
+            let next = next.unwrap_or_else(|| panic!("{name}: lost at step {k}"));
+            assert!(bench.distance(&next.q, &last) < 0.02, "{name} step {k}: {:?} {last:?}", next.q);
+            // In the singularity itself joints 4 and 6 share a turn, and stay where they were.
+            let singular = q[4].abs() < 1e-9;
+            assert!(singular || bench.distance(&next.q, &q) < 1e-6, "{name} step {k}: {:?} {q:?}", next.q);
+            last = next.q;
+        }
+    }
+}
+
+/// A calibrated UR10e, its axes parallel to 6e-3: the nominal branches are refined, all of them away from singularities.
+#[test]
+fn a_calibrated_arm_keeps_its_branches() {
+    let mut random = Random::new(5);
+    let (mut found, mut all, mut own, mut worst) = (0, 0, 0, 0.0f64);
+    for _ in 0..5 {
+        let mut robot = robot("ur10e");
+        for joint in &mut robot.joints {
+            joint.alpha = dh_codegen::robot::Angle::radians(joint.alpha.value + random.even(6e-3));
+            joint.d = dh_codegen::robot::Length::meters(joint.d.value + random.even(1e-3));
+            joint.r = dh_codegen::robot::Length::meters(joint.r.value + random.even(1e-3));
+            joint.theta = dh_codegen::robot::Angle::radians(joint.theta.value + random.even(5e-3) + 1e-4);
+        }
+        let bench = Bench::new(robot);
+        assert_eq!((bench.ik.inverse().class, bench.ik.inverse().exact), ("6r-three-parallel", false));
+        for _ in 0..100 {
+            let q: Vec<f64> = random.vector(6, PI);
+            let (error, nearest, solutions) = bench.check(&q, false);
+            worst = worst.max(error);
+            own += usize::from(nearest < 1e-6);
+            found += solutions.list.len();
+            all += solutions.list.len() + solutions.lost as usize;
+        }
+    }
+    eprintln!("calibrated ur10e: own posture {own} of 500, branches {found} of {all}, worst pose {worst:.1e}");
+    assert!(worst < 1e-12 && own >= 475, "{own} {worst}");
+}
+
+/// What the solver says of poses that no posture reaches, and of those that are none.
+#[test]
+fn poses_out_of_reach_and_poses_that_are_none() {
+    // The Stanford arm's file does not limit its slide.
+    for (name, _) in ROBOTS.into_iter().filter(|(name, _)| *name != "stanford") {
+        let bench = Bench::new(robot(name));
+        let mut pose = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+        for (row, x) in [3.0, 4.0, 0.0].into_iter().enumerate() {
+            pose[row][3] = 10.0 * x;
+        }
+        let found = bench.ik.solve(&pose, &Ask::default()).unwrap();
+        assert_eq!((found.status, found.list.len()), (Status::Unreachable, 0), "{name}");
+        assert!(found.distance[0] > 47.0 && found.distance[0] < 52.0, "{name}: {:?}", found.distance);
+        for bad in [f64::NAN, f64::INFINITY, -f64::INFINITY, 1e300] {
+            for k in 0..12 {
+                let mut pose = pose;
+                pose[k / 4][k % 4] = bad;
+                assert!(bench.ik.solve(&pose, &Ask::default()).is_err(), "{name} {bad}");
+            }
+        }
+        pose[0][0] = -1.0;
+        assert!(bench.ik.solve(&pose, &Ask::default()).is_err(), "{name}: a reflection");
+        let ask = Ask { redundancy: f64::NAN, ..Ask::default() };
+        assert!(bench.ik.solve(&bench.pose(&vec![0.1; bench.slides.len()]), &ask).is_err());
+    }
+}
+
+/// The swivel angle is the paper's: the elbow stands at `c + R (cos phi u + sin phi v)` (equation 1).
+#[test]
+fn the_swivel_angle_is_the_papers() {
+    let bench = Bench::new(robot("kuka-lwr4"));
+    let mut random = Random::new(6);
+    for b in [[0.0, 0.0, 1.0], [1.0, 0.5, -0.2]] {
+        for _ in 0..40 {
+            let q = bench.random(&mut random);
+            let phi = random.even(PI);
+            let reference = Reference { b, second: [0.0, 1.0, 0.0] };
+            let ask = Ask { redundancy: phi, reference, ..Ask::default() };
+            let found = bench.ik.solve(&bench.pose(&q), &ask).unwrap();
+            assert_eq!(found.list.len(), 8);
+            for s in &found.list {
+                let frames = bench.oracle.frames(&s.q);
+                let origin = |k: usize| nalgebra::Vector3::new(frames[k][(0, 3)], frames[k][(1, 3)], frames[k][(2, 3)]);
+                let (shoulder, elbow, wrist) = (origin(1), origin(3), origin(5));
+                let to = wrist - shoulder;
+                let (d, n) = (to.norm(), to.normalize());
+                let b = nalgebra::Vector3::from(b);
+                let u = (b - n * n.dot(&b)).normalize();
+                let v = n.cross(&u);
+                let (l2, l3) = (0.40, 0.39);
+                let cosine = (l2 * l2 + d * d - l3 * l3) / (2.0 * l2 * d);
+                let radius = (1.0 - cosine * cosine).sqrt() * l2;
+                let expected = shoulder + n * (cosine * l2) + (u * phi.cos() + v * phi.sin()) * radius;
+                assert!((expected - elbow).norm() < 1e-12, "{} {}", expected, elbow);
+            }
+        }
+    }
+}
