@@ -9,6 +9,7 @@ pub mod fig10;
 pub mod fig6;
 pub mod honesty;
 pub mod identification;
+mod loaded;
 pub mod lwr;
 pub mod motions;
 pub mod table2;
@@ -25,7 +26,6 @@ use crate::identify::IdentifyError;
 use crate::signal::PrepareError;
 use crate::simulate::SimulateError;
 use crate::tool::ToolError;
-use crate::tool::rerun::BenchError;
 
 /// Why an experiment could not be run.
 #[derive(Debug, thiserror::Error)]
@@ -54,9 +54,6 @@ pub enum ReproduceError {
     /// The fit of what is carried.
     #[error(transparent)]
     Tool(#[from] ToolError),
-    /// Table III.
-    #[error(transparent)]
-    Bench(#[from] BenchError),
 }
 
 /// Told now and then, from any thread: what is being done, and the share that is done of all, 0 to 1.

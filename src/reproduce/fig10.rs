@@ -1,6 +1,6 @@
 //! Fig. 10: measured and estimated torques of the arm with the large roller, on a motion that identified it.
 
-use super::chain::factors;
+use super::loaded::{Loaded, loaded};
 use super::lwr::{Lwr, Unmodelled};
 use super::motions::Motion;
 use super::verdict::Verdict;
@@ -8,8 +8,8 @@ use super::{ReproduceError, Watch};
 use crate::identify::{Trace, Tracer};
 use crate::log::Replay;
 use crate::signal::{Prepare, each_motion};
-use crate::simulate::{Recording, Request, Simulator};
-use crate::tool::{Carrying, LogError, ToolSettings, catalogue, identify_tool};
+use crate::simulate::Recording;
+use crate::tool::{Carrying, LogError};
 
 /// Abstract: "joint torques were estimated with an RMS difference lower than 1 N.m".
 pub const PAPER_RMS: f64 = 1.0;
@@ -44,25 +44,12 @@ pub fn fig10(
     watch: Watch<'_>,
 ) -> Result<Fig10, ReproduceError> {
     watch("with the large roller", 0.0);
-    let tool = catalogue().into_iter().find(|t| t.name == "large-roller");
-    let tool = tool.ok_or_else(|| ReproduceError::Robot("there is no tool `large-roller`".into()))?;
-    let mass = tool.inertia.map_or(f64::NAN, |i| i.m);
-    let mut robot = lwr.robot.clone();
-    robot.tool = Some(tool);
-    let simulator = Simulator::new(&robot, &lwr.effects(which)?)?;
-    let request = Request { sensors: Lwr::sensors(), seed, ..Request::default() };
-    let loaded = simulator.run(&motion.played, &request, &mut |_| {})?;
+    let Loaded { tool, recording, carried } = loaded(lwr, motion, "large-roller", unloaded, which, seed)?;
     watch("with the large roller", 0.5);
-    let (without, with) = (Carrying::new(&lwr.arm, false), Carrying::new(&lwr.arm, true));
-    let found = identify_tool(
-        &lwr.arm,
-        &[factors("unloaded", &without, &unloaded.log, 1)?],
-        &[factors("loaded", &with, &loaded.log, 1)?],
-        &ToolSettings::default(),
-    )?;
-    let mut tracer = Tracer::new("with the large roller", false, &with, &found.beta);
-    each_motion(&mut Replay::new(&loaded.log), lwr.robot.dof(), &Prepare::default(), |motion| tracer.absorb(motion))?;
-    let errors = found.logs.iter().find(|l| l.loaded).cloned();
+    let with = Carrying::new(&lwr.arm, true);
+    let mut tracer = Tracer::new("with the large roller", false, &with, &carried.beta);
+    each_motion(&mut Replay::new(&recording.log), lwr.robot.dof(), &Prepare::default(), |motion| tracer.absorb(motion))?;
+    let errors = carried.logs.iter().find(|l| l.loaded).cloned();
     let errors = errors.ok_or_else(|| ReproduceError::Robot("the loaded log is lost".into()))?;
-    Ok(Fig10 { trace: tracer.finish(), errors, mass: [found.values[0], mass] })
+    Ok(Fig10 { trace: tracer.finish(), errors, mass: [carried.values[0], tool.inertia.map_or(f64::NAN, |i| i.m)] })
 }

@@ -92,8 +92,8 @@ impl Row {
         Verdict::at_most(self.noise_only.mean(), (1.0 + ABOVE_FLOOR) * mean(&self.floor))
     }
 
-    /// Against the paper, with effects that the model has not. Their size was chosen once for all three criteria, so that the order of the
-    /// criteria and their ratios tell more than the size.
+    /// Against the paper, with effects that the model has not. Their sizes are the same for all three criteria, so that the order of the criteria tells
+    /// more than the size.
     pub fn verdict(&self) -> Verdict {
         Verdict::less(self.unmodelled.mean(), self.paper)
     }

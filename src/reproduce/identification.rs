@@ -116,15 +116,16 @@ pub fn identification(settings: &Settings, watch: Watch<'_>) -> Result<Experimen
     let gain = noise_gain(Lwr::sensors().rate);
     let floor: Vec<f64> = noise.iter().map(|s| gain * s).collect();
 
-    let plain = case(&lwr, &motions, &[], seed, &stage(0.45, 0.52))?;
-    let real = case(&lwr, &motions, &Unmodelled::ALL, seed.wrapping_add(7), &stage(0.52, 0.59))?;
-    let best = motions.iter().position(|m| m.name == "logdet").unwrap_or(0);
+    let robots: Vec<Motion> = motions.iter().filter(|m| m.name != "tool").cloned().collect();
+    let plain = case(&lwr, &robots, &[], seed, &stage(0.45, 0.52))?;
+    let real = case(&lwr, &robots, &Unmodelled::ALL, seed.wrapping_add(7), &stage(0.52, 0.59))?;
+    let best = robots.iter().position(|m| m.name == "logdet").unwrap_or(0);
 
     let true_parameters = crate::identify::accuracy(&[&plain.validate], &lwr.truth).rms;
     let fig6 = fig6::PAPER
         .iter()
         .filter_map(|&(criterion, paper)| {
-            let k = motions.iter().position(|m| m.name == criterion)?;
+            let k = robots.iter().position(|m| m.name == criterion)?;
             Some(fig6::Row {
                 criterion,
                 paper,
@@ -137,7 +138,7 @@ pub fn identification(settings: &Settings, watch: Watch<'_>) -> Result<Experimen
         .collect();
 
     let mut missing = Vec::new();
-    let pair = [motions[best].clone(), motions[motions.len() - 1].clone()];
+    let pair = [robots[best].clone(), robots[robots.len() - 1].clone()];
     for (k, effect) in Unmodelled::ALL.into_iter().enumerate() {
         let part = stage(0.59 + 0.03 * k as f64, 0.62 + 0.03 * k as f64);
         let alone = case(&lwr, &pair, &[effect], seed.wrapping_add(7), &part)?;
@@ -151,14 +152,16 @@ pub fn identification(settings: &Settings, watch: Watch<'_>) -> Result<Experimen
     let (tool, bench, many) = (stage(0.68, 0.72), stage(0.72, 0.8), stage(0.8, 1.0));
     let fig10 = fig10(
         &lwr,
-        &motions[best],
+        &robots[best],
         &real.recordings[best],
         &Unmodelled::ALL,
         seed.wrapping_add(11),
         &|what, share| tool.tell(what, share),
     )?;
-    bench.tell("both rollers", 0.0);
-    let table3 = table3::columns(&lwr, seed)?;
+    let moving = motions.iter().find(|m| m.name == "tool").unwrap_or(&robots[best]);
+    let table3 = table3::columns(&lwr, moving, &plain.recordings[best], seed.wrapping_add(13), &|what, share| {
+        bench.tell(what, share);
+    })?;
     let honesty = match runs {
         0 => None,
         _ => Some(honesty(

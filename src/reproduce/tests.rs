@@ -1,1 +1,104 @@
+//! What the experiments rest on, by other routes; the whole in release, on request.
 
+use super::chain::{factors, noise_gain, play};
+use super::honesty::{ASKED, STRIDE, honesty};
+use super::lwr::{Lwr, Unmodelled};
+use super::motions::designed;
+use super::*;
+use crate::arm::Arm;
+use crate::differentiated::Differentiated;
+use crate::excite::{Criterion, Effort};
+use crate::signal::{Filter, low_pass};
+use crate::tool::rerun::PAPER_TORQUE_NOISE;
+
+/// Parseval: the energy of the impulse response is the mean of the squared gain over all frequencies, forward and backward.
+#[test]
+fn the_noise_floor_is_the_filters_energy() {
+    let Filter { order, cutoff } = Filter::default();
+    let sos = low_pass(order, cutoff, 1000.0).unwrap();
+    let n = 20_000;
+    let mean = (0..n).map(|k| sos.gain((f64::from(k) + 0.5) * 500.0 / f64::from(n), 1000.0).powi(4)).sum::<f64>();
+    let expected = (mean / f64::from(n)).sqrt();
+    assert!((noise_gain(1000.0) / expected - 1.0).abs() < 1e-6, "{} {expected}", noise_gain(1000.0));
+}
+
+/// The published base parameters (Gaz, Flacco and De Luca 2014), with 9.80665 m/s^2 there.
+#[test]
+fn the_simulated_robot_is_the_published_one() {
+    let lwr = Lwr::new().unwrap();
+    let published = [
+        ("XX2R", 1.247_624_85),
+        ("ZZ2R", 1.252_426_80),
+        ("MSY2R", 3.456_788_67),
+        ("XX4R", 0.413_207_015),
+        ("ZZ4R", 0.417_623_970),
+        ("MSY4R", -1.334_022_50),
+        ("MSY5R", 0.040_687_974_0),
+        ("MSY6R", 0.028_637_178_4),
+        ("MSY7", 0.000_954_515_526),
+        ("FC5", 0.34),
+    ];
+    for (name, value) in published {
+        let c = lwr.arm.base_parameters().iter().position(|b| b.name == name).unwrap();
+        assert!((lwr.truth[c] - value).abs() < 1e-8 * (1.0 + value.abs()), "{name}: {} {value}", lwr.truth[c]);
+    }
+    for row in &table2::TABLE_TWO {
+        assert!(lwr.arm.base_parameters().iter().any(|b| b.name == row.name), "{}", row.name);
+    }
+    for which in [&[][..], &Unmodelled::ALL] {
+        assert_eq!(lwr.effects(which).unwrap().joints.is_empty(), which.is_empty());
+    }
+}
+
+#[test]
+fn verdicts() {
+    assert_eq!(Verdict::less(0.5, 1.0), Verdict::Better);
+    assert_eq!(Verdict::less(1.04, 1.0), Verdict::Within);
+    assert_eq!(Verdict::less(1.5, 1.0).to_string(), "short by 50 %");
+    assert_eq!(Verdict::less(1.0, 0.0), Verdict::Open);
+    assert!(Verdict::at_most(0.9, 1.0).holds() && !Verdict::at_most(1.01, 1.0).holds());
+    assert_eq!(Verdict::less(f64::NAN, 1.0), Verdict::Open);
+}
+
+/// One motion, a few runs: estimates lie about the truth as they say, and the held-out error is near the floor.
+#[test]
+fn standard_deviations_are_honest() {
+    let lwr = Lwr::new().unwrap();
+    let arm = Differentiated::new(&lwr.robot);
+    let effort = Effort { starts: 1, iterations: 12, finalists: 1, ..Effort::default() };
+    let motion = designed(&lwr, &arm, "logdet", Criterion::LogDet, 10.0, effort, &|_| {}).unwrap();
+    let recording = play(&lwr, &motion, &[], 3).unwrap();
+    let other = recording.seen_by(&Lwr::sensors(), 99);
+    let validate = factors("other noise", &lwr.arm, &other, STRIDE).unwrap();
+    let floor: Vec<f64> = PAPER_TORQUE_NOISE.iter().map(|s| noise_gain(1000.0) * s).collect();
+    let runs = 12;
+    let found = honesty(&lwr, &recording, &validate, &floor, runs, 5, &|_, _| {}).unwrap();
+    assert_eq!((found.runs, found.parameters.len()), (runs, lwr.truth.len()));
+    assert!(found.within_three > 0.98 && (0.8..1.3).contains(&found.spread), "{} {}", found.within_three, found.spread);
+    assert!((0.9..1.2).contains(&found.held_out), "{}", found.held_out);
+    // Standard deviations that are too small by half would be found out: it is not the limit that is wide.
+    let far = found.parameters.iter().filter(|(_, _, spread)| *spread > 0.6).count();
+    assert!(far > 45, "{far}");
+}
+
+/// The whole: a minute in release.
+#[test]
+#[ignore = "the whole experiment: cargo test --release -p denavit --lib reproduce -- --ignored"]
+fn the_papers_identification() {
+    let found = identification(&Settings::default(), &|_, _| {}).unwrap();
+    let honesty = found.honesty.unwrap();
+    assert!(honesty.within_three >= ASKED, "{}", honesty.within_three);
+    assert!(honesty.held_out <= 1.0 + fig6::ABOVE_FLOOR, "{}", honesty.held_out);
+    for row in &found.fig6 {
+        // What is above the floor is explained by the chain and by the parameters' uncertainty.
+        let [chain, uncertainty] = row.explained();
+        assert!((row.above_floor() - chain - uncertainty).abs() < 0.1, "{} {}", row.criterion, row.above_floor());
+    }
+    let of = |name: &str| found.fig6.iter().find(|r| r.criterion == name).map(|r| r.unmodelled.mean()).unwrap();
+    assert!(of("logdet") < of("cond") && (0.3..0.7).contains(&of("logdet")), "{} {}", of("logdet"), of("cond"));
+    assert!(found.table2.iter().filter(|r| r.verdict().holds()).count() >= 11);
+    assert!(found.table2.iter().all(|r| r.off().abs() < 4.0));
+    let large = &found.table3[0];
+    assert!(large.mass_error_percent.abs() < table3::ASKED[0] && large.center_error < 3.0 * large.center_std);
+    assert!((0..7).all(|j| found.fig10.verdict(j).holds()));
+}
