@@ -36,7 +36,7 @@ pub fn diagnose_verdict(found: &Diagnosis) -> String {
         digits(before, 3),
         digits(after, 3),
         digits(mean(&found.noise_floor), 3)
-    )
+    ) + &worse
 }
 
 fn place(c: &Cause) -> String {

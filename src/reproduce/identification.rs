@@ -150,14 +150,10 @@ pub fn identification(settings: &Settings, watch: Watch<'_>) -> Result<Experimen
     let inertial = || real.found[best].parameters.iter().zip(&lwr.truth).filter(|(e, _)| !e.name.starts_with('F'));
     let within = inertial().filter(|(e, truth)| (e.value - *truth).abs() <= 3.0 * e.std).count();
     let (tool, bench, many) = (stage(0.68, 0.72), stage(0.72, 0.8), stage(0.8, 1.0));
-    let fig10 = fig10(
-        &lwr,
-        &robots[best],
-        &real.recordings[best],
-        &Unmodelled::ALL,
-        seed.wrapping_add(11),
-        &|what, share| tool.tell(what, share),
-    )?;
+    let fig10 =
+        fig10(&lwr, &robots[best], &real.recordings[best], &Unmodelled::ALL, seed.wrapping_add(11), &|what, share| {
+            tool.tell(what, share)
+        })?;
     let moving = motions.iter().find(|m| m.name == "tool").unwrap_or(&robots[best]);
     let table3 = table3::columns(&lwr, moving, &plain.recordings[best], seed.wrapping_add(13), &|what, share| {
         bench.tell(what, share);
