@@ -29,6 +29,17 @@ pub fn diagnose_verdict(found: &Diagnosis) -> String {
         _ => "There is structure in the error that none of the known causes explains.".to_string(),
     };
     let (before, after) = (mean(&found.baseline.validate), mean(&found.extended.validate));
+    let joints: Vec<String> = (0..found.noise_floor.len())
+        .filter(|&j| found.extended.validate[j] > 1.05 * found.baseline.validate[j])
+        .map(|j| (j + 1).to_string())
+        .collect();
+    let worse = match joints.is_empty() {
+        true => String::new(),
+        false => format!(
+            " On joint {} the extended model is worse than the file: the fitted logs do not show it well.",
+            joints.join(", ")
+        ),
+    };
     let data =
         if found.own_validation { "logs that were not used" } else { "the last part of the logs, which was not used" };
     format!(
