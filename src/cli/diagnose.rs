@@ -1,6 +1,6 @@
 //! `denavit diagnose`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use indicatif::ProgressBar;
@@ -122,13 +122,7 @@ impl Diagnose {
     }
 
     /// A log, whole; slow ones with as much of the band as they have.
-    fn record(
-        &self,
-        path: &PathBuf,
-        dof: usize,
-        keep: Keep,
-        prepared: &mut Vec<Prepared>,
-    ) -> Result<Recording, Failure> {
+    fn record(&self, path: &Path, dof: usize, keep: Keep, prepared: &mut Vec<Prepared>) -> Result<Recording, Failure> {
         let mut cutoff = self.cutoff;
         loop {
             let prepare = Prepare {

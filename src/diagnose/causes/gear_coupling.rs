@@ -37,11 +37,8 @@ impl Cause for GearCoupling {
         let both = |on_k: &dyn Fn(usize, usize) -> f64, on_m: &dyn Fn(usize, usize) -> f64| -> Column {
             // `on_k` is evaluated with the motor's own state, `on_m` with the other joint's.
             let series = |joint: usize, f: &dyn Fn(usize, usize) -> f64| -> Vec<f64> {
-                let mut number = 0;
                 let mut out = Vec::with_capacity(scene.len);
-                for own in &scene.own[joint] {
-                    let stretch = number;
-                    number += 1;
+                for (stretch, own) in scene.own[joint].iter().enumerate() {
                     out.extend(scene.average_of(own, |s| f(stretch, s)));
                 }
                 scene.masked(joint, &mut out);
