@@ -48,7 +48,9 @@ pub fn fig10(
     watch("with the large roller", 0.5);
     let with = Carrying::new(&lwr.arm, true);
     let mut tracer = Tracer::new("with the large roller", false, &with, &carried.beta);
-    each_motion(&mut Replay::new(&recording.log), lwr.robot.dof(), &Prepare::default(), |motion| tracer.absorb(motion))?;
+    each_motion(&mut Replay::new(&recording.log), lwr.robot.dof(), &Prepare::default(), |motion| {
+        tracer.absorb(motion)
+    })?;
     let errors = carried.logs.iter().find(|l| l.loaded).cloned();
     let errors = errors.ok_or_else(|| ReproduceError::Robot("the loaded log is lost".into()))?;
     Ok(Fig10 { trace: tracer.finish(), errors, mass: [carried.values[0], tool.inertia.map_or(f64::NAN, |i| i.m)] })

@@ -121,7 +121,7 @@ pub fn identification(settings: &Settings, watch: Watch<'_>) -> Result<Experimen
     let real = case(&lwr, &robots, &Unmodelled::ALL, seed.wrapping_add(7), &stage(0.52, 0.59))?;
     let best = robots.iter().position(|m| m.name == "logdet").unwrap_or(0);
 
-    let true_parameters = crate::identify::accuracy(&[&plain.validate], &lwr.truth).rms;
+    let true_parameters: Vec<f64> = crate::identify::accuracy(&[&plain.validate], &lwr.truth).rms;
     let fig6 = fig6::PAPER
         .iter()
         .filter_map(|&(criterion, paper)| {
@@ -150,14 +150,10 @@ pub fn identification(settings: &Settings, watch: Watch<'_>) -> Result<Experimen
     let inertial = || real.found[best].parameters.iter().zip(&lwr.truth).filter(|(e, _)| !e.name.starts_with('F'));
     let within = inertial().filter(|(e, truth)| (e.value - *truth).abs() <= 3.0 * e.std).count();
     let (tool, bench, many) = (stage(0.68, 0.72), stage(0.72, 0.8), stage(0.8, 1.0));
-    let fig10 = fig10(
-        &lwr,
-        &robots[best],
-        &real.recordings[best],
-        &Unmodelled::ALL,
-        seed.wrapping_add(11),
-        &|what, share| tool.tell(what, share),
-    )?;
+    let fig10 =
+        fig10(&lwr, &robots[best], &real.recordings[best], &Unmodelled::ALL, seed.wrapping_add(11), &|what, share| {
+            tool.tell(what, share)
+        })?;
     let moving = motions.iter().find(|m| m.name == "tool").unwrap_or(&robots[best]);
     let table3 = table3::columns(&lwr, moving, &plain.recordings[best], seed.wrapping_add(13), &|what, share| {
         bench.tell(what, share);
@@ -168,7 +164,7 @@ pub fn identification(settings: &Settings, watch: Watch<'_>) -> Result<Experimen
             &lwr,
             &plain.recordings[best],
             &plain.validate,
-            &floor,
+            &true_parameters,
             runs,
             seed.wrapping_mul(1_000_003),
             &|what, share| many.tell(what, share),
