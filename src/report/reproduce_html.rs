@@ -46,7 +46,8 @@ fn section(body: &mut String, table: &Table, found: &Experiment, trace: usize) {
     }
     body.push_str("<div class=scroll><table><thead><tr>");
     table.head.iter().for_each(|h| {
-        let _ = write!(body, "<th>{}", escape(h));
+        let class = if *h == "verdict" { " class=end" } else { "" };
+        let _ = write!(body, "<th{class}>{}", escape(h));
     });
     body.push_str("</tr></thead><tbody>\n");
     let verdicts = table.head.last().is_some_and(|h| *h == "verdict");

@@ -82,6 +82,20 @@ pub(super) fn identification_verdict(found: &Experiment) -> String {
         verdicts.iter().filter(|v| v.holds()).count(),
         if short.is_empty() { String::new() } else { format!(" (short: {})", short.join(", ")) }
     );
+    let means = found
+        .fig6
+        .iter()
+        .map(|r| format!("{} {} (the paper: {})", r.criterion, digits(r.unmodelled.mean(), 2), r.paper));
+    let _ =
+        write!(text, " Held-out torque error with unmodelled effects, N m: {}.", means.collect::<Vec<_>>().join(", "));
+    if let Some(large) = found.table3.first() {
+        let _ = write!(
+            text,
+            " The large roller's mass is found to {:.2} %, its centre to {} mm.",
+            large.mass_error_percent.abs(),
+            digits(1e3 * large.center_error, 2)
+        );
+    }
     if let Some(honesty) = &found.honesty {
         let _ = write!(
             text,
@@ -129,7 +143,7 @@ fn fig6(found: &Experiment) -> Table {
     Table {
         title: "Fig. 6: held-out torque error, mean over the joints of the RMS, N m".into(),
         note: format!(
-            "Noise only: the floor is {} N m, what the low-pass leaves of the sensors' noise; an error above it by more than 5 % must be explained: by the chain (what the true parameters show as well) and by the parameters' own uncertainty after 10 s. With effects that the model has not (hysteresis, ripple, elasticity: sizes from the literature, the same for all three, so that the order of the motions tells more than the size), from best to worst: {}; {same}{}.",
+            "Noise only: the floor is {} N m, what the low-pass leaves of the sensors' noise; an error above it by more than 5 % must be explained: by what the true parameters show as well (the noise as it fell in this log, and the chain) and by the parameters' own uncertainty after 10 s. With effects that the model has not (hysteresis, ripple, elasticity: sizes from the literature, the same for all three, so that the order of the motions tells more than the size), from best to worst: {}; {same}{}.",
             digits(mean(&found.floor), 3),
             ours.join(", "),
             if ours == paper { String::new() } else { format!(": {}", paper.join(", ")) },
@@ -138,7 +152,7 @@ fn fig6(found: &Experiment) -> Table {
             "motion",
             "noise only",
             "above floor",
-            "of it chain",
+            "true parameters",
             "uncertainty",
             "at the floor",
             "unmodelled",
@@ -203,11 +217,11 @@ fn table2(found: &Experiment) -> Table {
     let [within, of] = found.within_unmodelled;
     let noise = found.noise.iter().map(|s| digits(*s, 1)).collect::<Vec<_>>().join(", ");
     Table {
-        title: "Table II: base parameters, SI units; %s: relative standard deviation".into(),
+        title: "Table II: base parameters, SI units; %σ: relative standard deviation".into(),
         note: format!(
-            "Ours: noise only, the motion by log det, 10 s. Off: from the truth, in own standard deviations. Verdict: our %s against the paper's. The sensors' noise is {noise} N m, joint by joint: what gave the paper its %s if its least squares was as good as ours; so the verdicts compare the spread over the parameters, not the sensors (0.05 N m, usual for the LWR, would make all of ours 2 to 8 times smaller). The paper's FC3, 1.6 % of 0.05 N m, would be known sixteen times as well as its FC1. With unmodelled effects {within} of {of} inertial base parameters lie within three standard deviations of the truth: standard deviations know noise, not a model that lacks something; friction takes up the level of the hysteresis."
+            "Ours: noise only, the motion by log det, 10 s. Off: from the truth, in own standard deviations. Verdict: our %σ against the paper's. The sensors' noise is {noise} N m, joint by joint: what gave the paper its %σ if its least squares was as good as ours; so the verdicts compare the spread over the parameters, not the sensors (0.05 N m, usual for the LWR, would make all of ours 2 to 8 times smaller). The paper's FC3, 1.6 % of 0.05 N m, would be known sixteen times as well as its FC1. With unmodelled effects {within} of {of} inertial base parameters lie within three standard deviations of the truth: standard deviations know noise, not a model that lacks something; friction takes up the level of the hysteresis."
         ),
-        head: vec!["par.", "true", "ours", "%s", "off", "unmodelled", "paper", "%s", "CAD", "Jubien", "%s", "verdict"],
+        head: vec!["par.", "true", "ours", "%σ", "off", "unmodelled", "paper", "%σ", "CAD", "Jubien", "%σ", "verdict"],
         rows: found
             .table2
             .iter()
@@ -252,7 +266,7 @@ fn honesty(found: &Experiment) -> Option<Table> {
             vec!["spread of the errors in own standard deviations".into(), digits(honesty.spread, 3), "1".into(), String::new()],
             vec![format!("worst parameter, {name}: within three"), percent(share), String::new(), String::new()],
             vec![
-                "held-out RMS by the noise floor, mean over the runs".into(),
+                "held-out RMS by that of the true parameters there, mean over the runs".into(),
                 digits(honesty.held_out, 4),
                 "1.05".into(),
                 asked(-honesty.held_out, -1.0 - fig6::ABOVE_FLOOR),
@@ -277,7 +291,7 @@ fn rollers(found: &Experiment) -> Vec<Table> {
                 holds(column.center_error <= table3::ASKED[1]),
                 1e3 * table3::ASKED[1],
             ),
-            head: vec!["par.", "true", "ours", "± s", "%s", "paper", "%s", "verdict"],
+            head: vec!["par.", "true", "ours", "± σ", "%σ", "paper", "%σ", "verdict"],
             rows: column
                 .rows
                 .iter()

@@ -22,7 +22,7 @@ pub struct Honesty {
     pub parameters: Vec<(String, f64, f64)>,
     /// Root mean square of all distances.
     pub spread: f64,
-    /// Mean over runs and joints of the held-out RMS, by that of the noise floor.
+    /// Mean over runs and joints of the held-out RMS, by that of the noise in the same log.
     pub held_out: f64,
 }
 
@@ -32,7 +32,8 @@ pub const ASKED: f64 = 0.99;
 /// Every tenth sample after the low-pass, as it leaves nothing between them.
 pub const STRIDE: usize = 10;
 
-/// Runs `runs` times over the same motion with noise of other seeds. `floor`: known noise floor of each joint.
+/// Runs `runs` times over the same motion with noise of other seeds. `floor`: noise of each joint in the log that validates, N m (RMS of the true
+/// parameters there, so that one log's luck does not count).
 pub fn honesty(
     lwr: &Lwr,
     recording: &Recording,

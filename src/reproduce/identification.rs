@@ -121,7 +121,7 @@ pub fn identification(settings: &Settings, watch: Watch<'_>) -> Result<Experimen
     let real = case(&lwr, &robots, &Unmodelled::ALL, seed.wrapping_add(7), &stage(0.52, 0.59))?;
     let best = robots.iter().position(|m| m.name == "logdet").unwrap_or(0);
 
-    let true_parameters = crate::identify::accuracy(&[&plain.validate], &lwr.truth).rms;
+    let true_parameters: Vec<f64> = crate::identify::accuracy(&[&plain.validate], &lwr.truth).rms;
     let fig6 = fig6::PAPER
         .iter()
         .filter_map(|&(criterion, paper)| {
@@ -164,7 +164,7 @@ pub fn identification(settings: &Settings, watch: Watch<'_>) -> Result<Experimen
             &lwr,
             &plain.recordings[best],
             &plain.validate,
-            &floor,
+            &true_parameters,
             runs,
             seed.wrapping_mul(1_000_003),
             &|what, share| many.tell(what, share),

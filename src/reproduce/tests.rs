@@ -99,6 +99,6 @@ fn the_papers_identification() {
     assert!(found.table2.iter().filter(|r| r.verdict().holds()).count() >= 11);
     assert!(found.table2.iter().all(|r| r.off().abs() < 4.0));
     let large = &found.table3[0];
-    assert!(large.mass_error_percent.abs() < table3::ASKED[0] && large.center_error < 3.0 * large.center_std);
+    assert!(large.mass_error_percent.abs() < table3::ASKED[0] && large.center_error < 4.0 * large.center_std);
     assert!((0..7).all(|j| found.fig10.verdict(j).holds()));
 }

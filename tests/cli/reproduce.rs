@@ -1,0 +1,32 @@
+//! `denavit reproduce`: wrong uses here; the whole runs in release, on request.
+
+use super::{denavit, folder, json, numbers};
+
+#[test]
+fn what_is_asked_wrongly_is_one_paragraph() {
+    let help = denavit(&["reproduce", "--help"]);
+    assert_eq!(help.status, Some(0));
+    assert!(help.out.contains("Example:") && help.out.contains("identification"), "{}", help.out);
+    for wrong in
+        [&["reproduce", "identifcation"][..], &["reproduce", "--runs", "1000000"], &["reproduce", "--runs", "-1"]]
+    {
+        let run = denavit(wrong);
+        assert_eq!((run.status, run.out.as_str()), (Some(2), ""), "{wrong:?}");
+        assert_eq!(run.err.trim_end().lines().count(), 1, "{}", run.err);
+    }
+}
+
+#[test]
+#[ignore = "half a minute in release: cargo test --release -p denavit --test cli reproduce -- --ignored"]
+fn rows_verdicts_and_page() {
+    let page = folder("reproduce").join("page.html").display().to_string();
+    let found = json(&["reproduce", "identification", "--runs", "10", "--json", "-", "--report", &page]);
+    let part = &found["identification"];
+    assert_eq!(part["table2"].as_array().unwrap().len(), 15);
+    assert_eq!(numbers(&part["noise_floor"]).len(), 7);
+    assert_eq!(part["table3"].as_array().unwrap().len(), 2);
+    assert!(part["fig6"]["rows"].as_array().unwrap().iter().all(|row| row["verdict"].is_string()));
+    let page = std::fs::read_to_string(page).unwrap();
+    assert!(page.contains("Table III") && !page.contains("NaN") && !page.contains("http"), "a page of its own");
+    assert_eq!(found, json(&["reproduce", "--runs", "10", "--json", "-"]));
+}
