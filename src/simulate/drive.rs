@@ -111,7 +111,7 @@ impl Drive {
         coulomb + self.stribeck.map_or(0.0, |s| s.excess(v, coulomb)) + self.position.map_or(0.0, |p| p.excess(q))
     }
 
-    /// Friction at the motor without warmth, load and offset; `s` and `h` stand for the sign of `v`: see [`super::bristle`].
+    /// Friction at the motor without warmth, load and offset; `s` and `h` stand for the sign of `v`: see `bristle.rs`.
     pub fn friction(&self, q: f64, v: f64, s: f64, h: f64) -> f64 {
         let mut torque = self.plain.viscous * v;
         if self.has_sign() {

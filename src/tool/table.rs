@@ -63,7 +63,7 @@ impl Entry {
         Some(Self { name: tool.name.clone(), values, covariance, geometry: tool.geometry, pose })
     }
 
-    /// The family of its name, see [`family`]; `None` without a size.
+    /// The family of its name, see `family`; `None` without a size.
     pub fn family(&self) -> Option<String> {
         self.geometry?;
         family(&self.name)

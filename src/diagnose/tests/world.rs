@@ -103,7 +103,7 @@ pub(super) fn motion(robot: &Robot, seconds: f64, rate: f64, random: &mut Random
             let waves: Vec<[f64; 3]> = (1..=5)
                 .map(|k| {
                     let w = std::f64::consts::TAU * (0.1 * f64::from(k) + random.uniform(0.0, 0.05));
-                    [random.uniform(0.3, 1.0) / f64::from(k), w, random.uniform(0.0, 6.28)]
+                    [random.uniform(0.3, 1.0) / f64::from(k), w, random.uniform(0.0, std::f64::consts::TAU)]
                 })
                 .collect();
             let (mut size, mut speed) = (0.0_f64, 0.0_f64);

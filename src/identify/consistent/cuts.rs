@@ -54,7 +54,9 @@ pub(super) fn by_cuts(problem: &Problem, tolerance: f64, rounds: usize) -> Resul
         let (mut i, mut k, mut values, mut b) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for (row, (a, bound)) in rows.iter().enumerate() {
             for &(column, value) in a {
-                (i.push(row), k.push(column), values.push(-value));
+                i.push(row);
+                k.push(column);
+                values.push(-value);
             }
             b.push(-bound);
         }
