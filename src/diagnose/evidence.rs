@@ -35,7 +35,7 @@ pub(super) fn sentence(
     on: &str,
     accepted: Option<&Accepted>,
 ) -> String {
-    let gain = |j: &usize| (before[*j].powi(2) - after[*j].powi(2)) / noise[*j].powi(2).max(1e-12);
+    let gain = |j: &usize| before[*j].powi(2) - after[*j].powi(2);
     let most = |joints: &mut dyn Iterator<Item = usize>| joints.max_by(|a, b| gain(a).total_cmp(&gain(b)));
     // Its own joint, if it gains there.
     let main = most(&mut place.iter().copied())
