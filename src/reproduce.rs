@@ -5,6 +5,7 @@
 //! the simulated one; what is known of it stands in [`lwr`]. Prints nothing; touches no file: the robot is built in.
 
 pub mod chain;
+pub mod excitation;
 pub mod fig10;
 pub mod fig6;
 pub mod honesty;
@@ -19,6 +20,7 @@ mod verdict;
 #[cfg(test)]
 mod tests;
 
+pub use excitation::{Excitation, ExcitationSettings, excitation};
 pub use identification::{Experiment, Settings, identification};
 pub use verdict::Verdict;
 

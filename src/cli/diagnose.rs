@@ -5,10 +5,11 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use indicatif::ProgressBar;
 
-use super::{Failure, files, identify::try_pass};
+use super::prepare::{Torque, keep, try_pass};
+use super::{Failure, files};
 use crate::arm::Arm;
 use crate::diagnose::{self, Diagnosis, Recording, Settings};
-use crate::log::{Keep, Quantity};
+use crate::log::Keep;
 use crate::plant::RobotPlant;
 use crate::signal::{Filter, Prepare, PrepareError, Prepared};
 use crate::{extend, report};
@@ -47,8 +48,8 @@ pub(super) struct Diagnose {
     #[arg(long, default_value_t = 100.0)]
     rate: f64,
     /// Which torque: `tau`, or `taum` (motor side).
-    #[arg(long, value_enum, default_value_t = super::identify::Torque::Tau)]
-    torque: super::identify::Torque,
+    #[arg(long, value_enum, default_value_t = Torque::Tau)]
+    torque: Torque,
     /// Keep what is normally refused, as `identify` does.
     #[arg(long, value_delimiter = ',', value_name = "WHAT")]
     keep: Vec<String>,
@@ -62,14 +63,7 @@ impl Diagnose {
         if !(self.rate >= 10.0 && self.rate <= 1e5) {
             return Err(Failure::input(format!("--rate {}: windows per second, from 10 to 100000", self.rate)));
         }
-        let mut keep = Keep::default();
-        for name in &self.keep {
-            if name == "all" {
-                keep = Keep::all();
-            } else if !keep.set(name) {
-                return Err(Failure::input(format!("--keep {name}: choose among {}, all", Keep::NAMES.join(", "))));
-            }
-        }
+        let keep = keep(&self.keep)?;
         let file = files::robot(&self.robot)?;
         let plant = RobotPlant::new(&file.robot);
         let mut prepared = Vec::new();
@@ -129,10 +123,7 @@ impl Diagnose {
                 filter: Some(Filter { order: 4, cutoff }),
                 raw_torque: true,
                 temperature: true,
-                torque: match self.torque {
-                    super::identify::Torque::Tau => Quantity::Tau,
-                    super::identify::Torque::Taum => Quantity::Taum,
-                },
+                torque: self.torque.quantity(),
                 keep,
                 ..Prepare::default()
             };

@@ -152,7 +152,7 @@ impl Excite {
         task.rate = CRITERION_RATE;
         task.share = self.speed / 100.0;
         if self.links_only || self.tool {
-            task.base = link_columns(&arm);
+            task.links_only();
         }
         if self.tool {
             task.base.clear();
@@ -438,10 +438,4 @@ fn states_of(path: &Path, dof: usize) -> Result<States, Failure> {
     let part =
         |of: &[Vec<f64>]| (0..dof).flat_map(|j| rows.iter().map(move |&r| (j, r))).map(|(j, r)| of[r][j]).collect();
     Ok(States { len: rows.len(), q: part(&motion.q), dq: part(&motion.dq), ddq: part(&motion.ddq) })
-}
-
-/// Base parameters that are no drive's.
-fn link_columns(arm: &Differentiated) -> Vec<usize> {
-    let drive = |name: &str| ["IA", "FV", "FC", "FO"].iter().any(|p| name.starts_with(p));
-    (0..arm.base_parameters().len()).filter(|&b| !drive(&arm.base_parameters()[b].name)).collect()
 }

@@ -1,23 +1,21 @@
 //! `denavit identify`: from logs to base parameters, and the robot file with the values in place.
 
-use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use dh_codegen::arm::param::{self, Parameter};
 use dh_codegen::robot::Robot;
-use indicatif::{ProgressBar, ProgressStyle};
 
+use super::prepare::{Preparation, pass};
 use super::{Failure, files};
 use crate::arm::{Arm, Reach};
 use crate::identify::{
-    Bounds, Consistent, ConsistentError, ConsistentSettings, DeadZone, Essential, Factors, Identification,
-    IdentifySettings, PriorBody, Stack, StackSettings, Trace, Tracer, carry_over, consistent, geometric_bodies,
-    possible_bodies, prior_bodies, recover_standard, solve,
+    Bounds, Consistent, ConsistentError, ConsistentSettings, Essential, Factors, Identification, IdentifySettings,
+    PriorBody, Stack, Trace, Tracer, carry_over, consistent, geometric_bodies, possible_bodies, prior_bodies,
+    recover_standard, solve,
 };
 use crate::interpreted::Interpreted;
-use crate::log::{Keep, Quantity, open};
-use crate::signal::{Derivatives, Filter, Motion, Prepare, PrepareError, Prepared, each_motion};
+use crate::signal::{Derivatives, Prepare};
 use crate::{extend, report};
 
 /// Identify the base parameters from logs, validate them on others, and write the robot file with the values in place.
@@ -50,27 +48,9 @@ pub(super) struct Identify {
     /// Write a page with torques, residuals, parameters and correlations.
     #[arg(long, value_name = "FILE.html")]
     report: Option<PathBuf>,
-    /// Cut-off frequency of the low-pass, Hz; 0 for none.
-    #[arg(long, default_value_t = 10.0)]
-    cutoff: f64,
-    /// Order of one pass of the Butterworth low-pass.
-    #[arg(long, default_value_t = 5)]
-    order: usize,
-    /// Seconds cut off both ends of each stretch.
-    #[arg(long, default_value_t = 0.2)]
-    trim: f64,
-    /// Seconds by which the torque is late against the positions; it is moved back by as much.
-    #[arg(long, default_value_t = 0.0, value_name = "SECONDS", allow_negative_numbers = true)]
-    delay: f64,
-    /// Use every n-th sample, after the low-pass.
-    #[arg(long, default_value_t = 1, value_name = "N")]
-    stride: usize,
     /// Where velocities and accelerations come from.
     #[arg(long, value_enum, default_value_t = Source::Position)]
     derivatives: Source,
-    /// Which torque: `tau`, or `taum` (motor side).
-    #[arg(long, value_enum, default_value_t = Torque::Tau)]
-    torque: Torque,
     /// Ordinary least squares: do not weight joints by their noise.
     #[arg(long)]
     ordinary: bool,
@@ -103,13 +83,8 @@ pub(super) struct Identify {
     /// By how much possible bodies may raise the weighted residual, beyond noise, before the data contradict physics, percent.
     #[arg(long, default_value_t = 25.0, value_name = "PERCENT")]
     most_cost: f64,
-    /// Speed below which a joint's rows are not used, rad/s; default from the noise.
-    #[arg(long, value_name = "SPEED")]
-    dead_zone: Option<f64>,
-    /// Keep what is normally refused: bad-rows, gaps, restarts, duplicates, irregular-clock, stuck, clipped, dead-torque,
-    /// large-angles, or all.
-    #[arg(long, value_delimiter = ',', value_name = "WHAT")]
-    keep: Vec<String>,
+    #[command(flatten)]
+    preparation: Preparation,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -120,12 +95,6 @@ enum Source {
     Recorded,
     /// Zero: static poses.
     Rest,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-pub(super) enum Torque {
-    Tau,
-    Taum,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -153,7 +122,7 @@ impl Identify {
         let arm = Interpreted::new(&file.robot, &[]);
         let prior = param::standard_values(&file.robot);
 
-        let settings = self.stack_settings();
+        let settings = self.preparation.stack();
         let mut prepared = Vec::new();
         let mut factor = |path: &PathBuf| -> Result<Factors, Failure> {
             let mut stack = Stack::new(&path.display().to_string(), &arm, settings);
@@ -300,56 +269,12 @@ impl Identify {
     }
 
     fn prepare(&self) -> Result<Prepare, Failure> {
-        let mut keep = Keep::default();
-        for name in &self.keep {
-            if name == "all" {
-                keep = Keep::all();
-            } else if !keep.set(name) {
-                return Err(Failure::input(format!("--keep {name}: choose among {}, all", Keep::NAMES.join(", "))));
-            }
-        }
-        let bad = |what: String| Err(Failure::input(what));
-        if !(self.cutoff >= 0.0 && self.cutoff.is_finite()) {
-            return bad(format!("--cutoff {}: a frequency in Hz, or 0 for none", self.cutoff));
-        }
-        if !(1..=12).contains(&self.order) {
-            return bad(format!("--order {}: from 1 to 12", self.order));
-        }
-        if !(self.trim >= 0.0 && self.trim.is_finite()) {
-            return bad(format!("--trim {}: seconds, zero or more", self.trim));
-        }
-        if self.delay.is_nan() || self.delay.abs() > 10.0 {
-            return bad(format!("--delay {}: seconds, at most 10", self.delay));
-        }
-        if self.stride == 0 {
-            return bad("--stride 0: one or more".into());
-        }
-        Ok(Prepare {
-            filter: (self.cutoff > 0.0).then_some(Filter { order: self.order, cutoff: self.cutoff }),
-            derivatives: match self.derivatives {
-                Source::Position => Derivatives::FromPosition,
-                Source::Recorded => Derivatives::Recorded,
-                Source::Rest => Derivatives::AtRest,
-            },
-            trim: self.trim,
-            torque_delay: self.delay,
-            stride: self.stride,
-            torque: match self.torque {
-                Torque::Tau => Quantity::Tau,
-                Torque::Taum => Quantity::Taum,
-            },
-            keep,
-            ..Prepare::default()
-        })
-    }
-
-    fn stack_settings(&self) -> StackSettings {
-        let dead_zone = match self.dead_zone {
-            Some(speed) if speed > 0.0 => DeadZone::Fixed(speed),
-            Some(_) => DeadZone::Off,
-            None => DeadZone::FromNoise,
+        let derivatives = match self.derivatives {
+            Source::Position => Derivatives::FromPosition,
+            Source::Recorded => Derivatives::Recorded,
+            Source::Rest => Derivatives::AtRest,
         };
-        StackSettings { dead_zone, ..StackSettings::default() }
+        Ok(Prepare { derivatives, ..self.preparation.prepare()? })
     }
 
     /// The torques over time, for drawing: a second pass, now that the parameters are known.
@@ -366,48 +291,14 @@ impl Identify {
 
     fn provenance(&self, text: &str) -> Vec<(String, String)> {
         let list = |paths: &[PathBuf]| paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ");
-        let filter = if self.cutoff > 0.0 {
-            format!("Butterworth order {}, {} Hz, forward and backward", self.order, self.cutoff)
-        } else {
-            "none".into()
-        };
         vec![
             ("denavit".into(), env!("CARGO_PKG_VERSION").into()),
             ("robot file".into(), format!("{} ({} bytes)", self.robot.display(), text.len())),
             ("fitted logs".into(), list(&self.logs)),
             ("validating logs".into(), list(&self.validate)),
-            ("low-pass".into(), filter),
+            ("low-pass".into(), self.preparation.low_pass()),
         ]
     }
-}
-
-/// One pass over a log, with a bar on a terminal.
-pub(super) fn pass(path: &Path, dof: usize, prepare: &Prepare, sink: impl FnMut(&Motion)) -> Result<Prepared, Failure> {
-    try_pass(path, dof, prepare, sink)?.map_err(Failure::input)
-}
-
-/// The same; what preparing refuses comes back as it is, for a caller that can do something about it.
-pub(super) fn try_pass(
-    path: &Path,
-    dof: usize,
-    prepare: &Prepare,
-    sink: impl FnMut(&Motion),
-) -> Result<Result<Prepared, PrepareError>, Failure> {
-    let file = files::open(path)?;
-    let shown = path.display().to_string();
-    let bar = match file.metadata() {
-        Ok(meta) if meta.len() > 1 << 20 => ProgressBar::new(meta.len()),
-        _ => ProgressBar::hidden(),
-    };
-    if let Ok(style) = ProgressStyle::with_template("{msg} [{bar:30}] {bytes}/{total_bytes} {eta}") {
-        bar.set_style(style);
-    }
-    bar.set_message(shown.clone());
-    let reader: Box<dyn Read> = Box::new(std::io::BufReader::new(bar.wrap_read(file)));
-    let mut source = open(&shown, reader).map_err(Failure::input)?;
-    let prepared = each_motion(&mut *source, dof, prepare, sink);
-    bar.finish_and_clear();
-    Ok(prepared)
 }
 
 /// The bodies of the robot file, or guesses from the geometry for those that it does not have.

@@ -1,11 +1,15 @@
-//! Options of the verbs that read logs: how samples become motion.
+//! What the verbs that read logs share: how samples become motion, and the pass over a file.
+
+use std::io::Read;
+use std::path::Path;
 
 use clap::{Args, ValueEnum};
+use indicatif::{ProgressBar, ProgressStyle};
 
-use super::Failure;
+use super::{Failure, files};
 use crate::identify::{DeadZone, StackSettings};
-use crate::log::{Keep, Quantity};
-use crate::signal::{Filter, Prepare};
+use crate::log::{Keep, Quantity, open};
+use crate::signal::{Filter, Motion, Prepare, PrepareError, Prepared, each_motion};
 
 /// Low-pass, clock, torque column, and what to keep.
 #[derive(Args, Clone)]
@@ -37,23 +41,39 @@ pub(super) struct Preparation {
     keep: Vec<String>,
 }
 
+/// Which column of a log is the torque.
 #[derive(Clone, Copy, ValueEnum)]
-enum Torque {
+pub(super) enum Torque {
     Tau,
     Taum,
+}
+
+impl Torque {
+    pub(super) fn quantity(self) -> Quantity {
+        match self {
+            Self::Tau => Quantity::Tau,
+            Self::Taum => Quantity::Taum,
+        }
+    }
+}
+
+/// `--keep`.
+pub(super) fn keep(names: &[String]) -> Result<Keep, Failure> {
+    let mut keep = Keep::default();
+    for name in names {
+        if name == "all" {
+            keep = Keep::all();
+        } else if !keep.set(name) {
+            return Err(Failure::input(format!("--keep {name}: choose among {}, all", Keep::NAMES.join(", "))));
+        }
+    }
+    Ok(keep)
 }
 
 impl Preparation {
     /// Checked.
     pub(super) fn prepare(&self) -> Result<Prepare, Failure> {
-        let mut keep = Keep::default();
-        for name in &self.keep {
-            if name == "all" {
-                keep = Keep::all();
-            } else if !keep.set(name) {
-                return Err(Failure::input(format!("--keep {name}: choose among {}, all", Keep::NAMES.join(", "))));
-            }
-        }
+        let keep = keep(&self.keep)?;
         let bad = |what: String| Err(Failure::input(what));
         if !(self.cutoff >= 0.0 && self.cutoff.is_finite()) {
             return bad(format!("--cutoff {}: a frequency in Hz, or 0 for none", self.cutoff));
@@ -75,10 +95,7 @@ impl Preparation {
             trim: self.trim,
             torque_delay: self.delay,
             stride: self.stride,
-            torque: match self.torque {
-                Torque::Tau => Quantity::Tau,
-                Torque::Taum => Quantity::Taum,
-            },
+            torque: self.torque.quantity(),
             keep,
             ..Prepare::default()
         })
@@ -102,4 +119,33 @@ impl Preparation {
             "none".into()
         }
     }
+}
+
+/// One pass over a log, with a bar on a terminal.
+pub(super) fn pass(path: &Path, dof: usize, prepare: &Prepare, sink: impl FnMut(&Motion)) -> Result<Prepared, Failure> {
+    try_pass(path, dof, prepare, sink)?.map_err(Failure::input)
+}
+
+/// The same; what preparing refuses comes back as it is, for a caller that can do something about it.
+pub(super) fn try_pass(
+    path: &Path,
+    dof: usize,
+    prepare: &Prepare,
+    sink: impl FnMut(&Motion),
+) -> Result<Result<Prepared, PrepareError>, Failure> {
+    let file = files::open(path)?;
+    let shown = path.display().to_string();
+    let bar = match file.metadata() {
+        Ok(meta) if meta.len() > 1 << 20 => ProgressBar::new(meta.len()),
+        _ => ProgressBar::hidden(),
+    };
+    if let Ok(style) = ProgressStyle::with_template("{msg} [{bar:30}] {bytes}/{total_bytes} {eta}") {
+        bar.set_style(style);
+    }
+    bar.set_message(shown.clone());
+    let reader: Box<dyn Read> = Box::new(std::io::BufReader::new(bar.wrap_read(file)));
+    let mut source = open(&shown, reader).map_err(Failure::input)?;
+    let prepared = each_motion(&mut *source, dof, prepare, sink);
+    bar.finish_and_clear();
+    Ok(prepared)
 }

@@ -7,7 +7,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::{Failure, files};
 use crate::report::{self, Parts};
-use crate::reproduce::{self, Settings};
+use crate::reproduce::{self, ExcitationSettings, ReproduceError, Settings};
 
 /// Run the paper's experiments on the simulated robot and print each table and figure beside the paper's own values, with a verdict per row.
 ///
@@ -15,7 +15,7 @@ use crate::reproduce::{self, Settings};
 /// small: better (by more than 5 %), within (5 %), or short by so many percent.
 #[derive(Args)]
 #[command(
-    after_help = "Example:\n  denavit reproduce identification --report reproduce.html\nParts:\n  identification   sections II.D, II.E, III.E, VI.A: Fig. 6, tables II and III, Fig. 10, and whether standard deviations are honest\nWithout a part: all of them."
+    after_help = "Example:\n  denavit reproduce identification --report reproduce.html\nParts:\n  excitation       section III: Fig. 5, and the same task on other arms (some minutes)\n  identification   sections II.D, II.E, III.E, VI.A: Fig. 6, tables II and III, Fig. 10, and whether standard deviations are honest\nWithout a part: all of them."
 )]
 pub(super) struct Reproduce {
     /// Which part; default: all.
@@ -24,6 +24,9 @@ pub(super) struct Reproduce {
     /// Runs with other noise, to see whether standard deviations are honest; 0 for none.
     #[arg(long, value_name = "N", default_value_t = Settings::default().runs)]
     runs: usize,
+    /// Longest motion of Fig. 5, s.
+    #[arg(long, value_name = "S", default_value_t = ExcitationSettings::default().longest, value_parser = longest)]
+    longest: usize,
     /// Of motions and noise: the same seed gives the same figures.
     #[arg(long, value_name = "N", default_value_t = Settings::default().seed)]
     seed: u64,
@@ -37,8 +40,14 @@ pub(super) struct Reproduce {
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Part {
+    /// Section III: what longer motions gain.
+    Excitation,
     /// Sections II.D, II.E, III.E, VI.A.
     Identification,
+}
+
+fn longest(text: &str) -> Result<usize, String> {
+    text.parse().ok().filter(|s| (2..=60).contains(s)).ok_or_else(|| "whole seconds, from 2 to 60".into())
 }
 
 /// More runs tell nothing more.
@@ -51,8 +60,15 @@ impl Reproduce {
         }
         let asked = |part: Part| self.part.is_none_or(|p| p == part);
         let mut parts = Parts::default();
+        if asked(Part::Excitation) {
+            let settings =
+                ExcitationSettings { seed: self.seed, longest: self.longest, ..ExcitationSettings::default() };
+            parts.excitation = Some(watched("excitation", |watch| reproduce::excitation(&settings, watch))?);
+        }
         if asked(Part::Identification) {
-            parts.identification = Some(self.identification()?);
+            let settings = Settings { runs: self.runs, seed: self.seed };
+            parts.identification =
+                Some(watched("identification", |watch| reproduce::identification(&settings, watch))?);
         }
         if let Some(path) = &self.report {
             files::write(path, report::reproduce_html(&parts, &self.provenance()).as_bytes())?;
@@ -69,21 +85,6 @@ impl Reproduce {
         Ok(())
     }
 
-    fn identification(&self) -> Result<reproduce::Experiment, Failure> {
-        let bar = ProgressBar::new(1000);
-        if let Ok(style) = ProgressStyle::with_template("identification [{bar:30}] {percent}% {msg}") {
-            bar.set_style(style);
-        }
-        let watch = |what: &str, share: f64| {
-            bar.set_position((1000.0 * share) as u64);
-            bar.set_message(what.to_string());
-        };
-        let settings = Settings { runs: self.runs, seed: self.seed };
-        let found = reproduce::identification(&settings, &watch);
-        bar.finish_and_clear();
-        found.map_err(Failure::other)
-    }
-
     fn provenance(&self) -> Vec<(String, String)> {
         vec![
             ("denavit".into(), env!("CARGO_PKG_VERSION").into()),
@@ -91,4 +92,18 @@ impl Reproduce {
             ("robot".into(), "robots/kuka-lwr4.yaml, built in".into()),
         ]
     }
+}
+
+/// Runs a part behind a bar.
+fn watched<T>(part: &str, run: impl FnOnce(reproduce::Watch<'_>) -> Result<T, ReproduceError>) -> Result<T, Failure> {
+    let bar = ProgressBar::new(1000);
+    if let Ok(style) = ProgressStyle::with_template(&format!("{part} [{{bar:30}}] {{percent}}% {{msg}}")) {
+        bar.set_style(style);
+    }
+    let found = run(&|what, share| {
+        bar.set_position((1000.0 * share) as u64);
+        bar.set_message(what.to_string());
+    });
+    bar.finish_and_clear();
+    found.map_err(Failure::other)
 }

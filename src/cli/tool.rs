@@ -7,8 +7,7 @@ use clap::Args;
 use dh_codegen::arm::{Function, param};
 use dh_codegen::robot::Tool;
 
-use super::identify::pass;
-use super::prepare::Preparation;
+use super::prepare::{Preparation, pass};
 use super::{Failure, files};
 use crate::arm::Arm;
 use crate::identify::{Factors, Stack, Trace, Tracer};

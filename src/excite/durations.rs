@@ -1,8 +1,10 @@
 //! The criterion against the duration (the paper's figure 5): when does a longer motion stop paying?
 
+use std::sync::atomic::AtomicBool;
+
 use super::Curve;
 use super::criterion::Criterion;
-use super::design::{Effort, Watch, design};
+use super::design::{Effort, Progress, Watch, design};
 use super::task::Task;
 
 /// One criterion at one duration.
@@ -20,13 +22,14 @@ pub struct AtDuration {
     pub change: Option<f64>,
 }
 
-/// Designs a motion for every criterion and duration (ascending), with way points as far apart as in the task.
+/// Designs a motion for every criterion and duration (ascending), with way points as far apart as in the task. `tell` hears which design of all
+/// of them is running, from 0, and how far it is.
 pub fn by_duration(
     task: &Task<'_>,
     criteria: &[Criterion],
     durations: &[f64],
     effort: &Effort,
-    watch: &Watch<'_>,
+    tell: &(dyn Fn(usize, &Progress) + Sync),
 ) -> Vec<AtDuration> {
     let spacing = match task.curve {
         Curve::Spline { duration, intervals } => duration / intervals as f64,
@@ -39,7 +42,9 @@ pub fn by_duration(
             let intervals = ((seconds / spacing).round() as usize).max(1);
             let curve = Curve::Spline { duration: seconds, intervals };
             let own = Task { criterion: criterion.clone(), curve, ..task.clone() };
-            let found = design(&own, effort, watch).ok().filter(|found| found.feasible);
+            let (stop, run) = (AtomicBool::new(false), rows.len());
+            let watch = Watch { stop: &stop, progress: &|p: &Progress| tell(run, p) };
+            let found = design(&own, effort, &watch).ok().filter(|found| found.feasible);
             let value = found.as_ref().map(|found| found.value).filter(|v| v.is_finite());
             rows.push(AtDuration {
                 criterion: criterion.name(),

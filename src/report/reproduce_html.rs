@@ -7,6 +7,7 @@ use serde_json::json;
 use super::Provenance;
 use super::identify_html::{curves, escape};
 use super::number::digits;
+use super::reproduce_excitation as excitation;
 use super::reproduce_text::{Parts, Table, identification_verdict, tables};
 use crate::reproduce::Experiment;
 
@@ -14,14 +15,26 @@ use crate::reproduce::Experiment;
 pub fn reproduce_html(parts: &Parts, provenance: &Provenance) -> String {
     let mut body = String::new();
     let mut traces = Vec::new();
+    body.push_str(
+        "<header><p class=kicker>The paper, rerun</p><h1>Optimal exciting motion for fast robot identification</h1>\n",
+    );
+    let mut verdict = |text: String| {
+        let _ = writeln!(body, "<p class=verdict>{}</p>", escape(&text));
+    };
+    parts.excitation.iter().for_each(|found| verdict(excitation::verdict(found)));
+    parts.identification.iter().for_each(|found| verdict(identification_verdict(found)));
+    body.push_str("</header>\n");
+    if let Some(found) = &parts.excitation {
+        for (k, table) in excitation::tables(found).iter().enumerate() {
+            let drawing = if k == 0 { excitation::drawing(found) } else { String::new() };
+            section(&mut body, table, &drawing, "");
+        }
+    }
     if let Some(found) = &parts.identification {
-        let _ = writeln!(
-            body,
-            "<header><p class=kicker>The paper, rerun</p><h1>Optimal exciting motion for fast robot identification</h1><p class=verdict>{}</p></header>",
-            escape(&identification_verdict(found))
-        );
         for table in tables(found) {
-            section(&mut body, &table, found, traces.len());
+            let drawing = if table.title.starts_with("Fig. 6:") { bars(found) } else { String::new() };
+            let curves = if table.title.starts_with("Fig. 10") { torques(traces.len()) } else { String::new() };
+            section(&mut body, &table, &drawing, &curves);
         }
         traces.push(curves(&found.fig10.trace));
     }
@@ -39,11 +52,10 @@ pub fn reproduce_html(parts: &Parts, provenance: &Provenance) -> String {
     )
 }
 
-fn section(body: &mut String, table: &Table, found: &Experiment, trace: usize) {
-    let _ = writeln!(body, "<section><h2>{}</h2><p class=note>{}</p>", escape(&table.title), escape(&table.note));
-    if table.title.starts_with("Fig. 6:") {
-        bars(body, found);
-    }
+/// A table between what is drawn above it and below it.
+fn section(body: &mut String, table: &Table, above: &str, below: &str) {
+    let _ =
+        writeln!(body, "<section><h2>{}</h2><p class=note>{}</p>\n{above}", escape(&table.title), escape(&table.note));
     body.push_str("<div class=scroll><table><thead><tr>");
     table.head.iter().for_each(|h| {
         let class = if *h == "verdict" { " class=end" } else { "" };
@@ -66,17 +78,19 @@ fn section(body: &mut String, table: &Table, found: &Experiment, trace: usize) {
         body.push_str("</tr>\n");
     }
     body.push_str("</tbody></table></div>\n");
-    if table.title.starts_with("Fig. 10") {
-        let _ = writeln!(
-            body,
-            "<p class=note><span class='key measured'></span>measured <span class='key estimated'></span>estimated <span class='key residual'></span>residual (its own panel), N m over s. Drag to zoom all joints, double-click to go back.</p><div class=plots data-trace={trace}></div>"
-        );
-    }
-    body.push_str("</section>\n");
+    let _ = writeln!(body, "{below}</section>");
+}
+
+/// Where the page's script draws this trace.
+fn torques(trace: usize) -> String {
+    format!(
+        "<p class=note><span class='key measured'></span>measured <span class='key estimated'></span>estimated <span class='key residual'></span>residual (its own panel), N m over s. Drag to zoom all joints, double-click to go back.</p><div class=plots data-trace={trace}></div>"
+    )
 }
 
 /// Fig. 6 as bars: for each joint one per criterion, and the means beside the paper's.
-fn bars(body: &mut String, found: &Experiment) {
+fn bars(found: &Experiment) -> String {
+    let mut body = String::new();
     const WIDTH: f64 = 820.0;
     const HEIGHT: f64 = 230.0;
     let joints = found.floor.len();
@@ -90,14 +104,14 @@ fn bars(body: &mut String, found: &Experiment) {
     let y = |v: f64| bottom - (bottom - top) * v / most;
     let group = (WIDTH - left) / (joints + 2) as f64;
     let _ = writeln!(
-        body,
+        &mut body,
         "<svg class=bars viewBox='0 0 {WIDTH} {HEIGHT}' role=img aria-label='RMS per joint and criterion'>"
     );
     let step = if most > 1.0 { 0.5 } else { 0.2 };
     let mut tick = 0.0;
     while tick <= most {
         let _ = writeln!(
-            body,
+            &mut body,
             "<line class=grid x1={left} x2={WIDTH} y1={0:.1} y2={0:.1} /><text x={1} y={2:.1} text-anchor=end>{tick:.1}</text>",
             y(tick),
             left - 5.0,
@@ -105,11 +119,11 @@ fn bars(body: &mut String, found: &Experiment) {
         );
         tick += step;
     }
-    let bar = |body: &mut String, slot: usize, k: usize, value: f64, floor: Option<f64>, class: &str| {
+    let bar = |into: &mut String, slot: usize, k: usize, value: f64, floor: Option<f64>, class: &str| {
         let wide = group / 4.2;
         let x = left + slot as f64 * group + (k as f64 + 0.6) * wide;
         let _ = writeln!(
-            body,
+            into,
             "<rect class='{class}' x={x:.1} y={:.1} width={:.1} height={:.1}><title>{} N m</title></rect>",
             y(value),
             wide - 2.0,
@@ -118,7 +132,7 @@ fn bars(body: &mut String, found: &Experiment) {
         );
         if let Some(floor) = floor {
             let _ = writeln!(
-                body,
+                into,
                 "<rect class=floor x={x:.1} y={:.1} width={:.1} height={:.1} />",
                 y(floor),
                 wide - 2.0,
@@ -129,10 +143,10 @@ fn bars(body: &mut String, found: &Experiment) {
     for (k, row) in found.fig6.iter().enumerate() {
         let class = format!("criterion{k}");
         for j in 0..joints {
-            bar(body, j, k, row.unmodelled.rms[j], Some(row.noise_only.rms[j]), &class);
+            bar(&mut body, j, k, row.unmodelled.rms[j], Some(row.noise_only.rms[j]), &class);
         }
-        bar(body, joints, k, row.unmodelled.mean(), Some(row.noise_only.mean()), &class);
-        bar(body, joints + 1, k, row.paper, None, &class);
+        bar(&mut body, joints, k, row.unmodelled.mean(), Some(row.noise_only.mean()), &class);
+        bar(&mut body, joints + 1, k, row.paper, None, &class);
     }
     let label = |slot: usize| match slot {
         s if s < joints => format!("joint {}", s + 1),
@@ -141,11 +155,12 @@ fn bars(body: &mut String, found: &Experiment) {
     };
     for slot in 0..joints + 2 {
         let x = left + (slot as f64 + 0.5) * group;
-        let _ = writeln!(body, "<text x={x:.1} y={:.1} text-anchor=middle>{}</text>", HEIGHT - 8.0, label(slot));
+        let _ = writeln!(&mut body, "<text x={x:.1} y={:.1} text-anchor=middle>{}</text>", HEIGHT - 8.0, label(slot));
     }
     body.push_str("</svg><p class=note>");
     for (k, row) in found.fig6.iter().enumerate() {
-        let _ = write!(body, "<span class='swatch criterion{k}'></span>{} ", row.criterion);
+        let _ = write!(&mut body, "<span class='swatch criterion{k}'></span>{} ", row.criterion);
     }
     body.push_str("<span class='swatch floor'></span>the same with noise only. RMS, N m.</p>\n");
+    body
 }

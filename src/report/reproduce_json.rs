@@ -2,12 +2,16 @@
 
 use serde_json::{Value, json};
 
+use super::reproduce_excitation as excitation;
 use super::reproduce_text::Parts;
 use crate::reproduce::{Experiment, fig6, table3};
 
 /// One key per part.
 pub fn reproduce_json(parts: &Parts) -> Value {
-    json!({ "identification": parts.identification.as_ref().map(identification) })
+    json!({
+        "excitation": parts.excitation.as_ref().map(excitation::to_json),
+        "identification": parts.identification.as_ref().map(identification),
+    })
 }
 
 fn identification(found: &Experiment) -> Value {

@@ -3,14 +3,17 @@
 use std::fmt::Write;
 
 use super::number::{digits, figure, pad, percent};
+use super::reproduce_excitation as excitation;
 use crate::reproduce::fig6::{self, mean};
 use crate::reproduce::fig10::{PAPER_RMS, PAPER_SEVENTH};
 use crate::reproduce::honesty::ASKED;
-use crate::reproduce::{Experiment, Verdict, table3};
+use crate::reproduce::{Excitation, Experiment, Verdict, table3};
 
 /// The parts that were run.
 #[derive(Debug, Clone, Default)]
 pub struct Parts {
+    /// Section III.
+    pub excitation: Option<Excitation>,
     /// Sections II.D, II.E, III.E, VI.A.
     pub identification: Option<Experiment>,
 }
@@ -18,15 +21,22 @@ pub struct Parts {
 /// All tables.
 pub fn reproduce_text(parts: &Parts) -> String {
     let mut text = String::new();
+    if let Some(found) = &parts.excitation {
+        part(&mut text, &excitation::verdict(found), &excitation::tables(found));
+    }
     if let Some(found) = &parts.identification {
-        let _ = writeln!(text, "{}\n", identification_verdict(found));
-        for table in tables(found) {
-            let _ = writeln!(text, "{}\n{}", table.title, wrapped(&table.note));
-            text.push_str(&table.text());
-            text.push('\n');
-        }
+        part(&mut text, &identification_verdict(found), &tables(found));
     }
     text
+}
+
+fn part(text: &mut String, verdict: &str, tables: &[Table]) {
+    let _ = writeln!(text, "{}\n", wrapped(verdict));
+    for table in tables {
+        let _ = writeln!(text, "{}\n{}", table.title, wrapped(&table.note));
+        text.push_str(&table.text());
+        text.push('\n');
+    }
 }
 
 /// A table of words, the first column to the left.

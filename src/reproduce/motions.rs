@@ -32,7 +32,7 @@ pub const CRITERIA: [(&str, Criterion); 3] =
 /// Length of an exciting motion, s (section III.D), and of the one that validates (section III.E).
 const SECONDS: [f64; 2] = [10.0, 20.0];
 /// Time in which joints without a limit of acceleration (the LWR's are not published) may reach their speed, s.
-const ACCELERATION_TIME: f64 = 0.5;
+pub(super) const ACCELERATION_TIME: f64 = 0.5;
 
 /// Designs all five: the three criteria's, one for what the hand carries (log det of equation 7's loaded part, joints weighted by their noise; the
 /// paper does not say how it moved its rollers), and last the one that validates. The seed says which random motions the search starts with.
