@@ -30,7 +30,9 @@ rm -f "$work"/*.json
 compile() { # output, source, more
     out=$1; source=$2; shift 2
     [ "$out" -nt "$source" ] && return
-    g++ -std=c++17 -DNDEBUG -DBOOST_MPL_LIMIT_LIST_SIZE=30 -DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS -I"$prefix/include" -I"$prefix/include/eigen3" -I"$casadi/include" "$source" -o "$out" "$@"
+    # What Pinocchio's CMake target asks for.
+    set -- "$@" -DBOOST_MPL_LIMIT_LIST_SIZE=30 -DBOOST_MPL_LIMIT_VECTOR_SIZE=30 -DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS -DBOOST_FUSION_INVOKE_MAX_ARITY=12
+    g++ -std=c++17 -DNDEBUG -I"$prefix/include" -I"$prefix/include/eigen3" -I"$casadi/include" "$source" -o "$out" "$@"
 }
 libraries="-L$prefix/lib -Wl,-rpath,$prefix/lib -lpinocchio_default"
 # The headers' own templates (what a user who compiles for his machine gets), and the library's ready-made ones.
@@ -39,10 +41,11 @@ compile "$work/pinocchio-library" "$here/pinocchio.cpp" -O3 -DPINOCCHIO_ENABLE_T
 compile "$work/casadi_write" "$here/casadi_write.cpp" -O1 $libraries -L"$casadi" -Wl,-rpath,"$casadi" -lcasadi
 compile "$work/casadi_time" "$here/casadi_time.cpp" -O2 $libraries -ldl
 (cd "$work" && ./casadi_write model.txt kernels.c)
+# zig compiles for the machine at hand whatever is said.
 for flags in "-O3" "-O3 -march=native" "-O3 -march=native -ffast-math"; do
     name=$(echo "$flags" | tr -d ' ' | sed 's/-march=//; s/^-//')
     gcc $flags -fPIC -shared "$work/kernels.c" -o "$work/casadi-gcc-$name.so" -lm
-    $clang cc -target native-native-gnu $flags -fPIC -shared "$work/kernels.c" -o "$work/casadi-clang-$name.so" -lm
+    [ "$flags" = "-O3" ] || $clang cc -target native-native-gnu $flags -fPIC -shared "$work/kernels.c" -o "$work/casadi-clang-$name.so" -lm
 done
 
 # The measurements, one after the other.
