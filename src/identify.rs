@@ -49,7 +49,7 @@ mod triangle;
 mod wls;
 
 #[cfg(test)]
-mod planar;
+pub(crate) mod planar;
 #[cfg(test)]
 mod tests;
 

@@ -12,19 +12,19 @@
 //! | [`forward_kinematics`]: The last DH frame in the base frame | 3 x 4 | 77 | 41 |
 //! | [`tool_pose`]: The tool frame in the base frame | 3 x 4 | 77 | 41 |
 //! | [`jacobian`]: Jacobian of the last DH frame's origin, in base axes | 6 x 7 | 93 | 57 |
-//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 184 | 108 |
-//! | [`inverse_dynamics`]: Torques from the standard parameters | 7 | 360 | 357 |
-//! | [`inverse_dynamics_base`]: Torques from the base parameters | 7 | 314 | 295 |
+//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 184 | 122 |
+//! | [`inverse_dynamics`]: Torques from the standard parameters | 7 | 345 | 344 |
+//! | [`inverse_dynamics_base`]: Torques from the base parameters | 7 | 299 | 286 |
 //! | [`mass_matrix`]: Mass matrix `M`, symmetric, kg m^2 | 7 x 7 | 223 | 190 |
-//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 7 | 301 | 276 |
+//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 7 | 288 | 269 |
 //! | [`gravity`]: Gravity torques `g` | 7 | 64 | 38 |
-//! | [`forward_dynamics`]: Accelerations that torques cause | 7 | 697 | 575 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 70 | 872 | 652 |
-//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 43 | 640 | 472 |
-//! | [`gravity_regressor`]: Regressor at rest | 7 x 70 | 255 | 153 |
+//! | [`forward_dynamics`]: Accelerations that torques cause | 7 | 684 | 568 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 70 | 854 | 639 |
+//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 43 | 625 | 465 |
+//! | [`gravity_regressor`]: Regressor at rest | 7 x 70 | 259 | 155 |
 //! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 70 | 154 | 59 |
 //! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 70 | 39 | 19 |
-//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 7 x 10 | 394 | 268 |
+//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 7 x 10 | 389 | 277 |
 
 #![no_std]
 #![deny(unsafe_code)]
@@ -303,19 +303,19 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("forward_kinematics", 77, 41),
     ("tool_pose", 77, 41),
     ("jacobian", 93, 57),
-    ("jacobian_dot_velocity", 184, 108),
-    ("inverse_dynamics", 360, 357),
-    ("inverse_dynamics_base", 314, 295),
+    ("jacobian_dot_velocity", 184, 122),
+    ("inverse_dynamics", 345, 344),
+    ("inverse_dynamics_base", 299, 286),
     ("mass_matrix", 223, 190),
-    ("coriolis", 301, 276),
+    ("coriolis", 288, 269),
     ("gravity", 64, 38),
-    ("forward_dynamics", 697, 575),
-    ("regressor", 872, 652),
-    ("base_regressor", 640, 472),
-    ("gravity_regressor", 255, 153),
+    ("forward_dynamics", 684, 568),
+    ("regressor", 854, 639),
+    ("base_regressor", 625, 465),
+    ("gravity_regressor", 259, 155),
     ("kinetic_energy_regressor", 154, 59),
     ("potential_energy_regressor", 39, 19),
-    ("payload_regressor", 394, 268),
+    ("payload_regressor", 389, 277),
 ];
 
 /// Which inverse the arm has.

@@ -12,19 +12,19 @@
 //! | [`forward_kinematics`]: The last DH frame in the base frame | 3 x 4 | 79 | 43 |
 //! | [`tool_pose`]: The tool frame in the base frame | 3 x 4 | 79 | 43 |
 //! | [`jacobian`]: Jacobian of the last DH frame's origin, in base axes | 6 x 7 | 89 | 65 |
-//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 188 | 109 |
-//! | [`inverse_dynamics`]: Torques from the standard parameters | 7 | 382 | 378 |
-//! | [`inverse_dynamics_base`]: Torques from the base parameters | 7 | 330 | 309 |
+//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 186 | 112 |
+//! | [`inverse_dynamics`]: Torques from the standard parameters | 7 | 366 | 363 |
+//! | [`inverse_dynamics_base`]: Torques from the base parameters | 7 | 314 | 299 |
 //! | [`mass_matrix`]: Mass matrix `M`, symmetric, kg m^2 | 7 x 7 | 242 | 197 |
-//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 7 | 314 | 288 |
+//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 7 | 300 | 280 |
 //! | [`gravity`]: Gravity torques `g` | 7 | 64 | 38 |
-//! | [`forward_dynamics`]: Accelerations that torques cause | 7 | 729 | 593 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 70 | 956 | 705 |
-//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 43 | 691 | 501 |
+//! | [`forward_dynamics`]: Accelerations that torques cause | 7 | 715 | 585 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 70 | 934 | 690 |
+//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 43 | 675 | 492 |
 //! | [`gravity_regressor`]: Regressor at rest | 7 x 70 | 283 | 166 |
 //! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 70 | 163 | 68 |
 //! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 70 | 40 | 19 |
-//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 7 x 10 | 426 | 284 |
+//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 7 x 10 | 419 | 281 |
 
 #![no_std]
 #![deny(unsafe_code)]
@@ -291,19 +291,19 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("forward_kinematics", 79, 43),
     ("tool_pose", 79, 43),
     ("jacobian", 89, 65),
-    ("jacobian_dot_velocity", 188, 109),
-    ("inverse_dynamics", 382, 378),
-    ("inverse_dynamics_base", 330, 309),
+    ("jacobian_dot_velocity", 186, 112),
+    ("inverse_dynamics", 366, 363),
+    ("inverse_dynamics_base", 314, 299),
     ("mass_matrix", 242, 197),
-    ("coriolis", 314, 288),
+    ("coriolis", 300, 280),
     ("gravity", 64, 38),
-    ("forward_dynamics", 729, 593),
-    ("regressor", 956, 705),
-    ("base_regressor", 691, 501),
+    ("forward_dynamics", 715, 585),
+    ("regressor", 934, 690),
+    ("base_regressor", 675, 492),
     ("gravity_regressor", 283, 166),
     ("kinetic_energy_regressor", 163, 68),
     ("potential_energy_regressor", 40, 19),
-    ("payload_regressor", 426, 284),
+    ("payload_regressor", 419, 281),
 ];
 
 /// Which inverse the arm has.

@@ -12,19 +12,19 @@
 //! | [`forward_kinematics`]: The last DH frame in the base frame | 3 x 4 | 46 | 23 |
 //! | [`tool_pose`]: The tool frame in the base frame | 3 x 4 | 46 | 23 |
 //! | [`jacobian`]: Jacobian of the last DH frame's origin, in base axes | 6 x 6 | 44 | 27 |
-//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 118 | 63 |
-//! | [`inverse_dynamics`]: Torques from the standard parameters | 6 | 281 | 279 |
-//! | [`inverse_dynamics_base`]: Torques from the base parameters | 6 | 232 | 216 |
+//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 120 | 68 |
+//! | [`inverse_dynamics`]: Torques from the standard parameters | 6 | 274 | 272 |
+//! | [`inverse_dynamics_base`]: Torques from the base parameters | 6 | 225 | 212 |
 //! | [`mass_matrix`]: Mass matrix `M`, symmetric, kg m^2 | 6 x 6 | 120 | 95 |
-//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 6 | 214 | 194 |
+//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 6 | 209 | 192 |
 //! | [`gravity`]: Gravity torques `g` | 6 | 50 | 29 |
-//! | [`forward_dynamics`]: Accelerations that torques cause | 6 | 455 | 363 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 60 | 453 | 338 |
-//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 6 x 33 | 344 | 254 |
+//! | [`forward_dynamics`]: Accelerations that torques cause | 6 | 450 | 361 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 60 | 444 | 334 |
+//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 6 x 33 | 337 | 251 |
 //! | [`gravity_regressor`]: Regressor at rest | 6 x 60 | 113 | 68 |
 //! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 60 | 115 | 45 |
 //! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 60 | 22 | 12 |
-//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 6 x 10 | 245 | 164 |
+//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 6 x 10 | 242 | 163 |
 
 #![no_std]
 #![deny(unsafe_code)]
@@ -259,19 +259,19 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("forward_kinematics", 46, 23),
     ("tool_pose", 46, 23),
     ("jacobian", 44, 27),
-    ("jacobian_dot_velocity", 118, 63),
-    ("inverse_dynamics", 281, 279),
-    ("inverse_dynamics_base", 232, 216),
+    ("jacobian_dot_velocity", 120, 68),
+    ("inverse_dynamics", 274, 272),
+    ("inverse_dynamics_base", 225, 212),
     ("mass_matrix", 120, 95),
-    ("coriolis", 214, 194),
+    ("coriolis", 209, 192),
     ("gravity", 50, 29),
-    ("forward_dynamics", 455, 363),
-    ("regressor", 453, 338),
-    ("base_regressor", 344, 254),
+    ("forward_dynamics", 450, 361),
+    ("regressor", 444, 334),
+    ("base_regressor", 337, 251),
     ("gravity_regressor", 113, 68),
     ("kinetic_energy_regressor", 115, 45),
     ("potential_energy_regressor", 22, 12),
-    ("payload_regressor", 245, 164),
+    ("payload_regressor", 242, 163),
 ];
 
 /// Which inverse the arm has.

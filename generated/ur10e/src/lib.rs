@@ -12,19 +12,19 @@
 //! | [`forward_kinematics`]: The last DH frame in the base frame | 3 x 4 | 64 | 35 |
 //! | [`tool_pose`]: The tool frame in the base frame | 3 x 4 | 64 | 35 |
 //! | [`jacobian`]: Jacobian of the last DH frame's origin, in base axes | 6 x 6 | 65 | 40 |
-//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 158 | 91 |
-//! | [`inverse_dynamics`]: Torques from the standard parameters | 6 | 301 | 299 |
-//! | [`inverse_dynamics_base`]: Torques from the base parameters | 6 | 262 | 247 |
+//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 144 | 83 |
+//! | [`inverse_dynamics`]: Torques from the standard parameters | 6 | 289 | 288 |
+//! | [`inverse_dynamics_base`]: Torques from the base parameters | 6 | 250 | 239 |
 //! | [`mass_matrix`]: Mass matrix `M`, symmetric, kg m^2 | 6 x 6 | 163 | 143 |
-//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 6 | 247 | 223 |
+//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 6 | 221 | 203 |
 //! | [`gravity`]: Gravity torques `g` | 6 | 48 | 26 |
-//! | [`forward_dynamics`]: Accelerations that torques cause | 6 | 531 | 441 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 60 | 438 | 341 |
-//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 6 x 36 | 328 | 258 |
+//! | [`forward_dynamics`]: Accelerations that torques cause | 6 | 505 | 421 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 60 | 421 | 330 |
+//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 6 x 36 | 316 | 249 |
 //! | [`gravity_regressor`]: Regressor at rest | 6 x 60 | 111 | 63 |
 //! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 60 | 127 | 50 |
 //! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 60 | 32 | 12 |
-//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 6 x 10 | 270 | 190 |
+//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 6 x 10 | 261 | 184 |
 
 #![no_std]
 #![deny(unsafe_code)]
@@ -277,19 +277,19 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("forward_kinematics", 64, 35),
     ("tool_pose", 64, 35),
     ("jacobian", 65, 40),
-    ("jacobian_dot_velocity", 158, 91),
-    ("inverse_dynamics", 301, 299),
-    ("inverse_dynamics_base", 262, 247),
+    ("jacobian_dot_velocity", 144, 83),
+    ("inverse_dynamics", 289, 288),
+    ("inverse_dynamics_base", 250, 239),
     ("mass_matrix", 163, 143),
-    ("coriolis", 247, 223),
+    ("coriolis", 221, 203),
     ("gravity", 48, 26),
-    ("forward_dynamics", 531, 441),
-    ("regressor", 438, 341),
-    ("base_regressor", 328, 258),
+    ("forward_dynamics", 505, 421),
+    ("regressor", 421, 330),
+    ("base_regressor", 316, 249),
     ("gravity_regressor", 111, 63),
     ("kinetic_energy_regressor", 127, 50),
     ("potential_energy_regressor", 32, 12),
-    ("payload_regressor", 270, 190),
+    ("payload_regressor", 261, 184),
 ];
 
 /// Which inverse the arm has.

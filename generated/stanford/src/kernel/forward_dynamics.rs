@@ -2,7 +2,7 @@
 //!
 //! `ddq = M^-1 (tau - C dq - g - friction)`, rad/s^2, from the base parameters; `M = L D L'` written out.
 //!
-//! 455 multiplications, 363 additions; 6, 6 of 6 structurally nonzero.
+//! 450 multiplications, 361 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -153,300 +153,314 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t214 = YY1R + t213;
         t214
     };
+    // link 1: motion
+    let t215 = {
+        let t215 = dq1 * dq1;
+        t215
+    };
     // link 2: motion
-    let [t215, w3_z, t218, t219, t220, t221, dw2_y] = {
-        let t215 = s2 * dq1;
+    let [
+        t216, w3_z, t218, t219, t220, t221, t222, t223,
+        dw2_y, t225, t226, t227, t228,
+    ] = {
+        let t216 = s2 * dq1;
         let w3_z = c2 * dq1;
         let t218 = s2 * k2;
         let t219 = c2 * k2;
-        let t220 = D2 * (dq1 * dq1);
-        let t221 = dq2 * w3_z;
-        let dw2_y = dq2 * t215;
-        [t215, w3_z, t218, t219, t220, t221, dw2_y]
-    };
-    // link 3: motion
-    let [
-        t223, t224, t225, t226, t227, t228, t229, t230,
-        t231, t236, t241, a3_y,
-    ] = {
-        let t223 = t215 * t215;
-        let t224 = w3_z * w3_z;
-        let t225 = dq2 * dq2;
-        let t226 = t215 * w3_z;
-        let t227 = t224 + t225;
-        let t228 = t223 + t225;
-        let t229 = dw2_y + dw2_y;
-        let t230 = t221 + t221;
-        let t231 = t223 + t224;
-        let t236 = q3 * t228 - t219;
-        let t238 = dq3 * k3;
-        let t241 = q3 * t230 - t220 + t215 * t238;
-        let a3_y = dq2 * t238 - (t218 + q3 * t226);
+        let t220 = D2 * t215;
+        let t221 = t216 * t216;
+        let t222 = dq2 * dq2;
+        let t223 = t216 * w3_z;
+        let dw2_y = dq2 * t216;
+        let t225 = dq2 * w3_z;
+        let t226 = t221 + t222;
+        let t227 = dw2_y + dw2_y;
+        let t228 = t225 + t225;
         [
-        t223, t224, t225, t226, t227, t228, t229, t230,
-        t231, t236, t241, a3_y,
+        t216, w3_z, t218, t219, t220, t221, t222, t223,
+        dw2_y, t225, t226, t227, t228,
     ]
     };
+    // link 3: motion
+    let [t233, t238, a3_y, t241, t242] = {
+        let t233 = q3 * t226 - t219;
+        let t235 = dq3 * k3;
+        let t238 = q3 * t228 - t220 + t216 * t235;
+        let a3_y = dq2 * t235 - (t218 + q3 * t223);
+        let t240 = w3_z * w3_z;
+        let t241 = t221 + t240;
+        let t242 = t222 + t240;
+        [t233, t238, a3_y, t241, t242]
+    };
     // link 4: motion
-    let [t245, w4_y, a4_x, a4_y, w4_z, dw4_x, dw4_y] = {
-        let t245 = c4 * dq2 + s4 * t215;
-        let w4_y = s4 * dq2 - c4 * t215;
-        let a4_x = s4 * a3_y - c4 * t241;
-        let a4_y = c4 * a3_y + s4 * t241;
+    let [
+        t245, w4_y, a4_x, a4_y, t257, t260, w4_z, t262,
+        t263, t264, t265, t266, dw4_y, t269, t270, t271,
+        t272, t273,
+    ] = {
+        let t245 = c4 * dq2 + s4 * t216;
+        let w4_y = s4 * dq2 - c4 * t216;
+        let a4_x = s4 * a3_y - c4 * t238;
+        let a4_y = c4 * a3_y + s4 * t238;
+        let t257 = c4 * t228 + s4 * t223;
+        let t260 = s4 * t228 - c4 * t223;
         let w4_z = w3_z + dq4;
-        let dw4_x = dq4 * w4_y - s4 * t221;
-        let dw4_y = dq4 * t245 - c4 * t221;
-        [t245, w4_y, a4_x, a4_y, w4_z, dw4_x, dw4_y]
+        let t262 = t245 * t245;
+        let t263 = w4_z * w4_z;
+        let t264 = t245 * w4_y;
+        let t265 = t245 * w4_z;
+        let t266 = w4_y * w4_z;
+        let dw4_x = t266 - t260;
+        let dw4_y = t265 - t257;
+        let t269 = dw2_y - t264;
+        let t270 = dw2_y + t264;
+        let t271 = t262 + t263;
+        let t272 = t265 + dw4_y;
+        let t273 = t266 + dw4_x;
+        [
+        t245, w4_y, a4_x, a4_y, t257, t260, w4_z, t262,
+        t263, t264, t265, t266, dw4_y, t269, t270, t271,
+        t272, t273,
+    ]
     };
     // link 5: motion
     let [
-        t264, w5_y, t274, t275, t276, t277, t278, t279,
-        t280, t281, t282, t283, t284, t285, t286, t287,
-        a5_x, a5_y, w5_z, dw5_x, dw5_y,
+        t276, w5_y, a5_x, a5_y, t288, t291, w5_z, t293,
+        t294, t295, t296, t297, dw5_y, t300, t301, t302,
+        t303, t304,
     ] = {
-        let t264 = c5 * t245 + s5 * w4_z;
+        let t276 = c5 * t245 + s5 * w4_z;
         let w5_y = s5 * t245 - c5 * w4_z;
-        let t274 = t245 * t245;
-        let t275 = w4_y * w4_y;
-        let t276 = w4_z * w4_z;
-        let t277 = t245 * w4_y;
-        let t278 = t245 * w4_z;
-        let t279 = w4_y * w4_z;
-        let t280 = t275 + t276;
-        let t281 = dw2_y - t277;
-        let t282 = dw4_y - t278;
-        let t283 = dw2_y + t277;
-        let t284 = t274 + t276;
-        let t285 = t279 - dw4_x;
-        let t286 = dw4_y + t278;
-        let t287 = dw4_x + t279;
-        let a5_x = c5 * a4_x + s5 * t236;
-        let a5_y = c5 * t236 - s5 * a4_x;
+        let a5_x = c5 * a4_x + s5 * t233;
+        let a5_y = c5 * t233 - s5 * a4_x;
+        let t288 = c5 * t269 - s5 * t273;
+        let t291 = c5 * t273 + s5 * t269;
         let w5_z = w4_y + dq5;
-        let dw5_x = c5 * dw4_x + s5 * dw2_y + dq5 * w5_y;
-        let dw5_y = c5 * dw2_y - s5 * dw4_x + dq5 * t264;
+        let t293 = t276 * t276;
+        let t294 = w5_z * w5_z;
+        let t295 = t276 * w5_y;
+        let t296 = t276 * w5_z;
+        let t297 = w5_y * w5_z;
+        let dw5_x = t291 + t297;
+        let dw5_y = t288 + t296;
+        let t300 = dw4_y + t295;
+        let t301 = dw4_y - t295;
+        let t302 = t293 + t294;
+        let t303 = t296 + dw5_y;
+        let t304 = t297 + dw5_x;
         [
-        t264, w5_y, t274, t275, t276, t277, t278, t279,
-        t280, t281, t282, t283, t284, t285, t286, t287,
-        a5_x, a5_y, w5_z, dw5_x, dw5_y,
+        t276, w5_y, a5_x, a5_y, t288, t291, w5_z, t293,
+        t294, t295, t296, t297, dw5_y, t300, t301, t302,
+        t303, t304,
     ]
     };
     // link 6: motion
     let [
-        w6_x, w6_y, t311, t312, t313, t314, t315, t316,
-        t317, t318, t319, t320, t321, t322, t323, t324,
-        t329, a6_x, a6_y, w6_z, dw6_x, dw6_y,
+        t315, a6_x, a6_y, t325, t328, t332, t333, t334,
+        dw6_x, t337, t338, t339, t340, t341, t342, t343,
     ] = {
-        let w6_x = s6 * w5_z - c6 * t264;
-        let w6_y = c6 * w5_z + s6 * t264;
-        let t311 = t264 * t264;
-        let t312 = w5_y * w5_y;
-        let t313 = w5_z * w5_z;
-        let t314 = t264 * w5_y;
-        let t315 = t264 * w5_z;
-        let t316 = w5_y * w5_z;
-        let t317 = t312 + t313;
-        let t318 = dw4_y + t314;
-        let t319 = dw5_y - t315;
-        let t320 = dw4_y - t314;
-        let t321 = t311 + t313;
-        let t322 = t316 - dw5_x;
-        let t323 = dw5_y + t315;
-        let t324 = dw5_x + t316;
-        let t328 = a5_x + D6 * t318;
-        let t329 = a5_y + D6 * t321;
-        let t330 = a4_y - D6 * t324;
-        let a6_x = c6 * t328 + s6 * t330;
-        let a6_y = c6 * t330 - s6 * t328;
+        let w6_x = s6 * w5_z - c6 * t276;
+        let w6_y = c6 * w5_z + s6 * t276;
+        let t314 = a5_x + D6 * t300;
+        let t315 = a5_y + D6 * t302;
+        let t316 = a4_y - D6 * t304;
+        let a6_x = c6 * t314 + s6 * t316;
+        let a6_y = c6 * t316 - s6 * t314;
+        let t325 = c6 * t300 - s6 * t304;
+        let t328 = c6 * t304 + s6 * t300;
         let w6_z = dq6 - w5_y;
-        let dw6_x = c6 * dw5_x + s6 * dw4_y + dq6 * w6_y;
-        let dw6_y = c6 * dw4_y - s6 * dw5_x - dq6 * w6_x;
+        let t330 = w6_x * w6_x;
+        let t331 = w6_z * w6_z;
+        let t332 = w6_x * w6_y;
+        let t333 = w6_x * w6_z;
+        let t334 = w6_y * w6_z;
+        let dw6_x = t328 + t334;
+        let dw6_y = t325 - t333;
+        let t337 = t330 - t331;
+        let t338 = t337 - t302;
+        let t339 = dw5_y + t332;
+        let t340 = t332 - dw5_y;
+        let t341 = t330 + t331;
+        let t342 = t333 - dw6_y;
+        let t343 = t334 + dw6_x;
         [
-        w6_x, w6_y, t311, t312, t313, t314, t315, t316,
-        t317, t318, t319, t320, t321, t322, t323, t324,
-        t329, a6_x, a6_y, w6_z, dw6_x, dw6_y,
+        t315, a6_x, a6_y, t325, t328, t332, t333, t334,
+        dw6_x, t337, t338, t339, t340, t341, t342, t343,
     ]
     };
     // link 6: force and moment
-    let [f6_z, n6_z, t404, t407, t416, t417] = {
-        let t342 = w6_x * w6_x;
-        let t343 = w6_y * w6_y;
-        let t344 = w6_z * w6_z;
-        let t345 = w6_x * w6_y;
-        let t346 = w6_x * w6_z;
-        let t347 = w6_y * w6_z;
-        let t349 = dw5_y + t345;
-        let t351 = t345 - dw5_y;
-        let t354 = t346 - dw6_y;
-        let t355 = dw6_x + t347;
-        let t374 = XZ6 * (t347 - dw6_x);
-        let t379 = YZ6 * (t343 - t344);
-        let t380 = YZ6 * t349;
-        let t381 = YZ6 * (dw6_y + t346);
-        let t382 = ZZ6 * t347 + XX6R * dw6_x - XY6 * t354 + XZ6 * t351 + t379;
-        let t383 = t346 * (XX6R - ZZ6) + XY6 * t355 + XZ6 * (t344 - t342) - t380;
-        let t384 = XY6 * (t342 - t343) - (XX6R * t345 + ZZ6 * dw5_y) - t374 + t381;
-        let f6_x = MSY6 * t349 - MSX6 * (t343 + t344);
-        let f6_y = MSX6 * t351 - MSY6 * (t342 + t344);
-        let f6_z = MSX6 * t354 + MSY6 * t355;
-        let n6_x = t382 - MSY6 * t329;
-        let n6_y = t383 + MSX6 * t329;
-        let n6_z = t384 + (MSX6 * a6_y - MSY6 * a6_x);
-        let t404 = c6 * f6_x - s6 * f6_y;
-        let t407 = s6 * f6_x + c6 * f6_y;
-        let t416 = c6 * n6_x - s6 * n6_y - D6 * t407;
-        let t417 = s6 * n6_x + c6 * n6_y + D6 * t404;
-        [f6_z, n6_z, t404, t407, t416, t417]
+    let [f6_z, n6_z, t391, t394, t403, t404] = {
+        let t364 = XY6 * (t338 + t341) - (XX6R * t332 + ZZ6 * dw5_y) + XZ6 * t328;
+        let t366 = YZ6 * (t302 - t341);
+        let t369 = ZZ6 * t334 + XX6R * dw6_x - XY6 * t342 + XZ6 * t340 + t366;
+        let t370 = t333 * (XX6R - ZZ6) + XY6 * t343 - XZ6 * t337 - YZ6 * t339;
+        let f6_x = MSX6 * t338 + MSY6 * t339;
+        let f6_y = MSX6 * t340 - MSY6 * t341;
+        let f6_z = MSX6 * t342 + MSY6 * t343;
+        let n6_x = t369 - MSY6 * t315;
+        let n6_y = t370 + MSX6 * t315;
+        let n6_z = t364 + YZ6 * t325 + (MSX6 * a6_y - MSY6 * a6_x);
+        let t391 = c6 * f6_x - s6 * f6_y;
+        let t394 = s6 * f6_x + c6 * f6_y;
+        let t403 = c6 * n6_x - s6 * n6_y - D6 * t394;
+        let t404 = s6 * n6_x + c6 * n6_y + D6 * t391;
+        [f6_z, n6_z, t391, t394, t403, t404]
     };
     // link 5: force and moment
-    let [f5_z, n5_z, t472, t475, t478, t481] = {
-        let t438 = YY5R * dw4_y - ZZ5R * t314 - XY5 * t322 + XZ5 * (t312 - t311);
-        let t439 = XY5 * (t311 - t313) - (YY5R * t315 + ZZ5R * dw5_y) + XZ5 * t324;
-        let t441 = YZ5 * (t313 - t312);
-        let t456 = MSZ5R * a4_y;
-        let t461 = XY5 * t320 - t316 * (ZZ5R - YY5R) - XZ5 * t323 + t441 - t456;
-        let f5_x = t404 + (MSZ5R * t318 - MSX5 * t317);
-        let f5_y = MSX5 * t320 + MSZ5R * t321 - f6_z;
-        let f5_z = t407 - (MSX5 * t323 + MSZ5R * t324);
-        let n5_x = t416 + t461;
-        let t468 = n6_z + (t439 + YZ5 * t318 + MSX5 * a4_y);
-        let n5_z = t417 + (t438 - YZ5 * t319 + (MSZ5R * a5_x + MSX5 * a5_y));
-        let t472 = c5 * f5_x - s5 * f5_y;
-        let t475 = s5 * f5_x + c5 * f5_y;
-        let t478 = c5 * n5_x + s5 * t468;
-        let t481 = s5 * n5_x - c5 * t468;
-        [f5_z, n5_z, t472, t475, t478, t481]
+    let [f5_z, n5_z, t462, t465, t468, t471] = {
+        let t405 = w5_y * w5_y;
+        let t406 = t294 + t405;
+        let t407 = t293 + t405;
+        let t428 = YY5R * dw4_y - ZZ5R * t295 + XY5 * t291 + XZ5 * (t406 - t302);
+        let t429 = XY5 * (t407 - t406) - (YY5R * t296 + ZZ5R * dw5_y) + XZ5 * t304;
+        let t431 = YZ5 * (t302 - t407);
+        let t446 = MSZ5R * a4_y;
+        let t451 = XY5 * t301 - t297 * (ZZ5R - YY5R) - XZ5 * t303 + t431 - t446;
+        let f5_x = t391 + (MSZ5R * t300 - MSX5 * t406);
+        let f5_y = MSX5 * t301 + MSZ5R * t302 - f6_z;
+        let f5_z = t394 - (MSX5 * t303 + MSZ5R * t304);
+        let n5_x = t403 + t451;
+        let t458 = n6_z + (t429 + YZ5 * t300 + MSX5 * a4_y);
+        let n5_z = t404 + (t428 - YZ5 * t288 + (MSZ5R * a5_x + MSX5 * a5_y));
+        let t462 = c5 * f5_x - s5 * f5_y;
+        let t465 = s5 * f5_x + c5 * f5_y;
+        let t468 = c5 * n5_x + s5 * t458;
+        let t471 = s5 * n5_x - c5 * t458;
+        [f5_z, n5_z, t462, t465, t468, t471]
     };
     // link 4: force and moment
-    let [t530, t533, t536, t539, t542, t545] = {
-        let t502 = ZZ4R * t277 + YY4R * dw2_y - XY4 * t285 + XZ4 * (t275 - t274);
-        let t503 = YY4R * t278 + ZZ4R * dw4_y + XY4 * (t274 - t276) + XZ4 * t287;
-        let t505 = YZ4 * (t276 - t275);
-        let t520 = MSZ4R * t236;
-        let t525 = XY4 * t283 - t279 * (ZZ4R - YY4R) + XZ4 * t286 + t505 - t520;
-        let f4_x = t472 + (MSZ4R * t281 - MSX4 * t280);
-        let f4_y = f5_z - (MSX4 * t283 + MSZ4R * t284);
-        let t530 = t475 + (MSX4 * t286 - MSZ4R * t287);
-        let n4_x = t478 + t525;
-        let n4_y = n5_z + (t503 + YZ4 * t281 + MSX4 * t236);
-        let t533 = t481 + (t502 + YZ4 * t282 + (MSZ4R * a4_x - MSX4 * a4_y));
-        let t536 = c4 * f4_x - s4 * f4_y;
-        let t539 = s4 * f4_x + c4 * f4_y;
-        let t542 = c4 * n4_x - s4 * n4_y;
-        let t545 = s4 * n4_x + c4 * n4_y;
-        [t530, t533, t536, t539, t542, t545]
+    let [t523, t526, t529, t532, t535, t538] = {
+        let t472 = w4_y * w4_y;
+        let t473 = t263 + t472;
+        let t474 = t262 + t472;
+        let t495 = ZZ4R * t264 + YY4R * dw2_y - XY4 * t260 + XZ4 * (t473 - t271);
+        let t496 = YY4R * t265 + ZZ4R * dw4_y + XY4 * (t474 - t473) + XZ4 * t273;
+        let t498 = YZ4 * (t271 - t474);
+        let t513 = MSZ4R * t233;
+        let t518 = XY4 * t270 - t266 * (ZZ4R - YY4R) + XZ4 * t272 + t498 - t513;
+        let f4_x = t462 + (MSZ4R * t269 - MSX4 * t473);
+        let f4_y = f5_z - (MSX4 * t270 + MSZ4R * t271);
+        let t523 = t465 + (MSX4 * t272 - MSZ4R * t273);
+        let n4_x = t468 + t518;
+        let n4_y = n5_z + (t496 + YZ4 * t269 + MSX4 * t233);
+        let t526 = t471 + (t495 - YZ4 * t257 + (MSZ4R * a4_x - MSX4 * a4_y));
+        let t529 = c4 * f4_x - s4 * f4_y;
+        let t532 = s4 * f4_x + c4 * f4_y;
+        let t535 = c4 * n4_x - s4 * n4_y;
+        let t538 = s4 * n4_x + c4 * n4_y;
+        [t523, t526, t529, t532, t535, t538]
     };
     // link 3: force and moment
-    let [t546, t547, t548, f3_y, t577, n3_z, t583, t584] = {
-        let t546 = t225 - t223;
-        let t547 = t224 - t225;
-        let t548 = t223 - t224;
-        let f3_x = t536 + (MSY3 * t229 - MSX3 * t231 - MSZ3R * t230 - M3R * t241);
-        let f3_y = t539 + (M3R * a3_y - (MSY3 * t227 + MSZ3R * t226));
-        let t577 = t530 + (M3R * t236 + (MSY3 * t226 + MSZ3R * t228));
-        let n3_x = t542 - (MSY3 * t236 + MSZ3R * a3_y);
-        let n3_y = t545 + (MSX3 * t236 - MSZ3R * t241);
-        let n3_z = MSX3 * a3_y + MSY3 * t241 - t533;
-        let t583 = n3_y + q3 * f3_x;
-        let t584 = q3 * f3_y - n3_x;
-        [t546, t547, t548, f3_y, t577, n3_z, t583, t584]
+    let [t539, t540, t541, f3_y, t570, n3_z, t576, t577] = {
+        let t539 = t242 - t241;
+        let t540 = t241 - t226;
+        let t541 = t226 - t242;
+        let f3_x = t529 + (MSY3 * t227 - MSX3 * t241 - MSZ3R * t228 - M3R * t238);
+        let f3_y = t532 + (M3R * a3_y - (MSY3 * t242 + MSZ3R * t223));
+        let t570 = t523 + (M3R * t233 + (MSY3 * t223 + MSZ3R * t226));
+        let n3_x = t535 - (MSY3 * t233 + MSZ3R * a3_y);
+        let n3_y = t538 + (MSX3 * t233 - MSZ3R * t238);
+        let n3_z = MSX3 * a3_y + MSY3 * t238 - t526;
+        let t576 = n3_y + q3 * f3_x;
+        let t577 = q3 * f3_y - n3_x;
+        [t539, t540, t541, f3_y, t570, n3_z, t576, t577]
     };
     // link 2: force and moment
-    let [n2_z, t630] = {
-        let t602 = t221 * (ZZ2R - YY2R) + XY2R * t226 - XZ2R * t229 - YZ2R * t547;
-        let t603 = dw2_y * (YY2R + ZZ2R) + XY2R * t546 + XZ2R * t230 + YZ2R * t226;
-        let f2_x = f3_y - (MSX2 * t227 + MSZ2 * t226);
-        let f2_y = t577 + (MSX2 * t226 + MSZ2 * t228);
-        let n2_x = t583 + (t602 + MSZ2 * t220);
-        let n2_y = t603 + MSX2 * t220 - n3_z;
-        let n2_z = t584 + (ZZ2R * t226 - XZ2R * t548 - (MSZ2 * t218 + MSX2 * t219));
+    let [n2_z, t623] = {
+        let t595 = t225 * (ZZ2R - YY2R) + XY2R * t223 - XZ2R * t227 - YZ2R * t540;
+        let t596 = dw2_y * (YY2R + ZZ2R) + XY2R * t539 + XZ2R * t228 + YZ2R * t223;
+        let f2_x = f3_y - (MSX2 * t242 + MSZ2 * t223);
+        let f2_y = t570 + (MSX2 * t223 + MSZ2 * t226);
+        let n2_x = t576 + (t595 + MSZ2 * t220);
+        let n2_y = t596 + MSX2 * t220 - n3_z;
+        let n2_z = t577 + (ZZ2R * t223 - XZ2R * t541 - (MSZ2 * t218 + MSX2 * t219));
         let f1_x = c2 * f2_x - s2 * f2_y;
-        let t630 = s2 * n2_x + c2 * n2_y + D2 * f1_x;
-        [n2_z, t630]
+        let t623 = s2 * n2_x + c2 * n2_y + D2 * f1_x;
+        [n2_z, t623]
     };
     // drives
-    let [t631, t632, t633, t634, t635, t636] = {
-        let t631 = t630 + tau1;
-        let t632 = tau2 - n2_z;
-        let t633 = t577 + tau3;
-        let t634 = t533 + tau4;
-        let t635 = tau5 - n5_z;
-        let t636 = tau6 - n6_z;
-        [t631, t632, t633, t634, t635, t636]
+    let [t624, t625, t626, t627, t628, t629] = {
+        let t624 = t623 + tau1;
+        let t625 = tau2 - n2_z;
+        let t626 = t570 + tau3;
+        let t627 = t526 + tau4;
+        let t628 = tau5 - n5_z;
+        let t629 = tau6 - n6_z;
+        [t624, t625, t626, t627, t628, t629]
     };
     // M = L D L'
     let [
-        t637, t638, t639, t640, t641, t642, t646, t650,
-        t653, t656, t659, t666, t672, t677, t682, t692,
-        t702, t709, t722, t735, t751,
+        t630, t631, t632, t633, t634, t635, t639, t643,
+        t646, t649, t652, t659, t665, t670, t675, t685,
+        t695, t702, t715, t728, t744,
     ] = {
-        let t637 = k4 / t214;
-        let t638 = t199 * t637;
-        let t639 = t174 * t637;
-        let t640 = t148 * t637;
-        let t641 = t100 * t637;
-        let t642 = t47 * t637;
-        let t645 = t188 - t214 * (t638 * t638);
-        let t646 = k4 / t645;
-        let t647 = t214 * t638;
-        let t650 = t646 * (t169 + t639 * t647);
-        let t653 = t646 * (t142 - t640 * t647);
-        let t656 = t646 * (t92 - t641 * t647);
-        let t659 = t646 * (t39 - t642 * t647);
-        let t665 = M3R - t214 * (t639 * t639) - t645 * (t650 * t650);
-        let t666 = k4 / t665;
-        let t667 = t214 * t639;
-        let t669 = t645 * t650;
-        let t672 = t666 * (t653 * t669 - t640 * t667);
-        let t677 = t666 * (t656 * t669 - (t74 + t641 * t667));
-        let t682 = t666 * (t17 - t642 * t667 + t659 * t669);
-        let t690 = t665 * (t672 * t672);
-        let t691 = t123 - t214 * (t640 * t640) - t645 * (t653 * t653) - t690;
-        let t692 = k4 / t691;
-        let t693 = t214 * t640;
-        let t696 = t645 * t653;
-        let t699 = t665 * t672;
-        let t702 = t692 * (t80 + t641 * t693 + t656 * t696 + t677 * t699);
-        let t709 = t692 * (t23 + t642 * t693 + t659 * t696 + t682 * t699);
-        let t717 = t665 * (t677 * t677);
-        let t720 = t691 * (t702 * t702);
-        let t721 = t65 - t214 * (t641 * t641) - t645 * (t656 * t656) - t717 - t720;
-        let t722 = k4 / t721;
-        let t730 = t682 * (t665 * t677);
-        let t733 = t709 * (t691 * t702);
-        let t734 = t15 - t642 * (t214 * t641) - t659 * (t645 * t656) - t730 - t733;
-        let t735 = t722 * t734;
-        let t743 = t665 * (t682 * t682);
-        let t746 = t691 * (t709 * t709);
-        let t747 = ZZ6 - t214 * (t642 * t642) - t645 * (t659 * t659) - t743 - t746;
-        let t751 = k4 / (t747 - t721 * (t735 * t735));
+        let t630 = k4 / t214;
+        let t631 = t199 * t630;
+        let t632 = t174 * t630;
+        let t633 = t148 * t630;
+        let t634 = t100 * t630;
+        let t635 = t47 * t630;
+        let t638 = t188 - t214 * (t631 * t631);
+        let t639 = k4 / t638;
+        let t640 = t214 * t631;
+        let t643 = t639 * (t169 + t632 * t640);
+        let t646 = t639 * (t142 - t633 * t640);
+        let t649 = t639 * (t92 - t634 * t640);
+        let t652 = t639 * (t39 - t635 * t640);
+        let t658 = M3R - t214 * (t632 * t632) - t638 * (t643 * t643);
+        let t659 = k4 / t658;
+        let t660 = t214 * t632;
+        let t662 = t638 * t643;
+        let t665 = t659 * (t646 * t662 - t633 * t660);
+        let t670 = t659 * (t649 * t662 - (t74 + t634 * t660));
+        let t675 = t659 * (t17 - t635 * t660 + t652 * t662);
+        let t683 = t658 * (t665 * t665);
+        let t684 = t123 - t214 * (t633 * t633) - t638 * (t646 * t646) - t683;
+        let t685 = k4 / t684;
+        let t686 = t214 * t633;
+        let t689 = t638 * t646;
+        let t692 = t658 * t665;
+        let t695 = t685 * (t80 + t634 * t686 + t649 * t689 + t670 * t692);
+        let t702 = t685 * (t23 + t635 * t686 + t652 * t689 + t675 * t692);
+        let t710 = t658 * (t670 * t670);
+        let t713 = t684 * (t695 * t695);
+        let t714 = t65 - t214 * (t634 * t634) - t638 * (t649 * t649) - t710 - t713;
+        let t715 = k4 / t714;
+        let t723 = t675 * (t658 * t670);
+        let t726 = t702 * (t684 * t695);
+        let t727 = t15 - t635 * (t214 * t634) - t652 * (t638 * t649) - t723 - t726;
+        let t728 = t715 * t727;
+        let t736 = t658 * (t675 * t675);
+        let t739 = t684 * (t702 * t702);
+        let t740 = ZZ6 - t214 * (t635 * t635) - t638 * (t652 * t652) - t736 - t739;
+        let t744 = k4 / (t740 - t714 * (t728 * t728));
         [
-        t637, t638, t639, t640, t641, t642, t646, t650,
-        t653, t656, t659, t666, t672, t677, t682, t692,
-        t702, t709, t722, t735, t751,
+        t630, t631, t632, t633, t634, t635, t639, t643,
+        t646, t649, t652, t659, t665, t670, t675, t685,
+        t695, t702, t715, t728, t744,
     ]
     };
     // ddq
     {
-        let t753 = t632 + t631 * t638;
-        let t757 = t633 + t631 * t639 + t650 * t753;
-        let t763 = t634 + t631 * t640 - t653 * t753 - t672 * t757;
-        let t771 = t635 + t631 * t641 - t656 * t753 - t677 * t757 + t702 * t763;
-        let t779 = t636 + t631 * t642 - t659 * t753 - t682 * t757 + t709 * t763;
-        let t787 = t751 * (t779 - t735 * t771);
-        let t789 = t722 * t771 - t735 * t787;
-        let t793 = t692 * t763 + t702 * t789 + t709 * t787;
-        let t799 = t666 * t757 - t672 * t793 - t677 * t789 - t682 * t787;
-        let t806 = t659 * t787;
-        let t807 = t646 * t753 + t650 * t799 - t653 * t793 - t656 * t789 - t806;
-        let t814 = t641 * t789;
-        let t815 = t631 * t637 + t638 * t807 + t639 * t799 + t640 * t793 + t814;
-        let t817 = t815 + t642 * t787;
-        put(0, t817);
-        put(1, t807);
-        put(2, t799);
-        put(3, t793);
-        put(4, t789);
-        put(5, t787);
+        let t746 = t625 + t624 * t631;
+        let t750 = t626 + t624 * t632 + t643 * t746;
+        let t756 = t627 + t624 * t633 - t646 * t746 - t665 * t750;
+        let t764 = t628 + t624 * t634 - t649 * t746 - t670 * t750 + t695 * t756;
+        let t772 = t629 + t624 * t635 - t652 * t746 - t675 * t750 + t702 * t756;
+        let t780 = t744 * (t772 - t728 * t764);
+        let t782 = t715 * t764 - t728 * t780;
+        let t786 = t685 * t756 + t695 * t782 + t702 * t780;
+        let t792 = t659 * t750 - t665 * t786 - t670 * t782 - t675 * t780;
+        let t799 = t652 * t780;
+        let t800 = t639 * t746 + t643 * t792 - t646 * t786 - t649 * t782 - t799;
+        let t807 = t634 * t782;
+        let t808 = t624 * t630 + t631 * t800 + t632 * t792 + t633 * t786 + t807;
+        let t810 = t808 + t635 * t780;
+        put(0, t810);
+        put(1, t800);
+        put(2, t792);
+        put(3, t786);
+        put(4, t782);
+        put(5, t780);
     }
 }

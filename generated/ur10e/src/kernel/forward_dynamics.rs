@@ -2,7 +2,7 @@
 //!
 //! `ddq = M^-1 (tau - C dq - g - friction)`, rad/s^2, from the base parameters; `M = L D L'` written out.
 //!
-//! 531 multiplications, 441 additions; 6, 6 of 6 structurally nonzero.
+//! 505 multiplications, 421 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -196,329 +196,329 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t305 = ZZ1R + t304;
         t305
     };
+    // link 1: motion
+    let t306 = {
+        let t306 = dq1 * dq1;
+        t306
+    };
     // link 2: motion
-    let [w2_x, w2_y, a2_x, a2_y, dw2_x, t311] = {
+    let [
+        w2_x, w2_y, a2_x, a2_y, t313, t314, dw2_x, t316,
+        t317, t318, t319, t320,
+    ] = {
         let w2_x = s2 * dq1;
         let w2_y = c2 * dq1;
         let a2_x = s2 * k5;
         let a2_y = c2 * k5;
+        let t311 = w2_x * w2_x;
+        let t312 = dq2 * dq2;
+        let t313 = w2_x * w2_y;
+        let t314 = dq2 * w2_x;
         let dw2_x = dq2 * w2_y;
-        let t311 = dq2 * w2_x;
-        [w2_x, w2_y, a2_x, a2_y, dw2_x, t311]
+        let t316 = t311 - t312;
+        let t317 = t316 - t306;
+        let t318 = t311 + t312;
+        let t319 = t314 + t314;
+        let t320 = dw2_x + dw2_x;
+        [
+        w2_x, w2_y, a2_x, a2_y, t313, t314, dw2_x, t316,
+        t317, t318, t319, t320,
+    ]
     };
     // link 3: motion
     let [
-        w3_x, w3_y, t324, t325, t326, t327, t329, t330,
-        t333, a3_x, a3_y, w3_z, dw3_x, t346,
+        w3_x, w3_y, t329, a3_x, a3_y, w3_z, t341, t342,
+        dw3_x, t344, t345, t346, t347, t348,
     ] = {
         let w3_x = c3 * w2_x + s3 * w2_y;
         let w3_y = c3 * w2_y - s3 * w2_x;
-        let t324 = w2_x * w2_x;
-        let t325 = w2_y * w2_y;
-        let t326 = dq2 * dq2;
-        let t327 = w2_x * w2_y;
-        let t329 = t311 + t311;
-        let t330 = dw2_x + dw2_x;
-        let t333 = k4 * t329;
-        let t334 = a2_x + k4 * (t325 + t326);
-        let t335 = a2_y - k4 * t327;
-        let a3_x = c3 * t334 + s3 * t335;
-        let a3_y = c3 * t335 - s3 * t334;
+        let t329 = k4 * t319;
+        let t330 = a2_x - k4 * t317;
+        let t331 = a2_y - k4 * t313;
+        let a3_x = c3 * t330 + s3 * t331;
+        let a3_y = c3 * t331 - s3 * t330;
         let w3_z = dq2 + dq3;
-        let dw3_x = c3 * dw2_x - s3 * t311 + dq3 * w3_y;
-        let t346 = c3 * t311 + s3 * dw2_x + dq3 * w3_x;
+        let t339 = w3_x * w3_x;
+        let t340 = w3_z * w3_z;
+        let t341 = w3_x * w3_y;
+        let t342 = w3_x * w3_z;
+        let dw3_x = w3_y * w3_z;
+        let t344 = t339 - t340;
+        let t345 = t344 - t306;
+        let t346 = t339 + t340;
+        let t347 = t342 + t342;
+        let t348 = dw3_x + dw3_x;
         [
-        w3_x, w3_y, t324, t325, t326, t327, t329, t330,
-        t333, a3_x, a3_y, w3_z, dw3_x, t346,
+        w3_x, w3_y, t329, a3_x, a3_y, w3_z, t341, t342,
+        dw3_x, t344, t345, t346, t347, t348,
     ]
     };
     // link 4: motion
     let [
-        w4_x, w4_y, t359, t360, t361, t362, t363, t364,
-        t365, t366, t367, t368, t369, t370, t383, a4_x,
-        a4_y, w4_z, dw4_x, dw5_z,
+        w4_x, w4_y, a4_x, a4_y, t368, w4_z, t372, dw5_z,
+        dw4_x, t375, t376, t377, t378, t379,
     ] = {
         let w4_x = c4 * w3_x + s4 * w3_y;
         let w4_y = c4 * w3_y - s4 * w3_x;
-        let t359 = w3_x * w3_x;
-        let t360 = w3_y * w3_y;
-        let t361 = w3_z * w3_z;
-        let t362 = w3_x * w3_y;
-        let t363 = w3_x * w3_z;
-        let t364 = w3_y * w3_z;
-        let t365 = t360 + t361;
-        let t366 = t363 - t346;
-        let t367 = t359 + t361;
-        let t368 = t364 - dw3_x;
-        let t369 = t346 + t363;
-        let t370 = dw3_x + t364;
-        let t381 = a3_x + (k3 * t365 + D4 * t366);
-        let t382 = a3_y + (D4 * t368 - k3 * t362);
-        let t383 = t333 + (k3 * t369 + D4 * (t359 + t360));
-        let a4_x = c4 * t381 + s4 * t382;
-        let a4_y = c4 * t382 - s4 * t381;
+        let t358 = a3_x - k3 * t345;
+        let t359 = a3_y - k3 * t341;
+        let a4_x = c4 * t358 + s4 * t359;
+        let a4_y = c4 * t359 - s4 * t358;
+        let t368 = t329 + (k3 * t347 + D4 * t306);
         let w4_z = w3_z + dq4;
-        let dw4_x = c4 * dw3_x - s4 * t346 + dq4 * w4_y;
-        let dw5_z = c4 * t346 + s4 * dw3_x + dq4 * w4_x;
+        let t370 = w4_x * w4_x;
+        let t371 = w4_z * w4_z;
+        let t372 = w4_x * w4_y;
+        let dw5_z = w4_x * w4_z;
+        let dw4_x = w4_y * w4_z;
+        let t375 = t370 - t371;
+        let t376 = t375 - t306;
+        let t377 = t370 + t371;
+        let t378 = dw5_z + dw5_z;
+        let t379 = dw4_x + dw4_x;
         [
-        w4_x, w4_y, t359, t360, t361, t362, t363, t364,
-        t365, t366, t367, t368, t369, t370, t383, a4_x,
-        a4_y, w4_z, dw4_x, dw5_z,
+        w4_x, w4_y, a4_x, a4_y, t368, w4_z, t372, dw5_z,
+        dw4_x, t375, t376, t377, t378, t379,
     ]
     };
     // link 5: motion
     let [
-        w5_x, w5_y, t403, t404, t405, t406, t407, t408,
-        t409, t410, t411, t412, t413, t414, t419, a5_x,
-        t426, w5_z, dw5_x, t431,
+        w5_x, w5_y, t390, a5_x, t397, t400, t403, w5_z,
+        t407, t408, t409, dw5_x, t411, t412, t413, t414,
+        t415, t416, t417, t418,
     ] = {
         let w5_x = c5 * w4_x + s5 * w4_z;
         let w5_y = c5 * w4_z - s5 * w4_x;
-        let t403 = w4_x * w4_x;
-        let t404 = w4_y * w4_y;
-        let t405 = w4_z * w4_z;
-        let t406 = w4_x * w4_y;
-        let t407 = w4_x * w4_z;
-        let t408 = w4_y * w4_z;
-        let t409 = t404 + t405;
-        let t410 = t407 - dw5_z;
-        let t411 = t403 + t405;
-        let t412 = t408 - dw4_x;
-        let t413 = dw5_z + t407;
-        let t414 = dw4_x + t408;
-        let t418 = a4_x - D5 * t406;
-        let t419 = a4_y + D5 * t411;
-        let t420 = t383 + D5 * t414;
-        let a5_x = c5 * t418 - s5 * t420;
-        let t426 = c5 * t420 + s5 * t418;
+        let t389 = a4_x - D5 * t372;
+        let t390 = a4_y + D5 * t377;
+        let t391 = t368 + D5 * t379;
+        let a5_x = c5 * t389 - s5 * t391;
+        let t397 = c5 * t391 + s5 * t389;
+        let t400 = c5 * t372 + s5 * t379;
+        let t403 = s5 * t372 - c5 * t379;
         let w5_z = dq5 - w4_y;
-        let dw5_x = c5 * dw4_x + dq5 * w5_y;
-        let t431 = s5 * dw4_x + dq5 * w5_x;
+        let t405 = w5_x * w5_x;
+        let t406 = w5_z * w5_z;
+        let t407 = w5_x * w5_y;
+        let t408 = w5_x * w5_z;
+        let t409 = w5_y * w5_z;
+        let dw5_x = t409 - t403;
+        let t411 = t400 + t408;
+        let t412 = t405 - t406;
+        let t413 = t412 - t377;
+        let t414 = t407 - dw5_z;
+        let t415 = dw5_z + t407;
+        let t416 = t405 + t406;
+        let t417 = t408 + t411;
+        let t418 = t409 + dw5_x;
         [
-        w5_x, w5_y, t403, t404, t405, t406, t407, t408,
-        t409, t410, t411, t412, t413, t414, t419, a5_x,
-        t426, w5_z, dw5_x, t431,
+        w5_x, w5_y, t390, a5_x, t397, t400, t403, w5_z,
+        t407, t408, t409, dw5_x, t411, t412, t413, t414,
+        t415, t416, t417, t418,
     ]
     };
     // link 6: motion
     let [
-        w6_x, t437, t444, t445, t446, t447, t448, t449,
-        t450, t451, t452, t453, t454, t455, t456, t457,
-        t462, a6_x, t469, w6_z, dw6_x, t474,
+        t429, a6_x, t436, t439, t442, t446, t447, t448,
+        dw6_x, t451, t452, t453, t454, t455, t456, t457,
     ] = {
         let w6_x = c6 * w5_x - s6 * w5_z;
-        let t437 = c6 * w5_z + s6 * w5_x;
-        let t444 = w5_x * w5_x;
-        let t445 = w5_y * w5_y;
-        let t446 = w5_z * w5_z;
-        let t447 = w5_x * w5_y;
-        let t448 = w5_x * w5_z;
-        let t449 = w5_y * w5_z;
-        let t450 = t445 + t446;
-        let t451 = t447 - dw5_z;
-        let t452 = t448 - t431;
-        let t453 = dw5_z + t447;
-        let t454 = t444 + t446;
-        let t455 = t449 - dw5_x;
-        let t456 = t431 + t448;
-        let t457 = dw5_x + t449;
-        let t461 = a5_x + D6 * t451;
-        let t462 = t426 + D6 * t454;
-        let t463 = D6 * t457 - t419;
-        let a6_x = c6 * t461 - s6 * t463;
-        let t469 = c6 * t463 + s6 * t461;
+        let t424 = c6 * w5_z + s6 * w5_x;
+        let t428 = a5_x + D6 * t414;
+        let t429 = t397 + D6 * t416;
+        let t430 = D6 * t418 - t390;
+        let a6_x = c6 * t428 - s6 * t430;
+        let t436 = c6 * t430 + s6 * t428;
+        let t439 = c6 * t414 - s6 * t418;
+        let t442 = c6 * t418 + s6 * t414;
         let w6_z = w5_y + dq6;
-        let dw6_x = c6 * dw5_x - s6 * dw5_z - dq6 * t437;
-        let t474 = c6 * dw5_z + s6 * dw5_x + dq6 * w6_x;
+        let t444 = w6_x * w6_x;
+        let t445 = w6_z * w6_z;
+        let t446 = w6_x * t424;
+        let t447 = w6_x * w6_z;
+        let t448 = t424 * w6_z;
+        let dw6_x = t442 - t448;
+        let dw6_y = t439 - t447;
+        let t451 = t444 - t445;
+        let t452 = t451 - t416;
+        let t453 = t411 - t446;
+        let t454 = t411 + t446;
+        let t455 = t444 + t445;
+        let t456 = t447 - dw6_y;
+        let t457 = dw6_x - t448;
         [
-        w6_x, t437, t444, t445, t446, t447, t448, t449,
-        t450, t451, t452, t453, t454, t455, t456, t457,
-        t462, a6_x, t469, w6_z, dw6_x, t474,
+        t429, a6_x, t436, t439, t442, t446, t447, t448,
+        dw6_x, t451, t452, t453, t454, t455, t456, t457,
     ]
     };
     // link 6: force and moment
-    let [f6_z, n6_z, t537, t540, t549, t550] = {
-        let t475 = w6_x * w6_x;
-        let t476 = t437 * t437;
-        let t477 = w6_z * w6_z;
-        let t478 = w6_x * t437;
-        let t479 = w6_x * w6_z;
-        let t480 = t437 * w6_z;
-        let t482 = t431 - t478;
-        let t484 = t431 + t478;
-        let t487 = t474 + t479;
-        let t488 = dw6_x - t480;
-        let t507 = XZ6 * (dw6_x + t480);
-        let t512 = YZ6 * (t476 - t477);
-        let t513 = YZ6 * t482;
-        let t514 = YZ6 * (t479 - t474);
-        let t515 = XX6R * dw6_x - ZZ6 * t480 - XY6 * t487 - XZ6 * t484 + t512;
-        let t516 = t479 * (XX6R - ZZ6) + XY6 * t488 + XZ6 * (t477 - t475) - t513;
-        let t517 = XX6R * t478 - ZZ6 * t431 + XY6 * (t475 - t476) + t507 + t514;
-        let f6_x = MSY6 * t482 - MSX6 * (t476 + t477);
-        let t523 = MSX6 * t484 + MSY6 * (t475 + t477);
-        let f6_z = MSX6 * t487 + MSY6 * t488;
-        let n6_x = t515 - MSY6 * t462;
-        let n6_y = t516 + MSX6 * t462;
-        let n6_z = t517 - (MSX6 * t469 + MSY6 * a6_x);
-        let t537 = c6 * f6_x + s6 * t523;
-        let t540 = s6 * f6_x - c6 * t523;
-        let t549 = c6 * n6_x - s6 * n6_y - D6 * t540;
-        let t550 = s6 * n6_x + c6 * n6_y + D6 * t537;
-        [f6_z, n6_z, t537, t540, t549, t550]
+    let [f6_z, n6_z, t505, t508, t517, t518] = {
+        let t478 = XX6R * t446 - ZZ6 * t411 + XY6 * (t452 + t455) + XZ6 * t442;
+        let t480 = YZ6 * (t416 - t455);
+        let t483 = XX6R * dw6_x - ZZ6 * t448 - XY6 * t456 - XZ6 * t454 + t480;
+        let t484 = t447 * (XX6R - ZZ6) + XY6 * t457 - XZ6 * t451 - YZ6 * t453;
+        let f6_x = MSX6 * t452 + MSY6 * t453;
+        let t491 = MSX6 * t454 + MSY6 * t455;
+        let f6_z = MSX6 * t456 + MSY6 * t457;
+        let n6_x = t483 - MSY6 * t429;
+        let n6_y = t484 + MSX6 * t429;
+        let n6_z = t478 + YZ6 * t439 - (MSX6 * t436 + MSY6 * a6_x);
+        let t505 = c6 * f6_x + s6 * t491;
+        let t508 = s6 * f6_x - c6 * t491;
+        let t517 = c6 * n6_x - s6 * n6_y - D6 * t508;
+        let t518 = s6 * n6_x + c6 * n6_y + D6 * t505;
+        [f6_z, n6_z, t505, t508, t517, t518]
     };
     // link 5: force and moment
-    let [f5_z, n5_z, t605, t608, t617, t618] = {
-        let t572 = ZZ5R * dw5_z - XX5R * t447 + XY5 * (t444 - t445) - XZ5 * t455;
-        let t574 = YZ5 * (t445 - t446);
-        let t575 = YZ5 * t451;
-        let t577 = ZZ5R * t449 + XX5R * dw5_x - XY5 * t456 + XZ5 * t453 + t574;
-        let t578 = t448 * (XX5R - ZZ5R) + XY5 * t457 + XZ5 * (t446 - t444) - t575;
-        let f5_x = t537 + (MSY5R * t451 - MSX5 * t450);
-        let f5_y = f6_z + (MSX5 * t453 - MSY5R * t454);
-        let f5_z = MSX5 * t456 + MSY5R * t457 - t540;
-        let n5_x = t549 + (t577 - MSY5R * t419);
-        let n5_y = n6_z + (t578 + MSX5 * t419);
-        let n5_z = t572 + YZ5 * t452 - (MSX5 * t426 + MSY5R * a5_x) - t550;
-        let t605 = c5 * f5_x - s5 * f5_y;
-        let t608 = s5 * f5_x + c5 * f5_y;
-        let t617 = c5 * n5_x - s5 * n5_y - D5 * t608;
-        let t618 = s5 * n5_x + c5 * n5_y + D5 * t605;
-        [f5_z, n5_z, t605, t608, t617, t618]
+    let [f5_z, n5_z, t572, t575, t584, t585] = {
+        let t539 = ZZ5R * dw5_z - XX5R * t407 + XY5 * (t413 + t416) - XZ5 * t403;
+        let t541 = YZ5 * (t377 - t416);
+        let t544 = ZZ5R * t409 + XX5R * dw5_x - XY5 * t417 + XZ5 * t415 + t541;
+        let t545 = t408 * (XX5R - ZZ5R) + XY5 * t418 - XZ5 * t412 - YZ5 * t414;
+        let f5_x = t505 + (MSX5 * t413 + MSY5R * t414);
+        let f5_y = f6_z + (MSX5 * t415 - MSY5R * t416);
+        let f5_z = MSX5 * t417 + MSY5R * t418 - t508;
+        let n5_x = t517 + (t544 - MSY5R * t390);
+        let n5_y = n6_z + (t545 + MSX5 * t390);
+        let n5_z = t539 - YZ5 * t400 - (MSX5 * t397 + MSY5R * a5_x) - t518;
+        let t572 = c5 * f5_x - s5 * f5_y;
+        let t575 = s5 * f5_x + c5 * f5_y;
+        let t584 = c5 * n5_x - s5 * n5_y - D5 * t575;
+        let t585 = s5 * n5_x + c5 * n5_y + D5 * t572;
+        [f5_z, n5_z, t572, t575, t584, t585]
     };
     // link 4: force and moment
-    let [f4_z, n4_z, t671, t674, t686, t687, t688] = {
-        let t640 = YZ4 * (t404 - t405);
-        let t641 = YZ4 * t406;
-        let t643 = ZZ4R * t408 + XX4R * dw4_x - XY4 * t413 + XZ4 * t406 + t640;
-        let t644 = t407 * (XX4R - ZZ4R) + XY4 * t414 + XZ4 * (t405 - t403) - t641;
-        let t645 = XY4 * (t403 - t404) - XX4R * t406 - XZ4 * t412 + YZ4 * t410;
-        let f4_x = t605 + (MSY4R * t406 - MSX4 * t409);
-        let f4_y = MSX4 * t406 - MSY4R * t411 - f5_z;
-        let f4_z = t608 + (MSX4 * t413 + MSY4R * t414);
-        let n4_x = t617 + (t643 - MSY4R * t383);
-        let n4_y = t644 + MSX4 * t383 - n5_z;
-        let n4_z = t618 + (t645 + (MSX4 * a4_y - MSY4R * a4_x));
-        let t671 = c4 * f4_x - s4 * f4_y;
-        let t674 = s4 * f4_x + c4 * f4_y;
-        let t686 = c4 * n4_x - s4 * n4_y - D4 * t674;
-        let t687 = s4 * n4_x + c4 * n4_y + (D4 * t671 + k3 * f4_z);
-        let t688 = n4_z - k3 * t674;
-        [f4_z, n4_z, t671, t674, t686, t687, t688]
+    let [f4_z, n4_z, t632, t635, t647, t648, t649] = {
+        let t603 = YZ4 * (t306 - t377);
+        let t606 = dw5_z * (XX4R - ZZ4R) + XY4 * t379 - XZ4 * t375 - YZ4 * t372;
+        let t616 = MSY4R * t368;
+        let t621 = dw4_x * (XX4R + ZZ4R) - XY4 * t378 + XZ4 * t372 + t603 - t616;
+        let t623 = XY4 * (t376 + t377) - XX4R * t372 + (MSX4 * a4_y - MSY4R * a4_x);
+        let f4_x = t572 + (MSX4 * t376 + MSY4R * t372);
+        let f4_y = MSX4 * t372 - MSY4R * t377 - f5_z;
+        let f4_z = t575 + (MSX4 * t378 + MSY4R * t379);
+        let n4_x = t584 + t621;
+        let n4_y = t606 + MSX4 * t368 - n5_z;
+        let n4_z = t585 + t623;
+        let t632 = c4 * f4_x - s4 * f4_y;
+        let t635 = s4 * f4_x + c4 * f4_y;
+        let t647 = c4 * n4_x - s4 * n4_y - D4 * t635;
+        let t648 = s4 * n4_x + c4 * n4_y + (D4 * t632 + k3 * f4_z);
+        let t649 = n4_z - k3 * t635;
+        [f4_z, n4_z, t632, t635, t647, t648, t649]
     };
     // link 3: force and moment
-    let [n3_z, t744, t750, t751] = {
-        let t710 = YZ3 * (t360 - t361);
-        let t711 = YZ3 * t362;
-        let t713 = ZZ3R * t364 + XX3R * dw3_x - XY3 * t369 + XZ3R * t362 + t710;
-        let t714 = t363 * (XX3R - ZZ3R) + XY3 * t370 + XZ3R * (t361 - t359) - t711;
-        let t715 = XY3 * (t359 - t360) - XX3R * t362 - XZ3R * t368 + YZ3 * t366;
-        let f3_x = t671 + (MSY3 * t362 - MSX3R * t365);
-        let f3_y = t674 + (MSX3R * t362 - MSY3 * t367);
-        let f3_z = f4_z + (MSX3R * t369 + MSY3 * t370);
-        let n3_x = t686 + (t713 - MSY3 * t333);
-        let n3_y = t687 + (t714 + MSX3R * t333);
-        let n3_z = t688 + (t715 + (MSX3R * a3_y - MSY3 * a3_x));
-        let t744 = c3 * n3_x - s3 * n3_y;
-        let t750 = s3 * n3_x + c3 * n3_y + k4 * f3_z;
-        let t751 = n3_z - k4 * (s3 * f3_x + c3 * f3_y);
-        [n3_z, t744, t750, t751]
+    let [n3_z, t699, t705, t706] = {
+        let t667 = YZ3 * (t306 - t346);
+        let t670 = t342 * (XX3R - ZZ3R) + XY3 * t348 - XZ3R * t344 - YZ3 * t341;
+        let t680 = MSY3 * t329;
+        let t685 = dw3_x * (XX3R + ZZ3R) - XY3 * t347 + XZ3R * t341 + t667 - t680;
+        let t687 = XY3 * (t345 + t346) - XX3R * t341 + (MSX3R * a3_y - MSY3 * a3_x);
+        let f3_x = t632 + (MSX3R * t345 + MSY3 * t341);
+        let f3_y = t635 + (MSX3R * t341 - MSY3 * t346);
+        let f3_z = f4_z + (MSX3R * t347 + MSY3 * t348);
+        let n3_x = t647 + t685;
+        let n3_y = t648 + (t670 + MSX3R * t329);
+        let n3_z = t649 + t687;
+        let t699 = c3 * n3_x - s3 * n3_y;
+        let t705 = s3 * n3_x + c3 * n3_y + k4 * f3_z;
+        let t706 = n3_z - k4 * (s3 * f3_x + c3 * f3_y);
+        [n3_z, t699, t705, t706]
     };
     // link 2: force and moment
     let [n2_z, n1_z] = {
-        let t770 = YZ2 * (t325 - t326);
-        let t771 = YZ2 * t327;
-        let t773 = t311 * (XX2R - ZZ2R) + XY2 * t330 + XZ2R * (t326 - t324) - t771;
-        let t777 = XY2 * (t324 - t325) - XX2R * t327 + (MSX2R * a2_y - MSY2 * a2_x);
-        let n2_x = t744 + (dw2_x * (XX2R + ZZ2R) - XY2 * t329 + XZ2R * t327 + t770);
-        let n2_y = t750 + t773;
-        let n2_z = t751 + t777;
+        let t724 = YZ2 * (t306 - t318);
+        let t727 = t314 * (XX2R - ZZ2R) + XY2 * t320 - XZ2R * t316 - YZ2 * t313;
+        let t731 = XY2 * (t317 + t318) - XX2R * t313 + (MSX2R * a2_y - MSY2 * a2_x);
+        let n2_x = t699 + (dw2_x * (XX2R + ZZ2R) - XY2 * t319 + XZ2R * t313 + t724);
+        let n2_y = t705 + t727;
+        let n2_z = t706 + t731;
         let n1_z = s2 * n2_x + c2 * n2_y;
         [n2_z, n1_z]
     };
     // drives
-    let [t784, t785, t786, t787, t788, t789] = {
-        let t784 = tau1 - n1_z;
-        let t785 = tau2 - n2_z;
-        let t786 = tau3 - n3_z;
-        let t787 = tau4 - n4_z;
-        let t788 = tau5 - n5_z;
-        let t789 = tau6 - n6_z;
-        [t784, t785, t786, t787, t788, t789]
+    let [t738, t739, t740, t741, t742, t743] = {
+        let t738 = tau1 - n1_z;
+        let t739 = tau2 - n2_z;
+        let t740 = tau3 - n3_z;
+        let t741 = tau4 - n4_z;
+        let t742 = tau5 - n5_z;
+        let t743 = tau6 - n6_z;
+        [t738, t739, t740, t741, t742, t743]
     };
     // M = L D L'
     let [
-        t790, t791, t792, t793, t794, t795, t799, t803,
-        t806, t809, t812, t819, t826, t831, t836, t846,
-        t856, t863, t876, t889, t905,
+        t744, t745, t746, t747, t748, t749, t753, t757,
+        t760, t763, t766, t773, t780, t785, t790, t800,
+        t810, t817, t830, t843, t859,
     ] = {
-        let t790 = k6 / t305;
-        let t791 = t295 * t790;
-        let t792 = t257 * t790;
-        let t793 = t197 * t790;
-        let t794 = t133 * t790;
-        let t795 = t63 * t790;
-        let t798 = t289 - t305 * (t791 * t791);
-        let t799 = k6 / t798;
-        let t800 = t305 * t791;
-        let t803 = t799 * (t254 - t792 * t800);
-        let t806 = t799 * (t194 - t793 * t800);
-        let t809 = t799 * (t130 - t794 * t800);
-        let t812 = t799 * (t60 - t795 * t800);
-        let t818 = t237 - t305 * (t792 * t792) - t798 * (t803 * t803);
-        let t819 = k6 / t818;
-        let t820 = t305 * t792;
-        let t823 = t798 * t803;
-        let t826 = t819 * (t183 - t793 * t820 - t806 * t823);
-        let t831 = t819 * (t117 - t794 * t820 - t809 * t823);
-        let t836 = t819 * (t47 - t795 * t820 - t812 * t823);
-        let t844 = t818 * (t826 * t826);
-        let t845 = t162 - t305 * (t793 * t793) - t798 * (t806 * t806) - t844;
-        let t846 = k6 / t845;
-        let t847 = t305 * t793;
-        let t850 = t798 * t806;
-        let t853 = t818 * t826;
-        let t856 = t846 * (t101 - t794 * t847 - t809 * t850 - t831 * t853);
-        let t863 = t846 * (t27 - t795 * t847 - t812 * t850 - t836 * t853);
-        let t871 = t818 * (t831 * t831);
-        let t874 = t845 * (t856 * t856);
-        let t875 = t82 - t305 * (t794 * t794) - t798 * (t809 * t809) - t871 - t874;
-        let t876 = k6 / t875;
-        let t884 = t836 * (t818 * t831);
-        let t887 = t863 * (t845 * t856);
-        let t888 = t15 + t795 * (t305 * t794) + t812 * (t798 * t809) + t884 + t887;
-        let t889 = t876 * t888;
-        let t897 = t818 * (t836 * t836);
-        let t900 = t845 * (t863 * t863);
-        let t901 = ZZ6 - t305 * (t795 * t795) - t798 * (t812 * t812) - t897 - t900;
-        let t905 = k6 / (t901 - t875 * (t889 * t889));
+        let t744 = k6 / t305;
+        let t745 = t295 * t744;
+        let t746 = t257 * t744;
+        let t747 = t197 * t744;
+        let t748 = t133 * t744;
+        let t749 = t63 * t744;
+        let t752 = t289 - t305 * (t745 * t745);
+        let t753 = k6 / t752;
+        let t754 = t305 * t745;
+        let t757 = t753 * (t254 - t746 * t754);
+        let t760 = t753 * (t194 - t747 * t754);
+        let t763 = t753 * (t130 - t748 * t754);
+        let t766 = t753 * (t60 - t749 * t754);
+        let t772 = t237 - t305 * (t746 * t746) - t752 * (t757 * t757);
+        let t773 = k6 / t772;
+        let t774 = t305 * t746;
+        let t777 = t752 * t757;
+        let t780 = t773 * (t183 - t747 * t774 - t760 * t777);
+        let t785 = t773 * (t117 - t748 * t774 - t763 * t777);
+        let t790 = t773 * (t47 - t749 * t774 - t766 * t777);
+        let t798 = t772 * (t780 * t780);
+        let t799 = t162 - t305 * (t747 * t747) - t752 * (t760 * t760) - t798;
+        let t800 = k6 / t799;
+        let t801 = t305 * t747;
+        let t804 = t752 * t760;
+        let t807 = t772 * t780;
+        let t810 = t800 * (t101 - t748 * t801 - t763 * t804 - t785 * t807);
+        let t817 = t800 * (t27 - t749 * t801 - t766 * t804 - t790 * t807);
+        let t825 = t772 * (t785 * t785);
+        let t828 = t799 * (t810 * t810);
+        let t829 = t82 - t305 * (t748 * t748) - t752 * (t763 * t763) - t825 - t828;
+        let t830 = k6 / t829;
+        let t838 = t790 * (t772 * t785);
+        let t841 = t817 * (t799 * t810);
+        let t842 = t15 + t749 * (t305 * t748) + t766 * (t752 * t763) + t838 + t841;
+        let t843 = t830 * t842;
+        let t851 = t772 * (t790 * t790);
+        let t854 = t799 * (t817 * t817);
+        let t855 = ZZ6 - t305 * (t749 * t749) - t752 * (t766 * t766) - t851 - t854;
+        let t859 = k6 / (t855 - t829 * (t843 * t843));
         [
-        t790, t791, t792, t793, t794, t795, t799, t803,
-        t806, t809, t812, t819, t826, t831, t836, t846,
-        t856, t863, t876, t889, t905,
+        t744, t745, t746, t747, t748, t749, t753, t757,
+        t760, t763, t766, t773, t780, t785, t790, t800,
+        t810, t817, t830, t843, t859,
     ]
     };
     // ddq
     {
-        let t907 = t785 - t784 * t791;
-        let t911 = t786 - t784 * t792 - t803 * t907;
-        let t917 = t787 - t784 * t793 - t806 * t907 - t826 * t911;
-        let t925 = t788 - t784 * t794 - t809 * t907 - t831 * t911 - t856 * t917;
-        let t933 = t789 - t784 * t795 - t812 * t907 - t836 * t911 - t863 * t917;
-        let t941 = t905 * (t933 + t889 * t925);
-        let t943 = t876 * t925 + t889 * t941;
-        let t947 = t846 * t917 - t856 * t943 - t863 * t941;
-        let t953 = t819 * t911 - t826 * t947 - t831 * t943 - t836 * t941;
-        let t960 = t812 * t941;
-        let t961 = t799 * t907 - t803 * t953 - t806 * t947 - t809 * t943 - t960;
-        let t968 = t794 * t943;
-        let t969 = t784 * t790 - t791 * t961 - t792 * t953 - t793 * t947 - t968;
-        let t971 = t969 - t795 * t941;
-        put(0, t971);
-        put(1, t961);
-        put(2, t953);
-        put(3, t947);
-        put(4, t943);
-        put(5, t941);
+        let t861 = t739 - t738 * t745;
+        let t865 = t740 - t738 * t746 - t757 * t861;
+        let t871 = t741 - t738 * t747 - t760 * t861 - t780 * t865;
+        let t879 = t742 - t738 * t748 - t763 * t861 - t785 * t865 - t810 * t871;
+        let t887 = t743 - t738 * t749 - t766 * t861 - t790 * t865 - t817 * t871;
+        let t895 = t859 * (t887 + t843 * t879);
+        let t897 = t830 * t879 + t843 * t895;
+        let t901 = t800 * t871 - t810 * t897 - t817 * t895;
+        let t907 = t773 * t865 - t780 * t901 - t785 * t897 - t790 * t895;
+        let t914 = t766 * t895;
+        let t915 = t753 * t861 - t757 * t907 - t760 * t901 - t763 * t897 - t914;
+        let t922 = t748 * t897;
+        let t923 = t738 * t744 - t745 * t915 - t746 * t907 - t747 * t901 - t922;
+        let t925 = t923 - t749 * t895;
+        put(0, t925);
+        put(1, t915);
+        put(2, t907);
+        put(3, t901);
+        put(4, t897);
+        put(5, t895);
     }
 }
