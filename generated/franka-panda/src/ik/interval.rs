@@ -8,13 +8,13 @@ use super::super::runtime::Scalar;
 use super::arm::{Arm, Family, Query, checked, fitted};
 use super::axis::Value;
 use super::list::List;
+use super::orient::Three;
 use super::polish;
 use super::real::{angle, root};
-use super::regional::orient;
 use super::solution::{Branch, PoseError};
 use super::subproblem::circle;
 use super::swivel::{Reference, Swivel};
-use super::vector::{Matrix, Turn, Vector, cross, dot, norm, product, scale, sub, times, transposed, transposed_times};
+use super::vector::{Matrix, Turn, Vector, cross, dot, norm, product, scale, sub, times, transposed};
 
 /// Allowed swivel angles from `from` to `to`, rad, within `[-pi, pi]`. One that goes on beyond pi is given in two parts.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,13 +48,12 @@ impl Pencil<'_> {
     /// Joints 1 to 7 at a swivel angle.
     fn at(&self, phi: Turn) -> [Value; 7] {
         let a = &self.swivel.axes;
-        let back = |x: Vector| transposed_times(&self.upper, phi.back().about(self.n, x));
-        // R' e_k are the rows of R.
-        let r123: Matrix = super::vector::IDENTITY.map(back);
-        let columns = transposed(&self.hand).map(|x| self.v4.back().turn.about(a[3].h, transposed_times(&r123, x)));
-        let r567 = transposed(&columns);
-        let first = orient(&[a[0].h, a[1].h, a[2].h], &r123, Turn::NONE);
-        let last = orient(&[a[4].h, a[5].h, a[6].h], &r567, Turn::NONE);
+        let upper = |x: Vector| phi.about(self.n, times(&self.upper, x));
+        let (shoulder, wrist) = (Three::new([a[0].h, a[1].h, a[2].h]), Three::new([a[4].h, a[5].h, a[6].h]));
+        let [_, y, z] = shoulder.last.map(upper);
+        let first = shoulder.turns(&shoulder.first, &[cross(y, z), y, z], Turn::NONE);
+        let fore = wrist.carried(|x| upper(a[3].direction(self.v4, x)));
+        let last = wrist.turns(&fore, &wrist.goal(&self.hand), Turn::NONE);
         let (first, last) = (first[self.shoulder & 1].0, last[self.wrist & 1].0);
         [
             Value::turn(first[0]),

@@ -2,14 +2,17 @@
 
 use super::super::runtime::Scalar;
 use super::axis::{Axis, Value};
+use super::candidates::{Candidates, Column};
+use super::lanes::misses;
 use super::list::List;
 use super::numerical;
 use super::plane::Plane;
 use super::polish::{self, polish, remainder, sizes};
 use super::pose::Displacement;
-use super::real::{whole, wrapped};
-use super::six::Six;
-use super::solution::{Branch, PoseError, Solution, Solutions, Status};
+use super::real::{angles, root, whole, wrapped};
+use super::regional::Regional;
+use super::six::{Method, Six};
+use super::solution::{Branch, CAPACITY, PoseError, Solution, Solutions, Status};
 use super::swivel::{Reference, Swivel};
 use super::vector::{IDENTITY, product, transposed};
 
@@ -69,13 +72,8 @@ impl<const N: usize> Default for Query<'_, N> {
     }
 }
 
-/// A candidate of any family.
-#[derive(Clone, Copy)]
-pub(super) struct Candidate<const N: usize> {
-    pub values: [Value; N],
-    pub branch: Branch,
-    pub free: u32,
-}
+/// What is left of a pose below this is rounding, m and rad.
+const EXACT: f64 = 1e-13;
 
 impl<const N: usize> Arm<N> {
     /// The pose of the last DH frame, as rows.
@@ -99,33 +97,25 @@ impl<const N: usize> Arm<N> {
         }
         let g = target.after(&self.home.inverse());
         let near = query.near.map_or([Value::ZERO; N], |q| polish::values(self, q));
-        let mut all: List<Candidate<N>, 17> = List::new(Candidate { values: near, branch: Branch::NONE, free: 0 });
+        let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
+        let mut all: Candidates<N> = Candidates::new();
         let mut second_plane = false;
         match &self.family {
-            Family::Six(six) => self.six(six, &g, &near, &mut all),
+            Family::Six(six) => six.solve(&g, &near, &mut all),
             Family::Locked { joint, six } => {
                 let lock = usize::from(*joint);
-                let mut fixed = near;
                 let axis = self.axes.get(lock).copied().unwrap_or(self.axes_first());
                 let ([s], [c]) = f64::sin_cos_all(&[query.redundancy]);
-                let value = Value { turn: super::vector::Turn { c, s }, way: query.redundancy };
-                let value = if axis.slides { Value::way(query.redundancy) } else { Value::turn(value.turn) };
-                if let Some(place) = fixed.get_mut(lock) {
-                    *place = value;
-                }
+                let turn = super::vector::Turn { c, s };
+                let value = if axis.slides { Value::way(query.redundancy) } else { Value::turn(turn) };
+                all.value(lock, axis.slides, value);
                 let locked = axis.displacement(value).inverse();
                 let rest = if lock == 0 { locked.after(&g) } else { g.after(&locked) };
-                self.six(six, &rest, &fixed, &mut all);
+                six.solve(&rest, &near, &mut all);
             }
             Family::Swivel(swivel) => {
-                let seven: [Value; 7] = core::array::from_fn(|i| near.get(i).copied().unwrap_or(Value::ZERO));
                 let ([s], [c]) = f64::sin_cos_all(&[query.redundancy]);
-                let (finds, second) = swivel.solve(&g, &query.reference, (c, s), &seven);
-                second_plane = second;
-                for f in finds.iter() {
-                    let values = core::array::from_fn(|i| f.values.get(i).copied().unwrap_or(Value::ZERO));
-                    all.push(Candidate { values, branch: f.branch, free: u32::from(f.free) });
-                }
+                second_plane = swivel.solve(&g, &query.reference, (c, s), &near, &mut all);
             }
             Family::Plane(plane) => {
                 let three = plane.joints.map(|j| pick(&near, j));
@@ -135,30 +125,28 @@ impl<const N: usize> Arm<N> {
                         put(&mut values, *j, v);
                     }
                     put(&mut values, plane.lift.map(|(_, j, _)| j), f.lift);
-                    all.push(Candidate { values, branch: f.branch, free: 0 });
+                    all.push_all(&values, slides, f.branch, 0);
                 }
             }
             Family::Slides => {
-                all.push(Candidate { values: [Value::ZERO; N], branch: Branch::NONE, free: 0 });
+                all.push_all(&[Value::ZERO; N], slides, Branch::NONE, 0);
             }
             Family::Numerical => numerical::search(self, &g, query, &near, &mut all),
         }
         // Of a family of postures, the member nearest to the one that was named; and that one itself where it is there already.
-        if query.near.is_some() && !all.is_empty() {
+        let mut member = None;
+        if query.near.is_some() && all.len > 0 {
             let [p, r] = sizes(&remainder(self, &g, &near));
-            if p.max(r) < 1e-9 || all.iter().any(|c| c.free != 0) {
-                let far = |c: &Candidate<N>| {
-                    c.values.iter().zip(&near).fold(0.0f64, |m, (a, b)| {
+            if p.max(r) < 1e-9 || all.free.iter().take(all.len).any(|f| *f != 0) {
+                let far = |place: usize| {
+                    all.values(place, slides).iter().zip(&near).fold(0.0f64, |m, (a, b)| {
                         m.max((a.turn.c - b.turn.c).abs() + (a.turn.s - b.turn.s).abs() + (a.way - b.way).abs())
                     })
                 };
-                let closest = all.iter().copied().reduce(|a, b| if far(&b) < far(&a) { b } else { a });
-                if let Some(closest) = closest {
-                    all.push(Candidate { values: near, ..closest });
-                }
+                member = (0..all.len).reduce(|a, b| if far(b) < far(a) { b } else { a });
             }
         }
-        let mut solutions = self.finish(&g, query, all.as_slice());
+        let mut solutions = self.finish(&g, query, &all, member.map(|place| (place, near)));
         solutions.second_plane = second_plane;
         Ok(solutions)
     }
@@ -197,34 +185,35 @@ impl<const N: usize> Arm<N> {
         }
     }
 
-    fn six(&self, six: &Six, g: &Displacement, near: &[Value; N], all: &mut List<Candidate<N>, 17>) {
-        let finds = if six.reversed { six.solve(&g.inverse(), &six.near(near)) } else { six.solve(g, &six.near(near)) };
-        for f in finds.iter() {
-            let mut values = *near;
-            let mut free = 0;
-            for (k, j) in six.joints.iter().enumerate() {
-                put(&mut values, *j, f.values[k]);
-                if let Some(j) = j {
-                    free |= u32::from(f.free >> k & 1) << (u32::from(*j) & 31);
-                }
-            }
-            all.push(Candidate { values, branch: f.branch, free });
+    /// Is a branch that is this far off (m or rad) one that the arm has, but for rounding?
+    fn nearly(&self, tolerance: f64) -> f64 {
+        let quartic = match &self.family {
+            Family::Six(six) | Family::Locked { six, .. } => matches!(
+                six.method,
+                Method::Wrist { regional: Regional::General { .. } | Regional::TurnSlideTurn, .. }
+                    | Method::ThreeParallel { meet: None }
+            ),
+            Family::Slides | Family::Numerical => return f64::INFINITY,
+            _ => false,
+        };
+        if !self.exact {
+            return f64::INFINITY;
         }
+        // A double root of a quartic is known to half the digits.
+        (100.0 * tolerance).max(if quartic { 1e-3 } else { 1e-6 })
     }
 
-    /// Refines, measures, and keeps what reaches the pose.
-    fn finish(&self, g: &Displacement, query: &Query<'_, N>, all: &[Candidate<N>]) -> Solutions<N> {
-        let nothing = Solution {
-            q: [0.0; N],
-            branch: Branch::NONE,
-            position_error: 0.0,
-            rotation_error: 0.0,
-            within_limits: false,
-            margin: 0.0,
-            free: 0,
-        };
+    /// Measures, refines where rounding shows, and keeps what reaches the pose. `member`: one more posture, of the family of the
+    /// branch in that place.
+    fn finish(
+        &self,
+        g: &Displacement,
+        query: &Query<'_, N>,
+        all: &Candidates<N>,
+        member: Option<(usize, [Value; N])>,
+    ) -> Solutions<N> {
         let mut out = Solutions {
-            list: List::new(nothing),
+            list: List::new(Solution::NONE),
             status: Status::Ok,
             distance: [0.0; 2],
             lost: 0,
@@ -232,66 +221,58 @@ impl<const N: usize> Arm<N> {
             second_plane: false,
         };
         let mut best = [f64::INFINITY; 2];
-        let swivel = match (&self.family, self.exact) {
-            (Family::Swivel(s), false) => Some(s),
-            _ => None,
-        };
-        let hold = |v: &[Value; N]| {
-            let seven = core::array::from_fn(|i| v.get(i).copied().unwrap_or(Value::ZERO));
-            swivel.map_or(0.0, |s| wrapped(s.angle(&seven, &query.reference).0 - query.redundancy))
-        };
-        let hold: Option<&dyn Fn(&[Value; N]) -> f64> = if swivel.is_some() { Some(&hold) } else { None };
-        let locked = match &self.family {
-            Family::Locked { joint, .. } => Some(usize::from(*joint)),
-            _ => None,
-        };
-        for candidate in all {
-            let mut values = candidate.values;
-            let mut e = remainder(self, g, &values);
-            let [p, r] = sizes(&e);
-            // What is this far off belongs to a joint that must stay at zero, or to no posture at all: a few steps tell.
-            if p.max(r) > 1e-13 {
-                let steps = if self.exact { 8 } else { 40 };
-                e = match locked {
-                    Some(joint) => self.held(joint).polished(g, &mut values, steps),
-                    None => polish(self, g, &mut values, hold, steps),
-                };
+        let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
+        let fits: [Fit; N] = core::array::from_fn(|j| {
+            Fit::new(&all.columns[j], slides(j), self.limits[j], query.near.and_then(|n| n.get(j)).copied())
+        });
+        let nearly = self.nearly(query.tolerance);
+        let mut marks = [0.0; CAPACITY];
+        let mut far_off = 0u32;
+        for first in [0, 8] {
+            if first >= all.len {
+                break;
             }
-            let [p, r] = sizes(&e);
-            if p + r < best[0] + best[1] {
-                best = [p, r];
+            let (p2, r2, mark) = misses(self, g, all, first);
+            for (lane, ((p2, r2), mark)) in p2.into_iter().zip(r2).zip(mark).enumerate() {
+                let place = first + lane;
+                if place >= all.len {
+                    break;
+                }
+                let (branch, free) = (all.branch[place], all.free[place]);
+                if p2 <= EXACT * EXACT && r2 <= EXACT * EXACT {
+                    let mut found = Solution { branch, free, ..Solution::NONE };
+                    (found.position_error, found.rotation_error) = (root(p2), root(r2));
+                    found.margin = f64::INFINITY;
+                    for j in 0..N {
+                        let at = all.at(place, j);
+                        found.q[j] = fits[j].q[at];
+                        found.margin =
+                            if fits[j].margin[at] < found.margin { fits[j].margin[at] } else { found.margin };
+                    }
+                    found.within_limits = found.margin >= -1e-9;
+                    self.keep(&mut out, &mut marks, found, mark);
+                } else if p2 <= nearly * nearly && r2 <= nearly * nearly {
+                    self.refine(g, query, all.values(place, slides), (branch, free), &mut out, &mut marks, &mut best);
+                } else {
+                    // No posture, or one of the joints that were added: looked at only where nothing else is found.
+                    far_off |= 1 << place;
+                }
             }
-            if !(p <= query.tolerance && r <= query.tolerance) {
-                out.lost += 1;
-                continue;
+        }
+        if let Some((place, values)) = member {
+            let place = place & (CAPACITY - 1);
+            let kind = (all.branch[place], all.free[place]);
+            self.refine(g, query, values, kind, &mut out, &mut marks, &mut best);
+        }
+        out.lost += far_off.count_ones();
+        if out.list.is_empty() {
+            for place in 0..all.len {
+                if far_off >> place & 1 == 1 {
+                    out.lost -= 1;
+                    let kind = (all.branch[place], all.free[place]);
+                    self.refine(g, query, all.values(place, slides), kind, &mut out, &mut marks, &mut best);
+                }
             }
-            let mut q = polish::positions(self, &values);
-            let (mut within_limits, mut margin) = (true, f64::INFINITY);
-            for i in 0..N {
-                let near = query.near.and_then(|n| n.get(i)).copied();
-                let (x, m) = fitted(q[i], self.axes[i].slides, self.limits[i], near);
-                q[i] = x;
-                margin = margin.min(m);
-                within_limits &= m >= -1e-9;
-            }
-            let solution = Solution {
-                q,
-                branch: candidate.branch,
-                position_error: p,
-                rotation_error: r,
-                within_limits,
-                margin,
-                free: candidate.free,
-            };
-            let same =
-                |s: &Solution<N>| (0..N).all(|i| (s.q[i] - q[i]).abs() < 1e-10 || self.full_turn(i, s.q[i] - q[i]));
-            if out.list.iter().any(same) {
-                continue;
-            }
-            if candidate.free != 0 {
-                out.status = Status::Singular;
-            }
-            out.list.push(solution);
         }
         if out.list.is_empty() {
             out.status = Status::Unreachable;
@@ -312,6 +293,85 @@ impl<const N: usize> Arm<N> {
             }
         }
         out
+    }
+
+    /// One candidate by Newton's steps.
+    #[cold]
+    #[inline(never)]
+    #[allow(clippy::too_many_arguments)] // what the loop above has in hand
+    fn refine(
+        &self,
+        g: &Displacement,
+        query: &Query<'_, N>,
+        mut values: [Value; N],
+        (branch, free): (Branch, u32),
+        out: &mut Solutions<N>,
+        marks: &mut [f64; CAPACITY],
+        best: &mut [f64; 2],
+    ) {
+        let mut e = remainder(self, g, &values);
+        let [p, r] = sizes(&e);
+        if p.max(r) > EXACT {
+            let steps = if self.exact { 8 } else { 40 };
+            e = match (&self.family, self.exact) {
+                (Family::Locked { joint, .. }, _) => self.held(usize::from(*joint)).polished(g, &mut values, steps),
+                (Family::Swivel(swivel), false) => {
+                    let hold = |v: &[Value; N]| {
+                        let seven = core::array::from_fn(|i| v.get(i).copied().unwrap_or(Value::ZERO));
+                        wrapped(swivel.angle(&seven, &query.reference).0 - query.redundancy)
+                    };
+                    polish(self, g, &mut values, Some(&hold), steps)
+                }
+                _ => polish(self, g, &mut values, None, steps),
+            };
+        }
+        let [p, r] = sizes(&e);
+        if p + r < best[0] + best[1] {
+            *best = [p, r];
+        }
+        if !(p <= query.tolerance && r <= query.tolerance) {
+            out.lost += 1;
+            return;
+        }
+        let mut found = Solution {
+            q: polish::positions(self, &values),
+            branch,
+            free,
+            position_error: p,
+            rotation_error: r,
+            ..Solution::NONE
+        };
+        found.margin = f64::INFINITY;
+        let mut mark = 0.0;
+        for i in 0..N {
+            let near = query.near.and_then(|n| n.get(i)).copied();
+            let (x, m) = fitted(found.q[i], self.axes[i].slides, self.limits[i], near);
+            found.q[i] = x;
+            found.margin = found.margin.min(m);
+            let (c, s) = if self.axes[i].slides { (values[i].way, 0.0) } else { (values[i].turn.c, values[i].turn.s) };
+            let [a, b] = super::lanes::weights(i);
+            mark += c * a + s * b;
+        }
+        found.within_limits = found.margin >= -1e-9;
+        self.keep(out, marks, found, mark);
+    }
+
+    /// Adds a solution that is not there yet. Equal ones have equal marks.
+    #[inline]
+    fn keep(&self, out: &mut Solutions<N>, marks: &mut [f64; CAPACITY], found: Solution<N>, mark: f64) {
+        let same = |s: &Solution<N>| {
+            (0..N).all(|i| (s.q[i] - found.q[i]).abs() < 1e-10 || self.full_turn(i, s.q[i] - found.q[i]))
+        };
+        if out.list.iter().zip(marks.iter()).any(|(s, m)| (m - mark).abs() < 1e-7 && same(s)) {
+            return;
+        }
+        if found.free != 0 {
+            out.status = Status::Singular;
+        }
+        if let Some(place) = marks.get_mut(out.list.len()) {
+            *place = mark;
+        }
+        out.list.push(found);
     }
 
     fn full_turn(&self, joint: usize, difference: f64) -> bool {
@@ -381,6 +441,36 @@ pub(super) fn fitted(q: f64, slides: bool, limits: Option<[f64; 2]>, near: Optio
     }
     let margin = limits.map_or(f64::INFINITY, |[low, high]| (x - low).min(high - x));
     (x, margin)
+}
+
+/// The values of one joint as positions, rad or m, whole turns chosen, with their distances from the limits.
+struct Fit {
+    q: [f64; CAPACITY],
+    margin: [f64; CAPACITY],
+}
+
+impl Fit {
+    #[inline(always)]
+    fn new(column: &Column, slides: bool, limits: Option<[f64; 2]>, near: Option<f64>) -> Self {
+        use core::f64::consts::PI;
+        let mut q = if slides { column.c } else { angles(&column.s, &column.c, column.len) };
+        let mut margin = [f64::INFINITY; CAPACITY];
+        // Between these a turned angle is never inside where it was not.
+        let narrow = limits.is_none_or(|[low, high]| low > 1e-6 - PI && high < PI - 1e-6);
+        if slides || near.is_none() && narrow {
+            if let Some([low, high]) = limits {
+                for (margin, q) in margin.iter_mut().zip(&q) {
+                    let (a, b) = (q - low, high - q);
+                    *margin = if a < b { a } else { b };
+                }
+            }
+        } else {
+            for (margin, q) in margin.iter_mut().zip(&mut q).take(column.len) {
+                (*q, *margin) = fitted(*q, slides, limits, near);
+            }
+        }
+        Self { q, margin }
+    }
 }
 
 fn ceiling(x: f64) -> f64 {
