@@ -146,8 +146,15 @@ impl<const N: usize> Arm<N> {
                 member = (0..all.len).reduce(|a, b| if far(b) < far(a) { b } else { a });
             }
         }
-        let mut solutions = self.finish(&g, query, &all, member.map(|place| (place, near)));
-        solutions.second_plane = second_plane;
+        let mut solutions = Solutions {
+            list: List::new(Solution::NONE),
+            status: Status::Ok,
+            distance: [0.0; 2],
+            lost: 0,
+            redundancy: query.redundancy,
+            second_plane,
+        };
+        self.finish(&g, query, &all, member.map(|place| (place, near)), &mut solutions);
         Ok(solutions)
     }
 
@@ -211,20 +218,12 @@ impl<const N: usize> Arm<N> {
         query: &Query<'_, N>,
         all: &Candidates<N>,
         member: Option<(usize, [Value; N])>,
-    ) -> Solutions<N> {
-        let mut out = Solutions {
-            list: List::new(Solution::NONE),
-            status: Status::Ok,
-            distance: [0.0; 2],
-            lost: 0,
-            redundancy: query.redundancy,
-            second_plane: false,
-        };
+        out: &mut Solutions<N>,
+    ) {
         let mut best = [f64::INFINITY; 2];
         let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
-        let fits: [Fit; N] = core::array::from_fn(|j| {
-            Fit::new(&all.columns[j], slides(j), self.limits[j], query.near.and_then(|n| n.get(j)).copied())
-        });
+        let mut fits = Fits { q: [[0.0; CAPACITY]; N], margin: [[f64::INFINITY; CAPACITY]; N] };
+        fits.fill(self, &all.columns, query.near);
         let nearly = self.nearly(query.tolerance);
         let mut marks = [0.0; CAPACITY];
         let mut far_off = 0u32;
@@ -245,14 +244,14 @@ impl<const N: usize> Arm<N> {
                     found.margin = f64::INFINITY;
                     for j in 0..N {
                         let at = all.at(place, j);
-                        found.q[j] = fits[j].q[at];
-                        found.margin =
-                            if fits[j].margin[at] < found.margin { fits[j].margin[at] } else { found.margin };
+                        found.q[j] = fits.q[j][at];
+                        let margin = fits.margin[j][at];
+                        found.margin = if margin < found.margin { margin } else { found.margin };
                     }
                     found.within_limits = found.margin >= -1e-9;
-                    self.keep(&mut out, &mut marks, found, mark);
+                    self.keep(out, &mut marks, found, mark);
                 } else if p2 <= nearly * nearly && r2 <= nearly * nearly {
-                    self.refine(g, query, all.values(place, slides), (branch, free), &mut out, &mut marks, &mut best);
+                    self.refine(g, query, all.values(place, slides), (branch, free), out, &mut marks, &mut best);
                 } else {
                     // No posture, or one of the joints that were added: looked at only where nothing else is found.
                     far_off |= 1 << place;
@@ -262,7 +261,7 @@ impl<const N: usize> Arm<N> {
         if let Some((place, values)) = member {
             let place = place & (CAPACITY - 1);
             let kind = (all.branch[place], all.free[place]);
-            self.refine(g, query, values, kind, &mut out, &mut marks, &mut best);
+            self.refine(g, query, values, kind, out, &mut marks, &mut best);
         }
         out.lost += far_off.count_ones();
         if out.list.is_empty() {
@@ -270,7 +269,7 @@ impl<const N: usize> Arm<N> {
                 if far_off >> place & 1 == 1 {
                     out.lost -= 1;
                     let kind = (all.branch[place], all.free[place]);
-                    self.refine(g, query, all.values(place, slides), kind, &mut out, &mut marks, &mut best);
+                    self.refine(g, query, all.values(place, slides), kind, out, &mut marks, &mut best);
                 }
             }
         }
@@ -292,7 +291,6 @@ impl<const N: usize> Arm<N> {
                 }
             }
         }
-        out
     }
 
     /// One candidate by Newton's steps.
@@ -309,6 +307,10 @@ impl<const N: usize> Arm<N> {
         marks: &mut [f64; CAPACITY],
         best: &mut [f64; 2],
     ) {
+        for v in &mut values {
+            // What meets no circle is not always of length one.
+            v.turn = super::vector::Turn::along(v.turn.c, v.turn.s).0;
+        }
         let mut e = remainder(self, g, &values);
         let [p, r] = sizes(&e);
         if p.max(r) > EXACT {
@@ -443,33 +445,37 @@ pub(super) fn fitted(q: f64, slides: bool, limits: Option<[f64; 2]>, near: Optio
     (x, margin)
 }
 
-/// The values of one joint as positions, rad or m, whole turns chosen, with their distances from the limits.
-struct Fit {
-    q: [f64; CAPACITY],
-    margin: [f64; CAPACITY],
+/// The values of all joints as positions, rad or m, whole turns chosen, with their distances from the limits.
+struct Fits<const N: usize> {
+    q: [[f64; CAPACITY]; N],
+    margin: [[f64; CAPACITY]; N],
 }
 
-impl Fit {
+impl<const N: usize> Fits<N> {
     #[inline(always)]
-    fn new(column: &Column, slides: bool, limits: Option<[f64; 2]>, near: Option<f64>) -> Self {
+    fn fill(&mut self, arm: &Arm<N>, columns: &[Column; N], near: Option<&[f64; N]>) {
         use core::f64::consts::PI;
-        let mut q = if slides { column.c } else { angles(&column.s, &column.c, column.len) };
-        let mut margin = [f64::INFINITY; CAPACITY];
-        // Between these a turned angle is never inside where it was not.
-        let narrow = limits.is_none_or(|[low, high]| low > 1e-6 - PI && high < PI - 1e-6);
-        if slides || near.is_none() && narrow {
+        for j in 0..N {
+            let (column, slides, limits) = (&columns[j], arm.axes[j].slides, arm.limits[j]);
+            let (qs, margins) = (&mut self.q[j], &mut self.margin[j]);
+            *qs = if slides { column.c } else { angles(&column.s, &column.c, column.len) };
             if let Some([low, high]) = limits {
-                for (margin, q) in margin.iter_mut().zip(&q) {
+                for (margin, q) in margins.iter_mut().zip(qs.iter()) {
                     let (a, b) = (q - low, high - q);
                     *margin = if a < b { a } else { b };
                 }
             }
-        } else {
-            for (margin, q) in margin.iter_mut().zip(&mut q).take(column.len) {
-                (*q, *margin) = fitted(*q, slides, limits, near);
+            // Elsewhere a turned angle is never inside where it was not.
+            let wide = limits.is_some_and(|[low, high]| low < 1e-6 - PI || high > PI - 1e-6);
+            if !slides && (near.is_some() || wide) {
+                let near = near.map(|n| n[j]);
+                for (margin, q) in margins.iter_mut().zip(qs).take(column.len) {
+                    if near.is_some() || *margin < 0.0 {
+                        (*q, *margin) = fitted(*q, slides, limits, near);
+                    }
+                }
             }
         }
-        Self { q, margin }
     }
 }
 
@@ -499,8 +505,8 @@ pub(super) fn checked(pose: &[[f64; 4]; 3]) -> Result<Displacement, PoseError> {
         return Err(PoseError::NotARotation(if d <= 1e-6 { 2.0 } else { d }));
     }
     if d > 4e-16 {
-        // Nearest rotation: R (3 - R'R) / 2, twice.
-        for _ in 0..2 {
+        // Nearest rotation: R (3 - R'R) / 2; the defect is squared each time.
+        for _ in 0..if d > 1e-9 { 2 } else { 1 } {
             let rr = product(&transposed(&t.rotation), &t.rotation);
             let k: super::vector::Matrix =
                 core::array::from_fn(|i| core::array::from_fn(|j| 1.5 * IDENTITY[i][j] - 0.5 * rr[i][j]));
