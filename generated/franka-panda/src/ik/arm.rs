@@ -14,7 +14,7 @@ use super::regional::Regional;
 use super::six::{Method, Six};
 use super::solution::{Branch, CAPACITY, PoseError, Solution, Solutions, Status};
 use super::swivel::{Reference, Swivel};
-use super::vector::{IDENTITY, product, transposed};
+use super::vector::{IDENTITY, norm, product, transposed, unit};
 
 /// How an arm is solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,6 +72,17 @@ impl<const N: usize> Default for Query<'_, N> {
     }
 }
 
+/// What goes along while solutions are gathered.
+struct Work {
+    /// Of the solutions, to tell equal ones.
+    marks: [f64; CAPACITY],
+    /// The nearest miss, m and rad.
+    best: [f64; 2],
+}
+
+/// How many poses beside the given one are tried for branches that are missing.
+const NEARBY: usize = 24;
+
 /// What is left of a pose below this is rounding, m and rad.
 const EXACT: f64 = 1e-13;
 
@@ -99,40 +110,7 @@ impl<const N: usize> Arm<N> {
         let near = query.near.map_or([Value::ZERO; N], |q| polish::values(self, q));
         let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
         let mut all: Candidates<N> = Candidates::new();
-        let mut second_plane = false;
-        match &self.family {
-            Family::Six(six) => six.solve(&g, &near, &mut all),
-            Family::Locked { joint, six } => {
-                let lock = usize::from(*joint);
-                let axis = self.axes.get(lock).copied().unwrap_or(self.axes_first());
-                let ([s], [c]) = f64::sin_cos_all(&[query.redundancy]);
-                let turn = super::vector::Turn { c, s };
-                let value = if axis.slides { Value::way(query.redundancy) } else { Value::turn(turn) };
-                all.value(lock, axis.slides, value);
-                let locked = axis.displacement(value).inverse();
-                let rest = if lock == 0 { locked.after(&g) } else { g.after(&locked) };
-                six.solve(&rest, &near, &mut all);
-            }
-            Family::Swivel(swivel) => {
-                let ([s], [c]) = f64::sin_cos_all(&[query.redundancy]);
-                second_plane = swivel.solve(&g, &query.reference, (c, s), &near, &mut all);
-            }
-            Family::Plane(plane) => {
-                let three = plane.joints.map(|j| pick(&near, j));
-                for f in plane.solve(&g, &three).iter() {
-                    let mut values = [Value::ZERO; N];
-                    for (j, v) in plane.joints.iter().zip(f.values) {
-                        put(&mut values, *j, v);
-                    }
-                    put(&mut values, plane.lift.map(|(_, j, _)| j), f.lift);
-                    all.push_all(&values, slides, f.branch, 0);
-                }
-            }
-            Family::Slides => {
-                all.push_all(&[Value::ZERO; N], slides, Branch::NONE, 0);
-            }
-            Family::Numerical => numerical::search(self, &g, query, &near, &mut all),
-        }
+        let second_plane = self.candidates(&g, query, query.redundancy, &near, &mut all);
         // Of a family of postures, the member nearest to the one that was named; and that one itself where it is there already.
         let mut member = None;
         if query.near.is_some() && all.len > 0 {
@@ -146,9 +124,69 @@ impl<const N: usize> Arm<N> {
                 member = (0..all.len).reduce(|a, b| if far(b) < far(a) { b } else { a });
             }
         }
-        let mut solutions = self.finish(&g, query, &all, member.map(|place| (place, near)));
-        solutions.second_plane = second_plane;
+        let mut solutions = Solutions {
+            list: List::new(Solution::NONE),
+            status: Status::Ok,
+            distance: [0.0; 2],
+            lost: 0,
+            redundancy: query.redundancy,
+            second_plane,
+        };
+        let mut work = Work { marks: [0.0; CAPACITY], best: [f64::INFINITY; 2] };
+        self.finish(&g, query, &all, member.map(|place| (place, near)), &mut solutions, &mut work);
+        if !self.exact {
+            self.search_nearby(&g, query, &near, all.len, &mut solutions, &mut work);
+        }
+        conclude(query, &work, &mut solutions);
         Ok(solutions)
+    }
+
+    /// What the closed form gives at a redundancy; true: counted from the second plane.
+    #[inline]
+    fn candidates(
+        &self,
+        g: &Displacement,
+        query: &Query<'_, N>,
+        redundancy: f64,
+        near: &[Value; N],
+        all: &mut Candidates<N>,
+    ) -> bool {
+        let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
+        let mut second_plane = false;
+        match &self.family {
+            Family::Six(six) => six.solve(g, near, all),
+            Family::Locked { joint, six } => {
+                let lock = usize::from(*joint);
+                let axis = self.axes.get(lock).copied().unwrap_or(self.axes_first());
+                let ([s], [c]) = f64::sin_cos_all(&[redundancy]);
+                let turn = super::vector::Turn { c, s };
+                let value = if axis.slides { Value::way(redundancy) } else { Value::turn(turn) };
+                all.value(lock, axis.slides, value);
+                let locked = axis.displacement(value).inverse();
+                let rest = if lock == 0 { locked.after(g) } else { g.after(&locked) };
+                six.solve(&rest, near, all);
+            }
+            Family::Swivel(swivel) => {
+                let ([s], [c]) = f64::sin_cos_all(&[redundancy]);
+                second_plane = swivel.solve(g, &query.reference, (c, s), near, all);
+            }
+            Family::Plane(plane) => {
+                let three = plane.joints.map(|j| pick(near, j));
+                for f in plane.solve(g, &three).iter() {
+                    let mut values = [Value::ZERO; N];
+                    for (j, v) in plane.joints.iter().zip(f.values) {
+                        put(&mut values, *j, v);
+                    }
+                    put(&mut values, plane.lift.map(|(_, j, _)| j), f.lift);
+                    all.push_all(&values, slides, f.branch, 0);
+                }
+            }
+            Family::Slides => {
+                all.push_all(&[Value::ZERO; N], slides, Branch::NONE, 0);
+            }
+            Family::Numerical => numerical::search(self, g, query, near, all),
+        }
+        second_plane
     }
 
     /// The next posture along a path: the solution nearest to the last one, through singularities too. `None` where the pose is
@@ -211,22 +249,13 @@ impl<const N: usize> Arm<N> {
         query: &Query<'_, N>,
         all: &Candidates<N>,
         member: Option<(usize, [Value; N])>,
-    ) -> Solutions<N> {
-        let mut out = Solutions {
-            list: List::new(Solution::NONE),
-            status: Status::Ok,
-            distance: [0.0; 2],
-            lost: 0,
-            redundancy: query.redundancy,
-            second_plane: false,
-        };
-        let mut best = [f64::INFINITY; 2];
+        out: &mut Solutions<N>,
+        work: &mut Work,
+    ) {
         let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
-        let fits: [Fit; N] = core::array::from_fn(|j| {
-            Fit::new(&all.columns[j], slides(j), self.limits[j], query.near.and_then(|n| n.get(j)).copied())
-        });
+        let mut fits = Fits { q: [[0.0; CAPACITY]; N], margin: [[f64::INFINITY; CAPACITY]; N] };
+        fits.fill(self, &all.columns, query.near);
         let nearly = self.nearly(query.tolerance);
-        let mut marks = [0.0; CAPACITY];
         let mut far_off = 0u32;
         for first in [0, 8] {
             if first >= all.len {
@@ -245,14 +274,14 @@ impl<const N: usize> Arm<N> {
                     found.margin = f64::INFINITY;
                     for j in 0..N {
                         let at = all.at(place, j);
-                        found.q[j] = fits[j].q[at];
-                        found.margin =
-                            if fits[j].margin[at] < found.margin { fits[j].margin[at] } else { found.margin };
+                        found.q[j] = fits.q[j][at];
+                        let margin = fits.margin[j][at];
+                        found.margin = if margin < found.margin { margin } else { found.margin };
                     }
                     found.within_limits = found.margin >= -1e-9;
-                    self.keep(&mut out, &mut marks, found, mark);
+                    self.keep(out, work, found, mark);
                 } else if p2 <= nearly * nearly && r2 <= nearly * nearly {
-                    self.refine(g, query, all.values(place, slides), (branch, free), &mut out, &mut marks, &mut best);
+                    self.refine(g, query, all.values(place, slides), (branch, free), out, work);
                 } else {
                     // No posture, or one of the joints that were added: looked at only where nothing else is found.
                     far_off |= 1 << place;
@@ -262,7 +291,7 @@ impl<const N: usize> Arm<N> {
         if let Some((place, values)) = member {
             let place = place & (CAPACITY - 1);
             let kind = (all.branch[place], all.free[place]);
-            self.refine(g, query, values, kind, &mut out, &mut marks, &mut best);
+            self.refine(g, query, values, kind, out, work);
         }
         out.lost += far_off.count_ones();
         if out.list.is_empty() {
@@ -270,35 +299,15 @@ impl<const N: usize> Arm<N> {
                 if far_off >> place & 1 == 1 {
                     out.lost -= 1;
                     let kind = (all.branch[place], all.free[place]);
-                    self.refine(g, query, all.values(place, slides), kind, &mut out, &mut marks, &mut best);
+                    self.refine(g, query, all.values(place, slides), kind, out, work);
                 }
             }
         }
-        if out.list.is_empty() {
-            out.status = Status::Unreachable;
-            out.distance = best.map(|x| if x.is_finite() { x } else { 0.0 });
-        }
-        if let Some(near) = query.near {
-            let far = |s: &Solution<N>| s.q.iter().zip(near).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
-            // By insertion: a library sort has a way into a panic.
-            let list = out.list.as_mut_slice();
-            for i in 1..list.len() {
-                for j in (1..=i).rev() {
-                    let (Some(a), Some(b)) = (list.get(j - 1), list.get(j)) else { break };
-                    if far(a) <= far(b) {
-                        break;
-                    }
-                    list.swap(j - 1, j);
-                }
-            }
-        }
-        out
     }
 
     /// One candidate by Newton's steps.
     #[cold]
     #[inline(never)]
-    #[allow(clippy::too_many_arguments)] // what the loop above has in hand
     fn refine(
         &self,
         g: &Displacement,
@@ -306,9 +315,12 @@ impl<const N: usize> Arm<N> {
         mut values: [Value; N],
         (branch, free): (Branch, u32),
         out: &mut Solutions<N>,
-        marks: &mut [f64; CAPACITY],
-        best: &mut [f64; 2],
+        work: &mut Work,
     ) {
+        for v in &mut values {
+            // What meets no circle is not always of length one.
+            v.turn = super::vector::Turn::along(v.turn.c, v.turn.s).0;
+        }
         let mut e = remainder(self, g, &values);
         let [p, r] = sizes(&e);
         if p.max(r) > EXACT {
@@ -326,8 +338,8 @@ impl<const N: usize> Arm<N> {
             };
         }
         let [p, r] = sizes(&e);
-        if p + r < best[0] + best[1] {
-            *best = [p, r];
+        if p + r < work.best[0] + work.best[1] {
+            work.best = [p, r];
         }
         if !(p <= query.tolerance && r <= query.tolerance) {
             out.lost += 1;
@@ -353,25 +365,70 @@ impl<const N: usize> Arm<N> {
             mark += c * a + s * b;
         }
         found.within_limits = found.margin >= -1e-9;
-        self.keep(out, marks, found, mark);
+        self.keep(out, work, found, mark);
     }
 
     /// Adds a solution that is not there yet. Equal ones have equal marks.
     #[inline]
-    fn keep(&self, out: &mut Solutions<N>, marks: &mut [f64; CAPACITY], found: Solution<N>, mark: f64) {
+    fn keep(&self, out: &mut Solutions<N>, work: &mut Work, found: Solution<N>, mark: f64) {
         let same = |s: &Solution<N>| {
             (0..N).all(|i| (s.q[i] - found.q[i]).abs() < 1e-10 || self.full_turn(i, s.q[i] - found.q[i]))
         };
-        if out.list.iter().zip(marks.iter()).any(|(s, m)| (m - mark).abs() < 1e-7 && same(s)) {
+        if out.list.iter().zip(work.marks.iter()).any(|(s, m)| (m - mark).abs() < 1e-7 && same(s)) {
             return;
         }
         if found.free != 0 {
             out.status = Status::Singular;
         }
-        if let Some(place) = marks.get_mut(out.list.len()) {
+        if let Some(place) = work.marks.get_mut(out.list.len()) {
             *place = mark;
         }
         out.list.push(found);
+    }
+
+    /// An arm that is only nearly of its family: near a singularity the nominal postures lie too far from the real ones, and two may
+    /// run into one. While branches are missing, the nominal arm is asked beside the pose and beside the redundancy, and what it
+    /// says is refined to the pose itself. What is still missing is counted as lost.
+    fn search_nearby(
+        &self,
+        g: &Displacement,
+        query: &Query<'_, N>,
+        near: &[Value; N],
+        wanted: usize,
+        out: &mut Solutions<N>,
+        work: &mut Work,
+    ) {
+        let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
+        let size = self.axes.iter().fold(norm(self.home.shift), |m, a| m.max(norm(a.c)));
+        let mut state = 0x9E37_79B9_7F4A_7C15u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+        };
+        for k in 0..NEARBY {
+            if out.list.len() >= wanted {
+                break;
+            }
+            // Near ones first.
+            let reach = (k + 1) as f64 / NEARBY as f64;
+            let axis = unit([random(), random(), random()]);
+            let way = [random(), random(), random()].map(|x| 0.04 * size * reach * x);
+            let ([s], [c]) = f64::sin_cos_all(&[0.5 * reach * random()]);
+            let turn =
+                Axis { slides: false, h: axis, c: g.shift }.displacement(Value::turn(super::vector::Turn { c, s }));
+            let mut beside = turn.after(g);
+            beside.shift = super::vector::add(beside.shift, way);
+            let mut all: Candidates<N> = Candidates::new();
+            let redundancy = query.redundancy + reach * random();
+            // A locked joint stays where it is asked to be.
+            let redundancy = if matches!(self.family, Family::Swivel(_)) { redundancy } else { query.redundancy };
+            self.candidates(&beside, query, redundancy, near, &mut all);
+            for place in 0..all.len {
+                let kind = (all.branch[place], all.free[place]);
+                self.refine(g, query, all.values(place, slides), kind, out, work);
+            }
+        }
+        out.lost = (wanted as u32).saturating_sub(out.list.len() as u32);
     }
 
     fn full_turn(&self, joint: usize, difference: f64) -> bool {
@@ -443,33 +500,37 @@ pub(super) fn fitted(q: f64, slides: bool, limits: Option<[f64; 2]>, near: Optio
     (x, margin)
 }
 
-/// The values of one joint as positions, rad or m, whole turns chosen, with their distances from the limits.
-struct Fit {
-    q: [f64; CAPACITY],
-    margin: [f64; CAPACITY],
+/// The values of all joints as positions, rad or m, whole turns chosen, with their distances from the limits.
+struct Fits<const N: usize> {
+    q: [[f64; CAPACITY]; N],
+    margin: [[f64; CAPACITY]; N],
 }
 
-impl Fit {
+impl<const N: usize> Fits<N> {
     #[inline(always)]
-    fn new(column: &Column, slides: bool, limits: Option<[f64; 2]>, near: Option<f64>) -> Self {
+    fn fill(&mut self, arm: &Arm<N>, columns: &[Column; N], near: Option<&[f64; N]>) {
         use core::f64::consts::PI;
-        let mut q = if slides { column.c } else { angles(&column.s, &column.c, column.len) };
-        let mut margin = [f64::INFINITY; CAPACITY];
-        // Between these a turned angle is never inside where it was not.
-        let narrow = limits.is_none_or(|[low, high]| low > 1e-6 - PI && high < PI - 1e-6);
-        if slides || near.is_none() && narrow {
+        for j in 0..N {
+            let (column, slides, limits) = (&columns[j], arm.axes[j].slides, arm.limits[j]);
+            let (qs, margins) = (&mut self.q[j], &mut self.margin[j]);
+            *qs = if slides { column.c } else { angles(&column.s, &column.c, column.len) };
             if let Some([low, high]) = limits {
-                for (margin, q) in margin.iter_mut().zip(&q) {
+                for (margin, q) in margins.iter_mut().zip(qs.iter()) {
                     let (a, b) = (q - low, high - q);
                     *margin = if a < b { a } else { b };
                 }
             }
-        } else {
-            for (margin, q) in margin.iter_mut().zip(&mut q).take(column.len) {
-                (*q, *margin) = fitted(*q, slides, limits, near);
+            // Elsewhere a turned angle is never inside where it was not.
+            let wide = limits.is_some_and(|[low, high]| low < 1e-6 - PI || high > PI - 1e-6);
+            if !slides && (near.is_some() || wide) {
+                let near = near.map(|n| n[j]);
+                for (margin, q) in margins.iter_mut().zip(qs).take(column.len) {
+                    if near.is_some() || *margin < 0.0 {
+                        (*q, *margin) = fitted(*q, slides, limits, near);
+                    }
+                }
             }
         }
-        Self { q, margin }
     }
 }
 
@@ -499,8 +560,8 @@ pub(super) fn checked(pose: &[[f64; 4]; 3]) -> Result<Displacement, PoseError> {
         return Err(PoseError::NotARotation(if d <= 1e-6 { 2.0 } else { d }));
     }
     if d > 4e-16 {
-        // Nearest rotation: R (3 - R'R) / 2, twice.
-        for _ in 0..2 {
+        // Nearest rotation: R (3 - R'R) / 2; the defect is squared each time.
+        for _ in 0..if d > 1e-9 { 2 } else { 1 } {
             let rr = product(&transposed(&t.rotation), &t.rotation);
             let k: super::vector::Matrix =
                 core::array::from_fn(|i| core::array::from_fn(|j| 1.5 * IDENTITY[i][j] - 0.5 * rr[i][j]));
@@ -508,4 +569,26 @@ pub(super) fn checked(pose: &[[f64; 4]; 3]) -> Result<Displacement, PoseError> {
         }
     }
     Ok(t)
+}
+
+/// Status and order.
+fn conclude<const N: usize>(query: &Query<'_, N>, work: &Work, out: &mut Solutions<N>) {
+    if out.list.is_empty() {
+        out.status = Status::Unreachable;
+        out.distance = work.best.map(|x| if x.is_finite() { x } else { 0.0 });
+    }
+    if let Some(near) = query.near {
+        let far = |s: &Solution<N>| s.q.iter().zip(near).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
+        // By insertion: a library sort has a way into a panic.
+        let list = out.list.as_mut_slice();
+        for i in 1..list.len() {
+            for j in (1..=i).rev() {
+                let (Some(a), Some(b)) = (list.get(j - 1), list.get(j)) else { break };
+                if far(a) <= far(b) {
+                    break;
+                }
+                list.swap(j - 1, j);
+            }
+        }
+    }
 }

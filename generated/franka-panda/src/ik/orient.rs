@@ -7,7 +7,7 @@ use super::vector::{Matrix, Turn, Vector, beside, cross, dot, product, times, tr
 /// Three axes, and a basis with each of the outer ones (columns; the axis is the last).
 #[derive(Clone, Copy)]
 pub(super) struct Three {
-    h: [Vector; 3],
+    pub h: [Vector; 3],
     pub first: [Vector; 3],
     pub last: [Vector; 3],
     /// Where the middle joint brings the outer axes together, if it is square to both.
@@ -31,17 +31,22 @@ impl Three {
 
     /// The basis of the first axis as the joints before it carry it, `x`, and the basis of the last one as the goal has it, `y`.
     /// Where the outer axes become parallel, the first turn is `near`'s.
-    #[inline]
+    #[inline(always)]
     pub fn turns(&self, x: &[Vector; 3], y: &[Vector; 3], near: Turn) -> Turns {
-        let Some(together) = self.square else { return self.oblique(x, y, near) };
+        self.between(&x.map(|x| y.map(|y| dot(x, y))), near)
+    }
+
+    /// The same by the products of those vectors.
+    #[inline(always)]
+    pub fn between(&self, m: &Matrix, near: Turn) -> Turns {
+        let Some(together) = self.square else { return self.oblique(m, near) };
         // Euler angles: Z(first) Y(second) Z(third).
-        let (c1, s1, cosine) = (dot(x[0], y[2]), dot(x[1], y[2]), dot(x[2], y[2]));
-        let sine2 = c1 * c1 + s1 * s1;
-        let sine = root(sine2);
+        let (c1, s1, cosine) = (m[0][2], m[1][2], m[2][2]);
+        let sine = root(c1 * c1 + s1 * s1);
         let blind = !(sine > 1e-14);
         let first = if blind { near } else { Turn { c: c1 / sine, s: s1 / sine } };
         // The second row of what the first turn leaves: well known in a singularity, too.
-        let row = |k: usize| first.c * dot(x[1], y[k]) - first.s * dot(x[0], y[k]);
+        let row = |k: usize| first.c * m[1][k] - first.s * m[0][k];
         let third = Turn { c: row(1), s: row(0) };
         let free = u8::from(sine < FREE);
         let one = [first, Turn { c: cosine, s: sine }.then(together), third];
@@ -52,10 +57,10 @@ impl Three {
     }
 
     /// By the spherical triangle, for any three axes.
-    fn oblique(&self, x: &[Vector; 3], y: &[Vector; 3], near: Turn) -> Turns {
+    #[inline(never)]
+    fn oblique(&self, between: &Matrix, near: Turn) -> Turns {
         // x = A first, y = A R last: R = first x' y last'.
-        let between: Matrix = x.map(|x| y.map(|y| dot(x, y)));
-        let r = product(&product(&transposed(&self.first), &between), &self.last);
+        let r = product(&product(&transposed(&self.first), between), &self.last);
         let h = &self.h;
         let goal = times(&r, h[2]);
         let pair = tilt(h[0], h[1], h[2], goal);

@@ -11,7 +11,7 @@ use super::pose::Displacement;
 use super::quartic::two_turns;
 use super::regional::{self, Regional};
 use super::solution::Branch;
-use super::subproblem::{FREE, circle, reach, tilt, towards};
+use super::subproblem::{FREE, Tilt, across, circle, reach, towards};
 use super::vector::{Turn, Vector, beside, cross, dot, norm, scale, sub};
 
 /// How six joints are taken apart.
@@ -147,10 +147,11 @@ impl Six {
             );
             free |= u8::from(pair.free);
             let firsts = if pair.blind { [near[0]; 2] } else { pair.both.map(Value::turn) };
+            let tilt = Tilt::new(h, five.h, six.h);
             for (i, first) in firsts.into_iter().enumerate() {
                 let goal = one.direction(first.back(), goal6);
                 let at = into.value(0, first);
-                for (j, fifth) in tilt(h, five.h, six.h, goal).both.into_iter().enumerate() {
+                for (j, fifth) in tilt.towards(goal).both.into_iter().enumerate() {
                     starts.push((first, at, Value::turn(fifth), i as u8, j as u8));
                 }
             }
@@ -180,7 +181,7 @@ impl Six {
             let (sum, v6) = if known > 1e-28 {
                 free |= if known < FREE * FREE { 32 } else { 0 };
                 let back = five.direction(v5.back(), turn.back().about(h, image));
-                (turn, Value::turn(towards(six.h, side, back).0))
+                (turn, Value::turn(across(six.h, side, back)))
             } else {
                 free |= 32;
                 let v6 = self.last_within_reach(g, v1, v5, near[5]);
@@ -196,15 +197,24 @@ impl Six {
             let target = one.point(v1.back(), g.point(four_at));
             let to = sub(target, two.c);
             let pair = reach(three, four.c, two.c, dot(to, to));
+            // Both ends of the planar arm are as far from axis 2: one division for both answers.
+            let flat = sub(to, scale(dot(h, to), h));
+            let flat2 = dot(flat, flat);
+            let known = flat2 > 1e-26;
+            let per = if known { 1.0 / flat2 } else { 0.0 };
             let ends = [into.value(4, v5), into.value(5, v6)];
             for (j, third) in pair.both.into_iter().enumerate() {
                 let arm = sub(three.point(Value::turn(third), four.c), two.c);
-                let (second, known) = towards(h, arm, to);
+                let second = if known {
+                    let (c, s) = (dot(arm, flat), dot(h, cross(arm, flat)));
+                    Turn { c: c * per, s: s * per }
+                } else {
+                    near[1].turn
+                };
                 let same = |axis: &Axis, t: Turn| if dot(axis.h, h) < 0.0 { t.back() } else { t };
-                let second = if known > 1e-26 { second } else { near[1].turn };
                 let fourth = sum.then(second.back()).then(same(three, third).back());
                 let mut free = free;
-                free |= if known > FREE * FREE * dot(to, to).max(1e-6) { 0 } else { 2 };
+                free |= if flat2 > FREE * FREE * dot(to, to).max(1e-6) { 0 } else { 2 };
                 free |= if pair.free { 4 } else { 0 };
                 let at = [
                     at1,

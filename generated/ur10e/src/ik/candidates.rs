@@ -29,6 +29,7 @@ pub(super) struct Candidates<const N: usize> {
 const MASK: usize = CAPACITY - 1;
 
 impl<const N: usize> Candidates<N> {
+    #[inline(always)]
     pub fn new() -> Self {
         Self {
             columns: [Column { c: [0.0; CAPACITY], s: [0.0; CAPACITY], len: 0 }; N],
