@@ -267,7 +267,7 @@ impl<const N: usize> Arm<N> {
                 if place >= all.len {
                     break;
                 }
-                let (branch, free) = (all.branch[place], all.free[place]);
+                let (branch, free) = all.kind(place);
                 if p2 <= EXACT * EXACT && r2 <= EXACT * EXACT {
                     let mut found = Solution { branch, free, ..Solution::NONE };
                     (found.position_error, found.rotation_error) = (root(p2), root(r2));
@@ -289,8 +289,7 @@ impl<const N: usize> Arm<N> {
             }
         }
         if let Some((place, values)) = member {
-            let place = place & (CAPACITY - 1);
-            let kind = (all.branch[place], all.free[place]);
+            let kind = all.kind(place);
             self.refine(g, query, values, kind, out, work);
         }
         out.lost += far_off.count_ones();
@@ -298,7 +297,7 @@ impl<const N: usize> Arm<N> {
             for place in 0..all.len {
                 if far_off >> place & 1 == 1 {
                     out.lost -= 1;
-                    let kind = (all.branch[place], all.free[place]);
+                    let kind = all.kind(place);
                     self.refine(g, query, all.values(place, slides), kind, out, work);
                 }
             }
@@ -424,7 +423,7 @@ impl<const N: usize> Arm<N> {
             let redundancy = if matches!(self.family, Family::Swivel(_)) { redundancy } else { query.redundancy };
             self.candidates(&beside, query, redundancy, near, &mut all);
             for place in 0..all.len {
-                let kind = (all.branch[place], all.free[place]);
+                let kind = all.kind(place);
                 self.refine(g, query, all.values(place, slides), kind, out, work);
             }
         }

@@ -76,6 +76,12 @@ impl<const N: usize> Candidates<N> {
         self.at.get(joint).map_or(0, |row| usize::from(row[place & MASK])) & MASK
     }
 
+    /// Which branch, and which of its joints are free.
+    #[inline(always)]
+    pub fn kind(&self, place: usize) -> (Branch, u32) {
+        (self.branch[place & MASK], self.free[place & MASK])
+    }
+
     /// A branch with values of its own.
     pub fn push_all(&mut self, values: &[Value; N], slides: impl Fn(usize) -> bool, branch: Branch, free: u32) -> bool {
         let Some(place) = self.push(branch, free) else { return false };
