@@ -318,12 +318,6 @@ impl<'a> Bench<'a> {
         unreachable!("the loop returns")
     }
 
-    /// What unknowns with this covariance (in the order of the fit) leave open of the torques on this bench's motion: root mean square of the predictions'
-    /// standard deviations, per joint, N m. Looks at the motion alone.
-    pub fn spread(&self, covariance: &DMatrix<f64>, chosen: &[Chosen]) -> Vec<f64> {
-        self.equations(chosen).0.spread(covariance)
-    }
-
     fn fit_once(&self, chosen: &[Chosen], weights: Option<&[f64]>) -> Fitted {
         let (moments, friction, first, terms) = self.equations(chosen);
         let solution = moments.solve(weights);

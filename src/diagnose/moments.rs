@@ -230,22 +230,6 @@ impl Moments {
             .collect()
     }
 
-    /// Root mean square over the windows of the predictions' standard deviations, per joint, for unknowns with this covariance.
-    pub fn spread(&self, covariance: &DMatrix<f64>) -> Vec<f64> {
-        self.joints
-            .iter()
-            .zip(&self.whole)
-            .map(|(joint, sum)| {
-                let n = joint.columns.len();
-                let variance: f64 = (0..n)
-                    .flat_map(|i| (0..n).map(move |k| (i, k)))
-                    .map(|(i, k)| sum.gram[(i, k)] * covariance[(joint.columns[i], joint.columns[k])])
-                    .sum();
-                (variance.max(0.0) / sum.count.max(1.0)).sqrt()
-            })
-            .collect()
-    }
-
     /// Residual series of each joint, zero where a window is not used.
     pub fn residual(&self, x: &DVector<f64>) -> Vec<Vec<f64>> {
         self.joints
