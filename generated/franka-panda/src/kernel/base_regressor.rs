@@ -2,13 +2,13 @@
 //!
 //! `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 640 multiplications, 472 additions; 7 x 43, 188 of 301 structurally nonzero.
+//! 640 multiplications, 472 additions; 7 x 64, 209 of 448 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 188;
+pub const NONZEROS: usize = 209;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
@@ -16,26 +16,28 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 12), (0, 13), (0, 14), (0, 15), (0, 16), (0, 17), (0, 18), (0, 19), (0, 20), (0, 21),
     (0, 22), (0, 23), (0, 24), (0, 25), (0, 26), (0, 27), (0, 28), (0, 29), (0, 30), (0, 31),
     (0, 32), (0, 33), (0, 34), (0, 35), (0, 36), (0, 37), (0, 38), (0, 39), (0, 40), (0, 41),
-    (0, 42), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 6), (1, 7), (1, 8), (1, 9),
-    (1, 10), (1, 11), (1, 12), (1, 13), (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19),
-    (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29),
-    (1, 30), (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39),
-    (1, 40), (1, 41), (1, 42), (2, 8), (2, 9), (2, 10), (2, 11), (2, 12), (2, 13), (2, 14),
-    (2, 15), (2, 16), (2, 17), (2, 18), (2, 19), (2, 20), (2, 21), (2, 22), (2, 23), (2, 24),
-    (2, 25), (2, 26), (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34),
-    (2, 35), (2, 36), (2, 37), (2, 38), (2, 39), (2, 40), (2, 41), (2, 42), (3, 15), (3, 16),
-    (3, 17), (3, 18), (3, 19), (3, 20), (3, 21), (3, 22), (3, 23), (3, 24), (3, 25), (3, 26),
-    (3, 27), (3, 28), (3, 29), (3, 30), (3, 31), (3, 32), (3, 33), (3, 34), (3, 35), (3, 36),
-    (3, 37), (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (4, 22), (4, 23), (4, 24), (4, 25),
-    (4, 26), (4, 27), (4, 28), (4, 29), (4, 30), (4, 31), (4, 32), (4, 33), (4, 34), (4, 35),
-    (4, 36), (4, 37), (4, 38), (4, 39), (4, 40), (4, 41), (4, 42), (5, 29), (5, 30), (5, 31),
-    (5, 32), (5, 33), (5, 34), (5, 35), (5, 36), (5, 37), (5, 38), (5, 39), (5, 40), (5, 41),
-    (5, 42), (6, 36), (6, 37), (6, 38), (6, 39), (6, 40), (6, 41), (6, 42),
+    (0, 42), (0, 43), (0, 50), (0, 57), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 6),
+    (1, 7), (1, 8), (1, 9), (1, 10), (1, 11), (1, 12), (1, 13), (1, 14), (1, 15), (1, 16),
+    (1, 17), (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26),
+    (1, 27), (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36),
+    (1, 37), (1, 38), (1, 39), (1, 40), (1, 41), (1, 42), (1, 44), (1, 51), (1, 58), (2, 8),
+    (2, 9), (2, 10), (2, 11), (2, 12), (2, 13), (2, 14), (2, 15), (2, 16), (2, 17), (2, 18),
+    (2, 19), (2, 20), (2, 21), (2, 22), (2, 23), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28),
+    (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35), (2, 36), (2, 37), (2, 38),
+    (2, 39), (2, 40), (2, 41), (2, 42), (2, 45), (2, 52), (2, 59), (3, 15), (3, 16), (3, 17),
+    (3, 18), (3, 19), (3, 20), (3, 21), (3, 22), (3, 23), (3, 24), (3, 25), (3, 26), (3, 27),
+    (3, 28), (3, 29), (3, 30), (3, 31), (3, 32), (3, 33), (3, 34), (3, 35), (3, 36), (3, 37),
+    (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (3, 46), (3, 53), (3, 60), (4, 22), (4, 23),
+    (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (4, 30), (4, 31), (4, 32), (4, 33),
+    (4, 34), (4, 35), (4, 36), (4, 37), (4, 38), (4, 39), (4, 40), (4, 41), (4, 42), (4, 47),
+    (4, 54), (4, 61), (5, 29), (5, 30), (5, 31), (5, 32), (5, 33), (5, 34), (5, 35), (5, 36),
+    (5, 37), (5, 38), (5, 39), (5, 40), (5, 41), (5, 42), (5, 48), (5, 55), (5, 62), (6, 36),
+    (6, 37), (6, 38), (6, 39), (6, 40), (6, 41), (6, 42), (6, 49), (6, 56), (6, 63),
 ];
 
 /// Regressor `W_b` of the base parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 43]; 7]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 64]; 7]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -60,6 +62,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let L3 = S::constant(0.384);
     let k0 = S::constant(9.81);
     let k4 = S::constant(0.088);
+    let k5 = S::constant(1.0);
     // link 2: motion
     let [
         t0, t1, t2, t3, t4, t5, t6, t7,
@@ -76,8 +79,22 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t8 = t2 + t6;
         let t9 = t3 - t7;
         put(0, ddq1); // row 1, ZZ1R
-        put(42, t4); // row 2, MSY2R
-        put(44, ddq2); // row 2, ZZ2R
+        put(41, dq1); // row 1, FV1
+        put(43, k5); // row 1, FO1
+        put(45, t4); // row 2, MSY2R
+        put(47, ddq2); // row 2, ZZ2R
+        put(86, dq2); // row 2, FV2
+        put(88, k5); // row 2, FO2
+        put(124, dq3); // row 3, FV3
+        put(126, k5); // row 3, FO3
+        put(155, dq4); // row 4, FV4
+        put(157, k5); // row 4, FO4
+        put(179, dq5); // row 5, FV5
+        put(181, k5); // row 5, FO5
+        put(196, dq6); // row 6, FV6
+        put(198, k5); // row 6, FO6
+        put(206, dq7); // row 7, FV7
+        put(208, k5); // row 7, FO7
         [
         t0, t1, t2, t3, t4, t5, t6, t7,
         t8, t9,
@@ -110,7 +127,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw3_x = s3 * ddq2 - c3 * t8 + dq3 * w3_y;
         let dw3_y = c3 * ddq2 + s3 * t8 + dq3 * t12;
         let dw3_z = t9 + ddq3;
-        put(86, dw3_z); // row 3, ZZ3R
+        put(92, dw3_z); // row 3, ZZ3R
         [
         t12, w3_y, t22, t23, t24, t25, t26, t27,
         t29, t30, t31, t32, t37, a3_x, t43, w3_z,
@@ -146,12 +163,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw4_x = c4 * dw3_x + s4 * dw3_z + dq4 * w4_y;
         let dw4_y = c4 * dw3_z - s4 * dw3_x + dq4 * t52;
         let dw4_z = ddq4 - dw3_y;
-        put(85, t65); // row 3, XX3R
-        put(88, t72); // row 3, XZ3
-        put(89, t70); // row 3, YZ3
-        put(118, a4_y); // row 4, MSX4R
-        put(119, t83); // row 4, MSY4R
-        put(121, dw4_z); // row 4, ZZ4R
+        put(91, t65); // row 3, XX3R
+        put(94, t72); // row 3, XZ3
+        put(95, t70); // row 3, YZ3
+        put(127, a4_y); // row 4, MSX4R
+        put(128, t83); // row 4, MSY4R
+        put(130, dw4_z); // row 4, ZZ4R
         [
         t52, w4_y, t62, t63, t64, t65, t66, t67,
         t69, t70, t71, t72, t73, t74, t79, t83,
@@ -190,12 +207,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t140 = dq5 * t98 - (c5 * dw4_x - s5 * dw4_z);
         let t141 = dq5 * t95 - (c5 * dw4_z + s5 * dw4_x);
         let dw5_z = dw4_y + ddq5;
-        put(120, t108); // row 4, XX4R
-        put(123, t116); // row 4, XZ4
-        put(124, t113); // row 4, YZ4
-        put(146, a5_y); // row 5, MSX5
-        put(147, t133); // row 5, MSY5R
-        put(149, dw5_z); // row 5, ZZ5R
+        put(129, t108); // row 4, XX4R
+        put(132, t116); // row 4, XZ4
+        put(133, t113); // row 4, YZ4
+        put(158, a5_y); // row 5, MSX5
+        put(159, t133); // row 5, MSY5R
+        put(161, dw5_z); // row 5, ZZ5R
         [
         t95, t98, t105, t106, t107, t108, t109, t110,
         t111, t112, t113, t114, t115, t116, t117, t118,
@@ -230,11 +247,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw6_x = s6 * dw5_z - c6 * t140 + dq6 * w6_y;
         let dw6_y = c6 * dw5_z + s6 * t140 + dq6 * t145;
         let dw6_z = ddq6 - t141;
-        put(151, t166); // row 5, XZ5
-        put(152, t163); // row 5, YZ5
-        put(167, a6_y); // row 6, MSX6R
-        put(168, t171); // row 6, MSY6R
-        put(170, dw6_z); // row 6, ZZ6R
+        put(163, t166); // row 5, XZ5
+        put(164, t163); // row 5, YZ5
+        put(182, a6_y); // row 6, MSX6R
+        put(183, t171); // row 6, MSY6R
+        put(185, dw6_z); // row 6, ZZ6R
         [
         t145, w6_y, t155, t156, t157, t158, t159, t160,
         t161, t162, t163, t164, t165, t166, t167, t168,
@@ -272,12 +289,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw7_x = c7 * dw6_x + s7 * dw6_z + dq7 * w7_y;
         let dw7_y = c7 * dw6_z - s7 * dw6_x + dq7 * t183;
         let dw7_z = ddq7 - dw6_y;
-        put(169, t196); // row 6, XX6R
-        put(172, t204); // row 6, XZ6
-        put(173, t201); // row 6, YZ6
-        put(181, a7_y); // row 7, MSX7
-        put(182, t215); // row 7, MSY7
-        put(184, dw7_z); // row 7, ZZ7
+        put(184, t196); // row 6, XX6R
+        put(187, t204); // row 6, XZ6
+        put(188, t201); // row 6, YZ6
+        put(199, a7_y); // row 7, MSX7
+        put(200, t215); // row 7, MSY7
+        put(202, dw7_z); // row 7, ZZ7
         [
         t183, w7_y, t193, t194, t195, t196, t197, t198,
         t199, t200, t201, t202, t203, t204, t205, t206,
@@ -326,7 +343,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t255 = t22 - t23;
         let t258 = s2 * t29 + c2 * t30;
         put(3, t258); // row 1, XY2
-        put(45, t255); // row 2, XY2
+        put(48, t255); // row 2, XY2
     }
     // XZ2: column
     {
@@ -355,8 +372,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t285 = t32 - L2 * t72;
         put(6, t281); // row 1, MSX3R
         put(11, t277); // row 1, XZ3
-        put(53, t279); // row 2, XZ3
-        put(83, t285); // row 3, MSX3R
+        put(56, t279); // row 2, XZ3
+        put(89, t285); // row 3, MSX3R
         t283
     };
     // MSY3: column
@@ -376,9 +393,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t304 = t31 - L2 * t70;
         put(7, t300); // row 1, MSY3R
         put(12, t296); // row 1, YZ3
-        put(49, t302); // row 2, MSY3R
-        put(54, t298); // row 2, YZ3
-        put(84, t304); // row 3, MSY3R
+        put(52, t302); // row 2, MSY3R
+        put(57, t298); // row 2, YZ3
+        put(90, t304); // row 3, MSY3R
     }
     // XX3: column
     let [t306, t311] = {
@@ -387,7 +404,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t311 = c3 * t66;
         let t312 = s3 * dw3_x - t311;
         put(8, t309); // row 1, XX3R
-        put(50, t312); // row 2, XX3R
+        put(53, t312); // row 2, XX3R
         [t306, t311]
     };
     // ZZ3: column
@@ -395,7 +412,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t316 = c2 * dw3_z + (t306 - t67 * t225);
         let t318 = t311 + s3 * t67;
         put(9, t316); // row 1, ZZ3R
-        put(51, t318); // row 2, ZZ3R
+        put(54, t318); // row 2, ZZ3R
     }
     // XY3: column
     {
@@ -403,8 +420,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t324 = c2 * t319 - (t73 * t225 - t74 * z1_3_y);
         let t327 = s3 * t73 + c3 * t74;
         put(10, t324); // row 1, XY3R
-        put(52, t327); // row 2, XY3R
-        put(87, t319); // row 3, XY3R
+        put(55, t327); // row 2, XY3R
+        put(93, t319); // row 3, XY3R
     }
     // MSX4: column
     let [t329, t332] = {
@@ -417,8 +434,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t349 = c3 * t339 - (t234 * t338 - z2_4_x * t333);
         let t351 = t121 - c4 * t79;
         put(13, t344); // row 1, MSX4R
-        put(55, t349); // row 2, MSX4R
-        put(90, t351); // row 3, MSX4R
+        put(58, t349); // row 2, MSX4R
+        put(96, t351); // row 3, MSX4R
         [t329, t332]
     };
     // MSY4: column
@@ -430,8 +447,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t368 = c3 * t358 + (t234 * t353 - z2_4_x * t357);
         let t371 = s4 * t79 - A * t118;
         put(14, t363); // row 1, MSY4R
-        put(56, t368); // row 2, MSY4R
-        put(91, t371); // row 3, MSY4R
+        put(59, t368); // row 2, MSY4R
+        put(97, t371); // row 3, MSY4R
     }
     // XX4: column
     let [t373, t378, t383] = {
@@ -442,8 +459,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t383 = c4 * t109;
         let t384 = s4 * dw4_x - t383;
         put(15, t376); // row 1, XX4R
-        put(57, t381); // row 2, XX4R
-        put(92, t384); // row 3, XX4R
+        put(60, t381); // row 2, XX4R
+        put(98, t384); // row 3, XX4R
         [t373, t378, t383]
     };
     // ZZ4: column
@@ -452,8 +469,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t392 = t110 * z2_4_x - t378 - c3 * dw4_z;
         let t394 = t383 + s4 * t110;
         put(16, t388); // row 1, ZZ4R
-        put(58, t392); // row 2, ZZ4R
-        put(93, t394); // row 3, ZZ4R
+        put(61, t392); // row 2, ZZ4R
+        put(99, t394); // row 3, ZZ4R
     }
     // XY4: column
     {
@@ -462,9 +479,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t405 = t117 * z2_4_x - t118 * t234 - c3 * t395;
         let t408 = s4 * t117 + c4 * t118;
         put(17, t400); // row 1, XY4R
-        put(59, t405); // row 2, XY4R
-        put(94, t408); // row 3, XY4R
-        put(122, t395); // row 4, XY4R
+        put(62, t405); // row 2, XY4R
+        put(100, t408); // row 3, XY4R
+        put(131, t395); // row 4, XY4R
     }
     // XZ4: column
     {
@@ -473,8 +490,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t419 = t114 * z2_4_x - t234 * t409 - c3 * t116;
         let t422 = s4 * t114 + c4 * t409;
         put(18, t414); // row 1, XZ4
-        put(60, t419); // row 2, XZ4
-        put(95, t422); // row 3, XZ4
+        put(63, t419); // row 2, XZ4
+        put(101, t422); // row 3, XZ4
     }
     // YZ4: column
     {
@@ -483,8 +500,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t433 = z2_4_x * t423 - t112 * t234 - c3 * t113;
         let t436 = s4 * t423 + c4 * t112;
         put(19, t428); // row 1, YZ4
-        put(61, t433); // row 2, YZ4
-        put(96, t436); // row 3, YZ4
+        put(64, t433); // row 2, YZ4
+        put(102, t436); // row 3, YZ4
     }
     // MSX5: column
     let [t438, t443, t444] = {
@@ -504,9 +521,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t470 = c3 * t460 + (z2_4_x * t458 - t234 * t459);
         let t474 = t449 - (s4 * t450 - c4 * t452);
         put(20, t465); // row 1, MSX5
-        put(62, t470); // row 2, MSX5
-        put(97, t474); // row 3, MSX5
-        put(125, t451); // row 4, MSX5
+        put(65, t470); // row 2, MSX5
+        put(103, t474); // row 3, MSX5
+        put(134, t451); // row 4, MSX5
         [t438, t443, t444]
     };
     // MSY5: column
@@ -525,9 +542,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t506 = c3 * t496 - (z2_4_x * t494 + t234 * t495);
         let t510 = t485 - (s4 * t486 - c4 * t488);
         put(21, t501); // row 1, MSY5R
-        put(63, t506); // row 2, MSY5R
-        put(98, t510); // row 3, MSY5R
-        put(126, t487); // row 4, MSY5R
+        put(66, t506); // row 2, MSY5R
+        put(104, t510); // row 3, MSY5R
+        put(135, t487); // row 4, MSY5R
         t475
     };
     // XX5: column
@@ -541,9 +558,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t527 = c5 * t159;
         let t528 = s5 * t140 + t527;
         put(22, t515); // row 1, XX5R
-        put(64, t520); // row 2, XX5R
-        put(99, t525); // row 3, XX5R
-        put(127, t528); // row 4, XX5R
+        put(67, t520); // row 2, XX5R
+        put(105, t525); // row 3, XX5R
+        put(136, t528); // row 4, XX5R
         [t512, t517, t522, t527]
     };
     // ZZ5: column
@@ -553,8 +570,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t540 = c4 * dw5_z - (t522 + t160 * z3_5_x);
         let t542 = s5 * t160 - t527;
         put(23, t532); // row 1, ZZ5R
-        put(100, t540); // row 3, ZZ5R
-        put(128, t542); // row 4, ZZ5R
+        put(106, t540); // row 3, ZZ5R
+        put(137, t542); // row 4, ZZ5R
         t536
     };
     // XY5: column
@@ -565,10 +582,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t558 = c4 * t543 + (t167 * z3_5_x + t168 * z3_6_z);
         let t561 = c5 * t168 - s5 * t167;
         put(24, t548); // row 1, XY5
-        put(66, t553); // row 2, XY5
-        put(101, t558); // row 3, XY5
-        put(129, t561); // row 4, XY5
-        put(150, t543); // row 5, XY5
+        put(69, t553); // row 2, XY5
+        put(107, t558); // row 3, XY5
+        put(138, t561); // row 4, XY5
+        put(162, t543); // row 5, XY5
     }
     // XZ5: column
     {
@@ -578,9 +595,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t577 = c4 * t166 + (t164 * z3_5_x + z3_6_z * t562);
         let t579 = c5 * t562 - t438;
         put(25, t567); // row 1, XZ5
-        put(67, t572); // row 2, XZ5
-        put(102, t577); // row 3, XZ5
-        put(130, t579); // row 4, XZ5
+        put(70, t572); // row 2, XZ5
+        put(108, t577); // row 3, XZ5
+        put(139, t579); // row 4, XZ5
     }
     // YZ5: column
     {
@@ -590,9 +607,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t595 = c4 * t163 + (t162 * z3_6_z - z3_5_x * t580);
         let t597 = t475 + s5 * t580;
         put(26, t585); // row 1, YZ5
-        put(68, t590); // row 2, YZ5
-        put(103, t595); // row 3, YZ5
-        put(131, t597); // row 4, YZ5
+        put(71, t590); // row 2, YZ5
+        put(109, t595); // row 3, YZ5
+        put(140, t597); // row 4, YZ5
     }
     // MSX6: column
     let [t599, t602, t604, t605] = {
@@ -615,10 +632,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t643 = c3 * t633 - (t234 * t632 - z2_4_x * t631);
         let t647 = t622 - (s4 * t623 + c4 * t625);
         put(27, t638); // row 1, MSX6R
-        put(69, t643); // row 2, MSX6R
-        put(104, t647); // row 3, MSX6R
-        put(132, t624); // row 4, MSX6R
-        put(153, t605); // row 5, MSX6R
+        put(72, t643); // row 2, MSX6R
+        put(110, t647); // row 3, MSX6R
+        put(141, t624); // row 4, MSX6R
+        put(165, t605); // row 5, MSX6R
         [t599, t602, t604, t605]
     };
     // MSY6: column
@@ -640,9 +657,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t691 = c3 * t681 + (z2_4_x * t679 + t234 * t680);
         let t695 = s4 * t671 + c4 * t673 - t670;
         put(28, t686); // row 1, MSY6R
-        put(70, t691); // row 2, MSY6R
-        put(105, t695); // row 3, MSY6R
-        put(133, t672); // row 4, MSY6R
+        put(73, t691); // row 2, MSY6R
+        put(111, t695); // row 3, MSY6R
+        put(142, t672); // row 4, MSY6R
         [t648, t651]
     };
     // XX6: column
@@ -656,10 +673,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t716 = c4 * t701 + (z3_5_x * t698 + t196 * z3_6_z);
         let t719 = c5 * t196 - s5 * t698;
         put(29, t706); // row 1, XX6R
-        put(71, t711); // row 2, XX6R
-        put(106, t716); // row 3, XX6R
-        put(134, t719); // row 4, XX6R
-        put(155, t701); // row 5, XX6R
+        put(74, t711); // row 2, XX6R
+        put(112, t716); // row 3, XX6R
+        put(143, t719); // row 4, XX6R
+        put(167, t701); // row 5, XX6R
         [t697, t700]
     };
     // ZZ6: column
@@ -671,10 +688,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t738 = c4 * t723 + (z3_5_x * t721 + dw6_z * z3_6_z);
         let t741 = c5 * dw6_z - s5 * t721;
         put(30, t728); // row 1, ZZ6R
-        put(72, t733); // row 2, ZZ6R
-        put(107, t738); // row 3, ZZ6R
-        put(135, t741); // row 4, ZZ6R
-        put(156, t723); // row 5, ZZ6R
+        put(75, t733); // row 2, ZZ6R
+        put(113, t738); // row 3, ZZ6R
+        put(144, t741); // row 4, ZZ6R
+        put(168, t723); // row 5, ZZ6R
     }
     // XY6: column
     {
@@ -686,11 +703,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t763 = c4 * t748 + (z3_5_x * t745 + z3_6_z * t742);
         let t766 = c5 * t742 - s5 * t745;
         put(31, t753); // row 1, XY6R
-        put(73, t758); // row 2, XY6R
-        put(108, t763); // row 3, XY6R
-        put(136, t766); // row 4, XY6R
-        put(157, t748); // row 5, XY6R
-        put(171, t742); // row 6, XY6R
+        put(76, t758); // row 2, XY6R
+        put(114, t763); // row 3, XY6R
+        put(145, t766); // row 4, XY6R
+        put(169, t748); // row 5, XY6R
+        put(186, t742); // row 6, XY6R
     }
     // XZ6: column
     {
@@ -702,10 +719,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t786 = c4 * t771 - (z3_5_x * t769 - t204 * z3_6_z);
         let t789 = s5 * t769 + c5 * t204;
         put(32, t776); // row 1, XZ6
-        put(74, t781); // row 2, XZ6
-        put(109, t786); // row 3, XZ6
-        put(137, t789); // row 4, XZ6
-        put(158, t771); // row 5, XZ6
+        put(77, t781); // row 2, XZ6
+        put(115, t786); // row 3, XZ6
+        put(146, t789); // row 4, XZ6
+        put(170, t771); // row 5, XZ6
     }
     // YZ6: column
     {
@@ -717,10 +734,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t809 = c4 * t794 + (t201 * z3_6_z - z3_5_x * t792);
         let t812 = s5 * t792 + c5 * t201;
         put(33, t799); // row 1, YZ6
-        put(75, t804); // row 2, YZ6
-        put(110, t809); // row 3, YZ6
-        put(138, t812); // row 4, YZ6
-        put(159, t794); // row 5, YZ6
+        put(78, t804); // row 2, YZ6
+        put(116, t809); // row 3, YZ6
+        put(147, t812); // row 4, YZ6
+        put(171, t794); // row 5, YZ6
     }
     // MSX7: column
     let [
@@ -766,14 +783,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t888 = c3 * t878 + (t234 * t877 - z2_4_x * t876);
         let t892 = s4 * t868 + c4 * t870 - t867;
         put(34, t883); // row 1, MSX7
-        put(76, t888); // row 2, MSX7
-        put(111, t892); // row 3, MSX7
-        put(139, t869); // row 4, MSX7
-        put(160, t850); // row 5, MSX7
-        put(174, t837); // row 6, MSX7
-        put(183, t816); // row 7, XX7R
-        put(186, t824); // row 7, XZ7
-        put(187, t821); // row 7, YZ7
+        put(79, t888); // row 2, MSX7
+        put(117, t892); // row 3, MSX7
+        put(148, t869); // row 4, MSX7
+        put(172, t850); // row 5, MSX7
+        put(189, t837); // row 6, MSX7
+        put(201, t816); // row 7, XX7R
+        put(204, t824); // row 7, XZ7
+        put(205, t821); // row 7, YZ7
         [
         t813, t814, t815, t816, t817, t818, t820, t821,
         t823, t824, t825, t826, t828, t831, t833, t834,
@@ -804,11 +821,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t952 = z2_4_x * t940 + t234 * t941 - c3 * t942;
         let t956 = t931 + (s4 * t932 - c4 * t934);
         put(35, t947); // row 1, MSY7
-        put(77, t952); // row 2, MSY7
-        put(112, t956); // row 3, MSY7
-        put(140, t933); // row 4, MSY7
-        put(161, t914); // row 5, MSY7
-        put(175, t901); // row 6, MSY7
+        put(80, t952); // row 2, MSY7
+        put(118, t956); // row 3, MSY7
+        put(149, t933); // row 4, MSY7
+        put(173, t914); // row 5, MSY7
+        put(190, t901); // row 6, MSY7
         [t893, t896]
     };
     // XX7: column
@@ -824,11 +841,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t983 = c4 * t968 + (z3_5_x * t965 + z3_6_z * t962);
         let t986 = c5 * t962 - s5 * t965;
         put(36, t973); // row 1, XX7R
-        put(78, t978); // row 2, XX7R
-        put(113, t983); // row 3, XX7R
-        put(141, t986); // row 4, XX7R
-        put(162, t968); // row 5, XX7R
-        put(176, t962); // row 6, XX7R
+        put(81, t978); // row 2, XX7R
+        put(119, t983); // row 3, XX7R
+        put(150, t986); // row 4, XX7R
+        put(174, t968); // row 5, XX7R
+        put(191, t962); // row 6, XX7R
         [t958, t961]
     };
     // ZZ7: column
@@ -842,11 +859,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1011 = c4 * t996 + (z3_5_x * t993 + z3_6_z * t990);
         let t1014 = c5 * t990 - s5 * t993;
         put(37, t1001); // row 1, ZZ7
-        put(79, t1006); // row 2, ZZ7
-        put(114, t1011); // row 3, ZZ7
-        put(142, t1014); // row 4, ZZ7
-        put(163, t996); // row 5, ZZ7
-        put(177, t990); // row 6, ZZ7
+        put(82, t1006); // row 2, ZZ7
+        put(120, t1011); // row 3, ZZ7
+        put(151, t1014); // row 4, ZZ7
+        put(175, t996); // row 5, ZZ7
+        put(192, t990); // row 6, ZZ7
     }
     // XY7: column
     {
@@ -860,12 +877,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1042 = c4 * t1027 + (z3_5_x * t1024 + z3_6_z * t1021);
         let t1045 = c5 * t1021 - s5 * t1024;
         put(38, t1032); // row 1, XY7
-        put(80, t1037); // row 2, XY7
-        put(115, t1042); // row 3, XY7
-        put(143, t1045); // row 4, XY7
-        put(164, t1027); // row 5, XY7
-        put(178, t1021); // row 6, XY7
-        put(185, t1015); // row 7, XY7
+        put(83, t1037); // row 2, XY7
+        put(121, t1042); // row 3, XY7
+        put(152, t1045); // row 4, XY7
+        put(176, t1027); // row 5, XY7
+        put(193, t1021); // row 6, XY7
+        put(203, t1015); // row 7, XY7
     }
     // XZ7: column
     {
@@ -879,11 +896,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1071 = c4 * t1056 + (z3_5_x * t1053 + z3_6_z * t1050);
         let t1074 = c5 * t1050 - s5 * t1053;
         put(39, t1061); // row 1, XZ7
-        put(81, t1066); // row 2, XZ7
-        put(116, t1071); // row 3, XZ7
-        put(144, t1074); // row 4, XZ7
-        put(165, t1056); // row 5, XZ7
-        put(179, t1050); // row 6, XZ7
+        put(84, t1066); // row 2, XZ7
+        put(122, t1071); // row 3, XZ7
+        put(153, t1074); // row 4, XZ7
+        put(177, t1056); // row 5, XZ7
+        put(194, t1050); // row 6, XZ7
     }
     // YZ7: column
     {
@@ -896,27 +913,41 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1095 = z2_5_x * t1082 + t246 * t1079 - t234 * t1085;
         let t1100 = c4 * t1085 + (z3_5_x * t1082 + z3_6_z * t1079);
         let t1103 = c5 * t1079 - s5 * t1082;
-        let t1104 = -t5;
-        let t1105 = -t25;
-        let t1106 = -t2;
-        let t1107 = -t3;
-        let t1108 = -t283;
-        let t1109 = -t536;
-        let t1110 = -t158;
-        let t1111 = -t604;
+        let t1104 = dq1.sign();
+        let t1105 = dq2.sign();
+        let t1106 = dq3.sign();
+        let t1107 = dq4.sign();
+        let t1108 = dq5.sign();
+        let t1109 = dq6.sign();
+        let t1110 = dq7.sign();
+        let t1111 = -t5;
+        let t1112 = -t25;
+        let t1113 = -t2;
+        let t1114 = -t3;
+        let t1115 = -t283;
+        let t1116 = -t536;
+        let t1117 = -t158;
+        let t1118 = -t604;
         put(40, t1090); // row 1, YZ7
-        put(41, t1104); // row 2, MSX2
-        put(43, t1105); // row 2, XX2R
-        put(46, t1106); // row 2, XZ2
-        put(47, t1107); // row 2, YZ2
-        put(48, t1108); // row 2, MSX3R
-        put(65, t1109); // row 2, ZZ5R
-        put(82, t1095); // row 2, YZ7
-        put(117, t1100); // row 3, YZ7
-        put(145, t1103); // row 4, YZ7
-        put(148, t1110); // row 5, XX5R
-        put(154, t1111); // row 5, MSY6R
-        put(166, t1085); // row 5, YZ7
-        put(180, t1079); // row 6, YZ7
+        put(42, t1104); // row 1, FC1
+        put(44, t1111); // row 2, MSX2
+        put(46, t1112); // row 2, XX2R
+        put(49, t1113); // row 2, XZ2
+        put(50, t1114); // row 2, YZ2
+        put(51, t1115); // row 2, MSX3R
+        put(68, t1116); // row 2, ZZ5R
+        put(85, t1095); // row 2, YZ7
+        put(87, t1105); // row 2, FC2
+        put(123, t1100); // row 3, YZ7
+        put(125, t1106); // row 3, FC3
+        put(154, t1103); // row 4, YZ7
+        put(156, t1107); // row 4, FC4
+        put(160, t1117); // row 5, XX5R
+        put(166, t1118); // row 5, MSY6R
+        put(178, t1085); // row 5, YZ7
+        put(180, t1108); // row 5, FC5
+        put(195, t1079); // row 6, YZ7
+        put(197, t1109); // row 6, FC6
+        put(207, t1110); // row 7, FC7
     }
 }

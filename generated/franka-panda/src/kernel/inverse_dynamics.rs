@@ -2,7 +2,7 @@
 //!
 //! `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil and Dombre, 9.5.2.
 //!
-//! 360 multiplications, 357 additions; 7, 7 of 7 structurally nonzero.
+//! 374 multiplications, 378 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, STANDARD, Trig};
@@ -28,7 +28,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         XX3, YY3, ZZ3, XY3, XZ3, YZ3, M4, MSX4, MSY4, MSZ4, XX4, YY4,
         ZZ4, XY4, XZ4, YZ4, M5, MSX5, MSY5, MSZ5, XX5, YY5, ZZ5, XY5,
         XZ5, YZ5, M6, MSX6, MSY6, MSZ6, XX6, YY6, ZZ6, XY6, XZ6, YZ6,
-        M7, MSX7, MSY7, MSZ7, XX7, YY7, ZZ7, XY7, XZ7, YZ7,
+        M7, MSX7, MSY7, MSZ7, XX7, YY7, ZZ7, XY7, XZ7, YZ7, FV1, FV2,
+        FV3, FV4, FV5, FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7,
+        FO1, FO2, FO3, FO4, FO5, FO6, FO7,
         ..] = *phi;
     let A = S::constant(0.0825);
     let L2 = S::constant(0.316);
@@ -235,7 +237,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
     ]
     };
     // link 7: force and moment
-    let [f7_z, t310, t313, t316, t322, t323] = {
+    let [f7_z, n7_z, t310, t313, t316, t322, t323] = {
         let t227 = w7_x * w7_x;
         let t228 = w7_y * w7_y;
         let t229 = w7_z * w7_z;
@@ -265,8 +267,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t316 = c7 * n7_x - s7 * n7_y;
         let t322 = s7 * n7_x + c7 * n7_y - k4 * f7_z;
         let t323 = n7_z + k4 * t313;
-        put(6, n7_z);
-        [f7_z, t310, t313, t316, t322, t323]
+        [f7_z, n7_z, t310, t313, t316, t322, t323]
     };
     // link 6: force and moment
     let [f6_z, n6_z, t398, t401, t404, t407] = {
@@ -286,11 +287,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t401 = s6 * f6_x + c6 * f6_y;
         let t404 = c6 * n6_x - s6 * n6_y;
         let t407 = s6 * n6_x + c6 * n6_y;
-        put(5, n6_z);
         [f6_z, n6_z, t398, t401, t404, t407]
     };
     // link 5: force and moment
-    let [f5_z, t482, t485, t497, t498, t499] = {
+    let [f5_z, n5_z, t482, t485, t497, t498, t499] = {
         let t429 = XZ5 * (t157 - t155);
         let t430 = XZ5 * t166;
         let t431 = XX5 * dw5_x - t160 * (ZZ5 - YY5) - XY5 * t167 + XZ5 * t164;
@@ -308,11 +308,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t497 = c5 * n5_x - s5 * n5_y - L3 * t485;
         let t498 = s5 * n5_x + c5 * n5_y + (L3 * t482 + A * f5_z);
         let t499 = n5_z - A * t485;
-        put(4, n5_z);
-        [f5_z, t482, t485, t497, t498, t499]
+        [f5_z, n5_z, t482, t485, t497, t498, t499]
     };
     // link 4: force and moment
-    let [f4_z, t574, t580, t586, t587] = {
+    let [f4_z, n4_z, t574, t580, t586, t587] = {
         let t521 = XZ4 * (t106 - t104);
         let t522 = XZ4 * t115;
         let t523 = t109 * (ZZ4 - YY4) + XX4 * dw4_x - XY4 * t116 + XZ4 * t113;
@@ -329,8 +328,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t580 = c4 * n4_x - s4 * n4_y;
         let t586 = s4 * n4_x + c4 * n4_y - A * f4_z;
         let t587 = n4_z + A * (s4 * f4_x + c4 * f4_y);
-        put(3, n4_z);
-        [f4_z, t574, t580, t586, t587]
+        [f4_z, n4_z, t574, t580, t586, t587]
     };
     // link 3: force and moment
     let [n3_z, t666, t667] = {
@@ -347,11 +345,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let n3_z = t586 + (t613 + YZ3 * t68 + (MSX3 * a3_y - MSY3 * a3_x));
         let t666 = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
         let t667 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
-        put(2, n3_z);
         [n3_z, t666, t667]
     };
     // link 2: force and moment
-    let t714 = {
+    let [n2_z, t714] = {
         let t689 = XZ2 * (t24 - t22);
         let t690 = XZ2 * t2;
         let t691 = XY2 * t29 - (t6 * (ZZ2 - YY2) + XX2 * t8) + XZ2 * t27;
@@ -362,12 +359,28 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let n2_y = t699 - MSZ2 * t4 - n3_z;
         let n2_z = t667 + (t693 - YZ2 * t3 + (MSY2 * t4 - MSX2 * t5));
         let t714 = s2 * n2_x + c2 * n2_y;
-        put(1, n2_z);
-        t714
+        [n2_z, t714]
     };
     // link 1: force and moment
-    {
+    let n1_z = {
         let n1_z = ZZ1 * ddq1 - t714;
-        put(0, n1_z);
+        n1_z
+    };
+    // drives
+    {
+        let t752 = FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign());
+        let t753 = FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign());
+        let t754 = FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign());
+        let t755 = FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign());
+        let t756 = FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign());
+        let t757 = FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign());
+        let t758 = FO7 + (n7_z + FV7 * dq7 + FC7 * dq7.sign());
+        put(0, t752);
+        put(1, t753);
+        put(2, t754);
+        put(3, t755);
+        put(4, t756);
+        put(5, t757);
+        put(6, t758);
     }
 }

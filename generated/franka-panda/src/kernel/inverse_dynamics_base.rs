@@ -2,7 +2,7 @@
 //!
 //! `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil and Dombre, 9.6.
 //!
-//! 314 multiplications, 295 additions; 7, 7 of 7 structurally nonzero.
+//! 328 multiplications, 316 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -26,7 +26,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         ZZ1R, MSX2, MSY2R, XX2R, ZZ2R, XY2, XZ2, YZ2, MSX3R, MSY3R, XX3R, ZZ3R,
         XY3R, XZ3, YZ3, MSX4R, MSY4R, XX4R, ZZ4R, XY4R, XZ4, YZ4, MSX5, MSY5R,
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6R, MSY6R, XX6R, ZZ6R, XY6R, XZ6, YZ6,
-        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
+        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7, FV1, FV2, FV3, FV4, FV5,
+        FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7, FO1, FO2, FO3,
+        FO4, FO5, FO6, FO7,
         ..] = *beta;
     let A = S::constant(0.0825);
     let L2 = S::constant(0.316);
@@ -230,7 +232,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
     ]
     };
     // link 7: force and moment
-    let [f7_z, t286, t289, t292, t298, t299] = {
+    let [f7_z, n7_z, t286, t289, t292, t298, t299] = {
         let t224 = w7_x * w7_x;
         let t225 = w7_y * w7_y;
         let t226 = w7_z * w7_z;
@@ -259,8 +261,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t292 = c7 * n7_x - s7 * n7_y;
         let t298 = s7 * n7_x + c7 * n7_y - k4 * f7_z;
         let t299 = n7_z + k4 * t289;
-        put(6, n7_z);
-        [f7_z, t286, t289, t292, t298, t299]
+        [f7_z, n7_z, t286, t289, t292, t298, t299]
     };
     // link 6: force and moment
     let [f6_z, n6_z, t354, t357, t360, t363] = {
@@ -279,11 +280,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t357 = s6 * f6_x + c6 * f6_y;
         let t360 = c6 * n6_x - s6 * n6_y;
         let t363 = s6 * n6_x + c6 * n6_y;
-        put(5, n6_z);
         [f6_z, n6_z, t354, t357, t360, t363]
     };
     // link 5: force and moment
-    let [f5_z, t418, t421, t433, t434, t435] = {
+    let [f5_z, n5_z, t418, t421, t433, t434, t435] = {
         let t385 = XX5R * t157 + ZZ5R * dw5_z + XY5 * (t154 - t155) + XZ5 * t165;
         let t387 = YZ5 * (t155 - t156);
         let t388 = YZ5 * t161;
@@ -300,11 +300,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t433 = c5 * n5_x - s5 * n5_y - L3 * t421;
         let t434 = s5 * n5_x + c5 * n5_y + (L3 * t418 + A * f5_z);
         let t435 = n5_z - A * t421;
-        put(4, n5_z);
-        [f5_z, t418, t421, t433, t434, t435]
+        [f5_z, n5_z, t418, t421, t433, t434, t435]
     };
     // link 4: force and moment
-    let [f4_z, t490, t496, t502, t503] = {
+    let [f4_z, n4_z, t490, t496, t502, t503] = {
         let t457 = ZZ4R * dw4_z - XX4R * t107 + XY4R * (t104 - t105) - XZ4 * t115;
         let t459 = YZ4 * (t105 - t106);
         let t460 = YZ4 * t111;
@@ -320,8 +319,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t496 = c4 * n4_x - s4 * n4_y;
         let t502 = s4 * n4_x + c4 * n4_y - A * f4_z;
         let t503 = n4_z + A * (s4 * f4_x + c4 * f4_y);
-        put(3, n4_z);
-        [f4_z, t490, t496, t502, t503]
+        [f4_z, n4_z, t490, t496, t502, t503]
     };
     // link 3: force and moment
     let [n3_z, t566, t567] = {
@@ -337,11 +335,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let n3_z = t502 + (t525 + YZ3 * t68 + (MSX3R * a3_y - MSY3R * a3_x));
         let t566 = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
         let t567 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
-        put(2, n3_z);
         [n3_z, t566, t567]
     };
     // link 2: force and moment
-    let t606 = {
+    let [n2_z, t606] = {
         let t589 = ZZ2R * ddq2 - XX2R * t25 + XY2 * (t22 - t23) - XZ2 * t2;
         let t591 = YZ2 * (t23 - t24);
         let t592 = YZ2 * t26;
@@ -351,12 +348,28 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let n2_y = t595 - n3_z;
         let n2_z = t567 + (t589 - YZ2 * t3 + (MSY2R * t4 - MSX2 * t5));
         let t606 = s2 * n2_x + c2 * n2_y;
-        put(1, n2_z);
-        t606
+        [n2_z, t606]
     };
     // link 1: force and moment
-    {
+    let n1_z = {
         let n1_z = ZZ1R * ddq1 - t606;
-        put(0, n1_z);
+        n1_z
+    };
+    // drives
+    {
+        let t644 = FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign());
+        let t645 = FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign());
+        let t646 = FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign());
+        let t647 = FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign());
+        let t648 = FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign());
+        let t649 = FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign());
+        let t650 = FO7 + (n7_z + FV7 * dq7 + FC7 * dq7.sign());
+        put(0, t644);
+        put(1, t645);
+        put(2, t646);
+        put(3, t647);
+        put(4, t648);
+        put(5, t649);
+        put(6, t650);
     }
 }

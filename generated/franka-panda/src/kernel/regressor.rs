@@ -2,13 +2,13 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 872 multiplications, 652 additions; 7 x 70, 255 of 490 structurally nonzero.
+//! 872 multiplications, 652 additions; 7 x 91, 276 of 637 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 255;
+pub const NONZEROS: usize = 276;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
@@ -17,32 +17,34 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 32), (0, 33), (0, 34), (0, 35), (0, 36), (0, 37), (0, 38), (0, 39), (0, 40), (0, 41),
     (0, 42), (0, 43), (0, 44), (0, 45), (0, 46), (0, 47), (0, 48), (0, 49), (0, 50), (0, 51),
     (0, 52), (0, 53), (0, 54), (0, 55), (0, 56), (0, 57), (0, 58), (0, 59), (0, 60), (0, 61),
-    (0, 62), (0, 63), (0, 64), (0, 65), (0, 66), (0, 67), (0, 68), (0, 69), (1, 11), (1, 12),
-    (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23),
-    (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33),
-    (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39), (1, 40), (1, 41), (1, 42), (1, 43),
-    (1, 44), (1, 45), (1, 46), (1, 47), (1, 48), (1, 49), (1, 50), (1, 51), (1, 52), (1, 53),
-    (1, 54), (1, 55), (1, 56), (1, 57), (1, 58), (1, 59), (1, 60), (1, 61), (1, 62), (1, 63),
-    (1, 64), (1, 65), (1, 66), (1, 67), (1, 68), (1, 69), (2, 21), (2, 22), (2, 24), (2, 25),
-    (2, 26), (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35),
-    (2, 36), (2, 37), (2, 38), (2, 39), (2, 40), (2, 41), (2, 42), (2, 43), (2, 44), (2, 45),
-    (2, 46), (2, 47), (2, 48), (2, 49), (2, 50), (2, 51), (2, 52), (2, 53), (2, 54), (2, 55),
-    (2, 56), (2, 57), (2, 58), (2, 59), (2, 60), (2, 61), (2, 62), (2, 63), (2, 64), (2, 65),
-    (2, 66), (2, 67), (2, 68), (2, 69), (3, 31), (3, 32), (3, 34), (3, 35), (3, 36), (3, 37),
-    (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (3, 43), (3, 44), (3, 45), (3, 46), (3, 47),
-    (3, 48), (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54), (3, 55), (3, 56), (3, 57),
-    (3, 58), (3, 59), (3, 60), (3, 61), (3, 62), (3, 63), (3, 64), (3, 65), (3, 66), (3, 67),
-    (3, 68), (3, 69), (4, 41), (4, 42), (4, 44), (4, 45), (4, 46), (4, 47), (4, 48), (4, 49),
-    (4, 51), (4, 52), (4, 53), (4, 54), (4, 55), (4, 56), (4, 57), (4, 58), (4, 59), (4, 60),
-    (4, 61), (4, 62), (4, 63), (4, 64), (4, 65), (4, 66), (4, 67), (4, 68), (4, 69), (5, 51),
-    (5, 52), (5, 54), (5, 55), (5, 56), (5, 57), (5, 58), (5, 59), (5, 60), (5, 61), (5, 62),
-    (5, 63), (5, 64), (5, 65), (5, 66), (5, 67), (5, 68), (5, 69), (6, 61), (6, 62), (6, 64),
-    (6, 65), (6, 66), (6, 67), (6, 68), (6, 69),
+    (0, 62), (0, 63), (0, 64), (0, 65), (0, 66), (0, 67), (0, 68), (0, 69), (0, 70), (0, 77),
+    (0, 84), (1, 11), (1, 12), (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19), (1, 20),
+    (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29), (1, 30),
+    (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39), (1, 40),
+    (1, 41), (1, 42), (1, 43), (1, 44), (1, 45), (1, 46), (1, 47), (1, 48), (1, 49), (1, 50),
+    (1, 51), (1, 52), (1, 53), (1, 54), (1, 55), (1, 56), (1, 57), (1, 58), (1, 59), (1, 60),
+    (1, 61), (1, 62), (1, 63), (1, 64), (1, 65), (1, 66), (1, 67), (1, 68), (1, 69), (1, 71),
+    (1, 78), (1, 85), (2, 21), (2, 22), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28), (2, 29),
+    (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35), (2, 36), (2, 37), (2, 38), (2, 39),
+    (2, 40), (2, 41), (2, 42), (2, 43), (2, 44), (2, 45), (2, 46), (2, 47), (2, 48), (2, 49),
+    (2, 50), (2, 51), (2, 52), (2, 53), (2, 54), (2, 55), (2, 56), (2, 57), (2, 58), (2, 59),
+    (2, 60), (2, 61), (2, 62), (2, 63), (2, 64), (2, 65), (2, 66), (2, 67), (2, 68), (2, 69),
+    (2, 72), (2, 79), (2, 86), (3, 31), (3, 32), (3, 34), (3, 35), (3, 36), (3, 37), (3, 38),
+    (3, 39), (3, 40), (3, 41), (3, 42), (3, 43), (3, 44), (3, 45), (3, 46), (3, 47), (3, 48),
+    (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54), (3, 55), (3, 56), (3, 57), (3, 58),
+    (3, 59), (3, 60), (3, 61), (3, 62), (3, 63), (3, 64), (3, 65), (3, 66), (3, 67), (3, 68),
+    (3, 69), (3, 73), (3, 80), (3, 87), (4, 41), (4, 42), (4, 44), (4, 45), (4, 46), (4, 47),
+    (4, 48), (4, 49), (4, 51), (4, 52), (4, 53), (4, 54), (4, 55), (4, 56), (4, 57), (4, 58),
+    (4, 59), (4, 60), (4, 61), (4, 62), (4, 63), (4, 64), (4, 65), (4, 66), (4, 67), (4, 68),
+    (4, 69), (4, 74), (4, 81), (4, 88), (5, 51), (5, 52), (5, 54), (5, 55), (5, 56), (5, 57),
+    (5, 58), (5, 59), (5, 60), (5, 61), (5, 62), (5, 63), (5, 64), (5, 65), (5, 66), (5, 67),
+    (5, 68), (5, 69), (5, 75), (5, 82), (5, 89), (6, 61), (6, 62), (6, 64), (6, 65), (6, 66),
+    (6, 67), (6, 68), (6, 69), (6, 76), (6, 83), (6, 90),
 ];
 
 /// Regressor `W` of the standard parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 70]; 7]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 91]; 7]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -69,6 +71,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let k4 = S::constant(0.088);
     let k5 = S::constant(0.099856);
     let k6 = S::constant(0.632);
+    let k7 = S::constant(1.0);
     // link 2: motion
     let [
         t0, t1, t2, t3, t4, t5, t6, t7,
@@ -85,8 +88,22 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t8 = t2 + t6;
         let t9 = t3 - t7;
         put(0, ddq1); // row 1, ZZ1
-        put(59, t4); // row 2, MSY2
-        put(62, ddq2); // row 2, ZZ2
+        put(58, dq1); // row 1, FV1
+        put(60, k7); // row 1, FO1
+        put(62, t4); // row 2, MSY2
+        put(65, ddq2); // row 2, ZZ2
+        put(119, dq2); // row 2, FV2
+        put(121, k7); // row 2, FO2
+        put(170, dq3); // row 3, FV3
+        put(172, k7); // row 3, FO3
+        put(211, dq4); // row 4, FV4
+        put(213, k7); // row 4, FO4
+        put(241, dq5); // row 5, FV5
+        put(243, k7); // row 5, FO5
+        put(262, dq6); // row 6, FV6
+        put(264, k7); // row 6, FO6
+        put(273, dq7); // row 7, FV7
+        put(275, k7); // row 7, FO7
         [
         t0, t1, t2, t3, t4, t5, t6, t7,
         t8, t9,
@@ -119,8 +136,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw3_x = dq3 * w3_y - (c3 * t8 - s3 * ddq2);
         let dw3_y = c3 * ddq2 + s3 * t8 + dq3 * t12;
         let dw3_z = t9 + ddq3;
-        put(61, t25); // row 2, YY2
-        put(120, dw3_z); // row 3, ZZ3
+        put(64, t25); // row 2, YY2
+        put(126, dw3_z); // row 3, ZZ3
         [
         t12, w3_y, t22, t23, t24, t25, t26, t27,
         t29, t30, t31, t32, t37, a3_x, a3_y, w3_z,
@@ -156,12 +173,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw4_x = c4 * dw3_x + s4 * dw3_z + dq4 * w4_y;
         let dw4_y = c4 * dw3_z - s4 * dw3_x + dq4 * t52;
         let dw4_z = ddq4 - dw3_y;
-        put(118, t65); // row 3, XX3
-        put(122, t72); // row 3, XZ3
-        put(123, t70); // row 3, YZ3
-        put(164, a4_y); // row 4, MSX4
-        put(165, t83); // row 4, MSY4
-        put(168, dw4_z); // row 4, ZZ4
+        put(124, t65); // row 3, XX3
+        put(128, t72); // row 3, XZ3
+        put(129, t70); // row 3, YZ3
+        put(173, a4_y); // row 4, MSX4
+        put(174, t83); // row 4, MSY4
+        put(177, dw4_z); // row 4, ZZ4
         [
         t52, w4_y, t62, t63, t64, t65, t66, t67,
         t69, t70, t71, t72, t73, t74, t79, t83,
@@ -202,12 +219,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t141 = s5 * dw4_z - c5 * dw4_x + dq5 * t98;
         let t142 = dq5 * t95 - (c5 * dw4_z + s5 * dw4_x);
         let dw5_z = dw4_y + ddq5;
-        put(166, t108); // row 4, XX4
-        put(170, t116); // row 4, XZ4
-        put(171, t113); // row 4, YZ4
-        put(202, a5_y); // row 5, MSX5
-        put(203, t134); // row 5, MSY5
-        put(206, dw5_z); // row 5, ZZ5
+        put(175, t108); // row 4, XX4
+        put(179, t116); // row 4, XZ4
+        put(180, t113); // row 4, YZ4
+        put(214, a5_y); // row 5, MSX5
+        put(215, t134); // row 5, MSY5
+        put(218, dw5_z); // row 5, ZZ5
         [
         t95, t98, t105, t106, t107, t108, t109, t110,
         t111, t112, t113, t114, t115, t116, t117, t118,
@@ -244,12 +261,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw6_x = dq6 * w6_y - (c6 * t141 - s6 * dw5_z);
         let dw6_y = c6 * dw5_z + s6 * t141 - dq6 * w6_x;
         let dw6_z = ddq6 - t142;
-        put(205, t159); // row 5, YY5
-        put(208, t167); // row 5, XZ5
-        put(209, t164); // row 5, YZ5
-        put(229, a6_y); // row 6, MSX6
-        put(230, t173); // row 6, MSY6
-        put(233, dw6_z); // row 6, ZZ6
+        put(217, t159); // row 5, YY5
+        put(220, t167); // row 5, XZ5
+        put(221, t164); // row 5, YZ5
+        put(244, a6_y); // row 6, MSX6
+        put(245, t173); // row 6, MSY6
+        put(248, dw6_z); // row 6, ZZ6
         [
         w6_x, w6_y, t156, t157, t158, t159, t160, t161,
         t162, t163, t164, t165, t166, t167, t168, t169,
@@ -288,11 +305,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw7_x = c7 * dw6_x + s7 * dw6_z + dq7 * w7_y;
         let dw7_y = c7 * dw6_z - s7 * dw6_x - dq7 * w7_x;
         let t227 = dw6_y - ddq7;
-        put(232, t198); // row 6, YY6
-        put(235, t206); // row 6, XZ6
-        put(236, t203); // row 6, YZ6
-        put(247, a7_y); // row 7, MSX7
-        put(248, t218); // row 7, MSY7
+        put(247, t198); // row 6, YY6
+        put(250, t206); // row 6, XZ6
+        put(251, t203); // row 6, YZ6
+        put(265, a7_y); // row 7, MSX7
+        put(266, t218); // row 7, MSY7
         [
         w7_x, w7_y, t195, t196, t197, t198, t199, t200,
         t201, t202, t203, t204, t205, t206, t207, t208,
@@ -353,7 +370,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t263 = t22 - t23;
         let t266 = s2 * t29 + c2 * t30;
         put(5, t266); // row 1, XY2
-        put(63, t263); // row 2, XY2
+        put(66, t263); // row 2, XY2
     }
     // XZ2: column
     {
@@ -385,7 +402,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t289 = c3 * t66;
         let t290 = s3 * dw3_x - t289;
         put(12, t287); // row 1, XX3
-        put(70, t290); // row 2, XX3
+        put(73, t290); // row 2, XX3
         [t284, t285, t287, t289, t290]
     };
     // YY3: column
@@ -400,8 +417,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t303 = t299 * k5 - t282;
         put(8, t301); // row 1, M3
         put(13, t294); // row 1, YY3
-        put(66, t303); // row 2, M3
-        put(71, t297); // row 2, YY3
+        put(69, t303); // row 2, M3
+        put(74, t297); // row 2, YY3
         [t291, t295, t298, t299]
     };
     // MSX3: column
@@ -421,8 +438,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t322 = t32 - L2 * t72;
         put(9, t318); // row 1, MSX3
         put(16, t314); // row 1, XZ3
-        put(74, t316); // row 2, XZ3
-        put(116, t322); // row 3, MSX3
+        put(77, t316); // row 2, XZ3
+        put(122, t322); // row 3, MSX3
         t320
     };
     // MSY3: column
@@ -442,23 +459,23 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t341 = t31 - L2 * t70;
         put(10, t337); // row 1, MSY3
         put(17, t333); // row 1, YZ3
-        put(68, t339); // row 2, MSY3
-        put(75, t335); // row 2, YZ3
-        put(117, t341); // row 3, MSY3
+        put(71, t339); // row 2, MSY3
+        put(78, t335); // row 2, YZ3
+        put(123, t341); // row 3, MSY3
     }
     // YY3: column
     {
         let t343 = t280 + t298 * k6;
         let t345 = t299 * k6 - t277;
         put(11, t343); // row 1, MSZ3
-        put(69, t345); // row 2, MSZ3
+        put(72, t345); // row 2, MSZ3
     }
     // ZZ3: column
     {
         let t348 = c2 * dw3_z + (t284 - t291);
         let t349 = t289 + t295;
         put(14, t348); // row 1, ZZ3
-        put(72, t349); // row 2, ZZ3
+        put(75, t349); // row 2, ZZ3
     }
     // XY3: column
     {
@@ -466,8 +483,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t355 = c2 * t350 + (t74 * z1_3_y - t73 * t228);
         let t358 = s3 * t73 + c3 * t74;
         put(15, t355); // row 1, XY3
-        put(73, t358); // row 2, XY3
-        put(121, t350); // row 3, XY3
+        put(76, t358); // row 2, XY3
+        put(127, t350); // row 3, XY3
     }
     // M4: column
     let [t360, t363] = {
@@ -480,8 +497,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t378 = c3 * t368 + (z2_4_x * t364 - t237 * t365);
         let t379 = A * t79;
         put(18, t373); // row 1, M4
-        put(76, t378); // row 2, M4
-        put(124, t379); // row 3, M4
+        put(79, t378); // row 2, M4
+        put(130, t379); // row 3, M4
         [t360, t363]
     };
     // MSX4: column
@@ -493,8 +510,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t396 = c3 * t386 - (t237 * t385 - z2_4_x * t380);
         let t398 = t122 + c4 * t79;
         put(19, t391); // row 1, MSX4
-        put(77, t396); // row 2, MSX4
-        put(125, t398); // row 3, MSX4
+        put(80, t396); // row 2, MSX4
+        put(131, t398); // row 3, MSX4
     }
     // MSY4: column
     let t418 = {
@@ -505,7 +522,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t415 = c3 * t405 + (t237 * t400 - z2_4_x * t404);
         let t418 = s4 * t79 + A * t118;
         put(20, t410); // row 1, MSY4
-        put(78, t415); // row 2, MSY4
+        put(81, t415); // row 2, MSY4
         t418
     };
     // MSZ4: column
@@ -517,8 +534,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t435 = c3 * t423 + (z2_4_x * t424 + t237 * t425);
         let t440 = A * t119 - (s4 * a4_y + c4 * t83);
         put(21, t430); // row 1, MSZ4
-        put(79, t435); // row 2, MSZ4
-        put(127, t440); // row 3, MSZ4
+        put(82, t435); // row 2, MSZ4
+        put(133, t440); // row 3, MSZ4
     }
     // XX4: column
     let [t442, t443, t447, t448, t452] = {
@@ -531,8 +548,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t452 = c4 * t109;
         let t453 = s4 * dw4_x - t452;
         put(22, t445); // row 1, XX4
-        put(80, t450); // row 2, XX4
-        put(128, t453); // row 3, XX4
+        put(83, t450); // row 2, XX4
+        put(134, t453); // row 3, XX4
         [t442, t443, t447, t448, t452]
     };
     // YY4: column
@@ -544,8 +561,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t462 = s4 * t110;
         let t464 = c4 * dw4_y - t462;
         put(23, t457); // row 1, YY4
-        put(81, t461); // row 2, YY4
-        put(129, t464); // row 3, YY4
+        put(84, t461); // row 2, YY4
+        put(135, t464); // row 3, YY4
         [t454, t458, t462]
     };
     // ZZ4: column
@@ -554,8 +571,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t470 = t458 - t447 - c3 * dw4_z;
         let t471 = t452 + t462;
         put(24, t467); // row 1, ZZ4
-        put(82, t470); // row 2, ZZ4
-        put(130, t471); // row 3, ZZ4
+        put(85, t470); // row 2, ZZ4
+        put(136, t471); // row 3, ZZ4
     }
     // XY4: column
     {
@@ -564,9 +581,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t482 = t117 * z2_4_x - t118 * t237 - c3 * t472;
         let t485 = s4 * t117 + c4 * t118;
         put(25, t477); // row 1, XY4
-        put(83, t482); // row 2, XY4
-        put(131, t485); // row 3, XY4
-        put(169, t472); // row 4, XY4
+        put(86, t482); // row 2, XY4
+        put(137, t485); // row 3, XY4
+        put(178, t472); // row 4, XY4
     }
     // XZ4: column
     {
@@ -575,8 +592,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t496 = t114 * z2_4_x + t237 * t486 - c3 * t116;
         let t499 = s4 * t114 - c4 * t486;
         put(26, t491); // row 1, XZ4
-        put(84, t496); // row 2, XZ4
-        put(132, t499); // row 3, XZ4
+        put(87, t496); // row 2, XZ4
+        put(138, t499); // row 3, XZ4
     }
     // YZ4: column
     {
@@ -585,8 +602,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t510 = z2_4_x * t500 - t112 * t237 - c3 * t113;
         let t513 = s4 * t500 + c4 * t112;
         put(27, t505); // row 1, YZ4
-        put(85, t510); // row 2, YZ4
-        put(133, t513); // row 3, YZ4
+        put(88, t510); // row 2, YZ4
+        put(139, t513); // row 3, YZ4
     }
     // M5: column
     let [t515, t516, t518, t519] = {
@@ -604,9 +621,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t542 = z2_4_x * t530 + t237 * t531 - c3 * t532;
         let t546 = s4 * t520 + c4 * t524 - t524;
         put(28, t537); // row 1, M5
-        put(86, t542); // row 2, M5
-        put(134, t546); // row 3, M5
-        put(172, t523); // row 4, M5
+        put(89, t542); // row 2, M5
+        put(140, t546); // row 3, M5
+        put(181, t523); // row 4, M5
         [t515, t516, t518, t519]
     };
     // MSX5: column
@@ -627,9 +644,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t580 = c3 * t570 + (z2_4_x * t568 - t237 * t569);
         let t584 = t559 + (s4 * t560 - c4 * t562);
         put(29, t575); // row 1, MSX5
-        put(87, t580); // row 2, MSX5
-        put(135, t584); // row 3, MSX5
-        put(173, t561); // row 4, MSX5
+        put(90, t580); // row 2, MSX5
+        put(141, t584); // row 3, MSX5
+        put(182, t561); // row 4, MSX5
         [t548, t553, t554]
     };
     // MSY5: column
@@ -648,9 +665,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t616 = c3 * t606 - (t237 * t605 - z2_4_x * t604);
         let t620 = t595 + (s4 * t596 - c4 * t598);
         put(30, t611); // row 1, MSY5
-        put(88, t616); // row 2, MSY5
-        put(136, t620); // row 3, MSY5
-        put(174, t597); // row 4, MSY5
+        put(91, t616); // row 2, MSY5
+        put(142, t620); // row 3, MSY5
+        put(183, t597); // row 4, MSY5
         t585
     };
     // MSZ5: column
@@ -667,9 +684,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t651 = z2_4_x * t639 + t237 * t640 - c3 * t641;
         let t655 = s4 * t632 + c4 * t631 - t631;
         put(31, t646); // row 1, MSZ5
-        put(89, t651); // row 2, MSZ5
-        put(137, t655); // row 3, MSZ5
-        put(175, t633); // row 4, MSZ5
+        put(92, t651); // row 2, MSZ5
+        put(143, t655); // row 3, MSZ5
+        put(184, t633); // row 4, MSZ5
     }
     // XX5: column
     let [t657, t658, t662, t663, t667, t668, t672] = {
@@ -685,9 +702,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t672 = c5 * t160;
         let t673 = s5 * t141 + t672;
         put(32, t660); // row 1, XX5
-        put(90, t665); // row 2, XX5
-        put(138, t670); // row 3, XX5
-        put(176, t673); // row 4, XX5
+        put(93, t665); // row 2, XX5
+        put(144, t670); // row 3, XX5
+        put(185, t673); // row 4, XX5
         [t657, t658, t662, t663, t667, t668, t672]
     };
     // YY5: column
@@ -701,8 +718,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t686 = s5 * t161;
         let t688 = t686 + c5 * t142;
         put(33, t677); // row 1, YY5
-        put(91, t681); // row 2, YY5
-        put(139, t685); // row 3, YY5
+        put(94, t681); // row 2, YY5
+        put(145, t685); // row 3, YY5
         [t674, t678, t682, t686, t688]
     };
     // ZZ5: column
@@ -712,8 +729,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t697 = c4 * dw5_z - (t667 + t682);
         let t698 = t686 - t672;
         put(34, t691); // row 1, ZZ5
-        put(140, t697); // row 3, ZZ5
-        put(178, t698); // row 4, ZZ5
+        put(146, t697); // row 3, ZZ5
+        put(187, t698); // row 4, ZZ5
         t694
     };
     // XY5: column
@@ -724,10 +741,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t714 = c4 * t699 + (t168 * z3_5_x + t169 * z3_6_z);
         let t717 = c5 * t169 - s5 * t168;
         put(35, t704); // row 1, XY5
-        put(93, t709); // row 2, XY5
-        put(141, t714); // row 3, XY5
-        put(179, t717); // row 4, XY5
-        put(207, t699); // row 5, XY5
+        put(96, t709); // row 2, XY5
+        put(147, t714); // row 3, XY5
+        put(188, t717); // row 4, XY5
+        put(219, t699); // row 5, XY5
     }
     // XZ5: column
     {
@@ -737,9 +754,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t733 = c4 * t167 + (t165 * z3_5_x + z3_6_z * t718);
         let t735 = c5 * t718 - t548;
         put(36, t723); // row 1, XZ5
-        put(94, t728); // row 2, XZ5
-        put(142, t733); // row 3, XZ5
-        put(180, t735); // row 4, XZ5
+        put(97, t728); // row 2, XZ5
+        put(148, t733); // row 3, XZ5
+        put(189, t735); // row 4, XZ5
     }
     // YZ5: column
     {
@@ -749,9 +766,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t751 = c4 * t164 + (z3_5_x * t736 + t163 * z3_6_z);
         let t753 = t585 - s5 * t736;
         put(37, t741); // row 1, YZ5
-        put(95, t746); // row 2, YZ5
-        put(143, t751); // row 3, YZ5
-        put(181, t753); // row 4, YZ5
+        put(98, t746); // row 2, YZ5
+        put(149, t751); // row 3, YZ5
+        put(190, t753); // row 4, YZ5
     }
     // M6: column
     let [t756, t759] = {
@@ -769,9 +786,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t786 = c3 * t776 + (z2_4_x * t774 + t237 * t775);
         let t790 = t768 - (s4 * t764 + c4 * t768);
         put(38, t781); // row 1, M6
-        put(96, t786); // row 2, M6
-        put(144, t790); // row 3, M6
-        put(182, t767); // row 4, M6
+        put(99, t786); // row 2, M6
+        put(150, t790); // row 3, M6
+        put(191, t767); // row 4, M6
         [t756, t759]
     };
     // MSX6: column
@@ -795,10 +812,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t836 = c3 * t826 + (z2_4_x * t824 + t237 * t825);
         let t840 = t815 - (s4 * t816 + c4 * t818);
         put(39, t831); // row 1, MSX6
-        put(97, t836); // row 2, MSX6
-        put(145, t840); // row 3, MSX6
-        put(183, t817); // row 4, MSX6
-        put(210, t798); // row 5, MSX6
+        put(100, t836); // row 2, MSX6
+        put(151, t840); // row 3, MSX6
+        put(192, t817); // row 4, MSX6
+        put(222, t798); // row 5, MSX6
         [t792, t795, t797, t798]
     };
     // MSY6: column
@@ -820,9 +837,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t884 = z2_4_x * t872 + t237 * t873 - c3 * t874;
         let t888 = t863 - (s4 * t864 + c4 * t866);
         put(40, t879); // row 1, MSY6
-        put(98, t884); // row 2, MSY6
-        put(146, t888); // row 3, MSY6
-        put(184, t865); // row 4, MSY6
+        put(101, t884); // row 2, MSY6
+        put(152, t888); // row 3, MSY6
+        put(193, t865); // row 4, MSY6
         [t841, t844]
     };
     // MSZ6: column
@@ -842,9 +859,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t928 = c3 * t918 + (z2_4_x * t916 - t237 * t917);
         let t932 = t907 + (s4 * t908 - c4 * t910);
         put(41, t923); // row 1, MSZ6
-        put(99, t928); // row 2, MSZ6
-        put(147, t932); // row 3, MSZ6
-        put(185, t909); // row 4, MSZ6
+        put(102, t928); // row 2, MSZ6
+        put(153, t932); // row 3, MSZ6
+        put(194, t909); // row 4, MSZ6
     }
     // XX6: column
     let [t934, t937, t940, t945, t950, t955, t956] = {
@@ -861,9 +878,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t955 = c5 * t198;
         let t956 = s5 * t935 + t955;
         put(42, t943); // row 1, XX6
-        put(100, t948); // row 2, XX6
-        put(148, t953); // row 3, XX6
-        put(213, t938); // row 5, XX6
+        put(103, t948); // row 2, XX6
+        put(154, t953); // row 3, XX6
+        put(225, t938); // row 5, XX6
         [t934, t937, t940, t945, t950, t955, t956]
     };
     // YY6: column
@@ -877,10 +894,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t974 = c4 * t962 - (z3_5_x * t959 - t950);
         let t976 = t955 + s5 * t959;
         put(43, t966); // row 1, YY6
-        put(101, t970); // row 2, YY6
-        put(149, t974); // row 3, YY6
-        put(187, t976); // row 4, YY6
-        put(214, t962); // row 5, YY6
+        put(104, t970); // row 2, YY6
+        put(155, t974); // row 3, YY6
+        put(196, t976); // row 4, YY6
+        put(226, t962); // row 5, YY6
         [t957, t960]
     };
     // ZZ6: column
@@ -892,10 +909,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t993 = c4 * t978 + (z3_5_x * t977 + dw6_z * z3_6_z);
         let t996 = c5 * dw6_z - s5 * t977;
         put(44, t983); // row 1, ZZ6
-        put(102, t988); // row 2, ZZ6
-        put(150, t993); // row 3, ZZ6
-        put(188, t996); // row 4, ZZ6
-        put(215, t978); // row 5, ZZ6
+        put(105, t988); // row 2, ZZ6
+        put(156, t993); // row 3, ZZ6
+        put(197, t996); // row 4, ZZ6
+        put(227, t978); // row 5, ZZ6
     }
     // XY6: column
     {
@@ -907,11 +924,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1018 = c4 * t1003 + (z3_5_x * t1000 + z3_6_z * t997);
         let t1021 = c5 * t997 - s5 * t1000;
         put(45, t1008); // row 1, XY6
-        put(103, t1013); // row 2, XY6
-        put(151, t1018); // row 3, XY6
-        put(189, t1021); // row 4, XY6
-        put(216, t1003); // row 5, XY6
-        put(234, t997); // row 6, XY6
+        put(106, t1013); // row 2, XY6
+        put(157, t1018); // row 3, XY6
+        put(198, t1021); // row 4, XY6
+        put(228, t1003); // row 5, XY6
+        put(249, t997); // row 6, XY6
     }
     // XZ6: column
     {
@@ -923,10 +940,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1041 = c4 * t1026 + (t206 * z3_6_z - z3_5_x * t1024);
         let t1044 = s5 * t1024 + c5 * t206;
         put(46, t1031); // row 1, XZ6
-        put(104, t1036); // row 2, XZ6
-        put(152, t1041); // row 3, XZ6
-        put(190, t1044); // row 4, XZ6
-        put(217, t1026); // row 5, XZ6
+        put(107, t1036); // row 2, XZ6
+        put(158, t1041); // row 3, XZ6
+        put(199, t1044); // row 4, XZ6
+        put(229, t1026); // row 5, XZ6
     }
     // YZ6: column
     {
@@ -938,10 +955,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1064 = c4 * t1049 + (t203 * z3_6_z - z3_5_x * t1047);
         let t1067 = s5 * t1047 + c5 * t203;
         put(47, t1054); // row 1, YZ6
-        put(105, t1059); // row 2, YZ6
-        put(153, t1064); // row 3, YZ6
-        put(191, t1067); // row 4, YZ6
-        put(218, t1049); // row 5, YZ6
+        put(108, t1059); // row 2, YZ6
+        put(159, t1064); // row 3, YZ6
+        put(200, t1067); // row 4, YZ6
+        put(230, t1049); // row 5, YZ6
     }
     // M7: column
     let [
@@ -985,14 +1002,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1136 = c3 * t1126 - (t237 * t1125 - z2_4_x * t1124);
         let t1140 = t1115 + (s4 * t1116 + c4 * t1118);
         put(48, t1131); // row 1, M7
-        put(106, t1136); // row 2, M7
-        put(154, t1140); // row 3, M7
-        put(192, t1117); // row 4, M7
-        put(219, t1098); // row 5, M7
-        put(237, t1089); // row 6, M7
-        put(250, t1071); // row 7, YY7
-        put(253, t1079); // row 7, XZ7
-        put(254, t1076); // row 7, YZ7
+        put(109, t1136); // row 2, M7
+        put(160, t1140); // row 3, M7
+        put(201, t1117); // row 4, M7
+        put(231, t1098); // row 5, M7
+        put(252, t1089); // row 6, M7
+        put(268, t1071); // row 7, YY7
+        put(271, t1079); // row 7, XZ7
+        put(272, t1076); // row 7, YZ7
         [
         t1068, t1069, t1070, t1071, t1072, t1073, t1074, t1075,
         t1076, t1077, t1078, t1079, t1080, t1081, t1082, t1085,
@@ -1026,11 +1043,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1202 = c3 * t1192 + (z2_4_x * t1190 - t237 * t1191);
         let t1206 = s4 * t1182 + c4 * t1184 - t1181;
         put(49, t1197); // row 1, MSX7
-        put(107, t1202); // row 2, MSX7
-        put(155, t1206); // row 3, MSX7
-        put(193, t1183); // row 4, MSX7
-        put(220, t1164); // row 5, MSX7
-        put(238, t1151); // row 6, MSX7
+        put(110, t1202); // row 2, MSX7
+        put(161, t1206); // row 3, MSX7
+        put(202, t1183); // row 4, MSX7
+        put(232, t1164); // row 5, MSX7
+        put(253, t1151); // row 6, MSX7
         [t1142, t1145, t1147, t1148]
     };
     // MSY7: column
@@ -1058,11 +1075,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1266 = z2_4_x * t1254 + t237 * t1255 - c3 * t1256;
         let t1270 = t1245 + (s4 * t1246 - c4 * t1248);
         put(50, t1261); // row 1, MSY7
-        put(108, t1266); // row 2, MSY7
-        put(156, t1270); // row 3, MSY7
-        put(194, t1247); // row 4, MSY7
-        put(221, t1228); // row 5, MSY7
-        put(239, t1215); // row 6, MSY7
+        put(111, t1266); // row 2, MSY7
+        put(162, t1270); // row 3, MSY7
+        put(203, t1247); // row 4, MSY7
+        put(233, t1228); // row 5, MSY7
+        put(254, t1215); // row 6, MSY7
         [t1207, t1210]
     };
     // MSZ7: column
@@ -1088,11 +1105,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1329 = c3 * t1319 - (t237 * t1318 - z2_4_x * t1317);
         let t1333 = t1308 + (s4 * t1309 - c4 * t1311);
         put(51, t1324); // row 1, MSZ7
-        put(109, t1329); // row 2, MSZ7
-        put(157, t1333); // row 3, MSZ7
-        put(195, t1310); // row 4, MSZ7
-        put(222, t1291); // row 5, MSZ7
-        put(240, t1279); // row 6, MSZ7
+        put(112, t1329); // row 2, MSZ7
+        put(163, t1333); // row 3, MSZ7
+        put(204, t1310); // row 4, MSZ7
+        put(234, t1291); // row 5, MSZ7
+        put(255, t1279); // row 6, MSZ7
     }
     // XX7: column
     let [t1335, t1338, t1341, t1344] = {
@@ -1109,11 +1126,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1360 = c4 * t1345 + (z3_6_z * t1339 - z3_5_x * t1342);
         let t1363 = s5 * t1342 + c5 * t1339;
         put(52, t1350); // row 1, XX7
-        put(110, t1355); // row 2, XX7
-        put(158, t1360); // row 3, XX7
-        put(196, t1363); // row 4, XX7
-        put(223, t1345); // row 5, XX7
-        put(241, t1339); // row 6, XX7
+        put(113, t1355); // row 2, XX7
+        put(164, t1360); // row 3, XX7
+        put(205, t1363); // row 4, XX7
+        put(235, t1345); // row 5, XX7
+        put(256, t1339); // row 6, XX7
         [t1335, t1338, t1341, t1344]
     };
     // YY7: column
@@ -1129,11 +1146,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1388 = c4 * t1373 + (z3_5_x * t1371 + z3_6_z * t1369);
         let t1391 = c5 * t1369 - s5 * t1371;
         put(53, t1378); // row 1, YY7
-        put(111, t1383); // row 2, YY7
-        put(159, t1388); // row 3, YY7
-        put(197, t1391); // row 4, YY7
-        put(224, t1373); // row 5, YY7
-        put(242, t1369); // row 6, YY7
+        put(114, t1383); // row 2, YY7
+        put(165, t1388); // row 3, YY7
+        put(206, t1391); // row 4, YY7
+        put(236, t1373); // row 5, YY7
+        put(257, t1369); // row 6, YY7
         [t1364, t1367]
     };
     // ZZ7: column
@@ -1147,11 +1164,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1414 = c4 * t1399 + (z3_6_z * t1393 - z3_5_x * t1396);
         let t1417 = s5 * t1396 + c5 * t1393;
         put(54, t1404); // row 1, ZZ7
-        put(112, t1409); // row 2, ZZ7
-        put(160, t1414); // row 3, ZZ7
-        put(198, t1417); // row 4, ZZ7
-        put(225, t1399); // row 5, ZZ7
-        put(243, t1393); // row 6, ZZ7
+        put(115, t1409); // row 2, ZZ7
+        put(166, t1414); // row 3, ZZ7
+        put(207, t1417); // row 4, ZZ7
+        put(237, t1399); // row 5, ZZ7
+        put(258, t1393); // row 6, ZZ7
     }
     // XY7: column
     {
@@ -1165,12 +1182,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1445 = c4 * t1430 + (z3_5_x * t1427 + z3_6_z * t1424);
         let t1448 = c5 * t1424 - s5 * t1427;
         put(55, t1435); // row 1, XY7
-        put(113, t1440); // row 2, XY7
-        put(161, t1445); // row 3, XY7
-        put(199, t1448); // row 4, XY7
-        put(226, t1430); // row 5, XY7
-        put(244, t1424); // row 6, XY7
-        put(252, t1418); // row 7, XY7
+        put(116, t1440); // row 2, XY7
+        put(167, t1445); // row 3, XY7
+        put(208, t1448); // row 4, XY7
+        put(238, t1430); // row 5, XY7
+        put(259, t1424); // row 6, XY7
+        put(270, t1418); // row 7, XY7
     }
     // XZ7: column
     {
@@ -1184,11 +1201,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1474 = c4 * t1459 + (z3_5_x * t1456 + z3_6_z * t1453);
         let t1477 = c5 * t1453 - s5 * t1456;
         put(56, t1464); // row 1, XZ7
-        put(114, t1469); // row 2, XZ7
-        put(162, t1474); // row 3, XZ7
-        put(200, t1477); // row 4, XZ7
-        put(227, t1459); // row 5, XZ7
-        put(245, t1453); // row 6, XZ7
+        put(117, t1469); // row 2, XZ7
+        put(168, t1474); // row 3, XZ7
+        put(209, t1477); // row 4, XZ7
+        put(239, t1459); // row 5, XZ7
+        put(260, t1453); // row 6, XZ7
     }
     // YZ7: column
     {
@@ -1201,45 +1218,59 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1498 = z2_5_x * t1485 + t249 * t1482 - t237 * t1488;
         let t1503 = c4 * t1488 + (z3_5_x * t1485 + z3_6_z * t1482);
         let t1506 = c5 * t1482 - s5 * t1485;
-        let t1507 = -t5;
-        let t1508 = -t25;
-        let t1509 = -t2;
-        let t1510 = -t3;
-        let t1511 = -t320;
-        let t1512 = -t694;
-        let t1513 = -t65;
-        let t1514 = -t418;
-        let t1515 = -t108;
-        let t1516 = -t688;
-        let t1517 = -t956;
-        let t1518 = -t159;
-        let t1519 = -t797;
-        let t1520 = -t756;
-        let t1521 = -t198;
-        let t1522 = -t1071;
-        let t1523 = -t227;
+        let t1507 = dq1.sign();
+        let t1508 = dq2.sign();
+        let t1509 = dq3.sign();
+        let t1510 = dq4.sign();
+        let t1511 = dq5.sign();
+        let t1512 = dq6.sign();
+        let t1513 = dq7.sign();
+        let t1514 = -t5;
+        let t1515 = -t25;
+        let t1516 = -t2;
+        let t1517 = -t3;
+        let t1518 = -t320;
+        let t1519 = -t694;
+        let t1520 = -t65;
+        let t1521 = -t418;
+        let t1522 = -t108;
+        let t1523 = -t688;
+        let t1524 = -t956;
+        let t1525 = -t159;
+        let t1526 = -t797;
+        let t1527 = -t756;
+        let t1528 = -t198;
+        let t1529 = -t1071;
+        let t1530 = -t227;
         put(57, t1493); // row 1, YZ7
-        put(58, t1507); // row 2, MSX2
-        put(60, t1508); // row 2, XX2
-        put(64, t1509); // row 2, XZ2
-        put(65, t1510); // row 2, YZ2
-        put(67, t1511); // row 2, MSX3
-        put(92, t1512); // row 2, ZZ5
-        put(115, t1498); // row 2, YZ7
-        put(119, t1513); // row 3, YY3
-        put(126, t1514); // row 3, MSY4
-        put(163, t1503); // row 3, YZ7
-        put(167, t1515); // row 4, YY4
-        put(177, t1516); // row 4, YY5
-        put(186, t1517); // row 4, XX6
-        put(201, t1506); // row 4, YZ7
-        put(204, t1518); // row 5, XX5
-        put(211, t1519); // row 5, MSY6
-        put(212, t1520); // row 5, MSZ6
-        put(228, t1488); // row 5, YZ7
-        put(231, t1521); // row 6, XX6
-        put(246, t1482); // row 6, YZ7
-        put(249, t1522); // row 7, XX7
-        put(251, t1523); // row 7, ZZ7
+        put(59, t1507); // row 1, FC1
+        put(61, t1514); // row 2, MSX2
+        put(63, t1515); // row 2, XX2
+        put(67, t1516); // row 2, XZ2
+        put(68, t1517); // row 2, YZ2
+        put(70, t1518); // row 2, MSX3
+        put(95, t1519); // row 2, ZZ5
+        put(118, t1498); // row 2, YZ7
+        put(120, t1508); // row 2, FC2
+        put(125, t1520); // row 3, YY3
+        put(132, t1521); // row 3, MSY4
+        put(169, t1503); // row 3, YZ7
+        put(171, t1509); // row 3, FC3
+        put(176, t1522); // row 4, YY4
+        put(186, t1523); // row 4, YY5
+        put(195, t1524); // row 4, XX6
+        put(210, t1506); // row 4, YZ7
+        put(212, t1510); // row 4, FC4
+        put(216, t1525); // row 5, XX5
+        put(223, t1526); // row 5, MSY6
+        put(224, t1527); // row 5, MSZ6
+        put(240, t1488); // row 5, YZ7
+        put(242, t1511); // row 5, FC5
+        put(246, t1528); // row 6, XX6
+        put(261, t1482); // row 6, YZ7
+        put(263, t1512); // row 6, FC6
+        put(267, t1529); // row 7, XX7
+        put(269, t1530); // row 7, ZZ7
+        put(274, t1513); // row 7, FC7
     }
 }

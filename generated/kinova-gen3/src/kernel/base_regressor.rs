@@ -2,13 +2,13 @@
 //!
 //! `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 691 multiplications, 501 additions; 7 x 43, 190 of 301 structurally nonzero.
+//! 691 multiplications, 501 additions; 7 x 64, 211 of 448 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 190;
+pub const NONZEROS: usize = 211;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
@@ -16,26 +16,29 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 10), (0, 11), (0, 12), (0, 13), (0, 14), (0, 15), (0, 16), (0, 17), (0, 18), (0, 19),
     (0, 20), (0, 21), (0, 22), (0, 23), (0, 24), (0, 25), (0, 26), (0, 27), (0, 28), (0, 29),
     (0, 30), (0, 31), (0, 32), (0, 33), (0, 34), (0, 35), (0, 36), (0, 37), (0, 38), (0, 39),
-    (0, 40), (0, 41), (0, 42), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 6), (1, 7),
-    (1, 8), (1, 9), (1, 10), (1, 11), (1, 12), (1, 13), (1, 14), (1, 15), (1, 16), (1, 17),
-    (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27),
-    (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37),
-    (1, 38), (1, 39), (1, 40), (1, 41), (1, 42), (2, 8), (2, 9), (2, 10), (2, 11), (2, 12),
-    (2, 13), (2, 14), (2, 15), (2, 16), (2, 17), (2, 18), (2, 19), (2, 20), (2, 21), (2, 22),
-    (2, 23), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32),
-    (2, 33), (2, 34), (2, 35), (2, 36), (2, 37), (2, 38), (2, 39), (2, 40), (2, 41), (2, 42),
-    (3, 15), (3, 16), (3, 17), (3, 18), (3, 19), (3, 20), (3, 21), (3, 22), (3, 23), (3, 24),
-    (3, 25), (3, 26), (3, 27), (3, 28), (3, 29), (3, 30), (3, 31), (3, 32), (3, 33), (3, 34),
-    (3, 35), (3, 36), (3, 37), (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (4, 22), (4, 23),
-    (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (4, 30), (4, 31), (4, 32), (4, 33),
-    (4, 34), (4, 35), (4, 36), (4, 37), (4, 38), (4, 39), (4, 40), (4, 41), (4, 42), (5, 29),
-    (5, 30), (5, 31), (5, 32), (5, 33), (5, 34), (5, 35), (5, 36), (5, 37), (5, 38), (5, 39),
-    (5, 40), (5, 41), (5, 42), (6, 36), (6, 37), (6, 38), (6, 39), (6, 40), (6, 41), (6, 42),
+    (0, 40), (0, 41), (0, 42), (0, 43), (0, 50), (0, 57), (1, 1), (1, 2), (1, 3), (1, 4),
+    (1, 5), (1, 6), (1, 7), (1, 8), (1, 9), (1, 10), (1, 11), (1, 12), (1, 13), (1, 14),
+    (1, 15), (1, 16), (1, 17), (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23), (1, 24),
+    (1, 25), (1, 26), (1, 27), (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33), (1, 34),
+    (1, 35), (1, 36), (1, 37), (1, 38), (1, 39), (1, 40), (1, 41), (1, 42), (1, 44), (1, 51),
+    (1, 58), (2, 8), (2, 9), (2, 10), (2, 11), (2, 12), (2, 13), (2, 14), (2, 15), (2, 16),
+    (2, 17), (2, 18), (2, 19), (2, 20), (2, 21), (2, 22), (2, 23), (2, 24), (2, 25), (2, 26),
+    (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35), (2, 36),
+    (2, 37), (2, 38), (2, 39), (2, 40), (2, 41), (2, 42), (2, 45), (2, 52), (2, 59), (3, 15),
+    (3, 16), (3, 17), (3, 18), (3, 19), (3, 20), (3, 21), (3, 22), (3, 23), (3, 24), (3, 25),
+    (3, 26), (3, 27), (3, 28), (3, 29), (3, 30), (3, 31), (3, 32), (3, 33), (3, 34), (3, 35),
+    (3, 36), (3, 37), (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (3, 46), (3, 53), (3, 60),
+    (4, 22), (4, 23), (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (4, 30), (4, 31),
+    (4, 32), (4, 33), (4, 34), (4, 35), (4, 36), (4, 37), (4, 38), (4, 39), (4, 40), (4, 41),
+    (4, 42), (4, 47), (4, 54), (4, 61), (5, 29), (5, 30), (5, 31), (5, 32), (5, 33), (5, 34),
+    (5, 35), (5, 36), (5, 37), (5, 38), (5, 39), (5, 40), (5, 41), (5, 42), (5, 48), (5, 55),
+    (5, 62), (6, 36), (6, 37), (6, 38), (6, 39), (6, 40), (6, 41), (6, 42), (6, 49), (6, 56),
+    (6, 63),
 ];
 
 /// Regressor `W_b` of the base parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 43]; 7]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 64]; 7]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -62,6 +65,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let k4 = S::constant(0.31436);
     let k5 = S::constant(0.00035);
     let k6 = S::constant(0.167455);
+    let k7 = S::constant(1.0);
     // link 2: motion
     let [
         w2_x, w2_y, t2, t3, t5, t6, a2_z, t10,
@@ -82,9 +86,23 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw2_x = t2 + t13;
         let dw2_y = t3 - t14;
         put(0, ddq1); // row 1, ZZ1R
-        put(46, ddq2); // row 2, ZZ2R
-        put(48, t2); // row 2, XZ2
-        put(49, t3); // row 2, YZ2
+        put(43, dq1); // row 1, FV1
+        put(45, k7); // row 1, FO1
+        put(49, ddq2); // row 2, ZZ2R
+        put(51, t2); // row 2, XZ2
+        put(52, t3); // row 2, YZ2
+        put(88, dq2); // row 2, FV2
+        put(90, k7); // row 2, FO2
+        put(126, dq3); // row 3, FV3
+        put(128, k7); // row 3, FO3
+        put(157, dq4); // row 4, FV4
+        put(159, k7); // row 4, FO4
+        put(181, dq5); // row 5, FV5
+        put(183, k7); // row 5, FO5
+        put(198, dq6); // row 6, FV6
+        put(200, k7); // row 6, FO6
+        put(208, dq7); // row 7, FV7
+        put(210, k7); // row 7, FO7
         [
         w2_x, w2_y, t2, t3, t5, t6, a2_z, t10,
         t12, t13, t14, dw2_x, dw2_y,
@@ -115,9 +133,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t53 = s3 * ddq2 - c3 * dw2_x + dq3 * t22;
         let t54 = c3 * ddq2 + s3 * dw2_x + dq3 * w3_x;
         let dw3_z = dw2_y + ddq3;
-        put(85, a3_y); // row 3, MSX3
-        put(86, t46); // row 3, MSY3R
-        put(88, dw3_z); // row 3, ZZ3R
+        put(91, a3_y); // row 3, MSX3
+        put(92, t46); // row 3, MSY3R
+        put(94, dw3_z); // row 3, ZZ3R
         [
         w3_x, t22, t29, t30, t31, t32, t33, t34,
         t36, t37, t42, t46, a3_y, w3_z, t53, t54,
@@ -155,12 +173,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw4_x = s4 * dw3_z - c4 * t53 - dq4 * t61;
         let dw4_y = c4 * dw3_z + s4 * t53 - dq4 * w4_x;
         let dw4_z = t54 + ddq4;
-        put(87, t71); // row 3, XX3R
-        put(90, t79); // row 3, XZ3
-        put(91, t76); // row 3, YZ3
-        put(120, a4_y); // row 4, MSX4
-        put(121, t90); // row 4, MSY4R
-        put(123, dw4_z); // row 4, ZZ4R
+        put(93, t71); // row 3, XX3R
+        put(96, t79); // row 3, XZ3
+        put(97, t76); // row 3, YZ3
+        put(129, a4_y); // row 4, MSX4
+        put(130, t90); // row 4, MSY4R
+        put(132, dw4_z); // row 4, ZZ4R
         [
         w4_x, t61, t68, t69, t70, t71, t72, t73,
         t74, t75, t76, t77, t78, t79, t80, t81,
@@ -198,12 +216,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t141 = s5 * dw4_z - c5 * dw4_x + dq5 * t105;
         let t142 = c5 * dw4_z + s5 * dw4_x + dq5 * w5_x;
         let dw5_z = dw4_y + ddq5;
-        put(122, t115); // row 4, XX4R
-        put(125, t123); // row 4, XZ4
-        put(126, t120); // row 4, YZ4
-        put(148, a5_y); // row 5, MSX5
-        put(149, t134); // row 5, MSY5R
-        put(151, dw5_z); // row 5, ZZ5R
+        put(131, t115); // row 4, XX4R
+        put(134, t123); // row 4, XZ4
+        put(135, t120); // row 4, YZ4
+        put(160, a5_y); // row 5, MSX5
+        put(161, t134); // row 5, MSY5R
+        put(163, dw5_z); // row 5, ZZ5R
         [
         w5_x, t105, t112, t113, t114, t115, t116, t117,
         t118, t119, t120, t121, t122, t123, t124, t125,
@@ -241,12 +259,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw6_x = s6 * dw5_z - c6 * t141 - dq6 * t149;
         let t186 = dq6 * w6_x - (c6 * dw5_z + s6 * t141);
         let dw6_z = t142 + ddq6;
-        put(150, t159); // row 5, XX5R
-        put(153, t167); // row 5, XZ5
-        put(154, t164); // row 5, YZ5
-        put(169, a6_y); // row 6, MSX6
-        put(170, t178); // row 6, MSY6R
-        put(172, dw6_z); // row 6, ZZ6R
+        put(162, t159); // row 5, XX5R
+        put(165, t167); // row 5, XZ5
+        put(166, t164); // row 5, YZ5
+        put(184, a6_y); // row 6, MSX6
+        put(185, t178); // row 6, MSY6R
+        put(187, dw6_z); // row 6, ZZ6R
         [
         w6_x, t149, t156, t157, t158, t159, t160, t161,
         t162, t163, t164, t165, t166, t167, t168, t169,
@@ -284,12 +302,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t229 = s7 * dw6_z - c7 * dw6_x + dq7 * t193;
         let t230 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
         let dw7_z = ddq7 - t186;
-        put(171, t203); // row 6, XX6R
-        put(174, t211); // row 6, XZ6
-        put(175, t208); // row 6, YZ6
-        put(183, a7_y); // row 7, MSX7
-        put(184, t222); // row 7, MSY7
-        put(186, dw7_z); // row 7, ZZ7
+        put(186, t203); // row 6, XX6R
+        put(189, t211); // row 6, XZ6
+        put(190, t208); // row 6, YZ6
+        put(201, a7_y); // row 7, MSX7
+        put(202, t222); // row 7, MSY7
+        put(204, dw7_z); // row 7, ZZ7
         [
         w7_x, t193, t200, t201, t202, t203, t204, t205,
         t206, t207, t208, t209, t210, t211, t212, t213,
@@ -342,7 +360,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t281 = t2 * k1 - t6;
         put(1, t279); // row 1, MSX2
         put(6, t278); // row 1, XZ2
-        put(43, t281); // row 2, MSX2
+        put(46, t281); // row 2, MSX2
     }
     // YZ2: column
     {
@@ -351,7 +369,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t288 = t5 + t3 * k1;
         put(2, t286); // row 1, MSY2R
         put(7, t285); // row 1, YZ2
-        put(44, t288); // row 2, MSY2R
+        put(47, t288); // row 2, MSY2R
     }
     // XX2: column
     let t290 = {
@@ -370,7 +388,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t294 = t29 - t30;
         let t297 = s2 * t36 + c2 * t37;
         put(5, t297); // row 1, XY2
-        put(47, t294); // row 2, XY2
+        put(50, t294); // row 2, XY2
     }
     // MSX3: column
     {
@@ -378,7 +396,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t306 = c2 * a3_y - t42 * z1_4_z + t305;
         let t311 = t77 * v2_4_z - t74 * v2_3_x - c3 * t42;
         put(8, t306); // row 1, MSX3
-        put(50, t311); // row 2, MSX3
+        put(53, t311); // row 2, MSX3
     }
     // MSY3: column
     {
@@ -386,7 +404,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t320 = c2 * t46 - t42 * z1_3_x - t319;
         let t325 = s3 * t42 + (t78 * v2_4_z - t75 * v2_3_x);
         put(9, t320); // row 1, MSY3R
-        put(51, t325); // row 2, MSY3R
+        put(54, t325); // row 2, MSY3R
     }
     // XX3: column
     let [t327, t332] = {
@@ -395,7 +413,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t332 = c3 * t72;
         let t333 = s3 * t53 - t332;
         put(10, t330); // row 1, XX3R
-        put(52, t333); // row 2, XX3R
+        put(55, t333); // row 2, XX3R
         [t327, t332]
     };
     // ZZ3: column
@@ -403,7 +421,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t337 = c2 * dw3_z + (t327 - t73 * z1_3_x);
         let t339 = t332 + s3 * t73;
         put(11, t337); // row 1, ZZ3R
-        put(53, t339); // row 2, ZZ3R
+        put(56, t339); // row 2, ZZ3R
     }
     // XY3: column
     {
@@ -411,8 +429,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t345 = c2 * t340 + (t81 * z1_4_z - t80 * z1_3_x);
         let t348 = s3 * t80 + c3 * t81;
         put(12, t345); // row 1, XY3
-        put(54, t348); // row 2, XY3
-        put(89, t340); // row 3, XY3
+        put(57, t348); // row 2, XY3
+        put(95, t340); // row 3, XY3
     }
     // XZ3: column
     {
@@ -420,7 +438,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t354 = c2 * t79 - (t77 * z1_3_x + z1_4_z * t349);
         let t357 = s3 * t77 - c3 * t349;
         put(13, t354); // row 1, XZ3
-        put(55, t357); // row 2, XZ3
+        put(58, t357); // row 2, XZ3
     }
     // YZ3: column
     {
@@ -428,7 +446,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t363 = c2 * t76 - (z1_3_x * t358 + t75 * z1_4_z);
         let t366 = s3 * t358 - c3 * t75;
         put(14, t363); // row 1, YZ3
-        put(56, t366); // row 2, YZ3
+        put(59, t366); // row 2, YZ3
     }
     // MSX4: column
     let [t368, t373, t374] = {
@@ -443,8 +461,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t389 = c2 * t378 - (z1_3_x * t377 - a4_y * z1_4_z) + t388;
         let t396 = s3 * t377 + c3 * a4_y - (v2_3_x * t369 + t124 * v2_4_z);
         put(15, t389); // row 1, MSX4
-        put(57, t396); // row 2, MSX4
-        put(92, t378); // row 3, MSX4
+        put(60, t396); // row 2, MSX4
+        put(98, t378); // row 3, MSX4
         [t368, t373, t374]
     };
     // MSY4: column
@@ -458,8 +476,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t417 = c2 * t406 + (t90 * z1_4_z - z1_3_x * t405) - t416;
         let t424 = s3 * t405 + c3 * t90 + (t125 * v2_4_z - v2_3_x * t399);
         put(16, t417); // row 1, MSY4R
-        put(58, t424); // row 2, MSY4R
-        put(93, t406); // row 3, MSY4R
+        put(61, t424); // row 2, MSY4R
+        put(99, t406); // row 3, MSY4R
         t397
     };
     // XX4: column
@@ -471,8 +489,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t436 = c4 * t116;
         let t437 = s4 * dw4_x + t436;
         put(17, t429); // row 1, XX4R
-        put(59, t434); // row 2, XX4R
-        put(94, t437); // row 3, XX4R
+        put(62, t434); // row 2, XX4R
+        put(100, t437); // row 3, XX4R
         [t426, t431, t436]
     };
     // ZZ4: column
@@ -481,7 +499,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t445 = c3 * dw4_z - (t431 - t117 * t251);
         let t447 = t436 + s4 * t117;
         put(18, t441); // row 1, ZZ4R
-        put(60, t445); // row 2, ZZ4R
+        put(63, t445); // row 2, ZZ4R
         t447
     };
     // XY4: column
@@ -491,9 +509,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t458 = c3 * t448 + (t125 * z2_4_y - t124 * t251);
         let t461 = s4 * t124 + c4 * t125;
         put(19, t453); // row 1, XY4
-        put(61, t458); // row 2, XY4
-        put(96, t461); // row 3, XY4
-        put(124, t448); // row 4, XY4
+        put(64, t458); // row 2, XY4
+        put(102, t461); // row 3, XY4
+        put(133, t448); // row 4, XY4
     }
     // XZ4: column
     {
@@ -502,8 +520,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t472 = c3 * t123 + (z2_4_y * t462 - t121 * t251);
         let t474 = t368 + c4 * t462;
         put(20, t467); // row 1, XZ4
-        put(62, t472); // row 2, XZ4
-        put(97, t474); // row 3, XZ4
+        put(65, t472); // row 2, XZ4
+        put(103, t474); // row 3, XZ4
     }
     // YZ4: column
     {
@@ -512,8 +530,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t485 = c3 * t120 + (t251 * t475 + t119 * z2_4_y);
         let t487 = t397 - s4 * t475;
         put(21, t480); // row 1, YZ4
-        put(63, t485); // row 2, YZ4
-        put(98, t487); // row 3, YZ4
+        put(66, t485); // row 2, YZ4
+        put(104, t487); // row 3, YZ4
     }
     // MSX5: column
     let [t489, t494, t495] = {
@@ -531,9 +549,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t525 = c3 * t499 + (z2_4_y * t503 - t251 * t502) + t524;
         let t528 = s4 * t502 + c4 * t503;
         put(22, t514); // row 1, MSX5
-        put(64, t525); // row 2, MSX5
-        put(99, t528); // row 3, MSX5
-        put(127, t499); // row 4, MSX5
+        put(67, t525); // row 2, MSX5
+        put(105, t528); // row 3, MSX5
+        put(136, t499); // row 4, MSX5
         [t489, t494, t495]
     };
     // MSY5: column
@@ -550,9 +568,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t564 = c3 * t538 + (z2_4_y * t542 - t251 * t541) + t563;
         let t567 = s4 * t541 + c4 * t542;
         put(23, t553); // row 1, MSY5R
-        put(65, t564); // row 2, MSY5R
-        put(100, t567); // row 3, MSY5R
-        put(128, t538); // row 4, MSY5R
+        put(68, t564); // row 2, MSY5R
+        put(106, t567); // row 3, MSY5R
+        put(137, t538); // row 4, MSY5R
         t529
     };
     // XX5: column
@@ -566,9 +584,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t584 = c5 * t160;
         let t585 = s5 * t141 - t584;
         put(24, t572); // row 1, XX5R
-        put(66, t577); // row 2, XX5R
-        put(101, t582); // row 3, XX5R
-        put(129, t585); // row 4, XX5R
+        put(69, t577); // row 2, XX5R
+        put(107, t582); // row 3, XX5R
+        put(138, t585); // row 4, XX5R
         [t569, t574, t579, t584]
     };
     // ZZ5: column
@@ -578,9 +596,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t597 = c4 * dw5_z + (t579 - t161 * z3_5_x);
         let t599 = t584 + s5 * t161;
         put(25, t589); // row 1, ZZ5R
-        put(67, t593); // row 2, ZZ5R
-        put(102, t597); // row 3, ZZ5R
-        put(130, t599); // row 4, ZZ5R
+        put(70, t593); // row 2, ZZ5R
+        put(108, t597); // row 3, ZZ5R
+        put(139, t599); // row 4, ZZ5R
     }
     // XY5: column
     {
@@ -590,10 +608,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t615 = c4 * t600 - (t168 * z3_5_x - t169 * z3_6_z);
         let t618 = s5 * t168 + c5 * t169;
         put(26, t605); // row 1, XY5
-        put(68, t610); // row 2, XY5
-        put(103, t615); // row 3, XY5
-        put(131, t618); // row 4, XY5
-        put(152, t600); // row 5, XY5
+        put(71, t610); // row 2, XY5
+        put(109, t615); // row 3, XY5
+        put(140, t618); // row 4, XY5
+        put(164, t600); // row 5, XY5
     }
     // XZ5: column
     {
@@ -603,9 +621,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t634 = c4 * t167 + (t165 * z3_5_x + z3_6_z * t619);
         let t636 = c5 * t619 - t489;
         put(27, t624); // row 1, XZ5
-        put(69, t629); // row 2, XZ5
-        put(104, t634); // row 3, XZ5
-        put(132, t636); // row 4, XZ5
+        put(72, t629); // row 2, XZ5
+        put(110, t634); // row 3, XZ5
+        put(141, t636); // row 4, XZ5
     }
     // YZ5: column
     {
@@ -615,9 +633,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t652 = c4 * t164 - (z3_5_x * t637 + t163 * z3_6_z);
         let t654 = s5 * t637 - t529;
         put(28, t642); // row 1, YZ5
-        put(70, t647); // row 2, YZ5
-        put(105, t652); // row 3, YZ5
-        put(133, t654); // row 4, YZ5
+        put(73, t647); // row 2, YZ5
+        put(111, t652); // row 3, YZ5
+        put(142, t654); // row 4, YZ5
     }
     // MSX6: column
     let [t656, t659, t661, t662] = {
@@ -640,10 +658,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t708 = c3 * t682 - (t251 * t685 - z2_4_y * t686) + t707;
         let t711 = s4 * t685 + c4 * t686;
         put(29, t697); // row 1, MSX6
-        put(71, t708); // row 2, MSX6
-        put(106, t711); // row 3, MSX6
-        put(134, t682); // row 4, MSX6
-        put(155, t666); // row 5, MSX6
+        put(74, t708); // row 2, MSX6
+        put(112, t711); // row 3, MSX6
+        put(143, t682); // row 4, MSX6
+        put(167, t666); // row 5, MSX6
         [t656, t659, t661, t662]
     };
     // MSY6: column
@@ -665,10 +683,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t763 = c3 * t737 + (t251 * t740 + z2_4_y * t741) + t762;
         let t766 = c4 * t741 - s4 * t740;
         put(30, t752); // row 1, MSY6R
-        put(72, t763); // row 2, MSY6R
-        put(107, t766); // row 3, MSY6R
-        put(135, t737); // row 4, MSY6R
-        put(156, t721); // row 5, MSY6R
+        put(75, t763); // row 2, MSY6R
+        put(113, t766); // row 3, MSY6R
+        put(144, t737); // row 4, MSY6R
+        put(168, t721); // row 5, MSY6R
         [t712, t715]
     };
     // XX6: column
@@ -682,10 +700,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t787 = c4 * t772 + (t203 * z3_6_z - z3_5_x * t769);
         let t790 = s5 * t769 + c5 * t203;
         put(31, t777); // row 1, XX6R
-        put(73, t782); // row 2, XX6R
-        put(108, t787); // row 3, XX6R
-        put(136, t790); // row 4, XX6R
-        put(157, t772); // row 5, XX6R
+        put(76, t782); // row 2, XX6R
+        put(114, t787); // row 3, XX6R
+        put(145, t790); // row 4, XX6R
+        put(169, t772); // row 5, XX6R
         [t768, t771]
     };
     // ZZ6: column
@@ -697,9 +715,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t809 = dw6_z * z3_6_z - z3_5_x * t792 - c4 * t794;
         let t812 = s5 * t792 + c5 * dw6_z;
         put(32, t799); // row 1, ZZ6R
-        put(74, t804); // row 2, ZZ6R
-        put(109, t809); // row 3, ZZ6R
-        put(137, t812); // row 4, ZZ6R
+        put(77, t804); // row 2, ZZ6R
+        put(115, t809); // row 3, ZZ6R
+        put(146, t812); // row 4, ZZ6R
         t794
     };
     // XY6: column
@@ -712,11 +730,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t834 = c4 * t819 + (z3_6_z * t813 - z3_5_x * t816);
         let t837 = s5 * t816 + c5 * t813;
         put(33, t824); // row 1, XY6
-        put(75, t829); // row 2, XY6
-        put(110, t834); // row 3, XY6
-        put(138, t837); // row 4, XY6
-        put(159, t819); // row 5, XY6
-        put(173, t813); // row 6, XY6
+        put(78, t829); // row 2, XY6
+        put(116, t834); // row 3, XY6
+        put(147, t837); // row 4, XY6
+        put(171, t819); // row 5, XY6
+        put(188, t813); // row 6, XY6
     }
     // XZ6: column
     {
@@ -728,10 +746,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t857 = c4 * t842 + (t211 * z3_6_z - z3_5_x * t840);
         let t860 = s5 * t840 + c5 * t211;
         put(34, t847); // row 1, XZ6
-        put(76, t852); // row 2, XZ6
-        put(111, t857); // row 3, XZ6
-        put(139, t860); // row 4, XZ6
-        put(160, t842); // row 5, XZ6
+        put(79, t852); // row 2, XZ6
+        put(117, t857); // row 3, XZ6
+        put(148, t860); // row 4, XZ6
+        put(172, t842); // row 5, XZ6
     }
     // YZ6: column
     {
@@ -743,10 +761,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t880 = c4 * t865 + (t208 * z3_6_z - z3_5_x * t863);
         let t883 = s5 * t863 + c5 * t208;
         put(35, t870); // row 1, YZ6
-        put(77, t875); // row 2, YZ6
-        put(112, t880); // row 3, YZ6
-        put(140, t883); // row 4, YZ6
-        put(161, t865); // row 5, YZ6
+        put(80, t875); // row 2, YZ6
+        put(118, t880); // row 3, YZ6
+        put(149, t883); // row 4, YZ6
+        put(173, t865); // row 5, YZ6
     }
     // MSX7: column
     let [
@@ -790,14 +808,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t967 = v2_4_z * t931 + (t253 * t928 - t254 * t915) - t961;
         let t970 = s4 * t944 - c4 * t945;
         put(36, t956); // row 1, MSX7
-        put(78, t967); // row 2, MSX7
-        put(113, t970); // row 3, MSX7
-        put(141, t941); // row 4, MSX7
-        put(162, t925); // row 5, MSX7
-        put(176, t909); // row 6, MSX7
-        put(185, t887); // row 7, XX7R
-        put(188, t895); // row 7, XZ7
-        put(189, t892); // row 7, YZ7
+        put(81, t967); // row 2, MSX7
+        put(119, t970); // row 3, MSX7
+        put(150, t941); // row 4, MSX7
+        put(174, t925); // row 5, MSX7
+        put(191, t909); // row 6, MSX7
+        put(203, t887); // row 7, XX7R
+        put(206, t895); // row 7, XZ7
+        put(207, t892); // row 7, YZ7
         [
         t884, t885, t886, t887, t888, t889, t891, t892,
         t894, t895, t896, t897, t899, t902, t904, t905,
@@ -826,11 +844,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1038 = c3 * t1012 - (t251 * t1015 + z2_4_y * t1016) - t1037;
         let t1041 = s4 * t1015 - c4 * t1016;
         put(37, t1027); // row 1, MSY7
-        put(79, t1038); // row 2, MSY7
-        put(114, t1041); // row 3, MSY7
-        put(142, t1012); // row 4, MSY7
-        put(163, t996); // row 5, MSY7
-        put(177, t980); // row 6, MSY7
+        put(82, t1038); // row 2, MSY7
+        put(120, t1041); // row 3, MSY7
+        put(151, t1012); // row 4, MSY7
+        put(175, t996); // row 5, MSY7
+        put(192, t980); // row 6, MSY7
         [t971, t974]
     };
     // XX7: column
@@ -846,11 +864,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1068 = c4 * t1053 + (z3_6_z * t1047 - z3_5_x * t1050);
         let t1071 = s5 * t1050 + c5 * t1047;
         put(38, t1058); // row 1, XX7R
-        put(80, t1063); // row 2, XX7R
-        put(115, t1068); // row 3, XX7R
-        put(143, t1071); // row 4, XX7R
-        put(164, t1053); // row 5, XX7R
-        put(178, t1047); // row 6, XX7R
+        put(83, t1063); // row 2, XX7R
+        put(121, t1068); // row 3, XX7R
+        put(152, t1071); // row 4, XX7R
+        put(176, t1053); // row 5, XX7R
+        put(193, t1047); // row 6, XX7R
         [t1043, t1046]
     };
     // ZZ7: column
@@ -864,11 +882,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1096 = c4 * t1081 - (z3_5_x * t1078 - z3_6_z * t1075);
         let t1099 = s5 * t1078 + c5 * t1075;
         put(39, t1086); // row 1, ZZ7
-        put(81, t1091); // row 2, ZZ7
-        put(116, t1096); // row 3, ZZ7
-        put(144, t1099); // row 4, ZZ7
-        put(165, t1081); // row 5, ZZ7
-        put(179, t1075); // row 6, ZZ7
+        put(84, t1091); // row 2, ZZ7
+        put(122, t1096); // row 3, ZZ7
+        put(153, t1099); // row 4, ZZ7
+        put(177, t1081); // row 5, ZZ7
+        put(194, t1075); // row 6, ZZ7
     }
     // XY7: column
     {
@@ -882,12 +900,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1127 = c4 * t1112 - (z3_5_x * t1109 - z3_6_z * t1106);
         let t1130 = s5 * t1109 + c5 * t1106;
         put(40, t1117); // row 1, XY7
-        put(82, t1122); // row 2, XY7
-        put(117, t1127); // row 3, XY7
-        put(145, t1130); // row 4, XY7
-        put(166, t1112); // row 5, XY7
-        put(180, t1106); // row 6, XY7
-        put(187, t1100); // row 7, XY7
+        put(85, t1122); // row 2, XY7
+        put(123, t1127); // row 3, XY7
+        put(154, t1130); // row 4, XY7
+        put(178, t1112); // row 5, XY7
+        put(195, t1106); // row 6, XY7
+        put(205, t1100); // row 7, XY7
     }
     // XZ7: column
     {
@@ -901,11 +919,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1156 = c4 * t1141 - (z3_5_x * t1138 - z3_6_z * t1135);
         let t1159 = s5 * t1138 + c5 * t1135;
         put(41, t1146); // row 1, XZ7
-        put(83, t1151); // row 2, XZ7
-        put(118, t1156); // row 3, XZ7
-        put(146, t1159); // row 4, XZ7
-        put(167, t1141); // row 5, XZ7
-        put(181, t1135); // row 6, XZ7
+        put(86, t1151); // row 2, XZ7
+        put(124, t1156); // row 3, XZ7
+        put(155, t1159); // row 4, XZ7
+        put(179, t1141); // row 5, XZ7
+        put(196, t1135); // row 6, XZ7
     }
     // YZ7: column
     {
@@ -918,17 +936,31 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1180 = z2_4_y * t1170 + (t269 * t1167 + t272 * t1164);
         let t1185 = c4 * t1170 + (z3_6_z * t1164 - z3_5_x * t1167);
         let t1188 = s5 * t1167 + c5 * t1164;
-        let t1189 = -t32;
-        let t1190 = -t447;
-        let t1191 = -t794;
+        let t1189 = dq1.sign();
+        let t1190 = dq2.sign();
+        let t1191 = dq3.sign();
+        let t1192 = dq4.sign();
+        let t1193 = dq5.sign();
+        let t1194 = dq6.sign();
+        let t1195 = dq7.sign();
+        let t1196 = -t32;
+        let t1197 = -t447;
+        let t1198 = -t794;
         put(42, t1175); // row 1, YZ7
-        put(45, t1189); // row 2, XX2R
-        put(84, t1180); // row 2, YZ7
-        put(95, t1190); // row 3, ZZ4R
-        put(119, t1185); // row 3, YZ7
-        put(147, t1188); // row 4, YZ7
-        put(158, t1191); // row 5, ZZ6R
-        put(168, t1170); // row 5, YZ7
-        put(182, t1164); // row 6, YZ7
+        put(44, t1189); // row 1, FC1
+        put(48, t1196); // row 2, XX2R
+        put(87, t1180); // row 2, YZ7
+        put(89, t1190); // row 2, FC2
+        put(101, t1197); // row 3, ZZ4R
+        put(125, t1185); // row 3, YZ7
+        put(127, t1191); // row 3, FC3
+        put(156, t1188); // row 4, YZ7
+        put(158, t1192); // row 4, FC4
+        put(170, t1198); // row 5, ZZ6R
+        put(180, t1170); // row 5, YZ7
+        put(182, t1193); // row 5, FC5
+        put(197, t1164); // row 6, YZ7
+        put(199, t1194); // row 6, FC6
+        put(209, t1195); // row 7, FC7
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil and Dombre, 9.5.2.
 //!
-//! 382 multiplications, 378 additions; 7, 7 of 7 structurally nonzero.
+//! 396 multiplications, 399 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, STANDARD, Trig};
@@ -28,7 +28,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         XX3, YY3, ZZ3, XY3, XZ3, YZ3, M4, MSX4, MSY4, MSZ4, XX4, YY4,
         ZZ4, XY4, XZ4, YZ4, M5, MSX5, MSY5, MSZ5, XX5, YY5, ZZ5, XY5,
         XZ5, YZ5, M6, MSX6, MSY6, MSZ6, XX6, YY6, ZZ6, XY6, XZ6, YZ6,
-        M7, MSX7, MSY7, MSZ7, XX7, YY7, ZZ7, XY7, XZ7, YZ7,
+        M7, MSX7, MSY7, MSZ7, XX7, YY7, ZZ7, XY7, XZ7, YZ7, FV1, FV2,
+        FV3, FV4, FV5, FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7,
+        FO1, FO2, FO3, FO4, FO5, FO6, FO7,
         ..] = *phi;
     let k0 = S::constant(9.81);
     let k1 = S::constant(0.01175);
@@ -274,7 +276,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t323 = s7 * f7_x + c7 * f7_y;
         let t332 = c7 * n7_x - s7 * n7_y + k6 * t323;
         let t333 = s7 * n7_x + c7 * n7_y - k6 * t320;
-        put(6, n7_z);
         [f7_z, n7_z, t320, t323, t332, t333]
     };
     // link 6: force and moment
@@ -295,7 +296,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t411 = s6 * f6_x + c6 * f6_y;
         let t420 = c6 * n6_x - s6 * n6_y + k5 * t411;
         let t421 = s6 * n6_x + c6 * n6_y - k5 * t408;
-        put(5, n6_z);
         [f6_z, n6_z, t408, t411, t420, t421]
     };
     // link 5: force and moment
@@ -316,7 +316,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t499 = s5 * f5_x + c5 * f5_y;
         let t508 = c5 * n5_x - s5 * n5_y + k4 * t499;
         let t509 = s5 * n5_x + c5 * n5_y - k4 * t496;
-        put(4, n5_z);
         [f5_z, n5_z, t496, t499, t508, t509]
     };
     // link 4: force and moment
@@ -337,7 +336,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t587 = s4 * f4_x + c4 * f4_y;
         let t596 = c4 * n4_x - s4 * n4_y + k3 * t587;
         let t597 = s4 * n4_x + c4 * n4_y - k3 * t584;
-        put(3, n4_z);
         [f4_z, n4_z, t584, t587, t596, t597]
     };
     // link 3: force and moment
@@ -357,11 +355,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t672 = c3 * f3_x - s3 * f3_y;
         let t684 = c3 * n3_x - s3 * n3_y + k2 * (s3 * f3_x + c3 * f3_y);
         let t685 = s3 * n3_x + c3 * n3_y - k2 * t672;
-        put(2, n3_z);
         [f3_z, n3_z, t672, t684, t685]
     };
     // link 2: force and moment
-    let t757 = {
+    let [n2_z, t757] = {
         let t707 = XZ2 * (t31 - t29);
         let t708 = XZ2 * t2;
         let t709 = t13 * (ZZ2 - YY2) + XX2 * dw2_x - XY2 * t37 + XZ2 * t35;
@@ -374,12 +371,28 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let n2_y = n3_z + (t717 - (MSZ2 * t10 + MSX2 * a2_z));
         let n2_z = t711 + YZ2 * t3 + (MSX2 * a2_y + MSY2 * t10) - t685;
         let t757 = s2 * n2_x + c2 * n2_y - k1 * (c2 * f2_x - s2 * f2_y);
-        put(1, n2_z);
-        t757
+        [n2_z, t757]
     };
     // link 1: force and moment
-    {
+    let n1_z = {
         let n1_z = t757 + ZZ1 * ddq1;
-        put(0, n1_z);
+        n1_z
+    };
+    // drives
+    {
+        let t795 = FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign());
+        let t796 = FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign());
+        let t797 = FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign());
+        let t798 = FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign());
+        let t799 = FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign());
+        let t800 = FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign());
+        let t801 = FO7 + (n7_z + FV7 * dq7 + FC7 * dq7.sign());
+        put(0, t795);
+        put(1, t796);
+        put(2, t797);
+        put(3, t798);
+        put(4, t799);
+        put(5, t800);
+        put(6, t801);
     }
 }

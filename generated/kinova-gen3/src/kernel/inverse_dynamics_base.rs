@@ -2,7 +2,7 @@
 //!
 //! `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil and Dombre, 9.6.
 //!
-//! 330 multiplications, 309 additions; 7, 7 of 7 structurally nonzero.
+//! 344 multiplications, 330 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -26,7 +26,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         ZZ1R, MSX2, MSY2R, XX2R, ZZ2R, XY2, XZ2, YZ2, MSX3, MSY3R, XX3R, ZZ3R,
         XY3, XZ3, YZ3, MSX4, MSY4R, XX4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSY5R,
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6R, XX6R, ZZ6R, XY6, XZ6, YZ6,
-        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
+        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7, FV1, FV2, FV3, FV4, FV5,
+        FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7, FO1, FO2, FO3,
+        FO4, FO5, FO6, FO7,
         ..] = *beta;
     let k0 = S::constant(9.81);
     let k1 = S::constant(0.01175);
@@ -267,7 +269,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t298 = c7 * f7_y - s7 * t278;
         let t307 = c7 * n7_x - s7 * n7_y + k6 * t298;
         let t308 = s7 * n7_x + c7 * n7_y + k6 * t295;
-        put(6, n7_z);
         [f7_z, n7_z, t295, t298, t307, t308]
     };
     // link 6: force and moment
@@ -287,7 +288,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t366 = s6 * f6_x + c6 * f6_y;
         let t375 = c6 * n6_x - s6 * n6_y + k5 * t366;
         let t376 = s6 * n6_x + c6 * n6_y - k5 * t363;
-        put(5, n6_z);
         [f6_z, n6_z, t363, t366, t375, t376]
     };
     // link 5: force and moment
@@ -307,7 +307,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t434 = s5 * f5_x + c5 * f5_y;
         let t443 = c5 * n5_x - s5 * n5_y + k4 * t434;
         let t444 = s5 * n5_x + c5 * n5_y - k4 * t431;
-        put(4, n5_z);
         [f5_z, n5_z, t431, t434, t443, t444]
     };
     // link 4: force and moment
@@ -327,7 +326,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t502 = s4 * f4_x + c4 * f4_y;
         let t511 = c4 * n4_x - s4 * n4_y + k3 * t502;
         let t512 = s4 * n4_x + c4 * n4_y - k3 * t499;
-        put(3, n4_z);
         [f4_z, n4_z, t499, t502, t511, t512]
     };
     // link 3: force and moment
@@ -346,11 +344,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t567 = c3 * f3_x - s3 * f3_y;
         let t579 = c3 * n3_x - s3 * n3_y + k2 * (s3 * f3_x + c3 * f3_y);
         let t580 = s3 * n3_x + c3 * n3_y - k2 * t567;
-        put(2, n3_z);
         [f3_z, n3_z, t567, t579, t580]
     };
     // link 2: force and moment
-    let t636 = {
+    let [n2_z, t636] = {
         let t602 = ZZ2R * ddq2 - XX2R * t32 + XY2 * (t29 - t30) + XZ2 * t2;
         let t604 = YZ2 * (t30 - t31);
         let t605 = YZ2 * t34;
@@ -363,12 +360,28 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let n2_z = t602 + YZ2 * t3 + (MSX2 * a2_y + MSY2R * t10) - t580;
         let f1_x = c2 * f2_x - s2 * f2_y;
         let t636 = s2 * n2_x + c2 * n2_y - k1 * f1_x;
-        put(1, n2_z);
-        t636
+        [n2_z, t636]
     };
     // link 1: force and moment
-    {
+    let n1_z = {
         let n1_z = t636 + ZZ1R * ddq1;
-        put(0, n1_z);
+        n1_z
+    };
+    // drives
+    {
+        let t674 = FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign());
+        let t675 = FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign());
+        let t676 = FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign());
+        let t677 = FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign());
+        let t678 = FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign());
+        let t679 = FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign());
+        let t680 = FO7 + (n7_z + FV7 * dq7 + FC7 * dq7.sign());
+        put(0, t674);
+        put(1, t675);
+        put(2, t676);
+        put(3, t677);
+        put(4, t678);
+        put(5, t679);
+        put(6, t680);
     }
 }

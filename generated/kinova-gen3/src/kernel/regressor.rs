@@ -2,13 +2,13 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 956 multiplications, 705 additions; 7 x 70, 259 of 490 structurally nonzero.
+//! 956 multiplications, 705 additions; 7 x 91, 280 of 637 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 259;
+pub const NONZEROS: usize = 280;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
@@ -18,31 +18,33 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 39), (0, 40), (0, 41), (0, 42), (0, 43), (0, 44), (0, 45), (0, 46), (0, 47), (0, 48),
     (0, 49), (0, 50), (0, 51), (0, 52), (0, 53), (0, 54), (0, 55), (0, 56), (0, 57), (0, 58),
     (0, 59), (0, 60), (0, 61), (0, 62), (0, 63), (0, 64), (0, 65), (0, 66), (0, 67), (0, 68),
-    (0, 69), (1, 11), (1, 12), (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19), (1, 20),
-    (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29), (1, 30),
-    (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39), (1, 40),
-    (1, 41), (1, 42), (1, 43), (1, 44), (1, 45), (1, 46), (1, 47), (1, 48), (1, 49), (1, 50),
-    (1, 51), (1, 52), (1, 53), (1, 54), (1, 55), (1, 56), (1, 57), (1, 58), (1, 59), (1, 60),
-    (1, 61), (1, 62), (1, 63), (1, 64), (1, 65), (1, 66), (1, 67), (1, 68), (1, 69), (2, 21),
-    (2, 22), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32),
-    (2, 33), (2, 34), (2, 35), (2, 36), (2, 37), (2, 38), (2, 39), (2, 40), (2, 41), (2, 42),
-    (2, 43), (2, 44), (2, 45), (2, 46), (2, 47), (2, 48), (2, 49), (2, 50), (2, 51), (2, 52),
-    (2, 53), (2, 54), (2, 55), (2, 56), (2, 57), (2, 58), (2, 59), (2, 60), (2, 61), (2, 62),
-    (2, 63), (2, 64), (2, 65), (2, 66), (2, 67), (2, 68), (2, 69), (3, 31), (3, 32), (3, 34),
-    (3, 35), (3, 36), (3, 37), (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (3, 43), (3, 44),
-    (3, 45), (3, 46), (3, 47), (3, 48), (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54),
-    (3, 55), (3, 56), (3, 57), (3, 58), (3, 59), (3, 60), (3, 61), (3, 62), (3, 63), (3, 64),
-    (3, 65), (3, 66), (3, 67), (3, 68), (3, 69), (4, 41), (4, 42), (4, 44), (4, 45), (4, 46),
-    (4, 47), (4, 48), (4, 49), (4, 50), (4, 51), (4, 52), (4, 53), (4, 54), (4, 55), (4, 56),
-    (4, 57), (4, 58), (4, 59), (4, 60), (4, 61), (4, 62), (4, 63), (4, 64), (4, 65), (4, 66),
-    (4, 67), (4, 68), (4, 69), (5, 51), (5, 52), (5, 54), (5, 55), (5, 56), (5, 57), (5, 58),
-    (5, 59), (5, 60), (5, 61), (5, 62), (5, 63), (5, 64), (5, 65), (5, 66), (5, 67), (5, 68),
-    (5, 69), (6, 61), (6, 62), (6, 64), (6, 65), (6, 66), (6, 67), (6, 68), (6, 69),
+    (0, 69), (0, 70), (0, 77), (0, 84), (1, 11), (1, 12), (1, 14), (1, 15), (1, 16), (1, 17),
+    (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27),
+    (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37),
+    (1, 38), (1, 39), (1, 40), (1, 41), (1, 42), (1, 43), (1, 44), (1, 45), (1, 46), (1, 47),
+    (1, 48), (1, 49), (1, 50), (1, 51), (1, 52), (1, 53), (1, 54), (1, 55), (1, 56), (1, 57),
+    (1, 58), (1, 59), (1, 60), (1, 61), (1, 62), (1, 63), (1, 64), (1, 65), (1, 66), (1, 67),
+    (1, 68), (1, 69), (1, 71), (1, 78), (1, 85), (2, 21), (2, 22), (2, 24), (2, 25), (2, 26),
+    (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35), (2, 36),
+    (2, 37), (2, 38), (2, 39), (2, 40), (2, 41), (2, 42), (2, 43), (2, 44), (2, 45), (2, 46),
+    (2, 47), (2, 48), (2, 49), (2, 50), (2, 51), (2, 52), (2, 53), (2, 54), (2, 55), (2, 56),
+    (2, 57), (2, 58), (2, 59), (2, 60), (2, 61), (2, 62), (2, 63), (2, 64), (2, 65), (2, 66),
+    (2, 67), (2, 68), (2, 69), (2, 72), (2, 79), (2, 86), (3, 31), (3, 32), (3, 34), (3, 35),
+    (3, 36), (3, 37), (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (3, 43), (3, 44), (3, 45),
+    (3, 46), (3, 47), (3, 48), (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54), (3, 55),
+    (3, 56), (3, 57), (3, 58), (3, 59), (3, 60), (3, 61), (3, 62), (3, 63), (3, 64), (3, 65),
+    (3, 66), (3, 67), (3, 68), (3, 69), (3, 73), (3, 80), (3, 87), (4, 41), (4, 42), (4, 44),
+    (4, 45), (4, 46), (4, 47), (4, 48), (4, 49), (4, 50), (4, 51), (4, 52), (4, 53), (4, 54),
+    (4, 55), (4, 56), (4, 57), (4, 58), (4, 59), (4, 60), (4, 61), (4, 62), (4, 63), (4, 64),
+    (4, 65), (4, 66), (4, 67), (4, 68), (4, 69), (4, 74), (4, 81), (4, 88), (5, 51), (5, 52),
+    (5, 54), (5, 55), (5, 56), (5, 57), (5, 58), (5, 59), (5, 60), (5, 61), (5, 62), (5, 63),
+    (5, 64), (5, 65), (5, 66), (5, 67), (5, 68), (5, 69), (5, 75), (5, 82), (5, 89), (6, 61),
+    (6, 62), (6, 64), (6, 65), (6, 66), (6, 67), (6, 68), (6, 69), (6, 76), (6, 83), (6, 90),
 ];
 
 /// Regressor `W` of the standard parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 70]; 7]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 91]; 7]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -71,6 +73,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let k6 = S::constant(0.167455);
     let k7 = S::constant(0.0001380625);
     let k8 = S::constant(0.0235);
+    let k9 = S::constant(1.0);
     // link 2: motion
     let [
         w2_x, w2_y, t2, t3, t5, t6, a2_z, t10,
@@ -91,9 +94,23 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw2_x = t2 + t13;
         let dw2_y = t3 - t14;
         put(0, ddq1); // row 1, ZZ1
-        put(65, ddq2); // row 2, ZZ2
-        put(67, t2); // row 2, XZ2
-        put(68, t3); // row 2, YZ2
+        put(61, dq1); // row 1, FV1
+        put(63, k9); // row 1, FO1
+        put(68, ddq2); // row 2, ZZ2
+        put(70, t2); // row 2, XZ2
+        put(71, t3); // row 2, YZ2
+        put(122, dq2); // row 2, FV2
+        put(124, k9); // row 2, FO2
+        put(173, dq3); // row 3, FV3
+        put(175, k9); // row 3, FO3
+        put(214, dq4); // row 4, FV4
+        put(216, k9); // row 4, FO4
+        put(245, dq5); // row 5, FV5
+        put(247, k9); // row 5, FO5
+        put(266, dq6); // row 6, FV6
+        put(268, k9); // row 6, FO6
+        put(277, dq7); // row 7, FV7
+        put(279, k9); // row 7, FO7
         [
         w2_x, w2_y, t2, t3, t5, t6, a2_z, t10,
         t12, t13, t14, dw2_x, dw2_y,
@@ -124,9 +141,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t53 = s3 * ddq2 - c3 * dw2_x + dq3 * t22;
         let t54 = c3 * ddq2 + s3 * dw2_x + dq3 * w3_x;
         let dw3_z = dw2_y + ddq3;
-        put(64, t32); // row 2, YY2
-        put(120, t46); // row 3, MSY3
-        put(123, dw3_z); // row 3, ZZ3
+        put(67, t32); // row 2, YY2
+        put(126, t46); // row 3, MSY3
+        put(129, dw3_z); // row 3, ZZ3
         [
         w3_x, t22, t29, t30, t31, t32, t33, t34,
         t36, t37, a3_z, t46, t49, w3_z, t53, t54,
@@ -165,12 +182,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw4_x = dq4 * w4_y - (c4 * t53 - s4 * dw3_z);
         let dw4_y = c4 * dw3_z + s4 * t53 - dq4 * w4_x;
         let dw4_z = t54 + ddq4;
-        put(121, t71); // row 3, XX3
-        put(125, t79); // row 3, XZ3
-        put(126, t76); // row 3, YZ3
-        put(167, a4_y); // row 4, MSX4
-        put(168, t91); // row 4, MSY4
-        put(171, dw4_z); // row 4, ZZ4
+        put(127, t71); // row 3, XX3
+        put(131, t79); // row 3, XZ3
+        put(132, t76); // row 3, YZ3
+        put(176, a4_y); // row 4, MSX4
+        put(177, t91); // row 4, MSY4
+        put(180, dw4_z); // row 4, ZZ4
         [
         w4_x, w4_y, t68, t69, t70, t71, t72, t73,
         t74, t75, t76, t77, t78, t79, t80, t81,
@@ -209,12 +226,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t143 = dq5 * t106 - (c5 * dw4_x - s5 * dw4_z);
         let t144 = dq5 * t103 - (c5 * dw4_z + s5 * dw4_x);
         let dw5_z = dw4_y + ddq5;
-        put(170, t116); // row 4, YY4
-        put(173, t124); // row 4, XZ4
-        put(174, t121); // row 4, YZ4
-        put(205, a5_y); // row 5, MSX5
-        put(206, t136); // row 5, MSY5
-        put(209, dw5_z); // row 5, ZZ5
+        put(179, t116); // row 4, YY4
+        put(182, t124); // row 4, XZ4
+        put(183, t121); // row 4, YZ4
+        put(217, a5_y); // row 5, MSX5
+        put(218, t136); // row 5, MSY5
+        put(221, dw5_z); // row 5, ZZ5
         [
         t103, t106, t113, t114, t115, t116, t117, t118,
         t119, t120, t121, t122, t123, t124, t125, t126,
@@ -253,12 +270,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw6_x = s6 * dw5_z - c6 * t143 + dq6 * w6_y;
         let dw6_y = c6 * dw5_z + s6 * t143 - dq6 * w6_x;
         let dw6_z = ddq6 - t144;
-        put(208, t161); // row 5, YY5
-        put(211, t169); // row 5, XZ5
-        put(212, t166); // row 5, YZ5
-        put(233, a6_y); // row 6, MSX6
-        put(234, t181); // row 6, MSY6
-        put(237, dw6_z); // row 6, ZZ6
+        put(220, t161); // row 5, YY5
+        put(223, t169); // row 5, XZ5
+        put(224, t166); // row 5, YZ5
+        put(248, a6_y); // row 6, MSX6
+        put(249, t181); // row 6, MSY6
+        put(252, dw6_z); // row 6, ZZ6
         [
         w6_x, w6_y, t158, t159, t160, t161, t162, t163,
         t164, t165, t166, t167, t168, t169, t170, t171,
@@ -297,12 +314,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t233 = s7 * dw6_z - c7 * dw6_x + dq7 * t196;
         let t234 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
         let dw7_z = dw6_y + ddq7;
-        put(236, t206); // row 6, YY6
-        put(239, t214); // row 6, XZ6
-        put(240, t211); // row 6, YZ6
-        put(251, a7_y); // row 7, MSX7
-        put(252, t226); // row 7, MSY7
-        put(255, dw7_z); // row 7, ZZ7
+        put(251, t206); // row 6, YY6
+        put(254, t214); // row 6, XZ6
+        put(255, t211); // row 6, YZ6
+        put(269, a7_y); // row 7, MSX7
+        put(270, t226); // row 7, MSY7
+        put(273, dw7_z); // row 7, ZZ7
         [
         w7_x, t196, t203, t204, t205, t206, t207, t208,
         t209, t210, t211, t212, t213, t214, t215, t216,
@@ -378,7 +395,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t298 = t2 * k1 - t6;
         put(2, t296); // row 1, MSX2
         put(9, t295); // row 1, XZ2
-        put(61, t298); // row 2, MSX2
+        put(64, t298); // row 2, MSX2
     }
     // YZ2: column
     {
@@ -387,7 +404,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t305 = t5 + t3 * k1;
         put(3, t303); // row 1, MSY2
         put(10, t302); // row 1, YZ2
-        put(62, t305); // row 2, MSY2
+        put(65, t305); // row 2, MSY2
     }
     // YY2: column
     {
@@ -404,14 +421,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t309 = t29 - t30;
         let t312 = c2 * t37 - s2 * t36;
         put(8, t312); // row 1, XY2
-        put(66, t309); // row 2, XY2
+        put(69, t309); // row 2, XY2
     }
     // M3: column
     {
         let t317 = a3_z * v1_2_y + (t46 * t243 - t49 * v1_3_y);
         let t320 = t49 * v2_4_z - t46 * v2_3_x;
         put(11, t317); // row 1, M3
-        put(69, t320); // row 2, M3
+        put(72, t320); // row 2, M3
     }
     // MSX3: column
     {
@@ -419,7 +436,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t329 = a3_z * z1_4_z - c2 * t49 + t328;
         let t334 = c3 * a3_z - (t74 * v2_3_x + t77 * v2_4_z);
         put(12, t329); // row 1, MSX3
-        put(70, t334); // row 2, MSX3
+        put(73, t334); // row 2, MSX3
     }
     // MSY3: column
     {
@@ -427,7 +444,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t343 = a3_z * z1_3_x + c2 * t46 - t342;
         let t348 = t78 * v2_4_z - t75 * v2_3_x - s3 * a3_z;
         put(13, t343); // row 1, MSY3
-        put(71, t348); // row 2, MSY3
+        put(74, t348); // row 2, MSY3
     }
     // MSZ3: column
     {
@@ -435,7 +452,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t357 = t49 * z1_3_x + t46 * z1_4_z - t356;
         let t364 = c3 * t46 - s3 * t49 + (t76 * v2_3_x + t79 * v2_4_z);
         put(14, t357); // row 1, MSZ3
-        put(72, t364); // row 2, MSZ3
+        put(75, t364); // row 2, MSZ3
     }
     // XX3: column
     let [t366, t367, t371] = {
@@ -445,7 +462,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t371 = c3 * t72;
         let t372 = s3 * t53 - t371;
         put(15, t369); // row 1, XX3
-        put(73, t372); // row 2, XX3
+        put(76, t372); // row 2, XX3
         [t366, t367, t371]
     };
     // YY3: column
@@ -455,7 +472,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t377 = s3 * t73;
         let t379 = c3 * t54 - t377;
         put(16, t376); // row 1, YY3
-        put(74, t379); // row 2, YY3
+        put(77, t379); // row 2, YY3
         [t373, t377]
     };
     // ZZ3: column
@@ -463,7 +480,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t382 = c2 * dw3_z + (t366 - t373);
         let t383 = t371 + t377;
         put(17, t382); // row 1, ZZ3
-        put(75, t383); // row 2, ZZ3
+        put(78, t383); // row 2, ZZ3
     }
     // XY3: column
     {
@@ -471,8 +488,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t389 = c2 * t384 + (t81 * z1_4_z - t80 * z1_3_x);
         let t392 = s3 * t80 + c3 * t81;
         put(18, t389); // row 1, XY3
-        put(76, t392); // row 2, XY3
-        put(124, t384); // row 3, XY3
+        put(79, t392); // row 2, XY3
+        put(130, t384); // row 3, XY3
     }
     // XZ3: column
     {
@@ -480,7 +497,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t398 = c2 * t79 + (t77 * z1_3_x + z1_4_z * t393);
         let t401 = c3 * t393 - s3 * t77;
         put(19, t398); // row 1, XZ3
-        put(77, t401); // row 2, XZ3
+        put(80, t401); // row 2, XZ3
     }
     // YZ3: column
     {
@@ -488,7 +505,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t407 = c2 * t76 - (z1_3_x * t402 + t75 * z1_4_z);
         let t410 = s3 * t402 - c3 * t75;
         put(20, t407); // row 1, YZ3
-        put(78, t410); // row 2, YZ3
+        put(81, t410); // row 2, YZ3
     }
     // M4: column
     let [t413, t416] = {
@@ -500,8 +517,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t427 = c2 * t418 - z1_3_x * t417 - t426;
         let t432 = s3 * t417 - (v2_3_x * t413 - t87 * v2_4_z);
         put(21, t427); // row 1, M4
-        put(79, t432); // row 2, M4
-        put(127, t418); // row 3, M4
+        put(82, t432); // row 2, M4
+        put(133, t418); // row 3, M4
         [t413, t416]
     };
     // MSX4: column
@@ -517,8 +534,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t455 = c2 * t444 + (z1_3_x * t443 + a4_y * z1_4_z) + t454;
         let t462 = t125 * v2_4_z - v2_3_x * t435 - (s3 * t443 - c3 * a4_y);
         put(22, t455); // row 1, MSX4
-        put(80, t462); // row 2, MSX4
-        put(128, t444); // row 3, MSX4
+        put(83, t462); // row 2, MSX4
+        put(134, t444); // row 3, MSX4
         [t434, t439, t440]
     };
     // MSY4: column
@@ -532,8 +549,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t483 = c2 * t472 + (t91 * z1_4_z - z1_3_x * t471) - t482;
         let t490 = s3 * t471 + c3 * t91 + (v2_3_x * t465 + t126 * v2_4_z);
         put(23, t483); // row 1, MSY4
-        put(81, t490); // row 2, MSY4
-        put(129, t472); // row 3, MSY4
+        put(84, t490); // row 2, MSY4
+        put(135, t472); // row 3, MSY4
         t463
     };
     // MSZ4: column
@@ -546,7 +563,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t509 = z1_3_x * t499 - c2 * t500 + t508;
         let t514 = v2_3_x * t493 - t127 * v2_4_z - s3 * t499;
         put(24, t509); // row 1, MSZ4
-        put(82, t514); // row 2, MSZ4
+        put(85, t514); // row 2, MSZ4
         t500
     };
     // XX4: column
@@ -560,8 +577,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t526 = c4 * t117;
         let t527 = s4 * dw4_x + t526;
         put(25, t519); // row 1, XX4
-        put(83, t524); // row 2, XX4
-        put(131, t527); // row 3, XX4
+        put(86, t524); // row 2, XX4
+        put(137, t527); // row 3, XX4
         [t516, t517, t521, t522, t526]
     };
     // YY4: column
@@ -573,8 +590,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t536 = s4 * t118;
         let t538 = c4 * dw4_y - t536;
         put(26, t531); // row 1, YY4
-        put(84, t535); // row 2, YY4
-        put(132, t538); // row 3, YY4
+        put(87, t535); // row 2, YY4
+        put(138, t538); // row 3, YY4
         [t528, t532, t536]
     };
     // ZZ4: column
@@ -583,8 +600,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t544 = c3 * dw4_z - (t521 + t532);
         let t545 = t536 - t526;
         put(27, t541); // row 1, ZZ4
-        put(85, t544); // row 2, ZZ4
-        put(133, t545); // row 3, ZZ4
+        put(88, t544); // row 2, ZZ4
+        put(139, t545); // row 3, ZZ4
     }
     // XY4: column
     {
@@ -593,9 +610,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t556 = c3 * t546 + (t125 * t255 + t126 * z2_4_y);
         let t559 = c4 * t126 - s4 * t125;
         put(28, t551); // row 1, XY4
-        put(86, t556); // row 2, XY4
-        put(134, t559); // row 3, XY4
-        put(172, t546); // row 4, XY4
+        put(89, t556); // row 2, XY4
+        put(140, t559); // row 3, XY4
+        put(181, t546); // row 4, XY4
     }
     // XZ4: column
     {
@@ -604,8 +621,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t570 = c3 * t124 - (t122 * t255 + z2_4_y * t560);
         let t572 = t434 - c4 * t560;
         put(29, t565); // row 1, XZ4
-        put(87, t570); // row 2, XZ4
-        put(135, t572); // row 3, XZ4
+        put(90, t570); // row 2, XZ4
+        put(141, t572); // row 3, XZ4
     }
     // YZ4: column
     {
@@ -614,8 +631,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t583 = c3 * t121 + (t120 * z2_4_y - t255 * t573);
         let t585 = t463 + s4 * t573;
         put(30, t578); // row 1, YZ4
-        put(88, t583); // row 2, YZ4
-        put(136, t585); // row 3, YZ4
+        put(91, t583); // row 2, YZ4
+        put(142, t585); // row 3, YZ4
     }
     // M5: column
     let [t588, t591, t593] = {
@@ -630,8 +647,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t618 = v2_4_z * t591 - (t257 * t588 + a5_z * t258) - t612;
         let t621 = c4 * t595 - s4 * t596;
         put(31, t607); // row 1, M5
-        put(89, t618); // row 2, M5
-        put(137, t621); // row 3, M5
+        put(92, t618); // row 2, M5
+        put(143, t621); // row 3, M5
         [t588, t591, t593]
     };
     // MSX5: column
@@ -650,9 +667,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t659 = c3 * t633 + (t255 * t636 + z2_4_y * t637) + t658;
         let t662 = c4 * t637 - s4 * t636;
         put(32, t648); // row 1, MSX5
-        put(90, t659); // row 2, MSX5
-        put(138, t662); // row 3, MSX5
-        put(176, t633); // row 4, MSX5
+        put(93, t659); // row 2, MSX5
+        put(144, t662); // row 3, MSX5
+        put(185, t633); // row 4, MSX5
         [t623, t628, t629]
     };
     // MSY5: column
@@ -669,9 +686,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t698 = c3 * t672 - (t255 * t675 + z2_4_y * t676) - t697;
         let t701 = s4 * t675 - c4 * t676;
         put(33, t687); // row 1, MSY5
-        put(91, t698); // row 2, MSY5
-        put(139, t701); // row 3, MSY5
-        put(177, t672); // row 4, MSY5
+        put(94, t698); // row 2, MSY5
+        put(145, t701); // row 3, MSY5
+        put(186, t672); // row 4, MSY5
         t663
     };
     // MSZ5: column
@@ -687,9 +704,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t736 = c3 * t711 - (t255 * t714 + z2_4_y * t713) + t735;
         let t739 = s4 * t714 - c4 * t713;
         put(34, t725); // row 1, MSZ5
-        put(92, t736); // row 2, MSZ5
-        put(140, t739); // row 3, MSZ5
-        put(178, t711); // row 4, MSZ5
+        put(95, t736); // row 2, MSZ5
+        put(146, t739); // row 3, MSZ5
+        put(187, t711); // row 4, MSZ5
     }
     // XX5: column
     let [t741, t742, t746, t747, t751, t752, t756] = {
@@ -705,9 +722,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t756 = c5 * t162;
         let t757 = s5 * t143 + t756;
         put(35, t744); // row 1, XX5
-        put(93, t749); // row 2, XX5
-        put(141, t754); // row 3, XX5
-        put(179, t757); // row 4, XX5
+        put(96, t749); // row 2, XX5
+        put(147, t754); // row 3, XX5
+        put(188, t757); // row 4, XX5
         [t741, t742, t746, t747, t751, t752, t756]
     };
     // YY5: column
@@ -721,8 +738,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t770 = s5 * t163;
         let t772 = t770 + c5 * t144;
         put(36, t761); // row 1, YY5
-        put(94, t765); // row 2, YY5
-        put(142, t769); // row 3, YY5
+        put(97, t765); // row 2, YY5
+        put(148, t769); // row 3, YY5
         [t758, t762, t766, t770, t772]
     };
     // ZZ5: column
@@ -732,9 +749,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t781 = c4 * dw5_z - (t751 + t766);
         let t782 = t770 - t756;
         put(37, t775); // row 1, ZZ5
-        put(95, t778); // row 2, ZZ5
-        put(143, t781); // row 3, ZZ5
-        put(181, t782); // row 4, ZZ5
+        put(98, t778); // row 2, ZZ5
+        put(149, t781); // row 3, ZZ5
+        put(190, t782); // row 4, ZZ5
     }
     // XY5: column
     {
@@ -744,10 +761,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t798 = c4 * t783 + (t170 * z3_5_x + t171 * z3_6_z);
         let t801 = c5 * t171 - s5 * t170;
         put(38, t788); // row 1, XY5
-        put(96, t793); // row 2, XY5
-        put(144, t798); // row 3, XY5
-        put(182, t801); // row 4, XY5
-        put(210, t783); // row 5, XY5
+        put(99, t793); // row 2, XY5
+        put(150, t798); // row 3, XY5
+        put(191, t801); // row 4, XY5
+        put(222, t783); // row 5, XY5
     }
     // XZ5: column
     {
@@ -757,9 +774,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t817 = c4 * t169 + (t167 * z3_5_x + z3_6_z * t802);
         let t819 = c5 * t802 - t623;
         put(39, t807); // row 1, XZ5
-        put(97, t812); // row 2, XZ5
-        put(145, t817); // row 3, XZ5
-        put(183, t819); // row 4, XZ5
+        put(100, t812); // row 2, XZ5
+        put(151, t817); // row 3, XZ5
+        put(192, t819); // row 4, XZ5
     }
     // YZ5: column
     {
@@ -769,9 +786,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t835 = c4 * t166 + (t165 * z3_6_z - z3_5_x * t820);
         let t837 = t663 + s5 * t820;
         put(40, t825); // row 1, YZ5
-        put(98, t830); // row 2, YZ5
-        put(146, t835); // row 3, YZ5
-        put(184, t837); // row 4, YZ5
+        put(101, t830); // row 2, YZ5
+        put(152, t835); // row 3, YZ5
+        put(193, t837); // row 4, YZ5
     }
     // M6: column
     let [t840, t843] = {
@@ -790,10 +807,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t883 = v2_4_z * t851 + (t257 * t848 - t258 * t843) - t877;
         let t886 = s4 * t860 + c4 * t861;
         put(41, t872); // row 1, M6
-        put(99, t883); // row 2, M6
-        put(147, t886); // row 3, M6
-        put(185, t857); // row 4, M6
-        put(213, t845); // row 5, M6
+        put(102, t883); // row 2, M6
+        put(153, t886); // row 3, M6
+        put(194, t857); // row 4, M6
+        put(225, t845); // row 5, M6
         [t840, t843]
     };
     // MSX6: column
@@ -817,10 +834,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t940 = c3 * t914 - (t255 * t917 - z2_4_y * t918) - t939;
         let t943 = s4 * t917 + c4 * t918;
         put(42, t929); // row 1, MSX6
-        put(100, t940); // row 2, MSX6
-        put(148, t943); // row 3, MSX6
-        put(186, t914); // row 4, MSX6
-        put(214, t898); // row 5, MSX6
+        put(103, t940); // row 2, MSX6
+        put(154, t943); // row 3, MSX6
+        put(195, t914); // row 4, MSX6
+        put(226, t898); // row 5, MSX6
         [t888, t891, t893, t894]
     };
     // MSY6: column
@@ -842,10 +859,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t995 = c3 * t969 - (t255 * t972 - z2_4_y * t973) + t994;
         let t998 = s4 * t972 + c4 * t973;
         put(43, t984); // row 1, MSY6
-        put(101, t995); // row 2, MSY6
-        put(149, t998); // row 3, MSY6
-        put(187, t969); // row 4, MSY6
-        put(215, t953); // row 5, MSY6
+        put(104, t995); // row 2, MSY6
+        put(155, t998); // row 3, MSY6
+        put(196, t969); // row 4, MSY6
+        put(227, t953); // row 5, MSY6
         [t944, t947]
     };
     // MSZ6: column
@@ -865,9 +882,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1046 = c3 * t1020 + (t255 * t1023 + z2_4_y * t1024) - t1045;
         let t1049 = c4 * t1024 - s4 * t1023;
         put(44, t1035); // row 1, MSZ6
-        put(102, t1046); // row 2, MSZ6
-        put(150, t1049); // row 3, MSZ6
-        put(188, t1020); // row 4, MSZ6
+        put(105, t1046); // row 2, MSZ6
+        put(156, t1049); // row 3, MSZ6
+        put(197, t1020); // row 4, MSZ6
         t1008
     };
     // XX6: column
@@ -885,10 +902,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1072 = c5 * t206;
         let t1073 = s5 * t1052 - t1072;
         put(45, t1060); // row 1, XX6
-        put(103, t1065); // row 2, XX6
-        put(151, t1070); // row 3, XX6
-        put(189, t1073); // row 4, XX6
-        put(217, t1055); // row 5, XX6
+        put(106, t1065); // row 2, XX6
+        put(157, t1070); // row 3, XX6
+        put(198, t1073); // row 4, XX6
+        put(229, t1055); // row 5, XX6
         [t1051, t1054, t1057, t1062, t1067, t1072]
     };
     // YY6: column
@@ -902,10 +919,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1091 = c4 * t1079 - (z3_5_x * t1076 - t1067);
         let t1093 = t1072 + s5 * t1076;
         put(46, t1083); // row 1, YY6
-        put(104, t1087); // row 2, YY6
-        put(152, t1091); // row 3, YY6
-        put(190, t1093); // row 4, YY6
-        put(218, t1079); // row 5, YY6
+        put(107, t1087); // row 2, YY6
+        put(158, t1091); // row 3, YY6
+        put(199, t1093); // row 4, YY6
+        put(230, t1079); // row 5, YY6
         [t1074, t1077]
     };
     // ZZ6: column
@@ -917,10 +934,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1110 = c4 * t1095 + (z3_5_x * t1094 + dw6_z * z3_6_z);
         let t1113 = c5 * dw6_z - s5 * t1094;
         put(47, t1100); // row 1, ZZ6
-        put(105, t1105); // row 2, ZZ6
-        put(153, t1110); // row 3, ZZ6
-        put(191, t1113); // row 4, ZZ6
-        put(219, t1095); // row 5, ZZ6
+        put(108, t1105); // row 2, ZZ6
+        put(159, t1110); // row 3, ZZ6
+        put(200, t1113); // row 4, ZZ6
+        put(231, t1095); // row 5, ZZ6
     }
     // XY6: column
     {
@@ -932,11 +949,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1135 = c4 * t1120 - (z3_5_x * t1117 - z3_6_z * t1114);
         let t1138 = s5 * t1117 + c5 * t1114;
         put(48, t1125); // row 1, XY6
-        put(106, t1130); // row 2, XY6
-        put(154, t1135); // row 3, XY6
-        put(192, t1138); // row 4, XY6
-        put(220, t1120); // row 5, XY6
-        put(238, t1114); // row 6, XY6
+        put(109, t1130); // row 2, XY6
+        put(160, t1135); // row 3, XY6
+        put(201, t1138); // row 4, XY6
+        put(232, t1120); // row 5, XY6
+        put(253, t1114); // row 6, XY6
     }
     // XZ6: column
     {
@@ -948,10 +965,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1158 = c4 * t1143 + (t214 * z3_6_z - z3_5_x * t1141);
         let t1161 = s5 * t1141 + c5 * t214;
         put(49, t1148); // row 1, XZ6
-        put(107, t1153); // row 2, XZ6
-        put(155, t1158); // row 3, XZ6
-        put(193, t1161); // row 4, XZ6
-        put(221, t1143); // row 5, XZ6
+        put(110, t1153); // row 2, XZ6
+        put(161, t1158); // row 3, XZ6
+        put(202, t1161); // row 4, XZ6
+        put(233, t1143); // row 5, XZ6
     }
     // YZ6: column
     {
@@ -963,10 +980,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1181 = c4 * t1166 + (t211 * z3_6_z - z3_5_x * t1164);
         let t1184 = s5 * t1164 + c5 * t211;
         put(50, t1171); // row 1, YZ6
-        put(108, t1176); // row 2, YZ6
-        put(156, t1181); // row 3, YZ6
-        put(194, t1184); // row 4, YZ6
-        put(222, t1166); // row 5, YZ6
+        put(111, t1176); // row 2, YZ6
+        put(162, t1181); // row 3, YZ6
+        put(203, t1184); // row 4, YZ6
+        put(234, t1166); // row 5, YZ6
     }
     // M7: column
     let [
@@ -1008,13 +1025,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1261 = v2_4_z * t1225 + (t257 * t1222 - t258 * t1213) - t1255;
         let t1264 = s4 * t1238 + c4 * t1239;
         put(51, t1250); // row 1, M7
-        put(109, t1261); // row 2, M7
-        put(157, t1264); // row 3, M7
-        put(195, t1235); // row 4, M7
-        put(223, t1219); // row 5, M7
-        put(253, t1188); // row 7, XX7
-        put(257, t1196); // row 7, XZ7
-        put(258, t1193); // row 7, YZ7
+        put(112, t1261); // row 2, M7
+        put(163, t1264); // row 3, M7
+        put(204, t1235); // row 4, M7
+        put(235, t1219); // row 5, M7
+        put(271, t1188); // row 7, XX7
+        put(275, t1196); // row 7, XZ7
+        put(276, t1193); // row 7, YZ7
         [
         t1185, t1186, t1187, t1188, t1189, t1190, t1191, t1192,
         t1193, t1194, t1195, t1196, t1197, t1198, t1199, t1202,
@@ -1046,11 +1063,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1334 = c3 * t1308 - (t255 * t1311 - z2_4_y * t1312) - t1333;
         let t1337 = s4 * t1311 + c4 * t1312;
         put(52, t1323); // row 1, MSX7
-        put(110, t1334); // row 2, MSX7
-        put(158, t1337); // row 3, MSX7
-        put(196, t1308); // row 4, MSX7
-        put(224, t1292); // row 5, MSX7
-        put(242, t1276); // row 6, MSX7
+        put(113, t1334); // row 2, MSX7
+        put(164, t1337); // row 3, MSX7
+        put(205, t1308); // row 4, MSX7
+        put(236, t1292); // row 5, MSX7
+        put(257, t1276); // row 6, MSX7
         [t1266, t1269, t1271, t1272]
     };
     // MSY7: column
@@ -1076,11 +1093,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1405 = c3 * t1379 - (t255 * t1382 + z2_4_y * t1383) + t1404;
         let t1408 = s4 * t1382 - c4 * t1383;
         put(53, t1394); // row 1, MSY7
-        put(111, t1405); // row 2, MSY7
-        put(159, t1408); // row 3, MSY7
-        put(197, t1379); // row 4, MSY7
-        put(225, t1363); // row 5, MSY7
-        put(243, t1347); // row 6, MSY7
+        put(114, t1405); // row 2, MSY7
+        put(165, t1408); // row 3, MSY7
+        put(206, t1379); // row 4, MSY7
+        put(237, t1363); // row 5, MSY7
+        put(258, t1347); // row 6, MSY7
         [t1338, t1341]
     };
     // MSZ7: column
@@ -1104,11 +1121,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1472 = c3 * t1446 + (z2_4_y * t1450 - t255 * t1449) - t1471;
         let t1475 = s4 * t1449 + c4 * t1450;
         put(54, t1461); // row 1, MSZ7
-        put(112, t1472); // row 2, MSZ7
-        put(160, t1475); // row 3, MSZ7
-        put(198, t1446); // row 4, MSZ7
-        put(226, t1430); // row 5, MSZ7
-        put(244, t1418); // row 6, MSZ7
+        put(115, t1472); // row 2, MSZ7
+        put(166, t1475); // row 3, MSZ7
+        put(207, t1446); // row 4, MSZ7
+        put(238, t1430); // row 5, MSZ7
+        put(259, t1418); // row 6, MSZ7
     }
     // XX7: column
     let [t1477, t1480, t1483, t1486] = {
@@ -1125,11 +1142,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1502 = c4 * t1487 + (z3_6_z * t1481 - z3_5_x * t1484);
         let t1505 = s5 * t1484 + c5 * t1481;
         put(55, t1492); // row 1, XX7
-        put(113, t1497); // row 2, XX7
-        put(161, t1502); // row 3, XX7
-        put(199, t1505); // row 4, XX7
-        put(227, t1487); // row 5, XX7
-        put(245, t1481); // row 6, XX7
+        put(116, t1497); // row 2, XX7
+        put(167, t1502); // row 3, XX7
+        put(208, t1505); // row 4, XX7
+        put(239, t1487); // row 5, XX7
+        put(260, t1481); // row 6, XX7
         [t1477, t1480, t1483, t1486]
     };
     // YY7: column
@@ -1145,11 +1162,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1530 = c4 * t1515 + (z3_5_x * t1513 + z3_6_z * t1511);
         let t1533 = c5 * t1511 - s5 * t1513;
         put(56, t1520); // row 1, YY7
-        put(114, t1525); // row 2, YY7
-        put(162, t1530); // row 3, YY7
-        put(200, t1533); // row 4, YY7
-        put(228, t1515); // row 5, YY7
-        put(246, t1511); // row 6, YY7
+        put(117, t1525); // row 2, YY7
+        put(168, t1530); // row 3, YY7
+        put(209, t1533); // row 4, YY7
+        put(240, t1515); // row 5, YY7
+        put(261, t1511); // row 6, YY7
         [t1506, t1509]
     };
     // ZZ7: column
@@ -1163,11 +1180,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1556 = c4 * t1541 + (z3_6_z * t1535 - z3_5_x * t1538);
         let t1559 = s5 * t1538 + c5 * t1535;
         put(57, t1546); // row 1, ZZ7
-        put(115, t1551); // row 2, ZZ7
-        put(163, t1556); // row 3, ZZ7
-        put(201, t1559); // row 4, ZZ7
-        put(229, t1541); // row 5, ZZ7
-        put(247, t1535); // row 6, ZZ7
+        put(118, t1551); // row 2, ZZ7
+        put(169, t1556); // row 3, ZZ7
+        put(210, t1559); // row 4, ZZ7
+        put(241, t1541); // row 5, ZZ7
+        put(262, t1535); // row 6, ZZ7
     }
     // XY7: column
     {
@@ -1181,12 +1198,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1587 = c4 * t1572 + (z3_5_x * t1569 + z3_6_z * t1566);
         let t1590 = c5 * t1566 - s5 * t1569;
         put(58, t1577); // row 1, XY7
-        put(116, t1582); // row 2, XY7
-        put(164, t1587); // row 3, XY7
-        put(202, t1590); // row 4, XY7
-        put(230, t1572); // row 5, XY7
-        put(248, t1566); // row 6, XY7
-        put(256, t1560); // row 7, XY7
+        put(119, t1582); // row 2, XY7
+        put(170, t1587); // row 3, XY7
+        put(211, t1590); // row 4, XY7
+        put(242, t1572); // row 5, XY7
+        put(263, t1566); // row 6, XY7
+        put(274, t1560); // row 7, XY7
     }
     // XZ7: column
     {
@@ -1200,11 +1217,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1616 = c4 * t1601 - (z3_5_x * t1598 - z3_6_z * t1595);
         let t1619 = s5 * t1598 + c5 * t1595;
         put(59, t1606); // row 1, XZ7
-        put(117, t1611); // row 2, XZ7
-        put(165, t1616); // row 3, XZ7
-        put(203, t1619); // row 4, XZ7
-        put(231, t1601); // row 5, XZ7
-        put(249, t1595); // row 6, XZ7
+        put(120, t1611); // row 2, XZ7
+        put(171, t1616); // row 3, XZ7
+        put(212, t1619); // row 4, XZ7
+        put(243, t1601); // row 5, XZ7
+        put(264, t1595); // row 6, XZ7
     }
     // YZ7: column
     {
@@ -1217,35 +1234,49 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1640 = z2_4_y * t1630 + (t273 * t1627 + t276 * t1624);
         let t1645 = c4 * t1630 + (z3_6_z * t1624 - z3_5_x * t1627);
         let t1648 = s5 * t1627 + c5 * t1624;
-        let t1649 = -t32;
-        let t1650 = -t49;
-        let t1651 = -t71;
-        let t1652 = -t500;
-        let t1653 = -t116;
-        let t1654 = -t593;
-        let t1655 = -t772;
-        let t1656 = -t161;
-        let t1657 = -t1008;
-        let t1658 = -t206;
-        let t1659 = -t1207;
-        let t1660 = -t1188;
+        let t1649 = dq1.sign();
+        let t1650 = dq2.sign();
+        let t1651 = dq3.sign();
+        let t1652 = dq4.sign();
+        let t1653 = dq5.sign();
+        let t1654 = dq6.sign();
+        let t1655 = dq7.sign();
+        let t1656 = -t32;
+        let t1657 = -t49;
+        let t1658 = -t71;
+        let t1659 = -t500;
+        let t1660 = -t116;
+        let t1661 = -t593;
+        let t1662 = -t772;
+        let t1663 = -t161;
+        let t1664 = -t1008;
+        let t1665 = -t206;
+        let t1666 = -t1207;
+        let t1667 = -t1188;
         put(60, t1635); // row 1, YZ7
-        put(63, t1649); // row 2, XX2
-        put(118, t1640); // row 2, YZ7
-        put(119, t1650); // row 3, MSX3
-        put(122, t1651); // row 3, YY3
-        put(130, t1652); // row 3, MSZ4
-        put(166, t1645); // row 3, YZ7
-        put(169, t1653); // row 4, XX4
-        put(175, t1654); // row 4, M5
-        put(180, t1655); // row 4, YY5
-        put(204, t1648); // row 4, YZ7
-        put(207, t1656); // row 5, XX5
-        put(216, t1657); // row 5, MSZ6
-        put(232, t1630); // row 5, YZ7
-        put(235, t1658); // row 6, XX6
-        put(241, t1659); // row 6, M7
-        put(250, t1624); // row 6, YZ7
-        put(254, t1660); // row 7, YY7
+        put(62, t1649); // row 1, FC1
+        put(66, t1656); // row 2, XX2
+        put(121, t1640); // row 2, YZ7
+        put(123, t1650); // row 2, FC2
+        put(125, t1657); // row 3, MSX3
+        put(128, t1658); // row 3, YY3
+        put(136, t1659); // row 3, MSZ4
+        put(172, t1645); // row 3, YZ7
+        put(174, t1651); // row 3, FC3
+        put(178, t1660); // row 4, XX4
+        put(184, t1661); // row 4, M5
+        put(189, t1662); // row 4, YY5
+        put(213, t1648); // row 4, YZ7
+        put(215, t1652); // row 4, FC4
+        put(219, t1663); // row 5, XX5
+        put(228, t1664); // row 5, MSZ6
+        put(244, t1630); // row 5, YZ7
+        put(246, t1653); // row 5, FC5
+        put(250, t1665); // row 6, XX6
+        put(256, t1666); // row 6, M7
+        put(265, t1624); // row 6, YZ7
+        put(267, t1654); // row 6, FC6
+        put(272, t1667); // row 7, YY7
+        put(278, t1655); // row 7, FC7
     }
 }

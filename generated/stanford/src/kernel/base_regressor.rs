@@ -2,13 +2,13 @@
 //!
 //! `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 344 multiplications, 254 additions; 6 x 33, 117 of 198 structurally nonzero.
+//! 344 multiplications, 254 additions; 6 x 37, 121 of 222 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 117;
+pub const NONZEROS: usize = 121;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
@@ -19,16 +19,17 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (1, 8), (1, 9), (1, 10), (1, 11), (1, 12), (1, 13), (1, 14), (1, 15), (1, 16), (1, 17),
     (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27),
     (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (2, 8), (2, 9), (2, 10), (2, 11), (2, 12),
-    (2, 13), (2, 19), (2, 20), (2, 26), (2, 27), (3, 12), (3, 13), (3, 14), (3, 15), (3, 16),
-    (3, 17), (3, 18), (3, 19), (3, 20), (3, 21), (3, 22), (3, 23), (3, 24), (3, 25), (3, 26),
-    (3, 27), (3, 28), (3, 29), (3, 30), (3, 31), (3, 32), (4, 19), (4, 20), (4, 21), (4, 22),
-    (4, 23), (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (4, 30), (4, 31), (4, 32),
-    (5, 26), (5, 27), (5, 28), (5, 29), (5, 30), (5, 31), (5, 32),
+    (2, 13), (2, 19), (2, 20), (2, 26), (2, 27), (2, 33), (3, 12), (3, 13), (3, 14), (3, 15),
+    (3, 16), (3, 17), (3, 18), (3, 19), (3, 20), (3, 21), (3, 22), (3, 23), (3, 24), (3, 25),
+    (3, 26), (3, 27), (3, 28), (3, 29), (3, 30), (3, 31), (3, 32), (3, 34), (4, 19), (4, 20),
+    (4, 21), (4, 22), (4, 23), (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (4, 30),
+    (4, 31), (4, 32), (4, 35), (5, 26), (5, 27), (5, 28), (5, 29), (5, 30), (5, 31), (5, 32),
+    (5, 36),
 ];
 
 /// Regressor `W_b` of the base parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 33]; 6]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 37]; 6]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -75,6 +76,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(35, ddq2); // row 2, YY2R
         put(39, t3); // row 2, YZ2R
         put(66, t2); // row 3, MSX3
+        put(75, ddq3); // row 3, IA3
+        put(97, ddq4); // row 4, IA4
+        put(112, ddq5); // row 5, IA5
+        put(120, ddq6); // row 6, IA6
         [
         t0, w3_z, t2, t3, t8, t10, a2_y, t13,
         t14, t15, t16,
@@ -118,9 +123,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t61 = c4 * ddq2 + s4 * t15 - dq4 * w4_y;
         let t62 = c4 * t15 - s4 * ddq2 - dq4 * t42;
         let dw4_z = t16 + ddq4;
-        put(75, a4_y); // row 4, MSX4
-        put(76, t54); // row 4, MSZ4R
-        put(77, dw4_z); // row 4, YY4R
+        put(76, a4_y); // row 4, MSX4
+        put(77, t54); // row 4, MSZ4R
+        put(78, dw4_z); // row 4, YY4R
         [t42, w4_y, t54, a4_y, w4_z, t61, t62, dw4_z]
     };
     // link 5: motion
@@ -153,11 +158,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw5_z = ddq5 - t62;
         put(69, t88); // row 3, MSX4
         put(70, t89); // row 3, MSZ4R
-        put(79, t87); // row 4, XY4
-        put(81, t84); // row 4, YZ4
-        put(96, a5_y); // row 5, MSX5
-        put(97, a5_x); // row 5, MSZ5R
-        put(98, dw5_z); // row 5, YY5R
+        put(80, t87); // row 4, XY4
+        put(82, t84); // row 4, YZ4
+        put(98, a5_y); // row 5, MSX5
+        put(99, a5_x); // row 5, MSZ5R
+        put(100, dw5_z); // row 5, YY5R
         [
         t66, t69, t76, t77, t78, t79, t80, t81,
         t82, t83, t84, t85, t86, t87, t88, t89,
@@ -195,12 +200,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw6_x = dq6 * w6_y - (c6 * t99 - s6 * dw5_z);
         let dw6_y = c6 * dw5_z + s6 * t99 + dq6 * t104;
         let dw6_z = t100 + ddq6;
-        put(99, t117); // row 5, ZZ5R
-        put(100, t125); // row 5, XY5
-        put(102, t122); // row 5, YZ5
-        put(110, a6_y); // row 6, MSX6
-        put(111, t136); // row 6, MSY6
-        put(113, dw6_z); // row 6, ZZ6
+        put(101, t117); // row 5, ZZ5R
+        put(102, t125); // row 5, XY5
+        put(104, t122); // row 5, YZ5
+        put(113, a6_y); // row 6, MSX6
+        put(114, t136); // row 6, MSY6
+        put(116, dw6_z); // row 6, ZZ6
         [
         t104, w6_y, t114, t115, t116, t117, t118, t119,
         t120, t121, t122, t123, t124, t125, t126, t127,
@@ -349,7 +354,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t273 = c4 * t88 + s4 * t89;
         put(17, t270); // row 1, XZ4
         put(49, t273); // row 2, XZ4
-        put(80, t265); // row 4, XZ4
+        put(81, t265); // row 4, XZ4
     }
     // YZ4: column
     {
@@ -375,8 +380,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(19, t304); // row 1, MSX5
         put(51, t307); // row 2, MSX5
         put(71, t287); // row 3, MSX5
-        put(82, t289); // row 4, MSX5
-        put(83, t288); // row 4, MSZ5R
+        put(83, t289); // row 4, MSX5
+        put(84, t288); // row 4, MSZ5R
         [t283, t286, t288, t289]
     };
     // MSZ5: column
@@ -405,7 +410,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t345 = c4 * t334 + s4 * dw5_z;
         put(21, t342); // row 1, YY5R
         put(53, t345); // row 2, YY5R
-        put(84, t337); // row 4, YY5R
+        put(85, t337); // row 4, YY5R
         [t332, t335]
     };
     // ZZ5: column
@@ -416,7 +421,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t357 = s4 * t117 - c4 * t347;
         put(22, t354); // row 1, ZZ5R
         put(54, t357); // row 2, ZZ5R
-        put(85, t349); // row 4, ZZ5R
+        put(86, t349); // row 4, ZZ5R
     }
     // XY5: column
     {
@@ -427,7 +432,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t370 = s4 * t125 - c4 * t360;
         put(23, t367); // row 1, XY5
         put(55, t370); // row 2, XY5
-        put(86, t362); // row 4, XY5
+        put(87, t362); // row 4, XY5
     }
     // XZ5: column
     {
@@ -438,8 +443,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t385 = c4 * t374 + s4 * t371;
         put(24, t382); // row 1, XZ5
         put(56, t385); // row 2, XZ5
-        put(87, t377); // row 4, XZ5
-        put(101, t371); // row 5, XZ5
+        put(88, t377); // row 4, XZ5
+        put(103, t371); // row 5, XZ5
     }
     // YZ5: column
     {
@@ -450,7 +455,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t398 = c4 * t388 + s4 * t122;
         put(25, t395); // row 1, YZ5
         put(57, t398); // row 2, YZ5
-        put(88, t390); // row 4, YZ5
+        put(89, t390); // row 4, YZ5
     }
     // MSX6: column
     let [
@@ -490,11 +495,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(26, t451); // row 1, MSX6
         put(58, t454); // row 2, MSX6
         put(73, t430); // row 3, MSX6
-        put(89, t436); // row 4, MSX6
-        put(103, t424); // row 5, MSX6
-        put(112, t402); // row 6, XX6R
-        put(115, t410); // row 6, XZ6
-        put(116, t407); // row 6, YZ6
+        put(90, t436); // row 4, MSX6
+        put(105, t424); // row 5, MSX6
+        put(115, t402); // row 6, XX6R
+        put(118, t410); // row 6, XZ6
+        put(119, t407); // row 6, YZ6
         [
         t399, t400, t401, t402, t403, t404, t406, t407,
         t409, t410, t411, t412, t414, t417, t419, t420,
@@ -519,8 +524,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(27, t491); // row 1, MSY6
         put(59, t494); // row 2, MSY6
         put(74, t470); // row 3, MSY6
-        put(90, t476); // row 4, MSY6
-        put(104, t464); // row 5, MSY6
+        put(91, t476); // row 4, MSY6
+        put(106, t464); // row 5, MSY6
         [t455, t458]
     };
     // XX6: column
@@ -535,8 +540,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t514 = s4 * t500 - c4 * t503;
         put(28, t511); // row 1, XX6R
         put(60, t514); // row 2, XX6R
-        put(91, t506); // row 4, XX6R
-        put(105, t500); // row 5, XX6R
+        put(92, t506); // row 4, XX6R
+        put(107, t500); // row 5, XX6R
         [t496, t499]
     };
     // ZZ6: column
@@ -549,8 +554,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t532 = s4 * t518 - c4 * t521;
         put(29, t529); // row 1, ZZ6
         put(61, t532); // row 2, ZZ6
-        put(92, t524); // row 4, ZZ6
-        put(106, t518); // row 5, ZZ6
+        put(93, t524); // row 4, ZZ6
+        put(108, t518); // row 5, ZZ6
     }
     // XY6: column
     {
@@ -563,9 +568,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t553 = c4 * t542 + s4 * t539;
         put(30, t550); // row 1, XY6
         put(62, t553); // row 2, XY6
-        put(93, t545); // row 4, XY6
-        put(107, t539); // row 5, XY6
-        put(114, t533); // row 6, XY6
+        put(94, t545); // row 4, XY6
+        put(109, t539); // row 5, XY6
+        put(117, t533); // row 6, XY6
     }
     // XZ6: column
     {
@@ -578,8 +583,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t572 = c4 * t561 + s4 * t558;
         put(31, t569); // row 1, XZ6
         put(63, t572); // row 2, XZ6
-        put(94, t564); // row 4, XZ6
-        put(108, t558); // row 5, XZ6
+        put(95, t564); // row 4, XZ6
+        put(110, t558); // row 5, XZ6
     }
     // YZ6: column
     {
@@ -603,8 +608,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(65, t594); // row 3, M3R
         put(67, t595); // row 3, MSY3
         put(68, t596); // row 3, MSZ3R
-        put(78, t597); // row 4, ZZ4R
-        put(95, t583); // row 4, YZ6
-        put(109, t577); // row 5, YZ6
+        put(79, t597); // row 4, ZZ4R
+        put(96, t583); // row 4, YZ6
+        put(111, t577); // row 5, YZ6
     }
 }

@@ -2,13 +2,13 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 453 multiplications, 338 additions; 6 x 60, 168 of 360 structurally nonzero.
+//! 453 multiplications, 338 additions; 6 x 66, 174 of 396 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 168;
+pub const NONZEROS: usize = 174;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
@@ -17,23 +17,24 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 29), (0, 30), (0, 31), (0, 32), (0, 33), (0, 34), (0, 35), (0, 36), (0, 37), (0, 38),
     (0, 39), (0, 40), (0, 41), (0, 42), (0, 43), (0, 44), (0, 45), (0, 46), (0, 47), (0, 48),
     (0, 49), (0, 50), (0, 51), (0, 52), (0, 53), (0, 54), (0, 55), (0, 56), (0, 57), (0, 58),
-    (0, 59), (1, 11), (1, 13), (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19), (1, 20),
-    (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29), (1, 30),
-    (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39), (1, 40),
-    (1, 41), (1, 42), (1, 43), (1, 44), (1, 45), (1, 46), (1, 47), (1, 48), (1, 49), (1, 50),
-    (1, 51), (1, 52), (1, 53), (1, 54), (1, 55), (1, 56), (1, 57), (1, 58), (1, 59), (2, 20),
-    (2, 21), (2, 22), (2, 23), (2, 30), (2, 31), (2, 32), (2, 33), (2, 40), (2, 41), (2, 42),
-    (2, 43), (2, 50), (2, 51), (2, 52), (2, 53), (3, 31), (3, 33), (3, 34), (3, 35), (3, 36),
-    (3, 37), (3, 38), (3, 39), (3, 41), (3, 42), (3, 43), (3, 44), (3, 45), (3, 46), (3, 47),
-    (3, 48), (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54), (3, 55), (3, 56), (3, 57),
-    (3, 58), (3, 59), (4, 41), (4, 43), (4, 44), (4, 45), (4, 46), (4, 47), (4, 48), (4, 49),
-    (4, 50), (4, 51), (4, 52), (4, 53), (4, 54), (4, 55), (4, 56), (4, 57), (4, 58), (4, 59),
-    (5, 51), (5, 52), (5, 54), (5, 55), (5, 56), (5, 57), (5, 58), (5, 59),
+    (0, 59), (0, 60), (1, 11), (1, 13), (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19),
+    (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29),
+    (1, 30), (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39),
+    (1, 40), (1, 41), (1, 42), (1, 43), (1, 44), (1, 45), (1, 46), (1, 47), (1, 48), (1, 49),
+    (1, 50), (1, 51), (1, 52), (1, 53), (1, 54), (1, 55), (1, 56), (1, 57), (1, 58), (1, 59),
+    (1, 61), (2, 20), (2, 21), (2, 22), (2, 23), (2, 30), (2, 31), (2, 32), (2, 33), (2, 40),
+    (2, 41), (2, 42), (2, 43), (2, 50), (2, 51), (2, 52), (2, 53), (2, 62), (3, 31), (3, 33),
+    (3, 34), (3, 35), (3, 36), (3, 37), (3, 38), (3, 39), (3, 41), (3, 42), (3, 43), (3, 44),
+    (3, 45), (3, 46), (3, 47), (3, 48), (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54),
+    (3, 55), (3, 56), (3, 57), (3, 58), (3, 59), (3, 63), (4, 41), (4, 43), (4, 44), (4, 45),
+    (4, 46), (4, 47), (4, 48), (4, 49), (4, 50), (4, 51), (4, 52), (4, 53), (4, 54), (4, 55),
+    (4, 56), (4, 57), (4, 58), (4, 59), (4, 64), (5, 51), (5, 52), (5, 54), (5, 55), (5, 56),
+    (5, 57), (5, 58), (5, 59), (5, 65),
 ];
 
 /// Regressor `W` of the standard parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 60]; 6]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 66]; 6]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -76,12 +77,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t15 = t2 + t13;
         let t16 = t3 - t14;
         put(0, ddq1); // row 1, YY1
-        put(51, a2_y); // row 2, MSX2
-        put(54, ddq2); // row 2, YY2
-        put(58, t3); // row 2, YZ2
-        put(63, ddq2); // row 2, XX3
-        put(66, t2); // row 2, XY3
-        put(100, t2); // row 3, MSX3
+        put(51, ddq1); // row 1, IA1
+        put(52, a2_y); // row 2, MSX2
+        put(55, ddq2); // row 2, YY2
+        put(59, t3); // row 2, YZ2
+        put(64, ddq2); // row 2, XX3
+        put(67, t2); // row 2, XY3
+        put(100, ddq2); // row 2, IA2
+        put(102, t2); // row 3, MSX3
+        put(117, ddq3); // row 3, IA3
+        put(145, ddq4); // row 4, IA4
+        put(164, ddq5); // row 5, IA5
+        put(173, ddq6); // row 6, IA6
         [
         t0, w3_z, t2, t3, t8, t10, a2_y, t13,
         t14, t15, t16,
@@ -109,8 +116,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t37 = t30 - t8 + t0 * t34;
         let a3_y = t28 - t10 + dq2 * t34;
         let t39 = a2_y + q3 * t24 - ddq3;
-        put(55, t20); // row 2, ZZ2
-        put(65, t20); // row 2, ZZ3
+        put(56, t20); // row 2, ZZ2
+        put(66, t20); // row 2, ZZ3
         [
         t17, t18, t19, t20, t21, t22, t23, t24,
         t25, t26, t27, t28, t30, t37, a3_y, t39,
@@ -126,9 +133,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t61 = c4 * ddq2 + s4 * t15 - dq4 * w4_y;
         let t62 = c4 * t15 - s4 * ddq2 - dq4 * t42;
         let dw4_z = t16 + ddq4;
-        put(115, a4_y); // row 4, MSX4
-        put(116, t54); // row 4, MSZ4
-        put(118, dw4_z); // row 4, YY4
+        put(118, a4_y); // row 4, MSX4
+        put(119, t54); // row 4, MSZ4
+        put(121, dw4_z); // row 4, YY4
         [t42, w4_y, t54, a4_y, w4_z, t61, t62, dw4_z]
     };
     // link 5: motion
@@ -160,15 +167,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t100 = c5 * t61 + s5 * dw4_z + dq5 * t69;
         let t101 = c5 * dw4_z - s5 * t61 - dq5 * t66;
         let dw5_z = ddq5 - t62;
-        put(104, t88); // row 3, MSX4
-        put(105, t90); // row 3, MSY4
-        put(106, t89); // row 3, MSZ4
-        put(117, t79); // row 4, XX4
-        put(120, t87); // row 4, XY4
-        put(122, t84); // row 4, YZ4
-        put(142, a5_y); // row 5, MSX5
-        put(143, a5_x); // row 5, MSZ5
-        put(145, dw5_z); // row 5, YY5
+        put(106, t88); // row 3, MSX4
+        put(107, t90); // row 3, MSY4
+        put(108, t89); // row 3, MSZ4
+        put(120, t79); // row 4, XX4
+        put(123, t87); // row 4, XY4
+        put(125, t84); // row 4, YZ4
+        put(146, a5_y); // row 5, MSX5
+        put(147, a5_x); // row 5, MSZ5
+        put(149, dw5_z); // row 5, YY5
         [
         t66, t69, t76, t77, t78, t79, t80, t81,
         t82, t83, t84, t85, t86, t87, t88, t89,
@@ -207,12 +214,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw6_x = s6 * dw5_z - c6 * t100 + dq6 * w6_y;
         let dw6_y = c6 * dw5_z + s6 * t100 - dq6 * w6_x;
         let dw6_z = t101 + ddq6;
-        put(146, t118); // row 5, ZZ5
-        put(147, t126); // row 5, XY5
-        put(149, t123); // row 5, YZ5
-        put(160, a6_y); // row 6, MSX6
-        put(161, t138); // row 6, MSY6
-        put(164, dw6_z); // row 6, ZZ6
+        put(150, t118); // row 5, ZZ5
+        put(151, t126); // row 5, XY5
+        put(153, t123); // row 5, YZ5
+        put(165, a6_y); // row 6, MSX6
+        put(166, t138); // row 6, MSY6
+        put(169, dw6_z); // row 6, ZZ6
         [
         w6_x, w6_y, t115, t116, t117, t118, t119, t120,
         t121, t122, t123, t124, t125, t126, t127, t128,
@@ -293,8 +300,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t188 = s2 * t25 - c2 * t26;
         put(9, t188); // row 1, XZ2
         put(20, t188); // row 1, YZ3
-        put(57, t185); // row 2, XZ2
-        put(68, t185); // row 2, YZ3
+        put(58, t185); // row 2, XZ2
+        put(69, t185); // row 2, YZ3
     }
     // YZ2: column
     let t192 = {
@@ -308,7 +315,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t197 = t39 * v1_2_y;
         let t199 = s2 * (q3 * t37) + (t197 - a3_y * t148);
         put(11, t199); // row 1, M3
-        put(59, t194); // row 2, M3
+        put(60, t194); // row 2, M3
         t197
     };
     // MSX3: column
@@ -316,21 +323,21 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t201 = q3 * t3;
         let t206 = s2 * (q3 * t27 - t39) + c2 * a3_y - t167;
         put(12, t206); // row 1, MSX3
-        put(60, t201); // row 2, MSX3
+        put(61, t201); // row 2, MSX3
     }
     // MSY3: column
     {
         let t209 = t39 - q3 * t21;
         let t213 = t160 + (c2 * t37 - s2 * (q3 * t25));
         put(13, t213); // row 1, MSY3
-        put(61, t209); // row 2, MSY3
+        put(62, t209); // row 2, MSY3
     }
     // MSZ3: column
     {
         let t215 = t28 + a3_y;
         let t217 = t172 + s2 * (t30 + t37);
         put(14, t217); // row 1, MSZ3
-        put(62, t215); // row 2, MSZ3
+        put(63, t215); // row 2, MSZ3
     }
     // M4: column
     let [t220, t223] = {
@@ -339,7 +346,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t225 = q3 * t223;
         let t229 = s2 * (q3 * t220) + (t197 - t148 * t223);
         put(21, t229); // row 1, M4
-        put(69, t225); // row 2, M4
+        put(70, t225); // row 2, M4
         [t220, t223]
     };
     // MSX4: column
@@ -352,7 +359,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t244 = s2 * (q3 * (c4 * t82 + s4 * t85) - t237) + c2 * a4_y;
         let t248 = t244 - (t148 * t235 + t88 * v1_2_y);
         put(22, t248); // row 1, MSX4
-        put(70, t241); // row 2, MSX4
+        put(71, t241); // row 2, MSX4
         [t234, t236, t237]
     };
     // MSY4: column
@@ -361,7 +368,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t258 = q3 * t254 - t223;
         let t262 = t148 * t254 + t90 * v1_2_y;
         let t263 = s2 * (t220 + q3 * (c4 * t84 + s4 * t87)) + t262;
-        put(71, t258); // row 2, MSY4
+        put(72, t258); // row 2, MSY4
         t263
     };
     // MSZ4: column
@@ -372,7 +379,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t276 = s2 * (t236 - q3 * (s4 * t86 - c4 * t83)) + c2 * t54;
         let t280 = t276 + (t148 * t269 - t89 * v1_2_y);
         put(24, t280); // row 1, MSZ4
-        put(72, t273); // row 2, MSZ4
+        put(73, t273); // row 2, MSZ4
         t267
     };
     // XX4: column
@@ -383,7 +390,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t287 = s4 * t80;
         let t288 = c4 * t61 - t287;
         put(25, t285); // row 1, XX4
-        put(73, t288); // row 2, XX4
+        put(74, t288); // row 2, XX4
         [t282, t283, t287]
     };
     // YY4: column
@@ -393,7 +400,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t293 = c4 * t81;
         let t294 = t287 - t293;
         put(26, t292); // row 1, YY4
-        put(74, t294); // row 2, YY4
+        put(75, t294); // row 2, YY4
         [t289, t293]
     };
     // ZZ4: column
@@ -401,7 +408,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t297 = t289 + t62 * t151 - t283;
         let t299 = t293 - s4 * t62;
         put(27, t297); // row 1, ZZ4
-        put(75, t299); // row 2, ZZ4
+        put(76, t299); // row 2, ZZ4
     }
     // XY4: column
     {
@@ -409,7 +416,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t305 = c2 * t87 - (t151 * t300 - t85 * t150);
         let t307 = t234 + s4 * t300;
         put(28, t305); // row 1, XY4
-        put(76, t307); // row 2, XY4
+        put(77, t307); // row 2, XY4
     }
     // XZ4: column
     {
@@ -417,8 +424,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t313 = c2 * t308 + (t88 * t150 - t89 * t151);
         let t316 = c4 * t88 + s4 * t89;
         put(29, t313); // row 1, XZ4
-        put(77, t316); // row 2, XZ4
-        put(121, t308); // row 4, XZ4
+        put(78, t316); // row 2, XZ4
+        put(124, t308); // row 4, XZ4
     }
     // YZ4: column
     {
@@ -426,7 +433,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t322 = c2 * t84 + (t150 * t317 + t83 * t151);
         let t324 = c4 * t317 - t267;
         put(30, t322); // row 1, YZ4
-        put(78, t324); // row 2, YZ4
+        put(79, t324); // row 2, YZ4
     }
     // M5: column
     let [t327, t330] = {
@@ -438,8 +445,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t341 = t150 * t331 + t151 * t332 + t340;
         let t344 = c4 * t331 - s4 * t332;
         put(31, t341); // row 1, M5
-        put(79, t344); // row 2, M5
-        put(124, t327); // row 4, MSY5
+        put(80, t344); // row 2, M5
+        put(127, t327); // row 4, MSY5
         [t327, t330]
     };
     // MSX5: column
@@ -456,10 +463,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t367 = t152 * t347 + t127 * t153 - v1_2_y * t350 - t361;
         let t370 = s4 * t356 - c4 * t355;
         put(32, t367); // row 1, MSX5
-        put(80, t370); // row 2, MSX5
-        put(108, t350); // row 3, MSX5
-        put(123, t352); // row 4, MSX5
-        put(125, t351); // row 4, MSZ5
+        put(81, t370); // row 2, MSX5
+        put(110, t350); // row 3, MSX5
+        put(126, t352); // row 4, MSX5
+        put(128, t351); // row 4, MSZ5
         [t346, t349, t351, t352]
     };
     // MSY5: column
@@ -472,8 +479,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t390 = c2 * t327 - (t151 * t378 - t150 * t379) - t389;
         let t393 = c4 * t379 + s4 * t378;
         put(33, t390); // row 1, MSY5
-        put(81, t393); // row 2, MSY5
-        put(109, t376); // row 3, MSY5
+        put(82, t393); // row 2, MSY5
+        put(111, t376); // row 3, MSY5
     }
     // MSZ5: column
     let [t394, t397] = {
@@ -487,8 +494,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t414 = c2 * t351 + (t150 * t402 + t151 * t403) + t413;
         let t417 = c4 * t402 - s4 * t403;
         put(34, t414); // row 1, MSZ5
-        put(82, t417); // row 2, MSZ5
-        put(110, t399); // row 3, MSZ5
+        put(83, t417); // row 2, MSZ5
+        put(112, t399); // row 3, MSZ5
         [t394, t397]
     };
     // XX5: column
@@ -502,8 +509,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t430 = s4 * t118;
         let t431 = c4 * t420 - t430;
         put(35, t428); // row 1, XX5
-        put(83, t431); // row 2, XX5
-        put(126, t423); // row 4, XX5
+        put(84, t431); // row 2, XX5
+        put(129, t423); // row 4, XX5
         [t419, t422, t425, t430]
     };
     // YY5: column
@@ -515,8 +522,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t440 = c2 * t435 + (t150 * t433 - dw5_z * t151);
         let t443 = c4 * t433 + s4 * dw5_z;
         put(36, t440); // row 1, YY5
-        put(84, t443); // row 2, YY5
-        put(127, t435); // row 4, YY5
+        put(85, t443); // row 2, YY5
+        put(130, t435); // row 4, YY5
         [t432, t434]
     };
     // ZZ5: column
@@ -526,8 +533,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t451 = c2 * t447 - (t425 + t150 * t445);
         let t453 = t430 - c4 * t445;
         put(37, t451); // row 1, ZZ5
-        put(85, t453); // row 2, ZZ5
-        put(128, t447); // row 4, ZZ5
+        put(86, t453); // row 2, ZZ5
+        put(131, t447); // row 4, ZZ5
     }
     // XY5: column
     {
@@ -537,8 +544,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t463 = c2 * t458 - (t150 * t456 + t126 * t151);
         let t466 = s4 * t126 - c4 * t456;
         put(38, t463); // row 1, XY5
-        put(86, t466); // row 2, XY5
-        put(129, t458); // row 4, XY5
+        put(87, t466); // row 2, XY5
+        put(132, t458); // row 4, XY5
     }
     // XZ5: column
     {
@@ -548,9 +555,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t478 = c2 * t473 + (t150 * t470 - t151 * t467);
         let t481 = c4 * t470 + s4 * t467;
         put(39, t478); // row 1, XZ5
-        put(87, t481); // row 2, XZ5
-        put(130, t473); // row 4, XZ5
-        put(148, t467); // row 5, XZ5
+        put(88, t481); // row 2, XZ5
+        put(133, t473); // row 4, XZ5
+        put(152, t467); // row 5, XZ5
     }
     // YZ5: column
     {
@@ -560,8 +567,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t491 = c2 * t486 + (t150 * t484 - t123 * t151);
         let t494 = c4 * t484 + s4 * t123;
         put(40, t491); // row 1, YZ5
-        put(88, t494); // row 2, YZ5
-        put(131, t486); // row 4, YZ5
+        put(89, t494); // row 2, YZ5
+        put(134, t486); // row 4, YZ5
     }
     // M6: column
     let [
@@ -597,12 +604,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t540 = c2 * t525 + (t150 * t528 + t151 * t529) + t539;
         let t543 = c4 * t528 - s4 * t529;
         put(41, t540); // row 1, M6
-        put(89, t543); // row 2, M6
-        put(111, t523); // row 3, M6
-        put(132, t525); // row 4, M6
-        put(163, t498); // row 6, YY6
-        put(166, t506); // row 6, XZ6
-        put(167, t503); // row 6, YZ6
+        put(90, t543); // row 2, M6
+        put(113, t523); // row 3, M6
+        put(135, t525); // row 4, M6
+        put(168, t498); // row 6, YY6
+        put(171, t506); // row 6, XZ6
+        put(172, t503); // row 6, YZ6
         [
         t495, t496, t497, t498, t499, t500, t501, t502,
         t503, t504, t505, t506, t507, t508, t509, t512,
@@ -628,10 +635,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t582 = c2 * t567 + (t150 * t570 - t151 * t571) + t581;
         let t585 = c4 * t570 + s4 * t571;
         put(42, t582); // row 1, MSX6
-        put(90, t585); // row 2, MSX6
-        put(112, t561); // row 3, MSX6
-        put(133, t567); // row 4, MSX6
-        put(151, t555); // row 5, MSX6
+        put(91, t585); // row 2, MSX6
+        put(114, t561); // row 3, MSX6
+        put(136, t567); // row 4, MSX6
+        put(155, t555); // row 5, MSX6
         [t545, t548, t550, t551]
     };
     // MSY6: column
@@ -651,10 +658,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t622 = c2 * t607 - (t150 * t610 + t151 * t611) - t621;
         let t625 = s4 * t611 - c4 * t610;
         put(43, t622); // row 1, MSY6
-        put(91, t625); // row 2, MSY6
-        put(113, t601); // row 3, MSY6
-        put(134, t607); // row 4, MSY6
-        put(152, t595); // row 5, MSY6
+        put(92, t625); // row 2, MSY6
+        put(115, t601); // row 3, MSY6
+        put(137, t607); // row 4, MSY6
+        put(156, t595); // row 5, MSY6
         [t586, t589]
     };
     // MSZ6: column
@@ -672,9 +679,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t658 = c2 * t643 + (t150 * t646 + t151 * t647) + t657;
         let t661 = c4 * t646 - s4 * t647;
         put(44, t658); // row 1, MSZ6
-        put(92, t661); // row 2, MSZ6
-        put(135, t643); // row 4, MSZ6
-        put(153, t635); // row 5, MSZ6
+        put(93, t661); // row 2, MSZ6
+        put(138, t643); // row 4, MSZ6
+        put(157, t635); // row 5, MSZ6
         t641
     };
     // XX6: column
@@ -690,9 +697,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t678 = c2 * t673 + (t150 * t670 - t151 * t667);
         let t681 = c4 * t670 + s4 * t667;
         put(45, t678); // row 1, XX6
-        put(93, t681); // row 2, XX6
-        put(136, t673); // row 4, XX6
-        put(154, t667); // row 5, XX6
+        put(94, t681); // row 2, XX6
+        put(139, t673); // row 4, XX6
+        put(158, t667); // row 5, XX6
         [t663, t666, t669, t672]
     };
     // YY6: column
@@ -706,9 +713,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t696 = c2 * t691 + (t150 * t689 - t151 * t687);
         let t699 = c4 * t689 + s4 * t687;
         put(46, t696); // row 1, YY6
-        put(94, t699); // row 2, YY6
-        put(137, t691); // row 4, YY6
-        put(155, t687); // row 5, YY6
+        put(95, t699); // row 2, YY6
+        put(140, t691); // row 4, YY6
+        put(159, t687); // row 5, YY6
         [t682, t685]
     };
     // ZZ6: column
@@ -720,9 +727,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t712 = c2 * t707 - (t150 * t704 + t151 * t701);
         let t715 = s4 * t701 - c4 * t704;
         put(47, t712); // row 1, ZZ6
-        put(95, t715); // row 2, ZZ6
-        put(138, t707); // row 4, ZZ6
-        put(156, t701); // row 5, ZZ6
+        put(96, t715); // row 2, ZZ6
+        put(141, t707); // row 4, ZZ6
+        put(160, t701); // row 5, ZZ6
     }
     // XY6: column
     {
@@ -734,10 +741,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t733 = c2 * t728 + (t150 * t725 - t151 * t722);
         let t736 = c4 * t725 + s4 * t722;
         put(48, t733); // row 1, XY6
-        put(96, t736); // row 2, XY6
-        put(139, t728); // row 4, XY6
-        put(157, t722); // row 5, XY6
-        put(165, t716); // row 6, XY6
+        put(97, t736); // row 2, XY6
+        put(142, t728); // row 4, XY6
+        put(161, t722); // row 5, XY6
+        put(170, t716); // row 6, XY6
     }
     // XZ6: column
     {
@@ -749,9 +756,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t752 = c2 * t747 + (t150 * t744 - t151 * t741);
         let t755 = c4 * t744 + s4 * t741;
         put(49, t752); // row 1, XZ6
-        put(97, t755); // row 2, XZ6
-        put(140, t747); // row 4, XZ6
-        put(158, t741); // row 5, XZ6
+        put(98, t755); // row 2, XZ6
+        put(143, t747); // row 4, XZ6
+        put(162, t741); // row 5, XZ6
     }
     // YZ6: column
     {
@@ -782,23 +789,23 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(19, t776); // row 1, XZ3
         put(23, t777); // row 1, MSY4
         put(50, t771); // row 1, YZ6
-        put(52, t778); // row 2, MSZ2
-        put(53, t779); // row 2, XX2
-        put(56, t780); // row 2, XY2
-        put(64, t779); // row 2, YY3
-        put(67, t781); // row 2, XZ3
-        put(98, t774); // row 2, YZ6
-        put(99, t782); // row 3, M3
-        put(101, t783); // row 3, MSY3
-        put(102, t784); // row 3, MSZ3
-        put(103, t782); // row 3, M4
-        put(107, t785); // row 3, M5
-        put(114, t786); // row 3, MSZ6
-        put(119, t787); // row 4, ZZ4
-        put(141, t766); // row 4, YZ6
-        put(144, t788); // row 5, XX5
-        put(150, t789); // row 5, M6
-        put(159, t760); // row 5, YZ6
-        put(162, t790); // row 6, XX6
+        put(53, t778); // row 2, MSZ2
+        put(54, t779); // row 2, XX2
+        put(57, t780); // row 2, XY2
+        put(65, t779); // row 2, YY3
+        put(68, t781); // row 2, XZ3
+        put(99, t774); // row 2, YZ6
+        put(101, t782); // row 3, M3
+        put(103, t783); // row 3, MSY3
+        put(104, t784); // row 3, MSZ3
+        put(105, t782); // row 3, M4
+        put(109, t785); // row 3, M5
+        put(116, t786); // row 3, MSZ6
+        put(122, t787); // row 4, ZZ4
+        put(144, t766); // row 4, YZ6
+        put(148, t788); // row 5, XX5
+        put(154, t789); // row 5, M6
+        put(163, t760); // row 5, YZ6
+        put(167, t790); // row 6, XX6
     }
 }

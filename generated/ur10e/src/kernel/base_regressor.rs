@@ -2,35 +2,38 @@
 //!
 //! `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 328 multiplications, 258 additions; 6 x 36, 139 of 216 structurally nonzero.
+//! 328 multiplications, 258 additions; 6 x 58, 161 of 348 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 139;
+pub const NONZEROS: usize = 161;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 0), (0, 3), (0, 4), (0, 5), (0, 6), (0, 7), (0, 8), (0, 9), (0, 10), (0, 11),
     (0, 12), (0, 13), (0, 14), (0, 15), (0, 16), (0, 17), (0, 18), (0, 19), (0, 20), (0, 21),
     (0, 22), (0, 23), (0, 24), (0, 25), (0, 26), (0, 27), (0, 28), (0, 29), (0, 30), (0, 31),
-    (0, 32), (0, 33), (0, 34), (0, 35), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 6),
-    (1, 7), (1, 8), (1, 9), (1, 10), (1, 11), (1, 12), (1, 13), (1, 14), (1, 15), (1, 16),
-    (1, 17), (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26),
-    (1, 27), (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (2, 8),
-    (2, 9), (2, 10), (2, 11), (2, 12), (2, 13), (2, 14), (2, 15), (2, 16), (2, 17), (2, 18),
-    (2, 19), (2, 20), (2, 21), (2, 22), (2, 23), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28),
-    (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35), (3, 15), (3, 16), (3, 17),
+    (0, 32), (0, 33), (0, 34), (0, 35), (0, 40), (0, 46), (0, 52), (1, 1), (1, 2), (1, 3),
+    (1, 4), (1, 5), (1, 6), (1, 7), (1, 8), (1, 9), (1, 10), (1, 11), (1, 12), (1, 13),
+    (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23),
+    (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33),
+    (1, 34), (1, 35), (1, 41), (1, 47), (1, 53), (2, 8), (2, 9), (2, 10), (2, 11), (2, 12),
+    (2, 13), (2, 14), (2, 15), (2, 16), (2, 17), (2, 18), (2, 19), (2, 20), (2, 21), (2, 22),
+    (2, 23), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32),
+    (2, 33), (2, 34), (2, 35), (2, 36), (2, 42), (2, 48), (2, 54), (3, 15), (3, 16), (3, 17),
     (3, 18), (3, 19), (3, 20), (3, 21), (3, 22), (3, 23), (3, 24), (3, 25), (3, 26), (3, 27),
-    (3, 28), (3, 29), (3, 30), (3, 31), (3, 32), (3, 33), (3, 34), (3, 35), (4, 22), (4, 23),
-    (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (4, 30), (4, 31), (4, 32), (4, 33),
-    (4, 34), (4, 35), (5, 29), (5, 30), (5, 31), (5, 32), (5, 33), (5, 34), (5, 35),
+    (3, 28), (3, 29), (3, 30), (3, 31), (3, 32), (3, 33), (3, 34), (3, 35), (3, 37), (3, 43),
+    (3, 49), (3, 55), (4, 22), (4, 23), (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29),
+    (4, 30), (4, 31), (4, 32), (4, 33), (4, 34), (4, 35), (4, 38), (4, 44), (4, 50), (4, 56),
+    (5, 29), (5, 30), (5, 31), (5, 32), (5, 33), (5, 34), (5, 35), (5, 39), (5, 45), (5, 51),
+    (5, 57),
 ];
 
 /// Regressor `W_b` of the base parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 36]; 6]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 58]; 6]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -57,6 +60,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let k0 = S::constant(9.81);
     let k1 = S::constant(0.6127);
     let k2 = S::constant(0.57155);
+    let k7 = S::constant(1.0);
     // link 2: motion
     let [w2_x, w2_y, a2_x, a2_y, t6, t7, dw2_x, dw2_y] = {
         let w2_x = s2 * dq1;
@@ -70,10 +74,26 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw2_x = t2 + t6;
         let dw2_y = t3 - t7;
         put(0, ddq1); // row 1, ZZ1R
-        put(34, a2_y); // row 2, MSX2R
-        put(37, ddq2); // row 2, ZZ2R
-        put(39, t2); // row 2, XZ2R
-        put(40, t3); // row 2, YZ2
+        put(34, dq1); // row 1, FV1
+        put(36, k7); // row 1, FO1
+        put(37, a2_y); // row 2, MSX2R
+        put(40, ddq2); // row 2, ZZ2R
+        put(42, t2); // row 2, XZ2R
+        put(43, t3); // row 2, YZ2
+        put(72, dq2); // row 2, FV2
+        put(74, k7); // row 2, FO2
+        put(103, ddq3); // row 3, IA3
+        put(104, dq3); // row 3, FV3
+        put(106, k7); // row 3, FO3
+        put(128, ddq4); // row 4, IA4
+        put(129, dq4); // row 4, FV4
+        put(131, k7); // row 4, FO4
+        put(146, ddq5); // row 5, IA5
+        put(147, dq5); // row 5, FV5
+        put(149, k7); // row 5, FO5
+        put(157, ddq6); // row 6, IA6
+        put(158, dq6); // row 6, FV6
+        put(160, k7); // row 6, FO6
         [w2_x, w2_y, a2_x, a2_y, t6, t7, dw2_x, dw2_y]
     };
     // link 3: motion
@@ -101,9 +121,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw3_x = c3 * dw2_x + s3 * dw2_y - dq3 * t15;
         let dw3_y = c3 * dw2_y - s3 * dw2_x - dq3 * w3_x;
         let dw3_z = ddq2 + ddq3;
-        put(44, dw3_z); // row 2, ZZ3R
-        put(70, t38); // row 3, MSY3
-        put(72, dw3_z); // row 3, ZZ3R
+        put(47, dw3_z); // row 2, ZZ3R
+        put(76, t38); // row 3, MSY3
+        put(78, dw3_z); // row 3, ZZ3R
         [
         w3_x, t15, t22, t23, t24, t25, t27, t28,
         t29, t30, t33, t38, t41, w3_z, dw3_x, dw3_y,
@@ -141,17 +161,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t96 = dq4 * t53 - (c4 * dw3_x + s4 * dw3_y);
         let t97 = dq4 * w4_x - (c4 * dw3_y - s4 * dw3_x);
         let dw4_z = dw3_z + ddq4;
-        put(43, t63); // row 2, XX3R
-        put(46, t71); // row 2, XZ3R
-        put(47, t68); // row 2, YZ3
-        put(51, dw4_z); // row 2, ZZ4R
-        put(71, t63); // row 3, XX3R
-        put(74, t71); // row 3, XZ3R
-        put(75, t68); // row 3, YZ3
-        put(79, dw4_z); // row 3, ZZ4R
-        put(97, a4_y); // row 4, MSX4
-        put(98, t89); // row 4, MSY4R
-        put(100, dw4_z); // row 4, ZZ4R
+        put(46, t63); // row 2, XX3R
+        put(49, t71); // row 2, XZ3R
+        put(50, t68); // row 2, YZ3
+        put(54, dw4_z); // row 2, ZZ4R
+        put(77, t63); // row 3, XX3R
+        put(80, t71); // row 3, XZ3R
+        put(81, t68); // row 3, YZ3
+        put(85, dw4_z); // row 3, ZZ4R
+        put(107, a4_y); // row 4, MSX4
+        put(108, t89); // row 4, MSY4R
+        put(110, dw4_z); // row 4, ZZ4R
         [
         w4_x, t53, t60, t61, t62, t64, t65, t66,
         t67, t69, t70, t72, t73, t86, t89, a4_y,
@@ -188,15 +208,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw5_x = s5 * dw4_z - c5 * t96 - dq5 * t104;
         let dw5_y = c5 * dw4_z + s5 * t96 - dq5 * w5_x;
         let dw5_z = t97 + ddq5;
-        put(50, t114); // row 2, XX4R
-        put(54, t119); // row 2, YZ4
-        put(78, t114); // row 3, XX4R
-        put(82, t119); // row 3, YZ4
-        put(99, t114); // row 4, XX4R
-        put(103, t119); // row 4, YZ4
-        put(118, a5_y); // row 5, MSX5
-        put(119, t132); // row 5, MSY5R
-        put(121, dw5_z); // row 5, ZZ5R
+        put(53, t114); // row 2, XX4R
+        put(57, t119); // row 2, YZ4
+        put(84, t114); // row 3, XX4R
+        put(88, t119); // row 3, YZ4
+        put(109, t114); // row 4, XX4R
+        put(113, t119); // row 4, YZ4
+        put(132, a5_y); // row 5, MSX5
+        put(133, t132); // row 5, MSY5R
+        put(135, dw5_z); // row 5, ZZ5R
         [
         w5_x, t104, t111, t112, t113, t115, t116, t117,
         t118, t120, t121, t122, t123, t128, t132, a5_y,
@@ -234,12 +254,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t183 = s6 * dw5_z - c6 * dw5_x + dq6 * t147;
         let t184 = c6 * dw5_z + s6 * dw5_x + dq6 * w6_x;
         let dw6_z = dw5_y + ddq6;
-        put(120, t157); // row 5, XX5R
-        put(123, t165); // row 5, XZ5
-        put(124, t162); // row 5, YZ5
-        put(132, a6_y); // row 6, MSX6
-        put(133, t176); // row 6, MSY6
-        put(135, dw6_z); // row 6, ZZ6
+        put(134, t157); // row 5, XX5R
+        put(137, t165); // row 5, XZ5
+        put(138, t162); // row 5, YZ5
+        put(150, a6_y); // row 6, MSX6
+        put(151, t176); // row 6, MSY6
+        put(153, dw6_z); // row 6, ZZ6
         [
         w6_x, t147, t154, t155, t156, t157, t158, t159,
         t160, t161, t162, t163, t164, t165, t166, t167,
@@ -300,7 +320,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t227 = t22 - t23;
         let t230 = s2 * t29 + c2 * t30;
         put(3, t230); // row 1, XY2
-        put(38, t227); // row 2, XY2
+        put(41, t227); // row 2, XY2
     }
     // XZ2: column
     {
@@ -317,14 +337,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t241 = t33 * t192 + t72 * v1_3_z;
         let t245 = t66 * t193 - t69 * t194 - t41;
         put(6, t241); // row 1, MSX3R
-        put(41, t245); // row 2, MSX3R
+        put(44, t245); // row 2, MSX3R
     }
     // MSY3: column
     {
         let t248 = t33 * z1_3_x - t73 * v1_3_z;
         let t252 = t38 + (t67 * t193 + t70 * t194);
         put(7, t248); // row 1, MSY3
-        put(42, t252); // row 2, MSY3
+        put(45, t252); // row 2, MSY3
     }
     // XX3: column
     let t254 = {
@@ -343,8 +363,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t258 = t60 - t61;
         let t261 = t73 * t192 - t72 * z1_3_x;
         put(10, t261); // row 1, XY3
-        put(45, t258); // row 2, XY3
-        put(73, t258); // row 3, XY3
+        put(48, t258); // row 2, XY3
+        put(79, t258); // row 3, XY3
     }
     // XZ3: column
     {
@@ -362,8 +382,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t280 = a4_y + (t120 * v2_4_y - t117 * v2_4_x);
         let t284 = a4_y + (t117 * t218 - t120 * v3_5_z);
         put(13, t276); // row 1, MSX4
-        put(48, t280); // row 2, MSX4
-        put(76, t284); // row 3, MSX4
+        put(51, t280); // row 2, MSX4
+        put(82, t284); // row 3, MSX4
     }
     // MSY4: column
     {
@@ -371,8 +391,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t295 = t89 - (t118 * v2_4_x + t121 * v2_4_y);
         let t299 = t89 + (t118 * t218 + t121 * v3_5_z);
         put(14, t291); // row 1, MSY4R
-        put(49, t295); // row 2, MSY4R
-        put(77, t299); // row 3, MSY4R
+        put(52, t295); // row 2, MSY4R
+        put(83, t299); // row 3, MSY4R
     }
     // XX4: column
     let t301 = {
@@ -391,18 +411,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t305 = t111 - t112;
         let t308 = t122 * t201 + t123 * t204;
         put(17, t308); // row 1, XY4
-        put(52, t305); // row 2, XY4
-        put(80, t305); // row 3, XY4
-        put(101, t305); // row 4, XY4
+        put(55, t305); // row 2, XY4
+        put(86, t305); // row 3, XY4
+        put(111, t305); // row 4, XY4
     }
     // XZ4: column
     {
         let t310 = t116 - t96;
         let t313 = t204 * (t111 - t113) - t120 * t201;
         put(18, t313); // row 1, XZ4
-        put(53, t310); // row 2, XZ4
-        put(81, t310); // row 3, XZ4
-        put(102, t310); // row 4, XZ4
+        put(56, t310); // row 2, XZ4
+        put(87, t310); // row 3, XZ4
+        put(112, t310); // row 4, XZ4
     }
     // YZ4: column
     {
@@ -422,9 +442,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t342 = t329 + (v2_4_x * t320 + t166 * v2_4_y);
         let t346 = t329 - (t218 * t320 + t166 * v3_5_z);
         put(20, t338); // row 1, MSX5
-        put(55, t342); // row 2, MSX5
-        put(83, t346); // row 3, MSX5
-        put(104, t329); // row 4, MSX5
+        put(58, t342); // row 2, MSX5
+        put(89, t346); // row 3, MSX5
+        put(114, t329); // row 4, MSX5
         [t319, t324, t325]
     };
     // MSY5: column
@@ -438,9 +458,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t369 = t356 + (v2_4_x * t349 - t167 * v2_4_y);
         let t373 = t356 + (t167 * v3_5_z - t218 * t349);
         put(21, t365); // row 1, MSY5R
-        put(56, t369); // row 2, MSY5R
-        put(84, t373); // row 3, MSY5R
-        put(105, t356); // row 4, MSY5R
+        put(59, t369); // row 2, MSY5R
+        put(90, t373); // row 3, MSY5R
+        put(115, t356); // row 4, MSY5R
         t347
     };
     // XX5: column
@@ -450,9 +470,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t380 = c5 * t158;
         let t381 = s5 * dw5_x + t380;
         put(22, t378); // row 1, XX5R
-        put(57, t381); // row 2, XX5R
-        put(85, t381); // row 3, XX5R
-        put(106, t381); // row 4, XX5R
+        put(60, t381); // row 2, XX5R
+        put(91, t381); // row 3, XX5R
+        put(116, t381); // row 4, XX5R
         [t375, t380]
     };
     // ZZ5: column
@@ -468,10 +488,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t393 = t204 * t388 - (t166 * t220 - t167 * t221);
         let t396 = s5 * t166 + c5 * t167;
         put(24, t393); // row 1, XY5
-        put(59, t396); // row 2, XY5
-        put(87, t396); // row 3, XY5
-        put(108, t396); // row 4, XY5
-        put(122, t388); // row 5, XY5
+        put(62, t396); // row 2, XY5
+        put(93, t396); // row 3, XY5
+        put(118, t396); // row 4, XY5
+        put(136, t388); // row 5, XY5
     }
     // XZ5: column
     {
@@ -479,9 +499,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t402 = t165 * t204 + (t163 * t220 + t221 * t397);
         let t404 = c5 * t397 - t319;
         put(25, t402); // row 1, XZ5
-        put(60, t404); // row 2, XZ5
-        put(88, t404); // row 3, XZ5
-        put(109, t404); // row 4, XZ5
+        put(63, t404); // row 2, XZ5
+        put(94, t404); // row 3, XZ5
+        put(119, t404); // row 4, XZ5
     }
     // YZ5: column
     {
@@ -489,9 +509,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t410 = t162 * t204 + (t161 * t221 - t220 * t405);
         let t412 = t347 + s5 * t405;
         put(26, t410); // row 1, YZ5
-        put(61, t412); // row 2, YZ5
-        put(89, t412); // row 3, YZ5
-        put(110, t412); // row 4, YZ5
+        put(64, t412); // row 2, YZ5
+        put(95, t412); // row 3, YZ5
+        put(120, t412); // row 4, YZ5
     }
     // MSX6: column
     let [
@@ -528,13 +548,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t467 = t454 - (v2_4_x * t441 + v2_4_y * t432);
         let t471 = t454 + (t218 * t441 + v3_5_z * t432);
         put(27, t463); // row 1, MSX6
-        put(62, t467); // row 2, MSX6
-        put(90, t471); // row 3, MSX6
-        put(111, t454); // row 4, MSX6
-        put(125, t438); // row 5, MSX6
-        put(134, t416); // row 6, XX6R
-        put(137, t424); // row 6, XZ6
-        put(138, t421); // row 6, YZ6
+        put(65, t467); // row 2, MSX6
+        put(96, t471); // row 3, MSX6
+        put(121, t454); // row 4, MSX6
+        put(139, t438); // row 5, MSX6
+        put(152, t416); // row 6, XX6R
+        put(155, t424); // row 6, XZ6
+        put(156, t421); // row 6, YZ6
         [
         t413, t414, t415, t416, t417, t418, t420, t421,
         t423, t424, t425, t426, t428, t431, t433, t434,
@@ -556,10 +576,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t510 = t497 - (v2_4_x * t484 + v2_4_y * t477);
         let t514 = t497 + (t218 * t484 + v3_5_z * t477);
         put(28, t506); // row 1, MSY6
-        put(63, t510); // row 2, MSY6
-        put(91, t514); // row 3, MSY6
-        put(112, t497); // row 4, MSY6
-        put(126, t481); // row 5, MSY6
+        put(66, t510); // row 2, MSY6
+        put(97, t514); // row 3, MSY6
+        put(122, t497); // row 4, MSY6
+        put(140, t481); // row 5, MSY6
         [t472, t475]
     };
     // XX6: column
@@ -571,10 +591,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t525 = t204 * t520 + (t220 * t517 + t221 * t416);
         let t528 = c5 * t416 - s5 * t517;
         put(29, t525); // row 1, XX6R
-        put(64, t528); // row 2, XX6R
-        put(92, t528); // row 3, XX6R
-        put(113, t528); // row 4, XX6R
-        put(127, t520); // row 5, XX6R
+        put(67, t528); // row 2, XX6R
+        put(98, t528); // row 3, XX6R
+        put(123, t528); // row 4, XX6R
+        put(141, t520); // row 5, XX6R
         [t516, t519]
     };
     // ZZ6: column
@@ -584,10 +604,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t537 = t204 * t532 + (t220 * t530 + dw6_z * t221);
         let t540 = c5 * dw6_z - s5 * t530;
         put(30, t537); // row 1, ZZ6
-        put(65, t540); // row 2, ZZ6
-        put(93, t540); // row 3, ZZ6
-        put(114, t540); // row 4, ZZ6
-        put(128, t532); // row 5, ZZ6
+        put(68, t540); // row 2, ZZ6
+        put(99, t540); // row 3, ZZ6
+        put(124, t540); // row 4, ZZ6
+        put(142, t532); // row 5, ZZ6
     }
     // XY6: column
     {
@@ -597,11 +617,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t552 = t204 * t547 + (t220 * t544 + t221 * t541);
         let t555 = c5 * t541 - s5 * t544;
         put(31, t552); // row 1, XY6
-        put(66, t555); // row 2, XY6
-        put(94, t555); // row 3, XY6
-        put(115, t555); // row 4, XY6
-        put(129, t547); // row 5, XY6
-        put(136, t541); // row 6, XY6
+        put(69, t555); // row 2, XY6
+        put(100, t555); // row 3, XY6
+        put(125, t555); // row 4, XY6
+        put(143, t547); // row 5, XY6
+        put(154, t541); // row 6, XY6
     }
     // XZ6: column
     {
@@ -611,10 +631,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t565 = t204 * t560 + (t221 * t424 - t220 * t558);
         let t568 = s5 * t558 + c5 * t424;
         put(32, t565); // row 1, XZ6
-        put(67, t568); // row 2, XZ6
-        put(95, t568); // row 3, XZ6
-        put(116, t568); // row 4, XZ6
-        put(130, t560); // row 5, XZ6
+        put(70, t568); // row 2, XZ6
+        put(101, t568); // row 3, XZ6
+        put(126, t568); // row 4, XZ6
+        put(144, t560); // row 5, XZ6
     }
     // YZ6: column
     {
@@ -623,20 +643,32 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t573 = s6 * t569 - t472;
         let t578 = t204 * t573 + (t220 * t571 + t221 * t421);
         let t581 = c5 * t421 - s5 * t571;
-        let t582 = -a2_x;
-        let t583 = -t25;
-        let t584 = -t387;
-        let t585 = -t41;
+        let t582 = dq1.sign();
+        let t583 = dq2.sign();
+        let t584 = dq3.sign();
+        let t585 = dq4.sign();
+        let t586 = dq5.sign();
+        let t587 = dq6.sign();
+        let t588 = -a2_x;
+        let t589 = -t25;
+        let t590 = -t387;
+        let t591 = -t41;
         put(33, t578); // row 1, YZ6
-        put(35, t582); // row 2, MSY2
-        put(36, t583); // row 2, XX2R
-        put(58, t584); // row 2, ZZ5R
-        put(68, t581); // row 2, YZ6
-        put(69, t585); // row 3, MSX3R
-        put(86, t584); // row 3, ZZ5R
-        put(96, t581); // row 3, YZ6
-        put(107, t584); // row 4, ZZ5R
-        put(117, t581); // row 4, YZ6
-        put(131, t573); // row 5, YZ6
+        put(35, t582); // row 1, FC1
+        put(38, t588); // row 2, MSY2
+        put(39, t589); // row 2, XX2R
+        put(61, t590); // row 2, ZZ5R
+        put(71, t581); // row 2, YZ6
+        put(73, t583); // row 2, FC2
+        put(75, t591); // row 3, MSX3R
+        put(92, t590); // row 3, ZZ5R
+        put(102, t581); // row 3, YZ6
+        put(105, t584); // row 3, FC3
+        put(117, t590); // row 4, ZZ5R
+        put(127, t581); // row 4, YZ6
+        put(130, t585); // row 4, FC4
+        put(145, t573); // row 5, YZ6
+        put(148, t586); // row 5, FC5
+        put(159, t587); // row 6, FC6
     }
 }

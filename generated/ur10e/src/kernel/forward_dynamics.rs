@@ -2,7 +2,7 @@
 //!
 //! `ddq = M^-1 (tau - C dq - g - friction)`, rad/s^2, from the base parameters; `M = L D L'` written out.
 //!
-//! 531 multiplications, 441 additions; 6, 6 of 6 structurally nonzero.
+//! 543 multiplications, 463 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -26,6 +26,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         ZZ1R, MSX2R, MSY2, XX2R, ZZ2R, XY2, XZ2R, YZ2, MSX3R, MSY3, XX3R, ZZ3R,
         XY3, XZ3R, YZ3, MSX4, MSY4R, XX4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSY5R,
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6,
+        IA3, IA4, IA5, IA6, FV1, FV2, FV3, FV4, FV5, FV6, FC1, FC2,
+        FC3, FC4, FC5, FC6, FO1, FO2, FO3, FO4, FO5, FO6,
         ..] = *beta;
     let D4 = S::constant(0.17415);
     let D5 = S::constant(0.11985);
@@ -36,489 +38,493 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     let k6 = S::constant(1.0);
     // composite body 6
     let [
-        t2, t5, t14, t15, t19, t22, t27, t47,
-        t60, t63, t72, t75, t78, t79,
+        t0, t3, t6, t15, t16, t20, t23, t28,
+        t48, t61, t64, t73, t76, t79, t80,
     ] = {
-        let t2 = c6 * MSY6 + s6 * MSX6;
-        let t5 = c6 * MSX6 - s6 * MSY6;
-        let t14 = c6 * XZ6 - s6 * YZ6 - D6 * t5;
-        let t15 = s6 * XZ6 + c6 * YZ6 - D6 * t2;
-        let t16 = c5 * t2;
-        let t17 = s5 * t2;
-        let t19 = s5 * ZZ6;
-        let t22 = c5 * ZZ6;
-        let t26 = c5 * t14 - t19 + D5 * t17;
-        let t27 = s5 * t14 + t22 - D5 * t16;
-        let t30 = c4 * t16 + s4 * t5;
-        let t33 = c4 * t5 - s4 * t16;
-        let t45 = c4 * t26 - s4 * t15 - D4 * t33;
-        let t46 = s4 * t26 + c4 * t15 - (D4 * t30 + t17 * k3);
-        let t47 = t27 - t33 * k3;
-        let t60 = t47 - (c3 * t33 - s3 * t30) * k4;
-        let t62 = c2 * (s3 * t45 + c3 * t46 - t17 * k4);
-        let t63 = s2 * (c3 * t45 - s3 * t46) + t62;
-        let t65 = s6 * XY6;
-        let t68 = c6 * XY6;
-        let t69 = s6 * XX6R + t68;
-        let t72 = c6 * (c6 * XX6R - t65) - s6 * t68;
-        let t75 = c6 * t69 - s6 * t65;
-        let t78 = s6 * t69 + c6 * t65;
-        let t79 = t2 + t2;
+        let t0 = ZZ6 + IA6;
+        let t3 = c6 * MSY6 + s6 * MSX6;
+        let t6 = c6 * MSX6 - s6 * MSY6;
+        let t15 = c6 * XZ6 - s6 * YZ6 - D6 * t6;
+        let t16 = s6 * XZ6 + c6 * YZ6 - D6 * t3;
+        let t17 = c5 * t3;
+        let t18 = s5 * t3;
+        let t20 = s5 * ZZ6;
+        let t23 = c5 * ZZ6;
+        let t27 = c5 * t15 - t20 + D5 * t18;
+        let t28 = s5 * t15 + t23 - D5 * t17;
+        let t31 = c4 * t17 + s4 * t6;
+        let t34 = c4 * t6 - s4 * t17;
+        let t46 = c4 * t27 - s4 * t16 - D4 * t34;
+        let t47 = s4 * t27 + c4 * t16 - (D4 * t31 + t18 * k3);
+        let t48 = t28 - t34 * k3;
+        let t61 = t48 - (c3 * t34 - s3 * t31) * k4;
+        let t63 = c2 * (s3 * t46 + c3 * t47 - t18 * k4);
+        let t64 = s2 * (c3 * t46 - s3 * t47) + t63;
+        let t66 = s6 * XY6;
+        let t69 = c6 * XY6;
+        let t70 = s6 * XX6R + t69;
+        let t73 = c6 * (c6 * XX6R - t66) - s6 * t69;
+        let t76 = c6 * t70 - s6 * t66;
+        let t79 = s6 * t70 + c6 * t66;
+        let t80 = t3 + t3;
         [
-        t2, t5, t14, t15, t19, t22, t27, t47,
-        t60, t63, t72, t75, t78, t79,
+        t0, t3, t6, t15, t16, t20, t23, t28,
+        t48, t61, t64, t73, t76, t79, t80,
     ]
     };
     // composite body 5
     let [
-        t82, t88, t91, t100, t101, t117, t130, t133,
-        t147, t151, t153, t154, t158,
+        t87, t90, t93, t102, t103, t119, t132, t135,
+        t149, t153, t155, t156, t160,
     ] = {
-        let t80 = MSX5 + t5;
-        let t81 = XX5R + t72;
-        let t82 = ZZ5R + t78;
-        let t83 = XY5 + t14;
-        let t84 = XZ5 - t75;
-        let t85 = YZ5 - t15;
-        let t88 = c5 * MSY5R + s5 * t80;
-        let t91 = c5 * t80 - s5 * MSY5R;
-        let t100 = c5 * t84 - s5 * t85 - D5 * t91;
-        let t101 = s5 * t84 + c5 * t85 - D5 * t88;
-        let t102 = c4 * t88;
-        let t103 = s4 * t88;
-        let t115 = c4 * t100 + s4 * t82 + D4 * t103;
-        let t116 = s4 * t100 - c4 * t82 + (k3 * t91 - D4 * t102);
-        let t117 = t101 + k3 * t103;
-        let t130 = t117 + k4 * (s3 * t102 + c3 * t103);
-        let t132 = c2 * (s3 * t115 + c3 * t116 + k4 * t91);
-        let t133 = s2 * (c3 * t115 - s3 * t116) + t132;
-        let t135 = s5 * t83;
-        let t138 = c5 * t83;
-        let t139 = s5 * t81 + t138;
-        let t141 = t22 + t135;
-        let t147 = c5 * t139 - s5 * t141;
-        let t151 = t88 + t88;
-        let t152 = D5 * t79;
-        let t153 = c5 * (c5 * t81 - t135) - s5 * (t138 - t19) - t152;
-        let t154 = s5 * t139 + c5 * t141 - t152;
-        let t156 = D5 * t2;
-        let t158 = t82 - t152 + (t156 + t156);
+        let t81 = MSX5 + t6;
+        let t82 = XX5R + t73;
+        let t83 = ZZ5R + t79;
+        let t84 = XY5 + t15;
+        let t85 = XZ5 - t76;
+        let t86 = YZ5 - t16;
+        let t87 = IA5 + t83;
+        let t90 = c5 * MSY5R + s5 * t81;
+        let t93 = c5 * t81 - s5 * MSY5R;
+        let t102 = c5 * t85 - s5 * t86 - D5 * t93;
+        let t103 = s5 * t85 + c5 * t86 - D5 * t90;
+        let t104 = c4 * t90;
+        let t105 = s4 * t90;
+        let t117 = c4 * t102 + s4 * t83 + D4 * t105;
+        let t118 = s4 * t102 - c4 * t83 + (k3 * t93 - D4 * t104);
+        let t119 = t103 + k3 * t105;
+        let t132 = t119 + k4 * (s3 * t104 + c3 * t105);
+        let t134 = c2 * (s3 * t117 + c3 * t118 + k4 * t93);
+        let t135 = s2 * (c3 * t117 - s3 * t118) + t134;
+        let t137 = s5 * t84;
+        let t140 = c5 * t84;
+        let t141 = s5 * t82 + t140;
+        let t143 = t23 + t137;
+        let t149 = c5 * t141 - s5 * t143;
+        let t153 = t90 + t90;
+        let t154 = D5 * t80;
+        let t155 = c5 * (c5 * t82 - t137) - s5 * (t140 - t20) - t154;
+        let t156 = s5 * t141 + c5 * t143 - t154;
+        let t158 = D5 * t3;
+        let t160 = t83 - t154 + (t158 + t158);
         [
-        t82, t88, t91, t100, t101, t117, t130, t133,
-        t147, t151, t153, t154, t158,
+        t87, t90, t93, t102, t103, t119, t132, t135,
+        t149, t153, t155, t156, t160,
     ]
     };
     // composite body 4
     let [
-        t162, t168, t171, t182, t183, t194, t197, t223,
-        t225, t228, t229, t233,
+        t168, t171, t174, t185, t186, t197, t200, t226,
+        t228, t231, t232, t236,
     ] = {
-        let t159 = MSX4 + t91;
-        let t160 = MSY4R + t2;
-        let t161 = XX4R + t153;
-        let t162 = ZZ4R + t154;
-        let t163 = XY4 - t100;
-        let t164 = XZ4 + t147;
-        let t165 = YZ4 - t101;
-        let t168 = c4 * t160 + s4 * t159;
-        let t171 = c4 * t159 - s4 * t160;
-        let t174 = c4 * t164 - s4 * t165;
-        let t178 = D4 * t171;
-        let t180 = k3 * t171;
-        let t181 = t174 - t178;
-        let t182 = s4 * t164 + c4 * t165 - D4 * t168;
-        let t183 = t162 - t180;
-        let t194 = t183 - k4 * (c3 * t171 - s3 * t168);
-        let t196 = c2 * (s3 * t181 + c3 * t182);
-        let t197 = s2 * (c3 * t181 - s3 * t182) + t196;
-        let t199 = s4 * t163;
-        let t202 = c4 * t163;
-        let t203 = s4 * t161 + t202;
-        let t207 = t199 + c4 * t158;
-        let t220 = D4 * t151 - k3 * (t171 + t171);
-        let t221 = c4 * (c4 * t161 - t199) - s4 * (t202 - s4 * t158) + t220;
-        let t223 = t221 + (t180 + t180);
-        let t225 = c4 * t203 - s4 * t207 + k3 * t168;
-        let t228 = t174 - (t178 - k3 * t88);
-        let t229 = s4 * t203 + c4 * t207 + t220;
-        let t231 = D4 * t88;
-        let t233 = t162 + t220 - (t231 + t231);
+        let t161 = MSX4 + t93;
+        let t162 = MSY4R + t3;
+        let t163 = XX4R + t155;
+        let t164 = ZZ4R + t156;
+        let t165 = XY4 - t102;
+        let t166 = XZ4 + t149;
+        let t167 = YZ4 - t103;
+        let t168 = IA4 + t164;
+        let t171 = c4 * t162 + s4 * t161;
+        let t174 = c4 * t161 - s4 * t162;
+        let t177 = c4 * t166 - s4 * t167;
+        let t181 = D4 * t174;
+        let t183 = k3 * t174;
+        let t184 = t177 - t181;
+        let t185 = s4 * t166 + c4 * t167 - D4 * t171;
+        let t186 = t164 - t183;
+        let t197 = t186 - k4 * (c3 * t174 - s3 * t171);
+        let t199 = c2 * (s3 * t184 + c3 * t185);
+        let t200 = s2 * (c3 * t184 - s3 * t185) + t199;
+        let t202 = s4 * t165;
+        let t205 = c4 * t165;
+        let t206 = s4 * t163 + t205;
+        let t210 = t202 + c4 * t160;
+        let t223 = D4 * t153 - k3 * (t174 + t174);
+        let t224 = c4 * (c4 * t163 - t202) - s4 * (t205 - s4 * t160) + t223;
+        let t226 = t224 + (t183 + t183);
+        let t228 = c4 * t206 - s4 * t210 + k3 * t171;
+        let t231 = t177 - (t181 - k3 * t90);
+        let t232 = s4 * t206 + c4 * t210 + t223;
+        let t234 = D4 * t90;
+        let t236 = t164 + t223 - (t234 + t234);
         [
-        t162, t168, t171, t182, t183, t194, t197, t223,
-        t225, t228, t229, t233,
+        t168, t171, t174, t185, t186, t197, t200, t226,
+        t228, t231, t232, t236,
     ]
     };
     // composite body 3
     let [
-        t237, t252, t254, t257, t281, t283, t285, t286,
-        t287,
+        t244, t256, t258, t261, t285, t287, t289, t290,
+        t291,
     ] = {
-        let t234 = MSX3R + t171;
-        let t235 = MSY3 + t168;
-        let t236 = XX3R + t223;
-        let t237 = ZZ3R + t233;
-        let t238 = XY3 + t225;
-        let t239 = XZ3R + t228;
-        let t240 = YZ3 + t182;
-        let t246 = c3 * t234 - s3 * t235;
-        let t249 = c3 * t239 - s3 * t240;
-        let t252 = s3 * t239 + c3 * t240;
-        let t253 = k4 * t246;
-        let t254 = t237 - t253;
-        let t257 = s2 * t249 + c2 * t252;
-        let t259 = s3 * t238;
-        let t262 = c3 * t238;
-        let t263 = s3 * t236 + t262;
-        let t267 = t259 + c3 * t229;
-        let t278 = k4 * (t246 + t246);
-        let t279 = c3 * (c3 * t236 - t259) - s3 * (t262 - s3 * t229) - t278;
-        let t281 = t279 + (t253 + t253);
-        let t283 = c3 * t263 - s3 * t267 + k4 * (c3 * t235 + s3 * t234);
-        let t285 = t249 + k4 * t88;
-        let t286 = s3 * t263 + c3 * t267 - t278;
-        let t287 = t237 - t278;
+        let t237 = MSX3R + t174;
+        let t238 = MSY3 + t171;
+        let t239 = XX3R + t226;
+        let t240 = ZZ3R + t236;
+        let t241 = XY3 + t228;
+        let t242 = XZ3R + t231;
+        let t243 = YZ3 + t185;
+        let t244 = IA3 + t240;
+        let t250 = c3 * t237 - s3 * t238;
+        let t253 = c3 * t242 - s3 * t243;
+        let t256 = s3 * t242 + c3 * t243;
+        let t257 = k4 * t250;
+        let t258 = t240 - t257;
+        let t261 = s2 * t253 + c2 * t256;
+        let t263 = s3 * t241;
+        let t266 = c3 * t241;
+        let t267 = s3 * t239 + t266;
+        let t271 = t263 + c3 * t232;
+        let t282 = k4 * (t250 + t250);
+        let t283 = c3 * (c3 * t239 - t263) - s3 * (t266 - s3 * t232) - t282;
+        let t285 = t283 + (t257 + t257);
+        let t287 = c3 * t267 - s3 * t271 + k4 * (c3 * t238 + s3 * t237);
+        let t289 = t253 + k4 * t90;
+        let t290 = s3 * t267 + c3 * t271 - t282;
+        let t291 = t240 - t282;
         [
-        t237, t252, t254, t257, t281, t283, t285, t286,
-        t287,
+        t244, t256, t258, t261, t285, t287, t289, t290,
+        t291,
     ]
     };
     // composite body 2
-    let [t289, t295, t304] = {
-        let t289 = ZZ2R + t287;
-        let t290 = XY2 + t283;
-        let t295 = s2 * (XZ2R + t285) + c2 * (YZ2 + t252);
-        let t303 = c2 * (s2 * t290 + c2 * t286);
-        let t304 = s2 * (s2 * (XX2R + t281) + c2 * t290) + t303;
-        [t289, t295, t304]
+    let [t293, t299, t308] = {
+        let t293 = ZZ2R + t291;
+        let t294 = XY2 + t287;
+        let t299 = s2 * (XZ2R + t289) + c2 * (YZ2 + t256);
+        let t307 = c2 * (s2 * t294 + c2 * t290);
+        let t308 = s2 * (s2 * (XX2R + t285) + c2 * t294) + t307;
+        [t293, t299, t308]
     };
     // composite body 1
-    let t305 = {
-        let t305 = ZZ1R + t304;
-        t305
+    let t309 = {
+        let t309 = ZZ1R + t308;
+        t309
     };
     // link 2: motion
-    let [w2_x, w2_y, a2_x, a2_y, dw2_x, t311] = {
+    let [w2_x, w2_y, a2_x, a2_y, dw2_x, t315] = {
         let w2_x = s2 * dq1;
         let w2_y = c2 * dq1;
         let a2_x = s2 * k5;
         let a2_y = c2 * k5;
         let dw2_x = dq2 * w2_y;
-        let t311 = dq2 * w2_x;
-        [w2_x, w2_y, a2_x, a2_y, dw2_x, t311]
+        let t315 = dq2 * w2_x;
+        [w2_x, w2_y, a2_x, a2_y, dw2_x, t315]
     };
     // link 3: motion
     let [
-        w3_x, w3_y, t324, t325, t326, t327, t329, t330,
-        t333, a3_x, a3_y, w3_z, dw3_x, t346,
+        w3_x, w3_y, t328, t329, t330, t331, t333, t334,
+        t337, a3_x, a3_y, w3_z, dw3_x, t350,
     ] = {
         let w3_x = c3 * w2_x + s3 * w2_y;
         let w3_y = c3 * w2_y - s3 * w2_x;
-        let t324 = w2_x * w2_x;
-        let t325 = w2_y * w2_y;
-        let t326 = dq2 * dq2;
-        let t327 = w2_x * w2_y;
-        let t329 = t311 + t311;
-        let t330 = dw2_x + dw2_x;
-        let t333 = k4 * t329;
-        let t334 = a2_x + k4 * (t325 + t326);
-        let t335 = a2_y - k4 * t327;
-        let a3_x = c3 * t334 + s3 * t335;
-        let a3_y = c3 * t335 - s3 * t334;
+        let t328 = w2_x * w2_x;
+        let t329 = w2_y * w2_y;
+        let t330 = dq2 * dq2;
+        let t331 = w2_x * w2_y;
+        let t333 = t315 + t315;
+        let t334 = dw2_x + dw2_x;
+        let t337 = k4 * t333;
+        let t338 = a2_x + k4 * (t329 + t330);
+        let t339 = a2_y - k4 * t331;
+        let a3_x = c3 * t338 + s3 * t339;
+        let a3_y = c3 * t339 - s3 * t338;
         let w3_z = dq2 + dq3;
-        let dw3_x = c3 * dw2_x - s3 * t311 + dq3 * w3_y;
-        let t346 = c3 * t311 + s3 * dw2_x + dq3 * w3_x;
+        let dw3_x = c3 * dw2_x - s3 * t315 + dq3 * w3_y;
+        let t350 = c3 * t315 + s3 * dw2_x + dq3 * w3_x;
         [
-        w3_x, w3_y, t324, t325, t326, t327, t329, t330,
-        t333, a3_x, a3_y, w3_z, dw3_x, t346,
+        w3_x, w3_y, t328, t329, t330, t331, t333, t334,
+        t337, a3_x, a3_y, w3_z, dw3_x, t350,
     ]
     };
     // link 4: motion
     let [
-        w4_x, w4_y, t359, t360, t361, t362, t363, t364,
-        t365, t366, t367, t368, t369, t370, t383, a4_x,
+        w4_x, w4_y, t363, t364, t365, t366, t367, t368,
+        t369, t370, t371, t372, t373, t374, t387, a4_x,
         a4_y, w4_z, dw4_x, dw5_z,
     ] = {
         let w4_x = c4 * w3_x + s4 * w3_y;
         let w4_y = c4 * w3_y - s4 * w3_x;
-        let t359 = w3_x * w3_x;
-        let t360 = w3_y * w3_y;
-        let t361 = w3_z * w3_z;
-        let t362 = w3_x * w3_y;
-        let t363 = w3_x * w3_z;
-        let t364 = w3_y * w3_z;
-        let t365 = t360 + t361;
-        let t366 = t363 - t346;
-        let t367 = t359 + t361;
-        let t368 = t364 - dw3_x;
-        let t369 = t346 + t363;
-        let t370 = dw3_x + t364;
-        let t381 = a3_x + (k3 * t365 + D4 * t366);
-        let t382 = a3_y + (D4 * t368 - k3 * t362);
-        let t383 = t333 + (k3 * t369 + D4 * (t359 + t360));
-        let a4_x = c4 * t381 + s4 * t382;
-        let a4_y = c4 * t382 - s4 * t381;
+        let t363 = w3_x * w3_x;
+        let t364 = w3_y * w3_y;
+        let t365 = w3_z * w3_z;
+        let t366 = w3_x * w3_y;
+        let t367 = w3_x * w3_z;
+        let t368 = w3_y * w3_z;
+        let t369 = t364 + t365;
+        let t370 = t367 - t350;
+        let t371 = t363 + t365;
+        let t372 = t368 - dw3_x;
+        let t373 = t350 + t367;
+        let t374 = dw3_x + t368;
+        let t385 = a3_x + (k3 * t369 + D4 * t370);
+        let t386 = a3_y + (D4 * t372 - k3 * t366);
+        let t387 = t337 + (k3 * t373 + D4 * (t363 + t364));
+        let a4_x = c4 * t385 + s4 * t386;
+        let a4_y = c4 * t386 - s4 * t385;
         let w4_z = w3_z + dq4;
-        let dw4_x = c4 * dw3_x - s4 * t346 + dq4 * w4_y;
-        let dw5_z = c4 * t346 + s4 * dw3_x + dq4 * w4_x;
+        let dw4_x = c4 * dw3_x - s4 * t350 + dq4 * w4_y;
+        let dw5_z = c4 * t350 + s4 * dw3_x + dq4 * w4_x;
         [
-        w4_x, w4_y, t359, t360, t361, t362, t363, t364,
-        t365, t366, t367, t368, t369, t370, t383, a4_x,
+        w4_x, w4_y, t363, t364, t365, t366, t367, t368,
+        t369, t370, t371, t372, t373, t374, t387, a4_x,
         a4_y, w4_z, dw4_x, dw5_z,
     ]
     };
     // link 5: motion
     let [
-        w5_x, w5_y, t403, t404, t405, t406, t407, t408,
-        t409, t410, t411, t412, t413, t414, t419, a5_x,
-        t426, w5_z, dw5_x, t431,
+        w5_x, w5_y, t407, t408, t409, t410, t411, t412,
+        t413, t414, t415, t416, t417, t418, t423, a5_x,
+        t430, w5_z, dw5_x, t435,
     ] = {
         let w5_x = c5 * w4_x + s5 * w4_z;
         let w5_y = c5 * w4_z - s5 * w4_x;
-        let t403 = w4_x * w4_x;
-        let t404 = w4_y * w4_y;
-        let t405 = w4_z * w4_z;
-        let t406 = w4_x * w4_y;
-        let t407 = w4_x * w4_z;
-        let t408 = w4_y * w4_z;
-        let t409 = t404 + t405;
-        let t410 = t407 - dw5_z;
-        let t411 = t403 + t405;
-        let t412 = t408 - dw4_x;
-        let t413 = dw5_z + t407;
-        let t414 = dw4_x + t408;
-        let t418 = a4_x - D5 * t406;
-        let t419 = a4_y + D5 * t411;
-        let t420 = t383 + D5 * t414;
-        let a5_x = c5 * t418 - s5 * t420;
-        let t426 = c5 * t420 + s5 * t418;
+        let t407 = w4_x * w4_x;
+        let t408 = w4_y * w4_y;
+        let t409 = w4_z * w4_z;
+        let t410 = w4_x * w4_y;
+        let t411 = w4_x * w4_z;
+        let t412 = w4_y * w4_z;
+        let t413 = t408 + t409;
+        let t414 = t411 - dw5_z;
+        let t415 = t407 + t409;
+        let t416 = t412 - dw4_x;
+        let t417 = dw5_z + t411;
+        let t418 = dw4_x + t412;
+        let t422 = a4_x - D5 * t410;
+        let t423 = a4_y + D5 * t415;
+        let t424 = t387 + D5 * t418;
+        let a5_x = c5 * t422 - s5 * t424;
+        let t430 = c5 * t424 + s5 * t422;
         let w5_z = dq5 - w4_y;
         let dw5_x = c5 * dw4_x + dq5 * w5_y;
-        let t431 = s5 * dw4_x + dq5 * w5_x;
+        let t435 = s5 * dw4_x + dq5 * w5_x;
         [
-        w5_x, w5_y, t403, t404, t405, t406, t407, t408,
-        t409, t410, t411, t412, t413, t414, t419, a5_x,
-        t426, w5_z, dw5_x, t431,
+        w5_x, w5_y, t407, t408, t409, t410, t411, t412,
+        t413, t414, t415, t416, t417, t418, t423, a5_x,
+        t430, w5_z, dw5_x, t435,
     ]
     };
     // link 6: motion
     let [
-        w6_x, t437, t444, t445, t446, t447, t448, t449,
-        t450, t451, t452, t453, t454, t455, t456, t457,
-        t462, a6_x, t469, w6_z, dw6_x, t474,
+        w6_x, t441, t448, t449, t450, t451, t452, t453,
+        t454, t455, t456, t457, t458, t459, t460, t461,
+        t466, a6_x, t473, w6_z, dw6_x, t478,
     ] = {
         let w6_x = c6 * w5_x - s6 * w5_z;
-        let t437 = c6 * w5_z + s6 * w5_x;
-        let t444 = w5_x * w5_x;
-        let t445 = w5_y * w5_y;
-        let t446 = w5_z * w5_z;
-        let t447 = w5_x * w5_y;
-        let t448 = w5_x * w5_z;
-        let t449 = w5_y * w5_z;
-        let t450 = t445 + t446;
-        let t451 = t447 - dw5_z;
-        let t452 = t448 - t431;
-        let t453 = dw5_z + t447;
-        let t454 = t444 + t446;
-        let t455 = t449 - dw5_x;
-        let t456 = t431 + t448;
-        let t457 = dw5_x + t449;
-        let t461 = a5_x + D6 * t451;
-        let t462 = t426 + D6 * t454;
-        let t463 = D6 * t457 - t419;
-        let a6_x = c6 * t461 - s6 * t463;
-        let t469 = c6 * t463 + s6 * t461;
+        let t441 = c6 * w5_z + s6 * w5_x;
+        let t448 = w5_x * w5_x;
+        let t449 = w5_y * w5_y;
+        let t450 = w5_z * w5_z;
+        let t451 = w5_x * w5_y;
+        let t452 = w5_x * w5_z;
+        let t453 = w5_y * w5_z;
+        let t454 = t449 + t450;
+        let t455 = t451 - dw5_z;
+        let t456 = t452 - t435;
+        let t457 = dw5_z + t451;
+        let t458 = t448 + t450;
+        let t459 = t453 - dw5_x;
+        let t460 = t435 + t452;
+        let t461 = dw5_x + t453;
+        let t465 = a5_x + D6 * t455;
+        let t466 = t430 + D6 * t458;
+        let t467 = D6 * t461 - t423;
+        let a6_x = c6 * t465 - s6 * t467;
+        let t473 = c6 * t467 + s6 * t465;
         let w6_z = w5_y + dq6;
-        let dw6_x = c6 * dw5_x - s6 * dw5_z - dq6 * t437;
-        let t474 = c6 * dw5_z + s6 * dw5_x + dq6 * w6_x;
+        let dw6_x = c6 * dw5_x - s6 * dw5_z - dq6 * t441;
+        let t478 = c6 * dw5_z + s6 * dw5_x + dq6 * w6_x;
         [
-        w6_x, t437, t444, t445, t446, t447, t448, t449,
-        t450, t451, t452, t453, t454, t455, t456, t457,
-        t462, a6_x, t469, w6_z, dw6_x, t474,
+        w6_x, t441, t448, t449, t450, t451, t452, t453,
+        t454, t455, t456, t457, t458, t459, t460, t461,
+        t466, a6_x, t473, w6_z, dw6_x, t478,
     ]
     };
     // link 6: force and moment
-    let [f6_z, n6_z, t537, t540, t549, t550] = {
-        let t475 = w6_x * w6_x;
-        let t476 = t437 * t437;
-        let t477 = w6_z * w6_z;
-        let t478 = w6_x * t437;
-        let t479 = w6_x * w6_z;
-        let t480 = t437 * w6_z;
-        let t482 = t431 - t478;
-        let t484 = t431 + t478;
-        let t487 = t474 + t479;
-        let t488 = dw6_x - t480;
-        let t507 = XZ6 * (dw6_x + t480);
-        let t512 = YZ6 * (t476 - t477);
-        let t513 = YZ6 * t482;
-        let t514 = YZ6 * (t479 - t474);
-        let t515 = XX6R * dw6_x - ZZ6 * t480 - XY6 * t487 - XZ6 * t484 + t512;
-        let t516 = t479 * (XX6R - ZZ6) + XY6 * t488 + XZ6 * (t477 - t475) - t513;
-        let t517 = XX6R * t478 - ZZ6 * t431 + XY6 * (t475 - t476) + t507 + t514;
-        let f6_x = MSY6 * t482 - MSX6 * (t476 + t477);
-        let t523 = MSX6 * t484 + MSY6 * (t475 + t477);
-        let f6_z = MSX6 * t487 + MSY6 * t488;
-        let n6_x = t515 - MSY6 * t462;
-        let n6_y = t516 + MSX6 * t462;
-        let n6_z = t517 - (MSX6 * t469 + MSY6 * a6_x);
-        let t537 = c6 * f6_x + s6 * t523;
-        let t540 = s6 * f6_x - c6 * t523;
-        let t549 = c6 * n6_x - s6 * n6_y - D6 * t540;
-        let t550 = s6 * n6_x + c6 * n6_y + D6 * t537;
-        [f6_z, n6_z, t537, t540, t549, t550]
+    let [f6_z, n6_z, t541, t544, t553, t554] = {
+        let t479 = w6_x * w6_x;
+        let t480 = t441 * t441;
+        let t481 = w6_z * w6_z;
+        let t482 = w6_x * t441;
+        let t483 = w6_x * w6_z;
+        let t484 = t441 * w6_z;
+        let t486 = t435 - t482;
+        let t488 = t435 + t482;
+        let t491 = t478 + t483;
+        let t492 = dw6_x - t484;
+        let t511 = XZ6 * (dw6_x + t484);
+        let t516 = YZ6 * (t480 - t481);
+        let t517 = YZ6 * t486;
+        let t518 = YZ6 * (t483 - t478);
+        let t519 = XX6R * dw6_x - ZZ6 * t484 - XY6 * t491 - XZ6 * t488 + t516;
+        let t520 = t483 * (XX6R - ZZ6) + XY6 * t492 + XZ6 * (t481 - t479) - t517;
+        let t521 = XX6R * t482 - ZZ6 * t435 + XY6 * (t479 - t480) + t511 + t518;
+        let f6_x = MSY6 * t486 - MSX6 * (t480 + t481);
+        let t527 = MSX6 * t488 + MSY6 * (t479 + t481);
+        let f6_z = MSX6 * t491 + MSY6 * t492;
+        let n6_x = t519 - MSY6 * t466;
+        let n6_y = t520 + MSX6 * t466;
+        let n6_z = t521 - (MSX6 * t473 + MSY6 * a6_x);
+        let t541 = c6 * f6_x + s6 * t527;
+        let t544 = s6 * f6_x - c6 * t527;
+        let t553 = c6 * n6_x - s6 * n6_y - D6 * t544;
+        let t554 = s6 * n6_x + c6 * n6_y + D6 * t541;
+        [f6_z, n6_z, t541, t544, t553, t554]
     };
     // link 5: force and moment
-    let [f5_z, n5_z, t605, t608, t617, t618] = {
-        let t572 = ZZ5R * dw5_z - XX5R * t447 + XY5 * (t444 - t445) - XZ5 * t455;
-        let t574 = YZ5 * (t445 - t446);
-        let t575 = YZ5 * t451;
-        let t577 = ZZ5R * t449 + XX5R * dw5_x - XY5 * t456 + XZ5 * t453 + t574;
-        let t578 = t448 * (XX5R - ZZ5R) + XY5 * t457 + XZ5 * (t446 - t444) - t575;
-        let f5_x = t537 + (MSY5R * t451 - MSX5 * t450);
-        let f5_y = f6_z + (MSX5 * t453 - MSY5R * t454);
-        let f5_z = MSX5 * t456 + MSY5R * t457 - t540;
-        let n5_x = t549 + (t577 - MSY5R * t419);
-        let n5_y = n6_z + (t578 + MSX5 * t419);
-        let n5_z = t572 + YZ5 * t452 - (MSX5 * t426 + MSY5R * a5_x) - t550;
-        let t605 = c5 * f5_x - s5 * f5_y;
-        let t608 = s5 * f5_x + c5 * f5_y;
-        let t617 = c5 * n5_x - s5 * n5_y - D5 * t608;
-        let t618 = s5 * n5_x + c5 * n5_y + D5 * t605;
-        [f5_z, n5_z, t605, t608, t617, t618]
+    let [f5_z, n5_z, t609, t612, t621, t622] = {
+        let t576 = ZZ5R * dw5_z - XX5R * t451 + XY5 * (t448 - t449) - XZ5 * t459;
+        let t578 = YZ5 * (t449 - t450);
+        let t579 = YZ5 * t455;
+        let t581 = ZZ5R * t453 + XX5R * dw5_x - XY5 * t460 + XZ5 * t457 + t578;
+        let t582 = t452 * (XX5R - ZZ5R) + XY5 * t461 + XZ5 * (t450 - t448) - t579;
+        let f5_x = t541 + (MSY5R * t455 - MSX5 * t454);
+        let f5_y = f6_z + (MSX5 * t457 - MSY5R * t458);
+        let f5_z = MSX5 * t460 + MSY5R * t461 - t544;
+        let n5_x = t553 + (t581 - MSY5R * t423);
+        let n5_y = n6_z + (t582 + MSX5 * t423);
+        let n5_z = t576 + YZ5 * t456 - (MSX5 * t430 + MSY5R * a5_x) - t554;
+        let t609 = c5 * f5_x - s5 * f5_y;
+        let t612 = s5 * f5_x + c5 * f5_y;
+        let t621 = c5 * n5_x - s5 * n5_y - D5 * t612;
+        let t622 = s5 * n5_x + c5 * n5_y + D5 * t609;
+        [f5_z, n5_z, t609, t612, t621, t622]
     };
     // link 4: force and moment
-    let [f4_z, n4_z, t671, t674, t686, t687, t688] = {
-        let t640 = YZ4 * (t404 - t405);
-        let t641 = YZ4 * t406;
-        let t643 = ZZ4R * t408 + XX4R * dw4_x - XY4 * t413 + XZ4 * t406 + t640;
-        let t644 = t407 * (XX4R - ZZ4R) + XY4 * t414 + XZ4 * (t405 - t403) - t641;
-        let t645 = XY4 * (t403 - t404) - XX4R * t406 - XZ4 * t412 + YZ4 * t410;
-        let f4_x = t605 + (MSY4R * t406 - MSX4 * t409);
-        let f4_y = MSX4 * t406 - MSY4R * t411 - f5_z;
-        let f4_z = t608 + (MSX4 * t413 + MSY4R * t414);
-        let n4_x = t617 + (t643 - MSY4R * t383);
-        let n4_y = t644 + MSX4 * t383 - n5_z;
-        let n4_z = t618 + (t645 + (MSX4 * a4_y - MSY4R * a4_x));
-        let t671 = c4 * f4_x - s4 * f4_y;
-        let t674 = s4 * f4_x + c4 * f4_y;
-        let t686 = c4 * n4_x - s4 * n4_y - D4 * t674;
-        let t687 = s4 * n4_x + c4 * n4_y + (D4 * t671 + k3 * f4_z);
-        let t688 = n4_z - k3 * t674;
-        [f4_z, n4_z, t671, t674, t686, t687, t688]
+    let [f4_z, n4_z, t675, t678, t690, t691, t692] = {
+        let t644 = YZ4 * (t408 - t409);
+        let t645 = YZ4 * t410;
+        let t647 = ZZ4R * t412 + XX4R * dw4_x - XY4 * t417 + XZ4 * t410 + t644;
+        let t648 = t411 * (XX4R - ZZ4R) + XY4 * t418 + XZ4 * (t409 - t407) - t645;
+        let t649 = XY4 * (t407 - t408) - XX4R * t410 - XZ4 * t416 + YZ4 * t414;
+        let f4_x = t609 + (MSY4R * t410 - MSX4 * t413);
+        let f4_y = MSX4 * t410 - MSY4R * t415 - f5_z;
+        let f4_z = t612 + (MSX4 * t417 + MSY4R * t418);
+        let n4_x = t621 + (t647 - MSY4R * t387);
+        let n4_y = t648 + MSX4 * t387 - n5_z;
+        let n4_z = t622 + (t649 + (MSX4 * a4_y - MSY4R * a4_x));
+        let t675 = c4 * f4_x - s4 * f4_y;
+        let t678 = s4 * f4_x + c4 * f4_y;
+        let t690 = c4 * n4_x - s4 * n4_y - D4 * t678;
+        let t691 = s4 * n4_x + c4 * n4_y + (D4 * t675 + k3 * f4_z);
+        let t692 = n4_z - k3 * t678;
+        [f4_z, n4_z, t675, t678, t690, t691, t692]
     };
     // link 3: force and moment
-    let [n3_z, t744, t750, t751] = {
-        let t710 = YZ3 * (t360 - t361);
-        let t711 = YZ3 * t362;
-        let t713 = ZZ3R * t364 + XX3R * dw3_x - XY3 * t369 + XZ3R * t362 + t710;
-        let t714 = t363 * (XX3R - ZZ3R) + XY3 * t370 + XZ3R * (t361 - t359) - t711;
-        let t715 = XY3 * (t359 - t360) - XX3R * t362 - XZ3R * t368 + YZ3 * t366;
-        let f3_x = t671 + (MSY3 * t362 - MSX3R * t365);
-        let f3_y = t674 + (MSX3R * t362 - MSY3 * t367);
-        let f3_z = f4_z + (MSX3R * t369 + MSY3 * t370);
-        let n3_x = t686 + (t713 - MSY3 * t333);
-        let n3_y = t687 + (t714 + MSX3R * t333);
-        let n3_z = t688 + (t715 + (MSX3R * a3_y - MSY3 * a3_x));
-        let t744 = c3 * n3_x - s3 * n3_y;
-        let t750 = s3 * n3_x + c3 * n3_y + k4 * f3_z;
-        let t751 = n3_z - k4 * (s3 * f3_x + c3 * f3_y);
-        [n3_z, t744, t750, t751]
+    let [n3_z, t748, t754, t755] = {
+        let t714 = YZ3 * (t364 - t365);
+        let t715 = YZ3 * t366;
+        let t717 = ZZ3R * t368 + XX3R * dw3_x - XY3 * t373 + XZ3R * t366 + t714;
+        let t718 = t367 * (XX3R - ZZ3R) + XY3 * t374 + XZ3R * (t365 - t363) - t715;
+        let t719 = XY3 * (t363 - t364) - XX3R * t366 - XZ3R * t372 + YZ3 * t370;
+        let f3_x = t675 + (MSY3 * t366 - MSX3R * t369);
+        let f3_y = t678 + (MSX3R * t366 - MSY3 * t371);
+        let f3_z = f4_z + (MSX3R * t373 + MSY3 * t374);
+        let n3_x = t690 + (t717 - MSY3 * t337);
+        let n3_y = t691 + (t718 + MSX3R * t337);
+        let n3_z = t692 + (t719 + (MSX3R * a3_y - MSY3 * a3_x));
+        let t748 = c3 * n3_x - s3 * n3_y;
+        let t754 = s3 * n3_x + c3 * n3_y + k4 * f3_z;
+        let t755 = n3_z - k4 * (s3 * f3_x + c3 * f3_y);
+        [n3_z, t748, t754, t755]
     };
     // link 2: force and moment
     let [n2_z, n1_z] = {
-        let t770 = YZ2 * (t325 - t326);
-        let t771 = YZ2 * t327;
-        let t773 = t311 * (XX2R - ZZ2R) + XY2 * t330 + XZ2R * (t326 - t324) - t771;
-        let t777 = XY2 * (t324 - t325) - XX2R * t327 + (MSX2R * a2_y - MSY2 * a2_x);
-        let n2_x = t744 + (dw2_x * (XX2R + ZZ2R) - XY2 * t329 + XZ2R * t327 + t770);
-        let n2_y = t750 + t773;
-        let n2_z = t751 + t777;
+        let t774 = YZ2 * (t329 - t330);
+        let t775 = YZ2 * t331;
+        let t777 = t315 * (XX2R - ZZ2R) + XY2 * t334 + XZ2R * (t330 - t328) - t775;
+        let t781 = XY2 * (t328 - t329) - XX2R * t331 + (MSX2R * a2_y - MSY2 * a2_x);
+        let n2_x = t748 + (dw2_x * (XX2R + ZZ2R) - XY2 * t333 + XZ2R * t331 + t774);
+        let n2_y = t754 + t777;
+        let n2_z = t755 + t781;
         let n1_z = s2 * n2_x + c2 * n2_y;
         [n2_z, n1_z]
     };
     // drives
-    let [t784, t785, t786, t787, t788, t789] = {
-        let t784 = tau1 - n1_z;
-        let t785 = tau2 - n2_z;
-        let t786 = tau3 - n3_z;
-        let t787 = tau4 - n4_z;
-        let t788 = tau5 - n5_z;
-        let t789 = tau6 - n6_z;
-        [t784, t785, t786, t787, t788, t789]
+    let [t824, t825, t826, t827, t828, t829] = {
+        let t824 = tau1 - (FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign()));
+        let t825 = tau2 - (FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign()));
+        let t826 = tau3 - (FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign()));
+        let t827 = tau4 - (FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign()));
+        let t828 = tau5 - (FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign()));
+        let t829 = tau6 - (FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign()));
+        [t824, t825, t826, t827, t828, t829]
     };
     // M = L D L'
     let [
-        t790, t791, t792, t793, t794, t795, t799, t803,
-        t806, t809, t812, t819, t826, t831, t836, t846,
-        t856, t863, t876, t889, t905,
+        t830, t831, t832, t833, t834, t835, t839, t843,
+        t846, t849, t852, t859, t866, t871, t876, t886,
+        t896, t903, t916, t929, t945,
     ] = {
-        let t790 = k6 / t305;
-        let t791 = t295 * t790;
-        let t792 = t257 * t790;
-        let t793 = t197 * t790;
-        let t794 = t133 * t790;
-        let t795 = t63 * t790;
-        let t798 = t289 - t305 * (t791 * t791);
-        let t799 = k6 / t798;
-        let t800 = t305 * t791;
-        let t803 = t799 * (t254 - t792 * t800);
-        let t806 = t799 * (t194 - t793 * t800);
-        let t809 = t799 * (t130 - t794 * t800);
-        let t812 = t799 * (t60 - t795 * t800);
-        let t818 = t237 - t305 * (t792 * t792) - t798 * (t803 * t803);
-        let t819 = k6 / t818;
-        let t820 = t305 * t792;
-        let t823 = t798 * t803;
-        let t826 = t819 * (t183 - t793 * t820 - t806 * t823);
-        let t831 = t819 * (t117 - t794 * t820 - t809 * t823);
-        let t836 = t819 * (t47 - t795 * t820 - t812 * t823);
-        let t844 = t818 * (t826 * t826);
-        let t845 = t162 - t305 * (t793 * t793) - t798 * (t806 * t806) - t844;
-        let t846 = k6 / t845;
-        let t847 = t305 * t793;
-        let t850 = t798 * t806;
-        let t853 = t818 * t826;
-        let t856 = t846 * (t101 - t794 * t847 - t809 * t850 - t831 * t853);
-        let t863 = t846 * (t27 - t795 * t847 - t812 * t850 - t836 * t853);
-        let t871 = t818 * (t831 * t831);
-        let t874 = t845 * (t856 * t856);
-        let t875 = t82 - t305 * (t794 * t794) - t798 * (t809 * t809) - t871 - t874;
-        let t876 = k6 / t875;
-        let t884 = t836 * (t818 * t831);
-        let t887 = t863 * (t845 * t856);
-        let t888 = t15 + t795 * (t305 * t794) + t812 * (t798 * t809) + t884 + t887;
-        let t889 = t876 * t888;
-        let t897 = t818 * (t836 * t836);
-        let t900 = t845 * (t863 * t863);
-        let t901 = ZZ6 - t305 * (t795 * t795) - t798 * (t812 * t812) - t897 - t900;
-        let t905 = k6 / (t901 - t875 * (t889 * t889));
+        let t830 = k6 / t309;
+        let t831 = t299 * t830;
+        let t832 = t261 * t830;
+        let t833 = t200 * t830;
+        let t834 = t135 * t830;
+        let t835 = t64 * t830;
+        let t838 = t293 - t309 * (t831 * t831);
+        let t839 = k6 / t838;
+        let t840 = t309 * t831;
+        let t843 = t839 * (t258 - t832 * t840);
+        let t846 = t839 * (t197 - t833 * t840);
+        let t849 = t839 * (t132 - t834 * t840);
+        let t852 = t839 * (t61 - t835 * t840);
+        let t858 = t244 - t309 * (t832 * t832) - t838 * (t843 * t843);
+        let t859 = k6 / t858;
+        let t860 = t309 * t832;
+        let t863 = t838 * t843;
+        let t866 = t859 * (t186 - t833 * t860 - t846 * t863);
+        let t871 = t859 * (t119 - t834 * t860 - t849 * t863);
+        let t876 = t859 * (t48 - t835 * t860 - t852 * t863);
+        let t884 = t858 * (t866 * t866);
+        let t885 = t168 - t309 * (t833 * t833) - t838 * (t846 * t846) - t884;
+        let t886 = k6 / t885;
+        let t887 = t309 * t833;
+        let t890 = t838 * t846;
+        let t893 = t858 * t866;
+        let t896 = t886 * (t103 - t834 * t887 - t849 * t890 - t871 * t893);
+        let t903 = t886 * (t28 - t835 * t887 - t852 * t890 - t876 * t893);
+        let t911 = t858 * (t871 * t871);
+        let t914 = t885 * (t896 * t896);
+        let t915 = t87 - t309 * (t834 * t834) - t838 * (t849 * t849) - t911 - t914;
+        let t916 = k6 / t915;
+        let t924 = t876 * (t858 * t871);
+        let t927 = t903 * (t885 * t896);
+        let t928 = t16 + t835 * (t309 * t834) + t852 * (t838 * t849) + t924 + t927;
+        let t929 = t916 * t928;
+        let t937 = t858 * (t876 * t876);
+        let t940 = t885 * (t903 * t903);
+        let t941 = t0 - t309 * (t835 * t835) - t838 * (t852 * t852) - t937 - t940;
+        let t945 = k6 / (t941 - t915 * (t929 * t929));
         [
-        t790, t791, t792, t793, t794, t795, t799, t803,
-        t806, t809, t812, t819, t826, t831, t836, t846,
-        t856, t863, t876, t889, t905,
+        t830, t831, t832, t833, t834, t835, t839, t843,
+        t846, t849, t852, t859, t866, t871, t876, t886,
+        t896, t903, t916, t929, t945,
     ]
     };
     // ddq
     {
-        let t907 = t785 - t784 * t791;
-        let t911 = t786 - t784 * t792 - t803 * t907;
-        let t917 = t787 - t784 * t793 - t806 * t907 - t826 * t911;
-        let t925 = t788 - t784 * t794 - t809 * t907 - t831 * t911 - t856 * t917;
-        let t933 = t789 - t784 * t795 - t812 * t907 - t836 * t911 - t863 * t917;
-        let t941 = t905 * (t933 + t889 * t925);
-        let t943 = t876 * t925 + t889 * t941;
-        let t947 = t846 * t917 - t856 * t943 - t863 * t941;
-        let t953 = t819 * t911 - t826 * t947 - t831 * t943 - t836 * t941;
-        let t960 = t812 * t941;
-        let t961 = t799 * t907 - t803 * t953 - t806 * t947 - t809 * t943 - t960;
-        let t968 = t794 * t943;
-        let t969 = t784 * t790 - t791 * t961 - t792 * t953 - t793 * t947 - t968;
-        let t971 = t969 - t795 * t941;
-        put(0, t971);
-        put(1, t961);
-        put(2, t953);
-        put(3, t947);
-        put(4, t943);
-        put(5, t941);
+        let t947 = t825 - t824 * t831;
+        let t951 = t826 - t824 * t832 - t843 * t947;
+        let t957 = t827 - t824 * t833 - t846 * t947 - t866 * t951;
+        let t965 = t828 - t824 * t834 - t849 * t947 - t871 * t951 - t896 * t957;
+        let t973 = t829 - t824 * t835 - t852 * t947 - t876 * t951 - t903 * t957;
+        let t981 = t945 * (t973 + t929 * t965);
+        let t983 = t916 * t965 + t929 * t981;
+        let t987 = t886 * t957 - t896 * t983 - t903 * t981;
+        let t993 = t859 * t951 - t866 * t987 - t871 * t983 - t876 * t981;
+        let t1000 = t852 * t981;
+        let t1001 = t839 * t947 - t843 * t993 - t846 * t987 - t849 * t983 - t1000;
+        let t1008 = t834 * t983;
+        let t1009 = t824 * t830 - t831 * t1001 - t832 * t993 - t833 * t987 - t1008;
+        let t1011 = t1009 - t835 * t981;
+        put(0, t1011);
+        put(1, t1001);
+        put(2, t993);
+        put(3, t987);
+        put(4, t983);
+        put(5, t981);
     }
 }

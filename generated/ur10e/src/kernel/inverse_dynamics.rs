@@ -2,7 +2,7 @@
 //!
 //! `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil and Dombre, 9.5.2.
 //!
-//! 301 multiplications, 299 additions; 6, 6 of 6 structurally nonzero.
+//! 319 multiplications, 323 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, STANDARD, Trig};
@@ -28,6 +28,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         XX3, YY3, ZZ3, XY3, XZ3, YZ3, M4, MSX4, MSY4, MSZ4, XX4, YY4,
         ZZ4, XY4, XZ4, YZ4, M5, MSX5, MSY5, MSZ5, XX5, YY5, ZZ5, XY5,
         XZ5, YZ5, M6, MSX6, MSY6, MSZ6, XX6, YY6, ZZ6, XY6, XZ6, YZ6,
+        IA1, IA2, IA3, IA4, IA5, IA6, FV1, FV2, FV3, FV4, FV5, FV6,
+        FC1, FC2, FC3, FC4, FC5, FC6, FO1, FO2, FO3, FO4, FO5, FO6,
         ..] = *phi;
     let D4 = S::constant(0.17415);
     let D5 = S::constant(0.11985);
@@ -230,7 +232,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t275 = s6 * f6_x + c6 * f6_y;
         let t284 = c6 * n6_x - s6 * n6_y - D6 * t275;
         let t285 = s6 * n6_x + c6 * n6_y + D6 * t272;
-        put(5, n6_z);
         [f6_z, n6_z, t272, t275, t284, t285]
     };
     // link 5: force and moment
@@ -251,11 +252,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t363 = s5 * f5_x + c5 * f5_y;
         let t372 = c5 * n5_x - s5 * n5_y - D5 * t363;
         let t373 = s5 * n5_x + c5 * n5_y + D5 * t360;
-        put(4, n5_z);
         [f5_z, n5_z, t360, t363, t372, t373]
     };
     // link 4: force and moment
-    let [f4_z, t448, t451, t463, t464, t465] = {
+    let [f4_z, n4_z, t448, t451, t463, t464, t465] = {
         let t395 = XZ4 * (t113 - t111);
         let t396 = XZ4 * t122;
         let t397 = t116 * (ZZ4 - YY4) + XX4 * dw4_x - XY4 * t123 + XZ4 * t120;
@@ -273,11 +273,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t463 = c4 * n4_x - s4 * n4_y - D4 * t451;
         let t464 = s4 * n4_x + c4 * n4_y + (D4 * t448 + k2 * f4_z);
         let t465 = n4_z - k2 * t451;
-        put(3, n4_z);
-        [f4_z, t448, t451, t463, t464, t465]
+        [f4_z, n4_z, t448, t451, t463, t464, t465]
     };
     // link 3: force and moment
-    let [t543, t549, t550] = {
+    let [n3_z, t543, t549, t550] = {
         let t487 = XZ3 * (t62 - t60);
         let t488 = XZ3 * t71;
         let t489 = t65 * (ZZ3 - YY3) + XX3 * dw3_x - XY3 * t72 + XZ3 * t69;
@@ -293,11 +292,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t543 = c3 * n3_x - s3 * n3_y;
         let t549 = s3 * n3_x + c3 * n3_y + k1 * f3_z;
         let t550 = n3_z - k1 * (s3 * f3_x + c3 * f3_y);
-        put(2, n3_z);
-        [t543, t549, t550]
+        [n3_z, t543, t549, t550]
     };
     // link 2: force and moment
-    let t597 = {
+    let [n2_z, t597] = {
         let t572 = XZ2 * (t24 - t22);
         let t573 = XZ2 * t2;
         let t574 = t6 * (ZZ2 - YY2) + XX2 * dw2_x - XY2 * t29 + XZ2 * t28;
@@ -308,12 +306,26 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let n2_y = t549 + (t582 + MSZ2 * a2_x);
         let n2_z = t550 + (t576 + YZ2 * t3 + (MSX2 * a2_y - MSY2 * a2_x));
         let t597 = s2 * n2_x + c2 * n2_y;
-        put(1, n2_z);
-        t597
+        [n2_z, t597]
     };
     // link 1: force and moment
-    {
+    let n1_z = {
         let n1_z = t597 + ZZ1 * ddq1;
-        put(0, n1_z);
+        n1_z
+    };
+    // drives
+    {
+        let t642 = FO1 + (n1_z + IA1 * ddq1 + FV1 * dq1 + FC1 * dq1.sign());
+        let t643 = FO2 + (n2_z + IA2 * ddq2 + FV2 * dq2 + FC2 * dq2.sign());
+        let t644 = FO3 + (n3_z + IA3 * ddq3 + FV3 * dq3 + FC3 * dq3.sign());
+        let t645 = FO4 + (n4_z + IA4 * ddq4 + FV4 * dq4 + FC4 * dq4.sign());
+        let t646 = FO5 + (n5_z + IA5 * ddq5 + FV5 * dq5 + FC5 * dq5.sign());
+        let t647 = FO6 + (n6_z + IA6 * ddq6 + FV6 * dq6 + FC6 * dq6.sign());
+        put(0, t642);
+        put(1, t643);
+        put(2, t644);
+        put(3, t645);
+        put(4, t646);
+        put(5, t647);
     }
 }

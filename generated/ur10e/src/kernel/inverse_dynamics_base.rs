@@ -2,7 +2,7 @@
 //!
 //! `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil and Dombre, 9.6.
 //!
-//! 262 multiplications, 247 additions; 6, 6 of 6 structurally nonzero.
+//! 278 multiplications, 269 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -26,6 +26,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         ZZ1R, MSX2R, MSY2, XX2R, ZZ2R, XY2, XZ2R, YZ2, MSX3R, MSY3, XX3R, ZZ3R,
         XY3, XZ3R, YZ3, MSX4, MSY4R, XX4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSY5R,
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6,
+        IA3, IA4, IA5, IA6, FV1, FV2, FV3, FV4, FV5, FV6, FC1, FC2,
+        FC3, FC4, FC5, FC6, FO1, FO2, FO3, FO4, FO5, FO6,
         ..] = *beta;
     let D4 = S::constant(0.17415);
     let D5 = S::constant(0.11985);
@@ -224,7 +226,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t252 = c6 * f6_y - s6 * t232;
         let t261 = c6 * n6_x - s6 * n6_y - D6 * t252;
         let t262 = s6 * n6_x + c6 * n6_y - D6 * t249;
-        put(5, n6_z);
         [f6_z, n6_z, t249, t252, t261, t262]
     };
     // link 5: force and moment
@@ -244,11 +245,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t320 = s5 * f5_x + c5 * f5_y;
         let t329 = c5 * n5_x - s5 * n5_y - D5 * t320;
         let t330 = s5 * n5_x + c5 * n5_y + D5 * t317;
-        put(4, n5_z);
         [f5_z, n5_z, t317, t320, t329, t330]
     };
     // link 4: force and moment
-    let [f4_z, t385, t388, t400, t401, t402] = {
+    let [f4_z, n4_z, t385, t388, t400, t401, t402] = {
         let t352 = ZZ4R * dw4_z - XX4R * t114 + XY4 * (t111 - t112) - XZ4 * t122;
         let t354 = YZ4 * (t112 - t113);
         let t355 = YZ4 * t118;
@@ -265,11 +265,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t400 = c4 * n4_x - s4 * n4_y - D4 * t388;
         let t401 = s4 * n4_x + c4 * n4_y + (D4 * t385 + k2 * f4_z);
         let t402 = n4_z - k2 * t388;
-        put(3, n4_z);
-        [f4_z, t385, t388, t400, t401, t402]
+        [f4_z, n4_z, t385, t388, t400, t401, t402]
     };
     // link 3: force and moment
-    let [t460, t466, t467] = {
+    let [n3_z, t460, t466, t467] = {
         let t424 = ZZ3R * dw3_z - XX3R * t63 + XY3 * (t60 - t61) - XZ3R * t71;
         let t426 = YZ3 * (t61 - t62);
         let t427 = YZ3 * t67;
@@ -284,11 +283,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t460 = c3 * n3_x - s3 * n3_y;
         let t466 = s3 * n3_x + c3 * n3_y + k1 * f3_z;
         let t467 = n3_z - k1 * (s3 * f3_x + c3 * f3_y);
-        put(2, n3_z);
-        [t460, t466, t467]
+        [n3_z, t460, t466, t467]
     };
     // link 2: force and moment
-    let t506 = {
+    let [n2_z, t506] = {
         let t489 = ZZ2R * ddq2 - XX2R * t25 + XY2 * (t22 - t23) + XZ2R * t2;
         let t491 = YZ2 * (t23 - t24);
         let t492 = YZ2 * t27;
@@ -298,12 +296,26 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let n2_y = t466 + t495;
         let n2_z = t467 + (t489 + YZ2 * t3 + (MSX2R * a2_y - MSY2 * a2_x));
         let t506 = s2 * n2_x + c2 * n2_y;
-        put(1, n2_z);
-        t506
+        [n2_z, t506]
     };
     // link 1: force and moment
-    {
+    let n1_z = {
         let n1_z = t506 + ZZ1R * ddq1;
-        put(0, n1_z);
+        n1_z
+    };
+    // drives
+    {
+        let t547 = FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign());
+        let t548 = FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign());
+        let t549 = FO3 + (n3_z + IA3 * ddq3 + FV3 * dq3 + FC3 * dq3.sign());
+        let t550 = FO4 + (n4_z + IA4 * ddq4 + FV4 * dq4 + FC4 * dq4.sign());
+        let t551 = FO5 + (n5_z + IA5 * ddq5 + FV5 * dq5 + FC5 * dq5.sign());
+        let t552 = FO6 + (n6_z + IA6 * ddq6 + FV6 * dq6 + FC6 * dq6.sign());
+        put(0, t547);
+        put(1, t548);
+        put(2, t549);
+        put(3, t550);
+        put(4, t551);
+        put(5, t552);
     }
 }

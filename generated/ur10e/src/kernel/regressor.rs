@@ -2,13 +2,13 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 438 multiplications, 341 additions; 6 x 60, 188 of 360 structurally nonzero.
+//! 438 multiplications, 341 additions; 6 x 84, 212 of 504 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 188;
+pub const NONZEROS: usize = 212;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
@@ -16,26 +16,29 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 22), (0, 23), (0, 24), (0, 25), (0, 26), (0, 27), (0, 28), (0, 29), (0, 30), (0, 31),
     (0, 32), (0, 33), (0, 34), (0, 35), (0, 36), (0, 37), (0, 38), (0, 39), (0, 40), (0, 41),
     (0, 42), (0, 43), (0, 44), (0, 45), (0, 46), (0, 47), (0, 48), (0, 49), (0, 50), (0, 51),
-    (0, 52), (0, 53), (0, 54), (0, 55), (0, 56), (0, 57), (0, 58), (0, 59), (1, 11), (1, 12),
-    (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23),
-    (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33),
-    (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39), (1, 40), (1, 41), (1, 42), (1, 43),
-    (1, 44), (1, 45), (1, 46), (1, 47), (1, 48), (1, 49), (1, 50), (1, 51), (1, 52), (1, 53),
-    (1, 54), (1, 55), (1, 56), (1, 57), (1, 58), (1, 59), (2, 21), (2, 22), (2, 24), (2, 25),
-    (2, 26), (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35),
-    (2, 36), (2, 37), (2, 38), (2, 39), (2, 40), (2, 41), (2, 42), (2, 43), (2, 44), (2, 45),
-    (2, 46), (2, 47), (2, 48), (2, 49), (2, 50), (2, 51), (2, 52), (2, 53), (2, 54), (2, 55),
-    (2, 56), (2, 57), (2, 58), (2, 59), (3, 31), (3, 32), (3, 34), (3, 35), (3, 36), (3, 37),
-    (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (3, 43), (3, 44), (3, 45), (3, 46), (3, 47),
-    (3, 48), (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54), (3, 55), (3, 56), (3, 57),
-    (3, 58), (3, 59), (4, 41), (4, 42), (4, 44), (4, 45), (4, 46), (4, 47), (4, 48), (4, 49),
-    (4, 50), (4, 51), (4, 52), (4, 53), (4, 54), (4, 55), (4, 56), (4, 57), (4, 58), (4, 59),
-    (5, 51), (5, 52), (5, 54), (5, 55), (5, 56), (5, 57), (5, 58), (5, 59),
+    (0, 52), (0, 53), (0, 54), (0, 55), (0, 56), (0, 57), (0, 58), (0, 59), (0, 60), (0, 66),
+    (0, 72), (0, 78), (1, 11), (1, 12), (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19),
+    (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29),
+    (1, 30), (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39),
+    (1, 40), (1, 41), (1, 42), (1, 43), (1, 44), (1, 45), (1, 46), (1, 47), (1, 48), (1, 49),
+    (1, 50), (1, 51), (1, 52), (1, 53), (1, 54), (1, 55), (1, 56), (1, 57), (1, 58), (1, 59),
+    (1, 61), (1, 67), (1, 73), (1, 79), (2, 21), (2, 22), (2, 24), (2, 25), (2, 26), (2, 27),
+    (2, 28), (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35), (2, 36), (2, 37),
+    (2, 38), (2, 39), (2, 40), (2, 41), (2, 42), (2, 43), (2, 44), (2, 45), (2, 46), (2, 47),
+    (2, 48), (2, 49), (2, 50), (2, 51), (2, 52), (2, 53), (2, 54), (2, 55), (2, 56), (2, 57),
+    (2, 58), (2, 59), (2, 62), (2, 68), (2, 74), (2, 80), (3, 31), (3, 32), (3, 34), (3, 35),
+    (3, 36), (3, 37), (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (3, 43), (3, 44), (3, 45),
+    (3, 46), (3, 47), (3, 48), (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54), (3, 55),
+    (3, 56), (3, 57), (3, 58), (3, 59), (3, 63), (3, 69), (3, 75), (3, 81), (4, 41), (4, 42),
+    (4, 44), (4, 45), (4, 46), (4, 47), (4, 48), (4, 49), (4, 50), (4, 51), (4, 52), (4, 53),
+    (4, 54), (4, 55), (4, 56), (4, 57), (4, 58), (4, 59), (4, 64), (4, 70), (4, 76), (4, 82),
+    (5, 51), (5, 52), (5, 54), (5, 55), (5, 56), (5, 57), (5, 58), (5, 59), (5, 65), (5, 71),
+    (5, 77), (5, 83),
 ];
 
 /// Regressor `W` of the standard parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 60]; 6]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 84]; 6]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -62,6 +65,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let k0 = S::constant(9.81);
     let k1 = S::constant(0.6127);
     let k2 = S::constant(0.57155);
+    let k7 = S::constant(1.0);
     // link 2: motion
     let [w2_x, w2_y, a2_x, a2_y, t6, t7, dw2_x, dw2_y] = {
         let w2_x = s2 * dq1;
@@ -75,10 +79,28 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw2_x = t2 + t6;
         let dw2_y = t3 - t7;
         put(0, ddq1); // row 1, ZZ1
-        put(48, a2_y); // row 2, MSX2
-        put(52, ddq2); // row 2, ZZ2
-        put(54, t2); // row 2, XZ2
-        put(55, t3); // row 2, YZ2
+        put(48, ddq1); // row 1, IA1
+        put(49, dq1); // row 1, FV1
+        put(51, k7); // row 1, FO1
+        put(52, a2_y); // row 2, MSX2
+        put(56, ddq2); // row 2, ZZ2
+        put(58, t2); // row 2, XZ2
+        put(59, t3); // row 2, YZ2
+        put(100, ddq2); // row 2, IA2
+        put(101, dq2); // row 2, FV2
+        put(103, k7); // row 2, FO2
+        put(142, ddq3); // row 3, IA3
+        put(143, dq3); // row 3, FV3
+        put(145, k7); // row 3, FO3
+        put(174, ddq4); // row 4, IA4
+        put(175, dq4); // row 4, FV4
+        put(177, k7); // row 4, FO4
+        put(196, ddq5); // row 5, IA5
+        put(197, dq5); // row 5, FV5
+        put(199, k7); // row 5, FO5
+        put(208, ddq6); // row 6, IA6
+        put(209, dq6); // row 6, FV6
+        put(211, k7); // row 6, FO6
         [w2_x, w2_y, a2_x, a2_y, t6, t7, dw2_x, dw2_y]
     };
     // link 3: motion
@@ -106,10 +128,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw3_x = c3 * dw2_x + s3 * dw2_y - dq3 * t15;
         let t46 = dq3 * w3_x - (c3 * dw2_y - s3 * dw2_x);
         let dw3_z = ddq2 + ddq3;
-        put(51, t25); // row 2, YY2
-        put(62, dw3_z); // row 2, ZZ3
-        put(97, t38); // row 3, MSY3
-        put(100, dw3_z); // row 3, ZZ3
+        put(55, t25); // row 2, YY2
+        put(66, dw3_z); // row 2, ZZ3
+        put(105, t38); // row 3, MSY3
+        put(108, dw3_z); // row 3, ZZ3
         [
         w3_x, t15, t22, t23, t24, t25, t27, t28,
         t29, t30, t33, t38, t41, w3_z, dw3_x, t46,
@@ -148,17 +170,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t96 = dq4 * t53 - (c4 * dw3_x - s4 * t46);
         let t97 = c4 * t46 + s4 * dw3_x + dq4 * w4_x;
         let dw4_z = dw3_z + ddq4;
-        put(60, t63); // row 2, XX3
-        put(64, t71); // row 2, XZ3
-        put(65, t68); // row 2, YZ3
-        put(72, dw4_z); // row 2, ZZ4
-        put(98, t63); // row 3, XX3
-        put(102, t71); // row 3, XZ3
-        put(103, t68); // row 3, YZ3
-        put(110, dw4_z); // row 3, ZZ4
-        put(134, a4_y); // row 4, MSX4
-        put(135, t89); // row 4, MSY4
-        put(138, dw4_z); // row 4, ZZ4
+        put(64, t63); // row 2, XX3
+        put(68, t71); // row 2, XZ3
+        put(69, t68); // row 2, YZ3
+        put(76, dw4_z); // row 2, ZZ4
+        put(106, t63); // row 3, XX3
+        put(110, t71); // row 3, XZ3
+        put(111, t68); // row 3, YZ3
+        put(118, dw4_z); // row 3, ZZ4
+        put(146, a4_y); // row 4, MSX4
+        put(147, t89); // row 4, MSY4
+        put(150, dw4_z); // row 4, ZZ4
         [
         w4_x, t53, t60, t61, t62, t63, t64, t65,
         t66, t67, t68, t69, t70, t71, t72, t73,
@@ -197,17 +219,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let dw5_x = s5 * dw4_z - c5 * t96 + dq5 * w5_y;
         let dw5_y = c5 * dw4_z + s5 * t96 - dq5 * w5_x;
         let dw5_z = t97 + ddq5;
-        put(70, t114); // row 2, XX4
-        put(74, t122); // row 2, XZ4
-        put(75, t119); // row 2, YZ4
-        put(108, t114); // row 3, XX4
-        put(112, t122); // row 3, XZ4
-        put(113, t119); // row 3, YZ4
-        put(136, t114); // row 4, XX4
-        put(140, t122); // row 4, XZ4
-        put(141, t119); // row 4, YZ4
-        put(162, a5_y); // row 5, MSX5
-        put(166, dw5_z); // row 5, ZZ5
+        put(74, t114); // row 2, XX4
+        put(78, t122); // row 2, XZ4
+        put(79, t119); // row 2, YZ4
+        put(116, t114); // row 3, XX4
+        put(120, t122); // row 3, XZ4
+        put(121, t119); // row 3, YZ4
+        put(148, t114); // row 4, XX4
+        put(152, t122); // row 4, XZ4
+        put(153, t119); // row 4, YZ4
+        put(178, a5_y); // row 5, MSX5
+        put(182, dw5_z); // row 5, ZZ5
         [
         w5_x, w5_y, t111, t112, t113, t114, t115, t116,
         t117, t118, t119, t120, t121, t122, t123, t124,
@@ -246,12 +268,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t186 = s6 * dw5_z - c6 * dw5_x + dq6 * t149;
         let t187 = c6 * dw5_z + s6 * dw5_x + dq6 * w6_x;
         let dw6_z = dw5_y + ddq6;
-        put(165, t159); // row 5, YY5
-        put(168, t167); // row 5, XZ5
-        put(169, t164); // row 5, YZ5
-        put(180, a6_y); // row 6, MSX6
-        put(181, t179); // row 6, MSY6
-        put(184, dw6_z); // row 6, ZZ6
+        put(181, t159); // row 5, YY5
+        put(184, t167); // row 5, XZ5
+        put(185, t164); // row 5, YZ5
+        put(200, a6_y); // row 6, MSX6
+        put(201, t179); // row 6, MSY6
+        put(204, dw6_z); // row 6, ZZ6
         [
         w6_x, t149, t156, t157, t158, t159, t160, t161,
         t162, t163, t164, t165, t166, t167, t168, t169,
@@ -324,7 +346,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t235 = t22 - t23;
         let t238 = s2 * t29 + c2 * t30;
         put(5, t238); // row 1, XY2
-        put(53, t235); // row 2, XY2
+        put(57, t235); // row 2, XY2
     }
     // XZ2: column
     {
@@ -341,28 +363,28 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t247 = t33 * v1_3_z;
         let t250 = t38 * t196 + t41 * t197;
         put(8, t247); // row 1, M3
-        put(56, t250); // row 2, M3
+        put(60, t250); // row 2, M3
     }
     // MSX3: column
     {
         let t253 = t33 * t195 + t72 * v1_3_z;
         let t257 = t66 * t196 + t69 * t197 - t41;
         put(9, t253); // row 1, MSX3
-        put(57, t257); // row 2, MSX3
+        put(61, t257); // row 2, MSX3
     }
     // MSY3: column
     {
         let t260 = t33 * z1_3_x - t73 * v1_3_z;
         let t264 = t38 + (t67 * t196 + t70 * t197);
         put(10, t260); // row 1, MSY3
-        put(58, t264); // row 2, MSY3
+        put(62, t264); // row 2, MSY3
     }
     // MSZ3: column
     {
         let t269 = t41 * z1_3_x + t38 * t195 - t74 * v1_3_z;
         let t272 = t71 * t197 - t68 * t196;
         put(11, t269); // row 1, MSZ3
-        put(59, t272); // row 2, MSZ3
+        put(63, t272); // row 2, MSZ3
     }
     // XX3: column
     let t274 = {
@@ -388,8 +410,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t280 = t60 - t61;
         let t283 = t73 * t195 - t72 * z1_3_x;
         put(15, t283); // row 1, XY3
-        put(63, t280); // row 2, XY3
-        put(101, t280); // row 3, XY3
+        put(67, t280); // row 2, XY3
+        put(109, t280); // row 3, XY3
     }
     // XZ3: column
     {
@@ -407,8 +429,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t299 = t89 * t217 - a4_y * t220;
         let t302 = t89 * t221 - a4_y * v3_5_z;
         put(18, t296); // row 1, M4
-        put(66, t299); // row 2, M4
-        put(104, t302); // row 3, M4
+        put(70, t299); // row 2, M4
+        put(112, t302); // row 3, M4
     }
     // MSX4: column
     {
@@ -416,8 +438,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t313 = a4_y + (t117 * t217 + t120 * t220);
         let t317 = a4_y + (t117 * t221 + t120 * v3_5_z);
         put(19, t309); // row 1, MSX4
-        put(67, t313); // row 2, MSX4
-        put(105, t317); // row 3, MSX4
+        put(71, t313); // row 2, MSX4
+        put(113, t317); // row 3, MSX4
     }
     // MSY4: column
     {
@@ -425,8 +447,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t328 = t89 + (t118 * t217 + t121 * t220);
         let t332 = t89 + (t118 * t221 + t121 * v3_5_z);
         put(20, t324); // row 1, MSY4
-        put(68, t328); // row 2, MSY4
-        put(106, t332); // row 3, MSY4
+        put(72, t328); // row 2, MSY4
+        put(114, t332); // row 3, MSY4
     }
     // MSZ4: column
     {
@@ -435,8 +457,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t344 = t122 * t220 - t119 * t217;
         let t347 = t122 * v3_5_z - t119 * t221;
         put(21, t341); // row 1, MSZ4
-        put(69, t344); // row 2, MSZ4
-        put(107, t347); // row 3, MSZ4
+        put(73, t344); // row 2, MSZ4
+        put(115, t347); // row 3, MSZ4
     }
     // XX4: column
     let t349 = {
@@ -462,9 +484,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t355 = t111 - t112;
         let t358 = t123 * t204 + t124 * t207;
         put(25, t358); // row 1, XY4
-        put(73, t355); // row 2, XY4
-        put(111, t355); // row 3, XY4
-        put(139, t355); // row 4, XY4
+        put(77, t355); // row 2, XY4
+        put(119, t355); // row 3, XY4
+        put(151, t355); // row 4, XY4
     }
     // XZ4: column
     {
@@ -485,9 +507,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t385 = t374 - (t217 * t369 + t130 * t220);
         let t389 = t374 - (t221 * t369 + t130 * v3_5_z);
         put(28, t381); // row 1, M5
-        put(76, t385); // row 2, M5
-        put(114, t389); // row 3, M5
-        put(142, t374); // row 4, M5
+        put(80, t385); // row 2, M5
+        put(122, t389); // row 3, M5
+        put(154, t374); // row 4, M5
         [t369, t372]
     };
     // MSX5: column
@@ -503,9 +525,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t414 = t401 + (t217 * t392 + t168 * t220);
         let t418 = t401 + (t221 * t392 + t168 * v3_5_z);
         put(29, t410); // row 1, MSX5
-        put(77, t414); // row 2, MSX5
-        put(115, t418); // row 3, MSX5
-        put(143, t401); // row 4, MSX5
+        put(81, t414); // row 2, MSX5
+        put(123, t418); // row 3, MSX5
+        put(155, t401); // row 4, MSX5
         [t391, t396, t397]
     };
     // MSY5: column
@@ -519,9 +541,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t441 = t428 + (t169 * t220 - t217 * t421);
         let t445 = t428 + (t169 * v3_5_z - t221 * t421);
         put(30, t437); // row 1, MSY5
-        put(78, t441); // row 2, MSY5
-        put(116, t445); // row 3, MSY5
-        put(144, t428); // row 4, MSY5
+        put(82, t441); // row 2, MSY5
+        put(124, t445); // row 3, MSY5
+        put(156, t428); // row 4, MSY5
         t419
     };
     // MSZ5: column
@@ -534,9 +556,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t466 = t455 - (t217 * t448 + t170 * t220);
         let t470 = t455 - (t221 * t448 + t170 * v3_5_z);
         put(31, t462); // row 1, MSZ5
-        put(79, t466); // row 2, MSZ5
-        put(117, t470); // row 3, MSZ5
-        put(145, t455); // row 4, MSZ5
+        put(83, t466); // row 2, MSZ5
+        put(125, t470); // row 3, MSZ5
+        put(157, t455); // row 4, MSZ5
     }
     // XX5: column
     let [t472, t473, t477] = {
@@ -546,9 +568,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t477 = c5 * t160;
         let t478 = s5 * dw5_x + t477;
         put(32, t475); // row 1, XX5
-        put(80, t478); // row 2, XX5
-        put(118, t478); // row 3, XX5
-        put(146, t478); // row 4, XX5
+        put(84, t478); // row 2, XX5
+        put(126, t478); // row 3, XX5
+        put(158, t478); // row 4, XX5
         [t472, t473, t477]
     };
     // YY5: column
@@ -558,9 +580,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t483 = s5 * t161;
         let t485 = c5 * dw5_y - t483;
         put(33, t482); // row 1, YY5
-        put(81, t485); // row 2, YY5
-        put(119, t485); // row 3, YY5
-        put(147, t485); // row 4, YY5
+        put(85, t485); // row 2, YY5
+        put(127, t485); // row 3, YY5
+        put(159, t485); // row 4, YY5
         [t479, t483]
     };
     // ZZ5: column
@@ -568,9 +590,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t488 = dw5_z * t207 - (t472 + t479);
         let t489 = t483 - t477;
         put(34, t488); // row 1, ZZ5
-        put(82, t489); // row 2, ZZ5
-        put(120, t489); // row 3, ZZ5
-        put(148, t489); // row 4, ZZ5
+        put(86, t489); // row 2, ZZ5
+        put(128, t489); // row 3, ZZ5
+        put(160, t489); // row 4, ZZ5
     }
     // XY5: column
     {
@@ -578,10 +600,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t495 = t207 * t490 + (t168 * t223 + t169 * t224);
         let t498 = c5 * t169 - s5 * t168;
         put(35, t495); // row 1, XY5
-        put(83, t498); // row 2, XY5
-        put(121, t498); // row 3, XY5
-        put(149, t498); // row 4, XY5
-        put(167, t490); // row 5, XY5
+        put(87, t498); // row 2, XY5
+        put(129, t498); // row 3, XY5
+        put(161, t498); // row 4, XY5
+        put(183, t490); // row 5, XY5
     }
     // XZ5: column
     {
@@ -589,9 +611,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t504 = t167 * t207 - (t165 * t223 - t224 * t499);
         let t506 = t391 + c5 * t499;
         put(36, t504); // row 1, XZ5
-        put(84, t506); // row 2, XZ5
-        put(122, t506); // row 3, XZ5
-        put(150, t506); // row 4, XZ5
+        put(88, t506); // row 2, XZ5
+        put(130, t506); // row 3, XZ5
+        put(162, t506); // row 4, XZ5
     }
     // YZ5: column
     {
@@ -599,9 +621,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t512 = t164 * t207 + (t223 * t507 + t163 * t224);
         let t514 = t419 - s5 * t507;
         put(37, t512); // row 1, YZ5
-        put(85, t514); // row 2, YZ5
-        put(123, t514); // row 3, YZ5
-        put(151, t514); // row 4, YZ5
+        put(89, t514); // row 2, YZ5
+        put(131, t514); // row 3, YZ5
+        put(163, t514); // row 4, YZ5
     }
     // M6: column
     let [
@@ -636,13 +658,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t562 = t549 + (t217 * t540 + t220 * t535);
         let t566 = t549 + (t221 * t540 + v3_5_z * t535);
         put(38, t558); // row 1, M6
-        put(86, t562); // row 2, M6
-        put(124, t566); // row 3, M6
-        put(152, t549); // row 4, M6
-        put(170, t537); // row 5, M6
-        put(182, t518); // row 6, XX6
-        put(186, t526); // row 6, XZ6
-        put(187, t523); // row 6, YZ6
+        put(90, t562); // row 2, M6
+        put(132, t566); // row 3, M6
+        put(164, t549); // row 4, M6
+        put(186, t537); // row 5, M6
+        put(202, t518); // row 6, XX6
+        put(206, t526); // row 6, XZ6
+        put(207, t523); // row 6, YZ6
         [
         t515, t516, t517, t518, t519, t520, t521, t522,
         t523, t524, t525, t526, t527, t528, t529, t532,
@@ -667,10 +689,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t607 = t594 + (t217 * t581 + t220 * t572);
         let t611 = t594 + (t221 * t581 + v3_5_z * t572);
         put(39, t603); // row 1, MSX6
-        put(87, t607); // row 2, MSX6
-        put(125, t611); // row 3, MSX6
-        put(153, t594); // row 4, MSX6
-        put(171, t578); // row 5, MSX6
+        put(91, t607); // row 2, MSX6
+        put(133, t611); // row 3, MSX6
+        put(165, t594); // row 4, MSX6
+        put(187, t578); // row 5, MSX6
         [t568, t571, t573, t574]
     };
     // MSY6: column
@@ -689,10 +711,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t650 = t637 + (t220 * t617 - t217 * t624);
         let t654 = t637 + (v3_5_z * t617 - t221 * t624);
         put(40, t646); // row 1, MSY6
-        put(88, t650); // row 2, MSY6
-        put(126, t654); // row 3, MSY6
-        put(154, t637); // row 4, MSY6
-        put(172, t621); // row 5, MSY6
+        put(92, t650); // row 2, MSY6
+        put(134, t654); // row 3, MSY6
+        put(166, t637); // row 4, MSY6
+        put(188, t621); // row 5, MSY6
         [t612, t615]
     };
     // MSZ6: column
@@ -709,10 +731,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t689 = t676 + (t220 * t660 - t217 * t667);
         let t693 = t676 - (t221 * t667 - v3_5_z * t660);
         put(41, t685); // row 1, MSZ6
-        put(89, t689); // row 2, MSZ6
-        put(127, t693); // row 3, MSZ6
-        put(155, t676); // row 4, MSZ6
-        put(173, t664); // row 5, MSZ6
+        put(93, t689); // row 2, MSZ6
+        put(135, t693); // row 3, MSZ6
+        put(167, t676); // row 4, MSZ6
+        put(189, t664); // row 5, MSZ6
     }
     // XX6: column
     let [t695, t698, t701, t706] = {
@@ -725,10 +747,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t706 = c5 * t518;
         let t707 = t706 - s5 * t696;
         put(42, t704); // row 1, XX6
-        put(90, t707); // row 2, XX6
-        put(128, t707); // row 3, XX6
-        put(156, t707); // row 4, XX6
-        put(174, t699); // row 5, XX6
+        put(94, t707); // row 2, XX6
+        put(136, t707); // row 3, XX6
+        put(168, t707); // row 4, XX6
+        put(190, t699); // row 5, XX6
         [t695, t698, t701, t706]
     };
     // YY6: column
@@ -740,10 +762,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t717 = t207 * t713 - (t701 + t223 * t710);
         let t719 = s5 * t710 - t706;
         put(43, t717); // row 1, YY6
-        put(91, t719); // row 2, YY6
-        put(129, t719); // row 3, YY6
-        put(157, t719); // row 4, YY6
-        put(175, t713); // row 5, YY6
+        put(95, t719); // row 2, YY6
+        put(137, t719); // row 3, YY6
+        put(169, t719); // row 4, YY6
+        put(191, t713); // row 5, YY6
         [t708, t711]
     };
     // ZZ6: column
@@ -753,10 +775,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t726 = t207 * t721 - (t223 * t720 - dw6_z * t224);
         let t729 = s5 * t720 + c5 * dw6_z;
         put(44, t726); // row 1, ZZ6
-        put(92, t729); // row 2, ZZ6
-        put(130, t729); // row 3, ZZ6
-        put(158, t729); // row 4, ZZ6
-        put(176, t721); // row 5, ZZ6
+        put(96, t729); // row 2, ZZ6
+        put(138, t729); // row 3, ZZ6
+        put(170, t729); // row 4, ZZ6
+        put(192, t721); // row 5, ZZ6
     }
     // XY6: column
     {
@@ -766,11 +788,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t741 = t207 * t736 - (t223 * t733 - t224 * t730);
         let t744 = s5 * t733 + c5 * t730;
         put(45, t741); // row 1, XY6
-        put(93, t744); // row 2, XY6
-        put(131, t744); // row 3, XY6
-        put(159, t744); // row 4, XY6
-        put(177, t736); // row 5, XY6
-        put(185, t730); // row 6, XY6
+        put(97, t744); // row 2, XY6
+        put(139, t744); // row 3, XY6
+        put(171, t744); // row 4, XY6
+        put(193, t736); // row 5, XY6
+        put(205, t730); // row 6, XY6
     }
     // XZ6: column
     {
@@ -780,10 +802,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t754 = t207 * t749 - (t223 * t747 - t224 * t526);
         let t757 = s5 * t747 + c5 * t526;
         put(46, t754); // row 1, XZ6
-        put(94, t757); // row 2, XZ6
-        put(132, t757); // row 3, XZ6
-        put(160, t757); // row 4, XZ6
-        put(178, t749); // row 5, XZ6
+        put(98, t757); // row 2, XZ6
+        put(140, t757); // row 3, XZ6
+        put(172, t757); // row 4, XZ6
+        put(194, t749); // row 5, XZ6
     }
     // YZ6: column
     {
@@ -792,29 +814,41 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t762 = s6 * t758 - t612;
         let t767 = t207 * t762 + (t223 * t760 + t224 * t523);
         let t770 = c5 * t523 - s5 * t760;
-        let t771 = -a2_x;
-        let t772 = -t25;
-        let t773 = -t63;
-        let t774 = -t114;
-        let t775 = -t41;
-        let t776 = -a5_x;
-        let t777 = -t159;
-        let t778 = -t518;
+        let t771 = dq1.sign();
+        let t772 = dq2.sign();
+        let t773 = dq3.sign();
+        let t774 = dq4.sign();
+        let t775 = dq5.sign();
+        let t776 = dq6.sign();
+        let t777 = -a2_x;
+        let t778 = -t25;
+        let t779 = -t63;
+        let t780 = -t114;
+        let t781 = -t41;
+        let t782 = -a5_x;
+        let t783 = -t159;
+        let t784 = -t518;
         put(47, t767); // row 1, YZ6
-        put(49, t771); // row 2, MSY2
-        put(50, t772); // row 2, XX2
-        put(61, t773); // row 2, YY3
-        put(71, t774); // row 2, YY4
-        put(95, t770); // row 2, YZ6
-        put(96, t775); // row 3, MSX3
-        put(99, t773); // row 3, YY3
-        put(109, t774); // row 3, YY4
-        put(133, t770); // row 3, YZ6
-        put(137, t774); // row 4, YY4
-        put(161, t770); // row 4, YZ6
-        put(163, t776); // row 5, MSY5
-        put(164, t777); // row 5, XX5
-        put(179, t762); // row 5, YZ6
-        put(183, t778); // row 6, YY6
+        put(50, t771); // row 1, FC1
+        put(53, t777); // row 2, MSY2
+        put(54, t778); // row 2, XX2
+        put(65, t779); // row 2, YY3
+        put(75, t780); // row 2, YY4
+        put(99, t770); // row 2, YZ6
+        put(102, t772); // row 2, FC2
+        put(104, t781); // row 3, MSX3
+        put(107, t779); // row 3, YY3
+        put(117, t780); // row 3, YY4
+        put(141, t770); // row 3, YZ6
+        put(144, t773); // row 3, FC3
+        put(149, t780); // row 4, YY4
+        put(173, t770); // row 4, YZ6
+        put(176, t774); // row 4, FC4
+        put(179, t782); // row 5, MSY5
+        put(180, t783); // row 5, XX5
+        put(195, t762); // row 5, YZ6
+        put(198, t775); // row 5, FC5
+        put(203, t784); // row 6, YY6
+        put(210, t776); // row 6, FC6
     }
 }
