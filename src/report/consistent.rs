@@ -164,10 +164,14 @@ pub fn carry_over_text(found: &Identification, carry: &CarryOver) -> String {
         .filter(|p| p.relative_std_percent().is_nan() || p.relative_std_percent() >= 50.0)
         .map(|p| p.name.as_str())
         .collect();
+    // On measured logs: beyond three residuals two joints of three are wrong elsewhere by more than twice the fit's residual, below three
+    // two of five (docs/consistency.md).
+    let surely = doubtful.iter().any(|&j| carry.ratio[j - 1] > 3.0);
     format!(
-        "\nwarning: this fit will not carry over to other motions. All over the arm's range its torques are uncertain by more than its residual: {}. \
+        "\nwarning: this fit {} carry over to other motions. All over the arm's range its torques are uncertain by more than its residual: {}. \
          {} of {} parameters are not known to 50 %: {}. Condition number {} with columns of unit norm. Record a richer motion, or use the possible \
          bodies with a prior from CAD (`--prior cad --prior-weight 100` believes its bodies to 10 %).\n",
+        if surely { "will not" } else { "may not" },
         list.join(", "),
         unknown.len(),
         found.parameters.len(),
