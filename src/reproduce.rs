@@ -11,6 +11,7 @@ pub mod honesty;
 pub mod identification;
 mod loaded;
 pub mod lwr;
+mod many;
 pub mod motions;
 pub mod table2;
 pub mod table3;
