@@ -68,6 +68,18 @@ pub fn consistent_json(possible: &Possible<'_>) -> Value {
     })
 }
 
+/// What possibility and prior cost.
+pub(super) fn paid(c: &Consistent) -> String {
+    format!(
+        "To be possible, links pay {} % of the fit's weighted residual, {} than noise explains; with the prior (weight {}) {} %. Together they weigh {} kg.",
+        percent(c.possible.growth_percent.max(0.0)),
+        if c.significant { "more" } else { "no more" },
+        figure(c.prior_weight),
+        percent(c.cost.growth_percent.max(0.0)),
+        figure(c.total_mass)
+    )
+}
+
 /// A section for the terminal.
 pub fn consistent_text(found: &Identification, possible: &Possible<'_>) -> String {
     let mut out = String::from("\nPossible bodies\n");
@@ -81,15 +93,7 @@ pub fn consistent_text(found: &Identification, possible: &Possible<'_>) -> Strin
             return out;
         }
     };
-    let _ = writeln!(
-        out,
-        "  To be possible, links pay {} % of the fit's weighted residual, {} than noise explains; with the prior (weight {}) {} %. Together they weigh {} kg.",
-        percent(c.possible.growth_percent.max(0.0)),
-        if c.significant { "more" } else { "no more" },
-        figure(c.prior_weight),
-        percent(c.cost.growth_percent.max(0.0)),
-        figure(c.total_mass)
-    );
+    let _ = writeln!(out, "  {}", paid(c));
     if !c.at_the_edge.is_empty() {
         let links: Vec<String> = c.at_the_edge.iter().map(usize::to_string).collect();
         let _ = writeln!(
