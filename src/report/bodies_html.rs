@@ -59,14 +59,14 @@ pub(super) fn bodies_section(body: &mut String, links: &Links<'_>) {
         if known {
             cell(file.map(|b| figure(b.mass)), false);
         }
-        let center = |b: &Body| list(&b.center.map(|c| 1e3 * c));
+        let center = |b: &Body| b.center.map(|c| fixed(1e3 * c)).join(", ");
         cell(now.map(center), true);
         if known {
             cell(file.map(center), true);
             let way = |(a, b): (&Body, &Body)| (0..3).map(|i| (a.center[i] - b.center[i]).powi(2)).sum::<f64>().sqrt();
-            cell(now.zip(file).map(|pair| digits(1e3 * way(pair), 3)), false);
+            cell(now.zip(file).map(|pair| fixed(1e3 * way(pair))), false);
         }
-        let moments = |b: &Body| list(&b.principal_moments.map(|m| 1e3 * m));
+        let moments = |b: &Body| b.principal_moments.map(|m| digits(1e3 * m, 3)).join(", ");
         cell(now.map(moments), true);
         if known {
             cell(file.map(moments), true);
@@ -87,6 +87,8 @@ pub(super) fn bodies_section(body: &mut String, links: &Links<'_>) {
     body.push_str("</tbody></table></div>\n<p class=note>In each link's own frame; moments about the centre of mass. Torques show combinations of these numbers only: what they don't show is the robot file's, or a guess from the arm's geometry. The distance is entropic, free of units: 0.005 per direction is a change by 10 %.</p></section>\n");
 }
 
-fn list(values: &[f64; 3]) -> String {
-    values.map(|v| figure(v)).join(", ")
+/// Tenths of a millimetre.
+fn fixed(millimetres: f64) -> String {
+    let tenths = (10.0 * millimetres).round() / 10.0;
+    format!("{:.1}", if tenths == 0.0 { 0.0 } else { tenths })
 }
