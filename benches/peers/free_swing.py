@@ -3,7 +3,7 @@
 file: largest differences of the joint positions, and what each does to the energy. An optional check; needs `cargo build --release` and
 `pip install mujoco pin pyyaml numpy`.
 
-    benches/peers/free_swing.py [robots/kuka-lwr4.yaml] [seconds]
+    benches/peers/free_swing.py [robots/kuka-lwr4.yaml] [seconds] [start, rad: 0.3,0.5,..]
 """
 
 import os
@@ -134,7 +134,7 @@ def swing_denavit(file, q):
 
 
 joints, links, gravity, file = read(ROBOT)
-start = np.array([0.3, 0.5, -0.2, 0.8, 0.1, -0.5, 0.2])[: len(joints)]
+start = np.array([float(x) for x in sys.argv[3].split(",")]) if len(sys.argv) > 3 else np.array([0.3, 0.5, -0.2, 0.8, 0.1, -0.5, 0.2])[: len(joints)]
 every, steps = round(0.01 / STEP), round(SECONDS / STEP)
 pinocchio = pinocchio_model(joints, links, gravity)
 swings = {
