@@ -159,7 +159,7 @@ fn fig6(found: &Experiment) -> Table {
     Table {
         title: "Fig. 6: held-out torque error, mean over the joints of the RMS, N m".into(),
         note: format!(
-            "Noise only, mean over {} runs with other noise: the floor is {} N m, what the low-pass leaves of the sensors' noise; an error above it by more than 5 % must be explained: by what the true parameters show as well (the chain) and by the parameters' own uncertainty after 10 s. With effects that the model has not (hysteresis, ripple, elasticity: sizes from the literature, the same for all three, so that the order of the motions tells more than the size), from best to worst: {}; {same}{}.",
+            "Noise only, mean over {} runs with other noise: the floor is {} N m, what the low-pass leaves of the sensors' noise; an error above it by more than 5 % must be explained: by what the true parameters show as well (the chain) and by the parameters' own uncertainty after 10 s. With effects that the model has not (hysteresis, ripple, elasticity: sizes of the order of real arms', the same for all three, so that the order of the motions tells more than the size), from best to worst: {}; {same}{}.",
             fig6::RUNS,
             digits(mean(&found.floor), 3),
             ours.join(", "),
