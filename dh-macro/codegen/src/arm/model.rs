@@ -110,7 +110,9 @@ impl Model {
                 make(vec![n], drive::torques(&self.chain, &graph, &self.standard, &self.laws, drive::Memory::Steady))
             }
             Function::DriveTorques => {
-                make(vec![n], drive::torques(&self.chain, &graph, &self.standard, &self.laws, drive::Memory::Given))
+                let mut laws = self.laws.clone();
+                laws.resize_with(n, || Laws::none(crate::robot::RATED));
+                make(vec![n], drive::torques(&self.chain, &graph, &self.standard, &laws, drive::Memory::Given))
             }
             Function::InverseDynamics | Function::RigidDynamics => {
                 let values = Values::new(&links, &self.standard);
