@@ -11,6 +11,7 @@ mod evidence;
 mod maps;
 mod model;
 mod moments;
+mod next;
 mod noise;
 mod prior;
 mod record;
@@ -24,6 +25,7 @@ mod structure;
 mod tests;
 
 pub use causes::Named;
+pub use next::{Separation, separate};
 pub use record::{Recording, Stretch};
 pub use result::{Cause, Curve, Diagnosis, ErrorMap, Errors, Evidence, NextExperiment, Verdict};
 pub use run::{DiagnoseError, Settings, diagnose};

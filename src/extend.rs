@@ -68,6 +68,9 @@ pub fn with_couplings(mut robot: Robot, values: &[f64]) -> Robot {
 const BODY: [&str; 10] = ["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"];
 
 /// The robot with everything in it that a diagnosis found.
+///
+/// A diagnosis adds what it finds to the rigid torque at the sensor, against the measured angle; the file's laws act on the true torque and
+/// the true angle. So where a joint's gain or zero was found wrong too, its laws are written as what they are before the sensor.
 pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
     let mut robot = match &found.standard {
         Some(standard) if found.links_refitted => {
@@ -88,14 +91,72 @@ pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
         _ => robot,
     };
     let moving = robot.moving();
+    let of = |cause: &str, row: usize| {
+        let here = |c: &&Cause| c.cause == cause && c.joints.first().and_then(|j| moving.get(j - 1)) == Some(&row);
+        found.causes.iter().find(here).and_then(|c| c.keys.first()).map(|named| named.value)
+    };
     for cause in &found.causes {
-        put(&mut robot, &moving, cause);
+        let row = cause.joints.first().and_then(|j| moving.get(j - 1)).copied();
+        let sensor = Sensor {
+            gain: row.and_then(|row| of("torque_gain_error", row)).filter(|g| *g != 0.0).unwrap_or(1.0),
+            zero: row.and_then(|row| of("encoder_offset", row)).unwrap_or(0.0),
+        };
+        put(&mut robot, row, &moving, cause, sensor);
     }
     robot
 }
 
-fn put(robot: &mut Robot, moving: &[usize], cause: &Cause) {
-    let row = cause.joints.first().and_then(|j| moving.get(j - 1)).copied();
+/// What lies between a joint's laws and what was recorded of them.
+#[derive(Clone, Copy)]
+struct Sensor {
+    /// `GT`.
+    gain: f64,
+    /// `QO`, rad.
+    zero: f64,
+}
+
+/// Keys that are torques per something: those of a law are in proportion to the sensor's gain.
+const SIZES: [&str; 15] =
+    ["FCA", "FVA", "FN", "FL", "HC", "PC", "PS", "RC", "RS", "KS", "IAM", "FVM", "FCM", "TO", "FS"];
+
+impl Sensor {
+    /// A law's keys before the sensor. `coulomb`: the joint's level, which `FS` includes.
+    fn before(self, cause: &str, keys: &mut [(String, f64)], coulomb: f64) {
+        let Self { gain, zero } = self;
+        for (key, value) in keys.iter_mut().filter(|(key, _)| SIZES.contains(&key.as_str())) {
+            *value = match (cause, key.as_str()) {
+                ("torque_offset", _) => *value * gain, // found beside the gain, written behind it
+                (_, "FS") => coulomb + (*value - coulomb) / gain,
+                _ => *value / gain,
+            };
+        }
+        if zero == 0.0 {
+            return;
+        }
+        match cause {
+            "torque_ripple" => turn(keys, ["RN", "RC", "RS"], zero),
+            "position_dependent_friction" => turn(keys, ["PN", "PC", "PS"], zero),
+            "joint_spring" => keys.iter_mut().filter(|(key, _)| key == "QS").for_each(|(_, rest)| *rest += zero),
+            _ => {}
+        }
+    }
+}
+
+/// `c cos(n q) + s sin(n q)` over an angle that is larger by `zero`.
+fn turn(keys: &mut [(String, f64)], [order, cosine, sine]: [&str; 3], zero: f64) {
+    let of = |keys: &[(String, f64)], name: &str| keys.iter().find(|(key, _)| key == name).map(|(_, value)| *value);
+    let (n, c, s) = (of(keys, order).unwrap_or(1.0), of(keys, cosine).unwrap_or(0.0), of(keys, sine).unwrap_or(0.0));
+    let (sin, cos) = (n * zero).sin_cos();
+    for (key, value) in keys.iter_mut() {
+        if key == cosine {
+            *value = c * cos - s * sin;
+        } else if key == sine {
+            *value = c * sin + s * cos;
+        }
+    }
+}
+
+fn put(robot: &mut Robot, row: Option<usize>, moving: &[usize], cause: &Cause, sensor: Sensor) {
     let mut left: Vec<(String, f64)> = Vec::new();
     for named in &cause.keys {
         let drive = row.map(|row| &mut robot.joints[row].drive);
@@ -123,13 +184,39 @@ fn put(robot: &mut Robot, moving: &[usize], cause: &Cause) {
     if left.is_empty() || cause.cause == "unknown" {
         return;
     }
-    if cause.cause == "gear_coupling"
-        && let Some(other) = cause.joints.get(1).and_then(|j| moving.get(j - 1))
-    {
-        left.insert(0, ("joint".into(), (other + 1) as f64));
+    let drive = row.map(|row| &robot.joints[row].drive);
+    match cause.cause {
+        "gear_coupling" => {
+            if let Some(other) = cause.joints.get(1).and_then(|j| moving.get(j - 1)) {
+                left.insert(0, ("joint".into(), (other + 1) as f64));
+            }
+        }
+        // While the joint moves, half a difference of the Coulomb levels is an offset.
+        "asymmetric_friction" => {
+            left.iter_mut().filter(|(key, _)| key == "TO").for_each(|(key, _)| *key = "FCA".into())
+        }
+        // The spring's rest takes the place of the whole offset; the file's own part of it stays where it is.
+        "joint_spring" => {
+            let own = drive.and_then(|d| d.offset).unwrap_or(0.0);
+            let stiffness = left.iter().find(|(key, _)| key == "KS").map_or(0.0, |(_, k)| *k);
+            if stiffness != 0.0 {
+                left.iter_mut().filter(|(key, _)| key == "QS").for_each(|(_, rest)| *rest += own / stiffness);
+            }
+        }
+        // Of a mass without a tensor the file would think as of a point.
+        "payload" if !left.iter().any(|(key, _)| BODY[4..].contains(&key.as_str())) => left.push(("XX".into(), 0.0)),
+        // A delay of one joint is counted from nothing, and the file adds it to that of all.
+        "time_delay" if row.is_some() => {
+            let stated = |e: &Effect| e.parameters.iter().find(|(key, _)| key == "TD").map(|(_, value)| *value);
+            let all = robot.effects.iter().find(|e| e.name == "time_delay").and_then(stated).unwrap_or(0.0);
+            left.iter_mut().filter(|(key, _)| key == "TD").for_each(|(_, late)| *late -= all);
+        }
+        _ => {}
     }
+    sensor.before(cause.cause, &mut left, drive.and_then(|d| d.coulomb_friction).unwrap_or(0.0));
     // The file knows the keys of its own table; what else was found stands in the comments and the JSON.
-    left.retain(|(key, _)| Law::of(cause.cause).is_some_and(|law| law.key(key).is_some()));
+    let Some(law) = Law::of(cause.cause) else { return };
+    left.retain(|(key, _)| law.key(key).is_some());
     if left.is_empty() {
         return;
     }
@@ -139,10 +226,11 @@ fn put(robot: &mut Robot, moving: &[usize], cause: &Cause) {
     };
     match effects.iter_mut().find(|e| e.name == cause.cause) {
         // A second ripple of the same joint: its keys are numbered.
-        Some(known) => {
+        Some(known) if law.repeats => {
             let number = 1 + known.parameters.iter().filter(|(k, _)| k.starts_with(left[0].0.as_str())).count();
             known.parameters.extend(left.into_iter().map(|(k, v)| (format!("{k}{number}"), v)));
         }
+        Some(known) => known.parameters = left,
         None => effects.push(Effect { name: cause.cause.to_string(), parameters: left }),
     }
 }

@@ -24,7 +24,7 @@ pub(super) struct Check {
 impl Check {
     pub(super) fn run(self) -> Result<(), Failure> {
         let file = files::robot(&self.robot)?;
-        let arm = Interpreted::new(&file.robot, &[]);
+        let arm = Interpreted::with_effects(&file.robot, &[]);
         if let Some(target) = &self.json {
             files::json(target, &check_json::value(&file.robot, arm.model()))?;
         }

@@ -8,7 +8,7 @@ use indicatif::ProgressBar;
 use super::prepare::{Torque, keep, try_pass};
 use super::{Failure, files};
 use crate::arm::Arm;
-use crate::diagnose::{self, Diagnosis, Recording, Settings};
+use crate::diagnose::{self, Diagnosis, Recording, Separation, Settings};
 use crate::log::Keep;
 use crate::plant::RobotPlant;
 use crate::signal::{Filter, Prepare, PrepareError, Prepared};
@@ -35,6 +35,10 @@ pub(super) struct Diagnose {
     /// Robot file to write, with the effects in it.
     #[arg(long, value_name = "ROBOT2")]
     out: Option<PathBuf>,
+    /// Where the next experiment goes: where two causes can't be told apart, the motion (CSV, as `excite` writes it) on which they would differ
+    /// most. Default: beside --out, with the ending `.next.csv`.
+    #[arg(long, value_name = "CSV")]
+    next: Option<PathBuf>,
     /// Write the result as JSON; `-` for standard output.
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -54,6 +58,9 @@ pub(super) struct Diagnose {
     #[arg(long, value_delimiter = ',', value_name = "WHAT")]
     keep: Vec<String>,
 }
+
+/// Rows per second of the motion that is written.
+const NEXT_RATE: f64 = 100.0;
 
 impl Diagnose {
     pub(super) fn run(self) -> Result<(), Failure> {
@@ -76,11 +83,25 @@ impl Diagnose {
         let settings = Settings { rate: self.rate, ..Settings::default() };
         let found = diagnose::diagnose(&plant, &fit, &validate, &settings, &|what| bar.set_message(what.to_string()))
             .map_err(Failure::input)?;
+        let next = self.next_path().and_then(|path| {
+            let next = diagnose::separate(&file.robot, &found, &|what| bar.set_message(what.to_string()))?;
+            Some((next, path))
+        });
         bar.finish_and_clear();
-        self.deliver(&found, &prepared, file)
+        self.deliver(&found, next.as_ref(), &prepared, file)
     }
 
-    fn deliver(&self, found: &Diagnosis, prepared: &[Prepared], file: files::RobotFile) -> Result<(), Failure> {
+    fn next_path(&self) -> Option<PathBuf> {
+        self.next.clone().or_else(|| self.out.as_ref().map(|out| out.with_extension("next.csv")))
+    }
+
+    fn deliver(
+        &self,
+        found: &Diagnosis,
+        next: Option<&(Separation, PathBuf)>,
+        prepared: &[Prepared],
+        file: files::RobotFile,
+    ) -> Result<(), Failure> {
         let list = |paths: &[PathBuf]| paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ");
         let provenance = vec![
             ("denavit".to_string(), env!("CARGO_PKG_VERSION").to_string()),
@@ -100,14 +121,24 @@ impl Diagnose {
             text.push_str(&extend::extended(file.robot, found).to_yaml());
             files::write(path, text.as_bytes())?;
         }
+        if let Some((next, path)) = next {
+            files::write(path, report::motion_csv(&next.motion, NEXT_RATE).as_bytes())?;
+        }
         if let Some(target) = &self.json {
-            files::json(target, &report::diagnose_json(found, prepared, &provenance))?;
+            let mut value = report::diagnose_json(found, prepared, &provenance);
+            if let Some((next, path)) = next {
+                value["next_experiment"] = report::next_experiment_json(next, &path.display().to_string());
+            }
+            files::json(target, &value)?;
         }
         if let Some(path) = &self.report {
             files::write(path, report::diagnose_html(found, prepared, &provenance).as_bytes())?;
         }
         if !files::is_stdout(&self.json) {
             files::print(&report::diagnose_text(found, prepared))?;
+            if let Some((next, path)) = next {
+                files::print(&report::next_experiment_text(next, &path.display().to_string()))?;
+            }
             for path in self.out.iter().chain(&self.report) {
                 files::print(&format!("wrote {}\n", path.display()))?;
             }

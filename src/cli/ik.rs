@@ -69,7 +69,8 @@ pub(super) struct Ik {
 impl Ik {
     pub(super) fn run(self) -> Result<(), Failure> {
         let file = files::robot(&self.robot)?;
-        let robot = &file.robot;
+        // Effects of geometry (zeros, lengths) are where the arm is; its generated code has them too.
+        let robot = &file.robot.as_it_is();
         let reference = Reference {
             b: vector("--reference", &self.reference)?,
             second: vector("--second-reference", &self.second_reference)?,

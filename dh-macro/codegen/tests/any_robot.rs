@@ -65,7 +65,11 @@ fn effect(names: &'static [&'static str]) -> impl Strategy<Value = Effect> {
     (prop::sample::select(names), 0..3usize, number()).prop_map(|(name, keys, value)| {
         let law = Law::of(name).expect("a name of the vocabulary");
         let most = [0, 1, law.keys.len()][keys];
-        let value_of = |k: usize| if law.keys[k].count { 1.0 } else { value + k as f64 };
+        let value_of = |k: usize| match value + k as f64 {
+            _ if law.keys[k].count => 1.0,
+            impossible if law.must(law.keys[k].name, impossible).is_some() => 0.5,
+            value => value,
+        };
         let parameters = (0..most).map(|k| (law.keys[k].name.to_string(), value_of(k))).collect();
         Effect { name: name.to_string(), parameters }
     })

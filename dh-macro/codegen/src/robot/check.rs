@@ -12,7 +12,7 @@ use super::keys;
 use super::problem::{Note, Problem, Problems};
 use super::reader::{Fields, Findings};
 use super::yaml::{self, Kind, Mark, shortened};
-use super::{Collision, Convention, Cuboid, Robot, Sphere, Tool};
+use super::{Collision, Convention, Cuboid, Effect, Joint, JointKind, Robot, Sphere, Tool};
 
 /// A robot as its file gives it, and what the reader did or saw on the way.
 #[derive(Debug, Clone)]
@@ -103,8 +103,37 @@ fn robot(top: &Fields<'_>, files: &dyn Fn(&str) -> Result<String, String>, to: &
     let tool = body::tool(top, files, to);
     let collision = collision(top, joints.len(), to);
     let effects = top.node("effects").map(|(node, path)| drive::effects(node, &path, false, to)).unwrap_or_default();
+    numbers_in_effects(top, &joints, &effects, to);
     let constants = to.scope.constants();
     Robot { name, convention, constants, gravity, joints, links, tool, collision, effects }
+}
+
+/// Joints and links that effects name must be there.
+fn numbers_in_effects(top: &Fields<'_>, joints: &[Joint], whole: &[Effect], to: &mut Findings) {
+    let stated = |e: &Effect, key: &str| e.parameters.iter().find(|(k, _)| k == key).map(|(_, value)| *value);
+    let of_joints = joints.iter().enumerate().flat_map(|(row, j)| j.drive.effects.iter().map(move |e| (Some(row), e)));
+    for (row, effect) in of_joints.chain(whole.iter().map(|e| (None, e))) {
+        let (key, path) = match (effect.name.as_str(), row) {
+            ("gear_coupling", Some(row)) => ("joint", format!("joints[{}].drive.gear_coupling.joint", row + 1)),
+            ("link_inertia_error", Some(row)) => ("link", format!("joints[{}].drive.link_inertia_error.link", row + 1)),
+            ("link_inertia_error", None) => ("link", "effects.link_inertia_error.link".to_string()),
+            _ => continue,
+        };
+        let other = stated(effect, key).map(|number| (number as usize).wrapping_sub(1));
+        let good = match (key, other) {
+            ("joint", Some(k)) => Some(k) != row && joints.get(k).is_some_and(|j| j.kind != JointKind::Fixed),
+            (_, Some(k)) => k < joints.len(),
+            (_, None) => key == "joint" || row.is_some(), // a coupling without its joint is a problem already
+        };
+        if !good && let Some((node, _)) = top.node(if row.is_some() { "joints" } else { "effects" }) {
+            let what = match other {
+                Some(k) => format!("{} is not a {key} that this effect can name", k.wrapping_add(1)),
+                None => format!("no {key} is named"),
+            };
+            let which = if key == "joint" { "another joint that moves" } else { "a link" };
+            to.problem(node.mark, &path, what, format!("write the number of {which}, 1 to {}", joints.len()));
+        }
+    }
 }
 
 fn constants(top: &Fields<'_>, to: &mut Findings) {

@@ -357,6 +357,26 @@ impl Law {
         LAWS.iter().find(|law| law.name == name)
     }
 
+    /// What a key's value must be where this one is impossible: a law would have no value, or a gear would lock.
+    pub fn must(&self, key: &str, value: f64) -> Option<&'static str> {
+        let good = match (self.name, key) {
+            ("stribeck_friction", "VS" | "DS")
+            | ("presliding_hysteresis", "HX")
+            | ("friction_drift", "DT")
+            | ("joint_elasticity", "KE")
+            | ("torque_gain_error", "GT")
+            | ("torque_saturation", "TM") => (value > 0.0, "be greater than 0"),
+            ("nonlinear_viscous_friction", "EN") | ("joint_elasticity", "DE") | ("backlash", "BL") => {
+                (value >= 0.0, "not be negative")
+            }
+            ("load_dependent_friction", "FL") => {
+                (value > -1.0 && value < 1.0, "be between -1 and 1: beyond, the gear locks")
+            }
+            _ => (true, ""),
+        };
+        (!good.0).then_some(good.1)
+    }
+
     /// The key of this name; of `RN2` the key `RN` where keys repeat.
     pub fn key(&self, name: &str) -> Option<&'static EffectKey> {
         let exact = self.keys.iter().find(|key| key.name == name);

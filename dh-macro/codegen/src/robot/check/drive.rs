@@ -206,6 +206,10 @@ pub(super) fn effect(word: &Word, node: &Node, path: &str, bare: bool, to: &mut 
             let mend = "joints and links are numbered from 1";
             to.problem(node.mark, &join(path, key), format!("{value} is not the number of a joint"), mend);
         }
+        if let Some(must) = law.must(key, *value).filter(|_| !bare) {
+            let mend = format!("it must {must}");
+            to.problem(node.mark, &join(path, key), format!("{key} of {name} is {value}"), mend);
+        }
     }
     for key in law.keys.iter().filter(|key| key.omitted == Magnitude::Needed) {
         let there = match &node.kind {

@@ -1,0 +1,220 @@
+//! What a diagnosis promises, the extended file keeps: its inverse dynamics leaves the errors on the validating log that were reported.
+
+use denavit::arm::Predicted;
+use denavit::diagnose::{Diagnosis, Recording, Settings, diagnose, separate};
+use denavit::extend::extended;
+use denavit::log::open;
+use denavit::plant::RobotPlant;
+use denavit::predicted::Predictor;
+use denavit::signal::{Filter, Prepare, each_motion};
+use denavit::simulate::{Control, Effects, Mode, Request, Sensors, Simulator, Trajectory};
+use dh_codegen::robot::{Effect, Robot};
+
+fn robot() -> Robot {
+    let path = format!("{}/robots/kuka-lwr4.yaml", env!("CARGO_MANIFEST_DIR"));
+    Robot::from_yaml(&std::fs::read_to_string(path).unwrap(), &|f| Err(f.to_string())).unwrap().robot
+}
+
+/// Sums of sines on all joints.
+fn trajectory(dof: usize, seconds: f64, seed: f64) -> Trajectory {
+    let t: Vec<f64> = (0..(100.0 * seconds) as usize).map(|k| 0.01 * k as f64).collect();
+    let q = (0..dof).flat_map(|j| {
+        let at = move |t: f64| {
+            let wave = |n: f64| {
+                (core::f64::consts::TAU * (0.11 * n + 0.013 * j as f64 + 0.003 * seed) * t + n + seed + j as f64).sin()
+            };
+            0.6 * wave(1.0) + 0.3 * wave(2.0) + 0.12 * wave(4.0)
+        };
+        t.clone().into_iter().map(at).collect::<Vec<f64>>()
+    });
+    let q: Vec<f64> = q.collect();
+    Trajectory::new(dof, t, q, None, None).unwrap()
+}
+
+fn record(simulator: &Simulator, name: &str, seconds: f64, seed: u64) -> Recording {
+    play(simulator, name, &trajectory(simulator.dof(), seconds, seed as f64), seed)
+}
+
+fn play(simulator: &Simulator, name: &str, motion: &Trajectory, seed: u64) -> Recording {
+    let sensors = Sensors { rate: 500.0, torque_noise: vec![0.03], ..Sensors::default() };
+    let control = Control { mode: Mode::Exact, ..Control::default() };
+    let dof = simulator.dof();
+    let request = Request { control, sensors, seed, ..Request::default() };
+    let log = simulator.run(motion, &request, &mut |_| {}).unwrap().log;
+    let names = ["t", "q", "tau"];
+    let count = 1 + 2 * dof;
+    let mut text = String::from("t");
+    names[1..].iter().for_each(|n| (1..=dof).for_each(|j| text += &format!(",{n}{j}")));
+    for k in 0..log.len() {
+        let row: Vec<String> = log.columns[..count].iter().map(|c| format!("{:.7}", c[k])).collect();
+        text += &format!("\n{}", row.join(","));
+    }
+    let prepare = Prepare { filter: Some(Filter { order: 4, cutoff: 15.0 }), raw_torque: true, ..Prepare::default() };
+    let mut recording = Recording::new(name);
+    let mut source = open(name, text.as_bytes()).unwrap();
+    each_motion(source.as_mut(), dof, &prepare, |motion| recording.absorb(motion)).unwrap();
+    recording
+}
+
+fn effect(name: &str, parameters: &[(&str, f64)]) -> Effect {
+    Effect { name: name.into(), parameters: parameters.iter().map(|(k, v)| ((*k).to_string(), *v)).collect() }
+}
+
+/// Root mean square errors of the file's inverse dynamics on a recording, ends cut off as the diagnosis does.
+fn errors(robot: &Robot, recording: &Recording) -> Vec<f64> {
+    let predictor = Predictor::new(robot).unwrap();
+    let n = predictor.dof();
+    let (mut sums, mut count) = (vec![0.0; n], 0.0);
+    for stretch in &recording.stretches {
+        let len = stretch.states.len;
+        let time: Vec<f64> = (0..len).map(|k| k as f64 * stretch.period).collect();
+        let mut tau = vec![0.0; n * len];
+        predictor.torques_along(&time, &stretch.states, &stretch.temperature, &mut tau);
+        let edge = (0.15 / stretch.period).ceil() as usize;
+        for k in edge..len - edge {
+            (0..n).for_each(|j| sums[j] += (tau[j * len + k] - stretch.tau[j * len + k]).powi(2));
+            count += 1.0;
+        }
+    }
+    sums.iter().map(|s| (s / count).sqrt()).collect()
+}
+
+/// Hides effects, diagnoses, and compares what the file leaves with what was promised.
+fn kept(hidden: &Effects) -> (Diagnosis, Robot) {
+    let robot = robot();
+    let simulator = Simulator::new(&robot, hidden).unwrap();
+    let (fit, validate) = (record(&simulator, "fit", 10.0, 1), record(&simulator, "validate", 6.0, 2));
+    let plant = RobotPlant::new(&robot);
+    let found =
+        diagnose(&plant, std::slice::from_ref(&fit), std::slice::from_ref(&validate), &Settings::default(), &|_| {})
+            .unwrap();
+    // Through the file, as a user would.
+    let text = extended(robot, &found).to_yaml();
+    let back = Robot::from_yaml(&text, &|f| Err(f.to_string())).unwrap_or_else(|e| panic!("{e}\n{text}")).robot;
+    let (promised, is) = (&found.extended.validate, errors(&back, &validate));
+    let before = &found.baseline.validate;
+    let causes: Vec<(&str, &[usize])> = found.causes.iter().map(|c| (c.cause, &c.joints[..])).collect();
+    println!("{causes:?}\n before {before:.4?}\n promised {promised:.4?}\n kept {is:.4?}");
+    // Near reversals the diagnosis takes the sign of a velocity inside its noise for 0; the file's law does not know that noise.
+    for j in 0..is.len() {
+        assert!(
+            is[j] < 1.12 * promised[j] + 0.03 * (before[j] - promised[j]).max(0.0),
+            "joint {}: {} promised, {} kept, {} before; {causes:?}",
+            j + 1,
+            promised[j],
+            is[j],
+            before[j]
+        );
+    }
+    (found, back)
+}
+
+fn on(joint: usize, effects: &[Effect]) -> Effects {
+    Effects { joints: effects.iter().map(|e| (joint - 1, e.clone())).collect(), robot: Vec::new() }
+}
+
+macro_rules! promises {
+    ($($(#[$mark:meta])* $test:ident: $effects:expr;)*) => {
+        $(#[test] $(#[$mark])* fn $test() { let (found, _) = kept(&$effects); assert!(!found.causes.is_empty()); })*
+    };
+}
+
+fn both(mut one: Effects, other: Effects) -> Effects {
+    one.joints.extend(other.joints);
+    one.robot.extend(other.robot);
+    one
+}
+
+fn whole(name: &str, keys: &[(&str, f64)]) -> Effects {
+    Effects { joints: Vec::new(), robot: vec![effect(name, keys)] }
+}
+
+promises! {
+    stribeck_and_ripple: both(
+        on(2, &[effect("stribeck_friction", &[("FS", 2.0), ("VS", 0.1)])]),
+        on(4, &[effect("torque_ripple", &[("RN", 20.0), ("RC", 0.3), ("RS", 0.2)])]),
+    );
+    gain_zero_and_ripple: both(
+        on(2, &[effect("torque_gain_error", &[("GT", 0.9)]), effect("torque_offset", &[("TO", 1.0)])]),
+        on(4, &[effect("encoder_offset", &[("QO", 0.05)]), effect("torque_ripple", &[("RN", 20.0), ("RC", 0.3)])]),
+    );
+    late_with_a_bristle: both(
+        whole("time_delay", &[("TD", 0.01)]),
+        on(2, &[effect("presliding_hysteresis", &[("HC", 1.5), ("HX", 0.03)])]),
+    );
+    coupled_with_a_spring: both(
+        on(6, &[effect("gear_coupling", &[("joint", 5.0), ("KC", 1.0), ("IAM", 0.02), ("FVM", 0.5), ("FCM", 0.4)])]),
+        on(4, &[effect("joint_spring", &[("KS", 3.0), ("QS", 0.4)])]),
+    );
+    soft: on(2, &[effect("joint_elasticity", &[("KE", 1500.0)])]);
+    tilted: whole("base_tilt", &[("roll", 0.03), ("pitch", -0.02)]);
+
+    #[ignore = "a minute of the same"]
+    asymmetric: on(3, &[effect("asymmetric_friction", &[("FCA", 0.3), ("FVA", 0.4)])]);
+    #[ignore = "a minute of the same"]
+    powers: on(3, &[effect("nonlinear_viscous_friction", &[("FN", 2.0), ("EN", 0.4)])]);
+    #[ignore = "a minute of the same"]
+    load: on(2, &[effect("load_dependent_friction", &[("FL", 0.1)])]);
+    #[ignore = "a minute of the same"]
+    warming: on(2, &[
+        effect("coulomb_friction", &[("FC", 1.5)]),
+        effect("friction_drift", &[("DA", 0.8), ("DT", 4.0)]),
+    ]);
+    #[ignore = "a minute of the same"]
+    travel: on(1, &[effect("position_dependent_friction", &[("PC", 0.6), ("PS", 0.4), ("PN", 4.0)])]);
+    #[ignore = "a minute of the same"]
+    clipped: on(2, &[effect("torque_saturation", &[("TM", 25.0)])]);
+    #[ignore = "a minute of the same"]
+    carried: whole("payload", &[("M", 0.8), ("MSX", 0.02), ("MSZ", 0.1)]);
+    #[ignore = "a minute of the same"]
+    longer: on(4, &[effect("geometric_error", &[("DR", 0.02)])]);
+    #[ignore = "a minute of the same"]
+    rotor: on(4, &[effect("rotor_inertia", &[("IA", 0.5)])]);
+}
+
+/// With one joint moving, its zero and the tilt of the base are the same; the motion that is designed tells them apart.
+#[test]
+fn the_next_experiment_resolves_what_was_open() {
+    let robot = robot();
+    let simulator = Simulator::new(&robot, &on(2, &[effect("encoder_offset", &[("QO", 0.03)])])).unwrap();
+    let alone = |seed: f64, seconds: f64| {
+        let t: Vec<f64> = (0..(100.0 * seconds) as usize).map(|k| 0.01 * k as f64).collect();
+        let mut q = vec![0.0; 7 * t.len()];
+        let second = &mut q[t.len()..2 * t.len()];
+        for (q, t) in second.iter_mut().zip(&t) {
+            *q = 0.9 * (0.8 * t + seed).sin() + 0.3 * (1.9 * t + seed).sin();
+        }
+        Trajectory::new(7, t, q, None, None).unwrap()
+    };
+    let (fit, validate) =
+        (play(&simulator, "fit", &alone(0.0, 10.0), 1), play(&simulator, "validate", &alone(1.0, 6.0), 2));
+    let plant = RobotPlant::new(&robot);
+    let run = |fit: &[Recording], validate: &[Recording]| {
+        diagnose(&plant, fit, validate, &Settings::default(), &|_| {}).unwrap()
+    };
+    let open = run(std::slice::from_ref(&fit), std::slice::from_ref(&validate));
+    let said = |found: &Diagnosis| -> Vec<(&'static str, Vec<usize>, Vec<&'static str>)> {
+        found.causes.iter().map(|c| (c.cause, c.joints.clone(), c.not_distinguished_from.clone())).collect()
+    };
+    println!("open {:?}", said(&open));
+    let begun = std::time::Instant::now();
+    let next = separate(&robot, &open, &|_| {}).expect("a motion");
+    println!(
+        "{:?} {:?} share {} left {:?} noise {} in {:?}",
+        next.between,
+        next.joints,
+        next.share,
+        next.left,
+        next.in_noise,
+        begun.elapsed()
+    );
+    let (t, states) = next.motion.sampled(100.0);
+    let motion = Trajectory::new(7, t, states.q, Some(states.dq), Some(states.ddq)).unwrap();
+    let played = [fit, play(&simulator, "next", &motion, 3)];
+    let settled = run(&played, &[validate, play(&simulator, "next again", &motion, 4)]);
+    println!("settled {:?}", said(&settled));
+    let pair = next.between;
+    let first = &settled.causes[0];
+    assert_eq!((first.cause, &first.joints[..]), ("encoder_offset", &[2][..]), "{:?}", said(&settled));
+    assert!(!first.not_distinguished_from.iter().any(|r| pair.contains(r)), "{:?}", said(&settled));
+}
