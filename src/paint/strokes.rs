@@ -96,7 +96,9 @@ impl Strokes {
         let mut legs = Vec::new();
         let mut here = [self.first, self.upper, standoff];
         let mut go = |phase: Phase, to: [f64; 3]| {
-            legs.push(Leg { phase, from: here, to });
+            if here != to {
+                legs.push(Leg { phase, from: here, to });
+            }
             here = to;
         };
         go(Phase::Approach, [self.first, self.upper, 0.0]);

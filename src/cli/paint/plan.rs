@@ -1,12 +1,18 @@
 //! `denavit paint plan`: the motion of equation (12).
 
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use dh_codegen::robot::{Robot, Tool};
+use indicatif::{ProgressBar, ProgressStyle};
 
+use crate::arm::Placed;
 use crate::cli::{Failure, files};
-use crate::paint::{Pattern, Roller, Strokes, Surface};
+use crate::interpreted::Interpreted;
+use crate::inverse::{Kinematics, MOST};
+use crate::paint::{Cover, Pattern, Roller, Strokes, Surface, Swivel, Task, Weights, plan};
+use crate::report;
 
 /// Plan the motion that paints a wall with a roller, inside every limit (the paper's section IV).
 ///
@@ -21,6 +27,58 @@ pub(super) struct Plan {
     robot: PathBuf,
     #[command(flatten)]
     task: Where,
+    /// All of the wall must be painted. Without it the area stands in the cost, as in equation (12), and the limits decide.
+    #[arg(long)]
+    whole: bool,
+    /// Time in contact, s (T_C of equation (12)); default: what costs least.
+    #[arg(long, value_name = "SECONDS")]
+    duration: Option<f64>,
+    /// Weight of the integral of the squared joint jerks in the cost, s per rad^2/s^5.
+    #[arg(long, default_value_t = 1.0, value_name = "W")]
+    jerk_weight: f64,
+    /// Weight of one over the area (Z_u - Z_l) dY in the cost, s m^2.
+    #[arg(long, default_value_t = 100.0, value_name = "W")]
+    area_weight: f64,
+    /// One swivel angle for the whole motion, as in equation (12), instead of one per way point.
+    #[arg(long)]
+    constant_swivel: bool,
+    /// The vector `b` of the swivel angle, base axes.
+    #[arg(
+        long,
+        value_delimiter = ',',
+        num_args = 1,
+        value_name = "X,Y,Z",
+        allow_hyphen_values = true,
+        default_value = "0,0,1"
+    )]
+    reference: Vec<f64>,
+    /// Force on the wall, N: what it asks of the joints counts against their torque limits.
+    #[arg(long, default_value_t = 30.0, value_name = "N")]
+    force: f64,
+    /// Share of velocity, acceleration and jerk limits to use, percent.
+    #[arg(long, default_value_t = 100.0, value_name = "PERCENT")]
+    speed: f64,
+    /// Time in which a joint without `acceleration` limit may reach its speed, s.
+    #[arg(long, default_value_t = 0.5, value_name = "SECONDS")]
+    acceleration_time: f64,
+    /// Lowest z of frames and tool, m, in place of the robot file's ground.
+    #[arg(long, value_name = "Z", allow_hyphen_values = true)]
+    ground: Option<f64>,
+    /// Joint motion to write: CSV with t, q.., dq.., ddq...
+    #[arg(long, value_name = "CSV")]
+    out: Option<PathBuf>,
+    /// Path of the roller to write: CSV with t, x y z of its face, wall coordinates, velocity, tool pose, swivel, phase.
+    #[arg(long, value_name = "CSV")]
+    path: Option<PathBuf>,
+    /// Samples per second of both.
+    #[arg(long, default_value_t = 100.0, value_name = "HZ")]
+    rate: f64,
+    /// The plan as spline knots (JSON), to be run or evaluated at any time.
+    #[arg(long, value_name = "FILE")]
+    plan: Option<PathBuf>,
+    /// Write the result as JSON; `-` for standard output.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
 }
 
 /// Wall and roller: what the motion is about.
@@ -172,16 +230,99 @@ fn vector(option: &str, numbers: &[f64]) -> Result<[f64; 3], Failure> {
 
 impl Plan {
     pub(super) fn run(self) -> Result<(), Failure> {
+        self.validate()?;
         let site = self.task.site(&self.robot)?;
-        let ([left, right], [low, high]) = (site.surface.sides(), site.surface.ends());
-        let half = 0.5 * site.roller.width.min(site.surface.width);
-        let step = if site.lanes > 1 { (right - left - 2.0 * half) / (site.lanes - 1) as f64 } else { 0.0 };
-        let strokes =
-            Strokes { upper: high, lower: low, first: left + half, step, lanes: site.lanes, pattern: site.pattern };
-        for leg in strokes.legs(site.standoff) {
-            let [y, z, off] = leg.to;
-            files::print(&format!("{}: to y {y:.3}, z {z:.3}, {off:.3} m before the wall\n", leg.phase.name()))?;
+        let begun = Instant::now();
+        let arm = Interpreted::new(&site.robot, &Interpreted::PLACED);
+        let shown = self.robot.display();
+        let inverse = Kinematics::new(&site.robot, arm.model()).ok_or_else(|| {
+            Failure::input(format!(
+                "{shown}: the robot has {} joints; postures are found for up to {MOST}",
+                site.robot.dof()
+            ))
+        })?;
+        let mut task = Task::new(&arm, &inverse, &site.robot, site.surface, site.roller, self.acceleration_time)
+            .map_err(|e| Failure::input(format!("{shown}: {e}")))?;
+        (task.pattern, task.lanes, task.standoff) = (site.pattern, site.lanes, site.standoff);
+        task.cover = if self.whole { Cover::Whole } else { Cover::Most };
+        task.swivel = if self.constant_swivel { Swivel::Constant } else { Swivel::Spline };
+        task.reference.b = vector("--reference", &self.reference)?;
+        if task.reference.b.iter().all(|x| x.abs() < 1e-9) {
+            return Err(Failure::input("--reference takes three numbers, not all zero: 0,0,1"));
+        }
+        task.weights = Weights { jerk: self.jerk_weight, area: self.area_weight };
+        task.duration = self.duration;
+        task.force = self.force;
+        task.share = self.speed / 100.0;
+        match (self.ground, &mut task.bodies.ground) {
+            (Some(z), Some(ground)) => ground.0 = z,
+            (Some(z), none) => *none = Some((z, (0..arm.frame_count()).collect())),
+            _ => {}
+        }
+        for missing in &task.missing {
+            let who = if missing.joint.is_empty() { String::new() } else { format!("joint {}: ", missing.joint) };
+            eprintln!("{shown}: note: {who}{}: {}", missing.limit, missing.taken);
+        }
+        let bar = ProgressBar::new(1000);
+        if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {bar:30} {msg}") {
+            bar.set_style(style);
+        }
+        let found = plan(&task, &|what, share| {
+            bar.set_message(what);
+            bar.set_position((1000.0 * share) as u64);
+        });
+        bar.finish_and_clear();
+        let found = found.map_err(|e| {
+            Failure::other(format!("{shown}: no plan keeps every limit; closest to one: {e}. {}", self.advice()))
+        })?;
+        let planned = report::Planned { task: &task, plan: &found, seconds: begun.elapsed().as_secs_f64() };
+        if let Some(path) = &self.out {
+            files::write(path, report::paint_csv(&found, self.rate).as_bytes())?;
+        }
+        if let Some(path) = &self.path {
+            files::write(path, report::paint_path_csv(&found, self.rate).as_bytes())?;
+        }
+        if let Some(path) = &self.plan {
+            files::write(path, format!("{}\n", found.to_json()).as_bytes())?;
+        }
+        if let Some(target) = &self.json {
+            files::json(target, &report::paint_json(&planned))?;
+        }
+        if !files::is_stdout(&self.json) {
+            files::print(&report::paint_text(&planned))?;
+            for path in self.out.iter().chain(&self.path).chain(&self.plan) {
+                files::print(&format!("wrote {}\n", path.display()))?;
+            }
         }
         Ok(())
+    }
+
+    fn validate(&self) -> Result<(), Failure> {
+        let ranges = [
+            ("--rate", self.rate, 1.0, 10_000.0),
+            ("--duration", self.duration.unwrap_or(1.0), 0.1, 1e4),
+            ("--jerk-weight", self.jerk_weight, 0.0, 1e9),
+            ("--area-weight", self.area_weight, 0.0, 1e9),
+            ("--force", self.force, 0.0, 1e4),
+            ("--speed", self.speed, 1.0, 100.0),
+            ("--acceleration-time", self.acceleration_time, 1e-3, 100.0),
+            ("--ground", self.ground.unwrap_or(0.0), -100.0, 100.0),
+        ];
+        for (name, value, low, high) in ranges {
+            if !(low..=high).contains(&value) {
+                return Err(Failure::input(format!("{name} {value}: from {low} to {high}")));
+            }
+        }
+        Ok(())
+    }
+
+    fn advice(&self) -> &'static str {
+        if self.whole {
+            "Leave --whole out to paint as much as can be painted, or move the wall"
+        } else if self.duration.is_some() {
+            "Give it a longer --duration, or leave that out"
+        } else {
+            "Move the wall to where the arm reaches it with the roller held perpendicular"
+        }
     }
 }
