@@ -1,44 +1,66 @@
-//! Compass search (Kolda, Lewis and Torczon, SIAM Review 45, 2003): steps along given directions, halved when none helps.
+//! Direct search: steps along given directions and along turned frames, halved when none helps (Kolda, Lewis and Torczon, SIAM Review 45,
+//! 2003; the turned frames of Abramson, Audet, Dennis and Le Digabel, SIAM J. Optimization 20, 2009, without which a search stops where
+//! two limits meet at a slant).
 //!
 //! A handful of variables, a cost whose gradient jumps where another joint begins to bind or a branch of the inverse ends, and a yes
 //! or no for the reach: a search that asks only which of two candidates is better needs no more than that, gives the same answer on every
 //! machine, and stops where no step of the smallest size helps. The quadratic programs of `excite` (hundreds of smooth variables) would
 //! need derivatives of the inverse that are infinite at the edge of the reach, which is where the widest lanes end.
 
-/// Improves `x` and what belongs to it. `make` gives a candidate for a point (or none), `beats` compares. Steps are halved `halvings` times.
+/// How a search goes about it.
+pub(super) struct Effort {
+    /// How often the steps are halved.
+    pub halvings: usize,
+    /// Candidates that are looked at, at most.
+    pub budget: usize,
+    /// Turned frames that are tried before the steps are halved.
+    pub frames: usize,
+}
+
+/// Improves `x` and what belongs to it. `scale` is the first step of each variable, `directions` further ones in its units; `make` gives a candidate for a
+/// point (which it may bring back to where it means something), `beats` compares.
 pub(super) fn compass<T>(
     x: &mut Vec<f64>,
     best: &mut T,
+    scale: &[f64],
     directions: &[Vec<f64>],
-    halvings: usize,
-    budget: usize,
+    effort: &Effort,
     make: &mut dyn FnMut(&mut Vec<f64>, &T) -> Option<T>,
     beats: &dyn Fn(&T, &T) -> bool,
 ) {
-    let mut left = budget;
+    let n = x.len();
+    let axes = (0..n).map(|k| unit(n, k));
+    let given: Vec<Vec<f64>> = axes.chain(directions.iter().cloned()).collect();
+    let mut left = effort.budget;
     let mut size = 1.0;
-    let mut again: Option<(usize, f64)> = None;
-    for _ in 0..=halvings {
-        loop {
-            let mut moved = false;
+    let mut again: Option<Vec<f64>> = None;
+    let mut turn = 0;
+    for _ in 0..=effort.halvings {
+        let mut frame = 0;
+        while frame <= effort.frames {
+            let turned = if frame == 0 { given.clone() } else { mirror(n, turn) };
+            turn += usize::from(frame > 0);
             // What helped last is tried first.
-            let order = again.into_iter().chain((0..directions.len()).flat_map(|d| [(d, 1.0), (d, -1.0)]));
-            for (d, sign) in order.collect::<Vec<_>>() {
+            let both = turned.iter().flat_map(|d| [d.clone(), d.iter().map(|e| -e).collect()]);
+            let order: Vec<Vec<f64>> = again.take().into_iter().chain(both).collect();
+            let mut moved = false;
+            for d in order {
                 if left == 0 {
                     return;
                 }
                 left -= 1;
-                let mut there: Vec<f64> = x.iter().zip(&directions[d]).map(|(x, e)| x + sign * size * e).collect();
+                let mut there: Vec<f64> = (0..n).map(|k| x[k] + size * scale[k] * d[k]).collect();
                 if let Some(found) = make(&mut there, best)
                     && beats(&found, best)
                 {
                     *x = there;
                     *best = found;
-                    again = Some((d, sign));
+                    again = Some(d);
                     moved = true;
                 }
             }
-            if !moved {
+            frame = if moved { 0 } else { frame + 1 };
+            if n < 2 {
                 break;
             }
         }
@@ -46,17 +68,36 @@ pub(super) fn compass<T>(
     }
 }
 
+fn unit(n: usize, k: usize) -> Vec<f64> {
+    (0..n).map(|i| f64::from(u8::from(i == k))).collect()
+}
+
+/// An orthogonal frame, another for each `turn`: `1 - 2 v v'` for a unit vector that wanders over the sphere (irrational steps).
+fn mirror(n: usize, turn: usize) -> Vec<Vec<f64>> {
+    let root = |k: usize| (2.0 + k as f64).sqrt();
+    let v: Vec<f64> = (0..n).map(|k| (1.0 + (1.0 + turn as f64) * root(k * k) * 1.618).sin()).collect();
+    let size = v.iter().map(|v| v * v).sum::<f64>().max(1e-12);
+    (0..n).map(|i| (0..n).map(|k| f64::from(u8::from(i == k)) - 2.0 * v[i] * v[k] / size).collect()).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn a_valley() {
-        let f = |x: &[f64]| (x[0] - 1.0).powi(2) + 10.0 * (x[1] - x[0] * x[0]).abs();
-        let mut x = vec![-0.5, 2.0];
-        let mut best = f(&x);
-        let directions = [vec![1.0, 0.0], vec![0.0, 1.0], vec![1.0, 2.0], vec![1.0, -1.0]];
-        compass(&mut x, &mut best, &directions, 30, 100_000, &mut |x, _| Some(f(x)), &|a, b| a < b);
-        assert!((x[0] - 1.0).abs() < 0.2 && best < 0.05, "{x:?} {best}");
+    fn limits_that_meet_at_a_slant() {
+        // Most of 1.4 x + y under a slanted roof, broken limits first: axes alone stop at its edge.
+        let judge = |x: &[f64]| {
+            let broken = (x[0] + 3.0 * x[1] - 2.0).max(0.0) + (3.0 * x[0] + x[1] - 2.0).max(0.0);
+            (broken, -1.4 * x[0] - x[1])
+        };
+        let mut x = vec![-3.0, -2.0];
+        let mut best = judge(&x);
+        let effort = Effort { halvings: 20, budget: 100_000, frames: 3 };
+        compass(&mut x, &mut best, &[1.0, 1.0], &[], &effort, &mut |x, _| Some(judge(x)), &|a, b| {
+            a.0 < b.0 || (a.0 == b.0 && a.1 < b.1)
+        });
+        // The corner (0.5, 0.5).
+        assert!((x[0] - 0.5).abs() < 1e-3 && (x[1] - 0.5).abs() < 1e-3, "{x:?} {best:?}");
     }
 }

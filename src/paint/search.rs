@@ -5,7 +5,7 @@
 //! 3. Beyond the paper: the angle at each way point, by dynamic programming over a grid (a leg sees only its two ends, so the grid's optimum
 //!    is exact), then compass search in all variables.
 
-use super::compass::compass;
+use super::compass::{Effort, compass};
 use super::pace::{Grid, Leg, share_out};
 use super::score::{From, Judge, Scored};
 use super::strokes::Strokes;
@@ -96,7 +96,7 @@ impl<'a> Search<'a> {
         let mut best: Option<Scored> = None;
         for (k, mut scored) in list.into_iter().enumerate() {
             (self.progress)("lanes and swivel", k as f64 / count);
-            self.polish(&self.coarse, &mut scored, 7, 500);
+            self.polish(&self.coarse, &mut scored, 8, 900);
             if best.as_ref().is_none_or(|b| scored.beats(b)) {
                 best = Some(scored);
             }
@@ -181,35 +181,33 @@ impl<'a> Search<'a> {
             Some(([low, high], _)) => (high - low) / 36.0,
             None => 0.0,
         };
-        let lanes = if task.cover == Cover::Most { x.len() - 4 } else { x.len() };
+        let free = if task.cover == Cover::Most { 4 } else { 0 };
+        let angles = x.len() - free;
+        let mut scale = vec![turn; angles];
         let mut directions: Vec<Vec<f64>> = Vec::new();
         let mut push = |parts: &[(usize, f64)]| {
             let mut d = vec![0.0; x.len()];
             parts.iter().for_each(|&(k, size)| d[k] = size);
             directions.push(d);
         };
-        if task.cover == Cover::Most {
+        if free > 0 {
             let (h, w) = (0.1 * task.surface.height, 0.1 * task.surface.width);
-            let gaps = task.lanes.saturating_sub(1).max(1) as f64;
-            push(&[(lanes, h)]);
-            push(&[(lanes + 1, h)]);
-            push(&[(lanes, h), (lanes + 1, h)]);
-            push(&[(lanes + 2, w)]);
-            push(&[(lanes + 3, w / gaps)]);
+            scale.extend([h, h, w, w / task.lanes.saturating_sub(1).max(1) as f64]);
+            push(&[(angles, 1.0), (angles + 1, 1.0)]);
             // One edge stays where it is.
-            push(&[(lanes + 2, w), (lanes + 3, -w / gaps)]);
+            push(&[(angles + 2, 1.0), (angles + 3, -1.0)]);
         }
-        (0..lanes).for_each(|k| push(&[(k, turn)]));
-        if lanes > 1 {
-            push(&(0..lanes).map(|k| (k, turn)).collect::<Vec<_>>());
+        if angles > 1 {
+            push(&(0..angles).map(|k| (k, 1.0)).collect::<Vec<_>>());
         }
+        let effort = Effort { halvings, budget, frames: if x.len() <= 8 { 2 } else { 1 } };
         let mut make = |x: &mut Vec<f64>, best: &Scored| {
             let (strokes, angles) = self.meaning(x);
             let from = From::Near(&best.start);
             let mut found = self.judge.score(grid, &strokes, &angles, &best.roller, from);
             (!found.is_empty()).then(|| found.swap_remove(0))
         };
-        compass(&mut x, best, &directions, halvings, budget, &mut make, &|a: &Scored, b: &Scored| a.beats(b));
+        compass(&mut x, best, &scale, &directions, &effort, &mut make, &|a: &Scored, b: &Scored| a.beats(b));
     }
 
     /// Step 3.
@@ -235,7 +233,7 @@ impl<'a> Search<'a> {
                 best.angles = vec![best.angles[0]; self.judge.way_points(&best.strokes)];
             }
             (self.progress)("all variables", 0.5 * round as f64);
-            self.polish(&self.coarse, best, 5, 700);
+            self.polish(&self.coarse, best, 6, 900);
         }
     }
 

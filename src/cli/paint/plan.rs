@@ -79,6 +79,9 @@ pub(super) struct Plan {
     /// Write the result as JSON; `-` for standard output.
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    /// Write a page with the wall, the path, the moving arm and the joints against their limits.
+    #[arg(long, value_name = "FILE.html")]
+    report: Option<PathBuf>,
 }
 
 /// Wall and roller: what the motion is about.
@@ -121,10 +124,10 @@ pub(super) struct Where {
     )]
     up: Vec<f64>,
     /// Extent of the wall across the strokes, m.
-    #[arg(long, default_value_t = 0.6, value_name = "M")]
+    #[arg(long, default_value_t = 0.6, value_name = "M", allow_negative_numbers = true)]
     width: f64,
     /// Extent of the wall along the strokes, m.
-    #[arg(long, default_value_t = 0.8, value_name = "M")]
+    #[arg(long, default_value_t = 0.8, value_name = "M", allow_negative_numbers = true)]
     height: f64,
     /// In what order: down and up on each lane (the paper's), or down one and up the next.
     #[arg(long, value_enum, default_value_t = Order::Cycle)]
@@ -285,12 +288,15 @@ impl Plan {
         if let Some(path) = &self.plan {
             files::write(path, format!("{}\n", found.to_json()).as_bytes())?;
         }
+        if let Some(path) = &self.report {
+            files::write(path, report::paint_html(&planned, &self.provenance(&site.text)).as_bytes())?;
+        }
         if let Some(target) = &self.json {
             files::json(target, &report::paint_json(&planned))?;
         }
         if !files::is_stdout(&self.json) {
             files::print(&report::paint_text(&planned))?;
-            for path in self.out.iter().chain(&self.path).chain(&self.plan) {
+            for path in self.out.iter().chain(&self.path).chain(&self.plan).chain(&self.report) {
                 files::print(&format!("wrote {}\n", path.display()))?;
             }
         }
@@ -314,6 +320,15 @@ impl Plan {
             }
         }
         Ok(())
+    }
+
+    fn provenance(&self, text: &str) -> Vec<(String, String)> {
+        let command: Vec<String> = std::env::args().collect();
+        vec![
+            ("robot".into(), format!("{} ({} bytes)", self.robot.display(), text.len())),
+            ("command".into(), command.join(" ")),
+            ("program".into(), format!("denavit {}", env!("CARGO_PKG_VERSION"))),
+        ]
     }
 
     fn advice(&self) -> &'static str {
