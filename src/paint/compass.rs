@@ -9,6 +9,8 @@
 
 /// How a search goes about it.
 pub(super) struct Effort {
+    /// The first step, in units of the scale.
+    pub first: f64,
     /// How often the steps are halved.
     pub halvings: usize,
     /// Candidates that are looked at, at most.
@@ -18,7 +20,8 @@ pub(super) struct Effort {
 }
 
 /// Improves `x` and what belongs to it. `scale` is the first step of each variable, `directions` further ones in its units; `make` gives a candidate for a
-/// point (which it may bring back to where it means something), `beats` compares.
+/// point (which it may bring back to where it means something), `beats` compares,
+/// and is told the size of the step so that it can ask for more than a hair.
 pub(super) fn compass<T>(
     x: &mut Vec<f64>,
     best: &mut T,
@@ -26,13 +29,13 @@ pub(super) fn compass<T>(
     directions: &[Vec<f64>],
     effort: &Effort,
     make: &mut dyn FnMut(&mut Vec<f64>, &T) -> Option<T>,
-    beats: &dyn Fn(&T, &T) -> bool,
+    beats: &dyn Fn(&T, &T, f64) -> bool,
 ) {
     let n = x.len();
     let axes = (0..n).map(|k| unit(n, k));
     let given: Vec<Vec<f64>> = axes.chain(directions.iter().cloned()).collect();
     let mut left = effort.budget;
-    let mut size = 1.0;
+    let mut size = effort.first;
     let mut again: Option<Vec<f64>> = None;
     let mut turn = 0;
     for _ in 0..=effort.halvings {
@@ -51,7 +54,7 @@ pub(super) fn compass<T>(
                 left -= 1;
                 let mut there: Vec<f64> = (0..n).map(|k| x[k] + size * scale[k] * d[k]).collect();
                 if let Some(found) = make(&mut there, best)
-                    && beats(&found, best)
+                    && beats(&found, best, size)
                 {
                     *x = there;
                     *best = found;
@@ -93,8 +96,8 @@ mod tests {
         };
         let mut x = vec![-3.0, -2.0];
         let mut best = judge(&x);
-        let effort = Effort { halvings: 20, budget: 100_000, frames: 3 };
-        compass(&mut x, &mut best, &[1.0, 1.0], &[], &effort, &mut |x, _| Some(judge(x)), &|a, b| {
+        let effort = Effort { first: 1.0, halvings: 20, budget: 100_000, frames: 3 };
+        compass(&mut x, &mut best, &[1.0, 1.0], &[], &effort, &mut |x, _| Some(judge(x)), &|a, b, _| {
             a.0 < b.0 || (a.0 == b.0 && a.1 < b.1)
         });
         // The corner (0.5, 0.5).

@@ -40,13 +40,13 @@ pub(super) struct Scored {
 }
 
 impl Scored {
-    /// Is this better than another? What is broken counts first.
-    pub(super) fn beats(&self, other: &Self) -> bool {
-        let slack = 1e-9 * (1.0 + other.weight);
-        if self.weight < other.weight - slack {
+    /// Is this better than another, in cost by this share of it? What is broken counts first.
+    pub(super) fn beats(&self, other: &Self, share: f64) -> bool {
+        let slack = 1e-9 + share * other.weight;
+        if self.weight < other.weight - slack || self.weight == 0.0 && other.weight > 0.0 {
             return true;
         }
-        self.weight <= other.weight && self.cost < other.cost - 1e-7 * other.cost.abs()
+        self.weight <= other.weight && self.cost < other.cost * (1.0 - share)
     }
 
     pub(super) fn feasible(&self) -> bool {

@@ -50,7 +50,7 @@ impl<'a> Search<'a> {
         (self.progress)("between samples", 0.0);
         best = self.again(&self.fine, &best);
         if !best.feasible() {
-            self.polish(&self.fine, &mut best, 6, 300);
+            self.polish(&self.fine, &mut best, 0.1, 6, 300);
         }
         (best, plain.map(|p| self.again(&self.fine, &p)))
     }
@@ -91,13 +91,13 @@ impl<'a> Search<'a> {
             list.extend(of_part);
         }
         list.sort_by(|a, b| a.weight.total_cmp(&b.weight).then(a.cost.total_cmp(&b.cost)));
-        list.truncate(6);
+        list.truncate(4);
         let count = list.len() as f64;
         let mut best: Option<Scored> = None;
         for (k, mut scored) in list.into_iter().enumerate() {
             (self.progress)("lanes and swivel", k as f64 / count);
-            self.polish(&self.coarse, &mut scored, 8, 900);
-            if best.as_ref().is_none_or(|b| scored.beats(b)) {
+            self.polish(&self.coarse, &mut scored, 1.0, 8, 900);
+            if best.as_ref().is_none_or(|b| scored.beats(b, 1e-6)) {
                 best = Some(scored);
             }
         }
@@ -171,7 +171,7 @@ impl<'a> Search<'a> {
     }
 
     /// Compass search from a candidate.
-    fn polish(&self, grid: &Grid, best: &mut Scored, halvings: usize, budget: usize) {
+    fn polish(&self, grid: &Grid, best: &mut Scored, first: f64, halvings: usize, budget: usize) {
         let task = self.task();
         let mut x = self.variables(best);
         if x.is_empty() {
@@ -200,14 +200,16 @@ impl<'a> Search<'a> {
         if angles > 1 {
             push(&(0..angles).map(|k| (k, 1.0)).collect::<Vec<_>>());
         }
-        let effort = Effort { halvings, budget, frames: if x.len() <= 8 { 2 } else { 1 } };
+        let effort = Effort { first, halvings, budget, frames: if x.len() <= 8 { 2 } else { 1 } };
         let mut make = |x: &mut Vec<f64>, best: &Scored| {
             let (strokes, angles) = self.meaning(x);
             let from = From::Near(&best.start);
             let mut found = self.judge.score(grid, &strokes, &angles, &best.roller, from);
             (!found.is_empty()).then(|| found.swap_remove(0))
         };
-        compass(&mut x, best, &scale, &directions, &effort, &mut make, &|a: &Scored, b: &Scored| a.beats(b));
+        compass(&mut x, best, &scale, &directions, &effort, &mut make, &|a: &Scored, b: &Scored, size| {
+            a.beats(b, (1e-3 * size).max(1e-6))
+        });
     }
 
     /// Step 3.
@@ -225,7 +227,7 @@ impl<'a> Search<'a> {
                     From::Near(&self.start_at(best, angles[0])),
                 );
                 let found = found.swap_remove(0);
-                if found.beats(best) {
+                if found.beats(best, 1e-6) {
                     *best = found;
                 }
             }
@@ -233,7 +235,7 @@ impl<'a> Search<'a> {
                 best.angles = vec![best.angles[0]; self.judge.way_points(&best.strokes)];
             }
             (self.progress)("all variables", 0.5 * round as f64);
-            self.polish(&self.coarse, best, 6, 900);
+            self.polish(&self.coarse, best, 0.25, 5, 700);
         }
     }
 

@@ -199,7 +199,12 @@ fn other_arms_and_other_walls() {
         ("franka-panda", "small-roller", [0.8, 0.0, 0.5], [-1.0, 0.2, 0.1], 0.2, 0.25),
     ] {
         let ready = Ready::new(name, tool);
-        let task = ready.task(center, normal, width, height);
+        let mut task = ready.task(center, normal, width, height);
+        // The search of the spline is the LWR's test.
+        task.swivel = Swivel::Constant;
+        if name == "franka-panda" {
+            (task.cover, task.lanes) = (Cover::Whole, 2);
+        }
         let found = plan(&task, &quiet).unwrap_or_else(|e| panic!("{name}: {e}"));
         assert!(found.coverage().painted > 0.3, "{name}: {:?}", found.sides);
         judge(&ready, &task, &found);

@@ -25,7 +25,7 @@ pub fn paint_html(planned: &Planned<'_>, provenance: &Provenance) -> String {
         plan.contact,
         s.lanes
     );
-    body.push_str("<section><h2>The wall</h2><p class=note><span class='key stroke'></span>strokes <span class='key shift'></span>steps to the next lane <span class='key roller'></span>roller at the start <span class='key once'></span>painted <span class='key twice'></span>on two lanes <span class='key bare'></span>not painted. Seen from the robot's side as coordinates grow.</p><div id=wall></div>\n");
+    body.push_str("<section><h2>The wall</h2><p class=note><span class='key stroke'></span>strokes <span class='key shift'></span>steps to the next lane <span class='key roller'></span>roller at the start <span class='key once'></span>painted <span class='key twice'></span>on two lanes <span class='key bare'></span>not painted. As the robot sees it.</p><div id=wall></div>\n");
     let _ = writeln!(
         body,
         "<div class=scroll><table><thead><tr><th>variable of equation (12)<th>value</tr></thead><tbody><tr><th>T<sub>C</sub><td>{:.3} s<tr><th>Z<sub>u</sub><td>{:.4} m<tr><th>Z<sub>l</sub><td>{:.4} m<tr><th>Y<sub>0</sub><td>{:.4} m<tr><th>ΔY<td>{:.4} m (roller {:.4} m)<tr><th>cost<td>{} s<tr><th>jerk, ∫Σ dddq² dt<td>{} rad²/s⁵, times {} s per that<tr><th>area (Z<sub>u</sub> − Z<sub>l</sub>) ΔY<td>{} m², {} s m² over that",
