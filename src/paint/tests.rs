@@ -173,7 +173,7 @@ fn a_whole_wall_by_the_lwr() {
     (task.duration, task.weights.jerk) = (None, 0.0);
     let fast = plan(&task, &quiet).unwrap();
     assert!(fast.contact < found.contact);
-    assert!(fast.spans.iter().all(|s| s.bound.contains(" of A")), "{:?}", fast.spans);
+    assert!(fast.spans.iter().all(|s| !s.phase.contact() || s.bound.contains(" of A")), "{:?}", fast.spans);
     judge(&ready, &task, &fast);
 }
 
