@@ -17,6 +17,7 @@ use crate::identify::{
 };
 use crate::interpreted::Interpreted;
 use crate::signal::{Derivatives, Prepare};
+use crate::tool::Body;
 use crate::{extend, report};
 
 /// Identify the base parameters from logs, validate them on others, and write the robot file with the values in place.
@@ -168,22 +169,24 @@ impl Identify {
             plain: exact.is_some(),
         });
 
+        let standard = match possible.as_ref().map(|p| p.result) {
+            Some(Ok(bodies)) => exact.clone().unwrap_or_else(|| bodies.standard.clone()),
+            _ => recover_standard(&arm, &found.values(), prior.as_deref()).map_err(Failure::other)?,
+        };
         if let Some(path) = &self.report {
             let traces = self.traces(&arm, &found, &prepare)?;
-            files::write(path, report::identify_html(&found, &prepared, &traces, &provenance).as_bytes())?;
+            let links = report::Links {
+                now: links(&file.robot, Some(&standard)),
+                file: links(&file.robot, prior.as_deref()),
+                possible: possible.as_ref(),
+            };
+            let page = report::identify_html(&found, &prepared, &traces, Some(&links), &provenance);
+            files::write(path, page.as_bytes())?;
         }
         if let Some(path) = &self.out {
-            let standard = match possible.as_ref().map(|p| p.result) {
-                Some(Ok(bodies)) => exact.clone().unwrap_or_else(|| bodies.standard.clone()),
-                Some(Err(error)) => {
-                    eprintln!(
-                        "{}: warning: no possible bodies, the plain values were written: {error}",
-                        path.display()
-                    );
-                    recover_standard(&arm, &found.values(), prior.as_deref()).map_err(Failure::other)?
-                }
-                None => recover_standard(&arm, &found.values(), prior.as_deref()).map_err(Failure::other)?,
-            };
+            if let Some(Err(error)) = possible.as_ref().map(|p| p.result) {
+                eprintln!("{}: warning: no possible bodies, the plain values were written: {error}", path.display());
+            }
             let (own, coupled) = standard.split_at(bodies.standard_names().len());
             let robot = extend::with_couplings(extend::with_values(file.robot, own), coupled);
             files::write(path, robot.to_yaml().as_bytes())?;
@@ -319,6 +322,19 @@ fn carried(robot: &Robot) -> Vec<(usize, [f64; 10])> {
     let tool = robot.tool.as_ref().and_then(|tool| Some((tool, tool.inertia.as_ref()?)));
     let moved = tool.map(|(tool, inertia)| inertia.moved(&tool.rotation(), &tool.xyz).to_array());
     moved.map(|body| (robot.joints.len().saturating_sub(1), body)).into_iter().collect()
+}
+
+/// Standard parameters as bodies, without the tool.
+fn links(robot: &Robot, standard: Option<&[f64]>) -> Vec<Option<Body>> {
+    let tool = carried(robot);
+    let body = |link: usize| {
+        let mut ten: [f64; 10] = standard?.get(10 * link..10 * link + 10)?.try_into().ok()?;
+        for (_, carried) in tool.iter().filter(|(at, _)| *at == link) {
+            ten.iter_mut().zip(carried).for_each(|(t, c)| *t -= c);
+        }
+        Body::new(&ten, &[0.0; 100])
+    };
+    (0..robot.joints.len()).map(body).collect()
 }
 
 /// What the file says of the drives, among the standard parameters; zero for the links.

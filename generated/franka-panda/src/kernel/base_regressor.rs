@@ -2,13 +2,13 @@
 //!
 //! `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 625 multiplications, 465 additions; 7 x 43, 188 of 301 structurally nonzero.
+//! 625 multiplications, 465 additions; 7 x 64, 209 of 448 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 188;
+pub const NONZEROS: usize = 209;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
@@ -16,26 +16,28 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 12), (0, 13), (0, 14), (0, 15), (0, 16), (0, 17), (0, 18), (0, 19), (0, 20), (0, 21),
     (0, 22), (0, 23), (0, 24), (0, 25), (0, 26), (0, 27), (0, 28), (0, 29), (0, 30), (0, 31),
     (0, 32), (0, 33), (0, 34), (0, 35), (0, 36), (0, 37), (0, 38), (0, 39), (0, 40), (0, 41),
-    (0, 42), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 6), (1, 7), (1, 8), (1, 9),
-    (1, 10), (1, 11), (1, 12), (1, 13), (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19),
-    (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29),
-    (1, 30), (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39),
-    (1, 40), (1, 41), (1, 42), (2, 8), (2, 9), (2, 10), (2, 11), (2, 12), (2, 13), (2, 14),
-    (2, 15), (2, 16), (2, 17), (2, 18), (2, 19), (2, 20), (2, 21), (2, 22), (2, 23), (2, 24),
-    (2, 25), (2, 26), (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34),
-    (2, 35), (2, 36), (2, 37), (2, 38), (2, 39), (2, 40), (2, 41), (2, 42), (3, 15), (3, 16),
-    (3, 17), (3, 18), (3, 19), (3, 20), (3, 21), (3, 22), (3, 23), (3, 24), (3, 25), (3, 26),
-    (3, 27), (3, 28), (3, 29), (3, 30), (3, 31), (3, 32), (3, 33), (3, 34), (3, 35), (3, 36),
-    (3, 37), (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (4, 22), (4, 23), (4, 24), (4, 25),
-    (4, 26), (4, 27), (4, 28), (4, 29), (4, 30), (4, 31), (4, 32), (4, 33), (4, 34), (4, 35),
-    (4, 36), (4, 37), (4, 38), (4, 39), (4, 40), (4, 41), (4, 42), (5, 29), (5, 30), (5, 31),
-    (5, 32), (5, 33), (5, 34), (5, 35), (5, 36), (5, 37), (5, 38), (5, 39), (5, 40), (5, 41),
-    (5, 42), (6, 36), (6, 37), (6, 38), (6, 39), (6, 40), (6, 41), (6, 42),
+    (0, 42), (0, 43), (0, 50), (0, 57), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 6),
+    (1, 7), (1, 8), (1, 9), (1, 10), (1, 11), (1, 12), (1, 13), (1, 14), (1, 15), (1, 16),
+    (1, 17), (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26),
+    (1, 27), (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36),
+    (1, 37), (1, 38), (1, 39), (1, 40), (1, 41), (1, 42), (1, 44), (1, 51), (1, 58), (2, 8),
+    (2, 9), (2, 10), (2, 11), (2, 12), (2, 13), (2, 14), (2, 15), (2, 16), (2, 17), (2, 18),
+    (2, 19), (2, 20), (2, 21), (2, 22), (2, 23), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28),
+    (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35), (2, 36), (2, 37), (2, 38),
+    (2, 39), (2, 40), (2, 41), (2, 42), (2, 45), (2, 52), (2, 59), (3, 15), (3, 16), (3, 17),
+    (3, 18), (3, 19), (3, 20), (3, 21), (3, 22), (3, 23), (3, 24), (3, 25), (3, 26), (3, 27),
+    (3, 28), (3, 29), (3, 30), (3, 31), (3, 32), (3, 33), (3, 34), (3, 35), (3, 36), (3, 37),
+    (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (3, 46), (3, 53), (3, 60), (4, 22), (4, 23),
+    (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (4, 30), (4, 31), (4, 32), (4, 33),
+    (4, 34), (4, 35), (4, 36), (4, 37), (4, 38), (4, 39), (4, 40), (4, 41), (4, 42), (4, 47),
+    (4, 54), (4, 61), (5, 29), (5, 30), (5, 31), (5, 32), (5, 33), (5, 34), (5, 35), (5, 36),
+    (5, 37), (5, 38), (5, 39), (5, 40), (5, 41), (5, 42), (5, 48), (5, 55), (5, 62), (6, 36),
+    (6, 37), (6, 38), (6, 39), (6, 40), (6, 41), (6, 42), (6, 49), (6, 56), (6, 63),
 ];
 
 /// Regressor `W_b` of the base parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 43]; 7]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 64]; 7]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -60,11 +62,26 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let L3 = S::constant(0.384);
     let k0 = S::constant(9.81);
     let k4 = S::constant(0.088);
+    let k5 = S::constant(1.0);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
         put(0, ddq1); // row 1, ZZ1R
-        put(44, ddq2); // row 2, ZZ2R
+        put(41, dq1); // row 1, FV1
+        put(43, k5); // row 1, FO1
+        put(47, ddq2); // row 2, ZZ2R
+        put(86, dq2); // row 2, FV2
+        put(88, k5); // row 2, FO2
+        put(124, dq3); // row 3, FV3
+        put(126, k5); // row 3, FO3
+        put(155, dq4); // row 4, FV4
+        put(157, k5); // row 4, FO4
+        put(179, dq5); // row 5, FV5
+        put(181, k5); // row 5, FO5
+        put(196, dq6); // row 6, FV6
+        put(198, k5); // row 6, FO6
+        put(206, dq7); // row 7, FV7
+        put(208, k5); // row 7, FO7
         t0
     };
     // link 2: motion
@@ -93,7 +110,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t18 = t7 + t8;
         let t19 = t10 - t13;
         let t20 = t11 + t12;
-        put(42, t5); // row 2, MSY2R
+        put(45, t5); // row 2, MSY2R
         [
         t1, t2, t3, t4, t5, t6, t9, t10,
         t11, t12, t13, t14, t15, t16, t17, t18,
@@ -131,12 +148,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t57 = t46 + t47;
         let t58 = t49 + dw3_y;
         let t59 = t50 + dw3_x;
-        put(83, a3_y); // row 3, MSX3R
-        put(84, t34); // row 3, MSY3R
-        put(85, t48); // row 3, XX3R
-        put(86, dw3_z); // row 3, ZZ3R
-        put(88, t43); // row 3, XZ3
-        put(89, t40); // row 3, YZ3
+        put(89, a3_y); // row 3, MSX3R
+        put(90, t34); // row 3, MSY3R
+        put(91, t48); // row 3, XX3R
+        put(92, dw3_z); // row 3, ZZ3R
+        put(94, t43); // row 3, XZ3
+        put(95, t40); // row 3, YZ3
         [
         t23, w3_y, t31, t34, a3_y, t40, t43, w3_z,
         dw3_z, t48, t49, t50, dw3_x, dw3_y, t53, t54,
@@ -174,12 +191,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t97 = t86 + t87;
         let t98 = t89 + t92;
         let t99 = t90 + dw4_x;
-        put(118, a4_y); // row 4, MSX4R
-        put(119, t74); // row 4, MSY4R
-        put(120, t88); // row 4, XX4R
-        put(121, dw4_z); // row 4, ZZ4R
-        put(123, t83); // row 4, XZ4
-        put(124, t80); // row 4, YZ4
+        put(127, a4_y); // row 4, MSX4R
+        put(128, t74); // row 4, MSY4R
+        put(129, t88); // row 4, XX4R
+        put(130, dw4_z); // row 4, ZZ4R
+        put(132, t83); // row 4, XZ4
+        put(133, t80); // row 4, YZ4
         [
         t62, w4_y, t70, t74, a4_y, t80, t83, w4_z,
         dw4_z, t88, t89, t90, dw4_x, t92, t93, t94,
@@ -218,10 +235,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t143 = t132 + t133;
         let t144 = t135 - t138;
         let t145 = t136 - dw5_x;
-        put(146, a5_y); // row 5, MSX5
-        put(147, t120); // row 5, MSY5R
-        put(149, dw5_z); // row 5, ZZ5R
-        put(151, t129); // row 5, XZ5
+        put(158, a5_y); // row 5, MSX5
+        put(159, t120); // row 5, MSY5R
+        put(161, dw5_z); // row 5, ZZ5R
+        put(163, t129); // row 5, XZ5
         [
         t102, t105, t108, a5_z, t120, a5_y, t126, t129,
         w5_z, dw5_z, t134, t135, t136, dw5_x, t138, t139,
@@ -256,12 +273,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t177 = t166 + t167;
         let t178 = t169 + dw6_y;
         let t179 = t170 + dw6_x;
-        put(167, a6_y); // row 6, MSX6R
-        put(168, t154); // row 6, MSY6R
-        put(169, t168); // row 6, XX6R
-        put(170, dw6_z); // row 6, ZZ6R
-        put(172, t163); // row 6, XZ6
-        put(173, t160); // row 6, YZ6
+        put(182, a6_y); // row 6, MSX6R
+        put(183, t154); // row 6, MSY6R
+        put(184, t168); // row 6, XX6R
+        put(185, dw6_z); // row 6, ZZ6R
+        put(187, t163); // row 6, XZ6
+        put(188, t160); // row 6, YZ6
         [
         t148, w6_y, t154, a6_y, t160, t163, w6_z, dw6_z,
         t168, t169, t170, dw6_x, dw6_y, t173, t174, t175,
@@ -298,12 +315,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t217 = t206 + t207;
         let t218 = t209 + (t200 + t209);
         let t219 = t210 + dw7_x;
-        put(181, a7_y); // row 7, MSX7
-        put(182, t194); // row 7, MSY7
-        put(183, t208); // row 7, XX7R
-        put(184, dw7_z); // row 7, ZZ7
-        put(186, t203); // row 7, XZ7
-        put(187, t200); // row 7, YZ7
+        put(199, a7_y); // row 7, MSX7
+        put(200, t194); // row 7, MSY7
+        put(201, t208); // row 7, XX7R
+        put(202, dw7_z); // row 7, ZZ7
+        put(204, t203); // row 7, XZ7
+        put(205, t200); // row 7, YZ7
         [
         t190, t194, a7_y, t200, t203, dw7_z, t208, t209,
         t210, dw7_x, t213, t214, t215, t216, t217, t218,
@@ -352,7 +369,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t250 = t15 + t18;
         let t253 = c2 * t20 - s2 * t19;
         put(3, t253); // row 1, XY2
-        put(45, t250); // row 2, XY2
+        put(48, t250); // row 2, XY2
     }
     // XZ2: column
     {
@@ -372,7 +389,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t271 = s3 * t261 - c3 * t263;
         let t272 = s3 * t56;
         put(6, t268); // row 1, MSX3R
-        put(48, t271); // row 2, MSX3R
+        put(51, t271); // row 2, MSX3R
         t272
     };
     // MSY3: column
@@ -383,7 +400,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t283 = s3 * t275 - c3 * t274;
         let t284 = c3 * t55;
         put(7, t280); // row 1, MSY3R
-        put(49, t283); // row 2, MSY3R
+        put(52, t283); // row 2, MSY3R
         t284
     };
     // XX3: column
@@ -393,7 +410,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t291 = c3 * t49;
         let t292 = s3 * dw3_x - t291;
         put(8, t289); // row 1, XX3R
-        put(50, t292); // row 2, XX3R
+        put(53, t292); // row 2, XX3R
         [t286, t291]
     };
     // ZZ3: column
@@ -401,7 +418,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t296 = c2 * dw3_z + (t286 - t50 * t220);
         let t298 = t291 + s3 * t50;
         put(9, t296); // row 1, ZZ3R
-        put(51, t298); // row 2, ZZ3R
+        put(54, t298); // row 2, ZZ3R
     }
     // XY3: column
     {
@@ -409,15 +426,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t304 = c2 * t299 + (t59 * z1_3_y - t58 * t220);
         let t307 = s3 * t58 + c3 * t59;
         put(10, t304); // row 1, XY3R
-        put(52, t307); // row 2, XY3R
-        put(87, t299); // row 3, XY3R
+        put(55, t307); // row 2, XY3R
+        put(93, t299); // row 3, XY3R
     }
     // XZ3: column
     {
         let t312 = c2 * t43 + (t56 * t220 + t53 * z1_3_y);
         let t314 = c3 * t53 - t272;
         put(11, t312); // row 1, XZ3
-        put(53, t314); // row 2, XZ3
+        put(56, t314); // row 2, XZ3
     }
     // YZ3: column
     {
@@ -425,7 +442,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t320 = c2 * t40 + (t220 * t315 + t55 * z1_3_y);
         let t322 = t284 - s3 * t315;
         put(12, t320); // row 1, YZ3
-        put(54, t322); // row 2, YZ3
+        put(57, t322); // row 2, YZ3
     }
     // MSX4: column
     let [t324, t327] = {
@@ -438,8 +455,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t344 = c3 * t334 + (z2_4_x * t328 + t229 * t333);
         let t346 = t108 - c4 * t70;
         put(13, t339); // row 1, MSX4R
-        put(55, t344); // row 2, MSX4R
-        put(90, t346); // row 3, MSX4R
+        put(58, t344); // row 2, MSX4R
+        put(96, t346); // row 3, MSX4R
         [t324, t327]
     };
     // MSY4: column
@@ -451,8 +468,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t363 = c3 * t353 + (z2_4_x * t352 + t229 * t348);
         let t366 = s4 * t70 - A * t99;
         put(14, t358); // row 1, MSY4R
-        put(56, t363); // row 2, MSY4R
-        put(91, t366); // row 3, MSY4R
+        put(59, t363); // row 2, MSY4R
+        put(97, t366); // row 3, MSY4R
     }
     // XX4: column
     let [t368, t373, t378] = {
@@ -463,8 +480,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t378 = c4 * t89;
         let t379 = s4 * dw4_x - t378;
         put(15, t371); // row 1, XX4R
-        put(57, t376); // row 2, XX4R
-        put(92, t379); // row 3, XX4R
+        put(60, t376); // row 2, XX4R
+        put(98, t379); // row 3, XX4R
         [t368, t373, t378]
     };
     // ZZ4: column
@@ -473,8 +490,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t387 = t90 * z2_4_x - t373 - c3 * dw4_z;
         let t389 = t378 + s4 * t90;
         put(16, t383); // row 1, ZZ4R
-        put(58, t387); // row 2, ZZ4R
-        put(93, t389); // row 3, ZZ4R
+        put(61, t387); // row 2, ZZ4R
+        put(99, t389); // row 3, ZZ4R
     }
     // XY4: column
     {
@@ -483,9 +500,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t400 = t98 * z2_4_x - t99 * t229 - c3 * t390;
         let t403 = s4 * t98 + c4 * t99;
         put(17, t395); // row 1, XY4R
-        put(59, t400); // row 2, XY4R
-        put(94, t403); // row 3, XY4R
-        put(122, t390); // row 4, XY4R
+        put(62, t400); // row 2, XY4R
+        put(100, t403); // row 3, XY4R
+        put(131, t390); // row 4, XY4R
     }
     // XZ4: column
     {
@@ -493,8 +510,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t413 = t96 * z2_4_x + t93 * t229 - c3 * t83;
         let t416 = s4 * t96 - c4 * t93;
         put(18, t408); // row 1, XZ4
-        put(60, t413); // row 2, XZ4
-        put(95, t416); // row 3, XZ4
+        put(63, t413); // row 2, XZ4
+        put(101, t416); // row 3, XZ4
     }
     // YZ4: column
     {
@@ -503,8 +520,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t427 = z2_4_x * t417 - t95 * t229 - c3 * t80;
         let t430 = s4 * t417 + c4 * t95;
         put(19, t422); // row 1, YZ4
-        put(61, t427); // row 2, YZ4
-        put(96, t430); // row 3, YZ4
+        put(64, t427); // row 2, YZ4
+        put(102, t430); // row 3, YZ4
     }
     // MSX5: column
     let [t432, t437, t438] = {
@@ -524,9 +541,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t464 = c3 * t454 - (t229 * t453 - z2_4_x * t452);
         let t468 = t443 - (c4 * t446 - s4 * t444);
         put(20, t459); // row 1, MSX5
-        put(62, t464); // row 2, MSX5
-        put(97, t468); // row 3, MSX5
-        put(125, t445); // row 4, MSX5
+        put(65, t464); // row 2, MSX5
+        put(103, t468); // row 3, MSX5
+        put(134, t445); // row 4, MSX5
         [t432, t437, t438]
     };
     // MSY5: column
@@ -545,9 +562,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t500 = c3 * t490 + (z2_4_x * t488 + t229 * t489);
         let t504 = s4 * t480 + c4 * t482 - t479;
         put(21, t495); // row 1, MSY5R
-        put(63, t500); // row 2, MSY5R
-        put(98, t504); // row 3, MSY5R
-        put(126, t481); // row 4, MSY5R
+        put(66, t500); // row 2, MSY5R
+        put(104, t504); // row 3, MSY5R
+        put(135, t481); // row 4, MSY5R
         t469
     };
     // XX5: column
@@ -561,9 +578,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t521 = c5 * t135;
         let t522 = t521 - s5 * dw5_x;
         put(22, t509); // row 1, XX5R
-        put(64, t514); // row 2, XX5R
-        put(99, t519); // row 3, XX5R
-        put(127, t522); // row 4, XX5R
+        put(67, t514); // row 2, XX5R
+        put(105, t519); // row 3, XX5R
+        put(136, t522); // row 4, XX5R
         [t506, t511, t516, t521]
     };
     // ZZ5: column
@@ -573,8 +590,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t534 = c4 * dw5_z - (t516 + t136 * z3_5_x);
         let t536 = s5 * t136 - t521;
         put(23, t526); // row 1, ZZ5R
-        put(100, t534); // row 3, ZZ5R
-        put(128, t536); // row 4, ZZ5R
+        put(106, t534); // row 3, ZZ5R
+        put(137, t536); // row 4, ZZ5R
         t530
     };
     // XY5: column
@@ -585,10 +602,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t552 = c4 * t537 + (t144 * z3_5_x + t145 * z3_6_z);
         let t555 = c5 * t145 - s5 * t144;
         put(24, t542); // row 1, XY5
-        put(66, t547); // row 2, XY5
-        put(101, t552); // row 3, XY5
-        put(129, t555); // row 4, XY5
-        put(150, t537); // row 5, XY5
+        put(69, t547); // row 2, XY5
+        put(107, t552); // row 3, XY5
+        put(138, t555); // row 4, XY5
+        put(162, t537); // row 5, XY5
     }
     // XZ5: column
     {
@@ -597,9 +614,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t570 = c4 * t129 + (t142 * z3_5_x + t139 * z3_6_z);
         let t572 = c5 * t139 - t432;
         put(25, t560); // row 1, XZ5
-        put(67, t565); // row 2, XZ5
-        put(102, t570); // row 3, XZ5
-        put(130, t572); // row 4, XZ5
+        put(70, t565); // row 2, XZ5
+        put(108, t570); // row 3, XZ5
+        put(139, t572); // row 4, XZ5
     }
     // YZ5: column
     let t590 = {
@@ -609,8 +626,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t588 = z3_5_x * t573 - t141 * z3_6_z - c4 * t126;
         let t590 = t469 + s5 * t573;
         put(26, t578); // row 1, YZ5
-        put(68, t583); // row 2, YZ5
-        put(103, t588); // row 3, YZ5
+        put(71, t583); // row 2, YZ5
+        put(109, t588); // row 3, YZ5
         t590
     };
     // MSX6: column
@@ -634,10 +651,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t636 = c3 * t626 + (z2_4_x * t624 + t229 * t625);
         let t640 = t615 - (s4 * t616 + c4 * t618);
         put(27, t631); // row 1, MSX6R
-        put(69, t636); // row 2, MSX6R
-        put(104, t640); // row 3, MSX6R
-        put(132, t617); // row 4, MSX6R
-        put(153, t598); // row 5, MSX6R
+        put(72, t636); // row 2, MSX6R
+        put(110, t640); // row 3, MSX6R
+        put(141, t617); // row 4, MSX6R
+        put(165, t598); // row 5, MSX6R
         [t592, t595, t597, t598]
     };
     // MSY6: column
@@ -659,9 +676,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t684 = z2_4_x * t672 - t229 * t673 - c3 * t674;
         let t688 = s4 * t664 + c4 * t666 - t663;
         put(28, t679); // row 1, MSY6R
-        put(70, t684); // row 2, MSY6R
-        put(105, t688); // row 3, MSY6R
-        put(133, t665); // row 4, MSY6R
+        put(73, t684); // row 2, MSY6R
+        put(111, t688); // row 3, MSY6R
+        put(142, t665); // row 4, MSY6R
         [t641, t644]
     };
     // XX6: column
@@ -675,10 +692,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t709 = c4 * t694 + (z3_5_x * t691 + t168 * z3_6_z);
         let t712 = c5 * t168 - s5 * t691;
         put(29, t699); // row 1, XX6R
-        put(71, t704); // row 2, XX6R
-        put(106, t709); // row 3, XX6R
-        put(134, t712); // row 4, XX6R
-        put(155, t694); // row 5, XX6R
+        put(74, t704); // row 2, XX6R
+        put(112, t709); // row 3, XX6R
+        put(143, t712); // row 4, XX6R
+        put(167, t694); // row 5, XX6R
         [t690, t693]
     };
     // ZZ6: column
@@ -690,10 +707,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t731 = c4 * t716 + (z3_5_x * t714 + dw6_z * z3_6_z);
         let t734 = c5 * dw6_z - s5 * t714;
         put(30, t721); // row 1, ZZ6R
-        put(72, t726); // row 2, ZZ6R
-        put(107, t731); // row 3, ZZ6R
-        put(135, t734); // row 4, ZZ6R
-        put(156, t716); // row 5, ZZ6R
+        put(75, t726); // row 2, ZZ6R
+        put(113, t731); // row 3, ZZ6R
+        put(144, t734); // row 4, ZZ6R
+        put(168, t716); // row 5, ZZ6R
     }
     // XY6: column
     {
@@ -705,11 +722,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t756 = c4 * t741 + (z3_5_x * t738 + z3_6_z * t735);
         let t759 = c5 * t735 - s5 * t738;
         put(31, t746); // row 1, XY6R
-        put(73, t751); // row 2, XY6R
-        put(108, t756); // row 3, XY6R
-        put(136, t759); // row 4, XY6R
-        put(157, t741); // row 5, XY6R
-        put(171, t735); // row 6, XY6R
+        put(76, t751); // row 2, XY6R
+        put(114, t756); // row 3, XY6R
+        put(145, t759); // row 4, XY6R
+        put(169, t741); // row 5, XY6R
+        put(186, t735); // row 6, XY6R
     }
     // XZ6: column
     {
@@ -720,10 +737,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t778 = c4 * t763 - (z3_5_x * t761 - t163 * z3_6_z);
         let t781 = s5 * t761 + c5 * t163;
         put(32, t768); // row 1, XZ6
-        put(74, t773); // row 2, XZ6
-        put(109, t778); // row 3, XZ6
-        put(137, t781); // row 4, XZ6
-        put(158, t763); // row 5, XZ6
+        put(77, t773); // row 2, XZ6
+        put(115, t778); // row 3, XZ6
+        put(146, t781); // row 4, XZ6
+        put(170, t763); // row 5, XZ6
     }
     // YZ6: column
     {
@@ -735,10 +752,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t801 = c4 * t786 + (t160 * z3_6_z - z3_5_x * t784);
         let t804 = s5 * t784 + c5 * t160;
         put(33, t791); // row 1, YZ6
-        put(75, t796); // row 2, YZ6
-        put(110, t801); // row 3, YZ6
-        put(138, t804); // row 4, YZ6
-        put(159, t786); // row 5, YZ6
+        put(78, t796); // row 2, YZ6
+        put(116, t801); // row 3, YZ6
+        put(147, t804); // row 4, YZ6
+        put(171, t786); // row 5, YZ6
     }
     // MSX7: column
     let [t806, t809, t811, t812] = {
@@ -767,11 +784,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t866 = c3 * t856 + (z2_4_x * t854 - t229 * t855);
         let t870 = s4 * t846 + c4 * t848 - t845;
         put(34, t861); // row 1, MSX7
-        put(76, t866); // row 2, MSX7
-        put(111, t870); // row 3, MSX7
-        put(139, t847); // row 4, MSX7
-        put(160, t828); // row 5, MSX7
-        put(174, t815); // row 6, MSX7
+        put(79, t866); // row 2, MSX7
+        put(117, t870); // row 3, MSX7
+        put(148, t847); // row 4, MSX7
+        put(172, t828); // row 5, MSX7
+        put(189, t815); // row 6, MSX7
         [t806, t809, t811, t812]
     };
     // MSY7: column
@@ -799,11 +816,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t930 = z2_4_x * t918 - t229 * t919 - c3 * t920;
         let t934 = t909 + (s4 * t910 + c4 * t912);
         put(35, t925); // row 1, MSY7
-        put(77, t930); // row 2, MSY7
-        put(112, t934); // row 3, MSY7
-        put(140, t911); // row 4, MSY7
-        put(161, t892); // row 5, MSY7
-        put(175, t879); // row 6, MSY7
+        put(80, t930); // row 2, MSY7
+        put(118, t934); // row 3, MSY7
+        put(149, t911); // row 4, MSY7
+        put(173, t892); // row 5, MSY7
+        put(190, t879); // row 6, MSY7
         [t871, t874]
     };
     // XX7: column
@@ -819,11 +836,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t961 = c4 * t946 + (z3_5_x * t943 + z3_6_z * t940);
         let t964 = c5 * t940 - s5 * t943;
         put(36, t951); // row 1, XX7R
-        put(78, t956); // row 2, XX7R
-        put(113, t961); // row 3, XX7R
-        put(141, t964); // row 4, XX7R
-        put(162, t946); // row 5, XX7R
-        put(176, t940); // row 6, XX7R
+        put(81, t956); // row 2, XX7R
+        put(119, t961); // row 3, XX7R
+        put(150, t964); // row 4, XX7R
+        put(174, t946); // row 5, XX7R
+        put(191, t940); // row 6, XX7R
         [t936, t939]
     };
     // ZZ7: column
@@ -837,11 +854,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t989 = c4 * t974 + (z3_5_x * t971 + z3_6_z * t968);
         let t992 = c5 * t968 - s5 * t971;
         put(37, t979); // row 1, ZZ7
-        put(79, t984); // row 2, ZZ7
-        put(114, t989); // row 3, ZZ7
-        put(142, t992); // row 4, ZZ7
-        put(163, t974); // row 5, ZZ7
-        put(177, t968); // row 6, ZZ7
+        put(82, t984); // row 2, ZZ7
+        put(120, t989); // row 3, ZZ7
+        put(151, t992); // row 4, ZZ7
+        put(175, t974); // row 5, ZZ7
+        put(192, t968); // row 6, ZZ7
     }
     // XY7: column
     {
@@ -855,12 +872,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1020 = c4 * t1005 + (z3_5_x * t1002 + z3_6_z * t999);
         let t1023 = c5 * t999 - s5 * t1002;
         put(38, t1010); // row 1, XY7
-        put(80, t1015); // row 2, XY7
-        put(115, t1020); // row 3, XY7
-        put(143, t1023); // row 4, XY7
-        put(164, t1005); // row 5, XY7
-        put(178, t999); // row 6, XY7
-        put(185, t993); // row 7, XY7
+        put(83, t1015); // row 2, XY7
+        put(121, t1020); // row 3, XY7
+        put(152, t1023); // row 4, XY7
+        put(176, t1005); // row 5, XY7
+        put(193, t999); // row 6, XY7
+        put(203, t993); // row 7, XY7
     }
     // XZ7: column
     {
@@ -873,11 +890,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1048 = c4 * t1033 + (z3_5_x * t1030 + z3_6_z * t1027);
         let t1051 = c5 * t1027 - s5 * t1030;
         put(39, t1038); // row 1, XZ7
-        put(81, t1043); // row 2, XZ7
-        put(116, t1048); // row 3, XZ7
-        put(144, t1051); // row 4, XZ7
-        put(165, t1033); // row 5, XZ7
-        put(179, t1027); // row 6, XZ7
+        put(84, t1043); // row 2, XZ7
+        put(122, t1048); // row 3, XZ7
+        put(153, t1051); // row 4, XZ7
+        put(177, t1033); // row 5, XZ7
+        put(194, t1027); // row 6, XZ7
     }
     // YZ7: column
     {
@@ -890,29 +907,43 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1072 = z2_5_x * t1059 + t241 * t1056 - t229 * t1062;
         let t1077 = c4 * t1062 + (z3_5_x * t1059 + z3_6_z * t1056);
         let t1080 = c5 * t1056 - s5 * t1059;
-        let t1081 = -t6;
-        let t1082 = -t9;
-        let t1083 = -t3;
-        let t1084 = -t4;
-        let t1085 = -t530;
-        let t1086 = -t590;
-        let t1087 = -t134;
-        let t1088 = -t126;
-        let t1089 = -t597;
+        let t1081 = dq1.sign();
+        let t1082 = dq2.sign();
+        let t1083 = dq3.sign();
+        let t1084 = dq4.sign();
+        let t1085 = dq5.sign();
+        let t1086 = dq6.sign();
+        let t1087 = dq7.sign();
+        let t1088 = -t6;
+        let t1089 = -t9;
+        let t1090 = -t3;
+        let t1091 = -t4;
+        let t1092 = -t530;
+        let t1093 = -t590;
+        let t1094 = -t134;
+        let t1095 = -t126;
+        let t1096 = -t597;
         put(40, t1067); // row 1, YZ7
-        put(41, t1081); // row 2, MSX2
-        put(43, t1082); // row 2, XX2R
-        put(46, t1083); // row 2, XZ2
-        put(47, t1084); // row 2, YZ2
-        put(65, t1085); // row 2, ZZ5R
-        put(82, t1072); // row 2, YZ7
-        put(117, t1077); // row 3, YZ7
-        put(131, t1086); // row 4, YZ5
-        put(145, t1080); // row 4, YZ7
-        put(148, t1087); // row 5, XX5R
-        put(152, t1088); // row 5, YZ5
-        put(154, t1089); // row 5, MSY6R
-        put(166, t1062); // row 5, YZ7
-        put(180, t1056); // row 6, YZ7
+        put(42, t1081); // row 1, FC1
+        put(44, t1088); // row 2, MSX2
+        put(46, t1089); // row 2, XX2R
+        put(49, t1090); // row 2, XZ2
+        put(50, t1091); // row 2, YZ2
+        put(68, t1092); // row 2, ZZ5R
+        put(85, t1072); // row 2, YZ7
+        put(87, t1082); // row 2, FC2
+        put(123, t1077); // row 3, YZ7
+        put(125, t1083); // row 3, FC3
+        put(140, t1093); // row 4, YZ5
+        put(154, t1080); // row 4, YZ7
+        put(156, t1084); // row 4, FC4
+        put(160, t1094); // row 5, XX5R
+        put(164, t1095); // row 5, YZ5
+        put(166, t1096); // row 5, MSY6R
+        put(178, t1062); // row 5, YZ7
+        put(180, t1085); // row 5, FC5
+        put(195, t1056); // row 6, YZ7
+        put(197, t1086); // row 6, FC6
+        put(207, t1087); // row 7, FC7
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil and Dombre, 9.5.2.
 //!
-//! 345 multiplications, 344 additions; 7, 7 of 7 structurally nonzero.
+//! 359 multiplications, 365 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, STANDARD, Trig};
@@ -28,7 +28,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         XX3, YY3, ZZ3, XY3, XZ3, YZ3, M4, MSX4, MSY4, MSZ4, XX4, YY4,
         ZZ4, XY4, XZ4, YZ4, M5, MSX5, MSY5, MSZ5, XX5, YY5, ZZ5, XY5,
         XZ5, YZ5, M6, MSX6, MSY6, MSZ6, XX6, YY6, ZZ6, XY6, XZ6, YZ6,
-        M7, MSX7, MSY7, MSZ7, XX7, YY7, ZZ7, XY7, XZ7, YZ7,
+        M7, MSX7, MSY7, MSZ7, XX7, YY7, ZZ7, XY7, XZ7, YZ7, FV1, FV2,
+        FV3, FV4, FV5, FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7,
+        FO1, FO2, FO3, FO4, FO5, FO6, FO7,
         ..] = *phi;
     let A = S::constant(0.0825);
     let L2 = S::constant(0.316);
@@ -255,7 +257,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
     ]
     };
     // link 7: force and moment
-    let [f7_z, t287, t290, t293, t299, t300] = {
+    let [f7_z, n7_z, t287, t290, t293, t299, t300] = {
         let t241 = XZ7 * t203;
         let t242 = t210 * (ZZ7 - YY7) + XX7 * dw7_x - XY7 * t218 + XZ7 * t216;
         let t243 = t209 * (XX7 - ZZ7) - YY7 * t212 + XY7 * t219 - XZ7 * t213;
@@ -271,8 +273,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t293 = c7 * n7_x - s7 * n7_y;
         let t299 = s7 * n7_x + c7 * n7_y - k4 * f7_z;
         let t300 = n7_z + k4 * t290;
-        put(6, n7_z);
-        [f7_z, t287, t290, t293, t299, t300]
+        [f7_z, n7_z, t287, t290, t293, t299, t300]
     };
     // link 6: force and moment
     let [f6_z, n6_z, t374, t377, t380, t383] = {
@@ -290,11 +291,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t377 = s6 * f6_x + c6 * f6_y;
         let t380 = c6 * n6_x - s6 * n6_y;
         let t383 = s6 * n6_x + c6 * n6_y;
-        put(5, n6_z);
         [f6_z, n6_z, t374, t377, t380, t383]
     };
     // link 5: force and moment
-    let [f5_z, t457, t460, t472, t473, t474] = {
+    let [f5_z, n5_z, t457, t460, t472, t473, t474] = {
         let t405 = XZ5 * t129;
         let t406 = XX5 * dw5_x - t136 * (ZZ5 - YY5) - XY5 * t144 + XZ5 * t142;
         let t407 = t135 * (XX5 - ZZ5) + YY5 * dw5_y + XY5 * t145 - XZ5 * t139;
@@ -310,11 +310,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t472 = c5 * n5_x - s5 * n5_y - L3 * t460;
         let t473 = s5 * n5_x + c5 * n5_y + (L3 * t457 + A * f5_z);
         let t474 = n5_z - A * t460;
-        put(4, n5_z);
-        [f5_z, t457, t460, t472, t473, t474]
+        [f5_z, n5_z, t457, t460, t472, t473, t474]
     };
     // link 4: force and moment
-    let [f4_z, t548, t554, t560, t561] = {
+    let [f4_z, n4_z, t548, t554, t560, t561] = {
         let t496 = XZ4 * t83;
         let t497 = t90 * (ZZ4 - YY4) + XX4 * dw4_x - XY4 * t98 + XZ4 * t96;
         let t498 = t89 * (XX4 - ZZ4) - YY4 * t92 + XY4 * t99 - XZ4 * t93;
@@ -329,8 +328,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t554 = c4 * n4_x - s4 * n4_y;
         let t560 = s4 * n4_x + c4 * n4_y - A * f4_z;
         let t561 = n4_z + A * (s4 * f4_x + c4 * f4_y);
-        put(3, n4_z);
-        [f4_z, t548, t554, t560, t561]
+        [f4_z, n4_z, t548, t554, t560, t561]
     };
     // link 3: force and moment
     let [n3_z, t639, t640] = {
@@ -345,11 +343,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let n3_z = t560 + (t586 + YZ3 * t40 + (MSX3 * a3_y - MSY3 * a3_x));
         let t639 = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
         let t640 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
-        put(2, n3_z);
         [n3_z, t639, t640]
     };
     // link 2: force and moment
-    let t686 = {
+    let [n2_z, t686] = {
         let t662 = XZ2 * t3;
         let t663 = XY2 * t19 - (t11 * (ZZ2 - YY2) + XX2 * t12) + XZ2 * t17;
         let t664 = YY2 * dw2_y - t10 * (XX2 - ZZ2) - XY2 * t20 - XZ2 * t14;
@@ -358,12 +355,28 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let n2_y = t664 - YZ2 * t16 - MSZ2 * t5 - n3_z;
         let n2_z = t640 + (t665 - YZ2 * t4 + (MSY2 * t5 - MSX2 * t6));
         let t686 = s2 * n2_x + c2 * n2_y;
-        put(1, n2_z);
-        t686
+        [n2_z, t686]
     };
     // link 1: force and moment
-    {
+    let n1_z = {
         let n1_z = ZZ1 * ddq1 - t686;
-        put(0, n1_z);
+        n1_z
+    };
+    // drives
+    {
+        let t724 = FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign());
+        let t725 = FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign());
+        let t726 = FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign());
+        let t727 = FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign());
+        let t728 = FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign());
+        let t729 = FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign());
+        let t730 = FO7 + (n7_z + FV7 * dq7 + FC7 * dq7.sign());
+        put(0, t724);
+        put(1, t725);
+        put(2, t726);
+        put(3, t727);
+        put(4, t728);
+        put(5, t729);
+        put(6, t730);
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil and Dombre, 9.6.
 //!
-//! 299 multiplications, 286 additions; 7, 7 of 7 structurally nonzero.
+//! 313 multiplications, 307 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -26,7 +26,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         ZZ1R, MSX2, MSY2R, XX2R, ZZ2R, XY2, XZ2, YZ2, MSX3R, MSY3R, XX3R, ZZ3R,
         XY3R, XZ3, YZ3, MSX4R, MSY4R, XX4R, ZZ4R, XY4R, XZ4, YZ4, MSX5, MSY5R,
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6R, MSY6R, XX6R, ZZ6R, XY6R, XZ6, YZ6,
-        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
+        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7, FV1, FV2, FV3, FV4, FV5,
+        FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7, FO1, FO2, FO3,
+        FO4, FO5, FO6, FO7,
         ..] = *beta;
     let A = S::constant(0.0825);
     let L2 = S::constant(0.316);
@@ -252,7 +254,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
     ]
     };
     // link 7: force and moment
-    let [f7_z, t267, t270, t273, t279, t280] = {
+    let [f7_z, n7_z, t267, t270, t273, t279, t280] = {
         let t240 = ZZ7 * dw7_z - XX7R * t208 + XY7 * (t214 + t217) - XZ7 * t203;
         let t242 = YZ7 * (t177 - t217);
         let t245 = ZZ7 * t210 + XX7R * dw7_x - XY7 * t218 + XZ7 * t216 + t242;
@@ -268,8 +270,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t273 = c7 * n7_x - s7 * n7_y;
         let t279 = s7 * n7_x + c7 * n7_y - k4 * f7_z;
         let t280 = n7_z + k4 * t270;
-        put(6, n7_z);
-        [f7_z, t267, t270, t273, t279, t280]
+        [f7_z, n7_z, t267, t270, t273, t279, t280]
     };
     // link 6: force and moment
     let [f6_z, n6_z, t334, t337, t340, t343] = {
@@ -287,11 +288,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t337 = s6 * f6_x + c6 * f6_y;
         let t340 = c6 * n6_x - s6 * n6_y;
         let t343 = s6 * n6_x + c6 * n6_y;
-        put(5, n6_z);
         [f6_z, n6_z, t334, t337, t340, t343]
     };
     // link 5: force and moment
-    let [f5_z, t397, t400, t412, t413, t414] = {
+    let [f5_z, n5_z, t397, t400, t412, t413, t414] = {
         let t364 = XX5R * t134 + ZZ5R * dw5_z + XY5 * (t140 + t143) + XZ5 * t129;
         let t366 = YZ5 * (t97 - t143);
         let t369 = XX5R * dw5_x - ZZ5R * t136 - XY5 * t144 + XZ5 * t142 + t366;
@@ -307,11 +307,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t412 = c5 * n5_x - s5 * n5_y - L3 * t400;
         let t413 = s5 * n5_x + c5 * n5_y + (L3 * t397 + A * f5_z);
         let t414 = n5_z - A * t400;
-        put(4, n5_z);
-        [f5_z, t397, t400, t412, t413, t414]
+        [f5_z, n5_z, t397, t400, t412, t413, t414]
     };
     // link 4: force and moment
-    let [f4_z, t468, t474, t480, t481] = {
+    let [f4_z, n4_z, t468, t474, t480, t481] = {
         let t435 = ZZ4R * dw4_z - XX4R * t88 + XY4R * (t94 + t97) - XZ4 * t83;
         let t437 = YZ4 * (t57 - t97);
         let t440 = ZZ4R * t90 + XX4R * dw4_x - XY4R * t98 + XZ4 * t96 + t437;
@@ -326,8 +325,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t474 = c4 * n4_x - s4 * n4_y;
         let t480 = s4 * n4_x + c4 * n4_y - A * f4_z;
         let t481 = n4_z + A * (s4 * f4_x + c4 * f4_y);
-        put(3, n4_z);
-        [f4_z, t468, t474, t480, t481]
+        [f4_z, n4_z, t468, t474, t480, t481]
     };
     // link 3: force and moment
     let [n3_z, t543, t544] = {
@@ -342,11 +340,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let n3_z = t480 + (t502 + YZ3 * t40 + (MSX3R * a3_y - MSY3R * a3_x));
         let t543 = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
         let t544 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
-        put(2, n3_z);
         [n3_z, t543, t544]
     };
     // link 2: force and moment
-    let t582 = {
+    let [n2_z, t582] = {
         let t565 = ZZ2R * ddq2 - XX2R * t9 + XY2 * (t15 + t18) - XZ2 * t3;
         let t567 = YZ2 * (t0 - t18);
         let t570 = XY2 * t19 - (ZZ2R * t11 + XX2R * t12) + XZ2 * t17 + t567;
@@ -354,12 +351,28 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let n2_x = t543 + t570;
         let n2_z = t544 + (t565 - YZ2 * t4 + (MSY2R * t5 - MSX2 * t6));
         let t582 = s2 * n2_x - c2 * (n3_z + t571);
-        put(1, n2_z);
-        t582
+        [n2_z, t582]
     };
     // link 1: force and moment
-    {
+    let n1_z = {
         let n1_z = ZZ1R * ddq1 - t582;
-        put(0, n1_z);
+        n1_z
+    };
+    // drives
+    {
+        let t620 = FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign());
+        let t621 = FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign());
+        let t622 = FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign());
+        let t623 = FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign());
+        let t624 = FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign());
+        let t625 = FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign());
+        let t626 = FO7 + (n7_z + FV7 * dq7 + FC7 * dq7.sign());
+        put(0, t620);
+        put(1, t621);
+        put(2, t622);
+        put(3, t623);
+        put(4, t624);
+        put(5, t625);
+        put(6, t626);
     }
 }

@@ -2,13 +2,13 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 854 multiplications, 639 additions; 7 x 70, 255 of 490 structurally nonzero.
+//! 854 multiplications, 639 additions; 7 x 91, 276 of 637 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 255;
+pub const NONZEROS: usize = 276;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
@@ -17,32 +17,34 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 32), (0, 33), (0, 34), (0, 35), (0, 36), (0, 37), (0, 38), (0, 39), (0, 40), (0, 41),
     (0, 42), (0, 43), (0, 44), (0, 45), (0, 46), (0, 47), (0, 48), (0, 49), (0, 50), (0, 51),
     (0, 52), (0, 53), (0, 54), (0, 55), (0, 56), (0, 57), (0, 58), (0, 59), (0, 60), (0, 61),
-    (0, 62), (0, 63), (0, 64), (0, 65), (0, 66), (0, 67), (0, 68), (0, 69), (1, 11), (1, 12),
-    (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23),
-    (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33),
-    (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39), (1, 40), (1, 41), (1, 42), (1, 43),
-    (1, 44), (1, 45), (1, 46), (1, 47), (1, 48), (1, 49), (1, 50), (1, 51), (1, 52), (1, 53),
-    (1, 54), (1, 55), (1, 56), (1, 57), (1, 58), (1, 59), (1, 60), (1, 61), (1, 62), (1, 63),
-    (1, 64), (1, 65), (1, 66), (1, 67), (1, 68), (1, 69), (2, 21), (2, 22), (2, 24), (2, 25),
-    (2, 26), (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35),
-    (2, 36), (2, 37), (2, 38), (2, 39), (2, 40), (2, 41), (2, 42), (2, 43), (2, 44), (2, 45),
-    (2, 46), (2, 47), (2, 48), (2, 49), (2, 50), (2, 51), (2, 52), (2, 53), (2, 54), (2, 55),
-    (2, 56), (2, 57), (2, 58), (2, 59), (2, 60), (2, 61), (2, 62), (2, 63), (2, 64), (2, 65),
-    (2, 66), (2, 67), (2, 68), (2, 69), (3, 31), (3, 32), (3, 34), (3, 35), (3, 36), (3, 37),
-    (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (3, 43), (3, 44), (3, 45), (3, 46), (3, 47),
-    (3, 48), (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54), (3, 55), (3, 56), (3, 57),
-    (3, 58), (3, 59), (3, 60), (3, 61), (3, 62), (3, 63), (3, 64), (3, 65), (3, 66), (3, 67),
-    (3, 68), (3, 69), (4, 41), (4, 42), (4, 44), (4, 45), (4, 46), (4, 47), (4, 48), (4, 49),
-    (4, 51), (4, 52), (4, 53), (4, 54), (4, 55), (4, 56), (4, 57), (4, 58), (4, 59), (4, 60),
-    (4, 61), (4, 62), (4, 63), (4, 64), (4, 65), (4, 66), (4, 67), (4, 68), (4, 69), (5, 51),
-    (5, 52), (5, 54), (5, 55), (5, 56), (5, 57), (5, 58), (5, 59), (5, 60), (5, 61), (5, 62),
-    (5, 63), (5, 64), (5, 65), (5, 66), (5, 67), (5, 68), (5, 69), (6, 61), (6, 62), (6, 64),
-    (6, 65), (6, 66), (6, 67), (6, 68), (6, 69),
+    (0, 62), (0, 63), (0, 64), (0, 65), (0, 66), (0, 67), (0, 68), (0, 69), (0, 70), (0, 77),
+    (0, 84), (1, 11), (1, 12), (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19), (1, 20),
+    (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29), (1, 30),
+    (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39), (1, 40),
+    (1, 41), (1, 42), (1, 43), (1, 44), (1, 45), (1, 46), (1, 47), (1, 48), (1, 49), (1, 50),
+    (1, 51), (1, 52), (1, 53), (1, 54), (1, 55), (1, 56), (1, 57), (1, 58), (1, 59), (1, 60),
+    (1, 61), (1, 62), (1, 63), (1, 64), (1, 65), (1, 66), (1, 67), (1, 68), (1, 69), (1, 71),
+    (1, 78), (1, 85), (2, 21), (2, 22), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28), (2, 29),
+    (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35), (2, 36), (2, 37), (2, 38), (2, 39),
+    (2, 40), (2, 41), (2, 42), (2, 43), (2, 44), (2, 45), (2, 46), (2, 47), (2, 48), (2, 49),
+    (2, 50), (2, 51), (2, 52), (2, 53), (2, 54), (2, 55), (2, 56), (2, 57), (2, 58), (2, 59),
+    (2, 60), (2, 61), (2, 62), (2, 63), (2, 64), (2, 65), (2, 66), (2, 67), (2, 68), (2, 69),
+    (2, 72), (2, 79), (2, 86), (3, 31), (3, 32), (3, 34), (3, 35), (3, 36), (3, 37), (3, 38),
+    (3, 39), (3, 40), (3, 41), (3, 42), (3, 43), (3, 44), (3, 45), (3, 46), (3, 47), (3, 48),
+    (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54), (3, 55), (3, 56), (3, 57), (3, 58),
+    (3, 59), (3, 60), (3, 61), (3, 62), (3, 63), (3, 64), (3, 65), (3, 66), (3, 67), (3, 68),
+    (3, 69), (3, 73), (3, 80), (3, 87), (4, 41), (4, 42), (4, 44), (4, 45), (4, 46), (4, 47),
+    (4, 48), (4, 49), (4, 51), (4, 52), (4, 53), (4, 54), (4, 55), (4, 56), (4, 57), (4, 58),
+    (4, 59), (4, 60), (4, 61), (4, 62), (4, 63), (4, 64), (4, 65), (4, 66), (4, 67), (4, 68),
+    (4, 69), (4, 74), (4, 81), (4, 88), (5, 51), (5, 52), (5, 54), (5, 55), (5, 56), (5, 57),
+    (5, 58), (5, 59), (5, 60), (5, 61), (5, 62), (5, 63), (5, 64), (5, 65), (5, 66), (5, 67),
+    (5, 68), (5, 69), (5, 75), (5, 82), (5, 89), (6, 61), (6, 62), (6, 64), (6, 65), (6, 66),
+    (6, 67), (6, 68), (6, 69), (6, 76), (6, 83), (6, 90),
 ];
 
 /// Regressor `W` of the standard parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 70]; 7]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 91]; 7]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -67,11 +69,26 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let L3 = S::constant(0.384);
     let k0 = S::constant(9.81);
     let k4 = S::constant(0.088);
+    let k5 = S::constant(1.0);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
         put(0, ddq1); // row 1, ZZ1
-        put(62, ddq2); // row 2, ZZ2
+        put(58, dq1); // row 1, FV1
+        put(60, k5); // row 1, FO1
+        put(65, ddq2); // row 2, ZZ2
+        put(119, dq2); // row 2, FV2
+        put(121, k5); // row 2, FO2
+        put(170, dq3); // row 3, FV3
+        put(172, k5); // row 3, FO3
+        put(211, dq4); // row 4, FV4
+        put(213, k5); // row 4, FO4
+        put(241, dq5); // row 5, FV5
+        put(243, k5); // row 5, FO5
+        put(262, dq6); // row 6, FV6
+        put(264, k5); // row 6, FO6
+        put(273, dq7); // row 7, FV7
+        put(275, k5); // row 7, FO7
         t0
     };
     // link 2: motion
@@ -100,8 +117,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t18 = t7 + t8;
         let t19 = t13 - t10;
         let t20 = t11 + t12;
-        put(59, t5); // row 2, MSY2
-        put(61, t9); // row 2, YY2
+        put(62, t5); // row 2, MSY2
+        put(64, t9); // row 2, YY2
         [
         t1, t2, t3, t4, t5, t6, t9, t10,
         t11, t12, t13, t14, t15, t16, t17, t18,
@@ -139,12 +156,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t57 = t46 + t47;
         let t58 = t49 + dw3_y;
         let t59 = t50 + dw3_x;
-        put(116, a3_y); // row 3, MSX3
-        put(117, t34); // row 3, MSY3
-        put(118, t48); // row 3, XX3
-        put(120, dw3_z); // row 3, ZZ3
-        put(122, t43); // row 3, XZ3
-        put(123, t40); // row 3, YZ3
+        put(122, a3_y); // row 3, MSX3
+        put(123, t34); // row 3, MSY3
+        put(124, t48); // row 3, XX3
+        put(126, dw3_z); // row 3, ZZ3
+        put(128, t43); // row 3, XZ3
+        put(129, t40); // row 3, YZ3
         [
         t23, w3_y, t31, t34, a3_y, t40, t43, w3_z,
         dw3_z, t48, t49, t50, dw3_x, dw3_y, t53, t54,
@@ -182,12 +199,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t97 = t86 + t87;
         let t98 = t89 + t92;
         let t99 = t90 + dw4_x;
-        put(164, a4_y); // row 4, MSX4
-        put(165, t74); // row 4, MSY4
-        put(166, t88); // row 4, XX4
-        put(168, dw4_z); // row 4, ZZ4
-        put(170, t83); // row 4, XZ4
-        put(171, t80); // row 4, YZ4
+        put(173, a4_y); // row 4, MSX4
+        put(174, t74); // row 4, MSY4
+        put(175, t88); // row 4, XX4
+        put(177, dw4_z); // row 4, ZZ4
+        put(179, t83); // row 4, XZ4
+        put(180, t80); // row 4, YZ4
         [
         t62, w4_y, t70, t74, a4_y, t80, t83, w4_z,
         dw4_z, t88, t89, t90, dw4_x, t92, t93, t94,
@@ -226,11 +243,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t143 = t132 + t133;
         let t144 = t138 - t135;
         let t145 = t136 + t137;
-        put(202, a5_y); // row 5, MSX5
-        put(203, t120); // row 5, MSY5
-        put(205, t134); // row 5, YY5
-        put(206, dw5_z); // row 5, ZZ5
-        put(208, t129); // row 5, XZ5
+        put(214, a5_y); // row 5, MSX5
+        put(215, t120); // row 5, MSY5
+        put(217, t134); // row 5, YY5
+        put(218, dw5_z); // row 5, ZZ5
+        put(220, t129); // row 5, XZ5
         [
         t102, t105, t108, a5_z, t120, a5_y, t126, t129,
         w5_z, dw5_z, t134, t135, t136, t137, t138, t139,
@@ -265,12 +282,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t177 = t166 + t167;
         let t178 = t169 + dw6_y;
         let t179 = t170 + dw6_x;
-        put(229, a6_y); // row 6, MSX6
-        put(230, t154); // row 6, MSY6
-        put(231, t168); // row 6, XX6
-        put(233, dw6_z); // row 6, ZZ6
-        put(235, t163); // row 6, XZ6
-        put(236, t160); // row 6, YZ6
+        put(244, a6_y); // row 6, MSX6
+        put(245, t154); // row 6, MSY6
+        put(246, t168); // row 6, XX6
+        put(248, dw6_z); // row 6, ZZ6
+        put(250, t163); // row 6, XZ6
+        put(251, t160); // row 6, YZ6
         [
         t148, w6_y, t154, a6_y, t160, t163, w6_z, dw6_z,
         t168, t169, t170, dw6_x, dw6_y, t173, t174, t175,
@@ -308,12 +325,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t217 = t206 + t207;
         let t218 = t209 + t212;
         let t219 = t210 - dw7_x;
-        put(247, a7_y); // row 7, MSX7
-        put(248, t194); // row 7, MSY7
-        put(250, t208); // row 7, YY7
-        put(251, dw7_z); // row 7, ZZ7
-        put(253, t203); // row 7, XZ7
-        put(254, t200); // row 7, YZ7
+        put(265, a7_y); // row 7, MSX7
+        put(266, t194); // row 7, MSY7
+        put(268, t208); // row 7, YY7
+        put(269, dw7_z); // row 7, ZZ7
+        put(271, t203); // row 7, XZ7
+        put(272, t200); // row 7, YZ7
         [
         t190, t194, a7_y, t200, t203, dw7_z, t208, t209,
         t210, dw7_x, t212, t213, t214, t215, t216, t217,
@@ -374,7 +391,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t255 = t18 - t15;
         let t258 = s2 * t19 + c2 * t20;
         put(5, t258); // row 1, XY2
-        put(63, t255); // row 2, XY2
+        put(66, t255); // row 2, XY2
     }
     // XZ2: column
     {
@@ -403,7 +420,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t284 = c3 * t276 - s3 * t274;
         let t285 = s3 * t56;
         put(9, t281); // row 1, MSX3
-        put(67, t284); // row 2, MSX3
+        put(70, t284); // row 2, MSX3
         t285
     };
     // MSY3: column
@@ -414,7 +431,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t296 = s3 * t288 - c3 * t287;
         let t297 = c3 * t55;
         put(10, t293); // row 1, MSY3
-        put(68, t296); // row 2, MSY3
+        put(71, t296); // row 2, MSY3
         t297
     };
     // MSZ3: column
@@ -424,7 +441,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t304 = z1_3_y * t301 - t220 * t300;
         let t307 = s3 * t300 + c3 * t301;
         put(11, t304); // row 1, MSZ3
-        put(69, t307); // row 2, MSZ3
+        put(72, t307); // row 2, MSZ3
     }
     // XX3: column
     let [t309, t310, t314] = {
@@ -434,7 +451,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t314 = c3 * t49;
         let t315 = s3 * dw3_x - t314;
         put(12, t312); // row 1, XX3
-        put(70, t315); // row 2, XX3
+        put(73, t315); // row 2, XX3
         [t309, t310, t314]
     };
     // YY3: column
@@ -444,7 +461,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t320 = s3 * t50;
         let t322 = c3 * dw3_y - t320;
         put(13, t319); // row 1, YY3
-        put(71, t322); // row 2, YY3
+        put(74, t322); // row 2, YY3
         [t316, t320]
     };
     // ZZ3: column
@@ -452,7 +469,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t325 = c2 * dw3_z + (t309 - t316);
         let t326 = t314 + t320;
         put(14, t325); // row 1, ZZ3
-        put(72, t326); // row 2, ZZ3
+        put(75, t326); // row 2, ZZ3
     }
     // XY3: column
     {
@@ -460,15 +477,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t332 = c2 * t327 + (t59 * z1_3_y - t58 * t220);
         let t335 = s3 * t58 + c3 * t59;
         put(15, t332); // row 1, XY3
-        put(73, t335); // row 2, XY3
-        put(121, t327); // row 3, XY3
+        put(76, t335); // row 2, XY3
+        put(127, t327); // row 3, XY3
     }
     // XZ3: column
     {
         let t340 = c2 * t43 + (t53 * z1_3_y - t56 * t220);
         let t342 = t285 + c3 * t53;
         put(16, t340); // row 1, XZ3
-        put(74, t342); // row 2, XZ3
+        put(77, t342); // row 2, XZ3
     }
     // YZ3: column
     {
@@ -476,7 +493,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t348 = c2 * t40 - (t220 * t343 - t55 * z1_3_y);
         let t350 = t297 + s3 * t343;
         put(17, t348); // row 1, YZ3
-        put(75, t350); // row 2, YZ3
+        put(78, t350); // row 2, YZ3
     }
     // M4: column
     let [t352, t355] = {
@@ -489,8 +506,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t370 = c3 * t360 - (t229 * t357 - z2_4_x * t356);
         let t371 = A * t70;
         put(18, t365); // row 1, M4
-        put(76, t370); // row 2, M4
-        put(124, t371); // row 3, M4
+        put(79, t370); // row 2, M4
+        put(130, t371); // row 3, M4
         [t352, t355]
     };
     // MSX4: column
@@ -502,8 +519,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t388 = z2_4_x * t372 - t229 * t377 - c3 * t378;
         let t390 = t108 + c4 * t70;
         put(19, t383); // row 1, MSX4
-        put(77, t388); // row 2, MSX4
-        put(125, t390); // row 3, MSX4
+        put(80, t388); // row 2, MSX4
+        put(131, t390); // row 3, MSX4
     }
     // MSY4: column
     let [t393, t410] = {
@@ -515,7 +532,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t407 = c3 * t397 + (t229 * t392 - z2_4_x * t396);
         let t410 = s4 * t70 + A * t99;
         put(20, t402); // row 1, MSY4
-        put(78, t407); // row 2, MSY4
+        put(81, t407); // row 2, MSY4
         [t393, t410]
     };
     // MSZ4: column
@@ -527,8 +544,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t427 = c3 * t415 - (z2_4_x * t416 + t229 * t417);
         let t432 = A * t57 - (s4 * a4_y + c4 * t74);
         put(21, t422); // row 1, MSZ4
-        put(79, t427); // row 2, MSZ4
-        put(127, t432); // row 3, MSZ4
+        put(82, t427); // row 2, MSZ4
+        put(133, t432); // row 3, MSZ4
     }
     // XX4: column
     let [t434, t435, t439, t440, t444] = {
@@ -541,8 +558,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t444 = c4 * t89;
         let t445 = s4 * dw4_x - t444;
         put(22, t437); // row 1, XX4
-        put(80, t442); // row 2, XX4
-        put(128, t445); // row 3, XX4
+        put(83, t442); // row 2, XX4
+        put(134, t445); // row 3, XX4
         [t434, t435, t439, t440, t444]
     };
     // YY4: column
@@ -554,8 +571,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t454 = s4 * t90;
         let t456 = c4 * t92 - t454;
         put(23, t449); // row 1, YY4
-        put(81, t453); // row 2, YY4
-        put(129, t456); // row 3, YY4
+        put(84, t453); // row 2, YY4
+        put(135, t456); // row 3, YY4
         [t446, t450, t454]
     };
     // ZZ4: column
@@ -564,8 +581,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t462 = t450 - t439 - c3 * dw4_z;
         let t463 = t444 + t454;
         put(24, t459); // row 1, ZZ4
-        put(82, t462); // row 2, ZZ4
-        put(130, t463); // row 3, ZZ4
+        put(85, t462); // row 2, ZZ4
+        put(136, t463); // row 3, ZZ4
     }
     // XY4: column
     {
@@ -574,9 +591,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t474 = t98 * z2_4_x - t99 * t229 - c3 * t464;
         let t477 = s4 * t98 + c4 * t99;
         put(25, t469); // row 1, XY4
-        put(83, t474); // row 2, XY4
-        put(131, t477); // row 3, XY4
-        put(169, t464); // row 4, XY4
+        put(86, t474); // row 2, XY4
+        put(137, t477); // row 3, XY4
+        put(178, t464); // row 4, XY4
     }
     // XZ4: column
     {
@@ -584,8 +601,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t487 = t96 * z2_4_x + t93 * t229 - c3 * t83;
         let t490 = s4 * t96 - c4 * t93;
         put(26, t482); // row 1, XZ4
-        put(84, t487); // row 2, XZ4
-        put(132, t490); // row 3, XZ4
+        put(87, t487); // row 2, XZ4
+        put(138, t490); // row 3, XZ4
     }
     // YZ4: column
     {
@@ -594,8 +611,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t501 = z2_4_x * t491 - t95 * t229 - c3 * t80;
         let t504 = s4 * t491 + c4 * t95;
         put(27, t496); // row 1, YZ4
-        put(85, t501); // row 2, YZ4
-        put(133, t504); // row 3, YZ4
+        put(88, t501); // row 2, YZ4
+        put(139, t504); // row 3, YZ4
     }
     // M5: column
     let [t506, t507, t509, t510] = {
@@ -613,9 +630,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t533 = z2_4_x * t521 - t229 * t522 - c3 * t523;
         let t537 = t515 - (s4 * t511 + c4 * t515);
         put(28, t528); // row 1, M5
-        put(86, t533); // row 2, M5
-        put(134, t537); // row 3, M5
-        put(172, t514); // row 4, M5
+        put(89, t533); // row 2, M5
+        put(140, t537); // row 3, M5
+        put(181, t514); // row 4, M5
         [t506, t507, t509, t510]
     };
     // MSX5: column
@@ -636,9 +653,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t571 = c3 * t561 - (t229 * t560 - z2_4_x * t559);
         let t575 = t550 + (s4 * t551 + c4 * t553);
         put(29, t566); // row 1, MSX5
-        put(87, t571); // row 2, MSX5
-        put(135, t575); // row 3, MSX5
-        put(173, t552); // row 4, MSX5
+        put(90, t571); // row 2, MSX5
+        put(141, t575); // row 3, MSX5
+        put(182, t552); // row 4, MSX5
         [t539, t544, t545]
     };
     // MSY5: column
@@ -659,9 +676,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t607 = c3 * t597 + (z2_4_x * t595 - t229 * t596);
         let t611 = s4 * t587 + c4 * t589 - t586;
         put(30, t602); // row 1, MSY5
-        put(88, t607); // row 2, MSY5
-        put(136, t611); // row 3, MSY5
-        put(174, t588); // row 4, MSY5
+        put(91, t607); // row 2, MSY5
+        put(142, t611); // row 3, MSY5
+        put(183, t588); // row 4, MSY5
         [t576, t577, t580]
     };
     // MSZ5: column
@@ -678,9 +695,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t641 = c3 * t631 + (t229 * t630 - z2_4_x * t629);
         let t645 = s4 * t623 + c4 * t622 - t622;
         put(31, t636); // row 1, MSZ5
-        put(89, t641); // row 2, MSZ5
-        put(137, t645); // row 3, MSZ5
-        put(175, t624); // row 4, MSZ5
+        put(92, t641); // row 2, MSZ5
+        put(143, t645); // row 3, MSZ5
+        put(184, t624); // row 4, MSZ5
     }
     // XX5: column
     let [t647, t648, t652, t653, t657, t658, t662] = {
@@ -696,9 +713,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t662 = c5 * t135;
         let t663 = s5 * t137 + t662;
         put(32, t650); // row 1, XX5
-        put(90, t655); // row 2, XX5
-        put(138, t660); // row 3, XX5
-        put(176, t663); // row 4, XX5
+        put(93, t655); // row 2, XX5
+        put(144, t660); // row 3, XX5
+        put(185, t663); // row 4, XX5
         [t647, t648, t652, t653, t657, t658, t662]
     };
     // YY5: column
@@ -712,9 +729,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t676 = s5 * t136;
         let t678 = c5 * t138 - t676;
         put(33, t667); // row 1, YY5
-        put(91, t671); // row 2, YY5
-        put(139, t675); // row 3, YY5
-        put(177, t678); // row 4, YY5
+        put(94, t671); // row 2, YY5
+        put(145, t675); // row 3, YY5
+        put(186, t678); // row 4, YY5
         [t664, t668, t672, t676]
     };
     // ZZ5: column
@@ -724,8 +741,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t687 = c4 * dw5_z - (t657 + t672);
         let t688 = t676 - t662;
         put(34, t681); // row 1, ZZ5
-        put(140, t687); // row 3, ZZ5
-        put(178, t688); // row 4, ZZ5
+        put(146, t687); // row 3, ZZ5
+        put(187, t688); // row 4, ZZ5
         t684
     };
     // XY5: column
@@ -736,10 +753,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t704 = c4 * t689 - (t144 * z3_5_x - t145 * z3_6_z);
         let t707 = s5 * t144 + c5 * t145;
         put(35, t694); // row 1, XY5
-        put(93, t699); // row 2, XY5
-        put(141, t704); // row 3, XY5
-        put(179, t707); // row 4, XY5
-        put(207, t689); // row 5, XY5
+        put(96, t699); // row 2, XY5
+        put(147, t704); // row 3, XY5
+        put(188, t707); // row 4, XY5
+        put(219, t689); // row 5, XY5
     }
     // XZ5: column
     {
@@ -748,9 +765,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t722 = c4 * t129 + (t142 * z3_5_x + t139 * z3_6_z);
         let t724 = c5 * t139 - t539;
         put(36, t712); // row 1, XZ5
-        put(94, t717); // row 2, XZ5
-        put(142, t722); // row 3, XZ5
-        put(180, t724); // row 4, XZ5
+        put(97, t717); // row 2, XZ5
+        put(148, t722); // row 3, XZ5
+        put(189, t724); // row 4, XZ5
     }
     // YZ5: column
     let t742 = {
@@ -760,8 +777,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t740 = z3_5_x * t725 - t141 * z3_6_z - c4 * t126;
         let t742 = t576 + s5 * t725;
         put(37, t730); // row 1, YZ5
-        put(95, t735); // row 2, YZ5
-        put(143, t740); // row 3, YZ5
+        put(98, t735); // row 2, YZ5
+        put(149, t740); // row 3, YZ5
         t742
     };
     // M6: column
@@ -780,9 +797,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t775 = z2_4_x * t763 + t229 * t764 - c3 * t765;
         let t779 = t757 - (s4 * t753 + c4 * t757);
         put(38, t770); // row 1, M6
-        put(96, t775); // row 2, M6
-        put(144, t779); // row 3, M6
-        put(182, t756); // row 4, M6
+        put(99, t775); // row 2, M6
+        put(150, t779); // row 3, M6
+        put(191, t756); // row 4, M6
         [t745, t748]
     };
     // MSX6: column
@@ -806,10 +823,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t825 = z2_4_x * t813 + t229 * t814 - c3 * t815;
         let t829 = s4 * t805 + c4 * t807 - t804;
         put(39, t820); // row 1, MSX6
-        put(97, t825); // row 2, MSX6
-        put(145, t829); // row 3, MSX6
-        put(183, t806); // row 4, MSX6
-        put(210, t787); // row 5, MSX6
+        put(100, t825); // row 2, MSX6
+        put(151, t829); // row 3, MSX6
+        put(192, t806); // row 4, MSX6
+        put(222, t787); // row 5, MSX6
         [t781, t784, t786, t787]
     };
     // MSY6: column
@@ -833,9 +850,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t873 = z2_4_x * t861 + t229 * t862 - c3 * t863;
         let t877 = t852 + (s4 * t853 - c4 * t855);
         put(40, t868); // row 1, MSY6
-        put(98, t873); // row 2, MSY6
-        put(146, t877); // row 3, MSY6
-        put(184, t854); // row 4, MSY6
+        put(101, t873); // row 2, MSY6
+        put(152, t877); // row 3, MSY6
+        put(193, t854); // row 4, MSY6
         [t830, t831, t833, t834]
     };
     // MSZ6: column
@@ -855,9 +872,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t915 = z2_4_x * t903 - t229 * t904 - c3 * t905;
         let t919 = t894 - (s4 * t895 + c4 * t897);
         put(41, t910); // row 1, MSZ6
-        put(99, t915); // row 2, MSZ6
-        put(147, t919); // row 3, MSZ6
-        put(185, t896); // row 4, MSZ6
+        put(102, t915); // row 2, MSZ6
+        put(153, t919); // row 3, MSZ6
+        put(194, t896); // row 4, MSZ6
     }
     // XX6: column
     let [t921, t924, t927, t932, t937, t942] = {
@@ -874,10 +891,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t942 = c5 * t168;
         let t943 = t942 - s5 * t922;
         put(42, t930); // row 1, XX6
-        put(100, t935); // row 2, XX6
-        put(148, t940); // row 3, XX6
-        put(186, t943); // row 4, XX6
-        put(213, t925); // row 5, XX6
+        put(103, t935); // row 2, XX6
+        put(154, t940); // row 3, XX6
+        put(195, t943); // row 4, XX6
+        put(225, t925); // row 5, XX6
         [t921, t924, t927, t932, t937, t942]
     };
     // YY6: column
@@ -891,9 +908,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t961 = c4 * t949 - (t937 + z3_5_x * t946);
         let t963 = s5 * t946 - t942;
         put(43, t953); // row 1, YY6
-        put(149, t961); // row 3, YY6
-        put(187, t963); // row 4, YY6
-        put(214, t949); // row 5, YY6
+        put(155, t961); // row 3, YY6
+        put(196, t963); // row 4, YY6
+        put(226, t949); // row 5, YY6
         [t944, t947, t957]
     };
     // ZZ6: column
@@ -905,10 +922,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t980 = c4 * t965 + (z3_5_x * t964 + dw6_z * z3_6_z);
         let t983 = c5 * dw6_z - s5 * t964;
         put(44, t970); // row 1, ZZ6
-        put(102, t975); // row 2, ZZ6
-        put(150, t980); // row 3, ZZ6
-        put(188, t983); // row 4, ZZ6
-        put(215, t965); // row 5, ZZ6
+        put(105, t975); // row 2, ZZ6
+        put(156, t980); // row 3, ZZ6
+        put(197, t983); // row 4, ZZ6
+        put(227, t965); // row 5, ZZ6
     }
     // XY6: column
     {
@@ -920,11 +937,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1005 = c4 * t990 - (z3_5_x * t987 - z3_6_z * t984);
         let t1008 = s5 * t987 + c5 * t984;
         put(45, t995); // row 1, XY6
-        put(103, t1000); // row 2, XY6
-        put(151, t1005); // row 3, XY6
-        put(189, t1008); // row 4, XY6
-        put(216, t990); // row 5, XY6
-        put(234, t984); // row 6, XY6
+        put(106, t1000); // row 2, XY6
+        put(157, t1005); // row 3, XY6
+        put(198, t1008); // row 4, XY6
+        put(228, t990); // row 5, XY6
+        put(249, t984); // row 6, XY6
     }
     // XZ6: column
     {
@@ -935,10 +952,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1027 = c4 * t1012 + (z3_5_x * t1010 + t163 * z3_6_z);
         let t1030 = c5 * t163 - s5 * t1010;
         put(46, t1017); // row 1, XZ6
-        put(104, t1022); // row 2, XZ6
-        put(152, t1027); // row 3, XZ6
-        put(190, t1030); // row 4, XZ6
-        put(217, t1012); // row 5, XZ6
+        put(107, t1022); // row 2, XZ6
+        put(158, t1027); // row 3, XZ6
+        put(199, t1030); // row 4, XZ6
+        put(229, t1012); // row 5, XZ6
     }
     // YZ6: column
     {
@@ -950,10 +967,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1050 = c4 * t1035 + (t160 * z3_6_z - z3_5_x * t1033);
         let t1053 = s5 * t1033 + c5 * t160;
         put(47, t1040); // row 1, YZ6
-        put(105, t1045); // row 2, YZ6
-        put(153, t1050); // row 3, YZ6
-        put(191, t1053); // row 4, YZ6
-        put(218, t1035); // row 5, YZ6
+        put(108, t1045); // row 2, YZ6
+        put(159, t1050); // row 3, YZ6
+        put(200, t1053); // row 4, YZ6
+        put(230, t1035); // row 5, YZ6
     }
     // M7: column
     let [t1056, t1059] = {
@@ -978,11 +995,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1107 = c3 * t1097 + (z2_4_x * t1095 - t229 * t1096);
         let t1111 = t1086 + (c4 * t1089 - s4 * t1087);
         put(48, t1102); // row 1, M7
-        put(106, t1107); // row 2, M7
-        put(154, t1111); // row 3, M7
-        put(192, t1088); // row 4, M7
-        put(219, t1069); // row 5, M7
-        put(237, t1060); // row 6, M7
+        put(109, t1107); // row 2, M7
+        put(160, t1111); // row 3, M7
+        put(201, t1088); // row 4, M7
+        put(231, t1069); // row 5, M7
+        put(252, t1060); // row 6, M7
         [t1056, t1059]
     };
     // MSX7: column
@@ -1012,11 +1029,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1173 = c3 * t1163 + (z2_4_x * t1161 + t229 * t1162);
         let t1177 = t1152 - (s4 * t1153 + c4 * t1155);
         put(49, t1168); // row 1, MSX7
-        put(107, t1173); // row 2, MSX7
-        put(155, t1177); // row 3, MSX7
-        put(193, t1154); // row 4, MSX7
-        put(220, t1135); // row 5, MSX7
-        put(238, t1122); // row 6, MSX7
+        put(110, t1173); // row 2, MSX7
+        put(161, t1177); // row 3, MSX7
+        put(202, t1154); // row 4, MSX7
+        put(232, t1135); // row 5, MSX7
+        put(253, t1122); // row 6, MSX7
         [t1113, t1116, t1118, t1119]
     };
     // MSY7: column
@@ -1044,11 +1061,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1237 = c3 * t1227 - (t229 * t1226 - z2_4_x * t1225);
         let t1241 = t1216 + (c4 * t1219 - s4 * t1217);
         put(50, t1232); // row 1, MSY7
-        put(108, t1237); // row 2, MSY7
-        put(156, t1241); // row 3, MSY7
-        put(194, t1218); // row 4, MSY7
-        put(221, t1199); // row 5, MSY7
-        put(239, t1186); // row 6, MSY7
+        put(111, t1237); // row 2, MSY7
+        put(162, t1241); // row 3, MSY7
+        put(203, t1218); // row 4, MSY7
+        put(233, t1199); // row 5, MSY7
+        put(254, t1186); // row 6, MSY7
         [t1178, t1181]
     };
     // MSZ7: column
@@ -1074,11 +1091,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1298 = z2_4_x * t1286 - t229 * t1287 - c3 * t1288;
         let t1302 = t1277 - (s4 * t1278 - c4 * t1280);
         put(51, t1293); // row 1, MSZ7
-        put(109, t1298); // row 2, MSZ7
-        put(157, t1302); // row 3, MSZ7
-        put(195, t1279); // row 4, MSZ7
-        put(222, t1260); // row 5, MSZ7
-        put(240, t1250); // row 6, MSZ7
+        put(112, t1298); // row 2, MSZ7
+        put(163, t1302); // row 3, MSZ7
+        put(204, t1279); // row 4, MSZ7
+        put(234, t1260); // row 5, MSZ7
+        put(255, t1250); // row 6, MSZ7
     }
     // XX7: column
     let [t1304, t1307, t1310, t1313] = {
@@ -1095,11 +1112,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1329 = c4 * t1314 + (z3_5_x * t1311 + z3_6_z * t1308);
         let t1332 = c5 * t1308 - s5 * t1311;
         put(52, t1319); // row 1, XX7
-        put(110, t1324); // row 2, XX7
-        put(158, t1329); // row 3, XX7
-        put(196, t1332); // row 4, XX7
-        put(223, t1314); // row 5, XX7
-        put(241, t1308); // row 6, XX7
+        put(113, t1324); // row 2, XX7
+        put(164, t1329); // row 3, XX7
+        put(205, t1332); // row 4, XX7
+        put(235, t1314); // row 5, XX7
+        put(256, t1308); // row 6, XX7
         [t1304, t1307, t1310, t1313]
     };
     // YY7: column
@@ -1115,11 +1132,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1357 = c4 * t1342 + (z3_5_x * t1340 + z3_6_z * t1338);
         let t1360 = c5 * t1338 - s5 * t1340;
         put(53, t1347); // row 1, YY7
-        put(111, t1352); // row 2, YY7
-        put(159, t1357); // row 3, YY7
-        put(197, t1360); // row 4, YY7
-        put(224, t1342); // row 5, YY7
-        put(242, t1338); // row 6, YY7
+        put(114, t1352); // row 2, YY7
+        put(165, t1357); // row 3, YY7
+        put(206, t1360); // row 4, YY7
+        put(236, t1342); // row 5, YY7
+        put(257, t1338); // row 6, YY7
         [t1333, t1336]
     };
     // ZZ7: column
@@ -1133,10 +1150,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1383 = z3_6_z * t1362 - z3_5_x * t1365 - c4 * t1368;
         let t1386 = s5 * t1365 + c5 * t1362;
         put(54, t1373); // row 1, ZZ7
-        put(112, t1378); // row 2, ZZ7
-        put(160, t1383); // row 3, ZZ7
-        put(198, t1386); // row 4, ZZ7
-        put(243, t1362); // row 6, ZZ7
+        put(115, t1378); // row 2, ZZ7
+        put(166, t1383); // row 3, ZZ7
+        put(207, t1386); // row 4, ZZ7
+        put(258, t1362); // row 6, ZZ7
         t1368
     };
     // XY7: column
@@ -1151,12 +1168,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1414 = c4 * t1399 + (z3_5_x * t1396 + z3_6_z * t1393);
         let t1417 = c5 * t1393 - s5 * t1396;
         put(55, t1404); // row 1, XY7
-        put(113, t1409); // row 2, XY7
-        put(161, t1414); // row 3, XY7
-        put(199, t1417); // row 4, XY7
-        put(226, t1399); // row 5, XY7
-        put(244, t1393); // row 6, XY7
-        put(252, t1387); // row 7, XY7
+        put(116, t1409); // row 2, XY7
+        put(167, t1414); // row 3, XY7
+        put(208, t1417); // row 4, XY7
+        put(238, t1399); // row 5, XY7
+        put(259, t1393); // row 6, XY7
+        put(270, t1387); // row 7, XY7
     }
     // XZ7: column
     {
@@ -1169,11 +1186,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1442 = c4 * t1427 + (z3_5_x * t1424 + z3_6_z * t1421);
         let t1445 = c5 * t1421 - s5 * t1424;
         put(56, t1432); // row 1, XZ7
-        put(114, t1437); // row 2, XZ7
-        put(162, t1442); // row 3, XZ7
-        put(200, t1445); // row 4, XZ7
-        put(227, t1427); // row 5, XZ7
-        put(245, t1421); // row 6, XZ7
+        put(117, t1437); // row 2, XZ7
+        put(168, t1442); // row 3, XZ7
+        put(209, t1445); // row 4, XZ7
+        put(239, t1427); // row 5, XZ7
+        put(260, t1421); // row 6, XZ7
     }
     // YZ7: column
     {
@@ -1186,47 +1203,61 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1466 = z2_5_x * t1453 + t241 * t1450 - t229 * t1456;
         let t1471 = c4 * t1456 + (z3_5_x * t1453 + z3_6_z * t1450);
         let t1474 = c5 * t1450 - s5 * t1453;
-        let t1475 = -t6;
-        let t1476 = -t9;
-        let t1477 = -t3;
-        let t1478 = -t4;
-        let t1479 = -t273;
-        let t1480 = -t684;
-        let t1481 = -t957;
-        let t1482 = -t48;
-        let t1483 = -t410;
-        let t1484 = -t88;
-        let t1485 = -t742;
-        let t1486 = -t134;
-        let t1487 = -t126;
-        let t1488 = -t786;
-        let t1489 = -t745;
-        let t1490 = -t1368;
-        let t1491 = -t168;
-        let t1492 = -t208;
+        let t1475 = dq1.sign();
+        let t1476 = dq2.sign();
+        let t1477 = dq3.sign();
+        let t1478 = dq4.sign();
+        let t1479 = dq5.sign();
+        let t1480 = dq6.sign();
+        let t1481 = dq7.sign();
+        let t1482 = -t6;
+        let t1483 = -t9;
+        let t1484 = -t3;
+        let t1485 = -t4;
+        let t1486 = -t273;
+        let t1487 = -t684;
+        let t1488 = -t957;
+        let t1489 = -t48;
+        let t1490 = -t410;
+        let t1491 = -t88;
+        let t1492 = -t742;
+        let t1493 = -t134;
+        let t1494 = -t126;
+        let t1495 = -t786;
+        let t1496 = -t745;
+        let t1497 = -t1368;
+        let t1498 = -t168;
+        let t1499 = -t208;
         put(57, t1461); // row 1, YZ7
-        put(58, t1475); // row 2, MSX2
-        put(60, t1476); // row 2, XX2
-        put(64, t1477); // row 2, XZ2
-        put(65, t1478); // row 2, YZ2
-        put(66, t1479); // row 2, M3
-        put(92, t1480); // row 2, ZZ5
-        put(101, t1481); // row 2, YY6
-        put(115, t1466); // row 2, YZ7
-        put(119, t1482); // row 3, YY3
-        put(126, t1483); // row 3, MSY4
-        put(163, t1471); // row 3, YZ7
-        put(167, t1484); // row 4, YY4
-        put(181, t1485); // row 4, YZ5
-        put(201, t1474); // row 4, YZ7
-        put(204, t1486); // row 5, XX5
-        put(209, t1487); // row 5, YZ5
-        put(211, t1488); // row 5, MSY6
-        put(212, t1489); // row 5, MSZ6
-        put(225, t1490); // row 5, ZZ7
-        put(228, t1456); // row 5, YZ7
-        put(232, t1491); // row 6, YY6
-        put(246, t1450); // row 6, YZ7
-        put(249, t1492); // row 7, XX7
+        put(59, t1475); // row 1, FC1
+        put(61, t1482); // row 2, MSX2
+        put(63, t1483); // row 2, XX2
+        put(67, t1484); // row 2, XZ2
+        put(68, t1485); // row 2, YZ2
+        put(69, t1486); // row 2, M3
+        put(95, t1487); // row 2, ZZ5
+        put(104, t1488); // row 2, YY6
+        put(118, t1466); // row 2, YZ7
+        put(120, t1476); // row 2, FC2
+        put(125, t1489); // row 3, YY3
+        put(132, t1490); // row 3, MSY4
+        put(169, t1471); // row 3, YZ7
+        put(171, t1477); // row 3, FC3
+        put(176, t1491); // row 4, YY4
+        put(190, t1492); // row 4, YZ5
+        put(210, t1474); // row 4, YZ7
+        put(212, t1478); // row 4, FC4
+        put(216, t1493); // row 5, XX5
+        put(221, t1494); // row 5, YZ5
+        put(223, t1495); // row 5, MSY6
+        put(224, t1496); // row 5, MSZ6
+        put(237, t1497); // row 5, ZZ7
+        put(240, t1456); // row 5, YZ7
+        put(242, t1479); // row 5, FC5
+        put(247, t1498); // row 6, YY6
+        put(261, t1450); // row 6, YZ7
+        put(263, t1480); // row 6, FC6
+        put(267, t1499); // row 7, XX7
+        put(274, t1481); // row 7, FC7
     }
 }

@@ -2,13 +2,13 @@
 //!
 //! `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 675 multiplications, 492 additions; 7 x 43, 190 of 301 structurally nonzero.
+//! 675 multiplications, 492 additions; 7 x 64, 211 of 448 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 190;
+pub const NONZEROS: usize = 211;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
@@ -16,26 +16,29 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 10), (0, 11), (0, 12), (0, 13), (0, 14), (0, 15), (0, 16), (0, 17), (0, 18), (0, 19),
     (0, 20), (0, 21), (0, 22), (0, 23), (0, 24), (0, 25), (0, 26), (0, 27), (0, 28), (0, 29),
     (0, 30), (0, 31), (0, 32), (0, 33), (0, 34), (0, 35), (0, 36), (0, 37), (0, 38), (0, 39),
-    (0, 40), (0, 41), (0, 42), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 6), (1, 7),
-    (1, 8), (1, 9), (1, 10), (1, 11), (1, 12), (1, 13), (1, 14), (1, 15), (1, 16), (1, 17),
-    (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27),
-    (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37),
-    (1, 38), (1, 39), (1, 40), (1, 41), (1, 42), (2, 8), (2, 9), (2, 10), (2, 11), (2, 12),
-    (2, 13), (2, 14), (2, 15), (2, 16), (2, 17), (2, 18), (2, 19), (2, 20), (2, 21), (2, 22),
-    (2, 23), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32),
-    (2, 33), (2, 34), (2, 35), (2, 36), (2, 37), (2, 38), (2, 39), (2, 40), (2, 41), (2, 42),
-    (3, 15), (3, 16), (3, 17), (3, 18), (3, 19), (3, 20), (3, 21), (3, 22), (3, 23), (3, 24),
-    (3, 25), (3, 26), (3, 27), (3, 28), (3, 29), (3, 30), (3, 31), (3, 32), (3, 33), (3, 34),
-    (3, 35), (3, 36), (3, 37), (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (4, 22), (4, 23),
-    (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (4, 30), (4, 31), (4, 32), (4, 33),
-    (4, 34), (4, 35), (4, 36), (4, 37), (4, 38), (4, 39), (4, 40), (4, 41), (4, 42), (5, 29),
-    (5, 30), (5, 31), (5, 32), (5, 33), (5, 34), (5, 35), (5, 36), (5, 37), (5, 38), (5, 39),
-    (5, 40), (5, 41), (5, 42), (6, 36), (6, 37), (6, 38), (6, 39), (6, 40), (6, 41), (6, 42),
+    (0, 40), (0, 41), (0, 42), (0, 43), (0, 50), (0, 57), (1, 1), (1, 2), (1, 3), (1, 4),
+    (1, 5), (1, 6), (1, 7), (1, 8), (1, 9), (1, 10), (1, 11), (1, 12), (1, 13), (1, 14),
+    (1, 15), (1, 16), (1, 17), (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23), (1, 24),
+    (1, 25), (1, 26), (1, 27), (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33), (1, 34),
+    (1, 35), (1, 36), (1, 37), (1, 38), (1, 39), (1, 40), (1, 41), (1, 42), (1, 44), (1, 51),
+    (1, 58), (2, 8), (2, 9), (2, 10), (2, 11), (2, 12), (2, 13), (2, 14), (2, 15), (2, 16),
+    (2, 17), (2, 18), (2, 19), (2, 20), (2, 21), (2, 22), (2, 23), (2, 24), (2, 25), (2, 26),
+    (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35), (2, 36),
+    (2, 37), (2, 38), (2, 39), (2, 40), (2, 41), (2, 42), (2, 45), (2, 52), (2, 59), (3, 15),
+    (3, 16), (3, 17), (3, 18), (3, 19), (3, 20), (3, 21), (3, 22), (3, 23), (3, 24), (3, 25),
+    (3, 26), (3, 27), (3, 28), (3, 29), (3, 30), (3, 31), (3, 32), (3, 33), (3, 34), (3, 35),
+    (3, 36), (3, 37), (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (3, 46), (3, 53), (3, 60),
+    (4, 22), (4, 23), (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (4, 30), (4, 31),
+    (4, 32), (4, 33), (4, 34), (4, 35), (4, 36), (4, 37), (4, 38), (4, 39), (4, 40), (4, 41),
+    (4, 42), (4, 47), (4, 54), (4, 61), (5, 29), (5, 30), (5, 31), (5, 32), (5, 33), (5, 34),
+    (5, 35), (5, 36), (5, 37), (5, 38), (5, 39), (5, 40), (5, 41), (5, 42), (5, 48), (5, 55),
+    (5, 62), (6, 36), (6, 37), (6, 38), (6, 39), (6, 40), (6, 41), (6, 42), (6, 49), (6, 56),
+    (6, 63),
 ];
 
 /// Regressor `W_b` of the base parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 43]; 7]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 64]; 7]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -62,11 +65,26 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let k4 = S::constant(0.31436);
     let k5 = S::constant(0.00035);
     let k6 = S::constant(0.167455);
+    let k7 = S::constant(1.0);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
         put(0, ddq1); // row 1, ZZ1R
-        put(46, ddq2); // row 2, ZZ2R
+        put(43, dq1); // row 1, FV1
+        put(45, k7); // row 1, FO1
+        put(49, ddq2); // row 2, ZZ2R
+        put(88, dq2); // row 2, FV2
+        put(90, k7); // row 2, FO2
+        put(126, dq3); // row 3, FV3
+        put(128, k7); // row 3, FO3
+        put(157, dq4); // row 4, FV4
+        put(159, k7); // row 4, FO4
+        put(181, dq5); // row 5, FV5
+        put(183, k7); // row 5, FO5
+        put(198, dq6); // row 6, FV6
+        put(200, k7); // row 6, FO6
+        put(208, dq7); // row 7, FV7
+        put(210, k7); // row 7, FO7
         t0
     };
     // link 2: motion
@@ -99,8 +117,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t24 = t13 + t14;
         let t25 = t16 - dw2_y;
         let t26 = t17 + dw2_x;
-        put(48, t3); // row 2, XZ2
-        put(49, t4); // row 2, YZ2
+        put(51, t3); // row 2, XZ2
+        put(52, t4); // row 2, YZ2
         [
         w2_x, w2_y, t3, t4, t5, t6, a2_z, t10,
         a2_y, t15, t16, t17, dw2_x, dw2_y, t20, t21,
@@ -138,12 +156,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t64 = t53 + t54;
         let t65 = t56 - dw3_y;
         let t66 = t57 + t58;
-        put(85, a3_y); // row 3, MSX3
-        put(86, t41); // row 3, MSY3R
-        put(87, t55); // row 3, XX3R
-        put(88, dw3_z); // row 3, ZZ3R
-        put(90, t50); // row 3, XZ3
-        put(91, t47); // row 3, YZ3
+        put(91, a3_y); // row 3, MSX3
+        put(92, t41); // row 3, MSY3R
+        put(93, t55); // row 3, XX3R
+        put(94, dw3_z); // row 3, ZZ3R
+        put(96, t50); // row 3, XZ3
+        put(97, t47); // row 3, YZ3
         [
         w3_x, t32, a3_z, t41, a3_y, t47, t50, w3_z,
         dw3_z, t55, t56, t57, t58, dw3_y, t60, t61,
@@ -181,11 +199,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t104 = t93 + t94;
         let t105 = dw4_y - t96;
         let t106 = t97 + dw4_x;
-        put(120, a4_y); // row 4, MSX4
-        put(121, t81); // row 4, MSY4R
-        put(123, dw4_z); // row 4, ZZ4R
-        put(125, t90); // row 4, XZ4
-        put(126, t87); // row 4, YZ4
+        put(129, a4_y); // row 4, MSX4
+        put(130, t81); // row 4, MSY4R
+        put(132, dw4_z); // row 4, ZZ4R
+        put(134, t90); // row 4, XZ4
+        put(135, t87); // row 4, YZ4
         [
         w4_x, w4_y, t77, t81, a4_y, t87, t90, w4_z,
         dw4_z, t95, t96, t97, dw4_x, dw4_y, t100, t101,
@@ -223,12 +241,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t144 = t133 + t134;
         let t145 = t136 - dw5_y;
         let t146 = t137 + t138;
-        put(148, a5_y); // row 5, MSX5
-        put(149, t121); // row 5, MSY5R
-        put(150, t135); // row 5, XX5R
-        put(151, dw5_z); // row 5, ZZ5R
-        put(153, t130); // row 5, XZ5
-        put(154, t127); // row 5, YZ5
+        put(160, a5_y); // row 5, MSX5
+        put(161, t121); // row 5, MSY5R
+        put(162, t135); // row 5, XX5R
+        put(163, dw5_z); // row 5, ZZ5R
+        put(165, t130); // row 5, XZ5
+        put(166, t127); // row 5, YZ5
         [
         w5_x, t112, a5_z, t121, a5_y, t127, t130, w5_z,
         dw5_z, t135, t136, t137, t138, dw5_y, t140, t141,
@@ -266,11 +284,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t184 = t173 + t174;
         let t185 = t176 - dw6_y;
         let t186 = t177 + dw6_x;
-        put(169, a6_y); // row 6, MSX6
-        put(170, t161); // row 6, MSY6R
-        put(172, dw6_z); // row 6, ZZ6R
-        put(174, t170); // row 6, XZ6
-        put(175, t167); // row 6, YZ6
+        put(184, a6_y); // row 6, MSX6
+        put(185, t161); // row 6, MSY6R
+        put(187, dw6_z); // row 6, ZZ6R
+        put(189, t170); // row 6, XZ6
+        put(190, t167); // row 6, YZ6
         [
         w6_x, w6_y, t157, t161, a6_y, t167, t170, w6_z,
         dw6_z, t175, t176, t177, dw6_x, dw6_y, t180, t181,
@@ -308,12 +326,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t224 = t213 + t214;
         let t225 = t216 - dw7_y;
         let t226 = t217 + t218;
-        put(183, a7_y); // row 7, MSX7
-        put(184, t201); // row 7, MSY7
-        put(185, t215); // row 7, XX7R
-        put(186, dw7_z); // row 7, ZZ7
-        put(188, t210); // row 7, XZ7
-        put(189, t207); // row 7, YZ7
+        put(201, a7_y); // row 7, MSX7
+        put(202, t201); // row 7, MSY7
+        put(203, t215); // row 7, XX7R
+        put(204, dw7_z); // row 7, ZZ7
+        put(206, t210); // row 7, XZ7
+        put(207, t207); // row 7, YZ7
         [
         a7_z, t201, a7_y, t207, t210, dw7_z, t215, t216,
         t217, t218, t220, t221, t222, t223, t224, t225,
@@ -366,7 +384,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t275 = t3 * k1 - t6;
         put(1, t273); // row 1, MSX2
         put(6, t272); // row 1, XZ2
-        put(43, t275); // row 2, MSX2
+        put(46, t275); // row 2, MSX2
     }
     // YZ2: column
     {
@@ -375,7 +393,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t282 = t5 + t4 * k1;
         put(2, t280); // row 1, MSY2R
         put(7, t279); // row 1, YZ2
-        put(44, t282); // row 2, MSY2R
+        put(47, t282); // row 2, MSY2R
     }
     // XX2: column
     let t284 = {
@@ -394,7 +412,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t288 = t24 - t21;
         let t291 = c2 * t26 - s2 * t25;
         put(5, t291); // row 1, XY2
-        put(47, t288); // row 2, XY2
+        put(50, t288); // row 2, XY2
     }
     // MSX3: column
     {
@@ -402,7 +420,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t300 = a3_z * z1_4_z + c2 * a3_y + t299;
         let t305 = c3 * a3_z + (t61 * v2_3_x - t63 * v2_4_z);
         put(8, t300); // row 1, MSX3
-        put(50, t305); // row 2, MSX3
+        put(53, t305); // row 2, MSX3
     }
     // MSY3: column
     {
@@ -410,7 +428,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t314 = a3_z * z1_3_x + c2 * t41 - t313;
         let t319 = t64 * v2_4_z - t62 * v2_3_x - s3 * a3_z;
         put(9, t314); // row 1, MSY3R
-        put(51, t319); // row 2, MSY3R
+        put(54, t319); // row 2, MSY3R
     }
     // XX3: column
     let [t321, t326] = {
@@ -419,7 +437,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t326 = c3 * t56;
         let t327 = s3 * t58 - t326;
         put(10, t324); // row 1, XX3R
-        put(52, t327); // row 2, XX3R
+        put(55, t327); // row 2, XX3R
         [t321, t326]
     };
     // ZZ3: column
@@ -427,7 +445,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t331 = c2 * dw3_z + (t321 - t57 * z1_3_x);
         let t333 = t326 + s3 * t57;
         put(11, t331); // row 1, ZZ3R
-        put(53, t333); // row 2, ZZ3R
+        put(56, t333); // row 2, ZZ3R
     }
     // XY3: column
     {
@@ -435,15 +453,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t339 = c2 * t334 + (t66 * z1_4_z - t65 * z1_3_x);
         let t342 = s3 * t65 + c3 * t66;
         put(12, t339); // row 1, XY3
-        put(54, t342); // row 2, XY3
-        put(89, t334); // row 3, XY3
+        put(57, t342); // row 2, XY3
+        put(95, t334); // row 3, XY3
     }
     // XZ3: column
     {
         let t347 = c2 * t50 + (t63 * z1_3_x + t60 * z1_4_z);
         let t350 = c3 * t60 - s3 * t63;
         put(13, t347); // row 1, XZ3
-        put(55, t350); // row 2, XZ3
+        put(58, t350); // row 2, XZ3
     }
     // YZ3: column
     {
@@ -451,7 +469,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t356 = c2 * t47 - (z1_3_x * t351 + t62 * z1_4_z);
         let t359 = s3 * t351 - c3 * t62;
         put(14, t356); // row 1, YZ3
-        put(56, t359); // row 2, YZ3
+        put(59, t359); // row 2, YZ3
     }
     // MSX4: column
     let [t361, t366, t367] = {
@@ -466,8 +484,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t382 = c2 * t371 - (z1_3_x * t370 - a4_y * z1_4_z) - t381;
         let t389 = s3 * t370 + c3 * a4_y - (v2_3_x * t362 + t105 * v2_4_z);
         put(15, t382); // row 1, MSX4
-        put(57, t389); // row 2, MSX4
-        put(92, t371); // row 3, MSX4
+        put(60, t389); // row 2, MSX4
+        put(98, t371); // row 3, MSX4
         [t361, t366, t367]
     };
     // MSY4: column
@@ -481,8 +499,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t410 = c2 * t399 + (z1_3_x * t398 + t81 * z1_4_z) + t409;
         let t417 = c3 * t81 - s3 * t398 + (v2_3_x * t392 + t106 * v2_4_z);
         put(16, t410); // row 1, MSY4R
-        put(58, t417); // row 2, MSY4R
-        put(93, t399); // row 3, MSY4R
+        put(61, t417); // row 2, MSY4R
+        put(99, t399); // row 3, MSY4R
         t390
     };
     // XX4: column
@@ -494,8 +512,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t429 = c4 * t96;
         let t430 = s4 * dw4_x + t429;
         put(17, t422); // row 1, XX4R
-        put(59, t427); // row 2, XX4R
-        put(94, t430); // row 3, XX4R
+        put(62, t427); // row 2, XX4R
+        put(100, t430); // row 3, XX4R
         [t419, t424, t429]
     };
     // ZZ4: column
@@ -504,8 +522,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t438 = c3 * dw4_z - (t424 + t97 * t246);
         let t440 = s4 * t97 - t429;
         put(18, t434); // row 1, ZZ4R
-        put(60, t438); // row 2, ZZ4R
-        put(95, t440); // row 3, ZZ4R
+        put(63, t438); // row 2, ZZ4R
+        put(101, t440); // row 3, ZZ4R
     }
     // XY4: column
     {
@@ -514,9 +532,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t451 = c3 * t441 + (t106 * z2_4_y - t105 * t246);
         let t454 = s4 * t105 + c4 * t106;
         put(19, t446); // row 1, XY4
-        put(61, t451); // row 2, XY4
-        put(96, t454); // row 3, XY4
-        put(124, t441); // row 4, XY4
+        put(64, t451); // row 2, XY4
+        put(102, t454); // row 3, XY4
+        put(133, t441); // row 4, XY4
     }
     // XZ4: column
     {
@@ -524,8 +542,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t464 = c3 * t90 + (t100 * z2_4_y - t103 * t246);
         let t466 = t361 + c4 * t100;
         put(20, t459); // row 1, XZ4
-        put(62, t464); // row 2, XZ4
-        put(97, t466); // row 3, XZ4
+        put(65, t464); // row 2, XZ4
+        put(103, t466); // row 3, XZ4
     }
     // YZ4: column
     {
@@ -534,8 +552,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t477 = c3 * t87 - (t246 * t467 + t102 * z2_4_y);
         let t479 = s4 * t467 - t390;
         put(21, t472); // row 1, YZ4
-        put(63, t477); // row 2, YZ4
-        put(98, t479); // row 3, YZ4
+        put(66, t477); // row 2, YZ4
+        put(104, t479); // row 3, YZ4
     }
     // MSX5: column
     let [t481, t486, t487] = {
@@ -553,9 +571,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t517 = c3 * t491 + (z2_4_y * t495 - t246 * t494) + t516;
         let t520 = s4 * t494 + c4 * t495;
         put(22, t506); // row 1, MSX5
-        put(64, t517); // row 2, MSX5
-        put(99, t520); // row 3, MSX5
-        put(127, t491); // row 4, MSX5
+        put(67, t517); // row 2, MSX5
+        put(105, t520); // row 3, MSX5
+        put(136, t491); // row 4, MSX5
         [t481, t486, t487]
     };
     // MSY5: column
@@ -572,9 +590,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t556 = c3 * t530 - (t246 * t533 - z2_4_y * t534) + t555;
         let t559 = s4 * t533 + c4 * t534;
         put(23, t545); // row 1, MSY5R
-        put(65, t556); // row 2, MSY5R
-        put(100, t559); // row 3, MSY5R
-        put(128, t530); // row 4, MSY5R
+        put(68, t556); // row 2, MSY5R
+        put(106, t559); // row 3, MSY5R
+        put(137, t530); // row 4, MSY5R
         t521
     };
     // XX5: column
@@ -588,9 +606,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t576 = c5 * t136;
         let t577 = s5 * t138 - t576;
         put(24, t564); // row 1, XX5R
-        put(66, t569); // row 2, XX5R
-        put(101, t574); // row 3, XX5R
-        put(129, t577); // row 4, XX5R
+        put(69, t569); // row 2, XX5R
+        put(107, t574); // row 3, XX5R
+        put(138, t577); // row 4, XX5R
         [t561, t566, t571, t576]
     };
     // ZZ5: column
@@ -600,9 +618,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t589 = c4 * dw5_z + (t571 - t137 * z3_5_x);
         let t591 = t576 + s5 * t137;
         put(25, t581); // row 1, ZZ5R
-        put(67, t585); // row 2, ZZ5R
-        put(102, t589); // row 3, ZZ5R
-        put(130, t591); // row 4, ZZ5R
+        put(70, t585); // row 2, ZZ5R
+        put(108, t589); // row 3, ZZ5R
+        put(139, t591); // row 4, ZZ5R
     }
     // XY5: column
     {
@@ -612,10 +630,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t607 = c4 * t592 - (t145 * z3_5_x - t146 * z3_6_z);
         let t610 = s5 * t145 + c5 * t146;
         put(26, t597); // row 1, XY5
-        put(68, t602); // row 2, XY5
-        put(103, t607); // row 3, XY5
-        put(131, t610); // row 4, XY5
-        put(152, t592); // row 5, XY5
+        put(71, t602); // row 2, XY5
+        put(109, t607); // row 3, XY5
+        put(140, t610); // row 4, XY5
+        put(164, t592); // row 5, XY5
     }
     // XZ5: column
     {
@@ -624,9 +642,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t625 = c4 * t130 - (t143 * z3_5_x - t140 * z3_6_z);
         let t627 = t481 + c5 * t140;
         put(27, t615); // row 1, XZ5
-        put(69, t620); // row 2, XZ5
-        put(104, t625); // row 3, XZ5
-        put(132, t627); // row 4, XZ5
+        put(72, t620); // row 2, XZ5
+        put(110, t625); // row 3, XZ5
+        put(141, t627); // row 4, XZ5
     }
     // YZ5: column
     {
@@ -636,9 +654,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t643 = c4 * t127 - (z3_5_x * t628 + t142 * z3_6_z);
         let t645 = s5 * t628 - t521;
         put(28, t633); // row 1, YZ5
-        put(70, t638); // row 2, YZ5
-        put(105, t643); // row 3, YZ5
-        put(133, t645); // row 4, YZ5
+        put(73, t638); // row 2, YZ5
+        put(111, t643); // row 3, YZ5
+        put(142, t645); // row 4, YZ5
     }
     // MSX6: column
     let [t647, t650, t652, t653] = {
@@ -661,10 +679,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t699 = c3 * t673 - (t246 * t676 + z2_4_y * t677) + t698;
         let t702 = s4 * t676 - c4 * t677;
         put(29, t688); // row 1, MSX6
-        put(71, t699); // row 2, MSX6
-        put(106, t702); // row 3, MSX6
-        put(134, t673); // row 4, MSX6
-        put(155, t657); // row 5, MSX6
+        put(74, t699); // row 2, MSX6
+        put(112, t702); // row 3, MSX6
+        put(143, t673); // row 4, MSX6
+        put(167, t657); // row 5, MSX6
         [t647, t650, t652, t653]
     };
     // MSY6: column
@@ -686,10 +704,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t754 = c3 * t728 - (t246 * t731 + z2_4_y * t732) + t753;
         let t757 = s4 * t731 - c4 * t732;
         put(30, t743); // row 1, MSY6R
-        put(72, t754); // row 2, MSY6R
-        put(107, t757); // row 3, MSY6R
-        put(135, t728); // row 4, MSY6R
-        put(156, t712); // row 5, MSY6R
+        put(75, t754); // row 2, MSY6R
+        put(113, t757); // row 3, MSY6R
+        put(144, t728); // row 4, MSY6R
+        put(168, t712); // row 5, MSY6R
         [t703, t706]
     };
     // XX6: column
@@ -703,10 +721,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t778 = c4 * t763 - (z3_5_x * t760 + t175 * z3_6_z);
         let t781 = s5 * t760 - c5 * t175;
         put(31, t768); // row 1, XX6R
-        put(73, t773); // row 2, XX6R
-        put(108, t778); // row 3, XX6R
-        put(136, t781); // row 4, XX6R
-        put(157, t763); // row 5, XX6R
+        put(76, t773); // row 2, XX6R
+        put(114, t778); // row 3, XX6R
+        put(145, t781); // row 4, XX6R
+        put(169, t763); // row 5, XX6R
         [t759, t762]
     };
     // ZZ6: column
@@ -718,10 +736,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t800 = c4 * t785 + (z3_5_x * t783 + dw6_z * z3_6_z);
         let t803 = c5 * dw6_z - s5 * t783;
         put(32, t790); // row 1, ZZ6R
-        put(74, t795); // row 2, ZZ6R
-        put(109, t800); // row 3, ZZ6R
-        put(137, t803); // row 4, ZZ6R
-        put(158, t785); // row 5, ZZ6R
+        put(77, t795); // row 2, ZZ6R
+        put(115, t800); // row 3, ZZ6R
+        put(146, t803); // row 4, ZZ6R
+        put(170, t785); // row 5, ZZ6R
     }
     // XY6: column
     {
@@ -733,11 +751,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t825 = c4 * t810 + (z3_6_z * t804 - z3_5_x * t807);
         let t828 = s5 * t807 + c5 * t804;
         put(33, t815); // row 1, XY6
-        put(75, t820); // row 2, XY6
-        put(110, t825); // row 3, XY6
-        put(138, t828); // row 4, XY6
-        put(159, t810); // row 5, XY6
-        put(173, t804); // row 6, XY6
+        put(78, t820); // row 2, XY6
+        put(116, t825); // row 3, XY6
+        put(147, t828); // row 4, XY6
+        put(171, t810); // row 5, XY6
+        put(188, t804); // row 6, XY6
     }
     // XZ6: column
     {
@@ -748,10 +766,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t847 = c4 * t832 + (t170 * z3_6_z - z3_5_x * t830);
         let t850 = s5 * t830 + c5 * t170;
         put(34, t837); // row 1, XZ6
-        put(76, t842); // row 2, XZ6
-        put(111, t847); // row 3, XZ6
-        put(139, t850); // row 4, XZ6
-        put(160, t832); // row 5, XZ6
+        put(79, t842); // row 2, XZ6
+        put(117, t847); // row 3, XZ6
+        put(148, t850); // row 4, XZ6
+        put(172, t832); // row 5, XZ6
     }
     // YZ6: column
     {
@@ -763,10 +781,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t870 = c4 * t855 + (z3_5_x * t853 + t167 * z3_6_z);
         let t873 = c5 * t167 - s5 * t853;
         put(35, t860); // row 1, YZ6
-        put(77, t865); // row 2, YZ6
-        put(112, t870); // row 3, YZ6
-        put(140, t873); // row 4, YZ6
-        put(161, t855); // row 5, YZ6
+        put(80, t865); // row 2, YZ6
+        put(118, t870); // row 3, YZ6
+        put(149, t873); // row 4, YZ6
+        put(173, t855); // row 5, YZ6
     }
     // MSX7: column
     let [t875, t878, t880, t881] = {
@@ -793,11 +811,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t943 = c3 * t917 + (t246 * t920 + z2_4_y * t921) + t942;
         let t946 = c4 * t921 - s4 * t920;
         put(36, t932); // row 1, MSX7
-        put(78, t943); // row 2, MSX7
-        put(113, t946); // row 3, MSX7
-        put(141, t917); // row 4, MSX7
-        put(162, t901); // row 5, MSX7
-        put(176, t885); // row 6, MSX7
+        put(81, t943); // row 2, MSX7
+        put(119, t946); // row 3, MSX7
+        put(150, t917); // row 4, MSX7
+        put(174, t901); // row 5, MSX7
+        put(191, t885); // row 6, MSX7
         [t875, t878, t880, t881]
     };
     // MSY7: column
@@ -823,11 +841,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1014 = c3 * t988 + (t246 * t991 + z2_4_y * t992) + t1013;
         let t1017 = c4 * t992 - s4 * t991;
         put(37, t1003); // row 1, MSY7
-        put(79, t1014); // row 2, MSY7
-        put(114, t1017); // row 3, MSY7
-        put(142, t988); // row 4, MSY7
-        put(163, t972); // row 5, MSY7
-        put(177, t956); // row 6, MSY7
+        put(82, t1014); // row 2, MSY7
+        put(120, t1017); // row 3, MSY7
+        put(151, t988); // row 4, MSY7
+        put(175, t972); // row 5, MSY7
+        put(192, t956); // row 6, MSY7
         [t947, t950]
     };
     // XX7: column
@@ -843,11 +861,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1044 = c4 * t1029 + (z3_6_z * t1023 - z3_5_x * t1026);
         let t1047 = s5 * t1026 + c5 * t1023;
         put(38, t1034); // row 1, XX7R
-        put(80, t1039); // row 2, XX7R
-        put(115, t1044); // row 3, XX7R
-        put(143, t1047); // row 4, XX7R
-        put(164, t1029); // row 5, XX7R
-        put(178, t1023); // row 6, XX7R
+        put(83, t1039); // row 2, XX7R
+        put(121, t1044); // row 3, XX7R
+        put(152, t1047); // row 4, XX7R
+        put(176, t1029); // row 5, XX7R
+        put(193, t1023); // row 6, XX7R
         [t1019, t1022]
     };
     // ZZ7: column
@@ -861,11 +879,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1072 = c4 * t1057 + (z3_6_z * t1051 - z3_5_x * t1054);
         let t1075 = s5 * t1054 + c5 * t1051;
         put(39, t1062); // row 1, ZZ7
-        put(81, t1067); // row 2, ZZ7
-        put(116, t1072); // row 3, ZZ7
-        put(144, t1075); // row 4, ZZ7
-        put(165, t1057); // row 5, ZZ7
-        put(179, t1051); // row 6, ZZ7
+        put(84, t1067); // row 2, ZZ7
+        put(122, t1072); // row 3, ZZ7
+        put(153, t1075); // row 4, ZZ7
+        put(177, t1057); // row 5, ZZ7
+        put(194, t1051); // row 6, ZZ7
     }
     // XY7: column
     {
@@ -879,12 +897,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1103 = c4 * t1088 - (z3_5_x * t1085 - z3_6_z * t1082);
         let t1106 = s5 * t1085 + c5 * t1082;
         put(40, t1093); // row 1, XY7
-        put(82, t1098); // row 2, XY7
-        put(117, t1103); // row 3, XY7
-        put(145, t1106); // row 4, XY7
-        put(166, t1088); // row 5, XY7
-        put(180, t1082); // row 6, XY7
-        put(187, t1076); // row 7, XY7
+        put(85, t1098); // row 2, XY7
+        put(123, t1103); // row 3, XY7
+        put(154, t1106); // row 4, XY7
+        put(178, t1088); // row 5, XY7
+        put(195, t1082); // row 6, XY7
+        put(205, t1076); // row 7, XY7
     }
     // XZ7: column
     {
@@ -897,11 +915,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1131 = c4 * t1116 - (z3_5_x * t1113 - z3_6_z * t1110);
         let t1134 = s5 * t1113 + c5 * t1110;
         put(41, t1121); // row 1, XZ7
-        put(83, t1126); // row 2, XZ7
-        put(118, t1131); // row 3, XZ7
-        put(146, t1134); // row 4, XZ7
-        put(167, t1116); // row 5, XZ7
-        put(181, t1110); // row 6, XZ7
+        put(86, t1126); // row 2, XZ7
+        put(124, t1131); // row 3, XZ7
+        put(155, t1134); // row 4, XZ7
+        put(179, t1116); // row 5, XZ7
+        put(196, t1110); // row 6, XZ7
     }
     // YZ7: column
     {
@@ -914,17 +932,31 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1155 = z2_4_y * t1145 + (t264 * t1142 + t267 * t1139);
         let t1160 = c4 * t1145 + (z3_6_z * t1139 - z3_5_x * t1142);
         let t1163 = s5 * t1142 + c5 * t1139;
-        let t1164 = -t15;
-        let t1165 = -t95;
-        let t1166 = -t175;
+        let t1164 = dq1.sign();
+        let t1165 = dq2.sign();
+        let t1166 = dq3.sign();
+        let t1167 = dq4.sign();
+        let t1168 = dq5.sign();
+        let t1169 = dq6.sign();
+        let t1170 = dq7.sign();
+        let t1171 = -t15;
+        let t1172 = -t95;
+        let t1173 = -t175;
         put(42, t1150); // row 1, YZ7
-        put(45, t1164); // row 2, XX2R
-        put(84, t1155); // row 2, YZ7
-        put(119, t1160); // row 3, YZ7
-        put(122, t1165); // row 4, XX4R
-        put(147, t1163); // row 4, YZ7
-        put(168, t1145); // row 5, YZ7
-        put(171, t1166); // row 6, XX6R
-        put(182, t1139); // row 6, YZ7
+        put(44, t1164); // row 1, FC1
+        put(48, t1171); // row 2, XX2R
+        put(87, t1155); // row 2, YZ7
+        put(89, t1165); // row 2, FC2
+        put(125, t1160); // row 3, YZ7
+        put(127, t1166); // row 3, FC3
+        put(131, t1172); // row 4, XX4R
+        put(156, t1163); // row 4, YZ7
+        put(158, t1167); // row 4, FC4
+        put(180, t1145); // row 5, YZ7
+        put(182, t1168); // row 5, FC5
+        put(186, t1173); // row 6, XX6R
+        put(197, t1139); // row 6, YZ7
+        put(199, t1169); // row 6, FC6
+        put(209, t1170); // row 7, FC7
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil and Dombre, 9.5.2.
 //!
-//! 366 multiplications, 363 additions; 7, 7 of 7 structurally nonzero.
+//! 380 multiplications, 384 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, STANDARD, Trig};
@@ -28,7 +28,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         XX3, YY3, ZZ3, XY3, XZ3, YZ3, M4, MSX4, MSY4, MSZ4, XX4, YY4,
         ZZ4, XY4, XZ4, YZ4, M5, MSX5, MSY5, MSZ5, XX5, YY5, ZZ5, XY5,
         XZ5, YZ5, M6, MSX6, MSY6, MSZ6, XX6, YY6, ZZ6, XY6, XZ6, YZ6,
-        M7, MSX7, MSY7, MSZ7, XX7, YY7, ZZ7, XY7, XZ7, YZ7,
+        M7, MSX7, MSY7, MSZ7, XX7, YY7, ZZ7, XY7, XZ7, YZ7, FV1, FV2,
+        FV3, FV4, FV5, FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7,
+        FO1, FO2, FO3, FO4, FO5, FO6, FO7,
         ..] = *phi;
     let k0 = S::constant(9.81);
     let k1 = S::constant(0.01175);
@@ -277,7 +279,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t297 = s7 * f7_x + c7 * f7_y;
         let t306 = c7 * n7_x - s7 * n7_y + k6 * t297;
         let t307 = s7 * n7_x + c7 * n7_y - k6 * t294;
-        put(6, n7_z);
         [f7_z, n7_z, t294, t297, t306, t307]
     };
     // link 6: force and moment
@@ -296,7 +297,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t384 = s6 * f6_x + c6 * f6_y;
         let t393 = c6 * n6_x - s6 * n6_y + k5 * t384;
         let t394 = s6 * n6_x + c6 * n6_y - k5 * t381;
-        put(5, n6_z);
         [f6_z, n6_z, t381, t384, t393, t394]
     };
     // link 5: force and moment
@@ -315,7 +315,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t471 = s5 * f5_x + c5 * f5_y;
         let t480 = c5 * n5_x - s5 * n5_y + k4 * t471;
         let t481 = s5 * n5_x + c5 * n5_y - k4 * t468;
-        put(4, n5_z);
         [f5_z, n5_z, t468, t471, t480, t481]
     };
     // link 4: force and moment
@@ -334,7 +333,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t558 = s4 * f4_x + c4 * f4_y;
         let t567 = c4 * n4_x - s4 * n4_y + k3 * t558;
         let t568 = s4 * n4_x + c4 * n4_y - k3 * t555;
-        put(3, n4_z);
         [f4_z, n4_z, t555, t558, t567, t568]
     };
     // link 3: force and moment
@@ -352,11 +350,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t642 = c3 * f3_x - s3 * f3_y;
         let t654 = c3 * n3_x - s3 * n3_y + k2 * (s3 * f3_x + c3 * f3_y);
         let t655 = s3 * n3_x + c3 * n3_y - k2 * t642;
-        put(2, n3_z);
         [f3_z, n3_z, t642, t654, t655]
     };
     // link 2: force and moment
-    let t726 = {
+    let [n2_z, t726] = {
         let t677 = XZ2 * t3;
         let t678 = t17 * (ZZ2 - YY2) + XX2 * dw2_x - XY2 * t25 + XZ2 * t23;
         let t679 = t16 * (XX2 - ZZ2) + YY2 * dw2_y + XY2 * t26 - XZ2 * t20;
@@ -367,12 +364,28 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let n2_y = n3_z + (t679 - YZ2 * t22 - (MSZ2 * t10 + MSX2 * a2_z));
         let n2_z = t680 + YZ2 * t4 + (MSX2 * a2_y + MSY2 * t10) - t655;
         let t726 = s2 * n2_x + c2 * n2_y - k1 * (c2 * f2_x - s2 * f2_y);
-        put(1, n2_z);
-        t726
+        [n2_z, t726]
     };
     // link 1: force and moment
-    {
+    let n1_z = {
         let n1_z = t726 + ZZ1 * ddq1;
-        put(0, n1_z);
+        n1_z
+    };
+    // drives
+    {
+        let t764 = FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign());
+        let t765 = FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign());
+        let t766 = FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign());
+        let t767 = FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign());
+        let t768 = FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign());
+        let t769 = FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign());
+        let t770 = FO7 + (n7_z + FV7 * dq7 + FC7 * dq7.sign());
+        put(0, t764);
+        put(1, t765);
+        put(2, t766);
+        put(3, t767);
+        put(4, t768);
+        put(5, t769);
+        put(6, t770);
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil and Dombre, 9.6.
 //!
-//! 314 multiplications, 299 additions; 7, 7 of 7 structurally nonzero.
+//! 328 multiplications, 320 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -26,7 +26,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         ZZ1R, MSX2, MSY2R, XX2R, ZZ2R, XY2, XZ2, YZ2, MSX3, MSY3R, XX3R, ZZ3R,
         XY3, XZ3, YZ3, MSX4, MSY4R, XX4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSY5R,
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6R, XX6R, ZZ6R, XY6, XZ6, YZ6,
-        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
+        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7, FV1, FV2, FV3, FV4, FV5,
+        FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7, FO1, FO2, FO3,
+        FO4, FO5, FO6, FO7,
         ..] = *beta;
     let k0 = S::constant(9.81);
     let k1 = S::constant(0.01175);
@@ -275,7 +277,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t277 = s7 * f7_x + c7 * f7_y;
         let t286 = c7 * n7_x - s7 * n7_y + k6 * t277;
         let t287 = s7 * n7_x + c7 * n7_y - k6 * t274;
-        put(6, n7_z);
         [f7_z, n7_z, t274, t277, t286, t287]
     };
     // link 6: force and moment
@@ -294,7 +295,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t344 = s6 * f6_x + c6 * f6_y;
         let t353 = c6 * n6_x - s6 * n6_y + k5 * t344;
         let t354 = s6 * n6_x + c6 * n6_y - k5 * t341;
-        put(5, n6_z);
         [f6_z, n6_z, t341, t344, t353, t354]
     };
     // link 5: force and moment
@@ -313,7 +313,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t411 = s5 * f5_x + c5 * f5_y;
         let t420 = c5 * n5_x - s5 * n5_y + k4 * t411;
         let t421 = s5 * n5_x + c5 * n5_y - k4 * t408;
-        put(4, n5_z);
         [f5_z, n5_z, t408, t411, t420, t421]
     };
     // link 4: force and moment
@@ -332,7 +331,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t478 = s4 * f4_x + c4 * f4_y;
         let t487 = c4 * n4_x - s4 * n4_y + k3 * t478;
         let t488 = s4 * n4_x + c4 * n4_y - k3 * t475;
-        put(3, n4_z);
         [f4_z, n4_z, t475, t478, t487, t488]
     };
     // link 3: force and moment
@@ -350,11 +348,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t542 = c3 * f3_x - s3 * f3_y;
         let t554 = c3 * n3_x - s3 * n3_y + k2 * (s3 * f3_x + c3 * f3_y);
         let t555 = s3 * n3_x + c3 * n3_y - k2 * t542;
-        put(2, n3_z);
         [f3_z, n3_z, t542, t554, t555]
     };
     // link 2: force and moment
-    let t610 = {
+    let [n2_z, t610] = {
         let t576 = ZZ2R * ddq2 - XX2R * t15 + XY2 * (t21 + t24) + XZ2 * t3;
         let t578 = YZ2 * (t0 - t24);
         let t581 = ZZ2R * t17 + XX2R * dw2_x - XY2 * t25 + XZ2 * t23 + t578;
@@ -366,12 +363,28 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let n2_z = t576 + YZ2 * t4 + (MSX2 * a2_y + MSY2R * t10) - t555;
         let f1_x = c2 * f2_x - s2 * f2_y;
         let t610 = s2 * n2_x + c2 * n2_y - k1 * f1_x;
-        put(1, n2_z);
-        t610
+        [n2_z, t610]
     };
     // link 1: force and moment
-    {
+    let n1_z = {
         let n1_z = t610 + ZZ1R * ddq1;
-        put(0, n1_z);
+        n1_z
+    };
+    // drives
+    {
+        let t648 = FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign());
+        let t649 = FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign());
+        let t650 = FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign());
+        let t651 = FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign());
+        let t652 = FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign());
+        let t653 = FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign());
+        let t654 = FO7 + (n7_z + FV7 * dq7 + FC7 * dq7.sign());
+        put(0, t648);
+        put(1, t649);
+        put(2, t650);
+        put(3, t651);
+        put(4, t652);
+        put(5, t653);
+        put(6, t654);
     }
 }

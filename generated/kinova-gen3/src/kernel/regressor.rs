@@ -2,13 +2,13 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 934 multiplications, 690 additions; 7 x 70, 259 of 490 structurally nonzero.
+//! 934 multiplications, 690 additions; 7 x 91, 280 of 637 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 259;
+pub const NONZEROS: usize = 280;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
@@ -18,31 +18,33 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 39), (0, 40), (0, 41), (0, 42), (0, 43), (0, 44), (0, 45), (0, 46), (0, 47), (0, 48),
     (0, 49), (0, 50), (0, 51), (0, 52), (0, 53), (0, 54), (0, 55), (0, 56), (0, 57), (0, 58),
     (0, 59), (0, 60), (0, 61), (0, 62), (0, 63), (0, 64), (0, 65), (0, 66), (0, 67), (0, 68),
-    (0, 69), (1, 11), (1, 12), (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19), (1, 20),
-    (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29), (1, 30),
-    (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39), (1, 40),
-    (1, 41), (1, 42), (1, 43), (1, 44), (1, 45), (1, 46), (1, 47), (1, 48), (1, 49), (1, 50),
-    (1, 51), (1, 52), (1, 53), (1, 54), (1, 55), (1, 56), (1, 57), (1, 58), (1, 59), (1, 60),
-    (1, 61), (1, 62), (1, 63), (1, 64), (1, 65), (1, 66), (1, 67), (1, 68), (1, 69), (2, 21),
-    (2, 22), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32),
-    (2, 33), (2, 34), (2, 35), (2, 36), (2, 37), (2, 38), (2, 39), (2, 40), (2, 41), (2, 42),
-    (2, 43), (2, 44), (2, 45), (2, 46), (2, 47), (2, 48), (2, 49), (2, 50), (2, 51), (2, 52),
-    (2, 53), (2, 54), (2, 55), (2, 56), (2, 57), (2, 58), (2, 59), (2, 60), (2, 61), (2, 62),
-    (2, 63), (2, 64), (2, 65), (2, 66), (2, 67), (2, 68), (2, 69), (3, 31), (3, 32), (3, 34),
-    (3, 35), (3, 36), (3, 37), (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (3, 43), (3, 44),
-    (3, 45), (3, 46), (3, 47), (3, 48), (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54),
-    (3, 55), (3, 56), (3, 57), (3, 58), (3, 59), (3, 60), (3, 61), (3, 62), (3, 63), (3, 64),
-    (3, 65), (3, 66), (3, 67), (3, 68), (3, 69), (4, 41), (4, 42), (4, 44), (4, 45), (4, 46),
-    (4, 47), (4, 48), (4, 49), (4, 50), (4, 51), (4, 52), (4, 53), (4, 54), (4, 55), (4, 56),
-    (4, 57), (4, 58), (4, 59), (4, 60), (4, 61), (4, 62), (4, 63), (4, 64), (4, 65), (4, 66),
-    (4, 67), (4, 68), (4, 69), (5, 51), (5, 52), (5, 54), (5, 55), (5, 56), (5, 57), (5, 58),
-    (5, 59), (5, 60), (5, 61), (5, 62), (5, 63), (5, 64), (5, 65), (5, 66), (5, 67), (5, 68),
-    (5, 69), (6, 61), (6, 62), (6, 64), (6, 65), (6, 66), (6, 67), (6, 68), (6, 69),
+    (0, 69), (0, 70), (0, 77), (0, 84), (1, 11), (1, 12), (1, 14), (1, 15), (1, 16), (1, 17),
+    (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27),
+    (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37),
+    (1, 38), (1, 39), (1, 40), (1, 41), (1, 42), (1, 43), (1, 44), (1, 45), (1, 46), (1, 47),
+    (1, 48), (1, 49), (1, 50), (1, 51), (1, 52), (1, 53), (1, 54), (1, 55), (1, 56), (1, 57),
+    (1, 58), (1, 59), (1, 60), (1, 61), (1, 62), (1, 63), (1, 64), (1, 65), (1, 66), (1, 67),
+    (1, 68), (1, 69), (1, 71), (1, 78), (1, 85), (2, 21), (2, 22), (2, 24), (2, 25), (2, 26),
+    (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35), (2, 36),
+    (2, 37), (2, 38), (2, 39), (2, 40), (2, 41), (2, 42), (2, 43), (2, 44), (2, 45), (2, 46),
+    (2, 47), (2, 48), (2, 49), (2, 50), (2, 51), (2, 52), (2, 53), (2, 54), (2, 55), (2, 56),
+    (2, 57), (2, 58), (2, 59), (2, 60), (2, 61), (2, 62), (2, 63), (2, 64), (2, 65), (2, 66),
+    (2, 67), (2, 68), (2, 69), (2, 72), (2, 79), (2, 86), (3, 31), (3, 32), (3, 34), (3, 35),
+    (3, 36), (3, 37), (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (3, 43), (3, 44), (3, 45),
+    (3, 46), (3, 47), (3, 48), (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54), (3, 55),
+    (3, 56), (3, 57), (3, 58), (3, 59), (3, 60), (3, 61), (3, 62), (3, 63), (3, 64), (3, 65),
+    (3, 66), (3, 67), (3, 68), (3, 69), (3, 73), (3, 80), (3, 87), (4, 41), (4, 42), (4, 44),
+    (4, 45), (4, 46), (4, 47), (4, 48), (4, 49), (4, 50), (4, 51), (4, 52), (4, 53), (4, 54),
+    (4, 55), (4, 56), (4, 57), (4, 58), (4, 59), (4, 60), (4, 61), (4, 62), (4, 63), (4, 64),
+    (4, 65), (4, 66), (4, 67), (4, 68), (4, 69), (4, 74), (4, 81), (4, 88), (5, 51), (5, 52),
+    (5, 54), (5, 55), (5, 56), (5, 57), (5, 58), (5, 59), (5, 60), (5, 61), (5, 62), (5, 63),
+    (5, 64), (5, 65), (5, 66), (5, 67), (5, 68), (5, 69), (5, 75), (5, 82), (5, 89), (6, 61),
+    (6, 62), (6, 64), (6, 65), (6, 66), (6, 67), (6, 68), (6, 69), (6, 76), (6, 83), (6, 90),
 ];
 
 /// Regressor `W` of the standard parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 70]; 7]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 91]; 7]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -71,11 +73,26 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let k6 = S::constant(0.167455);
     let k7 = S::constant(0.0001380625);
     let k8 = S::constant(0.0235);
+    let k9 = S::constant(1.0);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
         put(0, ddq1); // row 1, ZZ1
-        put(65, ddq2); // row 2, ZZ2
+        put(61, dq1); // row 1, FV1
+        put(63, k9); // row 1, FO1
+        put(68, ddq2); // row 2, ZZ2
+        put(122, dq2); // row 2, FV2
+        put(124, k9); // row 2, FO2
+        put(173, dq3); // row 3, FV3
+        put(175, k9); // row 3, FO3
+        put(214, dq4); // row 4, FV4
+        put(216, k9); // row 4, FO4
+        put(245, dq5); // row 5, FV5
+        put(247, k9); // row 5, FO5
+        put(266, dq6); // row 6, FV6
+        put(268, k9); // row 6, FO6
+        put(277, dq7); // row 7, FV7
+        put(279, k9); // row 7, FO7
         t0
     };
     // link 2: motion
@@ -108,9 +125,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t24 = t13 + t14;
         let t25 = dw2_y - t16;
         let t26 = t17 + dw2_x;
-        put(64, t15); // row 2, YY2
-        put(67, t3); // row 2, XZ2
-        put(68, t4); // row 2, YZ2
+        put(67, t15); // row 2, YY2
+        put(70, t3); // row 2, XZ2
+        put(71, t4); // row 2, YZ2
         [
         w2_x, w2_y, t3, t4, t5, t6, a2_z, t10,
         t12, t15, t16, t17, dw2_x, dw2_y, t20, t21,
@@ -148,12 +165,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t64 = t53 + t54;
         let t65 = t56 + t59;
         let t66 = t57 + t58;
-        put(119, a3_y); // row 3, MSX3
-        put(120, t41); // row 3, MSY3
-        put(121, t55); // row 3, XX3
-        put(123, dw3_z); // row 3, ZZ3
-        put(125, t50); // row 3, XZ3
-        put(126, t47); // row 3, YZ3
+        put(125, a3_y); // row 3, MSX3
+        put(126, t41); // row 3, MSY3
+        put(127, t55); // row 3, XX3
+        put(129, dw3_z); // row 3, ZZ3
+        put(131, t50); // row 3, XZ3
+        put(132, t47); // row 3, YZ3
         [
         w3_x, t32, a3_z, t41, a3_y, t47, t50, w3_z,
         dw3_z, t55, t56, t57, t58, t59, t60, t61,
@@ -191,12 +208,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t104 = t93 + t94;
         let t105 = t96 - dw4_y;
         let t106 = t97 + dw4_x;
-        put(167, a4_y); // row 4, MSX4
-        put(168, t81); // row 4, MSY4
-        put(170, t95); // row 4, YY4
-        put(171, dw4_z); // row 4, ZZ4
-        put(173, t90); // row 4, XZ4
-        put(174, t87); // row 4, YZ4
+        put(176, a4_y); // row 4, MSX4
+        put(177, t81); // row 4, MSY4
+        put(179, t95); // row 4, YY4
+        put(180, dw4_z); // row 4, ZZ4
+        put(182, t90); // row 4, XZ4
+        put(183, t87); // row 4, YZ4
         [
         w4_x, w4_y, t77, t81, a4_y, t87, t90, w4_z,
         dw4_z, t95, t96, t97, dw4_x, dw4_y, t100, t101,
@@ -234,12 +251,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t144 = t133 + t134;
         let t145 = t136 + t139;
         let t146 = t137 + t138;
-        put(205, a5_y); // row 5, MSX5
-        put(206, t121); // row 5, MSY5
-        put(207, t135); // row 5, XX5
-        put(209, dw5_z); // row 5, ZZ5
-        put(211, t130); // row 5, XZ5
-        put(212, t127); // row 5, YZ5
+        put(217, a5_y); // row 5, MSX5
+        put(218, t121); // row 5, MSY5
+        put(219, t135); // row 5, XX5
+        put(221, dw5_z); // row 5, ZZ5
+        put(223, t130); // row 5, XZ5
+        put(224, t127); // row 5, YZ5
         [
         w5_x, t112, a5_z, t121, a5_y, t127, t130, w5_z,
         dw5_z, t135, t136, t137, t138, t139, t140, t141,
@@ -277,12 +294,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t184 = t173 + t174;
         let t185 = dw6_y - t176;
         let t186 = t177 + dw6_x;
-        put(233, a6_y); // row 6, MSX6
-        put(234, t161); // row 6, MSY6
-        put(236, t175); // row 6, YY6
-        put(237, dw6_z); // row 6, ZZ6
-        put(239, t170); // row 6, XZ6
-        put(240, t167); // row 6, YZ6
+        put(248, a6_y); // row 6, MSX6
+        put(249, t161); // row 6, MSY6
+        put(251, t175); // row 6, YY6
+        put(252, dw6_z); // row 6, ZZ6
+        put(254, t170); // row 6, XZ6
+        put(255, t167); // row 6, YZ6
         [
         w6_x, w6_y, t157, t161, a6_y, t167, t170, w6_z,
         dw6_z, t175, t176, t177, dw6_x, dw6_y, t180, t181,
@@ -320,12 +337,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t224 = t213 + t214;
         let t225 = t216 + t219;
         let t226 = t217 + t218;
-        put(251, a7_y); // row 7, MSX7
-        put(252, t201); // row 7, MSY7
-        put(253, t215); // row 7, XX7
-        put(255, dw7_z); // row 7, ZZ7
-        put(257, t210); // row 7, XZ7
-        put(258, t207); // row 7, YZ7
+        put(269, a7_y); // row 7, MSX7
+        put(270, t201); // row 7, MSY7
+        put(271, t215); // row 7, XX7
+        put(273, dw7_z); // row 7, ZZ7
+        put(275, t210); // row 7, XZ7
+        put(276, t207); // row 7, YZ7
         [
         a7_z, t201, a7_y, t207, t210, dw7_z, t215, t216,
         t217, t218, t219, t220, t221, t222, t223, t224,
@@ -401,7 +418,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t288 = t3 * k1 - t6;
         put(2, t286); // row 1, MSX2
         put(9, t285); // row 1, XZ2
-        put(61, t288); // row 2, MSX2
+        put(64, t288); // row 2, MSX2
     }
     // YZ2: column
     {
@@ -410,7 +427,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t295 = t5 + t4 * k1;
         put(3, t293); // row 1, MSY2
         put(10, t292); // row 1, YZ2
-        put(62, t295); // row 2, MSY2
+        put(65, t295); // row 2, MSY2
     }
     // YY2: column
     {
@@ -427,7 +444,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t299 = t24 - t21;
         let t302 = s2 * t25 + c2 * t26;
         put(8, t302); // row 1, XY2
-        put(66, t299); // row 2, XY2
+        put(69, t299); // row 2, XY2
     }
     // M3: column
     let t310 = {
@@ -442,7 +459,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t319 = a3_z * z1_4_z + c2 * a3_y + t318;
         let t324 = c3 * a3_z + (t61 * v2_3_x + t63 * v2_4_z);
         put(12, t319); // row 1, MSX3
-        put(70, t324); // row 2, MSX3
+        put(73, t324); // row 2, MSX3
     }
     // MSY3: column
     let [t329, t336] = {
@@ -451,7 +468,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t336 = t64 * v2_4_z;
         let t338 = t336 - t62 * v2_3_x - s3 * a3_z;
         put(13, t333); // row 1, MSY3
-        put(71, t338); // row 2, MSY3
+        put(74, t338); // row 2, MSY3
         [t329, t336]
     };
     // MSZ3: column
@@ -460,7 +477,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t347 = t47 * v1_3_x - t50 * v1_3_y - t24 * v1_2_y - t341;
         let t354 = s3 * a3_y + c3 * t41 + (t47 * v2_3_x + t50 * v2_4_z);
         put(14, t347); // row 1, MSZ3
-        put(72, t354); // row 2, MSZ3
+        put(75, t354); // row 2, MSZ3
     }
     // XX3: column
     let [t356, t357, t361] = {
@@ -470,7 +487,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t361 = c3 * t56;
         let t362 = s3 * t58 - t361;
         put(15, t359); // row 1, XX3
-        put(73, t362); // row 2, XX3
+        put(76, t362); // row 2, XX3
         [t356, t357, t361]
     };
     // YY3: column
@@ -480,7 +497,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t367 = s3 * t57;
         let t369 = c3 * t59 - t367;
         put(16, t366); // row 1, YY3
-        put(74, t369); // row 2, YY3
+        put(77, t369); // row 2, YY3
         [t363, t367]
     };
     // ZZ3: column
@@ -488,7 +505,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t372 = c2 * dw3_z + (t356 - t363);
         let t373 = t361 + t367;
         put(17, t372); // row 1, ZZ3
-        put(75, t373); // row 2, ZZ3
+        put(78, t373); // row 2, ZZ3
     }
     // XY3: column
     {
@@ -496,15 +513,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t379 = c2 * t374 + (t66 * z1_4_z - t65 * z1_3_x);
         let t382 = s3 * t65 + c3 * t66;
         put(18, t379); // row 1, XY3
-        put(76, t382); // row 2, XY3
-        put(124, t374); // row 3, XY3
+        put(79, t382); // row 2, XY3
+        put(130, t374); // row 3, XY3
     }
     // XZ3: column
     {
         let t387 = c2 * t50 + (t60 * z1_4_z - t63 * z1_3_x);
         let t390 = s3 * t63 + c3 * t60;
         put(19, t387); // row 1, XZ3
-        put(77, t390); // row 2, XZ3
+        put(80, t390); // row 2, XZ3
     }
     // YZ3: column
     {
@@ -512,7 +529,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t396 = c2 * t47 - (z1_3_x * t391 + t62 * z1_4_z);
         let t399 = s3 * t391 - c3 * t62;
         put(20, t396); // row 1, YZ3
-        put(78, t399); // row 2, YZ3
+        put(81, t399); // row 2, YZ3
     }
     // M4: column
     let [t402, t405] = {
@@ -524,8 +541,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t416 = z1_3_x * t406 + c2 * t407 - t415;
         let t421 = t77 * v2_4_z - v2_3_x * t402 - s3 * t406;
         put(21, t416); // row 1, M4
-        put(79, t421); // row 2, M4
-        put(127, t407); // row 3, M4
+        put(82, t421); // row 2, M4
+        put(133, t407); // row 3, M4
         [t402, t405]
     };
     // MSX4: column
@@ -541,8 +558,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t444 = c2 * t433 + (z1_3_x * t432 + a4_y * z1_4_z) - t443;
         let t451 = c3 * a4_y - s3 * t432 + (t105 * v2_4_z - v2_3_x * t424);
         put(22, t444); // row 1, MSX4
-        put(80, t451); // row 2, MSX4
-        put(128, t433); // row 3, MSX4
+        put(83, t451); // row 2, MSX4
+        put(134, t433); // row 3, MSX4
         [t423, t428, t429]
     };
     // MSY4: column
@@ -556,8 +573,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t472 = c2 * t461 - (z1_3_x * t460 - t81 * z1_4_z) - t471;
         let t479 = s3 * t460 + c3 * t81 + (v2_3_x * t454 + t106 * v2_4_z);
         put(23, t472); // row 1, MSY4
-        put(81, t479); // row 2, MSY4
-        put(129, t461); // row 3, MSY4
+        put(84, t479); // row 2, MSY4
+        put(135, t461); // row 3, MSY4
         t452
     };
     // MSZ4: column
@@ -569,7 +586,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t497 = v1_2_y * t485 + (t329 + v1_3_x * t482) - (z1_3_x * t488 + c2 * t489);
         let t501 = s3 * t488 - (t336 - v2_3_x * t482);
         put(24, t497); // row 1, MSZ4
-        put(82, t501); // row 2, MSZ4
+        put(85, t501); // row 2, MSZ4
         t489
     };
     // XX4: column
@@ -583,8 +600,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t513 = c4 * t96;
         let t514 = s4 * dw4_x + t513;
         put(25, t506); // row 1, XX4
-        put(83, t511); // row 2, XX4
-        put(131, t514); // row 3, XX4
+        put(86, t511); // row 2, XX4
+        put(137, t514); // row 3, XX4
         [t503, t504, t508, t509, t513]
     };
     // YY4: column
@@ -596,8 +613,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t523 = s4 * t97;
         let t525 = c4 * dw4_y - t523;
         put(26, t518); // row 1, YY4
-        put(84, t522); // row 2, YY4
-        put(132, t525); // row 3, YY4
+        put(87, t522); // row 2, YY4
+        put(138, t525); // row 3, YY4
         [t515, t519, t523]
     };
     // ZZ4: column
@@ -606,8 +623,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t531 = c3 * dw4_z - (t508 + t519);
         let t532 = t523 - t513;
         put(27, t528); // row 1, ZZ4
-        put(85, t531); // row 2, ZZ4
-        put(133, t532); // row 3, ZZ4
+        put(88, t531); // row 2, ZZ4
+        put(139, t532); // row 3, ZZ4
     }
     // XY4: column
     {
@@ -616,9 +633,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t543 = c3 * t533 + (t105 * t246 + t106 * z2_4_y);
         let t546 = c4 * t106 - s4 * t105;
         put(28, t538); // row 1, XY4
-        put(86, t543); // row 2, XY4
-        put(134, t546); // row 3, XY4
-        put(172, t533); // row 4, XY4
+        put(89, t543); // row 2, XY4
+        put(140, t546); // row 3, XY4
+        put(181, t533); // row 4, XY4
     }
     // XZ4: column
     {
@@ -626,8 +643,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t556 = c3 * t90 + (t100 * z2_4_y - t103 * t246);
         let t558 = t423 + c4 * t100;
         put(29, t551); // row 1, XZ4
-        put(87, t556); // row 2, XZ4
-        put(135, t558); // row 3, XZ4
+        put(90, t556); // row 2, XZ4
+        put(141, t558); // row 3, XZ4
     }
     // YZ4: column
     {
@@ -636,8 +653,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t569 = c3 * t87 - (t246 * t559 + t102 * z2_4_y);
         let t571 = s4 * t559 - t452;
         put(30, t564); // row 1, YZ4
-        put(88, t569); // row 2, YZ4
-        put(136, t571); // row 3, YZ4
+        put(91, t569); // row 2, YZ4
+        put(142, t571); // row 3, YZ4
     }
     // M5: column
     let [t574, t577, t579] = {
@@ -652,8 +669,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t604 = z2_4_y * t581 - t246 * t582 - c3 * t579 - t603;
         let t607 = s4 * t582 + c4 * t581;
         put(31, t593); // row 1, M5
-        put(89, t604); // row 2, M5
-        put(137, t607); // row 3, M5
+        put(92, t604); // row 2, M5
+        put(143, t607); // row 3, M5
         [t574, t577, t579]
     };
     // MSX5: column
@@ -672,9 +689,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t645 = c3 * t619 + (t246 * t622 + z2_4_y * t623) + t644;
         let t648 = c4 * t623 - s4 * t622;
         put(32, t634); // row 1, MSX5
-        put(90, t645); // row 2, MSX5
-        put(138, t648); // row 3, MSX5
-        put(176, t619); // row 4, MSX5
+        put(93, t645); // row 2, MSX5
+        put(144, t648); // row 3, MSX5
+        put(185, t619); // row 4, MSX5
         [t609, t614, t615]
     };
     // MSY5: column
@@ -693,9 +710,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t684 = c3 * t658 + (t246 * t661 + z2_4_y * t662) + t683;
         let t687 = c4 * t662 - s4 * t661;
         put(33, t673); // row 1, MSY5
-        put(91, t684); // row 2, MSY5
-        put(139, t687); // row 3, MSY5
-        put(177, t658); // row 4, MSY5
+        put(94, t684); // row 2, MSY5
+        put(145, t687); // row 3, MSY5
+        put(186, t658); // row 4, MSY5
         [t649, t650, t653]
     };
     // MSZ5: column
@@ -711,9 +728,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t722 = v2_4_z * t693 + (t248 * t690 + t104 * t249) - t716;
         let t725 = s4 * t700 - c4 * t699;
         put(34, t711); // row 1, MSZ5
-        put(92, t722); // row 2, MSZ5
-        put(140, t725); // row 3, MSZ5
-        put(178, t697); // row 4, MSZ5
+        put(95, t722); // row 2, MSZ5
+        put(146, t725); // row 3, MSZ5
+        put(187, t697); // row 4, MSZ5
     }
     // XX5: column
     let [t727, t728, t732, t733, t737, t738, t742] = {
@@ -729,9 +746,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t742 = c5 * t136;
         let t743 = s5 * t138 - t742;
         put(35, t730); // row 1, XX5
-        put(93, t735); // row 2, XX5
-        put(141, t740); // row 3, XX5
-        put(179, t743); // row 4, XX5
+        put(96, t735); // row 2, XX5
+        put(147, t740); // row 3, XX5
+        put(188, t743); // row 4, XX5
         [t727, t728, t732, t733, t737, t738, t742]
     };
     // YY5: column
@@ -745,9 +762,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t756 = s5 * t137;
         let t758 = c5 * t139 - t756;
         put(36, t747); // row 1, YY5
-        put(94, t751); // row 2, YY5
-        put(142, t755); // row 3, YY5
-        put(180, t758); // row 4, YY5
+        put(97, t751); // row 2, YY5
+        put(148, t755); // row 3, YY5
+        put(189, t758); // row 4, YY5
         [t744, t748, t752, t756]
     };
     // ZZ5: column
@@ -757,9 +774,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t767 = c4 * dw5_z + (t737 - t752);
         let t768 = t742 + t756;
         put(37, t761); // row 1, ZZ5
-        put(95, t764); // row 2, ZZ5
-        put(143, t767); // row 3, ZZ5
-        put(181, t768); // row 4, ZZ5
+        put(98, t764); // row 2, ZZ5
+        put(149, t767); // row 3, ZZ5
+        put(190, t768); // row 4, ZZ5
     }
     // XY5: column
     {
@@ -769,10 +786,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t784 = c4 * t769 - (t145 * z3_5_x - t146 * z3_6_z);
         let t787 = s5 * t145 + c5 * t146;
         put(38, t774); // row 1, XY5
-        put(96, t779); // row 2, XY5
-        put(144, t784); // row 3, XY5
-        put(182, t787); // row 4, XY5
-        put(210, t769); // row 5, XY5
+        put(99, t779); // row 2, XY5
+        put(150, t784); // row 3, XY5
+        put(191, t787); // row 4, XY5
+        put(222, t769); // row 5, XY5
     }
     // XZ5: column
     {
@@ -781,9 +798,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t802 = c4 * t130 + (t140 * z3_6_z - t143 * z3_5_x);
         let t804 = t609 + c5 * t140;
         put(39, t792); // row 1, XZ5
-        put(97, t797); // row 2, XZ5
-        put(145, t802); // row 3, XZ5
-        put(183, t804); // row 4, XZ5
+        put(100, t797); // row 2, XZ5
+        put(151, t802); // row 3, XZ5
+        put(192, t804); // row 4, XZ5
     }
     // YZ5: column
     {
@@ -793,9 +810,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t820 = c4 * t127 - (z3_5_x * t805 + t142 * z3_6_z);
         let t822 = s5 * t805 - t649;
         put(40, t810); // row 1, YZ5
-        put(98, t815); // row 2, YZ5
-        put(146, t820); // row 3, YZ5
-        put(184, t822); // row 4, YZ5
+        put(101, t815); // row 2, YZ5
+        put(152, t820); // row 3, YZ5
+        put(193, t822); // row 4, YZ5
     }
     // M6: column
     let [t825, t828] = {
@@ -814,10 +831,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t868 = c3 * t842 + (t246 * t845 + z2_4_y * t846) + t867;
         let t871 = c4 * t846 - s4 * t845;
         put(41, t857); // row 1, M6
-        put(99, t868); // row 2, M6
-        put(147, t871); // row 3, M6
-        put(185, t842); // row 4, M6
-        put(213, t830); // row 5, M6
+        put(102, t868); // row 2, M6
+        put(153, t871); // row 3, M6
+        put(194, t842); // row 4, M6
+        put(225, t830); // row 5, M6
         [t825, t828]
     };
     // MSX6: column
@@ -841,10 +858,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t925 = c3 * t899 - (t246 * t902 - z2_4_y * t903) + t924;
         let t928 = s4 * t902 + c4 * t903;
         put(42, t914); // row 1, MSX6
-        put(100, t925); // row 2, MSX6
-        put(148, t928); // row 3, MSX6
-        put(186, t899); // row 4, MSX6
-        put(214, t883); // row 5, MSX6
+        put(103, t925); // row 2, MSX6
+        put(154, t928); // row 3, MSX6
+        put(195, t899); // row 4, MSX6
+        put(226, t883); // row 5, MSX6
         [t873, t876, t878, t879]
     };
     // MSY6: column
@@ -868,10 +885,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t980 = c3 * t954 - (t246 * t957 - z2_4_y * t958) + t979;
         let t983 = s4 * t957 + c4 * t958;
         put(43, t969); // row 1, MSY6
-        put(101, t980); // row 2, MSY6
-        put(149, t983); // row 3, MSY6
-        put(187, t954); // row 4, MSY6
-        put(215, t938); // row 5, MSY6
+        put(104, t980); // row 2, MSY6
+        put(155, t983); // row 3, MSY6
+        put(196, t954); // row 4, MSY6
+        put(227, t938); // row 5, MSY6
         [t929, t930, t932, t933]
     };
     // MSZ6: column
@@ -891,9 +908,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1029 = c3 * t1003 + (t246 * t1006 + z2_4_y * t1007) + t1028;
         let t1032 = c4 * t1007 - s4 * t1006;
         put(44, t1018); // row 1, MSZ6
-        put(102, t1029); // row 2, MSZ6
-        put(150, t1032); // row 3, MSZ6
-        put(188, t1003); // row 4, MSZ6
+        put(105, t1029); // row 2, MSZ6
+        put(156, t1032); // row 3, MSZ6
+        put(197, t1003); // row 4, MSZ6
         t993
     };
     // XX6: column
@@ -911,10 +928,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1055 = c5 * t175;
         let t1056 = s5 * t1035 - t1055;
         put(45, t1043); // row 1, XX6
-        put(103, t1048); // row 2, XX6
-        put(151, t1053); // row 3, XX6
-        put(189, t1056); // row 4, XX6
-        put(217, t1038); // row 5, XX6
+        put(106, t1048); // row 2, XX6
+        put(157, t1053); // row 3, XX6
+        put(198, t1056); // row 4, XX6
+        put(229, t1038); // row 5, XX6
         [t1034, t1037, t1040, t1045, t1050, t1055]
     };
     // YY6: column
@@ -928,10 +945,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1074 = c4 * t1062 - (z3_5_x * t1059 - t1050);
         let t1076 = t1055 + s5 * t1059;
         put(46, t1066); // row 1, YY6
-        put(104, t1070); // row 2, YY6
-        put(152, t1074); // row 3, YY6
-        put(190, t1076); // row 4, YY6
-        put(218, t1062); // row 5, YY6
+        put(107, t1070); // row 2, YY6
+        put(158, t1074); // row 3, YY6
+        put(199, t1076); // row 4, YY6
+        put(230, t1062); // row 5, YY6
         [t1057, t1060]
     };
     // ZZ6: column
@@ -943,10 +960,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1093 = c4 * t1078 + (z3_5_x * t1077 + dw6_z * z3_6_z);
         let t1096 = c5 * dw6_z - s5 * t1077;
         put(47, t1083); // row 1, ZZ6
-        put(105, t1088); // row 2, ZZ6
-        put(153, t1093); // row 3, ZZ6
-        put(191, t1096); // row 4, ZZ6
-        put(219, t1078); // row 5, ZZ6
+        put(108, t1088); // row 2, ZZ6
+        put(159, t1093); // row 3, ZZ6
+        put(200, t1096); // row 4, ZZ6
+        put(231, t1078); // row 5, ZZ6
     }
     // XY6: column
     {
@@ -958,11 +975,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1118 = c4 * t1103 + (z3_5_x * t1100 + z3_6_z * t1097);
         let t1121 = c5 * t1097 - s5 * t1100;
         put(48, t1108); // row 1, XY6
-        put(106, t1113); // row 2, XY6
-        put(154, t1118); // row 3, XY6
-        put(192, t1121); // row 4, XY6
-        put(220, t1103); // row 5, XY6
-        put(238, t1097); // row 6, XY6
+        put(109, t1113); // row 2, XY6
+        put(160, t1118); // row 3, XY6
+        put(201, t1121); // row 4, XY6
+        put(232, t1103); // row 5, XY6
+        put(253, t1097); // row 6, XY6
     }
     // XZ6: column
     {
@@ -973,10 +990,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1140 = c4 * t1125 + (z3_5_x * t1123 + t170 * z3_6_z);
         let t1143 = c5 * t170 - s5 * t1123;
         put(49, t1130); // row 1, XZ6
-        put(107, t1135); // row 2, XZ6
-        put(155, t1140); // row 3, XZ6
-        put(193, t1143); // row 4, XZ6
-        put(221, t1125); // row 5, XZ6
+        put(110, t1135); // row 2, XZ6
+        put(161, t1140); // row 3, XZ6
+        put(202, t1143); // row 4, XZ6
+        put(233, t1125); // row 5, XZ6
     }
     // YZ6: column
     {
@@ -988,10 +1005,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1163 = c4 * t1148 + (z3_5_x * t1146 + t167 * z3_6_z);
         let t1166 = c5 * t167 - s5 * t1146;
         put(50, t1153); // row 1, YZ6
-        put(108, t1158); // row 2, YZ6
-        put(156, t1163); // row 3, YZ6
-        put(194, t1166); // row 4, YZ6
-        put(222, t1148); // row 5, YZ6
+        put(111, t1158); // row 2, YZ6
+        put(162, t1163); // row 3, YZ6
+        put(203, t1166); // row 4, YZ6
+        put(234, t1148); // row 5, YZ6
     }
     // M7: column
     let [t1169, t1172, t1174] = {
@@ -1014,10 +1031,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1228 = c3 * t1202 + (t246 * t1205 + z2_4_y * t1206) + t1227;
         let t1231 = c4 * t1206 - s4 * t1205;
         put(51, t1217); // row 1, M7
-        put(109, t1228); // row 2, M7
-        put(157, t1231); // row 3, M7
-        put(195, t1202); // row 4, M7
-        put(223, t1186); // row 5, M7
+        put(112, t1228); // row 2, M7
+        put(163, t1231); // row 3, M7
+        put(204, t1202); // row 4, M7
+        put(235, t1186); // row 5, M7
         [t1169, t1172, t1174]
     };
     // MSX7: column
@@ -1045,11 +1062,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1301 = c3 * t1275 + (t246 * t1278 + z2_4_y * t1279) + t1300;
         let t1304 = c4 * t1279 - s4 * t1278;
         put(52, t1290); // row 1, MSX7
-        put(110, t1301); // row 2, MSX7
-        put(158, t1304); // row 3, MSX7
-        put(196, t1275); // row 4, MSX7
-        put(224, t1259); // row 5, MSX7
-        put(242, t1243); // row 6, MSX7
+        put(113, t1301); // row 2, MSX7
+        put(164, t1304); // row 3, MSX7
+        put(205, t1275); // row 4, MSX7
+        put(236, t1259); // row 5, MSX7
+        put(257, t1243); // row 6, MSX7
         [t1233, t1236, t1238, t1239]
     };
     // MSY7: column
@@ -1075,11 +1092,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1372 = c3 * t1346 + (t246 * t1349 + z2_4_y * t1350) + t1371;
         let t1375 = c4 * t1350 - s4 * t1349;
         put(53, t1361); // row 1, MSY7
-        put(111, t1372); // row 2, MSY7
-        put(159, t1375); // row 3, MSY7
-        put(197, t1346); // row 4, MSY7
-        put(225, t1330); // row 5, MSY7
-        put(243, t1314); // row 6, MSY7
+        put(114, t1372); // row 2, MSY7
+        put(165, t1375); // row 3, MSY7
+        put(206, t1346); // row 4, MSY7
+        put(237, t1330); // row 5, MSY7
+        put(258, t1314); // row 6, MSY7
         [t1305, t1308]
     };
     // MSZ7: column
@@ -1103,11 +1120,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1437 = c3 * t1411 + (z2_4_y * t1415 - t246 * t1414) + t1436;
         let t1440 = s4 * t1414 + c4 * t1415;
         put(54, t1426); // row 1, MSZ7
-        put(112, t1437); // row 2, MSZ7
-        put(160, t1440); // row 3, MSZ7
-        put(198, t1411); // row 4, MSZ7
-        put(226, t1395); // row 5, MSZ7
-        put(244, t1385); // row 6, MSZ7
+        put(115, t1437); // row 2, MSZ7
+        put(166, t1440); // row 3, MSZ7
+        put(207, t1411); // row 4, MSZ7
+        put(238, t1395); // row 5, MSZ7
+        put(259, t1385); // row 6, MSZ7
     }
     // XX7: column
     let [t1442, t1445, t1448, t1451] = {
@@ -1124,11 +1141,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1467 = c4 * t1452 + (z3_6_z * t1446 - z3_5_x * t1449);
         let t1470 = s5 * t1449 + c5 * t1446;
         put(55, t1457); // row 1, XX7
-        put(113, t1462); // row 2, XX7
-        put(161, t1467); // row 3, XX7
-        put(199, t1470); // row 4, XX7
-        put(227, t1452); // row 5, XX7
-        put(245, t1446); // row 6, XX7
+        put(116, t1462); // row 2, XX7
+        put(167, t1467); // row 3, XX7
+        put(208, t1470); // row 4, XX7
+        put(239, t1452); // row 5, XX7
+        put(260, t1446); // row 6, XX7
         [t1442, t1445, t1448, t1451]
     };
     // YY7: column
@@ -1144,11 +1161,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1495 = c4 * t1480 + (z3_5_x * t1478 + z3_6_z * t1476);
         let t1498 = c5 * t1476 - s5 * t1478;
         put(56, t1485); // row 1, YY7
-        put(114, t1490); // row 2, YY7
-        put(162, t1495); // row 3, YY7
-        put(200, t1498); // row 4, YY7
-        put(228, t1480); // row 5, YY7
-        put(246, t1476); // row 6, YY7
+        put(117, t1490); // row 2, YY7
+        put(168, t1495); // row 3, YY7
+        put(209, t1498); // row 4, YY7
+        put(240, t1480); // row 5, YY7
+        put(261, t1476); // row 6, YY7
         [t1471, t1474]
     };
     // ZZ7: column
@@ -1162,11 +1179,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1521 = c4 * t1506 + (z3_6_z * t1500 - z3_5_x * t1503);
         let t1524 = s5 * t1503 + c5 * t1500;
         put(57, t1511); // row 1, ZZ7
-        put(115, t1516); // row 2, ZZ7
-        put(163, t1521); // row 3, ZZ7
-        put(201, t1524); // row 4, ZZ7
-        put(229, t1506); // row 5, ZZ7
-        put(247, t1500); // row 6, ZZ7
+        put(118, t1516); // row 2, ZZ7
+        put(169, t1521); // row 3, ZZ7
+        put(210, t1524); // row 4, ZZ7
+        put(241, t1506); // row 5, ZZ7
+        put(262, t1500); // row 6, ZZ7
     }
     // XY7: column
     {
@@ -1180,12 +1197,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1552 = c4 * t1537 - (z3_5_x * t1534 - z3_6_z * t1531);
         let t1555 = s5 * t1534 + c5 * t1531;
         put(58, t1542); // row 1, XY7
-        put(116, t1547); // row 2, XY7
-        put(164, t1552); // row 3, XY7
-        put(202, t1555); // row 4, XY7
-        put(230, t1537); // row 5, XY7
-        put(248, t1531); // row 6, XY7
-        put(256, t1525); // row 7, XY7
+        put(119, t1547); // row 2, XY7
+        put(170, t1552); // row 3, XY7
+        put(211, t1555); // row 4, XY7
+        put(242, t1537); // row 5, XY7
+        put(263, t1531); // row 6, XY7
+        put(274, t1525); // row 7, XY7
     }
     // XZ7: column
     {
@@ -1198,11 +1215,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1580 = c4 * t1565 + (z3_6_z * t1559 - z3_5_x * t1562);
         let t1583 = s5 * t1562 + c5 * t1559;
         put(59, t1570); // row 1, XZ7
-        put(117, t1575); // row 2, XZ7
-        put(165, t1580); // row 3, XZ7
-        put(203, t1583); // row 4, XZ7
-        put(231, t1565); // row 5, XZ7
-        put(249, t1559); // row 6, XZ7
+        put(120, t1575); // row 2, XZ7
+        put(171, t1580); // row 3, XZ7
+        put(212, t1583); // row 4, XZ7
+        put(243, t1565); // row 5, XZ7
+        put(264, t1559); // row 6, XZ7
     }
     // YZ7: column
     {
@@ -1215,33 +1232,47 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t1604 = z2_4_y * t1594 + (t264 * t1591 + t267 * t1588);
         let t1609 = c4 * t1594 + (z3_6_z * t1588 - z3_5_x * t1591);
         let t1612 = s5 * t1591 + c5 * t1588;
-        let t1613 = -t15;
-        let t1614 = -t310;
-        let t1615 = -t55;
-        let t1616 = -t489;
-        let t1617 = -t95;
-        let t1618 = -t579;
-        let t1619 = -t135;
-        let t1620 = -t993;
-        let t1621 = -t175;
-        let t1622 = -t1174;
-        let t1623 = -t215;
+        let t1613 = dq1.sign();
+        let t1614 = dq2.sign();
+        let t1615 = dq3.sign();
+        let t1616 = dq4.sign();
+        let t1617 = dq5.sign();
+        let t1618 = dq6.sign();
+        let t1619 = dq7.sign();
+        let t1620 = -t15;
+        let t1621 = -t310;
+        let t1622 = -t55;
+        let t1623 = -t489;
+        let t1624 = -t95;
+        let t1625 = -t579;
+        let t1626 = -t135;
+        let t1627 = -t993;
+        let t1628 = -t175;
+        let t1629 = -t1174;
+        let t1630 = -t215;
         put(60, t1599); // row 1, YZ7
-        put(63, t1613); // row 2, XX2
-        put(69, t1614); // row 2, M3
-        put(118, t1604); // row 2, YZ7
-        put(122, t1615); // row 3, YY3
-        put(130, t1616); // row 3, MSZ4
-        put(166, t1609); // row 3, YZ7
-        put(169, t1617); // row 4, XX4
-        put(175, t1618); // row 4, M5
-        put(204, t1612); // row 4, YZ7
-        put(208, t1619); // row 5, YY5
-        put(216, t1620); // row 5, MSZ6
-        put(232, t1594); // row 5, YZ7
-        put(235, t1621); // row 6, XX6
-        put(241, t1622); // row 6, M7
-        put(250, t1588); // row 6, YZ7
-        put(254, t1623); // row 7, YY7
+        put(62, t1613); // row 1, FC1
+        put(66, t1620); // row 2, XX2
+        put(72, t1621); // row 2, M3
+        put(121, t1604); // row 2, YZ7
+        put(123, t1614); // row 2, FC2
+        put(128, t1622); // row 3, YY3
+        put(136, t1623); // row 3, MSZ4
+        put(172, t1609); // row 3, YZ7
+        put(174, t1615); // row 3, FC3
+        put(178, t1624); // row 4, XX4
+        put(184, t1625); // row 4, M5
+        put(213, t1612); // row 4, YZ7
+        put(215, t1616); // row 4, FC4
+        put(220, t1626); // row 5, YY5
+        put(228, t1627); // row 5, MSZ6
+        put(244, t1594); // row 5, YZ7
+        put(246, t1617); // row 5, FC5
+        put(250, t1628); // row 6, XX6
+        put(256, t1629); // row 6, M7
+        put(265, t1588); // row 6, YZ7
+        put(267, t1618); // row 6, FC6
+        put(272, t1630); // row 7, YY7
+        put(278, t1619); // row 7, FC7
     }
 }

@@ -2,13 +2,13 @@
 //!
 //! `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 337 multiplications, 251 additions; 6 x 33, 117 of 198 structurally nonzero.
+//! 337 multiplications, 251 additions; 6 x 37, 121 of 222 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 117;
+pub const NONZEROS: usize = 121;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
@@ -19,16 +19,17 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (1, 8), (1, 9), (1, 10), (1, 11), (1, 12), (1, 13), (1, 14), (1, 15), (1, 16), (1, 17),
     (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27),
     (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (2, 8), (2, 9), (2, 10), (2, 11), (2, 12),
-    (2, 13), (2, 19), (2, 20), (2, 26), (2, 27), (3, 12), (3, 13), (3, 14), (3, 15), (3, 16),
-    (3, 17), (3, 18), (3, 19), (3, 20), (3, 21), (3, 22), (3, 23), (3, 24), (3, 25), (3, 26),
-    (3, 27), (3, 28), (3, 29), (3, 30), (3, 31), (3, 32), (4, 19), (4, 20), (4, 21), (4, 22),
-    (4, 23), (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (4, 30), (4, 31), (4, 32),
-    (5, 26), (5, 27), (5, 28), (5, 29), (5, 30), (5, 31), (5, 32),
+    (2, 13), (2, 19), (2, 20), (2, 26), (2, 27), (2, 33), (3, 12), (3, 13), (3, 14), (3, 15),
+    (3, 16), (3, 17), (3, 18), (3, 19), (3, 20), (3, 21), (3, 22), (3, 23), (3, 24), (3, 25),
+    (3, 26), (3, 27), (3, 28), (3, 29), (3, 30), (3, 31), (3, 32), (3, 34), (4, 19), (4, 20),
+    (4, 21), (4, 22), (4, 23), (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (4, 30),
+    (4, 31), (4, 32), (4, 35), (5, 26), (5, 27), (5, 28), (5, 29), (5, 30), (5, 31), (5, 32),
+    (5, 36),
 ];
 
 /// Regressor `W_b` of the base parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 33]; 6]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 37]; 6]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -58,6 +59,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t0 = dq1 * dq1;
         put(0, ddq1); // row 1, YY1R
         put(35, ddq2); // row 2, YY2R
+        put(75, ddq3); // row 3, IA3
+        put(97, ddq4); // row 4, IA4
+        put(112, ddq5); // row 5, IA5
+        put(120, ddq6); // row 6, IA6
         t0
     };
     // link 2: motion
@@ -136,11 +141,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t71 = t64 + dw4_x;
         put(69, t70); // row 3, MSX4
         put(70, t71); // row 3, MSZ4R
-        put(75, a4_y); // row 4, MSX4
-        put(76, t48); // row 4, MSZ4R
-        put(77, dw4_z); // row 4, YY4R
-        put(79, t57); // row 4, XY4
-        put(81, t54); // row 4, YZ4
+        put(76, a4_y); // row 4, MSX4
+        put(77, t48); // row 4, MSZ4R
+        put(78, dw4_z); // row 4, YY4R
+        put(80, t57); // row 4, XY4
+        put(82, t54); // row 4, YZ4
         [
         t42, w4_y, t48, a4_y, t54, t57, w4_z, dw4_z,
         t60, t61, t62, t63, t64, t66, t67, t68,
@@ -173,12 +178,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t101 = t92 + t93;
         let t102 = t95 - t98;
         let t103 = t96 - dw5_x;
-        put(96, a5_y); // row 5, MSX5
-        put(97, a5_x); // row 5, MSZ5R
-        put(98, dw5_z); // row 5, YY5R
-        put(99, t94); // row 5, ZZ5R
-        put(100, t89); // row 5, XY5
-        put(102, t86); // row 5, YZ5
+        put(98, a5_y); // row 5, MSX5
+        put(99, a5_x); // row 5, MSZ5R
+        put(100, dw5_z); // row 5, YY5R
+        put(101, t94); // row 5, ZZ5R
+        put(102, t89); // row 5, XY5
+        put(104, t86); // row 5, YZ5
         [
         t74, t77, a5_x, a5_y, t86, t89, w5_z, dw5_z,
         t92, t93, t94, t95, t96, t98, t99, t100,
@@ -216,11 +221,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t141 = t130 + t131;
         let t142 = t133 + dw6_y;
         let t143 = t134 + dw6_x;
-        put(110, a6_y); // row 6, MSX6
-        put(111, t118); // row 6, MSY6
-        put(112, t132); // row 6, XX6R
-        put(113, dw6_z); // row 6, ZZ6
-        put(116, t124); // row 6, YZ6
+        put(113, a6_y); // row 6, MSX6
+        put(114, t118); // row 6, MSY6
+        put(115, t132); // row 6, XX6R
+        put(116, dw6_z); // row 6, ZZ6
+        put(119, t124); // row 6, YZ6
         [
         t114, t118, a6_y, t124, t127, dw6_z, t132, t133,
         t134, dw6_x, t137, t138, t139, t140, t141, t142,
@@ -372,7 +377,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t274 = c4 * t70 + s4 * t71;
         put(17, t271); // row 1, XZ4
         put(49, t274); // row 2, XZ4
-        put(80, t266); // row 4, XZ4
+        put(81, t266); // row 4, XZ4
     }
     // YZ4: column
     {
@@ -401,8 +406,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(19, t308); // row 1, MSX5
         put(51, t311); // row 2, MSX5
         put(71, t291); // row 3, MSX5
-        put(82, t293); // row 4, MSX5
-        put(83, t292); // row 4, MSZ5R
+        put(83, t293); // row 4, MSX5
+        put(84, t292); // row 4, MSZ5R
         [t284, t285, t287, t290, t292, t293]
     };
     // MSZ5: column
@@ -431,7 +436,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t349 = c4 * t338 + s4 * dw5_z;
         put(21, t346); // row 1, YY5R
         put(53, t349); // row 2, YY5R
-        put(84, t341); // row 4, YY5R
+        put(85, t341); // row 4, YY5R
         [t336, t339]
     };
     // ZZ5: column
@@ -442,7 +447,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t361 = s4 * t94 - c4 * t351;
         put(22, t358); // row 1, ZZ5R
         put(54, t361); // row 2, ZZ5R
-        put(85, t353); // row 4, ZZ5R
+        put(86, t353); // row 4, ZZ5R
     }
     // XY5: column
     {
@@ -453,7 +458,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t374 = s4 * t89 - c4 * t364;
         put(23, t371); // row 1, XY5
         put(55, t374); // row 2, XY5
-        put(86, t366); // row 4, XY5
+        put(87, t366); // row 4, XY5
     }
     // XZ5: column
     {
@@ -464,8 +469,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t389 = c4 * t378 + s4 * t375;
         put(24, t386); // row 1, XZ5
         put(56, t389); // row 2, XZ5
-        put(87, t381); // row 4, XZ5
-        put(101, t375); // row 5, XZ5
+        put(88, t381); // row 4, XZ5
+        put(103, t375); // row 5, XZ5
     }
     // YZ5: column
     {
@@ -476,7 +481,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t402 = c4 * t392 + s4 * t86;
         put(25, t399); // row 1, YZ5
         put(57, t402); // row 2, YZ5
-        put(88, t394); // row 4, YZ5
+        put(89, t394); // row 4, YZ5
     }
     // MSX6: column
     let [t404, t407, t409, t410] = {
@@ -499,8 +504,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(26, t441); // row 1, MSX6
         put(58, t444); // row 2, MSX6
         put(73, t420); // row 3, MSX6
-        put(89, t426); // row 4, MSX6
-        put(103, t414); // row 5, MSX6
+        put(90, t426); // row 4, MSX6
+        put(105, t414); // row 5, MSX6
         [t404, t407, t409, t410]
     };
     // MSY6: column
@@ -522,8 +527,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(27, t481); // row 1, MSY6
         put(59, t484); // row 2, MSY6
         put(74, t460); // row 3, MSY6
-        put(90, t466); // row 4, MSY6
-        put(104, t454); // row 5, MSY6
+        put(91, t466); // row 4, MSY6
+        put(106, t454); // row 5, MSY6
         [t445, t448]
     };
     // XX6: column
@@ -538,8 +543,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t504 = s4 * t490 - c4 * t493;
         put(28, t501); // row 1, XX6R
         put(60, t504); // row 2, XX6R
-        put(91, t496); // row 4, XX6R
-        put(105, t490); // row 5, XX6R
+        put(92, t496); // row 4, XX6R
+        put(107, t490); // row 5, XX6R
         [t486, t489]
     };
     // ZZ6: column
@@ -552,8 +557,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t522 = s4 * t508 - c4 * t511;
         put(29, t519); // row 1, ZZ6
         put(61, t522); // row 2, ZZ6
-        put(92, t514); // row 4, ZZ6
-        put(106, t508); // row 5, ZZ6
+        put(93, t514); // row 4, ZZ6
+        put(108, t508); // row 5, ZZ6
     }
     // XY6: column
     {
@@ -566,9 +571,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t543 = c4 * t532 + s4 * t529;
         put(30, t540); // row 1, XY6
         put(62, t543); // row 2, XY6
-        put(93, t535); // row 4, XY6
-        put(107, t529); // row 5, XY6
-        put(114, t523); // row 6, XY6
+        put(94, t535); // row 4, XY6
+        put(109, t529); // row 5, XY6
+        put(117, t523); // row 6, XY6
     }
     // XZ6: column
     {
@@ -580,8 +585,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t561 = c4 * t550 + s4 * t547;
         put(31, t558); // row 1, XZ6
         put(63, t561); // row 2, XZ6
-        put(94, t553); // row 4, XZ6
-        put(108, t547); // row 5, XZ6
+        put(95, t553); // row 4, XZ6
+        put(110, t547); // row 5, XZ6
     }
     // YZ6: column
     {
@@ -606,9 +611,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(65, t583); // row 3, M3R
         put(67, t584); // row 3, MSY3
         put(68, t585); // row 3, MSZ3R
-        put(78, t586); // row 4, ZZ4R
-        put(95, t572); // row 4, YZ6
-        put(109, t566); // row 5, YZ6
-        put(115, t587); // row 6, XZ6
+        put(79, t586); // row 4, ZZ4R
+        put(96, t572); // row 4, YZ6
+        put(111, t566); // row 5, YZ6
+        put(118, t587); // row 6, XZ6
     }
 }

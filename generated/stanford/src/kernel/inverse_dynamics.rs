@@ -2,7 +2,7 @@
 //!
 //! `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil and Dombre, 9.5.2.
 //!
-//! 274 multiplications, 272 additions; 6, 6 of 6 structurally nonzero.
+//! 280 multiplications, 278 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, STANDARD, Trig};
@@ -29,6 +29,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         XX3, YY3, ZZ3, XY3, XZ3, YZ3, M4, MSX4, MSY4, MSZ4, XX4, YY4,
         ZZ4, XY4, XZ4, YZ4, M5, MSX5, MSY5, MSZ5, XX5, YY5, ZZ5, XY5,
         XZ5, YZ5, M6, MSX6, MSY6, MSZ6, XX6, YY6, ZZ6, XY6, XZ6, YZ6,
+        IA1, IA2, IA3, IA4, IA5, IA6,
         ..] = *phi;
     let D2 = S::constant(0.154);
     let D6 = S::constant(0.263);
@@ -42,7 +43,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
     // link 2: motion
     let [
         t1, w3_z, t3, t4, t8, t10, a2_y, t13,
-        t14, t15, t16, t17, t18, t19, t20, t21,
+        t14, t15, t16, t17, t18, dw2_y, t20, t21,
         t22, t23, t24,
     ] = {
         let t1 = s2 * dq1;
@@ -59,15 +60,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t16 = dq2 * t1;
         let t17 = dq2 * w3_z;
         let t18 = t3 + t17;
-        let t19 = t4 - t16;
+        let dw2_y = t16 - t4;
         let t20 = t15 - ddq2;
         let t21 = ddq2 + t15;
         let t22 = t13 + t14;
-        let t23 = t16 - t19;
+        let t23 = t16 + dw2_y;
         let t24 = t17 + t18;
         [
         t1, w3_z, t3, t4, t8, t10, a2_y, t13,
-        t14, t15, t16, t17, t18, t19, t20, t21,
+        t14, t15, t16, t17, t18, dw2_y, t20, t21,
         t22, t23, t24,
     ]
     };
@@ -84,207 +85,217 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
     };
     // link 4: motion
     let [
-        t42, t45, t48, a4_y, t54, t57, w4_z, dw4_z,
-        t60, t61, t62, t63, t64, t65, dw4_y, t67,
+        t42, w4_y, a4_x, a4_y, t54, t57, w4_z, dw4_z,
+        t60, t61, t62, t63, t64, dw4_x, dw4_y, t67,
         t68, t69, t70, t71,
     ] = {
         let t42 = c4 * dq2 + s4 * t1;
-        let t45 = c4 * t1 - s4 * dq2;
-        let t48 = c4 * t34 - s4 * a3_y;
+        let w4_y = s4 * dq2 - c4 * t1;
+        let a4_x = s4 * a3_y - c4 * t34;
         let a4_y = c4 * a3_y + s4 * t34;
         let t54 = c4 * t24 + s4 * t20;
         let t57 = s4 * t24 - c4 * t20;
         let w4_z = w3_z + dq4;
-        let dw4_z = t19 + ddq4;
+        let dw4_z = ddq4 - dw2_y;
         let t60 = t42 * t42;
         let t61 = w4_z * w4_z;
-        let t62 = t42 * t45;
+        let t62 = t42 * w4_y;
         let t63 = t42 * w4_z;
-        let t64 = t45 * w4_z;
-        let t65 = t57 + t64;
+        let t64 = w4_y * w4_z;
+        let dw4_x = t64 - t57;
         let dw4_y = t63 - t54;
-        let t67 = t62 - dw4_z;
-        let t68 = dw4_z + t62;
+        let t67 = dw4_z + t62;
+        let t68 = dw4_z - t62;
         let t69 = t60 + t61;
         let t70 = t63 + dw4_y;
-        let t71 = t64 + t65;
+        let t71 = t64 + dw4_x;
         [
-        t42, t45, t48, a4_y, t54, t57, w4_z, dw4_z,
-        t60, t61, t62, t63, t64, t65, dw4_y, t67,
+        t42, w4_y, a4_x, a4_y, t54, t57, w4_z, dw4_z,
+        t60, t61, t62, t63, t64, dw4_x, dw4_y, t67,
         t68, t69, t70, t71,
     ]
     };
     // link 5: motion
     let [
-        t74, t77, t80, t83, t86, t89, w5_z, dw5_z,
-        t92, t93, t94, t95, t96, t97, dw5_y, t99,
+        t74, w5_y, a5_x, t83, t86, t89, w5_z, dw5_z,
+        t92, t93, t94, t95, t96, dw5_x, dw5_y, t99,
         t100, t101, t102, t103,
     ] = {
         let t74 = c5 * t42 + s5 * w4_z;
-        let t77 = c5 * w4_z - s5 * t42;
-        let t80 = c5 * t48 + s5 * a3_z;
-        let t83 = s5 * t48 - c5 * a3_z;
+        let w5_y = s5 * t42 - c5 * w4_z;
+        let a5_x = c5 * a4_x - s5 * a3_z;
+        let t83 = c5 * a3_z + s5 * a4_x;
         let t86 = c5 * t67 + s5 * t71;
-        let t89 = c5 * t71 - s5 * t67;
-        let w5_z = dq5 - t45;
+        let t89 = s5 * t67 - c5 * t71;
+        let w5_z = w4_y + dq5;
         let dw5_z = dw4_y + ddq5;
         let t92 = t74 * t74;
         let t93 = w5_z * w5_z;
-        let t94 = t74 * t77;
+        let t94 = t74 * w5_y;
         let t95 = t74 * w5_z;
-        let t96 = t77 * w5_z;
-        let t97 = t89 + t96;
-        let dw5_y = t86 + t95;
-        let t99 = dw5_z - t94;
-        let t100 = dw5_z + t94;
+        let t96 = w5_y * w5_z;
+        let dw5_x = t96 - t89;
+        let dw5_y = t95 - t86;
+        let t99 = dw5_z + t94;
+        let t100 = dw5_z - t94;
         let t101 = t92 + t93;
         let t102 = t95 + dw5_y;
-        let t103 = t96 + t97;
+        let t103 = t96 + dw5_x;
         [
-        t74, t77, t80, t83, t86, t89, w5_z, dw5_z,
-        t92, t93, t94, t95, t96, t97, dw5_y, t99,
+        t74, w5_y, a5_x, t83, t86, t89, w5_z, dw5_z,
+        t92, t93, t94, t95, t96, dw5_x, dw5_y, t99,
         t100, t101, t102, t103,
     ]
     };
     // link 6: motion
     let [
-        t114, t118, a6_y, t124, t127, t129, t132, t133,
+        t114, a6_x, a6_y, t124, t127, dw6_z, t132, t133,
         t134, dw6_x, dw6_y, t137, t138, t139, t140, t141,
         t142, t143,
     ] = {
-        let t106 = c6 * t74 - s6 * w5_z;
+        let w6_x = s6 * w5_z - c6 * t74;
         let w6_y = c6 * w5_z + s6 * t74;
-        let t113 = t80 - D6 * t99;
-        let t114 = t83 + D6 * t101;
-        let t115 = a4_y + D6 * t103;
-        let t118 = c6 * t113 - s6 * t115;
-        let a6_y = c6 * t115 + s6 * t113;
-        let t124 = c6 * t99 + s6 * t103;
-        let t127 = s6 * t99 - c6 * t103;
-        let w6_z = t77 + dq6;
-        let t129 = dw5_y - ddq6;
-        let t130 = t106 * t106;
+        let t113 = a5_x + D6 * t99;
+        let t114 = D6 * t101 - t83;
+        let t115 = a4_y - D6 * t103;
+        let a6_x = c6 * t113 + s6 * t115;
+        let a6_y = c6 * t115 - s6 * t113;
+        let t124 = c6 * t99 - s6 * t103;
+        let t127 = c6 * t103 + s6 * t99;
+        let w6_z = dq6 - w5_y;
+        let dw6_z = ddq6 - dw5_y;
+        let t130 = w6_x * w6_x;
         let t131 = w6_z * w6_z;
-        let t132 = t106 * w6_y;
-        let t133 = t106 * w6_z;
+        let t132 = w6_x * w6_y;
+        let t133 = w6_x * w6_z;
         let t134 = w6_y * w6_z;
         let dw6_x = t127 + t134;
-        let dw6_y = t124 + t133;
+        let dw6_y = t124 - t133;
         let t137 = t130 - t131;
-        let t138 = t101 - t137;
-        let t139 = t129 - t132;
-        let t140 = t129 + t132;
+        let t138 = t137 - t101;
+        let t139 = t132 - dw6_z;
+        let t140 = dw6_z + t132;
         let t141 = t130 + t131;
-        let t142 = t133 + dw6_y;
+        let t142 = t133 - dw6_y;
         let t143 = t134 + dw6_x;
         [
-        t114, t118, a6_y, t124, t127, t129, t132, t133,
+        t114, a6_x, a6_y, t124, t127, dw6_z, t132, t133,
         t134, dw6_x, dw6_y, t137, t138, t139, t140, t141,
         t142, t143,
     ]
     };
     // link 6: force and moment
-    let [t196, n6_z, t211, t214, t223, t224] = {
+    let [f6_z, n6_z, t211, t214, t223, t224] = {
         let t165 = XZ6 * t127;
-        let t166 = t134 * (ZZ6 - YY6) + XX6 * dw6_x + XY6 * t142 - XZ6 * t140;
-        let t167 = YY6 * dw6_y - t133 * (XX6 - ZZ6) + XY6 * t143 - XZ6 * t137;
-        let t168 = ZZ6 * t129 - t132 * (XX6 - YY6) + XY6 * (t138 - t141) - t165;
-        let f6_x = MSZ6 * t124 + (MSY6 * t139 - MSX6 * t138) - M6 * t118;
-        let f6_y = M6 * a6_y - (MSZ6 * t127 + (MSX6 * t140 + MSY6 * t141));
-        let t196 = M6 * t114 + (MSZ6 * t101 + (MSX6 * t142 - MSY6 * t143));
-        let t206 = MSY6 * t114 + MSZ6 * a6_y - (t166 + YZ6 * (t101 - t141));
-        let t207 = MSZ6 * t118 - MSX6 * t114 - (t167 - YZ6 * t139);
-        let n6_z = MSX6 * a6_y + MSY6 * t118 - (t168 - YZ6 * t124);
+        let t166 = t134 * (ZZ6 - YY6) + XX6 * dw6_x - XY6 * t142 + XZ6 * t140;
+        let t167 = t133 * (XX6 - ZZ6) + YY6 * dw6_y + XY6 * t143 - XZ6 * t137;
+        let t168 = t132 * (YY6 - XX6) + ZZ6 * dw6_z + XY6 * (t138 + t141) + t165;
+        let f6_x = M6 * a6_x + (MSZ6 * t124 + (MSX6 * t138 + MSY6 * t139));
+        let f6_y = M6 * a6_y + (MSX6 * t140 - MSY6 * t141 - MSZ6 * t127);
+        let f6_z = MSX6 * t142 + MSY6 * t143 - MSZ6 * t101 - M6 * t114;
+        let n6_x = t166 + YZ6 * (t101 - t141) - (MSY6 * t114 + MSZ6 * a6_y);
+        let n6_y = t167 - YZ6 * t139 + (MSZ6 * a6_x + MSX6 * t114);
+        let n6_z = t168 + YZ6 * t124 + (MSX6 * a6_y - MSY6 * a6_x);
         let t211 = c6 * f6_x - s6 * f6_y;
         let t214 = s6 * f6_x + c6 * f6_y;
-        let t223 = s6 * t207 - c6 * t206 - D6 * t214;
-        let t224 = s6 * t206 + c6 * t207 - D6 * t211;
-        put(5, n6_z);
-        [t196, n6_z, t211, t214, t223, t224]
+        let t223 = c6 * n6_x - s6 * n6_y - D6 * t214;
+        let t224 = s6 * n6_x + c6 * n6_y + D6 * t211;
+        [f6_z, n6_z, t211, t214, t223, t224]
     };
     // link 5: force and moment
     let [f5_z, n5_z, t302, t305, t308, t311] = {
-        let t225 = t77 * t77;
+        let t225 = w5_y * w5_y;
         let t226 = t93 + t225;
         let t227 = t92 + t225;
-        let t245 = XY5 * t89 - (t94 * (ZZ5 - XX5) + YY5 * dw5_z);
-        let t246 = XY5 * (t227 - t226) - (t95 * (YY5 - XX5) + ZZ5 * dw5_y);
-        let t251 = XY5 * t100 - (XX5 * t97 - t96 * (ZZ5 - YY5)) - XZ5 * t102;
-        let t287 = MSX5 * t83 - MSZ5 * t80;
-        let t293 = YZ5 * t99 - (XZ5 * t103 - t246) + (MSX5 * a4_y + MSY5 * t80);
-        let t294 = M5 * t80 + (MSX5 * t226 - MSY5 * t86 - MSZ5 * t99) - t211;
-        let t295 = t196 + (M5 * t83 + (MSZ5 * t101 + (MSX5 * t100 + MSY5 * t89)));
-        let f5_z = t214 + (M5 * a4_y - (MSX5 * t102 + MSY5 * t227 - MSZ5 * t103));
-        let n5_x = t223 - (MSY5 * t83 + MSZ5 * a4_y - (t251 - YZ5 * (t227 - t101)));
-        let t298 = n6_z + t293;
-        let n5_z = XZ5 * (t226 - t101) - t245 - YZ5 * t86 + t287 - t224;
-        let t302 = c5 * t294 + s5 * t295;
-        let t305 = s5 * t294 - c5 * t295;
+        let t249 = XZ5 * (t226 - t101);
+        let t250 = XZ5 * t103;
+        let t251 = XX5 * dw5_x - t96 * (ZZ5 - YY5) + XY5 * t100 - XZ5 * t102;
+        let t253 = XY5 * (t227 - t226) - (t95 * (YY5 - XX5) + ZZ5 * dw5_y) + t250;
+        let t256 = YZ5 * t86;
+        let t259 = t94 * (XX5 - ZZ5) + YY5 * dw5_z - XY5 * t89 + t249 + t256;
+        let f5_x = t211 + (M5 * a5_x + (MSZ5 * t99 - (MSX5 * t226 + MSY5 * t86)));
+        let t295 = f6_z + (M5 * t83 - (MSZ5 * t101 + (MSX5 * t100 + MSY5 * t89)));
+        let f5_z = t214 + (M5 * a4_y - (MSZ5 * t103 + (MSX5 * t102 + MSY5 * t227)));
+        let n5_x = t223 + (t251 + YZ5 * (t101 - t227) + (MSY5 * t83 - MSZ5 * a4_y));
+        let t298 = n6_z + (t253 + YZ5 * t99 + (MSX5 * a4_y - MSY5 * a5_x));
+        let n5_z = t224 + (t259 + (MSZ5 * a5_x - MSX5 * t83));
+        let t302 = c5 * f5_x + s5 * t295;
+        let t305 = s5 * f5_x - c5 * t295;
         let t308 = c5 * n5_x + s5 * t298;
-        let t311 = c5 * t298 - s5 * n5_x;
-        put(4, n5_z);
+        let t311 = s5 * n5_x - c5 * t298;
         [f5_z, n5_z, t302, t305, t308, t311]
     };
     // link 4: force and moment
-    let [t383, n4_z, t389, t392, t395, t398] = {
-        let t312 = t45 * t45;
+    let [t383, t386, t389, t392, t395, t398] = {
+        let t312 = w4_y * w4_y;
         let t313 = t61 + t312;
         let t314 = t60 + t312;
-        let t336 = XZ4 * (t313 - t69);
+        let t332 = t62 * (XX4 - ZZ4) + YY4 * dw4_z + XY4 * t57;
         let t337 = XZ4 * t71;
-        let t338 = t64 * (ZZ4 - YY4) - XX4 * t65 - XY4 * t68 + XZ4 * t70;
-        let t340 = XY4 * (t313 - t314) - (t63 * (YY4 - XX4) + ZZ4 * dw4_y) + t337;
-        let t343 = YZ4 * t54;
-        let t346 = YY4 * dw4_z - t62 * (XX4 - ZZ4) + XY4 * t57 - t336 + t343;
-        let t381 = t302 + (M4 * t48 + (MSX4 * t313 - MSY4 * t54 - MSZ4 * t67));
-        let f4_y = f5_z - (MSZ4 * t69 + (MSY4 * t57 - MSX4 * t68) - M4 * a4_y);
-        let t383 = t305 + (M4 * a3_z - (MSZ4 * t71 + (MSX4 * t70 - MSY4 * t314)));
+        let t338 = XX4 * dw4_x - t64 * (ZZ4 - YY4) - XY4 * t68 + XZ4 * t70;
+        let t340 = t63 * (YY4 - XX4) + ZZ4 * dw4_y + XY4 * (t314 - t313) + t337;
+        let t374 = MSZ4 * a4_x - MSX4 * a4_y;
+        let f4_x = t302 + (M4 * a4_x + (MSY4 * t54 - MSX4 * t313 - MSZ4 * t67));
+        let f4_y = f5_z + (M4 * a4_y + (MSX4 * t68 - MSY4 * t57 - MSZ4 * t69));
+        let t383 = t305 + (MSX4 * t70 - MSY4 * t314 - MSZ4 * t71 - M4 * a3_z);
         let n4_x = t308 + (t338 + YZ4 * (t69 - t314) + (MSY4 * a4_y + MSZ4 * a3_z));
-        let t385 = MSX4 * a3_z - MSY4 * t48 - (YZ4 * t67 - t340) - n5_z;
-        let n4_z = t311 + (t346 + (MSZ4 * t48 + MSX4 * a4_y));
-        let t389 = c4 * t381 + s4 * f4_y;
-        let t392 = c4 * f4_y - s4 * t381;
-        let t395 = c4 * n4_x + s4 * t385;
-        let t398 = c4 * t385 - s4 * n4_x;
-        put(3, n4_z);
-        [t383, n4_z, t389, t392, t395, t398]
+        let n4_y = n5_z + (t340 - YZ4 * t67 - (MSX4 * a3_z + MSY4 * a4_x));
+        let t386 = t311 + (XZ4 * (t313 - t69) - t332 - YZ4 * t54 + t374);
+        let t389 = c4 * f4_x - s4 * f4_y;
+        let t392 = s4 * f4_x + c4 * f4_y;
+        let t395 = c4 * n4_x - s4 * n4_y;
+        let t398 = s4 * n4_x + c4 * n4_y;
+        [t383, t386, t389, t392, t395, t398]
     };
     // link 3: force and moment
     let [t411, t418, t425, f3_y, f3_z, n3_z, t473, t474] = {
-        let t411 = t38 - t39;
+        let t411 = t39 - t38;
         let t418 = t38 - t22;
-        let t422 = t15 * (YY3 - ZZ3) - XX3 * ddq2 - XY3 * t3 + XZ3 * t4;
-        let t423 = t17 * (XX3 - ZZ3) + YY3 * t18 + XY3 * t21 - XZ3 * t418;
-        let t424 = t16 * (YY3 - XX3) + ZZ3 * t19 - XY3 * t411 + XZ3 * t20;
-        let t425 = t39 - t22;
-        let t465 = t389 + (M3 * t34 + (MSZ3 * t24 + (MSX3 * t38 - MSY3 * t23)));
+        let t422 = XZ3 * t4 - (t15 * (ZZ3 - YY3) + XX3 * ddq2 + XY3 * t3);
+        let t423 = XZ3 * t418 - (t17 * (XX3 - ZZ3) + YY3 * t18 + XY3 * t21);
+        let t424 = t16 * (YY3 - XX3) - ZZ3 * dw2_y + XY3 * t411 + XZ3 * t20;
+        let t425 = t22 - t39;
+        let f3_x = t389 + (MSY3 * t23 - MSX3 * t38 - MSZ3 * t24 - M3 * t34);
         let f3_y = t392 + (M3 * a3_y + (MSX3 * t4 - MSY3 * t39 - MSZ3 * t20));
-        let f3_z = t383 - (MSZ3 * t22 - (MSX3 * t3 - MSY3 * t21) - M3 * a3_z);
-        let n3_x = t395 + (MSY3 * a3_z - MSZ3 * a3_y - (YZ3 * t425 - t422));
-        let n3_z = n4_z + (t424 - YZ3 * t24 + (MSX3 * a3_y + MSY3 * t34));
-        let t471 = q3 * t465;
-        let t473 = t398 + (t423 + YZ3 * t23 + (MSZ3 * t34 + MSX3 * a3_z)) + t471;
-        let t474 = n3_x - q3 * f3_y;
-        put(2, f3_z);
+        let f3_z = M3 * a3_z + (MSX3 * t3 - MSY3 * t21 - MSZ3 * t22) - t383;
+        let n3_x = t395 + (t422 + YZ3 * t425 + (MSY3 * a3_z - MSZ3 * a3_y));
+        let n3_y = t398 + (t423 - YZ3 * t23 - (MSZ3 * t34 + MSX3 * a3_z));
+        let n3_z = t424 - YZ3 * t24 + (MSX3 * a3_y + MSY3 * t34) - t386;
+        let t473 = n3_y + q3 * f3_x;
+        let t474 = q3 * f3_y - n3_x;
         [t411, t418, t425, f3_y, f3_z, n3_z, t473, t474]
     };
     // link 2: force and moment
-    let t543 = {
-        let t496 = XY2 * t21 - (t17 * (YY2 - ZZ2) + XX2 * t18) - XZ2 * t23;
-        let t497 = XZ2 * t425 - (t15 * (XX2 - ZZ2) - YY2 * ddq2 + XY2 * t3);
-        let t498 = XZ2 * t24 - (ZZ2 * t19 - t16 * (YY2 - XX2) + XY2 * t411);
+    let [n2_z, t543] = {
+        let t496 = t17 * (ZZ2 - YY2) - XX2 * t18 + XY2 * t21 - XZ2 * t23;
+        let t497 = YY2 * ddq2 - t15 * (XX2 - ZZ2) - XY2 * t3 - XZ2 * t425;
+        let t498 = t16 * (YY2 - XX2) + ZZ2 * dw2_y + XY2 * t411 + XZ2 * t24;
         let f2_x = f3_y - (M2 * t10 + (MSZ2 * t20 + (MSX2 * t39 + MSY2 * t4)));
         let f2_y = M2 * a2_y + (MSZ2 * t22 + (MSX2 * t21 + MSY2 * t3)) - f3_z;
-        let n2_z = t497 + YZ2 * t4 + (MSX2 * a2_y - MSZ2 * t10) - t474;
-        let t539 = s2 * (t473 + (MSY2 * a2_y - MSZ2 * t8 - (t496 - YZ2 * t418)));
+        let n2_x = t473 + (t496 - YZ2 * t418 + (MSZ2 * t8 - MSY2 * a2_y));
+        let n2_z = t474 + (t497 + YZ2 * t4 + (MSX2 * a2_y - MSZ2 * t10));
         let t540 = c2 * (n3_z + (MSY2 * t10 - MSX2 * t8 - (t498 + YZ2 * t20)));
-        let t543 = D2 * (c2 * f2_x - s2 * f2_y) - (t539 + t540);
-        put(1, n2_z);
-        t543
+        let t543 = s2 * n2_x - t540 + D2 * (c2 * f2_x - s2 * f2_y);
+        [n2_z, t543]
     };
     // link 1: force and moment
-    {
+    let n1_z = {
         let n1_z = YY1 * ddq1 - t543;
-        put(0, n1_z);
+        n1_z
+    };
+    // drives
+    {
+        let t547 = n1_z + IA1 * ddq1;
+        let t549 = n2_z + IA2 * ddq2;
+        let t551 = f3_z + IA3 * ddq3;
+        let t553 = IA4 * ddq4 - t386;
+        let t555 = n5_z + IA5 * ddq5;
+        let t557 = n6_z + IA6 * ddq6;
+        put(0, t547);
+        put(1, t549);
+        put(2, t551);
+        put(3, t553);
+        put(4, t555);
+        put(5, t557);
     }
 }

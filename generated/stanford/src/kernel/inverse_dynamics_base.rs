@@ -2,7 +2,7 @@
 //!
 //! `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil and Dombre, 9.6.
 //!
-//! 225 multiplications, 212 additions; 6, 6 of 6 structurally nonzero.
+//! 229 multiplications, 216 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -26,7 +26,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
     let [
         YY1R, MSX2, MSZ2, YY2R, ZZ2R, XY2R, XZ2R, YZ2R, M3R, MSX3, MSY3, MSZ3R,
         MSX4, MSZ4R, YY4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSZ5R, YY5R, ZZ5R, XY5,
-        XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6,
+        XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6, IA3, IA4, IA5,
+        IA6,
         ..] = *beta;
     let D2 = S::constant(0.154);
     let D6 = S::constant(0.263);
@@ -69,26 +70,26 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
     ]
     };
     // link 3: motion
-    let [t34, a3_y, t36, t38, t39] = {
+    let [t34, a3_y, a3_z, t38, t39] = {
         let t31 = dq3 * k2;
-        let t34 = t8 - q3 * t24 - t1 * t31;
+        let t34 = q3 * t24 - t8 + t1 * t31;
         let a3_y = dq2 * t31 - (t10 + q3 * t20);
-        let t36 = a2_y + q3 * t22 - ddq3;
+        let a3_z = ddq3 - (a2_y + q3 * t22);
         let t37 = w3_z * w3_z;
         let t38 = t13 + t37;
         let t39 = t14 + t37;
-        [t34, a3_y, t36, t38, t39]
+        [t34, a3_y, a3_z, t38, t39]
     };
     // link 4: motion
     let [
-        t42, w4_y, a4_x, t51, t54, t57, w4_z, dw4_z,
-        t60, t61, t62, t63, t64, t66, t67, t68,
+        t42, w4_y, a4_x, a4_y, t54, t57, w4_z, dw4_z,
+        t60, t61, t62, t63, t64, dw4_y, t67, t68,
         t69, t70, t71,
     ] = {
         let t42 = c4 * dq2 + s4 * t1;
         let w4_y = s4 * dq2 - c4 * t1;
-        let a4_x = c4 * t34 + s4 * a3_y;
-        let t51 = s4 * t34 - c4 * a3_y;
+        let a4_x = s4 * a3_y - c4 * t34;
+        let a4_y = c4 * a3_y + s4 * t34;
         let t54 = c4 * t24 + s4 * t20;
         let t57 = s4 * t24 - c4 * t20;
         let w4_z = w3_z + dq4;
@@ -99,15 +100,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t63 = t42 * w4_z;
         let t64 = w4_y * w4_z;
         let dw4_x = t64 - t57;
-        let t66 = t54 - t63;
+        let dw4_y = t63 - t54;
         let t67 = dw4_z + t62;
-        let t68 = t62 - dw4_z;
+        let t68 = dw4_z - t62;
         let t69 = t60 + t61;
-        let t70 = t66 - t63;
+        let t70 = t63 + dw4_y;
         let t71 = t64 + dw4_x;
         [
-        t42, w4_y, a4_x, t51, t54, t57, w4_z, dw4_z,
-        t60, t61, t62, t63, t64, t66, t67, t68,
+        t42, w4_y, a4_x, a4_y, t54, t57, w4_z, dw4_z,
+        t60, t61, t62, t63, t64, dw4_y, t67, t68,
         t69, t70, t71,
     ]
     };
@@ -119,12 +120,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
     ] = {
         let t74 = c5 * t42 + s5 * w4_z;
         let w5_y = s5 * t42 - c5 * w4_z;
-        let a5_x = c5 * a4_x + s5 * t36;
-        let t83 = c5 * t36 - s5 * a4_x;
+        let a5_x = c5 * a4_x - s5 * a3_z;
+        let t83 = c5 * a3_z + s5 * a4_x;
         let t86 = c5 * t67 + s5 * t71;
         let t89 = s5 * t67 - c5 * t71;
         let w5_z = w4_y + dq5;
-        let dw5_z = ddq5 - t66;
+        let dw5_z = dw4_y + ddq5;
         let t92 = t74 * t74;
         let t93 = w5_z * w5_z;
         let t94 = t74 * w5_y;
@@ -145,130 +146,131 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
     };
     // link 6: motion
     let [
-        t114, t118, t121, t124, t127, dw6_z, t132, t133,
-        t134, t135, t137, t138, t139, t140, t141, t142,
+        t114, a6_x, a6_y, t124, t127, dw6_z, t132, t133,
+        t134, dw6_x, t137, t138, t139, t140, t141, t142,
         t143,
     ] = {
-        let t106 = c6 * t74 - s6 * w5_z;
+        let w6_x = s6 * w5_z - c6 * t74;
         let w6_y = c6 * w5_z + s6 * t74;
         let t113 = a5_x + D6 * t99;
-        let t114 = t83 + D6 * t101;
-        let t115 = t51 + D6 * t103;
-        let t118 = s6 * t115 - c6 * t113;
-        let t121 = c6 * t115 + s6 * t113;
+        let t114 = D6 * t101 - t83;
+        let t115 = a4_y - D6 * t103;
+        let a6_x = c6 * t113 + s6 * t115;
+        let a6_y = c6 * t115 - s6 * t113;
         let t124 = c6 * t99 - s6 * t103;
         let t127 = c6 * t103 + s6 * t99;
-        let t128 = w5_y - dq6;
+        let w6_z = dq6 - w5_y;
         let dw6_z = ddq6 - dw5_y;
-        let t130 = t106 * t106;
-        let t131 = t128 * t128;
-        let t132 = t106 * w6_y;
-        let t133 = t106 * t128;
-        let t134 = w6_y * t128;
-        let t135 = t134 - t127;
-        let t137 = t131 - t130;
-        let t138 = t101 + t137;
-        let t139 = dw6_z + t132;
-        let t140 = t132 - dw6_z;
+        let t130 = w6_x * w6_x;
+        let t131 = w6_z * w6_z;
+        let t132 = w6_x * w6_y;
+        let t133 = w6_x * w6_z;
+        let t134 = w6_y * w6_z;
+        let dw6_x = t127 + t134;
+        let dw6_y = t124 - t133;
+        let t137 = t130 - t131;
+        let t138 = t137 - t101;
+        let t139 = t132 - dw6_z;
+        let t140 = dw6_z + t132;
         let t141 = t130 + t131;
-        let t142 = t133 + (t133 - t124);
-        let t143 = t134 + t135;
+        let t142 = t133 - dw6_y;
+        let t143 = t134 + dw6_x;
         [
-        t114, t118, t121, t124, t127, dw6_z, t132, t133,
-        t134, t135, t137, t138, t139, t140, t141, t142,
+        t114, a6_x, a6_y, t124, t127, dw6_z, t132, t133,
+        t134, dw6_x, t137, t138, t139, t140, t141, t142,
         t143,
     ]
     };
     // link 6: force and moment
     let [f6_z, n6_z, t191, t194, t203, t204] = {
-        let t164 = XX6R * t132 + ZZ6 * dw6_z + XY6 * (t141 - t138) + XZ6 * t127;
-        let t166 = YZ6 * (t141 - t101);
-        let t169 = ZZ6 * t134 + XX6R * t135 + XY6 * t142 + XZ6 * t140 + t166;
-        let t170 = YZ6 * t139 - (t133 * (ZZ6 - XX6R) + XY6 * t143 - XZ6 * t137);
-        let t174 = MSX6 * t138 + MSY6 * t139;
-        let t177 = MSX6 * t140 + MSY6 * t141;
-        let f6_z = MSX6 * t142 - MSY6 * t143;
-        let t186 = t169 + MSY6 * t114;
+        let t164 = ZZ6 * dw6_z - XX6R * t132 + XY6 * (t138 + t141) + XZ6 * t127;
+        let t166 = YZ6 * (t101 - t141);
+        let t169 = ZZ6 * t134 + XX6R * dw6_x - XY6 * t142 + XZ6 * t140 + t166;
+        let t170 = t133 * (XX6R - ZZ6) + XY6 * t143 - XZ6 * t137 - YZ6 * t139;
+        let f6_x = MSX6 * t138 + MSY6 * t139;
+        let f6_y = MSX6 * t140 - MSY6 * t141;
+        let f6_z = MSX6 * t142 + MSY6 * t143;
+        let n6_x = t169 - MSY6 * t114;
         let n6_y = t170 + MSX6 * t114;
-        let n6_z = t164 + YZ6 * t124 - (MSX6 * t121 - MSY6 * t118);
-        let t191 = c6 * t174 - s6 * t177;
-        let t194 = s6 * t174 + c6 * t177;
-        let t203 = D6 * t194 - (c6 * t186 + s6 * n6_y);
-        let t204 = s6 * t186 - c6 * n6_y + D6 * t191;
-        put(5, n6_z);
+        let n6_z = t164 + YZ6 * t124 + (MSX6 * a6_y - MSY6 * a6_x);
+        let t191 = c6 * f6_x - s6 * f6_y;
+        let t194 = s6 * f6_x + c6 * f6_y;
+        let t203 = c6 * n6_x - s6 * n6_y - D6 * t194;
+        let t204 = s6 * n6_x + c6 * n6_y + D6 * t191;
         [f6_z, n6_z, t191, t194, t203, t204]
     };
     // link 5: force and moment
-    let [t256, n5_z, t262, t265, t268, t271] = {
+    let [f5_z, n5_z, t262, t265, t268, t271] = {
         let t205 = w5_y * w5_y;
         let t206 = t93 + t205;
         let t207 = t92 + t205;
-        let t227 = t96 * (YY5R - ZZ5R) + XY5 * t100 - XZ5 * t102;
-        let t228 = XZ5 * (t206 - t101) - (XY5 * t89 - (YY5R * dw5_z - ZZ5R * t94));
-        let t229 = XZ5 * t103 - (YY5R * t95 + ZZ5R * dw5_y + XY5 * (t206 - t207));
-        let t254 = t191 + (MSX5 * t206 - MSZ5R * t99);
+        let t228 = YY5R * dw5_z - ZZ5R * t94 - XY5 * t89 + XZ5 * (t206 - t101);
+        let t229 = XY5 * (t207 - t206) - (YY5R * t95 + ZZ5R * dw5_y) + XZ5 * t103;
+        let t231 = YZ5 * (t101 - t207);
+        let t246 = MSZ5R * a4_y;
+        let t251 = XY5 * t100 - t96 * (ZZ5R - YY5R) - XZ5 * t102 + t231 - t246;
+        let f5_x = t191 + (MSZ5R * t99 - MSX5 * t206);
         let f5_y = MSX5 * t100 + MSZ5R * t101 - f6_z;
-        let t256 = t194 + (MSX5 * t102 + MSZ5R * t103);
-        let n5_x = t203 + (MSZ5R * t51 - (YZ5 * (t207 - t101) - t227));
-        let t258 = n6_z + (t229 + YZ5 * t99 - MSX5 * t51);
-        let n5_z = t228 + YZ5 * t86 + (MSZ5R * a5_x + MSX5 * t83) - t204;
-        let t262 = c5 * t254 + s5 * f5_y;
-        let t265 = c5 * f5_y - s5 * t254;
+        let f5_z = t194 - (MSX5 * t102 + MSZ5R * t103);
+        let n5_x = t203 + t251;
+        let t258 = n6_z + (t229 + YZ5 * t99 + MSX5 * a4_y);
+        let n5_z = t204 + (t228 + YZ5 * t86 + (MSZ5R * a5_x - MSX5 * t83));
+        let t262 = c5 * f5_x - s5 * f5_y;
+        let t265 = s5 * f5_x + c5 * f5_y;
         let t268 = c5 * n5_x + s5 * t258;
         let t271 = s5 * n5_x - c5 * t258;
-        put(4, n5_z);
-        [t256, n5_z, t262, t265, t268, t271]
+        [f5_z, n5_z, t262, t265, t268, t271]
     };
     // link 4: force and moment
-    let [t323, n4_z, t329, t332, t335, t338] = {
+    let [t323, t326, t329, t332, t335, t338] = {
         let t272 = w4_y * w4_y;
         let t273 = t61 + t272;
         let t274 = t60 + t272;
-        let t295 = YY4R * dw4_z - ZZ4R * t62 + XY4 * t57 - XZ4 * (t273 - t69);
-        let t296 = XZ4 * t71 - (ZZ4R * t66 - YY4R * t63 - XY4 * (t274 - t273));
-        let t298 = YZ4 * (t274 - t69);
-        let t313 = MSZ4R * t36;
-        let t318 = XY4 * t68 - t64 * (ZZ4R - YY4R) - XZ4 * t70 - t298 - t313;
-        let t321 = t262 + (MSX4 * t273 + MSZ4R * t67);
-        let t322 = t256 + (MSX4 * t68 + MSZ4R * t69);
-        let t323 = MSX4 * t70 + MSZ4R * t71 - t265;
+        let t295 = ZZ4R * t62 - YY4R * dw4_z - XY4 * t57 + XZ4 * (t273 - t69);
+        let t296 = YY4R * t63 + ZZ4R * dw4_y + XY4 * (t274 - t273) + XZ4 * t71;
+        let t298 = YZ4 * (t69 - t274);
+        let t313 = MSZ4R * a3_z;
+        let t318 = XZ4 * t70 - (t64 * (ZZ4R - YY4R) + XY4 * t68) + t298 + t313;
+        let f4_x = t262 - (MSX4 * t273 + MSZ4R * t67);
+        let f4_y = f5_z + (MSX4 * t68 - MSZ4R * t69);
+        let t323 = t265 + (MSX4 * t70 - MSZ4R * t71);
         let n4_x = t268 + t318;
-        let n4_y = n5_z + (t296 - YZ4 * t67 + MSX4 * t36);
-        let n4_z = t295 + YZ4 * t54 - (MSZ4R * a4_x + MSX4 * t51) - t271;
-        let t329 = c4 * t321 - s4 * t322;
-        let t332 = s4 * t321 + c4 * t322;
-        let t335 = s4 * n4_y - c4 * n4_x;
+        let n4_y = n5_z + (t296 - YZ4 * t67 - MSX4 * a3_z);
+        let t326 = t271 + (t295 - YZ4 * t54 + (MSZ4R * a4_x - MSX4 * a4_y));
+        let t329 = c4 * f4_x - s4 * f4_y;
+        let t332 = s4 * f4_x + c4 * f4_y;
+        let t335 = c4 * n4_x - s4 * n4_y;
         let t338 = s4 * n4_x + c4 * n4_y;
-        put(3, n4_z);
-        [t323, n4_z, t329, t332, t335, t338]
+        [t323, t326, t329, t332, t335, t338]
     };
     // link 3: force and moment
-    let [t339, t340, t341, f3_y, f3_z, t377, t380, t381] = {
-        let t339 = t38 - t39;
-        let t340 = t22 - t38;
+    let [t339, t340, t341, f3_y, f3_z, n3_z, t380, t381] = {
+        let t339 = t39 - t38;
+        let t340 = t38 - t22;
         let t341 = t22 - t39;
-        let t372 = t329 - (M3R * t34 + (MSY3 * t23 - MSX3 * t38 - MSZ3R * t24));
-        let f3_y = M3R * a3_y - (MSZ3R * t20 - (MSX3 * t4 - MSY3 * t39)) - t332;
-        let f3_z = t323 + (MSX3 * t3 - MSY3 * t21 - MSZ3R * t22 - M3R * t36);
-        let n3_y = t338 + (MSZ3R * t34 + MSX3 * t36);
-        let t377 = MSY3 * t34 - MSX3 * a3_y - n4_z;
-        let t380 = n3_y - q3 * t372;
-        let t381 = t335 + (MSY3 * t36 + MSZ3R * a3_y) + q3 * f3_y;
-        put(2, f3_z);
-        [t339, t340, t341, f3_y, f3_z, t377, t380, t381]
+        let f3_x = t329 + (MSY3 * t23 - MSX3 * t38 - MSZ3R * t24 - M3R * t34);
+        let f3_y = t332 + (M3R * a3_y + (MSX3 * t4 - MSY3 * t39 - MSZ3R * t20));
+        let f3_z = M3R * a3_z + (MSX3 * t3 - MSY3 * t21 - MSZ3R * t22) - t323;
+        let n3_x = t335 + (MSY3 * a3_z - MSZ3R * a3_y);
+        let n3_y = t338 - (MSZ3R * t34 + MSX3 * a3_z);
+        let n3_z = MSX3 * a3_y + MSY3 * t34 - t326;
+        let t380 = n3_y + q3 * f3_x;
+        let t381 = q3 * f3_y - n3_x;
+        [t339, t340, t341, f3_y, f3_z, n3_z, t380, t381]
     };
     // link 2: force and moment
     let t434 = {
         let t403 = YZ2R * t4;
         let t404 = YZ2R * t20;
-        let t405 = t17 * (YY2R - ZZ2R) - XY2R * t21 + XZ2R * t23 - YZ2R * t340;
+        let t405 = t17 * (ZZ2R - YY2R) + XY2R * t21 - XZ2R * t23 - YZ2R * t340;
         let t406 = ZZ2R * t15 + YY2R * ddq2 - XY2R * t3 - XZ2R * t341 + t403;
-        let t407 = XZ2R * t24 - (XY2R * t339 - (YY2R * t16 + ZZ2R * dw2_y)) + t404;
-        let n2_x = t380 + (MSZ2 * t8 - t405);
-        let n2_y = t377 + (t407 + MSX2 * t8);
+        let t407 = YY2R * t16 + ZZ2R * dw2_y + XY2R * t339 + XZ2R * t24 + t404;
+        let f2_x = f3_y - (MSX2 * t39 + MSZ2 * t20);
+        let f2_y = MSX2 * t21 + MSZ2 * t22 - f3_z;
+        let n2_x = t380 + (t405 + MSZ2 * t8);
+        let n2_y = t407 + MSX2 * t8 - n3_z;
         let n2_z = t381 + (t406 + (MSX2 * a2_y - MSZ2 * t10));
-        let t427 = c2 * (MSX2 * t39 + MSZ2 * t20 - f3_y);
-        let f1_x = s2 * (f3_z - (MSX2 * t21 + MSZ2 * t22)) - t427;
+        let f1_x = c2 * f2_x - s2 * f2_y;
         let t434 = s2 * n2_x + c2 * n2_y + D2 * f1_x;
         put(1, n2_z);
         t434
@@ -277,5 +279,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
     {
         let n1_z = YY1R * ddq1 - t434;
         put(0, n1_z);
+    }
+    // drives
+    {
+        let t438 = f3_z + IA3 * ddq3;
+        let t440 = IA4 * ddq4 - t326;
+        let t442 = n5_z + IA5 * ddq5;
+        let t444 = n6_z + IA6 * ddq6;
+        put(2, t438);
+        put(3, t440);
+        put(4, t442);
+        put(5, t444);
     }
 }

@@ -2,13 +2,13 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 444 multiplications, 334 additions; 6 x 60, 168 of 360 structurally nonzero.
+//! 444 multiplications, 334 additions; 6 x 66, 174 of 396 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 168;
+pub const NONZEROS: usize = 174;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
@@ -17,23 +17,24 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 29), (0, 30), (0, 31), (0, 32), (0, 33), (0, 34), (0, 35), (0, 36), (0, 37), (0, 38),
     (0, 39), (0, 40), (0, 41), (0, 42), (0, 43), (0, 44), (0, 45), (0, 46), (0, 47), (0, 48),
     (0, 49), (0, 50), (0, 51), (0, 52), (0, 53), (0, 54), (0, 55), (0, 56), (0, 57), (0, 58),
-    (0, 59), (1, 11), (1, 13), (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19), (1, 20),
-    (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29), (1, 30),
-    (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39), (1, 40),
-    (1, 41), (1, 42), (1, 43), (1, 44), (1, 45), (1, 46), (1, 47), (1, 48), (1, 49), (1, 50),
-    (1, 51), (1, 52), (1, 53), (1, 54), (1, 55), (1, 56), (1, 57), (1, 58), (1, 59), (2, 20),
-    (2, 21), (2, 22), (2, 23), (2, 30), (2, 31), (2, 32), (2, 33), (2, 40), (2, 41), (2, 42),
-    (2, 43), (2, 50), (2, 51), (2, 52), (2, 53), (3, 31), (3, 33), (3, 34), (3, 35), (3, 36),
-    (3, 37), (3, 38), (3, 39), (3, 41), (3, 42), (3, 43), (3, 44), (3, 45), (3, 46), (3, 47),
-    (3, 48), (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54), (3, 55), (3, 56), (3, 57),
-    (3, 58), (3, 59), (4, 41), (4, 43), (4, 44), (4, 45), (4, 46), (4, 47), (4, 48), (4, 49),
-    (4, 50), (4, 51), (4, 52), (4, 53), (4, 54), (4, 55), (4, 56), (4, 57), (4, 58), (4, 59),
-    (5, 51), (5, 52), (5, 54), (5, 55), (5, 56), (5, 57), (5, 58), (5, 59),
+    (0, 59), (0, 60), (1, 11), (1, 13), (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19),
+    (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29),
+    (1, 30), (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39),
+    (1, 40), (1, 41), (1, 42), (1, 43), (1, 44), (1, 45), (1, 46), (1, 47), (1, 48), (1, 49),
+    (1, 50), (1, 51), (1, 52), (1, 53), (1, 54), (1, 55), (1, 56), (1, 57), (1, 58), (1, 59),
+    (1, 61), (2, 20), (2, 21), (2, 22), (2, 23), (2, 30), (2, 31), (2, 32), (2, 33), (2, 40),
+    (2, 41), (2, 42), (2, 43), (2, 50), (2, 51), (2, 52), (2, 53), (2, 62), (3, 31), (3, 33),
+    (3, 34), (3, 35), (3, 36), (3, 37), (3, 38), (3, 39), (3, 41), (3, 42), (3, 43), (3, 44),
+    (3, 45), (3, 46), (3, 47), (3, 48), (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54),
+    (3, 55), (3, 56), (3, 57), (3, 58), (3, 59), (3, 63), (4, 41), (4, 43), (4, 44), (4, 45),
+    (4, 46), (4, 47), (4, 48), (4, 49), (4, 50), (4, 51), (4, 52), (4, 53), (4, 54), (4, 55),
+    (4, 56), (4, 57), (4, 58), (4, 59), (4, 64), (5, 51), (5, 52), (5, 54), (5, 55), (5, 56),
+    (5, 57), (5, 58), (5, 59), (5, 65),
 ];
 
 /// Regressor `W` of the standard parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 60]; 6]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 66]; 6]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -62,8 +63,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let t0 = {
         let t0 = dq1 * dq1;
         put(0, ddq1); // row 1, YY1
-        put(54, ddq2); // row 2, YY2
-        put(63, ddq2); // row 2, XX3
+        put(51, ddq1); // row 1, IA1
+        put(55, ddq2); // row 2, YY2
+        put(64, ddq2); // row 2, XX3
+        put(100, ddq2); // row 2, IA2
+        put(117, ddq3); // row 3, IA3
+        put(145, ddq4); // row 4, IA4
+        put(164, ddq5); // row 5, IA5
+        put(173, ddq6); // row 6, IA6
         t0
     };
     // link 2: motion
@@ -92,12 +99,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t22 = t13 + t14;
         let t23 = t16 - t19;
         let t24 = t17 + t18;
-        put(51, a2_y); // row 2, MSX2
-        put(55, t15); // row 2, ZZ2
-        put(58, t4); // row 2, YZ2
-        put(65, t15); // row 2, ZZ3
-        put(66, t3); // row 2, XY3
-        put(100, t3); // row 3, MSX3
+        put(52, a2_y); // row 2, MSX2
+        put(56, t15); // row 2, ZZ2
+        put(59, t4); // row 2, YZ2
+        put(66, t15); // row 2, ZZ3
+        put(67, t3); // row 2, XY3
+        put(102, t3); // row 3, MSX3
         [
         t1, w3_z, t3, t4, t8, t10, a2_y, t13,
         t14, t15, t16, t17, t18, t19, t20, t21,
@@ -143,14 +150,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t69 = t60 + t61;
         let t70 = t66 - t63;
         let t71 = t64 - t65;
-        put(104, t70); // row 3, MSX4
-        put(106, t71); // row 3, MSZ4
-        put(115, a4_y); // row 4, MSX4
-        put(116, t48); // row 4, MSZ4
-        put(117, t62); // row 4, XX4
-        put(118, dw4_z); // row 4, YY4
-        put(120, t57); // row 4, XY4
-        put(122, t54); // row 4, YZ4
+        put(106, t70); // row 3, MSX4
+        put(108, t71); // row 3, MSZ4
+        put(118, a4_y); // row 4, MSX4
+        put(119, t48); // row 4, MSZ4
+        put(120, t62); // row 4, XX4
+        put(121, dw4_z); // row 4, YY4
+        put(123, t57); // row 4, XY4
+        put(125, t54); // row 4, YZ4
         [
         t42, w4_y, t48, a4_y, t54, t57, w4_z, dw4_z,
         t60, t61, t62, t63, t64, t65, t66, t67,
@@ -183,12 +190,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t101 = t92 + t93;
         let t102 = t95 - t98;
         let t103 = t96 + dw5_x;
-        put(142, a5_y); // row 5, MSX5
-        put(143, a5_x); // row 5, MSZ5
-        put(144, t94); // row 5, XX5
-        put(145, dw5_z); // row 5, YY5
-        put(147, t89); // row 5, XY5
-        put(149, t86); // row 5, YZ5
+        put(146, a5_y); // row 5, MSX5
+        put(147, a5_x); // row 5, MSZ5
+        put(148, t94); // row 5, XX5
+        put(149, dw5_z); // row 5, YY5
+        put(151, t89); // row 5, XY5
+        put(153, t86); // row 5, YZ5
         [
         t74, w5_y, a5_x, a5_y, t86, t89, w5_z, dw5_z,
         t92, t93, t94, t95, t96, dw5_x, t98, t99,
@@ -226,11 +233,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t141 = t130 + t131;
         let t142 = dw6_y - t133;
         let t143 = t134 + dw6_x;
-        put(160, a6_y); // row 6, MSX6
-        put(163, t132); // row 6, YY6
-        put(164, dw6_z); // row 6, ZZ6
-        put(166, t127); // row 6, XZ6
-        put(167, t124); // row 6, YZ6
+        put(165, a6_y); // row 6, MSX6
+        put(168, t132); // row 6, YY6
+        put(169, dw6_z); // row 6, ZZ6
+        put(171, t127); // row 6, XZ6
+        put(172, t124); // row 6, YZ6
         [
         t114, a6_x, a6_y, t124, t127, dw6_z, t132, t133,
         t134, dw6_x, dw6_y, t137, t138, t139, t140, t141,
@@ -311,8 +318,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t184 = s2 * t23 - c2 * t24;
         put(9, t184); // row 1, XZ2
         put(20, t184); // row 1, YZ3
-        put(57, t181); // row 2, XZ2
-        put(68, t181); // row 2, YZ3
+        put(58, t181); // row 2, XZ2
+        put(69, t181); // row 2, YZ3
     }
     // YZ2: column
     let t188 = {
@@ -326,7 +333,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t193 = t36 * v1_2_y;
         let t195 = s2 * (q3 * t34) - (a3_y * t144 - t193);
         put(11, t195); // row 1, M3
-        put(59, t190); // row 2, M3
+        put(60, t190); // row 2, M3
         t193
     };
     // MSX3: column
@@ -334,21 +341,21 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t197 = q3 * t4;
         let t202 = s2 * (q3 * t38 - t36) + c2 * a3_y - t163;
         put(12, t202); // row 1, MSX3
-        put(60, t197); // row 2, MSX3
+        put(61, t197); // row 2, MSX3
     }
     // MSY3: column
     {
         let t205 = t36 - q3 * t39;
         let t209 = t156 + (c2 * t34 - s2 * (q3 * t23));
         put(13, t209); // row 1, MSY3
-        put(61, t205); // row 2, MSY3
+        put(62, t205); // row 2, MSY3
     }
     // MSZ3: column
     {
         let t211 = t25 + a3_y;
         let t213 = t168 + s2 * (t27 + t34);
         put(14, t213); // row 1, MSZ3
-        put(62, t211); // row 2, MSZ3
+        put(63, t211); // row 2, MSZ3
     }
     // M4: column
     let [t215, t216, t219, t222, t224] = {
@@ -360,7 +367,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t224 = q3 * t222;
         let t228 = s2 * (q3 * t219) + (t193 + t144 * t222);
         put(21, t228); // row 1, M4
-        put(105, t216); // row 3, MSY4
+        put(107, t216); // row 3, MSY4
         [t215, t216, t219, t222, t224]
     };
     // MSX4: column
@@ -373,7 +380,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t243 = c2 * a4_y - s2 * (t236 - q3 * (c4 * t215 + s4 * t68));
         let t247 = t243 + (t144 * t234 - t70 * v1_2_y);
         put(22, t247); // row 1, MSX4
-        put(70, t240); // row 2, MSX4
+        put(71, t240); // row 2, MSX4
         [t233, t235, t236]
     };
     // MSY4: column
@@ -383,7 +390,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t258 = s2 * (t219 + q3 * (c4 * t54 + s4 * t57));
         let t262 = t144 * t253 - v1_2_y * t216 - t258;
         put(23, t262); // row 1, MSY4
-        put(71, t257); // row 2, MSY4
+        put(72, t257); // row 2, MSY4
     }
     // MSZ4: column
     let t266 = {
@@ -393,7 +400,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t275 = s2 * (t235 + q3 * (c4 * t67 - s4 * t69)) + c2 * t48;
         let t279 = t275 + (t144 * t268 - t71 * v1_2_y);
         put(24, t279); // row 1, MSZ4
-        put(72, t272); // row 2, MSZ4
+        put(73, t272); // row 2, MSZ4
         t266
     };
     // XX4: column
@@ -404,7 +411,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t286 = s4 * t63;
         let t287 = c4 * t65 - t286;
         put(25, t284); // row 1, XX4
-        put(73, t287); // row 2, XX4
+        put(74, t287); // row 2, XX4
         [t281, t282, t286]
     };
     // YY4: column
@@ -414,7 +421,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t292 = c4 * t64;
         let t293 = t286 - t292;
         put(26, t291); // row 1, YY4
-        put(74, t293); // row 2, YY4
+        put(75, t293); // row 2, YY4
         [t288, t292]
     };
     // ZZ4: column
@@ -422,7 +429,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t296 = t288 + t66 * t147 - t282;
         let t298 = t292 - s4 * t66;
         put(27, t296); // row 1, ZZ4
-        put(75, t298); // row 2, ZZ4
+        put(76, t298); // row 2, ZZ4
     }
     // XY4: column
     {
@@ -430,7 +437,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t304 = c2 * t57 + (t68 * t146 - t147 * t299);
         let t306 = t233 + s4 * t299;
         put(28, t304); // row 1, XY4
-        put(76, t306); // row 2, XY4
+        put(77, t306); // row 2, XY4
     }
     // XZ4: column
     {
@@ -438,8 +445,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t312 = c2 * t307 + (t70 * t146 - t71 * t147);
         let t315 = c4 * t70 + s4 * t71;
         put(29, t312); // row 1, XZ4
-        put(77, t315); // row 2, XZ4
-        put(121, t307); // row 4, XZ4
+        put(78, t315); // row 2, XZ4
+        put(124, t307); // row 4, XZ4
     }
     // YZ4: column
     {
@@ -447,7 +454,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t321 = c2 * t54 + (t146 * t316 + t67 * t147);
         let t323 = c4 * t316 - t266;
         put(30, t321); // row 1, YZ4
-        put(78, t323); // row 2, YZ4
+        put(79, t323); // row 2, YZ4
     }
     // M5: column
     let [t325, t326, t329, t332] = {
@@ -462,8 +469,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t343 = t146 * t333 + t147 * t334 - t342;
         let t346 = c4 * t333 - s4 * t334;
         put(31, t343); // row 1, M5
-        put(79, t346); // row 2, M5
-        put(124, t329); // row 4, MSY5
+        put(80, t346); // row 2, M5
+        put(127, t329); // row 4, MSY5
         [t325, t326, t329, t332]
     };
     // MSX5: column
@@ -480,10 +487,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t369 = c2 * t354 - (t146 * t357 + t147 * t358) - t368;
         let t372 = s4 * t358 - c4 * t357;
         put(32, t369); // row 1, MSX5
-        put(80, t372); // row 2, MSX5
-        put(108, t352); // row 3, MSX5
-        put(123, t354); // row 4, MSX5
-        put(125, t353); // row 4, MSZ5
+        put(81, t372); // row 2, MSX5
+        put(110, t352); // row 3, MSX5
+        put(126, t354); // row 4, MSX5
+        put(128, t353); // row 4, MSZ5
         [t348, t351, t353, t354]
     };
     // MSY5: column
@@ -496,8 +503,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t392 = t149 * t326 - t148 * t375 - v1_2_y * t378 - t386;
         let t395 = c4 * t381 + s4 * t380;
         put(33, t392); // row 1, MSY5
-        put(81, t395); // row 2, MSY5
-        put(109, t378); // row 3, MSY5
+        put(82, t395); // row 2, MSY5
+        put(111, t378); // row 3, MSY5
     }
     // MSZ5: column
     let [t396, t397, t399, t400, t401] = {
@@ -513,7 +520,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t416 = c2 * t353 + (t146 * t404 - t147 * t405) + t415;
         let t419 = c4 * t404 + s4 * t405;
         put(34, t416); // row 1, MSZ5
-        put(82, t419); // row 2, MSZ5
+        put(83, t419); // row 2, MSZ5
         [t396, t397, t399, t400, t401]
     };
     // XX5: column
@@ -527,8 +534,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t432 = s4 * t94;
         let t433 = t432 - c4 * t422;
         put(35, t430); // row 1, XX5
-        put(83, t433); // row 2, XX5
-        put(126, t425); // row 4, XX5
+        put(84, t433); // row 2, XX5
+        put(129, t425); // row 4, XX5
         [t421, t424, t427, t432]
     };
     // YY5: column
@@ -540,7 +547,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t442 = t146 * t435 - dw5_z * t147 - c2 * t437;
         let t445 = c4 * t435 + s4 * dw5_z;
         put(36, t442); // row 1, YY5
-        put(84, t445); // row 2, YY5
+        put(85, t445); // row 2, YY5
         [t434, t436, t437]
     };
     // ZZ5: column
@@ -550,8 +557,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t453 = c2 * t449 + (t427 + t146 * t447);
         let t455 = c4 * t447 - t432;
         put(37, t453); // row 1, ZZ5
-        put(85, t455); // row 2, ZZ5
-        put(128, t449); // row 4, ZZ5
+        put(86, t455); // row 2, ZZ5
+        put(131, t449); // row 4, ZZ5
     }
     // XY5: column
     {
@@ -561,8 +568,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t465 = c2 * t460 + (t146 * t458 - t89 * t147);
         let t468 = c4 * t458 + s4 * t89;
         put(38, t465); // row 1, XY5
-        put(86, t468); // row 2, XY5
-        put(129, t460); // row 4, XY5
+        put(87, t468); // row 2, XY5
+        put(132, t460); // row 4, XY5
     }
     // XZ5: column
     {
@@ -572,9 +579,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t480 = c2 * t475 - (t146 * t472 + t147 * t469);
         let t483 = s4 * t469 - c4 * t472;
         put(39, t480); // row 1, XZ5
-        put(87, t483); // row 2, XZ5
-        put(130, t475); // row 4, XZ5
-        put(148, t469); // row 5, XZ5
+        put(88, t483); // row 2, XZ5
+        put(133, t475); // row 4, XZ5
+        put(152, t469); // row 5, XZ5
     }
     // YZ5: column
     {
@@ -584,8 +591,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t493 = c2 * t488 + (t146 * t486 - t86 * t147);
         let t496 = c4 * t486 + s4 * t86;
         put(40, t493); // row 1, YZ5
-        put(88, t496); // row 2, YZ5
-        put(131, t488); // row 4, YZ5
+        put(89, t496); // row 2, YZ5
+        put(134, t488); // row 4, YZ5
     }
     // M6: column
     let [t499, t502, t510] = {
@@ -602,9 +609,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t527 = c2 * t512 + (t146 * t515 + t147 * t516) + t526;
         let t530 = c4 * t515 - s4 * t516;
         put(41, t527); // row 1, M6
-        put(89, t530); // row 2, M6
-        put(132, t512); // row 4, M6
-        put(150, t504); // row 5, M6
+        put(90, t530); // row 2, M6
+        put(135, t512); // row 4, M6
+        put(154, t504); // row 5, M6
         [t499, t502, t510]
     };
     // MSX6: column
@@ -626,10 +633,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t569 = c2 * t554 - (t147 * t558 - t146 * t557) - t568;
         let t572 = c4 * t557 + s4 * t558;
         put(42, t569); // row 1, MSX6
-        put(90, t572); // row 2, MSX6
-        put(112, t548); // row 3, MSX6
-        put(133, t554); // row 4, MSX6
-        put(151, t542); // row 5, MSX6
+        put(91, t572); // row 2, MSX6
+        put(114, t548); // row 3, MSX6
+        put(136, t554); // row 4, MSX6
+        put(155, t542); // row 5, MSX6
         [t532, t535, t537, t538]
     };
     // MSY6: column
@@ -649,10 +656,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t609 = c2 * t594 - (t146 * t597 + t147 * t598) + t608;
         let t612 = s4 * t598 - c4 * t597;
         put(43, t609); // row 1, MSY6
-        put(91, t612); // row 2, MSY6
-        put(113, t588); // row 3, MSY6
-        put(134, t594); // row 4, MSY6
-        put(152, t582); // row 5, MSY6
+        put(92, t612); // row 2, MSY6
+        put(115, t588); // row 3, MSY6
+        put(137, t594); // row 4, MSY6
+        put(156, t582); // row 5, MSY6
         [t573, t576]
     };
     // MSZ6: column
@@ -670,9 +677,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t643 = c2 * t628 + (t146 * t631 + t147 * t632) + t642;
         let t646 = c4 * t631 - s4 * t632;
         put(44, t643); // row 1, MSZ6
-        put(92, t646); // row 2, MSZ6
-        put(135, t628); // row 4, MSZ6
-        put(153, t622); // row 5, MSZ6
+        put(93, t646); // row 2, MSZ6
+        put(138, t628); // row 4, MSZ6
+        put(157, t622); // row 5, MSZ6
         t626
     };
     // XX6: column
@@ -688,9 +695,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t663 = c2 * t658 - (t147 * t652 - t146 * t655);
         let t666 = c4 * t655 + s4 * t652;
         put(45, t663); // row 1, XX6
-        put(93, t666); // row 2, XX6
-        put(136, t658); // row 4, XX6
-        put(154, t652); // row 5, XX6
+        put(94, t666); // row 2, XX6
+        put(139, t658); // row 4, XX6
+        put(158, t652); // row 5, XX6
         [t648, t651, t654, t657]
     };
     // YY6: column
@@ -704,9 +711,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t681 = c2 * t676 - (t146 * t674 + t147 * t672);
         let t684 = s4 * t672 - c4 * t674;
         put(46, t681); // row 1, YY6
-        put(94, t684); // row 2, YY6
-        put(137, t676); // row 4, YY6
-        put(155, t672); // row 5, YY6
+        put(95, t684); // row 2, YY6
+        put(140, t676); // row 4, YY6
+        put(159, t672); // row 5, YY6
         [t667, t670]
     };
     // ZZ6: column
@@ -718,9 +725,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t697 = c2 * t692 - (t146 * t689 + t147 * t686);
         let t700 = s4 * t686 - c4 * t689;
         put(47, t697); // row 1, ZZ6
-        put(95, t700); // row 2, ZZ6
-        put(138, t692); // row 4, ZZ6
-        put(156, t686); // row 5, ZZ6
+        put(96, t700); // row 2, ZZ6
+        put(141, t692); // row 4, ZZ6
+        put(160, t686); // row 5, ZZ6
     }
     // XY6: column
     {
@@ -732,10 +739,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t718 = c2 * t713 + (t146 * t710 - t147 * t707);
         let t721 = c4 * t710 + s4 * t707;
         put(48, t718); // row 1, XY6
-        put(96, t721); // row 2, XY6
-        put(139, t713); // row 4, XY6
-        put(157, t707); // row 5, XY6
-        put(165, t701); // row 6, XY6
+        put(97, t721); // row 2, XY6
+        put(142, t713); // row 4, XY6
+        put(161, t707); // row 5, XY6
+        put(170, t701); // row 6, XY6
     }
     // XZ6: column
     {
@@ -746,9 +753,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t736 = c2 * t731 + (t146 * t728 - t147 * t725);
         let t739 = c4 * t728 + s4 * t725;
         put(49, t736); // row 1, XZ6
-        put(97, t739); // row 2, XZ6
-        put(140, t731); // row 4, XZ6
-        put(158, t725); // row 5, XZ6
+        put(98, t739); // row 2, XZ6
+        put(143, t731); // row 4, XZ6
+        put(162, t725); // row 5, XZ6
     }
     // YZ6: column
     {
@@ -781,27 +788,27 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(8, t759); // row 1, XY2
         put(10, t760); // row 1, YZ2
         put(50, t755); // row 1, YZ6
-        put(52, t761); // row 2, MSZ2
-        put(53, t762); // row 2, XX2
-        put(56, t763); // row 2, XY2
-        put(64, t762); // row 2, YY3
-        put(67, t764); // row 2, XZ3
-        put(69, t765); // row 2, M4
-        put(98, t758); // row 2, YZ6
-        put(99, t766); // row 3, M3
-        put(101, t767); // row 3, MSY3
-        put(102, t768); // row 3, MSZ3
-        put(103, t766); // row 3, M4
-        put(107, t769); // row 3, M5
-        put(110, t770); // row 3, MSZ5
-        put(111, t771); // row 3, M6
-        put(114, t772); // row 3, MSZ6
-        put(119, t773); // row 4, ZZ4
-        put(127, t774); // row 4, YY5
-        put(141, t750); // row 4, YZ6
-        put(146, t775); // row 5, ZZ5
-        put(159, t744); // row 5, YZ6
-        put(161, t776); // row 6, MSY6
-        put(162, t777); // row 6, XX6
+        put(53, t761); // row 2, MSZ2
+        put(54, t762); // row 2, XX2
+        put(57, t763); // row 2, XY2
+        put(65, t762); // row 2, YY3
+        put(68, t764); // row 2, XZ3
+        put(70, t765); // row 2, M4
+        put(99, t758); // row 2, YZ6
+        put(101, t766); // row 3, M3
+        put(103, t767); // row 3, MSY3
+        put(104, t768); // row 3, MSZ3
+        put(105, t766); // row 3, M4
+        put(109, t769); // row 3, M5
+        put(112, t770); // row 3, MSZ5
+        put(113, t771); // row 3, M6
+        put(116, t772); // row 3, MSZ6
+        put(122, t773); // row 4, ZZ4
+        put(130, t774); // row 4, YY5
+        put(144, t750); // row 4, YZ6
+        put(150, t775); // row 5, ZZ5
+        put(163, t744); // row 5, YZ6
+        put(166, t776); // row 6, MSY6
+        put(167, t777); // row 6, XX6
     }
 }

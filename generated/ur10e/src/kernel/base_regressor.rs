@@ -2,35 +2,38 @@
 //!
 //! `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 316 multiplications, 249 additions; 6 x 36, 139 of 216 structurally nonzero.
+//! 316 multiplications, 249 additions; 6 x 58, 161 of 348 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 139;
+pub const NONZEROS: usize = 161;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 0), (0, 3), (0, 4), (0, 5), (0, 6), (0, 7), (0, 8), (0, 9), (0, 10), (0, 11),
     (0, 12), (0, 13), (0, 14), (0, 15), (0, 16), (0, 17), (0, 18), (0, 19), (0, 20), (0, 21),
     (0, 22), (0, 23), (0, 24), (0, 25), (0, 26), (0, 27), (0, 28), (0, 29), (0, 30), (0, 31),
-    (0, 32), (0, 33), (0, 34), (0, 35), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 6),
-    (1, 7), (1, 8), (1, 9), (1, 10), (1, 11), (1, 12), (1, 13), (1, 14), (1, 15), (1, 16),
-    (1, 17), (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26),
-    (1, 27), (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (2, 8),
-    (2, 9), (2, 10), (2, 11), (2, 12), (2, 13), (2, 14), (2, 15), (2, 16), (2, 17), (2, 18),
-    (2, 19), (2, 20), (2, 21), (2, 22), (2, 23), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28),
-    (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35), (3, 15), (3, 16), (3, 17),
+    (0, 32), (0, 33), (0, 34), (0, 35), (0, 40), (0, 46), (0, 52), (1, 1), (1, 2), (1, 3),
+    (1, 4), (1, 5), (1, 6), (1, 7), (1, 8), (1, 9), (1, 10), (1, 11), (1, 12), (1, 13),
+    (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23),
+    (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33),
+    (1, 34), (1, 35), (1, 41), (1, 47), (1, 53), (2, 8), (2, 9), (2, 10), (2, 11), (2, 12),
+    (2, 13), (2, 14), (2, 15), (2, 16), (2, 17), (2, 18), (2, 19), (2, 20), (2, 21), (2, 22),
+    (2, 23), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32),
+    (2, 33), (2, 34), (2, 35), (2, 36), (2, 42), (2, 48), (2, 54), (3, 15), (3, 16), (3, 17),
     (3, 18), (3, 19), (3, 20), (3, 21), (3, 22), (3, 23), (3, 24), (3, 25), (3, 26), (3, 27),
-    (3, 28), (3, 29), (3, 30), (3, 31), (3, 32), (3, 33), (3, 34), (3, 35), (4, 22), (4, 23),
-    (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (4, 30), (4, 31), (4, 32), (4, 33),
-    (4, 34), (4, 35), (5, 29), (5, 30), (5, 31), (5, 32), (5, 33), (5, 34), (5, 35),
+    (3, 28), (3, 29), (3, 30), (3, 31), (3, 32), (3, 33), (3, 34), (3, 35), (3, 37), (3, 43),
+    (3, 49), (3, 55), (4, 22), (4, 23), (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29),
+    (4, 30), (4, 31), (4, 32), (4, 33), (4, 34), (4, 35), (4, 38), (4, 44), (4, 50), (4, 56),
+    (5, 29), (5, 30), (5, 31), (5, 32), (5, 33), (5, 34), (5, 35), (5, 39), (5, 45), (5, 51),
+    (5, 57),
 ];
 
 /// Regressor `W_b` of the base parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 36]; 6]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 58]; 6]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -57,11 +60,28 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let k0 = S::constant(9.81);
     let k1 = S::constant(0.6127);
     let k2 = S::constant(0.57155);
+    let k7 = S::constant(1.0);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
         put(0, ddq1); // row 1, ZZ1R
-        put(37, ddq2); // row 2, ZZ2R
+        put(34, dq1); // row 1, FV1
+        put(36, k7); // row 1, FO1
+        put(40, ddq2); // row 2, ZZ2R
+        put(72, dq2); // row 2, FV2
+        put(74, k7); // row 2, FO2
+        put(103, ddq3); // row 3, IA3
+        put(104, dq3); // row 3, FV3
+        put(106, k7); // row 3, FO3
+        put(128, ddq4); // row 4, IA4
+        put(129, dq4); // row 4, FV4
+        put(131, k7); // row 4, FO4
+        put(146, ddq5); // row 5, IA5
+        put(147, dq5); // row 5, FV5
+        put(149, k7); // row 5, FO5
+        put(157, ddq6); // row 6, IA6
+        put(158, dq6); // row 6, FV6
+        put(160, k7); // row 6, FO6
         t0
     };
     // link 2: motion
@@ -90,9 +110,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t18 = t7 + t8;
         let t19 = dw2_y - t10;
         let t20 = t11 + dw2_x;
-        put(34, a2_y); // row 2, MSX2R
-        put(39, t3); // row 2, XZ2R
-        put(40, t4); // row 2, YZ2
+        put(37, a2_y); // row 2, MSX2R
+        put(42, t3); // row 2, XZ2R
+        put(43, t4); // row 2, YZ2
         [
         w2_x, w2_y, t3, t4, a2_x, a2_y, t9, t10,
         t11, dw2_x, t14, t15, t16, t17, t18, t19,
@@ -130,16 +150,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t57 = t46 + t47;
         let t58 = dw3_y - t49;
         let t59 = t50 - dw3_x;
-        put(43, t48); // row 2, XX3R
-        put(44, dw3_z); // row 2, ZZ3R
-        put(46, t43); // row 2, XZ3R
-        put(47, t40); // row 2, YZ3
-        put(69, a3_y); // row 3, MSX3R
-        put(70, t34); // row 3, MSY3
-        put(71, t48); // row 3, XX3R
-        put(72, dw3_z); // row 3, ZZ3R
-        put(74, t43); // row 3, XZ3R
-        put(75, t40); // row 3, YZ3
+        put(46, t48); // row 2, XX3R
+        put(47, dw3_z); // row 2, ZZ3R
+        put(49, t43); // row 2, XZ3R
+        put(50, t40); // row 2, YZ3
+        put(75, a3_y); // row 3, MSX3R
+        put(76, t34); // row 3, MSY3
+        put(77, t48); // row 3, XX3R
+        put(78, dw3_z); // row 3, ZZ3R
+        put(80, t43); // row 3, XZ3R
+        put(81, t40); // row 3, YZ3
         [
         w3_x, t26, t29, t34, a3_y, t40, t43, w3_z,
         dw3_z, t49, t50, dw3_x, t53, t54, t55, t56,
@@ -177,20 +197,20 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t103 = t92 + t93;
         let t104 = dw4_y - t95;
         let t105 = t96 + t97;
-        put(50, t94); // row 2, XX4R
-        put(51, dw4_z); // row 2, ZZ4R
-        put(53, t89); // row 2, XZ4
-        put(54, t86); // row 2, YZ4
-        put(78, t94); // row 3, XX4R
-        put(79, dw4_z); // row 3, ZZ4R
-        put(81, t89); // row 3, XZ4
-        put(82, t86); // row 3, YZ4
-        put(97, a4_y); // row 4, MSX4
-        put(98, t80); // row 4, MSY4R
-        put(99, t94); // row 4, XX4R
-        put(100, dw4_z); // row 4, ZZ4R
-        put(102, t89); // row 4, XZ4
-        put(103, t86); // row 4, YZ4
+        put(53, t94); // row 2, XX4R
+        put(54, dw4_z); // row 2, ZZ4R
+        put(56, t89); // row 2, XZ4
+        put(57, t86); // row 2, YZ4
+        put(84, t94); // row 3, XX4R
+        put(85, dw4_z); // row 3, ZZ4R
+        put(87, t89); // row 3, XZ4
+        put(88, t86); // row 3, YZ4
+        put(107, a4_y); // row 4, MSX4
+        put(108, t80); // row 4, MSY4R
+        put(109, t94); // row 4, XX4R
+        put(110, dw4_z); // row 4, ZZ4R
+        put(112, t89); // row 4, XZ4
+        put(113, t86); // row 4, YZ4
         [
         w4_x, t65, t77, t80, a4_y, w4_z, t95, t96,
         t97, dw4_y, t99, t100, t101, t102, t103, t104,
@@ -228,11 +248,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t143 = t132 + t133;
         let t144 = t138 - t135;
         let t145 = t136 + dw5_x;
-        put(118, a5_y); // row 5, MSX5
-        put(119, t120); // row 5, MSY5R
-        put(121, dw5_z); // row 5, ZZ5R
-        put(123, t129); // row 5, XZ5
-        put(124, t126); // row 5, YZ5
+        put(132, a5_y); // row 5, MSX5
+        put(133, t120); // row 5, MSY5R
+        put(135, dw5_z); // row 5, ZZ5R
+        put(137, t129); // row 5, XZ5
+        put(138, t126); // row 5, YZ5
         [
         w5_x, w5_y, t116, t120, a5_y, t126, t129, w5_z,
         dw5_z, t134, t135, t136, dw5_x, t138, t139, t140,
@@ -270,12 +290,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t183 = t172 + t173;
         let t184 = dw6_y - t175;
         let t185 = t176 + t177;
-        put(132, a6_y); // row 6, MSX6
-        put(133, t160); // row 6, MSY6
-        put(134, t174); // row 6, XX6R
-        put(135, dw6_z); // row 6, ZZ6
-        put(137, t169); // row 6, XZ6
-        put(138, t166); // row 6, YZ6
+        put(150, a6_y); // row 6, MSX6
+        put(151, t160); // row 6, MSY6
+        put(152, t174); // row 6, XX6R
+        put(153, dw6_z); // row 6, ZZ6
+        put(155, t169); // row 6, XZ6
+        put(156, t166); // row 6, YZ6
         [
         t156, t160, a6_y, t166, t169, dw6_z, t174, t175,
         t176, t177, t179, t180, t181, t182, t183, t184,
@@ -336,7 +356,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t227 = t15 + t18;
         let t230 = s2 * t19 + c2 * t20;
         put(3, t230); // row 1, XY2
-        put(38, t227); // row 2, XY2
+        put(41, t227); // row 2, XY2
     }
     // XZ2: column
     {
@@ -353,14 +373,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t240 = t29 * t192 - t58 * v1_3_z;
         let t244 = a3_y - (t54 * t193 + t56 * t194);
         put(6, t240); // row 1, MSX3R
-        put(41, t244); // row 2, MSX3R
+        put(44, t244); // row 2, MSX3R
     }
     // MSY3: column
     {
         let t247 = t29 * z1_3_x - t59 * v1_3_z;
         let t251 = t34 + (t55 * t193 + t57 * t194);
         put(7, t247); // row 1, MSY3
-        put(42, t251); // row 2, MSY3
+        put(45, t251); // row 2, MSY3
     }
     // XX3: column
     let t253 = {
@@ -379,8 +399,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t257 = t54 + t57;
         let t260 = t58 * z1_3_x + t59 * t192;
         put(10, t260); // row 1, XY3
-        put(45, t257); // row 2, XY3
-        put(73, t257); // row 3, XY3
+        put(48, t257); // row 2, XY3
+        put(79, t257); // row 3, XY3
     }
     // XZ3: column
     {
@@ -398,8 +418,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t278 = a4_y - (t102 * v2_4_y - t100 * t214);
         let t282 = a4_y + (t100 * t218 + t102 * v3_5_z);
         put(13, t274); // row 1, MSX4
-        put(48, t278); // row 2, MSX4
-        put(76, t282); // row 3, MSX4
+        put(51, t278); // row 2, MSX4
+        put(82, t282); // row 3, MSX4
     }
     // MSY4: column
     {
@@ -407,8 +427,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t293 = t80 + (t101 * t214 - t103 * v2_4_y);
         let t297 = t80 + (t101 * t218 + t103 * v3_5_z);
         put(14, t289); // row 1, MSY4R
-        put(49, t293); // row 2, MSY4R
-        put(77, t297); // row 3, MSY4R
+        put(52, t293); // row 2, MSY4R
+        put(83, t297); // row 3, MSY4R
     }
     // XX4: column
     let t299 = {
@@ -427,9 +447,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t303 = t103 - t100;
         let t306 = t105 * t204 - t104 * t201;
         put(17, t306); // row 1, XY4
-        put(52, t303); // row 2, XY4
-        put(80, t303); // row 3, XY4
-        put(101, t303); // row 4, XY4
+        put(55, t303); // row 2, XY4
+        put(86, t303); // row 3, XY4
+        put(111, t303); // row 4, XY4
     }
     // XZ4: column
     {
@@ -454,9 +474,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t338 = t325 + (t214 * t316 + t144 * v2_4_y);
         let t342 = t325 + (t218 * t316 - t144 * v3_5_z);
         put(20, t334); // row 1, MSX5
-        put(55, t338); // row 2, MSX5
-        put(83, t342); // row 3, MSX5
-        put(104, t325); // row 4, MSX5
+        put(58, t338); // row 2, MSX5
+        put(89, t342); // row 3, MSX5
+        put(114, t325); // row 4, MSX5
         [t315, t320, t321]
     };
     // MSY5: column
@@ -470,9 +490,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t365 = t352 - (t214 * t345 + t145 * v2_4_y);
         let t369 = t352 - (t218 * t345 - t145 * v3_5_z);
         put(21, t361); // row 1, MSY5R
-        put(56, t365); // row 2, MSY5R
-        put(84, t369); // row 3, MSY5R
-        put(105, t352); // row 4, MSY5R
+        put(59, t365); // row 2, MSY5R
+        put(90, t369); // row 3, MSY5R
+        put(115, t352); // row 4, MSY5R
         t343
     };
     // XX5: column
@@ -482,9 +502,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t376 = c5 * t135;
         let t377 = s5 * dw5_x + t376;
         put(22, t374); // row 1, XX5R
-        put(57, t377); // row 2, XX5R
-        put(85, t377); // row 3, XX5R
-        put(106, t377); // row 4, XX5R
+        put(60, t377); // row 2, XX5R
+        put(91, t377); // row 3, XX5R
+        put(116, t377); // row 4, XX5R
         [t371, t376]
     };
     // ZZ5: column
@@ -492,9 +512,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t381 = dw5_z * t204 - (t371 + t136 * t220);
         let t383 = s5 * t136 - t376;
         put(23, t381); // row 1, ZZ5R
-        put(58, t383); // row 2, ZZ5R
-        put(86, t383); // row 3, ZZ5R
-        put(107, t383); // row 4, ZZ5R
+        put(61, t383); // row 2, ZZ5R
+        put(92, t383); // row 3, ZZ5R
+        put(117, t383); // row 4, ZZ5R
     }
     // XY5: column
     {
@@ -502,19 +522,19 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t389 = t204 * t384 + (t145 * t221 - t144 * t220);
         let t392 = s5 * t144 + c5 * t145;
         put(24, t389); // row 1, XY5
-        put(59, t392); // row 2, XY5
-        put(87, t392); // row 3, XY5
-        put(108, t392); // row 4, XY5
-        put(122, t384); // row 5, XY5
+        put(62, t392); // row 2, XY5
+        put(93, t392); // row 3, XY5
+        put(118, t392); // row 4, XY5
+        put(136, t384); // row 5, XY5
     }
     // XZ5: column
     {
         let t397 = t129 * t204 - (t142 * t220 + t139 * t221);
         let t399 = t315 - c5 * t139;
         put(25, t397); // row 1, XZ5
-        put(60, t399); // row 2, XZ5
-        put(88, t399); // row 3, XZ5
-        put(109, t399); // row 4, XZ5
+        put(63, t399); // row 2, XZ5
+        put(94, t399); // row 3, XZ5
+        put(119, t399); // row 4, XZ5
     }
     // YZ5: column
     {
@@ -522,9 +542,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t405 = t126 * t204 - (t220 * t400 + t141 * t221);
         let t407 = s5 * t400 - t343;
         put(26, t405); // row 1, YZ5
-        put(61, t407); // row 2, YZ5
-        put(89, t407); // row 3, YZ5
-        put(110, t407); // row 4, YZ5
+        put(64, t407); // row 2, YZ5
+        put(95, t407); // row 3, YZ5
+        put(120, t407); // row 4, YZ5
     }
     // MSX6: column
     let [t409, t412, t414, t415] = {
@@ -544,10 +564,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t448 = t435 + (t214 * t422 + v2_4_y * t413);
         let t452 = t435 + (t218 * t422 - v3_5_z * t413);
         put(27, t444); // row 1, MSX6
-        put(62, t448); // row 2, MSX6
-        put(90, t452); // row 3, MSX6
-        put(111, t435); // row 4, MSX6
-        put(125, t419); // row 5, MSX6
+        put(65, t448); // row 2, MSX6
+        put(96, t452); // row 3, MSX6
+        put(121, t435); // row 4, MSX6
+        put(139, t419); // row 5, MSX6
         [t409, t412, t414, t415]
     };
     // MSY6: column
@@ -566,10 +586,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t491 = t478 + (t214 * t465 - v2_4_y * t458);
         let t495 = t478 + (t218 * t465 + v3_5_z * t458);
         put(28, t487); // row 1, MSY6
-        put(63, t491); // row 2, MSY6
-        put(91, t495); // row 3, MSY6
-        put(112, t478); // row 4, MSY6
-        put(126, t462); // row 5, MSY6
+        put(66, t491); // row 2, MSY6
+        put(97, t495); // row 3, MSY6
+        put(122, t478); // row 4, MSY6
+        put(140, t462); // row 5, MSY6
         [t453, t456]
     };
     // XX6: column
@@ -581,10 +601,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t506 = t204 * t501 + (t220 * t498 + t174 * t221);
         let t509 = c5 * t174 - s5 * t498;
         put(29, t506); // row 1, XX6R
-        put(64, t509); // row 2, XX6R
-        put(92, t509); // row 3, XX6R
-        put(113, t509); // row 4, XX6R
-        put(127, t501); // row 5, XX6R
+        put(67, t509); // row 2, XX6R
+        put(98, t509); // row 3, XX6R
+        put(123, t509); // row 4, XX6R
+        put(141, t501); // row 5, XX6R
         [t497, t500]
     };
     // ZZ6: column
@@ -594,10 +614,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t518 = t204 * t513 + (dw6_z * t221 - t220 * t511);
         let t521 = s5 * t511 + c5 * dw6_z;
         put(30, t518); // row 1, ZZ6
-        put(65, t521); // row 2, ZZ6
-        put(93, t521); // row 3, ZZ6
-        put(114, t521); // row 4, ZZ6
-        put(128, t513); // row 5, ZZ6
+        put(68, t521); // row 2, ZZ6
+        put(99, t521); // row 3, ZZ6
+        put(124, t521); // row 4, ZZ6
+        put(142, t513); // row 5, ZZ6
     }
     // XY6: column
     {
@@ -607,11 +627,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t533 = t204 * t528 - (t220 * t525 - t221 * t522);
         let t536 = s5 * t525 + c5 * t522;
         put(31, t533); // row 1, XY6
-        put(66, t536); // row 2, XY6
-        put(94, t536); // row 3, XY6
-        put(115, t536); // row 4, XY6
-        put(129, t528); // row 5, XY6
-        put(136, t522); // row 6, XY6
+        put(69, t536); // row 2, XY6
+        put(100, t536); // row 3, XY6
+        put(125, t536); // row 4, XY6
+        put(143, t528); // row 5, XY6
+        put(154, t522); // row 6, XY6
     }
     // XZ6: column
     {
@@ -620,10 +640,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t545 = t204 * t540 + (t169 * t221 - t220 * t538);
         let t548 = s5 * t538 + c5 * t169;
         put(32, t545); // row 1, XZ6
-        put(67, t548); // row 2, XZ6
-        put(95, t548); // row 3, XZ6
-        put(116, t548); // row 4, XZ6
-        put(130, t540); // row 5, XZ6
+        put(70, t548); // row 2, XZ6
+        put(101, t548); // row 3, XZ6
+        put(126, t548); // row 4, XZ6
+        put(144, t540); // row 5, XZ6
     }
     // YZ6: column
     {
@@ -632,16 +652,28 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t553 = s6 * t549 - t453;
         let t558 = t204 * t553 + (t220 * t551 + t166 * t221);
         let t561 = c5 * t166 - s5 * t551;
-        let t562 = -a2_x;
-        let t563 = -t9;
-        let t564 = -t134;
+        let t562 = dq1.sign();
+        let t563 = dq2.sign();
+        let t564 = dq3.sign();
+        let t565 = dq4.sign();
+        let t566 = dq5.sign();
+        let t567 = dq6.sign();
+        let t568 = -a2_x;
+        let t569 = -t9;
+        let t570 = -t134;
         put(33, t558); // row 1, YZ6
-        put(35, t562); // row 2, MSY2
-        put(36, t563); // row 2, XX2R
-        put(68, t561); // row 2, YZ6
-        put(96, t561); // row 3, YZ6
-        put(117, t561); // row 4, YZ6
-        put(120, t564); // row 5, XX5R
-        put(131, t553); // row 5, YZ6
+        put(35, t562); // row 1, FC1
+        put(38, t568); // row 2, MSY2
+        put(39, t569); // row 2, XX2R
+        put(71, t561); // row 2, YZ6
+        put(73, t563); // row 2, FC2
+        put(102, t561); // row 3, YZ6
+        put(105, t564); // row 3, FC3
+        put(127, t561); // row 4, YZ6
+        put(130, t565); // row 4, FC4
+        put(134, t570); // row 5, XX5R
+        put(145, t553); // row 5, YZ6
+        put(148, t566); // row 5, FC5
+        put(159, t567); // row 6, FC6
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil and Dombre, 9.5.2.
 //!
-//! 289 multiplications, 288 additions; 6, 6 of 6 structurally nonzero.
+//! 307 multiplications, 312 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, STANDARD, Trig};
@@ -28,6 +28,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         XX3, YY3, ZZ3, XY3, XZ3, YZ3, M4, MSX4, MSY4, MSZ4, XX4, YY4,
         ZZ4, XY4, XZ4, YZ4, M5, MSX5, MSY5, MSZ5, XX5, YY5, ZZ5, XY5,
         XZ5, YZ5, M6, MSX6, MSY6, MSZ6, XX6, YY6, ZZ6, XY6, XZ6, YZ6,
+        IA1, IA2, IA3, IA4, IA5, IA6, FV1, FV2, FV3, FV4, FV5, FV6,
+        FC1, FC2, FC3, FC4, FC5, FC6, FO1, FO2, FO3, FO4, FO5, FO6,
         ..] = *phi;
     let D4 = S::constant(0.17415);
     let D5 = S::constant(0.11985);
@@ -236,7 +238,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t256 = s6 * f6_x + c6 * f6_y;
         let t265 = c6 * n6_x - s6 * n6_y - D6 * t256;
         let t266 = s6 * n6_x + c6 * n6_y + D6 * t253;
-        put(5, n6_z);
         [f6_z, n6_z, t253, t256, t265, t266]
     };
     // link 5: force and moment
@@ -255,11 +256,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t343 = s5 * f5_x + c5 * f5_y;
         let t352 = c5 * n5_x - s5 * n5_y - D5 * t343;
         let t353 = s5 * n5_x + c5 * n5_y + D5 * t340;
-        put(4, n5_z);
         [f5_z, n5_z, t340, t343, t352, t353]
     };
     // link 4: force and moment
-    let [f4_z, t427, t430, t442, t443, t444] = {
+    let [f4_z, n4_z, t427, t430, t442, t443, t444] = {
         let t375 = XZ4 * t89;
         let t376 = t96 * (ZZ4 - YY4) + XX4 * dw4_x - XY4 * t104 + XZ4 * t102;
         let t377 = t95 * (XX4 - ZZ4) + YY4 * dw4_y + XY4 * t105 - XZ4 * t99;
@@ -275,11 +275,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t442 = c4 * n4_x - s4 * n4_y - D4 * t430;
         let t443 = s4 * n4_x + c4 * n4_y + (D4 * t427 + k2 * f4_z);
         let t444 = n4_z - k2 * t430;
-        put(3, n4_z);
-        [f4_z, t427, t430, t442, t443, t444]
+        [f4_z, n4_z, t427, t430, t442, t443, t444]
     };
     // link 3: force and moment
-    let [t521, t527, t528] = {
+    let [n3_z, t521, t527, t528] = {
         let t466 = XZ3 * t43;
         let t467 = t50 * (ZZ3 - YY3) + XX3 * dw3_x - XY3 * t58 + XZ3 * t56;
         let t468 = t49 * (XX3 - ZZ3) + YY3 * dw3_y + XY3 * t59 - XZ3 * t53;
@@ -293,11 +292,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t521 = c3 * n3_x - s3 * n3_y;
         let t527 = s3 * n3_x + c3 * n3_y + k1 * f3_z;
         let t528 = n3_z - k1 * (s3 * f3_x + c3 * f3_y);
-        put(2, n3_z);
-        [t521, t527, t528]
+        [n3_z, t521, t527, t528]
     };
     // link 2: force and moment
-    let t574 = {
+    let [n2_z, t574] = {
         let t550 = XZ2 * t3;
         let t551 = t11 * (ZZ2 - YY2) + XX2 * dw2_x - XY2 * t19 + XZ2 * t17;
         let t552 = t10 * (XX2 - ZZ2) + YY2 * dw2_y + XY2 * t20 - XZ2 * t14;
@@ -306,12 +304,26 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let n2_y = t527 + (t552 - YZ2 * t16 + MSZ2 * a2_x);
         let n2_z = t528 + (t553 + YZ2 * t4 + (MSX2 * a2_y - MSY2 * a2_x));
         let t574 = s2 * n2_x + c2 * n2_y;
-        put(1, n2_z);
-        t574
+        [n2_z, t574]
     };
     // link 1: force and moment
-    {
+    let n1_z = {
         let n1_z = t574 + ZZ1 * ddq1;
-        put(0, n1_z);
+        n1_z
+    };
+    // drives
+    {
+        let t619 = FO1 + (n1_z + IA1 * ddq1 + FV1 * dq1 + FC1 * dq1.sign());
+        let t620 = FO2 + (n2_z + IA2 * ddq2 + FV2 * dq2 + FC2 * dq2.sign());
+        let t621 = FO3 + (n3_z + IA3 * ddq3 + FV3 * dq3 + FC3 * dq3.sign());
+        let t622 = FO4 + (n4_z + IA4 * ddq4 + FV4 * dq4 + FC4 * dq4.sign());
+        let t623 = FO5 + (n5_z + IA5 * ddq5 + FV5 * dq5 + FC5 * dq5.sign());
+        let t624 = FO6 + (n6_z + IA6 * ddq6 + FV6 * dq6 + FC6 * dq6.sign());
+        put(0, t619);
+        put(1, t620);
+        put(2, t621);
+        put(3, t622);
+        put(4, t623);
+        put(5, t624);
     }
 }

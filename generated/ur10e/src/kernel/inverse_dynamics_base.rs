@@ -2,7 +2,7 @@
 //!
 //! `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil and Dombre, 9.6.
 //!
-//! 250 multiplications, 239 additions; 6, 6 of 6 structurally nonzero.
+//! 266 multiplications, 261 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -26,6 +26,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         ZZ1R, MSX2R, MSY2, XX2R, ZZ2R, XY2, XZ2R, YZ2, MSX3R, MSY3, XX3R, ZZ3R,
         XY3, XZ3R, YZ3, MSX4, MSY4R, XX4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSY5R,
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6,
+        IA3, IA4, IA5, IA6, FV1, FV2, FV3, FV4, FV5, FV6, FC1, FC2,
+        FC3, FC4, FC5, FC6, FO1, FO2, FO3, FO4, FO5, FO6,
         ..] = *beta;
     let D4 = S::constant(0.17415);
     let D5 = S::constant(0.11985);
@@ -234,7 +236,6 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t236 = s6 * f6_x + c6 * f6_y;
         let t245 = c6 * n6_x - s6 * n6_y - D6 * t236;
         let t246 = s6 * n6_x + c6 * n6_y + D6 * t233;
-        put(5, n6_z);
         [f6_z, n6_z, t233, t236, t245, t246]
     };
     // link 5: force and moment
@@ -253,11 +254,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t303 = s5 * f5_x + c5 * f5_y;
         let t312 = c5 * n5_x - s5 * n5_y - D5 * t303;
         let t313 = s5 * n5_x + c5 * n5_y + D5 * t300;
-        put(4, n5_z);
         [f5_z, n5_z, t300, t303, t312, t313]
     };
     // link 4: force and moment
-    let [f4_z, t367, t370, t382, t383, t384] = {
+    let [f4_z, n4_z, t367, t370, t382, t383, t384] = {
         let t334 = ZZ4R * dw4_z - XX4R * t94 + XY4 * (t100 + t103) + XZ4 * t89;
         let t336 = YZ4 * (t0 - t103);
         let t339 = ZZ4R * t96 + XX4R * dw4_x - XY4 * t104 + XZ4 * t102 + t336;
@@ -273,11 +273,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t382 = c4 * n4_x - s4 * n4_y - D4 * t370;
         let t383 = s4 * n4_x + c4 * n4_y + (D4 * t367 + k2 * f4_z);
         let t384 = n4_z - k2 * t370;
-        put(3, n4_z);
-        [f4_z, t367, t370, t382, t383, t384]
+        [f4_z, n4_z, t367, t370, t382, t383, t384]
     };
     // link 3: force and moment
-    let [t441, t447, t448] = {
+    let [n3_z, t441, t447, t448] = {
         let t405 = ZZ3R * dw3_z - XX3R * t48 + XY3 * (t54 + t57) + XZ3R * t43;
         let t407 = YZ3 * (t0 - t57);
         let t410 = ZZ3R * t50 + XX3R * dw3_x - XY3 * t58 + XZ3R * t56 + t407;
@@ -291,11 +290,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t441 = c3 * n3_x - s3 * n3_y;
         let t447 = s3 * n3_x + c3 * n3_y + k1 * f3_z;
         let t448 = n3_z - k1 * (s3 * f3_x + c3 * f3_y);
-        put(2, n3_z);
-        [t441, t447, t448]
+        [n3_z, t441, t447, t448]
     };
     // link 2: force and moment
-    let t486 = {
+    let [n2_z, t486] = {
         let t469 = ZZ2R * ddq2 - XX2R * t9 + XY2 * (t15 + t18) + XZ2R * t3;
         let t471 = YZ2 * (t0 - t18);
         let t474 = ZZ2R * t11 + XX2R * dw2_x - XY2 * t19 + XZ2R * t17 + t471;
@@ -304,12 +302,26 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let n2_y = t447 + t475;
         let n2_z = t448 + (t469 + YZ2 * t4 + (MSX2R * a2_y - MSY2 * a2_x));
         let t486 = s2 * n2_x + c2 * n2_y;
-        put(1, n2_z);
-        t486
+        [n2_z, t486]
     };
     // link 1: force and moment
-    {
+    let n1_z = {
         let n1_z = t486 + ZZ1R * ddq1;
-        put(0, n1_z);
+        n1_z
+    };
+    // drives
+    {
+        let t527 = FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign());
+        let t528 = FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign());
+        let t529 = FO3 + (n3_z + IA3 * ddq3 + FV3 * dq3 + FC3 * dq3.sign());
+        let t530 = FO4 + (n4_z + IA4 * ddq4 + FV4 * dq4 + FC4 * dq4.sign());
+        let t531 = FO5 + (n5_z + IA5 * ddq5 + FV5 * dq5 + FC5 * dq5.sign());
+        let t532 = FO6 + (n6_z + IA6 * ddq6 + FV6 * dq6 + FC6 * dq6.sign());
+        put(0, t527);
+        put(1, t528);
+        put(2, t529);
+        put(3, t530);
+        put(4, t531);
+        put(5, t532);
     }
 }

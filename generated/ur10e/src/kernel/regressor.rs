@@ -2,13 +2,13 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 421 multiplications, 330 additions; 6 x 60, 188 of 360 structurally nonzero.
+//! 421 multiplications, 330 additions; 6 x 84, 212 of 504 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 188;
+pub const NONZEROS: usize = 212;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
@@ -16,26 +16,29 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 22), (0, 23), (0, 24), (0, 25), (0, 26), (0, 27), (0, 28), (0, 29), (0, 30), (0, 31),
     (0, 32), (0, 33), (0, 34), (0, 35), (0, 36), (0, 37), (0, 38), (0, 39), (0, 40), (0, 41),
     (0, 42), (0, 43), (0, 44), (0, 45), (0, 46), (0, 47), (0, 48), (0, 49), (0, 50), (0, 51),
-    (0, 52), (0, 53), (0, 54), (0, 55), (0, 56), (0, 57), (0, 58), (0, 59), (1, 11), (1, 12),
-    (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23),
-    (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33),
-    (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39), (1, 40), (1, 41), (1, 42), (1, 43),
-    (1, 44), (1, 45), (1, 46), (1, 47), (1, 48), (1, 49), (1, 50), (1, 51), (1, 52), (1, 53),
-    (1, 54), (1, 55), (1, 56), (1, 57), (1, 58), (1, 59), (2, 21), (2, 22), (2, 24), (2, 25),
-    (2, 26), (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35),
-    (2, 36), (2, 37), (2, 38), (2, 39), (2, 40), (2, 41), (2, 42), (2, 43), (2, 44), (2, 45),
-    (2, 46), (2, 47), (2, 48), (2, 49), (2, 50), (2, 51), (2, 52), (2, 53), (2, 54), (2, 55),
-    (2, 56), (2, 57), (2, 58), (2, 59), (3, 31), (3, 32), (3, 34), (3, 35), (3, 36), (3, 37),
-    (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (3, 43), (3, 44), (3, 45), (3, 46), (3, 47),
-    (3, 48), (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54), (3, 55), (3, 56), (3, 57),
-    (3, 58), (3, 59), (4, 41), (4, 42), (4, 44), (4, 45), (4, 46), (4, 47), (4, 48), (4, 49),
-    (4, 50), (4, 51), (4, 52), (4, 53), (4, 54), (4, 55), (4, 56), (4, 57), (4, 58), (4, 59),
-    (5, 51), (5, 52), (5, 54), (5, 55), (5, 56), (5, 57), (5, 58), (5, 59),
+    (0, 52), (0, 53), (0, 54), (0, 55), (0, 56), (0, 57), (0, 58), (0, 59), (0, 60), (0, 66),
+    (0, 72), (0, 78), (1, 11), (1, 12), (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19),
+    (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29),
+    (1, 30), (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39),
+    (1, 40), (1, 41), (1, 42), (1, 43), (1, 44), (1, 45), (1, 46), (1, 47), (1, 48), (1, 49),
+    (1, 50), (1, 51), (1, 52), (1, 53), (1, 54), (1, 55), (1, 56), (1, 57), (1, 58), (1, 59),
+    (1, 61), (1, 67), (1, 73), (1, 79), (2, 21), (2, 22), (2, 24), (2, 25), (2, 26), (2, 27),
+    (2, 28), (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35), (2, 36), (2, 37),
+    (2, 38), (2, 39), (2, 40), (2, 41), (2, 42), (2, 43), (2, 44), (2, 45), (2, 46), (2, 47),
+    (2, 48), (2, 49), (2, 50), (2, 51), (2, 52), (2, 53), (2, 54), (2, 55), (2, 56), (2, 57),
+    (2, 58), (2, 59), (2, 62), (2, 68), (2, 74), (2, 80), (3, 31), (3, 32), (3, 34), (3, 35),
+    (3, 36), (3, 37), (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (3, 43), (3, 44), (3, 45),
+    (3, 46), (3, 47), (3, 48), (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54), (3, 55),
+    (3, 56), (3, 57), (3, 58), (3, 59), (3, 63), (3, 69), (3, 75), (3, 81), (4, 41), (4, 42),
+    (4, 44), (4, 45), (4, 46), (4, 47), (4, 48), (4, 49), (4, 50), (4, 51), (4, 52), (4, 53),
+    (4, 54), (4, 55), (4, 56), (4, 57), (4, 58), (4, 59), (4, 64), (4, 70), (4, 76), (4, 82),
+    (5, 51), (5, 52), (5, 54), (5, 55), (5, 56), (5, 57), (5, 58), (5, 59), (5, 65), (5, 71),
+    (5, 77), (5, 83),
 ];
 
 /// Regressor `W` of the standard parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 60]; 6]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 84]; 6]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -62,11 +65,30 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let k0 = S::constant(9.81);
     let k1 = S::constant(0.6127);
     let k2 = S::constant(0.57155);
+    let k7 = S::constant(1.0);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
         put(0, ddq1); // row 1, ZZ1
-        put(52, ddq2); // row 2, ZZ2
+        put(48, ddq1); // row 1, IA1
+        put(49, dq1); // row 1, FV1
+        put(51, k7); // row 1, FO1
+        put(56, ddq2); // row 2, ZZ2
+        put(100, ddq2); // row 2, IA2
+        put(101, dq2); // row 2, FV2
+        put(103, k7); // row 2, FO2
+        put(142, ddq3); // row 3, IA3
+        put(143, dq3); // row 3, FV3
+        put(145, k7); // row 3, FO3
+        put(174, ddq4); // row 4, IA4
+        put(175, dq4); // row 4, FV4
+        put(177, k7); // row 4, FO4
+        put(196, ddq5); // row 5, IA5
+        put(197, dq5); // row 5, FV5
+        put(199, k7); // row 5, FO5
+        put(208, ddq6); // row 6, IA6
+        put(209, dq6); // row 6, FV6
+        put(211, k7); // row 6, FO6
         t0
     };
     // link 2: motion
@@ -95,10 +117,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t18 = t7 + t8;
         let t19 = dw2_y - t10;
         let t20 = t11 + dw2_x;
-        put(48, a2_y); // row 2, MSX2
-        put(51, t9); // row 2, YY2
-        put(54, t3); // row 2, XZ2
-        put(55, t4); // row 2, YZ2
+        put(52, a2_y); // row 2, MSX2
+        put(55, t9); // row 2, YY2
+        put(58, t3); // row 2, XZ2
+        put(59, t4); // row 2, YZ2
         [
         w2_x, w2_y, t3, t4, a2_x, a2_y, t9, t10,
         t11, dw2_x, dw2_y, t14, t15, t16, t17, t18,
@@ -136,16 +158,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t57 = t46 + t47;
         let t58 = dw3_y - t49;
         let t59 = t50 - dw3_x;
-        put(60, t48); // row 2, XX3
-        put(62, dw3_z); // row 2, ZZ3
-        put(64, t43); // row 2, XZ3
-        put(65, t40); // row 2, YZ3
-        put(96, a3_y); // row 3, MSX3
-        put(97, t34); // row 3, MSY3
-        put(98, t48); // row 3, XX3
-        put(100, dw3_z); // row 3, ZZ3
-        put(102, t43); // row 3, XZ3
-        put(103, t40); // row 3, YZ3
+        put(64, t48); // row 2, XX3
+        put(66, dw3_z); // row 2, ZZ3
+        put(68, t43); // row 2, XZ3
+        put(69, t40); // row 2, YZ3
+        put(104, a3_y); // row 3, MSX3
+        put(105, t34); // row 3, MSY3
+        put(106, t48); // row 3, XX3
+        put(108, dw3_z); // row 3, ZZ3
+        put(110, t43); // row 3, XZ3
+        put(111, t40); // row 3, YZ3
         [
         w3_x, t26, t29, t34, a3_y, t40, t43, w3_z,
         dw3_z, t48, t49, t50, dw3_x, dw3_y, t53, t54,
@@ -183,17 +205,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t103 = t92 + t93;
         let t104 = t95 + t98;
         let t105 = t96 - dw4_x;
-        put(70, t94); // row 2, XX4
-        put(72, dw4_z); // row 2, ZZ4
-        put(74, t89); // row 2, XZ4
-        put(108, t94); // row 3, XX4
-        put(110, dw4_z); // row 3, ZZ4
-        put(112, t89); // row 3, XZ4
-        put(134, a4_y); // row 4, MSX4
-        put(135, t80); // row 4, MSY4
-        put(136, t94); // row 4, XX4
-        put(138, dw4_z); // row 4, ZZ4
-        put(140, t89); // row 4, XZ4
+        put(74, t94); // row 2, XX4
+        put(76, dw4_z); // row 2, ZZ4
+        put(78, t89); // row 2, XZ4
+        put(116, t94); // row 3, XX4
+        put(118, dw4_z); // row 3, ZZ4
+        put(120, t89); // row 3, XZ4
+        put(146, a4_y); // row 4, MSX4
+        put(147, t80); // row 4, MSY4
+        put(148, t94); // row 4, XX4
+        put(150, dw4_z); // row 4, ZZ4
+        put(152, t89); // row 4, XZ4
         [
         w4_x, t65, t77, t80, a4_y, t86, t89, w4_z,
         t94, t95, t96, dw4_x, t98, t99, t100, t101,
@@ -231,12 +253,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t143 = t132 + t133;
         let t144 = t138 - t135;
         let t145 = t136 + dw5_x;
-        put(162, a5_y); // row 5, MSX5
-        put(163, t120); // row 5, MSY5
-        put(165, t134); // row 5, YY5
-        put(166, dw5_z); // row 5, ZZ5
-        put(168, t129); // row 5, XZ5
-        put(169, t126); // row 5, YZ5
+        put(178, a5_y); // row 5, MSX5
+        put(179, t120); // row 5, MSY5
+        put(181, t134); // row 5, YY5
+        put(182, dw5_z); // row 5, ZZ5
+        put(184, t129); // row 5, XZ5
+        put(185, t126); // row 5, YZ5
         [
         w5_x, w5_y, t116, t120, a5_y, t126, t129, w5_z,
         dw5_z, t134, t135, t136, dw5_x, t138, t139, t140,
@@ -274,12 +296,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t183 = t172 + t173;
         let t184 = t175 + t178;
         let t185 = t176 + t177;
-        put(180, a6_y); // row 6, MSX6
-        put(181, t160); // row 6, MSY6
-        put(182, t174); // row 6, XX6
-        put(184, dw6_z); // row 6, ZZ6
-        put(186, t169); // row 6, XZ6
-        put(187, t166); // row 6, YZ6
+        put(200, a6_y); // row 6, MSX6
+        put(201, t160); // row 6, MSY6
+        put(202, t174); // row 6, XX6
+        put(204, dw6_z); // row 6, ZZ6
+        put(206, t169); // row 6, XZ6
+        put(207, t166); // row 6, YZ6
         [
         t156, t160, a6_y, t166, t169, dw6_z, t174, t175,
         t176, t177, t178, t179, t180, t181, t182, t183,
@@ -352,7 +374,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t232 = t15 + t18;
         let t235 = s2 * t19 + c2 * t20;
         put(5, t235); // row 1, XY2
-        put(53, t232); // row 2, XY2
+        put(57, t232); // row 2, XY2
     }
     // XZ2: column
     {
@@ -369,28 +391,28 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t243 = t29 * v1_3_z;
         let t246 = t34 * t193 - a3_y * t194;
         put(8, t243); // row 1, M3
-        put(56, t246); // row 2, M3
+        put(60, t246); // row 2, M3
     }
     // MSX3: column
     {
         let t249 = t29 * t192 - t58 * v1_3_z;
         let t253 = a3_y + (t54 * t193 - t56 * t194);
         put(9, t249); // row 1, MSX3
-        put(57, t253); // row 2, MSX3
+        put(61, t253); // row 2, MSX3
     }
     // MSY3: column
     {
         let t256 = t29 * z1_3_x - t59 * v1_3_z;
         let t260 = t34 + (t55 * t193 + t57 * t194);
         put(10, t256); // row 1, MSY3
-        put(58, t260); // row 2, MSY3
+        put(62, t260); // row 2, MSY3
     }
     // MSZ3: column
     {
         let t265 = t34 * t192 - a3_y * z1_3_x - t0 * v1_3_z;
         let t268 = t43 * t194 - t40 * t193;
         put(11, t265); // row 1, MSZ3
-        put(59, t268); // row 2, MSZ3
+        put(63, t268); // row 2, MSZ3
     }
     // XX3: column
     let t270 = {
@@ -416,8 +438,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t276 = t57 - t54;
         let t279 = t58 * z1_3_x + t59 * t192;
         put(15, t279); // row 1, XY3
-        put(63, t276); // row 2, XY3
-        put(101, t276); // row 3, XY3
+        put(67, t276); // row 2, XY3
+        put(109, t276); // row 3, XY3
     }
     // XZ3: column
     {
@@ -435,8 +457,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t294 = t80 * t214 + a4_y * v2_4_y;
         let t297 = t80 * t218 - a4_y * v3_5_z;
         put(18, t291); // row 1, M4
-        put(66, t294); // row 2, M4
-        put(104, t297); // row 3, M4
+        put(70, t294); // row 2, M4
+        put(112, t297); // row 3, M4
     }
     // MSX4: column
     {
@@ -444,8 +466,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t308 = a4_y + (t102 * v2_4_y - t100 * t214);
         let t312 = a4_y - (t100 * t218 + t102 * v3_5_z);
         put(19, t304); // row 1, MSX4
-        put(67, t308); // row 2, MSX4
-        put(105, t312); // row 3, MSX4
+        put(71, t308); // row 2, MSX4
+        put(113, t312); // row 3, MSX4
     }
     // MSY4: column
     let [t315, t321, t325] = {
@@ -456,8 +478,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t325 = t103 * v3_5_z;
         let t327 = t80 + (t101 * t218 + t325);
         put(20, t319); // row 1, MSY4
-        put(68, t323); // row 2, MSY4
-        put(106, t327); // row 3, MSY4
+        put(72, t323); // row 2, MSY4
+        put(114, t327); // row 3, MSY4
         [t315, t321, t325]
     };
     // MSZ4: column
@@ -467,8 +489,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t339 = t86 * t214 - t89 * v2_4_y;
         let t342 = t86 * t218 + t89 * v3_5_z;
         put(21, t336); // row 1, MSZ4
-        put(69, t339); // row 2, MSZ4
-        put(107, t342); // row 3, MSZ4
+        put(73, t339); // row 2, MSZ4
+        put(115, t342); // row 3, MSZ4
     }
     // XX4: column
     let t344 = {
@@ -494,9 +516,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t350 = t100 + t103;
         let t353 = t105 * t204 - t104 * z1_4_x;
         put(25, t353); // row 1, XY4
-        put(73, t350); // row 2, XY4
-        put(111, t350); // row 3, XY4
-        put(139, t350); // row 4, XY4
+        put(77, t350); // row 2, XY4
+        put(119, t350); // row 3, XY4
+        put(151, t350); // row 4, XY4
     }
     // XZ4: column
     {
@@ -517,8 +539,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t379 = t214 * t363 + t116 * v2_4_y - t368;
         let t383 = t218 * t363 - t116 * v3_5_z - t368;
         put(28, t375); // row 1, M5
-        put(76, t379); // row 2, M5
-        put(114, t383); // row 3, M5
+        put(80, t379); // row 2, M5
+        put(122, t383); // row 3, M5
         [t363, t366, t368]
     };
     // MSX5: column
@@ -534,9 +556,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t408 = t395 + (t214 * t386 + t144 * v2_4_y);
         let t412 = t395 - (t144 * v3_5_z - t218 * t386);
         put(29, t404); // row 1, MSX5
-        put(77, t408); // row 2, MSX5
-        put(115, t412); // row 3, MSX5
-        put(143, t395); // row 4, MSX5
+        put(81, t408); // row 2, MSX5
+        put(123, t412); // row 3, MSX5
+        put(155, t395); // row 4, MSX5
         [t385, t390, t391]
     };
     // MSY5: column
@@ -552,9 +574,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t435 = t422 - (t214 * t415 + t145 * v2_4_y);
         let t439 = t422 + (t145 * v3_5_z - t218 * t415);
         put(30, t431); // row 1, MSY5
-        put(78, t435); // row 2, MSY5
-        put(116, t439); // row 3, MSY5
-        put(144, t422); // row 4, MSY5
+        put(82, t435); // row 2, MSY5
+        put(124, t439); // row 3, MSY5
+        put(156, t422); // row 4, MSY5
         [t413, t414, t417]
     };
     // MSZ5: column
@@ -566,9 +588,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t458 = t449 + (t321 - t214 * t442);
         let t461 = t449 - (t325 + t218 * t442);
         put(31, t455); // row 1, MSZ5
-        put(79, t458); // row 2, MSZ5
-        put(117, t461); // row 3, MSZ5
-        put(145, t449); // row 4, MSZ5
+        put(83, t458); // row 2, MSZ5
+        put(125, t461); // row 3, MSZ5
+        put(157, t449); // row 4, MSZ5
     }
     // XX5: column
     let [t463, t464, t468] = {
@@ -578,9 +600,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t468 = c5 * t135;
         let t469 = s5 * dw5_x + t468;
         put(32, t466); // row 1, XX5
-        put(80, t469); // row 2, XX5
-        put(118, t469); // row 3, XX5
-        put(146, t469); // row 4, XX5
+        put(84, t469); // row 2, XX5
+        put(126, t469); // row 3, XX5
+        put(158, t469); // row 4, XX5
         [t463, t464, t468]
     };
     // YY5: column
@@ -590,9 +612,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t474 = s5 * t136;
         let t476 = c5 * t138 - t474;
         put(33, t473); // row 1, YY5
-        put(81, t476); // row 2, YY5
-        put(119, t476); // row 3, YY5
-        put(147, t476); // row 4, YY5
+        put(85, t476); // row 2, YY5
+        put(127, t476); // row 3, YY5
+        put(159, t476); // row 4, YY5
         [t470, t474]
     };
     // ZZ5: column
@@ -600,9 +622,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t479 = dw5_z * t204 + (t463 + t470);
         let t480 = t474 - t468;
         put(34, t479); // row 1, ZZ5
-        put(82, t480); // row 2, ZZ5
-        put(120, t480); // row 3, ZZ5
-        put(148, t480); // row 4, ZZ5
+        put(86, t480); // row 2, ZZ5
+        put(128, t480); // row 3, ZZ5
+        put(160, t480); // row 4, ZZ5
     }
     // XY5: column
     {
@@ -610,19 +632,19 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t486 = t204 * t481 + (t144 * z1_5_x - t145 * t221);
         let t489 = s5 * t144 + c5 * t145;
         put(35, t486); // row 1, XY5
-        put(83, t489); // row 2, XY5
-        put(121, t489); // row 3, XY5
-        put(149, t489); // row 4, XY5
-        put(167, t481); // row 5, XY5
+        put(87, t489); // row 2, XY5
+        put(129, t489); // row 3, XY5
+        put(161, t489); // row 4, XY5
+        put(183, t481); // row 5, XY5
     }
     // XZ5: column
     {
         let t494 = t129 * t204 + (t142 * z1_5_x - t139 * t221);
         let t496 = t385 + c5 * t139;
         put(36, t494); // row 1, XZ5
-        put(84, t496); // row 2, XZ5
-        put(122, t496); // row 3, XZ5
-        put(150, t496); // row 4, XZ5
+        put(88, t496); // row 2, XZ5
+        put(130, t496); // row 3, XZ5
+        put(162, t496); // row 4, XZ5
     }
     // YZ5: column
     {
@@ -630,9 +652,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t502 = t126 * t204 + (z1_5_x * t497 + t141 * t221);
         let t504 = s5 * t497 - t413;
         put(37, t502); // row 1, YZ5
-        put(85, t504); // row 2, YZ5
-        put(123, t504); // row 3, YZ5
-        put(151, t504); // row 4, YZ5
+        put(89, t504); // row 2, YZ5
+        put(131, t504); // row 3, YZ5
+        put(163, t504); // row 4, YZ5
     }
     // M6: column
     let [t507, t510] = {
@@ -648,10 +670,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t537 = t524 + (t214 * t515 - v2_4_y * t510);
         let t541 = t524 + (t218 * t515 + v3_5_z * t510);
         put(38, t533); // row 1, M6
-        put(86, t537); // row 2, M6
-        put(124, t541); // row 3, M6
-        put(152, t524); // row 4, M6
-        put(170, t512); // row 5, M6
+        put(90, t537); // row 2, M6
+        put(132, t541); // row 3, M6
+        put(164, t524); // row 4, M6
+        put(186, t512); // row 5, M6
         [t507, t510]
     };
     // MSX6: column
@@ -672,10 +694,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t582 = t569 - (v2_4_y * t547 - t214 * t556);
         let t586 = t569 + (t218 * t556 + v3_5_z * t547);
         put(39, t578); // row 1, MSX6
-        put(87, t582); // row 2, MSX6
-        put(125, t586); // row 3, MSX6
-        put(153, t569); // row 4, MSX6
-        put(171, t553); // row 5, MSX6
+        put(91, t582); // row 2, MSX6
+        put(133, t586); // row 3, MSX6
+        put(165, t569); // row 4, MSX6
+        put(187, t553); // row 5, MSX6
         [t543, t546, t548, t549]
     };
     // MSY6: column
@@ -694,10 +716,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t625 = t612 - (v2_4_y * t592 - t214 * t599);
         let t629 = t612 + (t218 * t599 + v3_5_z * t592);
         put(40, t621); // row 1, MSY6
-        put(88, t625); // row 2, MSY6
-        put(126, t629); // row 3, MSY6
-        put(154, t612); // row 4, MSY6
-        put(172, t596); // row 5, MSY6
+        put(92, t625); // row 2, MSY6
+        put(134, t629); // row 3, MSY6
+        put(166, t612); // row 4, MSY6
+        put(188, t596); // row 5, MSY6
         [t587, t590]
     };
     // MSZ6: column
@@ -714,10 +736,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t662 = t649 + (v2_4_y * t635 - t214 * t641);
         let t666 = t649 - (t218 * t641 + v3_5_z * t635);
         put(41, t658); // row 1, MSZ6
-        put(89, t662); // row 2, MSZ6
-        put(127, t666); // row 3, MSZ6
-        put(155, t649); // row 4, MSZ6
-        put(173, t639); // row 5, MSZ6
+        put(93, t662); // row 2, MSZ6
+        put(135, t666); // row 3, MSZ6
+        put(167, t649); // row 4, MSZ6
+        put(189, t639); // row 5, MSZ6
     }
     // XX6: column
     let [t668, t671, t674, t679] = {
@@ -730,10 +752,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t679 = c5 * t174;
         let t680 = t679 - s5 * t669;
         put(42, t677); // row 1, XX6
-        put(90, t680); // row 2, XX6
-        put(128, t680); // row 3, XX6
-        put(156, t680); // row 4, XX6
-        put(174, t672); // row 5, XX6
+        put(94, t680); // row 2, XX6
+        put(136, t680); // row 3, XX6
+        put(168, t680); // row 4, XX6
+        put(190, t672); // row 5, XX6
         [t668, t671, t674, t679]
     };
     // YY6: column
@@ -745,10 +767,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t690 = t204 * t686 + (t674 + z1_5_x * t683);
         let t692 = s5 * t683 - t679;
         put(43, t690); // row 1, YY6
-        put(91, t692); // row 2, YY6
-        put(129, t692); // row 3, YY6
-        put(157, t692); // row 4, YY6
-        put(175, t686); // row 5, YY6
+        put(95, t692); // row 2, YY6
+        put(137, t692); // row 3, YY6
+        put(169, t692); // row 4, YY6
+        put(191, t686); // row 5, YY6
         [t681, t684]
     };
     // ZZ6: column
@@ -758,10 +780,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t699 = t204 * t694 - (dw6_z * t221 - z1_5_x * t693);
         let t702 = s5 * t693 + c5 * dw6_z;
         put(44, t699); // row 1, ZZ6
-        put(92, t702); // row 2, ZZ6
-        put(130, t702); // row 3, ZZ6
-        put(158, t702); // row 4, ZZ6
-        put(176, t694); // row 5, ZZ6
+        put(96, t702); // row 2, ZZ6
+        put(138, t702); // row 3, ZZ6
+        put(170, t702); // row 4, ZZ6
+        put(192, t694); // row 5, ZZ6
     }
     // XY6: column
     {
@@ -771,11 +793,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t714 = t204 * t709 - (z1_5_x * t706 + t221 * t703);
         let t717 = c5 * t703 - s5 * t706;
         put(45, t714); // row 1, XY6
-        put(93, t717); // row 2, XY6
-        put(131, t717); // row 3, XY6
-        put(159, t717); // row 4, XY6
-        put(177, t709); // row 5, XY6
-        put(185, t703); // row 6, XY6
+        put(97, t717); // row 2, XY6
+        put(139, t717); // row 3, XY6
+        put(171, t717); // row 4, XY6
+        put(193, t709); // row 5, XY6
+        put(205, t703); // row 6, XY6
     }
     // XZ6: column
     {
@@ -784,10 +806,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t726 = t204 * t721 + (z1_5_x * t719 - t169 * t221);
         let t729 = s5 * t719 + c5 * t169;
         put(46, t726); // row 1, XZ6
-        put(94, t729); // row 2, XZ6
-        put(132, t729); // row 3, XZ6
-        put(160, t729); // row 4, XZ6
-        put(178, t721); // row 5, XZ6
+        put(98, t729); // row 2, XZ6
+        put(140, t729); // row 3, XZ6
+        put(172, t729); // row 4, XZ6
+        put(194, t721); // row 5, XZ6
     }
     // YZ6: column
     {
@@ -796,31 +818,43 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t734 = s6 * t730 - t587;
         let t739 = t204 * t734 - (z1_5_x * t732 + t166 * t221);
         let t742 = c5 * t166 - s5 * t732;
-        let t743 = -a2_x;
-        let t744 = -t9;
-        let t745 = -t48;
-        let t746 = -t94;
-        let t747 = -t86;
-        let t748 = -t368;
-        let t749 = -t134;
-        let t750 = -t174;
+        let t743 = dq1.sign();
+        let t744 = dq2.sign();
+        let t745 = dq3.sign();
+        let t746 = dq4.sign();
+        let t747 = dq5.sign();
+        let t748 = dq6.sign();
+        let t749 = -a2_x;
+        let t750 = -t9;
+        let t751 = -t48;
+        let t752 = -t94;
+        let t753 = -t86;
+        let t754 = -t368;
+        let t755 = -t134;
+        let t756 = -t174;
         put(47, t739); // row 1, YZ6
-        put(49, t743); // row 2, MSY2
-        put(50, t744); // row 2, XX2
-        put(61, t745); // row 2, YY3
-        put(71, t746); // row 2, YY4
-        put(75, t747); // row 2, YZ4
-        put(95, t742); // row 2, YZ6
-        put(99, t745); // row 3, YY3
-        put(109, t746); // row 3, YY4
-        put(113, t747); // row 3, YZ4
-        put(133, t742); // row 3, YZ6
-        put(137, t746); // row 4, YY4
-        put(141, t747); // row 4, YZ4
-        put(142, t748); // row 4, M5
-        put(161, t742); // row 4, YZ6
-        put(164, t749); // row 5, XX5
-        put(179, t734); // row 5, YZ6
-        put(183, t750); // row 6, YY6
+        put(50, t743); // row 1, FC1
+        put(53, t749); // row 2, MSY2
+        put(54, t750); // row 2, XX2
+        put(65, t751); // row 2, YY3
+        put(75, t752); // row 2, YY4
+        put(79, t753); // row 2, YZ4
+        put(99, t742); // row 2, YZ6
+        put(102, t744); // row 2, FC2
+        put(107, t751); // row 3, YY3
+        put(117, t752); // row 3, YY4
+        put(121, t753); // row 3, YZ4
+        put(141, t742); // row 3, YZ6
+        put(144, t745); // row 3, FC3
+        put(149, t752); // row 4, YY4
+        put(153, t753); // row 4, YZ4
+        put(154, t754); // row 4, M5
+        put(173, t742); // row 4, YZ6
+        put(176, t746); // row 4, FC4
+        put(180, t755); // row 5, XX5
+        put(195, t734); // row 5, YZ6
+        put(198, t747); // row 5, FC5
+        put(203, t756); // row 6, YY6
+        put(210, t748); // row 6, FC6
     }
 }
