@@ -92,7 +92,8 @@ pub trait Plant: Arm {
     /// Value of a drive parameter (index into the standard parameters) in the file, whether or not it has links.
     fn given_drive(&self, index: usize) -> f64;
 
-    /// [`Arm::inverse_dynamics`] of the arm with a change.
+    /// [`Arm::inverse_dynamics`] of the arm with a change: torques, N m (N for a prismatic joint), of all joints, joint-major like the states,
+    /// from the standard parameters (`P`, SI) of the unchanged arm's frames.
     fn changed_dynamics(&self, change: &Change, states: &States, standard: &[f64], out: &mut [f64]);
 
     /// `J'`: the torque on joint `j` of a unit of component `c` (`fx fy fz mx my mz`, at the origin of the last frame, in its axes or in the

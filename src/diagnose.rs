@@ -12,6 +12,7 @@ mod maps;
 mod model;
 mod moments;
 mod noise;
+mod prior;
 mod record;
 mod result;
 mod run;

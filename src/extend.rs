@@ -4,6 +4,7 @@ use dh_codegen::arm::param::{self, DriveTerm, Parameter};
 use dh_codegen::robot::effect::Law;
 use dh_codegen::robot::{Effect, Inertia, Robot};
 
+use crate::coupled::{self, Coupling};
 use crate::diagnose::{Cause, Diagnosis};
 
 /// The robot with these standard parameters; what the tool contributes to the last link is taken out again.
@@ -31,6 +32,36 @@ pub fn with_values(mut robot: Robot, standard: &[f64]) -> Robot {
         last.iter_mut().zip(carried).for_each(|(l, c)| *l -= c);
     }
     robot.links = links.into_iter().map(|l| Some(Inertia::from_array(l))).collect();
+    robot
+}
+
+/// The couplings that the robot's drives name, with what the file says of their [`coupled::TERMS`] (zero: not known yet). One whose
+/// `joint` is no other moving joint is left out: nothing can be fitted to it.
+pub fn couplings(robot: &Robot) -> Vec<(Coupling, [f64; 3])> {
+    let moving = robot.moving();
+    let dof_of = |row: usize| moving.iter().position(|&r| r == row);
+    let read = |(row, effect): &(usize, Effect)| {
+        let value = |key: &str| effect.parameters.iter().find(|(k, _)| k == key).map(|(_, v)| *v);
+        let other = (value("joint")? as usize).checked_sub(1).and_then(dof_of)?;
+        let motor = dof_of(*row).filter(|&motor| motor != other)?;
+        let coupling = Coupling { row: *row, motor, other, ratio: value("KC").unwrap_or(1.0) };
+        Some((coupling, coupled::TERMS.map(|(key, _)| value(key).unwrap_or(0.0))))
+    };
+    robot.all_effects().joints.iter().filter(|(_, effect)| effect.name == "gear_coupling").filter_map(read).collect()
+}
+
+/// The robot with these values of its [`couplings`], in their order, three each.
+pub fn with_couplings(mut robot: Robot, values: &[f64]) -> Robot {
+    for ((coupling, _), values) in couplings(&robot).into_iter().zip(values.chunks_exact(coupled::TERMS.len())) {
+        let effects = &mut robot.joints[coupling.row].drive.effects;
+        let Some(effect) = effects.iter_mut().find(|e| e.name == "gear_coupling") else { continue };
+        for ((key, _), &value) in coupled::TERMS.iter().zip(values) {
+            match effect.parameters.iter_mut().find(|(k, _)| k == key) {
+                Some((_, old)) => *old = value,
+                None => effect.parameters.push((key.to_string(), value)),
+            }
+        }
+    }
     robot
 }
 

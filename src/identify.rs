@@ -23,7 +23,7 @@
 //!     // For the page's curves a log is read once more.
 //!     let mut tracer = Tracer::new("validate.csv", true, arm, &found.values());
 //!     each_motion(log::open("validate.csv", validate)?.as_mut(), arm.dof(), &prepare, |motion| tracer.absorb(motion))?;
-//!     let _page = report::identify_html(&found, &[a.clone(), b.clone()], &[tracer.finish()], &[]);
+//!     let _page = report::identify_html(&found, &[a.clone(), b.clone()], &[tracer.finish()], None, &[]);
 //!     Ok(report::identify_text(&found, &[a, b]))
 //! }
 //! ```
@@ -49,7 +49,7 @@ mod triangle;
 mod wls;
 
 #[cfg(test)]
-mod planar;
+pub(crate) mod planar;
 #[cfg(test)]
 mod tests;
 

@@ -1,7 +1,9 @@
 //! Inverse kinematics of any robot file, without compiling: the text that generated crates carry, run by the interpreter.
 
+use core::f64::consts::PI;
+
 use dh_codegen::arm::{Inverse, Model};
-use dh_codegen::ik::{Arm, Branch, Query, Reference, Status};
+use dh_codegen::ik::{Arm, Branch, Family, Query, Reference, Status};
 use dh_codegen::robot::Robot;
 
 pub use dh_codegen::ik::PoseError;
@@ -66,7 +68,11 @@ impl Default for Ask {
 trait Solver: Send + Sync {
     fn solve(&self, pose: &[[f64; 4]; 3], ask: &Ask) -> Result<Postures, PoseError>;
     fn redundancy(&self, q: &[f64], reference: &Reference) -> f64;
+    fn best_redundancy(&self, pose: &[[f64; 4]; 3], reference: &Reference) -> Result<Option<f64>, PoseError>;
 }
+
+/// At how many positions of a joint that is locked the margins are compared.
+const POSITIONS: usize = 48;
 
 impl<const N: usize> Solver for Arm<N> {
     fn solve(&self, pose: &[[f64; 4]; 3], ask: &Ask) -> Result<Postures, PoseError> {
@@ -99,6 +105,39 @@ impl<const N: usize> Solver for Arm<N> {
 
     fn redundancy(&self, q: &[f64], reference: &Reference) -> f64 {
         q.try_into().map_or(0.0, |q| Arm::redundancy(self, q, reference))
+    }
+
+    fn best_redundancy(&self, pose: &[[f64; 4]; 3], reference: &Reference) -> Result<Option<f64>, PoseError> {
+        let mut best: Option<(f64, f64)> = None;
+        let mut offer = |at: f64, margin: f64| {
+            if best.is_none_or(|(_, most)| margin > most) {
+                best = Some((at, margin));
+            }
+        };
+        match &self.family {
+            Family::Swivel(_) => {
+                for k in 0..8 {
+                    let sign = |bit: usize| if k >> bit & 1 == 0 { 1 } else { -1 };
+                    let (shoulder, elbow, wrist) = (sign(0), sign(2), sign(1));
+                    let branch = Branch { shoulder, elbow, wrist, root: 0, numerical: false };
+                    if let Some((at, margin)) = self.best_swivel(pose, branch, reference)? {
+                        offer(at, margin);
+                    }
+                }
+            }
+            Family::Locked { joint, .. } => {
+                let [low, high] = self.limits[usize::from(*joint)].unwrap_or([-PI, PI]);
+                for k in 0..POSITIONS {
+                    let at = low + (high - low) * (k as f64 + 0.5) / POSITIONS as f64;
+                    let query = Query { redundancy: at, reference: *reference, ..Query::default() };
+                    if let Some(s) = Arm::solve(self, pose, &query)?.safest() {
+                        offer(at, s.margin);
+                    }
+                }
+            }
+            _ => {}
+        }
+        Ok(best.map(|(at, _)| at))
     }
 }
 
@@ -149,5 +188,14 @@ impl Kinematics {
     /// Swivel angle or locked joint of a posture; zero for an arm that is not redundant.
     pub fn redundancy(&self, q: &[f64], reference: &Reference) -> f64 {
         self.solver.redundancy(q, reference)
+    }
+
+    /// The swivel angle, or one of 48 positions of the locked joint, at which some posture of a pose stays farthest from its
+    /// limits; `None` where no swivel angle respects them, the pose is out of reach, or the arm is not redundant.
+    ///
+    /// # Errors
+    /// Like [`Kinematics::solve`].
+    pub fn best_redundancy(&self, pose: &[[f64; 4]; 3], reference: &Reference) -> Result<Option<f64>, PoseError> {
+        self.solver.best_redundancy(pose, reference)
     }
 }

@@ -1,5 +1,6 @@
 //! The only room that formats results: plain data in, text, JSON or a page out. Writes no file and no terminal.
 
+mod bodies_html;
 pub mod check_json;
 pub mod check_text;
 mod consistent;
@@ -29,6 +30,7 @@ mod tool_html;
 mod tool_json;
 mod tool_text;
 
+pub use bodies_html::Links;
 pub use consistent::{Possible, carry_over_json, carry_over_text, consistent_json, consistent_text};
 pub use diagnose_html::diagnose_html;
 pub use diagnose_json::diagnose_json;

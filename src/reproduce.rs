@@ -12,6 +12,7 @@ pub mod honesty;
 pub mod identification;
 mod loaded;
 pub mod lwr;
+mod many;
 pub mod motions;
 pub mod table2;
 pub mod table3;

@@ -89,13 +89,13 @@ const ROBOTS: [(&str, &str); 11] = [
     ("kuka-iiwa14", "srs"),
     ("kuka-lbr-med7", "srs"),
     ("franka-panda", "7r-offset"),
-    ("kinova-gen3", "srs"),
     ("puma560", "6r-spherical-wrist"),
     ("staubli-tx40", "6r-spherical-wrist"),
     ("ur10e", "6r-three-parallel"),
     ("scara", "scara"),
     ("stanford", "stanford"),
     ("planar2r", "planar"),
+    ("kinova-gen3", "srs"),
 ];
 
 #[test]
@@ -114,7 +114,9 @@ fn random_postures() {
         let bench = Bench::new(robot(name));
         let mut random = Random::new(1);
         let (mut missed, mut worst, mut far, mut outside) = (0, 0.0f64, 0.0f64, 0);
-        for _ in 0..postures() {
+        // Refined branch by branch: a thousand times as slow.
+        let count = if bench.ik.inverse().exact { postures() } else { postures().min(20_000) };
+        for _ in 0..count {
             let q = bench.random(&mut random);
             let (error, nearest, found) = bench.check(&q, false);
             worst = worst.max(error);
@@ -129,12 +131,15 @@ fn random_postures() {
                 outside += usize::from(!own.within_limits);
             }
         }
-        eprintln!("{name}: missed {missed}, worst pose {worst:.1e}, farthest {far:.1e}, outside {outside}");
+        eprintln!(
+            "{name}: {count} postures, missed {missed}, worst pose {worst:.1e}, farthest {far:.1e}, outside {outside}"
+        );
         assert!(worst < 1e-12, "{name}: {worst}");
         assert_eq!(outside, 0, "{name}");
         if bench.ik.inverse().exact {
             assert_eq!(missed, 0, "{name}");
         }
+        assert!(missed * 100 <= count, "{name}: {missed}");
     }
 }
 

@@ -9,6 +9,7 @@ use dh_codegen::robot::Robot;
 use super::prepare::{Preparation, pass};
 use super::{Failure, files};
 use crate::arm::{Arm, Reach};
+use crate::coupled::Coupled;
 use crate::identify::{
     Bounds, Consistent, ConsistentError, ConsistentSettings, Essential, Factors, Identification, IdentifySettings,
     PriorBody, Stack, Trace, Tracer, carry_over, consistent, geometric_bodies, possible_bodies, prior_bodies,
@@ -16,13 +17,15 @@ use crate::identify::{
 };
 use crate::interpreted::Interpreted;
 use crate::signal::{Derivatives, Prepare};
+use crate::tool::Body;
 use crate::{extend, report};
 
 /// Identify the base parameters from logs, validate them on others, and write the robot file with the values in place.
 ///
 /// Logs are CSV, .csv.gz or Parquet with columns `t, q1.., tau1..` (and more, see the robot's README). They are low-passed forward
 /// and backward, positions are differentiated by central differences, and the base regressor is fitted by least squares with each
-/// joint weighted by its own noise. Drive parameters are identified where the robot file's `drive` has them (a value of 0 will do).
+/// joint weighted by its own noise. Drive parameters are identified where the robot file's `drive` has them (a value of 0 will do);
+/// a `gear_coupling` there brings its `IAM`, `FVM` and `FCM` along.
 ///
 /// The robot file that is written has links that could be built (positive mass, possible tensor) and nearly the same torques; what that costs
 /// is printed. What torques don't show comes from the links of the robot file (`--prior cad`) or from the arm's geometry.
@@ -119,8 +122,11 @@ impl Identify {
     pub(super) fn run(self) -> Result<(), Failure> {
         let file = files::robot(&self.robot)?;
         let prepare = self.prepare()?;
-        let arm = Interpreted::new(&file.robot, &[]);
-        let prior = param::standard_values(&file.robot);
+        let bodies = Interpreted::new(&file.robot, &[]);
+        let couplings = extend::couplings(&file.robot);
+        let given: Vec<f64> = couplings.iter().flat_map(|(_, values)| *values).collect();
+        let arm = Coupled::new(&bodies, couplings.into_iter().map(|(coupling, _)| coupling).collect());
+        let prior = param::standard_values(&file.robot).map(|values| [values, given].concat());
 
         let settings = self.preparation.stack();
         let mut prepared = Vec::new();
@@ -140,10 +146,10 @@ impl Identify {
         };
         let found = solve(&arm, &fit, &validate, &solving).map_err(Failure::input)?;
         let provenance = self.provenance(&file.text);
-        let carry = carry_over(&arm, &arm, &found);
+        let carry = carry_over(&arm, &bodies, &found);
         let possible = match self.consistent {
             Consistency::Never => None,
-            _ => Some(self.bodies(&file.robot, &arm, &fit, &validate, &found)?),
+            _ => Some(self.bodies(&file.robot, &arm, &bodies, &fit, &validate, &found)?),
         };
         if let (Consistency::Require, Some(Err(error))) = (self.consistent, &possible) {
             return Err(Failure::other(format!("no possible bodies: {error}")));
@@ -151,7 +157,7 @@ impl Identify {
         // Where the plain solution is possible itself, the file has bodies with exactly its base parameters.
         let exact = match (self.consistent, &possible) {
             (Consistency::Auto, Some(Ok(_))) if self.prior_weight == 1.0 => {
-                let (prior, settings) = (self.prior_of(&file.robot, &arm), self.settings(&file.robot)?);
+                let (prior, settings) = (self.prior_of(&file.robot, &bodies), self.settings(&file.robot)?);
                 let same = possible_bodies(&arm, &found.values(), &prior, &drives(&file.robot), &settings);
                 same.ok().filter(|same| same.exact).map(|same| same.standard)
             }
@@ -163,23 +169,26 @@ impl Identify {
             plain: exact.is_some(),
         });
 
+        let standard = match possible.as_ref().map(|p| p.result) {
+            Some(Ok(bodies)) => exact.clone().unwrap_or_else(|| bodies.standard.clone()),
+            _ => recover_standard(&arm, &found.values(), prior.as_deref()).map_err(Failure::other)?,
+        };
         if let Some(path) = &self.report {
             let traces = self.traces(&arm, &found, &prepare)?;
-            files::write(path, report::identify_html(&found, &prepared, &traces, &provenance).as_bytes())?;
+            let links = report::Links {
+                now: links(&file.robot, Some(&standard)),
+                file: links(&file.robot, prior.as_deref()),
+                possible: possible.as_ref(),
+            };
+            let page = report::identify_html(&found, &prepared, &traces, Some(&links), &provenance);
+            files::write(path, page.as_bytes())?;
         }
         if let Some(path) = &self.out {
-            let standard = match possible.as_ref().map(|p| p.result) {
-                Some(Ok(bodies)) => exact.clone().unwrap_or_else(|| bodies.standard.clone()),
-                Some(Err(error)) => {
-                    eprintln!(
-                        "{}: warning: no possible bodies, the plain values were written: {error}",
-                        path.display()
-                    );
-                    recover_standard(&arm, &found.values(), prior.as_deref()).map_err(Failure::other)?
-                }
-                None => recover_standard(&arm, &found.values(), prior.as_deref()).map_err(Failure::other)?,
-            };
-            let robot = extend::with_values(file.robot, &standard);
+            if let Some(Err(error)) = possible.as_ref().map(|p| p.result) {
+                eprintln!("{}: warning: no possible bodies, the plain values were written: {error}", path.display());
+            }
+            let (own, coupled) = standard.split_at(bodies.standard_names().len());
+            let robot = extend::with_couplings(extend::with_values(file.robot, own), coupled);
             files::write(path, robot.to_yaml().as_bytes())?;
         }
         if let Some(target) = &self.json {
@@ -207,7 +216,8 @@ impl Identify {
     fn bodies(
         &self,
         robot: &Robot,
-        arm: &Interpreted,
+        arm: &Coupled<'_>,
+        reach: &dyn Reach,
         fit: &[Factors],
         validate: &[Factors],
         found: &Identification,
@@ -218,7 +228,7 @@ impl Identify {
         if self.most_cost.is_nan() || self.most_cost <= 0.0 {
             return Err(Failure::input(format!("--most-cost {}: percent, above 0", self.most_cost)));
         }
-        let (settings, prior) = (self.settings(robot)?, self.prior_of(robot, arm));
+        let (settings, prior) = (self.settings(robot)?, self.prior_of(robot, reach));
         match consistent(arm, fit, validate, found, &prior, &drives(robot), &settings) {
             Err(error @ ConsistentError::Bounds { .. }) => Err(Failure::input(error)),
             result => Ok(result),
@@ -235,7 +245,7 @@ impl Identify {
         })
     }
 
-    fn prior_of(&self, robot: &Robot, arm: &Interpreted) -> Vec<PriorBody> {
+    fn prior_of(&self, robot: &Robot, arm: &dyn Reach) -> Vec<PriorBody> {
         match self.prior {
             PriorFrom::Cad => prior(robot, arm),
             PriorFrom::None => prior_bodies(&[], &geometric_bodies(&arm.ends())),
@@ -278,7 +288,7 @@ impl Identify {
     }
 
     /// The torques over time, for drawing: a second pass, now that the parameters are known.
-    fn traces(&self, arm: &Interpreted, found: &Identification, prepare: &Prepare) -> Result<Vec<Trace>, Failure> {
+    fn traces(&self, arm: &dyn Arm, found: &Identification, prepare: &Prepare) -> Result<Vec<Trace>, Failure> {
         let beta = found.values();
         let logs = self.logs.iter().map(|p| (p, false)).chain(self.validate.iter().map(|p| (p, true)));
         logs.map(|(path, validates)| {
@@ -302,7 +312,7 @@ impl Identify {
 }
 
 /// The bodies of the robot file, or guesses from the geometry for those that it does not have.
-fn prior(robot: &Robot, arm: &Interpreted) -> Vec<PriorBody> {
+fn prior(robot: &Robot, arm: &dyn Reach) -> Vec<PriorBody> {
     let known: Vec<Option<[f64; 10]>> = robot.links.iter().map(|l| l.as_ref().map(|l| l.to_array())).collect();
     prior_bodies(&known, &geometric_bodies(&arm.ends()))
 }
@@ -314,11 +324,25 @@ fn carried(robot: &Robot) -> Vec<(usize, [f64; 10])> {
     moved.map(|body| (robot.joints.len().saturating_sub(1), body)).into_iter().collect()
 }
 
+/// Standard parameters as bodies, without the tool.
+fn links(robot: &Robot, standard: Option<&[f64]>) -> Vec<Option<Body>> {
+    let tool = carried(robot);
+    let body = |link: usize| {
+        let mut ten: [f64; 10] = standard?.get(10 * link..10 * link + 10)?.try_into().ok()?;
+        for (_, carried) in tool.iter().filter(|(at, _)| *at == link) {
+            ten.iter_mut().zip(carried).for_each(|(t, c)| *t -= c);
+        }
+        Body::new(&ten, &[0.0; 100])
+    };
+    (0..robot.joints.len()).map(body).collect()
+}
+
 /// What the file says of the drives, among the standard parameters; zero for the links.
 fn drives(robot: &Robot) -> Vec<f64> {
     let value = |p: &Parameter| match *p {
         Parameter::Drive(row, term) => param::drive_value(robot, row, term).unwrap_or(0.0),
         Parameter::Link(..) => 0.0,
     };
-    param::standard(robot).iter().map(value).collect()
+    let coupled = extend::couplings(robot).into_iter().flat_map(|(_, values)| values);
+    param::standard(robot).iter().map(value).chain(coupled).collect()
 }

@@ -21,7 +21,10 @@ const ENTRIES: [&str; 12] = ["r11", "r12", "r13", "px", "r21", "r22", "r23", "py
 /// poses are those of its tool frame.
 ///
 /// A redundant arm wants a column `swivel`, rad: the angle of the elbow about the line from shoulder to wrist, from the plane of the
-/// reference vector (`--reference`), or the position of the joint that is locked (`denavit check` tells which). Without it, zero.
+/// reference vector (`--reference`), or the position of the joint that is locked (`denavit check` tells which). Without it: that of the
+/// posture `q1..qn` where there is one, else that at which some posture stays farthest from its limits (zero where none respects
+/// them). The result says which it was.
+///
 /// Columns `q1..qn`, if there are any, are a posture near which to choose: its solutions stand first, and where the arm is singular
 /// the free joints stay as they are there.
 #[derive(Args)]
@@ -132,13 +135,16 @@ impl Ik {
                 Some(back) => rows(&Displacement::from_rows(&given).after(back)),
                 None => given,
             };
-            let ask = Ask {
-                redundancy: swivel.map_or(0.0, |s| s[row]),
-                reference,
-                near: near.as_ref().map(|q| (0..n).map(|j| q[j * table.len + row]).collect()),
-                tolerance: self.tolerance,
+            let near: Option<Vec<f64>> = near.as_ref().map(|q| (0..n).map(|j| q[j * table.len + row]).collect());
+            let redundancy = match (swivel, &near) {
+                (Some(s), _) => Ok(s[row]),
+                (None, Some(q)) => Ok(kinematics.redundancy(q, &reference)),
+                (None, None) => kinematics.best_redundancy(&pose, &reference).map(|r| r.unwrap_or(0.0)),
             };
-            poses.push(kinematics.solve(&pose, &ask).map_err(|e| {
+            let found = redundancy.and_then(|redundancy| {
+                kinematics.solve(&pose, &Ask { redundancy, reference, near, tolerance: self.tolerance })
+            });
+            poses.push(found.map_err(|e| {
                 Failure::input(format!(
                     "{file}, pose {} (line {}): {e}; a rotation has orthogonal columns of length one, to 1e-6",
                     row + 1,

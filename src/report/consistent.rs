@@ -68,6 +68,18 @@ pub fn consistent_json(possible: &Possible<'_>) -> Value {
     })
 }
 
+/// What possibility and prior cost.
+pub(super) fn paid(c: &Consistent) -> String {
+    format!(
+        "To be possible, links pay {} % of the fit's weighted residual, {} than noise explains; with the prior (weight {}) {} %. Together they weigh {} kg.",
+        percent(c.possible.growth_percent.max(0.0)),
+        if c.significant { "more" } else { "no more" },
+        figure(c.prior_weight),
+        percent(c.cost.growth_percent.max(0.0)),
+        figure(c.total_mass)
+    )
+}
+
 /// A section for the terminal.
 pub fn consistent_text(found: &Identification, possible: &Possible<'_>) -> String {
     let mut out = String::from("\nPossible bodies\n");
@@ -81,15 +93,7 @@ pub fn consistent_text(found: &Identification, possible: &Possible<'_>) -> Strin
             return out;
         }
     };
-    let _ = writeln!(
-        out,
-        "  To be possible, links pay {} % of the fit's weighted residual, {} than noise explains; with the prior (weight {}) {} %. Together they weigh {} kg.",
-        percent(c.possible.growth_percent.max(0.0)),
-        if c.significant { "more" } else { "no more" },
-        figure(c.prior_weight),
-        percent(c.cost.growth_percent.max(0.0)),
-        figure(c.total_mass)
-    );
+    let _ = writeln!(out, "  {}", paid(c));
     if !c.at_the_edge.is_empty() {
         let links: Vec<String> = c.at_the_edge.iter().map(usize::to_string).collect();
         let _ = writeln!(
@@ -164,10 +168,14 @@ pub fn carry_over_text(found: &Identification, carry: &CarryOver) -> String {
         .filter(|p| p.relative_std_percent().is_nan() || p.relative_std_percent() >= 50.0)
         .map(|p| p.name.as_str())
         .collect();
+    // On measured logs: beyond three residuals two joints of three are wrong elsewhere by more than twice the fit's residual, below three
+    // two of five (docs/consistency.md).
+    let surely = doubtful.iter().any(|&j| carry.ratio[j - 1] > 3.0);
     format!(
-        "\nwarning: this fit will not carry over to other motions. All over the arm's range its torques are uncertain by more than its residual: {}. \
+        "\nwarning: this fit {} carry over to other motions. All over the arm's range its torques are uncertain by more than its residual: {}. \
          {} of {} parameters are not known to 50 %: {}. Condition number {} with columns of unit norm. Record a richer motion, or use the possible \
          bodies with a prior from CAD (`--prior cad --prior-weight 100` believes its bodies to 10 %).\n",
+        if surely { "will not" } else { "may not" },
         list.join(", "),
         unknown.len(),
         found.parameters.len(),

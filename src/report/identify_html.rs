@@ -10,7 +10,9 @@ use serde_json::{Value, json};
 
 use super::page::{Page, escape};
 use super::{
-    Provenance, identify_verdict,
+    Provenance,
+    bodies_html::{Links, bodies_section},
+    identify_verdict,
     number::{figure, percent},
 };
 use crate::{
@@ -19,8 +21,14 @@ use crate::{
     signal::Prepared,
 };
 
-/// The page.
-pub fn identify_html(found: &Identification, logs: &[Prepared], traces: &[Trace], provenance: &Provenance) -> String {
+/// The page; `links` as they go with the parameters, where that was asked.
+pub fn identify_html(
+    found: &Identification,
+    logs: &[Prepared],
+    traces: &[Trace],
+    links: Option<&Links<'_>>,
+    provenance: &Provenance,
+) -> String {
     let mut body = String::new();
     let _ = writeln!(
         body,
@@ -47,7 +55,11 @@ pub fn identify_html(found: &Identification, logs: &[Prepared], traces: &[Trace]
     body.push_str("<section><h2>Parameters</h2>\n");
     parameter_table(&mut body, found);
     open_questions(&mut body, found);
-    body.push_str("</section>\n<section><h2>Correlation of the estimates</h2><p class=note>Blue: if one is estimated too high, so is the other. Red: the other way about. White: independent. Pairs near ±1 are told apart badly by this motion.</p><div id=correlation></div></section>\n");
+    body.push_str("</section>\n");
+    if let Some(links) = links {
+        bodies_section(&mut body, links);
+    }
+    body.push_str("<section><h2>Correlation of the estimates</h2><p class=note>Blue: if one is estimated too high, so is the other. Red: the other way about. White: independent. Pairs near ±1 are told apart badly by this motion.</p><div id=correlation></div></section>\n");
     foot(&mut body, found, provenance);
     let data = json!({
         "traces": traces.iter().map(curves).collect::<Vec<_>>(),

@@ -59,9 +59,9 @@ pub fn identify_verdict(found: &Identification) -> String {
     text
 }
 
-/// The whole result.
-pub fn identify_text(found: &Identification, logs: &[Prepared]) -> String {
-    let mut out = format!("{}\n\n{}\n", found.robot, identify_verdict(found));
+/// Each log, and what was found in it.
+pub(super) fn logs_text(logs: &[Prepared]) -> String {
+    let mut out = String::new();
     for log in logs {
         let _ = write!(
             out,
@@ -75,6 +75,13 @@ pub fn identify_text(found: &Identification, logs: &[Prepared]) -> String {
             let _ = writeln!(out, "  {finding}");
         }
     }
+    out
+}
+
+/// The whole result.
+pub fn identify_text(found: &Identification, logs: &[Prepared]) -> String {
+    let mut out = format!("{}\n\n{}\n", found.robot, identify_verdict(found));
+    out.push_str(&logs_text(logs));
     for finding in &found.findings {
         let _ = writeln!(out, "\nwarning: {finding}");
     }

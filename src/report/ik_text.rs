@@ -3,12 +3,13 @@
 use core::fmt::Write;
 
 use dh_codegen::arm::Inverse;
-use dh_codegen::ik::Status;
+use dh_codegen::ik::{Family, Status};
 
 use crate::inverse::Postures;
 
 /// A table of postures for each pose.
 pub fn text(name: &str, inverse: &Inverse, poses: &[Postures]) -> String {
+    let redundant = matches!(inverse.family, Family::Swivel(_) | Family::Locked { .. });
     let mut t = format!("{name}: {} ({})\n", inverse.class, inverse.reason);
     for (k, pose) in poses.iter().enumerate() {
         let _ = match pose.status {
@@ -18,7 +19,13 @@ pub fn text(name: &str, inverse: &Inverse, poses: &[Postures]) -> String {
             }
             status => {
                 let word = super::ik_json::status(status);
-                writeln!(t, "\npose {}: {word}, {} solutions", k + 1, pose.list.len())
+                let at = if redundant { format!(", redundancy {:.5}", pose.redundancy) } else { String::new() };
+                let lost = match pose.lost {
+                    0 => String::new(),
+                    _ if inverse.exact => String::new(),
+                    n => format!(", {n} branches of the nominal arm not found"),
+                };
+                writeln!(t, "\npose {}: {word}, {} solutions{at}{lost}", k + 1, pose.list.len())
             }
         };
         for s in &pose.list {

@@ -56,6 +56,10 @@ fn identification(found: &Experiment) -> Value {
                 "paper": { "value": r.paper[0], "std": r.paper[1] }, "verdict": table3::verdict(r).to_string(),
             })).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
+        "table3_repeated": found.rollers.iter().map(|r| json!({
+            "logs": r.logs, "runs": r.runs, "mass_within": r.mass_within, "center_rms": finite(r.center_rms),
+            "center_within": r.center_within, "spread": finite(r.spread),
+        })).collect::<Vec<_>>(),
         "fig10": {
             "rms": found.fig10.errors.with_tool.rms,
             "torque_rms": found.fig10.errors.with_tool.torque_rms,

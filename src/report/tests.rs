@@ -90,7 +90,18 @@ fn page_stands_alone() {
         thinning: 1,
         validates: true,
     };
-    let page = identify_html(&found(), &[], &[trace], &[("robot file".into(), "a & b".into())]);
+    let page = {
+        let ball = [2.0, 0.6, 0.0, 0.2, 0.028, 0.208, 0.188, 0.0, -0.06, 0.0];
+        let mut ghost = ball;
+        ghost[4] = -1.0;
+        let body = |ten: &[f64; 10]| crate::tool::Body::new(ten, &[0.0; 100]);
+        let links = Links { now: vec![body(&ball), body(&ghost), None], file: vec![body(&ball), None], possible: None };
+        identify_html(&found(), &[], &[trace], Some(&links), &[("robot file".into(), "a & b".into())])
+    };
+    // A ball of 2 kg, radius 0.1 m, 0.3 m out and 0.1 m up.
+    assert!(page.contains("<td class=words>300.0, 0.0, 100.0"), "{page}");
+    assert!(page.contains("<td class=words>8.00, 8.00, 8.00"), "{page}");
+    assert_eq!(page.matches("<td class=words>no: ").count(), 2, "{page}");
     for outside in ["http://", "https://", "src=", "href=", "@import", "url("] {
         let used = page.replace("http://www.w3.org/2000/svg", "").contains(outside);
         assert!(!used, "{outside}");

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::identify_text::logs_text;
 use super::number::{digits, figure, pad, percent};
 use crate::identify::Standing;
 use crate::signal::Prepared;
@@ -125,19 +126,7 @@ fn weak_logs(found: &Found) -> String {
 pub fn tool_text(found: &Found, logs: &[Prepared]) -> String {
     let carried = &found.carried;
     let mut out = format!("{}\n\n{}\n", carried.robot, tool_verdict(found));
-    for log in logs {
-        let _ = write!(
-            out,
-            "\n{}: {} samples in {} segments at {} Hz\n",
-            log.file,
-            log.samples,
-            log.segments,
-            figure(log.rate)
-        );
-        for finding in &log.findings {
-            let _ = writeln!(out, "  {finding}");
-        }
-    }
+    out.push_str(&logs_text(logs));
     for finding in &carried.solved.findings {
         let _ = writeln!(out, "\nwarning: {finding}");
     }

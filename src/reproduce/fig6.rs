@@ -1,7 +1,13 @@
 //! Fig. 6: torque errors on the motion that validates, for the models that three criteria's motions gave.
 
+use super::chain::{factors, fit};
+use super::honesty::STRIDE;
+use super::lwr::Lwr;
+use super::many::many;
 use super::verdict::Verdict;
-use crate::identify::{Accuracy, Factors, Identification};
+use super::{ReproduceError, Watch};
+use crate::identify::{Accuracy, Factors, Identification, accuracy};
+use crate::simulate::Recording;
 
 /// Averages over the joints of the RMS difference, N m (section III.E): by `J_c`, `J_d`, `J_h`.
 pub const PAPER: [(&str, f64); 3] = [("cond", 0.69), ("logdet", 0.42), ("hadamard", 0.45)];
@@ -55,6 +61,44 @@ fn uncertainty(found: &Identification, validate: &Factors) -> Vec<f64> {
     validate.joints.iter().map(joint).collect()
 }
 
+/// Runs of [`again`].
+pub const RUNS: usize = 12;
+
+/// Errors of the noise-only case without one log's luck: mean over [`RUNS`] runs with other noise in the logs that are fitted and in the one that
+/// validates.
+pub struct Again {
+    /// RMS of the true parameters, N m, per joint: the noise, and what the chain adds.
+    pub truth: Vec<f64>,
+    /// Per motion: RMS and NRMS, per joint.
+    pub motions: Vec<[Vec<f64>; 2]>,
+}
+
+/// The last recording validates, the others are fitted.
+pub fn again(lwr: &Lwr, recordings: &[Recording], seed: u64, watch: Watch<'_>) -> Result<Again, ReproduceError> {
+    let Some((validating, fitted)) = recordings.split_last() else {
+        return Ok(Again { truth: Vec::new(), motions: Vec::new() });
+    };
+    let noisy =
+        |recording: &Recording, seed: u64| factors("run", &lwr.arm, &recording.seen_by(&Lwr::sensors(), seed), STRIDE);
+    let one = |run: usize| {
+        let seed = seed.wrapping_add(100 * run as u64);
+        let validate = noisy(validating, seed)?;
+        let truth = accuracy(&[&validate], &lwr.truth);
+        let mut all = vec![[truth.rms, truth.nrms]];
+        for (k, recording) in (1..).zip(fitted) {
+            let found = fit(lwr, &noisy(recording, seed.wrapping_add(k))?, &validate)?;
+            let Accuracy { rms, nrms, .. } = found.validation.unwrap_or_default();
+            all.push([rms, nrms]);
+        }
+        Ok(all)
+    };
+    let runs = many(RUNS, &one, watch)?;
+    let over = |which: usize, what: usize| -> Vec<f64> {
+        (0..lwr.robot.dof()).map(|j| runs.iter().map(|r| r[which][what][j]).sum::<f64>() / RUNS as f64).collect()
+    };
+    Ok(Again { truth: over(0, 0), motions: (1..=fitted.len()).map(|k| [over(k, 0), over(k, 1)]).collect() })
+}
+
 /// A criterion's row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
@@ -68,7 +112,7 @@ pub struct Row {
     pub unmodelled: Bars,
     /// Known noise floor, N m, per joint.
     pub floor: Vec<f64>,
-    /// RMS of the true parameters on the same log, N m, per joint: noise as it fell, and what the chain itself adds.
+    /// RMS of the true parameters on the same logs, N m, per joint: the noise, and what the chain itself adds.
     pub true_parameters: Vec<f64>,
 }
 

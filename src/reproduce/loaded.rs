@@ -3,10 +3,11 @@
 use dh_codegen::robot::Tool;
 
 use super::ReproduceError;
-use super::chain::factors;
+use super::chain::{factors, request};
 use super::lwr::{Lwr, Unmodelled};
 use super::motions::Motion;
-use crate::simulate::{Recording, Request, Simulator};
+use crate::log::Log;
+use crate::simulate::{Recording, Simulator};
 use crate::tool::{Carried, Carrying, ToolSettings, catalogue, identify_tool};
 
 /// What was recorded and found.
@@ -19,7 +20,34 @@ pub struct Loaded {
     pub carried: Carried,
 }
 
-/// Plays a motion with a tool of the catalogue; `unloaded` was recorded with an empty hand, of whatever motion.
+/// Plays a motion with a tool of the catalogue in the hand.
+pub fn carry(
+    lwr: &Lwr,
+    motion: &Motion,
+    name: &str,
+    which: &[Unmodelled],
+    seed: u64,
+) -> Result<(Tool, Recording), ReproduceError> {
+    let tool = catalogue().into_iter().find(|t| t.name == name);
+    let tool = tool.ok_or_else(|| ReproduceError::Robot(format!("there is no tool `{name}`")))?;
+    let mut robot = lwr.robot.clone();
+    robot.tool = Some(tool.clone());
+    let simulator = Simulator::new(&robot, &lwr.effects(which)?)?;
+    let recording = simulator.run(&motion.played, &request(seed), &mut |_| {})?;
+    Ok((tool, recording))
+}
+
+/// Equation (7), on every `stride`th sample after the low-pass.
+pub fn identified(lwr: &Lwr, unloaded: &[&Log], loaded: &[&Log], stride: usize) -> Result<Carried, ReproduceError> {
+    let (without, with) = (Carrying::new(&lwr.arm, false), Carrying::new(&lwr.arm, true));
+    let all = |name: &str, arm: &Carrying<'_>, logs: &[&Log]| {
+        logs.iter().map(|log| factors(name, arm, log, stride)).collect::<Result<Vec<_>, _>>()
+    };
+    let (unloaded, loaded) = (all("unloaded", &without, unloaded)?, all("loaded", &with, loaded)?);
+    Ok(identify_tool(&lwr.arm, &unloaded, &loaded, &ToolSettings::default())?)
+}
+
+/// Plays a motion with a tool and identifies it; `unloaded` was recorded with an empty hand, of whatever motion.
 pub fn loaded(
     lwr: &Lwr,
     motion: &Motion,
@@ -28,19 +56,7 @@ pub fn loaded(
     which: &[Unmodelled],
     seed: u64,
 ) -> Result<Loaded, ReproduceError> {
-    let tool = catalogue().into_iter().find(|t| t.name == name);
-    let tool = tool.ok_or_else(|| ReproduceError::Robot(format!("there is no tool `{name}`")))?;
-    let mut robot = lwr.robot.clone();
-    robot.tool = Some(tool.clone());
-    let simulator = Simulator::new(&robot, &lwr.effects(which)?)?;
-    let request = Request { sensors: Lwr::sensors(), seed, ..Request::default() };
-    let recording = simulator.run(&motion.played, &request, &mut |_| {})?;
-    let (without, with) = (Carrying::new(&lwr.arm, false), Carrying::new(&lwr.arm, true));
-    let carried = identify_tool(
-        &lwr.arm,
-        &[factors("unloaded", &without, &unloaded.log, 1)?],
-        &[factors("loaded", &with, &recording.log, 1)?],
-        &ToolSettings::default(),
-    )?;
+    let (tool, recording) = carry(lwr, motion, name, which, seed)?;
+    let carried = identified(lwr, &[&unloaded.log], &[&recording.log], 1)?;
     Ok(Loaded { tool, recording, carried })
 }

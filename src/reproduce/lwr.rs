@@ -16,7 +16,7 @@ const FILE: &str = include_str!("../../robots/kuka-lwr4.yaml");
 /// Level of the hysteresis by the torque limit: a quarter of the simulator's default, 0.1 to 0.4 N m, as large as the LWR's Coulomb friction
 /// (Table II).
 const HYSTERESIS: f64 = 0.0025;
-/// Amplitudes of the ripple by the torque limit: the simulator's defaults (Tuttle and Seering 1996, see its table of effects).
+/// Amplitudes of the ripple by the torque limit: the simulator's defaults, which a Staubli TX40 shows (see its table of effects).
 const RIPPLE: [f64; 2] = [0.006, 0.003];
 /// Damping of the joints' springs by their torque limit, s/rad: 2 to 4 % of critical at the frequencies of the loaded arm, 8 to 15 Hz. Stiffness is the
 /// simulator's default, 60 times the torque limit (10.6 kN m/rad at 176 N m).

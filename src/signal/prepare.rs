@@ -404,12 +404,12 @@ impl Preparer {
     fn motions(&mut self, end: bool) -> Result<Vec<Motion>, PrepareError> {
         let Some(clock) = self.clock else { return Ok(Vec::new()) };
         let late = (self.settings.torque_delay.abs() / clock.period).ceil() as usize;
-        let settle = self.filter.as_ref().map_or(2, |f| f.settling() + 2) + late;
+        let settle = self.filter.as_ref().map_or(4, |f| f.settling() + 4) + late;
         let margin = if self.settings.margins { settle } else { 0 };
         let trim = match self.settings.derivatives {
             Derivatives::AtRest => 0,
             _ => {
-                let differences = 1;
+                let differences = 3;
                 let filtered = if self.filter.is_some() { self.settings.trim } else { 0.0 };
                 let seconds = filtered.max(self.settings.torque_delay.abs());
                 ((seconds / clock.period).ceil() as usize).max(differences)

@@ -45,7 +45,7 @@ pub struct Control {
 
 impl Default for Control {
     fn default() -> Self {
-        // 10 Hz: what the position loops of light-weight arms reach (Albu-Schaeffer, Ott and Hirzinger 2007).
+        // 10 Hz: of the order that position loops of light-weight arms reach; our choice.
         Self { mode: Mode::Position, bandwidth: 63.0, damping: 0.7, kp: None, kd: None }
     }
 }

@@ -27,7 +27,7 @@ pub enum Method {
 
 impl Default for Solver {
     fn default() -> Self {
-        Self { method: Method::Auto, tolerance: 1e-5, longest: 0.01 }
+        Self { method: Method::Auto, tolerance: 1e-7, longest: 0.01 }
     }
 }
 

@@ -58,7 +58,11 @@ fn of_robot_files() {
     let slips = file(&folder, "slips.yaml", text);
     fails(2, &["check", &slips], &["slips.yaml:3:", "joints[1].alpha", "slips.yaml:4:", "revolute"]);
     let states = file(&folder, "states.csv", csv(&columns(&["q", "dq", "ddq"], 6), &[vec![0.0; 18]]));
-    fails(2, &eval("robots/stanford.yaml", "inverse_dynamics", &states), &["stanford.yaml", "links:", "identify"]);
+    fails(
+        2,
+        &eval("robots/staubli-tx40.yaml", "inverse_dynamics", &states),
+        &["staubli-tx40.yaml", "links:", "identify"],
+    );
 }
 
 #[test]

@@ -15,6 +15,11 @@ const NOISE: f64 = 0.005; // N m, standard deviation of the torque signal
 
 /// Records the robot in a periodic motion (five harmonics of 0.1 Hz per joint, within a rad or so), 250 samples per second.
 fn record(seconds: usize, seed: u64) -> String {
+    record_with(seconds, seed, |_, _, _| {})
+}
+
+/// The same, with what else the motors see: velocities, accelerations, torques to be changed.
+fn record_with(seconds: usize, seed: u64, more: impl Fn(&[f64], &[f64], &mut [f64])) -> String {
     let robot = read_robot(ROBOT);
     let (arm, phi) = (Numeric::new(&robot), param::standard_values(&robot).unwrap());
     let (n, mut random) = (arm.dof(), Random::new(seed));
@@ -34,7 +39,8 @@ fn record(seconds: usize, seed: u64) -> String {
             };
             let q: Vec<f64> = waves.iter().zip(&rest).map(|(joint, rest)| rest + sum(joint, 0)).collect();
             let [dq, ddq] = [1, 2].map(|k| waves.iter().map(|joint| sum(joint, k)).collect::<Vec<f64>>());
-            let tau = arm.inverse_dynamics(&q, &dq, &ddq, &phi);
+            let mut tau: Vec<f64> = arm.inverse_dynamics(&q, &dq, &ddq, &phi).iter().copied().collect();
+            more(&dq, &ddq, &mut tau);
             // The sum of three even draws is bell-shaped enough; each has the variance 1/3.
             let noisy = tau.iter().map(|tau| tau + NOISE * (random.even(1.0) + random.even(1.0) + random.even(1.0)));
             std::iter::once(t).chain(q.iter().copied()).chain(noisy).collect()
@@ -90,6 +96,39 @@ fn the_parameters_of_the_robot_are_found() {
     }
     // The others are next to nothing in this arm: products of inertia of symmetric links, and the hand's.
     assert!(sharp >= 22, "only {sharp} are sharp");
+}
+
+/// The motor of joint 7 turns with joint 6: its own three parameters are found, and written where the file names the coupling.
+#[test]
+fn a_coupled_motor_is_identified() {
+    let folder = folder("identify-coupled");
+    let (ratio, [iam, fvm, fcm]) = (-0.5, [0.04, 0.3, 0.8]);
+    let log = record_with(20, 11, |dq, ddq, tau| {
+        let sign = (dq[6] + ratio * dq[5]).signum();
+        tau[5] += ratio * (iam * ddq[6] + fvm * dq[6] + fcm * sign);
+        tau[6] += ratio * (iam * ddq[5] + fvm * dq[5]) + fcm * sign;
+    });
+    let text = std::fs::read_to_string(ROBOT).unwrap();
+    let friction = "viscous_friction: 0.08, coulomb_friction: 0.2 }";
+    assert_eq!(text.matches(friction).count(), 1);
+    let text = text.replace(friction, &format!("{friction}, gear_coupling: {{ joint: 6, KC: {ratio} }}"));
+    let (robot, log) = (file(&folder, "coupled.yaml", text), file(&folder, "log.csv", log));
+    let out = folder.join("out.yaml").display().to_string();
+    let said = json(&["identify", &robot, &log, "--out", &out, "--json", "-"]);
+    let found = said["parameters"].as_array().unwrap();
+    for (name, truth) in [("IAM7", iam), ("FVM7", fvm), ("FCM7", fcm)] {
+        let parameter = found.iter().find(|p| p["name"] == name).unwrap();
+        let [value, std] = ["value", "std"].map(|key| parameter[key].as_f64().unwrap());
+        assert!((value - truth).abs() < 5.0 * std + 0.005 * truth, "{name}: {value} +- {std}, is {truth}");
+        assert!(std < 0.1 * truth, "{name}: {value} +- {std}");
+    }
+    let written = read_robot(&out);
+    let effect = &written.joints[6].drive.effects[0];
+    assert_eq!(effect.name, "gear_coupling");
+    for (key, truth) in [("joint", 6.0), ("KC", ratio), ("IAM", iam), ("FVM", fvm), ("FCM", fcm)] {
+        let value = effect.parameters.iter().find(|(k, _)| k == key).unwrap().1;
+        assert!((value - truth).abs() < 0.05 * truth.abs(), "{key}: {value}, is {truth}");
+    }
 }
 
 #[test]

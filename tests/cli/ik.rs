@@ -67,6 +67,43 @@ fn a_redundant_arm_takes_its_swivel_from_the_file() {
     }
 }
 
+/// Without a column `swivel` the angle is chosen: by the limits, or after the posture that is named.
+#[test]
+fn a_swivel_angle_is_chosen() {
+    for (name, q) in [
+        ("kuka-iiwa14", [0.3, 0.5, -0.2, 1.1, 0.4, -0.8, 0.1]),
+        ("kuka-lwr4", [1.3, -1.1, 1.9, 1.6, -2.1, 1.2, -0.7]),
+        ("franka-panda", [0.3, 0.5, -0.2, -1.6, 0.4, 1.8, 0.9]),
+    ] {
+        let path = format!("robots/{name}.yaml");
+        let robot = read_robot(&path);
+        let goal = *Numeric::new(&robot).frames(&q).last().unwrap();
+        let folder = folder(&format!("ik-chosen-{name}"));
+        let margin = |said: &serde_json::Value| {
+            let solutions = said["poses"][0]["solutions"].as_array().unwrap();
+            solutions.iter().filter_map(|s| s["limit_margin"].as_f64()).fold(f64::NEG_INFINITY, f64::max)
+        };
+        let run = |file_name: &str, more: &[&str], numbers: &[f64]| {
+            let mut header = pose_columns();
+            header.extend(more.iter().map(|s| s.to_string()));
+            let poses = file(&folder, file_name, csv(&header, &[[row(&goal), numbers.to_vec()].concat()]));
+            json(&["ik", &path, "--poses", &poses, "--json", "-"])
+        };
+        let chosen = run("chosen.csv", &[], &[]);
+        let most = margin(&chosen);
+        assert!(most > 0.0, "{name}: {chosen}");
+        for k in 0..24 {
+            let swivel = -3.0 + 0.25 * f64::from(k);
+            let other = margin(&run("given.csv", &["swivel"], &[swivel]));
+            assert!(other <= most + 0.07, "{name}: {other} at {swivel}, {most} chosen");
+        }
+        let names = ["q1", "q2", "q3", "q4", "q5", "q6", "q7"];
+        let near = run("near.csv", &names, &q);
+        let first = numbers(&near["poses"][0]["solutions"][0]["q"]);
+        assert!(first.iter().zip(q).all(|(a, b)| (a - b).abs() < 1e-9), "{name}: {first:?}");
+    }
+}
+
 /// With `--tool` the poses are the tool's.
 #[test]
 fn the_tool_counts_when_asked() {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::arm::chain::Group;
+use crate::arm::chain::{Group, Inputs};
 use crate::arm::{Argument, Function, Kernel, Model};
 use crate::runtime::Scalar;
 use crate::sym::Evaluator;
@@ -107,37 +107,12 @@ impl Interpreter {
     }
 
     fn run_on(&self, kernel: &Kernel, evaluator: &Evaluator, batch: &Batch<'_>, out: &mut [f64]) {
-        let len = batch.len;
-        let (mut sin, mut cos) = (Vec::new(), Vec::new());
-        if kernel.function.arguments().contains(&Argument::Configuration) {
-            let angles: Vec<f64> = (0..self.dof * len).map(|k| batch.q[k] + self.offsets[k / len.max(1)]).collect();
-            (sin, cos) = sines_and_cosines(&angles);
-        }
         let arguments = kernel.function.arguments();
         let takes = |a| arguments.contains(&a);
-        let parameters: Vec<Vec<f64>> = if takes(Argument::StandardParameters) || takes(Argument::BaseParameters) {
-            batch.parameters.iter().map(|&p| vec![p; len]).collect()
-        } else {
-            Vec::new()
-        };
-        let inputs = kernel.inputs;
-        evaluator.run(
-            len,
-            |i| {
-                let (group, at) = inputs.locate(i);
-                let source: &[f64] = match group {
-                    Group::Position => batch.q,
-                    Group::Sine => &sin,
-                    Group::Cosine => &cos,
-                    Group::Velocity => batch.dq,
-                    Group::Acceleration => batch.ddq,
-                    Group::Torque => batch.tau,
-                    Group::Parameter => return &parameters[at],
-                };
-                &source[at * len..(at + 1) * len]
-            },
-            out,
-        );
+        let turns = takes(Argument::Configuration).then_some(self.offsets.as_slice());
+        let parameters = takes(Argument::StandardParameters) || takes(Argument::BaseParameters);
+        let columns = Columns::new(kernel.inputs, batch, turns, parameters);
+        evaluator.run(batch.len, |i| columns.input(i), out);
     }
 
     /// One state, without allocation once `room` has grown: the row-major result goes to `out`. The same bits as [`Interpreter::run`].
@@ -190,8 +165,48 @@ impl Interpreter {
     }
 }
 
+/// A batch by the inputs of a kernel.
+pub(crate) struct Columns<'a> {
+    inputs: Inputs,
+    batch: &'a Batch<'a>,
+    sin: Vec<f64>,
+    cos: Vec<f64>,
+    parameters: Vec<Vec<f64>>,
+}
+
+impl<'a> Columns<'a> {
+    /// Sines and cosines where the offsets of the angles are given, parameters where they are read.
+    pub(crate) fn new(inputs: Inputs, batch: &'a Batch<'a>, offsets: Option<&[f64]>, parameters: bool) -> Self {
+        let len = batch.len;
+        let (sin, cos) = match offsets {
+            Some(offsets) => {
+                let angles = (0..inputs.dof * len).map(|k| batch.q[k] + offsets[k / len.max(1)]);
+                sines_and_cosines(&angles.collect::<Vec<f64>>())
+            }
+            None => (Vec::new(), Vec::new()),
+        };
+        let parameters = if parameters { batch.parameters } else { &[] };
+        Self { inputs, batch, sin, cos, parameters: parameters.iter().map(|&p| vec![p; len]).collect() }
+    }
+
+    /// Of every sample.
+    pub(crate) fn input(&self, index: usize) -> &[f64] {
+        let (group, at) = self.inputs.locate(index);
+        let source: &[f64] = match group {
+            Group::Position => self.batch.q,
+            Group::Sine => &self.sin,
+            Group::Cosine => &self.cos,
+            Group::Velocity => self.batch.dq,
+            Group::Acceleration => self.batch.ddq,
+            Group::Torque => self.batch.tau,
+            Group::Parameter => return &self.parameters[at],
+        };
+        &source[at * self.batch.len..(at + 1) * self.batch.len]
+    }
+}
+
 /// Of any number of angles, with the runtime's own polynomials.
-pub(crate) fn sines_and_cosines(angles: &[f64]) -> (Vec<f64>, Vec<f64>) {
+fn sines_and_cosines(angles: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let (mut sin, mut cos) = (Vec::with_capacity(angles.len()), Vec::with_capacity(angles.len()));
     for chunk in angles.chunks(8) {
         let mut eight = [0.0; 8];

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::arm::Kernel;
 use crate::arm::chain::{Group, Inputs};
-use crate::interpret::{Batch, sines_and_cosines};
+use crate::interpret::{Batch, Columns};
 use crate::sym::{Evaluator, Ex, Graph, Operand, Tape, adjoint};
 
 /// The adjoint of a kernel, ready to run.
@@ -79,32 +79,11 @@ impl Pullback {
         if len == 0 {
             return;
         }
-        let dof = self.inputs.dof;
-        let angles: Vec<f64> = (0..dof * len).map(|k| batch.q[k] + self.offsets[k / len]).collect();
-        let (sin, cos) = sines_and_cosines(&angles);
-        let parameters: Vec<Vec<f64>> = batch.parameters.iter().map(|&p| vec![p; len]).collect();
+        let columns = Columns::new(self.inputs, batch, Some(&self.offsets), true);
         let mut out = vec![0.0; self.outputs.len() * len];
-        self.evaluator.run(
-            len,
-            |i| {
-                if i >= self.first_seed {
-                    let k = i - self.first_seed;
-                    return &seeds[k * len..(k + 1) * len];
-                }
-                let (group, at) = self.inputs.locate(i);
-                let source: &[f64] = match group {
-                    Group::Position => batch.q,
-                    Group::Sine => &sin,
-                    Group::Cosine => &cos,
-                    Group::Velocity => batch.dq,
-                    Group::Acceleration => batch.ddq,
-                    Group::Torque => batch.tau,
-                    Group::Parameter => return &parameters[at],
-                };
-                &source[at * len..(at + 1) * len]
-            },
-            &mut out,
-        );
+        let seed = |k: usize| &seeds[k * len..(k + 1) * len];
+        let column = |i: usize| if i >= self.first_seed { seed(i - self.first_seed) } else { columns.input(i) };
+        self.evaluator.run(len, column, &mut out);
         for (&(part, joint), column) in self.outputs.iter().zip(out.chunks(len)) {
             let target = [&mut to.q, &mut to.dq, &mut to.ddq][part].iter_mut().skip(joint * len);
             target.zip(column).for_each(|(sum, value)| *sum += value);

@@ -6,9 +6,12 @@
 
 mod arm;
 mod axis;
+mod candidates;
 mod interval;
+mod lanes;
 mod list;
 mod numerical;
+mod orient;
 mod plane;
 mod polish;
 mod pose;

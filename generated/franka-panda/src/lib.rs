@@ -1,6 +1,6 @@
-//! Closed-form kinematics and dynamics of `franka-panda`: 7 degrees of freedom, 43 base parameters.
+//! Closed-form kinematics and dynamics of `franka-panda`: 7 degrees of freedom, 64 base parameters.
 //!
-//! Written by denavit 0.1.0 from the robot file with digest 396235f55402f7e3; do not edit, run `denavit generate` again.
+//! Written by denavit 0.1.0 from the robot file with digest 4fa64d9edb7faf5e; do not edit, run `denavit generate` again.
 //!
 //! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Nothing is allocated; nothing but `core` is used.
 //! Kernels ([`kernel`]) take sines and cosines ([`Trig`]); the functions here take `q`.
@@ -12,19 +12,19 @@
 //! | [`forward_kinematics`]: The last DH frame in the base frame | 3 x 4 | 77 | 41 |
 //! | [`tool_pose`]: The tool frame in the base frame | 3 x 4 | 77 | 41 |
 //! | [`jacobian`]: Jacobian of the last DH frame's origin, in base axes | 6 x 7 | 93 | 57 |
-//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 184 | 108 |
-//! | [`inverse_dynamics`]: Torques from the standard parameters | 7 | 360 | 357 |
-//! | [`inverse_dynamics_base`]: Torques from the base parameters | 7 | 314 | 295 |
+//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 184 | 122 |
+//! | [`inverse_dynamics`]: Torques from the standard parameters | 7 | 359 | 365 |
+//! | [`inverse_dynamics_base`]: Torques from the base parameters | 7 | 313 | 307 |
 //! | [`mass_matrix`]: Mass matrix `M`, symmetric, kg m^2 | 7 x 7 | 223 | 190 |
-//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 7 | 301 | 276 |
+//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 7 | 288 | 269 |
 //! | [`gravity`]: Gravity torques `g` | 7 | 64 | 38 |
-//! | [`forward_dynamics`]: Accelerations that torques cause | 7 | 697 | 575 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 70 | 872 | 652 |
-//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 43 | 640 | 472 |
-//! | [`gravity_regressor`]: Regressor at rest | 7 x 70 | 255 | 153 |
-//! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 70 | 154 | 59 |
-//! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 70 | 39 | 19 |
-//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 7 x 10 | 394 | 268 |
+//! | [`forward_dynamics`]: Accelerations that torques cause | 7 | 698 | 589 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 91 | 854 | 639 |
+//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 64 | 625 | 465 |
+//! | [`gravity_regressor`]: Regressor at rest | 7 x 70 | 259 | 155 |
+//! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 91 | 154 | 59 |
+//! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 91 | 39 | 19 |
+//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 7 x 10 | 389 | 277 |
 
 #![no_std]
 #![deny(unsafe_code)]
@@ -49,9 +49,9 @@ pub const DOF: usize = 7;
 /// Rows of the DH table, fixed ones too.
 pub const ROWS: usize = 7;
 /// Standard parameters: ten per row, then the drives'.
-pub const STANDARD: usize = 70;
+pub const STANDARD: usize = 91;
 /// Base parameters.
-pub const BASE: usize = 43;
+pub const BASE: usize = 64;
 
 /// Joints, in the order of `q`.
 pub const JOINT_NAMES: [&str; DOF] = [
@@ -135,6 +135,27 @@ pub const STANDARD_NAMES: [&str; STANDARD] = [
     "XY7",
     "XZ7",
     "YZ7",
+    "FV1",
+    "FV2",
+    "FV3",
+    "FV4",
+    "FV5",
+    "FV6",
+    "FV7",
+    "FC1",
+    "FC2",
+    "FC3",
+    "FC4",
+    "FC5",
+    "FC6",
+    "FC7",
+    "FO1",
+    "FO2",
+    "FO3",
+    "FO4",
+    "FO5",
+    "FO6",
+    "FO7",
 ];
 /// Base parameters, in the order of the base regressor's columns.
 pub const BASE_NAMES: [&str; BASE] = [
@@ -181,6 +202,27 @@ pub const BASE_NAMES: [&str; BASE] = [
     "XY7",
     "XZ7",
     "YZ7",
+    "FV1",
+    "FV2",
+    "FV3",
+    "FV4",
+    "FV5",
+    "FV6",
+    "FV7",
+    "FC1",
+    "FC2",
+    "FC3",
+    "FC4",
+    "FC5",
+    "FC6",
+    "FC7",
+    "FO1",
+    "FO2",
+    "FO3",
+    "FO4",
+    "FO5",
+    "FO6",
+    "FO7",
 ];
 /// What each base parameter groups, in the constants of the robot file.
 pub const BASE_GROUPINGS: [&str; BASE] = [
@@ -227,6 +269,27 @@ pub const BASE_GROUPINGS: [&str; BASE] = [
     "XY7 = XY7",
     "XZ7 = XZ7",
     "YZ7 = YZ7",
+    "FV1 = FV1",
+    "FV2 = FV2",
+    "FV3 = FV3",
+    "FV4 = FV4",
+    "FV5 = FV5",
+    "FV6 = FV6",
+    "FV7 = FV7",
+    "FC1 = FC1",
+    "FC2 = FC2",
+    "FC3 = FC3",
+    "FC4 = FC4",
+    "FC5 = FC5",
+    "FC6 = FC6",
+    "FC7 = FC7",
+    "FO1 = FO1",
+    "FO2 = FO2",
+    "FO3 = FO3",
+    "FO4 = FO4",
+    "FO5 = FO5",
+    "FO6 = FO6",
+    "FO7 = FO7",
 ];
 /// The same as numbers: index into the standard parameters, and factor.
 pub const BASE_COEFFICIENTS: [&[(usize, f64)]; BASE] = [
@@ -273,6 +336,27 @@ pub const BASE_COEFFICIENTS: [&[(usize, f64)]; BASE] = [
     &[(67, 1.0)],
     &[(68, 1.0)],
     &[(69, 1.0)],
+    &[(70, 1.0)],
+    &[(71, 1.0)],
+    &[(72, 1.0)],
+    &[(73, 1.0)],
+    &[(74, 1.0)],
+    &[(75, 1.0)],
+    &[(76, 1.0)],
+    &[(77, 1.0)],
+    &[(78, 1.0)],
+    &[(79, 1.0)],
+    &[(80, 1.0)],
+    &[(81, 1.0)],
+    &[(82, 1.0)],
+    &[(83, 1.0)],
+    &[(84, 1.0)],
+    &[(85, 1.0)],
+    &[(86, 1.0)],
+    &[(87, 1.0)],
+    &[(88, 1.0)],
+    &[(89, 1.0)],
+    &[(90, 1.0)],
 ];
 
 /// Constant `L1` of the robot file.
@@ -296,26 +380,26 @@ pub const ACCELERATION_LIMITS: [Option<f64>; DOF] = [Some(15.0), Some(7.5), Some
 /// Largest torques or forces, N m or N.
 pub const TORQUE_LIMITS: [Option<f64>; DOF] = [Some(87.0), Some(87.0), Some(87.0), Some(87.0), Some(12.0), Some(12.0), Some(12.0)];
 /// The robot file's standard parameters, its tool in the last link.
-pub const STANDARD_VALUES: Option<[f64; STANDARD]> = Some([4.970684, 0.0192614005, 0.0103439934, 0.0, 0.7033915259, 0.7066846379, 0.009213163777, -0.0001790829744, 0.006772, 0.019169, 0.646926, -0.002031994566, -0.01857971472, 0.00226100637, 0.008503511624, 0.02812428471, 0.0265349919, -0.003983358884, 0.01026110182, 0.0007689361029, 3.228604, 0.08884472487, 0.1267291642, -0.2147086232, 0.05649492601, 0.052878382, 0.01824920229, -0.008248333141, -0.005487648107, -0.004377257122, 3.587895, -0.1907683772, 0.374644408, 0.09850206933, 0.06767727025, 0.03239943042, 0.07758614905, 0.02771584317, 0.003905355026, -0.001644487577, 1.225946, -0.01465373254, 0.05034347249, -0.0471216864, 0.03942757096, 0.03146037233, 0.01086951076, -0.001515244473, -0.004600245518, 0.002164052052, 1.666555, 0.1002416167, -0.02352675694, -0.01752715894, 0.002480460358, 0.01056776613, 0.01179456023, 0.001524110903, -0.0001037589172, 9.356909731e-5, 0.735522, 0.007735484874, -0.003127439544, 0.04530594863, 0.01532000839, 0.01289906461, 0.004909651967, -0.0003951087183, -0.001672482662, -0.0005483591064]);
+pub const STANDARD_VALUES: Option<[f64; STANDARD]> = Some([4.970684, 0.0192614005, 0.0103439934, 0.0, 0.7033915259, 0.7066846379, 0.009213163777, -0.0001790829744, 0.006772, 0.019169, 0.646926, -0.002031994566, -0.01857971472, 0.00226100637, 0.008503511624, 0.02812428471, 0.0265349919, -0.003983358884, 0.01026110182, 0.0007689361029, 3.228604, 0.08884472487, 0.1267291642, -0.2147086232, 0.05649492601, 0.052878382, 0.01824920229, -0.008248333141, -0.005487648107, -0.004377257122, 3.587895, -0.1907683772, 0.374644408, 0.09850206933, 0.06767727025, 0.03239943042, 0.07758614905, 0.02771584317, 0.003905355026, -0.001644487577, 1.225946, -0.01465373254, 0.05034347249, -0.0471216864, 0.03942757096, 0.03146037233, 0.01086951076, -0.001515244473, -0.004600245518, 0.002164052052, 1.666555, 0.1002416167, -0.02352675694, -0.01752715894, 0.002480460358, 0.01056776613, 0.01179456023, 0.001524110903, -0.0001037589172, 9.356909731e-5, 0.735522, 0.007735484874, -0.003127439544, 0.04530594863, 0.01532000839, 0.01289906461, 0.004909651967, -0.0003951087183, -0.001672482662, -0.0005483591064, 0.0628, 0.2088, 0.0361, 0.2174, 0.1021, 0.0001613, 0.0632, 0.2549, 0.1413, 0.1879, 0.3625, 0.2728, 0.1529, 0.2097, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
 /// Name, multiplications and additions of each function, sines and cosines apart (`DOF` pairs).
 pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("frames", 77, 56),
     ("forward_kinematics", 77, 41),
     ("tool_pose", 77, 41),
     ("jacobian", 93, 57),
-    ("jacobian_dot_velocity", 184, 108),
-    ("inverse_dynamics", 360, 357),
-    ("inverse_dynamics_base", 314, 295),
+    ("jacobian_dot_velocity", 184, 122),
+    ("inverse_dynamics", 359, 365),
+    ("inverse_dynamics_base", 313, 307),
     ("mass_matrix", 223, 190),
-    ("coriolis", 301, 276),
+    ("coriolis", 288, 269),
     ("gravity", 64, 38),
-    ("forward_dynamics", 697, 575),
-    ("regressor", 872, 652),
-    ("base_regressor", 640, 472),
-    ("gravity_regressor", 255, 153),
+    ("forward_dynamics", 698, 589),
+    ("regressor", 854, 639),
+    ("base_regressor", 625, 465),
+    ("gravity_regressor", 259, 155),
     ("kinetic_energy_regressor", 154, 59),
     ("potential_energy_regressor", 39, 19),
-    ("payload_regressor", 394, 268),
+    ("payload_regressor", 389, 277),
 ];
 
 /// Which inverse the arm has.
@@ -517,8 +601,8 @@ pub fn forward_dynamics<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], tau: &[S; DOF], 
 /// `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4. Packed form: [`kernel::regressor::packed`].
 #[must_use]
 #[inline]
-pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 70]; 7] {
-    let mut out = [[S::default(); 70]; 7];
+pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 91]; 7] {
+    let mut out = [[S::default(); 91]; 7];
     kernel::regressor::dense(&Trig::new(q), dq, ddq, &mut out);
     out
 }
@@ -528,8 +612,8 @@ pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S;
 /// `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4. Packed form: [`kernel::base_regressor::packed`].
 #[must_use]
 #[inline]
-pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 43]; 7] {
-    let mut out = [[S::default(); 43]; 7];
+pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 64]; 7] {
+    let mut out = [[S::default(); 64]; 7];
     kernel::base_regressor::dense(&Trig::new(q), dq, ddq, &mut out);
     out
 }
@@ -550,8 +634,8 @@ pub fn gravity_regressor<S: Scalar>(q: &[S; DOF]) -> [[S; 70]; 7] {
 /// `T = h phi`, J per unit. Khalil and Dombre, 9.4. Packed form: [`kernel::kinetic_energy_regressor::packed`].
 #[must_use]
 #[inline]
-pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 70] {
-    let mut out = [S::default(); 70];
+pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 91] {
+    let mut out = [S::default(); 91];
     kernel::kinetic_energy_regressor::dense(&Trig::new(q), dq, &mut out);
     out
 }
@@ -561,8 +645,8 @@ pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 7
 /// `U = h phi`, J per unit, zero at the base frame's origin; an offset torque counts as `FO q`. Packed form: [`kernel::potential_energy_regressor::packed`].
 #[must_use]
 #[inline]
-pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 70] {
-    let mut out = [S::default(); 70];
+pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 91] {
+    let mut out = [S::default(); 91];
     kernel::potential_energy_regressor::dense(&Trig::new(q), &mut out);
     out
 }

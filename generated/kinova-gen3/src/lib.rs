@@ -1,6 +1,6 @@
-//! Closed-form kinematics and dynamics of `kinova-gen3`: 7 degrees of freedom, 43 base parameters.
+//! Closed-form kinematics and dynamics of `kinova-gen3`: 7 degrees of freedom, 64 base parameters.
 //!
-//! Written by denavit 0.1.0 from the robot file with digest 943b9505623597c8; do not edit, run `denavit generate` again.
+//! Written by denavit 0.1.0 from the robot file with digest 452ee37b856fc954; do not edit, run `denavit generate` again.
 //!
 //! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Nothing is allocated; nothing but `core` is used.
 //! Kernels ([`kernel`]) take sines and cosines ([`Trig`]); the functions here take `q`.
@@ -12,19 +12,19 @@
 //! | [`forward_kinematics`]: The last DH frame in the base frame | 3 x 4 | 79 | 43 |
 //! | [`tool_pose`]: The tool frame in the base frame | 3 x 4 | 79 | 43 |
 //! | [`jacobian`]: Jacobian of the last DH frame's origin, in base axes | 6 x 7 | 89 | 65 |
-//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 188 | 109 |
-//! | [`inverse_dynamics`]: Torques from the standard parameters | 7 | 382 | 378 |
-//! | [`inverse_dynamics_base`]: Torques from the base parameters | 7 | 330 | 309 |
+//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 186 | 112 |
+//! | [`inverse_dynamics`]: Torques from the standard parameters | 7 | 380 | 384 |
+//! | [`inverse_dynamics_base`]: Torques from the base parameters | 7 | 328 | 320 |
 //! | [`mass_matrix`]: Mass matrix `M`, symmetric, kg m^2 | 7 x 7 | 242 | 197 |
-//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 7 | 314 | 288 |
+//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 7 | 300 | 280 |
 //! | [`gravity`]: Gravity torques `g` | 7 | 64 | 38 |
-//! | [`forward_dynamics`]: Accelerations that torques cause | 7 | 729 | 593 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 70 | 956 | 705 |
-//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 43 | 691 | 501 |
+//! | [`forward_dynamics`]: Accelerations that torques cause | 7 | 729 | 606 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 91 | 934 | 690 |
+//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 64 | 675 | 492 |
 //! | [`gravity_regressor`]: Regressor at rest | 7 x 70 | 283 | 166 |
-//! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 70 | 163 | 68 |
-//! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 70 | 40 | 19 |
-//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 7 x 10 | 426 | 284 |
+//! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 91 | 163 | 68 |
+//! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 91 | 40 | 19 |
+//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 7 x 10 | 419 | 281 |
 
 #![no_std]
 #![deny(unsafe_code)]
@@ -49,9 +49,9 @@ pub const DOF: usize = 7;
 /// Rows of the DH table, fixed ones too.
 pub const ROWS: usize = 7;
 /// Standard parameters: ten per row, then the drives'.
-pub const STANDARD: usize = 70;
+pub const STANDARD: usize = 91;
 /// Base parameters.
-pub const BASE: usize = 43;
+pub const BASE: usize = 64;
 
 /// Joints, in the order of `q`.
 pub const JOINT_NAMES: [&str; DOF] = [
@@ -135,6 +135,27 @@ pub const STANDARD_NAMES: [&str; STANDARD] = [
     "XY7",
     "XZ7",
     "YZ7",
+    "FV1",
+    "FV2",
+    "FV3",
+    "FV4",
+    "FV5",
+    "FV6",
+    "FV7",
+    "FC1",
+    "FC2",
+    "FC3",
+    "FC4",
+    "FC5",
+    "FC6",
+    "FC7",
+    "FO1",
+    "FO2",
+    "FO3",
+    "FO4",
+    "FO5",
+    "FO6",
+    "FO7",
 ];
 /// Base parameters, in the order of the base regressor's columns.
 pub const BASE_NAMES: [&str; BASE] = [
@@ -181,6 +202,27 @@ pub const BASE_NAMES: [&str; BASE] = [
     "XY7",
     "XZ7",
     "YZ7",
+    "FV1",
+    "FV2",
+    "FV3",
+    "FV4",
+    "FV5",
+    "FV6",
+    "FV7",
+    "FC1",
+    "FC2",
+    "FC3",
+    "FC4",
+    "FC5",
+    "FC6",
+    "FC7",
+    "FO1",
+    "FO2",
+    "FO3",
+    "FO4",
+    "FO5",
+    "FO6",
+    "FO7",
 ];
 /// What each base parameter groups, in the constants of the robot file.
 pub const BASE_GROUPINGS: [&str; BASE] = [
@@ -227,6 +269,27 @@ pub const BASE_GROUPINGS: [&str; BASE] = [
     "XY7 = XY7",
     "XZ7 = XZ7",
     "YZ7 = YZ7",
+    "FV1 = FV1",
+    "FV2 = FV2",
+    "FV3 = FV3",
+    "FV4 = FV4",
+    "FV5 = FV5",
+    "FV6 = FV6",
+    "FV7 = FV7",
+    "FC1 = FC1",
+    "FC2 = FC2",
+    "FC3 = FC3",
+    "FC4 = FC4",
+    "FC5 = FC5",
+    "FC6 = FC6",
+    "FC7 = FC7",
+    "FO1 = FO1",
+    "FO2 = FO2",
+    "FO3 = FO3",
+    "FO4 = FO4",
+    "FO5 = FO5",
+    "FO6 = FO6",
+    "FO7 = FO7",
 ];
 /// The same as numbers: index into the standard parameters, and factor.
 pub const BASE_COEFFICIENTS: [&[(usize, f64)]; BASE] = [
@@ -273,6 +336,27 @@ pub const BASE_COEFFICIENTS: [&[(usize, f64)]; BASE] = [
     &[(67, 1.0)],
     &[(68, 1.0)],
     &[(69, 1.0)],
+    &[(70, 1.0)],
+    &[(71, 1.0)],
+    &[(72, 1.0)],
+    &[(73, 1.0)],
+    &[(74, 1.0)],
+    &[(75, 1.0)],
+    &[(76, 1.0)],
+    &[(77, 1.0)],
+    &[(78, 1.0)],
+    &[(79, 1.0)],
+    &[(80, 1.0)],
+    &[(81, 1.0)],
+    &[(82, 1.0)],
+    &[(83, 1.0)],
+    &[(84, 1.0)],
+    &[(85, 1.0)],
+    &[(86, 1.0)],
+    &[(87, 1.0)],
+    &[(88, 1.0)],
+    &[(89, 1.0)],
+    &[(90, 1.0)],
 ];
 
 /// Lower and upper position of each joint, rad or m.
@@ -284,26 +368,26 @@ pub const ACCELERATION_LIMITS: [Option<f64>; DOF] = [None, None, None, None, Non
 /// Largest torques or forces, N m or N.
 pub const TORQUE_LIMITS: [Option<f64>; DOF] = [Some(39.0), Some(39.0), Some(39.0), Some(39.0), Some(9.0), Some(9.0), Some(9.0)];
 /// The robot file's standard parameters, its tool in the last link.
-pub const STANDARD_VALUES: Option<[f64; STANDARD]> = Some([1.3773, -3.1678e-5, -0.014274337, 0.075779046, 0.008887302, 0.009000364, 0.00155694, 6.72e-7, 3.743e-6, 0.001233374, 1.1636, -5.1198e-5, -0.115871288, -0.008032331, 0.02268191, 0.001127449, 0.022793465, -9.8e-8, -3.53e-7, -0.00149086, 1.1636, -5.1198e-5, -0.007727468, 0.107619037, 0.020936788, 0.021080472, 0.00109432, -3.4e-7, -2.265e-6, 0.001320698, 0.9302, -1.6744e-5, -0.070209636, -0.008028556, 0.013515577, 0.000700295, 0.013615283, -2.264e-6, -1.45e-7, -0.001105979, 0.6781, 6.78e-7, -0.006395839, 0.028512071, 0.002855173, 0.002805847, 0.000459326, 6e-9, -2.9e-8, 0.000524926, 0.6781, 6.78e-7, -0.030842022, -0.006424998, 0.003104665, 0.000470877, 0.003043788, 3.1e-8, 6e-9, -0.000570228, 0.5, 0.0001405, 0.005701, 0.0158635, 0.001155304, 0.000872341, 0.000674042, 1.398e-6, -1.458e-6, -0.000298876]);
+pub const STANDARD_VALUES: Option<[f64; STANDARD]> = Some([1.3773, -3.1678e-5, -0.014274337, 0.075779046, 0.008887302, 0.009000364, 0.00155694, 6.72e-7, 3.743e-6, 0.001233374, 1.1636, -5.1198e-5, -0.115871288, -0.008032331, 0.02268191, 0.001127449, 0.022793465, -9.8e-8, -3.53e-7, -0.00149086, 1.1636, -5.1198e-5, -0.007727468, 0.107619037, 0.020936788, 0.021080472, 0.00109432, -3.4e-7, -2.265e-6, 0.001320698, 0.9302, -1.6744e-5, -0.070209636, -0.008028556, 0.013515577, 0.000700295, 0.013615283, -2.264e-6, -1.45e-7, -0.001105979, 0.6781, 6.78e-7, -0.006395839, 0.028512071, 0.002855173, 0.002805847, 0.000459326, 6e-9, -2.9e-8, 0.000524926, 0.6781, 6.78e-7, -0.030842022, -0.006424998, 0.003104665, 0.000470877, 0.003043788, 3.1e-8, 6e-9, -0.000570228, 0.5, 0.0001405, 0.005701, 0.0158635, 0.001155304, 0.000872341, 0.000674042, 1.398e-6, -1.458e-6, -0.000298876, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
 /// Name, multiplications and additions of each function, sines and cosines apart (`DOF` pairs).
 pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("frames", 79, 64),
     ("forward_kinematics", 79, 43),
     ("tool_pose", 79, 43),
     ("jacobian", 89, 65),
-    ("jacobian_dot_velocity", 188, 109),
-    ("inverse_dynamics", 382, 378),
-    ("inverse_dynamics_base", 330, 309),
+    ("jacobian_dot_velocity", 186, 112),
+    ("inverse_dynamics", 380, 384),
+    ("inverse_dynamics_base", 328, 320),
     ("mass_matrix", 242, 197),
-    ("coriolis", 314, 288),
+    ("coriolis", 300, 280),
     ("gravity", 64, 38),
-    ("forward_dynamics", 729, 593),
-    ("regressor", 956, 705),
-    ("base_regressor", 691, 501),
+    ("forward_dynamics", 729, 606),
+    ("regressor", 934, 690),
+    ("base_regressor", 675, 492),
     ("gravity_regressor", 283, 166),
     ("kinetic_energy_regressor", 163, 68),
     ("potential_energy_regressor", 40, 19),
-    ("payload_regressor", 426, 284),
+    ("payload_regressor", 419, 281),
 ];
 
 /// Which inverse the arm has.
@@ -506,8 +590,8 @@ pub fn forward_dynamics<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], tau: &[S; DOF], 
 /// `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4. Packed form: [`kernel::regressor::packed`].
 #[must_use]
 #[inline]
-pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 70]; 7] {
-    let mut out = [[S::default(); 70]; 7];
+pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 91]; 7] {
+    let mut out = [[S::default(); 91]; 7];
     kernel::regressor::dense(&Trig::new(q), dq, ddq, &mut out);
     out
 }
@@ -517,8 +601,8 @@ pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S;
 /// `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4. Packed form: [`kernel::base_regressor::packed`].
 #[must_use]
 #[inline]
-pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 43]; 7] {
-    let mut out = [[S::default(); 43]; 7];
+pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 64]; 7] {
+    let mut out = [[S::default(); 64]; 7];
     kernel::base_regressor::dense(&Trig::new(q), dq, ddq, &mut out);
     out
 }
@@ -539,8 +623,8 @@ pub fn gravity_regressor<S: Scalar>(q: &[S; DOF]) -> [[S; 70]; 7] {
 /// `T = h phi`, J per unit. Khalil and Dombre, 9.4. Packed form: [`kernel::kinetic_energy_regressor::packed`].
 #[must_use]
 #[inline]
-pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 70] {
-    let mut out = [S::default(); 70];
+pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 91] {
+    let mut out = [S::default(); 91];
     kernel::kinetic_energy_regressor::dense(&Trig::new(q), dq, &mut out);
     out
 }
@@ -550,8 +634,8 @@ pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 7
 /// `U = h phi`, J per unit, zero at the base frame's origin; an offset torque counts as `FO q`. Packed form: [`kernel::potential_energy_regressor::packed`].
 #[must_use]
 #[inline]
-pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 70] {
-    let mut out = [S::default(); 70];
+pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 91] {
+    let mut out = [S::default(); 91];
     kernel::potential_energy_regressor::dense(&Trig::new(q), &mut out);
     out
 }

@@ -12,19 +12,19 @@
 //! | [`forward_kinematics`]: The last DH frame in the base frame | 3 x 4 | 68 | 33 |
 //! | [`tool_pose`]: The tool frame in the base frame | 3 x 4 | 68 | 33 |
 //! | [`jacobian`]: Jacobian of the last DH frame's origin, in base axes | 6 x 7 | 66 | 38 |
-//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 165 | 90 |
-//! | [`inverse_dynamics`]: Torques from the standard parameters | 7 | 357 | 355 |
-//! | [`inverse_dynamics_base`]: Torques from the base parameters | 7 | 311 | 293 |
+//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 169 | 99 |
+//! | [`inverse_dynamics`]: Torques from the standard parameters | 7 | 342 | 342 |
+//! | [`inverse_dynamics_base`]: Torques from the base parameters | 7 | 296 | 284 |
 //! | [`mass_matrix`]: Mass matrix `M`, symmetric, kg m^2 | 7 x 7 | 197 | 154 |
-//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 7 | 284 | 260 |
+//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 7 | 271 | 253 |
 //! | [`gravity`]: Gravity torques `g` | 7 | 64 | 38 |
-//! | [`forward_dynamics`]: Accelerations that torques cause | 7 | 668 | 536 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 84 | 811 | 573 |
-//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 57 | 612 | 433 |
-//! | [`gravity_regressor`]: Regressor at rest | 7 x 70 | 236 | 133 |
+//! | [`forward_dynamics`]: Accelerations that torques cause | 7 | 655 | 529 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 84 | 789 | 561 |
+//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 57 | 597 | 427 |
+//! | [`gravity_regressor`]: Regressor at rest | 7 x 70 | 237 | 135 |
 //! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 84 | 143 | 53 |
 //! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 84 | 34 | 14 |
-//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 7 x 10 | 349 | 221 |
+//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 7 x 10 | 350 | 225 |
 
 #![no_std]
 #![deny(unsafe_code)]
@@ -356,19 +356,19 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("forward_kinematics", 68, 33),
     ("tool_pose", 68, 33),
     ("jacobian", 66, 38),
-    ("jacobian_dot_velocity", 165, 90),
-    ("inverse_dynamics", 357, 355),
-    ("inverse_dynamics_base", 311, 293),
+    ("jacobian_dot_velocity", 169, 99),
+    ("inverse_dynamics", 342, 342),
+    ("inverse_dynamics_base", 296, 284),
     ("mass_matrix", 197, 154),
-    ("coriolis", 284, 260),
+    ("coriolis", 271, 253),
     ("gravity", 64, 38),
-    ("forward_dynamics", 668, 536),
-    ("regressor", 811, 573),
-    ("base_regressor", 612, 433),
-    ("gravity_regressor", 236, 133),
+    ("forward_dynamics", 655, 529),
+    ("regressor", 789, 561),
+    ("base_regressor", 597, 427),
+    ("gravity_regressor", 237, 135),
     ("kinetic_energy_regressor", 143, 53),
     ("potential_energy_regressor", 34, 14),
-    ("payload_regressor", 349, 221),
+    ("payload_regressor", 350, 225),
 ];
 
 /// Which inverse the arm has.

@@ -1,6 +1,6 @@
-//! Closed-form kinematics and dynamics of `stanford`: 6 degrees of freedom, 33 base parameters.
+//! Closed-form kinematics and dynamics of `stanford`: 6 degrees of freedom, 37 base parameters.
 //!
-//! Written by denavit 0.1.0 from the robot file with digest 0efd6985a08e5579; do not edit, run `denavit generate` again.
+//! Written by denavit 0.1.0 from the robot file with digest b0b4c404891fade7; do not edit, run `denavit generate` again.
 //!
 //! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Nothing is allocated; nothing but `core` is used.
 //! Kernels ([`kernel`]) take sines and cosines ([`Trig`]); the functions here take `q`.
@@ -12,19 +12,19 @@
 //! | [`forward_kinematics`]: The last DH frame in the base frame | 3 x 4 | 46 | 23 |
 //! | [`tool_pose`]: The tool frame in the base frame | 3 x 4 | 46 | 23 |
 //! | [`jacobian`]: Jacobian of the last DH frame's origin, in base axes | 6 x 6 | 44 | 27 |
-//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 118 | 63 |
-//! | [`inverse_dynamics`]: Torques from the standard parameters | 6 | 281 | 279 |
-//! | [`inverse_dynamics_base`]: Torques from the base parameters | 6 | 232 | 216 |
-//! | [`mass_matrix`]: Mass matrix `M`, symmetric, kg m^2 | 6 x 6 | 120 | 95 |
-//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 6 | 214 | 194 |
+//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 120 | 68 |
+//! | [`inverse_dynamics`]: Torques from the standard parameters | 6 | 280 | 278 |
+//! | [`inverse_dynamics_base`]: Torques from the base parameters | 6 | 229 | 216 |
+//! | [`mass_matrix`]: Mass matrix `M`, symmetric, kg m^2 | 6 x 6 | 120 | 99 |
+//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 6 | 209 | 192 |
 //! | [`gravity`]: Gravity torques `g` | 6 | 50 | 29 |
-//! | [`forward_dynamics`]: Accelerations that torques cause | 6 | 455 | 363 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 60 | 453 | 338 |
-//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 6 x 33 | 344 | 254 |
+//! | [`forward_dynamics`]: Accelerations that torques cause | 6 | 450 | 365 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 66 | 444 | 334 |
+//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 6 x 37 | 337 | 251 |
 //! | [`gravity_regressor`]: Regressor at rest | 6 x 60 | 113 | 68 |
-//! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 60 | 115 | 45 |
-//! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 60 | 22 | 12 |
-//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 6 x 10 | 245 | 164 |
+//! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 66 | 123 | 45 |
+//! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 66 | 22 | 12 |
+//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 6 x 10 | 242 | 163 |
 
 #![no_std]
 #![deny(unsafe_code)]
@@ -49,9 +49,9 @@ pub const DOF: usize = 6;
 /// Rows of the DH table, fixed ones too.
 pub const ROWS: usize = 6;
 /// Standard parameters: ten per row, then the drives'.
-pub const STANDARD: usize = 60;
+pub const STANDARD: usize = 66;
 /// Base parameters.
-pub const BASE: usize = 33;
+pub const BASE: usize = 37;
 
 /// Joints, in the order of `q`.
 pub const JOINT_NAMES: [&str; DOF] = [
@@ -124,6 +124,12 @@ pub const STANDARD_NAMES: [&str; STANDARD] = [
     "XY6",
     "XZ6",
     "YZ6",
+    "IA1",
+    "IA2",
+    "IA3",
+    "IA4",
+    "IA5",
+    "IA6",
 ];
 /// Base parameters, in the order of the base regressor's columns.
 pub const BASE_NAMES: [&str; BASE] = [
@@ -160,13 +166,17 @@ pub const BASE_NAMES: [&str; BASE] = [
     "XY6",
     "XZ6",
     "YZ6",
+    "IA3",
+    "IA4",
+    "IA5",
+    "IA6",
 ];
 /// What each base parameter groups, in the constants of the robot file.
 pub const BASE_GROUPINGS: [&str; BASE] = [
-    "YY1R = YY1 + D2^2*M2 + 2*D2*MSY2 + XX2 + YY3 + XX4 + XX5 + YY6 + D6^2*M6 + 2*D6*MSZ6",
+    "YY1R = YY1 + D2^2*M2 + 2*D2*MSY2 + XX2 + YY3 + XX4 + XX5 + YY6 + IA1 + D6^2*M6 + 2*D6*MSZ6",
     "MSX2 = MSX2",
     "MSZ2 = MSZ2",
-    "YY2R = YY2 + XX3 + XX4 + XX5 + YY6 + D6^2*M6 + 2*D6*MSZ6",
+    "YY2R = YY2 + XX3 + XX4 + XX5 + YY6 + IA2 + D6^2*M6 + 2*D6*MSZ6",
     "ZZ2R = ZZ2 - XX2 - YY3 - XX4 - XX5 - YY6 + ZZ3 - D6^2*M6 - 2*D6*MSZ6",
     "XY2R = XY2 - XY3",
     "XZ2R = XZ2 + YZ3",
@@ -196,13 +206,17 @@ pub const BASE_GROUPINGS: [&str; BASE] = [
     "XY6 = XY6",
     "XZ6 = XZ6",
     "YZ6 = YZ6",
+    "IA3 = IA3",
+    "IA4 = IA4",
+    "IA5 = IA5",
+    "IA6 = IA6",
 ];
 /// The same as numbers: index into the standard parameters, and factor.
 pub const BASE_COEFFICIENTS: [&[(usize, f64)]; BASE] = [
-    &[(5, 1.0), (10, 0.023716), (12, 0.308), (14, 1.0), (25, 1.0), (34, 1.0), (44, 1.0), (50, 0.06916900000000001), (53, 0.526), (55, 1.0)],
+    &[(5, 1.0), (10, 0.023716), (12, 0.308), (14, 1.0), (25, 1.0), (34, 1.0), (44, 1.0), (50, 0.06916900000000001), (53, 0.526), (55, 1.0), (60, 1.0)],
     &[(11, 1.0)],
     &[(13, 1.0)],
-    &[(15, 1.0), (24, 1.0), (34, 1.0), (44, 1.0), (50, 0.06916900000000001), (53, 0.526), (55, 1.0)],
+    &[(15, 1.0), (24, 1.0), (34, 1.0), (44, 1.0), (50, 0.06916900000000001), (53, 0.526), (55, 1.0), (61, 1.0)],
     &[(14, -1.0), (16, 1.0), (25, -1.0), (26, 1.0), (34, -1.0), (44, -1.0), (50, -0.06916900000000001), (53, -0.526), (55, -1.0)],
     &[(17, 1.0), (27, -1.0)],
     &[(18, 1.0), (29, 1.0)],
@@ -232,6 +246,10 @@ pub const BASE_COEFFICIENTS: [&[(usize, f64)]; BASE] = [
     &[(57, 1.0)],
     &[(58, 1.0)],
     &[(59, 1.0)],
+    &[(62, 1.0)],
+    &[(63, 1.0)],
+    &[(64, 1.0)],
+    &[(65, 1.0)],
 ];
 
 /// Constant `D1` of the robot file.
@@ -251,27 +269,27 @@ pub const VELOCITY_LIMITS: [Option<f64>; DOF] = [None, None, None, None, None, N
 pub const ACCELERATION_LIMITS: [Option<f64>; DOF] = [None, None, None, None, None, None];
 /// Largest torques or forces, N m or N.
 pub const TORQUE_LIMITS: [Option<f64>; DOF] = [None, None, None, None, None, None];
-/// The robot file's standard parameters: it does not have them all.
-pub const STANDARD_VALUES: Option<[f64; STANDARD]> = None;
+/// The robot file's standard parameters, its tool in the last link.
+pub const STANDARD_VALUES: Option<[f64; STANDARD]> = Some([9.29, 0.0, 0.162575, -1.026545, 0.276, 0.255, 0.071, 0.0, 0.0, 0.0, 5.01, 0.0, -0.528054, 0.0, 0.108, 0.018, 0.1, 0.0, 0.0, 0.0, 4.25, 0.0, 0.0, -2.739975, 2.51, 2.51, 0.006, 0.0, 0.0, 0.0, 1.08, 0.0, 0.009936, -0.005832, 0.002, 0.001, 0.001, 0.0, 0.0, 0.0, 0.63, 0.0, 0.0, 0.035658, 0.003, 0.003, 0.0004, 0.0, 0.0, 0.0, 0.51, 0.0, 0.0, 0.079254, 0.013, 0.013, 0.0003, 0.0, 0.0, 0.0, 0.953, 2.193, 0.782, 0.106, 0.097, 0.02]);
 /// Name, multiplications and additions of each function, sines and cosines apart (`DOF` pairs).
 pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("frames", 46, 33),
     ("forward_kinematics", 46, 23),
     ("tool_pose", 46, 23),
     ("jacobian", 44, 27),
-    ("jacobian_dot_velocity", 118, 63),
-    ("inverse_dynamics", 281, 279),
-    ("inverse_dynamics_base", 232, 216),
-    ("mass_matrix", 120, 95),
-    ("coriolis", 214, 194),
+    ("jacobian_dot_velocity", 120, 68),
+    ("inverse_dynamics", 280, 278),
+    ("inverse_dynamics_base", 229, 216),
+    ("mass_matrix", 120, 99),
+    ("coriolis", 209, 192),
     ("gravity", 50, 29),
-    ("forward_dynamics", 455, 363),
-    ("regressor", 453, 338),
-    ("base_regressor", 344, 254),
+    ("forward_dynamics", 450, 365),
+    ("regressor", 444, 334),
+    ("base_regressor", 337, 251),
     ("gravity_regressor", 113, 68),
-    ("kinetic_energy_regressor", 115, 45),
+    ("kinetic_energy_regressor", 123, 45),
     ("potential_energy_regressor", 22, 12),
-    ("payload_regressor", 245, 164),
+    ("payload_regressor", 242, 163),
 ];
 
 /// Which inverse the arm has.
@@ -472,8 +490,8 @@ pub fn forward_dynamics<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], tau: &[S; DOF], 
 /// `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4. Packed form: [`kernel::regressor::packed`].
 #[must_use]
 #[inline]
-pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 60]; 6] {
-    let mut out = [[S::default(); 60]; 6];
+pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 66]; 6] {
+    let mut out = [[S::default(); 66]; 6];
     kernel::regressor::dense(&Trig::new(q), dq, ddq, &mut out);
     out
 }
@@ -483,8 +501,8 @@ pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S;
 /// `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4. Packed form: [`kernel::base_regressor::packed`].
 #[must_use]
 #[inline]
-pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 33]; 6] {
-    let mut out = [[S::default(); 33]; 6];
+pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 37]; 6] {
+    let mut out = [[S::default(); 37]; 6];
     kernel::base_regressor::dense(&Trig::new(q), dq, ddq, &mut out);
     out
 }
@@ -505,8 +523,8 @@ pub fn gravity_regressor<S: Scalar>(q: &[S; DOF]) -> [[S; 60]; 6] {
 /// `T = h phi`, J per unit. Khalil and Dombre, 9.4. Packed form: [`kernel::kinetic_energy_regressor::packed`].
 #[must_use]
 #[inline]
-pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 60] {
-    let mut out = [S::default(); 60];
+pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 66] {
+    let mut out = [S::default(); 66];
     kernel::kinetic_energy_regressor::dense(&Trig::new(q), dq, &mut out);
     out
 }
@@ -516,8 +534,8 @@ pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 6
 /// `U = h phi`, J per unit, zero at the base frame's origin; an offset torque counts as `FO q`. Packed form: [`kernel::potential_energy_regressor::packed`].
 #[must_use]
 #[inline]
-pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 60] {
-    let mut out = [S::default(); 60];
+pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 66] {
+    let mut out = [S::default(); 66];
     kernel::potential_energy_regressor::dense(&Trig::new(q), &mut out);
     out
 }

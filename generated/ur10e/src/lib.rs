@@ -1,6 +1,6 @@
-//! Closed-form kinematics and dynamics of `ur10e`: 6 degrees of freedom, 36 base parameters.
+//! Closed-form kinematics and dynamics of `ur10e`: 6 degrees of freedom, 58 base parameters.
 //!
-//! Written by denavit 0.1.0 from the robot file with digest cb7182a994aa7cfa; do not edit, run `denavit generate` again.
+//! Written by denavit 0.1.0 from the robot file with digest 857c86307a0c5043; do not edit, run `denavit generate` again.
 //!
 //! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Nothing is allocated; nothing but `core` is used.
 //! Kernels ([`kernel`]) take sines and cosines ([`Trig`]); the functions here take `q`.
@@ -12,19 +12,19 @@
 //! | [`forward_kinematics`]: The last DH frame in the base frame | 3 x 4 | 64 | 35 |
 //! | [`tool_pose`]: The tool frame in the base frame | 3 x 4 | 64 | 35 |
 //! | [`jacobian`]: Jacobian of the last DH frame's origin, in base axes | 6 x 6 | 65 | 40 |
-//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 158 | 91 |
-//! | [`inverse_dynamics`]: Torques from the standard parameters | 6 | 301 | 299 |
-//! | [`inverse_dynamics_base`]: Torques from the base parameters | 6 | 262 | 247 |
-//! | [`mass_matrix`]: Mass matrix `M`, symmetric, kg m^2 | 6 x 6 | 163 | 143 |
-//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 6 | 247 | 223 |
+//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 144 | 83 |
+//! | [`inverse_dynamics`]: Torques from the standard parameters | 6 | 307 | 312 |
+//! | [`inverse_dynamics_base`]: Torques from the base parameters | 6 | 266 | 261 |
+//! | [`mass_matrix`]: Mass matrix `M`, symmetric, kg m^2 | 6 x 6 | 163 | 147 |
+//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 6 | 221 | 203 |
 //! | [`gravity`]: Gravity torques `g` | 6 | 48 | 26 |
-//! | [`forward_dynamics`]: Accelerations that torques cause | 6 | 531 | 441 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 60 | 438 | 341 |
-//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 6 x 36 | 328 | 258 |
+//! | [`forward_dynamics`]: Accelerations that torques cause | 6 | 517 | 443 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 84 | 421 | 330 |
+//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 6 x 58 | 316 | 249 |
 //! | [`gravity_regressor`]: Regressor at rest | 6 x 60 | 111 | 63 |
-//! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 60 | 127 | 50 |
-//! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 60 | 32 | 12 |
-//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 6 x 10 | 270 | 190 |
+//! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 84 | 135 | 50 |
+//! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 84 | 32 | 12 |
+//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 6 x 10 | 261 | 184 |
 
 #![no_std]
 #![deny(unsafe_code)]
@@ -49,9 +49,9 @@ pub const DOF: usize = 6;
 /// Rows of the DH table, fixed ones too.
 pub const ROWS: usize = 6;
 /// Standard parameters: ten per row, then the drives'.
-pub const STANDARD: usize = 60;
+pub const STANDARD: usize = 84;
 /// Base parameters.
-pub const BASE: usize = 36;
+pub const BASE: usize = 58;
 
 /// Joints, in the order of `q`.
 pub const JOINT_NAMES: [&str; DOF] = [
@@ -124,6 +124,30 @@ pub const STANDARD_NAMES: [&str; STANDARD] = [
     "XY6",
     "XZ6",
     "YZ6",
+    "IA1",
+    "IA2",
+    "IA3",
+    "IA4",
+    "IA5",
+    "IA6",
+    "FV1",
+    "FV2",
+    "FV3",
+    "FV4",
+    "FV5",
+    "FV6",
+    "FC1",
+    "FC2",
+    "FC3",
+    "FC4",
+    "FC5",
+    "FC6",
+    "FO1",
+    "FO2",
+    "FO3",
+    "FO4",
+    "FO5",
+    "FO6",
 ];
 /// Base parameters, in the order of the base regressor's columns.
 pub const BASE_NAMES: [&str; BASE] = [
@@ -163,14 +187,36 @@ pub const BASE_NAMES: [&str; BASE] = [
     "XY6",
     "XZ6",
     "YZ6",
+    "IA3",
+    "IA4",
+    "IA5",
+    "IA6",
+    "FV1",
+    "FV2",
+    "FV3",
+    "FV4",
+    "FV5",
+    "FV6",
+    "FC1",
+    "FC2",
+    "FC3",
+    "FC4",
+    "FC5",
+    "FC6",
+    "FO1",
+    "FO2",
+    "FO3",
+    "FO4",
+    "FO5",
+    "FO6",
 ];
 /// What each base parameter groups, in the constants of the robot file.
 pub const BASE_GROUPINGS: [&str; BASE] = [
-    "ZZ1R = ZZ1 + YY2 + YY3 + YY4 + A2^2*M3 + (A2^2 + A3^2 + D4^2)*(M4 + M5 + M6) + 2*D4*MSZ4",
+    "ZZ1R = ZZ1 + YY2 + YY3 + YY4 + IA1 + A2^2*M3 + (A2^2 + A3^2 + D4^2)*(M4 + M5 + M6) + 2*D4*MSZ4",
     "MSX2R = MSX2 + A2*(M3 + M4 + M5 + M6)",
     "MSY2 = MSY2",
     "XX2R = XX2 - YY2 - A2^2*(M3 + M4 + M5 + M6)",
-    "ZZ2R = ZZ2 + A2^2*(M3 + M4 + M5 + M6)",
+    "ZZ2R = ZZ2 + A2^2*(M3 + M4 + M5 + M6) + IA2",
     "XY2 = XY2",
     "XZ2R = XZ2 - A2*(MSZ3 + MSZ4) - A2*D4*(M4 + M5 + M6)",
     "YZ2 = YZ2",
@@ -202,14 +248,36 @@ pub const BASE_GROUPINGS: [&str; BASE] = [
     "XY6 = XY6",
     "XZ6 = XZ6",
     "YZ6 = YZ6",
+    "IA3 = IA3",
+    "IA4 = IA4",
+    "IA5 = IA5",
+    "IA6 = IA6",
+    "FV1 = FV1",
+    "FV2 = FV2",
+    "FV3 = FV3",
+    "FV4 = FV4",
+    "FV5 = FV5",
+    "FV6 = FV6",
+    "FC1 = FC1",
+    "FC2 = FC2",
+    "FC3 = FC3",
+    "FC4 = FC4",
+    "FC5 = FC5",
+    "FC6 = FC6",
+    "FO1 = FO1",
+    "FO2 = FO2",
+    "FO3 = FO3",
+    "FO4 = FO4",
+    "FO5 = FO5",
+    "FO6 = FO6",
 ];
 /// The same as numbers: index into the standard parameters, and factor.
 pub const BASE_COEFFICIENTS: [&[(usize, f64)]; BASE] = [
-    &[(6, 1.0), (15, 1.0), (20, 0.37540129000000005), (25, 1.0), (30, 0.732398915), (33, 0.3483), (35, 1.0), (40, 0.732398915), (50, 0.732398915)],
+    &[(6, 1.0), (15, 1.0), (20, 0.37540129000000005), (25, 1.0), (30, 0.732398915), (33, 0.3483), (35, 1.0), (40, 0.732398915), (50, 0.732398915), (60, 1.0)],
     &[(11, 1.0), (20, -0.6127), (30, -0.6127), (40, -0.6127), (50, -0.6127)],
     &[(12, 1.0)],
     &[(14, 1.0), (15, -1.0), (20, -0.37540129000000005), (30, -0.37540129000000005), (40, -0.37540129000000005), (50, -0.37540129000000005)],
-    &[(16, 1.0), (20, 0.37540129000000005), (30, 0.37540129000000005), (40, 0.37540129000000005), (50, 0.37540129000000005)],
+    &[(16, 1.0), (20, 0.37540129000000005), (30, 0.37540129000000005), (40, 0.37540129000000005), (50, 0.37540129000000005), (61, 1.0)],
     &[(17, 1.0)],
     &[(18, 1.0), (23, 0.6127), (30, 0.10670170500000001), (33, 0.6127), (40, 0.10670170500000001), (50, 0.10670170500000001)],
     &[(19, 1.0)],
@@ -241,6 +309,28 @@ pub const BASE_COEFFICIENTS: [&[(usize, f64)]; BASE] = [
     &[(57, 1.0)],
     &[(58, 1.0)],
     &[(59, 1.0)],
+    &[(62, 1.0)],
+    &[(63, 1.0)],
+    &[(64, 1.0)],
+    &[(65, 1.0)],
+    &[(66, 1.0)],
+    &[(67, 1.0)],
+    &[(68, 1.0)],
+    &[(69, 1.0)],
+    &[(70, 1.0)],
+    &[(71, 1.0)],
+    &[(72, 1.0)],
+    &[(73, 1.0)],
+    &[(74, 1.0)],
+    &[(75, 1.0)],
+    &[(76, 1.0)],
+    &[(77, 1.0)],
+    &[(78, 1.0)],
+    &[(79, 1.0)],
+    &[(80, 1.0)],
+    &[(81, 1.0)],
+    &[(82, 1.0)],
+    &[(83, 1.0)],
 ];
 
 /// Constant `D1` of the robot file.
@@ -270,26 +360,26 @@ pub const ACCELERATION_LIMITS: [Option<f64>; DOF] = [None, None, None, None, Non
 /// Largest torques or forces, N m or N.
 pub const TORQUE_LIMITS: [Option<f64>; DOF] = [Some(330.0), Some(330.0), Some(150.0), Some(56.0), Some(56.0), Some(56.0)];
 /// The robot file's standard parameters, its tool in the last link.
-pub const STANDARD_VALUES: Option<[f64; STANDARD]> = Some([7.369, 0.154749, -0.198963, 0.0, 0.03519126166, 0.03306898966, 0.0293470425, 0.004178223, 0.0, 0.0, 13.051, -3.0369677, 0.0, 2.062058, 0.3625111015, 1.458208158, 1.132402994, 0.0, 0.4798408966, 0.0, 3.989, -1.32255295, 0.0, 0.271252, 0.0296641985, 0.571137406, 0.55269227, 0.0, 0.0899336006, 0.0, 2.1, 0.0, -0.0378, 0.0147, 0.006256422811, 0.005576022811, 0.00658665, 0.0, 0.0, 0.0002646, 1.98, 0.0, 0.03564, -0.01386, 0.005898912936, 0.005257392936, 0.00621027, 0.0, 0.0, 0.00024948, 0.615, 0.0, 0.0, -0.01599, 0.0008552085742, 0.0008552085742, 0.0006226875, 0.0, 0.0, 0.0]);
+pub const STANDARD_VALUES: Option<[f64; STANDARD]> = Some([7.369, 0.154749, -0.198963, 0.0, 0.03519126166, 0.03306898966, 0.0293470425, 0.004178223, 0.0, 0.0, 13.051, -3.0369677, 0.0, 2.062058, 0.3625111015, 1.458208158, 1.132402994, 0.0, 0.4798408966, 0.0, 3.989, -1.32255295, 0.0, 0.271252, 0.0296641985, 0.571137406, 0.55269227, 0.0, 0.0899336006, 0.0, 2.1, 0.0, -0.0378, 0.0147, 0.006256422811, 0.005576022811, 0.00658665, 0.0, 0.0, 0.0002646, 1.98, 0.0, 0.03564, -0.01386, 0.005898912936, 0.005257392936, 0.00621027, 0.0, 0.0, 0.00024948, 0.615, 0.0, 0.0, -0.01599, 0.0008552085742, 0.0008552085742, 0.0006226875, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
 /// Name, multiplications and additions of each function, sines and cosines apart (`DOF` pairs).
 pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("frames", 64, 50),
     ("forward_kinematics", 64, 35),
     ("tool_pose", 64, 35),
     ("jacobian", 65, 40),
-    ("jacobian_dot_velocity", 158, 91),
-    ("inverse_dynamics", 301, 299),
-    ("inverse_dynamics_base", 262, 247),
-    ("mass_matrix", 163, 143),
-    ("coriolis", 247, 223),
+    ("jacobian_dot_velocity", 144, 83),
+    ("inverse_dynamics", 307, 312),
+    ("inverse_dynamics_base", 266, 261),
+    ("mass_matrix", 163, 147),
+    ("coriolis", 221, 203),
     ("gravity", 48, 26),
-    ("forward_dynamics", 531, 441),
-    ("regressor", 438, 341),
-    ("base_regressor", 328, 258),
+    ("forward_dynamics", 517, 443),
+    ("regressor", 421, 330),
+    ("base_regressor", 316, 249),
     ("gravity_regressor", 111, 63),
-    ("kinetic_energy_regressor", 127, 50),
+    ("kinetic_energy_regressor", 135, 50),
     ("potential_energy_regressor", 32, 12),
-    ("payload_regressor", 270, 190),
+    ("payload_regressor", 261, 184),
 ];
 
 /// Which inverse the arm has.
@@ -490,8 +580,8 @@ pub fn forward_dynamics<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], tau: &[S; DOF], 
 /// `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4. Packed form: [`kernel::regressor::packed`].
 #[must_use]
 #[inline]
-pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 60]; 6] {
-    let mut out = [[S::default(); 60]; 6];
+pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 84]; 6] {
+    let mut out = [[S::default(); 84]; 6];
     kernel::regressor::dense(&Trig::new(q), dq, ddq, &mut out);
     out
 }
@@ -501,8 +591,8 @@ pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S;
 /// `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4. Packed form: [`kernel::base_regressor::packed`].
 #[must_use]
 #[inline]
-pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 36]; 6] {
-    let mut out = [[S::default(); 36]; 6];
+pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 58]; 6] {
+    let mut out = [[S::default(); 58]; 6];
     kernel::base_regressor::dense(&Trig::new(q), dq, ddq, &mut out);
     out
 }
@@ -523,8 +613,8 @@ pub fn gravity_regressor<S: Scalar>(q: &[S; DOF]) -> [[S; 60]; 6] {
 /// `T = h phi`, J per unit. Khalil and Dombre, 9.4. Packed form: [`kernel::kinetic_energy_regressor::packed`].
 #[must_use]
 #[inline]
-pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 60] {
-    let mut out = [S::default(); 60];
+pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 84] {
+    let mut out = [S::default(); 84];
     kernel::kinetic_energy_regressor::dense(&Trig::new(q), dq, &mut out);
     out
 }
@@ -534,8 +624,8 @@ pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 6
 /// `U = h phi`, J per unit, zero at the base frame's origin; an offset torque counts as `FO q`. Packed form: [`kernel::potential_energy_regressor::packed`].
 #[must_use]
 #[inline]
-pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 60] {
-    let mut out = [S::default(); 60];
+pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 84] {
+    let mut out = [S::default(); 84];
     kernel::potential_energy_regressor::dense(&Trig::new(q), &mut out);
     out
 }

@@ -150,7 +150,7 @@ impl<'a, 'g> Columns<'a, 'g> {
                     Some(tool) => {
                         let (r, p) = (super::chain::tool_rotation(g, tool), crate::sym::Vec3::numbers(g, tool.1));
                         let back = r.transposed();
-                        let motion = Motion { w: back * body.w, dw: back * body.dw, a: back * body.at(p) };
+                        let motion = Motion::new(back * body.w, back * body.dw, back * body.at(p));
                         let Wrench { f, n } = Wrench::unit(&motion, which);
                         let (f, n) = (r * f, r * n);
                         Wrench { f, n: n + p.cross(f) }

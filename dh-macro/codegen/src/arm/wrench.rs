@@ -18,7 +18,7 @@ impl<'g> Wrench<'g> {
     pub fn unit(m: &Motion<'g>, which: Inertial) -> Self {
         let g = m.w.0[0].graph();
         let (zero, none) = (Vec3::zero(g), g.constant(0.0));
-        let u = m.u();
+        let u = m.u;
         let ([x, y, z], [dx, dy, dz], [ax, ay, az]) = (m.w.0, m.dw.0, m.a.0);
         let (xy, xz, yz) = (x * y, x * z, y * z);
         let moment = |n: [Ex<'g>; 3]| Self { f: zero, n: Vec3(n) };
@@ -30,16 +30,16 @@ impl<'g> Wrench<'g> {
             Inertial::XX => moment([dx, xz, -xy]),
             Inertial::YY => moment([-yz, dy, xy]),
             Inertial::ZZ => moment([yz, -xz, dz]),
-            Inertial::XY => moment([-u.0[2][0], u.0[2][1], x * x - y * y]),
-            Inertial::XZ => moment([u.0[1][0], z * z - x * x, -u.0[1][2]]),
-            Inertial::YZ => moment([y * y - z * z, -u.0[0][1], u.0[0][2]]),
+            Inertial::XY => moment([-u.0[2][0], u.0[2][1], u.0[0][0] - u.0[1][1]]),
+            Inertial::XZ => moment([u.0[1][0], u.0[2][2] - u.0[0][0], -u.0[1][2]]),
+            Inertial::YZ => moment([u.0[1][1] - u.0[2][2], -u.0[0][1], u.0[0][2]]),
         }
     }
 
     /// The same for given values of all ten, `params[Inertial as usize]`, with the diagonal entries drawn together.
     pub fn of_body(m: &Motion<'g>, params: &[Ex<'g>; 10]) -> Self {
         let [mass, lx, ly, lz, xx, yy, zz, xy, xz, yz] = *params;
-        let (ms, u) = (Vec3([lx, ly, lz]), m.u());
+        let (ms, u) = (Vec3([lx, ly, lz]), m.u);
         let ([x, y, z], [dx, dy, dz]) = (m.w.0, m.dw.0);
         let diagonal =
             Vec3([(zz - yy) * (y * z) + xx * dx, (xx - zz) * (x * z) + yy * dy, (yy - xx) * (x * y) + zz * dz]);

@@ -2,13 +2,13 @@
 //! shoulder to wrist (the paper's equation 1; Tolani, Goswami and Badler 2000).
 
 use super::axis::{Axis, Value};
-use super::list::List;
+use super::candidates::Candidates;
+use super::orient::Three;
 use super::pose::Displacement;
 use super::real::angle;
-use super::regional::orient;
 use super::solution::Branch;
 use super::subproblem::reach;
-use super::vector::{Matrix, Vector, add, beside, cross, dot, norm, scale, sub, transposed, transposed_times, unit};
+use super::vector::{Matrix, Turn, Vector, add, beside, cross, dot, norm, scale, sub, times, transposed, unit};
 
 /// Lines and points of the arm at `q = 0`, in base axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,13 +48,6 @@ impl Reference {
         };
         (u, cross(n, u), poor)
     }
-}
-
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Found7 {
-    pub values: [Value; 7],
-    pub branch: Branch,
-    pub free: u8,
 }
 
 /// The columns of a frame.
@@ -98,39 +91,46 @@ impl Swivel {
         Elbows { n, both, stretched }
     }
 
-    /// All answers at a swivel angle (its cosine and sine).
-    pub(super) fn solve(
+    /// All answers at a swivel angle (its cosine and sine); true: counted from the second plane.
+    pub(super) fn solve<const N: usize>(
         &self,
         g: &Displacement,
         reference: &Reference,
         (c, s): (f64, f64),
-        near: &[Value; 7],
-    ) -> (List<Found7, 8>, bool) {
-        let nothing = Found7 { values: [Value::ZERO; 7], branch: Branch::NONE, free: 0 };
-        let mut finds = List::new(nothing);
+        near: &[Value; N],
+        all: &mut Candidates<N>,
+    ) -> bool {
         let Elbows { n, both, stretched } = self.elbows(g);
         let (u, v, second) = reference.plane(n);
         let e = add(scale(c, u), scale(s, v));
         let goal: Frame = [n, e, cross(n, e)];
         let [a1, a2, a3, a4, a5, a6, a7] = &self.axes;
+        let near = |j: usize| near.get(j).map_or(Turn::NONE, |v| v.turn);
+        let (shoulder, wrist) = (Three::new([a1.h, a2.h, a3.h]), Three::new([a5.h, a6.h, a7.h]));
+        let hand = wrist.goal(&g.rotation);
+        let sign = |bit: usize| if bit == 0 { 1 } else { -1 };
         for (i, (v4, frame)) in both.into_iter().enumerate() {
             let upper = from_to(&frame, &goal);
-            // R(4)' R(123)' R(G), column by column.
-            let columns = transposed(&g.rotation).map(|x| a4.direction(v4.back(), transposed_times(&upper, x)));
-            let hand = transposed(&columns);
-            let wrists = orient(&[a5.h, a6.h, a7.h], &hand, near[4].turn);
-            for (j, (first, f1)) in orient(&[a1.h, a2.h, a3.h], &upper, near[0].turn).into_iter().enumerate() {
-                for (k, (last, f2)) in wrists.iter().enumerate() {
-                    let [v1, v2, v3] = first.map(Value::turn);
-                    let [v5, v6, v7] = last.map(Value::turn);
-                    let sign = |bit: usize| if bit == 0 { 1 } else { -1 };
+            // R(123) = R(G) R(567)' R(4)', from either end.
+            let firsts = shoulder.turns(&shoulder.first, &shoulder.goal(&upper), near(0));
+            let fore = wrist.carried(|x| times(&upper, a4.direction(v4, x)));
+            let lasts = wrist.turns(&fore, &hand, near(4));
+            let at4 = all.value(3, false, v4);
+            let mut name =
+                |first: usize, turns: [Turn; 3]| [0, 1, 2].map(|k| all.value(first + k, false, Value::turn(turns[k])));
+            let (at1, at5) = (firsts.map(|(t, _)| name(0, t)), lasts.map(|(t, _)| name(4, t)));
+            for (j, (a, (_, f1))) in at1.into_iter().zip(firsts).enumerate() {
+                for (k, (b, (_, f2))) in at5.into_iter().zip(lasts).enumerate() {
                     let branch = Branch { shoulder: sign(j), elbow: sign(i), wrist: sign(k), ..Branch::NONE };
                     let free = f1 | f2 << 4 | if stretched { 4 } else { 0 };
-                    finds.push(Found7 { values: [v1, v2, v3, v4, v5, v6, v7], branch, free });
+                    let Some(place) = all.push(branch, u32::from(free)) else { continue };
+                    for (joint, at) in [a[0], a[1], a[2], at4, b[0], b[1], b[2]].into_iter().enumerate() {
+                        all.set(place, joint, at);
+                    }
                 }
             }
         }
-        (finds, second)
+        second
     }
 
     /// The swivel angle of a posture, rad, and whether it is counted from the second plane.

@@ -2,7 +2,7 @@
 //!
 //! `ddq = M^-1 (tau - C dq - g - friction)`, rad/s^2, from the base parameters; `M = L D L'` written out.
 //!
-//! 697 multiplications, 575 additions; 7, 7 of 7 structurally nonzero.
+//! 698 multiplications, 589 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -26,7 +26,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         ZZ1R, MSX2, MSY2R, XX2R, ZZ2R, XY2, XZ2, YZ2, MSX3R, MSY3R, XX3R, ZZ3R,
         XY3R, XZ3, YZ3, MSX4R, MSY4R, XX4R, ZZ4R, XY4R, XZ4, YZ4, MSX5, MSY5R,
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6R, MSY6R, XX6R, ZZ6R, XY6R, XZ6, YZ6,
-        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
+        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7, FV1, FV2, FV3, FV4, FV5,
+        FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7, FO1, FO2, FO3,
+        FO4, FO5, FO6, FO7,
         ..] = *beta;
     let A = S::constant(0.0825);
     let L2 = S::constant(0.316);
@@ -239,410 +241,417 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t412 = ZZ1R + t411;
         t412
     };
+    // link 1: motion
+    let t413 = {
+        let t413 = dq1 * dq1;
+        t413
+    };
     // link 2: motion
-    let [t413, t414, t415, t416, t417, dw2_y] = {
-        let t413 = s2 * dq1;
-        let t414 = c2 * dq1;
-        let t415 = s2 * k4;
-        let t416 = c2 * k4;
-        let t417 = dq2 * t414;
-        let dw2_y = dq2 * t413;
-        [t413, t414, t415, t416, t417, dw2_y]
+    let [
+        t414, t415, t416, t417, t420, dw2_y, t422, t423,
+        t424, t425, t426, t427,
+    ] = {
+        let t414 = s2 * dq1;
+        let t415 = c2 * dq1;
+        let t416 = s2 * k4;
+        let t417 = c2 * k4;
+        let t418 = t414 * t414;
+        let t419 = dq2 * dq2;
+        let t420 = t414 * t415;
+        let dw2_y = dq2 * t414;
+        let t422 = dq2 * t415;
+        let t423 = t418 - t419;
+        let t424 = t423 - t413;
+        let t425 = t418 + t419;
+        let t426 = dw2_y + dw2_y;
+        let t427 = t422 + t422;
+        [
+        t414, t415, t416, t417, t420, dw2_y, t422, t423,
+        t424, t425, t426, t427,
+    ]
     };
     // link 3: motion
     let [
-        w3_x, w3_y, t427, t428, t429, t430, t432, t433,
-        t438, a3_x, a3_y, w3_z, dw3_x, dw3_y,
+        w3_x, w3_y, t438, a3_x, a3_y, t447, t450, w3_z,
+        t454, t455, t456, dw3_x, dw3_y, t459, t460, t461,
+        t462, t463, t464, t465,
     ] = {
-        let w3_x = s3 * dq2 - c3 * t413;
-        let w3_y = c3 * dq2 + s3 * t413;
-        let t427 = t413 * t413;
-        let t428 = t414 * t414;
-        let t429 = dq2 * dq2;
-        let t430 = t413 * t414;
-        let t432 = dw2_y + dw2_y;
-        let t433 = t417 + t417;
-        let t436 = L2 * t433;
-        let t437 = t415 + L2 * t430;
-        let t438 = L2 * (t427 + t429) - t416;
+        let w3_x = s3 * dq2 - c3 * t414;
+        let w3_y = c3 * dq2 + s3 * t414;
+        let t436 = L2 * t427;
+        let t437 = t416 + L2 * t420;
+        let t438 = L2 * t425 - t417;
         let a3_x = s3 * t436 - c3 * t437;
         let a3_y = c3 * t436 + s3 * t437;
-        let w3_z = t414 + dq3;
-        let dw3_x = dq3 * w3_y - c3 * t417;
-        let dw3_y = s3 * t417 - dq3 * w3_x;
+        let t447 = s3 * t427 - c3 * t420;
+        let t450 = c3 * t427 + s3 * t420;
+        let w3_z = t415 + dq3;
+        let t452 = w3_x * w3_x;
+        let t453 = w3_z * w3_z;
+        let t454 = w3_x * w3_y;
+        let t455 = w3_x * w3_z;
+        let t456 = w3_y * w3_z;
+        let dw3_x = t456 - t450;
+        let dw3_y = t447 - t455;
+        let t459 = t452 - t453;
+        let t460 = t459 - t425;
+        let t461 = dw2_y + t454;
+        let t462 = t454 - dw2_y;
+        let t463 = t452 + t453;
+        let t464 = t455 - dw3_y;
+        let t465 = t456 + dw3_x;
         [
-        w3_x, w3_y, t427, t428, t429, t430, t432, t433,
-        t438, a3_x, a3_y, w3_z, dw3_x, dw3_y,
+        w3_x, w3_y, t438, a3_x, a3_y, t447, t450, w3_z,
+        t454, t455, t456, dw3_x, dw3_y, t459, t460, t461,
+        t462, t463, t464, t465,
     ]
     };
     // link 4: motion
     let [
-        w4_x, w4_y, t462, t463, t464, t465, t466, t467,
-        t468, t469, t470, t471, t472, t473, t474, t475,
-        t480, a4_x, a4_y, w4_z, dw4_x, t492,
+        w4_x, w4_y, t476, a4_x, a4_y, t486, t489, w4_z,
+        t493, t494, t495, dw4_x, t497, t498, t499, t500,
+        t501, t502, t503, t504,
     ] = {
         let w4_x = c4 * w3_x + s4 * w3_z;
         let w4_y = c4 * w3_z - s4 * w3_x;
-        let t462 = w3_x * w3_x;
-        let t463 = w3_y * w3_y;
-        let t464 = w3_z * w3_z;
-        let t465 = w3_x * w3_y;
-        let t466 = w3_x * w3_z;
-        let t467 = w3_y * w3_z;
-        let t468 = t463 + t464;
-        let t469 = dw2_y + t465;
-        let t470 = dw3_y + t466;
-        let t471 = t465 - dw2_y;
-        let t472 = t462 + t464;
-        let t473 = t467 - dw3_x;
-        let t474 = t466 - dw3_y;
-        let t475 = dw3_x + t467;
-        let t479 = a3_x - A * t468;
-        let t480 = a3_y + A * t471;
-        let t481 = A * t474 - t438;
-        let a4_x = c4 * t479 + s4 * t481;
-        let a4_y = c4 * t481 - s4 * t479;
+        let t475 = a3_x + A * t460;
+        let t476 = a3_y + A * t462;
+        let t477 = A * t464 - t438;
+        let a4_x = c4 * t475 + s4 * t477;
+        let a4_y = c4 * t477 - s4 * t475;
+        let t486 = c4 * t461 + s4 * t465;
+        let t489 = s4 * t461 - c4 * t465;
         let w4_z = dq4 - w3_y;
-        let dw4_x = c4 * dw3_x - s4 * dw2_y + dq4 * w4_y;
-        let t492 = c4 * dw2_y + s4 * dw3_x + dq4 * w4_x;
+        let t491 = w4_x * w4_x;
+        let t492 = w4_z * w4_z;
+        let t493 = w4_x * w4_y;
+        let t494 = w4_x * w4_z;
+        let t495 = w4_y * w4_z;
+        let dw4_x = t495 - t489;
+        let t497 = t486 + t494;
+        let t498 = t491 - t492;
+        let t499 = t498 - t463;
+        let t500 = dw3_y + t493;
+        let t501 = t493 - dw3_y;
+        let t502 = t491 + t492;
+        let t503 = t494 + t497;
+        let t504 = t495 + dw4_x;
         [
-        w4_x, w4_y, t462, t463, t464, t465, t466, t467,
-        t468, t469, t470, t471, t472, t473, t474, t475,
-        t480, a4_x, a4_y, w4_z, dw4_x, t492,
+        w4_x, w4_y, t476, a4_x, a4_y, t486, t489, w4_z,
+        t493, t494, t495, dw4_x, t497, t498, t499, t500,
+        t501, t502, t503, t504,
     ]
     };
     // link 5: motion
     let [
-        w5_x, t498, t505, t506, t507, t508, t509, t510,
-        t511, t512, t513, t514, t515, t516, t517, t518,
-        a5_z, a5_x, a6_z, w5_z, dw5_x, dw5_y,
+        w5_x, t510, a5_z, a5_x, a6_z, t531, t534, w5_z,
+        t538, t539, t540, dw5_x, dw5_y, t543, t544, t545,
+        t546, t547, t548, t549,
     ] = {
         let w5_x = c5 * w4_x - s5 * w4_z;
-        let t498 = c5 * w4_z + s5 * w4_x;
-        let t505 = w4_x * w4_x;
-        let t506 = w4_y * w4_y;
-        let t507 = w4_z * w4_z;
-        let t508 = w4_x * w4_y;
-        let t509 = w4_x * w4_z;
-        let t510 = w4_y * w4_z;
-        let t511 = t506 + t507;
-        let t512 = dw3_y + t508;
-        let t513 = t509 - t492;
-        let t514 = t508 - dw3_y;
-        let t515 = t505 + t507;
-        let t516 = t510 - dw4_x;
-        let t517 = t492 + t509;
-        let t518 = dw4_x + t510;
-        let t528 = a4_x + (A * t511 + L3 * t512);
-        let a5_z = a4_y - (A * t514 + L3 * t515);
-        let t530 = L3 * t518 - A * t517 - t480;
-        let a5_x = c5 * t528 - s5 * t530;
-        let a6_z = c5 * t530 + s5 * t528;
+        let t510 = c5 * w4_z + s5 * w4_x;
+        let t520 = a4_x + (L3 * t500 - A * t499);
+        let a5_z = a4_y - (A * t501 + L3 * t502);
+        let t522 = L3 * t504 - A * t503 - t476;
+        let a5_x = c5 * t520 - s5 * t522;
+        let a6_z = c5 * t522 + s5 * t520;
+        let t531 = c5 * t500 - s5 * t504;
+        let t534 = c5 * t504 + s5 * t500;
         let w5_z = w4_y + dq5;
-        let dw5_x = c5 * dw4_x + s5 * dw3_y - dq5 * t498;
-        let dw5_y = c5 * dw3_y - s5 * dw4_x - dq5 * w5_x;
+        let t536 = w5_x * w5_x;
+        let t537 = w5_z * w5_z;
+        let t538 = w5_x * t510;
+        let t539 = w5_x * w5_z;
+        let t540 = t510 * w5_z;
+        let dw5_x = t534 - t540;
+        let dw5_y = t531 - t539;
+        let t543 = t536 - t537;
+        let t544 = t543 - t502;
+        let t545 = t497 - t538;
+        let t546 = t497 + t538;
+        let t547 = t536 + t537;
+        let t548 = t539 - dw5_y;
+        let t549 = dw5_x - t540;
         [
-        w5_x, t498, t505, t506, t507, t508, t509, t510,
-        t511, t512, t513, t514, t515, t516, t517, t518,
-        a5_z, a5_x, a6_z, w5_z, dw5_x, dw5_y,
+        w5_x, t510, a5_z, a5_x, a6_z, t531, t534, w5_z,
+        t538, t539, t540, dw5_x, dw5_y, t543, t544, t545,
+        t546, t547, t548, t549,
     ]
     };
     // link 6: motion
     let [
-        w6_x, w6_y, t554, t555, t556, t557, t558, t559,
-        t560, t561, t562, t563, t564, t565, t566, t567,
-        a6_x, a6_y, w6_z, dw6_x, dw7_z,
+        w6_x, w6_y, a6_x, a6_y, t564, t567, w6_z, t571,
+        t572, t573, dw6_x, dw7_z, t576, t577, t578, t579,
+        t580, t581, t582,
     ] = {
         let w6_x = c6 * w5_x + s6 * w5_z;
         let w6_y = c6 * w5_z - s6 * w5_x;
-        let t554 = w5_x * w5_x;
-        let t555 = t498 * t498;
-        let t556 = w5_z * w5_z;
-        let t557 = w5_x * t498;
-        let t558 = w5_x * w5_z;
-        let t559 = t498 * w5_z;
-        let t560 = t555 + t556;
-        let t561 = t492 - t557;
-        let t562 = dw5_y + t558;
-        let t563 = t492 + t557;
-        let t564 = t554 + t556;
-        let t565 = dw5_x + t559;
-        let t566 = t558 - dw5_y;
-        let t567 = dw5_x - t559;
         let a6_x = c6 * a5_x + s6 * a5_z;
         let a6_y = c6 * a5_z - s6 * a5_x;
-        let w6_z = t498 + dq6;
-        let dw6_x = c6 * dw5_x - s6 * t492 + dq6 * w6_y;
-        let dw7_z = c6 * t492 + s6 * dw5_x + dq6 * w6_x;
+        let t564 = c6 * t545 + s6 * t549;
+        let t567 = s6 * t545 - c6 * t549;
+        let w6_z = t510 + dq6;
+        let t569 = w6_x * w6_x;
+        let t570 = w6_z * w6_z;
+        let t571 = w6_x * w6_y;
+        let t572 = w6_x * w6_z;
+        let t573 = w6_y * w6_z;
+        let dw6_x = t573 - t567;
+        let dw7_z = t564 + t572;
+        let t576 = t569 - t570;
+        let t577 = t576 - t547;
+        let t578 = dw5_y + t571;
+        let t579 = t571 - dw5_y;
+        let t580 = t569 + t570;
+        let t581 = t572 + dw7_z;
+        let t582 = t573 + dw6_x;
         [
-        w6_x, w6_y, t554, t555, t556, t557, t558, t559,
-        t560, t561, t562, t563, t564, t565, t566, t567,
-        a6_x, a6_y, w6_z, dw6_x, dw7_z,
+        w6_x, w6_y, a6_x, a6_y, t564, t567, w6_z, t571,
+        t572, t573, dw6_x, dw7_z, t576, t577, t578, t579,
+        t580, t581, t582,
     ]
     };
     // link 7: motion
     let [
-        w7_x, w7_y, t591, t592, t593, t594, t595, t596,
-        t597, t598, t599, t600, t601, t602, t603, t604,
-        t609, a7_x, a7_y, w7_z, dw7_x, t621,
+        t593, a7_x, a7_y, t603, t606, t610, t611, t612,
+        dw7_x, t615, t616, t617, t618, t619, t620, t621,
     ] = {
         let w7_x = c7 * w6_x + s7 * w6_z;
         let w7_y = c7 * w6_z - s7 * w6_x;
-        let t591 = w6_x * w6_x;
-        let t592 = w6_y * w6_y;
-        let t593 = w6_z * w6_z;
-        let t594 = w6_x * w6_y;
-        let t595 = w6_x * w6_z;
-        let t596 = w6_y * w6_z;
-        let t597 = t592 + t593;
-        let t598 = dw5_y + t594;
-        let t599 = t595 - dw7_z;
-        let t600 = t594 - dw5_y;
-        let t601 = t591 + t593;
-        let t602 = t596 - dw6_x;
-        let t603 = dw7_z + t595;
-        let t604 = dw6_x + t596;
-        let t608 = a6_x - k0 * t597;
-        let t609 = a6_y + k0 * t600;
-        let t610 = a6_z + k0 * t603;
-        let a7_x = c7 * t608 + s7 * t610;
-        let a7_y = c7 * t610 - s7 * t608;
+        let t592 = a6_x + k0 * t577;
+        let t593 = a6_y + k0 * t579;
+        let t594 = a6_z + k0 * t581;
+        let a7_x = c7 * t592 + s7 * t594;
+        let a7_y = c7 * t594 - s7 * t592;
+        let t603 = c7 * t578 + s7 * t582;
+        let t606 = s7 * t578 - c7 * t582;
         let w7_z = dq7 - w6_y;
-        let dw7_x = c7 * dw6_x - s7 * dw5_y + dq7 * w7_y;
-        let t621 = c7 * dw5_y + s7 * dw6_x + dq7 * w7_x;
+        let t608 = w7_x * w7_x;
+        let t609 = w7_z * w7_z;
+        let t610 = w7_x * w7_y;
+        let t611 = w7_x * w7_z;
+        let t612 = w7_y * w7_z;
+        let dw7_x = t612 - t606;
+        let t615 = t608 - t609;
+        let t616 = t615 - t580;
+        let t617 = t610 - dw7_z;
+        let t618 = dw7_z + t610;
+        let t619 = t608 + t609;
+        let t620 = t611 + (t603 + t611);
+        let t621 = t612 + dw7_x;
         [
-        w7_x, w7_y, t591, t592, t593, t594, t595, t596,
-        t597, t598, t599, t600, t601, t602, t603, t604,
-        t609, a7_x, a7_y, w7_z, dw7_x, t621,
+        t593, a7_x, a7_y, t603, t606, t610, t611, t612,
+        dw7_x, t615, t616, t617, t618, t619, t620, t621,
     ]
     };
     // link 7: force and moment
-    let [f7_z, n7_z, t684, t687, t690, t696, t697] = {
-        let t622 = w7_x * w7_x;
-        let t623 = w7_y * w7_y;
-        let t624 = w7_z * w7_z;
-        let t625 = w7_x * w7_y;
-        let t626 = w7_x * w7_z;
-        let t627 = w7_y * w7_z;
-        let t629 = t625 - dw7_z;
-        let t631 = dw7_z + t625;
-        let t634 = t621 + t626;
-        let t635 = dw7_x + t627;
-        let t654 = XZ7 * (t627 - dw7_x);
-        let t659 = YZ7 * (t623 - t624);
-        let t660 = YZ7 * t629;
-        let t661 = YZ7 * (t626 - t621);
-        let t662 = ZZ7 * t627 + XX7R * dw7_x - XY7 * t634 + XZ7 * t631 + t659;
-        let t663 = t626 * (XX7R - ZZ7) + XY7 * t635 + XZ7 * (t624 - t622) - t660;
-        let t664 = ZZ7 * dw7_z - XX7R * t625 + XY7 * (t622 - t623) - t654 + t661;
-        let f7_x = MSY7 * t629 - MSX7 * (t623 + t624);
-        let f7_y = MSX7 * t631 - MSY7 * (t622 + t624);
-        let f7_z = MSX7 * t634 + MSY7 * t635;
-        let n7_x = t662 - MSY7 * t609;
-        let n7_y = t663 + MSX7 * t609;
-        let n7_z = t664 + (MSX7 * a7_y - MSY7 * a7_x);
-        let t684 = c7 * f7_x - s7 * f7_y;
-        let t687 = s7 * f7_x + c7 * f7_y;
-        let t690 = c7 * n7_x - s7 * n7_y;
-        let t696 = s7 * n7_x + c7 * n7_y - k0 * f7_z;
-        let t697 = n7_z + k0 * t687;
-        [f7_z, n7_z, t684, t687, t690, t696, t697]
+    let [f7_z, n7_z, t669, t672, t675, t681, t682] = {
+        let t642 = ZZ7 * dw7_z - XX7R * t610 + XY7 * (t616 + t619) - XZ7 * t606;
+        let t644 = YZ7 * (t580 - t619);
+        let t647 = ZZ7 * t612 + XX7R * dw7_x - XY7 * t620 + XZ7 * t618 + t644;
+        let t648 = t611 * (XX7R - ZZ7) + XY7 * t621 - XZ7 * t615 - YZ7 * t617;
+        let f7_x = MSX7 * t616 + MSY7 * t617;
+        let f7_y = MSX7 * t618 - MSY7 * t619;
+        let f7_z = MSX7 * t620 + MSY7 * t621;
+        let n7_x = t647 - MSY7 * t593;
+        let n7_y = t648 + MSX7 * t593;
+        let n7_z = t642 - YZ7 * t603 + (MSX7 * a7_y - MSY7 * a7_x);
+        let t669 = c7 * f7_x - s7 * f7_y;
+        let t672 = s7 * f7_x + c7 * f7_y;
+        let t675 = c7 * n7_x - s7 * n7_y;
+        let t681 = s7 * n7_x + c7 * n7_y - k0 * f7_z;
+        let t682 = n7_z + k0 * t672;
+        [f7_z, n7_z, t669, t672, t675, t681, t682]
     };
     // link 6: force and moment
-    let [f6_z, n6_z, t752, t755, t758, t761] = {
-        let t719 = XY6R * (t591 - t592) - (XX6R * t594 + ZZ6R * dw5_y) - XZ6 * t602;
-        let t721 = YZ6 * (t592 - t593);
-        let t722 = YZ6 * t598;
-        let t724 = ZZ6R * t596 + XX6R * dw6_x - XY6R * t603 + XZ6 * t600 + t721;
-        let t725 = t595 * (XX6R - ZZ6R) + XY6R * t604 + XZ6 * (t593 - t591) - t722;
-        let f6_x = t684 + (MSY6R * t598 - MSX6R * t597);
-        let f6_y = MSX6R * t600 - MSY6R * t601 - f7_z;
-        let f6_z = t687 + (MSX6R * t603 + MSY6R * t604);
-        let n6_x = t690 + (t724 + MSY6R * a6_z);
-        let n6_y = t725 - MSX6R * a6_z - t697;
-        let n6_z = t696 + (t719 + YZ6 * t599 + (MSX6R * a6_y - MSY6R * a6_x));
-        let t752 = c6 * f6_x - s6 * f6_y;
-        let t755 = s6 * f6_x + c6 * f6_y;
-        let t758 = c6 * n6_x - s6 * n6_y;
-        let t761 = s6 * n6_x + c6 * n6_y;
-        [f6_z, n6_z, t752, t755, t758, t761]
+    let [f6_z, n6_z, t736, t739, t742, t745] = {
+        let t703 = XY6R * (t577 + t580) - (XX6R * t571 + ZZ6R * dw5_y) - XZ6 * t567;
+        let t705 = YZ6 * (t547 - t580);
+        let t708 = ZZ6R * t573 + XX6R * dw6_x - XY6R * t581 + XZ6 * t579 + t705;
+        let t709 = t572 * (XX6R - ZZ6R) + XY6R * t582 - XZ6 * t576 - YZ6 * t578;
+        let f6_x = t669 + (MSX6R * t577 + MSY6R * t578);
+        let f6_y = MSX6R * t579 - MSY6R * t580 - f7_z;
+        let f6_z = t672 + (MSX6R * t581 + MSY6R * t582);
+        let n6_x = t675 + (t708 + MSY6R * a6_z);
+        let n6_y = t709 - MSX6R * a6_z - t682;
+        let n6_z = t681 + (t703 - YZ6 * t564 + (MSX6R * a6_y - MSY6R * a6_x));
+        let t736 = c6 * f6_x - s6 * f6_y;
+        let t739 = s6 * f6_x + c6 * f6_y;
+        let t742 = c6 * n6_x - s6 * n6_y;
+        let t745 = s6 * n6_x + c6 * n6_y;
+        [f6_z, n6_z, t736, t739, t742, t745]
     };
     // link 5: force and moment
-    let [f5_z, n5_z, t816, t819, t831, t832, t833] = {
-        let t783 = XX5R * t557 - ZZ5R * t492 + XY5 * (t554 - t555) + XZ5 * t565;
-        let t785 = YZ5 * (t555 - t556);
-        let t786 = YZ5 * t561;
-        let t788 = XX5R * dw5_x - ZZ5R * t559 - XY5 * t566 - XZ5 * t563 + t785;
-        let t789 = t558 * (XX5R - ZZ5R) + XY5 * t567 + XZ5 * (t556 - t554) - t786;
-        let f5_x = t752 + (MSY5R * t561 - MSX5 * t560);
-        let t809 = f6_z + (MSX5 * t563 + MSY5R * t564);
-        let f5_z = t755 + (MSX5 * t566 + MSY5R * t567);
-        let n5_x = t758 + (t788 + MSY5R * a5_z);
-        let n5_y = t789 - MSX5 * a5_z - n6_z;
-        let n5_z = t761 + (t783 + YZ5 * t562 - (MSX5 * a6_z + MSY5R * a5_x));
-        let t816 = c5 * f5_x + s5 * t809;
-        let t819 = s5 * f5_x - c5 * t809;
-        let t831 = c5 * n5_x - s5 * n5_y - L3 * t819;
-        let t832 = s5 * n5_x + c5 * n5_y + (L3 * t816 + A * f5_z);
-        let t833 = n5_z - A * t819;
-        [f5_z, n5_z, t816, t819, t831, t832, t833]
+    let [f5_z, n5_z, t799, t802, t814, t815, t816] = {
+        let t766 = XX5R * t538 - ZZ5R * t497 + XY5 * (t544 + t547) + XZ5 * t534;
+        let t768 = YZ5 * (t502 - t547);
+        let t771 = XX5R * dw5_x - ZZ5R * t540 - XY5 * t548 - XZ5 * t546 + t768;
+        let t772 = t539 * (XX5R - ZZ5R) + XY5 * t549 - XZ5 * t543 - YZ5 * t545;
+        let f5_x = t736 + (MSX5 * t544 + MSY5R * t545);
+        let t792 = f6_z + (MSX5 * t546 + MSY5R * t547);
+        let f5_z = t739 + (MSX5 * t548 + MSY5R * t549);
+        let n5_x = t742 + (t771 + MSY5R * a5_z);
+        let n5_y = t772 - MSX5 * a5_z - n6_z;
+        let n5_z = t745 + (t766 + YZ5 * t531 - (MSX5 * a6_z + MSY5R * a5_x));
+        let t799 = c5 * f5_x + s5 * t792;
+        let t802 = s5 * f5_x - c5 * t792;
+        let t814 = c5 * n5_x - s5 * n5_y - L3 * t802;
+        let t815 = s5 * n5_x + c5 * n5_y + (L3 * t799 + A * f5_z);
+        let t816 = n5_z - A * t802;
+        [f5_z, n5_z, t799, t802, t814, t815, t816]
     };
     // link 4: force and moment
-    let [f4_z, n4_z, t888, t894, t900, t901] = {
-        let t855 = XY4R * (t505 - t506) - (XX4R * t508 + ZZ4R * dw3_y) - XZ4 * t516;
-        let t857 = YZ4 * (t506 - t507);
-        let t858 = YZ4 * t512;
-        let t860 = ZZ4R * t510 + XX4R * dw4_x - XY4R * t517 + XZ4 * t514 + t857;
-        let t861 = t509 * (XX4R - ZZ4R) + XY4R * t518 + XZ4 * (t507 - t505) - t858;
-        let f4_x = t816 + (MSY4R * t512 - MSX4R * t511);
-        let f4_y = f5_z + (MSX4R * t514 - MSY4R * t515);
-        let f4_z = MSX4R * t517 + MSY4R * t518 - t819;
-        let n4_x = t831 + (t860 - MSY4R * t480);
-        let n4_y = t833 + (t861 + MSX4R * t480);
-        let n4_z = t855 + YZ4 * t513 + (MSX4R * a4_y - MSY4R * a4_x) - t832;
-        let t888 = c4 * f4_x - s4 * f4_y;
-        let t894 = c4 * n4_x - s4 * n4_y;
-        let t900 = s4 * n4_x + c4 * n4_y - A * f4_z;
-        let t901 = n4_z + A * (s4 * f4_x + c4 * f4_y);
-        [f4_z, n4_z, t888, t894, t900, t901]
+    let [f4_z, n4_z, t870, t876, t882, t883] = {
+        let t837 = XY4R * (t499 + t502) - (XX4R * t493 + ZZ4R * dw3_y) - XZ4 * t489;
+        let t839 = YZ4 * (t463 - t502);
+        let t842 = ZZ4R * t495 + XX4R * dw4_x - XY4R * t503 + XZ4 * t501 + t839;
+        let t843 = t494 * (XX4R - ZZ4R) + XY4R * t504 - XZ4 * t498 - YZ4 * t500;
+        let f4_x = t799 + (MSX4R * t499 + MSY4R * t500);
+        let f4_y = f5_z + (MSX4R * t501 - MSY4R * t502);
+        let f4_z = MSX4R * t503 + MSY4R * t504 - t802;
+        let n4_x = t814 + (t842 - MSY4R * t476);
+        let n4_y = t816 + (t843 + MSX4R * t476);
+        let n4_z = t837 - YZ4 * t486 + (MSX4R * a4_y - MSY4R * a4_x) - t815;
+        let t870 = c4 * f4_x - s4 * f4_y;
+        let t876 = c4 * n4_x - s4 * n4_y;
+        let t882 = s4 * n4_x + c4 * n4_y - A * f4_z;
+        let t883 = n4_z + A * (s4 * f4_x + c4 * f4_y);
+        [f4_z, n4_z, t870, t876, t882, t883]
     };
     // link 3: force and moment
-    let [n3_z, t964, t965] = {
-        let t923 = XY3R * (t462 - t463) - (XX3R * t465 + ZZ3R * dw2_y) - XZ3 * t473;
-        let t925 = YZ3 * (t463 - t464);
-        let t926 = YZ3 * t469;
-        let t928 = ZZ3R * t467 + XX3R * dw3_x - XY3R * t474 + XZ3 * t471 + t925;
-        let t929 = t466 * (XX3R - ZZ3R) + XY3R * t475 + XZ3 * (t464 - t462) - t926;
-        let f3_x = t888 + (MSY3R * t469 - MSX3R * t468);
-        let f3_y = MSX3R * t471 - MSY3R * t472 - f4_z;
-        let n3_x = t894 + (t928 - MSY3R * t438);
-        let n3_y = t929 + MSX3R * t438 - t901;
-        let n3_z = t900 + (t923 + YZ3 * t470 + (MSX3R * a3_y - MSY3R * a3_x));
-        let t964 = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
-        let t965 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
-        [n3_z, t964, t965]
+    let [n3_z, t945, t946] = {
+        let t904 = XY3R * (t460 + t463) - (XX3R * t454 + ZZ3R * dw2_y) - XZ3 * t450;
+        let t906 = YZ3 * (t425 - t463);
+        let t909 = ZZ3R * t456 + XX3R * dw3_x - XY3R * t464 + XZ3 * t462 + t906;
+        let t910 = t455 * (XX3R - ZZ3R) + XY3R * t465 - XZ3 * t459 - YZ3 * t461;
+        let f3_x = t870 + (MSX3R * t460 + MSY3R * t461);
+        let f3_y = MSX3R * t462 - MSY3R * t463 - f4_z;
+        let n3_x = t876 + (t909 - MSY3R * t438);
+        let n3_y = t910 + MSX3R * t438 - t883;
+        let n3_z = t882 + (t904 + YZ3 * t447 + (MSX3R * a3_y - MSY3R * a3_x));
+        let t945 = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
+        let t946 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
+        [n3_z, t945, t946]
     };
     // link 2: force and moment
-    let [n2_z, t997] = {
-        let t984 = YZ2 * (t428 - t429);
-        let t985 = YZ2 * t430;
-        let t987 = XZ2 * (t429 - t427) - (dw2_y * (XX2R - ZZ2R) + XY2 * t433) - t985;
-        let t991 = XY2 * (t427 - t428) - XX2R * t430 + (MSY2R * t415 - MSX2 * t416);
-        let n2_x = t964 + (XY2 * t432 - t417 * (XX2R + ZZ2R) + XZ2 * t430 + t984);
-        let n2_y = t987 - n3_z;
-        let n2_z = t965 + t991;
-        let t997 = s2 * n2_x + c2 * n2_y;
-        [n2_z, t997]
+    let [n2_z, t977] = {
+        let t964 = YZ2 * (t413 - t425);
+        let t967 = dw2_y * (XX2R - ZZ2R) + XY2 * t427 + XZ2 * t423 + YZ2 * t420;
+        let t971 = XY2 * (t424 + t425) - XX2R * t420 + (MSY2R * t416 - MSX2 * t417);
+        let n2_x = t945 + (XY2 * t426 - t422 * (XX2R + ZZ2R) + XZ2 * t420 + t964);
+        let n2_z = t946 + t971;
+        let t977 = s2 * n2_x - c2 * (n3_z + t967);
+        [n2_z, t977]
     };
     // drives
-    let [t998, t999, t1000, t1001, t1002, t1003, t1004] = {
-        let t998 = t997 + tau1;
-        let t999 = tau2 - n2_z;
-        let t1000 = tau3 - n3_z;
-        let t1001 = tau4 - n4_z;
-        let t1002 = tau5 - n5_z;
-        let t1003 = tau6 - n6_z;
-        let t1004 = tau7 - n7_z;
-        [t998, t999, t1000, t1001, t1002, t1003, t1004]
+    let [t1020, t1021, t1022, t1023, t1024, t1025, t1026] = {
+        let t1020 = tau1 - (FO1 + (FV1 * dq1 - t977 + FC1 * dq1.sign()));
+        let t1021 = tau2 - (FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign()));
+        let t1022 = tau3 - (FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign()));
+        let t1023 = tau4 - (FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign()));
+        let t1024 = tau5 - (FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign()));
+        let t1025 = tau6 - (FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign()));
+        let t1026 = tau7 - (FO7 + (n7_z + FV7 * dq7 + FC7 * dq7.sign()));
+        [t1020, t1021, t1022, t1023, t1024, t1025, t1026]
     };
     // M = L D L'
     let [
-        t1005, t1006, t1007, t1008, t1009, t1010, t1011, t1015,
-        t1019, t1022, t1025, t1028, t1031, t1038, t1045, t1050,
-        t1055, t1060, t1070, t1080, t1087, t1094, t1107, t1120,
-        t1129, t1145, t1161, t1180,
+        t1027, t1028, t1029, t1030, t1031, t1032, t1033, t1037,
+        t1041, t1044, t1047, t1050, t1053, t1060, t1067, t1072,
+        t1077, t1082, t1092, t1102, t1109, t1116, t1129, t1142,
+        t1151, t1167, t1183, t1202,
     ] = {
-        let t1005 = k5 / t412;
-        let t1006 = t402 * t1005;
-        let t1007 = t368 * t1005;
-        let t1008 = t312 * t1005;
-        let t1009 = t242 * t1005;
-        let t1010 = t167 * t1005;
-        let t1011 = t75 * t1005;
-        let t1014 = t396 - t412 * (t1006 * t1006);
-        let t1015 = k5 / t1014;
-        let t1016 = t412 * t1006;
-        let t1019 = t1015 * (t365 - t1007 * t1016);
-        let t1022 = t1015 * (t309 - t1008 * t1016);
-        let t1025 = t1015 * (t239 - t1009 * t1016);
-        let t1028 = t1015 * (t164 - t1010 * t1016);
-        let t1031 = t1015 * (t72 - t1011 * t1016);
-        let t1037 = t346 - t412 * (t1007 * t1007) - t1014 * (t1019 * t1019);
-        let t1038 = k5 / t1037;
-        let t1039 = t412 * t1007;
-        let t1042 = t1014 * t1019;
-        let t1045 = t1038 * (t295 - t1008 * t1039 - t1022 * t1042);
-        let t1050 = t1038 * (t222 - t1009 * t1039 - t1025 * t1042);
-        let t1055 = t1038 * (t147 - t1010 * t1039 - t1028 * t1042);
-        let t1060 = t1038 * (t55 - t1011 * t1039 - t1031 * t1042);
-        let t1068 = t1037 * (t1045 * t1045);
-        let t1069 = t280 - t412 * (t1008 * t1008) - t1014 * (t1022 * t1022) - t1068;
-        let t1070 = k5 / t1069;
-        let t1071 = t412 * t1008;
-        let t1074 = t1014 * t1022;
-        let t1077 = t1037 * t1045;
-        let t1080 = t1070 * (t211 + t1009 * t1071 + t1025 * t1074 + t1050 * t1077);
-        let t1087 = t1070 * (t132 + t1010 * t1071 + t1028 * t1074 + t1055 * t1077);
-        let t1094 = t1070 * (t40 + t1011 * t1071 + t1031 * t1074 + t1060 * t1077);
-        let t1102 = t1037 * (t1050 * t1050);
-        let t1105 = t1069 * (t1080 * t1080);
-        let t1106 = t191 - t412 * (t1009 * t1009) - t1014 * (t1025 * t1025) - t1102 - t1105;
-        let t1107 = k5 / t1106;
-        let t1108 = t412 * t1009;
-        let t1111 = t1014 * t1025;
-        let t1114 = t1037 * t1050;
-        let t1117 = t1069 * t1080;
-        let t1119 = t117 - t1010 * t1108 - t1028 * t1111 - t1055 * t1114 - t1087 * t1117;
-        let t1120 = t1107 * t1119;
-        let t1128 = t21 - t1011 * t1108 - t1031 * t1111 - t1060 * t1114 - t1094 * t1117;
-        let t1129 = t1107 * t1128;
-        let t1137 = t1037 * (t1055 * t1055);
-        let t1140 = t1069 * (t1087 * t1087);
-        let t1141 = t102 - t412 * (t1010 * t1010) - t1014 * (t1028 * t1028) - t1137 - t1140;
-        let t1144 = t1141 - t1106 * (t1120 * t1120);
-        let t1145 = k5 / t1144;
-        let t1153 = t1060 * (t1037 * t1055);
-        let t1156 = t1094 * (t1069 * t1087);
-        let t1157 = t11 - t1011 * (t412 * t1010) - t1031 * (t1014 * t1028) - t1153 - t1156;
-        let t1161 = t1145 * (t1157 - t1129 * (t1106 * t1120));
-        let t1169 = t1037 * (t1060 * t1060);
-        let t1172 = t1069 * (t1094 * t1094);
-        let t1173 = ZZ7 - t412 * (t1011 * t1011) - t1014 * (t1031 * t1031) - t1169 - t1172;
-        let t1180 = k5 / (t1173 - t1106 * (t1129 * t1129) - t1144 * (t1161 * t1161));
+        let t1027 = k5 / t412;
+        let t1028 = t402 * t1027;
+        let t1029 = t368 * t1027;
+        let t1030 = t312 * t1027;
+        let t1031 = t242 * t1027;
+        let t1032 = t167 * t1027;
+        let t1033 = t75 * t1027;
+        let t1036 = t396 - t412 * (t1028 * t1028);
+        let t1037 = k5 / t1036;
+        let t1038 = t412 * t1028;
+        let t1041 = t1037 * (t365 - t1029 * t1038);
+        let t1044 = t1037 * (t309 - t1030 * t1038);
+        let t1047 = t1037 * (t239 - t1031 * t1038);
+        let t1050 = t1037 * (t164 - t1032 * t1038);
+        let t1053 = t1037 * (t72 - t1033 * t1038);
+        let t1059 = t346 - t412 * (t1029 * t1029) - t1036 * (t1041 * t1041);
+        let t1060 = k5 / t1059;
+        let t1061 = t412 * t1029;
+        let t1064 = t1036 * t1041;
+        let t1067 = t1060 * (t295 - t1030 * t1061 - t1044 * t1064);
+        let t1072 = t1060 * (t222 - t1031 * t1061 - t1047 * t1064);
+        let t1077 = t1060 * (t147 - t1032 * t1061 - t1050 * t1064);
+        let t1082 = t1060 * (t55 - t1033 * t1061 - t1053 * t1064);
+        let t1090 = t1059 * (t1067 * t1067);
+        let t1091 = t280 - t412 * (t1030 * t1030) - t1036 * (t1044 * t1044) - t1090;
+        let t1092 = k5 / t1091;
+        let t1093 = t412 * t1030;
+        let t1096 = t1036 * t1044;
+        let t1099 = t1059 * t1067;
+        let t1102 = t1092 * (t211 + t1031 * t1093 + t1047 * t1096 + t1072 * t1099);
+        let t1109 = t1092 * (t132 + t1032 * t1093 + t1050 * t1096 + t1077 * t1099);
+        let t1116 = t1092 * (t40 + t1033 * t1093 + t1053 * t1096 + t1082 * t1099);
+        let t1124 = t1059 * (t1072 * t1072);
+        let t1127 = t1091 * (t1102 * t1102);
+        let t1128 = t191 - t412 * (t1031 * t1031) - t1036 * (t1047 * t1047) - t1124 - t1127;
+        let t1129 = k5 / t1128;
+        let t1130 = t412 * t1031;
+        let t1133 = t1036 * t1047;
+        let t1136 = t1059 * t1072;
+        let t1139 = t1091 * t1102;
+        let t1141 = t117 - t1032 * t1130 - t1050 * t1133 - t1077 * t1136 - t1109 * t1139;
+        let t1142 = t1129 * t1141;
+        let t1150 = t21 - t1033 * t1130 - t1053 * t1133 - t1082 * t1136 - t1116 * t1139;
+        let t1151 = t1129 * t1150;
+        let t1159 = t1059 * (t1077 * t1077);
+        let t1162 = t1091 * (t1109 * t1109);
+        let t1163 = t102 - t412 * (t1032 * t1032) - t1036 * (t1050 * t1050) - t1159 - t1162;
+        let t1166 = t1163 - t1128 * (t1142 * t1142);
+        let t1167 = k5 / t1166;
+        let t1175 = t1082 * (t1059 * t1077);
+        let t1178 = t1116 * (t1091 * t1109);
+        let t1179 = t11 - t1033 * (t412 * t1032) - t1053 * (t1036 * t1050) - t1175 - t1178;
+        let t1183 = t1167 * (t1179 - t1151 * (t1128 * t1142));
+        let t1191 = t1059 * (t1082 * t1082);
+        let t1194 = t1091 * (t1116 * t1116);
+        let t1195 = ZZ7 - t412 * (t1033 * t1033) - t1036 * (t1053 * t1053) - t1191 - t1194;
+        let t1202 = k5 / (t1195 - t1128 * (t1151 * t1151) - t1166 * (t1183 * t1183));
         [
-        t1005, t1006, t1007, t1008, t1009, t1010, t1011, t1015,
-        t1019, t1022, t1025, t1028, t1031, t1038, t1045, t1050,
-        t1055, t1060, t1070, t1080, t1087, t1094, t1107, t1120,
-        t1129, t1145, t1161, t1180,
+        t1027, t1028, t1029, t1030, t1031, t1032, t1033, t1037,
+        t1041, t1044, t1047, t1050, t1053, t1060, t1067, t1072,
+        t1077, t1082, t1092, t1102, t1109, t1116, t1129, t1142,
+        t1151, t1167, t1183, t1202,
     ]
     };
     // ddq
     {
-        let t1182 = t999 + t998 * t1006;
-        let t1186 = t1000 + t998 * t1007 - t1019 * t1182;
-        let t1192 = t1001 + t998 * t1008 - t1022 * t1182 - t1045 * t1186;
-        let t1200 = t1002 + t998 * t1009 - t1025 * t1182 - t1050 * t1186 + t1080 * t1192;
-        let t1208 = t1003 + t998 * t1010 - t1028 * t1182 - t1055 * t1186 + t1087 * t1192;
-        let t1210 = t1208 - t1120 * t1200;
-        let t1218 = t1004 + t998 * t1011 - t1031 * t1182 - t1060 * t1186 + t1094 * t1192;
-        let t1229 = t1180 * (t1218 - t1129 * t1200 - t1161 * t1210);
-        let t1231 = t1145 * t1210 - t1161 * t1229;
-        let t1235 = t1107 * t1200 - t1120 * t1231 - t1129 * t1229;
-        let t1241 = t1070 * t1192 + t1080 * t1235 + t1087 * t1231 + t1094 * t1229;
-        let t1248 = t1060 * t1229;
-        let t1249 = t1038 * t1186 - t1045 * t1241 - t1050 * t1235 - t1055 * t1231 - t1248;
-        let t1256 = t1028 * t1231;
-        let t1257 = t1015 * t1182 - t1019 * t1249 - t1022 * t1241 - t1025 * t1235 - t1256;
-        let t1259 = t1257 - t1031 * t1229;
-        let t1266 = t1009 * t1235;
-        let t1267 = t998 * t1005 + t1006 * t1259 + t1007 * t1249 + t1008 * t1241 + t1266;
-        let t1271 = t1267 + t1010 * t1231 + t1011 * t1229;
-        put(0, t1271);
-        put(1, t1259);
-        put(2, t1249);
-        put(3, t1241);
-        put(4, t1235);
-        put(5, t1231);
-        put(6, t1229);
+        let t1204 = t1021 + t1020 * t1028;
+        let t1208 = t1022 + t1020 * t1029 - t1041 * t1204;
+        let t1214 = t1023 + t1020 * t1030 - t1044 * t1204 - t1067 * t1208;
+        let t1222 = t1024 + t1020 * t1031 - t1047 * t1204 - t1072 * t1208 + t1102 * t1214;
+        let t1230 = t1025 + t1020 * t1032 - t1050 * t1204 - t1077 * t1208 + t1109 * t1214;
+        let t1232 = t1230 - t1142 * t1222;
+        let t1240 = t1026 + t1020 * t1033 - t1053 * t1204 - t1082 * t1208 + t1116 * t1214;
+        let t1251 = t1202 * (t1240 - t1151 * t1222 - t1183 * t1232);
+        let t1253 = t1167 * t1232 - t1183 * t1251;
+        let t1257 = t1129 * t1222 - t1142 * t1253 - t1151 * t1251;
+        let t1263 = t1092 * t1214 + t1102 * t1257 + t1109 * t1253 + t1116 * t1251;
+        let t1270 = t1082 * t1251;
+        let t1271 = t1060 * t1208 - t1067 * t1263 - t1072 * t1257 - t1077 * t1253 - t1270;
+        let t1278 = t1050 * t1253;
+        let t1279 = t1037 * t1204 - t1041 * t1271 - t1044 * t1263 - t1047 * t1257 - t1278;
+        let t1281 = t1279 - t1053 * t1251;
+        let t1288 = t1031 * t1257;
+        let t1289 = t1020 * t1027 + t1028 * t1281 + t1029 * t1271 + t1030 * t1263 + t1288;
+        let t1293 = t1289 + t1032 * t1253 + t1033 * t1251;
+        put(0, t1293);
+        put(1, t1281);
+        put(2, t1271);
+        put(3, t1263);
+        put(4, t1257);
+        put(5, t1253);
+        put(6, t1251);
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! `g = W_g phi` for the links' parameters only; columns as the first of `STANDARD_NAMES`.
 //!
-//! 255 multiplications, 153 additions; 7 x 70, 92 of 490 structurally nonzero.
+//! 259 multiplications, 155 additions; 7 x 70, 92 of 490 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{Trig};
@@ -120,302 +120,303 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(0, t41); // row 1, MSZ2
     }
     // M3: column
-    let t44 = {
-        let t44 = c3 * t2 + s3 * a3_y;
-        t44
-    };
-    // MSZ3: column
-    let t49 = {
-        let t47 = a3_y * t28 - t2 * z1_3_y;
-        let t48 = L2 * t47;
-        let t49 = L2 * t44;
-        put(1, t48); // row 1, M3
-        put(4, t47); // row 1, MSZ3
-        t49
+    let [t49, t52] = {
+        let t42 = L2 * a3_y;
+        let t43 = L2 * t2;
+        let t46 = t28 * t42 - z1_3_y * t43;
+        let t49 = s3 * t42 + c3 * t43;
+        let t52 = c3 * t2 + s3 * a3_y;
+        put(1, t46); // row 1, M3
+        [t49, t52]
     };
     // MSX3: column
-    let t53 = {
-        let t52 = c2 * a3_y - a3_z * z1_3_y;
-        let t53 = c3 * a3_z;
-        put(2, t52); // row 1, MSX3
-        t53
+    let t56 = {
+        let t55 = c2 * a3_y - a3_z * z1_3_y;
+        let t56 = c3 * a3_z;
+        put(2, t55); // row 1, MSX3
+        t56
     };
     // MSY3: column
     {
-        let t56 = c2 * t2 - a3_z * t28;
-        let t57 = s3 * a3_z;
-        put(3, t56); // row 1, MSY3
-        put(25, t57); // row 2, MSY3
+        let t59 = c2 * t2 - a3_z * t28;
+        let t60 = s3 * a3_z;
+        put(3, t59); // row 1, MSY3
+        put(25, t60); // row 2, MSY3
+    }
+    // MSZ3: column
+    {
+        let t63 = a3_y * t28 - t2 * z1_3_y;
+        put(4, t63); // row 1, MSZ3
     }
     // M4: column
-    let [t59, t62, t65] = {
-        let t59 = t38 + L2 * s4;
-        let t62 = s4 * A - L2 * c4;
-        let t63 = a3_y * t62;
-        let t64 = a3_y * t59;
-        let t65 = a4_y * t59;
-        let t67 = t6 * t62 - t65;
-        let t72 = z1_3_y * t67 + (z1_4_x * t63 + z1_4_y * t64);
-        let t77 = c3 * t67 + (z2_4_x * t63 - t37 * t64);
-        let t78 = A * a3_y;
-        put(5, t72); // row 1, M4
-        put(27, t77); // row 2, M4
-        put(45, t78); // row 3, M4
-        [t59, t62, t65]
+    let [t65, t68, t71] = {
+        let t65 = t38 + L2 * s4;
+        let t68 = s4 * A - L2 * c4;
+        let t69 = a3_y * t68;
+        let t70 = a3_y * t65;
+        let t71 = a4_y * t65;
+        let t73 = t6 * t68 - t71;
+        let t78 = z1_3_y * t73 + (z1_4_x * t69 + z1_4_y * t70);
+        let t83 = c3 * t73 + (z2_4_x * t69 - t37 * t70);
+        let t84 = A * a3_y;
+        put(5, t78); // row 1, M4
+        put(27, t83); // row 2, M4
+        put(45, t84); // row 3, M4
+        [t65, t68, t71]
     };
     // MSX4: column
-    let t84 = {
-        let t81 = a3_y * z1_4_y - a4_y * z1_3_y;
-        let t84 = a3_y * t37 + c3 * a4_y;
-        let t85 = c4 * a3_y;
-        put(6, t81); // row 1, MSX4
-        put(46, t85); // row 3, MSX4
-        t84
+    let t90 = {
+        let t87 = a3_y * z1_4_y - a4_y * z1_3_y;
+        let t90 = a3_y * t37 + c3 * a4_y;
+        let t91 = c4 * a3_y;
+        put(6, t87); // row 1, MSX4
+        put(46, t91); // row 3, MSX4
+        t90
     };
     // MSY4: column
-    let [t88, t91, t92] = {
-        let t88 = a3_y * z1_4_x + t6 * z1_3_y;
-        let t91 = a3_y * z2_4_x + c3 * t6;
-        let t92 = s4 * a3_y;
-        [t88, t91, t92]
+    let [t94, t97, t98] = {
+        let t94 = a3_y * z1_4_x + t6 * z1_3_y;
+        let t97 = a3_y * z2_4_x + c3 * t6;
+        let t98 = s4 * a3_y;
+        [t94, t97, t98]
     };
     // MSZ4: column
-    let [t95, t101] = {
-        let t95 = a4_y * z1_4_x + t6 * z1_4_y;
-        let t98 = t6 * t37 - a4_y * z2_4_x;
-        let t101 = s4 * a4_y + c4 * t6;
-        put(30, t98); // row 2, MSZ4
-        [t95, t101]
+    let [t101, t107] = {
+        let t101 = a4_y * z1_4_x + t6 * z1_4_y;
+        let t104 = t6 * t37 - a4_y * z2_4_x;
+        let t107 = s4 * a4_y + c4 * t6;
+        put(30, t104); // row 2, MSZ4
+        [t101, t107]
     };
     // M5: column
-    let [t103, t104, t106, t107] = {
-        let t103 = s5 * a5_y;
-        let t104 = c5 * t12 + t103;
-        let t106 = c5 * a5_y;
-        let t107 = s5 * t12 - t106;
-        let t108 = L3 * t107;
-        let t111 = L3 * t104 - A * a4_y;
-        let t112 = A * t107;
-        let t117 = t108 - t62 * t107;
-        let t118 = t112 - t59 * t107;
-        let t119 = t62 * t104 - t65 - t111;
-        let t124 = z1_3_y * t119 + (z1_4_x * t117 + z1_4_y * t118);
-        let t129 = c3 * t119 - (t37 * t118 - z2_4_x * t117);
-        let t133 = s4 * t108 + c4 * t112 - t112;
-        put(9, t124); // row 1, M5
-        put(31, t129); // row 2, M5
-        put(49, t133); // row 3, M5
-        put(63, t111); // row 4, M5
-        put(66, t104); // row 4, MSZ5
-        [t103, t104, t106, t107]
+    let [t109, t110, t112, t113] = {
+        let t109 = s5 * a5_y;
+        let t110 = c5 * t12 + t109;
+        let t112 = c5 * a5_y;
+        let t113 = s5 * t12 - t112;
+        let t114 = L3 * t113;
+        let t117 = L3 * t110 - A * a4_y;
+        let t118 = A * t113;
+        let t123 = t68 * t113 - t114;
+        let t124 = t65 * t113 - t118;
+        let t125 = t68 * t110 - t71 - t117;
+        let t130 = z1_3_y * t125 - (z1_4_x * t123 + z1_4_y * t124);
+        let t135 = c3 * t125 + (t37 * t124 - z2_4_x * t123);
+        let t139 = s4 * t114 + c4 * t118 - t118;
+        put(9, t130); // row 1, M5
+        put(31, t135); // row 2, M5
+        put(49, t139); // row 3, M5
+        put(63, t117); // row 4, M5
+        put(66, t110); // row 4, MSZ5
+        [t109, t110, t112, t113]
     };
     // MSX5: column
-    let [t134, t135] = {
-        let t134 = s5 * a4_y;
-        let t135 = c5 * a4_y;
-        let t140 = z1_4_x * t134 + a5_y * z1_4_y - z1_3_y * t135;
-        let t145 = z2_4_x * t134 - a5_y * t37 - c3 * t135;
-        let t148 = s4 * t134 + c4 * a5_y;
-        put(10, t140); // row 1, MSX5
-        put(32, t145); // row 2, MSX5
-        put(50, t148); // row 3, MSX5
-        put(64, t135); // row 4, MSX5
-        [t134, t135]
+    let [t140, t141] = {
+        let t140 = s5 * a4_y;
+        let t141 = c5 * a4_y;
+        let t146 = z1_4_x * t140 + a5_y * z1_4_y - z1_3_y * t141;
+        let t151 = z2_4_x * t140 - a5_y * t37 - c3 * t141;
+        let t154 = s4 * t140 + c4 * a5_y;
+        put(10, t146); // row 1, MSX5
+        put(32, t151); // row 2, MSX5
+        put(50, t154); // row 3, MSX5
+        put(64, t141); // row 4, MSX5
+        [t140, t141]
     };
     // MSY5: column
     {
-        let t153 = z1_3_y * t134 + (z1_4_x * t135 + t12 * z1_4_y);
-        let t158 = c3 * t134 + (z2_4_x * t135 - t12 * t37);
-        let t161 = s4 * t135 + c4 * t12;
-        put(11, t153); // row 1, MSY5
-        put(33, t158); // row 2, MSY5
-        put(51, t161); // row 3, MSY5
+        let t159 = z1_3_y * t140 + (z1_4_x * t141 + t12 * z1_4_y);
+        let t164 = c3 * t140 + (z2_4_x * t141 - t12 * t37);
+        let t167 = s4 * t141 + c4 * t12;
+        put(11, t159); // row 1, MSY5
+        put(33, t164); // row 2, MSY5
+        put(51, t167); // row 3, MSY5
     }
     // MSZ5: column
     {
-        let t164 = z1_4_x * t107 - z1_3_y * t104;
-        let t167 = z2_4_x * t107 - c3 * t104;
-        let t168 = s4 * t107;
-        put(12, t164); // row 1, MSZ5
-        put(34, t167); // row 2, MSZ5
-        put(52, t168); // row 3, MSZ5
+        let t170 = z1_4_x * t113 - z1_3_y * t110;
+        let t173 = z2_4_x * t113 - c3 * t110;
+        let t174 = s4 * t113;
+        put(12, t170); // row 1, MSZ5
+        put(34, t173); // row 2, MSZ5
+        put(52, t174); // row 3, MSZ5
     }
     // M6: column
-    let [t170, t171, t173, t174] = {
-        let t170 = s6 * a6_y;
-        let t171 = c6 * t18 + t170;
-        let t173 = c6 * a6_y;
-        let t174 = s6 * t18 - t173;
-        let t176 = t103 + c5 * t171;
-        let t178 = t106 - s5 * t171;
-        let t179 = L3 * t178;
-        let t182 = L3 * t176 + A * t174;
-        let t183 = A * t178;
-        let t189 = t179 - t62 * t178;
-        let t190 = t183 - t59 * t178;
-        let t191 = t59 * t174 + t62 * t176 - t182;
-        let t196 = z1_3_y * t191 - (z1_4_x * t189 + z1_4_y * t190);
-        let t201 = c3 * t191 + (t37 * t190 - z2_4_x * t189);
-        let t205 = t183 - (s4 * t179 + c4 * t183);
-        put(13, t196); // row 1, M6
-        put(35, t201); // row 2, M6
-        put(53, t205); // row 3, M6
-        put(67, t182); // row 4, M6
-        [t170, t171, t173, t174]
+    let [t176, t177, t179, t180] = {
+        let t176 = s6 * a6_y;
+        let t177 = c6 * t18 + t176;
+        let t179 = c6 * a6_y;
+        let t180 = s6 * t18 - t179;
+        let t182 = t109 + c5 * t177;
+        let t184 = t112 - s5 * t177;
+        let t185 = L3 * t184;
+        let t188 = L3 * t182 + A * t180;
+        let t189 = A * t184;
+        let t195 = t68 * t184 - t185;
+        let t196 = t65 * t184 - t189;
+        let t197 = t65 * t180 + t68 * t182 - t188;
+        let t202 = z1_3_y * t197 + (z1_4_x * t195 + z1_4_y * t196);
+        let t207 = c3 * t197 + (z2_4_x * t195 - t37 * t196);
+        let t211 = t189 - (s4 * t185 + c4 * t189);
+        put(13, t202); // row 1, M6
+        put(35, t207); // row 2, M6
+        put(53, t211); // row 3, M6
+        put(67, t188); // row 4, M6
+        [t176, t177, t179, t180]
     };
     // MSX6: column
-    let [t206, t207] = {
-        let t206 = s6 * a5_y;
-        let t207 = c6 * a5_y;
-        let t210 = s5 * a6_y - c5 * t206;
-        let t213 = s5 * t206 + c5 * a6_y;
-        let t218 = z1_4_x * t210 + z1_4_y * t207 - z1_3_y * t213;
-        let t223 = z2_4_x * t210 - t37 * t207 - c3 * t213;
-        let t226 = s4 * t210 + c4 * t207;
-        put(14, t218); // row 1, MSX6
-        put(36, t223); // row 2, MSX6
-        put(54, t226); // row 3, MSX6
-        put(68, t213); // row 4, MSX6
-        put(77, t207); // row 5, MSX6
-        [t206, t207]
+    let [t212, t213] = {
+        let t212 = s6 * a5_y;
+        let t213 = c6 * a5_y;
+        let t216 = s5 * a6_y - c5 * t212;
+        let t219 = s5 * t212 + c5 * a6_y;
+        let t224 = z1_4_x * t216 + z1_4_y * t213 - z1_3_y * t219;
+        let t229 = z2_4_x * t216 - t37 * t213 - c3 * t219;
+        let t232 = s4 * t216 + c4 * t213;
+        put(14, t224); // row 1, MSX6
+        put(36, t229); // row 2, MSX6
+        put(54, t232); // row 3, MSX6
+        put(68, t219); // row 4, MSX6
+        put(77, t213); // row 5, MSX6
+        [t212, t213]
     };
     // MSY6: column
     {
-        let t229 = s5 * t18 - c5 * t207;
-        let t232 = s5 * t207 + c5 * t18;
-        let t237 = z1_4_x * t229 - z1_4_y * t206 - z1_3_y * t232;
-        let t242 = z2_4_x * t229 + t37 * t206 - c3 * t232;
-        let t245 = s4 * t229 - c4 * t206;
-        put(15, t237); // row 1, MSY6
-        put(37, t242); // row 2, MSY6
-        put(55, t245); // row 3, MSY6
-        put(69, t232); // row 4, MSY6
+        let t235 = s5 * t18 - c5 * t213;
+        let t238 = s5 * t213 + c5 * t18;
+        let t243 = z1_4_x * t235 - z1_4_y * t212 - z1_3_y * t238;
+        let t248 = z2_4_x * t235 + t37 * t212 - c3 * t238;
+        let t251 = s4 * t235 - c4 * t212;
+        put(15, t243); // row 1, MSY6
+        put(37, t248); // row 2, MSY6
+        put(55, t251); // row 3, MSY6
+        put(69, t238); // row 4, MSY6
     }
     // MSZ6: column
-    let t247 = {
-        let t246 = c5 * t174;
-        let t247 = s5 * t174;
-        let t252 = z1_3_y * t247 - (z1_4_y * t171 - z1_4_x * t246);
-        let t257 = c3 * t247 + (z2_4_x * t246 + t37 * t171);
-        let t260 = s4 * t246 - c4 * t171;
-        put(16, t252); // row 1, MSZ6
-        put(38, t257); // row 2, MSZ6
-        put(56, t260); // row 3, MSZ6
-        t247
+    let t253 = {
+        let t252 = c5 * t180;
+        let t253 = s5 * t180;
+        let t258 = z1_3_y * t253 + (z1_4_x * t252 - z1_4_y * t177);
+        let t263 = c3 * t253 + (z2_4_x * t252 + t37 * t177);
+        let t266 = s4 * t252 - c4 * t177;
+        put(16, t258); // row 1, MSZ6
+        put(38, t263); // row 2, MSZ6
+        put(56, t266); // row 3, MSZ6
+        t253
     };
     // M7: column
-    let [t263, t266] = {
-        let t263 = s7 * t27 - c7 * t24;
-        let t266 = s7 * t24 + c7 * t27;
-        let t267 = k4 * a6_y;
-        let t268 = k4 * t266;
-        let t270 = t170 - c6 * t263;
-        let t272 = t173 + s6 * t263;
-        let t273 = s6 * t268;
-        let t274 = c6 * t268;
-        let t277 = c5 * t270 + s5 * t266;
-        let t280 = c5 * t266 - s5 * t270;
-        let t291 = A * t280;
-        let t292 = s5 * t267 - c5 * t273 - L3 * t280;
-        let t293 = s5 * t273 + c5 * t267 - (A * t272 - L3 * t277);
-        let t294 = t274 - t291;
-        let t300 = t292 + t62 * t280;
-        let t301 = t294 + t59 * t280;
-        let t302 = t293 + (t59 * t272 - t62 * t277);
-        let t307 = z1_4_x * t300 + z1_4_y * t301 - z1_3_y * t302;
-        let t312 = z2_4_x * t300 - t37 * t301 - c3 * t302;
-        let t316 = t291 + (s4 * t292 + c4 * t294);
-        put(17, t307); // row 1, M7
-        put(39, t312); // row 2, M7
-        put(57, t316); // row 3, M7
-        put(71, t293); // row 4, M7
-        put(80, t274); // row 5, M7
-        put(86, t267); // row 6, M7
-        put(89, t263); // row 6, MSZ7
-        [t263, t266]
+    let [t269, t272] = {
+        let t269 = s7 * t27 - c7 * t24;
+        let t272 = s7 * t24 + c7 * t27;
+        let t273 = k4 * a6_y;
+        let t274 = k4 * t272;
+        let t276 = t176 - c6 * t269;
+        let t278 = t179 + s6 * t269;
+        let t279 = s6 * t274;
+        let t280 = c6 * t274;
+        let t283 = c5 * t276 + s5 * t272;
+        let t286 = c5 * t272 - s5 * t276;
+        let t297 = A * t286;
+        let t298 = c5 * t279 - s5 * t273 + L3 * t286;
+        let t299 = s5 * t279 + c5 * t273 - (A * t278 - L3 * t283);
+        let t300 = t297 - t280;
+        let t306 = t298 - t68 * t286;
+        let t307 = t65 * t286 - t300;
+        let t308 = t68 * t283 - t65 * t278 - t299;
+        let t313 = z1_3_y * t308 + (z1_4_y * t307 - z1_4_x * t306);
+        let t318 = c3 * t308 - (z2_4_x * t306 + t37 * t307);
+        let t322 = t297 - (s4 * t298 + c4 * t300);
+        put(17, t313); // row 1, M7
+        put(39, t318); // row 2, M7
+        put(57, t322); // row 3, M7
+        put(71, t299); // row 4, M7
+        put(80, t280); // row 5, M7
+        put(86, t273); // row 6, M7
+        put(89, t269); // row 6, MSZ7
+        [t269, t272]
     };
     // MSX7: column
-    let [t317, t318] = {
-        let t317 = s7 * a6_y;
-        let t318 = c7 * a6_y;
-        let t321 = c6 * t317 + s6 * t27;
-        let t324 = c6 * t27 - s6 * t317;
-        let t327 = s5 * t318 - c5 * t321;
-        let t330 = s5 * t321 + c5 * t318;
-        let t335 = z1_4_x * t327 + z1_4_y * t324 - z1_3_y * t330;
-        let t340 = z2_4_x * t327 - t37 * t324 - c3 * t330;
-        let t343 = s4 * t327 + c4 * t324;
-        put(18, t335); // row 1, MSX7
-        put(40, t340); // row 2, MSX7
-        put(58, t343); // row 3, MSX7
-        put(72, t330); // row 4, MSX7
-        put(81, t324); // row 5, MSX7
-        put(87, t318); // row 6, MSX7
-        [t317, t318]
+    let [t323, t324] = {
+        let t323 = s7 * a6_y;
+        let t324 = c7 * a6_y;
+        let t327 = c6 * t323 + s6 * t27;
+        let t330 = c6 * t27 - s6 * t323;
+        let t333 = s5 * t324 - c5 * t327;
+        let t336 = s5 * t327 + c5 * t324;
+        let t341 = z1_4_x * t333 + z1_4_y * t330 - z1_3_y * t336;
+        let t346 = z2_4_x * t333 - t37 * t330 - c3 * t336;
+        let t349 = s4 * t333 + c4 * t330;
+        put(18, t341); // row 1, MSX7
+        put(40, t346); // row 2, MSX7
+        put(58, t349); // row 3, MSX7
+        put(72, t336); // row 4, MSX7
+        put(81, t330); // row 5, MSX7
+        put(87, t324); // row 6, MSX7
+        [t323, t324]
     };
     // MSY7: column
-    let [t349, t355] = {
-        let t346 = s6 * t24 - c6 * t318;
-        let t349 = s6 * t318 + c6 * t24;
-        let t352 = c5 * t346 - s5 * t317;
-        let t355 = s5 * t346 + c5 * t317;
-        let t360 = z1_3_y * t355 + (z1_4_x * t352 - z1_4_y * t349);
-        let t365 = c3 * t355 + (z2_4_x * t352 + t37 * t349);
-        let t368 = s4 * t352 - c4 * t349;
-        put(19, t360); // row 1, MSY7
-        put(41, t365); // row 2, MSY7
-        put(59, t368); // row 3, MSY7
-        [t349, t355]
+    let [t355, t361] = {
+        let t352 = s6 * t24 - c6 * t324;
+        let t355 = s6 * t324 + c6 * t24;
+        let t358 = c5 * t352 - s5 * t323;
+        let t361 = s5 * t352 + c5 * t323;
+        let t366 = z1_3_y * t361 - (z1_4_y * t355 - z1_4_x * t358);
+        let t371 = c3 * t361 + (z2_4_x * t358 + t37 * t355);
+        let t374 = s4 * t358 - c4 * t355;
+        put(19, t366); // row 1, MSY7
+        put(41, t371); // row 2, MSY7
+        put(59, t374); // row 3, MSY7
+        [t355, t361]
     };
     // MSZ7: column
     {
-        let t369 = c6 * t266;
-        let t370 = s6 * t266;
-        let t373 = c5 * t369 + s5 * t263;
-        let t376 = c5 * t263 - s5 * t369;
-        let t381 = z1_4_x * t373 + z1_4_y * t370 - z1_3_y * t376;
-        let t386 = z2_4_x * t373 - t37 * t370 - c3 * t376;
-        let t389 = s4 * t373 + c4 * t370;
-        let t390 = -t88;
-        let t391 = -t95;
-        let t392 = -a3_z;
-        let t393 = -t49;
-        let t394 = -t53;
-        let t395 = -t44;
-        let t396 = -t84;
-        let t397 = -t91;
-        let t398 = -t92;
-        let t399 = -t101;
-        let t400 = -t134;
-        let t401 = -t247;
-        let t402 = -t355;
-        let t403 = -t206;
-        let t404 = -t171;
-        let t405 = -t349;
-        let t406 = -t317;
-        let t407 = -t27;
-        put(7, t390); // row 1, MSY4
-        put(8, t391); // row 1, MSZ4
-        put(20, t381); // row 1, MSZ7
-        put(21, t392); // row 2, MSX2
-        put(23, t393); // row 2, M3
-        put(24, t394); // row 2, MSX3
-        put(26, t395); // row 2, MSZ3
-        put(28, t396); // row 2, MSX4
-        put(29, t397); // row 2, MSY4
-        put(42, t386); // row 2, MSZ7
-        put(47, t398); // row 3, MSY4
-        put(48, t399); // row 3, MSZ4
-        put(60, t389); // row 3, MSZ7
-        put(65, t400); // row 4, MSY5
-        put(70, t401); // row 4, MSZ6
-        put(73, t402); // row 4, MSY7
-        put(74, t376); // row 4, MSZ7
-        put(78, t403); // row 5, MSY6
-        put(79, t404); // row 5, MSZ6
-        put(82, t405); // row 5, MSY7
-        put(83, t370); // row 5, MSZ7
-        put(88, t406); // row 6, MSY7
-        put(90, t407); // row 7, MSX7
+        let t375 = c6 * t272;
+        let t376 = s6 * t272;
+        let t379 = c5 * t375 + s5 * t269;
+        let t382 = c5 * t269 - s5 * t375;
+        let t387 = z1_4_x * t379 + z1_4_y * t376 - z1_3_y * t382;
+        let t392 = z2_4_x * t379 - t37 * t376 - c3 * t382;
+        let t395 = s4 * t379 + c4 * t376;
+        let t396 = -t94;
+        let t397 = -t101;
+        let t398 = -a3_z;
+        let t399 = -t49;
+        let t400 = -t56;
+        let t401 = -t52;
+        let t402 = -t90;
+        let t403 = -t97;
+        let t404 = -t98;
+        let t405 = -t107;
+        let t406 = -t140;
+        let t407 = -t253;
+        let t408 = -t361;
+        let t409 = -t212;
+        let t410 = -t177;
+        let t411 = -t355;
+        let t412 = -t323;
+        let t413 = -t27;
+        put(7, t396); // row 1, MSY4
+        put(8, t397); // row 1, MSZ4
+        put(20, t387); // row 1, MSZ7
+        put(21, t398); // row 2, MSX2
+        put(23, t399); // row 2, M3
+        put(24, t400); // row 2, MSX3
+        put(26, t401); // row 2, MSZ3
+        put(28, t402); // row 2, MSX4
+        put(29, t403); // row 2, MSY4
+        put(42, t392); // row 2, MSZ7
+        put(47, t404); // row 3, MSY4
+        put(48, t405); // row 3, MSZ4
+        put(60, t395); // row 3, MSZ7
+        put(65, t406); // row 4, MSY5
+        put(70, t407); // row 4, MSZ6
+        put(73, t408); // row 4, MSY7
+        put(74, t382); // row 4, MSZ7
+        put(78, t409); // row 5, MSY6
+        put(79, t410); // row 5, MSZ6
+        put(82, t411); // row 5, MSY7
+        put(83, t376); // row 5, MSZ7
+        put(88, t412); // row 6, MSY7
+        put(90, t413); // row 7, MSX7
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil and Dombre, 9.5.2.
 //!
-//! 360 multiplications, 357 additions; 7, 7 of 7 structurally nonzero.
+//! 359 multiplications, 365 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, STANDARD, Trig};
@@ -28,346 +28,355 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         XX3, YY3, ZZ3, XY3, XZ3, YZ3, M4, MSX4, MSY4, MSZ4, XX4, YY4,
         ZZ4, XY4, XZ4, YZ4, M5, MSX5, MSY5, MSZ5, XX5, YY5, ZZ5, XY5,
         XZ5, YZ5, M6, MSX6, MSY6, MSZ6, XX6, YY6, ZZ6, XY6, XZ6, YZ6,
-        M7, MSX7, MSY7, MSZ7, XX7, YY7, ZZ7, XY7, XZ7, YZ7,
+        M7, MSX7, MSY7, MSZ7, XX7, YY7, ZZ7, XY7, XZ7, YZ7, FV1, FV2,
+        FV3, FV4, FV5, FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7,
+        FO1, FO2, FO3, FO4, FO5, FO6, FO7,
         ..] = *phi;
     let A = S::constant(0.0825);
     let L2 = S::constant(0.316);
     let L3 = S::constant(0.384);
     let k0 = S::constant(9.81);
     let k4 = S::constant(0.088);
+    // link 1: motion
+    let t0 = {
+        let t0 = dq1 * dq1;
+        t0
+    };
     // link 2: motion
     let [
-        t0, t1, t2, t3, t4, t5, t6, t7,
-        t8, dw2_y,
+        t1, t2, t3, t4, t5, t6, t9, t10,
+        t11, t12, dw2_y, t14, t15, t16, t17, t18,
+        t19, t20,
     ] = {
-        let t0 = s2 * dq1;
-        let t1 = c2 * dq1;
-        let t2 = s2 * ddq1;
-        let t3 = c2 * ddq1;
-        let t4 = s2 * k0;
-        let t5 = c2 * k0;
-        let t6 = dq2 * t1;
-        let t7 = dq2 * t0;
-        let t8 = t2 + t6;
-        let dw2_y = t7 - t3;
+        let t1 = s2 * dq1;
+        let t2 = c2 * dq1;
+        let t3 = s2 * ddq1;
+        let t4 = c2 * ddq1;
+        let t5 = s2 * k0;
+        let t6 = c2 * k0;
+        let t7 = t1 * t1;
+        let t8 = dq2 * dq2;
+        let t9 = t1 * t2;
+        let t10 = dq2 * t1;
+        let t11 = dq2 * t2;
+        let t12 = t3 + t11;
+        let dw2_y = t10 - t4;
+        let t14 = t7 - t8;
+        let t15 = t14 - t0;
+        let t16 = t9 - ddq2;
+        let t17 = ddq2 + t9;
+        let t18 = t7 + t8;
+        let t19 = t10 + dw2_y;
+        let t20 = t11 + t12;
         [
-        t0, t1, t2, t3, t4, t5, t6, t7,
-        t8, dw2_y,
+        t1, t2, t3, t4, t5, t6, t9, t10,
+        t11, t12, dw2_y, t14, t15, t16, t17, t18,
+        t19, t20,
     ]
     };
     // link 3: motion
     let [
-        w3_x, w3_y, t22, t23, t24, t25, t26, t27,
-        t29, t30, t35, a3_x, a3_y, w3_z, dw3_x, dw3_y,
-        dw3_z,
+        w3_x, w3_y, t31, a3_x, a3_y, t40, t43, w3_z,
+        dw3_z, t48, t49, t50, dw3_x, dw3_y, t53, t54,
+        t55, t56, t57, t58, t59,
     ] = {
-        let w3_x = s3 * dq2 - c3 * t0;
-        let w3_y = c3 * dq2 + s3 * t0;
-        let t22 = t0 * t0;
-        let t23 = t1 * t1;
-        let t24 = dq2 * dq2;
-        let t25 = t0 * t1;
-        let t26 = t25 - ddq2;
-        let t27 = ddq2 + t25;
-        let t29 = t7 + dw2_y;
-        let t30 = t6 + t8;
-        let t33 = L2 * t30;
-        let t34 = t4 + L2 * t26;
-        let t35 = L2 * (t22 + t24) - t5;
-        let a3_x = s3 * t33 - c3 * t34;
-        let a3_y = c3 * t33 + s3 * t34;
-        let w3_z = t1 + dq3;
-        let dw3_x = s3 * ddq2 - c3 * t8 + dq3 * w3_y;
-        let dw3_y = c3 * ddq2 + s3 * t8 - dq3 * w3_x;
+        let w3_x = s3 * dq2 - c3 * t1;
+        let w3_y = c3 * dq2 + s3 * t1;
+        let t29 = L2 * t20;
+        let t30 = t5 + L2 * t16;
+        let t31 = L2 * t18 - t6;
+        let a3_x = s3 * t29 - c3 * t30;
+        let a3_y = c3 * t29 + s3 * t30;
+        let t40 = s3 * t20 - c3 * t16;
+        let t43 = c3 * t20 + s3 * t16;
+        let w3_z = t2 + dq3;
         let dw3_z = ddq3 - dw2_y;
+        let t46 = w3_x * w3_x;
+        let t47 = w3_z * w3_z;
+        let t48 = w3_x * w3_y;
+        let t49 = w3_x * w3_z;
+        let t50 = w3_y * w3_z;
+        let dw3_x = t50 - t43;
+        let dw3_y = t40 - t49;
+        let t53 = t46 - t47;
+        let t54 = t53 - t18;
+        let t55 = t48 - dw3_z;
+        let t56 = dw3_z + t48;
+        let t57 = t46 + t47;
+        let t58 = t49 - dw3_y;
+        let t59 = t50 + dw3_x;
         [
-        w3_x, w3_y, t22, t23, t24, t25, t26, t27,
-        t29, t30, t35, a3_x, a3_y, w3_z, dw3_x, dw3_y,
-        dw3_z,
+        w3_x, w3_y, t31, a3_x, a3_y, t40, t43, w3_z,
+        dw3_z, t48, t49, t50, dw3_x, dw3_y, t53, t54,
+        t55, t56, t57, t58, t59,
     ]
     };
     // link 4: motion
     let [
-        w4_x, w4_y, t60, t61, t62, t63, t64, t65,
-        t66, t67, t68, t69, t70, t71, t72, t73,
-        t78, a4_x, a4_y, w4_z, dw4_x, dw4_y, dw4_z,
+        w4_x, w4_y, t70, a4_x, a4_y, t80, t83, w4_z,
+        dw4_z, t88, t89, t90, dw4_x, t92, t93, t94,
+        t95, t96, t97, t98, t99,
     ] = {
         let w4_x = c4 * w3_x + s4 * w3_z;
         let w4_y = c4 * w3_z - s4 * w3_x;
-        let t60 = w3_x * w3_x;
-        let t61 = w3_y * w3_y;
-        let t62 = w3_z * w3_z;
-        let t63 = w3_x * w3_y;
-        let t64 = w3_x * w3_z;
-        let t65 = w3_y * w3_z;
-        let t66 = t61 + t62;
-        let t67 = t63 - dw3_z;
-        let t68 = dw3_y + t64;
-        let t69 = dw3_z + t63;
-        let t70 = t60 + t62;
-        let t71 = t65 - dw3_x;
-        let t72 = t64 - dw3_y;
-        let t73 = dw3_x + t65;
-        let t77 = a3_x - A * t66;
-        let t78 = a3_y + A * t69;
-        let t79 = A * t72 - t35;
-        let a4_x = c4 * t77 + s4 * t79;
-        let a4_y = c4 * t79 - s4 * t77;
+        let t69 = a3_x + A * t54;
+        let t70 = a3_y + A * t56;
+        let t71 = A * t58 - t31;
+        let a4_x = c4 * t69 + s4 * t71;
+        let a4_y = c4 * t71 - s4 * t69;
+        let t80 = c4 * t55 + s4 * t59;
+        let t83 = s4 * t55 - c4 * t59;
         let w4_z = dq4 - w3_y;
-        let dw4_x = c4 * dw3_x + s4 * dw3_z + dq4 * w4_y;
-        let dw4_y = c4 * dw3_z - s4 * dw3_x - dq4 * w4_x;
         let dw4_z = ddq4 - dw3_y;
+        let t86 = w4_x * w4_x;
+        let t87 = w4_z * w4_z;
+        let t88 = w4_x * w4_y;
+        let t89 = w4_x * w4_z;
+        let t90 = w4_y * w4_z;
+        let dw4_x = t90 - t83;
+        let t92 = t80 + t89;
+        let t93 = t86 - t87;
+        let t94 = t93 - t57;
+        let t95 = t88 - dw4_z;
+        let t96 = dw4_z + t88;
+        let t97 = t86 + t87;
+        let t98 = t89 + t92;
+        let t99 = t90 + dw4_x;
         [
-        w4_x, w4_y, t60, t61, t62, t63, t64, t65,
-        t66, t67, t68, t69, t70, t71, t72, t73,
-        t78, a4_x, a4_y, w4_z, dw4_x, dw4_y, dw4_z,
+        w4_x, w4_y, t70, a4_x, a4_y, t80, t83, w4_z,
+        dw4_z, t88, t89, t90, dw4_x, t92, t93, t94,
+        t95, t96, t97, t98, t99,
     ]
     };
     // link 5: motion
     let [
-        w5_x, t97, t104, t105, t106, t107, t108, t109,
-        t110, t111, t112, t113, t114, t115, t116, t117,
-        t118, a5_z, a5_x, a6_z, w5_z, dw5_x, t141, dw5_z,
+        w5_x, t105, a5_z, a5_x, a6_z, t126, t129, w5_z,
+        dw5_z, t134, t135, t136, dw5_x, dw5_y, t139, t140,
+        t141, t142, t143, t144, t145,
     ] = {
         let w5_x = c5 * w4_x - s5 * w4_z;
-        let t97 = c5 * w4_z + s5 * w4_x;
-        let t104 = w4_x * w4_x;
-        let t105 = w4_y * w4_y;
-        let t106 = w4_z * w4_z;
-        let t107 = w4_x * w4_y;
-        let t108 = w4_x * w4_z;
-        let t109 = w4_y * w4_z;
-        let t110 = t105 + t106;
-        let t111 = t107 - dw4_z;
-        let t112 = dw4_y + t108;
-        let t113 = dw4_z + t107;
-        let t114 = t104 + t106;
-        let t115 = t109 - dw4_x;
-        let t116 = t108 - dw4_y;
-        let t117 = dw4_x + t109;
-        let t118 = t104 + t105;
-        let t128 = a4_x + (A * t110 + L3 * t111);
-        let a5_z = a4_y - (A * t113 + L3 * t114);
-        let t130 = L3 * t117 - A * t116 - t78;
-        let a5_x = c5 * t128 - s5 * t130;
-        let a6_z = c5 * t130 + s5 * t128;
+        let t105 = c5 * w4_z + s5 * w4_x;
+        let t115 = a4_x + (L3 * t95 - A * t94);
+        let a5_z = a4_y - (A * t96 + L3 * t97);
+        let t117 = L3 * t99 - A * t98 - t70;
+        let a5_x = c5 * t115 - s5 * t117;
+        let a6_z = c5 * t117 + s5 * t115;
+        let t126 = c5 * t95 - s5 * t99;
+        let t129 = c5 * t99 + s5 * t95;
         let w5_z = w4_y + dq5;
-        let dw5_x = c5 * dw4_x - s5 * dw4_z - dq5 * t97;
-        let t141 = c5 * dw4_z + s5 * dw4_x + dq5 * w5_x;
-        let dw5_z = dw4_y + ddq5;
+        let dw5_z = ddq5 - t92;
+        let t132 = w5_x * w5_x;
+        let t133 = w5_z * w5_z;
+        let t134 = w5_x * t105;
+        let t135 = w5_x * w5_z;
+        let t136 = t105 * w5_z;
+        let dw5_x = t129 - t136;
+        let dw5_y = t126 - t135;
+        let t139 = t132 - t133;
+        let t140 = t139 - t97;
+        let t141 = dw5_z + t134;
+        let t142 = dw5_z - t134;
+        let t143 = t132 + t133;
+        let t144 = t135 - dw5_y;
+        let t145 = dw5_x - t136;
         [
-        w5_x, t97, t104, t105, t106, t107, t108, t109,
-        t110, t111, t112, t113, t114, t115, t116, t117,
-        t118, a5_z, a5_x, a6_z, w5_z, dw5_x, t141, dw5_z,
+        w5_x, t105, a5_z, a5_x, a6_z, t126, t129, w5_z,
+        dw5_z, t134, t135, t136, dw5_x, dw5_y, t139, t140,
+        t141, t142, t143, t144, t145,
     ]
     };
     // link 6: motion
     let [
-        w6_x, w6_y, t155, t156, t157, t158, t159, t160,
-        t161, t162, t163, t164, t165, t166, t167, t168,
-        t169, a6_x, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
+        w6_x, w6_y, a6_x, a6_y, t160, t163, w6_z, dw6_z,
+        t168, t169, t170, dw6_x, dw6_y, t173, t174, t175,
+        t176, t177, t178, t179,
     ] = {
         let w6_x = c6 * w5_x + s6 * w5_z;
         let w6_y = c6 * w5_z - s6 * w5_x;
-        let t155 = w5_x * w5_x;
-        let t156 = t97 * t97;
-        let t157 = w5_z * w5_z;
-        let t158 = w5_x * t97;
-        let t159 = w5_x * w5_z;
-        let t160 = t97 * w5_z;
-        let t161 = t156 + t157;
-        let t162 = dw5_z + t158;
-        let t163 = t159 - t141;
-        let t164 = dw5_z - t158;
-        let t165 = t155 + t157;
-        let t166 = dw5_x + t160;
-        let t167 = t141 + t159;
-        let t168 = dw5_x - t160;
-        let t169 = t155 + t156;
         let a6_x = c6 * a5_x + s6 * a5_z;
         let a6_y = c6 * a5_z - s6 * a5_x;
-        let w6_z = t97 + dq6;
-        let dw6_x = c6 * dw5_x + s6 * dw5_z + dq6 * w6_y;
-        let dw6_y = c6 * dw5_z - s6 * dw5_x - dq6 * w6_x;
-        let dw6_z = t141 + ddq6;
+        let t160 = c6 * t141 - s6 * t145;
+        let t163 = c6 * t145 + s6 * t141;
+        let w6_z = t105 + dq6;
+        let dw6_z = ddq6 - dw5_y;
+        let t166 = w6_x * w6_x;
+        let t167 = w6_z * w6_z;
+        let t168 = w6_x * w6_y;
+        let t169 = w6_x * w6_z;
+        let t170 = w6_y * w6_z;
+        let dw6_x = t163 + t170;
+        let dw6_y = t160 - t169;
+        let t173 = t166 - t167;
+        let t174 = t173 - t143;
+        let t175 = t168 - dw6_z;
+        let t176 = dw6_z + t168;
+        let t177 = t166 + t167;
+        let t178 = t169 - dw6_y;
+        let t179 = t170 + dw6_x;
         [
-        w6_x, w6_y, t155, t156, t157, t158, t159, t160,
-        t161, t162, t163, t164, t165, t166, t167, t168,
-        t169, a6_x, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
+        w6_x, w6_y, a6_x, a6_y, t160, t163, w6_z, dw6_z,
+        t168, t169, t170, dw6_x, dw6_y, t173, t174, t175,
+        t176, t177, t178, t179,
     ]
     };
     // link 7: motion
     let [
-        w7_x, w7_y, t194, t195, t196, t197, t198, t199,
-        t200, t201, t202, t203, t204, t205, t206, t207,
-        t208, t213, a7_x, a7_y, w7_z, dw7_x, dw7_y, dw7_z,
+        t190, a7_x, a7_y, t200, t203, dw7_z, t208, t209,
+        t210, dw7_x, t212, t213, t214, t215, t216, t217,
+        t218, t219,
     ] = {
         let w7_x = c7 * w6_x + s7 * w6_z;
         let w7_y = c7 * w6_z - s7 * w6_x;
-        let t194 = w6_x * w6_x;
-        let t195 = w6_y * w6_y;
-        let t196 = w6_z * w6_z;
-        let t197 = w6_x * w6_y;
-        let t198 = w6_x * w6_z;
-        let t199 = w6_y * w6_z;
-        let t200 = t195 + t196;
-        let t201 = t197 - dw6_z;
-        let t202 = dw6_y + t198;
-        let t203 = dw6_z + t197;
-        let t204 = t194 + t196;
-        let t205 = t199 - dw6_x;
-        let t206 = t198 - dw6_y;
-        let t207 = dw6_x + t199;
-        let t208 = t194 + t195;
-        let t212 = a6_x - k4 * t200;
-        let t213 = a6_y + k4 * t203;
-        let t214 = a6_z + k4 * t206;
-        let a7_x = c7 * t212 + s7 * t214;
-        let a7_y = c7 * t214 - s7 * t212;
+        let t189 = a6_x + k4 * t174;
+        let t190 = a6_y + k4 * t176;
+        let t191 = a6_z + k4 * t178;
+        let a7_x = c7 * t189 + s7 * t191;
+        let a7_y = c7 * t191 - s7 * t189;
+        let t200 = c7 * t175 + s7 * t179;
+        let t203 = s7 * t175 - c7 * t179;
         let w7_z = dq7 - w6_y;
-        let dw7_x = c7 * dw6_x + s7 * dw6_z + dq7 * w7_y;
-        let dw7_y = c7 * dw6_z - s7 * dw6_x - dq7 * w7_x;
         let dw7_z = ddq7 - dw6_y;
+        let t206 = w7_x * w7_x;
+        let t207 = w7_z * w7_z;
+        let t208 = w7_x * w7_y;
+        let t209 = w7_x * w7_z;
+        let t210 = w7_y * w7_z;
+        let dw7_x = t210 - t203;
+        let t212 = t200 + t209;
+        let t213 = t206 - t207;
+        let t214 = t213 - t177;
+        let t215 = t208 - dw7_z;
+        let t216 = dw7_z + t208;
+        let t217 = t206 + t207;
+        let t218 = t209 + t212;
+        let t219 = t210 + dw7_x;
         [
-        w7_x, w7_y, t194, t195, t196, t197, t198, t199,
-        t200, t201, t202, t203, t204, t205, t206, t207,
-        t208, t213, a7_x, a7_y, w7_z, dw7_x, dw7_y, dw7_z,
+        t190, a7_x, a7_y, t200, t203, dw7_z, t208, t209,
+        t210, dw7_x, t212, t213, t214, t215, t216, t217,
+        t218, t219,
     ]
     };
     // link 7: force and moment
-    let [f7_z, t310, t313, t316, t322, t323] = {
-        let t227 = w7_x * w7_x;
-        let t228 = w7_y * w7_y;
-        let t229 = w7_z * w7_z;
-        let t230 = w7_x * w7_y;
-        let t231 = w7_x * w7_z;
-        let t232 = w7_y * w7_z;
-        let t234 = t230 - dw7_z;
-        let t235 = dw7_y + t231;
-        let t236 = dw7_z + t230;
-        let t238 = t232 - dw7_x;
-        let t239 = t231 - dw7_y;
-        let t240 = dw7_x + t232;
-        let t263 = XZ7 * (t229 - t227);
-        let t264 = XZ7 * t238;
-        let t265 = t232 * (ZZ7 - YY7) + XX7 * dw7_x - XY7 * t239 + XZ7 * t236;
-        let t267 = t230 * (YY7 - XX7) + ZZ7 * dw7_z + XY7 * (t227 - t228) - t264;
-        let t270 = YZ7 * t234;
-        let t273 = t231 * (XX7 - ZZ7) + YY7 * dw7_y + XY7 * t240 + t263 - t270;
-        let f7_x = M7 * a7_x + (MSZ7 * t235 + (MSY7 * t234 - MSX7 * (t228 + t229)));
-        let f7_y = M7 * a7_y + (MSZ7 * t238 + (MSX7 * t236 - MSY7 * (t227 + t229)));
-        let f7_z = MSX7 * t239 + MSY7 * t240 - MSZ7 * (t227 + t228) - M7 * t213;
-        let n7_x = t265 + YZ7 * (t228 - t229) - (MSY7 * t213 + MSZ7 * a7_y);
-        let n7_y = t273 + (MSZ7 * a7_x + MSX7 * t213);
-        let n7_z = t267 + YZ7 * t235 + (MSX7 * a7_y - MSY7 * a7_x);
-        let t310 = c7 * f7_x - s7 * f7_y;
-        let t313 = s7 * f7_x + c7 * f7_y;
-        let t316 = c7 * n7_x - s7 * n7_y;
-        let t322 = s7 * n7_x + c7 * n7_y - k4 * f7_z;
-        let t323 = n7_z + k4 * t313;
-        put(6, n7_z);
-        [f7_z, t310, t313, t316, t322, t323]
+    let [f7_z, n7_z, t287, t290, t293, t299, t300] = {
+        let t241 = XZ7 * t203;
+        let t242 = t210 * (ZZ7 - YY7) + XX7 * dw7_x - XY7 * t218 + XZ7 * t216;
+        let t243 = t209 * (XX7 - ZZ7) - YY7 * t212 + XY7 * t219 - XZ7 * t213;
+        let t244 = t208 * (YY7 - XX7) + ZZ7 * dw7_z + XY7 * (t214 + t217) - t241;
+        let f7_x = M7 * a7_x + (MSX7 * t214 + MSY7 * t215 - MSZ7 * t200);
+        let f7_y = M7 * a7_y + (MSZ7 * t203 + (MSX7 * t216 - MSY7 * t217));
+        let f7_z = MSX7 * t218 + MSY7 * t219 - MSZ7 * t177 - M7 * t190;
+        let n7_x = t242 + YZ7 * (t177 - t217) - (MSY7 * t190 + MSZ7 * a7_y);
+        let n7_y = t243 - YZ7 * t215 + (MSZ7 * a7_x + MSX7 * t190);
+        let n7_z = t244 - YZ7 * t200 + (MSX7 * a7_y - MSY7 * a7_x);
+        let t287 = c7 * f7_x - s7 * f7_y;
+        let t290 = s7 * f7_x + c7 * f7_y;
+        let t293 = c7 * n7_x - s7 * n7_y;
+        let t299 = s7 * n7_x + c7 * n7_y - k4 * f7_z;
+        let t300 = n7_z + k4 * t290;
+        [f7_z, n7_z, t287, t290, t293, t299, t300]
     };
     // link 6: force and moment
-    let [f6_z, n6_z, t398, t401, t404, t407] = {
-        let t345 = XZ6 * (t196 - t194);
-        let t346 = XZ6 * t205;
-        let t347 = t199 * (ZZ6 - YY6) + XX6 * dw6_x - XY6 * t206 + XZ6 * t203;
-        let t349 = t197 * (YY6 - XX6) + ZZ6 * dw6_z + XY6 * (t194 - t195) - t346;
-        let t352 = YZ6 * t201;
-        let t355 = t198 * (XX6 - ZZ6) + YY6 * dw6_y + XY6 * t207 + t345 - t352;
-        let f6_x = t310 + (M6 * a6_x + (MSZ6 * t202 + (MSY6 * t201 - MSX6 * t200)));
-        let f6_y = M6 * a6_y + (MSZ6 * t205 + (MSX6 * t203 - MSY6 * t204)) - f7_z;
-        let f6_z = t313 + (M6 * a6_z + (MSX6 * t206 + MSY6 * t207 - MSZ6 * t208));
-        let n6_x = t316 + (t347 + YZ6 * (t195 - t196) + (MSY6 * a6_z - MSZ6 * a6_y));
-        let n6_y = t355 + (MSZ6 * a6_x - MSX6 * a6_z) - t323;
-        let n6_z = t322 + (t349 + YZ6 * t202 + (MSX6 * a6_y - MSY6 * a6_x));
-        let t398 = c6 * f6_x - s6 * f6_y;
-        let t401 = s6 * f6_x + c6 * f6_y;
-        let t404 = c6 * n6_x - s6 * n6_y;
-        let t407 = s6 * n6_x + c6 * n6_y;
-        put(5, n6_z);
-        [f6_z, n6_z, t398, t401, t404, t407]
+    let [f6_z, n6_z, t374, t377, t380, t383] = {
+        let t322 = XZ6 * t163;
+        let t323 = t170 * (ZZ6 - YY6) + XX6 * dw6_x - XY6 * t178 + XZ6 * t176;
+        let t324 = t169 * (XX6 - ZZ6) + YY6 * dw6_y + XY6 * t179 - XZ6 * t173;
+        let t325 = t168 * (YY6 - XX6) + ZZ6 * dw6_z + XY6 * (t174 + t177) + t322;
+        let f6_x = t287 + (M6 * a6_x + (MSZ6 * t160 + (MSX6 * t174 + MSY6 * t175)));
+        let f6_y = M6 * a6_y + (MSX6 * t176 - MSY6 * t177 - MSZ6 * t163) - f7_z;
+        let f6_z = t290 + (M6 * a6_z + (MSX6 * t178 + MSY6 * t179 - MSZ6 * t143));
+        let n6_x = t293 + (t323 + YZ6 * (t143 - t177) + (MSY6 * a6_z - MSZ6 * a6_y));
+        let n6_y = t324 - YZ6 * t175 + (MSZ6 * a6_x - MSX6 * a6_z) - t300;
+        let n6_z = t299 + (t325 + YZ6 * t160 + (MSX6 * a6_y - MSY6 * a6_x));
+        let t374 = c6 * f6_x - s6 * f6_y;
+        let t377 = s6 * f6_x + c6 * f6_y;
+        let t380 = c6 * n6_x - s6 * n6_y;
+        let t383 = s6 * n6_x + c6 * n6_y;
+        [f6_z, n6_z, t374, t377, t380, t383]
     };
     // link 5: force and moment
-    let [f5_z, t482, t485, t497, t498, t499] = {
-        let t429 = XZ5 * (t157 - t155);
-        let t430 = XZ5 * t166;
-        let t431 = XX5 * dw5_x - t160 * (ZZ5 - YY5) - XY5 * t167 + XZ5 * t164;
-        let t433 = ZZ5 * dw5_z - t158 * (YY5 - XX5) + XY5 * (t155 - t156) + t430;
-        let t436 = YZ5 * t162;
-        let t439 = t159 * (XX5 - ZZ5) - YY5 * t141 + XY5 * t168 + t429 + t436;
-        let f5_x = t398 + (M5 * a5_x + (MSZ5 * t163 - (MSX5 * t161 + MSY5 * t162)));
-        let f5_y = MSX5 * t164 - MSY5 * t165 - MSZ5 * t166 - M5 * a6_z - f6_z;
-        let f5_z = t401 + (M5 * a5_z + (MSX5 * t167 + MSY5 * t168 - MSZ5 * t169));
-        let n5_x = t404 + (t431 + YZ5 * (t156 - t157) + (MSY5 * a5_z + MSZ5 * a6_z));
-        let n5_y = t439 + (MSZ5 * a5_x - MSX5 * a5_z) - n6_z;
-        let n5_z = t407 + (t433 + YZ5 * t163 - (MSX5 * a6_z + MSY5 * a5_x));
-        let t482 = c5 * f5_x - s5 * f5_y;
-        let t485 = s5 * f5_x + c5 * f5_y;
-        let t497 = c5 * n5_x - s5 * n5_y - L3 * t485;
-        let t498 = s5 * n5_x + c5 * n5_y + (L3 * t482 + A * f5_z);
-        let t499 = n5_z - A * t485;
-        put(4, n5_z);
-        [f5_z, t482, t485, t497, t498, t499]
+    let [f5_z, n5_z, t457, t460, t472, t473, t474] = {
+        let t405 = XZ5 * t129;
+        let t406 = XX5 * dw5_x - t136 * (ZZ5 - YY5) - XY5 * t144 + XZ5 * t142;
+        let t407 = t135 * (XX5 - ZZ5) + YY5 * dw5_y + XY5 * t145 - XZ5 * t139;
+        let t408 = ZZ5 * dw5_z - t134 * (YY5 - XX5) + XY5 * (t140 + t143) + t405;
+        let f5_x = t374 + (M5 * a5_x + (MSZ5 * t126 + (MSX5 * t140 - MSY5 * t141)));
+        let f5_y = MSX5 * t142 - MSY5 * t143 - MSZ5 * t129 - M5 * a6_z - f6_z;
+        let f5_z = t377 + (M5 * a5_z + (MSX5 * t144 + MSY5 * t145 - MSZ5 * t97));
+        let n5_x = t380 + (t406 + YZ5 * (t97 - t143) + (MSY5 * a5_z + MSZ5 * a6_z));
+        let n5_y = t407 + YZ5 * t141 + (MSZ5 * a5_x - MSX5 * a5_z) - n6_z;
+        let n5_z = t383 + (t408 + YZ5 * t126 - (MSX5 * a6_z + MSY5 * a5_x));
+        let t457 = c5 * f5_x - s5 * f5_y;
+        let t460 = s5 * f5_x + c5 * f5_y;
+        let t472 = c5 * n5_x - s5 * n5_y - L3 * t460;
+        let t473 = s5 * n5_x + c5 * n5_y + (L3 * t457 + A * f5_z);
+        let t474 = n5_z - A * t460;
+        [f5_z, n5_z, t457, t460, t472, t473, t474]
     };
     // link 4: force and moment
-    let [f4_z, t574, t580, t586, t587] = {
-        let t521 = XZ4 * (t106 - t104);
-        let t522 = XZ4 * t115;
-        let t523 = t109 * (ZZ4 - YY4) + XX4 * dw4_x - XY4 * t116 + XZ4 * t113;
-        let t525 = t107 * (YY4 - XX4) + ZZ4 * dw4_z + XY4 * (t104 - t105) - t522;
-        let t528 = YZ4 * t111;
-        let t531 = t108 * (XX4 - ZZ4) + YY4 * dw4_y + XY4 * t117 + t521 - t528;
-        let f4_x = t482 + (M4 * a4_x + (MSZ4 * t112 + (MSY4 * t111 - MSX4 * t110)));
-        let f4_y = f5_z + (M4 * a4_y + (MSZ4 * t115 + (MSX4 * t113 - MSY4 * t114)));
-        let f4_z = MSX4 * t116 + MSY4 * t117 - MSZ4 * t118 - M4 * t78 - t485;
-        let n4_x = t497 + (t523 + YZ4 * (t105 - t106) - (MSY4 * t78 + MSZ4 * a4_y));
-        let n4_y = t499 + (t531 + (MSZ4 * a4_x + MSX4 * t78));
-        let n4_z = t525 + YZ4 * t112 + (MSX4 * a4_y - MSY4 * a4_x) - t498;
-        let t574 = c4 * f4_x - s4 * f4_y;
-        let t580 = c4 * n4_x - s4 * n4_y;
-        let t586 = s4 * n4_x + c4 * n4_y - A * f4_z;
-        let t587 = n4_z + A * (s4 * f4_x + c4 * f4_y);
-        put(3, n4_z);
-        [f4_z, t574, t580, t586, t587]
+    let [f4_z, n4_z, t548, t554, t560, t561] = {
+        let t496 = XZ4 * t83;
+        let t497 = t90 * (ZZ4 - YY4) + XX4 * dw4_x - XY4 * t98 + XZ4 * t96;
+        let t498 = t89 * (XX4 - ZZ4) - YY4 * t92 + XY4 * t99 - XZ4 * t93;
+        let t499 = t88 * (YY4 - XX4) + ZZ4 * dw4_z + XY4 * (t94 + t97) - t496;
+        let f4_x = t457 + (M4 * a4_x + (MSX4 * t94 + MSY4 * t95 - MSZ4 * t80));
+        let f4_y = f5_z + (M4 * a4_y + (MSZ4 * t83 + (MSX4 * t96 - MSY4 * t97)));
+        let f4_z = MSX4 * t98 + MSY4 * t99 - MSZ4 * t57 - M4 * t70 - t460;
+        let n4_x = t472 + (t497 + YZ4 * (t57 - t97) - (MSY4 * t70 + MSZ4 * a4_y));
+        let n4_y = t474 + (t498 - YZ4 * t95 + (MSZ4 * a4_x + MSX4 * t70));
+        let n4_z = t499 - YZ4 * t80 + (MSX4 * a4_y - MSY4 * a4_x) - t473;
+        let t548 = c4 * f4_x - s4 * f4_y;
+        let t554 = c4 * n4_x - s4 * n4_y;
+        let t560 = s4 * n4_x + c4 * n4_y - A * f4_z;
+        let t561 = n4_z + A * (s4 * f4_x + c4 * f4_y);
+        [f4_z, n4_z, t548, t554, t560, t561]
     };
     // link 3: force and moment
-    let [n3_z, t666, t667] = {
-        let t609 = XZ3 * (t62 - t60);
-        let t610 = XZ3 * t71;
-        let t611 = t65 * (ZZ3 - YY3) + XX3 * dw3_x - XY3 * t72 + XZ3 * t69;
-        let t613 = t63 * (YY3 - XX3) + ZZ3 * dw3_z + XY3 * (t60 - t61) - t610;
-        let t616 = YZ3 * t67;
-        let t619 = t64 * (XX3 - ZZ3) + YY3 * dw3_y + XY3 * t73 + t609 - t616;
-        let f3_x = t574 + (M3 * a3_x + (MSZ3 * t68 + (MSY3 * t67 - MSX3 * t66)));
-        let f3_y = M3 * a3_y + (MSZ3 * t71 + (MSX3 * t69 - MSY3 * t70)) - f4_z;
-        let n3_x = t580 + (t611 + YZ3 * (t61 - t62) - (MSY3 * t35 + MSZ3 * a3_y));
-        let n3_y = t619 + (MSZ3 * a3_x + MSX3 * t35) - t587;
-        let n3_z = t586 + (t613 + YZ3 * t68 + (MSX3 * a3_y - MSY3 * a3_x));
-        let t666 = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
-        let t667 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
-        put(2, n3_z);
-        [n3_z, t666, t667]
+    let [n3_z, t639, t640] = {
+        let t583 = XZ3 * t43;
+        let t584 = t50 * (ZZ3 - YY3) + XX3 * dw3_x - XY3 * t58 + XZ3 * t56;
+        let t585 = t49 * (XX3 - ZZ3) + YY3 * dw3_y + XY3 * t59 - XZ3 * t53;
+        let t586 = t48 * (YY3 - XX3) + ZZ3 * dw3_z + XY3 * (t54 + t57) - t583;
+        let f3_x = t548 + (M3 * a3_x + (MSZ3 * t40 + (MSX3 * t54 + MSY3 * t55)));
+        let f3_y = M3 * a3_y + (MSZ3 * t43 + (MSX3 * t56 - MSY3 * t57)) - f4_z;
+        let n3_x = t554 + (t584 + YZ3 * (t18 - t57) - (MSY3 * t31 + MSZ3 * a3_y));
+        let n3_y = t585 - YZ3 * t55 + (MSZ3 * a3_x + MSX3 * t31) - t561;
+        let n3_z = t560 + (t586 + YZ3 * t40 + (MSX3 * a3_y - MSY3 * a3_x));
+        let t639 = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
+        let t640 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
+        [n3_z, t639, t640]
     };
     // link 2: force and moment
-    let t714 = {
-        let t689 = XZ2 * (t24 - t22);
-        let t690 = XZ2 * t2;
-        let t691 = XY2 * t29 - (t6 * (ZZ2 - YY2) + XX2 * t8) + XZ2 * t27;
-        let t693 = t25 * (YY2 - XX2) + ZZ2 * ddq2 + XY2 * (t22 - t23) - t690;
-        let t696 = YZ2 * t26;
-        let t699 = YY2 * dw2_y - t7 * (XX2 - ZZ2) - XY2 * t30 + t689 - t696;
-        let n2_x = t666 + (t691 + YZ2 * (t23 - t24) + MSZ2 * t5);
-        let n2_y = t699 - MSZ2 * t4 - n3_z;
-        let n2_z = t667 + (t693 - YZ2 * t3 + (MSY2 * t4 - MSX2 * t5));
-        let t714 = s2 * n2_x + c2 * n2_y;
-        put(1, n2_z);
-        t714
+    let [n2_z, t686] = {
+        let t662 = XZ2 * t3;
+        let t663 = XY2 * t19 - (t11 * (ZZ2 - YY2) + XX2 * t12) + XZ2 * t17;
+        let t664 = YY2 * dw2_y - t10 * (XX2 - ZZ2) - XY2 * t20 - XZ2 * t14;
+        let t665 = t9 * (YY2 - XX2) + ZZ2 * ddq2 + XY2 * (t15 + t18) - t662;
+        let n2_x = t639 + (t663 + YZ2 * (t0 - t18) + MSZ2 * t6);
+        let n2_y = t664 - YZ2 * t16 - MSZ2 * t5 - n3_z;
+        let n2_z = t640 + (t665 - YZ2 * t4 + (MSY2 * t5 - MSX2 * t6));
+        let t686 = s2 * n2_x + c2 * n2_y;
+        [n2_z, t686]
     };
     // link 1: force and moment
+    let n1_z = {
+        let n1_z = ZZ1 * ddq1 - t686;
+        n1_z
+    };
+    // drives
     {
-        let n1_z = ZZ1 * ddq1 - t714;
-        put(0, n1_z);
+        let t724 = FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign());
+        let t725 = FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign());
+        let t726 = FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign());
+        let t727 = FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign());
+        let t728 = FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign());
+        let t729 = FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign());
+        let t730 = FO7 + (n7_z + FV7 * dq7 + FC7 * dq7.sign());
+        put(0, t724);
+        put(1, t725);
+        put(2, t726);
+        put(3, t727);
+        put(4, t728);
+        put(5, t729);
+        put(6, t730);
     }
 }

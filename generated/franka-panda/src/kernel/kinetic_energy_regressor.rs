@@ -2,7 +2,7 @@
 //!
 //! `T = h phi`, J per unit. Khalil and Dombre, 9.4.
 //!
-//! 154 multiplications, 59 additions; 70, 57 of 70 structurally nonzero.
+//! 154 multiplications, 59 additions; 91, 57 of 91 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
@@ -22,7 +22,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 
 /// Kinetic energy, one entry per standard parameter: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 70]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 91]) {
     out.fill(S::default());
     entries(trig, dq, |k, x| {
         out[PATTERN[k].0] = x;

@@ -2,13 +2,13 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 872 multiplications, 652 additions; 7 x 70, 255 of 490 structurally nonzero.
+//! 854 multiplications, 639 additions; 7 x 91, 276 of 637 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 255;
+pub const NONZEROS: usize = 276;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
@@ -17,32 +17,34 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 32), (0, 33), (0, 34), (0, 35), (0, 36), (0, 37), (0, 38), (0, 39), (0, 40), (0, 41),
     (0, 42), (0, 43), (0, 44), (0, 45), (0, 46), (0, 47), (0, 48), (0, 49), (0, 50), (0, 51),
     (0, 52), (0, 53), (0, 54), (0, 55), (0, 56), (0, 57), (0, 58), (0, 59), (0, 60), (0, 61),
-    (0, 62), (0, 63), (0, 64), (0, 65), (0, 66), (0, 67), (0, 68), (0, 69), (1, 11), (1, 12),
-    (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23),
-    (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33),
-    (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39), (1, 40), (1, 41), (1, 42), (1, 43),
-    (1, 44), (1, 45), (1, 46), (1, 47), (1, 48), (1, 49), (1, 50), (1, 51), (1, 52), (1, 53),
-    (1, 54), (1, 55), (1, 56), (1, 57), (1, 58), (1, 59), (1, 60), (1, 61), (1, 62), (1, 63),
-    (1, 64), (1, 65), (1, 66), (1, 67), (1, 68), (1, 69), (2, 21), (2, 22), (2, 24), (2, 25),
-    (2, 26), (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35),
-    (2, 36), (2, 37), (2, 38), (2, 39), (2, 40), (2, 41), (2, 42), (2, 43), (2, 44), (2, 45),
-    (2, 46), (2, 47), (2, 48), (2, 49), (2, 50), (2, 51), (2, 52), (2, 53), (2, 54), (2, 55),
-    (2, 56), (2, 57), (2, 58), (2, 59), (2, 60), (2, 61), (2, 62), (2, 63), (2, 64), (2, 65),
-    (2, 66), (2, 67), (2, 68), (2, 69), (3, 31), (3, 32), (3, 34), (3, 35), (3, 36), (3, 37),
-    (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (3, 43), (3, 44), (3, 45), (3, 46), (3, 47),
-    (3, 48), (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54), (3, 55), (3, 56), (3, 57),
-    (3, 58), (3, 59), (3, 60), (3, 61), (3, 62), (3, 63), (3, 64), (3, 65), (3, 66), (3, 67),
-    (3, 68), (3, 69), (4, 41), (4, 42), (4, 44), (4, 45), (4, 46), (4, 47), (4, 48), (4, 49),
-    (4, 51), (4, 52), (4, 53), (4, 54), (4, 55), (4, 56), (4, 57), (4, 58), (4, 59), (4, 60),
-    (4, 61), (4, 62), (4, 63), (4, 64), (4, 65), (4, 66), (4, 67), (4, 68), (4, 69), (5, 51),
-    (5, 52), (5, 54), (5, 55), (5, 56), (5, 57), (5, 58), (5, 59), (5, 60), (5, 61), (5, 62),
-    (5, 63), (5, 64), (5, 65), (5, 66), (5, 67), (5, 68), (5, 69), (6, 61), (6, 62), (6, 64),
-    (6, 65), (6, 66), (6, 67), (6, 68), (6, 69),
+    (0, 62), (0, 63), (0, 64), (0, 65), (0, 66), (0, 67), (0, 68), (0, 69), (0, 70), (0, 77),
+    (0, 84), (1, 11), (1, 12), (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19), (1, 20),
+    (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29), (1, 30),
+    (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39), (1, 40),
+    (1, 41), (1, 42), (1, 43), (1, 44), (1, 45), (1, 46), (1, 47), (1, 48), (1, 49), (1, 50),
+    (1, 51), (1, 52), (1, 53), (1, 54), (1, 55), (1, 56), (1, 57), (1, 58), (1, 59), (1, 60),
+    (1, 61), (1, 62), (1, 63), (1, 64), (1, 65), (1, 66), (1, 67), (1, 68), (1, 69), (1, 71),
+    (1, 78), (1, 85), (2, 21), (2, 22), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28), (2, 29),
+    (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35), (2, 36), (2, 37), (2, 38), (2, 39),
+    (2, 40), (2, 41), (2, 42), (2, 43), (2, 44), (2, 45), (2, 46), (2, 47), (2, 48), (2, 49),
+    (2, 50), (2, 51), (2, 52), (2, 53), (2, 54), (2, 55), (2, 56), (2, 57), (2, 58), (2, 59),
+    (2, 60), (2, 61), (2, 62), (2, 63), (2, 64), (2, 65), (2, 66), (2, 67), (2, 68), (2, 69),
+    (2, 72), (2, 79), (2, 86), (3, 31), (3, 32), (3, 34), (3, 35), (3, 36), (3, 37), (3, 38),
+    (3, 39), (3, 40), (3, 41), (3, 42), (3, 43), (3, 44), (3, 45), (3, 46), (3, 47), (3, 48),
+    (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54), (3, 55), (3, 56), (3, 57), (3, 58),
+    (3, 59), (3, 60), (3, 61), (3, 62), (3, 63), (3, 64), (3, 65), (3, 66), (3, 67), (3, 68),
+    (3, 69), (3, 73), (3, 80), (3, 87), (4, 41), (4, 42), (4, 44), (4, 45), (4, 46), (4, 47),
+    (4, 48), (4, 49), (4, 51), (4, 52), (4, 53), (4, 54), (4, 55), (4, 56), (4, 57), (4, 58),
+    (4, 59), (4, 60), (4, 61), (4, 62), (4, 63), (4, 64), (4, 65), (4, 66), (4, 67), (4, 68),
+    (4, 69), (4, 74), (4, 81), (4, 88), (5, 51), (5, 52), (5, 54), (5, 55), (5, 56), (5, 57),
+    (5, 58), (5, 59), (5, 60), (5, 61), (5, 62), (5, 63), (5, 64), (5, 65), (5, 66), (5, 67),
+    (5, 68), (5, 69), (5, 75), (5, 82), (5, 89), (6, 61), (6, 62), (6, 64), (6, 65), (6, 66),
+    (6, 67), (6, 68), (6, 69), (6, 76), (6, 83), (6, 90),
 ];
 
 /// Regressor `W` of the standard parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 70]; 7]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 91]; 7]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -67,1179 +69,1195 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let L3 = S::constant(0.384);
     let k0 = S::constant(9.81);
     let k4 = S::constant(0.088);
-    let k5 = S::constant(0.099856);
-    let k6 = S::constant(0.632);
+    let k5 = S::constant(1.0);
+    // link 1: motion
+    let t0 = {
+        let t0 = dq1 * dq1;
+        put(0, ddq1); // row 1, ZZ1
+        put(58, dq1); // row 1, FV1
+        put(60, k5); // row 1, FO1
+        put(65, ddq2); // row 2, ZZ2
+        put(119, dq2); // row 2, FV2
+        put(121, k5); // row 2, FO2
+        put(170, dq3); // row 3, FV3
+        put(172, k5); // row 3, FO3
+        put(211, dq4); // row 4, FV4
+        put(213, k5); // row 4, FO4
+        put(241, dq5); // row 5, FV5
+        put(243, k5); // row 5, FO5
+        put(262, dq6); // row 6, FV6
+        put(264, k5); // row 6, FO6
+        put(273, dq7); // row 7, FV7
+        put(275, k5); // row 7, FO7
+        t0
+    };
     // link 2: motion
     let [
-        t0, t1, t2, t3, t4, t5, t6, t7,
-        t8, t9,
+        t1, t2, t3, t4, t5, t6, t9, t10,
+        t11, t12, t13, t14, t15, t16, t17, t18,
+        t19, t20,
     ] = {
-        let t0 = s2 * dq1;
-        let t1 = c2 * dq1;
-        let t2 = s2 * ddq1;
-        let t3 = c2 * ddq1;
-        let t4 = s2 * k0;
-        let t5 = c2 * k0;
-        let t6 = dq2 * t1;
-        let t7 = dq2 * t0;
-        let t8 = t2 + t6;
-        let t9 = t3 - t7;
-        put(0, ddq1); // row 1, ZZ1
-        put(59, t4); // row 2, MSY2
-        put(62, ddq2); // row 2, ZZ2
+        let t1 = s2 * dq1;
+        let t2 = c2 * dq1;
+        let t3 = s2 * ddq1;
+        let t4 = c2 * ddq1;
+        let t5 = s2 * k0;
+        let t6 = c2 * k0;
+        let t7 = t1 * t1;
+        let t8 = dq2 * dq2;
+        let t9 = t1 * t2;
+        let t10 = dq2 * t1;
+        let t11 = dq2 * t2;
+        let t12 = t3 + t11;
+        let t13 = t4 - t10;
+        let t14 = t7 - t8;
+        let t15 = t0 - t14;
+        let t16 = ddq2 - t9;
+        let t17 = ddq2 + t9;
+        let t18 = t7 + t8;
+        let t19 = t13 - t10;
+        let t20 = t11 + t12;
+        put(62, t5); // row 2, MSY2
+        put(64, t9); // row 2, YY2
         [
-        t0, t1, t2, t3, t4, t5, t6, t7,
-        t8, t9,
+        t1, t2, t3, t4, t5, t6, t9, t10,
+        t11, t12, t13, t14, t15, t16, t17, t18,
+        t19, t20,
     ]
     };
     // link 3: motion
     let [
-        t12, w3_y, t22, t23, t24, t25, t26, t27,
-        t29, t30, t31, t32, t37, a3_x, a3_y, w3_z,
-        dw3_x, dw3_y, dw3_z,
+        t23, w3_y, t31, t34, a3_y, t40, t43, w3_z,
+        dw3_z, t48, t49, t50, dw3_x, dw3_y, t53, t54,
+        t55, t56, t57, t58, t59,
     ] = {
-        let t12 = c3 * t0 - s3 * dq2;
-        let w3_y = c3 * dq2 + s3 * t0;
-        let t22 = t0 * t0;
-        let t23 = t1 * t1;
-        let t24 = dq2 * dq2;
-        let t25 = t0 * t1;
-        let t26 = t25 - ddq2;
-        let t27 = ddq2 + t25;
-        let t29 = t9 - t7;
-        let t30 = t6 + t8;
-        let t31 = c3 * t4;
-        let t32 = s3 * t4;
-        let t35 = L2 * t30;
-        let t36 = t4 + L2 * t26;
-        let t37 = t5 - L2 * (t22 + t24);
-        let a3_x = s3 * t35 - c3 * t36;
-        let a3_y = c3 * t35 + s3 * t36;
-        let w3_z = t1 + dq3;
-        let dw3_x = dq3 * w3_y - (c3 * t8 - s3 * ddq2);
-        let dw3_y = c3 * ddq2 + s3 * t8 + dq3 * t12;
-        let dw3_z = t9 + ddq3;
-        put(61, t25); // row 2, YY2
-        put(120, dw3_z); // row 3, ZZ3
+        let t23 = c3 * t1 - s3 * dq2;
+        let w3_y = c3 * dq2 + s3 * t1;
+        let t29 = L2 * t20;
+        let t30 = t5 - L2 * t16;
+        let t31 = L2 * t18 - t6;
+        let t34 = c3 * t30 - s3 * t29;
+        let a3_y = c3 * t29 + s3 * t30;
+        let t40 = c3 * t16 + s3 * t20;
+        let t43 = s3 * t16 - c3 * t20;
+        let w3_z = t2 + dq3;
+        let dw3_z = t13 + ddq3;
+        let t46 = t23 * t23;
+        let t47 = w3_z * w3_z;
+        let t48 = t23 * w3_y;
+        let t49 = t23 * w3_z;
+        let t50 = w3_y * w3_z;
+        let dw3_x = t43 + t50;
+        let dw3_y = t40 + t49;
+        let t53 = t47 - t46;
+        let t54 = t18 + t53;
+        let t55 = dw3_z + t48;
+        let t56 = dw3_z - t48;
+        let t57 = t46 + t47;
+        let t58 = t49 + dw3_y;
+        let t59 = t50 + dw3_x;
+        put(122, a3_y); // row 3, MSX3
+        put(123, t34); // row 3, MSY3
+        put(124, t48); // row 3, XX3
+        put(126, dw3_z); // row 3, ZZ3
+        put(128, t43); // row 3, XZ3
+        put(129, t40); // row 3, YZ3
         [
-        t12, w3_y, t22, t23, t24, t25, t26, t27,
-        t29, t30, t31, t32, t37, a3_x, a3_y, w3_z,
-        dw3_x, dw3_y, dw3_z,
+        t23, w3_y, t31, t34, a3_y, t40, t43, w3_z,
+        dw3_z, t48, t49, t50, dw3_x, dw3_y, t53, t54,
+        t55, t56, t57, t58, t59,
     ]
     };
     // link 4: motion
     let [
-        t52, w4_y, t62, t63, t64, t65, t66, t67,
-        t69, t70, t71, t72, t73, t74, t79, t83,
-        a4_y, w4_z, dw4_x, dw4_y, dw4_z,
+        t62, w4_y, t70, t74, a4_y, t80, t83, w4_z,
+        dw4_z, t88, t89, t90, dw4_x, t92, t93, t94,
+        t95, t96, t97, t98, t99,
     ] = {
-        let t52 = c4 * t12 - s4 * w3_z;
-        let w4_y = c4 * w3_z + s4 * t12;
-        let t62 = t12 * t12;
-        let t63 = w3_y * w3_y;
-        let t64 = w3_z * w3_z;
-        let t65 = t12 * w3_y;
-        let t66 = t12 * w3_z;
-        let t67 = w3_y * w3_z;
-        let t69 = dw3_z + t65;
-        let t70 = dw3_y - t66;
-        let t71 = dw3_z - t65;
-        let t72 = dw3_x - t67;
-        let t73 = dw3_y + t66;
-        let t74 = dw3_x + t67;
-        let t78 = A * (t63 + t64) - a3_x;
-        let t79 = a3_y + A * t71;
-        let t80 = A * t73 - t37;
-        let t83 = c4 * t78 + s4 * t80;
-        let a4_y = s4 * t78 - c4 * t80;
+        let t62 = c4 * t23 - s4 * w3_z;
+        let w4_y = c4 * w3_z + s4 * t23;
+        let t69 = t34 + A * t54;
+        let t70 = a3_y + A * t56;
+        let t71 = t31 + A * t58;
+        let t74 = c4 * t69 + s4 * t71;
+        let a4_y = s4 * t69 - c4 * t71;
+        let t80 = c4 * t55 - s4 * t59;
+        let t83 = c4 * t59 + s4 * t55;
         let w4_z = dq4 - w3_y;
-        let dw4_x = c4 * dw3_x + s4 * dw3_z + dq4 * w4_y;
-        let dw4_y = c4 * dw3_z - s4 * dw3_x + dq4 * t52;
         let dw4_z = ddq4 - dw3_y;
-        put(118, t65); // row 3, XX3
-        put(122, t72); // row 3, XZ3
-        put(123, t70); // row 3, YZ3
-        put(164, a4_y); // row 4, MSX4
-        put(165, t83); // row 4, MSY4
-        put(168, dw4_z); // row 4, ZZ4
+        let t86 = t62 * t62;
+        let t87 = w4_z * w4_z;
+        let t88 = t62 * w4_y;
+        let t89 = t62 * w4_z;
+        let t90 = w4_y * w4_z;
+        let dw4_x = t83 + t90;
+        let t92 = t80 + t89;
+        let t93 = t86 - t87;
+        let t94 = t57 - t93;
+        let t95 = dw4_z + t88;
+        let t96 = dw4_z - t88;
+        let t97 = t86 + t87;
+        let t98 = t89 + t92;
+        let t99 = t90 + dw4_x;
+        put(173, a4_y); // row 4, MSX4
+        put(174, t74); // row 4, MSY4
+        put(175, t88); // row 4, XX4
+        put(177, dw4_z); // row 4, ZZ4
+        put(179, t83); // row 4, XZ4
+        put(180, t80); // row 4, YZ4
         [
-        t52, w4_y, t62, t63, t64, t65, t66, t67,
-        t69, t70, t71, t72, t73, t74, t79, t83,
-        a4_y, w4_z, dw4_x, dw4_y, dw4_z,
+        t62, w4_y, t70, t74, a4_y, t80, t83, w4_z,
+        dw4_z, t88, t89, t90, dw4_x, t92, t93, t94,
+        t95, t96, t97, t98, t99,
     ]
     };
     // link 5: motion
     let [
-        t95, t98, t105, t106, t107, t108, t109, t110,
-        t111, t112, t113, t114, t115, t116, t117, t118,
-        t119, t122, a5_z, t134, a5_y, w5_z, t141, t142,
-        dw5_z,
+        t102, t105, t108, a5_z, t120, a5_y, t126, t129,
+        w5_z, dw5_z, t134, t135, t136, t137, t138, t139,
+        t140, t141, t142, t143, t144, t145,
     ] = {
-        let t95 = c5 * t52 + s5 * w4_z;
-        let t98 = c5 * w4_z - s5 * t52;
-        let t105 = t52 * t52;
-        let t106 = w4_y * w4_y;
-        let t107 = w4_z * w4_z;
-        let t108 = t52 * w4_y;
-        let t109 = t52 * w4_z;
-        let t110 = w4_y * w4_z;
-        let t111 = t106 + t107;
-        let t112 = dw4_z + t108;
-        let t113 = dw4_y - t109;
-        let t114 = dw4_z - t108;
-        let t115 = t105 + t107;
-        let t116 = dw4_x - t110;
-        let t117 = dw4_y + t109;
-        let t118 = dw4_x + t110;
-        let t119 = t105 + t106;
-        let t122 = A * t117;
-        let t129 = t83 + (L3 * t112 - A * t111);
-        let a5_z = a4_y - (A * t114 + L3 * t115);
-        let t131 = t122 + L3 * t118 - t79;
-        let t134 = c5 * t129 + s5 * t131;
-        let a5_y = s5 * t129 - c5 * t131;
+        let t102 = c5 * t62 + s5 * w4_z;
+        let t105 = c5 * w4_z - s5 * t62;
+        let t108 = A * t98;
+        let t115 = t74 - (A * t94 - L3 * t95);
+        let a5_z = a4_y - (A * t96 + L3 * t97);
+        let t117 = t70 - (t108 + L3 * t99);
+        let t120 = c5 * t115 - s5 * t117;
+        let a5_y = c5 * t117 + s5 * t115;
+        let t126 = c5 * t95 + s5 * t99;
+        let t129 = c5 * t99 - s5 * t95;
         let w5_z = w4_y + dq5;
-        let t141 = s5 * dw4_z - c5 * dw4_x + dq5 * t98;
-        let t142 = dq5 * t95 - (c5 * dw4_z + s5 * dw4_x);
-        let dw5_z = dw4_y + ddq5;
-        put(166, t108); // row 4, XX4
-        put(170, t116); // row 4, XZ4
-        put(171, t113); // row 4, YZ4
-        put(202, a5_y); // row 5, MSX5
-        put(203, t134); // row 5, MSY5
-        put(206, dw5_z); // row 5, ZZ5
+        let dw5_z = t92 + ddq5;
+        let t132 = t102 * t102;
+        let t133 = w5_z * w5_z;
+        let t134 = t102 * t105;
+        let t135 = t102 * w5_z;
+        let t136 = t105 * w5_z;
+        let t137 = t136 - t129;
+        let t138 = t126 - t135;
+        let t139 = t132 - t133;
+        let t140 = t139 - t97;
+        let t141 = dw5_z - t134;
+        let t142 = dw5_z + t134;
+        let t143 = t132 + t133;
+        let t144 = t138 - t135;
+        let t145 = t136 + t137;
+        put(214, a5_y); // row 5, MSX5
+        put(215, t120); // row 5, MSY5
+        put(217, t134); // row 5, YY5
+        put(218, dw5_z); // row 5, ZZ5
+        put(220, t129); // row 5, XZ5
         [
-        t95, t98, t105, t106, t107, t108, t109, t110,
-        t111, t112, t113, t114, t115, t116, t117, t118,
-        t119, t122, a5_z, t134, a5_y, w5_z, t141, t142,
-        dw5_z,
+        t102, t105, t108, a5_z, t120, a5_y, t126, t129,
+        w5_z, dw5_z, t134, t135, t136, t137, t138, t139,
+        t140, t141, t142, t143, t144, t145,
     ]
     };
     // link 6: motion
     let [
-        w6_x, w6_y, t156, t157, t158, t159, t160, t161,
-        t162, t163, t164, t165, t166, t167, t168, t169,
-        t170, t173, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
+        t148, w6_y, t154, a6_y, t160, t163, w6_z, dw6_z,
+        t168, t169, t170, dw6_x, dw6_y, t173, t174, t175,
+        t176, t177, t178, t179,
     ] = {
-        let w6_x = s6 * w5_z - c6 * t95;
-        let w6_y = c6 * w5_z + s6 * t95;
-        let t156 = t95 * t95;
-        let t157 = t98 * t98;
-        let t158 = w5_z * w5_z;
-        let t159 = t95 * t98;
-        let t160 = t95 * w5_z;
-        let t161 = t98 * w5_z;
-        let t162 = t157 + t158;
-        let t163 = t159 - dw5_z;
-        let t164 = t142 - t160;
-        let t165 = dw5_z + t159;
-        let t166 = t156 + t158;
-        let t167 = t161 - t141;
-        let t168 = t142 + t160;
-        let t169 = t141 + t161;
-        let t170 = t156 + t157;
-        let t173 = c6 * t134 - s6 * a5_z;
-        let a6_y = c6 * a5_z + s6 * t134;
-        let w6_z = t98 + dq6;
-        let dw6_x = dq6 * w6_y - (c6 * t141 - s6 * dw5_z);
-        let dw6_y = c6 * dw5_z + s6 * t141 - dq6 * w6_x;
-        let dw6_z = ddq6 - t142;
-        put(205, t159); // row 5, YY5
-        put(208, t167); // row 5, XZ5
-        put(209, t164); // row 5, YZ5
-        put(229, a6_y); // row 6, MSX6
-        put(230, t173); // row 6, MSY6
-        put(233, dw6_z); // row 6, ZZ6
+        let t148 = c6 * t102 - s6 * w5_z;
+        let w6_y = c6 * w5_z + s6 * t102;
+        let t154 = c6 * t120 - s6 * a5_z;
+        let a6_y = c6 * a5_z + s6 * t120;
+        let t160 = c6 * t141 + s6 * t145;
+        let t163 = s6 * t141 - c6 * t145;
+        let w6_z = t105 + dq6;
+        let dw6_z = t138 + ddq6;
+        let t166 = t148 * t148;
+        let t167 = w6_z * w6_z;
+        let t168 = t148 * w6_y;
+        let t169 = t148 * w6_z;
+        let t170 = w6_y * w6_z;
+        let dw6_x = t163 + t170;
+        let dw6_y = t160 + t169;
+        let t173 = t166 - t167;
+        let t174 = t173 - t143;
+        let t175 = dw6_z + t168;
+        let t176 = dw6_z - t168;
+        let t177 = t166 + t167;
+        let t178 = t169 + dw6_y;
+        let t179 = t170 + dw6_x;
+        put(244, a6_y); // row 6, MSX6
+        put(245, t154); // row 6, MSY6
+        put(246, t168); // row 6, XX6
+        put(248, dw6_z); // row 6, ZZ6
+        put(250, t163); // row 6, XZ6
+        put(251, t160); // row 6, YZ6
         [
-        w6_x, w6_y, t156, t157, t158, t159, t160, t161,
-        t162, t163, t164, t165, t166, t167, t168, t169,
-        t170, t173, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
+        t148, w6_y, t154, a6_y, t160, t163, w6_z, dw6_z,
+        t168, t169, t170, dw6_x, dw6_y, t173, t174, t175,
+        t176, t177, t178, t179,
     ]
     };
     // link 7: motion
     let [
-        w7_x, w7_y, t195, t196, t197, t198, t199, t200,
-        t201, t202, t203, t204, t205, t206, t207, t208,
-        t209, t214, t218, a7_y, t222, dw7_x, dw7_y, t227,
+        t190, t194, a7_y, t200, t203, dw7_z, t208, t209,
+        t210, dw7_x, t212, t213, t214, t215, t216, t217,
+        t218, t219,
     ] = {
-        let w7_x = c7 * w6_x + s7 * w6_z;
-        let w7_y = c7 * w6_z - s7 * w6_x;
-        let t195 = w6_x * w6_x;
-        let t196 = w6_y * w6_y;
-        let t197 = w6_z * w6_z;
-        let t198 = w6_x * w6_y;
-        let t199 = w6_x * w6_z;
-        let t200 = w6_y * w6_z;
-        let t201 = t196 + t197;
-        let t202 = dw6_z - t198;
-        let t203 = dw6_y + t199;
-        let t204 = dw6_z + t198;
-        let t205 = t195 + t197;
-        let t206 = dw6_x - t200;
-        let t207 = dw6_y - t199;
-        let t208 = dw6_x + t200;
-        let t209 = t195 + t196;
-        let t213 = t173 + k4 * t201;
-        let t214 = a6_y + k4 * t204;
-        let t215 = a5_y + k4 * t207;
-        let t218 = c7 * t213 + s7 * t215;
-        let a7_y = s7 * t213 - c7 * t215;
-        let t222 = w6_y - dq7;
-        let dw7_x = c7 * dw6_x + s7 * dw6_z + dq7 * w7_y;
-        let dw7_y = c7 * dw6_z - s7 * dw6_x - dq7 * w7_x;
-        let t227 = dw6_y - ddq7;
-        put(232, t198); // row 6, YY6
-        put(235, t206); // row 6, XZ6
-        put(236, t203); // row 6, YZ6
-        put(247, a7_y); // row 7, MSX7
-        put(248, t218); // row 7, MSY7
+        let w7_x = s7 * w6_z - c7 * t148;
+        let w7_y = c7 * w6_z + s7 * t148;
+        let t189 = t154 - k4 * t174;
+        let t190 = a6_y + k4 * t176;
+        let t191 = a5_y + k4 * t178;
+        let t194 = c7 * t189 + s7 * t191;
+        let a7_y = s7 * t189 - c7 * t191;
+        let t200 = c7 * t175 - s7 * t179;
+        let t203 = c7 * t179 + s7 * t175;
+        let t204 = w6_y - dq7;
+        let dw7_z = ddq7 - dw6_y;
+        let t206 = w7_x * w7_x;
+        let t207 = t204 * t204;
+        let t208 = w7_x * w7_y;
+        let t209 = w7_x * t204;
+        let t210 = w7_y * t204;
+        let dw7_x = t203 - t210;
+        let t212 = t200 + t209;
+        let t213 = t206 - t207;
+        let t214 = t177 - t213;
+        let t215 = dw7_z - t208;
+        let t216 = dw7_z + t208;
+        let t217 = t206 + t207;
+        let t218 = t209 + t212;
+        let t219 = t210 - dw7_x;
+        put(265, a7_y); // row 7, MSX7
+        put(266, t194); // row 7, MSY7
+        put(268, t208); // row 7, YY7
+        put(269, dw7_z); // row 7, ZZ7
+        put(271, t203); // row 7, XZ7
+        put(272, t200); // row 7, YZ7
         [
-        w7_x, w7_y, t195, t196, t197, t198, t199, t200,
-        t201, t202, t203, t204, t205, t206, t207, t208,
-        t209, t214, t218, a7_y, t222, dw7_x, dw7_y, t227,
+        t190, t194, a7_y, t200, t203, dw7_z, t208, t209,
+        t210, dw7_x, t212, t213, t214, t215, t216, t217,
+        t218, t219,
     ]
     };
     // joint axes in frame 3
-    let [t228, z1_3_y] = {
-        let t228 = s2 * c3;
+    let [t220, z1_3_y] = {
+        let t220 = s2 * c3;
         let z1_3_y = s2 * s3;
-        [t228, z1_3_y]
+        [t220, z1_3_y]
     };
     // joint axes in frame 4
-    let [z1_4_x, z1_4_y, z2_4_x, t237] = {
-        let z1_4_x = c2 * s4 - c4 * t228;
-        let z1_4_y = c2 * c4 + s4 * t228;
+    let [z1_4_x, z1_4_y, z2_4_x, t229] = {
+        let z1_4_x = c2 * s4 - c4 * t220;
+        let z1_4_y = c2 * c4 + s4 * t220;
         let z2_4_x = s3 * c4;
-        let t237 = s3 * s4;
-        [z1_4_x, z1_4_y, z2_4_x, t237]
+        let t229 = s3 * s4;
+        [z1_4_x, z1_4_y, z2_4_x, t229]
     };
     // joint axes in frame 5
-    let [z1_5_x, t243, z2_5_x, t249, t250, z3_5_x, z3_6_z] = {
+    let [z1_5_x, t235, z2_5_x, t241, t242, z3_5_x, z3_6_z] = {
         let z1_5_x = c5 * z1_4_x + s5 * z1_3_y;
-        let t243 = s5 * z1_4_x - c5 * z1_3_y;
+        let t235 = s5 * z1_4_x - c5 * z1_3_y;
         let z2_5_x = c5 * z2_4_x + c3 * s5;
-        let t249 = s5 * z2_4_x - c3 * c5;
-        let t250 = c4 * A;
+        let t241 = s5 * z2_4_x - c3 * c5;
+        let t242 = c4 * A;
         let z3_5_x = s4 * c5;
         let z3_6_z = s4 * s5;
-        [z1_5_x, t243, z2_5_x, t249, t250, z3_5_x, z3_6_z]
+        [z1_5_x, t235, z2_5_x, t241, t242, z3_5_x, z3_6_z]
     };
     // MSZ2: column
     {
-        let t255 = c2 * t4 - s2 * t5;
-        put(1, t255); // row 1, MSZ2
+        let t247 = c2 * t5 - s2 * t6;
+        put(1, t247); // row 1, MSZ2
     }
     // XX2: column
-    let t257 = {
-        let t257 = c2 * t7;
-        let t258 = s2 * t8 + t257;
-        put(2, t258); // row 1, XX2
-        t257
+    let t249 = {
+        let t249 = c2 * t10;
+        let t250 = s2 * t12 + t249;
+        put(2, t250); // row 1, XX2
+        t249
     };
     // YY2: column
-    let t259 = {
-        let t259 = s2 * t6;
-        let t261 = c2 * t9 - t259;
-        put(3, t261); // row 1, YY2
-        t259
+    let t251 = {
+        let t251 = s2 * t11;
+        let t253 = c2 * t13 - t251;
+        put(3, t253); // row 1, YY2
+        t251
     };
     // ZZ2: column
     {
-        let t262 = t259 - t257;
-        put(4, t262); // row 1, ZZ2
+        let t254 = t251 - t249;
+        put(4, t254); // row 1, ZZ2
     }
     // XY2: column
     {
-        let t263 = t22 - t23;
-        let t266 = s2 * t29 + c2 * t30;
-        put(5, t266); // row 1, XY2
-        put(63, t263); // row 2, XY2
+        let t255 = t18 - t15;
+        let t258 = s2 * t19 + c2 * t20;
+        put(5, t258); // row 1, XY2
+        put(66, t255); // row 2, XY2
     }
     // XZ2: column
     {
-        let t270 = c2 * (t22 - t24) - s2 * t27;
-        put(6, t270); // row 1, XZ2
+        let t261 = c2 * t14 - s2 * t17;
+        put(6, t261); // row 1, XZ2
     }
     // YZ2: column
     {
-        let t274 = c2 * t26 - s2 * (t23 - t24);
-        put(7, t274); // row 1, YZ2
+        let t265 = s2 * (t18 - t0) - c2 * t16;
+        put(7, t265); // row 1, YZ2
     }
     // M3: column
-    let t277 = {
-        let t277 = c3 * t31 + s3 * t32;
-        t277
-    };
-    // MSZ3: column
-    let [t280, t281, t282] = {
-        let t280 = t32 * t228 - t31 * z1_3_y;
-        let t281 = L2 * t280;
-        let t282 = L2 * t277;
-        [t280, t281, t282]
-    };
-    // XX3: column
-    let [t284, t285, t287, t289, t290] = {
-        let t284 = t66 * z1_3_y;
-        let t285 = c2 * t65;
-        let t287 = t285 - (dw3_x * t228 + t284);
-        let t289 = c3 * t66;
-        let t290 = s3 * dw3_x - t289;
-        put(12, t287); // row 1, XX3
-        put(70, t290); // row 2, XX3
-        [t284, t285, t287, t289, t290]
-    };
-    // YY3: column
-    let [t291, t295, t298, t299] = {
-        let t291 = t67 * t228;
-        let t294 = t291 + dw3_y * z1_3_y - t285;
-        let t295 = s3 * t67;
-        let t297 = c3 * dw3_y - t295;
-        let t298 = t287 + t294;
-        let t299 = t290 + t297;
-        let t301 = t281 + t298 * k5;
-        let t303 = t299 * k5 - t282;
-        put(8, t301); // row 1, M3
-        put(13, t294); // row 1, YY3
-        put(66, t303); // row 2, M3
-        put(71, t297); // row 2, YY3
-        [t291, t295, t298, t299]
+    let t273 = {
+        let t266 = L2 * a3_y;
+        let t267 = L2 * t34;
+        let t270 = t220 * t266 - z1_3_y * t267;
+        let t273 = s3 * t266 + c3 * t267;
+        put(8, t270); // row 1, M3
+        t273
     };
     // MSX3: column
-    let [t306, t307, t308] = {
-        let t306 = c2 * t32 - t5 * z1_3_y;
-        let t307 = c3 * t5;
-        let t308 = s3 * t71;
-        [t306, t307, t308]
-    };
-    // XZ3: column
-    let t320 = {
-        let t309 = t62 - t64;
-        let t314 = c2 * t72 - (t71 * t228 + z1_3_y * t309);
-        let t316 = t308 - c3 * t309;
-        let t318 = t306 - L2 * t314;
-        let t320 = t307 + L2 * t316;
-        let t322 = t32 - L2 * t72;
-        put(9, t318); // row 1, MSX3
-        put(16, t314); // row 1, XZ3
-        put(74, t316); // row 2, XZ3
-        put(116, t322); // row 3, MSX3
-        t320
+    let t285 = {
+        let t274 = L2 * t56;
+        let t276 = t31 - L2 * t54;
+        let t281 = c2 * a3_y + (t220 * t274 + z1_3_y * t276);
+        let t284 = c3 * t276 - s3 * t274;
+        let t285 = s3 * t56;
+        put(9, t281); // row 1, MSX3
+        put(70, t284); // row 2, MSX3
+        t285
     };
     // MSY3: column
-    let [t325, t326, t327] = {
-        let t325 = c2 * t31 - t5 * t228;
-        let t326 = s3 * t5;
-        let t327 = c3 * t69;
-        [t325, t326, t327]
+    let t297 = {
+        let t287 = L2 * t55;
+        let t288 = L2 * t57 - t31;
+        let t293 = c2 * t34 - (t220 * t288 + z1_3_y * t287);
+        let t296 = s3 * t288 - c3 * t287;
+        let t297 = c3 * t55;
+        put(10, t293); // row 1, MSY3
+        put(71, t296); // row 2, MSY3
+        t297
     };
-    // YZ3: column
+    // MSZ3: column
     {
-        let t328 = t63 - t64;
-        let t333 = c2 * t70 - (t228 * t328 - t69 * z1_3_y);
-        let t335 = t327 + s3 * t328;
-        let t337 = t325 - L2 * t333;
-        let t339 = t326 - L2 * t335;
-        let t341 = t31 - L2 * t70;
-        put(10, t337); // row 1, MSY3
-        put(17, t333); // row 1, YZ3
-        put(68, t339); // row 2, MSY3
-        put(75, t335); // row 2, YZ3
-        put(117, t341); // row 3, MSY3
+        let t300 = L2 * t43 - a3_y;
+        let t301 = L2 * t40 - t34;
+        let t304 = z1_3_y * t301 - t220 * t300;
+        let t307 = s3 * t300 + c3 * t301;
+        put(11, t304); // row 1, MSZ3
+        put(72, t307); // row 2, MSZ3
     }
+    // XX3: column
+    let [t309, t310, t314] = {
+        let t309 = t49 * z1_3_y;
+        let t310 = c2 * t48;
+        let t312 = t310 - (dw3_x * t220 + t309);
+        let t314 = c3 * t49;
+        let t315 = s3 * dw3_x - t314;
+        put(12, t312); // row 1, XX3
+        put(73, t315); // row 2, XX3
+        [t309, t310, t314]
+    };
     // YY3: column
-    {
-        let t343 = t280 + t298 * k6;
-        let t345 = t299 * k6 - t277;
-        put(11, t343); // row 1, MSZ3
-        put(69, t345); // row 2, MSZ3
-    }
+    let [t316, t320] = {
+        let t316 = t50 * t220;
+        let t319 = t316 + dw3_y * z1_3_y - t310;
+        let t320 = s3 * t50;
+        let t322 = c3 * dw3_y - t320;
+        put(13, t319); // row 1, YY3
+        put(74, t322); // row 2, YY3
+        [t316, t320]
+    };
     // ZZ3: column
     {
-        let t348 = c2 * dw3_z + (t284 - t291);
-        let t349 = t289 + t295;
-        put(14, t348); // row 1, ZZ3
-        put(72, t349); // row 2, ZZ3
+        let t325 = c2 * dw3_z + (t309 - t316);
+        let t326 = t314 + t320;
+        put(14, t325); // row 1, ZZ3
+        put(75, t326); // row 2, ZZ3
     }
     // XY3: column
     {
-        let t350 = t62 - t63;
-        let t355 = c2 * t350 + (t74 * z1_3_y - t73 * t228);
-        let t358 = s3 * t73 + c3 * t74;
-        put(15, t355); // row 1, XY3
-        put(73, t358); // row 2, XY3
-        put(121, t350); // row 3, XY3
+        let t327 = t57 - t54;
+        let t332 = c2 * t327 + (t59 * z1_3_y - t58 * t220);
+        let t335 = s3 * t58 + c3 * t59;
+        put(15, t332); // row 1, XY3
+        put(76, t335); // row 2, XY3
+        put(127, t327); // row 3, XY3
+    }
+    // XZ3: column
+    {
+        let t340 = c2 * t43 + (t53 * z1_3_y - t56 * t220);
+        let t342 = t285 + c3 * t53;
+        put(16, t340); // row 1, XZ3
+        put(77, t342); // row 2, XZ3
+    }
+    // YZ3: column
+    {
+        let t343 = t18 - t57;
+        let t348 = c2 * t40 - (t220 * t343 - t55 * z1_3_y);
+        let t350 = t297 + s3 * t343;
+        put(17, t348); // row 1, YZ3
+        put(78, t350); // row 2, YZ3
     }
     // M4: column
-    let [t360, t363] = {
-        let t360 = t250 + L2 * s4;
-        let t363 = s4 * A - L2 * c4;
-        let t364 = t79 * t363;
-        let t365 = t79 * t360;
-        let t368 = t83 * t363 - a4_y * t360;
-        let t373 = z1_3_y * t368 + (z1_4_x * t364 + z1_4_y * t365);
-        let t378 = c3 * t368 + (z2_4_x * t364 - t237 * t365);
-        let t379 = A * t79;
-        put(18, t373); // row 1, M4
-        put(76, t378); // row 2, M4
-        put(124, t379); // row 3, M4
-        [t360, t363]
+    let [t352, t355] = {
+        let t352 = t242 + L2 * s4;
+        let t355 = s4 * A - L2 * c4;
+        let t356 = t70 * t355;
+        let t357 = t70 * t352;
+        let t360 = t74 * t355 - a4_y * t352;
+        let t365 = z1_3_y * t360 + (z1_4_x * t356 + z1_4_y * t357);
+        let t370 = c3 * t360 - (t229 * t357 - z2_4_x * t356);
+        let t371 = A * t70;
+        put(18, t365); // row 1, M4
+        put(79, t370); // row 2, M4
+        put(130, t371); // row 3, M4
+        [t352, t355]
     };
     // MSX4: column
     {
-        let t380 = t117 * t363;
-        let t385 = t79 + t117 * t360;
-        let t386 = t111 * t363 - t114 * t360 - a4_y;
-        let t391 = z1_3_y * t386 + (z1_4_x * t380 + z1_4_y * t385);
-        let t396 = c3 * t386 - (t237 * t385 - z2_4_x * t380);
-        let t398 = t122 + c4 * t79;
-        put(19, t391); // row 1, MSX4
-        put(77, t396); // row 2, MSX4
-        put(125, t398); // row 3, MSX4
+        let t372 = t98 * t355;
+        let t377 = t70 + t98 * t352;
+        let t378 = a4_y - (t94 * t355 - t96 * t352);
+        let t383 = z1_4_x * t372 + z1_4_y * t377 - z1_3_y * t378;
+        let t388 = z2_4_x * t372 - t229 * t377 - c3 * t378;
+        let t390 = t108 + c4 * t70;
+        put(19, t383); // row 1, MSX4
+        put(80, t388); // row 2, MSX4
+        put(131, t390); // row 3, MSX4
     }
     // MSY4: column
-    let t418 = {
-        let t400 = t118 * t360;
-        let t404 = t79 + t118 * t363;
-        let t405 = t115 * t360 + t112 * t363 - t83;
-        let t410 = z1_3_y * t405 - (z1_4_x * t404 + z1_4_y * t400);
-        let t415 = c3 * t405 + (t237 * t400 - z2_4_x * t404);
-        let t418 = s4 * t79 + A * t118;
-        put(20, t410); // row 1, MSY4
-        put(78, t415); // row 2, MSY4
-        t418
+    let [t393, t410] = {
+        let t392 = t99 * t352;
+        let t393 = t97 * t352;
+        let t396 = t70 + t99 * t355;
+        let t397 = t393 + t95 * t355 - t74;
+        let t402 = z1_3_y * t397 - (z1_4_x * t396 + z1_4_y * t392);
+        let t407 = c3 * t397 + (t229 * t392 - z2_4_x * t396);
+        let t410 = s4 * t70 + A * t99;
+        put(20, t402); // row 1, MSY4
+        put(81, t407); // row 2, MSY4
+        [t393, t410]
     };
     // MSZ4: column
     {
-        let t423 = t116 * t360 - t113 * t363;
-        let t424 = t119 * t363 - a4_y;
-        let t425 = t83 - t119 * t360;
-        let t430 = z1_3_y * t423 - (z1_4_y * t425 - z1_4_x * t424);
-        let t435 = c3 * t423 + (z2_4_x * t424 + t237 * t425);
-        let t440 = A * t119 - (s4 * a4_y + c4 * t83);
-        put(21, t430); // row 1, MSZ4
-        put(79, t435); // row 2, MSZ4
-        put(127, t440); // row 3, MSZ4
+        let t415 = t83 * t352 - t80 * t355;
+        let t416 = a4_y - t57 * t355;
+        let t417 = t57 * t352 - t74;
+        let t422 = z1_3_y * t415 + (z1_4_y * t417 - z1_4_x * t416);
+        let t427 = c3 * t415 - (z2_4_x * t416 + t229 * t417);
+        let t432 = A * t57 - (s4 * a4_y + c4 * t74);
+        put(21, t422); // row 1, MSZ4
+        put(82, t427); // row 2, MSZ4
+        put(133, t432); // row 3, MSZ4
     }
     // XX4: column
-    let [t442, t443, t447, t448, t452] = {
-        let t442 = t109 * z1_4_y;
-        let t443 = t108 * z1_3_y;
-        let t445 = dw4_x * z1_4_x - t442 - t443;
-        let t447 = t109 * t237;
-        let t448 = c3 * t108;
-        let t450 = dw4_x * z2_4_x + t447 - t448;
-        let t452 = c4 * t109;
-        let t453 = s4 * dw4_x - t452;
-        put(22, t445); // row 1, XX4
-        put(80, t450); // row 2, XX4
-        put(128, t453); // row 3, XX4
-        [t442, t443, t447, t448, t452]
+    let [t434, t435, t439, t440, t444] = {
+        let t434 = t89 * z1_4_y;
+        let t435 = t88 * z1_3_y;
+        let t437 = dw4_x * z1_4_x - t434 - t435;
+        let t439 = t89 * t229;
+        let t440 = c3 * t88;
+        let t442 = dw4_x * z2_4_x + t439 - t440;
+        let t444 = c4 * t89;
+        let t445 = s4 * dw4_x - t444;
+        put(22, t437); // row 1, XX4
+        put(83, t442); // row 2, XX4
+        put(134, t445); // row 3, XX4
+        [t434, t435, t439, t440, t444]
     };
     // YY4: column
-    let [t454, t458, t462] = {
-        let t454 = t110 * z1_4_x;
-        let t457 = t443 - (t454 - dw4_y * z1_4_y);
-        let t458 = t110 * z2_4_x;
-        let t461 = t448 - (t458 + dw4_y * t237);
-        let t462 = s4 * t110;
-        let t464 = c4 * dw4_y - t462;
-        put(23, t457); // row 1, YY4
-        put(81, t461); // row 2, YY4
-        put(129, t464); // row 3, YY4
-        [t454, t458, t462]
+    let [t446, t450, t454] = {
+        let t446 = t90 * z1_4_x;
+        let t449 = t435 + (t92 * z1_4_y - t446);
+        let t450 = t90 * z2_4_x;
+        let t453 = t440 - (t450 + t92 * t229);
+        let t454 = s4 * t90;
+        let t456 = c4 * t92 - t454;
+        put(23, t449); // row 1, YY4
+        put(84, t453); // row 2, YY4
+        put(135, t456); // row 3, YY4
+        [t446, t450, t454]
     };
     // ZZ4: column
     {
-        let t467 = t442 + t454 - dw4_z * z1_3_y;
-        let t470 = t458 - t447 - c3 * dw4_z;
-        let t471 = t452 + t462;
-        put(24, t467); // row 1, ZZ4
-        put(82, t470); // row 2, ZZ4
-        put(130, t471); // row 3, ZZ4
+        let t459 = t434 + t446 - dw4_z * z1_3_y;
+        let t462 = t450 - t439 - c3 * dw4_z;
+        let t463 = t444 + t454;
+        put(24, t459); // row 1, ZZ4
+        put(85, t462); // row 2, ZZ4
+        put(136, t463); // row 3, ZZ4
     }
     // XY4: column
     {
-        let t472 = t105 - t106;
-        let t477 = t117 * z1_4_x + t118 * z1_4_y - z1_3_y * t472;
-        let t482 = t117 * z2_4_x - t118 * t237 - c3 * t472;
-        let t485 = s4 * t117 + c4 * t118;
-        put(25, t477); // row 1, XY4
-        put(83, t482); // row 2, XY4
-        put(131, t485); // row 3, XY4
-        put(169, t472); // row 4, XY4
+        let t464 = t97 - t94;
+        let t469 = t98 * z1_4_x + t99 * z1_4_y - z1_3_y * t464;
+        let t474 = t98 * z2_4_x - t99 * t229 - c3 * t464;
+        let t477 = s4 * t98 + c4 * t99;
+        put(25, t469); // row 1, XY4
+        put(86, t474); // row 2, XY4
+        put(137, t477); // row 3, XY4
+        put(178, t464); // row 4, XY4
     }
     // XZ4: column
     {
-        let t486 = t105 - t107;
-        let t491 = t114 * z1_4_x - z1_4_y * t486 - t116 * z1_3_y;
-        let t496 = t114 * z2_4_x + t237 * t486 - c3 * t116;
-        let t499 = s4 * t114 - c4 * t486;
-        put(26, t491); // row 1, XZ4
-        put(84, t496); // row 2, XZ4
-        put(132, t499); // row 3, XZ4
+        let t482 = t96 * z1_4_x - t93 * z1_4_y - t83 * z1_3_y;
+        let t487 = t96 * z2_4_x + t93 * t229 - c3 * t83;
+        let t490 = s4 * t96 - c4 * t93;
+        put(26, t482); // row 1, XZ4
+        put(87, t487); // row 2, XZ4
+        put(138, t490); // row 3, XZ4
     }
     // YZ4: column
     {
-        let t500 = t106 - t107;
-        let t505 = z1_4_x * t500 + t112 * z1_4_y - t113 * z1_3_y;
-        let t510 = z2_4_x * t500 - t112 * t237 - c3 * t113;
-        let t513 = s4 * t500 + c4 * t112;
-        put(27, t505); // row 1, YZ4
-        put(85, t510); // row 2, YZ4
-        put(133, t513); // row 3, YZ4
+        let t491 = t57 - t97;
+        let t496 = z1_4_x * t491 + t95 * z1_4_y - t80 * z1_3_y;
+        let t501 = z2_4_x * t491 - t95 * t229 - c3 * t80;
+        let t504 = s4 * t491 + c4 * t95;
+        put(27, t496); // row 1, YZ4
+        put(88, t501); // row 2, YZ4
+        put(139, t504); // row 3, YZ4
     }
     // M5: column
-    let [t515, t516, t518, t519] = {
-        let t515 = s5 * a5_y;
-        let t516 = c5 * t134 + t515;
-        let t518 = c5 * a5_y;
-        let t519 = s5 * t134 - t518;
-        let t520 = L3 * t519;
-        let t523 = L3 * t516 - A * a5_z;
-        let t524 = A * t519;
-        let t530 = t520 - t363 * t519;
-        let t531 = t360 * t519 - t524;
-        let t532 = t523 - (t363 * t516 - a5_z * t360);
-        let t537 = z1_4_x * t530 - z1_4_y * t531 - z1_3_y * t532;
-        let t542 = z2_4_x * t530 + t237 * t531 - c3 * t532;
-        let t546 = s4 * t520 + c4 * t524 - t524;
-        put(28, t537); // row 1, M5
-        put(86, t542); // row 2, M5
-        put(134, t546); // row 3, M5
-        put(172, t523); // row 4, M5
-        [t515, t516, t518, t519]
+    let [t506, t507, t509, t510] = {
+        let t506 = s5 * a5_y;
+        let t507 = c5 * t120 + t506;
+        let t509 = c5 * a5_y;
+        let t510 = t509 - s5 * t120;
+        let t511 = L3 * t510;
+        let t514 = L3 * t507 - A * a5_z;
+        let t515 = A * t510;
+        let t521 = t355 * t510 - t511;
+        let t522 = t352 * t510 - t515;
+        let t523 = t514 + (a5_z * t352 - t355 * t507);
+        let t528 = z1_4_x * t521 + z1_4_y * t522 - z1_3_y * t523;
+        let t533 = z2_4_x * t521 - t229 * t522 - c3 * t523;
+        let t537 = t515 - (s4 * t511 + c4 * t515);
+        put(28, t528); // row 1, M5
+        put(89, t533); // row 2, M5
+        put(140, t537); // row 3, M5
+        put(181, t514); // row 4, M5
+        [t506, t507, t509, t510]
     };
     // MSX5: column
-    let [t548, t553, t554] = {
-        let t548 = s5 * t165;
-        let t549 = c5 * t162 + t548;
-        let t552 = c5 * t165 - s5 * t162;
-        let t553 = s5 * a5_z;
-        let t554 = c5 * a5_z;
-        let t559 = A * t552;
-        let t560 = t553 - L3 * t552;
-        let t561 = t554 + (L3 * t549 + A * t168);
-        let t562 = t559 - a5_y;
-        let t568 = t560 + t363 * t552;
-        let t569 = t360 * t552 - t562;
-        let t570 = t168 * t360 + t363 * t549 - t561;
-        let t575 = z1_3_y * t570 + (z1_4_x * t568 + z1_4_y * t569);
-        let t580 = c3 * t570 + (z2_4_x * t568 - t237 * t569);
-        let t584 = t559 + (s4 * t560 - c4 * t562);
-        put(29, t575); // row 1, MSX5
-        put(87, t580); // row 2, MSX5
-        put(135, t584); // row 3, MSX5
-        put(173, t561); // row 4, MSX5
-        [t548, t553, t554]
+    let [t539, t544, t545] = {
+        let t539 = s5 * t142;
+        let t540 = t539 - c5 * t140;
+        let t543 = s5 * t140 + c5 * t142;
+        let t544 = s5 * a5_z;
+        let t545 = c5 * a5_z;
+        let t550 = A * t543;
+        let t551 = t544 - L3 * t543;
+        let t552 = t545 + (L3 * t540 - A * t144);
+        let t553 = a5_y - t550;
+        let t559 = t551 + t355 * t543;
+        let t560 = t553 + t352 * t543;
+        let t561 = t355 * t540 - t144 * t352 - t552;
+        let t566 = z1_3_y * t561 + (z1_4_x * t559 + z1_4_y * t560);
+        let t571 = c3 * t561 - (t229 * t560 - z2_4_x * t559);
+        let t575 = t550 + (s4 * t551 + c4 * t553);
+        put(29, t566); // row 1, MSX5
+        put(90, t571); // row 2, MSX5
+        put(141, t575); // row 3, MSX5
+        put(182, t552); // row 4, MSX5
+        [t539, t544, t545]
     };
     // MSY5: column
-    let t585 = {
-        let t585 = c5 * t163;
-        let t587 = t585 + s5 * t166;
-        let t590 = s5 * t163 - c5 * t166;
-        let t595 = A * t590;
-        let t596 = t554 - L3 * t590;
-        let t597 = A * t169 - L3 * t587 - t553;
-        let t598 = t595 - t134;
-        let t604 = t596 + t363 * t590;
-        let t605 = t360 * t590 - t598;
-        let t606 = t169 * t360 - t363 * t587 - t597;
-        let t611 = z1_3_y * t606 + (z1_4_x * t604 + z1_4_y * t605);
-        let t616 = c3 * t606 - (t237 * t605 - z2_4_x * t604);
-        let t620 = t595 + (s4 * t596 - c4 * t598);
-        put(30, t611); // row 1, MSY5
-        put(88, t616); // row 2, MSY5
-        put(136, t620); // row 3, MSY5
-        put(174, t597); // row 4, MSY5
-        t585
+    let [t576, t577, t580] = {
+        let t576 = c5 * t141;
+        let t577 = s5 * t143;
+        let t578 = t576 - t577;
+        let t580 = c5 * t143;
+        let t581 = s5 * t141 + t580;
+        let t586 = A * t581;
+        let t587 = t545 + L3 * t581;
+        let t588 = L3 * t578 + A * t145 - t544;
+        let t589 = t120 + t586;
+        let t595 = t587 - t355 * t581;
+        let t596 = t589 - t352 * t581;
+        let t597 = t145 * t352 + t355 * t578 - t588;
+        let t602 = z1_3_y * t597 + (z1_4_x * t595 + z1_4_y * t596);
+        let t607 = c3 * t597 + (z2_4_x * t595 - t229 * t596);
+        let t611 = s4 * t587 + c4 * t589 - t586;
+        put(30, t602); // row 1, MSY5
+        put(91, t607); // row 2, MSY5
+        put(142, t611); // row 3, MSY5
+        put(183, t588); // row 4, MSY5
+        [t576, t577, t580]
     };
     // MSZ5: column
     {
-        let t623 = c5 * t164 + s5 * t167;
-        let t626 = c5 * t167 - s5 * t164;
-        let t631 = A * t626;
-        let t632 = t519 + L3 * t626;
-        let t633 = t516 + (A * t170 - L3 * t623);
-        let t639 = t632 - t363 * t626;
-        let t640 = t360 * t626 - t631;
-        let t641 = t633 + (t363 * t623 - t170 * t360);
-        let t646 = z1_4_x * t639 - z1_4_y * t640 - z1_3_y * t641;
-        let t651 = z2_4_x * t639 + t237 * t640 - c3 * t641;
-        let t655 = s4 * t632 + c4 * t631 - t631;
-        put(31, t646); // row 1, MSZ5
-        put(89, t651); // row 2, MSZ5
-        put(137, t655); // row 3, MSZ5
-        put(175, t633); // row 4, MSZ5
+        let t614 = c5 * t126 - s5 * t129;
+        let t617 = s5 * t126 + c5 * t129;
+        let t622 = A * t617;
+        let t623 = L3 * t617 - t510;
+        let t624 = t507 + (L3 * t614 + A * t97);
+        let t629 = t355 * t617 - t623;
+        let t630 = t352 * t617 - t622;
+        let t631 = t393 + t355 * t614 - t624;
+        let t636 = z1_3_y * t631 - (z1_4_x * t629 + z1_4_y * t630);
+        let t641 = c3 * t631 + (t229 * t630 - z2_4_x * t629);
+        let t645 = s4 * t623 + c4 * t622 - t622;
+        put(31, t636); // row 1, MSZ5
+        put(92, t641); // row 2, MSZ5
+        put(143, t645); // row 3, MSZ5
+        put(184, t624); // row 4, MSZ5
     }
     // XX5: column
-    let [t657, t658, t662, t663, t667, t668, t672] = {
-        let t657 = t160 * t243;
-        let t658 = t159 * z1_4_y;
-        let t660 = t657 - t141 * z1_5_x - t658;
-        let t662 = t160 * t249;
-        let t663 = t159 * t237;
-        let t665 = t663 + (t662 - t141 * z2_5_x);
-        let t667 = t160 * z3_6_z;
-        let t668 = c4 * t159;
-        let t670 = t667 - t141 * z3_5_x - t668;
-        let t672 = c5 * t160;
-        let t673 = s5 * t141 + t672;
-        put(32, t660); // row 1, XX5
-        put(90, t665); // row 2, XX5
-        put(138, t670); // row 3, XX5
-        put(176, t673); // row 4, XX5
-        [t657, t658, t662, t663, t667, t668, t672]
+    let [t647, t648, t652, t653, t657, t658, t662] = {
+        let t647 = t135 * t235;
+        let t648 = t134 * z1_4_y;
+        let t650 = t647 - t137 * z1_5_x - t648;
+        let t652 = t135 * t241;
+        let t653 = t134 * t229;
+        let t655 = t653 + (t652 - t137 * z2_5_x);
+        let t657 = t135 * z3_6_z;
+        let t658 = c4 * t134;
+        let t660 = t657 - t137 * z3_5_x - t658;
+        let t662 = c5 * t135;
+        let t663 = s5 * t137 + t662;
+        put(32, t650); // row 1, XX5
+        put(93, t655); // row 2, XX5
+        put(144, t660); // row 3, XX5
+        put(185, t663); // row 4, XX5
+        [t647, t648, t652, t653, t657, t658, t662]
     };
     // YY5: column
-    let [t674, t678, t682, t686, t688] = {
-        let t674 = t161 * z1_5_x;
-        let t677 = t658 + (t674 - t142 * t243);
-        let t678 = t161 * z2_5_x;
-        let t681 = t678 - t142 * t249 - t663;
-        let t682 = t161 * z3_5_x;
-        let t685 = t668 + (t682 - t142 * z3_6_z);
-        let t686 = s5 * t161;
-        let t688 = t686 + c5 * t142;
-        put(33, t677); // row 1, YY5
-        put(91, t681); // row 2, YY5
-        put(139, t685); // row 3, YY5
-        [t674, t678, t682, t686, t688]
+    let [t664, t668, t672, t676] = {
+        let t664 = t136 * z1_5_x;
+        let t667 = t648 + (t664 + t138 * t235);
+        let t668 = t136 * z2_5_x;
+        let t671 = t668 + t138 * t241 - t653;
+        let t672 = t136 * z3_5_x;
+        let t675 = t658 + (t672 + t138 * z3_6_z);
+        let t676 = s5 * t136;
+        let t678 = c5 * t138 - t676;
+        put(33, t667); // row 1, YY5
+        put(94, t671); // row 2, YY5
+        put(145, t675); // row 3, YY5
+        put(186, t678); // row 4, YY5
+        [t664, t668, t672, t676]
     };
     // ZZ5: column
-    let t694 = {
-        let t691 = dw5_z * z1_4_y - (t657 + t674);
-        let t694 = dw5_z * t237 + (t662 + t678);
-        let t697 = c4 * dw5_z - (t667 + t682);
-        let t698 = t686 - t672;
-        put(34, t691); // row 1, ZZ5
-        put(140, t697); // row 3, ZZ5
-        put(178, t698); // row 4, ZZ5
-        t694
+    let t684 = {
+        let t681 = dw5_z * z1_4_y - (t647 + t664);
+        let t684 = dw5_z * t229 + (t652 + t668);
+        let t687 = c4 * dw5_z - (t657 + t672);
+        let t688 = t676 - t662;
+        put(34, t681); // row 1, ZZ5
+        put(146, t687); // row 3, ZZ5
+        put(187, t688); // row 4, ZZ5
+        t684
     };
     // XY5: column
     {
-        let t699 = t156 - t157;
-        let t704 = z1_4_y * t699 + (t168 * z1_5_x + t169 * t243);
-        let t709 = t168 * z2_5_x + t169 * t249 - t237 * t699;
-        let t714 = c4 * t699 + (t168 * z3_5_x + t169 * z3_6_z);
-        let t717 = c5 * t169 - s5 * t168;
-        put(35, t704); // row 1, XY5
-        put(93, t709); // row 2, XY5
-        put(141, t714); // row 3, XY5
-        put(179, t717); // row 4, XY5
-        put(207, t699); // row 5, XY5
+        let t689 = t140 + t143;
+        let t694 = z1_4_y * t689 + (t145 * t235 - t144 * z1_5_x);
+        let t699 = t145 * t241 - t144 * z2_5_x - t229 * t689;
+        let t704 = c4 * t689 - (t144 * z3_5_x - t145 * z3_6_z);
+        let t707 = s5 * t144 + c5 * t145;
+        put(35, t694); // row 1, XY5
+        put(96, t699); // row 2, XY5
+        put(147, t704); // row 3, XY5
+        put(188, t707); // row 4, XY5
+        put(219, t689); // row 5, XY5
     }
     // XZ5: column
     {
-        let t718 = t156 - t158;
-        let t723 = t167 * z1_4_y + (t165 * z1_5_x + t243 * t718);
-        let t728 = t165 * z2_5_x + t249 * t718 - t167 * t237;
-        let t733 = c4 * t167 + (t165 * z3_5_x + z3_6_z * t718);
-        let t735 = c5 * t718 - t548;
-        put(36, t723); // row 1, XZ5
-        put(94, t728); // row 2, XZ5
-        put(142, t733); // row 3, XZ5
-        put(180, t735); // row 4, XZ5
+        let t712 = t129 * z1_4_y + (t142 * z1_5_x + t139 * t235);
+        let t717 = t142 * z2_5_x + t139 * t241 - t129 * t229;
+        let t722 = c4 * t129 + (t142 * z3_5_x + t139 * z3_6_z);
+        let t724 = c5 * t139 - t539;
+        put(36, t712); // row 1, XZ5
+        put(97, t717); // row 2, XZ5
+        put(148, t722); // row 3, XZ5
+        put(189, t724); // row 4, XZ5
     }
     // YZ5: column
-    {
-        let t736 = t157 - t158;
-        let t741 = t164 * z1_4_y + (z1_5_x * t736 + t163 * t243);
-        let t746 = z2_5_x * t736 + t163 * t249 - t164 * t237;
-        let t751 = c4 * t164 + (z3_5_x * t736 + t163 * z3_6_z);
-        let t753 = t585 - s5 * t736;
-        put(37, t741); // row 1, YZ5
-        put(95, t746); // row 2, YZ5
-        put(143, t751); // row 3, YZ5
-        put(181, t753); // row 4, YZ5
-    }
+    let t742 = {
+        let t725 = t97 - t143;
+        let t730 = z1_5_x * t725 - t141 * t235 - t126 * z1_4_y;
+        let t735 = t126 * t229 + (z2_5_x * t725 - t141 * t241);
+        let t740 = z3_5_x * t725 - t141 * z3_6_z - c4 * t126;
+        let t742 = t576 + s5 * t725;
+        put(37, t730); // row 1, YZ5
+        put(98, t735); // row 2, YZ5
+        put(149, t740); // row 3, YZ5
+        t742
+    };
     // M6: column
-    let [t756, t759] = {
-        let t756 = c6 * t173 + s6 * a6_y;
-        let t759 = s6 * t173 - c6 * a6_y;
-        let t761 = t515 + c5 * t756;
-        let t763 = t518 - s5 * t756;
-        let t764 = L3 * t763;
-        let t767 = L3 * t761 + A * t759;
-        let t768 = A * t763;
-        let t774 = t363 * t763 - t764;
-        let t775 = t768 - t360 * t763;
-        let t776 = t360 * t759 + t363 * t761 - t767;
-        let t781 = z1_3_y * t776 - (z1_4_y * t775 - z1_4_x * t774);
-        let t786 = c3 * t776 + (z2_4_x * t774 + t237 * t775);
-        let t790 = t768 - (s4 * t764 + c4 * t768);
-        put(38, t781); // row 1, M6
-        put(96, t786); // row 2, M6
-        put(144, t790); // row 3, M6
-        put(182, t767); // row 4, M6
-        [t756, t759]
+    let [t745, t748] = {
+        let t745 = c6 * t154 + s6 * a6_y;
+        let t748 = c6 * a6_y - s6 * t154;
+        let t750 = t506 + c5 * t745;
+        let t752 = t509 - s5 * t745;
+        let t753 = L3 * t752;
+        let t756 = L3 * t750 - A * t748;
+        let t757 = A * t752;
+        let t763 = t355 * t752 - t753;
+        let t764 = t757 - t352 * t752;
+        let t765 = t756 + (t352 * t748 - t355 * t750);
+        let t770 = z1_4_x * t763 - z1_4_y * t764 - z1_3_y * t765;
+        let t775 = z2_4_x * t763 + t229 * t764 - c3 * t765;
+        let t779 = t757 - (s4 * t753 + c4 * t757);
+        put(38, t770); // row 1, M6
+        put(99, t775); // row 2, M6
+        put(150, t779); // row 3, M6
+        put(191, t756); // row 4, M6
+        [t745, t748]
     };
     // MSX6: column
-    let [t792, t795, t797, t798] = {
-        let t792 = s6 * t204;
-        let t793 = c6 * t201 + t792;
-        let t795 = c6 * t204;
-        let t796 = s6 * t201 - t795;
-        let t797 = s6 * a5_y;
-        let t798 = c6 * a5_y;
-        let t801 = c5 * t793 + s5 * t207;
-        let t804 = c5 * t207 - s5 * t793;
-        let t815 = A * t804;
-        let t816 = c5 * t797 - s5 * a6_y + L3 * t804;
-        let t817 = s5 * t797 + c5 * a6_y + (L3 * t801 + A * t796);
-        let t818 = t815 - t798;
-        let t824 = t363 * t804 - t816;
-        let t825 = t818 - t360 * t804;
-        let t826 = t360 * t796 + t363 * t801 - t817;
-        let t831 = z1_3_y * t826 - (z1_4_y * t825 - z1_4_x * t824);
-        let t836 = c3 * t826 + (z2_4_x * t824 + t237 * t825);
-        let t840 = t815 - (s4 * t816 + c4 * t818);
-        put(39, t831); // row 1, MSX6
-        put(97, t836); // row 2, MSX6
-        put(145, t840); // row 3, MSX6
-        put(183, t817); // row 4, MSX6
-        put(210, t798); // row 5, MSX6
-        [t792, t795, t797, t798]
+    let [t781, t784, t786, t787] = {
+        let t781 = s6 * t176;
+        let t782 = t781 - c6 * t174;
+        let t784 = c6 * t176;
+        let t785 = s6 * t174 + t784;
+        let t786 = s6 * a5_y;
+        let t787 = c6 * a5_y;
+        let t790 = c5 * t782 + s5 * t178;
+        let t793 = s5 * t782 - c5 * t178;
+        let t804 = A * t793;
+        let t805 = L3 * t793 - (c5 * t786 - s5 * a6_y);
+        let t806 = s5 * t786 + c5 * a6_y + (L3 * t790 - A * t785);
+        let t807 = t787 + t804;
+        let t813 = t805 - t355 * t793;
+        let t814 = t352 * t793 - t807;
+        let t815 = t806 - (t355 * t790 - t352 * t785);
+        let t820 = z1_4_x * t813 - z1_4_y * t814 - z1_3_y * t815;
+        let t825 = z2_4_x * t813 + t229 * t814 - c3 * t815;
+        let t829 = s4 * t805 + c4 * t807 - t804;
+        put(39, t820); // row 1, MSX6
+        put(100, t825); // row 2, MSX6
+        put(151, t829); // row 3, MSX6
+        put(192, t806); // row 4, MSX6
+        put(222, t787); // row 5, MSX6
+        [t781, t784, t786, t787]
     };
     // MSY6: column
-    let [t841, t844] = {
-        let t841 = c6 * t202;
-        let t843 = s6 * t205 - t841;
-        let t844 = s6 * t202;
-        let t846 = t844 + c6 * t205;
-        let t849 = c5 * t843 + s5 * t208;
-        let t852 = s5 * t843 - c5 * t208;
-        let t863 = A * t852;
-        let t864 = c5 * t798 - s5 * t173 + L3 * t852;
-        let t865 = s5 * t798 + c5 * t173 + (A * t846 - L3 * t849);
-        let t866 = t797 + t863;
-        let t872 = t363 * t852 - t864;
-        let t873 = t866 - t360 * t852;
-        let t874 = t865 - (t360 * t846 - t363 * t849);
-        let t879 = z1_4_x * t872 - z1_4_y * t873 - z1_3_y * t874;
-        let t884 = z2_4_x * t872 + t237 * t873 - c3 * t874;
-        let t888 = t863 - (s4 * t864 + c4 * t866);
-        put(40, t879); // row 1, MSY6
-        put(98, t884); // row 2, MSY6
-        put(146, t888); // row 3, MSY6
-        put(184, t865); // row 4, MSY6
-        [t841, t844]
+    let [t830, t831, t833, t834] = {
+        let t830 = c6 * t175;
+        let t831 = s6 * t177;
+        let t832 = t831 - t830;
+        let t833 = s6 * t175;
+        let t834 = c6 * t177;
+        let t835 = t833 + t834;
+        let t838 = c5 * t832 + s5 * t179;
+        let t841 = s5 * t832 - c5 * t179;
+        let t852 = A * t841;
+        let t853 = s5 * t154 - c5 * t787 - L3 * t841;
+        let t854 = s5 * t787 + c5 * t154 + (A * t835 - L3 * t838);
+        let t855 = t786 + t852;
+        let t861 = t853 + t355 * t841;
+        let t862 = t855 - t352 * t841;
+        let t863 = t854 + (t355 * t838 - t352 * t835);
+        let t868 = z1_4_x * t861 - z1_4_y * t862 - z1_3_y * t863;
+        let t873 = z2_4_x * t861 + t229 * t862 - c3 * t863;
+        let t877 = t852 + (s4 * t853 - c4 * t855);
+        put(40, t868); // row 1, MSY6
+        put(101, t873); // row 2, MSY6
+        put(152, t877); // row 3, MSY6
+        put(193, t854); // row 4, MSY6
+        [t830, t831, t833, t834]
     };
     // MSZ6: column
     {
-        let t891 = c6 * t203 + s6 * t206;
-        let t894 = c6 * t206 - s6 * t203;
-        let t897 = s5 * t209 - c5 * t891;
-        let t900 = s5 * t891 + c5 * t209;
-        let t907 = A * t900;
-        let t908 = c5 * t759 - L3 * t900;
-        let t909 = L3 * t897 + A * t894 - s5 * t759;
-        let t910 = t756 + t907;
-        let t916 = t908 + t363 * t900;
-        let t917 = t360 * t900 - t910;
-        let t918 = t360 * t894 + t363 * t897 - t909;
-        let t923 = z1_3_y * t918 + (z1_4_x * t916 + z1_4_y * t917);
-        let t928 = c3 * t918 + (z2_4_x * t916 - t237 * t917);
-        let t932 = t907 + (s4 * t908 - c4 * t910);
-        put(41, t923); // row 1, MSZ6
-        put(99, t928); // row 2, MSZ6
-        put(147, t932); // row 3, MSZ6
-        put(185, t909); // row 4, MSZ6
+        let t880 = c6 * t160 + s6 * t163;
+        let t883 = s6 * t160 - c6 * t163;
+        let t885 = t577 - c5 * t880;
+        let t887 = t580 + s5 * t880;
+        let t894 = A * t887;
+        let t895 = c5 * t748 + L3 * t887;
+        let t896 = s5 * t748 + (L3 * t885 - A * t883);
+        let t897 = t745 + t894;
+        let t903 = t355 * t887 - t895;
+        let t904 = t352 * t887 - t897;
+        let t905 = t896 + (t352 * t883 - t355 * t885);
+        let t910 = z1_4_x * t903 + z1_4_y * t904 - z1_3_y * t905;
+        let t915 = z2_4_x * t903 - t229 * t904 - c3 * t905;
+        let t919 = t894 - (s4 * t895 + c4 * t897);
+        put(41, t910); // row 1, MSZ6
+        put(102, t915); // row 2, MSZ6
+        put(153, t919); // row 3, MSZ6
+        put(194, t896); // row 4, MSZ6
     }
     // XX6: column
-    let [t934, t937, t940, t945, t950, t955, t956] = {
-        let t934 = s6 * t199;
-        let t935 = c6 * dw6_x - t934;
-        let t937 = c6 * t199;
-        let t938 = s6 * dw6_x + t937;
-        let t940 = t198 * t243;
-        let t943 = z1_4_y * t938 - (t940 - z1_5_x * t935);
-        let t945 = t198 * t249;
-        let t948 = z2_5_x * t935 - t945 - t237 * t938;
-        let t950 = t198 * z3_6_z;
-        let t953 = c4 * t938 + (z3_5_x * t935 - t950);
-        let t955 = c5 * t198;
-        let t956 = s5 * t935 + t955;
-        put(42, t943); // row 1, XX6
-        put(100, t948); // row 2, XX6
-        put(148, t953); // row 3, XX6
-        put(213, t938); // row 5, XX6
-        [t934, t937, t940, t945, t950, t955, t956]
+    let [t921, t924, t927, t932, t937, t942] = {
+        let t921 = s6 * t169;
+        let t922 = c6 * dw6_x + t921;
+        let t924 = c6 * t169;
+        let t925 = s6 * dw6_x - t924;
+        let t927 = t168 * t235;
+        let t930 = z1_4_y * t925 + (z1_5_x * t922 + t927);
+        let t932 = t168 * t241;
+        let t935 = z2_5_x * t922 + t932 - t229 * t925;
+        let t937 = t168 * z3_6_z;
+        let t940 = c4 * t925 + (z3_5_x * t922 + t937);
+        let t942 = c5 * t168;
+        let t943 = t942 - s5 * t922;
+        put(42, t930); // row 1, XX6
+        put(103, t935); // row 2, XX6
+        put(154, t940); // row 3, XX6
+        put(195, t943); // row 4, XX6
+        put(225, t925); // row 5, XX6
+        [t921, t924, t927, t932, t937, t942]
     };
     // YY6: column
-    let [t957, t960] = {
-        let t957 = c6 * t200;
-        let t959 = t957 + s6 * dw6_y;
-        let t960 = s6 * t200;
-        let t962 = c6 * dw6_y - t960;
-        let t966 = z1_4_y * t962 - (z1_5_x * t959 - t940);
-        let t970 = t945 - z2_5_x * t959 - t237 * t962;
-        let t974 = c4 * t962 - (z3_5_x * t959 - t950);
-        let t976 = t955 + s5 * t959;
-        put(43, t966); // row 1, YY6
-        put(101, t970); // row 2, YY6
-        put(149, t974); // row 3, YY6
-        put(187, t976); // row 4, YY6
-        put(214, t962); // row 5, YY6
-        [t957, t960]
+    let [t944, t947, t957] = {
+        let t944 = c6 * t170;
+        let t946 = t944 + s6 * dw6_y;
+        let t947 = s6 * t170;
+        let t949 = c6 * dw6_y - t947;
+        let t953 = z1_4_y * t949 - (t927 + z1_5_x * t946);
+        let t957 = t229 * t949 + (t932 + z2_5_x * t946);
+        let t961 = c4 * t949 - (t937 + z3_5_x * t946);
+        let t963 = s5 * t946 - t942;
+        put(43, t953); // row 1, YY6
+        put(155, t961); // row 3, YY6
+        put(196, t963); // row 4, YY6
+        put(226, t949); // row 5, YY6
+        [t944, t947, t957]
     };
     // ZZ6: column
     {
-        let t977 = t934 + t957;
-        let t978 = t960 - t937;
-        let t983 = z1_4_y * t978 + (z1_5_x * t977 + dw6_z * t243);
-        let t988 = z2_5_x * t977 + dw6_z * t249 - t237 * t978;
-        let t993 = c4 * t978 + (z3_5_x * t977 + dw6_z * z3_6_z);
-        let t996 = c5 * dw6_z - s5 * t977;
-        put(44, t983); // row 1, ZZ6
-        put(102, t988); // row 2, ZZ6
-        put(150, t993); // row 3, ZZ6
-        put(188, t996); // row 4, ZZ6
-        put(215, t978); // row 5, ZZ6
+        let t964 = t944 - t921;
+        let t965 = t924 + t947;
+        let t970 = z1_4_y * t965 + (z1_5_x * t964 + dw6_z * t235);
+        let t975 = z2_5_x * t964 + dw6_z * t241 - t229 * t965;
+        let t980 = c4 * t965 + (z3_5_x * t964 + dw6_z * z3_6_z);
+        let t983 = c5 * dw6_z - s5 * t964;
+        put(44, t970); // row 1, ZZ6
+        put(105, t975); // row 2, ZZ6
+        put(156, t980); // row 3, ZZ6
+        put(197, t983); // row 4, ZZ6
+        put(227, t965); // row 5, ZZ6
     }
     // XY6: column
     {
-        let t997 = t195 - t196;
-        let t1000 = c6 * t207 - s6 * t208;
-        let t1003 = s6 * t207 + c6 * t208;
-        let t1008 = z1_4_y * t1003 + (z1_5_x * t1000 + t243 * t997);
-        let t1013 = z2_5_x * t1000 + t249 * t997 - t237 * t1003;
-        let t1018 = c4 * t1003 + (z3_5_x * t1000 + z3_6_z * t997);
-        let t1021 = c5 * t997 - s5 * t1000;
-        put(45, t1008); // row 1, XY6
-        put(103, t1013); // row 2, XY6
-        put(151, t1018); // row 3, XY6
-        put(189, t1021); // row 4, XY6
-        put(216, t1003); // row 5, XY6
-        put(234, t997); // row 6, XY6
+        let t984 = t174 + t177;
+        let t987 = s6 * t179 - c6 * t178;
+        let t990 = s6 * t178 + c6 * t179;
+        let t995 = z1_4_y * t990 + (t235 * t984 - z1_5_x * t987);
+        let t1000 = t241 * t984 - z2_5_x * t987 - t229 * t990;
+        let t1005 = c4 * t990 - (z3_5_x * t987 - z3_6_z * t984);
+        let t1008 = s5 * t987 + c5 * t984;
+        put(45, t995); // row 1, XY6
+        put(106, t1000); // row 2, XY6
+        put(157, t1005); // row 3, XY6
+        put(198, t1008); // row 4, XY6
+        put(228, t990); // row 5, XY6
+        put(249, t984); // row 6, XY6
     }
     // XZ6: column
     {
-        let t1022 = t197 - t195;
-        let t1024 = s6 * t1022 - t795;
-        let t1026 = t792 + c6 * t1022;
-        let t1031 = z1_4_y * t1026 - (z1_5_x * t1024 - t206 * t243);
-        let t1036 = t206 * t249 - z2_5_x * t1024 - t237 * t1026;
-        let t1041 = c4 * t1026 + (t206 * z3_6_z - z3_5_x * t1024);
-        let t1044 = s5 * t1024 + c5 * t206;
-        put(46, t1031); // row 1, XZ6
-        put(104, t1036); // row 2, XZ6
-        put(152, t1041); // row 3, XZ6
-        put(190, t1044); // row 4, XZ6
-        put(217, t1026); // row 5, XZ6
+        let t1010 = t784 + s6 * t173;
+        let t1012 = t781 - c6 * t173;
+        let t1017 = z1_4_y * t1012 + (z1_5_x * t1010 + t163 * t235);
+        let t1022 = z2_5_x * t1010 + t163 * t241 - t229 * t1012;
+        let t1027 = c4 * t1012 + (z3_5_x * t1010 + t163 * z3_6_z);
+        let t1030 = c5 * t163 - s5 * t1010;
+        put(46, t1017); // row 1, XZ6
+        put(107, t1022); // row 2, XZ6
+        put(158, t1027); // row 3, XZ6
+        put(199, t1030); // row 4, XZ6
+        put(229, t1012); // row 5, XZ6
     }
     // YZ6: column
     {
-        let t1045 = t197 - t196;
-        let t1047 = t844 + c6 * t1045;
-        let t1049 = t841 - s6 * t1045;
-        let t1054 = z1_4_y * t1049 + (t203 * t243 - z1_5_x * t1047);
-        let t1059 = t203 * t249 - z2_5_x * t1047 - t237 * t1049;
-        let t1064 = c4 * t1049 + (t203 * z3_6_z - z3_5_x * t1047);
-        let t1067 = s5 * t1047 + c5 * t203;
-        put(47, t1054); // row 1, YZ6
-        put(105, t1059); // row 2, YZ6
-        put(153, t1064); // row 3, YZ6
-        put(191, t1067); // row 4, YZ6
-        put(218, t1049); // row 5, YZ6
+        let t1031 = t177 - t143;
+        let t1033 = t833 + c6 * t1031;
+        let t1035 = t830 - s6 * t1031;
+        let t1040 = z1_4_y * t1035 + (t160 * t235 - z1_5_x * t1033);
+        let t1045 = t160 * t241 - z2_5_x * t1033 - t229 * t1035;
+        let t1050 = c4 * t1035 + (t160 * z3_6_z - z3_5_x * t1033);
+        let t1053 = s5 * t1033 + c5 * t160;
+        put(47, t1040); // row 1, YZ6
+        put(108, t1045); // row 2, YZ6
+        put(159, t1050); // row 3, YZ6
+        put(200, t1053); // row 4, YZ6
+        put(230, t1035); // row 5, YZ6
     }
     // M7: column
-    let [
-        t1068, t1069, t1070, t1071, t1072, t1073, t1074, t1075,
-        t1076, t1077, t1078, t1079, t1080, t1081, t1082, t1085,
-        t1088,
-    ] = {
-        let t1068 = w7_x * w7_x;
-        let t1069 = w7_y * w7_y;
-        let t1070 = t222 * t222;
-        let t1071 = w7_x * w7_y;
-        let t1072 = w7_x * t222;
-        let t1073 = w7_y * t222;
-        let t1074 = t1069 + t1070;
-        let t1075 = t227 + t1071;
-        let t1076 = dw7_y - t1072;
-        let t1077 = t1071 - t227;
-        let t1078 = t1068 + t1070;
-        let t1079 = dw7_x + t1073;
-        let t1080 = dw7_y + t1072;
-        let t1081 = t1073 - dw7_x;
-        let t1082 = t1068 + t1069;
-        let t1085 = c7 * t218 + s7 * a7_y;
-        let t1088 = s7 * t218 - c7 * a7_y;
-        let t1089 = k4 * t214;
-        let t1090 = k4 * t1088;
-        let t1093 = c6 * t1085 + s6 * t214;
-        let t1096 = s6 * t1085 - c6 * t214;
-        let t1097 = s6 * t1090;
-        let t1098 = c6 * t1090;
-        let t1101 = c5 * t1093 + s5 * t1088;
-        let t1104 = c5 * t1088 - s5 * t1093;
-        let t1115 = A * t1104;
-        let t1116 = s5 * t1089 - c5 * t1097 - L3 * t1104;
-        let t1117 = s5 * t1097 + c5 * t1089 + (L3 * t1101 + A * t1096);
-        let t1118 = t1098 - t1115;
-        let t1124 = t1116 + t363 * t1104;
-        let t1125 = t1118 + t360 * t1104;
-        let t1126 = t360 * t1096 + t363 * t1101 - t1117;
-        let t1131 = z1_3_y * t1126 + (z1_4_x * t1124 + z1_4_y * t1125);
-        let t1136 = c3 * t1126 - (t237 * t1125 - z2_4_x * t1124);
-        let t1140 = t1115 + (s4 * t1116 + c4 * t1118);
-        put(48, t1131); // row 1, M7
-        put(106, t1136); // row 2, M7
-        put(154, t1140); // row 3, M7
-        put(192, t1117); // row 4, M7
-        put(219, t1098); // row 5, M7
-        put(237, t1089); // row 6, M7
-        put(250, t1071); // row 7, YY7
-        put(253, t1079); // row 7, XZ7
-        put(254, t1076); // row 7, YZ7
-        [
-        t1068, t1069, t1070, t1071, t1072, t1073, t1074, t1075,
-        t1076, t1077, t1078, t1079, t1080, t1081, t1082, t1085,
-        t1088,
-    ]
+    let [t1056, t1059] = {
+        let t1056 = c7 * t194 + s7 * a7_y;
+        let t1059 = s7 * t194 - c7 * a7_y;
+        let t1060 = k4 * t190;
+        let t1061 = k4 * t1059;
+        let t1064 = c6 * t1056 + s6 * t190;
+        let t1067 = s6 * t1056 - c6 * t190;
+        let t1068 = s6 * t1061;
+        let t1069 = c6 * t1061;
+        let t1072 = c5 * t1064 + s5 * t1059;
+        let t1075 = c5 * t1059 - s5 * t1064;
+        let t1086 = A * t1075;
+        let t1087 = c5 * t1068 - s5 * t1060 + L3 * t1075;
+        let t1088 = s5 * t1068 + c5 * t1060 + (L3 * t1072 + A * t1067);
+        let t1089 = t1069 - t1086;
+        let t1095 = t355 * t1075 - t1087;
+        let t1096 = t1089 + t352 * t1075;
+        let t1097 = t352 * t1067 + t355 * t1072 - t1088;
+        let t1102 = z1_3_y * t1097 + (z1_4_x * t1095 + z1_4_y * t1096);
+        let t1107 = c3 * t1097 + (z2_4_x * t1095 - t229 * t1096);
+        let t1111 = t1086 + (c4 * t1089 - s4 * t1087);
+        put(48, t1102); // row 1, M7
+        put(109, t1107); // row 2, M7
+        put(160, t1111); // row 3, M7
+        put(201, t1088); // row 4, M7
+        put(231, t1069); // row 5, M7
+        put(252, t1060); // row 6, M7
+        [t1056, t1059]
     };
     // MSX7: column
-    let [t1142, t1145, t1147, t1148] = {
-        let t1142 = s7 * t1077;
-        let t1143 = c7 * t1074 + t1142;
-        let t1145 = c7 * t1077;
-        let t1146 = s7 * t1074 - t1145;
-        let t1147 = s7 * t214;
-        let t1148 = c7 * t214;
-        let t1151 = t1148 + k4 * t1080;
-        let t1152 = k4 * t1146 - a7_y;
-        let t1155 = c6 * t1143 + s6 * t1080;
-        let t1158 = s6 * t1143 - c6 * t1080;
-        let t1161 = c6 * t1147 + s6 * t1152;
-        let t1164 = c6 * t1152 - s6 * t1147;
-        let t1167 = c5 * t1155 + s5 * t1146;
-        let t1170 = s5 * t1155 - c5 * t1146;
-        let t1181 = A * t1170;
-        let t1182 = s5 * t1151 - c5 * t1161 + L3 * t1170;
-        let t1183 = s5 * t1161 + c5 * t1151 + (L3 * t1167 + A * t1158);
-        let t1184 = t1164 + t1181;
-        let t1190 = t1182 - t363 * t1170;
-        let t1191 = t1184 - t360 * t1170;
-        let t1192 = t360 * t1158 + t363 * t1167 - t1183;
-        let t1197 = z1_3_y * t1192 + (z1_4_x * t1190 + z1_4_y * t1191);
-        let t1202 = c3 * t1192 + (z2_4_x * t1190 - t237 * t1191);
-        let t1206 = s4 * t1182 + c4 * t1184 - t1181;
-        put(49, t1197); // row 1, MSX7
-        put(107, t1202); // row 2, MSX7
-        put(155, t1206); // row 3, MSX7
-        put(193, t1183); // row 4, MSX7
-        put(220, t1164); // row 5, MSX7
-        put(238, t1151); // row 6, MSX7
-        [t1142, t1145, t1147, t1148]
+    let [t1113, t1116, t1118, t1119] = {
+        let t1113 = s7 * t216;
+        let t1114 = c7 * t214 + t1113;
+        let t1116 = c7 * t216;
+        let t1117 = s7 * t214 - t1116;
+        let t1118 = s7 * t190;
+        let t1119 = c7 * t190;
+        let t1122 = t1119 + k4 * t218;
+        let t1123 = k4 * t1117 - a7_y;
+        let t1126 = c6 * t1114 + s6 * t218;
+        let t1129 = s6 * t1114 - c6 * t218;
+        let t1132 = c6 * t1118 + s6 * t1123;
+        let t1135 = c6 * t1123 - s6 * t1118;
+        let t1138 = c5 * t1126 + s5 * t1117;
+        let t1141 = c5 * t1117 - s5 * t1126;
+        let t1152 = A * t1141;
+        let t1153 = c5 * t1132 - s5 * t1122 + L3 * t1141;
+        let t1154 = s5 * t1132 + c5 * t1122 + (L3 * t1138 + A * t1129);
+        let t1155 = t1152 - t1135;
+        let t1161 = t355 * t1141 - t1153;
+        let t1162 = t1155 - t352 * t1141;
+        let t1163 = t352 * t1129 + t355 * t1138 - t1154;
+        let t1168 = z1_3_y * t1163 + (z1_4_x * t1161 - z1_4_y * t1162);
+        let t1173 = c3 * t1163 + (z2_4_x * t1161 + t229 * t1162);
+        let t1177 = t1152 - (s4 * t1153 + c4 * t1155);
+        put(49, t1168); // row 1, MSX7
+        put(110, t1173); // row 2, MSX7
+        put(161, t1177); // row 3, MSX7
+        put(202, t1154); // row 4, MSX7
+        put(232, t1135); // row 5, MSX7
+        put(253, t1122); // row 6, MSX7
+        [t1113, t1116, t1118, t1119]
     };
     // MSY7: column
-    let [t1207, t1210] = {
-        let t1207 = c7 * t1075;
-        let t1209 = t1207 + s7 * t1078;
-        let t1210 = s7 * t1075;
-        let t1212 = c7 * t1078 - t1210;
-        let t1215 = k4 * t1081 - t1147;
-        let t1216 = k4 * t1212 - t218;
-        let t1219 = s6 * t1081 - c6 * t1209;
-        let t1222 = s6 * t1209 + c6 * t1081;
-        let t1225 = c6 * t1148 + s6 * t1216;
-        let t1228 = c6 * t1216 - s6 * t1148;
-        let t1231 = c5 * t1219 + s5 * t1212;
-        let t1234 = c5 * t1212 - s5 * t1219;
-        let t1245 = A * t1234;
-        let t1246 = s5 * t1215 - c5 * t1225 - L3 * t1234;
-        let t1247 = s5 * t1225 + c5 * t1215 - (A * t1222 - L3 * t1231);
-        let t1248 = t1245 - t1228;
-        let t1254 = t1246 + t363 * t1234;
-        let t1255 = t1248 - t360 * t1234;
-        let t1256 = t1247 + (t360 * t1222 - t363 * t1231);
-        let t1261 = z1_4_x * t1254 - z1_4_y * t1255 - z1_3_y * t1256;
-        let t1266 = z2_4_x * t1254 + t237 * t1255 - c3 * t1256;
-        let t1270 = t1245 + (s4 * t1246 - c4 * t1248);
-        put(50, t1261); // row 1, MSY7
-        put(108, t1266); // row 2, MSY7
-        put(156, t1270); // row 3, MSY7
-        put(194, t1247); // row 4, MSY7
-        put(221, t1228); // row 5, MSY7
-        put(239, t1215); // row 6, MSY7
-        [t1207, t1210]
+    let [t1178, t1181] = {
+        let t1178 = c7 * t215;
+        let t1180 = t1178 - s7 * t217;
+        let t1181 = s7 * t215;
+        let t1183 = t1181 + c7 * t217;
+        let t1186 = k4 * t219 - t1118;
+        let t1187 = k4 * t1183 - t194;
+        let t1190 = c6 * t1180 + s6 * t219;
+        let t1193 = s6 * t1180 - c6 * t219;
+        let t1196 = c6 * t1119 + s6 * t1187;
+        let t1199 = c6 * t1187 - s6 * t1119;
+        let t1202 = c5 * t1190 + s5 * t1183;
+        let t1205 = c5 * t1183 - s5 * t1190;
+        let t1216 = A * t1205;
+        let t1217 = c5 * t1196 - s5 * t1186 + L3 * t1205;
+        let t1218 = s5 * t1196 + c5 * t1186 + (L3 * t1202 + A * t1193);
+        let t1219 = t1199 - t1216;
+        let t1225 = t355 * t1205 - t1217;
+        let t1226 = t1219 + t352 * t1205;
+        let t1227 = t352 * t1193 + t355 * t1202 - t1218;
+        let t1232 = z1_3_y * t1227 + (z1_4_x * t1225 + z1_4_y * t1226);
+        let t1237 = c3 * t1227 - (t229 * t1226 - z2_4_x * t1225);
+        let t1241 = t1216 + (c4 * t1219 - s4 * t1217);
+        put(50, t1232); // row 1, MSY7
+        put(111, t1237); // row 2, MSY7
+        put(162, t1241); // row 3, MSY7
+        put(203, t1218); // row 4, MSY7
+        put(233, t1199); // row 5, MSY7
+        put(254, t1186); // row 6, MSY7
+        [t1178, t1181]
     };
     // MSZ7: column
     {
-        let t1273 = c7 * t1076 + s7 * t1079;
-        let t1276 = c7 * t1079 - s7 * t1076;
-        let t1278 = k4 * t1276;
-        let t1279 = k4 * t1082 - t1085;
-        let t1282 = s6 * t1082 - c6 * t1273;
-        let t1285 = s6 * t1273 + c6 * t1082;
-        let t1288 = c6 * t1088 - s6 * t1278;
-        let t1291 = s6 * t1088 + c6 * t1278;
-        let t1294 = c5 * t1282 + s5 * t1276;
-        let t1297 = c5 * t1276 - s5 * t1282;
-        let t1308 = A * t1297;
-        let t1309 = c5 * t1288 + s5 * t1279 - L3 * t1297;
-        let t1310 = c5 * t1279 - s5 * t1288 - (A * t1285 - L3 * t1294);
-        let t1311 = t1308 - t1291;
-        let t1317 = t1309 + t363 * t1297;
-        let t1318 = t360 * t1297 - t1311;
-        let t1319 = t363 * t1294 - t360 * t1285 - t1310;
-        let t1324 = z1_3_y * t1319 + (z1_4_x * t1317 + z1_4_y * t1318);
-        let t1329 = c3 * t1319 - (t237 * t1318 - z2_4_x * t1317);
-        let t1333 = t1308 + (s4 * t1309 - c4 * t1311);
-        put(51, t1324); // row 1, MSZ7
-        put(109, t1329); // row 2, MSZ7
-        put(157, t1333); // row 3, MSZ7
-        put(195, t1310); // row 4, MSZ7
-        put(222, t1291); // row 5, MSZ7
-        put(240, t1279); // row 6, MSZ7
+        let t1244 = c7 * t200 + s7 * t203;
+        let t1247 = c7 * t203 - s7 * t200;
+        let t1249 = k4 * t1247;
+        let t1250 = k4 * t177 - t1056;
+        let t1252 = t831 - c6 * t1244;
+        let t1254 = t834 + s6 * t1244;
+        let t1257 = c6 * t1059 - s6 * t1249;
+        let t1260 = s6 * t1059 + c6 * t1249;
+        let t1263 = c5 * t1252 + s5 * t1247;
+        let t1266 = c5 * t1247 - s5 * t1252;
+        let t1277 = A * t1266;
+        let t1278 = L3 * t1266 - (c5 * t1257 + s5 * t1250);
+        let t1279 = L3 * t1263 - A * t1254 - (s5 * t1257 - c5 * t1250);
+        let t1280 = t1260 - t1277;
+        let t1286 = t355 * t1266 - t1278;
+        let t1287 = t1280 + t352 * t1266;
+        let t1288 = t1279 + (t352 * t1254 - t355 * t1263);
+        let t1293 = z1_4_x * t1286 + z1_4_y * t1287 - z1_3_y * t1288;
+        let t1298 = z2_4_x * t1286 - t229 * t1287 - c3 * t1288;
+        let t1302 = t1277 - (s4 * t1278 - c4 * t1280);
+        put(51, t1293); // row 1, MSZ7
+        put(112, t1298); // row 2, MSZ7
+        put(163, t1302); // row 3, MSZ7
+        put(204, t1279); // row 4, MSZ7
+        put(234, t1260); // row 5, MSZ7
+        put(255, t1250); // row 6, MSZ7
     }
     // XX7: column
-    let [t1335, t1338, t1341, t1344] = {
-        let t1335 = s7 * t1072;
-        let t1336 = c7 * dw7_x + t1335;
-        let t1338 = c7 * t1072;
-        let t1339 = s7 * dw7_x - t1338;
-        let t1341 = s6 * t1071;
-        let t1342 = t1341 - c6 * t1336;
-        let t1344 = c6 * t1071;
-        let t1345 = s6 * t1336 + t1344;
-        let t1350 = z1_4_y * t1345 - (z1_5_x * t1342 - t243 * t1339);
-        let t1355 = t249 * t1339 - z2_5_x * t1342 - t237 * t1345;
-        let t1360 = c4 * t1345 + (z3_6_z * t1339 - z3_5_x * t1342);
-        let t1363 = s5 * t1342 + c5 * t1339;
-        put(52, t1350); // row 1, XX7
-        put(110, t1355); // row 2, XX7
-        put(158, t1360); // row 3, XX7
-        put(196, t1363); // row 4, XX7
-        put(223, t1345); // row 5, XX7
-        put(241, t1339); // row 6, XX7
-        [t1335, t1338, t1341, t1344]
+    let [t1304, t1307, t1310, t1313] = {
+        let t1304 = s7 * t209;
+        let t1305 = c7 * dw7_x + t1304;
+        let t1307 = c7 * t209;
+        let t1308 = s7 * dw7_x - t1307;
+        let t1310 = s6 * t208;
+        let t1311 = c6 * t1305 - t1310;
+        let t1313 = c6 * t208;
+        let t1314 = s6 * t1305 + t1313;
+        let t1319 = z1_4_y * t1314 + (z1_5_x * t1311 + t235 * t1308);
+        let t1324 = z2_5_x * t1311 + t241 * t1308 - t229 * t1314;
+        let t1329 = c4 * t1314 + (z3_5_x * t1311 + z3_6_z * t1308);
+        let t1332 = c5 * t1308 - s5 * t1311;
+        put(52, t1319); // row 1, XX7
+        put(113, t1324); // row 2, XX7
+        put(164, t1329); // row 3, XX7
+        put(205, t1332); // row 4, XX7
+        put(235, t1314); // row 5, XX7
+        put(256, t1308); // row 6, XX7
+        [t1304, t1307, t1310, t1313]
     };
     // YY7: column
-    let [t1364, t1367] = {
-        let t1364 = c7 * t1073;
-        let t1366 = t1364 - s7 * dw7_y;
-        let t1367 = s7 * t1073;
-        let t1369 = t1367 + c7 * dw7_y;
-        let t1371 = t1341 + c6 * t1366;
-        let t1373 = s6 * t1366 - t1344;
-        let t1378 = z1_4_y * t1373 + (z1_5_x * t1371 + t243 * t1369);
-        let t1383 = z2_5_x * t1371 + t249 * t1369 - t237 * t1373;
-        let t1388 = c4 * t1373 + (z3_5_x * t1371 + z3_6_z * t1369);
-        let t1391 = c5 * t1369 - s5 * t1371;
-        put(53, t1378); // row 1, YY7
-        put(111, t1383); // row 2, YY7
-        put(159, t1388); // row 3, YY7
-        put(197, t1391); // row 4, YY7
-        put(224, t1373); // row 5, YY7
-        put(242, t1369); // row 6, YY7
-        [t1364, t1367]
+    let [t1333, t1336] = {
+        let t1333 = c7 * t210;
+        let t1335 = t1333 - s7 * t212;
+        let t1336 = s7 * t210;
+        let t1338 = t1336 + c7 * t212;
+        let t1340 = t1310 + c6 * t1335;
+        let t1342 = s6 * t1335 - t1313;
+        let t1347 = z1_4_y * t1342 + (z1_5_x * t1340 + t235 * t1338);
+        let t1352 = z2_5_x * t1340 + t241 * t1338 - t229 * t1342;
+        let t1357 = c4 * t1342 + (z3_5_x * t1340 + z3_6_z * t1338);
+        let t1360 = c5 * t1338 - s5 * t1340;
+        put(53, t1347); // row 1, YY7
+        put(114, t1352); // row 2, YY7
+        put(165, t1357); // row 3, YY7
+        put(206, t1360); // row 4, YY7
+        put(236, t1342); // row 5, YY7
+        put(257, t1338); // row 6, YY7
+        [t1333, t1336]
     };
     // ZZ7: column
-    {
-        let t1392 = t1335 + t1364;
-        let t1393 = t1338 - t1367;
-        let t1396 = c6 * t1392 + s6 * t227;
-        let t1399 = c6 * t227 - s6 * t1392;
-        let t1404 = z1_4_y * t1399 - (z1_5_x * t1396 - t243 * t1393);
-        let t1409 = t249 * t1393 - z2_5_x * t1396 - t237 * t1399;
-        let t1414 = c4 * t1399 + (z3_6_z * t1393 - z3_5_x * t1396);
-        let t1417 = s5 * t1396 + c5 * t1393;
-        put(54, t1404); // row 1, ZZ7
-        put(112, t1409); // row 2, ZZ7
-        put(160, t1414); // row 3, ZZ7
-        put(198, t1417); // row 4, ZZ7
-        put(225, t1399); // row 5, ZZ7
-        put(243, t1393); // row 6, ZZ7
-    }
+    let t1368 = {
+        let t1361 = t1304 + t1333;
+        let t1362 = t1307 - t1336;
+        let t1365 = c6 * t1361 - s6 * dw7_z;
+        let t1368 = s6 * t1361 + c6 * dw7_z;
+        let t1373 = t235 * t1362 - z1_5_x * t1365 - z1_4_y * t1368;
+        let t1378 = t229 * t1368 + (t241 * t1362 - z2_5_x * t1365);
+        let t1383 = z3_6_z * t1362 - z3_5_x * t1365 - c4 * t1368;
+        let t1386 = s5 * t1365 + c5 * t1362;
+        put(54, t1373); // row 1, ZZ7
+        put(115, t1378); // row 2, ZZ7
+        put(166, t1383); // row 3, ZZ7
+        put(207, t1386); // row 4, ZZ7
+        put(258, t1362); // row 6, ZZ7
+        t1368
+    };
     // XY7: column
     {
-        let t1418 = t1068 - t1069;
-        let t1421 = c7 * t1080 + s7 * t1081;
-        let t1424 = s7 * t1080 - c7 * t1081;
-        let t1427 = c6 * t1421 + s6 * t1418;
-        let t1430 = s6 * t1421 - c6 * t1418;
-        let t1435 = z1_4_y * t1430 + (z1_5_x * t1427 + t243 * t1424);
-        let t1440 = z2_5_x * t1427 + t249 * t1424 - t237 * t1430;
-        let t1445 = c4 * t1430 + (z3_5_x * t1427 + z3_6_z * t1424);
-        let t1448 = c5 * t1424 - s5 * t1427;
-        put(55, t1435); // row 1, XY7
-        put(113, t1440); // row 2, XY7
-        put(161, t1445); // row 3, XY7
-        put(199, t1448); // row 4, XY7
-        put(226, t1430); // row 5, XY7
-        put(244, t1424); // row 6, XY7
-        put(252, t1418); // row 7, XY7
+        let t1387 = t217 - t214;
+        let t1390 = c7 * t218 + s7 * t219;
+        let t1393 = s7 * t218 - c7 * t219;
+        let t1396 = c6 * t1390 + s6 * t1387;
+        let t1399 = s6 * t1390 - c6 * t1387;
+        let t1404 = z1_4_y * t1399 + (z1_5_x * t1396 + t235 * t1393);
+        let t1409 = z2_5_x * t1396 + t241 * t1393 - t229 * t1399;
+        let t1414 = c4 * t1399 + (z3_5_x * t1396 + z3_6_z * t1393);
+        let t1417 = c5 * t1393 - s5 * t1396;
+        put(55, t1404); // row 1, XY7
+        put(116, t1409); // row 2, XY7
+        put(167, t1414); // row 3, XY7
+        put(208, t1417); // row 4, XY7
+        put(238, t1399); // row 5, XY7
+        put(259, t1393); // row 6, XY7
+        put(270, t1387); // row 7, XY7
     }
     // XZ7: column
     {
-        let t1449 = t1070 - t1068;
-        let t1451 = t1145 - s7 * t1449;
-        let t1453 = t1142 + c7 * t1449;
-        let t1456 = c6 * t1451 + s6 * t1079;
-        let t1459 = s6 * t1451 - c6 * t1079;
-        let t1464 = z1_4_y * t1459 + (z1_5_x * t1456 + t243 * t1453);
-        let t1469 = z2_5_x * t1456 + t249 * t1453 - t237 * t1459;
-        let t1474 = c4 * t1459 + (z3_5_x * t1456 + z3_6_z * t1453);
-        let t1477 = c5 * t1453 - s5 * t1456;
-        put(56, t1464); // row 1, XZ7
-        put(114, t1469); // row 2, XZ7
-        put(162, t1474); // row 3, XZ7
-        put(200, t1477); // row 4, XZ7
-        put(227, t1459); // row 5, XZ7
-        put(245, t1453); // row 6, XZ7
+        let t1419 = t1116 + s7 * t213;
+        let t1421 = t1113 - c7 * t213;
+        let t1424 = c6 * t1419 + s6 * t203;
+        let t1427 = s6 * t1419 - c6 * t203;
+        let t1432 = z1_4_y * t1427 + (z1_5_x * t1424 + t235 * t1421);
+        let t1437 = z2_5_x * t1424 + t241 * t1421 - t229 * t1427;
+        let t1442 = c4 * t1427 + (z3_5_x * t1424 + z3_6_z * t1421);
+        let t1445 = c5 * t1421 - s5 * t1424;
+        put(56, t1432); // row 1, XZ7
+        put(117, t1437); // row 2, XZ7
+        put(168, t1442); // row 3, XZ7
+        put(209, t1445); // row 4, XZ7
+        put(239, t1427); // row 5, XZ7
+        put(260, t1421); // row 6, XZ7
     }
     // YZ7: column
     {
-        let t1478 = t1069 - t1070;
-        let t1480 = t1210 + c7 * t1478;
-        let t1482 = s7 * t1478 - t1207;
-        let t1485 = c6 * t1480 + s6 * t1076;
-        let t1488 = s6 * t1480 - c6 * t1076;
-        let t1493 = z1_4_y * t1488 + (z1_5_x * t1485 + t243 * t1482);
-        let t1498 = z2_5_x * t1485 + t249 * t1482 - t237 * t1488;
-        let t1503 = c4 * t1488 + (z3_5_x * t1485 + z3_6_z * t1482);
-        let t1506 = c5 * t1482 - s5 * t1485;
-        let t1507 = -t5;
-        let t1508 = -t25;
-        let t1509 = -t2;
-        let t1510 = -t3;
-        let t1511 = -t320;
-        let t1512 = -t694;
-        let t1513 = -t65;
-        let t1514 = -t418;
-        let t1515 = -t108;
-        let t1516 = -t688;
-        let t1517 = -t956;
-        let t1518 = -t159;
-        let t1519 = -t797;
-        let t1520 = -t756;
-        let t1521 = -t198;
-        let t1522 = -t1071;
-        let t1523 = -t227;
-        put(57, t1493); // row 1, YZ7
-        put(58, t1507); // row 2, MSX2
-        put(60, t1508); // row 2, XX2
-        put(64, t1509); // row 2, XZ2
-        put(65, t1510); // row 2, YZ2
-        put(67, t1511); // row 2, MSX3
-        put(92, t1512); // row 2, ZZ5
-        put(115, t1498); // row 2, YZ7
-        put(119, t1513); // row 3, YY3
-        put(126, t1514); // row 3, MSY4
-        put(163, t1503); // row 3, YZ7
-        put(167, t1515); // row 4, YY4
-        put(177, t1516); // row 4, YY5
-        put(186, t1517); // row 4, XX6
-        put(201, t1506); // row 4, YZ7
-        put(204, t1518); // row 5, XX5
-        put(211, t1519); // row 5, MSY6
-        put(212, t1520); // row 5, MSZ6
-        put(228, t1488); // row 5, YZ7
-        put(231, t1521); // row 6, XX6
-        put(246, t1482); // row 6, YZ7
-        put(249, t1522); // row 7, XX7
-        put(251, t1523); // row 7, ZZ7
+        let t1446 = t177 - t217;
+        let t1448 = c7 * t1446 - t1181;
+        let t1450 = t1178 + s7 * t1446;
+        let t1453 = c6 * t1448 + s6 * t200;
+        let t1456 = s6 * t1448 - c6 * t200;
+        let t1461 = z1_4_y * t1456 + (z1_5_x * t1453 + t235 * t1450);
+        let t1466 = z2_5_x * t1453 + t241 * t1450 - t229 * t1456;
+        let t1471 = c4 * t1456 + (z3_5_x * t1453 + z3_6_z * t1450);
+        let t1474 = c5 * t1450 - s5 * t1453;
+        let t1475 = dq1.sign();
+        let t1476 = dq2.sign();
+        let t1477 = dq3.sign();
+        let t1478 = dq4.sign();
+        let t1479 = dq5.sign();
+        let t1480 = dq6.sign();
+        let t1481 = dq7.sign();
+        let t1482 = -t6;
+        let t1483 = -t9;
+        let t1484 = -t3;
+        let t1485 = -t4;
+        let t1486 = -t273;
+        let t1487 = -t684;
+        let t1488 = -t957;
+        let t1489 = -t48;
+        let t1490 = -t410;
+        let t1491 = -t88;
+        let t1492 = -t742;
+        let t1493 = -t134;
+        let t1494 = -t126;
+        let t1495 = -t786;
+        let t1496 = -t745;
+        let t1497 = -t1368;
+        let t1498 = -t168;
+        let t1499 = -t208;
+        put(57, t1461); // row 1, YZ7
+        put(59, t1475); // row 1, FC1
+        put(61, t1482); // row 2, MSX2
+        put(63, t1483); // row 2, XX2
+        put(67, t1484); // row 2, XZ2
+        put(68, t1485); // row 2, YZ2
+        put(69, t1486); // row 2, M3
+        put(95, t1487); // row 2, ZZ5
+        put(104, t1488); // row 2, YY6
+        put(118, t1466); // row 2, YZ7
+        put(120, t1476); // row 2, FC2
+        put(125, t1489); // row 3, YY3
+        put(132, t1490); // row 3, MSY4
+        put(169, t1471); // row 3, YZ7
+        put(171, t1477); // row 3, FC3
+        put(176, t1491); // row 4, YY4
+        put(190, t1492); // row 4, YZ5
+        put(210, t1474); // row 4, YZ7
+        put(212, t1478); // row 4, FC4
+        put(216, t1493); // row 5, XX5
+        put(221, t1494); // row 5, YZ5
+        put(223, t1495); // row 5, MSY6
+        put(224, t1496); // row 5, MSZ6
+        put(237, t1497); // row 5, ZZ7
+        put(240, t1456); // row 5, YZ7
+        put(242, t1479); // row 5, FC5
+        put(247, t1498); // row 6, YY6
+        put(261, t1450); // row 6, YZ7
+        put(263, t1480); // row 6, FC6
+        put(267, t1499); // row 7, XX7
+        put(274, t1481); // row 7, FC7
     }
 }

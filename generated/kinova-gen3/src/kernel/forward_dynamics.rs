@@ -2,7 +2,7 @@
 //!
 //! `ddq = M^-1 (tau - C dq - g - friction)`, rad/s^2, from the base parameters; `M = L D L'` written out.
 //!
-//! 729 multiplications, 593 additions; 7, 7 of 7 structurally nonzero.
+//! 729 multiplications, 606 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -26,7 +26,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         ZZ1R, MSX2, MSY2R, XX2R, ZZ2R, XY2, XZ2, YZ2, MSX3, MSY3R, XX3R, ZZ3R,
         XY3, XZ3, YZ3, MSX4, MSY4R, XX4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSY5R,
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6R, XX6R, ZZ6R, XY6, XZ6, YZ6,
-        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
+        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7, FV1, FV2, FV3, FV4, FV5,
+        FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7, FO1, FO2, FO3,
+        FO4, FO5, FO6, FO7,
         ..] = *beta;
     let k0 = S::constant(0.167455);
     let k1 = S::constant(0.00035);
@@ -243,421 +245,428 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t437 = ZZ1R + t436;
         t437
     };
+    // link 1: motion
+    let t438 = {
+        let t438 = dq1 * dq1;
+        t438
+    };
     // link 2: motion
-    let [w2_x, w2_y, t441, t442, a2_z, dw2_x, t445] = {
+    let [
+        w2_x, w2_y, t441, t442, a2_z, t446, t447, dw2_x,
+        t449, t450, t451, t452, t453,
+    ] = {
         let w2_x = s2 * dq1;
         let w2_y = c2 * dq1;
         let t441 = s2 * k6;
         let t442 = c2 * k6;
-        let a2_z = k5 * (dq1 * dq1);
+        let a2_z = k5 * t438;
+        let t444 = w2_x * w2_x;
+        let t445 = dq2 * dq2;
+        let t446 = w2_x * w2_y;
+        let t447 = dq2 * w2_x;
         let dw2_x = dq2 * w2_y;
-        let t445 = dq2 * w2_x;
-        [w2_x, w2_y, t441, t442, a2_z, dw2_x, t445]
+        let t449 = t444 - t445;
+        let t450 = t449 - t438;
+        let t451 = t444 + t445;
+        let t452 = t447 + t447;
+        let t453 = dw2_x + dw2_x;
+        [
+        w2_x, w2_y, t441, t442, a2_z, t446, t447, dw2_x,
+        t449, t450, t451, t452, t453,
+    ]
     };
     // link 3: motion
     let [
-        w3_x, t451, t454, t455, t456, t457, t458, t459,
-        t460, t461, a3_z, t470, a3_y, w3_z, dw3_x, dw4_z,
+        w3_x, t459, a3_z, t468, a3_y, t474, t477, w3_z,
+        t481, t482, t483, dw3_x, dw3_y, t486, t487, t488,
+        t489, t490, t491, t492,
     ] = {
         let w3_x = c3 * w2_x - s3 * dq2;
-        let t451 = c3 * dq2 + s3 * w2_x;
-        let t454 = w2_x * w2_x;
-        let t455 = w2_y * w2_y;
-        let t456 = dq2 * dq2;
-        let t457 = w2_x * w2_y;
-        let t458 = t455 + t456;
-        let t459 = t454 + t456;
-        let t460 = t445 + t445;
-        let t461 = dw2_x + dw2_x;
-        let t465 = t441 + k4 * t457;
-        let a3_z = k4 * t459 - t442;
-        let t467 = a2_z - k4 * t461;
-        let t470 = c3 * t465 + s3 * t467;
-        let a3_y = s3 * t465 - c3 * t467;
+        let t459 = c3 * dq2 + s3 * w2_x;
+        let t463 = t441 + k4 * t446;
+        let a3_z = k4 * t451 - t442;
+        let t465 = a2_z - k4 * t453;
+        let t468 = c3 * t463 + s3 * t465;
+        let a3_y = s3 * t463 - c3 * t465;
+        let t474 = c3 * t446 - s3 * t453;
+        let t477 = c3 * t453 + s3 * t446;
         let w3_z = w2_y + dq3;
-        let dw3_x = c3 * dw2_x - dq3 * t451;
-        let dw4_z = s3 * dw2_x + dq3 * w3_x;
+        let t479 = w3_x * w3_x;
+        let t480 = w3_z * w3_z;
+        let t481 = w3_x * t459;
+        let t482 = w3_x * w3_z;
+        let t483 = t459 * w3_z;
+        let dw3_x = t477 - t483;
+        let dw3_y = t474 - t482;
+        let t486 = t479 - t480;
+        let t487 = t486 - t451;
+        let t488 = t447 - t481;
+        let t489 = t447 + t481;
+        let t490 = t479 + t480;
+        let t491 = t482 - dw3_y;
+        let t492 = dw3_x - t483;
         [
-        w3_x, t451, t454, t455, t456, t457, t458, t459,
-        t460, t461, a3_z, t470, a3_y, w3_z, dw3_x, dw4_z,
+        w3_x, t459, a3_z, t468, a3_y, t474, t477, w3_z,
+        t481, t482, t483, dw3_x, dw3_y, t486, t487, t488,
+        t489, t490, t491, t492,
     ]
     };
     // link 4: motion
     let [
-        w4_x, w4_y, t491, t492, t493, t494, t495, t496,
-        t497, t498, t499, t500, t501, t502, t503, t504,
-        t509, a4_x, a4_y, w4_z, dw4_x, t521,
+        w4_x, w4_y, t503, a4_x, a4_y, t513, t516, w4_z,
+        t520, t521, t522, dw4_x, t524, t525, t526, t527,
+        t528, t529, t530, t531,
     ] = {
         let w4_x = c4 * w3_x + s4 * w3_z;
         let w4_y = c4 * w3_z - s4 * w3_x;
-        let t491 = w3_x * w3_x;
-        let t492 = t451 * t451;
-        let t493 = w3_z * w3_z;
-        let t494 = w3_x * t451;
-        let t495 = w3_x * w3_z;
-        let t496 = t451 * w3_z;
-        let t497 = t492 + t493;
-        let t498 = t445 - t494;
-        let t499 = t495 - dw4_z;
-        let t500 = t445 + t494;
-        let t501 = t491 + t493;
-        let t502 = dw3_x + t496;
-        let t503 = dw4_z + t495;
-        let t504 = dw3_x - t496;
-        let t508 = k3 * t498 - t470;
-        let t509 = a3_y - k3 * t501;
-        let t510 = a3_z + k3 * t504;
-        let a4_x = c4 * t508 + s4 * t510;
-        let a4_y = c4 * t510 - s4 * t508;
-        let w4_z = t451 + dq4;
-        let dw4_x = c4 * dw3_x - s4 * t445 + dq4 * w4_y;
-        let t521 = c4 * t445 + s4 * dw3_x + dq4 * w4_x;
+        let t502 = k3 * t488 - t468;
+        let t503 = a3_y - k3 * t490;
+        let t504 = a3_z + k3 * t492;
+        let a4_x = c4 * t502 + s4 * t504;
+        let a4_y = c4 * t504 - s4 * t502;
+        let t513 = c4 * t488 + s4 * t492;
+        let t516 = s4 * t488 - c4 * t492;
+        let w4_z = t459 + dq4;
+        let t518 = w4_x * w4_x;
+        let t519 = w4_z * w4_z;
+        let t520 = w4_x * w4_y;
+        let t521 = w4_x * w4_z;
+        let t522 = w4_y * w4_z;
+        let dw4_x = t522 - t516;
+        let t524 = t513 + t521;
+        let t525 = t518 - t519;
+        let t526 = t525 - t490;
+        let t527 = dw3_y + t520;
+        let t528 = t520 - dw3_y;
+        let t529 = t518 + t519;
+        let t530 = t521 + t524;
+        let t531 = t522 + dw4_x;
         [
-        w4_x, w4_y, t491, t492, t493, t494, t495, t496,
-        t497, t498, t499, t500, t501, t502, t503, t504,
-        t509, a4_x, a4_y, w4_z, dw4_x, t521,
+        w4_x, w4_y, t503, a4_x, a4_y, t513, t516, w4_z,
+        t520, t521, t522, dw4_x, t524, t525, t526, t527,
+        t528, t529, t530, t531,
     ]
     };
     // link 5: motion
     let [
-        w5_x, t527, t534, t535, t536, t537, t538, t539,
-        t540, t541, t542, t543, t544, t545, t546, t547,
-        a5_z, a5_x, a5_y, w5_z, dw5_x, dw6_z,
+        w5_x, t537, a5_z, a5_x, a5_y, t552, t555, w5_z,
+        t559, t560, t561, dw5_x, dw5_y, t564, t565, t566,
+        t567, t568, t569, t570,
     ] = {
         let w5_x = c5 * w4_x - s5 * w4_z;
-        let t527 = c5 * w4_z + s5 * w4_x;
-        let t534 = w4_x * w4_x;
-        let t535 = w4_y * w4_y;
-        let t536 = w4_z * w4_z;
-        let t537 = w4_x * w4_y;
-        let t538 = w4_x * w4_z;
-        let t539 = w4_y * w4_z;
-        let t540 = t535 + t536;
-        let t541 = t537 - dw4_z;
-        let t542 = t538 - t521;
-        let t543 = dw4_z + t537;
-        let t544 = t534 + t536;
-        let t545 = t539 - dw4_x;
-        let t546 = t521 + t538;
-        let t547 = dw4_x + t539;
-        let t551 = a4_x - k2 * t541;
-        let a5_z = a4_y + k2 * t544;
-        let t553 = t509 + k2 * t547;
-        let a5_x = c5 * t551 + s5 * t553;
-        let a5_y = c5 * t553 - s5 * t551;
+        let t537 = c5 * w4_z + s5 * w4_x;
+        let t541 = a4_x - k2 * t527;
+        let a5_z = a4_y + k2 * t529;
+        let t543 = t503 + k2 * t531;
+        let a5_x = c5 * t541 + s5 * t543;
+        let a5_y = c5 * t543 - s5 * t541;
+        let t552 = c5 * t527 - s5 * t531;
+        let t555 = c5 * t531 + s5 * t527;
         let w5_z = w4_y + dq5;
-        let dw5_x = c5 * dw4_x - s5 * dw4_z - dq5 * t527;
-        let dw6_z = c5 * dw4_z + s5 * dw4_x + dq5 * w5_x;
+        let t557 = w5_x * w5_x;
+        let t558 = w5_z * w5_z;
+        let t559 = w5_x * t537;
+        let t560 = w5_x * w5_z;
+        let t561 = t537 * w5_z;
+        let dw5_x = t555 - t561;
+        let dw5_y = t552 - t560;
+        let t564 = t557 - t558;
+        let t565 = t564 - t529;
+        let t566 = t524 - t559;
+        let t567 = t524 + t559;
+        let t568 = t557 + t558;
+        let t569 = t560 - dw5_y;
+        let t570 = dw5_x - t561;
         [
-        w5_x, t527, t534, t535, t536, t537, t538, t539,
-        t540, t541, t542, t543, t544, t545, t546, t547,
-        a5_z, a5_x, a5_y, w5_z, dw5_x, dw6_z,
+        w5_x, t537, a5_z, a5_x, a5_y, t552, t555, w5_z,
+        t559, t560, t561, dw5_x, dw5_y, t564, t565, t566,
+        t567, t568, t569, t570,
     ]
     };
     // link 6: motion
     let [
-        w6_x, w6_y, t577, t578, t579, t580, t581, t582,
-        t583, t584, t585, t586, t587, t588, t589, t590,
-        t595, a6_x, a6_y, w6_z, dw6_x, t607,
+        w6_x, w6_y, t581, a6_x, a6_y, t591, t594, w6_z,
+        t598, t599, t600, dw6_x, t602, t603, t604, t605,
+        t606, t607, t608, t609,
     ] = {
         let w6_x = c6 * w5_x + s6 * w5_z;
         let w6_y = c6 * w5_z - s6 * w5_x;
-        let t577 = w5_x * w5_x;
-        let t578 = t527 * t527;
-        let t579 = w5_z * w5_z;
-        let t580 = w5_x * t527;
-        let t581 = w5_x * w5_z;
-        let t582 = t527 * w5_z;
-        let t583 = t578 + t579;
-        let t584 = t521 - t580;
-        let t585 = t581 - dw6_z;
-        let t586 = t521 + t580;
-        let t587 = t577 + t579;
-        let t588 = dw5_x + t582;
-        let t589 = dw6_z + t581;
-        let t590 = dw5_x - t582;
-        let t594 = a5_x + k1 * t584;
-        let t595 = a5_y - k1 * t587;
-        let t596 = a5_z + k1 * t590;
-        let a6_x = c6 * t594 + s6 * t596;
-        let a6_y = c6 * t596 - s6 * t594;
-        let w6_z = t527 + dq6;
-        let dw6_x = c6 * dw5_x - s6 * t521 + dq6 * w6_y;
-        let t607 = c6 * t521 + s6 * dw5_x + dq6 * w6_x;
+        let t580 = a5_x + k1 * t566;
+        let t581 = a5_y - k1 * t568;
+        let t582 = a5_z + k1 * t570;
+        let a6_x = c6 * t580 + s6 * t582;
+        let a6_y = c6 * t582 - s6 * t580;
+        let t591 = c6 * t566 + s6 * t570;
+        let t594 = s6 * t566 - c6 * t570;
+        let w6_z = t537 + dq6;
+        let t596 = w6_x * w6_x;
+        let t597 = w6_z * w6_z;
+        let t598 = w6_x * w6_y;
+        let t599 = w6_x * w6_z;
+        let t600 = w6_y * w6_z;
+        let dw6_x = t600 - t594;
+        let t602 = t591 + t599;
+        let t603 = t596 - t597;
+        let t604 = t603 - t568;
+        let t605 = dw5_y + t598;
+        let t606 = t598 - dw5_y;
+        let t607 = t596 + t597;
+        let t608 = t599 + t602;
+        let t609 = t600 + dw6_x;
         [
-        w6_x, w6_y, t577, t578, t579, t580, t581, t582,
-        t583, t584, t585, t586, t587, t588, t589, t590,
-        t595, a6_x, a6_y, w6_z, dw6_x, t607,
+        w6_x, w6_y, t581, a6_x, a6_y, t591, t594, w6_z,
+        t598, t599, t600, dw6_x, t602, t603, t604, t605,
+        t606, t607, t608, t609,
     ]
     };
     // link 7: motion
     let [
-        w7_x, t613, t620, t621, t622, t623, t624, t625,
-        t626, t627, t628, t629, t630, t631, t632, t633,
-        a7_z, a7_x, a7_y, w7_z, dw7_x, t650,
+        a7_z, a7_x, a7_y, t630, t633, t637, t638, t639,
+        dw7_x, t642, t643, t644, t645, t646, t647, t648,
     ] = {
         let w7_x = c7 * w6_x - s7 * w6_z;
-        let t613 = c7 * w6_z + s7 * w6_x;
-        let t620 = w6_x * w6_x;
-        let t621 = w6_y * w6_y;
-        let t622 = w6_z * w6_z;
-        let t623 = w6_x * w6_y;
-        let t624 = w6_x * w6_z;
-        let t625 = w6_y * w6_z;
-        let t626 = t621 + t622;
-        let t627 = t623 - dw6_z;
-        let t628 = t624 - t607;
-        let t629 = dw6_z + t623;
-        let t630 = t620 + t622;
-        let t631 = t625 - dw6_x;
-        let t632 = t607 + t624;
-        let t633 = dw6_x + t625;
-        let t637 = a6_x - k0 * t627;
-        let a7_z = a6_y + k0 * t630;
-        let t639 = t595 + k0 * t633;
-        let a7_x = c7 * t637 + s7 * t639;
-        let a7_y = c7 * t639 - s7 * t637;
+        let t615 = c7 * w6_z + s7 * w6_x;
+        let t619 = a6_x - k0 * t605;
+        let a7_z = a6_y + k0 * t607;
+        let t621 = t581 + k0 * t609;
+        let a7_x = c7 * t619 + s7 * t621;
+        let a7_y = c7 * t621 - s7 * t619;
+        let t630 = c7 * t605 - s7 * t609;
+        let t633 = c7 * t609 + s7 * t605;
         let w7_z = w6_y + dq7;
-        let dw7_x = c7 * dw6_x - s7 * dw6_z - dq7 * t613;
-        let t650 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
+        let t635 = w7_x * w7_x;
+        let t636 = w7_z * w7_z;
+        let t637 = w7_x * t615;
+        let t638 = w7_x * w7_z;
+        let t639 = t615 * w7_z;
+        let dw7_x = t633 - t639;
+        let dw7_y = t630 - t638;
+        let t642 = t635 - t636;
+        let t643 = t642 - t607;
+        let t644 = t602 - t637;
+        let t645 = t602 + t637;
+        let t646 = t635 + t636;
+        let t647 = t638 - dw7_y;
+        let t648 = dw7_x - t639;
         [
-        w7_x, t613, t620, t621, t622, t623, t624, t625,
-        t626, t627, t628, t629, t630, t631, t632, t633,
-        a7_z, a7_x, a7_y, w7_z, dw7_x, t650,
+        a7_z, a7_x, a7_y, t630, t633, t637, t638, t639,
+        dw7_x, t642, t643, t644, t645, t646, t647, t648,
     ]
     };
     // link 7: force and moment
-    let [f7_z, n7_z, t713, t716, t725, t726] = {
-        let t651 = w7_x * w7_x;
-        let t652 = t613 * t613;
-        let t653 = w7_z * w7_z;
-        let t654 = w7_x * t613;
-        let t655 = w7_x * w7_z;
-        let t656 = t613 * w7_z;
-        let t658 = t607 - t654;
-        let t660 = t607 + t654;
-        let t663 = t650 + t655;
-        let t664 = dw7_x - t656;
-        let t683 = XZ7 * (dw7_x + t656);
-        let t688 = YZ7 * (t652 - t653);
-        let t689 = YZ7 * t658;
-        let t690 = YZ7 * (t655 - t650);
-        let t691 = XX7R * dw7_x - ZZ7 * t656 - XY7 * t663 - XZ7 * t660 + t688;
-        let t692 = t655 * (XX7R - ZZ7) + XY7 * t664 + XZ7 * (t653 - t651) - t689;
-        let t693 = XX7R * t654 - ZZ7 * t607 + XY7 * (t651 - t652) + t683 + t690;
-        let f7_x = MSY7 * t658 - MSX7 * (t652 + t653);
-        let t699 = MSX7 * t660 + MSY7 * (t651 + t653);
-        let f7_z = MSX7 * t663 + MSY7 * t664;
-        let n7_x = t691 + MSY7 * a7_z;
-        let n7_y = t692 - MSX7 * a7_z;
-        let n7_z = t693 + (MSX7 * a7_y - MSY7 * a7_x);
-        let t713 = c7 * f7_x + s7 * t699;
-        let t716 = s7 * f7_x - c7 * t699;
-        let t725 = c7 * n7_x - s7 * n7_y + k0 * t716;
-        let t726 = s7 * n7_x + c7 * n7_y - k0 * t713;
-        [f7_z, n7_z, t713, t716, t725, t726]
+    let [f7_z, n7_z, t696, t699, t708, t709] = {
+        let t669 = XX7R * t637 - ZZ7 * t602 + XY7 * (t643 + t646) + XZ7 * t633;
+        let t671 = YZ7 * (t607 - t646);
+        let t674 = XX7R * dw7_x - ZZ7 * t639 - XY7 * t647 - XZ7 * t645 + t671;
+        let t675 = t638 * (XX7R - ZZ7) + XY7 * t648 - XZ7 * t642 - YZ7 * t644;
+        let f7_x = MSX7 * t643 + MSY7 * t644;
+        let t682 = MSX7 * t645 + MSY7 * t646;
+        let f7_z = MSX7 * t647 + MSY7 * t648;
+        let n7_x = t674 + MSY7 * a7_z;
+        let n7_y = t675 - MSX7 * a7_z;
+        let n7_z = t669 + YZ7 * t630 + (MSX7 * a7_y - MSY7 * a7_x);
+        let t696 = c7 * f7_x + s7 * t682;
+        let t699 = s7 * f7_x - c7 * t682;
+        let t708 = c7 * n7_x - s7 * n7_y + k0 * t699;
+        let t709 = s7 * n7_x + c7 * n7_y - k0 * t696;
+        [f7_z, n7_z, t696, t699, t708, t709]
     };
     // link 6: force and moment
-    let [f6_z, n6_z, t781, t784, t793, t794] = {
-        let t748 = ZZ6R * dw6_z - XX6R * t623 + XY6 * (t620 - t621) - XZ6 * t631;
-        let t750 = YZ6 * (t621 - t622);
-        let t751 = YZ6 * t627;
-        let t753 = ZZ6R * t625 + XX6R * dw6_x - XY6 * t632 + XZ6 * t629 + t750;
-        let t754 = t624 * (XX6R - ZZ6R) + XY6 * t633 + XZ6 * (t622 - t620) - t751;
-        let f6_x = t713 + (MSY6R * t627 - MSX6 * t626);
-        let f6_y = f7_z + (MSX6 * t629 - MSY6R * t630);
-        let f6_z = MSX6 * t632 + MSY6R * t633 - t716;
-        let n6_x = t725 + (t753 - MSY6R * t595);
-        let n6_y = n7_z + (t754 + MSX6 * t595);
-        let n6_z = t748 + YZ6 * t628 + (MSX6 * a6_y - MSY6R * a6_x) - t726;
-        let t781 = c6 * f6_x - s6 * f6_y;
-        let t784 = s6 * f6_x + c6 * f6_y;
-        let t793 = c6 * n6_x - s6 * n6_y + k1 * t784;
-        let t794 = s6 * n6_x + c6 * n6_y - k1 * t781;
-        [f6_z, n6_z, t781, t784, t793, t794]
+    let [f6_z, n6_z, t763, t766, t775, t776] = {
+        let t730 = XY6 * (t604 + t607) - (XX6R * t598 + ZZ6R * dw5_y) - XZ6 * t594;
+        let t732 = YZ6 * (t568 - t607);
+        let t735 = ZZ6R * t600 + XX6R * dw6_x - XY6 * t608 + XZ6 * t606 + t732;
+        let t736 = t599 * (XX6R - ZZ6R) + XY6 * t609 - XZ6 * t603 - YZ6 * t605;
+        let f6_x = t696 + (MSX6 * t604 + MSY6R * t605);
+        let f6_y = f7_z + (MSX6 * t606 - MSY6R * t607);
+        let f6_z = MSX6 * t608 + MSY6R * t609 - t699;
+        let n6_x = t708 + (t735 - MSY6R * t581);
+        let n6_y = n7_z + (t736 + MSX6 * t581);
+        let n6_z = t730 - YZ6 * t591 + (MSX6 * a6_y - MSY6R * a6_x) - t709;
+        let t763 = c6 * f6_x - s6 * f6_y;
+        let t766 = s6 * f6_x + c6 * f6_y;
+        let t775 = c6 * n6_x - s6 * n6_y + k1 * t766;
+        let t776 = s6 * n6_x + c6 * n6_y - k1 * t763;
+        [f6_z, n6_z, t763, t766, t775, t776]
     };
     // link 5: force and moment
-    let [f5_z, n5_z, t849, t852, t861, t862] = {
-        let t816 = XX5R * t580 - ZZ5R * t521 + XY5 * (t577 - t578) + XZ5 * t588;
-        let t818 = YZ5 * (t578 - t579);
-        let t819 = YZ5 * t584;
-        let t821 = XX5R * dw5_x - ZZ5R * t582 - XY5 * t589 - XZ5 * t586 + t818;
-        let t822 = t581 * (XX5R - ZZ5R) + XY5 * t590 + XZ5 * (t579 - t577) - t819;
-        let f5_x = t781 + (MSY5R * t584 - MSX5 * t583);
-        let t842 = f6_z + (MSX5 * t586 + MSY5R * t587);
-        let f5_z = t784 + (MSX5 * t589 + MSY5R * t590);
-        let n5_x = t793 + (t821 + MSY5R * a5_z);
-        let n5_y = t822 - MSX5 * a5_z - n6_z;
-        let n5_z = t794 + (t816 + YZ5 * t585 + (MSX5 * a5_y - MSY5R * a5_x));
-        let t849 = c5 * f5_x + s5 * t842;
-        let t852 = s5 * f5_x - c5 * t842;
-        let t861 = c5 * n5_x - s5 * n5_y + k2 * t852;
-        let t862 = s5 * n5_x + c5 * n5_y - k2 * t849;
-        [f5_z, n5_z, t849, t852, t861, t862]
+    let [f5_z, n5_z, t830, t833, t842, t843] = {
+        let t797 = XX5R * t559 - ZZ5R * t524 + XY5 * (t565 + t568) + XZ5 * t555;
+        let t799 = YZ5 * (t529 - t568);
+        let t802 = XX5R * dw5_x - ZZ5R * t561 - XY5 * t569 - XZ5 * t567 + t799;
+        let t803 = t560 * (XX5R - ZZ5R) + XY5 * t570 - XZ5 * t564 - YZ5 * t566;
+        let f5_x = t763 + (MSX5 * t565 + MSY5R * t566);
+        let t823 = f6_z + (MSX5 * t567 + MSY5R * t568);
+        let f5_z = t766 + (MSX5 * t569 + MSY5R * t570);
+        let n5_x = t775 + (t802 + MSY5R * a5_z);
+        let n5_y = t803 - MSX5 * a5_z - n6_z;
+        let n5_z = t776 + (t797 + YZ5 * t552 + (MSX5 * a5_y - MSY5R * a5_x));
+        let t830 = c5 * f5_x + s5 * t823;
+        let t833 = s5 * f5_x - c5 * t823;
+        let t842 = c5 * n5_x - s5 * n5_y + k2 * t833;
+        let t843 = s5 * n5_x + c5 * n5_y - k2 * t830;
+        [f5_z, n5_z, t830, t833, t842, t843]
     };
     // link 4: force and moment
-    let [f4_z, n4_z, t917, t920, t929, t930] = {
-        let t884 = ZZ4R * dw4_z - XX4R * t537 + XY4 * (t534 - t535) - XZ4 * t545;
-        let t886 = YZ4 * (t535 - t536);
-        let t887 = YZ4 * t541;
-        let t889 = ZZ4R * t539 + XX4R * dw4_x - XY4 * t546 + XZ4 * t543 + t886;
-        let t890 = t538 * (XX4R - ZZ4R) + XY4 * t547 + XZ4 * (t536 - t534) - t887;
-        let f4_x = t849 + (MSY4R * t541 - MSX4 * t540);
-        let f4_y = f5_z + (MSX4 * t543 - MSY4R * t544);
-        let f4_z = MSX4 * t546 + MSY4R * t547 - t852;
-        let n4_x = t861 + (t889 - MSY4R * t509);
-        let n4_y = n5_z + (t890 + MSX4 * t509);
-        let n4_z = t884 + YZ4 * t542 + (MSX4 * a4_y - MSY4R * a4_x) - t862;
-        let t917 = c4 * f4_x - s4 * f4_y;
-        let t920 = s4 * f4_x + c4 * f4_y;
-        let t929 = c4 * n4_x - s4 * n4_y + k3 * t920;
-        let t930 = s4 * n4_x + c4 * n4_y - k3 * t917;
-        [f4_z, n4_z, t917, t920, t929, t930]
+    let [f4_z, n4_z, t897, t900, t909, t910] = {
+        let t864 = XY4 * (t526 + t529) - (XX4R * t520 + ZZ4R * dw3_y) - XZ4 * t516;
+        let t866 = YZ4 * (t490 - t529);
+        let t869 = ZZ4R * t522 + XX4R * dw4_x - XY4 * t530 + XZ4 * t528 + t866;
+        let t870 = t521 * (XX4R - ZZ4R) + XY4 * t531 - XZ4 * t525 - YZ4 * t527;
+        let f4_x = t830 + (MSX4 * t526 + MSY4R * t527);
+        let f4_y = f5_z + (MSX4 * t528 - MSY4R * t529);
+        let f4_z = MSX4 * t530 + MSY4R * t531 - t833;
+        let n4_x = t842 + (t869 - MSY4R * t503);
+        let n4_y = n5_z + (t870 + MSX4 * t503);
+        let n4_z = t864 - YZ4 * t513 + (MSX4 * a4_y - MSY4R * a4_x) - t843;
+        let t897 = c4 * f4_x - s4 * f4_y;
+        let t900 = s4 * f4_x + c4 * f4_y;
+        let t909 = c4 * n4_x - s4 * n4_y + k3 * t900;
+        let t910 = s4 * n4_x + c4 * n4_y - k3 * t897;
+        [f4_z, n4_z, t897, t900, t909, t910]
     };
     // link 3: force and moment
-    let [f3_z, n3_z, t985, t997, t998] = {
-        let t952 = XX3R * t494 - ZZ3R * t445 + XY3 * (t491 - t492) + XZ3 * t502;
-        let t954 = YZ3 * (t492 - t493);
-        let t955 = YZ3 * t498;
-        let t957 = XX3R * dw3_x - ZZ3R * t496 - XY3 * t503 - XZ3 * t500 + t954;
-        let t958 = t495 * (XX3R - ZZ3R) + XY3 * t504 + XZ3 * (t493 - t491) - t955;
-        let f3_x = t917 + (MSY3R * t498 - MSX3 * t497);
-        let t978 = f4_z + (MSX3 * t500 + MSY3R * t501);
-        let f3_z = t920 + (MSX3 * t503 + MSY3R * t504);
-        let n3_x = t929 + (t957 + MSY3R * a3_z);
-        let n3_y = t958 - MSX3 * a3_z - n4_z;
-        let n3_z = t930 + (t952 + YZ3 * t499 + (MSX3 * a3_y + MSY3R * t470));
-        let t985 = c3 * f3_x + s3 * t978;
-        let t997 = c3 * n3_x - s3 * n3_y + k4 * (s3 * f3_x - c3 * t978);
-        let t998 = s3 * n3_x + c3 * n3_y - k4 * t985;
-        [f3_z, n3_z, t985, t997, t998]
+    let [f3_z, n3_z, t964, t976, t977] = {
+        let t931 = XX3R * t481 - ZZ3R * t447 + XY3 * (t487 + t490) + XZ3 * t477;
+        let t933 = YZ3 * (t451 - t490);
+        let t936 = XX3R * dw3_x - ZZ3R * t483 - XY3 * t491 - XZ3 * t489 + t933;
+        let t937 = t482 * (XX3R - ZZ3R) + XY3 * t492 - XZ3 * t486 - YZ3 * t488;
+        let f3_x = t897 + (MSX3 * t487 + MSY3R * t488);
+        let t957 = f4_z + (MSX3 * t489 + MSY3R * t490);
+        let f3_z = t900 + (MSX3 * t491 + MSY3R * t492);
+        let n3_x = t909 + (t936 + MSY3R * a3_z);
+        let n3_y = t937 - MSX3 * a3_z - n4_z;
+        let n3_z = t910 + (t931 + YZ3 * t474 + (MSX3 * a3_y + MSY3R * t468));
+        let t964 = c3 * f3_x + s3 * t957;
+        let t976 = c3 * n3_x - s3 * n3_y + k4 * (s3 * f3_x - c3 * t957);
+        let t977 = s3 * n3_x + c3 * n3_y - k4 * t964;
+        [f3_z, n3_z, t964, t976, t977]
     };
     // link 2: force and moment
     let [n2_z, n1_z] = {
-        let t1017 = YZ2 * (t455 - t456);
-        let t1018 = YZ2 * t457;
-        let t1020 = t445 * (XX2R - ZZ2R) + XY2 * t461 + XZ2 * (t456 - t454) - t1018;
-        let t1027 = MSY2R * a2_z;
-        let t1032 = dw2_x * (XX2R + ZZ2R) - XY2 * t460 + XZ2 * t457 + t1017 + t1027;
-        let t1034 = XY2 * (t454 - t455) - XX2R * t457 + (MSY2R * t441 - MSX2 * t442);
-        let f2_x = t985 + (MSY2R * t457 - MSX2 * t458);
-        let f2_y = f3_z + (MSX2 * t457 - MSY2R * t459);
-        let n2_x = t997 + t1032;
-        let n2_y = n3_z + (t1020 - MSX2 * a2_z);
-        let n2_z = t1034 - t998;
+        let t995 = YZ2 * (t438 - t451);
+        let t998 = t447 * (XX2R - ZZ2R) + XY2 * t453 - XZ2 * t449 - YZ2 * t446;
+        let t1005 = MSY2R * a2_z;
+        let t1010 = dw2_x * (XX2R + ZZ2R) - XY2 * t452 + XZ2 * t446 + t995 + t1005;
+        let t1012 = XY2 * (t450 + t451) - XX2R * t446 + (MSY2R * t441 - MSX2 * t442);
+        let f2_x = t964 + (MSX2 * t450 + MSY2R * t446);
+        let f2_y = f3_z + (MSX2 * t446 - MSY2R * t451);
+        let n2_x = t976 + t1010;
+        let n2_y = n3_z + (t998 - MSX2 * a2_z);
+        let n2_z = t1012 - t977;
         let f1_x = c2 * f2_x - s2 * f2_y;
         let n1_z = s2 * n2_x + c2 * n2_y - k5 * f1_x;
         [n2_z, n1_z]
     };
     // drives
-    let [t1048, t1049, t1050, t1051, t1052, t1053, t1054] = {
-        let t1048 = tau1 - n1_z;
-        let t1049 = tau2 - n2_z;
-        let t1050 = tau3 - n3_z;
-        let t1051 = tau4 - n4_z;
-        let t1052 = tau5 - n5_z;
-        let t1053 = tau6 - n6_z;
-        let t1054 = tau7 - n7_z;
-        [t1048, t1049, t1050, t1051, t1052, t1053, t1054]
+    let [t1068, t1069, t1070, t1071, t1072, t1073, t1074] = {
+        let t1068 = tau1 - (FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign()));
+        let t1069 = tau2 - (FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign()));
+        let t1070 = tau3 - (FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign()));
+        let t1071 = tau4 - (FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign()));
+        let t1072 = tau5 - (FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign()));
+        let t1073 = tau6 - (FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign()));
+        let t1074 = tau7 - (FO7 + (n7_z + FV7 * dq7 + FC7 * dq7.sign()));
+        [t1068, t1069, t1070, t1071, t1072, t1073, t1074]
     };
     // M = L D L'
     let [
-        t1055, t1056, t1057, t1058, t1059, t1060, t1061, t1065,
-        t1069, t1072, t1075, t1078, t1081, t1088, t1095, t1100,
-        t1105, t1110, t1120, t1130, t1137, t1144, t1157, t1170,
-        t1179, t1195, t1211, t1230,
+        t1075, t1076, t1077, t1078, t1079, t1080, t1081, t1085,
+        t1089, t1092, t1095, t1098, t1101, t1108, t1115, t1120,
+        t1125, t1130, t1140, t1150, t1157, t1164, t1177, t1190,
+        t1199, t1215, t1231, t1250,
     ] = {
-        let t1055 = k7 / t437;
-        let t1056 = t425 * t1055;
-        let t1057 = t383 * t1055;
-        let t1058 = t327 * t1055;
-        let t1059 = t257 * t1055;
-        let t1060 = t173 * t1055;
-        let t1061 = t83 * t1055;
-        let t1064 = t414 - t437 * (t1056 * t1056);
-        let t1065 = k7 / t1064;
-        let t1066 = t437 * t1056;
-        let t1069 = t1065 * (t377 + t1057 * t1066);
-        let t1072 = t1065 * (t319 + t1058 * t1066);
-        let t1075 = t1065 * (t249 + t1059 * t1066);
-        let t1078 = t1065 * (t165 + t1060 * t1066);
-        let t1081 = t1065 * (t75 + t1061 * t1066);
-        let t1087 = t358 - t437 * (t1057 * t1057) - t1064 * (t1069 * t1069);
-        let t1088 = k7 / t1087;
-        let t1089 = t437 * t1057;
-        let t1092 = t1064 * t1069;
-        let t1095 = t1088 * (t307 - t1058 * t1089 - t1072 * t1092);
-        let t1100 = t1088 * (t233 - t1059 * t1089 - t1075 * t1092);
-        let t1105 = t1088 * (t149 - t1060 * t1089 - t1078 * t1092);
-        let t1110 = t1088 * (t59 - t1061 * t1089 - t1081 * t1092);
-        let t1118 = t1087 * (t1095 * t1095);
-        let t1119 = t288 - t437 * (t1058 * t1058) - t1064 * (t1072 * t1072) - t1118;
-        let t1120 = k7 / t1119;
-        let t1121 = t437 * t1058;
-        let t1124 = t1064 * t1072;
-        let t1127 = t1087 * t1095;
-        let t1130 = t1120 * (t221 + t1059 * t1121 + t1075 * t1124 + t1100 * t1127);
-        let t1137 = t1120 * (t133 + t1060 * t1121 + t1078 * t1124 + t1105 * t1127);
-        let t1144 = t1120 * (t43 + t1061 * t1121 + t1081 * t1124 + t1110 * t1127);
-        let t1152 = t1087 * (t1100 * t1100);
-        let t1155 = t1119 * (t1130 * t1130);
-        let t1156 = t202 - t437 * (t1059 * t1059) - t1064 * (t1075 * t1075) - t1152 - t1155;
-        let t1157 = k7 / t1156;
-        let t1158 = t437 * t1059;
-        let t1161 = t1064 * t1075;
-        let t1164 = t1087 * t1100;
-        let t1167 = t1119 * t1130;
-        let t1169 = t121 - t1060 * t1158 - t1078 * t1161 - t1105 * t1164 - t1137 * t1167;
-        let t1170 = t1157 * t1169;
-        let t1178 = t27 - t1061 * t1158 - t1081 * t1161 - t1110 * t1164 - t1144 * t1167;
-        let t1179 = t1157 * t1178;
-        let t1187 = t1087 * (t1105 * t1105);
-        let t1190 = t1119 * (t1137 * t1137);
-        let t1191 = t102 - t437 * (t1060 * t1060) - t1064 * (t1078 * t1078) - t1187 - t1190;
-        let t1194 = t1191 - t1156 * (t1170 * t1170);
-        let t1195 = k7 / t1194;
-        let t1203 = t1110 * (t1087 * t1105);
-        let t1206 = t1144 * (t1119 * t1137);
-        let t1207 = t15 + t1061 * (t437 * t1060) + t1081 * (t1064 * t1078) + t1203 + t1206;
-        let t1211 = t1195 * (t1207 + t1179 * (t1156 * t1170));
-        let t1219 = t1087 * (t1110 * t1110);
-        let t1222 = t1119 * (t1144 * t1144);
-        let t1223 = ZZ7 - t437 * (t1061 * t1061) - t1064 * (t1081 * t1081) - t1219 - t1222;
-        let t1230 = k7 / (t1223 - t1156 * (t1179 * t1179) - t1194 * (t1211 * t1211));
+        let t1075 = k7 / t437;
+        let t1076 = t425 * t1075;
+        let t1077 = t383 * t1075;
+        let t1078 = t327 * t1075;
+        let t1079 = t257 * t1075;
+        let t1080 = t173 * t1075;
+        let t1081 = t83 * t1075;
+        let t1084 = t414 - t437 * (t1076 * t1076);
+        let t1085 = k7 / t1084;
+        let t1086 = t437 * t1076;
+        let t1089 = t1085 * (t377 + t1077 * t1086);
+        let t1092 = t1085 * (t319 + t1078 * t1086);
+        let t1095 = t1085 * (t249 + t1079 * t1086);
+        let t1098 = t1085 * (t165 + t1080 * t1086);
+        let t1101 = t1085 * (t75 + t1081 * t1086);
+        let t1107 = t358 - t437 * (t1077 * t1077) - t1084 * (t1089 * t1089);
+        let t1108 = k7 / t1107;
+        let t1109 = t437 * t1077;
+        let t1112 = t1084 * t1089;
+        let t1115 = t1108 * (t307 - t1078 * t1109 - t1092 * t1112);
+        let t1120 = t1108 * (t233 - t1079 * t1109 - t1095 * t1112);
+        let t1125 = t1108 * (t149 - t1080 * t1109 - t1098 * t1112);
+        let t1130 = t1108 * (t59 - t1081 * t1109 - t1101 * t1112);
+        let t1138 = t1107 * (t1115 * t1115);
+        let t1139 = t288 - t437 * (t1078 * t1078) - t1084 * (t1092 * t1092) - t1138;
+        let t1140 = k7 / t1139;
+        let t1141 = t437 * t1078;
+        let t1144 = t1084 * t1092;
+        let t1147 = t1107 * t1115;
+        let t1150 = t1140 * (t221 + t1079 * t1141 + t1095 * t1144 + t1120 * t1147);
+        let t1157 = t1140 * (t133 + t1080 * t1141 + t1098 * t1144 + t1125 * t1147);
+        let t1164 = t1140 * (t43 + t1081 * t1141 + t1101 * t1144 + t1130 * t1147);
+        let t1172 = t1107 * (t1120 * t1120);
+        let t1175 = t1139 * (t1150 * t1150);
+        let t1176 = t202 - t437 * (t1079 * t1079) - t1084 * (t1095 * t1095) - t1172 - t1175;
+        let t1177 = k7 / t1176;
+        let t1178 = t437 * t1079;
+        let t1181 = t1084 * t1095;
+        let t1184 = t1107 * t1120;
+        let t1187 = t1139 * t1150;
+        let t1189 = t121 - t1080 * t1178 - t1098 * t1181 - t1125 * t1184 - t1157 * t1187;
+        let t1190 = t1177 * t1189;
+        let t1198 = t27 - t1081 * t1178 - t1101 * t1181 - t1130 * t1184 - t1164 * t1187;
+        let t1199 = t1177 * t1198;
+        let t1207 = t1107 * (t1125 * t1125);
+        let t1210 = t1139 * (t1157 * t1157);
+        let t1211 = t102 - t437 * (t1080 * t1080) - t1084 * (t1098 * t1098) - t1207 - t1210;
+        let t1214 = t1211 - t1176 * (t1190 * t1190);
+        let t1215 = k7 / t1214;
+        let t1223 = t1130 * (t1107 * t1125);
+        let t1226 = t1164 * (t1139 * t1157);
+        let t1227 = t15 + t1081 * (t437 * t1080) + t1101 * (t1084 * t1098) + t1223 + t1226;
+        let t1231 = t1215 * (t1227 + t1199 * (t1176 * t1190));
+        let t1239 = t1107 * (t1130 * t1130);
+        let t1242 = t1139 * (t1164 * t1164);
+        let t1243 = ZZ7 - t437 * (t1081 * t1081) - t1084 * (t1101 * t1101) - t1239 - t1242;
+        let t1250 = k7 / (t1243 - t1176 * (t1199 * t1199) - t1214 * (t1231 * t1231));
         [
-        t1055, t1056, t1057, t1058, t1059, t1060, t1061, t1065,
-        t1069, t1072, t1075, t1078, t1081, t1088, t1095, t1100,
-        t1105, t1110, t1120, t1130, t1137, t1144, t1157, t1170,
-        t1179, t1195, t1211, t1230,
+        t1075, t1076, t1077, t1078, t1079, t1080, t1081, t1085,
+        t1089, t1092, t1095, t1098, t1101, t1108, t1115, t1120,
+        t1125, t1130, t1140, t1150, t1157, t1164, t1177, t1190,
+        t1199, t1215, t1231, t1250,
     ]
     };
     // ddq
     {
-        let t1232 = t1049 - t1048 * t1056;
-        let t1236 = t1050 - t1048 * t1057 + t1069 * t1232;
-        let t1242 = t1051 - t1048 * t1058 + t1072 * t1232 - t1095 * t1236;
-        let t1250 = t1052 - t1048 * t1059 + t1075 * t1232 - t1100 * t1236 + t1130 * t1242;
-        let t1258 = t1053 - t1048 * t1060 + t1078 * t1232 - t1105 * t1236 + t1137 * t1242;
-        let t1260 = t1258 - t1170 * t1250;
-        let t1268 = t1054 - t1048 * t1061 + t1081 * t1232 - t1110 * t1236 + t1144 * t1242;
-        let t1279 = t1230 * (t1268 - t1179 * t1250 + t1211 * t1260);
-        let t1281 = t1195 * t1260 + t1211 * t1279;
-        let t1285 = t1157 * t1250 - t1170 * t1281 - t1179 * t1279;
-        let t1291 = t1120 * t1242 + t1130 * t1285 + t1137 * t1281 + t1144 * t1279;
-        let t1298 = t1110 * t1279;
-        let t1299 = t1088 * t1236 - t1095 * t1291 - t1100 * t1285 - t1105 * t1281 - t1298;
-        let t1306 = t1078 * t1281;
-        let t1307 = t1065 * t1232 + t1069 * t1299 + t1072 * t1291 + t1075 * t1285 + t1306;
-        let t1309 = t1307 + t1081 * t1279;
-        let t1316 = t1059 * t1285;
-        let t1317 = t1048 * t1055 - t1056 * t1309 - t1057 * t1299 - t1058 * t1291 - t1316;
-        let t1321 = t1317 - t1060 * t1281 - t1061 * t1279;
-        put(0, t1321);
-        put(1, t1309);
-        put(2, t1299);
-        put(3, t1291);
-        put(4, t1285);
-        put(5, t1281);
-        put(6, t1279);
+        let t1252 = t1069 - t1068 * t1076;
+        let t1256 = t1070 - t1068 * t1077 + t1089 * t1252;
+        let t1262 = t1071 - t1068 * t1078 + t1092 * t1252 - t1115 * t1256;
+        let t1270 = t1072 - t1068 * t1079 + t1095 * t1252 - t1120 * t1256 + t1150 * t1262;
+        let t1278 = t1073 - t1068 * t1080 + t1098 * t1252 - t1125 * t1256 + t1157 * t1262;
+        let t1280 = t1278 - t1190 * t1270;
+        let t1288 = t1074 - t1068 * t1081 + t1101 * t1252 - t1130 * t1256 + t1164 * t1262;
+        let t1299 = t1250 * (t1288 - t1199 * t1270 + t1231 * t1280);
+        let t1301 = t1215 * t1280 + t1231 * t1299;
+        let t1305 = t1177 * t1270 - t1190 * t1301 - t1199 * t1299;
+        let t1311 = t1140 * t1262 + t1150 * t1305 + t1157 * t1301 + t1164 * t1299;
+        let t1318 = t1130 * t1299;
+        let t1319 = t1108 * t1256 - t1115 * t1311 - t1120 * t1305 - t1125 * t1301 - t1318;
+        let t1326 = t1098 * t1301;
+        let t1327 = t1085 * t1252 + t1089 * t1319 + t1092 * t1311 + t1095 * t1305 + t1326;
+        let t1329 = t1327 + t1101 * t1299;
+        let t1336 = t1079 * t1305;
+        let t1337 = t1068 * t1075 - t1076 * t1329 - t1077 * t1319 - t1078 * t1311 - t1336;
+        let t1341 = t1337 - t1080 * t1301 - t1081 * t1299;
+        put(0, t1341);
+        put(1, t1329);
+        put(2, t1319);
+        put(3, t1311);
+        put(4, t1305);
+        put(5, t1301);
+        put(6, t1299);
     }
 }

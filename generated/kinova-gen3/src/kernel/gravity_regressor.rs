@@ -210,7 +210,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t130 = s5 * t12 - t129;
         let t132 = k4 * t127;
         let t134 = k3 * t127;
-        let t135 = k3 * a4_y - k4 * t130;
+        let t135 = a4_y * k3 - k4 * t130;
         let t140 = z1_4_z * t132 - (z1_4_x * t135 + z1_4_y * t134);
         let t146 = a4_y * t56 - t53 * t127 - v1_3_y * t130 - t140;
         let t151 = c3 * t132 + (t47 * t135 - z2_4_y * t134);

@@ -2,7 +2,7 @@
 //!
 //! `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil and Dombre, 9.6.
 //!
-//! 330 multiplications, 309 additions; 7, 7 of 7 structurally nonzero.
+//! 328 multiplications, 320 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -26,7 +26,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         ZZ1R, MSX2, MSY2R, XX2R, ZZ2R, XY2, XZ2, YZ2, MSX3, MSY3R, XX3R, ZZ3R,
         XY3, XZ3, YZ3, MSX4, MSY4R, XX4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSY5R,
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6R, XX6R, ZZ6R, XY6, XZ6, YZ6,
-        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
+        MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7, FV1, FV2, FV3, FV4, FV5,
+        FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7, FO1, FO2, FO3,
+        FO4, FO5, FO6, FO7,
         ..] = *beta;
     let k0 = S::constant(9.81);
     let k1 = S::constant(0.01175);
@@ -35,340 +37,354 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
     let k4 = S::constant(0.31436);
     let k5 = S::constant(0.00035);
     let k6 = S::constant(0.167455);
+    // link 1: motion
+    let t0 = {
+        let t0 = dq1 * dq1;
+        t0
+    };
     // link 2: motion
     let [
-        w2_x, w2_y, t2, t3, a2_z, t10, a2_y, t13,
-        t14, dw2_x, dw2_y,
+        w2_x, w2_y, t3, t4, a2_z, t10, a2_y, t15,
+        t16, t17, dw2_x, dw2_y, t20, t21, t22, t23,
+        t24, t25, t26,
     ] = {
         let w2_x = s2 * dq1;
         let w2_y = c2 * dq1;
-        let t2 = s2 * ddq1;
-        let t3 = c2 * ddq1;
+        let t3 = s2 * ddq1;
+        let t4 = c2 * ddq1;
         let t7 = ddq1 * k1;
-        let a2_z = dq1 * dq1 * k1;
+        let a2_z = t0 * k1;
         let t10 = s2 * k0 + c2 * t7;
         let a2_y = s2 * t7 - c2 * k0;
-        let t13 = dq2 * w2_y;
-        let t14 = dq2 * w2_x;
-        let dw2_x = t2 + t13;
-        let dw2_y = t3 - t14;
+        let t13 = w2_x * w2_x;
+        let t14 = dq2 * dq2;
+        let t15 = w2_x * w2_y;
+        let t16 = dq2 * w2_x;
+        let t17 = dq2 * w2_y;
+        let dw2_x = t3 + t17;
+        let dw2_y = t4 - t16;
+        let t20 = t13 - t14;
+        let t21 = t20 - t0;
+        let t22 = t15 - ddq2;
+        let t23 = ddq2 + t15;
+        let t24 = t13 + t14;
+        let t25 = t16 - dw2_y;
+        let t26 = t17 + dw2_x;
         [
-        w2_x, w2_y, t2, t3, a2_z, t10, a2_y, t13,
-        t14, dw2_x, dw2_y,
+        w2_x, w2_y, t3, t4, a2_z, t10, a2_y, t15,
+        t16, t17, dw2_x, dw2_y, t20, t21, t22, t23,
+        t24, t25, t26,
     ]
     };
     // link 3: motion
     let [
-        w3_x, t22, t29, t30, t31, t32, t33, t34,
-        t35, t36, t37, t38, a3_z, t47, a3_y, w3_z,
-        dw3_x, t55, dw3_z,
+        w3_x, t32, a3_z, t41, a3_y, t47, t50, w3_z,
+        dw3_z, t55, t56, t57, dw3_x, dw3_y, t60, t61,
+        t62, t63, t64, t65, t66,
     ] = {
         let w3_x = c3 * w2_x - s3 * dq2;
-        let t22 = c3 * dq2 + s3 * w2_x;
-        let t29 = w2_x * w2_x;
-        let t30 = w2_y * w2_y;
-        let t31 = dq2 * dq2;
-        let t32 = w2_x * w2_y;
-        let t33 = t30 + t31;
-        let t34 = t32 - ddq2;
-        let t35 = ddq2 + t32;
-        let t36 = t29 + t31;
-        let t37 = t14 - dw2_y;
-        let t38 = t13 + dw2_x;
-        let t42 = t10 + t34 * k2;
-        let a3_z = a2_y + t36 * k2;
-        let t44 = a2_z - t38 * k2;
-        let t47 = c3 * t42 + s3 * t44;
-        let a3_y = s3 * t42 - c3 * t44;
+        let t32 = c3 * dq2 + s3 * w2_x;
+        let t36 = t10 + t22 * k2;
+        let a3_z = a2_y + t24 * k2;
+        let t38 = a2_z - t26 * k2;
+        let t41 = c3 * t36 + s3 * t38;
+        let a3_y = s3 * t36 - c3 * t38;
+        let t47 = c3 * t22 - s3 * t26;
+        let t50 = c3 * t26 + s3 * t22;
         let w3_z = w2_y + dq3;
-        let dw3_x = c3 * dw2_x - s3 * ddq2 - dq3 * t22;
-        let t55 = c3 * ddq2 + s3 * dw2_x + dq3 * w3_x;
         let dw3_z = dw2_y + ddq3;
+        let t53 = w3_x * w3_x;
+        let t54 = w3_z * w3_z;
+        let t55 = w3_x * t32;
+        let t56 = w3_x * w3_z;
+        let t57 = t32 * w3_z;
+        let dw3_x = t50 - t57;
+        let dw3_y = t47 - t56;
+        let t60 = t53 - t54;
+        let t61 = t60 - t24;
+        let t62 = dw3_z + t55;
+        let t63 = dw3_z - t55;
+        let t64 = t53 + t54;
+        let t65 = t56 - dw3_y;
+        let t66 = dw3_x - t57;
         [
-        w3_x, t22, t29, t30, t31, t32, t33, t34,
-        t35, t36, t37, t38, a3_z, t47, a3_y, w3_z,
-        dw3_x, t55, dw3_z,
+        w3_x, t32, a3_z, t41, a3_y, t47, t50, w3_z,
+        dw3_z, t55, t56, t57, dw3_x, dw3_y, t60, t61,
+        t62, t63, t64, t65, t66,
     ]
     };
     // link 4: motion
     let [
-        w4_x, w4_y, t69, t70, t71, t72, t73, t74,
-        t75, t76, t77, t78, t79, t80, t81, t82,
-        t87, a4_x, a4_y, w4_z, dw4_x, dw4_y, dw4_z,
+        w4_x, w4_y, t77, a4_x, a4_y, t87, t90, w4_z,
+        dw4_z, t95, t96, t97, dw4_x, dw4_y, t100, t101,
+        t102, t103, t104, t105, t106,
     ] = {
         let w4_x = c4 * w3_x + s4 * w3_z;
         let w4_y = c4 * w3_z - s4 * w3_x;
-        let t69 = w3_x * w3_x;
-        let t70 = t22 * t22;
-        let t71 = w3_z * w3_z;
-        let t72 = w3_x * t22;
-        let t73 = w3_x * w3_z;
-        let t74 = t22 * w3_z;
-        let t75 = t70 + t71;
-        let t76 = dw3_z + t72;
-        let t77 = t73 - t55;
-        let t78 = dw3_z - t72;
-        let t79 = t69 + t71;
-        let t80 = dw3_x + t74;
-        let t81 = t55 + t73;
-        let t82 = dw3_x - t74;
-        let t86 = t47 + t76 * k3;
-        let t87 = a3_y - t79 * k3;
-        let t88 = a3_z + t82 * k3;
-        let a4_x = s4 * t88 - c4 * t86;
-        let a4_y = c4 * t88 + s4 * t86;
-        let w4_z = t22 + dq4;
-        let dw4_x = c4 * dw3_x + s4 * dw3_z + dq4 * w4_y;
-        let dw4_y = c4 * dw3_z - s4 * dw3_x - dq4 * w4_x;
-        let dw4_z = t55 + ddq4;
+        let t76 = t41 + t62 * k3;
+        let t77 = a3_y - t64 * k3;
+        let t78 = a3_z + t66 * k3;
+        let a4_x = s4 * t78 - c4 * t76;
+        let a4_y = c4 * t78 + s4 * t76;
+        let t87 = c4 * t62 - s4 * t66;
+        let t90 = c4 * t66 + s4 * t62;
+        let w4_z = t32 + dq4;
+        let dw4_z = ddq4 - dw3_y;
+        let t93 = w4_x * w4_x;
+        let t94 = w4_z * w4_z;
+        let t95 = w4_x * w4_y;
+        let t96 = w4_x * w4_z;
+        let t97 = w4_y * w4_z;
+        let dw4_x = t90 + t97;
+        let dw4_y = t87 - t96;
+        let t100 = t93 - t94;
+        let t101 = t100 - t64;
+        let t102 = t95 - dw4_z;
+        let t103 = dw4_z + t95;
+        let t104 = t93 + t94;
+        let t105 = t96 - dw4_y;
+        let t106 = t97 + dw4_x;
         [
-        w4_x, w4_y, t69, t70, t71, t72, t73, t74,
-        t75, t76, t77, t78, t79, t80, t81, t82,
-        t87, a4_x, a4_y, w4_z, dw4_x, dw4_y, dw4_z,
+        w4_x, w4_y, t77, a4_x, a4_y, t87, t90, w4_z,
+        dw4_z, t95, t96, t97, dw4_x, dw4_y, t100, t101,
+        t102, t103, t104, t105, t106,
     ]
     };
     // link 5: motion
     let [
-        w5_x, t106, t113, t114, t115, t116, t117, t118,
-        t119, t120, t121, t122, t123, t124, t125, t126,
-        a5_z, a5_x, a5_y, w5_z, dw5_x, t143, dw5_z,
+        w5_x, t112, a5_z, a5_x, a5_y, t127, t130, w5_z,
+        dw5_z, t135, t136, t137, dw5_x, dw5_y, t140, t141,
+        t142, t143, t144, t145, t146,
     ] = {
         let w5_x = c5 * w4_x - s5 * w4_z;
-        let t106 = c5 * w4_z + s5 * w4_x;
-        let t113 = w4_x * w4_x;
-        let t114 = w4_y * w4_y;
-        let t115 = w4_z * w4_z;
-        let t116 = w4_x * w4_y;
-        let t117 = w4_x * w4_z;
-        let t118 = w4_y * w4_z;
-        let t119 = t114 + t115;
-        let t120 = t116 - dw4_z;
-        let t121 = dw4_y + t117;
-        let t122 = dw4_z + t116;
-        let t123 = t113 + t115;
-        let t124 = t118 - dw4_x;
-        let t125 = t117 - dw4_y;
-        let t126 = dw4_x + t118;
-        let t130 = a4_x - t120 * k4;
-        let a5_z = a4_y + t123 * k4;
-        let t132 = t87 + t126 * k4;
-        let a5_x = c5 * t130 + s5 * t132;
-        let a5_y = c5 * t132 - s5 * t130;
+        let t112 = c5 * w4_z + s5 * w4_x;
+        let t116 = a4_x - t102 * k4;
+        let a5_z = a4_y + t104 * k4;
+        let t118 = t77 + t106 * k4;
+        let a5_x = c5 * t116 + s5 * t118;
+        let a5_y = c5 * t118 - s5 * t116;
+        let t127 = c5 * t102 - s5 * t106;
+        let t130 = c5 * t106 + s5 * t102;
         let w5_z = w4_y + dq5;
-        let dw5_x = c5 * dw4_x - s5 * dw4_z - dq5 * t106;
-        let t143 = c5 * dw4_z + s5 * dw4_x + dq5 * w5_x;
         let dw5_z = dw4_y + ddq5;
+        let t133 = w5_x * w5_x;
+        let t134 = w5_z * w5_z;
+        let t135 = w5_x * t112;
+        let t136 = w5_x * w5_z;
+        let t137 = t112 * w5_z;
+        let dw5_x = t130 - t137;
+        let dw5_y = t127 - t136;
+        let t140 = t133 - t134;
+        let t141 = t140 - t104;
+        let t142 = dw5_z + t135;
+        let t143 = dw5_z - t135;
+        let t144 = t133 + t134;
+        let t145 = t136 - dw5_y;
+        let t146 = dw5_x - t137;
         [
-        w5_x, t106, t113, t114, t115, t116, t117, t118,
-        t119, t120, t121, t122, t123, t124, t125, t126,
-        a5_z, a5_x, a5_y, w5_z, dw5_x, t143, dw5_z,
+        w5_x, t112, a5_z, a5_x, a5_y, t127, t130, w5_z,
+        dw5_z, t135, t136, t137, dw5_x, dw5_y, t140, t141,
+        t142, t143, t144, t145, t146,
     ]
     };
     // link 6: motion
     let [
-        w6_x, w6_y, t157, t158, t159, t160, t161, t162,
-        t163, t164, t165, t166, t167, t168, t169, t170,
-        t175, a6_x, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
+        w6_x, w6_y, t157, a6_x, a6_y, t167, t170, w6_z,
+        dw6_z, t175, t176, t177, dw6_x, dw6_y, t180, t181,
+        t182, t183, t184, t185, t186,
     ] = {
         let w6_x = c6 * w5_x + s6 * w5_z;
         let w6_y = c6 * w5_z - s6 * w5_x;
-        let t157 = w5_x * w5_x;
-        let t158 = t106 * t106;
-        let t159 = w5_z * w5_z;
-        let t160 = w5_x * t106;
-        let t161 = w5_x * w5_z;
-        let t162 = t106 * w5_z;
-        let t163 = t158 + t159;
-        let t164 = dw5_z + t160;
-        let t165 = t161 - t143;
-        let t166 = dw5_z - t160;
-        let t167 = t157 + t159;
-        let t168 = dw5_x + t162;
-        let t169 = t143 + t161;
-        let t170 = dw5_x - t162;
-        let t174 = a5_x - t164 * k5;
-        let t175 = a5_y - t167 * k5;
-        let t176 = a5_z + t170 * k5;
-        let a6_x = c6 * t174 + s6 * t176;
-        let a6_y = c6 * t176 - s6 * t174;
-        let w6_z = t106 + dq6;
-        let dw6_x = c6 * dw5_x + s6 * dw5_z + dq6 * w6_y;
-        let dw6_y = c6 * dw5_z - s6 * dw5_x - dq6 * w6_x;
-        let dw6_z = t143 + ddq6;
+        let t156 = a5_x - t142 * k5;
+        let t157 = a5_y - t144 * k5;
+        let t158 = a5_z + t146 * k5;
+        let a6_x = c6 * t156 + s6 * t158;
+        let a6_y = c6 * t158 - s6 * t156;
+        let t167 = c6 * t142 - s6 * t146;
+        let t170 = c6 * t146 + s6 * t142;
+        let w6_z = t112 + dq6;
+        let dw6_z = ddq6 - dw5_y;
+        let t173 = w6_x * w6_x;
+        let t174 = w6_z * w6_z;
+        let t175 = w6_x * w6_y;
+        let t176 = w6_x * w6_z;
+        let t177 = w6_y * w6_z;
+        let dw6_x = t170 + t177;
+        let dw6_y = t167 - t176;
+        let t180 = t173 - t174;
+        let t181 = t180 - t144;
+        let t182 = t175 - dw6_z;
+        let t183 = dw6_z + t175;
+        let t184 = t173 + t174;
+        let t185 = t176 - dw6_y;
+        let t186 = t177 + dw6_x;
         [
-        w6_x, w6_y, t157, t158, t159, t160, t161, t162,
-        t163, t164, t165, t166, t167, t168, t169, t170,
-        t175, a6_x, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
+        w6_x, w6_y, t157, a6_x, a6_y, t167, t170, w6_z,
+        dw6_z, t175, t176, t177, dw6_x, dw6_y, t180, t181,
+        t182, t183, t184, t185, t186,
     ]
     };
     // link 7: motion
     let [
-        w7_x, t194, t201, t202, t203, t204, t205, t206,
-        t207, t208, t209, t210, t211, t212, t213, t214,
-        a7_z, a7_x, a7_y, w7_z, dw7_x, t231, dw7_z,
+        a7_z, a7_x, a7_y, t207, t210, dw7_z, t215, t216,
+        t217, dw7_x, t220, t221, t222, t223, t224, t225,
+        t226,
     ] = {
         let w7_x = c7 * w6_x - s7 * w6_z;
-        let t194 = c7 * w6_z + s7 * w6_x;
-        let t201 = w6_x * w6_x;
-        let t202 = w6_y * w6_y;
-        let t203 = w6_z * w6_z;
-        let t204 = w6_x * w6_y;
-        let t205 = w6_x * w6_z;
-        let t206 = w6_y * w6_z;
-        let t207 = t202 + t203;
-        let t208 = t204 - dw6_z;
-        let t209 = dw6_y + t205;
-        let t210 = dw6_z + t204;
-        let t211 = t201 + t203;
-        let t212 = t206 - dw6_x;
-        let t213 = t205 - dw6_y;
-        let t214 = dw6_x + t206;
-        let t218 = a6_x - t208 * k6;
-        let a7_z = a6_y + t211 * k6;
-        let t220 = t175 + t214 * k6;
-        let a7_x = c7 * t218 + s7 * t220;
-        let a7_y = c7 * t220 - s7 * t218;
+        let t192 = c7 * w6_z + s7 * w6_x;
+        let t196 = a6_x - t182 * k6;
+        let a7_z = a6_y + t184 * k6;
+        let t198 = t157 + t186 * k6;
+        let a7_x = c7 * t196 + s7 * t198;
+        let a7_y = c7 * t198 - s7 * t196;
+        let t207 = c7 * t182 - s7 * t186;
+        let t210 = c7 * t186 + s7 * t182;
         let w7_z = w6_y + dq7;
-        let dw7_x = c7 * dw6_x - s7 * dw6_z - dq7 * t194;
-        let t231 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
         let dw7_z = dw6_y + ddq7;
+        let t213 = w7_x * w7_x;
+        let t214 = w7_z * w7_z;
+        let t215 = w7_x * t192;
+        let t216 = w7_x * w7_z;
+        let t217 = t192 * w7_z;
+        let dw7_x = t210 - t217;
+        let dw7_y = t207 - t216;
+        let t220 = t213 - t214;
+        let t221 = t220 - t184;
+        let t222 = dw7_z + t215;
+        let t223 = dw7_z - t215;
+        let t224 = t213 + t214;
+        let t225 = t216 - dw7_y;
+        let t226 = dw7_x - t217;
         [
-        w7_x, t194, t201, t202, t203, t204, t205, t206,
-        t207, t208, t209, t210, t211, t212, t213, t214,
-        a7_z, a7_x, a7_y, w7_z, dw7_x, t231, dw7_z,
+        a7_z, a7_x, a7_y, t207, t210, dw7_z, t215, t216,
+        t217, dw7_x, t220, t221, t222, t223, t224, t225,
+        t226,
     ]
     };
     // link 7: force and moment
-    let [f7_z, n7_z, t295, t298, t307, t308] = {
-        let t233 = w7_x * w7_x;
-        let t234 = t194 * t194;
-        let t235 = w7_z * w7_z;
-        let t236 = w7_x * t194;
-        let t237 = w7_x * w7_z;
-        let t238 = t194 * w7_z;
-        let t240 = dw7_z + t236;
-        let t242 = dw7_z - t236;
-        let t245 = t231 + t237;
-        let t246 = dw7_x - t238;
-        let t265 = XZ7 * (dw7_x + t238);
-        let t270 = YZ7 * (t234 - t235);
-        let t271 = YZ7 * t240;
-        let t272 = YZ7 * (t237 - t231);
-        let t273 = XX7R * dw7_x - ZZ7 * t238 - XY7 * t245 + XZ7 * t242 + t270;
-        let t274 = t237 * (XX7R - ZZ7) + XY7 * t246 + XZ7 * (t235 - t233) + t271;
-        let t275 = XX7R * t236 + ZZ7 * dw7_z + XY7 * (t233 - t234) + t265 + t272;
-        let t278 = MSX7 * (t234 + t235) + MSY7 * t240;
-        let f7_y = MSX7 * t242 - MSY7 * (t233 + t235);
-        let f7_z = MSX7 * t245 + MSY7 * t246;
-        let n7_x = t273 + MSY7 * a7_z;
-        let n7_y = t274 - MSX7 * a7_z;
-        let n7_z = t275 + (MSX7 * a7_y - MSY7 * a7_x);
-        let t295 = c7 * t278 + s7 * f7_y;
-        let t298 = c7 * f7_y - s7 * t278;
-        let t307 = c7 * n7_x - s7 * n7_y + k6 * t298;
-        let t308 = s7 * n7_x + c7 * n7_y + k6 * t295;
-        put(6, n7_z);
-        [f7_z, n7_z, t295, t298, t307, t308]
+    let [f7_z, n7_z, t274, t277, t286, t287] = {
+        let t247 = XX7R * t215 + ZZ7 * dw7_z + XY7 * (t221 + t224) + XZ7 * t210;
+        let t249 = YZ7 * (t184 - t224);
+        let t252 = XX7R * dw7_x - ZZ7 * t217 - XY7 * t225 + XZ7 * t223 + t249;
+        let t253 = t216 * (XX7R - ZZ7) + XY7 * t226 - XZ7 * t220 + YZ7 * t222;
+        let f7_x = MSX7 * t221 - MSY7 * t222;
+        let f7_y = MSX7 * t223 - MSY7 * t224;
+        let f7_z = MSX7 * t225 + MSY7 * t226;
+        let n7_x = t252 + MSY7 * a7_z;
+        let n7_y = t253 - MSX7 * a7_z;
+        let n7_z = t247 + YZ7 * t207 + (MSX7 * a7_y - MSY7 * a7_x);
+        let t274 = c7 * f7_x - s7 * f7_y;
+        let t277 = s7 * f7_x + c7 * f7_y;
+        let t286 = c7 * n7_x - s7 * n7_y + k6 * t277;
+        let t287 = s7 * n7_x + c7 * n7_y - k6 * t274;
+        [f7_z, n7_z, t274, t277, t286, t287]
     };
     // link 6: force and moment
-    let [f6_z, n6_z, t363, t366, t375, t376] = {
-        let t330 = ZZ6R * dw6_z - XX6R * t204 + XY6 * (t201 - t202) - XZ6 * t212;
-        let t332 = YZ6 * (t202 - t203);
-        let t333 = YZ6 * t208;
-        let t335 = ZZ6R * t206 + XX6R * dw6_x - XY6 * t213 + XZ6 * t210 + t332;
-        let t336 = t205 * (XX6R - ZZ6R) + XY6 * t214 + XZ6 * (t203 - t201) - t333;
-        let f6_x = MSY6R * t208 - MSX6 * t207 - t295;
-        let f6_y = f7_z + (MSX6 * t210 - MSY6R * t211);
-        let f6_z = MSX6 * t213 + MSY6R * t214 - t298;
-        let n6_x = t307 + (t335 - MSY6R * t175);
-        let n6_y = n7_z + (t336 + MSX6 * t175);
-        let n6_z = t330 + YZ6 * t209 + (MSX6 * a6_y - MSY6R * a6_x) - t308;
-        let t363 = c6 * f6_x - s6 * f6_y;
-        let t366 = s6 * f6_x + c6 * f6_y;
-        let t375 = c6 * n6_x - s6 * n6_y + k5 * t366;
-        let t376 = s6 * n6_x + c6 * n6_y - k5 * t363;
-        put(5, n6_z);
-        [f6_z, n6_z, t363, t366, t375, t376]
+    let [f6_z, n6_z, t341, t344, t353, t354] = {
+        let t308 = ZZ6R * dw6_z - XX6R * t175 + XY6 * (t181 + t184) + XZ6 * t170;
+        let t310 = YZ6 * (t144 - t184);
+        let t313 = ZZ6R * t177 + XX6R * dw6_x - XY6 * t185 + XZ6 * t183 + t310;
+        let t314 = t176 * (XX6R - ZZ6R) + XY6 * t186 - XZ6 * t180 - YZ6 * t182;
+        let f6_x = t274 + (MSX6 * t181 + MSY6R * t182);
+        let f6_y = f7_z + (MSX6 * t183 - MSY6R * t184);
+        let f6_z = MSX6 * t185 + MSY6R * t186 - t277;
+        let n6_x = t286 + (t313 - MSY6R * t157);
+        let n6_y = n7_z + (t314 + MSX6 * t157);
+        let n6_z = t308 + YZ6 * t167 + (MSX6 * a6_y - MSY6R * a6_x) - t287;
+        let t341 = c6 * f6_x - s6 * f6_y;
+        let t344 = s6 * f6_x + c6 * f6_y;
+        let t353 = c6 * n6_x - s6 * n6_y + k5 * t344;
+        let t354 = s6 * n6_x + c6 * n6_y - k5 * t341;
+        [f6_z, n6_z, t341, t344, t353, t354]
     };
     // link 5: force and moment
-    let [f5_z, n5_z, t431, t434, t443, t444] = {
-        let t398 = XX5R * t160 + ZZ5R * dw5_z + XY5 * (t157 - t158) + XZ5 * t168;
-        let t400 = YZ5 * (t158 - t159);
-        let t401 = YZ5 * t164;
-        let t403 = XX5R * dw5_x - ZZ5R * t162 - XY5 * t169 + XZ5 * t166 + t400;
-        let t404 = t161 * (XX5R - ZZ5R) + XY5 * t170 + XZ5 * (t159 - t157) + t401;
-        let f5_x = t363 - (MSX5 * t163 + MSY5R * t164);
-        let f5_y = MSX5 * t166 - MSY5R * t167 - f6_z;
-        let f5_z = t366 + (MSX5 * t169 + MSY5R * t170);
-        let n5_x = t375 + (t403 + MSY5R * a5_z);
-        let n5_y = t404 - MSX5 * a5_z - n6_z;
-        let n5_z = t376 + (t398 + YZ5 * t165 + (MSX5 * a5_y - MSY5R * a5_x));
-        let t431 = c5 * f5_x - s5 * f5_y;
-        let t434 = s5 * f5_x + c5 * f5_y;
-        let t443 = c5 * n5_x - s5 * n5_y + k4 * t434;
-        let t444 = s5 * n5_x + c5 * n5_y - k4 * t431;
-        put(4, n5_z);
-        [f5_z, n5_z, t431, t434, t443, t444]
+    let [f5_z, n5_z, t408, t411, t420, t421] = {
+        let t375 = XX5R * t135 + ZZ5R * dw5_z + XY5 * (t141 + t144) + XZ5 * t130;
+        let t377 = YZ5 * (t104 - t144);
+        let t380 = XX5R * dw5_x - ZZ5R * t137 - XY5 * t145 + XZ5 * t143 + t377;
+        let t381 = t136 * (XX5R - ZZ5R) + XY5 * t146 - XZ5 * t140 + YZ5 * t142;
+        let f5_x = t341 + (MSX5 * t141 - MSY5R * t142);
+        let f5_y = MSX5 * t143 - MSY5R * t144 - f6_z;
+        let f5_z = t344 + (MSX5 * t145 + MSY5R * t146);
+        let n5_x = t353 + (t380 + MSY5R * a5_z);
+        let n5_y = t381 - MSX5 * a5_z - n6_z;
+        let n5_z = t354 + (t375 + YZ5 * t127 + (MSX5 * a5_y - MSY5R * a5_x));
+        let t408 = c5 * f5_x - s5 * f5_y;
+        let t411 = s5 * f5_x + c5 * f5_y;
+        let t420 = c5 * n5_x - s5 * n5_y + k4 * t411;
+        let t421 = s5 * n5_x + c5 * n5_y - k4 * t408;
+        [f5_z, n5_z, t408, t411, t420, t421]
     };
     // link 4: force and moment
-    let [f4_z, n4_z, t499, t502, t511, t512] = {
-        let t466 = ZZ4R * dw4_z - XX4R * t116 + XY4 * (t113 - t114) - XZ4 * t124;
-        let t468 = YZ4 * (t114 - t115);
-        let t469 = YZ4 * t120;
-        let t471 = ZZ4R * t118 + XX4R * dw4_x - XY4 * t125 + XZ4 * t122 + t468;
-        let t472 = t117 * (XX4R - ZZ4R) + XY4 * t126 + XZ4 * (t115 - t113) - t469;
-        let f4_x = t431 + (MSY4R * t120 - MSX4 * t119);
-        let f4_y = f5_z + (MSX4 * t122 - MSY4R * t123);
-        let f4_z = MSX4 * t125 + MSY4R * t126 - t434;
-        let n4_x = t443 + (t471 - MSY4R * t87);
-        let n4_y = n5_z + (t472 + MSX4 * t87);
-        let n4_z = t466 + YZ4 * t121 + (MSX4 * a4_y - MSY4R * a4_x) - t444;
-        let t499 = c4 * f4_x - s4 * f4_y;
-        let t502 = s4 * f4_x + c4 * f4_y;
-        let t511 = c4 * n4_x - s4 * n4_y + k3 * t502;
-        let t512 = s4 * n4_x + c4 * n4_y - k3 * t499;
-        put(3, n4_z);
-        [f4_z, n4_z, t499, t502, t511, t512]
+    let [f4_z, n4_z, t475, t478, t487, t488] = {
+        let t442 = ZZ4R * dw4_z - XX4R * t95 + XY4 * (t101 + t104) + XZ4 * t90;
+        let t444 = YZ4 * (t64 - t104);
+        let t447 = ZZ4R * t97 + XX4R * dw4_x - XY4 * t105 + XZ4 * t103 + t444;
+        let t448 = t96 * (XX4R - ZZ4R) + XY4 * t106 - XZ4 * t100 - YZ4 * t102;
+        let f4_x = t408 + (MSX4 * t101 + MSY4R * t102);
+        let f4_y = f5_z + (MSX4 * t103 - MSY4R * t104);
+        let f4_z = MSX4 * t105 + MSY4R * t106 - t411;
+        let n4_x = t420 + (t447 - MSY4R * t77);
+        let n4_y = n5_z + (t448 + MSX4 * t77);
+        let n4_z = t442 + YZ4 * t87 + (MSX4 * a4_y - MSY4R * a4_x) - t421;
+        let t475 = c4 * f4_x - s4 * f4_y;
+        let t478 = s4 * f4_x + c4 * f4_y;
+        let t487 = c4 * n4_x - s4 * n4_y + k3 * t478;
+        let t488 = s4 * n4_x + c4 * n4_y - k3 * t475;
+        [f4_z, n4_z, t475, t478, t487, t488]
     };
     // link 3: force and moment
-    let [f3_z, n3_z, t567, t579, t580] = {
-        let t534 = XX3R * t72 + ZZ3R * dw3_z + XY3 * (t69 - t70) + XZ3 * t80;
-        let t536 = YZ3 * (t70 - t71);
-        let t537 = YZ3 * t76;
-        let t539 = XX3R * dw3_x - ZZ3R * t74 - XY3 * t81 + XZ3 * t78 + t536;
-        let t540 = t73 * (XX3R - ZZ3R) + XY3 * t82 + XZ3 * (t71 - t69) + t537;
-        let f3_x = t499 - (MSX3 * t75 + MSY3R * t76);
-        let f3_y = MSX3 * t78 - MSY3R * t79 - f4_z;
-        let f3_z = t502 + (MSX3 * t81 + MSY3R * t82);
-        let n3_x = t511 + (t539 + MSY3R * a3_z);
-        let n3_y = t540 - MSX3 * a3_z - n4_z;
-        let n3_z = t512 + (t534 + YZ3 * t77 + (MSX3 * a3_y + MSY3R * t47));
-        let t567 = c3 * f3_x - s3 * f3_y;
-        let t579 = c3 * n3_x - s3 * n3_y + k2 * (s3 * f3_x + c3 * f3_y);
-        let t580 = s3 * n3_x + c3 * n3_y - k2 * t567;
-        put(2, n3_z);
-        [f3_z, n3_z, t567, t579, t580]
+    let [f3_z, n3_z, t542, t554, t555] = {
+        let t509 = XX3R * t55 + ZZ3R * dw3_z + XY3 * (t61 + t64) + XZ3 * t50;
+        let t511 = YZ3 * (t24 - t64);
+        let t514 = XX3R * dw3_x - ZZ3R * t57 - XY3 * t65 + XZ3 * t63 + t511;
+        let t515 = t56 * (XX3R - ZZ3R) + XY3 * t66 - XZ3 * t60 + YZ3 * t62;
+        let f3_x = t475 + (MSX3 * t61 - MSY3R * t62);
+        let f3_y = MSX3 * t63 - MSY3R * t64 - f4_z;
+        let f3_z = t478 + (MSX3 * t65 + MSY3R * t66);
+        let n3_x = t487 + (t514 + MSY3R * a3_z);
+        let n3_y = t515 - MSX3 * a3_z - n4_z;
+        let n3_z = t488 + (t509 + YZ3 * t47 + (MSX3 * a3_y + MSY3R * t41));
+        let t542 = c3 * f3_x - s3 * f3_y;
+        let t554 = c3 * n3_x - s3 * n3_y + k2 * (s3 * f3_x + c3 * f3_y);
+        let t555 = s3 * n3_x + c3 * n3_y - k2 * t542;
+        [f3_z, n3_z, t542, t554, t555]
     };
     // link 2: force and moment
-    let t636 = {
-        let t602 = ZZ2R * ddq2 - XX2R * t32 + XY2 * (t29 - t30) + XZ2 * t2;
-        let t604 = YZ2 * (t30 - t31);
-        let t605 = YZ2 * t34;
-        let t607 = ZZ2R * t13 + XX2R * dw2_x - XY2 * t37 + XZ2 * t35 + t604;
-        let t608 = t14 * (XX2R - ZZ2R) + XY2 * t38 + XZ2 * (t31 - t29) - t605;
-        let f2_x = t567 + (MSY2R * t34 - MSX2 * t33);
-        let f2_y = f3_z + (MSX2 * t35 - MSY2R * t36);
-        let n2_x = t579 + (t607 + MSY2R * a2_z);
-        let n2_y = n3_z + (t608 - MSX2 * a2_z);
-        let n2_z = t602 + YZ2 * t3 + (MSX2 * a2_y + MSY2R * t10) - t580;
+    let [n2_z, t610] = {
+        let t576 = ZZ2R * ddq2 - XX2R * t15 + XY2 * (t21 + t24) + XZ2 * t3;
+        let t578 = YZ2 * (t0 - t24);
+        let t581 = ZZ2R * t17 + XX2R * dw2_x - XY2 * t25 + XZ2 * t23 + t578;
+        let t582 = t16 * (XX2R - ZZ2R) + XY2 * t26 - XZ2 * t20 - YZ2 * t22;
+        let f2_x = t542 + (MSX2 * t21 + MSY2R * t22);
+        let f2_y = f3_z + (MSX2 * t23 - MSY2R * t24);
+        let n2_x = t554 + (t581 + MSY2R * a2_z);
+        let n2_y = n3_z + (t582 - MSX2 * a2_z);
+        let n2_z = t576 + YZ2 * t4 + (MSX2 * a2_y + MSY2R * t10) - t555;
         let f1_x = c2 * f2_x - s2 * f2_y;
-        let t636 = s2 * n2_x + c2 * n2_y - k1 * f1_x;
-        put(1, n2_z);
-        t636
+        let t610 = s2 * n2_x + c2 * n2_y - k1 * f1_x;
+        [n2_z, t610]
     };
     // link 1: force and moment
+    let n1_z = {
+        let n1_z = t610 + ZZ1R * ddq1;
+        n1_z
+    };
+    // drives
     {
-        let n1_z = t636 + ZZ1R * ddq1;
-        put(0, n1_z);
+        let t648 = FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign());
+        let t649 = FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign());
+        let t650 = FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign());
+        let t651 = FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign());
+        let t652 = FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign());
+        let t653 = FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign());
+        let t654 = FO7 + (n7_z + FV7 * dq7 + FC7 * dq7.sign());
+        put(0, t648);
+        put(1, t649);
+        put(2, t650);
+        put(3, t651);
+        put(4, t652);
+        put(5, t653);
+        put(6, t654);
     }
 }

@@ -2,24 +2,25 @@
 //!
 //! `U = h phi`, J per unit, zero at the base frame's origin; an offset torque counts as `FO q`.
 //!
-//! 40 multiplications, 19 additions; 70, 25 of 70 structurally nonzero.
+//! 40 multiplications, 19 additions; 91, 32 of 91 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 25;
+pub const NONZEROS: usize = 32;
 
 /// First index, and the rest row-major, of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 0), (3, 0), (10, 0), (11, 0), (12, 0), (20, 0), (21, 0), (22, 0), (23, 0), (30, 0),
     (31, 0), (32, 0), (33, 0), (40, 0), (41, 0), (42, 0), (43, 0), (50, 0), (51, 0), (52, 0),
-    (53, 0), (60, 0), (61, 0), (62, 0), (63, 0),
+    (53, 0), (60, 0), (61, 0), (62, 0), (63, 0), (84, 0), (85, 0), (86, 0), (87, 0), (88, 0),
+    (89, 0), (90, 0),
 ];
 
 /// Potential energy, one entry per standard parameter: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 70]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 91]) {
     out.fill(S::default());
     entries(trig, |k, x| {
         out[PATTERN[k].0] = x;
@@ -35,6 +36,7 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 #[allow(non_snake_case, clippy::all)]
 #[inline(always)]
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
+    let [q1, q2, q3, q4, q5, q6, q7] = trig.q;
     let [_, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let k0 = S::constant(0.42076);
@@ -54,6 +56,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(0, k7);
         put(1, k8);
         put(2, k7);
+        put(25, q1);
+        put(26, q2);
+        put(27, q3);
+        put(28, q4);
+        put(29, q5);
+        put(30, q6);
+        put(31, q7);
         [t1, t2, t3]
     };
     // frame 4

@@ -2,13 +2,13 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 956 multiplications, 705 additions; 7 x 70, 259 of 490 structurally nonzero.
+//! 934 multiplications, 690 additions; 7 x 91, 280 of 637 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 259;
+pub const NONZEROS: usize = 280;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
@@ -18,31 +18,33 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 39), (0, 40), (0, 41), (0, 42), (0, 43), (0, 44), (0, 45), (0, 46), (0, 47), (0, 48),
     (0, 49), (0, 50), (0, 51), (0, 52), (0, 53), (0, 54), (0, 55), (0, 56), (0, 57), (0, 58),
     (0, 59), (0, 60), (0, 61), (0, 62), (0, 63), (0, 64), (0, 65), (0, 66), (0, 67), (0, 68),
-    (0, 69), (1, 11), (1, 12), (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19), (1, 20),
-    (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29), (1, 30),
-    (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39), (1, 40),
-    (1, 41), (1, 42), (1, 43), (1, 44), (1, 45), (1, 46), (1, 47), (1, 48), (1, 49), (1, 50),
-    (1, 51), (1, 52), (1, 53), (1, 54), (1, 55), (1, 56), (1, 57), (1, 58), (1, 59), (1, 60),
-    (1, 61), (1, 62), (1, 63), (1, 64), (1, 65), (1, 66), (1, 67), (1, 68), (1, 69), (2, 21),
-    (2, 22), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32),
-    (2, 33), (2, 34), (2, 35), (2, 36), (2, 37), (2, 38), (2, 39), (2, 40), (2, 41), (2, 42),
-    (2, 43), (2, 44), (2, 45), (2, 46), (2, 47), (2, 48), (2, 49), (2, 50), (2, 51), (2, 52),
-    (2, 53), (2, 54), (2, 55), (2, 56), (2, 57), (2, 58), (2, 59), (2, 60), (2, 61), (2, 62),
-    (2, 63), (2, 64), (2, 65), (2, 66), (2, 67), (2, 68), (2, 69), (3, 31), (3, 32), (3, 34),
-    (3, 35), (3, 36), (3, 37), (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (3, 43), (3, 44),
-    (3, 45), (3, 46), (3, 47), (3, 48), (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54),
-    (3, 55), (3, 56), (3, 57), (3, 58), (3, 59), (3, 60), (3, 61), (3, 62), (3, 63), (3, 64),
-    (3, 65), (3, 66), (3, 67), (3, 68), (3, 69), (4, 41), (4, 42), (4, 44), (4, 45), (4, 46),
-    (4, 47), (4, 48), (4, 49), (4, 50), (4, 51), (4, 52), (4, 53), (4, 54), (4, 55), (4, 56),
-    (4, 57), (4, 58), (4, 59), (4, 60), (4, 61), (4, 62), (4, 63), (4, 64), (4, 65), (4, 66),
-    (4, 67), (4, 68), (4, 69), (5, 51), (5, 52), (5, 54), (5, 55), (5, 56), (5, 57), (5, 58),
-    (5, 59), (5, 60), (5, 61), (5, 62), (5, 63), (5, 64), (5, 65), (5, 66), (5, 67), (5, 68),
-    (5, 69), (6, 61), (6, 62), (6, 64), (6, 65), (6, 66), (6, 67), (6, 68), (6, 69),
+    (0, 69), (0, 70), (0, 77), (0, 84), (1, 11), (1, 12), (1, 14), (1, 15), (1, 16), (1, 17),
+    (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27),
+    (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37),
+    (1, 38), (1, 39), (1, 40), (1, 41), (1, 42), (1, 43), (1, 44), (1, 45), (1, 46), (1, 47),
+    (1, 48), (1, 49), (1, 50), (1, 51), (1, 52), (1, 53), (1, 54), (1, 55), (1, 56), (1, 57),
+    (1, 58), (1, 59), (1, 60), (1, 61), (1, 62), (1, 63), (1, 64), (1, 65), (1, 66), (1, 67),
+    (1, 68), (1, 69), (1, 71), (1, 78), (1, 85), (2, 21), (2, 22), (2, 24), (2, 25), (2, 26),
+    (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35), (2, 36),
+    (2, 37), (2, 38), (2, 39), (2, 40), (2, 41), (2, 42), (2, 43), (2, 44), (2, 45), (2, 46),
+    (2, 47), (2, 48), (2, 49), (2, 50), (2, 51), (2, 52), (2, 53), (2, 54), (2, 55), (2, 56),
+    (2, 57), (2, 58), (2, 59), (2, 60), (2, 61), (2, 62), (2, 63), (2, 64), (2, 65), (2, 66),
+    (2, 67), (2, 68), (2, 69), (2, 72), (2, 79), (2, 86), (3, 31), (3, 32), (3, 34), (3, 35),
+    (3, 36), (3, 37), (3, 38), (3, 39), (3, 40), (3, 41), (3, 42), (3, 43), (3, 44), (3, 45),
+    (3, 46), (3, 47), (3, 48), (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54), (3, 55),
+    (3, 56), (3, 57), (3, 58), (3, 59), (3, 60), (3, 61), (3, 62), (3, 63), (3, 64), (3, 65),
+    (3, 66), (3, 67), (3, 68), (3, 69), (3, 73), (3, 80), (3, 87), (4, 41), (4, 42), (4, 44),
+    (4, 45), (4, 46), (4, 47), (4, 48), (4, 49), (4, 50), (4, 51), (4, 52), (4, 53), (4, 54),
+    (4, 55), (4, 56), (4, 57), (4, 58), (4, 59), (4, 60), (4, 61), (4, 62), (4, 63), (4, 64),
+    (4, 65), (4, 66), (4, 67), (4, 68), (4, 69), (4, 74), (4, 81), (4, 88), (5, 51), (5, 52),
+    (5, 54), (5, 55), (5, 56), (5, 57), (5, 58), (5, 59), (5, 60), (5, 61), (5, 62), (5, 63),
+    (5, 64), (5, 65), (5, 66), (5, 67), (5, 68), (5, 69), (5, 75), (5, 82), (5, 89), (6, 61),
+    (6, 62), (6, 64), (6, 65), (6, 66), (6, 67), (6, 68), (6, 69), (6, 76), (6, 83), (6, 90),
 ];
 
 /// Regressor `W` of the standard parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 70]; 7]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 91]; 7]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -71,1181 +73,1206 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let k6 = S::constant(0.167455);
     let k7 = S::constant(0.0001380625);
     let k8 = S::constant(0.0235);
+    let k9 = S::constant(1.0);
+    // link 1: motion
+    let t0 = {
+        let t0 = dq1 * dq1;
+        put(0, ddq1); // row 1, ZZ1
+        put(61, dq1); // row 1, FV1
+        put(63, k9); // row 1, FO1
+        put(68, ddq2); // row 2, ZZ2
+        put(122, dq2); // row 2, FV2
+        put(124, k9); // row 2, FO2
+        put(173, dq3); // row 3, FV3
+        put(175, k9); // row 3, FO3
+        put(214, dq4); // row 4, FV4
+        put(216, k9); // row 4, FO4
+        put(245, dq5); // row 5, FV5
+        put(247, k9); // row 5, FO5
+        put(266, dq6); // row 6, FV6
+        put(268, k9); // row 6, FO6
+        put(277, dq7); // row 7, FV7
+        put(279, k9); // row 7, FO7
+        t0
+    };
     // link 2: motion
     let [
-        w2_x, w2_y, t2, t3, t5, t6, a2_z, t10,
-        t12, t13, t14, dw2_x, dw2_y,
+        w2_x, w2_y, t3, t4, t5, t6, a2_z, t10,
+        t12, t15, t16, t17, dw2_x, dw2_y, t20, t21,
+        t22, t23, t24, t25, t26,
     ] = {
         let w2_x = s2 * dq1;
         let w2_y = c2 * dq1;
-        let t2 = s2 * ddq1;
-        let t3 = c2 * ddq1;
+        let t3 = s2 * ddq1;
+        let t4 = c2 * ddq1;
         let t5 = s2 * k0;
         let t6 = c2 * k0;
         let t7 = ddq1 * k1;
-        let a2_z = dq1 * dq1 * k1;
+        let a2_z = t0 * k1;
         let t10 = t5 + c2 * t7;
         let t12 = t6 - s2 * t7;
-        let t13 = dq2 * w2_y;
-        let t14 = dq2 * w2_x;
-        let dw2_x = t2 + t13;
-        let dw2_y = t3 - t14;
-        put(0, ddq1); // row 1, ZZ1
-        put(65, ddq2); // row 2, ZZ2
-        put(67, t2); // row 2, XZ2
-        put(68, t3); // row 2, YZ2
+        let t13 = w2_x * w2_x;
+        let t14 = dq2 * dq2;
+        let t15 = w2_x * w2_y;
+        let t16 = dq2 * w2_x;
+        let t17 = dq2 * w2_y;
+        let dw2_x = t3 + t17;
+        let dw2_y = t4 - t16;
+        let t20 = t14 - t13;
+        let t21 = t0 + t20;
+        let t22 = t15 - ddq2;
+        let t23 = ddq2 + t15;
+        let t24 = t13 + t14;
+        let t25 = dw2_y - t16;
+        let t26 = t17 + dw2_x;
+        put(67, t15); // row 2, YY2
+        put(70, t3); // row 2, XZ2
+        put(71, t4); // row 2, YZ2
         [
-        w2_x, w2_y, t2, t3, t5, t6, a2_z, t10,
-        t12, t13, t14, dw2_x, dw2_y,
+        w2_x, w2_y, t3, t4, t5, t6, a2_z, t10,
+        t12, t15, t16, t17, dw2_x, dw2_y, t20, t21,
+        t22, t23, t24, t25, t26,
     ]
     };
     // link 3: motion
     let [
-        w3_x, t22, t29, t30, t31, t32, t33, t34,
-        t36, t37, a3_z, t46, t49, w3_z, t53, t54,
-        dw3_z,
+        w3_x, t32, a3_z, t41, a3_y, t47, t50, w3_z,
+        dw3_z, t55, t56, t57, t58, t59, t60, t61,
+        t62, t63, t64, t65, t66,
     ] = {
         let w3_x = c3 * w2_x - s3 * dq2;
-        let t22 = c3 * dq2 + s3 * w2_x;
-        let t29 = w2_x * w2_x;
-        let t30 = w2_y * w2_y;
-        let t31 = dq2 * dq2;
-        let t32 = w2_x * w2_y;
-        let t33 = ddq2 - t32;
-        let t34 = ddq2 + t32;
-        let t36 = t14 - dw2_y;
-        let t37 = t13 + dw2_x;
-        let t41 = t10 - t33 * k2;
-        let a3_z = (t29 + t31) * k2 - t12;
-        let t43 = a2_z - t37 * k2;
-        let t46 = c3 * t41 + s3 * t43;
-        let t49 = c3 * t43 - s3 * t41;
+        let t32 = c3 * dq2 + s3 * w2_x;
+        let t36 = t10 + t22 * k2;
+        let a3_z = t24 * k2 - t12;
+        let t38 = t26 * k2 - a2_z;
+        let t41 = c3 * t36 - s3 * t38;
+        let a3_y = c3 * t38 + s3 * t36;
+        let t47 = c3 * t22 - s3 * t26;
+        let t50 = c3 * t26 + s3 * t22;
         let w3_z = w2_y + dq3;
-        let t53 = s3 * ddq2 - c3 * dw2_x + dq3 * t22;
-        let t54 = c3 * ddq2 + s3 * dw2_x + dq3 * w3_x;
         let dw3_z = dw2_y + ddq3;
-        put(64, t32); // row 2, YY2
-        put(120, t46); // row 3, MSY3
-        put(123, dw3_z); // row 3, ZZ3
+        let t53 = w3_x * w3_x;
+        let t54 = w3_z * w3_z;
+        let t55 = w3_x * t32;
+        let t56 = w3_x * w3_z;
+        let t57 = t32 * w3_z;
+        let t58 = t57 - t50;
+        let t59 = t56 - t47;
+        let t60 = t53 - t54;
+        let t61 = t60 - t24;
+        let t62 = dw3_z + t55;
+        let t63 = t55 - dw3_z;
+        let t64 = t53 + t54;
+        let t65 = t56 + t59;
+        let t66 = t57 + t58;
+        put(125, a3_y); // row 3, MSX3
+        put(126, t41); // row 3, MSY3
+        put(127, t55); // row 3, XX3
+        put(129, dw3_z); // row 3, ZZ3
+        put(131, t50); // row 3, XZ3
+        put(132, t47); // row 3, YZ3
         [
-        w3_x, t22, t29, t30, t31, t32, t33, t34,
-        t36, t37, a3_z, t46, t49, w3_z, t53, t54,
-        dw3_z,
+        w3_x, t32, a3_z, t41, a3_y, t47, t50, w3_z,
+        dw3_z, t55, t56, t57, t58, t59, t60, t61,
+        t62, t63, t64, t65, t66,
     ]
     };
     // link 4: motion
     let [
-        w4_x, w4_y, t68, t69, t70, t71, t72, t73,
-        t74, t75, t76, t77, t78, t79, t80, t81,
-        t82, t87, t91, a4_y, w4_z, dw4_x, dw4_y, dw4_z,
+        w4_x, w4_y, t77, t81, a4_y, t87, t90, w4_z,
+        dw4_z, t95, t96, t97, dw4_x, dw4_y, t100, t101,
+        t102, t103, t104, t105, t106,
     ] = {
         let w4_x = c4 * w3_x + s4 * w3_z;
         let w4_y = c4 * w3_z - s4 * w3_x;
-        let t68 = w3_x * w3_x;
-        let t69 = t22 * t22;
-        let t70 = w3_z * w3_z;
-        let t71 = w3_x * t22;
-        let t72 = w3_x * w3_z;
-        let t73 = t22 * w3_z;
-        let t74 = t69 + t70;
-        let t75 = dw3_z + t71;
-        let t76 = t72 - t54;
-        let t77 = dw3_z - t71;
-        let t78 = t68 + t70;
-        let t79 = t73 - t53;
-        let t80 = t54 + t72;
-        let t81 = t53 + t73;
-        let t82 = t68 + t69;
-        let t86 = t46 + t75 * k3;
-        let t87 = t49 + t78 * k3;
-        let t88 = a3_z - t81 * k3;
-        let t91 = c4 * t86 - s4 * t88;
-        let a4_y = c4 * t88 + s4 * t86;
-        let w4_z = t22 + dq4;
-        let dw4_x = dq4 * w4_y - (c4 * t53 - s4 * dw3_z);
-        let dw4_y = c4 * dw3_z + s4 * t53 - dq4 * w4_x;
-        let dw4_z = t54 + ddq4;
-        put(121, t71); // row 3, XX3
-        put(125, t79); // row 3, XZ3
-        put(126, t76); // row 3, YZ3
-        put(167, a4_y); // row 4, MSX4
-        put(168, t91); // row 4, MSY4
-        put(171, dw4_z); // row 4, ZZ4
+        let t76 = t41 + t62 * k3;
+        let t77 = t64 * k3 - a3_y;
+        let t78 = a3_z - t66 * k3;
+        let t81 = c4 * t76 - s4 * t78;
+        let a4_y = c4 * t78 + s4 * t76;
+        let t87 = c4 * t62 + s4 * t66;
+        let t90 = s4 * t62 - c4 * t66;
+        let w4_z = t32 + dq4;
+        let dw4_z = t59 + ddq4;
+        let t93 = w4_x * w4_x;
+        let t94 = w4_z * w4_z;
+        let t95 = w4_x * w4_y;
+        let t96 = w4_x * w4_z;
+        let t97 = w4_y * w4_z;
+        let dw4_x = t90 + t97;
+        let dw4_y = t87 - t96;
+        let t100 = t94 - t93;
+        let t101 = t64 + t100;
+        let t102 = t95 - dw4_z;
+        let t103 = dw4_z + t95;
+        let t104 = t93 + t94;
+        let t105 = t96 - dw4_y;
+        let t106 = t97 + dw4_x;
+        put(176, a4_y); // row 4, MSX4
+        put(177, t81); // row 4, MSY4
+        put(179, t95); // row 4, YY4
+        put(180, dw4_z); // row 4, ZZ4
+        put(182, t90); // row 4, XZ4
+        put(183, t87); // row 4, YZ4
         [
-        w4_x, w4_y, t68, t69, t70, t71, t72, t73,
-        t74, t75, t76, t77, t78, t79, t80, t81,
-        t82, t87, t91, a4_y, w4_z, dw4_x, dw4_y, dw4_z,
+        w4_x, w4_y, t77, t81, a4_y, t87, t90, w4_z,
+        dw4_z, t95, t96, t97, dw4_x, dw4_y, t100, t101,
+        t102, t103, t104, t105, t106,
     ]
     };
     // link 5: motion
     let [
-        t103, t106, t113, t114, t115, t116, t117, t118,
-        t119, t120, t121, t122, t123, t124, t125, t126,
-        t127, a5_z, t136, a5_y, w5_z, t143, t144, dw5_z,
+        w5_x, t112, a5_z, t121, a5_y, t127, t130, w5_z,
+        dw5_z, t135, t136, t137, t138, t139, t140, t141,
+        t142, t143, t144, t145, t146,
     ] = {
-        let t103 = s5 * w4_z - c5 * w4_x;
-        let t106 = c5 * w4_z + s5 * w4_x;
-        let t113 = w4_x * w4_x;
-        let t114 = w4_y * w4_y;
-        let t115 = w4_z * w4_z;
-        let t116 = w4_x * w4_y;
-        let t117 = w4_x * w4_z;
-        let t118 = w4_y * w4_z;
-        let t119 = t114 + t115;
-        let t120 = dw4_z - t116;
-        let t121 = dw4_y + t117;
-        let t122 = dw4_z + t116;
-        let t123 = t113 + t115;
-        let t124 = dw4_x - t118;
-        let t125 = t117 - dw4_y;
-        let t126 = dw4_x + t118;
-        let t127 = t113 + t114;
-        let t131 = t91 - t120 * k4;
-        let a5_z = a4_y + t123 * k4;
-        let t133 = t87 - t126 * k4;
-        let t136 = c5 * t131 + s5 * t133;
-        let a5_y = s5 * t131 - c5 * t133;
+        let w5_x = c5 * w4_x - s5 * w4_z;
+        let t112 = c5 * w4_z + s5 * w4_x;
+        let t116 = t81 + t102 * k4;
+        let a5_z = a4_y + t104 * k4;
+        let t118 = t77 - t106 * k4;
+        let t121 = c5 * t116 + s5 * t118;
+        let a5_y = s5 * t116 - c5 * t118;
+        let t127 = c5 * t102 - s5 * t106;
+        let t130 = c5 * t106 + s5 * t102;
         let w5_z = w4_y + dq5;
-        let t143 = dq5 * t106 - (c5 * dw4_x - s5 * dw4_z);
-        let t144 = dq5 * t103 - (c5 * dw4_z + s5 * dw4_x);
         let dw5_z = dw4_y + ddq5;
-        put(170, t116); // row 4, YY4
-        put(173, t124); // row 4, XZ4
-        put(174, t121); // row 4, YZ4
-        put(205, a5_y); // row 5, MSX5
-        put(206, t136); // row 5, MSY5
-        put(209, dw5_z); // row 5, ZZ5
+        let t133 = w5_x * w5_x;
+        let t134 = w5_z * w5_z;
+        let t135 = w5_x * t112;
+        let t136 = w5_x * w5_z;
+        let t137 = t112 * w5_z;
+        let t138 = t137 - t130;
+        let t139 = t136 - t127;
+        let t140 = t133 - t134;
+        let t141 = t140 - t104;
+        let t142 = dw5_z + t135;
+        let t143 = t135 - dw5_z;
+        let t144 = t133 + t134;
+        let t145 = t136 + t139;
+        let t146 = t137 + t138;
+        put(217, a5_y); // row 5, MSX5
+        put(218, t121); // row 5, MSY5
+        put(219, t135); // row 5, XX5
+        put(221, dw5_z); // row 5, ZZ5
+        put(223, t130); // row 5, XZ5
+        put(224, t127); // row 5, YZ5
         [
-        t103, t106, t113, t114, t115, t116, t117, t118,
-        t119, t120, t121, t122, t123, t124, t125, t126,
-        t127, a5_z, t136, a5_y, w5_z, t143, t144, dw5_z,
+        w5_x, t112, a5_z, t121, a5_y, t127, t130, w5_z,
+        dw5_z, t135, t136, t137, t138, t139, t140, t141,
+        t142, t143, t144, t145, t146,
     ]
     };
     // link 6: motion
     let [
-        w6_x, w6_y, t158, t159, t160, t161, t162, t163,
-        t164, t165, t166, t167, t168, t169, t170, t171,
-        t172, t177, t181, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
+        w6_x, w6_y, t157, t161, a6_y, t167, t170, w6_z,
+        dw6_z, t175, t176, t177, dw6_x, dw6_y, t180, t181,
+        t182, t183, t184, t185, t186,
     ] = {
-        let w6_x = s6 * w5_z - c6 * t103;
-        let w6_y = c6 * w5_z + s6 * t103;
-        let t158 = t103 * t103;
-        let t159 = t106 * t106;
-        let t160 = w5_z * w5_z;
-        let t161 = t103 * t106;
-        let t162 = t103 * w5_z;
-        let t163 = t106 * w5_z;
-        let t164 = t159 + t160;
-        let t165 = t161 - dw5_z;
-        let t166 = t144 - t162;
-        let t167 = dw5_z + t161;
-        let t168 = t158 + t160;
-        let t169 = t163 - t143;
-        let t170 = t144 + t162;
-        let t171 = t143 + t163;
-        let t172 = t158 + t159;
-        let t176 = t136 - t165 * k5;
-        let t177 = t168 * k5 - a5_y;
-        let t178 = a5_z - t171 * k5;
-        let t181 = c6 * t176 - s6 * t178;
-        let a6_y = c6 * t178 + s6 * t176;
-        let w6_z = t106 + dq6;
-        let dw6_x = s6 * dw5_z - c6 * t143 + dq6 * w6_y;
-        let dw6_y = c6 * dw5_z + s6 * t143 - dq6 * w6_x;
-        let dw6_z = ddq6 - t144;
-        put(208, t161); // row 5, YY5
-        put(211, t169); // row 5, XZ5
-        put(212, t166); // row 5, YZ5
-        put(233, a6_y); // row 6, MSX6
-        put(234, t181); // row 6, MSY6
-        put(237, dw6_z); // row 6, ZZ6
+        let w6_x = c6 * w5_x + s6 * w5_z;
+        let w6_y = c6 * w5_z - s6 * w5_x;
+        let t156 = t121 + t142 * k5;
+        let t157 = t144 * k5 - a5_y;
+        let t158 = a5_z - t146 * k5;
+        let t161 = c6 * t156 - s6 * t158;
+        let a6_y = c6 * t158 + s6 * t156;
+        let t167 = c6 * t142 + s6 * t146;
+        let t170 = s6 * t142 - c6 * t146;
+        let w6_z = t112 + dq6;
+        let dw6_z = t139 + ddq6;
+        let t173 = w6_x * w6_x;
+        let t174 = w6_z * w6_z;
+        let t175 = w6_x * w6_y;
+        let t176 = w6_x * w6_z;
+        let t177 = w6_y * w6_z;
+        let dw6_x = t170 + t177;
+        let dw6_y = t167 - t176;
+        let t180 = t173 - t174;
+        let t181 = t144 - t180;
+        let t182 = t175 - dw6_z;
+        let t183 = dw6_z + t175;
+        let t184 = t173 + t174;
+        let t185 = dw6_y - t176;
+        let t186 = t177 + dw6_x;
+        put(248, a6_y); // row 6, MSX6
+        put(249, t161); // row 6, MSY6
+        put(251, t175); // row 6, YY6
+        put(252, dw6_z); // row 6, ZZ6
+        put(254, t170); // row 6, XZ6
+        put(255, t167); // row 6, YZ6
         [
-        w6_x, w6_y, t158, t159, t160, t161, t162, t163,
-        t164, t165, t166, t167, t168, t169, t170, t171,
-        t172, t177, t181, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
+        w6_x, w6_y, t157, t161, a6_y, t167, t170, w6_z,
+        dw6_z, t175, t176, t177, dw6_x, dw6_y, t180, t181,
+        t182, t183, t184, t185, t186,
     ]
     };
     // link 7: motion
     let [
-        w7_x, t196, t203, t204, t205, t206, t207, t208,
-        t209, t210, t211, t212, t213, t214, t215, t216,
-        t217, a7_z, t226, a7_y, w7_z, t233, t234, dw7_z,
+        a7_z, t201, a7_y, t207, t210, dw7_z, t215, t216,
+        t217, t218, t219, t220, t221, t222, t223, t224,
+        t225, t226,
     ] = {
         let w7_x = c7 * w6_x - s7 * w6_z;
-        let t196 = c7 * w6_z + s7 * w6_x;
-        let t203 = w6_x * w6_x;
-        let t204 = w6_y * w6_y;
-        let t205 = w6_z * w6_z;
-        let t206 = w6_x * w6_y;
-        let t207 = w6_x * w6_z;
-        let t208 = w6_y * w6_z;
-        let t209 = t204 + t205;
-        let t210 = dw6_z - t206;
-        let t211 = dw6_y + t207;
-        let t212 = dw6_z + t206;
-        let t213 = t203 + t205;
-        let t214 = dw6_x - t208;
-        let t215 = dw6_y - t207;
-        let t216 = dw6_x + t208;
-        let t217 = t203 + t204;
-        let t221 = t181 - t210 * k6;
-        let a7_z = a6_y + t213 * k6;
-        let t223 = t177 - t216 * k6;
-        let t226 = c7 * t221 + s7 * t223;
-        let a7_y = s7 * t221 - c7 * t223;
+        let t192 = c7 * w6_z + s7 * w6_x;
+        let t196 = t161 + t182 * k6;
+        let a7_z = a6_y + t184 * k6;
+        let t198 = t186 * k6 - t157;
+        let t201 = c7 * t196 - s7 * t198;
+        let a7_y = c7 * t198 + s7 * t196;
+        let t207 = c7 * t182 - s7 * t186;
+        let t210 = c7 * t186 + s7 * t182;
         let w7_z = w6_y + dq7;
-        let t233 = s7 * dw6_z - c7 * dw6_x + dq7 * t196;
-        let t234 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
         let dw7_z = dw6_y + ddq7;
-        put(236, t206); // row 6, YY6
-        put(239, t214); // row 6, XZ6
-        put(240, t211); // row 6, YZ6
-        put(251, a7_y); // row 7, MSX7
-        put(252, t226); // row 7, MSY7
-        put(255, dw7_z); // row 7, ZZ7
+        let t213 = w7_x * w7_x;
+        let t214 = w7_z * w7_z;
+        let t215 = w7_x * t192;
+        let t216 = w7_x * w7_z;
+        let t217 = t192 * w7_z;
+        let t218 = t217 - t210;
+        let t219 = t216 - t207;
+        let t220 = t213 - t214;
+        let t221 = t184 - t220;
+        let t222 = dw7_z + t215;
+        let t223 = t215 - dw7_z;
+        let t224 = t213 + t214;
+        let t225 = t216 + t219;
+        let t226 = t217 + t218;
+        put(269, a7_y); // row 7, MSX7
+        put(270, t201); // row 7, MSY7
+        put(271, t215); // row 7, XX7
+        put(273, dw7_z); // row 7, ZZ7
+        put(275, t210); // row 7, XZ7
+        put(276, t207); // row 7, YZ7
         [
-        w7_x, t196, t203, t204, t205, t206, t207, t208,
-        t209, t210, t211, t212, t213, t214, t215, t216,
-        t217, a7_z, t226, a7_y, w7_z, t233, t234, dw7_z,
+        a7_z, t201, a7_y, t207, t210, dw7_z, t215, t216,
+        t217, t218, t219, t220, t221, t222, t223, t224,
+        t225, t226,
     ]
     };
     // joint axes in frame 2
-    let [t236, v1_2_y] = {
-        let t236 = c2 * k1;
+    let [t227, v1_2_y] = {
+        let t227 = c2 * k1;
         let v1_2_y = s2 * k1;
-        [t236, v1_2_y]
+        [t227, v1_2_y]
     };
     // joint axes in frame 3
-    let [z1_3_x, z1_4_z, t243, v1_3_y, v2_3_x, v2_4_z] = {
-        let t238 = s2 * k2;
+    let [z1_3_x, z1_4_z, v1_3_x, v1_3_y, v2_3_x, v2_4_z] = {
+        let t229 = s2 * k2;
         let z1_3_x = s2 * c3;
         let z1_4_z = s2 * s3;
-        let t243 = c3 * t236 - s3 * t238;
-        let v1_3_y = c3 * t238 + s3 * t236;
+        let v1_3_x = s3 * t229 - c3 * t227;
+        let v1_3_y = c3 * t229 + s3 * t227;
         let v2_3_x = c3 * k2;
         let v2_4_z = s3 * k2;
-        [z1_3_x, z1_4_z, t243, v1_3_y, v2_3_x, v2_4_z]
+        [z1_3_x, z1_4_z, v1_3_x, v1_3_y, v2_3_x, v2_4_z]
     };
     // joint axes in frame 4
-    let [z1_4_x, z1_4_y, t255, z2_4_y, t257, t258, t261, t264] = {
+    let [z1_4_x, z1_4_y, t246, z2_4_y, t248, t249, t252, t255] = {
         let z1_4_x = c4 * z1_3_x + c2 * s4;
         let z1_4_y = c2 * c4 - s4 * z1_3_x;
-        let t255 = s3 * c4;
+        let t246 = s3 * c4;
         let z2_4_y = s3 * s4;
-        let t257 = c4 * v2_3_x;
-        let t258 = s4 * v2_3_x;
-        let t261 = c4 * t243 - s4 * v1_2_y;
-        let t264 = c4 * v1_2_y + s4 * t243;
-        [z1_4_x, z1_4_y, t255, z2_4_y, t257, t258, t261, t264]
+        let t248 = c4 * v2_3_x;
+        let t249 = s4 * v2_3_x;
+        let t252 = c4 * v1_3_x + s4 * v1_2_y;
+        let t255 = s4 * v1_3_x - c4 * v1_2_y;
+        [z1_4_x, z1_4_y, t246, z2_4_y, t248, t249, t252, t255]
     };
     // joint axes in frame 5
-    let [t267, z1_6_z, t273, t276, z3_5_x, z3_6_z] = {
-        let t267 = s5 * z1_4_z - c5 * z1_4_x;
+    let [t258, z1_6_z, t264, t267, z3_5_x, z3_6_z] = {
+        let t258 = s5 * z1_4_z - c5 * z1_4_x;
         let z1_6_z = c5 * z1_4_z + s5 * z1_4_x;
-        let t273 = c5 * t255 + c3 * s5;
-        let t276 = c3 * c5 - s5 * t255;
+        let t264 = c5 * t246 + c3 * s5;
+        let t267 = c3 * c5 - s5 * t246;
         let z3_5_x = s4 * c5;
         let z3_6_z = s4 * s5;
-        [t267, z1_6_z, t273, t276, z3_5_x, z3_6_z]
+        [t258, z1_6_z, t264, t267, z3_5_x, z3_6_z]
     };
     // MSZ2: column
-    let [t281, t282] = {
-        let t281 = s2 * t6 - c2 * t5;
-        let t282 = k1 * t281;
-        [t281, t282]
+    let [t272, t273] = {
+        let t272 = s2 * t6 - c2 * t5;
+        let t273 = k1 * t272;
+        [t272, t273]
     };
     // XX2: column
-    let [t284, t285] = {
-        let t284 = c2 * t14;
-        let t285 = s2 * dw2_x + t284;
-        put(5, t285); // row 1, XX2
-        [t284, t285]
+    let [t275, t276] = {
+        let t275 = c2 * t16;
+        let t276 = s2 * dw2_x + t275;
+        put(5, t276); // row 1, XX2
+        [t275, t276]
     };
     // YY2: column
-    let [t286, t289] = {
-        let t286 = s2 * t13;
-        let t288 = c2 * dw2_y - t286;
-        let t289 = t285 + t288;
-        let t291 = t289 * k7 - t282;
-        put(1, t291); // row 1, M2
-        put(6, t288); // row 1, YY2
-        [t286, t289]
+    let [t277, t280] = {
+        let t277 = s2 * t17;
+        let t279 = c2 * dw2_y - t277;
+        let t280 = t276 + t279;
+        let t282 = t280 * k7 - t273;
+        put(1, t282); // row 1, M2
+        put(6, t279); // row 1, YY2
+        [t277, t280]
     };
     // XZ2: column
     {
-        let t295 = s2 * t34 - c2 * (t29 - t31);
-        let t296 = k1 * t295;
-        let t298 = t2 * k1 - t6;
-        put(2, t296); // row 1, MSX2
-        put(9, t295); // row 1, XZ2
-        put(61, t298); // row 2, MSX2
+        let t285 = s2 * t23 + c2 * t20;
+        let t286 = k1 * t285;
+        let t288 = t3 * k1 - t6;
+        put(2, t286); // row 1, MSX2
+        put(9, t285); // row 1, XZ2
+        put(64, t288); // row 2, MSX2
     }
     // YZ2: column
     {
-        let t302 = s2 * (t30 - t31) + c2 * t33;
-        let t303 = k1 * t302;
-        let t305 = t5 + t3 * k1;
-        put(3, t303); // row 1, MSY2
-        put(10, t302); // row 1, YZ2
-        put(62, t305); // row 2, MSY2
+        let t292 = s2 * (t0 - t24) - c2 * t22;
+        let t293 = k1 * t292;
+        let t295 = t5 + t4 * k1;
+        put(3, t293); // row 1, MSY2
+        put(10, t292); // row 1, YZ2
+        put(65, t295); // row 2, MSY2
     }
     // YY2: column
     {
-        let t307 = t281 - t289 * k8;
-        put(4, t307); // row 1, MSZ2
+        let t297 = t272 - t280 * k8;
+        put(4, t297); // row 1, MSZ2
     }
     // ZZ2: column
     {
-        let t308 = t286 - t284;
-        put(7, t308); // row 1, ZZ2
+        let t298 = t277 - t275;
+        put(7, t298); // row 1, ZZ2
     }
     // XY2: column
     {
-        let t309 = t29 - t30;
-        let t312 = c2 * t37 - s2 * t36;
-        put(8, t312); // row 1, XY2
-        put(66, t309); // row 2, XY2
+        let t299 = t24 - t21;
+        let t302 = s2 * t25 + c2 * t26;
+        put(8, t302); // row 1, XY2
+        put(69, t299); // row 2, XY2
     }
     // M3: column
-    {
-        let t317 = a3_z * v1_2_y + (t46 * t243 - t49 * v1_3_y);
-        let t320 = t49 * v2_4_z - t46 * v2_3_x;
-        put(11, t317); // row 1, M3
-        put(69, t320); // row 2, M3
-    }
+    let t310 = {
+        let t307 = a3_z * v1_2_y + (a3_y * v1_3_y - t41 * v1_3_x);
+        let t310 = t41 * v2_3_x + a3_y * v2_4_z;
+        put(11, t307); // row 1, M3
+        t310
+    };
     // MSX3: column
     {
-        let t328 = t80 * v1_2_y + (t74 * t243 + t77 * v1_3_y);
-        let t329 = a3_z * z1_4_z - c2 * t49 + t328;
-        let t334 = c3 * a3_z - (t74 * v2_3_x + t77 * v2_4_z);
-        put(12, t329); // row 1, MSX3
-        put(70, t334); // row 2, MSX3
+        let t318 = t65 * v1_2_y - (t63 * v1_3_y - t61 * v1_3_x);
+        let t319 = a3_z * z1_4_z + c2 * a3_y + t318;
+        let t324 = c3 * a3_z + (t61 * v2_3_x + t63 * v2_4_z);
+        put(12, t319); // row 1, MSX3
+        put(73, t324); // row 2, MSX3
     }
     // MSY3: column
-    {
-        let t342 = t81 * v1_2_y - (t75 * t243 - t78 * v1_3_y);
-        let t343 = a3_z * z1_3_x + c2 * t46 - t342;
-        let t348 = t78 * v2_4_z - t75 * v2_3_x - s3 * a3_z;
-        put(13, t343); // row 1, MSY3
-        put(71, t348); // row 2, MSY3
-    }
+    let [t329, t336] = {
+        let t329 = t64 * v1_3_y;
+        let t333 = a3_z * z1_3_x + c2 * t41 - (t66 * v1_2_y + (t62 * v1_3_x + t329));
+        let t336 = t64 * v2_4_z;
+        let t338 = t336 - t62 * v2_3_x - s3 * a3_z;
+        put(13, t333); // row 1, MSY3
+        put(74, t338); // row 2, MSY3
+        [t329, t336]
+    };
     // MSZ3: column
     {
-        let t356 = t82 * v1_2_y + (t76 * t243 + t79 * v1_3_y);
-        let t357 = t49 * z1_3_x + t46 * z1_4_z - t356;
-        let t364 = c3 * t46 - s3 * t49 + (t76 * v2_3_x + t79 * v2_4_z);
-        put(14, t357); // row 1, MSZ3
-        put(72, t364); // row 2, MSZ3
+        let t341 = a3_y * z1_3_x - t41 * z1_4_z;
+        let t347 = t47 * v1_3_x - t50 * v1_3_y - t24 * v1_2_y - t341;
+        let t354 = s3 * a3_y + c3 * t41 + (t47 * v2_3_x + t50 * v2_4_z);
+        put(14, t347); // row 1, MSZ3
+        put(75, t354); // row 2, MSZ3
     }
     // XX3: column
-    let [t366, t367, t371] = {
-        let t366 = t72 * z1_4_z;
-        let t367 = c2 * t71;
-        let t369 = t367 - (t53 * z1_3_x + t366);
-        let t371 = c3 * t72;
-        let t372 = s3 * t53 - t371;
-        put(15, t369); // row 1, XX3
-        put(73, t372); // row 2, XX3
-        [t366, t367, t371]
+    let [t356, t357, t361] = {
+        let t356 = t56 * z1_4_z;
+        let t357 = c2 * t55;
+        let t359 = t357 - (t58 * z1_3_x + t356);
+        let t361 = c3 * t56;
+        let t362 = s3 * t58 - t361;
+        put(15, t359); // row 1, XX3
+        put(76, t362); // row 2, XX3
+        [t356, t357, t361]
     };
     // YY3: column
-    let [t373, t377] = {
-        let t373 = t73 * z1_3_x;
-        let t376 = t373 + t54 * z1_4_z - t367;
-        let t377 = s3 * t73;
-        let t379 = c3 * t54 - t377;
-        put(16, t376); // row 1, YY3
-        put(74, t379); // row 2, YY3
-        [t373, t377]
+    let [t363, t367] = {
+        let t363 = t57 * z1_3_x;
+        let t366 = t363 + t59 * z1_4_z - t357;
+        let t367 = s3 * t57;
+        let t369 = c3 * t59 - t367;
+        put(16, t366); // row 1, YY3
+        put(77, t369); // row 2, YY3
+        [t363, t367]
     };
     // ZZ3: column
     {
-        let t382 = c2 * dw3_z + (t366 - t373);
-        let t383 = t371 + t377;
-        put(17, t382); // row 1, ZZ3
-        put(75, t383); // row 2, ZZ3
+        let t372 = c2 * dw3_z + (t356 - t363);
+        let t373 = t361 + t367;
+        put(17, t372); // row 1, ZZ3
+        put(78, t373); // row 2, ZZ3
     }
     // XY3: column
     {
-        let t384 = t68 - t69;
-        let t389 = c2 * t384 + (t81 * z1_4_z - t80 * z1_3_x);
-        let t392 = s3 * t80 + c3 * t81;
-        put(18, t389); // row 1, XY3
-        put(76, t392); // row 2, XY3
-        put(124, t384); // row 3, XY3
+        let t374 = t61 + t64;
+        let t379 = c2 * t374 + (t66 * z1_4_z - t65 * z1_3_x);
+        let t382 = s3 * t65 + c3 * t66;
+        put(18, t379); // row 1, XY3
+        put(79, t382); // row 2, XY3
+        put(130, t374); // row 3, XY3
     }
     // XZ3: column
     {
-        let t393 = t68 - t70;
-        let t398 = c2 * t79 + (t77 * z1_3_x + z1_4_z * t393);
-        let t401 = c3 * t393 - s3 * t77;
-        put(19, t398); // row 1, XZ3
-        put(77, t401); // row 2, XZ3
+        let t387 = c2 * t50 + (t60 * z1_4_z - t63 * z1_3_x);
+        let t390 = s3 * t63 + c3 * t60;
+        put(19, t387); // row 1, XZ3
+        put(80, t390); // row 2, XZ3
     }
     // YZ3: column
     {
-        let t402 = t70 - t69;
-        let t407 = c2 * t76 - (z1_3_x * t402 + t75 * z1_4_z);
-        let t410 = s3 * t402 - c3 * t75;
-        put(20, t407); // row 1, YZ3
-        put(78, t410); // row 2, YZ3
+        let t391 = t64 - t24;
+        let t396 = c2 * t47 - (z1_3_x * t391 + t62 * z1_4_z);
+        let t399 = s3 * t391 - c3 * t62;
+        put(20, t396); // row 1, YZ3
+        put(81, t399); // row 2, YZ3
     }
     // M4: column
-    let [t413, t416] = {
-        let t413 = c4 * t91 + s4 * a4_y;
-        let t416 = s4 * t91 - c4 * a4_y;
-        let t417 = k3 * t416;
-        let t418 = k3 * t413;
-        let t426 = v1_2_y * t416 - (t243 * t413 - t87 * v1_3_y);
-        let t427 = c2 * t418 - z1_3_x * t417 - t426;
-        let t432 = s3 * t417 - (v2_3_x * t413 - t87 * v2_4_z);
-        put(21, t427); // row 1, M4
-        put(79, t432); // row 2, M4
-        put(127, t418); // row 3, M4
-        [t413, t416]
+    let [t402, t405] = {
+        let t402 = c4 * t81 + s4 * a4_y;
+        let t405 = c4 * a4_y - s4 * t81;
+        let t406 = k3 * t405;
+        let t407 = k3 * t402;
+        let t415 = v1_3_x * t402 + t77 * v1_3_y - v1_2_y * t405;
+        let t416 = z1_3_x * t406 + c2 * t407 - t415;
+        let t421 = t77 * v2_4_z - v2_3_x * t402 - s3 * t406;
+        put(21, t416); // row 1, M4
+        put(82, t421); // row 2, M4
+        put(133, t407); // row 3, M4
+        [t402, t405]
     };
     // MSX4: column
-    let [t434, t439, t440] = {
-        let t434 = s4 * t122;
-        let t435 = c4 * t119 + t434;
-        let t438 = c4 * t122 - s4 * t119;
-        let t439 = s4 * t87;
-        let t440 = c4 * t87;
-        let t443 = t439 + k3 * t438;
-        let t444 = k3 * t435 - t440;
-        let t454 = v1_2_y * t438 + (t243 * t435 - t125 * v1_3_y);
-        let t455 = c2 * t444 + (z1_3_x * t443 + a4_y * z1_4_z) + t454;
-        let t462 = t125 * v2_4_z - v2_3_x * t435 - (s3 * t443 - c3 * a4_y);
-        put(22, t455); // row 1, MSX4
-        put(80, t462); // row 2, MSX4
-        put(128, t444); // row 3, MSX4
-        [t434, t439, t440]
+    let [t423, t428, t429] = {
+        let t423 = s4 * t103;
+        let t424 = c4 * t101 + t423;
+        let t427 = s4 * t101 - c4 * t103;
+        let t428 = s4 * t77;
+        let t429 = c4 * t77;
+        let t432 = t428 - k3 * t427;
+        let t433 = k3 * t424 - t429;
+        let t443 = v1_2_y * t427 + (v1_3_x * t424 + t105 * v1_3_y);
+        let t444 = c2 * t433 + (z1_3_x * t432 + a4_y * z1_4_z) - t443;
+        let t451 = c3 * a4_y - s3 * t432 + (t105 * v2_4_z - v2_3_x * t424);
+        put(22, t444); // row 1, MSX4
+        put(83, t451); // row 2, MSX4
+        put(134, t433); // row 3, MSX4
+        [t423, t428, t429]
     };
     // MSY4: column
-    let t463 = {
-        let t463 = c4 * t120;
-        let t465 = s4 * t123 - t463;
-        let t468 = s4 * t120 + c4 * t123;
-        let t471 = k3 * t468 - t440;
-        let t472 = t439 - k3 * t465;
-        let t482 = v1_2_y * t468 + (t243 * t465 + t126 * v1_3_y);
-        let t483 = c2 * t472 + (t91 * z1_4_z - z1_3_x * t471) - t482;
-        let t490 = s3 * t471 + c3 * t91 + (v2_3_x * t465 + t126 * v2_4_z);
-        put(23, t483); // row 1, MSY4
-        put(81, t490); // row 2, MSY4
-        put(129, t472); // row 3, MSY4
-        t463
+    let t452 = {
+        let t452 = c4 * t102;
+        let t454 = t452 + s4 * t104;
+        let t457 = c4 * t104 - s4 * t102;
+        let t460 = k3 * t457 - t429;
+        let t461 = t428 - k3 * t454;
+        let t471 = v1_2_y * t457 - (v1_3_x * t454 - t106 * v1_3_y);
+        let t472 = c2 * t461 - (z1_3_x * t460 - t81 * z1_4_z) - t471;
+        let t479 = s3 * t460 + c3 * t81 + (v2_3_x * t454 + t106 * v2_4_z);
+        put(23, t472); // row 1, MSY4
+        put(84, t479); // row 2, MSY4
+        put(135, t461); // row 3, MSY4
+        t452
     };
     // MSZ4: column
-    let t500 = {
-        let t493 = c4 * t121 + s4 * t124;
-        let t496 = s4 * t121 - c4 * t124;
-        let t499 = t416 + k3 * t496;
-        let t500 = t413 + k3 * t493;
-        let t508 = v1_2_y * t496 + (t127 * v1_3_y - t243 * t493);
-        let t509 = z1_3_x * t499 - c2 * t500 + t508;
-        let t514 = v2_3_x * t493 - t127 * v2_4_z - s3 * t499;
-        put(24, t509); // row 1, MSZ4
-        put(82, t514); // row 2, MSZ4
-        t500
+    let t489 = {
+        let t482 = c4 * t87 + s4 * t90;
+        let t485 = s4 * t87 - c4 * t90;
+        let t488 = t405 - k3 * t485;
+        let t489 = t402 + k3 * t482;
+        let t497 = v1_2_y * t485 + (t329 + v1_3_x * t482) - (z1_3_x * t488 + c2 * t489);
+        let t501 = s3 * t488 - (t336 - v2_3_x * t482);
+        put(24, t497); // row 1, MSZ4
+        put(85, t501); // row 2, MSZ4
+        t489
     };
     // XX4: column
-    let [t516, t517, t521, t522, t526] = {
-        let t516 = t117 * z1_4_y;
-        let t517 = t116 * z1_4_z;
-        let t519 = dw4_x * z1_4_x + t516 - t517;
-        let t521 = t117 * z2_4_y;
-        let t522 = c3 * t116;
-        let t524 = t521 - dw4_x * t255 - t522;
-        let t526 = c4 * t117;
-        let t527 = s4 * dw4_x + t526;
-        put(25, t519); // row 1, XX4
-        put(83, t524); // row 2, XX4
-        put(131, t527); // row 3, XX4
-        [t516, t517, t521, t522, t526]
+    let [t503, t504, t508, t509, t513] = {
+        let t503 = t96 * z1_4_y;
+        let t504 = t95 * z1_4_z;
+        let t506 = dw4_x * z1_4_x + t503 - t504;
+        let t508 = t96 * z2_4_y;
+        let t509 = c3 * t95;
+        let t511 = t508 - dw4_x * t246 - t509;
+        let t513 = c4 * t96;
+        let t514 = s4 * dw4_x + t513;
+        put(25, t506); // row 1, XX4
+        put(86, t511); // row 2, XX4
+        put(137, t514); // row 3, XX4
+        [t503, t504, t508, t509, t513]
     };
     // YY4: column
-    let [t528, t532, t536] = {
-        let t528 = t118 * z1_4_x;
-        let t531 = t517 - (t528 - dw4_y * z1_4_y);
-        let t532 = t118 * t255;
-        let t535 = t522 + (t532 + dw4_y * z2_4_y);
-        let t536 = s4 * t118;
-        let t538 = c4 * dw4_y - t536;
-        put(26, t531); // row 1, YY4
-        put(84, t535); // row 2, YY4
-        put(132, t538); // row 3, YY4
-        [t528, t532, t536]
+    let [t515, t519, t523] = {
+        let t515 = t97 * z1_4_x;
+        let t518 = t504 - (t515 - dw4_y * z1_4_y);
+        let t519 = t97 * t246;
+        let t522 = t509 + (t519 + dw4_y * z2_4_y);
+        let t523 = s4 * t97;
+        let t525 = c4 * dw4_y - t523;
+        put(26, t518); // row 1, YY4
+        put(87, t522); // row 2, YY4
+        put(138, t525); // row 3, YY4
+        [t515, t519, t523]
     };
     // ZZ4: column
     {
-        let t541 = dw4_z * z1_4_z - (t516 - t528);
-        let t544 = c3 * dw4_z - (t521 + t532);
-        let t545 = t536 - t526;
-        put(27, t541); // row 1, ZZ4
-        put(85, t544); // row 2, ZZ4
-        put(133, t545); // row 3, ZZ4
+        let t528 = dw4_z * z1_4_z + (t515 - t503);
+        let t531 = c3 * dw4_z - (t508 + t519);
+        let t532 = t523 - t513;
+        put(27, t528); // row 1, ZZ4
+        put(88, t531); // row 2, ZZ4
+        put(139, t532); // row 3, ZZ4
     }
     // XY4: column
     {
-        let t546 = t113 - t114;
-        let t551 = z1_4_z * t546 - (t125 * z1_4_x - t126 * z1_4_y);
-        let t556 = c3 * t546 + (t125 * t255 + t126 * z2_4_y);
-        let t559 = c4 * t126 - s4 * t125;
-        put(28, t551); // row 1, XY4
-        put(86, t556); // row 2, XY4
-        put(134, t559); // row 3, XY4
-        put(172, t546); // row 4, XY4
+        let t533 = t104 - t101;
+        let t538 = z1_4_z * t533 - (t105 * z1_4_x - t106 * z1_4_y);
+        let t543 = c3 * t533 + (t105 * t246 + t106 * z2_4_y);
+        let t546 = c4 * t106 - s4 * t105;
+        put(28, t538); // row 1, XY4
+        put(89, t543); // row 2, XY4
+        put(140, t546); // row 3, XY4
+        put(181, t533); // row 4, XY4
     }
     // XZ4: column
     {
-        let t560 = t113 - t115;
-        let t565 = t124 * z1_4_z + (t122 * z1_4_x - z1_4_y * t560);
-        let t570 = c3 * t124 - (t122 * t255 + z2_4_y * t560);
-        let t572 = t434 - c4 * t560;
-        put(29, t565); // row 1, XZ4
-        put(87, t570); // row 2, XZ4
-        put(135, t572); // row 3, XZ4
+        let t551 = t90 * z1_4_z + (t103 * z1_4_x + t100 * z1_4_y);
+        let t556 = c3 * t90 + (t100 * z2_4_y - t103 * t246);
+        let t558 = t423 + c4 * t100;
+        put(29, t551); // row 1, XZ4
+        put(90, t556); // row 2, XZ4
+        put(141, t558); // row 3, XZ4
     }
     // YZ4: column
     {
-        let t573 = t114 - t115;
-        let t578 = t121 * z1_4_z + (z1_4_x * t573 + t120 * z1_4_y);
-        let t583 = c3 * t121 + (t120 * z2_4_y - t255 * t573);
-        let t585 = t463 + s4 * t573;
-        put(30, t578); // row 1, YZ4
-        put(88, t583); // row 2, YZ4
-        put(136, t585); // row 3, YZ4
+        let t559 = t64 - t104;
+        let t564 = t87 * z1_4_z + (z1_4_x * t559 - t102 * z1_4_y);
+        let t569 = c3 * t87 - (t246 * t559 + t102 * z2_4_y);
+        let t571 = s4 * t559 - t452;
+        put(30, t564); // row 1, YZ4
+        put(91, t569); // row 2, YZ4
+        put(142, t571); // row 3, YZ4
     }
     // M5: column
-    let [t588, t591, t593] = {
-        let t588 = c5 * t136 + s5 * a5_y;
-        let t591 = s5 * t136 - c5 * a5_y;
-        let t593 = k4 * t588;
-        let t595 = k3 * t588;
-        let t596 = k4 * t591 - k3 * a5_z;
-        let t606 = v1_3_y * t591 - (t261 * t588 + a5_z * t264);
-        let t607 = z1_4_y * t595 - z1_4_x * t596 - z1_4_z * t593 - t606;
-        let t612 = c3 * t593 - (t255 * t596 + z2_4_y * t595);
-        let t618 = v2_4_z * t591 - (t257 * t588 + a5_z * t258) - t612;
-        let t621 = c4 * t595 - s4 * t596;
-        put(31, t607); // row 1, M5
-        put(89, t618); // row 2, M5
-        put(137, t621); // row 3, M5
-        [t588, t591, t593]
+    let [t574, t577, t579] = {
+        let t574 = c5 * t121 + s5 * a5_y;
+        let t577 = s5 * t121 - c5 * a5_y;
+        let t579 = k4 * t574;
+        let t581 = k3 * t574;
+        let t582 = k3 * a5_z - k4 * t577;
+        let t592 = v1_3_y * t577 + (t252 * t574 + a5_z * t255);
+        let t593 = z1_4_x * t582 + z1_4_y * t581 - z1_4_z * t579 - t592;
+        let t603 = t248 * t574 + a5_z * t249 - v2_4_z * t577;
+        let t604 = z2_4_y * t581 - t246 * t582 - c3 * t579 - t603;
+        let t607 = s4 * t582 + c4 * t581;
+        put(31, t593); // row 1, M5
+        put(92, t604); // row 2, M5
+        put(143, t607); // row 3, M5
+        [t574, t577, t579]
     };
     // MSX5: column
-    let [t623, t628, t629] = {
-        let t623 = s5 * t167;
-        let t624 = c5 * t164 + t623;
-        let t627 = c5 * t167 - s5 * t164;
-        let t628 = s5 * a5_z;
-        let t629 = c5 * a5_z;
-        let t633 = t629 - k4 * t624;
-        let t636 = k3 * t170 - (t628 + k4 * t627);
-        let t637 = a5_y + k3 * t624;
-        let t647 = t170 * t264 - t261 * t624 - v1_3_y * t627;
-        let t648 = z1_4_z * t633 - (z1_4_x * t636 - z1_4_y * t637) - t647;
-        let t658 = t170 * t258 - t257 * t624 - v2_4_z * t627;
-        let t659 = c3 * t633 + (t255 * t636 + z2_4_y * t637) + t658;
-        let t662 = c4 * t637 - s4 * t636;
-        put(32, t648); // row 1, MSX5
-        put(90, t659); // row 2, MSX5
-        put(138, t662); // row 3, MSX5
-        put(176, t633); // row 4, MSX5
-        [t623, t628, t629]
+    let [t609, t614, t615] = {
+        let t609 = s5 * t143;
+        let t610 = c5 * t141 + t609;
+        let t613 = c5 * t143 - s5 * t141;
+        let t614 = s5 * a5_z;
+        let t615 = c5 * a5_z;
+        let t619 = t615 + k4 * t610;
+        let t622 = k4 * t613 - t614 - k3 * t145;
+        let t623 = a5_y - k3 * t610;
+        let t633 = t252 * t610 - t145 * t255 - v1_3_y * t613;
+        let t634 = z1_4_z * t619 + (z1_4_y * t623 - z1_4_x * t622) + t633;
+        let t644 = v2_4_z * t613 + (t248 * t610 - t145 * t249);
+        let t645 = c3 * t619 + (t246 * t622 + z2_4_y * t623) + t644;
+        let t648 = c4 * t623 - s4 * t622;
+        put(32, t634); // row 1, MSX5
+        put(93, t645); // row 2, MSX5
+        put(144, t648); // row 3, MSX5
+        put(185, t619); // row 4, MSX5
+        [t609, t614, t615]
     };
     // MSY5: column
-    let t663 = {
-        let t663 = c5 * t165;
-        let t665 = t663 + s5 * t168;
-        let t668 = s5 * t165 - c5 * t168;
-        let t672 = k4 * t665 - t628;
-        let t675 = t629 + k4 * t668 - k3 * t171;
-        let t676 = k3 * t665 - t136;
-        let t686 = t261 * t665 + t171 * t264 - v1_3_y * t668;
-        let t687 = z1_4_z * t672 - (z1_4_y * t676 - z1_4_x * t675) - t686;
-        let t697 = v2_4_z * t668 - (t257 * t665 + t171 * t258);
-        let t698 = c3 * t672 - (t255 * t675 + z2_4_y * t676) - t697;
-        let t701 = s4 * t675 - c4 * t676;
-        put(33, t687); // row 1, MSY5
-        put(91, t698); // row 2, MSY5
-        put(139, t701); // row 3, MSY5
-        put(177, t672); // row 4, MSY5
-        t663
+    let [t649, t650, t653] = {
+        let t649 = c5 * t142;
+        let t650 = s5 * t144;
+        let t651 = t650 - t649;
+        let t653 = c5 * t144;
+        let t654 = s5 * t142 + t653;
+        let t658 = k4 * t651 - t614;
+        let t661 = k4 * t654 - t615 + k3 * t146;
+        let t662 = t121 - k3 * t651;
+        let t667 = z1_4_x * t661 - z1_4_y * t662 - z1_4_z * t658;
+        let t673 = t252 * t651 + t146 * t255 - v1_3_y * t654 - t667;
+        let t683 = v2_4_z * t654 + (t248 * t651 + t146 * t249);
+        let t684 = c3 * t658 + (t246 * t661 + z2_4_y * t662) + t683;
+        let t687 = c4 * t662 - s4 * t661;
+        put(33, t673); // row 1, MSY5
+        put(94, t684); // row 2, MSY5
+        put(145, t687); // row 3, MSY5
+        put(186, t658); // row 4, MSY5
+        [t649, t650, t653]
     };
     // MSZ5: column
     {
-        let t704 = c5 * t166 + s5 * t169;
-        let t707 = s5 * t166 - c5 * t169;
-        let t711 = t588 + k4 * t704;
-        let t713 = k3 * t704;
-        let t714 = t591 + k4 * t707 - k3 * t172;
-        let t724 = t261 * t704 + t172 * t264 - v1_3_y * t707;
-        let t725 = z1_4_z * t711 - (z1_4_y * t713 - z1_4_x * t714) - t724;
-        let t735 = t257 * t704 + t172 * t258 - v2_4_z * t707;
-        let t736 = c3 * t711 - (t255 * t714 + z2_4_y * t713) + t735;
-        let t739 = s4 * t714 - c4 * t713;
-        put(34, t725); // row 1, MSZ5
-        put(92, t736); // row 2, MSZ5
-        put(140, t739); // row 3, MSZ5
-        put(178, t711); // row 4, MSZ5
+        let t690 = c5 * t127 + s5 * t130;
+        let t693 = c5 * t130 - s5 * t127;
+        let t697 = t574 + k4 * t690;
+        let t699 = k3 * t690;
+        let t700 = t577 - k4 * t693 - k3 * t104;
+        let t710 = v1_3_y * t693 - (t252 * t690 + t104 * t255);
+        let t711 = z1_4_z * t697 - (z1_4_y * t699 - z1_4_x * t700) - t710;
+        let t716 = t246 * t700 + z2_4_y * t699 - c3 * t697;
+        let t722 = v2_4_z * t693 + (t248 * t690 + t104 * t249) - t716;
+        let t725 = s4 * t700 - c4 * t699;
+        put(34, t711); // row 1, MSZ5
+        put(95, t722); // row 2, MSZ5
+        put(146, t725); // row 3, MSZ5
+        put(187, t697); // row 4, MSZ5
     }
     // XX5: column
-    let [t741, t742, t746, t747, t751, t752, t756] = {
-        let t741 = t162 * z1_6_z;
-        let t742 = t161 * z1_4_y;
-        let t744 = t143 * t267 + t741 - t742;
-        let t746 = t162 * t276;
-        let t747 = t161 * z2_4_y;
-        let t749 = t143 * t273 + t746 - t747;
-        let t751 = t162 * z3_6_z;
-        let t752 = c4 * t161;
-        let t754 = t751 - t143 * z3_5_x - t752;
-        let t756 = c5 * t162;
-        let t757 = s5 * t143 + t756;
-        put(35, t744); // row 1, XX5
-        put(93, t749); // row 2, XX5
-        put(141, t754); // row 3, XX5
-        put(179, t757); // row 4, XX5
-        [t741, t742, t746, t747, t751, t752, t756]
+    let [t727, t728, t732, t733, t737, t738, t742] = {
+        let t727 = t136 * z1_6_z;
+        let t728 = t135 * z1_4_y;
+        let t730 = t728 + (t138 * t258 - t727);
+        let t732 = t136 * t267;
+        let t733 = t135 * z2_4_y;
+        let t735 = t733 - (t732 - t138 * t264);
+        let t737 = t136 * z3_6_z;
+        let t738 = c4 * t135;
+        let t740 = t738 - (t138 * z3_5_x + t737);
+        let t742 = c5 * t136;
+        let t743 = s5 * t138 - t742;
+        put(35, t730); // row 1, XX5
+        put(96, t735); // row 2, XX5
+        put(147, t740); // row 3, XX5
+        put(188, t743); // row 4, XX5
+        [t727, t728, t732, t733, t737, t738, t742]
     };
     // YY5: column
-    let [t758, t762, t766, t770, t772] = {
-        let t758 = t163 * t267;
-        let t761 = t742 - (t758 + t144 * z1_6_z);
-        let t762 = t163 * t273;
-        let t765 = t747 - (t762 + t144 * t276);
-        let t766 = t163 * z3_5_x;
-        let t769 = t752 + (t766 - t144 * z3_6_z);
-        let t770 = s5 * t163;
-        let t772 = t770 + c5 * t144;
-        put(36, t761); // row 1, YY5
-        put(94, t765); // row 2, YY5
-        put(142, t769); // row 3, YY5
-        [t758, t762, t766, t770, t772]
+    let [t744, t748, t752, t756] = {
+        let t744 = t137 * t258;
+        let t747 = t139 * z1_6_z - t744 - t728;
+        let t748 = t137 * t264;
+        let t751 = t139 * t267 - t748 - t733;
+        let t752 = t137 * z3_5_x;
+        let t755 = t752 + t139 * z3_6_z - t738;
+        let t756 = s5 * t137;
+        let t758 = c5 * t139 - t756;
+        put(36, t747); // row 1, YY5
+        put(97, t751); // row 2, YY5
+        put(148, t755); // row 3, YY5
+        put(189, t758); // row 4, YY5
+        [t744, t748, t752, t756]
     };
     // ZZ5: column
     {
-        let t775 = dw5_z * z1_4_y + (t758 - t741);
-        let t778 = dw5_z * z2_4_y + (t762 - t746);
-        let t781 = c4 * dw5_z - (t751 + t766);
-        let t782 = t770 - t756;
-        put(37, t775); // row 1, ZZ5
-        put(95, t778); // row 2, ZZ5
-        put(143, t781); // row 3, ZZ5
-        put(181, t782); // row 4, ZZ5
+        let t761 = dw5_z * z1_4_y + (t727 + t744);
+        let t764 = dw5_z * z2_4_y + (t732 + t748);
+        let t767 = c4 * dw5_z + (t737 - t752);
+        let t768 = t742 + t756;
+        put(37, t761); // row 1, ZZ5
+        put(98, t764); // row 2, ZZ5
+        put(149, t767); // row 3, ZZ5
+        put(190, t768); // row 4, ZZ5
     }
     // XY5: column
     {
-        let t783 = t158 - t159;
-        let t788 = z1_4_y * t783 + (t171 * z1_6_z - t170 * t267);
-        let t793 = z2_4_y * t783 - (t170 * t273 - t171 * t276);
-        let t798 = c4 * t783 + (t170 * z3_5_x + t171 * z3_6_z);
-        let t801 = c5 * t171 - s5 * t170;
-        put(38, t788); // row 1, XY5
-        put(96, t793); // row 2, XY5
-        put(144, t798); // row 3, XY5
-        put(182, t801); // row 4, XY5
-        put(210, t783); // row 5, XY5
+        let t769 = t141 + t144;
+        let t774 = z1_4_y * t769 + (t145 * t258 + t146 * z1_6_z);
+        let t779 = z2_4_y * t769 + (t145 * t264 + t146 * t267);
+        let t784 = c4 * t769 - (t145 * z3_5_x - t146 * z3_6_z);
+        let t787 = s5 * t145 + c5 * t146;
+        put(38, t774); // row 1, XY5
+        put(99, t779); // row 2, XY5
+        put(150, t784); // row 3, XY5
+        put(191, t787); // row 4, XY5
+        put(222, t769); // row 5, XY5
     }
     // XZ5: column
     {
-        let t802 = t158 - t160;
-        let t807 = t169 * z1_4_y - (t167 * t267 - z1_6_z * t802);
-        let t812 = t169 * z2_4_y + (t276 * t802 - t167 * t273);
-        let t817 = c4 * t169 + (t167 * z3_5_x + z3_6_z * t802);
-        let t819 = c5 * t802 - t623;
-        put(39, t807); // row 1, XZ5
-        put(97, t812); // row 2, XZ5
-        put(145, t817); // row 3, XZ5
-        put(183, t819); // row 4, XZ5
+        let t792 = t130 * z1_4_y + (t143 * t258 + t140 * z1_6_z);
+        let t797 = t130 * z2_4_y + (t143 * t264 + t140 * t267);
+        let t802 = c4 * t130 + (t140 * z3_6_z - t143 * z3_5_x);
+        let t804 = t609 + c5 * t140;
+        put(39, t792); // row 1, XZ5
+        put(100, t797); // row 2, XZ5
+        put(151, t802); // row 3, XZ5
+        put(192, t804); // row 4, XZ5
     }
     // YZ5: column
     {
-        let t820 = t160 - t159;
-        let t825 = t166 * z1_4_y + (t267 * t820 + t165 * z1_6_z);
-        let t830 = t166 * z2_4_y + (t273 * t820 + t165 * t276);
-        let t835 = c4 * t166 + (t165 * z3_6_z - z3_5_x * t820);
-        let t837 = t663 + s5 * t820;
-        put(40, t825); // row 1, YZ5
-        put(98, t830); // row 2, YZ5
-        put(146, t835); // row 3, YZ5
-        put(184, t837); // row 4, YZ5
+        let t805 = t144 - t104;
+        let t810 = t127 * z1_4_y - (t142 * z1_6_z - t258 * t805);
+        let t815 = t127 * z2_4_y - (t142 * t267 - t264 * t805);
+        let t820 = c4 * t127 - (z3_5_x * t805 + t142 * z3_6_z);
+        let t822 = s5 * t805 - t649;
+        put(40, t810); // row 1, YZ5
+        put(101, t815); // row 2, YZ5
+        put(152, t820); // row 3, YZ5
+        put(193, t822); // row 4, YZ5
     }
     // M6: column
-    let [t840, t843] = {
-        let t840 = c6 * t181 + s6 * a6_y;
-        let t843 = c6 * a6_y - s6 * t181;
-        let t844 = k5 * t843;
-        let t845 = k5 * t840;
-        let t848 = s5 * t177 - c5 * t840;
-        let t851 = s5 * t840 + c5 * t177;
-        let t857 = k4 * t848 - s5 * t844;
-        let t860 = k3 * t843 - (k4 * t851 - c5 * t844);
-        let t861 = t845 - k3 * t848;
-        let t871 = v1_3_y * t851 + (t261 * t848 - t264 * t843);
-        let t872 = z1_4_z * t857 + (z1_4_x * t860 + z1_4_y * t861) - t871;
-        let t877 = t255 * t860 - z2_4_y * t861 - c3 * t857;
-        let t883 = v2_4_z * t851 + (t257 * t848 - t258 * t843) - t877;
-        let t886 = s4 * t860 + c4 * t861;
-        put(41, t872); // row 1, M6
-        put(99, t883); // row 2, M6
-        put(147, t886); // row 3, M6
-        put(185, t857); // row 4, M6
-        put(213, t845); // row 5, M6
-        [t840, t843]
+    let [t825, t828] = {
+        let t825 = c6 * t161 + s6 * a6_y;
+        let t828 = s6 * t161 - c6 * a6_y;
+        let t829 = k5 * t828;
+        let t830 = k5 * t825;
+        let t833 = c5 * t825 - s5 * t157;
+        let t836 = s5 * t825 + c5 * t157;
+        let t842 = s5 * t829 - k4 * t833;
+        let t845 = c5 * t829 + k4 * t836 + k3 * t828;
+        let t846 = t830 + k3 * t833;
+        let t856 = v1_3_y * t836 + (t252 * t833 - t255 * t828);
+        let t857 = z1_4_z * t842 + (z1_4_y * t846 - z1_4_x * t845) - t856;
+        let t867 = v2_4_z * t836 + (t249 * t828 - t248 * t833);
+        let t868 = c3 * t842 + (t246 * t845 + z2_4_y * t846) + t867;
+        let t871 = c4 * t846 - s4 * t845;
+        put(41, t857); // row 1, M6
+        put(102, t868); // row 2, M6
+        put(153, t871); // row 3, M6
+        put(194, t842); // row 4, M6
+        put(225, t830); // row 5, M6
+        [t825, t828]
     };
     // MSX6: column
-    let [t888, t891, t893, t894] = {
-        let t888 = s6 * t212;
-        let t889 = c6 * t209 + t888;
-        let t891 = c6 * t212;
-        let t892 = t891 - s6 * t209;
-        let t893 = s6 * t177;
-        let t894 = c6 * t177;
-        let t897 = t893 + k5 * t892;
-        let t898 = k5 * t889 - t894;
-        let t901 = c5 * t889 + s5 * t215;
-        let t904 = c5 * t215 - s5 * t889;
-        let t914 = c5 * a6_y - s5 * t897 - k4 * t901;
-        let t917 = c5 * t897 + s5 * a6_y + k4 * t904 + k3 * t892;
-        let t918 = t898 + k3 * t901;
-        let t928 = v1_3_y * t904 + (t261 * t901 + t264 * t892);
-        let t929 = z1_4_z * t914 + (z1_4_x * t917 + z1_4_y * t918) + t928;
-        let t939 = v2_4_z * t904 + (t257 * t901 + t258 * t892);
-        let t940 = c3 * t914 - (t255 * t917 - z2_4_y * t918) - t939;
-        let t943 = s4 * t917 + c4 * t918;
-        put(42, t929); // row 1, MSX6
-        put(100, t940); // row 2, MSX6
-        put(148, t943); // row 3, MSX6
-        put(186, t914); // row 4, MSX6
-        put(214, t898); // row 5, MSX6
-        [t888, t891, t893, t894]
+    let [t873, t876, t878, t879] = {
+        let t873 = s6 * t183;
+        let t874 = c6 * t181 + t873;
+        let t876 = c6 * t183;
+        let t877 = s6 * t181 - t876;
+        let t878 = s6 * t157;
+        let t879 = c6 * t157;
+        let t882 = t878 - k5 * t877;
+        let t883 = k5 * t874 - t879;
+        let t886 = c5 * t874 + s5 * t185;
+        let t889 = c5 * t185 - s5 * t874;
+        let t899 = c5 * a6_y - s5 * t882 - k4 * t886;
+        let t902 = c5 * t882 + s5 * a6_y + k4 * t889 - k3 * t877;
+        let t903 = t883 + k3 * t886;
+        let t913 = v1_3_y * t889 + (t255 * t877 - t252 * t886);
+        let t914 = z1_4_z * t899 + (z1_4_x * t902 + z1_4_y * t903) + t913;
+        let t924 = t249 * t877 - t248 * t886 - v2_4_z * t889;
+        let t925 = c3 * t899 - (t246 * t902 - z2_4_y * t903) + t924;
+        let t928 = s4 * t902 + c4 * t903;
+        put(42, t914); // row 1, MSX6
+        put(103, t925); // row 2, MSX6
+        put(154, t928); // row 3, MSX6
+        put(195, t899); // row 4, MSX6
+        put(226, t883); // row 5, MSX6
+        [t873, t876, t878, t879]
     };
     // MSY6: column
-    let [t944, t947] = {
-        let t944 = c6 * t210;
-        let t946 = s6 * t213 - t944;
-        let t947 = s6 * t210;
-        let t949 = t947 + c6 * t213;
-        let t952 = k5 * t949 - t894;
-        let t953 = t893 - k5 * t946;
-        let t956 = c5 * t946 + s5 * t216;
-        let t959 = s5 * t946 - c5 * t216;
-        let t969 = s5 * t952 + c5 * t181 + k4 * t956;
-        let t972 = k4 * t959 - (c5 * t952 - s5 * t181) - k3 * t949;
-        let t973 = t953 - k3 * t956;
-        let t983 = t261 * t956 + t264 * t949 - v1_3_y * t959;
-        let t984 = z1_4_z * t969 + (z1_4_x * t972 + z1_4_y * t973) - t983;
-        let t994 = t257 * t956 + t258 * t949 - v2_4_z * t959;
-        let t995 = c3 * t969 - (t255 * t972 - z2_4_y * t973) + t994;
-        let t998 = s4 * t972 + c4 * t973;
-        put(43, t984); // row 1, MSY6
-        put(101, t995); // row 2, MSY6
-        put(149, t998); // row 3, MSY6
-        put(187, t969); // row 4, MSY6
-        put(215, t953); // row 5, MSY6
-        [t944, t947]
+    let [t929, t930, t932, t933] = {
+        let t929 = c6 * t182;
+        let t930 = s6 * t184;
+        let t931 = t929 + t930;
+        let t932 = s6 * t182;
+        let t933 = c6 * t184;
+        let t934 = t933 - t932;
+        let t937 = t879 - k5 * t934;
+        let t938 = t878 - k5 * t931;
+        let t941 = c5 * t931 + s5 * t186;
+        let t944 = s5 * t931 - c5 * t186;
+        let t954 = k4 * t941 - (s5 * t937 - c5 * t161);
+        let t957 = c5 * t937 + s5 * t161 + k4 * t944 - k3 * t934;
+        let t958 = t938 - k3 * t941;
+        let t968 = v1_3_y * t944 + (t252 * t941 + t255 * t934);
+        let t969 = z1_4_z * t954 + (z1_4_x * t957 + z1_4_y * t958) + t968;
+        let t979 = t248 * t941 + t249 * t934 - v2_4_z * t944;
+        let t980 = c3 * t954 - (t246 * t957 - z2_4_y * t958) + t979;
+        let t983 = s4 * t957 + c4 * t958;
+        put(43, t969); // row 1, MSY6
+        put(104, t980); // row 2, MSY6
+        put(155, t983); // row 3, MSY6
+        put(196, t954); // row 4, MSY6
+        put(227, t938); // row 5, MSY6
+        [t929, t930, t932, t933]
     };
     // MSZ6: column
-    let t1008 = {
-        let t1001 = c6 * t211 + s6 * t214;
-        let t1004 = c6 * t214 - s6 * t211;
-        let t1007 = t843 + k5 * t1004;
-        let t1008 = t840 + k5 * t1001;
-        let t1011 = s5 * t217 - c5 * t1001;
-        let t1014 = s5 * t1001 + c5 * t217;
-        let t1020 = s5 * t1007 - k4 * t1011;
-        let t1023 = k3 * t1004 - (k4 * t1014 - c5 * t1007);
-        let t1024 = k3 * t1011 - t1008;
-        let t1034 = t264 * t1004 - t261 * t1011 - v1_3_y * t1014;
-        let t1035 = z1_4_z * t1020 - (z1_4_x * t1023 - z1_4_y * t1024) - t1034;
-        let t1045 = v2_4_z * t1014 + (t257 * t1011 - t258 * t1004);
-        let t1046 = c3 * t1020 + (t255 * t1023 + z2_4_y * t1024) - t1045;
-        let t1049 = c4 * t1024 - s4 * t1023;
-        put(44, t1035); // row 1, MSZ6
-        put(102, t1046); // row 2, MSZ6
-        put(150, t1049); // row 3, MSZ6
-        put(188, t1020); // row 4, MSZ6
-        t1008
+    let t993 = {
+        let t986 = c6 * t167 + s6 * t170;
+        let t989 = c6 * t170 - s6 * t167;
+        let t992 = k5 * t989 - t828;
+        let t993 = t825 + k5 * t986;
+        let t995 = t650 - c5 * t986;
+        let t997 = t653 + s5 * t986;
+        let t1003 = s5 * t992 - k4 * t995;
+        let t1006 = c5 * t992 - k4 * t997 + k3 * t989;
+        let t1007 = k3 * t995 - t993;
+        let t1017 = v1_3_y * t997 - (t252 * t995 - t255 * t989);
+        let t1018 = z1_4_z * t1003 - (z1_4_x * t1006 - z1_4_y * t1007) + t1017;
+        let t1028 = t249 * t989 - t248 * t995 - v2_4_z * t997;
+        let t1029 = c3 * t1003 + (t246 * t1006 + z2_4_y * t1007) + t1028;
+        let t1032 = c4 * t1007 - s4 * t1006;
+        put(44, t1018); // row 1, MSZ6
+        put(105, t1029); // row 2, MSZ6
+        put(156, t1032); // row 3, MSZ6
+        put(197, t1003); // row 4, MSZ6
+        t993
     };
     // XX6: column
-    let [t1051, t1054, t1057, t1062, t1067, t1072] = {
-        let t1051 = s6 * t207;
-        let t1052 = t1051 - c6 * dw6_x;
-        let t1054 = c6 * t207;
-        let t1055 = s6 * dw6_x + t1054;
-        let t1057 = t206 * z1_6_z;
-        let t1060 = z1_4_y * t1055 - (t1057 - t267 * t1052);
-        let t1062 = t206 * t276;
-        let t1065 = z2_4_y * t1055 + (t273 * t1052 - t1062);
-        let t1067 = t206 * z3_6_z;
-        let t1070 = c4 * t1055 - (z3_5_x * t1052 + t1067);
-        let t1072 = c5 * t206;
-        let t1073 = s5 * t1052 - t1072;
-        put(45, t1060); // row 1, XX6
-        put(103, t1065); // row 2, XX6
-        put(151, t1070); // row 3, XX6
-        put(189, t1073); // row 4, XX6
-        put(217, t1055); // row 5, XX6
-        [t1051, t1054, t1057, t1062, t1067, t1072]
+    let [t1034, t1037, t1040, t1045, t1050, t1055] = {
+        let t1034 = s6 * t176;
+        let t1035 = t1034 - c6 * dw6_x;
+        let t1037 = c6 * t176;
+        let t1038 = s6 * dw6_x + t1037;
+        let t1040 = t175 * z1_6_z;
+        let t1043 = z1_4_y * t1038 + (t258 * t1035 - t1040);
+        let t1045 = t175 * t267;
+        let t1048 = z2_4_y * t1038 - (t1045 - t264 * t1035);
+        let t1050 = t175 * z3_6_z;
+        let t1053 = c4 * t1038 - (z3_5_x * t1035 + t1050);
+        let t1055 = c5 * t175;
+        let t1056 = s5 * t1035 - t1055;
+        put(45, t1043); // row 1, XX6
+        put(106, t1048); // row 2, XX6
+        put(157, t1053); // row 3, XX6
+        put(198, t1056); // row 4, XX6
+        put(229, t1038); // row 5, XX6
+        [t1034, t1037, t1040, t1045, t1050, t1055]
     };
     // YY6: column
-    let [t1074, t1077] = {
-        let t1074 = c6 * t208;
-        let t1076 = t1074 + s6 * dw6_y;
-        let t1077 = s6 * t208;
-        let t1079 = c6 * dw6_y - t1077;
-        let t1083 = z1_4_y * t1079 + (t1057 + t267 * t1076);
-        let t1087 = z2_4_y * t1079 + (t1062 + t273 * t1076);
-        let t1091 = c4 * t1079 - (z3_5_x * t1076 - t1067);
-        let t1093 = t1072 + s5 * t1076;
-        put(46, t1083); // row 1, YY6
-        put(104, t1087); // row 2, YY6
-        put(152, t1091); // row 3, YY6
-        put(190, t1093); // row 4, YY6
-        put(218, t1079); // row 5, YY6
-        [t1074, t1077]
+    let [t1057, t1060] = {
+        let t1057 = c6 * t177;
+        let t1059 = t1057 + s6 * dw6_y;
+        let t1060 = s6 * t177;
+        let t1062 = c6 * dw6_y - t1060;
+        let t1066 = z1_4_y * t1062 + (t1040 + t258 * t1059);
+        let t1070 = z2_4_y * t1062 + (t1045 + t264 * t1059);
+        let t1074 = c4 * t1062 - (z3_5_x * t1059 - t1050);
+        let t1076 = t1055 + s5 * t1059;
+        put(46, t1066); // row 1, YY6
+        put(107, t1070); // row 2, YY6
+        put(158, t1074); // row 3, YY6
+        put(199, t1076); // row 4, YY6
+        put(230, t1062); // row 5, YY6
+        [t1057, t1060]
     };
     // ZZ6: column
     {
-        let t1094 = t1051 + t1074;
-        let t1095 = t1077 - t1054;
-        let t1100 = z1_4_y * t1095 - (t267 * t1094 - dw6_z * z1_6_z);
-        let t1105 = z2_4_y * t1095 + (dw6_z * t276 - t273 * t1094);
-        let t1110 = c4 * t1095 + (z3_5_x * t1094 + dw6_z * z3_6_z);
-        let t1113 = c5 * dw6_z - s5 * t1094;
-        put(47, t1100); // row 1, ZZ6
-        put(105, t1105); // row 2, ZZ6
-        put(153, t1110); // row 3, ZZ6
-        put(191, t1113); // row 4, ZZ6
-        put(219, t1095); // row 5, ZZ6
+        let t1077 = t1034 + t1057;
+        let t1078 = t1060 - t1037;
+        let t1083 = z1_4_y * t1078 + (dw6_z * z1_6_z - t258 * t1077);
+        let t1088 = z2_4_y * t1078 - (t264 * t1077 - dw6_z * t267);
+        let t1093 = c4 * t1078 + (z3_5_x * t1077 + dw6_z * z3_6_z);
+        let t1096 = c5 * dw6_z - s5 * t1077;
+        put(47, t1083); // row 1, ZZ6
+        put(108, t1088); // row 2, ZZ6
+        put(159, t1093); // row 3, ZZ6
+        put(200, t1096); // row 4, ZZ6
+        put(231, t1078); // row 5, ZZ6
     }
     // XY6: column
     {
-        let t1114 = t203 - t204;
-        let t1117 = s6 * t216 - c6 * t215;
-        let t1120 = s6 * t215 + c6 * t216;
-        let t1125 = z1_4_y * t1120 + (t267 * t1117 + z1_6_z * t1114);
-        let t1130 = z2_4_y * t1120 + (t273 * t1117 + t276 * t1114);
-        let t1135 = c4 * t1120 - (z3_5_x * t1117 - z3_6_z * t1114);
-        let t1138 = s5 * t1117 + c5 * t1114;
-        put(48, t1125); // row 1, XY6
-        put(106, t1130); // row 2, XY6
-        put(154, t1135); // row 3, XY6
-        put(192, t1138); // row 4, XY6
-        put(220, t1120); // row 5, XY6
-        put(238, t1114); // row 6, XY6
+        let t1097 = t184 - t181;
+        let t1100 = c6 * t185 - s6 * t186;
+        let t1103 = s6 * t185 + c6 * t186;
+        let t1108 = z1_4_y * t1103 + (z1_6_z * t1097 - t258 * t1100);
+        let t1113 = z2_4_y * t1103 - (t264 * t1100 - t267 * t1097);
+        let t1118 = c4 * t1103 + (z3_5_x * t1100 + z3_6_z * t1097);
+        let t1121 = c5 * t1097 - s5 * t1100;
+        put(48, t1108); // row 1, XY6
+        put(109, t1113); // row 2, XY6
+        put(160, t1118); // row 3, XY6
+        put(201, t1121); // row 4, XY6
+        put(232, t1103); // row 5, XY6
+        put(253, t1097); // row 6, XY6
     }
     // XZ6: column
     {
-        let t1139 = t205 - t203;
-        let t1141 = s6 * t1139 - t891;
-        let t1143 = t888 + c6 * t1139;
-        let t1148 = z1_4_y * t1143 + (t267 * t1141 + t214 * z1_6_z);
-        let t1153 = z2_4_y * t1143 + (t273 * t1141 + t214 * t276);
-        let t1158 = c4 * t1143 + (t214 * z3_6_z - z3_5_x * t1141);
-        let t1161 = s5 * t1141 + c5 * t214;
-        put(49, t1148); // row 1, XZ6
-        put(107, t1153); // row 2, XZ6
-        put(155, t1158); // row 3, XZ6
-        put(193, t1161); // row 4, XZ6
-        put(221, t1143); // row 5, XZ6
+        let t1123 = t876 + s6 * t180;
+        let t1125 = t873 - c6 * t180;
+        let t1130 = z1_4_y * t1125 + (t170 * z1_6_z - t258 * t1123);
+        let t1135 = z2_4_y * t1125 + (t170 * t267 - t264 * t1123);
+        let t1140 = c4 * t1125 + (z3_5_x * t1123 + t170 * z3_6_z);
+        let t1143 = c5 * t170 - s5 * t1123;
+        put(49, t1130); // row 1, XZ6
+        put(110, t1135); // row 2, XZ6
+        put(161, t1140); // row 3, XZ6
+        put(202, t1143); // row 4, XZ6
+        put(233, t1125); // row 5, XZ6
     }
     // YZ6: column
     {
-        let t1162 = t204 - t205;
-        let t1164 = t947 - c6 * t1162;
-        let t1166 = t944 + s6 * t1162;
-        let t1171 = z1_4_y * t1166 + (t267 * t1164 + t211 * z1_6_z);
-        let t1176 = z2_4_y * t1166 + (t273 * t1164 + t211 * t276);
-        let t1181 = c4 * t1166 + (t211 * z3_6_z - z3_5_x * t1164);
-        let t1184 = s5 * t1164 + c5 * t211;
-        put(50, t1171); // row 1, YZ6
-        put(108, t1176); // row 2, YZ6
-        put(156, t1181); // row 3, YZ6
-        put(194, t1184); // row 4, YZ6
-        put(222, t1166); // row 5, YZ6
+        let t1144 = t144 - t184;
+        let t1146 = t932 + c6 * t1144;
+        let t1148 = s6 * t1144 - t929;
+        let t1153 = z1_4_y * t1148 - (t258 * t1146 - t167 * z1_6_z);
+        let t1158 = z2_4_y * t1148 + (t167 * t267 - t264 * t1146);
+        let t1163 = c4 * t1148 + (z3_5_x * t1146 + t167 * z3_6_z);
+        let t1166 = c5 * t167 - s5 * t1146;
+        put(50, t1153); // row 1, YZ6
+        put(111, t1158); // row 2, YZ6
+        put(162, t1163); // row 3, YZ6
+        put(203, t1166); // row 4, YZ6
+        put(234, t1148); // row 5, YZ6
     }
     // M7: column
-    let [
-        t1185, t1186, t1187, t1188, t1189, t1190, t1191, t1192,
-        t1193, t1194, t1195, t1196, t1197, t1198, t1199, t1202,
-        t1205, t1207,
-    ] = {
-        let t1185 = w7_x * w7_x;
-        let t1186 = t196 * t196;
-        let t1187 = w7_z * w7_z;
-        let t1188 = w7_x * t196;
-        let t1189 = w7_x * w7_z;
-        let t1190 = t196 * w7_z;
-        let t1191 = t1186 + t1187;
-        let t1192 = dw7_z + t1188;
-        let t1193 = t1189 - t234;
-        let t1194 = t1188 - dw7_z;
-        let t1195 = t1185 + t1187;
-        let t1196 = t1190 - t233;
-        let t1197 = t234 + t1189;
-        let t1198 = t233 + t1190;
-        let t1199 = t1185 + t1186;
-        let t1202 = c7 * t226 + s7 * a7_y;
-        let t1205 = s7 * t226 - c7 * a7_y;
-        let t1206 = k6 * t1205;
-        let t1207 = k6 * t1202;
-        let t1210 = c6 * t1202 + s6 * a7_z;
-        let t1213 = c6 * a7_z - s6 * t1202;
-        let t1218 = c6 * t1206 - k5 * t1213;
-        let t1219 = k5 * t1210 - s6 * t1206;
-        let t1222 = s5 * t1205 - c5 * t1210;
-        let t1225 = s5 * t1210 + c5 * t1205;
-        let t1235 = s5 * t1218 - c5 * t1207 + k4 * t1222;
-        let t1238 = k3 * t1213 - (c5 * t1218 + s5 * t1207 + k4 * t1225);
-        let t1239 = t1219 - k3 * t1222;
-        let t1249 = t264 * t1213 - t261 * t1222 - v1_3_y * t1225;
-        let t1250 = z1_4_z * t1235 + (z1_4_x * t1238 + z1_4_y * t1239) + t1249;
-        let t1255 = t255 * t1238 - z2_4_y * t1239 - c3 * t1235;
-        let t1261 = v2_4_z * t1225 + (t257 * t1222 - t258 * t1213) - t1255;
-        let t1264 = s4 * t1238 + c4 * t1239;
-        put(51, t1250); // row 1, M7
-        put(109, t1261); // row 2, M7
-        put(157, t1264); // row 3, M7
-        put(195, t1235); // row 4, M7
-        put(223, t1219); // row 5, M7
-        put(253, t1188); // row 7, XX7
-        put(257, t1196); // row 7, XZ7
-        put(258, t1193); // row 7, YZ7
-        [
-        t1185, t1186, t1187, t1188, t1189, t1190, t1191, t1192,
-        t1193, t1194, t1195, t1196, t1197, t1198, t1199, t1202,
-        t1205, t1207,
-    ]
+    let [t1169, t1172, t1174] = {
+        let t1169 = c7 * t201 + s7 * a7_y;
+        let t1172 = s7 * t201 - c7 * a7_y;
+        let t1173 = k6 * t1172;
+        let t1174 = k6 * t1169;
+        let t1177 = c6 * t1169 + s6 * a7_z;
+        let t1180 = s6 * t1169 - c6 * a7_z;
+        let t1185 = c6 * t1173 + k5 * t1180;
+        let t1186 = k5 * t1177 - s6 * t1173;
+        let t1189 = s5 * t1172 - c5 * t1177;
+        let t1192 = s5 * t1177 + c5 * t1172;
+        let t1202 = k4 * t1189 - (c5 * t1174 - s5 * t1185);
+        let t1205 = c5 * t1185 + s5 * t1174 + k4 * t1192 + k3 * t1180;
+        let t1206 = t1186 - k3 * t1189;
+        let t1211 = z1_4_x * t1205 - z1_4_y * t1206 - z1_4_z * t1202;
+        let t1217 = t252 * t1189 + t255 * t1180 - v1_3_y * t1192 - t1211;
+        let t1227 = v2_4_z * t1192 + (t248 * t1189 + t249 * t1180);
+        let t1228 = c3 * t1202 + (t246 * t1205 + z2_4_y * t1206) + t1227;
+        let t1231 = c4 * t1206 - s4 * t1205;
+        put(51, t1217); // row 1, M7
+        put(112, t1228); // row 2, M7
+        put(163, t1231); // row 3, M7
+        put(204, t1202); // row 4, M7
+        put(235, t1186); // row 5, M7
+        [t1169, t1172, t1174]
     };
     // MSX7: column
-    let [t1266, t1269, t1271, t1272] = {
-        let t1266 = s7 * t1194;
-        let t1267 = t1266 - c7 * t1191;
-        let t1269 = c7 * t1194;
-        let t1270 = s7 * t1191 + t1269;
-        let t1271 = s7 * a7_z;
-        let t1272 = c7 * a7_z;
-        let t1275 = t1271 - k6 * t1270;
-        let t1276 = t1272 + k6 * t1267;
-        let t1279 = s6 * t1197 - c6 * t1267;
-        let t1282 = s6 * t1267 + c6 * t1197;
-        let t1291 = c6 * t1275 - s6 * a7_y + k5 * t1282;
-        let t1292 = s6 * t1275 + c6 * a7_y + k5 * t1279;
-        let t1295 = c5 * t1279 - s5 * t1270;
-        let t1298 = s5 * t1279 + c5 * t1270;
-        let t1308 = c5 * t1276 - s5 * t1291 - k4 * t1295;
-        let t1311 = c5 * t1291 + s5 * t1276 - k4 * t1298 + k3 * t1282;
-        let t1312 = t1292 + k3 * t1295;
-        let t1322 = v1_3_y * t1298 - (t261 * t1295 + t264 * t1282);
-        let t1323 = z1_4_z * t1308 + (z1_4_x * t1311 + z1_4_y * t1312) - t1322;
-        let t1333 = t257 * t1295 + t258 * t1282 - v2_4_z * t1298;
-        let t1334 = c3 * t1308 - (t255 * t1311 - z2_4_y * t1312) - t1333;
-        let t1337 = s4 * t1311 + c4 * t1312;
-        put(52, t1323); // row 1, MSX7
-        put(110, t1334); // row 2, MSX7
-        put(158, t1337); // row 3, MSX7
-        put(196, t1308); // row 4, MSX7
-        put(224, t1292); // row 5, MSX7
-        put(242, t1276); // row 6, MSX7
-        [t1266, t1269, t1271, t1272]
+    let [t1233, t1236, t1238, t1239] = {
+        let t1233 = s7 * t223;
+        let t1234 = c7 * t221 - t1233;
+        let t1236 = c7 * t223;
+        let t1237 = s7 * t221 + t1236;
+        let t1238 = s7 * a7_z;
+        let t1239 = c7 * a7_z;
+        let t1242 = k6 * t1237 - t1238;
+        let t1243 = t1239 - k6 * t1234;
+        let t1246 = c6 * t1234 + s6 * t225;
+        let t1249 = s6 * t1234 - c6 * t225;
+        let t1258 = c6 * t1242 + s6 * a7_y + k5 * t1249;
+        let t1259 = k5 * t1246 - (s6 * t1242 - c6 * a7_y);
+        let t1262 = s5 * t1237 - c5 * t1246;
+        let t1265 = s5 * t1246 + c5 * t1237;
+        let t1275 = s5 * t1258 + c5 * t1243 + k4 * t1262;
+        let t1278 = c5 * t1258 - s5 * t1243 + k4 * t1265 + k3 * t1249;
+        let t1279 = t1259 - k3 * t1262;
+        let t1289 = v1_3_y * t1265 - (t252 * t1262 + t255 * t1249);
+        let t1290 = z1_4_z * t1275 + (z1_4_y * t1279 - z1_4_x * t1278) - t1289;
+        let t1300 = v2_4_z * t1265 + (t248 * t1262 + t249 * t1249);
+        let t1301 = c3 * t1275 + (t246 * t1278 + z2_4_y * t1279) + t1300;
+        let t1304 = c4 * t1279 - s4 * t1278;
+        put(52, t1290); // row 1, MSX7
+        put(113, t1301); // row 2, MSX7
+        put(164, t1304); // row 3, MSX7
+        put(205, t1275); // row 4, MSX7
+        put(236, t1259); // row 5, MSX7
+        put(257, t1243); // row 6, MSX7
+        [t1233, t1236, t1238, t1239]
     };
     // MSY7: column
-    let [t1338, t1341] = {
-        let t1338 = c7 * t1192;
-        let t1340 = s7 * t1195 - t1338;
-        let t1341 = s7 * t1192;
-        let t1343 = t1341 + c7 * t1195;
-        let t1346 = k6 * t1343 - t1272;
-        let t1347 = k6 * t1340 - t1271;
-        let t1350 = c6 * t1340 + s6 * t1198;
-        let t1353 = s6 * t1340 - c6 * t1198;
-        let t1362 = k5 * t1353 - (c6 * t1346 + s6 * t226);
-        let t1363 = c6 * t226 - s6 * t1346 - k5 * t1350;
-        let t1366 = c5 * t1350 + s5 * t1343;
-        let t1369 = s5 * t1350 - c5 * t1343;
-        let t1379 = c5 * t1347 - s5 * t1362 + k4 * t1366;
-        let t1382 = c5 * t1362 + s5 * t1347 + k4 * t1369 + k3 * t1353;
-        let t1383 = k3 * t1366 - t1363;
-        let t1393 = v1_3_y * t1369 + (t264 * t1353 - t261 * t1366);
-        let t1394 = z1_4_z * t1379 - (z1_4_y * t1383 - z1_4_x * t1382) + t1393;
-        let t1404 = t257 * t1366 - t258 * t1353 - v2_4_z * t1369;
-        let t1405 = c3 * t1379 - (t255 * t1382 + z2_4_y * t1383) + t1404;
-        let t1408 = s4 * t1382 - c4 * t1383;
-        put(53, t1394); // row 1, MSY7
-        put(111, t1405); // row 2, MSY7
-        put(159, t1408); // row 3, MSY7
-        put(197, t1379); // row 4, MSY7
-        put(225, t1363); // row 5, MSY7
-        put(243, t1347); // row 6, MSY7
-        [t1338, t1341]
+    let [t1305, t1308] = {
+        let t1305 = c7 * t222;
+        let t1307 = s7 * t224 - t1305;
+        let t1308 = s7 * t222;
+        let t1310 = t1308 + c7 * t224;
+        let t1313 = t1239 - k6 * t1310;
+        let t1314 = k6 * t1307 - t1238;
+        let t1317 = c6 * t1307 + s6 * t226;
+        let t1320 = c6 * t226 - s6 * t1307;
+        let t1329 = s6 * t201 - c6 * t1313 + k5 * t1320;
+        let t1330 = s6 * t1313 + c6 * t201 - k5 * t1317;
+        let t1333 = c5 * t1317 + s5 * t1310;
+        let t1336 = s5 * t1317 - c5 * t1310;
+        let t1346 = s5 * t1329 + c5 * t1314 + k4 * t1333;
+        let t1349 = c5 * t1329 - s5 * t1314 - k4 * t1336 + k3 * t1320;
+        let t1350 = t1330 - k3 * t1333;
+        let t1355 = z1_4_x * t1349 - z1_4_y * t1350 - z1_4_z * t1346;
+        let t1361 = v1_3_y * t1336 + (t252 * t1333 + t255 * t1320) - t1355;
+        let t1371 = t248 * t1333 + t249 * t1320 - v2_4_z * t1336;
+        let t1372 = c3 * t1346 + (t246 * t1349 + z2_4_y * t1350) + t1371;
+        let t1375 = c4 * t1350 - s4 * t1349;
+        put(53, t1361); // row 1, MSY7
+        put(114, t1372); // row 2, MSY7
+        put(165, t1375); // row 3, MSY7
+        put(206, t1346); // row 4, MSY7
+        put(237, t1330); // row 5, MSY7
+        put(258, t1314); // row 6, MSY7
+        [t1305, t1308]
     };
     // MSZ7: column
     {
-        let t1411 = c7 * t1193 + s7 * t1196;
-        let t1414 = s7 * t1193 - c7 * t1196;
-        let t1417 = t1205 + k6 * t1414;
-        let t1418 = t1202 + k6 * t1411;
-        let t1421 = c6 * t1411 + s6 * t1199;
-        let t1424 = s6 * t1411 - c6 * t1199;
-        let t1429 = c6 * t1417 + k5 * t1424;
-        let t1430 = s6 * t1417 - k5 * t1421;
-        let t1433 = s5 * t1414 - c5 * t1421;
-        let t1436 = s5 * t1421 + c5 * t1414;
-        let t1446 = c5 * t1418 - s5 * t1429 - k4 * t1433;
-        let t1449 = c5 * t1429 + s5 * t1418 + k4 * t1436 + k3 * t1424;
-        let t1450 = t1430 + k3 * t1433;
-        let t1460 = v1_3_y * t1436 + (t261 * t1433 + t264 * t1424);
-        let t1461 = z1_4_z * t1446 + (z1_4_x * t1449 + z1_4_y * t1450) + t1460;
-        let t1471 = v2_4_z * t1436 + (t257 * t1433 + t258 * t1424);
-        let t1472 = c3 * t1446 + (z2_4_y * t1450 - t255 * t1449) - t1471;
-        let t1475 = s4 * t1449 + c4 * t1450;
-        put(54, t1461); // row 1, MSZ7
-        put(112, t1472); // row 2, MSZ7
-        put(160, t1475); // row 3, MSZ7
-        put(198, t1446); // row 4, MSZ7
-        put(226, t1430); // row 5, MSZ7
-        put(244, t1418); // row 6, MSZ7
+        let t1378 = c7 * t207 + s7 * t210;
+        let t1381 = c7 * t210 - s7 * t207;
+        let t1384 = t1172 - k6 * t1381;
+        let t1385 = t1169 + k6 * t1378;
+        let t1387 = t930 + c6 * t1378;
+        let t1389 = s6 * t1378 - t933;
+        let t1394 = c6 * t1384 + k5 * t1389;
+        let t1395 = s6 * t1384 - k5 * t1387;
+        let t1398 = c5 * t1387 + s5 * t1381;
+        let t1401 = c5 * t1381 - s5 * t1387;
+        let t1411 = c5 * t1385 - s5 * t1394 + k4 * t1398;
+        let t1414 = k3 * t1389 - (k4 * t1401 - (c5 * t1394 + s5 * t1385));
+        let t1415 = t1395 - k3 * t1398;
+        let t1425 = v1_3_y * t1401 + (t255 * t1389 - t252 * t1398);
+        let t1426 = z1_4_z * t1411 + (z1_4_x * t1414 + z1_4_y * t1415) - t1425;
+        let t1436 = v2_4_z * t1401 - (t249 * t1389 - t248 * t1398);
+        let t1437 = c3 * t1411 + (z2_4_y * t1415 - t246 * t1414) + t1436;
+        let t1440 = s4 * t1414 + c4 * t1415;
+        put(54, t1426); // row 1, MSZ7
+        put(115, t1437); // row 2, MSZ7
+        put(166, t1440); // row 3, MSZ7
+        put(207, t1411); // row 4, MSZ7
+        put(238, t1395); // row 5, MSZ7
+        put(259, t1385); // row 6, MSZ7
     }
     // XX7: column
-    let [t1477, t1480, t1483, t1486] = {
-        let t1477 = s7 * t1189;
-        let t1478 = c7 * t233 + t1477;
-        let t1480 = c7 * t1189;
-        let t1481 = s7 * t233 - t1480;
-        let t1483 = s6 * t1188;
-        let t1484 = c6 * t1478 + t1483;
-        let t1486 = c6 * t1188;
-        let t1487 = t1486 - s6 * t1478;
-        let t1492 = z1_4_y * t1487 + (t267 * t1484 + z1_6_z * t1481);
-        let t1497 = z2_4_y * t1487 + (t273 * t1484 + t276 * t1481);
-        let t1502 = c4 * t1487 + (z3_6_z * t1481 - z3_5_x * t1484);
-        let t1505 = s5 * t1484 + c5 * t1481;
-        put(55, t1492); // row 1, XX7
-        put(113, t1497); // row 2, XX7
-        put(161, t1502); // row 3, XX7
-        put(199, t1505); // row 4, XX7
-        put(227, t1487); // row 5, XX7
-        put(245, t1481); // row 6, XX7
-        [t1477, t1480, t1483, t1486]
+    let [t1442, t1445, t1448, t1451] = {
+        let t1442 = s7 * t216;
+        let t1443 = c7 * t218 + t1442;
+        let t1445 = c7 * t216;
+        let t1446 = s7 * t218 - t1445;
+        let t1448 = s6 * t215;
+        let t1449 = c6 * t1443 + t1448;
+        let t1451 = c6 * t215;
+        let t1452 = t1451 - s6 * t1443;
+        let t1457 = z1_4_y * t1452 + (t258 * t1449 + z1_6_z * t1446);
+        let t1462 = z2_4_y * t1452 + (t264 * t1449 + t267 * t1446);
+        let t1467 = c4 * t1452 + (z3_6_z * t1446 - z3_5_x * t1449);
+        let t1470 = s5 * t1449 + c5 * t1446;
+        put(55, t1457); // row 1, XX7
+        put(116, t1462); // row 2, XX7
+        put(167, t1467); // row 3, XX7
+        put(208, t1470); // row 4, XX7
+        put(239, t1452); // row 5, XX7
+        put(260, t1446); // row 6, XX7
+        [t1442, t1445, t1448, t1451]
     };
     // YY7: column
-    let [t1506, t1509] = {
-        let t1506 = c7 * t1190;
-        let t1508 = t1506 + s7 * t234;
-        let t1509 = s7 * t1190;
-        let t1511 = c7 * t234 - t1509;
-        let t1513 = t1483 + c6 * t1508;
-        let t1515 = s6 * t1508 - t1486;
-        let t1520 = z1_4_y * t1515 - (t267 * t1513 - z1_6_z * t1511);
-        let t1525 = z2_4_y * t1515 + (t276 * t1511 - t273 * t1513);
-        let t1530 = c4 * t1515 + (z3_5_x * t1513 + z3_6_z * t1511);
-        let t1533 = c5 * t1511 - s5 * t1513;
-        put(56, t1520); // row 1, YY7
-        put(114, t1525); // row 2, YY7
-        put(162, t1530); // row 3, YY7
-        put(200, t1533); // row 4, YY7
-        put(228, t1515); // row 5, YY7
-        put(246, t1511); // row 6, YY7
-        [t1506, t1509]
+    let [t1471, t1474] = {
+        let t1471 = c7 * t217;
+        let t1473 = t1471 + s7 * t219;
+        let t1474 = s7 * t217;
+        let t1476 = c7 * t219 - t1474;
+        let t1478 = t1448 + c6 * t1473;
+        let t1480 = s6 * t1473 - t1451;
+        let t1485 = z1_4_y * t1480 + (z1_6_z * t1476 - t258 * t1478);
+        let t1490 = z2_4_y * t1480 + (t267 * t1476 - t264 * t1478);
+        let t1495 = c4 * t1480 + (z3_5_x * t1478 + z3_6_z * t1476);
+        let t1498 = c5 * t1476 - s5 * t1478;
+        put(56, t1485); // row 1, YY7
+        put(117, t1490); // row 2, YY7
+        put(168, t1495); // row 3, YY7
+        put(209, t1498); // row 4, YY7
+        put(240, t1480); // row 5, YY7
+        put(261, t1476); // row 6, YY7
+        [t1471, t1474]
     };
     // ZZ7: column
     {
-        let t1534 = t1506 - t1477;
-        let t1535 = t1480 + t1509;
-        let t1538 = c6 * t1534 + s6 * dw7_z;
-        let t1541 = c6 * dw7_z - s6 * t1534;
-        let t1546 = z1_4_y * t1541 + (t267 * t1538 + z1_6_z * t1535);
-        let t1551 = z2_4_y * t1541 + (t273 * t1538 + t276 * t1535);
-        let t1556 = c4 * t1541 + (z3_6_z * t1535 - z3_5_x * t1538);
-        let t1559 = s5 * t1538 + c5 * t1535;
-        put(57, t1546); // row 1, ZZ7
-        put(115, t1551); // row 2, ZZ7
-        put(163, t1556); // row 3, ZZ7
-        put(201, t1559); // row 4, ZZ7
-        put(229, t1541); // row 5, ZZ7
-        put(247, t1535); // row 6, ZZ7
+        let t1499 = t1471 - t1442;
+        let t1500 = t1445 + t1474;
+        let t1503 = c6 * t1499 + s6 * dw7_z;
+        let t1506 = c6 * dw7_z - s6 * t1499;
+        let t1511 = z1_4_y * t1506 + (t258 * t1503 + z1_6_z * t1500);
+        let t1516 = z2_4_y * t1506 + (t264 * t1503 + t267 * t1500);
+        let t1521 = c4 * t1506 + (z3_6_z * t1500 - z3_5_x * t1503);
+        let t1524 = s5 * t1503 + c5 * t1500;
+        put(57, t1511); // row 1, ZZ7
+        put(118, t1516); // row 2, ZZ7
+        put(169, t1521); // row 3, ZZ7
+        put(210, t1524); // row 4, ZZ7
+        put(241, t1506); // row 5, ZZ7
+        put(262, t1500); // row 6, ZZ7
     }
     // XY7: column
     {
-        let t1560 = t1185 - t1186;
-        let t1563 = s7 * t1198 - c7 * t1197;
-        let t1566 = s7 * t1197 + c7 * t1198;
-        let t1569 = c6 * t1563 - s6 * t1560;
-        let t1572 = s6 * t1563 + c6 * t1560;
-        let t1577 = z1_4_y * t1572 + (z1_6_z * t1566 - t267 * t1569);
-        let t1582 = z2_4_y * t1572 + (t276 * t1566 - t273 * t1569);
-        let t1587 = c4 * t1572 + (z3_5_x * t1569 + z3_6_z * t1566);
-        let t1590 = c5 * t1566 - s5 * t1569;
-        put(58, t1577); // row 1, XY7
-        put(116, t1582); // row 2, XY7
-        put(164, t1587); // row 3, XY7
-        put(202, t1590); // row 4, XY7
-        put(230, t1572); // row 5, XY7
-        put(248, t1566); // row 6, XY7
-        put(256, t1560); // row 7, XY7
+        let t1525 = t224 - t221;
+        let t1528 = c7 * t225 - s7 * t226;
+        let t1531 = s7 * t225 + c7 * t226;
+        let t1534 = c6 * t1528 + s6 * t1525;
+        let t1537 = c6 * t1525 - s6 * t1528;
+        let t1542 = z1_4_y * t1537 + (t258 * t1534 + z1_6_z * t1531);
+        let t1547 = z2_4_y * t1537 + (t264 * t1534 + t267 * t1531);
+        let t1552 = c4 * t1537 - (z3_5_x * t1534 - z3_6_z * t1531);
+        let t1555 = s5 * t1534 + c5 * t1531;
+        put(58, t1542); // row 1, XY7
+        put(119, t1547); // row 2, XY7
+        put(170, t1552); // row 3, XY7
+        put(211, t1555); // row 4, XY7
+        put(242, t1537); // row 5, XY7
+        put(263, t1531); // row 6, XY7
+        put(274, t1525); // row 7, XY7
     }
     // XZ7: column
     {
-        let t1591 = t1187 - t1185;
-        let t1593 = t1269 + s7 * t1591;
-        let t1595 = t1266 - c7 * t1591;
-        let t1598 = c6 * t1593 + s6 * t1196;
-        let t1601 = c6 * t1196 - s6 * t1593;
-        let t1606 = z1_4_y * t1601 + (t267 * t1598 + z1_6_z * t1595);
-        let t1611 = z2_4_y * t1601 + (t273 * t1598 + t276 * t1595);
-        let t1616 = c4 * t1601 - (z3_5_x * t1598 - z3_6_z * t1595);
-        let t1619 = s5 * t1598 + c5 * t1595;
-        put(59, t1606); // row 1, XZ7
-        put(117, t1611); // row 2, XZ7
-        put(165, t1616); // row 3, XZ7
-        put(203, t1619); // row 4, XZ7
-        put(231, t1601); // row 5, XZ7
-        put(249, t1595); // row 6, XZ7
+        let t1557 = s7 * t220 - t1236;
+        let t1559 = t1233 + c7 * t220;
+        let t1562 = s6 * t210 - c6 * t1557;
+        let t1565 = s6 * t1557 + c6 * t210;
+        let t1570 = z1_4_y * t1565 + (t258 * t1562 + z1_6_z * t1559);
+        let t1575 = z2_4_y * t1565 + (t264 * t1562 + t267 * t1559);
+        let t1580 = c4 * t1565 + (z3_6_z * t1559 - z3_5_x * t1562);
+        let t1583 = s5 * t1562 + c5 * t1559;
+        put(59, t1570); // row 1, XZ7
+        put(120, t1575); // row 2, XZ7
+        put(171, t1580); // row 3, XZ7
+        put(212, t1583); // row 4, XZ7
+        put(243, t1565); // row 5, XZ7
+        put(264, t1559); // row 6, XZ7
     }
     // YZ7: column
     {
-        let t1620 = t1187 - t1186;
-        let t1622 = t1341 + c7 * t1620;
-        let t1624 = s7 * t1620 - t1338;
-        let t1627 = c6 * t1622 + s6 * t1193;
-        let t1630 = c6 * t1193 - s6 * t1622;
-        let t1635 = z1_4_y * t1630 + (t267 * t1627 + z1_6_z * t1624);
-        let t1640 = z2_4_y * t1630 + (t273 * t1627 + t276 * t1624);
-        let t1645 = c4 * t1630 + (z3_6_z * t1624 - z3_5_x * t1627);
-        let t1648 = s5 * t1627 + c5 * t1624;
-        let t1649 = -t32;
-        let t1650 = -t49;
-        let t1651 = -t71;
-        let t1652 = -t500;
-        let t1653 = -t116;
-        let t1654 = -t593;
-        let t1655 = -t772;
-        let t1656 = -t161;
-        let t1657 = -t1008;
-        let t1658 = -t206;
-        let t1659 = -t1207;
-        let t1660 = -t1188;
-        put(60, t1635); // row 1, YZ7
-        put(63, t1649); // row 2, XX2
-        put(118, t1640); // row 2, YZ7
-        put(119, t1650); // row 3, MSX3
-        put(122, t1651); // row 3, YY3
-        put(130, t1652); // row 3, MSZ4
-        put(166, t1645); // row 3, YZ7
-        put(169, t1653); // row 4, XX4
-        put(175, t1654); // row 4, M5
-        put(180, t1655); // row 4, YY5
-        put(204, t1648); // row 4, YZ7
-        put(207, t1656); // row 5, XX5
-        put(216, t1657); // row 5, MSZ6
-        put(232, t1630); // row 5, YZ7
-        put(235, t1658); // row 6, XX6
-        put(241, t1659); // row 6, M7
-        put(250, t1624); // row 6, YZ7
-        put(254, t1660); // row 7, YY7
+        let t1584 = t224 - t184;
+        let t1586 = t1308 + c7 * t1584;
+        let t1588 = s7 * t1584 - t1305;
+        let t1591 = c6 * t1586 + s6 * t207;
+        let t1594 = c6 * t207 - s6 * t1586;
+        let t1599 = z1_4_y * t1594 + (t258 * t1591 + z1_6_z * t1588);
+        let t1604 = z2_4_y * t1594 + (t264 * t1591 + t267 * t1588);
+        let t1609 = c4 * t1594 + (z3_6_z * t1588 - z3_5_x * t1591);
+        let t1612 = s5 * t1591 + c5 * t1588;
+        let t1613 = dq1.sign();
+        let t1614 = dq2.sign();
+        let t1615 = dq3.sign();
+        let t1616 = dq4.sign();
+        let t1617 = dq5.sign();
+        let t1618 = dq6.sign();
+        let t1619 = dq7.sign();
+        let t1620 = -t15;
+        let t1621 = -t310;
+        let t1622 = -t55;
+        let t1623 = -t489;
+        let t1624 = -t95;
+        let t1625 = -t579;
+        let t1626 = -t135;
+        let t1627 = -t993;
+        let t1628 = -t175;
+        let t1629 = -t1174;
+        let t1630 = -t215;
+        put(60, t1599); // row 1, YZ7
+        put(62, t1613); // row 1, FC1
+        put(66, t1620); // row 2, XX2
+        put(72, t1621); // row 2, M3
+        put(121, t1604); // row 2, YZ7
+        put(123, t1614); // row 2, FC2
+        put(128, t1622); // row 3, YY3
+        put(136, t1623); // row 3, MSZ4
+        put(172, t1609); // row 3, YZ7
+        put(174, t1615); // row 3, FC3
+        put(178, t1624); // row 4, XX4
+        put(184, t1625); // row 4, M5
+        put(213, t1612); // row 4, YZ7
+        put(215, t1616); // row 4, FC4
+        put(220, t1626); // row 5, YY5
+        put(228, t1627); // row 5, MSZ6
+        put(244, t1594); // row 5, YZ7
+        put(246, t1617); // row 5, FC5
+        put(250, t1628); // row 6, XX6
+        put(256, t1629); // row 6, M7
+        put(265, t1588); // row 6, YZ7
+        put(267, t1618); // row 6, FC6
+        put(272, t1630); // row 7, YY7
+        put(278, t1619); // row 7, FC7
     }
 }

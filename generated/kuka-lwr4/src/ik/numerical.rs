@@ -1,8 +1,8 @@
 //! Where no closed form is known: damped least squares (Levenberg-Marquardt; Buss 2004) from many starts.
 
-use super::arm::{Arm, Candidate, Query};
+use super::arm::{Arm, Query};
 use super::axis::Value;
-use super::list::List;
+use super::candidates::Candidates;
 use super::polish::{polish, sizes, values};
 use super::pose::Displacement;
 use super::solution::{Branch, CAPACITY};
@@ -17,10 +17,11 @@ pub(super) fn search<const N: usize>(
     g: &Displacement,
     query: &Query<'_, N>,
     near: &[Value; N],
-    all: &mut List<Candidate<N>, 17>,
+    all: &mut Candidates<N>,
 ) {
     let mut state = 0x9E37_79B9_7F4A_7C15u64;
-    let mut closest: Option<(f64, Candidate<N>)> = None;
+    let slides = |j: usize| arm.axes[j].slides;
+    let mut closest: Option<(f64, [Value; N])> = None;
     for start in 0..STARTS {
         let mut v = *near;
         if start > 0 || query.near.is_none() {
@@ -33,24 +34,27 @@ pub(super) fn search<const N: usize>(
             v = values(arm, &q);
         }
         let [p, r] = sizes(&polish(arm, g, &mut v, None, STEPS));
-        let branch = Branch { numerical: true, root: all.len() as u8 + 1, ..Branch::NONE };
-        let candidate = Candidate { values: v, branch, free: 0 };
+        let branch = |root: usize| Branch { numerical: true, root: root as u8 + 1, ..Branch::NONE };
         if p.max(r) <= 1e-12 {
-            let same = |c: &Candidate<N>| {
+            let same = |place: usize| {
+                let other = all.values(place, slides);
                 (0..N).all(|i| {
-                    let (a, b) = (c.values[i], v[i]);
+                    let (a, b) = (other[i], v[i]);
                     (a.turn.c - b.turn.c).abs() + (a.turn.s - b.turn.s).abs() < 1e-6
                         && (!arm.axes[i].slides || (a.way - b.way).abs() < 1e-6)
                 })
             };
-            if !all.iter().any(same) && (!all.push(candidate) || all.len() == CAPACITY) {
-                return;
+            if !(0..all.len).any(same) {
+                all.push_all(&v, slides, branch(all.len), 0);
+                if all.len == CAPACITY {
+                    return;
+                }
             }
         } else if closest.is_none_or(|(d, _)| p + r < d) {
-            closest = Some((p + r, candidate));
+            closest = Some((p + r, v));
         }
     }
-    if let (true, Some((_, candidate))) = (all.is_empty(), closest) {
-        all.push(candidate);
+    if let (true, Some((_, v))) = (all.len == 0, closest) {
+        all.push_all(&v, slides, Branch { numerical: true, root: 1, ..Branch::NONE }, 0);
     }
 }

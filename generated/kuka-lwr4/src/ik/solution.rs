@@ -98,6 +98,18 @@ pub struct Solution<const N: usize> {
     pub free: u32,
 }
 
+impl<const N: usize> Solution<N> {
+    pub(super) const NONE: Self = Self {
+        q: [0.0; N],
+        branch: Branch::NONE,
+        position_error: 0.0,
+        rotation_error: 0.0,
+        within_limits: false,
+        margin: 0.0,
+        free: 0,
+    };
+}
+
 /// What became of a pose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {

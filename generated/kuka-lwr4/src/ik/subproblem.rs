@@ -27,6 +27,12 @@ pub(super) fn towards(h: Vector, from: Vector, to: Vector) -> (Turn, f64) {
     Turn::along(dot(f, t), dot(h, cross(f, t)))
 }
 
+/// The same where both stand square to `h` and have length one, but for rounding: no root is needed.
+#[inline(always)]
+pub(super) fn across(h: Vector, from: Vector, to: Vector) -> Turn {
+    Turn { c: dot(from, to), s: dot(h, cross(from, to)) }
+}
+
 /// `a cos + b sin = d`. Where there is no answer, the nearest one twice.
 #[inline(always)]
 pub(super) fn circle(a: f64, b: f64, d: f64, size: f64) -> Pair {
@@ -62,28 +68,63 @@ pub(super) fn reach(axis: &Axis, w: Vector, x: Vector, length2: f64) -> Pair {
 /// that need not have the same length. By half angles of the spherical triangle, so that the sine of a small answer is exact.
 #[inline(always)]
 pub(super) fn tilt(first: Vector, second: Vector, w: Vector, p: Vector) -> Pair {
-    let (wn, pn) = (norm(w), norm(p));
-    if !(wn > 1e-150) || !(pn > 1e-150) {
-        return Pair { both: [Turn::NONE; 2], free: true, blind: true };
+    Tilt::new(first, second, w).towards(p)
+}
+
+/// The part of [`tilt`] that does not change with `p`.
+pub(super) struct Tilt {
+    first: Vector,
+    /// Cosine and sine of the difference and of the sum of the sides at the vertex `second`.
+    difference: [f64; 2],
+    sum: [f64; 2],
+    /// The turn that brings `w` nearest to `first`.
+    middle: Turn,
+    blind: bool,
+    free: bool,
+}
+
+const BLIND: Pair = Pair { both: [Turn::NONE; 2], free: true, blind: true };
+
+impl Tilt {
+    #[inline(always)]
+    pub(super) fn new(first: Vector, second: Vector, w: Vector) -> Self {
+        let wn = norm(w);
+        let (ca, sa) = (dot(first, second), norm(cross(first, second)));
+        let (cb, sb) = (dot(second, w) / wn, norm(cross(second, w)) / wn);
+        let (middle, known) = towards(second, w, first);
+        Self {
+            first,
+            difference: [ca * cb + sa * sb, sa * cb - ca * sb],
+            sum: [ca * cb - sa * sb, sa * cb + ca * sb],
+            middle,
+            blind: !(wn > 1e-150) || !(known > 1e-14 * wn),
+            free: known < FREE * wn,
+        }
     }
-    let (ca, sa) = (dot(first, second), norm(cross(first, second)));
-    let (cb, sb) = (dot(second, w) / wn, norm(cross(second, w)) / wn);
-    let (cg, sg) = (dot(first, p) / pn, norm(cross(first, p)) / pn);
-    // Difference and sum of the sides at the vertex `second`.
-    let (cd, sd) = (ca * cb + sa * sb, sa * cb - ca * sb);
-    let (cs, ss) = (ca * cb - sa * sb, sa * cb + ca * sb);
-    // x = cos(difference) - cos(gamma), y = cos(gamma) - cos(sum); near 0 and pi by products of sines.
-    let unlike = |c: f64, s: f64| {
-        let sum = c + cg;
-        if sum.abs() > 1.0 { (sg * c - cg * s) * (sg * c + cg * s) / sum } else { c - cg }
-    };
-    let x = unlike(cd, sd).max(0.0);
-    let y = (-unlike(cs, ss)).max(0.0);
-    let sum = x + y;
-    let (middle, known) = towards(second, w, first);
-    if !(sum > 1e-14) || !(known > 1e-14 * wn) {
-        return Pair { both: [Turn::NONE; 2], free: true, blind: true };
+
+    #[inline(always)]
+    pub(super) fn towards(&self, p: Vector) -> Pair {
+        let pn = norm(p);
+        if self.blind || !(pn > 1e-150) {
+            return BLIND;
+        }
+        let (cg, sg) = (dot(self.first, p) / pn, norm(cross(self.first, p)) / pn);
+        // x = cos(difference) - cos(gamma), y = cos(gamma) - cos(sum); near 0 and pi by products of sines.
+        let unlike = |[c, s]: [f64; 2]| {
+            let sum = c + cg;
+            if sum.abs() > 1.0 { (sg * c - cg * s) * (sg * c + cg * s) / sum } else { c - cg }
+        };
+        let x = unlike(self.difference).max(0.0);
+        let y = (-unlike(self.sum)).max(0.0);
+        let sum = x + y;
+        if !(sum > 1e-14) {
+            return BLIND;
+        }
+        let (c, s) = ((y - x) / sum, 2.0 * root(x * y) / sum);
+        Pair {
+            both: [self.middle.then(Turn { c, s }), self.middle.then(Turn { c, s: -s })],
+            free: self.free,
+            blind: false,
+        }
     }
-    let (c, s) = ((y - x) / sum, 2.0 * root(x * y) / sum);
-    Pair { both: [middle.then(Turn { c, s }), middle.then(Turn { c, s: -s })], free: known < FREE * wn, blind: false }
 }

@@ -2,7 +2,7 @@
 //!
 //! `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 612 multiplications, 433 additions; 7 x 57, 202 of 399 structurally nonzero.
+//! 597 multiplications, 427 additions; 7 x 57, 202 of 399 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
@@ -60,846 +60,842 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let L2 = S::constant(0.4);
     let L3 = S::constant(0.39);
     let k0 = S::constant(9.81);
-    // link 2: motion
-    let [w2_x, w2_y, a2_x, a2_y, t6, t7, dw2_x, t9] = {
-        let w2_x = s2 * dq1;
-        let w2_y = c2 * dq1;
-        let t2 = s2 * ddq1;
-        let t3 = c2 * ddq1;
-        let a2_x = s2 * k0;
-        let a2_y = c2 * k0;
-        let t6 = dq2 * w2_y;
-        let t7 = dq2 * w2_x;
-        let dw2_x = t2 + t6;
-        let t9 = t7 - t3;
+    // link 1: motion
+    let t0 = {
+        let t0 = dq1 * dq1;
         put(0, ddq1); // row 1, ZZ1R
         put(41, dq1); // row 1, FV1
-        put(43, a2_y); // row 2, MSX2
         put(46, ddq2); // row 2, ZZ2R
-        put(48, t2); // row 2, XZ2
-        put(49, t3); // row 2, YZ2
         put(85, dq2); // row 2, FV2
         put(122, dq3); // row 3, FV3
         put(152, dq4); // row 4, FV4
         put(175, dq5); // row 5, FV5
         put(191, dq6); // row 6, FV6
         put(200, dq7); // row 7, FV7
-        [w2_x, w2_y, a2_x, a2_y, t6, t7, dw2_x, t9]
+        t0
+    };
+    // link 2: motion
+    let [
+        w2_x, w2_y, a2_x, a2_y, t9, t10, t11, dw2_x,
+        dw2_y, t14, t15, t16, t17, t18, t19, t20,
+    ] = {
+        let w2_x = s2 * dq1;
+        let w2_y = c2 * dq1;
+        let t3 = s2 * ddq1;
+        let t4 = c2 * ddq1;
+        let a2_x = s2 * k0;
+        let a2_y = c2 * k0;
+        let t7 = w2_x * w2_x;
+        let t8 = dq2 * dq2;
+        let t9 = w2_x * w2_y;
+        let t10 = dq2 * w2_x;
+        let t11 = dq2 * w2_y;
+        let dw2_x = t3 + t11;
+        let dw2_y = t4 - t10;
+        let t14 = t7 - t8;
+        let t15 = t0 - t14;
+        let t16 = t9 - ddq2;
+        let t17 = ddq2 + t9;
+        let t18 = t7 + t8;
+        let t19 = dw2_y - t10;
+        let t20 = t11 + dw2_x;
+        put(43, a2_y); // row 2, MSX2
+        put(48, t3); // row 2, XZ2
+        put(49, t4); // row 2, YZ2
+        [
+        w2_x, w2_y, a2_x, a2_y, t9, t10, t11, dw2_x,
+        dw2_y, t14, t15, t16, t17, t18, t19, t20,
+    ]
     };
     // link 3: motion
     let [
-        w3_x, t15, t22, t23, t24, t25, t26, t27,
-        t29, t30, t31, t32, t37, t40, t43, w3_z,
-        t47, t48, dw3_z,
+        w3_x, t26, t31, t34, t37, t40, t43, w3_z,
+        dw3_z, t48, t49, t50, t51, dw3_y, t53, t54,
+        t55, t56, t57, t58, t59,
     ] = {
         let w3_x = c3 * w2_x - s3 * dq2;
-        let t15 = c3 * dq2 + s3 * w2_x;
-        let t22 = w2_x * w2_x;
-        let t23 = w2_y * w2_y;
-        let t24 = dq2 * dq2;
-        let t25 = w2_x * w2_y;
-        let t26 = ddq2 - t25;
-        let t27 = ddq2 + t25;
-        let t29 = t7 + t9;
-        let t30 = t6 + dw2_x;
-        let t31 = c3 * a2_x;
-        let t32 = s3 * a2_x;
-        let t35 = L2 * t30;
-        let t36 = L2 * t26 - a2_x;
-        let t37 = L2 * (t22 + t24) - a2_y;
-        let t40 = c3 * t36 + s3 * t35;
-        let t43 = c3 * t35 - s3 * t36;
+        let t26 = c3 * dq2 + s3 * w2_x;
+        let t29 = L2 * t20;
+        let t30 = a2_x + L2 * t16;
+        let t31 = L2 * t18 - a2_y;
+        let t34 = s3 * t29 - c3 * t30;
+        let t37 = c3 * t29 + s3 * t30;
+        let t40 = c3 * t16 - s3 * t20;
+        let t43 = c3 * t20 + s3 * t16;
         let w3_z = w2_y + dq3;
-        let t47 = s3 * ddq2 - c3 * dw2_x + dq3 * t15;
-        let t48 = c3 * ddq2 + s3 * dw2_x + dq3 * w3_x;
-        let dw3_z = ddq3 - t9;
+        let dw3_z = dw2_y + ddq3;
+        let t46 = w3_x * w3_x;
+        let t47 = w3_z * w3_z;
+        let t48 = w3_x * t26;
+        let t49 = w3_x * w3_z;
+        let t50 = t26 * w3_z;
+        let t51 = t50 - t43;
+        let dw3_y = t40 - t49;
+        let t53 = t46 - t47;
+        let t54 = t18 - t53;
+        let t55 = dw3_z + t48;
+        let t56 = t48 - dw3_z;
+        let t57 = t46 + t47;
+        let t58 = t49 - dw3_y;
+        let t59 = t50 + t51;
+        put(88, t34); // row 3, MSY3R
+        put(89, t48); // row 3, XX3R
         put(90, dw3_z); // row 3, ZZ3R
+        put(92, t43); // row 3, XZ3
+        put(93, t40); // row 3, YZ3
         [
-        w3_x, t15, t22, t23, t24, t25, t26, t27,
-        t29, t30, t31, t32, t37, t40, t43, w3_z,
-        t47, t48, dw3_z,
+        w3_x, t26, t31, t34, t37, t40, t43, w3_z,
+        dw3_z, t48, t49, t50, t51, dw3_y, t53, t54,
+        t55, t56, t57, t58, t59,
     ]
     };
     // link 4: motion
     let [
-        w4_x, t55, t62, t63, t64, t65, t66, t67,
-        t68, t69, t70, t71, t72, t73, t76, a4_y,
-        w4_z, t83, t84, dw4_z,
+        t62, t65, t68, a4_y, t74, t77, w4_z, dw4_z,
+        t82, t83, t84, t85, t86, t87, t88, t89,
+        t90, t91, t92, t93,
     ] = {
-        let w4_x = c4 * w3_x - s4 * w3_z;
-        let t55 = c4 * w3_z + s4 * w3_x;
-        let t62 = w3_x * w3_x;
-        let t63 = t15 * t15;
-        let t64 = w3_z * w3_z;
-        let t65 = w3_x * t15;
-        let t66 = w3_x * w3_z;
-        let t67 = t15 * w3_z;
-        let t68 = dw3_z + t65;
-        let t69 = t66 - t48;
-        let t70 = dw3_z - t65;
-        let t71 = t47 - t67;
-        let t72 = t48 + t66;
-        let t73 = t47 + t67;
-        let t76 = c4 * t40 - s4 * t37;
-        let a4_y = c4 * t37 + s4 * t40;
-        let w4_z = dq4 - t15;
-        let t83 = c4 * t47 + s4 * dw3_z + dq4 * t55;
-        let t84 = c4 * dw3_z - s4 * t47 + dq4 * w4_x;
-        let dw4_z = ddq4 - t48;
-        put(89, t65); // row 3, XX3R
-        put(93, t69); // row 3, YZ3
+        let t62 = s4 * w3_z - c4 * w3_x;
+        let t65 = c4 * w3_z + s4 * w3_x;
+        let t68 = c4 * t34 - s4 * t31;
+        let a4_y = c4 * t31 + s4 * t34;
+        let t74 = c4 * t55 - s4 * t59;
+        let t77 = c4 * t59 + s4 * t55;
+        let w4_z = dq4 - t26;
+        let dw4_z = dw3_y + ddq4;
+        let t80 = t62 * t62;
+        let t81 = w4_z * w4_z;
+        let t82 = t62 * t65;
+        let t83 = t62 * w4_z;
+        let t84 = t65 * w4_z;
+        let t85 = t77 + t84;
+        let t86 = t74 - t83;
+        let t87 = t80 - t81;
+        let t88 = t57 - t87;
+        let t89 = dw4_z - t82;
+        let t90 = dw4_z + t82;
+        let t91 = t80 + t81;
+        let t92 = t86 - t83;
+        let t93 = t84 + t85;
         put(124, a4_y); // row 4, MSX4
-        put(125, t76); // row 4, MSY4R
+        put(125, t68); // row 4, MSY4R
         put(127, dw4_z); // row 4, ZZ4R
         [
-        w4_x, t55, t62, t63, t64, t65, t66, t67,
-        t68, t69, t70, t71, t72, t73, t76, a4_y,
-        w4_z, t83, t84, dw4_z,
+        t62, t65, t68, a4_y, t74, t77, w4_z, dw4_z,
+        t82, t83, t84, t85, t86, t87, t88, t89,
+        t90, t91, t92, t93,
     ]
     };
     // link 5: motion
     let [
-        w5_x, t91, t98, t99, t100, t101, t102, t103,
-        t104, t105, t106, t107, t108, t109, t110, t111,
-        t116, t120, a5_y, w5_z, t127, dw5_y, dw5_z,
+        t96, w5_y, t104, t108, a5_y, t114, t117, w5_z,
+        dw5_z, t122, t123, t124, dw5_x, dw5_y, t127, t128,
+        t129, t130, t131, t132, t133,
     ] = {
-        let w5_x = c5 * w4_x + s5 * w4_z;
-        let t91 = s5 * w4_x - c5 * w4_z;
-        let t98 = w4_x * w4_x;
-        let t99 = t55 * t55;
-        let t100 = w4_z * w4_z;
-        let t101 = w4_x * t55;
-        let t102 = w4_x * w4_z;
-        let t103 = t55 * w4_z;
-        let t104 = t99 + t100;
-        let t105 = dw4_z + t101;
-        let t106 = t102 - t84;
-        let t107 = t101 - dw4_z;
-        let t108 = t98 + t100;
-        let t109 = t103 - t83;
-        let t110 = t84 + t102;
-        let t111 = t83 + t103;
-        let t115 = t76 - L3 * t105;
-        let t116 = a4_y + L3 * t108;
-        let t117 = L3 * t111 - t43;
-        let t120 = c5 * t115 - s5 * t117;
-        let a5_y = c5 * t117 + s5 * t115;
-        let w5_z = t55 + dq5;
-        let t127 = c5 * t83 - s5 * dw4_z + dq5 * t91;
-        let dw5_y = c5 * dw4_z + s5 * t83 - dq5 * w5_x;
-        let dw5_z = t84 + ddq5;
-        put(126, t101); // row 4, XX4R
-        put(129, t109); // row 4, XZ4
-        put(130, t106); // row 4, YZ4
+        let t96 = c5 * t62 - s5 * w4_z;
+        let w5_y = c5 * w4_z + s5 * t62;
+        let t103 = t68 - L3 * t89;
+        let t104 = a4_y + L3 * t91;
+        let t105 = L3 * t93 - t37;
+        let t108 = c5 * t103 - s5 * t105;
+        let a5_y = c5 * t105 + s5 * t103;
+        let t114 = c5 * t89 + s5 * t93;
+        let t117 = s5 * t89 - c5 * t93;
+        let w5_z = t65 + dq5;
+        let dw5_z = t86 + ddq5;
+        let t120 = t96 * t96;
+        let t121 = w5_z * w5_z;
+        let t122 = t96 * w5_y;
+        let t123 = t96 * w5_z;
+        let t124 = w5_y * w5_z;
+        let dw5_x = t117 + t124;
+        let dw5_y = t114 + t123;
+        let t127 = t120 - t121;
+        let t128 = t127 - t91;
+        let t129 = dw5_z + t122;
+        let t130 = dw5_z - t122;
+        let t131 = t120 + t121;
+        let t132 = t123 + dw5_y;
+        let t133 = t124 + dw5_x;
         put(154, a5_y); // row 5, MSX5
-        put(155, t120); // row 5, MSY5R
+        put(155, t108); // row 5, MSY5R
+        put(156, t122); // row 5, XX5R
         put(157, dw5_z); // row 5, ZZ5R
+        put(159, t117); // row 5, XZ5
+        put(160, t114); // row 5, YZ5
         [
-        w5_x, t91, t98, t99, t100, t101, t102, t103,
-        t104, t105, t106, t107, t108, t109, t110, t111,
-        t116, t120, a5_y, w5_z, t127, dw5_y, dw5_z,
+        t96, w5_y, t104, t108, a5_y, t114, t117, w5_z,
+        dw5_z, t122, t123, t124, dw5_x, dw5_y, t127, t128,
+        t129, t130, t131, t132, t133,
     ]
     };
     // link 6: motion
     let [
-        w6_x, w6_y, t142, t143, t144, t145, t146, t147,
-        t148, t149, t150, t151, t152, t153, t154, t155,
-        t158, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
+        w6_x, w6_y, t142, a6_y, t148, t151, w6_z, dw6_z,
+        t156, t157, t158, dw6_x, t160, t161, t162, t163,
+        t164, t165, t166, t167,
     ] = {
-        let w6_x = c6 * w5_x + s6 * w5_z;
-        let w6_y = c6 * w5_z - s6 * w5_x;
-        let t142 = w5_x * w5_x;
-        let t143 = t91 * t91;
-        let t144 = w5_z * w5_z;
-        let t145 = w5_x * t91;
-        let t146 = w5_x * w5_z;
-        let t147 = t91 * w5_z;
-        let t148 = t143 + t144;
-        let t149 = dw5_z + t145;
-        let t150 = dw5_y + t146;
-        let t151 = t145 - dw5_z;
-        let t152 = t142 + t144;
-        let t153 = t147 - t127;
-        let t154 = dw5_y - t146;
-        let t155 = t127 + t147;
-        let t158 = c6 * t120 + s6 * t116;
-        let a6_y = s6 * t120 - c6 * t116;
-        let w6_z = t91 + dq6;
-        let dw6_x = s6 * dw5_z - c6 * t127 + dq6 * w6_y;
-        let dw6_y = c6 * dw5_z + s6 * t127 - dq6 * w6_x;
+        let w6_x = s6 * w5_z - c6 * t96;
+        let w6_y = c6 * w5_z + s6 * t96;
+        let t142 = c6 * t108 + s6 * t104;
+        let a6_y = s6 * t108 - c6 * t104;
+        let t148 = c6 * t129 - s6 * t133;
+        let t151 = c6 * t133 + s6 * t129;
+        let w6_z = dq6 - w5_y;
         let dw6_z = ddq6 - dw5_y;
-        put(156, t145); // row 5, XX5R
-        put(159, t153); // row 5, XZ5
-        put(160, t150); // row 5, YZ5
+        let t154 = w6_x * w6_x;
+        let t155 = w6_z * w6_z;
+        let t156 = w6_x * w6_y;
+        let t157 = w6_x * w6_z;
+        let t158 = w6_y * w6_z;
+        let dw6_x = t151 + t158;
+        let t160 = t148 - t157;
+        let t161 = t154 - t155;
+        let t162 = t161 - t131;
+        let t163 = t156 - dw6_z;
+        let t164 = dw6_z + t156;
+        let t165 = t154 + t155;
+        let t166 = t160 - t157;
+        let t167 = t158 + dw6_x;
         put(177, a6_y); // row 6, MSX6
-        put(178, t158); // row 6, MSY6R
+        put(178, t142); // row 6, MSY6R
         put(180, dw6_z); // row 6, ZZ6R
+        put(182, t151); // row 6, XZ6
+        put(183, t148); // row 6, YZ6
         [
-        w6_x, w6_y, t142, t143, t144, t145, t146, t147,
-        t148, t149, t150, t151, t152, t153, t154, t155,
-        t158, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
+        w6_x, w6_y, t142, a6_y, t148, t151, w6_z, dw6_z,
+        t156, t157, t158, dw6_x, t160, t161, t162, t163,
+        t164, t165, t166, t167,
     ]
     };
     // link 7: motion
     let [
-        w7_x, t173, t180, t181, t182, t183, t184, t185,
-        t186, t187, t188, t189, t190, t191, t192, t193,
-        t196, a7_y, w7_z, dw7_x, t204, dw7_z,
+        t176, a7_y, t182, t185, dw7_z, t190, t191, t192,
+        t193, t195, t196, t197, t198, t199, t200, t201,
     ] = {
         let w7_x = c7 * w6_x - s7 * w6_z;
         let t173 = c7 * w6_z + s7 * w6_x;
-        let t180 = w6_x * w6_x;
-        let t181 = w6_y * w6_y;
-        let t182 = w6_z * w6_z;
-        let t183 = w6_x * w6_y;
-        let t184 = w6_x * w6_z;
-        let t185 = w6_y * w6_z;
-        let t186 = t181 + t182;
-        let t187 = dw6_z - t183;
-        let t188 = dw6_y + t184;
-        let t189 = dw6_z + t183;
-        let t190 = t180 + t182;
-        let t191 = dw6_x - t185;
-        let t192 = dw6_y - t184;
-        let t193 = dw6_x + t185;
-        let t196 = c7 * t158 - s7 * a5_y;
-        let a7_y = c7 * a5_y + s7 * t158;
+        let t176 = c7 * t142 - s7 * a5_y;
+        let a7_y = c7 * a5_y + s7 * t142;
+        let t182 = c7 * t163 - s7 * t167;
+        let t185 = c7 * t167 + s7 * t163;
         let w7_z = w6_y + dq7;
-        let dw7_x = c7 * dw6_x - s7 * dw6_z - dq7 * t173;
-        let t204 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
-        let dw7_z = dw6_y + ddq7;
-        put(182, t191); // row 6, XZ6
-        put(183, t188); // row 6, YZ6
+        let dw7_z = t160 + ddq7;
+        let t188 = w7_x * w7_x;
+        let t189 = w7_z * w7_z;
+        let t190 = w7_x * t173;
+        let t191 = w7_x * w7_z;
+        let t192 = t173 * w7_z;
+        let t193 = t192 - t185;
+        let dw7_y = t182 - t191;
+        let t195 = t188 - t189;
+        let t196 = t195 - t165;
+        let t197 = dw7_z + t190;
+        let t198 = t190 - dw7_z;
+        let t199 = t188 + t189;
+        let t200 = t191 - dw7_y;
+        let t201 = t192 + t193;
         put(193, a7_y); // row 7, MSX7
-        put(194, t196); // row 7, MSY7
+        put(194, t176); // row 7, MSY7
+        put(195, t190); // row 7, XX7R
         put(196, dw7_z); // row 7, ZZ7
+        put(198, t185); // row 7, XZ7
+        put(199, t182); // row 7, YZ7
         [
-        w7_x, t173, t180, t181, t182, t183, t184, t185,
-        t186, t187, t188, t189, t190, t191, t192, t193,
-        t196, a7_y, w7_z, dw7_x, t204, dw7_z,
+        t176, a7_y, t182, t185, dw7_z, t190, t191, t192,
+        t193, t195, t196, t197, t198, t199, t200, t201,
     ]
     };
     // joint axes in frame 3
-    let [z1_3_x, t207] = {
+    let [z1_3_x, t203] = {
         let z1_3_x = s2 * c3;
-        let t207 = s2 * s3;
-        [z1_3_x, t207]
+        let t203 = s2 * s3;
+        [z1_3_x, t203]
     };
     // joint axes in frame 4
-    let [t210, z1_5_z, t214, z2_4_y] = {
-        let t210 = c2 * s4 - c4 * z1_3_x;
+    let [t206, z1_5_z, t210, z2_4_y] = {
+        let t206 = c2 * s4 - c4 * z1_3_x;
         let z1_5_z = c2 * c4 + s4 * z1_3_x;
-        let t214 = s3 * c4;
+        let t210 = s3 * c4;
         let z2_4_y = s3 * s4;
-        [t210, z1_5_z, t214, z2_4_y]
+        [t206, z1_5_z, t210, z2_4_y]
     };
     // joint axes in frame 5
-    let [t218, z1_6_z, t224, t227, t228, z3_5_y] = {
-        let t218 = c5 * t210 + s5 * t207;
-        let z1_6_z = c5 * t207 - s5 * t210;
-        let t224 = c5 * t214 + c3 * s5;
-        let t227 = c3 * c5 - s5 * t214;
-        let t228 = s4 * c5;
+    let [t214, z1_6_z, t220, t223, t224, z3_5_y] = {
+        let t214 = c5 * t206 + s5 * t203;
+        let z1_6_z = c5 * t203 - s5 * t206;
+        let t220 = c5 * t210 + c3 * s5;
+        let t223 = c3 * c5 - s5 * t210;
+        let t224 = s4 * c5;
         let z3_5_y = s4 * s5;
-        [t218, z1_6_z, t224, t227, t228, z3_5_y]
+        [t214, z1_6_z, t220, t223, t224, z3_5_y]
     };
     // XX2: column
-    let t231 = {
-        let t231 = c2 * t7;
-        let t232 = s2 * dw2_x + t231;
-        put(1, t232); // row 1, XX2R
-        t231
+    let t227 = {
+        let t227 = c2 * t10;
+        let t228 = s2 * dw2_x + t227;
+        put(1, t228); // row 1, XX2R
+        t227
     };
     // ZZ2: column
     {
-        let t234 = s2 * t6 - t231;
-        put(2, t234); // row 1, ZZ2R
+        let t230 = s2 * t11 - t227;
+        put(2, t230); // row 1, ZZ2R
     }
     // XY2: column
     {
-        let t235 = t22 - t23;
-        let t238 = c2 * t30 - s2 * t29;
-        put(3, t238); // row 1, XY2
-        put(47, t235); // row 2, XY2
+        let t231 = t18 - t15;
+        let t234 = s2 * t19 + c2 * t20;
+        put(3, t234); // row 1, XY2
+        put(47, t231); // row 2, XY2
     }
     // XZ2: column
     {
-        let t242 = s2 * t27 + c2 * (t24 - t22);
-        put(4, t242); // row 1, XZ2
+        let t237 = s2 * t17 - c2 * t14;
+        put(4, t237); // row 1, XZ2
     }
     // YZ2: column
     {
-        let t246 = s2 * (t23 - t24) + c2 * t26;
-        put(5, t246); // row 1, YZ2
+        let t241 = s2 * (t0 - t18) - c2 * t16;
+        put(5, t241); // row 1, YZ2
     }
     // MSX3: column
-    let [t249, t250] = {
-        let t249 = a2_y * t207 - c2 * t32;
-        let t250 = c3 * a2_y;
-        [t249, t250]
-    };
-    // XZ3: column
     {
-        let t251 = t62 - t64;
-        let t256 = t70 * z1_3_x + t207 * t251 - c2 * t71;
-        let t259 = c3 * t251 - s3 * t70;
-        let t261 = t249 - L2 * t256;
-        let t263 = t250 - L2 * t259;
-        let t265 = L2 * t71 - t32;
-        put(6, t261); // row 1, MSX3
-        put(11, t256); // row 1, XZ3
-        put(50, t263); // row 2, MSX3
-        put(55, t259); // row 2, XZ3
-        put(87, t265); // row 3, MSX3
+        let t242 = L2 * t56;
+        let t244 = L2 * t54 - t31;
+        let t249 = z1_3_x * t242 + t203 * t244 - c2 * t37;
+        let t252 = c3 * t244 - s3 * t242;
+        put(6, t249); // row 1, MSX3
+        put(50, t252); // row 2, MSX3
     }
     // MSY3: column
-    let [t268, t269] = {
-        let t268 = a2_y * z1_3_x - c2 * t31;
-        let t269 = s3 * a2_y;
-        [t268, t269]
-    };
-    // YZ3: column
-    let [t278, t284] = {
-        let t270 = t64 - t63;
-        let t275 = c2 * t69 - (z1_3_x * t270 + t68 * t207);
-        let t278 = c3 * t68 - s3 * t270;
-        let t280 = t268 - L2 * t275;
-        let t282 = L2 * t278 - t269;
-        let t284 = t31 + L2 * t69;
-        put(7, t280); // row 1, MSY3R
-        put(12, t275); // row 1, YZ3
-        put(51, t282); // row 2, MSY3R
-        [t278, t284]
-    };
+    {
+        let t254 = L2 * t55;
+        let t255 = t31 - L2 * t57;
+        let t260 = c2 * t34 - (z1_3_x * t255 - t203 * t254);
+        let t263 = s3 * t255 + c3 * t254;
+        put(7, t260); // row 1, MSY3R
+        put(51, t263); // row 2, MSY3R
+    }
     // XX3: column
-    let [t286, t291] = {
-        let t286 = t66 * t207;
-        let t289 = c2 * t65 - (t47 * z1_3_x + t286);
-        let t291 = c3 * t66;
-        let t292 = s3 * t47 - t291;
-        put(8, t289); // row 1, XX3R
-        put(52, t292); // row 2, XX3R
-        [t286, t291]
+    let [t265, t270] = {
+        let t265 = t49 * t203;
+        let t268 = c2 * t48 - (t51 * z1_3_x + t265);
+        let t270 = c3 * t49;
+        let t271 = s3 * t51 - t270;
+        put(8, t268); // row 1, XX3R
+        put(52, t271); // row 2, XX3R
+        [t265, t270]
     };
     // ZZ3: column
     {
-        let t296 = c2 * dw3_z + (t286 - t67 * z1_3_x);
-        let t298 = t291 + s3 * t67;
-        put(9, t296); // row 1, ZZ3R
-        put(53, t298); // row 2, ZZ3R
+        let t275 = c2 * dw3_z - (t50 * z1_3_x - t265);
+        let t277 = t270 + s3 * t50;
+        put(9, t275); // row 1, ZZ3R
+        put(53, t277); // row 2, ZZ3R
     }
     // XY3: column
     {
-        let t299 = t62 - t63;
-        let t304 = c2 * t299 + (t73 * t207 - t72 * z1_3_x);
-        let t307 = s3 * t72 + c3 * t73;
-        put(10, t304); // row 1, XY3
-        put(54, t307); // row 2, XY3
-        put(91, t299); // row 3, XY3
+        let t278 = t57 - t54;
+        let t283 = c2 * t278 + (t59 * t203 - t58 * z1_3_x);
+        let t286 = s3 * t58 + c3 * t59;
+        put(10, t283); // row 1, XY3
+        put(54, t286); // row 2, XY3
+        put(91, t278); // row 3, XY3
+    }
+    // XZ3: column
+    {
+        let t291 = c2 * t43 + (t53 * t203 - t56 * z1_3_x);
+        let t294 = s3 * t56 + c3 * t53;
+        put(11, t291); // row 1, XZ3
+        put(55, t294); // row 2, XZ3
+    }
+    // YZ3: column
+    {
+        let t295 = t57 - t18;
+        let t300 = c2 * t40 - (z1_3_x * t295 + t55 * t203);
+        let t303 = s3 * t295 - c3 * t55;
+        put(12, t300); // row 1, YZ3
+        put(56, t303); // row 2, YZ3
     }
     // MSX4: column
-    let [t309, t311, t312] = {
-        let t309 = s4 * t107;
-        let t311 = s4 * t43;
-        let t312 = c4 * t43;
-        let t315 = t311 + L2 * t110;
-        let t316 = L2 * (c4 * t104 - t309) - a4_y;
-        let t321 = t207 * t316 - z1_3_x * t315 - c2 * t312;
-        let t324 = s3 * t315 + c3 * t316;
-        put(13, t321); // row 1, MSX4
-        put(57, t324); // row 2, MSX4
-        put(95, t311); // row 3, MSY4R
-        [t309, t311, t312]
+    let [t305, t307, t308] = {
+        let t305 = s4 * t90;
+        let t307 = s4 * t37;
+        let t308 = c4 * t37;
+        let t311 = t307 + L2 * t92;
+        let t312 = L2 * (c4 * t88 + t305) - a4_y;
+        let t317 = t203 * t312 - z1_3_x * t311 - c2 * t308;
+        let t320 = s3 * t311 + c3 * t312;
+        put(13, t317); // row 1, MSX4
+        put(57, t320); // row 2, MSX4
+        put(95, t307); // row 3, MSY4R
+        [t305, t307, t308]
     };
     // MSY4: column
-    let t325 = {
-        let t325 = c4 * t105;
-        let t330 = t312 - L2 * t111;
-        let t331 = L2 * (t325 - s4 * t108) - t76;
-        let t336 = c2 * t311 + (t207 * t331 - z1_3_x * t330);
-        let t339 = s3 * t330 + c3 * t331;
-        put(14, t336); // row 1, MSY4R
-        put(58, t339); // row 2, MSY4R
-        t325
+    let t321 = {
+        let t321 = c4 * t89;
+        let t326 = t308 - L2 * t93;
+        let t327 = t68 + L2 * (s4 * t91 - t321);
+        let t332 = c2 * t307 - (z1_3_x * t326 + t203 * t327);
+        let t335 = s3 * t326 - c3 * t327;
+        put(14, t332); // row 1, MSY4R
+        put(58, t335); // row 2, MSY4R
+        t321
     };
     // XX4: column
-    let [t341, t346, t351] = {
-        let t341 = t102 * z1_5_z;
-        let t344 = t83 * t210 - t341 - t101 * t207;
-        let t346 = t102 * z2_4_y;
-        let t349 = t83 * t214 + t346 - c3 * t101;
-        let t351 = c4 * t102;
-        let t352 = s4 * t83 - t351;
-        put(15, t344); // row 1, XX4R
-        put(59, t349); // row 2, XX4R
-        put(96, t352); // row 3, XX4R
-        [t341, t346, t351]
+    let [t337, t342, t347] = {
+        let t337 = t83 * z1_5_z;
+        let t340 = t82 * t203 + (t85 * t206 + t337);
+        let t342 = t83 * z2_4_y;
+        let t345 = c3 * t82 + (t85 * t210 - t342);
+        let t347 = c4 * t83;
+        let t348 = s4 * t85 + t347;
+        put(15, t340); // row 1, XX4R
+        put(59, t345); // row 2, XX4R
+        put(96, t348); // row 3, XX4R
+        [t337, t342, t347]
     };
     // ZZ4: column
     {
-        let t356 = t341 + t103 * t210 - dw4_z * t207;
-        let t360 = t103 * t214 - t346 - c3 * dw4_z;
-        let t362 = t351 + s4 * t103;
-        put(16, t356); // row 1, ZZ4R
-        put(60, t360); // row 2, ZZ4R
-        put(97, t362); // row 3, ZZ4R
+        let t352 = t84 * t206 - t337 - dw4_z * t203;
+        let t356 = t342 + t84 * t210 - c3 * dw4_z;
+        let t358 = s4 * t84 - t347;
+        put(16, t352); // row 1, ZZ4R
+        put(60, t356); // row 2, ZZ4R
+        put(97, t358); // row 3, ZZ4R
     }
     // XY4: column
     {
-        let t363 = t98 - t99;
-        let t368 = t110 * t210 + t111 * z1_5_z - t207 * t363;
-        let t373 = t110 * t214 - t111 * z2_4_y - c3 * t363;
-        let t376 = s4 * t110 + c4 * t111;
-        put(17, t368); // row 1, XY4
-        put(61, t373); // row 2, XY4
-        put(98, t376); // row 3, XY4
-        put(128, t363); // row 4, XY4
+        let t359 = t91 - t88;
+        let t364 = t92 * t206 + t93 * z1_5_z - t203 * t359;
+        let t369 = t92 * t210 - t93 * z2_4_y - c3 * t359;
+        let t372 = s4 * t92 + c4 * t93;
+        put(17, t364); // row 1, XY4
+        put(61, t369); // row 2, XY4
+        put(98, t372); // row 3, XY4
+        put(128, t359); // row 4, XY4
     }
     // XZ4: column
     {
-        let t377 = t100 - t98;
-        let t382 = t107 * t210 - z1_5_z * t377 - t109 * t207;
-        let t387 = t107 * t214 + z2_4_y * t377 - c3 * t109;
-        let t389 = t309 - c4 * t377;
-        put(18, t382); // row 1, XZ4
-        put(62, t387); // row 2, XZ4
-        put(99, t389); // row 3, XZ4
+        let t377 = t77 * t203 + (t87 * z1_5_z - t90 * t206);
+        let t382 = c3 * t77 - (t90 * t210 + t87 * z2_4_y);
+        let t384 = c4 * t87 - t305;
+        put(18, t377); // row 1, XZ4
+        put(62, t382); // row 2, XZ4
+        put(99, t384); // row 3, XZ4
     }
     // YZ4: column
     {
-        let t390 = t100 - t99;
-        let t395 = t210 * t390 - t105 * z1_5_z - t106 * t207;
-        let t400 = t214 * t390 + t105 * z2_4_y - c3 * t106;
-        let t402 = s4 * t390 - t325;
-        put(19, t395); // row 1, YZ4
-        put(63, t400); // row 2, YZ4
-        put(100, t402); // row 3, YZ4
+        let t385 = t91 - t57;
+        let t390 = t74 * t203 + (t206 * t385 - t89 * z1_5_z);
+        let t395 = c3 * t74 + (t210 * t385 + t89 * z2_4_y);
+        let t397 = s4 * t385 - t321;
+        put(19, t390); // row 1, YZ4
+        put(63, t395); // row 2, YZ4
+        put(100, t397); // row 3, YZ4
     }
     // MSX5: column
-    let [t404, t409, t410] = {
-        let t404 = s5 * t151;
-        let t405 = c5 * t148 - t404;
-        let t408 = s5 * t148 + c5 * t151;
-        let t409 = s5 * t116;
-        let t410 = c5 * t116;
-        let t413 = t409 - L3 * t408;
-        let t414 = t410 - L3 * t405;
-        let t423 = s4 * t413 + c4 * a5_y;
-        let t426 = s4 * a5_y - c4 * t413 + L2 * t408;
-        let t427 = L2 * (c4 * t405 + s4 * t154) - t414;
-        let t432 = c2 * t423 + (z1_3_x * t426 + t207 * t427);
-        let t435 = c3 * t427 - s3 * t426;
-        put(20, t432); // row 1, MSX5
-        put(64, t435); // row 2, MSX5
-        put(101, t423); // row 3, MSX5
-        put(131, t414); // row 4, MSX5
-        [t404, t409, t410]
+    let [t399, t404, t405] = {
+        let t399 = s5 * t130;
+        let t400 = c5 * t128 - t399;
+        let t403 = s5 * t128 + c5 * t130;
+        let t404 = s5 * t104;
+        let t405 = c5 * t104;
+        let t408 = t404 + L3 * t403;
+        let t409 = t405 + L3 * t400;
+        let t418 = s4 * t408 + c4 * a5_y;
+        let t421 = L2 * t403 - (s4 * a5_y - c4 * t408);
+        let t422 = t409 - L2 * (s4 * t132 - c4 * t400);
+        let t427 = c2 * t418 - (z1_3_x * t421 + t203 * t422);
+        let t430 = s3 * t421 - c3 * t422;
+        put(20, t427); // row 1, MSX5
+        put(64, t430); // row 2, MSX5
+        put(101, t418); // row 3, MSX5
+        put(131, t409); // row 4, MSX5
+        [t399, t404, t405]
     };
     // MSY5: column
-    let t436 = {
-        let t436 = c5 * t149;
-        let t438 = s5 * t152 - t436;
-        let t441 = s5 * t149 + c5 * t152;
-        let t444 = t410 - L3 * t441;
-        let t445 = L3 * t438 - t409;
-        let t454 = s4 * t444 + c4 * t120;
-        let t457 = s4 * t120 - c4 * t444 + L2 * t441;
-        let t458 = L2 * (s4 * t155 - c4 * t438) - t445;
-        let t463 = c2 * t454 + (z1_3_x * t457 + t207 * t458);
-        let t466 = c3 * t458 - s3 * t457;
-        put(21, t463); // row 1, MSY5R
-        put(65, t466); // row 2, MSY5R
-        put(102, t454); // row 3, MSY5R
-        put(132, t445); // row 4, MSY5R
-        t436
+    let t431 = {
+        let t431 = c5 * t129;
+        let t433 = s5 * t131 - t431;
+        let t436 = s5 * t129 + c5 * t131;
+        let t439 = t405 - L3 * t436;
+        let t440 = L3 * t433 - t404;
+        let t449 = s4 * t439 + c4 * t108;
+        let t452 = c4 * t439 - s4 * t108 - L2 * t436;
+        let t453 = t440 + L2 * (c4 * t433 + s4 * t133);
+        let t458 = c2 * t449 - (z1_3_x * t452 + t203 * t453);
+        let t461 = s3 * t452 - c3 * t453;
+        put(21, t458); // row 1, MSY5R
+        put(65, t461); // row 2, MSY5R
+        put(102, t449); // row 3, MSY5R
+        put(132, t440); // row 4, MSY5R
+        t431
     };
     // XX5: column
-    let [t468, t473, t478, t483] = {
-        let t468 = t146 * z1_6_z;
-        let t471 = t145 * z1_5_z - (t468 - t127 * t218);
-        let t473 = t146 * t227;
-        let t476 = t127 * t224 - t473 - t145 * z2_4_y;
-        let t478 = t146 * z3_5_y;
-        let t481 = c4 * t145 + (t127 * t228 + t478);
-        let t483 = c5 * t146;
-        let t484 = t483 - s5 * t127;
-        put(22, t471); // row 1, XX5R
-        put(66, t476); // row 2, XX5R
-        put(103, t481); // row 3, XX5R
-        put(133, t484); // row 4, XX5R
-        [t468, t473, t478, t483]
+    let [t463, t468, t473, t478] = {
+        let t463 = t123 * z1_6_z;
+        let t466 = t122 * z1_5_z - (dw5_x * t214 - t463);
+        let t468 = t123 * t223;
+        let t471 = t468 - dw5_x * t220 - t122 * z2_4_y;
+        let t473 = t123 * z3_5_y;
+        let t476 = c4 * t122 - (dw5_x * t224 + t473);
+        let t478 = c5 * t123;
+        let t479 = s5 * dw5_x - t478;
+        put(22, t466); // row 1, XX5R
+        put(66, t471); // row 2, XX5R
+        put(103, t476); // row 3, XX5R
+        put(133, t479); // row 4, XX5R
+        [t463, t468, t473, t478]
     };
     // ZZ5: column
-    let t498 = {
-        let t488 = dw5_z * z1_5_z + (t468 + t147 * t218);
-        let t492 = t473 + t147 * t224 - dw5_z * z2_4_y;
-        let t496 = c4 * dw5_z + (t147 * t228 - t478);
-        let t498 = t483 + s5 * t147;
-        put(23, t488); // row 1, ZZ5R
-        put(67, t492); // row 2, ZZ5R
-        put(104, t496); // row 3, ZZ5R
-        t498
+    let t487 = {
+        let t483 = dw5_z * z1_5_z - (t463 + t124 * t214);
+        let t487 = dw5_z * z2_4_y + (t468 + t124 * t220);
+        let t491 = c4 * dw5_z - (t124 * t224 - t473);
+        let t493 = t478 + s5 * t124;
+        put(23, t483); // row 1, ZZ5R
+        put(104, t491); // row 3, ZZ5R
+        put(134, t493); // row 4, ZZ5R
+        t487
     };
     // XY5: column
-    {
-        let t499 = t142 - t143;
-        let t504 = z1_5_z * t499 + (t155 * z1_6_z - t154 * t218);
-        let t509 = t155 * t227 - t154 * t224 - z2_4_y * t499;
-        let t514 = c4 * t499 - (t154 * t228 + t155 * z3_5_y);
-        let t517 = s5 * t154 - c5 * t155;
-        put(24, t504); // row 1, XY5
-        put(68, t509); // row 2, XY5
-        put(105, t514); // row 3, XY5
-        put(135, t517); // row 4, XY5
-        put(158, t499); // row 5, XY5
-    }
+    let t504 = {
+        let t494 = t128 + t131;
+        let t499 = z1_5_z * t494 - (t132 * t214 + t133 * z1_6_z);
+        let t504 = z2_4_y * t494 + (t132 * t220 + t133 * t223);
+        let t509 = c4 * t494 + (t133 * z3_5_y - t132 * t224);
+        let t512 = s5 * t132 + c5 * t133;
+        put(24, t499); // row 1, XY5
+        put(105, t509); // row 3, XY5
+        put(135, t512); // row 4, XY5
+        put(158, t494); // row 5, XY5
+        t504
+    };
     // XZ5: column
     {
-        let t518 = t144 - t142;
-        let t523 = t153 * z1_5_z + (t151 * t218 - z1_6_z * t518);
-        let t528 = t151 * t224 - t227 * t518 - t153 * z2_4_y;
-        let t533 = c4 * t153 + (t151 * t228 + z3_5_y * t518);
-        let t535 = c5 * t518 - t404;
-        put(25, t523); // row 1, XZ5
-        put(69, t528); // row 2, XZ5
-        put(106, t533); // row 3, XZ5
-        put(136, t535); // row 4, XZ5
+        let t517 = t117 * z1_5_z + (t127 * z1_6_z - t130 * t214);
+        let t522 = t127 * t223 - t130 * t220 - t117 * z2_4_y;
+        let t527 = c4 * t117 - (t130 * t224 + t127 * z3_5_y);
+        let t529 = t399 - c5 * t127;
+        put(25, t517); // row 1, XZ5
+        put(69, t522); // row 2, XZ5
+        put(106, t527); // row 3, XZ5
+        put(136, t529); // row 4, XZ5
     }
     // YZ5: column
     {
-        let t536 = t144 - t143;
-        let t541 = t150 * z1_5_z + (t218 * t536 - t149 * z1_6_z);
-        let t546 = t224 * t536 - t149 * t227 - t150 * z2_4_y;
-        let t551 = c4 * t150 + (t228 * t536 + t149 * z3_5_y);
-        let t553 = t436 - s5 * t536;
-        put(26, t541); // row 1, YZ5
-        put(70, t546); // row 2, YZ5
-        put(107, t551); // row 3, YZ5
-        put(137, t553); // row 4, YZ5
+        let t530 = t131 - t91;
+        let t535 = t114 * z1_5_z - (t129 * z1_6_z - t214 * t530);
+        let t540 = t220 * t530 - t129 * t223 - t114 * z2_4_y;
+        let t545 = c4 * t114 + (t224 * t530 + t129 * z3_5_y);
+        let t547 = t431 - s5 * t530;
+        put(26, t535); // row 1, YZ5
+        put(70, t540); // row 2, YZ5
+        put(107, t545); // row 3, YZ5
+        put(137, t547); // row 4, YZ5
     }
     // MSX6: column
-    let [t555, t558, t560, t561, t577] = {
-        let t555 = s6 * t189;
-        let t556 = c6 * t186 + t555;
-        let t558 = c6 * t189;
-        let t560 = s6 * a5_y;
-        let t561 = c6 * a5_y;
-        let t564 = c5 * t556 + s5 * t192;
-        let t567 = c5 * t192 - s5 * t556;
-        let t576 = c5 * t560 - s5 * a6_y + L3 * t567;
-        let t577 = s5 * t560 + c5 * a6_y + L3 * t564;
-        let t586 = s4 * t576 + c4 * t561;
-        let t589 = L2 * t567 - (s4 * t561 - c4 * t576);
-        let t590 = t577 + L2 * (c4 * t564 - s4 * (t558 - s6 * t186));
-        let t595 = c2 * t586 - (z1_3_x * t589 - t207 * t590);
-        let t598 = s3 * t589 + c3 * t590;
-        put(27, t595); // row 1, MSX6
-        put(71, t598); // row 2, MSX6
-        put(108, t586); // row 3, MSX6
-        put(161, t561); // row 5, MSX6
-        [t555, t558, t560, t561, t577]
+    let [t549, t552, t554, t555] = {
+        let t549 = s6 * t164;
+        let t550 = c6 * t162 - t549;
+        let t552 = c6 * t164;
+        let t554 = s6 * a5_y;
+        let t555 = c6 * a5_y;
+        let t558 = c5 * t550 - s5 * t166;
+        let t561 = s5 * t550 + c5 * t166;
+        let t570 = s5 * a6_y - c5 * t554 - L3 * t561;
+        let t571 = L3 * t558 - (s5 * t554 + c5 * a6_y);
+        let t580 = c4 * t555 - s4 * t570;
+        let t583 = L2 * t561 - (c4 * t570 + s4 * t555);
+        let t584 = t571 + L2 * (c4 * t558 + s4 * (s6 * t162 + t552));
+        let t589 = c2 * t580 - (z1_3_x * t583 + t203 * t584);
+        let t592 = s3 * t583 - c3 * t584;
+        put(27, t589); // row 1, MSX6
+        put(71, t592); // row 2, MSX6
+        put(108, t580); // row 3, MSX6
+        put(138, t571); // row 4, MSX6
+        put(161, t555); // row 5, MSX6
+        [t549, t552, t554, t555]
     };
     // MSY6: column
-    let [t599, t602] = {
-        let t599 = c6 * t187;
-        let t601 = t599 - s6 * t190;
-        let t602 = s6 * t187;
-        let t607 = s5 * t193 - c5 * t601;
-        let t610 = s5 * t601 + c5 * t193;
-        let t619 = c5 * t561 - s5 * t158 - L3 * t610;
-        let t620 = L3 * t607 - (s5 * t561 + c5 * t158);
-        let t629 = s4 * t619 - c4 * t560;
-        let t632 = c4 * t619 + s4 * t560 - L2 * t610;
-        let t633 = t620 - L2 * (s4 * (t602 + c6 * t190) - c4 * t607);
-        let t638 = c2 * t629 - (z1_3_x * t632 + t207 * t633);
-        let t641 = s3 * t632 - c3 * t633;
-        put(28, t638); // row 1, MSY6R
-        put(72, t641); // row 2, MSY6R
-        put(109, t629); // row 3, MSY6R
-        put(139, t620); // row 4, MSY6R
-        [t599, t602]
+    let [t593, t596] = {
+        let t593 = c6 * t163;
+        let t595 = t593 + s6 * t165;
+        let t596 = s6 * t163;
+        let t601 = c5 * t595 + s5 * t167;
+        let t604 = s5 * t595 - c5 * t167;
+        let t613 = c5 * t555 - s5 * t142 + L3 * t604;
+        let t614 = L3 * t601 - (s5 * t555 + c5 * t142);
+        let t623 = s4 * t613 - c4 * t554;
+        let t626 = c4 * t613 + s4 * t554 + L2 * t604;
+        let t627 = L2 * (s4 * (c6 * t165 - t596) - c4 * t601) - t614;
+        let t632 = c2 * t623 + (t203 * t627 - z1_3_x * t626);
+        let t635 = s3 * t626 + c3 * t627;
+        put(28, t632); // row 1, MSY6R
+        put(72, t635); // row 2, MSY6R
+        put(109, t623); // row 3, MSY6R
+        put(139, t614); // row 4, MSY6R
+        [t593, t596]
     };
     // XX6: column
-    let [t643, t646] = {
-        let t643 = s6 * t184;
-        let t644 = t643 - c6 * dw6_x;
-        let t646 = c6 * t184;
-        let t647 = s6 * dw6_x + t646;
-        let t652 = z1_5_z * t647 + (t218 * t644 - t183 * z1_6_z);
-        let t657 = t224 * t644 - t183 * t227 - z2_4_y * t647;
-        let t662 = c4 * t647 + (t228 * t644 + t183 * z3_5_y);
-        let t665 = c5 * t183 - s5 * t644;
-        put(29, t652); // row 1, XX6R
-        put(73, t657); // row 2, XX6R
-        put(110, t662); // row 3, XX6R
-        put(140, t665); // row 4, XX6R
-        put(163, t647); // row 5, XX6R
-        [t643, t646]
+    let [t637, t640] = {
+        let t637 = s6 * t157;
+        let t638 = t637 - c6 * dw6_x;
+        let t640 = c6 * t157;
+        let t641 = s6 * dw6_x + t640;
+        let t646 = z1_5_z * t641 + (t214 * t638 - t156 * z1_6_z);
+        let t651 = t220 * t638 - t156 * t223 - z2_4_y * t641;
+        let t656 = c4 * t641 + (t224 * t638 + t156 * z3_5_y);
+        let t659 = c5 * t156 - s5 * t638;
+        put(29, t646); // row 1, XX6R
+        put(73, t651); // row 2, XX6R
+        put(110, t656); // row 3, XX6R
+        put(140, t659); // row 4, XX6R
+        put(163, t641); // row 5, XX6R
+        [t637, t640]
     };
     // ZZ6: column
     {
-        let t667 = t643 + c6 * t185;
-        let t669 = s6 * t185 - t646;
-        let t674 = z1_5_z * t669 + (dw6_z * z1_6_z - t218 * t667);
-        let t679 = dw6_z * t227 - t224 * t667 - z2_4_y * t669;
-        let t684 = c4 * t669 - (t228 * t667 + dw6_z * z3_5_y);
-        let t687 = s5 * t667 - c5 * dw6_z;
-        put(30, t674); // row 1, ZZ6R
-        put(74, t679); // row 2, ZZ6R
-        put(111, t684); // row 3, ZZ6R
-        put(141, t687); // row 4, ZZ6R
-        put(164, t669); // row 5, ZZ6R
+        let t661 = t637 + c6 * t158;
+        let t663 = s6 * t158 - t640;
+        let t668 = z1_5_z * t663 + (dw6_z * z1_6_z - t214 * t661);
+        let t673 = dw6_z * t223 - t220 * t661 - z2_4_y * t663;
+        let t678 = c4 * t663 - (t224 * t661 + dw6_z * z3_5_y);
+        let t681 = s5 * t661 - c5 * dw6_z;
+        put(30, t668); // row 1, ZZ6R
+        put(74, t673); // row 2, ZZ6R
+        put(111, t678); // row 3, ZZ6R
+        put(141, t681); // row 4, ZZ6R
+        put(164, t663); // row 5, ZZ6R
     }
     // XY6: column
     {
-        let t688 = t180 - t181;
-        let t691 = c6 * t192 - s6 * t193;
-        let t694 = s6 * t192 + c6 * t193;
-        let t699 = z1_5_z * t694 + (z1_6_z * t688 - t218 * t691);
-        let t704 = t227 * t688 - t224 * t691 - z2_4_y * t694;
-        let t709 = c4 * t694 - (t228 * t691 + z3_5_y * t688);
-        let t712 = s5 * t691 - c5 * t688;
-        put(31, t699); // row 1, XY6
-        put(75, t704); // row 2, XY6
-        put(112, t709); // row 3, XY6
-        put(142, t712); // row 4, XY6
-        put(165, t694); // row 5, XY6
-        put(181, t688); // row 6, XY6
+        let t682 = t162 + t165;
+        let t685 = c6 * t166 - s6 * t167;
+        let t688 = s6 * t166 + c6 * t167;
+        let t693 = z1_5_z * t688 - (t214 * t685 - z1_6_z * t682);
+        let t698 = t223 * t682 - t220 * t685 - z2_4_y * t688;
+        let t703 = c4 * t688 - (t224 * t685 + z3_5_y * t682);
+        let t706 = s5 * t685 - c5 * t682;
+        put(31, t693); // row 1, XY6
+        put(75, t698); // row 2, XY6
+        put(112, t703); // row 3, XY6
+        put(142, t706); // row 4, XY6
+        put(165, t688); // row 5, XY6
+        put(181, t682); // row 6, XY6
     }
     // XZ6: column
     {
-        let t713 = t182 - t180;
-        let t715 = t558 - s6 * t713;
-        let t717 = t555 + c6 * t713;
-        let t722 = z1_5_z * t717 + (t191 * z1_6_z - t218 * t715);
-        let t727 = t191 * t227 - t224 * t715 - z2_4_y * t717;
-        let t732 = c4 * t717 - (t228 * t715 + t191 * z3_5_y);
-        let t735 = s5 * t715 - c5 * t191;
-        put(32, t722); // row 1, XZ6
-        put(76, t727); // row 2, XZ6
-        put(113, t732); // row 3, XZ6
-        put(143, t735); // row 4, XZ6
-        put(166, t717); // row 5, XZ6
+        let t708 = t552 + s6 * t161;
+        let t710 = t549 - c6 * t161;
+        let t715 = z1_5_z * t710 + (t151 * z1_6_z - t214 * t708);
+        let t720 = t151 * t223 - t220 * t708 - z2_4_y * t710;
+        let t725 = c4 * t710 - (t224 * t708 + t151 * z3_5_y);
+        let t728 = s5 * t708 - c5 * t151;
+        put(32, t715); // row 1, XZ6
+        put(76, t720); // row 2, XZ6
+        put(113, t725); // row 3, XZ6
+        put(143, t728); // row 4, XZ6
+        put(166, t710); // row 5, XZ6
     }
     // YZ6: column
     {
-        let t736 = t181 - t182;
-        let t738 = c6 * t736 - t602;
-        let t740 = t599 + s6 * t736;
-        let t745 = z1_5_z * t740 + (t188 * z1_6_z - t218 * t738);
-        let t750 = t188 * t227 - t224 * t738 - z2_4_y * t740;
-        let t755 = c4 * t740 - (t228 * t738 + t188 * z3_5_y);
-        let t758 = s5 * t738 - c5 * t188;
-        put(33, t745); // row 1, YZ6
-        put(77, t750); // row 2, YZ6
-        put(114, t755); // row 3, YZ6
-        put(144, t758); // row 4, YZ6
-        put(167, t740); // row 5, YZ6
+        let t729 = t131 - t165;
+        let t731 = t596 + c6 * t729;
+        let t733 = s6 * t729 - t593;
+        let t738 = z1_5_z * t733 + (t148 * z1_6_z - t214 * t731);
+        let t743 = t148 * t223 - t220 * t731 - z2_4_y * t733;
+        let t748 = c4 * t733 - (t224 * t731 + t148 * z3_5_y);
+        let t751 = s5 * t731 - c5 * t148;
+        put(33, t738); // row 1, YZ6
+        put(77, t743); // row 2, YZ6
+        put(114, t748); // row 3, YZ6
+        put(144, t751); // row 4, YZ6
+        put(167, t733); // row 5, YZ6
     }
     // MSX7: column
-    let [
-        t759, t760, t761, t762, t763, t764, t766, t767,
-        t769, t770, t771, t772, t774, t777, t779, t780,
-    ] = {
-        let t759 = w7_x * w7_x;
-        let t760 = t173 * t173;
-        let t761 = w7_z * w7_z;
-        let t762 = w7_x * t173;
-        let t763 = w7_x * w7_z;
-        let t764 = t173 * w7_z;
-        let t765 = t760 + t761;
-        let t766 = dw7_z + t762;
-        let t767 = t763 - t204;
-        let t768 = t762 - dw7_z;
-        let t769 = t759 + t761;
-        let t770 = dw7_x + t764;
-        let t771 = t204 + t763;
-        let t772 = t764 - dw7_x;
-        let t774 = s7 * t768;
-        let t775 = c7 * t765 - t774;
-        let t777 = c7 * t768;
-        let t778 = s7 * t765 + t777;
-        let t779 = s7 * a6_y;
-        let t780 = c7 * a6_y;
-        let t783 = c6 * t775 + s6 * t771;
-        let t789 = c6 * t779 - s6 * a7_y;
-        let t792 = s6 * t779 + c6 * a7_y;
-        let t795 = c5 * t783 - s5 * t778;
-        let t798 = s5 * t783 + c5 * t778;
-        let t807 = c5 * t789 + s5 * t780 + L3 * t798;
-        let t808 = s5 * t789 - c5 * t780 - L3 * t795;
-        let t817 = c4 * t792 - s4 * t807;
-        let t820 = c4 * t807 + s4 * t792 + L2 * t798;
-        let t821 = L2 * (c4 * t795 + s4 * (s6 * t775 - c6 * t771)) - t808;
-        let t826 = c2 * t817 + (z1_3_x * t820 + t207 * t821);
-        let t829 = c3 * t821 - s3 * t820;
-        put(34, t826); // row 1, MSX7
-        put(78, t829); // row 2, MSX7
-        put(115, t817); // row 3, MSX7
-        put(145, t808); // row 4, MSX7
-        put(168, t792); // row 5, MSX7
-        put(184, t780); // row 6, MSX7
-        put(195, t762); // row 7, XX7R
-        put(198, t770); // row 7, XZ7
-        put(199, t767); // row 7, YZ7
-        [
-        t759, t760, t761, t762, t763, t764, t766, t767,
-        t769, t770, t771, t772, t774, t777, t779, t780,
-    ]
+    let [t753, t756, t758, t759] = {
+        let t753 = s7 * t198;
+        let t754 = c7 * t196 + t753;
+        let t756 = c7 * t198;
+        let t757 = s7 * t196 - t756;
+        let t758 = s7 * a6_y;
+        let t759 = c7 * a6_y;
+        let t762 = c6 * t754 - s6 * t200;
+        let t768 = c6 * t758 - s6 * a7_y;
+        let t771 = s6 * t758 + c6 * a7_y;
+        let t774 = c5 * t762 - s5 * t757;
+        let t777 = s5 * t762 + c5 * t757;
+        let t786 = L3 * t777 - (c5 * t768 + s5 * t759);
+        let t787 = s5 * t768 - c5 * t759 + L3 * t774;
+        let t796 = s4 * t786 + c4 * t771;
+        let t799 = L2 * t777 - (s4 * t771 - c4 * t786);
+        let t800 = t787 + L2 * (c4 * t774 + s4 * (s6 * t754 + c6 * t200));
+        let t805 = c2 * t796 - (z1_3_x * t799 + t203 * t800);
+        let t808 = s3 * t799 - c3 * t800;
+        put(34, t805); // row 1, MSX7
+        put(78, t808); // row 2, MSX7
+        put(115, t796); // row 3, MSX7
+        put(145, t787); // row 4, MSX7
+        put(168, t771); // row 5, MSX7
+        put(184, t759); // row 6, MSX7
+        [t753, t756, t758, t759]
     };
     // MSY7: column
-    let [t830, t833] = {
-        let t830 = c7 * t766;
-        let t832 = s7 * t769 - t830;
-        let t833 = s7 * t766;
-        let t835 = t833 + c7 * t769;
-        let t838 = c6 * t832 + s6 * t772;
-        let t844 = c6 * t780 - s6 * t196;
-        let t847 = s6 * t780 + c6 * t196;
-        let t850 = c5 * t838 + s5 * t835;
-        let t853 = s5 * t838 - c5 * t835;
-        let t862 = L3 * t853 - (c5 * t844 - s5 * t779);
-        let t863 = s5 * t844 + c5 * t779 + L3 * t850;
-        let t872 = s4 * t862 + c4 * t847;
-        let t875 = s4 * t847 - c4 * t862 - L2 * t853;
-        let t876 = L2 * (s4 * (c6 * t772 - s6 * t832) - c4 * t850) - t863;
-        let t881 = c2 * t872 + (z1_3_x * t875 + t207 * t876);
-        let t884 = c3 * t876 - s3 * t875;
-        put(35, t881); // row 1, MSY7
-        put(79, t884); // row 2, MSY7
-        put(116, t872); // row 3, MSY7
-        put(146, t863); // row 4, MSY7
-        put(169, t847); // row 5, MSY7
-        [t830, t833]
+    let [t809, t812] = {
+        let t809 = c7 * t197;
+        let t811 = t809 - s7 * t199;
+        let t812 = s7 * t197;
+        let t814 = t812 + c7 * t199;
+        let t817 = c6 * t811 - s6 * t201;
+        let t823 = s6 * t176 - c6 * t759;
+        let t826 = s6 * t759 + c6 * t176;
+        let t829 = s5 * t814 - c5 * t817;
+        let t832 = s5 * t817 + c5 * t814;
+        let t841 = L3 * t832 - (c5 * t823 + s5 * t758);
+        let t842 = c5 * t758 - s5 * t823 + L3 * t829;
+        let t851 = c4 * t826 - s4 * t841;
+        let t854 = c4 * t841 + s4 * t826 + L2 * t832;
+        let t855 = L2 * (s4 * (s6 * t811 + c6 * t201) - c4 * t829) - t842;
+        let t860 = c2 * t851 + (z1_3_x * t854 + t203 * t855);
+        let t863 = c3 * t855 - s3 * t854;
+        put(35, t860); // row 1, MSY7
+        put(79, t863); // row 2, MSY7
+        put(116, t851); // row 3, MSY7
+        put(146, t842); // row 4, MSY7
+        put(169, t826); // row 5, MSY7
+        [t809, t812]
     };
     // XX7: column
-    let [t886, t889, t890] = {
-        let t886 = s7 * t763;
-        let t887 = c7 * dw7_x - t886;
-        let t889 = c7 * t763;
-        let t890 = s7 * dw7_x + t889;
-        let t893 = s6 * t762 - c6 * t887;
-        let t896 = s6 * t887 + c6 * t762;
-        let t901 = z1_5_z * t896 + (t218 * t893 - z1_6_z * t890);
-        let t906 = t224 * t893 - t227 * t890 - z2_4_y * t896;
-        let t911 = c4 * t896 + (t228 * t893 + z3_5_y * t890);
-        let t914 = c5 * t890 - s5 * t893;
-        put(36, t901); // row 1, XX7R
-        put(80, t906); // row 2, XX7R
-        put(117, t911); // row 3, XX7R
-        put(147, t914); // row 4, XX7R
-        put(170, t896); // row 5, XX7R
-        [t886, t889, t890]
+    let [t865, t868, t893] = {
+        let t865 = s7 * t191;
+        let t866 = c7 * t193 + t865;
+        let t868 = c7 * t191;
+        let t869 = s7 * t193 - t868;
+        let t872 = c6 * t866 + s6 * t190;
+        let t875 = c6 * t190 - s6 * t866;
+        let t880 = z1_5_z * t875 + (t214 * t872 + z1_6_z * t869);
+        let t885 = t220 * t872 + t223 * t869 - z2_4_y * t875;
+        let t890 = c4 * t875 - (z3_5_y * t869 - t224 * t872);
+        let t893 = s5 * t872 + c5 * t869;
+        put(36, t880); // row 1, XX7R
+        put(80, t885); // row 2, XX7R
+        put(117, t890); // row 3, XX7R
+        put(170, t875); // row 5, XX7R
+        put(186, t869); // row 6, XX7R
+        [t865, t868, t893]
     };
     // ZZ7: column
     {
-        let t916 = t886 - c7 * t764;
-        let t918 = t889 + s7 * t764;
-        let t921 = c6 * t916 - s6 * dw7_z;
-        let t924 = s6 * t916 + c6 * dw7_z;
-        let t929 = z1_5_z * t924 - (t218 * t921 - z1_6_z * t918);
-        let t934 = t227 * t918 - t224 * t921 - z2_4_y * t924;
-        let t939 = c4 * t924 - (t228 * t921 + z3_5_y * t918);
-        let t942 = s5 * t921 - c5 * t918;
-        put(37, t929); // row 1, ZZ7
-        put(81, t934); // row 2, ZZ7
-        put(118, t939); // row 3, ZZ7
-        put(148, t942); // row 4, ZZ7
-        put(171, t924); // row 5, ZZ7
-        put(187, t918); // row 6, ZZ7
+        let t895 = t865 - c7 * t192;
+        let t897 = t868 + s7 * t192;
+        let t900 = c6 * t895 - s6 * dw7_z;
+        let t903 = s6 * t895 + c6 * dw7_z;
+        let t908 = z1_5_z * t903 + (z1_6_z * t897 - t214 * t900);
+        let t913 = t223 * t897 - t220 * t900 - z2_4_y * t903;
+        let t918 = c4 * t903 - (t224 * t900 + z3_5_y * t897);
+        let t921 = s5 * t900 - c5 * t897;
+        put(37, t908); // row 1, ZZ7
+        put(81, t913); // row 2, ZZ7
+        put(118, t918); // row 3, ZZ7
+        put(148, t921); // row 4, ZZ7
+        put(171, t903); // row 5, ZZ7
+        put(187, t897); // row 6, ZZ7
     }
     // XY7: column
     {
-        let t943 = t759 - t760;
-        let t946 = s7 * t772 - c7 * t771;
-        let t949 = s7 * t771 + c7 * t772;
-        let t952 = c6 * t946 - s6 * t943;
-        let t955 = s6 * t946 + c6 * t943;
-        let t960 = z1_5_z * t955 - (t218 * t952 - z1_6_z * t949);
-        let t965 = t227 * t949 - t224 * t952 - z2_4_y * t955;
-        let t970 = c4 * t955 - (t228 * t952 + z3_5_y * t949);
-        let t973 = s5 * t952 - c5 * t949;
-        put(38, t960); // row 1, XY7
-        put(82, t965); // row 2, XY7
-        put(119, t970); // row 3, XY7
-        put(149, t973); // row 4, XY7
-        put(172, t955); // row 5, XY7
-        put(188, t949); // row 6, XY7
-        put(197, t943); // row 7, XY7
+        let t922 = t196 + t199;
+        let t925 = s7 * t201 - c7 * t200;
+        let t928 = s7 * t200 + c7 * t201;
+        let t931 = c6 * t925 - s6 * t922;
+        let t934 = s6 * t925 + c6 * t922;
+        let t939 = z1_5_z * t934 + (z1_6_z * t928 - t214 * t931);
+        let t944 = t223 * t928 - t220 * t931 - z2_4_y * t934;
+        let t949 = c4 * t934 - (t224 * t931 + z3_5_y * t928);
+        let t952 = s5 * t931 - c5 * t928;
+        put(38, t939); // row 1, XY7
+        put(82, t944); // row 2, XY7
+        put(119, t949); // row 3, XY7
+        put(149, t952); // row 4, XY7
+        put(172, t934); // row 5, XY7
+        put(188, t928); // row 6, XY7
+        put(197, t922); // row 7, XY7
     }
     // XZ7: column
     {
-        let t974 = t759 - t761;
-        let t976 = s7 * t974 - t777;
-        let t978 = t774 + c7 * t974;
-        let t981 = c6 * t976 - s6 * t770;
-        let t984 = s6 * t976 + c6 * t770;
-        let t989 = z1_5_z * t984 + (z1_6_z * t978 - t218 * t981);
-        let t994 = t227 * t978 - t224 * t981 - z2_4_y * t984;
-        let t999 = c4 * t984 - (t228 * t981 + z3_5_y * t978);
-        let t1002 = s5 * t981 - c5 * t978;
-        put(39, t989); // row 1, XZ7
-        put(83, t994); // row 2, XZ7
-        put(120, t999); // row 3, XZ7
-        put(150, t1002); // row 4, XZ7
-        put(173, t984); // row 5, XZ7
-        put(189, t978); // row 6, XZ7
+        let t954 = s7 * t195 - t756;
+        let t956 = t753 + c7 * t195;
+        let t959 = c6 * t954 - s6 * t185;
+        let t962 = s6 * t954 + c6 * t185;
+        let t967 = z1_5_z * t962 + (z1_6_z * t956 - t214 * t959);
+        let t972 = t223 * t956 - t220 * t959 - z2_4_y * t962;
+        let t977 = c4 * t962 - (t224 * t959 + z3_5_y * t956);
+        let t980 = s5 * t959 - c5 * t956;
+        put(39, t967); // row 1, XZ7
+        put(83, t972); // row 2, XZ7
+        put(120, t977); // row 3, XZ7
+        put(150, t980); // row 4, XZ7
+        put(173, t962); // row 5, XZ7
+        put(189, t956); // row 6, XZ7
     }
     // YZ7: column
     {
-        let t1003 = t760 - t761;
-        let t1005 = t833 - c7 * t1003;
-        let t1007 = t830 + s7 * t1003;
-        let t1010 = c6 * t1005 + s6 * t767;
-        let t1013 = c6 * t767 - s6 * t1005;
-        let t1018 = z1_5_z * t1013 + (t218 * t1010 - z1_6_z * t1007);
-        let t1023 = t224 * t1010 - t227 * t1007 - z2_4_y * t1013;
-        let t1028 = c4 * t1013 + (t228 * t1010 + z3_5_y * t1007);
-        let t1031 = c5 * t1007 - s5 * t1010;
-        let t1032 = dq1.sign();
-        let t1033 = dq2.sign();
-        let t1034 = dq3.sign();
-        let t1035 = dq4.sign();
-        let t1036 = dq5.sign();
-        let t1037 = dq6.sign();
-        let t1038 = dq7.sign();
-        let t1039 = -a2_x;
-        let t1040 = -t25;
-        let t1041 = -t278;
-        let t1042 = -t284;
-        let t1043 = -t71;
-        let t1044 = -t312;
-        let t1045 = -t498;
-        let t1046 = -t577;
-        let t1047 = -t560;
-        let t1048 = -t183;
-        let t1049 = -t779;
-        let t1050 = -t890;
-        let t1051 = -t1007;
-        put(40, t1018); // row 1, YZ7
-        put(42, t1032); // row 1, FC1
-        put(44, t1039); // row 2, MSY2R
-        put(45, t1040); // row 2, XX2R
-        put(56, t1041); // row 2, YZ3
-        put(84, t1023); // row 2, YZ7
-        put(86, t1033); // row 2, FC2
-        put(88, t1042); // row 3, MSY3R
-        put(92, t1043); // row 3, XZ3
-        put(94, t1044); // row 3, MSX4
-        put(121, t1028); // row 3, YZ7
-        put(123, t1034); // row 3, FC3
-        put(134, t1045); // row 4, ZZ5R
-        put(138, t1046); // row 4, MSX6
-        put(151, t1031); // row 4, YZ7
-        put(153, t1035); // row 4, FC4
-        put(162, t1047); // row 5, MSY6R
-        put(174, t1013); // row 5, YZ7
-        put(176, t1036); // row 5, FC5
-        put(179, t1048); // row 6, XX6R
-        put(185, t1049); // row 6, MSY7
-        put(186, t1050); // row 6, XX7R
-        put(190, t1051); // row 6, YZ7
-        put(192, t1037); // row 6, FC6
-        put(201, t1038); // row 7, FC7
+        let t981 = t199 - t165;
+        let t983 = t812 + c7 * t981;
+        let t985 = s7 * t981 - t809;
+        let t988 = c6 * t983 + s6 * t182;
+        let t991 = c6 * t182 - s6 * t983;
+        let t996 = z1_5_z * t991 + (t214 * t988 + z1_6_z * t985);
+        let t1001 = t220 * t988 + t223 * t985 - z2_4_y * t991;
+        let t1006 = c4 * t991 + (t224 * t988 - z3_5_y * t985);
+        let t1010 = dq1.sign();
+        let t1011 = dq2.sign();
+        let t1012 = dq3.sign();
+        let t1013 = dq4.sign();
+        let t1014 = dq5.sign();
+        let t1015 = dq6.sign();
+        let t1016 = dq7.sign();
+        let t1017 = -a2_x;
+        let t1018 = -t9;
+        let t1019 = -t487;
+        let t1020 = -t504;
+        let t1021 = -t37;
+        let t1022 = -t308;
+        let t1023 = -t82;
+        let t1024 = -t77;
+        let t1025 = -t74;
+        let t1026 = -t893;
+        let t1027 = -(s5 * t988 + c5 * t985);
+        let t1028 = -t554;
+        let t1029 = -t156;
+        let t1030 = -t758;
+        put(40, t996); // row 1, YZ7
+        put(42, t1010); // row 1, FC1
+        put(44, t1017); // row 2, MSY2R
+        put(45, t1018); // row 2, XX2R
+        put(67, t1019); // row 2, ZZ5R
+        put(68, t1020); // row 2, XY5
+        put(84, t1001); // row 2, YZ7
+        put(86, t1011); // row 2, FC2
+        put(87, t1021); // row 3, MSX3
+        put(94, t1022); // row 3, MSX4
+        put(121, t1006); // row 3, YZ7
+        put(123, t1012); // row 3, FC3
+        put(126, t1023); // row 4, XX4R
+        put(129, t1024); // row 4, XZ4
+        put(130, t1025); // row 4, YZ4
+        put(147, t1026); // row 4, XX7R
+        put(151, t1027); // row 4, YZ7
+        put(153, t1013); // row 4, FC4
+        put(162, t1028); // row 5, MSY6R
+        put(174, t991); // row 5, YZ7
+        put(176, t1014); // row 5, FC5
+        put(179, t1029); // row 6, XX6R
+        put(185, t1030); // row 6, MSY7
+        put(190, t985); // row 6, YZ7
+        put(192, t1015); // row 6, FC6
+        put(201, t1016); // row 7, FC7
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! `ddq = M^-1 (tau - C dq - g - friction)`, rad/s^2, from the base parameters; `M = L D L'` written out.
 //!
-//! 668 multiplications, 536 additions; 7, 7 of 7 structurally nonzero.
+//! 655 multiplications, 529 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -216,400 +216,410 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t349 = ZZ1R + t348;
         t349
     };
+    // link 1: motion
+    let t350 = {
+        let t350 = dq1 * dq1;
+        t350
+    };
     // link 2: motion
-    let [w2_x, w2_y, a2_x, a2_y, dw2_x, t355] = {
+    let [
+        w2_x, w2_y, a2_x, a2_y, t357, t358, dw2_x, t360,
+        t361, t362, t363, t364,
+    ] = {
         let w2_x = s2 * dq1;
         let w2_y = c2 * dq1;
         let a2_x = s2 * k2;
         let a2_y = c2 * k2;
+        let t355 = w2_x * w2_x;
+        let t356 = dq2 * dq2;
+        let t357 = w2_x * w2_y;
+        let t358 = dq2 * w2_x;
         let dw2_x = dq2 * w2_y;
-        let t355 = dq2 * w2_x;
-        [w2_x, w2_y, a2_x, a2_y, dw2_x, t355]
+        let t360 = t355 - t356;
+        let t361 = t360 - t350;
+        let t362 = t355 + t356;
+        let t363 = t358 + t358;
+        let t364 = dw2_x + dw2_x;
+        [
+        w2_x, w2_y, a2_x, a2_y, t357, t358, dw2_x, t360,
+        t361, t362, t363, t364,
+    ]
     };
     // link 3: motion
     let [
-        w3_x, t361, t364, t365, t366, t367, t369, t370,
-        a3_z, a3_x, t381, w3_z, dw3_x, t386,
+        w3_x, t370, a3_z, a3_x, t381, t384, t387, w3_z,
+        t391, t392, t393, dw3_x, dw3_y, t396, t397, t398,
+        t399, t400, t401, t402,
     ] = {
         let w3_x = c3 * w2_x - s3 * dq2;
-        let t361 = c3 * dq2 + s3 * w2_x;
-        let t364 = w2_x * w2_x;
-        let t365 = w2_y * w2_y;
-        let t366 = dq2 * dq2;
-        let t367 = w2_x * w2_y;
-        let t369 = t355 + t355;
-        let t370 = dw2_x + dw2_x;
-        let t373 = L2 * t370;
-        let t374 = a2_x + L2 * t367;
-        let a3_z = a2_y - L2 * (t364 + t366);
+        let t370 = c3 * dq2 + s3 * w2_x;
+        let t373 = L2 * t364;
+        let t374 = a2_x + L2 * t357;
+        let a3_z = a2_y - L2 * t362;
         let a3_x = c3 * t374 - s3 * t373;
         let t381 = c3 * t373 + s3 * t374;
+        let t384 = c3 * t357 - s3 * t364;
+        let t387 = c3 * t364 + s3 * t357;
         let w3_z = w2_y + dq3;
-        let dw3_x = c3 * dw2_x - dq3 * t361;
-        let t386 = s3 * dw2_x + dq3 * w3_x;
+        let t389 = w3_x * w3_x;
+        let t390 = w3_z * w3_z;
+        let t391 = w3_x * t370;
+        let t392 = w3_x * w3_z;
+        let t393 = t370 * w3_z;
+        let dw3_x = t387 - t393;
+        let dw3_y = t384 - t392;
+        let t396 = t389 - t390;
+        let t397 = t396 - t362;
+        let t398 = t358 - t391;
+        let t399 = t358 + t391;
+        let t400 = t389 + t390;
+        let t401 = t392 - dw3_y;
+        let t402 = dw3_x - t393;
         [
-        w3_x, t361, t364, t365, t366, t367, t369, t370,
-        a3_z, a3_x, t381, w3_z, dw3_x, t386,
+        w3_x, t370, a3_z, a3_x, t381, t384, t387, w3_z,
+        t391, t392, t393, dw3_x, dw3_y, t396, t397, t398,
+        t399, t400, t401, t402,
     ]
     };
     // link 4: motion
     let [
-        w4_x, t392, t399, t400, t401, t402, t403, t404,
-        t405, t406, t407, t408, t409, t410, t411, t412,
-        a4_x, t418, w4_z, dw4_x, dw4_y,
+        w4_x, t408, a4_x, t414, t417, t420, w4_z, t424,
+        t425, t426, dw4_x, dw4_y, t429, t430, t431, t432,
+        t433, t434, t435,
     ] = {
         let w4_x = c4 * w3_x - s4 * w3_z;
-        let t392 = c4 * w3_z + s4 * w3_x;
-        let t399 = w3_x * w3_x;
-        let t400 = t361 * t361;
-        let t401 = w3_z * w3_z;
-        let t402 = w3_x * t361;
-        let t403 = w3_x * w3_z;
-        let t404 = t361 * w3_z;
-        let t405 = t400 + t401;
-        let t406 = t355 - t402;
-        let t407 = t403 - t386;
-        let t408 = t355 + t402;
-        let t409 = t399 + t401;
-        let t410 = dw3_x + t404;
-        let t411 = t386 + t403;
-        let t412 = dw3_x - t404;
+        let t408 = c4 * w3_z + s4 * w3_x;
         let a4_x = c4 * a3_x - s4 * a3_z;
-        let t418 = c4 * a3_z + s4 * a3_x;
-        let w4_z = dq4 - t361;
-        let dw4_x = c4 * dw3_x + s4 * t355 - dq4 * t392;
-        let dw4_y = c4 * t355 - s4 * dw3_x - dq4 * w4_x;
+        let t414 = c4 * a3_z + s4 * a3_x;
+        let t417 = c4 * t398 - s4 * t402;
+        let t420 = c4 * t402 + s4 * t398;
+        let w4_z = dq4 - t370;
+        let t422 = w4_x * w4_x;
+        let t423 = w4_z * w4_z;
+        let t424 = w4_x * t408;
+        let t425 = w4_x * w4_z;
+        let t426 = t408 * w4_z;
+        let dw4_x = t420 - t426;
+        let dw4_y = t417 - t425;
+        let t429 = t422 - t423;
+        let t430 = t429 - t400;
+        let t431 = dw3_y + t424;
+        let t432 = dw3_y - t424;
+        let t433 = t422 + t423;
+        let t434 = t425 - dw4_y;
+        let t435 = dw4_x - t426;
         [
-        w4_x, t392, t399, t400, t401, t402, t403, t404,
-        t405, t406, t407, t408, t409, t410, t411, t412,
-        a4_x, t418, w4_z, dw4_x, dw4_y,
+        w4_x, t408, a4_x, t414, t417, t420, w4_z, t424,
+        t425, t426, dw4_x, dw4_y, t429, t430, t431, t432,
+        t433, t434, t435,
     ]
     };
     // link 5: motion
     let [
-        w5_x, w5_y, t436, t437, t438, t439, t440, t441,
-        t442, t443, t444, t445, t446, t447, t448, t449,
-        t454, a5_x, a6_z, w5_z, dw5_x, dw6_z,
+        w5_x, w5_y, t446, a5_x, a6_z, t456, t459, w5_z,
+        t463, t464, t465, dw5_x, dw5_y, t468, t469, t470,
+        t471, t472, t473, t474,
     ] = {
         let w5_x = c5 * w4_x + s5 * w4_z;
         let w5_y = c5 * w4_z - s5 * w4_x;
-        let t436 = w4_x * w4_x;
-        let t437 = t392 * t392;
-        let t438 = w4_z * w4_z;
-        let t439 = w4_x * t392;
-        let t440 = w4_x * w4_z;
-        let t441 = t392 * w4_z;
-        let t442 = t437 + t438;
-        let t443 = t386 - t439;
-        let t444 = dw4_y + t440;
-        let t445 = t386 + t439;
-        let t446 = t436 + t438;
-        let t447 = dw4_x + t441;
-        let t448 = t440 - dw4_y;
-        let t449 = dw4_x - t441;
-        let t453 = a4_x - L3 * t443;
-        let t454 = L3 * t446 - t418;
-        let t455 = t381 + L3 * t449;
-        let a5_x = c5 * t453 - s5 * t455;
-        let a6_z = c5 * t455 + s5 * t453;
-        let w5_z = t392 + dq5;
-        let dw5_x = c5 * dw4_x - s5 * t386 + dq5 * w5_y;
-        let dw6_z = c5 * t386 + s5 * dw4_x + dq5 * w5_x;
+        let t445 = a4_x + L3 * t431;
+        let t446 = L3 * t433 - t414;
+        let t447 = t381 + L3 * t435;
+        let a5_x = c5 * t445 - s5 * t447;
+        let a6_z = c5 * t447 + s5 * t445;
+        let t456 = c5 * t431 - s5 * t435;
+        let t459 = c5 * t435 + s5 * t431;
+        let w5_z = t408 + dq5;
+        let t461 = w5_x * w5_x;
+        let t462 = w5_z * w5_z;
+        let t463 = w5_x * w5_y;
+        let t464 = w5_x * w5_z;
+        let t465 = w5_y * w5_z;
+        let dw5_x = t459 + t465;
+        let dw5_y = t456 - t464;
+        let t468 = t461 - t462;
+        let t469 = t468 - t433;
+        let t470 = dw4_y + t463;
+        let t471 = t463 - dw4_y;
+        let t472 = t461 + t462;
+        let t473 = t464 - dw5_y;
+        let t474 = t465 + dw5_x;
         [
-        w5_x, w5_y, t436, t437, t438, t439, t440, t441,
-        t442, t443, t444, t445, t446, t447, t448, t449,
-        t454, a5_x, a6_z, w5_z, dw5_x, dw6_z,
+        w5_x, w5_y, t446, a5_x, a6_z, t456, t459, w5_z,
+        t463, t464, t465, dw5_x, dw5_y, t468, t469, t470,
+        t471, t472, t473, t474,
     ]
     };
     // link 6: motion
     let [
-        w6_x, w6_y, t479, t480, t481, t482, t483, t484,
-        t485, t486, t487, t488, t489, t490, t491, t492,
-        a6_x, t498, w6_z, dw6_x, t503,
+        w6_x, w6_y, a6_x, t486, t489, t492, w6_z, t496,
+        t497, t498, dw6_x, t500, t501, t502, t503, t504,
+        t505, t506, t507,
     ] = {
         let w6_x = c6 * w5_x + s6 * w5_z;
         let w6_y = c6 * w5_z - s6 * w5_x;
-        let t479 = w5_x * w5_x;
-        let t480 = w5_y * w5_y;
-        let t481 = w5_z * w5_z;
-        let t482 = w5_x * w5_y;
-        let t483 = w5_x * w5_z;
-        let t484 = w5_y * w5_z;
-        let t485 = t480 + t481;
-        let t486 = dw4_y + t482;
-        let t487 = t483 - dw6_z;
-        let t488 = t482 - dw4_y;
-        let t489 = t479 + t481;
-        let t490 = t484 - dw5_x;
-        let t491 = dw6_z + t483;
-        let t492 = dw5_x + t484;
-        let a6_x = c6 * a5_x - s6 * t454;
-        let t498 = c6 * t454 + s6 * a5_x;
+        let a6_x = c6 * a5_x - s6 * t446;
+        let t486 = c6 * t446 + s6 * a5_x;
+        let t489 = c6 * t470 + s6 * t474;
+        let t492 = s6 * t470 - c6 * t474;
         let w6_z = dq6 - w5_y;
-        let dw6_x = c6 * dw5_x - s6 * dw4_y + dq6 * w6_y;
-        let t503 = c6 * dw4_y + s6 * dw5_x + dq6 * w6_x;
+        let t494 = w6_x * w6_x;
+        let t495 = w6_z * w6_z;
+        let t496 = w6_x * w6_y;
+        let t497 = w6_x * w6_z;
+        let t498 = w6_y * w6_z;
+        let dw6_x = t498 - t492;
+        let t500 = t489 + t497;
+        let t501 = t494 - t495;
+        let t502 = t501 - t472;
+        let t503 = dw5_y + t496;
+        let t504 = t496 - dw5_y;
+        let t505 = t494 + t495;
+        let t506 = t497 + t500;
+        let t507 = t498 + dw6_x;
         [
-        w6_x, w6_y, t479, t480, t481, t482, t483, t484,
-        t485, t486, t487, t488, t489, t490, t491, t492,
-        a6_x, t498, w6_z, dw6_x, t503,
+        w6_x, w6_y, a6_x, t486, t489, t492, w6_z, t496,
+        t497, t498, dw6_x, t500, t501, t502, t503, t504,
+        t505, t506, t507,
     ]
     };
     // link 7: motion
     let [
-        w7_x, t509, t516, t517, t518, t519, t520, t521,
-        t522, t523, t524, t525, t526, t527, t528, t529,
-        a7_x, t535, w7_z, dw7_x, t540,
+        a7_x, t519, t522, t525, t529, t530, t531, dw7_x,
+        t534, t535, t536, t537, t538, t539, t540,
     ] = {
         let w7_x = c7 * w6_x - s7 * w6_z;
-        let t509 = c7 * w6_z + s7 * w6_x;
-        let t516 = w6_x * w6_x;
-        let t517 = w6_y * w6_y;
-        let t518 = w6_z * w6_z;
-        let t519 = w6_x * w6_y;
-        let t520 = w6_x * w6_z;
-        let t521 = w6_y * w6_z;
-        let t522 = t517 + t518;
-        let t523 = t519 - dw6_z;
-        let t524 = t520 - t503;
-        let t525 = dw6_z + t519;
-        let t526 = t516 + t518;
-        let t527 = t521 - dw6_x;
-        let t528 = t503 + t520;
-        let t529 = dw6_x + t521;
+        let t513 = c7 * w6_z + s7 * w6_x;
         let a7_x = c7 * a6_x - s7 * a6_z;
-        let t535 = c7 * a6_z + s7 * a6_x;
+        let t519 = c7 * a6_z + s7 * a6_x;
+        let t522 = c7 * t503 - s7 * t507;
+        let t525 = c7 * t507 + s7 * t503;
         let w7_z = w6_y + dq7;
-        let dw7_x = c7 * dw6_x - s7 * dw6_z - dq7 * t509;
-        let t540 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
+        let t527 = w7_x * w7_x;
+        let t528 = w7_z * w7_z;
+        let t529 = w7_x * t513;
+        let t530 = w7_x * w7_z;
+        let t531 = t513 * w7_z;
+        let dw7_x = t525 - t531;
+        let dw7_y = t522 - t530;
+        let t534 = t527 - t528;
+        let t535 = t534 - t505;
+        let t536 = t500 - t529;
+        let t537 = t500 + t529;
+        let t538 = t527 + t528;
+        let t539 = t530 - dw7_y;
+        let t540 = dw7_x - t531;
         [
-        w7_x, t509, t516, t517, t518, t519, t520, t521,
-        t522, t523, t524, t525, t526, t527, t528, t529,
-        a7_x, t535, w7_z, dw7_x, t540,
+        a7_x, t519, t522, t525, t529, t530, t531, dw7_x,
+        t534, t535, t536, t537, t538, t539, t540,
     ]
     };
     // link 7: force and moment
-    let [f7_z, n7_z, t603, t606, t609, t612] = {
-        let t541 = w7_x * w7_x;
-        let t542 = t509 * t509;
-        let t543 = w7_z * w7_z;
-        let t544 = w7_x * t509;
-        let t545 = w7_x * w7_z;
-        let t546 = t509 * w7_z;
-        let t548 = t503 - t544;
-        let t550 = t503 + t544;
-        let t553 = t540 + t545;
-        let t554 = dw7_x - t546;
-        let t573 = XZ7 * (dw7_x + t546);
-        let t578 = YZ7 * (t542 - t543);
-        let t579 = YZ7 * t548;
-        let t580 = YZ7 * (t545 - t540);
-        let t581 = XX7R * dw7_x - ZZ7 * t546 - XY7 * t553 - XZ7 * t550 + t578;
-        let t582 = t545 * (XX7R - ZZ7) + XY7 * t554 + XZ7 * (t543 - t541) - t579;
-        let t583 = XX7R * t544 - ZZ7 * t503 + XY7 * (t541 - t542) + t573 + t580;
-        let f7_x = MSY7 * t548 - MSX7 * (t542 + t543);
-        let t589 = MSX7 * t550 + MSY7 * (t541 + t543);
-        let f7_z = MSX7 * t553 + MSY7 * t554;
-        let n7_x = t581 - MSY7 * t498;
-        let n7_y = t582 + MSX7 * t498;
-        let n7_z = t583 - (MSX7 * t535 + MSY7 * a7_x);
-        let t603 = c7 * f7_x + s7 * t589;
-        let t606 = s7 * f7_x - c7 * t589;
-        let t609 = c7 * n7_x - s7 * n7_y;
-        let t612 = s7 * n7_x + c7 * n7_y;
-        [f7_z, n7_z, t603, t606, t609, t612]
+    let [f7_z, n7_z, t588, t591, t594, t597] = {
+        let t561 = XX7R * t529 - ZZ7 * t500 + XY7 * (t535 + t538) + XZ7 * t525;
+        let t563 = YZ7 * (t505 - t538);
+        let t566 = XX7R * dw7_x - ZZ7 * t531 - XY7 * t539 - XZ7 * t537 + t563;
+        let t567 = t530 * (XX7R - ZZ7) + XY7 * t540 - XZ7 * t534 - YZ7 * t536;
+        let f7_x = MSX7 * t535 + MSY7 * t536;
+        let t574 = MSX7 * t537 + MSY7 * t538;
+        let f7_z = MSX7 * t539 + MSY7 * t540;
+        let n7_x = t566 - MSY7 * t486;
+        let n7_y = t567 + MSX7 * t486;
+        let n7_z = t561 + YZ7 * t522 - (MSX7 * t519 + MSY7 * a7_x);
+        let t588 = c7 * f7_x + s7 * t574;
+        let t591 = s7 * f7_x - c7 * t574;
+        let t594 = c7 * n7_x - s7 * n7_y;
+        let t597 = s7 * n7_x + c7 * n7_y;
+        [f7_z, n7_z, t588, t591, t594, t597]
     };
     // link 6: force and moment
-    let [f6_z, n6_z, t667, t670, t673, t676] = {
-        let t634 = ZZ6R * dw6_z - XX6R * t519 + XY6 * (t516 - t517) - XZ6 * t527;
-        let t636 = YZ6 * (t517 - t518);
-        let t637 = YZ6 * t523;
-        let t639 = ZZ6R * t521 + XX6R * dw6_x - XY6 * t528 + XZ6 * t525 + t636;
-        let t640 = t520 * (XX6R - ZZ6R) + XY6 * t529 + XZ6 * (t518 - t516) - t637;
-        let f6_x = t603 + (MSY6R * t523 - MSX6 * t522);
-        let f6_y = f7_z + (MSX6 * t525 - MSY6R * t526);
-        let f6_z = MSX6 * t528 + MSY6R * t529 - t606;
-        let n6_x = t609 + (t639 + MSY6R * a6_z);
-        let n6_y = n7_z + (t640 - MSX6 * a6_z);
-        let n6_z = t634 + YZ6 * t524 - (MSX6 * t498 + MSY6R * a6_x) - t612;
-        let t667 = c6 * f6_x - s6 * f6_y;
-        let t670 = s6 * f6_x + c6 * f6_y;
-        let t673 = c6 * n6_x - s6 * n6_y;
-        let t676 = s6 * n6_x + c6 * n6_y;
-        [f6_z, n6_z, t667, t670, t673, t676]
+    let [f6_z, n6_z, t651, t654, t657, t660] = {
+        let t618 = XY6 * (t502 + t505) - (XX6R * t496 + ZZ6R * dw5_y) - XZ6 * t492;
+        let t620 = YZ6 * (t472 - t505);
+        let t623 = ZZ6R * t498 + XX6R * dw6_x - XY6 * t506 + XZ6 * t504 + t620;
+        let t624 = t497 * (XX6R - ZZ6R) + XY6 * t507 - XZ6 * t501 - YZ6 * t503;
+        let f6_x = t588 + (MSX6 * t502 + MSY6R * t503);
+        let f6_y = f7_z + (MSX6 * t504 - MSY6R * t505);
+        let f6_z = MSX6 * t506 + MSY6R * t507 - t591;
+        let n6_x = t594 + (t623 + MSY6R * a6_z);
+        let n6_y = n7_z + (t624 - MSX6 * a6_z);
+        let n6_z = t618 - YZ6 * t489 - (MSX6 * t486 + MSY6R * a6_x) - t597;
+        let t651 = c6 * f6_x - s6 * f6_y;
+        let t654 = s6 * f6_x + c6 * f6_y;
+        let t657 = c6 * n6_x - s6 * n6_y;
+        let t660 = s6 * n6_x + c6 * n6_y;
+        [f6_z, n6_z, t651, t654, t657, t660]
     };
     // link 5: force and moment
-    let [f5_z, n5_z, t731, t734, t743, t744] = {
-        let t698 = XY5 * (t479 - t480) - (XX5R * t482 + ZZ5R * dw4_y) - XZ5 * t490;
-        let t700 = YZ5 * (t480 - t481);
-        let t701 = YZ5 * t486;
-        let t703 = ZZ5R * t484 + XX5R * dw5_x - XY5 * t491 + XZ5 * t488 + t700;
-        let t704 = t483 * (XX5R - ZZ5R) + XY5 * t492 + XZ5 * (t481 - t479) - t701;
-        let f5_x = t667 + (MSY5R * t486 - MSX5 * t485);
-        let f5_y = MSX5 * t488 - MSY5R * t489 - f6_z;
-        let f5_z = t670 + (MSX5 * t491 + MSY5R * t492);
-        let n5_x = t673 + (t703 - MSY5R * t454);
-        let n5_y = t704 + MSX5 * t454 - n6_z;
-        let n5_z = t676 + (t698 + YZ5 * t487 - (MSX5 * a6_z + MSY5R * a5_x));
-        let t731 = c5 * f5_x - s5 * f5_y;
-        let t734 = s5 * f5_x + c5 * f5_y;
-        let t743 = c5 * n5_x - s5 * n5_y - L3 * t734;
-        let t744 = s5 * n5_x + c5 * n5_y + L3 * t731;
-        [f5_z, n5_z, t731, t734, t743, t744]
+    let [f5_z, n5_z, t714, t717, t726, t727] = {
+        let t681 = XY5 * (t469 + t472) - (XX5R * t463 + ZZ5R * dw4_y) + XZ5 * t459;
+        let t683 = YZ5 * (t433 - t472);
+        let t686 = ZZ5R * t465 + XX5R * dw5_x - XY5 * t473 + XZ5 * t471 + t683;
+        let t687 = t464 * (XX5R - ZZ5R) + XY5 * t474 - XZ5 * t468 - YZ5 * t470;
+        let f5_x = t651 + (MSX5 * t469 + MSY5R * t470);
+        let f5_y = MSX5 * t471 - MSY5R * t472 - f6_z;
+        let f5_z = t654 + (MSX5 * t473 + MSY5R * t474);
+        let n5_x = t657 + (t686 - MSY5R * t446);
+        let n5_y = t687 + MSX5 * t446 - n6_z;
+        let n5_z = t660 + (t681 + YZ5 * t456 - (MSX5 * a6_z + MSY5R * a5_x));
+        let t714 = c5 * f5_x - s5 * f5_y;
+        let t717 = s5 * f5_x + c5 * f5_y;
+        let t726 = c5 * n5_x - s5 * n5_y - L3 * t717;
+        let t727 = s5 * n5_x + c5 * n5_y + L3 * t714;
+        [f5_z, n5_z, t714, t717, t726, t727]
     };
     // link 4: force and moment
-    let [f4_z, n4_z, t799, t802, t805] = {
-        let t766 = XX4R * t439 - ZZ4R * t386 + XY4 * (t436 - t437) + XZ4 * t447;
-        let t768 = YZ4 * (t437 - t438);
-        let t769 = YZ4 * t443;
-        let t771 = XX4R * dw4_x - ZZ4R * t441 - XY4 * t448 - XZ4 * t445 + t768;
-        let t772 = t440 * (XX4R - ZZ4R) + XY4 * t449 + XZ4 * (t438 - t436) - t769;
-        let f4_x = t731 + (MSY4R * t443 - MSX4 * t442);
-        let f4_z = t734 + (MSX4 * t448 + MSY4R * t449);
-        let n4_x = t743 + (t771 - MSY4R * t381);
-        let n4_y = t772 + MSX4 * t381 - n5_z;
-        let n4_z = t744 + (t766 + YZ4 * t444 - (MSX4 * t418 + MSY4R * a4_x));
-        let t799 = c4 * f4_x + s4 * (f5_z + (MSX4 * t445 + MSY4R * t446));
-        let t802 = c4 * n4_x - s4 * n4_y;
-        let t805 = s4 * n4_x + c4 * n4_y;
-        [f4_z, n4_z, t799, t802, t805]
+    let [f4_z, n4_z, t781, t784, t787] = {
+        let t748 = XX4R * t424 + ZZ4R * dw3_y + XY4 * (t430 + t433) + XZ4 * t420;
+        let t750 = YZ4 * (t400 - t433);
+        let t753 = XX4R * dw4_x - ZZ4R * t426 - XY4 * t434 + XZ4 * t432 + t750;
+        let t754 = t425 * (XX4R - ZZ4R) + XY4 * t435 - XZ4 * t429 + YZ4 * t431;
+        let f4_x = t714 + (MSX4 * t430 - MSY4R * t431);
+        let f4_y = MSX4 * t432 - MSY4R * t433 - f5_z;
+        let f4_z = t717 + (MSX4 * t434 + MSY4R * t435);
+        let n4_x = t726 + (t753 - MSY4R * t381);
+        let n4_y = t754 + MSX4 * t381 - n5_z;
+        let n4_z = t727 + (t748 + YZ4 * t417 - (MSX4 * t414 + MSY4R * a4_x));
+        let t781 = c4 * f4_x - s4 * f4_y;
+        let t784 = c4 * n4_x - s4 * n4_y;
+        let t787 = s4 * n4_x + c4 * n4_y;
+        [f4_z, n4_z, t781, t784, t787]
     };
     // link 3: force and moment
-    let [n3_z, t868, t869] = {
-        let t827 = XX3R * t402 - ZZ3R * t355 + XY3 * (t399 - t400) + XZ3 * t410;
-        let t829 = YZ3 * (t400 - t401);
-        let t830 = YZ3 * t406;
-        let t832 = XX3R * dw3_x - ZZ3R * t404 - XY3 * t411 - XZ3 * t408 + t829;
-        let t833 = t403 * (XX3R - ZZ3R) + XY3 * t412 + XZ3 * (t401 - t399) - t830;
-        let f3_x = t799 + (MSY3R * t406 - MSX3 * t405);
-        let f3_y = f4_z - (MSX3 * t408 + MSY3R * t409);
-        let n3_x = t802 + (t832 + MSY3R * a3_z);
-        let n3_y = n4_z + (t833 - MSX3 * a3_z);
-        let n3_z = t827 + YZ3 * t407 - (MSX3 * t381 + MSY3R * a3_x) - t805;
-        let t868 = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
-        let t869 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
-        [n3_z, t868, t869]
+    let [n3_z, t849, t850] = {
+        let t808 = XX3R * t391 - ZZ3R * t358 + XY3 * (t397 + t400) + XZ3 * t387;
+        let t810 = YZ3 * (t362 - t400);
+        let t813 = XX3R * dw3_x - ZZ3R * t393 - XY3 * t401 - XZ3 * t399 + t810;
+        let t814 = t392 * (XX3R - ZZ3R) + XY3 * t402 - XZ3 * t396 - YZ3 * t398;
+        let f3_x = t781 + (MSX3 * t397 + MSY3R * t398);
+        let f3_y = f4_z - (MSX3 * t399 + MSY3R * t400);
+        let n3_x = t784 + (t813 + MSY3R * a3_z);
+        let n3_y = n4_z + (t814 - MSX3 * a3_z);
+        let n3_z = t808 + YZ3 * t384 - (MSX3 * t381 + MSY3R * a3_x) - t787;
+        let t849 = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
+        let t850 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
+        [n3_z, t849, t850]
     };
     // link 2: force and moment
     let [n2_z, n1_z] = {
-        let t888 = YZ2 * (t365 - t366);
-        let t889 = YZ2 * t367;
-        let t891 = t355 * (XX2R - ZZ2R) + XY2 * t370 + XZ2 * (t366 - t364) - t889;
-        let t895 = XY2 * (t364 - t365) - XX2R * t367 + (MSX2 * a2_y - MSY2R * a2_x);
-        let n2_x = t868 + (dw2_x * (XX2R + ZZ2R) - XY2 * t369 + XZ2 * t367 + t888);
-        let n2_y = n3_z + t891;
-        let n2_z = t895 - t869;
+        let t868 = YZ2 * (t350 - t362);
+        let t871 = t358 * (XX2R - ZZ2R) + XY2 * t364 - XZ2 * t360 - YZ2 * t357;
+        let t875 = XY2 * (t361 + t362) - XX2R * t357 + (MSX2 * a2_y - MSY2R * a2_x);
+        let n2_x = t849 + (dw2_x * (XX2R + ZZ2R) - XY2 * t363 + XZ2 * t357 + t868);
+        let n2_y = n3_z + t871;
+        let n2_z = t875 - t850;
         let n1_z = s2 * n2_x + c2 * n2_y;
         [n2_z, n1_z]
     };
     // drives
-    let [t937, t938, t939, t940, t941, t942, t943] = {
-        let t937 = tau1 - (n1_z + FV1 * dq1 + FC1 * dq1.sign());
-        let t938 = tau2 - (n2_z + FV2 * dq2 + FC2 * dq2.sign());
-        let t939 = tau3 - (n3_z + FV3 * dq3 + FC3 * dq3.sign());
-        let t940 = tau4 - (n4_z + FV4 * dq4 + FC4 * dq4.sign());
-        let t941 = tau5 - (n5_z + FV5 * dq5 + FC5 * dq5.sign());
-        let t942 = tau6 - (n6_z + FV6 * dq6 + FC6 * dq6.sign());
-        let t943 = tau7 - (n7_z + FV7 * dq7 + FC7 * dq7.sign());
-        [t937, t938, t939, t940, t941, t942, t943]
+    let [t917, t918, t919, t920, t921, t922, t923] = {
+        let t917 = tau1 - (n1_z + FV1 * dq1 + FC1 * dq1.sign());
+        let t918 = tau2 - (n2_z + FV2 * dq2 + FC2 * dq2.sign());
+        let t919 = tau3 - (n3_z + FV3 * dq3 + FC3 * dq3.sign());
+        let t920 = tau4 - (n4_z + FV4 * dq4 + FC4 * dq4.sign());
+        let t921 = tau5 - (n5_z + FV5 * dq5 + FC5 * dq5.sign());
+        let t922 = tau6 - (n6_z + FV6 * dq6 + FC6 * dq6.sign());
+        let t923 = tau7 - (n7_z + FV7 * dq7 + FC7 * dq7.sign());
+        [t917, t918, t919, t920, t921, t922, t923]
     };
     // M = L D L'
     let [
-        t944, t945, t946, t947, t948, t949, t950, t954,
-        t958, t961, t964, t967, t970, t977, t984, t989,
-        t994, t999, t1009, t1019, t1026, t1033, t1046, t1059,
-        t1068, t1084, t1100, t1119,
+        t924, t925, t926, t927, t928, t929, t930, t934,
+        t938, t941, t944, t947, t950, t957, t964, t969,
+        t974, t979, t989, t999, t1006, t1013, t1026, t1039,
+        t1048, t1064, t1080, t1099,
     ] = {
-        let t944 = k3 / t349;
-        let t945 = t339 * t944;
-        let t946 = t307 * t944;
-        let t947 = t261 * t944;
-        let t948 = t203 * t944;
-        let t949 = t136 * t944;
-        let t950 = t63 * t944;
-        let t953 = t333 - t349 * (t945 * t945);
-        let t954 = k3 / t953;
-        let t955 = t349 * t945;
-        let t958 = t954 * (t304 + t946 * t955);
-        let t961 = t954 * (t258 + t947 * t955);
-        let t964 = t954 * (t200 + t948 * t955);
-        let t967 = t954 * (t133 + t949 * t955);
-        let t970 = t954 * (t60 + t950 * t955);
-        let t976 = t285 - t349 * (t946 * t946) - t953 * (t958 * t958);
-        let t977 = k3 / t976;
-        let t978 = t349 * t946;
-        let t981 = t953 * t958;
-        let t984 = t977 * (t246 + t947 * t978 + t961 * t981);
-        let t989 = t977 * (t184 + t948 * t978 + t964 * t981);
-        let t994 = t977 * (t117 + t949 * t978 + t967 * t981);
-        let t999 = t977 * (t44 + t950 * t978 + t970 * t981);
-        let t1007 = t976 * (t984 * t984);
-        let t1008 = t231 - t349 * (t947 * t947) - t953 * (t961 * t961) - t1007;
-        let t1009 = k3 / t1008;
-        let t1010 = t349 * t947;
-        let t1013 = t953 * t961;
-        let t1016 = t976 * t984;
-        let t1019 = t1009 * (t177 - t948 * t1010 - t964 * t1013 - t989 * t1016);
-        let t1026 = t1009 * (t108 - t949 * t1010 - t967 * t1013 - t994 * t1016);
-        let t1033 = t1009 * (t35 - t950 * t1010 - t970 * t1013 - t999 * t1016);
-        let t1041 = t976 * (t989 * t989);
-        let t1044 = t1008 * (t1019 * t1019);
-        let t1045 = t158 - t349 * (t948 * t948) - t953 * (t964 * t964) - t1041 - t1044;
-        let t1046 = k3 / t1045;
-        let t1047 = t349 * t948;
-        let t1050 = t953 * t964;
-        let t1053 = t976 * t989;
-        let t1056 = t1008 * t1019;
-        let t1058 = t96 - t949 * t1047 - t967 * t1050 - t994 * t1053 - t1026 * t1056;
-        let t1059 = t1046 * t1058;
-        let t1067 = t19 - t950 * t1047 - t970 * t1050 - t999 * t1053 - t1033 * t1056;
-        let t1068 = t1046 * t1067;
-        let t1076 = t976 * (t994 * t994);
-        let t1079 = t1008 * (t1026 * t1026);
-        let t1080 = t81 - t349 * (t949 * t949) - t953 * (t967 * t967) - t1076 - t1079;
-        let t1083 = t1080 - t1045 * (t1059 * t1059);
-        let t1084 = k3 / t1083;
-        let t1092 = t999 * (t976 * t994);
-        let t1095 = t1033 * (t1008 * t1026);
-        let t1096 = t11 + t950 * (t349 * t949) + t970 * (t953 * t967) + t1092 + t1095;
-        let t1100 = t1084 * (t1096 + t1068 * (t1045 * t1059));
-        let t1108 = t976 * (t999 * t999);
-        let t1111 = t1008 * (t1033 * t1033);
-        let t1112 = ZZ7 - t349 * (t950 * t950) - t953 * (t970 * t970) - t1108 - t1111;
-        let t1119 = k3 / (t1112 - t1045 * (t1068 * t1068) - t1083 * (t1100 * t1100));
+        let t924 = k3 / t349;
+        let t925 = t339 * t924;
+        let t926 = t307 * t924;
+        let t927 = t261 * t924;
+        let t928 = t203 * t924;
+        let t929 = t136 * t924;
+        let t930 = t63 * t924;
+        let t933 = t333 - t349 * (t925 * t925);
+        let t934 = k3 / t933;
+        let t935 = t349 * t925;
+        let t938 = t934 * (t304 + t926 * t935);
+        let t941 = t934 * (t258 + t927 * t935);
+        let t944 = t934 * (t200 + t928 * t935);
+        let t947 = t934 * (t133 + t929 * t935);
+        let t950 = t934 * (t60 + t930 * t935);
+        let t956 = t285 - t349 * (t926 * t926) - t933 * (t938 * t938);
+        let t957 = k3 / t956;
+        let t958 = t349 * t926;
+        let t961 = t933 * t938;
+        let t964 = t957 * (t246 + t927 * t958 + t941 * t961);
+        let t969 = t957 * (t184 + t928 * t958 + t944 * t961);
+        let t974 = t957 * (t117 + t929 * t958 + t947 * t961);
+        let t979 = t957 * (t44 + t930 * t958 + t950 * t961);
+        let t987 = t956 * (t964 * t964);
+        let t988 = t231 - t349 * (t927 * t927) - t933 * (t941 * t941) - t987;
+        let t989 = k3 / t988;
+        let t990 = t349 * t927;
+        let t993 = t933 * t941;
+        let t996 = t956 * t964;
+        let t999 = t989 * (t177 - t928 * t990 - t944 * t993 - t969 * t996);
+        let t1006 = t989 * (t108 - t929 * t990 - t947 * t993 - t974 * t996);
+        let t1013 = t989 * (t35 - t930 * t990 - t950 * t993 - t979 * t996);
+        let t1021 = t956 * (t969 * t969);
+        let t1024 = t988 * (t999 * t999);
+        let t1025 = t158 - t349 * (t928 * t928) - t933 * (t944 * t944) - t1021 - t1024;
+        let t1026 = k3 / t1025;
+        let t1027 = t349 * t928;
+        let t1030 = t933 * t944;
+        let t1033 = t956 * t969;
+        let t1036 = t988 * t999;
+        let t1038 = t96 - t929 * t1027 - t947 * t1030 - t974 * t1033 - t1006 * t1036;
+        let t1039 = t1026 * t1038;
+        let t1047 = t19 - t930 * t1027 - t950 * t1030 - t979 * t1033 - t1013 * t1036;
+        let t1048 = t1026 * t1047;
+        let t1056 = t956 * (t974 * t974);
+        let t1059 = t988 * (t1006 * t1006);
+        let t1060 = t81 - t349 * (t929 * t929) - t933 * (t947 * t947) - t1056 - t1059;
+        let t1063 = t1060 - t1025 * (t1039 * t1039);
+        let t1064 = k3 / t1063;
+        let t1072 = t979 * (t956 * t974);
+        let t1075 = t1013 * (t988 * t1006);
+        let t1076 = t11 + t930 * (t349 * t929) + t950 * (t933 * t947) + t1072 + t1075;
+        let t1080 = t1064 * (t1076 + t1048 * (t1025 * t1039));
+        let t1088 = t956 * (t979 * t979);
+        let t1091 = t988 * (t1013 * t1013);
+        let t1092 = ZZ7 - t349 * (t930 * t930) - t933 * (t950 * t950) - t1088 - t1091;
+        let t1099 = k3 / (t1092 - t1025 * (t1048 * t1048) - t1063 * (t1080 * t1080));
         [
-        t944, t945, t946, t947, t948, t949, t950, t954,
-        t958, t961, t964, t967, t970, t977, t984, t989,
-        t994, t999, t1009, t1019, t1026, t1033, t1046, t1059,
-        t1068, t1084, t1100, t1119,
+        t924, t925, t926, t927, t928, t929, t930, t934,
+        t938, t941, t944, t947, t950, t957, t964, t969,
+        t974, t979, t989, t999, t1006, t1013, t1026, t1039,
+        t1048, t1064, t1080, t1099,
     ]
     };
     // ddq
     {
-        let t1121 = t938 - t937 * t945;
-        let t1125 = t939 - t937 * t946 + t958 * t1121;
-        let t1131 = t940 - t937 * t947 + t961 * t1121 + t984 * t1125;
-        let t1139 = t941 - t937 * t948 + t964 * t1121 + t989 * t1125 - t1019 * t1131;
-        let t1147 = t942 - t937 * t949 + t967 * t1121 + t994 * t1125 - t1026 * t1131;
-        let t1149 = t1147 - t1059 * t1139;
-        let t1157 = t943 - t937 * t950 + t970 * t1121 + t999 * t1125 - t1033 * t1131;
-        let t1168 = t1119 * (t1157 - t1068 * t1139 + t1100 * t1149);
-        let t1170 = t1084 * t1149 + t1100 * t1168;
-        let t1174 = t1046 * t1139 - t1059 * t1170 - t1068 * t1168;
-        let t1180 = t1009 * t1131 - t1019 * t1174 - t1026 * t1170 - t1033 * t1168;
-        let t1187 = t999 * t1168;
-        let t1188 = t977 * t1125 + t984 * t1180 + t989 * t1174 + t994 * t1170 + t1187;
-        let t1195 = t967 * t1170;
-        let t1196 = t954 * t1121 + t958 * t1188 + t961 * t1180 + t964 * t1174 + t1195;
-        let t1198 = t1196 + t970 * t1168;
-        let t1205 = t948 * t1174;
-        let t1206 = t937 * t944 - t945 * t1198 - t946 * t1188 - t947 * t1180 - t1205;
-        let t1210 = t1206 - t949 * t1170 - t950 * t1168;
-        put(0, t1210);
-        put(1, t1198);
-        put(2, t1188);
-        put(3, t1180);
-        put(4, t1174);
-        put(5, t1170);
-        put(6, t1168);
+        let t1101 = t918 - t917 * t925;
+        let t1105 = t919 - t917 * t926 + t938 * t1101;
+        let t1111 = t920 - t917 * t927 + t941 * t1101 + t964 * t1105;
+        let t1119 = t921 - t917 * t928 + t944 * t1101 + t969 * t1105 - t999 * t1111;
+        let t1127 = t922 - t917 * t929 + t947 * t1101 + t974 * t1105 - t1006 * t1111;
+        let t1129 = t1127 - t1039 * t1119;
+        let t1137 = t923 - t917 * t930 + t950 * t1101 + t979 * t1105 - t1013 * t1111;
+        let t1148 = t1099 * (t1137 - t1048 * t1119 + t1080 * t1129);
+        let t1150 = t1064 * t1129 + t1080 * t1148;
+        let t1154 = t1026 * t1119 - t1039 * t1150 - t1048 * t1148;
+        let t1160 = t989 * t1111 - t999 * t1154 - t1006 * t1150 - t1013 * t1148;
+        let t1167 = t979 * t1148;
+        let t1168 = t957 * t1105 + t964 * t1160 + t969 * t1154 + t974 * t1150 + t1167;
+        let t1175 = t947 * t1150;
+        let t1176 = t934 * t1101 + t938 * t1168 + t941 * t1160 + t944 * t1154 + t1175;
+        let t1178 = t1176 + t950 * t1148;
+        let t1185 = t928 * t1154;
+        let t1186 = t917 * t924 - t925 * t1178 - t926 * t1168 - t927 * t1160 - t1185;
+        let t1190 = t1186 - t929 * t1150 - t930 * t1148;
+        put(0, t1190);
+        put(1, t1178);
+        put(2, t1168);
+        put(3, t1160);
+        put(4, t1154);
+        put(5, t1150);
+        put(6, t1148);
     }
 }

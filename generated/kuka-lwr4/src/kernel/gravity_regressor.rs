@@ -2,7 +2,7 @@
 //!
 //! `g = W_g phi` for the links' parameters only; columns as the first of `STANDARD_NAMES`.
 //!
-//! 236 multiplications, 133 additions; 7 x 70, 89 of 490 structurally nonzero.
+//! 237 multiplications, 135 additions; 7 x 70, 89 of 490 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{Trig};
@@ -98,15 +98,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t32 = c2 * a2_x - s2 * a2_y;
         put(0, t32); // row 1, MSZ2
     }
-    // MSZ3: column
-    let [t38, t40] = {
-        let t35 = t3 * z1_3_x - a3_x * t29;
-        let t38 = s3 * t3 + c3 * a3_x;
-        let t39 = L2 * t35;
-        let t40 = L2 * t38;
-        put(1, t39); // row 1, M3
-        put(4, t35); // row 1, MSZ3
-        [t38, t40]
+    // M3: column
+    let [t35, t38, t40] = {
+        let t33 = L2 * t3;
+        let t34 = L2 * a3_x;
+        let t35 = z1_3_x * t33;
+        let t37 = t35 - t29 * t34;
+        let t38 = s3 * t33;
+        let t40 = t38 + c3 * t34;
+        put(1, t37); // row 1, M3
+        [t35, t38, t40]
     };
     // MSX3: column
     {
@@ -122,274 +123,280 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(3, t47); // row 1, MSY3
         t48
     };
+    // MSZ3: column
+    let t54 = {
+        let t51 = t3 * z1_3_x - a3_x * t29;
+        let t54 = s3 * t3 + c3 * a3_x;
+        put(4, t51); // row 1, MSZ3
+        t54
+    };
     // M4: column
-    let [t50, t51, t54] = {
-        let t50 = s4 * a5_z;
-        let t51 = c4 * t6 - t50;
-        let t54 = s4 * t6 + c4 * a5_z;
-        let t55 = L2 * t3;
-        let t56 = L2 * t51;
-        let t59 = z1_3_x * t55 + t29 * t56;
-        let t62 = c3 * t56 - s3 * t55;
-        put(5, t59); // row 1, M4
-        put(27, t62); // row 2, M4
-        put(47, t51); // row 3, MSZ4
-        [t50, t51, t54]
+    let [t56, t57, t60] = {
+        let t56 = s4 * a5_z;
+        let t57 = c4 * t6 - t56;
+        let t60 = s4 * t6 + c4 * a5_z;
+        let t61 = L2 * t57;
+        let t63 = t35 + t29 * t61;
+        let t65 = c3 * t61 - t38;
+        put(5, t63); // row 1, M4
+        put(27, t65); // row 2, M4
+        put(47, t57); // row 3, MSZ4
+        [t56, t57, t60]
     };
     // MSX4: column
-    let [t63, t64] = {
-        let t63 = s4 * t3;
-        let t64 = c4 * t3;
-        let t69 = a5_z * t29 - z1_3_x * t63 - c2 * t64;
-        let t72 = s3 * t63 + c3 * a5_z;
-        put(6, t69); // row 1, MSX4
-        put(28, t72); // row 2, MSX4
-        put(46, t63); // row 3, MSY4
-        [t63, t64]
+    let [t66, t67] = {
+        let t66 = s4 * t3;
+        let t67 = c4 * t3;
+        let t72 = a5_z * t29 - z1_3_x * t66 - c2 * t67;
+        let t75 = s3 * t66 + c3 * a5_z;
+        put(6, t72); // row 1, MSX4
+        put(28, t75); // row 2, MSX4
+        put(46, t66); // row 3, MSY4
+        [t66, t67]
     };
     // MSY4: column
     {
-        let t77 = c2 * t63 - (z1_3_x * t64 + t6 * t29);
-        let t80 = s3 * t64 - c3 * t6;
-        put(7, t77); // row 1, MSY4
-        put(29, t80); // row 2, MSY4
+        let t80 = c2 * t66 - (z1_3_x * t67 + t6 * t29);
+        let t83 = s3 * t67 - c3 * t6;
+        put(7, t80); // row 1, MSY4
+        put(29, t83); // row 2, MSY4
     }
     // MSZ4: column
-    let t84 = {
-        let t83 = z1_3_x * t54 + c2 * t51;
-        let t84 = s3 * t54;
-        put(8, t83); // row 1, MSZ4
-        t84
+    let t87 = {
+        let t86 = z1_3_x * t60 + c2 * t57;
+        let t87 = s3 * t60;
+        put(8, t86); // row 1, MSZ4
+        t87
     };
     // M5: column
-    let [t86, t87, t89, t90, t92] = {
-        let t86 = s5 * a5_y;
-        let t87 = c5 * t12 + t86;
-        let t89 = c5 * a5_y;
-        let t90 = t89 - s5 * t12;
-        let t91 = L3 * t90;
-        let t92 = L3 * t87;
-        let t96 = s4 * t91;
-        let t99 = c4 * t91 + L2 * t90;
-        let t100 = t92 + L2 * (c4 * t87 - t50);
-        let t105 = c2 * t96 + (t29 * t100 - z1_3_x * t99);
-        let t108 = s3 * t99 + c3 * t100;
-        put(9, t105); // row 1, M5
-        put(31, t108); // row 2, M5
-        put(48, t96); // row 3, M5
-        [t86, t87, t89, t90, t92]
+    let [t89, t90, t92, t93, t95] = {
+        let t89 = s5 * a5_y;
+        let t90 = c5 * t12 + t89;
+        let t92 = c5 * a5_y;
+        let t93 = t92 - s5 * t12;
+        let t94 = L3 * t93;
+        let t95 = L3 * t90;
+        let t99 = s4 * t94;
+        let t102 = c4 * t94 + L2 * t93;
+        let t103 = t95 + L2 * (c4 * t90 - t56);
+        let t108 = c2 * t99 + (t29 * t103 - z1_3_x * t102);
+        let t111 = s3 * t102 + c3 * t103;
+        put(9, t108); // row 1, M5
+        put(31, t111); // row 2, M5
+        put(48, t99); // row 3, M5
+        [t89, t90, t92, t93, t95]
     };
     // MSX5: column
-    let [t109, t110] = {
-        let t109 = s5 * a5_z;
-        let t110 = c5 * a5_z;
-        let t113 = c4 * t109 + s4 * a5_y;
-        let t116 = c4 * a5_y - s4 * t109;
-        let t121 = c2 * t116 + (z1_3_x * t113 + t29 * t110);
-        let t124 = c3 * t110 - s3 * t113;
-        put(10, t121); // row 1, MSX5
-        put(32, t124); // row 2, MSX5
-        put(49, t116); // row 3, MSX5
-        put(64, t109); // row 4, MSY5
-        [t109, t110]
+    let [t112, t113] = {
+        let t112 = s5 * a5_z;
+        let t113 = c5 * a5_z;
+        let t116 = c4 * t112 + s4 * a5_y;
+        let t119 = c4 * a5_y - s4 * t112;
+        let t124 = c2 * t119 + (z1_3_x * t116 + t29 * t113);
+        let t127 = c3 * t113 - s3 * t116;
+        put(10, t124); // row 1, MSX5
+        put(32, t127); // row 2, MSX5
+        put(49, t119); // row 3, MSX5
+        put(64, t112); // row 4, MSY5
+        [t112, t113]
     };
     // MSY5: column
-    let t138 = {
-        let t127 = c4 * t110 + s4 * t12;
-        let t130 = c4 * t12 - s4 * t110;
-        let t135 = c2 * t130 + (z1_3_x * t127 - t29 * t109);
-        let t138 = s3 * t127 + c3 * t109;
-        put(11, t135); // row 1, MSY5
-        put(50, t130); // row 3, MSY5
-        t138
+    let t141 = {
+        let t130 = c4 * t113 + s4 * t12;
+        let t133 = c4 * t12 - s4 * t113;
+        let t138 = c2 * t133 - (t29 * t112 - z1_3_x * t130);
+        let t141 = s3 * t130 + c3 * t112;
+        put(11, t138); // row 1, MSY5
+        put(50, t133); // row 3, MSY5
+        t141
     };
     // MSZ5: column
     {
-        let t139 = c4 * t90;
-        let t140 = s4 * t90;
-        let t145 = c2 * t140 + (t29 * t87 - z1_3_x * t139);
-        let t148 = s3 * t139 + c3 * t87;
-        put(12, t145); // row 1, MSZ5
-        put(34, t148); // row 2, MSZ5
-        put(51, t140); // row 3, MSZ5
+        let t142 = c4 * t93;
+        let t143 = s4 * t93;
+        let t148 = c2 * t143 - (z1_3_x * t142 - t29 * t90);
+        let t151 = s3 * t142 + c3 * t90;
+        put(12, t148); // row 1, MSZ5
+        put(34, t151); // row 2, MSZ5
+        put(51, t143); // row 3, MSZ5
     }
     // M6: column
-    let [t150, t151, t153, t154] = {
-        let t150 = s6 * a6_y;
-        let t151 = c6 * a6_x - t150;
-        let t153 = c6 * a6_y;
-        let t154 = s6 * a6_x + t153;
-        let t156 = c5 * t151 - t86;
-        let t158 = t89 + s5 * t151;
-        let t159 = L3 * t158;
-        let t160 = L3 * t156;
-        let t165 = s4 * t159;
-        let t168 = c4 * t159 + L2 * t158;
-        let t169 = t160 + L2 * (c4 * t156 + s4 * t154);
-        let t174 = c2 * t165 - (z1_3_x * t168 + t29 * t169);
-        let t177 = s3 * t168 - c3 * t169;
-        put(13, t174); // row 1, M6
-        put(35, t177); // row 2, M6
-        put(52, t165); // row 3, M6
-        put(66, t160); // row 4, M6
-        put(78, t151); // row 5, MSZ6
-        [t150, t151, t153, t154]
+    let [t153, t154, t156, t157] = {
+        let t153 = s6 * a6_y;
+        let t154 = c6 * a6_x - t153;
+        let t156 = c6 * a6_y;
+        let t157 = s6 * a6_x + t156;
+        let t159 = c5 * t154 - t89;
+        let t161 = t92 + s5 * t154;
+        let t162 = L3 * t161;
+        let t163 = L3 * t159;
+        let t168 = s4 * t162;
+        let t171 = c4 * t162 + L2 * t161;
+        let t172 = t163 + L2 * (c4 * t159 + s4 * t157);
+        let t177 = c2 * t168 - (z1_3_x * t171 + t29 * t172);
+        let t180 = s3 * t171 - c3 * t172;
+        put(13, t177); // row 1, M6
+        put(35, t180); // row 2, M6
+        put(52, t168); // row 3, M6
+        put(66, t163); // row 4, M6
+        put(78, t154); // row 5, MSZ6
+        [t153, t154, t156, t157]
     };
     // MSX6: column
-    let [t178, t179, t185] = {
-        let t178 = s6 * a5_y;
-        let t179 = c6 * a5_y;
-        let t182 = c5 * t178 - s5 * a6_y;
-        let t185 = s5 * t178 + c5 * a6_y;
-        let t188 = c4 * t182 - s4 * t179;
-        let t191 = s4 * t182 + c4 * t179;
-        let t196 = c2 * t191 - (z1_3_x * t188 - t29 * t185);
-        let t199 = s3 * t188 + c3 * t185;
-        put(14, t196); // row 1, MSX6
-        put(36, t199); // row 2, MSX6
-        put(53, t191); // row 3, MSX6
-        put(76, t179); // row 5, MSX6
-        [t178, t179, t185]
+    let [t181, t182, t188] = {
+        let t181 = s6 * a5_y;
+        let t182 = c6 * a5_y;
+        let t185 = c5 * t181 - s5 * a6_y;
+        let t188 = s5 * t181 + c5 * a6_y;
+        let t191 = c4 * t185 - s4 * t182;
+        let t194 = s4 * t185 + c4 * t182;
+        let t199 = c2 * t194 + (t29 * t188 - z1_3_x * t191);
+        let t202 = s3 * t191 + c3 * t188;
+        put(14, t199); // row 1, MSX6
+        put(36, t202); // row 2, MSX6
+        put(53, t194); // row 3, MSX6
+        put(76, t182); // row 5, MSX6
+        [t181, t182, t188]
     };
     // MSY6: column
     {
-        let t202 = c5 * t179 + s5 * a6_x;
-        let t205 = c5 * a6_x - s5 * t179;
-        let t208 = c4 * t202 + s4 * t178;
-        let t211 = s4 * t202 - c4 * t178;
-        let t216 = c2 * t211 - (z1_3_x * t208 + t29 * t205);
-        let t219 = s3 * t208 - c3 * t205;
-        put(15, t216); // row 1, MSY6
-        put(37, t219); // row 2, MSY6
-        put(54, t211); // row 3, MSY6
-        put(68, t205); // row 4, MSY6
+        let t205 = c5 * t182 + s5 * a6_x;
+        let t208 = c5 * a6_x - s5 * t182;
+        let t211 = c4 * t205 + s4 * t181;
+        let t214 = s4 * t205 - c4 * t181;
+        let t219 = c2 * t214 - (z1_3_x * t211 + t29 * t208);
+        let t222 = s3 * t211 - c3 * t208;
+        put(15, t219); // row 1, MSY6
+        put(37, t222); // row 2, MSY6
+        put(54, t214); // row 3, MSY6
+        put(68, t208); // row 4, MSY6
     }
     // MSZ6: column
-    let t221 = {
-        let t220 = c5 * t154;
-        let t221 = s5 * t154;
-        let t224 = c4 * t220 - s4 * t151;
-        let t227 = s4 * t220 + c4 * t151;
-        let t232 = c2 * t227 + (t29 * t221 - z1_3_x * t224);
-        let t235 = s3 * t224 + c3 * t221;
-        put(16, t232); // row 1, MSZ6
-        put(38, t235); // row 2, MSZ6
-        put(55, t227); // row 3, MSZ6
-        t221
+    let t224 = {
+        let t223 = c5 * t157;
+        let t224 = s5 * t157;
+        let t227 = s4 * t154 - c4 * t223;
+        let t230 = s4 * t223 + c4 * t154;
+        let t235 = c2 * t230 + (z1_3_x * t227 + t29 * t224);
+        let t238 = c3 * t224 - s3 * t227;
+        put(16, t235); // row 1, MSZ6
+        put(38, t238); // row 2, MSZ6
+        put(55, t230); // row 3, MSZ6
+        t224
     };
     // M7: column
-    let [t238, t241] = {
-        let t238 = c7 * a7_x + s7 * t27;
-        let t241 = c7 * t27 - s7 * a7_x;
-        let t243 = c6 * t238 - t150;
-        let t248 = c5 * t243 + s5 * t241;
-        let t251 = s5 * t243 - c5 * t241;
-        let t252 = L3 * t251;
-        let t253 = L3 * t248;
-        let t258 = s4 * t252;
-        let t261 = c4 * t252 + L2 * t251;
-        let t262 = t253 + L2 * (c4 * t248 + s4 * (t153 + s6 * t238));
-        let t267 = c2 * t258 - (z1_3_x * t261 + t29 * t262);
-        let t270 = s3 * t261 - c3 * t262;
-        put(17, t267); // row 1, M7
-        put(39, t270); // row 2, M7
-        put(56, t258); // row 3, M7
-        put(70, t253); // row 4, M7
-        [t238, t241]
+    let [t241, t244] = {
+        let t241 = c7 * a7_x + s7 * t27;
+        let t244 = c7 * t27 - s7 * a7_x;
+        let t246 = c6 * t241 - t153;
+        let t251 = c5 * t246 + s5 * t244;
+        let t254 = s5 * t246 - c5 * t244;
+        let t255 = L3 * t254;
+        let t256 = L3 * t251;
+        let t261 = s4 * t255;
+        let t264 = c4 * t255 + L2 * t254;
+        let t265 = t256 + L2 * (c4 * t251 + s4 * (t156 + s6 * t241));
+        let t270 = c2 * t261 - (z1_3_x * t264 + t29 * t265);
+        let t273 = s3 * t264 - c3 * t265;
+        put(17, t270); // row 1, M7
+        put(39, t273); // row 2, M7
+        put(56, t261); // row 3, M7
+        put(70, t256); // row 4, M7
+        [t241, t244]
     };
     // MSX7: column
-    let [t271, t272, t284] = {
-        let t271 = s7 * a6_y;
-        let t272 = c7 * a6_y;
-        let t275 = c6 * t271 + s6 * t27;
-        let t278 = s6 * t271 - c6 * t27;
-        let t281 = c5 * t275 + s5 * t272;
-        let t284 = c5 * t272 - s5 * t275;
-        let t287 = c4 * t281 + s4 * t278;
-        let t290 = c4 * t278 - s4 * t281;
-        let t295 = c2 * t290 + (z1_3_x * t287 + t29 * t284);
-        let t298 = c3 * t284 - s3 * t287;
-        put(18, t295); // row 1, MSX7
-        put(40, t298); // row 2, MSX7
-        put(57, t290); // row 3, MSX7
-        put(79, t278); // row 5, MSX7
-        put(84, t272); // row 6, MSX7
-        [t271, t272, t284]
+    let [t274, t275, t287] = {
+        let t274 = s7 * a6_y;
+        let t275 = c7 * a6_y;
+        let t278 = c6 * t274 + s6 * t27;
+        let t281 = s6 * t274 - c6 * t27;
+        let t284 = c5 * t278 + s5 * t275;
+        let t287 = c5 * t275 - s5 * t278;
+        let t290 = c4 * t284 + s4 * t281;
+        let t293 = c4 * t281 - s4 * t284;
+        let t298 = c2 * t293 + (z1_3_x * t290 + t29 * t287);
+        let t301 = c3 * t287 - s3 * t290;
+        put(18, t298); // row 1, MSX7
+        put(40, t301); // row 2, MSX7
+        put(57, t293); // row 3, MSX7
+        put(79, t281); // row 5, MSX7
+        put(84, t275); // row 6, MSX7
+        [t274, t275, t287]
     };
     // MSY7: column
     {
-        let t301 = c6 * t272 + s6 * a7_x;
-        let t304 = s6 * t272 - c6 * a7_x;
-        let t307 = s5 * t271 - c5 * t301;
-        let t310 = s5 * t301 + c5 * t271;
-        let t313 = c4 * t307 - s4 * t304;
-        let t316 = s4 * t307 + c4 * t304;
-        let t321 = c2 * t316 - (z1_3_x * t313 + t29 * t310);
-        let t324 = s3 * t313 - c3 * t310;
-        put(19, t321); // row 1, MSY7
-        put(41, t324); // row 2, MSY7
-        put(58, t316); // row 3, MSY7
-        put(72, t310); // row 4, MSY7
-        put(80, t304); // row 5, MSY7
+        let t304 = c6 * t275 + s6 * a7_x;
+        let t307 = s6 * t275 - c6 * a7_x;
+        let t310 = s5 * t274 - c5 * t304;
+        let t313 = s5 * t304 + c5 * t274;
+        let t316 = c4 * t310 - s4 * t307;
+        let t319 = s4 * t310 + c4 * t307;
+        let t324 = c2 * t319 - (z1_3_x * t316 + t29 * t313);
+        let t327 = s3 * t316 - c3 * t313;
+        put(19, t324); // row 1, MSY7
+        put(41, t327); // row 2, MSY7
+        put(58, t319); // row 3, MSY7
+        put(72, t313); // row 4, MSY7
+        put(80, t307); // row 5, MSY7
     }
     // MSZ7: column
     {
-        let t325 = c6 * t241;
-        let t326 = s6 * t241;
-        let t329 = s5 * t238 - c5 * t325;
-        let t332 = s5 * t325 + c5 * t238;
-        let t335 = c4 * t329 - s4 * t326;
-        let t338 = s4 * t329 + c4 * t326;
-        let t343 = c2 * t338 - (z1_3_x * t335 + t29 * t332);
-        let t346 = s3 * t335 - c3 * t332;
-        let t347 = -a2_x;
-        let t348 = -t40;
-        let t349 = -t48;
-        let t350 = -t38;
-        let t351 = -t84;
-        let t352 = -t138;
-        let t353 = -t3;
-        let t354 = -a3_x;
-        let t355 = -t64;
-        let t356 = -a5_z;
-        let t357 = -t92;
-        let t358 = -t110;
-        let t359 = -t87;
-        let t360 = -t185;
-        let t361 = -t221;
-        let t362 = -t284;
-        let t363 = -t178;
-        let t364 = -a6_x;
-        let t365 = -t271;
-        let t366 = -t238;
-        let t367 = -t27;
-        let t368 = -a7_x;
-        put(20, t343); // row 1, MSZ7
-        put(22, t347); // row 2, MSY2
-        put(23, t348); // row 2, M3
-        put(25, t349); // row 2, MSY3
-        put(26, t350); // row 2, MSZ3
-        put(30, t351); // row 2, MSZ4
-        put(33, t352); // row 2, MSY5
-        put(42, t346); // row 2, MSZ7
-        put(43, t353); // row 3, MSX3
-        put(44, t354); // row 3, MSY3
-        put(45, t355); // row 3, MSX4
-        put(59, t338); // row 3, MSZ7
-        put(60, t356); // row 4, MSX4
-        put(62, t357); // row 4, M5
-        put(63, t358); // row 4, MSX5
-        put(65, t359); // row 4, MSZ5
-        put(67, t360); // row 4, MSX6
-        put(69, t361); // row 4, MSZ6
-        put(71, t362); // row 4, MSX7
-        put(73, t332); // row 4, MSZ7
-        put(77, t363); // row 5, MSY6
-        put(81, t326); // row 5, MSZ7
-        put(83, t364); // row 6, MSY6
-        put(85, t365); // row 6, MSY7
-        put(86, t366); // row 6, MSZ7
-        put(87, t367); // row 7, MSX7
-        put(88, t368); // row 7, MSY7
+        let t328 = c6 * t244;
+        let t329 = s6 * t244;
+        let t332 = s5 * t241 - c5 * t328;
+        let t335 = s5 * t328 + c5 * t241;
+        let t338 = c4 * t332 - s4 * t329;
+        let t341 = s4 * t332 + c4 * t329;
+        let t346 = c2 * t341 - (z1_3_x * t338 + t29 * t335);
+        let t349 = s3 * t338 - c3 * t335;
+        let t350 = -a2_x;
+        let t351 = -t40;
+        let t352 = -t48;
+        let t353 = -t54;
+        let t354 = -t87;
+        let t355 = -t141;
+        let t356 = -t3;
+        let t357 = -a3_x;
+        let t358 = -t67;
+        let t359 = -a5_z;
+        let t360 = -t95;
+        let t361 = -t113;
+        let t362 = -t90;
+        let t363 = -t188;
+        let t364 = -t224;
+        let t365 = -t287;
+        let t366 = -t181;
+        let t367 = -a6_x;
+        let t368 = -t274;
+        let t369 = -t241;
+        let t370 = -t27;
+        let t371 = -a7_x;
+        put(20, t346); // row 1, MSZ7
+        put(22, t350); // row 2, MSY2
+        put(23, t351); // row 2, M3
+        put(25, t352); // row 2, MSY3
+        put(26, t353); // row 2, MSZ3
+        put(30, t354); // row 2, MSZ4
+        put(33, t355); // row 2, MSY5
+        put(42, t349); // row 2, MSZ7
+        put(43, t356); // row 3, MSX3
+        put(44, t357); // row 3, MSY3
+        put(45, t358); // row 3, MSX4
+        put(59, t341); // row 3, MSZ7
+        put(60, t359); // row 4, MSX4
+        put(62, t360); // row 4, M5
+        put(63, t361); // row 4, MSX5
+        put(65, t362); // row 4, MSZ5
+        put(67, t363); // row 4, MSX6
+        put(69, t364); // row 4, MSZ6
+        put(71, t365); // row 4, MSX7
+        put(73, t335); // row 4, MSZ7
+        put(77, t366); // row 5, MSY6
+        put(81, t329); // row 5, MSZ7
+        put(83, t367); // row 6, MSY6
+        put(85, t368); // row 6, MSY7
+        put(86, t369); // row 6, MSZ7
+        put(87, t370); // row 7, MSX7
+        put(88, t371); // row 7, MSY7
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 811 multiplications, 573 additions; 7 x 84, 266 of 588 structurally nonzero.
+//! 789 multiplications, 561 additions; 7 x 84, 266 of 588 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
@@ -66,1131 +66,1128 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let L2 = S::constant(0.4);
     let L3 = S::constant(0.39);
     let k0 = S::constant(9.81);
-    let k3 = S::constant(0.16000000000000003);
-    let k4 = S::constant(0.8);
-    // link 2: motion
-    let [w2_x, w2_y, a2_x, a2_y, t6, t7, dw2_x, dw2_y] = {
-        let w2_x = s2 * dq1;
-        let w2_y = c2 * dq1;
-        let t2 = s2 * ddq1;
-        let t3 = c2 * ddq1;
-        let a2_x = s2 * k0;
-        let a2_y = c2 * k0;
-        let t6 = dq2 * w2_y;
-        let t7 = dq2 * w2_x;
-        let dw2_x = t2 + t6;
-        let dw2_y = t3 - t7;
+    // link 1: motion
+    let t0 = {
+        let t0 = dq1 * dq1;
         put(0, ddq1); // row 1, ZZ1
         put(58, dq1); // row 1, FV1
-        put(60, a2_y); // row 2, MSX2
         put(64, ddq2); // row 2, ZZ2
-        put(66, t2); // row 2, XZ2
-        put(67, t3); // row 2, YZ2
         put(118, dq2); // row 2, FV2
         put(167, dq3); // row 3, FV3
         put(207, dq4); // row 4, FV4
         put(235, dq5); // row 5, FV5
         put(254, dq6); // row 6, FV6
         put(264, dq7); // row 7, FV7
-        [w2_x, w2_y, a2_x, a2_y, t6, t7, dw2_x, dw2_y]
+        t0
+    };
+    // link 2: motion
+    let [
+        w2_x, w2_y, a2_x, a2_y, t9, t10, t11, dw2_x,
+        dw2_y, t14, t15, t16, t17, t18, t19, t20,
+    ] = {
+        let w2_x = s2 * dq1;
+        let w2_y = c2 * dq1;
+        let t3 = s2 * ddq1;
+        let t4 = c2 * ddq1;
+        let a2_x = s2 * k0;
+        let a2_y = c2 * k0;
+        let t7 = w2_x * w2_x;
+        let t8 = dq2 * dq2;
+        let t9 = w2_x * w2_y;
+        let t10 = dq2 * w2_x;
+        let t11 = dq2 * w2_y;
+        let dw2_x = t3 + t11;
+        let dw2_y = t4 - t10;
+        let t14 = t8 - t7;
+        let t15 = t0 + t14;
+        let t16 = ddq2 - t9;
+        let t17 = ddq2 + t9;
+        let t18 = t7 + t8;
+        let t19 = t10 - dw2_y;
+        let t20 = t11 + dw2_x;
+        put(60, a2_y); // row 2, MSX2
+        put(63, t9); // row 2, YY2
+        put(66, t3); // row 2, XZ2
+        put(67, t4); // row 2, YZ2
+        [
+        w2_x, w2_y, a2_x, a2_y, t9, t10, t11, dw2_x,
+        dw2_y, t14, t15, t16, t17, t18, t19, t20,
+    ]
     };
     // link 3: motion
     let [
-        w3_x, t15, t22, t23, t24, t25, t26, t27,
-        t29, t30, t31, t32, a3_z, t40, t43, w3_z,
-        t47, t48, dw3_z,
+        t23, t26, t31, t34, a3_y, t40, t43, w3_z,
+        dw3_z, t48, t49, t50, dw3_x, t52, t53, t54,
+        t55, t56, t57, t58, t59,
     ] = {
-        let w3_x = c3 * w2_x - s3 * dq2;
-        let t15 = c3 * dq2 + s3 * w2_x;
-        let t22 = w2_x * w2_x;
-        let t23 = w2_y * w2_y;
-        let t24 = dq2 * dq2;
-        let t25 = w2_x * w2_y;
-        let t26 = t25 - ddq2;
-        let t27 = ddq2 + t25;
-        let t29 = dw2_y - t7;
-        let t30 = t6 + dw2_x;
-        let t31 = c3 * a2_x;
-        let t32 = s3 * a2_x;
-        let t35 = L2 * t30;
-        let t36 = a2_x + L2 * t26;
-        let a3_z = a2_y - L2 * (t22 + t24);
-        let t40 = s3 * t35 - c3 * t36;
-        let t43 = c3 * t35 + s3 * t36;
+        let t23 = s3 * dq2 - c3 * w2_x;
+        let t26 = c3 * dq2 + s3 * w2_x;
+        let t29 = L2 * t20;
+        let t30 = L2 * t16 - a2_x;
+        let t31 = L2 * t18 - a2_y;
+        let t34 = c3 * t30 + s3 * t29;
+        let a3_y = s3 * t30 - c3 * t29;
+        let t40 = c3 * t16 + s3 * t20;
+        let t43 = c3 * t20 - s3 * t16;
         let w3_z = w2_y + dq3;
-        let t47 = dq3 * t15 - (c3 * dw2_x - s3 * ddq2);
-        let t48 = c3 * ddq2 + s3 * dw2_x + dq3 * w3_x;
         let dw3_z = dw2_y + ddq3;
-        put(63, t25); // row 2, YY2
+        let t46 = t23 * t23;
+        let t47 = w3_z * w3_z;
+        let t48 = t23 * t26;
+        let t49 = t23 * w3_z;
+        let t50 = t26 * w3_z;
+        let dw3_x = t43 - t50;
+        let t52 = t40 - t49;
+        let t53 = t46 - t47;
+        let t54 = t18 - t53;
+        let t55 = dw3_z - t48;
+        let t56 = dw3_z + t48;
+        let t57 = t46 + t47;
+        let t58 = t52 - t49;
+        let t59 = t50 - dw3_x;
+        put(120, a3_y); // row 3, MSX3
+        put(121, t34); // row 3, MSY3
+        put(123, t48); // row 3, YY3
         put(124, dw3_z); // row 3, ZZ3
+        put(126, t43); // row 3, XZ3
         [
-        w3_x, t15, t22, t23, t24, t25, t26, t27,
-        t29, t30, t31, t32, a3_z, t40, t43, w3_z,
-        t47, t48, dw3_z,
+        t23, t26, t31, t34, a3_y, t40, t43, w3_z,
+        dw3_z, t48, t49, t50, dw3_x, t52, t53, t54,
+        t55, t56, t57, t58, t59,
     ]
     };
     // link 4: motion
     let [
-        t52, t55, t62, t63, t64, t65, t66, t67,
-        t68, t69, t70, t71, t72, t73, t76, a4_y,
-        t80, t83, t84, dw4_z,
+        t62, t65, t68, a4_y, t74, t77, t78, dw4_z,
+        t82, t83, t84, t85, t86, t87, t88, t89,
+        t90, t91, t92, t93,
     ] = {
-        let t52 = s4 * w3_z - c4 * w3_x;
-        let t55 = c4 * w3_z + s4 * w3_x;
-        let t62 = w3_x * w3_x;
-        let t63 = t15 * t15;
-        let t64 = w3_z * w3_z;
-        let t65 = w3_x * t15;
-        let t66 = w3_x * w3_z;
-        let t67 = t15 * w3_z;
-        let t68 = dw3_z + t65;
-        let t69 = t66 - t48;
-        let t70 = dw3_z - t65;
-        let t71 = t67 - t47;
-        let t72 = t48 + t66;
-        let t73 = t47 + t67;
-        let t76 = c4 * t40 + s4 * a3_z;
-        let a4_y = s4 * t40 - c4 * a3_z;
-        let t80 = t15 - dq4;
-        let t83 = c4 * t47 + s4 * dw3_z + dq4 * t55;
-        let t84 = s4 * t47 - c4 * dw3_z + dq4 * t52;
-        let dw4_z = ddq4 - t48;
-        put(122, t65); // row 3, XX3
-        put(126, t71); // row 3, XZ3
-        put(127, t69); // row 3, YZ3
+        let t62 = c4 * t23 + s4 * w3_z;
+        let t65 = s4 * t23 - c4 * w3_z;
+        let t68 = c4 * t34 - s4 * t31;
+        let a4_y = c4 * t31 + s4 * t34;
+        let t74 = s4 * t59 - c4 * t55;
+        let t77 = c4 * t59 + s4 * t55;
+        let t78 = t26 - dq4;
+        let dw4_z = ddq4 - t52;
+        let t80 = t62 * t62;
+        let t81 = t78 * t78;
+        let t82 = t62 * t65;
+        let t83 = t62 * t78;
+        let t84 = t65 * t78;
+        let t85 = t77 + t84;
+        let t86 = t83 - t74;
+        let t87 = t80 - t81;
+        let t88 = t87 - t57;
+        let t89 = dw4_z + t82;
+        let t90 = dw4_z - t82;
+        let t91 = t80 + t81;
+        let t92 = t83 + t86;
+        let t93 = t84 + t85;
         put(169, a4_y); // row 4, MSX4
-        put(170, t76); // row 4, MSY4
+        put(170, t68); // row 4, MSY4
+        put(171, t82); // row 4, XX4
         put(173, dw4_z); // row 4, ZZ4
+        put(176, t74); // row 4, YZ4
         [
-        t52, t55, t62, t63, t64, t65, t66, t67,
-        t68, t69, t70, t71, t72, t73, t76, a4_y,
-        t80, t83, t84, dw4_z,
+        t62, t65, t68, a4_y, t74, t77, t78, dw4_z,
+        t82, t83, t84, t85, t86, t87, t88, t89,
+        t90, t91, t92, t93,
     ]
     };
     // link 5: motion
     let [
-        t88, t91, t98, t99, t100, t101, t102, t103,
-        t104, t105, t106, t107, t108, t109, t110, t111,
-        t112, t117, t121, a5_y, w5_z, t128, dw5_y, dw5_z,
+        t96, w5_y, t104, t108, a5_y, t114, t117, w5_z,
+        dw5_z, t122, t123, t124, dw5_x, dw5_y, t127, t128,
+        t129, t130, t131, t132, t133,
     ] = {
-        let t88 = c5 * t52 + s5 * t80;
-        let t91 = c5 * t80 - s5 * t52;
-        let t98 = t52 * t52;
-        let t99 = t55 * t55;
-        let t100 = t80 * t80;
-        let t101 = t52 * t55;
-        let t102 = t52 * t80;
-        let t103 = t55 * t80;
-        let t104 = t99 + t100;
-        let t105 = t101 - dw4_z;
-        let t106 = t84 + t102;
-        let t107 = dw4_z + t101;
-        let t108 = t98 + t100;
-        let t109 = t83 + t103;
-        let t110 = t102 - t84;
-        let t111 = t103 - t83;
-        let t112 = t98 + t99;
-        let t116 = t76 + L3 * t105;
-        let t117 = a4_y + L3 * t108;
-        let t118 = t43 + L3 * t111;
-        let t121 = c5 * t116 + s5 * t118;
-        let a5_y = s5 * t116 - c5 * t118;
-        let w5_z = t55 + dq5;
-        let t128 = c5 * t83 - s5 * dw4_z + dq5 * t91;
-        let dw5_y = c5 * dw4_z + s5 * t83 + dq5 * t88;
-        let dw5_z = ddq5 - t84;
-        put(172, t101); // row 4, YY4
-        put(176, t106); // row 4, YZ4
+        let t96 = c5 * t62 + s5 * t78;
+        let w5_y = s5 * t62 - c5 * t78;
+        let t103 = t68 - L3 * t89;
+        let t104 = a4_y + L3 * t91;
+        let t105 = a3_y + L3 * t93;
+        let t108 = c5 * t103 - s5 * t105;
+        let a5_y = c5 * t105 + s5 * t103;
+        let t114 = c5 * t89 + s5 * t93;
+        let t117 = s5 * t89 - c5 * t93;
+        let w5_z = dq5 - t65;
+        let dw5_z = t86 + ddq5;
+        let t120 = t96 * t96;
+        let t121 = w5_z * w5_z;
+        let t122 = t96 * w5_y;
+        let t123 = t96 * w5_z;
+        let t124 = w5_y * w5_z;
+        let dw5_x = t117 + t124;
+        let dw5_y = t114 + t123;
+        let t127 = t121 - t120;
+        let t128 = t91 + t127;
+        let t129 = dw5_z + t122;
+        let t130 = t122 - dw5_z;
+        let t131 = t120 + t121;
+        let t132 = t123 + dw5_y;
+        let t133 = t124 + dw5_x;
         put(209, a5_y); // row 5, MSX5
-        put(210, t121); // row 5, MSY5
+        put(210, t108); // row 5, MSY5
+        put(211, t122); // row 5, XX5
         put(213, dw5_z); // row 5, ZZ5
+        put(215, t117); // row 5, XZ5
+        put(216, t114); // row 5, YZ5
         [
-        t88, t91, t98, t99, t100, t101, t102, t103,
-        t104, t105, t106, t107, t108, t109, t110, t111,
-        t112, t117, t121, a5_y, w5_z, t128, dw5_y, dw5_z,
+        t96, w5_y, t104, t108, a5_y, t114, t117, w5_z,
+        dw5_z, t122, t123, t124, dw5_x, dw5_y, t127, t128,
+        t129, t130, t131, t132, t133,
     ]
     };
     // link 6: motion
     let [
-        w6_x, w6_y, t143, t144, t145, t146, t147, t148,
-        t149, t150, t151, t152, t153, t154, t155, t156,
-        t157, t160, t163, w6_z, dw6_x, dw6_y, dw6_z,
+        w6_x, w6_y, t142, t145, t148, t151, t152, t153,
+        t156, t157, t158, dw6_x, t160, t161, t162, t163,
+        t164, t165, t166, t167,
     ] = {
-        let w6_x = s6 * w5_z - c6 * t88;
-        let w6_y = c6 * w5_z + s6 * t88;
-        let t143 = t88 * t88;
-        let t144 = t91 * t91;
-        let t145 = w5_z * w5_z;
-        let t146 = t88 * t91;
-        let t147 = t88 * w5_z;
-        let t148 = t91 * w5_z;
-        let t149 = t144 + t145;
-        let t150 = dw5_z - t146;
-        let t151 = dw5_y - t147;
-        let t152 = dw5_z + t146;
-        let t153 = t143 + t145;
-        let t154 = t148 - t128;
-        let t155 = dw5_y + t147;
-        let t156 = t128 + t148;
-        let t157 = t143 + t144;
-        let t160 = c6 * t121 + s6 * t117;
-        let t163 = c6 * t117 - s6 * t121;
-        let w6_z = t91 + dq6;
-        let dw6_x = s6 * dw5_z - c6 * t128 + dq6 * w6_y;
-        let dw6_y = c6 * dw5_z + s6 * t128 - dq6 * w6_x;
-        let dw6_z = ddq6 - dw5_y;
-        put(212, t146); // row 5, YY5
-        put(215, t154); // row 5, XZ5
-        put(216, t151); // row 5, YZ5
-        put(238, t160); // row 6, MSY6
-        put(241, dw6_z); // row 6, ZZ6
+        let w6_x = s6 * w5_z - c6 * t96;
+        let w6_y = c6 * w5_z + s6 * t96;
+        let t142 = c6 * t108 + s6 * t104;
+        let t145 = c6 * t104 - s6 * t108;
+        let t148 = c6 * t129 - s6 * t133;
+        let t151 = c6 * t133 + s6 * t129;
+        let t152 = w5_y - dq6;
+        let t153 = dw5_y - ddq6;
+        let t154 = w6_x * w6_x;
+        let t155 = t152 * t152;
+        let t156 = w6_x * w6_y;
+        let t157 = w6_x * t152;
+        let t158 = w6_y * t152;
+        let dw6_x = t151 - t158;
+        let t160 = t148 + t157;
+        let t161 = t155 - t154;
+        let t162 = t131 + t161;
+        let t163 = t153 + t156;
+        let t164 = t156 - t153;
+        let t165 = t154 + t155;
+        let t166 = t157 + t160;
+        let t167 = dw6_x - t158;
+        put(238, t142); // row 6, MSY6
+        put(240, t156); // row 6, YY6
+        put(243, t151); // row 6, XZ6
+        put(244, t148); // row 6, YZ6
         [
-        w6_x, w6_y, t143, t144, t145, t146, t147, t148,
-        t149, t150, t151, t152, t153, t154, t155, t156,
-        t157, t160, t163, w6_z, dw6_x, dw6_y, dw6_z,
+        w6_x, w6_y, t142, t145, t148, t151, t152, t153,
+        t156, t157, t158, dw6_x, t160, t161, t162, t163,
+        t164, t165, t166, t167,
     ]
     };
     // link 7: motion
     let [
-        w7_x, t175, t182, t183, t184, t185, t186, t187,
-        t188, t189, t190, t191, t192, t193, t194, t195,
-        t196, t199, a7_y, w7_z, t206, t207, dw7_z,
+        t176, a7_y, t182, t185, dw7_z, t190, t191, t192,
+        dw7_x, t194, t195, t196, t197, t198, t199, t200,
+        t201,
     ] = {
-        let w7_x = c7 * w6_x - s7 * w6_z;
-        let t175 = c7 * w6_z + s7 * w6_x;
-        let t182 = w6_x * w6_x;
-        let t183 = w6_y * w6_y;
-        let t184 = w6_z * w6_z;
-        let t185 = w6_x * w6_y;
-        let t186 = w6_x * w6_z;
-        let t187 = w6_y * w6_z;
-        let t188 = t183 + t184;
-        let t189 = dw6_z - t185;
-        let t190 = dw6_y + t186;
-        let t191 = dw6_z + t185;
-        let t192 = t182 + t184;
-        let t193 = dw6_x - t187;
-        let t194 = dw6_y - t186;
-        let t195 = dw6_x + t187;
-        let t196 = t182 + t183;
-        let t199 = c7 * t160 - s7 * a5_y;
-        let a7_y = c7 * a5_y + s7 * t160;
+        let w7_x = c7 * w6_x + s7 * t152;
+        let t173 = c7 * t152 - s7 * w6_x;
+        let t176 = c7 * t142 - s7 * a5_y;
+        let a7_y = c7 * a5_y + s7 * t142;
+        let t182 = c7 * t163 - s7 * t167;
+        let t185 = c7 * t167 + s7 * t163;
         let w7_z = w6_y + dq7;
-        let t206 = s7 * dw6_z - c7 * dw6_x + dq7 * t175;
-        let t207 = c7 * dw6_z + s7 * dw6_x + dq7 * w7_x;
-        let dw7_z = dw6_y + ddq7;
-        put(240, t185); // row 6, YY6
-        put(243, t193); // row 6, XZ6
-        put(244, t190); // row 6, YZ6
+        let dw7_z = t160 + ddq7;
+        let t188 = w7_x * w7_x;
+        let t189 = w7_z * w7_z;
+        let t190 = w7_x * t173;
+        let t191 = w7_x * w7_z;
+        let t192 = t173 * w7_z;
+        let dw7_x = t185 + t192;
+        let t194 = t191 - t182;
+        let t195 = t188 - t189;
+        let t196 = t195 - t165;
+        let t197 = t190 - dw7_z;
+        let t198 = dw7_z + t190;
+        let t199 = t188 + t189;
+        let t200 = t191 + t194;
+        let t201 = t192 + dw7_x;
         put(256, a7_y); // row 7, MSX7
-        put(257, t199); // row 7, MSY7
+        put(257, t176); // row 7, MSY7
+        put(259, t190); // row 7, YY7
         put(260, dw7_z); // row 7, ZZ7
+        put(262, t185); // row 7, XZ7
+        put(263, t182); // row 7, YZ7
         [
-        w7_x, t175, t182, t183, t184, t185, t186, t187,
-        t188, t189, t190, t191, t192, t193, t194, t195,
-        t196, t199, a7_y, w7_z, t206, t207, dw7_z,
+        t176, a7_y, t182, t185, dw7_z, t190, t191, t192,
+        dw7_x, t194, t195, t196, t197, t198, t199, t200,
+        t201,
     ]
     };
     // joint axes in frame 3
-    let [z1_3_x, t210] = {
+    let [z1_3_x, t203] = {
         let z1_3_x = s2 * c3;
-        let t210 = s2 * s3;
-        [z1_3_x, t210]
+        let t203 = s2 * s3;
+        [z1_3_x, t203]
     };
     // joint axes in frame 4
-    let [t213, z1_5_z, t217, z2_4_y] = {
-        let t213 = c2 * s4 - c4 * z1_3_x;
+    let [t206, z1_5_z, t210, z2_4_y] = {
+        let t206 = c2 * s4 - c4 * z1_3_x;
         let z1_5_z = c2 * c4 + s4 * z1_3_x;
-        let t217 = s3 * c4;
+        let t210 = s3 * c4;
         let z2_4_y = s3 * s4;
-        [t213, z1_5_z, t217, z2_4_y]
+        [t206, z1_5_z, t210, z2_4_y]
     };
     // joint axes in frame 5
-    let [t221, z1_6_z, t227, t230, t231, z3_5_y] = {
-        let t221 = c5 * t213 + s5 * t210;
-        let z1_6_z = c5 * t210 - s5 * t213;
-        let t227 = c5 * t217 + c3 * s5;
-        let t230 = c3 * c5 - s5 * t217;
-        let t231 = s4 * c5;
+    let [t214, t217, t220, t223, t224, z3_5_y] = {
+        let t214 = c5 * t206 + s5 * t203;
+        let t217 = s5 * t206 - c5 * t203;
+        let t220 = c5 * t210 + c3 * s5;
+        let t223 = c3 * c5 - s5 * t210;
+        let t224 = s4 * c5;
         let z3_5_y = s4 * s5;
-        [t221, z1_6_z, t227, t230, t231, z3_5_y]
+        [t214, t217, t220, t223, t224, z3_5_y]
     };
     // MSZ2: column
     {
-        let t235 = c2 * a2_x - s2 * a2_y;
-        put(1, t235); // row 1, MSZ2
+        let t228 = c2 * a2_x - s2 * a2_y;
+        put(1, t228); // row 1, MSZ2
     }
     // XX2: column
-    let t237 = {
-        let t237 = c2 * t7;
-        let t238 = s2 * dw2_x + t237;
-        put(2, t238); // row 1, XX2
-        t237
+    let t230 = {
+        let t230 = c2 * t10;
+        let t231 = s2 * dw2_x + t230;
+        put(2, t231); // row 1, XX2
+        t230
     };
     // YY2: column
-    let t239 = {
-        let t239 = s2 * t6;
-        let t241 = c2 * dw2_y - t239;
-        put(3, t241); // row 1, YY2
-        t239
+    let t232 = {
+        let t232 = s2 * t11;
+        let t234 = c2 * dw2_y - t232;
+        put(3, t234); // row 1, YY2
+        t232
     };
     // ZZ2: column
     {
-        let t242 = t239 - t237;
-        put(4, t242); // row 1, ZZ2
+        let t235 = t232 - t230;
+        put(4, t235); // row 1, ZZ2
     }
     // XY2: column
     {
-        let t243 = t22 - t23;
-        let t246 = s2 * t29 + c2 * t30;
-        put(5, t246); // row 1, XY2
-        put(65, t243); // row 2, XY2
+        let t236 = t18 - t15;
+        let t239 = c2 * t20 - s2 * t19;
+        put(5, t239); // row 1, XY2
+        put(65, t236); // row 2, XY2
     }
     // XZ2: column
     {
-        let t250 = s2 * t27 + c2 * (t24 - t22);
-        put(6, t250); // row 1, XZ2
+        let t242 = s2 * t17 + c2 * t14;
+        put(6, t242); // row 1, XZ2
     }
     // YZ2: column
     {
-        let t254 = s2 * (t23 - t24) - c2 * t26;
-        put(7, t254); // row 1, YZ2
+        let t246 = s2 * (t0 - t18) + c2 * t16;
+        put(7, t246); // row 1, YZ2
     }
-    // MSZ3: column
-    let [t257, t260, t261, t262] = {
-        let t257 = t32 * z1_3_x - t31 * t210;
-        let t260 = s3 * t32 + c3 * t31;
-        let t261 = L2 * t257;
-        let t262 = L2 * t260;
-        [t257, t260, t261, t262]
-    };
-    // XX3: column
-    let [t264, t265, t267, t269, t270] = {
-        let t264 = t66 * t210;
-        let t265 = c2 * t65;
-        let t267 = t265 - (t47 * z1_3_x + t264);
-        let t269 = c3 * t66;
-        let t270 = s3 * t47 - t269;
-        put(12, t267); // row 1, XX3
-        put(72, t270); // row 2, XX3
-        [t264, t265, t267, t269, t270]
-    };
-    // YY3: column
-    let [t271, t275, t278, t279] = {
-        let t271 = t67 * z1_3_x;
-        let t274 = t271 + t48 * t210 - t265;
-        let t275 = s3 * t67;
-        let t277 = c3 * t48 - t275;
-        let t278 = t267 + t274;
-        let t279 = t270 + t277;
-        let t281 = t261 + t278 * k3;
-        let t283 = t279 * k3 - t262;
-        put(8, t281); // row 1, M3
-        put(13, t274); // row 1, YY3
-        put(68, t283); // row 2, M3
-        put(73, t277); // row 2, YY3
-        [t271, t275, t278, t279]
+    // M3: column
+    let [t249, t252] = {
+        let t247 = L2 * a3_y;
+        let t248 = L2 * t34;
+        let t249 = z1_3_x * t247;
+        let t251 = t203 * t248 - t249;
+        let t252 = s3 * t247;
+        let t254 = t252 + c3 * t248;
+        put(8, t251); // row 1, M3
+        put(68, t254); // row 2, M3
+        [t249, t252]
     };
     // MSX3: column
-    let [t286, t287] = {
-        let t286 = a2_y * t210 - c2 * t32;
-        let t287 = c3 * a2_y;
-        [t286, t287]
-    };
-    // XZ3: column
-    let t302 = {
-        let t288 = t62 - t64;
-        let t293 = c2 * t71 + (t70 * z1_3_x + t210 * t288);
-        let t296 = c3 * t288 - s3 * t70;
-        let t298 = t286 - L2 * t293;
-        let t300 = t287 - L2 * t296;
-        let t302 = t32 + L2 * t71;
-        put(9, t298); // row 1, MSX3
-        put(16, t293); // row 1, XZ3
-        put(69, t300); // row 2, MSX3
-        put(76, t296); // row 2, XZ3
-        t302
-    };
+    {
+        let t255 = L2 * t56;
+        let t257 = L2 * t54 - t31;
+        let t262 = c2 * a3_y + (t203 * t257 - z1_3_x * t255);
+        let t265 = s3 * t255 + c3 * t257;
+        put(9, t262); // row 1, MSX3
+        put(69, t265); // row 2, MSX3
+    }
     // MSY3: column
-    let [t305, t306] = {
-        let t305 = a2_y * z1_3_x - c2 * t31;
-        let t306 = s3 * a2_y;
-        [t305, t306]
+    let t266 = {
+        let t266 = L2 * t57;
+        let t267 = L2 * t55;
+        let t268 = t31 - t266;
+        let t273 = c2 * t34 + (t203 * t267 - z1_3_x * t268);
+        let t276 = s3 * t268 + c3 * t267;
+        put(10, t273); // row 1, MSY3
+        put(70, t276); // row 2, MSY3
+        t266
     };
-    // YZ3: column
-    let [t315, t321] = {
-        let t307 = t63 - t64;
-        let t312 = c2 * t69 - (t68 * t210 - z1_3_x * t307);
-        let t315 = s3 * t307 + c3 * t68;
-        let t317 = t305 - L2 * t312;
-        let t319 = L2 * t315 - t306;
-        let t321 = t31 + L2 * t69;
-        put(10, t317); // row 1, MSY3
-        put(17, t312); // row 1, YZ3
-        put(70, t319); // row 2, MSY3
-        [t315, t321]
+    // MSZ3: column
+    {
+        let t279 = a3_y - L2 * t43;
+        let t280 = t34 + L2 * t40;
+        let t283 = t203 * t280 - z1_3_x * t279;
+        let t286 = s3 * t279 + c3 * t280;
+        put(11, t283); // row 1, MSZ3
+        put(71, t286); // row 2, MSZ3
+    }
+    // XX3: column
+    let [t288, t289, t293] = {
+        let t288 = t49 * t203;
+        let t289 = c2 * t48;
+        let t291 = dw3_x * z1_3_x + t288 - t289;
+        let t293 = c3 * t49;
+        let t294 = t293 - s3 * dw3_x;
+        put(12, t291); // row 1, XX3
+        put(72, t294); // row 2, XX3
+        [t288, t289, t293]
     };
     // YY3: column
-    {
-        let t323 = t257 + t278 * k4;
-        let t325 = t279 * k4 - t260;
-        put(11, t323); // row 1, MSZ3
-        put(71, t325); // row 2, MSZ3
-    }
+    let [t295, t299] = {
+        let t295 = t50 * z1_3_x;
+        let t298 = t289 + (t295 + t52 * t203);
+        let t299 = s3 * t50;
+        let t301 = c3 * t52 - t299;
+        put(13, t298); // row 1, YY3
+        put(73, t301); // row 2, YY3
+        [t295, t299]
+    };
     // ZZ3: column
     {
-        let t328 = c2 * dw3_z + (t264 - t271);
-        let t329 = t269 + t275;
-        put(14, t328); // row 1, ZZ3
-        put(74, t329); // row 2, ZZ3
+        let t304 = c2 * dw3_z - (t288 + t295);
+        let t305 = t299 - t293;
+        put(14, t304); // row 1, ZZ3
+        put(74, t305); // row 2, ZZ3
     }
     // XY3: column
     {
-        let t330 = t62 - t63;
-        let t335 = c2 * t330 - (t72 * z1_3_x - t73 * t210);
-        let t338 = s3 * t72 + c3 * t73;
-        put(15, t335); // row 1, XY3
-        put(75, t338); // row 2, XY3
-        put(125, t330); // row 3, XY3
+        let t306 = t57 - t54;
+        let t311 = c2 * t306 - (t58 * z1_3_x - t59 * t203);
+        let t314 = s3 * t58 + c3 * t59;
+        put(15, t311); // row 1, XY3
+        put(75, t314); // row 2, XY3
+        put(125, t306); // row 3, XY3
     }
+    // XZ3: column
+    {
+        let t319 = c2 * t43 + (t56 * z1_3_x + t53 * t203);
+        let t322 = c3 * t53 - s3 * t56;
+        put(16, t319); // row 1, XZ3
+        put(76, t322); // row 2, XZ3
+    }
+    // YZ3: column
+    let t328 = {
+        let t323 = t57 - t18;
+        let t328 = c2 * t40 + (z1_3_x * t323 + t55 * t203);
+        let t331 = s3 * t323 - c3 * t55;
+        put(77, t331); // row 2, YZ3
+        t328
+    };
     // M4: column
-    let [t341, t344] = {
-        let t341 = c4 * t76 + s4 * a4_y;
-        let t344 = s4 * t76 - c4 * a4_y;
-        let t345 = L2 * t43;
-        let t346 = L2 * t341;
-        let t349 = z1_3_x * t345 + t210 * t346;
-        let t352 = c3 * t346 - s3 * t345;
-        put(18, t349); // row 1, M4
-        put(78, t352); // row 2, M4
-        put(130, t341); // row 3, MSZ4
-        [t341, t344]
+    let [t334, t337] = {
+        let t334 = c4 * t68 + s4 * a4_y;
+        let t337 = c4 * a4_y - s4 * t68;
+        let t338 = L2 * t334;
+        let t340 = t203 * t338 - t249;
+        let t342 = t252 + c3 * t338;
+        put(18, t340); // row 1, M4
+        put(78, t342); // row 2, M4
+        put(130, t334); // row 3, MSZ4
+        [t334, t337]
     };
     // MSX4: column
-    let [t354, t356, t357] = {
-        let t354 = s4 * t107;
-        let t356 = s4 * t43;
-        let t357 = c4 * t43;
-        let t360 = t356 + L2 * t110;
-        let t361 = L2 * (c4 * t104 + t354) - a4_y;
-        let t366 = t210 * t361 - z1_3_x * t360 - c2 * t357;
-        let t369 = s3 * t360 + c3 * t361;
-        put(19, t366); // row 1, MSX4
-        put(79, t369); // row 2, MSX4
-        put(129, t356); // row 3, MSY4
-        [t354, t356, t357]
+    let [t344, t346, t347] = {
+        let t344 = s4 * t90;
+        let t346 = s4 * a3_y;
+        let t347 = c4 * a3_y;
+        let t350 = L2 * t92 - t346;
+        let t351 = L2 * (t344 - c4 * t88) - a4_y;
+        let t356 = c2 * t347 - (z1_3_x * t350 - t203 * t351);
+        let t359 = s3 * t350 + c3 * t351;
+        put(19, t356); // row 1, MSX4
+        put(79, t359); // row 2, MSX4
+        put(128, t347); // row 3, MSX4
+        [t344, t346, t347]
     };
     // MSY4: column
-    let t370 = {
-        let t370 = c4 * t105;
-        let t375 = t357 + L2 * t111;
-        let t376 = t76 + L2 * (t370 + s4 * t108);
-        let t381 = c2 * t356 - (z1_3_x * t375 + t210 * t376);
-        let t384 = s3 * t375 - c3 * t376;
-        put(20, t381); // row 1, MSY4
-        put(80, t384); // row 2, MSY4
-        t370
+    let [t360, t361] = {
+        let t360 = c4 * t89;
+        let t361 = s4 * t91;
+        let t365 = t347 + L2 * t93;
+        let t366 = L2 * (t360 - t361) - t68;
+        let t371 = z1_3_x * t365 + t203 * t366 - c2 * t346;
+        let t374 = c3 * t366 - s3 * t365;
+        put(20, t371); // row 1, MSY4
+        put(80, t374); // row 2, MSY4
+        [t360, t361]
     };
     // MSZ4: column
     {
-        let t389 = L2 * (s4 * t109 - c4 * t106);
-        let t390 = t344 + L2 * t112;
-        let t395 = c2 * t341 + (z1_3_x * t390 + t210 * t389);
-        let t398 = c3 * t389 - s3 * t390;
-        put(21, t395); // row 1, MSZ4
-        put(81, t398); // row 2, MSZ4
+        let t378 = L2 * (c4 * t74 - s4 * t77);
+        let t379 = t337 - t266;
+        let t384 = c2 * t334 - (z1_3_x * t379 + t203 * t378);
+        let t387 = s3 * t379 - c3 * t378;
+        put(21, t384); // row 1, MSZ4
+        put(81, t387); // row 2, MSZ4
     }
     // XX4: column
-    let [t400, t401, t405, t406, t410] = {
-        let t400 = t102 * z1_5_z;
-        let t401 = t101 * t210;
-        let t403 = t401 - (t400 - t83 * t213);
-        let t405 = t102 * z2_4_y;
-        let t406 = c3 * t101;
-        let t408 = t406 + (t83 * t217 + t405);
-        let t410 = c4 * t102;
-        let t411 = s4 * t83 - t410;
-        put(22, t403); // row 1, XX4
-        put(82, t408); // row 2, XX4
-        put(131, t411); // row 3, XX4
-        [t400, t401, t405, t406, t410]
+    let [t389, t390, t392, t394, t395, t399] = {
+        let t389 = t83 * z1_5_z;
+        let t390 = t82 * t203;
+        let t392 = t390 + (t389 - t85 * t206);
+        let t394 = t83 * z2_4_y;
+        let t395 = c3 * t82;
+        let t397 = t85 * t210 + t394 - t395;
+        let t399 = c4 * t83;
+        let t400 = s4 * t85 - t399;
+        put(82, t397); // row 2, XX4
+        put(131, t400); // row 3, XX4
+        [t389, t390, t392, t394, t395, t399]
     };
     // YY4: column
-    let [t412, t415, t416, t420] = {
-        let t412 = t103 * t213;
-        let t415 = t401 + (t84 * z1_5_z - t412);
-        let t416 = t103 * t217;
-        let t419 = t416 + t84 * z2_4_y - t406;
-        let t420 = s4 * t103;
-        let t422 = t420 - c4 * t84;
-        put(83, t419); // row 2, YY4
-        put(132, t422); // row 3, YY4
-        [t412, t415, t416, t420]
+    let [t401, t405, t409] = {
+        let t401 = t84 * t206;
+        let t404 = t390 + (t86 * z1_5_z - t401);
+        let t405 = t84 * t210;
+        let t408 = t395 - (t405 + t86 * z2_4_y);
+        let t409 = s4 * t84;
+        let t411 = c4 * t86 - t409;
+        put(23, t404); // row 1, YY4
+        put(83, t408); // row 2, YY4
+        put(132, t411); // row 3, YY4
+        [t401, t405, t409]
     };
     // ZZ4: column
-    let t428 = {
-        let t425 = t400 - t412 - dw4_z * t210;
-        let t428 = c3 * dw4_z + (t405 + t416);
-        let t429 = t410 - t420;
-        put(24, t425); // row 1, ZZ4
-        put(133, t429); // row 3, ZZ4
-        t428
-    };
+    {
+        let t414 = t389 + t401 - dw4_z * t203;
+        let t417 = t405 - t394 - c3 * dw4_z;
+        let t418 = t399 + t409;
+        put(24, t414); // row 1, ZZ4
+        put(84, t417); // row 2, ZZ4
+        put(133, t418); // row 3, ZZ4
+    }
     // XY4: column
     {
-        let t430 = t98 - t99;
-        let t435 = t110 * t213 - t111 * z1_5_z - t210 * t430;
-        let t440 = t110 * t217 + t111 * z2_4_y - c3 * t430;
-        let t443 = s4 * t110 - c4 * t111;
-        put(25, t435); // row 1, XY4
-        put(85, t440); // row 2, XY4
-        put(134, t443); // row 3, XY4
-        put(174, t430); // row 4, XY4
+        let t419 = t88 + t91;
+        let t424 = t92 * t206 + t93 * z1_5_z - t203 * t419;
+        let t429 = t92 * t210 - t93 * z2_4_y - c3 * t419;
+        let t432 = s4 * t92 + c4 * t93;
+        put(25, t424); // row 1, XY4
+        put(85, t429); // row 2, XY4
+        put(134, t432); // row 3, XY4
+        put(174, t419); // row 4, XY4
     }
     // XZ4: column
     {
-        let t444 = t98 - t100;
-        let t449 = t109 * t210 + (z1_5_z * t444 - t107 * t213);
-        let t454 = c3 * t109 - (t107 * t217 + z2_4_y * t444);
-        let t456 = c4 * t444 - t354;
-        put(26, t449); // row 1, XZ4
-        put(86, t454); // row 2, XZ4
-        put(135, t456); // row 3, XZ4
+        let t437 = t77 * t203 - (t90 * t206 - t87 * z1_5_z);
+        let t442 = c3 * t77 - (t90 * t210 + t87 * z2_4_y);
+        let t444 = c4 * t87 - t344;
+        put(26, t437); // row 1, XZ4
+        put(86, t442); // row 2, XZ4
+        put(135, t444); // row 3, XZ4
     }
     // YZ4: column
     {
-        let t457 = t100 - t99;
-        let t462 = t213 * t457 + t105 * z1_5_z - t106 * t210;
-        let t467 = t217 * t457 - t105 * z2_4_y - c3 * t106;
-        let t469 = t370 + s4 * t457;
-        put(27, t462); // row 1, YZ4
-        put(87, t467); // row 2, YZ4
-        put(136, t469); // row 3, YZ4
+        let t445 = t91 - t57;
+        let t450 = t206 * t445 - t89 * z1_5_z - t74 * t203;
+        let t455 = t210 * t445 + t89 * z2_4_y - c3 * t74;
+        let t457 = s4 * t445 - t360;
+        put(27, t450); // row 1, YZ4
+        put(87, t455); // row 2, YZ4
+        put(136, t457); // row 3, YZ4
     }
     // M5: column
-    let [t471, t472, t474, t475, t477] = {
-        let t471 = s5 * a5_y;
-        let t472 = c5 * t121 + t471;
-        let t474 = c5 * a5_y;
-        let t475 = t474 - s5 * t121;
-        let t476 = L3 * t475;
-        let t477 = L3 * t472;
-        let t482 = s4 * t476;
-        let t485 = c4 * t476 + L2 * t475;
-        let t486 = t477 + L2 * (c4 * t472 + s4 * t117);
-        let t491 = c2 * t482 + (t210 * t486 - z1_3_x * t485);
-        let t494 = s3 * t485 + c3 * t486;
-        put(28, t491); // row 1, M5
-        put(88, t494); // row 2, M5
-        put(137, t482); // row 3, M5
-        [t471, t472, t474, t475, t477]
+    let [t459, t460, t462, t463, t465] = {
+        let t459 = s5 * a5_y;
+        let t460 = c5 * t108 + t459;
+        let t462 = c5 * a5_y;
+        let t463 = t462 - s5 * t108;
+        let t464 = L3 * t463;
+        let t465 = L3 * t460;
+        let t470 = s4 * t464;
+        let t473 = c4 * t464 + L2 * t463;
+        let t474 = t465 + L2 * (c4 * t460 + s4 * t104);
+        let t479 = c2 * t470 - (z1_3_x * t473 - t203 * t474);
+        let t482 = s3 * t473 + c3 * t474;
+        put(28, t479); // row 1, M5
+        put(88, t482); // row 2, M5
+        put(137, t470); // row 3, M5
+        [t459, t460, t462, t463, t465]
     };
     // MSX5: column
-    let [t496, t501, t502] = {
-        let t496 = s5 * t152;
-        let t497 = c5 * t149 + t496;
-        let t500 = c5 * t152 - s5 * t149;
-        let t501 = s5 * t117;
-        let t502 = c5 * t117;
-        let t505 = t501 + L3 * t500;
-        let t506 = t502 - L3 * t497;
-        let t515 = s4 * t505 + c4 * a5_y;
-        let t518 = L2 * t500 - (s4 * a5_y - c4 * t505);
-        let t519 = L2 * (c4 * t497 + s4 * t155) - t506;
-        let t524 = c2 * t515 - (z1_3_x * t518 - t210 * t519);
-        let t527 = s3 * t518 + c3 * t519;
-        put(29, t524); // row 1, MSX5
-        put(89, t527); // row 2, MSX5
-        put(138, t515); // row 3, MSX5
-        put(178, t506); // row 4, MSX5
-        [t496, t501, t502]
+    let [t484, t489, t490] = {
+        let t484 = s5 * t130;
+        let t485 = t484 - c5 * t128;
+        let t488 = s5 * t128 + c5 * t130;
+        let t489 = s5 * t104;
+        let t490 = c5 * t104;
+        let t493 = t489 - L3 * t488;
+        let t494 = t490 + L3 * t485;
+        let t503 = s4 * t493 + c4 * a5_y;
+        let t506 = s4 * a5_y - c4 * t493 + L2 * t488;
+        let t507 = L2 * (s4 * t132 - c4 * t485) - t494;
+        let t512 = c2 * t503 + (z1_3_x * t506 + t203 * t507);
+        let t515 = c3 * t507 - s3 * t506;
+        put(29, t512); // row 1, MSX5
+        put(89, t515); // row 2, MSX5
+        put(138, t503); // row 3, MSX5
+        put(178, t494); // row 4, MSX5
+        [t484, t489, t490]
     };
     // MSY5: column
-    let t528 = {
-        let t528 = c5 * t150;
-        let t530 = s5 * t153 - t528;
-        let t533 = s5 * t150 + c5 * t153;
-        let t536 = t502 - L3 * t533;
-        let t537 = L3 * t530 - t501;
-        let t546 = s4 * t536 + c4 * t121;
-        let t549 = s4 * t121 - c4 * t536 + L2 * t533;
-        let t550 = L2 * (s4 * t156 - c4 * t530) - t537;
-        let t555 = c2 * t546 + (z1_3_x * t549 + t210 * t550);
-        let t558 = c3 * t550 - s3 * t549;
-        put(30, t555); // row 1, MSY5
-        put(90, t558); // row 2, MSY5
-        put(139, t546); // row 3, MSY5
-        put(179, t537); // row 4, MSY5
-        t528
+    let [t516, t517, t520] = {
+        let t516 = c5 * t129;
+        let t517 = s5 * t131;
+        let t518 = t517 - t516;
+        let t520 = c5 * t131;
+        let t521 = s5 * t129 + t520;
+        let t524 = t490 - L3 * t521;
+        let t525 = L3 * t518 - t489;
+        let t534 = s4 * t524 + c4 * t108;
+        let t537 = c4 * t524 - s4 * t108 - L2 * t521;
+        let t538 = t525 + L2 * (c4 * t518 + s4 * t133);
+        let t543 = c2 * t534 - (z1_3_x * t537 + t203 * t538);
+        let t546 = s3 * t537 - c3 * t538;
+        put(30, t543); // row 1, MSY5
+        put(90, t546); // row 2, MSY5
+        put(139, t534); // row 3, MSY5
+        put(179, t525); // row 4, MSY5
+        [t516, t517, t520]
     };
     // MSZ5: column
     {
-        let t561 = c5 * t151 + s5 * t154;
-        let t564 = s5 * t151 - c5 * t154;
-        let t567 = t475 + L3 * t564;
-        let t568 = L3 * t561 - t472;
-        let t573 = s4 * t567;
-        let t576 = c4 * t567 + L2 * t564;
-        let t577 = L2 * (s4 * t157 - c4 * t561) - t568;
-        let t582 = c2 * t573 + (t210 * t577 - z1_3_x * t576);
-        let t585 = s3 * t576 + c3 * t577;
-        put(31, t582); // row 1, MSZ5
-        put(91, t585); // row 2, MSZ5
-        put(140, t573); // row 3, MSZ5
-        put(180, t568); // row 4, MSZ5
+        let t549 = c5 * t114 + s5 * t117;
+        let t552 = s5 * t114 - c5 * t117;
+        let t555 = t463 + L3 * t552;
+        let t556 = L3 * t549 - t460;
+        let t560 = s4 * t555;
+        let t563 = c4 * t555 + L2 * t552;
+        let t564 = L2 * (t361 - c4 * t549) - t556;
+        let t569 = c2 * t560 + (t203 * t564 - z1_3_x * t563);
+        let t572 = s3 * t563 + c3 * t564;
+        put(31, t569); // row 1, MSZ5
+        put(91, t572); // row 2, MSZ5
+        put(140, t560); // row 3, MSZ5
+        put(180, t556); // row 4, MSZ5
     }
     // XX5: column
-    let [t587, t588, t592, t593, t597, t598, t602, t603] = {
-        let t587 = t147 * z1_6_z;
-        let t588 = t146 * z1_5_z;
-        let t590 = t128 * t221 + t587 - t588;
-        let t592 = t147 * t230;
-        let t593 = t146 * z2_4_y;
-        let t595 = t593 + (t128 * t227 + t592);
-        let t597 = t147 * z3_5_y;
-        let t598 = c4 * t146;
-        let t600 = t128 * t231 - t597 - t598;
-        let t602 = c5 * t147;
-        let t603 = s5 * t128 + t602;
-        put(32, t590); // row 1, XX5
-        put(92, t595); // row 2, XX5
-        put(141, t600); // row 3, XX5
-        [t587, t588, t592, t593, t597, t598, t602, t603]
+    let [t574, t575, t579, t580, t584, t585, t589] = {
+        let t574 = t123 * t217;
+        let t575 = t122 * z1_5_z;
+        let t577 = t575 - (dw5_x * t214 + t574);
+        let t579 = t123 * t223;
+        let t580 = t122 * z2_4_y;
+        let t582 = t579 - dw5_x * t220 - t580;
+        let t584 = t123 * z3_5_y;
+        let t585 = c4 * t122;
+        let t587 = t585 - (dw5_x * t224 + t584);
+        let t589 = c5 * t123;
+        let t590 = s5 * dw5_x - t589;
+        put(32, t577); // row 1, XX5
+        put(92, t582); // row 2, XX5
+        put(141, t587); // row 3, XX5
+        put(181, t590); // row 4, XX5
+        [t574, t575, t579, t580, t584, t585, t589]
     };
     // YY5: column
-    let [t604, t608, t611, t612, t616] = {
-        let t604 = t148 * t221;
-        let t607 = t588 - (t604 + dw5_y * z1_6_z);
-        let t608 = t148 * t227;
-        let t611 = t593 + (t608 + dw5_y * t230);
-        let t612 = t148 * t231;
-        let t615 = t598 - (t612 - dw5_y * z3_5_y);
-        let t616 = s5 * t148;
-        let t618 = t616 + c5 * dw5_y;
-        put(33, t607); // row 1, YY5
-        put(142, t615); // row 3, YY5
-        put(182, t618); // row 4, YY5
-        [t604, t608, t611, t612, t616]
+    let [t591, t595, t599, t603] = {
+        let t591 = t124 * t214;
+        let t594 = t591 + dw5_y * t217 - t575;
+        let t595 = t124 * t220;
+        let t598 = t580 + (t595 - dw5_y * t223);
+        let t599 = t124 * t224;
+        let t602 = t599 + dw5_y * z3_5_y - t585;
+        let t603 = s5 * t124;
+        let t605 = c5 * dw5_y - t603;
+        put(33, t594); // row 1, YY5
+        put(93, t598); // row 2, YY5
+        put(142, t602); // row 3, YY5
+        put(182, t605); // row 4, YY5
+        [t591, t595, t599, t603]
     };
     // ZZ5: column
-    {
-        let t621 = dw5_z * z1_5_z + (t604 - t587);
-        let t624 = t608 - t592 - dw5_z * z2_4_y;
-        let t627 = c4 * dw5_z + (t597 + t612);
-        let t628 = t602 - t616;
-        put(34, t621); // row 1, ZZ5
-        put(94, t624); // row 2, ZZ5
-        put(143, t627); // row 3, ZZ5
-        put(183, t628); // row 4, ZZ5
-    }
+    let t611 = {
+        let t608 = dw5_z * z1_5_z + (t574 - t591);
+        let t611 = dw5_z * z2_4_y + (t579 + t595);
+        let t614 = c4 * dw5_z - (t599 - t584);
+        let t615 = t589 + t603;
+        put(34, t608); // row 1, ZZ5
+        put(143, t614); // row 3, ZZ5
+        put(183, t615); // row 4, ZZ5
+        t611
+    };
     // XY5: column
-    {
-        let t629 = t143 - t144;
-        let t634 = z1_5_z * t629 - (t155 * t221 - t156 * z1_6_z);
-        let t639 = t156 * t230 - t155 * t227 - z2_4_y * t629;
-        let t644 = c4 * t629 - (t155 * t231 + t156 * z3_5_y);
-        let t647 = s5 * t155 - c5 * t156;
-        put(35, t634); // row 1, XY5
-        put(95, t639); // row 2, XY5
-        put(144, t644); // row 3, XY5
-        put(184, t647); // row 4, XY5
-        put(214, t629); // row 5, XY5
-    }
+    let t626 = {
+        let t616 = t131 - t128;
+        let t621 = z1_5_z * t616 - (t132 * t214 - t133 * t217);
+        let t626 = z2_4_y * t616 + (t132 * t220 + t133 * t223);
+        let t631 = c4 * t616 + (t133 * z3_5_y - t132 * t224);
+        let t634 = s5 * t132 + c5 * t133;
+        put(35, t621); // row 1, XY5
+        put(144, t631); // row 3, XY5
+        put(184, t634); // row 4, XY5
+        put(214, t616); // row 5, XY5
+        t626
+    };
     // XZ5: column
     {
-        let t648 = t143 - t145;
-        let t653 = t154 * z1_5_z + (z1_6_z * t648 - t152 * t221);
-        let t658 = t230 * t648 - t152 * t227 - t154 * z2_4_y;
-        let t663 = c4 * t154 - (t152 * t231 + z3_5_y * t648);
-        let t665 = t496 - c5 * t648;
-        put(36, t653); // row 1, XZ5
-        put(96, t658); // row 2, XZ5
-        put(145, t663); // row 3, XZ5
-        put(185, t665); // row 4, XZ5
+        let t639 = t117 * z1_5_z + (t130 * t214 + t127 * t217);
+        let t644 = t130 * t220 - t127 * t223 - t117 * z2_4_y;
+        let t649 = c4 * t117 + (t130 * t224 + t127 * z3_5_y);
+        let t651 = c5 * t127 - t484;
+        put(36, t639); // row 1, XZ5
+        put(96, t644); // row 2, XZ5
+        put(145, t649); // row 3, XZ5
+        put(185, t651); // row 4, XZ5
     }
     // YZ5: column
     {
-        let t666 = t145 - t144;
-        let t671 = t151 * z1_5_z + (t221 * t666 - t150 * z1_6_z);
-        let t676 = t227 * t666 - t150 * t230 - t151 * z2_4_y;
-        let t681 = c4 * t151 + (t231 * t666 + t150 * z3_5_y);
-        let t683 = t528 - s5 * t666;
-        put(37, t671); // row 1, YZ5
-        put(97, t676); // row 2, YZ5
-        put(146, t681); // row 3, YZ5
-        put(186, t683); // row 4, YZ5
+        let t652 = t131 - t91;
+        let t657 = t114 * z1_5_z + (t214 * t652 + t129 * t217);
+        let t662 = t220 * t652 - t129 * t223 - t114 * z2_4_y;
+        let t667 = c4 * t114 + (t224 * t652 + t129 * z3_5_y);
+        let t669 = t516 - s5 * t652;
+        put(37, t657); // row 1, YZ5
+        put(97, t662); // row 2, YZ5
+        put(146, t667); // row 3, YZ5
+        put(186, t669); // row 4, YZ5
     }
     // M6: column
-    let [t685, t686, t688, t689] = {
-        let t685 = s6 * t163;
-        let t686 = t685 - c6 * t160;
-        let t688 = c6 * t163;
-        let t689 = s6 * t160 + t688;
-        let t691 = c5 * t686 - t471;
-        let t693 = t474 + s5 * t686;
-        let t694 = L3 * t693;
-        let t695 = L3 * t691;
-        let t700 = s4 * t694;
-        let t703 = c4 * t694 + L2 * t693;
-        let t704 = L2 * (s4 * t689 - c4 * t691) - t695;
-        let t709 = c2 * t700 + (t210 * t704 - z1_3_x * t703);
-        let t712 = s3 * t703 + c3 * t704;
-        put(38, t709); // row 1, M6
-        put(98, t712); // row 2, M6
-        put(147, t700); // row 3, M6
-        put(187, t695); // row 4, M6
-        put(219, t686); // row 5, MSZ6
-        [t685, t686, t688, t689]
+    let [t671, t672, t674, t675] = {
+        let t671 = s6 * t145;
+        let t672 = t671 - c6 * t142;
+        let t674 = c6 * t145;
+        let t675 = s6 * t142 + t674;
+        let t677 = c5 * t672 - t459;
+        let t679 = t462 + s5 * t672;
+        let t680 = L3 * t679;
+        let t681 = L3 * t677;
+        let t686 = s4 * t680;
+        let t689 = c4 * t680 + L2 * t679;
+        let t690 = t681 + L2 * (c4 * t677 - s4 * t675);
+        let t695 = c2 * t686 - (z1_3_x * t689 + t203 * t690);
+        let t698 = s3 * t689 - c3 * t690;
+        put(38, t695); // row 1, M6
+        put(98, t698); // row 2, M6
+        put(147, t686); // row 3, M6
+        put(187, t681); // row 4, M6
+        put(219, t672); // row 5, MSZ6
+        [t671, t672, t674, t675]
     };
     // MSX6: column
-    let [t714, t717, t719, t720] = {
-        let t714 = s6 * t191;
-        let t715 = c6 * t188 + t714;
-        let t717 = c6 * t191;
-        let t719 = s6 * a5_y;
-        let t720 = c6 * a5_y;
-        let t723 = c5 * t715 + s5 * t194;
-        let t726 = c5 * t194 - s5 * t715;
-        let t735 = c5 * t719 + s5 * t163 + L3 * t726;
-        let t736 = c5 * t163 - s5 * t719 - L3 * t723;
-        let t745 = s4 * t735 + c4 * t720;
-        let t748 = c4 * t735 - s4 * t720 + L2 * t726;
-        let t749 = t736 - L2 * (c4 * t723 + s4 * (s6 * t188 - t717));
-        let t754 = c2 * t745 - (z1_3_x * t748 + t210 * t749);
-        let t757 = s3 * t748 - c3 * t749;
-        put(39, t754); // row 1, MSX6
-        put(99, t757); // row 2, MSX6
-        put(148, t745); // row 3, MSX6
-        put(188, t736); // row 4, MSX6
-        put(217, t720); // row 5, MSX6
-        [t714, t717, t719, t720]
+    let [t700, t703, t705, t706] = {
+        let t700 = s6 * t164;
+        let t701 = c6 * t162 + t700;
+        let t703 = c6 * t164;
+        let t705 = s6 * a5_y;
+        let t706 = c6 * a5_y;
+        let t709 = c5 * t701 + s5 * t166;
+        let t712 = c5 * t166 - s5 * t701;
+        let t721 = c5 * t705 + s5 * t145 + L3 * t712;
+        let t722 = c5 * t145 - s5 * t705 - L3 * t709;
+        let t731 = s4 * t721 + c4 * t706;
+        let t734 = L2 * t712 - (s4 * t706 - c4 * t721);
+        let t735 = t722 - L2 * (c4 * t709 + s4 * (s6 * t162 - t703));
+        let t740 = c2 * t731 - (z1_3_x * t734 + t203 * t735);
+        let t743 = s3 * t734 - c3 * t735;
+        put(39, t740); // row 1, MSX6
+        put(99, t743); // row 2, MSX6
+        put(148, t731); // row 3, MSX6
+        put(188, t722); // row 4, MSX6
+        put(217, t706); // row 5, MSX6
+        [t700, t703, t705, t706]
     };
     // MSY6: column
-    let [t758, t761] = {
-        let t758 = c6 * t189;
-        let t760 = s6 * t192 - t758;
-        let t761 = s6 * t189;
-        let t766 = c5 * t760 + s5 * t195;
-        let t769 = s5 * t760 - c5 * t195;
-        let t778 = c5 * t720 - s5 * t160 + L3 * t769;
-        let t779 = L3 * t766 - (s5 * t720 + c5 * t160);
-        let t788 = s4 * t778 - c4 * t719;
-        let t791 = c4 * t778 + s4 * t719 + L2 * t769;
-        let t792 = t779 + L2 * (c4 * t766 - s4 * (t761 + c6 * t192));
-        let t797 = c2 * t788 - (z1_3_x * t791 + t210 * t792);
-        let t800 = s3 * t791 - c3 * t792;
-        put(40, t797); // row 1, MSY6
-        put(100, t800); // row 2, MSY6
-        put(149, t788); // row 3, MSY6
-        put(189, t779); // row 4, MSY6
-        [t758, t761]
+    let [t744, t745, t747, t748] = {
+        let t744 = c6 * t163;
+        let t745 = s6 * t165;
+        let t746 = t744 + t745;
+        let t747 = s6 * t163;
+        let t748 = c6 * t165;
+        let t752 = c5 * t746 + s5 * t167;
+        let t755 = s5 * t746 - c5 * t167;
+        let t764 = c5 * t706 - s5 * t142 + L3 * t755;
+        let t765 = L3 * t752 - (s5 * t706 + c5 * t142);
+        let t774 = s4 * t764 - c4 * t705;
+        let t777 = c4 * t764 + s4 * t705 + L2 * t755;
+        let t778 = L2 * (s4 * (t748 - t747) - c4 * t752) - t765;
+        let t783 = c2 * t774 + (t203 * t778 - z1_3_x * t777);
+        let t786 = s3 * t777 + c3 * t778;
+        put(40, t783); // row 1, MSY6
+        put(100, t786); // row 2, MSY6
+        put(149, t774); // row 3, MSY6
+        put(189, t765); // row 4, MSY6
+        [t744, t745, t747, t748]
     };
     // MSZ6: column
     {
-        let t803 = c6 * t190 + s6 * t193;
-        let t809 = c5 * t803 - s5 * t196;
-        let t812 = s5 * t803 + c5 * t196;
-        let t817 = c5 * t689 - L3 * t812;
-        let t818 = s5 * t689 + L3 * t809;
-        let t827 = c4 * t686 - s4 * t817;
-        let t830 = L2 * t812 - (c4 * t817 + s4 * t686);
-        let t831 = L2 * (s4 * (c6 * t193 - s6 * t190) - c4 * t809) - t818;
-        let t836 = c2 * t827 + (t210 * t831 - z1_3_x * t830);
-        let t839 = s3 * t830 + c3 * t831;
-        put(41, t836); // row 1, MSZ6
-        put(101, t839); // row 2, MSZ6
-        put(150, t827); // row 3, MSZ6
-        put(190, t818); // row 4, MSZ6
+        let t789 = c6 * t148 + s6 * t151;
+        let t794 = t517 - c5 * t789;
+        let t796 = t520 + s5 * t789;
+        let t801 = L3 * t796 - c5 * t675;
+        let t802 = s5 * t675 - L3 * t794;
+        let t811 = s4 * t801 + c4 * t672;
+        let t814 = c4 * t801 - s4 * t672 + L2 * t796;
+        let t815 = L2 * (c4 * t794 + s4 * (c6 * t151 - s6 * t148)) - t802;
+        let t820 = c2 * t811 + (t203 * t815 - z1_3_x * t814);
+        let t823 = s3 * t814 + c3 * t815;
+        put(41, t820); // row 1, MSZ6
+        put(101, t823); // row 2, MSZ6
+        put(150, t811); // row 3, MSZ6
+        put(190, t802); // row 4, MSZ6
     }
     // XX6: column
-    let [t841, t844, t847, t852, t857, t862] = {
-        let t841 = s6 * t186;
-        let t842 = t841 - c6 * dw6_x;
-        let t844 = c6 * t186;
-        let t845 = s6 * dw6_x + t844;
-        let t847 = t185 * z1_6_z;
-        let t850 = z1_5_z * t845 - (t847 - t221 * t842);
-        let t852 = t185 * t230;
-        let t855 = t227 * t842 - t852 - z2_4_y * t845;
-        let t857 = t185 * z3_5_y;
-        let t860 = c4 * t845 + (t231 * t842 + t857);
-        let t862 = c5 * t185;
-        let t863 = t862 - s5 * t842;
-        put(42, t850); // row 1, XX6
-        put(102, t855); // row 2, XX6
-        put(151, t860); // row 3, XX6
-        put(191, t863); // row 4, XX6
-        put(220, t845); // row 5, XX6
-        [t841, t844, t847, t852, t857, t862]
+    let [t825, t828, t831, t836, t839, t841, t846] = {
+        let t825 = s6 * t157;
+        let t826 = c6 * dw6_x + t825;
+        let t828 = c6 * t157;
+        let t829 = s6 * dw6_x - t828;
+        let t831 = t156 * t217;
+        let t834 = z1_5_z * t829 + (t831 - t214 * t826);
+        let t836 = t156 * t223;
+        let t839 = z2_4_y * t829 + (t220 * t826 + t836);
+        let t841 = t156 * z3_5_y;
+        let t844 = c4 * t829 - (t224 * t826 - t841);
+        let t846 = c5 * t156;
+        let t847 = s5 * t826 + t846;
+        put(42, t834); // row 1, XX6
+        put(151, t844); // row 3, XX6
+        put(191, t847); // row 4, XX6
+        put(220, t829); // row 5, XX6
+        [t825, t828, t831, t836, t839, t841, t846]
     };
     // YY6: column
-    let [t864, t867, t883] = {
-        let t864 = c6 * t187;
-        let t866 = t864 + s6 * dw6_y;
-        let t867 = s6 * t187;
-        let t869 = c6 * dw6_y - t867;
-        let t873 = z1_5_z * t869 + (t847 + t221 * t866);
-        let t877 = t852 + t227 * t866 - z2_4_y * t869;
-        let t881 = c4 * t869 + (t231 * t866 - t857);
-        let t883 = t862 + s5 * t866;
-        put(43, t873); // row 1, YY6
-        put(103, t877); // row 2, YY6
-        put(152, t881); // row 3, YY6
-        put(221, t869); // row 5, YY6
-        [t864, t867, t883]
+    let [t848, t851] = {
+        let t848 = c6 * t158;
+        let t850 = t848 - s6 * t160;
+        let t851 = s6 * t158;
+        let t853 = t851 + c6 * t160;
+        let t857 = z1_5_z * t853 - (t831 + t214 * t850);
+        let t861 = t836 - t220 * t850 - z2_4_y * t853;
+        let t865 = c4 * t853 - (t841 + t224 * t850);
+        let t867 = s5 * t850 - t846;
+        put(43, t857); // row 1, YY6
+        put(103, t861); // row 2, YY6
+        put(152, t865); // row 3, YY6
+        put(192, t867); // row 4, YY6
+        put(221, t853); // row 5, YY6
+        [t848, t851]
     };
     // ZZ6: column
     {
-        let t884 = t841 + t864;
-        let t885 = t867 - t844;
-        let t890 = z1_5_z * t885 - (t221 * t884 - dw6_z * z1_6_z);
-        let t895 = dw6_z * t230 - t227 * t884 - z2_4_y * t885;
-        let t900 = c4 * t885 - (t231 * t884 + dw6_z * z3_5_y);
-        let t903 = s5 * t884 - c5 * dw6_z;
-        put(44, t890); // row 1, ZZ6
-        put(104, t895); // row 2, ZZ6
-        put(153, t900); // row 3, ZZ6
-        put(193, t903); // row 4, ZZ6
-        put(222, t885); // row 5, ZZ6
+        let t868 = t825 + t848;
+        let t869 = t828 - t851;
+        let t874 = z1_5_z * t869 + (t214 * t868 + t153 * t217);
+        let t879 = t220 * t868 - t153 * t223 - z2_4_y * t869;
+        let t884 = c4 * t869 + (t224 * t868 + t153 * z3_5_y);
+        let t887 = c5 * t153 - s5 * t868;
+        put(44, t874); // row 1, ZZ6
+        put(104, t879); // row 2, ZZ6
+        put(153, t884); // row 3, ZZ6
+        put(193, t887); // row 4, ZZ6
+        put(222, t869); // row 5, ZZ6
     }
     // XY6: column
     {
-        let t904 = t182 - t183;
-        let t907 = c6 * t194 - s6 * t195;
-        let t910 = s6 * t194 + c6 * t195;
-        let t915 = z1_5_z * t910 - (t221 * t907 - z1_6_z * t904);
-        let t920 = t230 * t904 - t227 * t907 - z2_4_y * t910;
-        let t925 = c4 * t910 - (t231 * t907 + z3_5_y * t904);
-        let t928 = s5 * t907 - c5 * t904;
-        put(45, t915); // row 1, XY6
-        put(105, t920); // row 2, XY6
-        put(154, t925); // row 3, XY6
-        put(194, t928); // row 4, XY6
-        put(223, t910); // row 5, XY6
-        put(242, t904); // row 6, XY6
+        let t888 = t165 - t162;
+        let t891 = c6 * t166 - s6 * t167;
+        let t894 = s6 * t166 + c6 * t167;
+        let t899 = z1_5_z * t894 - (t214 * t891 + t217 * t888);
+        let t904 = t223 * t888 - t220 * t891 - z2_4_y * t894;
+        let t909 = c4 * t894 - (t224 * t891 + z3_5_y * t888);
+        let t912 = s5 * t891 - c5 * t888;
+        put(45, t899); // row 1, XY6
+        put(105, t904); // row 2, XY6
+        put(154, t909); // row 3, XY6
+        put(194, t912); // row 4, XY6
+        put(223, t894); // row 5, XY6
+        put(242, t888); // row 6, XY6
     }
     // XZ6: column
     {
-        let t929 = t184 - t182;
-        let t931 = t717 - s6 * t929;
-        let t933 = t714 + c6 * t929;
-        let t938 = z1_5_z * t933 - (t221 * t931 - t193 * z1_6_z);
-        let t943 = t193 * t230 - t227 * t931 - z2_4_y * t933;
-        let t948 = c4 * t933 - (t231 * t931 + t193 * z3_5_y);
-        let t951 = s5 * t931 - c5 * t193;
-        put(46, t938); // row 1, XZ6
-        put(106, t943); // row 2, XZ6
-        put(155, t948); // row 3, XZ6
-        put(195, t951); // row 4, XZ6
-        put(224, t933); // row 5, XZ6
+        let t914 = t703 - s6 * t161;
+        let t916 = t700 + c6 * t161;
+        let t921 = z1_5_z * t916 - (t214 * t914 + t151 * t217);
+        let t926 = t151 * t223 - t220 * t914 - z2_4_y * t916;
+        let t931 = c4 * t916 - (t224 * t914 + t151 * z3_5_y);
+        let t934 = s5 * t914 - c5 * t151;
+        put(46, t921); // row 1, XZ6
+        put(106, t926); // row 2, XZ6
+        put(155, t931); // row 3, XZ6
+        put(195, t934); // row 4, XZ6
+        put(224, t916); // row 5, XZ6
     }
     // YZ6: column
     {
-        let t952 = t183 - t184;
-        let t954 = c6 * t952 - t761;
-        let t956 = t758 + s6 * t952;
-        let t961 = z1_5_z * t956 + (t190 * z1_6_z - t221 * t954);
-        let t966 = t190 * t230 - t227 * t954 - z2_4_y * t956;
-        let t971 = c4 * t956 - (t231 * t954 + t190 * z3_5_y);
-        let t974 = s5 * t954 - c5 * t190;
-        put(47, t961); // row 1, YZ6
-        put(107, t966); // row 2, YZ6
-        put(156, t971); // row 3, YZ6
-        put(196, t974); // row 4, YZ6
-        put(225, t956); // row 5, YZ6
+        let t935 = t131 - t165;
+        let t937 = t747 + c6 * t935;
+        let t939 = s6 * t935 - t744;
+        let t944 = z1_5_z * t939 - (t214 * t937 + t148 * t217);
+        let t949 = t148 * t223 - t220 * t937 - z2_4_y * t939;
+        let t954 = c4 * t939 - (t224 * t937 + t148 * z3_5_y);
+        let t957 = s5 * t937 - c5 * t148;
+        put(47, t944); // row 1, YZ6
+        put(107, t949); // row 2, YZ6
+        put(156, t954); // row 3, YZ6
+        put(196, t957); // row 4, YZ6
+        put(225, t939); // row 5, YZ6
     }
     // M7: column
-    let [
-        t975, t976, t977, t978, t979, t980, t981, t982,
-        t983, t984, t985, t986, t987, t988, t989, t992,
-        t995,
-    ] = {
-        let t975 = w7_x * w7_x;
-        let t976 = t175 * t175;
-        let t977 = w7_z * w7_z;
-        let t978 = w7_x * t175;
-        let t979 = w7_x * w7_z;
-        let t980 = t175 * w7_z;
-        let t981 = t976 + t977;
-        let t982 = dw7_z + t978;
-        let t983 = t979 - t207;
-        let t984 = t978 - dw7_z;
-        let t985 = t975 + t977;
-        let t986 = t980 - t206;
-        let t987 = t207 + t979;
-        let t988 = t206 + t980;
-        let t989 = t975 + t976;
-        let t992 = c7 * t199 + s7 * a7_y;
-        let t995 = s7 * t199 - c7 * a7_y;
-        let t997 = t685 - c6 * t992;
-        let t1002 = c5 * t997 + s5 * t995;
-        let t1005 = s5 * t997 - c5 * t995;
-        let t1006 = L3 * t1005;
-        let t1007 = L3 * t1002;
-        let t1012 = s4 * t1006;
-        let t1015 = c4 * t1006 + L2 * t1005;
-        let t1016 = L2 * (s4 * (t688 + s6 * t992) - c4 * t1002) - t1007;
-        let t1021 = c2 * t1012 - (z1_3_x * t1015 - t210 * t1016);
-        let t1024 = s3 * t1015 + c3 * t1016;
-        put(48, t1021); // row 1, M7
-        put(108, t1024); // row 2, M7
-        put(157, t1012); // row 3, M7
-        put(197, t1007); // row 4, M7
-        put(247, t992); // row 6, MSZ7
-        put(258, t978); // row 7, XX7
-        put(262, t986); // row 7, XZ7
-        put(263, t983); // row 7, YZ7
-        [
-        t975, t976, t977, t978, t979, t980, t981, t982,
-        t983, t984, t985, t986, t987, t988, t989, t992,
-        t995,
-    ]
+    let [t960, t963] = {
+        let t960 = c7 * t176 + s7 * a7_y;
+        let t963 = s7 * t176 - c7 * a7_y;
+        let t965 = t671 - c6 * t960;
+        let t970 = c5 * t965 + s5 * t963;
+        let t973 = s5 * t965 - c5 * t963;
+        let t974 = L3 * t973;
+        let t975 = L3 * t970;
+        let t980 = s4 * t974;
+        let t983 = c4 * t974 + L2 * t973;
+        let t984 = L2 * (s4 * (t674 + s6 * t960) - c4 * t970) - t975;
+        let t989 = c2 * t980 - (z1_3_x * t983 - t203 * t984);
+        let t992 = s3 * t983 + c3 * t984;
+        put(48, t989); // row 1, M7
+        put(108, t992); // row 2, M7
+        put(157, t980); // row 3, M7
+        put(197, t975); // row 4, M7
+        put(247, t960); // row 6, MSZ7
+        [t960, t963]
     };
     // MSX7: column
-    let [t1026, t1029, t1031, t1032] = {
-        let t1026 = s7 * t984;
-        let t1027 = t1026 - c7 * t981;
-        let t1029 = c7 * t984;
-        let t1030 = s7 * t981 + t1029;
-        let t1031 = s7 * t163;
-        let t1032 = c7 * t163;
-        let t1035 = c6 * t1027 - s6 * t987;
-        let t1041 = c6 * t1031 + s6 * a7_y;
-        let t1044 = c6 * a7_y - s6 * t1031;
-        let t1047 = c5 * t1035 + s5 * t1030;
-        let t1050 = s5 * t1035 - c5 * t1030;
-        let t1059 = c5 * t1041 + s5 * t1032 + L3 * t1050;
-        let t1060 = L3 * t1047 - (s5 * t1041 - c5 * t1032);
-        let t1069 = s4 * t1059 + c4 * t1044;
-        let t1072 = c4 * t1059 - s4 * t1044 + L2 * t1050;
-        let t1073 = t1060 + L2 * (c4 * t1047 + s4 * (s6 * t1027 + c6 * t987));
-        let t1078 = c2 * t1069 - (z1_3_x * t1072 + t210 * t1073);
-        let t1081 = s3 * t1072 - c3 * t1073;
-        put(49, t1078); // row 1, MSX7
-        put(109, t1081); // row 2, MSX7
-        put(158, t1069); // row 3, MSX7
-        put(198, t1060); // row 4, MSX7
-        put(226, t1044); // row 5, MSX7
-        put(246, t1031); // row 6, MSY7
-        [t1026, t1029, t1031, t1032]
+    let [t994, t997, t999, t1000] = {
+        let t994 = s7 * t198;
+        let t995 = c7 * t196 - t994;
+        let t997 = c7 * t198;
+        let t998 = s7 * t196 + t997;
+        let t999 = s7 * t145;
+        let t1000 = c7 * t145;
+        let t1003 = c6 * t995 - s6 * t200;
+        let t1009 = c6 * t999 + s6 * a7_y;
+        let t1012 = c6 * a7_y - s6 * t999;
+        let t1015 = c5 * t1003 - s5 * t998;
+        let t1018 = s5 * t1003 + c5 * t998;
+        let t1027 = c5 * t1009 + s5 * t1000 + L3 * t1018;
+        let t1028 = c5 * t1000 - s5 * t1009 + L3 * t1015;
+        let t1037 = s4 * t1027 + c4 * t1012;
+        let t1040 = c4 * t1027 - s4 * t1012 + L2 * t1018;
+        let t1041 = t1028 + L2 * (c4 * t1015 + s4 * (s6 * t995 + c6 * t200));
+        let t1046 = c2 * t1037 - (z1_3_x * t1040 + t203 * t1041);
+        let t1049 = s3 * t1040 - c3 * t1041;
+        put(49, t1046); // row 1, MSX7
+        put(109, t1049); // row 2, MSX7
+        put(158, t1037); // row 3, MSX7
+        put(198, t1028); // row 4, MSX7
+        put(226, t1012); // row 5, MSX7
+        put(246, t999); // row 6, MSY7
+        [t994, t997, t999, t1000]
     };
     // MSY7: column
-    let [t1082, t1085] = {
-        let t1082 = c7 * t982;
-        let t1084 = t1082 - s7 * t985;
-        let t1085 = s7 * t982;
-        let t1087 = t1085 + c7 * t985;
-        let t1090 = c6 * t1084 - s6 * t988;
-        let t1096 = c6 * t1032 + s6 * t199;
-        let t1099 = c6 * t199 - s6 * t1032;
-        let t1102 = s5 * t1087 - c5 * t1090;
-        let t1105 = s5 * t1090 + c5 * t1087;
-        let t1114 = L3 * t1105 - (c5 * t1096 - s5 * t1031);
-        let t1115 = L3 * t1102 - (s5 * t1096 + c5 * t1031);
-        let t1124 = c4 * t1099 - s4 * t1114;
-        let t1127 = c4 * t1114 + s4 * t1099 + L2 * t1105;
-        let t1128 = L2 * (s4 * (s6 * t1084 + c6 * t988) - c4 * t1102) - t1115;
-        let t1133 = c2 * t1124 + (z1_3_x * t1127 + t210 * t1128);
-        let t1136 = c3 * t1128 - s3 * t1127;
-        put(50, t1133); // row 1, MSY7
-        put(110, t1136); // row 2, MSY7
-        put(159, t1124); // row 3, MSY7
-        put(199, t1115); // row 4, MSY7
-        put(227, t1099); // row 5, MSY7
-        [t1082, t1085]
+    let [t1050, t1053] = {
+        let t1050 = c7 * t197;
+        let t1052 = t1050 + s7 * t199;
+        let t1053 = s7 * t197;
+        let t1055 = c7 * t199 - t1053;
+        let t1058 = c6 * t1052 - s6 * t201;
+        let t1064 = c6 * t1000 + s6 * t176;
+        let t1067 = c6 * t176 - s6 * t1000;
+        let t1070 = c5 * t1058 + s5 * t1055;
+        let t1073 = s5 * t1058 - c5 * t1055;
+        let t1082 = c5 * t1064 - s5 * t999 + L3 * t1073;
+        let t1083 = L3 * t1070 - (s5 * t1064 + c5 * t999);
+        let t1092 = s4 * t1082 + c4 * t1067;
+        let t1095 = L2 * t1073 - (s4 * t1067 - c4 * t1082);
+        let t1096 = t1083 + L2 * (c4 * t1070 + s4 * (s6 * t1052 + c6 * t201));
+        let t1101 = c2 * t1092 - (z1_3_x * t1095 + t203 * t1096);
+        let t1104 = s3 * t1095 - c3 * t1096;
+        put(50, t1101); // row 1, MSY7
+        put(110, t1104); // row 2, MSY7
+        put(159, t1092); // row 3, MSY7
+        put(199, t1083); // row 4, MSY7
+        put(227, t1067); // row 5, MSY7
+        [t1050, t1053]
     };
     // MSZ7: column
     {
-        let t1139 = c7 * t983 + s7 * t986;
-        let t1142 = s7 * t983 - c7 * t986;
-        let t1145 = c6 * t1139 + s6 * t989;
-        let t1149 = c6 * t995;
-        let t1150 = s6 * t995;
-        let t1153 = c5 * t1145 - s5 * t1142;
-        let t1156 = s5 * t1145 + c5 * t1142;
-        let t1165 = c5 * t1149 + s5 * t992 - L3 * t1156;
-        let t1166 = s5 * t1149 - c5 * t992 + L3 * t1153;
-        let t1175 = c4 * t1150 - s4 * t1165;
-        let t1178 = c4 * t1165 + s4 * t1150 - L2 * t1156;
-        let t1179 = L2 * (s4 * (c6 * t989 - s6 * t1139) - c4 * t1153) - t1166;
-        let t1184 = c2 * t1175 + (z1_3_x * t1178 + t210 * t1179);
-        let t1187 = c3 * t1179 - s3 * t1178;
-        put(51, t1184); // row 1, MSZ7
-        put(111, t1187); // row 2, MSZ7
-        put(160, t1175); // row 3, MSZ7
-        put(200, t1166); // row 4, MSZ7
-        put(228, t1150); // row 5, MSZ7
+        let t1107 = c7 * t182 + s7 * t185;
+        let t1110 = c7 * t185 - s7 * t182;
+        let t1112 = t745 + c6 * t1107;
+        let t1115 = c6 * t963;
+        let t1116 = s6 * t963;
+        let t1119 = c5 * t1112 + s5 * t1110;
+        let t1122 = s5 * t1112 - c5 * t1110;
+        let t1131 = L3 * t1122 - (c5 * t1115 + s5 * t960);
+        let t1132 = s5 * t1115 - c5 * t960 + L3 * t1119;
+        let t1141 = s4 * t1131 + c4 * t1116;
+        let t1144 = c4 * t1131 - s4 * t1116 + L2 * t1122;
+        let t1145 = t1132 + L2 * (c4 * t1119 + s4 * (s6 * t1107 - t748));
+        let t1150 = c2 * t1141 - (z1_3_x * t1144 + t203 * t1145);
+        let t1153 = s3 * t1144 - c3 * t1145;
+        put(51, t1150); // row 1, MSZ7
+        put(111, t1153); // row 2, MSZ7
+        put(160, t1141); // row 3, MSZ7
+        put(200, t1132); // row 4, MSZ7
+        put(228, t1116); // row 5, MSZ7
     }
     // XX7: column
-    let [t1189, t1192, t1193, t1195, t1198] = {
-        let t1189 = s7 * t979;
-        let t1190 = c7 * t206 + t1189;
-        let t1192 = c7 * t979;
-        let t1193 = t1192 - s7 * t206;
-        let t1195 = s6 * t978;
-        let t1196 = c6 * t1190 + t1195;
-        let t1198 = c6 * t978;
-        let t1199 = t1198 - s6 * t1190;
-        let t1204 = z1_5_z * t1199 + (t221 * t1196 - z1_6_z * t1193);
-        let t1209 = t227 * t1196 - t230 * t1193 - z2_4_y * t1199;
-        let t1214 = c4 * t1199 + (t231 * t1196 + z3_5_y * t1193);
-        let t1217 = c5 * t1193 - s5 * t1196;
-        put(52, t1204); // row 1, XX7
-        put(112, t1209); // row 2, XX7
-        put(161, t1214); // row 3, XX7
-        put(201, t1217); // row 4, XX7
-        put(229, t1199); // row 5, XX7
-        [t1189, t1192, t1193, t1195, t1198]
+    let [t1155, t1158, t1159, t1161, t1164, t1175] = {
+        let t1155 = s7 * t191;
+        let t1156 = c7 * dw7_x - t1155;
+        let t1158 = c7 * t191;
+        let t1159 = s7 * dw7_x + t1158;
+        let t1161 = s6 * t190;
+        let t1162 = c6 * t1156 + t1161;
+        let t1164 = c6 * t190;
+        let t1165 = s6 * t1156 - t1164;
+        let t1170 = z1_5_z * t1165 + (t217 * t1159 - t214 * t1162);
+        let t1175 = z2_4_y * t1165 + (t220 * t1162 + t223 * t1159);
+        let t1180 = c4 * t1165 - (t224 * t1162 - z3_5_y * t1159);
+        let t1183 = s5 * t1162 + c5 * t1159;
+        put(52, t1170); // row 1, XX7
+        put(161, t1180); // row 3, XX7
+        put(201, t1183); // row 4, XX7
+        put(229, t1165); // row 5, XX7
+        [t1155, t1158, t1159, t1161, t1164, t1175]
     };
     // YY7: column
-    let [t1218, t1221] = {
-        let t1218 = c7 * t980;
-        let t1220 = t1218 + s7 * t207;
-        let t1221 = s7 * t980;
-        let t1223 = c7 * t207 - t1221;
-        let t1225 = t1195 + c6 * t1220;
-        let t1227 = s6 * t1220 - t1198;
-        let t1232 = z1_5_z * t1227 - (t221 * t1225 - z1_6_z * t1223);
-        let t1237 = t230 * t1223 - t227 * t1225 - z2_4_y * t1227;
-        let t1242 = c4 * t1227 - (t231 * t1225 + z3_5_y * t1223);
-        let t1245 = s5 * t1225 - c5 * t1223;
-        put(53, t1232); // row 1, YY7
-        put(113, t1237); // row 2, YY7
-        put(162, t1242); // row 3, YY7
-        put(202, t1245); // row 4, YY7
-        put(230, t1227); // row 5, YY7
-        put(249, t1223); // row 6, YY7
-        [t1218, t1221]
+    let [t1184, t1187] = {
+        let t1184 = c7 * t192;
+        let t1186 = s7 * t194 - t1184;
+        let t1187 = s7 * t192;
+        let t1189 = t1187 + c7 * t194;
+        let t1191 = c6 * t1186 - t1161;
+        let t1193 = t1164 + s6 * t1186;
+        let t1198 = z1_5_z * t1193 - (t214 * t1191 + t217 * t1189);
+        let t1203 = t223 * t1189 - t220 * t1191 - z2_4_y * t1193;
+        let t1208 = c4 * t1193 - (t224 * t1191 + z3_5_y * t1189);
+        let t1211 = s5 * t1191 - c5 * t1189;
+        put(53, t1198); // row 1, YY7
+        put(113, t1203); // row 2, YY7
+        put(162, t1208); // row 3, YY7
+        put(202, t1211); // row 4, YY7
+        put(230, t1193); // row 5, YY7
+        put(249, t1189); // row 6, YY7
+        [t1184, t1187]
     };
     // ZZ7: column
     {
-        let t1246 = t1189 - t1218;
-        let t1247 = t1192 + t1221;
-        let t1250 = c6 * t1246 - s6 * dw7_z;
-        let t1253 = s6 * t1246 + c6 * dw7_z;
-        let t1258 = z1_5_z * t1253 + (z1_6_z * t1247 - t221 * t1250);
-        let t1263 = t230 * t1247 - t227 * t1250 - z2_4_y * t1253;
-        let t1268 = c4 * t1253 - (t231 * t1250 + z3_5_y * t1247);
-        let t1271 = s5 * t1250 - c5 * t1247;
-        put(54, t1258); // row 1, ZZ7
-        put(114, t1263); // row 2, ZZ7
-        put(163, t1268); // row 3, ZZ7
-        put(203, t1271); // row 4, ZZ7
-        put(231, t1253); // row 5, ZZ7
-        put(250, t1247); // row 6, ZZ7
+        let t1212 = t1155 + t1184;
+        let t1213 = t1158 - t1187;
+        let t1216 = c6 * t1212 - s6 * dw7_z;
+        let t1219 = s6 * t1212 + c6 * dw7_z;
+        let t1224 = z1_5_z * t1219 - (t214 * t1216 + t217 * t1213);
+        let t1229 = t223 * t1213 - t220 * t1216 - z2_4_y * t1219;
+        let t1234 = c4 * t1219 - (t224 * t1216 + z3_5_y * t1213);
+        let t1237 = s5 * t1216 - c5 * t1213;
+        put(54, t1224); // row 1, ZZ7
+        put(114, t1229); // row 2, ZZ7
+        put(163, t1234); // row 3, ZZ7
+        put(203, t1237); // row 4, ZZ7
+        put(231, t1219); // row 5, ZZ7
+        put(250, t1213); // row 6, ZZ7
     }
     // XY7: column
-    {
-        let t1272 = t975 - t976;
-        let t1275 = s7 * t988 - c7 * t987;
-        let t1278 = s7 * t987 + c7 * t988;
-        let t1281 = c6 * t1275 - s6 * t1272;
-        let t1284 = s6 * t1275 + c6 * t1272;
-        let t1289 = z1_5_z * t1284 + (z1_6_z * t1278 - t221 * t1281);
-        let t1294 = t230 * t1278 - t227 * t1281 - z2_4_y * t1284;
-        let t1299 = c4 * t1284 - (t231 * t1281 + z3_5_y * t1278);
-        let t1302 = s5 * t1281 - c5 * t1278;
-        put(55, t1289); // row 1, XY7
-        put(115, t1294); // row 2, XY7
-        put(164, t1299); // row 3, XY7
-        put(204, t1302); // row 4, XY7
-        put(232, t1284); // row 5, XY7
-        put(251, t1278); // row 6, XY7
-        put(261, t1272); // row 7, XY7
-    }
+    let t1268 = {
+        let t1238 = t196 + t199;
+        let t1241 = c7 * t200 + s7 * t201;
+        let t1244 = s7 * t200 - c7 * t201;
+        let t1247 = c6 * t1241 + s6 * t1238;
+        let t1250 = c6 * t1238 - s6 * t1241;
+        let t1255 = z1_5_z * t1250 - (t217 * t1244 - t214 * t1247);
+        let t1260 = t220 * t1247 + t223 * t1244 - z2_4_y * t1250;
+        let t1265 = c4 * t1250 + (t224 * t1247 - z3_5_y * t1244);
+        let t1268 = s5 * t1247 + c5 * t1244;
+        put(55, t1255); // row 1, XY7
+        put(115, t1260); // row 2, XY7
+        put(164, t1265); // row 3, XY7
+        put(232, t1250); // row 5, XY7
+        put(251, t1244); // row 6, XY7
+        put(261, t1238); // row 7, XY7
+        t1268
+    };
     // XZ7: column
     {
-        let t1303 = t975 - t977;
-        let t1305 = s7 * t1303 - t1029;
-        let t1307 = t1026 + c7 * t1303;
-        let t1310 = c6 * t1305 - s6 * t986;
-        let t1313 = s6 * t1305 + c6 * t986;
-        let t1318 = z1_5_z * t1313 + (z1_6_z * t1307 - t221 * t1310);
-        let t1323 = t230 * t1307 - t227 * t1310 - z2_4_y * t1313;
-        let t1328 = c4 * t1313 - (t231 * t1310 + z3_5_y * t1307);
-        let t1331 = s5 * t1310 - c5 * t1307;
-        put(56, t1318); // row 1, XZ7
-        put(116, t1323); // row 2, XZ7
-        put(165, t1328); // row 3, XZ7
-        put(205, t1331); // row 4, XZ7
-        put(233, t1313); // row 5, XZ7
-        put(252, t1307); // row 6, XZ7
+        let t1270 = t997 + s7 * t195;
+        let t1272 = c7 * t195 - t994;
+        let t1275 = c6 * t1270 - s6 * t185;
+        let t1278 = s6 * t1270 + c6 * t185;
+        let t1283 = z1_5_z * t1278 - (t214 * t1275 + t217 * t1272);
+        let t1288 = t223 * t1272 - t220 * t1275 - z2_4_y * t1278;
+        let t1293 = c4 * t1278 - (t224 * t1275 + z3_5_y * t1272);
+        let t1296 = s5 * t1275 - c5 * t1272;
+        put(56, t1283); // row 1, XZ7
+        put(116, t1288); // row 2, XZ7
+        put(165, t1293); // row 3, XZ7
+        put(205, t1296); // row 4, XZ7
+        put(233, t1278); // row 5, XZ7
+        put(252, t1272); // row 6, XZ7
     }
     // YZ7: column
     {
-        let t1332 = t977 - t976;
-        let t1334 = t1085 + c7 * t1332;
-        let t1336 = t1082 - s7 * t1332;
-        let t1339 = c6 * t1334 + s6 * t983;
-        let t1342 = c6 * t983 - s6 * t1334;
-        let t1347 = z1_5_z * t1342 + (t221 * t1339 - z1_6_z * t1336);
-        let t1352 = t227 * t1339 - t230 * t1336 - z2_4_y * t1342;
-        let t1357 = c4 * t1342 + (t231 * t1339 + z3_5_y * t1336);
-        let t1360 = c5 * t1336 - s5 * t1339;
-        let t1361 = dq1.sign();
-        let t1362 = dq2.sign();
-        let t1363 = dq3.sign();
-        let t1364 = dq4.sign();
-        let t1365 = dq5.sign();
-        let t1366 = dq6.sign();
-        let t1367 = dq7.sign();
-        let t1368 = -t415;
-        let t1369 = -a2_x;
-        let t1370 = -t25;
-        let t1371 = -t315;
-        let t1372 = -t428;
-        let t1373 = -t611;
-        let t1374 = -t302;
-        let t1375 = -t321;
-        let t1376 = -t65;
-        let t1377 = -t357;
-        let t1378 = -t101;
-        let t1379 = -t109;
-        let t1380 = -t477;
-        let t1381 = -t603;
-        let t1382 = -t883;
-        let t1383 = -t146;
-        let t1384 = -t719;
-        let t1385 = -t163;
-        let t1386 = -t185;
-        let t1387 = -t1032;
-        let t1388 = -t1193;
-        let t1389 = -t1336;
-        let t1390 = -t978;
-        put(23, t1368); // row 1, YY4
-        put(57, t1347); // row 1, YZ7
-        put(59, t1361); // row 1, FC1
-        put(61, t1369); // row 2, MSY2
-        put(62, t1370); // row 2, XX2
-        put(77, t1371); // row 2, YZ3
-        put(84, t1372); // row 2, ZZ4
-        put(93, t1373); // row 2, YY5
-        put(117, t1352); // row 2, YZ7
-        put(119, t1362); // row 2, FC2
-        put(120, t1374); // row 3, MSX3
-        put(121, t1375); // row 3, MSY3
-        put(123, t1376); // row 3, YY3
-        put(128, t1377); // row 3, MSX4
-        put(166, t1357); // row 3, YZ7
-        put(168, t1363); // row 3, FC3
-        put(171, t1378); // row 4, XX4
-        put(175, t1379); // row 4, XZ4
-        put(177, t1380); // row 4, M5
-        put(181, t1381); // row 4, XX5
-        put(192, t1382); // row 4, YY6
-        put(206, t1360); // row 4, YZ7
-        put(208, t1364); // row 4, FC4
-        put(211, t1383); // row 5, XX5
-        put(218, t1384); // row 5, MSY6
-        put(234, t1342); // row 5, YZ7
-        put(236, t1365); // row 5, FC5
-        put(237, t1385); // row 6, MSX6
-        put(239, t1386); // row 6, XX6
-        put(245, t1387); // row 6, MSX7
-        put(248, t1388); // row 6, XX7
-        put(253, t1389); // row 6, YZ7
-        put(255, t1366); // row 6, FC6
-        put(259, t1390); // row 7, YY7
-        put(265, t1367); // row 7, FC7
+        let t1297 = t199 - t165;
+        let t1299 = c7 * t1297 - t1053;
+        let t1301 = t1050 + s7 * t1297;
+        let t1304 = c6 * t1299 + s6 * t182;
+        let t1307 = c6 * t182 - s6 * t1299;
+        let t1312 = z1_5_z * t1307 + (t214 * t1304 - t217 * t1301);
+        let t1317 = t220 * t1304 + t223 * t1301 - z2_4_y * t1307;
+        let t1322 = c4 * t1307 + (t224 * t1304 - z3_5_y * t1301);
+        let t1326 = dq1.sign();
+        let t1327 = dq2.sign();
+        let t1328 = dq3.sign();
+        let t1329 = dq4.sign();
+        let t1330 = dq5.sign();
+        let t1331 = dq6.sign();
+        let t1332 = dq7.sign();
+        let t1333 = -t328;
+        let t1334 = -t392;
+        let t1335 = -a2_x;
+        let t1336 = -t9;
+        let t1337 = -t611;
+        let t1338 = -t626;
+        let t1339 = -t839;
+        let t1340 = -t1175;
+        let t1341 = -t48;
+        let t1342 = -t40;
+        let t1343 = -t346;
+        let t1344 = -t82;
+        let t1345 = -t77;
+        let t1346 = -t465;
+        let t1347 = -t1268;
+        let t1348 = -(s5 * t1304 + c5 * t1301);
+        let t1349 = -t122;
+        let t1350 = -t705;
+        let t1351 = -t145;
+        let t1352 = -t156;
+        let t1353 = -t153;
+        let t1354 = -t1000;
+        let t1355 = -t1159;
+        let t1356 = -t190;
+        put(17, t1333); // row 1, YZ3
+        put(22, t1334); // row 1, XX4
+        put(57, t1312); // row 1, YZ7
+        put(59, t1326); // row 1, FC1
+        put(61, t1335); // row 2, MSY2
+        put(62, t1336); // row 2, XX2
+        put(94, t1337); // row 2, ZZ5
+        put(95, t1338); // row 2, XY5
+        put(102, t1339); // row 2, XX6
+        put(112, t1340); // row 2, XX7
+        put(117, t1317); // row 2, YZ7
+        put(119, t1327); // row 2, FC2
+        put(122, t1341); // row 3, XX3
+        put(127, t1342); // row 3, YZ3
+        put(129, t1343); // row 3, MSY4
+        put(166, t1322); // row 3, YZ7
+        put(168, t1328); // row 3, FC3
+        put(172, t1344); // row 4, YY4
+        put(175, t1345); // row 4, XZ4
+        put(177, t1346); // row 4, M5
+        put(204, t1347); // row 4, XY7
+        put(206, t1348); // row 4, YZ7
+        put(208, t1329); // row 4, FC4
+        put(212, t1349); // row 5, YY5
+        put(218, t1350); // row 5, MSY6
+        put(234, t1307); // row 5, YZ7
+        put(236, t1330); // row 5, FC5
+        put(237, t1351); // row 6, MSX6
+        put(239, t1352); // row 6, XX6
+        put(241, t1353); // row 6, ZZ6
+        put(245, t1354); // row 6, MSX7
+        put(248, t1355); // row 6, XX7
+        put(253, t1301); // row 6, YZ7
+        put(255, t1331); // row 6, FC6
+        put(258, t1356); // row 7, XX7
+        put(265, t1332); // row 7, FC7
     }
 }

@@ -2,16 +2,19 @@
 
 use super::super::runtime::Scalar;
 use super::axis::{Axis, Value};
+use super::candidates::{Candidates, Column};
+use super::lanes::misses;
 use super::list::List;
 use super::numerical;
 use super::plane::Plane;
 use super::polish::{self, polish, remainder, sizes};
 use super::pose::Displacement;
-use super::real::{whole, wrapped};
-use super::six::Six;
-use super::solution::{Branch, PoseError, Solution, Solutions, Status};
+use super::real::{angles, root, whole, wrapped};
+use super::regional::Regional;
+use super::six::{Method, Six};
+use super::solution::{Branch, CAPACITY, PoseError, Solution, Solutions, Status};
 use super::swivel::{Reference, Swivel};
-use super::vector::{IDENTITY, product, transposed};
+use super::vector::{IDENTITY, norm, product, transposed, unit};
 
 /// How an arm is solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,13 +72,19 @@ impl<const N: usize> Default for Query<'_, N> {
     }
 }
 
-/// A candidate of any family.
-#[derive(Clone, Copy)]
-pub(super) struct Candidate<const N: usize> {
-    pub values: [Value; N],
-    pub branch: Branch,
-    pub free: u32,
+/// What goes along while solutions are gathered.
+struct Work {
+    /// Of the solutions, to tell equal ones.
+    marks: [f64; CAPACITY],
+    /// The nearest miss, m and rad.
+    best: [f64; 2],
 }
+
+/// How many poses beside the given one are tried for branches that are missing.
+const NEARBY: usize = 24;
+
+/// What is left of a pose below this is rounding, m and rad.
+const EXACT: f64 = 1e-13;
 
 impl<const N: usize> Arm<N> {
     /// The pose of the last DH frame, as rows.
@@ -99,68 +108,85 @@ impl<const N: usize> Arm<N> {
         }
         let g = target.after(&self.home.inverse());
         let near = query.near.map_or([Value::ZERO; N], |q| polish::values(self, q));
-        let mut all: List<Candidate<N>, 17> = List::new(Candidate { values: near, branch: Branch::NONE, free: 0 });
+        let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
+        let mut all: Candidates<N> = Candidates::new();
+        let second_plane = self.candidates(&g, query, query.redundancy, &near, &mut all);
+        // Of a family of postures, the member nearest to the one that was named; and that one itself where it is there already.
+        let mut member = None;
+        if query.near.is_some() && all.len > 0 {
+            let [p, r] = sizes(&remainder(self, &g, &near));
+            if p.max(r) < 1e-9 || all.free.iter().take(all.len).any(|f| *f != 0) {
+                let far = |place: usize| {
+                    all.values(place, slides).iter().zip(&near).fold(0.0f64, |m, (a, b)| {
+                        m.max((a.turn.c - b.turn.c).abs() + (a.turn.s - b.turn.s).abs() + (a.way - b.way).abs())
+                    })
+                };
+                member = (0..all.len).reduce(|a, b| if far(b) < far(a) { b } else { a });
+            }
+        }
+        let mut solutions = Solutions {
+            list: List::new(Solution::NONE),
+            status: Status::Ok,
+            distance: [0.0; 2],
+            lost: 0,
+            redundancy: query.redundancy,
+            second_plane,
+        };
+        let mut work = Work { marks: [0.0; CAPACITY], best: [f64::INFINITY; 2] };
+        self.finish(&g, query, &all, member.map(|place| (place, near)), &mut solutions, &mut work);
+        if !self.exact {
+            self.search_nearby(&g, query, &near, all.len, &mut solutions, &mut work);
+        }
+        conclude(query, &work, &mut solutions);
+        Ok(solutions)
+    }
+
+    /// What the closed form gives at a redundancy; true: counted from the second plane.
+    #[inline]
+    fn candidates(
+        &self,
+        g: &Displacement,
+        query: &Query<'_, N>,
+        redundancy: f64,
+        near: &[Value; N],
+        all: &mut Candidates<N>,
+    ) -> bool {
+        let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
         let mut second_plane = false;
         match &self.family {
-            Family::Six(six) => self.six(six, &g, &near, &mut all),
+            Family::Six(six) => six.solve(g, near, all),
             Family::Locked { joint, six } => {
                 let lock = usize::from(*joint);
-                let mut fixed = near;
                 let axis = self.axes.get(lock).copied().unwrap_or(self.axes_first());
-                let ([s], [c]) = f64::sin_cos_all(&[query.redundancy]);
-                let value = Value { turn: super::vector::Turn { c, s }, way: query.redundancy };
-                let value = if axis.slides { Value::way(query.redundancy) } else { Value::turn(value.turn) };
-                if let Some(place) = fixed.get_mut(lock) {
-                    *place = value;
-                }
+                let ([s], [c]) = f64::sin_cos_all(&[redundancy]);
+                let turn = super::vector::Turn { c, s };
+                let value = if axis.slides { Value::way(redundancy) } else { Value::turn(turn) };
+                all.value(lock, axis.slides, value);
                 let locked = axis.displacement(value).inverse();
-                let rest = if lock == 0 { locked.after(&g) } else { g.after(&locked) };
-                self.six(six, &rest, &fixed, &mut all);
+                let rest = if lock == 0 { locked.after(g) } else { g.after(&locked) };
+                six.solve(&rest, near, all);
             }
             Family::Swivel(swivel) => {
-                let seven: [Value; 7] = core::array::from_fn(|i| near.get(i).copied().unwrap_or(Value::ZERO));
-                let ([s], [c]) = f64::sin_cos_all(&[query.redundancy]);
-                let (finds, second) = swivel.solve(&g, &query.reference, (c, s), &seven);
-                second_plane = second;
-                for f in finds.iter() {
-                    let values = core::array::from_fn(|i| f.values.get(i).copied().unwrap_or(Value::ZERO));
-                    all.push(Candidate { values, branch: f.branch, free: u32::from(f.free) });
-                }
+                let ([s], [c]) = f64::sin_cos_all(&[redundancy]);
+                second_plane = swivel.solve(g, &query.reference, (c, s), near, all);
             }
             Family::Plane(plane) => {
-                let three = plane.joints.map(|j| pick(&near, j));
-                for f in plane.solve(&g, &three).iter() {
+                let three = plane.joints.map(|j| pick(near, j));
+                for f in plane.solve(g, &three).iter() {
                     let mut values = [Value::ZERO; N];
                     for (j, v) in plane.joints.iter().zip(f.values) {
                         put(&mut values, *j, v);
                     }
                     put(&mut values, plane.lift.map(|(_, j, _)| j), f.lift);
-                    all.push(Candidate { values, branch: f.branch, free: 0 });
+                    all.push_all(&values, slides, f.branch, 0);
                 }
             }
             Family::Slides => {
-                all.push(Candidate { values: [Value::ZERO; N], branch: Branch::NONE, free: 0 });
+                all.push_all(&[Value::ZERO; N], slides, Branch::NONE, 0);
             }
-            Family::Numerical => numerical::search(self, &g, query, &near, &mut all),
+            Family::Numerical => numerical::search(self, g, query, near, all),
         }
-        // Of a family of postures, the member nearest to the one that was named; and that one itself where it is there already.
-        if query.near.is_some() && !all.is_empty() {
-            let [p, r] = sizes(&remainder(self, &g, &near));
-            if p.max(r) < 1e-9 || all.iter().any(|c| c.free != 0) {
-                let far = |c: &Candidate<N>| {
-                    c.values.iter().zip(&near).fold(0.0f64, |m, (a, b)| {
-                        m.max((a.turn.c - b.turn.c).abs() + (a.turn.s - b.turn.s).abs() + (a.way - b.way).abs())
-                    })
-                };
-                let closest = all.iter().copied().reduce(|a, b| if far(&b) < far(&a) { b } else { a });
-                if let Some(closest) = closest {
-                    all.push(Candidate { values: near, ..closest });
-                }
-            }
-        }
-        let mut solutions = self.finish(&g, query, all.as_slice());
-        solutions.second_plane = second_plane;
-        Ok(solutions)
+        second_plane
     }
 
     /// The next posture along a path: the solution nearest to the last one, through singularities too. `None` where the pose is
@@ -197,121 +223,211 @@ impl<const N: usize> Arm<N> {
         }
     }
 
-    fn six(&self, six: &Six, g: &Displacement, near: &[Value; N], all: &mut List<Candidate<N>, 17>) {
-        let finds = if six.reversed { six.solve(&g.inverse(), &six.near(near)) } else { six.solve(g, &six.near(near)) };
-        for f in finds.iter() {
-            let mut values = *near;
-            let mut free = 0;
-            for (k, j) in six.joints.iter().enumerate() {
-                put(&mut values, *j, f.values[k]);
-                if let Some(j) = j {
-                    free |= u32::from(f.free >> k & 1) << (u32::from(*j) & 31);
+    /// Is a branch that is this far off (m or rad) one that the arm has, but for rounding?
+    fn nearly(&self, tolerance: f64) -> f64 {
+        let quartic = match &self.family {
+            Family::Six(six) | Family::Locked { six, .. } => matches!(
+                six.method,
+                Method::Wrist { regional: Regional::General { .. } | Regional::TurnSlideTurn, .. }
+                    | Method::ThreeParallel { meet: None }
+            ),
+            Family::Slides | Family::Numerical => return f64::INFINITY,
+            _ => false,
+        };
+        if !self.exact {
+            return f64::INFINITY;
+        }
+        // A double root of a quartic is known to half the digits.
+        (100.0 * tolerance).max(if quartic { 1e-3 } else { 1e-6 })
+    }
+
+    /// Measures, refines where rounding shows, and keeps what reaches the pose. `member`: one more posture, of the family of the
+    /// branch in that place.
+    fn finish(
+        &self,
+        g: &Displacement,
+        query: &Query<'_, N>,
+        all: &Candidates<N>,
+        member: Option<(usize, [Value; N])>,
+        out: &mut Solutions<N>,
+        work: &mut Work,
+    ) {
+        let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
+        let mut fits = Fits { q: [[0.0; CAPACITY]; N], margin: [[f64::INFINITY; CAPACITY]; N] };
+        fits.fill(self, &all.columns, query.near);
+        let nearly = self.nearly(query.tolerance);
+        let mut far_off = 0u32;
+        for first in [0, 8] {
+            if first >= all.len {
+                break;
+            }
+            let (p2, r2, mark) = misses(self, g, all, first);
+            for (lane, ((p2, r2), mark)) in p2.into_iter().zip(r2).zip(mark).enumerate() {
+                let place = first + lane;
+                if place >= all.len {
+                    break;
+                }
+                let (branch, free) = all.kind(place);
+                if p2 <= EXACT * EXACT && r2 <= EXACT * EXACT {
+                    let mut found = Solution { branch, free, ..Solution::NONE };
+                    (found.position_error, found.rotation_error) = (root(p2), root(r2));
+                    found.margin = f64::INFINITY;
+                    for j in 0..N {
+                        let at = all.at(place, j);
+                        found.q[j] = fits.q[j][at];
+                        let margin = fits.margin[j][at];
+                        found.margin = if margin < found.margin { margin } else { found.margin };
+                    }
+                    found.within_limits = found.margin >= -1e-9;
+                    self.keep(out, work, found, mark);
+                } else if p2 <= nearly * nearly && r2 <= nearly * nearly {
+                    self.refine(g, query, all.values(place, slides), (branch, free), out, work);
+                } else {
+                    // No posture, or one of the joints that were added: looked at only where nothing else is found.
+                    far_off |= 1 << place;
                 }
             }
-            all.push(Candidate { values, branch: f.branch, free });
+        }
+        if let Some((place, values)) = member {
+            let kind = all.kind(place);
+            self.refine(g, query, values, kind, out, work);
+        }
+        out.lost += far_off.count_ones();
+        if out.list.is_empty() {
+            for place in 0..all.len {
+                if far_off >> place & 1 == 1 {
+                    out.lost -= 1;
+                    let kind = all.kind(place);
+                    self.refine(g, query, all.values(place, slides), kind, out, work);
+                }
+            }
         }
     }
 
-    /// Refines, measures, and keeps what reaches the pose.
-    fn finish(&self, g: &Displacement, query: &Query<'_, N>, all: &[Candidate<N>]) -> Solutions<N> {
-        let nothing = Solution {
-            q: [0.0; N],
-            branch: Branch::NONE,
-            position_error: 0.0,
-            rotation_error: 0.0,
-            within_limits: false,
-            margin: 0.0,
-            free: 0,
-        };
-        let mut out = Solutions {
-            list: List::new(nothing),
-            status: Status::Ok,
-            distance: [0.0; 2],
-            lost: 0,
-            redundancy: query.redundancy,
-            second_plane: false,
-        };
-        let mut best = [f64::INFINITY; 2];
-        let swivel = match (&self.family, self.exact) {
-            (Family::Swivel(s), false) => Some(s),
-            _ => None,
-        };
-        let hold = |v: &[Value; N]| {
-            let seven = core::array::from_fn(|i| v.get(i).copied().unwrap_or(Value::ZERO));
-            swivel.map_or(0.0, |s| wrapped(s.angle(&seven, &query.reference).0 - query.redundancy))
-        };
-        let hold: Option<&dyn Fn(&[Value; N]) -> f64> = if swivel.is_some() { Some(&hold) } else { None };
-        let locked = match &self.family {
-            Family::Locked { joint, .. } => Some(usize::from(*joint)),
-            _ => None,
-        };
-        for candidate in all {
-            let mut values = candidate.values;
-            let mut e = remainder(self, g, &values);
-            let [p, r] = sizes(&e);
-            // What is this far off belongs to a joint that must stay at zero, or to no posture at all: a few steps tell.
-            if p.max(r) > 1e-13 {
-                let steps = if self.exact { 8 } else { 40 };
-                e = match locked {
-                    Some(joint) => self.held(joint).polished(g, &mut values, steps),
-                    None => polish(self, g, &mut values, hold, steps),
-                };
-            }
-            let [p, r] = sizes(&e);
-            if p + r < best[0] + best[1] {
-                best = [p, r];
-            }
-            if !(p <= query.tolerance && r <= query.tolerance) {
-                out.lost += 1;
-                continue;
-            }
-            let mut q = polish::positions(self, &values);
-            let (mut within_limits, mut margin) = (true, f64::INFINITY);
-            for i in 0..N {
-                let near = query.near.and_then(|n| n.get(i)).copied();
-                let (x, m) = fitted(q[i], self.axes[i].slides, self.limits[i], near);
-                q[i] = x;
-                margin = margin.min(m);
-                within_limits &= m >= -1e-9;
-            }
-            let solution = Solution {
-                q,
-                branch: candidate.branch,
-                position_error: p,
-                rotation_error: r,
-                within_limits,
-                margin,
-                free: candidate.free,
-            };
-            let same =
-                |s: &Solution<N>| (0..N).all(|i| (s.q[i] - q[i]).abs() < 1e-10 || self.full_turn(i, s.q[i] - q[i]));
-            if out.list.iter().any(same) {
-                continue;
-            }
-            if candidate.free != 0 {
-                out.status = Status::Singular;
-            }
-            out.list.push(solution);
+    /// One candidate by Newton's steps.
+    #[cold]
+    #[inline(never)]
+    fn refine(
+        &self,
+        g: &Displacement,
+        query: &Query<'_, N>,
+        mut values: [Value; N],
+        (branch, free): (Branch, u32),
+        out: &mut Solutions<N>,
+        work: &mut Work,
+    ) {
+        for v in &mut values {
+            // What meets no circle is not always of length one.
+            v.turn = super::vector::Turn::along(v.turn.c, v.turn.s).0;
         }
-        if out.list.is_empty() {
-            out.status = Status::Unreachable;
-            out.distance = best.map(|x| if x.is_finite() { x } else { 0.0 });
-        }
-        if let Some(near) = query.near {
-            let far = |s: &Solution<N>| s.q.iter().zip(near).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
-            // By insertion: a library sort has a way into a panic.
-            let list = out.list.as_mut_slice();
-            for i in 1..list.len() {
-                for j in (1..=i).rev() {
-                    let (Some(a), Some(b)) = (list.get(j - 1), list.get(j)) else { break };
-                    if far(a) <= far(b) {
-                        break;
-                    }
-                    list.swap(j - 1, j);
+        let mut e = remainder(self, g, &values);
+        let [p, r] = sizes(&e);
+        if p.max(r) > EXACT {
+            let steps = if self.exact { 8 } else { 40 };
+            e = match (&self.family, self.exact) {
+                (Family::Locked { joint, .. }, _) => self.held(usize::from(*joint)).polished(g, &mut values, steps),
+                (Family::Swivel(swivel), false) => {
+                    let hold = |v: &[Value; N]| {
+                        let seven = core::array::from_fn(|i| v.get(i).copied().unwrap_or(Value::ZERO));
+                        wrapped(swivel.angle(&seven, &query.reference).0 - query.redundancy)
+                    };
+                    polish(self, g, &mut values, Some(&hold), steps)
                 }
+                _ => polish(self, g, &mut values, None, steps),
+            };
+        }
+        let [p, r] = sizes(&e);
+        if p + r < work.best[0] + work.best[1] {
+            work.best = [p, r];
+        }
+        if !(p <= query.tolerance && r <= query.tolerance) {
+            out.lost += 1;
+            return;
+        }
+        let mut found = Solution {
+            q: polish::positions(self, &values),
+            branch,
+            free,
+            position_error: p,
+            rotation_error: r,
+            ..Solution::NONE
+        };
+        found.margin = f64::INFINITY;
+        let mut mark = 0.0;
+        for i in 0..N {
+            let near = query.near.and_then(|n| n.get(i)).copied();
+            let (x, m) = fitted(found.q[i], self.axes[i].slides, self.limits[i], near);
+            found.q[i] = x;
+            found.margin = found.margin.min(m);
+            let (c, s) = if self.axes[i].slides { (values[i].way, 0.0) } else { (values[i].turn.c, values[i].turn.s) };
+            let [a, b] = super::lanes::weights(i);
+            mark += c * a + s * b;
+        }
+        found.within_limits = found.margin >= -1e-9;
+        self.keep(out, work, found, mark);
+    }
+
+    /// Adds a solution that is not there yet. Equal ones have equal marks.
+    #[inline]
+    fn keep(&self, out: &mut Solutions<N>, work: &mut Work, found: Solution<N>, mark: f64) {
+        let same = |s: &Solution<N>| {
+            (0..N).all(|i| (s.q[i] - found.q[i]).abs() < 1e-10 || self.full_turn(i, s.q[i] - found.q[i]))
+        };
+        if out.list.iter().zip(work.marks.iter()).any(|(s, m)| (m - mark).abs() < 1e-7 && same(s)) {
+            return;
+        }
+        if found.free != 0 {
+            out.status = Status::Singular;
+        }
+        if let Some(place) = work.marks.get_mut(out.list.len()) {
+            *place = mark;
+        }
+        out.list.push(found);
+    }
+
+    /// An arm that is only nearly of its family: near a singularity the nominal postures lie too far from the real ones, and two may
+    /// run into one. While branches are missing, the nominal arm is asked beside the pose and beside the redundancy, and what it
+    /// says is refined to the pose itself. What is still missing is counted as lost.
+    fn search_nearby(
+        &self,
+        g: &Displacement,
+        query: &Query<'_, N>,
+        near: &[Value; N],
+        wanted: usize,
+        out: &mut Solutions<N>,
+        work: &mut Work,
+    ) {
+        let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
+        let size = self.axes.iter().fold(norm(self.home.shift), |m, a| m.max(norm(a.c)));
+        let mut state = 0x9E37_79B9_7F4A_7C15u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+        };
+        for k in 0..NEARBY {
+            if out.list.len() >= wanted {
+                break;
+            }
+            // Near ones first.
+            let reach = (k + 1) as f64 / NEARBY as f64;
+            let axis = unit([random(), random(), random()]);
+            let way = [random(), random(), random()].map(|x| 0.04 * size * reach * x);
+            let ([s], [c]) = f64::sin_cos_all(&[0.5 * reach * random()]);
+            let turn =
+                Axis { slides: false, h: axis, c: g.shift }.displacement(Value::turn(super::vector::Turn { c, s }));
+            let mut beside = turn.after(g);
+            beside.shift = super::vector::add(beside.shift, way);
+            let mut all: Candidates<N> = Candidates::new();
+            let redundancy = query.redundancy + reach * random();
+            // A locked joint stays where it is asked to be.
+            let redundancy = if matches!(self.family, Family::Swivel(_)) { redundancy } else { query.redundancy };
+            self.candidates(&beside, query, redundancy, near, &mut all);
+            for place in 0..all.len {
+                let kind = all.kind(place);
+                self.refine(g, query, all.values(place, slides), kind, out, work);
             }
         }
-        out
+        out.lost = (wanted as u32).saturating_sub(out.list.len() as u32);
     }
 
     fn full_turn(&self, joint: usize, difference: f64) -> bool {
@@ -383,6 +499,40 @@ pub(super) fn fitted(q: f64, slides: bool, limits: Option<[f64; 2]>, near: Optio
     (x, margin)
 }
 
+/// The values of all joints as positions, rad or m, whole turns chosen, with their distances from the limits.
+struct Fits<const N: usize> {
+    q: [[f64; CAPACITY]; N],
+    margin: [[f64; CAPACITY]; N],
+}
+
+impl<const N: usize> Fits<N> {
+    #[inline(always)]
+    fn fill(&mut self, arm: &Arm<N>, columns: &[Column; N], near: Option<&[f64; N]>) {
+        use core::f64::consts::PI;
+        for j in 0..N {
+            let (column, slides, limits) = (&columns[j], arm.axes[j].slides, arm.limits[j]);
+            let (qs, margins) = (&mut self.q[j], &mut self.margin[j]);
+            *qs = if slides { column.c } else { angles(&column.s, &column.c, column.len) };
+            if let Some([low, high]) = limits {
+                for (margin, q) in margins.iter_mut().zip(qs.iter()) {
+                    let (a, b) = (q - low, high - q);
+                    *margin = if a < b { a } else { b };
+                }
+            }
+            // Elsewhere a turned angle is never inside where it was not.
+            let wide = limits.is_some_and(|[low, high]| low < 1e-6 - PI || high > PI - 1e-6);
+            if !slides && (near.is_some() || wide) {
+                let near = near.map(|n| n[j]);
+                for (margin, q) in margins.iter_mut().zip(qs).take(column.len) {
+                    if near.is_some() || *margin < 0.0 {
+                        (*q, *margin) = fitted(*q, slides, limits, near);
+                    }
+                }
+            }
+        }
+    }
+}
+
 fn ceiling(x: f64) -> f64 {
     let near = whole(x);
     if near < x { near + 1.0 } else { near }
@@ -409,8 +559,8 @@ pub(super) fn checked(pose: &[[f64; 4]; 3]) -> Result<Displacement, PoseError> {
         return Err(PoseError::NotARotation(if d <= 1e-6 { 2.0 } else { d }));
     }
     if d > 4e-16 {
-        // Nearest rotation: R (3 - R'R) / 2, twice.
-        for _ in 0..2 {
+        // Nearest rotation: R (3 - R'R) / 2; the defect is squared each time.
+        for _ in 0..if d > 1e-9 { 2 } else { 1 } {
             let rr = product(&transposed(&t.rotation), &t.rotation);
             let k: super::vector::Matrix =
                 core::array::from_fn(|i| core::array::from_fn(|j| 1.5 * IDENTITY[i][j] - 0.5 * rr[i][j]));
@@ -418,4 +568,26 @@ pub(super) fn checked(pose: &[[f64; 4]; 3]) -> Result<Displacement, PoseError> {
         }
     }
     Ok(t)
+}
+
+/// Status and order.
+fn conclude<const N: usize>(query: &Query<'_, N>, work: &Work, out: &mut Solutions<N>) {
+    if out.list.is_empty() {
+        out.status = Status::Unreachable;
+        out.distance = work.best.map(|x| if x.is_finite() { x } else { 0.0 });
+    }
+    if let Some(near) = query.near {
+        let far = |s: &Solution<N>| s.q.iter().zip(near).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
+        // By insertion: a library sort has a way into a panic.
+        let list = out.list.as_mut_slice();
+        for i in 1..list.len() {
+            for j in (1..=i).rev() {
+                let (Some(a), Some(b)) = (list.get(j - 1), list.get(j)) else { break };
+                if far(a) <= far(b) {
+                    break;
+                }
+                list.swap(j - 1, j);
+            }
+        }
+    }
 }

@@ -43,16 +43,34 @@ impl Value {
 }
 
 impl Axis {
+    /// A direction turned about the axis: with few products where that is a base axis.
+    #[inline(always)]
+    pub(super) fn spun(&self, Turn { c, s }: Turn, [x, y, z]: Vector) -> Vector {
+        let h = self.h;
+        if h[2].abs() == 1.0 {
+            let s = s * h[2];
+            [c * x - s * y, s * x + c * y, z]
+        } else if h[1].abs() == 1.0 {
+            let s = s * h[1];
+            [c * x + s * z, y, c * z - s * x]
+        } else if h[0].abs() == 1.0 {
+            let s = s * h[0];
+            [x, c * y - s * z, s * y + c * z]
+        } else {
+            Turn { c, s }.about(h, [x, y, z])
+        }
+    }
+
     /// Where the joint takes a point.
     #[inline(always)]
     pub(super) fn point(&self, v: Value, x: Vector) -> Vector {
-        if self.slides { add(x, scale(v.way, self.h)) } else { add(self.c, v.turn.about(self.h, sub(x, self.c))) }
+        if self.slides { add(x, scale(v.way, self.h)) } else { add(self.c, self.spun(v.turn, sub(x, self.c))) }
     }
 
     /// Where it takes a direction.
     #[inline(always)]
     pub(super) fn direction(&self, v: Value, x: Vector) -> Vector {
-        if self.slides { x } else { v.turn.about(self.h, x) }
+        if self.slides { x } else { self.spun(v.turn, x) }
     }
 
     /// The whole displacement.

@@ -23,17 +23,22 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
     let [dq1, dq2] = *dq;
     let [_, _, _, MSX2, MSY2, ..] = *beta;
     let L1 = S::constant(0.5);
+    // link 1: motion
+    let t0 = {
+        let t0 = dq1 * dq1;
+        t0
+    };
     // link 2: motion
-    let [t2, a2_y, w2_z] = {
-        let t1 = L1 * (dq1 * dq1);
+    let [t2, a2_y, t5] = {
+        let t1 = L1 * t0;
         let t2 = c2 * t1;
         let a2_y = s2 * t1;
         let w2_z = dq1 + dq2;
-        [t2, a2_y, w2_z]
+        let t5 = w2_z * w2_z;
+        [t2, a2_y, t5]
     };
     // link 2: force and moment
     {
-        let t5 = w2_z * w2_z;
         let n2_z = MSX2 * a2_y + MSY2 * t2;
         let n1_z = n2_z - L1 * (s2 * (MSX2 * t5) + c2 * (MSY2 * t5));
         put(0, n1_z);

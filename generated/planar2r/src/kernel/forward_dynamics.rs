@@ -39,22 +39,23 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         t8
     };
     // link 1: motion
-    let [a1_x, a1_y] = {
+    let [a1_x, a1_y, t11] = {
         let a1_x = s1 * k1;
         let a1_y = c1 * k1;
-        [a1_x, a1_y]
+        let t11 = dq1 * dq1;
+        [a1_x, a1_y, t11]
     };
     // link 2: motion
-    let [a2_x, a2_y, w2_z] = {
-        let t13 = a1_x - L1 * (dq1 * dq1);
+    let [a2_x, a2_y, t21] = {
+        let t13 = a1_x - L1 * t11;
         let a2_x = c2 * t13 + s2 * a1_y;
         let a2_y = c2 * a1_y - s2 * t13;
         let w2_z = dq1 + dq2;
-        [a2_x, a2_y, w2_z]
+        let t21 = w2_z * w2_z;
+        [a2_x, a2_y, t21]
     };
     // link 2: force and moment
     let [n2_z, t31] = {
-        let t21 = w2_z * w2_z;
         let n2_z = MSX2 * a2_y - MSY2 * a2_x;
         let t31 = n2_z - L1 * (s2 * (MSX2 * t21) + c2 * (MSY2 * t21));
         [n2_z, t31]

@@ -29,24 +29,25 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
     let L1 = S::constant(0.5);
     let k0 = S::constant(9.81);
     // link 1: motion
-    let [a1_x, a1_y] = {
+    let [a1_x, a1_y, t2] = {
         let a1_x = s1 * k0;
         let a1_y = c1 * k0;
-        [a1_x, a1_y]
+        let t2 = dq1 * dq1;
+        [a1_x, a1_y, t2]
     };
     // link 2: motion
-    let [a2_x, a2_y, w2_z, dw2_z] = {
-        let t5 = a1_x - L1 * (dq1 * dq1);
+    let [a2_x, a2_y, dw2_z, t15] = {
+        let t5 = a1_x - L1 * t2;
         let t6 = a1_y + L1 * ddq1;
         let a2_x = c2 * t5 + s2 * t6;
         let a2_y = c2 * t6 - s2 * t5;
         let w2_z = dq1 + dq2;
         let dw2_z = ddq1 + ddq2;
-        [a2_x, a2_y, w2_z, dw2_z]
+        let t15 = w2_z * w2_z;
+        [a2_x, a2_y, dw2_z, t15]
     };
     // link 2: force and moment
     let [n2_z, t35] = {
-        let t15 = w2_z * w2_z;
         let f2_x = M2 * a2_x - (MSX2 * t15 + MSY2 * dw2_z);
         let f2_y = M2 * a2_y + (MSX2 * dw2_z - MSY2 * t15);
         let n2_z = ZZ2 * dw2_z + (MSX2 * a2_y - MSY2 * a2_x);

@@ -37,9 +37,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     let [c1, c2] = trig.cos;
     let [dq1, ..] = *dq;
     let L1 = S::constant(0.5);
+    // link 1: motion
+    let t0 = {
+        let t0 = dq1 * dq1;
+        t0
+    };
     // link 2: motion
     let [t2, a2_y] = {
-        let t1 = L1 * (dq1 * dq1);
+        let t1 = L1 * t0;
         let t2 = c2 * t1;
         let a2_y = s2 * t1;
         [t2, a2_y]

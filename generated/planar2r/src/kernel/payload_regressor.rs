@@ -41,35 +41,36 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let L2 = S::constant(0.4);
     let k0 = S::constant(9.81);
     // link 1: motion
-    let [a1_x, a1_y] = {
+    let [a1_x, a1_y, t2] = {
         let a1_x = s1 * k0;
         let a1_y = c1 * k0;
-        [a1_x, a1_y]
+        let t2 = dq1 * dq1;
+        [a1_x, a1_y, t2]
     };
     // link 2: motion
-    let [t9, a2_y, w2_z, dw2_z] = {
-        let t5 = L1 * (dq1 * dq1) - a1_x;
+    let [t9, a2_y, dw2_z, t15] = {
+        let t5 = L1 * t2 - a1_x;
         let t6 = a1_y + L1 * ddq1;
         let t9 = c2 * t5 - s2 * t6;
         let a2_y = c2 * t6 + s2 * t5;
         let w2_z = dq1 + dq2;
         let dw2_z = ddq1 + ddq2;
+        let t15 = w2_z * w2_z;
         put(3, dw2_z); // row 1, ZZ
         put(6, t9); // row 2, MSY
         put(7, dw2_z); // row 2, ZZ
-        [t9, a2_y, w2_z, dw2_z]
+        [t9, a2_y, dw2_z, t15]
     };
     // joint axes in frame 2
-    let [v1_2_x, v1_2_y, t17, t19, t20, t21, t22] = {
+    let [v1_2_x, v1_2_y, t19, t20, t21, t22] = {
         let v1_2_x = s2 * L1;
         let v1_2_y = c2 * L1;
-        let t17 = w2_z * w2_z;
         let t19 = dw2_z * L2;
-        let t20 = t9 + L2 * t17;
+        let t20 = t9 + t15 * L2;
         let t21 = a2_y + t19;
         let t22 = L2 * t21;
         put(4, t22); // row 2, M
-        [v1_2_x, v1_2_y, t17, t19, t20, t21, t22]
+        [v1_2_x, v1_2_y, t19, t20, t21, t22]
     };
     // payload: column M
     let t27 = {
@@ -81,12 +82,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column MSX
     {
-        let t31 = t27 + (dw2_z * v1_2_y - v1_2_x * t17);
+        let t31 = t27 + (dw2_z * v1_2_y - t15 * v1_2_x);
         put(1, t31); // row 1, MSX
     }
     // payload: column MSY
     {
-        let t35 = t9 - (dw2_z * v1_2_x + v1_2_y * t17);
+        let t35 = t9 - (dw2_z * v1_2_x + t15 * v1_2_y);
         put(2, t35); // row 1, MSY
     }
 }

@@ -41,28 +41,30 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let L1 = S::constant(0.5);
     let k0 = S::constant(9.81);
     // link 1: motion
-    let [a1_x, a1_y] = {
+    let [a1_x, a1_y, t2] = {
         let a1_x = s1 * k0;
         let a1_y = c1 * k0;
+        let t2 = dq1 * dq1;
         put(0, a1_y); // row 1, MSX1
         put(2, ddq1); // row 1, ZZ1
         put(7, dq1); // row 1, FV1
         put(12, dq2); // row 2, FV2
-        [a1_x, a1_y]
+        [a1_x, a1_y, t2]
     };
     // link 2: motion
-    let [t9, a2_y, w2_z, dw2_z] = {
-        let t5 = L1 * (dq1 * dq1) - a1_x;
+    let [t9, a2_y, dw2_z, t15] = {
+        let t5 = L1 * t2 - a1_x;
         let t6 = a1_y + L1 * ddq1;
         let t9 = c2 * t5 - s2 * t6;
         let a2_y = c2 * t6 + s2 * t5;
         let w2_z = dq1 + dq2;
         let dw2_z = ddq1 + ddq2;
+        let t15 = w2_z * w2_z;
         put(6, dw2_z); // row 1, ZZ2
         put(9, a2_y); // row 2, MSX2
         put(10, t9); // row 2, MSY2
         put(11, dw2_z); // row 2, ZZ2
-        [t9, a2_y, w2_z, dw2_z]
+        [t9, a2_y, dw2_z, t15]
     };
     // joint axes in frame 2
     let [v1_2_x, v1_2_y] = {
@@ -71,20 +73,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [v1_2_x, v1_2_y]
     };
     // M2: column
-    let t17 = {
-        let t17 = w2_z * w2_z;
+    {
         let t20 = a2_y * v1_2_y - t9 * v1_2_x;
         put(3, t20); // row 1, M2
-        t17
-    };
+    }
     // MSX2: column
     {
-        let t24 = a2_y - (v1_2_x * t17 - dw2_z * v1_2_y);
+        let t24 = a2_y - (t15 * v1_2_x - dw2_z * v1_2_y);
         put(4, t24); // row 1, MSX2
     }
     // MSY2: column
     {
-        let t28 = t9 - (dw2_z * v1_2_x + v1_2_y * t17);
+        let t28 = t9 - (dw2_z * v1_2_x + t15 * v1_2_y);
         put(5, t28); // row 1, MSY2
     }
     // YZ2: column

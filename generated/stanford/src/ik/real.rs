@@ -25,27 +25,39 @@ const A: [f64; 11] = [
     1.628_582_011_536_578_2e-2,
 ];
 
-/// Angle of the point `(x, y)`, rad, in `[-pi, pi]`; zero at the origin. Within 2 ulp.
-#[inline]
+/// Angle of the point `(x, y)`, rad, in `[-pi, pi]`; zero at the origin. Within 2 ulp. No branches: a loop over it runs in the
+/// registers' lanes.
+#[inline(always)]
 pub(super) fn angle(y: f64, x: f64) -> f64 {
     use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
     let (ay, ax) = (y.abs(), x.abs());
     let (low, high) = if ay > ax { (ax, ay) } else { (ay, ax) };
-    if high == 0.0 {
-        return 0.0;
-    }
     let steep = low > TAN_PI_8 * high;
-    let (up, down) = if steep { (low - high, low + high) } else { (low, high) };
-    let t = up / down;
+    let up = if steep { low - high } else { low };
+    let down = if steep { low + high } else { high };
+    let t = up / if down > 0.0 { down } else { 1.0 };
     let z = t * t;
     let w = z * z;
     let odd = z * (A[0] + w * (A[2] + w * (A[4] + w * (A[6] + w * (A[8] + w * A[10])))));
     let even = w * (A[1] + w * (A[3] + w * (A[5] + w * (A[7] + w * A[9]))));
     let small = t - t * (odd + even);
-    let a = if steep { FRAC_PI_4 + small } else { small };
+    let a = if steep { FRAC_PI_4 } else { 0.0 } + small;
     let a = if ay > ax { FRAC_PI_2 - a } else { a };
     let a = if x < 0.0 { PI - a } else { a };
     if y < 0.0 { -a } else { a }
+}
+
+/// Angles of the first points of a list, in fours; what lies beyond them is not looked at.
+#[inline(always)]
+pub(super) fn angles<const K: usize>(s: &[f64; K], c: &[f64; K], len: usize) -> [f64; K] {
+    let mut out = [0.0; K];
+    let fours = out.chunks_exact_mut(4).zip(s.chunks_exact(4)).zip(c.chunks_exact(4));
+    for ((out, s), c) in fours.take(len.div_ceil(4)) {
+        for ((out, s), c) in out.iter_mut().zip(s).zip(c) {
+            *out = angle(*s, *c);
+        }
+    }
+    out
 }
 
 /// The same direction within a half turn of zero: `(-pi, pi]`.

@@ -4,12 +4,14 @@
 //! `E1 .. E6 = G` is `E6' .. E1' = G'`.
 
 use super::axis::{Axis, Value};
+use super::candidates::Candidates;
 use super::list::List;
+use super::orient::Three;
 use super::pose::Displacement;
 use super::quartic::two_turns;
-use super::regional::{self, Regional, orient};
+use super::regional::{self, Regional};
 use super::solution::Branch;
-use super::subproblem::{FREE, circle, reach, tilt, towards};
+use super::subproblem::{FREE, Tilt, across, circle, reach, towards};
 use super::vector::{Turn, Vector, beside, cross, dot, norm, scale, sub};
 
 /// How six joints are taken apart.
@@ -42,58 +44,97 @@ pub struct Six {
     pub method: Method,
 }
 
-/// What is found of six joints.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Found {
-    pub values: [Value; 6],
-    pub branch: Branch,
-    pub free: u8,
+/// Where what is found of six joints goes: into the columns of the arm's own joints.
+struct Into<'a, const N: usize> {
+    six: &'a Six,
+    all: &'a mut Candidates<N>,
 }
 
-pub(super) type Finds = List<Found, 16>;
-
-pub(super) const NOTHING: Found = Found { values: [Value::ZERO; 6], branch: Branch::NONE, free: 0 };
-
-impl Six {
-    /// All answers of `E1 .. E6 = g` in this order; where there is none, the nearest ones.
-    pub(super) fn solve(&self, g: &Displacement, near: &[Value; 6]) -> Finds {
-        match &self.method {
-            Method::Wrist { center, regional } => self.wrist(g, *center, regional, near),
-            Method::ThreeParallel { meet } => self.three_parallel(g, *meet, near),
+impl<const N: usize> Into<'_, N> {
+    #[inline(always)]
+    fn value(&mut self, k: usize, v: Value) -> u8 {
+        match self.six.joints.get(k) {
+            Some(&Some(j)) => self.all.value(usize::from(j), self.six.axes[k].slides, v),
+            _ => 0,
         }
     }
 
-    fn wrist(&self, g: &Displacement, center: Vector, regional: &Regional, near: &[Value; 6]) -> Finds {
-        let mut finds = List::new(NOTHING);
+    #[inline(always)]
+    fn push(&mut self, at: [u8; 6], branch: Branch, free: u8) {
+        let mut bits = 0;
+        for (k, j) in self.six.joints.iter().enumerate() {
+            if let Some(j) = j {
+                bits |= u32::from(free >> k & 1) << (u32::from(*j) & 31);
+            }
+        }
+        let Some(place) = self.all.push(branch, bits) else { return };
+        for (at, j) in at.into_iter().zip(self.six.joints) {
+            if let Some(j) = j {
+                self.all.set(place, usize::from(j), at);
+            }
+        }
+    }
+}
+
+impl Six {
+    /// All answers of `E1 .. E6 = g` of the arm, the joints that are not among the six at the first values of their columns; where
+    /// there is none, the nearest ones.
+    pub(super) fn solve<const N: usize>(&self, g: &Displacement, near: &[Value; N], all: &mut Candidates<N>) {
+        let near = self.near(near);
+        let inverse;
+        let g = if self.reversed {
+            inverse = g.inverse();
+            &inverse
+        } else {
+            g
+        };
+        let mut into = Into { six: self, all };
+        match &self.method {
+            Method::Wrist { center, regional } => self.wrist(g, *center, regional, &near, &mut into),
+            Method::ThreeParallel { meet } => self.three_parallel(g, *meet, &near, &mut into),
+        }
+    }
+
+    fn wrist<const N: usize>(
+        &self,
+        g: &Displacement,
+        center: Vector,
+        regional: &Regional,
+        near: &[Value; 6],
+        into: &mut Into<'_, N>,
+    ) {
         let [one, two, three, four, five, six] = &self.axes;
         let places =
             regional::solve(regional, &[*one, *two, *three], center, g.point(center), &[near[0], near[1], near[2]]);
+        let wrist = Three::new([four.h, five.h, six.h]);
+        let goal = wrist.goal(&g.rotation);
         for place in places.iter() {
             let [v1, v2, v3] = place.values;
-            let back = |x: Vector| three.direction(v3.back(), two.direction(v2.back(), one.direction(v1.back(), x)));
-            let columns = super::vector::transposed(&g.rotation).map(back);
-            let rotation = super::vector::transposed(&columns);
-            for (i, (turns, free)) in orient(&[four.h, five.h, six.h], &rotation, near[3].turn).into_iter().enumerate()
-            {
+            let basis = wrist.carried(|x| one.direction(v1, two.direction(v2, three.direction(v3, x))));
+            let regional_at = [into.value(0, v1), into.value(1, v2), into.value(2, v3)];
+            for (i, (turns, free)) in wrist.turns(&basis, &goal, near[3].turn).into_iter().enumerate() {
                 let [v4, v5, v6] = turns.map(Value::turn);
-                finds.push(Found {
-                    values: [v1, v2, v3, v4, v5, v6],
-                    branch: Branch::of_wrist(regional, place.branch, i as u8, self.reversed),
-                    free: place.free | free << 3,
-                });
+                let [a, b, c] = regional_at;
+                let at = [a, b, c, into.value(3, v4), into.value(4, v5), into.value(5, v6)];
+                let branch = Branch::of_wrist(regional, place.branch, i as u8, self.reversed);
+                into.push(at, branch, place.free | free << 3);
             }
         }
-        finds
     }
 
     /// What the three parallel axes leave alone gives joints 1 and 5; then they are a planar arm.
-    fn three_parallel(&self, g: &Displacement, meet: Option<Vector>, near: &[Value; 6]) -> Finds {
-        let mut finds = List::new(NOTHING);
+    fn three_parallel<const N: usize>(
+        &self,
+        g: &Displacement,
+        meet: Option<Vector>,
+        near: &[Value; 6],
+        into: &mut Into<'_, N>,
+    ) {
         let [one, two, three, four, five, six] = &self.axes;
         let h = two.h;
         let mut free = 0;
-        // Joint 1, with the two answers of joint 5 for each.
-        let mut starts: List<(Value, Value, u8, u8), 8> = List::new((Value::ZERO, Value::ZERO, 0, 0));
+        // Joint 1 (and its value's name), with the two answers of joint 5 for each.
+        let mut starts: List<(Value, u8, Value, u8, u8), 8> = List::new((Value::ZERO, 0, Value::ZERO, 0, 0));
         let goal6 = super::vector::times(&g.rotation, six.h);
         if let Some(x) = meet {
             let rel = sub(g.point(x), one.c);
@@ -106,10 +147,12 @@ impl Six {
             );
             free |= u8::from(pair.free);
             let firsts = if pair.blind { [near[0]; 2] } else { pair.both.map(Value::turn) };
+            let tilt = Tilt::new(h, five.h, six.h);
             for (i, first) in firsts.into_iter().enumerate() {
                 let goal = one.direction(first.back(), goal6);
-                for (j, fifth) in tilt(h, five.h, six.h, goal).both.into_iter().enumerate() {
-                    starts.push((first, Value::turn(fifth), i as u8, j as u8));
+                let at = into.value(0, first);
+                for (j, fifth) in tilt.towards(goal).both.into_iter().enumerate() {
+                    starts.push((first, at, Value::turn(fifth), i as u8, j as u8));
                 }
             }
         } else {
@@ -124,19 +167,21 @@ impl Six {
             let a = [[p1[0], -p1[1]], [d1[0], -d1[1]]];
             let k = [k1 + dot(h, one.c) - k5 - dot(h, five.c), l1 - l5];
             for (i, &(first, fifth)) in two_turns(&a, &k, &[p5, d5]).iter().enumerate() {
-                starts.push((Value::turn(first), Value::turn(fifth), i as u8 | 4, 0));
+                let at = into.value(0, Value::turn(first));
+                starts.push((Value::turn(first), at, Value::turn(fifth), i as u8 | 4, 0));
             }
         }
-        for &(v1, v5, shoulder, wrist) in starts.iter() {
+        let side = beside(six.h);
+        let side_goal = super::vector::times(&g.rotation, side);
+        for &(v1, at1, v5, shoulder, wrist) in starts.iter() {
             let mut free = free;
             let goal = one.direction(v1.back(), goal6);
-            let side = beside(six.h);
-            let image = one.direction(v1.back(), super::vector::times(&g.rotation, side));
-            let (turn, known) = towards(h, v5.turn.about(five.h, six.h), goal);
+            let image = one.direction(v1.back(), side_goal);
+            let (turn, known) = towards(h, five.direction(v5, six.h), goal);
             let (sum, v6) = if known > 1e-28 {
                 free |= if known < FREE * FREE { 32 } else { 0 };
-                let back = v5.back().turn.about(five.h, turn.back().about(h, image));
-                (turn, Value::turn(towards(six.h, side, back).0))
+                let back = five.direction(v5.back(), turn.back().about(h, image));
+                (turn, Value::turn(across(six.h, side, back)))
             } else {
                 free |= 32;
                 let v6 = self.last_within_reach(g, v1, v5, near[5]);
@@ -152,23 +197,36 @@ impl Six {
             let target = one.point(v1.back(), g.point(four_at));
             let to = sub(target, two.c);
             let pair = reach(three, four.c, two.c, dot(to, to));
+            // Both ends of the planar arm are as far from axis 2: one division for both answers.
+            let flat = sub(to, scale(dot(h, to), h));
+            let flat2 = dot(flat, flat);
+            let known = flat2 > 1e-26;
+            let per = if known { 1.0 / flat2 } else { 0.0 };
+            let ends = [into.value(4, v5), into.value(5, v6)];
             for (j, third) in pair.both.into_iter().enumerate() {
                 let arm = sub(three.point(Value::turn(third), four.c), two.c);
-                let (second, known) = towards(h, arm, to);
+                let second = if known {
+                    let (c, s) = (dot(arm, flat), dot(h, cross(arm, flat)));
+                    Turn { c: c * per, s: s * per }
+                } else {
+                    near[1].turn
+                };
                 let same = |axis: &Axis, t: Turn| if dot(axis.h, h) < 0.0 { t.back() } else { t };
-                let second = if known > 1e-26 { second } else { near[1].turn };
                 let fourth = sum.then(second.back()).then(same(three, third).back());
                 let mut free = free;
-                free |= if known > FREE * FREE * dot(to, to).max(1e-6) { 0 } else { 2 };
+                free |= if flat2 > FREE * FREE * dot(to, to).max(1e-6) { 0 } else { 2 };
                 free |= if pair.free { 4 } else { 0 };
-                finds.push(Found {
-                    values: [v1, Value::turn(second), Value::turn(third), Value::turn(same(four, fourth)), v5, v6],
-                    branch: Branch::of_three_parallel(shoulder, j as u8, wrist, self.reversed),
-                    free,
-                });
+                let at = [
+                    at1,
+                    into.value(1, Value::turn(second)),
+                    into.value(2, Value::turn(third)),
+                    into.value(3, Value::turn(same(four, fourth))),
+                    ends[0],
+                    ends[1],
+                ];
+                into.push(at, Branch::of_three_parallel(shoulder, j as u8, wrist, self.reversed), free);
             }
         }
-        finds
     }
 
     /// Axis 6 is parallel to the three: its turn is free as far as the planar arm still reaches. The near one, or else one in the

@@ -2,7 +2,7 @@
 //!
 //! N m, from the base parameters; no gravity, no friction.
 //!
-//! 214 multiplications, 194 additions; 6, 6 of 6 structurally nonzero.
+//! 209 multiplications, 192 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -30,211 +30,226 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
     let D2 = S::constant(0.154);
     let D6 = S::constant(0.263);
     let k1 = S::constant(2.0);
-    // link 2: motion
-    let [t0, w3_z, t3, t4, dw2_y] = {
-        let t0 = s2 * dq1;
-        let w3_z = c2 * dq1;
-        let t3 = D2 * (dq1 * dq1);
-        let t4 = dq2 * w3_z;
-        let dw2_y = dq2 * t0;
-        [t0, w3_z, t3, t4, dw2_y]
+    // link 1: motion
+    let t0 = {
+        let t0 = dq1 * dq1;
+        t0
     };
-    // link 3: motion
+    // link 2: motion
     let [
-        t6, t7, t8, t9, t10, t11, t12, t13,
-        t14, t16, t22, a3_y,
+        t1, w3_z, t3, t4, t5, t6, dw2_y, t8,
+        t9, t10, t11,
     ] = {
-        let t6 = t0 * t0;
-        let t7 = w3_z * w3_z;
-        let t8 = dq2 * dq2;
-        let t9 = t0 * w3_z;
-        let t10 = t7 + t8;
-        let t11 = t6 + t8;
-        let t12 = dw2_y + dw2_y;
-        let t13 = t4 + t4;
-        let t14 = t6 + t7;
-        let t16 = q3 * t11;
-        let t19 = dq3 * k1;
-        let t22 = q3 * t13 - t3 + t0 * t19;
-        let a3_y = dq2 * t19 - q3 * t9;
+        let t1 = s2 * dq1;
+        let w3_z = c2 * dq1;
+        let t3 = D2 * t0;
+        let t4 = t1 * t1;
+        let t5 = dq2 * dq2;
+        let t6 = t1 * w3_z;
+        let dw2_y = dq2 * t1;
+        let t8 = dq2 * w3_z;
+        let t9 = t4 + t5;
+        let t10 = dw2_y + dw2_y;
+        let t11 = t8 + t8;
         [
-        t6, t7, t8, t9, t10, t11, t12, t13,
-        t14, t16, t22, a3_y,
+        t1, w3_z, t3, t4, t5, t6, dw2_y, t8,
+        t9, t10, t11,
     ]
     };
+    // link 3: motion
+    let [t13, t19, a3_y, t22, t23] = {
+        let t13 = q3 * t9;
+        let t16 = dq3 * k1;
+        let t19 = t3 - q3 * t11 - t1 * t16;
+        let a3_y = dq2 * t16 - q3 * t6;
+        let t21 = w3_z * w3_z;
+        let t22 = t4 + t21;
+        let t23 = t5 + t21;
+        [t13, t19, a3_y, t22, t23]
+    };
     // link 4: motion
-    let [t26, w4_y, a4_x, a4_y, w4_z, dw4_x, dw4_y] = {
-        let t26 = c4 * dq2 + s4 * t0;
-        let w4_y = s4 * dq2 - c4 * t0;
-        let a4_x = s4 * a3_y - c4 * t22;
-        let a4_y = c4 * a3_y + s4 * t22;
+    let [
+        t26, w4_y, a4_x, a4_y, t38, t41, w4_z, t43,
+        t44, t45, t46, t47, t49, t50, t51, t52,
+        t53, t54,
+    ] = {
+        let t26 = c4 * dq2 + s4 * t1;
+        let w4_y = s4 * dq2 - c4 * t1;
+        let a4_x = c4 * t19 + s4 * a3_y;
+        let a4_y = c4 * a3_y - s4 * t19;
+        let t38 = c4 * t11 + s4 * t6;
+        let t41 = c4 * t6 - s4 * t11;
         let w4_z = w3_z + dq4;
-        let dw4_x = dq4 * w4_y - s4 * t4;
-        let dw4_y = dq4 * t26 - c4 * t4;
-        [t26, w4_y, a4_x, a4_y, w4_z, dw4_x, dw4_y]
+        let t43 = t26 * t26;
+        let t44 = w4_z * w4_z;
+        let t45 = t26 * w4_y;
+        let t46 = t26 * w4_z;
+        let t47 = w4_y * w4_z;
+        let dw4_x = t41 + t47;
+        let t49 = t38 - t46;
+        let t50 = t45 - dw2_y;
+        let t51 = dw2_y + t45;
+        let t52 = t43 + t44;
+        let t53 = t49 - t46;
+        let t54 = t47 + dw4_x;
+        [
+        t26, w4_y, a4_x, a4_y, t38, t41, w4_z, t43,
+        t44, t45, t46, t47, t49, t50, t51, t52,
+        t53, t54,
+    ]
     };
     // link 5: motion
     let [
-        t45, t48, t55, t56, t57, t58, t59, t60,
-        t61, t62, t63, t64, t65, t66, t67, t68,
-        a5_x, a5_y, w5_z, t78, dw5_y,
+        t57, w5_y, a5_x, a5_y, t69, t72, w5_z, t74,
+        t75, t76, t77, t78, t80, t81, t82, t83,
+        t84, t85,
     ] = {
-        let t45 = c5 * t26 + s5 * w4_z;
-        let t48 = c5 * w4_z - s5 * t26;
-        let t55 = t26 * t26;
-        let t56 = w4_y * w4_y;
-        let t57 = w4_z * w4_z;
-        let t58 = t26 * w4_y;
-        let t59 = t26 * w4_z;
-        let t60 = w4_y * w4_z;
-        let t61 = t56 + t57;
-        let t62 = dw2_y - t58;
-        let t63 = dw4_y - t59;
-        let t64 = dw2_y + t58;
-        let t65 = t55 + t57;
-        let t66 = t60 - dw4_x;
-        let t67 = dw4_y + t59;
-        let t68 = dw4_x + t60;
-        let a5_x = c5 * a4_x + s5 * t16;
-        let a5_y = c5 * t16 - s5 * a4_x;
+        let t57 = c5 * t26 + s5 * w4_z;
+        let w5_y = s5 * t26 - c5 * w4_z;
+        let a5_x = c5 * a4_x + s5 * t13;
+        let a5_y = c5 * t13 - s5 * a4_x;
+        let t69 = c5 * t50 + s5 * t54;
+        let t72 = s5 * t50 - c5 * t54;
         let w5_z = w4_y + dq5;
-        let t78 = dq5 * t48 - (c5 * dw4_x + s5 * dw2_y);
-        let dw5_y = c5 * dw2_y - s5 * dw4_x + dq5 * t45;
+        let t74 = t57 * t57;
+        let t75 = w5_z * w5_z;
+        let t76 = t57 * w5_y;
+        let t77 = t57 * w5_z;
+        let t78 = w5_y * w5_z;
+        let t80 = t69 - t77;
+        let t81 = t76 - t49;
+        let t82 = t49 + t76;
+        let t83 = t74 + t75;
+        let t84 = t77 - t80;
+        let t85 = t78 - (t72 - t78);
         [
-        t45, t48, t55, t56, t57, t58, t59, t60,
-        t61, t62, t63, t64, t65, t66, t67, t68,
-        a5_x, a5_y, w5_z, t78, dw5_y,
+        t57, w5_y, a5_x, a5_y, t69, t72, w5_z, t74,
+        t75, t76, t77, t78, t80, t81, t82, t83,
+        t84, t85,
     ]
     };
     // link 6: motion
     let [
-        t82, w6_y, t92, t93, t94, t95, t96, t97,
-        t98, t99, t100, t101, t102, t103, t104, t105,
-        t110, t114, a6_y, w6_z, dw6_x, dw6_y,
+        t96, a6_x, a6_y, t106, t109, t113, t114, t115,
+        dw6_x, t118, t119, t120, t121, t122, t123, t124,
     ] = {
-        let t82 = c6 * t45 - s6 * w5_z;
-        let w6_y = c6 * w5_z + s6 * t45;
-        let t92 = t45 * t45;
-        let t93 = t48 * t48;
-        let t94 = w5_z * w5_z;
-        let t95 = t45 * t48;
-        let t96 = t45 * w5_z;
-        let t97 = t48 * w5_z;
-        let t98 = t93 + t94;
-        let t99 = t95 - dw4_y;
-        let t100 = dw5_y - t96;
-        let t101 = dw4_y + t95;
-        let t102 = t92 + t94;
-        let t103 = t97 - t78;
-        let t104 = dw5_y + t96;
-        let t105 = t78 + t97;
-        let t109 = D6 * t99 - a5_x;
-        let t110 = a5_y + D6 * t102;
-        let t111 = a4_y + D6 * t105;
-        let t114 = c6 * t109 - s6 * t111;
-        let a6_y = c6 * t111 + s6 * t109;
-        let w6_z = t48 + dq6;
-        let dw6_x = s6 * dw4_y - c6 * t78 + dq6 * w6_y;
-        let dw6_y = c6 * dw4_y + s6 * t78 + dq6 * t82;
+        let w6_x = s6 * w5_z - c6 * t57;
+        let w6_y = c6 * w5_z + s6 * t57;
+        let t95 = a5_x + D6 * t81;
+        let t96 = a5_y + D6 * t83;
+        let t97 = a4_y - D6 * t85;
+        let a6_x = c6 * t95 + s6 * t97;
+        let a6_y = c6 * t97 - s6 * t95;
+        let t106 = c6 * t81 - s6 * t85;
+        let t109 = c6 * t85 + s6 * t81;
+        let w6_z = dq6 - w5_y;
+        let t111 = w6_x * w6_x;
+        let t112 = w6_z * w6_z;
+        let t113 = w6_x * w6_y;
+        let t114 = w6_x * w6_z;
+        let t115 = w6_y * w6_z;
+        let dw6_x = t109 + t115;
+        let t118 = t112 - t111;
+        let t119 = t83 + t118;
+        let t120 = t113 - t80;
+        let t121 = t80 + t113;
+        let t122 = t111 + t112;
+        let t123 = t114 + (t114 - t106);
+        let t124 = t115 + dw6_x;
         [
-        t82, w6_y, t92, t93, t94, t95, t96, t97,
-        t98, t99, t100, t101, t102, t103, t104, t105,
-        t110, t114, a6_y, w6_z, dw6_x, dw6_y,
+        t96, a6_x, a6_y, t106, t109, t113, t114, t115,
+        dw6_x, t118, t119, t120, t121, t122, t123, t124,
     ]
     };
     // link 6: force and moment
-    let [t174, n6_z, t185, t188, t197, t198] = {
-        let t123 = t82 * t82;
-        let t124 = w6_y * w6_y;
-        let t125 = w6_z * w6_z;
-        let t126 = t82 * w6_y;
-        let t127 = t82 * w6_z;
-        let t128 = w6_y * w6_z;
-        let t130 = dw5_y - t126;
-        let t132 = dw5_y + t126;
-        let t135 = dw6_y + t127;
-        let t136 = dw6_x + t128;
-        let t151 = XX6R * t126 - ZZ6 * dw5_y - XY6 * (t124 - t123);
-        let t160 = YZ6 * (t125 - t124);
-        let t161 = YZ6 * t130;
-        let t163 = XZ6 * t132 - (ZZ6 * t128 + XX6R * dw6_x + XY6 * t135) + t160;
-        let t164 = t127 * (XX6R - ZZ6) - XY6 * t136 + XZ6 * (t123 - t125) + t161;
-        let t165 = XZ6 * (t128 - dw6_x) - t151 - YZ6 * (dw6_y - t127);
-        let f6_x = MSY6 * t130 - MSX6 * (t124 + t125);
-        let t171 = MSX6 * t132 + MSY6 * (t123 + t125);
-        let t174 = MSX6 * t135 - MSY6 * t136;
-        let t180 = t163 + MSY6 * t110;
-        let t181 = t164 - MSX6 * t110;
-        let n6_z = MSX6 * a6_y + MSY6 * t114 - t165;
-        let t185 = c6 * f6_x + s6 * t171;
-        let t188 = s6 * f6_x - c6 * t171;
-        let t197 = D6 * t188 - (s6 * t181 - c6 * t180);
-        let t198 = D6 * t185 - (s6 * t180 + c6 * t181);
+    let [f6_z, n6_z, t172, t175, t184, t185] = {
+        let t143 = ZZ6 * t115 + XX6R * dw6_x - XY6 * t123 + XZ6 * t121;
+        let t145 = ZZ6 * t80 - XX6R * t113 + XY6 * (t122 - t119) + XZ6 * t109;
+        let t151 = t114 * (XX6R - ZZ6) + XY6 * t124 + XZ6 * t118 - YZ6 * t120;
+        let t155 = MSX6 * t119 - MSY6 * t120;
+        let f6_y = MSX6 * t121 - MSY6 * t122;
+        let f6_z = MSX6 * t123 + MSY6 * t124;
+        let t167 = YZ6 * (t122 - t83) - t143 + MSY6 * t96;
+        let n6_y = t151 + MSX6 * t96;
+        let n6_z = t145 + YZ6 * t106 + (MSX6 * a6_y - MSY6 * a6_x);
+        let t172 = c6 * t155 + s6 * f6_y;
+        let t175 = s6 * t155 - c6 * f6_y;
+        let t184 = D6 * t175 - (c6 * t167 + s6 * n6_y);
+        let t185 = c6 * n6_y - s6 * t167 - D6 * t172;
         put(5, n6_z);
-        [t174, n6_z, t185, t188, t197, t198]
+        [f6_z, n6_z, t172, t175, t184, t185]
     };
     // link 5: force and moment
-    let [t247, n5_z, t253, t256, t259, t262] = {
-        let t219 = ZZ5R * t95 + YY5R * dw4_y + XY5 * t103 + XZ5 * (t93 - t92);
-        let t220 = YY5R * t96 + ZZ5R * dw5_y + XY5 * (t94 - t92) + XZ5 * t105;
-        let t222 = YZ5 * (t94 - t93);
-        let t225 = t97 * (ZZ5R - YY5R) + XY5 * t101 - XZ5 * t104 + t222;
-        let f5_x = t185 - (MSX5 * t98 + MSZ5R * t99);
-        let f5_y = t174 + (MSX5 * t101 + MSZ5R * t102);
-        let t247 = MSX5 * t104 - MSZ5R * t105 - t188;
-        let t248 = t197 + (MSZ5R * a4_y - t225);
-        let t249 = n6_z + (MSX5 * a4_y - (t220 + YZ5 * t99));
-        let n5_z = t198 + (MSZ5R * a5_x + MSX5 * a5_y - (YZ5 * t100 - t219));
-        let t253 = s5 * f5_y - c5 * f5_x;
-        let t256 = s5 * f5_x + c5 * f5_y;
-        let t259 = s5 * t249 - c5 * t248;
-        let t262 = s5 * t248 + c5 * t249;
+    let [t237, n5_z, t243, t246, t249, t252] = {
+        let t186 = w5_y * w5_y;
+        let t187 = t75 + t186;
+        let t188 = t74 + t186;
+        let t209 = XZ5 * (t187 - t83) - (ZZ5R * t76 + YY5R * t49 + XY5 * t72);
+        let t210 = YY5R * t77 - ZZ5R * t80 + XY5 * (t187 - t188) - XZ5 * t85;
+        let t212 = YZ5 * (t83 - t188);
+        let t227 = MSZ5R * a4_y;
+        let t232 = XZ5 * t84 - (t78 * (YY5R - ZZ5R) - XY5 * t82) - t212 + t227;
+        let t235 = t172 - (MSZ5R * t81 - MSX5 * t187);
+        let f5_y = MSZ5R * t83 - MSX5 * t82 - f6_z;
+        let t237 = t175 + (MSX5 * t84 + MSZ5R * t85);
+        let n5_x = t184 - t232;
+        let t239 = n6_z + (MSX5 * a4_y - (t210 - YZ5 * t81));
+        let n5_z = t185 + (t209 + YZ5 * t69 + (MSZ5R * a5_x + MSX5 * a5_y));
+        let t243 = c5 * t235 + s5 * f5_y;
+        let t246 = c5 * f5_y - s5 * t235;
+        let t249 = c5 * n5_x + s5 * t239;
+        let t252 = c5 * t239 - s5 * n5_x;
         put(4, n5_z);
-        [t247, n5_z, t253, t256, t259, t262]
+        [t237, n5_z, t243, t246, t249, t252]
     };
     // link 4: force and moment
-    let [t311, n4_z, t317, t320, t323, t326] = {
-        let t283 = XY4 * t66 - (ZZ4R * t58 + YY4R * dw2_y) + XZ4 * (t55 - t56);
-        let t284 = YY4R * t59 + ZZ4R * dw4_y + XY4 * (t55 - t57) + XZ4 * t68;
-        let t286 = YZ4 * (t57 - t56);
-        let t289 = t60 * (YY4R - ZZ4R) + XY4 * t64 + XZ4 * t67 + t286;
-        let t309 = t253 - (MSZ4R * t62 - MSX4 * t61);
-        let t310 = t247 + (MSX4 * t64 + MSZ4R * t65);
-        let t311 = MSZ4R * t68 - MSX4 * t67 - t256;
-        let t312 = MSZ4R * t16 - t289 - t259;
-        let n4_y = n5_z + (t284 + YZ4 * t62 + MSX4 * t16);
-        let n4_z = t262 + (MSX4 * a4_y - MSZ4R * a4_x - (YZ4 * t63 - t283));
-        let t317 = s4 * t310 - c4 * t309;
-        let t320 = s4 * t309 + c4 * t310;
-        let t323 = c4 * t312 + s4 * n4_y;
-        let t326 = c4 * n4_y - s4 * t312;
+    let [t304, n4_z, t310, t313, t316, t319] = {
+        let t253 = w4_y * w4_y;
+        let t254 = t44 + t253;
+        let t255 = t43 + t253;
+        let t276 = ZZ4R * t45 + YY4R * dw2_y + XY4 * t41 + XZ4 * (t254 - t52);
+        let t277 = XZ4 * t54 - (XY4 * (t254 - t255) - (YY4R * t46 - ZZ4R * t49));
+        let t279 = YZ4 * (t255 - t52);
+        let t294 = MSZ4R * t13;
+        let t299 = t47 * (YY4R - ZZ4R) + XY4 * t51 - XZ4 * t53 - t279 - t294;
+        let t302 = t243 + (MSX4 * t254 + MSZ4R * t50);
+        let t303 = t237 + (MSX4 * t51 + MSZ4R * t52);
+        let t304 = MSX4 * t53 + MSZ4R * t54 - t246;
+        let n4_x = t249 + t299;
+        let n4_y = n5_z + (t277 - YZ4 * t50 + MSX4 * t13);
+        let n4_z = t252 + (MSX4 * a4_y - MSZ4R * a4_x - (t276 - YZ4 * t38));
+        let t310 = s4 * t303 - c4 * t302;
+        let t313 = s4 * t302 + c4 * t303;
+        let t316 = c4 * n4_x - s4 * n4_y;
+        let t319 = s4 * n4_x + c4 * n4_y;
         put(3, n4_z);
-        [t311, n4_z, t317, t320, t323, t326]
+        [t304, n4_z, t310, t313, t316, t319]
     };
     // link 3: force and moment
-    let [t327, t328, t329, t357, f3_z, n3_z, t364, t365] = {
-        let t327 = t8 - t6;
-        let t328 = t7 - t8;
-        let t329 = t7 - t6;
-        let f3_x = t317 - (M3R * t22 + (MSZ3R * t13 + (MSX3 * t14 - MSY3 * t12)));
-        let t357 = t320 + (MSY3 * t10 + MSZ3R * t9 - M3R * a3_y);
-        let f3_z = t311 - (M3R * t16 + (MSY3 * t9 + MSZ3R * t11));
-        let n3_y = t326 + (MSX3 * t16 - MSZ3R * t22);
-        let n3_z = n4_z + (MSX3 * a3_y + MSY3 * t22);
-        let t364 = n3_y + q3 * f3_x;
-        let t365 = t323 + (MSY3 * t16 + MSZ3R * a3_y) - q3 * t357;
+    let [t320, t321, t322, t350, f3_z, n3_z, t357, t358] = {
+        let t320 = t23 - t22;
+        let t321 = t9 - t22;
+        let t322 = t23 - t9;
+        let t349 = MSZ3R * t11 - (MSY3 * t10 - MSX3 * t22) - M3R * t19 - t310;
+        let t350 = t313 + (MSY3 * t23 + MSZ3R * t6 - M3R * a3_y);
+        let f3_z = t304 - (M3R * t13 + (MSY3 * t6 + MSZ3R * t9));
+        let n3_x = t316 - (MSY3 * t13 + MSZ3R * a3_y);
+        let n3_y = t319 + (MSZ3R * t19 + MSX3 * t13);
+        let n3_z = n4_z + (MSX3 * a3_y - MSY3 * t19);
+        let t357 = q3 * t349 - n3_y;
+        let t358 = n3_x + q3 * t350;
         put(2, f3_z);
-        [t327, t328, t329, t357, f3_z, n3_z, t364, t365]
+        [t320, t321, t322, t350, f3_z, n3_z, t357, t358]
     };
     // link 2: force and moment
     {
-        let t383 = YZ2R * t328 - (t4 * (ZZ2R - YY2R) + XY2R * t9 - XZ2R * t12);
-        let t384 = dw2_y * (YY2R + ZZ2R) + XY2R * t327 + XZ2R * t13 + YZ2R * t9;
-        let f2_y = MSX2 * t9 + MSZ2 * t11 - f3_z;
-        let n2_x = t364 + (MSZ2 * t3 - t383);
-        let n2_z = t365 + (ZZ2R * t9 + XZ2R * t329);
-        let t406 = D2 * (c2 * (t357 + (MSX2 * t10 + MSZ2 * t9)) + s2 * f2_y);
-        let n1_z = c2 * (n3_z - (t384 + MSX2 * t3)) - s2 * n2_x + t406;
+        let t376 = t8 * (ZZ2R - YY2R) + XY2R * t6 - XZ2R * t10 + YZ2R * t321;
+        let t377 = dw2_y * (YY2R + ZZ2R) + XY2R * t320 + XZ2R * t11 + YZ2R * t6;
+        let n2_z = ZZ2R * t6 + XZ2R * t322 - t358;
+        let t393 = c2 * (t350 + (MSX2 * t23 + MSZ2 * t6));
+        let f1_x = s2 * (f3_z - (MSX2 * t6 + MSZ2 * t9)) - t393;
+        let t397 = c2 * (n3_z - (t377 + MSX2 * t3));
+        let n1_z = s2 * (t357 - (t376 + MSZ2 * t3)) + t397 - D2 * f1_x;
         put(0, n1_z);
         put(1, n2_z);
     }

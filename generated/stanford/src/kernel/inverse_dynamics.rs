@@ -2,7 +2,7 @@
 //!
 //! `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil and Dombre, 9.5.2.
 //!
-//! 281 multiplications, 279 additions; 6, 6 of 6 structurally nonzero.
+//! 280 multiplications, 278 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, STANDARD, Trig};
@@ -29,253 +29,273 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         XX3, YY3, ZZ3, XY3, XZ3, YZ3, M4, MSX4, MSY4, MSZ4, XX4, YY4,
         ZZ4, XY4, XZ4, YZ4, M5, MSX5, MSY5, MSZ5, XX5, YY5, ZZ5, XY5,
         XZ5, YZ5, M6, MSX6, MSY6, MSZ6, XX6, YY6, ZZ6, XY6, XZ6, YZ6,
+        IA1, IA2, IA3, IA4, IA5, IA6,
         ..] = *phi;
     let D2 = S::constant(0.154);
     let D6 = S::constant(0.263);
     let k0 = S::constant(9.81);
     let k2 = S::constant(2.0);
+    // link 1: motion
+    let t0 = {
+        let t0 = dq1 * dq1;
+        t0
+    };
     // link 2: motion
     let [
-        t0, w3_z, t2, t3, t8, t10, a2_y, t13,
-        t14, t15, dw2_y,
+        t1, w3_z, t3, t4, t8, t10, a2_y, t13,
+        t14, t15, t16, t17, t18, dw2_y, t20, t21,
+        t22, t23, t24,
     ] = {
-        let t0 = s2 * dq1;
+        let t1 = s2 * dq1;
         let w3_z = c2 * dq1;
-        let t2 = s2 * ddq1;
-        let t3 = c2 * ddq1;
+        let t3 = s2 * ddq1;
+        let t4 = c2 * ddq1;
         let t7 = D2 * ddq1;
-        let t8 = D2 * (dq1 * dq1);
+        let t8 = D2 * t0;
         let t10 = s2 * k0 + c2 * t7;
         let a2_y = s2 * t7 - c2 * k0;
-        let t13 = dq2 * w3_z;
-        let t14 = dq2 * t0;
-        let t15 = t2 + t13;
-        let dw2_y = t14 - t3;
+        let t13 = t1 * t1;
+        let t14 = dq2 * dq2;
+        let t15 = t1 * w3_z;
+        let t16 = dq2 * t1;
+        let t17 = dq2 * w3_z;
+        let t18 = t3 + t17;
+        let dw2_y = t16 - t4;
+        let t20 = t15 - ddq2;
+        let t21 = ddq2 + t15;
+        let t22 = t13 + t14;
+        let t23 = t16 + dw2_y;
+        let t24 = t17 + t18;
         [
-        t0, w3_z, t2, t3, t8, t10, a2_y, t13,
-        t14, t15, dw2_y,
+        t1, w3_z, t3, t4, t8, t10, a2_y, t13,
+        t14, t15, t16, t17, t18, dw2_y, t20, t21,
+        t22, t23, t24,
     ]
     };
     // link 3: motion
-    let [
-        t17, t18, t19, t20, t21, t22, t23, t24,
-        t25, t26, t27, t37, t38, a3_z,
-    ] = {
-        let t17 = t0 * t0;
-        let t18 = w3_z * w3_z;
-        let t19 = dq2 * dq2;
-        let t20 = t0 * w3_z;
-        let t21 = t18 + t19;
-        let t22 = t20 - ddq2;
-        let t23 = ddq2 + t20;
-        let t24 = t17 + t19;
-        let t25 = t14 + dw2_y;
-        let t26 = t13 + t15;
-        let t27 = t17 + t18;
-        let t34 = dq3 * k2;
-        let t37 = q3 * t26 - t8 + t0 * t34;
-        let t38 = t10 + q3 * t22 - dq2 * t34;
-        let a3_z = ddq3 - (a2_y + q3 * t24);
-        [
-        t17, t18, t19, t20, t21, t22, t23, t24,
-        t25, t26, t27, t37, t38, a3_z,
-    ]
+    let [t34, a3_y, a3_z, t38, t39] = {
+        let t31 = dq3 * k2;
+        let t34 = q3 * t24 - t8 + t1 * t31;
+        let a3_y = dq2 * t31 - (t10 + q3 * t20);
+        let a3_z = ddq3 - (a2_y + q3 * t22);
+        let t37 = w3_z * w3_z;
+        let t38 = t13 + t37;
+        let t39 = t14 + t37;
+        [t34, a3_y, a3_z, t38, t39]
     };
     // link 4: motion
-    let [t42, w4_y, t54, a4_y, w4_z, dw4_x, dw4_y, dw4_z] = {
-        let t42 = c4 * dq2 + s4 * t0;
-        let w4_y = s4 * dq2 - c4 * t0;
-        let t54 = c4 * t37 + s4 * t38;
-        let a4_y = s4 * t37 - c4 * t38;
+    let [
+        t42, w4_y, a4_x, a4_y, t54, t57, w4_z, dw4_z,
+        t60, t61, t62, t63, t64, dw4_x, dw4_y, t67,
+        t68, t69, t70, t71,
+    ] = {
+        let t42 = c4 * dq2 + s4 * t1;
+        let w4_y = s4 * dq2 - c4 * t1;
+        let a4_x = s4 * a3_y - c4 * t34;
+        let a4_y = c4 * a3_y + s4 * t34;
+        let t54 = c4 * t24 + s4 * t20;
+        let t57 = s4 * t24 - c4 * t20;
         let w4_z = w3_z + dq4;
-        let dw4_x = dq4 * w4_y - (c4 * ddq2 + s4 * t15);
-        let dw4_y = dq4 * t42 - (c4 * t15 - s4 * ddq2);
         let dw4_z = ddq4 - dw2_y;
-        [t42, w4_y, t54, a4_y, w4_z, dw4_x, dw4_y, dw4_z]
+        let t60 = t42 * t42;
+        let t61 = w4_z * w4_z;
+        let t62 = t42 * w4_y;
+        let t63 = t42 * w4_z;
+        let t64 = w4_y * w4_z;
+        let dw4_x = t64 - t57;
+        let dw4_y = t63 - t54;
+        let t67 = dw4_z + t62;
+        let t68 = dw4_z - t62;
+        let t69 = t60 + t61;
+        let t70 = t63 + dw4_y;
+        let t71 = t64 + dw4_x;
+        [
+        t42, w4_y, a4_x, a4_y, t54, t57, w4_z, dw4_z,
+        t60, t61, t62, t63, t64, dw4_x, dw4_y, t67,
+        t68, t69, t70, t71,
+    ]
     };
     // link 5: motion
     let [
-        t66, t69, t76, t77, t78, t79, t80, t81,
-        t82, t83, t84, t85, t86, t87, t88, t89,
-        t90, t93, t96, w5_z, dw5_x, t101, dw5_z,
+        t74, w5_y, a5_x, t83, t86, t89, w5_z, dw5_z,
+        t92, t93, t94, t95, t96, dw5_x, dw5_y, t99,
+        t100, t101, t102, t103,
     ] = {
-        let t66 = c5 * t42 + s5 * w4_z;
-        let t69 = c5 * w4_z - s5 * t42;
-        let t76 = t42 * t42;
-        let t77 = w4_y * w4_y;
-        let t78 = w4_z * w4_z;
-        let t79 = t42 * w4_y;
-        let t80 = t42 * w4_z;
-        let t81 = w4_y * w4_z;
-        let t82 = t77 + t78;
-        let t83 = dw4_z + t79;
-        let t84 = t80 - dw4_y;
-        let t85 = t79 - dw4_z;
-        let t86 = t76 + t78;
-        let t87 = dw4_x - t81;
-        let t88 = dw4_y + t80;
-        let t89 = dw4_x + t81;
-        let t90 = t76 + t77;
-        let t93 = c5 * t54 + s5 * a3_z;
-        let t96 = s5 * t54 - c5 * a3_z;
+        let t74 = c5 * t42 + s5 * w4_z;
+        let w5_y = s5 * t42 - c5 * w4_z;
+        let a5_x = c5 * a4_x - s5 * a3_z;
+        let t83 = c5 * a3_z + s5 * a4_x;
+        let t86 = c5 * t67 + s5 * t71;
+        let t89 = s5 * t67 - c5 * t71;
         let w5_z = w4_y + dq5;
-        let dw5_x = c5 * dw4_x - s5 * dw4_z - dq5 * t69;
-        let t101 = c5 * dw4_z + s5 * dw4_x - dq5 * t66;
         let dw5_z = dw4_y + ddq5;
+        let t92 = t74 * t74;
+        let t93 = w5_z * w5_z;
+        let t94 = t74 * w5_y;
+        let t95 = t74 * w5_z;
+        let t96 = w5_y * w5_z;
+        let dw5_x = t96 - t89;
+        let dw5_y = t95 - t86;
+        let t99 = dw5_z + t94;
+        let t100 = dw5_z - t94;
+        let t101 = t92 + t93;
+        let t102 = t95 + dw5_y;
+        let t103 = t96 + dw5_x;
         [
-        t66, t69, t76, t77, t78, t79, t80, t81,
-        t82, t83, t84, t85, t86, t87, t88, t89,
-        t90, t93, t96, w5_z, dw5_x, t101, dw5_z,
+        t74, w5_y, a5_x, t83, t86, t89, w5_z, dw5_z,
+        t92, t93, t94, t95, t96, dw5_x, dw5_y, t99,
+        t100, t101, t102, t103,
     ]
     };
     // link 6: motion
     let [
-        w6_x, w6_y, t115, t116, t117, t118, t119, t120,
-        t121, t122, t123, t124, t125, t126, t127, t128,
-        t129, t134, a6_x, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
+        t114, a6_x, a6_y, t124, t127, dw6_z, t132, t133,
+        t134, dw6_x, dw6_y, t137, t138, t139, t140, t141,
+        t142, t143,
     ] = {
-        let w6_x = s6 * w5_z - c6 * t66;
-        let w6_y = c6 * w5_z + s6 * t66;
-        let t115 = t66 * t66;
-        let t116 = t69 * t69;
-        let t117 = w5_z * w5_z;
-        let t118 = t66 * t69;
-        let t119 = t66 * w5_z;
-        let t120 = t69 * w5_z;
-        let t121 = t116 + t117;
-        let t122 = dw5_z - t118;
-        let t123 = t101 + t119;
-        let t124 = dw5_z + t118;
-        let t125 = t115 + t117;
-        let t126 = dw5_x + t120;
-        let t127 = t119 - t101;
-        let t128 = dw5_x - t120;
-        let t129 = t115 + t116;
-        let t133 = D6 * t122 - t93;
-        let t134 = t96 + D6 * t125;
-        let t135 = a4_y - D6 * t128;
-        let a6_x = c6 * t133 + s6 * t135;
-        let a6_y = c6 * t135 - s6 * t133;
-        let w6_z = t69 + dq6;
-        let dw6_x = c6 * dw5_x + s6 * dw5_z + dq6 * w6_y;
-        let dw6_y = c6 * dw5_z - s6 * dw5_x - dq6 * w6_x;
-        let dw6_z = t101 + ddq6;
+        let w6_x = s6 * w5_z - c6 * t74;
+        let w6_y = c6 * w5_z + s6 * t74;
+        let t113 = a5_x + D6 * t99;
+        let t114 = D6 * t101 - t83;
+        let t115 = a4_y - D6 * t103;
+        let a6_x = c6 * t113 + s6 * t115;
+        let a6_y = c6 * t115 - s6 * t113;
+        let t124 = c6 * t99 - s6 * t103;
+        let t127 = c6 * t103 + s6 * t99;
+        let w6_z = dq6 - w5_y;
+        let dw6_z = ddq6 - dw5_y;
+        let t130 = w6_x * w6_x;
+        let t131 = w6_z * w6_z;
+        let t132 = w6_x * w6_y;
+        let t133 = w6_x * w6_z;
+        let t134 = w6_y * w6_z;
+        let dw6_x = t127 + t134;
+        let dw6_y = t124 - t133;
+        let t137 = t130 - t131;
+        let t138 = t137 - t101;
+        let t139 = t132 - dw6_z;
+        let t140 = dw6_z + t132;
+        let t141 = t130 + t131;
+        let t142 = t133 - dw6_y;
+        let t143 = t134 + dw6_x;
         [
-        w6_x, w6_y, t115, t116, t117, t118, t119, t120,
-        t121, t122, t123, t124, t125, t126, t127, t128,
-        t129, t134, a6_x, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
+        t114, a6_x, a6_y, t124, t127, dw6_z, t132, t133,
+        t134, dw6_x, dw6_y, t137, t138, t139, t140, t141,
+        t142, t143,
     ]
     };
     // link 6: force and moment
-    let [t216, n6_z, t231, t234, t243, t244] = {
-        let t148 = w6_x * w6_x;
-        let t149 = w6_y * w6_y;
-        let t150 = w6_z * w6_z;
-        let t151 = w6_x * w6_y;
-        let t152 = w6_x * w6_z;
-        let t153 = w6_y * w6_z;
-        let t155 = t151 - dw6_z;
-        let t156 = dw6_y + t152;
-        let t157 = dw6_z + t151;
-        let t159 = t153 - dw6_x;
-        let t160 = t152 - dw6_y;
-        let t161 = dw6_x + t153;
-        let t184 = XZ6 * (t150 - t148);
-        let t185 = XZ6 * t159;
-        let t186 = XY6 * t160 - (t153 * (ZZ6 - YY6) + XX6 * dw6_x) - XZ6 * t157;
-        let t187 = t152 * (XX6 - ZZ6) + YY6 * dw6_y + XY6 * t161 + t184;
-        let t188 = t151 * (XX6 - YY6) - ZZ6 * dw6_z - XY6 * (t148 - t149) + t185;
-        let f6_x = M6 * a6_x + (MSZ6 * t156 + (MSY6 * t155 - MSX6 * (t149 + t150)));
-        let f6_y = M6 * a6_y + (MSZ6 * t159 + (MSX6 * t157 - MSY6 * (t148 + t150)));
-        let t216 = M6 * t134 - (MSX6 * t160 + MSY6 * t161 - MSZ6 * (t148 + t149));
-        let t226 = t186 + YZ6 * (t150 - t149) + (MSY6 * t134 + MSZ6 * a6_y);
-        let n6_y = MSZ6 * a6_x + MSX6 * t134 - (YZ6 * t155 - t187);
-        let n6_z = YZ6 * t156 - t188 - (MSY6 * a6_x - MSX6 * a6_y);
-        let t231 = c6 * f6_x - s6 * f6_y;
-        let t234 = s6 * f6_x + c6 * f6_y;
-        let t243 = c6 * t226 + s6 * n6_y + D6 * t234;
-        let t244 = D6 * t231 - (s6 * t226 - c6 * n6_y);
-        put(5, n6_z);
-        [t216, n6_z, t231, t234, t243, t244]
+    let [f6_z, n6_z, t211, t214, t223, t224] = {
+        let t165 = XZ6 * t127;
+        let t166 = t134 * (ZZ6 - YY6) + XX6 * dw6_x - XY6 * t142 + XZ6 * t140;
+        let t167 = t133 * (XX6 - ZZ6) + YY6 * dw6_y + XY6 * t143 - XZ6 * t137;
+        let t168 = t132 * (YY6 - XX6) + ZZ6 * dw6_z + XY6 * (t138 + t141) + t165;
+        let f6_x = M6 * a6_x + (MSZ6 * t124 + (MSX6 * t138 + MSY6 * t139));
+        let f6_y = M6 * a6_y + (MSX6 * t140 - MSY6 * t141 - MSZ6 * t127);
+        let f6_z = MSX6 * t142 + MSY6 * t143 - MSZ6 * t101 - M6 * t114;
+        let n6_x = t166 + YZ6 * (t101 - t141) - (MSY6 * t114 + MSZ6 * a6_y);
+        let n6_y = t167 - YZ6 * t139 + (MSZ6 * a6_x + MSX6 * t114);
+        let n6_z = t168 + YZ6 * t124 + (MSX6 * a6_y - MSY6 * a6_x);
+        let t211 = c6 * f6_x - s6 * f6_y;
+        let t214 = s6 * f6_x + c6 * f6_y;
+        let t223 = c6 * n6_x - s6 * n6_y - D6 * t214;
+        let t224 = s6 * n6_x + c6 * n6_y + D6 * t211;
+        [f6_z, n6_z, t211, t214, t223, t224]
     };
     // link 5: force and moment
-    let [f5_z, n5_z, t319, t322, t325, t328] = {
-        let t266 = XZ5 * (t116 - t115);
-        let t267 = XZ5 * t128;
-        let t268 = XZ5 * t127 - (t120 * (ZZ5 - YY5) + XX5 * dw5_x + XY5 * t124);
-        let t270 = XY5 * (t115 - t117) - (t119 * (YY5 - XX5) - ZZ5 * t101) + t267;
-        let t273 = YZ5 * t123;
-        let t276 = YY5 * dw5_z - t118 * (XX5 - ZZ5) + XY5 * t126 + t266 + t273;
-        let t311 = M5 * t93 + (MSX5 * t121 + MSY5 * t123 - MSZ5 * t122) - t231;
-        let t312 = t216 + (M5 * t96 + (MSZ5 * t125 + (MSX5 * t124 - MSY5 * t126)));
-        let f5_z = t234 + (M5 * a4_y - (MSZ5 * t128 + (MSX5 * t127 + MSY5 * t129)));
-        let t314 = t243 + (t268 - YZ5 * (t117 - t116) + (MSY5 * t96 + MSZ5 * a4_y));
-        let t315 = n6_z + (t270 + YZ5 * t122 + (MSX5 * a4_y + MSY5 * t93));
-        let n5_z = t244 + (t276 + (MSX5 * t96 - MSZ5 * t93));
-        let t319 = c5 * t311 + s5 * t312;
-        let t322 = s5 * t311 - c5 * t312;
-        let t325 = c5 * t314 - s5 * t315;
-        let t328 = s5 * t314 + c5 * t315;
-        put(4, n5_z);
-        [f5_z, n5_z, t319, t322, t325, t328]
+    let [f5_z, n5_z, t302, t305, t308, t311] = {
+        let t225 = w5_y * w5_y;
+        let t226 = t93 + t225;
+        let t227 = t92 + t225;
+        let t249 = XZ5 * (t226 - t101);
+        let t250 = XZ5 * t103;
+        let t251 = XX5 * dw5_x - t96 * (ZZ5 - YY5) + XY5 * t100 - XZ5 * t102;
+        let t253 = XY5 * (t227 - t226) - (t95 * (YY5 - XX5) + ZZ5 * dw5_y) + t250;
+        let t256 = YZ5 * t86;
+        let t259 = t94 * (XX5 - ZZ5) + YY5 * dw5_z - XY5 * t89 + t249 + t256;
+        let f5_x = t211 + (M5 * a5_x + (MSZ5 * t99 - (MSX5 * t226 + MSY5 * t86)));
+        let t295 = f6_z + (M5 * t83 - (MSZ5 * t101 + (MSX5 * t100 + MSY5 * t89)));
+        let f5_z = t214 + (M5 * a4_y - (MSZ5 * t103 + (MSX5 * t102 + MSY5 * t227)));
+        let n5_x = t223 + (t251 + YZ5 * (t101 - t227) + (MSY5 * t83 - MSZ5 * a4_y));
+        let t298 = n6_z + (t253 + YZ5 * t99 + (MSX5 * a4_y - MSY5 * a5_x));
+        let n5_z = t224 + (t259 + (MSZ5 * a5_x - MSX5 * t83));
+        let t302 = c5 * f5_x + s5 * t295;
+        let t305 = s5 * f5_x - c5 * t295;
+        let t308 = c5 * n5_x + s5 * t298;
+        let t311 = s5 * n5_x - c5 * t298;
+        [f5_z, n5_z, t302, t305, t308, t311]
     };
     // link 4: force and moment
-    let [t397, n4_z, t403, t406, t409, t412] = {
-        let t350 = XZ4 * (t76 - t77);
-        let t351 = XZ4 * t89;
-        let t352 = XX4 * dw4_x - t81 * (ZZ4 - YY4) + XY4 * t85 + XZ4 * t88;
-        let t354 = t80 * (YY4 - XX4) + ZZ4 * dw4_y + XY4 * (t76 - t78) + t351;
-        let t357 = YZ4 * t84;
-        let t360 = t79 * (XX4 - ZZ4) + YY4 * dw4_z - XY4 * t87 + t350 + t357;
-        let t395 = t319 + (M4 * t54 + (MSZ4 * t83 + (MSX4 * t82 - MSY4 * t84)));
-        let f4_y = f5_z + (M4 * a4_y + (MSY4 * t87 - MSX4 * t85 - MSZ4 * t86));
-        let t397 = MSX4 * t88 - MSY4 * t90 - MSZ4 * t89 - M4 * a3_z - t322;
-        let t398 = t325 - (t352 - YZ4 * (t77 - t78) + (MSY4 * a4_y + MSZ4 * a3_z));
-        let t399 = MSX4 * a3_z - MSY4 * t54 - (t354 - YZ4 * t83) - n5_z;
-        let n4_z = t328 + (t360 + (MSZ4 * t54 + MSX4 * a4_y));
-        let t403 = c4 * t395 + s4 * f4_y;
-        let t406 = c4 * f4_y - s4 * t395;
-        let t409 = s4 * t399 - c4 * t398;
-        let t412 = s4 * t398 + c4 * t399;
-        put(3, n4_z);
-        [t397, n4_z, t403, t406, t409, t412]
+    let [t383, t386, t389, t392, t395, t398] = {
+        let t312 = w4_y * w4_y;
+        let t313 = t61 + t312;
+        let t314 = t60 + t312;
+        let t332 = t62 * (XX4 - ZZ4) + YY4 * dw4_z + XY4 * t57;
+        let t337 = XZ4 * t71;
+        let t338 = XX4 * dw4_x - t64 * (ZZ4 - YY4) - XY4 * t68 + XZ4 * t70;
+        let t340 = t63 * (YY4 - XX4) + ZZ4 * dw4_y + XY4 * (t314 - t313) + t337;
+        let t374 = MSZ4 * a4_x - MSX4 * a4_y;
+        let f4_x = t302 + (M4 * a4_x + (MSY4 * t54 - MSX4 * t313 - MSZ4 * t67));
+        let f4_y = f5_z + (M4 * a4_y + (MSX4 * t68 - MSY4 * t57 - MSZ4 * t69));
+        let t383 = t305 + (MSX4 * t70 - MSY4 * t314 - MSZ4 * t71 - M4 * a3_z);
+        let n4_x = t308 + (t338 + YZ4 * (t69 - t314) + (MSY4 * a4_y + MSZ4 * a3_z));
+        let n4_y = n5_z + (t340 - YZ4 * t67 - (MSX4 * a3_z + MSY4 * a4_x));
+        let t386 = t311 + (XZ4 * (t313 - t69) - t332 - YZ4 * t54 + t374);
+        let t389 = c4 * f4_x - s4 * f4_y;
+        let t392 = s4 * f4_x + c4 * f4_y;
+        let t395 = c4 * n4_x - s4 * n4_y;
+        let t398 = s4 * n4_x + c4 * n4_y;
+        [t383, t386, t389, t392, t395, t398]
     };
     // link 3: force and moment
-    let [t425, t432, t439, f3_y, f3_z, n3_z, t487, t488] = {
-        let t425 = t19 - t17;
-        let t432 = t18 - t19;
-        let t436 = XZ3 * t3 - (t20 * (ZZ3 - YY3) + XX3 * ddq2 + XY3 * t2);
-        let t437 = XZ3 * t432 - (t13 * (XX3 - ZZ3) + YY3 * t15 + XY3 * t23);
-        let t438 = XY3 * t425 - (t14 * (XX3 - YY3) + ZZ3 * dw2_y) + XZ3 * t22;
-        let t439 = t17 - t18;
-        let f3_x = MSY3 * t25 - MSX3 * t27 - MSZ3 * t26 - M3 * t37 - t403;
-        let f3_y = t406 + (MSX3 * t3 - MSY3 * t21 - MSZ3 * t22 - M3 * t38);
-        let f3_z = M3 * a3_z + (MSX3 * t2 - MSY3 * t23 - MSZ3 * t24) - t397;
-        let n3_x = t409 + (t436 + YZ3 * t439 + (MSY3 * a3_z + MSZ3 * t38));
-        let t483 = t412 + (MSZ3 * t37 + MSX3 * a3_z - (t437 - YZ3 * t25));
-        let n3_z = n4_z + (t438 - YZ3 * t26 - (MSX3 * t38 - MSY3 * t37));
-        let t487 = q3 * f3_x - t483;
-        let t488 = q3 * f3_y - n3_x;
-        put(2, f3_z);
-        [t425, t432, t439, f3_y, f3_z, n3_z, t487, t488]
+    let [t411, t418, t425, f3_y, f3_z, n3_z, t473, t474] = {
+        let t411 = t39 - t38;
+        let t418 = t38 - t22;
+        let t422 = XZ3 * t4 - (t15 * (ZZ3 - YY3) + XX3 * ddq2 + XY3 * t3);
+        let t423 = XZ3 * t418 - (t17 * (XX3 - ZZ3) + YY3 * t18 + XY3 * t21);
+        let t424 = t16 * (YY3 - XX3) - ZZ3 * dw2_y + XY3 * t411 + XZ3 * t20;
+        let t425 = t22 - t39;
+        let f3_x = t389 + (MSY3 * t23 - MSX3 * t38 - MSZ3 * t24 - M3 * t34);
+        let f3_y = t392 + (M3 * a3_y + (MSX3 * t4 - MSY3 * t39 - MSZ3 * t20));
+        let f3_z = M3 * a3_z + (MSX3 * t3 - MSY3 * t21 - MSZ3 * t22) - t383;
+        let n3_x = t395 + (t422 + YZ3 * t425 + (MSY3 * a3_z - MSZ3 * a3_y));
+        let n3_y = t398 + (t423 - YZ3 * t23 - (MSZ3 * t34 + MSX3 * a3_z));
+        let n3_z = t424 - YZ3 * t24 + (MSX3 * a3_y + MSY3 * t34) - t386;
+        let t473 = n3_y + q3 * f3_x;
+        let t474 = q3 * f3_y - n3_x;
+        [t411, t418, t425, f3_y, f3_z, n3_z, t473, t474]
     };
     // link 2: force and moment
-    let t557 = {
-        let t510 = t13 * (ZZ2 - YY2) - XX2 * t15 + XY2 * t23 - XZ2 * t25;
-        let t511 = t20 * (XX2 - ZZ2) - YY2 * ddq2 + XY2 * t2 + XZ2 * t439;
-        let t512 = t14 * (YY2 - XX2) + ZZ2 * dw2_y + XY2 * t425 + XZ2 * t26;
-        let t545 = M2 * t10 + (MSZ2 * t22 + (MSX2 * t21 + MSY2 * t3)) - f3_y;
-        let f2_y = M2 * a2_y + (MSZ2 * t24 + (MSX2 * t23 + MSY2 * t2)) - f3_z;
-        let n2_x = t487 + (t510 - YZ2 * t432 - (MSY2 * a2_y - MSZ2 * t8));
-        let n2_z = t488 + (MSX2 * a2_y - MSZ2 * t10 - (t511 - YZ2 * t3));
-        let t554 = c2 * (n3_z + (MSY2 * t10 - MSX2 * t8 - (t512 + YZ2 * t22)));
-        let t557 = D2 * (c2 * t545 + s2 * f2_y) - (s2 * n2_x - t554);
-        put(1, n2_z);
-        t557
+    let [n2_z, t543] = {
+        let t496 = t17 * (ZZ2 - YY2) - XX2 * t18 + XY2 * t21 - XZ2 * t23;
+        let t497 = YY2 * ddq2 - t15 * (XX2 - ZZ2) - XY2 * t3 - XZ2 * t425;
+        let t498 = t16 * (YY2 - XX2) + ZZ2 * dw2_y + XY2 * t411 + XZ2 * t24;
+        let f2_x = f3_y - (M2 * t10 + (MSZ2 * t20 + (MSX2 * t39 + MSY2 * t4)));
+        let f2_y = M2 * a2_y + (MSZ2 * t22 + (MSX2 * t21 + MSY2 * t3)) - f3_z;
+        let n2_x = t473 + (t496 - YZ2 * t418 + (MSZ2 * t8 - MSY2 * a2_y));
+        let n2_z = t474 + (t497 + YZ2 * t4 + (MSX2 * a2_y - MSZ2 * t10));
+        let t540 = c2 * (n3_z + (MSY2 * t10 - MSX2 * t8 - (t498 + YZ2 * t20)));
+        let t543 = s2 * n2_x - t540 + D2 * (c2 * f2_x - s2 * f2_y);
+        [n2_z, t543]
     };
     // link 1: force and moment
+    let n1_z = {
+        let n1_z = YY1 * ddq1 - t543;
+        n1_z
+    };
+    // drives
     {
-        let n1_z = t557 + YY1 * ddq1;
-        put(0, n1_z);
+        let t547 = n1_z + IA1 * ddq1;
+        let t549 = n2_z + IA2 * ddq2;
+        let t551 = f3_z + IA3 * ddq3;
+        let t553 = IA4 * ddq4 - t386;
+        let t555 = n5_z + IA5 * ddq5;
+        let t557 = n6_z + IA6 * ddq6;
+        put(0, t547);
+        put(1, t549);
+        put(2, t551);
+        put(3, t553);
+        put(4, t555);
+        put(5, t557);
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! In base axes; entries 0-2 linear, m/s^2, 3-5 angular, rad/s^2. Khalil and Dombre, 5.10.
 //!
-//! 118 multiplications, 63 additions; 6, 6 of 6 structurally nonzero.
+//! 120 multiplications, 68 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
@@ -25,109 +25,131 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     let D2 = S::constant(0.154);
     let D6 = S::constant(0.263);
     let k1 = S::constant(2.0);
+    // link 1: motion
+    let t0 = {
+        let t0 = dq1 * dq1;
+        t0
+    };
     // link 2: motion
-    let [t0, w3_z, t3, t4, dw2_y] = {
-        let t0 = s2 * dq1;
+    let [t1, w3_z, t3, t6, dw2_y, t9, t10] = {
+        let t1 = s2 * dq1;
         let w3_z = c2 * dq1;
-        let t3 = D2 * (dq1 * dq1);
-        let t4 = dq2 * w3_z;
-        let dw2_y = dq2 * t0;
-        [t0, w3_z, t3, t4, dw2_y]
+        let t3 = D2 * t0;
+        let t6 = t1 * w3_z;
+        let dw2_y = dq2 * t1;
+        let t8 = dq2 * w3_z;
+        let t9 = t1 * t1 + dq2 * dq2;
+        let t10 = t8 + t8;
+        [t1, w3_z, t3, t6, dw2_y, t9, t10]
     };
     // link 3: motion
     let [t12, t18, a3_y] = {
-        let t12 = q3 * (t0 * t0 + dq2 * dq2);
+        let t12 = q3 * t9;
         let t15 = dq3 * k1;
-        let t18 = q3 * (t4 + t4) - t3 + t0 * t15;
-        let a3_y = dq2 * t15 - q3 * (t0 * w3_z);
+        let t18 = q3 * t10 - t3 + t1 * t15;
+        let a3_y = dq2 * t15 - q3 * t6;
         [t12, t18, a3_y]
     };
     // link 4: motion
-    let [t22, w4_y, a4_x, a4_y, w4_z, dw4_x, dw4_y] = {
-        let t22 = c4 * dq2 + s4 * t0;
-        let w4_y = s4 * dq2 - c4 * t0;
+    let [t22, w4_y, a4_x, a4_y, w4_z, dw4_y, t44, t45] = {
+        let t22 = c4 * dq2 + s4 * t1;
+        let w4_y = s4 * dq2 - c4 * t1;
         let a4_x = s4 * a3_y - c4 * t18;
         let a4_y = c4 * a3_y + s4 * t18;
         let w4_z = w3_z + dq4;
-        let dw4_x = dq4 * w4_y - s4 * t4;
-        let dw4_y = dq4 * t22 - c4 * t4;
-        [t22, w4_y, a4_x, a4_y, w4_z, dw4_x, dw4_y]
+        let t41 = w4_y * w4_z;
+        let dw4_x = t41 - (s4 * t10 - c4 * t6);
+        let dw4_y = t22 * w4_z - (c4 * t10 + s4 * t6);
+        let t44 = dw2_y - t22 * w4_y;
+        let t45 = t41 + dw4_x;
+        [t22, w4_y, a4_x, a4_y, w4_z, dw4_y, t44, t45]
     };
     // link 5: motion
-    let [t41, w5_y, a5_x, a5_y, w5_z, dw5_x, dw5_y] = {
-        let t41 = c5 * t22 + s5 * w4_z;
+    let [
+        t48, w5_y, a5_x, a5_y, w5_z, dw5_y, t72, t73,
+        t74,
+    ] = {
+        let t48 = c5 * t22 + s5 * w4_z;
         let w5_y = s5 * t22 - c5 * w4_z;
         let a5_x = c5 * a4_x + s5 * t12;
         let a5_y = c5 * t12 - s5 * a4_x;
         let w5_z = w4_y + dq5;
-        let dw5_x = c5 * dw4_x + s5 * dw2_y + dq5 * w5_y;
-        let dw5_y = c5 * dw2_y - s5 * dw4_x + dq5 * t41;
-        [t41, w5_y, a5_x, a5_y, w5_z, dw5_x, dw5_y]
+        let t69 = w5_y * w5_z;
+        let dw5_x = c5 * t45 + s5 * t44 + t69;
+        let dw5_y = c5 * t44 - s5 * t45 + t48 * w5_z;
+        let t72 = dw4_y + t48 * w5_y;
+        let t73 = t48 * t48 + w5_z * w5_z;
+        let t74 = t69 + dw5_x;
+        [
+        t48, w5_y, a5_x, a5_y, w5_z, dw5_y, t72, t73,
+        t74,
+    ]
     };
     // link 6: motion
     let [t85, a6_x, a6_y, dw6_x, dw6_y] = {
-        let w6_x = s6 * w5_z - c6 * t41;
-        let w6_y = c6 * w5_z + s6 * t41;
-        let t84 = a5_x + D6 * (dw4_y + t41 * w5_y);
-        let t85 = a5_y + D6 * (t41 * t41 + w5_z * w5_z);
-        let t86 = a4_y - D6 * (dw5_x + w5_y * w5_z);
+        let w6_x = s6 * w5_z - c6 * t48;
+        let w6_y = c6 * w5_z + s6 * t48;
+        let t84 = a5_x + D6 * t72;
+        let t85 = a5_y + D6 * t73;
+        let t86 = a4_y - D6 * t74;
         let a6_x = c6 * t84 + s6 * t86;
         let a6_y = c6 * t86 - s6 * t84;
-        let dw6_x = c6 * dw5_x + s6 * dw4_y + dq6 * w6_y;
-        let dw6_y = c6 * dw4_y - s6 * dw5_x - dq6 * w6_x;
+        let w6_z = dq6 - w5_y;
+        let dw6_x = c6 * t74 + s6 * t72 + w6_y * w6_z;
+        let dw6_y = c6 * t72 - s6 * t74 - w6_x * w6_z;
         [t85, a6_x, a6_y, dw6_x, dw6_y]
     };
     // frame 2
-    let [t97, t98, t99, t100] = {
-        let t97 = c1 * c2;
-        let t98 = c1 * s2;
-        let t99 = s1 * c2;
-        let t100 = s1 * s2;
-        [t97, t98, t99, t100]
+    let [t104, t105, t106, t107] = {
+        let t104 = c1 * c2;
+        let t105 = c1 * s2;
+        let t106 = s1 * c2;
+        let t107 = s1 * s2;
+        [t104, t105, t106, t107]
     };
     // frame 4
-    let [t103, t106, t109, t112, t113, t114] = {
-        let t103 = s1 * c4 + s4 * t97;
-        let t106 = c4 * t97 - s1 * s4;
-        let t109 = s4 * t99 - c1 * c4;
-        let t112 = c4 * t99 + c1 * s4;
-        let t113 = s2 * s4;
-        let t114 = s2 * c4;
-        [t103, t106, t109, t112, t113, t114]
+    let [t110, t113, t116, t119, t120, t121] = {
+        let t110 = s1 * c4 + s4 * t104;
+        let t113 = c4 * t104 - s1 * s4;
+        let t116 = s4 * t106 - c1 * c4;
+        let t119 = c4 * t106 + c1 * s4;
+        let t120 = s2 * s4;
+        let t121 = s2 * c4;
+        [t110, t113, t116, t119, t120, t121]
     };
     // frame 5
-    let [t117, t120, t123, t126, t129, t132] = {
-        let t117 = c5 * t103 - s5 * t98;
-        let t120 = c5 * t98 + s5 * t103;
-        let t123 = c5 * t109 - s5 * t100;
-        let t126 = c5 * t100 + s5 * t109;
-        let t129 = c5 * t113 + c2 * s5;
-        let t132 = s5 * t113 - c2 * c5;
-        [t117, t120, t123, t126, t129, t132]
+    let [t124, t127, t130, t133, t136, t139] = {
+        let t124 = c5 * t110 - s5 * t105;
+        let t127 = c5 * t105 + s5 * t110;
+        let t130 = c5 * t116 - s5 * t107;
+        let t133 = c5 * t107 + s5 * t116;
+        let t136 = c5 * t120 + c2 * s5;
+        let t139 = s5 * t120 - c2 * c5;
+        [t124, t127, t130, t133, t136, t139]
     };
     // frame 6
-    let [t135, t138, t141, t144, t147, t150] = {
-        let t135 = c6 * t117 + s6 * t106;
-        let t138 = c6 * t106 - s6 * t117;
-        let t141 = c6 * t123 + s6 * t112;
-        let t144 = c6 * t112 - s6 * t123;
-        let t147 = c6 * t129 + s6 * t114;
-        let t150 = s6 * t129 - c6 * t114;
-        [t135, t138, t141, t144, t147, t150]
+    let [t142, t145, t148, t151, t154, t157] = {
+        let t142 = c6 * t124 + s6 * t113;
+        let t145 = c6 * t113 - s6 * t124;
+        let t148 = c6 * t130 + s6 * t119;
+        let t151 = c6 * t119 - s6 * t130;
+        let t154 = c6 * t136 + s6 * t121;
+        let t157 = s6 * t136 - c6 * t121;
+        [t142, t145, t148, t151, t154, t157]
     };
     // in base axes
     {
-        let t155 = a6_x * t135 + a6_y * t138 - t85 * t120;
-        let t160 = a6_x * t141 + a6_y * t144 - t85 * t126;
-        let t165 = t85 * t132 + (a6_y * t150 - a6_x * t147);
-        let t170 = dw6_x * t135 + dw6_y * t138 - dw5_y * t120;
-        let t175 = dw6_x * t141 + dw6_y * t144 - dw5_y * t126;
-        let t180 = dw5_y * t132 + (dw6_y * t150 - dw6_x * t147);
-        put(0, t155);
-        put(1, t160);
-        put(2, t165);
-        put(3, t170);
-        put(4, t175);
-        put(5, t180);
+        let t162 = a6_x * t142 + a6_y * t145 - t85 * t127;
+        let t167 = a6_x * t148 + a6_y * t151 - t85 * t133;
+        let t172 = t85 * t139 + (a6_y * t157 - a6_x * t154);
+        let t177 = dw6_x * t142 + dw6_y * t145 - dw5_y * t127;
+        let t182 = dw6_x * t148 + dw6_y * t151 - dw5_y * t133;
+        let t187 = dw5_y * t139 + (dw6_y * t157 - dw6_x * t154);
+        put(0, t162);
+        put(1, t167);
+        put(2, t172);
+        put(3, t177);
+        put(4, t182);
+        put(5, t187);
     }
 }

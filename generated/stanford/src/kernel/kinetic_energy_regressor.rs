@@ -2,13 +2,13 @@
 //!
 //! `T = h phi`, J per unit. Khalil and Dombre, 9.4.
 //!
-//! 115 multiplications, 45 additions; 60, 51 of 60 structurally nonzero.
+//! 123 multiplications, 45 additions; 66, 57 of 66 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 51;
+pub const NONZEROS: usize = 57;
 
 /// First index, and the rest row-major, of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
@@ -17,12 +17,12 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (29, 0), (30, 0), (31, 0), (32, 0), (33, 0), (34, 0), (35, 0), (36, 0), (37, 0), (38, 0),
     (39, 0), (40, 0), (41, 0), (42, 0), (43, 0), (44, 0), (45, 0), (46, 0), (47, 0), (48, 0),
     (49, 0), (50, 0), (51, 0), (52, 0), (53, 0), (54, 0), (55, 0), (56, 0), (57, 0), (58, 0),
-    (59, 0),
+    (59, 0), (60, 0), (61, 0), (62, 0), (63, 0), (64, 0), (65, 0),
 ];
 
 /// Kinetic energy, one entry per standard parameter: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 60]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 66]) {
     out.fill(S::default());
     entries(trig, dq, |k, x| {
         out[PATTERN[k].0] = x;
@@ -138,20 +138,24 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         let t153 = t41 * t44;
         let t154 = t41 * t51;
         let t155 = t44 * t51;
-        let t156 = -(dq2 * t3);
-        let t157 = -t69;
-        let t158 = -(t1 * t2);
-        let t159 = -t71;
+        let t157 = k2 * (dq3 * dq3);
+        let t159 = k2 * (dq4 * dq4);
+        let t161 = k2 * (dq5 * dq5);
+        let t163 = k2 * (dq6 * dq6);
+        let t164 = -(dq2 * t3);
+        let t165 = -t69;
+        let t166 = -(t1 * t2);
+        let t167 = -t71;
         put(0, t53);
         put(1, t62);
         put(2, t54);
         put(3, t57);
-        put(4, t156);
+        put(4, t164);
         put(5, t64);
         put(6, t66);
         put(7, t68);
-        put(8, t157);
-        put(9, t158);
+        put(8, t165);
+        put(9, t166);
         put(10, t71);
         put(11, t86);
         put(12, t74);
@@ -161,8 +165,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         put(16, t64);
         put(17, t68);
         put(18, t69);
-        put(19, t159);
-        put(20, t158);
+        put(19, t167);
+        put(20, t166);
         put(21, t100);
         put(22, t89);
         put(23, t92);
@@ -193,5 +197,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         put(48, t153);
         put(49, t154);
         put(50, t155);
+        put(51, t53);
+        put(52, t66);
+        put(53, t157);
+        put(54, t159);
+        put(55, t161);
+        put(56, t163);
     }
 }

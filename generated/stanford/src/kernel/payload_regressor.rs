@@ -2,7 +2,7 @@
 //!
 //! `tau = W_L phi_L`, columns `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool frame, about its origin (the paper's (7)).
 //!
-//! 245 multiplications, 164 additions; 6 x 10, 52 of 60 structurally nonzero.
+//! 242 multiplications, 163 additions; 6 x 10, 52 of 60 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
@@ -47,302 +47,316 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let D6 = S::constant(0.263);
     let k0 = S::constant(9.81);
     let k2 = S::constant(2.0);
+    // link 1: motion
+    let t0 = {
+        let t0 = dq1 * dq1;
+        t0
+    };
     // link 2: motion
-    let [t0, w3_z, t8, t10, t12, t13, t15, dw2_y] = {
-        let t0 = s2 * dq1;
+    let [
+        t1, w3_z, t8, t10, t12, t19, t20, t21,
+        t22,
+    ] = {
+        let t1 = s2 * dq1;
         let w3_z = c2 * dq1;
         let t7 = D2 * ddq1;
-        let t8 = D2 * (dq1 * dq1);
+        let t8 = D2 * t0;
         let t10 = s2 * k0 + c2 * t7;
         let t12 = c2 * k0 - s2 * t7;
-        let t13 = dq2 * w3_z;
-        let t15 = s2 * ddq1 + t13;
-        let dw2_y = dq2 * t0 - c2 * ddq1;
-        [t0, w3_z, t8, t10, t12, t13, t15, dw2_y]
+        let t17 = dq2 * w3_z;
+        let t19 = c2 * ddq1 - dq2 * t1;
+        let t20 = t1 * w3_z - ddq2;
+        let t21 = t1 * t1 + dq2 * dq2;
+        let t22 = t17 + (s2 * ddq1 + t17);
+        [
+        t1, w3_z, t8, t10, t12, t19, t20, t21,
+        t22,
+    ]
     };
     // link 3: motion
-    let [t32, t33, t34] = {
+    let [t32, t33, a3_z] = {
         let t29 = dq3 * k2;
-        let t32 = q3 * (t13 + t15) - t8 + t0 * t29;
-        let t33 = t10 + q3 * (t0 * w3_z - ddq2) - dq2 * t29;
-        let t34 = q3 * (t0 * t0 + dq2 * dq2) - t12 - ddq3;
-        [t32, t33, t34]
+        let t32 = q3 * t22 - t8 + t1 * t29;
+        let t33 = t10 + q3 * t20 - dq2 * t29;
+        let a3_z = ddq3 + (t12 - q3 * t21);
+        [t32, t33, a3_z]
     };
     // link 4: motion
-    let [t37, t40, t49, a4_y, w4_z, t56, t57, dw4_z] = {
-        let t37 = c4 * dq2 + s4 * t0;
-        let t40 = c4 * t0 - s4 * dq2;
-        let t49 = c4 * t32 + s4 * t33;
+    let [t37, w4_y, t43, a4_y, w4_z, dw4_y, t60, t61] = {
+        let t37 = c4 * dq2 + s4 * t1;
+        let w4_y = s4 * dq2 - c4 * t1;
+        let t43 = c4 * t32 + s4 * t33;
         let a4_y = s4 * t32 - c4 * t33;
         let w4_z = w3_z + dq4;
-        let t56 = c4 * ddq2 + s4 * t15 + dq4 * t40;
-        let t57 = c4 * t15 - s4 * ddq2 - dq4 * t37;
-        let dw4_z = ddq4 - dw2_y;
-        [t37, t40, t49, a4_y, w4_z, t56, t57, dw4_z]
+        let dw4_z = t19 + ddq4;
+        let t57 = w4_y * w4_z;
+        let dw4_x = c4 * t20 - s4 * t22 + t57;
+        let dw4_y = t37 * w4_z - (c4 * t22 + s4 * t20);
+        let t60 = dw4_z + t37 * w4_y;
+        let t61 = t57 + dw4_x;
+        [t37, w4_y, t43, a4_y, w4_z, dw4_y, t60, t61]
     };
     // link 5: motion
-    let [t61, t64, t73, t76, w5_z, t80, dw5_y, dw5_z] = {
-        let t61 = c5 * t37 + s5 * w4_z;
-        let t64 = c5 * w4_z - s5 * t37;
-        let t73 = c5 * t49 - s5 * t34;
-        let t76 = c5 * t34 + s5 * t49;
-        let w5_z = dq5 - t40;
-        let t80 = c5 * t56 + s5 * dw4_z + dq5 * t64;
-        let dw5_y = s5 * t56 - c5 * dw4_z + dq5 * t61;
-        let dw5_z = ddq5 - t57;
-        [t61, t64, t73, t76, w5_z, t80, dw5_y, dw5_z]
+    let [
+        t64, t67, t70, t73, w5_z, dw5_y, t89, t90,
+        t91,
+    ] = {
+        let t64 = c5 * t37 + s5 * w4_z;
+        let t67 = c5 * w4_z - s5 * t37;
+        let t70 = c5 * t43 + s5 * a3_z;
+        let t73 = s5 * t43 - c5 * a3_z;
+        let w5_z = w4_y + dq5;
+        let dw5_z = dw4_y + ddq5;
+        let t86 = t67 * w5_z;
+        let dw5_y = t64 * w5_z - (c5 * t60 + s5 * t61);
+        let t89 = dw5_z - t64 * t67;
+        let t90 = t64 * t64 + w5_z * w5_z;
+        let t91 = t86 + (s5 * t60 - c5 * t61 + t86);
+        [
+        t64, t67, t70, t73, w5_z, dw5_y, t89, t90,
+        t91,
+    ]
     };
     // link 6: motion
     let [
-        t85, w6_y, t106, t110, a6_y, w6_z, dw6_x, dw6_y,
-        dw6_z,
+        t102, t106, a6_y, t112, t115, dw6_z, t120, t121,
+        t122, dw6_x, dw6_y, t125, t126, t127, t128, t129,
+        t130, t131,
     ] = {
-        let t85 = c6 * t61 - s6 * w5_z;
-        let w6_y = c6 * w5_z + s6 * t61;
-        let t105 = t73 - D6 * (dw5_z - t61 * t64);
-        let t106 = t76 + D6 * (t61 * t61 + w5_z * w5_z);
-        let t107 = a4_y + D6 * (t80 + t64 * w5_z);
-        let t110 = c6 * t105 - s6 * t107;
-        let a6_y = c6 * t107 + s6 * t105;
-        let w6_z = t64 + dq6;
-        let dw6_x = s6 * dw5_z - c6 * t80 + dq6 * w6_y;
-        let dw6_y = c6 * dw5_z + s6 * t80 + dq6 * t85;
+        let w6_x = s6 * w5_z - c6 * t64;
+        let w6_y = c6 * w5_z + s6 * t64;
+        let t101 = t70 - D6 * t89;
+        let t102 = t73 + D6 * t90;
+        let t103 = a4_y + D6 * t91;
+        let t106 = c6 * t101 - s6 * t103;
+        let a6_y = c6 * t103 + s6 * t101;
+        let t112 = c6 * t89 + s6 * t91;
+        let t115 = s6 * t89 - c6 * t91;
+        let w6_z = t67 + dq6;
         let dw6_z = ddq6 - dw5_y;
+        let t118 = w6_x * w6_x;
+        let t119 = w6_z * w6_z;
+        let t120 = w6_x * w6_y;
+        let t121 = w6_x * w6_z;
+        let t122 = w6_y * w6_z;
+        let dw6_x = t115 + t122;
+        let dw6_y = t112 - t121;
+        let t125 = t119 - t118;
+        let t126 = t90 + t125;
+        let t127 = dw6_z - t120;
+        let t128 = dw6_z + t120;
+        let t129 = t118 + t119;
+        let t130 = t121 - dw6_y;
+        let t131 = t122 + dw6_x;
         put(44, a6_y); // row 6, MSX
-        put(45, t110); // row 6, MSY
+        put(45, t106); // row 6, MSY
+        put(47, t120); // row 6, YY
         put(48, dw6_z); // row 6, ZZ
+        put(50, t115); // row 6, XZ
+        put(51, t112); // row 6, YZ
         [
-        t85, w6_y, t106, t110, a6_y, w6_z, dw6_x, dw6_y,
-        dw6_z,
+        t102, t106, a6_y, t112, t115, dw6_z, t120, t121,
+        t122, dw6_x, dw6_y, t125, t126, t127, t128, t129,
+        t130, t131,
     ]
     };
     // joint axes in frame 2
-    let [t120, v1_2_y] = {
-        let t120 = c2 * D2;
+    let [t132, v1_2_y] = {
+        let t132 = c2 * D2;
         let v1_2_y = s2 * D2;
-        [t120, v1_2_y]
+        [t132, v1_2_y]
     };
     // joint axes in frame 4
-    let [t122, t123, t124, t125] = {
-        let t122 = s2 * s4;
-        let t123 = s2 * c4;
-        let t124 = s4 * t120;
-        let t125 = c4 * t120;
-        [t122, t123, t124, t125]
-    };
-    // joint axes in frame 6
-    let [
-        t126, t127, t128, t129, t130, t131, t132, t133,
-        t134, t135, t136, t137, t138, t139, t140,
-    ] = {
-        let t126 = t85 * t85;
-        let t127 = w6_y * w6_y;
-        let t128 = w6_z * w6_z;
-        let t129 = t85 * w6_y;
-        let t130 = t85 * w6_z;
-        let t131 = w6_y * w6_z;
-        let t132 = t127 + t128;
-        let t133 = dw6_z + t129;
-        let t134 = dw6_y - t130;
-        let t135 = t129 - dw6_z;
-        let t136 = t126 + t128;
-        let t137 = dw6_x - t131;
-        let t138 = dw6_y + t130;
-        let t139 = dw6_x + t131;
-        let t140 = t126 + t127;
-        put(46, t129); // row 6, XX
-        put(50, t137); // row 6, XZ
-        put(51, t134); // row 6, YZ
-        [
-        t126, t127, t128, t129, t130, t131, t132, t133,
-        t134, t135, t136, t137, t138, t139, t140,
-    ]
+    let [t134, t135, t136, t137] = {
+        let t134 = s2 * s4;
+        let t135 = s2 * c4;
+        let t136 = s4 * t132;
+        let t137 = c4 * t132;
+        [t134, t135, t136, t137]
     };
     // payload: column M
-    let [t143, t146, t148] = {
-        let t143 = c6 * t110 + s6 * a6_y;
-        let t146 = c6 * a6_y - s6 * t110;
-        let t147 = D6 * t146;
-        let t148 = D6 * t143;
-        let t151 = c5 * t143 + s5 * t106;
-        let t154 = s5 * t143 - c5 * t106;
-        let t156 = s5 * t147;
-        let t159 = c5 * t147 + q3 * t146;
-        let t160 = t148 + q3 * t151;
-        let t170 = t124 * t151 - t125 * t146 - v1_2_y * t154;
-        let t171 = c2 * t156 + (t122 * t159 + t123 * t160) + t170;
-        let t174 = c4 * t159 - s4 * t160;
-        put(0, t171); // row 1, M
-        put(10, t174); // row 2, M
-        put(20, t154); // row 3, M
-        put(24, t156); // row 4, M
-        [t143, t146, t148]
+    let [t140, t143, t145] = {
+        let t140 = c6 * t106 + s6 * a6_y;
+        let t143 = c6 * a6_y - s6 * t106;
+        let t144 = D6 * t143;
+        let t145 = D6 * t140;
+        let t148 = c5 * t140 + s5 * t102;
+        let t151 = s5 * t140 - c5 * t102;
+        let t153 = s5 * t144;
+        let t156 = c5 * t144 + q3 * t143;
+        let t157 = t145 + q3 * t148;
+        let t167 = v1_2_y * t151 - (t136 * t148 - t137 * t143);
+        let t168 = c2 * t153 + (t134 * t156 + t135 * t157) - t167;
+        let t171 = c4 * t156 - s4 * t157;
+        put(0, t168); // row 1, M
+        put(10, t171); // row 2, M
+        put(20, t151); // row 3, M
+        put(24, t153); // row 4, M
+        [t140, t143, t145]
     };
     // payload: column MSX
-    let [t176, t179, t181, t182] = {
-        let t176 = s6 * t135;
-        let t177 = c6 * t132 - t176;
-        let t179 = c6 * t135;
-        let t180 = s6 * t132 + t179;
-        let t181 = s6 * t106;
-        let t182 = c6 * t106;
-        let t185 = D6 * t180 - t181;
-        let t186 = t182 - D6 * t177;
-        let t189 = c5 * t177 + s5 * t138;
-        let t192 = s5 * t177 - c5 * t138;
-        let t198 = c5 * a6_y - s5 * t185;
-        let t201 = c5 * t185 + s5 * a6_y + q3 * t180;
-        let t202 = t186 - q3 * t189;
-        let t212 = t124 * t189 + t125 * t180 - v1_2_y * t192;
-        let t213 = c2 * t198 - (t122 * t201 + t123 * t202) + t212;
-        let t216 = s4 * t202 - c4 * t201;
-        put(1, t213); // row 1, MSX
-        put(11, t216); // row 2, MSX
-        put(21, t192); // row 3, MSX
-        put(25, t198); // row 4, MSX
-        put(35, t186); // row 5, MSX
-        [t176, t179, t181, t182]
+    let [t173, t176, t178, t179] = {
+        let t173 = s6 * t128;
+        let t174 = c6 * t126 + t173;
+        let t176 = c6 * t128;
+        let t177 = t176 - s6 * t126;
+        let t178 = s6 * t102;
+        let t179 = c6 * t102;
+        let t182 = t178 + D6 * t177;
+        let t183 = t179 - D6 * t174;
+        let t186 = s5 * t130 - c5 * t174;
+        let t189 = s5 * t174 + c5 * t130;
+        let t195 = s5 * t182 + c5 * a6_y;
+        let t198 = q3 * t177 - (s5 * a6_y - c5 * t182);
+        let t199 = t183 + q3 * t186;
+        let t209 = v1_2_y * t189 + (t136 * t186 + t137 * t177);
+        let t210 = c2 * t195 + (t134 * t198 - t135 * t199) - t209;
+        let t213 = c4 * t198 + s4 * t199;
+        put(1, t210); // row 1, MSX
+        put(11, t213); // row 2, MSX
+        put(21, t189); // row 3, MSX
+        put(25, t195); // row 4, MSX
+        put(35, t183); // row 5, MSX
+        [t173, t176, t178, t179]
     };
     // payload: column MSY
-    let [t217, t220] = {
-        let t217 = c6 * t133;
-        let t219 = s6 * t136 - t217;
-        let t220 = s6 * t133;
-        let t222 = t220 + c6 * t136;
-        let t225 = t182 - D6 * t222;
-        let t226 = D6 * t219 - t181;
-        let t229 = c5 * t219 + s5 * t139;
-        let t232 = c5 * t139 - s5 * t219;
-        let t238 = s5 * t225 + c5 * t110;
-        let t241 = q3 * t222 - (c5 * t225 - s5 * t110);
-        let t242 = t226 + q3 * t229;
-        let t252 = t125 * t222 - t124 * t229 - v1_2_y * t232;
-        let t253 = c2 * t238 - (t122 * t241 + t123 * t242) + t252;
-        let t256 = s4 * t242 - c4 * t241;
-        put(2, t253); // row 1, MSY
-        put(12, t256); // row 2, MSY
-        put(22, t232); // row 3, MSY
-        put(26, t238); // row 4, MSY
-        put(36, t226); // row 5, MSY
-        [t217, t220]
+    let [t214, t217] = {
+        let t214 = c6 * t127;
+        let t216 = s6 * t129 - t214;
+        let t217 = s6 * t127;
+        let t219 = t217 + c6 * t129;
+        let t222 = t179 - D6 * t219;
+        let t223 = D6 * t216 - t178;
+        let t226 = c5 * t216 + s5 * t131;
+        let t229 = c5 * t131 - s5 * t216;
+        let t235 = s5 * t222 + c5 * t106;
+        let t238 = c5 * t222 - s5 * t106 - q3 * t219;
+        let t239 = t223 + q3 * t226;
+        let t249 = v1_2_y * t229 - (t137 * t219 - t136 * t226);
+        let t250 = c2 * t235 + (t134 * t238 - t135 * t239) - t249;
+        let t253 = c4 * t238 + s4 * t239;
+        put(2, t250); // row 1, MSY
+        put(12, t253); // row 2, MSY
+        put(22, t229); // row 3, MSY
+        put(26, t235); // row 4, MSY
+        put(36, t223); // row 5, MSY
+        [t214, t217]
     };
     // payload: column MSZ
-    let t272 = {
-        let t259 = c6 * t134 + s6 * t137;
-        let t262 = s6 * t134 - c6 * t137;
-        let t265 = t146 + D6 * t262;
-        let t266 = D6 * t259 - t143;
-        let t269 = c5 * t259 - s5 * t140;
-        let t272 = s5 * t259 + c5 * t140;
-        let t274 = s5 * t265;
-        let t277 = c5 * t265 + q3 * t262;
-        let t278 = t266 + q3 * t269;
-        let t288 = t124 * t269 + t125 * t262 - v1_2_y * t272;
-        let t289 = c2 * t274 + (t122 * t277 - t123 * t278) - t288;
-        let t292 = c4 * t277 + s4 * t278;
-        put(3, t289); // row 1, MSZ
-        put(13, t292); // row 2, MSZ
-        put(27, t274); // row 4, MSZ
-        put(37, t266); // row 5, MSZ
-        t272
+    let t269 = {
+        let t256 = c6 * t112 + s6 * t115;
+        let t259 = s6 * t112 - c6 * t115;
+        let t262 = t143 + D6 * t259;
+        let t263 = D6 * t256 - t140;
+        let t266 = c5 * t256 - s5 * t90;
+        let t269 = s5 * t256 + c5 * t90;
+        let t271 = s5 * t262;
+        let t274 = c5 * t262 + q3 * t259;
+        let t275 = t263 + q3 * t266;
+        let t285 = v1_2_y * t269 - (t136 * t266 + t137 * t259);
+        let t286 = c2 * t271 - (t135 * t275 - t134 * t274) + t285;
+        let t289 = c4 * t274 + s4 * t275;
+        put(3, t286); // row 1, MSZ
+        put(13, t289); // row 2, MSZ
+        put(27, t271); // row 4, MSZ
+        put(37, t263); // row 5, MSZ
+        t269
     };
     // payload: column XX
-    let [t294, t297, t300, t303] = {
-        let t294 = s6 * t130;
-        let t295 = c6 * dw6_x + t294;
-        let t297 = c6 * t130;
-        let t298 = s6 * dw6_x - t297;
-        let t300 = s5 * t129;
-        let t301 = c5 * t295 + t300;
-        let t303 = c5 * t129;
-        let t304 = t303 - s5 * t295;
-        let t309 = c2 * t304 - (t122 * t301 + t123 * t298);
-        let t312 = s4 * t298 - c4 * t301;
-        put(4, t309); // row 1, XX
-        put(14, t312); // row 2, XX
-        put(28, t304); // row 4, XX
-        put(38, t298); // row 5, XX
-        [t294, t297, t300, t303]
+    let [t291, t294, t297, t300] = {
+        let t291 = s6 * t121;
+        let t292 = t291 - c6 * dw6_x;
+        let t294 = c6 * t121;
+        let t295 = s6 * dw6_x + t294;
+        let t297 = s5 * t120;
+        let t298 = c5 * t292 + t297;
+        let t300 = c5 * t120;
+        let t301 = s5 * t292 - t300;
+        let t306 = c2 * t301 - (t135 * t295 - t134 * t298);
+        let t309 = c4 * t298 + s4 * t295;
+        put(4, t306); // row 1, XX
+        put(14, t309); // row 2, XX
+        put(28, t301); // row 4, XX
+        put(38, t295); // row 5, XX
+        [t291, t294, t297, t300]
     };
     // payload: column YY
-    let [t313, t316] = {
-        let t313 = c6 * t131;
-        let t315 = t313 + s6 * dw6_y;
-        let t316 = s6 * t131;
-        let t318 = c6 * dw6_y - t316;
-        let t320 = t300 + c5 * t315;
-        let t322 = s5 * t315 - t303;
-        let t327 = c2 * t322 - (t123 * t318 - t122 * t320);
-        let t330 = c4 * t320 + s4 * t318;
-        put(5, t327); // row 1, YY
-        put(15, t330); // row 2, YY
-        put(29, t322); // row 4, YY
-        put(39, t318); // row 5, YY
-        [t313, t316]
+    let [t310, t313] = {
+        let t310 = c6 * t122;
+        let t312 = t310 + s6 * dw6_y;
+        let t313 = s6 * t122;
+        let t315 = c6 * dw6_y - t313;
+        let t317 = c5 * t312 - t297;
+        let t319 = t300 + s5 * t312;
+        let t324 = c2 * t319 + (t134 * t317 - t135 * t315);
+        let t327 = c4 * t317 + s4 * t315;
+        put(5, t324); // row 1, YY
+        put(15, t327); // row 2, YY
+        put(29, t319); // row 4, YY
+        put(39, t315); // row 5, YY
+        [t310, t313]
     };
     // payload: column ZZ
-    let t347 = {
-        let t331 = t294 - t313;
-        let t332 = t297 + t316;
-        let t335 = c5 * t331 - s5 * dw6_z;
-        let t338 = s5 * t331 + c5 * dw6_z;
-        let t343 = c2 * t338 + (t122 * t335 - t123 * t332);
-        let t346 = c4 * t335 + s4 * t332;
-        let t347 = t126 - t127;
-        put(6, t343); // row 1, ZZ
-        put(16, t346); // row 2, ZZ
-        put(30, t338); // row 4, ZZ
-        put(40, t332); // row 5, ZZ
-        put(49, t347); // row 6, XY
-        t347
+    let t344 = {
+        let t328 = t291 + t310;
+        let t329 = t313 - t294;
+        let t332 = c5 * t328 + s5 * dw6_z;
+        let t335 = c5 * dw6_z - s5 * t328;
+        let t340 = c2 * t335 - (t134 * t332 + t135 * t329);
+        let t343 = s4 * t329 - c4 * t332;
+        let t344 = t129 - t126;
+        put(6, t340); // row 1, ZZ
+        put(16, t343); // row 2, ZZ
+        put(30, t335); // row 4, ZZ
+        put(40, t329); // row 5, ZZ
+        put(49, t344); // row 6, XY
+        t344
     };
     // payload: column XY
-    let t368 = {
-        let t350 = s6 * t139 - c6 * t138;
-        let t353 = s6 * t138 + c6 * t139;
-        let t356 = c5 * t350 - s5 * t347;
-        let t359 = s5 * t350 + c5 * t347;
-        let t364 = c2 * t359 + (t122 * t356 - t123 * t353);
-        let t367 = c4 * t356 + s4 * t353;
-        let t368 = t128 - t126;
-        put(7, t364); // row 1, XY
-        put(17, t367); // row 2, XY
-        put(31, t359); // row 4, XY
-        put(41, t353); // row 5, XY
-        t368
-    };
+    {
+        let t347 = c6 * t130 + s6 * t131;
+        let t350 = c6 * t131 - s6 * t130;
+        let t353 = c5 * t347 - s5 * t344;
+        let t356 = s5 * t347 + c5 * t344;
+        let t361 = c2 * t356 - (t135 * t350 - t134 * t353);
+        let t364 = c4 * t353 + s4 * t350;
+        put(7, t361); // row 1, XY
+        put(17, t364); // row 2, XY
+        put(31, t356); // row 4, XY
+        put(41, t350); // row 5, XY
+    }
     // payload: column XZ
-    let t387 = {
-        let t370 = t179 + s6 * t368;
-        let t372 = c6 * t368 - t176;
-        let t375 = c5 * t370 - s5 * t137;
-        let t378 = s5 * t370 + c5 * t137;
-        let t383 = c2 * t378 - (t123 * t372 - t122 * t375);
-        let t386 = c4 * t375 + s4 * t372;
-        let t387 = t127 - t128;
-        put(8, t383); // row 1, XZ
-        put(18, t386); // row 2, XZ
-        put(32, t378); // row 4, XZ
-        put(42, t372); // row 5, XZ
-        t387
+    let t383 = {
+        let t366 = s6 * t125 - t176;
+        let t368 = t173 + c6 * t125;
+        let t371 = s5 * t115 - c5 * t366;
+        let t374 = s5 * t366 + c5 * t115;
+        let t379 = c2 * t374 - (t134 * t371 + t135 * t368);
+        let t382 = s4 * t368 - c4 * t371;
+        let t383 = t129 - t90;
+        put(8, t379); // row 1, XZ
+        put(18, t382); // row 2, XZ
+        put(32, t374); // row 4, XZ
+        put(42, t368); // row 5, XZ
+        t383
     };
     // payload: column YZ
     {
-        let t389 = c6 * t387 - t220;
-        let t391 = t217 + s6 * t387;
-        let t394 = c5 * t389 + s5 * t134;
-        let t397 = c5 * t134 - s5 * t389;
-        let t402 = c2 * t397 - (t122 * t394 + t123 * t391);
-        let t405 = s4 * t391 - c4 * t394;
-        let t406 = -t272;
-        let t407 = -t148;
-        let t408 = -t129;
-        put(9, t402); // row 1, YZ
-        put(19, t405); // row 2, YZ
-        put(23, t406); // row 3, MSZ
-        put(33, t397); // row 4, YZ
-        put(34, t407); // row 5, M
-        put(43, t391); // row 5, YZ
-        put(47, t408); // row 6, YY
+        let t385 = t217 + c6 * t383;
+        let t387 = t214 - s6 * t383;
+        let t390 = c5 * t385 - s5 * t112;
+        let t393 = s5 * t385 + c5 * t112;
+        let t398 = c2 * t393 - (t135 * t387 - t134 * t390);
+        let t401 = c4 * t390 + s4 * t387;
+        let t402 = -t269;
+        let t403 = -t145;
+        let t404 = -t120;
+        put(9, t398); // row 1, YZ
+        put(19, t401); // row 2, YZ
+        put(23, t402); // row 3, MSZ
+        put(33, t393); // row 4, YZ
+        put(34, t403); // row 5, M
+        put(43, t387); // row 5, YZ
+        put(46, t404); // row 6, XX
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! `U = h phi`, J per unit, zero at the base frame's origin; an offset torque counts as `FO q`.
 //!
-//! 22 multiplications, 12 additions; 60, 20 of 60 structurally nonzero.
+//! 22 multiplications, 12 additions; 66, 20 of 66 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{Trig};
@@ -18,7 +18,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 
 /// Potential energy, one entry per standard parameter: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 60]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 66]) {
     out.fill(S::default());
     entries(trig, |k, x| {
         out[PATTERN[k].0] = x;

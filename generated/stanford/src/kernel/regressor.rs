@@ -2,13 +2,13 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 453 multiplications, 338 additions; 6 x 60, 168 of 360 structurally nonzero.
+//! 444 multiplications, 334 additions; 6 x 66, 174 of 396 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 168;
+pub const NONZEROS: usize = 174;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
@@ -17,23 +17,24 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 29), (0, 30), (0, 31), (0, 32), (0, 33), (0, 34), (0, 35), (0, 36), (0, 37), (0, 38),
     (0, 39), (0, 40), (0, 41), (0, 42), (0, 43), (0, 44), (0, 45), (0, 46), (0, 47), (0, 48),
     (0, 49), (0, 50), (0, 51), (0, 52), (0, 53), (0, 54), (0, 55), (0, 56), (0, 57), (0, 58),
-    (0, 59), (1, 11), (1, 13), (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19), (1, 20),
-    (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29), (1, 30),
-    (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39), (1, 40),
-    (1, 41), (1, 42), (1, 43), (1, 44), (1, 45), (1, 46), (1, 47), (1, 48), (1, 49), (1, 50),
-    (1, 51), (1, 52), (1, 53), (1, 54), (1, 55), (1, 56), (1, 57), (1, 58), (1, 59), (2, 20),
-    (2, 21), (2, 22), (2, 23), (2, 30), (2, 31), (2, 32), (2, 33), (2, 40), (2, 41), (2, 42),
-    (2, 43), (2, 50), (2, 51), (2, 52), (2, 53), (3, 31), (3, 33), (3, 34), (3, 35), (3, 36),
-    (3, 37), (3, 38), (3, 39), (3, 41), (3, 42), (3, 43), (3, 44), (3, 45), (3, 46), (3, 47),
-    (3, 48), (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54), (3, 55), (3, 56), (3, 57),
-    (3, 58), (3, 59), (4, 41), (4, 43), (4, 44), (4, 45), (4, 46), (4, 47), (4, 48), (4, 49),
-    (4, 50), (4, 51), (4, 52), (4, 53), (4, 54), (4, 55), (4, 56), (4, 57), (4, 58), (4, 59),
-    (5, 51), (5, 52), (5, 54), (5, 55), (5, 56), (5, 57), (5, 58), (5, 59),
+    (0, 59), (0, 60), (1, 11), (1, 13), (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19),
+    (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29),
+    (1, 30), (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (1, 36), (1, 37), (1, 38), (1, 39),
+    (1, 40), (1, 41), (1, 42), (1, 43), (1, 44), (1, 45), (1, 46), (1, 47), (1, 48), (1, 49),
+    (1, 50), (1, 51), (1, 52), (1, 53), (1, 54), (1, 55), (1, 56), (1, 57), (1, 58), (1, 59),
+    (1, 61), (2, 20), (2, 21), (2, 22), (2, 23), (2, 30), (2, 31), (2, 32), (2, 33), (2, 40),
+    (2, 41), (2, 42), (2, 43), (2, 50), (2, 51), (2, 52), (2, 53), (2, 62), (3, 31), (3, 33),
+    (3, 34), (3, 35), (3, 36), (3, 37), (3, 38), (3, 39), (3, 41), (3, 42), (3, 43), (3, 44),
+    (3, 45), (3, 46), (3, 47), (3, 48), (3, 49), (3, 50), (3, 51), (3, 52), (3, 53), (3, 54),
+    (3, 55), (3, 56), (3, 57), (3, 58), (3, 59), (3, 63), (4, 41), (4, 43), (4, 44), (4, 45),
+    (4, 46), (4, 47), (4, 48), (4, 49), (4, 50), (4, 51), (4, 52), (4, 53), (4, 54), (4, 55),
+    (4, 56), (4, 57), (4, 58), (4, 59), (4, 64), (5, 51), (5, 52), (5, 54), (5, 55), (5, 56),
+    (5, 57), (5, 58), (5, 59), (5, 65),
 ];
 
 /// Regressor `W` of the standard parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 60]; 6]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 66]; 6]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -58,747 +59,756 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let D6 = S::constant(0.263);
     let k0 = S::constant(9.81);
     let k2 = S::constant(2.0);
+    // link 1: motion
+    let t0 = {
+        let t0 = dq1 * dq1;
+        put(0, ddq1); // row 1, YY1
+        put(51, ddq1); // row 1, IA1
+        put(55, ddq2); // row 2, YY2
+        put(64, ddq2); // row 2, XX3
+        put(100, ddq2); // row 2, IA2
+        put(117, ddq3); // row 3, IA3
+        put(145, ddq4); // row 4, IA4
+        put(164, ddq5); // row 5, IA5
+        put(173, ddq6); // row 6, IA6
+        t0
+    };
     // link 2: motion
     let [
-        t0, w3_z, t2, t3, t8, t10, a2_y, t13,
-        t14, t15, t16,
+        t1, w3_z, t3, t4, t8, t10, a2_y, t13,
+        t14, t15, t16, t17, t18, t19, t20, t21,
+        t22, t23, t24,
     ] = {
-        let t0 = s2 * dq1;
+        let t1 = s2 * dq1;
         let w3_z = c2 * dq1;
-        let t2 = s2 * ddq1;
-        let t3 = c2 * ddq1;
+        let t3 = s2 * ddq1;
+        let t4 = c2 * ddq1;
         let t7 = D2 * ddq1;
-        let t8 = D2 * (dq1 * dq1);
+        let t8 = D2 * t0;
         let t10 = s2 * k0 + c2 * t7;
         let a2_y = s2 * t7 - c2 * k0;
-        let t13 = dq2 * w3_z;
-        let t14 = dq2 * t0;
-        let t15 = t2 + t13;
-        let t16 = t3 - t14;
-        put(0, ddq1); // row 1, YY1
-        put(51, a2_y); // row 2, MSX2
-        put(54, ddq2); // row 2, YY2
-        put(58, t3); // row 2, YZ2
-        put(63, ddq2); // row 2, XX3
-        put(66, t2); // row 2, XY3
-        put(100, t2); // row 3, MSX3
+        let t13 = t1 * t1;
+        let t14 = dq2 * dq2;
+        let t15 = t1 * w3_z;
+        let t16 = dq2 * t1;
+        let t17 = dq2 * w3_z;
+        let t18 = t3 + t17;
+        let t19 = t4 - t16;
+        let t20 = ddq2 - t15;
+        let t21 = ddq2 + t15;
+        let t22 = t13 + t14;
+        let t23 = t16 - t19;
+        let t24 = t17 + t18;
+        put(52, a2_y); // row 2, MSX2
+        put(56, t15); // row 2, ZZ2
+        put(59, t4); // row 2, YZ2
+        put(66, t15); // row 2, ZZ3
+        put(67, t3); // row 2, XY3
+        put(102, t3); // row 3, MSX3
         [
-        t0, w3_z, t2, t3, t8, t10, a2_y, t13,
-        t14, t15, t16,
+        t1, w3_z, t3, t4, t8, t10, a2_y, t13,
+        t14, t15, t16, t17, t18, t19, t20, t21,
+        t22, t23, t24,
     ]
     };
     // link 3: motion
-    let [
-        t17, t18, t19, t20, t21, t22, t23, t24,
-        t25, t26, t27, t28, t30, t37, a3_y, t39,
-    ] = {
-        let t17 = t0 * t0;
-        let t18 = w3_z * w3_z;
-        let t19 = dq2 * dq2;
-        let t20 = t0 * w3_z;
-        let t21 = t18 + t19;
-        let t22 = ddq2 - t20;
-        let t23 = ddq2 + t20;
-        let t24 = t17 + t19;
-        let t25 = t14 - t16;
-        let t26 = t13 + t15;
-        let t27 = t17 + t18;
-        let t28 = q3 * t22;
-        let t30 = q3 * t26;
-        let t34 = dq3 * k2;
-        let t37 = t30 - t8 + t0 * t34;
-        let a3_y = t28 - t10 + dq2 * t34;
-        let t39 = a2_y + q3 * t24 - ddq3;
-        put(55, t20); // row 2, ZZ2
-        put(65, t20); // row 2, ZZ3
-        [
-        t17, t18, t19, t20, t21, t22, t23, t24,
-        t25, t26, t27, t28, t30, t37, a3_y, t39,
-    ]
+    let [t25, t27, t34, a3_y, t36, t38, t39] = {
+        let t25 = q3 * t20;
+        let t27 = q3 * t24;
+        let t31 = dq3 * k2;
+        let t34 = t1 * t31 - (t8 - t27);
+        let a3_y = t25 - t10 + dq2 * t31;
+        let t36 = a2_y + q3 * t22 - ddq3;
+        let t37 = w3_z * w3_z;
+        let t38 = t13 + t37;
+        let t39 = t14 + t37;
+        [t25, t27, t34, a3_y, t36, t38, t39]
     };
     // link 4: motion
-    let [t42, w4_y, t54, a4_y, w4_z, t61, t62, dw4_z] = {
-        let t42 = c4 * dq2 + s4 * t0;
-        let w4_y = s4 * dq2 - c4 * t0;
-        let t54 = c4 * t37 - s4 * a3_y;
-        let a4_y = c4 * a3_y + s4 * t37;
+    let [
+        t42, w4_y, t48, a4_y, t54, t57, w4_z, dw4_z,
+        t60, t61, t62, t63, t64, t65, t66, t67,
+        t68, t69, t70, t71,
+    ] = {
+        let t42 = c4 * dq2 + s4 * t1;
+        let w4_y = s4 * dq2 - c4 * t1;
+        let t48 = c4 * t34 - s4 * a3_y;
+        let a4_y = c4 * a3_y + s4 * t34;
+        let t54 = c4 * t24 - s4 * t20;
+        let t57 = c4 * t20 + s4 * t24;
         let w4_z = w3_z + dq4;
-        let t61 = c4 * ddq2 + s4 * t15 - dq4 * w4_y;
-        let t62 = c4 * t15 - s4 * ddq2 - dq4 * t42;
-        let dw4_z = t16 + ddq4;
-        put(115, a4_y); // row 4, MSX4
-        put(116, t54); // row 4, MSZ4
-        put(118, dw4_z); // row 4, YY4
-        [t42, w4_y, t54, a4_y, w4_z, t61, t62, dw4_z]
+        let dw4_z = t19 + ddq4;
+        let t60 = t42 * t42;
+        let t61 = w4_z * w4_z;
+        let t62 = t42 * w4_y;
+        let t63 = t42 * w4_z;
+        let t64 = w4_y * w4_z;
+        let t65 = t57 - t64;
+        let t66 = t54 - t63;
+        let t67 = dw4_z + t62;
+        let t68 = dw4_z - t62;
+        let t69 = t60 + t61;
+        let t70 = t66 - t63;
+        let t71 = t64 - t65;
+        put(106, t70); // row 3, MSX4
+        put(108, t71); // row 3, MSZ4
+        put(118, a4_y); // row 4, MSX4
+        put(119, t48); // row 4, MSZ4
+        put(120, t62); // row 4, XX4
+        put(121, dw4_z); // row 4, YY4
+        put(123, t57); // row 4, XY4
+        put(125, t54); // row 4, YZ4
+        [
+        t42, w4_y, t48, a4_y, t54, t57, w4_z, dw4_z,
+        t60, t61, t62, t63, t64, t65, t66, t67,
+        t68, t69, t70, t71,
+    ]
     };
     // link 5: motion
     let [
-        t66, t69, t76, t77, t78, t79, t80, t81,
-        t82, t83, t84, t85, t86, t87, t88, t89,
-        t90, a5_x, a5_y, w5_z, t100, t101, dw5_z,
+        t74, w5_y, a5_x, a5_y, t86, t89, w5_z, dw5_z,
+        t92, t93, t94, t95, t96, dw5_x, t98, t99,
+        t100, t101, t102, t103,
     ] = {
-        let t66 = c5 * t42 + s5 * w4_z;
-        let t69 = c5 * w4_z - s5 * t42;
-        let t76 = t42 * t42;
-        let t77 = w4_y * w4_y;
-        let t78 = w4_z * w4_z;
-        let t79 = t42 * w4_y;
-        let t80 = t42 * w4_z;
-        let t81 = w4_y * w4_z;
-        let t82 = t77 + t78;
-        let t83 = dw4_z + t79;
-        let t84 = t62 + t80;
-        let t85 = dw4_z - t79;
-        let t86 = t76 + t78;
-        let t87 = t61 + t81;
-        let t88 = t62 - t80;
-        let t89 = t81 - t61;
-        let t90 = t76 + t77;
-        let a5_x = s5 * t39 - c5 * t54;
-        let a5_y = c5 * t39 + s5 * t54;
+        let t74 = c5 * t42 + s5 * w4_z;
+        let w5_y = s5 * t42 - c5 * w4_z;
+        let a5_x = s5 * t36 - c5 * t48;
+        let a5_y = c5 * t36 + s5 * t48;
+        let t86 = c5 * t67 + s5 * t71;
+        let t89 = c5 * t71 - s5 * t67;
         let w5_z = w4_y + dq5;
-        let t100 = c5 * t61 + s5 * dw4_z + dq5 * t69;
-        let t101 = c5 * dw4_z - s5 * t61 - dq5 * t66;
-        let dw5_z = ddq5 - t62;
-        put(104, t88); // row 3, MSX4
-        put(105, t90); // row 3, MSY4
-        put(106, t89); // row 3, MSZ4
-        put(117, t79); // row 4, XX4
-        put(120, t87); // row 4, XY4
-        put(122, t84); // row 4, YZ4
-        put(142, a5_y); // row 5, MSX5
-        put(143, a5_x); // row 5, MSZ5
-        put(145, dw5_z); // row 5, YY5
+        let dw5_z = ddq5 - t66;
+        let t92 = t74 * t74;
+        let t93 = w5_z * w5_z;
+        let t94 = t74 * w5_y;
+        let t95 = t74 * w5_z;
+        let t96 = w5_y * w5_z;
+        let dw5_x = t89 + t96;
+        let t98 = t86 - t95;
+        let t99 = dw5_z + t94;
+        let t100 = t94 - dw5_z;
+        let t101 = t92 + t93;
+        let t102 = t95 - t98;
+        let t103 = t96 + dw5_x;
+        put(146, a5_y); // row 5, MSX5
+        put(147, a5_x); // row 5, MSZ5
+        put(148, t94); // row 5, XX5
+        put(149, dw5_z); // row 5, YY5
+        put(151, t89); // row 5, XY5
+        put(153, t86); // row 5, YZ5
         [
-        t66, t69, t76, t77, t78, t79, t80, t81,
-        t82, t83, t84, t85, t86, t87, t88, t89,
-        t90, a5_x, a5_y, w5_z, t100, t101, dw5_z,
+        t74, w5_y, a5_x, a5_y, t86, t89, w5_z, dw5_z,
+        t92, t93, t94, t95, t96, dw5_x, t98, t99,
+        t100, t101, t102, t103,
     ]
     };
     // link 6: motion
     let [
-        w6_x, w6_y, t115, t116, t117, t118, t119, t120,
-        t121, t122, t123, t124, t125, t126, t127, t128,
-        t129, t134, t138, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
+        t114, a6_x, a6_y, t124, t127, dw6_z, t132, t133,
+        t134, dw6_x, dw6_y, t137, t138, t139, t140, t141,
+        t142, t143,
     ] = {
-        let w6_x = s6 * w5_z - c6 * t66;
-        let w6_y = c6 * w5_z + s6 * t66;
-        let t115 = t66 * t66;
-        let t116 = t69 * t69;
-        let t117 = w5_z * w5_z;
-        let t118 = t66 * t69;
-        let t119 = t66 * w5_z;
-        let t120 = t69 * w5_z;
-        let t121 = t116 + t117;
-        let t122 = t118 - dw5_z;
-        let t123 = t101 + t119;
-        let t124 = dw5_z + t118;
-        let t125 = t115 + t117;
-        let t126 = t120 - t100;
-        let t127 = t119 - t101;
-        let t128 = t100 + t120;
-        let t129 = t115 + t116;
-        let t133 = D6 * t122 - a5_x;
-        let t134 = a5_y + D6 * t125;
-        let t135 = a4_y + D6 * t128;
-        let t138 = c6 * t133 - s6 * t135;
-        let a6_y = c6 * t135 + s6 * t133;
-        let w6_z = t69 + dq6;
-        let dw6_x = s6 * dw5_z - c6 * t100 + dq6 * w6_y;
-        let dw6_y = c6 * dw5_z + s6 * t100 - dq6 * w6_x;
-        let dw6_z = t101 + ddq6;
-        put(146, t118); // row 5, ZZ5
-        put(147, t126); // row 5, XY5
-        put(149, t123); // row 5, YZ5
-        put(160, a6_y); // row 6, MSX6
-        put(161, t138); // row 6, MSY6
-        put(164, dw6_z); // row 6, ZZ6
+        let w6_x = s6 * w5_z - c6 * t74;
+        let w6_y = c6 * w5_z + s6 * t74;
+        let t113 = a5_x + D6 * t99;
+        let t114 = a5_y + D6 * t101;
+        let t115 = a4_y - D6 * t103;
+        let a6_x = c6 * t113 + s6 * t115;
+        let a6_y = c6 * t115 - s6 * t113;
+        let t124 = c6 * t99 - s6 * t103;
+        let t127 = c6 * t103 + s6 * t99;
+        let w6_z = dq6 - w5_y;
+        let dw6_z = t98 + ddq6;
+        let t130 = w6_x * w6_x;
+        let t131 = w6_z * w6_z;
+        let t132 = w6_x * w6_y;
+        let t133 = w6_x * w6_z;
+        let t134 = w6_y * w6_z;
+        let dw6_x = t127 + t134;
+        let dw6_y = t124 - t133;
+        let t137 = t131 - t130;
+        let t138 = t101 + t137;
+        let t139 = dw6_z - t132;
+        let t140 = dw6_z + t132;
+        let t141 = t130 + t131;
+        let t142 = dw6_y - t133;
+        let t143 = t134 + dw6_x;
+        put(165, a6_y); // row 6, MSX6
+        put(168, t132); // row 6, YY6
+        put(169, dw6_z); // row 6, ZZ6
+        put(171, t127); // row 6, XZ6
+        put(172, t124); // row 6, YZ6
         [
-        w6_x, w6_y, t115, t116, t117, t118, t119, t120,
-        t121, t122, t123, t124, t125, t126, t127, t128,
-        t129, t134, t138, a6_y, w6_z, dw6_x, dw6_y, dw6_z,
+        t114, a6_x, a6_y, t124, t127, dw6_z, t132, t133,
+        t134, dw6_x, dw6_y, t137, t138, t139, t140, t141,
+        t142, t143,
     ]
     };
     // joint axes in frame 2
-    let [t148, v1_2_y] = {
-        let t148 = c2 * D2;
+    let [t144, v1_2_y] = {
+        let t144 = c2 * D2;
         let v1_2_y = s2 * D2;
-        [t148, v1_2_y]
+        [t144, v1_2_y]
     };
     // joint axes in frame 4
-    let [t150, t151, t152, t153] = {
-        let t150 = s2 * s4;
-        let t151 = s2 * c4;
-        let t152 = s4 * t148;
-        let t153 = c4 * t148;
-        [t150, t151, t152, t153]
+    let [t146, t147, t148, t149] = {
+        let t146 = s2 * s4;
+        let t147 = s2 * c4;
+        let t148 = s4 * t144;
+        let t149 = c4 * t144;
+        [t146, t147, t148, t149]
     };
     // M2: column
     {
-        let t156 = t10 * t148 + a2_y * v1_2_y;
-        put(1, t156); // row 1, M2
+        let t152 = t10 * t144 + a2_y * v1_2_y;
+        put(1, t152); // row 1, M2
     }
     // MSX2: column
-    let t160 = {
-        let t160 = t21 * t148 + t23 * v1_2_y;
-        let t161 = t160 - c2 * t8;
-        put(2, t161); // row 1, MSX2
-        t160
+    let t156 = {
+        let t156 = t39 * t144 + t21 * v1_2_y;
+        let t157 = t156 - c2 * t8;
+        put(2, t157); // row 1, MSX2
+        t156
     };
     // MSY2: column
-    let t167 = {
-        let t167 = t3 * t148 + t2 * v1_2_y;
-        let t168 = s2 * a2_y + c2 * t10 + t167;
-        put(3, t168); // row 1, MSY2
-        t167
+    let t163 = {
+        let t163 = t4 * t144 + t3 * v1_2_y;
+        let t164 = s2 * a2_y + c2 * t10 + t163;
+        put(3, t164); // row 1, MSY2
+        t163
     };
     // MSZ2: column
-    let t172 = {
-        let t172 = t24 * v1_2_y - t22 * t148;
-        let t173 = t172 - s2 * t8;
-        put(4, t173); // row 1, MSZ2
-        t172
+    let t168 = {
+        let t168 = t22 * v1_2_y - t20 * t144;
+        let t169 = t168 - s2 * t8;
+        put(4, t169); // row 1, MSZ2
+        t168
     };
     // XX2: column
-    let t175 = {
-        let t175 = c2 * t14;
-        let t176 = s2 * t15 + t175;
-        put(5, t176); // row 1, XX2
-        put(16, t176); // row 1, YY3
-        t175
+    let t171 = {
+        let t171 = c2 * t16;
+        let t172 = s2 * t18 + t171;
+        put(5, t172); // row 1, XX2
+        put(16, t172); // row 1, YY3
+        t171
     };
     // YY2: column
-    let t177 = {
-        let t177 = s2 * t13;
-        let t178 = t177 - t175;
-        put(6, t178); // row 1, YY2
-        put(15, t178); // row 1, XX3
-        t177
+    let t173 = {
+        let t173 = s2 * t17;
+        let t174 = t173 - t171;
+        put(6, t174); // row 1, YY2
+        put(15, t174); // row 1, XX3
+        t173
     };
     // ZZ2: column
     {
-        let t180 = c2 * t16 - t177;
-        put(7, t180); // row 1, ZZ2
-        put(17, t180); // row 1, ZZ3
+        let t176 = c2 * t19 - t173;
+        put(7, t176); // row 1, ZZ2
+        put(17, t176); // row 1, ZZ3
     }
     // XY2: column
-    let t184 = {
-        let t184 = s2 * t23 + c2 * (t19 - t17);
-        put(18, t184); // row 1, XY3
-        t184
+    let t180 = {
+        let t180 = s2 * t21 - c2 * (t38 - t39);
+        put(18, t180); // row 1, XY3
+        t180
     };
     // XZ2: column
     {
-        let t185 = t18 - t17;
-        let t188 = s2 * t25 - c2 * t26;
-        put(9, t188); // row 1, XZ2
-        put(20, t188); // row 1, YZ3
-        put(57, t185); // row 2, XZ2
-        put(68, t185); // row 2, YZ3
+        let t181 = t39 - t22;
+        let t184 = s2 * t23 - c2 * t24;
+        put(9, t184); // row 1, XZ2
+        put(20, t184); // row 1, YZ3
+        put(58, t181); // row 2, XZ2
+        put(69, t181); // row 2, YZ3
     }
     // YZ2: column
-    let t192 = {
-        let t192 = s2 * (t18 - t19) + c2 * t22;
-        put(10, t192); // row 1, YZ2
-        t192
+    let t188 = {
+        let t188 = s2 * (t22 - t38) - c2 * t20;
+        put(19, t188); // row 1, XZ3
+        t188
     };
     // M3: column
-    let t197 = {
-        let t194 = q3 * a3_y;
-        let t197 = t39 * v1_2_y;
-        let t199 = s2 * (q3 * t37) + (t197 - a3_y * t148);
-        put(11, t199); // row 1, M3
-        put(59, t194); // row 2, M3
-        t197
+    let t193 = {
+        let t190 = q3 * a3_y;
+        let t193 = t36 * v1_2_y;
+        let t195 = s2 * (q3 * t34) - (a3_y * t144 - t193);
+        put(11, t195); // row 1, M3
+        put(60, t190); // row 2, M3
+        t193
     };
     // MSX3: column
     {
-        let t201 = q3 * t3;
-        let t206 = s2 * (q3 * t27 - t39) + c2 * a3_y - t167;
-        put(12, t206); // row 1, MSX3
-        put(60, t201); // row 2, MSX3
+        let t197 = q3 * t4;
+        let t202 = s2 * (q3 * t38 - t36) + c2 * a3_y - t163;
+        put(12, t202); // row 1, MSX3
+        put(61, t197); // row 2, MSX3
     }
     // MSY3: column
     {
-        let t209 = t39 - q3 * t21;
-        let t213 = t160 + (c2 * t37 - s2 * (q3 * t25));
-        put(13, t213); // row 1, MSY3
-        put(61, t209); // row 2, MSY3
+        let t205 = t36 - q3 * t39;
+        let t209 = t156 + (c2 * t34 - s2 * (q3 * t23));
+        put(13, t209); // row 1, MSY3
+        put(62, t205); // row 2, MSY3
     }
     // MSZ3: column
     {
-        let t215 = t28 + a3_y;
-        let t217 = t172 + s2 * (t30 + t37);
-        put(14, t217); // row 1, MSZ3
-        put(62, t215); // row 2, MSZ3
+        let t211 = t25 + a3_y;
+        let t213 = t168 + s2 * (t27 + t34);
+        put(14, t213); // row 1, MSZ3
+        put(63, t211); // row 2, MSZ3
     }
     // M4: column
-    let [t220, t223] = {
-        let t220 = c4 * t54 + s4 * a4_y;
-        let t223 = c4 * a4_y - s4 * t54;
-        let t225 = q3 * t223;
-        let t229 = s2 * (q3 * t220) + (t197 - t148 * t223);
-        put(21, t229); // row 1, M4
-        put(69, t225); // row 2, M4
-        [t220, t223]
+    let [t215, t216, t219, t222, t224] = {
+        let t214 = w4_y * w4_y;
+        let t215 = t61 + t214;
+        let t216 = t60 + t214;
+        let t219 = c4 * t48 + s4 * a4_y;
+        let t222 = s4 * t48 - c4 * a4_y;
+        let t224 = q3 * t222;
+        let t228 = s2 * (q3 * t219) + (t193 + t144 * t222);
+        put(21, t228); // row 1, M4
+        put(107, t216); // row 3, MSY4
+        [t215, t216, t219, t222, t224]
     };
     // MSX4: column
-    let [t234, t236, t237] = {
-        let t234 = c4 * t85;
-        let t235 = t234 - s4 * t82;
-        let t236 = s4 * t39;
-        let t237 = c4 * t39;
-        let t241 = t236 + q3 * t235;
-        let t244 = s2 * (q3 * (c4 * t82 + s4 * t85) - t237) + c2 * a4_y;
-        let t248 = t244 - (t148 * t235 + t88 * v1_2_y);
-        put(22, t248); // row 1, MSX4
-        put(70, t241); // row 2, MSX4
-        [t234, t236, t237]
+    let [t233, t235, t236] = {
+        let t233 = c4 * t68;
+        let t234 = s4 * t215 - t233;
+        let t235 = s4 * t36;
+        let t236 = c4 * t36;
+        let t240 = t235 - q3 * t234;
+        let t243 = c2 * a4_y - s2 * (t236 - q3 * (c4 * t215 + s4 * t68));
+        let t247 = t243 + (t144 * t234 - t70 * v1_2_y);
+        put(22, t247); // row 1, MSX4
+        put(71, t240); // row 2, MSX4
+        [t233, t235, t236]
     };
     // MSY4: column
-    let t263 = {
-        let t254 = s4 * t84 - c4 * t87;
-        let t258 = q3 * t254 - t223;
-        let t262 = t148 * t254 + t90 * v1_2_y;
-        let t263 = s2 * (t220 + q3 * (c4 * t84 + s4 * t87)) + t262;
-        put(71, t258); // row 2, MSY4
-        t263
-    };
+    {
+        let t253 = c4 * t57 - s4 * t54;
+        let t257 = t222 - q3 * t253;
+        let t258 = s2 * (t219 + q3 * (c4 * t54 + s4 * t57));
+        let t262 = t144 * t253 - v1_2_y * t216 - t258;
+        put(23, t262); // row 1, MSY4
+        put(72, t257); // row 2, MSY4
+    }
     // MSZ4: column
-    let t267 = {
-        let t267 = s4 * t83;
-        let t269 = t267 + c4 * t86;
-        let t273 = t237 - q3 * t269;
-        let t276 = s2 * (t236 - q3 * (s4 * t86 - c4 * t83)) + c2 * t54;
-        let t280 = t276 + (t148 * t269 - t89 * v1_2_y);
-        put(24, t280); // row 1, MSZ4
-        put(72, t273); // row 2, MSZ4
-        t267
+    let t266 = {
+        let t266 = s4 * t67;
+        let t268 = t266 + c4 * t69;
+        let t272 = t236 - q3 * t268;
+        let t275 = s2 * (t235 + q3 * (c4 * t67 - s4 * t69)) + c2 * t48;
+        let t279 = t275 + (t144 * t268 - t71 * v1_2_y);
+        put(24, t279); // row 1, MSZ4
+        put(73, t272); // row 2, MSZ4
+        t266
     };
     // XX4: column
-    let [t282, t283, t287] = {
-        let t282 = t80 * t151;
-        let t283 = c2 * t79;
-        let t285 = t283 + (t61 * t150 + t282);
-        let t287 = s4 * t80;
-        let t288 = c4 * t61 - t287;
-        put(25, t285); // row 1, XX4
-        put(73, t288); // row 2, XX4
-        [t282, t283, t287]
+    let [t281, t282, t286] = {
+        let t281 = t63 * t147;
+        let t282 = c2 * t62;
+        let t284 = t282 + (t65 * t146 + t281);
+        let t286 = s4 * t63;
+        let t287 = c4 * t65 - t286;
+        put(25, t284); // row 1, XX4
+        put(74, t287); // row 2, XX4
+        [t281, t282, t286]
     };
     // YY4: column
-    let [t289, t293] = {
-        let t289 = t81 * t150;
-        let t292 = c2 * dw4_z - (t282 + t289);
-        let t293 = c4 * t81;
-        let t294 = t287 - t293;
-        put(26, t292); // row 1, YY4
-        put(74, t294); // row 2, YY4
-        [t289, t293]
+    let [t288, t292] = {
+        let t288 = t64 * t146;
+        let t291 = c2 * dw4_z - (t281 + t288);
+        let t292 = c4 * t64;
+        let t293 = t286 - t292;
+        put(26, t291); // row 1, YY4
+        put(75, t293); // row 2, YY4
+        [t288, t292]
     };
     // ZZ4: column
     {
-        let t297 = t289 + t62 * t151 - t283;
-        let t299 = t293 - s4 * t62;
-        put(27, t297); // row 1, ZZ4
-        put(75, t299); // row 2, ZZ4
+        let t296 = t288 + t66 * t147 - t282;
+        let t298 = t292 - s4 * t66;
+        put(27, t296); // row 1, ZZ4
+        put(76, t298); // row 2, ZZ4
     }
     // XY4: column
     {
-        let t300 = t76 - t78;
-        let t305 = c2 * t87 - (t151 * t300 - t85 * t150);
-        let t307 = t234 + s4 * t300;
-        put(28, t305); // row 1, XY4
-        put(76, t307); // row 2, XY4
+        let t299 = t216 - t215;
+        let t304 = c2 * t57 + (t68 * t146 - t147 * t299);
+        let t306 = t233 + s4 * t299;
+        put(28, t304); // row 1, XY4
+        put(77, t306); // row 2, XY4
     }
     // XZ4: column
     {
-        let t308 = t76 - t77;
-        let t313 = c2 * t308 + (t88 * t150 - t89 * t151);
-        let t316 = c4 * t88 + s4 * t89;
-        put(29, t313); // row 1, XZ4
-        put(77, t316); // row 2, XZ4
-        put(121, t308); // row 4, XZ4
+        let t307 = t69 - t215;
+        let t312 = c2 * t307 + (t70 * t146 - t71 * t147);
+        let t315 = c4 * t70 + s4 * t71;
+        put(29, t312); // row 1, XZ4
+        put(78, t315); // row 2, XZ4
+        put(124, t307); // row 4, XZ4
     }
     // YZ4: column
     {
-        let t317 = t77 - t78;
-        let t322 = c2 * t84 + (t150 * t317 + t83 * t151);
-        let t324 = c4 * t317 - t267;
-        put(30, t322); // row 1, YZ4
-        put(78, t324); // row 2, YZ4
+        let t316 = t216 - t69;
+        let t321 = c2 * t54 + (t146 * t316 + t67 * t147);
+        let t323 = c4 * t316 - t266;
+        put(30, t321); // row 1, YZ4
+        put(79, t323); // row 2, YZ4
     }
     // M5: column
-    let [t327, t330] = {
-        let t327 = s5 * a5_y - c5 * a5_x;
-        let t330 = s5 * a5_x + c5 * a5_y;
-        let t331 = q3 * a4_y;
-        let t332 = q3 * t327;
-        let t340 = v1_2_y * t330 - (a4_y * t153 - t152 * t327);
-        let t341 = t150 * t331 + t151 * t332 + t340;
-        let t344 = c4 * t331 - s4 * t332;
-        put(31, t341); // row 1, M5
-        put(79, t344); // row 2, M5
-        put(124, t327); // row 4, MSY5
-        [t327, t330]
+    let [t325, t326, t329, t332] = {
+        let t324 = w5_y * w5_y;
+        let t325 = t93 + t324;
+        let t326 = t92 + t324;
+        let t329 = s5 * a5_y - c5 * a5_x;
+        let t332 = s5 * a5_x + c5 * a5_y;
+        let t333 = q3 * a4_y;
+        let t334 = q3 * t329;
+        let t342 = a4_y * t149 - t148 * t329 - v1_2_y * t332;
+        let t343 = t146 * t333 + t147 * t334 - t342;
+        let t346 = c4 * t333 - s4 * t334;
+        put(31, t343); // row 1, M5
+        put(80, t346); // row 2, M5
+        put(127, t329); // row 4, MSY5
+        [t325, t326, t329, t332]
     };
     // MSX5: column
-    let [t346, t349, t351, t352] = {
-        let t346 = s5 * t124;
-        let t347 = c5 * t121 + t346;
-        let t349 = c5 * t124;
-        let t350 = s5 * t121 - t349;
-        let t351 = s5 * a4_y;
-        let t352 = c5 * a4_y;
-        let t355 = t351 + q3 * t127;
-        let t356 = a5_y - q3 * t347;
-        let t361 = t150 * t355 + t151 * t356 - c2 * t352;
-        let t367 = t152 * t347 + t127 * t153 - v1_2_y * t350 - t361;
-        let t370 = s4 * t356 - c4 * t355;
-        put(32, t367); // row 1, MSX5
-        put(80, t370); // row 2, MSX5
-        put(108, t350); // row 3, MSX5
-        put(123, t352); // row 4, MSX5
-        put(125, t351); // row 4, MSZ5
-        [t346, t349, t351, t352]
+    let [t348, t351, t353, t354] = {
+        let t348 = s5 * t100;
+        let t349 = t348 - c5 * t325;
+        let t351 = c5 * t100;
+        let t352 = s5 * t325 + t351;
+        let t353 = s5 * a4_y;
+        let t354 = c5 * a4_y;
+        let t357 = t353 + q3 * t102;
+        let t358 = a5_y + q3 * t349;
+        let t368 = v1_2_y * t352 - (t102 * t149 - t148 * t349);
+        let t369 = c2 * t354 - (t146 * t357 + t147 * t358) - t368;
+        let t372 = s4 * t358 - c4 * t357;
+        put(32, t369); // row 1, MSX5
+        put(81, t372); // row 2, MSX5
+        put(110, t352); // row 3, MSX5
+        put(126, t354); // row 4, MSX5
+        put(128, t353); // row 4, MSZ5
+        [t348, t351, t353, t354]
     };
     // MSY5: column
     {
-        let t373 = s5 * t126 - c5 * t123;
-        let t376 = s5 * t123 + c5 * t126;
-        let t378 = q3 * t373;
-        let t379 = t330 - q3 * t129;
-        let t389 = v1_2_y * t376 + (t152 * t373 - t129 * t153);
-        let t390 = c2 * t327 - (t151 * t378 - t150 * t379) - t389;
-        let t393 = c4 * t379 + s4 * t378;
-        put(33, t390); // row 1, MSY5
-        put(81, t393); // row 2, MSY5
-        put(109, t376); // row 3, MSY5
+        let t375 = s5 * t89 - c5 * t86;
+        let t378 = s5 * t86 + c5 * t89;
+        let t380 = q3 * t375;
+        let t381 = t332 - q3 * t326;
+        let t386 = t147 * t380 - t146 * t381 - c2 * t329;
+        let t392 = t149 * t326 - t148 * t375 - v1_2_y * t378 - t386;
+        let t395 = c4 * t381 + s4 * t380;
+        put(33, t392); // row 1, MSY5
+        put(82, t395); // row 2, MSY5
+        put(111, t378); // row 3, MSY5
     }
     // MSZ5: column
-    let [t394, t397] = {
-        let t394 = c5 * t122;
-        let t396 = t394 + s5 * t125;
-        let t397 = s5 * t122;
-        let t399 = t397 - c5 * t125;
-        let t402 = t352 + q3 * t128;
-        let t403 = q3 * t396 - a5_x;
-        let t413 = t152 * t396 - t128 * t153 - v1_2_y * t399;
-        let t414 = c2 * t351 + (t150 * t402 + t151 * t403) + t413;
-        let t417 = c4 * t402 - s4 * t403;
-        put(34, t414); // row 1, MSZ5
-        put(82, t417); // row 2, MSZ5
-        put(110, t399); // row 3, MSZ5
-        [t394, t397]
+    let [t396, t397, t399, t400, t401] = {
+        let t396 = c5 * t99;
+        let t397 = s5 * t101;
+        let t398 = t396 - t397;
+        let t399 = s5 * t99;
+        let t400 = c5 * t101;
+        let t401 = t399 + t400;
+        let t404 = t354 - q3 * t103;
+        let t405 = a5_x + q3 * t398;
+        let t415 = v1_2_y * t401 + (t103 * t149 - t148 * t398);
+        let t416 = c2 * t353 + (t146 * t404 - t147 * t405) + t415;
+        let t419 = c4 * t404 + s4 * t405;
+        put(34, t416); // row 1, MSZ5
+        put(83, t419); // row 2, MSZ5
+        [t396, t397, t399, t400, t401]
     };
     // XX5: column
-    let [t419, t422, t425, t430] = {
-        let t419 = s5 * t119;
-        let t420 = c5 * t100 - t419;
-        let t422 = c5 * t119;
-        let t423 = s5 * t100 + t422;
-        let t425 = t118 * t151;
-        let t428 = c2 * t423 + (t150 * t420 + t425);
-        let t430 = s4 * t118;
-        let t431 = c4 * t420 - t430;
-        put(35, t428); // row 1, XX5
-        put(83, t431); // row 2, XX5
-        put(126, t423); // row 4, XX5
-        [t419, t422, t425, t430]
+    let [t421, t424, t427, t432] = {
+        let t421 = s5 * t95;
+        let t422 = c5 * dw5_x + t421;
+        let t424 = c5 * t95;
+        let t425 = t424 - s5 * dw5_x;
+        let t427 = t94 * t147;
+        let t430 = c2 * t425 - (t146 * t422 + t427);
+        let t432 = s4 * t94;
+        let t433 = t432 - c4 * t422;
+        put(35, t430); // row 1, XX5
+        put(84, t433); // row 2, XX5
+        put(129, t425); // row 4, XX5
+        [t421, t424, t427, t432]
     };
     // YY5: column
-    let [t432, t434] = {
-        let t432 = c5 * t120;
-        let t433 = t419 + t432;
-        let t434 = s5 * t120;
-        let t435 = t434 - t422;
-        let t440 = c2 * t435 + (t150 * t433 - dw5_z * t151);
-        let t443 = c4 * t433 + s4 * dw5_z;
-        put(36, t440); // row 1, YY5
-        put(84, t443); // row 2, YY5
-        put(127, t435); // row 4, YY5
-        [t432, t434]
+    let [t434, t436, t437] = {
+        let t434 = c5 * t96;
+        let t435 = t421 - t434;
+        let t436 = s5 * t96;
+        let t437 = t424 + t436;
+        let t442 = t146 * t435 - dw5_z * t147 - c2 * t437;
+        let t445 = c4 * t435 + s4 * dw5_z;
+        put(36, t442); // row 1, YY5
+        put(85, t445); // row 2, YY5
+        [t434, t436, t437]
     };
     // ZZ5: column
     {
-        let t445 = t432 + s5 * t101;
-        let t447 = c5 * t101 - t434;
-        let t451 = c2 * t447 - (t425 + t150 * t445);
-        let t453 = t430 - c4 * t445;
-        put(37, t451); // row 1, ZZ5
-        put(85, t453); // row 2, ZZ5
-        put(128, t447); // row 4, ZZ5
+        let t447 = t434 - s5 * t98;
+        let t449 = t436 + c5 * t98;
+        let t453 = c2 * t449 + (t427 + t146 * t447);
+        let t455 = c4 * t447 - t432;
+        put(37, t453); // row 1, ZZ5
+        put(86, t455); // row 2, ZZ5
+        put(131, t449); // row 4, ZZ5
     }
     // XY5: column
     {
-        let t454 = t115 - t117;
-        let t456 = t349 + s5 * t454;
-        let t458 = c5 * t454 - t346;
-        let t463 = c2 * t458 - (t150 * t456 + t126 * t151);
-        let t466 = s4 * t126 - c4 * t456;
-        put(38, t463); // row 1, XY5
-        put(86, t466); // row 2, XY5
-        put(129, t458); // row 4, XY5
+        let t456 = t325 - t326;
+        let t458 = t351 + s5 * t456;
+        let t460 = t348 - c5 * t456;
+        let t465 = c2 * t460 + (t146 * t458 - t89 * t147);
+        let t468 = c4 * t458 + s4 * t89;
+        put(38, t465); // row 1, XY5
+        put(87, t468); // row 2, XY5
+        put(132, t460); // row 4, XY5
     }
     // XZ5: column
     {
-        let t467 = t116 - t115;
-        let t470 = c5 * t127 + s5 * t128;
-        let t473 = s5 * t127 - c5 * t128;
-        let t478 = c2 * t473 + (t150 * t470 - t151 * t467);
-        let t481 = c4 * t470 + s4 * t467;
-        put(39, t478); // row 1, XZ5
-        put(87, t481); // row 2, XZ5
-        put(130, t473); // row 4, XZ5
-        put(148, t467); // row 5, XZ5
+        let t469 = t325 - t101;
+        let t472 = s5 * t103 - c5 * t102;
+        let t475 = s5 * t102 + c5 * t103;
+        let t480 = c2 * t475 - (t146 * t472 + t147 * t469);
+        let t483 = s4 * t469 - c4 * t472;
+        put(39, t480); // row 1, XZ5
+        put(88, t483); // row 2, XZ5
+        put(133, t475); // row 4, XZ5
+        put(152, t469); // row 5, XZ5
     }
     // YZ5: column
     {
-        let t482 = t116 - t117;
-        let t484 = t397 + c5 * t482;
-        let t486 = s5 * t482 - t394;
-        let t491 = c2 * t486 + (t150 * t484 - t123 * t151);
-        let t494 = c4 * t484 + s4 * t123;
-        put(40, t491); // row 1, YZ5
-        put(88, t494); // row 2, YZ5
-        put(131, t486); // row 4, YZ5
+        let t484 = t326 - t101;
+        let t486 = c5 * t484 - t399;
+        let t488 = t396 + s5 * t484;
+        let t493 = c2 * t488 + (t146 * t486 - t86 * t147);
+        let t496 = c4 * t486 + s4 * t86;
+        put(40, t493); // row 1, YZ5
+        put(89, t496); // row 2, YZ5
+        put(134, t488); // row 4, YZ5
     }
     // M6: column
-    let [
-        t495, t496, t497, t498, t499, t500, t501, t502,
-        t503, t504, t505, t506, t507, t508, t509, t512,
-        t515, t517,
-    ] = {
-        let t495 = w6_x * w6_x;
-        let t496 = w6_y * w6_y;
-        let t497 = w6_z * w6_z;
-        let t498 = w6_x * w6_y;
-        let t499 = w6_x * w6_z;
-        let t500 = w6_y * w6_z;
-        let t501 = t496 + t497;
-        let t502 = t498 - dw6_z;
-        let t503 = dw6_y + t499;
-        let t504 = dw6_z + t498;
-        let t505 = t495 + t497;
-        let t506 = dw6_x - t500;
-        let t507 = t499 - dw6_y;
-        let t508 = dw6_x + t500;
-        let t509 = t495 + t496;
-        let t512 = c6 * t138 + s6 * a6_y;
-        let t515 = c6 * a6_y - s6 * t138;
-        let t516 = D6 * t515;
-        let t517 = D6 * t512;
-        let t520 = c5 * t512 + s5 * t134;
-        let t523 = s5 * t512 - c5 * t134;
-        let t525 = s5 * t516;
-        let t528 = c5 * t516 + q3 * t515;
-        let t529 = t517 + q3 * t520;
-        let t539 = t152 * t520 - t153 * t515 - v1_2_y * t523;
-        let t540 = c2 * t525 + (t150 * t528 + t151 * t529) + t539;
-        let t543 = c4 * t528 - s4 * t529;
-        put(41, t540); // row 1, M6
-        put(89, t543); // row 2, M6
-        put(111, t523); // row 3, M6
-        put(132, t525); // row 4, M6
-        put(163, t498); // row 6, YY6
-        put(166, t506); // row 6, XZ6
-        put(167, t503); // row 6, YZ6
-        [
-        t495, t496, t497, t498, t499, t500, t501, t502,
-        t503, t504, t505, t506, t507, t508, t509, t512,
-        t515, t517,
-    ]
+    let [t499, t502, t510] = {
+        let t499 = c6 * a6_x - s6 * a6_y;
+        let t502 = s6 * a6_x + c6 * a6_y;
+        let t503 = D6 * t502;
+        let t504 = D6 * t499;
+        let t507 = s5 * t114 - c5 * t499;
+        let t510 = s5 * t499 + c5 * t114;
+        let t512 = s5 * t503;
+        let t515 = c5 * t503 + q3 * t502;
+        let t516 = q3 * t507 - t504;
+        let t526 = v1_2_y * t510 + (t148 * t507 - t149 * t502);
+        let t527 = c2 * t512 + (t146 * t515 + t147 * t516) + t526;
+        let t530 = c4 * t515 - s4 * t516;
+        put(41, t527); // row 1, M6
+        put(90, t530); // row 2, M6
+        put(135, t512); // row 4, M6
+        put(154, t504); // row 5, M6
+        [t499, t502, t510]
     };
     // MSX6: column
-    let [t545, t548, t550, t551] = {
-        let t545 = s6 * t504;
-        let t546 = c6 * t501 + t545;
-        let t548 = c6 * t504;
-        let t549 = t548 - s6 * t501;
-        let t550 = s6 * t134;
-        let t551 = c6 * t134;
-        let t554 = t550 + D6 * t549;
-        let t555 = t551 - D6 * t546;
-        let t558 = c5 * t546 - s5 * t507;
-        let t561 = s5 * t546 + c5 * t507;
-        let t567 = s5 * t554 + c5 * a6_y;
-        let t570 = q3 * t549 - (s5 * a6_y - c5 * t554);
-        let t571 = t555 - q3 * t558;
-        let t581 = t152 * t558 - t153 * t549 - v1_2_y * t561;
-        let t582 = c2 * t567 + (t150 * t570 - t151 * t571) + t581;
-        let t585 = c4 * t570 + s4 * t571;
-        put(42, t582); // row 1, MSX6
-        put(90, t585); // row 2, MSX6
-        put(112, t561); // row 3, MSX6
-        put(133, t567); // row 4, MSX6
-        put(151, t555); // row 5, MSX6
-        [t545, t548, t550, t551]
+    let [t532, t535, t537, t538] = {
+        let t532 = s6 * t140;
+        let t533 = c6 * t138 + t532;
+        let t535 = c6 * t140;
+        let t536 = t535 - s6 * t138;
+        let t537 = s6 * t114;
+        let t538 = c6 * t114;
+        let t541 = t537 + D6 * t536;
+        let t542 = t538 - D6 * t533;
+        let t545 = c5 * t533 + s5 * t142;
+        let t548 = s5 * t533 - c5 * t142;
+        let t554 = s5 * t541 + c5 * a6_y;
+        let t557 = q3 * t536 - (s5 * a6_y - c5 * t541);
+        let t558 = t542 - q3 * t545;
+        let t568 = v1_2_y * t548 - (t148 * t545 - t149 * t536);
+        let t569 = c2 * t554 - (t147 * t558 - t146 * t557) - t568;
+        let t572 = c4 * t557 + s4 * t558;
+        put(42, t569); // row 1, MSX6
+        put(91, t572); // row 2, MSX6
+        put(114, t548); // row 3, MSX6
+        put(136, t554); // row 4, MSX6
+        put(155, t542); // row 5, MSX6
+        [t532, t535, t537, t538]
     };
     // MSY6: column
-    let [t586, t589] = {
-        let t586 = c6 * t502;
-        let t588 = t586 + s6 * t505;
-        let t589 = s6 * t502;
-        let t591 = c6 * t505 - t589;
-        let t594 = D6 * t591 - t551;
-        let t595 = D6 * t588 - t550;
-        let t598 = c5 * t588 + s5 * t508;
-        let t601 = c5 * t508 - s5 * t588;
-        let t607 = c5 * t138 - s5 * t594;
-        let t610 = c5 * t594 + s5 * t138 + q3 * t591;
-        let t611 = t595 + q3 * t598;
-        let t621 = v1_2_y * t601 + (t152 * t598 - t153 * t591);
-        let t622 = c2 * t607 - (t150 * t610 + t151 * t611) - t621;
-        let t625 = s4 * t611 - c4 * t610;
-        put(43, t622); // row 1, MSY6
-        put(91, t625); // row 2, MSY6
-        put(113, t601); // row 3, MSY6
-        put(134, t607); // row 4, MSY6
-        put(152, t595); // row 5, MSY6
-        [t586, t589]
+    let [t573, t576] = {
+        let t573 = c6 * t139;
+        let t575 = s6 * t141 - t573;
+        let t576 = s6 * t139;
+        let t578 = t576 + c6 * t141;
+        let t581 = t538 - D6 * t578;
+        let t582 = D6 * t575 - t537;
+        let t585 = c5 * t575 + s5 * t143;
+        let t588 = c5 * t143 - s5 * t575;
+        let t594 = s5 * t581 - c5 * a6_x;
+        let t597 = q3 * t578 - (c5 * t581 + s5 * a6_x);
+        let t598 = t582 + q3 * t585;
+        let t608 = t149 * t578 - t148 * t585 - v1_2_y * t588;
+        let t609 = c2 * t594 - (t146 * t597 + t147 * t598) + t608;
+        let t612 = s4 * t598 - c4 * t597;
+        put(43, t609); // row 1, MSY6
+        put(92, t612); // row 2, MSY6
+        put(115, t588); // row 3, MSY6
+        put(137, t594); // row 4, MSY6
+        put(156, t582); // row 5, MSY6
+        [t573, t576]
     };
     // MSZ6: column
-    let t641 = {
-        let t628 = c6 * t503 + s6 * t506;
-        let t631 = s6 * t503 - c6 * t506;
-        let t634 = t515 + D6 * t631;
-        let t635 = D6 * t628 - t512;
-        let t638 = s5 * t509 - c5 * t628;
-        let t641 = s5 * t628 + c5 * t509;
-        let t643 = s5 * t634;
-        let t646 = c5 * t634 + q3 * t631;
-        let t647 = q3 * t638 - t635;
-        let t657 = v1_2_y * t641 - (t153 * t631 - t152 * t638);
-        let t658 = c2 * t643 + (t150 * t646 + t151 * t647) + t657;
-        let t661 = c4 * t646 - s4 * t647;
-        put(44, t658); // row 1, MSZ6
-        put(92, t661); // row 2, MSZ6
-        put(135, t643); // row 4, MSZ6
-        put(153, t635); // row 5, MSZ6
-        t641
+    let t626 = {
+        let t615 = c6 * t124 + s6 * t127;
+        let t618 = c6 * t127 - s6 * t124;
+        let t621 = t502 - D6 * t618;
+        let t622 = t499 + D6 * t615;
+        let t624 = t397 - c5 * t615;
+        let t626 = t400 + s5 * t615;
+        let t628 = s5 * t621;
+        let t631 = c5 * t621 - q3 * t618;
+        let t632 = q3 * t624 - t622;
+        let t642 = v1_2_y * t626 + (t148 * t624 + t149 * t618);
+        let t643 = c2 * t628 + (t146 * t631 + t147 * t632) + t642;
+        let t646 = c4 * t631 - s4 * t632;
+        put(44, t643); // row 1, MSZ6
+        put(93, t646); // row 2, MSZ6
+        put(138, t628); // row 4, MSZ6
+        put(157, t622); // row 5, MSZ6
+        t626
     };
     // XX6: column
-    let [t663, t666, t669, t672] = {
-        let t663 = s6 * t499;
-        let t664 = t663 - c6 * dw6_x;
-        let t666 = c6 * t499;
-        let t667 = s6 * dw6_x + t666;
-        let t669 = s5 * t498;
-        let t670 = c5 * t664 + t669;
-        let t672 = c5 * t498;
-        let t673 = s5 * t664 - t672;
-        let t678 = c2 * t673 + (t150 * t670 - t151 * t667);
-        let t681 = c4 * t670 + s4 * t667;
-        put(45, t678); // row 1, XX6
-        put(93, t681); // row 2, XX6
-        put(136, t673); // row 4, XX6
-        put(154, t667); // row 5, XX6
-        [t663, t666, t669, t672]
+    let [t648, t651, t654, t657] = {
+        let t648 = s6 * t133;
+        let t649 = t648 - c6 * dw6_x;
+        let t651 = c6 * t133;
+        let t652 = s6 * dw6_x + t651;
+        let t654 = s5 * t132;
+        let t655 = c5 * t649 + t654;
+        let t657 = c5 * t132;
+        let t658 = s5 * t649 - t657;
+        let t663 = c2 * t658 - (t147 * t652 - t146 * t655);
+        let t666 = c4 * t655 + s4 * t652;
+        put(45, t663); // row 1, XX6
+        put(94, t666); // row 2, XX6
+        put(139, t658); // row 4, XX6
+        put(158, t652); // row 5, XX6
+        [t648, t651, t654, t657]
     };
     // YY6: column
-    let [t682, t685] = {
-        let t682 = c6 * t500;
-        let t684 = t682 + s6 * dw6_y;
-        let t685 = s6 * t500;
-        let t687 = c6 * dw6_y - t685;
-        let t689 = c5 * t684 - t669;
-        let t691 = t672 + s5 * t684;
-        let t696 = c2 * t691 + (t150 * t689 - t151 * t687);
-        let t699 = c4 * t689 + s4 * t687;
-        put(46, t696); // row 1, YY6
-        put(94, t699); // row 2, YY6
-        put(137, t691); // row 4, YY6
-        put(155, t687); // row 5, YY6
-        [t682, t685]
+    let [t667, t670] = {
+        let t667 = c6 * t134;
+        let t669 = t667 + s6 * dw6_y;
+        let t670 = s6 * t134;
+        let t672 = c6 * dw6_y - t670;
+        let t674 = t654 - c5 * t669;
+        let t676 = t657 + s5 * t669;
+        let t681 = c2 * t676 - (t146 * t674 + t147 * t672);
+        let t684 = s4 * t672 - c4 * t674;
+        put(46, t681); // row 1, YY6
+        put(95, t684); // row 2, YY6
+        put(140, t676); // row 4, YY6
+        put(159, t672); // row 5, YY6
+        [t667, t670]
     };
     // ZZ6: column
     {
-        let t700 = t663 + t682;
-        let t701 = t685 - t666;
-        let t704 = c5 * t700 + s5 * dw6_z;
-        let t707 = c5 * dw6_z - s5 * t700;
-        let t712 = c2 * t707 - (t150 * t704 + t151 * t701);
-        let t715 = s4 * t701 - c4 * t704;
-        put(47, t712); // row 1, ZZ6
-        put(95, t715); // row 2, ZZ6
-        put(138, t707); // row 4, ZZ6
-        put(156, t701); // row 5, ZZ6
+        let t685 = t648 + t667;
+        let t686 = t670 - t651;
+        let t689 = c5 * t685 + s5 * dw6_z;
+        let t692 = c5 * dw6_z - s5 * t685;
+        let t697 = c2 * t692 - (t146 * t689 + t147 * t686);
+        let t700 = s4 * t686 - c4 * t689;
+        put(47, t697); // row 1, ZZ6
+        put(96, t700); // row 2, ZZ6
+        put(141, t692); // row 4, ZZ6
+        put(160, t686); // row 5, ZZ6
     }
     // XY6: column
     {
-        let t716 = t495 - t496;
-        let t719 = c6 * t507 + s6 * t508;
-        let t722 = c6 * t508 - s6 * t507;
-        let t725 = c5 * t719 - s5 * t716;
-        let t728 = s5 * t719 + c5 * t716;
-        let t733 = c2 * t728 + (t150 * t725 - t151 * t722);
-        let t736 = c4 * t725 + s4 * t722;
-        put(48, t733); // row 1, XY6
-        put(96, t736); // row 2, XY6
-        put(139, t728); // row 4, XY6
-        put(157, t722); // row 5, XY6
-        put(165, t716); // row 6, XY6
+        let t701 = t141 - t138;
+        let t704 = s6 * t143 - c6 * t142;
+        let t707 = s6 * t142 + c6 * t143;
+        let t710 = c5 * t704 - s5 * t701;
+        let t713 = s5 * t704 + c5 * t701;
+        let t718 = c2 * t713 + (t146 * t710 - t147 * t707);
+        let t721 = c4 * t710 + s4 * t707;
+        put(48, t718); // row 1, XY6
+        put(97, t721); // row 2, XY6
+        put(142, t713); // row 4, XY6
+        put(161, t707); // row 5, XY6
+        put(170, t701); // row 6, XY6
     }
     // XZ6: column
     {
-        let t737 = t497 - t495;
-        let t739 = s6 * t737 - t548;
-        let t741 = t545 + c6 * t737;
-        let t744 = c5 * t739 - s5 * t506;
-        let t747 = s5 * t739 + c5 * t506;
-        let t752 = c2 * t747 + (t150 * t744 - t151 * t741);
-        let t755 = c4 * t744 + s4 * t741;
-        put(49, t752); // row 1, XZ6
-        put(97, t755); // row 2, XZ6
-        put(140, t747); // row 4, XZ6
-        put(158, t741); // row 5, XZ6
+        let t723 = s6 * t137 - t535;
+        let t725 = t532 + c6 * t137;
+        let t728 = c5 * t723 - s5 * t127;
+        let t731 = s5 * t723 + c5 * t127;
+        let t736 = c2 * t731 + (t146 * t728 - t147 * t725);
+        let t739 = c4 * t728 + s4 * t725;
+        put(49, t736); // row 1, XZ6
+        put(98, t739); // row 2, XZ6
+        put(143, t731); // row 4, XZ6
+        put(162, t725); // row 5, XZ6
     }
     // YZ6: column
     {
-        let t756 = t496 - t497;
-        let t758 = t589 + c6 * t756;
-        let t760 = s6 * t756 - t586;
-        let t763 = c5 * t758 + s5 * t503;
-        let t766 = c5 * t503 - s5 * t758;
-        let t771 = c2 * t766 - (t150 * t763 + t151 * t760);
-        let t774 = s4 * t760 - c4 * t763;
-        let t775 = -t184;
-        let t776 = -t192;
-        let t777 = -t263;
-        let t778 = -t10;
-        let t779 = -t20;
-        let t780 = -t2;
-        let t781 = -t3;
-        let t782 = -t39;
-        let t783 = -t23;
-        let t784 = -t24;
-        let t785 = -t330;
-        let t786 = -t641;
-        let t787 = -t79;
-        let t788 = -t118;
-        let t789 = -t517;
-        let t790 = -t498;
-        put(8, t775); // row 1, XY2
-        put(19, t776); // row 1, XZ3
-        put(23, t777); // row 1, MSY4
-        put(50, t771); // row 1, YZ6
-        put(52, t778); // row 2, MSZ2
-        put(53, t779); // row 2, XX2
-        put(56, t780); // row 2, XY2
-        put(64, t779); // row 2, YY3
-        put(67, t781); // row 2, XZ3
-        put(98, t774); // row 2, YZ6
-        put(99, t782); // row 3, M3
-        put(101, t783); // row 3, MSY3
-        put(102, t784); // row 3, MSZ3
-        put(103, t782); // row 3, M4
-        put(107, t785); // row 3, M5
-        put(114, t786); // row 3, MSZ6
-        put(119, t787); // row 4, ZZ4
-        put(141, t766); // row 4, YZ6
-        put(144, t788); // row 5, XX5
-        put(150, t789); // row 5, M6
-        put(159, t760); // row 5, YZ6
-        put(162, t790); // row 6, XX6
+        let t740 = t101 - t141;
+        let t742 = c6 * t740 - t576;
+        let t744 = t573 + s6 * t740;
+        let t747 = c5 * t742 + s5 * t124;
+        let t750 = c5 * t124 - s5 * t742;
+        let t755 = c2 * t750 - (t146 * t747 + t147 * t744);
+        let t758 = s4 * t744 - c4 * t747;
+        let t759 = -t180;
+        let t760 = -t188;
+        let t761 = -t10;
+        let t762 = -t15;
+        let t763 = -t3;
+        let t764 = -t4;
+        let t765 = -t224;
+        let t766 = -t36;
+        let t767 = -t21;
+        let t768 = -t22;
+        let t769 = -t332;
+        let t770 = -t401;
+        let t771 = -t510;
+        let t772 = -t626;
+        let t773 = -t62;
+        let t774 = -t437;
+        let t775 = -t94;
+        let t776 = -a6_x;
+        let t777 = -t132;
+        put(8, t759); // row 1, XY2
+        put(10, t760); // row 1, YZ2
+        put(50, t755); // row 1, YZ6
+        put(53, t761); // row 2, MSZ2
+        put(54, t762); // row 2, XX2
+        put(57, t763); // row 2, XY2
+        put(65, t762); // row 2, YY3
+        put(68, t764); // row 2, XZ3
+        put(70, t765); // row 2, M4
+        put(99, t758); // row 2, YZ6
+        put(101, t766); // row 3, M3
+        put(103, t767); // row 3, MSY3
+        put(104, t768); // row 3, MSZ3
+        put(105, t766); // row 3, M4
+        put(109, t769); // row 3, M5
+        put(112, t770); // row 3, MSZ5
+        put(113, t771); // row 3, M6
+        put(116, t772); // row 3, MSZ6
+        put(122, t773); // row 4, ZZ4
+        put(130, t774); // row 4, YY5
+        put(144, t750); // row 4, YZ6
+        put(150, t775); // row 5, ZZ5
+        put(163, t744); // row 5, YZ6
+        put(166, t776); // row 6, MSY6
+        put(167, t777); // row 6, XX6
     }
 }

@@ -5,7 +5,7 @@ use super::list::List;
 use super::quartic::{roots, two_turns, zeros};
 use super::real::root;
 use super::subproblem::{FREE, circle, reach, tilt, towards};
-use super::vector::{Turn, Vector, add, cross, dot, norm, scale, sub, transposed_times, unit};
+use super::vector::{Vector, add, cross, dot, norm, scale, sub, transposed_times, unit};
 
 /// How the three joints are taken apart. A mirrored one is taken from its far end: `E3' E2' E1' p = w`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -313,19 +313,4 @@ fn slides([one, two, three]: &[Axis; 3], w: Vector, p: Vector) -> Places {
     let ways = transposed_times(&columns, sub(p, w)).map(|x| Value::way(x / volume));
     places.push(Place { values: ways, branch: 0, free: 0 });
     places
-}
-
-/// Turns of three axes that make a rotation: both answers. Where the first and the third become parallel, the first is `near`'s.
-pub(super) fn orient(h: &[Vector; 3], r: &super::vector::Matrix, near: Turn) -> [([Turn; 3], u8); 2] {
-    let goal = super::vector::times(r, h[2]);
-    let pair = tilt(h[0], h[1], h[2], goal);
-    let side = super::vector::beside(h[2]);
-    let image = super::vector::times(r, side);
-    pair.both.map(|second| {
-        let (turn, known) = towards(h[0], second.about(h[1], h[2]), goal);
-        // The product of two small distances from the axis: both are about `sine`.
-        let (first, free) = if known > 1e-28 { (turn, if known < FREE * FREE { 1u8 } else { 0 }) } else { (near, 1) };
-        let back = second.back().about(h[1], first.back().about(h[0], image));
-        ([first, second, towards(h[2], side, back).0], free | u8::from(pair.free) << 1)
-    })
 }

@@ -2,35 +2,38 @@
 //!
 //! `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 328 multiplications, 258 additions; 6 x 36, 139 of 216 structurally nonzero.
+//! 316 multiplications, 249 additions; 6 x 58, 161 of 348 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 139;
+pub const NONZEROS: usize = 161;
 
 /// Row and column of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 0), (0, 3), (0, 4), (0, 5), (0, 6), (0, 7), (0, 8), (0, 9), (0, 10), (0, 11),
     (0, 12), (0, 13), (0, 14), (0, 15), (0, 16), (0, 17), (0, 18), (0, 19), (0, 20), (0, 21),
     (0, 22), (0, 23), (0, 24), (0, 25), (0, 26), (0, 27), (0, 28), (0, 29), (0, 30), (0, 31),
-    (0, 32), (0, 33), (0, 34), (0, 35), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 6),
-    (1, 7), (1, 8), (1, 9), (1, 10), (1, 11), (1, 12), (1, 13), (1, 14), (1, 15), (1, 16),
-    (1, 17), (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23), (1, 24), (1, 25), (1, 26),
-    (1, 27), (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33), (1, 34), (1, 35), (2, 8),
-    (2, 9), (2, 10), (2, 11), (2, 12), (2, 13), (2, 14), (2, 15), (2, 16), (2, 17), (2, 18),
-    (2, 19), (2, 20), (2, 21), (2, 22), (2, 23), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28),
-    (2, 29), (2, 30), (2, 31), (2, 32), (2, 33), (2, 34), (2, 35), (3, 15), (3, 16), (3, 17),
+    (0, 32), (0, 33), (0, 34), (0, 35), (0, 40), (0, 46), (0, 52), (1, 1), (1, 2), (1, 3),
+    (1, 4), (1, 5), (1, 6), (1, 7), (1, 8), (1, 9), (1, 10), (1, 11), (1, 12), (1, 13),
+    (1, 14), (1, 15), (1, 16), (1, 17), (1, 18), (1, 19), (1, 20), (1, 21), (1, 22), (1, 23),
+    (1, 24), (1, 25), (1, 26), (1, 27), (1, 28), (1, 29), (1, 30), (1, 31), (1, 32), (1, 33),
+    (1, 34), (1, 35), (1, 41), (1, 47), (1, 53), (2, 8), (2, 9), (2, 10), (2, 11), (2, 12),
+    (2, 13), (2, 14), (2, 15), (2, 16), (2, 17), (2, 18), (2, 19), (2, 20), (2, 21), (2, 22),
+    (2, 23), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28), (2, 29), (2, 30), (2, 31), (2, 32),
+    (2, 33), (2, 34), (2, 35), (2, 36), (2, 42), (2, 48), (2, 54), (3, 15), (3, 16), (3, 17),
     (3, 18), (3, 19), (3, 20), (3, 21), (3, 22), (3, 23), (3, 24), (3, 25), (3, 26), (3, 27),
-    (3, 28), (3, 29), (3, 30), (3, 31), (3, 32), (3, 33), (3, 34), (3, 35), (4, 22), (4, 23),
-    (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (4, 30), (4, 31), (4, 32), (4, 33),
-    (4, 34), (4, 35), (5, 29), (5, 30), (5, 31), (5, 32), (5, 33), (5, 34), (5, 35),
+    (3, 28), (3, 29), (3, 30), (3, 31), (3, 32), (3, 33), (3, 34), (3, 35), (3, 37), (3, 43),
+    (3, 49), (3, 55), (4, 22), (4, 23), (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29),
+    (4, 30), (4, 31), (4, 32), (4, 33), (4, 34), (4, 35), (4, 38), (4, 44), (4, 50), (4, 56),
+    (5, 29), (5, 30), (5, 31), (5, 32), (5, 33), (5, 34), (5, 35), (5, 39), (5, 45), (5, 51),
+    (5, 57),
 ];
 
 /// Regressor `W_b` of the base parameters: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 36]; 6]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 58]; 6]) {
     out.as_flattened_mut().fill(S::default());
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
@@ -57,193 +60,246 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let k0 = S::constant(9.81);
     let k1 = S::constant(0.6127);
     let k2 = S::constant(0.57155);
+    let k7 = S::constant(1.0);
+    // link 1: motion
+    let t0 = {
+        let t0 = dq1 * dq1;
+        put(0, ddq1); // row 1, ZZ1R
+        put(34, dq1); // row 1, FV1
+        put(36, k7); // row 1, FO1
+        put(40, ddq2); // row 2, ZZ2R
+        put(72, dq2); // row 2, FV2
+        put(74, k7); // row 2, FO2
+        put(103, ddq3); // row 3, IA3
+        put(104, dq3); // row 3, FV3
+        put(106, k7); // row 3, FO3
+        put(128, ddq4); // row 4, IA4
+        put(129, dq4); // row 4, FV4
+        put(131, k7); // row 4, FO4
+        put(146, ddq5); // row 5, IA5
+        put(147, dq5); // row 5, FV5
+        put(149, k7); // row 5, FO5
+        put(157, ddq6); // row 6, IA6
+        put(158, dq6); // row 6, FV6
+        put(160, k7); // row 6, FO6
+        t0
+    };
     // link 2: motion
-    let [w2_x, w2_y, a2_x, a2_y, t6, t7, dw2_x, dw2_y] = {
+    let [
+        w2_x, w2_y, t3, t4, a2_x, a2_y, t9, t10,
+        t11, dw2_x, t14, t15, t16, t17, t18, t19,
+        t20,
+    ] = {
         let w2_x = s2 * dq1;
         let w2_y = c2 * dq1;
-        let t2 = s2 * ddq1;
-        let t3 = c2 * ddq1;
+        let t3 = s2 * ddq1;
+        let t4 = c2 * ddq1;
         let a2_x = s2 * k0;
         let a2_y = c2 * k0;
-        let t6 = dq2 * w2_y;
-        let t7 = dq2 * w2_x;
-        let dw2_x = t2 + t6;
-        let dw2_y = t3 - t7;
-        put(0, ddq1); // row 1, ZZ1R
-        put(34, a2_y); // row 2, MSX2R
-        put(37, ddq2); // row 2, ZZ2R
-        put(39, t2); // row 2, XZ2R
-        put(40, t3); // row 2, YZ2
-        [w2_x, w2_y, a2_x, a2_y, t6, t7, dw2_x, dw2_y]
+        let t7 = w2_x * w2_x;
+        let t8 = dq2 * dq2;
+        let t9 = w2_x * w2_y;
+        let t10 = dq2 * w2_x;
+        let t11 = dq2 * w2_y;
+        let dw2_x = t3 + t11;
+        let dw2_y = t4 - t10;
+        let t14 = t7 - t8;
+        let t15 = t14 - t0;
+        let t16 = ddq2 - t9;
+        let t17 = ddq2 + t9;
+        let t18 = t7 + t8;
+        let t19 = dw2_y - t10;
+        let t20 = t11 + dw2_x;
+        put(37, a2_y); // row 2, MSX2R
+        put(42, t3); // row 2, XZ2R
+        put(43, t4); // row 2, YZ2
+        [
+        w2_x, w2_y, t3, t4, a2_x, a2_y, t9, t10,
+        t11, dw2_x, t14, t15, t16, t17, t18, t19,
+        t20,
+    ]
     };
     // link 3: motion
     let [
-        w3_x, t15, t22, t23, t24, t25, t27, t28,
-        t29, t30, t33, t38, t41, w3_z, dw3_x, dw3_y,
-        dw3_z,
+        w3_x, t26, t29, t34, a3_y, t40, t43, w3_z,
+        dw3_z, t49, t50, dw3_x, t53, t54, t55, t56,
+        t57, t58, t59,
     ] = {
         let w3_x = c3 * w2_x + s3 * w2_y;
-        let t15 = s3 * w2_x - c3 * w2_y;
-        let t22 = w2_x * w2_x;
-        let t23 = w2_y * w2_y;
-        let t24 = dq2 * dq2;
-        let t25 = w2_x * w2_y;
-        let t27 = t25 - ddq2;
-        let t28 = ddq2 + t25;
-        let t29 = dw2_y - t7;
-        let t30 = t6 + dw2_x;
-        let t33 = t29 * k1;
-        let t34 = a2_x + (t23 + t24) * k1;
-        let t35 = t28 * k1 - a2_y;
-        let t38 = s3 * t35 - c3 * t34;
-        let t41 = c3 * t35 + s3 * t34;
+        let t26 = s3 * w2_x - c3 * w2_y;
+        let t29 = t19 * k1;
+        let t30 = t15 * k1 - a2_x;
+        let t31 = t17 * k1 - a2_y;
+        let t34 = c3 * t30 + s3 * t31;
+        let a3_y = s3 * t30 - c3 * t31;
+        let t40 = c3 * t4 - s3 * t3;
+        let t43 = c3 * t3 + s3 * t4;
         let w3_z = dq2 + dq3;
-        let dw3_x = c3 * dw2_x + s3 * dw2_y - dq3 * t15;
-        let dw3_y = c3 * dw2_y - s3 * dw2_x - dq3 * w3_x;
         let dw3_z = ddq2 + ddq3;
-        put(44, dw3_z); // row 2, ZZ3R
-        put(70, t38); // row 3, MSY3
-        put(72, dw3_z); // row 3, ZZ3R
+        let t46 = w3_x * w3_x;
+        let t47 = w3_z * w3_z;
+        let t48 = w3_x * t26;
+        let t49 = w3_x * w3_z;
+        let t50 = t26 * w3_z;
+        let dw3_x = t43 - t50;
+        let dw3_y = t40 - t49;
+        let t53 = t46 - t47;
+        let t54 = t53 - t0;
+        let t55 = dw3_z + t48;
+        let t56 = dw3_z - t48;
+        let t57 = t46 + t47;
+        let t58 = dw3_y - t49;
+        let t59 = t50 - dw3_x;
+        put(46, t48); // row 2, XX3R
+        put(47, dw3_z); // row 2, ZZ3R
+        put(49, t43); // row 2, XZ3R
+        put(50, t40); // row 2, YZ3
+        put(75, a3_y); // row 3, MSX3R
+        put(76, t34); // row 3, MSY3
+        put(77, t48); // row 3, XX3R
+        put(78, dw3_z); // row 3, ZZ3R
+        put(80, t43); // row 3, XZ3R
+        put(81, t40); // row 3, YZ3
         [
-        w3_x, t15, t22, t23, t24, t25, t27, t28,
-        t29, t30, t33, t38, t41, w3_z, dw3_x, dw3_y,
-        dw3_z,
+        w3_x, t26, t29, t34, a3_y, t40, t43, w3_z,
+        dw3_z, t49, t50, dw3_x, t53, t54, t55, t56,
+        t57, t58, t59,
     ]
     };
     // link 4: motion
     let [
-        w4_x, t53, t60, t61, t62, t64, t65, t66,
-        t67, t69, t70, t72, t73, t86, t89, a4_y,
-        w4_z, t96, t97, dw4_z,
+        w4_x, t65, t77, t80, a4_y, w4_z, t95, t96,
+        t97, dw4_y, t99, t100, t101, t102, t103, t104,
+        t105,
     ] = {
-        let w4_x = c4 * w3_x - s4 * t15;
-        let t53 = c4 * t15 + s4 * w3_x;
-        let t60 = w3_x * w3_x;
-        let t61 = t15 * t15;
-        let t62 = w3_z * w3_z;
-        let t63 = w3_x * t15;
-        let t64 = w3_x * w3_z;
-        let t65 = t15 * w3_z;
-        let t66 = t61 + t62;
-        let t67 = dw3_z + t63;
-        let t68 = dw3_y + t64;
-        let t69 = dw3_z - t63;
-        let t70 = t60 + t62;
-        let t71 = dw3_x + t65;
-        let t72 = t64 - dw3_y;
-        let t73 = t65 - dw3_x;
-        let t84 = t38 - (t66 * k2 + D4 * t68);
-        let t85 = t41 + (t69 * k2 + D4 * t71);
-        let t86 = t72 * k2 + D4 * (t60 + t61) - t33;
-        let t89 = c4 * t84 + s4 * t85;
-        let a4_y = s4 * t84 - c4 * t85;
+        let w4_x = c4 * w3_x - s4 * t26;
+        let t65 = c4 * t26 + s4 * w3_x;
+        let t75 = t34 + (t54 * k2 - D4 * t40);
+        let t76 = a3_y - (t56 * k2 + D4 * t43);
+        let t77 = t29 - (D4 * t0 - t58 * k2);
+        let t80 = c4 * t75 - s4 * t76;
+        let a4_y = c4 * t76 + s4 * t75;
+        let t86 = c4 * t40 - s4 * t43;
+        let t89 = c4 * t43 + s4 * t40;
         let w4_z = w3_z + dq4;
-        let t96 = dq4 * t53 - (c4 * dw3_x + s4 * dw3_y);
-        let t97 = dq4 * w4_x - (c4 * dw3_y - s4 * dw3_x);
         let dw4_z = dw3_z + ddq4;
-        put(43, t63); // row 2, XX3R
-        put(46, t71); // row 2, XZ3R
-        put(47, t68); // row 2, YZ3
-        put(51, dw4_z); // row 2, ZZ4R
-        put(71, t63); // row 3, XX3R
-        put(74, t71); // row 3, XZ3R
-        put(75, t68); // row 3, YZ3
-        put(79, dw4_z); // row 3, ZZ4R
-        put(97, a4_y); // row 4, MSX4
-        put(98, t89); // row 4, MSY4R
-        put(100, dw4_z); // row 4, ZZ4R
+        let t92 = w4_x * w4_x;
+        let t93 = w4_z * w4_z;
+        let t94 = w4_x * t65;
+        let t95 = w4_x * w4_z;
+        let t96 = t65 * w4_z;
+        let t97 = t96 - t89;
+        let dw4_y = t86 - t95;
+        let t99 = t93 - t92;
+        let t100 = t0 + t99;
+        let t101 = dw4_z + t94;
+        let t102 = t94 - dw4_z;
+        let t103 = t92 + t93;
+        let t104 = dw4_y - t95;
+        let t105 = t96 + t97;
+        put(53, t94); // row 2, XX4R
+        put(54, dw4_z); // row 2, ZZ4R
+        put(56, t89); // row 2, XZ4
+        put(57, t86); // row 2, YZ4
+        put(84, t94); // row 3, XX4R
+        put(85, dw4_z); // row 3, ZZ4R
+        put(87, t89); // row 3, XZ4
+        put(88, t86); // row 3, YZ4
+        put(107, a4_y); // row 4, MSX4
+        put(108, t80); // row 4, MSY4R
+        put(109, t94); // row 4, XX4R
+        put(110, dw4_z); // row 4, ZZ4R
+        put(112, t89); // row 4, XZ4
+        put(113, t86); // row 4, YZ4
         [
-        w4_x, t53, t60, t61, t62, t64, t65, t66,
-        t67, t69, t70, t72, t73, t86, t89, a4_y,
-        w4_z, t96, t97, dw4_z,
+        w4_x, t65, t77, t80, a4_y, w4_z, t95, t96,
+        t97, dw4_y, t99, t100, t101, t102, t103, t104,
+        t105,
     ]
     };
     // link 5: motion
     let [
-        w5_x, t104, t111, t112, t113, t115, t116, t117,
-        t118, t120, t121, t122, t123, t128, t132, a5_y,
-        w5_z, dw5_x, dw5_y, dw5_z,
+        w5_x, w5_y, t116, t120, a5_y, t126, t129, w5_z,
+        dw5_z, t134, t135, t136, dw5_x, t138, t139, t140,
+        t141, t142, t143, t144, t145,
     ] = {
         let w5_x = c5 * w4_x + s5 * w4_z;
-        let t104 = s5 * w4_x - c5 * w4_z;
-        let t111 = w4_x * w4_x;
-        let t112 = t53 * t53;
-        let t113 = w4_z * w4_z;
-        let t114 = w4_x * t53;
-        let t115 = w4_x * w4_z;
-        let t116 = t53 * w4_z;
-        let t117 = t112 + t113;
-        let t118 = dw4_z + t114;
-        let t119 = t115 - t97;
-        let t120 = dw4_z - t114;
-        let t121 = t111 + t113;
-        let t122 = t97 + t115;
-        let t123 = t96 + t116;
-        let t127 = t89 - D5 * t118;
-        let t128 = a4_y + D5 * t121;
-        let t129 = t86 - D5 * t123;
-        let t132 = c5 * t127 + s5 * t129;
-        let a5_y = s5 * t127 - c5 * t129;
-        let w5_z = t53 + dq5;
-        let dw5_x = s5 * dw4_z - c5 * t96 - dq5 * t104;
-        let dw5_y = c5 * dw4_z + s5 * t96 - dq5 * w5_x;
-        let dw5_z = t97 + ddq5;
-        put(50, t114); // row 2, XX4R
-        put(54, t119); // row 2, YZ4
-        put(78, t114); // row 3, XX4R
-        put(82, t119); // row 3, YZ4
-        put(99, t114); // row 4, XX4R
-        put(103, t119); // row 4, YZ4
-        put(118, a5_y); // row 5, MSX5
-        put(119, t132); // row 5, MSY5R
-        put(121, dw5_z); // row 5, ZZ5R
+        let w5_y = c5 * w4_z - s5 * w4_x;
+        let t115 = t80 - D5 * t101;
+        let t116 = a4_y + D5 * t103;
+        let t117 = t77 + D5 * t105;
+        let t120 = c5 * t115 - s5 * t117;
+        let a5_y = c5 * t117 + s5 * t115;
+        let t126 = c5 * t101 + s5 * t105;
+        let t129 = s5 * t101 - c5 * t105;
+        let w5_z = t65 + dq5;
+        let dw5_z = ddq5 - dw4_y;
+        let t132 = w5_x * w5_x;
+        let t133 = w5_z * w5_z;
+        let t134 = w5_x * w5_y;
+        let t135 = w5_x * w5_z;
+        let t136 = w5_y * w5_z;
+        let dw5_x = t129 + t136;
+        let t138 = t126 - t135;
+        let t139 = t132 - t133;
+        let t140 = t103 - t139;
+        let t141 = t134 - dw5_z;
+        let t142 = dw5_z + t134;
+        let t143 = t132 + t133;
+        let t144 = t138 - t135;
+        let t145 = t136 + dw5_x;
+        put(132, a5_y); // row 5, MSX5
+        put(133, t120); // row 5, MSY5R
+        put(135, dw5_z); // row 5, ZZ5R
+        put(137, t129); // row 5, XZ5
+        put(138, t126); // row 5, YZ5
         [
-        w5_x, t104, t111, t112, t113, t115, t116, t117,
-        t118, t120, t121, t122, t123, t128, t132, a5_y,
-        w5_z, dw5_x, dw5_y, dw5_z,
+        w5_x, w5_y, t116, t120, a5_y, t126, t129, w5_z,
+        dw5_z, t134, t135, t136, dw5_x, t138, t139, t140,
+        t141, t142, t143, t144, t145,
     ]
     };
     // link 6: motion
     let [
-        w6_x, t147, t154, t155, t156, t157, t158, t159,
-        t160, t161, t162, t163, t164, t165, t166, t167,
-        t172, t176, a6_y, w6_z, t183, t184, dw6_z,
+        t156, t160, a6_y, t166, t169, dw6_z, t174, t175,
+        t176, t177, t179, t180, t181, t182, t183, t184,
+        t185,
     ] = {
         let w6_x = c6 * w5_x - s6 * w5_z;
-        let t147 = c6 * w5_z + s6 * w5_x;
-        let t154 = w5_x * w5_x;
-        let t155 = t104 * t104;
-        let t156 = w5_z * w5_z;
-        let t157 = w5_x * t104;
-        let t158 = w5_x * w5_z;
-        let t159 = t104 * w5_z;
-        let t160 = t155 + t156;
-        let t161 = dw5_z + t157;
-        let t162 = dw5_y + t158;
-        let t163 = t157 - dw5_z;
-        let t164 = t154 + t156;
-        let t165 = dw5_x + t159;
-        let t166 = dw5_y - t158;
-        let t167 = dw5_x - t159;
-        let t171 = t132 + D6 * t161;
-        let t172 = a5_y - D6 * t164;
-        let t173 = D6 * t167 - t128;
-        let t176 = c6 * t171 + s6 * t173;
-        let a6_y = s6 * t171 - c6 * t173;
-        let w6_z = dq6 - t104;
-        let t183 = s6 * dw5_z - c6 * dw5_x + dq6 * t147;
-        let t184 = c6 * dw5_z + s6 * dw5_x + dq6 * w6_x;
-        let dw6_z = dw5_y + ddq6;
-        put(120, t157); // row 5, XX5R
-        put(123, t165); // row 5, XZ5
-        put(124, t162); // row 5, YZ5
-        put(132, a6_y); // row 6, MSX6
-        put(133, t176); // row 6, MSY6
-        put(135, dw6_z); // row 6, ZZ6
+        let t151 = c6 * w5_z + s6 * w5_x;
+        let t155 = t120 - D6 * t141;
+        let t156 = a5_y - D6 * t143;
+        let t157 = t116 - D6 * t145;
+        let t160 = c6 * t155 - s6 * t157;
+        let a6_y = c6 * t157 + s6 * t155;
+        let t166 = c6 * t141 - s6 * t145;
+        let t169 = c6 * t145 + s6 * t141;
+        let w6_z = w5_y + dq6;
+        let dw6_z = t138 + ddq6;
+        let t172 = w6_x * w6_x;
+        let t173 = w6_z * w6_z;
+        let t174 = w6_x * t151;
+        let t175 = w6_x * w6_z;
+        let t176 = t151 * w6_z;
+        let t177 = t176 - t169;
+        let dw6_y = t166 - t175;
+        let t179 = t172 - t173;
+        let t180 = t179 - t143;
+        let t181 = dw6_z + t174;
+        let t182 = dw6_z - t174;
+        let t183 = t172 + t173;
+        let t184 = dw6_y - t175;
+        let t185 = t176 + t177;
+        put(150, a6_y); // row 6, MSX6
+        put(151, t160); // row 6, MSY6
+        put(152, t174); // row 6, XX6R
+        put(153, dw6_z); // row 6, ZZ6
+        put(155, t169); // row 6, XZ6
+        put(156, t166); // row 6, YZ6
         [
-        w6_x, t147, t154, t155, t156, t157, t158, t159,
-        t160, t161, t162, t163, t164, t165, t166, t167,
-        t172, t176, a6_y, w6_z, t183, t184, dw6_z,
+        t156, t160, a6_y, t166, t169, dw6_z, t174, t175,
+        t176, t177, t179, t180, t181, t182, t183, t184,
+        t185,
     ]
     };
     // joint axes in frame 3
@@ -257,7 +313,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // joint axes in frame 4
     let [
-        t198, t201, t204, t207, v1_5_z, v2_4_x, v2_4_y, t218,
+        t198, t201, t204, t207, v1_5_z, t214, v2_4_y, t218,
         v3_5_z,
     ] = {
         let t195 = D4 * t192;
@@ -268,12 +324,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t207 = c4 * t195 + s4 * t196;
         let v1_5_z = c4 * t196 - s4 * t195;
         let t211 = A3 - t194;
-        let v2_4_x = s4 * t211 - c4 * t193;
+        let t214 = c4 * t193 - s4 * t211;
         let v2_4_y = c4 * t211 + s4 * t193;
         let t218 = s4 * k2;
         let v3_5_z = c4 * k2;
         [
-        t198, t201, t204, t207, v1_5_z, v2_4_x, v2_4_y, t218,
+        t198, t201, t204, t207, v1_5_z, t214, v2_4_y, t218,
         v3_5_z,
     ]
     };
@@ -285,358 +341,339 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // XX2: column
     let t223 = {
-        let t223 = c2 * t7;
+        let t223 = c2 * t10;
         let t224 = s2 * dw2_x + t223;
         put(1, t224); // row 1, XX2R
         t223
     };
     // ZZ2: column
     {
-        let t226 = s2 * t6 - t223;
+        let t226 = s2 * t11 - t223;
         put(2, t226); // row 1, ZZ2R
     }
     // XY2: column
     {
-        let t227 = t22 - t23;
-        let t230 = s2 * t29 + c2 * t30;
+        let t227 = t15 + t18;
+        let t230 = s2 * t19 + c2 * t20;
         put(3, t230); // row 1, XY2
-        put(38, t227); // row 2, XY2
+        put(41, t227); // row 2, XY2
     }
     // XZ2: column
     {
-        let t234 = s2 * t28 + c2 * (t24 - t22);
-        put(4, t234); // row 1, XZ2R
+        let t233 = s2 * t17 - c2 * t14;
+        put(4, t233); // row 1, XZ2R
     }
     // YZ2: column
     {
-        let t238 = s2 * (t23 - t24) - c2 * t27;
-        put(5, t238); // row 1, YZ2
+        let t237 = c2 * t16 - s2 * (t18 - t0);
+        put(5, t237); // row 1, YZ2
     }
     // MSX3: column
     {
-        let t241 = t33 * t192 + t72 * v1_3_z;
-        let t245 = t66 * t193 - t69 * t194 - t41;
-        put(6, t241); // row 1, MSX3R
-        put(41, t245); // row 2, MSX3R
+        let t240 = t29 * t192 - t58 * v1_3_z;
+        let t244 = a3_y - (t54 * t193 + t56 * t194);
+        put(6, t240); // row 1, MSX3R
+        put(44, t244); // row 2, MSX3R
     }
     // MSY3: column
     {
-        let t248 = t33 * z1_3_x - t73 * v1_3_z;
-        let t252 = t38 + (t67 * t193 + t70 * t194);
-        put(7, t248); // row 1, MSY3
-        put(42, t252); // row 2, MSY3
+        let t247 = t29 * z1_3_x - t59 * v1_3_z;
+        let t251 = t34 + (t55 * t193 + t57 * t194);
+        put(7, t247); // row 1, MSY3
+        put(45, t251); // row 2, MSY3
     }
     // XX3: column
-    let t254 = {
-        let t254 = t64 * t192;
-        let t255 = dw3_x * z1_3_x - t254;
-        put(8, t255); // row 1, XX3R
-        t254
+    let t253 = {
+        let t253 = t49 * t192;
+        let t254 = dw3_x * z1_3_x - t253;
+        put(8, t254); // row 1, XX3R
+        t253
     };
     // ZZ3: column
     {
-        let t257 = t254 - t65 * z1_3_x;
-        put(9, t257); // row 1, ZZ3R
+        let t256 = t253 - t50 * z1_3_x;
+        put(9, t256); // row 1, ZZ3R
     }
     // XY3: column
     {
-        let t258 = t60 - t61;
-        let t261 = t73 * t192 - t72 * z1_3_x;
-        put(10, t261); // row 1, XY3
-        put(45, t258); // row 2, XY3
-        put(73, t258); // row 3, XY3
+        let t257 = t54 + t57;
+        let t260 = t58 * z1_3_x + t59 * t192;
+        put(10, t260); // row 1, XY3
+        put(48, t257); // row 2, XY3
+        put(79, t257); // row 3, XY3
     }
     // XZ3: column
     {
-        let t265 = t69 * z1_3_x - t192 * (t62 - t60);
-        put(11, t265); // row 1, XZ3R
+        let t263 = t56 * z1_3_x + t53 * t192;
+        put(11, t263); // row 1, XZ3R
     }
     // YZ3: column
     {
-        let t269 = z1_3_x * (t61 - t62) - t67 * t192;
-        put(12, t269); // row 1, YZ3
+        let t267 = z1_3_x * (t0 - t57) - t55 * t192;
+        put(12, t267); // row 1, YZ3
     }
     // MSX4: column
     {
-        let t276 = t117 * t207 - t120 * v1_5_z - t122 * t198 - t86 * t204;
-        let t280 = a4_y + (t120 * v2_4_y - t117 * v2_4_x);
-        let t284 = a4_y + (t117 * t218 - t120 * v3_5_z);
-        put(13, t276); // row 1, MSX4
-        put(48, t280); // row 2, MSX4
-        put(76, t284); // row 3, MSX4
+        let t274 = t77 * t204 + (t104 * t198 + (t100 * t207 + t102 * v1_5_z));
+        let t278 = a4_y - (t102 * v2_4_y - t100 * t214);
+        let t282 = a4_y + (t100 * t218 + t102 * v3_5_z);
+        put(13, t274); // row 1, MSX4
+        put(51, t278); // row 2, MSX4
+        put(82, t282); // row 3, MSX4
     }
     // MSY4: column
     {
-        let t291 = t86 * t201 + (t123 * t198 + (t118 * t207 + t121 * v1_5_z));
-        let t295 = t89 - (t118 * v2_4_x + t121 * v2_4_y);
-        let t299 = t89 + (t118 * t218 + t121 * v3_5_z);
-        put(14, t291); // row 1, MSY4R
-        put(49, t295); // row 2, MSY4R
-        put(77, t299); // row 3, MSY4R
+        let t289 = t105 * t198 + (t101 * t207 + t103 * v1_5_z) - t77 * t201;
+        let t293 = t80 + (t101 * t214 - t103 * v2_4_y);
+        let t297 = t80 + (t101 * t218 + t103 * v3_5_z);
+        put(14, t289); // row 1, MSY4R
+        put(52, t293); // row 2, MSY4R
+        put(83, t297); // row 3, MSY4R
     }
     // XX4: column
-    let t301 = {
-        let t301 = t115 * t204;
-        let t302 = t96 * t201 - t301;
-        put(15, t302); // row 1, XX4R
-        t301
+    let t299 = {
+        let t299 = t95 * t204;
+        let t300 = t97 * t201 - t299;
+        put(15, t300); // row 1, XX4R
+        t299
     };
     // ZZ4: column
     {
-        let t304 = t301 + t116 * t201;
-        put(16, t304); // row 1, ZZ4R
+        let t302 = t299 + t96 * t201;
+        put(16, t302); // row 1, ZZ4R
     }
     // XY4: column
     {
-        let t305 = t111 - t112;
-        let t308 = t122 * t201 + t123 * t204;
-        put(17, t308); // row 1, XY4
-        put(52, t305); // row 2, XY4
-        put(80, t305); // row 3, XY4
-        put(101, t305); // row 4, XY4
+        let t303 = t103 - t100;
+        let t306 = t105 * t204 - t104 * t201;
+        put(17, t306); // row 1, XY4
+        put(55, t303); // row 2, XY4
+        put(86, t303); // row 3, XY4
+        put(111, t303); // row 4, XY4
     }
     // XZ4: column
     {
-        let t310 = t116 - t96;
-        let t313 = t204 * (t111 - t113) - t120 * t201;
-        put(18, t313); // row 1, XZ4
-        put(53, t310); // row 2, XZ4
-        put(81, t310); // row 3, XZ4
-        put(102, t310); // row 4, XZ4
+        let t309 = t102 * t201 - t99 * t204;
+        put(18, t309); // row 1, XZ4
     }
     // YZ4: column
     {
-        let t317 = t201 * (t113 - t112) - t118 * t204;
-        put(19, t317); // row 1, YZ4
+        let t313 = t201 * (t103 - t0) - t101 * t204;
+        put(19, t313); // row 1, YZ4
     }
     // MSX5: column
-    let [t319, t324, t325] = {
-        let t319 = s5 * t163;
-        let t320 = t319 - c5 * t160;
-        let t323 = s5 * t160 + c5 * t163;
-        let t324 = s5 * t128;
-        let t325 = c5 * t128;
-        let t329 = t325 + D5 * t320;
-        let t337 = t198 * t323 - (t207 * t320 + t166 * v1_5_z);
-        let t338 = t201 * (t324 - D5 * t323) + a5_y * t204 + t337;
-        let t342 = t329 + (v2_4_x * t320 + t166 * v2_4_y);
-        let t346 = t329 - (t218 * t320 + t166 * v3_5_z);
-        put(20, t338); // row 1, MSX5
-        put(55, t342); // row 2, MSX5
-        put(83, t346); // row 3, MSX5
-        put(104, t329); // row 4, MSX5
-        [t319, t324, t325]
+    let [t315, t320, t321] = {
+        let t315 = s5 * t142;
+        let t316 = c5 * t140 + t315;
+        let t319 = s5 * t140 - c5 * t142;
+        let t320 = s5 * t116;
+        let t321 = c5 * t116;
+        let t325 = t321 - D5 * t316;
+        let t333 = t198 * t319 + (t207 * t316 - t144 * v1_5_z);
+        let t334 = t201 * (t320 - D5 * t319) + a5_y * t204 + t333;
+        let t338 = t325 + (t214 * t316 + t144 * v2_4_y);
+        let t342 = t325 + (t218 * t316 - t144 * v3_5_z);
+        put(20, t334); // row 1, MSX5
+        put(58, t338); // row 2, MSX5
+        put(89, t342); // row 3, MSX5
+        put(114, t325); // row 4, MSX5
+        [t315, t320, t321]
     };
     // MSY5: column
-    let t347 = {
-        let t347 = c5 * t161;
-        let t349 = s5 * t164 - t347;
-        let t352 = s5 * t161 + c5 * t164;
-        let t356 = D5 * t349 - t324;
-        let t364 = t198 * t352 + (t167 * v1_5_z - t207 * t349);
-        let t365 = t201 * (t325 - D5 * t352) + t132 * t204 + t364;
-        let t369 = t356 + (v2_4_x * t349 - t167 * v2_4_y);
-        let t373 = t356 + (t167 * v3_5_z - t218 * t349);
-        put(21, t365); // row 1, MSY5R
-        put(56, t369); // row 2, MSY5R
-        put(84, t373); // row 3, MSY5R
-        put(105, t356); // row 4, MSY5R
-        t347
+    let t343 = {
+        let t343 = c5 * t141;
+        let t345 = t343 + s5 * t143;
+        let t348 = c5 * t143 - s5 * t141;
+        let t352 = D5 * t345 - t320;
+        let t360 = t198 * t348 - (t207 * t345 - t145 * v1_5_z);
+        let t361 = t201 * (t321 - D5 * t348) + t120 * t204 + t360;
+        let t365 = t352 - (t214 * t345 + t145 * v2_4_y);
+        let t369 = t352 - (t218 * t345 - t145 * v3_5_z);
+        put(21, t361); // row 1, MSY5R
+        put(59, t365); // row 2, MSY5R
+        put(90, t369); // row 3, MSY5R
+        put(115, t352); // row 4, MSY5R
+        t343
     };
     // XX5: column
-    let [t375, t380] = {
-        let t375 = t158 * t221;
-        let t378 = t157 * t204 + (t375 - dw5_x * t220);
-        let t380 = c5 * t158;
-        let t381 = s5 * dw5_x + t380;
-        put(22, t378); // row 1, XX5R
-        put(57, t381); // row 2, XX5R
-        put(85, t381); // row 3, XX5R
-        put(106, t381); // row 4, XX5R
-        [t375, t380]
+    let [t371, t376] = {
+        let t371 = t135 * t221;
+        let t374 = t371 - dw5_x * t220 - t134 * t204;
+        let t376 = c5 * t135;
+        let t377 = s5 * dw5_x + t376;
+        put(22, t374); // row 1, XX5R
+        put(60, t377); // row 2, XX5R
+        put(91, t377); // row 3, XX5R
+        put(116, t377); // row 4, XX5R
+        [t371, t376]
     };
     // ZZ5: column
-    let t387 = {
-        let t385 = dw5_z * t204 + (t159 * t220 - t375);
-        let t387 = t380 + s5 * t159;
-        put(23, t385); // row 1, ZZ5R
-        t387
-    };
+    {
+        let t381 = dw5_z * t204 - (t371 + t136 * t220);
+        let t383 = s5 * t136 - t376;
+        put(23, t381); // row 1, ZZ5R
+        put(61, t383); // row 2, ZZ5R
+        put(92, t383); // row 3, ZZ5R
+        put(117, t383); // row 4, ZZ5R
+    }
     // XY5: column
     {
-        let t388 = t154 - t155;
-        let t393 = t204 * t388 - (t166 * t220 - t167 * t221);
-        let t396 = s5 * t166 + c5 * t167;
-        put(24, t393); // row 1, XY5
-        put(59, t396); // row 2, XY5
-        put(87, t396); // row 3, XY5
-        put(108, t396); // row 4, XY5
-        put(122, t388); // row 5, XY5
+        let t384 = t143 - t140;
+        let t389 = t204 * t384 + (t145 * t221 - t144 * t220);
+        let t392 = s5 * t144 + c5 * t145;
+        put(24, t389); // row 1, XY5
+        put(62, t392); // row 2, XY5
+        put(93, t392); // row 3, XY5
+        put(118, t392); // row 4, XY5
+        put(136, t384); // row 5, XY5
     }
     // XZ5: column
     {
-        let t397 = t156 - t154;
-        let t402 = t165 * t204 + (t163 * t220 + t221 * t397);
-        let t404 = c5 * t397 - t319;
-        put(25, t402); // row 1, XZ5
-        put(60, t404); // row 2, XZ5
-        put(88, t404); // row 3, XZ5
-        put(109, t404); // row 4, XZ5
+        let t397 = t129 * t204 - (t142 * t220 + t139 * t221);
+        let t399 = t315 - c5 * t139;
+        put(25, t397); // row 1, XZ5
+        put(63, t399); // row 2, XZ5
+        put(94, t399); // row 3, XZ5
+        put(119, t399); // row 4, XZ5
     }
     // YZ5: column
     {
-        let t405 = t155 - t156;
-        let t410 = t162 * t204 + (t161 * t221 - t220 * t405);
-        let t412 = t347 + s5 * t405;
-        put(26, t410); // row 1, YZ5
-        put(61, t412); // row 2, YZ5
-        put(89, t412); // row 3, YZ5
-        put(110, t412); // row 4, YZ5
+        let t400 = t103 - t143;
+        let t405 = t126 * t204 - (t220 * t400 + t141 * t221);
+        let t407 = s5 * t400 - t343;
+        put(26, t405); // row 1, YZ5
+        put(64, t407); // row 2, YZ5
+        put(95, t407); // row 3, YZ5
+        put(120, t407); // row 4, YZ5
     }
     // MSX6: column
-    let [
-        t413, t414, t415, t416, t417, t418, t420, t421,
-        t423, t424, t425, t426, t428, t431, t433, t434,
-    ] = {
-        let t413 = w6_x * w6_x;
-        let t414 = t147 * t147;
-        let t415 = w6_z * w6_z;
-        let t416 = w6_x * t147;
-        let t417 = w6_x * w6_z;
-        let t418 = t147 * w6_z;
-        let t419 = t414 + t415;
-        let t420 = dw6_z + t416;
-        let t421 = t417 - t184;
-        let t422 = dw6_z - t416;
-        let t423 = t413 + t415;
-        let t424 = t418 - t183;
-        let t425 = t184 + t417;
-        let t426 = t183 + t418;
-        let t428 = s6 * t422;
-        let t429 = c6 * t419 + t428;
-        let t431 = c6 * t422;
-        let t432 = s6 * t419 - t431;
-        let t433 = s6 * t172;
-        let t434 = c6 * t172;
-        let t437 = t433 + D6 * t432;
-        let t438 = t434 + D6 * t429;
-        let t441 = c5 * t429 + s5 * t425;
-        let t444 = c5 * t425 - s5 * t429;
-        let t454 = s5 * t437 + c5 * a6_y - D5 * t441;
-        let t457 = t204 * t438 - t201 * (c5 * t437 - s5 * a6_y - D5 * t444);
-        let t463 = t457 - (t198 * t444 - (t207 * t441 + v1_5_z * t432));
-        let t467 = t454 - (v2_4_x * t441 + v2_4_y * t432);
-        let t471 = t454 + (t218 * t441 + v3_5_z * t432);
-        put(27, t463); // row 1, MSX6
-        put(62, t467); // row 2, MSX6
-        put(90, t471); // row 3, MSX6
-        put(111, t454); // row 4, MSX6
-        put(125, t438); // row 5, MSX6
-        put(134, t416); // row 6, XX6R
-        put(137, t424); // row 6, XZ6
-        put(138, t421); // row 6, YZ6
-        [
-        t413, t414, t415, t416, t417, t418, t420, t421,
-        t423, t424, t425, t426, t428, t431, t433, t434,
-    ]
+    let [t409, t412, t414, t415] = {
+        let t409 = s6 * t182;
+        let t410 = t409 - c6 * t180;
+        let t412 = c6 * t182;
+        let t413 = s6 * t180 + t412;
+        let t414 = s6 * t156;
+        let t415 = c6 * t156;
+        let t418 = t414 - D6 * t413;
+        let t419 = t415 + D6 * t410;
+        let t422 = c5 * t410 - s5 * t184;
+        let t425 = s5 * t410 + c5 * t184;
+        let t435 = s5 * t418 + c5 * a6_y - D5 * t422;
+        let t438 = t201 * (s5 * a6_y - c5 * t418 - D5 * t425) + t204 * t419;
+        let t444 = t438 + (t198 * t425 + (t207 * t422 - v1_5_z * t413));
+        let t448 = t435 + (t214 * t422 + v2_4_y * t413);
+        let t452 = t435 + (t218 * t422 - v3_5_z * t413);
+        put(27, t444); // row 1, MSX6
+        put(65, t448); // row 2, MSX6
+        put(96, t452); // row 3, MSX6
+        put(121, t435); // row 4, MSX6
+        put(139, t419); // row 5, MSX6
+        [t409, t412, t414, t415]
     };
     // MSY6: column
-    let [t472, t475] = {
-        let t472 = c6 * t420;
-        let t474 = t472 - s6 * t423;
-        let t475 = s6 * t420;
-        let t477 = t475 + c6 * t423;
-        let t480 = t434 + D6 * t477;
-        let t481 = D6 * t474 - t433;
-        let t484 = c5 * t474 - s5 * t426;
-        let t487 = s5 * t474 + c5 * t426;
-        let t497 = s5 * t480 + c5 * t176 - D5 * t484;
-        let t500 = t204 * t481 - t201 * (D5 * t487 - (s5 * t176 - c5 * t480));
-        let t506 = t500 + (t198 * t487 + (t207 * t484 + v1_5_z * t477));
-        let t510 = t497 - (v2_4_x * t484 + v2_4_y * t477);
-        let t514 = t497 + (t218 * t484 + v3_5_z * t477);
-        put(28, t506); // row 1, MSY6
-        put(63, t510); // row 2, MSY6
-        put(91, t514); // row 3, MSY6
-        put(112, t497); // row 4, MSY6
-        put(126, t481); // row 5, MSY6
-        [t472, t475]
+    let [t453, t456] = {
+        let t453 = c6 * t181;
+        let t455 = t453 - s6 * t183;
+        let t456 = s6 * t181;
+        let t458 = t456 + c6 * t183;
+        let t461 = t415 + D6 * t458;
+        let t462 = D6 * t455 - t414;
+        let t465 = c5 * t455 - s5 * t185;
+        let t468 = s5 * t455 + c5 * t185;
+        let t478 = s5 * t461 + c5 * t160 - D5 * t465;
+        let t481 = t204 * t462 - t201 * (c5 * t461 - s5 * t160 + D5 * t468);
+        let t487 = t481 + (t198 * t468 + (t207 * t465 + v1_5_z * t458));
+        let t491 = t478 + (t214 * t465 - v2_4_y * t458);
+        let t495 = t478 + (t218 * t465 + v3_5_z * t458);
+        put(28, t487); // row 1, MSY6
+        put(66, t491); // row 2, MSY6
+        put(97, t495); // row 3, MSY6
+        put(122, t478); // row 4, MSY6
+        put(140, t462); // row 5, MSY6
+        [t453, t456]
     };
     // XX6: column
-    let [t516, t519] = {
-        let t516 = s6 * t417;
-        let t517 = c6 * t183 + t516;
-        let t519 = c6 * t417;
-        let t520 = s6 * t183 - t519;
-        let t525 = t204 * t520 + (t220 * t517 + t221 * t416);
-        let t528 = c5 * t416 - s5 * t517;
-        put(29, t525); // row 1, XX6R
-        put(64, t528); // row 2, XX6R
-        put(92, t528); // row 3, XX6R
-        put(113, t528); // row 4, XX6R
-        put(127, t520); // row 5, XX6R
-        [t516, t519]
+    let [t497, t500] = {
+        let t497 = s6 * t175;
+        let t498 = c6 * t177 + t497;
+        let t500 = c6 * t175;
+        let t501 = s6 * t177 - t500;
+        let t506 = t204 * t501 + (t220 * t498 + t174 * t221);
+        let t509 = c5 * t174 - s5 * t498;
+        put(29, t506); // row 1, XX6R
+        put(67, t509); // row 2, XX6R
+        put(98, t509); // row 3, XX6R
+        put(123, t509); // row 4, XX6R
+        put(141, t501); // row 5, XX6R
+        [t497, t500]
     };
     // ZZ6: column
     {
-        let t530 = c6 * t418 - t516;
-        let t532 = t519 + s6 * t418;
-        let t537 = t204 * t532 + (t220 * t530 + dw6_z * t221);
-        let t540 = c5 * dw6_z - s5 * t530;
-        put(30, t537); // row 1, ZZ6
-        put(65, t540); // row 2, ZZ6
-        put(93, t540); // row 3, ZZ6
-        put(114, t540); // row 4, ZZ6
-        put(128, t532); // row 5, ZZ6
+        let t511 = t497 - c6 * t176;
+        let t513 = t500 + s6 * t176;
+        let t518 = t204 * t513 + (dw6_z * t221 - t220 * t511);
+        let t521 = s5 * t511 + c5 * dw6_z;
+        put(30, t518); // row 1, ZZ6
+        put(68, t521); // row 2, ZZ6
+        put(99, t521); // row 3, ZZ6
+        put(124, t521); // row 4, ZZ6
+        put(142, t513); // row 5, ZZ6
     }
     // XY6: column
     {
-        let t541 = t413 - t414;
-        let t544 = c6 * t425 - s6 * t426;
-        let t547 = s6 * t425 + c6 * t426;
-        let t552 = t204 * t547 + (t220 * t544 + t221 * t541);
-        let t555 = c5 * t541 - s5 * t544;
-        put(31, t552); // row 1, XY6
-        put(66, t555); // row 2, XY6
-        put(94, t555); // row 3, XY6
-        put(115, t555); // row 4, XY6
-        put(129, t547); // row 5, XY6
-        put(136, t541); // row 6, XY6
+        let t522 = t180 + t183;
+        let t525 = c6 * t184 + s6 * t185;
+        let t528 = c6 * t185 - s6 * t184;
+        let t533 = t204 * t528 - (t220 * t525 - t221 * t522);
+        let t536 = s5 * t525 + c5 * t522;
+        put(31, t533); // row 1, XY6
+        put(69, t536); // row 2, XY6
+        put(100, t536); // row 3, XY6
+        put(125, t536); // row 4, XY6
+        put(143, t528); // row 5, XY6
+        put(154, t522); // row 6, XY6
     }
     // XZ6: column
     {
-        let t556 = t413 - t415;
-        let t558 = t431 + s6 * t556;
-        let t560 = c6 * t556 - t428;
-        let t565 = t204 * t560 + (t221 * t424 - t220 * t558);
-        let t568 = s5 * t558 + c5 * t424;
-        put(32, t565); // row 1, XZ6
-        put(67, t568); // row 2, XZ6
-        put(95, t568); // row 3, XZ6
-        put(116, t568); // row 4, XZ6
-        put(130, t560); // row 5, XZ6
+        let t538 = t412 + s6 * t179;
+        let t540 = c6 * t179 - t409;
+        let t545 = t204 * t540 + (t169 * t221 - t220 * t538);
+        let t548 = s5 * t538 + c5 * t169;
+        put(32, t545); // row 1, XZ6
+        put(70, t548); // row 2, XZ6
+        put(101, t548); // row 3, XZ6
+        put(126, t548); // row 4, XZ6
+        put(144, t540); // row 5, XZ6
     }
     // YZ6: column
     {
-        let t569 = t415 - t414;
-        let t571 = t475 + c6 * t569;
-        let t573 = s6 * t569 - t472;
-        let t578 = t204 * t573 + (t220 * t571 + t221 * t421);
-        let t581 = c5 * t421 - s5 * t571;
-        let t582 = -a2_x;
-        let t583 = -t25;
-        let t584 = -t387;
-        let t585 = -t41;
-        put(33, t578); // row 1, YZ6
-        put(35, t582); // row 2, MSY2
-        put(36, t583); // row 2, XX2R
-        put(58, t584); // row 2, ZZ5R
-        put(68, t581); // row 2, YZ6
-        put(69, t585); // row 3, MSX3R
-        put(86, t584); // row 3, ZZ5R
-        put(96, t581); // row 3, YZ6
-        put(107, t584); // row 4, ZZ5R
-        put(117, t581); // row 4, YZ6
-        put(131, t573); // row 5, YZ6
+        let t549 = t183 - t143;
+        let t551 = t456 + c6 * t549;
+        let t553 = s6 * t549 - t453;
+        let t558 = t204 * t553 + (t220 * t551 + t166 * t221);
+        let t561 = c5 * t166 - s5 * t551;
+        let t562 = dq1.sign();
+        let t563 = dq2.sign();
+        let t564 = dq3.sign();
+        let t565 = dq4.sign();
+        let t566 = dq5.sign();
+        let t567 = dq6.sign();
+        let t568 = -a2_x;
+        let t569 = -t9;
+        let t570 = -t134;
+        put(33, t558); // row 1, YZ6
+        put(35, t562); // row 1, FC1
+        put(38, t568); // row 2, MSY2
+        put(39, t569); // row 2, XX2R
+        put(71, t561); // row 2, YZ6
+        put(73, t563); // row 2, FC2
+        put(102, t561); // row 3, YZ6
+        put(105, t564); // row 3, FC3
+        put(127, t561); // row 4, YZ6
+        put(130, t565); // row 4, FC4
+        put(134, t570); // row 5, XX5R
+        put(145, t553); // row 5, YZ6
+        put(148, t566); // row 5, FC5
+        put(159, t567); // row 6, FC6
     }
 }

@@ -2,13 +2,13 @@
 //!
 //! `T = h phi`, J per unit. Khalil and Dombre, 9.4.
 //!
-//! 127 multiplications, 50 additions; 60, 47 of 60 structurally nonzero.
+//! 135 multiplications, 50 additions; 84, 53 of 84 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 47;
+pub const NONZEROS: usize = 53;
 
 /// First index, and the rest row-major, of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
@@ -16,12 +16,13 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (23, 0), (24, 0), (25, 0), (26, 0), (27, 0), (28, 0), (29, 0), (30, 0), (31, 0), (32, 0),
     (33, 0), (34, 0), (35, 0), (36, 0), (37, 0), (38, 0), (39, 0), (40, 0), (41, 0), (42, 0),
     (43, 0), (44, 0), (45, 0), (46, 0), (47, 0), (48, 0), (49, 0), (50, 0), (51, 0), (52, 0),
-    (53, 0), (54, 0), (55, 0), (56, 0), (57, 0), (58, 0), (59, 0),
+    (53, 0), (54, 0), (55, 0), (56, 0), (57, 0), (58, 0), (59, 0), (60, 0), (61, 0), (62, 0),
+    (63, 0), (64, 0), (65, 0),
 ];
 
 /// Kinetic energy, one entry per standard parameter: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 60]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 84]) {
     out.fill(S::default());
     entries(trig, dq, |k, x| {
         out[PATTERN[k].0] = x;
@@ -144,10 +145,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         let t167 = k5 * (t60 * t60);
         let t169 = k5 * (t67 * t67);
         let t171 = t57 * t67;
-        let t173 = -(t11 * t12 + t3 * t9);
-        let t174 = -(t32 * t33 + t20 * t26);
-        let t175 = -(t57 * t60);
-        let t176 = -(t60 * t67);
+        let t174 = k5 * (dq3 * dq3);
+        let t176 = k5 * (dq4 * dq4);
+        let t178 = k5 * (dq5 * dq5);
+        let t180 = k5 * (dq6 * dq6);
+        let t181 = -(t11 * t12 + t3 * t9);
+        let t182 = -(t32 * t33 + t20 * t26);
+        let t183 = -(t57 * t60);
+        let t184 = -(t60 * t67);
         put(0, t69);
         put(1, t71);
         put(2, t73);
@@ -156,7 +161,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         put(5, t77);
         put(6, t78);
         put(7, t93);
-        put(8, t173);
+        put(8, t181);
         put(9, t84);
         put(10, t87);
         put(11, t95);
@@ -166,7 +171,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         put(15, t101);
         put(16, t102);
         put(17, t117);
-        put(18, t174);
+        put(18, t182);
         put(19, t108);
         put(20, t111);
         put(21, t119);
@@ -192,8 +197,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         put(41, t165);
         put(42, t167);
         put(43, t169);
-        put(44, t175);
+        put(44, t183);
         put(45, t171);
-        put(46, t176);
+        put(46, t184);
+        put(47, t69);
+        put(48, t75);
+        put(49, t174);
+        put(50, t176);
+        put(51, t178);
+        put(52, t180);
     }
 }

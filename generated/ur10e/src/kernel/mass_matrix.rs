@@ -2,7 +2,7 @@
 //!
 //! From the base parameters, rotors on the diagonal, by composite bodies. Featherstone, 6.2.
 //!
-//! 163 multiplications, 143 additions; 6 x 6, 36 of 36 structurally nonzero.
+//! 163 multiplications, 147 additions; 6 x 6, 36 of 36 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{BASE, Trig};
@@ -24,6 +24,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         ZZ1R, _, _, XX2R, ZZ2R, XY2, XZ2R, YZ2, MSX3R, MSY3, XX3R, ZZ3R,
         XY3, XZ3R, YZ3, MSX4, MSY4R, XX4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSY5R,
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6,
+        IA3, IA4, IA5, IA6,
         ..] = *beta;
     let D4 = S::constant(0.17415);
     let D5 = S::constant(0.11985);
@@ -32,187 +33,191 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
     let k4 = S::constant(0.6127);
     // composite body 6
     let [
-        t2, t5, t14, t15, t19, t22, t72, t75,
-        t78, t79,
+        t3, t6, t15, t16, t20, t23, t73, t76,
+        t79, t80,
     ] = {
-        let t2 = c6 * MSY6 + s6 * MSX6;
-        let t5 = s6 * MSY6 - c6 * MSX6;
-        let t14 = c6 * XZ6 - s6 * YZ6 + D6 * t5;
-        let t15 = D6 * t2 - (s6 * XZ6 + c6 * YZ6);
-        let t16 = c5 * t2;
-        let t17 = s5 * t2;
-        let t19 = s5 * ZZ6;
-        let t22 = c5 * ZZ6;
-        let t26 = c5 * t14 - t19 + D5 * t17;
-        let t27 = s5 * t14 + t22 - D5 * t16;
-        let t30 = c4 * t16 - s4 * t5;
-        let t33 = s4 * t16 + c4 * t5;
-        let t45 = c4 * t26 + s4 * t15 + D4 * t33;
-        let t46 = c4 * t15 - s4 * t26 + (D4 * t30 + t17 * k3);
-        let t47 = t27 + t33 * k3;
-        let t60 = t47 + (s3 * t30 + c3 * t33) * k4;
-        let t62 = c2 * (t17 * k4 - (s3 * t45 - c3 * t46));
-        let t63 = s2 * (c3 * t45 + s3 * t46) - t62;
-        let t65 = s6 * XY6;
-        let t68 = c6 * XY6;
-        let t69 = s6 * XX6R + t68;
-        let t72 = s6 * t68 - c6 * (c6 * XX6R - t65);
-        let t75 = c6 * t69 - s6 * t65;
-        let t78 = s6 * t69 + c6 * t65;
-        let t79 = t2 + t2;
-        put(5, t63); // [0][5]
-        put(11, t60); // [1][5]
-        put(17, t47); // [2][5]
-        put(23, t27); // [3][5]
-        put(29, t15); // [4][5]
-        put(30, t63); // [5][0]
-        put(31, t60); // [5][1]
-        put(32, t47); // [5][2]
-        put(33, t27); // [5][3]
-        put(34, t15); // [5][4]
-        put(35, ZZ6); // [5][5]
+        let t0 = ZZ6 + IA6;
+        let t3 = c6 * MSY6 + s6 * MSX6;
+        let t6 = c6 * MSX6 - s6 * MSY6;
+        let t15 = c6 * XZ6 - s6 * YZ6 - D6 * t6;
+        let t16 = D6 * t3 - (s6 * XZ6 + c6 * YZ6);
+        let t17 = c5 * t3;
+        let t18 = s5 * t3;
+        let t20 = s5 * ZZ6;
+        let t23 = c5 * ZZ6;
+        let t27 = c5 * t15 - t20 + D5 * t18;
+        let t28 = s5 * t15 + t23 - D5 * t17;
+        let t31 = c4 * t17 + s4 * t6;
+        let t34 = s4 * t17 - c4 * t6;
+        let t46 = c4 * t27 + s4 * t16 + D4 * t34;
+        let t47 = D4 * t31 + t18 * k3 - (s4 * t27 - c4 * t16);
+        let t48 = t28 + t34 * k3;
+        let t61 = t48 + (s3 * t31 + c3 * t34) * k4;
+        let t63 = c2 * (s3 * t46 - c3 * t47 - t18 * k4);
+        let t64 = s2 * (c3 * t46 + s3 * t47) + t63;
+        let t66 = s6 * XY6;
+        let t69 = c6 * XY6;
+        let t70 = s6 * XX6R + t69;
+        let t73 = c6 * (c6 * XX6R - t66) - s6 * t69;
+        let t76 = s6 * t66 - c6 * t70;
+        let t79 = s6 * t70 + c6 * t66;
+        let t80 = t3 + t3;
+        put(5, t64); // [0][5]
+        put(11, t61); // [1][5]
+        put(17, t48); // [2][5]
+        put(23, t28); // [3][5]
+        put(29, t16); // [4][5]
+        put(30, t64); // [5][0]
+        put(31, t61); // [5][1]
+        put(32, t48); // [5][2]
+        put(33, t28); // [5][3]
+        put(34, t16); // [5][4]
+        put(35, t0); // [5][5]
         [
-        t2, t5, t14, t15, t19, t22, t72, t75,
-        t78, t79,
+        t3, t6, t15, t16, t20, t23, t73, t76,
+        t79, t80,
     ]
     };
     // composite body 5
     let [
-        t88, t91, t100, t101, t147, t151, t153, t154,
-        t158,
+        t90, t93, t102, t103, t149, t153, t155, t156,
+        t160,
     ] = {
-        let t80 = t5 - MSX5;
-        let t81 = t72 - XX5R;
-        let t82 = ZZ5R + t78;
-        let t83 = XY5 + t14;
-        let t84 = t75 - XZ5;
-        let t85 = YZ5 + t15;
-        let t88 = s5 * t80 - c5 * MSY5R;
-        let t91 = s5 * MSY5R + c5 * t80;
-        let t100 = D5 * t91 - (c5 * t84 + s5 * t85);
-        let t101 = D5 * t88 - (s5 * t84 - c5 * t85);
-        let t102 = c4 * t88;
-        let t103 = s4 * t88;
-        let t115 = c4 * t100 + s4 * t82 - D4 * t103;
-        let t116 = s4 * t100 - c4 * t82 + (D4 * t102 - k3 * t91);
-        let t117 = t101 - k3 * t103;
-        let t130 = t117 - k4 * (s3 * t102 + c3 * t103);
-        let t131 = s2 * (s3 * t116 - c3 * t115);
-        let t133 = c2 * (s3 * t115 + c3 * t116 - k4 * t91) - t131;
-        let t135 = s5 * t83;
-        let t138 = c5 * t83;
-        let t139 = s5 * t81 - t138;
-        let t141 = t22 + t135;
-        let t147 = c5 * t139 + s5 * t141;
-        let t151 = t88 + t88;
-        let t152 = D5 * t79;
-        let t153 = c5 * (c5 * t81 + t135) + s5 * (t138 - t19) + t152;
-        let t154 = s5 * t139 - c5 * t141 + t152;
-        let t156 = D5 * t2;
-        let t158 = t82 - t152 + (t156 + t156);
-        put(4, t133); // [0][4]
-        put(10, t130); // [1][4]
-        put(16, t117); // [2][4]
-        put(22, t101); // [3][4]
-        put(24, t133); // [4][0]
-        put(25, t130); // [4][1]
-        put(26, t117); // [4][2]
-        put(27, t101); // [4][3]
-        put(28, t82); // [4][4]
+        let t81 = MSX5 + t6;
+        let t82 = XX5R + t73;
+        let t83 = ZZ5R + t79;
+        let t84 = XY5 + t15;
+        let t85 = XZ5 + t76;
+        let t86 = YZ5 + t16;
+        let t87 = IA5 + t83;
+        let t90 = c5 * MSY5R + s5 * t81;
+        let t93 = c5 * t81 - s5 * MSY5R;
+        let t102 = s5 * t86 - c5 * t85 + D5 * t93;
+        let t103 = s5 * t85 + c5 * t86 - D5 * t90;
+        let t104 = c4 * t90;
+        let t105 = s4 * t90;
+        let t117 = c4 * t102 - s4 * t83 - D4 * t105;
+        let t118 = s4 * t102 + c4 * t83 + (D4 * t104 - k3 * t93);
+        let t119 = t103 + k3 * t105;
+        let t132 = t119 + k4 * (s3 * t104 + c3 * t105);
+        let t134 = c2 * (s3 * t117 + c3 * t118 - k4 * t93);
+        let t135 = s2 * (s3 * t118 - c3 * t117) - t134;
+        let t137 = s5 * t84;
+        let t140 = c5 * t84;
+        let t141 = s5 * t82 + t140;
+        let t143 = t23 + t137;
+        let t149 = c5 * t141 - s5 * t143;
+        let t153 = t90 + t90;
+        let t154 = D5 * t80;
+        let t155 = t154 - (c5 * (c5 * t82 - t137) - s5 * (t140 - t20));
+        let t156 = t154 - (s5 * t141 + c5 * t143);
+        let t158 = D5 * t3;
+        let t160 = t158 + t158 - (t154 - t83);
+        put(4, t135); // [0][4]
+        put(10, t132); // [1][4]
+        put(16, t119); // [2][4]
+        put(22, t103); // [3][4]
+        put(24, t135); // [4][0]
+        put(25, t132); // [4][1]
+        put(26, t119); // [4][2]
+        put(27, t103); // [4][3]
+        put(28, t87); // [4][4]
         [
-        t88, t91, t100, t101, t147, t151, t153, t154,
-        t158,
+        t90, t93, t102, t103, t149, t153, t155, t156,
+        t160,
     ]
     };
     // composite body 4
-    let [t168, t171, t182, t223, t225, t228, t229, t233] = {
-        let t159 = MSX4 - t91;
-        let t160 = MSY4R + t2;
-        let t161 = t153 - XX4R;
-        let t162 = ZZ4R - t154;
-        let t163 = XY4 - t100;
-        let t164 = XZ4 - t147;
-        let t165 = t101 - YZ4;
-        let t168 = c4 * t160 + s4 * t159;
-        let t171 = s4 * t160 - c4 * t159;
-        let t174 = c4 * t164 + s4 * t165;
-        let t178 = D4 * t171;
-        let t180 = k3 * t171;
-        let t181 = t174 + t178;
-        let t182 = c4 * t165 - s4 * t164 + D4 * t168;
-        let t183 = t162 + t180;
-        let t194 = t183 + k4 * (s3 * t168 + c3 * t171);
-        let t196 = c2 * (c3 * t182 - s3 * t181);
-        let t197 = s2 * (c3 * t181 + s3 * t182) - t196;
-        let t199 = s4 * t163;
-        let t202 = c4 * t163;
-        let t203 = s4 * t161 - t202;
-        let t207 = t199 + c4 * t158;
-        let t220 = D4 * t151 - k3 * (t171 + t171);
-        let t221 = c4 * (c4 * t161 + t199) + s4 * (t202 - s4 * t158) + t220;
-        let t223 = t221 + (t180 + t180);
-        let t225 = k3 * t168 - (c4 * t203 + s4 * t207);
-        let t228 = t174 - (k3 * t88 - t178);
-        let t229 = t220 - (c4 * t207 - s4 * t203);
-        let t231 = D4 * t88;
-        let t233 = t162 - t220 + (t231 + t231);
-        put(3, t197); // [0][3]
-        put(9, t194); // [1][3]
-        put(15, t183); // [2][3]
-        put(18, t197); // [3][0]
-        put(19, t194); // [3][1]
-        put(20, t183); // [3][2]
-        put(21, t162); // [3][3]
-        [t168, t171, t182, t223, t225, t228, t229, t233]
+    let [t171, t174, t185, t226, t228, t231, t232, t236] = {
+        let t161 = MSX4 + t93;
+        let t162 = MSY4R + t3;
+        let t163 = XX4R - t155;
+        let t164 = t156 - ZZ4R;
+        let t165 = XY4 + t102;
+        let t166 = XZ4 + t149;
+        let t167 = t103 - YZ4;
+        let t168 = IA4 - t164;
+        let t171 = c4 * t162 + s4 * t161;
+        let t174 = s4 * t162 - c4 * t161;
+        let t177 = c4 * t166 + s4 * t167;
+        let t181 = D4 * t174;
+        let t183 = k3 * t174;
+        let t184 = t177 + t181;
+        let t185 = D4 * t171 - (s4 * t166 - c4 * t167);
+        let t186 = t183 - t164;
+        let t197 = t186 + k4 * (s3 * t171 + c3 * t174);
+        let t199 = c2 * (c3 * t185 - s3 * t184);
+        let t200 = s2 * (c3 * t184 + s3 * t185) - t199;
+        let t202 = s4 * t165;
+        let t205 = c4 * t165;
+        let t206 = s4 * t163 + t205;
+        let t210 = t202 + c4 * t160;
+        let t223 = k3 * (t174 + t174) + D4 * t153;
+        let t224 = c4 * (c4 * t163 - t202) + s4 * (s4 * t160 - t205) + t223;
+        let t226 = t224 - (t183 + t183);
+        let t228 = k3 * t171 - (s4 * t210 - c4 * t206);
+        let t231 = t177 + (t181 + k3 * t90);
+        let t232 = s4 * t206 + c4 * t210 + t223;
+        let t234 = D4 * t90;
+        let t236 = t223 - t164 - (t234 + t234);
+        put(3, t200); // [0][3]
+        put(9, t197); // [1][3]
+        put(15, t186); // [2][3]
+        put(18, t200); // [3][0]
+        put(19, t197); // [3][1]
+        put(20, t186); // [3][2]
+        put(21, t168); // [3][3]
+        [t171, t174, t185, t226, t228, t231, t232, t236]
     };
     // composite body 3
-    let [t252, t281, t283, t285, t286, t287] = {
-        let t234 = MSX3R - t171;
-        let t235 = MSY3 + t168;
-        let t236 = XX3R - t223;
-        let t237 = ZZ3R + t233;
-        let t238 = XY3 + t225;
-        let t239 = XZ3R + t228;
-        let t240 = YZ3 - t182;
-        let t246 = s3 * t235 - c3 * t234;
-        let t249 = c3 * t239 - s3 * t240;
-        let t252 = s3 * t239 + c3 * t240;
-        let t253 = k4 * t246;
-        let t254 = t237 + t253;
-        let t257 = s2 * t249 + c2 * t252;
-        let t259 = s3 * t238;
-        let t262 = c3 * t238;
-        let t263 = s3 * t236 + t262;
-        let t267 = c3 * t229 - t259;
-        let t278 = k4 * (t246 + t246);
-        let t279 = t278 - (c3 * (t259 - c3 * t236) + s3 * (t262 + s3 * t229));
-        let t281 = t253 + t253 - t279;
-        let t283 = c3 * t263 + s3 * t267 + k4 * (c3 * t235 + s3 * t234);
-        let t285 = t249 - k4 * t88;
-        let t286 = t278 - (c3 * t267 - s3 * t263);
-        let t287 = t237 + t278;
-        put(2, t257); // [0][2]
-        put(8, t254); // [1][2]
-        put(12, t257); // [2][0]
-        put(13, t254); // [2][1]
-        put(14, t237); // [2][2]
-        [t252, t281, t283, t285, t286, t287]
+    let [t256, t285, t287, t289, t290, t291] = {
+        let t237 = t174 - MSX3R;
+        let t238 = MSY3 + t171;
+        let t239 = XX3R + t226;
+        let t240 = ZZ3R + t236;
+        let t241 = XY3 + t228;
+        let t242 = XZ3R + t231;
+        let t243 = YZ3 - t185;
+        let t244 = IA3 + t240;
+        let t250 = s3 * t238 + c3 * t237;
+        let t253 = s3 * t243 - c3 * t242;
+        let t256 = s3 * t242 + c3 * t243;
+        let t257 = k4 * t250;
+        let t258 = t240 + t257;
+        let t261 = c2 * t256 - s2 * t253;
+        let t263 = s3 * t241;
+        let t266 = c3 * t241;
+        let t267 = s3 * t239 + t266;
+        let t271 = t263 + c3 * t232;
+        let t282 = k4 * (t250 + t250);
+        let t283 = t282 - (c3 * (t263 - c3 * t239) - s3 * (s3 * t232 - t266));
+        let t285 = t283 - (t257 + t257);
+        let t287 = c3 * t267 - s3 * t271 + k4 * (c3 * t238 - s3 * t237);
+        let t289 = k4 * t90 - t253;
+        let t290 = s3 * t267 + c3 * t271 + t282;
+        let t291 = t240 + t282;
+        put(2, t261); // [0][2]
+        put(8, t258); // [1][2]
+        put(12, t261); // [2][0]
+        put(13, t258); // [2][1]
+        put(14, t244); // [2][2]
+        [t256, t285, t287, t289, t290, t291]
     };
     // composite body 2
-    let t304 = {
-        let t289 = ZZ2R + t287;
-        let t290 = XY2 + t283;
-        let t295 = s2 * (XZ2R + t285) + c2 * (YZ2 + t252);
-        let t303 = c2 * (s2 * t290 + c2 * t286);
-        let t304 = s2 * (s2 * (XX2R - t281) + c2 * t290) + t303;
-        put(1, t295); // [0][1]
-        put(6, t295); // [1][0]
-        put(7, t289); // [1][1]
-        t304
+    let t308 = {
+        let t293 = ZZ2R + t291;
+        let t294 = XY2 + t287;
+        let t299 = s2 * (XZ2R + t289) + c2 * (YZ2 + t256);
+        let t307 = c2 * (s2 * t294 + c2 * t290);
+        let t308 = s2 * (s2 * (XX2R + t285) + c2 * t294) + t307;
+        put(1, t299); // [0][1]
+        put(6, t299); // [1][0]
+        put(7, t293); // [1][1]
+        t308
     };
     // composite body 1
     {
-        let t305 = ZZ1R + t304;
-        put(0, t305); // [0][0]
+        let t309 = ZZ1R + t308;
+        put(0, t309); // [0][0]
     }
 }

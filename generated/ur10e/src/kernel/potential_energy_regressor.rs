@@ -2,23 +2,24 @@
 //!
 //! `U = h phi`, J per unit, zero at the base frame's origin; an offset torque counts as `FO q`.
 //!
-//! 32 multiplications, 12 additions; 60, 19 of 60 structurally nonzero.
+//! 32 multiplications, 12 additions; 84, 25 of 84 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
-pub const NONZEROS: usize = 19;
+pub const NONZEROS: usize = 25;
 
 /// First index, and the rest row-major, of each of them, in the order of [`packed`].
 pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 0), (3, 0), (10, 0), (11, 0), (12, 0), (20, 0), (21, 0), (22, 0), (30, 0), (31, 0),
-    (32, 0), (40, 0), (41, 0), (42, 0), (43, 0), (50, 0), (51, 0), (52, 0), (53, 0),
+    (32, 0), (40, 0), (41, 0), (42, 0), (43, 0), (50, 0), (51, 0), (52, 0), (53, 0), (78, 0),
+    (79, 0), (80, 0), (81, 0), (82, 0), (83, 0),
 ];
 
 /// Potential energy, one entry per standard parameter: every entry of `out` is written.
 #[inline]
-pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 60]) {
+pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 84]) {
     out.fill(S::default());
     entries(trig, |k, x| {
         out[PATTERN[k].0] = x;
@@ -34,6 +35,7 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 #[allow(non_snake_case, clippy::all)]
 #[inline(always)]
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
+    let [q1, q2, q3, q4, q5, q6] = trig.q;
     let [_, s2, s3, s4, s5, s6] = trig.sin;
     let [_, c2, c3, c4, c5, c6] = trig.cos;
     let D1 = S::constant(0.1807);
@@ -51,6 +53,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(0, k6);
         put(1, k5);
         put(2, k6);
+        put(19, q1);
+        put(20, q2);
+        put(21, q3);
+        put(22, q4);
+        put(23, q5);
+        put(24, q6);
         [t1, t4, t7]
     };
     // frame 4

@@ -1,0 +1,79 @@
+//! Arms, poses and the clock that the benchmarks of inverse kinematics share.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use dh_codegen::arm::{Inverse, Model};
+use dh_codegen::ik::{Arm, Branch, Query, Reference};
+use dh_codegen::robot::Robot;
+
+/// Poses that are taken in turn: more than a branch predictor remembers.
+pub const POSES: usize = 2000;
+const ROUNDS: usize = 31;
+
+/// A pose: the top three rows of its homogeneous matrix.
+pub type Pose = [[f64; 4]; 3];
+
+/// Nanoseconds per call: the median of rounds over all poses.
+pub fn median<T>(poses: &[T], mut call: impl FnMut(&T)) -> f64 {
+    let mut times: Vec<f64> = (0..ROUNDS)
+        .map(|_| {
+            let start = Instant::now();
+            poses.iter().for_each(|p| call(black_box(p)));
+            start.elapsed().as_secs_f64() * 1e9 / poses.len() as f64
+        })
+        .collect();
+    times.sort_by(f64::total_cmp);
+    times[ROUNDS / 2]
+}
+
+/// A robot of the repository, solved by the text that its generated crate carries.
+pub struct Bench<const N: usize> {
+    pub arm: Arm<N>,
+    pub class: &'static str,
+    /// Poses of random postures within the limits, with their redundancy.
+    pub poses: Vec<(Pose, f64)>,
+}
+
+impl<const N: usize> Bench<N> {
+    pub fn new(name: &str) -> Self {
+        let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR").trim_end_matches("/benches/peers"));
+        let text = std::fs::read_to_string(path).expect("a robot file of the repository");
+        let robot = Robot::from_yaml(&text, &|f| Err(f.to_string())).expect("a robot file without problems").robot;
+        let inverse = Inverse::new(Model::new(&robot).chain());
+        let limits: Vec<_> = robot.moving().iter().map(|&i| robot.joints[i].limits.position).collect();
+        let arm: Arm<N> = inverse.arm(&limits).expect("as many joints");
+        let mut state = 1u64;
+        let poses = (0..POSES)
+            .map(|_| {
+                let q = core::array::from_fn(|i| {
+                    state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                    let unit = (state >> 11) as f64 / (1u64 << 53) as f64;
+                    let [low, high] = limits[i].unwrap_or([-3.0, 3.0]);
+                    low + (high - low) * unit
+                });
+                (arm.forward(&q), arm.redundancy(&q, &Reference::UP))
+            })
+            .collect();
+        Self { arm, class: inverse.class, poses }
+    }
+
+    /// ns for all branches of a pose, and how many there are on average.
+    pub fn solve(&self) -> (f64, f64) {
+        let query = |redundancy| Query { redundancy, ..Query::default() };
+        let ns = median(&self.poses, |(pose, redundancy)| {
+            black_box(self.arm.solve(pose, &query(*redundancy))).ok();
+        });
+        let found: usize =
+            self.poses.iter().map(|(p, r)| self.arm.solve(p, &query(*r)).map_or(0, |s| s.as_slice().len())).sum();
+        (ns, found as f64 / POSES as f64)
+    }
+
+    /// ns for the swivel intervals of one branch.
+    pub fn intervals(&self) -> f64 {
+        let branch = Branch { shoulder: 1, elbow: 1, wrist: 1, root: 0, numerical: false };
+        median(&self.poses, |(pose, _)| {
+            black_box(self.arm.swivel_intervals(pose, branch, &Reference::UP)).ok();
+        })
+    }
+}
