@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use super::consistent::{Possible, paid};
-use super::identify_html::escape;
 use super::number::{digits, figure};
+use super::page::escape;
 use crate::tool::Body;
 
 /// The links that go with the identified parameters, beside those of the robot file. Without the tool.

@@ -97,7 +97,7 @@ fn wrong_uses() {
     fails(2, &[ROBOT, "--tool", "robots/tools/gripper.yaml"], &["geometry"]);
     fails(2, &[&[ROBOT], &tool[..], &["--normal", "0,0,1"]].concat(), &["up is along its normal"]);
     fails(2, &[&[ROBOT], &tool[..], &["--normal", "1,0"]].concat(), &["--normal", "three numbers"]);
-    fails(2, &[&[ROBOT], &tool[..], &["--width", "-1"]].concat(), &["--width"]);
+    fails(2, &[&[ROBOT], &tool[..], &["--width", "-1"]].concat(), &["width is -1 m"]);
     fails(2, &[&[ROBOT], &tool[..], &["--width", "0"]].concat(), &["width is 0 m"]);
     fails(2, &[&[ROBOT], &tool[..], &["--lanes", "0"]].concat(), &["lanes"]);
     fails(2, &[&[ROBOT], &tool[..], &["--rate", "0"]].concat(), &["--rate 0"]);
