@@ -332,7 +332,9 @@ impl Plan {
     }
 
     fn advice(&self) -> &'static str {
-        if self.whole {
+        if self.whole && self.duration.is_some() {
+            "Give it a longer --duration, or leave that or --whole out"
+        } else if self.whole {
             "Leave --whole out to paint as much as can be painted, or move the wall"
         } else if self.duration.is_some() {
             "Give it a longer --duration, or leave that out"
