@@ -103,6 +103,7 @@ let setMoment = () => {};
       const corner = k => [k & 1 ? b[0] : a[0], k & 2 ? b[1] : a[1], k & 4 ? b[2] : a[2]];
       for (let k = 0; k < 8; k++) for (const bit of [1, 2, 4]) if (!(k & bit)) stroke([corner(k), corner(k | bit)], '#b34700', 1.5);
     }
+    for (const line of data.outlines ?? []) stroke(line, '#b34700', 1.5);
     stroke(path, '#0072b255', 1);
     const [points, balls] = data.figures[at];
     const spheres = triples(balls).map((p, i) => ({ p: project(p), r: data.radii[i] })).sort((a, b) => a.p[2] - b.p[2]);

@@ -8,6 +8,7 @@ mod excite;
 mod generate;
 mod identify;
 mod ik;
+mod paint;
 mod reproduce;
 mod simulate;
 mod tool;
