@@ -85,7 +85,7 @@ pub fn separate(robot: &Robot, found: &Diagnosis, progress: &dyn Fn(&str)) -> Op
         let size: Vec<f64> = own.iter().map(|c| c.found(&plant, cause).unwrap_or(1.0)).collect();
         let states = design.trajectory.sampled(RATE).1;
         let (left, share) = remains(&task, &states, &first, &second, &size)?;
-        if !(share > WORTH) {
+        if share.is_nan() || share <= WORTH {
             continue;
         }
         let in_noise = left.iter().zip(&task.noise).map(|(l, s)| l / s).fold(0.0, f64::max);
