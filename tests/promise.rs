@@ -172,49 +172,61 @@ promises! {
     rotor: on(4, &[effect("rotor_inertia", &[("IA", 0.5)])]);
 }
 
-/// With one joint moving, its zero and the tilt of the base are the same; the motion that is designed tells them apart.
+/// Joint 4 alone, on one sine: its acceleration is in proportion to its angle.
+fn one_sine(phase: f64, seconds: f64) -> Trajectory {
+    let t: Vec<f64> = (0..(100.0 * seconds) as usize).map(|k| 0.01 * k as f64).collect();
+    let w = 3.0;
+    let wave = |shift: f64, size: f64| t.iter().map(|t| size * (w * t + phase + shift).sin()).collect::<Vec<f64>>();
+    let of = |wave: Vec<f64>| {
+        let mut all = vec![0.0; 7 * t.len()];
+        all[3 * t.len()..4 * t.len()].copy_from_slice(&wave);
+        all
+    };
+    let quarter = core::f64::consts::FRAC_PI_2;
+    let (q, dq, ddq) = (of(wave(0.0, 0.5)), of(wave(quarter, 0.5 * w)), of(wave(0.0, -0.5 * w * w)));
+    Trajectory::new(7, t.clone(), q, Some(dq), Some(ddq)).unwrap()
+}
+
+/// On one sine a rotor is a spring pulled the wrong way round; the motion that is designed tells them apart.
 #[test]
 fn the_next_experiment_resolves_what_was_open() {
     let robot = robot();
-    let simulator = Simulator::new(&robot, &on(2, &[effect("encoder_offset", &[("QO", 0.03)])])).unwrap();
-    let alone = |seed: f64, seconds: f64| {
-        let t: Vec<f64> = (0..(100.0 * seconds) as usize).map(|k| 0.01 * k as f64).collect();
-        let mut q = vec![0.0; 7 * t.len()];
-        let second = &mut q[t.len()..2 * t.len()];
-        for (q, t) in second.iter_mut().zip(&t) {
-            *q = 0.9 * (0.8 * t + seed).sin() + 0.3 * (1.9 * t + seed).sin();
-        }
-        Trajectory::new(7, t, q, None, None).unwrap()
-    };
-    let (fit, validate) =
-        (play(&simulator, "fit", &alone(0.0, 10.0), 1), play(&simulator, "validate", &alone(1.0, 6.0), 2));
     let plant = RobotPlant::new(&robot);
     let run = |fit: &[Recording], validate: &[Recording]| {
         diagnose(&plant, fit, validate, &Settings::default(), &|_| {}).unwrap()
     };
-    let open = run(std::slice::from_ref(&fit), std::slice::from_ref(&validate));
     let said = |found: &Diagnosis| -> Vec<(&'static str, Vec<usize>, Vec<&'static str>)> {
         found.causes.iter().map(|c| (c.cause, c.joints.clone(), c.not_distinguished_from.clone())).collect()
     };
-    println!("open {:?}", said(&open));
-    let begun = std::time::Instant::now();
-    let next = separate(&robot, &open, &|_| {}).expect("a motion");
-    println!(
-        "{:?} {:?} share {} left {:?} noise {} in {:?}",
-        next.between,
-        next.joints,
-        next.share,
-        next.left,
-        next.in_noise,
-        begun.elapsed()
-    );
-    let (t, states) = next.motion.sampled(100.0);
-    let motion = Trajectory::new(7, t, states.q, Some(states.dq), Some(states.ddq)).unwrap();
-    let played = [fit, play(&simulator, "next", &motion, 3)];
-    let settled = run(&played, &[validate, play(&simulator, "next again", &motion, 4)]);
-    println!("settled {:?}", said(&settled));
-    let pair = next.between;
-    let first = &settled.causes[0];
-    assert_eq!((first.cause, &first.joints[..]), ("encoder_offset", &[2][..]), "{:?}", said(&settled));
-    assert!(!first.not_distinguished_from.iter().any(|r| pair.contains(r)), "{:?}", said(&settled));
+    {
+        let (name, keys) = ("rotor_inertia", &[("IA", 0.5)]);
+        let simulator = Simulator::new(&robot, &on(4, &[effect(name, keys)])).unwrap();
+        let fit = play(&simulator, "fit", &one_sine(0.0, 10.0), 1);
+        let validate = play(&simulator, "validate", &one_sine(1.0, 6.0), 2);
+        let open = run(std::slice::from_ref(&fit), std::slice::from_ref(&validate));
+        println!("{name} open {:?}", said(&open));
+        let begun = std::time::Instant::now();
+        let Some(next) = separate(&robot, &open, &|_| {}) else {
+            panic!("no motion: {:?}", said(&open));
+        };
+        println!(
+            "{:?} {:?} share {} left {:?} noise {} in {:?}",
+            next.between,
+            next.joints,
+            next.share,
+            next.left,
+            next.in_noise,
+            begun.elapsed()
+        );
+        assert!(next.share > 0.3 && next.in_noise > 3.0, "{} {}", next.share, next.in_noise);
+        let (t, states) = next.motion.sampled(100.0);
+        let motion = Trajectory::new(7, t, states.q, Some(states.dq), Some(states.ddq)).unwrap();
+        let played = [fit, play(&simulator, "next", &motion, 3)];
+        let settled = run(&played, &[validate, play(&simulator, "next again", &motion, 4)]);
+        println!("settled {:?}", said(&settled));
+        let first = &settled.causes[0];
+        assert_eq!((first.cause, &first.joints[..]), (name, &[4][..]), "{:?}", said(&settled));
+        let other = if first.cause == next.between[0] { next.between[1] } else { next.between[0] };
+        assert!(!first.not_distinguished_from.contains(&other), "{:?}", said(&settled));
+    }
 }

@@ -85,7 +85,7 @@ pub fn separate(robot: &Robot, found: &Diagnosis, progress: &dyn Fn(&str)) -> Op
         let size: Vec<f64> = own.iter().map(|c| c.found(&plant, cause).unwrap_or(1.0)).collect();
         let states = design.trajectory.sampled(RATE).1;
         let (left, share) = remains(&task, &states, &first, &second, &size)?;
-        if !(share > WORTH) {
+        if share.is_nan() || share <= WORTH {
             continue;
         }
         let in_noise = left.iter().zip(&task.noise).map(|(l, s)| l / s).fold(0.0, f64::max);
@@ -469,7 +469,8 @@ mod tests {
             .map(|(n, v)| if n.starts_with('F') { 0.0 } else { *v })
             .collect();
         let turn = [1e-9; 2];
-        let cases: [(&str, &[(&str, f64)], usize, f64); 8] = [
+        type Case<'a> = (&'a str, &'a [(&'a str, f64)], usize, f64);
+        let cases: [Case<'_>; 8] = [
             ("torque_ripple", &[("RN", 5.0), ("RC", 1.0)], 0, 1.0),
             ("position_dependent_friction", &[("PN", 2.0), ("PS", 1.0)], 1, 1.0),
             ("nonlinear_viscous_friction", &[("FN", 1.0), ("EN", 0.6)], 0, 1.0),

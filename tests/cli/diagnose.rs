@@ -104,13 +104,15 @@ fn a_hidden_ripple_comes_back_in_the_robot_file() {
 
 #[test]
 fn a_hidden_payload_is_the_whole_robots() {
-    let (found, _) = diagnosis(
+    let (found, out) = diagnosis(
         "payload",
         "joints: {}\neffects: { payload: { M: 0.8, MSX: 0.02, MSZ: 0.1, XX: 0.02, YY: 0.02, ZZ: 0.003, XZ: -0.0025 } }",
     );
     let first = &found["causes"][0];
     assert_eq!((first["cause"].as_str(), &first["joints"]), (Some("payload"), &serde_json::json!([])), "{found:#}");
     assert!(first["not_distinguished_from"].as_array().unwrap().contains(&"link_inertia_error".into()));
+    // No motion tells those two apart, so none is written.
+    assert!(found["next_experiment"]["file"].is_null() && !Path::new(&out).with_extension("next.csv").exists());
 }
 
 #[test]

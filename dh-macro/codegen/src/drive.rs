@@ -31,7 +31,7 @@ impl Memory {
     #[must_use]
     #[inline]
     pub fn warmth<S: Real>(&self, since: S, temperature: S) -> S {
-        if !(self.time > 0.0) {
+        if self.time <= 0.0 {
             return S::constant(1.0);
         }
         let cold = (-(since / S::constant(self.time))).exp() * S::constant(self.cold);

@@ -138,7 +138,7 @@ impl Real for Pack {
 /// Adding and subtracting it rounds to the nearest whole number.
 const ROUND: f64 = 6_755_399_441_055_744.0;
 /// ln 2 in two pieces; the first has 33 bits, so that its products with an exponent are exact.
-const LN2: [f64; 2] = [6.931_471_803_691_238_165e-1, 1.908_214_929_270_587_7e-10];
+const LN2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 const E: [f64; 5] = [
     1.666_666_666_666_660_2e-1,
     -2.777_777_777_701_559_3e-3,
