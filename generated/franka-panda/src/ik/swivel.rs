@@ -116,8 +116,10 @@ impl Swivel {
             let fore = wrist.carried(|x| times(&upper, a4.direction(v4, x)));
             let lasts = wrist.turns(&fore, &hand, near(4));
             let at4 = all.value(3, false, v4);
-            let mut name =
-                |first: usize, turns: [Turn; 3]| [0, 1, 2].map(|k| all.value(first + k, false, Value::turn(turns[k])));
+            let mut name = |first: usize, turns: [Turn; 3]| {
+                let [a, b, c] = turns.map(Value::turn);
+                [all.value(first, false, a), all.value(first + 1, false, b), all.value(first + 2, false, c)]
+            };
             let (at1, at5) = (firsts.map(|(t, _)| name(0, t)), lasts.map(|(t, _)| name(4, t)));
             for (j, (a, (_, f1))) in at1.into_iter().zip(firsts).enumerate() {
                 for (k, (b, (_, f2))) in at5.into_iter().zip(lasts).enumerate() {
