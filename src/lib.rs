@@ -29,6 +29,7 @@
 
 pub mod arm;
 pub mod cli;
+pub mod control;
 pub mod diagnose;
 pub mod differentiated;
 pub mod excite;
