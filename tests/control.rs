@@ -122,7 +122,8 @@ fn it_presses_with_the_force_that_is_wanted() {
 #[test]
 fn anti_windup() {
     // Held for a long time where the force can't be reached, it answers at once when it can.
-    let mut force = denavit::control::law::ForceLoop::new(ForceSettings { kp: 1e-3, ki: 0.1, range: [0.0, 0.05], rate: 1.0 });
+    let mut force =
+        denavit::control::law::ForceLoop::new(ForceSettings { kp: 1e-3, ki: 0.1, range: [0.0, 0.05], rate: 1.0 });
     for _ in 0..10_000 {
         assert!(force.press(30.0, T, f64::MAX) <= 0.05);
     }
@@ -169,8 +170,8 @@ fn a_few_missing_samples_do_no_harm() {
         let mut sample = world.sample();
         match k % 17 {
             3 | 4 => sample.q[1] = f64::NAN,
-            9 => sample.t -= 5.0 * T,     // stale
-            12 => sample.q[0] += 1.0,     // a leap
+            9 => sample.t -= 5.0 * T, // stale
+            12 => sample.q[0] += 1.0, // a leap
             14 => sample.force = f64::INFINITY,
             _ => {}
         }
@@ -324,11 +325,16 @@ proptest! {
 /// The files of the law, compiled as a crate of their own.
 #[test]
 fn it_needs_nothing_but_core() {
-    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/src/control/law.rs");
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/src/control");
     let out = std::env::temp_dir().join(format!("denavit-law-{}", std::process::id()));
     std::fs::create_dir_all(&out).unwrap();
     let crate_root = out.join("lib.rs");
-    std::fs::write(&crate_root, format!("#![no_std]\n#![deny(unsafe_code)]\n#[path = \"{root}\"]\npub mod law;\n")).unwrap();
+    std::fs::write(&crate_root, format!("#![no_std]
+#![deny(unsafe_code)]
+#[path = \"{root}\"]
+pub mod control {{ pub mod law; }}
+"))
+        .unwrap();
     let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".into());
     let result = std::process::Command::new(rustc)
         .args(["--edition", "2024", "--crate-type", "rlib", "--emit", "metadata", "--crate-name", "bare", "--out-dir"])
