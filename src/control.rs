@@ -5,6 +5,8 @@
 //! (`tests/control.rs` compiles them under `#![no_std]`). [`robot`] lends it a robot file, [`gains`] proposes gains from a linear model of
 //! arm, wall, filter and sampling.
 
+pub mod gains;
 pub mod law;
+pub mod robot;
 
 pub use law::{Command, Controller, Fault, Sample, Settings, Status, Target};

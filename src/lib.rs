@@ -39,6 +39,7 @@ pub mod interpreted;
 pub mod inverse;
 pub mod log;
 pub mod numeric;
+pub mod paint;
 pub mod plant;
 pub mod report;
 pub mod reproduce;

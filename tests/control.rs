@@ -329,12 +329,9 @@ fn it_needs_nothing_but_core() {
     let out = std::env::temp_dir().join(format!("denavit-law-{}", std::process::id()));
     std::fs::create_dir_all(&out).unwrap();
     let crate_root = out.join("lib.rs");
-    std::fs::write(&crate_root, format!("#![no_std]
-#![deny(unsafe_code)]
-#[path = \"{root}\"]
-pub mod control {{ pub mod law; }}
-"))
-        .unwrap();
+    let text =
+        format!("#![no_std]\n#![deny(unsafe_code)]\n#[path = \"{root}\"]\npub mod control {{\n    pub mod law;\n}}\n");
+    std::fs::write(&crate_root, text).unwrap();
     let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".into());
     let result = std::process::Command::new(rustc)
         .args(["--edition", "2024", "--crate-type", "rlib", "--emit", "metadata", "--crate-name", "bare", "--out-dir"])
