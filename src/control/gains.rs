@@ -9,5 +9,5 @@ pub mod joint;
 mod sampled;
 
 pub use force::{ForcePlant, ForceProposal, Step, propose_force};
-pub use joint::{JointPlant, JointProposal, propose_joint};
+pub use joint::{JointPlant, JointProposal, propose_joint, wanted_joint};
 pub use sampled::{Margins, wanted};

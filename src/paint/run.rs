@@ -185,7 +185,14 @@ fn run_n<const N: usize>(
         corner: task.corner,
         stiffness: task.wall.stiffness,
         damping: task.wall.damping_at(task.force),
-        soft: torque.iter().map(|limit| Demands::SOFT.map(|share| share * limit)).collect(),
+        drives: real
+            .drives()
+            .iter()
+            .zip(&known.drives)
+            .map(|(is, known)| {
+                [(is.rotor - known.rotor).max(0.0), is.elasticity.map_or(f64::INFINITY, |e| e.stiffness)]
+            })
+            .collect(),
     };
     let tuning = tune(&mut lent, &postures, &viscous, &press, &demands).map_err(RunError::Setting)?;
 

@@ -17,15 +17,8 @@ pub struct Demands {
     pub stiffness: f64,
     /// Of wall and roller, N s/m.
     pub damping: f64,
-    /// Rotor and spring that a joint may hide, for each joint: kg m^2, N m/rad.
-    pub soft: Vec<[f64; 2]>,
-}
-
-impl Demands {
-    /// The rotor that a soft joint is thought to hide, by the torque limit (kg m^2 per N m), and its spring (per rad): a rotor that a torque loop of the
-    /// drive makes light, on the spring of a light-weight arm (Albu-Schaeffer, Ott and Hirzinger, IJRR 26, 2007). Gains that bear this bear
-    /// heavier rotors and stiffer springs.
-    pub const SOFT: [f64; 2] = [3e-4, 60.0];
+    /// Rotor and spring of each joint beyond the model, kg m^2 and N m/rad: gains are tuned on the robot itself. Without a spring: infinite.
+    pub drives: Vec<[f64; 2]>,
 }
 
 /// The gains.
@@ -60,12 +53,12 @@ pub fn tune<const N: usize>(
     }
     let mut joints = Vec::new();
     for j in 0..N {
-        let [rotor, stiffness] = demands.soft[j];
+        let [rotor, stiffness] = demands.drives[j];
         let [low, high] = inertia[j];
         let plant = JointPlant {
             period: demands.period,
             delay: 0,
-            inertia: [low.max(rotor), high.max(rotor) + rotor],
+            inertia: [low + rotor, high + rotor],
             rotor,
             stiffness,
             viscous: viscous[j],
@@ -79,7 +72,7 @@ pub fn tune<const N: usize>(
         let by = press.map(|p| p * step);
         let moved = lent.displaced(q, &by, q).ok_or("a posture can't be displaced along the normal")?;
         let mut mass = DMatrix::from_row_slice(N, N, mass);
-        (0..N).for_each(|j| mass[(j, j)] += demands.soft[j][0]);
+        (0..N).for_each(|j| mass[(j, j)] += demands.drives[j][0]);
         plants.push(ForcePlant {
             period: demands.period,
             mass,

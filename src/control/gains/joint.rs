@@ -2,7 +2,7 @@
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-use super::sampled::{Margins, held, radius, response, wanted};
+use super::sampled::{Margins, held, radius, response};
 
 /// What a joint's loop moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -119,13 +119,22 @@ impl JointPlant {
     }
 }
 
-/// The stiffest gains, critically damped by a damping ratio of 1 for the largest inertia, that keep the margins.
+/// What a joint's loop must keep: 30 degrees, a factor of two (6 dB), and a sensitivity of at most 2.2. Less than [`wanted`](super::wanted), as stiffness is
+/// what the joints are there for.
+pub fn wanted_joint(m: &Margins) -> bool {
+    m.radius < 1.0 && m.phase >= 30.0 && m.gain >= 6.0 && m.modulus >= 0.45
+}
+
+/// Damping ratio for the largest inertia.
+const DAMPING: f64 = 0.7;
+
+/// The stiffest gains that keep the margins, with a damping ratio of 0.7 for the largest inertia.
 pub fn propose_joint(plant: &JointPlant) -> Option<JointProposal> {
     let heavy = plant.inertia[1];
-    let of = |bandwidth: f64| (heavy * bandwidth * bandwidth, 2.0 * heavy * bandwidth);
+    let of = |bandwidth: f64| (heavy * bandwidth * bandwidth, 2.0 * DAMPING * heavy * bandwidth);
     let good = |bandwidth: f64| {
         let (kp, kd) = of(bandwidth);
-        wanted(&plant.margins(kp, kd))
+        wanted_joint(&plant.margins(kp, kd))
     };
     let bandwidth = largest(0.1, 1e3, good)?;
     let (kp, kd) = of(bandwidth);
