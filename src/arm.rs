@@ -53,6 +53,28 @@ pub trait Arm: Sync {
     fn inverse_dynamics(&self, states: &States, standard: &[f64], out: &mut [f64]);
 }
 
+/// An arm whose torque sensors can be foretold: bodies, drives, and every effect that is known of them.
+///
+/// Torques are what the sensors say, N m, joint-major like the states, `dof * len`.
+pub trait Predicted: Sync {
+    /// Degrees of freedom, `n`.
+    fn dof(&self) -> usize;
+
+    /// From the present state alone: friction with memory has slipped (`sign(dq)`), gears are warm, nothing is late.
+    fn torques(&self, states: &States, out: &mut [f64]);
+
+    /// Along recorded motion: `time` (s, one per sample; where it does not rise another recording begins) lets bristles bend, gears warm
+    /// and torques be late; `temperature` (deg C, joint-major) may be empty.
+    fn torques_along(&self, time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]);
+
+    /// How late each joint's torque is, s.
+    fn delays(&self) -> Vec<f64>;
+
+    /// What each joint's sensor makes of its true torque: gain, and offset (N m) that is added. True torques, as a controller has to command
+    /// them, are `(measured - offset) / gain`.
+    fn sensors(&self) -> Vec<[f64; 2]>;
+}
+
 /// A change of an arm that none of its parameters can express.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Change {

@@ -14,7 +14,10 @@ const ROUNDS: usize = 30_000;
 /// The same roots in a new graph where `Neg` stands at roots only.
 pub(super) fn settled(graph: &Graph, roots: &[Node]) -> (Graph, Vec<Node>) {
     let ops: Vec<Op> = (0..graph.len()).map(|i| graph.op(Node(i as u32))).collect();
-    let mut signs = Signs::new(&ops, roots);
+    // What a function or a choice reads must have its own sign, like a root.
+    let read = ops.iter().filter(|op| needs_own_sign(op)).flat_map(|op| op.operands());
+    let counted: Vec<Node> = roots.iter().copied().chain(read).collect();
+    let mut signs = Signs::new(&ops, &counted);
     let mut best = signs.cost;
     let differences: Vec<usize> = (0..ops.len()).filter(|&i| matches!(ops[i], Op::Add(..) | Op::Sub(..))).collect();
     // Alone, and together with a sum that it is made of: moves that change nothing are taken too, they open the way to others.
@@ -105,6 +108,8 @@ impl<'a> Signs<'a> {
             Op::Constant(_) | Op::Input(_) => false,
             Op::Neg(a) => !of(a),
             Op::Sign(a) => of(a),
+            Op::Call(f, a) => f.even() == Some(false) && of(a),
+            Op::Least(..) | Op::Most(..) => false,
             Op::Mul(a, b) | Op::Div(a, b) => of(a) != of(b),
             Op::Add(a, b) if of(a) == of(b) => of(a),
             Op::Sub(a, b) if of(a) != of(b) => of(a),
@@ -151,6 +156,15 @@ impl<'a> Signs<'a> {
     }
 }
 
+/// Is the sign of its operands part of its value?
+fn needs_own_sign(op: &Op) -> bool {
+    match op {
+        Op::Call(f, _) => f.even().is_none(),
+        Op::Least(..) | Op::Most(..) => true,
+        _ => false,
+    }
+}
+
 /// Nearly `exp(-x)` for `x > 0`. The library's own differs between machines, and what is generated must not.
 fn falling(x: f64) -> f64 {
     1.0 / (1.0 + x * (1.0 + x * (0.5 + x * (1.0 / 6.0 + x / 24.0))))
@@ -160,8 +174,10 @@ fn falling(x: f64) -> f64 {
 fn sums_below(ops: &[Op], node: usize) -> Vec<usize> {
     match ops[node] {
         Op::Add(..) | Op::Sub(..) => vec![node],
-        Op::Neg(a) | Op::Sign(a) => sums_below(ops, a.index()),
-        Op::Mul(a, b) | Op::Div(a, b) => [a, b].iter().flat_map(|n| sums_below(ops, n.index())).collect(),
+        Op::Neg(a) | Op::Sign(a) | Op::Call(_, a) => sums_below(ops, a.index()),
+        Op::Mul(a, b) | Op::Div(a, b) | Op::Least(a, b) | Op::Most(a, b) => {
+            [a, b].iter().flat_map(|n| sums_below(ops, n.index())).collect()
+        }
         Op::Constant(_) | Op::Input(_) => Vec::new(),
     }
 }
@@ -176,12 +192,17 @@ fn rebuild(graph: &Graph, ops: &[Op], roots: &[Node], turned: &[bool], negative:
             fresh.section(title.clone());
         }
         let at = |n: Node| place[n.index()];
+        let own = |n: Node| if negative[n.index()] { fresh.wrap(at(n)).negated().node() } else { at(n) };
         let sum = |a: Node, b: Node| Op::Add(a.min(b), a.max(b));
         // Straight into the arena: the rules would move the signs again.
         let node = match *op {
             Op::Constant(_) | Op::Input(_) => fresh.insert(*op),
             Op::Neg(a) => at(a),
             Op::Sign(a) => fresh.insert(Op::Sign(at(a))),
+            Op::Call(f, a) if f.even().is_some() => fresh.insert(Op::Call(f, at(a))),
+            Op::Call(f, a) => fresh.insert(Op::Call(f, own(a))),
+            Op::Least(a, b) => fresh.insert(Op::Least(own(a).min(own(b)), own(a).max(own(b)))),
+            Op::Most(a, b) => fresh.insert(Op::Most(own(a).min(own(b)), own(a).max(own(b)))),
             Op::Mul(a, b) => fresh.insert(Op::Mul(at(a).min(at(b)), at(a).max(at(b)))),
             Op::Div(a, b) => fresh.insert(Op::Div(at(a), at(b))),
             Op::Add(a, b) | Op::Sub(a, b) => {
