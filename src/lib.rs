@@ -40,6 +40,7 @@ pub mod inverse;
 pub mod log;
 pub mod numeric;
 pub mod plant;
+pub mod predicted;
 pub mod report;
 pub mod reproduce;
 pub mod signal;
