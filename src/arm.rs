@@ -53,6 +53,28 @@ pub trait Arm: Sync {
     fn inverse_dynamics(&self, states: &States, standard: &[f64], out: &mut [f64]);
 }
 
+/// An arm whose torque sensors can be foretold: bodies, drives, and every effect that is known of them.
+///
+/// Torques are what the sensors say, N m, joint-major like the states, `dof * len`.
+pub trait Predicted: Sync {
+    /// Degrees of freedom, `n`.
+    fn dof(&self) -> usize;
+
+    /// From the present state alone: friction with memory has slipped (`sign(dq)`), gears are warm, nothing is late.
+    fn torques(&self, states: &States, out: &mut [f64]);
+
+    /// Along recorded motion: `time` (s, one per sample; where it does not rise another recording begins) lets bristles bend, gears warm
+    /// and torques be late; `temperature` (deg C, joint-major) may be empty.
+    fn torques_along(&self, time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]);
+
+    /// How late each joint's torque is, s.
+    fn delays(&self) -> Vec<f64>;
+
+    /// What each joint's sensor makes of its true torque: gain, and offset (N m) that is added. True torques, as a controller has to command
+    /// them, are `(measured - offset) / gain`.
+    fn sensors(&self) -> Vec<[f64; 2]>;
+}
+
 /// A change of an arm that none of its parameters can express.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Change {
@@ -92,7 +114,8 @@ pub trait Plant: Arm {
     /// Value of a drive parameter (index into the standard parameters) in the file, whether or not it has links.
     fn given_drive(&self, index: usize) -> f64;
 
-    /// [`Arm::inverse_dynamics`] of the arm with a change.
+    /// [`Arm::inverse_dynamics`] of the arm with a change: torques, N m (N for a prismatic joint), of all joints, joint-major like the states,
+    /// from the standard parameters (`P`, SI) of the unchanged arm's frames.
     fn changed_dynamics(&self, change: &Change, states: &States, standard: &[f64], out: &mut [f64]);
 
     /// `J'`: the torque on joint `j` of a unit of component `c` (`fx fy fz mx my mz`, at the origin of the last frame, in its axes or in the

@@ -5,7 +5,7 @@ mod bodies;
 pub use bodies::Bodies;
 
 use dh_codegen::arm::{Argument, Function, Model};
-use dh_codegen::interpret::{Batch, Interpreter};
+use dh_codegen::interpret::{Batch, Interpreter, Room, State};
 use dh_codegen::robot::{Convention, JointKind, Robot};
 
 use crate::arm::{Arm, BaseParameter, Payload, Reach, States};
@@ -24,9 +24,22 @@ pub struct Interpreted {
 }
 
 impl Interpreted {
-    /// Builds the tapes that an [`Arm`] needs, and those of `more`.
+    /// Builds the tapes that an [`Arm`] needs, and those of `more`. Effects of the file are left out.
     pub fn new(robot: &Robot, more: &[Function]) -> Self {
-        let model = Model::new(robot);
+        Self::of(robot, Model::new(robot), more)
+    }
+
+    /// The same with all effects of the file, as its generated code has them: zeros, rows and base are the true ones, and inverse dynamics
+    /// (which is no longer linear in the parameters) has the laws of the drives in it. The parameters that go with it are those of
+    /// [`Robot::as_it_is`].
+    pub fn with_effects(robot: &Robot, more: &[Function]) -> Self {
+        if !robot.has_effects() {
+            return Self::new(robot, more);
+        }
+        Self::of(&robot.as_it_is(), Model::with_effects(robot), more)
+    }
+
+    fn of(robot: &Robot, model: Model, more: &[Function]) -> Self {
         let mut functions = vec![Function::BaseRegressor, Function::InverseDynamics];
         functions.extend(more);
         functions.sort_unstable();
@@ -91,6 +104,14 @@ impl Interpreted {
             }
         }
         (0..states.len).map(|s| (0..size).map(|o| out[o * states.len + s]).collect()).collect()
+    }
+
+    /// One state of any function that was asked for, without allocation once `room` has grown; see [`Interpreter::run_one`].
+    ///
+    /// # Panics
+    /// Like [`Interpreted::evaluate`].
+    pub fn run_one(&self, function: Function, state: &State<'_>, room: &mut Room, out: &mut [f64]) {
+        self.interpreter.run_one(function, state, room, out);
     }
 
     /// Extents of a function's result.

@@ -16,6 +16,7 @@ pub mod ik_json;
 pub mod ik_text;
 mod motion_check;
 mod number;
+mod page;
 mod reproduce_excitation;
 mod reproduce_html;
 mod reproduce_json;

@@ -4,17 +4,24 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use dh_codegen::arm::{Argument, Function, param};
+use dh_codegen::robot::Robot;
 
 use super::table::Table;
 use super::{Failure, files};
-use crate::arm::{Arm, States};
+use crate::arm::{Arm, Predicted, States};
 use crate::interpreted::Interpreted;
+use crate::predicted::Predictor;
 use crate::report::eval_json;
 
 /// Evaluate a quantity of the robot at each row of a CSV file.
 ///
 /// The states have columns `q1.., dq1.., ddq1..` (and `tau1..` for forward_dynamics); those that the quantity does not need may be
 /// left out. Joints count from 1 and leave out fixed rows. Torques include the friction and the tool of the robot file.
+///
+/// Effects of the file (`drive`, `effects`) are in everything: the arm's geometry and bodies are the true ones, and inverse_dynamics is what
+/// the torque sensors say, bit for bit like the generated code. Without a column `t` each row stands for itself: friction with memory has
+/// slipped, gears are warm, nothing is late. With a column `t` (s) the rows are a recording: bristles bend, gears warm (`temp1..` is read
+/// where it is there), and torques are late by time_delay.
 #[derive(Args)]
 #[command(
     after_help = "Example:\n  denavit eval robots/kuka-lwr4.yaml --quantity jacobian --states states.csv --json -"
@@ -76,7 +83,7 @@ impl Eval {
     pub(super) fn run(self) -> Result<(), Failure> {
         let file = files::robot(&self.robot)?;
         let function = self.quantity.function();
-        let arm = Interpreted::new(&file.robot, &[function]);
+        let arm = Interpreted::with_effects(&file.robot, &[function]);
         let table = Table::read(&self.states)?;
         let arguments = function.arguments();
         let n = arm.dof();
@@ -92,7 +99,7 @@ impl Eval {
         };
         let tau = if wants(Argument::Torques) { table.joints("tau", n)? } else { Vec::new() };
         let standard = if wants(Argument::StandardParameters) || wants(Argument::BaseParameters) {
-            param::standard_values(&file.robot).ok_or_else(|| {
+            param::standard_values(&file.robot.as_it_is()).ok_or_else(|| {
                 Failure::input(format!(
                     "{}: {} needs the inertial parameters of every link; add a `links:` list with one entry per joint, or identify them (`denavit identify`)",
                     self.robot.display(),
@@ -102,9 +109,23 @@ impl Eval {
         } else {
             Vec::new()
         };
-        let values = arm.evaluate(function, &states, &tau, &standard);
+        let values = if function == Function::InverseDynamics && file.robot.has_effects() && table.has("t") {
+            along(&file.robot, &table, &states)?
+        } else {
+            arm.evaluate(function, &states, &tau, &standard)
+        };
         let shape = arm.shape(function);
         let value = eval_json::value(function.name(), &arm, &shape, values);
         files::json(&self.json, &value)
     }
+}
+
+/// Torques at the sensors along the motion of a log: drives remember and torques are late.
+fn along(robot: &Robot, table: &Table, states: &States) -> Result<Vec<Vec<f64>>, Failure> {
+    let predictor = Predictor::new(robot).map_err(Failure::input)?;
+    let (n, len) = (predictor.dof(), states.len);
+    let temperature = if table.count("temp") >= n { table.joints("temp", n)? } else { Vec::new() };
+    let mut out = vec![0.0; n * len];
+    predictor.torques_along(table.column("t")?, states, &temperature, &mut out);
+    Ok((0..len).map(|s| (0..n).map(|k| out[k * len + s]).collect()).collect())
 }

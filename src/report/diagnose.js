@@ -1,21 +1,3 @@
-'use strict';
-const data = JSON.parse(document.getElementById('data').textContent);
-const NS = 'http://www.w3.org/2000/svg';
-const make = (parent, name, attributes, text) => {
-  const node = document.createElementNS(NS, name);
-  for (const key in attributes) node.setAttribute(key, attributes[key]);
-  if (text !== undefined) node.textContent = text;
-  parent.appendChild(node);
-  return node;
-};
-const ticks = (low, high, count) => {
-  const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw));
-  const step = power * [1, 2, 5, 10].find(m => m * power >= raw * (1 - 1e-9));
-  const all = [];
-  for (let k = Math.ceil(low / step); k * step <= high; k++) all.push(k * step);
-  const places = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  return { all, text: v => places > 5 || Math.abs(high) >= 1e6 ? v.toExponential(1) : v.toFixed(places) };
-};
 const reach = (lists, zero) => {
   let low = zero ? 0 : Infinity, high = zero ? 0 : -Infinity;
   for (const list of lists) for (const v of list) if (v !== null) { low = Math.min(low, v); high = Math.max(high, v); }

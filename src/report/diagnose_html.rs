@@ -7,8 +7,9 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use super::identify_html::{escape, findings_list};
+use super::identify_html::findings_list;
 use super::number::{digits, figure, percent};
+use super::page::{Page, escape};
 use super::{Provenance, diagnose_verdict};
 use crate::diagnose::{Cause, Diagnosis, Evidence};
 use crate::log::Finding;
@@ -73,14 +74,14 @@ pub fn diagnose_html(found: &Diagnosis, logs: &[Prepared], provenance: &Provenan
         let _ = writeln!(body, "<dt>{}<dd>{}", escape(what), escape(&value));
     }
     body.push_str("</dl></section>\n");
-    // `</` would end the script element.
-    let data = data(found).to_string().replace("</", "<\\/");
-    format!(
-        "<!doctype html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport content='width=device-width, initial-scale=1'>\n<title>{name} – diagnosis</title>\n<style>\n{}{}</style></head>\n<body>\n{body}<noscript><p>The curves need JavaScript; the tables do not.</p></noscript>\n<script id=data type=application/json>{data}</script>\n<script>\n{}</script>\n</body></html>\n",
-        include_str!("identify.css"),
-        include_str!("diagnose.css"),
-        include_str!("diagnose.js"),
-    )
+    let page = Page {
+        title: format!("{} – diagnosis", found.robot),
+        style: include_str!("diagnose.css"),
+        body: &body,
+        data: data(found),
+        script: include_str!("diagnose.js"),
+    };
+    page.html()
 }
 
 /// An identifier of the vocabulary as words.

@@ -1,21 +1,3 @@
-'use strict';
-const data = JSON.parse(document.getElementById('data').textContent);
-const NS = 'http://www.w3.org/2000/svg';
-const make = (parent, name, attributes, text) => {
-  const node = document.createElementNS(NS, name);
-  for (const key in attributes) node.setAttribute(key, attributes[key]);
-  if (text !== undefined) node.textContent = text;
-  parent.appendChild(node);
-  return node;
-};
-const ticks = (low, high, count) => {
-  const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw));
-  const step = power * [1, 2, 5, 10].find(m => m * power >= raw);
-  const all = [];
-  for (let k = Math.ceil(low / step); k * step <= high; k++) all.push(k * step);
-  return { all, places: Math.max(0, -Math.floor(Math.log10(step) + 1e-9)) };
-};
-
 // One plot per joint, everything in percent of its limit.
 const W = 560, H = 220, LEFT = 44, RIGHT = 8, TOP = 20, BOTTOM = 198;
 const end = data.time[data.time.length - 1] || 1;

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use super::Provenance;
 use super::excite_text::Outcome;
 use super::number::{figure, percent};
+use super::page::{Page, escape};
 
 /// The page.
 pub fn excite_html(outcome: &Outcome<'_>, provenance: &Provenance) -> String {
@@ -71,17 +72,14 @@ pub fn excite_html(outcome: &Outcome<'_>, provenance: &Provenance) -> String {
         let _ = writeln!(body, "<dt>{}<dd>{}", escape(what), escape(value));
     }
     body.push_str("</dl></footer>\n");
-    let data = data(outcome).to_string().replace("</", "<\\/");
-    format!(
-        "<!doctype html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport content='width=device-width, initial-scale=1'>\n<title>{name} – exciting motion</title>\n<style>\n{}{}</style></head>\n<body>\n{body}<noscript><p>The curves need JavaScript; the tables do not.</p></noscript>\n<script id=data type=application/json>{data}</script>\n<script>\n{}</script>\n</body></html>\n",
-        include_str!("identify.css"),
-        include_str!("excite.css"),
-        include_str!("excite.js"),
-    )
-}
-
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;").replace('\'', "&#39;")
+    let page = Page {
+        title: format!("{} – exciting motion", task.arm.name()),
+        style: include_str!("excite.css"),
+        body: &body,
+        data: data(outcome),
+        script: include_str!("excite.js"),
+    };
+    page.html()
 }
 
 /// Curves at some hundred instants, positions of frames and spheres at fewer.

@@ -8,6 +8,7 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
+use super::page::{Page, escape};
 use super::{
     Provenance, identify_verdict,
     number::{figure, percent},
@@ -53,18 +54,14 @@ pub fn identify_html(found: &Identification, logs: &[Prepared], traces: &[Trace]
         "names": found.parameters.iter().map(|p| p.name.as_str()).collect::<Vec<_>>(),
         "correlation": found.correlation.iter().map(|c| if c.is_finite() { json!((c * 100.0).round() as i64) } else { Value::Null }).collect::<Vec<_>>(),
     });
-    // `</` would end the script element.
-    let data = data.to_string().replace("</", "<\\/");
-    format!(
-        "<!doctype html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport content='width=device-width, initial-scale=1'>\n<title>{} – identification</title>\n<style>\n{}</style></head>\n<body>\n{body}<noscript><p>The curves need JavaScript; the tables do not.</p></noscript>\n<script id=data type=application/json>{data}</script>\n<script>\n{}</script>\n</body></html>\n",
-        escape(&found.robot),
-        include_str!("identify.css"),
-        include_str!("identify.js"),
-    )
-}
-
-pub(super) fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;").replace('\'', "&#39;")
+    let page = Page {
+        title: format!("{} – identification", found.robot),
+        style: "",
+        body: &body,
+        data: data,
+        script: include_str!("identify.js"),
+    };
+    page.html()
 }
 
 fn findings(body: &mut String, found: &Identification, logs: &[Prepared]) {

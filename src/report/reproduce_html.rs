@@ -5,8 +5,9 @@ use std::fmt::Write;
 use serde_json::json;
 
 use super::Provenance;
-use super::identify_html::{curves, escape};
+use super::identify_html::curves;
 use super::number::digits;
+use super::page::{Page, escape};
 use super::reproduce_excitation as excitation;
 use super::reproduce_text::{Parts, Table, identification_verdict, tables};
 use crate::reproduce::Experiment;
@@ -43,13 +44,14 @@ pub fn reproduce_html(parts: &Parts, provenance: &Provenance) -> String {
         let _ = writeln!(body, "<dt>{}<dd>{}", escape(what), escape(value));
     }
     body.push_str("</dl></section>\n");
-    let data = json!({ "traces": traces, "names": [], "correlation": [] }).to_string().replace("</", "<\\/");
-    format!(
-        "<!doctype html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport content='width=device-width, initial-scale=1'>\n<title>The paper, rerun</title>\n<style>\n{}{}</style></head>\n<body>\n{body}<noscript><p>The curves need JavaScript; the tables do not.</p></noscript>\n<script id=data type=application/json>{data}</script>\n<script>\n{}</script>\n</body></html>\n",
-        include_str!("identify.css"),
-        include_str!("reproduce.css"),
-        include_str!("identify.js"),
-    )
+    let page = Page {
+        title: "The paper, rerun".into(),
+        style: include_str!("reproduce.css"),
+        body: &body,
+        data: json!({ "traces": traces, "names": [], "correlation": [] }),
+        script: include_str!("identify.js"),
+    };
+    page.html()
 }
 
 /// A table between what is drawn above it and below it.

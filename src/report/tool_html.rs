@@ -6,8 +6,9 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use super::identify_html::{curves, escape, findings_list};
+use super::identify_html::{curves, findings_list};
 use super::number::{digits, figure, percent};
+use super::page::{Page, escape};
 use super::{Provenance, tool_verdict};
 use crate::identify::{Standing, Trace};
 use crate::signal::Prepared;
@@ -67,15 +68,14 @@ pub fn tool_html(found: &Found, logs: &[Prepared], traces: &[Trace], provenance:
         "names": names(),
         "correlation": correlation,
     });
-    // `</` would end the script element.
-    let data = data.to_string().replace("</", "<\\/");
-    format!(
-        "<!doctype html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport content='width=device-width, initial-scale=1'>\n<title>{} – tool</title>\n<style>\n{}{}</style></head>\n<body>\n{body}<noscript><p>The curves need JavaScript; the tables do not.</p></noscript>\n<script id=data type=application/json>{data}</script>\n<script>\n{}</script>\n</body></html>\n",
-        escape(&carried.robot),
-        include_str!("identify.css"),
-        include_str!("tool.css"),
-        include_str!("identify.js"),
-    )
+    let page = Page {
+        title: format!("{} – tool", carried.robot),
+        style: include_str!("tool.css"),
+        body: &body,
+        data: data,
+        script: include_str!("identify.js"),
+    };
+    page.html()
 }
 
 /// The ten, beside the nearest tool's.

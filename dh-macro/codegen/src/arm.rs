@@ -4,6 +4,7 @@
 
 pub mod base;
 pub mod chain;
+mod drive;
 mod dynamics;
 mod energy;
 mod inverse;

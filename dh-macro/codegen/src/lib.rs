@@ -4,6 +4,8 @@
 //! -> tape -> rust (text) | sym::eval (runs it)`
 
 pub mod arm;
+pub mod drive;
+pub mod elementary;
 // A negated comparison is true of NaN too, and is meant to be; a reference to a closure is a type like any other.
 #[allow(clippy::neg_cmp_op_on_partial_ord, clippy::type_complexity)]
 pub mod ik;

@@ -1,5 +1,6 @@
 //! Tapes as Rust text, with comments: kernels, the shell around them, whole crates. Knows no mechanics.
 
+mod drive;
 mod inverse;
 pub mod kernel_file;
 pub mod krate;

@@ -3,6 +3,7 @@
 //! `Graph -> factor -> signs -> Tape -> print | eval | adjoint -> Graph`. Nothing here knows mechanics.
 
 mod adjoint;
+mod call;
 mod eval;
 mod factor;
 mod graph;
@@ -12,6 +13,7 @@ mod tape;
 mod vec3;
 
 pub use adjoint::adjoint;
+pub use call::Call;
 pub use eval::{Evaluator, LANES};
 pub use graph::{Ex, Graph, Node, Op};
 pub use tape::{Instruction, Kind, Operand, OperationCount, Section, Tape};

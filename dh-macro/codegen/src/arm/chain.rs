@@ -137,8 +137,14 @@ impl Chain {
 
     /// The chain over a graph: inputs become expressions.
     pub fn over<'g>(&self, graph: &'g Graph) -> Links<'g> {
+        self.behind(graph, &[])
+    }
+
+    /// The same where the links stand `wound[k]` behind `q` (rad or m, small; of degree of freedom `k`; `None`: nothing).
+    pub(super) fn behind<'g>(&self, graph: &'g Graph, wound: &[Option<Ex<'g>>]) -> Links<'g> {
         let inputs = Inputs { dof: self.dof() };
-        let links = self.rows.iter().map(|row| Link::new(graph, row, inputs)).collect();
+        let of = |row: &Row| row.dof.and_then(|k| wound.get(k).copied().flatten());
+        let links = self.rows.iter().map(|row| Link::new(graph, row, inputs, of(row))).collect();
         Links { graph, inputs, links, lift: Vec3::numbers(graph, self.lift), tool: self.tool }
     }
 }
@@ -204,6 +210,14 @@ pub struct Link<'g> {
     body: Option<(Ex<'g>, (Ex<'g>, Ex<'g>))>,
 }
 
+/// Sine and cosine of an angle less a small one, by the latter's series: to 1e-11 at a tenth of a radian.
+fn turned_back<'g>((s, c): (Ex<'g>, Ex<'g>), by: Ex<'g>) -> (Ex<'g>, Ex<'g>) {
+    let square = by * by;
+    let sine = by * ((square * (1.0 / 120.0) - 1.0 / 6.0) * square + 1.0);
+    let cosine = ((square * (-1.0 / 720.0) + 1.0 / 24.0) * square - 0.5) * square + 1.0;
+    (s * cosine - c * sine, c * cosine + s * sine)
+}
+
 /// `RotX(angle) v`.
 fn about_x<'g>((s, c): (Ex<'g>, Ex<'g>), v: Vec3<'g>) -> Vec3<'g> {
     let [x, y, z] = v.0;
@@ -217,10 +231,11 @@ fn back_about_x<'g>((s, c): (Ex<'g>, Ex<'g>), v: Vec3<'g>) -> Vec3<'g> {
 }
 
 impl<'g> Link<'g> {
-    fn new(g: &'g Graph, row: &Row, inputs: Inputs) -> Self {
+    fn new(g: &'g Graph, row: &Row, inputs: Inputs, wound: Option<Ex<'g>>) -> Self {
         let (s, c) = match (row.kind, row.dof) {
             (JointKind::Revolute, Some(k)) => {
-                (g.input(inputs.index(Group::Sine, k)), g.input(inputs.index(Group::Cosine, k)))
+                let (s, c) = (g.input(inputs.index(Group::Sine, k)), g.input(inputs.index(Group::Cosine, k)));
+                wound.map_or((s, c), |by| turned_back((s, c), by))
             }
             _ => {
                 let (s, c) = row.angle.sin_cos();
@@ -234,7 +249,10 @@ impl<'g> Link<'g> {
             _ => (-c, s),
         };
         let r = match (row.kind, row.dof) {
-            (JointKind::Prismatic, Some(k)) => g.input(inputs.index(Group::Position, k)) + row.r,
+            (JointKind::Prismatic, Some(k)) => {
+                let r = g.input(inputs.index(Group::Position, k)) + row.r;
+                wound.map_or(r, |by| r - by)
+            }
             _ => g.constant(row.r),
         };
         let pair = |(s, c): (f64, f64)| (g.constant(s), g.constant(c));

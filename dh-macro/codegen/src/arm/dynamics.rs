@@ -29,8 +29,13 @@ impl<'g> Values<'g> {
         values
     }
 
+    /// A drive's parameter; `None` where the model does not have it.
+    pub fn drive(&self, row: usize, term: DriveTerm) -> Option<Ex<'g>> {
+        self.drive.iter().find(|(r, t, _)| *r == row && *t == term).map(|d| d.2)
+    }
+
     fn rotor(&self, row: usize) -> Option<Ex<'g>> {
-        self.drive.iter().find(|(r, term, _)| *r == row && *term == DriveTerm::IA).map(|d| d.2)
+        self.drive(row, DriveTerm::IA)
     }
 }
 

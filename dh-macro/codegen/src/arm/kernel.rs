@@ -40,10 +40,14 @@ pub enum Function {
     PotentialEnergyRegressor,
     /// Ten columns of a body in the tool frame, `n x 10`.
     PayloadRegressor,
+    /// `tau` of the bodies and of rotors and plain friction, without the effects of the file.
+    RigidDynamics,
+    /// What [`Function::InverseDynamics`] is for given states of the drives: bristles and warmth.
+    DriveTorques,
 }
 
 impl Function {
-    /// All, in the order of the generated crate.
+    /// All, in the order of the generated crate; further ones that only a file with effects has: see [`Function::WITH_EFFECTS`].
     pub const ALL: [Self; 17] = [
         Self::Frames,
         Self::ForwardKinematics,
@@ -63,6 +67,9 @@ impl Function {
         Self::PotentialEnergyRegressor,
         Self::PayloadRegressor,
     ];
+
+    /// What is generated beside them where the file has effects.
+    pub const WITH_EFFECTS: [Self; 2] = [Self::RigidDynamics, Self::DriveTorques];
 
     /// Name in code and commands.
     pub fn name(self) -> &'static str {
@@ -84,12 +91,16 @@ impl Function {
             Self::KineticEnergyRegressor => "kinetic_energy_regressor",
             Self::PotentialEnergyRegressor => "potential_energy_regressor",
             Self::PayloadRegressor => "payload_regressor",
+            Self::RigidDynamics => "rigid_dynamics",
+            Self::DriveTorques => "drive_torques",
         }
     }
 
     /// What it reads, in the order of its signature.
     pub fn arguments(self) -> &'static [Argument] {
-        use Argument::{Accelerations, BaseParameters, Configuration, StandardParameters, Torques, Velocities};
+        use Argument::{
+            Accelerations, BaseParameters, Bristles, Configuration, StandardParameters, Torques, Velocities, Warmth,
+        };
         match self {
             Self::Frames
             | Self::ForwardKinematics
@@ -98,7 +109,10 @@ impl Function {
             | Self::GravityRegressor
             | Self::PotentialEnergyRegressor => &[Configuration],
             Self::JacobianDotVelocity | Self::KineticEnergyRegressor => &[Configuration, Velocities],
-            Self::InverseDynamics => &[Configuration, Velocities, Accelerations, StandardParameters],
+            Self::DriveTorques => &[Configuration, Velocities, Accelerations, StandardParameters, Bristles, Warmth],
+            Self::InverseDynamics | Self::RigidDynamics => {
+                &[Configuration, Velocities, Accelerations, StandardParameters]
+            }
             Self::InverseDynamicsBase => &[Configuration, Velocities, Accelerations, BaseParameters],
             Self::MassMatrix | Self::Gravity => &[Configuration, BaseParameters],
             Self::Coriolis => &[Configuration, Velocities, BaseParameters],
@@ -125,6 +139,10 @@ pub enum Argument {
     StandardParameters,
     /// `beta`.
     BaseParameters,
+    /// `bristle`: of each joint, in [-1, 1]. They follow the standard parameters among the inputs.
+    Bristles,
+    /// `warmth`: factor of each joint's friction. They follow the bristles.
+    Warmth,
 }
 
 impl Argument {
@@ -135,7 +153,7 @@ impl Argument {
             Self::Velocities => &[Group::Velocity],
             Self::Accelerations => &[Group::Acceleration],
             Self::Torques => &[Group::Torque],
-            Self::StandardParameters | Self::BaseParameters => &[Group::Parameter],
+            Self::StandardParameters | Self::BaseParameters | Self::Bristles | Self::Warmth => &[Group::Parameter],
         }
     }
 }

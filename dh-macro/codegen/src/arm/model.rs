@@ -8,8 +8,8 @@ use super::motion::{Include, can_shift};
 use super::param::{DriveTerm, Parameter, standard};
 use super::plan::{self, Plan};
 use super::regressor::Columns;
-use super::{energy, kinematics};
-use crate::robot::Robot;
+use super::{drive, energy, kinematics};
+use crate::robot::{Laws, Robot};
 use crate::sym::{Ex, Graph, Tape};
 
 /// Everything that kernels are built from.
@@ -18,11 +18,22 @@ pub struct Model {
     standard: Vec<Parameter>,
     base: BaseParameters,
     plan: Plan,
+    laws: Vec<Laws>,
 }
 
 impl Model {
-    /// Groups the parameters and searches the plan.
+    /// The arm as its file's rows, links and plain drives say; effects are left out. Groups the parameters and searches the plan.
     pub fn new(robot: &Robot) -> Self {
+        Self::of(robot, Vec::new())
+    }
+
+    /// The arm with all effects of its file: zeros, rows and base are the true ones, and [`Function::InverseDynamics`] has the laws of the
+    /// drives in it. Without effects the same as [`Model::new`].
+    pub fn with_effects(robot: &Robot) -> Self {
+        if robot.has_effects() { Self::of(&robot.as_it_is(), robot.laws()) } else { Self::new(robot) }
+    }
+
+    fn of(robot: &Robot, laws: Vec<Laws>) -> Self {
         let chain = Chain::new(robot);
         let standard = standard(robot);
         let base = BaseParameters::new(robot);
@@ -32,7 +43,7 @@ impl Model {
             Tape::estimate(&graph, &base_regressor(&chain.over(&graph), &leaders, plan))
         };
         let plan = plan::search(chain.rows.len(), |row| can_shift(&chain.rows[row]), cost);
-        Self { chain, standard, base, plan }
+        Self { chain, standard, base, plan, laws }
     }
 
     /// Degrees of freedom.
@@ -53,6 +64,11 @@ impl Model {
     /// The base parameters, in the order of the base regressor's columns.
     pub fn base(&self) -> &BaseParameters {
         &self.base
+    }
+
+    /// The effects of each drive; empty where the file has none, or they were left out.
+    pub fn laws(&self) -> &[Laws] {
+        &self.laws
     }
 
     /// Offsets that the gravity torque from base parameters has in it: degree of freedom, and torque, N m. A prismatic joint's
@@ -90,7 +106,13 @@ impl Model {
             Function::ToolPose => make(vec![3, 4], kinematics::tool(&links).map(|p| p.entries()).unwrap_or_default()),
             Function::Jacobian => make(vec![6, n], kinematics::jacobian(&links)),
             Function::JacobianDotVelocity => make(vec![6], kinematics::jacobian_dot_velocity(&links)),
-            Function::InverseDynamics => {
+            Function::InverseDynamics if !self.laws.is_empty() => {
+                make(vec![n], drive::torques(&self.chain, &graph, &self.standard, &self.laws, drive::Memory::Steady))
+            }
+            Function::DriveTorques => {
+                make(vec![n], drive::torques(&self.chain, &graph, &self.standard, &self.laws, drive::Memory::Given))
+            }
+            Function::InverseDynamics | Function::RigidDynamics => {
                 let values = Values::new(&links, &self.standard);
                 make(vec![n], dynamics::torques(&links, &values, Include::ALL, true))
             }

@@ -71,6 +71,14 @@ pub(super) fn doc(function: Function) -> (&'static str, &'static str) {
             "Potential energy, one entry per standard parameter",
             "`U = h phi`, J per unit, zero at the base frame's origin; an offset torque counts as `FO q`.",
         ),
+        Function::RigidDynamics => (
+            "Torques of the bodies, rotors and plain friction, without the effects of the file",
+            "`tau = M ddq + C dq + g + friction`, N m, from the standard parameters. Newton-Euler, Khalil and Dombre, 9.5.2.",
+        ),
+        Function::DriveTorques => (
+            "Torques at the sensors for given states of the drives",
+            "Like `inverse_dynamics`, N m; `bristle`: what stands for the sign of the velocity in friction with memory, in [-1, 1]; `warmth`: factor of each joint's friction that drifts. `Drive` keeps both.",
+        ),
         Function::PayloadRegressor => (
             "Regressor of a body fixed to the tool frame",
             "`tau = W_L phi_L`, columns `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool frame, about its origin (the paper's (7)).",
@@ -86,6 +94,17 @@ pub(super) struct Context<'a> {
 }
 
 impl Context<'_> {
+    /// What a function means for this robot.
+    pub(super) fn doc(&self, function: Function) -> (&'static str, &'static str) {
+        match function {
+            Function::InverseDynamics if self.robot.has_effects() => (
+                "Torques at the sensors from the standard parameters, with the effects of the robot file",
+                "`tau = GT clip(M ddq + C dq + g + drives) + TO`, N m. The laws of the drives are in it as steady curves: friction with memory has slipped, gears are warm; `Drive` has their memory, `TIME_DELAY` says how late the sensors are.",
+            ),
+            _ => doc(function),
+        }
+    }
+
     fn parameters(&self, function: Function) -> &[String] {
         if function.arguments().contains(&Argument::StandardParameters) { self.standard } else { self.base }
     }
@@ -105,6 +124,8 @@ pub(super) fn signature(function: Function, configuration: &str) -> String {
         Argument::Torques => "tau: &[S; DOF]".to_string(),
         Argument::StandardParameters => "phi: &[S; STANDARD]".to_string(),
         Argument::BaseParameters => "beta: &[S; BASE]".to_string(),
+        Argument::Bristles => "bristle: &[S; DOF]".to_string(),
+        Argument::Warmth => "warmth: &[S; DOF]".to_string(),
     };
     function.arguments().iter().map(one).collect::<Vec<_>>().join(", ")
 }
@@ -118,8 +139,15 @@ pub(super) fn call(function: Function, configuration: &str) -> String {
         Argument::Torques => "tau",
         Argument::StandardParameters => "phi",
         Argument::BaseParameters => "beta",
+        Argument::Bristles => "bristle",
+        Argument::Warmth => "warmth",
     };
     function.arguments().iter().map(one).collect::<Vec<_>>().join(", ")
+}
+
+/// What the numbers of a kernel must be able to do.
+pub(super) fn bound(kernel: &Kernel) -> &'static str {
+    if kernel.tape.code.iter().any(|step| step.kind.is_elementary()) { "Real" } else { "Scalar" }
 }
 
 /// Is there a packed form beside the dense one? Only where it has fewer entries.
@@ -142,7 +170,8 @@ fn place(shape: &[usize], mut at: usize) -> String {
 /// The text of `src/kernel/<function>.rs`.
 pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
     let function = kernel.function;
-    let (title, meaning) = doc(function);
+    let (title, meaning) = context.doc(function);
+    let bound = bound(kernel);
     let names = Names::new(&kernel.tape, kernel.inputs, context.parameters(function), &context.robot.constants);
     let count = kernel.tape.operations();
     let nonzeros = kernel.nonzeros();
@@ -161,7 +190,8 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
     );
     let uses = ["DOF", "STANDARD", "BASE"].into_iter().filter(|c| signature(function, "").contains(c));
     let uses: Vec<&str> = uses.chain(["Trig"]).collect();
-    let _ = writeln!(text, "use super::super::runtime::Scalar;\nuse super::super::{{{}}};\n", uses.join(", "));
+    let numbers = if bound == "Real" { "elementary::Real" } else { "runtime::Scalar" };
+    let _ = writeln!(text, "use super::super::{numbers};\nuse super::super::{{{}}};\n", uses.join(", "));
 
     if packed {
         let _ = writeln!(
@@ -185,7 +215,7 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
     let call = call(function, "trig");
     let _ = writeln!(
         text,
-        "/// {title}: every entry of `out` is written.\n#[inline]\npub fn dense<S: Scalar>({arguments}, out: &mut {}) {{",
+        "/// {title}: every entry of `out` is written.\n#[inline]\npub fn dense<S: {bound}>({arguments}, out: &mut {}) {{",
         array(&kernel.shape)
     );
     if packed {
@@ -207,13 +237,13 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
     if packed {
         let _ = writeln!(
             text,
-            "/// The same, only the entries of [`PATTERN`].\n#[inline]\npub fn packed<S: Scalar>({arguments}, out: &mut [S; NONZEROS]) {{\n    entries({}, |k, x| out[k] = x);\n}}\n",
+            "/// The same, only the entries of [`PATTERN`].\n#[inline]\npub fn packed<S: {bound}>({arguments}, out: &mut [S; NONZEROS]) {{\n    entries({}, |k, x| out[k] = x);\n}}\n",
             call
         );
     }
     let _ = writeln!(
         text,
-        "#[allow(non_snake_case, clippy::all)]\n#[inline(always)]\nfn entries<S: Scalar>({arguments}, mut put: impl FnMut(usize, S)) {{"
+        "#[allow(non_snake_case, clippy::all)]\n#[inline(always)]\nfn entries<S: {bound}>({arguments}, mut put: impl FnMut(usize, S)) {{"
     );
     text += &inputs(kernel, &names);
     for (name, value) in names.constants() {
@@ -266,11 +296,29 @@ fn inputs(kernel: &Kernel, names: &Names) -> String {
                 Group::Velocity => ("*dq", kernel.inputs.dof),
                 Group::Acceleration => ("*ddq", kernel.inputs.dof),
                 Group::Torque => ("*tau", kernel.inputs.dof),
-                Group::Parameter if *argument == Argument::StandardParameters => ("*phi", usize::MAX),
-                Group::Parameter => ("*beta", usize::MAX),
+                Group::Parameter => match argument {
+                    Argument::StandardParameters => ("*phi", usize::MAX),
+                    Argument::Bristles => ("*bristle", kernel.inputs.dof),
+                    Argument::Warmth => ("*warmth", kernel.inputs.dof),
+                    _ => ("*beta", usize::MAX),
+                },
             };
-            let here: Vec<usize> =
-                used.iter().map(|&i| kernel.inputs.locate(i)).filter(|(g, _)| *g == group).map(|(_, at)| at).collect();
+            let first = match argument {
+                Argument::Bristles => names.parameters(),
+                Argument::Warmth => names.parameters() + kernel.inputs.dof,
+                _ => 0,
+            };
+            // Which argument a parameter's input belongs to, by that argument's first input.
+            let behind = |at: usize| {
+                let starts = [0, names.parameters(), names.parameters() + kernel.inputs.dof];
+                starts.into_iter().filter(|start| *start <= at).max()
+            };
+            let here: Vec<usize> = used
+                .iter()
+                .map(|&i| kernel.inputs.locate(i))
+                .filter(|(g, at)| *g == group && (group != Group::Parameter || behind(*at) == Some(first)))
+                .map(|(_, at)| at - first)
+                .collect();
             let Some(&last) = here.last() else {
                 if group != Group::Position && group != Group::Sine && group != Group::Cosine {
                     let _ = writeln!(text, "    let _ = {};", source.trim_start_matches('*'));
@@ -278,7 +326,7 @@ fn inputs(kernel: &Kernel, names: &Names) -> String {
                 continue;
             };
             let list: Vec<String> = (0..=last)
-                .map(|at| if here.binary_search(&at).is_ok() { names.input(group, at) } else { "_".into() })
+                .map(|at| if here.binary_search(&at).is_ok() { names.input(group, first + at) } else { "_".into() })
                 .collect();
             let rest = if last + 1 < len { ", .." } else { "" };
             let list = wrapped(&list, 12);

@@ -3,7 +3,7 @@
 use core::fmt::Write;
 use std::collections::BTreeMap;
 
-use super::kernel_file::{self, Context, doc};
+use super::kernel_file::{self, Context};
 use super::{runtime_files, shell, tests_file};
 use crate::arm::{Function, Kernel, Model};
 use crate::interpret::Interpreter;
@@ -17,8 +17,15 @@ pub(super) struct Parts {
 }
 
 pub(super) fn parts(robot: &Robot, source: &str) -> Parts {
-    let model = Model::new(robot);
-    let kernels: Vec<Kernel> = Function::ALL.iter().map(|&f| model.kernel(f)).collect();
+    let model = Model::with_effects(robot);
+    // What is generated is the arm as it is, where the file says that it is another than its table.
+    let real = if robot.has_effects() { robot.as_it_is() } else { robot.clone() };
+    let robot = &real;
+    let mut functions: Vec<Function> = Function::ALL.to_vec();
+    if robot.has_effects() {
+        functions.extend(Function::WITH_EFFECTS);
+    }
+    let kernels: Vec<Kernel> = functions.iter().map(|&f| model.kernel(f)).collect();
     let standard: Vec<String> = model.standard().iter().map(|p| p.name()).collect();
     let base: Vec<String> = model.base().0.iter().map(|b| b.name.clone()).collect();
     let context = Context { robot, standard: &standard, base: &base };
@@ -26,7 +33,6 @@ pub(super) fn parts(robot: &Robot, source: &str) -> Parts {
     let mut index = String::from(
         "//! Kernels: additions and multiplications only, given the sines and cosines. One file per function.\n\n",
     );
-    let mut functions: Vec<Function> = Function::ALL.to_vec();
     functions.sort_by_key(|f| f.name());
     for f in &functions {
         let _ = writeln!(index, "pub mod {};", f.name());
@@ -35,20 +41,21 @@ pub(super) fn parts(robot: &Robot, source: &str) -> Parts {
     for kernel in &kernels {
         files.insert(format!("kernel/{}.rs", kernel.function.name()), kernel_file::print(kernel, &context));
     }
-    for (path, text) in runtime_files::FILES {
+    let further: &[(&str, &str)] = if robot.has_effects() { runtime_files::WITH_EFFECTS } else { &[] };
+    for (path, text) in runtime_files::FILES.iter().chain(further) {
         files.insert((*path).to_string(), (*text).to_string());
     }
     files.insert("tests.rs".to_string(), tests_file::print(&model, &Interpreter::from_kernels(&model, &kernels)));
     Parts {
-        header: header(robot, &model, &kernels, source),
+        header: header(&context, &model, &kernels, source),
         root: shell::print(robot, &model, &kernels, &context),
         files,
     }
 }
 
 /// The crate's front page.
-fn header(robot: &Robot, model: &Model, kernels: &[Kernel], source: &str) -> String {
-    let mut t = String::new();
+fn header(context: &Context<'_>, model: &Model, kernels: &[Kernel], source: &str) -> String {
+    let (mut t, robot) = (String::new(), context.robot);
     let _ = writeln!(
         t,
         "//! Closed-form kinematics and dynamics of `{}`: {} degrees of freedom, {} base parameters.",
@@ -70,7 +77,7 @@ fn header(robot: &Robot, model: &Model, kernels: &[Kernel], source: &str) -> Str
             t,
             "//! | [`{}`]: {} | {} | {} | {} |",
             kernel.function.name(),
-            doc(kernel.function).0,
+            context.doc(kernel.function).0,
             shape.join(" x "),
             c.mul,
             c.add

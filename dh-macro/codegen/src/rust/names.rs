@@ -60,7 +60,12 @@ impl Names {
         }
     }
 
-    /// Name of an input: joints count from one.
+    /// How many inputs are parameters of the arm.
+    pub(super) fn parameters(&self) -> usize {
+        self.parameters.len()
+    }
+
+    /// Name of an input: joints count from one. Behind the parameters stand bristles and warmth.
     pub(super) fn input(&self, group: Group, at: usize) -> String {
         let letter = match group {
             Group::Position => "q",
@@ -69,7 +74,13 @@ impl Names {
             Group::Velocity => "dq",
             Group::Acceleration => "ddq",
             Group::Torque => "tau",
-            Group::Parameter => return self.parameters.get(at).cloned().unwrap_or_else(|| format!("p{at}")),
+            Group::Parameter => {
+                let beyond = || {
+                    let (dof, after) = (self.inputs.dof.max(1), at - self.parameters.len());
+                    format!("{}{}", if after < dof { "bristle" } else { "warmth" }, after % dof + 1)
+                };
+                return self.parameters.get(at).cloned().unwrap_or_else(beyond);
+            }
         };
         format!("{letter}{}", at + 1)
     }

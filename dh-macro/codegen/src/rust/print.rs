@@ -122,7 +122,7 @@ fn inlined(tape: &Tape) -> Vec<bool> {
     let mut uses = vec![0u32; n];
     let mut reader = vec![usize::MAX; n];
     for (at, step) in tape.code.iter().enumerate() {
-        let unary = matches!(step.kind, Kind::Neg | Kind::Sign);
+        let unary = step.kind.is_unary();
         for operand in [Some(step.a), (!unary).then_some(step.b)].into_iter().flatten() {
             if let Operand::Temp(t) = operand {
                 uses[t as usize] += 1;
@@ -167,6 +167,8 @@ fn expression(tape: &Tape, names: &Names, inlined: &[bool], at: usize) -> String
         other => names.of(other),
     };
     let sum = |k: Kind| matches!(k, Kind::Add | Kind::Sub);
+    // A method call binds tighter than any operator.
+    let atom = |k: Kind| k == Kind::Sign || k.is_elementary();
     let step = &tape.code[at];
     match step.kind {
         Kind::Add => {
@@ -175,18 +177,17 @@ fn expression(tape: &Tape, names: &Names, inlined: &[bool], at: usize) -> String
         Kind::Sub => {
             format!("{} - {}", operand(step.a, &|k| k == Kind::Neg), operand(step.b, &|k| sum(k) || k == Kind::Neg))
         }
-        Kind::Mul => format!(
-            "{} * {}",
-            operand(step.a, &|k| k != Kind::Mul && k != Kind::Sign),
-            operand(step.b, &|k| k != Kind::Sign)
-        ),
-        Kind::Div => format!(
-            "{} / {}",
-            operand(step.a, &|k| k != Kind::Mul && k != Kind::Sign),
-            operand(step.b, &|k| k != Kind::Sign)
-        ),
-        Kind::Neg => format!("-{}", operand(step.a, &|k| k != Kind::Sign)),
+        Kind::Mul => {
+            format!("{} * {}", operand(step.a, &|k| k != Kind::Mul && !atom(k)), operand(step.b, &|k| !atom(k)))
+        }
+        Kind::Div => {
+            format!("{} / {}", operand(step.a, &|k| k != Kind::Mul && !atom(k)), operand(step.b, &|k| !atom(k)))
+        }
+        Kind::Neg => format!("-{}", operand(step.a, &|k| !atom(k))),
         Kind::Sign => format!("{}.sign()", operand(step.a, &|_| true)),
+        Kind::Call(f) => format!("{}.{}()", operand(step.a, &|_| true), f.name()),
+        Kind::Least => format!("{}.min({})", operand(step.a, &|_| true), operand(step.b, &|_| false)),
+        Kind::Most => format!("{}.max({})", operand(step.a, &|_| true), operand(step.b, &|_| false)),
     }
 }
 

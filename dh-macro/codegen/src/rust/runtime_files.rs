@@ -1,5 +1,9 @@
 //! The runtime's text, as it is compiled into this crate.
 
+/// The same for robots with effects.
+pub const WITH_EFFECTS: &[(&str, &str)] =
+    &[("drive.rs", include_str!("../drive.rs")), ("elementary.rs", include_str!("../elementary.rs"))];
+
 /// Path below `src/` of a generated crate, and text.
 pub const FILES: &[(&str, &str)] = &[
     ("ik.rs", include_str!("../ik.rs")),

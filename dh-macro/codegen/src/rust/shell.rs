@@ -2,7 +2,7 @@
 
 use core::fmt::Write;
 
-use super::kernel_file::{Context, array, call, doc, has_packed, signature};
+use super::kernel_file::{Context, array, bound, call, has_packed, signature};
 use crate::arm::{Kernel, Model};
 use crate::robot::{JointKind, Robot};
 
@@ -28,6 +28,10 @@ pub(super) fn print(robot: &Robot, model: &Model, kernels: &[Kernel], context: &
         t,
         "pub mod ik;\npub mod kernel;\npub mod runtime;\n#[cfg(test)]\nmod tests;\n\nuse runtime::Scalar;\n"
     );
+    if context.robot.has_effects() {
+        t = t.replace("pub mod ik;\n", "pub mod drive;\npub mod elementary;\npub mod ik;\n");
+        t = t.replace("use runtime::Scalar;", "use elementary::Real;\nuse runtime::Scalar;");
+    }
     let _ = writeln!(t, "/// Name of the robot.\npub const NAME: &str = {:?};", robot.name);
     let _ = writeln!(t, "/// Degrees of freedom.\npub const DOF: usize = {n};");
     let _ = writeln!(t, "/// Rows of the DH table, fixed ones too.\npub const ROWS: usize = {};", robot.joints.len());
@@ -121,12 +125,16 @@ pub(super) fn print(robot: &Robot, model: &Model, kernels: &[Kernel], context: &
             })
             .collect::<String>()
     );
+    if robot.has_effects() {
+        t += &super::drive::print(model);
+    }
     t += &super::inverse::print(model);
     t += &trig(robot, model);
     t += "/// Base parameters from standard ones, `beta = K phi`.\n#[must_use]\npub fn base_parameters<S: Scalar>(phi: &[S; STANDARD]) -> [S; BASE] {\n    core::array::from_fn(|k| {\n        BASE_COEFFICIENTS[k].iter().fold(S::default(), |sum, &(i, c)| sum + phi[i] * S::constant(c))\n    })\n}\n";
     for kernel in kernels {
         let function = kernel.function;
-        let (title, meaning) = doc(function);
+        let (title, meaning) = context.doc(function);
+        let bound = bound(kernel);
         let name = function.name();
         let call = call(function, "&Trig::new(q)");
         let shape = array(&kernel.shape);
@@ -135,7 +143,7 @@ pub(super) fn print(robot: &Robot, model: &Model, kernels: &[Kernel], context: &
             if has_packed(kernel) { format!(" Packed form: [`kernel::{name}::packed`].") } else { String::new() };
         let _ = writeln!(
             t,
-            "\n/// {title}.\n///\n/// {meaning}{packed}\n#[must_use]\n#[inline]\npub fn {name}<S: Scalar>({}) -> {shape} {{\n    let mut out = {zero};\n    kernel::{name}::dense({}, &mut out);\n    out\n}}",
+            "\n/// {title}.\n///\n/// {meaning}{packed}\n#[must_use]\n#[inline]\npub fn {name}<S: {bound}>({}) -> {shape} {{\n    let mut out = {zero};\n    kernel::{name}::dense({}, &mut out);\n    out\n}}",
             signature(function, "q: &[S; DOF]"),
             call
         );

@@ -26,7 +26,9 @@ pub(super) fn print(model: &Model, interpreter: &Interpreter) -> String {
     let (q, dq, ddq) = (sequence(1, n), sequence(2, n), sequence(3, n));
     let phi = sequence(4, p);
     let state = State { q: &q, dq: &dq, ddq: &ddq, tau: &[], parameters: &phi };
-    let tau = interpreter.one(crate::arm::Function::InverseDynamics, &state);
+    use crate::arm::Function;
+    let effects = !model.laws().is_empty();
+    let tau = interpreter.one(if effects { Function::RigidDynamics } else { Function::InverseDynamics }, &state);
     let mut t = String::from(
         "//! Consistency of the generated functions with each other, and a stored check vector.\n\nuse super::*;\n\n",
     );
@@ -39,7 +41,15 @@ pub(super) fn print(model: &Model, interpreter: &Interpreter) -> String {
         "/// What the interpreter of the same tape answers, to the last bit.\nconst TAU: [f64; DOF] = [{}];",
         list(&tau)
     );
-    t += r#"
+    if effects {
+        let measured = interpreter.one(Function::InverseDynamics, &state);
+        let _ = writeln!(
+            t,
+            "/// The same with the effects of the file.\nconst MEASURED: [f64; DOF] = [{}];",
+            list(&measured)
+        );
+    }
+    let body = r#"
 fn close(a: f64, b: f64, size: f64) {
     assert!((a - b).abs() <= 1e-11 * (1.0 + size), "{a} is not {b}");
 }
@@ -93,5 +103,27 @@ fn at_rest_there_is_only_gravity() {
     }
 }
 "#;
-    t
+    if !effects {
+        return t + body;
+    }
+    t += &body.replace("inverse_dynamics(&Q", "rigid_dynamics(&Q");
+    t + r#"
+#[test]
+fn effects_come_out_bit_for_bit() {
+    assert_eq!(inverse_dynamics(&Q, &DQ, &DDQ, &PHI), MEASURED);
+}
+
+#[test]
+fn a_drive_that_has_gone_far_is_steady() {
+    let mut drive = Drive::new(&Q, &DQ);
+    drive.since = 1e9;
+    let far: [f64; DOF] = core::array::from_fn(|i| Q[i] - DQ[i] * 1e3);
+    drive.q = far;
+    drive.bristle = DQ.map(|v| -v.sign());
+    let tau = drive.step(0.001, &Q, &DQ, &DDQ, &PHI);
+    for i in 0..DOF {
+        close(tau[i], MEASURED[i], MEASURED[i].abs());
+    }
+}
+"#
 }

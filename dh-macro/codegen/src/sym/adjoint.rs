@@ -6,6 +6,7 @@
 
 use std::collections::BTreeMap;
 
+use super::call::Call;
 use super::graph::{Ex, Graph};
 use super::tape::{Kind, Operand, Tape};
 
@@ -31,6 +32,9 @@ pub fn adjoint<'g>(graph: &'g Graph, tape: &Tape, wanted: &[usize], seeds: &[Ex<
             Kind::Div => a / b,
             Kind::Neg => -a,
             Kind::Sign => a.sign(),
+            Kind::Call(f) => a.call(f),
+            Kind::Least => a.least(b),
+            Kind::Most => a.most(b),
         });
     }
     let mut temps: Vec<Option<Ex<'g>>> = vec![None; tape.code.len()];
@@ -64,6 +68,23 @@ pub fn adjoint<'g>(graph: &'g Graph, tape: &Tape, wanted: &[usize], seeds: &[Ex<
             Kind::Div => (Some(bar / b), Some(-(bar * values[at] / b))),
             Kind::Neg => (Some(-bar), None),
             Kind::Sign => (None, None),
+            Kind::Call(f) => {
+                let by = match f {
+                    Call::Abs => bar * a.sign(),
+                    Call::Sqrt => bar / (values[at] * 2.0),
+                    Call::Exp => bar * values[at],
+                    Call::Ln => bar / a,
+                    Call::Sin => bar * a.call(Call::Cos),
+                    Call::Cos => -(bar * a.call(Call::Sin)),
+                };
+                (Some(by), None)
+            }
+            // Half to each where they are equal.
+            Kind::Least | Kind::Most => {
+                let larger = ((a - b).sign() + 1.0) * 0.5;
+                let to_a = if step.kind == Kind::Most { larger } else { -larger + 1.0 };
+                (Some(bar * to_a), Some(bar * (-to_a + 1.0)))
+            }
         };
         for (operand, bar) in [(step.a, to_a), (step.b, to_b)] {
             if let Some(bar) = bar {

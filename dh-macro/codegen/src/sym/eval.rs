@@ -1,6 +1,7 @@
 //! Runs a tape on f64, many states at a time: the meaning of a tape.
 
 use super::tape::{Instruction, Kind, Operand, Tape};
+use crate::elementary::Real;
 
 /// States that are carried through the tape together.
 pub const LANES: usize = 64;
@@ -152,6 +153,9 @@ impl Evaluator {
                     Kind::Div => (0..LANES).for_each(|l| result[l] = a[l] / b[l]),
                     Kind::Neg => (0..LANES).for_each(|l| result[l] = -a[l]),
                     Kind::Sign => (0..LANES).for_each(|l| result[l] = sign(a[l])),
+                    Kind::Call(f) => (0..width).for_each(|l| result[l] = f.value(a[l])),
+                    Kind::Least => (0..LANES).for_each(|l| result[l] = Real::min(a[l], b[l])),
+                    Kind::Most => (0..LANES).for_each(|l| result[l] = Real::max(a[l], b[l])),
                 }
                 write(at + 1, &slots);
             }
@@ -188,6 +192,9 @@ impl Evaluator {
                     Kind::Div => a / b,
                     Kind::Neg => -a,
                     Kind::Sign => sign(a),
+                    Kind::Call(f) => f.value(a),
+                    Kind::Least => Real::min(a, b),
+                    Kind::Most => Real::max(a, b),
                 };
             }
             done = after;

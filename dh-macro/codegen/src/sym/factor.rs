@@ -67,6 +67,9 @@ fn rebuild(graph: &Graph, roots: &[Node]) -> (Graph, Vec<Node>, usize) {
             Op::Mul(a, b) => ex(a) * ex(b),
             Op::Div(a, b) => ex(a) / ex(b),
             Op::Sign(a) => ex(a).sign(),
+            Op::Call(f, a) => ex(a).call(f),
+            Op::Least(a, b) => ex(a).least(ex(b)),
+            Op::Most(a, b) => ex(a).most(ex(b)),
             Op::Neg(a) => match graph.op(a) {
                 Op::Sub(x, y) if single(a) => {
                     rewritten += 1;

@@ -5,6 +5,7 @@ use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use rustc_hash::FxHashMap;
 
+use super::call::Call;
 use super::rules;
 
 /// Handle of a node in its [`Graph`].
@@ -37,6 +38,12 @@ pub enum Op {
     Div(Node, Node),
     /// `-1`, `0` or `1`.
     Sign(Node),
+    /// A function of `a`.
+    Call(Call, Node),
+    /// The smaller of two, operands in arena order.
+    Least(Node, Node),
+    /// The larger of two.
+    Most(Node, Node),
 }
 
 impl Op {
@@ -44,8 +51,10 @@ impl Op {
     pub fn operands(self) -> impl Iterator<Item = Node> {
         let (a, b) = match self {
             Op::Constant(_) | Op::Input(_) => (None, None),
-            Op::Neg(a) | Op::Sign(a) => (Some(a), None),
-            Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) => (Some(a), Some(b)),
+            Op::Neg(a) | Op::Sign(a) | Op::Call(_, a) => (Some(a), None),
+            Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) | Op::Least(a, b) | Op::Most(a, b) => {
+                (Some(a), Some(b))
+            }
         };
         a.into_iter().chain(b)
     }
@@ -174,6 +183,21 @@ impl<'g> Ex<'g> {
     /// `-1`, `0` or `1`.
     pub fn sign(self) -> Self {
         self.graph.wrap(rules::sign(self.graph, self.node))
+    }
+
+    /// A function of it.
+    pub fn call(self, function: Call) -> Self {
+        self.graph.wrap(rules::call(self.graph, function, self.node))
+    }
+
+    /// The smaller of two.
+    pub fn least(self, other: Self) -> Self {
+        self.graph.wrap(rules::least(self.graph, self.node, other.node))
+    }
+
+    /// The larger of two.
+    pub fn most(self, other: Self) -> Self {
+        self.graph.wrap(rules::most(self.graph, self.node, other.node))
     }
 
     /// `-a` as an operation of its own, whatever `a` is.

@@ -1,6 +1,8 @@
 //! Simplification at birth: local rules, no global rewriting. Signs float outwards, where sums absorb them.
 
+use super::call::Call;
 use super::graph::{Graph, Node, Op};
+use crate::elementary::Real;
 
 fn number(g: &Graph, n: Node) -> Option<f64> {
     match g.op(n) {
@@ -169,6 +171,37 @@ pub(super) fn sign(g: &Graph, a: Node) -> Node {
             neg(g, s)
         }
         _ => g.insert(Op::Sign(a)),
+    }
+}
+
+/// Numbers; `f(-x)` of even and odd functions.
+pub(super) fn call(g: &Graph, f: Call, a: Node) -> Node {
+    match (g.op(a), f.even()) {
+        (Op::Constant(bits), _) => constant(g, f.value(f64::from_bits(bits))),
+        (Op::Neg(x), Some(true)) => call(g, f, x),
+        (Op::Neg(x), Some(false)) => {
+            let value = call(g, f, x);
+            neg(g, value)
+        }
+        _ => g.insert(Op::Call(f, a)),
+    }
+}
+
+/// Numbers, operand order.
+pub(super) fn least(g: &Graph, a: Node, b: Node) -> Node {
+    match (number(g, a), number(g, b)) {
+        (Some(x), Some(y)) => constant(g, Real::min(x, y)),
+        _ if a == b => a,
+        _ => g.insert(Op::Least(a.min(b), a.max(b))),
+    }
+}
+
+/// Numbers, operand order.
+pub(super) fn most(g: &Graph, a: Node, b: Node) -> Node {
+    match (number(g, a), number(g, b)) {
+        (Some(x), Some(y)) => constant(g, Real::max(x, y)),
+        _ if a == b => a,
+        _ => g.insert(Op::Most(a.min(b), a.max(b))),
     }
 }
 

@@ -3,6 +3,9 @@
 //! A product's sign is that of its factors, a sum of two negatives is negative: these are forced. A difference may be taken
 //! either way for nothing. What then is still negative at a root costs an operation.
 
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
 use super::graph::{Graph, Node, Op};
 
 /// Moves that are tried.
@@ -11,9 +14,11 @@ const ROUNDS: usize = 30_000;
 /// The same roots in a new graph where `Neg` stands at roots only.
 pub(super) fn settled(graph: &Graph, roots: &[Node]) -> (Graph, Vec<Node>) {
     let ops: Vec<Op> = (0..graph.len()).map(|i| graph.op(Node(i as u32))).collect();
-    let mut turned = vec![false; ops.len()];
-    let mut negative = vec![false; ops.len()];
-    let mut best = negatives(&ops, roots, &turned, &mut negative);
+    // What a function or a choice reads must have its own sign, like a root.
+    let read = ops.iter().filter(|op| needs_own_sign(op)).flat_map(|op| op.operands());
+    let counted: Vec<Node> = roots.iter().copied().chain(read).collect();
+    let mut signs = Signs::new(&ops, &counted);
+    let mut best = signs.cost;
     let differences: Vec<usize> = (0..ops.len()).filter(|&i| matches!(ops[i], Op::Add(..) | Op::Sub(..))).collect();
     // Alone, and together with a sum that it is made of: moves that change nothing are taken too, they open the way to others.
     let mut moves: Vec<Vec<usize>> = differences.iter().map(|&i| vec![i]).collect();
@@ -22,7 +27,7 @@ pub(super) fn settled(graph: &Graph, roots: &[Node]) -> (Graph, Vec<Node>) {
         moves.extend(below.map(|j| vec![i, j]));
     }
     // Annealing with a fixed sequence: the same at every run.
-    let (mut cost, mut kept_best) = (best, turned.clone());
+    let mut kept_best = signs.turned.clone();
     let mut state = 0x9E37_79B9_7F4A_7C15u64;
     let mut random = || {
         state ^= state << 13;
@@ -34,23 +39,130 @@ pub(super) fn settled(graph: &Graph, roots: &[Node]) -> (Graph, Vec<Node>) {
     for round in 0..rounds {
         let temperature = 0.8 * (1.0 - round as f64 / rounds as f64);
         let flip = &moves[(random() % moves.len() as u64) as usize];
-        flip.iter().for_each(|&i| turned[i] = !turned[i]);
-        let trial = negatives(&ops, roots, &turned, &mut negative);
+        let cost = signs.cost;
+        signs.turn(flip);
         let chance = (random() % 1_000_000) as f64 / 1e6;
-        let worse = trial as f64 - cost as f64;
+        let worse = signs.cost as f64 - cost as f64;
         if worse <= 0.0 || chance < falling(worse / temperature.max(1e-3)) {
-            cost = trial;
-            if cost < best {
-                best = cost;
-                kept_best.clone_from(&turned);
+            if signs.cost < best {
+                best = signs.cost;
+                kept_best.clone_from(&signs.turned);
             }
         } else {
-            flip.iter().for_each(|&i| turned[i] = !turned[i]);
+            signs.undo(flip);
         }
     }
-    turned = kept_best;
-    negatives(&ops, roots, &turned, &mut negative);
-    rebuild(graph, &ops, roots, &turned, &negative)
+    let differing: Vec<usize> = (0..ops.len()).filter(|&i| signs.turned[i] != kept_best[i]).collect();
+    signs.turn(&differing);
+    rebuild(graph, &ops, roots, &signs.turned, &signs.negative)
+}
+
+/// Which way round each difference is taken, with what follows from it.
+struct Signs<'a> {
+    ops: &'a [Op],
+    /// The nodes that each node is an operand of.
+    users: Vec<Vec<usize>>,
+    /// Of each root: the node that is really kept behind its changes of sign.
+    kept: Vec<Vec<usize>>,
+    /// By such a node: roots that need it the other way round.
+    wrong: Vec<usize>,
+    /// Differences that are taken the other way.
+    turned: Vec<bool>,
+    /// The sign with which each node is kept.
+    negative: Vec<bool>,
+    /// Different nodes that a root needs the other way round.
+    cost: usize,
+    /// Nodes whose sign the last turn changed.
+    changed: Vec<usize>,
+}
+
+impl<'a> Signs<'a> {
+    fn new(ops: &'a [Op], roots: &[Node]) -> Self {
+        let mut users = vec![Vec::new(); ops.len()];
+        for (i, op) in ops.iter().enumerate() {
+            op.operands().for_each(|n| users[n.index()].push(i));
+        }
+        let mut kept = vec![Vec::new(); ops.len()];
+        for root in roots {
+            let mut node = *root;
+            while let Op::Neg(a) = ops[node.index()] {
+                node = a;
+            }
+            kept[root.index()].push(node.index());
+        }
+        let (turned, negative) = (vec![false; ops.len()], vec![false; ops.len()]);
+        let mut signs =
+            Self { ops, users, kept, wrong: vec![0; ops.len()], turned, negative, cost: 0, changed: Vec::new() };
+        for i in 0..ops.len() {
+            if signs.sign(i) {
+                signs.change(i);
+            }
+        }
+        signs
+    }
+
+    /// The sign of a node from those of its operands.
+    fn sign(&self, i: usize) -> bool {
+        let of = |n: Node| self.negative[n.index()];
+        match self.ops[i] {
+            Op::Constant(_) | Op::Input(_) => false,
+            Op::Neg(a) => !of(a),
+            Op::Sign(a) => of(a),
+            Op::Call(f, a) => f.even() == Some(false) && of(a),
+            Op::Least(..) | Op::Most(..) => false,
+            Op::Mul(a, b) | Op::Div(a, b) => of(a) != of(b),
+            Op::Add(a, b) if of(a) == of(b) => of(a),
+            Op::Sub(a, b) if of(a) != of(b) => of(a),
+            Op::Add(..) | Op::Sub(..) => self.turned[i],
+        }
+    }
+
+    fn change(&mut self, i: usize) {
+        self.negative[i] = !self.negative[i];
+        for &node in &self.kept[i] {
+            if self.negative[i] {
+                self.cost += usize::from(self.wrong[node] == 0);
+                self.wrong[node] += 1;
+            } else {
+                self.wrong[node] -= 1;
+                self.cost -= usize::from(self.wrong[node] == 0);
+            }
+        }
+    }
+
+    /// Takes these differences the other way. Operands stand before what they are operands of, so going up through what changes looks at each node once.
+    fn turn(&mut self, which: &[usize]) {
+        self.changed.clear();
+        which.iter().for_each(|&i| self.turned[i] = !self.turned[i]);
+        let mut ahead: BinaryHeap<Reverse<usize>> = which.iter().map(|&i| Reverse(i)).collect();
+        while let Some(Reverse(i)) = ahead.pop() {
+            while ahead.peek() == Some(&Reverse(i)) {
+                ahead.pop();
+            }
+            if self.sign(i) != self.negative[i] {
+                self.change(i);
+                self.changed.push(i);
+                ahead.extend(self.users[i].iter().map(|&u| Reverse(u)));
+            }
+        }
+    }
+
+    /// Takes the last turn back.
+    fn undo(&mut self, which: &[usize]) {
+        which.iter().for_each(|&i| self.turned[i] = !self.turned[i]);
+        for i in std::mem::take(&mut self.changed) {
+            self.change(i);
+        }
+    }
+}
+
+/// Is the sign of its operands part of its value?
+fn needs_own_sign(op: &Op) -> bool {
+    match op {
+        Op::Call(f, _) => f.even().is_none(),
+        Op::Least(..) | Op::Most(..) => true,
+        _ => false,
+    }
 }
 
 /// Nearly `exp(-x)` for `x > 0`. The library's own differs between machines, and what is generated must not.
@@ -62,43 +174,12 @@ fn falling(x: f64) -> f64 {
 fn sums_below(ops: &[Op], node: usize) -> Vec<usize> {
     match ops[node] {
         Op::Add(..) | Op::Sub(..) => vec![node],
-        Op::Neg(a) | Op::Sign(a) => sums_below(ops, a.index()),
-        Op::Mul(a, b) | Op::Div(a, b) => [a, b].iter().flat_map(|n| sums_below(ops, n.index())).collect(),
+        Op::Neg(a) | Op::Sign(a) | Op::Call(_, a) => sums_below(ops, a.index()),
+        Op::Mul(a, b) | Op::Div(a, b) | Op::Least(a, b) | Op::Most(a, b) => {
+            [a, b].iter().flat_map(|n| sums_below(ops, n.index())).collect()
+        }
         Op::Constant(_) | Op::Input(_) => Vec::new(),
     }
-}
-
-/// Fills in the sign with which each node is kept, and counts the different nodes that a root needs the other way round.
-fn negatives(ops: &[Op], roots: &[Node], turned: &[bool], negative: &mut [bool]) -> usize {
-    for (i, op) in ops.iter().enumerate() {
-        let sign = |n: Node, negative: &[bool]| negative[n.index()];
-        negative[i] = match *op {
-            Op::Constant(_) | Op::Input(_) => false,
-            Op::Neg(a) => !sign(a, negative),
-            Op::Sign(a) => sign(a, negative),
-            Op::Mul(a, b) | Op::Div(a, b) => sign(a, negative) != sign(b, negative),
-            Op::Add(a, b) => match (sign(a, negative), sign(b, negative)) {
-                (x, y) if x == y => x,
-                _ => turned[i],
-            },
-            Op::Sub(a, b) => match (sign(a, negative), sign(b, negative)) {
-                (x, y) if x != y => x,
-                _ => turned[i],
-            },
-        };
-    }
-    let mut wrong: Vec<Node> = roots.iter().copied().filter(|r| negative[r.index()]).map(|r| kept(ops, r)).collect();
-    wrong.sort_unstable();
-    wrong.dedup();
-    wrong.len()
-}
-
-/// The node that is really kept behind changes of sign.
-fn kept(ops: &[Op], mut node: Node) -> Node {
-    while let Op::Neg(a) = ops[node.index()] {
-        node = a;
-    }
-    node
 }
 
 fn rebuild(graph: &Graph, ops: &[Op], roots: &[Node], turned: &[bool], negative: &[bool]) -> (Graph, Vec<Node>) {
@@ -111,12 +192,17 @@ fn rebuild(graph: &Graph, ops: &[Op], roots: &[Node], turned: &[bool], negative:
             fresh.section(title.clone());
         }
         let at = |n: Node| place[n.index()];
+        let own = |n: Node| if negative[n.index()] { fresh.wrap(at(n)).negated().node() } else { at(n) };
         let sum = |a: Node, b: Node| Op::Add(a.min(b), a.max(b));
         // Straight into the arena: the rules would move the signs again.
         let node = match *op {
             Op::Constant(_) | Op::Input(_) => fresh.insert(*op),
             Op::Neg(a) => at(a),
             Op::Sign(a) => fresh.insert(Op::Sign(at(a))),
+            Op::Call(f, a) if f.even().is_some() => fresh.insert(Op::Call(f, at(a))),
+            Op::Call(f, a) => fresh.insert(Op::Call(f, own(a))),
+            Op::Least(a, b) => fresh.insert(Op::Least(own(a).min(own(b)), own(a).max(own(b)))),
+            Op::Most(a, b) => fresh.insert(Op::Most(own(a).min(own(b)), own(a).max(own(b)))),
             Op::Mul(a, b) => fresh.insert(Op::Mul(at(a).min(at(b)), at(a).max(at(b)))),
             Op::Div(a, b) => fresh.insert(Op::Div(at(a), at(b))),
             Op::Add(a, b) | Op::Sub(a, b) => {

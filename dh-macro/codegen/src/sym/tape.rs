@@ -1,5 +1,6 @@
 //! Roots of a graph, in order, as a straight-line program. Text is printed from it, and it can be run.
 
+use super::call::Call;
 use super::factor::factored;
 use super::graph::{Ex, Graph, Op};
 use super::signs::settled;
@@ -30,6 +31,24 @@ pub enum Kind {
     Neg,
     /// `sign(a)` (`b` is not read)
     Sign,
+    /// A function of `a` (`b` is not read)
+    Call(Call),
+    /// The smaller of two.
+    Least,
+    /// The larger of two.
+    Most,
+}
+
+impl Kind {
+    /// Is `b` not read?
+    pub fn is_unary(self) -> bool {
+        matches!(self, Self::Neg | Self::Sign | Self::Call(_))
+    }
+
+    /// Does it take more than [`crate::runtime::Scalar`]?
+    pub fn is_elementary(self) -> bool {
+        matches!(self, Self::Call(_) | Self::Least | Self::Most)
+    }
 }
 
 /// One step; its result is the temporary with the step's own index.
@@ -52,7 +71,8 @@ pub struct Section {
     pub title: String,
 }
 
-/// Numbers of operations of a tape; a change of sign counts as an addition, a division as a multiplication.
+/// Numbers of operations of a tape; a change of sign counts as an addition, a division as a multiplication, functions and choices not at
+/// all.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct OperationCount {
     /// Multiplications and divisions.
@@ -95,7 +115,7 @@ impl Tape {
         let roots: Vec<_> = roots.iter().map(|r| r.node()).collect();
         let (graph, roots) = factored(graph, &roots);
         let tape = Self::lower(&graph, &roots);
-        tape.code.iter().filter(|step| !matches!(step.kind, Kind::Neg | Kind::Sign)).count()
+        tape.code.iter().filter(|step| !(step.kind.is_unary() || step.kind.is_elementary())).count()
     }
 
     fn lower(graph: &Graph, roots: &[super::Node]) -> Self {
@@ -133,6 +153,9 @@ impl Tape {
                 Op::Div(a, b) => (Kind::Div, a, b),
                 Op::Neg(a) => (Kind::Neg, a, a),
                 Op::Sign(a) => (Kind::Sign, a, a),
+                Op::Call(f, a) => (Kind::Call(f), a, a),
+                Op::Least(a, b) => (Kind::Least, a, b),
+                Op::Most(a, b) => (Kind::Most, a, b),
             };
             let (a, b) = (at(a), at(b));
             place[index] = Some(Operand::Temp(tape.code.len() as u32));
@@ -153,7 +176,7 @@ impl Tape {
             match step.kind {
                 Kind::Mul | Kind::Div => count.mul += 1,
                 Kind::Add | Kind::Sub | Kind::Neg => count.add += 1,
-                Kind::Sign => {}
+                Kind::Sign | Kind::Call(_) | Kind::Least | Kind::Most => {}
             }
         }
         count

@@ -1,0 +1,198 @@
+//! Torques at the sensors of an arm whose drives have more to them than rotor and plain friction: the laws of
+//! [`crate::robot::effect::LAWS`] as expressions.
+//!
+//! `tau = GT clip(load + IA ddq + warmth friction + FO + ripple + couplings, TM) + TO`, `load` the torque of the bodies and of the joint's
+//! spring, where the links of soft joints stand behind their motors by `load / KE` and by half of the backlash, on the side to which the
+//! load pushes. These are first-order, quasi-static corrections: load and bending do not act back on each other, and the link moves at
+//! its motor's speed.
+
+use super::chain::{Chain, Group, Links};
+use super::dynamics::{self, Values};
+use super::motion::Include;
+use super::param::{DriveTerm, Parameter};
+use crate::robot::{Laws, Stribeck};
+use crate::sym::{Call, Ex, Graph};
+
+/// Where the states of bristles and the warmth of the gears come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Memory {
+    /// Nowhere: a bristle is at the end of its travel (`sign(v)`), gears are warm (a factor of 1).
+    Steady,
+    /// Inputs that follow the parameters: all bristles, then all factors.
+    Given,
+}
+
+/// The load within which a gear with backlash changes sides, as a part of the torque limit.
+const CHANGES_SIDE: f64 = 2e-3;
+
+/// Torques at the sensors.
+pub(super) fn torques<'g>(
+    chain: &Chain,
+    graph: &'g Graph,
+    standard: &[Parameter],
+    laws: &[Laws],
+    memory: Memory,
+) -> Vec<Ex<'g>> {
+    let links = chain.over(graph);
+    let values = Values::new(&links, standard);
+    let mut load = loads(&links, &values, laws, &[]);
+    if laws.iter().any(Laws::is_soft) {
+        graph.section("links behind soft joints");
+        let wound: Vec<Option<Ex<'g>>> = laws.iter().zip(&load).map(|(law, &load)| wound(law, load)).collect();
+        load = loads(&chain.behind(graph, &wound), &values, laws, &wound);
+    }
+    graph.section("drives");
+    let after = standard.len();
+    let drives: Vec<Drive<'g>> = links
+        .moving()
+        .map(|(row, k)| {
+            let (v, sign) = (links.input(Group::Velocity, k), links.input(Group::Velocity, k).sign());
+            let (bristle, warmth) = match memory {
+                Memory::Steady => (sign, links.number(1.0)),
+                Memory::Given => (
+                    links.input(Group::Parameter, after + k),
+                    links.input(Group::Parameter, after + links.inputs.dof + k),
+                ),
+            };
+            let encoder = laws.get(k).map_or(0.0, |l| l.encoder_offset);
+            let q = links.input(Group::Position, k) + encoder;
+            let term = |which| values.drive(row, which).unwrap_or(links.number(0.0));
+            Drive { q, v, sign, bristle, warmth, load: load[k], coulomb: term(DriveTerm::FC) }
+        })
+        .collect();
+    let mut tau: Vec<Ex<'g>> = load.clone();
+    for (row, k) in links.moving() {
+        let Some(law) = laws.get(k) else { continue };
+        let (drive, ddq) = (&drives[k], links.input(Group::Acceleration, k));
+        let term = |which| values.drive(row, which).unwrap_or(links.number(0.0));
+        let friction = term(DriveTerm::FV) * drive.v + drive.friction(law);
+        let warm = if law.drift.is_some() { drive.warmth * friction } else { friction };
+        tau[k] = tau[k] + term(DriveTerm::IA) * ddq + warm + term(DriveTerm::FO) + ripple(law, drive.q);
+    }
+    for (m, law) in laws.iter().enumerate() {
+        for c in &law.couplings {
+            let k = c.other;
+            let at = |group, joint| links.input(group, joint);
+            let along = |joint| at(Group::Acceleration, joint) * c.rotor + at(Group::Velocity, joint) * c.viscous;
+            let sign = (drives[m].v + drives[k].v * c.ratio).sign() * c.coulomb;
+            tau[k] = tau[k] + (along(m) + sign) * c.ratio;
+            tau[m] = tau[m] + along(k) * c.ratio + sign;
+        }
+    }
+    graph.section("sensors");
+    tau.iter().zip(laws).map(|(&tau, law)| measured(law, tau)).collect()
+}
+
+/// Torques that the gears transmit: bodies, and the springs of joints.
+fn loads<'g>(links: &Links<'g>, values: &Values<'g>, laws: &[Laws], wound: &[Option<Ex<'g>>]) -> Vec<Ex<'g>> {
+    let mut load = dynamics::torques(links, values, Include::ALL, false);
+    for (k, law) in laws.iter().enumerate() {
+        if let Some([stiffness, rest]) = law.spring {
+            let mut q = links.input(Group::Position, k) + (law.encoder_offset - rest);
+            if let Some(by) = wound.get(k).copied().flatten() {
+                q = q - by;
+            }
+            load[k] = load[k] + q * stiffness;
+        }
+    }
+    load
+}
+
+/// How far a soft joint's link stands behind its motor.
+fn wound<'g>(law: &Laws, load: Ex<'g>) -> Option<Ex<'g>> {
+    let small = CHANGES_SIDE * law.rated;
+    let zero = load.graph().constant(0.0);
+    let side = if law.backlash == 0.0 { zero } else { load / (load * load + small * small).call(Call::Sqrt) };
+    let spring = law.stiffness.map_or(zero, |stiffness| load * (1.0 / stiffness));
+    law.is_soft().then(|| spring + side * (0.5 * law.backlash))
+}
+
+/// What the laws of one joint read.
+struct Drive<'g> {
+    /// True angle of the motor.
+    q: Ex<'g>,
+    v: Ex<'g>,
+    sign: Ex<'g>,
+    /// What stands for the sign in a law with memory.
+    bristle: Ex<'g>,
+    warmth: Ex<'g>,
+    load: Ex<'g>,
+    /// `FC`.
+    coulomb: Ex<'g>,
+}
+
+impl<'g> Drive<'g> {
+    fn number(&self, value: f64) -> Ex<'g> {
+        self.v.graph().constant(value)
+    }
+
+    fn speed(&self) -> Ex<'g> {
+        self.v.call(Call::Abs)
+    }
+
+    /// All friction but `FV v`.
+    fn friction(&self, law: &Laws) -> Ex<'g> {
+        let mut level = self.coulomb;
+        if let Some(stribeck) = law.stribeck {
+            level = level + self.stribeck(law, stribeck);
+        }
+        if let Some([cosine, sine, periods]) = law.position {
+            level = level + wave(self.q, periods, cosine, sine);
+        }
+        if let Some([size, exponent]) = law.nonlinear {
+            level = level + power(self.speed(), exponent) * size;
+        }
+        if law.load != 0.0 {
+            level = level + self.load.call(Call::Abs) * law.load;
+        }
+        let mut friction = level * self.sign;
+        let [constant, slope] = law.asymmetric;
+        if constant != 0.0 {
+            friction = friction + self.sign.call(Call::Abs) * constant;
+        }
+        if slope != 0.0 {
+            friction = friction + self.speed() * slope;
+        }
+        if let Some([size, _]) = law.hysteresis {
+            friction = friction + self.bristle * size;
+        }
+        friction
+    }
+
+    /// `(FS - FC) exp(-|v / VS|^DS)`.
+    fn stribeck(&self, law: &Laws, Stribeck { breakaway, velocity, exponent }: Stribeck) -> Ex<'g> {
+        let above = match breakaway {
+            Some(level) => self.number(level) - self.coulomb,
+            None => self.number(0.01 * law.rated),
+        };
+        above * (-power(self.speed() * (1.0 / velocity), exponent)).call(Call::Exp)
+    }
+}
+
+/// `x^n` of a number that is not negative.
+fn power(x: Ex<'_>, n: f64) -> Ex<'_> {
+    match n {
+        1.0 => x,
+        2.0 => x * x,
+        0.5 => x.call(Call::Sqrt),
+        _ => (x.call(Call::Ln) * n).call(Call::Exp),
+    }
+}
+
+/// `cosine cos(n q) + sine sin(n q)`.
+fn wave<'g>(q: Ex<'g>, n: f64, cosine: f64, sine: f64) -> Ex<'g> {
+    let angle = q * n;
+    angle.call(Call::Cos) * cosine + angle.call(Call::Sin) * sine
+}
+
+fn ripple<'g>(law: &Laws, q: Ex<'g>) -> Ex<'g> {
+    let zero = q.graph().constant(0.0);
+    law.ripple.iter().fold(zero, |sum, &[n, c, s]| sum + wave(q, n, c, s))
+}
+
+/// What the sensor says of the drive's torque.
+fn measured<'g>(law: &Laws, tau: Ex<'g>) -> Ex<'g> {
+    let number = |value: f64| tau.graph().constant(value);
+    let clipped = law.limit.map_or(tau, |limit| tau.least(number(limit)).most(number(-limit)));
+    clipped * law.gain + law.offset
+}
