@@ -190,7 +190,8 @@ fn run_n<const N: usize>(
             .iter()
             .zip(&known.drives)
             .map(|(is, known)| {
-                [(is.rotor - known.rotor).max(0.0), is.elasticity.map_or(f64::INFINITY, |e| e.stiffness)]
+                let [spring, loss] = is.elasticity.map_or([f64::INFINITY, 0.0], |e| [e.stiffness, e.damping]);
+                [(is.rotor - known.rotor).max(0.0), spring, loss]
             })
             .collect(),
     };

@@ -2,7 +2,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::control::gains::{ForcePlant, ForceProposal, JointPlant, JointProposal, propose_force, propose_joint};
+use crate::control::gains::{
+    ArmPlant, ForcePlant, ForceProposal, JointPlant, JointProposal, lowered, propose_force, propose_joint,
+};
 use crate::control::law::Model;
 use crate::control::robot::Lent;
 
@@ -17,8 +19,9 @@ pub struct Demands {
     pub stiffness: f64,
     /// Of wall and roller, N s/m.
     pub damping: f64,
-    /// Rotor and spring of each joint beyond the model, kg m^2 and N m/rad: gains are tuned on the robot itself. Without a spring: infinite.
-    pub drives: Vec<[f64; 2]>,
+    /// Of each joint beyond the model: rotor, kg m^2, spring, N m/rad (infinite where there is none), and its damping, N m s/rad. Gains are tuned on
+    /// the robot itself.
+    pub drives: Vec<[f64; 3]>,
 }
 
 /// The gains.
@@ -41,30 +44,48 @@ pub fn tune<const N: usize>(
     press: &[f64; 3],
     demands: &Demands,
 ) -> Result<Tuning, String> {
-    let mut inertia = [[f64::INFINITY, 0.0]; N];
     let masses: Vec<Vec<f64>> = postures.iter().map(|q| lent.mass(q)).collect();
-    for mass in &masses {
-        let inverse = DMatrix::from_row_slice(N, N, mass).try_inverse().ok_or("the mass matrix is singular")?;
-        for j in 0..N {
-            // Others held, and others free: between the two lies what a joint's loop moves.
-            inertia[j][0] = f64::min(inertia[j][0], 1.0 / inverse[(j, j)]);
-            inertia[j][1] = f64::max(inertia[j][1], mass[j * N + j]);
-        }
-    }
     let mut joints = Vec::new();
     for j in 0..N {
-        let [rotor, stiffness] = demands.drives[j];
-        let [low, high] = inertia[j];
+        let [rotor, stiffness, damping] = demands.drives[j];
+        let at = |mass: &Vec<f64>| mass[j * N + j] + rotor;
+        let low = masses.iter().map(at).fold(f64::INFINITY, f64::min);
+        let high = masses.iter().map(at).fold(0.0, f64::max);
         let plant = JointPlant {
             period: demands.period,
             delay: 0,
-            inertia: [low + rotor, high + rotor],
+            inertia: [low, high],
             rotor,
             stiffness,
+            damping,
             viscous: viscous[j],
         };
-        joints.push(propose_joint(&plant).ok_or_else(|| format!("no gains of joint {} keep their margins", j + 1))?);
+        joints.push((
+            plant,
+            propose_joint(&plant).ok_or_else(|| format!("no gains of joint {} keep their margins", j + 1))?,
+        ));
     }
+    let arms: Vec<ArmPlant> = masses
+        .iter()
+        .map(|mass| ArmPlant {
+            period: demands.period,
+            mass: DMatrix::from_row_slice(N, N, mass),
+            drives: demands.drives.clone(),
+            viscous: viscous.to_vec(),
+        })
+        .collect();
+    let gains = lowered(&arms, joints.iter().map(|(_, p)| [p.kp, p.kd]).collect());
+    let gains = gains.ok_or("no gains keep their margins with all joints together")?;
+    let joints: Vec<JointProposal> = joints
+        .iter()
+        .zip(gains)
+        .map(|((plant, found), [kp, kd])| JointProposal {
+            kp,
+            kd,
+            bandwidth: found.bandwidth * (kp / found.kp).sqrt(),
+            margins: plant.margins(kp, kd),
+        })
+        .collect();
     let mut plants = Vec::new();
     for (q, mass) in postures.iter().zip(&masses) {
         let along = lent.contact(q).jacobian;

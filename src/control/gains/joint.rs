@@ -17,6 +17,8 @@ pub struct JointPlant {
     pub rotor: f64,
     /// Spring between rotor and link, N m/rad.
     pub stiffness: f64,
+    /// Its damping, N m s/rad.
+    pub damping: f64,
     /// Viscous friction, N m s/rad.
     pub viscous: f64,
 }
@@ -51,11 +53,11 @@ impl JointPlant {
     }
 
     fn case(&self, inertia: f64, soft: bool, kp: f64, kd: f64) -> Margins {
-        let Self { period, rotor, stiffness, viscous, .. } = *self;
+        let Self { period, rotor, stiffness, damping, viscous, .. } = *self;
         // Motor first: [x, x', (link, link')].
         let (a, b) = if soft {
             let link = inertia - rotor;
-            let k = stiffness;
+            let (k, d) = (stiffness, damping);
             let a = DMatrix::from_row_slice(
                 4,
                 4,

@@ -93,7 +93,7 @@ pub struct Stand {
     validate: Log,
 }
 
-fn tools() -> Result<Vec<Tool>, ReproduceError> {
+pub fn tools() -> Result<Vec<Tool>, ReproduceError> {
     super::PAPER
         .iter()
         .map(|(name, _)| {
