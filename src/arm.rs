@@ -148,6 +148,19 @@ pub trait Dynamics {
     fn tool(&mut self, q: &[f64], tool: &mut ToolState);
 }
 
+/// An arm whose frames and Jacobian are asked for in batches: what it takes to plan a motion in space.
+pub trait Placed: Arm {
+    /// Number of frames: the rows of the DH table and, where there is a tool, its frame.
+    fn frame_count(&self) -> usize;
+
+    /// Top three rows of each frame's homogeneous matrix in the base frame, lengths in m: entry `(frame, row, column)` at
+    /// `((frame * 3 + row) * 4 + column) * len + s`.
+    fn frames(&self, states: &States, out: &mut [f64]);
+
+    /// Jacobian of the last DH frame's origin in base axes, linear part first: entry `(row, joint)` at `(row * n + joint) * len + s`.
+    fn jacobian(&self, states: &States, out: &mut [f64]);
+}
+
 /// Where the bodies of an arm are, roughly: what is known of them without any weighing.
 pub trait Reach {
     /// For each link, in its own frame: where its body ends that begins at the frame's origin, m. The next joint for the modified

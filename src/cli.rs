@@ -9,6 +9,7 @@ mod generate;
 mod identify;
 mod ik;
 mod motion;
+mod paint;
 mod prepare;
 mod reproduce;
 mod simulate;
@@ -41,6 +42,8 @@ enum Command {
     Ik(ik::Ik),
     /// Identify the base parameters from logs, and write the robot file with the values in place.
     Identify(Box<identify::Identify>),
+    /// Plan a motion that paints a wall with a roller.
+    Paint(paint::Paint),
     /// Run the paper's experiments and print each table and figure beside the paper's own values.
     Reproduce(reproduce::Reproduce),
     /// Play a motion on the simulated robot and record a log.
@@ -63,6 +66,7 @@ impl Cli {
             Command::Excite(verb) => verb.run(),
             Command::Ik(verb) => verb.run(),
             Command::Identify(verb) => verb.run(),
+            Command::Paint(verb) => verb.run(),
             Command::Reproduce(verb) => verb.run(),
             Command::Simulate(verb) => verb.run(),
             Command::Tool(verb) => verb.run(),

@@ -8,7 +8,7 @@ use dh_codegen::arm::{Argument, Function, Model};
 use dh_codegen::interpret::{Batch, Interpreter, Room, State};
 use dh_codegen::robot::{Convention, JointKind, Robot};
 
-use crate::arm::{Arm, BaseParameter, Payload, Reach, States};
+use crate::arm::{Arm, BaseParameter, Payload, Placed, Reach, States};
 
 /// A robot made ready to be evaluated in batches.
 pub struct Interpreted {
@@ -21,6 +21,7 @@ pub struct Interpreted {
     ends: Vec<[f64; 3]>,
     ranges: Vec<[f64; 3]>,
     payload: Vec<(usize, usize)>,
+    has_tool: bool,
 }
 
 impl Interpreted {
@@ -67,6 +68,7 @@ impl Interpreted {
             base,
             ends: ends(robot),
             ranges: ranges(robot),
+            has_tool: robot.tool.is_some(),
             model,
             interpreter,
         }
@@ -199,6 +201,30 @@ impl Arm for Interpreted {
 
     fn inverse_dynamics(&self, states: &States, standard: &[f64], out: &mut [f64]) {
         self.interpreter.run(Function::InverseDynamics, &batch(states, &[], standard), out);
+    }
+}
+
+impl Interpreted {
+    /// What [`Placed`] needs to have been asked for in [`Interpreted::new`].
+    pub const PLACED: [Function; 3] = [Function::Frames, Function::ToolPose, Function::Jacobian];
+}
+
+/// Of those made with [`Interpreted::PLACED`]; the others panic.
+impl Placed for Interpreted {
+    fn frame_count(&self) -> usize {
+        self.ends.len() + usize::from(self.has_tool)
+    }
+
+    fn frames(&self, states: &States, out: &mut [f64]) {
+        let (links, tool) = out.split_at_mut(self.ends.len() * 12 * states.len);
+        self.run(Function::Frames, states, &[], &[], links);
+        if self.has_tool {
+            self.run(Function::ToolPose, states, &[], &[], tool);
+        }
+    }
+
+    fn jacobian(&self, states: &States, out: &mut [f64]) {
+        self.run(Function::Jacobian, states, &[], &[], out);
     }
 }
 

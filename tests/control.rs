@@ -28,6 +28,10 @@ impl Model<6> for Gantry {
         if self.dumb { [f64::NAN; 6] } else { [0.0, 0.0, 9.81, 0.0, 0.0, 0.0] }
     }
 
+    fn pressing(&mut self, _: &[f64; 6], along: &[f64; 3]) -> [f64; 6] {
+        [along[0], along[1], along[2], 0.0, 0.0, 0.0]
+    }
+
     fn displaced(&mut self, q: &[f64; 6], by: &[f64; 3], _: &[f64; 6]) -> Option<[f64; 6]> {
         if self.lost { None } else { moved(q, by, Self::tool) }
     }
@@ -56,6 +60,7 @@ fn settings() -> Settings<6> {
         regain: 0.01,
         give_up: 0.5,
         most: 80.0,
+        carry: 0.0,
     }
 }
 
@@ -117,6 +122,20 @@ fn it_presses_with_the_force_that_is_wanted() {
     assert_eq!(command.status, Status::Pressing);
     // The spring of the joint loop (400 N/m) carries the force.
     assert!((command.displacement - world.q[0] - 30.0 / 400.0).abs() < 1e-3);
+}
+
+#[test]
+fn what_is_fed_forward_need_not_be_displaced() {
+    let mut controller = Controller::new(Gantry::default(), Settings { carry: 1.0, ..settings() }).unwrap();
+    let mut world = World::new();
+    let mut command = None;
+    for _ in 0..8000 {
+        let next = controller.step(&target(), &world.sample());
+        world.run(&next);
+        command = Some(next);
+    }
+    assert!((world.force() - 30.0).abs() < 0.05, "{}", world.force());
+    assert!((command.unwrap().displacement - world.q[0]).abs() < 1e-3);
 }
 
 #[test]
@@ -294,10 +313,12 @@ proptest! {
         steps in prop::collection::vec((number(0.01), prop::array::uniform6(number(0.5)), number(60.0),
             prop::array::uniform6(number(0.5)), prop::option::of(number(40.0)), any::<[bool; 3]>()), 1..80),
         kd in 0.0..1e6_f64,
+        carry in 0.0..1.0_f64,
         ki in 0.0..1e3_f64,
     ) {
         let mut settings = settings();
         settings.joints.kd = [kd; 6];
+        settings.carry = carry;
         (settings.force.ki, settings.force.kp) = (ki, ki);
         let mut controller = Controller::new(Gantry::default(), settings).unwrap();
         let mut estimator = Estimator::new(

@@ -108,6 +108,11 @@ impl<const N: usize> Model<N> for Lent<'_> {
         std::array::from_fn(|j| self.bias[j] + self.drives[j].plain.offset)
     }
 
+    fn pressing(&mut self, q: &[f64; N], along: &[f64; 3]) -> [f64; N] {
+        let jacobian = self.contact(q).jacobian;
+        std::array::from_fn(|j| (0..3).map(|k| jacobian[k][j] * along[k]).sum())
+    }
+
     fn displaced(&mut self, q: &[f64; N], by: &[f64; 3], near: &[f64; N]) -> Option<[f64; N]> {
         if let Some(kinematics) = self.kinematics {
             let pose = self.last_pose(q, by);

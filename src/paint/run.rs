@@ -51,6 +51,8 @@ pub struct Task<'a> {
     pub feedback: Feedback,
     /// Whether the estimate allows for a moment at the contact.
     pub moment: bool,
+    /// Share of the desired force that is fed forward: see [`Settings::carry`].
+    pub carry: f64,
     /// Corner of the low-pass of both forces, Hz.
     pub corner: f64,
     /// Sensors of the joints.
@@ -212,6 +214,7 @@ fn run_n<const N: usize>(
         regain: 0.03,
         give_up: 2.0,
         most: 4.0 * task.force + 50.0,
+        carry: task.carry,
     };
     let mut controller = Controller::new(lend(), settings).map_err(setting)?;
     let estimator = EstimatorSettings {

@@ -42,7 +42,8 @@ impl JointPlant {
         let mut worst: Option<Margins> = None;
         for inertia in self.inertia {
             for soft in [false, true] {
-                if soft && !(self.rotor < inertia && self.stiffness.is_finite()) {
+                // A light link on a spring is faster than any sampling: all joints together are judged in `arm`.
+                if soft && !(inertia == self.inertia[1] && self.rotor < inertia && self.stiffness.is_finite()) {
                     continue;
                 }
                 let found = self.case(inertia, soft, kp, kd);

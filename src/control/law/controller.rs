@@ -42,6 +42,9 @@ pub struct Settings<const N: usize> {
     pub give_up: f64,
     /// Force above which the tool leaves the wall, N.
     pub most: f64,
+    /// Share of the desired force that is fed forward as torques while the tool presses: 0, equation (13) as it stands, where the springs of the
+    /// joint loop carry the force and give way aside too; 1, where they carry none of it.
+    pub carry: f64,
 }
 
 impl<const N: usize> Settings<N> {
@@ -67,6 +70,8 @@ impl<const N: usize> Settings<N> {
             .all(|x| not_negative(*x))
         {
             Some("the limits of contact must not be negative")
+        } else if !(0.0..=1.0).contains(&self.carry) {
+            Some("the share that is fed forward must be from 0 to 1")
         } else {
             None
         }
@@ -144,6 +149,7 @@ pub struct Controller<M, const N: usize> {
     touched: bool,
     away: f64,
     anchor: f64,
+    carried: f64,
 }
 
 impl<M: Model<N>, const N: usize> Controller<M, N> {
@@ -169,6 +175,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
             touched: false,
             away: 0.0,
             anchor: 0.0,
+            carried: 0.0,
         })
     }
 
@@ -182,7 +189,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         self.watch.reset();
         self.force.reset();
         (self.target, self.desired, self.fault) = (None, None, None);
-        (self.blind, self.touched, self.away) = (0, false, 0.0);
+        (self.blind, self.touched, self.away, self.carried) = (0, false, 0.0, 0.0);
     }
 
     /// One period: what is wanted and what was measured in, torques out.
@@ -213,6 +220,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
             (_, fault) => {
                 self.desired = Some(q);
                 self.force.reset();
+                self.carried = 0.0;
                 let torque = self.settings.joints.rest([&q, &before], dt, &gravity);
                 let status = fault.map_or(Status::Holding, Status::Stopped);
                 return self.answer(torque, q, status);
@@ -221,7 +229,12 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         let status = self.press(&target, sample.force, dt);
         let last = self.desired.unwrap_or(q);
         let desired = self.send(&target, &last, dt);
-        let torque = self.settings.joints.torques([&desired, &last], [&q, &before], dt, &gravity);
+        let mut torque = self.settings.joints.torques([&desired, &last], [&q, &before], dt, &gravity);
+        self.carry(&target, status, dt);
+        if self.carried > 0.0 {
+            let pressing = self.model.pressing(&q, &target.normal);
+            (0..N).for_each(|j| torque[j] += self.carried * pressing[j]);
+        }
         self.desired = Some(desired);
         self.answer(torque, desired, status)
     }
@@ -297,6 +310,16 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         }
         self.force.press(wanted - force, dt, ceiling);
         status
+    }
+
+    /// Comes within half a second of contact, and goes within 20 ms of its end.
+    fn carry(&mut self, target: &Target<N>, status: Status, dt: f64) {
+        let wanted = target.force.unwrap_or(0.0);
+        let presses = status == Status::Pressing && self.touched && self.away == 0.0;
+        let to = if presses { self.settings.carry * wanted } else { 0.0 };
+        let full = wanted.max(self.carried);
+        let (up, down) = (full * dt / 0.5, full * dt / 0.02);
+        self.carried = to.clamp(self.carried - down, self.carried + up);
     }
 
     /// Desired positions: the plan's, displaced, no faster than the joints may be.

@@ -18,6 +18,9 @@ pub trait Model<const N: usize> {
     /// Torques that hold the arm still, N m: the identified `G(q)`, the tool included.
     fn gravity(&mut self, q: &[f64; N]) -> [f64; N];
 
+    /// Torques with which the tool presses by 1 N along a unit vector (base axes): `J'` times it.
+    fn pressing(&mut self, q: &[f64; N], along: &[f64; 3]) -> [f64; N];
+
     /// A posture whose tool stands as that of `q` does, but moved by `by` (m, base axes), with the arm's redundancy as it is in `q`; `near`
     /// is where the arm was sent last. `None` where there is none.
     fn displaced(&mut self, q: &[f64; N], by: &[f64; 3], near: &[f64; N]) -> Option<[f64; N]>;

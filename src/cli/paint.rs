@@ -1,0 +1,32 @@
+//! `denavit paint`: plan the painting motion, and what is done with it. One subcommand, one file.
+
+mod plan;
+
+use clap::{Args, Subcommand};
+
+use super::Failure;
+
+/// Plan a motion that paints a wall with a roller.
+#[derive(Args)]
+#[command(
+    arg_required_else_help = true,
+    after_help = "Example:\n  denavit paint plan robots/kuka-lwr4.yaml --tool robots/tools/large-roller.yaml --out motion.csv --report paint.html"
+)]
+pub(super) struct Paint {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(Subcommand)]
+enum What {
+    /// Plan the motion: lanes, postures, durations, inside every limit.
+    Plan(Box<plan::Plan>),
+}
+
+impl Paint {
+    pub(super) fn run(self) -> Result<(), Failure> {
+        match self.what {
+            What::Plan(verb) => verb.run(),
+        }
+    }
+}

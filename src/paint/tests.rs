@@ -1,0 +1,1 @@
+//! Plans against the numeric recursion, which shares no code with what made them.
