@@ -1,8 +1,8 @@
 //! Sections V and VI.B of the paper, end to end: identify the arm and what it carries, plan, press a roller on the wall with 30 N without a force
 //! sensor, and compare with the sensor in the wall: Table IV, Figs. 12 and 13. Then the same once the diagnosis has extended the model.
 
+mod plans;
 mod rig;
-mod stroke;
 
 use super::lwr::{Lwr, Unmodelled};
 use super::motions::designed;
@@ -11,6 +11,7 @@ use super::{ReproduceError, Watch};
 use crate::diagnose::Diagnosis;
 use crate::differentiated::Differentiated;
 use crate::excite::{Criterion, Effort};
+use crate::paint::Plan;
 use crate::paint::run::{Feedback, Run};
 use rig::{Roller, Stand};
 
@@ -129,12 +130,13 @@ pub fn painting(settings: &PaintingSettings, watch: Watch<'_>) -> Result<Paintin
     let validating = design("validate", Criterion::Hadamard, 20.0, 1, seed ^ 0x5eed, 0.1)?;
     drop(arm);
     let rigid = Lwr::with_rotors()?;
-    let stand = |lwr: &Lwr, which: &[Unmodelled], seed: u64, name: &str, from: f64| {
+    let stand = |lwr: &Lwr, which: &[Unmodelled], seed: u64, plans: Option<&[Plan]>, name: &str, from: f64| {
         let tell = |what: &str, share: f64| watch(&format!("{what}, {name}"), from + 0.1 * share);
-        Stand::new(lwr, [&exciting, &carrying, &validating], which, seed, &tell)
+        Stand::new(lwr, [&exciting, &carrying, &validating], which, seed, plans, &tell)
     };
-    let plain = stand(&rigid, &[], seed, "noise only", 0.15)?;
-    let real = stand(&lwr, &Unmodelled::ALL, seed.wrapping_add(7), "unmodelled effects", 0.25)?;
+    let plain = stand(&rigid, &[], seed, None, "noise only", 0.15)?;
+    let plans: Vec<Plan> = plain.rollers.iter().map(|r| r.plan.clone()).collect();
+    let real = stand(&lwr, &Unmodelled::ALL, seed.wrapping_add(7), Some(&plans), "unmodelled effects", 0.25)?;
     watch("diagnosing", 0.36);
     let (extended, diagnosis) = real.extended(&lwr, &|what| watch(&format!("diagnosing: {what}"), 0.4))?;
 
@@ -197,39 +199,4 @@ pub fn painting(settings: &PaintingSettings, watch: Watch<'_>) -> Result<Paintin
         rows,
         diagnosis,
     })
-}
-
-/// TEMPORARY
-pub fn quick(which: bool, feedback: Feedback) -> Run {
-    let lwr = if which { Lwr::new() } else { Lwr::with_rotors() }.unwrap();
-    let tool = rig::tools().unwrap()[0].clone();
-    let robot = dh_codegen::robot::Robot { tool: Some(tool.clone()), ..lwr.robot.clone() };
-    let effects = lwr.effects(if which { &Unmodelled::ALL } else { &[] }).unwrap();
-    let real = crate::simulate::Simulator::new(&robot, &effects).unwrap();
-    let known = crate::simulate::Simulator::new(&robot, &Default::default()).unwrap();
-    let motion = stroke::strokes(&robot, &tool, 0.0).unwrap();
-    let standard = dh_codegen::arm::param::standard_values(&robot).unwrap();
-    let arm = crate::interpreted::Interpreted::new(&robot, &crate::interpreted::Interpreted::BODIES);
-    let known = crate::paint::run::Known {
-        robot: &robot,
-        arm: &arm,
-        standard: &standard,
-        drives: known.drives().to_vec(),
-        spread: vec![1.0; 7],
-    };
-    let task = crate::paint::run::Task {
-        motion: &motion,
-        wall: crate::paint::wall::RollerWall::new(
-            rig::CENTER,
-            rig::NORMAL,
-            crate::control::robot::contact_point(robot.tool.as_ref()),
-        ),
-        force: 30.0,
-        feedback,
-        moment: true,
-        corner: 10.0,
-        sensors: Lwr::sensors(),
-        seed: 1,
-    };
-    crate::paint::run::run(&known, &real, &task, &mut |s| eprint!("\r{s:.2}")).unwrap()
 }

@@ -68,17 +68,17 @@ impl JointPlant {
                     0.0,
                     0.0, //
                     -k / rotor,
-                    -viscous / rotor,
+                    -(viscous + d) / rotor,
                     k / rotor,
-                    0.0, //
+                    d / rotor, //
                     0.0,
                     0.0,
                     0.0,
                     1.0, //
                     k / link,
-                    0.0,
+                    d / link,
                     -k / link,
-                    0.0,
+                    -d / link,
                 ],
             );
             (a, DMatrix::from_column_slice(4, 1, &[0.0, 1.0 / rotor, 0.0, 0.0]))

@@ -7,13 +7,15 @@ use super::super::chain::{factors, fit};
 use super::super::lwr::{Lwr, Unmodelled};
 use super::super::motions::Motion;
 use super::super::{ReproduceError, fig6};
-use super::stroke::strokes;
-use crate::control::robot::contact_point;
+use super::plans::{in_the_air, planned, pressing};
+use crate::control::robot::{Lent, contact_point};
 use crate::diagnose::{self, Diagnosis};
 use crate::extend;
 use crate::identify::recover_standard;
 use crate::interpreted::Interpreted;
+use crate::inverse::Kinematics;
 use crate::log::{Log, Replay};
+use crate::paint::Plan;
 use crate::paint::run::{Feedback, Known, Run, Task, run};
 use crate::paint::wall::RollerWall;
 use crate::plant::RobotPlant;
@@ -41,6 +43,8 @@ pub struct Roller {
     spread: Vec<f64>,
     real: Simulator,
     motion: Trajectory,
+    /// The motion's plan.
+    pub plan: Plan,
 }
 
 impl Roller {
@@ -71,6 +75,7 @@ impl Roller {
             force: FORCE,
             feedback,
             moment,
+            carry: 1.0,
             corner: CORNER,
             sensors: Lwr::sensors(),
             seed,
@@ -93,7 +98,7 @@ pub struct Stand {
     validate: Log,
 }
 
-pub fn tools() -> Result<Vec<Tool>, ReproduceError> {
+fn tools() -> Result<Vec<Tool>, ReproduceError> {
     super::PAPER
         .iter()
         .map(|(name, _)| {
@@ -110,6 +115,7 @@ impl Stand {
         [exciting, carrying, validating]: [&Motion; 3],
         which: &[Unmodelled],
         seed: u64,
+        plans: Option<&[Plan]>,
         tell: &dyn Fn(&str, f64),
     ) -> Result<Self, ReproduceError> {
         let effects = lwr.effects(which)?;
@@ -140,11 +146,21 @@ impl Stand {
             let found = identify_tool(&lwr.arm, std::slice::from_ref(&unloaded), &[loaded], &ToolSettings::default())?;
             weighed.push((tool, found.values));
         }
-        tell("dry run", 0.9);
-        let dry = strokes(&lwr.robot, &weighed[0].0, DRY)?;
-        let dry = record(&lwr.robot, &dry, seed.wrapping_add(9))?;
         let torque = fig6::mean(&rms);
-        let rollers = rollers(&identified, &weighed, lwr, &effects, &rms)?;
+        let plans = match plans {
+            Some(plans) => plans.to_vec(),
+            None => plan_all(&identified, &weighed, tell)?,
+        };
+        let rollers = rollers(&identified, &weighed, &plans, lwr, &effects, &rms)?;
+        tell("dry run", 0.9);
+        let before = {
+            let first = &rollers[0];
+            let bodies = Box::new(first.arm.bodies(&first.standard));
+            let kinematics = Kinematics::new(&first.robot, first.arm.model());
+            let mut lent = Lent::new(&first.robot, bodies, kinematics.as_ref(), first.drives.clone());
+            in_the_air(&mut lent, &first.motion, DRY)?
+        };
+        let dry = record(&lwr.robot, &before, seed.wrapping_add(9))?;
         let logs = vec![("exciting", excited), ("dry run", dry)];
         Ok(Self { torque, rollers, effects, tools: weighed, identified, logs, validate })
     }
@@ -169,7 +185,8 @@ impl Stand {
             .map_err(|why| ReproduceError::Robot(why.to_string()))?;
         let robot = extend::extended(self.identified.clone(), &found);
         let rms = &found.extended.validate;
-        let rollers = rollers(&robot, &self.tools, lwr, &self.effects, rms)?;
+        let plans: Vec<Plan> = self.rollers.iter().map(|r| r.plan.clone()).collect();
+        let rollers = rollers(&robot, &self.tools, &plans, lwr, &self.effects, rms)?;
         let extended = Self {
             torque: fig6::mean(rms),
             rollers,
@@ -183,30 +200,51 @@ impl Stand {
     }
 }
 
+/// The robot with a tool's frame, and its parameters with the tool as it was weighed.
+fn holding(known: &Robot, tool: &Tool, weighed: &[f64; 10]) -> Result<(Robot, Vec<f64>), ReproduceError> {
+    let mut robot = known.clone();
+    robot.tool = None;
+    let standard = param::standard_values(&robot);
+    let mut standard = standard.ok_or_else(|| ReproduceError::Robot("its links are not all known".into()))?;
+    // The ten of the last link stand ten by ten, links first.
+    let last = 10 * (robot.joints.len() - 1);
+    weighed.iter().enumerate().for_each(|(k, w)| standard[last + k] += w);
+    robot.tool = Some(Tool { inertia: None, ..tool.clone() });
+    Ok((robot, standard))
+}
+
+fn plan_all(known: &Robot, tools: &[(Tool, [f64; 10])], tell: &dyn Fn(&str, f64)) -> Result<Vec<Plan>, ReproduceError> {
+    let seconds = super::PAPER_SECONDS.into_iter().enumerate();
+    tools
+        .iter()
+        .zip(seconds)
+        .map(|((tool, weighed), (k, seconds))| {
+            let (robot, standard) = holding(known, tool, weighed)?;
+            let tell = |what: &str, share: f64| tell(&format!("planning: {what}"), 0.8 + 0.05 * (k as f64 + share));
+            planned(&robot, &standard, FORCE, seconds, &tell)
+        })
+        .collect()
+}
+
 /// The arm as it is known, with each roller as it was weighed.
 fn rollers(
     known: &Robot,
     tools: &[(Tool, [f64; 10])],
+    plans: &[Plan],
     lwr: &Lwr,
     effects: &Effects,
     spread: &[f64],
 ) -> Result<Vec<Roller>, ReproduceError> {
     let mut all = Vec::new();
-    for (tool, weighed) in tools {
-        let mut robot = known.clone();
-        robot.tool = None;
-        let standard = param::standard_values(&robot);
-        let mut standard = standard.ok_or_else(|| ReproduceError::Robot("its links are not all known".into()))?;
-        // The ten of the last link stand ten by ten, links first.
-        let last = 10 * (robot.joints.len() - 1);
-        weighed.iter().enumerate().for_each(|(k, w)| standard[last + k] += w);
-        robot.tool = Some(Tool { inertia: None, ..tool.clone() });
+    for ((tool, weighed), plan) in tools.iter().zip(plans) {
+        let (robot, standard) = holding(known, tool, weighed)?;
         let drives = Simulator::new(&robot, &Effects::default())?.drives().to_vec();
         let mut as_it_is = lwr.robot.clone();
         as_it_is.tool = Some(tool.clone());
         all.push(Roller {
             arm: Interpreted::new(&robot, &Interpreted::BODIES),
-            motion: strokes(&robot, tool, 0.0)?,
+            motion: pressing(plan)?,
+            plan: plan.clone(),
             real: Simulator::new(&as_it_is, effects)?,
             robot,
             standard,
