@@ -4,6 +4,7 @@
 
 use dh_codegen::robot::Robot;
 
+use super::Plan;
 use super::tune::{Demands, Tuning, tune};
 use super::wall::{RollerWall, WallSensor};
 use crate::arm::Dynamics;
@@ -13,7 +14,9 @@ use crate::control::law::{
 use crate::control::robot::Lent;
 use crate::interpreted::Interpreted;
 use crate::inverse::{Kinematics, MOST};
-use crate::simulate::{Drive, External, Sampled, Sensors, SimulateError, Simulator, Solver, Trajectory};
+use crate::simulate::{
+    Drive, External, Sampled, Sensors, SimulateError, Simulator, Solver, Trajectory, TrajectoryError,
+};
 
 /// What the controller knows of the robot.
 pub struct Known<'a> {
@@ -123,6 +126,26 @@ pub enum RunError {
     Simulate(#[from] SimulateError),
 }
 
+/// The joint motion of a plan's time in contact.
+///
+/// # Errors
+/// If the plan has none.
+pub fn in_contact(plan: &Plan) -> Result<Trajectory, TrajectoryError> {
+    const RATE: f64 = 100.0;
+    let [start, end] = plan.contact_span();
+    let count = (((end - start) * RATE).ceil() as usize).max(1);
+    let times: Vec<f64> = (0..=count).map(|k| (end - start) * k as f64 / count as f64).collect();
+    let moments: Vec<_> = times.iter().map(|t| plan.motion.at(start + t)).collect();
+    let dof = plan.motion.dof();
+    let [mut q, mut dq, mut ddq] = [(); 3].map(|()| Vec::with_capacity(dof * times.len()));
+    for j in 0..dof {
+        q.extend(moments.iter().map(|m| m.q[j]));
+        dq.extend(moments.iter().map(|m| m.dq[j]));
+        ddq.extend(moments.iter().map(|m| m.ddq[j]));
+    }
+    Trajectory::new(dof, times, q, Some(dq), Some(ddq))
+}
+
 /// How far from the wall it begins, m, and how long it rests there, comes, and presses before it paints, s.
 const AWAY: f64 = 0.02;
 const REST: f64 = 0.3;
@@ -180,7 +203,7 @@ fn run_n<const N: usize>(
     let start =
         lent.displaced(&first, &off, &first).ok_or_else(|| setting("the arm can't stand 2 cm before the wall"))?;
 
-    let postures: Vec<[f64; N]> = (0..5).map(|k| at(span.start + seconds * f64::from(k) / 4.0)).collect();
+    let postures: Vec<[f64; N]> = (0..9).map(|k| at(span.start + seconds * f64::from(k) / 8.0)).collect();
     let viscous: [f64; N] = std::array::from_fn(|j| known.drives[j].plain.viscous.max(0.0));
     let demands = Demands {
         period,
@@ -221,7 +244,7 @@ fn run_n<const N: usize>(
         period,
         corner: task.corner,
         weights: std::array::from_fn(|j| 1.0 / (known.spread[j] * known.spread[j]).max(1e-12)),
-        damping: 1e-6,
+        damping: 1e-4,
         moment: task.moment,
     };
     let mut estimator = Estimator::new(lend(), estimator);

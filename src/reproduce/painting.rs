@@ -148,14 +148,6 @@ pub fn painting(settings: &PaintingSettings, watch: Watch<'_>) -> Result<Paintin
             }
         }
     }
-    if let Ok(only) = std::env::var("PAINT_ONLY") {
-        let keep: Vec<usize> = only.split(',').map(|k| k.parse().unwrap()).collect();
-        let mut k = 0;
-        jobs.retain(|_| {
-            k += 1;
-            keep.contains(&(k - 1))
-        });
-    }
     let done = std::sync::Mutex::new((0.0, vec![0.0; jobs.len()]));
     let next = std::sync::atomic::AtomicUsize::new(0);
     let results = std::sync::Mutex::new((0..jobs.len()).map(|_| None).collect::<Vec<Option<_>>>());

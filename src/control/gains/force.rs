@@ -173,7 +173,7 @@ pub fn propose_force(postures: &[ForcePlant]) -> Option<ForceProposal> {
         all.try_fold(first, |w, m| Some(w.worse(m?)))
     };
     let mut best: Option<ForceProposal> = None;
-    for ratio in [0.0, 0.01, 0.03, 0.1] {
+    for ratio in [0.0, 0.03, 0.1] {
         let ki = largest(1e-7, 1e3, |ki| worst(ratio * ki, ki).is_some_and(|m| wanted(&m)));
         let Some(ki) = ki else { continue };
         let (margins, step) = (worst(ratio * ki, ki)?, postures.first()?.step(ratio * ki, ki, 3.0)?);

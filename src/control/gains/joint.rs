@@ -144,13 +144,13 @@ pub fn propose_joint(plant: &JointPlant) -> Option<JointProposal> {
     Some(JointProposal { kp, kd, bandwidth, margins: plant.margins(kp, kd) })
 }
 
-/// The largest number up to which all is good, to 2 %; `None` if not even the smallest is.
+/// The largest number up to which all is good, to 5 %; `None` if not even the smallest is.
 pub(super) fn largest(low: f64, high: f64, good: impl Fn(f64) -> bool) -> Option<f64> {
     if !good(low) {
         return None;
     }
     let (mut low, mut high) = (low, high);
-    while high > 1.02 * low {
+    while high > 1.05 * low {
         let middle = (low * high).sqrt();
         if good(middle) { low = middle } else { high = middle }
     }

@@ -38,8 +38,8 @@ impl Margins {
 
     /// Of a loop `L` at `z`, closed by negative feedback, sampled each `period` s; `radius` that of the closed loop.
     pub fn of(period: f64, radius: f64, transfer: impl Fn(Complex<f64>) -> Complex<f64>) -> Self {
-        const POINTS: usize = 1500;
-        let (low, high) = (0.05_f64, PI / period);
+        const POINTS: usize = 400;
+        let (low, high) = (0.2_f64, PI / period);
         let mut found = Self { crossover: 0.0, phase: 180.0, gain: f64::INFINITY, modulus: f64::INFINITY, radius };
         let mut before: Option<Complex<f64>> = None;
         for k in 0..POINTS {

@@ -17,8 +17,8 @@ const WIDTH: f64 = 0.6;
 const HEIGHT: f64 = 0.8;
 /// Joints of the arm.
 const N: usize = 7;
-/// Samples per second of the motions.
-const RATE: f64 = 100.0;
+/// How much deeper than the wall the plan is made, m: room for the force loop to push, and a distance from where the arm is stretched out.
+pub const ROOM: f64 = 0.04;
 
 /// Plans for the tool in the robot's hand, in the paper's time.
 pub fn planned(
@@ -32,7 +32,8 @@ pub fn planned(
     let geometry = robot.tool.as_ref().and_then(|t| t.geometry).ok_or_else(|| failed("the tool has no size".into()))?;
     let arm = Interpreted::new(robot, &Interpreted::PLACED);
     let inverse = Kinematics::new(robot, arm.model()).ok_or_else(|| failed("too many joints".into()))?;
-    let surface = Surface::new(CENTER, NORMAL, [0.0, 0.0, 1.0], WIDTH, HEIGHT).map_err(failed)?;
+    let center = [0, 1, 2].map(|k| CENTER[k] - ROOM * NORMAL[k]);
+    let surface = Surface::new(center, NORMAL, [0.0, 0.0, 1.0], WIDTH, HEIGHT).map_err(failed)?;
     let roller = Roller { length: geometry.length, width: geometry.width, turned: false };
     let mut task = Task::new(&arm, &inverse, robot, surface, roller, ACCELERATION_TIME).map_err(failed)?;
     task.standard = Some(standard.to_vec());
@@ -41,22 +42,7 @@ pub fn planned(
     plan(&task, &|what, share| tell(what, share)).map_err(|why| failed(why.to_string()))
 }
 
-/// The joint motion of the time in contact.
-pub fn pressing(plan: &Plan) -> Result<Trajectory, ReproduceError> {
-    let [start, end] = plan.contact_span();
-    let (mut t, mut rows) = (Vec::new(), Vec::new());
-    let count = ((end - start) * RATE).ceil() as usize;
-    for k in 0..=count {
-        let at = start + (end - start) * k as f64 / count as f64;
-        let moment = plan.at(at);
-        t.push(at - start);
-        rows.push([moment.q, moment.dq, moment.ddq]);
-    }
-    let [q, dq, ddq] = [0, 1, 2].map(|which| joint_major(&rows, |r: &[Vec<f64>; 3]| &r[which]));
-    Ok(Trajectory::new(plan.motion.dof(), t, q, Some(dq), Some(ddq)).map_err(SimulateError::from)?)
-}
-
-/// The same `off` (m) before the wall.
+/// A motion `off` (m) before the wall.
 pub fn in_the_air(lent: &mut Lent<'_>, motion: &Trajectory, off: f64) -> Result<Trajectory, ReproduceError> {
     let span = motion.span();
     let count = ((span.end - span.start) * 50.0).ceil() as usize;

@@ -7,7 +7,7 @@ use super::super::chain::{factors, fit};
 use super::super::lwr::{Lwr, Unmodelled};
 use super::super::motions::Motion;
 use super::super::{ReproduceError, fig6};
-use super::plans::{in_the_air, planned, pressing};
+use super::plans::{ROOM, in_the_air, planned};
 use crate::control::robot::{Lent, contact_point};
 use crate::diagnose::{self, Diagnosis};
 use crate::extend;
@@ -16,11 +16,11 @@ use crate::interpreted::Interpreted;
 use crate::inverse::Kinematics;
 use crate::log::{Log, Replay};
 use crate::paint::Plan;
-use crate::paint::run::{Feedback, Known, Run, Task, run};
+use crate::paint::run::{Feedback, Known, Run, Task, in_contact, run};
 use crate::paint::wall::RollerWall;
 use crate::plant::RobotPlant;
 use crate::signal::{Filter, Prepare, each_motion};
-use crate::simulate::{Drive, Request, Simulator, Trajectory};
+use crate::simulate::{Drive, Request, SimulateError, Simulator, Trajectory};
 use crate::tool::{Carrying, ToolSettings, catalogue, identify_tool};
 
 /// The paper's desired force, N.
@@ -241,9 +241,15 @@ fn rollers(
         let drives = Simulator::new(&robot, &Effects::default())?.drives().to_vec();
         let mut as_it_is = lwr.robot.clone();
         as_it_is.tool = Some(tool.clone());
+        let arm = Interpreted::new(&robot, &Interpreted::BODIES);
+        let motion = {
+            let kinematics = Kinematics::new(&robot, arm.model());
+            let mut lent = Lent::new(&robot, Box::new(arm.bodies(&standard)), kinematics.as_ref(), drives.clone());
+            in_the_air(&mut lent, &in_contact(plan).map_err(SimulateError::from)?, ROOM)?
+        };
         all.push(Roller {
-            arm: Interpreted::new(&robot, &Interpreted::BODIES),
-            motion: pressing(plan)?,
+            arm,
+            motion,
             plan: plan.clone(),
             real: Simulator::new(&as_it_is, effects)?,
             robot,
