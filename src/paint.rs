@@ -35,4 +35,6 @@ pub use surface::{Roller, Surface};
 pub use task::{Cover, Swivel, Task, Weights};
 
 #[cfg(test)]
+mod run_tests;
+#[cfg(test)]
 mod tests;
