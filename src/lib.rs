@@ -29,11 +29,13 @@
 
 pub mod arm;
 pub mod cli;
+pub mod control;
 pub mod coupled;
 pub mod diagnose;
 pub mod differentiated;
 pub mod excite;
 pub mod extend;
+pub mod force;
 pub mod identify;
 pub mod interpreted;
 pub mod inverse;

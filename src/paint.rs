@@ -1,4 +1,4 @@
-//! Painting a wall with a roller (the paper, sections IV to VI): the motion is planned here.
+//! Painting a wall with a roller (the paper, sections IV to VI): the motion is planned here, and run.
 //!
 //! `Task -> plan -> Plan`: equation (12) with the closed-form inverse, quintics between way points, and every limit.
 //!
@@ -6,6 +6,7 @@
 //! - `track`: postures along a leg. `chebyshev`: their derivatives. `pace`: how fast a leg can be, what its jerk costs, what it breaks.
 //! - `surroundings`: distances. `score`: a candidate's cost. `compass`, `search`: the search. `motion`: the joints' spline.
 //! - `plan`: what comes out. `cover`: what it paints.
+//! - [`run`]: a plan under control against the simulated wall ([`wall`]), with the gains of [`tune`].
 
 mod chebyshev;
 mod compass;
@@ -13,6 +14,7 @@ mod cover;
 mod motion;
 mod pace;
 mod plan;
+pub mod run;
 mod score;
 mod search;
 mod strokes;
@@ -20,7 +22,9 @@ mod surface;
 mod surroundings;
 mod task;
 mod track;
+pub mod tune;
 mod vector;
+pub mod wall;
 
 pub use cover::Coverage;
 pub use motion::Motion;
@@ -30,5 +34,7 @@ pub use strokes::{Leg, Pattern, Phase, Strokes};
 pub use surface::{Roller, Surface};
 pub use task::{Cover, Swivel, Task, Weights};
 
+#[cfg(test)]
+mod run_tests;
 #[cfg(test)]
 mod tests;

@@ -14,6 +14,7 @@ mod loaded;
 pub mod lwr;
 mod many;
 pub mod motions;
+pub mod painting;
 pub mod table2;
 pub mod table3;
 mod verdict;
@@ -23,9 +24,11 @@ mod tests;
 
 pub use excitation::{Excitation, ExcitationSettings, excitation};
 pub use identification::{Experiment, Settings, identification};
+pub use painting::{Painting, PaintingSettings, painting};
 pub use verdict::Verdict;
 
 use crate::identify::IdentifyError;
+use crate::paint::run::RunError;
 use crate::signal::PrepareError;
 use crate::simulate::SimulateError;
 use crate::tool::ToolError;
@@ -57,6 +60,9 @@ pub enum ReproduceError {
     /// The fit of what is carried.
     #[error(transparent)]
     Tool(#[from] ToolError),
+    /// The run against the wall.
+    #[error(transparent)]
+    Paint(#[from] RunError),
 }
 
 /// Told now and then, from any thread: what is being done, and the share that is done of all, 0 to 1.

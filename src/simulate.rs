@@ -43,6 +43,7 @@ mod integrate;
 mod noise;
 mod plant;
 mod robot;
+mod sampled;
 mod sensors;
 mod trajectory;
 
@@ -54,6 +55,7 @@ pub use control::{Control, Mode};
 pub use dh_codegen::robot::{Effect, Effects};
 pub use drive::Drive;
 pub use integrate::{Breakdown, Method, Solver};
+pub use sampled::{Instant, Sampled, Seen};
 pub use sensors::{Sensors, Side, Truth};
 pub use trajectory::{Point, Trajectory, TrajectoryError};
 
@@ -211,6 +213,11 @@ impl Simulator {
     /// Degrees of freedom.
     pub fn dof(&self) -> usize {
         self.built.drives.len()
+    }
+
+    /// The drives with everything that the files say of them; what depends on a motion is not settled.
+    pub fn drives(&self) -> &[Drive] {
+        &self.built.drives
     }
 
     /// Plays the motion. `progress` is told the time in the motion, s, now and then.

@@ -1,6 +1,7 @@
 //! `denavit paint`: plan the painting motion, and what is done with it. One subcommand, one file.
 
 mod plan;
+mod run;
 
 use clap::{Args, Subcommand};
 
@@ -21,12 +22,15 @@ pub(super) struct Paint {
 enum What {
     /// Plan the motion: lanes, postures, durations, inside every limit.
     Plan(Box<plan::Plan>),
+    /// Run a plan against the simulated wall, under position and force control.
+    Run(Box<run::Run>),
 }
 
 impl Paint {
     pub(super) fn run(self) -> Result<(), Failure> {
         match self.what {
             What::Plan(verb) => verb.run(),
+            What::Run(verb) => verb.run(),
         }
     }
 }

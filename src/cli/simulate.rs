@@ -186,7 +186,7 @@ impl Simulate {
     }
 }
 
-fn effects(path: &Path, robot: &Robot) -> Result<SimulationFile, Failure> {
+pub(in crate::cli) fn effects(path: &Path, robot: &Robot) -> Result<SimulationFile, Failure> {
     let shown = path.display().to_string();
     let file = SimulationFile::from_yaml(&files::text(path)?, robot)
         .map_err(|problems| Failure::input(format!("{shown} can't be used:\n{}", problems.in_file(&shown))))?;
@@ -197,7 +197,7 @@ fn effects(path: &Path, robot: &Robot) -> Result<SimulationFile, Failure> {
 }
 
 /// What the file says of sensors, control and solver.
-fn apply(file: &SimulationFile, request: &mut Request) {
+pub(in crate::cli) fn apply(file: &SimulationFile, request: &mut Request) {
     for (section, key, value) in &file.settings {
         let Request { sensors, control, solver, .. } = &mut *request;
         match value {

@@ -273,6 +273,14 @@ impl Plan {
         self.motion.duration()
     }
 
+    /// When the roller meets the wall, and when it leaves it, s.
+    pub fn contact_span(&self) -> [f64; 2] {
+        let mut touching = self.spans.iter().filter(|s| s.phase.contact());
+        let start = touching.next().map_or(0.0, |s| s.time[0]);
+        let end = touching.next_back().map_or(self.duration(), |s| s.time[1]);
+        [start, end]
+    }
+
     /// Everything at a time; before the start and after the end the arm rests there.
     pub fn at(&self, t: f64) -> Moment {
         let joints = self.motion.at(t);

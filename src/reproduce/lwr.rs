@@ -80,6 +80,19 @@ impl Lwr {
         let read = Robot::from_yaml(FILE, &|name| Err(format!("no file {name}")));
         let mut robot = read.map_err(|p| ReproduceError::Robot(p.in_file("kuka-lwr4.yaml").to_string()))?.robot;
         robot.tool = None;
+        Self::of(robot)
+    }
+
+    /// The same with the light rotors of [`Unmodelled::Elasticity`] on rigid joints, known to the model: what a loop that is sampled can hold.
+    pub fn with_rotors() -> Result<Self, ReproduceError> {
+        let mut robot = Self::new()?.robot;
+        for joint in &mut robot.joints {
+            joint.drive.rotor_inertia = joint.limits.torque.map(|limit| ROTOR * limit);
+        }
+        Self::of(robot)
+    }
+
+    fn of(robot: Robot) -> Result<Self, ReproduceError> {
         let standard = param::standard_values(&robot);
         let standard = standard.ok_or_else(|| ReproduceError::Robot("its links are not all known".into()))?;
         let arm = Interpreted::new(&robot, &[Function::PayloadRegressor]);

@@ -117,3 +117,11 @@ pub(super) fn in_tool(pose: &[f64; 12], wrench: &[f64; 6]) -> [f64; 6] {
         (0..3).map(|k| pose[4 * k + column] * wrench[from + k]).sum()
     })
 }
+
+/// A wrench in the axes of the tool in those of the base.
+pub(super) fn in_base(pose: &[f64; 12], wrench: &[f64; 6]) -> [f64; 6] {
+    std::array::from_fn(|i| {
+        let (row, from) = (i % 3, 3 * (i / 3));
+        (0..3).map(|k| pose[4 * row + k] * wrench[from + k]).sum()
+    })
+}

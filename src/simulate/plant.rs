@@ -34,6 +34,8 @@ pub(super) struct Plant<'a> {
     coordinates: usize,
     pub bristles: Vec<Bristle>,
     hint: usize,
+    /// Torques that a sampled controller holds, instead of the loop; empty where there is none.
+    pub held: Vec<f64>,
     /// What was found at the state that was looked at last.
     pub now: Now,
     work: Work,
@@ -163,6 +165,7 @@ impl<'a> Plant<'a> {
             coordinates,
             bristles,
             hint: 0,
+            held: Vec::new(),
             now,
             work,
         }
@@ -317,9 +320,26 @@ impl<'a> Plant<'a> {
         self.now.wrench = contact::in_tool(pose, &total.wrench);
     }
 
+    /// Torques that hold the bodies at the state that was looked at last, N m.
+    pub fn gravity(&self) -> Vec<f64> {
+        self.work.bias.clone()
+    }
+
+    /// Frame of the tool at a state, base axes.
+    pub fn tool_pose(&mut self, y: &[f64]) -> [f64; 12] {
+        self.bodies.tool(&y[..self.n], &mut self.work.tool);
+        self.work.tool.pose
+    }
+
     /// Torques of the drives.
     fn command(&mut self, t: f64, x: &[f64], v: &[f64]) {
         let now = &mut self.now;
+        if !self.held.is_empty() {
+            for (j, drive) in self.drives.iter().enumerate() {
+                now.motor_torque[j] = drive.clipped(self.held[j]);
+            }
+            return;
+        }
         self.trajectory.at(t, &mut self.hint, &mut now.desired);
         let tau = &mut now.motor_torque;
         match self.control.mode {
@@ -372,7 +392,7 @@ impl System for Plant<'_> {
                 linear.damping[i * total + k] = self.work.push_damping[i * n + k];
             }
         }
-        let feedback = matches!(self.control.mode, Mode::Position | Mode::Pd);
+        let feedback = self.held.is_empty() && matches!(self.control.mode, Mode::Position | Mode::Pd);
         // What the motor gives reaches a stiff joint's link less the friction that grows with it.
         let passes: Vec<f64> = (0..n)
             .map(|j| match self.drives[j].load {

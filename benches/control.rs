@@ -1,0 +1,117 @@
+//! A step of the controller with force estimate on the generated KUKA LWR: equations (13), (14), (15), gravity, closed-form inverse kinematics.
+//!
+//! `cargo bench --bench control` prints the distribution over a million steps along a painting stroke: median, 99th, 99.99th percentile, worst. Worst
+//! includes whatever else the machine did; run it with nothing else and, where possible, on a core of its own.
+
+use std::time::Instant;
+
+use denavit::control::law::{
+    Body, Controller, Estimator, EstimatorSettings, ForceSettings, JointLoop, Model, Sample, Settings, Target, Tool,
+    moved,
+};
+use kuka_lwr4::ik::{Query, Reference};
+
+const N: usize = kuka_lwr4::DOF;
+/// From the last frame to the roller's face, m.
+const REACH: f64 = 0.428;
+
+struct Lwr {
+    beta: [f64; kuka_lwr4::BASE],
+}
+
+impl Lwr {
+    fn contact(&self, q: &[f64; N]) -> Tool<N> {
+        let frame = kuka_lwr4::forward_kinematics(q);
+        let mut jacobian = kuka_lwr4::jacobian(q);
+        let arm = [frame[0][2] * REACH, frame[1][2] * REACH, frame[2][2] * REACH];
+        for j in 0..N {
+            let w = [jacobian[3][j], jacobian[4][j], jacobian[5][j]];
+            jacobian[0][j] += w[1] * arm[2] - w[2] * arm[1];
+            jacobian[1][j] += w[2] * arm[0] - w[0] * arm[2];
+            jacobian[2][j] += w[0] * arm[1] - w[1] * arm[0];
+        }
+        let rotation = [0, 1, 2].map(|i| [frame[i][0], frame[i][1], frame[i][2]]);
+        Tool { origin: [0, 1, 2].map(|i| frame[i][3] + arm[i]), rotation, jacobian }
+    }
+}
+
+impl Model<N> for Lwr {
+    fn gravity(&mut self, q: &[f64; N]) -> [f64; N] {
+        kuka_lwr4::gravity(q, &self.beta)
+    }
+
+    fn pressing(&mut self, q: &[f64; N], along: &[f64; 3]) -> [f64; N] {
+        let jacobian = self.contact(q).jacobian;
+        std::array::from_fn(|j| (0..3).map(|k| jacobian[k][j] * along[k]).sum())
+    }
+
+    fn displaced(&mut self, q: &[f64; N], by: &[f64; 3], near: &[f64; N]) -> Option<[f64; N]> {
+        let mut pose = kuka_lwr4::forward_kinematics(q);
+        (0..3).for_each(|i| pose[i][3] += by[i]);
+        let reference = Reference::UP;
+        let redundancy = kuka_lwr4::IK.redundancy(q, &reference);
+        let query = Query { redundancy, reference, near: Some(near), ..Query::default() };
+        let found = kuka_lwr4::inverse_kinematics(&pose, &query).ok()?;
+        let best = found.as_slice().first().filter(|s| s.position_error < 1e-6).map(|s| s.q);
+        best.or_else(|| moved(q, by, |q| self.contact(q)))
+    }
+}
+
+impl Body<N> for Lwr {
+    fn torques(&mut self, q: &[f64; N], dq: &[f64; N], ddq: &[f64; N], _: f64) -> [f64; N] {
+        kuka_lwr4::inverse_dynamics_base(q, dq, ddq, &self.beta)
+    }
+
+    fn tool(&mut self, q: &[f64; N]) -> Tool<N> {
+        self.contact(q)
+    }
+}
+
+fn main() {
+    let beta = std::array::from_fn(|k| 0.3 + 0.01 * k as f64);
+    let settings = Settings {
+        period: 1e-3,
+        joints: JointLoop { kp: [500.0; N], kd: [20.0; N] },
+        force: ForceSettings { kp: 1e-5, ki: 5e-3, range: [-0.02, 0.3], rate: 0.2 },
+        torque: [176.0; N],
+        velocity: [2.0; N],
+        patience: 5,
+        contact: 3.0,
+        lost_after: 0.05,
+        regain: 0.03,
+        give_up: 1e9,
+        most: 1e5,
+        carry: 1.0,
+    };
+    let estimator = EstimatorSettings { period: 1e-3, corner: 10.0, weights: [1.0; N], damping: 1e-4, moment: true };
+    let Ok(mut controller) = Controller::new(Lwr { beta }, settings) else { return };
+    let mut estimator = Estimator::new(Lwr { beta }, estimator);
+    // `cargo test --benches` asks for a look, not a measurement.
+    let steps: usize = if std::env::args().any(|a| a == "--bench") { 1_000_000 } else { 1_000 };
+    let mut times = Vec::with_capacity(steps);
+    let mut sum = 0.0;
+    for k in 0..steps {
+        let t = 1e-3 * k as f64;
+        let wave = |j: usize| 0.2 * (0.3 * t + j as f64).sin();
+        let base = [0.3, 0.9, 0.2, 1.3, 0.1, -0.9, 0.4];
+        let q: [f64; N] = std::array::from_fn(|j| base[j] + wave(j));
+        let tau: [f64; N] = std::array::from_fn(|j| 5.0 * wave(j + 3));
+        let target = Target { q, normal: [-1.0, 0.0, 0.0], force: Some(30.0) };
+        let begin = Instant::now();
+        let wrench = std::hint::black_box(&mut estimator).step(&q, &tau);
+        let force = wrench.map_or(f64::NAN, |w| -w[0]);
+        let command = std::hint::black_box(&mut controller).step(&target, &Sample { t, q, force: 25.0 + 1e-3 * force });
+        times.push(begin.elapsed().as_nanos() as u32);
+        sum += command.torque[0];
+    }
+    std::hint::black_box(sum);
+    times.sort_unstable();
+    let at = |share: f64| f64::from(times[((steps - 1) as f64 * share) as usize]) * 1e-3;
+    println!(
+        "a step: median {:.2} us, 99 % {:.2} us, 99.99 % {:.2} us, worst {:.2} us, of {steps}",
+        at(0.5),
+        at(0.99),
+        at(0.9999),
+        at(1.0)
+    );
+}

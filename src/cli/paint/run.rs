@@ -1,0 +1,190 @@
+//! `denavit paint run`: a plan under control against the simulated wall.
+
+use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use dh_codegen::arm::param;
+use dh_codegen::robot::{Effects, SimulationFile, Tool};
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::cli::simulate::{apply, effects};
+use crate::cli::{Failure, files};
+use crate::control::robot::contact_point;
+use crate::interpreted::Interpreted;
+use crate::paint::Plan;
+use crate::paint::run::{Feedback, Known, Run as Painted, RunError, Task, in_contact, run};
+use crate::paint::wall::RollerWall;
+use crate::report;
+use crate::simulate::{Request, Simulator};
+
+/// Run a plan against the simulated wall: position and force control of the paper's section V.
+///
+/// The controller knows the robot file; the robot that is simulated has the file's effects and those of --effects. Gains are proposed from a
+/// linear model of arm, wall, filter and sampling (docs/control.md). The force comes from the joint torques, or from a sensor in the wall.
+#[derive(Args)]
+#[command(
+    after_help = "Example:\n  denavit paint plan robots/kuka-lwr4.yaml --tool robots/tools/large-roller.yaml --plan plan.json\n  denavit paint run robots/kuka-lwr4.yaml --tool robots/tools/large-roller.yaml --plan plan.json --out force.csv"
+)]
+pub(super) struct Run {
+    /// Robot file; every link's inertial parameters must be in it.
+    robot: PathBuf,
+    /// The plan: what `denavit paint plan --plan` wrote.
+    #[arg(long, value_name = "FILE")]
+    plan: PathBuf,
+    /// Tool file, in place of the robot file's tool.
+    #[arg(long, value_name = "FILE")]
+    tool: Option<PathBuf>,
+    /// Effects and sensors of the simulated robot that its controller does not know.
+    #[arg(long, value_name = "YAML")]
+    effects: Option<PathBuf>,
+    /// Which force closes the loop.
+    #[arg(long, value_enum, default_value_t = Which::Estimated)]
+    feedback: Which,
+    /// Force to press with, N.
+    #[arg(long, default_value_t = 30.0, value_name = "N")]
+    force: f64,
+    /// Share of the desired force that is fed forward as joint torques; 0: equation (13) as it stands.
+    #[arg(long, default_value_t = 1.0, value_name = "0..1")]
+    carry: f64,
+    /// The contact carries no moment: three components of the force are estimated instead of six.
+    #[arg(long)]
+    no_moment: bool,
+    /// Corner of the low-pass of the forces, Hz.
+    #[arg(long, default_value_t = 10.0, value_name = "HZ")]
+    corner: f64,
+    /// Stiffness of roller and wall, N/m.
+    #[arg(long, default_value_t = 8000.0, value_name = "N/M")]
+    stiffness: f64,
+    /// Of the noise: the same seed gives the same bytes.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    seed: u64,
+    /// Forces and places over time: CSV.
+    #[arg(long, value_name = "CSV")]
+    out: Option<PathBuf>,
+    /// Write the result as JSON; `-` for standard output.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Which {
+    /// Equation (14).
+    Estimated,
+    /// The sensor in the wall.
+    Measured,
+}
+
+impl Run {
+    pub(super) fn run(self) -> Result<(), Failure> {
+        self.validate()?;
+        let mut file = files::robot(&self.robot)?;
+        let shown = self.robot.display();
+        if let Some(path) = &self.tool {
+            let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
+            let (tool, _) = Tool::from_yaml(&files::text(path)?, &stem).map_err(|problems| {
+                Failure::input(format!(
+                    "{} can't be used:\n{}",
+                    path.display(),
+                    problems.in_file(&path.display().to_string())
+                ))
+            })?;
+            file.robot.tool = Some(tool);
+        }
+        let robot = file.robot;
+        let plan = self.plan(&self.plan)?;
+        if plan.motion.dof() != robot.dof() {
+            return Err(Failure::input(format!(
+                "{}: the plan has {} joints, {shown} has {}; take the plan that was made for this robot",
+                self.plan.display(),
+                plan.motion.dof(),
+                robot.dof()
+            )));
+        }
+        let given = match &self.effects {
+            Some(path) => effects(path, &robot)?,
+            None => SimulationFile::default(),
+        };
+        let mut request = Request::default();
+        apply(&given, &mut request);
+        let real = Simulator::new(&robot, &given.effects).map_err(|e| Failure::input(format!("{shown}: {e}")))?;
+        let own = Simulator::new(&robot, &Effects::default()).map_err(|e| Failure::input(format!("{shown}: {e}")))?;
+        let arm = Interpreted::new(&robot, &Interpreted::BODIES);
+        let standard = param::standard_values(&robot).ok_or_else(|| {
+            Failure::input(format!("{shown}: the links are not all known; add `links:`, or identify them"))
+        })?;
+        let known = Known {
+            robot: &robot,
+            arm: &arm,
+            standard: &standard,
+            drives: own.drives().to_vec(),
+            spread: vec![1.0; robot.dof()],
+        };
+        let motion = in_contact(&plan).map_err(Failure::input)?;
+        let mut wall = RollerWall::new(plan.surface.center, plan.surface.normal, contact_point(robot.tool.as_ref()));
+        wall.stiffness = self.stiffness;
+        let task = Task {
+            motion: &motion,
+            wall,
+            force: self.force,
+            feedback: match self.feedback {
+                Which::Estimated => Feedback::Estimated,
+                Which::Measured => Feedback::Measured,
+            },
+            moment: !self.no_moment,
+            carry: self.carry,
+            corner: self.corner,
+            sensors: request.sensors,
+            seed: self.seed,
+        };
+        let bar = if std::io::stderr().is_terminal() { ProgressBar::new(1000) } else { ProgressBar::hidden() };
+        if let Ok(style) = ProgressStyle::with_template("painting [{bar:30}] {percent}% {eta}") {
+            bar.set_style(style);
+        }
+        let found = run(&known, &real, &task, &mut |share| bar.set_position((1000.0 * share) as u64));
+        bar.finish_and_clear();
+        let found = found.map_err(|e| match e {
+            RunError::Simulate(_) => Failure::other(format!("{shown}: {e}")),
+            _ => Failure::input(format!("{shown}: {e}")),
+        })?;
+        self.deliver(&found)
+    }
+
+    fn deliver(&self, found: &Painted) -> Result<(), Failure> {
+        if let Some(path) = &self.out {
+            files::write(path, report::paint_run_csv(found).as_bytes())?;
+        }
+        if let Some(target) = &self.json {
+            files::json(target, &report::paint_run_json(found, self.force))?;
+        }
+        if !files::is_stdout(&self.json) {
+            files::print(&report::paint_run_text(found, self.force))?;
+            if let Some(path) = &self.out {
+                files::print(&format!("wrote {}\n", path.display()))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn plan(&self, path: &Path) -> Result<Plan, Failure> {
+        let shown = path.display();
+        let value = serde_json::from_str(&files::text(path)?).map_err(|e| {
+            Failure::input(format!("{shown}: this is no JSON: {e}; write the plan with `denavit paint plan --plan`"))
+        })?;
+        Plan::from_json(&value).map_err(|e| Failure::input(format!("{shown}: {e}")))
+    }
+
+    fn validate(&self) -> Result<(), Failure> {
+        for (name, value, low, high) in [
+            ("--force", self.force, 1.0, 1e4),
+            ("--carry", self.carry, 0.0, 1.0),
+            ("--corner", self.corner, 0.5, 200.0),
+            ("--stiffness", self.stiffness, 100.0, 1e6),
+        ] {
+            if !(low..=high).contains(&value) {
+                return Err(Failure::input(format!("{name} {value}: from {low} to {high}")));
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,185 @@
+//! The loop around: force error to displacement to joints to force, in one posture, all joints at once.
+
+use nalgebra::{Complex, DMatrix, DVector};
+
+use super::joint::largest;
+use super::sampled::{Margins, held, radius, response, wanted};
+
+/// Arm and wall in one posture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ForcePlant {
+    /// Time between samples, s.
+    pub period: f64,
+    /// Mass matrix, `n x n`, kg m^2, rotors included.
+    pub mass: DMatrix<f64>,
+    /// Viscous friction of the joints, N m s/rad.
+    pub viscous: DVector<f64>,
+    /// Gains of the joints.
+    pub kp: DVector<f64>,
+    /// Gains of the joints.
+    pub kd: DVector<f64>,
+    /// Velocity of the contact along the normal per joint velocity: `n . J`.
+    pub along: DVector<f64>,
+    /// Joint motion per displacement, rad/m: what the inverse kinematics answers.
+    pub inverse: DVector<f64>,
+    /// Of wall and roller, N/m.
+    pub stiffness: f64,
+    /// Of wall and roller, N s/m.
+    pub damping: f64,
+    /// Corner of the three-pole filter on the force, Hz; infinite: none.
+    pub corner: f64,
+}
+
+/// What becomes of a step of the desired force by 1 N.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Step {
+    /// Force at each period, N.
+    pub force: Vec<f64>,
+    /// Beyond 1 N, as a part of it.
+    pub overshoot: f64,
+    /// When it is within 5 % for good, s.
+    pub settled: f64,
+}
+
+/// Gains of the force loop and what they give.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ForceProposal {
+    /// m/N
+    pub kp: f64,
+    /// m/(N s)
+    pub ki: f64,
+    /// The worst of all postures.
+    pub margins: Margins,
+    /// Of the first posture.
+    pub step: Step,
+}
+
+/// The sampled system from the displacement to the filtered force.
+struct Inner {
+    a: DMatrix<f64>,
+    b: DVector<f64>,
+    /// Filtered force.
+    c: DVector<f64>,
+    /// Force itself.
+    force: DVector<f64>,
+}
+
+impl ForcePlant {
+    /// States `q, dq, q before, displacement before, filter`. What is seen at an instant is that instant's; the displacement acts until the next.
+    fn inner(&self) -> Option<Inner> {
+        let n = self.mass.nrows();
+        let inverse_mass = self.mass.clone().cholesky()?.inverse();
+        let contact = &self.along * self.along.transpose();
+        let mut a = DMatrix::zeros(2 * n, 2 * n);
+        a.view_mut((0, n), (n, n)).fill_with_identity();
+        a.view_mut((n, 0), (n, n)).copy_from(&(-&inverse_mass * &contact * self.stiffness));
+        let damping = &contact * self.damping + DMatrix::from_diagonal(&self.viscous);
+        a.view_mut((n, n), (n, n)).copy_from(&(-&inverse_mass * damping));
+        let mut b = DMatrix::zeros(2 * n, n);
+        b.view_mut((n, 0), (n, n)).copy_from(&inverse_mass);
+        let (ad, bd) = held(&a, &b, self.period);
+
+        let filter = self.corner.is_finite();
+        let poles = if filter { 3 } else { 0 };
+        let size = 3 * n + 1 + poles;
+        let (before, last, first) = (2 * n, 3 * n, 3 * n + 1);
+        let kd = &self.kd / self.period;
+        // Torques: (Kp + Kd/T) (g s - q) - Kd/T (g s_before - q_before).
+        let mut torque = DMatrix::zeros(n, size);
+        for j in 0..n {
+            torque[(j, j)] = -(self.kp[j] + kd[j]);
+            torque[(j, before + j)] = kd[j];
+            torque[(j, last)] = -kd[j] * self.inverse[j];
+        }
+        let direct = DVector::from_fn(n, |j, _| (self.kp[j] + kd[j]) * self.inverse[j]);
+        let mut whole = DMatrix::zeros(size, size);
+        whole.view_mut((0, 0), (2 * n, 2 * n)).copy_from(&ad);
+        let driven = &bd * torque;
+        (0..2 * n).for_each(|i| (0..size).for_each(|k| whole[(i, k)] += driven[(i, k)]));
+        (0..n).for_each(|j| whole[(before + j, j)] = 1.0);
+        let mut input = DVector::zeros(size);
+        input.rows_mut(0, 2 * n).copy_from(&(&bd * direct));
+        input[last] = 1.0;
+        let mut force = DVector::zeros(size);
+        for j in 0..n {
+            force[j] = self.stiffness * self.along[j];
+            force[n + j] = self.damping * self.along[j];
+        }
+        let mut c = force.clone();
+        if filter {
+            // x1 += s (f - x1), x2 += s (x1 - x2), x3 += s (x2 - x3), each with what is new; rows of what they are after the sample.
+            let turn = std::f64::consts::TAU * self.corner * self.period;
+            let s = turn / (1.0 + turn);
+            let mut from = force.clone();
+            for k in 0..poles {
+                let mut row = &from * s;
+                row[first + k] += 1.0 - s;
+                whole.row_mut(first + k).copy_from(&row.transpose());
+                from = row;
+            }
+            c = from;
+        }
+        Some(Inner { a: whole, b: input, c, force })
+    }
+
+    /// The inner loop closed by proportional and integral gains: `s = kp e + i`, `i` summing `ki T e`.
+    fn closed(&self, inner: &Inner, kp: f64, ki: f64) -> (DMatrix<f64>, DVector<f64>) {
+        let n = inner.a.nrows();
+        let gain = kp + ki * self.period;
+        let mut a = DMatrix::zeros(n + 1, n + 1);
+        a.view_mut((0, 0), (n, n)).copy_from(&(&inner.a - &inner.b * inner.c.transpose() * gain));
+        (0..n).for_each(|i| a[(i, n)] = inner.b[i]);
+        (0..n).for_each(|k| a[(n, k)] = -ki * self.period * inner.c[k]);
+        a[(n, n)] = 1.0;
+        let mut b = DVector::zeros(n + 1);
+        b.rows_mut(0, n).copy_from(&(&inner.b * gain));
+        b[n] = ki * self.period;
+        (a, b)
+    }
+
+    /// Margins with these gains; `None` where the mass matrix is none.
+    pub fn margins(&self, kp: f64, ki: f64) -> Option<Margins> {
+        let inner = self.inner()?;
+        let (closed, _) = self.closed(&inner, kp, ki);
+        Some(Margins::of(self.period, radius(&closed), |z| {
+            let sum = Complex::from(ki * self.period) * z / (z - 1.0);
+            (sum + kp) * response(&inner.a, &inner.b, &inner.c, z)
+        }))
+    }
+
+    /// Answer to a step of the desired force by 1 N.
+    pub fn step(&self, kp: f64, ki: f64, seconds: f64) -> Option<Step> {
+        let inner = self.inner()?;
+        let (a, b) = self.closed(&inner, kp, ki);
+        let mut x = DVector::zeros(a.nrows());
+        let mut force = Vec::new();
+        for _ in 0..(seconds / self.period) as usize {
+            force.push(inner.force.iter().zip(x.iter()).map(|(c, x)| c * x).sum());
+            x = &a * &x + &b;
+        }
+        let overshoot = force.iter().fold(0.0_f64, |most: f64, f| most.max(f - 1.0));
+        let outside = force.iter().rposition(|f: &f64| (f - 1.0).abs() > 0.05);
+        let settled = outside.map_or(0.0, |k| (k + 1) as f64 * self.period);
+        Some(Step { force, overshoot, settled })
+    }
+}
+
+/// The fastest gains that keep the margins in all postures: for several ratios of proportional to integral gain the largest integral gain, and of
+/// these the one whose step settles first.
+pub fn propose_force(postures: &[ForcePlant]) -> Option<ForceProposal> {
+    let worst = |kp: f64, ki: f64| {
+        let mut all = postures.iter().map(|p| p.margins(kp, ki));
+        let first = all.next()??;
+        all.try_fold(first, |w, m| Some(w.worse(m?)))
+    };
+    let mut best: Option<ForceProposal> = None;
+    for ratio in [0.0, 0.03, 0.1] {
+        let ki = largest(1e-7, 1e3, |ki| worst(ratio * ki, ki).is_some_and(|m| wanted(&m)));
+        let Some(ki) = ki else { continue };
+        let (margins, step) = (worst(ratio * ki, ki)?, postures.first()?.step(ratio * ki, ki, 3.0)?);
+        if best.as_ref().is_none_or(|b| step.settled < 0.9 * b.step.settled) {
+            best = Some(ForceProposal { kp: ratio * ki, ki, margins, step });
+        }
+    }
+    best
+}

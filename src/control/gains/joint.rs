@@ -1,0 +1,158 @@
+//! The loop of one joint: proportional-derivative with a backward difference, torques held over a period.
+
+use nalgebra::{Complex, DMatrix, DVector};
+
+use super::sampled::{Margins, held, radius, response};
+
+/// What a joint's loop moves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct JointPlant {
+    /// Time between samples, s.
+    pub period: f64,
+    /// Periods until a torque acts.
+    pub delay: u32,
+    /// Least and largest inertia at the joint, rotor included, kg m^2.
+    pub inertia: [f64; 2],
+    /// Rotor by itself, kg m^2: what a soft joint's loop moves at high frequencies. Infinite: the joint is rigid.
+    pub rotor: f64,
+    /// Spring between rotor and link, N m/rad.
+    pub stiffness: f64,
+    /// Its damping, N m s/rad.
+    pub damping: f64,
+    /// Viscous friction, N m s/rad.
+    pub viscous: f64,
+}
+
+/// Gains of a joint and what they give.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct JointProposal {
+    /// N m/rad
+    pub kp: f64,
+    /// N m s/rad
+    pub kd: f64,
+    /// `sqrt(kp / inertia)` with the largest inertia, rad/s.
+    pub bandwidth: f64,
+    /// The worst of rigid and soft, light and heavy.
+    pub margins: Margins,
+}
+
+impl JointPlant {
+    /// Margins with these gains.
+    pub fn margins(&self, kp: f64, kd: f64) -> Margins {
+        let mut worst: Option<Margins> = None;
+        for inertia in self.inertia {
+            for soft in [false, true] {
+                // A light link on a spring is faster than any sampling: all joints together are judged in `arm`.
+                if soft && !(inertia == self.inertia[1] && self.rotor < inertia && self.stiffness.is_finite()) {
+                    continue;
+                }
+                let found = self.case(inertia, soft, kp, kd);
+                worst = Some(worst.map_or(found, |w| w.worse(found)));
+            }
+        }
+        worst.unwrap_or(Margins { crossover: 0.0, phase: 0.0, gain: 0.0, modulus: 0.0, radius: f64::INFINITY })
+    }
+
+    fn case(&self, inertia: f64, soft: bool, kp: f64, kd: f64) -> Margins {
+        let Self { period, rotor, stiffness, damping, viscous, .. } = *self;
+        // Motor first: [x, x', (link, link')].
+        let (a, b) = if soft {
+            let link = inertia - rotor;
+            let (k, d) = (stiffness, damping);
+            let a = DMatrix::from_row_slice(
+                4,
+                4,
+                &[
+                    0.0,
+                    1.0,
+                    0.0,
+                    0.0, //
+                    -k / rotor,
+                    -(viscous + d) / rotor,
+                    k / rotor,
+                    d / rotor, //
+                    0.0,
+                    0.0,
+                    0.0,
+                    1.0, //
+                    k / link,
+                    d / link,
+                    -k / link,
+                    -d / link,
+                ],
+            );
+            (a, DMatrix::from_column_slice(4, 1, &[0.0, 1.0 / rotor, 0.0, 0.0]))
+        } else {
+            let a = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 0.0, -viscous / inertia]);
+            (a, DMatrix::from_column_slice(2, 1, &[0.0, 1.0 / inertia]))
+        };
+        let (ad, bd) = held(&a, &b, period);
+        let n = ad.nrows();
+        let late = self.delay as usize;
+        // [x.., position before, torques on their way]
+        let size = n + 1 + late;
+        let mut closed = DMatrix::zeros(size, size);
+        closed.view_mut((0, 0), (n, n)).copy_from(&ad);
+        closed[(n, 0)] = 1.0;
+        let mut command = DVector::zeros(size);
+        command[0] = -(kp + kd / period);
+        command[n] = kd / period;
+        for k in 0..size {
+            if late == 0 {
+                (0..n).for_each(|i| closed[(i, k)] += bd[(i, 0)] * command[k]);
+            } else {
+                closed[(n + late, k)] += command[k];
+            }
+        }
+        for step in 0..late {
+            if step == 0 {
+                (0..n).for_each(|i| closed[(i, n + 1)] += bd[(i, 0)]);
+            } else {
+                closed[(n + step, n + 1 + step)] += 1.0;
+            }
+        }
+        let input = bd.column(0).into_owned();
+        let mut output = DVector::zeros(n);
+        output[0] = 1.0;
+        Margins::of(period, radius(&closed), |z| {
+            let back = z.inv();
+            let control: Complex<f64> = (Complex::new(1.0, 0.0) - back) * (kd / period) + kp;
+            control * response(&ad, &input, &output, z) * back.powu(self.delay)
+        })
+    }
+}
+
+/// What a joint's loop must keep: 30 degrees, a factor of two (6 dB), and a sensitivity of at most 2.2. Less than [`wanted`](super::wanted), as stiffness is
+/// what the joints are there for.
+pub fn wanted_joint(m: &Margins) -> bool {
+    m.radius < 1.0 && m.phase >= 30.0 && m.gain >= 6.0 && m.modulus >= 0.45
+}
+
+/// Damping ratio for the largest inertia.
+const DAMPING: f64 = 0.7;
+
+/// The stiffest gains that keep the margins, with a damping ratio of 0.7 for the largest inertia.
+pub fn propose_joint(plant: &JointPlant) -> Option<JointProposal> {
+    let heavy = plant.inertia[1];
+    let of = |bandwidth: f64| (heavy * bandwidth * bandwidth, 2.0 * DAMPING * heavy * bandwidth);
+    let good = |bandwidth: f64| {
+        let (kp, kd) = of(bandwidth);
+        wanted_joint(&plant.margins(kp, kd))
+    };
+    let bandwidth = largest(0.1, 1e3, good)?;
+    let (kp, kd) = of(bandwidth);
+    Some(JointProposal { kp, kd, bandwidth, margins: plant.margins(kp, kd) })
+}
+
+/// The largest number up to which all is good, to 5 %; `None` if not even the smallest is.
+pub(super) fn largest(low: f64, high: f64, good: impl Fn(f64) -> bool) -> Option<f64> {
+    if !good(low) {
+        return None;
+    }
+    let (mut low, mut high) = (low, high);
+    while high > 1.05 * low {
+        let middle = (low * high).sqrt();
+        if good(middle) { low = middle } else { high = middle }
+    }
+    Some(low)
+}

@@ -1,0 +1,100 @@
+//! Sampled linear systems: zero-order hold, frequency response, margins.
+
+use std::f64::consts::PI;
+
+use nalgebra::{Complex, DMatrix, DVector};
+
+/// How far a loop is from ringing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Margins {
+    /// Where the loop gain falls below 1 for the last time, rad/s.
+    pub crossover: f64,
+    /// Least phase margin at any crossover, degrees.
+    pub phase: f64,
+    /// Least factor on the gain that makes the loop unstable, dB; infinite where none does.
+    pub gain: f64,
+    /// Least distance of the loop from -1: one over the largest sensitivity.
+    pub modulus: f64,
+    /// Largest eigenvalue of the closed loop, per period: below 1 it is stable.
+    pub radius: f64,
+}
+
+/// What a proposal must keep: 45 degrees, a factor of two (6 dB), and a sensitivity of at most 1.8.
+pub fn wanted(m: &Margins) -> bool {
+    m.radius < 1.0 && m.phase >= 45.0 && m.gain >= 6.0 && m.modulus >= 0.55
+}
+
+impl Margins {
+    /// The worse of two, each figure by itself; the slower crossover.
+    pub fn worse(self, other: Self) -> Self {
+        Self {
+            crossover: self.crossover.min(other.crossover),
+            phase: self.phase.min(other.phase),
+            gain: self.gain.min(other.gain),
+            modulus: self.modulus.min(other.modulus),
+            radius: self.radius.max(other.radius),
+        }
+    }
+
+    /// Of a loop `L` at `z`, closed by negative feedback, sampled each `period` s; `radius` that of the closed loop.
+    pub fn of(period: f64, radius: f64, transfer: impl Fn(Complex<f64>) -> Complex<f64>) -> Self {
+        const POINTS: usize = 400;
+        let (low, high) = (0.2_f64, PI / period);
+        let mut found = Self { crossover: 0.0, phase: 180.0, gain: f64::INFINITY, modulus: f64::INFINITY, radius };
+        let mut before: Option<Complex<f64>> = None;
+        for k in 0..POINTS {
+            let w = low * (high / low).powf((k as f64 + 0.5) / POINTS as f64);
+            let value = transfer(Complex::from_polar(1.0, w * period));
+            found.modulus = found.modulus.min((value + 1.0).norm());
+            if let Some(last) = before {
+                if (last.norm() >= 1.0) != (value.norm() >= 1.0) {
+                    // The angle to -1, from either side.
+                    found.phase = found.phase.min((-value).arg().abs().to_degrees());
+                    found.crossover = w;
+                }
+                if last.im * value.im < 0.0 && value.re < 0.0 {
+                    found.gain = found.gain.min(-20.0 * value.norm().log10()).max(-120.0);
+                }
+            }
+            before = Some(value);
+        }
+        found
+    }
+}
+
+/// `x' = A x + B u` held over a period: `(A_d, B_d)`, by the exponential of `[A B; 0 0] T` (squaring a Taylor series).
+pub fn held(a: &DMatrix<f64>, b: &DMatrix<f64>, period: f64) -> (DMatrix<f64>, DMatrix<f64>) {
+    let (n, m) = (a.nrows(), b.ncols());
+    let mut block = DMatrix::zeros(n + m, n + m);
+    block.view_mut((0, 0), (n, n)).copy_from(&(a * period));
+    block.view_mut((0, n), (n, m)).copy_from(&(b * period));
+    let size = block.iter().fold(0.0_f64, |m, x| m.max(x.abs())) * (n + m) as f64;
+    let halvings = size.max(1.0).log2().ceil() as i32 + 3;
+    block *= 0.5_f64.powi(halvings);
+    let mut term = DMatrix::identity(n + m, n + m);
+    let mut sum = term.clone();
+    for k in 1..14 {
+        term = &term * &block / f64::from(k);
+        sum += &term;
+    }
+    for _ in 0..halvings {
+        sum = &sum * &sum;
+    }
+    (sum.view((0, 0), (n, n)).into_owned(), sum.view((0, n), (n, m)).into_owned())
+}
+
+/// `C (z - A)^-1 B` of a sampled system with one input and one output.
+pub fn response(a: &DMatrix<f64>, b: &DVector<f64>, c: &DVector<f64>, z: Complex<f64>) -> Complex<f64> {
+    let n = a.nrows();
+    let matrix = DMatrix::from_fn(n, n, |i, k| Complex::from(-a[(i, k)]) + if i == k { z } else { Complex::ZERO });
+    let right = b.map(Complex::from);
+    match matrix.lu().solve(&right) {
+        Some(x) => c.iter().zip(x.iter()).map(|(c, x)| x * *c).sum(),
+        None => Complex::new(f64::MAX, 0.0),
+    }
+}
+
+/// Largest absolute value of the eigenvalues.
+pub fn radius(a: &DMatrix<f64>) -> f64 {
+    a.complex_eigenvalues().iter().fold(0.0, |most: f64, v| most.max(v.norm()))
+}

@@ -1,0 +1,25 @@
+//! The control law: joint loop (equation 13), force loop (equation 15), force estimate (equation 14), and the watch over all of them.
+//!
+//! ```text
+//! F_d - F -> [PI, limits] -> displacement along the normal -> [inverse kinematics] -> q_d -> [PD + gravity] -> torques
+//!        ^                                                                                       |
+//!        +---- (J^T)^+ (torques - model), or a sensor <------------------------------------ arm, wall
+//! ```
+//!
+//! Uses `core` alone: no allocation, no panic, no square root. Whoever calls brings the robot, as [`Model`] and [`Body`].
+
+mod controller;
+mod estimate;
+mod force;
+mod joint;
+mod least;
+mod model;
+mod watch;
+
+pub use controller::{Command, Controller, Fault, Settings, Status, Target};
+pub use estimate::{Estimator, EstimatorSettings};
+pub use force::{ForceLoop, ForceSettings};
+pub use joint::JointLoop;
+pub use least::damped;
+pub use model::{Body, Model, Tool, moved};
+pub use watch::{Sample, Watch};

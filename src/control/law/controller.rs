@@ -1,0 +1,353 @@
+//! The two loops of the paper's Fig. 8 and the reactions to what goes wrong.
+//!
+//! | what happens | what is done |
+//! |---|---|
+//! | a sample is missing, late, stale, not a number, or a leap | torques and displacement stay as they are ([`Status::Holding`]) |
+//! | more than `patience` in a row | [`Fault::Position`]: gravity at the last known place; with samples again, damping to rest; until [`Controller::reset`] |
+//! | the force is missing | the displacement stands still; longer than `patience`: [`Fault::Force`], the tool leaves the wall |
+//! | contact is lost | the displacement may follow by `regain`; after `give_up` seconds [`Fault::Contact`], the tool leaves the wall |
+//! | the force exceeds `most` | [`Fault::Excess`], the tool leaves the wall |
+//! | the inverse kinematics finds nothing | desired positions stay |
+//! | the model gives no numbers | torques stay |
+//!
+//! Torques are finite and within their limits whatever arrives.
+
+use super::force::{ForceLoop, ForceSettings};
+use super::joint::JointLoop;
+use super::model::Model;
+use super::watch::{Judged, Sample, Watch};
+
+/// All gains and limits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings<const N: usize> {
+    /// Time between samples, s.
+    pub period: f64,
+    /// Inner loop.
+    pub joints: JointLoop<N>,
+    /// Outer loop.
+    pub force: ForceSettings,
+    /// Torque limits, N m, both ways.
+    pub torque: [f64; N],
+    /// Speed limits, rad/s: desired positions move no faster, and measured ones that move three times as fast are not believed.
+    pub velocity: [f64; N],
+    /// Samples in a row that may fail.
+    pub patience: u32,
+    /// Force that means contact, N.
+    pub contact: f64,
+    /// Contact that is gone for this long is lost, s.
+    pub lost_after: f64,
+    /// How far the displacement may follow a contact that was lost, m.
+    pub regain: f64,
+    /// How long it is looked for, s.
+    pub give_up: f64,
+    /// Force above which the tool leaves the wall, N.
+    pub most: f64,
+    /// Share of the desired force that is fed forward as torques while the tool presses: 0, equation (13) as it stands, where the springs of the
+    /// joint loop carry the force and give way aside too; 1, where they carry none of it.
+    pub carry: f64,
+}
+
+impl<const N: usize> Settings<N> {
+    /// What is wrong with them, if anything.
+    pub fn problem(&self) -> Option<&'static str> {
+        let positive = |x: f64| x > 0.0 && x.is_finite();
+        let not_negative = |x: f64| x >= 0.0 && x.is_finite();
+        let ForceSettings { kp, ki, range, rate } = self.force;
+        if !positive(self.period) {
+            Some("the period must be greater than 0")
+        } else if !(self.joints.kp.iter().chain(&self.joints.kd).all(|k| not_negative(*k))) {
+            Some("the gains of the joints must not be negative")
+        } else if !(not_negative(kp) && not_negative(ki)) {
+            Some("the gains of the force loop must not be negative")
+        } else if !(not_negative(-range[0]) && not_negative(range[1])) {
+            Some("the range of the displacement must hold 0")
+        } else if !positive(rate) {
+            Some("the displacement's speed must be greater than 0")
+        } else if !self.torque.iter().chain(&self.velocity).all(|x| positive(*x)) {
+            Some("limits of torque and velocity must be greater than 0")
+        } else if ![self.contact, self.lost_after, self.regain, self.give_up, self.most]
+            .iter()
+            .all(|x| not_negative(*x))
+        {
+            Some("the limits of contact must not be negative")
+        } else if !(0.0..=1.0).contains(&self.carry) {
+            Some("the share that is fed forward must be from 0 to 1")
+        } else {
+            None
+        }
+    }
+}
+
+/// What is wanted at one instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Target<const N: usize> {
+    /// The planned posture, whose tool touches the wall.
+    pub q: [f64; N],
+    /// Unit vector in base axes along which the tool presses, into the wall.
+    pub normal: [f64; 3],
+    /// Force to press with, N, not negative; `None` away from the wall.
+    pub force: Option<f64>,
+}
+
+/// Why it does not press any more.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Fault {
+    /// No positions for too long.
+    Position,
+    /// No force for too long.
+    Force,
+    /// No contact for too long.
+    Contact,
+    /// Too much force.
+    Excess,
+}
+
+/// What it is doing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// Follows the plan; no force was asked for.
+    Free,
+    /// On the way to the wall.
+    Approaching,
+    /// Presses.
+    Pressing,
+    /// Looks for a contact that is lost.
+    Lost,
+    /// Waits for a sample.
+    Holding,
+    /// Leaves the wall and follows the plan beside it.
+    Leaving(Fault),
+    /// Comes to rest, or hangs on gravity where positions are missing: apply the brakes.
+    Stopped(Fault),
+}
+
+/// What it answers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Command<const N: usize> {
+    /// Torques of the actuators, N m.
+    pub torque: [f64; N],
+    /// Positions that the joints are sent to.
+    pub desired: [f64; N],
+    /// Along the normal, m.
+    pub displacement: f64,
+    /// What it is doing.
+    pub status: Status,
+}
+
+/// The controller.
+#[derive(Debug, Clone)]
+pub struct Controller<M, const N: usize> {
+    model: M,
+    settings: Settings<N>,
+    watch: Watch<N>,
+    force: ForceLoop,
+    target: Option<Target<N>>,
+    desired: Option<[f64; N]>,
+    torque: [f64; N],
+    fault: Option<Fault>,
+    blind: u32,
+    touched: bool,
+    away: f64,
+    anchor: f64,
+    carried: f64,
+}
+
+impl<M: Model<N>, const N: usize> Controller<M, N> {
+    /// With a model of the arm.
+    ///
+    /// # Errors
+    /// Says which setting makes no sense.
+    pub fn new(model: M, settings: Settings<N>) -> Result<Self, &'static str> {
+        if let Some(problem) = settings.problem() {
+            return Err(problem);
+        }
+        let fastest = settings.velocity.map(|v| 3.0 * v);
+        Ok(Self {
+            model,
+            watch: Watch::new(settings.period, settings.patience, fastest),
+            force: ForceLoop::new(settings.force),
+            settings,
+            target: None,
+            desired: None,
+            torque: [0.0; N],
+            fault: None,
+            blind: 0,
+            touched: false,
+            away: 0.0,
+            anchor: 0.0,
+            carried: 0.0,
+        })
+    }
+
+    /// The model, to look at or to change.
+    pub fn model(&mut self) -> &mut M {
+        &mut self.model
+    }
+
+    /// Forgets faults and begins anew from where the arm is.
+    pub fn reset(&mut self) {
+        self.watch.reset();
+        self.force.reset();
+        (self.target, self.desired, self.fault) = (None, None, None);
+        (self.blind, self.touched, self.away, self.carried) = (0, false, 0.0, 0.0);
+    }
+
+    /// One period: what is wanted and what was measured in, torques out.
+    pub fn step(&mut self, target: &Target<N>, sample: &Sample<N>) -> Command<N> {
+        if is_sound(target) {
+            self.target = Some(*target);
+        }
+        let before = self.watch.position();
+        let dt = match self.watch.judge(sample) {
+            Judged::Good(dt) => dt,
+            Judged::Late => {
+                self.fault = Some(Fault::Position);
+                self.settings.period
+            }
+            Judged::Bad(missed) => return self.wait(missed, before),
+        };
+        let q = sample.q;
+        // After a pause there is no velocity to speak of.
+        let before = match (before, self.fault) {
+            (Some(before), None) => before,
+            (Some(before), Some(_)) if self.is_close(&q, &before) => before,
+            _ => q,
+        };
+        let gravity = self.model.gravity(&q);
+        let target = match (self.target, self.fault) {
+            (Some(target), fault) if fault != Some(Fault::Position) => target,
+            // Nothing to follow, or nothing that it could be trusted to follow.
+            (_, fault) => {
+                self.desired = Some(q);
+                self.force.reset();
+                self.carried = 0.0;
+                let torque = self.settings.joints.rest([&q, &before], dt, &gravity);
+                let status = fault.map_or(Status::Holding, Status::Stopped);
+                return self.answer(torque, q, status);
+            }
+        };
+        let status = self.press(&target, sample.force, dt);
+        let last = self.desired.unwrap_or(q);
+        let desired = self.send(&target, &last, dt);
+        let mut torque = self.settings.joints.torques([&desired, &last], [&q, &before], dt, &gravity);
+        self.carry(&target, status, dt);
+        if self.carried > 0.0 {
+            let pressing = self.model.pressing(&q, &target.normal);
+            (0..N).for_each(|j| torque[j] += self.carried * pressing[j]);
+        }
+        self.desired = Some(desired);
+        self.answer(torque, desired, status)
+    }
+
+    fn is_close(&self, q: &[f64; N], before: &[f64; N]) -> bool {
+        let reach = 3.0 * self.settings.period;
+        (0..N).all(|j| (q[j] - before[j]).abs() <= self.settings.velocity[j] * reach)
+    }
+
+    /// Without a sample.
+    fn wait(&mut self, missed: u32, last: Option<[f64; N]>) -> Command<N> {
+        if missed > self.settings.patience {
+            self.fault = Some(Fault::Position);
+        }
+        let desired = self.desired.or(last).unwrap_or([0.0; N]);
+        match (self.fault, last) {
+            (Some(Fault::Position), Some(q)) => {
+                let torque = self.model.gravity(&q);
+                self.answer(torque, desired, Status::Stopped(Fault::Position))
+            }
+            (Some(Fault::Position), None) => self.answer([0.0; N], desired, Status::Stopped(Fault::Position)),
+            _ => self.answer(self.torque, desired, Status::Holding),
+        }
+    }
+
+    /// Moves the displacement.
+    fn press(&mut self, target: &Target<N>, force: f64, dt: f64) -> Status {
+        let Settings { patience, contact, lost_after, regain, give_up, most, .. } = self.settings;
+        if let Some(fault) = self.fault {
+            let away = self.settings.force.range[0];
+            self.force.go(away, dt);
+            return Status::Leaving(fault);
+        }
+        let Some(wanted) = target.force else {
+            self.force.go(0.0, dt);
+            (self.touched, self.away, self.blind) = (false, 0.0, 0);
+            return Status::Free;
+        };
+        if !force.is_finite() {
+            self.blind = self.blind.saturating_add(1);
+            if self.blind > patience {
+                self.fault = Some(Fault::Force);
+            }
+            return Status::Holding;
+        }
+        self.blind = 0;
+        if force > most {
+            self.fault = Some(Fault::Excess);
+            return Status::Leaving(Fault::Excess);
+        }
+        let mut ceiling = f64::MAX;
+        let mut status = Status::Pressing;
+        if force >= contact {
+            (self.touched, self.away) = (true, 0.0);
+        } else if self.touched {
+            if self.away == 0.0 {
+                self.anchor = self.force.displacement();
+            }
+            self.away += dt;
+            ceiling = self.anchor + regain;
+            if self.away > lost_after {
+                status = Status::Lost;
+            }
+        } else {
+            status = Status::Approaching;
+            // At the end of its range there is no wall to be found.
+            let end = self.force.displacement() >= self.settings.force.range[1];
+            self.away = if end { self.away + dt } else { 0.0 };
+        }
+        if self.away > give_up {
+            self.fault = Some(Fault::Contact);
+            return Status::Leaving(Fault::Contact);
+        }
+        self.force.press(wanted - force, dt, ceiling);
+        status
+    }
+
+    /// Comes within half a second of contact, and goes within 20 ms of its end.
+    fn carry(&mut self, target: &Target<N>, status: Status, dt: f64) {
+        let wanted = target.force.unwrap_or(0.0);
+        let presses = status == Status::Pressing && self.touched && self.away == 0.0;
+        let to = if presses { self.settings.carry * wanted } else { 0.0 };
+        let full = wanted.max(self.carried);
+        let (up, down) = (full * dt / 0.5, full * dt / 0.02);
+        self.carried = to.clamp(self.carried - down, self.carried + up);
+    }
+
+    /// Desired positions: the plan's, displaced, no faster than the joints may be.
+    fn send(&mut self, target: &Target<N>, last: &[f64; N], dt: f64) -> [f64; N] {
+        let by = target.normal.map(|n| n * self.force.displacement());
+        let wanted = self.model.displaced(&target.q, &by, last);
+        let Some(wanted) = wanted.filter(|q| q.iter().all(|x| x.is_finite())) else { return *last };
+        core::array::from_fn(|j| {
+            let reach = self.settings.velocity[j] * dt;
+            wanted[j].clamp(last[j] - reach, last[j] + reach)
+        })
+    }
+
+    /// Within the limits, and finite.
+    fn answer(&mut self, torque: [f64; N], desired: [f64; N], status: Status) -> Command<N> {
+        if torque.iter().all(|t| t.is_finite()) {
+            self.torque = core::array::from_fn(|j| {
+                let limit = self.settings.torque[j];
+                torque[j].clamp(-limit, limit)
+            });
+        }
+        Command { torque: self.torque, desired, displacement: self.force.displacement(), status }
+    }
+}
+
+fn is_sound<const N: usize>(target: &Target<N>) -> bool {
+    let Target { q, normal, force } = target;
+    let length: f64 = normal.iter().map(|n| n * n).sum();
+    // A NaN is in no range.
+    q.iter().all(|x| x.is_finite()) && (0.98..1.02).contains(&length) && force.is_none_or(|f| (0.0..1e6).contains(&f))
+}

@@ -1,0 +1,71 @@
+//! What the law must be told about the robot.
+
+use super::least::damped;
+
+/// The tool frame at one position.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tool<const N: usize> {
+    /// Origin, m, base axes.
+    pub origin: [f64; 3],
+    /// Rotation from tool to base axes, rows.
+    pub rotation: [[f64; 3]; 3],
+    /// Jacobian of the origin in base axes, linear part first.
+    pub jacobian: [[f64; N]; 6],
+}
+
+/// What the two loops need of a robot with `N` joints.
+pub trait Model<const N: usize> {
+    /// Torques that hold the arm still, N m: the identified `G(q)`, the tool included.
+    fn gravity(&mut self, q: &[f64; N]) -> [f64; N];
+
+    /// Torques with which the tool presses by 1 N along a unit vector (base axes): `J'` times it.
+    fn pressing(&mut self, q: &[f64; N], along: &[f64; 3]) -> [f64; N];
+
+    /// A posture whose tool stands as that of `q` does, but moved by `by` (m, base axes), with the arm's redundancy as it is in `q`; `near`
+    /// is where the arm was sent last. `None` where there is none.
+    fn displaced(&mut self, q: &[f64; N], by: &[f64; 3], near: &[f64; N]) -> Option<[f64; N]>;
+}
+
+/// What the force estimate needs of it.
+pub trait Body<const N: usize> {
+    /// Torques of the motion without contact, N m: bodies, tool and friction; `dt` (s) since the call before, for friction with memory.
+    fn torques(&mut self, q: &[f64; N], dq: &[f64; N], ddq: &[f64; N], dt: f64) -> [f64; N];
+
+    /// Frame and Jacobian of the point where contact is.
+    fn tool(&mut self, q: &[f64; N]) -> Tool<N>;
+}
+
+/// [`Model::displaced`] by the Jacobian: Newton's steps with the least joint motion, from `q`. For arms without a closed form, and where the
+/// closed form finds nothing.
+pub fn moved<const N: usize>(
+    q: &[f64; N],
+    by: &[f64; 3],
+    mut tool: impl FnMut(&[f64; N]) -> Tool<N>,
+) -> Option<[f64; N]> {
+    const STEPS: usize = 4;
+    let start = tool(q);
+    let mut at = *q;
+    let mut here = start;
+    for _ in 0..STEPS {
+        let mut error = [0.0; 6];
+        for k in 0..3 {
+            error[k] = start.origin[k] + by[k] - here.origin[k];
+        }
+        // Half the sum of cross products of the axes: the rotation that is left, for small angles.
+        for axis in 0..3 {
+            let column = |r: &[[f64; 3]; 3]| [r[0][axis], r[1][axis], r[2][axis]];
+            let (a, b) = (column(&here.rotation), column(&start.rotation));
+            error[3] += 0.5 * (a[1] * b[2] - a[2] * b[1]);
+            error[4] += 0.5 * (a[2] * b[0] - a[0] * b[2]);
+            error[5] += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+        }
+        // J' (J J' + d)^-1 e: joints weigh the same.
+        let y = damped(&here.jacobian, &[1.0; N], &error, 1e-9)?;
+        for j in 0..N {
+            at[j] += (0..6).map(|i| here.jacobian[i][j] * y[i]).sum::<f64>();
+        }
+        here = tool(&at);
+    }
+    let missed = (0..3).fold(0.0_f64, |most, k| most.max((start.origin[k] + by[k] - here.origin[k]).abs()));
+    (missed < 1e-5 && at.iter().all(|x| x.is_finite())).then_some(at)
+}

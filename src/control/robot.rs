@@ -1,0 +1,174 @@
+//! Lends the law a robot: bodies by the interpreter, closed-form inverse kinematics, friction and effects by the laws of a robot file.
+
+use dh_codegen::ik::Reference;
+use dh_codegen::robot::{Robot, Tool as RobotTool};
+
+use super::law::{Body, Model, Tool, moved};
+use crate::arm::{Dynamics, ToolState};
+use crate::inverse::{Ask, Kinematics};
+use crate::simulate::Drive;
+
+/// A robot with its tool, at the point where the tool touches.
+pub struct Lent<'a> {
+    bodies: Box<dyn Dynamics + 'a>,
+    kinematics: Option<&'a Kinematics>,
+    /// Rotation (rows) and origin of the tool in the last frame.
+    mount: ([[f64; 3]; 3], [f64; 3]),
+    /// The point of contact in the tool frame, m.
+    point: [f64; 3],
+    drives: Vec<Drive>,
+    /// Of the bristles that stand for signs, and of the hysteresis.
+    memory: Vec<[f64; 2]>,
+    before: Vec<f64>,
+    state: ToolState,
+    mass: Vec<f64>,
+    bias: Vec<f64>,
+    clock: f64,
+}
+
+/// Travel of the bristle that stands for a sign, rad: some steps of an encoder, so that noise does not turn it.
+const TRAVEL: f64 = 5e-5;
+
+/// What touches: the far end of a tool with a length, else the tool frame's origin.
+pub fn contact_point(tool: Option<&RobotTool>) -> [f64; 3] {
+    [0.0, 0.0, tool.and_then(|t| t.geometry).map_or(0.0, |g| g.length)]
+}
+
+impl<'a> Lent<'a> {
+    /// `bodies` with the inertial parameters that are known, tool included; `drives` with what is known of friction and effects.
+    pub fn new(
+        robot: &Robot,
+        bodies: Box<dyn Dynamics + 'a>,
+        kinematics: Option<&'a Kinematics>,
+        drives: Vec<Drive>,
+    ) -> Self {
+        let n = bodies.dof();
+        let unit = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let mount = robot.tool.as_ref().map_or((unit, [0.0; 3]), |t| (t.rotation(), t.xyz));
+        Self {
+            bodies,
+            kinematics,
+            mount,
+            point: contact_point(robot.tool.as_ref()),
+            memory: vec![[0.0; 2]; n],
+            before: Vec::new(),
+            state: ToolState::default(),
+            mass: vec![0.0; n * n],
+            bias: vec![0.0; n],
+            drives,
+            clock: 0.0,
+        }
+    }
+
+    /// Frame and Jacobian of the point of contact.
+    pub fn contact<const N: usize>(&mut self, q: &[f64; N]) -> Tool<N> {
+        self.bodies.tool(q, &mut self.state);
+        let pose = &self.state.pose;
+        let rotation: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|k| pose[4 * i + k]));
+        let arm: [f64; 3] = std::array::from_fn(|i| (0..3).map(|k| rotation[i][k] * self.point[k]).sum());
+        let mut jacobian: [[f64; N]; 6] =
+            std::array::from_fn(|i| std::array::from_fn(|j| self.state.jacobian[i * N + j]));
+        for j in 0..N {
+            let w = [jacobian[3][j], jacobian[4][j], jacobian[5][j]];
+            jacobian[0][j] += w[1] * arm[2] - w[2] * arm[1];
+            jacobian[1][j] += w[2] * arm[0] - w[0] * arm[2];
+            jacobian[2][j] += w[0] * arm[1] - w[1] * arm[0];
+        }
+        Tool { origin: std::array::from_fn(|i| pose[4 * i + 3] + arm[i]), rotation, jacobian }
+    }
+
+    /// Mass matrix with the rotors, row-major.
+    pub fn mass(&mut self, q: &[f64]) -> Vec<f64> {
+        let n = self.drives.len();
+        self.bodies.mass_matrix(q, &mut self.mass);
+        let mut mass = self.mass.clone();
+        self.drives.iter().enumerate().for_each(|(j, d)| mass[j * n + j] += d.rotor);
+        mass
+    }
+
+    /// The last frame of `q`, moved.
+    fn last_pose<const N: usize>(&mut self, q: &[f64; N], by: &[f64; 3]) -> [[f64; 4]; 3] {
+        let Tool { origin, rotation, .. } = self.contact(q);
+        let (turn, offset) = &self.mount;
+        // R_last = R_tool R_mount'; the point is R_mount p + offset in the last frame.
+        let last: [[f64; 3]; 3] =
+            std::array::from_fn(|i| std::array::from_fn(|k| (0..3).map(|m| rotation[i][m] * turn[k][m]).sum()));
+        let point: [f64; 3] =
+            std::array::from_fn(|k| offset[k] + (0..3).map(|m| turn[k][m] * self.point[m]).sum::<f64>());
+        std::array::from_fn(|i| {
+            let place = origin[i] + by[i] - (0..3).map(|k| last[i][k] * point[k]).sum::<f64>();
+            [last[i][0], last[i][1], last[i][2], place]
+        })
+    }
+}
+
+impl<const N: usize> Model<N> for Lent<'_> {
+    fn gravity(&mut self, q: &[f64; N]) -> [f64; N] {
+        self.bodies.bias(q, &[0.0; N], &mut self.bias);
+        std::array::from_fn(|j| self.bias[j] + self.drives[j].plain.offset)
+    }
+
+    fn pressing(&mut self, q: &[f64; N], along: &[f64; 3]) -> [f64; N] {
+        let jacobian = self.contact(q).jacobian;
+        std::array::from_fn(|j| (0..3).map(|k| jacobian[k][j] * along[k]).sum())
+    }
+
+    fn displaced(&mut self, q: &[f64; N], by: &[f64; 3], near: &[f64; N]) -> Option<[f64; N]> {
+        if let Some(kinematics) = self.kinematics {
+            let pose = self.last_pose(q, by);
+            let reference = Reference::UP;
+            let ask = Ask {
+                redundancy: kinematics.redundancy(q, &reference),
+                reference,
+                near: Some(near.to_vec()),
+                ..Ask::default()
+            };
+            let found = kinematics.solve(&pose, &ask).ok()?;
+            let best = found.list.first().filter(|p| p.position_error < 1e-6 && p.rotation_error < 1e-5);
+            if let Some(best) = best.and_then(|p| <[f64; N]>::try_from(p.q.as_slice()).ok()) {
+                return Some(best);
+            }
+        }
+        moved(q, by, |q| self.contact(q))
+    }
+}
+
+impl<const N: usize> Body<N> for Lent<'_> {
+    fn torques(&mut self, q: &[f64; N], dq: &[f64; N], ddq: &[f64; N], dt: f64) -> [f64; N] {
+        if self.before.is_empty() {
+            self.before = q.to_vec();
+        }
+        self.clock += dt;
+        self.bodies.mass_matrix(q, &mut self.mass);
+        self.bodies.bias(q, dq, &mut self.bias);
+        std::array::from_fn(|j| {
+            let inertial: f64 = (0..N).map(|k| self.mass[j * N + k] * ddq[k]).sum();
+            let drive = &self.drives[j];
+            let step = q[j] - self.before[j];
+            self.before[j] = q[j];
+            // dz = (dx - |dx| z) / X over a step, exactly.
+            let bend = |z: f64, travel: f64| {
+                let side = if step > 0.0 { 1.0 } else { -1.0 };
+                if step == 0.0 { z } else { side + (z - side) * libm::exp(-step.abs() / travel) }
+            };
+            let [sign, hysteresis] = &mut self.memory[j];
+            *sign = bend(*sign, TRAVEL);
+            *hysteresis = bend(*hysteresis, drive.hysteresis.map_or(1.0, |h| h.travel));
+            let bodies = inertial + self.bias[j];
+            let mut friction = drive.friction(q[j], dq[j], *sign, *hysteresis);
+            if let Some(load) = drive.load {
+                friction += load.level(bodies) * *sign;
+            }
+            bodies
+                + drive.rotor * ddq[j]
+                + drive.warmth(self.clock) * friction
+                + drive.plain.offset
+                + drive.ripple(q[j])
+                + drive.spring.map_or(0.0, |s| s.torque(q[j]))
+        })
+    }
+
+    fn tool(&mut self, q: &[f64; N]) -> Tool<N> {
+        self.contact(q)
+    }
+}

@@ -1,0 +1,194 @@
+//! Sections V and VI.B of the paper, end to end: identify the arm and what it carries, plan, press a roller on the wall with 30 N without a force
+//! sensor, and compare with the sensor in the wall: Table IV, Figs. 12 and 13. Then the same once the diagnosis has extended the model.
+
+mod plans;
+mod rig;
+
+use super::lwr::{Lwr, Unmodelled};
+use super::motions::designed;
+use super::verdict::Verdict;
+use super::{ReproduceError, Watch};
+use crate::diagnose::Diagnosis;
+use crate::differentiated::Differentiated;
+use crate::excite::{Criterion, Effort};
+use crate::paint::Plan;
+use crate::paint::run::{Feedback, Run};
+use rig::{Roller, Stand};
+
+/// How to run it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PaintingSettings {
+    /// Of motions and noise. Default 1.
+    pub seed: u64,
+}
+
+impl Default for PaintingSettings {
+    fn default() -> Self {
+        Self { seed: 1 }
+    }
+}
+
+/// Which robot, and what is known of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Case {
+    /// The model is right up to noise.
+    NoiseOnly,
+    /// The robot has what no rigid-body model has.
+    Unmodelled,
+    /// The same robot, with the model that the diagnosis has extended.
+    Extended,
+}
+
+impl Case {
+    /// In the order of the table.
+    pub const ALL: [Self; 3] = [Self::NoiseOnly, Self::Unmodelled, Self::Extended];
+
+    /// In words.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::NoiseOnly => "right model",
+            Self::Unmodelled => "unmodelled effects",
+            Self::Extended => "after the diagnosis",
+        }
+    }
+}
+
+/// Table IV: root mean squares, N, of estimated less measured, estimated less desired, measured less desired.
+pub const PAPER: [(&str, [f64; 3]); 2] = [("large-roller", [2.9, 0.2, 2.9]), ("small-roller", [2.0, 0.2, 2.0])];
+/// The paper's durations, s.
+pub const PAPER_SECONDS: [f64; 2] = [50.0, 46.0];
+/// What is asked of estimated against measured once the model is extended, N.
+pub const ASKED: f64 = 1.0;
+
+/// One run.
+#[derive(Debug, Clone)]
+pub struct Row {
+    /// Name of the tool.
+    pub roller: &'static str,
+    /// Which robot.
+    pub case: Case,
+    /// What closed the loop.
+    pub feedback: Feedback,
+    /// Whether the estimate allowed for a moment at the contact.
+    pub moment: bool,
+    /// Everything that was recorded.
+    pub run: Run,
+    /// Table IV.
+    pub paper: [f64; 3],
+}
+
+impl Row {
+    /// The three figures, N.
+    pub fn ours(&self) -> [f64; 3] {
+        let a = &self.run.accuracy;
+        [a.estimated_measured, a.estimated_desired, a.measured_desired]
+    }
+
+    /// Of one of the three.
+    pub fn verdict(&self, which: usize) -> Verdict {
+        Verdict::less(self.ours()[which], self.paper[which])
+    }
+}
+
+/// Everything.
+#[derive(Debug, Clone)]
+pub struct Painting {
+    /// How it was run.
+    pub settings: PaintingSettings,
+    /// Force that is wanted, N.
+    pub force: f64,
+    /// Length of each roller's plan, s.
+    pub seconds: [f64; 2],
+    /// Held-out root mean square torque error of each case's model, mean over the joints, N m.
+    pub torque: [f64; 3],
+    /// White noise of the torque sensors and what the low-pass leaves of it, mean, N m.
+    pub noise: [f64; 2],
+    /// Runs: rollers, cases, feedback.
+    pub rows: Vec<Row>,
+    /// What the diagnosis found in the logs of the second robot.
+    pub diagnosis: Diagnosis,
+}
+
+impl Painting {
+    /// The run of a roller, a case and a feedback, with the paper's six components.
+    pub fn row(&self, roller: &str, case: Case, feedback: Feedback) -> Option<&Row> {
+        self.rows.iter().find(|r| r.roller == roller && r.case == case && r.feedback == feedback)
+    }
+}
+
+/// Runs it. Some minutes; `watch` is told how far it is.
+pub fn painting(settings: &PaintingSettings, watch: Watch<'_>) -> Result<Painting, ReproduceError> {
+    let lwr = Lwr::new()?;
+    let seed = settings.seed;
+    let arm = Differentiated::new(&lwr.robot);
+    let design = |name, criterion, seconds, starts, seed, from: f64| {
+        let tell = |share: f64| watch(&format!("designing {name}"), from + 0.05 * share);
+        designed(&lwr, &arm, name, criterion, seconds, Effort { starts, seed, ..Effort::default() }, &tell)
+    };
+    let exciting = design("logdet", Criterion::LogDet, 10.0, 4, seed, 0.0)?;
+    let carrying = design("tool", Criterion::LogDet, 10.0, 4, seed, 0.05)?;
+    let validating = design("validate", Criterion::Hadamard, 20.0, 1, seed ^ 0x5eed, 0.1)?;
+    drop(arm);
+    let rigid = Lwr::with_rotors()?;
+    let stand = |lwr: &Lwr, which: &[Unmodelled], seed: u64, plans: Option<&[Plan]>, name: &str, from: f64| {
+        let tell = |what: &str, share: f64| watch(&format!("{what}, {name}"), from + 0.1 * share);
+        Stand::new(lwr, [&exciting, &carrying, &validating], which, seed, plans, &tell)
+    };
+    let plain = stand(&rigid, &[], seed, None, "noise only", 0.15)?;
+    let plans: Vec<Plan> = plain.rollers.iter().map(|r| r.plan.clone()).collect();
+    let real = stand(&lwr, &Unmodelled::ALL, seed.wrapping_add(7), Some(&plans), "unmodelled effects", 0.25)?;
+    watch("diagnosing", 0.36);
+    let (extended, diagnosis) = real.extended(&lwr, &|what| watch(&format!("diagnosing: {what}"), 0.4))?;
+
+    let mut jobs: Vec<(usize, &'static str, Case, Feedback, &Roller)> = Vec::new();
+    for (k, (roller, _)) in PAPER.iter().enumerate() {
+        for (case, stand) in Case::ALL.into_iter().zip([&plain, &real, &extended]) {
+            for feedback in [Feedback::Estimated, Feedback::Measured] {
+                jobs.push((k, roller, case, feedback, &stand.rollers[k]));
+            }
+        }
+    }
+    let done = std::sync::Mutex::new((0.0, vec![0.0; jobs.len()]));
+    let next = std::sync::atomic::AtomicUsize::new(0);
+    let results = std::sync::Mutex::new((0..jobs.len()).map(|_| None).collect::<Vec<Option<_>>>());
+    let workers = std::thread::available_parallelism().map_or(1, |n| n.get()).min(jobs.len());
+    let (jobs, results_of) = (&jobs, &results);
+    std::thread::scope(|scope| {
+        for _ in 0..workers {
+            scope.spawn(|| {
+                loop {
+                    let k = next.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+                    let Some(&(_, name, case, feedback, roller)) = jobs.get(k) else { break };
+                    let found = roller.paint(feedback, true, seed.wrapping_add(100 + k as u64), &mut |share| {
+                        if let Ok(mut done) = done.lock() {
+                            done.1[k] = share;
+                            let all = done.1.iter().sum::<f64>() / jobs.len() as f64;
+                            watch(&format!("painting: {name}, {}", case.title()), 0.45 + 0.55 * all);
+                        }
+                    });
+                    if let Ok(mut results) = results_of.lock() {
+                        results[k] = Some(found);
+                    }
+                }
+            });
+        }
+    });
+    let results = results.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    let mut rows = Vec::new();
+    for (&(k, roller, case, feedback, _), found) in jobs.iter().zip(results) {
+        let found = found.ok_or_else(|| ReproduceError::Robot("a run did not end".into()))?;
+        rows.push(Row { roller, case, feedback, moment: true, run: found?, paper: PAPER[k].1 });
+    }
+    let noise = crate::tool::rerun::PAPER_TORQUE_NOISE;
+    let mean = noise.iter().sum::<f64>() / noise.len() as f64;
+    let gain = super::chain::noise_gain(Lwr::sensors().rate);
+    Ok(Painting {
+        settings: *settings,
+        force: rig::FORCE,
+        seconds: [0, 1].map(|k| plain.rollers[k].seconds()),
+        torque: [plain.torque, real.torque, extended.torque],
+        noise: [mean, gain * mean],
+        rows,
+        diagnosis,
+    })
+}

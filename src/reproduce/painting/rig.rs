@@ -1,0 +1,262 @@
+//! A robot, what is known of it, and its rollers.
+
+use dh_codegen::arm::param;
+use dh_codegen::robot::{Effects, Robot, Tool};
+
+use super::super::chain::{factors, fit};
+use super::super::lwr::{Lwr, Unmodelled};
+use super::super::motions::Motion;
+use super::super::{ReproduceError, fig6};
+use super::plans::{ROOM, in_the_air, planned};
+use crate::control::robot::{Lent, contact_point};
+use crate::diagnose::{self, Diagnosis};
+use crate::extend;
+use crate::identify::recover_standard;
+use crate::interpreted::Interpreted;
+use crate::inverse::Kinematics;
+use crate::log::{Log, Replay};
+use crate::paint::Plan;
+use crate::paint::run::{Feedback, Known, Run, Task, in_contact, run};
+use crate::paint::wall::RollerWall;
+use crate::plant::RobotPlant;
+use crate::signal::{Filter, Prepare, each_motion};
+use crate::simulate::{Drive, Request, SimulateError, Simulator, Trajectory};
+use crate::tool::{Carrying, ToolSettings, catalogue, identify_tool};
+
+/// The paper's desired force, N.
+pub const FORCE: f64 = 30.0;
+/// Middle of the paper's wall, m, and the normal out of it: the robot stands at x = 0 and pushes along -x.
+pub const CENTER: [f64; 3] = [-0.8, 0.3, 0.4];
+pub const NORMAL: [f64; 3] = [1.0, 0.0, 0.0];
+/// Corner of the low-pass of the forces: the paper filters at 10 Hz.
+const CORNER: f64 = 10.0;
+/// How far before the wall a dry run passes, m.
+const DRY: f64 = 0.05;
+
+/// The arm with a roller, as it is and as it is known.
+pub struct Roller {
+    /// With the tool's frame; its inertia is a part of `standard`.
+    robot: Robot,
+    arm: Interpreted,
+    standard: Vec<f64>,
+    drives: Vec<Drive>,
+    spread: Vec<f64>,
+    real: Simulator,
+    motion: Trajectory,
+    /// The motion's plan.
+    pub plan: Plan,
+}
+
+impl Roller {
+    /// Length of the plan, s.
+    pub fn seconds(&self) -> f64 {
+        let span = self.motion.span();
+        span.end - span.start
+    }
+
+    /// Paints.
+    pub fn paint(
+        &self,
+        feedback: Feedback,
+        moment: bool,
+        seed: u64,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Run, ReproduceError> {
+        let known = Known {
+            robot: &self.robot,
+            arm: &self.arm,
+            standard: &self.standard,
+            drives: self.drives.clone(),
+            spread: self.spread.clone(),
+        };
+        let task = Task {
+            motion: &self.motion,
+            wall: RollerWall::new(CENTER, NORMAL, contact_point(self.robot.tool.as_ref())),
+            force: FORCE,
+            feedback,
+            moment,
+            carry: 1.0,
+            corner: CORNER,
+            sensors: Lwr::sensors(),
+            seed,
+        };
+        Ok(run(&known, &self.real, &task, progress)?)
+    }
+}
+
+/// A robot and everything that was recorded and found of it.
+pub struct Stand {
+    /// Held-out torque error, mean over the joints, N m.
+    pub torque: f64,
+    /// One for each of the paper's rollers.
+    pub rollers: Vec<Roller>,
+    effects: Effects,
+    tools: Vec<(Tool, [f64; 10])>,
+    /// The identified arm with an empty hand.
+    identified: Robot,
+    logs: Vec<(&'static str, Log)>,
+    validate: Log,
+}
+
+fn tools() -> Result<Vec<Tool>, ReproduceError> {
+    super::PAPER
+        .iter()
+        .map(|(name, _)| {
+            let found = catalogue().into_iter().find(|t| t.name == *name);
+            found.ok_or_else(|| ReproduceError::Robot(format!("there is no tool `{name}`")))
+        })
+        .collect()
+}
+
+impl Stand {
+    /// Records and identifies: the arm with the first motion, the rollers with the second, judged on the third; and a dry run before the wall.
+    pub fn new(
+        lwr: &Lwr,
+        [exciting, carrying, validating]: [&Motion; 3],
+        which: &[Unmodelled],
+        seed: u64,
+        plans: Option<&[Plan]>,
+        tell: &dyn Fn(&str, f64),
+    ) -> Result<Self, ReproduceError> {
+        let effects = lwr.effects(which)?;
+        let record = |robot: &Robot, motion: &Trajectory, seed: u64| -> Result<Log, ReproduceError> {
+            let simulator = Simulator::new(robot, &effects)?;
+            let request = Request { sensors: Lwr::sensors(), seed, ..Request::default() };
+            Ok(simulator.run(motion, &request, &mut |_| {})?.log)
+        };
+        tell("recording", 0.0);
+        let excited = record(&lwr.robot, &exciting.played, seed)?;
+        let validate = record(&lwr.robot, &validating.played, seed.wrapping_add(1))?;
+        tell("identifying", 0.4);
+        let held_out = factors("validate", &lwr.arm, &validate, 1)?;
+        let found = fit(lwr, &factors("logdet", &lwr.arm, &excited, 1)?, &held_out)?;
+        let rms = found.validation.as_ref().map_or_else(Vec::new, |v| v.rms.clone());
+        let standard =
+            recover_standard(&lwr.arm, &found.values(), None).map_err(|why| ReproduceError::Robot(why.to_string()))?;
+        let identified = extend::with_values(lwr.robot.clone(), &standard);
+
+        let mut weighed = Vec::new();
+        let unloaded = factors("unloaded", &Carrying::new(&lwr.arm, false), &excited, 1)?;
+        for (k, tool) in tools()?.into_iter().enumerate() {
+            tell("weighing the rollers", 0.5 + 0.2 * k as f64);
+            let mut robot = lwr.robot.clone();
+            robot.tool = Some(tool.clone());
+            let loaded = record(&robot, &carrying.played, seed.wrapping_add(2 + k as u64))?;
+            let loaded = factors("loaded", &Carrying::new(&lwr.arm, true), &loaded, 1)?;
+            let found = identify_tool(&lwr.arm, std::slice::from_ref(&unloaded), &[loaded], &ToolSettings::default())?;
+            weighed.push((tool, found.values));
+        }
+        let torque = fig6::mean(&rms);
+        let plans = match plans {
+            Some(plans) => plans.to_vec(),
+            None => plan_all(&identified, &weighed, tell)?,
+        };
+        let rollers = rollers(&identified, &weighed, &plans, lwr, &effects, &rms)?;
+        tell("dry run", 0.9);
+        let before = {
+            let first = &rollers[0];
+            let bodies = Box::new(first.arm.bodies(&first.standard));
+            let kinematics = Kinematics::new(&first.robot, first.arm.model());
+            let mut lent = Lent::new(&first.robot, bodies, kinematics.as_ref(), first.drives.clone());
+            in_the_air(&mut lent, &first.motion, DRY)?
+        };
+        let dry = record(&lwr.robot, &before, seed.wrapping_add(9))?;
+        let logs = vec![("exciting", excited), ("dry run", dry)];
+        Ok(Self { torque, rollers, effects, tools: weighed, identified, logs, validate })
+    }
+
+    /// The same robot with the model that the diagnosis extends.
+    pub fn extended(&self, lwr: &Lwr, progress: &dyn Fn(&str)) -> Result<(Self, Diagnosis), ReproduceError> {
+        let plant = RobotPlant::new(&self.identified);
+        let recording = |name: &str, log: &Log| -> Result<diagnose::Recording, ReproduceError> {
+            let prepare = Prepare {
+                filter: Some(Filter { order: 4, cutoff: 15.0 }),
+                raw_torque: true,
+                temperature: true,
+                ..Prepare::default()
+            };
+            let mut recording = diagnose::Recording::new(name);
+            each_motion(&mut Replay::new(log), lwr.robot.dof(), &prepare, |motion| recording.absorb(motion))?;
+            Ok(recording)
+        };
+        let logs = self.logs.iter().map(|(name, log)| recording(name, log)).collect::<Result<Vec<_>, _>>()?;
+        let validate = [recording("validate", &self.validate)?];
+        let found = diagnose::diagnose(&plant, &logs, &validate, &diagnose::Settings::default(), progress)
+            .map_err(|why| ReproduceError::Robot(why.to_string()))?;
+        let robot = extend::extended(self.identified.clone(), &found);
+        let rms = &found.extended.validate;
+        let plans: Vec<Plan> = self.rollers.iter().map(|r| r.plan.clone()).collect();
+        let rollers = rollers(&robot, &self.tools, &plans, lwr, &self.effects, rms)?;
+        let extended = Self {
+            torque: fig6::mean(rms),
+            rollers,
+            effects: self.effects.clone(),
+            tools: self.tools.clone(),
+            identified: robot,
+            logs: Vec::new(),
+            validate: self.validate.clone(),
+        };
+        Ok((extended, found))
+    }
+}
+
+/// The robot with a tool's frame, and its parameters with the tool as it was weighed.
+fn holding(known: &Robot, tool: &Tool, weighed: &[f64; 10]) -> Result<(Robot, Vec<f64>), ReproduceError> {
+    let mut robot = known.clone();
+    robot.tool = None;
+    let standard = param::standard_values(&robot);
+    let mut standard = standard.ok_or_else(|| ReproduceError::Robot("its links are not all known".into()))?;
+    // The ten of the last link stand ten by ten, links first.
+    let last = 10 * (robot.joints.len() - 1);
+    weighed.iter().enumerate().for_each(|(k, w)| standard[last + k] += w);
+    robot.tool = Some(Tool { inertia: None, ..tool.clone() });
+    Ok((robot, standard))
+}
+
+fn plan_all(known: &Robot, tools: &[(Tool, [f64; 10])], tell: &dyn Fn(&str, f64)) -> Result<Vec<Plan>, ReproduceError> {
+    let seconds = super::PAPER_SECONDS.into_iter().enumerate();
+    tools
+        .iter()
+        .zip(seconds)
+        .map(|((tool, weighed), (k, seconds))| {
+            let (robot, standard) = holding(known, tool, weighed)?;
+            let tell = |what: &str, share: f64| tell(&format!("planning: {what}"), 0.8 + 0.05 * (k as f64 + share));
+            planned(&robot, &standard, FORCE, seconds, &tell)
+        })
+        .collect()
+}
+
+/// The arm as it is known, with each roller as it was weighed.
+fn rollers(
+    known: &Robot,
+    tools: &[(Tool, [f64; 10])],
+    plans: &[Plan],
+    lwr: &Lwr,
+    effects: &Effects,
+    spread: &[f64],
+) -> Result<Vec<Roller>, ReproduceError> {
+    let mut all = Vec::new();
+    for ((tool, weighed), plan) in tools.iter().zip(plans) {
+        let (robot, standard) = holding(known, tool, weighed)?;
+        let drives = Simulator::new(&robot, &Effects::default())?.drives().to_vec();
+        let mut as_it_is = lwr.robot.clone();
+        as_it_is.tool = Some(tool.clone());
+        let arm = Interpreted::new(&robot, &Interpreted::BODIES);
+        let motion = {
+            let kinematics = Kinematics::new(&robot, arm.model());
+            let mut lent = Lent::new(&robot, Box::new(arm.bodies(&standard)), kinematics.as_ref(), drives.clone());
+            in_the_air(&mut lent, &in_contact(plan).map_err(SimulateError::from)?, ROOM)?
+        };
+        all.push(Roller {
+            arm,
+            motion,
+            plan: plan.clone(),
+            real: Simulator::new(&as_it_is, effects)?,
+            robot,
+            standard,
+            drives,
+            spread: spread.to_vec(),
+        });
+    }
+    Ok(all)
+}

@@ -1,0 +1,365 @@
+//! The control law: what it answers to anything that may arrive, and that it needs nothing but `core`.
+
+use denavit::control::law::{
+    Body, Command, Controller, Estimator, EstimatorSettings, Fault, ForceSettings, JointLoop, Model, Sample, Settings,
+    Status, Target, Tool, damped, moved,
+};
+use proptest::prelude::*;
+
+const T: f64 = 1e-3;
+
+/// Three sliding joints along the axes and three that turn about them, of unit mass: everything is known by heart.
+#[derive(Clone, Default)]
+struct Gantry {
+    lost: bool,
+    dumb: bool,
+}
+
+impl Gantry {
+    fn tool(q: &[f64; 6]) -> Tool<6> {
+        let mut jacobian = [[0.0; 6]; 6];
+        (0..6).for_each(|k| jacobian[k][k] = 1.0);
+        Tool { origin: [q[0], q[1], q[2]], rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], jacobian }
+    }
+}
+
+impl Model<6> for Gantry {
+    fn gravity(&mut self, _: &[f64; 6]) -> [f64; 6] {
+        if self.dumb { [f64::NAN; 6] } else { [0.0, 0.0, 9.81, 0.0, 0.0, 0.0] }
+    }
+
+    fn pressing(&mut self, _: &[f64; 6], along: &[f64; 3]) -> [f64; 6] {
+        [along[0], along[1], along[2], 0.0, 0.0, 0.0]
+    }
+
+    fn displaced(&mut self, q: &[f64; 6], by: &[f64; 3], _: &[f64; 6]) -> Option<[f64; 6]> {
+        if self.lost { None } else { moved(q, by, Self::tool) }
+    }
+}
+
+impl Body<6> for Gantry {
+    fn torques(&mut self, _: &[f64; 6], _: &[f64; 6], ddq: &[f64; 6], _: f64) -> [f64; 6] {
+        std::array::from_fn(|j| ddq[j] + if j == 2 { 9.81 } else { 0.0 })
+    }
+
+    fn tool(&mut self, q: &[f64; 6]) -> Tool<6> {
+        Self::tool(q)
+    }
+}
+
+fn settings() -> Settings<6> {
+    Settings {
+        period: T,
+        joints: JointLoop { kp: [400.0; 6], kd: [40.0; 6] },
+        force: ForceSettings { kp: 0.0, ki: 0.01, range: [-0.02, 0.2], rate: 0.1 },
+        torque: [100.0; 6],
+        velocity: [1.0; 6],
+        patience: 5,
+        contact: 2.0,
+        lost_after: 0.02,
+        regain: 0.01,
+        give_up: 0.5,
+        most: 80.0,
+        carry: 0.0,
+    }
+}
+
+/// The gantry of unit masses before a wall at x = 0 of 5 kN/m, integrated in 20 small steps a period.
+struct World {
+    q: [f64; 6],
+    v: [f64; 6],
+    t: f64,
+    wall: bool,
+}
+
+impl World {
+    fn new() -> Self {
+        Self { q: [-0.01, 0.0, 0.0, 0.0, 0.0, 0.0], v: [0.0; 6], t: 0.0, wall: true }
+    }
+
+    fn force(&self) -> f64 {
+        if self.wall { (5e3 * self.q[0]).max(0.0) } else { 0.0 }
+    }
+
+    fn sample(&self) -> Sample<6> {
+        Sample { t: self.t, q: self.q, force: self.force() }
+    }
+
+    fn run(&mut self, command: &Command<6>) {
+        for _ in 0..20 {
+            for j in 0..6 {
+                let mut a = command.torque[j] - if j == 2 { 9.81 } else { 0.0 };
+                if j == 0 {
+                    a -= self.force();
+                }
+                self.v[j] += a * T / 20.0;
+                self.q[j] += self.v[j] * T / 20.0;
+            }
+        }
+        self.t += T;
+    }
+}
+
+fn target() -> Target<6> {
+    Target { q: [0.0; 6], normal: [1.0, 0.0, 0.0], force: Some(30.0) }
+}
+
+fn pressing() -> (Controller<Gantry, 6>, World) {
+    let mut controller = Controller::new(Gantry::default(), settings()).unwrap();
+    let mut world = World::new();
+    for _ in 0..6000 {
+        let command = controller.step(&target(), &world.sample());
+        world.run(&command);
+    }
+    (controller, world)
+}
+
+#[test]
+fn it_presses_with_the_force_that_is_wanted() {
+    let (mut controller, world) = pressing();
+    assert!((world.force() - 30.0).abs() < 0.05, "{}", world.force());
+    let command = controller.step(&target(), &Sample { t: world.t, ..world.sample() });
+    assert_eq!(command.status, Status::Pressing);
+    // The spring of the joint loop (400 N/m) carries the force.
+    assert!((command.displacement - world.q[0] - 30.0 / 400.0).abs() < 1e-3);
+}
+
+#[test]
+fn what_is_fed_forward_need_not_be_displaced() {
+    let mut controller = Controller::new(Gantry::default(), Settings { carry: 1.0, ..settings() }).unwrap();
+    let mut world = World::new();
+    let mut command = None;
+    for _ in 0..8000 {
+        let next = controller.step(&target(), &world.sample());
+        world.run(&next);
+        command = Some(next);
+    }
+    assert!((world.force() - 30.0).abs() < 0.05, "{}", world.force());
+    assert!((command.unwrap().displacement - world.q[0]).abs() < 1e-3);
+}
+
+#[test]
+fn anti_windup() {
+    // Held for a long time where the force can't be reached, it answers at once when it can.
+    let mut force =
+        denavit::control::law::ForceLoop::new(ForceSettings { kp: 1e-3, ki: 0.1, range: [0.0, 0.05], rate: 1.0 });
+    for _ in 0..10_000 {
+        assert!(force.press(30.0, T, f64::MAX) <= 0.05);
+    }
+    for _ in 0..20 {
+        force.press(-30.0, T, f64::MAX);
+    }
+    assert!(force.displacement() < 0.03, "{}", force.displacement());
+}
+
+#[test]
+fn missing_samples_are_waited_for_and_then_stopped() {
+    let (mut controller, mut world) = pressing();
+    let last = controller.step(&target(), &world.sample());
+    let dead = Sample { q: [f64::NAN; 6], ..world.sample() };
+    for _ in 0..5 {
+        let held = controller.step(&target(), &dead);
+        assert_eq!((held.status, held.torque), (Status::Holding, last.torque));
+        world.run(&held);
+    }
+    let stopped = controller.step(&target(), &dead);
+    assert_eq!(stopped.status, Status::Stopped(Fault::Position));
+    assert_eq!(stopped.torque, [0.0, 0.0, 9.81, 0.0, 0.0, 0.0]);
+    // Samples come again: it stays stopped, and comes to rest.
+    world.v[1] = 0.5;
+    for _ in 0..2000 {
+        let command = controller.step(&target(), &world.sample());
+        assert_eq!(command.status, Status::Stopped(Fault::Position));
+        world.run(&command);
+    }
+    assert!(world.v.iter().all(|v| v.abs() < 0.01), "{:?}", world.v);
+    controller.reset();
+    for _ in 0..6000 {
+        let command = controller.step(&target(), &world.sample());
+        world.run(&command);
+    }
+    assert!((world.force() - 30.0).abs() < 0.05);
+}
+
+#[test]
+fn a_few_missing_samples_do_no_harm() {
+    let (mut controller, mut world) = pressing();
+    let mut most: f64 = 0.0;
+    for k in 0..3000 {
+        let mut sample = world.sample();
+        match k % 17 {
+            3 | 4 => sample.q[1] = f64::NAN,
+            9 => sample.t -= 5.0 * T, // stale
+            12 => sample.q[0] += 1.0, // a leap
+            14 => sample.force = f64::INFINITY,
+            _ => {}
+        }
+        let command = controller.step(&target(), &sample);
+        world.run(&command);
+        assert!(!matches!(command.status, Status::Stopped(_) | Status::Leaving(_)), "{:?}", command.status);
+        most = most.max((world.force() - 30.0).abs());
+    }
+    assert!(most < 3.0, "{most}");
+}
+
+#[test]
+fn a_late_sample_stops_it() {
+    let (mut controller, mut world) = pressing();
+    world.t += 0.05;
+    assert_eq!(controller.step(&target(), &world.sample()).status, Status::Stopped(Fault::Position));
+}
+
+#[test]
+fn without_a_force_it_leaves_the_wall() {
+    let (mut controller, mut world) = pressing();
+    let mut status = Status::Free;
+    for _ in 0..3000 {
+        let command = controller.step(&target(), &Sample { force: f64::NAN, ..world.sample() });
+        status = command.status;
+        world.run(&command);
+    }
+    assert_eq!(status, Status::Leaving(Fault::Force));
+    assert!(world.q[0] < -0.015, "{}", world.q[0]);
+}
+
+#[test]
+fn lost_contact_is_looked_for_and_given_up() {
+    let (mut controller, mut world) = pressing();
+    let placed = controller.step(&target(), &world.sample()).displacement;
+    world.run(&Command { torque: [0.0; 6], desired: [0.0; 6], displacement: 0.0, status: Status::Free });
+    world.wall = false;
+    let (mut most, mut seen): (f64, Vec<Status>) = (0.0, Vec::new());
+    for _ in 0..3000 {
+        let command = controller.step(&target(), &world.sample());
+        most = most.max(command.displacement);
+        if seen.last() != Some(&command.status) {
+            seen.push(command.status);
+        }
+        world.run(&command);
+    }
+    assert!(most <= placed + 0.0101, "{most} {placed}");
+    assert_eq!(seen, [Status::Pressing, Status::Lost, Status::Leaving(Fault::Contact)]);
+    assert!((world.q[0] + 0.02).abs() < 2e-3, "{}", world.q[0]);
+}
+
+#[test]
+fn too_much_force_makes_it_leave() {
+    let (mut controller, world) = pressing();
+    let command = controller.step(&target(), &Sample { force: 90.0, ..world.sample() });
+    assert_eq!(command.status, Status::Leaving(Fault::Excess));
+}
+
+#[test]
+fn no_wall_at_all_is_given_up() {
+    let mut controller = Controller::new(Gantry::default(), settings()).unwrap();
+    let mut world = World { wall: false, ..World::new() };
+    let mut status = Status::Free;
+    for _ in 0..6000 {
+        let command = controller.step(&target(), &world.sample());
+        status = command.status;
+        world.run(&command);
+    }
+    assert_eq!(status, Status::Leaving(Fault::Contact));
+}
+
+#[test]
+fn settings_that_make_no_sense_are_refused() {
+    let refused = |s: Settings<6>| Controller::new(Gantry::default(), s).err().is_some();
+    assert!(!refused(settings()));
+    assert!(refused(Settings { period: 0.0, ..settings() }));
+    assert!(refused(Settings { torque: [f64::NAN; 6], ..settings() }));
+    assert!(refused(Settings { force: ForceSettings { ki: -1.0, ..settings().force }, ..settings() }));
+    assert!(refused(Settings { force: ForceSettings { range: [0.1, 0.2], ..settings().force }, ..settings() }));
+}
+
+#[test]
+fn the_estimate_is_the_wrench() {
+    let jacobian: [[f64; 7]; 6] =
+        std::array::from_fn(|i| std::array::from_fn(|j| ((1.7 * i as f64 + 0.3) * (j as f64 + 1.0)).sin()));
+    let wrench = [-30.0, 2.0, 1.0, 0.3, -0.2, 0.1];
+    let weights = [1.0, 2.0, 3.0, 1.0, 2.0, 3.0, 1.0];
+    let tau: [f64; 7] = std::array::from_fn(|j| (0..6).map(|i| jacobian[i][j] * wrench[i]).sum());
+    let right: [f64; 6] = std::array::from_fn(|i| (0..7).map(|j| jacobian[i][j] * weights[j] * tau[j]).sum());
+    let found = damped(&jacobian, &weights, &right, 0.0).unwrap();
+    assert!(found.iter().zip(wrench).all(|(a, b)| (a - b).abs() < 1e-9), "{found:?}");
+
+    for moment in [true, false] {
+        let settings = EstimatorSettings { period: T, corner: 20.0, weights: [1.0; 6], damping: 1e-9, moment };
+        let mut estimator = Estimator::new(Gantry::default(), settings);
+        let mut last = None;
+        for k in 0..2000 {
+            // x'' = 1 while a force of 5 N pulls along y.
+            let t = T * f64::from(k);
+            last = estimator.step(&[0.5 * t * t, 0.0, 0.0, 0.0, 0.0, 0.0], &[1.0, 5.0, 9.81, 0.0, 0.0, 0.0]);
+        }
+        let found = last.unwrap();
+        assert!(found.iter().zip([0.0, 5.0, 0.0, 0.0, 0.0, 0.0]).all(|(a, b)| (a - b).abs() < 1e-3), "{found:?}");
+        assert_eq!(estimator.step(&[f64::NAN; 6], &[0.0; 6]), None);
+    }
+}
+
+/// Anything at all, and often something sensible.
+fn number(size: f64) -> impl Strategy<Value = f64> {
+    prop_oneof![
+        6 => -size..size,
+        1 => prop::num::f64::ANY,
+        1 => prop_oneof![Just(f64::NAN), Just(f64::INFINITY), Just(f64::MAX), Just(f64::MIN_POSITIVE), Just(-0.0)],
+    ]
+}
+
+proptest! {
+    #[test]
+    fn torques_are_finite_and_inside_their_limits(
+        steps in prop::collection::vec((number(0.01), prop::array::uniform6(number(0.5)), number(60.0),
+            prop::array::uniform6(number(0.5)), prop::option::of(number(40.0)), any::<[bool; 3]>()), 1..80),
+        kd in 0.0..1e6_f64,
+        carry in 0.0..1.0_f64,
+        ki in 0.0..1e3_f64,
+    ) {
+        let mut settings = settings();
+        settings.joints.kd = [kd; 6];
+        settings.carry = carry;
+        (settings.force.ki, settings.force.kp) = (ki, ki);
+        let mut controller = Controller::new(Gantry::default(), settings).unwrap();
+        let mut estimator = Estimator::new(
+            Gantry::default(),
+            EstimatorSettings { period: T, corner: 20.0, weights: [1.0; 6], damping: 1e-6, moment: true },
+        );
+        let mut t = 0.0;
+        for (dt, q, force, wanted, press, [dumb, lost, reset]) in steps {
+            t += if dt.abs() < 0.01 { T } else { dt };
+            *controller.model() = Gantry { dumb, lost };
+            let target = Target { q: wanted, normal: [1.0, 0.0, 0.0], force: press };
+            let command = controller.step(&target, &Sample { t, q, force });
+            prop_assert!(command.torque.iter().all(|x| x.is_finite() && x.abs() <= 100.0), "{command:?}");
+            prop_assert!((-0.02..=0.2).contains(&command.displacement), "{command:?}");
+            if let Some(wrench) = estimator.step(&q, &wanted) {
+                prop_assert!(wrench.iter().all(|x| x.is_finite()));
+            }
+            if reset && lost && dumb {
+                controller.reset();
+            }
+        }
+    }
+}
+
+/// The files of the law, compiled as a crate of their own.
+#[test]
+fn it_needs_nothing_but_core() {
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/src/control");
+    let out = std::env::temp_dir().join(format!("denavit-law-{}", std::process::id()));
+    std::fs::create_dir_all(&out).unwrap();
+    let crate_root = out.join("lib.rs");
+    let text =
+        format!("#![no_std]\n#![deny(unsafe_code)]\n#[path = \"{root}\"]\npub mod control {{\n    pub mod law;\n}}\n");
+    std::fs::write(&crate_root, text).unwrap();
+    let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".into());
+    let result = std::process::Command::new(rustc)
+        .args(["--edition", "2024", "--crate-type", "rlib", "--emit", "metadata", "--crate-name", "bare", "--out-dir"])
+        .arg(&out)
+        .arg(&crate_root)
+        .output()
+        .unwrap();
+    std::fs::remove_dir_all(&out).unwrap();
+    assert!(result.status.success(), "{}", String::from_utf8_lossy(&result.stderr));
+}
