@@ -33,6 +33,7 @@ pub mod diagnose;
 pub mod differentiated;
 pub mod excite;
 pub mod extend;
+pub mod force;
 pub mod identify;
 pub mod interpreted;
 pub mod inverse;
