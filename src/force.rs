@@ -5,23 +5,44 @@
 //! covariance. Three ways: [`Residual`] (the paper's equation 14), [`Momentum`] (De Luca's observer, no acceleration), [`Kalman`].
 //! [`ContactDetector`] says whether something touches, [`Causal`] makes velocities and accelerations on line.
 //! All of these are plain arrays with the number of joints as a constant; they use `core` and `libm` alone.
+//!
+//! On logs: [`Motion`](crate::signal::Motion)s -> [`Run`] -> [`Series`], with an [`Uncertainty`] from an identification, and a
+//! [`Consistency`] that says whether the band can be believed. docs/force.md tells what the band means and what it was measured to be.
+//!
+//! Sees a robot only through traits; prints nothing.
 
+mod bias;
 mod causal;
+mod consistency;
 mod contact;
 mod kalman;
+mod method;
 mod momentum;
+mod picked;
 mod residual;
+mod run;
 mod sample;
+mod series;
 mod small;
+mod torques;
+mod uncertainty;
 mod wrench;
 
 #[cfg(test)]
 mod tests;
 
+pub use bias::{Bias, BiasPass};
 pub use causal::Causal;
+pub use consistency::Consistency;
 pub use contact::{Contact, ContactDetector, deviate};
 pub use kalman::Kalman;
+pub use method::{MOST_JOINTS, Method};
 pub use momentum::Momentum;
+pub use picked::noise_gain;
 pub use residual::Residual;
+pub use run::{Known, Run, Settings, TooManyJoints};
 pub use sample::{Estimate, ForceEstimator, NINETY_FIVE, Sample, Scale};
+pub use series::{COMPONENTS, Comparison, Series};
+pub use torques::{Linear, Torques};
+pub use uncertainty::{Uncertainty, covariance};
 pub use wrench::Weights;

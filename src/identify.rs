@@ -38,7 +38,7 @@ mod essential;
 mod known;
 mod recover;
 mod result;
-mod rows;
+pub(crate) mod rows;
 mod sign;
 mod solve;
 mod spectrum;

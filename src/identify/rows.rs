@@ -4,17 +4,17 @@ use crate::arm::{Arm, States};
 
 /// Where each joint's entries stand in [`Arm::base_pattern`].
 #[derive(Debug, Clone)]
-pub(super) struct Rows {
+pub(crate) struct Rows {
     /// Base parameters of each joint's row.
-    pub(super) columns: Vec<Vec<usize>>,
+    pub(crate) columns: Vec<Vec<usize>>,
     /// First entry of each joint's row in the pattern, and the end.
-    pub(super) offsets: Vec<usize>,
+    pub(crate) offsets: Vec<usize>,
     /// Position of each joint's Coulomb column, `FCj`, within its row.
-    pub(super) coulomb: Vec<Option<usize>>,
+    pub(crate) coulomb: Vec<Option<usize>>,
 }
 
 impl Rows {
-    pub(super) fn new(arm: &dyn Arm) -> Self {
+    pub(crate) fn new(arm: &dyn Arm) -> Self {
         let mut columns = vec![Vec::new(); arm.dof()];
         for &(row, column) in arm.base_pattern() {
             columns[row].push(column);
@@ -32,7 +32,7 @@ impl Rows {
 
     /// The regressor's entries, `entries * len`. Where `sign` (joint-major) is given it takes the place of the velocity's sign in the
     /// Coulomb columns.
-    pub(super) fn evaluate(&self, arm: &dyn Arm, states: &States, sign: &[f64], out: &mut Vec<f64>) {
+    pub(crate) fn evaluate(&self, arm: &dyn Arm, states: &States, sign: &[f64], out: &mut Vec<f64>) {
         let len = states.len;
         out.clear();
         out.resize(arm.base_pattern().len() * len, 0.0);

@@ -30,6 +30,9 @@ pub struct Motion {
     pub velocity_noise: Vec<f64>,
     /// Temperatures as recorded, joint-major, deg C; empty where they were not asked for or not recorded.
     pub temperature: Vec<f64>,
+    /// External wrench as recorded, `fx .. mz` one after the other, `6 * len`, treated like the torque; empty where it was not asked for or not
+    /// recorded.
+    pub wrench: Vec<f64>,
 }
 
 /// Some used samples of a motion, joint-major.

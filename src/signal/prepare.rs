@@ -66,6 +66,8 @@ pub struct Prepare {
     pub raw_torque: bool,
     /// Whether motions carry the temperatures, `temp1..`, where the log has them.
     pub temperature: bool,
+    /// Whether motions carry the external wrench, `fx .. mz`, where the log has it.
+    pub wrench: bool,
 }
 
 impl Default for Prepare {
@@ -83,6 +85,7 @@ impl Default for Prepare {
             margins: false,
             raw_torque: false,
             temperature: false,
+            wrench: false,
         }
     }
 }
@@ -210,6 +213,10 @@ pub struct Preparer {
     sources: Vec<usize>,
     /// Where the temperatures stand among the channels.
     temperature: Option<usize>,
+    /// Where the external wrench stands among the channels.
+    wrench: Option<usize>,
+    /// Whether accelerations are among the channels.
+    recorded_ddq: bool,
     /// The log's usual step, s.
     nominal: Option<f64>,
     segment: usize,
@@ -253,16 +260,25 @@ impl Preparer {
                 sources.extend(layout.require_all(Quantity::Ddq, dof)?);
             }
         }
+        let recorded_ddq = prepare.derivatives == Derivatives::Recorded && layout.has(Quantity::Ddq);
         let mut temperature = None;
         if prepare.temperature && layout.has(Quantity::Temperature) {
             temperature = Some(sources.len());
             sources.extend(layout.require_all(Quantity::Temperature, dof)?);
+        }
+        let mut wrench = None;
+        let components: Option<Vec<usize>> = (0..6).map(|i| layout.find(Role::Wrench(i))).collect();
+        if let Some(components) = components.filter(|_| prepare.wrench) {
+            wrench = Some(sources.len());
+            sources.extend(components);
         }
         Ok(Self {
             settings: prepare.clone(),
             file: layout.file.clone(),
             dof,
             temperature,
+            wrench,
+            recorded_ddq,
             time: layout.require(Role::Time)?,
             raw: vec![Vec::new(); sources.len()],
             evened: vec![Vec::new(); sources.len()],
@@ -484,6 +500,7 @@ impl Preparer {
             velocity_noise: Vec::with_capacity(dof),
             sign: Vec::new(),
             temperature: Vec::new(),
+            wrench: Vec::new(),
         };
         let mut speeds = Vec::with_capacity(dof);
         for joint in 0..dof {
@@ -493,7 +510,7 @@ impl Preparer {
                 Derivatives::AtRest => (vec![0.0; n], vec![0.0; n]),
                 Derivatives::Recorded => {
                     let dq = smooth(&self.evened[2 * dof + joint]);
-                    let ddq = match self.evened.get(3 * dof + joint).filter(|_| self.temperature != Some(3 * dof)) {
+                    let ddq = match self.evened.get(3 * dof + joint).filter(|_| self.recorded_ddq) {
                         Some(ddq) => smooth(ddq),
                         None => central(&dq, clock.period),
                     };
@@ -532,6 +549,10 @@ impl Preparer {
             if let Some(first) = self.temperature {
                 motion.temperature.extend_from_slice(&self.evened[first + joint][from..to]);
             }
+        }
+        for recorded in self.wrench.iter().flat_map(|&first| &self.evened[first..first + 6]) {
+            let treated = if self.settings.raw_torque { recorded.clone() } else { smooth(recorded) };
+            motion.wrench.extend_from_slice(&treated[from..to]);
         }
         motion
     }

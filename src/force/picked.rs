@@ -1,0 +1,96 @@
+//! What the torques of a stretch of motion leave unexplained, at the samples that are used.
+
+use super::torques::Torques;
+use crate::arm::Arm;
+use crate::identify::rows::Rows;
+use crate::signal::{Filter, Motion, MotionBlock, low_pass};
+
+/// Joint-major over the picks where not said otherwise.
+#[derive(Debug, Default)]
+pub(super) struct Picked {
+    /// Samples of the motion that are used.
+    pub samples: Vec<usize>,
+    /// Their times, s.
+    pub time: Vec<f64>,
+    /// Model less measured torque, low-passed, N m.
+    pub external: Vec<f64>,
+    /// The regressor's entries, entry-major.
+    pub entries: Vec<f64>,
+    /// Whether a joint stands, so that its Coulomb friction may be anything between its levels.
+    pub still: Vec<bool>,
+    /// Model torque at *all* samples of the motion, joint-major, N m.
+    pub model: Vec<f64>,
+    /// Measured wrench, low-passed, component-major; empty where the log has none.
+    pub measured: Vec<f64>,
+}
+
+/// Evaluates the model along the whole motion and low-passes what it leaves, so that steps of friction which the model has never meet the filter. The
+/// motion's torques are raw, with margins.
+pub(super) fn pick(
+    arm: &dyn Arm,
+    rows: &Rows,
+    torques: &dyn Torques,
+    motion: &Motion,
+    filter: Option<Filter>,
+) -> Picked {
+    let (n, len) = (arm.dof(), motion.states.len);
+    let time: Vec<f64> = (0..len).map(|s| motion.time(s)).collect();
+    let mut picked = Picked { samples: motion.picks().collect(), model: vec![0.0; n * len], ..Picked::default() };
+    picked.time = picked.samples.iter().map(|&s| time[s]).collect();
+    torques.along(&time, &motion.states, &motion.sign, &motion.temperature, &mut picked.model);
+    let rate = motion.period.recip();
+    let sos = filter.and_then(|f| low_pass(f.order, f.cutoff, rate).ok().map(|sos| (sos, f.cutoff)));
+    let mut smooth = |values: &mut [f64], out: &mut Vec<f64>| {
+        if let Some((sos, cutoff)) = &sos {
+            sos.forward_backward(values, sos.scipy_padding().max((rate / cutoff).ceil() as usize));
+        }
+        out.extend(picked.samples.iter().map(|&s| values[s]));
+    };
+    let (mut external, mut measured) = (Vec::new(), Vec::new());
+    for j in 0..n {
+        let range = j * len..(j + 1) * len;
+        let mut left: Vec<f64> =
+            picked.model[range.clone()].iter().zip(&motion.tau[range]).map(|(m, t)| m - t).collect();
+        smooth(&mut left, &mut external);
+    }
+    // A sensor with a hole in its column measured nothing.
+    if motion.wrench.len() == 6 * len && motion.wrench.iter().all(|f| f.is_finite()) {
+        for column in motion.wrench.chunks_exact(len.max(1)) {
+            smooth(&mut column.to_vec(), &mut measured);
+        }
+    }
+    (picked.external, picked.measured) = (external, measured);
+    let count = picked.samples.len();
+    let entries = arm.base_pattern().len();
+    picked.entries = vec![0.0; entries * count];
+    picked.still = vec![false; n * count];
+    let (mut block, mut regressor, mut from) = (MotionBlock::default(), Vec::new(), 0);
+    loop {
+        let got = motion.gather(from, 256, &mut block);
+        if got == 0 {
+            break;
+        }
+        rows.evaluate(arm, &block.states, &block.sign, &mut regressor);
+        for (k, entry) in regressor.chunks_exact(got).enumerate() {
+            picked.entries[k * count + from..k * count + from + got].copy_from_slice(entry);
+        }
+        for (j, coulomb) in rows.coulomb.iter().enumerate().filter_map(|(j, c)| c.map(|c| (j, rows.offsets[j] + c))) {
+            for s in 0..got {
+                picked.still[j * count + from + s] = regressor[coulomb * got + s] == 0.0;
+            }
+        }
+        from += got;
+    }
+    picked
+}
+
+/// What the low-pass, forward and backward, leaves of white noise: the root of the energy of its impulse response. 1 without one.
+pub fn noise_gain(filter: Option<Filter>, rate: f64) -> f64 {
+    let Some(Filter { order, cutoff }) = filter else { return 1.0 };
+    let Ok(sos) = low_pass(order, cutoff, rate) else { return 1.0 };
+    let half = 2 * sos.settling();
+    let mut impulse = vec![0.0; 2 * half + 1];
+    impulse[half] = 1.0;
+    sos.forward_backward(&mut impulse, 0);
+    impulse.iter().map(|x| x * x).sum::<f64>().sqrt()
+}

@@ -1,0 +1,38 @@
+//! What the model says that the torque sensors say.
+
+use crate::arm::{Arm, States};
+use crate::identify::rows::Rows;
+
+/// Predicts torques along recorded motion.
+pub trait Torques: Sync {
+    /// Torques at the sensors, N m, joint-major like the states, where nothing touches. `time` s, one per sample, evenly spaced; `sign`, where it
+    /// is given, is that of each velocity, zero inside its noise; `temperature`, deg C, may be empty.
+    fn along(&self, time: &[f64], states: &States, sign: &[f64], temperature: &[f64], out: &mut [f64]);
+}
+
+/// A model that is linear in its base parameters: the rigid arm with viscous and Coulomb friction, rotors, offsets.
+pub struct Linear<'a> {
+    arm: &'a dyn Arm,
+    rows: Rows,
+    beta: Vec<f64>,
+}
+
+impl<'a> Linear<'a> {
+    /// With these base parameters.
+    pub fn new(arm: &'a dyn Arm, beta: &[f64]) -> Self {
+        Self { arm, rows: Rows::new(arm), beta: beta.to_vec() }
+    }
+}
+
+impl Torques for Linear<'_> {
+    fn along(&self, _: &[f64], states: &States, sign: &[f64], _: &[f64], out: &mut [f64]) {
+        let len = states.len;
+        let mut entries = Vec::new();
+        self.rows.evaluate(self.arm, states, sign, &mut entries);
+        out.fill(0.0);
+        for (entry, &(row, column)) in entries.chunks_exact(len.max(1)).zip(self.arm.base_pattern()) {
+            let out = &mut out[row * len..(row + 1) * len];
+            out.iter_mut().zip(entry).for_each(|(t, w)| *t += w * self.beta[column]);
+        }
+    }
+}
