@@ -18,8 +18,10 @@ pub(super) struct Picked {
     pub entries: Vec<f64>,
     /// Whether a joint stands, so that its Coulomb friction may be anything between its levels.
     pub still: Vec<bool>,
-    /// Model torque at *all* samples of the motion, joint-major, N m.
+    /// Model torque and measured torque at *all* samples of the motion, joint-major, N m: as they are, a sensor's gain taken out of both.
     pub model: Vec<f64>,
+    /// See `model`.
+    pub tau: Vec<f64>,
     /// Measured wrench, low-passed, component-major; empty where the log has none.
     pub measured: Vec<f64>,
 }
@@ -38,9 +40,16 @@ pub(super) fn pick(
     let mut picked = Picked { samples: motion.picks().collect(), model: vec![0.0; n * len], ..Picked::default() };
     picked.time = picked.samples.iter().map(|&s| time[s]).collect();
     torques.along(&time, &motion.states, &motion.sign, &motion.temperature, &mut picked.model);
+    picked.tau.clone_from(&motion.tau);
+    for j in 0..n {
+        let gain = torques.gain(j);
+        for values in [&mut picked.model, &mut picked.tau] {
+            values[j * len..(j + 1) * len].iter_mut().for_each(|t| *t /= gain);
+        }
+    }
     let rate = motion.period.recip();
     let sos = filter.and_then(|f| low_pass(f.order, f.cutoff, rate).ok().map(|sos| (sos, f.cutoff)));
-    let mut smooth = |values: &mut [f64], out: &mut Vec<f64>| {
+    let smooth = |values: &mut [f64], out: &mut Vec<f64>| {
         if let Some((sos, cutoff)) = &sos {
             sos.forward_backward(values, sos.scipy_padding().max((rate / cutoff).ceil() as usize));
         }
@@ -50,7 +59,7 @@ pub(super) fn pick(
     for j in 0..n {
         let range = j * len..(j + 1) * len;
         let mut left: Vec<f64> =
-            picked.model[range.clone()].iter().zip(&motion.tau[range]).map(|(m, t)| m - t).collect();
+            picked.model[range.clone()].iter().zip(&picked.tau[range]).map(|(m, t)| m - t).collect();
         smooth(&mut left, &mut external);
     }
     // A sensor with a hole in its column measured nothing.

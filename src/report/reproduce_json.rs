@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use super::reproduce_excitation as excitation;
+use super::reproduce_force as force;
 use super::reproduce_text::Parts;
 use crate::reproduce::{Experiment, fig6, table3};
 
@@ -11,6 +12,7 @@ pub fn reproduce_json(parts: &Parts) -> Value {
     json!({
         "excitation": parts.excitation.as_ref().map(excitation::to_json),
         "identification": parts.identification.as_ref().map(identification),
+        "force": parts.force.as_ref().map(force::to_json),
     })
 }
 

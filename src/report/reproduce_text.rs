@@ -4,10 +4,11 @@ use std::fmt::Write;
 
 use super::number::{digits, figure, pad, percent};
 use super::reproduce_excitation as excitation;
+use super::reproduce_force as force;
 use crate::reproduce::fig6::{self, mean};
 use crate::reproduce::fig10::{PAPER_RMS, PAPER_SEVENTH};
 use crate::reproduce::honesty::ASKED;
-use crate::reproduce::{Excitation, Experiment, Verdict, table3};
+use crate::reproduce::{Excitation, Experiment, Force, Verdict, table3};
 
 /// The parts that were run.
 #[derive(Debug, Clone, Default)]
@@ -16,6 +17,8 @@ pub struct Parts {
     pub excitation: Option<Excitation>,
     /// Sections II.D, II.E, III.E, VI.A.
     pub identification: Option<Experiment>,
+    /// Section V.B.
+    pub force: Option<Force>,
 }
 
 /// All tables.
@@ -26,6 +29,9 @@ pub fn reproduce_text(parts: &Parts) -> String {
     }
     if let Some(found) = &parts.identification {
         part(&mut text, &identification_verdict(found), &tables(found));
+    }
+    if let Some(found) = &parts.force {
+        part(&mut text, &force::verdict(found), &force::tables(found));
     }
     text
 }
