@@ -249,7 +249,8 @@ impl<'a> Run<'a> {
         let more = self.settings.bias.as_ref().map_or(1.0, independent);
         let variance = |j: usize| {
             let standing = if picked.still[j * count + s] { self.coulomb[j] } else { 0.0 };
-            (self.known.uncertainty.noise[j].powi(2)) * more + standing
+            let smear = if self.settings.method.observes() { 0.0 } else { picked.smear[j * count + s] };
+            self.known.uncertainty.noise[j].powi(2) * more + standing + smear * smear
         };
         (model, (0..n).map(variance).collect())
     }
