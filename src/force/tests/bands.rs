@@ -7,25 +7,20 @@ use crate::reproduce::lwr::Unmodelled;
 #[test]
 fn of_200_runs_95_in_100_bands_hold_the_force() {
     let stage = Stage::new(11, 100.0, 20, 8, [0.7, 0.0], [&[]; 2]).unwrap();
-    let all =
-        coverage(&stage, &[Method::Residual, Method::Momentum, Method::Kalman], Case::Right, 200, 500, &|_, _| {})
-            .unwrap();
-    for c in &all {
-        println!("{c:?}");
-    }
+    let all = coverage(&stage, &[Method::Residual], Case::Right, 200, 500, &|_, _| {}).unwrap();
     let c = &all[0];
     assert!((0.93..0.97).contains(&c.whole), "{c:?}");
     assert!(c.components.iter().all(|share| (0.93..0.97).contains(share)), "{c:?}");
     assert!(c.found_right > 0.98, "{c:?}");
     // The observers' bands rest on how fast a wrench changes.
-    assert!(all[1..].iter().all(|c| c.whole > 0.85), "{all:?}");
+    let all = coverage(&stage, &[Method::Momentum, Method::Kalman], Case::Right, 20, 1500, &|_, _| {}).unwrap();
+    assert!(all.iter().all(|c| c.whole > 0.85), "{all:?}");
 }
 
 #[test]
 fn a_wrong_model_is_found_out() {
     let stage = Stage::new(12, 100.0, 20, 8, [0.7, 0.0], [&[], &Unmodelled::ALL]).unwrap();
     let all = coverage(&stage, &[Method::Residual], Case::New, 10, 900, &|_, _| {}).unwrap();
-    println!("{all:?}");
     assert!(all[0].found_right < 0.3 && all[0].whole < 0.93, "{:?}", all[0]);
 }
 
@@ -36,7 +31,6 @@ fn all_six_components_moving_and_standing() {
     for (name, method) in Method::ALL {
         let series = stage.estimate(&found, 4, 4, &Settings { method, ..Settings::default() }).unwrap();
         let all = series.against_measured().unwrap();
-        println!("{name} {all:?}");
         assert!(series.stale <= 1); // an observer has no first step
         // Against amplitudes of 30 N and 4 N m; a workspace has its singularities.
         for (i, c) in all.iter().enumerate() {
