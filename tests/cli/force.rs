@@ -28,7 +28,7 @@ fn record(wrench: [f64; 6], seed: u64) -> String {
             // The power of the wrench, joint by joint: its force on the tool's origin and its moment, in the tool's axes.
             let (last, tool, jacobian) = (arm.frames(&q).pop().unwrap(), arm.tool(&q), arm.jacobian(&q));
             let turn: Matrix3<f64> = tool.fixed_view::<3, 3>(0, 0).into();
-            let lever: Vector3<f64> = (tool.fixed_view::<3, 1>(0, 3) - last.fixed_view::<3, 1>(0, 3)).into();
+            let lever: Vector3<f64> = tool.fixed_view::<3, 1>(0, 3) - last.fixed_view::<3, 1>(0, 3);
             let (force, moment) = (turn * Vector3::new(f[0], f[1], f[2]), turn * Vector3::new(f[3], f[4], f[5]));
             let pushed = |j: usize| {
                 let (v, w) = (jacobian.fixed_view::<3, 1>(0, j), Vector3::from(jacobian.fixed_view::<3, 1>(3, j)));

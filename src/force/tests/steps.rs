@@ -32,7 +32,7 @@ impl Oracle {
     fn jacobian(&self, q: &[f64]) -> [[f64; 7]; 6] {
         let (last, tool) = (self.numeric.frames(q).pop().unwrap(), self.numeric.tool(q));
         let jacobian = self.numeric.jacobian(q);
-        let lever: Vector3<f64> = (tool.fixed_view::<3, 1>(0, 3) - last.fixed_view::<3, 1>(0, 3)).into();
+        let lever: Vector3<f64> = tool.fixed_view::<3, 1>(0, 3) - last.fixed_view::<3, 1>(0, 3);
         let turn: Matrix3<f64> = tool.fixed_view::<3, 3>(0, 0).transpose();
         let mut out = [[0.0; 7]; 6];
         for j in 0..7 {
