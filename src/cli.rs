@@ -5,6 +5,7 @@ mod diagnose;
 mod eval;
 mod excite;
 mod files;
+mod force;
 mod generate;
 mod identify;
 mod ik;
@@ -38,6 +39,8 @@ enum Command {
     Eval(eval::Eval),
     /// Design the motion that tells the most about the parameters, inside every limit.
     Excite(excite::Excite),
+    /// Estimate the wrench on the tool from joint torques, with 95 % bands.
+    Force(Box<force::Force>),
     /// Find every posture that brings the arm to given poses.
     Ik(ik::Ik),
     /// Identify the base parameters from logs, and write the robot file with the values in place.
@@ -64,6 +67,7 @@ impl Cli {
             Command::Diagnose(verb) => verb.run(),
             Command::Eval(verb) => verb.run(),
             Command::Excite(verb) => verb.run(),
+            Command::Force(verb) => verb.run(),
             Command::Ik(verb) => verb.run(),
             Command::Identify(verb) => verb.run(),
             Command::Paint(verb) => verb.run(),

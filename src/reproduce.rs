@@ -8,6 +8,7 @@ pub mod chain;
 pub mod excitation;
 pub mod fig10;
 pub mod fig6;
+pub mod force;
 pub mod honesty;
 pub mod identification;
 mod loaded;
@@ -23,6 +24,7 @@ mod verdict;
 mod tests;
 
 pub use excitation::{Excitation, ExcitationSettings, excitation};
+pub use force::{Force, ForceSettings, force};
 pub use identification::{Experiment, Settings, identification};
 pub use painting::{Painting, PaintingSettings, painting};
 pub use verdict::Verdict;

@@ -7,7 +7,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::{Failure, files};
 use crate::report::{self, Parts};
-use crate::reproduce::{self, ExcitationSettings, PaintingSettings, ReproduceError, Settings};
+use crate::reproduce::{self, ExcitationSettings, ForceSettings, PaintingSettings, ReproduceError, Settings};
 
 /// Run the paper's experiments on the simulated robot and print each table and figure beside the paper's own values, with a verdict per row.
 ///
@@ -15,7 +15,7 @@ use crate::reproduce::{self, ExcitationSettings, PaintingSettings, ReproduceErro
 /// small: better (by more than 5 %), within (5 %), or short by so many percent.
 #[derive(Args)]
 #[command(
-    after_help = "Example:\n  denavit reproduce identification --report reproduce.html\nParts:\n  excitation       section III: Fig. 5, and the same task on other arms (some minutes)\n  identification   sections II.D, II.E, III.E, VI.A: Fig. 6, tables II and III, Fig. 10, and whether standard deviations are honest\n  painting         sections V, VI.B: Table IV, Figs. 12 and 13, and what the diagnosis makes of them (some minutes)\nWithout a part: all of them."
+    after_help = "Example:\n  denavit reproduce identification --report reproduce.html\nParts:\n  excitation       section III: Fig. 5, and the same task on other arms (some minutes)\n  identification   sections II.D, II.E, III.E, VI.A: Fig. 6, tables II and III, Fig. 10, and whether standard deviations are honest\n  force            section V.B: accuracy of the estimated wrench, coverage of its bands\n  painting         sections V, VI.B: Table IV, Figs. 12 and 13, and what the diagnosis makes of them (some minutes)\nWithout a part: all of them."
 )]
 pub(super) struct Reproduce {
     /// Which part; default: all.
@@ -46,6 +46,8 @@ enum Part {
     Identification,
     /// Sections V, VI.B: pressing on a wall without a force sensor.
     Painting,
+    /// Section V.B: the wrench on the tool, and its bands.
+    Force,
 }
 
 fn longest(text: &str) -> Result<usize, String> {
@@ -75,6 +77,10 @@ impl Reproduce {
         if asked(Part::Painting) {
             let settings = PaintingSettings { seed: self.seed };
             parts.painting = Some(watched("painting", |watch| reproduce::painting(&settings, watch))?);
+        }
+        if asked(Part::Force) {
+            let settings = ForceSettings { runs: self.runs, seed: self.seed, ..ForceSettings::default() };
+            parts.force = Some(watched("force", |watch| reproduce::force(&settings, watch))?);
         }
         if let Some(path) = &self.report {
             files::write(path, report::reproduce_html(&parts, &self.provenance()).as_bytes())?;

@@ -61,7 +61,6 @@ pub(super) struct Row {
 
 pub(super) trait Steps {
     fn step(&mut self, row: &Row) -> Estimate;
-    fn reset(&mut self);
 }
 
 struct Fixed<const N: usize, E>(E);
@@ -82,10 +81,6 @@ impl<const N: usize, E: ForceEstimator<N>> Steps for Fixed<N, E> {
             jacobian: std::array::from_fn(|i| vector(row.jacobian.get(i * N..).unwrap_or(&[]))),
             covariance: std::array::from_fn(|i| vector(row.covariance.get(i * N..).unwrap_or(&[]))),
         })
-    }
-
-    fn reset(&mut self) {
-        self.0.reset();
     }
 }
 

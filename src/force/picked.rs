@@ -14,12 +14,16 @@ pub(super) struct Picked {
     pub time: Vec<f64>,
     /// Model less measured torque, low-passed, N m.
     pub external: Vec<f64>,
+    /// What the low-pass smears of that, N m: what it takes off when it is applied once more is about what it took off before.
+    pub smear: Vec<f64>,
     /// The regressor's entries, entry-major.
     pub entries: Vec<f64>,
     /// Whether a joint stands, so that its Coulomb friction may be anything between its levels.
     pub still: Vec<bool>,
-    /// Model torque at *all* samples of the motion, joint-major, N m.
+    /// Model torque and measured torque at *all* samples of the motion, joint-major, N m: as they are, a sensor's gain taken out of both.
     pub model: Vec<f64>,
+    /// See `model`.
+    pub tau: Vec<f64>,
     /// Measured wrench, low-passed, component-major; empty where the log has none.
     pub measured: Vec<f64>,
 }
@@ -37,29 +41,43 @@ pub(super) fn pick(
     let time: Vec<f64> = (0..len).map(|s| motion.time(s)).collect();
     let mut picked = Picked { samples: motion.picks().collect(), model: vec![0.0; n * len], ..Picked::default() };
     picked.time = picked.samples.iter().map(|&s| time[s]).collect();
-    torques.along(&time, &motion.states, &motion.sign, &motion.temperature, &mut picked.model);
+    let sign = told_sign(motion, n);
+    torques.along(&time, &motion.states, &sign, &motion.temperature, &mut picked.model);
+    picked.tau.clone_from(&motion.tau);
+    for j in 0..n {
+        let gain = torques.gain(j);
+        for values in [&mut picked.model, &mut picked.tau] {
+            values[j * len..(j + 1) * len].iter_mut().for_each(|t| *t /= gain);
+        }
+    }
     let rate = motion.period.recip();
     let sos = filter.and_then(|f| low_pass(f.order, f.cutoff, rate).ok().map(|sos| (sos, f.cutoff)));
-    let mut smooth = |values: &mut [f64], out: &mut Vec<f64>| {
+    let smooth = |values: &mut [f64], out: &mut Vec<f64>| {
         if let Some((sos, cutoff)) = &sos {
             sos.forward_backward(values, sos.scipy_padding().max((rate / cutoff).ceil() as usize));
         }
         out.extend(picked.samples.iter().map(|&s| values[s]));
     };
-    let (mut external, mut measured) = (Vec::new(), Vec::new());
+    let (mut external, mut measured, mut smear) = (Vec::new(), Vec::new(), Vec::new());
     for j in 0..n {
         let range = j * len..(j + 1) * len;
         let mut left: Vec<f64> =
-            picked.model[range.clone()].iter().zip(&motion.tau[range]).map(|(m, t)| m - t).collect();
+            picked.model[range.clone()].iter().zip(&picked.tau[range]).map(|(m, t)| m - t).collect();
         smooth(&mut left, &mut external);
+        if sos.is_some() {
+            smooth(&mut left, &mut smear);
+        } else {
+            smear.extend(picked.samples.iter().map(|&s| left[s]));
+        }
     }
+    smear.iter_mut().zip(&external).for_each(|(twice, once)| *twice -= once);
     // A sensor with a hole in its column measured nothing.
     if motion.wrench.len() == 6 * len && motion.wrench.iter().all(|f| f.is_finite()) {
         for column in motion.wrench.chunks_exact(len.max(1)) {
             smooth(&mut column.to_vec(), &mut measured);
         }
     }
-    (picked.external, picked.measured) = (external, measured);
+    (picked.external, picked.measured, picked.smear) = (external, measured, smear);
     let count = picked.samples.len();
     let entries = arm.base_pattern().len();
     picked.entries = vec![0.0; entries * count];
@@ -70,6 +88,8 @@ pub(super) fn pick(
         if got == 0 {
             break;
         }
+        let told = |j: usize, s: usize| if sign.is_empty() { 0.0 } else { sign[j * len + picked.samples[from + s]] };
+        block.sign = (0..if sign.is_empty() { 0 } else { n * got }).map(|k| told(k / got, k % got)).collect();
         rows.evaluate(arm, &block.states, &block.sign, &mut regressor);
         for (k, entry) in regressor.chunks_exact(got).enumerate() {
             picked.entries[k * count + from..k * count + from + got].copy_from_slice(entry);
@@ -82,6 +102,20 @@ pub(super) fn pick(
         from += got;
     }
     picked
+}
+
+/// The sign of each velocity, zero below half a percent of the joint's largest speed in the motion: there the ringing of the low-pass after a stop has
+/// signs of its own, and friction is what it was.
+fn told_sign(motion: &Motion, n: usize) -> Vec<f64> {
+    let len = motion.states.len;
+    let mut sign = motion.sign.clone();
+    if sign.len() == n * len && len > 0 {
+        for (sign, speed) in sign.chunks_exact_mut(len).zip(motion.states.dq.chunks_exact(len)) {
+            let slow = 0.005 * speed.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+            sign.iter_mut().zip(speed).filter(|(_, v)| v.abs() < slow).for_each(|(s, _)| *s = 0.0);
+        }
+    }
+    sign
 }
 
 /// What the low-pass, forward and backward, leaves of white noise: the root of the energy of its impulse response. 1 without one.

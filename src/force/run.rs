@@ -26,7 +26,7 @@ pub struct Settings {
     pub gain: f64,
     /// How large wrenches are.
     pub scale: Scale,
-    /// How fast they wander: the Kalman filter's. Default 2 N and 0.2 N m in a second.
+    /// How fast they wander: the Kalman filter's. Default 20 N and 2 N m in a second.
     pub wander: Scale,
     /// Stretches in which nothing touches, s.
     pub free: Vec<[f64; 2]>,
@@ -43,7 +43,7 @@ impl Default for Settings {
             filter: Some(Filter::default()),
             gain: 62.8,
             scale: Scale::default(),
-            wander: Scale { force: 2.0, moment: 0.2 },
+            wander: Scale { force: 20.0, moment: 2.0 },
             free: Vec::new(),
             nothing_touches: false,
             bias: None,
@@ -174,7 +174,7 @@ impl<'a> Run<'a> {
                     let at = |values: &[f64], j: usize| values[j * len + sample];
                     let now = |values: &[f64]| -> Vec<f64> { (0..n).map(|j| at(values, j)).collect() };
                     self.place(&now(&motion.states.q));
-                    (row.tau, row.dq, row.jacobian) = (now(&motion.tau), now(&motion.states.dq), self.jacobian());
+                    (row.tau, row.dq, row.jacobian) = (now(&picked.tau), now(&motion.states.dq), self.jacobian());
                     row.mass = (0..n * n).map(|k| mass[k * len + sample]).collect();
                     let accelerating =
                         |j: usize| (0..n).map(|k| row.mass[j * n + k] * at(&motion.states.ddq, k)).sum::<f64>();
@@ -203,6 +203,7 @@ impl<'a> Run<'a> {
             series.deviate.push(contact.deviate);
             series.touching.push(contact.touching);
             series.free.push(free);
+            series.dexterity.push(dexterity(&row.jacobian, n));
             if picked.measured.is_empty() {
                 self.measured = false;
             } else {
@@ -248,7 +249,8 @@ impl<'a> Run<'a> {
         let more = self.settings.bias.as_ref().map_or(1.0, independent);
         let variance = |j: usize| {
             let standing = if picked.still[j * count + s] { self.coulomb[j] } else { 0.0 };
-            (self.known.uncertainty.noise[j].powi(2)) * more + standing
+            let smear = if self.settings.method.observes() { 0.0 } else { picked.smear[j * count + s] };
+            self.known.uncertainty.noise[j].powi(2) * more + standing + smear * smear
         };
         (model, (0..n).map(variance).collect())
     }
@@ -275,6 +277,12 @@ impl<'a> Run<'a> {
         self.series.unexplained = self.anywhere.finish();
         self.series
     }
+}
+
+/// Smallest singular value of a Jacobian (`6 x n`) whose angular rows count half a metre.
+fn dexterity(jacobian: &[f64], n: usize) -> f64 {
+    let scaled = DMatrix::from_fn(6, n, |i, j| jacobian[i * n + j] * if i < 3 { 1.0 } else { 0.5 });
+    (&scaled * scaled.transpose()).symmetric_eigenvalues().min().max(0.0).sqrt()
 }
 
 /// Mass matrices, rotors included: entry `(j, k)` at sample `s` at `(j * n + k) * len + s`. Columns are torques of unit accelerations.

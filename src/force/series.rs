@@ -27,6 +27,8 @@ pub struct Series {
     pub touching: Vec<bool>,
     /// Whether it is known that nothing does.
     pub free: Vec<bool>,
+    /// Smallest singular value of the tool's Jacobian, angular rows times half a metre, m/rad: near zero at a singularity.
+    pub dexterity: Vec<f64>,
     /// Measured, with the same low-pass; empty where it was not.
     pub measured: Vec<[f64; 6]>,
     /// Of the torque errors where nothing touches.

@@ -1,1 +1,2 @@
+mod bands;
 mod steps;

@@ -1,6 +1,6 @@
 //! What the model says that the torque sensors say.
 
-use crate::arm::{Arm, States};
+use crate::arm::{Arm, Predicted, States};
 use crate::identify::rows::Rows;
 
 /// Predicts torques along recorded motion.
@@ -8,6 +8,24 @@ pub trait Torques: Sync {
     /// Torques at the sensors, N m, joint-major like the states, where nothing touches. `time` s, one per sample, evenly spaced; `sign`, where it
     /// is given, is that of each velocity, zero inside its noise; `temperature`, deg C, may be empty.
     fn along(&self, time: &[f64], states: &States, sign: &[f64], temperature: &[f64], out: &mut [f64]);
+
+    /// Torque that a joint's sensor says, per true torque.
+    fn gain(&self, _joint: usize) -> f64 {
+        1.0
+    }
+}
+
+/// A model with effects: drives that remember, sensors that err, torques that are late. What touches is then estimated as late as the torques are.
+pub struct Effected<'a>(pub &'a dyn Predicted);
+
+impl Torques for Effected<'_> {
+    fn along(&self, time: &[f64], states: &States, _: &[f64], temperature: &[f64], out: &mut [f64]) {
+        self.0.torques_along(time, states, temperature, out);
+    }
+
+    fn gain(&self, joint: usize) -> f64 {
+        self.0.sensors().get(joint).map_or(1.0, |s| s[0]).clamp(0.01, 100.0)
+    }
 }
 
 /// A model that is linear in its base parameters: the rigid arm with viscous and Coulomb friction, rotors, offsets.

@@ -63,7 +63,13 @@ pub(super) fn wrench<const N: usize>(
         }
         Weights::Equal { damping } => {
             let map = equal(jacobian, damping)?;
-            (times(&map, torque), sandwich(&map, covariance))
+            // What the damping takes away of a wrench of this size, `(1 - A J') D (1 - A J')'`: all of it where a direction is not told.
+            let lost: [[f64; 6]; 6] = core::array::from_fn(|i| {
+                core::array::from_fn(|j| (f64::from(u8::from(i == j)) - dot(&map[i], &jacobian[j])) * sizes[j])
+            });
+            let noise = sandwich(&map, covariance);
+            let all = core::array::from_fn(|i| core::array::from_fn(|j| noise[i][j] + dot(&lost[i], &lost[j])));
+            (times(&map, torque), all)
         }
     };
     Some(Solved { wrench, covariance, surprise, misfit })

@@ -9,6 +9,7 @@ use super::identify_html::curves;
 use super::number::digits;
 use super::page::{Page, escape};
 use super::reproduce_excitation as excitation;
+use super::reproduce_force as force;
 use super::reproduce_painting as painting;
 use super::reproduce_text::{Parts, Table, identification_verdict, tables};
 use crate::reproduce::Experiment;
@@ -26,6 +27,7 @@ pub fn reproduce_html(parts: &Parts, provenance: &Provenance) -> String {
     parts.excitation.iter().for_each(|found| verdict(excitation::verdict(found)));
     parts.identification.iter().for_each(|found| verdict(identification_verdict(found)));
     parts.painting.iter().for_each(|found| verdict(painting::verdict(found)));
+    parts.force.iter().for_each(|found| verdict(force::verdict(found)));
     body.push_str("</header>\n");
     if let Some(found) = &parts.excitation {
         for (k, table) in excitation::tables(found).iter().enumerate() {
@@ -46,6 +48,9 @@ pub fn reproduce_html(parts: &Parts, provenance: &Provenance) -> String {
             let drawing = if k == 0 { painting::drawing(found) } else { String::new() };
             section(&mut body, table, &drawing, "");
         }
+    }
+    for table in parts.force.iter().flat_map(force::tables) {
+        section(&mut body, &table, "", "");
     }
     body.push_str("<section><h2>How this was made</h2><dl>\n");
     for (what, value) in provenance {

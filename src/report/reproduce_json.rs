@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use super::reproduce_excitation as excitation;
+use super::reproduce_force as force;
 use super::reproduce_painting as painting;
 use super::reproduce_text::Parts;
 use crate::reproduce::{Experiment, fig6, table3};
@@ -13,6 +14,7 @@ pub fn reproduce_json(parts: &Parts) -> Value {
         "excitation": parts.excitation.as_ref().map(excitation::to_json),
         "identification": parts.identification.as_ref().map(identification),
         "painting": parts.painting.as_ref().map(painting::to_json),
+        "force": parts.force.as_ref().map(force::to_json),
     })
 }
 

@@ -4,11 +4,12 @@ use std::fmt::Write;
 
 use super::number::{digits, figure, pad, percent};
 use super::reproduce_excitation as excitation;
+use super::reproduce_force as force;
 use super::reproduce_painting as painting;
 use crate::reproduce::fig6::{self, mean};
 use crate::reproduce::fig10::{PAPER_RMS, PAPER_SEVENTH};
 use crate::reproduce::honesty::ASKED;
-use crate::reproduce::{Excitation, Experiment, Painting, Verdict, table3};
+use crate::reproduce::{Excitation, Experiment, Force, Painting, Verdict, table3};
 
 /// The parts that were run.
 #[derive(Debug, Clone, Default)]
@@ -19,6 +20,8 @@ pub struct Parts {
     pub identification: Option<Experiment>,
     /// Sections V, VI.B.
     pub painting: Option<Painting>,
+    /// Section V.B.
+    pub force: Option<Force>,
 }
 
 /// All tables.
@@ -32,6 +35,9 @@ pub fn reproduce_text(parts: &Parts) -> String {
     }
     if let Some(found) = &parts.painting {
         part(&mut text, &painting::verdict(found), &painting::tables(found));
+    }
+    if let Some(found) = &parts.force {
+        part(&mut text, &force::verdict(found), &force::tables(found));
     }
     text
 }

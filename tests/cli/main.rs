@@ -5,6 +5,7 @@ mod diagnose;
 mod errors;
 mod eval;
 mod excite;
+mod force;
 mod generate;
 mod identify;
 mod ik;

@@ -32,7 +32,7 @@ impl Oracle {
     fn jacobian(&self, q: &[f64]) -> [[f64; 7]; 6] {
         let (last, tool) = (self.numeric.frames(q).pop().unwrap(), self.numeric.tool(q));
         let jacobian = self.numeric.jacobian(q);
-        let lever: Vector3<f64> = (tool.fixed_view::<3, 1>(0, 3) - last.fixed_view::<3, 1>(0, 3)).into();
+        let lever: Vector3<f64> = tool.fixed_view::<3, 1>(0, 3) - last.fixed_view::<3, 1>(0, 3);
         let turn: Matrix3<f64> = tool.fixed_view::<3, 3>(0, 0).transpose();
         let mut out = [[0.0; 7]; 6];
         for j in 0..7 {
@@ -311,5 +311,30 @@ fn touch_is_felt_and_noise_is_not() {
     // Wilson and Hilferty against tables: the 99 % quantile of chi-square.
     for (freedom, quantile) in [(1, 6.635), (6, 16.812), (7, 18.475)] {
         assert!((deviate(quantile, freedom) - 2.326).abs() < 0.06, "{}", deviate(quantile, freedom));
+    }
+}
+
+#[test]
+#[ignore = "a measure, in release"]
+fn time_of_a_step() {
+    let oracle = Oracle::new(9);
+    let samples: Vec<Sample<7>> = (0..1000)
+        .map(|k| {
+            let [q, dq, ddq] = Oracle::wave(f64::from(k) * 1e-3);
+            oracle.sample(1e-3, [&q, &dq, &ddq], &WRENCH)
+        })
+        .collect();
+    let mut residual = Residual::new(NOISE, Scale::default());
+    let mut momentum = Momentum::new(25.0, [1e-5; 7], [1e-4; 7], Scale::default());
+    let mut kalman = Kalman::new([1e-5; 7], [1e-4; 7], Scale::default(), WANDER);
+    let all: [(&str, &mut dyn ForceEstimator<7>); 3] =
+        [("residual", &mut residual), ("momentum", &mut momentum), ("kalman", &mut kalman)];
+    for (name, estimator) in all {
+        let begin = std::time::Instant::now();
+        let mut sum = 0.0;
+        for _ in 0..20 {
+            sum += samples.iter().map(|s| estimator.step(s).wrench[0]).sum::<f64>();
+        }
+        println!("{name}: {:.2} us a step ({sum:.1})", begin.elapsed().as_secs_f64() * 1e6 / 20_000.0);
     }
 }

@@ -1,0 +1,270 @@
+//! `denavit force`: the wrench on the tool from joint torques.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use dh_codegen::arm::param;
+
+use super::prepare::{Preparation, pass};
+use super::{Failure, files};
+use crate::arm::Arm;
+use crate::force::{
+    self, Bias, BiasPass, COMPONENTS, Effected, Known, Linear, MOST_JOINTS, Method, NoisePass, Run, Series, Torques,
+    Uncertainty,
+};
+use crate::interpreted::Interpreted;
+use crate::predicted::Predictor;
+use crate::report;
+use crate::signal::Prepare;
+
+/// Estimate the wrench on the tool from a log's torques and the identified model, with a 95 % band for each component at each instant.
+///
+/// The wrench is that of the surroundings on the tool, about the origin of the tool's frame, in its axes (as a log's columns fx fy fz mx my mz, with
+/// which it is compared where they are there). Effects of the robot file are in the model. The band needs what is known of the model's errors:
+/// `--identified` takes the JSON of `denavit identify` (use the same low-pass); without it the noise comes from what the model leaves where nothing
+/// touches; without that, from the torque's own noise, and then the model's errors are in no band.
+#[derive(Args)]
+#[command(
+    after_help = "Example:\n  denavit identify robot.yaml fit.csv --out identified.yaml --json identified.json\n  denavit force identified.yaml push.csv --identified identified.json --free 0:2 --bias \\\n      --out wrench.csv --report wrench.html\n  denavit force identified.yaml free.csv --identified identified.json --against nothing"
+)]
+pub(super) struct Force {
+    /// Robot file with its links: identified, or extended by `denavit diagnose`.
+    robot: PathBuf,
+    /// Logs.
+    #[arg(required = true, value_name = "LOG")]
+    logs: Vec<PathBuf>,
+    /// What to compare with; default: what was measured, where the log has it.
+    #[arg(long, value_enum, value_name = "WHAT")]
+    against: Option<Against>,
+    /// How to estimate.
+    #[arg(long, value_enum, default_value_t = Estimator::Residual)]
+    estimator: Estimator,
+    /// JSON of `denavit identify`: standard deviations, correlations, noise.
+    #[arg(long, value_name = "JSON")]
+    identified: Option<PathBuf>,
+    /// Nothing touches from one time to the other, s, in every log; may stand more than once.
+    #[arg(long, value_name = "FROM:TO", value_parser = stretch)]
+    free: Vec<[f64; 2]>,
+    /// Take off the mean of what the model leaves in the `--free` stretches.
+    #[arg(long, requires = "free")]
+    bias: bool,
+    /// Gain of the momentum observer, 1/s.
+    #[arg(long, default_value_t = force::Settings::default().gain, value_name = "GAIN")]
+    gain: f64,
+    /// Standard deviations by which force and moment wander in a second, N,N m: the pace of the Kalman filter.
+    #[arg(long, value_name = "N,NM", value_parser = pair)]
+    wander: Option<[f64; 2]>,
+    /// Write t, the wrench, the half-widths of its 95 % band, and whether something touches.
+    #[arg(long, value_name = "CSV")]
+    out: Option<PathBuf>,
+    /// Write the result as JSON; `-` for standard output.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write a page with the six components over time.
+    #[arg(long, value_name = "FILE.html")]
+    report: Option<PathBuf>,
+    #[command(flatten)]
+    preparation: Preparation,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Against {
+    /// Nothing touches: what is estimated is a phantom.
+    Nothing,
+    /// The log's columns fx fy fz mx my mz.
+    Measured,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Estimator {
+    /// Inverse dynamics and the weighted pseudo-inverse of J' (the paper's equation 14, weighted by each instant's uncertainty).
+    Residual,
+    /// The same with all joints alike, as in the paper.
+    Plain,
+    /// Generalised-momentum observer: no acceleration.
+    Momentum,
+    /// Kalman filter over momentum and wrench: no acceleration.
+    Kalman,
+}
+
+fn numbers(text: &str, between: char) -> Option<[f64; 2]> {
+    let (a, b) = text.split_once(between)?;
+    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite());
+    Some([number(a)?, number(b)?])
+}
+
+fn stretch(text: &str) -> Result<[f64; 2], String> {
+    numbers(text, ':').filter(|[a, b]| a < b).ok_or_else(|| "two times in s, the earlier first, as `0:2.5`".into())
+}
+
+fn pair(text: &str) -> Result<[f64; 2], String> {
+    let good = |[a, b]: &[f64; 2]| *a > 0.0 && *b > 0.0;
+    numbers(text, ',').filter(good).ok_or_else(|| "two numbers above 0, as `20,2`".into())
+}
+
+impl Force {
+    pub(super) fn run(self) -> Result<(), Failure> {
+        if self.out.is_some() && self.logs.len() > 1 {
+            return Err(Failure::input("--out writes the wrench of one log; run the command once for each log"));
+        }
+        if !(self.gain > 0.0 && self.gain < 1e4) {
+            return Err(Failure::input(format!("--gain {}: 1/s, above 0 and below 10000", self.gain)));
+        }
+        let file = files::robot(&self.robot)?;
+        let real = file.robot.as_it_is();
+        let standard = param::standard_values(&real).ok_or_else(|| {
+            Failure::input(format!(
+                "{}: a force needs the inertial parameters of every link; add a `links:` list, or identify them (`denavit identify`)",
+                self.robot.display()
+            ))
+        })?;
+        let arm = Interpreted::new(&real, &Interpreted::BODIES);
+        if arm.dof() == 0 || arm.dof() > MOST_JOINTS {
+            return Err(Failure::input(format!("{}: {}", self.robot.display(), force::TooManyJoints(arm.dof()))));
+        }
+        let beta: Vec<f64> =
+            arm.base_parameters().iter().map(|b| b.coefficients.iter().map(|&(i, k)| k * standard[i]).sum()).collect();
+        let linear = Linear::new(&arm, &beta);
+        let predictor = file
+            .robot
+            .has_effects()
+            .then(|| Predictor::new(&file.robot))
+            .transpose()
+            .map_err(|e| Failure::input(format!("{}: {e}", self.robot.display())))?;
+        let effected = predictor.as_ref().map(|p| Effected(p));
+        let torques: &dyn Torques = effected.as_ref().map_or(&linear, |e| e);
+        let prepare =
+            Prepare { raw_torque: true, margins: true, wrench: true, temperature: true, ..self.preparation.prepare()? };
+        let mut settings = force::Settings { filter: prepare.filter, gain: self.gain, ..force::Settings::default() };
+        settings.method = match self.estimator {
+            Estimator::Residual => Method::Residual,
+            Estimator::Plain => Method::Plain,
+            Estimator::Momentum => Method::Momentum,
+            Estimator::Kalman => Method::Kalman,
+        };
+        if let Some([force, moment]) = self.wander {
+            settings.wander = force::Scale { force, moment };
+        }
+        settings.free.clone_from(&self.free);
+        settings.nothing_touches = self.against == Some(Against::Nothing);
+        settings.bias = self.bias_of(&arm, torques, &prepare)?;
+        let (uncertainty, known_from) = self.uncertainty(&arm, torques, &prepare)?;
+
+        let (mut found, mut prepared) = (Vec::new(), Vec::new());
+        for path in &self.logs {
+            let known = Known { arm: &arm, standard: &standard, torques, uncertainty: &uncertainty };
+            let mut tool = arm.bodies(&standard);
+            let shown = path.display().to_string();
+            let mut run = Run::new(&shown, known, &mut tool, settings.clone()).map_err(Failure::input)?;
+            prepared.push(pass(path, arm.dof(), &prepare, |motion| run.absorb(motion))?);
+            let mut series = run.finish();
+            if self.against == Some(Against::Measured) && series.measured.is_empty() {
+                return Err(Failure::input(format!(
+                    "{shown}: --against measured needs the columns fx fy fz mx my mz with a number in every row; leave it out, or use --against nothing where nothing touches"
+                )));
+            }
+            if self.against == Some(Against::Nothing) {
+                series.measured.clear();
+            }
+            found.push(series);
+        }
+        let outcome =
+            report::Forces { robot: arm.name(), found: &found, uncertainty: &uncertainty, known_from: &known_from };
+        self.deliver(&outcome, &prepared, &file.text)
+    }
+
+    fn bias_of(&self, arm: &Interpreted, torques: &dyn Torques, prepare: &Prepare) -> Result<Option<Bias>, Failure> {
+        if !self.bias {
+            return Ok(None);
+        }
+        let mut first = BiasPass::new(arm, torques, prepare.filter, &self.free);
+        for path in &self.logs {
+            pass(path, arm.dof(), prepare, |motion| first.absorb(motion))?;
+        }
+        first.finish().map(Some).ok_or_else(|| {
+            Failure::input("no sample of the logs lies in the --free stretches; their times are those of the column t")
+        })
+    }
+
+    /// What is known of the model's errors, and from where.
+    fn uncertainty(
+        &self,
+        arm: &Interpreted,
+        torques: &dyn Torques,
+        prepare: &Prepare,
+    ) -> Result<(Uncertainty, String), Failure> {
+        if let Some(path) = &self.identified {
+            let text = files::text(path)?;
+            let bad = |what: String| Failure::input(format!("{}: {what}", path.display()));
+            let json: serde_json::Value = serde_json::from_str(&text).map_err(|e| bad(format!("not JSON: {e}")))?;
+            let known = report::uncertainty_of_json(&json, arm.base_parameters(), arm.dof()).map_err(bad)?;
+            return Ok((known, format!("{}: parameters and noise", path.display())));
+        }
+        let mut first =
+            NoisePass::new(arm, torques, prepare.filter, &self.free, self.against == Some(Against::Nothing));
+        for path in &self.logs {
+            pass(path, arm.dof(), prepare, |motion| first.absorb(motion))?;
+        }
+        let parameters = arm.base_parameters().len();
+        Ok(match first.left(self.bias) {
+            Some(noise) => (
+                Uncertainty::noise(noise, parameters),
+                "what the model leaves where nothing touches, all of it counted as noise".into(),
+            ),
+            None => (
+                Uncertainty::noise(first.white(), parameters),
+                "the torque's own noise alone: the model's errors are in no band".into(),
+            ),
+        })
+    }
+
+    fn deliver(
+        &self,
+        outcome: &report::Forces<'_>,
+        prepared: &[crate::signal::Prepared],
+        text: &str,
+    ) -> Result<(), Failure> {
+        let provenance = vec![
+            ("denavit".to_string(), env!("CARGO_PKG_VERSION").to_string()),
+            ("robot file".into(), format!("{} ({} bytes)", self.robot.display(), text.len())),
+            ("low-pass".into(), self.preparation.low_pass()),
+            ("errors of the model".into(), outcome.known_from.to_string()),
+        ];
+        if let (Some(path), [series]) = (&self.out, outcome.found) {
+            write_csv(path, series)?;
+        }
+        if let Some(path) = &self.report {
+            files::write(path, report::force_html(outcome, prepared, &provenance).as_bytes())?;
+        }
+        if let Some(target) = &self.json {
+            files::json(target, &report::force_json(outcome, &provenance))?;
+        }
+        if !files::is_stdout(&self.json) {
+            files::print(&report::force_text(outcome, prepared))?;
+            for path in self.out.iter().chain(&self.report) {
+                files::print(&format!("wrote {}\n", path.display()))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// One row per used sample.
+fn write_csv(path: &Path, series: &Series) -> Result<(), Failure> {
+    let mut header = vec!["t".to_string()];
+    header.extend(COMPONENTS.iter().map(|c| (*c).to_string()));
+    header.extend(COMPONENTS.iter().map(|c| format!("{c}_half")));
+    header.extend(["touching".to_string(), "surprise".into(), "dexterity".into(), "seg".into()]);
+    let mut text = header.join(",") + "\n";
+    for s in 0..series.time.len() {
+        let mut row = vec![format!("{:.6}", series.time[s])];
+        row.extend(series.wrench[s].iter().chain(&series.half[s]).map(|x| format!("{x:.6}")));
+        row.push(u8::from(series.touching[s]).to_string());
+        row.push(format!("{:.3}", series.deviate[s]));
+        row.push(format!("{:.5}", series.dexterity[s]));
+        row.push(series.segment[s].to_string());
+        text.push_str(&row.join(","));
+        text.push('\n');
+    }
+    files::write(path, text.as_bytes())
+}

@@ -1,0 +1,90 @@
+//! The torque noise where no identification tells it: from the log itself.
+
+use super::bias::inside;
+use super::picked::{noise_gain, pick};
+use super::torques::Torques;
+use crate::arm::Arm;
+use crate::identify::rows::Rows;
+use crate::signal::{Filter, Motion};
+
+/// Sums over logs, per joint: a first pass.
+pub struct NoisePass<'a> {
+    arm: &'a dyn Arm,
+    torques: &'a dyn Torques,
+    filter: Option<Filter>,
+    free: Vec<[f64; 2]>,
+    nothing_touches: bool,
+    rows: Rows,
+    /// Count, sum and sum of squares of what the model leaves where nothing touches.
+    left: [Vec<f64>; 2],
+    count: usize,
+    /// Mean square of the differences of what the model leaves from sample to sample, raw.
+    steps: Vec<f64>,
+    stepped: usize,
+    gain: f64,
+}
+
+impl<'a> NoisePass<'a> {
+    /// Nothing touches in these stretches, s, or nowhere.
+    pub fn new(
+        arm: &'a dyn Arm,
+        torques: &'a dyn Torques,
+        filter: Option<Filter>,
+        free: &[[f64; 2]],
+        nothing_touches: bool,
+    ) -> Self {
+        let zero = || vec![0.0; arm.dof()];
+        Self {
+            rows: Rows::new(arm),
+            left: [zero(), zero()],
+            steps: zero(),
+            arm,
+            torques,
+            filter,
+            free: free.to_vec(),
+            nothing_touches,
+            count: 0,
+            stepped: 0,
+            gain: 1.0,
+        }
+    }
+
+    /// Takes in a stretch of motion.
+    pub fn absorb(&mut self, motion: &Motion) {
+        let picked = pick(self.arm, &self.rows, self.torques, motion, self.filter);
+        let (count, len) = (picked.time.len(), motion.states.len);
+        self.gain = noise_gain(self.filter, motion.period.recip());
+        for s in 0..count {
+            if self.nothing_touches || inside(&self.free, picked.time[s]) {
+                self.count += 1;
+                for j in 0..self.arm.dof() {
+                    let e = picked.external[j * count + s];
+                    self.left[0][j] += e;
+                    self.left[1][j] += e * e;
+                }
+            }
+        }
+        self.stepped += len.saturating_sub(1);
+        for (j, sum) in self.steps.iter_mut().enumerate() {
+            let at = |s: usize| picked.model[j * len + s] - picked.tau[j * len + s];
+            *sum += (1..len).map(|s| (at(s) - at(s - 1)).powi(2)).sum::<f64>();
+        }
+    }
+
+    /// Root mean square of what the model leaves where nothing touches, about its mean if that is taken off as a bias, N m: the model's
+    /// errors are counted as noise. `None` where that is nowhere known.
+    pub fn left(&self, about_mean: bool) -> Option<Vec<f64>> {
+        let n = self.count as f64;
+        let rms = |j: usize| {
+            let mean = if about_mean { self.left[0][j] / n } else { 0.0 };
+            (self.left[1][j] / n - mean * mean).max(0.0).sqrt().max(1e-9)
+        };
+        (self.count > 0).then(|| (0..self.steps.len()).map(rms).collect())
+    }
+
+    /// What the low-pass leaves of the noise from sample to sample, N m: white noise alone, and nothing of the model's errors.
+    pub fn white(&self) -> Vec<f64> {
+        let n = self.stepped.max(1) as f64;
+        self.steps.iter().map(|s| self.gain * (0.5 * s / n).sqrt().max(1e-9)).collect()
+    }
+}

@@ -1,0 +1,40 @@
+//! Bands against known wrenches, with the model identified anew in every run.
+
+use crate::force::{Method, Settings};
+use crate::reproduce::force::{Case, Stage, coverage};
+use crate::reproduce::lwr::Unmodelled;
+
+#[test]
+fn of_200_runs_95_in_100_bands_hold_the_force() {
+    let stage = Stage::new(11, 100.0, 20, 8, [0.7, 0.0], [&[]; 2]).unwrap();
+    let all = coverage(&stage, &[Method::Residual], Case::Right, 200, 500, &|_, _| {}).unwrap();
+    let c = &all[0];
+    assert!((0.93..0.97).contains(&c.whole), "{c:?}");
+    assert!(c.components.iter().all(|share| (0.93..0.97).contains(share)), "{c:?}");
+    assert!(c.found_right > 0.98, "{c:?}");
+    // The observers' bands rest on how fast a wrench changes.
+    let all = coverage(&stage, &[Method::Momentum, Method::Kalman], Case::Right, 20, 1500, &|_, _| {}).unwrap();
+    assert!(all.iter().all(|c| c.whole > 0.85), "{all:?}");
+}
+
+#[test]
+fn a_wrong_model_is_found_out() {
+    let stage = Stage::new(12, 100.0, 20, 8, [0.7, 0.0], [&[], &Unmodelled::ALL]).unwrap();
+    let all = coverage(&stage, &[Method::Residual], Case::New, 10, 900, &|_, _| {}).unwrap();
+    assert!(all[0].found_right < 0.3 && all[0].whole < 0.93, "{:?}", all[0]);
+}
+
+#[test]
+fn all_six_components_moving_and_standing() {
+    let stage = Stage::new(13, 200.0, 30, 10, [1.2, 0.8], [&[]; 2]).unwrap();
+    let found = stage.identify(3).unwrap();
+    for (name, method) in Method::ALL {
+        let series = stage.estimate(&found, 4, 4, &Settings { method, ..Settings::default() }).unwrap();
+        let all = series.against_measured().unwrap();
+        assert!(series.stale <= 1); // an observer has no first step
+        // Against amplitudes of 30 N and 4 N m; a workspace has its singularities.
+        for (i, c) in all.iter().enumerate() {
+            assert!(c.inside > 0.8, "{name} {i}: {c:?}");
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! `force --json`, and the uncertainty out of `identify --json`.
+
+use serde_json::{Value, json};
+
+use super::Provenance;
+use super::force_text::Forces;
+use crate::arm::BaseParameter;
+use crate::force::{COMPONENTS, Comparison, Consistency, Uncertainty, covariance};
+
+/// The result as one JSON object; wrenches sample by sample stand in the CSV.
+pub fn force_json(outcome: &Forces<'_>, provenance: &Provenance) -> Value {
+    let compared = |all: &[Comparison; 6]| -> Value {
+        let one = |(i, c): (usize, &Comparison)| {
+            let values = json!({
+                "rms": c.rms, "mean": c.mean, "largest": c.largest, "half_width": c.half, "inside": c.inside,
+            });
+            (COMPONENTS[i].to_string(), values)
+        };
+        Value::Object(all.iter().enumerate().map(one).collect())
+    };
+    let consistent = |c: &Consistency| {
+        json!({
+            "holds": c.holds(), "ratio": c.ratio, "probability": c.probability, "widen": c.widen(), "joints": c.joints,
+            "instants": c.instants,
+        })
+    };
+    let logs: Vec<Value> = outcome
+        .found
+        .iter()
+        .map(|s| {
+            json!({
+                "name": s.name,
+                "estimator": s.method.name(),
+                "samples": s.time.len(),
+                "not_used": s.stale,
+                "half_width": (0..6).map(|i| Comparison::of(s.half.iter().map(|h| (0.0, h[i]))).half).collect::<Vec<_>>(),
+                "rms": (0..6).map(|i| Comparison::of(s.wrench.iter().map(|f| (f[i], 0.0))).rms).collect::<Vec<_>>(),
+                "against_measured": s.against_measured().as_ref().map(compared),
+                "phantom": s.phantom().as_ref().map(compared),
+                "touching": s.touching.iter().filter(|t| **t).count(),
+                "false_contact": s.free.iter().any(|f| *f).then(|| s.touch_share(true)),
+                "consistency": {
+                    "free": s.in_free.as_ref().filter(|_| !outcome.circular()).map(consistent),
+                    "unexplained": s.unexplained.as_ref().map(consistent),
+                },
+                "bias": s.bias,
+            })
+        })
+        .collect();
+    let provenance: serde_json::Map<String, Value> = provenance.iter().map(|(k, v)| (k.clone(), json!(v))).collect();
+    json!({
+        "robot": outcome.robot,
+        "components": COMPONENTS,
+        "noise": outcome.uncertainty.noise,
+        "known_from": outcome.known_from,
+        "not_in_band": outcome.uncertainty.open,
+        "logs": logs,
+        "provenance": provenance,
+    })
+}
+
+/// Reads standard deviations, correlations and noise of `identify --json` for an arm with these base parameters. Parameters that the
+/// identification does not have (a robot file that was extended since has more friction) are taken to be exact, and named as such.
+///
+/// # Errors
+/// What is missing, in words.
+pub fn uncertainty_of_json(json: &Value, base: &[BaseParameter], dof: usize) -> Result<Uncertainty, String> {
+    let wrong = |what: &str| format!("no `{what}` as `denavit identify --json` writes it");
+    let parameters = json["parameters"].as_array().ok_or_else(|| wrong("parameters"))?;
+    let names: Vec<&str> = parameters.iter().filter_map(|p| p["name"].as_str()).collect();
+    if names.len() != parameters.len() {
+        return Err(wrong("parameters[].name"));
+    }
+    if let Some(unknown) = names.iter().find(|name| !base.iter().any(|b| b.name == **name)) {
+        return Err(format!(
+            "the parameter {unknown} is not of this robot; take the JSON that was written with this robot file"
+        ));
+    }
+    let rows = json["correlation"].as_array().ok_or_else(|| wrong("correlation"))?;
+    let numbers = |value: &Value| -> Vec<f64> {
+        value.as_array().map_or_else(Vec::new, |all| all.iter().map(|v| v.as_f64().unwrap_or(f64::NAN)).collect())
+    };
+    let correlation: Vec<Vec<f64>> = rows.iter().map(numbers).collect();
+    if correlation.len() != names.len() || correlation.iter().any(|row| row.len() != names.len()) {
+        return Err(wrong("correlation"));
+    }
+    let noise = numbers(&json["noise"]["sigma"]);
+    if noise.len() != dof || !noise.iter().all(|s| s.is_finite() && *s >= 0.0) {
+        return Err(format!("`noise.sigma` must have a number for each of the {dof} joints"));
+    }
+    let place: Vec<Option<usize>> = base.iter().map(|b| names.iter().position(|n| *n == b.name)).collect();
+    let told = |k: usize| parameters[k]["std"].as_f64().filter(|s| s.is_finite());
+    let std: Vec<f64> = place.iter().map(|at| at.and_then(told).unwrap_or(0.0)).collect();
+    let n = base.len();
+    let mut all = vec![0.0; n * n];
+    for i in 0..n {
+        for j in 0..n {
+            if let (Some(a), Some(b)) = (place[i], place[j]) {
+                all[i * n + j] = correlation[a][b];
+            }
+        }
+    }
+    let open = base.iter().zip(&place).filter(|(_, at)| at.and_then(told).is_none()).map(|(b, _)| b.name.clone());
+    Ok(Uncertainty {
+        covariance: covariance(&std, &all),
+        noise: noise.into_iter().map(|s| s.max(1e-9)).collect(),
+        open: open.collect(),
+    })
+}

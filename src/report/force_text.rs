@@ -1,0 +1,166 @@
+//! The wrench on the tool in a few lines.
+
+use std::fmt::Write;
+
+use super::number::{digits, pad};
+use crate::force::{COMPONENTS, Comparison, Consistency, Series, Uncertainty};
+use crate::log::Severity;
+use crate::signal::Prepared;
+
+/// What was estimated, and what is known of its errors.
+pub struct Forces<'a> {
+    /// The robot's name.
+    pub robot: &'a str,
+    /// One per log.
+    pub found: &'a [Series],
+    /// What the bands were made of.
+    pub uncertainty: &'a Uncertainty,
+    /// Where that comes from, in words.
+    pub known_from: &'a str,
+}
+
+impl Forces<'_> {
+    /// Whether the noise was taken from what is to be judged with it.
+    pub(super) fn circular(&self) -> bool {
+        self.known_from.starts_with("what the model leaves")
+    }
+}
+
+/// A table per log.
+pub fn force_text(outcome: &Forces<'_>, prepared: &[Prepared]) -> String {
+    let mut text = format!("{}: wrench of the surroundings on the tool, in its frame\n", outcome.robot);
+    let _ = writeln!(text, "bands from {}", outcome.known_from);
+    if !outcome.uncertainty.open.is_empty() {
+        let _ = writeln!(
+            text,
+            "not in the bands (the identification does not tell them): {}",
+            outcome.uncertainty.open.join(", ")
+        );
+    }
+    for log in prepared {
+        for finding in log.findings.iter().filter(|f| f.severity != Severity::Note) {
+            let _ = writeln!(text, "{}: {finding}", log.file);
+        }
+    }
+    for series in outcome.found {
+        let _ = writeln!(
+            text,
+            "\n{}, estimator {}: {} samples{}",
+            series.name,
+            series.method.name(),
+            series.time.len(),
+            if series.bias.is_empty() { "" } else { ", bias taken off" }
+        );
+        for sentence in sentences(series, outcome.circular()) {
+            let _ = writeln!(text, "{sentence}");
+        }
+        for (title, rows) in tables(series) {
+            let _ = writeln!(text, "{title}");
+            text.push_str(&table(&rows));
+        }
+    }
+    text
+}
+
+/// What can be compared.
+pub(super) fn tables(series: &Series) -> Vec<(String, [Comparison; 6])> {
+    let mut all = Vec::new();
+    if let Some(rows) = series.against_measured() {
+        all.push(("estimated less measured".to_string(), rows));
+    }
+    if let Some(rows) = series.phantom() {
+        all.push(("phantom force: what the estimate says where nothing touches".into(), rows));
+    }
+    if all.is_empty() {
+        let range = |i: usize| {
+            let values = series.wrench.iter().zip(&series.half).map(move |(f, h)| (f[i], h[i]));
+            Comparison { inside: f64::NAN, ..Comparison::of(values) }
+        };
+        all.push(("estimate".into(), std::array::from_fn(range)));
+    }
+    all
+}
+
+pub(super) const HEAD: [&str; 6] = ["", "RMS", "mean", "largest", "band +-", "inside %"];
+
+/// Of one component.
+pub(super) fn cells(i: usize, c: &Comparison) -> [String; 6] {
+    let unit = if i < 3 { "N" } else { "N m" };
+    let share = if c.inside.is_nan() { "–".to_string() } else { format!("{:.1}", 100.0 * c.inside) };
+    [
+        format!("{} ({unit})", COMPONENTS[i]),
+        digits(c.rms, 3),
+        digits(c.mean, 3),
+        digits(c.largest, 3),
+        digits(c.half, 3),
+        share,
+    ]
+}
+
+fn table(rows: &[Comparison; 6]) -> String {
+    let mut text = String::new();
+    let head = HEAD.map(String::from);
+    for row in std::iter::once(head).chain(rows.iter().enumerate().map(|(i, c)| cells(i, c))) {
+        let line: String = row.iter().enumerate().map(|(k, c)| pad(c, if k == 0 { 12 } else { 10 }, k > 0)).collect();
+        let _ = writeln!(text, "  {}", line.trim_end());
+    }
+    text
+}
+
+/// What is to be said of a log beside its figures.
+pub(super) fn sentences(series: &Series, circular: bool) -> Vec<String> {
+    let mut all = Vec::new();
+    let mut judge = |what: &str, c: &Consistency| {
+        let errors = format!("errors are {} times what was predicted", digits(c.widen(), 2));
+        all.push(if c.holds() {
+            format!("{what} {errors} (a model that is right may give that: probability {}): the bands can be believed.", digits(c.probability, 2))
+        } else {
+            let worst = c.joints.iter().enumerate().filter(|(_, r)| **r > 0.0).max_by(|a, b| a.1.total_cmp(b.1));
+            let joint = worst.map_or(String::new(), |(j, r)| format!(", most in joint {} ({} times)", j + 1, digits(*r, 2)));
+            format!("{what} {errors}{joint}: the model is too wrong for the bands to hold. Diagnose it (`denavit diagnose`), or identify it anew; until then take the bands {} times as wide.", digits(c.widen(), 2))
+        });
+    };
+    match &series.in_free {
+        Some(c) if !circular => judge("Where nothing touches,", c),
+        Some(_) => all_push_circular(&mut all),
+        None => {}
+    }
+    if let Some(c) = &series.unexplained {
+        let mut judge = |what: &str, c: &Consistency| {
+            all.push(format!(
+                "{what} {} times what was predicted{}",
+                digits(c.widen(), 2),
+                if c.holds() {
+                    " (probability ".to_string() + &digits(c.probability, 2) + ")."
+                } else {
+                    ": the model is too wrong for the bands to hold.".into()
+                }
+            ));
+        };
+        judge("What no wrench on the tool explains is", c);
+    }
+    let touching = series.touching.iter().filter(|t| **t).count() as f64 / series.touching.len().max(1) as f64;
+    if series.free.iter().any(|f| *f) {
+        all.push(format!(
+            "Contact is said in {:.1} % of the samples in which nothing touches.",
+            100.0 * series.touch_share(true)
+        ));
+    }
+    if series.free.iter().any(|f| !*f) {
+        all.push(format!("Contact is said in {:.1} % of all samples.", 100.0 * touching));
+    }
+    let singular = series.dexterity.iter().filter(|d| **d < 0.02).count();
+    if singular > 0 {
+        all.push(format!(
+            "{:.1} % of the samples are near a singularity, or the arm has fewer than six joints: some component is not told there, and its band is wide.",
+            100.0 * singular as f64 / series.dexterity.len().max(1) as f64
+        ));
+    }
+    all
+}
+
+fn all_push_circular(all: &mut Vec<String>) {
+    all.push(
+        "The noise was taken from these samples, so they can't say whether the bands hold; give --identified.".into(),
+    );
+}
