@@ -17,6 +17,7 @@ pub mod ik_text;
 mod motion_check;
 mod number;
 mod page;
+mod reproduce_diagnosis;
 mod reproduce_excitation;
 mod reproduce_html;
 mod reproduce_json;

@@ -9,7 +9,7 @@ use super::model::{Bench, Chosen, Fitted, Mode, given_friction, parameters};
 use super::noise::floor;
 use super::record::Recording;
 use super::result::{Cause, Curve, Diagnosis, Errors, NextExperiment, Verdict};
-use super::search::{Accepted, Found, SearchSettings, search};
+use super::search::{Accepted, Found, Plain, SearchSettings, reconsider, search};
 use super::structure::{Structure, structure};
 
 /// How to diagnose.
@@ -168,7 +168,9 @@ pub fn diagnose(
         attempt(Mode::Refitted)
     };
     let fitted = freeze(&mut bench, &mut found, &noise);
-    let items = items(&bench, &found, &fitted, &noise);
+    progress("what else plain friction might be");
+    let (fitted, plain_rivals) = reconsider(&mut bench, &mut found.accepted, fitted, &noise, &settings.search);
+    let items = items(&bench, &found);
     let chosen: Vec<Chosen> = found.accepted.iter().map(|a| a.chosen.clone()).collect();
     let mut left = structure(&bench.scene, &fitted.residual, &noise, &torque_rms);
 
@@ -200,11 +202,15 @@ pub fn diagnose(
             keys.iter().map(|k| Named { symbol: format!("{}{suffix}", k.symbol), ..k.clone() }).collect();
         let accepted = item.accepted.map(|a| &found.accepted[a]);
         let interval = bootstrap(&without, with, &item.place);
-        let rivals = confusable(&bench, item, accepted);
+        let rivals = confusable(&bench, item, accepted, &plain_rivals);
+        let support = accepted.map_or_else(|| plain_support(&fitted, &covariance, item), |a| a.support);
         causes.push(Cause {
             cause: item.hypothesis.name(),
             joints: item.place.iter().map(|j| j + 1).collect(),
             probability: probability(accepted, &without.rms, &with.rms),
+            support,
+            margin: near(item, accepted, &plain_rivals).iter().map(|r| r.2.max(0.0)).fold(MOST_MARGIN, f64::min),
+            share: share(&without.rms, &with.rms, &noise, &item.place),
             evidence: evidence::sentence(
                 item.hypothesis,
                 &item.place,
@@ -234,6 +240,9 @@ pub fn diagnose(
                 evidence: format!("the base parameters of joint(s) {joints:?} differ from the file's by more than five of their standard deviations"),
                 joints,
                 probability: 0.9,
+                support: MOST_MARGIN,
+                margin: MOST_MARGIN,
+                share: share(&baseline.validate, &refitted.validate, &noise, &[]),
                 parameters: Vec::new(),
                 keys: Vec::new(),
                 rms_before: baseline.validate.clone(),
@@ -354,7 +363,7 @@ fn freeze(bench: &mut Bench<'_>, found: &mut Found, noise: &[f64]) -> Fitted {
 }
 
 /// The accepted causes, and the friction parameters that changed and belong to none of them.
-fn items(bench: &Bench<'_>, found: &Found, _fitted: &Fitted, _noise: &[f64]) -> Vec<Item> {
+fn items(bench: &Bench<'_>, found: &Found) -> Vec<Item> {
     let mut items: Vec<Item> = found
         .accepted
         .iter()
@@ -376,7 +385,7 @@ fn items(bench: &Bench<'_>, found: &Found, _fitted: &Fitted, _noise: &[f64]) -> 
             // Where a friction law was found, the plain terms that the file already has are part of it.
             let owner = items.iter_mut().find(|i| {
                 let friction = i.hypothesis.kind() == Kind::Friction && which < 2 && given[j][which].is_some();
-                let shift = which == 2 && matches!(i.hypothesis.name(), "joint_spring" | "asymmetric_friction");
+                let shift = which == 2 && i.hypothesis.has_constant();
                 i.accepted.is_some() && i.place == [j] && (friction || shift)
             });
             match owner {
@@ -415,7 +424,7 @@ fn leave_out<'a>(
     item: &Item,
 ) -> Measured {
     let mut delays = bench.scene.delays.clone();
-    if item.hypothesis.name() == "time_delay" {
+    if item.hypothesis.moves_time() {
         // The delay's own part of the shift goes.
         let own: Vec<usize> = if item.place.is_empty() { (0..delays.len()).collect() } else { item.place.clone() };
         own.iter().for_each(|&j| delays[j] = 0.0);
@@ -470,6 +479,29 @@ fn bootstrap(without: &Measured, with: &Measured, place: &[usize]) -> [f64; 2] {
     [shares[20], shares[379]]
 }
 
+/// A margin beyond which more of it says nothing.
+const MOST_MARGIN: f64 = 1e4;
+
+/// Part of the squared error above the noise that goes: of the main joint, or of the one with the most to gain.
+fn share(before: &[f64], after: &[f64], noise: &[f64], place: &[usize]) -> f64 {
+    let gain = |j: usize| before[j].powi(2) - after[j].powi(2);
+    let joint = (0..before.len())
+        .max_by(|a, b| (gain(*a) / noise[*a].powi(2).max(1e-12)).total_cmp(&(gain(*b) / noise[*b].powi(2).max(1e-12))));
+    let joint = place.first().copied().or(joint).unwrap_or(0);
+    let above = before[joint].powi(2) - noise[joint].powi(2);
+    if above > 0.0 { (gain(joint) / above).clamp(-1.0, 1.0) } else { 0.0 }
+}
+
+/// Of a plain term of friction: the square of its value by its standard deviation, of the surest one.
+fn plain_support(fitted: &Fitted, covariance: &nalgebra::DMatrix<f64>, item: &Item) -> f64 {
+    let squares = item.friction.iter().map(|k| {
+        let at = fitted.friction + k;
+        let variance = covariance[(at, at)];
+        if variance > 0.0 { fitted.solution.x[at].powi(2) / variance } else { 0.0 }
+    });
+    squares.fold(0.0, f64::max)
+}
+
 /// How sure a cause is: support against none at all, and against its rivals.
 fn probability(accepted: Option<&Accepted>, before: &[f64], after: &[f64]) -> f64 {
     let helps = before.iter().zip(after).any(|(a, b)| a > b);
@@ -479,17 +511,18 @@ fn probability(accepted: Option<&Accepted>, before: &[f64], after: &[f64]) -> f6
     (against_none * against_rivals * accepted.confirmed.max(0.5)).min(0.999)
 }
 
+/// What says nearly the same as an item: cause, place, difference of support.
+fn near<'a>(item: &Item, accepted: Option<&'a Accepted>, plain: &'a [Plain]) -> &'a [(&'static str, Vec<usize>, f64)] {
+    match accepted {
+        Some(accepted) => accepted.rivals.as_slice(),
+        None => plain.iter().find(|p| item.place == [p.joint]).map(|p| p.rivals.as_slice()).unwrap_or_default(),
+    }
+}
+
 /// What this data, or any data, can't tell from a cause.
-fn confusable(bench: &Bench<'_>, item: &Item, accepted: Option<&Accepted>) -> Vec<&'static str> {
-    let mut names: Vec<&'static str> = accepted.map(|a| a.rivals.iter().map(|r| r.0).collect()).unwrap_or_default();
-    let last = bench.scene.dof().checked_sub(1);
-    let on_paper: &[&str] = match item.hypothesis.name() {
-        "torque_offset" => &["asymmetric_friction"],
-        "payload" => &["link_inertia_error"],
-        "link_inertia_error" if item.place.first().copied() == last => &["payload"],
-        _ => &[],
-    };
-    names.extend(on_paper);
+fn confusable(bench: &Bench<'_>, item: &Item, accepted: Option<&Accepted>, plain: &[Plain]) -> Vec<&'static str> {
+    let mut names: Vec<&'static str> = near(item, accepted, plain).iter().map(|r| r.0).collect();
+    names.extend(item.hypothesis.twins(&bench.scene, &item.place));
     names.sort_unstable();
     names.dedup();
     names.retain(|n| *n != item.hypothesis.name());
@@ -516,6 +549,9 @@ fn unknown(causes: &mut Vec<Cause>, left: &[Structure], rms: &[f64], noise: &[f6
     }
     let entry = Cause {
         cause: "unknown",
+        support: MOST_MARGIN,
+        margin: MOST_MARGIN,
+        share: share(rms, &after, noise, &[]),
         joints,
         probability: 0.9,
         parameters: Vec::new(),

@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use super::reproduce_diagnosis as diagnosis;
 use super::reproduce_excitation as excitation;
 use super::reproduce_text::Parts;
 use crate::reproduce::{Experiment, fig6, table3};
@@ -11,6 +12,7 @@ pub fn reproduce_json(parts: &Parts) -> Value {
     json!({
         "excitation": parts.excitation.as_ref().map(excitation::to_json),
         "identification": parts.identification.as_ref().map(identification),
+        "diagnosis": parts.diagnosis.as_ref().map(diagnosis::to_json),
     })
 }
 

@@ -3,7 +3,9 @@
 use std::fmt::Write;
 
 use super::number::{digits, figure, pad, percent};
+use super::reproduce_diagnosis as diagnosis;
 use super::reproduce_excitation as excitation;
+use crate::reproduce::diagnosis::Battery;
 use crate::reproduce::fig6::{self, mean};
 use crate::reproduce::fig10::{PAPER_RMS, PAPER_SEVENTH};
 use crate::reproduce::honesty::ASKED;
@@ -16,6 +18,8 @@ pub struct Parts {
     pub excitation: Option<Excitation>,
     /// Sections II.D, II.E, III.E, VI.A.
     pub identification: Option<Experiment>,
+    /// The diagnosis of hidden effects.
+    pub diagnosis: Option<Battery>,
 }
 
 /// All tables.
@@ -26,6 +30,9 @@ pub fn reproduce_text(parts: &Parts) -> String {
     }
     if let Some(found) = &parts.identification {
         part(&mut text, &identification_verdict(found), &tables(found));
+    }
+    if let Some(found) = &parts.diagnosis {
+        part(&mut text, &diagnosis::verdict(found), &diagnosis::tables(found));
     }
     text
 }
