@@ -6,6 +6,7 @@
 //!
 //! Sees a robot only as a [`Plant`](crate::arm::Plant); prints nothing.
 
+mod calibration;
 mod causes;
 mod evidence;
 mod maps;

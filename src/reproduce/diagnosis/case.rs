@@ -370,7 +370,10 @@ fn attempt(
         desired: false,
         ..Sensors::default()
     };
-    let control = Control { mode: settings.control, ..Control::default() };
+    // A torque that is clipped, or lost in a gap, in a loop is a motion that is not the wanted one, and the recorded torque is right for it: to be an
+    // error of the torque, the motion must come from elsewhere.
+    let open = sized.iter().any(|(d, _)| matches!(d.cause, "torque_saturation" | "backlash"));
+    let control = Control { mode: if open { Mode::Exact } else { settings.control }, ..Control::default() };
     let mut scale = None;
     let mut log =
         |name: &str, simulator: &Simulator, motion: &Trajectory, seed: u64| -> Result<Recording, ReproduceError> {

@@ -145,7 +145,9 @@ impl Draft {
                 ];
                 (keys, 0.006 * limit, f64::MAX, true)
             }
-            "joint_elasticity" => (vec![("KE", 0.0, 1.0)], 1.0 / (60.0 * limit), 0.08 / peak, false),
+            "joint_elasticity" => {
+                (vec![("KE", 0.0, 1.0), ("DE", 0.1 * limit, 0.0)], 1.0 / (60.0 * limit), 0.08 / peak, false)
+            }
             "backlash" => (vec![("BL", 0.0, 1.0)], 1e-3, 0.05, false),
             "gear_coupling" => {
                 let k = if joint == 0 { 1 } else { joint - 1 };
