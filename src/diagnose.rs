@@ -26,5 +26,5 @@ mod tests;
 pub use causes::Named;
 pub use record::{Recording, Stretch};
 pub use result::{Cause, Curve, Diagnosis, ErrorMap, Errors, Evidence, NextExperiment, Verdict};
-pub use run::{DiagnoseError, Settings, diagnose};
+pub use run::{DiagnoseError, Settings, diagnose, misses};
 pub use search::SearchSettings;

@@ -5,16 +5,16 @@
 //! best cause, more of the error never make a cause less likely.
 
 /// `[a, b, c, d]` of causes that add columns.
-const CAUSE: [f64; 4] = [-2.0, 2.5, 1.5, 1.5];
+const CAUSE: [f64; 4] = [-3.5, 1.6, 2.0, 2.6];
 /// Of plain friction and offsets.
-const PLAIN: [f64; 4] = [-4.0, 2.5, 1.5, 3.0];
+const PLAIN: [f64; 4] = [-4.3, 2.3, 0.0, 0.8];
 
 /// Structure without a name, where nothing else gains more.
-pub const UNKNOWN_FIRST: f64 = 0.8;
+pub const UNKNOWN_FIRST: f64 = 0.7;
 /// Structure beside a cause that gains more: often what that cause's law does not fit.
-pub const UNKNOWN_BESIDE: f64 = 0.2;
+pub const UNKNOWN_BESIDE: f64 = 0.1;
 /// That links are wrong, where all base parameters were taken anew.
-pub const LINKS: f64 = 0.6;
+pub const LINKS: f64 = 0.5;
 
 /// A margin beyond which more of it says nothing.
 const FAR: f64 = 100.0;

@@ -149,10 +149,9 @@ impl<'a> Scene<'a> {
                 for j in 0..dof {
                     let by = delays[j] / stretch.period;
                     let v = earlier(stretch.of(&stretch.states.dq, j), span.clone(), by);
-                    // Where every sample counts, the sign is that of the velocity but for what its noise hides.
-                    let fine = (3.0 * stretch.velocity_noise[j]).max(1e-4);
+                    // Where every sample counts, the sign turns over within the zone in which its noise and a joint that sticks hide it.
                     let sign: Vec<f64> = match all && !dead[j].1 {
-                        true => v.iter().map(|v| (v / fine).clamp(-1.0, 1.0)).collect(),
+                        true => v.iter().map(|v| (v / dead[j].0).clamp(-1.0, 1.0)).collect(),
                         false => v.iter().map(|v| if v.abs() > dead[j].0 { v.signum() } else { 0.0 }).collect(),
                     };
                     live[j]

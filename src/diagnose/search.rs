@@ -510,7 +510,9 @@ pub fn reconsider(
     let mut all = Vec::new();
     for j in 0..bench.scene.dof() {
         let free: Vec<usize> = (3 * j..3 * j + 3).filter(|k| !bench.frozen[*k]).collect();
-        if free.is_empty() || accepted.iter().any(|a| a.chosen.place.contains(&j)) {
+        // A joint whose friction went back to the file's, and left more than noise, is looked at once more.
+        let left = fitted.solution.rss[j] > fitted.solution.counts[j] * (0.7 * noise[j]).powi(2);
+        if free.is_empty() && !left || accepted.iter().any(|a| a.chosen.place.contains(&j)) {
             continue;
         }
         let chosen: Vec<Chosen> = accepted.iter().map(|a| a.chosen.clone()).collect();

@@ -194,7 +194,7 @@ fn case(o: &Outcome) -> Value {
     json!({
         "seed": o.seed, "robot": o.robot, "task": o.label(), "hidden": o.hidden.iter().map(hidden).collect::<Vec<_>>(),
         "verdict": o.found.verdict.word(), "right": o.right(), "right_or_named": o.right_or_named(), "complete": o.complete(),
-        "gain": o.gain(), "links_refitted": o.found.links_refitted, "noise": o.noise,
+        "gain": o.gain(), "links_refitted": o.found.links_refitted, "noise": o.noise, "attainable": o.attainable,
         "baseline": o.found.baseline.validate, "extended": o.found.extended.validate, "parameters": parameters,
         "causes": o.found.causes.iter().map(|c| cause(o, c)).collect::<Vec<_>>(),
     })

@@ -109,7 +109,7 @@ fn hidden_effects_are_named() {
     use super::diagnosis::{Settings, battery};
     use crate::simulate::Mode;
     let settings =
-        Settings { from: 4001, seconds: [7.0, 5.0], rate: 250.0, arms: 3, control: Mode::Exact, ..Settings::default() };
+        Settings { from: 4001, seconds: [7.0, 5.0], rate: 200.0, arms: 3, control: Mode::Exact, ..Settings::default() };
     let found = battery(&settings, &|_, _| {}).unwrap();
     let scores = &found.scores;
     let wrong: Vec<String> = found

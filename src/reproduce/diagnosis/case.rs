@@ -87,26 +87,44 @@ pub struct Outcome {
     pub hidden: Vec<Hidden>,
     /// Standard deviation of each joint's torque noise with the step of the sensor, N m.
     pub noise: Vec<f64>,
+    /// What the file misses of the validating motion where nothing is hidden, N m: what is attainable.
+    pub attainable: Vec<f64>,
     /// What was found.
     pub found: Diagnosis,
 }
 
-/// Plants are costly to make, and the same file makes the same one.
+/// Plants and simulators are costly to make, and the same file makes the same ones.
 #[derive(Default)]
-pub(super) struct Plants(Mutex<HashMap<String, Arc<RobotPlant>>>);
+pub(super) struct Plants {
+    plants: Mutex<HashMap<String, Arc<RobotPlant>>>,
+    /// Of arms in which nothing is hidden.
+    simulators: Mutex<HashMap<String, Arc<Simulator>>>,
+}
 
 impl Plants {
     fn of(&self, robot: &Robot) -> Result<(Robot, Arc<RobotPlant>), ReproduceError> {
         let text = robot.to_yaml();
         let read = Robot::from_yaml(&text, &|name| Err(format!("no file {name}")));
         let robot = read.map_err(|p| ReproduceError::Robot(p.in_file("written robot").to_string()))?.robot;
-        let lock = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let lock = || self.plants.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(known) = lock().get(&text) {
             return Ok((robot, known.clone()));
         }
         let made = Arc::new(RobotPlant::new(&robot));
         lock().insert(text, made.clone());
         Ok((robot, made))
+    }
+
+    /// The simulator of an arm as its file is.
+    fn plain(&self, robot: &Robot) -> Result<Arc<Simulator>, ReproduceError> {
+        let text = robot.to_yaml();
+        let lock = || self.simulators.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = lock().get(&text) {
+            return Ok(known.clone());
+        }
+        let made = Arc::new(Simulator::new(robot, &effects(robot, &[]))?);
+        lock().insert(text, made.clone());
+        Ok(made)
     }
 }
 
@@ -211,10 +229,11 @@ impl<'a> Sizer<'a> {
         plant: &'a RobotPlant,
         motion: &'a Trajectory,
         noise: &'a [f64],
+        simulator: &Simulator,
     ) -> Result<(Self, Vec<f64>), ReproduceError> {
         let standard = param::standard_values(robot).unwrap_or_default();
         let mut sizer = Self { robot, plant, standard, motion, noise, plain: Vec::new() };
-        let log = sizer.exact(&[])?;
+        let log = sizer.exact(simulator)?;
         let dof = plant.dof();
         let peaks = (0..dof)
             .map(|j| log.joint(Quantity::Tau, j).unwrap_or(&[]).iter().fold(0.0_f64, |m, t| m.max(t.abs())))
@@ -223,8 +242,7 @@ impl<'a> Sizer<'a> {
         Ok((sizer, peaks))
     }
 
-    fn exact(&self, sized: &[(Draft, f64)]) -> Result<Log, ReproduceError> {
-        let simulator = Simulator::new(self.robot, &effects(self.robot, sized))?;
+    fn exact(&self, simulator: &Simulator) -> Result<Log, ReproduceError> {
         let request = Request {
             control: Control { mode: Mode::Exact, ..Control::default() },
             sensors: Sensors { desired: false, ..Sensors::perfect(COARSE) },
@@ -235,7 +253,8 @@ impl<'a> Sizer<'a> {
 
     /// Root mean square of what an effect does to the error of a simulation of the file, by the noise, on the joint that counts.
     fn ratio(&self, draft: &Draft, x: f64) -> Result<f64, ReproduceError> {
-        let with = missed(&self.exact(&[(draft.clone(), x)])?, self.plant, &self.standard, COARSE);
+        let simulator = Simulator::new(self.robot, &effects(self.robot, &[(draft.clone(), x)]))?;
+        let with = missed(&self.exact(&simulator)?, self.plant, &self.standard, COARSE);
         let of = |j: usize| {
             let change: Vec<f64> = with[j].iter().zip(&self.plain[j]).map(|(a, b)| a - b).collect();
             rms(&change) / self.noise[j]
@@ -255,6 +274,9 @@ impl<'a> Sizer<'a> {
                 return Ok(None);
             }
             let by = wanted / now;
+            if draft.linear() && x * by <= draft.most {
+                return Ok(Some((x * by, wanted)));
+            }
             if (by - 1.0).abs() < 0.05 {
                 return Ok(Some((x, now)));
             }
@@ -314,7 +336,8 @@ fn attempt(
     let noise: Vec<f64> = white.iter().zip(&step).map(|(s, d)| (s * s + d * d / 12.0).sqrt()).collect();
     let first = motion(&robot, settings.seconds[0], random)?;
     let second = motion(&robot, settings.seconds[1], random)?;
-    let (sizer, peaks) = Sizer::new(&robot, &plant, &first, &noise)?;
+    let plain = plants.plain(&robot)?;
+    let (sizer, peaks) = Sizer::new(&robot, &plant, &first, &noise, &plain)?;
     let about: Vec<About> = (0..dof)
         .map(|j| {
             let drive = &robot.joints[rows[j]].drive;
@@ -396,6 +419,20 @@ fn attempt(
     let validate =
         log("validate", later.as_ref().unwrap_or(&simulator), &second, seed.wrapping_mul(2).wrapping_add(1))?;
 
+    let clean = plain.run(
+        &second,
+        &Request {
+            control: control.clone(),
+            sensors: sensors.clone(),
+            seed: seed.wrapping_mul(2).wrapping_add(1),
+            ..Request::default()
+        },
+        &mut |_| {},
+    )?;
+    let mut bytes = Vec::new();
+    csv::write(&clean.log, &mut bytes).map_err(|e| ReproduceError::Robot(e.to_string()))?;
+    let attainable = diagnose::misses(&*plant, &[record("clean", &bytes, dof)?], &diagnose::Settings::default());
+
     let (_, seen) = if let Task::NoLinks(_) = task {
         let mut bare = robot.clone();
         bare.links.clear();
@@ -404,5 +441,5 @@ fn attempt(
         (robot, plant)
     };
     let found = diagnose::diagnose(&*seen, &[fit], &[validate], &diagnose::Settings::default(), &|_| {})?;
-    Ok(Some(Outcome { seed, robot: name, task, hidden, noise, found }))
+    Ok(Some(Outcome { seed, robot: name, task, hidden, noise, attainable, found }))
 }

@@ -223,6 +223,11 @@ impl Draft {
         Self { cause, joint: (!whole).then_some(joint), other, keys, start, most, own }
     }
 
+    /// Whether its torque on a given motion is in proportion to the size.
+    pub fn linear(&self) -> bool {
+        self.own && !matches!(self.cause, "torque_saturation" | "time_delay")
+    }
+
     /// The effect at this size.
     pub fn effect(&self, x: f64) -> Effect {
         let value = |(key, fixed, grows): &(String, f64, f64)| match key.as_str() {

@@ -53,7 +53,7 @@ pub struct Scores {
     /// Wrong causes beside the right ones, per case with something of the vocabulary hidden.
     pub beside: f64,
     /// Share of what could be gained on the validating log, mean over cases with something of the vocabulary hidden: RMS that went by RMS above
-    /// the noise, on the joint with the largest error.
+    /// what the file misses where nothing is hidden, on the joint with the largest error.
     pub gain: f64,
     /// Cases that reach nine tenths of it.
     pub gained: Share,
@@ -88,7 +88,7 @@ fn same(cause: &Cause, hidden: &Hidden) -> bool {
 
 /// Whether the extended model leaves nothing but noise on the validating log.
 fn only_noise(outcome: &Outcome) -> bool {
-    outcome.found.extended.validate.iter().zip(&outcome.noise).all(|(e, s)| *e < 1.1 * s)
+    outcome.found.extended.validate.iter().zip(&outcome.attainable).all(|(e, s)| *e < 1.1 * s)
 }
 
 impl Outcome {
@@ -135,9 +135,9 @@ impl Outcome {
     /// Share of what could be gained, where anything could.
     pub fn gain(&self) -> Option<f64> {
         let (before, after) = (&self.found.baseline.validate, &self.found.extended.validate);
-        let above = |j: &usize| before[*j] / self.noise[*j];
+        let above = |j: &usize| before[*j] / self.attainable[*j].max(1e-12);
         let j = (0..before.len()).max_by(|a, b| above(a).total_cmp(&above(b)))?;
-        (above(&j) > 1.2).then(|| (before[j] - after[j]) / (before[j] - self.noise[j]))
+        (above(&j) > 1.2).then(|| (before[j] - after[j]) / (before[j] - self.attainable[j]))
     }
 
     /// Parameters of rightly named causes: symbol, truth, value, standard deviation.
