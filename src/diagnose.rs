@@ -6,6 +6,7 @@
 //!
 //! Sees a robot only as a [`Plant`](crate::arm::Plant); prints nothing.
 
+mod calibration;
 mod causes;
 mod evidence;
 mod maps;
@@ -28,5 +29,5 @@ pub use causes::Named;
 pub use next::{Separation, separate};
 pub use record::{Recording, Stretch};
 pub use result::{Cause, Curve, Diagnosis, ErrorMap, Errors, Evidence, NextExperiment, Verdict};
-pub use run::{DiagnoseError, Settings, diagnose};
+pub use run::{DiagnoseError, Settings, diagnose, misses};
 pub use search::SearchSettings;

@@ -25,6 +25,7 @@ mod page;
 mod paint_html;
 mod paint_run;
 mod paint_text;
+mod reproduce_diagnosis;
 mod reproduce_excitation;
 mod reproduce_force;
 mod reproduce_html;

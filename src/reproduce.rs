@@ -5,6 +5,7 @@
 //! the simulated one; what is known of it stands in [`lwr`]. Prints nothing; touches no file: the robot is built in.
 
 pub mod chain;
+pub mod diagnosis;
 pub mod excitation;
 pub mod fig10;
 pub mod fig6;
@@ -29,6 +30,7 @@ pub use identification::{Experiment, Settings, identification};
 pub use painting::{Painting, PaintingSettings, painting};
 pub use verdict::Verdict;
 
+use crate::diagnose::DiagnoseError;
 use crate::identify::IdentifyError;
 use crate::paint::run::RunError;
 use crate::signal::PrepareError;
@@ -59,6 +61,9 @@ pub enum ReproduceError {
     /// The fit.
     #[error(transparent)]
     Identify(#[from] IdentifyError),
+    /// The diagnosis.
+    #[error(transparent)]
+    Diagnose(#[from] DiagnoseError),
     /// The fit of what is carried.
     #[error(transparent)]
     Tool(#[from] ToolError),

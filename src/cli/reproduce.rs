@@ -7,6 +7,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::{Failure, files};
 use crate::report::{self, Parts};
+use crate::reproduce::diagnosis::Settings as DiagnosisSettings;
 use crate::reproduce::{self, ExcitationSettings, ForceSettings, PaintingSettings, ReproduceError, Settings};
 
 /// Run the paper's experiments on the simulated robot and print each table and figure beside the paper's own values, with a verdict per row.
@@ -15,7 +16,7 @@ use crate::reproduce::{self, ExcitationSettings, ForceSettings, PaintingSettings
 /// small: better (by more than 5 %), within (5 %), or short by so many percent.
 #[derive(Args)]
 #[command(
-    after_help = "Example:\n  denavit reproduce identification --report reproduce.html\nParts:\n  excitation       section III: Fig. 5, and the same task on other arms (some minutes)\n  identification   sections II.D, II.E, III.E, VI.A: Fig. 6, tables II and III, Fig. 10, and whether standard deviations are honest\n  force            section V.B: accuracy of the estimated wrench, coverage of its bands\n  painting         sections V, VI.B: Table IV, Figs. 12 and 13, and what the diagnosis makes of them (some minutes)\nWithout a part: all of them."
+    after_help = "Example:\n  denavit reproduce identification --report reproduce.html\nParts:\n  excitation       section III: Fig. 5, and the same task on other arms (some minutes)\n  identification   sections II.D, II.E, III.E, VI.A: Fig. 6, tables II and III, Fig. 10, and whether standard deviations are honest\n  force            section V.B: accuracy of the estimated wrench, coverage of its bands\n  painting         sections V, VI.B: Table IV, Figs. 12 and 13, and what the diagnosis makes of them (some minutes)\n  diagnosis        effects that a seed hides in the simulator, and what `denavit diagnose` makes of the logs (4 s a case)\nWithout a part: all of them."
 )]
 pub(super) struct Reproduce {
     /// Which part; default: all.
@@ -27,6 +28,18 @@ pub(super) struct Reproduce {
     /// Longest motion of Fig. 5, s.
     #[arg(long, value_name = "S", default_value_t = ExcitationSettings::default().longest, value_parser = longest)]
     longest: usize,
+    /// Cases of the diagnosis; they go round in 40 kinds.
+    #[arg(long, value_name = "N", default_value_t = DiagnosisSettings::default().cases, value_parser = cases)]
+    cases: usize,
+    /// First seed of the diagnosis; each case has the next.
+    #[arg(long, value_name = "SEED", default_value_t = DiagnosisSettings::default().from)]
+    from: u64,
+    /// Root mean square of a hidden effect by the noise of its joint.
+    #[arg(long, value_name = "TIMES", default_value_t = DiagnosisSettings::default().size, value_parser = size)]
+    size: f64,
+    /// Hide nothing in the cases of the diagnosis: all that is named is a false alarm.
+    #[arg(long)]
+    clean: bool,
     /// Of motions and noise: the same seed gives the same figures.
     #[arg(long, value_name = "N", default_value_t = Settings::default().seed)]
     seed: u64,
@@ -48,6 +61,16 @@ enum Part {
     Painting,
     /// Section V.B: the wrench on the tool, and its bands.
     Force,
+    /// Hidden effects, diagnosed.
+    Diagnosis,
+}
+
+fn cases(text: &str) -> Result<usize, String> {
+    text.parse().ok().filter(|n| (1..=100_000).contains(n)).ok_or_else(|| "a whole number, from 1 to 100000".into())
+}
+
+fn size(text: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|s| (0.5..=1000.0).contains(s)).ok_or_else(|| "a number from 0.5 to 1000".into())
 }
 
 fn longest(text: &str) -> Result<usize, String> {
@@ -81,6 +104,16 @@ impl Reproduce {
         if asked(Part::Force) {
             let settings = ForceSettings { runs: self.runs, seed: self.seed, ..ForceSettings::default() };
             parts.force = Some(watched("force", |watch| reproduce::force(&settings, watch))?);
+        }
+        if asked(Part::Diagnosis) {
+            let settings = DiagnosisSettings {
+                cases: self.cases,
+                from: self.from,
+                size: self.size,
+                clean: self.clean,
+                ..DiagnosisSettings::default()
+            };
+            parts.diagnosis = Some(watched("diagnosis", |watch| reproduce::diagnosis::battery(&settings, watch))?);
         }
         if let Some(path) = &self.report {
             files::write(path, report::reproduce_html(&parts, &self.provenance()).as_bytes())?;

@@ -138,6 +138,26 @@ pub trait Cause: Sync {
         false
     }
 
+    /// Whether it is taken out by moving the torques in time: then its coefficient goes into the delays of the scene.
+    fn moves_time(&self) -> bool {
+        false
+    }
+
+    /// Whether it only says that link parameters are others: not to be seen where all base parameters are unknown.
+    fn within_links(&self) -> bool {
+        false
+    }
+
+    /// Whether a constant torque on its joint belongs to it.
+    fn has_constant(&self) -> bool {
+        false
+    }
+
+    /// Causes that are the same on paper, whatever the data.
+    fn twins(&self, _scene: &Scene<'_>, _place: &[usize]) -> &'static [&'static str] {
+        &[]
+    }
+
     /// Whether the columns depend on the rigid model and so must be made anew when that changes.
     fn rests_on_model(&self) -> bool {
         false

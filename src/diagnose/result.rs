@@ -62,6 +62,12 @@ pub struct Cause {
     pub parameters: Vec<Named>,
     /// The same without the joint's number, for the robot file.
     pub keys: Vec<Named>,
+    /// Twice the gain in log-likelihood over independent windows, less what its unknowns and the number of candidates cost.
+    pub support: f64,
+    /// By how much less the next best cause in its place has of that.
+    pub margin: f64,
+    /// Part of the squared error of its main joint, above the noise, that it takes.
+    pub share: f64,
     /// A sentence with figures.
     pub evidence: String,
     /// Errors with all causes but this one, per joint, N m.

@@ -2,6 +2,7 @@
 
 use crate::arm::Plant;
 
+use super::calibration;
 use super::causes::{COULOMB, Cause as Hypothesis, Kind, Named, OFFSET, VISCOUS};
 use super::evidence;
 use super::maps::View;
@@ -9,7 +10,7 @@ use super::model::{Bench, Chosen, Fitted, Mode, given_friction, parameters};
 use super::noise::floor;
 use super::record::Recording;
 use super::result::{Cause, Curve, Diagnosis, Errors, NextExperiment, Verdict};
-use super::search::{Accepted, Found, SearchSettings, search};
+use super::search::{Accepted, Found, Plain, SearchSettings, reconsider, search};
 use super::structure::{Structure, structure};
 
 /// How to diagnose.
@@ -44,6 +45,13 @@ pub enum DiagnoseError {
     NotFinite,
 }
 
+/// What a simulation of the robot file as it is misses of logs, per joint: root mean square, N m, every sample counted.
+pub fn misses(plant: &dyn Plant, recordings: &[Recording], settings: &Settings) -> Vec<f64> {
+    let zeros = vec![0.0; plant.dof()];
+    let bench = Bench::new(plant, recordings, settings.rate, Mode::Trusted, &zeros, false);
+    measure(plant, recordings, &bench, None, &[], true).rms
+}
+
 /// Errors per joint and sample at the logs' own rate.
 struct Measured {
     rms: Vec<f64>,
@@ -54,19 +62,25 @@ struct Measured {
 
 const RAW: f64 = 1e9;
 
-/// Errors of a fitted model on recordings, every sample counted.
+/// Errors of a fitted model on recordings, every sample counted. `elsewhere`: not those that it was fitted to, so that what acted in a part of them
+/// does not act here.
 fn measure<'a>(
     plant: &'a dyn Plant,
     recordings: &'a [Recording],
     bench: &Bench<'_>,
     fitted: Option<&Fitted>,
     chosen: &[Chosen],
+    elsewhere: bool,
 ) -> Measured {
     let mut fine = Bench::new(plant, recordings, RAW, bench.mode, &bench.scene.delays, true);
     let mut error = match fitted {
         Some(fitted) => {
             fine.adopt(bench, fitted);
-            fine.predict(&fitted.solution.x, chosen)
+            let mut x = fitted.solution.x.clone();
+            for (c, first) in chosen.iter().zip(&fitted.first).filter(|(c, _)| elsewhere && c.cause.local()) {
+                (0..c.x.len()).for_each(|k| x[first + k] = 0.0);
+            }
+            fine.predict(&x, chosen)
         }
         None => vec![vec![0.0; fine.scene.len]; fine.scene.dof()],
     };
@@ -126,10 +140,10 @@ pub fn diagnose(
         return Err(DiagnoseError::NoTorque);
     }
     let baseline = Errors {
-        fit: measure(plant, fit, &start, None, &[]).rms,
-        validate: measure(plant, validate, &start, None, &[]).rms,
+        fit: measure(plant, fit, &start, None, &[], false).rms,
+        validate: measure(plant, validate, &start, None, &[], true).rms,
     };
-    let before = measure(plant, validate, &start, None, &[]).error;
+    let before = measure(plant, validate, &start, None, &[], true).error;
     let torque_rms: Vec<f64> = (0..dof)
         .map(|j| {
             let all: Vec<f64> =
@@ -142,8 +156,8 @@ pub fn diagnose(
     let mut refit = Bench::new(plant, fit, settings.rate, Mode::Refitted, &zeros, false);
     let plain = refit.fit(&mut []);
     let refitted = Errors {
-        fit: measure(plant, fit, &refit, Some(&plain), &[]).rms,
-        validate: measure(plant, validate, &refit, Some(&plain), &[]).rms,
+        fit: measure(plant, fit, &refit, Some(&plain), &[], false).rms,
+        validate: measure(plant, validate, &refit, Some(&plain), &[], true).rms,
     };
     drop(refit);
 
@@ -168,13 +182,15 @@ pub fn diagnose(
         attempt(Mode::Refitted)
     };
     let fitted = freeze(&mut bench, &mut found, &noise);
-    let items = items(&bench, &found, &fitted, &noise);
+    progress("what else plain friction might be");
+    let (fitted, plain_rivals) = reconsider(&mut bench, &mut found.accepted, fitted, &noise, &settings.search);
+    let items = items(&bench, &found);
     let chosen: Vec<Chosen> = found.accepted.iter().map(|a| a.chosen.clone()).collect();
     let mut left = structure(&bench.scene, &fitted.residual, &noise, &torque_rms);
 
     progress("measuring on data that was not used");
-    let after = measure(plant, validate, &bench, Some(&fitted), &chosen);
-    let after_fit = measure(plant, fit, &bench, Some(&fitted), &chosen);
+    let after = measure(plant, validate, &bench, Some(&fitted), &chosen, true);
+    let after_fit = measure(plant, fit, &bench, Some(&fitted), &chosen, false);
     let covariance = fitted.covariance();
     let mut causes: Vec<Cause> = Vec::new();
     for item in &items {
@@ -200,11 +216,17 @@ pub fn diagnose(
             keys.iter().map(|k| Named { symbol: format!("{}{suffix}", k.symbol), ..k.clone() }).collect();
         let accepted = item.accepted.map(|a| &found.accepted[a]);
         let interval = bootstrap(&without, with, &item.place);
-        let rivals = confusable(&bench, item, accepted);
+        let rivals = confusable(&bench, item, accepted, &plain_rivals);
+        let margin = near(item, accepted, &plain_rivals).iter().map(|r| r.2.max(0.0)).fold(MOST_MARGIN, f64::min);
+        let part = share(&without.rms, &with.rms, &noise, &item.place);
+        let support = accepted.map_or_else(|| plain_support(&fitted, &covariance, item), |a| a.support);
         causes.push(Cause {
             cause: item.hypothesis.name(),
             joints: item.place.iter().map(|j| j + 1).collect(),
-            probability: probability(accepted, &without.rms, &with.rms),
+            probability: calibration::probability(item.accepted.is_none(), support, margin, part),
+            support,
+            margin,
+            share: part,
             evidence: evidence::sentence(
                 item.hypothesis,
                 &item.place,
@@ -233,7 +255,10 @@ pub fn diagnose(
                 cause: "link_inertia_error",
                 evidence: format!("the base parameters of joint(s) {joints:?} differ from the file's by more than five of their standard deviations"),
                 joints,
-                probability: 0.9,
+                probability: calibration::LINKS,
+                support: MOST_MARGIN,
+                margin: MOST_MARGIN,
+                share: share(&baseline.validate, &refitted.validate, &noise, &[]),
                 parameters: Vec::new(),
                 keys: Vec::new(),
                 rms_before: baseline.validate.clone(),
@@ -251,9 +276,9 @@ pub fn diagnose(
     causes.sort_by(|a, b| taken(b, &scale).total_cmp(&taken(a, &scale)));
     // A cause that loses on data that was not used is no cause; that there was something to explain stays true.
     let (causes_that_hold, failed): (Vec<Cause>, Vec<Cause>) =
-        causes.into_iter().partition(|c| c.on == "fit" || taken(c, &scale) > 0.0);
+        causes.into_iter().partition(|c| c.on == "fit" || (taken(c, &scale) > 0.0 && matters(c, &noise)));
     let mut causes = causes_that_hold;
-    left.extend(failed.iter().filter(|c| c.curve.is_some()).map(|c| Structure {
+    left.extend(failed.iter().filter(|c| c.curve.is_some() && taken(c, &scale) <= 0.0).map(|c| Structure {
         joint: c.joints.first().map_or(0, |j| j - 1),
         rms: 0.0,
         description: format!(
@@ -318,10 +343,12 @@ fn freeze(bench: &mut Bench<'_>, found: &mut Found, noise: &[f64]) -> Fitted {
     let mut chosen: Vec<Chosen> = found.accepted.iter().map(|a| a.chosen.clone()).collect();
     let mut fitted = bench.fit(&mut chosen);
     let given = given_friction(bench.plant);
-    for _ in 0..3 {
+    for _ in 0..4 {
         let covariance = fitted.covariance();
         let mut changed = false;
         for j in 0..bench.scene.dof() {
+            // One at a time: of two that say nearly the same, neither seems to be wanted while the other is there.
+            let mut least: Option<(usize, f64)> = None;
             for which in 0..3 {
                 let k = 3 * j + which;
                 if bench.frozen[k] {
@@ -336,10 +363,14 @@ fn freeze(bench: &mut Bench<'_>, found: &mut Found, noise: &[f64]) -> Fitted {
                 let small = value.abs() < 0.04 * given[j][which].unwrap_or(0.0).abs();
                 // Friction that drives the joint is none.
                 let drives = which < 2 && given[j][which].unwrap_or(0.0) + value < 0.0;
-                if value.abs() < 4.5 * std || effect < 0.2 * noise[j] || small || drives {
-                    bench.frozen[k] = true;
-                    changed = true;
+                let sure = if std > 0.0 { value.abs() / std } else { 0.0 };
+                if (sure < 4.5 || effect < 0.2 * noise[j] || small || drives) && least.is_none_or(|(_, s)| sure < s) {
+                    least = Some((k, sure));
                 }
+            }
+            if let Some((k, _)) = least {
+                bench.frozen[k] = true;
+                changed = true;
             }
         }
         if !changed {
@@ -354,7 +385,7 @@ fn freeze(bench: &mut Bench<'_>, found: &mut Found, noise: &[f64]) -> Fitted {
 }
 
 /// The accepted causes, and the friction parameters that changed and belong to none of them.
-fn items(bench: &Bench<'_>, found: &Found, _fitted: &Fitted, _noise: &[f64]) -> Vec<Item> {
+fn items(bench: &Bench<'_>, found: &Found) -> Vec<Item> {
     let mut items: Vec<Item> = found
         .accepted
         .iter()
@@ -376,7 +407,7 @@ fn items(bench: &Bench<'_>, found: &Found, _fitted: &Fitted, _noise: &[f64]) -> 
             // Where a friction law was found, the plain terms that the file already has are part of it.
             let owner = items.iter_mut().find(|i| {
                 let friction = i.hypothesis.kind() == Kind::Friction && which < 2 && given[j][which].is_some();
-                let shift = which == 2 && matches!(i.hypothesis.name(), "joint_spring" | "asymmetric_friction");
+                let shift = which == 2 && i.hypothesis.has_constant();
                 i.accepted.is_some() && i.place == [j] && (friction || shift)
             });
             match owner {
@@ -415,7 +446,7 @@ fn leave_out<'a>(
     item: &Item,
 ) -> Measured {
     let mut delays = bench.scene.delays.clone();
-    if item.hypothesis.name() == "time_delay" {
+    if item.hypothesis.moves_time() {
         // The delay's own part of the shift goes.
         let own: Vec<usize> = if item.place.is_empty() { (0..delays.len()).collect() } else { item.place.clone() };
         own.iter().for_each(|&j| delays[j] = 0.0);
@@ -426,13 +457,20 @@ fn leave_out<'a>(
     let mut others: Vec<Chosen> =
         chosen.iter().enumerate().filter(|(i, _)| item.accepted != Some(*i)).map(|(_, c)| c.clone()).collect();
     let fitted = reduced.fit(&mut others);
-    measure(plant, data, &reduced, Some(&fitted), &others)
+    measure(plant, data, &reduced, Some(&fitted), &others, !item.hypothesis.local())
 }
 
-/// How much squared error a cause takes, in units of the noise, summed over joints.
+/// Whether a cause takes as much on some joint as a torque of a fifth of the noise would.
+fn matters(cause: &Cause, noise: &[f64]) -> bool {
+    let joints = cause.rms_before.iter().zip(&cause.rms_after).zip(noise);
+    joints.map(|((a, b), s)| a * a - b * b - (0.2 * s).powi(2)).any(|x| x > 0.0)
+}
+
+/// How much error a cause takes: the logarithm of the ratio of root mean squares without and with it, noise added to both, summed over joints; so no
+/// joint counts for more than another by the size of its torques.
 fn taken(cause: &Cause, noise: &[f64]) -> f64 {
     let joints = cause.rms_before.iter().zip(&cause.rms_after).zip(noise);
-    joints.map(|((a, b), s)| (a * a - b * b) / (s * s).max(1e-12).max(1e-6 * a * a)).sum()
+    joints.map(|((a, b), s)| 0.5 * ((a * a + s * s).max(1e-24) / (b * b + s * s).max(1e-24)).ln()).sum()
 }
 
 /// 90 % interval of the share of the squared error on the main joint that the cause takes: moving blocks of half a second (Kuensch 1989).
@@ -470,26 +508,41 @@ fn bootstrap(without: &Measured, with: &Measured, place: &[usize]) -> [f64; 2] {
     [shares[20], shares[379]]
 }
 
-/// How sure a cause is: support against none at all, and against its rivals.
-fn probability(accepted: Option<&Accepted>, before: &[f64], after: &[f64]) -> f64 {
-    let helps = before.iter().zip(after).any(|(a, b)| a > b);
-    let Some(accepted) = accepted else { return if helps { 0.97 } else { 0.5 } };
-    let against_none = 1.0 / (1.0 + (-accepted.support / 6.0).exp());
-    let against_rivals = 1.0 / (1.0 + accepted.rivals.iter().map(|r| (-r.2.max(0.0) / 4.0).exp()).sum::<f64>());
-    (against_none * against_rivals * accepted.confirmed.max(0.5)).min(0.999)
+/// A margin beyond which more of it says nothing.
+const MOST_MARGIN: f64 = 1e4;
+
+/// Part of the squared error above the noise that goes: of the main joint, or of the one with the most to gain.
+fn share(before: &[f64], after: &[f64], noise: &[f64], place: &[usize]) -> f64 {
+    let gain = |j: usize| before[j].powi(2) - after[j].powi(2);
+    let joint = (0..before.len())
+        .max_by(|a, b| (gain(*a) / noise[*a].powi(2).max(1e-12)).total_cmp(&(gain(*b) / noise[*b].powi(2).max(1e-12))));
+    let joint = place.first().copied().or(joint).unwrap_or(0);
+    let above = before[joint].powi(2) - noise[joint].powi(2);
+    if above > 0.0 { (gain(joint) / above).clamp(-1.0, 1.0) } else { 0.0 }
+}
+
+/// Of a plain term of friction: the square of its value by its standard deviation, of the surest one.
+fn plain_support(fitted: &Fitted, covariance: &nalgebra::DMatrix<f64>, item: &Item) -> f64 {
+    let squares = item.friction.iter().map(|k| {
+        let at = fitted.friction + k;
+        let variance = covariance[(at, at)];
+        if variance > 0.0 { fitted.solution.x[at].powi(2) / variance } else { 0.0 }
+    });
+    squares.fold(0.0, f64::max)
+}
+
+/// What says nearly the same as an item: cause, place, difference of support.
+fn near<'a>(item: &Item, accepted: Option<&'a Accepted>, plain: &'a [Plain]) -> &'a [(&'static str, Vec<usize>, f64)] {
+    match accepted {
+        Some(accepted) => accepted.rivals.as_slice(),
+        None => plain.iter().find(|p| item.place == [p.joint]).map(|p| p.rivals.as_slice()).unwrap_or_default(),
+    }
 }
 
 /// What this data, or any data, can't tell from a cause.
-fn confusable(bench: &Bench<'_>, item: &Item, accepted: Option<&Accepted>) -> Vec<&'static str> {
-    let mut names: Vec<&'static str> = accepted.map(|a| a.rivals.iter().map(|r| r.0).collect()).unwrap_or_default();
-    let last = bench.scene.dof().checked_sub(1);
-    let on_paper: &[&str] = match item.hypothesis.name() {
-        "torque_offset" => &["asymmetric_friction"],
-        "payload" => &["link_inertia_error"],
-        "link_inertia_error" if item.place.first().copied() == last => &["payload"],
-        _ => &[],
-    };
-    names.extend(on_paper);
+fn confusable(bench: &Bench<'_>, item: &Item, accepted: Option<&Accepted>, plain: &[Plain]) -> Vec<&'static str> {
+    let mut names: Vec<&'static str> = near(item, accepted, plain).iter().map(|r| r.0).collect();
+    names.extend(item.hypothesis.twins(&bench.scene, &item.place));
     names.sort_unstable();
     names.dedup();
     names.retain(|n| *n != item.hypothesis.name());
@@ -514,10 +567,13 @@ fn unknown(causes: &mut Vec<Cause>, left: &[Structure], rms: &[f64], noise: &[f6
     for s in &left {
         after[s.joint] = (rms[s.joint].powi(2) - s.rms.powi(2)).max(0.0).sqrt();
     }
-    let entry = Cause {
+    let mut entry = Cause {
         cause: "unknown",
+        support: MOST_MARGIN,
+        margin: MOST_MARGIN,
+        share: share(rms, &after, noise, &[]),
         joints,
-        probability: 0.9,
+        probability: calibration::UNKNOWN_FIRST,
         parameters: Vec::new(),
         keys: Vec::new(),
         evidence: format!("structure is left that no listed cause explains: {}", sentences.join("; ")),
@@ -531,6 +587,9 @@ fn unknown(causes: &mut Vec<Cause>, left: &[Structure], rms: &[f64], noise: &[f6
     };
     let size = taken(&entry, noise);
     let at = causes.iter().position(|c| taken(c, noise) < size).unwrap_or(causes.len());
+    if at > 0 {
+        entry.probability = calibration::UNKNOWN_BESIDE;
+    }
     causes.insert(at, entry);
 }
 

@@ -32,7 +32,7 @@ pub struct Own {
     pub sign: Vec<f64>,
     /// Acceleration, rad/s^2.
     pub a: Vec<f64>,
-    /// Torque of the rigid model, N m.
+    /// Torque of the rigid model without the file's rotor: what the gear transmits, N m.
     pub load: Vec<f64>,
     /// Time since the recording began, s.
     pub t: Vec<f64>,
@@ -93,6 +93,8 @@ pub struct Scene<'a> {
     pub dead: Vec<f64>,
     /// By how much each joint's torque is taken to be late, s.
     pub delays: Vec<f64>,
+    /// Rotor inertias of the file, kg m^2.
+    rotors: Vec<f64>,
 }
 
 impl<'a> Scene<'a> {
@@ -147,7 +149,11 @@ impl<'a> Scene<'a> {
                 for j in 0..dof {
                     let by = delays[j] / stretch.period;
                     let v = earlier(stretch.of(&stretch.states.dq, j), span.clone(), by);
-                    let sign: Vec<f64> = v.iter().map(|v| if v.abs() > dead[j].0 { v.signum() } else { 0.0 }).collect();
+                    // Where every sample counts, the sign turns over within the zone in which its noise and a joint that sticks hide it.
+                    let sign: Vec<f64> = match all && !dead[j].1 {
+                        true => v.iter().map(|v| (v / dead[j].0).clamp(-1.0, 1.0)).collect(),
+                        false => v.iter().map(|v| if v.abs() > dead[j].0 { v.signum() } else { 0.0 }).collect(),
+                    };
                     live[j]
                         .extend(sign.chunks_exact(per).map(|w| {
                             all || dead[j].1 || (w.iter().all(|s| *s != 0.0) && w.iter().all(|s| *s == w[0]))
@@ -190,6 +196,7 @@ impl<'a> Scene<'a> {
             standard: None,
             dead: dead.iter().map(|d| d.0).collect(),
             delays: delays.to_vec(),
+            rotors: rotors(plant),
             plant,
             len,
             y,
@@ -325,6 +332,7 @@ impl<'a> Scene<'a> {
             for own in stretches {
                 let rigid = &self.rigid[j][own.first..own.first + own.windows];
                 own.load = spread(rigid, own.per);
+                own.load.iter_mut().zip(&own.a).for_each(|(t, a)| *t -= self.rotors[j] * a);
             }
         }
     }
@@ -397,6 +405,15 @@ fn earlier(x: &[f64], span: std::ops::Range<usize>, by: f64) -> Vec<f64> {
             + f * (f * f - 1.0) / 6.0 * d
     })
     .collect()
+}
+
+/// Rotor inertia of each joint in the file, kg m^2.
+fn rotors(plant: &dyn Plant) -> Vec<f64> {
+    let of = |row: &usize| {
+        let name = format!("IA{}", row + 1);
+        plant.standard_names().iter().position(|n| *n == name).map_or(0.0, |at| plant.given_drive(at))
+    };
+    plant.rows().iter().map(of).collect()
 }
 
 /// Speed below which each joint's sign is noise, rad/s, and whether it stands (is inside for most of the time).

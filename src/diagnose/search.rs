@@ -8,7 +8,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::causes::{CAUSES, Cause, Sign};
-use super::model::{Bench, Chosen, Fitted};
+use super::model::{Bench, Chosen, Fitted, Mode};
 use super::moments::Gain;
 use super::noise::memory;
 
@@ -28,7 +28,7 @@ pub struct SearchSettings {
 
 impl Default for SearchSettings {
     fn default() -> Self {
-        Self { most: 8, least_effect: 0.1, least_gain: 0.08, least_share: 0.03 }
+        Self { most: 8, least_effect: 0.25, least_gain: 0.08, least_share: 0.03 }
     }
 }
 
@@ -143,7 +143,26 @@ pub fn candidates(
         refine(bench, fitted, candidate);
     }
     all.sort_by(|a, b| b.score.total_cmp(&a.score));
+    simplest_first(&mut all, fitted);
     all
+}
+
+/// What a candidate with more unknowns gains, in the logarithm, must be more than this share of it beyond one with fewer: errors that are not noise
+/// (of derivatives, of a law's shape) give many unknowns something to fit that is not theirs.
+const WORTH_UNKNOWNS: f64 = 0.03;
+
+/// Puts a candidate with several unknowns fewer before the best one where it gains nearly as much in the same place or on the whole robot.
+fn simplest_first(all: &mut [Candidate], fitted: &Fitted) {
+    let Some(best) = all.first() else { return };
+    let total: f64 = fitted.solution.counts.iter().sum();
+    let count = |c: &Candidate| unknowns(c.cause, c.gain.x.len());
+    let raw = |c: &Candidate| c.score + count(c) * total.max(2.0).ln();
+    let (most, many) = (raw(best), count(best));
+    let place = |c: &Candidate| c.place == best.place || c.place.is_empty() || best.place.is_empty();
+    let simpler = |c: &Candidate| count(c) + 3.0 <= many && raw(c) > (1.0 - WORTH_UNKNOWNS) * most && place(c);
+    if let Some(at) = all.iter().position(simpler) {
+        all[..=at].rotate_right(1);
+    }
 }
 
 /// Walks each number of the shape up and down with shrinking steps.
@@ -268,9 +287,7 @@ fn body_on_the_flange(bench: &Bench<'_>, chosen: &Chosen, terms: &[super::causes
 
 /// Wrong links can't be seen where all base parameters are unknown.
 fn makes_sense(bench: &Bench<'_>, cause: &dyn Cause) -> bool {
-    bench.mode == super::model::Mode::Trusted
-        || !matches!(cause.name(), "link_inertia_error" | "payload" | "rotor_inertia")
-        || (cause.name() == "rotor_inertia")
+    bench.mode == Mode::Trusted || !cause.within_links()
 }
 
 /// Whether the last of `trial` is worth having.
@@ -290,9 +307,7 @@ fn judge(
     if terms.is_empty() || !last.cause.plausible(&bench.scene, &last.place, &last.shape, &last.x) {
         return None;
     }
-    if terms.iter().zip(&last.x).any(|(t, x)| t.sign == Sign::Positive && *x <= 0.0)
-        && last.cause.name() != "time_delay"
-    {
+    if terms.iter().zip(&last.x).any(|(t, x)| t.sign == Sign::Positive && *x <= 0.0) {
         return None;
     }
     let counts = &before.solution.counts;
@@ -383,7 +398,7 @@ fn confirmation(before: &Fitted, after: &Fitted) -> Confirmation {
 
 /// The last link's parameters and a payload are one thing; the vocabulary's table says so, the rivals need not.
 fn same_body(a: &Candidate, b: &Candidate) -> bool {
-    let body = |c: &Candidate| matches!(c.cause.name(), "payload" | "link_inertia_error");
+    let body = |c: &Candidate| c.cause.within_links();
     body(a) && body(b) && (a.score - b.score).abs() < 1e-6 * a.score.abs().max(1.0)
 }
 
@@ -420,7 +435,7 @@ fn settle(
     }
     let mut index = 0;
     while index < accepted.len() && accepted.len() > 1 {
-        if accepted[index].chosen.cause.name() == "time_delay" {
+        if accepted[index].chosen.cause.moves_time() {
             index += 1;
             continue;
         }
@@ -431,7 +446,7 @@ fn settle(
             accepted.iter().enumerate().filter(|(i, _)| *i != index).map(|(_, a)| a.clone()).collect();
         let wanted = |cause: &'static dyn Cause, place: &[usize]| {
             (place == removed.place.as_slice() || place.is_empty())
-                && cause.name() != "time_delay"
+                && !cause.moves_time()
                 && makes_sense(bench, cause)
                 && (cause.repeats() || without.iter().all(|c| c.cause.name() != cause.name() || c.place != place))
         };
@@ -472,4 +487,89 @@ fn settle(
         a.chosen = c.clone();
     }
     fitted.memory = fitted.residual.iter().zip(&bench.scene.live).map(|(e, l)| memory(e, l)).collect();
+}
+
+/// What else the plain friction of a joint might be.
+pub struct Plain {
+    /// Joint, from 0.
+    pub joint: usize,
+    /// What says nearly the same in its stead: cause, place, difference of support.
+    pub rivals: Vec<(&'static str, Vec<usize>, f64)>,
+}
+
+/// Puts plain friction, which is always among the unknowns, on a par with the other causes: where a joint has no cause of its own but changed
+/// friction or an offset, that is taken out and every cause of the joint is tried in its stead. One that says more with its unknowns takes the
+/// place; those that say nearly as much are rivals.
+pub fn reconsider(
+    bench: &mut Bench<'_>,
+    accepted: &mut Vec<Accepted>,
+    mut fitted: Fitted,
+    noise: &[f64],
+    settings: &SearchSettings,
+) -> (Fitted, Vec<Plain>) {
+    let mut all = Vec::new();
+    for j in 0..bench.scene.dof() {
+        let free: Vec<usize> = (3 * j..3 * j + 3).filter(|k| !bench.frozen[*k]).collect();
+        // A joint whose friction went back to the file's, and left more than noise, is looked at once more.
+        let left = fitted.solution.rss[j] > fitted.solution.counts[j] * (0.7 * noise[j]).powi(2);
+        if free.is_empty() && !left || accepted.iter().any(|a| a.chosen.place.contains(&j)) {
+            continue;
+        }
+        let chosen: Vec<Chosen> = accepted.iter().map(|a| a.chosen.clone()).collect();
+        let delays = bench.scene.delays.clone();
+        free.iter().for_each(|&k| bench.frozen[k] = true);
+        let mut without = chosen.clone();
+        let reduced = bench.fit(&mut without);
+        let wanted =
+            |cause: &'static dyn Cause, place: &[usize]| place.len() == 1 && place[0] == j && makes_sense(bench, cause);
+        let ranked = candidates(bench, &reduced, &wanted);
+        let total: f64 = reduced.solution.counts.iter().sum();
+        let raw: f64 =
+            logs(&reduced.solution.rss, &fitted.solution.rss).zip(&reduced.solution.counts).map(|(l, n)| n * l).sum();
+        let plain = raw - free.len() as f64 * total.max(2.0).ln();
+        let memory = fitted.memory[j];
+        let mut replaced = false;
+        if let Some(best) = ranked.first().filter(|c| c.score > plain + 4.0 * memory) {
+            let mut trial = without.clone();
+            trial.push(Chosen {
+                cause: best.cause,
+                place: best.place.clone(),
+                shape: best.shape.clone(),
+                x: best.gain.x.clone(),
+            });
+            let next = bench.fit(&mut trial);
+            if let Some(mut judged) = judge(bench, &reduced, &next, &trial, accepted, noise, settings, ranked.len()) {
+                judged.rivals = rivals(&ranked, 0, &next);
+                let names = [("viscous_friction", 0), ("coulomb_friction", 1), ("torque_offset", 2)];
+                let margin = (best.score - plain) / memory;
+                let near = best.score - plain < (10.0 * memory).max(0.015 * best.score);
+                let plain = names.iter().filter(|(_, which)| near && free.contains(&(3 * j + which)));
+                judged.rivals.extend(plain.map(|(name, _)| (*name, vec![j], margin)));
+                accepted.push(judged);
+                for (a, c) in accepted.iter_mut().zip(&trial) {
+                    a.chosen = c.clone();
+                }
+                fitted = next;
+                replaced = true;
+            }
+        }
+        if replaced {
+            continue;
+        }
+        free.iter().for_each(|&k| bench.frozen[k] = false);
+        if delays != bench.scene.delays {
+            let by = bench.scene.delays.iter().zip(&delays).map(|(a, b)| b - a).collect::<Vec<_>>();
+            bench.undo_delay(&by);
+        }
+        let near = |c: &&Candidate| plain - c.score < (10.0 * memory).max(0.015 * plain);
+        let rivals = ranked.iter().filter(near).take(4);
+        let rivals = rivals.map(|c| (c.cause.name(), c.place.clone(), ((plain - c.score) / memory).max(0.0))).collect();
+        all.push(Plain { joint: j, rivals });
+    }
+    let mut chosen: Vec<Chosen> = accepted.iter().map(|a| a.chosen.clone()).collect();
+    fitted = bench.fit(&mut chosen);
+    for (a, c) in accepted.iter_mut().zip(&chosen) {
+        a.chosen = c.clone();
+    }
+    (fitted, all)
 }

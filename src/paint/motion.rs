@@ -45,7 +45,7 @@ impl Motion {
             }
             instant
         };
-        if !(t > 0.0) {
+        if t.is_nan() || t <= 0.0 {
             return rest(self.q.first(), instant);
         }
         if t >= self.duration() {

@@ -278,10 +278,11 @@ impl<'a> Search<'a> {
         }
         // Per way point and angle: the posture on this branch.
         let count = 2 * REACH + 1;
-        let states: Vec<Vec<Option<(f64, Vec<f64>)>>> = ways
+        type Row = Vec<Option<(f64, Vec<f64>)>>;
+        let states: Vec<Row> = ways
             .iter()
             .map(|(way, q)| {
-                let mut row: Vec<Option<(f64, Vec<f64>)>> = vec![None; count];
+                let mut row: Row = vec![None; count];
                 row[REACH] = Some((way[3], q.clone()));
                 for sign in [-1isize, 1] {
                     let mut here = q.clone();

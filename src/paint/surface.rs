@@ -24,7 +24,7 @@ impl Surface {
     /// # Errors
     /// Says which number can't be.
     pub fn new(center: [f64; 3], normal: [f64; 3], up: [f64; 3], width: f64, height: f64) -> Result<Self, String> {
-        if center.iter().chain(&normal).chain(&up).any(|x| !(x.abs() <= 1e3)) {
+        if center.iter().chain(&normal).chain(&up).any(|x| x.is_nan() || x.abs() > 1e3) {
             return Err("the wall's place and directions must be finite numbers, at most 1000".into());
         }
         for (name, size) in [("width", width), ("height", height)] {

@@ -88,17 +88,19 @@ data.maps.forEach((maps, j) => {
   const row = document.createElement('div');
   row.className = 'maps';
   document.getElementById('maps').appendChild(row);
-  const means = maps.filter(m => !m.over.startsWith('frequency'));
+  // Amplitudes and root mean squares have no sign, and an axis of their own.
+  const sizes = /^(frequency|periods|with the motion|shift)/;
+  const means = maps.filter(m => !sizes.test(m.over));
   const shared = room(reach(means.flatMap(m => [m.before, m.after]), true));
   maps.forEach((map, k) => {
     const W = 280, H = 200, LEFT = 52, RIGHT = W - 6, TOP = 22, BOTTOM = H - 38, svg = canvas(row, W, H, `joint ${j + 1}, ${map.over}`);
-    const spectrum = map.over.startsWith('frequency');
+    const spectrum = sizes.test(map.over);
     const y = spectrum ? [0, 1.06 * reach([map.before, map.after], true)[1]] : shared;
     const at = frame(svg, { left: LEFT, right: RIGHT, top: TOP, bottom: BOTTOM, x: reach([map.x]), y, across: 3, up: 4 });
     line(svg, 'before', at, map.x, map.before);
     line(svg, 'after', at, map.x, map.after);
     if (!k) make(svg, 'text', { class: 'title', x: LEFT, y: 14 }, `joint ${j + 1}, N m`);
-    if (spectrum) make(svg, 'text', { class: 'axis', x: LEFT, y: 14 }, 'amplitude, N m');
+    if (spectrum) make(svg, 'text', { class: 'axis', x: LEFT, y: 14 }, /^(frequency|periods)/.test(map.over) ? 'amplitude, N m' : 'RMS, N m');
     make(svg, 'text', { class: 'axis', x: (LEFT + RIGHT) / 2, y: H - 6, 'text-anchor': 'middle' }, map.over);
   });
 });

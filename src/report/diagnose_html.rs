@@ -50,7 +50,7 @@ pub fn diagnose_html(found: &Diagnosis, logs: &[Prepared], provenance: &Provenan
         );
     }
     body.push_str("<section><h2>Torque and error, validation</h2><p class=note><span class='key measured'></span>measured torque (upper panel); error <span class='key before'></span>of the file as it is, <span class='key after'></span>of the extended model (lower panel). N m over s, one log after the other.</p><div class=grid2 id=curves></div></section>\n");
-    body.push_str("<section><h2>Maps of the error</h2><p class=note>Mean error in bins, N m, <span class='key before'></span>of the file as it is, <span class='key after'></span>of the extended model, on the validating data. A flat line at zero is a model that has nothing to learn from this quantity. Last: amplitude of the error over frequency.</p><div id=maps></div></section>\n");
+    body.push_str("<section><h2>Maps of the error</h2><p class=note>Mean error in bins, N m, <span class='key before'></span>of the file as it is, <span class='key after'></span>of the extended model, on the validating data. A flat line at zero is a model that has nothing to learn from this quantity. With an axis of their own: amplitude of the error over frequency and over periods per turn of the joint, root mean square of what goes with each other joint's motion, and root mean square that is left when the model is shifted in time (least at zero where nothing is late).</p><div id=maps></div></section>\n");
     findings_list(&mut body, &findings);
     body.push_str("<section><h2>How this was made</h2><dl>\n");
     let validation = if found.own_validation {

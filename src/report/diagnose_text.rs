@@ -43,8 +43,9 @@ pub fn diagnose_verdict(found: &Diagnosis) -> String {
     let data =
         if found.own_validation { "logs that were not used" } else { "the last part of the logs, which was not used" };
     format!(
-        "{first} On {data} the simulation of the file misses the torque by {} N m (RMS over joints), the extended model by {} N m; the noise is {} N m.",
+        "{first} On {data} the simulation of the file misses the torque by {} N m (RMS over joints) as it is, by {} N m with its parameters refitted, the extended model by {} N m; the noise is {} N m.",
         digits(before, 3),
+        digits(mean(&found.refitted.validate), 3),
         digits(after, 3),
         digits(mean(&found.noise_floor), 3)
     ) + &worse

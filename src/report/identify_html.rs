@@ -70,7 +70,7 @@ pub fn identify_html(
         title: format!("{} – identification", found.robot),
         style: "",
         body: &body,
-        data: data,
+        data,
         script: include_str!("identify.js"),
     };
     page.html()

@@ -8,6 +8,7 @@ use super::Provenance;
 use super::identify_html::curves;
 use super::number::digits;
 use super::page::{Page, escape};
+use super::reproduce_diagnosis as diagnosis;
 use super::reproduce_excitation as excitation;
 use super::reproduce_force as force;
 use super::reproduce_painting as painting;
@@ -28,6 +29,7 @@ pub fn reproduce_html(parts: &Parts, provenance: &Provenance) -> String {
     parts.identification.iter().for_each(|found| verdict(identification_verdict(found)));
     parts.painting.iter().for_each(|found| verdict(painting::verdict(found)));
     parts.force.iter().for_each(|found| verdict(force::verdict(found)));
+    parts.diagnosis.iter().for_each(|found| verdict(diagnosis::verdict(found)));
     body.push_str("</header>\n");
     if let Some(found) = &parts.excitation {
         for (k, table) in excitation::tables(found).iter().enumerate() {
@@ -51,6 +53,16 @@ pub fn reproduce_html(parts: &Parts, provenance: &Provenance) -> String {
     }
     for table in parts.force.iter().flat_map(force::tables) {
         section(&mut body, &table, "", "");
+    }
+    if let Some(found) = &parts.diagnosis {
+        for table in &diagnosis::tables(found) {
+            let drawing = if table.title.starts_with("Whether probabilities") {
+                diagnosis::drawing(found)
+            } else {
+                String::new()
+            };
+            section(&mut body, table, &drawing, "");
+        }
     }
     body.push_str("<section><h2>How this was made</h2><dl>\n");
     for (what, value) in provenance {

@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use super::reproduce_diagnosis as diagnosis;
 use super::reproduce_excitation as excitation;
 use super::reproduce_force as force;
 use super::reproduce_painting as painting;
@@ -15,6 +16,7 @@ pub fn reproduce_json(parts: &Parts) -> Value {
         "identification": parts.identification.as_ref().map(identification),
         "painting": parts.painting.as_ref().map(painting::to_json),
         "force": parts.force.as_ref().map(force::to_json),
+        "diagnosis": parts.diagnosis.as_ref().map(diagnosis::to_json),
     })
 }
 

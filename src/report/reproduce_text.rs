@@ -3,9 +3,11 @@
 use std::fmt::Write;
 
 use super::number::{digits, figure, pad, percent};
+use super::reproduce_diagnosis as diagnosis;
 use super::reproduce_excitation as excitation;
 use super::reproduce_force as force;
 use super::reproduce_painting as painting;
+use crate::reproduce::diagnosis::Battery;
 use crate::reproduce::fig6::{self, mean};
 use crate::reproduce::fig10::{PAPER_RMS, PAPER_SEVENTH};
 use crate::reproduce::honesty::ASKED;
@@ -22,6 +24,8 @@ pub struct Parts {
     pub painting: Option<Painting>,
     /// Section V.B.
     pub force: Option<Force>,
+    /// The diagnosis of hidden effects.
+    pub diagnosis: Option<Battery>,
 }
 
 /// All tables.
@@ -38,6 +42,9 @@ pub fn reproduce_text(parts: &Parts) -> String {
     }
     if let Some(found) = &parts.force {
         part(&mut text, &force::verdict(found), &force::tables(found));
+    }
+    if let Some(found) = &parts.diagnosis {
+        part(&mut text, &diagnosis::verdict(found), &diagnosis::tables(found));
     }
     text
 }

@@ -72,7 +72,7 @@ pub fn tool_html(found: &Found, logs: &[Prepared], traces: &[Trace], provenance:
         title: format!("{} – tool", carried.robot),
         style: include_str!("tool.css"),
         body: &body,
-        data: data,
+        data,
         script: include_str!("identify.js"),
     };
     page.html()

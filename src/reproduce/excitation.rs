@@ -11,9 +11,12 @@ use crate::excite::{AtDuration, Criterion, Effort, Progress, Task, by_duration};
 /// The paper's choice, s (section III.D): "no significant minimization of cost function values can be observed after 10 s".
 pub const CHOSEN: f64 = 10.0;
 
+/// A condition number, and what its authors say of it.
+type Published = Option<(f64, &'static str)>;
+
 /// Other arms, by their files, and what others have published as the condition number of a motion on a like problem, with their scaling of the
 /// columns.
-const OTHERS: [(&str, &str, Option<(f64, &str)>); 5] = [
+const OTHERS: [(&str, &str, Published); 5] = [
     ("franka-panda", include_str!("../../robots/franka-panda.yaml"), Some((121.9, "its authors' columns and scaling"))),
     (
         "kuka-iiwa14",

@@ -109,3 +109,34 @@ fn the_papers_identification() {
     assert!(one.center_rms < table3::ASKED[1] && all.center_rms < one.center_rms && all.center_within >= 0.9);
     assert!((0..7).all(|j| found.fig10.verdict(j).holds()));
 }
+
+/// The diagnosis of what a seed hides in the simulator: one case of each kind, short logs. `denavit reproduce diagnosis` is the whole.
+#[test]
+#[cfg_attr(debug_assertions, ignore = "80 s on one core in release")]
+fn hidden_effects_are_named() {
+    use super::diagnosis::{Settings, battery};
+    use crate::simulate::Mode;
+    let settings =
+        Settings { from: 4001, seconds: [7.0, 5.0], rate: 200.0, arms: 3, control: Mode::Exact, ..Settings::default() };
+    let found = battery(&settings, &|_, _| {}).unwrap();
+    let scores = &found.scores;
+    let wrong: Vec<String> = found
+        .outcomes
+        .iter()
+        .filter(|o| !o.right())
+        .map(|o| {
+            let named: Vec<&str> = o.found.causes.iter().map(|c| c.cause).collect();
+            format!("{} {}: {named:?}", o.seed, o.label())
+        })
+        .collect();
+    // Thresholds leave room for chance: 28 cases with one effect, 8 with two, 3 outside the vocabulary, 1 with nothing.
+    assert_eq!(found.outcomes.len(), 40);
+    assert_eq!(scores.false_alarms.good, 0, "{wrong:#?}");
+    assert!(scores.first.value().unwrap() >= 0.7, "{:?} {wrong:#?}", scores.first);
+    assert!(scores.place.value().unwrap() >= 0.85, "{:?} {wrong:#?}", scores.place);
+    assert!(scores.both.value().unwrap() >= 0.25, "{:?} {wrong:#?}", scores.both);
+    assert!(scores.gained.value().unwrap() >= 0.7, "{:?}", scores.gained);
+    // The same seeds give the same figures.
+    let again = battery(&Settings { cases: 2, ..settings }, &|_, _| {}).unwrap();
+    assert_eq!(format!("{:?}", again.outcomes), format!("{:?}", &found.outcomes[..2]));
+}

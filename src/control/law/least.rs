@@ -29,8 +29,8 @@ pub(super) fn solve<const M: usize>(a: &mut [[f64; M]; M], right: &[f64; M], tra
         for j in 0..k {
             a[k][k] -= a[k][j] * a[k][j] * a[j][j];
         }
-        // Not `<=`: a NaN must not pass.
-        if !(a[k][k] > 1e-13 * trace) {
+        // A NaN must not pass either.
+        if a[k][k].is_nan() || a[k][k] <= 1e-13 * trace {
             return None;
         }
         for i in k + 1..M {

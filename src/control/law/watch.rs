@@ -68,7 +68,8 @@ impl<const N: usize> Watch<N> {
         }
         // A step of the encoder in a sample that came early is no leap.
         let reach = dt.max(self.period);
-        if (0..N).any(|j| !((sample.q[j] - q[j]).abs() <= self.fastest[j] * reach)) {
+        let follows = |j: usize| (sample.q[j] - q[j]).abs() <= self.fastest[j] * reach;
+        if !(0..N).all(follows) {
             return self.bad();
         }
         self.take(sample);

@@ -24,6 +24,10 @@ impl Cause for AsymmetricFriction {
         vec![Term::new("FVA", scene.pointwise(j, |o, k| o.v[k].abs()), Sign::Any)]
     }
 
+    fn has_constant(&self) -> bool {
+        true
+    }
+
     fn says(&self) -> &'static str {
         "friction differs between the two directions"
     }

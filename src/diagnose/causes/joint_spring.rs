@@ -23,6 +23,10 @@ impl Cause for JointSpring {
         vec![Term::new("KS", scene.pointwise(j, |o, k| o.q[k]), Sign::Any)]
     }
 
+    fn has_constant(&self) -> bool {
+        true
+    }
+
     fn says(&self) -> &'static str {
         "an elastic torque in proportion to the joint's angle"
     }

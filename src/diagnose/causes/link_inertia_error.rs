@@ -20,6 +20,15 @@ impl Cause for LinkInertiaError {
         body_terms(scene, scene.plant.rows()[place[0]])
     }
 
+    fn within_links(&self) -> bool {
+        true
+    }
+
+    fn twins(&self, scene: &Scene<'_>, place: &[usize]) -> &'static [&'static str] {
+        let last = place.first().is_some_and(|j| j + 1 == scene.dof());
+        if last { &["payload"] } else { &[] }
+    }
+
     fn says(&self) -> &'static str {
         "the link's mass, centre of mass or inertia are not what the file says"
     }

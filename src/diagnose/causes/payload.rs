@@ -57,6 +57,14 @@ impl Cause for Payload {
         }
     }
 
+    fn within_links(&self) -> bool {
+        true
+    }
+
+    fn twins(&self, _: &Scene<'_>, _: &[usize]) -> &'static [&'static str] {
+        &["link_inertia_error"]
+    }
+
     fn says(&self) -> &'static str {
         "a body that the file does not know is fixed to the flange"
     }

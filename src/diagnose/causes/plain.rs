@@ -57,6 +57,11 @@ impl Cause for Plain {
         vec![Term::new(self.symbol, column, Sign::Any)]
     }
 
+    fn twins(&self, _: &Scene<'_>, _: &[usize]) -> &'static [&'static str] {
+        // While the joint moves, a difference of Coulomb levels is a constant.
+        if self.symbol == "TO" { &["asymmetric_friction"] } else { &[] }
+    }
+
     fn says(&self) -> &'static str {
         self.says
     }

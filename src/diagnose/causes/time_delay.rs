@@ -62,6 +62,10 @@ impl Cause for TimeDelay {
         all.iter().all(|&j| (already(j) + x[0]).abs() <= MOST_DELAY)
     }
 
+    fn moves_time(&self) -> bool {
+        true
+    }
+
     fn says(&self) -> &'static str {
         "the torque is late against the motion"
     }
