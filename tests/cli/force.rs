@@ -87,10 +87,10 @@ fn a_push_is_measured_without_a_sensor() {
         for (i, name) in ["fx", "fy", "fz", "mx", "my", "mz"].iter().enumerate() {
             let c = &log["against_measured"][name];
             let [rms, half, inside] = ["rms", "half_width", "inside"].map(|k| c[k].as_f64().unwrap());
-            // The motion passes singularities, where errors and bands are wide; what the plain one's damping takes away is not in its band.
-            let least = if estimator == "plain" { 0.7 } else { 0.85 };
-            assert!(rms < 3.0 * half && inside > least, "{estimator} {name} {c}");
-            assert!(half < if i < 3 { 30.0 } else { 3.0 }, "{estimator} {name} {c}");
+            // The motion passes singularities, where errors and bands are wide.
+            assert!(rms < 3.0 * half && inside > 0.85, "{estimator} {name} {c}");
+            // The plain one's damping may take away much of a force near a singularity, and its band says so.
+            assert!(estimator == "plain" || half < if i < 3 { 30.0 } else { 3.0 }, "{estimator} {name} {c}");
         }
         assert_eq!(log["consistency"]["free"]["holds"], true, "{log}");
         assert_eq!(log["consistency"]["unexplained"]["holds"], true, "{log}");
