@@ -14,7 +14,6 @@ mod model;
 mod moments;
 mod next;
 mod noise;
-mod prior;
 mod record;
 mod result;
 mod run;

@@ -85,6 +85,7 @@ fn kept(hidden: &Effects) -> (Diagnosis, Robot) {
     let simulator = Simulator::new(&robot, hidden).unwrap();
     let (fit, validate) = (record(&simulator, "fit", 10.0, 1), record(&simulator, "validate", 6.0, 2));
     let plant = RobotPlant::new(&robot);
+    let given = errors(&robot, &validate);
     let found =
         diagnose(&plant, std::slice::from_ref(&fit), std::slice::from_ref(&validate), &Settings::default(), &|_| {})
             .unwrap();
@@ -95,15 +96,22 @@ fn kept(hidden: &Effects) -> (Diagnosis, Robot) {
     let before = &found.baseline.validate;
     let causes: Vec<(&str, &[usize])> = found.causes.iter().map(|c| (c.cause, &c.joints[..])).collect();
     println!("{causes:?}\n before {before:.4?}\n promised {promised:.4?}\n kept {is:.4?}");
-    // Near reversals the diagnosis takes the sign of a velocity inside its noise for 0; the file's law does not know that noise.
+    // Near reversals the diagnosis takes the sign of a velocity inside its noise for 0; a file's law, the untouched file's too, does not know that noise.
+    // So: nine tenths of the promised gain in squared error where there is much to gain, and elsewhere nothing worse than the untouched file.
     for j in 0..is.len() {
+        let [before2, promised2, is2] = [before[j], promised[j], is[j]].map(|e| e * e);
+        let holds = match promised[j] < 0.6 * before[j] {
+            true => before2 - is2 > 0.9 * (before2 - promised2),
+            false => is[j] < 1.05 * given[j].max(promised[j]),
+        };
         assert!(
-            is[j] < 1.12 * promised[j] + 0.03 * (before[j] - promised[j]).max(0.0),
-            "joint {}: {} promised, {} kept, {} before; {causes:?}",
+            holds,
+            "joint {}: {} promised, {} kept, {} before ({} by the file's own law); {causes:?}",
             j + 1,
             promised[j],
             is[j],
-            before[j]
+            before[j],
+            given[j]
         );
     }
     (found, back)

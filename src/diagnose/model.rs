@@ -11,7 +11,6 @@ use crate::identify::recover_standard;
 use super::causes::{COULOMB, Cause, Named, OFFSET, Term, VISCOUS};
 use super::moments::{Moments, Solution};
 use super::noise::memory;
-use super::prior::{Prior, prior, with_friction};
 use super::record::Recording;
 use super::scene::{Column, Scene};
 
@@ -23,9 +22,6 @@ pub enum Mode {
     /// All base parameters.
     Refitted,
 }
-
-/// How long errors of a model that lacks something last, s: a prior weighs against the data as if windows that close were one.
-const REMEMBERED: f64 = 0.25;
 
 /// An accepted cause.
 #[derive(Clone)]
@@ -127,7 +123,6 @@ pub struct Bench<'a> {
     /// Terms of families that depend on the motion alone, by cause, place and shape.
     known: Mutex<HashMap<Key, Arc<Vec<Term>>>>,
     base: Vec<Column>,
-    prior: Prior,
     friction: Vec<Column>,
     y: Vec<Vec<f64>>,
 }
@@ -145,25 +140,8 @@ impl<'a> Bench<'a> {
         let scene = Scene::new(plant, recordings, rate, delays, all);
         let frozen = vec![false; 3 * plant.dof()];
         let (base, friction, y) = Default::default();
-        let base_prior = if mode == Mode::Refitted { prior(plant, &inertial(plant)) } else { None };
-        let unknown = if mode == Mode::Refitted { inertial(plant).len() } else { 0 };
-        let torque: Vec<f64> =
-            scene.y.iter().map(|y| (y.iter().map(|y| y * y).sum::<f64>() / y.len().max(1) as f64).sqrt()).collect();
-        let prior = with_friction(base_prior.unwrap_or_else(|| Prior::none(unknown)), &torque);
-        let mut bench = Self {
-            plant,
-            recordings,
-            rate,
-            mode,
-            scene,
-            frozen,
-            all,
-            known: Mutex::default(),
-            base,
-            prior,
-            friction,
-            y,
-        };
+        let mut bench =
+            Self { plant, recordings, rate, mode, scene, frozen, all, known: Mutex::default(), base, friction, y };
         bench.scene.set_model(given_base(plant), plant.given().map(|s| without_friction(plant, s)));
         bench.prepare();
         bench
@@ -319,15 +297,6 @@ impl<'a> Bench<'a> {
     }
 
     fn fit_once(&self, chosen: &[Chosen], weights: Option<&[f64]>) -> Fitted {
-        let (moments, friction, first, terms) = self.equations(chosen);
-        let solution = moments.solve(weights);
-        let residual = moments.residual(&solution.x);
-        let memory = residual.iter().zip(&self.scene.live).map(|(e, l)| memory(e, l)).collect();
-        Fitted { moments, solution, residual, memory, friction, first, terms }
-    }
-
-    /// Equations in the rigid arm's unknowns, friction's and those of the chosen causes; where the latter two begin; the causes' terms.
-    fn equations(&self, chosen: &[Chosen]) -> (Moments, usize, Vec<usize>, Vec<Arc<Vec<Term>>>) {
         let terms: Vec<Arc<Vec<Term>>> = chosen.iter().map(|c| self.terms(c)).collect();
         let mut columns: Vec<Column> = self.base.clone();
         let friction = columns.len();
@@ -338,9 +307,11 @@ impl<'a> Bench<'a> {
             first.push(columns.len());
             columns.extend(term.iter().map(|t| t.column.clone()));
         }
-        let prior = (self.prior.clone(), (REMEMBERED / self.scene.step).max(1.0));
-        let moments = Moments::new(&self.scene, &self.y, &columns, prior);
-        (moments, friction, first, terms)
+        let moments = Moments::new(&self.scene, &self.y, &columns);
+        let solution = moments.solve(weights);
+        let residual = moments.residual(&solution.x);
+        let memory = residual.iter().zip(&self.scene.live).map(|(e, l)| memory(e, l)).collect();
+        Fitted { moments, solution, residual, memory, friction, first, terms }
     }
 
     /// The rigid model, and the torque with friction, as causes see them.

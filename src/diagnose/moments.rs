@@ -2,7 +2,6 @@
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-use super::prior::Prior;
 use super::scene::{BLOCKS, Column, Scene};
 
 /// Products of a joint's columns with each other and with the torque, over one part of the data.
@@ -36,8 +35,6 @@ pub struct Moments {
     y: Vec<Vec<f64>>,
     /// Of the whole data.
     whole: Vec<Part>,
-    /// Of the first unknowns, and in how many windows residuals count as one.
-    prior: (Prior, f64),
 }
 
 /// A least-squares solution.
@@ -94,9 +91,8 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 impl Moments {
-    /// Of these columns and the torque `y` (per joint, masked). A prior of the first unknowns weighs so much more than a window of the data
-    /// as windows depend on each other.
-    pub fn new(scene: &Scene<'_>, y: &[Vec<f64>], columns: &[Column], prior: (Prior, f64)) -> Self {
+    /// Of these columns and the torque `y` (per joint, masked).
+    pub fn new(scene: &Scene<'_>, y: &[Vec<f64>], columns: &[Column]) -> Self {
         // Pieces of the data, and the part that each belongs to.
         let mut pieces: Vec<(std::ops::Range<usize>, usize)> = Vec::new();
         for (w, &part) in scene.block.iter().enumerate() {
@@ -133,7 +129,7 @@ impl Moments {
                 joint.parts.push(sum);
             }
         }
-        let mut moments = Self { joints, unknowns: columns.len(), y: y.to_vec(), whole: Vec::new(), prior };
+        let mut moments = Self { joints, unknowns: columns.len(), y: y.to_vec(), whole: Vec::new() };
         moments.whole = moments.sums(|_| true);
         moments
     }
@@ -171,13 +167,6 @@ impl Moments {
                 }
             }
         }
-        let (prior, dependence) = &self.prior;
-        let n = prior.mean.len();
-        let precision = &prior.precision * *dependence;
-        let mut corner = matrix.view_mut((0, 0), (n, n));
-        corner += &precision;
-        let mut top = rhs.rows_mut(0, n);
-        top += precision * &prior.mean;
         (matrix, rhs)
     }
 
@@ -363,12 +352,7 @@ impl Moments {
     /// `A^-1 (sum_j w_j lambda_j A_j' A_j) A^-1`.
     pub fn covariance(&self, at: &Solution, inflation: &[f64]) -> DMatrix<f64> {
         let weights: Vec<f64> = at.weights.iter().zip(inflation).map(|(w, l)| w * l).collect();
-        let (mut middle, _) = self.assemble(&self.whole, &weights);
-        // The prior is in the sum once, and weighs there as if windows depended on each other in it as well.
-        let (prior, dependence) = &self.prior;
-        let n = prior.mean.len();
-        let mut corner = middle.view_mut((0, 0), (n, n));
-        corner += &prior.precision * (*dependence * (*dependence - 1.0));
+        let (middle, _) = self.assemble(&self.whole, &weights);
         &at.inverse * middle * &at.inverse
     }
 }
