@@ -26,24 +26,52 @@ pub struct BaseParameter {
     pub unit: String,
 }
 
+/// What an arm's numbers stand for.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Description {
+    /// The robot's name.
+    pub name: String,
+    /// Degrees of freedom, `n`.
+    pub dof: usize,
+    /// Names of the standard parameters, `P`, in the order of contract section 2.
+    pub standard: Vec<String>,
+    /// The base parameters, `B`, in the order of the base regressor's columns.
+    pub base: Vec<BaseParameter>,
+    /// Rows and columns of the base regressor's structural nonzeros, sorted by row, then column.
+    pub pattern: Vec<(usize, usize)>,
+}
+
 /// An arm with `n` degrees of freedom, `P` standard and `B` base parameters.
 ///
 /// Torques are those of the actuators on the links, N m (N for a prismatic joint), positive in the direction in which `q` grows.
 pub trait Arm: Sync {
+    /// Sizes, names and zeros.
+    fn description(&self) -> &Description;
+
     /// The robot's name.
-    fn name(&self) -> &str;
+    fn name(&self) -> &str {
+        &self.description().name
+    }
 
     /// Degrees of freedom, `n`.
-    fn dof(&self) -> usize;
+    fn dof(&self) -> usize {
+        self.description().dof
+    }
 
     /// Names of the standard parameters, `P`, in the order of contract section 2.
-    fn standard_names(&self) -> &[String];
+    fn standard_names(&self) -> &[String] {
+        &self.description().standard
+    }
 
     /// The base parameters, `B`, in the order of the base regressor's columns.
-    fn base_parameters(&self) -> &[BaseParameter];
+    fn base_parameters(&self) -> &[BaseParameter] {
+        &self.description().base
+    }
 
     /// Rows and columns of the base regressor's structural nonzeros, sorted by row, then column.
-    fn base_pattern(&self) -> &[(usize, usize)];
+    fn base_pattern(&self) -> &[(usize, usize)] {
+        &self.description().pattern
+    }
 
     /// The base regressor at every sample: entry `k` of [`Arm::base_pattern`] at sample `s` goes to `out[k * len + s]`.
     /// `tau = W_b beta` (Khalil and Dombre, equation 12.21).

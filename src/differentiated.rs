@@ -5,7 +5,7 @@ use dh_codegen::interpret::Batch;
 use dh_codegen::pullback::{Pullback, velocity_signs};
 use dh_codegen::robot::Robot;
 
-use crate::arm::{Arm, BaseParameter, Differentiable, Gradient, States};
+use crate::arm::{Arm, Description, Differentiable, Gradient, States};
 use crate::interpreted::Interpreted;
 
 /// An [`Interpreted`] arm with the adjoints of what an exciting motion needs.
@@ -71,24 +71,8 @@ fn batch<'a>(states: &'a States, parameters: &'a [f64]) -> Batch<'a> {
 }
 
 impl Arm for Differentiated {
-    fn name(&self) -> &str {
-        self.arm.name()
-    }
-
-    fn dof(&self) -> usize {
-        self.arm.dof()
-    }
-
-    fn standard_names(&self) -> &[String] {
-        self.arm.standard_names()
-    }
-
-    fn base_parameters(&self) -> &[BaseParameter] {
-        self.arm.base_parameters()
-    }
-
-    fn base_pattern(&self) -> &[(usize, usize)] {
-        self.arm.base_pattern()
+    fn description(&self) -> &Description {
+        self.arm.description()
     }
 
     fn base_regressor(&self, states: &States, out: &mut [f64]) {
