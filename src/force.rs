@@ -40,7 +40,6 @@ pub use kalman::Kalman;
 pub use method::{MOST_JOINTS, Method};
 pub use momentum::Momentum;
 pub use noise::NoisePass;
-pub use picked::noise_gain;
 pub use residual::Residual;
 pub use run::{Known, Run, Settings, TooManyJoints};
 pub use sample::{Estimate, ForceEstimator, NINETY_FIVE, Sample, Scale};

@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use super::scene::{BLOCKS, Column, Scene};
+use crate::identify::dot;
 
 /// Products of a joint's columns with each other and with the torque, over one part of the data.
 #[derive(Debug, Clone)]
@@ -76,18 +77,6 @@ pub struct Gain {
     pub x: Vec<f64>,
     /// Sum of squared residuals of each joint with them.
     pub rss: Vec<f64>,
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; 8];
-    let (a8, b8) = (a.chunks_exact(8), b.chunks_exact(8));
-    let rest: f64 = a8.remainder().iter().zip(b8.remainder()).map(|(x, y)| x * y).sum();
-    for (x, y) in a8.zip(b8) {
-        for i in 0..8 {
-            sums[i] += x[i] * y[i];
-        }
-    }
-    rest + sums.iter().sum::<f64>()
 }
 
 impl Moments {

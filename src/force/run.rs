@@ -6,7 +6,7 @@ use super::bias::{Bias, inside};
 use super::consistency::Checker;
 use super::contact::ContactDetector;
 use super::method::{MOST_JOINTS, Method, Row, Steps, Tuning, steps};
-use super::picked::{Picked, noise_gain, pick};
+use super::picked::{Picked, pick};
 use super::sample::Scale;
 use super::series::Series;
 use super::torques::Torques;
@@ -225,7 +225,7 @@ impl<'a> Run<'a> {
     fn tuned(&self, motion: &Motion) -> Option<Box<dyn Steps>> {
         let Settings { method, filter, gain, scale, wander, .. } = self.settings;
         let noise = &self.known.uncertainty.noise;
-        let left = noise_gain(filter, motion.period.recip());
+        let left = filter.map_or(1.0, |f| f.noise_gain(motion.period.recip()));
         let density: Vec<f64> = noise.iter().map(|s| (s / left).powi(2) * motion.period).collect();
         // At least the rounding of an encoder, or the filter trusts velocities that are not that good.
         let velocity: Vec<f64> = motion.velocity_noise.iter().map(|v| v.max(1e-5)).collect();

@@ -1,7 +1,7 @@
 //! Sections II.D, II.E, III.E and VI.A of the paper, end to end: Fig. 6, Table II, Table III, Fig. 10, and whether the standard deviations are
 //! honest.
 
-use super::chain::{factors, fit, noise_gain, play};
+use super::chain::{factors, fit, play};
 use super::fig6::{self, Bars, mean};
 use super::fig10::{Fig10, fig10};
 use super::honesty::{Honesty, honesty};
@@ -9,6 +9,7 @@ use super::lwr::{Lwr, Unmodelled};
 use super::motions::{Motion, motions};
 use super::{ReproduceError, Watch, table2, table3};
 use crate::identify::{Factors, Identification};
+use crate::signal::Filter;
 use crate::simulate::Recording;
 use crate::tool::rerun::{Column, PAPER_TORQUE_NOISE};
 
@@ -115,7 +116,7 @@ pub fn identification(settings: &Settings, watch: Watch<'_>) -> Result<Experimen
     let designing = stage(0.0, 0.45);
     let motions = motions(&lwr, seed, &|what, share| designing.tell(what, share))?;
     let noise = PAPER_TORQUE_NOISE.to_vec();
-    let gain = noise_gain(Lwr::sensors().rate);
+    let gain = Filter::default().noise_gain(Lwr::sensors().rate);
     let floor: Vec<f64> = noise.iter().map(|s| gain * s).collect();
 
     let robots: Vec<Motion> = motions.iter().filter(|m| m.name != "tool").cloned().collect();

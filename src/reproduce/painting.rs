@@ -13,6 +13,7 @@ use crate::differentiated::Differentiated;
 use crate::excite::{Criterion, Effort};
 use crate::paint::Plan;
 use crate::paint::run::{Feedback, Run};
+use crate::signal::Filter;
 use rig::{Roller, Stand};
 
 /// How to run it.
@@ -181,7 +182,7 @@ pub fn painting(settings: &PaintingSettings, watch: Watch<'_>) -> Result<Paintin
     }
     let noise = crate::tool::rerun::PAPER_TORQUE_NOISE;
     let mean = noise.iter().sum::<f64>() / noise.len() as f64;
-    let gain = super::chain::noise_gain(Lwr::sensors().rate);
+    let gain = Filter::default().noise_gain(Lwr::sensors().rate);
     Ok(Painting {
         settings: *settings,
         force: rig::FORCE,

@@ -25,6 +25,19 @@ impl Default for Filter {
     }
 }
 
+impl Filter {
+    /// What it leaves, forward and backward, of white noise at `rate`, Hz: the root of the energy of its impulse response, as a share. 1 where the
+    /// cutoff is beyond half the rate, and nothing is filtered.
+    pub fn noise_gain(self, rate: f64) -> f64 {
+        let Ok(sos) = low_pass(self.order, self.cutoff, rate) else { return 1.0 };
+        let half = 2 * sos.settling();
+        let mut impulse = vec![0.0; 2 * half + 1];
+        impulse[half] = 1.0;
+        sos.forward_backward(&mut impulse, 0);
+        impulse.iter().map(|x| x * x).sum::<f64>().sqrt()
+    }
+}
+
 /// Where velocities and accelerations come from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Derivatives {
