@@ -3,10 +3,8 @@
 //! A run: identify from a log with noise, estimate from another one with a known wrench of all six components. Parameters are identified
 //! anew in each run, so that their error, the same at all samples of a run, is drawn anew as well: a band's coverage is over runs and samples.
 
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use super::lwr::{Lwr, Unmodelled};
+use super::many::many;
 use super::{ReproduceError, Watch};
 use crate::force::{Comparison, Known, Linear, Method, Run, Series, Settings as Estimation, Uncertainty};
 use crate::identify::{Identification, IdentifySettings, Stack, StackSettings, recover_standard, solve};
@@ -242,10 +240,7 @@ pub fn coverage(
     seed: u64,
     watch: Watch<'_>,
 ) -> Result<Vec<Coverage>, ReproduceError> {
-    type One = Result<Vec<Series>, ReproduceError>;
-    let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    let all: Mutex<Vec<(usize, One)>> = Mutex::new(Vec::new());
-    let one = |run: usize| -> One {
+    let one = |run: usize| -> Result<Vec<Series>, ReproduceError> {
         let seed = seed.wrapping_add(2 * run as u64);
         let found = stage.identify(seed)?;
         methods
@@ -253,29 +248,7 @@ pub fn coverage(
             .map(|&method| stage.estimate(&found, seed + 1, 4, &Estimation { method, ..Estimation::default() }))
             .collect()
     };
-    let threads = std::thread::available_parallelism().map_or(1, usize::from).min(runs.max(1));
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(|| {
-                loop {
-                    let run = next.fetch_add(1, Ordering::Relaxed);
-                    if run >= runs {
-                        break;
-                    }
-                    let result = one(run);
-                    let finished = done.fetch_add(1, Ordering::Relaxed) + 1;
-                    watch(&format!("run {finished} of {runs}"), finished as f64 / runs as f64);
-                    if let Ok(mut all) = all.lock() {
-                        all.push((run, result));
-                    }
-                }
-            });
-        }
-    });
-    let mut all = all.into_inner().unwrap_or_default();
-    // Sums in the order of the runs: the same bits whoever was first.
-    all.sort_by_key(|(run, _)| *run);
-    let all: Vec<Vec<Series>> = all.into_iter().map(|(_, r)| r).collect::<Result<_, _>>()?;
+    let all = many(runs, &one, watch)?;
     Ok(methods
         .iter()
         .enumerate()

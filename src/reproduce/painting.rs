@@ -5,6 +5,7 @@ mod plans;
 mod rig;
 
 use super::lwr::{Lwr, Unmodelled};
+use super::many::many;
 use super::motions::designed;
 use super::verdict::Verdict;
 use super::{ReproduceError, Watch};
@@ -149,37 +150,12 @@ pub fn painting(settings: &PaintingSettings, watch: Watch<'_>) -> Result<Paintin
             }
         }
     }
-    let done = std::sync::Mutex::new((0.0, vec![0.0; jobs.len()]));
-    let next = std::sync::atomic::AtomicUsize::new(0);
-    let results = std::sync::Mutex::new((0..jobs.len()).map(|_| None).collect::<Vec<Option<_>>>());
-    let workers = std::thread::available_parallelism().map_or(1, |n| n.get()).min(jobs.len());
-    let (jobs, results_of) = (&jobs, &results);
-    std::thread::scope(|scope| {
-        for _ in 0..workers {
-            scope.spawn(|| {
-                loop {
-                    let k = next.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-                    let Some(&(_, name, case, feedback, roller)) = jobs.get(k) else { break };
-                    let found = roller.paint(feedback, true, seed.wrapping_add(100 + k as u64), &mut |share| {
-                        if let Ok(mut done) = done.lock() {
-                            done.1[k] = share;
-                            let all = done.1.iter().sum::<f64>() / jobs.len() as f64;
-                            watch(&format!("painting: {name}, {}", case.title()), 0.45 + 0.55 * all);
-                        }
-                    });
-                    if let Ok(mut results) = results_of.lock() {
-                        results[k] = Some(found);
-                    }
-                }
-            });
-        }
-    });
-    let results = results.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-    let mut rows = Vec::new();
-    for (&(k, roller, case, feedback, _), found) in jobs.iter().zip(results) {
-        let found = found.ok_or_else(|| ReproduceError::Robot("a run did not end".into()))?;
-        rows.push(Row { roller, case, feedback, moment: true, run: found?, paper: PAPER[k].1 });
-    }
+    let one = |k: usize| {
+        let (paper, roller, case, feedback, stage) = jobs[k];
+        let run = stage.paint(feedback, true, seed.wrapping_add(100 + k as u64), &mut |_| {})?;
+        Ok(Row { roller, case, feedback, moment: true, run, paper: PAPER[paper].1 })
+    };
+    let rows = many(jobs.len(), &one, &|what, share| watch(&format!("painting: {what}"), 0.45 + 0.55 * share))?;
     let noise = crate::tool::rerun::PAPER_TORQUE_NOISE;
     let mean = noise.iter().sum::<f64>() / noise.len() as f64;
     let gain = Filter::default().noise_gain(Lwr::sensors().rate);
