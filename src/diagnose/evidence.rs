@@ -6,7 +6,7 @@ use super::result::Evidence;
 use super::search::Accepted;
 
 /// Four figures at most.
-fn short(value: f64) -> String {
+pub(super) fn short(value: f64) -> String {
     let size = value.abs();
     if size != 0.0 && !(1e-3..1e4).contains(&size) {
         return format!("{value:.2e}");

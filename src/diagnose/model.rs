@@ -9,10 +9,12 @@ use crate::arm::Plant;
 use crate::identify::recover_standard;
 
 use super::causes::{COULOMB, Cause, Named, OFFSET, Term, VISCOUS};
+use super::hold::{Hold, belief};
 use super::moments::{Moments, Solution};
 use super::noise::memory;
+use super::offer::LeftOut;
 use super::record::Recording;
-use super::scene::{Column, Scene};
+use super::scene::{BLOCKS, Column, Scene};
 
 /// Which parameters of the rigid arm are unknown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -118,6 +120,8 @@ pub struct Bench<'a> {
     pub scene: Scene<'a>,
     /// Friction parameters (three per joint) that stay as the file has them.
     pub frozen: Vec<bool>,
+    /// What the motion does not show stays with the file; made at the first fit.
+    pub hold: Option<Hold>,
     /// Whether every window counts.
     all: bool,
     /// Terms of families that depend on the motion alone, by cause, place and shape.
@@ -140,8 +144,20 @@ impl<'a> Bench<'a> {
         let scene = Scene::new(plant, recordings, rate, delays, all);
         let frozen = vec![false; 3 * plant.dof()];
         let (base, friction, y) = Default::default();
-        let mut bench =
-            Self { plant, recordings, rate, mode, scene, frozen, all, known: Mutex::default(), base, friction, y };
+        let mut bench = Self {
+            plant,
+            recordings,
+            rate,
+            mode,
+            scene,
+            frozen,
+            hold: None,
+            all,
+            known: Mutex::default(),
+            base,
+            friction,
+            y,
+        };
         bench.scene.set_model(given_base(plant), plant.given().map(|s| without_friction(plant, s)));
         bench.prepare();
         bench
@@ -260,6 +276,9 @@ impl<'a> Bench<'a> {
     /// Fits rigid arm (where unknown), friction and the chosen causes together. Families that are difference quotients are
     /// made anew about what was found until that settles; so is what rests on the rigid model.
     pub fn fit(&mut self, chosen: &mut [Chosen]) -> Fitted {
+        if self.hold.is_none() {
+            self.hold = Some(self.held());
+        }
         let mut weights: Option<Vec<f64>> = None;
         for round in 0.. {
             let fitted = self.fit_once(chosen, weights.as_deref());
@@ -297,6 +316,16 @@ impl<'a> Bench<'a> {
     }
 
     fn fit_once(&self, chosen: &[Chosen], weights: Option<&[f64]>) -> Fitted {
+        let (columns, friction, first, terms) = self.columns(chosen);
+        let moments = Moments::new(&self.scene, &self.scene.block, &self.y, &columns, self.holding());
+        let solution = moments.solve(weights);
+        let residual = moments.residual(&solution.x);
+        let memory = residual.iter().zip(&self.scene.live).map(|(e, l)| memory(e, l)).collect();
+        Fitted { moments, solution, residual, memory, friction, first, terms }
+    }
+
+    /// Columns of the rigid arm's unknowns, friction's and those of the chosen causes; where the latter two begin; the causes' terms.
+    fn columns(&self, chosen: &[Chosen]) -> (Vec<Column>, usize, Vec<usize>, Vec<Arc<Vec<Term>>>) {
         let terms: Vec<Arc<Vec<Term>>> = chosen.iter().map(|c| self.terms(c)).collect();
         let mut columns: Vec<Column> = self.base.clone();
         let friction = columns.len();
@@ -307,11 +336,56 @@ impl<'a> Bench<'a> {
             first.push(columns.len());
             columns.extend(term.iter().map(|t| t.column.clone()));
         }
-        let moments = Moments::new(&self.scene, &self.y, &columns);
-        let solution = moments.solve(weights);
-        let residual = moments.residual(&solution.x);
-        let memory = residual.iter().zip(&self.scene.live).map(|(e, l)| memory(e, l)).collect();
-        Fitted { moments, solution, residual, memory, friction, first, terms }
+        (columns, friction, first, terms)
+    }
+
+    /// What is held while some friction is frozen.
+    fn holding(&self) -> Hold {
+        let frozen = |k: usize| k.checked_sub(self.base.len()).is_some_and(|k| self.frozen.get(k) == Some(&true));
+        self.hold.as_ref().map_or_else(Hold::none, |hold| hold.without(frozen))
+    }
+
+    /// What the motion shows of base parameters and friction, and what of them stays with the file.
+    fn held(&self) -> Hold {
+        let wanted = if self.mode == Mode::Refitted { inertial(self.plant) } else { Vec::new() };
+        let torque: Vec<f64> = self
+            .scene
+            .y
+            .iter()
+            .map(|y| (y.iter().map(|y| y * y).sum::<f64>() / y.len().max(1) as f64).sqrt())
+            .collect();
+        let Some(belief) = belief(self.plant, &wanted, &torque) else { return Hold::none() };
+        let free = self.fit_once(&[], None);
+        let weights = &free.solution.weights;
+        let thinned: Vec<f64> = weights.iter().zip(&free.memory).map(|(w, m)| w / m).collect();
+        Hold::new(&belief, &free.moments.told(weights), &free.moments.told(&thinned)).unwrap_or_else(Hold::none)
+    }
+
+    /// The equations in stretches that can be left out: eighths of the data, each in one piece.
+    pub fn stretches(&self, chosen: &[Chosen]) -> Moments {
+        let spans: Vec<usize> = (0..self.scene.len).map(|w| w * BLOCKS / self.scene.len.max(1)).collect();
+        let (columns, ..) = self.columns(chosen);
+        Moments::new(&self.scene, &spans, &self.y, &columns, self.holding())
+    }
+
+    /// Errors of the fitted model on stretches that were left out in turn.
+    pub fn left_out(&self, chosen: &[Chosen], fitted: &Fitted) -> LeftOut {
+        let stretches = self.stretches(chosen);
+        LeftOut::new(&stretches.cross_validated(&fitted.solution), &stretches.counts())
+    }
+
+    /// Errors of the file as it is on the same stretches.
+    pub fn file_left_out(&self) -> LeftOut {
+        let (mut sums, mut counts) =
+            (vec![vec![0.0; self.scene.dof()]; BLOCKS], vec![vec![0.0; self.scene.dof()]; BLOCKS]);
+        for j in 0..self.scene.dof() {
+            for w in (0..self.scene.len).filter(|&w| self.scene.live[j][w]) {
+                let span = w * BLOCKS / self.scene.len;
+                sums[span][j] += self.y[j][w].powi(2);
+                counts[span][j] += 1.0;
+            }
+        }
+        LeftOut::new(&sums, &counts)
     }
 
     /// The rigid model, and the torque with friction, as causes see them.

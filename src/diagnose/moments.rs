@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
+use super::hold::Hold;
 use super::scene::{BLOCKS, Column, Scene};
 use crate::identify::dot;
 
@@ -36,6 +37,8 @@ pub struct Moments {
     y: Vec<Vec<f64>>,
     /// Of the whole data.
     whole: Vec<Part>,
+    /// What holds the first unknowns.
+    hold: Hold,
 }
 
 /// A least-squares solution.
@@ -49,10 +52,8 @@ pub struct Solution {
     pub rss: Vec<f64>,
     /// Windows of each joint.
     pub counts: Vec<f64>,
-    /// `(sum_j w_j A_j' A_j)^+`.
+    /// `(sum_j w_j A_j' A_j + hold)^+`.
     pub inverse: DMatrix<f64>,
-    /// Right-hand side.
-    rhs: DVector<f64>,
 }
 
 /// Columns that are tried beside those of a [`Moments`].
@@ -80,11 +81,11 @@ pub struct Gain {
 }
 
 impl Moments {
-    /// Of these columns and the torque `y` (per joint, masked).
-    pub fn new(scene: &Scene<'_>, y: &[Vec<f64>], columns: &[Column]) -> Self {
+    /// Of these columns and the torque `y` (per joint, masked), in the parts `block` (one number below [`BLOCKS`] a window); the first unknowns held.
+    pub fn new(scene: &Scene<'_>, block: &[usize], y: &[Vec<f64>], columns: &[Column], hold: Hold) -> Self {
         // Pieces of the data, and the part that each belongs to.
         let mut pieces: Vec<(std::ops::Range<usize>, usize)> = Vec::new();
-        for (w, &part) in scene.block.iter().enumerate() {
+        for (w, &part) in block.iter().enumerate() {
             match pieces.last_mut() {
                 Some((range, last)) if *last == part => range.end = w + 1,
                 _ => pieces.push((w..w + 1, part)),
@@ -118,7 +119,7 @@ impl Moments {
                 joint.parts.push(sum);
             }
         }
-        let mut moments = Self { joints, unknowns: columns.len(), y: y.to_vec(), whole: Vec::new() };
+        let mut moments = Self { joints, unknowns: columns.len(), y: y.to_vec(), whole: Vec::new(), hold };
         moments.whole = moments.sums(|_| true);
         moments
     }
@@ -156,7 +157,32 @@ impl Moments {
                 }
             }
         }
+        let n = self.hold.mean.len();
+        let mut corner = matrix.view_mut((0, 0), (n, n));
+        corner += &self.hold.precision;
+        let mut top = rhs.rows_mut(0, n);
+        top += &self.hold.precision * &self.hold.mean;
         (matrix, rhs)
+    }
+
+    /// Values at which the hold pulls, of all unknowns.
+    fn held(&self) -> DVector<f64> {
+        let mut x = DVector::zeros(self.unknowns);
+        x.rows_mut(0, self.hold.mean.len()).copy_from(&self.hold.mean);
+        x
+    }
+
+    /// What the whole data say of the unknowns: `sum_j w_j A_j' A_j`, without the hold.
+    pub fn told(&self, weights: &[f64]) -> DMatrix<f64> {
+        let mut matrix = DMatrix::zeros(self.unknowns, self.unknowns);
+        for ((joint, sum), weight) in self.joints.iter().zip(&self.whole).zip(weights) {
+            for (i, &p) in joint.columns.iter().enumerate() {
+                for (k, &q) in joint.columns.iter().enumerate() {
+                    matrix[(p, q)] += weight * sum.gram[(i, k)];
+                }
+            }
+        }
+        matrix
     }
 
     fn residuals(&self, sums: &[Part], x: &DVector<f64>) -> Vec<f64> {
@@ -182,7 +208,9 @@ impl Moments {
         loop {
             let (matrix, rhs) = self.assemble(sums, &weights);
             let inverse = pseudo_inverse(&matrix);
-            let x = &inverse * &rhs;
+            // From where the hold pulls, so that what the equations leave open stays there.
+            let held = self.held();
+            let x = &inverse * (&rhs - &matrix * &held) + held;
             let rss = self.residuals(sums, &x);
             round += 1;
             let next: Vec<f64> =
@@ -190,7 +218,7 @@ impl Moments {
             let change =
                 weights.iter().zip(&next).map(|(a, b)| (a - b).abs() / (a + b).max(1e-300)).fold(0.0, f64::max);
             if round >= 8 || change < 1e-3 {
-                return Solution { x, weights, rss, counts, inverse, rhs };
+                return Solution { x, weights, rss, counts, inverse };
             }
             weights = next;
         }
@@ -198,11 +226,22 @@ impl Moments {
 
     /// Sums of squared residuals per joint and part, each part predicted from all others (weights as in `whole`).
     pub fn cross_validated(&self, whole: &Solution) -> Vec<Vec<f64>> {
+        self.cross_validated_without(whole, &[])
+    }
+
+    /// The same where some unknowns are 0.
+    pub fn cross_validated_without(&self, whole: &Solution, out: &[usize]) -> Vec<Vec<f64>> {
         (0..self.parts())
             .map(|part| {
                 let sums = self.sums(|b| b != part);
-                let (matrix, rhs) = self.assemble(&sums, &whole.weights);
-                let x = pseudo_inverse(&matrix) * rhs;
+                let (mut matrix, mut rhs) = self.assemble(&sums, &whole.weights);
+                for &k in out {
+                    matrix.row_mut(k).fill(0.0);
+                    matrix.column_mut(k).fill(0.0);
+                    rhs[k] = 0.0;
+                }
+                let held = self.held();
+                let x = pseudo_inverse(&matrix) * (rhs - &matrix * &held) + held;
                 self.residuals(&self.sums(|b| b == part), &x)
             })
             .collect()
@@ -221,6 +260,11 @@ impl Moments {
                 e
             })
             .collect()
+    }
+
+    /// Windows per part and joint.
+    pub fn counts(&self) -> Vec<Vec<f64>> {
+        (0..self.parts()).map(|part| self.joints.iter().map(|j| j.parts[part].count).collect()).collect()
     }
 
     /// Products of further columns with those that are here.
@@ -271,7 +315,7 @@ impl Moments {
         if (0..k).all(|t| reduced[(t, t)] <= 1e-7 * gram[(t, t)]) {
             return None;
         }
-        let right = rhs - solved.transpose() * &at.rhs;
+        let right = rhs - cross.transpose() * &at.x;
         let x = pseudo_inverse(&reduced) * right;
         let others = &at.x - &solved * &x;
         let sums: Vec<(DVector<f64>, f64)> = self
@@ -341,7 +385,11 @@ impl Moments {
     /// `A^-1 (sum_j w_j lambda_j A_j' A_j) A^-1`.
     pub fn covariance(&self, at: &Solution, inflation: &[f64]) -> DMatrix<f64> {
         let weights: Vec<f64> = at.weights.iter().zip(inflation).map(|(w, l)| w * l).collect();
-        let (middle, _) = self.assemble(&self.whole, &weights);
+        let mut middle = self.told(&weights);
+        // Where the file holds, it may be wrong.
+        let n = self.hold.mean.len();
+        let mut corner = middle.view_mut((0, 0), (n, n));
+        corner += &self.hold.spread;
         &at.inverse * middle * &at.inverse
     }
 }

@@ -123,6 +123,39 @@ pub struct ErrorMap {
     pub after: Vec<f64>,
 }
 
+/// Which of the nested models is offered as the extended one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Offered {
+    /// The file as it is.
+    File,
+    /// All parameters refitted, without any further cause.
+    Refitted,
+    /// The model with all causes that hold.
+    Extended,
+}
+
+impl Offered {
+    /// As it stands in the JSON.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::File => "file",
+            Self::Refitted => "refitted",
+            Self::Extended => "extended",
+        }
+    }
+}
+
+/// Why a model is offered: errors on stretches of the fitted logs that were left out in turn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Offer {
+    /// Which one.
+    pub offered: Offered,
+    /// Root mean square over joints of the file's, the refitted and the extended model's errors there, N m.
+    pub left_out: [f64; 3],
+    /// Why, and what left the model: sentences.
+    pub why: Vec<String>,
+}
+
 /// All that was found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Diagnosis {
@@ -140,6 +173,8 @@ pub struct Diagnosis {
     pub refitted: Errors,
     /// Errors with all causes.
     pub extended: Errors,
+    /// Which model `extended` is.
+    pub offer: Offer,
     /// Whether the file has link parameters.
     pub has_links: bool,
     /// Whether the extended model takes all base parameters anew.

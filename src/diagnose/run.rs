@@ -8,8 +8,9 @@ use super::evidence;
 use super::maps::View;
 use super::model::{Bench, Chosen, Fitted, Mode, given_friction, parameters};
 use super::noise::floor;
+use super::offer::LeftOut;
 use super::record::Recording;
-use super::result::{Cause, Curve, Diagnosis, Errors, NextExperiment, Verdict};
+use super::result::{Cause, Curve, Diagnosis, Errors, NextExperiment, Offer, Offered, Verdict};
 use super::search::{Accepted, Found, Plain, SearchSettings, reconsider, search};
 use super::structure::{Structure, structure};
 
@@ -49,7 +50,7 @@ pub enum DiagnoseError {
 pub fn misses(plant: &dyn Plant, recordings: &[Recording], settings: &Settings) -> Vec<f64> {
     let zeros = vec![0.0; plant.dof()];
     let bench = Bench::new(plant, recordings, settings.rate, Mode::Trusted, &zeros, false);
-    measure(plant, recordings, &bench, None, &[], true).rms
+    Meter::new(plant, recordings, &bench).of_the_file().rms
 }
 
 /// Errors per joint and sample at the logs' own rate.
@@ -62,39 +63,48 @@ struct Measured {
 
 const RAW: f64 = 1e9;
 
-/// Errors of a fitted model on recordings, every sample counted. `elsewhere`: not those that it was fitted to, so that what acted in a part of them
-/// does not act here.
-fn measure<'a>(
-    plant: &'a dyn Plant,
-    recordings: &'a [Recording],
-    bench: &Bench<'_>,
-    fitted: Option<&Fitted>,
-    chosen: &[Chosen],
-    elsewhere: bool,
-) -> Measured {
-    let mut fine = Bench::new(plant, recordings, RAW, bench.mode, &bench.scene.delays, true);
-    let mut error = match fitted {
-        Some(fitted) => {
-            fine.adopt(bench, fitted);
-            let mut x = fitted.solution.x.clone();
-            for (c, first) in chosen.iter().zip(&fitted.first).filter(|(c, _)| elsewhere && c.cause.local()) {
-                (0..c.x.len()).for_each(|k| x[first + k] = 0.0);
+/// Measures models on recordings, every sample counted.
+struct Meter<'a> {
+    fine: Bench<'a>,
+}
+
+impl<'a> Meter<'a> {
+    /// For models with the mode and the delays of `bench`.
+    fn new(plant: &'a dyn Plant, recordings: &'a [Recording], bench: &Bench<'_>) -> Self {
+        Self { fine: Bench::new(plant, recordings, RAW, bench.mode, &bench.scene.delays, true) }
+    }
+
+    /// Errors of the file as it is.
+    fn of_the_file(&self) -> Measured {
+        let error = vec![vec![0.0; self.fine.scene.len]; self.fine.scene.dof()];
+        self.errors(error)
+    }
+
+    /// Errors of a fitted model. `elsewhere`: not on the recordings that it was fitted to, so that what acted in a part of them does not act here.
+    fn of(&mut self, bench: &Bench<'_>, fitted: &Fitted, chosen: &[Chosen], elsewhere: bool) -> Measured {
+        self.fine.adopt(bench, fitted);
+        let mut x = fitted.solution.x.clone();
+        for (c, first) in chosen.iter().zip(&fitted.first).filter(|(c, _)| elsewhere && c.cause.local()) {
+            (0..c.x.len()).for_each(|k| x[first + k] = 0.0);
+        }
+        self.errors(self.fine.predict(&x, chosen))
+    }
+
+    fn errors(&self, predicted: Vec<Vec<f64>>) -> Measured {
+        let mut error = predicted;
+        for (e, y) in error.iter_mut().zip(self.fine.target()) {
+            e.iter_mut().zip(y).for_each(|(e, y)| *e = y - *e);
+        }
+        // A joint whose sensor was off has no error.
+        for (j, e) in error.iter_mut().enumerate() {
+            if self.fine.recordings.iter().flat_map(|r| &r.stretches).all(|s| s.of(&s.tau, j).iter().all(|t| *t == 0.0))
+            {
+                e.iter_mut().for_each(|e| *e = 0.0);
             }
-            fine.predict(&x, chosen)
         }
-        None => vec![vec![0.0; fine.scene.len]; fine.scene.dof()],
-    };
-    for (e, y) in error.iter_mut().zip(fine.target()) {
-        e.iter_mut().zip(y).for_each(|(e, y)| *e = y - *e);
+        let rms = error.iter().map(|e| root_mean_square(e)).collect();
+        Measured { rms, error, time: self.fine.scene.time.clone(), view: View::of(&self.fine.scene) }
     }
-    // A joint whose sensor was off has no error.
-    for (j, e) in error.iter_mut().enumerate() {
-        if recordings.iter().flat_map(|r| &r.stretches).all(|s| s.of(&s.tau, j).iter().all(|t| *t == 0.0)) {
-            e.iter_mut().for_each(|e| *e = 0.0);
-        }
-    }
-    let rms = error.iter().map(|e| root_mean_square(e)).collect();
-    Measured { rms, error, time: fine.scene.time.clone(), view: View::of(&fine.scene) }
 }
 
 fn root_mean_square(x: &[f64]) -> f64 {
@@ -139,11 +149,9 @@ pub fn diagnose(
     if fit.iter().flat_map(|r| &r.stretches).all(|s| s.tau.iter().all(|t| *t == 0.0)) {
         return Err(DiagnoseError::NoTorque);
     }
-    let baseline = Errors {
-        fit: measure(plant, fit, &start, None, &[], false).rms,
-        validate: measure(plant, validate, &start, None, &[], true).rms,
-    };
-    let before = measure(plant, validate, &start, None, &[], true).error;
+    let before = Meter::new(plant, validate, &start).of_the_file();
+    let baseline = Errors { fit: Meter::new(plant, fit, &start).of_the_file().rms, validate: before.rms.clone() };
+    let before = before.error;
     let torque_rms: Vec<f64> = (0..dof)
         .map(|j| {
             let all: Vec<f64> =
@@ -156,9 +164,11 @@ pub fn diagnose(
     let mut refit = Bench::new(plant, fit, settings.rate, Mode::Refitted, &zeros, false);
     let plain = refit.fit(&mut []);
     let refitted = Errors {
-        fit: measure(plant, fit, &refit, Some(&plain), &[], false).rms,
-        validate: measure(plant, validate, &refit, Some(&plain), &[], true).rms,
+        fit: Meter::new(plant, fit, &refit).of(&refit, &plain, &[], false).rms,
+        validate: Meter::new(plant, validate, &refit).of(&refit, &plain, &[], true).rms,
     };
+    let ground: Vec<f64> = noise.iter().zip(&torque_rms).map(|(s, t)| s.max(0.004 * t)).collect();
+    let (file_out, refit_out) = (start.file_left_out(), refit.left_out(&[], &plain));
     drop(refit);
 
     let has_links = plant.given().is_some_and(|g| g.iter().any(|v| *v != 0.0));
@@ -171,12 +181,14 @@ pub fn diagnose(
         progress("the file's links as they are");
         let (trusted, explained) = attempt(Mode::Trusted);
         let left = structure(&trusted.scene, &explained.fitted.residual, &noise, &torque_rms);
-        if left.is_empty() {
+        let few = trusted.left_out(&chosen_of(&explained.accepted), &explained.fitted);
+        if left.is_empty() && !refit_out.less(&few, &ground).sure() {
             (trusted, explained)
         } else {
             progress("all base parameters anew");
             let (free, other) = attempt(Mode::Refitted);
-            if pays(&explained.fitted, &other.fitted) { (free, other) } else { (trusted, explained) }
+            let all = free.left_out(&chosen_of(&other.accepted), &other.fitted);
+            if all.less(&few, &ground).sure() { (free, other) } else { (trusted, explained) }
         }
     } else {
         attempt(Mode::Refitted)
@@ -184,86 +196,102 @@ pub fn diagnose(
     let fitted = freeze(&mut bench, &mut found, &noise);
     progress("what else plain friction might be");
     let (fitted, plain_rivals) = reconsider(&mut bench, &mut found.accepted, fitted, &noise, &settings.search);
-    let items = items(&bench, &found);
-    let chosen: Vec<Chosen> = found.accepted.iter().map(|a| a.chosen.clone()).collect();
+    progress("what holds on stretches that were left out");
+    let mut why = Vec::new();
+    let fitted = withdraw(plant, fit, &mut bench, &mut found.accepted, fitted, &ground, &mut why);
+    let extended_out = bench.left_out(&chosen_of(&found.accepted), &fitted);
+    let (offered, mut fitted) = offer(
+        plant,
+        fit,
+        &mut bench,
+        &mut found,
+        fitted,
+        [&file_out, &refit_out, &extended_out],
+        &noise,
+        &ground,
+        &mut why,
+    );
     let mut left = structure(&bench.scene, &fitted.residual, &noise, &torque_rms);
 
-    progress("measuring on data that was not used");
-    let after = measure(plant, validate, &bench, Some(&fitted), &chosen, true);
-    let after_fit = measure(plant, fit, &bench, Some(&fitted), &chosen, false);
-    let covariance = fitted.covariance();
-    let mut causes: Vec<Cause> = Vec::new();
-    for item in &items {
-        let local = item.hypothesis.local();
-        let (on, data, with) = if local { ("fit", fit, &after_fit) } else { ("validate", validate, &after) };
-        let without = leave_out(plant, fit, data, &bench, &chosen, item);
-        let keys = match item.accepted {
-            Some(index) => parameters(&bench, &fitted, &covariance, index, &chosen[index]),
-            None => friction_values(&bench, &fitted, &covariance, item),
-        };
-        let extra = match item.accepted {
-            Some(_) => friction_values(&bench, &fitted, &covariance, item),
-            None => Vec::new(),
-        };
-        let mut keys = keys;
-        for named in extra {
-            if keys.iter().all(|k| k.symbol != named.symbol) {
-                keys.push(named);
-            }
-        }
-        let suffix = item.place.first().map(|j| (j + 1).to_string()).unwrap_or_default();
-        let parameters: Vec<Named> =
-            keys.iter().map(|k| Named { symbol: format!("{}{suffix}", k.symbol), ..k.clone() }).collect();
-        let accepted = item.accepted.map(|a| &found.accepted[a]);
-        let interval = bootstrap(&without, with, &item.place);
-        let rivals = confusable(&bench, item, accepted, &plain_rivals);
-        let margin = near(item, accepted, &plain_rivals).iter().map(|r| r.2.max(0.0)).fold(MOST_MARGIN, f64::min);
-        let part = share(&without.rms, &with.rms, &noise, &item.place);
-        let support = accepted.map_or_else(|| plain_support(&fitted, &covariance, item), |a| a.support);
-        causes.push(Cause {
-            cause: item.hypothesis.name(),
-            joints: item.place.iter().map(|j| j + 1).collect(),
-            probability: calibration::probability(item.accepted.is_none(), support, margin, part),
-            support,
-            margin,
-            share: part,
-            evidence: evidence::sentence(
-                item.hypothesis,
-                &item.place,
-                &parameters,
-                &without.rms,
-                &with.rms,
-                &noise,
+    // What a gain is measured by: the noise, or a fiftieth of the torque where the noise is less.
+    let scale: Vec<f64> = noise.iter().zip(&torque_rms).map(|(s, t)| (s * s + (0.02 * t).powi(2)).sqrt()).collect();
+    let mut round = 0;
+    let (after, after_fit, mut causes) = loop {
+        progress("measuring on data that was not used");
+        let chosen = chosen_of(&found.accepted);
+        let items = items(&bench, &found);
+        let [mut far, mut near] = [validate, fit].map(|data| Meter::new(plant, data, &bench));
+        let after = far.of(&bench, &fitted, &chosen, true);
+        let after_fit = near.of(&bench, &fitted, &chosen, false);
+        let covariance = fitted.covariance();
+        let mut causes: Vec<Cause> = Vec::new();
+        for item in &items {
+            let local = item.hypothesis.local();
+            let (on, meter, with) = if local { ("fit", &mut near, &after_fit) } else { ("validate", &mut far, &after) };
+            let without = leave_out(plant, fit, meter, &bench, &chosen, item);
+            causes.push(weigh(
+                &bench,
+                &fitted,
+                &covariance,
+                &found.accepted,
+                &plain_rivals,
+                item,
+                [&without, with],
                 on,
-                accepted,
-            ),
-            curve: item.accepted.and_then(|index| evidence::curve(&bench, &fitted, index, &chosen[index])),
-            parameters,
-            keys,
-            rms_before: without.rms,
-            rms_after: with.rms.clone(),
-            interval,
-            on,
-            not_distinguished_from: rivals,
-            shown_by: item.hypothesis.shown_by(),
-        });
-    }
+                &noise,
+            ));
+        }
+        // A cause that loses on data that was not used is no cause, and not in the model; that there was something to explain stays true.
+        let failed: Vec<usize> = (0..causes.len())
+            .filter(|&i| causes[i].on != "fit" && !(taken(&causes[i], &scale) > 0.0 && matters(&causes[i], &noise)))
+            .collect();
+        round += 1;
+        if failed.is_empty() || round > 3 {
+            break (after, after_fit, causes);
+        }
+        for c in failed.iter().map(|&i| &causes[i]).filter(|c| c.curve.is_some() && taken(c, &scale) <= 0.0) {
+            left.push(Structure {
+                joint: c.joints.first().map_or(0, |j| j - 1),
+                rms: 0.0,
+                description: format!(
+                    "{} on joint(s) {:?} explains the fitted logs but not the validating ones",
+                    c.cause, c.joints
+                ),
+            });
+        }
+        for item in failed.iter().map(|&i| &items[i]) {
+            item.friction.iter().for_each(|&k| bench.frozen[k] = true);
+        }
+        let out: Vec<usize> = failed.iter().filter_map(|&i| items[i].accepted).collect();
+        fitted = without(&mut bench, &mut found.accepted, &out);
+    };
     if bench.mode == Mode::Refitted && has_links {
-        let joints = evidence::changed_links(&bench, &fitted, &covariance);
+        let joints = evidence::changed_links(&bench, &fitted, &fitted.covariance());
         if !joints.is_empty() {
+            // What the file's links would leave beside all other causes.
+            let mut believed = Bench::new(plant, fit, settings.rate, Mode::Trusted, &bench.scene.delays, false);
+            believed.frozen = bench.frozen.clone();
+            let mut others = chosen_of(&found.accepted);
+            let fitted = believed.fit(&mut others);
+            let without = Meter::new(plant, validate, &believed).of(&believed, &fitted, &others, true);
+            let part = share(&without.rms, &after.rms, &noise, &[]);
             causes.push(Cause {
                 cause: "link_inertia_error",
-                evidence: format!("the base parameters of joint(s) {joints:?} differ from the file's by more than five of their standard deviations"),
+                evidence: format!(
+                    "the base parameters of joint(s) {joints:?} differ from the file's by more than five of their standard deviations; with the file's own and everything else that was found {} N m are missed on the validating logs (RMS over joints), with these {} N m",
+                    evidence::short(root_mean_square(&without.rms)),
+                    evidence::short(root_mean_square(&after.rms)),
+                ),
                 joints,
                 probability: calibration::LINKS,
                 support: MOST_MARGIN,
                 margin: MOST_MARGIN,
-                share: share(&baseline.validate, &refitted.validate, &noise, &[]),
+                share: part,
                 parameters: Vec::new(),
                 keys: Vec::new(),
-                rms_before: baseline.validate.clone(),
-                rms_after: refitted.validate.clone(),
-                interval: [f64::NAN; 2],
+                interval: bootstrap(&without, &after, &[]),
+                rms_before: without.rms,
+                rms_after: after.rms.clone(),
                 on: "validate",
                 not_distinguished_from: Vec::new(),
                 shown_by: "an exciting motion for the base parameters",
@@ -271,21 +299,7 @@ pub fn diagnose(
             });
         }
     }
-    // What a gain is measured by: the noise, or a fiftieth of the torque where the noise is less.
-    let scale: Vec<f64> = noise.iter().zip(&torque_rms).map(|(s, t)| (s * s + (0.02 * t).powi(2)).sqrt()).collect();
     causes.sort_by(|a, b| taken(b, &scale).total_cmp(&taken(a, &scale)));
-    // A cause that loses on data that was not used is no cause; that there was something to explain stays true.
-    let (causes_that_hold, failed): (Vec<Cause>, Vec<Cause>) =
-        causes.into_iter().partition(|c| c.on == "fit" || (taken(c, &scale) > 0.0 && matters(c, &noise)));
-    let mut causes = causes_that_hold;
-    left.extend(failed.iter().filter(|c| c.curve.is_some() && taken(c, &scale) <= 0.0).map(|c| Structure {
-        joint: c.joints.first().map_or(0, |j| j - 1),
-        rms: 0.0,
-        description: format!(
-            "{} on joint(s) {:?} explains the fitted logs but not the validating ones",
-            c.cause, c.joints
-        ),
-    }));
     let verdict = match (causes.is_empty(), left.is_empty()) {
         (true, true) => Verdict::NothingWrong,
         (true, false) => Verdict::Unexplained,
@@ -313,6 +327,11 @@ pub fn diagnose(
         has_links,
         links_refitted: bench.mode == Mode::Refitted,
         standard: bench.scene.standard.clone(),
+        offer: Offer {
+            offered,
+            left_out: [file_out.rms(), refit_out.rms(), bench.left_out(&chosen_of(&found.accepted), &fitted).rms()],
+            why,
+        },
         causes,
         next_experiment,
         own_validation,
@@ -322,20 +341,156 @@ pub fn diagnose(
     })
 }
 
-/// Whether all base parameters anew predict left-out parts of the data better than the few causes of the trusted file do, joint by joint
-/// in the logarithm, beyond a twentieth.
-fn pays(trusted: &Fitted, free: &Fitted) -> bool {
-    let sums = |fitted: &Fitted| {
-        let mut sums = vec![0.0; fitted.solution.rss.len()];
-        for part in fitted.moments.cross_validated(&fitted.solution) {
-            sums.iter_mut().zip(part).for_each(|(s, p)| *s += p);
+fn chosen_of(accepted: &[Accepted]) -> Vec<Chosen> {
+    accepted.iter().map(|a| a.chosen.clone()).collect()
+}
+
+/// The model without some of its accepted causes, fitted.
+fn without(bench: &mut Bench<'_>, accepted: &mut Vec<Accepted>, out: &[usize]) -> Fitted {
+    let mut late = vec![0.0; bench.scene.dof()];
+    for c in out.iter().map(|&i| &accepted[i].chosen).filter(|c| c.cause.moves_time()) {
+        let own: Vec<usize> = if c.place.is_empty() { (0..late.len()).collect() } else { c.place.clone() };
+        own.iter().for_each(|&j| late[j] = -bench.scene.delays[j]);
+    }
+    bench.undo_delay(&late);
+    let mut index = 0;
+    accepted.retain(|_| {
+        index += 1;
+        !out.contains(&(index - 1))
+    });
+    let mut chosen = chosen_of(accepted);
+    let fitted = bench.fit(&mut chosen);
+    for (a, c) in accepted.iter_mut().zip(&chosen) {
+        a.chosen = c.clone();
+    }
+    fitted
+}
+
+/// Where an item acts, in words.
+fn place_of(place: &[usize]) -> String {
+    match place {
+        [] => "of the whole robot".into(),
+        [j] => format!("of joint {}", j + 1),
+        many => format!("of joints {}", many.iter().map(|j| (j + 1).to_string()).collect::<Vec<_>>().join(" and ")),
+    }
+}
+
+/// Takes out, one after the other, what makes stretches of the fitted logs that are left out in turn worse.
+fn withdraw(
+    plant: &dyn Plant,
+    fit: &[Recording],
+    bench: &mut Bench<'_>,
+    accepted: &mut Vec<Accepted>,
+    mut fitted: Fitted,
+    ground: &[f64],
+    why: &mut Vec<String>,
+) -> Fitted {
+    for round in 0..12 {
+        let chosen = chosen_of(accepted);
+        let items = items_of(bench, accepted);
+        let stretches = bench.stretches(&chosen);
+        let counts = stretches.counts();
+        let with = LeftOut::new(&stretches.cross_validated(&fitted.solution), &counts);
+        let mut worst = None;
+        for item in items.iter().filter(|i| !i.hypothesis.local()) {
+            let others = if item.hypothesis.moves_time() {
+                if round > 0 {
+                    continue;
+                }
+                let (reduced, others, fitted) = reduced(plant, fit, bench, &chosen, item);
+                reduced.left_out(&others, &fitted)
+            } else {
+                let mut out: Vec<usize> = item.friction.iter().map(|k| fitted.friction + k).collect();
+                out.extend(
+                    item.accepted
+                        .iter()
+                        .flat_map(|&i| (0..fitted.terms[i].len()).map(move |t| (i, t)))
+                        .map(|(i, t)| fitted.first[i] + t),
+                );
+                LeftOut::new(&stretches.cross_validated_without(&fitted.solution, &out), &counts)
+            };
+            let paired = with.less(&others, ground);
+            if paired.gain < -1e-6
+                && worst.as_ref().is_none_or(|(_, w): &(&Item, super::offer::Paired)| paired.gain < w.gain)
+            {
+                worst = Some((item, paired));
+            }
         }
-        sums
+        let Some((item, paired)) = worst else { break };
+        why.push(format!(
+            "{} {} is not in the model: stretches of the fitted logs that were left out are predicted better without it ({:.1} +- {:.1} % of their squared error).",
+            item.hypothesis.name(),
+            place_of(&item.place),
+            -200.0 * paired.gain,
+            200.0 * paired.error
+        ));
+        item.friction.iter().for_each(|&k| bench.frozen[k] = true);
+        let out: Vec<usize> = item.accepted.into_iter().collect();
+        fitted = without(bench, accepted, &out);
+    }
+    fitted
+}
+
+/// Which of file, refitted file and extended model is offered, by what they predict of stretches that were left out; the bench and what was found become that.
+#[allow(clippy::too_many_arguments)]
+fn offer<'a>(
+    plant: &'a dyn Plant,
+    fit: &'a [Recording],
+    bench: &mut Bench<'a>,
+    found: &mut Found,
+    mut fitted: Fitted,
+    [file, refit, extended]: [&LeftOut; 3],
+    noise: &[f64],
+    ground: &[f64],
+    why: &mut Vec<String>,
+) -> (Offered, Fitted) {
+    let zeros = vec![0.0; plant.dof()];
+    let says = |what: &str, a: &LeftOut, b: &LeftOut| {
+        let paired = a.less(b, ground);
+        format!(
+            "On stretches of the fitted logs that were left out in turn {what}: {} N m against {} N m ({:.0} +- {:.0} % less squared error, mean over joints).",
+            evidence::short(a.rms()),
+            evidence::short(b.rms()),
+            200.0 * paired.gain / (1.0 + paired.gain),
+            200.0 * paired.error / (1.0 + paired.gain),
+        )
     };
-    let (a, b) = (sums(trusted), sums(free));
-    let live = trusted.solution.counts.iter().filter(|n| **n > 0.0).count().max(1) as f64;
-    let logs: f64 = a.iter().zip(&b).filter(|(a, b)| **a > 1e-200 && **b > 1e-200).map(|(a, b)| (a / b).ln()).sum();
-    logs / live > 0.05
+    let mut offered =
+        if found.accepted.is_empty() && bench.mode == Mode::Refitted { Offered::Refitted } else { Offered::Extended };
+    let mut model = extended.clone();
+    let beaten = match bench.mode {
+        // Of two models that are as good the one with fewer unknowns.
+        Mode::Trusted => refit.less(extended, ground).sure(),
+        Mode::Refitted => !found.accepted.is_empty() && !extended.less(refit, ground).sure(),
+    };
+    if beaten {
+        why.push(says("a plain refit predicts as well as the model with further causes, or better", refit, extended));
+        found.accepted.clear();
+        *bench = Bench::new(plant, fit, bench.rate, Mode::Refitted, &zeros, false);
+        fitted = freeze(bench, found, noise);
+        (offered, model) = (Offered::Refitted, refit.clone());
+    }
+    let changed = bench.mode == Mode::Refitted || !found.accepted.is_empty() || bench.frozen.iter().any(|f| !f);
+    if !changed {
+        return (Offered::File, fitted);
+    }
+    if !model.less(file, ground).sure() {
+        why.push(says("nothing predicts surely better than the file as it is", &model, file));
+        found.accepted.clear();
+        *bench = Bench::new(plant, fit, bench.rate, Mode::Trusted, &zeros, false);
+        bench.frozen.iter_mut().for_each(|f| *f = true);
+        return (Offered::File, bench.fit(&mut []));
+    }
+    why.push(says(
+        if offered == Offered::Extended {
+            "the extended model predicts better than the file"
+        } else {
+            "the refitted file predicts better than the file as it is"
+        },
+        &model,
+        file,
+    ));
+    (offered, fitted)
 }
 
 /// Friction parameters that the data do not want changed go back to the file's values.
@@ -386,8 +541,11 @@ fn freeze(bench: &mut Bench<'_>, found: &mut Found, noise: &[f64]) -> Fitted {
 
 /// The accepted causes, and the friction parameters that changed and belong to none of them.
 fn items(bench: &Bench<'_>, found: &Found) -> Vec<Item> {
-    let mut items: Vec<Item> = found
-        .accepted
+    items_of(bench, &found.accepted)
+}
+
+fn items_of(bench: &Bench<'_>, accepted: &[Accepted]) -> Vec<Item> {
+    let mut items: Vec<Item> = accepted
         .iter()
         .enumerate()
         .map(|(index, a)| Item {
@@ -436,15 +594,32 @@ fn friction_values(bench: &Bench<'_>, fitted: &Fitted, covariance: &nalgebra::DM
         .collect()
 }
 
-/// Errors on `data` of the model that is fitted without one of its causes.
+/// Errors of the model that is fitted without one of its causes.
 fn leave_out<'a>(
     plant: &'a dyn Plant,
     fit: &'a [Recording],
-    data: &'a [Recording],
+    meter: &mut Meter<'a>,
     bench: &Bench<'_>,
     chosen: &[Chosen],
     item: &Item,
 ) -> Measured {
+    let (reduced, others, fitted) = reduced(plant, fit, bench, chosen, item);
+    let elsewhere = !item.hypothesis.local();
+    if reduced.scene.delays == meter.fine.scene.delays {
+        meter.of(&reduced, &fitted, &others, elsewhere)
+    } else {
+        Meter::new(plant, meter.fine.recordings, &reduced).of(&reduced, &fitted, &others, elsewhere)
+    }
+}
+
+/// The model that is fitted without one of its causes.
+fn reduced<'a>(
+    plant: &'a dyn Plant,
+    fit: &'a [Recording],
+    bench: &Bench<'_>,
+    chosen: &[Chosen],
+    item: &Item,
+) -> (Bench<'a>, Vec<Chosen>, Fitted) {
     let mut delays = bench.scene.delays.clone();
     if item.hypothesis.moves_time() {
         // The delay's own part of the shift goes.
@@ -452,12 +627,72 @@ fn leave_out<'a>(
         own.iter().for_each(|&j| delays[j] = 0.0);
     }
     let mut reduced = Bench::new(plant, fit, bench.rate, bench.mode, &delays, false);
-    reduced.frozen = bench.frozen.clone();
+    (reduced.frozen, reduced.hold) = (bench.frozen.clone(), bench.hold.clone());
     item.friction.iter().for_each(|&k| reduced.frozen[k] = true);
     let mut others: Vec<Chosen> =
         chosen.iter().enumerate().filter(|(i, _)| item.accepted != Some(*i)).map(|(_, c)| c.clone()).collect();
     let fitted = reduced.fit(&mut others);
-    measure(plant, data, &reduced, Some(&fitted), &others, !item.hypothesis.local())
+    (reduced, others, fitted)
+}
+
+/// An item as a cause of the result.
+#[allow(clippy::too_many_arguments)]
+fn weigh(
+    bench: &Bench<'_>,
+    fitted: &Fitted,
+    covariance: &nalgebra::DMatrix<f64>,
+    all: &[Accepted],
+    plain_rivals: &[Plain],
+    item: &Item,
+    [without, with]: [&Measured; 2],
+    on: &'static str,
+    noise: &[f64],
+) -> Cause {
+    let mut keys = match item.accepted {
+        Some(index) => parameters(bench, fitted, covariance, index, &all[index].chosen),
+        None => friction_values(bench, fitted, covariance, item),
+    };
+    if item.accepted.is_some() {
+        for named in friction_values(bench, fitted, covariance, item) {
+            if keys.iter().all(|k| k.symbol != named.symbol) {
+                keys.push(named);
+            }
+        }
+    }
+    let suffix = item.place.first().map(|j| (j + 1).to_string()).unwrap_or_default();
+    let parameters: Vec<Named> =
+        keys.iter().map(|k| Named { symbol: format!("{}{suffix}", k.symbol), ..k.clone() }).collect();
+    let accepted = item.accepted.map(|a| &all[a]);
+    let margin = near(item, accepted, plain_rivals).iter().map(|r| r.2.max(0.0)).fold(MOST_MARGIN, f64::min);
+    let part = share(&without.rms, &with.rms, noise, &item.place);
+    let support = accepted.map_or_else(|| plain_support(fitted, covariance, item), |a| a.support);
+    Cause {
+        cause: item.hypothesis.name(),
+        joints: item.place.iter().map(|j| j + 1).collect(),
+        probability: calibration::probability(item.accepted.is_none(), support, margin, part),
+        support,
+        margin,
+        share: part,
+        evidence: evidence::sentence(
+            item.hypothesis,
+            &item.place,
+            &parameters,
+            &without.rms,
+            &with.rms,
+            noise,
+            on,
+            accepted,
+        ),
+        curve: item.accepted.and_then(|index| evidence::curve(bench, fitted, index, &all[index].chosen)),
+        parameters,
+        keys,
+        interval: bootstrap(without, with, &item.place),
+        rms_before: without.rms.clone(),
+        rms_after: with.rms.clone(),
+        on,
+        not_distinguished_from: confusable(bench, item, accepted, plain_rivals),
+        shown_by: item.hypothesis.shown_by(),
+    }
 }
 
 /// Whether a cause takes as much on some joint as a torque of a fifth of the noise would.

@@ -149,9 +149,10 @@ impl<'a> Scene<'a> {
                 for j in 0..dof {
                     let by = delays[j] / stretch.period;
                     let v = earlier(stretch.of(&stretch.states.dq, j), span.clone(), by);
-                    // Where every sample counts, the sign turns over within the zone in which its noise and a joint that sticks hide it.
+                    // Where every sample counts, the sign is that of the file's laws, so that what is measured is what they give; of a joint that
+                    // stands the sign is nothing but noise.
                     let sign: Vec<f64> = match all && !dead[j].1 {
-                        true => v.iter().map(|v| (v / dead[j].0).clamp(-1.0, 1.0)).collect(),
+                        true => v.iter().map(|v| if *v == 0.0 { 0.0 } else { v.signum() }).collect(),
                         false => v.iter().map(|v| if v.abs() > dead[j].0 { v.signum() } else { 0.0 }).collect(),
                     };
                     live[j]

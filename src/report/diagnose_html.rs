@@ -28,6 +28,10 @@ pub fn diagnose_html(found: &Diagnosis, logs: &[Prepared], provenance: &Provenan
     let findings: Vec<(&str, &Finding)> =
         logs.iter().flat_map(|log| log.findings.iter().map(|f| (log.file.as_str(), f))).collect();
     gain_table(&mut body, found);
+    if !found.offer.why.is_empty() {
+        let why: String = found.offer.why.iter().map(|w| format!("<li>{}", escape(w))).collect();
+        let _ = writeln!(body, "<section><h2>Why this model</h2><ul>{why}</ul></section>");
+    }
     if !found.causes.is_empty() {
         body.push_str("<section><h2>Causes</h2><p class=note>In order of what they gain. Bars: RMS error of each joint <span class='key before'></span>with all causes but this one, <span class='key after'></span>with it; the line across is the joint's noise.</p>\n");
         for (number, c) in found.causes.iter().enumerate() {

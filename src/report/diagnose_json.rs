@@ -22,6 +22,11 @@ pub fn diagnose_json(found: &Diagnosis, logs: &[Prepared], provenance: &Provenan
         "refitted": rms(&found.refitted),
         "causes": found.causes.iter().map(cause).collect::<Vec<_>>(),
         "extended": rms(&found.extended),
+        "offer": {
+            "model": found.offer.offered.word(),
+            "left_out": { "file": found.offer.left_out[0], "refitted": found.offer.left_out[1], "extended": found.offer.left_out[2] },
+            "why": found.offer.why,
+        },
         "links_refitted": found.links_refitted,
         "own_validation": found.own_validation,
         "seconds": { "fit": found.seconds[0], "validate": found.seconds[1] },

@@ -84,6 +84,9 @@ pub fn diagnose_text(found: &Diagnosis, logs: &[Prepared]) -> String {
         row.iter().for_each(|x| text.push_str(&pad(&digits(*x, 3), 10, true)));
         let _ = writeln!(text, "{}", pad(&format!("{} %", digits(100.0 * row[3] / row[0], 2)), 10, true));
     }
+    if !found.offer.why.is_empty() {
+        let _ = writeln!(text, "\n{}", found.offer.why.join("\n"));
+    }
     for (number, c) in found.causes.iter().enumerate() {
         let _ = writeln!(text, "\n{}. {} {} (probability {:.2})", number + 1, c.cause, place(c), c.probability);
         let _ = writeln!(text, "   {}", c.evidence);

@@ -113,7 +113,9 @@ fn page_stands_alone() {
 
 #[test]
 fn diagnosis_page_stands_alone() {
-    use crate::diagnose::{Cause, Curve, Diagnosis, ErrorMap, Errors, Evidence, Named, NextExperiment, Verdict};
+    use crate::diagnose::{
+        Cause, Curve, Diagnosis, ErrorMap, Errors, Evidence, Named, NextExperiment, Offer, Offered, Verdict,
+    };
     let errors = |x: f64| Errors { fit: vec![x], validate: vec![x] };
     let found = Diagnosis {
         robot: "a <b>".into(),
@@ -123,6 +125,7 @@ fn diagnosis_page_stands_alone() {
         baseline: errors(1.0),
         refitted: errors(0.5),
         extended: errors(0.1),
+        offer: Offer { offered: Offered::Extended, left_out: [1.0, 0.5, 0.1], why: vec!["it <i> is better".into()] },
         has_links: true,
         links_refitted: false,
         standard: None,
