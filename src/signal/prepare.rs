@@ -3,7 +3,7 @@
 //! A segment that is longer than a chunk is filtered in overlapping chunks. The overlap is as long as the filter remembers (to 1e-12),
 //! so the result is that of filtering the segment at once.
 
-use super::{Motion, central, central_second, even, even::smoother_evenly, low_pass, sos::Sos};
+use super::{Motion, burst::Derived, central, even, even::smoother_evenly, low_pass, sos::Sos};
 use crate::{
     arm::States,
     log::{Block, Clock, Doctor, Finding, Keep, Kind, Layout, LogError, Quantity, Role, Severity, Source, Verdict},
@@ -55,6 +55,9 @@ pub enum Derivatives {
 pub struct Prepare {
     /// Low-pass for positions and torques alike; `None`: none.
     pub filter: Option<Filter>,
+    /// A second, higher cutoff, Hz: what positions have between the two is let through where it is more than noise, as where a joint breaks
+    /// away after a reversal. Not used where the log is too slow for it. Default `None`: never.
+    pub bursts: Option<f64>,
     /// Source of velocities and accelerations.
     pub derivatives: Derivatives,
     /// What is cut off at both ends of each segment, s: where filter and differences know only one side. Default two periods of
@@ -87,6 +90,7 @@ impl Default for Prepare {
     fn default() -> Self {
         Self {
             filter: Some(Filter::default()),
+            bursts: None,
             derivatives: Derivatives::FromPosition,
             trim: 0.2,
             torque_delay: 0.0,
@@ -244,6 +248,8 @@ pub struct Preparer {
     /// Samples of the segment that were handed on.
     done: usize,
     filter: Option<Sos>,
+    /// The low-pass of [`Prepare::bursts`].
+    wide: Option<Sos>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -304,6 +310,7 @@ impl Preparer {
             first: 0,
             done: 0,
             filter: None,
+            wide: None,
         })
     }
 
@@ -372,6 +379,7 @@ impl Preparer {
                 return Err(PrepareError::Stride { file, stride, rate, cutoff: filter.cutoff, most });
             }
             self.filter = Some(sos);
+            self.wide = self.settings.bursts.and_then(|cutoff| low_pass(filter.order, cutoff, rate).ok());
         }
         Ok(SegmentClock { start: t[0], period, resample, produced: 0, last: t[0] })
     }
@@ -517,9 +525,18 @@ impl Preparer {
         };
         let mut speeds = Vec::with_capacity(dof);
         for joint in 0..dof {
-            let q = smooth(&self.evened[joint]);
+            let mut q = smooth(&self.evened[joint]);
             let (dq, ddq) = match self.settings.derivatives {
-                Derivatives::FromPosition => (central(&q, clock.period), central_second(&q, clock.period)),
+                Derivatives::FromPosition => {
+                    let mut narrow = Derived::of(q.clone(), clock.period);
+                    if let Some(sos) = &self.wide {
+                        let mut wide = self.evened[joint].clone();
+                        sos.forward_backward(&mut wide, pad.max(sos.scipy_padding()));
+                        narrow.let_through(&Derived::of(wide, clock.period), clock.period);
+                    }
+                    q = narrow.q;
+                    (narrow.dq, narrow.ddq)
+                }
                 Derivatives::AtRest => (vec![0.0; n], vec![0.0; n]),
                 Derivatives::Recorded => {
                     let dq = smooth(&self.evened[2 * dof + joint]);

@@ -171,6 +171,7 @@ impl Stand {
         let recording = |name: &str, log: &Log| -> Result<diagnose::Recording, ReproduceError> {
             let prepare = Prepare {
                 filter: Some(Filter { order: 4, cutoff: 15.0 }),
+                bursts: Some(diagnose::BURSTS * 15.0),
                 raw_torque: true,
                 temperature: true,
                 ..Prepare::default()
