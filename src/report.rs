@@ -34,6 +34,7 @@ mod reproduce_painting;
 mod reproduce_text;
 mod simulate_json;
 mod simulate_text;
+mod stick_figure;
 mod tool_html;
 mod tool_json;
 mod tool_text;

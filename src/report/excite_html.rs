@@ -6,8 +6,9 @@ use serde_json::{Value, json};
 
 use super::Provenance;
 use super::excite_text::Outcome;
-use super::number::{figure, percent};
+use super::number::{figure, percent, short};
 use super::page::{Page, escape};
+use super::stick_figure::StickFigures;
 
 /// The page.
 pub fn excite_html(outcome: &Outcome<'_>, provenance: &Provenance) -> String {
@@ -93,10 +94,6 @@ fn data(outcome: &Outcome<'_>) -> Value {
     if let Some(standard) = &task.standard {
         task.arm.inverse_dynamics(&states, standard, &mut torque);
     }
-    let short = |x: f64, digits: i32| {
-        let scale = 10f64.powi(digits);
-        (x * scale).round() / scale
-    };
     let joints: Vec<Value> = (0..n)
         .map(|j| {
             let l = &task.limits[j];
@@ -112,24 +109,7 @@ fn data(outcome: &Outcome<'_>) -> Value {
     let count = task.arm.frame_count();
     let mut frames = vec![0.0; count * 12 * moments.len()];
     task.arm.frames(&poses, &mut frames);
-    let at = |f: usize, i: usize, k: usize, s: usize| frames[((f * 3 + i) * 4 + k) * moments.len() + s];
-    let figure_at = |s: usize| {
-        let points: Vec<f64> =
-            (0..count).flat_map(|f| (0..3).map(move |i| (f, i))).map(|(f, i)| short(at(f, i, 3, s), 3)).collect();
-        let balls: Vec<f64> = task
-            .bodies
-            .balls
-            .iter()
-            .flat_map(|b| {
-                (0..3).map(move |i| match b.frame {
-                    Some(f) => (0..3).map(|k| at(f, i, k, s) * b.center[k]).sum::<f64>() + at(f, i, 3, s),
-                    None => b.center[i],
-                })
-            })
-            .map(|x| short(x, 3))
-            .collect();
-        json!([points, balls])
-    };
+    let figures = StickFigures { frames: &frames, len: moments.len(), balls: &task.bodies.balls };
     let unit = if matches!(found.criterion, "logdet" | "hadamard") { task.columns().count() as f64 } else { 1.0 };
     let shown = |value: f64| match found.criterion {
         "cond" | "trace" | "smallest" => value.exp(),
@@ -139,7 +119,7 @@ fn data(outcome: &Outcome<'_>) -> Value {
         "time": times.iter().map(|t| short(*t, 4)).collect::<Vec<_>>(),
         "joints": joints,
         "moments": moments.iter().map(|t| short(*t, 3)).collect::<Vec<_>>(),
-        "figures": (0..moments.len()).map(figure_at).collect::<Vec<_>>(),
+        "figures": (0..moments.len()).map(|s| json!([figures.joints(s), figures.balls(s)])).collect::<Vec<_>>(),
         "radii": task.bodies.balls.iter().map(|b| b.radius).collect::<Vec<_>>(),
         "boxes": task.bodies.blocks.iter().map(|b| json!([b.min, b.max])).collect::<Vec<_>>(),
         "ground": task.bodies.ground.as_ref().map(|g| g.0),
