@@ -7,6 +7,7 @@
 mod arm;
 mod axis;
 mod candidates;
+mod doubt;
 mod interval;
 mod lanes;
 mod list;

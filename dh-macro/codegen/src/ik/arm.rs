@@ -111,6 +111,9 @@ impl<const N: usize> Arm<N> {
         let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
         let mut all: Candidates<N> = Candidates::new();
         let second_plane = self.candidates(&g, query, query.redundancy, &near, &mut all);
+        if all.in_doubt() {
+            self.settle(&g, query, &near, &mut all);
+        }
         // Of a family of postures, the member nearest to the one that was named; and that one itself where it is there already.
         let mut member = None;
         if query.near.is_some() && all.len > 0 {
@@ -143,7 +146,7 @@ impl<const N: usize> Arm<N> {
 
     /// What the closed form gives at a redundancy; true: counted from the second plane.
     #[inline]
-    fn candidates(
+    pub(super) fn candidates(
         &self,
         g: &Displacement,
         query: &Query<'_, N>,
@@ -178,7 +181,11 @@ impl<const N: usize> Arm<N> {
                         put(&mut values, *j, v);
                     }
                     put(&mut values, plane.lift.map(|(_, j, _)| j), f.lift);
-                    all.push_all(&values, slides, f.branch, 0);
+                    let mut free = super::candidates::in_doubt(f.free);
+                    for (k, j) in plane.joints.iter().enumerate() {
+                        free |= j.map_or(0, |j| u32::from(f.free >> k & 1) << (j & 15));
+                    }
+                    all.push_all(&values, slides, f.branch, free);
                 }
             }
             Family::Slides => {
@@ -280,7 +287,11 @@ impl<const N: usize> Arm<N> {
                     }
                     found.within_limits = found.margin >= -1e-9;
                     self.keep(out, work, found, mark);
-                } else if p2 <= nearly * nearly && r2 <= nearly * nearly {
+                    continue;
+                }
+                // What rounding does grows with each singularity.
+                let nearly = if free == 0 { nearly } else { nearly.max(1e-3) };
+                if p2 <= nearly * nearly && r2 <= nearly * nearly {
                     self.refine(g, query, all.values(place, slides), (branch, free), out, work);
                 } else {
                     // No posture, or one of the joints that were added: looked at only where nothing else is found.
@@ -323,7 +334,7 @@ impl<const N: usize> Arm<N> {
         let mut e = remainder(self, g, &values);
         let [p, r] = sizes(&e);
         if p.max(r) > EXACT {
-            let steps = if self.exact { 8 } else { 40 };
+            let steps = if self.exact && free == 0 { 8 } else { 40 };
             e = match (&self.family, self.exact) {
                 (Family::Locked { joint, .. }, _) => self.held(usize::from(*joint)).polished(g, &mut values, steps),
                 (Family::Swivel(swivel), false) => {
@@ -373,11 +384,15 @@ impl<const N: usize> Arm<N> {
         let same = |s: &Solution<N>| {
             (0..N).all(|i| (s.q[i] - found.q[i]).abs() < 1e-10 || self.full_turn(i, s.q[i] - found.q[i]))
         };
-        if out.list.iter().zip(work.marks.iter()).any(|(s, m)| (m - mark).abs() < 1e-7 && same(s)) {
-            return;
-        }
         if found.free != 0 {
             out.status = Status::Singular;
+        }
+        let twin = out.list.iter().zip(work.marks.iter()).position(|(s, m)| (m - mark).abs() < 1e-7 && same(s));
+        if let Some(twin) = twin {
+            if let Some(twin) = out.list.as_mut_slice().get_mut(twin) {
+                twin.free |= found.free;
+            }
+            return;
         }
         if let Some(place) = work.marks.get_mut(out.list.len()) {
             *place = mark;

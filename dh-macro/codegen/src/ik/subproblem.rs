@@ -8,6 +8,18 @@ use super::vector::{Turn, Vector, add, cross, dot, norm, scale, sub};
 /// Below this sine an angle hangs on the last digits of the pose: it is reported as free.
 pub(super) const FREE: f64 = 1e-6;
 
+/// Below this sine an answer is worth a second look: several of them multiply.
+pub(super) const NARROW: f64 = 1e-3;
+
+/// Bit of a branch's free joints: some sine is [`NARROW`].
+pub(super) const DOUBT: u8 = 128;
+
+/// [`DOUBT`] where it is so.
+#[inline(always)]
+pub(super) fn doubt(narrow: bool) -> u8 {
+    u8::from(narrow) << 7
+}
+
 /// Two answers, the second first where the sign is minus; equal at a double root.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pair {
@@ -17,6 +29,8 @@ pub(super) struct Pair {
     pub free: bool,
     /// The data say nothing at all: the two turns are none.
     pub blind: bool,
+    /// Nearly a double root, or nearly free.
+    pub narrow: bool,
 }
 
 /// The turn about `h` that takes `from` nearest to `to`, and how well it is known (product of their distances from `h`).
@@ -38,14 +52,16 @@ pub(super) fn across(h: Vector, from: Vector, to: Vector) -> Turn {
 pub(super) fn circle(a: f64, b: f64, d: f64, size: f64) -> Pair {
     let r = root(a * a + b * b);
     if !(r > 1e-14 * size) {
-        return Pair { both: [Turn::NONE; 2], free: true, blind: true };
+        return Pair { both: [Turn::NONE; 2], free: true, blind: true, narrow: true };
     }
+    // What is out of reach is not in doubt.
+    let reached = d.abs() < r + NARROW * size;
     let d = d.clamp(-r, r);
     let w = root((r - d) * (r + d));
     let (c0, s0, k) = (a / r, b / r, 1.0 / r);
     let (c, s) = (d * k, w * k);
     let turn = |s: f64| Turn { c: c0 * c - s0 * s, s: s0 * c + c0 * s };
-    Pair { both: [turn(s), turn(-s)], free: r < FREE * size, blind: false }
+    Pair { both: [turn(s), turn(-s)], free: r < FREE * size, blind: false, narrow: reached & (w < NARROW * size) }
 }
 
 /// Turns of `axis` that bring `w` to the distance `length` from `x`.
@@ -83,7 +99,7 @@ pub(super) struct Tilt {
     free: bool,
 }
 
-const BLIND: Pair = Pair { both: [Turn::NONE; 2], free: true, blind: true };
+const BLIND: Pair = Pair { both: [Turn::NONE; 2], free: true, blind: true, narrow: true };
 
 impl Tilt {
     #[inline(always)]
@@ -114,17 +130,20 @@ impl Tilt {
             let sum = c + cg;
             if sum.abs() > 1.0 { (sg * c - cg * s) * (sg * c + cg * s) / sum } else { c - cg }
         };
-        let x = unlike(self.difference).max(0.0);
-        let y = (-unlike(self.sum)).max(0.0);
+        let (x, y) = (unlike(self.difference), -unlike(self.sum));
+        let reached = (x > -NARROW) & (y > -NARROW);
+        let (x, y) = (x.max(0.0), y.max(0.0));
         let sum = x + y;
         if !(sum > 1e-14) {
             return BLIND;
         }
-        let (c, s) = ((y - x) / sum, 2.0 * root(x * y) / sum);
+        let height = root(x * y);
+        let (c, s) = ((y - x) / sum, 2.0 * height / sum);
         Pair {
             both: [self.middle.then(Turn { c, s }), self.middle.then(Turn { c, s: -s })],
             free: self.free,
             blind: false,
+            narrow: reached & (height < NARROW),
         }
     }
 }

@@ -2,12 +2,12 @@
 //! shoulder to wrist (the paper's equation 1; Tolani, Goswami and Badler 2000).
 
 use super::axis::{Axis, Value};
-use super::candidates::Candidates;
+use super::candidates::{Candidates, in_doubt};
 use super::orient::Three;
 use super::pose::Displacement;
 use super::real::angle;
 use super::solution::Branch;
-use super::subproblem::reach;
+use super::subproblem::{doubt, reach};
 use super::vector::{Matrix, Turn, Vector, add, beside, cross, dot, norm, scale, sub, times, transposed, unit};
 
 /// Lines and points of the arm at `q = 0`, in base axes.
@@ -63,6 +63,7 @@ pub(super) struct Elbows {
     pub n: Vector,
     pub both: [(Value, Frame); 2],
     pub stretched: bool,
+    pub narrow: bool,
 }
 
 impl Swivel {
@@ -88,7 +89,7 @@ impl Swivel {
             stretched |= out < 1e-8 * norm(sub(self.elbow, self.shoulder));
             (Value::turn(t), frame)
         });
-        Elbows { n, both, stretched }
+        Elbows { n, both, stretched, narrow: pair.narrow }
     }
 
     /// All answers at a swivel angle (its cosine and sine); true: counted from the second plane.
@@ -100,7 +101,8 @@ impl Swivel {
         near: &[Value; N],
         all: &mut Candidates<N>,
     ) -> bool {
-        let Elbows { n, both, stretched } = self.elbows(g);
+        let Elbows { n, both, stretched, narrow } = self.elbows(g);
+        let narrow = doubt(narrow);
         let (u, v, second) = reference.plane(n);
         let e = add(scale(c, u), scale(s, v));
         let goal: Frame = [n, e, cross(n, e)];
@@ -124,8 +126,10 @@ impl Swivel {
             for (j, (a, (_, f1))) in at1.into_iter().zip(firsts).enumerate() {
                 for (k, (b, (_, f2))) in at5.into_iter().zip(lasts).enumerate() {
                     let branch = Branch { shoulder: sign(j), elbow: sign(i), wrist: sign(k), ..Branch::NONE };
-                    let free = f1 | f2 << 4 | if stretched { 4 } else { 0 };
-                    let Some(place) = all.push(branch, u32::from(free)) else { continue };
+                    let bits = |f: u8| u32::from(f & 3);
+                    let free = bits(f1) | bits(f2) << 4 | if stretched { 4 } else { 0 };
+                    let free = free | in_doubt(f1 | f2 | narrow);
+                    let Some(place) = all.push(branch, free) else { continue };
                     for (joint, at) in [a[0], a[1], a[2], at4, b[0], b[1], b[2]].into_iter().enumerate() {
                         all.set(place, joint, at);
                     }

@@ -10,6 +10,7 @@ pub const FILES: &[(&str, &str)] = &[
     ("ik/arm.rs", include_str!("../ik/arm.rs")),
     ("ik/axis.rs", include_str!("../ik/axis.rs")),
     ("ik/candidates.rs", include_str!("../ik/candidates.rs")),
+    ("ik/doubt.rs", include_str!("../ik/doubt.rs")),
     ("ik/interval.rs", include_str!("../ik/interval.rs")),
     ("ik/lanes.rs", include_str!("../ik/lanes.rs")),
     ("ik/list.rs", include_str!("../ik/list.rs")),
