@@ -164,16 +164,19 @@ pub fn identification(settings: &Settings, watch: Watch<'_>) -> Result<Experimen
             tool.tell(what, share)
         })?;
     let moving = motions.iter().find(|m| m.name == "tool").unwrap_or(&robots[best]);
-    let table3 = table3::columns(&lwr, moving, &plain.recordings[best], seed.wrapping_add(13), &|what, share| {
+    // The hand empty in the same motion: what the robot's own parameters are is then the same in both logs.
+    bench.tell("the hand empty", 0.0);
+    let empty = play(&lwr, moving, &[], seed.wrapping_add(17))?;
+    let table3 = table3::columns(&lwr, moving, &empty, seed.wrapping_add(13), &|what, share| {
         bench.tell(what, share);
     })?;
-    let named = |name: &str| robots.iter().position(|m| m.name == name);
-    let unloaded: Vec<&Recording> =
-        [Some(best), named("cond"), named("hadamard")].into_iter().flatten().map(|k| &plain.recordings[k]).collect();
-    let rollers =
-        table3::repeated(&lwr, &unloaded, &[moving, &robots[best]], seed.wrapping_mul(7_000_003), &|what, share| {
-            rolling.tell(what, share);
-        })?;
+    let rollers = table3::repeated(
+        &lwr,
+        &[&empty, &plain.recordings[best]],
+        &[moving, &robots[best]],
+        seed.wrapping_mul(7_000_003),
+        &|what, share| rolling.tell(what, share),
+    )?;
     let honesty = match runs {
         0 => None,
         _ => Some(honesty(

@@ -107,10 +107,13 @@ fn the_papers_identification() {
     let large = &found.table3[0];
     assert!(large.mass_error_percent.abs() < table3::ASKED[0] && large.center_error < 3.0 * large.center_std);
     for many in &found.rollers {
-        assert!(many.mass_within == 1.0 && (0.7..1.4).contains(&many.spread), "{many:?}");
+        assert!(many.mass_within.value() == 1.0 && (0.7..1.4).contains(&many.spread), "{many:?}");
     }
-    let [one, all] = found.rollers.as_slice() else { panic!("{:?}", found.rollers) };
-    assert!(one.center_rms < table3::ASKED[1] && all.center_rms < one.center_rms && all.center_within >= 0.9);
+    let [one, two, four] = found.rollers.as_slice() else { panic!("{:?}", found.rollers) };
+    assert!(one.center_rms < table3::ASKED[1] && two.center_rms < one.center_rms, "{one:?} {two:?}");
+    assert!(four.holds(), "{four:?}");
+    // The textbook's formula at the paper's residual gives the paper's deviations, but for FC3.
+    assert!(found.table2.iter().filter(|r| r.textbook_percent() < 2.0 * r.printed.paper[1]).count() >= 13);
     assert!((0..7).all(|j| found.fig10.verdict(j).holds()));
 }
 

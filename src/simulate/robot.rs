@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use dh_codegen::arm::param::{self, Parameter};
-use dh_codegen::robot::{Effect, Effects, Inertia, Robot};
+use dh_codegen::robot::{Effect, Effects, NoLink, Robot};
 
 use super::SimulateError;
 use super::cholesky;
@@ -11,7 +11,7 @@ use super::drive::Drive;
 use super::effects::{
     AsymmetricFriction, Backlash, ExternalContact, FrictionDrift, GearCoupling, Given, JointElasticity, JointSpring,
     LoadDependentFriction, NonlinearViscousFriction, PositionDependentFriction, PreslidingHysteresis, StribeckFriction,
-    TorqueRipple, base_tilt, geometric_error, link_inertia_error, payload,
+    TorqueRipple,
 };
 use crate::arm::{Arm, Dynamics};
 use crate::interpreted::Interpreted;
@@ -311,45 +311,11 @@ fn as_it_is<'e>(
     of_robot: impl Iterator<Item = &'e Effect>,
 ) -> Result<Robot, SimulateError> {
     let mut real = robot.clone();
-    for &(row, effect) in of_joints {
-        let given = Given::new(effect, None);
-        match effect.name.as_str() {
-            "geometric_error" => geometric_error::apply(&mut real.joints[row], &given),
-            "link_inertia_error" => {
-                change_link(&mut real, given.stated("link"), Some(row), |l| link_inertia_error::apply(l, &given))?
-            }
-            _ => {}
-        }
-    }
-    for effect in of_robot {
-        let given = Given::new(effect, None);
-        match effect.name.as_str() {
-            "base_tilt" => real.gravity = base_tilt::tilted(real.gravity, &given),
-            "link_inertia_error" => {
-                change_link(&mut real, given.stated("link"), None, |l| link_inertia_error::apply(l, &given))?
-            }
-            "payload" => change_link(&mut real, Some(robot.joints.len() as f64), None, |l| payload::apply(l, &given))?,
-            _ => {}
-        }
+    let of_joints = of_joints.iter().map(|&(row, effect)| (Some(row), effect));
+    for (row, effect) in of_joints.chain(of_robot.map(|effect| (None, effect))) {
+        real.change(row, effect).map_err(|NoLink { number, last }| SimulateError::Link { number, last })?;
     }
     Ok(real)
-}
-
-fn change_link(
-    robot: &mut Robot,
-    stated: Option<f64>,
-    row: Option<usize>,
-    change: impl FnOnce(&mut Inertia),
-) -> Result<(), SimulateError> {
-    let last = robot.joints.len();
-    let at = stated.map_or(row, |number| (number as usize).checked_sub(1));
-    match at.and_then(|row| robot.links.get_mut(row)).and_then(Option::as_mut) {
-        Some(link) => {
-            change(link);
-            Ok(())
-        }
-        None => Err(SimulateError::Link { number: stated, last }),
-    }
 }
 
 /// Standard parameters with those of drives zero.
