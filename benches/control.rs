@@ -46,6 +46,12 @@ impl Model<N> for Lwr {
         kuka_lwr4::gravity(q, &self.beta)
     }
 
+    fn moving(&mut self, q: &[f64; N], dq: &[f64; N], ddq: &[f64; N]) -> [f64; N] {
+        let (all, still) =
+            (kuka_lwr4::inverse_dynamics_base(q, dq, ddq, &self.beta), kuka_lwr4::gravity(q, &self.beta));
+        std::array::from_fn(|j| all[j] - still[j])
+    }
+
     fn pressing(&mut self, q: &[f64; N], along: &[f64; 3]) -> [f64; N] {
         let jacobian = self.contact(q).jacobian;
         std::array::from_fn(|j| (0..3).map(|k| jacobian[k][j] * along[k]).sum())
@@ -88,6 +94,9 @@ fn main() {
         give_up: 1e9,
         most: 1e5,
         carry: 1.0,
+        feed: 1.0,
+        aside: 0.9,
+        aside_pole: 20.0,
     };
     let estimator = EstimatorSettings { period: 1e-3, corner: 10.0, weights: [1.0; N], damping: 1e-4, moment: true };
     let Ok(mut controller) = Controller::new(Lwr { beta }, settings) else { return };
@@ -102,7 +111,8 @@ fn main() {
         let base = [0.3, 0.9, 0.2, 1.3, 0.1, -0.9, 0.4];
         let q: [f64; N] = std::array::from_fn(|j| base[j] + wave(j));
         let tau: [f64; N] = std::array::from_fn(|j| 5.0 * wave(j + 3));
-        let target = Target { q, normal: [-1.0, 0.0, 0.0], force: Some(30.0) };
+        let dq: [f64; N] = std::array::from_fn(|j| 0.06 * (0.3 * t + j as f64).cos());
+        let target = Target { q, dq, ddq: dq.map(|v| -0.3 * v), normal: [-1.0, 0.0, 0.0], force: Some(30.0) };
         let mut best = u32::MAX;
         for round in 0..3 {
             // The last round is the one that goes on.
@@ -110,7 +120,7 @@ fn main() {
             let (own, begin) = (thread_time(), Instant::now());
             let wrench = std::hint::black_box(&mut estimator_of).step(&q, &tau);
             let force = wrench.map_or(f64::NAN, |w| -w[0]);
-            let sample = Sample { t, q, force: 25.0 + 1e-3 * force };
+            let sample = Sample { t, q, force: 25.0 + 1e-3 * force, push: [force, 1.0, 2.0] };
             let command = std::hint::black_box(&mut controller_of).step(&target, &sample);
             let (wall, own) = (nanoseconds(begin.elapsed()), nanoseconds(thread_time().saturating_sub(own)));
             best = best.min(wall);

@@ -19,6 +19,7 @@ mod kalman;
 mod method;
 mod momentum;
 mod noise;
+mod pace;
 mod picked;
 mod residual;
 mod run;

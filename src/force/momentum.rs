@@ -3,8 +3,8 @@
 //!
 //! `r' = K (J' F - r)`: the external torque through a low-pass of `K`. The momentum `p = M dq` grows by `tau - c - g - friction + J' F + M' dq`;
 //! from one sample to the next the last term is `(M1 - M0) (dq0 + dq1) / 2`, so that neither `C'` nor an acceleration is needed: the mass
-//! matrix and the inverse dynamics at zero acceleration will do. The lag is a part of the band: `r` less `r` through the low-pass once
-//! more is what a ramp is late by.
+//! matrix and the inverse dynamics at zero acceleration will do. `r` less `r` through the low-pass once more is what a ramp is late by: the wrench is
+//! that of the observed torques and this; noise and band are those of both, and what is left of the lag (the same difference once more) is in the band.
 
 use super::sample::{Estimate, ForceEstimator, Sample, Scale};
 use super::small::{finite, times};
@@ -25,6 +25,8 @@ pub struct Momentum<const N: usize> {
     observed: [f64; N],
     /// The observed torques through the same low-pass once more: what is between the two is about what the first is late by.
     again: [f64; N],
+    /// What the first is late by, through the same low-pass: what is between the two is what is left of the lag.
+    lag: [f64; N],
     /// Share of the observer's start that is still in it.
     start: f64,
     last: Estimate,
@@ -42,12 +44,13 @@ impl<const N: usize> Momentum<N> {
             before: None,
             observed: [0.0; N],
             again: [0.0; N],
+            lag: [0.0; N],
             start: 1.0,
             last,
         }
     }
 
-    /// The observed external torques, `J' F`, N m.
+    /// The observed external torques, `J' F` through the low-pass, N m.
     pub fn torques(&self) -> &[f64; N] {
         &self.observed
     }
@@ -72,26 +75,33 @@ impl<const N: usize> Momentum<N> {
         self.observed = observed;
         (0..N).for_each(|j| self.again[j] += (1.0 - keep) * (observed[j] - self.again[j]));
         let late: [f64; N] = core::array::from_fn(|j| observed[j] - self.again[j]);
+        (0..N).for_each(|j| self.lag[j] += (1.0 - keep) * (late[j] - self.lag[j]));
+        let left: [f64; N] = core::array::from_fn(|j| late[j] - self.lag[j]);
+        let ahead: [f64; N] = core::array::from_fn(|j| observed[j] + late[j]);
         self.start *= keep;
-        // White torque noise through the low-pass; noise of the momentum through what is left of it, a high-pass.
+        // Of what follows a ramp, `H (2 - H)` with `H = K / (s + K)`: of white torque noise 5/4 K, of the momentum's noise, which comes as its
+        // derivative, 4 K^2 (to half a sample).
         let moved: [f64; N] = core::array::from_fn(|j| {
             (0..N).map(|k| now.mass[j][k] * now.mass[j][k] * self.velocity_noise[k] * self.velocity_noise[k]).sum()
         });
         let variance: [f64; N] =
-            core::array::from_fn(|j| 0.5 * self.gain * self.density[j] + self.gain * self.gain * moved[j]);
+            core::array::from_fn(|j| 1.25 * self.gain * self.density[j] + 4.0 * self.gain * self.gain * moved[j]);
         let mut covariance = total(&variance, &now.covariance);
-        (0..N).for_each(|j| covariance[j][j] += late[j] * late[j]);
+        (0..N).for_each(|j| covariance[j][j] += left[j] * left[j]);
         // The observer began at zero, whatever pressed then.
         let sizes = self.scale.each();
-        if self.start > 1e-6 {
+        // `(1 + K t) exp(-K t)` of it is left.
+        let begun_share = self.start * (1.0 - libm::log(self.start.max(1e-300)));
+        if begun_share > 1e-6 {
             for j in 0..N {
-                let begun: f64 = (0..6).map(|i| now.jacobian[i][j] * sizes[i] * self.start).map(|x| x * x).sum();
+                let begun: f64 = (0..6).map(|i| now.jacobian[i][j] * sizes[i] * begun_share).map(|x| x * x).sum();
                 covariance[j][j] += begun;
             }
         }
-        let s = wrench(&now.jacobian, &self.observed, &covariance, &self.scale, Weights::Uncertainty)?;
+        let s = wrench(&now.jacobian, &ahead, &covariance, &self.scale, Weights::Uncertainty)?;
         let (surprise, misfit) = (s.surprise, s.misfit);
-        Some(Estimate { wrench: s.wrench, covariance: s.covariance, surprise, freedom: N, misfit, fresh: true })
+        let (wrench, covariance, told) = (s.wrench, s.covariance, s.told);
+        Some(Estimate { wrench, covariance, surprise, freedom: N, misfit, told, fresh: true })
     }
 }
 

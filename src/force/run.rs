@@ -26,7 +26,7 @@ pub struct Settings {
     pub gain: f64,
     /// How large wrenches are.
     pub scale: Scale,
-    /// How fast they wander: the Kalman filter's. Default 20 N and 2 N m in a second.
+    /// How fast they wander at most: the Kalman filter's. Default 20 N and 2 N m in a second.
     pub wander: Scale,
     /// Stretches in which nothing touches, s.
     pub free: Vec<[f64; 2]>,
@@ -200,6 +200,7 @@ impl<'a> Run<'a> {
             series.segment.push(motion.segment);
             series.wrench.push(estimate.wrench);
             series.half.push(std::array::from_fn(|i| estimate.half_width(i)));
+            series.told.push(estimate.told);
             series.deviate.push(contact.deviate);
             series.touching.push(contact.touching);
             series.free.push(free);

@@ -231,6 +231,12 @@ impl Stage {
     }
 }
 
+/// Of all samples of components that are told, those inside their band.
+pub fn share(all: &[Comparison; 6]) -> f64 {
+    let told: f64 = all.iter().map(|c| c.samples as f64).sum();
+    all.iter().map(|c| c.inside * c.samples as f64).sum::<f64>() / told.max(1.0)
+}
+
 /// Coverage over runs on this stage, of each method.
 pub fn coverage(
     stage: &Stage,
@@ -256,14 +262,12 @@ pub fn coverage(
             let of = |i: usize| {
                 let errors = all.iter().flat_map(|run| {
                     let s = &run[m];
-                    (0..s.time.len()).map(move |k| (s.wrench[k][i] - s.measured[k][i], s.half[k][i]))
+                    (0..s.time.len()).map(move |k| (s.wrench[k][i] - s.measured[k][i], s.half[k][i], s.told[k][i]))
                 });
                 Comparison::of(errors)
             };
             let components: [Comparison; 6] = std::array::from_fn(of);
-            let single = |run: &Vec<Series>| {
-                run[m].against_measured().map_or(0.0, |c| c.iter().map(|c| c.inside).sum::<f64>() / 6.0)
-            };
+            let single = |run: &Vec<Series>| run[m].against_measured().map_or(0.0, |c| share(&c));
             let shares: Vec<f64> = all.iter().map(single).collect();
             let right = all.iter().filter(|run| run[m].unexplained.as_ref().is_some_and(|u| u.holds())).count();
             Coverage {
@@ -272,7 +276,7 @@ pub fn coverage(
                 runs,
                 samples: components[0].samples,
                 components: components.map(|c| c.inside),
-                whole: components.iter().map(|c| c.inside).sum::<f64>() / 6.0,
+                whole: share(&components),
                 of_runs: [shares.iter().copied().fold(1.0, f64::min), shares.iter().copied().fold(0.0, f64::max)],
                 half: components.map(|c| c.half),
                 rms: components.map(|c| c.rms),
@@ -301,8 +305,9 @@ pub fn accuracy(postures: usize, seed: u64, watch: Watch<'_>) -> Result<Vec<Accu
         ];
         for (state, belongs) in states {
             let picked: Vec<usize> = (0..s.time.len()).filter(|&k| belongs(k)).collect();
-            let of =
-                |i: usize| Comparison::of(picked.iter().map(|&k| (s.wrench[k][i] - s.measured[k][i], s.half[k][i])));
+            let of = |i: usize| {
+                Comparison::of(picked.iter().map(|&k| (s.wrench[k][i] - s.measured[k][i], s.half[k][i], s.told[k][i])))
+            };
             rows.push(Accuracy { method, state, components: std::array::from_fn(of) });
         }
     }

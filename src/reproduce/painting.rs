@@ -13,8 +13,8 @@ use crate::diagnose::Diagnosis;
 use crate::differentiated::Differentiated;
 use crate::excite::{Criterion, Effort};
 use crate::paint::Plan;
-use crate::paint::run::{Feedback, Run};
 use crate::signal::Filter;
+use crate::paint::run::{Feedback, Law, Run};
 use rig::{Roller, Stand};
 
 /// How to run it.
@@ -57,6 +57,9 @@ impl Case {
 
 /// Table IV: root mean squares, N, of estimated less measured, estimated less desired, measured less desired.
 pub const PAPER: [(&str, [f64; 3]); 2] = [("large-roller", [2.9, 0.2, 2.9]), ("small-roller", [2.0, 0.2, 2.0])];
+/// Laws and feedbacks of the table: the paper's law, and with what is known fed forward; the measured force in the feedback for the latter.
+pub const KINDS: [(Law, Feedback); 3] =
+    [(Law::PAPER, Feedback::Estimated), (Law::FED, Feedback::Estimated), (Law::FED, Feedback::Measured)];
 /// The paper's durations, s.
 pub const PAPER_SECONDS: [f64; 2] = [50.0, 46.0];
 /// What is asked of estimated against measured once the model is extended, N.
@@ -69,6 +72,8 @@ pub struct Row {
     pub roller: &'static str,
     /// Which robot.
     pub case: Case,
+    /// What the inner loop adds to equation (13).
+    pub law: Law,
     /// What closed the loop.
     pub feedback: Feedback,
     /// Whether the estimate allowed for a moment at the contact.
@@ -112,9 +117,9 @@ pub struct Painting {
 }
 
 impl Painting {
-    /// The run of a roller, a case and a feedback, with the paper's six components.
-    pub fn row(&self, roller: &str, case: Case, feedback: Feedback) -> Option<&Row> {
-        self.rows.iter().find(|r| r.roller == roller && r.case == case && r.feedback == feedback)
+    /// The run of a roller and a case under a law, with the paper's six components.
+    pub fn row(&self, roller: &str, case: Case, law: Law, feedback: Feedback) -> Option<&Row> {
+        self.rows.iter().find(|r| r.roller == roller && r.case == case && r.law == law && r.feedback == feedback)
     }
 }
 
@@ -142,18 +147,18 @@ pub fn painting(settings: &PaintingSettings, watch: Watch<'_>) -> Result<Paintin
     watch("diagnosing", 0.36);
     let (extended, diagnosis) = real.extended(&lwr, &|what| watch(&format!("diagnosing: {what}"), 0.4))?;
 
-    let mut jobs: Vec<(usize, &'static str, Case, Feedback, &Roller)> = Vec::new();
-    for (k, (roller, _)) in PAPER.iter().enumerate() {
+    let mut jobs: Vec<(usize, Case, Law, Feedback, &Roller)> = Vec::new();
+    for k in 0..PAPER.len() {
         for (case, stand) in Case::ALL.into_iter().zip([&plain, &real, &extended]) {
-            for feedback in [Feedback::Estimated, Feedback::Measured] {
-                jobs.push((k, roller, case, feedback, &stand.rollers[k]));
+            for (law, feedback) in KINDS {
+                jobs.push((k, case, law, feedback, &stand.rollers[k]));
             }
         }
     }
     let one = |k: usize| {
-        let (paper, roller, case, feedback, stage) = jobs[k];
-        let run = stage.paint(feedback, true, seed.wrapping_add(100 + k as u64), &mut |_| {})?;
-        Ok(Row { roller, case, feedback, moment: true, run, paper: PAPER[paper].1 })
+        let (of, case, law, feedback, stage) = jobs[k];
+        let run = stage.paint(law, feedback, true, seed.wrapping_add(100 + k as u64), &mut |_| {})?;
+        Ok(Row { roller: PAPER[of].0, case, law, feedback, moment: true, run, paper: PAPER[of].1 })
     };
     let rows = many(jobs.len(), &one, &|what, share| watch(&format!("painting: {what}"), 0.45 + 0.55 * share))?;
     let noise = crate::tool::rerun::PAPER_TORQUE_NOISE;

@@ -16,7 +16,7 @@ use crate::interpreted::Interpreted;
 use crate::inverse::Kinematics;
 use crate::log::{Log, Replay};
 use crate::paint::Plan;
-use crate::paint::run::{Feedback, Known, Run, Task, in_contact, run};
+use crate::paint::run::{Feedback, Known, Law, Run, Task, in_contact, run};
 use crate::paint::wall::RollerWall;
 use crate::plant::RobotPlant;
 use crate::signal::{Filter, Prepare, each_motion};
@@ -57,6 +57,7 @@ impl Roller {
     /// Paints.
     pub fn paint(
         &self,
+        law: Law,
         feedback: Feedback,
         moment: bool,
         seed: u64,
@@ -75,7 +76,7 @@ impl Roller {
             force: FORCE,
             feedback,
             moment,
-            carry: 1.0,
+            law,
             corner: CORNER,
             sensors: Lwr::sensors(),
             seed,
