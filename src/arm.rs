@@ -142,6 +142,28 @@ pub trait Plant: Arm {
     /// Value of a drive parameter (index into the standard parameters) in the file, whether or not it has links.
     fn given_drive(&self, index: usize) -> f64;
 
+    /// Effects that the file knows beyond rotors, `FV`, `FC` and `FO`: identifier of contract section 5 and joint (from 0; `None`: the whole robot). Those of
+    /// geometry and bodies are in the arm itself, delays in [`Plant::delays`], the rest in [`Plant::known`].
+    fn effects(&self) -> Vec<(String, Option<usize>)> {
+        Vec::new()
+    }
+
+    /// How late the file says each joint's torque is, s.
+    fn delays(&self) -> Vec<f64> {
+        vec![0.0; self.dof()]
+    }
+
+    /// What the file's effects add to the recorded torques beside the plain arm (which is as late), N m, joint-major like the states, along recorded motion as
+    /// in [`Predicted::torques_along`]. `false`: nothing, and `out` is as it was.
+    fn known(&self, _time: &[f64], _states: &States, _temperature: &[f64], _out: &mut [f64]) -> bool {
+        false
+    }
+
+    /// The same arm whose file does not know some of its [`Plant::effects`].
+    fn without(&self, _effects: &[(String, Option<usize>)]) -> Option<Box<dyn Plant>> {
+        None
+    }
+
     /// [`Arm::inverse_dynamics`] of the arm with a change: torques, N m (N for a prismatic joint), of all joints, joint-major like the states,
     /// from the standard parameters (`P`, SI) of the unchanged arm's frames.
     fn changed_dynamics(&self, change: &Change, states: &States, standard: &[f64], out: &mut [f64]);

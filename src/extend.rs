@@ -67,11 +67,24 @@ pub fn with_couplings(mut robot: Robot, values: &[f64]) -> Robot {
 
 const BODY: [&str; 10] = ["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"];
 
+/// The robot without some of its effects: identifier, and joint (degree of freedom, from 0) or `None` for one of the whole robot.
+pub fn without(mut robot: Robot, effects: &[(String, Option<usize>)]) -> Robot {
+    let moving = robot.moving();
+    for (name, joint) in effects {
+        match joint.and_then(|j| moving.get(j)) {
+            Some(&row) => robot.joints[row].drive.effects.retain(|e| e.name != *name),
+            None => robot.effects.retain(|e| e.name != *name),
+        }
+    }
+    robot
+}
+
 /// The robot with everything in it that a diagnosis found.
 ///
 /// A diagnosis adds what it finds to the rigid torque at the sensor, against the measured angle; the file's laws act on the true torque and
 /// the true angle. So where a joint's gain or zero was found wrong too, its laws are written as what they are before the sensor.
 pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
+    let robot = without(robot, &found.forgotten);
     let mut robot = match &found.standard {
         Some(standard) if found.links_refitted => {
             // The diagnosis keeps friction apart; the file's own stays unless a cause changes it.
@@ -86,7 +99,12 @@ pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
                     _ => *v,
                 })
                 .collect();
-            with_values(robot, &values)
+            // They are those of the bodies as they are.
+            let mut robot = with_values(robot, &values);
+            let body = |e: &Effect| e.name == "payload" || e.name == "link_inertia_error";
+            robot.effects.retain(|e| !body(e));
+            robot.joints.iter_mut().for_each(|joint| joint.drive.effects.retain(|e| !body(e)));
+            robot
         }
         _ => robot,
     };
@@ -95,7 +113,7 @@ pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
         let here = |c: &&Cause| c.cause == cause && c.joints.first().and_then(|j| moving.get(j - 1)) == Some(&row);
         found.causes.iter().find(here).and_then(|c| c.keys.first()).map(|named| named.value)
     };
-    for cause in &found.causes {
+    for cause in found.friction.iter().chain(&found.causes) {
         let row = cause.joints.first().and_then(|j| moving.get(j - 1)).copied();
         let sensor = Sensor {
             gain: row.and_then(|row| of("torque_gain_error", row)).filter(|g| *g != 0.0).unwrap_or(1.0),
@@ -205,11 +223,15 @@ fn put(robot: &mut Robot, row: Option<usize>, moving: &[usize], cause: &Cause, s
         }
         // Of a mass without a tensor the file would think as of a point.
         "payload" if !left.iter().any(|(key, _)| BODY[4..].contains(&key.as_str())) => left.push(("XX".into(), 0.0)),
-        // A delay of one joint is counted from nothing, and the file adds it to that of all.
-        "time_delay" if row.is_some() => {
+        // A delay of one joint is counted from nothing, and the file adds it to that of all; that of all is counted on the first joint.
+        "time_delay" => {
             let stated = |e: &Effect| e.parameters.iter().find(|(key, _)| key == "TD").map(|(_, value)| *value);
-            let all = robot.effects.iter().find(|e| e.name == "time_delay").and_then(stated).unwrap_or(0.0);
-            left.iter_mut().filter(|(key, _)| key == "TD").for_each(|(_, late)| *late -= all);
+            let first = moving.first().map(|row| robot.joints[*row].drive.effects.iter());
+            let other = match row {
+                Some(_) => robot.effects.iter().find(|e| e.name == "time_delay").and_then(stated),
+                None => first.and_then(|mut effects| effects.find(|e| e.name == "time_delay")).and_then(stated),
+            };
+            left.iter_mut().filter(|(key, _)| key == "TD").for_each(|(_, late)| *late -= other.unwrap_or(0.0));
         }
         _ => {}
     }

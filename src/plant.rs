@@ -1,16 +1,24 @@
 //! A [`Plant`] made of a robot: the generated tapes for the arm as it is, the numeric recursion for the arm as it might be.
 
 use dh_codegen::arm::param::{self, Parameter};
-use dh_codegen::robot::{Angle, Length, Robot};
+use dh_codegen::robot::{Angle, Effect, Inertia, Length, Robot};
 use nalgebra::Matrix3;
 
-use crate::arm::{Arm, Change, Description, Plant, States};
+use crate::arm::{Arm, Change, Description, Plant, Predicted, States};
+use crate::extend;
 use crate::interpreted::Interpreted;
 use crate::numeric::Numeric;
+use crate::predicted::Predictor;
 
-/// A robot whose geometry can be questioned.
+/// A robot whose geometry can be questioned; zeros, lengths, base and bodies as the effects of its file say that they are.
 pub struct RobotPlant {
+    /// As its file has it.
+    file: Robot,
+    /// As it is.
     robot: Robot,
+    /// All that the file knows, and what it knows but for the laws of its drives; where it knows such.
+    known: Option<(Predictor, Predictor)>,
+    delays: Vec<f64>,
     arm: Interpreted,
     numeric: Numeric,
     rows: Vec<usize>,
@@ -22,15 +30,36 @@ impl RobotPlant {
     /// Of this robot.
     pub fn new(robot: &Robot) -> Self {
         let rows = robot.moving();
+        let file = robot.clone();
+        let robot = if file.has_effects() { file.as_it_is() } else { file.clone() };
         Self {
-            arm: Interpreted::new(robot, &[]),
-            numeric: Numeric::new(robot),
+            arm: Interpreted::new(&robot, &[]),
+            numeric: Numeric::new(&robot),
             gears: rows.iter().map(|&row| robot.joints[row].drive.gear_ratio).collect(),
-            given: param::standard_values(robot),
-            robot: robot.clone(),
+            given: param::standard_values(&robot),
+            known: if file.has_effects() { laws(&file, &robot) } else { None },
+            delays: file.laws().iter().map(|l| l.delay).collect(),
+            robot,
+            file,
             rows,
         }
     }
+}
+
+/// Predictors of a file and of the arm as it is without its drives' laws, both as late.
+fn laws(file: &Robot, real: &Robot) -> Option<(Predictor, Predictor)> {
+    let late = |e: &Effect| e.name == "time_delay";
+    let mut plain = real.clone();
+    plain.effects.retain(late);
+    plain.joints.iter_mut().for_each(|joint| joint.drive.effects.retain(late));
+    let mut file = file.clone();
+    if real.links.is_empty() {
+        // Without links the laws act on drives that carry nothing.
+        for robot in [&mut file, &mut plain] {
+            robot.links = vec![Some(Inertia::from_array([0.0; 10])); robot.joints.len()];
+        }
+    }
+    Some((Predictor::new(&file).ok()?, Predictor::new(&plain).ok()?))
 }
 
 /// The robot with a change in it.
@@ -86,6 +115,31 @@ impl Plant for RobotPlant {
             Some(Parameter::Drive(row, term)) => param::drive_value(&self.robot, *row, *term).unwrap_or(0.0),
             _ => 0.0,
         }
+    }
+
+    fn effects(&self) -> Vec<(String, Option<usize>)> {
+        let dof = |row: usize| self.rows.iter().position(|r| *r == row);
+        let own = self.file.joints.iter().enumerate().flat_map(|(row, joint)| {
+            joint.drive.effects.iter().filter_map(move |e| Some((e.name.clone(), Some(dof(row)?))))
+        });
+        own.chain(self.file.effects.iter().map(|e| (e.name.clone(), None))).collect()
+    }
+
+    fn delays(&self) -> Vec<f64> {
+        self.delays.clone()
+    }
+
+    fn known(&self, time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]) -> bool {
+        let Some((whole, plain)) = &self.known else { return false };
+        let mut rest = vec![0.0; out.len()];
+        whole.torques_along(time, states, temperature, out);
+        plain.torques_along(time, states, temperature, &mut rest);
+        out.iter_mut().zip(&rest).for_each(|(out, rest)| *out -= rest);
+        true
+    }
+
+    fn without(&self, effects: &[(String, Option<usize>)]) -> Option<Box<dyn Plant>> {
+        Some(Box::new(Self::new(&extend::without(self.file.clone(), effects))))
     }
 
     fn changed_dynamics(&self, change: &Change, states: &States, standard: &[f64], out: &mut [f64]) {

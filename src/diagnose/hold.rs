@@ -5,15 +5,15 @@
 //! times the link's size, inertia by the mass times its square, rotors by 100 %, friction by half of the torque that was seen. In the axes in which that is white, the
 //! data tell each direction so much (Hansen 1998, generalised singular values: `mu`, by how much their variance is less than that of the belief, windows
 //! counted by how long residuals remember themselves). Directions that are told well are left to the data alone; those that are not stay with
-//! the file: what least squares says is taken by `mu^2 / (mu^2 + TOLD^2)`. So nothing that the data do tell is drawn to the file, as a plain normal
-//! prior would.
+//! the file: what least squares says is taken by `mu^2 / (mu^2 + firm^2)`. So nothing that the data do tell is drawn to the file, as a plain normal
+//! prior would. How firm is left to the data as well: what predicts stretches of the logs best that are left out in turn.
 
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
 use crate::arm::Plant;
 
-/// How many times less than that of the belief the data's variance has to be for a direction to be taken by half.
-const TOLD: f64 = 10.0;
+/// How many times less than that of the belief the data's variance has to be for a direction to be taken by half: what is tried.
+pub const FIRM: [f64; 4] = [30.0, 10.0, 3.0, 1.0];
 
 /// The firmest hold, as a multiple of the belief's own weight.
 const FIRMEST: f64 = 1e3;
@@ -36,8 +36,8 @@ impl Hold {
     }
 
     /// From the belief and what data say: the normal matrix of the first unknowns with all windows counted (`full`), and with windows counted as far as
-    /// they are independent (`thinned`).
-    pub fn new(belief: &Belief, full: &DMatrix<f64>, thinned: &DMatrix<f64>) -> Option<Self> {
+    /// they are independent (`thinned`); `firm`: see [`FIRM`].
+    pub fn new(belief: &Belief, full: &DMatrix<f64>, thinned: &DMatrix<f64>, firm: f64) -> Option<Self> {
         let n = belief.mean.len();
         let root = &belief.root;
         let white = |matrix: &DMatrix<f64>| root.transpose() * matrix.view((0, 0), (n, n)) * root;
@@ -54,10 +54,10 @@ impl Hold {
             let mu = mu.max(1e-12);
             // The solver counts every window.
             let dependence = (v.dot(&(&all * v)) / mu).clamp(1.0, 1e4);
-            let firm = (TOLD * TOLD / mu).min(FIRMEST) * dependence;
+            let weight = (firm * firm / mu).min(FIRMEST) * dependence;
             let axis = inverse.transpose() * v;
-            precision.ger(firm, &axis, &axis, 1.0);
-            spread.ger(firm * firm, &axis, &axis, 1.0);
+            precision.ger(weight, &axis, &axis, 1.0);
+            spread.ger(weight * weight, &axis, &axis, 1.0);
         }
         Some(Self { precision, mean: belief.mean.clone(), spread })
     }

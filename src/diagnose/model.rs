@@ -9,7 +9,7 @@ use crate::arm::Plant;
 use crate::identify::recover_standard;
 
 use super::causes::{COULOMB, Cause, Named, OFFSET, Term, VISCOUS};
-use super::hold::{Hold, belief};
+use super::hold::{FIRM, Hold, belief};
 use super::moments::{Moments, Solution};
 use super::noise::memory;
 use super::offer::LeftOut;
@@ -120,6 +120,8 @@ pub struct Bench<'a> {
     pub scene: Scene<'a>,
     /// Friction parameters (three per joint) that stay as the file has them.
     pub frozen: Vec<bool>,
+    /// Friction parameters that are fitted but no news: too little or too unsure to be named.
+    pub quiet: Vec<bool>,
     /// What the motion does not show stays with the file; made at the first fit.
     pub hold: Option<Hold>,
     /// Whether every window counts.
@@ -142,7 +144,7 @@ impl<'a> Bench<'a> {
         all: bool,
     ) -> Self {
         let scene = Scene::new(plant, recordings, rate, delays, all);
-        let frozen = vec![false; 3 * plant.dof()];
+        let (frozen, quiet) = (vec![false; 3 * plant.dof()], vec![false; 3 * plant.dof()]);
         let (base, friction, y) = Default::default();
         let mut bench = Self {
             plant,
@@ -151,6 +153,7 @@ impl<'a> Bench<'a> {
             mode,
             scene,
             frozen,
+            quiet,
             hold: None,
             all,
             known: Mutex::default(),
@@ -358,7 +361,19 @@ impl<'a> Bench<'a> {
         let free = self.fit_once(&[], None);
         let weights = &free.solution.weights;
         let thinned: Vec<f64> = weights.iter().zip(&free.memory).map(|(w, m)| w / m).collect();
-        Hold::new(&belief, &free.moments.told(weights), &free.moments.told(&thinned)).unwrap_or_else(Hold::none)
+        let (full, thinned) = (free.moments.told(weights), free.moments.told(&thinned));
+        let mut stretches = self.stretches(&[]);
+        let counts = stretches.counts();
+        let ground: Vec<f64> = torque.iter().map(|t| 0.004 * t).collect();
+        let mut best: Option<(Hold, LeftOut)> = None;
+        for hold in FIRM.iter().filter_map(|firm| Hold::new(&belief, &full, &thinned, *firm)) {
+            stretches.held_by(hold.clone());
+            let left = LeftOut::new(&stretches.cross_validated(&free.solution), &counts);
+            if best.as_ref().is_none_or(|(_, known)| left.less(known, &ground).gain > 0.0) {
+                best = Some((hold, left));
+            }
+        }
+        best.map_or_else(Hold::none, |b| b.0)
     }
 
     /// The equations in stretches that can be left out: eighths of the data, each in one piece.

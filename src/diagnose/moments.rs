@@ -262,6 +262,11 @@ impl Moments {
             .collect()
     }
 
+    /// The same equations with another hold.
+    pub fn held_by(&mut self, hold: Hold) {
+        self.hold = hold;
+    }
+
     /// Windows per part and joint.
     pub fn counts(&self) -> Vec<Vec<f64>> {
         (0..self.parts()).map(|part| self.joints.iter().map(|j| j.parts[part].count).collect()).collect()

@@ -1,6 +1,8 @@
 //! What was recorded, whole in memory: filtered motion, and the torque as it was measured.
 
-use crate::arm::States;
+use std::borrow::Cow;
+
+use crate::arm::{Plant, States};
 use crate::signal::Motion;
 
 /// An uninterrupted, evenly sampled stretch of a log.
@@ -95,6 +97,51 @@ impl Recording {
         };
         [part(0), part(1)]
     }
+}
+
+/// Recordings whose torques are those of the plain arm and of what the file does not know: without what its effects add.
+pub fn unexplained<'a>(plant: &dyn Plant, recordings: &'a [Recording]) -> Cow<'a, [Recording]> {
+    let mut all = Vec::with_capacity(recordings.len());
+    for recording in recordings {
+        let mut recording = recording.clone();
+        // Through all its stretches, so that drives warm on.
+        let dof = plant.dof();
+        let len: usize = recording.stretches.iter().map(|s| s.states.len).sum();
+        let time: Vec<f64> = recording
+            .stretches
+            .iter()
+            .flat_map(|s| (0..s.states.len).map(move |k| s.start + k as f64 * s.period))
+            .collect();
+        let joined = |of: fn(&Stretch) -> &[f64]| -> Vec<f64> {
+            if recording.stretches.iter().any(|s| of(s).len() != dof * s.states.len) {
+                return Vec::new();
+            }
+            (0..dof)
+                .flat_map(|j| recording.stretches.iter().flat_map(move |s| s.of(of(s), j).iter().copied()))
+                .collect()
+        };
+        let states =
+            States { len, q: joined(|s| &s.states.q), dq: joined(|s| &s.states.dq), ddq: joined(|s| &s.states.ddq) };
+        let mut known = vec![0.0; dof * len];
+        if !plant.known(&time, &states, &joined(|s| &s.temperature), &mut known) {
+            return Cow::Borrowed(recordings);
+        }
+        let mut first = 0;
+        for stretch in &mut recording.stretches {
+            let n = stretch.states.len;
+            for j in 0..dof {
+                let tau = &mut stretch.tau[j * n..(j + 1) * n];
+                // A sensor that was off says nothing.
+                if tau.iter().any(|t| *t != 0.0) {
+                    let known = &known[j * len + first..j * len + first + n];
+                    tau.iter_mut().zip(known).for_each(|(tau, known)| *tau -= known);
+                }
+            }
+            first += n;
+        }
+        all.push(recording);
+    }
+    Cow::Owned(all)
 }
 
 impl Stretch {

@@ -183,6 +183,10 @@ pub struct Diagnosis {
     pub standard: Option<Vec<f64>>,
     /// What was found, in order of what it gains.
     pub causes: Vec<Cause>,
+    /// Plain friction that the extended model has refitted but that is no news: for the file alone.
+    pub friction: Vec<Cause>,
+    /// Effects of the file that the data contradict: taken out, and looked for anew. Identifier and joint (from 0), `None`: the whole robot.
+    pub forgotten: Vec<(String, Option<usize>)>,
     /// What to do next.
     pub next_experiment: Option<NextExperiment>,
     /// Whether the validating data are logs of their own, or the ends of the fitted ones.

@@ -9,7 +9,7 @@ use super::maps::View;
 use super::model::{Bench, Chosen, Fitted, Mode, given_friction, parameters};
 use super::noise::floor;
 use super::offer::LeftOut;
-use super::record::Recording;
+use super::record::{Recording, unexplained};
 use super::result::{Cause, Curve, Diagnosis, Errors, NextExperiment, Offer, Offered, Verdict};
 use super::search::{Accepted, Found, Plain, SearchSettings, reconsider, search};
 use super::structure::{Structure, structure};
@@ -48,8 +48,8 @@ pub enum DiagnoseError {
 
 /// What a simulation of the robot file as it is misses of logs, per joint: root mean square, N m, every sample counted.
 pub fn misses(plant: &dyn Plant, recordings: &[Recording], settings: &Settings) -> Vec<f64> {
-    let zeros = vec![0.0; plant.dof()];
-    let bench = Bench::new(plant, recordings, settings.rate, Mode::Trusted, &zeros, false);
+    let recordings = &unexplained(plant, recordings)[..];
+    let bench = Bench::new(plant, recordings, settings.rate, Mode::Trusted, &plant.delays(), false);
     Meter::new(plant, recordings, &bench).of_the_file().rms
 }
 
@@ -129,16 +129,59 @@ pub fn diagnose(
     settings: &Settings,
     progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, DiagnoseError> {
+    let mut found = once(plant, fit, validate, settings, progress)?;
+    // Where an effect is found that the file has already, the data contradict the file's; two of a kind are not written beside each other. So that one is taken
+    // out and looked for anew.
+    let mut forgotten: Vec<(String, Option<usize>)> = Vec::new();
+    let baseline = found.baseline.clone();
+    for _ in 0..2 {
+        let known = plant.effects();
+        let again = |name: &str, joint: Option<usize>| {
+            let same = |c: &&Cause| c.cause == name && c.joints.first().map(|j| j - 1) == joint;
+            !ADDS_UP.contains(&name) && found.causes.iter().any(|c| same(&c))
+        };
+        let before = forgotten.len();
+        for (name, joint) in known {
+            if again(&name, joint) && !forgotten.contains(&(name.clone(), joint)) {
+                forgotten.push((name, joint));
+            }
+        }
+        if forgotten.len() == before {
+            break;
+        }
+        let Some(bare) = plant.without(&forgotten) else { break };
+        progress("an effect of the file, anew");
+        found = once(&*bare, fit, validate, settings, progress)?;
+        found.forgotten.clone_from(&forgotten);
+        found.baseline.clone_from(&baseline);
+    }
+    Ok(found)
+}
+
+/// Effects of which what is found can be written into the file beside what it has: totals, differences of bodies, further orders.
+const ADDS_UP: [&str; 3] = ["time_delay", "link_inertia_error", "torque_ripple"];
+
+/// [`diagnose`] with the effects of the file as they are.
+fn once(
+    plant: &dyn Plant,
+    fit: &[Recording],
+    validate: &[Recording],
+    settings: &Settings,
+    progress: &dyn Fn(&str),
+) -> Result<Diagnosis, DiagnoseError> {
     let own_validation = !validate.is_empty();
     let parts: Vec<[Recording; 2]> =
         if own_validation { Vec::new() } else { fit.iter().map(|r| r.split(0.7)).collect() };
     let first: Vec<Recording> = parts.iter().map(|p| p[0].clone()).collect();
     let rest: Vec<Recording> = parts.iter().map(|p| p[1].clone()).collect();
     let (fit, validate) = if own_validation { (fit, validate) } else { (&first[..], &rest[..]) };
+    let measured = validate.to_vec();
     let seconds: f64 = fit.iter().map(Recording::seconds).sum();
     let dof = plant.dof();
-    let zeros = vec![0.0; dof];
+    let zeros = plant.delays();
     let noise = floor(&[fit, validate].concat(), dof);
+    let [fit, validate] = [fit, validate].map(|r| unexplained(plant, r));
+    let (measured, fit, validate) = (&measured[..], &fit[..], &validate[..]);
     let start = Bench::new(plant, fit, settings.rate, Mode::Trusted, &zeros, false);
     if seconds < 2.0 || start.scene.len < 100 {
         return Err(DiagnoseError::TooShort { seconds });
@@ -155,7 +198,7 @@ pub fn diagnose(
     let torque_rms: Vec<f64> = (0..dof)
         .map(|j| {
             let all: Vec<f64> =
-                validate.iter().flat_map(|r| &r.stretches).flat_map(|s| s.of(&s.tau, j).to_vec()).collect();
+                measured.iter().flat_map(|r| &r.stretches).flat_map(|s| s.of(&s.tau, j).to_vec()).collect();
             root_mean_square(&all)
         })
         .collect();
@@ -196,6 +239,7 @@ pub fn diagnose(
     let fitted = freeze(&mut bench, &mut found, &noise);
     progress("what else plain friction might be");
     let (fitted, plain_rivals) = reconsider(&mut bench, &mut found.accepted, fitted, &noise, &settings.search);
+    let fitted = release(&mut bench, &mut found.accepted, fitted);
     progress("what holds on stretches that were left out");
     let mut why = Vec::new();
     let fitted = withdraw(plant, fit, &mut bench, &mut found.accepted, fitted, &ground, &mut why);
@@ -259,8 +303,9 @@ pub fn diagnose(
                 ),
             });
         }
-        for item in failed.iter().map(|&i| &items[i]) {
-            item.friction.iter().for_each(|&k| bench.frozen[k] = true);
+        for &k in failed.iter().flat_map(|&i| &items[i].friction) {
+            let which = if bench.mode == Mode::Refitted { &mut bench.quiet } else { &mut bench.frozen };
+            which[k] = true;
         }
         let out: Vec<usize> = failed.iter().filter_map(|&i| items[i].accepted).collect();
         fitted = without(&mut bench, &mut found.accepted, &out);
@@ -300,6 +345,7 @@ pub fn diagnose(
         }
     }
     causes.sort_by(|a, b| taken(b, &scale).total_cmp(&taken(a, &scale)));
+    values_last(&mut causes, &scale);
     let verdict = match (causes.is_empty(), left.is_empty()) {
         (true, true) => Verdict::NothingWrong,
         (true, false) => Verdict::Unexplained,
@@ -332,6 +378,8 @@ pub fn diagnose(
             left_out: [file_out.rms(), refit_out.rms(), bench.left_out(&chosen_of(&found.accepted), &fitted).rms()],
             why,
         },
+        friction: quiet(&bench, &fitted),
+        forgotten: Vec::new(),
         causes,
         next_experiment,
         own_validation,
@@ -347,10 +395,11 @@ fn chosen_of(accepted: &[Accepted]) -> Vec<Chosen> {
 
 /// The model without some of its accepted causes, fitted.
 fn without(bench: &mut Bench<'_>, accepted: &mut Vec<Accepted>, out: &[usize]) -> Fitted {
+    let given = bench.plant.delays();
     let mut late = vec![0.0; bench.scene.dof()];
     for c in out.iter().map(|&i| &accepted[i].chosen).filter(|c| c.cause.moves_time()) {
         let own: Vec<usize> = if c.place.is_empty() { (0..late.len()).collect() } else { c.place.clone() };
-        own.iter().for_each(|&j| late[j] = -bench.scene.delays[j]);
+        own.iter().for_each(|&j| late[j] = given[j] - bench.scene.delays[j]);
     }
     bench.undo_delay(&late);
     let mut index = 0;
@@ -444,7 +493,7 @@ fn offer<'a>(
     ground: &[f64],
     why: &mut Vec<String>,
 ) -> (Offered, Fitted) {
-    let zeros = vec![0.0; plant.dof()];
+    let zeros = plant.delays();
     let says = |what: &str, a: &LeftOut, b: &LeftOut| {
         let paired = a.less(b, ground);
         format!(
@@ -468,6 +517,7 @@ fn offer<'a>(
         found.accepted.clear();
         *bench = Bench::new(plant, fit, bench.rate, Mode::Refitted, &zeros, false);
         fitted = freeze(bench, found, noise);
+        fitted = release(bench, &mut found.accepted, fitted);
         (offered, model) = (Offered::Refitted, refit.clone());
     }
     let changed = bench.mode == Mode::Refitted || !found.accepted.is_empty() || bench.frozen.iter().any(|f| !f);
@@ -539,6 +589,38 @@ fn freeze(bench: &mut Bench<'_>, found: &mut Found, noise: &[f64]) -> Fitted {
     fitted
 }
 
+/// Where all base parameters are unknown so is friction: what went back to the file's values because it is too little or too unsure to be named is part of the model
+/// again, so that this is never less than a plain refit. Friction that would drive a joint stays out.
+fn release(bench: &mut Bench<'_>, accepted: &mut [Accepted], fitted: Fitted) -> Fitted {
+    if bench.mode != Mode::Refitted {
+        return fitted;
+    }
+    let frozen = bench.frozen.clone();
+    let mut chosen = chosen_of(accepted);
+    bench.quiet.clone_from(&frozen);
+    bench.frozen.iter_mut().for_each(|f| *f = false);
+    let given = given_friction(bench.plant);
+    let mut fitted = bench.fit(&mut chosen);
+    for _ in 0..3 {
+        let drives = |k: &usize| {
+            let (j, which) = (k / 3, k % 3);
+            which < 2
+                && !bench.frozen[*k]
+                && given[j][which].unwrap_or(0.0) + fitted.solution.x[fitted.friction + k] < 0.0
+        };
+        let out: Vec<usize> = (0..frozen.len()).filter(drives).collect();
+        if out.is_empty() {
+            break;
+        }
+        out.iter().for_each(|&k| (bench.frozen[k], bench.quiet[k]) = (true, false));
+        fitted = bench.fit(&mut chosen);
+    }
+    for (a, c) in accepted.iter_mut().zip(&chosen) {
+        a.chosen = c.clone();
+    }
+    fitted
+}
+
 /// The accepted causes, and the friction parameters that changed and belong to none of them.
 fn items(bench: &Bench<'_>, found: &Found) -> Vec<Item> {
     items_of(bench, &found.accepted)
@@ -559,7 +641,7 @@ fn items_of(bench: &Bench<'_>, accepted: &[Accepted]) -> Vec<Item> {
     for j in 0..bench.scene.dof() {
         for (which, hypothesis) in [&VISCOUS, &COULOMB, &OFFSET].into_iter().enumerate() {
             let k = 3 * j + which;
-            if bench.frozen[k] {
+            if bench.frozen[k] || bench.quiet[k] {
                 continue;
             }
             // Where a friction law was found, the plain terms that the file already has are part of it.
@@ -589,6 +671,36 @@ fn friction_values(bench: &Bench<'_>, fitted: &Fitted, covariance: &nalgebra::DM
                 symbol: ["FV", "FC", "TO"][which].to_string(),
                 value: base + fitted.solution.x[at],
                 std: Some(covariance[(at, at)].max(0.0).sqrt()),
+            }
+        })
+        .collect()
+}
+
+/// Friction that is in the model but no news, for the file.
+fn quiet(bench: &Bench<'_>, fitted: &Fitted) -> Vec<Cause> {
+    let covariance = fitted.covariance();
+    (0..bench.quiet.len())
+        .filter(|&k| bench.quiet[k] && !bench.frozen[k])
+        .map(|k| {
+            let hypothesis: &'static dyn Hypothesis = [&VISCOUS, &COULOMB, &OFFSET][k % 3];
+            let item = Item { hypothesis, place: vec![k / 3], accepted: None, friction: vec![k] };
+            Cause {
+                cause: hypothesis.name(),
+                joints: vec![k / 3 + 1],
+                probability: 0.0,
+                keys: friction_values(bench, fitted, &covariance, &item),
+                parameters: Vec::new(),
+                support: 0.0,
+                margin: 0.0,
+                share: 0.0,
+                evidence: String::new(),
+                rms_before: Vec::new(),
+                rms_after: Vec::new(),
+                interval: [f64::NAN; 2],
+                on: "fit",
+                not_distinguished_from: Vec::new(),
+                shown_by: hypothesis.shown_by(),
+                curve: None,
             }
         })
         .collect()
@@ -624,10 +736,11 @@ fn reduced<'a>(
     if item.hypothesis.moves_time() {
         // The delay's own part of the shift goes.
         let own: Vec<usize> = if item.place.is_empty() { (0..delays.len()).collect() } else { item.place.clone() };
-        own.iter().for_each(|&j| delays[j] = 0.0);
+        let given = plant.delays();
+        own.iter().for_each(|&j| delays[j] = given[j]);
     }
     let mut reduced = Bench::new(plant, fit, bench.rate, bench.mode, &delays, false);
-    (reduced.frozen, reduced.hold) = (bench.frozen.clone(), bench.hold.clone());
+    (reduced.frozen, reduced.quiet, reduced.hold) = (bench.frozen.clone(), bench.quiet.clone(), bench.hold.clone());
     item.friction.iter().for_each(|&k| reduced.frozen[k] = true);
     let mut others: Vec<Chosen> =
         chosen.iter().enumerate().filter(|(i, _)| item.accepted != Some(*i)).map(|(_, c)| c.clone()).collect();
@@ -745,6 +858,18 @@ fn bootstrap(without: &Measured, with: &Measured, place: &[usize]) -> [f64; 2] {
 
 /// A margin beyond which more of it says nothing.
 const MOST_MARGIN: f64 = 1e4;
+
+/// Where all parameters were refitted that is done as a matter of course, and a cause that takes a quarter or more of what the refit leaves is what no value of a
+/// parameter explains: it is named before them.
+fn values_last(causes: &mut [Cause], noise: &[f64]) {
+    let Some(links) = causes.iter().position(|c| c.cause == "link_inertia_error" && c.keys.is_empty()) else { return };
+    let squares = |x: &[f64]| x.iter().zip(noise).map(|(x, s)| x * x / (s * s).max(1e-24)).sum::<f64>();
+    let structure = |c: &Cause| squares(&c.rms_after) < 0.75 * squares(&c.rms_before);
+    let last = (links + 1..causes.len()).rev().find(|&i| causes[i].cause != "unknown" && structure(&causes[i]));
+    if let Some(last) = last {
+        causes[links..=last].rotate_left(1);
+    }
+}
 
 /// Part of the squared error above the noise that goes: of the main joint, or of the one with the most to gain.
 fn share(before: &[f64], after: &[f64], noise: &[f64], place: &[usize]) -> f64 {

@@ -153,6 +153,8 @@ fn diagnosis_page_stands_alone() {
                 explained: vec![0.5, 0.25],
             }),
         }],
+        friction: vec![],
+        forgotten: vec![],
         next_experiment: Some(NextExperiment {
             between: vec!["joint_elasticity", "viscous_friction"],
             joints: vec![1],

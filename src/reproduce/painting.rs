@@ -13,8 +13,8 @@ use crate::diagnose::Diagnosis;
 use crate::differentiated::Differentiated;
 use crate::excite::{Criterion, Effort};
 use crate::paint::Plan;
-use crate::signal::Filter;
 use crate::paint::run::{Feedback, Law, Run};
+use crate::signal::Filter;
 use rig::{Roller, Stand};
 
 /// How to run it.
