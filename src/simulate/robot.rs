@@ -19,6 +19,9 @@ use crate::interpreted::Interpreted;
 /// Rotor of a soft joint whose file gives none, kg m^2 per N m of torque limit: see `rotor_inertia` in the table of effects.
 const ROTOR: f64 = 0.003;
 
+/// A torque sample that is older (or younger) than this belongs to no motion that is played, s; as the sensors' latency.
+const LONGEST_DELAY: f64 = 10.0;
+
 /// The robot as it is, and as its file says.
 pub(super) struct Built {
     /// As the file says: what the controller knows.
@@ -51,6 +54,18 @@ impl Built {
         })?;
         let own = robot.all_effects();
         let everywhere = own.robot.iter().chain(&more.robot);
+        for contact in everywhere.clone().filter(|e| e.name == "external_contact") {
+            let given = Given::new(contact, None);
+            if let (Some(start), Some(end)) = (given.stated("start"), given.stated("end")) {
+                if end <= start {
+                    return Err(SimulateError::Setting {
+                        what: "external_contact.end",
+                        value: end,
+                        must: "be later than start",
+                    });
+                }
+            }
+        }
         let of_joints: Vec<(usize, &Effect)> = own
             .joints
             .iter()
@@ -143,19 +158,28 @@ impl Built {
             }
         };
         match effect.name.as_str() {
-            "viscous_friction" => drive.plain.viscous += given.get("FV"),
-            "coulomb_friction" => drive.plain.level += given.get("FC"),
+            // They add to the file's: what must not be negative is the sum, lest friction drives the arm.
+            "viscous_friction" => {
+                drive.plain.viscous += given.get("FV");
+                not_negative("FV, the file's included,", drive.plain.viscous)?;
+            }
+            "coulomb_friction" => {
+                drive.plain.level += given.get("FC");
+                not_negative("FC, the file's included,", drive.plain.level)?;
+            }
             "rotor_inertia" => drive.rotor += not_negative("IA", given.get("IA"))?,
             "asymmetric_friction" => drive.asymmetric = Some(AsymmetricFriction::read(&given)),
             "stribeck_friction" => {
                 let law = StribeckFriction::read(&given, drive.plain.level);
                 positive("VS", law.velocity)?;
                 positive("DS", law.exponent)?;
+                not_negative("FS", law.breakaway)?;
                 drive.stribeck = Some(law);
             }
             "nonlinear_viscous_friction" => {
                 let law = NonlinearViscousFriction::read(&given);
                 not_negative("EN", law.exponent)?;
+                not_negative("FN", law.level)?;
                 drive.nonlinear = Some(law);
             }
             "load_dependent_friction" => {
@@ -175,6 +199,7 @@ impl Built {
             "presliding_hysteresis" => {
                 let law = PreslidingHysteresis::read(&given);
                 positive("HX", law.travel)?;
+                not_negative("HC", law.level)?;
                 drive.hysteresis = Some(law);
             }
             "friction_drift" => {
@@ -215,7 +240,20 @@ impl Built {
             },
             "encoder_offset" => drive.encoder_offset += given.get("QO"),
             "joint_spring" => drive.spring = Some(JointSpring::read(&given)),
-            "time_delay" => drive.delay += given.get("TD"),
+            "time_delay" => {
+                let delay = given.get("TD");
+                if delay.abs() > LONGEST_DELAY {
+                    let (effect, joint) = (effect.name.clone(), row + 1);
+                    return Err(SimulateError::Effect {
+                        effect,
+                        joint,
+                        key: "TD",
+                        value: delay,
+                        must: "be from -10 to 10 s",
+                    });
+                }
+                drive.delay += delay;
+            }
             _ => {} // of the bodies: see `as_it_is`
         }
         Ok(())
