@@ -113,7 +113,7 @@ fn random_postures() {
     for (name, _) in ROBOTS {
         let bench = Bench::new(robot(name));
         let mut random = Random::new(1);
-        let (mut missed, mut worst, mut far, mut outside) = (0, 0.0f64, 0.0f64, 0);
+        let (mut missed, mut silent, mut worst, mut far, mut outside) = (0, 0, 0.0f64, 0.0f64, 0);
         // Refined branch by branch: a thousand times as slow.
         let count = if bench.ik.inverse().exact { postures() } else { postures().min(20_000) };
         for _ in 0..count {
@@ -122,6 +122,7 @@ fn random_postures() {
             worst = worst.max(error);
             if nearest > 1e-6 {
                 missed += 1;
+                silent += usize::from(found.lost == 0);
                 if missed < 4 {
                     eprintln!("{name}: {q:?}: {nearest} {:?} lost {}", found.status, found.lost);
                 }
@@ -136,10 +137,8 @@ fn random_postures() {
         );
         assert!(worst < 1e-12, "{name}: {worst}");
         assert_eq!(outside, 0, "{name}");
-        if bench.ik.inverse().exact {
-            assert_eq!(missed, 0, "{name}");
-        }
-        assert!(missed * 100 <= count, "{name}: {missed}");
+        // Of an arm that is only nearly of its family a branch may be lost, but not without a word.
+        assert_eq!(if bench.ik.inverse().exact { missed } else { silent }, 0, "{name}: missed {missed}");
     }
 }
 
@@ -190,8 +189,8 @@ fn nice_angles_limits_and_singularities() {
         );
         assert!(worst < 1e-12, "{name}: {worst}");
         assert_eq!((missed, empty), (0, 0), "{name}");
-        // Two singularities at once: rounding of the one decides where the other's free joints end.
-        assert!(unmarked * 50 <= count, "{name}: {unmarked}");
+        // Singular twice over or not: what the pose does not tell is said.
+        assert_eq!(unmarked, 0, "{name}");
     }
 }
 
@@ -275,11 +274,11 @@ fn a_path_through_the_wrist_singularity_is_followed() {
     }
 }
 
-/// A calibrated UR10e, its axes parallel to 6e-3: the nominal branches are refined, all of them away from singularities.
+/// A calibrated UR10e, its axes parallel to 6e-3: the nominal branches are refined, each kept or reported as lost.
 #[test]
 fn a_calibrated_arm_keeps_its_branches() {
     let mut random = Random::new(5);
-    let (mut found, mut all, mut own, mut worst) = (0, 0, 0, 0.0f64);
+    let (mut found, mut all, mut own, mut told, mut worst) = (0, 0, 0, 0, 0.0f64);
     for _ in 0..5 {
         let mut robot = robot("ur10e");
         for joint in &mut robot.joints {
@@ -295,12 +294,14 @@ fn a_calibrated_arm_keeps_its_branches() {
             let (error, nearest, solutions) = bench.check(&q, false);
             worst = worst.max(error);
             own += usize::from(nearest < 1e-6);
+            told += usize::from(!(nearest < 1e-6) && solutions.lost > 0);
             found += solutions.list.len();
             all += solutions.list.len() + solutions.lost as usize;
         }
     }
     eprintln!("calibrated ur10e: own posture {own} of 500, branches {found} of {all}, worst pose {worst:.1e}");
-    assert!(worst < 1e-12 && own >= 475, "{own} {worst}");
+    // Every branch is kept, or its loss is reported.
+    assert!(worst < 1e-12 && own + told == 500, "{own} {told} {worst}");
 }
 
 /// What the solver says of poses that no posture reaches, and of those that are none.

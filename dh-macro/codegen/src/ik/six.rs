@@ -11,7 +11,7 @@ use super::pose::Displacement;
 use super::quartic::two_turns;
 use super::regional::{self, Regional};
 use super::solution::Branch;
-use super::subproblem::{DOUBT, FREE, NARROW, Tilt, across, circle, doubt, reach, towards};
+use super::subproblem::{DOUBT, FREE, NARROW, Reach, Tilt, across, circle, doubt, reach, towards};
 use super::vector::{Turn, Vector, beside, cross, dot, norm, scale, sub};
 
 /// How six joints are taken apart.
@@ -176,6 +176,7 @@ impl Six {
                 starts.push((Value::turn(first), at, Value::turn(fifth), [i as u8 | 4, 0], doubt(narrow)));
             }
         }
+        let elbow = Reach::new(three, four.c, two.c);
         let side = beside(six.h);
         let side_goal = super::vector::times(&g.rotation, side);
         for &(v1, at1, v5, [shoulder, wrist], doubtful) in starts.iter() {
@@ -208,7 +209,7 @@ impl Six {
             let four_at = six.point(v6.back(), five.point(v5.back(), four.c));
             let target = one.point(v1.back(), g.point(four_at));
             let to = sub(target, two.c);
-            let pair = reach(three, four.c, two.c, dot(to, to));
+            let pair = elbow.at(dot(to, to));
             // Both ends of the planar arm are as far from axis 2: one division for both answers.
             let flat = sub(to, scale(dot(h, to), h));
             let flat2 = dot(flat, flat);

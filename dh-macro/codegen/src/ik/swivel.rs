@@ -1,6 +1,7 @@
 //! Seven joints with a spherical shoulder, an elbow and a spherical wrist, at a given swivel angle of the elbow about the line from
 //! shoulder to wrist (the paper's equation 1; Tolani, Goswami and Badler 2000).
 
+use super::super::runtime::Scalar;
 use super::axis::{Axis, Value};
 use super::candidates::{Candidates, in_doubt};
 use super::orient::Three;
@@ -137,6 +138,34 @@ impl Swivel {
             }
         }
         second
+    }
+
+    /// What is left of the swivel angle of a posture to another one, and how fast each joint brings it there: its sine, for which
+    /// half turns do not count, because the angle jumps by one where the arm is stretched.
+    pub(super) fn left(&self, values: &[Value; 7], reference: &Reference, goal: f64) -> (f64, [f64; 7]) {
+        let [a1, a2, a3, a4, ..] = &self.axes;
+        let [v1, v2, v3, v4, ..] = *values;
+        let to = sub(a4.point(v4, self.wrist), self.shoulder);
+        let w = unit(to);
+        let carried = |x: Vector| a1.direction(v1, a2.direction(v2, a3.direction(v3, x)));
+        let (n, e) = (carried(w), carried(unit(cross(a4.h, w))));
+        let (u, v, _) = reference.plane(n);
+        let phi = angle(dot(e, v), dot(e, u));
+        let ([s], [c]) = f64::sin_cos_all(&[goal - phi]);
+        // The plane turns with the line from shoulder to wrist: u stays on the side of b, whichever b that was.
+        let b = [reference.b, reference.second].map(|b| (dot(n, b), dot(u, b)));
+        let (along, beside) = if dot(reference.b, v).abs() <= 1e-9 * norm(reference.b) { b[0] } else { b[1] };
+        let lean = if beside.abs() > 1e-9 { along / beside } else { 0.0 };
+        let rate = |h: Vector| c * (dot(h, n) - lean * dot(h, u));
+        let way = cross(a4.h, sub(add(to, self.shoulder), a4.c));
+        let four = dot(a4.h, cross(to, way)) / dot(to, to).max(1e-30);
+        let (h2, h3) = (a1.direction(v1, a2.h), a1.direction(v1, a2.direction(v2, a3.h)));
+        (s, [rate(a1.h), rate(h2), rate(h3), four * rate(carried(a4.h)), 0.0, 0.0, 0.0])
+    }
+
+    /// Is the arm stretched, so that its elbow is on neither side?
+    pub(super) fn straight(&self, values: &[Value; 7]) -> bool {
+        self.upper(values[3], 1.0).1 < 1e-9 * norm(sub(self.elbow, self.shoulder))
     }
 
     /// The swivel angle of a posture, rad, and whether it is counted from the second plane.
