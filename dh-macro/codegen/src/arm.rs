@@ -16,6 +16,7 @@ mod plan;
 mod regressor;
 mod screw;
 mod subspace;
+mod turning;
 mod wrench;
 
 pub use base::{BaseParameter, BaseParameters};

@@ -155,6 +155,13 @@ pub(super) fn has_packed(kernel: &Kernel) -> bool {
     kernel.nonzeros().len() < kernel.tape.outputs.len()
 }
 
+/// Stretches of `0..size` between these ascending places.
+fn gaps(places: &[usize], size: usize) -> Vec<core::ops::Range<usize>> {
+    let starts = core::iter::once(0).chain(places.iter().map(|p| p + 1));
+    let ends = places.iter().copied().chain([size]);
+    starts.zip(ends).map(|(start, end)| start..end).filter(|gap| !gap.is_empty()).collect()
+}
+
 /// `[1][2]` for a place in the row-major result.
 fn place(shape: &[usize], mut at: usize) -> String {
     let mut text = String::new();
@@ -213,16 +220,6 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
     }
     let arguments = signature(function, "trig: &Trig<S>");
     let call = call(function, "trig");
-    let _ = writeln!(
-        text,
-        "/// {title}: every entry of `out` is written.\n#[inline]\npub fn dense<S: {bound}>({arguments}, out: &mut {}) {{",
-        array(&kernel.shape)
-    );
-    if packed {
-        let flat = ".as_flattened_mut()".repeat(kernel.shape.len() - 1);
-        let _ = writeln!(text, "    out{flat}.fill(S::default());");
-    }
-    let _ = writeln!(text, "    entries({}, |k, x| {{", call);
     let target = match (packed, kernel.shape.len()) {
         (true, 1) => "out[PATTERN[k].0] = x;".to_string(),
         (true, 2) => "out[PATTERN[k].0][PATTERN[k].1] = x;".to_string(),
@@ -233,7 +230,30 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
             format!("out[k / {1}][k % {1} / {0}][k % {0}] = x;", kernel.shape[2], kernel.shape[1] * kernel.shape[2])
         }
     };
-    let _ = writeln!(text, "        {target}\n    }});\n}}\n");
+    let out = array(&kernel.shape);
+    let entries = format!("    entries({call}, |k, x| {{\n        {target}\n    }});\n");
+    let _ = writeln!(
+        text,
+        "/// {title}: every entry of `out` is written.\n#[inline]\npub fn dense<S: {bound}>({arguments}, out: &mut {out}) {{"
+    );
+    if packed {
+        // Each entry is written once: clearing the whole array first would take a call of `memset`, and every store twice.
+        let flat = ".as_flattened_mut()".repeat(kernel.shape.len() - 1);
+        let _ = writeln!(text, "    let flat = &mut out{flat}[..];");
+        for run in gaps(&nonzeros, size) {
+            let _ = match run.len() {
+                1 => writeln!(text, "    flat[{}] = S::default();", run.start),
+                _ => writeln!(text, "    flat[{}..{}].fill(S::default());", run.start, run.end),
+            };
+        }
+        let _ = writeln!(text, "    nonzeros({call}, out);\n}}\n");
+        let _ = writeln!(
+            text,
+            "/// The same, where all other entries of `out` are zero already: they are left alone.\n#[inline]\npub fn nonzeros<S: {bound}>({arguments}, out: &mut {out}) {{\n{entries}}}\n"
+        );
+    } else {
+        let _ = writeln!(text, "{entries}}}\n");
+    }
     if packed {
         let _ = writeln!(
             text,
