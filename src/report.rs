@@ -47,7 +47,7 @@ pub use diagnose_html::diagnose_html;
 pub use diagnose_json::diagnose_json;
 pub use diagnose_text::{diagnose_text, diagnose_verdict};
 pub use excite_html::excite_html;
-pub use excite_text::{Outcome, excite_json, excite_text, joint_trajectory, motion_csv};
+pub use excite_text::{Outcome, excite_json, excite_text, joint_trajectory, missing_text, motion_csv};
 pub use force_html::force_html;
 pub use force_json::{force_json, uncertainty_of_json};
 pub use force_text::{Forces, force_text};

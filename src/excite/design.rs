@@ -1,4 +1,5 @@
-//! From a task to a motion: several starts at once, first on coarse grids, the best then on fine ones, and checked between their samples.
+//! From a task to a motion: several starts at once, a few steps of each on a rough grid; the better third goes on on a coarse one, the best of those
+//! on a fine one, checked between its samples. What a run has learnt of the criterion's curvature goes along.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -31,7 +32,7 @@ pub struct Effort {
 impl Default for Effort {
     fn default() -> Self {
         let threads = std::thread::available_parallelism().map_or(1, usize::from);
-        Self { starts: 12, seed: 1, iterations: 60, finalists: 2, threads }
+        Self { starts: 24, seed: 1, iterations: 60, finalists: 2, threads }
     }
 }
 
@@ -90,7 +91,7 @@ pub struct Design {
     pub stopped: bool,
     /// History of all starts.
     pub history: Vec<Record>,
-    /// Value that each start reached, where feasible.
+    /// Value that each start reached on the rough grid, where feasible: the better ones went on.
     pub starts: Vec<Option<f64>>,
 }
 
@@ -133,8 +134,8 @@ pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Des
     })?;
     let powers = task.criterion.powers();
     let starts = effort.starts.max(1);
-    let finalists = effort.finalists.clamp(1, starts);
-    let kept = (starts / 3).clamp(finalists, starts);
+    let kept = starts.div_ceil(3);
+    let finalists = effort.finalists.clamp(1, kept.div_ceil(2));
     let first = (effort.iterations / 3).max(1);
     let total = starts * first + kept * effort.iterations + finalists * 2 * effort.iterations;
     let counter = AtomicUsize::new(0);
@@ -309,7 +310,7 @@ fn assess(
     let minimised = information.judge(&task.criterion, power).map_or(f64::INFINITY, |j| j.0);
     if !minimised.is_finite() {
         return Err(
-            "the motion tells nothing about some columns; make it longer, or leave parameters out with --without"
+            "the motion tells nothing about some columns; make it longer, or leave the drives out with --links-only"
                 .into(),
         );
     }

@@ -81,7 +81,17 @@ impl<'a> Task<'a> {
                 joint: String::new(),
                 limit: "links",
                 taken: "the file has no inertial parameters of all links: torques are not checked".into(),
+                value: None,
             });
+        }
+        let around = match (robot.collision.ground, robot.collision.spheres.is_empty()) {
+            (None, true) => "no ground and no spheres in the file: heights and self-collision are not checked",
+            (None, false) => "no ground in the file: heights are not checked",
+            (Some(_), true) => "no spheres in the file: self-collision is not checked",
+            _ => "",
+        };
+        if !around.is_empty() {
+            missing.push(Missing { joint: String::new(), limit: "collision", taken: around.into(), value: None });
         }
         let mut task = Self {
             noise: vec![1.0; limits.len()],

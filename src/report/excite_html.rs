@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use super::Provenance;
-use super::excite_text::Outcome;
+use super::excite_text::{Outcome, missing_text};
 use super::number::{figure, percent, short};
 use super::page::{Page, escape};
 use super::stick_figure::StickFigures;
@@ -31,19 +31,13 @@ pub fn excite_html(outcome: &Outcome<'_>, provenance: &Provenance) -> String {
         let _ = writeln!(body, "<tr><th>{}<td>{:.2}</tr>", escape(&worst.what), worst.time);
     }
     body.push_str("</tbody></table></div>\n");
-    for missing in &task.missing {
-        let _ = writeln!(
-            body,
-            "<p class=note>{} {}: {}</p>",
-            escape(&missing.joint),
-            missing.limit,
-            escape(&missing.taken)
-        );
+    for line in missing_text(&task.missing) {
+        let _ = writeln!(body, "<p class=note>{}</p>", escape(&line));
     }
     body.push_str("</section>\n<section><h2>Joints against their limits</h2><p class=note><span class='key q'></span>position <span class='key dq'></span>speed <span class='key ddq'></span>acceleration <span class='key tau'></span>torque of the nominal model, each in percent of its limit (positions from the middle of the range). Move over a plot for values.</p><div class=plots id=joints></div></section>\n");
     let _ = writeln!(
         body,
-        "<section><h2>How it was found</h2><p class=note>The criterion as it is minimised, over the steps of each start; bright where every limit is kept. {} starts, {:.1} s.</p><div id=history></div></section>",
+        "<section><h2>How it was found</h2><p class=note>The criterion as it is minimised, over the steps of each start; bright where every limit is kept. {} starts, of which the better third went on; {:.1} s.</p><div id=history></div></section>",
         found.starts.len(),
         seconds
     );

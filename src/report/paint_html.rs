@@ -5,6 +5,7 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use super::Provenance;
+use super::excite_text::missing_text;
 use super::number::{figure, short};
 use super::page::{Page, escape};
 use super::paint_text::{Planned, uses};
@@ -71,14 +72,8 @@ pub fn paint_html(planned: &Planned<'_>, provenance: &Provenance) -> String {
         );
     }
     body.push_str("</tbody></table></div>\n");
-    for missing in &task.missing {
-        let _ = writeln!(
-            body,
-            "<p class=note>{} {}: {}</p>",
-            escape(&missing.joint),
-            missing.limit,
-            escape(&missing.taken)
-        );
+    for line in missing_text(&task.missing) {
+        let _ = writeln!(body, "<p class=note>{}</p>", escape(&line));
     }
     body.push_str("</section>\n<section><h2>Legs</h2><div class=scroll><table><thead><tr><th>leg<th>from<br>s<th>to<br>s<th>y<br>m<th>z<br>m<th>swivel<br>rad<th>would be shorter but for</tr></thead><tbody>\n");
     for span in &plan.spans {

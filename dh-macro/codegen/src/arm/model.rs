@@ -8,7 +8,7 @@ use super::motion::{Include, can_shift};
 use super::param::{DriveTerm, Parameter, standard};
 use super::plan::{self, Plan};
 use super::regressor::Columns;
-use super::{drive, energy, kinematics};
+use super::{adjoint, drive, energy, kinematics};
 use crate::robot::{Laws, Robot};
 use crate::sym::{Ex, Graph, Tape};
 
@@ -161,6 +161,13 @@ impl Model {
                 let columns = Columns::new(&links, &self.plan, Include::ALL);
                 make(vec![n, 10], by_rows(n, &columns.payload()))
             }
+            Function::BaseRegressorAdjoint => adjoint::kernel(&self.kernel(Function::BaseRegressor), function, 0),
+            Function::PayloadRegressorAdjoint => adjoint::kernel(&self.kernel(Function::PayloadRegressor), function, 0),
+            Function::InverseDynamicsAdjoint => {
+                adjoint::kernel(&self.kernel(Function::InverseDynamics), function, self.standard.len())
+            }
+            Function::FramesAdjoint => adjoint::kernel(&self.kernel(Function::Frames), function, 0),
+            Function::ToolPoseAdjoint => adjoint::kernel(&self.kernel(Function::ToolPose), function, 0),
         }
     }
 }

@@ -145,7 +145,7 @@ pub(super) fn print(robot: &Robot, model: &Model, kernels: &[Kernel], context: &
         let _ = writeln!(
             t,
             "\n/// {title}.\n///\n/// {meaning}{packed}\n#[must_use]\n#[inline]\npub fn {name}<S: {bound}>({}) -> {shape} {{\n    let mut out = {zero};\n    kernel::{name}::{write}({}, &mut out);\n    out\n}}",
-            signature(function, "q: &[S; DOF]"),
+            signature(function, "q: &[S; DOF]").replace("SEEDS", &format!("kernel::{name}::SEEDS")),
             call
         );
     }

@@ -6,7 +6,10 @@ use crate::elementary::Real;
 /// States that are carried through the tape together.
 pub const LANES: usize = 64;
 
-type Lane = [f64; LANES];
+/// States that go through registers together.
+const PACK: usize = 8;
+
+type Lane = [[f64; PACK]; LANES / PACK];
 
 #[derive(Debug, Clone, Copy)]
 struct Step {
@@ -125,37 +128,40 @@ impl Evaluator {
     /// # Panics
     /// If `out` is shorter than `outputs() * len` or an input column than `len`.
     pub fn run<'a>(&self, len: usize, inputs: impl Fn(usize) -> &'a [f64], out: &mut [f64]) {
-        let mut slots: Vec<Lane> = vec![[0.0; LANES]; self.slots];
+        let mut slots: Vec<Lane> = vec![[[0.0; PACK]; LANES / PACK]; self.slots];
         for &(slot, value) in &self.constants {
-            slots[slot as usize] = [value; LANES];
+            slots[slot as usize] = [[value; PACK]; LANES / PACK];
         }
         let mut start = 0;
         while start < len {
             let width = LANES.min(len - start);
             for &(slot, index) in &self.inputs {
-                slots[slot as usize][..width].copy_from_slice(&inputs(index)[start..start + width]);
+                let lane = slots[slot as usize].as_flattened_mut();
+                lane[..width].copy_from_slice(&inputs(index)[start..start + width]);
             }
             let mut pending = self.outputs.iter().peekable();
             let mut write = |after: usize, slots: &[Lane]| {
                 while let Some(&(_, slot, index)) = pending.next_if(|(step, _, _)| *step <= after) {
                     let from = index * len + start;
-                    out[from..from + width].copy_from_slice(&slots[slot as usize][..width]);
+                    out[from..from + width].copy_from_slice(&slots[slot as usize].as_flattened()[..width]);
                 }
             };
             write(0, &slots);
             for (at, step) in self.steps.iter().enumerate() {
-                let (a, b) = (slots[step.a as usize], slots[step.b as usize]);
-                let result = &mut slots[step.out as usize];
                 match step.kind {
-                    Kind::Add => (0..LANES).for_each(|l| result[l] = a[l] + b[l]),
-                    Kind::Sub => (0..LANES).for_each(|l| result[l] = a[l] - b[l]),
-                    Kind::Mul => (0..LANES).for_each(|l| result[l] = a[l] * b[l]),
-                    Kind::Div => (0..LANES).for_each(|l| result[l] = a[l] / b[l]),
-                    Kind::Neg => (0..LANES).for_each(|l| result[l] = -a[l]),
-                    Kind::Sign => (0..LANES).for_each(|l| result[l] = sign(a[l])),
-                    Kind::Call(f) => (0..width).for_each(|l| result[l] = f.value(a[l])),
-                    Kind::Least => (0..LANES).for_each(|l| result[l] = Real::min(a[l], b[l])),
-                    Kind::Most => (0..LANES).for_each(|l| result[l] = Real::max(a[l], b[l])),
+                    Kind::Add => each(&mut slots, step, |a, b| a + b),
+                    Kind::Sub => each(&mut slots, step, |a, b| a - b),
+                    Kind::Mul => each(&mut slots, step, |a, b| a * b),
+                    Kind::Div => each(&mut slots, step, |a, b| a / b),
+                    Kind::Neg => each(&mut slots, step, |a, _| -a),
+                    Kind::Sign => each(&mut slots, step, |a, _| sign(a)),
+                    Kind::Call(f) => {
+                        let a = slots[step.a as usize];
+                        let (a, result) = (a.as_flattened(), slots[step.out as usize].as_flattened_mut());
+                        (0..width).for_each(|l| result[l] = f.value(a[l]));
+                    }
+                    Kind::Least => each(&mut slots, step, Real::min),
+                    Kind::Most => each(&mut slots, step, Real::max),
                 }
                 write(at + 1, &slots);
             }
@@ -200,6 +206,15 @@ impl Evaluator {
             done = after;
             out[index] = slots[slot as usize];
         }
+    }
+}
+
+/// One step on all lanes, pack by pack: the result may stand where an operand stood.
+#[inline(always)]
+fn each(slots: &mut [Lane], step: &Step, f: impl Fn(f64, f64) -> f64) {
+    for pack in 0..LANES / PACK {
+        let (a, b) = (slots[step.a as usize][pack], slots[step.b as usize][pack]);
+        slots[step.out as usize][pack] = std::array::from_fn(|l| f(a[l], b[l]));
     }
 }
 
