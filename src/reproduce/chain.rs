@@ -9,8 +9,8 @@ use crate::log::{Log, Replay};
 use crate::signal::{Prepare, each_motion};
 use crate::simulate::{Recording, Request, Simulator, Solver};
 
-/// How finely motions are integrated. At the simulator's default, 1e-5, the torques that the loop asks for are off by 0.012 N m after the low-pass on
-/// the first joints, a quarter of the noise floor; at this by 0.004, which is what the low-pass itself does to torques and motion.
+/// How finely motions are integrated. At 1e-5 the torques that the loop asks for are off by 0.012 N m after the low-pass on the first joints, a quarter of the
+/// noise floor; at this by 0.004, which is what the low-pass itself does to torques and motion. The simulator's default, 1e-7, takes twice as long.
 const TOLERANCE: f64 = 1e-6;
 
 /// How a motion is played and recorded.

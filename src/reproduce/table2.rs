@@ -18,6 +18,17 @@ pub struct Printed {
     pub jubien: [f64; 2],
 }
 
+/// Samples of 10 s at 1 kHz.
+const SAMPLES: f64 = 10_000.0;
+
+impl Printed {
+    /// For a Coulomb level, whose column is a sign: the largest residual, N m, with which the printed standard deviation could have been had from 10 s, by the
+    /// textbook's formula (others that must be told from it only make it worse).
+    pub fn residual(&self) -> f64 {
+        0.01 * self.paper[1] * self.paper[0].abs() * SAMPLES.sqrt()
+    }
+}
+
 const fn row(name: &'static str, cad: Option<f64>, paper: [f64; 2], jubien: [f64; 2]) -> Printed {
     Printed { name, cad, paper, jubien }
 }
