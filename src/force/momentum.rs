@@ -79,15 +79,22 @@ impl<const N: usize> Momentum<N> {
         let left: [f64; N] = core::array::from_fn(|j| late[j] - self.lag[j]);
         let ahead: [f64; N] = core::array::from_fn(|j| observed[j] + late[j]);
         self.start *= keep;
-        // Of what follows a ramp, `H (2 - H)` with `H = K / (s + K)`: of white torque noise 5/4 K, of the momentum's noise, which comes as its
-        // derivative, 4 K^2 (to half a sample).
+        // Of white torque noise, and of the velocities' noise, which comes as its differences.
+        let [white, steps, rest] = gains(keep);
         let moved: [f64; N] = core::array::from_fn(|j| {
             (0..N).map(|k| now.mass[j][k] * now.mass[j][k] * self.velocity_noise[k] * self.velocity_noise[k]).sum()
         });
-        let variance: [f64; N] =
-            core::array::from_fn(|j| 1.25 * self.gain * self.density[j] + 4.0 * self.gain * self.gain * moved[j]);
+        let noise: [f64; N] = core::array::from_fn(|j| self.density[j] / now.dt);
+        let variance: [f64; N] = core::array::from_fn(|j| white * noise[j] + steps * moved[j] / (now.dt * now.dt));
         let mut covariance = total(&variance, &now.covariance);
-        (0..N).for_each(|j| covariance[j][j] += left[j] * left[j]);
+        // What is left of the lag, where noise is no explanation for it. A short pulse (friction that turns round before the model's does) leaves a
+        // fifth to a third of itself there: see `gains`, `k^2 / (1 + k)`.
+        for j in 0..N {
+            let seen = left[j] * left[j];
+            if seen > 9.0 * rest * noise[j] {
+                covariance[j][j] += PULSE * PULSE * seen;
+            }
+        }
         // The observer began at zero, whatever pressed then.
         let sizes = self.scale.each();
         // `(1 + K t) exp(-K t)` of it is left.
@@ -103,6 +110,23 @@ impl<const N: usize> Momentum<N> {
         let (wrench, covariance, told) = (s.wrench, s.covariance, s.told);
         Some(Estimate { wrench, covariance, surprise, freedom: N, misfit, told, fresh: true })
     }
+}
+
+/// A pulse by what is left of its lag, in standard deviations: `1 / 1.96` of 4 to 5.
+const PULSE: f64 = 2.5;
+
+/// What is left of white noise of variance 1 in each sample, with `H = (1 - k) / (1 - k / z)`, in what follows a ramp, `G = H (2 - H)`: of noise that comes as the
+/// mean of two samples; of noise that comes as their difference; and, of the former, in `H (1 - H)^2`, what is left of the lag (for small steps).
+///
+/// `G` answers an impulse by `g_n = (1 - k) k^n (1 + k - (1 - k) n)`; sums of `g_n g_n` and `g_n g_{n+1}` are geometric series.
+fn gains(k: f64) -> [f64; 3] {
+    let (m, c, d) = (k * k, 1.0 + k, k - 1.0);
+    let away = (1.0 - m).max(1e-12);
+    let sums = [1.0 / away, m / (away * away), m * (1.0 + m) / (away * away * away)];
+    let same = d * d * (c * c * sums[0] + 2.0 * c * d * sums[1] + d * d * sums[2]);
+    let next = d * d * k * (c * (c + d) * sums[0] + d * (2.0 * c + d) * sums[1] + d * d * sums[2]);
+    let turn = -libm::log(k.clamp(1e-300, 1.0));
+    [0.5 * (same + next), 2.0 * (same - next), 0.1875 * turn]
 }
 
 impl<const N: usize> ForceEstimator<N> for Momentum<N> {

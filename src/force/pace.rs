@@ -3,12 +3,13 @@
 //! In a steady state a Kalman filter for a random walk of pace `w` (standard deviation after a second) in noise of density `R` is a low-pass of time
 //! constant `T = sqrt(R) / w`. Its error has two halves, `R / (2 T)` of noise and as much of lag. The lag is seen in the estimate: what it is
 //! ahead of its own low-pass of the same `T` is `v T` for a ramp of rate `v`, `w^2 T / 2` in the mean square for a random walk, and `R / (4 T)` for the
-//! noise that is left in it. The pace at which the lag is half of the error is `w^3 = 2 v^2 sqrt(R)`: for a random walk its own.
+//! noise that is left in it. The pace at which the lag is half of the error is `w^3 = 2 v^2 sqrt(R)`: for a random walk its own. Rates come and go: a sine's
+//! is twice its mean square at its height, and that is what is taken.
 
-/// Mean over so long, s.
-const MEMORY: f64 = 0.3;
+/// Mean over so long, s: of rates that rise, and of rates that fall.
+const MEMORY: [f64; 2] = [0.1, 0.4];
 /// A time constant longer than this, at full pace, is that of a component which the joints hardly tell: nothing is found out of it then.
-const SLOWEST: f64 = 0.05;
+const SLOWEST: f64 = 0.03;
 /// The least pace, as a share of the largest.
 const LEAST: f64 = 0.01;
 
@@ -49,10 +50,13 @@ impl Pace {
         let noise = density / (4.0 * lag);
         let seen = (ahead - noise) / (lag * lag);
         // What can't be noise counts at once: a blow does not wait for a mean.
-        let share =
-            if ahead > 25.0 * (noise + self.rate.max(0.0) * lag * lag) { 1.0 } else { 1.0 - libm::exp(-dt / MEMORY) };
+        let share = if ahead > 25.0 * (noise + self.rate.max(0.0) * lag * lag) {
+            1.0
+        } else {
+            1.0 - libm::exp(-dt / MEMORY[usize::from(seen < self.rate)])
+        };
         self.rate += share * (seen - self.rate);
-        let pace = libm::cbrt(2.0 * self.rate.max(0.0) * root);
+        let pace = libm::cbrt(4.0 * self.rate.max(0.0) * root);
         self.pace = pace.clamp(LEAST * self.most, self.most);
     }
 }

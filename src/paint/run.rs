@@ -76,6 +76,8 @@ pub struct Task<'a> {
     pub law: Law,
     /// Corner of the low-pass of both forces, Hz.
     pub corner: f64,
+    /// How long it presses before it paints, s.
+    pub settle: f64,
     /// Sensors of the joints.
     pub sensors: Sensors,
     /// Of all noise.
@@ -164,13 +166,14 @@ pub fn in_contact(plan: &Plan) -> Result<Trajectory, TrajectoryError> {
     Trajectory::new(dof, times, q, Some(dq), Some(ddq))
 }
 
-/// Pole of the force aside, rad/s.
-const ASIDE_POLE: f64 = 10.0;
+/// Pole of the force aside, rad/s: as fast as the low-pass of the estimate allows.
+const ASIDE_POLE: f64 = 20.0;
 /// How far from the wall it begins, m, and how long it rests there, comes, and presses before it paints, s.
 const AWAY: f64 = 0.02;
 const REST: f64 = 0.3;
 const COME: f64 = 1.5;
-const SETTLE: f64 = 4.0;
+/// The last of these by default.
+pub const SETTLE: f64 = 4.0;
 
 /// Runs it. `progress` is told the share that is done.
 pub fn run(
@@ -277,7 +280,7 @@ fn run_n<const N: usize>(
     let mut low = [0.0; 3];
     let mut trace = Trace::default();
     let (mut status, mut idle) = (Status::Free, 0.0);
-    let paints = REST + COME + SETTLE;
+    let paints = REST + COME + task.settle.max(0.0);
     let run = Sampled {
         start: start.to_vec(),
         seconds: paints + seconds,

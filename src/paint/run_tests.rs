@@ -1,6 +1,6 @@
 //! The prediction of the gains' tool against the simulated arm.
 
-use super::run::{Feedback, Known, Law, Run, Task, run};
+use super::run::{Feedback, Known, Law, Run, SETTLE, Task, run};
 use super::wall::RollerWall;
 use crate::control::robot::contact_point;
 use crate::interpreted::Interpreted;
@@ -43,6 +43,7 @@ fn pressed(feedback: Feedback, law: Law) -> Run {
         moment: false,
         law,
         corner: 20.0,
+        settle: SETTLE,
         sensors: Sensors { torque_noise: vec![0.0], ..Sensors::default() },
         seed: 1,
     };

@@ -117,7 +117,7 @@ pub struct Stage {
 }
 
 /// A motion through random postures within the limits; `rest` seconds in each. Speeds are at most 70 % of their limits.
-fn wandering(
+pub(super) fn wandering(
     lwr: &Lwr,
     random: &mut Random,
     postures: usize,

@@ -4,17 +4,20 @@
 mod plans;
 mod rig;
 
+use super::force::wandering;
 use super::lwr::{Lwr, Unmodelled};
 use super::many::many;
-use super::motions::designed;
+use super::motions::{Motion, designed};
 use super::verdict::Verdict;
 use super::{ReproduceError, Watch};
 use crate::diagnose::Diagnosis;
 use crate::differentiated::Differentiated;
 use crate::excite::{Criterion, Effort};
+use crate::numeric::random::Random;
 use crate::paint::Plan;
 use crate::paint::run::{Feedback, Law, Run};
 use crate::signal::Filter;
+use plans::Extent;
 use rig::{Roller, Stand};
 
 /// How to run it.
@@ -22,11 +25,13 @@ use rig::{Roller, Stand};
 pub struct PaintingSettings {
     /// Of motions and noise. Default 1.
     pub seed: u64,
+    /// To see that it runs: random motions instead of designed ones, the large roller alone, a hand's breadth of wall in two seconds, no diagnosis.
+    pub quick: bool,
 }
 
 impl Default for PaintingSettings {
     fn default() -> Self {
-        Self { seed: 1 }
+        Self { seed: 1, quick: false }
     }
 }
 
@@ -105,15 +110,15 @@ pub struct Painting {
     /// Force that is wanted, N.
     pub force: f64,
     /// Length of each roller's plan, s.
-    pub seconds: [f64; 2],
+    pub seconds: Vec<f64>,
     /// Held-out root mean square torque error of each case's model, mean over the joints, N m.
-    pub torque: [f64; 3],
+    pub torque: Vec<f64>,
     /// White noise of the torque sensors and what the low-pass leaves of it, mean, N m.
     pub noise: [f64; 2],
     /// Runs: rollers, cases, feedback.
     pub rows: Vec<Row>,
-    /// What the diagnosis found in the logs of the second robot.
-    pub diagnosis: Diagnosis,
+    /// What the diagnosis found in the logs of the second robot; none where it was quick.
+    pub diagnosis: Option<Diagnosis>,
 }
 
 impl Painting {
@@ -121,6 +126,14 @@ impl Painting {
     pub fn row(&self, roller: &str, case: Case, law: Law, feedback: Feedback) -> Option<&Row> {
         self.rows.iter().find(|r| r.roller == roller && r.case == case && r.law == law && r.feedback == feedback)
     }
+}
+
+/// A random motion.
+fn wandered(lwr: &Lwr, seed: u64) -> Result<Motion, ReproduceError> {
+    let played = wandering(lwr, &mut Random::new(seed), 14, [0.7, 0.0])?;
+    let seconds = played.span().end - played.span().start;
+    let unknown = f64::NAN;
+    Ok(Motion { name: "random", seconds, condition: unknown, log_det: unknown, speed: Vec::new(), played })
 }
 
 /// Runs it. Some minutes; `watch` is told how far it is.
@@ -132,27 +145,38 @@ pub fn painting(settings: &PaintingSettings, watch: Watch<'_>) -> Result<Paintin
         let tell = |share: f64| watch(&format!("designing {name}"), from + 0.05 * share);
         designed(&lwr, &arm, name, criterion, seconds, Effort { starts, seed, ..Effort::default() }, &tell)
     };
-    let exciting = design("logdet", Criterion::LogDet, 10.0, 4, seed, 0.0)?;
-    let carrying = design("tool", Criterion::LogDet, 10.0, 4, seed, 0.05)?;
-    let validating = design("validate", Criterion::Hadamard, 20.0, 1, seed ^ 0x5eed, 0.1)?;
+    let [exciting, carrying, validating] = if settings.quick {
+        [wandered(&lwr, seed)?, wandered(&lwr, seed ^ 0x7001)?, wandered(&lwr, seed ^ 0x5eed)?]
+    } else {
+        [
+            design("logdet", Criterion::LogDet, 10.0, 4, seed, 0.0)?,
+            design("tool", Criterion::LogDet, 10.0, 4, seed, 0.05)?,
+            design("validate", Criterion::Hadamard, 20.0, 1, seed ^ 0x5eed, 0.1)?,
+        ]
+    };
     drop(arm);
+    let extent = if settings.quick { Extent::QUICK } else { Extent::PAPER };
     let rigid = Lwr::with_rotors()?;
     let stand = |lwr: &Lwr, which: &[Unmodelled], seed: u64, plans: Option<&[Plan]>, name: &str, from: f64| {
         let tell = |what: &str, share: f64| watch(&format!("{what}, {name}"), from + 0.1 * share);
-        Stand::new(lwr, [&exciting, &carrying, &validating], which, seed, plans, &tell)
+        Stand::new(lwr, [&exciting, &carrying, &validating], which, &extent, seed, plans, &tell)
     };
     let plain = stand(&rigid, &[], seed, None, "noise only", 0.15)?;
     let plans: Vec<Plan> = plain.rollers.iter().map(|r| r.plan.clone()).collect();
     let real = stand(&lwr, &Unmodelled::ALL, seed.wrapping_add(7), Some(&plans), "unmodelled effects", 0.25)?;
-    watch("diagnosing", 0.36);
-    let (extended, diagnosis) = real.extended(&lwr, &|what| watch(&format!("diagnosing: {what}"), 0.4))?;
-
+    let mut stands = vec![plain, real];
+    let mut diagnosis = None;
+    if !settings.quick {
+        watch("diagnosing", 0.36);
+        let (extended, found) = stands[1].extended(&lwr, &|what| watch(&format!("diagnosing: {what}"), 0.4))?;
+        stands.push(extended);
+        diagnosis = Some(found);
+    }
+    let kinds = if settings.quick { &KINDS[1..2] } else { &KINDS[..] };
     let mut jobs: Vec<(usize, Case, Law, Feedback, &Roller)> = Vec::new();
-    for k in 0..PAPER.len() {
-        for (case, stand) in Case::ALL.into_iter().zip([&plain, &real, &extended]) {
-            for (law, feedback) in KINDS {
-                jobs.push((k, case, law, feedback, &stand.rollers[k]));
-            }
+    for k in 0..plans.len() {
+        for (case, stand) in Case::ALL.into_iter().zip(&stands) {
+            jobs.extend(kinds.iter().map(|&(law, feedback)| (k, case, law, feedback, &stand.rollers[k])));
         }
     }
     let one = |k: usize| {
@@ -167,8 +191,8 @@ pub fn painting(settings: &PaintingSettings, watch: Watch<'_>) -> Result<Paintin
     Ok(Painting {
         settings: *settings,
         force: rig::FORCE,
-        seconds: [0, 1].map(|k| plain.rollers[k].seconds()),
-        torque: [plain.torque, real.torque, extended.torque],
+        seconds: stands[0].rollers.iter().map(Roller::seconds).collect(),
+        torque: stands.iter().map(|s| s.torque).collect(),
         noise: [mean, gain * mean],
         rows,
         diagnosis,

@@ -13,7 +13,7 @@ use crate::cli::{Failure, files};
 use crate::control::robot::contact_point;
 use crate::interpreted::Interpreted;
 use crate::paint::Plan;
-use crate::paint::run::{Feedback, Known, Law, RunError, Task, in_contact, run};
+use crate::paint::run::{Feedback, Known, Law, RunError, SETTLE, Task, in_contact, run};
 use crate::paint::wall::RollerWall;
 use crate::report;
 use crate::simulate::{Request, Simulator};
@@ -62,6 +62,9 @@ pub(super) struct Run {
     /// Corner of the low-pass of the forces, Hz.
     #[arg(long, default_value_t = 10.0, value_name = "HZ")]
     corner: f64,
+    /// How long it presses at the first point before it paints, s.
+    #[arg(long, default_value_t = SETTLE, value_name = "S")]
+    settle: f64,
     /// Stiffness of roller and wall, N/m.
     #[arg(long, default_value_t = 8000.0, value_name = "N/M")]
     stiffness: f64,
@@ -148,6 +151,7 @@ impl Run {
             moment: !self.no_moment,
             law,
             corner: self.corner,
+            settle: self.settle,
             sensors: request.sensors,
             seed: self.seed,
         };
@@ -213,6 +217,7 @@ impl Run {
             ("--carry", self.carry, 0.0, 1.0),
             ("--feed", self.feed, 0.0, 1.0),
             ("--aside", self.aside, 0.0, 1.0),
+            ("--settle", self.settle, 0.0, 60.0),
             ("--corner", self.corner, 0.5, 200.0),
             ("--stiffness", self.stiffness, 100.0, 1e6),
         ] {
