@@ -170,18 +170,19 @@ fn once(
     progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, DiagnoseError> {
     let own_validation = !validate.is_empty();
-    let parts: Vec<[Recording; 2]> =
-        if own_validation { Vec::new() } else { fit.iter().map(|r| r.split(0.7)).collect() };
-    let first: Vec<Recording> = parts.iter().map(|p| p[0].clone()).collect();
-    let rest: Vec<Recording> = parts.iter().map(|p| p[1].clone()).collect();
-    let (fit, validate) = if own_validation { (fit, validate) } else { (&first[..], &rest[..]) };
-    let measured = validate.to_vec();
+    let halves = |recordings: &[Recording]| -> [Vec<Recording>; 2] {
+        let parts: Vec<[Recording; 2]> = recordings.iter().map(|r| r.split(0.7)).collect();
+        [0, 1].map(|which| parts.iter().map(|p| p[which].clone()).collect())
+    };
+    let recorded = [fit, validate].concat();
+    let measured = if own_validation { validate.to_vec() } else { halves(fit)[1].clone() };
+    let (whole, other) = (unexplained(plant, fit), unexplained(plant, validate));
+    let [first, rest] = if own_validation { [Vec::new(), Vec::new()] } else { halves(&whole) };
+    let (fit, validate) = if own_validation { (&whole[..], &other[..]) } else { (&first[..], &rest[..]) };
     let seconds: f64 = fit.iter().map(Recording::seconds).sum();
     let dof = plant.dof();
     let zeros = plant.delays();
-    let noise = floor(&[fit, validate].concat(), dof);
-    let [fit, validate] = [fit, validate].map(|r| unexplained(plant, r));
-    let (measured, fit, validate) = (&measured[..], &fit[..], &validate[..]);
+    let noise = floor(&recorded, dof);
     let start = Bench::new(plant, fit, settings.rate, Mode::Trusted, &zeros, false);
     if seconds < 2.0 || start.scene.len < 100 {
         return Err(DiagnoseError::TooShort { seconds });
