@@ -159,6 +159,11 @@ pub trait Plant: Arm {
         false
     }
 
+    /// By how much each joint has to travel, rad or m, until it does not matter in which state the file's friction with memory began.
+    fn settling(&self) -> Vec<f64> {
+        vec![0.0; self.dof()]
+    }
+
     /// The same arm whose file does not know some of its [`Plant::effects`].
     fn without(&self, _effects: &[(String, Option<usize>)]) -> Option<Box<dyn Plant>> {
         None

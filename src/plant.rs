@@ -138,6 +138,10 @@ impl Plant for RobotPlant {
         true
     }
 
+    fn settling(&self) -> Vec<f64> {
+        self.file.laws().iter().map(|l| l.hysteresis.map_or(0.0, |[_, travel]| 4.0 * travel.abs())).collect()
+    }
+
     fn without(&self, effects: &[(String, Option<usize>)]) -> Option<Box<dyn Plant>> {
         Some(Box::new(Self::new(&extend::without(self.file.clone(), effects))))
     }

@@ -1,7 +1,7 @@
 //! What a diagnosis promises, the extended file keeps: its inverse dynamics leaves the errors on the validating log that were reported.
 
 use denavit::arm::Predicted;
-use denavit::diagnose::{Diagnosis, Recording, Settings, diagnose, separate};
+use denavit::diagnose::{Diagnosis, Recording, Settings, Verdict, diagnose, separate};
 use denavit::extend::extended;
 use denavit::log::open;
 use denavit::plant::RobotPlant;
@@ -15,8 +15,8 @@ fn robot() -> Robot {
     Robot::from_yaml(&std::fs::read_to_string(path).unwrap(), &|f| Err(f.to_string())).unwrap().robot
 }
 
-/// Sums of sines on all joints.
-fn trajectory(dof: usize, seconds: f64, seed: f64) -> Trajectory {
+/// Times, and sums of sines on all joints, joint-major.
+fn waves(dof: usize, seconds: f64, seed: f64) -> (Vec<f64>, Vec<f64>) {
     let t: Vec<f64> = (0..(100.0 * seconds) as usize).map(|k| 0.01 * k as f64).collect();
     let q = (0..dof).flat_map(|j| {
         let at = move |t: f64| {
@@ -27,7 +27,21 @@ fn trajectory(dof: usize, seconds: f64, seed: f64) -> Trajectory {
         };
         t.clone().into_iter().map(at).collect::<Vec<f64>>()
     });
-    let q: Vec<f64> = q.collect();
+    let q = q.collect();
+    (t, q)
+}
+
+fn trajectory(dof: usize, seconds: f64, seed: f64) -> Trajectory {
+    let (t, q) = waves(dof, seconds, seed);
+    Trajectory::new(dof, t, q, None, None).unwrap()
+}
+
+/// Rests on all joints but one.
+fn alone(dof: usize, seconds: f64, seed: f64, moving: usize) -> Trajectory {
+    let (t, mut q) = waves(dof, seconds, seed);
+    for j in (0..dof).filter(|j| *j != moving) {
+        q[j * t.len()..(j + 1) * t.len()].fill(0.3 * j as f64 - 0.9);
+    }
     Trajectory::new(dof, t, q, None, None).unwrap()
 }
 
@@ -95,15 +109,10 @@ fn kept(hidden: &Effects) -> (Diagnosis, Robot) {
     let (promised, is) = (&found.extended.validate, errors(&back, &validate));
     let before = &found.baseline.validate;
     let causes: Vec<(&str, &[usize])> = found.causes.iter().map(|c| (c.cause, &c.joints[..])).collect();
-    println!("{causes:?}\n before {before:.4?}\n promised {promised:.4?}\n kept {is:.4?}");
-    // Near reversals the diagnosis takes the sign of a velocity inside its noise for 0; a file's law, the untouched file's too, does not know that noise.
-    // So: nine tenths of the promised gain in squared error where there is much to gain, and elsewhere nothing worse than the untouched file.
+    println!("{causes:?}\n {:?}\n before {before:.4?}\n promised {promised:.4?}\n kept {is:.4?}", found.offer.why);
+    // What was promised is what the file's own laws give. Elastic joints and gear couplings are differenced anew along the log's own samples there.
     for j in 0..is.len() {
-        let [before2, promised2, is2] = [before[j], promised[j], is[j]].map(|e| e * e);
-        let holds = match promised[j] < 0.6 * before[j] {
-            true => before2 - is2 > 0.9 * (before2 - promised2),
-            false => is[j] < 1.05 * given[j].max(promised[j]),
-        };
+        let holds = (is[j] - promised[j]).abs() < 0.12 * promised[j] + 0.03 * before[j].min(0.1);
         assert!(
             holds,
             "joint {}: {} promised, {} kept, {} before ({} by the file's own law); {causes:?}",
@@ -117,13 +126,66 @@ fn kept(hidden: &Effects) -> (Diagnosis, Robot) {
     (found, back)
 }
 
+/// The extended file knows what was hidden: on other motion of the same robot nothing is wrong with it.
+fn nothing_more(hidden: &Effects, extended: &Robot) {
+    let simulator = Simulator::new(&robot(), hidden).unwrap();
+    let (fit, validate) = (record(&simulator, "fit", 10.0, 5), record(&simulator, "validate", 6.0, 6));
+    let found = diagnose(&RobotPlant::new(extended), &[fit], &[validate], &Settings::default(), &|_| {}).unwrap();
+    let said: Vec<(&str, &str)> = found.causes.iter().map(|c| (c.cause, c.evidence.as_str())).collect();
+    println!("again: {:?}\n {:.4?}\n {:.4?}", found.baseline.validate, found.extended.validate, found.offer.why);
+    assert_eq!(found.verdict, Verdict::NothingWrong, "{said:?}");
+}
+
+/// A log in which one joint moves tells little of the arm; what it does not tell stays with the file, and the model that comes out is no worse than the file on motion of
+/// all joints.
+#[test]
+fn a_poor_log_ruins_nothing() {
+    let mut file = robot();
+    // A file that is wrong throughout: links by a tenth or two to either side, friction of two joints.
+    for (k, link) in file.links.iter_mut().flatten().enumerate() {
+        let by = 1.0 + 0.1 * [1.0, -1.5, 2.0, -1.0, 1.5, -2.0, 1.0][k % 7];
+        *link = dh_codegen::robot::Inertia::from_array(link.to_array().map(|x| by * x));
+    }
+    for (row, by) in [(1, 1.5), (3, 0.6)] {
+        let drive = &mut file.joints[row].drive;
+        drive.coulomb_friction = drive.coulomb_friction.map(|f| by * f);
+    }
+    let plant = RobotPlant::new(&file);
+    let simulator = Simulator::new(&robot(), &Effects { joints: Vec::new(), robot: Vec::new() }).unwrap();
+    let validate = record(&simulator, "validate", 6.0, 2);
+    for moving in [1, 3] {
+        let motion = alone(7, 10.0, 1.0, moving);
+        let fit = play(&simulator, "fit", &motion, 1);
+        let found = diagnose(&plant, &[fit], std::slice::from_ref(&validate), &Settings::default(), &|_| {}).unwrap();
+        let rms = |x: &[f64]| (x.iter().map(|x| x * x).sum::<f64>() / x.len() as f64).sqrt();
+        let [file, refitted, extended] = [&found.baseline, &found.refitted, &found.extended].map(|e| rms(&e.validate));
+        println!(
+            "joint {}: file {file:.3}, refitted {refitted:.3}, extended {extended:.3}\n {:?}",
+            moving + 1,
+            found.offer.why
+        );
+        assert!(refitted < 1.3 * file && extended < 1.05 * file, "joint {}: {file} {refitted} {extended}", moving + 1);
+        let said: Vec<(&str, &[usize], &str)> =
+            found.causes.iter().map(|c| (c.cause, &c.joints[..], c.evidence.as_str())).collect();
+        println!(" {said:?}");
+    }
+}
+
 fn on(joint: usize, effects: &[Effect]) -> Effects {
     Effects { joints: effects.iter().map(|e| (joint - 1, e.clone())).collect(), robot: Vec::new() }
 }
 
 macro_rules! promises {
     ($($(#[$mark:meta])* $test:ident: $effects:expr;)*) => {
-        $(#[test] $(#[$mark])* fn $test() { let (found, _) = kept(&$effects); assert!(!found.causes.is_empty()); })*
+        $(#[test] $(#[$mark])* fn $test() {
+            let hidden = $effects;
+            let (found, extended) = kept(&hidden);
+            assert!(!found.causes.is_empty());
+            // A spring whose arm swings is more than its law in the file; what that lacks is found.
+            if hidden.joints.iter().all(|(_, e)| e.name != "joint_elasticity") {
+                nothing_more(&hidden, &extended);
+            }
+        })*
     };
 }
 

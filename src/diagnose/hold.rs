@@ -13,7 +13,7 @@ use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 use crate::arm::Plant;
 
 /// How many times less than that of the belief the data's variance has to be for a direction to be taken by half: what is tried.
-pub const FIRM: [f64; 4] = [30.0, 10.0, 3.0, 1.0];
+pub const FIRM: [f64; 5] = [30.0, 10.0, 3.0, 1.0, 0.1];
 
 /// The firmest hold, as a multiple of the belief's own weight.
 const FIRMEST: f64 = 1e3;
@@ -57,7 +57,7 @@ impl Hold {
             let weight = (firm * firm / mu).min(FIRMEST) * dependence;
             let axis = inverse.transpose() * v;
             precision.ger(weight, &axis, &axis, 1.0);
-            spread.ger(weight * weight, &axis, &axis, 1.0);
+            spread.ger((TYPICAL * weight).powi(2), &axis, &axis, 1.0);
         }
         Some(Self { precision, mean: belief.mean.clone(), spread })
     }
@@ -84,6 +84,9 @@ pub struct Belief {
     /// A root of the covariance, `C = root root'`.
     root: DMatrix<f64>,
 }
+
+/// The belief is as wide as errors may be; as a share of it, what they typically are: of this size is the error that a hold leaves.
+const TYPICAL: f64 = 0.2;
 
 /// Least size of a body, m.
 const SMALLEST: f64 = 0.05;
@@ -153,4 +156,25 @@ pub fn deviations(names: &[String], given: &[f64]) -> Option<Vec<f64>> {
         std[i] = if kind(name) == "IA" { given[i].abs().max(10.0 * inertia) } else { 1.0 };
     }
     Some(std)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_told_is_left_alone_and_what_is_not_stays() {
+        let belief =
+            Belief { mean: DVector::from_vec(vec![1.0, 2.0]), root: DMatrix::from_diagonal_element(2, 2, 0.5) };
+        // The data say (3, 7): the first ten thousand times as sharply as the belief, the second a hundredth of that.
+        let told = DMatrix::from_diagonal(&DVector::from_vec(vec![1e4 / 0.25, 1e-2 / 0.25]));
+        let hold = Hold::new(&belief, &told, &told, 10.0).unwrap();
+        let right = &told * DVector::from_vec(vec![3.0, 7.0]) + &hold.precision * &hold.mean;
+        let x = (&told + &hold.precision).lu().solve(&right).unwrap();
+        assert!((x[0] - 3.0).abs() < 1e-4, "{x}");
+        assert!((x[1] - 2.0).abs() < 1e-3, "{x}");
+        // One that is out of the question does not pull at the others.
+        let without = hold.without(|k| k == 1);
+        assert_eq!((without.precision[(1, 1)], without.precision[(0, 1)], without.mean[1]), (0.0, 0.0, 0.0));
+    }
 }

@@ -1,7 +1,7 @@
 //! A model under test: the rigid arm, its friction, and the causes that were accepted so far; fitted to a [`Scene`].
 
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use nalgebra::DMatrix;
 
@@ -128,6 +128,8 @@ pub struct Bench<'a> {
     all: bool,
     /// Terms of families that depend on the motion alone, by cause, place and shape.
     known: Mutex<HashMap<Key, Arc<Vec<Term>>>>,
+    /// Equations in the rigid arm's unknowns and friction's alone, in pieces from everywhere and in stretches.
+    ground: [OnceLock<Moments>; 2],
     base: Vec<Column>,
     friction: Vec<Column>,
     y: Vec<Vec<f64>>,
@@ -157,6 +159,7 @@ impl<'a> Bench<'a> {
             hold: None,
             all,
             known: Mutex::default(),
+            ground: Default::default(),
             base,
             friction,
             y,
@@ -168,6 +171,7 @@ impl<'a> Bench<'a> {
 
     /// Columns that do not depend on what is found.
     fn prepare(&mut self) {
+        self.ground = Default::default();
         let (scene, plant) = (&self.scene, self.plant);
         self.friction = (0..scene.dof())
             .flat_map(|j| [&VISCOUS, &COULOMB, &OFFSET].map(|p| p.terms(scene, &[j], &[]).remove(0).column))
@@ -319,27 +323,32 @@ impl<'a> Bench<'a> {
     }
 
     fn fit_once(&self, chosen: &[Chosen], weights: Option<&[f64]>) -> Fitted {
-        let (columns, friction, first, terms) = self.columns(chosen);
-        let moments = Moments::new(&self.scene, &self.scene.block, &self.y, &columns, self.holding());
+        let (moments, first, terms) = self.equations(chosen, false);
+        let friction = self.base.len();
         let solution = moments.solve(weights);
         let residual = moments.residual(&solution.x);
         let memory = residual.iter().zip(&self.scene.live).map(|(e, l)| memory(e, l)).collect();
         Fitted { moments, solution, residual, memory, friction, first, terms }
     }
 
-    /// Columns of the rigid arm's unknowns, friction's and those of the chosen causes; where the latter two begin; the causes' terms.
-    fn columns(&self, chosen: &[Chosen]) -> (Vec<Column>, usize, Vec<usize>, Vec<Arc<Vec<Term>>>) {
+    /// Equations in the rigid arm's unknowns, friction's and those of the chosen causes, in pieces or in stretches; where the causes' begin; their terms.
+    fn equations(&self, chosen: &[Chosen], stretches: bool) -> (Moments, Vec<usize>, Vec<Arc<Vec<Term>>>) {
+        let ground = self.ground[usize::from(stretches)].get_or_init(|| {
+            let columns: Vec<Column> = self.base.iter().chain(&self.friction).cloned().collect();
+            let len = self.scene.len.max(1);
+            let spans: Vec<usize> = (0..self.scene.len).map(|w| w * BLOCKS / len).collect();
+            Moments::new(&self.scene, if stretches { &spans } else { &self.scene.block }, &self.y, &columns)
+        });
         let terms: Vec<Arc<Vec<Term>>> = chosen.iter().map(|c| self.terms(c)).collect();
-        let mut columns: Vec<Column> = self.base.clone();
-        let friction = columns.len();
-        let free = self.friction.iter().zip(&self.frozen);
-        columns.extend(free.map(|(column, frozen)| if *frozen { Column::default() } else { column.clone() }));
-        let mut first = Vec::new();
+        let (mut columns, mut first) = (Vec::new(), Vec::new());
         for term in &terms {
-            first.push(columns.len());
+            first.push(ground.unknowns + columns.len());
             columns.extend(term.iter().map(|t| t.column.clone()));
         }
-        (columns, friction, first, terms)
+        let free = |k: usize| k.checked_sub(self.base.len()).is_some_and(|k| self.frozen.get(k) == Some(&true));
+        let mut moments = ground.without(free).with(&columns);
+        moments.held_by(self.holding());
+        (moments, first, terms)
     }
 
     /// What is held while some friction is frozen.
@@ -378,9 +387,7 @@ impl<'a> Bench<'a> {
 
     /// The equations in stretches that can be left out: eighths of the data, each in one piece.
     pub fn stretches(&self, chosen: &[Chosen]) -> Moments {
-        let spans: Vec<usize> = (0..self.scene.len).map(|w| w * BLOCKS / self.scene.len.max(1)).collect();
-        let (columns, ..) = self.columns(chosen);
-        Moments::new(&self.scene, &spans, &self.y, &columns, self.holding())
+        self.equations(chosen, true).0
     }
 
     /// Errors of the fitted model on stretches that were left out in turn.

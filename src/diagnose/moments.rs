@@ -1,5 +1,8 @@
 //! Second moments of columns, joint by joint and part by part: all that least squares, its alternatives and its cross-validation need.
 
+use std::ops::Range;
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use super::hold::Hold;
@@ -24,7 +27,7 @@ struct Part {
 struct Joint {
     /// Unknowns that act on it.
     columns: Vec<usize>,
-    series: Vec<Vec<f64>>,
+    series: Vec<Arc<Vec<f64>>>,
     parts: Vec<Part>,
 }
 
@@ -34,7 +37,9 @@ pub struct Moments {
     joints: Vec<Joint>,
     /// Number of unknowns.
     pub unknowns: usize,
-    y: Vec<Vec<f64>>,
+    y: Arc<Vec<Vec<f64>>>,
+    /// Pieces of the data, and the part that each belongs to.
+    pieces: Arc<Vec<(Range<usize>, usize)>>,
     /// Of the whole data.
     whole: Vec<Part>,
     /// What holds the first unknowns.
@@ -81,47 +86,91 @@ pub struct Gain {
 }
 
 impl Moments {
-    /// Of these columns and the torque `y` (per joint, masked), in the parts `block` (one number below [`BLOCKS`] a window); the first unknowns held.
-    pub fn new(scene: &Scene<'_>, block: &[usize], y: &[Vec<f64>], columns: &[Column], hold: Hold) -> Self {
-        // Pieces of the data, and the part that each belongs to.
-        let mut pieces: Vec<(std::ops::Range<usize>, usize)> = Vec::new();
+    /// Of these columns and the torque `y` (per joint, masked), in the parts `block` (one number below [`BLOCKS`] a window).
+    pub fn new(scene: &Scene<'_>, block: &[usize], y: &[Vec<f64>], columns: &[Column]) -> Self {
+        let mut pieces: Vec<(Range<usize>, usize)> = Vec::new();
         for (w, &part) in block.iter().enumerate() {
             match pieces.last_mut() {
                 Some((range, last)) if *last == part => range.end = w + 1,
                 _ => pieces.push((w..w + 1, part)),
             }
         }
-        let mut joints: Vec<Joint> =
-            (0..scene.dof()).map(|_| Joint { columns: Vec::new(), series: Vec::new(), parts: Vec::new() }).collect();
-        for (c, column) in columns.iter().enumerate() {
-            for (j, series) in &column.rows {
-                joints[*j].columns.push(c);
-                joints[*j].series.push(series.clone());
-            }
-        }
-        for (j, joint) in joints.iter_mut().enumerate() {
-            let n = joint.columns.len();
-            for part in 0..BLOCKS {
-                let mut sum = Part { gram: DMatrix::zeros(n, n), with_y: DVector::zeros(n), yy: 0.0, count: 0.0 };
-                for (range, _) in pieces.iter().filter(|p| p.1 == part) {
-                    let cut: Vec<&[f64]> = joint.series.iter().map(|s| &s[range.clone()]).collect();
-                    let y = &y[j][range.clone()];
-                    for i in 0..n {
-                        for k in 0..=i {
-                            sum.gram[(i, k)] += dot(cut[i], cut[k]);
-                        }
-                        sum.with_y[i] += dot(cut[i], y);
-                    }
-                    sum.yy += dot(y, y);
-                    sum.count += scene.live[j][range.clone()].iter().filter(|l| **l).count() as f64;
+        let nothing = |j: usize| {
+            let part = |part: usize| {
+                let here = || pieces.iter().filter(move |p| p.1 == part).map(|p| p.0.clone());
+                let live = |range: Range<usize>| scene.live[j][range].iter().filter(|l| **l).count() as f64;
+                Part {
+                    gram: DMatrix::zeros(0, 0),
+                    with_y: DVector::zeros(0),
+                    yy: here().map(|range| dot(&y[j][range.clone()], &y[j][range])).sum(),
+                    count: here().map(live).sum(),
                 }
-                sum.gram.fill_upper_triangle_with_lower_triangle();
-                joint.parts.push(sum);
+            };
+            Joint { columns: Vec::new(), series: Vec::new(), parts: (0..BLOCKS).map(part).collect() }
+        };
+        let joints = (0..scene.dof()).map(nothing).collect();
+        let bare = Self {
+            joints,
+            unknowns: 0,
+            y: Arc::new(y.to_vec()),
+            pieces: Arc::new(pieces),
+            whole: Vec::new(),
+            hold: Hold::none(),
+        };
+        bare.with(columns)
+    }
+
+    /// The same equations with further unknowns behind the others.
+    pub fn with(&self, more: &[Column]) -> Self {
+        let mut all = Self { unknowns: self.unknowns + more.len(), ..self.clone() };
+        for (c, column) in more.iter().enumerate() {
+            for (j, series) in &column.rows {
+                all.joints[*j].columns.push(self.unknowns + c);
+                all.joints[*j].series.push(Arc::new(series.clone()));
             }
         }
-        let mut moments = Self { joints, unknowns: columns.len(), y: y.to_vec(), whole: Vec::new(), hold };
-        moments.whole = moments.sums(|_| true);
-        moments
+        for (j, joint) in all.joints.iter_mut().enumerate() {
+            let (old, n) = (self.joints[j].columns.len(), joint.columns.len());
+            if n == old {
+                continue;
+            }
+            for (number, part) in joint.parts.iter_mut().enumerate() {
+                part.gram = std::mem::replace(&mut part.gram, DMatrix::zeros(0, 0)).resize(n, n, 0.0);
+                part.with_y = std::mem::replace(&mut part.with_y, DVector::zeros(0)).resize_vertically(n, 0.0);
+                for (range, _) in self.pieces.iter().filter(|p| p.1 == number) {
+                    let cut: Vec<&[f64]> = joint.series.iter().map(|s| &s[range.clone()]).collect();
+                    let y = &self.y[j][range.clone()];
+                    for i in old..n {
+                        for k in 0..=i {
+                            part.gram[(i, k)] += dot(cut[i], cut[k]);
+                        }
+                        part.with_y[i] += dot(cut[i], y);
+                    }
+                }
+                part.gram.fill_upper_triangle_with_lower_triangle();
+            }
+        }
+        all.whole = all.sums(|_| true);
+        all
+    }
+
+    /// The same equations in which some unknowns do nothing.
+    pub fn without(&self, out: impl Fn(usize) -> bool) -> Self {
+        let mut all = self.clone();
+        for joint in &mut all.joints {
+            let kept: Vec<usize> = (0..joint.columns.len()).filter(|i| !out(joint.columns[*i])).collect();
+            if kept.len() == joint.columns.len() {
+                continue;
+            }
+            joint.columns = kept.iter().map(|&i| joint.columns[i]).collect();
+            joint.series = kept.iter().map(|&i| joint.series[i].clone()).collect();
+            for part in &mut joint.parts {
+                part.gram = part.gram.select_rows(&kept).select_columns(&kept);
+                part.with_y = part.with_y.select_rows(&kept);
+            }
+        }
+        all.whole = all.sums(|_| true);
+        all
     }
 
     /// Parts of the data.
@@ -251,11 +300,11 @@ impl Moments {
     pub fn residual(&self, x: &DVector<f64>) -> Vec<Vec<f64>> {
         self.joints
             .iter()
-            .zip(&self.y)
+            .zip(self.y.iter())
             .map(|(joint, y)| {
                 let mut e = y.clone();
                 for (&c, series) in joint.columns.iter().zip(&joint.series) {
-                    e.iter_mut().zip(series).for_each(|(e, s)| *e -= x[c] * s);
+                    e.iter_mut().zip(series.iter()).for_each(|(e, s)| *e -= x[c] * s);
                 }
                 e
             })
@@ -289,7 +338,9 @@ impl Moments {
                 TrialJoint {
                     joint: j,
                     terms: here.iter().map(|h| h.0).collect(),
-                    cross: DMatrix::from_fn(joint.columns.len(), here.len(), |i, k| dot(&joint.series[i], here[k].1)),
+                    cross: DMatrix::from_fn(joint.columns.len(), here.len(), |i, k| {
+                        dot(&joint.series[i][..], here[k].1)
+                    }),
                     gram: DMatrix::from_fn(here.len(), here.len(), |i, k| dot(here[i].1, here[k].1)),
                     with_y: DVector::from_fn(here.len(), |i, _| dot(here[i].1, &self.y[j])),
                 }

@@ -75,23 +75,7 @@ impl Recording {
             let cut = |s: &Stretch| {
                 let len = s.states.len;
                 let at = (share * len as f64).round() as usize;
-                let range = if which == 0 { 0..at } else { at..len };
-                let take = |x: &[f64]| -> Vec<f64> {
-                    x.chunks_exact(len.max(1)).flat_map(|row| row[range.clone()].to_vec()).collect()
-                };
-                Stretch {
-                    start: s.start + range.start as f64 * s.period,
-                    period: s.period,
-                    states: States {
-                        len: range.len(),
-                        q: take(&s.states.q),
-                        dq: take(&s.states.dq),
-                        ddq: take(&s.states.ddq),
-                    },
-                    tau: take(&s.tau),
-                    temperature: take(&s.temperature),
-                    velocity_noise: s.velocity_noise.clone(),
-                }
+                s.cut(if which == 0 { 0..at } else { at..len })
             };
             Self { name: self.name.clone(), stretches: self.stretches.iter().map(cut).collect() }
         };
@@ -139,12 +123,57 @@ pub fn unexplained<'a>(plant: &dyn Plant, recordings: &'a [Recording]) -> Cow<'a
             }
             first += n;
         }
+        settle(&mut recording, &plant.settling());
         all.push(recording);
     }
     Cow::Owned(all)
 }
 
+/// At most this part of a stretch is given up to its beginning.
+const BEGINNING: f64 = 0.3;
+
+/// Leaves out the beginning of each stretch, until each joint has travelled so far.
+fn settle(recording: &mut Recording, travel: &[f64]) {
+    for stretch in &mut recording.stretches {
+        let len = stretch.states.len;
+        let settled = |(j, travel): (usize, &f64)| {
+            let q = stretch.of(&stretch.states.q, j);
+            let mut gone = 0.0;
+            let mut steps = q.windows(2).map(|w| (w[1] - w[0]).abs());
+            steps.position(|step| {
+                gone += step;
+                gone >= *travel
+            })
+        };
+        let all = travel.iter().enumerate().filter(|(_, t)| **t > 0.0).map(|j| settled(j).unwrap_or(len));
+        let first = all.max().unwrap_or(0).min((BEGINNING * len as f64) as usize);
+        if first > 0 {
+            *stretch = stretch.cut(first..len);
+        }
+    }
+}
+
 impl Stretch {
+    /// Part of it.
+    fn cut(&self, range: std::ops::Range<usize>) -> Self {
+        let take = |x: &[f64]| -> Vec<f64> {
+            x.chunks_exact(self.states.len.max(1)).flat_map(|row| row[range.clone()].to_vec()).collect()
+        };
+        Self {
+            start: self.start + range.start as f64 * self.period,
+            period: self.period,
+            states: States {
+                len: range.len(),
+                q: take(&self.states.q),
+                dq: take(&self.states.dq),
+                ddq: take(&self.states.ddq),
+            },
+            tau: take(&self.tau),
+            temperature: take(&self.temperature),
+            velocity_noise: self.velocity_noise.clone(),
+        }
+    }
+
     /// Joint `j`'s part of a joint-major series.
     pub fn of<'a>(&self, series: &'a [f64], j: usize) -> &'a [f64] {
         &series[j * self.states.len..(j + 1) * self.states.len]

@@ -170,18 +170,19 @@ fn once(
     progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, DiagnoseError> {
     let own_validation = !validate.is_empty();
-    let parts: Vec<[Recording; 2]> =
-        if own_validation { Vec::new() } else { fit.iter().map(|r| r.split(0.7)).collect() };
-    let first: Vec<Recording> = parts.iter().map(|p| p[0].clone()).collect();
-    let rest: Vec<Recording> = parts.iter().map(|p| p[1].clone()).collect();
-    let (fit, validate) = if own_validation { (fit, validate) } else { (&first[..], &rest[..]) };
-    let measured = validate.to_vec();
+    let halves = |recordings: &[Recording]| -> [Vec<Recording>; 2] {
+        let parts: Vec<[Recording; 2]> = recordings.iter().map(|r| r.split(0.7)).collect();
+        [0, 1].map(|which| parts.iter().map(|p| p[which].clone()).collect())
+    };
+    let recorded = [fit, validate].concat();
+    let measured = if own_validation { validate.to_vec() } else { halves(fit)[1].clone() };
+    let (whole, other) = (unexplained(plant, fit), unexplained(plant, validate));
+    let [first, rest] = if own_validation { [Vec::new(), Vec::new()] } else { halves(&whole) };
+    let (fit, validate) = if own_validation { (&whole[..], &other[..]) } else { (&first[..], &rest[..]) };
     let seconds: f64 = fit.iter().map(Recording::seconds).sum();
     let dof = plant.dof();
     let zeros = plant.delays();
-    let noise = floor(&[fit, validate].concat(), dof);
-    let [fit, validate] = [fit, validate].map(|r| unexplained(plant, r));
-    let (measured, fit, validate) = (&measured[..], &fit[..], &validate[..]);
+    let noise = floor(&recorded, dof);
     let start = Bench::new(plant, fit, settings.rate, Mode::Trusted, &zeros, false);
     if seconds < 2.0 || start.scene.len < 100 {
         return Err(DiagnoseError::TooShort { seconds });
@@ -267,12 +268,21 @@ fn once(
         let [mut far, mut near] = [validate, fit].map(|data| Meter::new(plant, data, &bench));
         let after = far.of(&bench, &fitted, &chosen, true);
         let after_fit = near.of(&bench, &fitted, &chosen, false);
+        let others: Vec<(Vec<f64>, [f64; 2])> = items
+            .iter()
+            .map(|item| {
+                let (meter, with) = if item.hypothesis.local() { (&mut near, &after_fit) } else { (&mut far, &after) };
+                let without = leave_out(plant, fit, meter, &mut bench, &chosen, item);
+                let interval = bootstrap(&without, with, &item.place);
+                (without.rms, interval)
+            })
+            .collect();
+        // The bench as it was, with everything in it.
+        fitted = bench.fit(&mut chosen.clone());
         let covariance = fitted.covariance();
         let mut causes: Vec<Cause> = Vec::new();
-        for item in &items {
-            let local = item.hypothesis.local();
-            let (on, meter, with) = if local { ("fit", &mut near, &after_fit) } else { ("validate", &mut far, &after) };
-            let without = leave_out(plant, fit, meter, &bench, &chosen, item);
+        for (item, (without, interval)) in items.iter().zip(others) {
+            let (on, with) = if item.hypothesis.local() { ("fit", &after_fit) } else { ("validate", &after) };
             causes.push(weigh(
                 &bench,
                 &fitted,
@@ -280,7 +290,8 @@ fn once(
                 &found.accepted,
                 &plain_rivals,
                 item,
-                [&without, with],
+                [&without, &with.rms],
+                interval,
                 on,
                 &noise,
             ));
@@ -706,22 +717,28 @@ fn quiet(bench: &Bench<'_>, fitted: &Fitted) -> Vec<Cause> {
         .collect()
 }
 
-/// Errors of the model that is fitted without one of its causes.
+/// Errors of the model that is fitted without one of its causes; the bench is left with that.
 fn leave_out<'a>(
     plant: &'a dyn Plant,
     fit: &'a [Recording],
     meter: &mut Meter<'a>,
-    bench: &Bench<'_>,
+    bench: &mut Bench<'_>,
     chosen: &[Chosen],
     item: &Item,
 ) -> Measured {
-    let (reduced, others, fitted) = reduced(plant, fit, bench, chosen, item);
     let elsewhere = !item.hypothesis.local();
-    if reduced.scene.delays == meter.fine.scene.delays {
-        meter.of(&reduced, &fitted, &others, elsewhere)
-    } else {
-        Meter::new(plant, meter.fine.recordings, &reduced).of(&reduced, &fitted, &others, elsewhere)
+    if item.hypothesis.moves_time() {
+        let (reduced, others, fitted) = reduced(plant, fit, bench, chosen, item);
+        return Meter::new(plant, meter.fine.recordings, &reduced).of(&reduced, &fitted, &others, elsewhere);
     }
+    let frozen = bench.frozen.clone();
+    item.friction.iter().for_each(|&k| bench.frozen[k] = true);
+    let mut others: Vec<Chosen> =
+        chosen.iter().enumerate().filter(|(i, _)| item.accepted != Some(*i)).map(|(_, c)| c.clone()).collect();
+    let fitted = bench.fit(&mut others);
+    let measured = meter.of(bench, &fitted, &others, elsewhere);
+    bench.frozen = frozen;
+    measured
 }
 
 /// The model that is fitted without one of its causes.
@@ -757,7 +774,8 @@ fn weigh(
     all: &[Accepted],
     plain_rivals: &[Plain],
     item: &Item,
-    [without, with]: [&Measured; 2],
+    [without, with]: [&[f64]; 2],
+    interval: [f64; 2],
     on: &'static str,
     noise: &[f64],
 ) -> Cause {
@@ -777,7 +795,7 @@ fn weigh(
         keys.iter().map(|k| Named { symbol: format!("{}{suffix}", k.symbol), ..k.clone() }).collect();
     let accepted = item.accepted.map(|a| &all[a]);
     let margin = near(item, accepted, plain_rivals).iter().map(|r| r.2.max(0.0)).fold(MOST_MARGIN, f64::min);
-    let part = share(&without.rms, &with.rms, noise, &item.place);
+    let part = share(without, with, noise, &item.place);
     let support = accepted.map_or_else(|| plain_support(fitted, covariance, item), |a| a.support);
     Cause {
         cause: item.hypothesis.name(),
@@ -786,32 +804,23 @@ fn weigh(
         support,
         margin,
         share: part,
-        evidence: evidence::sentence(
-            item.hypothesis,
-            &item.place,
-            &parameters,
-            &without.rms,
-            &with.rms,
-            noise,
-            on,
-            accepted,
-        ),
+        evidence: evidence::sentence(item.hypothesis, &item.place, &parameters, without, with, noise, on, accepted),
         curve: item.accepted.and_then(|index| evidence::curve(bench, fitted, index, &all[index].chosen)),
         parameters,
         keys,
-        interval: bootstrap(without, with, &item.place),
-        rms_before: without.rms.clone(),
-        rms_after: with.rms.clone(),
+        interval,
+        rms_before: without.to_vec(),
+        rms_after: with.to_vec(),
         on,
         not_distinguished_from: confusable(bench, item, accepted, plain_rivals),
         shown_by: item.hypothesis.shown_by(),
     }
 }
 
-/// Whether a cause takes as much on some joint as a torque of a fifth of the noise would.
+/// Whether a cause takes as much on some joint as a torque of a third of the noise would: less is not looked for in what is left either.
 fn matters(cause: &Cause, noise: &[f64]) -> bool {
     let joints = cause.rms_before.iter().zip(&cause.rms_after).zip(noise);
-    joints.map(|((a, b), s)| a * a - b * b - (0.2 * s).powi(2)).any(|x| x > 0.0)
+    joints.map(|((a, b), s)| a * a - b * b - (0.35 * s).powi(2)).any(|x| x > 0.0)
 }
 
 /// How much error a cause takes: the logarithm of the ratio of root mean squares without and with it, noise added to both, summed over joints; so no

@@ -349,23 +349,32 @@ fn judge(
     if overshadowed {
         return None;
     }
-    let Confirmation { confirmed, predicted, spoilt } = confirmation(before, after);
+    let stands: Vec<bool> = (0..counts.len()).map(|j| last.place.is_empty() && stands(bench, j)).collect();
+    let Confirmation { confirmed, predicted, spoilt, stirred } = confirmation(before, after, &stands);
     if last.cause.local() {
         // No other part can vouch for it: it must stand out by itself.
         let stands_out = (0..taken.len()).any(|j| taken[j] > 0.25 * size(j));
         if !stands_out {
             return None;
         }
-    } else if confirmed < 0.75 || predicted < 0.6 * settings.least_gain || spoilt > may_spoil(last, predicted) {
+    } else if confirmed < 0.75
+        || predicted < 0.6 * settings.least_gain
+        || spoilt > 0.1
+        || stirred > (0.5 * predicted).max(0.1)
+    {
         return None;
     }
     Some(Accepted { chosen: last.clone(), support, confirmed, rivals: Vec::new(), variance })
 }
 
-/// By which share of its error a cause may make a joint worse. One of the whole robot takes more on other joints: of joints that hardly move the file is
-/// believed, and what is wrong there it can make seem larger.
-fn may_spoil(cause: &Chosen, predicted: f64) -> f64 {
-    if cause.place.is_empty() { (0.5 * predicted).max(0.1) } else { 0.1 }
+/// Whether a joint stands most of the time: what the file has wrong of it the motion does not show, and a cause of the whole robot can make it seem larger.
+fn stands(bench: &Bench<'_>, j: usize) -> bool {
+    let (mut moving, mut all) = (0, 0);
+    for sign in bench.scene.own[j].iter().flat_map(|own| &own.sign) {
+        moving += usize::from(*sign != 0.0);
+        all += 1;
+    }
+    2 * moving < all
 }
 
 /// What parts of the data say that were left out of the fit in turn.
@@ -376,9 +385,11 @@ struct Confirmation {
     predicted: f64,
     /// The largest share by which a joint's error grows.
     spoilt: f64,
+    /// The same of joints that stand, where the cause is one of the whole robot.
+    stirred: f64,
 }
 
-fn confirmation(before: &Fitted, after: &Fitted) -> Confirmation {
+fn confirmation(before: &Fitted, after: &Fitted, stands: &[bool]) -> Confirmation {
     let (a, b) = (before.moments.cross_validated(&before.solution), after.moments.cross_validated(&after.solution));
     let weights = &after.solution.weights;
     let (mut won, mut lost) = (0.0, 0.0);
@@ -398,7 +409,8 @@ fn confirmation(before: &Fitted, after: &Fitted) -> Confirmation {
     Confirmation {
         confirmed: if won + lost > 0.0 { won / (won + lost) } else { 0.0 },
         predicted: shares().fold(0.0, f64::max),
-        spoilt: -shares().fold(0.0, f64::min),
+        spoilt: -shares().zip(stands).filter(|s| !s.1).map(|s| s.0).fold(0.0, f64::min),
+        stirred: -shares().zip(stands).filter(|s| *s.1).map(|s| s.0).fold(0.0, f64::min),
     }
 }
 
