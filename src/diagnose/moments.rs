@@ -348,11 +348,52 @@ pub fn pseudo_inverse(matrix: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 impl Moments {
-    /// Covariance of the unknowns where the residuals of joint `j` are alike over `inflation[j]` windows:
-    /// `A^-1 (sum_j w_j lambda_j A_j' A_j) A^-1`.
+    /// Covariance of the unknowns where the residuals of joint `j` are alike over `inflation[j]` windows,
+    /// `A^-1 (sum_j w_j lambda_j A_j' A_j) A^-1`, each unknown's standard deviation at least what the parts of the data say that pull it to and fro:
+    /// `A^-1 (sum_p g_p g_p') A^-1 P / (P - 1)`, `g_p` the gradient of part `p` (P. J. Huber 1967; K.-Y. Liang and S. L. Zeger, Biometrika 73, 1986).
+    /// The second sees a law that is not the one that acts: what is left then goes with what moves, and not as noise does.
     pub fn covariance(&self, at: &Solution, inflation: &[f64]) -> DMatrix<f64> {
         let weights: Vec<f64> = at.weights.iter().zip(inflation).map(|(w, l)| w * l).collect();
         let (middle, _) = self.assemble(&self.whole, &weights);
-        &at.inverse * middle * &at.inverse
+        let mut covariance = &at.inverse * middle * &at.inverse;
+        let mut spread = DVector::zeros(self.unknowns);
+        let mut parts = 0.0;
+        for part in 0..self.parts() {
+            let mut gradient = DVector::zeros(self.unknowns);
+            let mut count = 0.0;
+            for (joint, weight) in self.joints.iter().zip(&at.weights) {
+                let sums = &joint.parts[part];
+                let local = DVector::from_iterator(joint.columns.len(), joint.columns.iter().map(|&c| at.x[c]));
+                let left = &sums.with_y - &sums.gram * local;
+                joint.columns.iter().zip(left.iter()).for_each(|(&c, g)| gradient[c] += weight * g);
+                count += sums.count;
+            }
+            let pull = &at.inverse * gradient;
+            spread += pull.component_mul(&pull);
+            parts += f64::from(u8::from(count > 0.0));
+        }
+        if parts > 1.0 {
+            let by: Vec<f64> = (0..self.unknowns)
+                .map(|i| {
+                    let (usual, seen) = (covariance[(i, i)], spread[i] * parts / (parts - 1.0));
+                    if usual > 0.0 { (seen / usual).max(1.0).sqrt() } else { 1.0 }
+                })
+                .collect();
+            for i in 0..self.unknowns {
+                for k in 0..self.unknowns {
+                    covariance[(i, k)] *= by[i] * by[k];
+                }
+            }
+        }
+        covariance
+    }
+
+    /// The same equations and solution with further columns, of unknowns that are at their best value already: zero.
+    pub fn beside(&self, scene: &Scene<'_>, at: &Solution, columns: &[Column], more: &[Column]) -> (Self, Solution) {
+        let moments = Self::new(scene, &self.y, &[columns, more].concat());
+        let (matrix, rhs) = moments.assemble(&moments.whole, &at.weights);
+        let x = at.x.clone().resize_vertically(moments.unknowns, 0.0);
+        let solution = Solution { x, inverse: pseudo_inverse(&matrix), rhs, ..at.clone() };
+        (moments, solution)
     }
 }

@@ -3,10 +3,10 @@
 use crate::arm::Plant;
 
 use super::calibration;
-use super::causes::{COULOMB, Cause as Hypothesis, Kind, Named, OFFSET, VISCOUS};
-use super::evidence;
+use super::causes::{AsymmetricFriction, COULOMB, Cause as Hypothesis, Kind, Named, OFFSET, VISCOUS};
+use super::evidence::{self, Shown};
 use super::maps::View;
-use super::model::{Bench, Chosen, Fitted, Mode, given_friction, parameters};
+use super::model::{Bench, Chosen, Fitted, Mode, Uncertainty, given_friction, parameters};
 use super::noise::floor;
 use super::record::Recording;
 use super::result::{Cause, Curve, Diagnosis, Errors, NextExperiment, Verdict};
@@ -184,25 +184,26 @@ pub fn diagnose(
     let fitted = freeze(&mut bench, &mut found, &noise);
     progress("what else plain friction might be");
     let (fitted, plain_rivals) = reconsider(&mut bench, &mut found.accepted, fitted, &noise, &settings.search);
-    let items = items(&bench, &found);
+    let items = items(&bench, &found, &fitted);
     let chosen: Vec<Chosen> = found.accepted.iter().map(|a| a.chosen.clone()).collect();
     let mut left = structure(&bench.scene, &fitted.residual, &noise, &torque_rms);
 
     progress("measuring on data that was not used");
     let after = measure(plant, validate, &bench, Some(&fitted), &chosen, true);
     let after_fit = measure(plant, fit, &bench, Some(&fitted), &chosen, false);
-    let covariance = fitted.covariance();
+    let uncertainty = Uncertainty::of(&bench, &fitted, &chosen);
+    let covariance = &uncertainty.covariance;
     let mut causes: Vec<Cause> = Vec::new();
     for item in &items {
         let local = item.hypothesis.local();
         let (on, data, with) = if local { ("fit", fit, &after_fit) } else { ("validate", validate, &after) };
         let without = leave_out(plant, fit, data, &bench, &chosen, item);
         let keys = match item.accepted {
-            Some(index) => parameters(&bench, &fitted, &covariance, index, &chosen[index]),
-            None => friction_values(&bench, &fitted, &covariance, item),
+            Some(index) => parameters(&bench, &fitted, &uncertainty, index, &chosen[index]),
+            None => friction_values(&bench, &fitted, covariance, item),
         };
         let extra = match item.accepted {
-            Some(_) => friction_values(&bench, &fitted, &covariance, item),
+            Some(_) => friction_values(&bench, &fitted, covariance, item),
             None => Vec::new(),
         };
         let mut keys = keys;
@@ -219,7 +220,7 @@ pub fn diagnose(
         let rivals = confusable(&bench, item, accepted, &plain_rivals);
         let margin = near(item, accepted, &plain_rivals).iter().map(|r| r.2.max(0.0)).fold(MOST_MARGIN, f64::min);
         let part = share(&without.rms, &with.rms, &noise, &item.place);
-        let support = accepted.map_or_else(|| plain_support(&fitted, &covariance, item), |a| a.support);
+        let support = accepted.map_or_else(|| plain_support(&fitted, covariance, item), |a| a.support);
         causes.push(Cause {
             cause: item.hypothesis.name(),
             joints: item.place.iter().map(|j| j + 1).collect(),
@@ -227,16 +228,16 @@ pub fn diagnose(
             support,
             margin,
             share: part,
-            evidence: evidence::sentence(
-                item.hypothesis,
-                &item.place,
-                &parameters,
-                &without.rms,
-                &with.rms,
-                &noise,
+            evidence: evidence::sentence(&Shown {
+                cause: item.hypothesis,
+                place: &item.place,
+                parameters: &parameters,
+                before: &without.rms,
+                after: &with.rms,
+                noise: &noise,
                 on,
-                accepted,
-            ),
+                confirmed: accepted.map(|a| a.confirmed),
+            }),
             curve: item.accepted.and_then(|index| evidence::curve(&bench, &fitted, index, &chosen[index])),
             parameters,
             keys,
@@ -249,7 +250,7 @@ pub fn diagnose(
         });
     }
     if bench.mode == Mode::Refitted && has_links {
-        let joints = evidence::changed_links(&bench, &fitted, &covariance);
+        let joints = evidence::changed_links(&bench, &fitted, covariance);
         if !joints.is_empty() {
             causes.push(Cause {
                 cause: "link_inertia_error",
@@ -385,7 +386,7 @@ fn freeze(bench: &mut Bench<'_>, found: &mut Found, noise: &[f64]) -> Fitted {
 }
 
 /// The accepted causes, and the friction parameters that changed and belong to none of them.
-fn items(bench: &Bench<'_>, found: &Found) -> Vec<Item> {
+fn items(bench: &Bench<'_>, found: &Found, fitted: &Fitted) -> Vec<Item> {
     let mut items: Vec<Item> = found
         .accepted
         .iter()
@@ -415,6 +416,34 @@ fn items(bench: &Bench<'_>, found: &Found) -> Vec<Item> {
                 None => items.push(Item { hypothesis, place: vec![j], accepted: None, friction: vec![k] }),
             }
         }
+    }
+    one_for_two(items, bench, fitted)
+}
+
+/// Of a level and an offset, neither next to nothing beside the other, the smaller is taken for half a difference of levels.
+const BESIDE: f64 = 0.15;
+
+/// A changed Coulomb level and an offset on one joint are, with as many unknowns, one cause: levels that differ with the direction. It takes their place where
+/// both levels are of friction.
+fn one_for_two(mut items: Vec<Item>, bench: &Bench<'_>, fitted: &Fitted) -> Vec<Item> {
+    let given = given_friction(bench.plant);
+    for (j, given) in given.iter().enumerate() {
+        let plain = |which: usize| {
+            let here = |i: &Item| i.accepted.is_none() && i.friction == [3 * j + which];
+            items.iter().position(here).map(|at| (at, fitted.solution.x[fitted.friction + 3 * j + which]))
+        };
+        let (Some((level_at, level)), Some((offset_at, offset))) = (plain(1), plain(2)) else { continue };
+        let (small, large) = (level.abs().min(offset.abs()), level.abs().max(offset.abs()));
+        if small < BESIDE * large || offset.abs() > given[1].unwrap_or(0.0) + level {
+            continue;
+        }
+        items[level_at] = Item {
+            hypothesis: &AsymmetricFriction,
+            place: vec![j],
+            accepted: None,
+            friction: vec![3 * j + 1, 3 * j + 2],
+        };
+        items.remove(offset_at);
     }
     items
 }
@@ -543,6 +572,10 @@ fn near<'a>(item: &Item, accepted: Option<&'a Accepted>, plain: &'a [Plain]) -> 
 fn confusable(bench: &Bench<'_>, item: &Item, accepted: Option<&Accepted>, plain: &[Plain]) -> Vec<&'static str> {
     let mut names: Vec<&'static str> = near(item, accepted, plain).iter().map(|r| r.0).collect();
     names.extend(item.hypothesis.twins(&bench.scene, &item.place));
+    // One cause in the place of several plain ones.
+    if item.accepted.is_none() && item.friction.len() > 1 {
+        names.extend(item.friction.iter().map(|k| [&VISCOUS, &COULOMB, &OFFSET][k % 3].name()));
+    }
     names.sort_unstable();
     names.dedup();
     names.retain(|n| *n != item.hypothesis.name());
