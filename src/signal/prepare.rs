@@ -379,7 +379,11 @@ impl Preparer {
                 return Err(PrepareError::Stride { file, stride, rate, cutoff: filter.cutoff, most });
             }
             self.filter = Some(sos);
-            self.wide = self.settings.bursts.and_then(|cutoff| low_pass(filter.order, cutoff, rate).ok());
+            self.wide = self
+                .settings
+                .bursts
+                .filter(|cutoff| *cutoff > filter.cutoff)
+                .and_then(|cutoff| low_pass(filter.order, cutoff, rate).ok());
         }
         Ok(SegmentClock { start: t[0], period, resample, produced: 0, last: t[0] })
     }
@@ -484,6 +488,12 @@ impl Preparer {
         Ok(motions)
     }
 
+    /// Both cutoffs, Hz.
+    fn bands(&self) -> [f64; 2] {
+        let low = self.settings.filter.map_or(0.0, |f| f.cutoff);
+        [low, self.settings.bursts.unwrap_or(low)]
+    }
+
     fn note_short(&mut self, rows: usize) {
         match self.findings.iter_mut().find(|f| matches!(f.kind, Kind::ShortSegments { .. })) {
             Some(Finding { kind: Kind::ShortSegments { samples }, count, .. }) => {
@@ -532,7 +542,7 @@ impl Preparer {
                     if let Some(sos) = &self.wide {
                         let mut wide = self.evened[joint].clone();
                         sos.forward_backward(&mut wide, pad.max(sos.scipy_padding()));
-                        narrow.let_through(&Derived::of(wide, clock.period), clock.period);
+                        narrow.let_through(&Derived::of(wide, clock.period), self.bands(), clock.period);
                     }
                     q = narrow.q;
                     (narrow.dq, narrow.ddq)

@@ -351,6 +351,8 @@ impl<const N: usize> Arm<N> {
             out.lost += 1;
             return;
         }
+        let own = self.freedom(g, query, &values);
+        let free = if self.exact { free | own } else { own };
         let mut found = Solution {
             q: polish::positions(self, &values),
             branch,
@@ -411,10 +413,12 @@ impl<const N: usize> Arm<N> {
 
     /// What is left to the redundancy that is kept, and how fast the joints bring it there; zeros where none is kept.
     pub(super) fn held(&self, query: &Query<'_, N>, v: &[Value; N]) -> (f64, [f64; N]) {
+        if self.holds() { self.kept(query, v) } else { (0.0, [0.0; N]) }
+    }
+
+    /// The same of every redundant arm.
+    pub(super) fn kept(&self, query: &Query<'_, N>, v: &[Value; N]) -> (f64, [f64; N]) {
         let mut row = [0.0; N];
-        if !self.holds() {
-            return (0.0, row);
-        }
         match &self.family {
             Family::Locked { joint, .. } => {
                 let lock = usize::from(*joint);
