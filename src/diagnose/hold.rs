@@ -13,7 +13,7 @@ use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 use crate::arm::Plant;
 
 /// How many times less than that of the belief the data's variance has to be for a direction to be taken by half: what is tried.
-pub const FIRM: [f64; 5] = [30.0, 10.0, 3.0, 1.0, 0.1];
+pub const FIRM: [f64; 3] = [30.0, 10.0, 3.0];
 
 /// The firmest hold, as a multiple of the belief's own weight.
 const FIRMEST: f64 = 1e3;

@@ -850,10 +850,10 @@ fn weigh(
     }
 }
 
-/// Whether a cause takes as much on some joint as a torque of a third of the noise would: less is not looked for in what is left either.
+/// Whether a cause takes as much on some joint as a torque of half of the noise would.
 fn matters(cause: &Cause, noise: &[f64]) -> bool {
     let joints = cause.rms_before.iter().zip(&cause.rms_after).zip(noise);
-    joints.map(|((a, b), s)| a * a - b * b - (0.35 * s).powi(2)).any(|x| x > 0.0)
+    joints.map(|((a, b), s)| a * a - b * b - (0.5 * s).powi(2)).any(|x| x > 0.0)
 }
 
 /// How much error a cause takes: the logarithm of the ratio of root mean squares without and with it, noise added to both, summed over joints; so no
@@ -901,12 +901,16 @@ fn bootstrap(without: &Measured, with: &Measured, place: &[usize]) -> [f64; 2] {
 /// A margin beyond which more of it says nothing.
 const MOST_MARGIN: f64 = 1e4;
 
-/// Where all parameters were refitted that is done as a matter of course, and a cause that takes a quarter or more of what the refit leaves is what no value of a
-/// parameter explains: it is named before them.
+/// Where all parameters were refitted that is done as a matter of course, and a cause that takes half of the squared error of a joint, or a quarter of that of all,
+/// beside them is what no value of a parameter explains: it is named before them.
 fn values_last(causes: &mut [Cause], noise: &[f64]) {
     let Some(links) = causes.iter().position(|c| c.cause == "link_inertia_error" && c.keys.is_empty()) else { return };
-    let squares = |x: &[f64]| x.iter().zip(noise).map(|(x, s)| x * x / (s * s).max(1e-24)).sum::<f64>();
-    let structure = |c: &Cause| squares(&c.rms_after) < 0.75 * squares(&c.rms_before);
+    let structure = |c: &Cause| {
+        let joints = c.rms_before.iter().zip(&c.rms_after).zip(noise);
+        let shares: Vec<f64> = joints.map(|((b, a), s)| (b * b - a * a) / (b * b + s * s).max(1e-24)).collect();
+        let most = shares.iter().copied().fold(0.0, f64::max);
+        most > 0.5 || shares.iter().sum::<f64>() > 0.25 * shares.len() as f64
+    };
     let last = (links + 1..causes.len()).rev().find(|&i| causes[i].cause != "unknown" && structure(&causes[i]));
     if let Some(last) = last {
         causes[links..=last].rotate_left(1);
