@@ -43,14 +43,14 @@ for robot in ["franka-panda", "ur10e", "kinova-gen3", "staubli-tx40"]:
     cond, log = (excite(robot, "--criterion", c, "--links-only") for c in ("cond", "logdet"))
     row(robot, str(len(cond["columns"])), f"{cond['condition_number']:.1f}", f"{log['condition_number']:.1f}", f"{cond['cpu']:.1f}")
 
-print("\nkuka-lwr4, links only, by duration, 4 starts\n")
+print("\nkuka-lwr4, links only, by duration, 8 starts\n")
 row("s", "cond", "change", "-log det", "change", "-log Hadamard", "change")
 row(*["---"] * 7)
 before = {}
 for seconds in range(1, 16):
     cells = [str(seconds)]
     for criterion in ["cond", "logdet", "hadamard"]:
-        found = excite("kuka-lwr4", "--criterion", criterion, "--duration", seconds, "--links-only", "--starts", 4)
+        found = excite("kuka-lwr4", "--criterion", criterion, "--duration", seconds, "--links-only", "--starts", 8)
         value = found["value"] if found else None
         change = value - before[criterion] if value is not None and before.get(criterion) is not None else None
         before[criterion] = value

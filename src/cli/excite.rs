@@ -68,13 +68,13 @@ pub(super) struct Excite {
     #[arg(long, default_value_t = 3)]
     periods: usize,
     /// Random motions to begin with.
-    #[arg(long, default_value_t = 24)]
+    #[arg(long, default_value_t = 16)]
     starts: usize,
     /// Seed of the random motions.
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Steps of the solver per start, at most.
-    #[arg(long, default_value_t = 60)]
+    #[arg(long, default_value_t = 90)]
     iterations: usize,
     /// Threads; default: all cores. The result does not depend on it.
     #[arg(long)]

@@ -32,7 +32,7 @@ pub struct Effort {
 impl Default for Effort {
     fn default() -> Self {
         let threads = std::thread::available_parallelism().map_or(1, usize::from);
-        Self { starts: 24, seed: 1, iterations: 60, finalists: 2, threads }
+        Self { starts: 16, seed: 1, iterations: 90, finalists: 2, threads }
     }
 }
 
@@ -136,7 +136,7 @@ pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Des
     let starts = effort.starts.max(1);
     let kept = starts.div_ceil(3);
     let finalists = effort.finalists.clamp(1, kept.div_ceil(2));
-    let first = (effort.iterations / 3).max(1);
+    let first = (effort.iterations / 4).max(1);
     let total = starts * first + kept * effort.iterations + finalists * 2 * effort.iterations;
     let counter = AtomicUsize::new(0);
     let best = Mutex::new(None::<f64>);

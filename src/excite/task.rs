@@ -63,6 +63,15 @@ impl<'a> Task<'a> {
     /// Where limits are missing that a motion can't be planned without.
     pub fn new(arm: &'a Differentiated, robot: &Robot, duration: f64, acceleration_time: f64) -> Result<Self, String> {
         let mut missing = Vec::new();
+        let still = |row: &usize| robot.joints[*row].limits.velocity.is_none_or(|v| v <= 0.0);
+        let still: Vec<&str> =
+            robot.moving().into_iter().filter(still).map(|row| robot.joints[row].name.as_str()).collect();
+        if still.len() > 1 {
+            return Err(format!(
+                "joints {} have no `velocity` limits; a motion can't be planned without them: write them in the robot file",
+                still.join(", ")
+            ));
+        }
         let limits: Vec<JointLimits> = robot
             .moving()
             .into_iter()
