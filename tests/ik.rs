@@ -1,6 +1,7 @@
 //! Inverse kinematics against the numeric recursion: every solution reaches its pose, and the posture that made the pose is found.
 //!
-//! `DENAVIT_IK_POSTURES` sets how many random postures each arm gets (1,000 here, a million before a release).
+//! `DENAVIT_IK_POSTURES` sets how many random postures each arm gets (1,000 here, a million before a release), `DENAVIT_IK_ROBOT` takes
+//! one arm alone.
 
 use core::f64::consts::{PI, TAU};
 
@@ -13,6 +14,10 @@ use dh_codegen::robot::{JointKind, Robot};
 
 fn postures() -> usize {
     std::env::var("DENAVIT_IK_POSTURES").ok().and_then(|n| n.parse().ok()).unwrap_or(1000)
+}
+
+fn asked_for(name: &str) -> bool {
+    std::env::var("DENAVIT_IK_ROBOT").ok().is_none_or(|only| only == name)
 }
 
 fn robot(name: &str) -> Robot {
@@ -110,17 +115,20 @@ fn classes() {
 
 #[test]
 fn random_postures() {
-    for (name, _) in ROBOTS {
+    for (name, _) in ROBOTS.into_iter().filter(|(name, _)| asked_for(name)) {
         let bench = Bench::new(robot(name));
         let mut random = Random::new(1);
-        let (mut missed, mut silent, mut worst, mut far, mut outside) = (0, 0, 0.0f64, 0.0f64, 0);
+        let (mut loose, mut missed, mut silent, mut worst, mut far, mut outside) = (0, 0, 0, 0.0f64, 0.0f64, 0);
         // Refined branch by branch: a thousand times as slow.
         let count = if bench.ik.inverse().exact { postures() } else { postures().min(20_000) };
         for _ in 0..count {
             let q = bench.random(&mut random);
             let (error, nearest, found) = bench.check(&q, false);
             worst = worst.max(error);
-            if nearest > 1e-6 {
+            if nearest > 1e-6 && found.status == Status::Singular {
+                // So near a singularity that the pose's last digits do not tell it, and said to be.
+                loose += 1;
+            } else if nearest > 1e-6 {
                 missed += 1;
                 silent += usize::from(found.lost == 0);
                 if missed < 4 {
@@ -133,7 +141,7 @@ fn random_postures() {
             }
         }
         eprintln!(
-            "{name}: {count} postures, missed {missed}, worst pose {worst:.1e}, farthest {far:.1e}, outside {outside}"
+            "{name}: {count} postures, missed {missed}, singular {loose}, worst pose {worst:.1e}, farthest {far:.1e}, outside {outside}"
         );
         assert!(worst < 1e-12, "{name}: {worst}");
         assert_eq!(outside, 0, "{name}");
@@ -146,7 +154,7 @@ fn random_postures() {
 /// joints free, the posture is found when it is named as near.
 #[test]
 fn nice_angles_limits_and_singularities() {
-    for (name, _) in ROBOTS.into_iter().filter(|(name, _)| *name != "kinova-gen3") {
+    for (name, _) in ROBOTS.into_iter().filter(|(name, _)| *name != "kinova-gen3" && asked_for(name)) {
         let bench = Bench::new(robot(name));
         let mut random = Random::new(2);
         let (mut missed, mut worst, mut empty, mut unmarked) = (0, 0.0f64, 0, 0);

@@ -271,7 +271,12 @@ fn turn_slide_turn([one, two, three]: &[Axis; 3], w: Vector, p: Vector) -> Place
 /// Roots of a quartic that lie close together in joint `j` are known to fewer digits.
 fn double_roots(places: &mut Places, j: usize) {
     let close = |a: &Place, b: &Place| {
-        let (a, b) = (a.values[j], b.values[j]);
+        let ([a0, a1, a2], [b0, b1, b2]) = (a.values, b.values);
+        let (a, b) = match j {
+            0 => (a0, b0),
+            1 => (a1, b1),
+            _ => (a2, b2),
+        };
         let d = (a.turn.c - b.turn.c).abs() + (a.turn.s - b.turn.s).abs() + (a.way - b.way).abs();
         d < 10.0 * NARROW
     };

@@ -78,7 +78,13 @@ impl Circle {
         }
         // What is out of reach is not in doubt.
         let reached = d.abs() < r + NARROW * size;
-        let d = d.clamp(-r, r);
+        let d = if d > r {
+            r
+        } else if d < -r {
+            -r
+        } else {
+            d
+        };
         let w = root((r - d) * (r + d));
         let (c, s) = (d * per, w * per);
         Pair {

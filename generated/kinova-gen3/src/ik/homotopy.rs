@@ -10,32 +10,41 @@ use super::real::root;
 
 /// Pose, redundancy, and the multiple.
 const ROWS: usize = 8;
+const MASK: usize = ROWS - 1;
 /// Steps each way, and their lengths: rad, m and multiples together.
-const STEPS: usize = 48;
+const STEPS: usize = 40;
 const LONGEST: f64 = 0.3;
 const SHORTEST: f64 = 1e-3;
 
 type Row = [f64; ROWS];
 
-/// Solves by elimination with the largest pivots; `None` where it is singular.
+/// Solves by elimination with the largest pivots; `None` where it is singular. Rows and columns from `n` on are not looked at.
 fn solve(a: &mut [Row; ROWS], b: &mut Row, n: usize) -> Option<()> {
-    for k in 0..n.min(ROWS) {
-        let best = (k..n.min(ROWS)).reduce(|x, y| if a[y][k].abs() > a[x][k].abs() { y } else { x })?;
-        if !(a[best][k].abs() > 1e-13) {
+    let n = n.min(ROWS);
+    for k in 0..n {
+        let mut best = k;
+        for i in k + 1..n {
+            // The mask spares a bound check, which would be a way into a panic.
+            if a[i][k].abs() > a[best & MASK][k].abs() {
+                best = i;
+            }
+        }
+        let (best, pivot) = (best & MASK, a[best & MASK]);
+        if !(pivot[k].abs() > 1e-13) {
             return None;
         }
-        a.swap(k, best);
-        b.swap(k, best);
-        for i in k + 1..n.min(ROWS) {
-            let f = a[i][k] / a[k][k];
-            for j in k..n.min(ROWS) {
-                a[i][j] -= f * a[k][j];
+        (a[best], a[k]) = (a[k], pivot);
+        (b[best], b[k]) = (b[k], b[best]);
+        for i in k + 1..n {
+            let f = a[i][k] / pivot[k];
+            for j in k..n {
+                a[i][j] -= f * pivot[j];
             }
             b[i] -= f * b[k];
         }
     }
-    for i in (0..n.min(ROWS)).rev() {
-        for j in i + 1..n.min(ROWS) {
+    for i in (0..n).rev() {
+        for j in i + 1..n {
             b[i] -= a[i][j] * b[j];
         }
         b[i] /= a[i][i];
@@ -102,24 +111,25 @@ impl<const N: usize> Walk<'_, N> {
     }
 }
 
-/// Walks from a posture both ways, as far as `far` times what is left there, and hands over where nothing is left, nearly.
+/// Walks from a posture, less left (-1), more left (1) or both ways, as far as `far` times what is left there, and hands over where
+/// nothing is left, nearly.
 pub(super) fn walk<const N: usize>(
     arm: &Arm<N>,
     g: &Displacement,
     query: &Query<'_, N>,
     start: &[Value; N],
+    ways: &[f64],
     far: f64,
     mut met: impl FnMut([Value; N]),
 ) {
     let (left, _) = equations(arm, g, query, start);
-    let rows = if N == 6 { 6 } else { 7 };
-    let s0 = size(&left[..rows]);
+    let s0 = size(&left);
     // As many equations as joints, and some way to go.
     if !(N == 6 || N == 7 && arm.holds()) || !(s0 > 1e-9) {
         return;
     }
     let walk = Walk { arm, g, query, u: left.map(|x| x / s0) };
-    for way in [-1.0, 1.0] {
+    for &way in ways {
         let mut up = [0.0; ROWS];
         up[N.min(7)] = way;
         let (mut v, mut s) = (*start, s0);

@@ -80,6 +80,9 @@ pub(super) struct Work {
     best: [f64; 2],
 }
 
+/// Newton's steps: at a double root each only halves what is left.
+const STEPS: usize = 40;
+
 /// What is left of a pose below this is rounding, m and rad.
 const EXACT: f64 = 1e-13;
 
@@ -332,8 +335,7 @@ impl<const N: usize> Arm<N> {
         let mut e = remainder(self, g, &values);
         let [p, r] = sizes(&e);
         if p.max(r) > EXACT || !self.exact {
-            let steps = if self.exact && free == 0 { 8 } else { 40 };
-            e = polish(self, g, query, &mut values, steps);
+            e = polish(self, g, query, &mut values, STEPS);
             if let Family::Locked { joint, .. } = self.family {
                 // Its own value to the last digit.
                 let lock = usize::from(joint);

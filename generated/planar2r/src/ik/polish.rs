@@ -43,7 +43,10 @@ pub(super) fn forward<const N: usize>(arm: &Arm<N>, v: &[Value; N]) -> Displacem
 
 /// What is left from `E1 .. En` to `g`, at the last frame's origin.
 pub(super) fn remainder<const N: usize>(arm: &Arm<N>, g: &Displacement, v: &[Value; N]) -> Twist {
-    let here = forward(arm, v);
+    remainder_of(arm, g, &forward(arm, v))
+}
+
+fn remainder_of<const N: usize>(arm: &Arm<N>, g: &Displacement, here: &Displacement) -> Twist {
     let [x, y, z] = sub(g.point(arm.home.shift), here.point(arm.home.shift));
     let r = product(&g.rotation, &transposed(&here.rotation));
     let w = [r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]];
@@ -62,7 +65,11 @@ pub(super) fn remainder<const N: usize>(arm: &Arm<N>, g: &Displacement, v: &[Val
 
 /// Columns `[v; w]` of the last frame's origin, one per joint.
 pub(super) fn jacobian<const N: usize>(arm: &Arm<N>, v: &[Value; N]) -> [Twist; N] {
-    let tip = forward(arm, v).point(arm.home.shift);
+    jacobian_about(arm, v, forward(arm, v).point(arm.home.shift))
+}
+
+/// The same where the tip is known already.
+fn jacobian_about<const N: usize>(arm: &Arm<N>, v: &[Value; N], tip: Vector) -> [Twist; N] {
     let mut before = Displacement::NONE;
     core::array::from_fn(|i| {
         let axis = &arm.axes[i];
@@ -84,9 +91,10 @@ pub(super) fn equations<const N: usize>(
     query: &Query<'_, N>,
     v: &[Value; N],
 ) -> (Rows, [Rows; N]) {
-    let [a, b, c, d, e, f] = remainder(arm, g, v);
+    let here = forward(arm, v);
+    let [a, b, c, d, e, f] = remainder_of(arm, g, &here);
     let (left, row) = arm.held(query, v);
-    let columns = jacobian(arm, v);
+    let columns = jacobian_about(arm, v, here.point(arm.home.shift));
     let all = core::array::from_fn(|i| {
         let [a, b, c, d, e, f] = columns[i];
         [a, b, c, d, e, f, row[i]]
@@ -101,10 +109,16 @@ pub(super) fn slack<const N: usize>(columns: &[Rows; N], size: f64) -> f64 {
     let dot = |a: &Rows, b: &Rows| a.iter().zip(b).fold(0.0, |s, (x, y)| s + x * y);
     let mut least = f64::INFINITY;
     for k in 0..N {
-        let longest = (k..N).fold(k, |b, i| if dot(&rest[i], &rest[i]) > dot(&rest[b], &rest[b]) { i } else { b });
-        rest.swap(k, longest);
-        let pivot = rest[k];
-        let n2 = dot(&pivot, &pivot);
+        let longer = |best: (usize, f64), (i, c): (usize, &Rows)| {
+            let n2 = dot(c, c);
+            if n2 > best.1 { (i, n2) } else { best }
+        };
+        let (at, n2) = rest.iter().enumerate().skip(k).fold((k, 0.0), longer);
+        // Without indices that could be out of bounds: no way into a panic.
+        let (Some(&pivot), Some(&first)) = (rest.get(at), rest.get(k)) else { break };
+        if let Some(place) = rest.get_mut(at) {
+            *place = first;
+        }
         least = least.min(root(n2));
         for other in rest.iter_mut().skip(k + 1) {
             let f = dot(other, &pivot) / n2.max(1e-300);

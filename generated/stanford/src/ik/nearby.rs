@@ -13,11 +13,13 @@ use super::solution::Solutions;
 use super::vector::{Turn, add, norm, unit};
 
 /// How far a curve is followed beyond what the nominal arm misses by.
-const FAR: f64 = 4.0;
+const FAR: f64 = 3.0;
 /// Other swivel angles, or poses beside, that are tried.
 const ELSEWHERE: usize = 15;
+/// Of these, beside a singularity where nothing is missing.
+const EVERY: usize = 5;
 /// Below this a Jacobian (of the arm's own size) is near a singularity.
-const REGULAR: f64 = 0.06;
+const REGULAR: f64 = 0.04;
 /// What the nominal arm misses by where it has no posture, parts of its size and rad; beyond it, the real one has none either.
 const OUT_OF_REACH: f64 = 0.15;
 
@@ -55,12 +57,14 @@ impl<const N: usize> Arm<N> {
                 let reached = p < OUT_OF_REACH * size && r < OUT_OF_REACH;
                 if reached && slack(&equations(self, g, query, &start).1, size) < REGULAR {
                     narrow = true;
-                    walk(self, g, query, &start, FAR, |v| self.refine(g, query, v, kind, out, work));
+                    walk(self, g, query, &start, &[-1.0, 1.0], FAR, |v| {
+                        self.refine(g, query, v, kind, out, work);
+                    });
                 }
             }
         }
-        if narrow || out.list.len() < wanted {
-            for k in 1..=ELSEWHERE {
+        for k in 1..=ELSEWHERE {
+            if out.list.len() < wanted || narrow && k % EVERY == 0 {
                 self.search_elsewhere(k, (g, size), query, near, out, work);
             }
         }
@@ -88,7 +92,7 @@ impl<const N: usize> Arm<N> {
                 let mut start = all.values(place, slides);
                 let [p, r] = sizes(&polish(self, g, &other, &mut start, 20));
                 if p.max(r) < 1e-9 {
-                    walk(self, g, query, &start, f64::INFINITY, |v| {
+                    walk(self, g, query, &start, &[-1.0], f64::INFINITY, |v| {
                         self.refine(g, query, v, all.kind(place), out, work);
                     });
                 }
@@ -105,7 +109,9 @@ impl<const N: usize> Arm<N> {
                 let start = all.values(place, slides);
                 let [p, r] = sizes(&remainder(self, g, &start));
                 if p < 2.0 * OUT_OF_REACH * size && r < 2.0 * OUT_OF_REACH {
-                    walk(self, g, query, &start, FAR, |v| self.refine(g, query, v, all.kind(place), out, work));
+                    walk(self, g, query, &start, &[-1.0], 1.5, |v| {
+                        self.refine(g, query, v, all.kind(place), out, work);
+                    });
                 }
             }
         }
