@@ -169,5 +169,7 @@ fn thread_time() -> Duration {
         Duration::new(u64::try_from(now.tv_sec).unwrap_or(0), u32::try_from(now.tv_nsec).unwrap_or(0))
     }
     #[cfg(not(target_os = "linux"))]
-    Duration::ZERO
+    {
+        Duration::ZERO
+    }
 }

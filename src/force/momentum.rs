@@ -87,11 +87,13 @@ impl<const N: usize> Momentum<N> {
         let noise: [f64; N] = core::array::from_fn(|j| self.density[j] / now.dt);
         let variance: [f64; N] = core::array::from_fn(|j| white * noise[j] + steps * moved[j] / (now.dt * now.dt));
         let mut covariance = total(&variance, &now.covariance);
-        // What is left of the lag, where noise is no explanation for it. A short pulse (friction that turns round before the model's does) leaves a
-        // fifth to a third of itself there: see `gains`, `k^2 / (1 + k)`.
+        // What is left of the lag, where noise is no explanation for it. A short pulse (friction that turns round before the model's does) leaves
+        // `k^2 / (1 + k)` of itself there.
+        let first = keep * keep / (1.0 + keep);
         for j in 0..N {
             let seen = left[j] * left[j];
-            if seen > 9.0 * rest * noise[j] {
+            let usual = rest * noise[j] + first * first * steps * moved[j] / (now.dt * now.dt);
+            if seen > 9.0 * usual {
                 covariance[j][j] += PULSE * PULSE * seen;
             }
         }
@@ -112,7 +114,7 @@ impl<const N: usize> Momentum<N> {
     }
 }
 
-/// A pulse by what is left of its lag, in standard deviations: `1 / 1.96` of 4 to 5.
+/// A pulse by what is left of its lag, in standard deviations: half of `(1 + k) / k^2` for the time constants of some samples that are in use.
 const PULSE: f64 = 2.5;
 
 /// What is left of white noise of variance 1 in each sample, with `H = (1 - k) / (1 - k / z)`, in what follows a ramp, `G = H (2 - H)`: of noise that comes as the
