@@ -13,6 +13,34 @@ pub struct States {
     pub ddq: Vec<f64>,
 }
 
+/// A sum of two velocities: that of a motor that turns with two joints.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VelocitySum {
+    /// Degrees of freedom.
+    pub joints: [usize; 2],
+    /// What the second one's velocity is multiplied by.
+    pub ratio: f64,
+}
+
+impl VelocitySum {
+    /// Of velocities by joint, rad/s; zero where there is no such joint.
+    pub fn at<'a>(&self, dq: impl Fn(usize) -> Option<&'a [f64]>) -> Vec<f64> {
+        let [a, b] = self.joints.map(dq);
+        let len = a.or(b).map_or(0, <[f64]>::len);
+        let of = |x: Option<&[f64]>, s: usize| x.map_or(0.0, |x| x[s]);
+        (0..len).map(|s| of(a, s) + self.ratio * of(b, s)).collect()
+    }
+}
+
+/// Entries of a regressor that are multiples of the sign of a sum of velocities.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SummedSign {
+    /// The sum.
+    pub sum: VelocitySum,
+    /// Index into [`Arm::base_pattern`], and factor.
+    pub entries: Vec<(usize, f64)>,
+}
+
 /// A base parameter: an identifiable combination of standard parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BaseParameter {
@@ -76,6 +104,12 @@ pub trait Arm: Sync {
     /// The base regressor at every sample: entry `k` of [`Arm::base_pattern`] at sample `s` goes to `out[k * len + s]`.
     /// `tau = W_b beta` (Khalil and Dombre, equation 12.21).
     fn base_regressor(&self, states: &States, out: &mut [f64]);
+
+    /// Entries that have the sign of a sum of velocities in them, as the Coulomb columns have that of one velocity. Who filters a
+    /// recording filters these signs too (see [`crate::signal::Prepare::sums`]).
+    fn summed_signs(&self) -> Vec<SummedSign> {
+        Vec::new()
+    }
 
     /// Torques from standard parameters (`P`), joint-major like the states.
     fn inverse_dynamics(&self, states: &States, standard: &[f64], out: &mut [f64]);

@@ -11,7 +11,7 @@
 //! They stand behind the arm's own parameters, named after the row of the motor: `IAM6`, `FVM6`, `FCM6`. Rigid bodies give none of
 //! these columns, so each is a base parameter of its own; whether a motion tells it from the rest, the fit says.
 
-use crate::arm::{Arm, BaseParameter, Description, States};
+use crate::arm::{Arm, BaseParameter, Description, States, SummedSign, VelocitySum};
 
 /// A motor that turns with another joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,6 +30,11 @@ pub struct Coupling {
 pub const TERMS: [(&str, &str); 3] = [("IAM", "kg m^2"), ("FVM", "N m s/rad"), ("FCM", "N m")];
 
 impl Coupling {
+    /// The velocity of its motor, on the joint's side of the gear.
+    pub fn velocity(&self) -> VelocitySum {
+        VelocitySum { joints: [self.motor, self.other], ratio: self.ratio }
+    }
+
     /// Names of its parameters, in the order of [`TERMS`].
     pub fn names(&self) -> [String; 3] {
         TERMS.map(|(kind, _)| format!("{kind}{}", self.row + 1))
@@ -118,6 +123,27 @@ impl Arm for Coupled<'_> {
                 }
             }
         }
+    }
+
+    fn summed_signs(&self) -> Vec<SummedSign> {
+        let place = |own: usize| self.entries.iter().position(|e| matches!(e, Entry::Arm(k) if *k == own));
+        let mut all = self.arm.summed_signs();
+        for signs in &mut all {
+            signs.entries = signs.entries.iter().filter_map(|&(own, f)| Some((place(own)?, f))).collect();
+        }
+        all.extend(self.couplings.iter().enumerate().map(|(index, coupling)| {
+            let entry = |(at, entry): (usize, &Entry)| match *entry {
+                Entry::Coupling(of, 2, on_motor) if of == index => {
+                    Some((at, if on_motor { 1.0 } else { coupling.ratio }))
+                }
+                _ => None,
+            };
+            SummedSign {
+                sum: coupling.velocity(),
+                entries: self.entries.iter().enumerate().filter_map(entry).collect(),
+            }
+        }));
+        all
     }
 
     fn inverse_dynamics(&self, states: &States, standard: &[f64], out: &mut [f64]) {

@@ -5,7 +5,7 @@
 
 use super::{Motion, burst::Derived, central, even, even::smoother_evenly, low_pass, sos::Sos};
 use crate::{
-    arm::States,
+    arm::{States, VelocitySum},
     log::{Block, Clock, Doctor, Finding, Keep, Kind, Layout, LogError, Quantity, Role, Severity, Source, Verdict},
 };
 
@@ -80,6 +80,8 @@ pub struct Prepare {
     pub margins: bool,
     /// Whether the torque is handed on as it was recorded, without the low-pass; [`Motion::sign`] is then not low-passed either.
     pub raw_torque: bool,
+    /// Sums of velocities whose signs motions carry behind those of the joints.
+    pub sums: Vec<VelocitySum>,
     /// Whether motions carry the temperatures, `temp1..`, where the log has them.
     pub temperature: bool,
     /// Whether motions carry the external wrench, `fx .. mz`, where the log has it.
@@ -101,6 +103,7 @@ impl Default for Prepare {
             chunk: 1 << 16,
             margins: false,
             raw_torque: false,
+            sums: Vec::new(),
             temperature: false,
             wrench: false,
         }
@@ -569,9 +572,15 @@ impl Preparer {
             speeds.push(dq);
         }
         if self.filter.is_some() && self.settings.derivatives != Derivatives::AtRest {
-            for (joint, dq) in speeds.iter().enumerate() {
+            let sums = self.settings.sums.iter().map(|sum| {
+                let noise = sum.joints.map(|j| motion.velocity_noise.get(j).copied().unwrap_or(0.0));
+                (sum.at(|j| speeds.get(j).map(Vec::as_slice)), noise[0].hypot(sum.ratio * noise[1]))
+            });
+            let sums: Vec<(Vec<f64>, f64)> = sums.collect();
+            let own = speeds.iter().zip(&motion.velocity_noise).map(|(dq, &noise)| (dq, noise));
+            for (dq, noise) in own.chain(sums.iter().map(|(dq, noise)| (dq, *noise))) {
                 let largest = dq.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-                let noise = (3.0 * motion.velocity_noise[joint]).min(0.02 * largest);
+                let noise = (3.0 * noise).min(0.02 * largest);
                 let sign = |v: &f64| if v.abs() > noise { v.signum() } else { 0.0 };
                 let signs: Vec<f64> = dq.iter().map(sign).collect();
                 let signs = if self.settings.raw_torque { signs } else { smooth(&signs) };
