@@ -135,7 +135,7 @@ pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Des
     let powers = task.criterion.powers();
     let starts = effort.starts.max(1);
     let kept = starts.div_ceil(3);
-    let finalists = effort.finalists.clamp(1, kept.div_ceil(2));
+    let finalists = effort.finalists.clamp(1, kept);
     let first = (effort.iterations / 4).max(1);
     let total = starts * first + kept * effort.iterations + finalists * 2 * effort.iterations;
     let counter = AtomicUsize::new(0);
