@@ -36,7 +36,7 @@ pub struct Postures {
     pub list: Vec<Posture>,
     /// Of an unreachable pose: how far off the nearest posture that was found is, m and rad.
     pub distance: [f64; 2],
-    /// Branches of the nominal arm that were not found on the real one.
+    /// How many branches fewer were found than the nominal arm has, and at least one where their number is odd.
     pub lost: u32,
     /// The swivel angle, rad, or position of the locked joint that was used.
     pub redundancy: f64,

@@ -293,7 +293,7 @@ family!(
     ["RRRRRR", "++0+++", "dddd00", "rrrr0r"],
     ["RRRRRR", "++++++", "d0dd00", "r0rr0r"]
 );
-family!(wrist_general, "6r-spherical-wrist", true, 0.002, ["RRRRRR", "++++++", "dddd00", "rrrr0r"]);
+family!(wrist_general, "6r-spherical-wrist", true, 0.0, ["RRRRRR", "++++++", "dddd00", "rrrr0r"]);
 family!(
     shoulder,
     "6r-spherical-wrist",

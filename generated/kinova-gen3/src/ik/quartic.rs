@@ -89,19 +89,8 @@ pub(super) fn roots(a: &[f64; 5]) -> List<f64, 4> {
     let p = c - 6.0 * hh;
     let q = d - 2.0 * h * c + 8.0 * h * hh;
     let r = e - h * d + hh * c - 3.0 * hh * hh;
-    // m^3 + p m^2 + (p p/4 - r) m - q q/8 = 0 has a root that is not negative; the largest one.
-    let (k2, k1, k0) = (p, p * p / 4.0 - r, -q * q / 8.0);
-    let mut m = 1.0 + k2.abs().max(k1.abs()).max(k0.abs());
-    for _ in 0..120 {
-        let f = ((m + k2) * m + k1) * m + k0;
-        let g = (3.0 * m + 2.0 * k2) * m + k1;
-        let next = m - f / g;
-        if !(next < m) {
-            break;
-        }
-        m = next;
-    }
-    let m = m.max(0.0);
+    // m^3 + p m^2 + (p p/4 - r) m - q q/8 = 0 has a root that is not negative.
+    let m = zero(&[-q * q / 8.0, p * p / 4.0 - r, p], 1.0);
     let s = root(2.0 * m);
     let scale = 1.0 + p.abs() + root(r.abs());
     if s * s <= 1e-13 * scale {
@@ -152,19 +141,36 @@ fn polished(a: &[f64; 5], mut t: f64) -> f64 {
     t
 }
 
+/// The outermost root that Newton's steps find of `k[0] + k[1] t + k[2] t t + t t t` on one side of zero, where there is one: between
+/// bounds, because beside a complex pair they jump far off.
+fn zero(k: &[f64; 3], side: f64) -> f64 {
+    let bound = side * (1.0 + k[0].abs().max(k[1].abs()).max(k[2].abs()));
+    // The sign at `outer` is that of `side`, at `inner` the other.
+    let (mut inner, mut outer) = (0.0, bound);
+    let mut t = bound;
+    for _ in 0..120 {
+        let f = ((t + k[2]) * t + k[1]) * t + k[0];
+        if f * side > 0.0 {
+            outer = t;
+        } else {
+            inner = t;
+        }
+        let next = t - f / ((3.0 * t + 2.0 * k[2]) * t + k[1]);
+        if (next - t).abs() <= 2e-16 * t.abs() {
+            break;
+        }
+        let between = (inner < next && next < outer) || (outer < next && next < inner);
+        t = if between { next } else { 0.5 * (inner + outer) };
+    }
+    t
+}
+
 /// Degree three and less.
 fn cubic(a: &[f64; 4], size: f64, found: &mut List<f64, 4>) {
     if a[3].abs() > 1e-13 * size {
         let [c, b, d] = [a[0] / a[3], a[1] / a[3], a[2] / a[3]];
-        // From beyond the outermost root, Newton's steps do not pass it.
-        let mut t = if c > 0.0 { -1.0 } else { 1.0 } * (1.0 + c.abs().max(b.abs()).max(d.abs()));
-        for _ in 0..120 {
-            let step = (((t + d) * t + b) * t + c) / ((3.0 * t + 2.0 * d) * t + b);
-            if !(step.abs() > 1e-16 * t.abs()) {
-                break;
-            }
-            t -= step;
-        }
+        // f(0) = c: there is a root on the other side.
+        let t = zero(&[c, b, d], if c > 0.0 { -1.0 } else { 1.0 });
         found.push(t);
         quadratic(&[b + t * (d + t), d + t, 1.0], 1.0, found);
     } else {

@@ -23,8 +23,15 @@ const REGULAR: f64 = 0.04;
 /// What the nominal arm misses by where it has no posture, parts of its size and rad; beyond it, the real one has none either.
 const OUT_OF_REACH: f64 = 0.15;
 
+/// How many postures fewer there are than the nominal arm has, and at least one where their number is odd: they come and go in pairs.
+fn missing<const N: usize>(wanted: usize, out: &Solutions<N>) -> u32 {
+    let found = out.list.len();
+    let odd = N >= 6 && found % 2 == 1;
+    (wanted as u32).saturating_sub(found as u32).max(u32::from(odd))
+}
+
 impl<const N: usize> Arm<N> {
-    /// What the nominal postures lead to beside what was found. `lost`: how many postures fewer than the nominal arm has.
+    /// What the nominal postures lead to beside what was found. `lost`: how many are [`missing`].
     #[cold]
     #[inline(never)]
     pub(super) fn search_nearby(
@@ -64,14 +71,14 @@ impl<const N: usize> Arm<N> {
             }
         }
         for k in 1..=ELSEWHERE {
-            if out.list.len() < wanted || narrow && k % EVERY == 0 {
+            if narrow && (k % EVERY == 0 || out.list.is_empty()) || missing(wanted, out) > 0 {
                 self.search_elsewhere(k, (g, size), query, near, out, work);
             }
         }
-        out.lost = (wanted as u32).saturating_sub(out.list.len() as u32);
+        out.lost = missing(wanted, out);
     }
 
-    /// From postures at another swivel angle, or at a pose beside.
+    /// From postures at another swivel angle, and at a pose beside.
     fn search_elsewhere(
         &self,
         k: usize,
@@ -97,22 +104,21 @@ impl<const N: usize> Arm<N> {
                     });
                 }
             }
-        } else {
-            // Towards the corners of a cube, nearest first.
-            let sign = |bit: usize| if k >> bit & 1 == 0 { 1.0 } else { -1.0 };
-            let reach = (k + 1) as f64 / ELSEWHERE as f64;
-            let axis = Axis { slides: false, h: unit([sign(1), sign(2), sign(0)]), c: g.shift };
-            let mut beside = axis.displacement(Value::turn(Turn::along(1.0, 0.15 * reach).0)).after(g);
-            beside.shift = add(beside.shift, [0, 1, 2].map(|i| 0.02 * size * reach * sign(i)));
-            self.candidates(&beside, query, query.redundancy, near, &mut all);
-            for place in 0..all.len {
-                let start = all.values(place, slides);
-                let [p, r] = sizes(&remainder(self, g, &start));
-                if p < 2.0 * OUT_OF_REACH * size && r < 2.0 * OUT_OF_REACH {
-                    walk(self, g, query, &start, &[-1.0], 1.5, |v| {
-                        self.refine(g, query, v, all.kind(place), out, work);
-                    });
-                }
+        }
+        // Towards the corners of a cube, nearest first.
+        let sign = |bit: usize| if k >> bit & 1 == 0 { 1.0 } else { -1.0 };
+        let reach = (k + 1) as f64 / ELSEWHERE as f64;
+        let axis = Axis { slides: false, h: unit([sign(1), sign(2), sign(0)]), c: g.shift };
+        let mut beside = axis.displacement(Value::turn(Turn::along(1.0, 0.15 * reach).0)).after(g);
+        beside.shift = add(beside.shift, [0, 1, 2].map(|i| 0.02 * size * reach * sign(i)));
+        let mut all: Candidates<N> = Candidates::new();
+        self.candidates(&beside, query, query.redundancy, near, &mut all);
+        for place in 0..all.len {
+            let start = all.values(place, slides);
+            let [p, r] = sizes(&remainder(self, g, &start));
+            if p < 2.0 * OUT_OF_REACH * size && r < 2.0 * OUT_OF_REACH {
+                walk(self, g, query, &start, &[-1.0], 1.5, |v| self.refine(g, query, v, all.kind(place), out, work));
+                self.refine(g, query, start, all.kind(place), out, work);
             }
         }
     }

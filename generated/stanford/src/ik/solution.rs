@@ -133,7 +133,8 @@ pub struct Solutions<const N: usize> {
     pub status: Status,
     /// Of an unreachable pose: how far off the nearest posture that was found is, m and rad. Zero otherwise.
     pub distance: [f64; 2],
-    /// Branches of the nominal arm that the real one has not, or that Newton's steps did not find.
+    /// Of an arm that is only nearly of its family: how many branches fewer were found than the nominal arm has, and at least one where
+    /// their number is odd. The real arm may have fewer.
     pub lost: u32,
     /// The redundancy that was used: swivel angle or the locked joint's position; zero for other arms.
     pub redundancy: f64,
