@@ -119,7 +119,7 @@ fn a_run_presses_as_asked_and_shows_it() {
     let planned =
         denavit(&[&["paint", "plan", ROBOT, "--duration", "1.5", "--plan", &plan], &tool[..], &wall].concat());
     assert_eq!(planned.status, Some(0), "{}", planned.err);
-    let slow = file(&folder, "slow.yaml", SLOW.into());
+    let slow = file(&folder, "slow.yaml", SLOW);
     let base = ["paint", "run", ROBOT, "--plan", &plan, "--effects", &slow, "--settle", "1", "--corner", "5"];
     let arguments = [&base[..], &tool, &["--force", "20", "--out", &out, "--report", &page, "--json", "-"]].concat();
     let found = json(&arguments);
