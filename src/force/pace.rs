@@ -6,8 +6,8 @@
 //! noise that is left in it. The pace at which the lag is half of the error is `w^3 = 2 v^2 sqrt(R)`: for a random walk its own. Rates come and go: a sine's
 //! is twice its mean square at its height, and that is what is taken.
 
-/// Mean over so long, s: of rates that rise, and of rates that fall.
-const MEMORY: [f64; 2] = [0.1, 0.4];
+/// Mean over so long, s.
+const MEMORY: f64 = 0.3;
 /// A time constant longer than this, at full pace, is that of a component which the joints hardly tell: nothing is found out of it then.
 const SLOWEST: f64 = 0.03;
 /// The least pace, as a share of the largest.
@@ -50,11 +50,8 @@ impl Pace {
         let noise = density / (4.0 * lag);
         let seen = (ahead - noise) / (lag * lag);
         // What can't be noise counts at once: a blow does not wait for a mean.
-        let share = if ahead > 25.0 * (noise + self.rate.max(0.0) * lag * lag) {
-            1.0
-        } else {
-            1.0 - libm::exp(-dt / MEMORY[usize::from(seen < self.rate)])
-        };
+        let share =
+            if ahead > 25.0 * (noise + self.rate.max(0.0) * lag * lag) { 1.0 } else { 1.0 - libm::exp(-dt / MEMORY) };
         self.rate += share * (seen - self.rate);
         let pace = libm::cbrt(4.0 * self.rate.max(0.0) * root);
         self.pace = pace.clamp(LEAST * self.most, self.most);

@@ -117,16 +117,21 @@ fn reaches(forces: &[f64], share: f64) -> f64 {
 fn steps_of_the_force_are_as_predicted() {
     for stiffness in [1e3, 8e3, 3e4] {
         let (tuning, is) = stepped(stiffness, |_| 1.0);
-        let (predicted, margins) = (&tuning.force.step, &tuning.force.margins);
+        let predicted = &tuning.force.step;
         let worst = predicted.force.iter().zip(&is).map(|(p, f)| (p - f).abs()).fold(0.0, f64::max);
         assert!(worst < 0.05, "{stiffness} N/m: {worst} of 1 N");
         let rise = |forces: &[f64]| reaches(forces, 0.9) - reaches(forces, 0.1);
         let (said, found) = (rise(&predicted.force), rise(&is));
-        assert!((found / said - 1.0).abs() < 0.1, "{stiffness} N/m: rise {found} s, predicted {said} s");
-        // A loop that crosses over at w rises in about 2.2 / w (one pole); margins of 45 degrees and more overshoot by a quarter at most.
-        assert!((0.3..3.0).contains(&(found * margins.crossover / 2.2)), "{stiffness} N/m: {found} s, {margins:?}");
+        // And three periods: on a soft wall the kick of the joints' derivative gains is the whole rise.
+        assert!((found - said).abs() < 0.1 * said + 0.003, "{stiffness} N/m: rise {found} s, predicted {said} s");
         let over = is.iter().fold(0.0_f64, |most, f| most.max(f - 1.0));
-        assert!((over - predicted.overshoot).abs() < 0.03 && over < 0.25, "{stiffness} N/m: {over} {predicted:?}");
+        assert!(
+            (over - predicted.overshoot).abs() < 0.05,
+            "{stiffness} N/m: {over}, predicted {}",
+            predicted.overshoot
+        );
+        let margins = &tuning.force.margins;
+        assert!(margins.phase >= 45.0 && margins.gain >= 6.0, "{stiffness} N/m: {margins:?}");
         let ripple = is[is.len() - 500..].iter().fold(0.0_f64, |most, f| most.max((f - 1.0).abs()));
         assert!(ripple < 0.02, "{stiffness} N/m: {ripple}");
     }
