@@ -154,18 +154,21 @@ impl Evaluator {
             };
             write(0, &slots);
             for (at, step) in self.steps.iter().enumerate() {
-                let (a, b) = (slots[step.a as usize], slots[step.b as usize]);
-                let result = &mut slots[step.out as usize];
-                match step.kind {
-                    Kind::Add => (0..LANES).for_each(|l| result[l] = a[l] + b[l]),
-                    Kind::Sub => (0..LANES).for_each(|l| result[l] = a[l] - b[l]),
-                    Kind::Mul => (0..LANES).for_each(|l| result[l] = a[l] * b[l]),
-                    Kind::Div => (0..LANES).for_each(|l| result[l] = a[l] / b[l]),
-                    Kind::Neg => (0..LANES).for_each(|l| result[l] = -a[l]),
-                    Kind::Sign => (0..LANES).for_each(|l| result[l] = sign(a[l])),
-                    Kind::Call(f) => (0..width).for_each(|l| result[l] = f.value(a[l])),
-                    Kind::Least => (0..LANES).for_each(|l| result[l] = Real::min(a[l], b[l])),
-                    Kind::Most => (0..LANES).for_each(|l| result[l] = Real::max(a[l], b[l])),
+                if step.kind.is_elementary() {
+                    elementary(&mut slots, step, width);
+                } else {
+                    // Whole lanes, which stay in registers: no arm may read one by an index that is not known beforehand.
+                    let (a, b) = (slots[step.a as usize], slots[step.b as usize]);
+                    let result = &mut slots[step.out as usize];
+                    match step.kind {
+                        Kind::Add => (0..LANES).for_each(|l| result[l] = a[l] + b[l]),
+                        Kind::Sub => (0..LANES).for_each(|l| result[l] = a[l] - b[l]),
+                        Kind::Mul => (0..LANES).for_each(|l| result[l] = a[l] * b[l]),
+                        Kind::Div => (0..LANES).for_each(|l| result[l] = a[l] / b[l]),
+                        Kind::Neg => (0..LANES).for_each(|l| result[l] = -a[l]),
+                        Kind::Sign => (0..LANES).for_each(|l| result[l] = sign(a[l])),
+                        Kind::Call(_) | Kind::Least | Kind::Most => {}
+                    }
                 }
                 write(at + 1, &slots);
             }
@@ -210,6 +213,21 @@ impl Evaluator {
             done = after;
             out[index] = slots[slot as usize];
         }
+    }
+}
+
+/// Functions and choices of `width` states. Apart from the loop over plain operations, which it would slow down.
+#[inline(never)]
+fn elementary(slots: &mut [Lane], step: &Step, width: usize) {
+    let (a, b) = (slots[step.a as usize], slots[step.b as usize]);
+    let result = slots[step.out as usize].iter_mut().zip(a.into_iter().zip(b)).take(width);
+    for (result, (a, b)) in result {
+        *result = match step.kind {
+            Kind::Call(f) => f.value(a),
+            Kind::Least => Real::min(a, b),
+            Kind::Most => Real::max(a, b),
+            _ => *result,
+        };
     }
 }
 
