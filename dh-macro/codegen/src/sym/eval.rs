@@ -7,10 +7,7 @@ use crate::elementary::Real;
 /// States that are carried through the tape together.
 pub const LANES: usize = 64;
 
-/// States that one register may hold: an operation is done for so many at once, and in place.
-const WIDE: usize = 8;
-
-type Lane = [[f64; WIDE]; LANES / WIDE];
+type Lane = [f64; LANES];
 
 #[derive(Debug, Clone, Copy)]
 struct Step {
@@ -138,39 +135,40 @@ impl Evaluator {
     /// # Panics
     /// If `out` is shorter than `outputs() * len` or an input column than `len`.
     pub fn run<'a>(&self, len: usize, inputs: impl Fn(usize) -> &'a [f64], out: &mut [f64]) {
-        let mut slots: Vec<Lane> = vec![[[0.0; WIDE]; LANES / WIDE]; self.slots];
+        let mut slots: Vec<Lane> = vec![[0.0; LANES]; self.slots];
         for &(slot, value) in &self.constants {
-            slots[slot as usize] = [[value; WIDE]; LANES / WIDE];
+            slots[slot as usize] = [value; LANES];
         }
         let mut start = 0;
         while start < len {
             let width = LANES.min(len - start);
             for &(slot, index) in &self.inputs {
-                slots[slot as usize].as_flattened_mut()[..width].copy_from_slice(&inputs(index)[start..start + width]);
+                slots[slot as usize][..width].copy_from_slice(&inputs(index)[start..start + width]);
             }
             let mut pending = self.outputs.iter().peekable();
             let mut write = |after: usize, slots: &[Lane]| {
                 while let Some(&(_, slot, index)) = pending.next_if(|(step, _, _)| *step <= after) {
                     let from = index * len + start;
-                    out[from..from + width].copy_from_slice(&slots[slot as usize].as_flattened()[..width]);
+                    out[from..from + width].copy_from_slice(&slots[slot as usize][..width]);
                 }
             };
             write(0, &slots);
             for (at, step) in self.steps.iter().enumerate() {
-                match step.kind {
-                    Kind::Add => each(&mut slots, step, |a, b| a + b),
-                    Kind::Sub => each(&mut slots, step, |a, b| a - b),
-                    Kind::Mul => each(&mut slots, step, |a, b| a * b),
-                    Kind::Div => each(&mut slots, step, |a, b| a / b),
-                    Kind::Neg => each(&mut slots, step, |a, _| -a),
-                    Kind::Sign => each(&mut slots, step, |a, _| sign(a)),
-                    Kind::Call(f) => {
-                        let a = slots[step.a as usize];
-                        let result = slots[step.out as usize].as_flattened_mut();
-                        (0..width).for_each(|l| result[l] = f.value(a.as_flattened()[l]));
+                if step.kind.is_elementary() {
+                    elementary(&mut slots, step, width);
+                } else {
+                    // Whole lanes, which stay in registers: no arm may read one by an index that is not known beforehand.
+                    let (a, b) = (slots[step.a as usize], slots[step.b as usize]);
+                    let result = &mut slots[step.out as usize];
+                    match step.kind {
+                        Kind::Add => (0..LANES).for_each(|l| result[l] = a[l] + b[l]),
+                        Kind::Sub => (0..LANES).for_each(|l| result[l] = a[l] - b[l]),
+                        Kind::Mul => (0..LANES).for_each(|l| result[l] = a[l] * b[l]),
+                        Kind::Div => (0..LANES).for_each(|l| result[l] = a[l] / b[l]),
+                        Kind::Neg => (0..LANES).for_each(|l| result[l] = -a[l]),
+                        Kind::Sign => (0..LANES).for_each(|l| result[l] = sign(a[l])),
+                        Kind::Call(_) | Kind::Least | Kind::Most => {}
                     }
-                    Kind::Least => each(&mut slots, step, Real::min),
-                    Kind::Most => each(&mut slots, step, Real::max),
                 }
                 write(at + 1, &slots);
             }
@@ -218,12 +216,18 @@ impl Evaluator {
     }
 }
 
-/// One step, a register's width at a time: the result may take the slot of an operand.
-#[inline(always)]
-fn each(slots: &mut [Lane], step: &Step, f: impl Fn(f64, f64) -> f64) {
-    for part in 0..LANES / WIDE {
-        let (a, b) = (slots[step.a as usize][part], slots[step.b as usize][part]);
-        slots[step.out as usize][part] = core::array::from_fn(|l| f(a[l], b[l]));
+/// Functions and choices of `width` states. Apart from the loop over plain operations, which it would slow down.
+#[inline(never)]
+fn elementary(slots: &mut [Lane], step: &Step, width: usize) {
+    let (a, b) = (slots[step.a as usize], slots[step.b as usize]);
+    let result = slots[step.out as usize].iter_mut().zip(a.into_iter().zip(b)).take(width);
+    for (result, (a, b)) in result {
+        *result = match step.kind {
+            Kind::Call(f) => f.value(a),
+            Kind::Least => Real::min(a, b),
+            Kind::Most => Real::max(a, b),
+            _ => *result,
+        };
     }
 }
 
