@@ -7,13 +7,14 @@ acceleration limit). SLSQP holds them at 51 times, two-sided: 2,142 constraints;
 
     pip install numpy scipy pin
     cargo build --release
-    python benches/excite_slsqp.py [cond|logdet] [iterations] [seed]
+    python benches/excite_slsqp.py [cond|logdet] [iterations, 0: only ours] [seed]
 """
 
 import json
 import math
 import os
 import re
+import resource
 import subprocess
 import sys
 import tempfile
@@ -109,22 +110,24 @@ def slsqp():
 
 
 def denavit(target):
-    """The same limits, without ground, spheres and torques; one start, ever more steps, until the value is reached."""
+    """The same limits, without ground, spheres and torques; ever more starts and steps. Time: the search, on all cores, as `denavit` says
+    it; processor time: of the whole program, with the robot's generation."""
     text = open(ROBOT).read()
     text = re.sub(r"\ncollision:.*", "\n", text, flags=re.S)
     text = re.sub(r"\nlinks:\n(  .*\n)*", "\n", text)
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "bare.yaml")
         open(path, "w").write(text)
-        for steps in [3, 5, 8, 12, 20, 30, 45, 60, 100, 200, 400]:
-            # Three of four steps on the coarse grid are those of `--iterations`; the condition number takes three stages.
-            out = subprocess.run([DENAVIT, "excite", path, "--links-only", "--criterion", CRITERION, "--starts", "1", "--seed", str(SEED), "--iterations", str(steps), "--threads", "1", "--json", "-"], capture_output=True, text=True, check=True).stdout
+        for starts, steps in [(1, 15), (1, 30), (1, 60), (2, 30), (4, 30), (6, 30), (16, 90)]:
+            before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+            out = subprocess.run([DENAVIT, "excite", path, "--links-only", "--criterion", CRITERION, "--starts", str(starts), "--seed", str(SEED), "--iterations", str(steps), "--json", "-"], capture_output=True, text=True, check=True).stdout
+            cpu = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
             found = json.loads(out)
-            print(f"denavit: {CRITERION} {found['value']:.3f} with --iterations {steps}, {found['seconds']:.2f} s, limits kept between samples: {found['feasible']}", flush=True)
+            print(f"denavit: {CRITERION} {found['value']:.3f} with --starts {starts} --iterations {steps}, {found['seconds']:.2f} s, {cpu:.2f} s of processor, limits kept between samples: {found['feasible']}", flush=True)
             if target is not None and found["value"] < target:
                 print(f"denavit reaches SLSQP's value in {found['seconds']:.2f} s")
                 target = None
 
 
 if __name__ == "__main__":
-    denavit(slsqp())
+    denavit(None if ITERATIONS == 0 else slsqp())

@@ -1,4 +1,5 @@
-//! All branches of one pose, and the swivel intervals of one branch: medians per pose over random poses. `benches/peers` measures
+//! All branches of one pose, and the swivel intervals of one branch: medians per pose over random poses, and clock cycles of the best
+//! round, which a slower clock does not change. `benches/peers` measures
 //! other crates in the same run.
 //!
 //! For the figures of the README: `RUSTFLAGS="-C target-cpu=native" cargo bench --bench ik`.
@@ -11,12 +12,22 @@ use measure::Bench;
 fn row<const N: usize>(name: &str) {
     let bench = Bench::<N>::new(name);
     let (ns, branches) = bench.solve();
-    let intervals = if bench.class == "srs" { format!("{:.2} us", bench.intervals() / 1e3) } else { "-".into() };
-    println!("| {name} | {} | {branches:.1} | {:.2} us | {intervals} |", bench.class, ns / 1e3);
+    let (all, one) = bench.cycles();
+    let (mut intervals, mut at) = (String::from("-"), String::from("-"));
+    if bench.class == "srs" {
+        intervals = format!("{:.2} us", bench.intervals() / 1e3);
+        at = format!("{one:.0}");
+    }
+    let (us, slow) = (ns / 1e3, all / 2.5e3);
+    println!(
+        "| {name} | {} | {branches:.1} | {us:.2} us | {all:.0} | {slow:.2} us | {intervals} | {at} |",
+        bench.class
+    );
 }
 
 fn main() {
-    println!("| robot | class | branches | all branches | swivel intervals |\n|---|---|---:|---:|---:|");
+    println!("| robot | class | branches | all branches | cycles | at 2.5 GHz | swivel intervals | cycles |");
+    println!("|---|---|---:|---:|---:|---:|---:|---:|");
     row::<7>("kuka-lwr4");
     row::<7>("kuka-iiwa14");
     row::<7>("franka-panda");

@@ -1,6 +1,7 @@
 //! Each function of two arms: generated for one state, generated for packs of eight, interpreted in batches, numeric in nalgebra.
 //! Sines and cosines are included everywhere. `cargo bench` prints medians per call; a call of `pack` is eight states and one of
-//! `batch` is 1000.
+//! `batch` is 1000. The regressors are written into an array of the caller, every entry of it. A sample is many calls: reading the clock
+//! takes 20 ns, and a first call after it another 100.
 //!
 //! For the figures of the README: `RUSTFLAGS="-C target-cpu=native" cargo bench --bench kernels`.
 
@@ -56,29 +57,31 @@ macro_rules! arm {
             }
 
             macro_rules! function {
-                ($f:ident, $which:ident, @full, $generated:expr, $packed:expr, $numeric:expr) => {
+                ($f:ident, $which:ident, @full, $out:expr, $generated:expr, $packed:expr, $numeric:expr) => {
                     mod $f {
                         use super::*;
-                        #[divan::bench]
+                        #[divan::bench(sample_size = 500, sample_count = 200)]
                         fn generated(bencher: Bencher<'_, '_>) {
                             let [q, dq, ddq] = state();
                             let (phi, beta) = ([0.5; arm::STANDARD], [0.5; arm::BASE]);
-                            let run: fn(&[f64; N], &[f64; N], &[f64; N], &[f64; arm::STANDARD], &[f64; arm::BASE]) -> _ = $generated;
-                            bencher.bench_local(|| run(black_box(&q), black_box(&dq), black_box(&ddq), black_box(&phi), black_box(&beta)));
+                            let run: fn(&[f64; N], &[f64; N], &[f64; N], &[f64; arm::STANDARD], &[f64; arm::BASE], &mut _) -> _ = $generated;
+                            let mut out = $out;
+                            bencher.bench_local(|| run(black_box(&q), black_box(&dq), black_box(&ddq), black_box(&phi), black_box(&beta), black_box(&mut out)));
                         }
-                        #[divan::bench]
+                        #[divan::bench(sample_size = 200, sample_count = 200)]
                         fn pack(bencher: Bencher<'_, '_>) {
                             let [q, dq, ddq] = packs();
                             let half = Pack::new([0.5; 8]);
                             let (phi, beta) = ([half; arm::STANDARD], [half; arm::BASE]);
-                            let run: fn(&[Pack; N], &[Pack; N], &[Pack; N], &[Pack; arm::STANDARD], &[Pack; arm::BASE]) -> _ = $packed;
-                            bencher.bench_local(|| run(black_box(&q), black_box(&dq), black_box(&ddq), black_box(&phi), black_box(&beta)));
+                            let run: fn(&[Pack; N], &[Pack; N], &[Pack; N], &[Pack; arm::STANDARD], &[Pack; arm::BASE], &mut _) -> _ = $packed;
+                            let mut out = $out;
+                            bencher.bench_local(|| run(black_box(&q), black_box(&dq), black_box(&ddq), black_box(&phi), black_box(&beta), black_box(&mut out)));
                         }
                         #[divan::bench]
                         fn batch(bencher: Bencher<'_, '_>) {
                             super::super::batch(Function::$which, $name, bencher);
                         }
-                        #[divan::bench]
+                        #[divan::bench(sample_size = 50, sample_count = 100)]
                         fn numeric(bencher: Bencher<'_, '_>) {
                             let arm = Numeric::new(&robot($name));
                             let [q, dq, ddq] = state();
@@ -89,7 +92,7 @@ macro_rules! arm {
                     }
                 };
                 ($f:ident, $which:ident, |$q:pat_param, $v:pat_param, $a:pat_param, $p:pat_param, $b:pat_param| $body:expr, |$m:pat_param, $nq:pat_param, $nv:pat_param, $na:pat_param, $np:pat_param| $numeric:expr) => {
-                    function!($f, $which, @full, |$q, $v, $a, $p, $b| $body, |$q, $v, $a, $p, $b| $body, |$m, $nq, $nv, $na, $np| $numeric);
+                    function!($f, $which, @full, (), |$q, $v, $a, $p, $b, ()| $body, |$q, $v, $a, $p, $b, ()| $body, |$m, $nq, $nv, $na, $np| $numeric);
                 };
             }
             function!(forward_kinematics, ForwardKinematics, |q, _, _, _, _| arm::forward_kinematics(q), |m, q, _, _, _| m.frames(q));
@@ -99,12 +102,24 @@ macro_rules! arm {
             function!(mass_matrix, MassMatrix, |q, _, _, _, b| arm::mass_matrix(q, b), |m, q, _, _, p| m.mass_matrix(q, p));
             function!(gravity, Gravity, |q, _, _, _, b| arm::gravity(q, b), |m, q, _, _, p| m.gravity(q, p));
             function!(forward_dynamics, ForwardDynamics, |q, v, a, _, b| arm::forward_dynamics(q, v, a, b), |m, q, v, a, p| m.forward_dynamics(q, v, a, p));
-            function!(regressor, Regressor, |q, v, a, _, _| arm::regressor(q, v, a), |m, q, v, a, _| m.regressor(q, v, a));
-            function!(base_regressor, BaseRegressor, |q, v, a, _, _| {
-                let mut out = [Default::default(); arm::kernel::base_regressor::NONZEROS];
-                arm::kernel::base_regressor::packed(&arm::Trig::new(q), v, a, &mut out);
-                out
-            }, |m, q, v, a, _| m.regressor(q, v, a));
+            function!(
+                regressor,
+                Regressor,
+                @full,
+                [[Default::default(); arm::STANDARD]; N],
+                |q, v, a, _, _, out| arm::kernel::regressor::dense(&arm::Trig::new(q), v, a, out),
+                |q, v, a, _, _, out| arm::kernel::regressor::dense(&arm::Trig::new(q), v, a, out),
+                |m, q, v, a, _| m.regressor(q, v, a)
+            );
+            function!(
+                base_regressor,
+                BaseRegressor,
+                @full,
+                [[Default::default(); arm::BASE]; N],
+                |q, v, a, _, _, out| arm::kernel::base_regressor::dense(&arm::Trig::new(q), v, a, out),
+                |q, v, a, _, _, out| arm::kernel::base_regressor::dense(&arm::Trig::new(q), v, a, out),
+                |m, q, v, a, _| m.regressor(q, v, a)
+            );
         }
     };
 }

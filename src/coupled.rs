@@ -11,7 +11,7 @@
 //! They stand behind the arm's own parameters, named after the row of the motor: `IAM6`, `FVM6`, `FCM6`. Rigid bodies give none of
 //! these columns, so each is a base parameter of its own; whether a motion tells it from the rest, the fit says.
 
-use crate::arm::{Arm, BaseParameter, States};
+use crate::arm::{Arm, BaseParameter, Description, States, SummedSign, VelocitySum};
 
 /// A motor that turns with another joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,6 +30,11 @@ pub struct Coupling {
 pub const TERMS: [(&str, &str); 3] = [("IAM", "kg m^2"), ("FVM", "N m s/rad"), ("FCM", "N m")];
 
 impl Coupling {
+    /// The velocity of its motor, on the joint's side of the gear.
+    pub fn velocity(&self) -> VelocitySum {
+        VelocitySum { joints: [self.motor, self.other], ratio: self.ratio }
+    }
+
     /// Names of its parameters, in the order of [`TERMS`].
     pub fn names(&self) -> [String; 3] {
         TERMS.map(|(kind, _)| format!("{kind}{}", self.row + 1))
@@ -66,17 +71,15 @@ enum Entry {
 pub struct Coupled<'a> {
     arm: &'a dyn Arm,
     couplings: Vec<Coupling>,
-    standard: Vec<String>,
-    base: Vec<BaseParameter>,
-    pattern: Vec<(usize, usize)>,
+    description: Description,
     entries: Vec<Entry>,
 }
 
 impl<'a> Coupled<'a> {
     /// Puts the couplings' parameters behind those of the arm.
     pub fn new(arm: &'a dyn Arm, couplings: Vec<Coupling>) -> Self {
-        let mut standard = arm.standard_names().to_vec();
-        let mut base = arm.base_parameters().to_vec();
+        let mut description = arm.description().clone();
+        let Description { standard, base, .. } = &mut description;
         let own = arm.base_pattern().iter().enumerate().map(|(entry, &place)| (place, Entry::Arm(entry)));
         let mut all: Vec<((usize, usize), Entry)> = own.collect();
         for (index, coupling) in couplings.iter().enumerate() {
@@ -94,26 +97,15 @@ impl<'a> Coupled<'a> {
             }
         }
         all.sort_by_key(|(place, _)| *place);
-        let (pattern, entries) = all.into_iter().unzip();
-        Self { arm, couplings, standard, base, pattern, entries }
+        let entries;
+        (description.pattern, entries) = all.into_iter().unzip();
+        Self { arm, couplings, description, entries }
     }
 }
 
 impl Arm for Coupled<'_> {
-    fn name(&self) -> &str {
-        self.arm.name()
-    }
-    fn dof(&self) -> usize {
-        self.arm.dof()
-    }
-    fn standard_names(&self) -> &[String] {
-        &self.standard
-    }
-    fn base_parameters(&self) -> &[BaseParameter] {
-        &self.base
-    }
-    fn base_pattern(&self) -> &[(usize, usize)] {
-        &self.pattern
+    fn description(&self) -> &Description {
+        &self.description
     }
 
     fn base_regressor(&self, states: &States, out: &mut [f64]) {
@@ -131,6 +123,27 @@ impl Arm for Coupled<'_> {
                 }
             }
         }
+    }
+
+    fn summed_signs(&self) -> Vec<SummedSign> {
+        let place = |own: usize| self.entries.iter().position(|e| matches!(e, Entry::Arm(k) if *k == own));
+        let mut all = self.arm.summed_signs();
+        for signs in &mut all {
+            signs.entries = signs.entries.iter().filter_map(|&(own, f)| Some((place(own)?, f))).collect();
+        }
+        all.extend(self.couplings.iter().enumerate().map(|(index, coupling)| {
+            let entry = |(at, entry): (usize, &Entry)| match *entry {
+                Entry::Coupling(of, 2, on_motor) if of == index => {
+                    Some((at, if on_motor { 1.0 } else { coupling.ratio }))
+                }
+                _ => None,
+            };
+            SummedSign {
+                sum: coupling.velocity(),
+                entries: self.entries.iter().enumerate().filter_map(entry).collect(),
+            }
+        }));
+        all
     }
 
     fn inverse_dynamics(&self, states: &States, standard: &[f64], out: &mut [f64]) {

@@ -26,6 +26,10 @@ mod structure;
 #[cfg(test)]
 mod tests;
 
+/// Where a recording's second cutoff is, by its first: see [`Prepare::bursts`](crate::signal::Prepare::bursts). A joint that breaks away catches up with the
+/// bandwidth of its loop, some 10 Hz, in steps that are shorter.
+pub const BURSTS: f64 = 8.0 / 3.0;
+
 pub use causes::Named;
 pub use next::{Separation, separate};
 pub use record::{Recording, Stretch};

@@ -1,58 +1,61 @@
 //! A [`Differentiable`] arm whose tapes and their adjoints are run: any robot file, without compiling.
 
+use std::sync::OnceLock;
+
 use dh_codegen::arm::{Function, Model};
 use dh_codegen::interpret::Batch;
 use dh_codegen::pullback::{Pullback, velocity_signs};
 use dh_codegen::robot::Robot;
 
-use crate::arm::{Arm, BaseParameter, Differentiable, Gradient, States};
+use crate::arm::{Arm, Description, Differentiable, Gradient, Payload, Placed, States};
 use crate::interpreted::Interpreted;
 
-/// An [`Interpreted`] arm with the adjoints of what an exciting motion needs.
+/// An [`Interpreted`] arm with the adjoints of what an exciting motion needs. Those of torques, frames and payload are built when they are first
+/// asked for: not every motion has such limits.
 pub struct Differentiated {
     arm: Interpreted,
     base: Pullback,
-    payload: Pullback,
-    torque: Pullback,
-    frames: Pullback,
-    tool: Option<Pullback>,
+    payload: OnceLock<Pullback>,
+    torque: OnceLock<Pullback>,
+    frames: OnceLock<Pullback>,
+    tool: OnceLock<Pullback>,
+    has_tool: bool,
     coulomb: Vec<(usize, usize)>,
-    payload_pattern: Vec<(usize, usize)>,
-    payload_places: Vec<usize>,
-    frame_count: usize,
+    rows: usize,
 }
 
 impl Differentiated {
-    /// Builds the tapes and their adjoints.
+    /// Builds the tapes, and the adjoint of the base regressor.
     pub fn new(robot: &Robot) -> Self {
         let more = [Function::Frames, Function::ToolPose, Function::PayloadRegressor];
         let arm = Interpreted::new(robot, &more);
         let model: &Model = arm.model();
-        let offsets = model.chain().angle_offsets();
         let base = model.kernel(Function::BaseRegressor);
         let nonzeros = base.nonzeros();
         let place = |output: usize| nonzeros.iter().position(|&o| o == output);
-        let coulomb = velocity_signs(&base).iter().filter_map(|&(o, joint)| Some((place(o)?, joint))).collect();
-        let payload = model.kernel(Function::PayloadRegressor);
-        let payload_places = payload.nonzeros();
-        let whole = |function: Function| {
-            let kernel = model.kernel(function);
-            let all: Vec<usize> = (0..kernel.tape.outputs.len()).collect();
-            Pullback::new(&kernel, &all, &offsets)
-        };
-        let tool = robot.tool.as_ref().map(|_| whole(Function::ToolPose));
         Self {
-            base: Pullback::new(&base, &nonzeros, &offsets),
-            payload: Pullback::new(&payload, &payload_places, &offsets),
-            torque: whole(Function::InverseDynamics),
-            frames: whole(Function::Frames),
-            frame_count: robot.joints.len() + usize::from(tool.is_some()),
-            tool,
-            coulomb,
-            payload_pattern: payload_places.iter().map(|&o| (o / 10, o % 10)).collect(),
-            payload_places,
+            base: Pullback::new(&base, &nonzeros, &model.chain().angle_offsets()),
+            payload: OnceLock::new(),
+            torque: OnceLock::new(),
+            frames: OnceLock::new(),
+            tool: OnceLock::new(),
+            has_tool: robot.tool.is_some(),
+            coulomb: velocity_signs(&base).iter().filter_map(|&(o, joint)| Some((place(o)?, joint))).collect(),
+            rows: robot.joints.len(),
             arm,
         }
+    }
+
+    /// The adjoint of all entries of a function that are not zero, in their order.
+    fn adjoint<'a>(&self, slot: &'a OnceLock<Pullback>, function: Function) -> &'a Pullback {
+        slot.get_or_init(|| {
+            let kernel = self.arm.model().kernel(function);
+            let wanted: Vec<usize> = match function {
+                Function::PayloadRegressor => kernel.nonzeros(),
+                _ => (0..kernel.tape.outputs.len()).collect(),
+            };
+            Pullback::new(&kernel, &wanted, &self.arm.model().chain().angle_offsets())
+        })
     }
 
     /// The arm without adjoints.
@@ -71,24 +74,8 @@ fn batch<'a>(states: &'a States, parameters: &'a [f64]) -> Batch<'a> {
 }
 
 impl Arm for Differentiated {
-    fn name(&self) -> &str {
-        self.arm.name()
-    }
-
-    fn dof(&self) -> usize {
-        self.arm.dof()
-    }
-
-    fn standard_names(&self) -> &[String] {
-        self.arm.standard_names()
-    }
-
-    fn base_parameters(&self) -> &[BaseParameter] {
-        self.arm.base_parameters()
-    }
-
-    fn base_pattern(&self) -> &[(usize, usize)] {
-        self.arm.base_pattern()
+    fn description(&self) -> &Description {
+        self.arm.description()
     }
 
     fn base_regressor(&self, states: &States, out: &mut [f64]) {
@@ -110,45 +97,34 @@ impl Differentiable for Differentiated {
     }
 
     fn payload_pattern(&self) -> &[(usize, usize)] {
-        &self.payload_pattern
+        Payload::payload_pattern(&self.arm)
     }
 
     fn payload_regressor(&self, states: &States, out: &mut [f64]) {
-        let len = states.len;
-        let mut all = vec![0.0; self.dof() * 10 * len];
-        self.arm.run(Function::PayloadRegressor, states, &[], &[], &mut all);
-        for (k, &o) in self.payload_places.iter().enumerate() {
-            out[k * len..(k + 1) * len].copy_from_slice(&all[o * len..(o + 1) * len]);
-        }
+        Payload::payload_regressor(&self.arm, states, out);
     }
 
     fn payload_regressor_vjp(&self, states: &States, seeds: &[f64], to: &mut Gradient) {
-        self.payload.run(&batch(states, &[]), seeds, to);
+        self.adjoint(&self.payload, Function::PayloadRegressor).run(&batch(states, &[]), seeds, to);
     }
 
     fn inverse_dynamics_vjp(&self, states: &States, standard: &[f64], seeds: &[f64], to: &mut Gradient) {
-        self.torque.run(&batch(states, standard), seeds, to);
+        self.adjoint(&self.torque, Function::InverseDynamics).run(&batch(states, standard), seeds, to);
     }
 
     fn frame_count(&self) -> usize {
-        self.frame_count
+        self.rows + usize::from(self.has_tool)
     }
 
     fn frames(&self, states: &States, out: &mut [f64]) {
-        let rows = self.frame_count - usize::from(self.tool.is_some());
-        let (links, tool) = out.split_at_mut(rows * 12 * states.len);
-        self.arm.run(Function::Frames, states, &[], &[], links);
-        if self.tool.is_some() {
-            self.arm.run(Function::ToolPose, states, &[], &[], tool);
-        }
+        Placed::frames(&self.arm, states, out);
     }
 
     fn frames_vjp(&self, states: &States, seeds: &[f64], to: &mut Gradient) {
-        let rows = self.frame_count - usize::from(self.tool.is_some());
-        let (links, pose) = seeds.split_at(rows * 12 * states.len);
-        self.frames.run(&batch(states, &[]), links, to);
-        if let Some(tool) = &self.tool {
-            tool.run(&batch(states, &[]), pose, to);
+        let (links, pose) = seeds.split_at(self.rows * 12 * states.len);
+        self.adjoint(&self.frames, Function::Frames).run(&batch(states, &[]), links, to);
+        if self.has_tool {
+            self.adjoint(&self.tool, Function::ToolPose).run(&batch(states, &[]), pose, to);
         }
     }
 }

@@ -35,8 +35,8 @@ pub fn with_values(mut robot: Robot, standard: &[f64]) -> Robot {
     robot
 }
 
-/// The couplings that the robot's drives name, with what the file says of their [`coupled::TERMS`] (zero: not known yet). One whose
-/// `joint` is no other moving joint is left out: nothing can be fitted to it.
+/// The couplings that the robot's drives name, with what the file says of their [`coupled::TERMS`] (zero: not known yet). (The
+/// reader of robot files refuses one whose `joint` is no other moving joint.)
 pub fn couplings(robot: &Robot) -> Vec<(Coupling, [f64; 3])> {
     let moving = robot.moving();
     let dof_of = |row: usize| moving.iter().position(|&r| r == row);

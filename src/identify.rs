@@ -68,3 +68,4 @@ pub use stack::{DeadZone, Factors, JointFactor, Stack, StackSettings};
 pub use statistics::Noise;
 pub use trace::{Trace, TraceJoint, Tracer};
 pub use triangle::Triangle;
+pub(crate) use triangle::dot;

@@ -8,16 +8,13 @@ use dh_codegen::arm::{Argument, Function, Model};
 use dh_codegen::interpret::{Batch, Interpreter, Room, State};
 use dh_codegen::robot::{Convention, JointKind, Robot};
 
-use crate::arm::{Arm, BaseParameter, Payload, Placed, Reach, States};
+use crate::arm::{Arm, BaseParameter, Description, Payload, Placed, Reach, States};
 
 /// A robot made ready to be evaluated in batches.
 pub struct Interpreted {
-    name: String,
+    description: Description,
     model: Model,
     interpreter: Interpreter,
-    standard: Vec<String>,
-    base: Vec<BaseParameter>,
-    pattern: Vec<(usize, usize)>,
     ends: Vec<[f64; 3]>,
     ranges: Vec<[f64; 3]>,
     payload: Vec<(usize, usize)>,
@@ -61,11 +58,14 @@ impl Interpreted {
         let nonzeros = interpreter.nonzeros(Function::BaseRegressor).unwrap_or_default();
         let payload = interpreter.nonzeros(Function::PayloadRegressor).unwrap_or_default();
         Self {
-            name: robot.name.clone(),
-            standard: model.standard().iter().map(|p| p.name()).collect(),
-            pattern: nonzeros.iter().map(|&o| (o / width, o % width)).collect(),
+            description: Description {
+                name: robot.name.clone(),
+                dof: model.dof(),
+                standard: model.standard().iter().map(|p| p.name()).collect(),
+                pattern: nonzeros.iter().map(|&o| (o / width, o % width)).collect(),
+                base,
+            },
             payload: payload.iter().map(|&o| (o / 10, o % 10)).collect(),
-            base,
             ends: ends(robot),
             ranges: ranges(robot),
             has_tool: robot.tool.is_some(),
@@ -175,24 +175,8 @@ impl Reach for Interpreted {
 }
 
 impl Arm for Interpreted {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn dof(&self) -> usize {
-        self.model.dof()
-    }
-
-    fn standard_names(&self) -> &[String] {
-        &self.standard
-    }
-
-    fn base_parameters(&self) -> &[BaseParameter] {
-        &self.base
-    }
-
-    fn base_pattern(&self) -> &[(usize, usize)] {
-        &self.pattern
+    fn description(&self) -> &Description {
+        &self.description
     }
 
     fn base_regressor(&self, states: &States, out: &mut [f64]) {

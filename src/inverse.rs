@@ -44,6 +44,17 @@ pub struct Postures {
     pub second_plane: bool,
 }
 
+/// Where the swivel angle of one branch may lie.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SwivelRange {
+    /// Which of the eight.
+    pub branch: Branch,
+    /// From and to, rad, ascending within `[-pi, pi]`; one that goes on beyond pi is given in two parts.
+    pub intervals: Vec<[f64; 2]>,
+    /// The angle at which the branch stays farthest from its limits, and that distance, rad.
+    pub best: Option<(f64, f64)>,
+}
+
 /// What is asked beside the pose.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ask {
@@ -69,6 +80,8 @@ trait Solver: Send + Sync {
     fn solve(&self, pose: &[[f64; 4]; 3], ask: &Ask) -> Result<Postures, PoseError>;
     fn redundancy(&self, q: &[f64], reference: &Reference) -> f64;
     fn best_redundancy(&self, pose: &[[f64; 4]; 3], reference: &Reference) -> Result<Option<f64>, PoseError>;
+    fn swivel_ranges(&self, pose: &[[f64; 4]; 3], reference: &Reference)
+    -> Result<Option<Vec<SwivelRange>>, PoseError>;
 }
 
 /// At how many positions of a joint that is locked the margins are compared.
@@ -116,11 +129,8 @@ impl<const N: usize> Solver for Arm<N> {
         };
         match &self.family {
             Family::Swivel(_) => {
-                for k in 0..8 {
-                    let sign = |bit: usize| if k >> bit & 1 == 0 { 1 } else { -1 };
-                    let (shoulder, elbow, wrist) = (sign(0), sign(2), sign(1));
-                    let branch = Branch { shoulder, elbow, wrist, root: 0, numerical: false };
-                    if let Some((at, margin)) = self.best_swivel(pose, branch, reference)? {
+                for range in Solver::swivel_ranges(self, pose, reference)?.unwrap_or_default() {
+                    if let Some((at, margin)) = range.best {
                         offer(at, margin);
                     }
                 }
@@ -138,6 +148,24 @@ impl<const N: usize> Solver for Arm<N> {
             _ => {}
         }
         Ok(best.map(|(at, _)| at))
+    }
+
+    fn swivel_ranges(
+        &self,
+        pose: &[[f64; 4]; 3],
+        reference: &Reference,
+    ) -> Result<Option<Vec<SwivelRange>>, PoseError> {
+        let mut ranges = Vec::with_capacity(8);
+        // In the order of the solutions.
+        for k in 0..8 {
+            let sign = |bit: usize| if k >> bit & 1 == 0 { 1 } else { -1 };
+            let (shoulder, elbow, wrist) = (sign(1), sign(2), sign(0));
+            let branch = Branch { shoulder, elbow, wrist, root: 0, numerical: false };
+            let Some(intervals) = self.swivel_intervals(pose, branch, reference)? else { return Ok(None) };
+            let intervals = intervals.iter().map(|i| [i.from, i.to]).collect();
+            ranges.push(SwivelRange { branch, intervals, best: self.best_swivel(pose, branch, reference)? });
+        }
+        Ok(Some(ranges))
     }
 }
 
@@ -197,5 +225,18 @@ impl Kinematics {
     /// Like [`Kinematics::solve`].
     pub fn best_redundancy(&self, pose: &[[f64; 4]; 3], reference: &Reference) -> Result<Option<f64>, PoseError> {
         self.solver.best_redundancy(pose, reference)
+    }
+
+    /// Where the swivel angle of each of the eight branches may lie under the joint limits, and where it is best; `None` for an arm
+    /// without one. Of an arm that is only nearly of the family: those of the nominal arm.
+    ///
+    /// # Errors
+    /// Like [`Kinematics::solve`].
+    pub fn swivel_ranges(
+        &self,
+        pose: &[[f64; 4]; 3],
+        reference: &Reference,
+    ) -> Result<Option<Vec<SwivelRange>>, PoseError> {
+        self.solver.swivel_ranges(pose, reference)
     }
 }

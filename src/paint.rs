@@ -38,3 +38,5 @@ pub use task::{Cover, Swivel, Task, Weights};
 mod run_tests;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tune_tests;

@@ -4,7 +4,7 @@ use dh_codegen::arm::param::{self, Parameter};
 use dh_codegen::robot::{Angle, Effect, Inertia, Length, Robot};
 use nalgebra::Matrix3;
 
-use crate::arm::{Arm, BaseParameter, Change, Plant, Predicted, States};
+use crate::arm::{Arm, Change, Description, Plant, Predicted, States};
 use crate::extend;
 use crate::interpreted::Interpreted;
 use crate::numeric::Numeric;
@@ -174,24 +174,8 @@ impl Plant for RobotPlant {
 }
 
 impl Arm for RobotPlant {
-    fn name(&self) -> &str {
-        self.arm.name()
-    }
-
-    fn dof(&self) -> usize {
-        self.arm.dof()
-    }
-
-    fn standard_names(&self) -> &[String] {
-        self.arm.standard_names()
-    }
-
-    fn base_parameters(&self) -> &[BaseParameter] {
-        self.arm.base_parameters()
-    }
-
-    fn base_pattern(&self) -> &[(usize, usize)] {
-        self.arm.base_pattern()
+    fn description(&self) -> &Description {
+        self.arm.description()
     }
 
     fn base_regressor(&self, states: &States, out: &mut [f64]) {

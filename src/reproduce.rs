@@ -17,6 +17,7 @@ pub mod lwr;
 mod many;
 pub mod motions;
 pub mod painting;
+mod share;
 pub mod table2;
 pub mod table3;
 mod verdict;
@@ -28,6 +29,7 @@ pub use excitation::{Excitation, ExcitationSettings, excitation};
 pub use force::{Force, ForceSettings, force};
 pub use identification::{Experiment, Settings, identification};
 pub use painting::{Painting, PaintingSettings, painting};
+pub use share::Share;
 pub use verdict::Verdict;
 
 use crate::diagnose::DiagnoseError;

@@ -3,6 +3,7 @@
 //! Rows of a log -> even clock -> low-pass, forward and backward -> derivatives -> [`Motion`]. A log of any length streams through
 //! in bounded memory. Knows no robot.
 
+mod burst;
 mod butterworth;
 mod difference;
 mod even;

@@ -285,7 +285,7 @@ impl Simulator {
             if good { Ok(()) } else { Err(SimulateError::Setting { what, value, must }) }
         };
         let Sensors { rate, latency, jitter, colour_corner, .. } = request.sensors;
-        setting("sensors.rate", rate, rate > 0.0 && rate <= 1e5, "be from 0 to 100000 Hz")?;
+        setting("sensors.rate", rate, rate > 0.0 && rate <= 1e5, "be greater than 0, and at most 100000 Hz")?;
         setting("sensors.latency", latency, (0.0..10.0).contains(&latency), "be from 0 to 10 s")?;
         setting("sensors.jitter", jitter, (0.0..10.0).contains(&jitter), "be from 0 to 10 s")?;
         setting("sensors.torque_noise_color.corner", colour_corner, colour_corner > 0.0, "be greater than 0")?;
@@ -293,10 +293,17 @@ impl Simulator {
         setting("solver.tolerance", tolerance, (1e-13..=1e-2).contains(&tolerance), "be from 1e-13 to 1e-2")?;
         setting("solver.step", longest, longest > 0.0 && longest.is_finite(), "be greater than 0")?;
         let Control { bandwidth, damping, .. } = request.control;
-        setting("control.bandwidth", bandwidth, bandwidth > 0.0 && bandwidth <= 1e4, "be from 0 to 10000 rad/s")?;
+        setting(
+            "control.bandwidth",
+            bandwidth,
+            bandwidth > 0.0 && bandwidth <= 1e4,
+            "be greater than 0, and at most 10000 rad/s",
+        )?;
         setting("control.damping", damping, (0.0..=100.0).contains(&damping), "be from 0 to 100")?;
         let samples = (trajectory.span().end - trajectory.span().start) * rate;
         setting("the number of samples", samples, samples < 1e8, "be less than 100 million: lower sensors.rate")?;
+        let few = "reach to the second sample: raise sensors.rate, or give a longer motion";
+        setting("the motion's time by the sampling period", samples, samples > 1.0 - 1e-9, few)?;
         let s = &request.sensors;
         let lists = [
             ("sensors.encoder", Some(&s.encoder)),

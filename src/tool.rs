@@ -11,7 +11,7 @@ mod interpolate;
 mod pca;
 mod recognise;
 pub mod rerun;
-mod shape;
+pub(crate) mod shape;
 mod table;
 
 pub use body::{Body, moving};

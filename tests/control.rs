@@ -28,6 +28,10 @@ impl Model<6> for Gantry {
         if self.dumb { [f64::NAN; 6] } else { [0.0, 0.0, 9.81, 0.0, 0.0, 0.0] }
     }
 
+    fn moving(&mut self, _: &[f64; 6], dq: &[f64; 6], ddq: &[f64; 6]) -> [f64; 6] {
+        std::array::from_fn(|j| ddq[j] + 0.0 * dq[j])
+    }
+
     fn pressing(&mut self, _: &[f64; 6], along: &[f64; 3]) -> [f64; 6] {
         [along[0], along[1], along[2], 0.0, 0.0, 0.0]
     }
@@ -61,6 +65,9 @@ fn settings() -> Settings<6> {
         give_up: 0.5,
         most: 80.0,
         carry: 0.0,
+        feed: 0.0,
+        aside: 0.0,
+        aside_pole: 20.0,
     }
 }
 
@@ -70,28 +77,33 @@ struct World {
     v: [f64; 6],
     t: f64,
     wall: bool,
+    /// Force that holds the tool back along y, N.
+    drag: f64,
 }
 
 impl World {
     fn new() -> Self {
-        Self { q: [-0.01, 0.0, 0.0, 0.0, 0.0, 0.0], v: [0.0; 6], t: 0.0, wall: true }
+        Self { q: [-0.01, 0.0, 0.0, 0.0, 0.0, 0.0], v: [0.0; 6], t: 0.0, wall: true, drag: 0.0 }
     }
 
     fn force(&self) -> f64 {
         if self.wall { (5e3 * self.q[0]).max(0.0) } else { 0.0 }
     }
 
+    /// On the wall, and on whatever else is in its way.
+    fn push(&self) -> [f64; 3] {
+        [self.force(), self.drag, 0.0]
+    }
+
     fn sample(&self) -> Sample<6> {
-        Sample { t: self.t, q: self.q, force: self.force() }
+        Sample { t: self.t, q: self.q, force: self.force(), push: self.push() }
     }
 
     fn run(&mut self, command: &Command<6>) {
         for _ in 0..20 {
             for j in 0..6 {
                 let mut a = command.torque[j] - if j == 2 { 9.81 } else { 0.0 };
-                if j == 0 {
-                    a -= self.force();
-                }
+                a -= self.push().get(j).copied().unwrap_or(0.0);
                 self.v[j] += a * T / 20.0;
                 self.q[j] += self.v[j] * T / 20.0;
             }
@@ -101,7 +113,7 @@ impl World {
 }
 
 fn target() -> Target<6> {
-    Target { q: [0.0; 6], normal: [1.0, 0.0, 0.0], force: Some(30.0) }
+    Target::at([0.0; 6], [1.0, 0.0, 0.0], Some(30.0))
 }
 
 fn pressing() -> (Controller<Gantry, 6>, World) {
@@ -136,6 +148,49 @@ fn what_is_fed_forward_need_not_be_displaced() {
     }
     assert!((world.force() - 30.0).abs() < 0.05, "{}", world.force());
     assert!((command.unwrap().displacement - world.q[0]).abs() < 1e-3);
+}
+
+#[test]
+fn a_drag_aside_is_carried_by_its_estimate() {
+    let moved = |aside: f64| {
+        let mut controller = Controller::new(Gantry::default(), Settings { carry: 1.0, aside, ..settings() }).unwrap();
+        let mut world = World::new();
+        for k in 0..8000 {
+            world.drag = if k > 4000 { 8.0 } else { 0.0 };
+            let command = controller.step(&target(), &world.sample());
+            world.run(&command);
+        }
+        assert!((world.force() - 30.0).abs() < 0.05, "{}", world.force());
+        world.q[1]
+    };
+    // The spring of the joint loop (400 N/m) carries all of it, or what is left.
+    assert!((moved(0.0) + 8.0 / 400.0).abs() < 1e-4);
+    assert!((moved(0.9) + 0.8 / 400.0).abs() < 1e-4);
+}
+
+#[test]
+fn the_planned_motion_is_fed_forward() {
+    // A unit mass without friction follows a planned wave as if there were no loop, but for the half period by which torques are held.
+    let worst = |feed: f64| {
+        let mut controller = Controller::new(Gantry::default(), Settings { feed, ..settings() }).unwrap();
+        let mut world = World { wall: false, ..World::new() };
+        world.q[0] = 0.0;
+        let mut worst: f64 = 0.0;
+        for k in 0..5000 {
+            let t = T * f64::from(k);
+            let wave = |d: i32| 0.1 * 3f64.powi(d) * (3.0 * t + f64::from(d) * std::f64::consts::FRAC_PI_2).cos();
+            let mut target = Target::at([0.0; 6], [1.0, 0.0, 0.0], None);
+            (target.q[1], target.dq[1], target.ddq[1]) = (wave(0) - 0.1, wave(1), wave(2));
+            let command = controller.step(&target, &world.sample());
+            if k > 2500 {
+                worst = worst.max((world.q[1] - target.q[1]).abs());
+            }
+            world.run(&command);
+        }
+        worst
+    };
+    assert!(worst(0.0) > 1.5e-3, "{}", worst(0.0));
+    assert!(worst(1.0) < 0.1 * worst(0.0), "{} {}", worst(1.0), worst(0.0));
 }
 
 #[test]
@@ -267,6 +322,8 @@ fn settings_that_make_no_sense_are_refused() {
     let refused = |s: Settings<6>| Controller::new(Gantry::default(), s).err().is_some();
     assert!(!refused(settings()));
     assert!(refused(Settings { period: 0.0, ..settings() }));
+    assert!(refused(Settings { aside: 1.1, ..settings() }));
+    assert!(refused(Settings { feed: f64::NAN, ..settings() }));
     assert!(refused(Settings { torque: [f64::NAN; 6], ..settings() }));
     assert!(refused(Settings { force: ForceSettings { ki: -1.0, ..settings().force }, ..settings() }));
     assert!(refused(Settings { force: ForceSettings { range: [0.1, 0.2], ..settings().force }, ..settings() }));
@@ -318,7 +375,7 @@ proptest! {
     ) {
         let mut settings = settings();
         settings.joints.kd = [kd; 6];
-        settings.carry = carry;
+        (settings.carry, settings.feed, settings.aside) = (carry, carry, carry);
         (settings.force.ki, settings.force.kp) = (ki, ki);
         let mut controller = Controller::new(Gantry::default(), settings).unwrap();
         let mut estimator = Estimator::new(
@@ -329,8 +386,8 @@ proptest! {
         for (dt, q, force, wanted, press, [dumb, lost, reset]) in steps {
             t += if dt.abs() < 0.01 { T } else { dt };
             *controller.model() = Gantry { dumb, lost };
-            let target = Target { q: wanted, normal: [1.0, 0.0, 0.0], force: press };
-            let command = controller.step(&target, &Sample { t, q, force });
+            let target = Target { dq: wanted, ddq: q, ..Target::at(wanted, [1.0, 0.0, 0.0], press) };
+            let command = controller.step(&target, &Sample { t, q, force, push: [force, q[0], wanted[1]] });
             prop_assert!(command.torque.iter().all(|x| x.is_finite() && x.abs() <= 100.0), "{command:?}");
             prop_assert!((-0.02..=0.2).contains(&command.displacement), "{command:?}");
             if let Some(wrench) = estimator.step(&q, &wanted) {

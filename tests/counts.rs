@@ -25,8 +25,7 @@ fn count(model: &Model, function: Function) -> [usize; 2] {
 }
 
 /// Counts of inverse dynamics (from base parameters), base regressor, regressor, mass matrix; with the peers' figures for the first
-/// two. Ours take fewer multiplications and fewer operations in all. (Inverse dynamics takes up to eight additions more: they pay
-/// for some of the forty multiplications less.)
+/// two. Ours take fewer multiplications, fewer additions, and at least a tenth fewer operations in all.
 fn costs(name: &str, expected: [[usize; 2]; 4], peers: [[usize; 2]; 2]) {
     use Function::{BaseRegressor, InverseDynamicsBase, MassMatrix, Regressor};
     let model = Model::new(&bare(name));
@@ -34,11 +33,10 @@ fn costs(name: &str, expected: [[usize; 2]; 4], peers: [[usize; 2]; 2]) {
     assert_eq!(found, expected, "{name}: fewer is better, then write the new figures here");
     for ([mul, add], [their_mul, their_add]) in found.into_iter().zip(peers) {
         assert!(
-            mul < their_mul && mul + add < their_mul + their_add,
-            "{name}: {mul}/{add}, not {their_mul}/{their_add}"
+            mul < their_mul && add <= their_add && 10 * (mul + add) <= 9 * (their_mul + their_add),
+            "{name}: {mul}/{add}, not a tenth below {their_mul}/{their_add}"
         );
     }
-    assert!(found[1][1] < peers[1][1], "{name}: additions of the base regressor");
 }
 
 // Peers, multiplications/additions:
@@ -48,24 +46,24 @@ fn costs(name: &str, expected: [[usize; 2]; 4], peers: [[usize; 2]; 2]) {
 
 #[test]
 fn ur10e_costs() {
-    costs("ur10e", [[250, 239], [316, 249], [421, 330], [163, 143]], [[297, 239], [542, 355]]);
+    costs("ur10e", [[249, 216], [308, 243], [413, 323], [163, 143]], [[297, 239], [542, 355]]);
 }
 
 #[test]
 fn puma560_costs() {
-    costs("puma560", [[260, 246], [383, 301], [478, 390], [184, 159]], [[315, 253], [602, 396]]);
+    costs("puma560", [[261, 234], [379, 298], [474, 387], [184, 159]], [[315, 253], [602, 396]]);
 }
 
 #[test]
 fn kuka_lwr4_costs() {
-    costs("kuka-lwr4", [[282, 270], [597, 427], [789, 561], [197, 154]], [[343, 271], [729, 446]]);
+    costs("kuka-lwr4", [[283, 262], [597, 426], [789, 557], [197, 154]], [[343, 271], [729, 446]]);
     let whole: usize = count(&Model::new(&bare("kuka-lwr4")), Function::BaseRegressor).iter().sum();
     assert!(whole <= 1050, "{whole}");
 }
 
 #[test]
 fn franka_panda_costs() {
-    costs("franka-panda", [[299, 286], [625, 465], [854, 639], [223, 190]], [[361, 288], [788, 496]]);
+    costs("franka-panda", [[300, 278], [625, 466], [854, 639], [223, 190]], [[361, 288], [788, 496]]);
 }
 
 /// Base parameters of the bare robot; with a rotor on every joint; that act at rest; on a tilted base.

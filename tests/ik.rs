@@ -1,6 +1,7 @@
 //! Inverse kinematics against the numeric recursion: every solution reaches its pose, and the posture that made the pose is found.
 //!
-//! `DENAVIT_IK_POSTURES` sets how many random postures each arm gets (1,000 here, a million before a release).
+//! `DENAVIT_IK_POSTURES` sets how many random postures each arm gets (1,000 here, a million before a release), `DENAVIT_IK_ROBOT` takes
+//! one arm alone.
 
 use core::f64::consts::{PI, TAU};
 
@@ -13,6 +14,10 @@ use dh_codegen::robot::{JointKind, Robot};
 
 fn postures() -> usize {
     std::env::var("DENAVIT_IK_POSTURES").ok().and_then(|n| n.parse().ok()).unwrap_or(1000)
+}
+
+fn asked_for(name: &str) -> bool {
+    std::env::var("DENAVIT_IK_ROBOT").ok().is_none_or(|only| only == name)
 }
 
 fn robot(name: &str) -> Robot {
@@ -110,18 +115,22 @@ fn classes() {
 
 #[test]
 fn random_postures() {
-    for (name, _) in ROBOTS {
+    for (name, _) in ROBOTS.into_iter().filter(|(name, _)| asked_for(name)) {
         let bench = Bench::new(robot(name));
         let mut random = Random::new(1);
-        let (mut missed, mut worst, mut far, mut outside) = (0, 0.0f64, 0.0f64, 0);
+        let (mut loose, mut missed, mut silent, mut worst, mut far, mut outside) = (0, 0, 0, 0.0f64, 0.0f64, 0);
         // Refined branch by branch: a thousand times as slow.
         let count = if bench.ik.inverse().exact { postures() } else { postures().min(20_000) };
         for _ in 0..count {
             let q = bench.random(&mut random);
             let (error, nearest, found) = bench.check(&q, false);
             worst = worst.max(error);
-            if nearest > 1e-6 {
+            if nearest > 1e-6 && found.status == Status::Singular {
+                // So near a singularity that the pose's last digits do not tell it, and said to be.
+                loose += 1;
+            } else if nearest > 1e-6 {
                 missed += 1;
+                silent += usize::from(found.lost == 0);
                 if missed < 4 {
                     eprintln!("{name}: {q:?}: {nearest} {:?} lost {}", found.status, found.lost);
                 }
@@ -132,14 +141,12 @@ fn random_postures() {
             }
         }
         eprintln!(
-            "{name}: {count} postures, missed {missed}, worst pose {worst:.1e}, farthest {far:.1e}, outside {outside}"
+            "{name}: {count} postures, missed {missed}, singular {loose}, worst pose {worst:.1e}, farthest {far:.1e}, outside {outside}"
         );
         assert!(worst < 1e-12, "{name}: {worst}");
         assert_eq!(outside, 0, "{name}");
-        if bench.ik.inverse().exact {
-            assert_eq!(missed, 0, "{name}");
-        }
-        assert!(missed * 100 <= count, "{name}: {missed}");
+        // Of an arm that is only nearly of its family a branch may be lost, but not without a word.
+        assert_eq!(if bench.ik.inverse().exact { missed } else { silent }, 0, "{name}: missed {missed}");
     }
 }
 
@@ -147,7 +154,7 @@ fn random_postures() {
 /// joints free, the posture is found when it is named as near.
 #[test]
 fn nice_angles_limits_and_singularities() {
-    for (name, _) in ROBOTS.into_iter().filter(|(name, _)| *name != "kinova-gen3") {
+    for (name, _) in ROBOTS.into_iter().filter(|(name, _)| *name != "kinova-gen3" && asked_for(name)) {
         let bench = Bench::new(robot(name));
         let mut random = Random::new(2);
         let (mut missed, mut worst, mut empty, mut unmarked) = (0, 0.0f64, 0, 0);
@@ -190,8 +197,8 @@ fn nice_angles_limits_and_singularities() {
         );
         assert!(worst < 1e-12, "{name}: {worst}");
         assert_eq!((missed, empty), (0, 0), "{name}");
-        // Two singularities at once: rounding of the one decides where the other's free joints end.
-        assert!(unmarked * 50 <= count, "{name}: {unmarked}");
+        // Singular twice over or not: what the pose does not tell is said.
+        assert_eq!(unmarked, 0, "{name}");
     }
 }
 
@@ -275,11 +282,11 @@ fn a_path_through_the_wrist_singularity_is_followed() {
     }
 }
 
-/// A calibrated UR10e, its axes parallel to 6e-3: the nominal branches are refined, all of them away from singularities.
+/// A calibrated UR10e, its axes parallel to 6e-3: the nominal branches are refined, each kept or reported as lost.
 #[test]
 fn a_calibrated_arm_keeps_its_branches() {
     let mut random = Random::new(5);
-    let (mut found, mut all, mut own, mut worst) = (0, 0, 0, 0.0f64);
+    let (mut found, mut all, mut own, mut told, mut worst) = (0, 0, 0, 0, 0.0f64);
     for _ in 0..5 {
         let mut robot = robot("ur10e");
         for joint in &mut robot.joints {
@@ -295,12 +302,14 @@ fn a_calibrated_arm_keeps_its_branches() {
             let (error, nearest, solutions) = bench.check(&q, false);
             worst = worst.max(error);
             own += usize::from(nearest < 1e-6);
+            told += usize::from(!(nearest < 1e-6) && solutions.lost > 0);
             found += solutions.list.len();
             all += solutions.list.len() + solutions.lost as usize;
         }
     }
     eprintln!("calibrated ur10e: own posture {own} of 500, branches {found} of {all}, worst pose {worst:.1e}");
-    assert!(worst < 1e-12 && own >= 475, "{own} {worst}");
+    // Every branch is kept, or its loss is reported.
+    assert!(worst < 1e-12 && own + told == 500, "{own} {told} {worst}");
 }
 
 /// What the solver says of poses that no posture reaches, and of those that are none.

@@ -14,7 +14,41 @@ const ROUNDS: usize = 31;
 /// A pose: the top three rows of its homogeneous matrix.
 pub type Pose = [[f64; 4]; 3];
 
+/// The branch whose swivel intervals are asked for.
+const FIRST: Branch = Branch { shoulder: 1, elbow: 1, wrist: 1, root: 0, numerical: false };
+
+/// Nanoseconds of a clock cycle: of a chain of operations that wait for each other, two cycles a link. Measured beside the calls,
+/// it makes figures of different clocks comparable.
+pub fn cycle() -> f64 {
+    const LINKS: u32 = 200_000;
+    (0..ROUNDS)
+        .map(|_| {
+            let start = Instant::now();
+            let mut x = black_box(1u64);
+            for k in 0..LINKS {
+                x = x.rotate_left(5) ^ u64::from(k);
+            }
+            black_box(x);
+            start.elapsed().as_secs_f64() * 1e9 / f64::from(2 * LINKS)
+        })
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// Clock cycles per call: the best of rounds over all poses, so that what else runs on the machine does not count.
+pub fn cycles<T>(poses: &[T], mut call: impl FnMut(&T)) -> f64 {
+    let mut best = f64::INFINITY;
+    let mut clock = cycle();
+    for _ in 0..4 * ROUNDS {
+        let start = Instant::now();
+        poses.iter().for_each(|p| call(black_box(p)));
+        best = best.min(start.elapsed().as_secs_f64() * 1e9 / poses.len() as f64);
+    }
+    clock = clock.min(cycle());
+    best / clock
+}
+
 /// Nanoseconds per call: the median of rounds over all poses.
+#[allow(dead_code, reason = "benches/peers compares times")]
 pub fn median<T>(poses: &[T], mut call: impl FnMut(&T)) -> f64 {
     let mut times: Vec<f64> = (0..ROUNDS)
         .map(|_| {
@@ -58,6 +92,19 @@ impl<const N: usize> Bench<N> {
         Self { arm, class: inverse.class, poses }
     }
 
+    /// Clock cycles for all branches of a pose, and for the swivel intervals of one branch.
+    #[allow(dead_code, reason = "benches/peers compares times")]
+    pub fn cycles(&self) -> (f64, f64) {
+        let query = |redundancy| Query { redundancy, ..Query::default() };
+        let all = cycles(&self.poses, |(pose, redundancy)| {
+            black_box(self.arm.solve(pose, &query(*redundancy))).ok();
+        });
+        let intervals = cycles(&self.poses, |(pose, _)| {
+            black_box(self.arm.swivel_intervals(pose, FIRST, &Reference::UP)).ok();
+        });
+        (all, intervals)
+    }
+
     /// ns for all branches of a pose, and how many there are on average.
     pub fn solve(&self) -> (f64, f64) {
         let query = |redundancy| Query { redundancy, ..Query::default() };
@@ -71,9 +118,8 @@ impl<const N: usize> Bench<N> {
 
     /// ns for the swivel intervals of one branch.
     pub fn intervals(&self) -> f64 {
-        let branch = Branch { shoulder: 1, elbow: 1, wrist: 1, root: 0, numerical: false };
         median(&self.poses, |(pose, _)| {
-            black_box(self.arm.swivel_intervals(pose, branch, &Reference::UP)).ok();
+            black_box(self.arm.swivel_intervals(pose, FIRST, &Reference::UP)).ok();
         })
     }
 }

@@ -55,6 +55,7 @@ done
 for library in "$work"/casadi-*.so; do
     "$work/casadi_time" "$work/model.txt" "$library" > "${library%.so}.json"
 done
-RUSTFLAGS="-C target-cpu=native" cargo bench --quiet --bench kernels -- kuka_lwr4 > "$work/kernels.txt"
+# A folder of its own: other flags would build everything in target anew.
+CARGO_TARGET_DIR="$work/native" RUSTFLAGS="-C target-cpu=native" cargo bench --quiet --bench kernels -- kuka_lwr4 > "$work/kernels.txt"
 grep -m1 'model name' /proc/cpuinfo | sed 's/.*: //'
 "$venv/bin/python" "$here/table.py" table "$work"

@@ -152,6 +152,7 @@ impl Diagnose {
         loop {
             let prepare = Prepare {
                 filter: Some(Filter { order: 4, cutoff }),
+                bursts: Some(diagnose::BURSTS * cutoff),
                 raw_torque: true,
                 temperature: true,
                 torque: self.torque.quantity(),

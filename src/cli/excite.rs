@@ -68,13 +68,13 @@ pub(super) struct Excite {
     #[arg(long, default_value_t = 3)]
     periods: usize,
     /// Random motions to begin with.
-    #[arg(long, default_value_t = 12)]
+    #[arg(long, default_value_t = 16)]
     starts: usize,
     /// Seed of the random motions.
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Steps of the solver per start, at most.
-    #[arg(long, default_value_t = 60)]
+    #[arg(long, default_value_t = 90)]
     iterations: usize,
     /// Threads; default: all cores. The result does not depend on it.
     #[arg(long)]
@@ -164,9 +164,8 @@ impl Excite {
             task.extra = Some(&coverage);
         }
         self.know(&mut task)?;
-        for missing in &task.missing {
-            let who = if missing.joint.is_empty() { String::new() } else { format!("joint {}: ", missing.joint) };
-            eprintln!("{}: note: {who}{}: {}", self.robot.display(), missing.limit, missing.taken);
+        for line in report::missing_text(&task.missing) {
+            eprintln!("{}: note: {line}", self.robot.display());
         }
 
         let (found, expected, tried) = self.search(&task)?;

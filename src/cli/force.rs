@@ -54,7 +54,7 @@ pub(super) struct Force {
     /// Standard deviations by which force and moment wander in a second, N,N m: the pace of the Kalman filter.
     #[arg(long, value_name = "N,NM", value_parser = pair)]
     wander: Option<[f64; 2]>,
-    /// Write t, the wrench, the half-widths of its 95 % band, and whether something touches.
+    /// Write t, the wrench, the half-widths of its 95 % band (empty where the joints don't tell a component), and whether something touches.
     #[arg(long, value_name = "CSV")]
     out: Option<PathBuf>,
     /// Write the result as JSON; `-` for standard output.
@@ -258,7 +258,9 @@ fn write_csv(path: &Path, series: &Series) -> Result<(), Failure> {
     let mut text = header.join(",") + "\n";
     for s in 0..series.time.len() {
         let mut row = vec![format!("{:.6}", series.time[s])];
-        row.extend(series.wrench[s].iter().chain(&series.half[s]).map(|x| format!("{x:.6}")));
+        row.extend(series.wrench[s].iter().map(|x| format!("{x:.6}")));
+        // Empty where the joints don't tell the component.
+        row.extend((0..6).map(|i| if series.told[s][i] { format!("{:.6}", series.half[s][i]) } else { String::new() }));
         row.push(u8::from(series.touching[s]).to_string());
         row.push(format!("{:.3}", series.deviate[s]));
         row.push(format!("{:.5}", series.dexterity[s]));

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use dh_codegen::arm::Function;
 
 use super::{Failure, files};
 
@@ -12,7 +13,7 @@ use super::{Failure, files};
 /// The crate is a folder of its own: no_std, no allocation, no dependency. The same file always gives the same bytes.
 #[derive(Args)]
 #[command(
-    after_help = "Example:\n  denavit generate robots/kuka-lwr4.yaml --out generated/kuka-lwr4\n  denavit generate robots/kuka-lwr4.yaml --out generated/kuka-lwr4 --check"
+    after_help = "Example:\n  denavit generate robots/kuka-lwr4.yaml --out generated/kuka-lwr4\n  denavit generate robots/kuka-lwr4.yaml --out generated/kuka-lwr4 --check\n  denavit generate robots/ur10e.yaml --out ur10e --adjoints"
 )]
 pub(super) struct Generate {
     /// Robot file.
@@ -20,6 +21,9 @@ pub(super) struct Generate {
     /// Folder of the crate; made if it is not there. Only files of the crate are written.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
+    /// Derivatives too: of the regressors, the torques and the frames, as products with the transposed Jacobian (`base_regressor_adjoint` and so on).
+    #[arg(long)]
+    adjoints: bool,
     /// Write nothing; exit with 1 where the crate in DIR is not what would be written.
     #[arg(long)]
     check: bool,
@@ -31,10 +35,12 @@ pub(super) struct Generate {
 impl Generate {
     pub(super) fn run(self) -> Result<(), Failure> {
         let file = files::robot(&self.robot)?;
-        let crate_files = dh_codegen::krate(&file.robot, &file.text);
+        let further: &[Function] = if self.adjoints { &Function::ADJOINTS } else { &[] };
+        let crate_files = dh_codegen::krate_with(&file.robot, &file.text, further);
         let stale = differing(&self.out, &crate_files);
         if self.check && !stale.is_empty() {
-            let again = format!("denavit generate {} --out {}", self.robot.display(), self.out.display());
+            let adjoints = if self.adjoints { " --adjoints" } else { "" };
+            let again = format!("denavit generate {} --out {}{adjoints}", self.robot.display(), self.out.display());
             return Err(Failure::other(format!(
                 "stale in {}: {}; run `{again}`",
                 self.out.display(),

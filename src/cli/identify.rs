@@ -121,9 +121,10 @@ enum PriorFrom {
 impl Identify {
     pub(super) fn run(self) -> Result<(), Failure> {
         let file = files::robot(&self.robot)?;
-        let prepare = self.prepare()?;
+        let mut prepare = self.prepare()?;
         let bodies = Interpreted::new(&file.robot, &[]);
         let couplings = extend::couplings(&file.robot);
+        prepare.sums = couplings.iter().map(|(coupling, _)| coupling.velocity()).collect();
         let given: Vec<f64> = couplings.iter().flat_map(|(_, values)| *values).collect();
         let arm = Coupled::new(&bodies, couplings.into_iter().map(|(coupling, _)| coupling).collect());
         let prior = param::standard_values(&file.robot).map(|values| [values, given].concat());

@@ -9,7 +9,7 @@ use indicatif::ProgressBar;
 
 use super::table::Table;
 use super::{Failure, files};
-use crate::inverse::{Ask, Kinematics, MOST, Postures};
+use crate::inverse::{Ask, Kinematics, MOST, PoseError, Postures, SwivelRange};
 use crate::report::{ik_json, ik_text};
 
 const ENTRIES: [&str; 12] = ["r11", "r12", "r13", "px", "r21", "r22", "r23", "py", "r31", "r32", "r33", "pz"];
@@ -23,7 +23,8 @@ const ENTRIES: [&str; 12] = ["r11", "r12", "r13", "px", "r21", "r22", "r23", "py
 /// A redundant arm wants a column `swivel`, rad: the angle of the elbow about the line from shoulder to wrist, from the plane of the
 /// reference vector (`--reference`), or the position of the joint that is locked (`denavit check` tells which). Without it: that of the
 /// posture `q1..qn` where there is one, else that at which some posture stays farthest from its limits (zero where none respects
-/// them). The result says which it was.
+/// them). The result says which it was. Of an arm with a swivel angle it also says in which intervals of it each branch respects the
+/// limits, and where it stays farthest from them.
 ///
 /// Columns `q1..qn`, if there are any, are a posture near which to choose: its solutions stand first, and where the arm is singular
 /// the free joints stay as they are there.
@@ -59,7 +60,7 @@ pub(super) struct Ik {
     )]
     second_reference: Vec<f64>,
     /// What may be left to a pose, m and rad. An arm with fewer than six joints reaches rounded poses only nearly: give more.
-    #[arg(long, value_name = "SIZE", default_value_t = 1e-12)]
+    #[arg(long, value_name = "SIZE", default_value_t = 1e-12, allow_hyphen_values = true)]
     tolerance: f64,
     /// Write the result as JSON; `-` for standard output.
     #[arg(long, value_name = "FILE")]
@@ -113,7 +114,7 @@ impl Ik {
         kinematics: &Kinematics,
         reference: Reference,
         tool: Option<Displacement>,
-    ) -> Result<Vec<Postures>, Failure> {
+    ) -> Result<Vec<(Postures, Option<Vec<SwivelRange>>)>, Failure> {
         let table = Table::read(&self.poses)?;
         let file = &table.file;
         let mut entries = Vec::with_capacity(12);
@@ -126,6 +127,9 @@ impl Ik {
             }
             entries.push(table.column(name)?);
         }
+        if table.len == 0 {
+            return Err(Failure::input(format!("{file} has a header and no pose; write one per row below it")));
+        }
         let swivel = if table.has("swivel") { Some(table.column("swivel")?) } else { None };
         let near = if table.has("q1") { Some(table.joints("q", n)?) } else { None };
         let bar = if table.len > 10_000 { ProgressBar::new(table.len as u64) } else { ProgressBar::hidden() };
@@ -137,26 +141,38 @@ impl Ik {
                 None => given,
             };
             let near: Option<Vec<f64>> = near.as_ref().map(|q| (0..n).map(|j| q[j * table.len + row]).collect());
-            let redundancy = match (swivel, &near) {
-                (Some(s), _) => Ok(s[row]),
-                (None, Some(q)) => Ok(kinematics.redundancy(q, &reference)),
-                (None, None) => kinematics.best_redundancy(&pose, &reference).map(|r| r.unwrap_or(0.0)),
-            };
-            let found = redundancy.and_then(|redundancy| {
-                kinematics.solve(&pose, &Ask { redundancy, reference, near, tolerance: self.tolerance })
-            });
-            poses.push(found.map_err(|e| {
-                Failure::input(format!(
-                    "{file}, pose {} (line {}): {e}; a rotation has orthogonal columns of length one, to 1e-6",
-                    row + 1,
-                    row + 2
-                ))
+            let found = (|| {
+                let ranges = kinematics.swivel_ranges(&pose, &reference)?;
+                let redundancy = match (swivel, &near) {
+                    (Some(s), _) => s[row],
+                    (None, Some(q)) => kinematics.redundancy(q, &reference),
+                    (None, None) => match &ranges {
+                        Some(ranges) => best(ranges),
+                        None => kinematics.best_redundancy(&pose, &reference)?,
+                    }
+                    .unwrap_or(0.0),
+                };
+                let ask = Ask { redundancy, reference, near, tolerance: self.tolerance };
+                Ok((kinematics.solve(&pose, &ask)?, ranges))
+            })();
+            poses.push(found.map_err(|e: PoseError| {
+                let mend = match e {
+                    PoseError::NotARotation(_) => "; a rotation has orthogonal columns of length one, to 1e-6",
+                    PoseError::NotFinite(..) => "; give a number",
+                };
+                Failure::input(format!("{file}, pose {} (line {}): {e}{mend}", row + 1, row + 2))
             })?);
             bar.inc(1);
         }
         bar.finish_and_clear();
         Ok(poses)
     }
+}
+
+/// The swivel angle at which some branch stays farthest from its limits.
+fn best(ranges: &[SwivelRange]) -> Option<f64> {
+    let most = |a: (f64, f64), b: (f64, f64)| if b.1 > a.1 { b } else { a };
+    ranges.iter().filter_map(|r| r.best).reduce(most).map(|(at, _)| at)
 }
 
 fn rows(t: &Displacement) -> [[f64; 4]; 3] {

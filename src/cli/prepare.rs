@@ -15,13 +15,13 @@ use crate::signal::{Filter, Motion, Prepare, PrepareError, Prepared, each_motion
 #[derive(Args, Clone)]
 pub(super) struct Preparation {
     /// Cut-off frequency of the low-pass, Hz; 0 for none.
-    #[arg(long, default_value_t = 10.0)]
+    #[arg(long, default_value_t = 10.0, allow_negative_numbers = true)]
     cutoff: f64,
     /// Order of one pass of the Butterworth low-pass.
     #[arg(long, default_value_t = 5)]
     order: usize,
     /// Seconds cut off both ends of each stretch.
-    #[arg(long, default_value_t = 0.2)]
+    #[arg(long, default_value_t = 0.2, allow_negative_numbers = true)]
     trim: f64,
     /// Seconds by which the torque is late against the positions; it is moved back by as much.
     #[arg(long, default_value_t = 0.0, value_name = "SECONDS", allow_negative_numbers = true)]
@@ -33,7 +33,7 @@ pub(super) struct Preparation {
     #[arg(long, value_enum, default_value_t = Torque::Tau)]
     torque: Torque,
     /// Speed below which a joint's rows are not used, rad/s; default from the noise.
-    #[arg(long, value_name = "SPEED")]
+    #[arg(long, value_name = "SPEED", allow_negative_numbers = true)]
     dead_zone: Option<f64>,
     /// Keep what is normally refused: bad-rows, gaps, restarts, duplicates, irregular-clock, stuck, clipped, dead-torque,
     /// large-angles, or all.
@@ -86,6 +86,9 @@ impl Preparation {
         }
         if self.delay.is_nan() || self.delay.abs() > 10.0 {
             return bad(format!("--delay {}: seconds, at most 10", self.delay));
+        }
+        if let Some(speed) = self.dead_zone.filter(|speed| !(*speed >= 0.0 && speed.is_finite())) {
+            return bad(format!("--dead-zone {speed}: a speed in rad/s, or 0 for none"));
         }
         if self.stride == 0 {
             return bad("--stride 0: one or more".into());

@@ -40,6 +40,9 @@ pub(super) struct Reproduce {
     /// Hide nothing in the cases of the diagnosis: all that is named is a false alarm.
     #[arg(long)]
     clean: bool,
+    /// Painting in a minute instead of twenty: a hand's breadth of wall, one roller, no diagnosis; to see that it runs.
+    #[arg(long)]
+    quick: bool,
     /// Of motions and noise: the same seed gives the same figures.
     #[arg(long, value_name = "N", default_value_t = Settings::default().seed)]
     seed: u64,
@@ -98,7 +101,7 @@ impl Reproduce {
                 Some(watched("identification", |watch| reproduce::identification(&settings, watch))?);
         }
         if asked(Part::Painting) {
-            let settings = PaintingSettings { seed: self.seed };
+            let settings = PaintingSettings { seed: self.seed, quick: self.quick };
             parts.painting = Some(watched("painting", |watch| reproduce::painting(&settings, watch))?);
         }
         if asked(Part::Force) {

@@ -44,7 +44,7 @@ pub(super) struct Simulate {
     #[arg(long, value_enum)]
     control: Option<ControlMode>,
     /// No torque: a swing of so many seconds from rest, from the trajectory's first row or from --start.
-    #[arg(long, value_name = "SECONDS", conflicts_with = "control")]
+    #[arg(long, value_name = "SECONDS", conflicts_with = "control", allow_negative_numbers = true)]
     free: Option<f64>,
     /// Where a free swing starts: q1,q2,.. in rad.
     #[arg(long, value_name = "Q", value_delimiter = ',', allow_hyphen_values = true, requires = "free")]
@@ -127,8 +127,11 @@ impl Simulate {
             return Err(Failure::input(format!("--free {duration}: seconds, more than 0")));
         }
         if let (Some(start), Some(duration)) = (&self.start, self.free) {
-            if start.len() != n || !start.iter().all(|q| q.is_finite()) {
+            if start.len() != n {
                 return Err(Failure::input(format!("--start has {} values; the robot has {n} joints", start.len())));
+            }
+            if let Some(q) = start.iter().find(|q| !q.is_finite()) {
+                return Err(Failure::input(format!("--start has a value {q}; write finite numbers, rad or m")));
             }
             return Trajectory::rest(start, duration).map_err(Failure::input);
         }
@@ -138,6 +141,9 @@ impl Simulate {
         let table = Table::read(path)?;
         let shown = path.display();
         let found = table.count("q");
+        if found == 0 {
+            table.column("q1")?;
+        }
         if found != n {
             let error = SimulateError::Joints { found, expected: n };
             return Err(Failure::input(format!("{shown}: {error}")));
@@ -163,11 +169,13 @@ impl Simulate {
     }
 
     fn failed(&self, error: SimulateError) -> Failure {
+        let robot = self.robot.display();
         let place = match (&error, &self.effects) {
-            (SimulateError::NoLinks { .. } | SimulateError::Integration(_), _) | (_, None) => &self.robot,
-            (_, Some(effects)) => effects,
+            (SimulateError::NoLinks { .. }, _) | (_, None) => robot.to_string(),
+            (SimulateError::Integration(_), Some(effects)) => format!("{robot} with {}", effects.display()),
+            (_, Some(effects)) => effects.display().to_string(),
         };
-        Failure::input(format!("{}: {error}", place.display()))
+        Failure::input(format!("{place}: {error}"))
     }
 
     fn write(&self, recording: &Recording) -> Result<(), Failure> {

@@ -25,7 +25,7 @@ impl Table {
         let wrong = |e: csv::Error| Failure::input(format!("{file}: {e}; write one row of numbers per state"));
         let header = reader.headers().map_err(wrong)?;
         if header.is_empty() {
-            return Err(Failure::input(format!("{file} is empty; its first line must name the columns: q1, q2, ..")));
+            return Err(Failure::input(format!("{file} is empty; its first line must name the columns (see --help)")));
         }
         let column = |name: &str| Column { name: name.into(), values: Vec::new(), bad: None };
         let mut columns: Vec<Column> = header.iter().map(column).collect();

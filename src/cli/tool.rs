@@ -40,23 +40,23 @@ pub(super) struct ToolVerb {
     #[arg(long, value_name = "DIR")]
     tools: Option<PathBuf>,
     /// Mass from a scale, kg; the other nine are then known better.
-    #[arg(long, value_name = "KG")]
+    #[arg(long, value_name = "KG", allow_negative_numbers = true)]
     known_mass: Option<f64>,
     /// Without --unloaded: take only links and rotors from the robot file, and estimate friction and offsets from the loaded log.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "unloaded")]
     refresh_friction: bool,
     /// Without --unloaded: the robot file's own tool stays on the arm, and what is carried comes on top. Else it counts as taken off.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "unloaded")]
     on_top: bool,
     /// Where the tools' frames sit in the robot's last DH frame, m, in place of the `xyz` of their files.
     #[arg(long, value_delimiter = ',', num_args = 1, value_name = "X,Y,Z", allow_negative_numbers = true)]
     mount: Option<Vec<f64>>,
     /// With what probability a tool of the table is rejected.
-    #[arg(long, default_value_t = 0.01, value_name = "P")]
+    #[arg(long, default_value_t = 0.01, value_name = "P", allow_negative_numbers = true)]
     level: f64,
     /// How well the tool files know the tools and how exactly these are mounted: standard deviations of mass (relative), place (m)
     /// and direction (rad).
-    #[arg(long, value_delimiter = ',', num_args = 1, value_name = "M,P,A")]
+    #[arg(long, value_delimiter = ',', num_args = 1, value_name = "M,P,A", allow_negative_numbers = true)]
     tolerance: Option<Vec<f64>>,
     /// Write the result as JSON; `-` for standard output.
     #[arg(long, value_name = "FILE")]
@@ -82,6 +82,12 @@ impl ToolVerb {
             known_mass: self.known_mass,
             refresh_friction: self.refresh_friction,
         };
+        if let Some(twice) = self.unloaded.iter().find(|log| self.loaded.contains(log)) {
+            return Err(Failure::input(format!(
+                "{}: the same log stands under --unloaded and --loaded; give one with an empty hand and one with the tool",
+                twice.display()
+            )));
+        }
         let mut prepared = Vec::new();
         let mut factors = |paths: &[PathBuf], loaded: bool| -> Result<Vec<Factors>, Failure> {
             let carrying = Carrying::new(&arm, loaded);

@@ -3,6 +3,8 @@
 //! A cause names places (joints, or the whole robot) where it may act, and for each place a family of columns: linear in its
 //! coefficients, with a few further numbers (`shape`: a speed, an order, a time) that are searched on a grid and then refined.
 
+use nalgebra::DMatrix;
+
 use super::scene::{Column, Scene};
 
 mod asymmetric_friction;
@@ -29,6 +31,7 @@ mod torque_gain_error;
 mod torque_ripple;
 mod torque_saturation;
 
+pub use asymmetric_friction::AsymmetricFriction;
 pub use plain::{COULOMB, OFFSET, VISCOUS};
 
 /// What kind of thing a cause is: causes of one kind on one joint look alike.
@@ -44,6 +47,19 @@ pub enum Kind {
     Body,
     /// From outside.
     Outside,
+}
+
+/// On what a cause acts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scope {
+    /// One joint.
+    Joint,
+    /// A joint and its neighbour.
+    Pair,
+    /// The whole robot.
+    Robot,
+    /// Either.
+    JointOrRobot,
 }
 
 /// Where a coefficient must lie for the cause to be what its name says.
@@ -86,6 +102,13 @@ pub struct Shape {
     pub step: Option<f64>,
 }
 
+impl Shape {
+    /// Whether it is a parameter of the robot file and not one of the search.
+    pub fn named(&self) -> bool {
+        self.symbol.chars().all(char::is_uppercase)
+    }
+}
+
 /// A number with its name for the robot file, the report, the JSON.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Named {
@@ -97,6 +120,71 @@ pub struct Named {
     pub std: Option<f64>,
 }
 
+impl Named {
+    fn new(symbol: &str, value: f64, std: Option<f64>) -> Self {
+        Self { symbol: symbol.into(), value, std }
+    }
+}
+
+/// What was estimated of a cause in its place.
+pub struct Estimate<'a> {
+    /// The data.
+    pub scene: &'a Scene<'a>,
+    /// Where.
+    pub place: &'a [usize],
+    /// The numbers in which it is not linear.
+    pub shape: &'a [f64],
+    /// Their standard deviations, where they were estimated.
+    pub shape_std: Vec<Option<f64>>,
+    /// Its terms.
+    pub terms: &'a [Term],
+    /// Their coefficients.
+    pub x: &'a [f64],
+    /// `FV`, `FC`, `FO` of its joint, the file's and what was found.
+    pub levels: [f64; 3],
+    /// Covariance of the coefficients and, behind them, of the levels.
+    pub covariance: DMatrix<f64>,
+}
+
+impl Estimate<'_> {
+    /// Standard deviation of a coefficient.
+    pub fn std(&self, k: usize) -> f64 {
+        self.covariance[(k, k)].max(0.0).sqrt()
+    }
+
+    /// Of the sum of a coefficient and a level.
+    pub fn std_with(&self, k: usize, level: usize) -> f64 {
+        let at = self.x.len() + level;
+        let c = &self.covariance;
+        (c[(k, k)] + c[(at, at)] + 2.0 * c[(k, at)]).max(0.0).sqrt()
+    }
+
+    /// A coefficient under its own symbol.
+    pub fn term(&self, k: usize) -> Named {
+        Named::new(&self.terms[k].symbol, self.x[k], Some(self.std(k)))
+    }
+
+    /// All coefficients.
+    pub fn all_terms(&self) -> impl Iterator<Item = Named> + '_ {
+        (0..self.terms.len().min(self.x.len())).map(|k| self.term(k))
+    }
+}
+
+/// Over what a cause shows best.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Over {
+    /// The joint's position.
+    Position,
+    /// Its velocity.
+    Velocity,
+    /// Its acceleration.
+    Acceleration,
+    /// The torque of the model.
+    Torque,
+    /// Time.
+    Time,
+}
+
 /// A hypothesis of the vocabulary.
 pub trait Cause: Sync {
     /// Identifier of the contract's section 5.
@@ -105,9 +193,21 @@ pub trait Cause: Sync {
     /// What kind of thing it is.
     fn kind(&self) -> Kind;
 
+    /// On what it acts.
+    fn scope(&self) -> Scope {
+        Scope::Joint
+    }
+
     /// Joints (from 0) of each place where it may act; empty for the whole robot.
     fn places(&self, scene: &Scene<'_>) -> Vec<Vec<usize>> {
-        (0..scene.dof()).map(|j| vec![j]).collect()
+        let dof = scene.dof();
+        let joints = (0..dof).map(|j| vec![j]);
+        match self.scope() {
+            Scope::Joint => joints.collect(),
+            Scope::Pair => (1..dof).flat_map(|m| [vec![m, m - 1], vec![m - 1, m]]).collect(),
+            Scope::Robot => vec![Vec::new()],
+            Scope::JointOrRobot => std::iter::once(Vec::new()).chain(joints).collect(),
+        }
     }
 
     /// The numbers in which the family is not linear.
@@ -120,7 +220,23 @@ pub trait Cause: Sync {
         vec![Vec::new()]
     }
 
-    /// The family's columns; none where this data can't show it.
+    /// Whether this data can show it. A model that has it says what it says on any data.
+    fn shows(&self, _scene: &Scene<'_>, _place: &[usize], _shape: &[f64]) -> bool {
+        true
+    }
+
+    /// Which number of the shape is a natural number by its nature (periods a turn): as such it is no unknown.
+    fn natural(&self) -> Option<usize> {
+        None
+    }
+
+    /// How many numbers of this shape are unknown.
+    fn free(&self, shape: &[f64]) -> usize {
+        let numbers = self.shape().iter().enumerate().filter(|(_, s)| s.step.is_some());
+        numbers.filter(|(k, _)| self.natural() != Some(*k) || shape.get(*k).is_none_or(|v| v.fract() != 0.0)).count()
+    }
+
+    /// The family's columns; none where they do not exist.
     fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term>;
 
     /// Whether the columns are difference quotients about zero: the shape's first number is their step, which follows the coefficient.
@@ -153,9 +269,14 @@ pub trait Cause: Sync {
         false
     }
 
-    /// Causes that are the same on paper, whatever the data.
-    fn twins(&self, _scene: &Scene<'_>, _place: &[usize]) -> &'static [&'static str] {
+    /// Causes that no motion tells from it.
+    fn same_on_paper(&self) -> &'static [&'static str] {
         &[]
+    }
+
+    /// Causes that are the same here, on paper or in what this data can show.
+    fn twins(&self, _scene: &Scene<'_>, _place: &[usize]) -> &'static [&'static str] {
+        self.same_on_paper()
     }
 
     /// Whether the columns depend on the rigid model and so must be made anew when that changes.
@@ -171,6 +292,23 @@ pub trait Cause: Sync {
     /// Whether estimated coefficients make sense beyond the sign of each.
     fn plausible(&self, _scene: &Scene<'_>, _place: &[usize], _shape: &[f64], _x: &[f64]) -> bool {
         true
+    }
+
+    /// Its parameters under the names of a robot file.
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        let shapes = self.shape().iter().enumerate().filter(|(_, number)| number.named());
+        let shapes = shapes.map(|(k, number)| Named::new(number.symbol, found.shape[k], found.shape_std[k]));
+        found.all_terms().chain(shapes).collect()
+    }
+
+    /// Over what it shows best.
+    fn over(&self) -> Over {
+        if self.kind() == Kind::Friction { Over::Velocity } else { Over::Position }
+    }
+
+    /// A cause of the whole robot that the same columns with these coefficients rather are.
+    fn rather(&self, _scene: &Scene<'_>, _place: &[usize], _terms: &[Term], _x: &[f64]) -> Option<&'static dyn Cause> {
+        None
     }
 
     /// What it does, for the sentence of the evidence.

@@ -1,9 +1,8 @@
 //! Sentences and curves that show a cause.
 
-use super::causes::{Cause, Kind, Named};
+use super::causes::{Cause, Named, Over};
 use super::model::{Bench, Chosen, Fitted};
 use super::result::Evidence;
-use super::search::Accepted;
 
 /// Four figures at most.
 pub(super) fn short(value: f64) -> String {
@@ -23,18 +22,24 @@ pub(super) fn short(value: f64) -> String {
     format!("{value:.decimals$}")
 }
 
+/// What a sentence is made of.
+pub(super) struct Shown<'a> {
+    pub cause: &'a dyn Cause,
+    /// Joints, from 0.
+    pub place: &'a [usize],
+    pub parameters: &'a [Named],
+    /// Root mean squares without and with it, N m, on the `on` logs.
+    pub before: &'a [f64],
+    pub after: &'a [f64],
+    pub noise: &'a [f64],
+    pub on: &'a str,
+    /// Share of held-out parts that agree, where that was asked.
+    pub confirmed: Option<f64>,
+}
+
 /// One sentence with figures.
-#[allow(clippy::too_many_arguments)]
-pub(super) fn sentence(
-    cause: &dyn Cause,
-    place: &[usize],
-    parameters: &[Named],
-    before: &[f64],
-    after: &[f64],
-    noise: &[f64],
-    on: &str,
-    accepted: Option<&Accepted>,
-) -> String {
+pub(super) fn sentence(shown: &Shown<'_>) -> String {
+    let Shown { cause, place, parameters, before, after, noise, on, confirmed } = *shown;
     let gain = |j: &usize| before[*j].powi(2) - after[*j].powi(2);
     let most = |joints: &mut dyn Iterator<Item = usize>| joints.max_by(|a, b| gain(a).total_cmp(&gain(b)));
     // Its own joint, if it gains there.
@@ -56,11 +61,11 @@ pub(super) fn sentence(
         .collect();
     let attainable = before[main].powi(2) - noise[main].powi(2);
     let share = if attainable > 0.0 { 100.0 * (before[main].powi(2) - after[main].powi(2)) / attainable } else { 0.0 };
-    let confirmed = accepted.map_or(String::new(), |a| {
+    let confirmed = confirmed.map_or(String::new(), |share| {
         if cause.local() {
             String::new()
         } else {
-            format!("; {:.0} % of held-out parts of the fitted logs agree", 100.0 * a.confirmed)
+            format!("; {:.0} % of held-out parts of the fitted logs agree", 100.0 * share)
         }
     });
     format!(
@@ -105,18 +110,12 @@ pub(super) fn curve(bench: &Bench<'_>, fitted: &Fitted, index: usize, chosen: &C
     let coarse = |f: &dyn Fn(&super::scene::Own, usize) -> f64| -> Vec<f64> {
         scene.own[joint].iter().flat_map(|own| scene.average_of(own, |k| f(own, k))).collect()
     };
-    let (over, x): (&str, Vec<f64>) = match (chosen.cause.name(), chosen.cause.kind()) {
-        ("torque_ripple" | "position_dependent_friction" | "joint_spring", _) => {
-            ("position, rad", coarse(&|o, k| o.q[k]))
-        }
-        ("friction_drift" | "external_contact", _) => ("time, s", scene.time.clone()),
-        (
-            "load_dependent_friction" | "torque_gain_error" | "torque_saturation" | "joint_elasticity" | "backlash",
-            _,
-        ) => ("torque of the model, N m", scene.whole[joint].clone()),
-        ("rotor_inertia", _) => ("acceleration, rad/s^2", coarse(&|o, k| o.a[k])),
-        (_, Kind::Friction) | ("time_delay", _) => ("velocity, rad/s", coarse(&|o, k| o.v[k])),
-        _ => ("position, rad", coarse(&|o, k| o.q[k])),
+    let (over, x): (&str, Vec<f64>) = match chosen.cause.over() {
+        Over::Position => ("position, rad", coarse(&|o, k| o.q[k])),
+        Over::Velocity => ("velocity, rad/s", coarse(&|o, k| o.v[k])),
+        Over::Acceleration => ("acceleration, rad/s^2", coarse(&|o, k| o.a[k])),
+        Over::Torque => ("torque of the model, N m", scene.whole[joint].clone()),
+        Over::Time => ("time, s", scene.time.clone()),
     };
     let live: Vec<usize> = (0..scene.len).filter(|&w| scene.live[joint][w]).collect();
     let low = live.iter().map(|&w| x[w]).fold(f64::INFINITY, f64::min);

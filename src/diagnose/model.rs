@@ -8,7 +8,7 @@ use nalgebra::DMatrix;
 use crate::arm::Plant;
 use crate::identify::recover_standard;
 
-use super::causes::{COULOMB, Cause, Named, OFFSET, Term, VISCOUS};
+use super::causes::{COULOMB, Cause, Estimate, Named, OFFSET, Term, VISCOUS};
 use super::hold::{FIRM, Hold, belief};
 use super::moments::{Moments, Solution};
 use super::noise::memory;
@@ -241,7 +241,7 @@ impl<'a> Bench<'a> {
     }
 
     /// Moves the torques by further delays and makes everything anew.
-    fn delay(&mut self, joints: &[usize], by: f64) {
+    pub fn delay(&mut self, joints: &[usize], by: f64) {
         let mut delays = self.scene.delays.clone();
         let all: Vec<usize> = (0..delays.len()).collect();
         for &j in if joints.is_empty() { &all } else { joints } {
@@ -299,7 +299,7 @@ impl<'a> Bench<'a> {
                 c.x = (0..fitted.terms[i].len()).map(|t| fitted.solution.x[fitted.first[i] + t]).collect();
                 if c.cause.secant() && !c.x.is_empty() {
                     let x = c.x[0];
-                    if c.cause.name() == "time_delay" {
+                    if c.cause.moves_time() {
                         // What is less is taken on lines.
                         if x.abs() > LINEAR && x.is_finite() {
                             settled = false;
@@ -433,11 +433,14 @@ impl<'a> Bench<'a> {
             let value =
                 |which: usize| given[j][which].unwrap_or(0.0) + fitted.solution.x[fitted.friction + 3 * j + which];
             let (fv, fc, fo) = (value(0), value(1), value(2));
-            let mut series = Vec::with_capacity(self.scene.len);
-            for own in &self.scene.own[j] {
-                series.extend(self.scene.average_of(own, |k| fv * own.v[k] + fc * own.sign[k] + fo));
-            }
-            self.scene.whole[j] = series.iter().zip(&self.scene.rigid[j]).map(|(f, r)| f + r).collect();
+            let with_rigid = |fc: f64| -> Vec<f64> {
+                let own = self.scene.own[j].iter();
+                let friction =
+                    own.flat_map(|own| self.scene.average_of(own, |k| fv * own.v[k] + fc * own.sign[k] + fo));
+                friction.zip(&self.scene.rigid[j]).map(|(f, r)| f + r).collect()
+            };
+            let (whole, smooth) = (with_rigid(fc), with_rigid(0.0));
+            (self.scene.whole[j], self.scene.smooth[j]) = (whole, smooth);
         }
     }
 
@@ -485,93 +488,93 @@ fn without_friction(plant: &dyn Plant, standard: &[f64]) -> Vec<f64> {
         .collect()
 }
 
+/// Covariance of everything that was estimated.
+pub struct Uncertainty {
+    /// Of the unknowns of the fit, and behind them the numbers in which the causes are not linear.
+    pub covariance: DMatrix<f64>,
+    /// Where each cause's shape stands in it; `None` for what is no estimate.
+    shapes: Vec<Vec<Option<usize>>>,
+}
+
+impl Uncertainty {
+    /// Of a fit. A number of a shape is an unknown too, and its column is the derivative of what its cause says.
+    pub fn of(bench: &Bench<'_>, fitted: &Fitted, chosen: &[Chosen]) -> Self {
+        let (mut shapes, mut more) = (Vec::new(), Vec::new());
+        for (index, c) in chosen.iter().enumerate() {
+            let places = c.cause.shape().iter().enumerate().map(|(k, number)| {
+                let known = c.cause.natural() == Some(k) && c.shape[k].fract() == 0.0;
+                let first = number.step.filter(|_| number.named() && !known)?;
+                let step = if first > 0.0 { 1e-2 * first * c.shape[k] } else { -1e-2 * first };
+                let step = Some(step).filter(|s| *s != 0.0)?;
+                let column = derivative(bench, fitted, index, c, k, step)?;
+                more.push(column);
+                Some(fitted.solution.x.len() + more.len() - 1)
+            });
+            shapes.push(places.collect());
+        }
+        if more.is_empty() {
+            return Self { covariance: fitted.covariance(), shapes };
+        }
+        let (moments, solution) = fitted.moments.beside(&fitted.solution, &more);
+        Self { covariance: moments.covariance(&solution, &fitted.memory), shapes }
+    }
+}
+
+/// Difference quotient of what a cause adds, by a number of its shape.
+fn derivative(
+    bench: &Bench<'_>,
+    fitted: &Fitted,
+    index: usize,
+    chosen: &Chosen,
+    k: usize,
+    step: f64,
+) -> Option<Column> {
+    let sides = [step, -step].map(|by| {
+        let mut shape = chosen.shape.clone();
+        shape[k] += by;
+        bench.family(chosen.cause, &chosen.place, &shape)
+    });
+    if sides.iter().any(|s| s.len() != fitted.terms[index].len()) {
+        return None;
+    }
+    let mut column = Column::default();
+    for (terms, sign) in sides.iter().zip([1.0, -1.0]) {
+        for (term, x) in terms.iter().zip(&chosen.x) {
+            for (joint, series) in &term.column.rows {
+                let at = column.rows.iter().position(|r| r.0 == *joint).unwrap_or_else(|| {
+                    column.rows.push((*joint, vec![0.0; series.len()]));
+                    column.rows.len() - 1
+                });
+                let by = sign * x / (2.0 * step);
+                column.rows[at].1.iter_mut().zip(series).for_each(|(c, s)| *c += by * s);
+            }
+        }
+    }
+    column.rows.iter().flat_map(|r| &r.1).any(|v| *v != 0.0).then_some(column)
+}
+
 /// Values of a chosen cause's parameters with standard deviations, under the names of a robot file.
 pub fn parameters(
     bench: &Bench<'_>,
     fitted: &Fitted,
-    covariance: &DMatrix<f64>,
+    uncertainty: &Uncertainty,
     index: usize,
     chosen: &Chosen,
 ) -> Vec<Named> {
-    let first = fitted.first[index];
-    let std = |k: usize| covariance[(first + k, first + k)].max(0.0).sqrt();
-    let named = |symbol: &str, value: f64, std: Option<f64>| Named { symbol: symbol.into(), value, std };
-    let joint = chosen.place.first().copied();
-    let friction = |which: usize| {
-        let j = joint.unwrap_or(0);
-        let given = given_friction(bench.plant)[j][which].unwrap_or(0.0);
-        given + fitted.solution.x[fitted.friction + 3 * j + which]
-    };
-    let x = &chosen.x;
-    match chosen.cause.name() {
-        "stribeck_friction" => {
-            // FS is the breakaway level: the sum of the Coulomb level and the part that falls.
-            let (at, j) = (first, fitted.friction + 3 * joint.unwrap_or(0) + 1);
-            let variance = covariance[(at, at)] + covariance[(j, j)] + 2.0 * covariance[(at, j)];
-            vec![
-                named("FS", friction(1) + x[0], Some(variance.max(0.0).sqrt())),
-                named("VS", chosen.shape[0], None),
-                named("DS", chosen.shape[1], None),
-                named("FC", friction(1), None),
-            ]
-        }
-        "friction_drift" => {
-            // The file's law scales all friction; of the two parts the larger one says by how much.
-            let [level, slope] = [1, 0].map(friction);
-            let share = if level.abs() > 0.2 * slope.abs() { x[0] / level } else { x[1] / slope };
-            let mut all = match chosen.shape[0] {
-                0.0 => vec![named("DK", share, None)],
-                time => vec![named("DA", share, None), named("DT", time, None)],
-            };
-            all.extend(
-                fitted.terms[index].iter().zip(x).enumerate().map(|(k, (t, x))| named(&t.symbol, *x, Some(std(k)))),
-            );
-            all.retain(|n| n.value.is_finite());
-            all
-        }
-        "backlash" => vec![named("BL", x[0], Some(std(0)))],
-        "joint_elasticity" => vec![named("KE", 1.0 / x[0], Some(std(0) / (x[0] * x[0])))],
-        "time_delay" => {
-            let delay =
-                joint.map_or_else(|| bench.scene.delays.first().copied().unwrap_or(0.0), |j| bench.scene.delays[j]);
-            vec![named("TD", delay + x[0], Some(std(0)))]
-        }
-        "torque_gain_error" => vec![named("GT", 1.0 + x[0], Some(std(0)))],
-        "torque_saturation" => vec![named("TM", chosen.shape[0], None)],
-        "rotor_inertia" => {
-            let given = bench.plant.rows().get(joint.unwrap_or(0)).and_then(|row| {
-                let name = format!("IA{}", row + 1);
-                let at = bench.plant.standard_names().iter().position(|n| *n == name)?;
-                Some(bench.plant.given_drive(at))
-            });
-            vec![named("IA", given.unwrap_or(0.0) + x[0], Some(std(0)))]
-        }
-        "joint_spring" => {
-            let offset = friction(2);
-            vec![named("KS", x[0], Some(std(0))), named("QS", if x[0] == 0.0 { 0.0 } else { -offset / x[0] }, None)]
-        }
-        "external_contact" => {
-            let at = |w: f64| bench.scene.time.get(w as usize).or(bench.scene.time.last()).copied().unwrap_or(0.0);
-            let mut all = vec![named("start", at(chosen.shape[0]), None), named("end", at(chosen.shape[1]), None)];
-            all.extend(
-                fitted.terms[index].iter().zip(x).enumerate().map(|(k, (t, x))| named(&t.symbol, *x, Some(std(k)))),
-            );
-            all
-        }
-        _ => {
-            let mut all: Vec<Named> = fitted.terms[index]
-                .iter()
-                .zip(x)
-                .enumerate()
-                .map(|(k, (t, x))| named(&t.symbol, *x, Some(std(k))))
-                .collect();
-            let shapes = chosen.cause.shape().iter().zip(&chosen.shape);
-            all.extend(
-                shapes
-                    .filter(|(s, _)| s.symbol.chars().all(char::is_uppercase))
-                    .map(|(s, v)| named(s.symbol, *v, None)),
-            );
-            all
-        }
-    }
+    let joint = chosen.place.first().copied().unwrap_or(0);
+    let given = given_friction(bench.plant)[joint];
+    let level = |which: usize| fitted.friction + 3 * joint + which;
+    let at: Vec<usize> = (0..chosen.x.len()).map(|k| fitted.first[index] + k).chain((0..3).map(level)).collect();
+    let whole = &uncertainty.covariance;
+    let variance = |k: usize| whole[(k, k)].max(0.0).sqrt();
+    chosen.cause.named(&Estimate {
+        scene: &bench.scene,
+        place: &chosen.place,
+        shape: &chosen.shape,
+        shape_std: uncertainty.shapes[index].iter().map(|k| k.map(variance)).collect(),
+        terms: &fitted.terms[index],
+        x: &chosen.x,
+        levels: std::array::from_fn(|which| given[which].unwrap_or(0.0) + fitted.solution.x[level(which)]),
+        covariance: DMatrix::from_fn(at.len(), at.len(), |i, k| whole[(at[i], at[k])]),
+    })
 }

@@ -7,6 +7,7 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use super::hold::Hold;
 use super::scene::{BLOCKS, Column, Scene};
+use crate::identify::dot;
 
 /// Products of a joint's columns with each other and with the torque, over one part of the data.
 #[derive(Debug, Clone)]
@@ -82,18 +83,6 @@ pub struct Gain {
     pub x: Vec<f64>,
     /// Sum of squared residuals of each joint with them.
     pub rss: Vec<f64>,
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; 8];
-    let (a8, b8) = (a.chunks_exact(8), b.chunks_exact(8));
-    let rest: f64 = a8.remainder().iter().zip(b8.remainder()).map(|(x, y)| x * y).sum();
-    for (x, y) in a8.zip(b8) {
-        for i in 0..8 {
-            sums[i] += x[i] * y[i];
-        }
-    }
-    rest + sums.iter().sum::<f64>()
 }
 
 impl Moments {
@@ -448,8 +437,10 @@ pub fn pseudo_inverse(matrix: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 impl Moments {
-    /// Covariance of the unknowns where the residuals of joint `j` are alike over `inflation[j]` windows:
-    /// `A^-1 (sum_j w_j lambda_j A_j' A_j) A^-1`.
+    /// Covariance of the unknowns where the residuals of joint `j` are alike over `inflation[j]` windows,
+    /// `A^-1 (sum_j w_j lambda_j A_j' A_j) A^-1`, each unknown's standard deviation at least what the parts of the data say that pull it to and fro:
+    /// `A^-1 (sum_p g_p g_p') A^-1 P / (P - 1)`, `g_p` the gradient of part `p` (P. J. Huber 1967; K.-Y. Liang and S. L. Zeger, Biometrika 73, 1986).
+    /// The second sees a law that is not the one that acts: what is left then goes with what moves, and not as noise does.
     pub fn covariance(&self, at: &Solution, inflation: &[f64]) -> DMatrix<f64> {
         let weights: Vec<f64> = at.weights.iter().zip(inflation).map(|(w, l)| w * l).collect();
         let mut middle = self.told(&weights);
@@ -457,6 +448,57 @@ impl Moments {
         let n = self.hold.mean.len();
         let mut corner = middle.view_mut((0, 0), (n, n));
         corner += &self.hold.spread;
-        &at.inverse * middle * &at.inverse
+        let mut covariance = &at.inverse * middle * &at.inverse;
+        let seen = self.pulled_to_and_fro(at);
+        let by: Vec<f64> = (0..self.unknowns)
+            .map(|i| match covariance[(i, i)] {
+                usual if usual > 0.0 => (seen[i] / usual).max(1.0).sqrt(),
+                _ => 1.0,
+            })
+            .collect();
+        for i in 0..self.unknowns {
+            for k in 0..self.unknowns {
+                covariance[(i, k)] *= by[i] * by[k];
+            }
+        }
+        covariance
+    }
+
+    /// Variance of each unknown by how the parts of the data pull at it, each about the mean of all.
+    fn pulled_to_and_fro(&self, at: &Solution) -> DVector<f64> {
+        let mut pulls = Vec::new();
+        for part in 0..self.parts() {
+            let mut gradient = DVector::zeros(self.unknowns);
+            let mut count = 0.0;
+            for (joint, weight) in self.joints.iter().zip(&at.weights) {
+                let sums = &joint.parts[part];
+                let local = DVector::from_iterator(joint.columns.len(), joint.columns.iter().map(|&c| at.x[c]));
+                let left = &sums.with_y - &sums.gram * local;
+                joint.columns.iter().zip(left.iter()).for_each(|(&c, g)| gradient[c] += weight * g);
+                count += sums.count;
+            }
+            if count > 0.0 {
+                pulls.push(&at.inverse * gradient);
+            }
+        }
+        let parts = pulls.len() as f64;
+        let mut spread = DVector::zeros(self.unknowns);
+        if pulls.len() > 1 {
+            let mean = pulls.iter().fold(DVector::zeros(self.unknowns), |sum, p| sum + p) / parts;
+            for pull in pulls {
+                let off = pull - &mean;
+                spread += off.component_mul(&off) * (parts / (parts - 1.0));
+            }
+        }
+        spread
+    }
+
+    /// The same equations and solution with further columns, of unknowns that are at their best value already: zero.
+    pub fn beside(&self, at: &Solution, more: &[Column]) -> (Self, Solution) {
+        let moments = self.with(more);
+        let (matrix, _) = moments.assemble(&moments.whole, &at.weights);
+        let x = at.x.clone().resize_vertically(moments.unknowns, 0.0);
+        let solution = Solution { x, inverse: pseudo_inverse(&matrix), ..at.clone() };
+        (moments, solution)
     }
 }

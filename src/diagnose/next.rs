@@ -15,6 +15,7 @@ use crate::excite::{Effort, Extra, Task, Watch, discriminate};
 use crate::plant::RobotPlant;
 use crate::trajectory::Trajectory;
 
+use super::causes::{Scope, by_name};
 use super::moments::pseudo_inverse;
 use super::{Cause, Diagnosis};
 
@@ -110,28 +111,25 @@ fn bodies(plant: &RobotPlant, found: &Diagnosis) -> Option<Vec<f64>> {
 
 /// Pairs that no motion tells apart.
 fn on_paper(a: &str, b: &str) -> bool {
-    const SAME: [[&str; 2]; 3] = [
-        ["asymmetric_friction", "torque_offset"],
-        ["payload", "link_inertia_error"],
-        ["rotor_inertia", "link_inertia_error"],
-    ];
-    SAME.iter().any(|pair| pair.contains(&a) && pair.contains(&b))
+    let says = |a: &str, b: &str| by_name(a).is_some_and(|cause| cause.same_on_paper().contains(&b));
+    says(a, b) || says(b, a)
 }
 
 /// Causes of the whole robot have no joints; one of a joint, where the whole robot's was found, is looked for where that acts most.
 fn rival_place(rival: &str, cause: &Cause) -> Vec<usize> {
-    if matches!(rival, "payload" | "base_tilt" | "external_contact") {
-        return Vec::new();
-    }
-    if let Some(joint) = cause.joints.first() {
-        let other = cause.joints.get(1).copied().unwrap_or(if *joint > 1 { joint - 1 } else { joint + 1 });
-        return if rival == "gear_coupling" { vec![joint - 1, other - 1] } else { vec![joint - 1] };
-    }
-    if rival == "time_delay" {
-        return Vec::new();
-    }
     let gain = |j: &usize| cause.rms_before[*j].powi(2) - cause.rms_after[*j].powi(2);
-    (0..cause.rms_before.len()).max_by(|a, b| gain(a).total_cmp(&gain(b))).into_iter().collect()
+    let most = || (0..cause.rms_before.len()).max_by(|a, b| gain(a).total_cmp(&gain(b)));
+    let own = cause.joints.first().map(|j| j - 1);
+    match by_name(rival).map_or(Scope::Joint, |r| r.scope()) {
+        Scope::Robot => Vec::new(),
+        Scope::JointOrRobot => own.into_iter().collect(),
+        Scope::Joint => own.or_else(most).into_iter().collect(),
+        Scope::Pair => {
+            let Some(joint) = own.or_else(most) else { return Vec::new() };
+            let other = cause.joints.get(1).map_or(if joint > 0 { joint - 1 } else { joint + 1 }, |k| k - 1);
+            vec![joint, other]
+        }
+    }
 }
 
 fn key_of(cause: &Cause, key: &str) -> Option<f64> {

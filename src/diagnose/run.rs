@@ -3,10 +3,10 @@
 use crate::arm::Plant;
 
 use super::calibration;
-use super::causes::{COULOMB, Cause as Hypothesis, Kind, Named, OFFSET, VISCOUS};
-use super::evidence;
+use super::causes::{AsymmetricFriction, COULOMB, Cause as Hypothesis, Kind, Named, OFFSET, VISCOUS};
+use super::evidence::{self, Shown};
 use super::maps::View;
-use super::model::{Bench, Chosen, Fitted, Mode, given_friction, parameters};
+use super::model::{Bench, Chosen, Fitted, Mode, Uncertainty, given_friction, parameters};
 use super::noise::floor;
 use super::offer::LeftOut;
 use super::record::{Recording, unexplained};
@@ -264,7 +264,7 @@ fn once(
     let (after, after_fit, mut causes) = loop {
         progress("measuring on data that was not used");
         let chosen = chosen_of(&found.accepted);
-        let items = items(&bench, &found);
+        let items = items(&bench, &found.accepted, &fitted);
         let [mut far, mut near] = [validate, fit].map(|data| Meter::new(plant, data, &bench));
         let after = far.of(&bench, &fitted, &chosen, true);
         let after_fit = near.of(&bench, &fitted, &chosen, false);
@@ -279,14 +279,14 @@ fn once(
             .collect();
         // The bench as it was, with everything in it.
         fitted = without(&mut bench, &mut found.accepted, &[]);
-        let covariance = fitted.covariance();
+        let uncertainty = Uncertainty::of(&bench, &fitted, &chosen_of(&found.accepted));
         let mut causes: Vec<Cause> = Vec::new();
         for (item, (without, interval)) in items.iter().zip(others) {
             let (on, with) = if item.hypothesis.local() { ("fit", &after_fit) } else { ("validate", &after) };
             causes.push(weigh(
                 &bench,
                 &fitted,
-                &covariance,
+                &uncertainty,
                 &found.accepted,
                 &plain_rivals,
                 item,
@@ -453,7 +453,7 @@ fn withdraw(
 ) -> Fitted {
     for round in 0..12 {
         let chosen = chosen_of(accepted);
-        let items = items_of(bench, accepted);
+        let items = items(bench, accepted, &fitted);
         let stretches = bench.stretches(&chosen);
         let counts = stretches.counts();
         let with = LeftOut::new(&stretches.cross_validated(&fitted.solution), &counts);
@@ -639,11 +639,7 @@ fn release(bench: &mut Bench<'_>, accepted: &mut [Accepted], fitted: Fitted) -> 
 }
 
 /// The accepted causes, and the friction parameters that changed and belong to none of them.
-fn items(bench: &Bench<'_>, found: &Found) -> Vec<Item> {
-    items_of(bench, &found.accepted)
-}
-
-fn items_of(bench: &Bench<'_>, accepted: &[Accepted]) -> Vec<Item> {
+fn items(bench: &Bench<'_>, accepted: &[Accepted], fitted: &Fitted) -> Vec<Item> {
     let mut items: Vec<Item> = accepted
         .iter()
         .enumerate()
@@ -672,6 +668,34 @@ fn items_of(bench: &Bench<'_>, accepted: &[Accepted]) -> Vec<Item> {
                 None => items.push(Item { hypothesis, place: vec![j], accepted: None, friction: vec![k] }),
             }
         }
+    }
+    one_for_two(items, bench, fitted)
+}
+
+/// Of a level and an offset, neither next to nothing beside the other, the smaller is taken for half a difference of levels.
+const BESIDE: f64 = 0.15;
+
+/// A changed Coulomb level and an offset on one joint are, with as many unknowns, one cause: levels that differ with the direction. It takes their place where
+/// both levels are of friction.
+fn one_for_two(mut items: Vec<Item>, bench: &Bench<'_>, fitted: &Fitted) -> Vec<Item> {
+    let given = given_friction(bench.plant);
+    for (j, given) in given.iter().enumerate() {
+        let plain = |which: usize| {
+            let here = |i: &Item| i.accepted.is_none() && i.friction == [3 * j + which];
+            items.iter().position(here).map(|at| (at, fitted.solution.x[fitted.friction + 3 * j + which]))
+        };
+        let (Some((level_at, level)), Some((offset_at, offset))) = (plain(1), plain(2)) else { continue };
+        let (small, large) = (level.abs().min(offset.abs()), level.abs().max(offset.abs()));
+        if small < BESIDE * large || offset.abs() > given[1].unwrap_or(0.0) + level {
+            continue;
+        }
+        items[level_at] = Item {
+            hypothesis: &AsymmetricFriction,
+            place: vec![j],
+            accepted: None,
+            friction: vec![3 * j + 1, 3 * j + 2],
+        };
+        items.remove(offset_at);
     }
     items
 }
@@ -780,7 +804,7 @@ fn reduced<'a>(
 fn weigh(
     bench: &Bench<'_>,
     fitted: &Fitted,
-    covariance: &nalgebra::DMatrix<f64>,
+    uncertainty: &Uncertainty,
     all: &[Accepted],
     plain_rivals: &[Plain],
     item: &Item,
@@ -790,11 +814,11 @@ fn weigh(
     noise: &[f64],
 ) -> Cause {
     let mut keys = match item.accepted {
-        Some(index) => parameters(bench, fitted, covariance, index, &all[index].chosen),
-        None => friction_values(bench, fitted, covariance, item),
+        Some(index) => parameters(bench, fitted, uncertainty, index, &all[index].chosen),
+        None => friction_values(bench, fitted, &uncertainty.covariance, item),
     };
     if item.accepted.is_some() {
-        for named in friction_values(bench, fitted, covariance, item) {
+        for named in friction_values(bench, fitted, &uncertainty.covariance, item) {
             if keys.iter().all(|k| k.symbol != named.symbol) {
                 keys.push(named);
             }
@@ -806,7 +830,7 @@ fn weigh(
     let accepted = item.accepted.map(|a| &all[a]);
     let margin = near(item, accepted, plain_rivals).iter().map(|r| r.2.max(0.0)).fold(MOST_MARGIN, f64::min);
     let part = share(without, with, noise, &item.place);
-    let support = accepted.map_or_else(|| plain_support(fitted, covariance, item), |a| a.support);
+    let support = accepted.map_or_else(|| plain_support(fitted, &uncertainty.covariance, item), |a| a.support);
     Cause {
         cause: item.hypothesis.name(),
         joints: item.place.iter().map(|j| j + 1).collect(),
@@ -814,7 +838,16 @@ fn weigh(
         support,
         margin,
         share: part,
-        evidence: evidence::sentence(item.hypothesis, &item.place, &parameters, without, with, noise, on, accepted),
+        evidence: evidence::sentence(&Shown {
+            cause: item.hypothesis,
+            place: &item.place,
+            parameters: &parameters,
+            before: without,
+            after: with,
+            noise,
+            on,
+            confirmed: accepted.map(|a| a.confirmed),
+        }),
         curve: item.accepted.and_then(|index| evidence::curve(bench, fitted, index, &all[index].chosen)),
         parameters,
         keys,
@@ -929,6 +962,10 @@ fn near<'a>(item: &Item, accepted: Option<&'a Accepted>, plain: &'a [Plain]) -> 
 fn confusable(bench: &Bench<'_>, item: &Item, accepted: Option<&Accepted>, plain: &[Plain]) -> Vec<&'static str> {
     let mut names: Vec<&'static str> = near(item, accepted, plain).iter().map(|r| r.0).collect();
     names.extend(item.hypothesis.twins(&bench.scene, &item.place));
+    // One cause in the place of several plain ones.
+    if item.accepted.is_none() && item.friction.len() > 1 {
+        names.extend(item.friction.iter().map(|k| [&VISCOUS, &COULOMB, &OFFSET][k % 3].name()));
+    }
     names.sort_unstable();
     names.dedup();
     names.retain(|n| *n != item.hypothesis.name());

@@ -6,6 +6,9 @@
 
 use crate::arm::{Change, Plant, States};
 
+use crate::signal::central;
+
+use super::noise::floor;
 use super::record::Recording;
 
 /// What is cut off both ends of every stretch, s, so that a delayed state exists for each sample.
@@ -83,6 +86,8 @@ pub struct Scene<'a> {
     pub rigid: Vec<Vec<f64>>,
     /// Torque of the whole model, per joint, N m.
     pub whole: Vec<Vec<f64>>,
+    /// The same without Coulomb's friction, which jumps.
+    pub smooth: Vec<Vec<f64>>,
     /// Base parameters of the rigid model; friction entries zero.
     pub beta: Vec<f64>,
     /// Standard parameters that give `beta`; `None` until it is known.
@@ -94,7 +99,11 @@ pub struct Scene<'a> {
     /// By how much each joint's torque is taken to be late, s.
     pub delays: Vec<f64>,
     /// Rotor inertias of the file, kg m^2.
-    rotors: Vec<f64>,
+    pub rotors: Vec<f64>,
+    /// Standard deviation of the noise of a window's torque, per joint, N m.
+    pub noise: Vec<f64>,
+    /// Longest spacing of the logs' samples, s.
+    pub period: f64,
 }
 
 impl<'a> Scene<'a> {
@@ -118,6 +127,8 @@ impl<'a> Scene<'a> {
         let mut parts: Vec<[Vec<Vec<f64>>; 3]> = vec![std::array::from_fn(|_| vec![Vec::new(); dof]); distinct.len()];
         let (mut own, mut time, mut runs) = (vec![Vec::new(); dof], Vec::new(), Vec::new());
         let mut step = 1.0 / rate;
+        let stretches = recordings.iter().flat_map(|r| &r.stretches);
+        let period = stretches.map(|s| s.period).fold(0.0, f64::max).max(1e-9);
         for recording in recordings {
             let begin = recording.stretches.first().map_or(0.0, |s| s.start);
             for stretch in &recording.stretches {
@@ -193,11 +204,14 @@ impl<'a> Scene<'a> {
                 .collect(),
             rigid: vec![vec![0.0; len]; dof],
             whole: vec![vec![0.0; len]; dof],
+            smooth: vec![vec![0.0; len]; dof],
             beta: vec![0.0; plant.base_parameters().len()],
             standard: None,
             dead: dead.iter().map(|d| d.0).collect(),
             delays: delays.to_vec(),
             rotors: rotors(plant),
+            noise: floor(recordings, dof).iter().map(|s| s / (step / period).max(1.0).sqrt()).collect(),
+            period,
             plant,
             len,
             y,
@@ -340,15 +354,9 @@ impl<'a> Scene<'a> {
 
     /// Time derivative of a series over the windows, by central differences within each run.
     pub fn rate_of(&self, series: &[f64]) -> Vec<f64> {
-        let mut out = vec![0.0; series.len()];
+        let mut out = Vec::with_capacity(series.len());
         for run in &self.runs {
-            let (first, last) = (run.start, run.end.saturating_sub(1));
-            for w in run.clone() {
-                let (a, b) = (w.saturating_sub(1).max(first), (w + 1).min(last));
-                if b > a {
-                    out[w] = (series[b] - series[a]) / ((b - a) as f64 * self.step);
-                }
-            }
+            out.extend(central(&series[run.clone()], self.step));
         }
         out
     }

@@ -70,9 +70,8 @@ pub struct Found {
     pub fitted: Fitted,
 }
 
-fn unknowns(cause: &dyn Cause, terms: usize) -> f64 {
-    let shape = cause.shape().iter().filter(|s| s.step.is_some()).count();
-    (terms + shape) as f64
+fn unknowns(cause: &dyn Cause, shape: &[f64], terms: usize) -> f64 {
+    (terms + cause.free(shape)) as f64
 }
 
 /// Evaluates one shape.
@@ -83,6 +82,9 @@ fn evaluate(
     place: &[usize],
     shape: &[f64],
 ) -> Option<Candidate> {
+    if !cause.shows(&bench.scene, place, shape) {
+        return None;
+    }
     let terms = bench.family(cause, place, shape);
     if terms.is_empty() {
         return None;
@@ -98,7 +100,7 @@ fn evaluate(
     }
     let total: f64 = fitted.solution.counts.iter().sum();
     let raw: f64 = logs(&fitted.solution.rss, &gain.rss).zip(&fitted.solution.counts).map(|(l, n)| n * l).sum();
-    let score = raw - unknowns(cause, terms.len()) * total.max(2.0).ln();
+    let score = raw - unknowns(cause, shape, terms.len()) * total.max(2.0).ln();
     Some(Candidate { cause, place: place.to_vec(), shape: shape.to_vec(), gain, score })
 }
 
@@ -155,7 +157,7 @@ const WORTH_UNKNOWNS: f64 = 0.03;
 fn simplest_first(all: &mut [Candidate], fitted: &Fitted) {
     let Some(best) = all.first() else { return };
     let total: f64 = fitted.solution.counts.iter().sum();
-    let count = |c: &Candidate| unknowns(c.cause, c.gain.x.len());
+    let count = |c: &Candidate| unknowns(c.cause, &c.shape, c.gain.x.len());
     let raw = |c: &Candidate| c.score + count(c) * total.max(2.0).ln();
     let (most, many) = (raw(best), count(best));
     let place = |c: &Candidate| c.place == best.place || c.place.is_empty() || best.place.is_empty();
@@ -211,6 +213,15 @@ fn refine(bench: &Bench<'_>, fitted: &Fitted, candidate: &mut Candidate) {
             }
         }
     }
+    if let Some(k) = candidate.cause.natural() {
+        let mut next = candidate.shape.clone();
+        next[k] = next[k].round().max(1.0);
+        if let Some(better) = evaluate(bench, fitted, candidate.cause, &candidate.place, &next)
+            && better.score > candidate.score
+        {
+            *candidate = better;
+        }
+    }
 }
 
 /// Searches until nothing more is supported.
@@ -238,16 +249,17 @@ pub fn search(bench: &mut Bench<'_>, noise: &[f64], settings: &SearchSettings, p
             });
             let delays = bench.scene.delays.clone();
             let next = bench.fit(&mut trial);
-            let judged = judge(bench, &fitted, &next, &trial, &accepted, noise, settings, tried);
+            let judge = Judge { bench, noise, settings, accepted: &accepted, tried };
+            let judged = judge.judge(&fitted, &next, &trial);
             match judged {
                 Some(mut judged) => {
                     judged.rivals = rivals(&ranked, rank, &next);
-                    if let Some(payload) =
-                        body_on_the_flange(bench, &judged.chosen, next.terms.last().map_or(&[], |t| t.as_slice()))
+                    let terms = next.terms.last().map_or(&[][..], |t| t.as_slice());
+                    if let Some(other) = rather(bench, &judged.chosen, terms)
                         && let Some(last) = trial.last_mut()
                     {
-                        *last = payload.clone();
-                        judged.chosen = payload;
+                        *last = other.clone();
+                        judged.chosen = other;
                     }
                     taken = Some((judged, trial, next));
                     break;
@@ -271,17 +283,13 @@ pub fn search(bench: &mut Bench<'_>, noise: &[f64], settings: &SearchSettings, p
     }
     progress("weighing the causes against each other");
     settle(bench, &mut accepted, &mut fitted, noise, settings);
+    unite(bench, &mut accepted, &mut fitted);
     Found { accepted, fitted }
 }
 
-/// A last link that is heavier by something that can be a body has a payload on it: the columns are the same.
-fn body_on_the_flange(bench: &Bench<'_>, chosen: &Chosen, terms: &[super::causes::Term]) -> Option<Chosen> {
-    let last = chosen.place.first().is_some_and(|j| j + 1 == bench.scene.dof());
-    let value = |symbol: &str| terms.iter().zip(&chosen.x).find(|(t, _)| t.symbol == symbol).map_or(0.0, |(_, x)| *x);
-    if chosen.cause.name() != "link_inertia_error" || !last || value("M") <= 0.0 {
-        return None;
-    }
-    let cause = super::causes::by_name("payload")?;
+/// The same columns as a cause of the whole robot, where they rather are one.
+fn rather(bench: &Bench<'_>, chosen: &Chosen, terms: &[super::causes::Term]) -> Option<Chosen> {
+    let cause = chosen.cause.rather(&bench.scene, &chosen.place, terms, &chosen.x)?;
     Some(Chosen { cause, place: Vec::new(), ..chosen.clone() })
 }
 
@@ -290,81 +298,87 @@ fn makes_sense(bench: &Bench<'_>, cause: &dyn Cause) -> bool {
     bench.mode == Mode::Trusted || !cause.within_links()
 }
 
-/// Whether the last of `trial` is worth having.
-#[allow(clippy::too_many_arguments)]
-fn judge(
-    bench: &Bench<'_>,
-    before: &Fitted,
-    after: &Fitted,
-    trial: &[Chosen],
-    accepted: &[Accepted],
-    noise: &[f64],
-    settings: &SearchSettings,
+/// By what a cause is judged.
+struct Judge<'a> {
+    bench: &'a Bench<'a>,
+    noise: &'a [f64],
+    settings: &'a SearchSettings,
+    /// Accepted before.
+    accepted: &'a [Accepted],
+    /// How many candidates there were.
     tried: usize,
-) -> Option<Accepted> {
-    let last = trial.last()?;
-    let terms = after.terms.last()?;
-    if terms.is_empty() || !last.cause.plausible(&bench.scene, &last.place, &last.shape, &last.x) {
-        return None;
-    }
-    if terms.iter().zip(&last.x).any(|(t, x)| t.sign == Sign::Positive && *x <= 0.0) {
-        return None;
-    }
-    let counts = &before.solution.counts;
-    let independent: f64 = counts.iter().zip(&after.memory).map(|(n, m)| n / m).sum();
-    let gain: f64 = logs(&before.solution.rss, &after.solution.rss)
-        .zip(counts.iter().zip(&after.memory))
-        .map(|(l, (n, m))| l * n / m)
-        .sum();
-    let cost = unknowns(last.cause, terms.len()) * independent.max(2.0).ln() + 2.0 * (tried as f64).ln() + 6.0;
-    let support = gain - cost;
-    if support <= 0.0 {
-        return None;
-    }
-    // Large enough beside the noise, on some joint?
-    let taken: Vec<f64> = before
-        .solution
-        .rss
-        .iter()
-        .zip(&after.solution.rss)
-        .zip(counts)
-        .map(|((a, b), n)| if *n > 0.0 { (a - b) / n } else { 0.0 })
-        .collect();
-    let size = |j: usize| if counts[j] > 0.0 { before.solution.rss[j] / counts[j] } else { 0.0 };
-    let matters = (0..taken.len())
-        .any(|j| taken[j] > (settings.least_effect * noise[j]).powi(2).max(settings.least_gain * size(j)));
-    if !matters {
-        return None;
-    }
-    let variance: f64 = taken.iter().filter(|t| **t > 0.0).sum();
-    // What an earlier law of the same kind does not fit is not another cause.
-    let same = |a: &Accepted| {
-        a.chosen.place == last.place && a.chosen.cause.kind() == last.cause.kind() && !last.place.is_empty()
-    };
-    let overshadowed = accepted.iter().any(|a| {
-        let share = if same(a) { settings.least_share } else { 0.3 * settings.least_share };
-        let joints = !a.chosen.place.is_empty() && a.chosen.place == last.place;
-        (same(a) || joints) && variance < share * a.variance
-    });
-    if overshadowed {
-        return None;
-    }
-    let stands: Vec<bool> = (0..counts.len()).map(|j| last.place.is_empty() && stands(bench, j)).collect();
-    let Confirmation { confirmed, predicted, spoilt, stirred } = confirmation(before, after, &stands);
-    if last.cause.local() {
-        // No other part can vouch for it: it must stand out by itself.
-        let stands_out = (0..taken.len()).any(|j| taken[j] > 0.25 * size(j));
-        if !stands_out {
+}
+
+impl Judge<'_> {
+    /// Whether the last of `trial` is worth having.
+    fn judge(&self, before: &Fitted, after: &Fitted, trial: &[Chosen]) -> Option<Accepted> {
+        let Self { bench, noise, settings, accepted, tried } = *self;
+        let last = trial.last()?;
+        let terms = after.terms.last()?;
+        if terms.is_empty() || !last.cause.plausible(&bench.scene, &last.place, &last.shape, &last.x) {
             return None;
         }
-    } else if confirmed < 0.75
-        || predicted < 0.6 * settings.least_gain
-        || spoilt > 0.1
-        || stirred > (0.5 * predicted).max(0.1)
-    {
-        return None;
+        if terms.iter().zip(&last.x).any(|(t, x)| t.sign == Sign::Positive && *x <= 0.0) {
+            return None;
+        }
+        let counts = &before.solution.counts;
+        let independent: f64 = counts.iter().zip(&after.memory).map(|(n, m)| n / m).sum();
+        let gain: f64 = logs(&before.solution.rss, &after.solution.rss)
+            .zip(counts.iter().zip(&after.memory))
+            .map(|(l, (n, m))| l * n / m)
+            .sum();
+        let cost = unknowns(last.cause, &last.shape, terms.len()) * independent.max(2.0).ln()
+            + 2.0 * (tried as f64).ln()
+            + 6.0;
+        let support = gain - cost;
+        if support <= 0.0 {
+            return None;
+        }
+        // Large enough beside the noise, on some joint?
+        let taken: Vec<f64> = before
+            .solution
+            .rss
+            .iter()
+            .zip(&after.solution.rss)
+            .zip(counts)
+            .map(|((a, b), n)| if *n > 0.0 { (a - b) / n } else { 0.0 })
+            .collect();
+        let size = |j: usize| if counts[j] > 0.0 { before.solution.rss[j] / counts[j] } else { 0.0 };
+        let matters = (0..taken.len())
+            .any(|j| taken[j] > (settings.least_effect * noise[j]).powi(2).max(settings.least_gain * size(j)));
+        if !matters {
+            return None;
+        }
+        let variance: f64 = taken.iter().filter(|t| **t > 0.0).sum();
+        // What an earlier law of the same kind does not fit is not another cause.
+        let same = |a: &Accepted| {
+            a.chosen.place == last.place && a.chosen.cause.kind() == last.cause.kind() && !last.place.is_empty()
+        };
+        let overshadowed = accepted.iter().any(|a| {
+            let share = if same(a) { settings.least_share } else { 0.3 * settings.least_share };
+            let joints = !a.chosen.place.is_empty() && a.chosen.place == last.place;
+            (same(a) || joints) && variance < share * a.variance
+        });
+        if overshadowed {
+            return None;
+        }
+        let stands: Vec<bool> = (0..counts.len()).map(|j| last.place.is_empty() && stands(bench, j)).collect();
+        let Confirmation { confirmed, predicted, spoilt, stirred } = confirmation(before, after, &stands);
+        if last.cause.local() {
+            // No other part can vouch for it: it must stand out by itself.
+            let stands_out = (0..taken.len()).any(|j| taken[j] > 0.25 * size(j));
+            if !stands_out {
+                return None;
+            }
+        } else if confirmed < 0.75
+            || predicted < 0.6 * settings.least_gain
+            || spoilt > 0.1
+            || stirred > (0.5 * predicted).max(0.1)
+        {
+            return None;
+        }
+        Some(Accepted { chosen: last.clone(), support, confirmed, rivals: Vec::new(), variance })
     }
-    Some(Accepted { chosen: last.clone(), support, confirmed, rivals: Vec::new(), variance })
 }
 
 /// Whether a joint stands most of the time: what the file has wrong of it the motion does not show, and a cause of the whole robot can make it seem larger.
@@ -479,7 +493,8 @@ fn settle(
                 x: candidate.gain.x.clone(),
             });
             let next = bench.fit(&mut trial);
-            if let Some(mut judged) = judge(bench, &reduced, &next, &trial, &others, noise, settings, ranked.len()) {
+            let judge = Judge { bench, noise, settings, accepted: &others, tried: ranked.len() };
+            if let Some(mut judged) = judge.judge(&reduced, &next, &trial) {
                 judged.rivals = rivals(&ranked, rank, &next);
                 let (first, last) = (index, trial.len() - 1);
                 let chosen = trial.remove(last);
@@ -505,6 +520,78 @@ fn settle(
         a.chosen = c.clone();
     }
     fitted.memory = fitted.residual.iter().zip(&bench.scene.live).map(|(e, l)| memory(e, l)).collect();
+}
+
+/// Delays of several joints that are the same within what they are known to are one: that of a clock, or a bus. It takes their place where the data do not
+/// speak against it: where it costs less than the unknowns that it saves.
+fn unite(bench: &mut Bench<'_>, accepted: &mut Vec<Accepted>, fitted: &mut Fitted) {
+    let late: Vec<usize> = (0..accepted.len())
+        .filter(|&i| accepted[i].chosen.cause.moves_time() && accepted[i].chosen.place.len() == 1)
+        .collect();
+    let common = accepted.iter().any(|a| a.chosen.cause.moves_time() && a.chosen.place.is_empty());
+    if late.len() < 2 || common {
+        return;
+    }
+    let covariance = fitted.covariance();
+    // Joint, delay, variance: at least that of half a sample.
+    let of = |i: usize| {
+        let (joint, at) = (accepted[i].chosen.place[0], fitted.first[i]);
+        let sampled = (0.5 * bench.scene.period).powi(2) / 3.0;
+        (joint, bench.scene.delays[joint], covariance[(at, at)].max(0.0) + sampled)
+    };
+    let alike = |i: usize, k: usize| {
+        let ((_, a, va), (_, b, vb)) = (of(i), of(k));
+        (a - b).abs() <= 3.0 * (va + vb).sqrt()
+    };
+    // The largest company about one of them.
+    let company = |i: usize| late.iter().copied().filter(|&k| alike(i, k)).collect::<Vec<usize>>();
+    let Some(group) = late.iter().map(|&i| company(i)).max_by_key(Vec::len).filter(|g| g.len() > 1) else { return };
+    let weight: f64 = group.iter().map(|&i| 1.0 / of(i).2).sum();
+    let mean = group.iter().map(|&i| of(i).1 / of(i).2).sum::<f64>() / weight;
+    let own: Vec<usize> = late.iter().map(|&i| of(i).0).collect();
+    let members: Vec<usize> = group.iter().map(|&i| of(i).0).collect();
+    let before = bench.scene.delays.clone();
+    for j in 0..bench.scene.dof() {
+        let wanted = if own.contains(&j) && !members.contains(&j) { before[j] } else { mean };
+        if wanted != before[j] {
+            bench.delay(&[j], wanted - before[j]);
+        }
+    }
+    let mut kept: Vec<Accepted> =
+        accepted.iter().enumerate().filter(|(i, _)| !group.contains(i)).map(|(_, a)| a.clone()).collect();
+    let mut one = accepted[group[0]].clone();
+    one.chosen.place = Vec::new();
+    one.chosen.x = vec![0.0];
+    one.support = group.iter().map(|&i| accepted[i].support).fold(f64::NEG_INFINITY, f64::max);
+    one.variance = group.iter().map(|&i| accepted[i].variance).sum();
+    kept.insert(group[0].min(kept.len()), one);
+    let mut chosen: Vec<Chosen> = kept.iter().map(|a| a.chosen.clone()).collect();
+    let next = bench.fit(&mut chosen);
+    let counts = &next.solution.counts;
+    let lost: f64 = logs(&fitted.solution.rss, &next.solution.rss)
+        .zip(counts.iter().zip(&next.memory))
+        .map(|(l, (n, m))| -l * n / m)
+        .sum();
+    let independent: f64 = counts.iter().zip(&next.memory).map(|(n, m)| n / m).sum();
+    let saved = (group.len() - 1) as f64 * independent.max(2.0).ln();
+    if lost < saved {
+        for (a, c) in kept.iter_mut().zip(&chosen) {
+            a.chosen = c.clone();
+        }
+        (*accepted, *fitted) = (kept, next);
+        return;
+    }
+    for (j, was) in before.iter().enumerate() {
+        let now = bench.scene.delays[j];
+        if *was != now {
+            bench.delay(&[j], was - now);
+        }
+    }
+    let mut chosen: Vec<Chosen> = accepted.iter().map(|a| a.chosen.clone()).collect();
+    *fitted = bench.fit(&mut chosen);
+    for (a, c) in accepted.iter_mut().zip(&chosen) {
+        a.chosen = c.clone();
+    }
 }
 
 /// What else the plain friction of a joint might be.
@@ -556,7 +643,8 @@ pub fn reconsider(
                 x: best.gain.x.clone(),
             });
             let next = bench.fit(&mut trial);
-            if let Some(mut judged) = judge(bench, &reduced, &next, &trial, accepted, noise, settings, ranked.len()) {
+            let judge = Judge { bench, noise, settings, accepted: accepted.as_slice(), tried: ranked.len() };
+            if let Some(mut judged) = judge.judge(&reduced, &next, &trial) {
                 judged.rivals = rivals(&ranked, 0, &next);
                 let names = [("viscous_friction", 0), ("coulomb_friction", 1), ("torque_offset", 2)];
                 let margin = (best.score - plain) / memory;

@@ -44,6 +44,8 @@ pub struct Verdict {
     pub findings: Vec<Finding>,
     /// What could not be checked, and why.
     pub unchecked: Vec<String>,
+    /// What was checked against a limit that is not in the file.
+    pub assumed: Vec<String>,
     /// Instants that were looked at.
     pub instants: usize,
 }
@@ -130,10 +132,10 @@ pub fn check(robot: &Robot, motion: &Written, acceleration_time: Option<f64>) ->
             }
         }
         if limits.acceleration.is_none() {
-            verdict.unchecked.push(match assumed {
-                Some(a) => format!("acceleration of {}: no limit in the file, {a:.3} assumed", name(j)),
-                None => format!("acceleration of {}: no limit in the file", name(j)),
-            });
+            match assumed {
+                Some(a) => verdict.assumed.push(format!("{} {a:.3}", name(j))),
+                None => verdict.unchecked.push(format!("acceleration of {}: no limit in the file", name(j))),
+            }
         }
         joints.push([
             make("position", limits.position.map(|p| p[1])),
@@ -147,6 +149,12 @@ pub fn check(robot: &Robot, motion: &Written, acceleration_time: Option<f64>) ->
     let phi = param::standard_values(robot);
     if phi.is_none() {
         verdict.unchecked.push("torque: the file has no inertial parameters of all links".into());
+    }
+    if robot.collision.ground.is_none() {
+        verdict.unchecked.push("ground: the file has none".into());
+    }
+    if robot.collision.spheres.is_empty() {
+        verdict.unchecked.push("self-collision: the file has no spheres".into());
     }
     let mut around = Around::new(robot, &numeric);
 

@@ -190,15 +190,20 @@ impl Constraints<'_> {
             }
             Constraint::Pair(p) => {
                 let (a, b) = self.bodies.pairs[p];
-                format!("{} and {}: {:.4} m apart", ball(a), ball(b), self.distance_margin - value * LENGTH)
+                format!("{} and {}: {}", ball(a), ball(b), apart(self.distance_margin - value * LENGTH))
             }
             Constraint::Box(p) => {
                 let (a, block) = self.bodies.blocked[p];
                 let name = &self.bodies.blocks[block].name;
-                format!("{} and box {name}: {:.4} m apart", ball(a), self.distance_margin - value * LENGTH)
+                format!("{} and box {name}: {}", ball(a), apart(self.distance_margin - value * LENGTH))
             }
         }
     }
+}
+
+/// A distance in words, m.
+fn apart(distance: f64) -> String {
+    if distance < 0.0 { format!("{:.4} m into each other", -distance) } else { format!("{distance:.4} m apart") }
 }
 
 fn norm(x: &[f64; 3]) -> f64 {

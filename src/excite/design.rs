@@ -1,4 +1,5 @@
-//! From a task to a motion: several starts at once, first on coarse grids, the best then on fine ones, and checked between their samples.
+//! From a task to a motion: several starts at once, a few steps of each on a rough grid; the better third goes on on a coarse one, the best of those
+//! on a fine one, checked between its samples. What a run has learnt of the criterion's curvature goes along.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -9,7 +10,7 @@ use super::constraints::{Constraint, Worst};
 use super::extra::Extra;
 use super::information::{Conditions, Information};
 use super::program::{Grid, Program};
-use super::sqp::{Point, Settings, better, minimise};
+use super::sqp::{Point, Search, Settings, better, minimise};
 use super::task::Task;
 use super::{Criterion, start};
 
@@ -31,7 +32,7 @@ pub struct Effort {
 impl Default for Effort {
     fn default() -> Self {
         let threads = std::thread::available_parallelism().map_or(1, usize::from);
-        Self { starts: 12, seed: 1, iterations: 60, finalists: 2, threads }
+        Self { starts: 16, seed: 1, iterations: 90, finalists: 2, threads }
     }
 }
 
@@ -90,14 +91,33 @@ pub struct Design {
     pub stopped: bool,
     /// History of all starts.
     pub history: Vec<Record>,
-    /// Value that each start reached, where feasible.
+    /// Value that each start reached on the rough grid, where feasible: the better ones went on.
     pub starts: Vec<Option<f64>>,
 }
 
-/// Samples per second of the criterion and of the constraints, and hull pieces per interval, in the first, coarse part.
-const COARSE: (f64, f64, usize) = (20.0, 20.0, 4);
-/// In the final part.
-const FINE: (f64, f64, usize) = (50.0, 50.0, 12);
+/// How finely a task is looked at.
+#[derive(Debug, Clone, Copy)]
+struct Level {
+    /// Samples per second of the criterion and of the constraints.
+    rate: f64,
+    /// Hull pieces per interval.
+    refine: usize,
+}
+
+impl Level {
+    /// No fewer than a hundred samples, and not more than the task asks for.
+    fn program<'a>(&self, task: &'a Task<'a>) -> Program<'a> {
+        let rate = self.rate.max(100.0 / task.curve.design_duration());
+        Program::new(task, rate.min(task.rate), rate, self.refine)
+    }
+}
+
+/// All starts: a few steps tell which of them are worth more.
+const ROUGH: Level = Level { rate: 10.0, refine: 2 };
+/// Those that are.
+const COARSE: Level = Level { rate: 20.0, refine: 4 };
+/// The finalists.
+const FINE: Level = Level { rate: 50.0, refine: 12 };
 /// Of the last check.
 const FINEST: f64 = 500.0;
 
@@ -112,29 +132,19 @@ pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Des
             worst.what
         )
     })?;
-    let coarse = Program::new(task, COARSE.0.min(task.rate), COARSE.1, COARSE.2);
     let powers = task.criterion.powers();
-    let total = effort.starts.max(1) * effort.iterations + effort.finalists.max(1) * 2 * effort.iterations;
+    let starts = effort.starts.max(1);
+    let kept = starts.div_ceil(3);
+    let finalists = effort.finalists.clamp(1, kept.div_ceil(2));
+    let first = (effort.iterations / 4).max(1);
+    let total = starts * first + kept * effort.iterations + finalists * 2 * effort.iterations;
     let counter = AtomicUsize::new(0);
     let best = Mutex::new(None::<f64>);
     let histories: Mutex<Vec<(usize, usize, Vec<Record>)>> = Mutex::new(Vec::new());
-
-    let run = |program: &Program<'_>,
-               x: Vec<f64>,
-               powers: &[f64],
-               iterations: usize,
-               radius: f64,
-               start: usize,
-               part: usize| {
+    // Part by part, for the history: (part, start).
+    let run = |program: &Program<'_>, search: &mut Search, stages: &[(f64, Settings)], part: usize, start: usize| {
         let mut records = Vec::new();
-        let mut point = Point { x, value: f64::INFINITY, worst: f64::INFINITY };
-        for (k, &power) in powers.iter().enumerate() {
-            let settings = Settings {
-                iterations: iterations / powers.len(),
-                patience: 8,
-                gain: 2e-5,
-                radius: if k == 0 { radius } else { 0.1 },
-            };
+        for (power, settings) in stages {
             let mut visit = |at: &Point| {
                 records.push(Record { start, value: at.value, worst: at.worst });
                 let done = counter.fetch_add(1, Ordering::Relaxed);
@@ -146,7 +156,7 @@ pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Des
                 }
                 !watch.stop.load(Ordering::Relaxed)
             };
-            point = minimise(program, point.x, power, &settings, &mut visit);
+            minimise(program, search, *power, settings, &mut visit);
             if watch.stop.load(Ordering::Relaxed) {
                 break;
             }
@@ -154,42 +164,52 @@ pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Des
         if let Ok(mut all) = histories.lock() {
             all.push((part, start, records));
         }
-        point
     };
 
-    // Coarse: every start.
-    let mut points: Vec<(usize, Point)> = parallel(effort.threads, effort.starts.max(1), |k| {
+    // Rough: every start.
+    let rough = ROUGH.program(task);
+    let settings = Settings { iterations: first, patience: 4, gain: 1e-3 };
+    let mut searches: Vec<(usize, Search)> = parallel(effort.threads, starts, |k| {
         if k > 0 && watch.stop.load(Ordering::Relaxed) {
             return None;
         }
-        let x = start::random_motion(task, &coarse, &home, effort.seed, k as u64);
-        Some((k, run(&coarse, x, powers, effort.iterations, 1.0, k, 0)))
+        let x = start::random_motion(task, &rough, &home, effort.seed, k as u64);
+        let mut search = Search::new(x, 1.0);
+        run(&rough, &mut search, &[(powers[0], settings)], 0, k);
+        Some((k, search))
     })
     .into_iter()
     .flatten()
     .collect();
-    let starts: Vec<Option<f64>> = points.iter().map(|(_, p)| (p.worst <= 0.0).then_some(p.value)).collect();
-    points.sort_by(|a, b| match (better(&a.1, &b.1), better(&b.1, &a.1)) {
-        (true, false) => std::cmp::Ordering::Less,
-        (false, true) => std::cmp::Ordering::Greater,
-        _ => a.0.cmp(&b.0),
+    let reached: Vec<Option<f64>> =
+        searches.iter().map(|(_, s)| (s.point.worst <= 0.0).then_some(s.point.value)).collect();
+    keep(&mut searches, kept);
+
+    // Coarse: the better ones.
+    let coarse = COARSE.program(task);
+    let stages: Vec<(f64, Settings)> = powers
+        .iter()
+        .map(|&power| {
+            let iterations = effort.iterations.div_ceil(powers.len());
+            (power, Settings { iterations, patience: 4, gain: 3e-4 })
+        })
+        .collect();
+    let mut searches = parallel(effort.threads, searches.len(), |k| {
+        let (start, mut search) = searches[k].clone();
+        run(&coarse, &mut search, &stages, 1, start);
+        (start, search)
     });
-    points.truncate(effort.finalists.max(1));
+    keep(&mut searches, finalists);
 
     // Fine: the best of them, with margins that grow until the finest grid is content.
-    let ended = parallel(effort.threads, points.len(), |k| {
-        let (start, point) = &points[k];
-        finish(
-            task,
-            point.x.clone(),
-            |program, x, iterations, radius, part| {
-                let last = &powers[powers.len() - 1..];
-                run(program, x, last, iterations, radius, *start, part)
-            },
-            effort.iterations,
-        )
+    let last = powers[powers.len() - 1];
+    let mut ended = parallel(effort.threads, searches.len(), |k| {
+        let (start, search) = searches[k].clone();
+        finish(task, search, |program, search, round| {
+            let iterations = if round == 0 { effort.iterations } else { effort.iterations.div_ceil(2) };
+            run(program, search, &[(last, Settings { iterations, patience: 5, gain: 5e-5 })], 2 + round, start);
+        })
     });
-    let mut ended: Vec<Ended> = ended.into_iter().collect();
     ended.sort_by(|a, b| {
         (!a.feasible, a.point.value).partial_cmp(&(!b.feasible, b.point.value)).unwrap_or(std::cmp::Ordering::Equal)
     });
@@ -198,7 +218,17 @@ pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Des
     histories.sort_by_key(|h| (h.0, h.1));
     let history = histories.into_iter().flat_map(|h| h.2).collect();
     let stopped = watch.stop.load(Ordering::Relaxed);
-    assess(task, chosen, history, starts, stopped)
+    assess(task, chosen, history, reached, stopped)
+}
+
+/// The best so many, in order.
+fn keep(searches: &mut Vec<(usize, Search)>, count: usize) {
+    searches.sort_by(|a, b| match (better(&a.1.point, &b.1.point), better(&b.1.point, &a.1.point)) {
+        (true, false) => std::cmp::Ordering::Less,
+        (false, true) => std::cmp::Ordering::Greater,
+        _ => a.0.cmp(&b.0),
+    });
+    searches.truncate(count);
 }
 
 struct Ended {
@@ -206,36 +236,26 @@ struct Ended {
     feasible: bool,
 }
 
-fn finish(
-    task: &Task<'_>,
-    x: Vec<f64>,
-    run: impl Fn(&Program<'_>, Vec<f64>, usize, f64, usize) -> Point,
-    iterations: usize,
-) -> Ended {
+/// Calls `run` with a program, where to begin and the round, until the finest grid is content.
+fn finish(task: &Task<'_>, mut search: Search, run: impl Fn(&Program<'_>, &mut Search, usize)) -> Ended {
     let mut own = task.clone();
-    let mut point = Point { x, value: f64::INFINITY, worst: f64::INFINITY };
-    let mut last = None;
-    for round in 0..4 {
-        let program = Program::new(&own, FINE.0.min(task.rate), FINE.1, FINE.2);
-        let iterations = if round == 0 { iterations } else { iterations / 2 };
-        point = run(&program, point.x, iterations, 0.1, 1 + round);
-        let excess = finest(task, &point.x);
+    for round in 0.. {
+        run(&FINE.program(&own), &mut search, round);
+        let excess = finest(task, &search.point.x);
         let (torque, distance) =
             excess.iter().fold((f64::NEG_INFINITY, f64::NEG_INFINITY), |(t, d), (c, v, _)| match c {
                 Constraint::Torque(_) => (t.max(*v), d),
                 _ => (t, d.max(*v)),
             });
         let feasible = torque <= 0.0 && distance <= 0.0;
-        let ended = Ended { point: point.clone(), feasible };
-        if feasible {
-            return ended;
+        if feasible || round == 3 {
+            return Ended { point: search.point, feasible };
         }
-        last = Some(ended);
         // What showed between the samples is added to the margins.
         own.torque_margin += 1.2 * torque.max(0.0) + 1e-4;
         own.distance_margin += 0.12 * distance.max(0.0) + 1e-5;
     }
-    last.unwrap_or(Ended { point, feasible: false })
+    Ended { point: search.point, feasible: false }
 }
 
 /// The largest value of every constraint on the finest grid, without margins, and when.
@@ -290,7 +310,7 @@ fn assess(
     let minimised = information.judge(&task.criterion, power).map_or(f64::INFINITY, |j| j.0);
     if !minimised.is_finite() {
         return Err(
-            "the motion tells nothing about some columns; make it longer, or leave parameters out with --without"
+            "the motion tells nothing about some columns; make it longer, or leave the drives out with --links-only"
                 .into(),
         );
     }

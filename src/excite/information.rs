@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use crate::arm::{Gradient, States};
 use crate::identify::Triangle;
 
-use super::columns::Columns;
+use super::columns::{Columns, Entry};
 use super::criterion::{Criterion, Slope};
 
 /// Weights of rows and columns, and what is known before.
@@ -52,14 +52,13 @@ impl Information {
         let (len, count) = (states.len, columns.count());
         let mut values = vec![0.0; columns.values() * len];
         columns.evaluate(states, &mut values);
-        let column_of = |place: usize| &values[place * len..(place + 1) * len];
         let mut gram = DMatrix::zeros(count, count);
-        let entries = columns.entries();
-        let weight = |row: usize| scaling.row[row] * scaling.row[row] * scaling.repeat;
-        for row in entries.chunk_by(|a, b| a.row == b.row) {
-            for (k, a) in row.iter().enumerate() {
-                for b in &row[k..] {
-                    let product = weight(a.row) * dot(column_of(a.place), column_of(b.place));
+        for row in columns.entries().chunk_by(|a, b| a.row == b.row) {
+            let weight = scaling.row[row[0].row].powi(2) * scaling.repeat;
+            let sums = products(row, &values, len);
+            for (i, a) in row.iter().enumerate() {
+                for (k, b) in row.iter().enumerate().skip(i) {
+                    let product = weight * sums[i * row.len() + k];
                     gram[(a.column, b.column)] += product * scaling.column[a.column] * scaling.column[b.column];
                 }
             }
@@ -168,41 +167,37 @@ impl Information {
     ) {
         let len = self.len;
         let mut seeds = vec![0.0; self.values.len()];
+        let dense = match slope {
+            Slope::Dense(f) => Some(f.clone()),
+            // Where products keep enough digits, so does F = U diag(d) U'.
+            Slope::Factored { u, d } => self
+                .factor
+                .is_none()
+                .then(|| u * DMatrix::from_diagonal(&DVector::from_column_slice(d)) * u.transpose()),
+        };
         for row in columns.entries().chunk_by(|a, b| a.row == b.row) {
-            let weight = scaling.row[row[0].row].powi(2) * scaling.repeat;
-            match slope {
-                Slope::Dense(f) => {
-                    for a in row {
-                        let (before, rest) = seeds.split_at_mut(a.place * len);
-                        let _ = before;
-                        let seed = &mut rest[..len];
-                        for b in row {
-                            let factor = 2.0
-                                * weight
-                                * scaling.column[a.column]
-                                * scaling.column[b.column]
-                                * f[(a.column, b.column)];
-                            axpy(factor, &self.values[b.place * len..(b.place + 1) * len], seed);
-                        }
-                    }
+            let weight = 2.0 * scaling.row[row[0].row].powi(2) * scaling.repeat;
+            let column = |e: &Entry| scaling.column[e.column];
+            match (&dense, slope) {
+                (Some(f), _) => {
+                    let factor = |a: &Entry, b: &Entry| weight * column(a) * column(b) * f[(a.column, b.column)];
+                    combine(row, factor, &self.values, &mut seeds, len);
                 }
-                // F = U diag(d) U': W U first, which is of order one, so that nothing cancels.
-                Slope::Factored { u, d } => {
+                // W U first, which is of order one, so that nothing cancels.
+                (None, Slope::Factored { u, d }) => {
                     for l in 0..d.len() {
                         let mut product = vec![0.0; len];
                         for b in row {
-                            axpy(
-                                scaling.column[b.column] * u[(b.column, l)],
-                                &self.values[b.place * len..(b.place + 1) * len],
-                                &mut product,
-                            );
+                            let values = &self.values[b.place * len..(b.place + 1) * len];
+                            axpy(column(b) * u[(b.column, l)], values, &mut product);
                         }
                         for a in row {
-                            let factor = 2.0 * weight * d[l] * u[(a.column, l)] * scaling.column[a.column];
+                            let factor = weight * d[l] * u[(a.column, l)] * column(a);
                             axpy(factor, &product, &mut seeds[a.place * len..(a.place + 1) * len]);
                         }
                     }
                 }
+                (None, Slope::Dense(_)) => {}
             }
         }
         columns.vjp(states, &seeds, to);
@@ -248,8 +243,73 @@ fn factor(columns: &Columns<'_>, values: &[f64], len: usize, scaling: &Scaling) 
     DMatrix::from_fn(count, count, |i, k| triangle.get(i, k))
 }
 
+/// Samples that are worked on together: columns of a block stay in the nearest cache.
+const BLOCK: usize = 128;
+
+/// Inner products of the entries of a row, `[i * row.len() + k]` for `k >= i`: four columns at a time, each by four sums, which vectorises and keeps
+/// the order of the sums fixed.
+fn products(row: &[Entry], values: &[f64], len: usize) -> Vec<f64> {
+    let count = row.len();
+    let mut sums = vec![0.0; count * count];
+    for start in (0..len).step_by(BLOCK) {
+        let end = (start + BLOCK).min(len);
+        let part = |e: &Entry| &values[e.place * len + start..e.place * len + end];
+        for (i, a) in row.iter().enumerate() {
+            let a = part(a);
+            for (k, four) in row[i..].chunks(4).enumerate() {
+                let sums = &mut sums[i * count + i + 4 * k..][..four.len()];
+                if let [b0, b1, b2, b3] = four {
+                    let more = dot_four(a, [part(b0), part(b1), part(b2), part(b3)]);
+                    sums.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
+                } else {
+                    sums.iter_mut().zip(four).for_each(|(sum, b)| *sum += dot(a, part(b)));
+                }
+            }
+        }
+    }
+    sums
+}
+
+fn dot_four(a: &[f64], b: [&[f64]; 4]) -> [f64; 4] {
+    let (mut sums, even) = ([[0.0; 4]; 4], a.len() / 4 * 4);
+    let b = b.map(|b| &b[..a.len()]);
+    for s in (0..even).step_by(4) {
+        for k in 0..4 {
+            for l in 0..4 {
+                sums[k][l] += a[s + l] * b[k][s + l];
+            }
+        }
+    }
+    std::array::from_fn(|k| {
+        let rest: f64 = (even..a.len()).map(|s| a[s] * b[k][s]).sum();
+        (sums[k][0] + sums[k][1]) + (sums[k][2] + sums[k][3]) + rest
+    })
+}
+
+/// Adds to each entry's samples the entries of its row, each times `factor(to, from)`.
+fn combine(row: &[Entry], factor: impl Fn(&Entry, &Entry) -> f64, values: &[f64], to: &mut [f64], len: usize) {
+    let factors: Vec<f64> = row.iter().flat_map(|a| row.iter().map(|b| factor(a, b)).collect::<Vec<_>>()).collect();
+    for start in (0..len).step_by(BLOCK) {
+        let end = (start + BLOCK).min(len);
+        let part = |e: &Entry| &values[e.place * len + start..e.place * len + end];
+        for (a, factors) in row.iter().zip(factors.chunks(row.len())) {
+            let sum = &mut to[a.place * len + start..a.place * len + end];
+            for (four, f) in row.chunks(4).zip(factors.chunks(4)) {
+                if let ([b0, b1, b2, b3], &[f0, f1, f2, f3]) = (four, f) {
+                    let others = part(b0).iter().zip(part(b1)).zip(part(b2).iter().zip(part(b3)));
+                    for (sum, ((v0, v1), (v2, v3))) in sum.iter_mut().zip(others) {
+                        *sum += (f0 * v0 + f1 * v1) + (f2 * v2 + f3 * v3);
+                    }
+                } else {
+                    four.iter().zip(f).for_each(|(b, f)| axpy(*f, part(b), sum));
+                }
+            }
+        }
+    }
+}
+
 /// By four accumulators, which vectorises and keeps the order of the sum fixed.
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+fn dot(a: &[f64], b: &[f64]) -> f64 {
     let (mut sums, even) = ([0.0; 4], a.len() / 4 * 4);
     for (x, y) in a[..even].chunks_exact(4).zip(b[..even].chunks_exact(4)) {
         for l in 0..4 {

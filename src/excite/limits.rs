@@ -24,10 +24,12 @@ pub struct JointLimits {
 pub struct Missing {
     /// Name of the joint.
     pub joint: String,
-    /// `position`, `acceleration`, `torque`.
+    /// `position`, `acceleration`, `torque`, `links`, `collision`.
     pub limit: &'static str,
     /// What was done about it.
     pub taken: String,
+    /// What was taken instead, rad or m and seconds.
+    pub value: Option<f64>,
 }
 
 impl JointLimits {
@@ -43,8 +45,8 @@ impl JointLimits {
         acceleration_time: f64,
         missing: &mut Vec<Missing>,
     ) -> Result<Self, String> {
-        let mut note = |limit: &'static str, taken: String| {
-            missing.push(Missing { joint: name.to_string(), limit, taken });
+        let mut note = |limit: &'static str, taken: String, value: Option<f64>| {
+            missing.push(Missing { joint: name.to_string(), limit, taken, value });
         };
         let velocity = limits.velocity.filter(|v| *v > 0.0).ok_or_else(|| {
             format!("joint {name} has no `velocity` limit; a motion can't be planned without one: write it in the robot file")
@@ -52,7 +54,7 @@ impl JointLimits {
         let position = match limits.position {
             Some(range) => range,
             None if revolute => {
-                note("position", "no limit in the file: kept within one turn either way".into());
+                note("position", "no limit in the file: kept within one turn either way".into(), None);
                 [-2.0 * PI, 2.0 * PI]
             }
             None => {
@@ -61,14 +63,12 @@ impl JointLimits {
         };
         let acceleration = limits.acceleration.unwrap_or_else(|| {
             let taken = velocity / acceleration_time;
-            note(
-                "acceleration",
-                format!("no limit in the file: {taken:.3} taken, full speed in {acceleration_time} s"),
-            );
+            let how = format!("no limit in the file: full speed in {acceleration_time} s");
+            note("acceleration", how, Some(taken));
             taken
         });
         if limits.torque.is_none() {
-            note("torque", "no limit in the file: not checked".into());
+            note("torque", "no limit in the file: not checked".into(), None);
         }
         Ok(Self { name: name.to_string(), position, velocity, acceleration, jerk: limits.jerk, torque: limits.torque })
     }

@@ -193,8 +193,8 @@ impl<'a> Program<'a> {
         }
     }
 
-    /// Bounds on a step `d` from `x` that a step of size `radius` could break.
-    pub(super) fn bound_rows(&self, x: &[f64], radius: f64) -> Vec<Row> {
+    /// Bounds on a step `d` from `x` that a step of size `radius` could break, with how far it could take them.
+    pub(super) fn bound_rows(&self, x: &[f64], radius: f64) -> Vec<(Row, f64)> {
         let mut out = Vec::new();
         self.each_bound(|j, row, low, high| {
             let value: f64 = row.iter().zip(&x[j * self.count..]).map(|(r, x)| r * x).sum();
@@ -204,7 +204,8 @@ impl<'a> Program<'a> {
             for (sign, room) in [(1.0, high - value), (-1.0, value - low)] {
                 if room < reach {
                     let values = row.iter().map(|r| sign * r / size).collect();
-                    out.push(Row { first: j * self.count, values, bound: room / size, soft: false });
+                    let row = Row { first: j * self.count, values, bound: room / size, soft: false };
+                    out.push((row, reach / size));
                 }
             }
         });

@@ -39,8 +39,9 @@ pub fn shortest(task: &Task<'_>, percent: f64, effort: &Effort, watch: &Watch<'_
         let intervals = ((seconds / spacing).round() as usize).max(1);
         let own = Task { curve: Curve::Spline { duration: seconds, intervals }, ..task.clone() };
         let found = design(&own, effort, watch)?;
-        let expected = expected(&own, &played(&found.trajectory, own.rate));
+        let mut expected = expected(&own, &played(&found.trajectory, own.rate));
         let mask = essential.get_or_insert_with(|| expected.iter().map(|e| e.essential == Some(true)).collect());
+        expected.iter_mut().zip(mask.iter()).for_each(|(e, m)| e.essential = e.essential.map(|_| *m));
         let worst = expected
             .iter()
             .zip(mask.iter())

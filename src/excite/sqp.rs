@@ -7,7 +7,10 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::program::{Program, Watched};
-use super::subproblem::{self, Row};
+use super::subproblem::{self, Row, Step};
+
+/// Bounds that this share of a step's reach could break are given to the subproblem at once.
+const NEAR: f64 = 0.25;
 
 /// Settings of one run.
 #[derive(Debug, Clone, Copy)]
@@ -16,8 +19,24 @@ pub(super) struct Settings {
     /// Stop when this many iterations in a row gain less than `gain` per column.
     pub(super) patience: usize,
     pub(super) gain: f64,
-    /// First trust radius, rad or m.
-    pub(super) radius: f64,
+}
+
+/// A run that can go on: on a finer grid or with another power the criterion bends much as before.
+#[derive(Debug, Clone)]
+pub(super) struct Search {
+    pub(super) point: Point,
+    hessian: Option<DMatrix<f64>>,
+    /// Trust radius, rad or m.
+    radius: f64,
+    penalty: f64,
+}
+
+impl Search {
+    /// From variables that keep the bounds, with this trust radius.
+    pub(super) fn new(x: Vec<f64>, radius: f64) -> Self {
+        let point = Point { x, value: f64::INFINITY, worst: f64::INFINITY };
+        Self { point, hessian: None, radius, penalty: 1.0 }
+    }
 }
 
 /// Where a run is.
@@ -29,35 +48,36 @@ pub(super) struct Point {
     pub(super) worst: f64,
 }
 
-/// Minimises from `x`, which must keep the bounds. `visit` sees every accepted point and says whether to go on.
+/// Minimises from where the search is. `visit` sees every accepted point and says whether to go on.
 pub(super) fn minimise(
     program: &Program<'_>,
-    x: Vec<f64>,
+    search: &mut Search,
     power: f64,
     settings: &Settings,
     visit: &mut dyn FnMut(&Point) -> bool,
-) -> Point {
+) {
+    let mut x = search.point.x.clone();
     let n = x.len();
-    let mut x = x;
     let Some((mut value, mut gradient)) = program.objective(&x, power) else {
-        return Point { worst: f64::INFINITY, value: f64::INFINITY, x };
+        search.point = Point { worst: f64::INFINITY, value: f64::INFINITY, x };
+        return;
     };
     let mut guarded = program.guarded(&x);
     let mut worst = largest(&guarded);
     let mut best: Option<Point> = None;
-    let mut radius = settings.radius;
-    let mut penalty = 1.0;
-    let size = norm(&gradient).max(1e-12);
-    let mut hessian = DMatrix::<f64>::identity(n, n) * (size / settings.radius).max(1e-8);
-    let mut fresh = true;
+    let (mut radius, mut penalty) = (search.radius, search.penalty);
+    let mut fresh = search.hessian.is_none();
+    let mut hessian = search.hessian.take().unwrap_or_else(|| {
+        let size = norm(&gradient).max(1e-12);
+        DMatrix::<f64>::identity(n, n) * (size / radius).max(1e-8)
+    });
     let mut also: Vec<Watched> = Vec::new();
     let mut idle = 0;
     for _ in 0..settings.iterations {
         let watched = watch(program, &guarded, &also, radius);
         let slopes = program.gradients(&x, &watched);
         let len = program.guard.times.len();
-        let mut rows = program.bound_rows(&x, radius);
-        let hard = rows.len();
+        let mut rows: Vec<Row> = Vec::new();
         let mut kept: Vec<Watched> = Vec::new();
         for (&(c, s), slope) in watched.iter().zip(slopes) {
             let now = guarded[c * len + s];
@@ -66,7 +86,7 @@ pub(super) fn minimise(
                 kept.push((c, s));
             }
         }
-        let Some(step) = subproblem::solve(&hessian, &gradient, &rows, penalty, radius) else {
+        let Some(step) = bounded(program, &x, &hessian, &gradient, rows, penalty, radius) else {
             radius *= 0.25;
             hessian = DMatrix::identity(n, n) * (norm(&gradient).max(1e-12) / radius);
             fresh = true;
@@ -77,7 +97,7 @@ pub(super) fn minimise(
         };
         // Steer the penalty: the slack must come down where the model says that it can.
         let violation = worst.max(0.0);
-        let lambda = &step.multipliers[hard..];
+        let lambda = &step.multipliers[..kept.len()];
         let total: f64 = lambda.iter().sum();
         if step.slack > 1e-6 && step.slack > 0.9 * violation && penalty < 1e4 {
             penalty *= 4.0;
@@ -99,16 +119,18 @@ pub(super) fn minimise(
         let gained = trial_value.as_ref().map(|(f, _)| merit(value, worst) - merit(*f, trial_worst));
         let ratio = gained.map_or(-1.0, |g| g / predicted.max(1e-14));
         let reach = d.iter().fold(0.0_f64, |m, d| m.max(d.abs()));
+        if let Some((_, g)) = &trial_value {
+            // Change of the Lagrangian's gradient along the step; one that was refused tells most.
+            let mut y: Vec<f64> = g.iter().zip(&gradient).map(|(a, b)| a - b).collect();
+            let (active, weights): (Vec<Watched>, Vec<f64>) =
+                kept.iter().zip(lambda).filter(|(_, l)| **l > 1e-6).map(|(w, l)| (*w, *l)).unzip();
+            let (after, before) =
+                (program.weighted(&trial, &active, &weights), program.weighted(&x, &active, &weights));
+            y.iter_mut().zip(after.iter().zip(&before)).for_each(|(y, (a, b))| *y += a - b);
+            update(&mut hessian, &dv, &DVector::from_vec(y), &mut fresh);
+        }
         match trial_value {
             Some((f, g)) if ratio > 0.02 => {
-                // Change of the Lagrangian's gradient along the step.
-                let mut y: Vec<f64> = g.iter().zip(&gradient).map(|(a, b)| a - b).collect();
-                let (active, weights): (Vec<Watched>, Vec<f64>) =
-                    kept.iter().zip(lambda).filter(|(_, l)| **l > 1e-6).map(|(w, l)| (*w, *l)).unzip();
-                let (after, before) =
-                    (program.weighted(&trial, &active, &weights), program.weighted(&x, &active, &weights));
-                y.iter_mut().zip(after.iter().zip(&before)).for_each(|(y, (a, b))| *y += a - b);
-                update(&mut hessian, &dv, &DVector::from_vec(y), &mut fresh);
                 let gain = merit(value, worst) - merit(f, trial_worst);
                 (x, value, gradient, guarded, worst) = (trial, f, g, trial_guarded, trial_worst);
                 also.clear();
@@ -139,7 +161,40 @@ pub(super) fn minimise(
             break;
         }
     }
-    best.filter(|b| b.worst <= 0.0 || worst > 0.0).unwrap_or(Point { x, value, worst })
+    let point = best.filter(|b| b.worst <= 0.0 || worst > 0.0).unwrap_or(Point { x, value, worst });
+    let hessian = (!fresh).then_some(hessian);
+    // A run that got stuck may get going again elsewhere.
+    *search = Search { point, hessian, radius: radius.clamp(0.02, 0.3), penalty };
+}
+
+/// The step of the subproblem. Of the bounds it is given those that a fraction of the radius could break, then those that it
+/// broke: that takes fewer rows than all within reach, and one round more now and then.
+fn bounded(
+    program: &Program<'_>,
+    x: &[f64],
+    hessian: &DMatrix<f64>,
+    gradient: &[f64],
+    mut rows: Vec<Row>,
+    penalty: f64,
+    radius: f64,
+) -> Option<Step> {
+    let soft = rows.len();
+    let all = program.bound_rows(x, radius);
+    let (near, mut far): (Vec<_>, Vec<_>) = all.into_iter().partition(|(row, reach)| row.bound < NEAR * reach);
+    rows.extend(near.into_iter().map(|(row, _)| row));
+    loop {
+        let step = subproblem::solve(hessian, gradient, &rows, penalty, radius)?;
+        let broken = |row: &Row| {
+            let value: f64 = row.values.iter().zip(&step.d[row.first..]).map(|(r, d)| r * d).sum();
+            value > row.bound + 1e-6 * row.bound.abs() + 1e-12
+        };
+        let (more, rest): (Vec<_>, Vec<_>) = far.into_iter().partition(|(row, _)| broken(row));
+        if more.is_empty() {
+            return Some(Step { multipliers: step.multipliers[..soft].to_vec(), ..step });
+        }
+        rows.extend(more.into_iter().map(|(row, _)| row));
+        far = rest;
+    }
 }
 
 /// Feasible before infeasible, then the lower value, or the less broken.

@@ -63,6 +63,15 @@ impl<'a> Task<'a> {
     /// Where limits are missing that a motion can't be planned without.
     pub fn new(arm: &'a Differentiated, robot: &Robot, duration: f64, acceleration_time: f64) -> Result<Self, String> {
         let mut missing = Vec::new();
+        let still = |row: &usize| robot.joints[*row].limits.velocity.is_none_or(|v| v <= 0.0);
+        let still: Vec<&str> =
+            robot.moving().into_iter().filter(still).map(|row| robot.joints[row].name.as_str()).collect();
+        if still.len() > 1 {
+            return Err(format!(
+                "joints {} have no `velocity` limits; a motion can't be planned without them: write them in the robot file",
+                still.join(", ")
+            ));
+        }
         let limits: Vec<JointLimits> = robot
             .moving()
             .into_iter()
@@ -81,7 +90,17 @@ impl<'a> Task<'a> {
                 joint: String::new(),
                 limit: "links",
                 taken: "the file has no inertial parameters of all links: torques are not checked".into(),
+                value: None,
             });
+        }
+        let around = match (robot.collision.ground, robot.collision.spheres.is_empty()) {
+            (None, true) => "no ground and no spheres in the file: heights and self-collision are not checked",
+            (None, false) => "no ground in the file: heights are not checked",
+            (Some(_), true) => "no spheres in the file: self-collision is not checked",
+            _ => "",
+        };
+        if !around.is_empty() {
+            missing.push(Missing { joint: String::new(), limit: "collision", taken: around.into(), value: None });
         }
         let mut task = Self {
             noise: vec![1.0; limits.len()],

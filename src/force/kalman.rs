@@ -5,8 +5,10 @@
 //! [`Scale`], fades slowly (a Gauss-Markov process). `p` grows by `tau - c - g - friction + J' F + M' dq` and is measured as `M dq`. The wrench is estimated
 //! directly, so a singular Jacobian is no special case: the direction's variance grows to that of the process, and shrinks again after.
 
+use super::pace::Pace;
 use super::sample::{Estimate, ForceEstimator, Sample, Scale};
 use super::small::{cholesky, dot, finite, forward, inverse, sandwich, times, transposed_times};
+use super::wrench::told;
 
 /// The filter.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,8 +19,8 @@ pub struct Kalman<const N: usize> {
     pub velocity_noise: [f64; N],
     /// How large wrenches are.
     pub scale: Scale,
-    /// How fast they wander: standard deviations after a second, N and N m. A larger pace makes the filter faster, and its band wider. The
-    /// band is that of a wrench which does wander so.
+    /// How fast they wander at most: standard deviations after a second, N and N m. The pace of each component is found from the estimate (`pace.rs`); the
+    /// band is that of a wrench which wanders so.
     pub wander: Scale,
     state: Option<State<N>>,
     /// Time of unusable samples since the last usable one, s.
@@ -35,6 +37,8 @@ struct State<const N: usize> {
     pp: [[f64; N]; N],
     pf: [[f64; 6]; N],
     ff: [[f64; 6]; 6],
+    /// How fast each component wanders.
+    paces: [Pace; 6],
 }
 
 impl<const N: usize> Kalman<N> {
@@ -66,6 +70,7 @@ impl<const N: usize> Kalman<N> {
             pp: self.measurement(sample),
             pf: [[0.0; 6]; N],
             ff: Estimate::unknown(&self.scale).covariance,
+            paces: self.wander.each().map(Pace::new),
         }
     }
 
@@ -76,7 +81,7 @@ impl<const N: usize> Kalman<N> {
         }
         let before = &state.before;
         let sizes = self.scale.each();
-        let paces = self.wander.each();
+        let paces: [f64; 6] = core::array::from_fn(|i| state.paces[i].now());
         // Stationary variance: pace^2 / (2 rate) = size^2.
         let keep: [f64; 6] =
             core::array::from_fn(|i| libm::exp(-0.5 * dt * paces[i] * paces[i] / (sizes[i] * sizes[i])));
@@ -137,21 +142,23 @@ impl<const N: usize> Kalman<N> {
         if !(finite(&momentum) && finite(&wrench)) {
             return None;
         }
-        let covariance = self.with_model(now, &ff)?;
+        let (covariance, density) = self.with_model(now, &ff)?;
+        let mut found = state.paces;
+        (0..6).for_each(|i| found[i].see(wrench[i], density[i], dt));
         let surprise = {
             let root = cholesky(&covariance)?;
             let mut white = wrench;
             forward(&root, &mut white);
             dot(&white, &white)
         };
-        let estimate =
-            Estimate { wrench, covariance, surprise, freedom: N.min(6), misfit: dot(&white, &white), fresh: true };
-        Some((State { before: *now, momentum, wrench, pp, pf, ff }, estimate))
+        let (told, misfit) = (told(&covariance, &self.scale), dot(&white, &white));
+        let estimate = Estimate { wrench, covariance, surprise, freedom: N.min(6), misfit, told, fresh: true };
+        Some((State { before: *now, momentum, wrench, pp, pf, ff, paces: found }, estimate))
     }
 
     /// The filter's covariance, and that of the model's parameters, which stay the same from sample to sample and so are no noise: `A W C W' A'`,
-    /// `A` the filter's steady map from torque to wrench, least squares weighted by the torques' densities.
-    fn with_model(&self, now: &Sample<N>, noise: &[[f64; 6]; 6]) -> Option<[[f64; 6]; 6]> {
+    /// `A` the filter's steady map from torque to wrench, least squares weighted by the torques' densities. And the density of each component's noise.
+    fn with_model(&self, now: &Sample<N>, noise: &[[f64; 6]; 6]) -> Option<([[f64; 6]; 6], [f64; 6])> {
         let variance: [f64; N] = core::array::from_fn(|j| self.density[j] + 1e-12);
         let sizes = self.scale.each();
         let information: [[f64; 6]; 6] = core::array::from_fn(|i| {
@@ -165,7 +172,8 @@ impl<const N: usize> Kalman<N> {
             core::array::from_fn(|k| (0..6).map(|j| inverse[i][j] * now.jacobian[j][k]).sum::<f64>() / variance[k])
         });
         let model = sandwich(&map, &now.covariance);
-        Some(core::array::from_fn(|i| core::array::from_fn(|j| noise[i][j] + model[i][j])))
+        let all = core::array::from_fn(|i| core::array::from_fn(|j| noise[i][j] + model[i][j]));
+        Some((all, core::array::from_fn(|i| inverse[i][i])))
     }
 }
 

@@ -3,8 +3,8 @@
 //!
 //! `r' = K (J' F - r)`: the external torque through a low-pass of `K`. The momentum `p = M dq` grows by `tau - c - g - friction + J' F + M' dq`;
 //! from one sample to the next the last term is `(M1 - M0) (dq0 + dq1) / 2`, so that neither `C'` nor an acceleration is needed: the mass
-//! matrix and the inverse dynamics at zero acceleration will do. The lag is a part of the band: `r` less `r` through the low-pass once
-//! more is what a ramp is late by.
+//! matrix and the inverse dynamics at zero acceleration will do. `r` less `r` through the low-pass once more is what a ramp is late by: the wrench is
+//! that of the observed torques and this; noise and band are those of both, and what is left of the lag (the same difference once more) is in the band.
 
 use super::sample::{Estimate, ForceEstimator, Sample, Scale};
 use super::small::{finite, times};
@@ -25,6 +25,8 @@ pub struct Momentum<const N: usize> {
     observed: [f64; N],
     /// The observed torques through the same low-pass once more: what is between the two is about what the first is late by.
     again: [f64; N],
+    /// What the first is late by, through the same low-pass: what is between the two is what is left of the lag.
+    lag: [f64; N],
     /// Share of the observer's start that is still in it.
     start: f64,
     last: Estimate,
@@ -42,12 +44,13 @@ impl<const N: usize> Momentum<N> {
             before: None,
             observed: [0.0; N],
             again: [0.0; N],
+            lag: [0.0; N],
             start: 1.0,
             last,
         }
     }
 
-    /// The observed external torques, `J' F`, N m.
+    /// The observed external torques, `J' F` through the low-pass, N m.
     pub fn torques(&self) -> &[f64; N] {
         &self.observed
     }
@@ -72,27 +75,60 @@ impl<const N: usize> Momentum<N> {
         self.observed = observed;
         (0..N).for_each(|j| self.again[j] += (1.0 - keep) * (observed[j] - self.again[j]));
         let late: [f64; N] = core::array::from_fn(|j| observed[j] - self.again[j]);
+        (0..N).for_each(|j| self.lag[j] += (1.0 - keep) * (late[j] - self.lag[j]));
+        let left: [f64; N] = core::array::from_fn(|j| late[j] - self.lag[j]);
+        let ahead: [f64; N] = core::array::from_fn(|j| observed[j] + late[j]);
         self.start *= keep;
-        // White torque noise through the low-pass; noise of the momentum through what is left of it, a high-pass.
+        // Of white torque noise, and of the velocities' noise, which comes as its differences.
+        let [white, steps, rest] = gains(keep);
         let moved: [f64; N] = core::array::from_fn(|j| {
             (0..N).map(|k| now.mass[j][k] * now.mass[j][k] * self.velocity_noise[k] * self.velocity_noise[k]).sum()
         });
-        let variance: [f64; N] =
-            core::array::from_fn(|j| 0.5 * self.gain * self.density[j] + self.gain * self.gain * moved[j]);
+        let noise: [f64; N] = core::array::from_fn(|j| self.density[j] / now.dt);
+        let variance: [f64; N] = core::array::from_fn(|j| white * noise[j] + steps * moved[j] / (now.dt * now.dt));
         let mut covariance = total(&variance, &now.covariance);
-        (0..N).for_each(|j| covariance[j][j] += late[j] * late[j]);
+        // What is left of the lag, where noise is no explanation for it. A short pulse (friction that turns round before the model's does) leaves
+        // `k^2 / (1 + k)` of itself there.
+        let first = keep * keep / (1.0 + keep);
+        for j in 0..N {
+            let seen = left[j] * left[j];
+            let usual = rest * noise[j] + first * first * steps * moved[j] / (now.dt * now.dt);
+            if seen > 9.0 * usual {
+                covariance[j][j] += PULSE * PULSE * seen;
+            }
+        }
         // The observer began at zero, whatever pressed then.
         let sizes = self.scale.each();
-        if self.start > 1e-6 {
+        // `(1 + K t) exp(-K t)` of it is left.
+        let begun_share = self.start * (1.0 - libm::log(self.start.max(1e-300)));
+        if begun_share > 1e-6 {
             for j in 0..N {
-                let begun: f64 = (0..6).map(|i| now.jacobian[i][j] * sizes[i] * self.start).map(|x| x * x).sum();
+                let begun: f64 = (0..6).map(|i| now.jacobian[i][j] * sizes[i] * begun_share).map(|x| x * x).sum();
                 covariance[j][j] += begun;
             }
         }
-        let s = wrench(&now.jacobian, &self.observed, &covariance, &self.scale, Weights::Uncertainty)?;
+        let s = wrench(&now.jacobian, &ahead, &covariance, &self.scale, Weights::Uncertainty)?;
         let (surprise, misfit) = (s.surprise, s.misfit);
-        Some(Estimate { wrench: s.wrench, covariance: s.covariance, surprise, freedom: N, misfit, fresh: true })
+        let (wrench, covariance, told) = (s.wrench, s.covariance, s.told);
+        Some(Estimate { wrench, covariance, surprise, freedom: N, misfit, told, fresh: true })
     }
+}
+
+/// A pulse by what is left of its lag, in standard deviations: half of `(1 + k) / k^2` for the time constants of some samples that are in use.
+const PULSE: f64 = 2.5;
+
+/// What is left of white noise of variance 1 in each sample, with `H = (1 - k) / (1 - k / z)`, in what follows a ramp, `G = H (2 - H)`: of noise that comes as the
+/// mean of two samples; of noise that comes as their difference; and, of the former, in `H (1 - H)^2`, what is left of the lag (for small steps).
+///
+/// `G` answers an impulse by `g_n = (1 - k) k^n (1 + k - (1 - k) n)`; sums of `g_n g_n` and `g_n g_{n+1}` are geometric series.
+fn gains(k: f64) -> [f64; 3] {
+    let (m, c, d) = (k * k, 1.0 + k, k - 1.0);
+    let away = (1.0 - m).max(1e-12);
+    let sums = [1.0 / away, m / (away * away), m * (1.0 + m) / (away * away * away)];
+    let same = d * d * (c * c * sums[0] + 2.0 * c * d * sums[1] + d * d * sums[2]);
+    let next = d * d * k * (c * (c + d) * sums[0] + d * (2.0 * c + d) * sums[1] + d * d * sums[2]);
+    let turn = -libm::log(k.clamp(1e-300, 1.0));
+    [0.5 * (same + next), 2.0 * (same - next), 0.1875 * turn]
 }
 
 impl<const N: usize> ForceEstimator<N> for Momentum<N> {

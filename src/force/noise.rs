@@ -1,7 +1,7 @@
 //! The torque noise where no identification tells it: from the log itself.
 
 use super::bias::inside;
-use super::picked::{noise_gain, pick};
+use super::picked::pick;
 use super::torques::Torques;
 use crate::arm::Arm;
 use crate::identify::rows::Rows;
@@ -53,7 +53,7 @@ impl<'a> NoisePass<'a> {
     pub fn absorb(&mut self, motion: &Motion) {
         let picked = pick(self.arm, &self.rows, self.torques, motion, self.filter);
         let (count, len) = (picked.time.len(), motion.states.len);
-        self.gain = noise_gain(self.filter, motion.period.recip());
+        self.gain = self.filter.map_or(1.0, |f| f.noise_gain(motion.period.recip()));
         for s in 0..count {
             if self.nothing_touches || inside(&self.free, picked.time[s]) {
                 self.count += 1;

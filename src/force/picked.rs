@@ -117,14 +117,3 @@ fn told_sign(motion: &Motion, n: usize) -> Vec<f64> {
     }
     sign
 }
-
-/// What the low-pass, forward and backward, leaves of white noise: the root of the energy of its impulse response. 1 without one.
-pub fn noise_gain(filter: Option<Filter>, rate: f64) -> f64 {
-    let Some(Filter { order, cutoff }) = filter else { return 1.0 };
-    let Ok(sos) = low_pass(order, cutoff, rate) else { return 1.0 };
-    let half = 2 * sos.settling();
-    let mut impulse = vec![0.0; 2 * half + 1];
-    impulse[half] = 1.0;
-    sos.forward_backward(&mut impulse, 0);
-    impulse.iter().map(|x| x * x).sum::<f64>().sqrt()
-}

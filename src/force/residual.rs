@@ -39,6 +39,7 @@ impl<const N: usize> ForceEstimator<N> for Residual<N> {
                 surprise: s.surprise,
                 freedom: N,
                 misfit: s.misfit,
+                told: s.told,
                 fresh: true,
             },
             None => Estimate { fresh: false, ..self.last },

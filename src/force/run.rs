@@ -6,7 +6,7 @@ use super::bias::{Bias, inside};
 use super::consistency::Checker;
 use super::contact::ContactDetector;
 use super::method::{MOST_JOINTS, Method, Row, Steps, Tuning, steps};
-use super::picked::{Picked, noise_gain, pick};
+use super::picked::{Picked, pick};
 use super::sample::Scale;
 use super::series::Series;
 use super::torques::Torques;
@@ -26,7 +26,7 @@ pub struct Settings {
     pub gain: f64,
     /// How large wrenches are.
     pub scale: Scale,
-    /// How fast they wander: the Kalman filter's. Default 20 N and 2 N m in a second.
+    /// How fast they wander at most: the Kalman filter's. Default 20 N and 2 N m in a second.
     pub wander: Scale,
     /// Stretches in which nothing touches, s.
     pub free: Vec<[f64; 2]>,
@@ -200,6 +200,7 @@ impl<'a> Run<'a> {
             series.segment.push(motion.segment);
             series.wrench.push(estimate.wrench);
             series.half.push(std::array::from_fn(|i| estimate.half_width(i)));
+            series.told.push(estimate.told);
             series.deviate.push(contact.deviate);
             series.touching.push(contact.touching);
             series.free.push(free);
@@ -225,7 +226,7 @@ impl<'a> Run<'a> {
     fn tuned(&self, motion: &Motion) -> Option<Box<dyn Steps>> {
         let Settings { method, filter, gain, scale, wander, .. } = self.settings;
         let noise = &self.known.uncertainty.noise;
-        let left = noise_gain(filter, motion.period.recip());
+        let left = filter.map_or(1.0, |f| f.noise_gain(motion.period.recip()));
         let density: Vec<f64> = noise.iter().map(|s| (s / left).powi(2) * motion.period).collect();
         // At least the rounding of an encoder, or the filter trusts velocities that are not that good.
         let velocity: Vec<f64> = motion.velocity_noise.iter().map(|v| v.max(1e-5)).collect();

@@ -54,6 +54,9 @@ pub struct Estimate {
     pub freedom: usize,
     /// What no wrench on the tool explains: chi-square with `N - 6` degrees of freedom, touch or no touch. Zero for six joints and fewer.
     pub misfit: f64,
+    /// Whether the joints tell each component. Near a singularity, and with fewer than six joints, some directions push no joint: there the covariance
+    /// is that of [`Scale`], a guess, and the component is not told.
+    pub told: [bool; 6],
     /// Whether this sample was used. If not (a number that is not finite, a time that does not run, a mass matrix that is none) the wrench is that of
     /// the sample before.
     pub fresh: bool,
@@ -64,7 +67,7 @@ impl Estimate {
     pub fn unknown(scale: &Scale) -> Self {
         let s = scale.each();
         let covariance = core::array::from_fn(|i| core::array::from_fn(|j| if i == j { s[i] * s[i] } else { 0.0 }));
-        Self { wrench: [0.0; 6], covariance, surprise: 0.0, freedom: 0, misfit: 0.0, fresh: false }
+        Self { wrench: [0.0; 6], covariance, surprise: 0.0, freedom: 0, misfit: 0.0, told: [false; 6], fresh: false }
     }
 
     /// Standard deviation of a component.

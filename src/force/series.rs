@@ -21,6 +21,8 @@ pub struct Series {
     pub wrench: Vec<[f64; 6]>,
     /// Half-widths of the 95 % band.
     pub half: Vec<[f64; 6]>,
+    /// Whether the joints tell each component: where not, its band is a guess.
+    pub told: Vec<[bool; 6]>,
     /// The surprise as a normal deviate, see [`Contact`](super::Contact).
     pub deviate: Vec<f64>,
     /// Whether something touches.
@@ -41,11 +43,13 @@ pub struct Series {
     pub stale: usize,
 }
 
-/// How one component compares with what it should be.
+/// How one component compares with what it should be, where it is told.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Comparison {
-    /// Samples.
+    /// Samples in which the component is told; all figures are of these.
     pub samples: usize,
+    /// Their share of all.
+    pub told: f64,
     /// Mean error.
     pub mean: f64,
     /// Root mean square error.
@@ -59,10 +63,14 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Of errors with their half-widths.
-    pub fn of(errors: impl Iterator<Item = (f64, f64)>) -> Self {
-        let mut c = Self::default();
-        for (error, half) in errors {
+    /// Of errors with their half-widths, and whether the component is told.
+    pub fn of(errors: impl Iterator<Item = (f64, f64, bool)>) -> Self {
+        let (mut c, mut all) = (Self::default(), 0_u32);
+        for (error, half, told) in errors {
+            all += 1;
+            if !told {
+                continue;
+            }
             c.samples += 1;
             c.mean += error;
             c.rms += error * error;
@@ -71,7 +79,8 @@ impl Comparison {
             c.inside += f64::from(u8::from(error.abs() <= half));
         }
         let n = c.samples.max(1) as f64;
-        Self { mean: c.mean / n, rms: (c.rms / n).sqrt(), half: c.half / n, inside: c.inside / n, ..c }
+        let told = c.samples as f64 / f64::from(all.max(1));
+        Self { told, mean: c.mean / n, rms: (c.rms / n).sqrt(), half: c.half / n, inside: c.inside / n, ..c }
     }
 }
 
@@ -80,7 +89,7 @@ impl Series {
     pub fn against_measured(&self) -> Option<[Comparison; 6]> {
         (self.measured.len() == self.wrench.len() && !self.wrench.is_empty()).then(|| {
             std::array::from_fn(|i| {
-                let error = |s: usize| (self.wrench[s][i] - self.measured[s][i], self.half[s][i]);
+                let error = |s: usize| (self.wrench[s][i] - self.measured[s][i], self.half[s][i], self.told[s][i]);
                 Comparison::of((0..self.wrench.len()).map(error))
             })
         })
@@ -90,7 +99,8 @@ impl Series {
     pub fn phantom(&self) -> Option<[Comparison; 6]> {
         let free: Vec<usize> = (0..self.free.len()).filter(|&s| self.free[s]).collect();
         (!free.is_empty()).then(|| {
-            std::array::from_fn(|i| Comparison::of(free.iter().map(|&s| (self.wrench[s][i], self.half[s][i]))))
+            let error = |s: usize, i: usize| (self.wrench[s][i], self.half[s][i], self.told[s][i]);
+            std::array::from_fn(|i| Comparison::of(free.iter().map(|&s| error(s, i))))
         })
     }
 

@@ -4,7 +4,7 @@
 //! `F = (J S^-1 J' + D^-1)^-1 J S^-1 e` is the mean of `F` given `e`, and the bracket's inverse its covariance. For `S = s^2 I` it is the damped
 //! least squares of Nakamura and Hanafusa (J. Dyn. Sys. Meas. Control 108, 1986) and Wampler (IEEE SMC 16, 1986), with damping `s / D`.
 
-use super::sample::Scale;
+use super::sample::{NINETY_FIVE, Scale};
 use super::small::{backward, cholesky, dot, forward, inverse, sandwich, times};
 
 /// How joints are weighted.
@@ -26,6 +26,8 @@ pub(super) struct Solved {
     pub covariance: [[f64; 6]; 6],
     pub surprise: f64,
     pub misfit: f64,
+    /// Whether the joints tell each component: see [`Estimate::told`](super::Estimate::told).
+    pub told: [bool; 6],
 }
 
 /// `torque = J' F + error`; `None` where `covariance` is none.
@@ -56,23 +58,36 @@ pub(super) fn wrench<const N: usize>(
     forward(&factor, &mut right);
     let surprise = dot(&white, &white);
     let misfit = if N > 6 { (surprise - dot(&right, &right)).max(0.0) } else { 0.0 };
+    backward(&factor, &mut right);
+    let (likely, spread) = (right, inverse(&factor));
+    let told = told(&spread, scale);
     let (wrench, covariance) = match weights {
-        Weights::Uncertainty => {
-            backward(&factor, &mut right);
-            (right, inverse(&factor))
-        }
+        Weights::Uncertainty => (likely, spread),
         Weights::Equal { damping } => {
             let map = equal(jacobian, damping)?;
-            // What the damping takes away of a wrench of this size, `(1 - A J') D (1 - A J')'`: all of it where a direction is not told.
+            // What the damping takes away of the wrench, `(1 - A J') F`, a bias: `F` is not known, but as well as the same torques tell it with
+            // the best weights. The damped estimate's own variance is small.
             let lost: [[f64; 6]; 6] = core::array::from_fn(|i| {
-                core::array::from_fn(|j| (f64::from(u8::from(i == j)) - dot(&map[i], &jacobian[j])) * sizes[j])
+                core::array::from_fn(|j| f64::from(u8::from(i == j)) - dot(&map[i], &jacobian[j]))
             });
-            let noise = sandwich(&map, covariance);
-            let all = core::array::from_fn(|i| core::array::from_fn(|j| noise[i][j] + dot(&lost[i], &lost[j])));
+            let (noise, doubt) = (sandwich(&map, covariance), sandwich(&lost, &spread));
+            let bias = times(&lost, &likely);
+            let mut all: [[f64; 6]; 6] = core::array::from_fn(|i| core::array::from_fn(|j| noise[i][j] + doubt[i][j]));
+            // The band holds what is 95 % likely, shifted by the bias to either side.
+            for i in 0..6 {
+                let std = libm::sqrt(all[i][i].max(0.0)) + libm::fabs(bias[i]) / NINETY_FIVE;
+                all[i][i] = std * std;
+            }
             (times(&map, torque), all)
         }
     };
-    Some(Solved { wrench, covariance, surprise, misfit })
+    Some(Solved { wrench, covariance, surprise, misfit, told })
+}
+
+/// Where a standard deviation is above a tenth of how large wrenches are at all, it is that guess which makes it, and not the joints.
+pub(super) fn told(covariance: &[[f64; 6]; 6], scale: &Scale) -> [bool; 6] {
+    let sizes = scale.each();
+    core::array::from_fn(|i| covariance[i][i] <= 0.01 * sizes[i] * sizes[i])
 }
 
 /// `(J J' + l^2)^-1 J`.

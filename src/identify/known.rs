@@ -5,15 +5,14 @@ use super::{
     stack::{Factors, JointFactor},
     triangle::Triangle,
 };
-use crate::arm::{Arm, BaseParameter, States};
+use crate::arm::{Arm, Description, States};
 
 /// An arm of which some base parameters are known: only the others are left to be identified.
 pub struct Known<'a> {
     arm: &'a dyn Arm,
     /// Value of each base parameter that is known.
     values: Vec<Option<f64>>,
-    base: Vec<BaseParameter>,
-    pattern: Vec<(usize, usize)>,
+    description: Description,
     /// Entries of the whole arm's pattern that are left.
     entries: Vec<usize>,
 }
@@ -31,14 +30,14 @@ impl<'a> Known<'a> {
         }
         let left = |(entry, &(row, column)): (usize, &(usize, usize))| place[column].map(|c| (entry, (row, c)));
         let (entries, pattern) = arm.base_pattern().iter().enumerate().filter_map(left).unzip();
-        Self { arm, values, base, pattern, entries }
+        Self { description: Description { base, pattern, ..arm.description().clone() }, arm, values, entries }
     }
 
     /// The factors of a log of the whole arm, with the known parameters' torque taken out of the measured one:
     /// `[W_u, tau - W_k beta_k] = [W tau] T`, so `R T` is as good as the log.
     pub fn factors(&self, whole: &Factors) -> Factors {
         let joints = whole.joints.iter().map(|joint| self.joint(joint)).collect();
-        Factors { name: whole.name.clone(), joints, seconds: whole.seconds, parameters: self.base.len() }
+        Factors { name: whole.name.clone(), joints, seconds: whole.seconds, parameters: self.description.base.len() }
     }
 
     fn joint(&self, whole: &JointFactor) -> JointFactor {
@@ -96,20 +95,8 @@ fn congruent(gram: &[f64], n: usize, unknown: &[usize], rest: &[f64]) -> Vec<f64
 }
 
 impl Arm for Known<'_> {
-    fn name(&self) -> &str {
-        self.arm.name()
-    }
-    fn dof(&self) -> usize {
-        self.arm.dof()
-    }
-    fn standard_names(&self) -> &[String] {
-        self.arm.standard_names()
-    }
-    fn base_parameters(&self) -> &[BaseParameter] {
-        &self.base
-    }
-    fn base_pattern(&self) -> &[(usize, usize)] {
-        &self.pattern
+    fn description(&self) -> &Description {
+        &self.description
     }
     fn base_regressor(&self, states: &States, out: &mut [f64]) {
         let len = states.len;

@@ -1,7 +1,7 @@
 //! A planar arm of two links for the tests of this room, written out by hand; and motions and noise for it.
 
 use crate::{
-    arm::{Arm, BaseParameter, States},
+    arm::{Arm, BaseParameter, Description, States},
     log::{Layout, Log},
     signal::Motion,
 };
@@ -10,11 +10,7 @@ const L: f64 = 0.4;
 const G: f64 = 9.81;
 
 /// Two links in a vertical plane, modified DH, `d2 = 0.4 m`, gravity along `-y`, with rotors and friction.
-pub(crate) struct Planar {
-    standard: Vec<String>,
-    base: Vec<BaseParameter>,
-    pattern: Vec<(usize, usize)>,
-}
+pub(crate) struct Planar(Description);
 
 /// Standard parameters of a plausible arm, in the order of [`Planar::new`].
 pub(crate) const STANDARD: [f64; 16] = [
@@ -59,7 +55,7 @@ impl Planar {
         ];
         let rows: [&[usize]; 2] = [&[0, 1, 2, 3, 4, 5, 7, 9, 11], &[3, 4, 5, 6, 8, 10, 12]];
         let pattern = rows.iter().enumerate().flat_map(|(r, cs)| cs.iter().map(move |c| (r, *c))).collect();
-        Self { standard, base, pattern }
+        Self(Description { name: "planar".into(), dof: 2, standard, base, pattern })
     }
 
     pub(crate) fn beta(&self) -> Vec<f64> {
@@ -68,20 +64,8 @@ impl Planar {
 }
 
 impl Arm for Planar {
-    fn name(&self) -> &str {
-        "planar"
-    }
-    fn dof(&self) -> usize {
-        2
-    }
-    fn standard_names(&self) -> &[String] {
-        &self.standard
-    }
-    fn base_parameters(&self) -> &[BaseParameter] {
-        &self.base
-    }
-    fn base_pattern(&self) -> &[(usize, usize)] {
-        &self.pattern
+    fn description(&self) -> &Description {
+        &self.0
     }
     fn base_regressor(&self, states: &States, out: &mut [f64]) {
         let n = states.len;
@@ -132,10 +116,10 @@ impl Arm for Planar {
 /// `W beta`.
 pub(crate) fn torque(arm: &Planar, states: &States, beta: &[f64], out: &mut [f64]) {
     let n = states.len;
-    let mut w = vec![0.0; arm.pattern.len() * n];
+    let mut w = vec![0.0; arm.base_pattern().len() * n];
     arm.base_regressor(states, &mut w);
     out.fill(0.0);
-    for (k, &(row, column)) in arm.pattern.iter().enumerate() {
+    for (k, &(row, column)) in arm.base_pattern().iter().enumerate() {
         for s in 0..n {
             out[row * n + s] += w[k * n + s] * beta[column];
         }

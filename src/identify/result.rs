@@ -27,6 +27,9 @@ pub struct Estimate {
     pub value: f64,
     /// Standard deviation; infinite where the data do not tell the parameter.
     pub std: f64,
+    /// What the textbook's formula gives, `sigma^2 (W' W)^-1` with the residual of each sample independent of its neighbours': too small after a low-pass.
+    /// For comparison with published figures.
+    pub white_std: f64,
     /// What became of it.
     pub standing: Standing,
     /// Value of the robot file, where it was given.

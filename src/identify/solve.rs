@@ -135,6 +135,10 @@ pub fn solve(
     for (i, &c) in solution.active.iter().enumerate() {
         std[c] = if open[c] { f64::INFINITY } else { covariance[(i, i)].max(0.0).sqrt() };
     }
+    let mut white_std = std.clone();
+    for (i, &c) in solution.active.iter().enumerate().filter(|(_, c)| !open[**c]) {
+        white_std[c] = solution.inverse_information[(i, i)].max(0.0).sqrt();
+    }
     let mut correlation = vec![f64::NAN; parameters.len() * parameters.len()];
     for (i, &row) in solution.active.iter().enumerate() {
         for (k, &column) in solution.active.iter().enumerate() {
@@ -174,6 +178,7 @@ pub fn solve(
                 grouping: p.grouping.clone(),
                 value: solution.beta[c],
                 std: std[c],
+                white_std: white_std[c],
                 standing: match (open[c], solution.active.contains(&c)) {
                     (true, _) => Standing::NotIdentifiable,
                     (false, true) => Standing::Identified,

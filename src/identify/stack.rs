@@ -202,48 +202,66 @@ impl<'a> Stack<'a> {
         }
     }
 
-    /// Speed of each joint below which its rows are left out, and whether it stands.
+    /// Speed of each joint, then of each summed velocity, below which the rows that its sign enters are left out, and whether it stands.
     fn dead_zones(&self, motion: &Motion) -> Vec<(f64, bool)> {
         let len = motion.states.len;
-        (0..self.arm.dof())
-            .map(|joint| {
-                let dq = &motion.states.dq[joint * len..(joint + 1) * len];
-                let largest = dq.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-                let zone = match self.settings.dead_zone {
-                    _ if self.rows.coulomb[joint].is_none() => return (-1.0, false),
-                    DeadZone::Off => return (-1.0, false),
-                    DeadZone::Fixed(speed) => speed,
-                    DeadZone::FromNoise => (3.0 * motion.velocity_noise[joint]).min(0.02 * largest),
-                };
-                let inside = dq.iter().filter(|v| v.abs() <= zone).count();
-                (zone, 2 * inside > len)
-            })
-            .collect()
+        let of = |joint: usize| motion.states.dq.get(joint * len..(joint + 1) * len);
+        let zone = |dq: &[f64], noise: f64| {
+            let largest = dq.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+            let zone = match self.settings.dead_zone {
+                DeadZone::Off => return (-1.0, false),
+                DeadZone::Fixed(speed) => speed,
+                DeadZone::FromNoise => (3.0 * noise).min(0.02 * largest),
+            };
+            let inside = dq.iter().filter(|v| v.abs() <= zone).count();
+            (zone, 2 * inside > len)
+        };
+        let joints = (0..self.arm.dof()).map(|joint| match (self.rows.coulomb[joint], of(joint)) {
+            (Some(_), Some(dq)) => zone(dq, motion.velocity_noise[joint]),
+            _ => (-1.0, false),
+        });
+        let sums = self.rows.sums.iter().map(|signs| {
+            let [a, b] = signs.sum.joints.map(|j| motion.velocity_noise.get(j).copied().unwrap_or(0.0));
+            zone(&signs.sum.at(of), a.hypot(signs.sum.ratio * b))
+        });
+        joints.chain(sums).collect()
     }
 
     /// `regressor` by entry of the pattern, `count` rows each; `dq` and `tau` joint-major.
     fn take_block(&mut self, dq: &[f64], regressor: &[f64], tau: &[f64], count: usize, dead: &[(f64, bool)]) {
+        let of = |joint: usize| dq.get(joint * count..(joint + 1) * count);
+        let sums: Vec<Vec<f64>> = self.rows.sums.iter().map(|signs| signs.sum.at(of)).collect();
         for (joint, factor) in self.factors.joints.iter_mut().enumerate() {
             let n = factor.columns.len();
-            let w = &regressor[self.rows.offsets[joint] * count..self.rows.offsets[joint + 1] * count];
-            let (dq, tau) = (&dq[joint * count..(joint + 1) * count], &tau[joint * count..(joint + 1) * count]);
-            let (zone, stands) = dead[joint];
+            let entries = self.rows.offsets[joint]..self.rows.offsets[joint + 1];
+            let w = &regressor[entries.start * count..entries.end * count];
+            let (own, tau) = (&dq[joint * count..(joint + 1) * count], &tau[joint * count..(joint + 1) * count]);
+            // Each velocity whose sign is in these rows, with its dead zone and the columns of the sign.
+            let coulomb = self.rows.coulomb[joint].into_iter().collect::<Vec<_>>();
+            let mut signs = vec![(own, dead[joint], coulomb)];
+            for ((summed, v), zone) in self.rows.sums.iter().zip(&sums).zip(&dead[self.arm.dof()..]) {
+                let here = summed.entries.iter().filter(|(entry, _)| entries.contains(entry));
+                let columns: Vec<usize> = here.map(|(entry, _)| entry - entries.start).collect();
+                if !columns.is_empty() {
+                    signs.push((v, *zone, columns));
+                }
+            }
+            let moves = |s: &usize| signs.iter().all(|(v, (zone, stands), _)| *stands || v[*s].abs() > *zone);
+            let kept: Vec<usize> = (0..count).filter(moves).collect();
+            let used = kept.len();
             self.work.clear();
-            let used = if stands || dq.iter().all(|v| v.abs() > zone) {
-                self.work.extend_from_slice(w);
-                self.work.extend_from_slice(tau);
-                if let (true, Some(k)) = (stands, self.rows.coulomb[joint]) {
-                    let column = &mut self.work[k * count..(k + 1) * count];
-                    column.iter_mut().zip(dq).filter(|(_, v)| v.abs() <= zone).for_each(|(c, _)| *c = 0.0);
+            for column in w.chunks_exact(count.max(1)).chain([tau]) {
+                match used == count {
+                    true => self.work.extend_from_slice(column),
+                    false => self.work.extend(kept.iter().map(|&s| column[s])),
                 }
-                count
-            } else {
-                let kept: Vec<usize> = (0..count).filter(|&s| dq[s].abs() > zone).collect();
-                for column in w.chunks_exact(count).chain([tau]) {
-                    self.work.extend(kept.iter().map(|&s| column[s]));
+            }
+            for (v, (zone, _), columns) in signs.iter().filter(|(_, (_, stands), _)| *stands) {
+                for &k in columns {
+                    let column = self.work[k * used..(k + 1) * used].iter_mut();
+                    column.zip(&kept).filter(|(_, s)| v[**s].abs() <= *zone).for_each(|(c, _)| *c = 0.0);
                 }
-                kept.len()
-            };
+            }
             for &value in &self.work[n * used..] {
                 factor.range = [factor.range[0].min(value), factor.range[1].max(value)];
             }

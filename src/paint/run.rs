@@ -41,6 +41,24 @@ pub enum Feedback {
     Measured,
 }
 
+/// What the inner loop adds to equation (13): shares from 0 to 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Law {
+    /// Of the desired force: see [`Settings::carry`].
+    pub carry: f64,
+    /// Of the planned motion's torques: see [`Settings::feed`].
+    pub feed: f64,
+    /// Of the estimated force aside of the normal: see [`Settings::aside`].
+    pub aside: f64,
+}
+
+impl Law {
+    /// Equations (13) and (15) as they stand.
+    pub const PAPER: Self = Self { carry: 0.0, feed: 0.0, aside: 0.0 };
+    /// With what is known fed forward.
+    pub const FED: Self = Self { carry: 1.0, feed: 1.0, aside: 0.9 };
+}
+
 /// What is to be done.
 #[derive(Debug, Clone)]
 pub struct Task<'a> {
@@ -54,10 +72,12 @@ pub struct Task<'a> {
     pub feedback: Feedback,
     /// Whether the estimate allows for a moment at the contact.
     pub moment: bool,
-    /// Share of the desired force that is fed forward: see [`Settings::carry`].
-    pub carry: f64,
+    /// What the inner loop adds to equation (13).
+    pub law: Law,
     /// Corner of the low-pass of both forces, Hz.
     pub corner: f64,
+    /// How long it presses before it paints, s.
+    pub settle: f64,
     /// Sensors of the joints.
     pub sensors: Sensors,
     /// Of all noise.
@@ -146,11 +166,14 @@ pub fn in_contact(plan: &Plan) -> Result<Trajectory, TrajectoryError> {
     Trajectory::new(dof, times, q, Some(dq), Some(ddq))
 }
 
+/// Pole of the force aside, rad/s: as fast as the low-pass of the estimate allows.
+const ASIDE_POLE: f64 = 20.0;
 /// How far from the wall it begins, m, and how long it rests there, comes, and presses before it paints, s.
 const AWAY: f64 = 0.02;
 const REST: f64 = 0.3;
 const COME: f64 = 1.5;
-const SETTLE: f64 = 4.0;
+/// The last of these by default.
+pub const SETTLE: f64 = 4.0;
 
 /// Runs it. `progress` is told the share that is done.
 pub fn run(
@@ -194,16 +217,16 @@ fn run_n<const N: usize>(
     let velocity: [f64; N] = std::array::from_fn(|j| limits[j].velocity.unwrap_or(2.0));
     let mut hint = 0;
     let mut points = vec![[0.0; 3]; N];
-    let mut at = |t: f64| -> [f64; N] {
+    let mut moment = |t: f64| -> [[f64; N]; 3] {
         task.motion.at(t, &mut hint, &mut points);
-        std::array::from_fn(|j| points[j][0])
+        std::array::from_fn(|d| std::array::from_fn(|j| points[j][d]))
     };
-    let first = at(span.start);
+    let [first, ..] = moment(span.start);
     let off = press.map(|p| -AWAY * p);
     let start =
         lent.displaced(&first, &off, &first).ok_or_else(|| setting("the arm can't stand 2 cm before the wall"))?;
 
-    let postures: Vec<[f64; N]> = (0..9).map(|k| at(span.start + seconds * f64::from(k) / 8.0)).collect();
+    let postures: Vec<[f64; N]> = (0..9).map(|k| moment(span.start + seconds * f64::from(k) / 8.0)[0]).collect();
     let viscous: [f64; N] = std::array::from_fn(|j| known.drives[j].plain.viscous.max(0.0));
     let demands = Demands {
         period,
@@ -237,7 +260,10 @@ fn run_n<const N: usize>(
         regain: 0.03,
         give_up: 2.0,
         most: 4.0 * task.force + 50.0,
-        carry: task.carry,
+        carry: task.law.carry,
+        feed: task.law.feed,
+        aside: task.law.aside,
+        aside_pole: ASIDE_POLE,
     };
     let mut controller = Controller::new(lend(), settings).map_err(setting)?;
     let estimator = EstimatorSettings {
@@ -254,7 +280,7 @@ fn run_n<const N: usize>(
     let mut low = [0.0; 3];
     let mut trace = Trace::default();
     let (mut status, mut idle) = (Status::Free, 0.0);
-    let paints = REST + COME + SETTLE;
+    let paints = REST + COME + task.settle.max(0.0);
     let run = Sampled {
         start: start.to_vec(),
         seconds: paints + seconds,
@@ -274,7 +300,8 @@ fn run_n<const N: usize>(
             from = *stage;
         }
         let measured = low[2];
-        let estimated = estimator.step(&q, &tau).map_or(f64::NAN, |w| (0..3).map(|k| press[k] * w[k]).sum());
+        let push = estimator.step(&q, &tau).map_or([f64::NAN; 3], |w| [w[0], w[1], w[2]]);
+        let estimated: f64 = (0..3).map(|k| press[k] * push[k]).sum();
         let force = match task.feedback {
             Feedback::Estimated => estimated,
             Feedback::Measured => measured,
@@ -282,12 +309,19 @@ fn run_n<const N: usize>(
         let t = seen.t;
         let target = if t < REST + COME {
             let s = ((t - REST) / COME).clamp(0.0, 1.0);
-            let s = s * s * s * (10.0 + s * (6.0 * s - 15.0));
-            Target { q: std::array::from_fn(|j| start[j] + s * (first[j] - start[j])), normal: press, force: None }
+            let along = [
+                s * s * s * (10.0 + s * (6.0 * s - 15.0)),
+                30.0 * s * s * (1.0 - s) * (1.0 - s) / COME,
+                60.0 * s * (1.0 - s) * (1.0 - 2.0 * s) / (COME * COME),
+            ];
+            let [q, dq, ddq] = along.map(|s| std::array::from_fn(|j| s * (first[j] - start[j])));
+            Target { q: std::array::from_fn(|j| start[j] + q[j]), dq, ddq, normal: press, force: None }
         } else {
-            Target { q: at(span.start + (t - paints).max(0.0)), normal: press, force: Some(task.force) }
+            let [q, dq, ddq] = moment(span.start + (t - paints).max(0.0));
+            let moves = f64::from(u8::from(t >= paints));
+            Target { q, dq: dq.map(|v| moves * v), ddq: ddq.map(|a| moves * a), normal: press, force: Some(task.force) }
         };
-        let command = controller.step(&target, &Sample { t, q, force });
+        let command = controller.step(&target, &Sample { t, q, force, push });
         torque.copy_from_slice(&command.torque);
         status = command.status;
         if t >= paints {

@@ -1,6 +1,6 @@
 //! The prediction of the gains' tool against the simulated arm.
 
-use super::run::{Feedback, Known, Run, Task, run};
+use super::run::{Feedback, Known, Law, Run, SETTLE, Task, run};
 use super::wall::RollerWall;
 use crate::control::robot::contact_point;
 use crate::interpreted::Interpreted;
@@ -9,7 +9,7 @@ use dh_codegen::arm::param;
 use dh_codegen::robot::{Effects, Robot};
 
 /// Three joints in a plane, a stick in the hand.
-const FILE: &str = "
+pub(super) const FILE: &str = "
 name: planar3r
 convention: modified
 gravity: [0, 0, -9.81]
@@ -24,7 +24,7 @@ links:
 tool: { name: stick, pose: { xyz: [0.1, 0, 0], rpy: [0, pi/2, 0] }, geometry: { length: 0.1, width: 0.05 } }
 ";
 
-fn pressed(feedback: Feedback, carry: f64) -> Run {
+fn pressed(feedback: Feedback, law: Law) -> Run {
     let robot = Robot::from_yaml(FILE, &|name| Err(format!("no file {name}"))).unwrap().robot;
     let real = Simulator::new(&robot, &Effects::default()).unwrap();
     let arm = Interpreted::new(&robot, &Interpreted::BODIES);
@@ -41,8 +41,9 @@ fn pressed(feedback: Feedback, carry: f64) -> Run {
         force: 20.0,
         feedback,
         moment: false,
-        carry,
+        law,
         corner: 20.0,
+        settle: SETTLE,
         sensors: Sensors { torque_noise: vec![0.0], ..Sensors::default() },
         seed: 1,
     };
@@ -51,8 +52,8 @@ fn pressed(feedback: Feedback, carry: f64) -> Run {
 
 #[test]
 fn it_presses_as_asked() {
-    for (feedback, carry) in [(Feedback::Estimated, 1.0), (Feedback::Measured, 0.0)] {
-        let run = pressed(feedback, carry);
+    for (feedback, law) in [(Feedback::Estimated, Law::FED), (Feedback::Measured, Law::PAPER)] {
+        let run = pressed(feedback, law);
         assert_eq!(run.status, crate::control::law::Status::Pressing);
         assert!(run.accuracy.measured_desired < 0.3, "{:?}", run.accuracy);
         let off = run.trace.estimated.iter().zip(&run.trace.truth).map(|(e, t)| (e - t).abs());

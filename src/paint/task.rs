@@ -118,12 +118,14 @@ impl<'a> Task<'a> {
                 joint: String::new(),
                 limit: "links",
                 taken: "the file has no inertial parameters of all links: torques are not checked".into(),
+                value: None,
             });
         } else if robot.tool.as_ref().is_some_and(|t| t.inertia.is_none()) {
             missing.push(Missing {
                 joint: String::new(),
                 limit: "tool",
                 taken: "it has no M, MS and I: torques are those of an empty hand".into(),
+                value: None,
             });
         }
         let mount =

@@ -100,8 +100,8 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// A force sensor in the centre of the wall: the ATI Mini45 with its smallest calibration (SI-145-5: 145 N across, 290 N along its axis; steps of
-/// 1/16 N). Noise of one step, standard deviation.
+/// A force sensor in the centre of the wall: the ATI Mini45 with its smallest calibration (SI-145-5: 145 N across, 290 N along its axis, resolution
+/// 1/16 N: docs/control.md has the source). Noise of one step, standard deviation.
 #[derive(Debug, Clone)]
 pub struct WallSensor {
     /// White noise, standard deviation, N.

@@ -5,9 +5,10 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use super::Provenance;
-use super::excite_text::Outcome;
-use super::number::{figure, percent};
+use super::excite_text::{Outcome, missing_text};
+use super::number::{figure, percent, short};
 use super::page::{Page, escape};
+use super::stick_figure::StickFigures;
 
 /// The page.
 pub fn excite_html(outcome: &Outcome<'_>, provenance: &Provenance) -> String {
@@ -30,19 +31,13 @@ pub fn excite_html(outcome: &Outcome<'_>, provenance: &Provenance) -> String {
         let _ = writeln!(body, "<tr><th>{}<td>{:.2}</tr>", escape(&worst.what), worst.time);
     }
     body.push_str("</tbody></table></div>\n");
-    for missing in &task.missing {
-        let _ = writeln!(
-            body,
-            "<p class=note>{} {}: {}</p>",
-            escape(&missing.joint),
-            missing.limit,
-            escape(&missing.taken)
-        );
+    for line in missing_text(&task.missing) {
+        let _ = writeln!(body, "<p class=note>{}</p>", escape(&line));
     }
     body.push_str("</section>\n<section><h2>Joints against their limits</h2><p class=note><span class='key q'></span>position <span class='key dq'></span>speed <span class='key ddq'></span>acceleration <span class='key tau'></span>torque of the nominal model, each in percent of its limit (positions from the middle of the range). Move over a plot for values.</p><div class=plots id=joints></div></section>\n");
     let _ = writeln!(
         body,
-        "<section><h2>How it was found</h2><p class=note>The criterion as it is minimised, over the steps of each start; bright where every limit is kept. {} starts, {:.1} s.</p><div id=history></div></section>",
+        "<section><h2>How it was found</h2><p class=note>The criterion as it is minimised, over the steps of each start; bright where every limit is kept. {} starts, of which the better third went on; {:.1} s.</p><div id=history></div></section>",
         found.starts.len(),
         seconds
     );
@@ -93,10 +88,6 @@ fn data(outcome: &Outcome<'_>) -> Value {
     if let Some(standard) = &task.standard {
         task.arm.inverse_dynamics(&states, standard, &mut torque);
     }
-    let short = |x: f64, digits: i32| {
-        let scale = 10f64.powi(digits);
-        (x * scale).round() / scale
-    };
     let joints: Vec<Value> = (0..n)
         .map(|j| {
             let l = &task.limits[j];
@@ -112,24 +103,7 @@ fn data(outcome: &Outcome<'_>) -> Value {
     let count = task.arm.frame_count();
     let mut frames = vec![0.0; count * 12 * moments.len()];
     task.arm.frames(&poses, &mut frames);
-    let at = |f: usize, i: usize, k: usize, s: usize| frames[((f * 3 + i) * 4 + k) * moments.len() + s];
-    let figure_at = |s: usize| {
-        let points: Vec<f64> =
-            (0..count).flat_map(|f| (0..3).map(move |i| (f, i))).map(|(f, i)| short(at(f, i, 3, s), 3)).collect();
-        let balls: Vec<f64> = task
-            .bodies
-            .balls
-            .iter()
-            .flat_map(|b| {
-                (0..3).map(move |i| match b.frame {
-                    Some(f) => (0..3).map(|k| at(f, i, k, s) * b.center[k]).sum::<f64>() + at(f, i, 3, s),
-                    None => b.center[i],
-                })
-            })
-            .map(|x| short(x, 3))
-            .collect();
-        json!([points, balls])
-    };
+    let figures = StickFigures { frames: &frames, len: moments.len(), balls: &task.bodies.balls };
     let unit = if matches!(found.criterion, "logdet" | "hadamard") { task.columns().count() as f64 } else { 1.0 };
     let shown = |value: f64| match found.criterion {
         "cond" | "trace" | "smallest" => value.exp(),
@@ -139,7 +113,7 @@ fn data(outcome: &Outcome<'_>) -> Value {
         "time": times.iter().map(|t| short(*t, 4)).collect::<Vec<_>>(),
         "joints": joints,
         "moments": moments.iter().map(|t| short(*t, 3)).collect::<Vec<_>>(),
-        "figures": (0..moments.len()).map(figure_at).collect::<Vec<_>>(),
+        "figures": (0..moments.len()).map(|s| json!([figures.joints(s), figures.balls(s)])).collect::<Vec<_>>(),
         "radii": task.bodies.balls.iter().map(|b| b.radius).collect::<Vec<_>>(),
         "boxes": task.bodies.blocks.iter().map(|b| json!([b.min, b.max])).collect::<Vec<_>>(),
         "ground": task.bodies.ground.as_ref().map(|g| g.0),

@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use super::number::figure;
-use crate::excite::{Design, Expected, Task};
+use super::number::{figure, percent};
+use crate::excite::{Design, Expected, Missing, Task};
 use crate::trajectory::Trajectory;
 
 /// `t, q1.., dq1.., ddq1..`, `rate` rows per second.
@@ -91,7 +91,7 @@ pub fn excite_json(outcome: &Outcome<'_>) -> Value {
         "columns": task.columns().names(),
         "rate": task.rate,
         "closest": found.closest.iter().map(|w| json!({"what": w.what, "time": w.time, "excess": w.excess})).collect::<Vec<_>>(),
-        "assumed": task.missing.iter().map(|m| json!({"joint": m.joint, "limit": m.limit, "taken": m.taken})).collect::<Vec<_>>(),
+        "assumed": task.missing.iter().map(|m| json!({"joint": m.joint, "limit": m.limit, "taken": m.taken, "value": m.value})).collect::<Vec<_>>(),
         "starts": found.starts,
         "stopped": found.stopped,
         "expected": expected.iter().map(|e| json!({"name": e.name, "value": e.value, "std": e.std, "relative_std_percent": e.relative_percent(), "essential": e.essential})).collect::<Vec<_>>(),
@@ -102,6 +102,26 @@ pub fn excite_json(outcome: &Outcome<'_>) -> Value {
 
 fn finite(x: f64) -> Value {
     if x.is_finite() { json!(x) } else { Value::Null }
+}
+
+/// What the file does not say, one line per kind and remedy.
+pub fn missing_text(missing: &[Missing]) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    let mut told: Vec<(&str, &str)> = Vec::new();
+    for first in missing {
+        if told.contains(&(first.limit, first.taken.as_str())) {
+            continue;
+        }
+        told.push((first.limit, &first.taken));
+        let alike: Vec<String> = missing
+            .iter()
+            .filter(|m| (m.limit, &m.taken) == (first.limit, &first.taken) && !m.joint.is_empty())
+            .map(|m| m.value.map_or(m.joint.clone(), |v| format!("{} {}", m.joint, figure(v))))
+            .collect();
+        let whose = if alike.is_empty() { String::new() } else { format!(" ({})", alike.join(", ")) };
+        lines.push(format!("{}: {}{whose}", first.limit, first.taken));
+    }
+    lines
 }
 
 /// A summary.
@@ -133,11 +153,24 @@ pub fn excite_text(outcome: &Outcome<'_>) -> String {
     }
     let known = expected.iter().filter(|e| e.essential == Some(true));
     if let Some((e, p)) = known.filter_map(|e| Some((e, e.relative_percent()?))).max_by(|a, b| a.1.total_cmp(&b.1)) {
-        let _ = writeln!(
-            out,
-            "expected: every essential parameter within {p:.2} % of itself (one sigma; {} is the worst)",
-            e.name
-        );
+        let _ = if p < 100.0 {
+            writeln!(
+                out,
+                "expected: every essential parameter within {} % of itself (one sigma; {} is the worst)",
+                percent(p),
+                e.name
+            )
+        } else {
+            writeln!(
+                out,
+                "expected: too short for {}, whose standard deviation is {} % of itself; allow a longer --duration",
+                e.name,
+                percent(p)
+            )
+        };
+    }
+    if found.stopped {
+        out.push_str("stopped early: this is the best motion so far\n");
     }
     for worst in &found.closest {
         let _ = writeln!(out, "closest: {} at {:.2} s", worst.what, worst.time);

@@ -30,7 +30,7 @@ pub fn force_html(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Prov
     for series in outcome.found {
         let _ = writeln!(
             body,
-            "<section><h2><code>{}</code></h2><p class=note>Wrench of the surroundings on the tool, in its frame; estimator {}. <span class='key estimated'></span>estimated <span class='key band'></span>95 % band{} <span class='key touch'></span>contact is said</p><div class=wrenches>",
+            "<section><h2><code>{}</code></h2><p class=note>Wrench of the surroundings on the tool, in its frame; estimator {}. <span class='key estimated'></span>estimated <span class='key band'></span>95 % band{} <span class='key touch'></span>contact is said. No band: the joints don't tell the component there</p><div class=wrenches>",
             escape(&series.name),
             series.method.name(),
             if series.measured.is_empty() { "" } else { " <span class='key measured'></span>measured" }
@@ -87,11 +87,12 @@ fn component(body: &mut String, series: &Series, i: usize) {
         clock[s] = clock[s - 1] + if series.segment[s] == series.segment[s - 1] { step } else { 0.0 };
     }
     let end = clock[len - 1].max(1e-9);
-    // Bands that say "not told" would hide all else: the scale is that of 98 of 100 samples.
+    // Where the component is not told there is no band; the scale is that of 98 of 100 samples.
+    let half = |s: usize| if series.told[s][i] { series.half[s][i] } else { 0.0 };
     let mut sizes: Vec<f64> = (0..len)
         .map(|s| {
             let measured = series.measured.get(s).map_or(0.0, |m| m[i].abs());
-            (series.wrench[s][i].abs() + series.half[s][i]).max(measured)
+            (series.wrench[s][i].abs() + half(s)).max(measured)
         })
         .collect();
     sizes.sort_by(f64::total_cmp);
@@ -136,8 +137,8 @@ fn component(body: &mut String, series: &Series, i: usize) {
     let _ = write!(body, "<path class=touch d='{touched}' style='stroke:none' />");
     let (mut upper, mut lower) = (String::new(), String::new());
     for range in &chunks {
-        let high = outer(range, &|s| series.wrench[s][i] + series.half[s][i])[1];
-        let low = outer(range, &|s| series.wrench[s][i] - series.half[s][i])[0];
+        let high = outer(range, &|s| series.wrench[s][i] + half(s))[1];
+        let low = outer(range, &|s| series.wrench[s][i] - half(s))[0];
         let _ = write!(upper, "{}{:.1} {:.1}", if upper.is_empty() { "M" } else { "L" }, x(range.start), y(high));
         lower = format!("L{:.1} {:.1}", x(range.start), y(low)) + &lower;
     }

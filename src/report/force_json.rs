@@ -11,8 +11,10 @@ use crate::force::{COMPONENTS, Comparison, Consistency, Uncertainty, covariance}
 pub fn force_json(outcome: &Forces<'_>, provenance: &Provenance) -> Value {
     let compared = |all: &[Comparison; 6]| -> Value {
         let one = |(i, c): (usize, &Comparison)| {
+            let told = |x: f64| (c.samples > 0).then_some(x);
             let values = json!({
-                "rms": c.rms, "mean": c.mean, "largest": c.largest, "half_width": c.half, "inside": c.inside,
+                "rms": told(c.rms), "mean": told(c.mean), "largest": told(c.largest), "half_width": told(c.half),
+                "inside": told(c.inside), "told": c.told,
             });
             (COMPONENTS[i].to_string(), values)
         };
@@ -33,8 +35,9 @@ pub fn force_json(outcome: &Forces<'_>, provenance: &Provenance) -> Value {
                 "estimator": s.method.name(),
                 "samples": s.time.len(),
                 "not_used": s.stale,
-                "half_width": (0..6).map(|i| Comparison::of(s.half.iter().map(|h| (0.0, h[i]))).half).collect::<Vec<_>>(),
-                "rms": (0..6).map(|i| Comparison::of(s.wrench.iter().map(|f| (f[i], 0.0))).rms).collect::<Vec<_>>(),
+                "half_width": (0..6).map(|i| Comparison::of(s.half.iter().zip(&s.told).map(|(h, told)| (0.0, h[i], told[i]))).half).collect::<Vec<_>>(),
+                "told": (0..6).map(|i| s.told.iter().filter(|t| t[i]).count() as f64 / s.told.len().max(1) as f64).collect::<Vec<_>>(),
+                "rms": (0..6).map(|i| Comparison::of(s.wrench.iter().map(|f| (f[i], 0.0, true))).rms).collect::<Vec<_>>(),
                 "against_measured": s.against_measured().as_ref().map(compared),
                 "phantom": s.phantom().as_ref().map(compared),
                 "touching": s.touching.iter().filter(|t| **t).count(),

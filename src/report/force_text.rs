@@ -73,7 +73,7 @@ pub(super) fn tables(series: &Series) -> Vec<(String, [Comparison; 6])> {
     }
     if all.is_empty() {
         let range = |i: usize| {
-            let values = series.wrench.iter().zip(&series.half).map(move |(f, h)| (f[i], h[i]));
+            let values = (0..series.time.len()).map(|s| (series.wrench[s][i], series.half[s][i], series.told[s][i]));
             Comparison { inside: f64::NAN, ..Comparison::of(values) }
         };
         all.push(("estimate".into(), std::array::from_fn(range)));
@@ -81,19 +81,22 @@ pub(super) fn tables(series: &Series) -> Vec<(String, [Comparison; 6])> {
     all
 }
 
-pub(super) const HEAD: [&str; 6] = ["", "RMS", "mean", "largest", "band +-", "inside %"];
+pub(super) const HEAD: [&str; 7] = ["", "RMS", "mean", "largest", "band +-", "inside %", "told %"];
 
 /// Of one component.
-pub(super) fn cells(i: usize, c: &Comparison) -> [String; 6] {
+pub(super) fn cells(i: usize, c: &Comparison) -> [String; 7] {
     let unit = if i < 3 { "N" } else { "N m" };
-    let share = if c.inside.is_nan() { "–".to_string() } else { format!("{:.1}", 100.0 * c.inside) };
+    let none = || "–".to_string();
+    let number = |x: f64| if c.samples == 0 { none() } else { digits(x, 3) };
+    let share = if c.inside.is_nan() || c.samples == 0 { none() } else { format!("{:.1}", 100.0 * c.inside) };
     [
         format!("{} ({unit})", COMPONENTS[i]),
-        digits(c.rms, 3),
-        digits(c.mean, 3),
-        digits(c.largest, 3),
-        digits(c.half, 3),
+        number(c.rms),
+        number(c.mean),
+        number(c.largest),
+        number(c.half),
         share,
+        format!("{:.1}", 100.0 * c.told),
     ]
 }
 
@@ -149,11 +152,11 @@ pub(super) fn sentences(series: &Series, circular: bool) -> Vec<String> {
     if series.free.iter().any(|f| !*f) {
         all.push(format!("Contact is said in {:.1} % of all samples.", 100.0 * touching));
     }
-    let singular = series.dexterity.iter().filter(|d| **d < 0.02).count();
-    if singular > 0 {
+    let blind = series.told.iter().filter(|told| told.contains(&false)).count();
+    if blind > 0 {
         all.push(format!(
-            "{:.1} % of the samples are near a singularity, or the arm has fewer than six joints: some component is not told there, and its band is wide.",
-            100.0 * singular as f64 / series.dexterity.len().max(1) as f64
+            "In {:.1} % of the samples some component is not told by the joints (a singularity, or fewer than six joints); it is in no figure there, and its band is left empty.",
+            100.0 * blind as f64 / series.told.len().max(1) as f64
         ));
     }
     all

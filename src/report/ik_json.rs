@@ -4,7 +4,7 @@ use dh_codegen::arm::Inverse;
 use dh_codegen::ik::Status;
 use serde_json::{Value, json};
 
-use crate::inverse::Postures;
+use crate::inverse::{Postures, SwivelRange};
 
 /// The status as the contract writes it.
 pub(super) fn status(status: Status) -> &'static str {
@@ -15,9 +15,17 @@ pub(super) fn status(status: Status) -> &'static str {
     }
 }
 
+fn range(r: &SwivelRange) -> Value {
+    let best = r.best.map(|(swivel, margin)| {
+        // Without limits there is no margin.
+        json!({ "swivel": swivel, "limit_margin": if margin.is_finite() { json!(margin) } else { Value::Null } })
+    });
+    json!({ "branch": r.branch.to_string(), "intervals": r.intervals, "best": best })
+}
+
 /// `{"class", "poses": [{"status", "solutions": [..]}]}`.
-pub fn value(name: &str, inverse: &Inverse, redundant: bool, poses: &[Postures]) -> Value {
-    let pose = |p: &Postures| {
+pub fn value(name: &str, inverse: &Inverse, redundant: bool, poses: &[(Postures, Option<Vec<SwivelRange>>)]) -> Value {
+    let pose = |(p, ranges): &(Postures, Option<Vec<SwivelRange>>)| {
         let solutions: Vec<Value> = p
             .list
             .iter()
@@ -46,6 +54,9 @@ pub fn value(name: &str, inverse: &Inverse, redundant: bool, poses: &[Postures])
         }
         if p.second_plane {
             v["reference_plane"] = json!("second");
+        }
+        if let (Some(ranges), true) = (ranges, p.status != Status::Unreachable) {
+            v["swivel_intervals"] = ranges.iter().map(range).collect();
         }
         if !inverse.exact {
             v["branches_lost"] = json!(p.lost);

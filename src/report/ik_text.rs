@@ -5,21 +5,30 @@ use core::fmt::Write;
 use dh_codegen::arm::Inverse;
 use dh_codegen::ik::{Family, Status};
 
-use crate::inverse::Postures;
+use crate::inverse::{Postures, SwivelRange};
 
 /// A table of postures for each pose.
-pub fn text(name: &str, inverse: &Inverse, poses: &[Postures]) -> String {
-    let redundant = matches!(inverse.family, Family::Swivel(_) | Family::Locked { .. });
+pub fn text(name: &str, inverse: &Inverse, poses: &[(Postures, Option<Vec<SwivelRange>>)]) -> String {
     let mut t = format!("{name}: {} ({})\n", inverse.class, inverse.reason);
-    for (k, pose) in poses.iter().enumerate() {
+    for (k, (pose, ranges)) in poses.iter().enumerate() {
         let _ = match pose.status {
             Status::Unreachable => {
                 let [p, r] = pose.distance;
-                writeln!(t, "\npose {}: unreachable, by {p:.3e} m and {r:.3e} rad at the nearest posture found", k + 1)
+                // Rounded in its file, and the arm has too few joints to follow.
+                let mend = if p.max(r) < 1e-4 { "; a larger --tolerance would take it" } else { "" };
+                writeln!(
+                    t,
+                    "\npose {}: unreachable, by {p:.3e} m and {r:.3e} rad at the nearest posture found{mend}",
+                    k + 1
+                )
             }
             status => {
                 let word = super::ik_json::status(status);
-                let at = if redundant { format!(", redundancy {:.5}", pose.redundancy) } else { String::new() };
+                let at = match &inverse.family {
+                    Family::Swivel(_) => format!(", swivel angle {:.5} rad", pose.redundancy),
+                    Family::Locked { joint, .. } => format!(", q{} at {:.5}", joint + 1, pose.redundancy),
+                    _ => String::new(),
+                };
                 let lost = match pose.lost {
                     0 => String::new(),
                     _ if inverse.exact => String::new(),
@@ -35,6 +44,30 @@ pub fn text(name: &str, inverse: &Inverse, poses: &[Postures]) -> String {
             let free = if free.is_empty() { String::new() } else { format!("  free: {}", free.join(" ")) };
             let _ = writeln!(t, "  {}  {}{limits}{free}", q.join(" "), s.branch);
         }
+        if let (Some(ranges), true) = (ranges, pose.status != Status::Unreachable) {
+            swivel(&mut t, inverse, ranges);
+        }
     }
     t
+}
+
+/// Where the swivel angle may lie.
+fn swivel(t: &mut String, inverse: &Inverse, ranges: &[SwivelRange]) {
+    let whose = if inverse.exact { "" } else { " of the nominal arm" };
+    if ranges.iter().all(|r| r.intervals.is_empty()) {
+        let _ = writeln!(t, "  at no swivel angle a branch{whose} respects the limits");
+        return;
+    }
+    let _ = writeln!(
+        t,
+        "  swivel angles, rad, at which a branch{whose} respects the limits; the best, and its distance from them:"
+    );
+    for range in ranges.iter().filter(|r| !r.intervals.is_empty()) {
+        let all: Vec<String> = range.intervals.iter().map(|[a, b]| format!("[{a:.5}, {b:.5}]")).collect();
+        let best = match range.best {
+            Some((at, margin)) if margin.is_finite() => format!("; best {at:.5}, {margin:.5}"),
+            _ => String::new(),
+        };
+        let _ = writeln!(t, "    {}  {}{best}", range.branch, all.join(" "));
+    }
 }

@@ -15,6 +15,7 @@ pub fn motion_check_json(verdict: &Verdict) -> Value {
         "violations": verdict.findings.iter().filter(|f| f.broken).map(finding).collect::<Vec<_>>(),
         "closest": verdict.findings.iter().map(finding).collect::<Vec<_>>(),
         "unchecked": verdict.unchecked,
+        "assumed": verdict.assumed,
     })
 }
 
@@ -27,6 +28,13 @@ pub fn motion_check_text(verdict: &Verdict) -> String {
     let mut out = String::new();
     for line in &verdict.unchecked {
         let _ = writeln!(out, "not checked: {line}");
+    }
+    if !verdict.assumed.is_empty() {
+        let _ = writeln!(
+            out,
+            "assumed, where the file has no limit: accelerations {} (--acceleration-time)",
+            verdict.assumed.join(", ")
+        );
     }
     let broken = verdict.findings.iter().filter(|f| f.broken).count();
     for kind in [

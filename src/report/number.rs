@@ -5,6 +5,12 @@ pub(super) fn figure(x: f64) -> String {
     digits(x, 4)
 }
 
+/// So many digits after the point: for data of pages.
+pub(super) fn short(x: f64, digits: i32) -> f64 {
+    let scale = 10f64.powi(digits);
+    (x * scale).round() / scale
+}
+
 /// Percent with about two significant digits.
 pub(super) fn percent(x: f64) -> String {
     match x {

@@ -5,9 +5,11 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use super::Provenance;
-use super::number::figure;
+use super::excite_text::missing_text;
+use super::number::{figure, short};
 use super::page::{Page, escape};
 use super::paint_text::{Planned, uses};
+use super::stick_figure::StickFigures;
 use crate::arm::States;
 use crate::paint::{Coverage, Moment, Pattern};
 use crate::trajectory::times;
@@ -70,14 +72,8 @@ pub fn paint_html(planned: &Planned<'_>, provenance: &Provenance) -> String {
         );
     }
     body.push_str("</tbody></table></div>\n");
-    for missing in &task.missing {
-        let _ = writeln!(
-            body,
-            "<p class=note>{} {}: {}</p>",
-            escape(&missing.joint),
-            missing.limit,
-            escape(&missing.taken)
-        );
+    for line in missing_text(&task.missing) {
+        let _ = writeln!(body, "<p class=note>{}</p>", escape(&line));
     }
     body.push_str("</section>\n<section><h2>Legs</h2><div class=scroll><table><thead><tr><th>leg<th>from<br>s<th>to<br>s<th>y<br>m<th>z<br>m<th>swivel<br>rad<th>would be shorter but for</tr></thead><tbody>\n");
     for span in &plan.spans {
@@ -106,11 +102,6 @@ pub fn paint_html(planned: &Planned<'_>, provenance: &Provenance) -> String {
         script: concat!(include_str!("excite.js"), "\n", include_str!("paint.js")),
     };
     page.html()
-}
-
-fn short(x: f64, digits: i32) -> f64 {
-    let scale = 10f64.powi(digits);
-    (x * scale).round() / scale
 }
 
 fn states(n: usize, moments: &[Moment]) -> States {
@@ -177,30 +168,17 @@ fn figures(planned: &Planned<'_>) -> Vec<Value> {
     let (len, count) = (moments.len(), task.arm.frame_count());
     let mut frames = vec![0.0; count * 12 * len];
     task.arm.frames(&states(task.dof(), &moments), &mut frames);
-    let at = |f: usize, i: usize, k: usize, s: usize| frames[((f * 3 + i) * 4 + k) * len + s];
+    let figures = StickFigures { frames: &frames, len, balls: &task.bodies.balls };
     let across = plan.surface.across();
     moments
         .iter()
         .enumerate()
         .map(|(s, m)| {
-            let bones = (0..count).flat_map(|f| (0..3).map(move |i| (f, i))).map(|(f, i)| at(f, i, 3, s));
             // The roller: both ends, then its middle, whose path is drawn.
             let end = |side: f64| (0..3).map(move |i| m.point[i] + side * plan.roller.width * across[i]);
-            let points: Vec<f64> =
-                bones.chain(m.point).chain(end(0.5)).chain(end(-0.5)).chain(m.point).map(|x| short(x, 3)).collect();
-            let balls: Vec<f64> = task
-                .bodies
-                .balls
-                .iter()
-                .flat_map(|b| {
-                    (0..3).map(move |i| match b.frame {
-                        Some(f) => (0..3).map(|k| at(f, i, k, s) * b.center[k]).sum::<f64>() + at(f, i, 3, s),
-                        None => b.center[i],
-                    })
-                })
-                .map(|x| short(x, 3))
-                .collect();
-            json!([points, balls])
+            let roller = m.point.into_iter().chain(end(0.5)).chain(end(-0.5)).chain(m.point).map(|x| short(x, 3));
+            let points: Vec<f64> = figures.joints(s).into_iter().chain(roller).collect();
+            json!([points, figures.balls(s)])
         })
         .collect()
 }

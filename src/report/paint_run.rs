@@ -8,7 +8,7 @@ use super::number::digits;
 use crate::control::law::Status;
 use crate::paint::run::Run;
 
-fn status(run: &Run) -> String {
+pub(super) fn status(run: &Run) -> String {
     match run.status {
         Status::Free | Status::Pressing => "painted to the end".into(),
         Status::Approaching => "on the way to the wall".into(),
@@ -19,15 +19,20 @@ fn status(run: &Run) -> String {
     }
 }
 
-/// Some lines.
-pub fn paint_run_text(run: &Run, force: f64) -> String {
+/// Root mean square differences, N.
+pub(super) fn differences(run: &Run) -> [(&'static str, f64); 3] {
     let a = &run.accuracy;
-    let mut text = format!("{}; {} s without pressing\n\n", status(run), digits(run.off, 3));
-    for (name, value) in [
+    [
         ("estimated less measured", a.estimated_measured),
         ("estimated less desired", a.estimated_desired),
         ("measured less desired", a.measured_desired),
-    ] {
+    ]
+}
+
+/// Some lines.
+pub fn paint_run_text(run: &Run, force: f64) -> String {
+    let mut text = format!("{}; {} s without pressing\n\n", status(run), digits(run.off, 3));
+    for (name, value) in differences(run) {
         let _ = writeln!(text, "  {name:<24} {:>7} N  {:>6} %", digits(value, 3), digits(100.0 * value / force, 3));
     }
     let _ = writeln!(text, "  {:<24} {:>7} mm", "aside of the plan", digits(1e3 * run.tracking, 3));

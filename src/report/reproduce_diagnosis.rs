@@ -104,7 +104,7 @@ pub(super) fn tables(found: &Battery) -> Vec<Table> {
         rows: found
             .outcomes
             .iter()
-            .filter(|o| !(o.right() && o.complete()))
+            .filter(|o| !o.good())
             .map(|o| {
                 let hidden: Vec<String> = o.hidden.iter().map(|h| format!("{} {:?}", h.cause, h.joints)).collect();
                 let named: Vec<String> = o

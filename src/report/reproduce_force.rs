@@ -6,7 +6,7 @@ use super::number::digits;
 use super::reproduce_text::Table;
 use crate::force::{COMPONENTS, Comparison};
 use crate::reproduce::Force;
-use crate::reproduce::force::{AMPLITUDES, NEAR};
+use crate::reproduce::force::{AMPLITUDES, NEAR, share};
 
 /// In one paragraph.
 pub(super) fn verdict(found: &Force) -> String {
@@ -39,19 +39,20 @@ pub(super) fn tables(found: &Force) -> Vec<Table> {
     let cells = |f: &dyn Fn(usize) -> String| (0..6).map(f).collect::<Vec<_>>();
     let rows = found.accuracy.iter().map(|r| {
         let rms = |i: usize| format!("{} ± {}", digits(r.components[i].rms, 2), digits(r.components[i].half, 2));
-        let inside = r.components.iter().map(|c: &Comparison| c.inside).sum::<f64>() / 6.0;
+        let told = r.components.iter().map(|c: &Comparison| c.told).sum::<f64>() / 6.0;
         let mut row = vec![r.method.name().to_string(), r.state.to_string()];
         row.extend(cells(&rms));
-        row.push(format!("{:.1}", 100.0 * inside));
+        row.push(format!("{:.1}", 100.0 * share(&r.components)));
+        row.push(format!("{:.0}", 100.0 * told));
         row
     });
     let mut head = vec!["estimator", "arm"];
     head.extend(COMPONENTS);
-    head.push("in band %");
+    head.extend(["in band %", "told %"]);
     let accuracy = Table {
         title: "Accuracy over the whole workspace".into(),
         note: format!(
-            "RMS error ± mean half-width of the 95 % band, N and N m. {} random postures, a move and a rest for each, all six components at once (sines of {} N and {} N m, 0.1 to 0.7 Hz); model identified from a log with noise. Near a singularity: smallest singular value of the Jacobian (angular rows times 0.5 m) under {NEAR} m/rad. At rest the Coulomb friction may be anything between its levels, and the band says so.",
+            "RMS error ± mean half-width of the 95 % band, N and N m. {} random postures, a move and a rest for each, all six components at once (sines of {} N and {} N m, 0.1 to 0.7 Hz); model identified from a log with noise. Near a singularity: smallest singular value of the Jacobian (angular rows times 0.5 m) under {NEAR} m/rad. At rest the Coulomb friction may be anything between its levels, and the band says so. Told: share of samples in which the joints tell the component (standard deviation under a tenth of 300 N, 100 N m); the other figures are of these.",
             found.settings.postures, AMPLITUDES[0], AMPLITUDES[3]
         ),
         head: head.clone(),
@@ -88,6 +89,7 @@ pub(super) fn to_json(found: &Force) -> Value {
         "accuracy": found.accuracy.iter().map(|r| json!({
             "estimator": r.method.name(), "state": r.state, "samples": r.components[0].samples,
             "rms": r.components.map(|c| c.rms), "half_width": r.components.map(|c| c.half), "inside": r.components.map(|c| c.inside),
+            "told": r.components.map(|c| c.told),
         })).collect::<Vec<_>>(),
         "coverage": found.coverage.iter().map(|c| json!({
             "estimator": c.method.name(), "model": c.case.words(), "runs": c.runs, "samples": c.samples, "components": c.components,

@@ -85,16 +85,15 @@ fn section(body: &mut String, table: &Table, above: &str, below: &str) {
         writeln!(body, "<section><h2>{}</h2><p class=note>{}</p>\n{above}", escape(&table.title), escape(&table.note));
     body.push_str("<div class=scroll><table><thead><tr>");
     table.head.iter().for_each(|h| {
-        let class = if *h == "verdict" { " class=end" } else { "" };
+        let class = if judges(h) { " class=end" } else { "" };
         let _ = write!(body, "<th{class}>{}", escape(h));
     });
     body.push_str("</tr></thead><tbody>\n");
-    let verdicts = table.head.last().is_some_and(|h| *h == "verdict");
     for row in &table.rows {
         body.push_str("<tr>");
         for (k, cell) in row.iter().enumerate() {
             let class = match cell.as_str() {
-                _ if !verdicts || k + 1 < row.len() => "",
+                _ if !table.head.get(k).is_some_and(|h| judges(h)) => "",
                 "better" | "within" | "holds" => " class=good",
                 c if c.starts_with("short") || c.starts_with("falls") => " class=bad",
                 _ => "",
@@ -106,6 +105,11 @@ fn section(body: &mut String, table: &Table, above: &str, below: &str) {
     }
     body.push_str("</tbody></table></div>\n");
     let _ = writeln!(body, "{below}</section>");
+}
+
+/// Whether verdicts stand in a column.
+fn judges(head: &str) -> bool {
+    head == "verdict"
 }
 
 /// Where the page's script draws this trace.

@@ -40,10 +40,11 @@ fn identification(found: &Experiment) -> Value {
         "missing": found.missing.iter().map(|m| json!({ "effect": m.effect.name(), "rms": m.rms })).collect::<Vec<_>>(),
         "table2": found.table2.iter().map(|r| json!({
             "name": r.printed.name, "true": r.truth, "value": r.noise_only[0], "std": r.noise_only[1],
-            "relative_std_percent": r.percent(), "unmodelled": { "value": r.unmodelled[0], "std": r.unmodelled[1] },
+            "relative_std_percent": r.percent(), "unmodelled": { "value": r.unmodelled[0], "std": r.unmodelled[1], "textbook_std": r.textbook },
             "paper": { "value": r.printed.paper[0], "relative_std_percent": r.printed.paper[1], "cad": r.printed.cad },
             "jubien": { "value": r.printed.jubien[0], "relative_std_percent": r.printed.jubien[1] },
             "verdict": r.verdict().to_string(),
+            "textbook_percent": finite(r.textbook_percent()), "like_for_like": r.like_for_like().to_string(),
         })).collect::<Vec<_>>(),
         "within_three_unmodelled": found.within_unmodelled,
         "honesty": found.honesty.as_ref().map(|h| json!({
@@ -63,8 +64,9 @@ fn identification(found: &Experiment) -> Value {
             })).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
         "table3_repeated": found.rollers.iter().map(|r| json!({
-            "logs": r.logs, "runs": r.runs, "mass_within": r.mass_within, "center_rms": finite(r.center_rms),
-            "center_within": r.center_within, "spread": finite(r.spread),
+            "logs": [r.logs, r.logs], "runs": r.center_within.of, "mass_within": r.mass_within.value(), "center_rms": finite(r.center_rms),
+            "center_std": finite(r.center_std), "center_worst": finite(r.center_worst), "center_within": r.center_within.value(),
+            "center_within_interval": r.center_within.interval(), "spread": finite(r.spread), "holds": r.holds(),
         })).collect::<Vec<_>>(),
         "fig10": {
             "rms": found.fig10.errors.with_tool.rms,

@@ -18,6 +18,7 @@ fn found() -> Identification {
         grouping: format!("{name} = ZZ1 + L1**2*M2"),
         value: 1.25,
         std,
+        white_std: std,
         standing,
         prior: Some(1.0),
     };

@@ -6,11 +6,11 @@ use super::motions::Motion;
 use crate::arm::Arm;
 use crate::identify::{Factors, Identification, IdentifySettings, Stack, StackSettings, solve};
 use crate::log::{Log, Replay};
-use crate::signal::{Filter, Prepare, each_motion, low_pass};
+use crate::signal::{Prepare, each_motion};
 use crate::simulate::{Recording, Request, Simulator, Solver};
 
-/// How finely motions are integrated. At the simulator's default, 1e-5, the torques that the loop asks for are off by 0.012 N m after the low-pass on
-/// the first joints, a quarter of the noise floor; at this by 0.004, which is what the low-pass itself does to torques and motion.
+/// How finely motions are integrated. At 1e-5 the torques that the loop asks for are off by 0.012 N m after the low-pass on the first joints, a quarter of the
+/// noise floor; at this by 0.004, which is what the low-pass itself does to torques and motion. The simulator's default, 1e-7, takes twice as long.
 const TOLERANCE: f64 = 1e-6;
 
 /// How a motion is played and recorded.
@@ -37,15 +37,4 @@ pub fn factors(name: &str, arm: &dyn Arm, log: &Log, stride: usize) -> Result<Fa
 pub fn fit(lwr: &Lwr, fit: &Factors, validate: &Factors) -> Result<Identification, ReproduceError> {
     let one = std::slice::from_ref;
     Ok(solve(&lwr.arm, one(fit), one(validate), &IdentifySettings::default())?)
-}
-
-/// What the low-pass leaves of white noise: root of the energy of its impulse response, forward and backward.
-pub fn noise_gain(rate: f64) -> f64 {
-    let Filter { order, cutoff } = Filter::default();
-    let Ok(sos) = low_pass(order, cutoff, rate) else { return 1.0 };
-    let half = 2 * sos.settling();
-    let mut impulse = vec![0.0; 2 * half + 1];
-    impulse[half] = 1.0;
-    sos.forward_backward(&mut impulse, 0);
-    impulse.iter().map(|x| x * x).sum::<f64>().sqrt()
 }

@@ -41,7 +41,7 @@ pub struct ExcitationSettings {
 
 impl Default for ExcitationSettings {
     fn default() -> Self {
-        Self { longest: 15, starts: 4, seed: 1 }
+        Self { longest: 15, starts: 8, seed: 1 }
     }
 }
 

@@ -3,10 +3,8 @@
 //! A run: identify from a log with noise, estimate from another one with a known wrench of all six components. Parameters are identified
 //! anew in each run, so that their error, the same at all samples of a run, is drawn anew as well: a band's coverage is over runs and samples.
 
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use super::lwr::{Lwr, Unmodelled};
+use super::many::many;
 use super::{ReproduceError, Watch};
 use crate::force::{Comparison, Known, Linear, Method, Run, Series, Settings as Estimation, Uncertainty};
 use crate::identify::{Identification, IdentifySettings, Stack, StackSettings, recover_standard, solve};
@@ -119,7 +117,7 @@ pub struct Stage {
 }
 
 /// A motion through random postures within the limits; `rest` seconds in each. Speeds are at most 70 % of their limits.
-fn wandering(
+pub(super) fn wandering(
     lwr: &Lwr,
     random: &mut Random,
     postures: usize,
@@ -233,6 +231,12 @@ impl Stage {
     }
 }
 
+/// Of all samples of components that are told, those inside their band.
+pub fn share(all: &[Comparison; 6]) -> f64 {
+    let told: f64 = all.iter().map(|c| c.samples as f64).sum();
+    all.iter().map(|c| c.inside * c.samples as f64).sum::<f64>() / told.max(1.0)
+}
+
 /// Coverage over runs on this stage, of each method.
 pub fn coverage(
     stage: &Stage,
@@ -242,10 +246,7 @@ pub fn coverage(
     seed: u64,
     watch: Watch<'_>,
 ) -> Result<Vec<Coverage>, ReproduceError> {
-    type One = Result<Vec<Series>, ReproduceError>;
-    let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    let all: Mutex<Vec<(usize, One)>> = Mutex::new(Vec::new());
-    let one = |run: usize| -> One {
+    let one = |run: usize| -> Result<Vec<Series>, ReproduceError> {
         let seed = seed.wrapping_add(2 * run as u64);
         let found = stage.identify(seed)?;
         methods
@@ -253,29 +254,7 @@ pub fn coverage(
             .map(|&method| stage.estimate(&found, seed + 1, 4, &Estimation { method, ..Estimation::default() }))
             .collect()
     };
-    let threads = std::thread::available_parallelism().map_or(1, usize::from).min(runs.max(1));
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(|| {
-                loop {
-                    let run = next.fetch_add(1, Ordering::Relaxed);
-                    if run >= runs {
-                        break;
-                    }
-                    let result = one(run);
-                    let finished = done.fetch_add(1, Ordering::Relaxed) + 1;
-                    watch(&format!("run {finished} of {runs}"), finished as f64 / runs as f64);
-                    if let Ok(mut all) = all.lock() {
-                        all.push((run, result));
-                    }
-                }
-            });
-        }
-    });
-    let mut all = all.into_inner().unwrap_or_default();
-    // Sums in the order of the runs: the same bits whoever was first.
-    all.sort_by_key(|(run, _)| *run);
-    let all: Vec<Vec<Series>> = all.into_iter().map(|(_, r)| r).collect::<Result<_, _>>()?;
+    let all = many(runs, &one, watch)?;
     Ok(methods
         .iter()
         .enumerate()
@@ -283,14 +262,12 @@ pub fn coverage(
             let of = |i: usize| {
                 let errors = all.iter().flat_map(|run| {
                     let s = &run[m];
-                    (0..s.time.len()).map(move |k| (s.wrench[k][i] - s.measured[k][i], s.half[k][i]))
+                    (0..s.time.len()).map(move |k| (s.wrench[k][i] - s.measured[k][i], s.half[k][i], s.told[k][i]))
                 });
                 Comparison::of(errors)
             };
             let components: [Comparison; 6] = std::array::from_fn(of);
-            let single = |run: &Vec<Series>| {
-                run[m].against_measured().map_or(0.0, |c| c.iter().map(|c| c.inside).sum::<f64>() / 6.0)
-            };
+            let single = |run: &Vec<Series>| run[m].against_measured().map_or(0.0, |c| share(&c));
             let shares: Vec<f64> = all.iter().map(single).collect();
             let right = all.iter().filter(|run| run[m].unexplained.as_ref().is_some_and(|u| u.holds())).count();
             Coverage {
@@ -299,7 +276,7 @@ pub fn coverage(
                 runs,
                 samples: components[0].samples,
                 components: components.map(|c| c.inside),
-                whole: components.iter().map(|c| c.inside).sum::<f64>() / 6.0,
+                whole: share(&components),
                 of_runs: [shares.iter().copied().fold(1.0, f64::min), shares.iter().copied().fold(0.0, f64::max)],
                 half: components.map(|c| c.half),
                 rms: components.map(|c| c.rms),
@@ -328,8 +305,9 @@ pub fn accuracy(postures: usize, seed: u64, watch: Watch<'_>) -> Result<Vec<Accu
         ];
         for (state, belongs) in states {
             let picked: Vec<usize> = (0..s.time.len()).filter(|&k| belongs(k)).collect();
-            let of =
-                |i: usize| Comparison::of(picked.iter().map(|&k| (s.wrench[k][i] - s.measured[k][i], s.half[k][i])));
+            let of = |i: usize| {
+                Comparison::of(picked.iter().map(|&k| (s.wrench[k][i] - s.measured[k][i], s.half[k][i], s.told[k][i])))
+            };
             rows.push(Accuracy { method, state, components: std::array::from_fn(of) });
         }
     }

@@ -1,7 +1,7 @@
 //! Sections II.D, II.E, III.E and VI.A of the paper, end to end: Fig. 6, Table II, Table III, Fig. 10, and whether the standard deviations are
 //! honest.
 
-use super::chain::{factors, fit, noise_gain, play};
+use super::chain::{factors, fit, play};
 use super::fig6::{self, Bars, mean};
 use super::fig10::{Fig10, fig10};
 use super::honesty::{Honesty, honesty};
@@ -9,6 +9,7 @@ use super::lwr::{Lwr, Unmodelled};
 use super::motions::{Motion, motions};
 use super::{ReproduceError, Watch, table2, table3};
 use crate::identify::{Factors, Identification};
+use crate::signal::Filter;
 use crate::simulate::Recording;
 use crate::tool::rerun::{Column, PAPER_TORQUE_NOISE};
 
@@ -115,7 +116,7 @@ pub fn identification(settings: &Settings, watch: Watch<'_>) -> Result<Experimen
     let designing = stage(0.0, 0.45);
     let motions = motions(&lwr, seed, &|what, share| designing.tell(what, share))?;
     let noise = PAPER_TORQUE_NOISE.to_vec();
-    let gain = noise_gain(Lwr::sensors().rate);
+    let gain = Filter::default().noise_gain(Lwr::sensors().rate);
     let floor: Vec<f64> = noise.iter().map(|s| gain * s).collect();
 
     let robots: Vec<Motion> = motions.iter().filter(|m| m.name != "tool").cloned().collect();
@@ -163,16 +164,19 @@ pub fn identification(settings: &Settings, watch: Watch<'_>) -> Result<Experimen
             tool.tell(what, share)
         })?;
     let moving = motions.iter().find(|m| m.name == "tool").unwrap_or(&robots[best]);
-    let table3 = table3::columns(&lwr, moving, &plain.recordings[best], seed.wrapping_add(13), &|what, share| {
+    // The hand empty in the same motion: what the robot's own parameters are is then the same in both logs.
+    bench.tell("the hand empty", 0.0);
+    let empty = play(&lwr, moving, &[], seed.wrapping_add(17))?;
+    let table3 = table3::columns(&lwr, moving, &empty, seed.wrapping_add(13), &|what, share| {
         bench.tell(what, share);
     })?;
-    let named = |name: &str| robots.iter().position(|m| m.name == name);
-    let unloaded: Vec<&Recording> =
-        [Some(best), named("cond"), named("hadamard")].into_iter().flatten().map(|k| &plain.recordings[k]).collect();
-    let rollers =
-        table3::repeated(&lwr, &unloaded, &[moving, &robots[best]], seed.wrapping_mul(7_000_003), &|what, share| {
-            rolling.tell(what, share);
-        })?;
+    let rollers = table3::repeated(
+        &lwr,
+        &[&empty, &plain.recordings[best]],
+        &[moving, &robots[best]],
+        seed.wrapping_mul(7_000_003),
+        &|what, share| rolling.tell(what, share),
+    )?;
     let honesty = match runs {
         0 => None,
         _ => Some(honesty(

@@ -6,6 +6,7 @@ use super::ReproduceError;
 use super::chain::{factors, request};
 use super::lwr::{Lwr, Unmodelled};
 use super::motions::Motion;
+use crate::identify::Factors;
 use crate::log::Log;
 use crate::simulate::{Recording, Simulator};
 use crate::tool::{Carried, Carrying, ToolSettings, catalogue, identify_tool};
@@ -37,14 +38,15 @@ pub fn carry(
     Ok((tool, recording))
 }
 
-/// Equation (7), on every `stride`th sample after the low-pass.
-pub fn identified(lwr: &Lwr, unloaded: &[&Log], loaded: &[&Log], stride: usize) -> Result<Carried, ReproduceError> {
+/// The factors of a log with an empty hand and of one with a tool, on every `stride`th sample after the low-pass.
+pub fn stacked(lwr: &Lwr, unloaded: &Log, loaded: &Log, stride: usize) -> Result<(Factors, Factors), ReproduceError> {
     let (without, with) = (Carrying::new(&lwr.arm, false), Carrying::new(&lwr.arm, true));
-    let all = |name: &str, arm: &Carrying<'_>, logs: &[&Log]| {
-        logs.iter().map(|log| factors(name, arm, log, stride)).collect::<Result<Vec<_>, _>>()
-    };
-    let (unloaded, loaded) = (all("unloaded", &without, unloaded)?, all("loaded", &with, loaded)?);
-    Ok(identify_tool(&lwr.arm, &unloaded, &loaded, &ToolSettings::default())?)
+    Ok((factors("unloaded", &without, unloaded, stride)?, factors("loaded", &with, loaded, stride)?))
+}
+
+/// Equation (7).
+pub fn together(lwr: &Lwr, unloaded: &[Factors], loaded: &[Factors]) -> Result<Carried, ReproduceError> {
+    Ok(identify_tool(&lwr.arm, unloaded, loaded, &ToolSettings::default())?)
 }
 
 /// Plays a motion with a tool and identifies it; `unloaded` was recorded with an empty hand, of whatever motion.
@@ -57,6 +59,7 @@ pub fn loaded(
     seed: u64,
 ) -> Result<Loaded, ReproduceError> {
     let (tool, recording) = carry(lwr, motion, name, which, seed)?;
-    let carried = identified(lwr, &[&unloaded.log], &[&recording.log], 1)?;
+    let (empty, full) = stacked(lwr, &unloaded.log, &recording.log, 1)?;
+    let carried = together(lwr, &[empty], &[full])?;
     Ok(Loaded { tool, recording, carried })
 }

@@ -4,15 +4,20 @@
 mod plans;
 mod rig;
 
+use super::force::wandering;
 use super::lwr::{Lwr, Unmodelled};
-use super::motions::designed;
+use super::many::many;
+use super::motions::{Motion, designed};
 use super::verdict::Verdict;
 use super::{ReproduceError, Watch};
 use crate::diagnose::Diagnosis;
 use crate::differentiated::Differentiated;
 use crate::excite::{Criterion, Effort};
+use crate::numeric::random::Random;
 use crate::paint::Plan;
-use crate::paint::run::{Feedback, Run};
+use crate::paint::run::{Feedback, Law, Run};
+use crate::signal::Filter;
+use plans::Extent;
 use rig::{Roller, Stand};
 
 /// How to run it.
@@ -20,11 +25,13 @@ use rig::{Roller, Stand};
 pub struct PaintingSettings {
     /// Of motions and noise. Default 1.
     pub seed: u64,
+    /// To see that it runs: random motions instead of designed ones, the large roller alone, a hand's breadth of wall in two seconds, no diagnosis.
+    pub quick: bool,
 }
 
 impl Default for PaintingSettings {
     fn default() -> Self {
-        Self { seed: 1 }
+        Self { seed: 1, quick: false }
     }
 }
 
@@ -55,6 +62,9 @@ impl Case {
 
 /// Table IV: root mean squares, N, of estimated less measured, estimated less desired, measured less desired.
 pub const PAPER: [(&str, [f64; 3]); 2] = [("large-roller", [2.9, 0.2, 2.9]), ("small-roller", [2.0, 0.2, 2.0])];
+/// Laws and feedbacks of the table: the paper's law, and with what is known fed forward; the measured force in the feedback for the latter.
+pub const KINDS: [(Law, Feedback); 3] =
+    [(Law::PAPER, Feedback::Estimated), (Law::FED, Feedback::Estimated), (Law::FED, Feedback::Measured)];
 /// The paper's durations, s.
 pub const PAPER_SECONDS: [f64; 2] = [50.0, 46.0];
 /// What is asked of estimated against measured once the model is extended, N.
@@ -67,6 +77,8 @@ pub struct Row {
     pub roller: &'static str,
     /// Which robot.
     pub case: Case,
+    /// What the inner loop adds to equation (13).
+    pub law: Law,
     /// What closed the loop.
     pub feedback: Feedback,
     /// Whether the estimate allowed for a moment at the contact.
@@ -98,22 +110,30 @@ pub struct Painting {
     /// Force that is wanted, N.
     pub force: f64,
     /// Length of each roller's plan, s.
-    pub seconds: [f64; 2],
+    pub seconds: Vec<f64>,
     /// Held-out root mean square torque error of each case's model, mean over the joints, N m.
-    pub torque: [f64; 3],
+    pub torque: Vec<f64>,
     /// White noise of the torque sensors and what the low-pass leaves of it, mean, N m.
     pub noise: [f64; 2],
     /// Runs: rollers, cases, feedback.
     pub rows: Vec<Row>,
-    /// What the diagnosis found in the logs of the second robot.
-    pub diagnosis: Diagnosis,
+    /// What the diagnosis found in the logs of the second robot; none where it was quick.
+    pub diagnosis: Option<Diagnosis>,
 }
 
 impl Painting {
-    /// The run of a roller, a case and a feedback, with the paper's six components.
-    pub fn row(&self, roller: &str, case: Case, feedback: Feedback) -> Option<&Row> {
-        self.rows.iter().find(|r| r.roller == roller && r.case == case && r.feedback == feedback)
+    /// The run of a roller and a case under a law, with the paper's six components.
+    pub fn row(&self, roller: &str, case: Case, law: Law, feedback: Feedback) -> Option<&Row> {
+        self.rows.iter().find(|r| r.roller == roller && r.case == case && r.law == law && r.feedback == feedback)
     }
+}
+
+/// A random motion.
+fn wandered(lwr: &Lwr, seed: u64) -> Result<Motion, ReproduceError> {
+    let played = wandering(lwr, &mut Random::new(seed), 14, [0.7, 0.0])?;
+    let seconds = played.span().end - played.span().start;
+    let unknown = f64::NAN;
+    Ok(Motion { name: "random", seconds, condition: unknown, log_det: unknown, speed: Vec::new(), played })
 }
 
 /// Runs it. Some minutes; `watch` is told how far it is.
@@ -125,68 +145,54 @@ pub fn painting(settings: &PaintingSettings, watch: Watch<'_>) -> Result<Paintin
         let tell = |share: f64| watch(&format!("designing {name}"), from + 0.05 * share);
         designed(&lwr, &arm, name, criterion, seconds, Effort { starts, seed, ..Effort::default() }, &tell)
     };
-    let exciting = design("logdet", Criterion::LogDet, 10.0, 4, seed, 0.0)?;
-    let carrying = design("tool", Criterion::LogDet, 10.0, 4, seed, 0.05)?;
-    let validating = design("validate", Criterion::Hadamard, 20.0, 1, seed ^ 0x5eed, 0.1)?;
+    let [exciting, carrying, validating] = if settings.quick {
+        [wandered(&lwr, seed)?, wandered(&lwr, seed ^ 0x7001)?, wandered(&lwr, seed ^ 0x5eed)?]
+    } else {
+        [
+            design("logdet", Criterion::LogDet, 10.0, 4, seed, 0.0)?,
+            design("tool", Criterion::LogDet, 10.0, 4, seed, 0.05)?,
+            design("validate", Criterion::Hadamard, 20.0, 1, seed ^ 0x5eed, 0.1)?,
+        ]
+    };
     drop(arm);
+    let extent = if settings.quick { Extent::QUICK } else { Extent::PAPER };
     let rigid = Lwr::with_rotors()?;
     let stand = |lwr: &Lwr, which: &[Unmodelled], seed: u64, plans: Option<&[Plan]>, name: &str, from: f64| {
         let tell = |what: &str, share: f64| watch(&format!("{what}, {name}"), from + 0.1 * share);
-        Stand::new(lwr, [&exciting, &carrying, &validating], which, seed, plans, &tell)
+        Stand::new(lwr, [&exciting, &carrying, &validating], which, &extent, seed, plans, &tell)
     };
     let plain = stand(&rigid, &[], seed, None, "noise only", 0.15)?;
     let plans: Vec<Plan> = plain.rollers.iter().map(|r| r.plan.clone()).collect();
     let real = stand(&lwr, &Unmodelled::ALL, seed.wrapping_add(7), Some(&plans), "unmodelled effects", 0.25)?;
-    watch("diagnosing", 0.36);
-    let (extended, diagnosis) = real.extended(&lwr, &|what| watch(&format!("diagnosing: {what}"), 0.4))?;
-
-    let mut jobs: Vec<(usize, &'static str, Case, Feedback, &Roller)> = Vec::new();
-    for (k, (roller, _)) in PAPER.iter().enumerate() {
-        for (case, stand) in Case::ALL.into_iter().zip([&plain, &real, &extended]) {
-            for feedback in [Feedback::Estimated, Feedback::Measured] {
-                jobs.push((k, roller, case, feedback, &stand.rollers[k]));
-            }
+    let mut stands = vec![plain, real];
+    let mut diagnosis = None;
+    if !settings.quick {
+        watch("diagnosing", 0.36);
+        let (extended, found) = stands[1].extended(&lwr, &|what| watch(&format!("diagnosing: {what}"), 0.4))?;
+        stands.push(extended);
+        diagnosis = Some(found);
+    }
+    let kinds = if settings.quick { &KINDS[1..2] } else { &KINDS[..] };
+    let mut jobs: Vec<(usize, Case, Law, Feedback, &Roller)> = Vec::new();
+    for k in 0..plans.len() {
+        for (case, stand) in Case::ALL.into_iter().zip(&stands) {
+            jobs.extend(kinds.iter().map(|&(law, feedback)| (k, case, law, feedback, &stand.rollers[k])));
         }
     }
-    let done = std::sync::Mutex::new((0.0, vec![0.0; jobs.len()]));
-    let next = std::sync::atomic::AtomicUsize::new(0);
-    let results = std::sync::Mutex::new((0..jobs.len()).map(|_| None).collect::<Vec<Option<_>>>());
-    let workers = std::thread::available_parallelism().map_or(1, |n| n.get()).min(jobs.len());
-    let (jobs, results_of) = (&jobs, &results);
-    std::thread::scope(|scope| {
-        for _ in 0..workers {
-            scope.spawn(|| {
-                loop {
-                    let k = next.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-                    let Some(&(_, name, case, feedback, roller)) = jobs.get(k) else { break };
-                    let found = roller.paint(feedback, true, seed.wrapping_add(100 + k as u64), &mut |share| {
-                        if let Ok(mut done) = done.lock() {
-                            done.1[k] = share;
-                            let all = done.1.iter().sum::<f64>() / jobs.len() as f64;
-                            watch(&format!("painting: {name}, {}", case.title()), 0.45 + 0.55 * all);
-                        }
-                    });
-                    if let Ok(mut results) = results_of.lock() {
-                        results[k] = Some(found);
-                    }
-                }
-            });
-        }
-    });
-    let results = results.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-    let mut rows = Vec::new();
-    for (&(k, roller, case, feedback, _), found) in jobs.iter().zip(results) {
-        let found = found.ok_or_else(|| ReproduceError::Robot("a run did not end".into()))?;
-        rows.push(Row { roller, case, feedback, moment: true, run: found?, paper: PAPER[k].1 });
-    }
+    let one = |k: usize| {
+        let (of, case, law, feedback, stage) = jobs[k];
+        let run = stage.paint(law, feedback, true, seed.wrapping_add(100 + k as u64), &mut |_| {})?;
+        Ok(Row { roller: PAPER[of].0, case, law, feedback, moment: true, run, paper: PAPER[of].1 })
+    };
+    let rows = many(jobs.len(), &one, &|what, share| watch(&format!("painting: {what}"), 0.45 + 0.55 * share))?;
     let noise = crate::tool::rerun::PAPER_TORQUE_NOISE;
     let mean = noise.iter().sum::<f64>() / noise.len() as f64;
-    let gain = super::chain::noise_gain(Lwr::sensors().rate);
+    let gain = Filter::default().noise_gain(Lwr::sensors().rate);
     Ok(Painting {
         settings: *settings,
         force: rig::FORCE,
-        seconds: [0, 1].map(|k| plain.rollers[k].seconds()),
-        torque: [plain.torque, real.torque, extended.torque],
+        seconds: stands[0].rollers.iter().map(Roller::seconds).collect(),
+        torque: stands.iter().map(|s| s.torque).collect(),
         noise: [mean, gain * mean],
         rows,
         diagnosis,

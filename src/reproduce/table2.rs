@@ -18,6 +18,17 @@ pub struct Printed {
     pub jubien: [f64; 2],
 }
 
+/// Samples of 10 s at 1 kHz.
+const SAMPLES: f64 = 10_000.0;
+
+impl Printed {
+    /// For a Coulomb level, whose column is a sign: the largest residual, N m, with which the printed standard deviation could have been had from 10 s, by the
+    /// textbook's formula (others that must be told from it only make it worse).
+    pub fn residual(&self) -> f64 {
+        0.01 * self.paper[1] * self.paper[0].abs() * SAMPLES.sqrt()
+    }
+}
+
 const fn row(name: &'static str, cad: Option<f64>, paper: [f64; 2], jubien: [f64; 2]) -> Printed {
     Printed { name, cad, paper, jubien }
 }
@@ -52,6 +63,8 @@ pub struct Row {
     pub noise_only: [f64; 2],
     /// Identified with effects that the model has not, and its standard deviation.
     pub unmodelled: [f64; 2],
+    /// Standard deviation of the latter by the textbook's formula, which takes each of the 10,000 residuals after the low-pass as independent.
+    pub textbook: f64,
 }
 
 impl Row {
@@ -65,10 +78,29 @@ impl Row {
         (self.noise_only[0] - self.truth) / self.noise_only[1]
     }
 
+    /// The textbook's standard deviation where the residual is as large as the paper's, percent of the true value (friction takes up the hysteresis: not of
+    /// what was found).
+    pub fn textbook_percent(&self) -> f64 {
+        100.0 * self.textbook / self.truth.abs()
+    }
+
+    /// The same formula at the same residual, against the paper's.
+    pub fn like_for_like(&self) -> Verdict {
+        Verdict::less(self.textbook_percent(), self.printed.paper[1])
+    }
+
     /// %sigma against the paper's.
     pub fn verdict(&self) -> Verdict {
         Verdict::less(self.percent(), self.printed.paper[1])
     }
+}
+
+/// By how much standard deviations that know how alike neighbouring samples are exceed the textbook's where there are effects that the model has not: median
+/// over the rows.
+pub fn too_small(rows: &[Row]) -> f64 {
+    let mut ratios: Vec<f64> = rows.iter().map(|r| r.unmodelled[1] / r.textbook).collect();
+    ratios.sort_by(f64::total_cmp);
+    ratios.get(ratios.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
 /// Rows of the parameters that the paper prints and the robot has.
@@ -83,6 +115,7 @@ pub fn rows(lwr: &Lwr, noise_only: &Identification, unmodelled: &Identification)
                 truth: lwr.truth[c],
                 noise_only: estimate(noise_only, c),
                 unmodelled: estimate(unmodelled, c),
+                textbook: unmodelled.parameters[c].white_std,
             })
         })
         .collect()

@@ -1,6 +1,6 @@
 //! What the experiments rest on, by other routes; the whole in release, on request.
 
-use super::chain::{noise_gain, play};
+use super::chain::play;
 use super::honesty::{ASKED, honesty};
 use super::lwr::{Lwr, Unmodelled};
 use super::motions::designed;
@@ -19,7 +19,11 @@ fn the_noise_floor_is_the_filters_energy() {
     let n = 20_000;
     let mean = (0..n).map(|k| sos.gain((f64::from(k) + 0.5) * 500.0 / f64::from(n), 1000.0).powi(4)).sum::<f64>();
     let expected = (mean / f64::from(n)).sqrt();
-    assert!((noise_gain(1000.0) / expected - 1.0).abs() < 1e-6, "{} {expected}", noise_gain(1000.0));
+    assert!(
+        (Filter::default().noise_gain(1000.0) / expected - 1.0).abs() < 1e-6,
+        "{} {expected}",
+        Filter::default().noise_gain(1000.0)
+    );
 }
 
 /// The published base parameters (Gaz, Flacco and De Luca 2014), with 9.80665 m/s^2 there.
@@ -68,7 +72,7 @@ fn standard_deviations_are_honest() {
     let effort = Effort { starts: 1, iterations: 12, finalists: 1, ..Effort::default() };
     let motion = designed(&lwr, &arm, "logdet", Criterion::LogDet, 10.0, effort, &|_| {}).unwrap();
     let recording = play(&lwr, &motion, &[], 3).unwrap();
-    let floor: Vec<f64> = PAPER_TORQUE_NOISE.iter().map(|s| noise_gain(1000.0) * s).collect();
+    let floor: Vec<f64> = PAPER_TORQUE_NOISE.iter().map(|s| Filter::default().noise_gain(1000.0) * s).collect();
     let runs = 12;
     let found = honesty(&lwr, &recording, &recording, &floor, runs, 5, &|_, _| {}).unwrap();
     assert_eq!((found.runs, found.parameters.len()), (runs, lwr.truth.len()));
@@ -103,16 +107,19 @@ fn the_papers_identification() {
     let large = &found.table3[0];
     assert!(large.mass_error_percent.abs() < table3::ASKED[0] && large.center_error < 3.0 * large.center_std);
     for many in &found.rollers {
-        assert!(many.mass_within == 1.0 && (0.7..1.4).contains(&many.spread), "{many:?}");
+        assert!(many.mass_within.value() == 1.0 && (0.7..1.4).contains(&many.spread), "{many:?}");
     }
-    let [one, all] = found.rollers.as_slice() else { panic!("{:?}", found.rollers) };
-    assert!(one.center_rms < table3::ASKED[1] && all.center_rms < one.center_rms && all.center_within >= 0.9);
+    let [one, two, four] = found.rollers.as_slice() else { panic!("{:?}", found.rollers) };
+    assert!(one.center_rms < table3::ASKED[1] && two.center_rms < one.center_rms, "{one:?} {two:?}");
+    assert!(four.holds(), "{four:?}");
+    // The textbook's formula at the paper's residual gives the paper's deviations, but for FC3.
+    assert!(found.table2.iter().filter(|r| r.textbook_percent() < 2.0 * r.printed.paper[1]).count() >= 13);
     assert!((0..7).all(|j| found.fig10.verdict(j).holds()));
 }
 
 /// The diagnosis of what a seed hides in the simulator: one case of each kind, short logs. `denavit reproduce diagnosis` is the whole.
 #[test]
-#[cfg_attr(debug_assertions, ignore = "80 s on one core in release")]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation; .ci/run runs it in release")]
 fn hidden_effects_are_named() {
     use super::diagnosis::{Settings, battery};
     use crate::simulate::Mode;

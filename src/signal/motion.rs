@@ -20,7 +20,8 @@ pub struct Motion {
     /// Torques, joint-major, `dof * len`, N m.
     pub tau: Vec<f64>,
     /// Sign of each velocity (zero inside its noise), through the same low-pass as the torque, joint-major; empty where nothing was
-    /// filtered. The low-pass rounds the steps of the Coulomb torque, and this is what it makes of them.
+    /// filtered. The low-pass rounds the steps of the Coulomb torque, and this is what it makes of them. Behind the joints stand the signs
+    /// of [`crate::signal::Prepare::sums`].
     pub sign: Vec<f64>,
     /// Samples to be used.
     pub core: Range<usize>,
@@ -71,8 +72,7 @@ impl Motion {
         let len = self.states.len;
         let pick = |source: &[f64], out: &mut Vec<f64>| {
             out.clear();
-            for joint in 0..self.dof() {
-                let row = &source[joint * len..(joint + 1) * len];
+            for row in source.chunks_exact(len) {
                 if stride == 1 {
                     out.extend_from_slice(&row[first..first + count]);
                 } else {
@@ -87,7 +87,7 @@ impl Motion {
             pick(&self.states.ddq, &mut states.ddq);
             pick(&self.tau, tau);
             sign.clear();
-            if self.sign.len() == self.dof() * len {
+            if self.sign.len() >= self.dof() * len {
                 pick(&self.sign, sign);
             }
         }

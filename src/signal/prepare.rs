@@ -3,9 +3,9 @@
 //! A segment that is longer than a chunk is filtered in overlapping chunks. The overlap is as long as the filter remembers (to 1e-12),
 //! so the result is that of filtering the segment at once.
 
-use super::{Motion, central, central_second, even, even::smoother_evenly, low_pass, sos::Sos};
+use super::{Motion, burst::Derived, central, even, even::smoother_evenly, low_pass, sos::Sos};
 use crate::{
-    arm::States,
+    arm::{States, VelocitySum},
     log::{Block, Clock, Doctor, Finding, Keep, Kind, Layout, LogError, Quantity, Role, Severity, Source, Verdict},
 };
 
@@ -22,6 +22,19 @@ impl Default for Filter {
     /// The paper's: order 5, 10 Hz (section III.E).
     fn default() -> Self {
         Self { order: 5, cutoff: 10.0 }
+    }
+}
+
+impl Filter {
+    /// What it leaves, forward and backward, of white noise at `rate`, Hz: the root of the energy of its impulse response, as a share. 1 where the
+    /// cutoff is beyond half the rate, and nothing is filtered.
+    pub fn noise_gain(self, rate: f64) -> f64 {
+        let Ok(sos) = low_pass(self.order, self.cutoff, rate) else { return 1.0 };
+        let half = 2 * sos.settling();
+        let mut impulse = vec![0.0; 2 * half + 1];
+        impulse[half] = 1.0;
+        sos.forward_backward(&mut impulse, 0);
+        impulse.iter().map(|x| x * x).sum::<f64>().sqrt()
     }
 }
 
@@ -42,6 +55,9 @@ pub enum Derivatives {
 pub struct Prepare {
     /// Low-pass for positions and torques alike; `None`: none.
     pub filter: Option<Filter>,
+    /// A second, higher cutoff, Hz: what positions have between the two is let through where it is more than noise, as where a joint breaks
+    /// away after a reversal. Not used where the log is too slow for it. Default `None`: never.
+    pub bursts: Option<f64>,
     /// Source of velocities and accelerations.
     pub derivatives: Derivatives,
     /// What is cut off at both ends of each segment, s: where filter and differences know only one side. Default two periods of
@@ -64,6 +80,8 @@ pub struct Prepare {
     pub margins: bool,
     /// Whether the torque is handed on as it was recorded, without the low-pass; [`Motion::sign`] is then not low-passed either.
     pub raw_torque: bool,
+    /// Sums of velocities whose signs motions carry behind those of the joints.
+    pub sums: Vec<VelocitySum>,
     /// Whether motions carry the temperatures, `temp1..`, where the log has them.
     pub temperature: bool,
     /// Whether motions carry the external wrench, `fx .. mz`, where the log has it.
@@ -74,6 +92,7 @@ impl Default for Prepare {
     fn default() -> Self {
         Self {
             filter: Some(Filter::default()),
+            bursts: None,
             derivatives: Derivatives::FromPosition,
             trim: 0.2,
             torque_delay: 0.0,
@@ -84,6 +103,7 @@ impl Default for Prepare {
             chunk: 1 << 16,
             margins: false,
             raw_torque: false,
+            sums: Vec::new(),
             temperature: false,
             wrench: false,
         }
@@ -231,6 +251,8 @@ pub struct Preparer {
     /// Samples of the segment that were handed on.
     done: usize,
     filter: Option<Sos>,
+    /// The low-pass of [`Prepare::bursts`].
+    wide: Option<Sos>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -291,6 +313,7 @@ impl Preparer {
             first: 0,
             done: 0,
             filter: None,
+            wide: None,
         })
     }
 
@@ -359,6 +382,11 @@ impl Preparer {
                 return Err(PrepareError::Stride { file, stride, rate, cutoff: filter.cutoff, most });
             }
             self.filter = Some(sos);
+            self.wide = self
+                .settings
+                .bursts
+                .filter(|cutoff| *cutoff > filter.cutoff)
+                .and_then(|cutoff| low_pass(filter.order, cutoff, rate).ok());
         }
         Ok(SegmentClock { start: t[0], period, resample, produced: 0, last: t[0] })
     }
@@ -463,6 +491,12 @@ impl Preparer {
         Ok(motions)
     }
 
+    /// Both cutoffs, Hz.
+    fn bands(&self) -> [f64; 2] {
+        let low = self.settings.filter.map_or(0.0, |f| f.cutoff);
+        [low, self.settings.bursts.unwrap_or(low)]
+    }
+
     fn note_short(&mut self, rows: usize) {
         match self.findings.iter_mut().find(|f| matches!(f.kind, Kind::ShortSegments { .. })) {
             Some(Finding { kind: Kind::ShortSegments { samples }, count, .. }) => {
@@ -504,9 +538,18 @@ impl Preparer {
         };
         let mut speeds = Vec::with_capacity(dof);
         for joint in 0..dof {
-            let q = smooth(&self.evened[joint]);
+            let mut q = smooth(&self.evened[joint]);
             let (dq, ddq) = match self.settings.derivatives {
-                Derivatives::FromPosition => (central(&q, clock.period), central_second(&q, clock.period)),
+                Derivatives::FromPosition => {
+                    let mut narrow = Derived::of(q.clone(), clock.period);
+                    if let Some(sos) = &self.wide {
+                        let mut wide = self.evened[joint].clone();
+                        sos.forward_backward(&mut wide, pad.max(sos.scipy_padding()));
+                        narrow.let_through(&Derived::of(wide, clock.period), self.bands(), clock.period);
+                    }
+                    q = narrow.q;
+                    (narrow.dq, narrow.ddq)
+                }
                 Derivatives::AtRest => (vec![0.0; n], vec![0.0; n]),
                 Derivatives::Recorded => {
                     let dq = smooth(&self.evened[2 * dof + joint]);
@@ -529,9 +572,15 @@ impl Preparer {
             speeds.push(dq);
         }
         if self.filter.is_some() && self.settings.derivatives != Derivatives::AtRest {
-            for (joint, dq) in speeds.iter().enumerate() {
+            let sums = self.settings.sums.iter().map(|sum| {
+                let noise = sum.joints.map(|j| motion.velocity_noise.get(j).copied().unwrap_or(0.0));
+                (sum.at(|j| speeds.get(j).map(Vec::as_slice)), noise[0].hypot(sum.ratio * noise[1]))
+            });
+            let sums: Vec<(Vec<f64>, f64)> = sums.collect();
+            let own = speeds.iter().zip(&motion.velocity_noise).map(|(dq, &noise)| (dq, noise));
+            for (dq, noise) in own.chain(sums.iter().map(|(dq, noise)| (dq, *noise))) {
                 let largest = dq.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-                let noise = (3.0 * motion.velocity_noise[joint]).min(0.02 * largest);
+                let noise = (3.0 * noise).min(0.02 * largest);
                 let sign = |v: &f64| if v.abs() > noise { v.signum() } else { 0.0 };
                 let signs: Vec<f64> = dq.iter().map(sign).collect();
                 let signs = if self.settings.raw_torque { signs } else { smooth(&signs) };

@@ -1,6 +1,6 @@
 //! The effects beyond the rigid body, one file each: what is read of it, and its law.
 //!
-//! Names, keys and defaults stand in [`dh_codegen::robot::effect`].
+//! Names, keys and defaults stand in [`dh_codegen::robot::effect`]; what changes geometry or bodies in [`dh_codegen::robot::Robot::change`].
 
 mod asymmetric_friction;
 mod backlash;
@@ -16,11 +16,7 @@ mod presliding_hysteresis;
 mod stribeck_friction;
 mod torque_ripple;
 
-pub(super) mod base_tilt;
 pub(super) mod external_contact;
-pub(super) mod geometric_error;
-pub(super) mod link_inertia_error;
-pub(super) mod payload;
 
 mod given;
 pub(super) use given::RATED;

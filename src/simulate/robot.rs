@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use dh_codegen::arm::param::{self, Parameter};
-use dh_codegen::robot::{Effect, Effects, Inertia, Robot};
+use dh_codegen::robot::{Effect, Effects, NoLink, Robot};
 
 use super::SimulateError;
 use super::cholesky;
@@ -11,13 +11,16 @@ use super::drive::Drive;
 use super::effects::{
     AsymmetricFriction, Backlash, ExternalContact, FrictionDrift, GearCoupling, Given, JointElasticity, JointSpring,
     LoadDependentFriction, NonlinearViscousFriction, PositionDependentFriction, PreslidingHysteresis, StribeckFriction,
-    TorqueRipple, base_tilt, geometric_error, link_inertia_error, payload,
+    TorqueRipple,
 };
 use crate::arm::{Arm, Dynamics};
 use crate::interpreted::Interpreted;
 
 /// Rotor of a soft joint whose file gives none, kg m^2 per N m of torque limit: see `rotor_inertia` in the table of effects.
 const ROTOR: f64 = 0.003;
+
+/// A torque sample that is older (or younger) than this belongs to no motion that is played, s; as the sensors' latency.
+const LONGEST_DELAY: f64 = 10.0;
 
 /// The robot as it is, and as its file says.
 pub(super) struct Built {
@@ -51,6 +54,18 @@ impl Built {
         })?;
         let own = robot.all_effects();
         let everywhere = own.robot.iter().chain(&more.robot);
+        for contact in everywhere.clone().filter(|e| e.name == "external_contact") {
+            let given = Given::new(contact, None);
+            if let (Some(start), Some(end)) = (given.stated("start"), given.stated("end")) {
+                if end <= start {
+                    return Err(SimulateError::Setting {
+                        what: "external_contact.end",
+                        value: end,
+                        must: "be later than start",
+                    });
+                }
+            }
+        }
         let of_joints: Vec<(usize, &Effect)> = own
             .joints
             .iter()
@@ -143,19 +158,28 @@ impl Built {
             }
         };
         match effect.name.as_str() {
-            "viscous_friction" => drive.plain.viscous += given.get("FV"),
-            "coulomb_friction" => drive.plain.level += given.get("FC"),
+            // They add to the file's: what must not be negative is the sum, lest friction drives the arm.
+            "viscous_friction" => {
+                drive.plain.viscous += given.get("FV");
+                not_negative("FV, the file's included,", drive.plain.viscous)?;
+            }
+            "coulomb_friction" => {
+                drive.plain.level += given.get("FC");
+                not_negative("FC, the file's included,", drive.plain.level)?;
+            }
             "rotor_inertia" => drive.rotor += not_negative("IA", given.get("IA"))?,
             "asymmetric_friction" => drive.asymmetric = Some(AsymmetricFriction::read(&given)),
             "stribeck_friction" => {
                 let law = StribeckFriction::read(&given, drive.plain.level);
                 positive("VS", law.velocity)?;
                 positive("DS", law.exponent)?;
+                not_negative("FS", law.breakaway)?;
                 drive.stribeck = Some(law);
             }
             "nonlinear_viscous_friction" => {
                 let law = NonlinearViscousFriction::read(&given);
                 not_negative("EN", law.exponent)?;
+                not_negative("FN", law.level)?;
                 drive.nonlinear = Some(law);
             }
             "load_dependent_friction" => {
@@ -175,6 +199,7 @@ impl Built {
             "presliding_hysteresis" => {
                 let law = PreslidingHysteresis::read(&given);
                 positive("HX", law.travel)?;
+                not_negative("HC", law.level)?;
                 drive.hysteresis = Some(law);
             }
             "friction_drift" => {
@@ -215,7 +240,20 @@ impl Built {
             },
             "encoder_offset" => drive.encoder_offset += given.get("QO"),
             "joint_spring" => drive.spring = Some(JointSpring::read(&given)),
-            "time_delay" => drive.delay += given.get("TD"),
+            "time_delay" => {
+                let delay = given.get("TD");
+                if delay.abs() > LONGEST_DELAY {
+                    let (effect, joint) = (effect.name.clone(), row + 1);
+                    return Err(SimulateError::Effect {
+                        effect,
+                        joint,
+                        key: "TD",
+                        value: delay,
+                        must: "be from -10 to 10 s",
+                    });
+                }
+                drive.delay += delay;
+            }
             _ => {} // of the bodies: see `as_it_is`
         }
         Ok(())
@@ -311,45 +349,11 @@ fn as_it_is<'e>(
     of_robot: impl Iterator<Item = &'e Effect>,
 ) -> Result<Robot, SimulateError> {
     let mut real = robot.clone();
-    for &(row, effect) in of_joints {
-        let given = Given::new(effect, None);
-        match effect.name.as_str() {
-            "geometric_error" => geometric_error::apply(&mut real.joints[row], &given),
-            "link_inertia_error" => {
-                change_link(&mut real, given.stated("link"), Some(row), |l| link_inertia_error::apply(l, &given))?
-            }
-            _ => {}
-        }
-    }
-    for effect in of_robot {
-        let given = Given::new(effect, None);
-        match effect.name.as_str() {
-            "base_tilt" => real.gravity = base_tilt::tilted(real.gravity, &given),
-            "link_inertia_error" => {
-                change_link(&mut real, given.stated("link"), None, |l| link_inertia_error::apply(l, &given))?
-            }
-            "payload" => change_link(&mut real, Some(robot.joints.len() as f64), None, |l| payload::apply(l, &given))?,
-            _ => {}
-        }
+    let of_joints = of_joints.iter().map(|&(row, effect)| (Some(row), effect));
+    for (row, effect) in of_joints.chain(of_robot.map(|effect| (None, effect))) {
+        real.change(row, effect).map_err(|NoLink { number, last }| SimulateError::Link { number, last })?;
     }
     Ok(real)
-}
-
-fn change_link(
-    robot: &mut Robot,
-    stated: Option<f64>,
-    row: Option<usize>,
-    change: impl FnOnce(&mut Inertia),
-) -> Result<(), SimulateError> {
-    let last = robot.joints.len();
-    let at = stated.map_or(row, |number| (number as usize).checked_sub(1));
-    match at.and_then(|row| robot.links.get_mut(row)).and_then(Option::as_mut) {
-        Some(link) => {
-            change(link);
-            Ok(())
-        }
-        None => Err(SimulateError::Link { number: stated, last }),
-    }
 }
 
 /// Standard parameters with those of drives zero.

@@ -117,8 +117,13 @@ impl Simulator {
         let setting = |what, value: f64, good: bool, must| {
             if good { Ok(()) } else { Err(SimulateError::Setting { what, value, must }) }
         };
-        setting("sensors.rate", rate, rate > 0.0 && rate <= 1e5, "be from 0 to 100000 Hz")?;
-        setting("the duration", run.seconds, run.seconds > 0.0 && run.seconds <= 1e5, "be from 0 to 100000 s")?;
+        setting("sensors.rate", rate, rate > 0.0 && rate <= 1e5, "be greater than 0, and at most 100000 Hz")?;
+        setting(
+            "the duration",
+            run.seconds,
+            run.seconds > 0.0 && run.seconds <= 1e5,
+            "be greater than 0, and at most 100000 s",
+        )?;
         if run.start.len() != n {
             return Err(SimulateError::Joints { found: run.start.len(), expected: n });
         }

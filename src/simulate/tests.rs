@@ -3,6 +3,7 @@
 mod effects;
 mod integrators;
 mod laws;
+mod sliding;
 
 use dh_codegen::robot::{Effect, Effects, Robot};
 

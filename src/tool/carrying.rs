@@ -1,6 +1,6 @@
 //! An arm with a body in its hand: the paper's equation (7) as one regressor.
 
-use crate::arm::{Arm, BaseParameter, Payload, States};
+use crate::arm::{Arm, BaseParameter, Description, Payload, States};
 use dh_codegen::arm::param::Inertial;
 
 /// Units of the ten parameters.
@@ -17,10 +17,8 @@ pub fn names() -> [String; 10] {
 pub struct Carrying<'a> {
     arm: &'a dyn Payload,
     loaded: bool,
-    standard: Vec<String>,
-    base: Vec<BaseParameter>,
-    pattern: Vec<(usize, usize)>,
-    /// Where each entry of `pattern` comes from: the arm's own entries, then the body's.
+    description: Description,
+    /// Where each entry of the pattern comes from: the arm's own entries, then the body's.
     sources: Vec<usize>,
 }
 
@@ -30,9 +28,9 @@ impl<'a> Carrying<'a> {
         let own = arm.base_parameters().len();
         let names = names().map(|name| format!("{name}L"));
         let at = arm.standard_names().len();
-        let body = names.iter().enumerate().map(|(k, name)| BaseParameter {
-            name: name.clone(),
+        let body = names.clone().into_iter().enumerate().map(|(k, name)| BaseParameter {
             grouping: name.clone(),
+            name,
             coefficients: vec![(at + k, 1.0)],
             unit: UNITS[k].into(),
         });
@@ -41,37 +39,21 @@ impl<'a> Carrying<'a> {
             arm.base_pattern().iter().copied().chain(body_entries).enumerate().map(|(k, at)| (at, k)).collect();
         entries.sort_unstable();
         let (pattern, sources) = entries.into_iter().unzip();
-        Self {
-            standard: arm.standard_names().iter().cloned().chain(names.iter().cloned()).collect(),
-            base: arm.base_parameters().iter().cloned().chain(body).collect(),
-            pattern,
-            sources,
-            loaded,
-            arm,
-        }
+        let mut description = Description { pattern, ..arm.description().clone() };
+        description.base.extend(body);
+        description.standard.extend(names);
+        Self { description, sources, loaded, arm }
     }
 
     /// The first of the body's ten columns.
     pub fn first(&self) -> usize {
-        self.base.len() - 10
+        self.description.base.len() - 10
     }
 }
 
 impl Arm for Carrying<'_> {
-    fn name(&self) -> &str {
-        self.arm.name()
-    }
-    fn dof(&self) -> usize {
-        self.arm.dof()
-    }
-    fn standard_names(&self) -> &[String] {
-        &self.standard
-    }
-    fn base_parameters(&self) -> &[BaseParameter] {
-        &self.base
-    }
-    fn base_pattern(&self) -> &[(usize, usize)] {
-        &self.pattern
+    fn description(&self) -> &Description {
+        &self.description
     }
     fn base_regressor(&self, states: &States, out: &mut [f64]) {
         let len = states.len;

@@ -119,3 +119,24 @@ fn wrong_uses_end_with_2() {
         assert!(run.err.contains(says), "{arguments:?}: {}", run.err);
     }
 }
+
+#[test]
+fn what_the_file_does_not_say_is_said_once() {
+    let folder = folder("excite_said");
+    let path = folder.join("m.csv").display().to_string();
+    let quick = ["--duration", "2", "--starts", "1", "--iterations", "4"];
+    let run = denavit(&[&["excite", ROBOT], &quick[..]].concat());
+    let notes: Vec<&str> = run.err.lines().filter(|l| l.contains("acceleration")).collect();
+    assert!(
+        matches!(notes[..], [line] if line.contains("A1 3.840, A2 3.840") && line.contains("A7 6.423")),
+        "{}",
+        run.err
+    );
+    let run = denavit(&[&["excite", "robots/planar2r.yaml", "--out", &path], &quick[..]].concat());
+    assert_eq!(run.status, Some(0), "{}", run.err);
+    assert!(run.err.contains("self-collision are not checked"), "{}", run.err);
+    let run = denavit(&["excite", "robots/planar2r.yaml", "--check", &path]);
+    assert!(run.out.contains("not checked: self-collision"), "{}", run.out);
+    let verdict = json(&["excite", "robots/planar2r.yaml", "--check", &path, "--json", "-"]);
+    assert!(verdict["unchecked"].as_array().unwrap().len() >= 2, "{verdict}");
+}

@@ -32,3 +32,16 @@ fn the_crates_in_the_repository_are_fresh() {
     let run = denavit(&["generate", "robots/kuka-lwr4.yaml", "--out", "generated/kuka-lwr4", "--check"]);
     assert_eq!((run.status, run.err.as_str()), (Some(0), ""));
 }
+
+#[test]
+fn adjoints_are_written_when_asked_for() {
+    let crate_folder = folder("generate_adjoints").join("planar2r");
+    let out = crate_folder.display().to_string();
+    let verb = ["generate", "robots/planar2r.yaml", "--out", &out];
+    assert_eq!(denavit(&[&verb[..], &["--adjoints"]].concat()).status, Some(0));
+    let text = std::fs::read_to_string(crate_folder.join("src/lib.rs")).unwrap();
+    assert!(text.contains("pub fn base_regressor_adjoint<S: Scalar>("), "{text}");
+    assert!(crate_folder.join("src/kernel/frames_adjoint.rs").exists());
+    let plain = denavit(&[&verb[..], &["--check"]].concat());
+    assert!(plain.status == Some(1) && plain.err.contains("src/lib.rs"), "another crate: {}", plain.err);
+}

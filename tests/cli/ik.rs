@@ -104,6 +104,49 @@ fn a_swivel_angle_is_chosen() {
     }
 }
 
+/// Inside its interval a branch respects the limits, just outside it doesn't; the best angle keeps the margin it says.
+#[test]
+fn swivel_intervals_are_printed() {
+    let path = "robots/kuka-iiwa14.yaml";
+    let goal = *Numeric::new(&read_robot(path)).frames(&[0.3, 0.5, -0.2, 1.1, 0.4, -0.8, 0.1]).last().unwrap();
+    let folder = folder("ik-intervals");
+    let poses = file(&folder, "poses.csv", csv(&pose_columns(), &[row(&goal)]));
+    let said = json(&["ik", path, "--poses", &poses, "--json", "-"]);
+    let ranges = said["poses"][0]["swivel_intervals"].as_array().unwrap();
+    assert_eq!(ranges.len(), 8);
+    // Ask again at angles inside and outside, all in one file.
+    let mut header = pose_columns();
+    header.push("swivel".into());
+    let (mut rows, mut expected) = (Vec::new(), Vec::new());
+    for range in ranges {
+        for interval in range["intervals"].as_array().unwrap() {
+            let ends = numbers(interval);
+            for (swivel, inside) in [(ends[0] + 1e-6, true), (ends[1] - 1e-6, true), (ends[0] - 1e-6, false)] {
+                if swivel.abs() < 3.14 {
+                    rows.push([row(&goal), vec![swivel]].concat());
+                    expected.push((range["branch"].clone(), inside, None));
+                }
+            }
+        }
+        if let Some(best) = range["best"]["swivel"].as_f64() {
+            rows.push([row(&goal), vec![best]].concat());
+            expected.push((range["branch"].clone(), true, range["best"]["limit_margin"].as_f64()));
+        }
+    }
+    assert!(expected.len() > 8, "{said}");
+    let again = file(&folder, "again.csv", csv(&header, &rows));
+    let said = json(&["ik", path, "--poses", &again, "--json", "-"]);
+    for (pose, (branch, inside, margin)) in said["poses"].as_array().unwrap().iter().zip(&expected) {
+        let own = pose["solutions"].as_array().unwrap().iter().find(|s| s["branch"] == *branch).unwrap();
+        assert_eq!(own["within_limits"].as_bool(), Some(*inside), "{own}");
+        if let Some(margin) = margin {
+            assert!((own["limit_margin"].as_f64().unwrap() - margin).abs() < 1e-9);
+        }
+    }
+    let text = denavit(&["ik", path, "--poses", &poses]);
+    assert!(text.out.contains("swivel angles, rad, at which a branch respects the limits"), "{}", text.out);
+}
+
 /// With `--tool` the poses are the tool's.
 #[test]
 fn the_tool_counts_when_asked() {
@@ -133,6 +176,7 @@ fn wrong_poses_are_told() {
         (csv(&pose_columns()[1..], &[good[1..].to_vec()]), "no column r11"),
         (csv(&pose_columns(), &[vec![2.0; 12]]), "not a rotation"),
         (csv(&pose_columns(), core::slice::from_ref(&good)).replace("1,0,0,0", "1,NaN,0,0"), "not a finite number"),
+        (csv(&pose_columns(), &[]), "a header and no pose"),
     ];
     for (k, (text, expected)) in cases.into_iter().enumerate() {
         let poses = file(&folder, &format!("{k}.csv"), text);

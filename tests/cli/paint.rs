@@ -1,4 +1,4 @@
-//! `denavit paint plan`: files, figures, wrong uses.
+//! `denavit paint plan` and `denavit paint run`: files, figures, wrong uses.
 
 use denavit::numeric::Numeric;
 use denavit::paint::Plan;
@@ -104,4 +104,54 @@ fn wrong_uses() {
     fails(1, &[&[ROBOT], &tool[..], &["--center", "-3,0,0.4", "--constant-swivel"]].concat(), &["out of reach by"]);
     let short = [&QUICK[..], &["--duration", "0.5"]].concat();
     fails(1, &[&[ROBOT], &short[..]].concat(), &["s more than the 0.5 s", "--duration"]);
+}
+
+/// Sensors at 250 Hz: a quarter of the steps.
+const SLOW: &str = "sensors: { rate: 250, torque_noise: [0.05] }\n";
+
+#[test]
+fn a_run_presses_as_asked_and_shows_it() {
+    let folder = folder("paint-run");
+    let path = |name: &str| folder.join(name).display().to_string();
+    let (plan, out, page) = (path("p.json"), path("force.csv"), path("run.html"));
+    let tool = ["--tool", "robots/tools/large-roller.yaml"];
+    let wall = ["--center", "-0.85,0.25,0.5", "--width", "0.2", "--height", "0.15", "--whole", "--constant-swivel"];
+    let planned =
+        denavit(&[&["paint", "plan", ROBOT, "--duration", "1.5", "--plan", &plan], &tool[..], &wall].concat());
+    assert_eq!(planned.status, Some(0), "{}", planned.err);
+    let slow = file(&folder, "slow.yaml", SLOW);
+    let base = ["paint", "run", ROBOT, "--plan", &plan, "--effects", &slow, "--settle", "1", "--corner", "5"];
+    let arguments = [&base[..], &tool, &["--force", "20", "--out", &out, "--report", &page, "--json", "-"]].concat();
+    let found = json(&arguments);
+    assert_eq!(found["status"], "painted to the end", "{found}");
+    assert_eq!(found["seconds_off"], 0.0);
+    for (key, most) in [("estimated_measured", 1.0), ("measured_desired", 1.0)] {
+        assert!(found["rms"][key].as_f64().unwrap() < most, "{found}");
+    }
+    assert!(found["tracking"].as_f64().unwrap() < 0.005, "{found}");
+    // The CSV is where the figures come from.
+    let (header, samples) = rows(&out);
+    assert_eq!(header[..4], ["t", "estimated", "measured", "true"]);
+    let number = |row: &Vec<String>, k: usize| row[k].parse::<f64>().unwrap();
+    let rms = |f: &dyn Fn(&Vec<String>) -> f64| {
+        (samples.iter().map(|r| f(r).powi(2)).sum::<f64>() / samples.len() as f64).sqrt()
+    };
+    let off = rms(&|r| number(r, 2) - 20.0);
+    assert!((off - found["rms"]["measured_desired"].as_f64().unwrap()).abs() < 1e-4);
+    assert!(rms(&|r| number(r, 3) - 20.0) < 1.0);
+    let html = std::fs::read_to_string(&page).unwrap();
+    assert!(html.contains("<polyline") && html.contains("Path of the roller") && !html.contains("NaN"));
+    assert!(!html.contains("http://") && !html.contains("https://"));
+
+    let fails = |arguments: &[&str], part: &str| {
+        let run = denavit(&[&base[..], &tool, arguments].concat());
+        assert_eq!((run.status, run.out.as_str()), (Some(2), ""), "{arguments:?}: {}", run.err);
+        assert!(run.err.contains(part), "{arguments:?}: {}", run.err);
+    };
+    fails(&["--aside", "1.5"], "--aside 1.5");
+    fails(&["--force", "nan"], "--force");
+    fails(&["--paper", "--carry", "0.5"], "--carry");
+    let wrong = denavit(&["paint", "run", "robots/ur10e.yaml", "--plan", &plan]);
+    assert_eq!(wrong.status, Some(2));
+    assert!(wrong.err.contains("the plan has 7 joints"), "{}", wrong.err);
 }

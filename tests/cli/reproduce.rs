@@ -30,3 +30,23 @@ fn rows_verdicts_and_page() {
     assert!(page.contains("Table III") && !page.contains("NaN") && !page.contains("http"), "a page of its own");
     assert_eq!(found, json(&["reproduce", "--runs", "10", "--json", "-"]));
 }
+
+#[test]
+fn painting_in_brief() {
+    let page = folder("reproduce-painting").join("page.html").display().to_string();
+    let found = json(&["reproduce", "painting", "--quick", "--seed", "3", "--json", "-", "--report", &page]);
+    let part = &found["painting"];
+    let rows = part["table4"].as_array().unwrap();
+    assert_eq!(rows.len(), 2, "{part}");
+    for (row, [estimated, desired]) in rows.iter().zip([[1.0, 1.0], [5.0, 3.0]]) {
+        let of = |key: &str| row[key].as_f64().unwrap();
+        assert!(of("estimated_measured") < estimated && of("estimated_desired") < desired, "{row}");
+        assert!(of("seconds_off") == 0.0 && of("aside") < 0.02, "{row}");
+        assert_eq!(row["roller"], "large-roller");
+    }
+    // The effects are not in the model, and it shows.
+    let error = |k: usize| part["torque_error"][k]["rms"].as_f64().unwrap();
+    assert!(error(1) > 2.0 * error(0), "{part}");
+    let page = std::fs::read_to_string(page).unwrap();
+    assert!(page.contains("Table IV") && page.contains("Fig. 13a") && !page.contains("NaN") && !page.contains("http"));
+}

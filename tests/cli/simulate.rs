@@ -71,6 +71,31 @@ fn a_free_swing_needs_no_trajectory() {
     assert_eq!(std::fs::read_to_string(&log).unwrap().lines().count(), 1002);
 }
 
+/// A joint that slides: the SCARA arm's own links, from a file to a log and back.
+#[test]
+fn a_scara_arm_is_simulated_and_identified() {
+    let folder = folder("simulate-scara");
+    let mut text = String::from("t,q1,q2,q3,q4\n");
+    for k in 0..=800 {
+        let t = f64::from(k) * 0.01;
+        let window = (std::f64::consts::PI * t / 8.0).sin().powi(2);
+        let (a, b) = ((3.0 * t).sin() + 0.4 * (7.1 * t).sin(), (4.1 * t).cos());
+        let (c, d) = ((5.3 * t).sin(), (6.7 * t).sin() - 0.3 * (2.0 * t).cos());
+        text += &format!("{t},{},{},{},{}\n", 0.9 * window * a, window * b, 0.1 + 0.06 * window * c, 2.0 * window * d);
+    }
+    let motion = file(&folder, "motion.csv", text);
+    let log = folder.join("log.csv").display().to_string();
+    let run = denavit(&["simulate", "robots/scara.yaml", "--trajectory", &motion, "--out", &log, "--seed", "2"]);
+    assert_eq!(run.status, Some(0), "{}", run.err);
+    let found = json(&["identify", "robots/scara.yaml", &log, "--json", "-"]);
+    for parameter in found["parameters"].as_array().unwrap() {
+        let number = |key: &str| parameter[key].as_f64().unwrap();
+        let (value, prior) = (number("value"), number("prior"));
+        let std = 0.01 * number("relative_std_percent") * value.abs();
+        assert!((value - prior).abs() < 5.0 * std + 0.01 * prior.abs(), "{parameter}");
+    }
+}
+
 #[test]
 fn mistakes_are_told_and_mended() {
     let folder = folder("simulate-mistakes");
@@ -110,6 +135,37 @@ fn mistakes_are_told_and_mended() {
             arguments.extend(["--effects", effects]);
         }
         let run = denavit(&arguments);
+        assert_eq!(run.status, Some(2), "{expected}: {}", run.err);
+        assert!(run.err.contains(expected), "{expected}: {}", run.err);
+    }
+    let plain = |text: &str| file(&folder, "one.yaml", text);
+    for (text, expected) in [
+        ("sensors: { rate: -1000 }", "sensors.rate is -1000; it must be greater than 0, and at most 100000 Hz"),
+        ("sensors: { rate: 0.1 }", "raise sensors.rate, or give a longer motion"),
+        ("joints: { 1: { coulomb_friction: -5 } }", "coulomb_friction of joint 1: FC, the file's included, is -4.8"),
+        ("joints: { 1: { viscous_friction: -5 } }", "viscous_friction of joint 1: FV, the file's included, is -4.9"),
+        ("joints: { 1: { nonlinear_viscous_friction: { FN: -1 } } }", "FN is -1; it must not be negative"),
+        ("joints: { 1: { presliding_hysteresis: { HC: -1 } } }", "HC is -1; it must not be negative"),
+        ("effects: { time_delay: { TD: 1e6 } }", "TD is 1000000; it must be from -10 to 10 s"),
+        (
+            "effects: { external_contact: { start: 5, end: 1 } }",
+            "external_contact.end is 1; it must be later than start",
+        ),
+        ("effects: { link_inertia_error: { link: 9 } }", "there is no link 9; write the number of a link, 1 to 2"),
+        ("effects: { payload: { M: -50 } }", "planar2r.yaml with"),
+    ] {
+        let run = denavit(&["simulate", ROBOT, "--trajectory", &motion, "--out", &log, "--effects", &plain(text)]);
+        assert_eq!(run.status, Some(2), "{text}: {}", run.err);
+        assert!(run.err.contains(expected) && run.err.contains("one.yaml"), "{text}: {}", run.err);
+    }
+    let unnamed = file(&folder, "unnamed.csv", "t,a,b\n0,0,0\n1,0,0\n");
+    let run = denavit(&["simulate", ROBOT, "--trajectory", &unnamed, "--out", &log]);
+    assert!(run.err.contains("unnamed.csv, line 1: there is no column q1; there are t, a, b"), "{}", run.err);
+    for (arguments, expected) in
+        [(["-1", "0,0"], "--free -1: seconds, more than 0"), (["1", "nan,0"], "--start has a value NaN")]
+    {
+        let [free, start] = arguments;
+        let run = denavit(&["simulate", ROBOT, "--free", free, "--start", start, "--out", &log]);
         assert_eq!(run.status, Some(2), "{expected}: {}", run.err);
         assert!(run.err.contains(expected), "{expected}: {}", run.err);
     }

@@ -188,6 +188,16 @@ fn a_tool_in_a_turned_frame() {
     assert!(on_top["recognised"].is_null());
 }
 
+/// An empty hand twice: a mass within its deviation, and no centre.
+#[test]
+fn of_an_empty_hand() {
+    let logs = logs();
+    let run = denavit(&["tool", ROBOT, "--loaded", &logs.empty]);
+    assert_eq!(run.status, Some(0), "{}", run.err);
+    assert!(run.out.contains("nothing in the hand, or less than the noise lets see"), "{}", run.out);
+    assert!(!run.out.contains("The arm carries"), "{}", run.out);
+}
+
 #[test]
 fn of_wrong_use() {
     let logs = logs();
@@ -205,7 +215,14 @@ fn of_wrong_use() {
     fails(&[ROBOT, "--loaded", large, "--tools", "no/such"], &["no/such", "--tools"]);
     fails(&[ROBOT, "--loaded", large, "--tools", "docs"], &["docs", "no tool file"]);
     fails(&[ROBOT, "--loaded", large, "--known-mass", "0"], &["0 kg", "positive"]);
+    fails(&[ROBOT, "--loaded", large, "--known-mass", "-1"], &["-1 kg", "positive"]);
     fails(&[ROBOT, "--loaded", large, "--level", "2"], &["--level 2"]);
+    fails(&[ROBOT, "--loaded", large, "--trim", "-1"], &["--trim -1: seconds"]);
+    fails(&[ROBOT, "--loaded", large, "--dead-zone", "nan"], &["--dead-zone NaN"]);
+    fails(&[ROBOT, "--loaded", large, "--unloaded", large], &["large.csv: the same log", "empty hand"]);
+    let without = |flag| fails(&[ROBOT, "--loaded", large, "--unloaded", &logs.empty, flag], &[flag, "--unloaded"]);
+    without("--on-top");
+    without("--refresh-friction");
     fails(&[ROBOT, "--loaded", large, "--tolerance", "1,2"], &["--tolerance"]);
     fails(&[ROBOT, "--loaded", "no.csv"], &["no.csv", "check the path"]);
     // A robot whose links are not known needs the unloaded log.

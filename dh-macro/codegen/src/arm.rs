@@ -2,6 +2,7 @@
 //!
 //! `Robot -> Chain (one form for both DH conventions) -> sweeps -> Kernel (a tape with a signature)`.
 
+pub(crate) mod adjoint;
 pub mod base;
 pub mod chain;
 mod drive;
@@ -16,6 +17,7 @@ mod plan;
 mod regressor;
 mod screw;
 mod subspace;
+mod turning;
 mod wrench;
 
 pub use base::{BaseParameter, BaseParameters};

@@ -110,7 +110,8 @@ impl Interpreter {
         let arguments = kernel.function.arguments();
         let takes = |a| arguments.contains(&a);
         let turns = takes(Argument::Configuration).then_some(self.offsets.as_slice());
-        let parameters = takes(Argument::StandardParameters) || takes(Argument::BaseParameters);
+        let parameters =
+            takes(Argument::StandardParameters) || takes(Argument::BaseParameters) || takes(Argument::Seeds);
         let columns = Columns::new(kernel.inputs, batch, turns, parameters);
         evaluator.run(batch.len, |i| columns.input(i), out);
     }
@@ -147,7 +148,8 @@ impl Interpreter {
                 inputs[index(group)..][..n].copy_from_slice(&values[..n]);
             }
         }
-        if arguments.contains(&Argument::StandardParameters) || arguments.contains(&Argument::BaseParameters) {
+        let takes = |a| arguments.contains(&a);
+        if takes(Argument::StandardParameters) || takes(Argument::BaseParameters) || takes(Argument::Seeds) {
             inputs.extend_from_slice(state.parameters);
         }
         evaluator.run_one(inputs, slots, out);

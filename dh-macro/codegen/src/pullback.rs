@@ -1,11 +1,10 @@
 //! Vector-Jacobian products of any kernel, run over batches: `seed' d(outputs)/d(q, dq, ddq)`.
 
-use std::collections::BTreeMap;
-
 use crate::arm::Kernel;
+use crate::arm::adjoint::by_states;
 use crate::arm::chain::{Group, Inputs};
 use crate::interpret::{Batch, Columns};
-use crate::sym::{Evaluator, Ex, Graph, Operand, Tape, adjoint};
+use crate::sym::{Evaluator, Ex, Graph, Operand, Tape};
 
 /// The adjoint of a kernel, ready to run.
 pub struct Pullback {
@@ -34,29 +33,13 @@ impl Pullback {
     /// Of these outputs of a kernel (indices into its row-major result), for a robot whose angles have these offsets
     /// ([`crate::arm::chain::Chain::angle_offsets`]).
     pub fn new(kernel: &Kernel, wanted: &[usize], offsets: &[f64]) -> Self {
-        let inputs = kernel.inputs;
-        let first_seed = 1 + highest_input(&kernel.tape).max(inputs.index(Group::Parameter, 0));
+        let first_seed = 1 + highest_input(&kernel.tape).max(kernel.inputs.index(Group::Parameter, 0));
         let graph = Graph::new();
-        let seeds: Vec<Ex<'_>> = (0..wanted.len()).map(|k| graph.input(first_seed + k)).collect();
-        let by = adjoint(&graph, &kernel.tape, wanted, &seeds);
-        let mut sums: BTreeMap<(usize, usize), Ex<'_>> = BTreeMap::new();
-        for (input, bar) in by {
-            // d sin = cos dq, d cos = -sin dq.
-            let (part, joint, bar) = match inputs.locate(input) {
-                (Group::Position, j) => (0, j, bar),
-                (Group::Sine, j) => (0, j, bar * graph.input(inputs.index(Group::Cosine, j))),
-                (Group::Cosine, j) => (0, j, -(bar * graph.input(inputs.index(Group::Sine, j)))),
-                (Group::Velocity, j) => (1, j, bar),
-                (Group::Acceleration, j) => (2, j, bar),
-                (Group::Torque | Group::Parameter, _) => continue,
-            };
-            let sum = sums.get(&(part, joint)).map_or(bar, |&sum| sum + bar);
-            sums.insert((part, joint), sum);
-        }
+        let sums = by_states(&graph, kernel, wanted, first_seed);
         let roots: Vec<Ex<'_>> = sums.values().copied().collect();
         let tape = Tape::new(&graph, &roots);
         Self {
-            inputs,
+            inputs: kernel.inputs,
             evaluator: Evaluator::new(&tape),
             outputs: sums.into_keys().collect(),
             first_seed,

@@ -77,6 +77,15 @@ pub struct Effect {
     pub parameters: Vec<(String, f64)>,
 }
 
+/// An effect means a link that is not there, or whose parameters the file does not have.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NoLink {
+    /// The number that was given, from 1.
+    pub number: Option<f64>,
+    /// Number of links.
+    pub last: usize,
+}
+
 /// Effects by where they stand.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Effects {

@@ -7,6 +7,7 @@ mod call;
 mod eval;
 mod factor;
 mod graph;
+mod order;
 mod rules;
 mod signs;
 mod tape;

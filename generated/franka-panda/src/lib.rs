@@ -13,14 +13,14 @@
 //! | [`tool_pose`]: The tool frame in the base frame | 3 x 4 | 77 | 41 |
 //! | [`jacobian`]: Jacobian of the last DH frame's origin, in base axes | 6 x 7 | 93 | 57 |
 //! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 184 | 122 |
-//! | [`inverse_dynamics`]: Torques from the standard parameters | 7 | 359 | 365 |
-//! | [`inverse_dynamics_base`]: Torques from the base parameters | 7 | 313 | 307 |
+//! | [`inverse_dynamics`]: Torques from the standard parameters | 7 | 360 | 356 |
+//! | [`inverse_dynamics_base`]: Torques from the base parameters | 7 | 314 | 299 |
 //! | [`mass_matrix`]: Mass matrix `M`, symmetric, kg m^2 | 7 x 7 | 223 | 190 |
-//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 7 | 288 | 269 |
+//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 7 | 287 | 260 |
 //! | [`gravity`]: Gravity torques `g` | 7 | 64 | 38 |
-//! | [`forward_dynamics`]: Accelerations that torques cause | 7 | 698 | 589 |
+//! | [`forward_dynamics`]: Accelerations that torques cause | 7 | 697 | 580 |
 //! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 91 | 854 | 639 |
-//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 64 | 625 | 465 |
+//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 64 | 625 | 466 |
 //! | [`gravity_regressor`]: Regressor at rest | 7 x 70 | 259 | 155 |
 //! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 91 | 154 | 59 |
 //! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 91 | 39 | 19 |
@@ -388,14 +388,14 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("tool_pose", 77, 41),
     ("jacobian", 93, 57),
     ("jacobian_dot_velocity", 184, 122),
-    ("inverse_dynamics", 359, 365),
-    ("inverse_dynamics_base", 313, 307),
+    ("inverse_dynamics", 360, 356),
+    ("inverse_dynamics_base", 314, 299),
     ("mass_matrix", 223, 190),
-    ("coriolis", 288, 269),
+    ("coriolis", 287, 260),
     ("gravity", 64, 38),
-    ("forward_dynamics", 698, 589),
+    ("forward_dynamics", 697, 580),
     ("regressor", 854, 639),
-    ("base_regressor", 625, 465),
+    ("base_regressor", 625, 466),
     ("gravity_regressor", 259, 155),
     ("kinetic_energy_regressor", 154, 59),
     ("potential_energy_regressor", 39, 19),
@@ -482,7 +482,7 @@ pub fn base_parameters<S: Scalar>(phi: &[S; STANDARD]) -> [S; BASE] {
 #[inline]
 pub fn frames<S: Scalar>(q: &[S; DOF]) -> [[[S; 4]; 3]; 7] {
     let mut out = [[[S::default(); 4]; 3]; 7];
-    kernel::frames::dense(&Trig::new(q), &mut out);
+    kernel::frames::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -515,7 +515,7 @@ pub fn tool_pose<S: Scalar>(q: &[S; DOF]) -> [[S; 4]; 3] {
 #[inline]
 pub fn jacobian<S: Scalar>(q: &[S; DOF]) -> [[S; 7]; 6] {
     let mut out = [[S::default(); 7]; 6];
-    kernel::jacobian::dense(&Trig::new(q), &mut out);
+    kernel::jacobian::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -603,7 +603,7 @@ pub fn forward_dynamics<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], tau: &[S; DOF], 
 #[inline]
 pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 91]; 7] {
     let mut out = [[S::default(); 91]; 7];
-    kernel::regressor::dense(&Trig::new(q), dq, ddq, &mut out);
+    kernel::regressor::nonzeros(&Trig::new(q), dq, ddq, &mut out);
     out
 }
 
@@ -614,7 +614,7 @@ pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S;
 #[inline]
 pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 64]; 7] {
     let mut out = [[S::default(); 64]; 7];
-    kernel::base_regressor::dense(&Trig::new(q), dq, ddq, &mut out);
+    kernel::base_regressor::nonzeros(&Trig::new(q), dq, ddq, &mut out);
     out
 }
 
@@ -625,7 +625,7 @@ pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) ->
 #[inline]
 pub fn gravity_regressor<S: Scalar>(q: &[S; DOF]) -> [[S; 70]; 7] {
     let mut out = [[S::default(); 70]; 7];
-    kernel::gravity_regressor::dense(&Trig::new(q), &mut out);
+    kernel::gravity_regressor::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -636,7 +636,7 @@ pub fn gravity_regressor<S: Scalar>(q: &[S; DOF]) -> [[S; 70]; 7] {
 #[inline]
 pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 91] {
     let mut out = [S::default(); 91];
-    kernel::kinetic_energy_regressor::dense(&Trig::new(q), dq, &mut out);
+    kernel::kinetic_energy_regressor::nonzeros(&Trig::new(q), dq, &mut out);
     out
 }
 
@@ -647,7 +647,7 @@ pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 9
 #[inline]
 pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 91] {
     let mut out = [S::default(); 91];
-    kernel::potential_energy_regressor::dense(&Trig::new(q), &mut out);
+    kernel::potential_energy_regressor::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -658,6 +658,6 @@ pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 91] {
 #[inline]
 pub fn payload_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 10]; 7] {
     let mut out = [[S::default(); 10]; 7];
-    kernel::payload_regressor::dense(&Trig::new(q), dq, ddq, &mut out);
+    kernel::payload_regressor::nonzeros(&Trig::new(q), dq, ddq, &mut out);
     out
 }

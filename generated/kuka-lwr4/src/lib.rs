@@ -13,14 +13,14 @@
 //! | [`tool_pose`]: The tool frame in the base frame | 3 x 4 | 68 | 33 |
 //! | [`jacobian`]: Jacobian of the last DH frame's origin, in base axes | 6 x 7 | 66 | 38 |
 //! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 169 | 99 |
-//! | [`inverse_dynamics`]: Torques from the standard parameters | 7 | 342 | 342 |
-//! | [`inverse_dynamics_base`]: Torques from the base parameters | 7 | 296 | 284 |
+//! | [`inverse_dynamics`]: Torques from the standard parameters | 7 | 343 | 333 |
+//! | [`inverse_dynamics_base`]: Torques from the base parameters | 7 | 297 | 276 |
 //! | [`mass_matrix`]: Mass matrix `M`, symmetric, kg m^2 | 7 x 7 | 197 | 154 |
-//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 7 | 271 | 253 |
+//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 7 | 270 | 244 |
 //! | [`gravity`]: Gravity torques `g` | 7 | 64 | 38 |
-//! | [`forward_dynamics`]: Accelerations that torques cause | 7 | 655 | 529 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 84 | 789 | 561 |
-//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 57 | 597 | 427 |
+//! | [`forward_dynamics`]: Accelerations that torques cause | 7 | 654 | 520 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 84 | 789 | 557 |
+//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 57 | 597 | 426 |
 //! | [`gravity_regressor`]: Regressor at rest | 7 x 70 | 237 | 135 |
 //! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 84 | 143 | 53 |
 //! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 84 | 34 | 14 |
@@ -357,14 +357,14 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("tool_pose", 68, 33),
     ("jacobian", 66, 38),
     ("jacobian_dot_velocity", 169, 99),
-    ("inverse_dynamics", 342, 342),
-    ("inverse_dynamics_base", 296, 284),
+    ("inverse_dynamics", 343, 333),
+    ("inverse_dynamics_base", 297, 276),
     ("mass_matrix", 197, 154),
-    ("coriolis", 271, 253),
+    ("coriolis", 270, 244),
     ("gravity", 64, 38),
-    ("forward_dynamics", 655, 529),
-    ("regressor", 789, 561),
-    ("base_regressor", 597, 427),
+    ("forward_dynamics", 654, 520),
+    ("regressor", 789, 557),
+    ("base_regressor", 597, 426),
     ("gravity_regressor", 237, 135),
     ("kinetic_energy_regressor", 143, 53),
     ("potential_energy_regressor", 34, 14),
@@ -452,7 +452,7 @@ pub fn base_parameters<S: Scalar>(phi: &[S; STANDARD]) -> [S; BASE] {
 #[inline]
 pub fn frames<S: Scalar>(q: &[S; DOF]) -> [[[S; 4]; 3]; 7] {
     let mut out = [[[S::default(); 4]; 3]; 7];
-    kernel::frames::dense(&Trig::new(q), &mut out);
+    kernel::frames::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -485,7 +485,7 @@ pub fn tool_pose<S: Scalar>(q: &[S; DOF]) -> [[S; 4]; 3] {
 #[inline]
 pub fn jacobian<S: Scalar>(q: &[S; DOF]) -> [[S; 7]; 6] {
     let mut out = [[S::default(); 7]; 6];
-    kernel::jacobian::dense(&Trig::new(q), &mut out);
+    kernel::jacobian::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -573,7 +573,7 @@ pub fn forward_dynamics<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], tau: &[S; DOF], 
 #[inline]
 pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 84]; 7] {
     let mut out = [[S::default(); 84]; 7];
-    kernel::regressor::dense(&Trig::new(q), dq, ddq, &mut out);
+    kernel::regressor::nonzeros(&Trig::new(q), dq, ddq, &mut out);
     out
 }
 
@@ -584,7 +584,7 @@ pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S;
 #[inline]
 pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 57]; 7] {
     let mut out = [[S::default(); 57]; 7];
-    kernel::base_regressor::dense(&Trig::new(q), dq, ddq, &mut out);
+    kernel::base_regressor::nonzeros(&Trig::new(q), dq, ddq, &mut out);
     out
 }
 
@@ -595,7 +595,7 @@ pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) ->
 #[inline]
 pub fn gravity_regressor<S: Scalar>(q: &[S; DOF]) -> [[S; 70]; 7] {
     let mut out = [[S::default(); 70]; 7];
-    kernel::gravity_regressor::dense(&Trig::new(q), &mut out);
+    kernel::gravity_regressor::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -606,7 +606,7 @@ pub fn gravity_regressor<S: Scalar>(q: &[S; DOF]) -> [[S; 70]; 7] {
 #[inline]
 pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 84] {
     let mut out = [S::default(); 84];
-    kernel::kinetic_energy_regressor::dense(&Trig::new(q), dq, &mut out);
+    kernel::kinetic_energy_regressor::nonzeros(&Trig::new(q), dq, &mut out);
     out
 }
 
@@ -617,7 +617,7 @@ pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 8
 #[inline]
 pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 84] {
     let mut out = [S::default(); 84];
-    kernel::potential_energy_regressor::dense(&Trig::new(q), &mut out);
+    kernel::potential_energy_regressor::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -628,6 +628,6 @@ pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 84] {
 #[inline]
 pub fn payload_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 10]; 7] {
     let mut out = [[S::default(); 10]; 7];
-    kernel::payload_regressor::dense(&Trig::new(q), dq, ddq, &mut out);
+    kernel::payload_regressor::nonzeros(&Trig::new(q), dq, ddq, &mut out);
     out
 }

@@ -234,7 +234,7 @@ pub fn base_parameters<S: Scalar>(phi: &[S; STANDARD]) -> [S; BASE] {
 #[inline]
 pub fn frames<S: Scalar>(q: &[S; DOF]) -> [[[S; 4]; 3]; 2] {
     let mut out = [[[S::default(); 4]; 3]; 2];
-    kernel::frames::dense(&Trig::new(q), &mut out);
+    kernel::frames::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -245,7 +245,7 @@ pub fn frames<S: Scalar>(q: &[S; DOF]) -> [[[S; 4]; 3]; 2] {
 #[inline]
 pub fn forward_kinematics<S: Scalar>(q: &[S; DOF]) -> [[S; 4]; 3] {
     let mut out = [[S::default(); 4]; 3];
-    kernel::forward_kinematics::dense(&Trig::new(q), &mut out);
+    kernel::forward_kinematics::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -256,7 +256,7 @@ pub fn forward_kinematics<S: Scalar>(q: &[S; DOF]) -> [[S; 4]; 3] {
 #[inline]
 pub fn tool_pose<S: Scalar>(q: &[S; DOF]) -> [[S; 4]; 3] {
     let mut out = [[S::default(); 4]; 3];
-    kernel::tool_pose::dense(&Trig::new(q), &mut out);
+    kernel::tool_pose::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -267,7 +267,7 @@ pub fn tool_pose<S: Scalar>(q: &[S; DOF]) -> [[S; 4]; 3] {
 #[inline]
 pub fn jacobian<S: Scalar>(q: &[S; DOF]) -> [[S; 2]; 6] {
     let mut out = [[S::default(); 2]; 6];
-    kernel::jacobian::dense(&Trig::new(q), &mut out);
+    kernel::jacobian::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -278,7 +278,7 @@ pub fn jacobian<S: Scalar>(q: &[S; DOF]) -> [[S; 2]; 6] {
 #[inline]
 pub fn jacobian_dot_velocity<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 6] {
     let mut out = [S::default(); 6];
-    kernel::jacobian_dot_velocity::dense(&Trig::new(q), dq, &mut out);
+    kernel::jacobian_dot_velocity::nonzeros(&Trig::new(q), dq, &mut out);
     out
 }
 
@@ -355,7 +355,7 @@ pub fn forward_dynamics<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], tau: &[S; DOF], 
 #[inline]
 pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 24]; 2] {
     let mut out = [[S::default(); 24]; 2];
-    kernel::regressor::dense(&Trig::new(q), dq, ddq, &mut out);
+    kernel::regressor::nonzeros(&Trig::new(q), dq, ddq, &mut out);
     out
 }
 
@@ -366,7 +366,7 @@ pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S;
 #[inline]
 pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 10]; 2] {
     let mut out = [[S::default(); 10]; 2];
-    kernel::base_regressor::dense(&Trig::new(q), dq, ddq, &mut out);
+    kernel::base_regressor::nonzeros(&Trig::new(q), dq, ddq, &mut out);
     out
 }
 
@@ -377,7 +377,7 @@ pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) ->
 #[inline]
 pub fn gravity_regressor<S: Scalar>(q: &[S; DOF]) -> [[S; 20]; 2] {
     let mut out = [[S::default(); 20]; 2];
-    kernel::gravity_regressor::dense(&Trig::new(q), &mut out);
+    kernel::gravity_regressor::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -388,7 +388,7 @@ pub fn gravity_regressor<S: Scalar>(q: &[S; DOF]) -> [[S; 20]; 2] {
 #[inline]
 pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 24] {
     let mut out = [S::default(); 24];
-    kernel::kinetic_energy_regressor::dense(&Trig::new(q), dq, &mut out);
+    kernel::kinetic_energy_regressor::nonzeros(&Trig::new(q), dq, &mut out);
     out
 }
 
@@ -399,7 +399,7 @@ pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 2
 #[inline]
 pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 24] {
     let mut out = [S::default(); 24];
-    kernel::potential_energy_regressor::dense(&Trig::new(q), &mut out);
+    kernel::potential_energy_regressor::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -410,6 +410,6 @@ pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 24] {
 #[inline]
 pub fn payload_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 10]; 2] {
     let mut out = [[S::default(); 10]; 2];
-    kernel::payload_regressor::dense(&Trig::new(q), dq, ddq, &mut out);
+    kernel::payload_regressor::nonzeros(&Trig::new(q), dq, ddq, &mut out);
     out
 }

@@ -7,9 +7,12 @@
 mod arm;
 mod axis;
 mod candidates;
+mod doubt;
+mod homotopy;
 mod interval;
 mod lanes;
 mod list;
+mod nearby;
 mod numerical;
 mod orient;
 mod plane;

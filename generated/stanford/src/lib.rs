@@ -14,13 +14,13 @@
 //! | [`jacobian`]: Jacobian of the last DH frame's origin, in base axes | 6 x 6 | 44 | 27 |
 //! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 120 | 68 |
 //! | [`inverse_dynamics`]: Torques from the standard parameters | 6 | 280 | 278 |
-//! | [`inverse_dynamics_base`]: Torques from the base parameters | 6 | 229 | 216 |
+//! | [`inverse_dynamics_base`]: Torques from the base parameters | 6 | 226 | 213 |
 //! | [`mass_matrix`]: Mass matrix `M`, symmetric, kg m^2 | 6 x 6 | 120 | 99 |
-//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 6 | 209 | 192 |
+//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 6 | 206 | 189 |
 //! | [`gravity`]: Gravity torques `g` | 6 | 50 | 29 |
-//! | [`forward_dynamics`]: Accelerations that torques cause | 6 | 450 | 365 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 66 | 444 | 334 |
-//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 6 x 37 | 337 | 251 |
+//! | [`forward_dynamics`]: Accelerations that torques cause | 6 | 447 | 362 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 66 | 444 | 332 |
+//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 6 x 37 | 337 | 252 |
 //! | [`gravity_regressor`]: Regressor at rest | 6 x 60 | 113 | 68 |
 //! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 66 | 123 | 45 |
 //! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 66 | 22 | 12 |
@@ -279,13 +279,13 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("jacobian", 44, 27),
     ("jacobian_dot_velocity", 120, 68),
     ("inverse_dynamics", 280, 278),
-    ("inverse_dynamics_base", 229, 216),
+    ("inverse_dynamics_base", 226, 213),
     ("mass_matrix", 120, 99),
-    ("coriolis", 209, 192),
+    ("coriolis", 206, 189),
     ("gravity", 50, 29),
-    ("forward_dynamics", 450, 365),
-    ("regressor", 444, 334),
-    ("base_regressor", 337, 251),
+    ("forward_dynamics", 447, 362),
+    ("regressor", 444, 332),
+    ("base_regressor", 337, 252),
     ("gravity_regressor", 113, 68),
     ("kinetic_energy_regressor", 123, 45),
     ("potential_energy_regressor", 22, 12),
@@ -371,7 +371,7 @@ pub fn base_parameters<S: Scalar>(phi: &[S; STANDARD]) -> [S; BASE] {
 #[inline]
 pub fn frames<S: Scalar>(q: &[S; DOF]) -> [[[S; 4]; 3]; 6] {
     let mut out = [[[S::default(); 4]; 3]; 6];
-    kernel::frames::dense(&Trig::new(q), &mut out);
+    kernel::frames::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -404,7 +404,7 @@ pub fn tool_pose<S: Scalar>(q: &[S; DOF]) -> [[S; 4]; 3] {
 #[inline]
 pub fn jacobian<S: Scalar>(q: &[S; DOF]) -> [[S; 6]; 6] {
     let mut out = [[S::default(); 6]; 6];
-    kernel::jacobian::dense(&Trig::new(q), &mut out);
+    kernel::jacobian::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -448,7 +448,7 @@ pub fn inverse_dynamics_base<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; D
 #[inline]
 pub fn mass_matrix<S: Scalar>(q: &[S; DOF], beta: &[S; BASE]) -> [[S; 6]; 6] {
     let mut out = [[S::default(); 6]; 6];
-    kernel::mass_matrix::dense(&Trig::new(q), beta, &mut out);
+    kernel::mass_matrix::nonzeros(&Trig::new(q), beta, &mut out);
     out
 }
 
@@ -492,7 +492,7 @@ pub fn forward_dynamics<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], tau: &[S; DOF], 
 #[inline]
 pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 66]; 6] {
     let mut out = [[S::default(); 66]; 6];
-    kernel::regressor::dense(&Trig::new(q), dq, ddq, &mut out);
+    kernel::regressor::nonzeros(&Trig::new(q), dq, ddq, &mut out);
     out
 }
 
@@ -503,7 +503,7 @@ pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S;
 #[inline]
 pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 37]; 6] {
     let mut out = [[S::default(); 37]; 6];
-    kernel::base_regressor::dense(&Trig::new(q), dq, ddq, &mut out);
+    kernel::base_regressor::nonzeros(&Trig::new(q), dq, ddq, &mut out);
     out
 }
 
@@ -514,7 +514,7 @@ pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) ->
 #[inline]
 pub fn gravity_regressor<S: Scalar>(q: &[S; DOF]) -> [[S; 60]; 6] {
     let mut out = [[S::default(); 60]; 6];
-    kernel::gravity_regressor::dense(&Trig::new(q), &mut out);
+    kernel::gravity_regressor::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -525,7 +525,7 @@ pub fn gravity_regressor<S: Scalar>(q: &[S; DOF]) -> [[S; 60]; 6] {
 #[inline]
 pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 66] {
     let mut out = [S::default(); 66];
-    kernel::kinetic_energy_regressor::dense(&Trig::new(q), dq, &mut out);
+    kernel::kinetic_energy_regressor::nonzeros(&Trig::new(q), dq, &mut out);
     out
 }
 
@@ -536,7 +536,7 @@ pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 6
 #[inline]
 pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 66] {
     let mut out = [S::default(); 66];
-    kernel::potential_energy_regressor::dense(&Trig::new(q), &mut out);
+    kernel::potential_energy_regressor::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -547,6 +547,6 @@ pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 66] {
 #[inline]
 pub fn payload_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 10]; 6] {
     let mut out = [[S::default(); 10]; 6];
-    kernel::payload_regressor::dense(&Trig::new(q), dq, ddq, &mut out);
+    kernel::payload_regressor::nonzeros(&Trig::new(q), dq, ddq, &mut out);
     out
 }

@@ -12,19 +12,19 @@
 //! | [`forward_kinematics`]: The last DH frame in the base frame | 3 x 4 | 64 | 35 |
 //! | [`tool_pose`]: The tool frame in the base frame | 3 x 4 | 64 | 35 |
 //! | [`jacobian`]: Jacobian of the last DH frame's origin, in base axes | 6 x 6 | 65 | 40 |
-//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 144 | 83 |
-//! | [`inverse_dynamics`]: Torques from the standard parameters | 6 | 307 | 312 |
-//! | [`inverse_dynamics_base`]: Torques from the base parameters | 6 | 266 | 261 |
+//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 140 | 79 |
+//! | [`inverse_dynamics`]: Torques from the standard parameters | 6 | 309 | 289 |
+//! | [`inverse_dynamics_base`]: Torques from the base parameters | 6 | 265 | 238 |
 //! | [`mass_matrix`]: Mass matrix `M`, symmetric, kg m^2 | 6 x 6 | 163 | 147 |
-//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 6 | 221 | 203 |
+//! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 6 | 218 | 180 |
 //! | [`gravity`]: Gravity torques `g` | 6 | 48 | 26 |
-//! | [`forward_dynamics`]: Accelerations that torques cause | 6 | 517 | 443 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 84 | 421 | 330 |
-//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 6 x 58 | 316 | 249 |
+//! | [`forward_dynamics`]: Accelerations that torques cause | 6 | 514 | 420 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 84 | 413 | 323 |
+//! | [`base_regressor`]: Regressor `W_b` of the base parameters | 6 x 58 | 308 | 243 |
 //! | [`gravity_regressor`]: Regressor at rest | 6 x 60 | 111 | 63 |
 //! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 84 | 135 | 50 |
 //! | [`potential_energy_regressor`]: Potential energy, one entry per standard parameter | 84 | 32 | 12 |
-//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 6 x 10 | 261 | 184 |
+//! | [`payload_regressor`]: Regressor of a body fixed to the tool frame | 6 x 10 | 252 | 176 |
 
 #![no_std]
 #![deny(unsafe_code)]
@@ -367,19 +367,19 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("forward_kinematics", 64, 35),
     ("tool_pose", 64, 35),
     ("jacobian", 65, 40),
-    ("jacobian_dot_velocity", 144, 83),
-    ("inverse_dynamics", 307, 312),
-    ("inverse_dynamics_base", 266, 261),
+    ("jacobian_dot_velocity", 140, 79),
+    ("inverse_dynamics", 309, 289),
+    ("inverse_dynamics_base", 265, 238),
     ("mass_matrix", 163, 147),
-    ("coriolis", 221, 203),
+    ("coriolis", 218, 180),
     ("gravity", 48, 26),
-    ("forward_dynamics", 517, 443),
-    ("regressor", 421, 330),
-    ("base_regressor", 316, 249),
+    ("forward_dynamics", 514, 420),
+    ("regressor", 413, 323),
+    ("base_regressor", 308, 243),
     ("gravity_regressor", 111, 63),
     ("kinetic_energy_regressor", 135, 50),
     ("potential_energy_regressor", 32, 12),
-    ("payload_regressor", 261, 184),
+    ("payload_regressor", 252, 176),
 ];
 
 /// Which inverse the arm has.
@@ -461,7 +461,7 @@ pub fn base_parameters<S: Scalar>(phi: &[S; STANDARD]) -> [S; BASE] {
 #[inline]
 pub fn frames<S: Scalar>(q: &[S; DOF]) -> [[[S; 4]; 3]; 6] {
     let mut out = [[[S::default(); 4]; 3]; 6];
-    kernel::frames::dense(&Trig::new(q), &mut out);
+    kernel::frames::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -494,7 +494,7 @@ pub fn tool_pose<S: Scalar>(q: &[S; DOF]) -> [[S; 4]; 3] {
 #[inline]
 pub fn jacobian<S: Scalar>(q: &[S; DOF]) -> [[S; 6]; 6] {
     let mut out = [[S::default(); 6]; 6];
-    kernel::jacobian::dense(&Trig::new(q), &mut out);
+    kernel::jacobian::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -582,7 +582,7 @@ pub fn forward_dynamics<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], tau: &[S; DOF], 
 #[inline]
 pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 84]; 6] {
     let mut out = [[S::default(); 84]; 6];
-    kernel::regressor::dense(&Trig::new(q), dq, ddq, &mut out);
+    kernel::regressor::nonzeros(&Trig::new(q), dq, ddq, &mut out);
     out
 }
 
@@ -593,7 +593,7 @@ pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S;
 #[inline]
 pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 58]; 6] {
     let mut out = [[S::default(); 58]; 6];
-    kernel::base_regressor::dense(&Trig::new(q), dq, ddq, &mut out);
+    kernel::base_regressor::nonzeros(&Trig::new(q), dq, ddq, &mut out);
     out
 }
 
@@ -604,7 +604,7 @@ pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) ->
 #[inline]
 pub fn gravity_regressor<S: Scalar>(q: &[S; DOF]) -> [[S; 60]; 6] {
     let mut out = [[S::default(); 60]; 6];
-    kernel::gravity_regressor::dense(&Trig::new(q), &mut out);
+    kernel::gravity_regressor::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -615,7 +615,7 @@ pub fn gravity_regressor<S: Scalar>(q: &[S; DOF]) -> [[S; 60]; 6] {
 #[inline]
 pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 84] {
     let mut out = [S::default(); 84];
-    kernel::kinetic_energy_regressor::dense(&Trig::new(q), dq, &mut out);
+    kernel::kinetic_energy_regressor::nonzeros(&Trig::new(q), dq, &mut out);
     out
 }
 
@@ -626,7 +626,7 @@ pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 8
 #[inline]
 pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 84] {
     let mut out = [S::default(); 84];
-    kernel::potential_energy_regressor::dense(&Trig::new(q), &mut out);
+    kernel::potential_energy_regressor::nonzeros(&Trig::new(q), &mut out);
     out
 }
 
@@ -637,6 +637,6 @@ pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 84] {
 #[inline]
 pub fn payload_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 10]; 6] {
     let mut out = [[S::default(); 10]; 6];
-    kernel::payload_regressor::dense(&Trig::new(q), dq, ddq, &mut out);
+    kernel::payload_regressor::nonzeros(&Trig::new(q), dq, ddq, &mut out);
     out
 }

@@ -262,9 +262,8 @@ impl Plan {
             (Some(z), none) => *none = Some((z, (0..arm.frame_count()).collect())),
             _ => {}
         }
-        for missing in &task.missing {
-            let who = if missing.joint.is_empty() { String::new() } else { format!("joint {}: ", missing.joint) };
-            eprintln!("{shown}: note: {who}{}: {}", missing.limit, missing.taken);
+        for line in report::missing_text(&task.missing) {
+            eprintln!("{shown}: note: {line}");
         }
         let bar = ProgressBar::new(1000);
         if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {bar:30} {msg}") {

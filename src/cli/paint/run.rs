@@ -13,7 +13,7 @@ use crate::cli::{Failure, files};
 use crate::control::robot::contact_point;
 use crate::interpreted::Interpreted;
 use crate::paint::Plan;
-use crate::paint::run::{Feedback, Known, Run as Painted, RunError, Task, in_contact, run};
+use crate::paint::run::{Feedback, Known, Law, RunError, SETTLE, Task, in_contact, run};
 use crate::paint::wall::RollerWall;
 use crate::report;
 use crate::simulate::{Request, Simulator};
@@ -24,7 +24,7 @@ use crate::simulate::{Request, Simulator};
 /// linear model of arm, wall, filter and sampling (docs/control.md). The force comes from the joint torques, or from a sensor in the wall.
 #[derive(Args)]
 #[command(
-    after_help = "Example:\n  denavit paint plan robots/kuka-lwr4.yaml --tool robots/tools/large-roller.yaml --plan plan.json\n  denavit paint run robots/kuka-lwr4.yaml --tool robots/tools/large-roller.yaml --plan plan.json --out force.csv"
+    after_help = "Example:\n  denavit paint plan robots/kuka-lwr4.yaml --tool robots/tools/large-roller.yaml --plan plan.json\n  denavit paint run robots/kuka-lwr4.yaml --tool robots/tools/large-roller.yaml --plan plan.json --out force.csv --report run.html"
 )]
 pub(super) struct Run {
     /// Robot file; every link's inertial parameters must be in it.
@@ -47,12 +47,24 @@ pub(super) struct Run {
     /// Share of the desired force that is fed forward as joint torques; 0: equation (13) as it stands.
     #[arg(long, default_value_t = 1.0, value_name = "0..1")]
     carry: f64,
+    /// Share of the planned motion's torques (inertia, friction, known effects) that is fed forward.
+    #[arg(long, default_value_t = 1.0, value_name = "0..1")]
+    feed: f64,
+    /// Share of the estimated force aside of the wall's normal that is fed forward.
+    #[arg(long, default_value_t = 0.9, value_name = "0..1")]
+    aside: f64,
+    /// The paper's law: nothing is fed forward but gravity.
+    #[arg(long, conflicts_with_all = ["carry", "feed", "aside"])]
+    paper: bool,
     /// The contact carries no moment: three components of the force are estimated instead of six.
     #[arg(long)]
     no_moment: bool,
     /// Corner of the low-pass of the forces, Hz.
     #[arg(long, default_value_t = 10.0, value_name = "HZ")]
     corner: f64,
+    /// How long it presses at the first point before it paints, s.
+    #[arg(long, default_value_t = SETTLE, value_name = "S")]
+    settle: f64,
     /// Stiffness of roller and wall, N/m.
     #[arg(long, default_value_t = 8000.0, value_name = "N/M")]
     stiffness: f64,
@@ -65,6 +77,9 @@ pub(super) struct Run {
     /// Write the result as JSON; `-` for standard output.
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    /// Write a page with the force over time, the path on the wall and the gains.
+    #[arg(long, value_name = "FILE.html")]
+    report: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -120,20 +135,23 @@ impl Run {
             drives: own.drives().to_vec(),
             spread: vec![1.0; robot.dof()],
         };
+        let law = if self.paper { Law::PAPER } else { Law { carry: self.carry, feed: self.feed, aside: self.aside } };
         let motion = in_contact(&plan).map_err(Failure::input)?;
         let mut wall = RollerWall::new(plan.surface.center, plan.surface.normal, contact_point(robot.tool.as_ref()));
         wall.stiffness = self.stiffness;
+        let feedback = match self.feedback {
+            Which::Estimated => Feedback::Estimated,
+            Which::Measured => Feedback::Measured,
+        };
         let task = Task {
             motion: &motion,
             wall,
             force: self.force,
-            feedback: match self.feedback {
-                Which::Estimated => Feedback::Estimated,
-                Which::Measured => Feedback::Measured,
-            },
+            feedback,
             moment: !self.no_moment,
-            carry: self.carry,
+            law,
             corner: self.corner,
+            settle: self.settle,
             sensors: request.sensors,
             seed: self.seed,
         };
@@ -147,23 +165,42 @@ impl Run {
             RunError::Simulate(_) => Failure::other(format!("{shown}: {e}")),
             _ => Failure::input(format!("{shown}: {e}")),
         })?;
-        self.deliver(&found)
+        self.deliver(&report::Painted { run: &found, plan: &plan, force: self.force, feedback, law }, &file.text)
     }
 
-    fn deliver(&self, found: &Painted) -> Result<(), Failure> {
+    fn deliver(&self, found: &report::Painted<'_>, text: &str) -> Result<(), Failure> {
         if let Some(path) = &self.out {
-            files::write(path, report::paint_run_csv(found).as_bytes())?;
+            files::write(path, report::paint_run_csv(found.run).as_bytes())?;
+        }
+        if let Some(path) = &self.report {
+            files::write(path, report::paint_run_html(found, &self.provenance(text)).as_bytes())?;
         }
         if let Some(target) = &self.json {
-            files::json(target, &report::paint_run_json(found, self.force))?;
+            files::json(target, &report::paint_run_json(found.run, self.force))?;
         }
         if !files::is_stdout(&self.json) {
-            files::print(&report::paint_run_text(found, self.force))?;
-            if let Some(path) = &self.out {
+            files::print(&report::paint_run_text(found.run, self.force))?;
+            for path in self.out.iter().chain(&self.report) {
                 files::print(&format!("wrote {}\n", path.display()))?;
             }
         }
         Ok(())
+    }
+
+    fn provenance(&self, text: &str) -> Vec<(String, String)> {
+        let named = |path: &Option<PathBuf>, none: &str| {
+            path.as_ref().map_or_else(|| none.to_string(), |path| path.display().to_string())
+        };
+        vec![
+            ("denavit".into(), env!("CARGO_PKG_VERSION").into()),
+            ("robot file".into(), format!("{} ({} bytes)", self.robot.display(), text.len())),
+            ("plan".into(), self.plan.display().to_string()),
+            ("tool".into(), named(&self.tool, "the robot file's")),
+            ("effects of the simulated robot".into(), named(&self.effects, "those of the robot file")),
+            ("wall and roller".into(), format!("{} N/m", self.stiffness)),
+            ("low-pass of the forces".into(), format!("three poles, {} Hz", self.corner)),
+            ("seed".into(), self.seed.to_string()),
+        ]
     }
 
     fn plan(&self, path: &Path) -> Result<Plan, Failure> {
@@ -178,6 +215,9 @@ impl Run {
         for (name, value, low, high) in [
             ("--force", self.force, 1.0, 1e4),
             ("--carry", self.carry, 0.0, 1.0),
+            ("--feed", self.feed, 0.0, 1.0),
+            ("--aside", self.aside, 0.0, 1.0),
+            ("--settle", self.settle, 0.0, 60.0),
             ("--corner", self.corner, 0.5, 200.0),
             ("--stiffness", self.stiffness, 100.0, 1e6),
         ] {

@@ -45,6 +45,13 @@ pub struct Settings<const N: usize> {
     /// Share of the desired force that is fed forward as torques while the tool presses: 0, equation (13) as it stands, where the springs of the
     /// joint loop carry the force and give way aside too; 1, where they carry none of it.
     pub carry: f64,
+    /// Share of the planned motion's torques ([`Model::moving`]) that is fed forward: 0, equation (13) as it stands.
+    pub feed: f64,
+    /// Share of the estimated force aside of the normal (a roller that is dragged) that is fed forward while the tool presses, so that the springs
+    /// of the joint loop need not give way to it: 0, equation (13) as it stands; below 1, or friction is overcome for good and the tool creeps.
+    pub aside: f64,
+    /// Pole of the low-pass of that force, rad/s.
+    pub aside_pole: f64,
 }
 
 impl<const N: usize> Settings<N> {
@@ -70,8 +77,10 @@ impl<const N: usize> Settings<N> {
             .all(|x| not_negative(*x))
         {
             Some("the limits of contact must not be negative")
-        } else if !(0.0..=1.0).contains(&self.carry) {
-            Some("the share that is fed forward must be from 0 to 1")
+        } else if ![self.carry, self.feed, self.aside].iter().all(|share| (0.0..=1.0).contains(share)) {
+            Some("shares that are fed forward must be from 0 to 1")
+        } else if !not_negative(self.aside_pole) {
+            Some("the pole of the force aside must not be negative")
         } else {
             None
         }
@@ -83,10 +92,21 @@ impl<const N: usize> Settings<N> {
 pub struct Target<const N: usize> {
     /// The planned posture, whose tool touches the wall.
     pub q: [f64; N],
+    /// Its planned velocity, rad/s or m/s; read where [`Settings::feed`] is not 0.
+    pub dq: [f64; N],
+    /// Its planned acceleration, rad/s^2 or m/s^2; read there too.
+    pub ddq: [f64; N],
     /// Unit vector in base axes along which the tool presses, into the wall.
     pub normal: [f64; 3],
     /// Force to press with, N, not negative; `None` away from the wall.
     pub force: Option<f64>,
+}
+
+impl<const N: usize> Target<N> {
+    /// At a posture, without velocity and acceleration.
+    pub fn at(q: [f64; N], normal: [f64; 3], force: Option<f64>) -> Self {
+        Self { q, dq: [0.0; N], ddq: [0.0; N], normal, force }
+    }
 }
 
 /// Why it does not press any more.
@@ -150,6 +170,7 @@ pub struct Controller<M, const N: usize> {
     away: f64,
     anchor: f64,
     carried: f64,
+    aside: [f64; 3],
 }
 
 impl<M: Model<N>, const N: usize> Controller<M, N> {
@@ -176,6 +197,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
             away: 0.0,
             anchor: 0.0,
             carried: 0.0,
+            aside: [0.0; 3],
         })
     }
 
@@ -190,6 +212,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         self.force.reset();
         (self.target, self.desired, self.fault) = (None, None, None);
         (self.blind, self.touched, self.away, self.carried) = (0, false, 0.0, 0.0);
+        self.aside = [0.0; 3];
     }
 
     /// One period: what is wanted and what was measured in, torques out.
@@ -220,7 +243,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
             (_, fault) => {
                 self.desired = Some(q);
                 self.force.reset();
-                self.carried = 0.0;
+                (self.carried, self.aside) = (0.0, [0.0; 3]);
                 let torque = self.settings.joints.rest([&q, &before], dt, &gravity);
                 let status = fault.map_or(Status::Holding, Status::Stopped);
                 return self.answer(torque, q, status);
@@ -231,9 +254,15 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         let desired = self.send(&target, &last, dt);
         let mut torque = self.settings.joints.torques([&desired, &last], [&q, &before], dt, &gravity);
         self.carry(&target, status, dt);
-        if self.carried > 0.0 {
-            let pressing = self.model.pressing(&q, &target.normal);
-            (0..N).for_each(|j| torque[j] += self.carried * pressing[j]);
+        self.yield_aside(&target, &sample.push, status, dt);
+        if self.settings.carry > 0.0 || self.settings.aside > 0.0 {
+            let push = core::array::from_fn(|k| self.carried * target.normal[k] + self.aside[k]);
+            let pressing = self.model.pressing(&q, &push);
+            (0..N).for_each(|j| torque[j] += pressing[j]);
+        }
+        if self.settings.feed > 0.0 && self.fault.is_none() {
+            let moving = self.model.moving(&q, &target.dq, &target.ddq);
+            (0..N).for_each(|j| torque[j] += self.settings.feed * moving[j]);
         }
         self.desired = Some(desired);
         self.answer(torque, desired, status)
@@ -322,6 +351,23 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         self.carried = to.clamp(self.carried - down, self.carried + up);
     }
 
+    /// What the estimate says aside of the normal, low-passed, at most as large as the force that is wanted along it. Friction goes with the normal
+    /// force: its ratio to the force along the normal is taken, times the force that is wanted, or each swing of the one would come back by the other.
+    fn yield_aside(&mut self, target: &Target<N>, push: &[f64; 3], status: Status, dt: f64) {
+        let (n, most) = (target.normal, target.force.unwrap_or(0.0));
+        let presses = status == Status::Pressing && self.touched && self.away == 0.0;
+        let keep = 1.0 / (1.0 + self.settings.aside_pole * dt);
+        let out: f64 = (0..3).map(|k| push[k] * n[k]).sum();
+        let share = self.settings.aside * most / out.max(self.settings.contact).max(1e-9);
+        for k in 0..3 {
+            let to = if presses { share * (push[k] - out * n[k]) } else { 0.0 };
+            // Without an estimate it stays as it is.
+            if to.is_finite() {
+                self.aside[k] = (to + keep * (self.aside[k] - to)).clamp(-most, most);
+            }
+        }
+    }
+
     /// Desired positions: the plan's, displaced, no faster than the joints may be.
     fn send(&mut self, target: &Target<N>, last: &[f64; N], dt: f64) -> [f64; N] {
         let by = target.normal.map(|n| n * self.force.displacement());
@@ -346,8 +392,10 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
 }
 
 fn is_sound<const N: usize>(target: &Target<N>) -> bool {
-    let Target { q, normal, force } = target;
+    let Target { q, dq, ddq, normal, force } = target;
     let length: f64 = normal.iter().map(|n| n * n).sum();
     // A NaN is in no range.
-    q.iter().all(|x| x.is_finite()) && (0.98..1.02).contains(&length) && force.is_none_or(|f| (0.0..1e6).contains(&f))
+    q.iter().chain(dq).chain(ddq).all(|x| x.is_finite())
+        && (0.98..1.02).contains(&length)
+        && force.is_none_or(|f| (0.0..1e6).contains(&f))
 }

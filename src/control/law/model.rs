@@ -18,7 +18,13 @@ pub trait Model<const N: usize> {
     /// Torques that hold the arm still, N m: the identified `G(q)`, the tool included.
     fn gravity(&mut self, q: &[f64; N]) -> [f64; N];
 
-    /// Torques with which the tool presses by 1 N along a unit vector (base axes): `J'` times it.
+    /// Torques of a planned motion beyond gravity, N m: inertia, Coriolis, friction and what else is known of the drives, where the arm is and
+    /// with the velocity and acceleration that are planned. None by default: equation (13) as it stands.
+    fn moving(&mut self, _q: &[f64; N], _dq: &[f64; N], _ddq: &[f64; N]) -> [f64; N] {
+        [0.0; N]
+    }
+
+    /// Torques with which the tool presses by a force (base axes, N): `J'` times it.
     fn pressing(&mut self, q: &[f64; N], along: &[f64; 3]) -> [f64; N];
 
     /// A posture whose tool stands as that of `q` does, but moved by `by` (m, base axes), with the arm's redundancy as it is in `q`; `near`

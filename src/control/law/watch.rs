@@ -9,6 +9,9 @@ pub struct Sample<const N: usize> {
     pub q: [f64; N],
     /// Force of the tool on what it presses, along the target's normal, N: estimated or measured; not a number where it is missing.
     pub force: f64,
+    /// Force of the tool on what it touches, base axes, N: estimated. Its part aside of the normal is read where [`Settings::aside`](super::Settings::aside)
+    /// is not 0; not a number where it is missing.
+    pub push: [f64; 3],
 }
 
 /// What became of a sample.

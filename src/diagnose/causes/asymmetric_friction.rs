@@ -16,11 +16,12 @@ impl Cause for AsymmetricFriction {
         Kind::Friction
     }
 
+    fn shows(&self, scene: &Scene<'_>, place: &[usize], _: &[f64]) -> bool {
+        moves(scene, place[0])
+    }
+
     fn terms(&self, scene: &Scene<'_>, place: &[usize], _: &[f64]) -> Vec<Term> {
         let j = place[0];
-        if !moves(scene, j) {
-            return Vec::new();
-        }
         vec![Term::new("FVA", scene.pointwise(j, |o, k| o.v[k].abs()), Sign::Any)]
     }
 

@@ -3,7 +3,7 @@
 use crate::arm::Change;
 
 use super::super::scene::Scene;
-use super::{Cause, Kind, Sign, Term};
+use super::{Cause, Kind, Scope, Sign, Term};
 
 /// Base turned by `RotY(pitch) RotX(roll)`.
 pub struct BaseTilt;
@@ -17,8 +17,8 @@ impl Cause for BaseTilt {
         Kind::Body
     }
 
-    fn places(&self, _: &Scene<'_>) -> Vec<Vec<usize>> {
-        vec![Vec::new()]
+    fn scope(&self) -> Scope {
+        Scope::Robot
     }
 
     fn terms(&self, scene: &Scene<'_>, _: &[usize], _: &[f64]) -> Vec<Term> {

@@ -1,6 +1,7 @@
 //! `encoder_offset`: a joint's zero is wrong.
 
 use super::super::scene::Scene;
+use super::backlash::both_ways;
 use super::{Cause, Kind, Shape, Sign, Term};
 
 /// True angle `q + QO`.
@@ -38,6 +39,11 @@ impl Cause for EncoderOffset {
 
     fn rests_on_model(&self) -> bool {
         true
+    }
+
+    fn twins(&self, scene: &Scene<'_>, place: &[usize]) -> &'static [&'static str] {
+        // A gap that always lies to the same side.
+        if both_ways(scene, place[0]) { &[] } else { &["backlash"] }
     }
 
     fn says(&self) -> &'static str {

@@ -1,9 +1,9 @@
 //! `external_contact`: an external wrench acts during part of the log, constant in the axes of the last frame or of the base.
 
 use super::super::scene::{Column, Scene};
-use super::{Cause, Kind, Shape, Sign, Term};
+use super::{Cause, Estimate, Kind, Named, Over, Scope, Shape, Sign, Term};
 
-/// A constant wrench on the last frame between `start` and `end` (counted in windows, so over all logs), in the last frame's axes or, with
+/// A constant wrench on the last frame between `start` and `end` (seconds of used data, over all logs), in the last frame's axes or, with
 /// `base` 1, in those of the base.
 pub struct ExternalContact;
 
@@ -18,14 +18,14 @@ impl Cause for ExternalContact {
         Kind::Outside
     }
 
-    fn places(&self, _: &Scene<'_>) -> Vec<Vec<usize>> {
-        vec![Vec::new()]
+    fn scope(&self) -> Scope {
+        Scope::Robot
     }
 
     fn shape(&self) -> &'static [Shape] {
         &[
-            Shape { symbol: "start", unit: "s", range: [0.0, 1e9], step: Some(-12.0) },
-            Shape { symbol: "end", unit: "s", range: [0.0, 1e9], step: Some(-12.0) },
+            Shape { symbol: "start", unit: "s", range: [0.0, 1e9], step: Some(-0.12) },
+            Shape { symbol: "end", unit: "s", range: [0.0, 1e9], step: Some(-0.12) },
             Shape { symbol: "base", unit: "", range: [0.0, 1.0], step: None },
         ]
     }
@@ -63,11 +63,14 @@ impl Cause for ExternalContact {
         found.sort_by(|a, b| b.0.total_cmp(&a.0));
         found.truncate(4);
         let windows = found.iter().filter(|f| f.2 > f.1);
-        windows.flat_map(|f| [0.0, 1.0].map(|base| vec![f.1 as f64, f.2 as f64, base])).collect()
+        windows
+            .flat_map(|f| [0.0, 1.0].map(|base| vec![f.1 as f64 * scene.step, f.2 as f64 * scene.step, base]))
+            .collect()
     }
 
     fn terms(&self, scene: &Scene<'_>, _: &[usize], shape: &[f64]) -> Vec<Term> {
-        let (start, end) = (shape[0].round() as usize, (shape[1].round() as usize).min(scene.len));
+        let window = |t: f64| ((t / scene.step).round() as usize).min(scene.len);
+        let (start, end) = (window(shape[0]), window(shape[1]));
         if start + 4 > end {
             return Vec::new();
         }
@@ -95,6 +98,17 @@ impl Cause for ExternalContact {
 
     fn local(&self) -> bool {
         true
+    }
+
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        let time = &found.scene.time;
+        let at = |t: f64| time.get((t / found.scene.step).round() as usize).or(time.last()).copied().unwrap_or(0.0);
+        let ends = [Named::new("start", at(found.shape[0]), None), Named::new("end", at(found.shape[1]), None)];
+        ends.into_iter().chain(found.all_terms()).collect()
+    }
+
+    fn over(&self) -> Over {
+        Over::Time
     }
 
     fn says(&self) -> &'static str {

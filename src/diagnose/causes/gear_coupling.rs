@@ -1,7 +1,7 @@
 //! `gear_coupling`: one motor moves another joint's axis, as in wrists whose drives pass through each other.
 
 use super::super::scene::{Column, Scene};
-use super::{Cause, Kind, Shape, Sign, Term, moves};
+use super::{Cause, Kind, Scope, Shape, Sign, Term, moves};
 
 /// Motor `m` turns with `dq_m + KC dq_k`: see the table of effects. `place` is `[m, k]`.
 pub struct GearCoupling;
@@ -15,10 +15,8 @@ impl Cause for GearCoupling {
         Kind::Transmission
     }
 
-    fn places(&self, scene: &Scene<'_>) -> Vec<Vec<usize>> {
-        let n = scene.dof();
-        let pair = |m: usize, k: usize| vec![m, k];
-        (1..n).flat_map(|m| [pair(m, m - 1), pair(m - 1, m)]).collect()
+    fn scope(&self) -> Scope {
+        Scope::Pair
     }
 
     fn shape(&self) -> &'static [Shape] {
@@ -29,11 +27,12 @@ impl Cause for GearCoupling {
         vec![vec![1.0], vec![-1.0]]
     }
 
+    fn shows(&self, scene: &Scene<'_>, place: &[usize], _: &[f64]) -> bool {
+        place.iter().all(|j| moves(scene, *j))
+    }
+
     fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
         let (m, k, ratio) = (place[0], place[1], shape[0]);
-        if !moves(scene, m) || !moves(scene, k) {
-            return Vec::new();
-        }
         let both = |on_k: &dyn Fn(usize, usize) -> f64, on_m: &dyn Fn(usize, usize) -> f64| -> Column {
             // `on_k` is evaluated with the motor's own state, `on_m` with the other joint's.
             let series = |joint: usize, f: &dyn Fn(usize, usize) -> f64| -> Vec<f64> {

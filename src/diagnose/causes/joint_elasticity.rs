@@ -1,7 +1,7 @@
 //! `joint_elasticity`: the measured angle is the motor's, and a spring lies between it and the link.
 
 use super::super::scene::Scene;
-use super::{Cause, Kind, Shape, Sign, Term};
+use super::{Cause, Estimate, Kind, Named, Over, Shape, Sign, Term};
 
 /// Link angle `q - CE tau`, `CE = 1 / KE`.
 pub struct JointElasticity;
@@ -19,18 +19,21 @@ impl Cause for JointElasticity {
         &[Shape { symbol: "step", unit: "rad/N m", range: [1e-9, 1.0], step: None }]
     }
 
-    fn grid(&self, _: &Scene<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        vec![vec![1e-5]]
+    fn grid(&self, scene: &Scene<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let peak = scene.rigid[place[0]].iter().fold(0.0_f64, |m, t| m.max(t.abs())).max(1e-9);
+        [1e-4, 2e-3, 1e-2].iter().map(|angle| vec![(angle / peak).clamp(1e-9, 1.0)]).collect()
     }
 
     fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
-        let j = place[0];
-        let wound: Vec<f64> = scene.rigid[j].iter().map(|t| -t).collect();
-        if wound.iter().all(|t| *t == 0.0) {
+        let (j, compliance) = (place[0], shape[0]);
+        if scene.rigid[j].iter().all(|t| *t == 0.0) {
             return Vec::new();
         }
-        let column = scene.column(scene.shifted(j, &wound, shape[0]));
-        vec![Term::new("CE", column, Sign::Positive)]
+        // The spring carries the link where the spring lets it be, and not where the motor is: one round of that.
+        let first: Vec<f64> = scene.rigid[j].iter().map(|t| -t).collect();
+        let change = scene.shifted(j, &first, compliance);
+        let wound: Vec<f64> = scene.rigid[j].iter().zip(&change[j]).map(|(t, d)| -(t + compliance * d)).collect();
+        vec![Term::new("CE", scene.column(scene.shifted(j, &wound, compliance)), Sign::Positive)]
     }
 
     fn secant(&self) -> bool {
@@ -39,6 +42,15 @@ impl Cause for JointElasticity {
 
     fn rests_on_model(&self) -> bool {
         true
+    }
+
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        let compliance = found.x[0];
+        vec![Named::new("KE", 1.0 / compliance, Some(found.std(0) / (compliance * compliance)))]
+    }
+
+    fn over(&self) -> Over {
+        Over::Torque
     }
 
     fn says(&self) -> &'static str {

@@ -1,7 +1,7 @@
 //! `joint_spring`: an elastic torque in the joint's angle (gravity spring, cable, hose).
 
 use super::super::scene::Scene;
-use super::{Cause, Kind, Sign, Term, moves};
+use super::{Cause, Estimate, Kind, Named, Sign, Term, moves};
 
 /// `KS (q - QS)`; the constant part is among the unknowns anyway.
 pub struct JointSpring;
@@ -15,16 +15,22 @@ impl Cause for JointSpring {
         Kind::Outside
     }
 
+    fn shows(&self, scene: &Scene<'_>, place: &[usize], _: &[f64]) -> bool {
+        moves(scene, place[0])
+    }
+
     fn terms(&self, scene: &Scene<'_>, place: &[usize], _: &[f64]) -> Vec<Term> {
         let j = place[0];
-        if !moves(scene, j) {
-            return Vec::new();
-        }
         vec![Term::new("KS", scene.pointwise(j, |o, k| o.q[k]), Sign::Any)]
     }
 
     fn has_constant(&self) -> bool {
         true
+    }
+
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        let (stiffness, [_, _, offset]) = (found.x[0], found.levels);
+        vec![found.term(0), Named::new("QS", if stiffness == 0.0 { 0.0 } else { -offset / stiffness }, None)]
     }
 
     fn says(&self) -> &'static str {

@@ -1,7 +1,7 @@
 //! `link_inertia_error`: the given inertial parameters of a link are wrong.
 
 use super::super::scene::Scene;
-use super::payload::body_terms;
+use super::payload::{Payload, body_terms};
 use super::{Cause, Kind, Term};
 
 /// The ten parameters of the joint's link.
@@ -24,9 +24,20 @@ impl Cause for LinkInertiaError {
         true
     }
 
+    fn same_on_paper(&self) -> &'static [&'static str] {
+        &["payload", "rotor_inertia"]
+    }
+
     fn twins(&self, scene: &Scene<'_>, place: &[usize]) -> &'static [&'static str] {
         let last = place.first().is_some_and(|j| j + 1 == scene.dof());
         if last { &["payload"] } else { &[] }
+    }
+
+    /// A last link that is heavier by something that can be a body has a payload on it: the columns are the same.
+    fn rather(&self, scene: &Scene<'_>, place: &[usize], terms: &[Term], x: &[f64]) -> Option<&'static dyn Cause> {
+        let last = place.first().is_some_and(|j| j + 1 == scene.dof());
+        let mass = terms.iter().zip(x).find(|(t, _)| t.symbol == "M").map_or(0.0, |(_, x)| *x);
+        (last && mass > 0.0).then_some(&Payload as &dyn Cause)
     }
 
     fn says(&self) -> &'static str {

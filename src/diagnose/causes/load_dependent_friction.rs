@@ -1,7 +1,7 @@
 //! `load_dependent_friction`: friction grows with the torque that the gear transmits.
 
 use super::super::scene::Scene;
-use super::{Cause, Kind, Sign, Term, moves};
+use super::{Cause, Kind, Over, Sign, Term, moves};
 
 /// `FL |tau_load| sign(v)`.
 pub struct LoadDependentFriction;
@@ -15,16 +15,21 @@ impl Cause for LoadDependentFriction {
         Kind::Friction
     }
 
+    fn shows(&self, scene: &Scene<'_>, place: &[usize], _: &[f64]) -> bool {
+        moves(scene, place[0])
+    }
+
     fn terms(&self, scene: &Scene<'_>, place: &[usize], _: &[f64]) -> Vec<Term> {
         let j = place[0];
-        if !moves(scene, j) {
-            return Vec::new();
-        }
         vec![Term::new("FL", scene.pointwise(j, |o, k| o.sign[k] * o.load[k].abs()), Sign::Positive)]
     }
 
     fn rests_on_model(&self) -> bool {
         true
+    }
+
+    fn over(&self) -> Over {
+        Over::Torque
     }
 
     fn says(&self) -> &'static str {

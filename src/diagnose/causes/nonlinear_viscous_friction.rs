@@ -23,11 +23,12 @@ impl Cause for NonlinearViscousFriction {
         [0.4, 0.6, 1.5, 2.0, 3.0].iter().map(|e| vec![*e]).collect()
     }
 
+    fn shows(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> bool {
+        moves(scene, place[0]) && (shape[0] - 1.0).abs() >= 0.05
+    }
+
     fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
         let (j, power) = (place[0], shape[0]);
-        if !moves(scene, j) || (power - 1.0).abs() < 0.05 {
-            return Vec::new();
-        }
         vec![Term::new("FN", scene.pointwise(j, |o, k| o.sign[k] * o.v[k].abs().powf(power)), Sign::Any)]
     }
 

@@ -1,7 +1,7 @@
 //! `payload`: an unmodelled body is fixed to the flange.
 
 use super::super::scene::{Column, Scene};
-use super::{Cause, Kind, Sign, Term};
+use super::{Cause, Kind, Scope, Sign, Term};
 
 /// The ten parameters of a body in the last frame.
 pub struct Payload;
@@ -46,8 +46,8 @@ impl Cause for Payload {
         Kind::Body
     }
 
-    fn places(&self, _: &Scene<'_>) -> Vec<Vec<usize>> {
-        vec![Vec::new()]
+    fn scope(&self) -> Scope {
+        Scope::Robot
     }
 
     fn terms(&self, scene: &Scene<'_>, _: &[usize], _: &[f64]) -> Vec<Term> {
@@ -61,7 +61,7 @@ impl Cause for Payload {
         true
     }
 
-    fn twins(&self, _: &Scene<'_>, _: &[usize]) -> &'static [&'static str] {
+    fn same_on_paper(&self) -> &'static [&'static str] {
         &["link_inertia_error"]
     }
 

@@ -57,7 +57,7 @@ impl Cause for Plain {
         vec![Term::new(self.symbol, column, Sign::Any)]
     }
 
-    fn twins(&self, _: &Scene<'_>, _: &[usize]) -> &'static [&'static str] {
+    fn same_on_paper(&self) -> &'static [&'static str] {
         // While the joint moves, a difference of Coulomb levels is a constant.
         if self.symbol == "TO" { &["asymmetric_friction"] } else { &[] }
     }

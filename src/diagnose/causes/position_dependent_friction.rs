@@ -1,7 +1,7 @@
 //! `position_dependent_friction`: friction that varies along the joint's travel.
 
 use super::super::scene::Scene;
-use super::{Cause, Kind, Shape, Sign, Term, moves, travel};
+use super::{Cause, Kind, Over, Shape, Sign, Term, moves, travel};
 
 /// `sign(v) (PC cos(PN q) + PS sin(PN q))`.
 pub struct PositionDependentFriction;
@@ -23,15 +23,24 @@ impl Cause for PositionDependentFriction {
         let [low, high] = travel(scene, place[0]);
         // At least a third of a period must lie within the travel.
         let least = (2.0 / (high - low).max(0.1)).max(1.0);
-        [1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0].into_iter().filter(|n| *n >= least).map(|n| vec![n]).collect()
+        [1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0]
+            .into_iter()
+            .filter(|n| *n >= least)
+            .map(|n| vec![n])
+            .collect()
+    }
+
+    fn shows(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> bool {
+        let [low, high] = travel(scene, place[0]);
+        moves(scene, place[0]) && shape[0] * (high - low) >= 2.0
+    }
+
+    fn natural(&self) -> Option<usize> {
+        Some(0)
     }
 
     fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
         let (j, n) = (place[0], shape[0]);
-        let [low, high] = travel(scene, j);
-        if !moves(scene, j) || n * (high - low) < 2.0 {
-            return Vec::new();
-        }
         vec![
             Term::new("PC", scene.pointwise(j, |o, k| o.sign[k] * (n * o.q[k]).cos()), Sign::Any),
             Term::new("PS", scene.pointwise(j, |o, k| o.sign[k] * (n * o.q[k]).sin()), Sign::Any),
@@ -40,6 +49,10 @@ impl Cause for PositionDependentFriction {
 
     fn repeats(&self) -> bool {
         true
+    }
+
+    fn over(&self) -> Over {
+        Over::Position
     }
 
     fn says(&self) -> &'static str {

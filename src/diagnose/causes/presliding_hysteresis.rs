@@ -43,12 +43,13 @@ impl Cause for PreslidingHysteresis {
         geometric(3e-4 * (high - low), 0.12 * (high - low), 9).into_iter().map(|x| vec![x]).collect()
     }
 
+    fn shows(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> bool {
+        let [low, high] = travel(scene, place[0]);
+        moves(scene, place[0]) && shape[0] <= 0.2 * (high - low)
+    }
+
     fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
         let j = place[0];
-        let [low, high] = travel(scene, j);
-        if !moves(scene, j) || shape[0] > 0.2 * (high - low) {
-            return Vec::new();
-        }
         vec![Term::new("HC", scene.own_column(j, |own| bristle(own, shape[0])), Sign::Positive)]
     }
 

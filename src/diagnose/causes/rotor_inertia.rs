@@ -1,7 +1,7 @@
 //! `rotor_inertia`: reflected inertia of the drive.
 
 use super::super::scene::Scene;
-use super::{Cause, Kind, Sign, Term, moves};
+use super::{Cause, Estimate, Kind, Named, Over, Sign, Term, moves};
 
 /// `IA ddq`.
 pub struct RotorInertia;
@@ -15,12 +15,21 @@ impl Cause for RotorInertia {
         Kind::Body
     }
 
+    fn shows(&self, scene: &Scene<'_>, place: &[usize], _: &[f64]) -> bool {
+        moves(scene, place[0])
+    }
+
     fn terms(&self, scene: &Scene<'_>, place: &[usize], _: &[f64]) -> Vec<Term> {
         let j = place[0];
-        if !moves(scene, j) {
-            return Vec::new();
-        }
         vec![Term::new("IA", scene.pointwise(j, |o, k| o.a[k]), Sign::Any)]
+    }
+
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        vec![Named::new("IA", found.scene.rotors[found.place[0]] + found.x[0], Some(found.std(0)))]
+    }
+
+    fn over(&self) -> Over {
+        Over::Acceleration
     }
 
     fn says(&self) -> &'static str {

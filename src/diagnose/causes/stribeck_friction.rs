@@ -2,7 +2,7 @@
 //! Wit 1994).
 
 use super::super::scene::Scene;
-use super::{Cause, Kind, Shape, Sign, Term, fastest, geometric, moves};
+use super::{Cause, Estimate, Kind, Named, Shape, Sign, Term, fastest, geometric, moves};
 
 /// `(FS - FC) exp(-|v / VS|^DS) sign(v)`.
 pub struct StribeckFriction;
@@ -19,7 +19,7 @@ impl Cause for StribeckFriction {
     fn shape(&self) -> &'static [Shape] {
         &[
             Shape { symbol: "VS", unit: "rad/s", range: [1e-4, 1e3], step: Some(0.3) },
-            Shape { symbol: "DS", unit: "", range: [0.5, 4.0], step: None },
+            Shape { symbol: "DS", unit: "", range: [0.5, 4.0], step: Some(0.3) },
         ]
     }
 
@@ -29,14 +29,26 @@ impl Cause for StribeckFriction {
         speeds.iter().flat_map(|&v| [vec![v, 2.0], vec![v, 1.0]]).collect()
     }
 
+    fn shows(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> bool {
+        moves(scene, place[0]) && shape[0] <= 0.5 * fastest(scene, place[0])
+    }
+
     fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
         let j = place[0];
         let (speed, power) = (shape[0], shape[1]);
-        if !moves(scene, j) || speed > 0.5 * fastest(scene, j) {
-            return Vec::new();
-        }
         let column = scene.pointwise(j, |o, k| o.sign[k] * (-(o.v[k].abs() / speed).powf(power)).exp());
         vec![Term::new("FS", column, Sign::Positive)]
+    }
+
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        // The breakaway level: the sum of the Coulomb level and the part that falls.
+        let [_, coulomb, _] = found.levels;
+        vec![
+            Named::new("FS", coulomb + found.x[0], Some(found.std_with(0, 1))),
+            Named::new("VS", found.shape[0], found.shape_std[0]),
+            Named::new("DS", found.shape[1], found.shape_std[1]),
+            Named::new("FC", coulomb, None),
+        ]
     }
 
     fn says(&self) -> &'static str {

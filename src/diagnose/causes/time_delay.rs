@@ -1,7 +1,7 @@
 //! `time_delay`: torque and motion are not sampled at the same time.
 
 use super::super::scene::{MOST_DELAY, Scene};
-use super::{Cause, Kind, Shape, Sign, Term};
+use super::{Cause, Estimate, Kind, Named, Over, Scope, Shape, Sign, Term};
 
 /// `tau(t)` belongs to the motion at `t - TD`: of one joint, or of all.
 pub struct TimeDelay;
@@ -15,8 +15,8 @@ impl Cause for TimeDelay {
         Kind::Measurement
     }
 
-    fn places(&self, scene: &Scene<'_>) -> Vec<Vec<usize>> {
-        std::iter::once(Vec::new()).chain((0..scene.dof()).map(|j| vec![j])).collect()
+    fn scope(&self) -> Scope {
+        Scope::JointOrRobot
     }
 
     fn shape(&self) -> &'static [Shape] {
@@ -33,8 +33,10 @@ impl Cause for TimeDelay {
                 if !place.is_empty() && place[0] != j {
                     return vec![0.0; scene.len];
                 }
-                let late = scene.later(&scene.whole[j], shape[0]);
-                late.iter().zip(&scene.whole[j]).map(|(a, b)| (a - b) / shape[0]).collect()
+                // By less than a window no step of friction comes into a window that is used.
+                let torque = if shape[0].abs() < scene.step { &scene.smooth[j] } else { &scene.whole[j] };
+                let late = scene.later(torque, shape[0]);
+                late.iter().zip(torque).map(|(a, b)| (a - b) / shape[0]).collect()
             })
             .collect();
         let column = scene.column(rows);
@@ -56,14 +58,29 @@ impl Cause for TimeDelay {
         true
     }
 
+    /// Within what is looked for; and at least half a sample, below which nobody can say when a sample was taken. Of one joint: half a sample from
+    /// the others.
     fn plausible(&self, scene: &Scene<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
-        let already = |j: usize| scene.delays[j];
-        let all: Vec<usize> = if place.is_empty() { (0..scene.dof()).collect() } else { place.to_vec() };
-        all.iter().all(|&j| (already(j) + x[0]).abs() <= MOST_DELAY)
+        let late = |j: usize| scene.delays[j] + x[0];
+        let own: Vec<usize> = if place.is_empty() { (0..scene.dof()).collect() } else { place.to_vec() };
+        let mut others: Vec<f64> = (0..scene.dof()).filter(|j| !own.contains(j)).map(|j| scene.delays[j]).collect();
+        others.sort_by(f64::total_cmp);
+        let usual = others.get(others.len() / 2).copied().unwrap_or(0.0);
+        own.iter().all(|&j| late(j).abs() <= MOST_DELAY)
+            && own.iter().any(|&j| (late(j) - usual).abs() >= 0.5 * scene.period)
     }
 
     fn moves_time(&self) -> bool {
         true
+    }
+
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        let joint = found.place.first().copied().unwrap_or(0);
+        vec![Named::new("TD", found.scene.delays[joint] + found.x[0], Some(found.std(0)))]
+    }
+
+    fn over(&self) -> Over {
+        Over::Velocity
     }
 
     fn says(&self) -> &'static str {

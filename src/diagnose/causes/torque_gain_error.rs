@@ -1,7 +1,7 @@
 //! `torque_gain_error`: a joint's torque is scaled.
 
 use super::super::scene::{Column, Scene};
-use super::{Cause, Kind, Sign, Term};
+use super::{Cause, Estimate, Kind, Named, Over, Sign, Term};
 
 /// `(GT - 1) tau`.
 pub struct TorqueGainError;
@@ -31,6 +31,14 @@ impl Cause for TorqueGainError {
 
     fn rests_on_friction(&self) -> bool {
         true
+    }
+
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        vec![Named::new("GT", 1.0 + found.x[0], Some(found.std(0)))]
+    }
+
+    fn over(&self) -> Over {
+        Over::Torque
     }
 
     fn says(&self) -> &'static str {

@@ -99,13 +99,18 @@ impl Cause for TorqueRipple {
         orders.into_iter().map(|n| vec![n]).collect()
     }
 
+    fn shows(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> bool {
+        // Less than a period and a half in the travel is no ripple.
+        let [low, high] = travel(scene, place[0]);
+        moves(scene, place[0]) && shape[0] * (high - low) >= 9.4
+    }
+
+    fn natural(&self) -> Option<usize> {
+        Some(0)
+    }
+
     fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
         let (j, n) = (place[0], shape[0]);
-        // Less than a period and a half in the travel is no ripple.
-        let [low, high] = travel(scene, j);
-        if !moves(scene, j) || n * (high - low) < 9.4 {
-            return Vec::new();
-        }
         vec![
             Term::new("RC", scene.pointwise(j, |o, k| (n * o.q[k]).cos()), Sign::Any),
             Term::new("RS", scene.pointwise(j, |o, k| (n * o.q[k]).sin()), Sign::Any),

@@ -1,7 +1,7 @@
 //! `torque_saturation`: the torque is clipped.
 
 use super::super::scene::{Column, Scene};
-use super::{Cause, Kind, Shape, Sign, Term};
+use super::{Cause, Estimate, Kind, Named, Over, Shape, Sign, Term};
 
 /// `clip(tau, +-TM) - tau`, with a coefficient near 1.
 pub struct TorqueSaturation;
@@ -27,13 +27,15 @@ impl Cause for TorqueSaturation {
         [0.7, 0.8, 0.9, 0.95, 0.98, 0.995].into_iter().filter_map(at).map(|t| vec![t]).collect()
     }
 
+    fn shows(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> bool {
+        let j = place[0];
+        scene.whole[j].iter().zip(&scene.live[j]).filter(|(t, live)| **live && t.abs() > shape[0]).count() >= 5
+    }
+
     fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
         let (j, bound) = (place[0], shape[0]);
         let mut series: Vec<f64> = scene.whole[j].iter().map(|t| t.clamp(-bound, bound) - t).collect();
         scene.masked(j, &mut series);
-        if series.iter().filter(|t| **t != 0.0).count() < 5 {
-            return Vec::new();
-        }
         vec![Term::new("clip", Column::on(j, series), Sign::Positive)]
     }
 
@@ -45,10 +47,20 @@ impl Cause for TorqueSaturation {
         true
     }
 
+    /// A bound holds: next to nothing beyond it but noise.
     fn plausible(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64], x: &[f64]) -> bool {
-        // Nothing measured lies far above the bound.
-        let above = scene.y[place[0]].iter().filter(|t| t.abs() > 1.03 * shape[0]).count();
+        let j = place[0];
+        let most = shape[0] + (0.02 * shape[0]).max(4.0 * scene.noise[j]);
+        let above = scene.y[j].iter().filter(|t| t.abs() > most).count();
         (0.6..1.4).contains(&x[0]) && (above as f64) < 0.01 * scene.len as f64
+    }
+
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        vec![Named::new("TM", found.shape[0], found.shape_std[0])]
+    }
+
+    fn over(&self) -> Over {
+        Over::Torque
     }
 
     fn says(&self) -> &'static str {

@@ -406,7 +406,12 @@ impl World<'_> {
 
 /// Reads a log as the command does.
 pub(super) fn record(name: &str, bytes: &[u8], dof: usize) -> Recording {
-    let prepare = Prepare { filter: Some(Filter { order: 4, cutoff: 15.0 }), raw_torque: true, ..Prepare::default() };
+    let prepare = Prepare {
+        filter: Some(Filter { order: 4, cutoff: 15.0 }),
+        bursts: Some(crate::diagnose::BURSTS * 15.0),
+        raw_torque: true,
+        ..Prepare::default()
+    };
     let mut recording = Recording::new(name);
     let mut source = open(name, bytes).unwrap();
     each_motion(source.as_mut(), dof, &prepare, |motion| recording.absorb(motion)).unwrap();

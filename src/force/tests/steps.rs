@@ -181,6 +181,38 @@ fn the_observer_is_a_low_pass_of_the_external_torque() {
 }
 
 #[test]
+fn the_observer_is_as_unsure_as_its_noise_makes_it() {
+    // One joint, nothing touches, white noise on torque and velocity: standard deviation of the estimate against what it says of itself.
+    let mut oracle = Oracle::new(14);
+    for (dt, gain) in [(1e-3, 30.0), (1e-2, 62.8)] {
+        for (torque, speed) in [(0.3, 0.0), (0.0, 1e-3), (0.2, 1e-3)] {
+            let mut observer = Momentum::<1>::new(gain, [torque * torque * dt], [speed], Scale::default());
+            let mut jacobian = [[0.0]; 6];
+            jacobian[0] = [1.0];
+            let (mut square, mut said, mut count) = (0.0, 0.0, 0.0);
+            for k in 0..60_000 {
+                let sample = Sample {
+                    dt,
+                    tau: [torque * oracle.normal()],
+                    dq: [speed * oracle.normal()],
+                    mass: [[2.0]],
+                    jacobian,
+                    ..Sample::default()
+                };
+                let found = observer.step(&sample);
+                if k > 2000 {
+                    square += found.wrench[0] * found.wrench[0];
+                    said += found.covariance[0][0];
+                    count += 1.0;
+                }
+            }
+            let ratio = (square / said).sqrt();
+            assert!((0.85..1.03).contains(&ratio), "{dt} {torque} {speed}: {ratio} of {count}");
+        }
+    }
+}
+
+#[test]
 fn the_filter_is_as_sure_as_it_may_be() {
     let mut oracle = Oracle::new(4);
     let (dt, velocity) = (2e-3, 1e-4);

@@ -3,14 +3,10 @@
 use std::time::Instant;
 
 use super::*;
-use crate::arm::{Arm, BaseParameter, States};
+use crate::arm::{Arm, BaseParameter, Description, States};
 
 /// Seven joints, 57 columns with the structure of a serial arm: joint `j` sees the inertial parameters of the links from `j` on.
-struct Wide {
-    base: Vec<BaseParameter>,
-    pattern: Vec<(usize, usize)>,
-    names: Vec<String>,
-}
+struct Wide(Description);
 
 impl Wide {
     fn new() -> Self {
@@ -40,30 +36,18 @@ impl Wide {
                 unit: String::new(),
             })
             .collect();
-        Self { base, pattern, names: Vec::new() }
+        Self(Description { name: "wide".into(), dof: 7, standard: Vec::new(), base, pattern })
     }
 }
 
 impl Arm for Wide {
-    fn name(&self) -> &str {
-        "wide"
-    }
-    fn dof(&self) -> usize {
-        7
-    }
-    fn standard_names(&self) -> &[String] {
-        &self.names
-    }
-    fn base_parameters(&self) -> &[BaseParameter] {
-        &self.base
-    }
-    fn base_pattern(&self) -> &[(usize, usize)] {
-        &self.pattern
+    fn description(&self) -> &Description {
+        &self.0
     }
     /// Cheap numbers of the right shape: the model's own time is not measured here.
     fn base_regressor(&self, states: &States, out: &mut [f64]) {
         let n = states.len;
-        for (k, &(row, column)) in self.pattern.iter().enumerate() {
+        for (k, &(row, column)) in self.0.pattern.iter().enumerate() {
             for s in 0..n {
                 let (q, v) = (states.q[row * n + s], states.dq[(column % 7) * n + s]);
                 out[k * n + s] =
@@ -82,10 +66,10 @@ fn ten_thousand_samples() {
     let mut normal = Normal::new(1);
     let mut random = || (0..7 * len).map(|_| normal.next()).collect::<Vec<f64>>();
     let states = States { len, q: random(), dq: random(), ddq: random() };
-    let mut regressor = vec![0.0; arm.pattern.len() * len];
+    let mut regressor = vec![0.0; arm.base_pattern().len() * len];
     arm.base_regressor(&states, &mut regressor);
     let mut tau = random();
-    for (k, &(row, column)) in arm.pattern.iter().enumerate() {
+    for (k, &(row, column)) in arm.base_pattern().iter().enumerate() {
         (0..len).for_each(|s| tau[row * len + s] += regressor[k * len + s] * (1.0 + column as f64));
     }
     let m = Motion {
@@ -98,10 +82,10 @@ fn ten_thousand_samples() {
         temperature: Vec::new(),
         ..Default::default()
     };
-    eprintln!("{} columns, {} entries", arm.base.len(), arm.pattern.len());
+    eprintln!("{} columns, {} entries", arm.base_parameters().len(), arm.base_pattern().len());
     for _ in 0..5 {
         let start = Instant::now();
-        let mut out = vec![0.0; arm.pattern.len() * 256];
+        let mut out = vec![0.0; arm.base_pattern().len() * 256];
         let mut block = crate::signal::MotionBlock::default();
         let mut from = 0;
         loop {
@@ -109,7 +93,7 @@ fn ten_thousand_samples() {
             if count == 0 {
                 break;
             }
-            arm.base_regressor(&block.states, &mut out[..arm.pattern.len() * count]);
+            arm.base_regressor(&block.states, &mut out[..arm.base_pattern().len() * count]);
             from += count;
         }
         let model = start.elapsed();

@@ -8,7 +8,7 @@ use dh_codegen::robot::Robot;
 
 use super::super::ReproduceError;
 use super::Settings;
-use super::hidden::{About, Draft, FRICTION, Hidden, Outside, SAME_JOINT, SINGLE, effects};
+use super::hidden::{About, Draft, FRICTION, Hidden, Outside, SAME_JOINT, SINGLE, effects, single};
 use crate::arm::{Arm, States};
 use crate::diagnose::{self, Diagnosis, Recording};
 use crate::log::{Log, Quantity, csv, open};
@@ -50,26 +50,38 @@ pub enum Task {
     Outside(usize),
 }
 
-/// Cases go round in this many kinds.
-pub(super) const KINDS: usize = 40;
+/// How many cases of a round hide two effects on one joint, two on two joints, a law and a wrong link, a law in a file without links, and what no
+/// vocabulary has.
+const SEVERAL: [usize; 5] = [3, 3, 2, 2, 3];
+
+/// Cases go round in this many kinds: nothing, every single effect, and the rest.
+pub(super) const KINDS: usize = 1 + SINGLE + SEVERAL[0] + SEVERAL[1] + SEVERAL[2] + SEVERAL[3] + SEVERAL[4];
 
 impl Task {
     /// The kind of a seed.
     pub(super) fn of(seed: u64, random: &mut Random) -> Self {
         let kind = (seed % KINDS as u64) as usize;
         let friction = |random: &mut Random| FRICTION[random.below(FRICTION.len())];
-        match kind {
-            0 => Self::Nothing,
-            1..=26 => Self::One(SINGLE[kind - 1]),
-            27..=29 => Self::OneJoint(SAME_JOINT[random.below(SAME_JOINT.len())]),
-            30..=32 => {
+        let Some(number) = kind.checked_sub(1) else { return Self::Nothing };
+        if number < SINGLE {
+            return Self::One(single(number));
+        }
+        let mut left = number - SINGLE;
+        let group = SEVERAL.iter().position(|&cases| {
+            let here = left < cases;
+            left -= if here { 0 } else { cases };
+            here
+        });
+        match group {
+            Some(0) => Self::OneJoint(SAME_JOINT[random.below(SAME_JOINT.len())]),
+            Some(1) => {
                 let first = random.below(FRICTION.len());
                 let second = (first + 1 + random.below(FRICTION.len() - 1)) % FRICTION.len();
                 Self::TwoJoints([FRICTION[first], FRICTION[second]])
             }
-            33..=34 => Self::WrongLinks(friction(random)),
-            35..=36 => Self::NoLinks(friction(random)),
-            _ => Self::Outside(kind - 37),
+            Some(2) => Self::WrongLinks(friction(random)),
+            Some(3) => Self::NoLinks(friction(random)),
+            _ => Self::Outside(left),
         }
     }
 }
@@ -296,6 +308,7 @@ impl<'a> Sizer<'a> {
 fn record(name: &str, bytes: &[u8], dof: usize) -> Result<Recording, ReproduceError> {
     let prepare = Prepare {
         filter: Some(Filter { order: 4, cutoff: 15.0 }),
+        bursts: Some(diagnose::BURSTS * 15.0),
         raw_torque: true,
         temperature: true,
         ..Prepare::default()

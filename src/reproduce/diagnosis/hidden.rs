@@ -1,6 +1,6 @@
 //! What a case hides: effects of the vocabulary with drawn shapes, before they have their size; and what no vocabulary has.
 
-use dh_codegen::robot::{Effect, Effects, Robot};
+use dh_codegen::robot::{EFFECT_NAMES, Effect, Effects, Robot};
 
 use crate::numeric::random::Random;
 
@@ -34,35 +34,16 @@ pub struct Hidden {
     pub size: f64,
 }
 
-/// Effects of one joint or of the robot, one case each.
-pub(super) const SINGLE: [&str; 26] = [
-    "viscous_friction",
-    "coulomb_friction",
-    "asymmetric_friction",
-    "stribeck_friction",
-    "nonlinear_viscous_friction",
-    "load_dependent_friction",
-    "presliding_hysteresis",
-    "friction_drift",
-    "position_dependent_friction",
-    "rotor_inertia",
-    "torque_ripple",
-    "joint_elasticity",
-    "backlash",
-    "gear_coupling",
-    "torque_gain_error",
-    "torque_offset",
-    "torque_saturation",
-    "encoder_offset",
-    "geometric_error",
-    "link_inertia_error",
-    "payload",
-    "base_tilt",
-    "joint_spring",
-    "external_contact",
-    "time_delay",
-    "time_delay of one joint",
-];
+/// A delay of one joint alone; under its own name it is one of the whole robot.
+pub(super) const ONE_JOINT_LATE: &str = "time_delay of one joint";
+
+/// Effects that are hidden alone: the vocabulary, and [`ONE_JOINT_LATE`].
+pub(super) const SINGLE: usize = EFFECT_NAMES.len() + 1;
+
+/// The effect of this number, below [`SINGLE`].
+pub(super) fn single(number: usize) -> &'static str {
+    EFFECT_NAMES.get(number).copied().unwrap_or(ONE_JOINT_LATE)
+}
 
 /// Two of these on one joint are two different things.
 pub(super) const SAME_JOINT: [[&str; 2]; 6] = [
@@ -214,7 +195,7 @@ impl Draft {
             }
             _ => {
                 cause = "time_delay";
-                whole = name == "time_delay";
+                whole = name != ONE_JOINT_LATE;
                 (vec![("TD", 0.0, 1.0)], 5e-3, 0.08, true)
             }
         };

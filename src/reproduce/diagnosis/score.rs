@@ -127,6 +127,11 @@ impl Outcome {
         self.hidden.iter().all(|h| self.found.causes.iter().any(|c| same(c, h)))
     }
 
+    /// What the case asks for: the right cause first, of several all of them.
+    pub fn good(&self) -> bool {
+        if self.hidden.len() > 1 { self.complete() } else { self.right() && self.complete() }
+    }
+
     /// Whether a named cause was hidden.
     pub fn holds(&self, cause: &Cause) -> bool {
         self.hidden.iter().any(|h| if h.cause == "unknown" { cause.cause == "unknown" } else { same(cause, h) })

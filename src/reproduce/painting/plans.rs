@@ -9,12 +9,30 @@ use crate::control::law::Model;
 use crate::control::robot::Lent;
 use crate::interpreted::Interpreted;
 use crate::inverse::Kinematics;
-use crate::paint::{Plan, Roller, Surface, Task, plan};
+use crate::paint::run::SETTLE;
+use crate::paint::{Cover, Plan, Roller, Surface, Swivel, Task, plan};
 use crate::simulate::{SimulateError, Trajectory};
 
-/// The paper's wall, m.
-const WIDTH: f64 = 0.6;
-const HEIGHT: f64 = 0.8;
+/// How much is to be painted.
+#[derive(Debug, Clone, Copy)]
+pub struct Extent {
+    /// Width and height of the wall, m.
+    size: [f64; 2],
+    /// For each roller, s; as many rollers are used.
+    pub seconds: &'static [f64],
+    /// With one swivel angle, and all of the wall.
+    plain: bool,
+    /// How long it presses before it paints, s.
+    pub settle: f64,
+}
+
+impl Extent {
+    /// The paper's wall and durations.
+    pub const PAPER: Self = Self { size: [0.6, 0.8], seconds: &super::PAPER_SECONDS, plain: false, settle: SETTLE };
+    /// A hand's breadth.
+    pub const QUICK: Self = Self { size: [0.2, 0.15], seconds: &[2.0], plain: true, settle: 1.0 };
+}
+
 /// Joints of the arm.
 const N: usize = 7;
 /// How much deeper than the wall the plan is made, m: room for the force loop to push, and a distance from where the arm is stretched out.
@@ -25,6 +43,7 @@ pub fn planned(
     robot: &Robot,
     standard: &[f64],
     force: f64,
+    extent: &Extent,
     seconds: f64,
     tell: &dyn Fn(&str, f64),
 ) -> Result<Plan, ReproduceError> {
@@ -33,11 +52,14 @@ pub fn planned(
     let arm = Interpreted::new(robot, &Interpreted::PLACED);
     let inverse = Kinematics::new(robot, arm.model()).ok_or_else(|| failed("too many joints".into()))?;
     let center = [0, 1, 2].map(|k| CENTER[k] - ROOM * NORMAL[k]);
-    let surface = Surface::new(center, NORMAL, [0.0, 0.0, 1.0], WIDTH, HEIGHT).map_err(failed)?;
+    let surface = Surface::new(center, NORMAL, [0.0, 0.0, 1.0], extent.size[0], extent.size[1]).map_err(failed)?;
     let roller = Roller { length: geometry.length, width: geometry.width, turned: false };
     let mut task = Task::new(&arm, &inverse, robot, surface, roller, ACCELERATION_TIME).map_err(failed)?;
     task.standard = Some(standard.to_vec());
     task.duration = Some(seconds);
+    if extent.plain {
+        (task.cover, task.swivel) = (Cover::Whole, Swivel::Constant);
+    }
     task.force = force;
     plan(&task, &|what, share| tell(what, share)).map_err(|why| failed(why.to_string()))
 }

@@ -7,7 +7,7 @@ use super::super::chain::{factors, fit};
 use super::super::lwr::{Lwr, Unmodelled};
 use super::super::motions::Motion;
 use super::super::{ReproduceError, fig6};
-use super::plans::{ROOM, in_the_air, planned};
+use super::plans::{Extent, ROOM, in_the_air, planned};
 use crate::control::robot::{Lent, contact_point};
 use crate::diagnose::{self, Diagnosis};
 use crate::extend;
@@ -16,7 +16,7 @@ use crate::interpreted::Interpreted;
 use crate::inverse::Kinematics;
 use crate::log::{Log, Replay};
 use crate::paint::Plan;
-use crate::paint::run::{Feedback, Known, Run, Task, in_contact, run};
+use crate::paint::run::{Feedback, Known, Law, Run, Task, in_contact, run};
 use crate::paint::wall::RollerWall;
 use crate::plant::RobotPlant;
 use crate::signal::{Filter, Prepare, each_motion};
@@ -43,6 +43,7 @@ pub struct Roller {
     spread: Vec<f64>,
     real: Simulator,
     motion: Trajectory,
+    settle: f64,
     /// The motion's plan.
     pub plan: Plan,
 }
@@ -57,6 +58,7 @@ impl Roller {
     /// Paints.
     pub fn paint(
         &self,
+        law: Law,
         feedback: Feedback,
         moment: bool,
         seed: u64,
@@ -75,8 +77,9 @@ impl Roller {
             force: FORCE,
             feedback,
             moment,
-            carry: 1.0,
+            law,
             corner: CORNER,
+            settle: self.settle,
             sensors: Lwr::sensors(),
             seed,
         };
@@ -90,6 +93,7 @@ pub struct Stand {
     pub torque: f64,
     /// One for each of the paper's rollers.
     pub rollers: Vec<Roller>,
+    settle: f64,
     effects: Effects,
     tools: Vec<(Tool, [f64; 10])>,
     /// The identified arm with an empty hand.
@@ -114,6 +118,7 @@ impl Stand {
         lwr: &Lwr,
         [exciting, carrying, validating]: [&Motion; 3],
         which: &[Unmodelled],
+        extent: &Extent,
         seed: u64,
         plans: Option<&[Plan]>,
         tell: &dyn Fn(&str, f64),
@@ -137,7 +142,7 @@ impl Stand {
 
         let mut weighed = Vec::new();
         let unloaded = factors("unloaded", &Carrying::new(&lwr.arm, false), &excited, 1)?;
-        for (k, tool) in tools()?.into_iter().enumerate() {
+        for (k, tool) in tools()?.into_iter().take(extent.seconds.len()).enumerate() {
             tell("weighing the rollers", 0.5 + 0.2 * k as f64);
             let mut robot = lwr.robot.clone();
             robot.tool = Some(tool.clone());
@@ -149,9 +154,9 @@ impl Stand {
         let torque = fig6::mean(&rms);
         let plans = match plans {
             Some(plans) => plans.to_vec(),
-            None => plan_all(&identified, &weighed, tell)?,
+            None => plan_all(&identified, &weighed, extent, tell)?,
         };
-        let rollers = rollers(&identified, &weighed, &plans, lwr, &effects, &rms)?;
+        let rollers = rollers(&identified, &weighed, &plans, lwr, &effects, &rms, extent.settle)?;
         tell("dry run", 0.9);
         let before = {
             let first = &rollers[0];
@@ -162,7 +167,7 @@ impl Stand {
         };
         let dry = record(&lwr.robot, &before, seed.wrapping_add(9))?;
         let logs = vec![("exciting", excited), ("dry run", dry)];
-        Ok(Self { torque, rollers, effects, tools: weighed, identified, logs, validate })
+        Ok(Self { torque, rollers, settle: extent.settle, effects, tools: weighed, identified, logs, validate })
     }
 
     /// The same robot with the model that the diagnosis extends.
@@ -171,6 +176,7 @@ impl Stand {
         let recording = |name: &str, log: &Log| -> Result<diagnose::Recording, ReproduceError> {
             let prepare = Prepare {
                 filter: Some(Filter { order: 4, cutoff: 15.0 }),
+                bursts: Some(diagnose::BURSTS * 15.0),
                 raw_torque: true,
                 temperature: true,
                 ..Prepare::default()
@@ -186,10 +192,11 @@ impl Stand {
         let robot = extend::extended(self.identified.clone(), &found);
         let rms = &found.extended.validate;
         let plans: Vec<Plan> = self.rollers.iter().map(|r| r.plan.clone()).collect();
-        let rollers = rollers(&robot, &self.tools, &plans, lwr, &self.effects, rms)?;
+        let rollers = rollers(&robot, &self.tools, &plans, lwr, &self.effects, rms, self.settle)?;
         let extended = Self {
             torque: fig6::mean(rms),
             rollers,
+            settle: self.settle,
             effects: self.effects.clone(),
             tools: self.tools.clone(),
             identified: robot,
@@ -213,15 +220,20 @@ fn holding(known: &Robot, tool: &Tool, weighed: &[f64; 10]) -> Result<(Robot, Ve
     Ok((robot, standard))
 }
 
-fn plan_all(known: &Robot, tools: &[(Tool, [f64; 10])], tell: &dyn Fn(&str, f64)) -> Result<Vec<Plan>, ReproduceError> {
-    let seconds = super::PAPER_SECONDS.into_iter().enumerate();
+fn plan_all(
+    known: &Robot,
+    tools: &[(Tool, [f64; 10])],
+    extent: &Extent,
+    tell: &dyn Fn(&str, f64),
+) -> Result<Vec<Plan>, ReproduceError> {
+    let seconds = extent.seconds.iter().copied().enumerate();
     tools
         .iter()
         .zip(seconds)
         .map(|((tool, weighed), (k, seconds))| {
             let (robot, standard) = holding(known, tool, weighed)?;
             let tell = |what: &str, share: f64| tell(&format!("planning: {what}"), 0.8 + 0.05 * (k as f64 + share));
-            planned(&robot, &standard, FORCE, seconds, &tell)
+            planned(&robot, &standard, FORCE, extent, seconds, &tell)
         })
         .collect()
 }
@@ -234,6 +246,7 @@ fn rollers(
     lwr: &Lwr,
     effects: &Effects,
     spread: &[f64],
+    settle: f64,
 ) -> Result<Vec<Roller>, ReproduceError> {
     let mut all = Vec::new();
     for ((tool, weighed), plan) in tools.iter().zip(plans) {
@@ -250,6 +263,7 @@ fn rollers(
         all.push(Roller {
             arm,
             motion,
+            settle,
             plan: plan.clone(),
             real: Simulator::new(&as_it_is, effects)?,
             robot,

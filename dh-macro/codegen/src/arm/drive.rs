@@ -85,7 +85,7 @@ pub(super) fn torques<'g>(
 
 /// Torques that the gears transmit: bodies, and the springs of joints.
 fn loads<'g>(links: &Links<'g>, values: &Values<'g>, laws: &[Laws], wound: &[Option<Ex<'g>>]) -> Vec<Ex<'g>> {
-    let mut load = dynamics::torques(links, values, Include::ALL, false);
+    let mut load = dynamics::torques(links, values, Include::ALL, false, false);
     for (k, law) in laws.iter().enumerate() {
         if let Some([stiffness, rest]) = law.spring {
             let mut q = links.input(Group::Position, k) + (law.encoder_offset - rest);

@@ -6,6 +6,7 @@ use super::chain::{Group, Links};
 use super::motion::{Include, Sweep, along_axis};
 use super::param::{DriveTerm, Parameter};
 use super::screw::Screw;
+use super::turning::moments;
 use super::wrench::Wrench;
 use crate::sym::{Ex, Vec3};
 
@@ -39,22 +40,43 @@ impl<'g> Values<'g> {
     }
 }
 
-/// Torques by an outward and an inward sweep (Khalil and Dombre, 9.5.2); friction and rotors where `drives` says so.
-pub(super) fn torques<'g>(links: &Links<'g>, values: &Values<'g>, include: Include, drives: bool) -> Vec<Ex<'g>> {
+/// Torques by an outward and an inward sweep (Khalil and Dombre, 9.5.2); friction and rotors where `drives` says so. `slide`: the last
+/// link's parameters and motion are taken about the origin before `TransZ(r)`: the same torques, by other operations.
+pub(super) fn torques<'g>(
+    links: &Links<'g>,
+    values: &Values<'g>,
+    include: Include,
+    drives: bool,
+    slide: bool,
+) -> Vec<Ex<'g>> {
     let g = links.graph;
     let sweep = Sweep::new(links, include);
     let mut tau = vec![links.number(0.0); links.inputs.dof];
     let mut wrench = Wrench { f: Vec3::zero(g), n: Vec3::zero(g) };
+    // Moments that are known along a joint's axis, where nothing further out than this joint needs them.
+    let mut along = vec![links.number(0.0); links.links.len()];
     for (row, link) in links.links.iter().enumerate().rev() {
         g.section(format!("link {}: force and moment", row + 1));
-        let body = Wrench::of_body(&sweep.body(links, row, false), &values.ten[row]).out_of_body(links, row);
+        let slides = slide && row + 1 == links.links.len();
+        let motion = sweep.body(links, row, slides);
+        let ten = if slides { slid(links, row, values.ten[row]) } else { values.ten[row] };
+        let body = match sweep.turning[row].two() {
+            Some((first, own)) if !link.has_body_frame() => {
+                let (along_first, along_own) = moments(&first, &own, &ten);
+                along[first.row] = along[first.row] + along_first;
+                along[row] = along[row] + along_own;
+                Wrench::of_moments(&motion, &ten)
+            }
+            _ => Wrench::of_body(&motion, &ten).out_of_body(links, row),
+        };
         wrench = wrench.plus(body);
+        wrench.n.0[2] = wrench.n.0[2] + along[row];
         wrench.f.label(&format!("f{}", row + 1));
         wrench.n.label(&format!("n{}", row + 1));
         if let (Some(k), Some(t)) = (link.dof, along_axis(link.kind, wrench.f, wrench.n)) {
             tau[k] = t;
         }
-        wrench = wrench.inward(links, row, false);
+        wrench = wrench.inward(links, row, slides);
     }
     if drives {
         g.section("drives");
@@ -151,6 +173,14 @@ pub(super) fn mass_matrix<'g>(links: &Links<'g>, values: &Values<'g>) -> Vec<Vec
         composite = carried(links, row, composite);
     }
     mass
+}
+
+/// Ten parameters of a row about the origin before `TransZ(r)`.
+fn slid<'g>(links: &Links<'g>, row: usize, p: [Ex<'g>; 10]) -> [Ex<'g>; 10] {
+    let none = links.number(0.0);
+    let (m, l, t) = apart(p);
+    let (l, t) = shifted(links, m, l, t, Vec3([none, none, links.links[row].r]));
+    together(m, l, t)
 }
 
 /// Parameters given in the body's frame, in the joint frame.

@@ -44,6 +44,16 @@ pub enum Function {
     RigidDynamics,
     /// What [`Function::InverseDynamics`] is for given states of the drives: bristles and warmth.
     DriveTorques,
+    /// Product with the transposed derivative of [`Function::BaseRegressor`] by `q`, `dq` and `ddq`, `3 x n`.
+    BaseRegressorAdjoint,
+    /// Of [`Function::PayloadRegressor`].
+    PayloadRegressorAdjoint,
+    /// Of [`Function::InverseDynamics`].
+    InverseDynamicsAdjoint,
+    /// Of [`Function::Frames`].
+    FramesAdjoint,
+    /// Of [`Function::ToolPose`].
+    ToolPoseAdjoint,
 }
 
 impl Function {
@@ -71,6 +81,27 @@ impl Function {
     /// What is generated beside them where the file has effects.
     pub const WITH_EFFECTS: [Self; 2] = [Self::RigidDynamics, Self::DriveTorques];
 
+    /// What is generated on demand: derivatives for those who plan or calibrate by gradients.
+    pub const ADJOINTS: [Self; 5] = [
+        Self::BaseRegressorAdjoint,
+        Self::PayloadRegressorAdjoint,
+        Self::InverseDynamicsAdjoint,
+        Self::FramesAdjoint,
+        Self::ToolPoseAdjoint,
+    ];
+
+    /// Of an adjoint: the function that it differentiates.
+    pub fn primal(self) -> Option<Self> {
+        match self {
+            Self::BaseRegressorAdjoint => Some(Self::BaseRegressor),
+            Self::PayloadRegressorAdjoint => Some(Self::PayloadRegressor),
+            Self::InverseDynamicsAdjoint => Some(Self::InverseDynamics),
+            Self::FramesAdjoint => Some(Self::Frames),
+            Self::ToolPoseAdjoint => Some(Self::ToolPose),
+            _ => None,
+        }
+    }
+
     /// Name in code and commands.
     pub fn name(self) -> &'static str {
         match self {
@@ -93,13 +124,19 @@ impl Function {
             Self::PayloadRegressor => "payload_regressor",
             Self::RigidDynamics => "rigid_dynamics",
             Self::DriveTorques => "drive_torques",
+            Self::BaseRegressorAdjoint => "base_regressor_adjoint",
+            Self::PayloadRegressorAdjoint => "payload_regressor_adjoint",
+            Self::InverseDynamicsAdjoint => "inverse_dynamics_adjoint",
+            Self::FramesAdjoint => "frames_adjoint",
+            Self::ToolPoseAdjoint => "tool_pose_adjoint",
         }
     }
 
     /// What it reads, in the order of its signature.
     pub fn arguments(self) -> &'static [Argument] {
         use Argument::{
-            Accelerations, BaseParameters, Bristles, Configuration, StandardParameters, Torques, Velocities, Warmth,
+            Accelerations, BaseParameters, Bristles, Configuration, Seeds, StandardParameters, Torques, Velocities,
+            Warmth,
         };
         match self {
             Self::Frames
@@ -120,6 +157,11 @@ impl Function {
             Self::Regressor | Self::BaseRegressor | Self::PayloadRegressor => {
                 &[Configuration, Velocities, Accelerations]
             }
+            Self::BaseRegressorAdjoint | Self::PayloadRegressorAdjoint => {
+                &[Configuration, Velocities, Accelerations, Seeds]
+            }
+            Self::InverseDynamicsAdjoint => &[Configuration, Velocities, Accelerations, StandardParameters, Seeds],
+            Self::FramesAdjoint | Self::ToolPoseAdjoint => &[Configuration, Seeds],
         }
     }
 }
@@ -143,6 +185,9 @@ pub enum Argument {
     Bristles,
     /// `warmth`: factor of each joint's friction. They follow the bristles.
     Warmth,
+    /// `seed`: a weight for each entry of the function that is differentiated, those only that are not structurally zero. They follow the
+    /// standard parameters among the inputs.
+    Seeds,
 }
 
 impl Argument {
@@ -153,7 +198,9 @@ impl Argument {
             Self::Velocities => &[Group::Velocity],
             Self::Accelerations => &[Group::Acceleration],
             Self::Torques => &[Group::Torque],
-            Self::StandardParameters | Self::BaseParameters | Self::Bristles | Self::Warmth => &[Group::Parameter],
+            Self::StandardParameters | Self::BaseParameters | Self::Bristles | Self::Warmth | Self::Seeds => {
+                &[Group::Parameter]
+            }
         }
     }
 }

@@ -8,7 +8,7 @@ use super::motion::{Include, can_shift};
 use super::param::{DriveTerm, Parameter, standard};
 use super::plan::{self, Plan};
 use super::regressor::Columns;
-use super::{drive, energy, kinematics};
+use super::{adjoint, drive, energy, kinematics};
 use crate::robot::{Laws, Robot};
 use crate::sym::{Ex, Graph, Tape};
 
@@ -82,6 +82,17 @@ impl Model {
         self.standard.iter().zip(standard).filter_map(offset).collect()
     }
 
+    /// Torques from these parameters, the last link seen from the origin that takes fewer operations.
+    fn torques<'g>(&self, links: &Links<'g>, from: &[Parameter], include: Include, drives: bool) -> Vec<Ex<'g>> {
+        let cost = |slide: bool| {
+            let graph = Graph::new();
+            let links = self.chain.over(&graph);
+            Tape::estimate(&graph, &dynamics::torques(&links, &Values::new(&links, from), include, false, slide))
+        };
+        let slide = self.chain.rows.last().is_some_and(can_shift) && cost(true) < cost(false);
+        dynamics::torques(links, &Values::new(links, from), include, drives, slide)
+    }
+
     /// Builds the tape of a function.
     pub fn kernel(&self, function: Function) -> Kernel {
         let n = self.dof();
@@ -115,14 +126,11 @@ impl Model {
                 make(vec![n], drive::torques(&self.chain, &graph, &self.standard, &laws, drive::Memory::Given))
             }
             Function::InverseDynamics | Function::RigidDynamics => {
-                let values = Values::new(&links, &self.standard);
-                make(vec![n], dynamics::torques(&links, &values, Include::ALL, true))
+                make(vec![n], self.torques(&links, &self.standard, Include::ALL, true))
             }
-            Function::InverseDynamicsBase => {
-                make(vec![n], dynamics::torques(&links, &base_values(), Include::ALL, true))
-            }
-            Function::Coriolis => make(vec![n], dynamics::torques(&links, &base_values(), Include::VELOCITY, false)),
-            Function::Gravity => make(vec![n], dynamics::torques(&links, &base_values(), Include::GRAVITY, false)),
+            Function::InverseDynamicsBase => make(vec![n], self.torques(&links, &leaders, Include::ALL, true)),
+            Function::Coriolis => make(vec![n], self.torques(&links, &leaders, Include::VELOCITY, false)),
+            Function::Gravity => make(vec![n], self.torques(&links, &leaders, Include::GRAVITY, false)),
             Function::MassMatrix => {
                 let upper = dynamics::mass_matrix(&links, &base_values());
                 let full = (0..n).flat_map(|i| (0..n).map(move |j| (i.min(j), i.max(j))));
@@ -131,7 +139,7 @@ impl Model {
             Function::ForwardDynamics => {
                 let values = base_values();
                 let mass = dynamics::mass_matrix(&links, &values);
-                let bias = dynamics::torques(&links, &values, Include::BIAS, true);
+                let bias = self.torques(&links, &leaders, Include::BIAS, true);
                 let right: Vec<Ex<'_>> =
                     bias.iter().enumerate().map(|(k, &b)| links.input(super::chain::Group::Torque, k) - b).collect();
                 make(vec![n], dynamics::solve(&links, &mass, &right))
@@ -153,6 +161,13 @@ impl Model {
                 let columns = Columns::new(&links, &self.plan, Include::ALL);
                 make(vec![n, 10], by_rows(n, &columns.payload()))
             }
+            Function::BaseRegressorAdjoint => adjoint::kernel(&self.kernel(Function::BaseRegressor), function, 0),
+            Function::PayloadRegressorAdjoint => adjoint::kernel(&self.kernel(Function::PayloadRegressor), function, 0),
+            Function::InverseDynamicsAdjoint => {
+                adjoint::kernel(&self.kernel(Function::InverseDynamics), function, self.standard.len())
+            }
+            Function::FramesAdjoint => adjoint::kernel(&self.kernel(Function::Frames), function, 0),
+            Function::ToolPoseAdjoint => adjoint::kernel(&self.kernel(Function::ToolPose), function, 0),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Outward sweep: angular velocity, angular acceleration and acceleration of every link (Khalil and Dombre, 9.5.2).
 
 use super::chain::{Links, Row};
+use super::turning::Turning;
 use crate::robot::JointKind;
 use crate::sym::{Ex, Mat3, Vec3};
 
@@ -62,6 +63,8 @@ impl<'g> Motion<'g> {
 pub(super) struct Sweep<'g> {
     pub joints: Vec<Motion<'g>>,
     pub shifted: Vec<Motion<'g>>,
+    /// About how many directions each joint frame turns.
+    pub turning: Vec<Turning<'g>>,
 }
 
 impl<'g> Sweep<'g> {
@@ -69,7 +72,8 @@ impl<'g> Sweep<'g> {
         let g = links.graph;
         let zero = Vec3::zero(g);
         let base = Motion::new(zero, zero, if include.gravity { links.lift } else { zero });
-        let mut sweep = Self { joints: vec![base], shifted: Vec::new() };
+        let mut sweep = Self { joints: vec![base], shifted: Vec::new(), turning: Vec::new() };
+        let mut turning = Turning::Still;
         for (row, link) in links.links.iter().enumerate() {
             let number = row + 1;
             g.section(format!("link {number}: motion"));
@@ -77,28 +81,35 @@ impl<'g> Sweep<'g> {
             let none = g.constant(0.0);
             let dq = if include.velocity { links.velocity(row) } else { none };
             let ddq = if include.acceleration { links.acceleration(row) } else { none };
-            let w = link.inward(before.w);
-            let dw = link.inward(before.dw);
+            turning = turning.next(link, row, dq, ddq);
             let along_x = Vec3([link.d, none, none]);
             let a_shifted = link.inward(before.at(link.twisted(along_x)));
             let a = link.inward(before.at(link.twisted(link.step(false))));
             let axis = link.axis();
-            let motion = match link.kind {
-                JointKind::Revolute => {
+            let (w, dw) = (link.inward(before.w), link.inward(before.dw));
+            let motion = match (link.kind, turning.two()) {
+                // Multiples of one vector that turns: it alone has to be turned.
+                (JointKind::Revolute, Some((first, own))) => {
+                    let ([x, y, _], r) = (first.axis.0, first.rate);
+                    let third = Vec3([y * first.acceleration, -(x * first.acceleration), -(r * r)]);
+                    Motion::about_z(Vec3([x * r, y * r, own.rate]), own.acceleration, a, third)
+                }
+                (JointKind::Revolute, None) => {
                     let third = link.inward(before.u * link.twisted(axis));
                     Motion::about_z(w + axis.scale(dq), dw.0[2] + ddq, a, third)
                 }
-                JointKind::Prismatic => {
+                (JointKind::Prismatic, _) => {
                     let slide = w.cross(axis).scale(dq * 2.0) + axis.scale(ddq);
                     Motion::new(w, dw, a + slide)
                 }
-                JointKind::Fixed => Motion::new(w, dw, a),
+                (JointKind::Fixed, _) => Motion::new(w, dw, a),
             };
             motion.w.label(&format!("w{number}"));
             motion.dw.label(&format!("dw{number}"));
             motion.a.label(&format!("a{number}"));
             sweep.shifted.push(Motion { a: a_shifted, ..motion });
             sweep.joints.push(motion);
+            sweep.turning.push(turning);
         }
         sweep
     }

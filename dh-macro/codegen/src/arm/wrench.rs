@@ -38,8 +38,7 @@ impl<'g> Wrench<'g> {
 
     /// The same for given values of all ten, `params[Inertial as usize]`, with the diagonal entries drawn together.
     pub fn of_body(m: &Motion<'g>, params: &[Ex<'g>; 10]) -> Self {
-        let [mass, lx, ly, lz, xx, yy, zz, xy, xz, yz] = *params;
-        let (ms, u) = (Vec3([lx, ly, lz]), m.u);
+        let [.., xx, yy, zz, xy, xz, yz] = *params;
         let ([x, y, z], [dx, dy, dz]) = (m.w.0, m.dw.0);
         let diagonal =
             Vec3([(zz - yy) * (y * z) + xx * dx, (xx - zz) * (x * z) + yy * dy, (yy - xx) * (x * y) + zz * dz]);
@@ -47,7 +46,15 @@ impl<'g> Wrench<'g> {
         for (which, value) in [(Inertial::XY, xy), (Inertial::XZ, xz), (Inertial::YZ, yz)] {
             n = n + Self::unit(m, which).n.scale(value);
         }
-        Self { f: m.a.scale(mass) + u * ms, n: n + ms.cross(m.a) }
+        let point = Self::of_moments(m, params);
+        Self { n: n + point.n, ..point }
+    }
+
+    /// What mass and first moments alone take.
+    pub fn of_moments(m: &Motion<'g>, params: &[Ex<'g>; 10]) -> Self {
+        let [mass, lx, ly, lz, ..] = *params;
+        let ms = Vec3([lx, ly, lz]);
+        Self { f: m.a.scale(mass) + m.u * ms, n: ms.cross(m.a) }
     }
 
     pub fn plus(self, other: Self) -> Self {

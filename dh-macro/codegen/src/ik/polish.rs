@@ -1,7 +1,7 @@
 //! Newton's steps with the arm's own Jacobian (Lynch and Park, 6.2), and how far a posture is from the pose.
 
 use super::super::runtime::Scalar;
-use super::arm::Arm;
+use super::arm::{Arm, Query};
 use super::axis::Value;
 use super::pose::Displacement;
 use super::real::{angle, root};
@@ -43,7 +43,10 @@ pub(super) fn forward<const N: usize>(arm: &Arm<N>, v: &[Value; N]) -> Displacem
 
 /// What is left from `E1 .. En` to `g`, at the last frame's origin.
 pub(super) fn remainder<const N: usize>(arm: &Arm<N>, g: &Displacement, v: &[Value; N]) -> Twist {
-    let here = forward(arm, v);
+    remainder_of(arm, g, &forward(arm, v))
+}
+
+fn remainder_of<const N: usize>(arm: &Arm<N>, g: &Displacement, here: &Displacement) -> Twist {
     let [x, y, z] = sub(g.point(arm.home.shift), here.point(arm.home.shift));
     let r = product(&g.rotation, &transposed(&here.rotation));
     let w = [r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]];
@@ -62,7 +65,11 @@ pub(super) fn remainder<const N: usize>(arm: &Arm<N>, g: &Displacement, v: &[Val
 
 /// Columns `[v; w]` of the last frame's origin, one per joint.
 pub(super) fn jacobian<const N: usize>(arm: &Arm<N>, v: &[Value; N]) -> [Twist; N] {
-    let tip = forward(arm, v).point(arm.home.shift);
+    jacobian_about(arm, v, forward(arm, v).point(arm.home.shift))
+}
+
+/// The same where the tip is known already.
+fn jacobian_about<const N: usize>(arm: &Arm<N>, v: &[Value; N], tip: Vector) -> [Twist; N] {
     let mut before = Displacement::NONE;
     core::array::from_fn(|i| {
         let axis = &arm.axes[i];
@@ -74,28 +81,66 @@ pub(super) fn jacobian<const N: usize>(arm: &Arm<N>, v: &[Value; N]) -> [Twist; 
     })
 }
 
-/// `(J' J + damping) d = J' e` by Cholesky; rows of `more` are further equations with their own remainder.
-pub(super) fn step<const N: usize>(
-    columns: &[Twist; N],
-    e: &Twist,
-    more: Option<(&[f64; N], f64)>,
-    damping: f64,
-) -> [f64; N] {
+/// What is left, and what each joint does to it: six rows of the pose, a seventh for what a redundant arm keeps (zero for others).
+pub(super) type Rows = [f64; 7];
+
+/// Columns `[v; w; redundancy]`, one per joint.
+pub(super) fn equations<const N: usize>(
+    arm: &Arm<N>,
+    g: &Displacement,
+    query: &Query<'_, N>,
+    v: &[Value; N],
+) -> (Rows, [Rows; N]) {
+    let here = forward(arm, v);
+    let [a, b, c, d, e, f] = remainder_of(arm, g, &here);
+    let (left, row) = arm.held(query, v);
+    let columns = jacobian_about(arm, v, here.point(arm.home.shift));
+    let all = core::array::from_fn(|i| {
+        let [a, b, c, d, e, f] = columns[i];
+        [a, b, c, d, e, f, row[i]]
+    });
+    ([a, b, c, d, e, f, left], all)
+}
+
+/// How near a Jacobian is to a singularity: what is left of the last column when it is made square to the others, the longest first
+/// (Gram and Schmidt with pivots). Lengths count in parts of `size`.
+pub(super) fn slack<const N: usize>(columns: &[Rows; N], size: f64) -> f64 {
+    let mut rest = columns.map(|[x, y, z, a, b, c, d]| [x / size, y / size, z / size, a, b, c, d]);
+    let dot = |a: &Rows, b: &Rows| a.iter().zip(b).fold(0.0, |s, (x, y)| s + x * y);
+    let mut least = f64::INFINITY;
+    for k in 0..N {
+        let longer = |best: (usize, f64), (i, c): (usize, &Rows)| {
+            let n2 = dot(c, c);
+            if n2 > best.1 { (i, n2) } else { best }
+        };
+        let (at, n2) = rest.iter().enumerate().skip(k).fold((k, 0.0), longer);
+        // Without indices that could be out of bounds: no way into a panic.
+        let (Some(&pivot), Some(&first)) = (rest.get(at), rest.get(k)) else { break };
+        if let Some(place) = rest.get_mut(at) {
+            *place = first;
+        }
+        least = least.min(root(n2));
+        for other in rest.iter_mut().skip(k + 1) {
+            let f = dot(other, &pivot) / n2.max(1e-300);
+            for (x, p) in other.iter_mut().zip(&pivot) {
+                *x -= f * p;
+            }
+        }
+    }
+    least
+}
+
+/// `(J' J + damping) d = J' e` by Cholesky.
+pub(super) fn step<const N: usize>(columns: &[Rows; N], e: &Rows, damping: f64) -> [f64; N] {
     let mut a = [[0.0; N]; N];
     let mut b = [0.0; N];
-    let dot6 = |a: &Twist, b: &Twist| a.iter().zip(b).fold(0.0, |s, (x, y)| s + x * y);
+    let dot = |a: &Rows, b: &Rows| a.iter().zip(b).fold(0.0, |s, (x, y)| s + x * y);
     let mut trace = 0.0;
     for i in 0..N {
         for j in 0..=i {
-            a[i][j] = dot6(&columns[i], &columns[j]);
+            a[i][j] = dot(&columns[i], &columns[j]);
         }
-        b[i] = dot6(&columns[i], e);
-        if let Some((row, left)) = more {
-            for j in 0..=i {
-                a[i][j] += row[i] * row[j];
-            }
-            b[i] += row[i] * left;
-        }
+        b[i] = dot(&columns[i], e);
         trace += a[i][i];
     }
     for i in 0..N {
@@ -136,43 +181,28 @@ pub(super) fn moved<const N: usize>(v: &[Value; N], d: &[f64; N]) -> [Value; N] 
     })
 }
 
-/// Steps until what is left is rounding, or no step helps.
+/// Steps until what is left is rounding, or no step helps; a redundant arm keeps its redundancy.
 pub(super) fn polish<const N: usize>(
     arm: &Arm<N>,
     g: &Displacement,
+    query: &Query<'_, N>,
     v: &mut [Value; N],
-    hold: Option<&dyn Fn(&[Value; N]) -> f64>,
     steps: usize,
 ) -> Twist {
-    let mut e = remainder(arm, g, v);
-    let mut held = hold.map_or(0.0, |f| f(v));
-    let size = |e: &Twist, held: f64| root(e.iter().fold(held * held, |s, x| s + x * x));
+    let size = |e: &Rows| root(e.iter().fold(0.0, |s, x| s + x * x));
     let fine = 2e-15 * (1.0 + norm(g.point(arm.home.shift)));
-    let mut left = size(&e, held);
+    let (mut e, mut columns) = equations(arm, g, query, v);
+    let mut left = size(&e);
     let mut damping = 1e-15;
     for _ in 0..steps {
         if !(left > fine) {
             break;
         }
-        let columns = jacobian(arm, v);
-        let mut row = [0.0; N];
-        if let Some(f) = hold {
-            // Central differences: they only steer the step.
-            for i in 0..N {
-                let mut d = [0.0; N];
-                d[i] = 1e-6;
-                let up = f(&moved(v, &d));
-                d[i] = -1e-6;
-                row[i] = (f(&moved(v, &d)) - up) / 2e-6;
-            }
-        }
-        let d = step(&columns, &e, hold.map(|_| (&row, held)), damping);
-        let next = moved(v, &d);
-        let next_e = remainder(arm, g, &next);
-        let next_held = hold.map_or(0.0, |f| f(&next));
-        let next_left = size(&next_e, next_held);
+        let next = moved(v, &step(&columns, &e, damping));
+        let (next_e, next_columns) = equations(arm, g, query, &next);
+        let next_left = size(&next_e);
         if next_left < left {
-            (*v, e, held, left) = (next, next_e, next_held, next_left);
+            (*v, e, columns, left) = (next, next_e, next_columns, next_left);
             damping = (damping * 0.01).max(1e-15);
         } else if left < 1e-13 || damping > 1e3 {
             break;
@@ -180,5 +210,6 @@ pub(super) fn polish<const N: usize>(
             damping = (damping * 100.0).max(1e-10);
         }
     }
-    e
+    let [x, y, z, a, b, c, _] = e;
+    [x, y, z, a, b, c]
 }

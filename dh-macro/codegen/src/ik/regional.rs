@@ -4,7 +4,7 @@ use super::axis::{Axis, Value};
 use super::list::List;
 use super::quartic::{roots, two_turns, zeros};
 use super::real::root;
-use super::subproblem::{FREE, circle, reach, tilt, towards};
+use super::subproblem::{DOUBT, FREE, NARROW, circle, doubt, reach, tilt, towards};
 use super::vector::{Vector, add, cross, dot, norm, scale, sub, transposed_times, unit};
 
 /// How the three joints are taken apart. A mirrored one is taken from its far end: `E3' E2' E1' p = w`.
@@ -45,7 +45,7 @@ pub enum Regional {
 pub(super) struct Place {
     pub values: [Value; 3],
     pub branch: u8,
-    /// Bit `j`: joint `j` is free.
+    /// Bit `j`: joint `j` is free; bit 7: [`DOUBT`].
     pub free: u8,
 }
 
@@ -70,7 +70,7 @@ pub(super) fn solve(kind: &Regional, axes: &[Axis; 3], w: Vector, p: Vector, nea
     for place in places.as_mut_slice() {
         // A reversed axis undoes by the same value.
         place.values = [place.values[2], place.values[1], place.values[0]];
-        place.free = (place.free >> 2) & 1 | place.free & 2 | (place.free & 1) << 2;
+        place.free = (place.free >> 2) & 1 | place.free & 2 | (place.free & 1) << 2 | place.free & DOUBT;
     }
     places
 }
@@ -87,12 +87,16 @@ fn forward(kind: &Regional, axes: &[Axis; 3], w: Vector, p: Vector, near: &[Valu
     }
 }
 
-/// The turn about the first axis, or what it is to be where it is free.
-fn first_turn(axis: &Axis, from: Vector, to: Vector, near: Value) -> (Value, bool) {
+/// The turn about the first axis, or what it is to be where it is free (bit 0; bit 7: nearly).
+fn first_turn(axis: &Axis, from: Vector, to: Vector, near: Value) -> (Value, u8) {
     let (from, to) = (sub(from, axis.c), sub(to, axis.c));
     let (turn, known) = towards(axis.h, from, to);
     let size = norm(from) * norm(to);
-    if known > 1e-26 * size.max(1e-20) { (Value::turn(turn), known < FREE * FREE * size) } else { (near, true) }
+    if known > 1e-26 * size.max(1e-20) {
+        (Value::turn(turn), u8::from(known < FREE * FREE * size) | doubt(known < NARROW * NARROW * size))
+    } else {
+        (near, 1 | DOUBT)
+    }
 }
 
 fn meet([one, two, three]: &[Axis; 3], x: Vector, w: Vector, p: Vector, near: &[Value; 3]) -> Places {
@@ -105,10 +109,11 @@ fn meet([one, two, three]: &[Axis; 3], x: Vector, w: Vector, p: Vector, near: &[
         let along = dot(three.h, d);
         let across = sub(d, scale(along, three.h));
         let half = root(length2 - dot(across, across));
+        free |= doubt(half < NARROW * root(length2));
         [Value::way(half - along), Value::way(-half - along)]
     } else {
         let pair = reach(three, w, x, length2);
-        free |= u8::from(pair.free) << 2;
+        free |= u8::from(pair.free) << 2 | doubt(pair.narrow);
         if pair.blind { [near[2]; 2] } else { pair.both.map(Value::turn) }
     };
     for (i, third) in thirds.into_iter().enumerate() {
@@ -118,7 +123,7 @@ fn meet([one, two, three]: &[Axis; 3], x: Vector, w: Vector, p: Vector, near: &[
         for (j, second) in seconds.into_iter().enumerate() {
             let from = add(x, second.turn.about(two.h, arm));
             let (first, loose) = first_turn(one, from, p, near[0]);
-            let free = free | u8::from(loose) | u8::from(pair.free) << 1;
+            let free = free | loose | u8::from(pair.free) << 1 | doubt(pair.narrow);
             places.push(Place { values: [first, second, third], branch: (i | j << 1) as u8, free });
         }
     }
@@ -137,7 +142,7 @@ fn parallel([one, two, three]: &[Axis; 3], w: Vector, p: Vector, near: &[Value; 
         let across = sub(rel, along);
         let d = dot(h, sub(p, add(three.c, along)));
         let pair = circle(dot(h, across), dot(h, cross(three.h, across)), d, norm(rel));
-        free |= u8::from(pair.free) << 2;
+        free |= u8::from(pair.free) << 2 | doubt(pair.narrow);
         if pair.blind { [near[2]; 2] } else { pair.both.map(Value::turn) }
     };
     for (i, third) in thirds.into_iter().enumerate() {
@@ -150,7 +155,7 @@ fn parallel([one, two, three]: &[Axis; 3], w: Vector, p: Vector, near: &[Value; 
         let seconds = if pair.blind { [near[1]; 2] } else { pair.both.map(Value::turn) };
         for (j, second) in seconds.into_iter().enumerate() {
             let (first, loose) = first_turn(one, two.point(second, arm), p, near[0]);
-            let free = free | u8::from(loose) | u8::from(pair.free) << 1;
+            let free = free | loose | u8::from(pair.free) << 1 | doubt(pair.narrow);
             places.push(Place { values: [first, second, third], branch: (i | j << 1) as u8, free });
         }
     }
@@ -229,8 +234,10 @@ fn general([one, two, three]: &[Axis; 3], w: Vector, p: Vector, near: &[Value; 3
         let second = if known > 1e-26 { Value::turn(turn) } else { near[1] };
         let from = add(o2, second.turn.about(two.h, r));
         let (first, loose) = first_turn(one, from, p, near[0]);
-        places.push(Place { values: [first, second, third], branch: i as u8, free: u8::from(loose) });
+        let free = loose | doubt(!(known > NARROW * NARROW * dot(r, r)));
+        places.push(Place { values: [first, second, third], branch: i as u8, free });
     }
+    double_roots(&mut places, 2);
     places
 }
 
@@ -257,7 +264,30 @@ fn turn_slide_turn([one, two, three]: &[Axis; 3], w: Vector, p: Vector) -> Place
         let way = dot(two.h, sub(one.point(first.back(), p), three.point(third, w)));
         places.push(Place { values: [first, Value::way(way), third], branch: i as u8, free: 0 });
     }
+    double_roots(&mut places, 0);
     places
+}
+
+/// Roots of a quartic that lie close together in joint `j` are known to fewer digits.
+fn double_roots(places: &mut Places, j: usize) {
+    let close = |a: &Place, b: &Place| {
+        let ([a0, a1, a2], [b0, b1, b2]) = (a.values, b.values);
+        let (a, b) = match j {
+            0 => (a0, b0),
+            1 => (a1, b1),
+            _ => (a2, b2),
+        };
+        let d = (a.turn.c - b.turn.c).abs() + (a.turn.s - b.turn.s).abs() + (a.way - b.way).abs();
+        d < 10.0 * NARROW
+    };
+    for i in 0..places.len() {
+        let own = places.as_slice().get(i).copied();
+        let twin = |k: usize| places.as_slice().get(k).zip(own).is_some_and(|(b, a)| k != i && close(&a, b));
+        let narrow = (0..places.len()).any(twin);
+        if let Some(place) = places.as_mut_slice().get_mut(i) {
+            place.free |= doubt(narrow);
+        }
+    }
 }
 
 /// `y = a s + b t` in the sense of least squares.
@@ -279,7 +309,7 @@ fn turn_slides([one, two, three]: &[Axis; 3], w: Vector, p: Vector, near: &[Valu
     for (i, first) in turns.into_iter().enumerate() {
         let (s, t) = two_ways(two.h, three.h, sub(one.point(first.back(), p), w));
         let values = [first, Value::way(s), Value::way(t)];
-        places.push(Place { values, branch: i as u8, free: u8::from(pair.free) });
+        places.push(Place { values, branch: i as u8, free: u8::from(pair.free) | doubt(pair.narrow) });
     }
     places
 }
@@ -300,7 +330,7 @@ fn slide_turn_slide([one, two, three]: &[Axis; 3], w: Vector, p: Vector, near: &
         let out = second.turn.about(two.h, three.h);
         let (s, t) = two_ways(one.h, out, sub(p, two.point(second, w)));
         let values = [Value::way(s), second, Value::way(t)];
-        places.push(Place { values, branch: i as u8, free: u8::from(pair.free) << 1 });
+        places.push(Place { values, branch: i as u8, free: u8::from(pair.free) << 1 | doubt(pair.narrow) });
     }
     places
 }

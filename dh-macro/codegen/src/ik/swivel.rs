@@ -1,13 +1,14 @@
 //! Seven joints with a spherical shoulder, an elbow and a spherical wrist, at a given swivel angle of the elbow about the line from
 //! shoulder to wrist (the paper's equation 1; Tolani, Goswami and Badler 2000).
 
+use super::super::runtime::Scalar;
 use super::axis::{Axis, Value};
-use super::candidates::Candidates;
+use super::candidates::{Candidates, in_doubt};
 use super::orient::Three;
 use super::pose::Displacement;
 use super::real::angle;
 use super::solution::Branch;
-use super::subproblem::reach;
+use super::subproblem::{doubt, reach};
 use super::vector::{Matrix, Turn, Vector, add, beside, cross, dot, norm, scale, sub, times, transposed, unit};
 
 /// Lines and points of the arm at `q = 0`, in base axes.
@@ -63,6 +64,7 @@ pub(super) struct Elbows {
     pub n: Vector,
     pub both: [(Value, Frame); 2],
     pub stretched: bool,
+    pub narrow: bool,
 }
 
 impl Swivel {
@@ -88,7 +90,7 @@ impl Swivel {
             stretched |= out < 1e-8 * norm(sub(self.elbow, self.shoulder));
             (Value::turn(t), frame)
         });
-        Elbows { n, both, stretched }
+        Elbows { n, both, stretched, narrow: pair.narrow }
     }
 
     /// All answers at a swivel angle (its cosine and sine); true: counted from the second plane.
@@ -100,7 +102,8 @@ impl Swivel {
         near: &[Value; N],
         all: &mut Candidates<N>,
     ) -> bool {
-        let Elbows { n, both, stretched } = self.elbows(g);
+        let Elbows { n, both, stretched, narrow } = self.elbows(g);
+        let narrow = doubt(narrow);
         let (u, v, second) = reference.plane(n);
         let e = add(scale(c, u), scale(s, v));
         let goal: Frame = [n, e, cross(n, e)];
@@ -124,8 +127,10 @@ impl Swivel {
             for (j, (a, (_, f1))) in at1.into_iter().zip(firsts).enumerate() {
                 for (k, (b, (_, f2))) in at5.into_iter().zip(lasts).enumerate() {
                     let branch = Branch { shoulder: sign(j), elbow: sign(i), wrist: sign(k), ..Branch::NONE };
-                    let free = f1 | f2 << 4 | if stretched { 4 } else { 0 };
-                    let Some(place) = all.push(branch, u32::from(free)) else { continue };
+                    let bits = |f: u8| u32::from(f & 3);
+                    let free = bits(f1) | bits(f2) << 4 | if stretched { 4 } else { 0 };
+                    let free = free | in_doubt(f1 | f2 | narrow);
+                    let Some(place) = all.push(branch, free) else { continue };
                     for (joint, at) in [a[0], a[1], a[2], at4, b[0], b[1], b[2]].into_iter().enumerate() {
                         all.set(place, joint, at);
                     }
@@ -133,6 +138,34 @@ impl Swivel {
             }
         }
         second
+    }
+
+    /// What is left of the swivel angle of a posture to another one, and how fast each joint brings it there: its sine, for which
+    /// half turns do not count, because the angle jumps by one where the arm is stretched.
+    pub(super) fn left(&self, values: &[Value; 7], reference: &Reference, goal: f64) -> (f64, [f64; 7]) {
+        let [a1, a2, a3, a4, ..] = &self.axes;
+        let [v1, v2, v3, v4, ..] = *values;
+        let to = sub(a4.point(v4, self.wrist), self.shoulder);
+        let w = unit(to);
+        let carried = |x: Vector| a1.direction(v1, a2.direction(v2, a3.direction(v3, x)));
+        let (n, e) = (carried(w), carried(unit(cross(a4.h, w))));
+        let (u, v, _) = reference.plane(n);
+        let phi = angle(dot(e, v), dot(e, u));
+        let ([s], [c]) = f64::sin_cos_all(&[goal - phi]);
+        // The plane turns with the line from shoulder to wrist: u stays on the side of b, whichever b that was.
+        let b = [reference.b, reference.second].map(|b| (dot(n, b), dot(u, b)));
+        let (along, beside) = if dot(reference.b, v).abs() <= 1e-9 * norm(reference.b) { b[0] } else { b[1] };
+        let lean = if beside.abs() > 1e-9 { along / beside } else { 0.0 };
+        let rate = |h: Vector| c * (dot(h, n) - lean * dot(h, u));
+        let way = cross(a4.h, sub(add(to, self.shoulder), a4.c));
+        let four = dot(a4.h, cross(to, way)) / dot(to, to).max(1e-30);
+        let (h2, h3) = (a1.direction(v1, a2.h), a1.direction(v1, a2.direction(v2, a3.h)));
+        (s, [rate(a1.h), rate(h2), rate(h3), four * rate(carried(a4.h)), 0.0, 0.0, 0.0])
+    }
+
+    /// Is the arm stretched, so that its elbow is on neither side?
+    pub(super) fn straight(&self, values: &[Value; 7]) -> bool {
+        self.upper(values[3], 1.0).1 < 1e-9 * norm(sub(self.elbow, self.shoulder))
     }
 
     /// The swivel angle of a posture, rad, and whether it is counted from the second plane.

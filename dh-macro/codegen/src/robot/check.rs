@@ -10,7 +10,7 @@ pub use simulation::{Setting, SimulationFile};
 use super::expression::{RESERVED, is_name};
 use super::keys;
 use super::problem::{Note, Problem, Problems};
-use super::reader::{Fields, Findings};
+use super::reader::{Fields, Findings, join};
 use super::yaml::{self, Kind, Mark, shortened};
 use super::{Collision, Convention, Cuboid, Effect, Joint, JointKind, Robot, Sphere, Tool};
 
@@ -113,27 +113,57 @@ fn numbers_in_effects(top: &Fields<'_>, joints: &[Joint], whole: &[Effect], to: 
     let stated = |e: &Effect, key: &str| e.parameters.iter().find(|(k, _)| k == key).map(|(_, value)| *value);
     let of_joints = joints.iter().enumerate().flat_map(|(row, j)| j.drive.effects.iter().map(move |e| (Some(row), e)));
     for (row, effect) in of_joints.chain(whole.iter().map(|e| (None, e))) {
-        let (key, path) = match (effect.name.as_str(), row) {
-            ("gear_coupling", Some(row)) => ("joint", format!("joints[{}].drive.gear_coupling.joint", row + 1)),
-            ("link_inertia_error", Some(row)) => ("link", format!("joints[{}].drive.link_inertia_error.link", row + 1)),
-            ("link_inertia_error", None) => ("link", "effects.link_inertia_error.link".to_string()),
+        let key = match (effect.name.as_str(), row) {
+            ("gear_coupling", Some(_)) => "joint",
+            ("link_inertia_error", _) => "link",
             _ => continue,
         };
-        let other = stated(effect, key).map(|number| (number as usize).wrapping_sub(1));
-        let good = match (key, other) {
-            ("joint", Some(k)) => Some(k) != row && joints.get(k).is_some_and(|j| j.kind != JointKind::Fixed),
-            (_, Some(k)) => k < joints.len(),
-            (_, None) => key == "joint" || row.is_some(), // a coupling without its joint is a problem already
+        let number = stated(effect, key);
+        // Not a whole number, or none where one is needed: a problem already.
+        if number.is_some_and(|n| n.fract() != 0.0 || !(1.0..=1e6).contains(&n)) || (number.is_none() && key == "joint")
+        {
+            continue;
+        }
+        let named = number.map(|n| n as usize - 1);
+        let what = match (key, named) {
+            ("joint", Some(k)) if Some(k) == row => format!("joint {} is the motor's own", k + 1),
+            (_, Some(k)) if k >= joints.len() => format!("there is no {key} {}", k + 1),
+            ("joint", Some(k)) if joints[k].kind == JointKind::Fixed => format!("joint {} does not move", k + 1),
+            ("joint", _) if row.is_some_and(|row| joints[row].kind == JointKind::Fixed) => {
+                "this joint does not move, so no motor of it turns with another".to_string()
+            }
+            (_, None) if row.is_none() => "no link is named".to_string(),
+            _ => continue,
         };
-        if !good && let Some((node, _)) = top.node(if row.is_some() { "joints" } else { "effects" }) {
-            let what = match other {
-                Some(k) => format!("{} is not a {key} that this effect can name", k.wrapping_add(1)),
-                None => format!("no {key} is named"),
-            };
-            let which = if key == "joint" { "another joint that moves" } else { "a link" };
-            to.problem(node.mark, &path, what, format!("write the number of {which}, 1 to {}", joints.len()));
+        let which = if key == "joint" { "another joint that moves" } else { "a link" };
+        if let Some((mark, path)) = written(top, row, &effect.name, key) {
+            to.problem(mark, &path, what, format!("write the number of {which}, 1 to {}", joints.len()));
         }
     }
+}
+
+/// Where a key of an effect stands: in the drive of a row (or in its friction), or among the effects at the top. The effect itself where it
+/// is a bare number or does not have the key.
+fn written(top: &Fields<'_>, row: Option<usize>, effect: &str, key: &str) -> Option<(Mark, String)> {
+    fn child<'n>((node, path): (&'n yaml::Node, String), name: &str) -> Option<(&'n yaml::Node, String)> {
+        let Kind::Map(fields) = &node.kind else { return None };
+        let (_, found) = fields.iter().find(|(word, _)| word.text == name)?;
+        Some((found, join(&path, name)))
+    }
+    let place = match row {
+        None => child(top.node("effects")?, effect)?,
+        Some(row) => {
+            let (node, path) = top.node("joints")?;
+            let Kind::List(rows) = &node.kind else { return None };
+            let (drive, path) = child((rows.get(row)?, format!("{path}[{}]", row + 1)), "drive")?;
+            child((drive, path.clone()), effect).or_else(|| {
+                let (friction, path) = child((drive, path), "friction")?;
+                child((friction, path), effect)
+            })?
+        }
+    };
+    let (node, path) = child(place.clone(), key).unwrap_or(place);
+    Some((node.mark, path))
 }
 
 fn constants(top: &Fields<'_>, to: &mut Findings) {

@@ -1,7 +1,7 @@
 //! What the file says of each joint's drive beyond the rigid body, as numbers with their defaults resolved; keys and laws are those of
 //! [`super::effect::LAWS`].
 
-use super::{Effect, Given, JointKind, Robot};
+use super::{Effect, Given, JointKind, NoLink, Robot};
 
 /// `(FS - FC) exp(-|v / VS|^DS) sign(v)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -218,9 +218,13 @@ impl Robot {
         super::real::as_it_is(self)
     }
 
-    /// Row of the link that a `link_inertia_error` means.
-    pub(super) fn link_of(given: &Given<'_>, row: Option<usize>) -> Option<usize> {
-        given.stated("link").map_or(row, |number| (number as usize).checked_sub(1))
+    /// Makes row, link or base the true one, as one effect of geometry or bodies says that it is: `geometric_error`, `link_inertia_error` (at the joint of
+    /// `row`, or of the whole robot), `base_tilt`, `payload`. Any other effect changes nothing.
+    ///
+    /// # Errors
+    /// Where the effect means a link that is not there, or whose parameters are not known.
+    pub fn change(&mut self, row: Option<usize>, effect: &Effect) -> Result<(), NoLink> {
+        super::real::change(self, row, effect)
     }
 }
 

@@ -1,37 +1,47 @@
 //! The arm as its effects of geometry and bodies say that it is.
 
 use super::laws::shift_zero;
-use super::{Angle, Given, Inertia, Joint, JointKind, Length, Robot};
+use super::{Angle, Effect, Given, Inertia, Joint, JointKind, Length, NoLink, Robot};
 use crate::runtime::Scalar;
 
-/// True zeros, rows, base and links.
+/// True zeros, rows, base and links. A change of a link that the file does not know changes nothing.
 pub(super) fn as_it_is(robot: &Robot) -> Robot {
     let mut real = robot.clone();
     for (row, effect) in robot.effects_by_row() {
         let given = Given::new(effect, None);
-        match effect.name.as_str() {
-            "geometric_error" => change_row(&mut real.joints[row], &given),
-            "encoder_offset" if robot.joints[row].kind != JointKind::Fixed && given.get("QO") != 0.0 => {
-                shift_zero(&mut real.joints[row], given.get("QO"));
-            }
-            "link_inertia_error" => change_link(&mut real, Robot::link_of(&given, Some(row)), &given),
-            _ => {}
+        if effect.name == "encoder_offset" && robot.joints[row].kind != JointKind::Fixed && given.get("QO") != 0.0 {
+            shift_zero(&mut real.joints[row], given.get("QO"));
         }
+        let _unknown = change(&mut real, Some(row), effect);
     }
     for effect in &robot.effects {
-        let given = Given::new(effect, None);
-        match effect.name.as_str() {
-            "base_tilt" => real.gravity = tilted(real.gravity, given.get("roll"), given.get("pitch")),
-            "link_inertia_error" => change_link(&mut real, Robot::link_of(&given, None), &given),
-            "payload" => {
-                if let Some(last) = real.links.last_mut().and_then(Option::as_mut) {
-                    *last = last.plus(&payload(&given));
-                }
-            }
-            _ => {}
-        }
+        let _unknown = change(&mut real, None, effect);
     }
     real
+}
+
+/// One effect of geometry or bodies, at a joint's row or of the whole robot; any other changes nothing.
+pub(super) fn change(real: &mut Robot, row: Option<usize>, effect: &Effect) -> Result<(), NoLink> {
+    let given = Given::new(effect, None);
+    match (effect.name.as_str(), row) {
+        ("geometric_error", Some(row)) => change_row(&mut real.joints[row], &given),
+        ("link_inertia_error", _) => {
+            let number = given.stated("link");
+            let row = number.map_or(row, |number| (number as usize).checked_sub(1));
+            let link = row.and_then(|row| real.links.get_mut(row)).and_then(Option::as_mut);
+            let link = link.ok_or(NoLink { number, last: real.joints.len() })?;
+            *link = link.plus(&link_error(link, &given));
+        }
+        ("base_tilt", None) => real.gravity = tilted(real.gravity, given.get("roll"), given.get("pitch")),
+        ("payload", None) => {
+            let last = real.joints.len();
+            let link = real.links.last_mut().and_then(Option::as_mut);
+            let link = link.ok_or(NoLink { number: Some(last as f64), last })?;
+            *link = link.plus(&payload(&given));
+        }
+        _ => {}
+    }
+    Ok(())
 }
 
 /// What is not in error stays exact.
@@ -52,12 +62,10 @@ fn change_row(joint: &mut Joint, given: &Given<'_>) {
     length(&mut joint.r, given.get("DR"));
 }
 
-/// The given parameters and these; where no size is written, a fifth of the given.
-fn change_link(robot: &mut Robot, row: Option<usize>, given: &Given<'_>) {
-    let Some(link) = row.and_then(|row| robot.links.get_mut(row)).and_then(Option::as_mut) else { return };
+/// What the true link has more than the given one; where no size is written, a fifth of it.
+fn link_error(link: &Inertia, given: &Given<'_>) -> Inertia {
     let stated = !given.is_bare() && given.body().iter().any(|p| *p != 0.0);
-    let error = if stated { given.body() } else { link.to_array().map(|p| 0.2 * p) };
-    *link = link.plus(&Inertia::from_array(error));
+    Inertia::from_array(if stated { given.body() } else { link.to_array().map(|p| 0.2 * p) })
 }
 
 /// A point mass where nothing is said of its tensor.
@@ -76,4 +84,17 @@ fn tilted([x, y, z]: [f64; 3], roll: f64, pitch: f64) -> [f64; 3] {
     let ([sr, sp], [cr, cp]) = f64::sin_cos_all(&[roll, pitch]);
     let (x, z) = (cp * x - sp * z, sp * x + cp * z);
     [x, cr * y + sr * z, cr * z - sr * y]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gravity_leans_away_from_the_tilt() {
+        let g = tilted([0.0, 0.0, -9.81], 0.1, 0.0);
+        assert!(g[0].abs() < 1e-15 && (g[1] + 9.81 * 0.1f64.sin()).abs() < 1e-12, "{g:?}");
+        let g = tilted([0.0, 0.0, -9.81], 0.0, 0.1);
+        assert!((g[0] - 9.81 * 0.1f64.sin()).abs() < 1e-12 && g[1].abs() < 1e-15, "{g:?}");
+    }
 }

@@ -79,6 +79,26 @@ pub(super) fn doc(function: Function) -> (&'static str, &'static str) {
             "Torques at the sensors for given states of the drives",
             "Like `inverse_dynamics`, N m; `bristle`: what stands for the sign of the velocity in friction with memory, in [-1, 1]; `warmth`: factor of each joint's friction that drifts. `Drive` keeps both.",
         ),
+        Function::BaseRegressorAdjoint => (
+            "Derivative of a weighted sum of the base regressor's entries",
+            "`out = sum of seed[k] d(entry k)/d(q, dq, ddq)`, one row each; `entry k` stands at `kernel::base_regressor::PATTERN[k]`. The sign of a velocity has derivative zero. Griewank and Walther, 3.2.",
+        ),
+        Function::PayloadRegressorAdjoint => (
+            "Derivative of a weighted sum of the payload regressor's entries",
+            "`out = sum of seed[k] d(entry k)/d(q, dq, ddq)`, one row each; `entry k` stands at `kernel::payload_regressor::PATTERN[k]`. Griewank and Walther, 3.2.",
+        ),
+        Function::InverseDynamicsAdjoint => (
+            "Derivative of a weighted sum of the torques",
+            "`out = sum of seed[j] d(tau_j)/d(q, dq, ddq)`, one row each. The sign of a velocity has derivative zero. Griewank and Walther, 3.2.",
+        ),
+        Function::FramesAdjoint => (
+            "Derivative of a weighted sum of the frames' entries",
+            "`out = sum of seed[k] d(entry k)/d(q, dq, ddq)`, one row each (only the first is not zero); `entry k` stands at `kernel::frames::PATTERN[k]`. Heights and distances of points on the arm are such sums. Griewank and Walther, 3.2.",
+        ),
+        Function::ToolPoseAdjoint => (
+            "Derivative of a weighted sum of the tool frame's entries",
+            "`out = sum of seed[k] d(entry k)/d(q, dq, ddq)`, one row each (only the first is not zero); entries row-major, those only that are not structurally zero. Griewank and Walther, 3.2.",
+        ),
         Function::PayloadRegressor => (
             "Regressor of a body fixed to the tool frame",
             "`tau = W_L phi_L`, columns `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool frame, about its origin (the paper's (7)).",
@@ -91,6 +111,7 @@ pub(super) struct Context<'a> {
     pub robot: &'a Robot,
     pub standard: &'a [String],
     pub base: &'a [String],
+    pub kernels: &'a [Kernel],
 }
 
 impl Context<'_> {
@@ -105,8 +126,18 @@ impl Context<'_> {
         }
     }
 
+    /// Of an adjoint: how many weights it takes.
+    fn seeds(&self, function: Function) -> Option<usize> {
+        let primal = function.primal()?;
+        self.kernels.iter().find(|k| k.function == primal).map(|k| k.nonzeros().len())
+    }
+
     fn parameters(&self, function: Function) -> &[String] {
-        if function.arguments().contains(&Argument::StandardParameters) { self.standard } else { self.base }
+        match function.arguments() {
+            a if a.contains(&Argument::StandardParameters) => self.standard,
+            a if a.contains(&Argument::Seeds) => &[],
+            _ => self.base,
+        }
     }
 }
 
@@ -126,6 +157,7 @@ pub(super) fn signature(function: Function, configuration: &str) -> String {
         Argument::BaseParameters => "beta: &[S; BASE]".to_string(),
         Argument::Bristles => "bristle: &[S; DOF]".to_string(),
         Argument::Warmth => "warmth: &[S; DOF]".to_string(),
+        Argument::Seeds => "seed: &[S; SEEDS]".to_string(),
     };
     function.arguments().iter().map(one).collect::<Vec<_>>().join(", ")
 }
@@ -141,6 +173,7 @@ pub(super) fn call(function: Function, configuration: &str) -> String {
         Argument::BaseParameters => "beta",
         Argument::Bristles => "bristle",
         Argument::Warmth => "warmth",
+        Argument::Seeds => "seed",
     };
     function.arguments().iter().map(one).collect::<Vec<_>>().join(", ")
 }
@@ -153,6 +186,13 @@ pub(super) fn bound(kernel: &Kernel) -> &'static str {
 /// Is there a packed form beside the dense one? Only where it has fewer entries.
 pub(super) fn has_packed(kernel: &Kernel) -> bool {
     kernel.nonzeros().len() < kernel.tape.outputs.len()
+}
+
+/// Stretches of `0..size` between these ascending places.
+fn gaps(places: &[usize], size: usize) -> Vec<core::ops::Range<usize>> {
+    let starts = core::iter::once(0).chain(places.iter().map(|p| p + 1));
+    let ends = places.iter().copied().chain([size]);
+    starts.zip(ends).map(|(start, end)| start..end).filter(|gap| !gap.is_empty()).collect()
 }
 
 /// `[1][2]` for a place in the row-major result.
@@ -173,6 +213,7 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
     let (title, meaning) = context.doc(function);
     let bound = bound(kernel);
     let names = Names::new(&kernel.tape, kernel.inputs, context.parameters(function), &context.robot.constants);
+    let names = if function.primal().is_some() { names.with_seeds() } else { names };
     let count = kernel.tape.operations();
     let nonzeros = kernel.nonzeros();
     let packed = has_packed(kernel);
@@ -193,6 +234,12 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
     let numbers = if bound == "Real" { "elementary::Real" } else { "runtime::Scalar" };
     let _ = writeln!(text, "use super::super::{numbers};\nuse super::super::{{{}}};\n", uses.join(", "));
 
+    if let Some(seeds) = context.seeds(function) {
+        let _ = writeln!(
+            text,
+            "/// Entries of the function that is differentiated, structural zeros left out.\npub const SEEDS: usize = {seeds};\n"
+        );
+    }
     if packed {
         let _ = writeln!(
             text,
@@ -213,16 +260,6 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
     }
     let arguments = signature(function, "trig: &Trig<S>");
     let call = call(function, "trig");
-    let _ = writeln!(
-        text,
-        "/// {title}: every entry of `out` is written.\n#[inline]\npub fn dense<S: {bound}>({arguments}, out: &mut {}) {{",
-        array(&kernel.shape)
-    );
-    if packed {
-        let flat = ".as_flattened_mut()".repeat(kernel.shape.len() - 1);
-        let _ = writeln!(text, "    out{flat}.fill(S::default());");
-    }
-    let _ = writeln!(text, "    entries({}, |k, x| {{", call);
     let target = match (packed, kernel.shape.len()) {
         (true, 1) => "out[PATTERN[k].0] = x;".to_string(),
         (true, 2) => "out[PATTERN[k].0][PATTERN[k].1] = x;".to_string(),
@@ -233,7 +270,30 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
             format!("out[k / {1}][k % {1} / {0}][k % {0}] = x;", kernel.shape[2], kernel.shape[1] * kernel.shape[2])
         }
     };
-    let _ = writeln!(text, "        {target}\n    }});\n}}\n");
+    let out = array(&kernel.shape);
+    let entries = format!("    entries({call}, |k, x| {{\n        {target}\n    }});\n");
+    let _ = writeln!(
+        text,
+        "/// {title}: every entry of `out` is written.\n#[inline]\npub fn dense<S: {bound}>({arguments}, out: &mut {out}) {{"
+    );
+    if packed {
+        // Each entry is written once: clearing the whole array first would take a call of `memset`, and every store twice.
+        let flat = ".as_flattened_mut()".repeat(kernel.shape.len() - 1);
+        let _ = writeln!(text, "    let flat = &mut out{flat}[..];");
+        for run in gaps(&nonzeros, size) {
+            let _ = match run.len() {
+                1 => writeln!(text, "    flat[{}] = S::default();", run.start),
+                _ => writeln!(text, "    flat[{}..{}].fill(S::default());", run.start, run.end),
+            };
+        }
+        let _ = writeln!(text, "    nonzeros({call}, out);\n}}\n");
+        let _ = writeln!(
+            text,
+            "/// The same, where all other entries of `out` are zero already: they are left alone.\n#[inline]\npub fn nonzeros<S: {bound}>({arguments}, out: &mut {out}) {{\n{entries}}}\n"
+        );
+    } else {
+        let _ = writeln!(text, "{entries}}}\n");
+    }
     if packed {
         let _ = writeln!(
             text,
@@ -300,17 +360,19 @@ fn inputs(kernel: &Kernel, names: &Names) -> String {
                     Argument::StandardParameters => ("*phi", usize::MAX),
                     Argument::Bristles => ("*bristle", kernel.inputs.dof),
                     Argument::Warmth => ("*warmth", kernel.inputs.dof),
+                    Argument::Seeds => ("*seed", usize::MAX),
                     _ => ("*beta", usize::MAX),
                 },
             };
             let first = match argument {
-                Argument::Bristles => names.parameters(),
+                Argument::Bristles | Argument::Seeds => names.parameters(),
                 Argument::Warmth => names.parameters() + kernel.inputs.dof,
                 _ => 0,
             };
             // Which argument a parameter's input belongs to, by that argument's first input.
             let behind = |at: usize| {
-                let starts = [0, names.parameters(), names.parameters() + kernel.inputs.dof];
+                let second = if kernel.function.primal().is_some() { 0 } else { kernel.inputs.dof };
+                let starts = [0, names.parameters(), names.parameters() + second];
                 starts.into_iter().filter(|start| *start <= at).max()
             };
             let here: Vec<usize> = used

@@ -16,7 +16,8 @@ pub(super) struct Parts {
     pub files: BTreeMap<String, String>,
 }
 
-pub(super) fn parts(robot: &Robot, source: &str) -> Parts {
+/// `further`: functions that are generated on demand.
+pub(super) fn parts(robot: &Robot, source: &str, further: &[Function]) -> Parts {
     let model = Model::with_effects(robot);
     // What is generated is the arm as it is, where the file says that it is another than its table.
     let real = if robot.has_effects() { robot.as_it_is() } else { robot.clone() };
@@ -25,10 +26,11 @@ pub(super) fn parts(robot: &Robot, source: &str) -> Parts {
     if robot.has_effects() {
         functions.extend(Function::WITH_EFFECTS);
     }
+    functions.extend(further);
     let kernels: Vec<Kernel> = functions.iter().map(|&f| model.kernel(f)).collect();
     let standard: Vec<String> = model.standard().iter().map(|p| p.name()).collect();
     let base: Vec<String> = model.base().0.iter().map(|b| b.name.clone()).collect();
-    let context = Context { robot, standard: &standard, base: &base };
+    let context = Context { robot, standard: &standard, base: &base, kernels: &kernels };
     let mut files = BTreeMap::new();
     let mut index = String::from(
         "//! Kernels: additions and multiplications only, given the sines and cosines. One file per function.\n\n",
@@ -41,8 +43,8 @@ pub(super) fn parts(robot: &Robot, source: &str) -> Parts {
     for kernel in &kernels {
         files.insert(format!("kernel/{}.rs", kernel.function.name()), kernel_file::print(kernel, &context));
     }
-    let further: &[(&str, &str)] = if robot.has_effects() { runtime_files::WITH_EFFECTS } else { &[] };
-    for (path, text) in runtime_files::FILES.iter().chain(further) {
+    let laws: &[(&str, &str)] = if robot.has_effects() { runtime_files::WITH_EFFECTS } else { &[] };
+    for (path, text) in runtime_files::FILES.iter().chain(laws) {
         files.insert((*path).to_string(), (*text).to_string());
     }
     files.insert("tests.rs".to_string(), tests_file::print(&model, &Interpreter::from_kernels(&model, &kernels)));
@@ -88,7 +90,12 @@ fn header(context: &Context<'_>, model: &Model, kernels: &[Kernel], source: &str
 
 /// Every file of the drop-in crate.
 pub fn krate(robot: &Robot, source: &str) -> BTreeMap<String, String> {
-    let parts = parts(robot, source);
+    krate_with(robot, source, &[])
+}
+
+/// The same with further functions, such as [`Function::ADJOINTS`].
+pub fn krate_with(robot: &Robot, source: &str, further: &[Function]) -> BTreeMap<String, String> {
+    let parts = parts(robot, source, further);
     let mut files: BTreeMap<String, String> =
         parts.files.into_iter().map(|(path, text)| (format!("src/{path}"), text)).collect();
     files.insert(

@@ -5,7 +5,7 @@ use crate::robot::Robot;
 
 /// The crate's files folded into nested inline modules (tests left out).
 pub fn module(robot: &Robot, source: &str) -> String {
-    let parts = parts(robot, source);
+    let parts = parts(robot, source, &[]);
     let root = parts.root.replace("#[cfg(test)]\nmod tests;\n", "");
     let body = inlined(&root, "", &|path| parts.files.get(path).cloned());
     format!("{}\n{body}", parts.header)

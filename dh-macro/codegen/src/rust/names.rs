@@ -11,6 +11,7 @@ pub(super) struct Names {
     parameters: Vec<String>,
     temps: Vec<String>,
     constants: BTreeMap<u64, String>,
+    seeds: bool,
 }
 
 impl Names {
@@ -38,7 +39,13 @@ impl Names {
                 _ => format!("t{i}"),
             });
         }
-        Self { inputs, parameters: parameters.to_vec(), temps, constants }
+        Self { inputs, parameters: parameters.to_vec(), temps, constants, seeds: false }
+    }
+
+    /// The same, of an adjoint: behind the parameters stand seeds.
+    pub(super) fn with_seeds(mut self) -> Self {
+        self.seeds = true;
+        self
     }
 
     /// The constants, by name.
@@ -65,7 +72,7 @@ impl Names {
         self.parameters.len()
     }
 
-    /// Name of an input: joints count from one. Behind the parameters stand bristles and warmth.
+    /// Name of an input: joints count from one. Behind the parameters stand bristles and warmth, or seeds.
     pub(super) fn input(&self, group: Group, at: usize) -> String {
         let letter = match group {
             Group::Position => "q",
@@ -77,6 +84,9 @@ impl Names {
             Group::Parameter => {
                 let beyond = || {
                     let (dof, after) = (self.inputs.dof.max(1), at - self.parameters.len());
+                    if self.seeds {
+                        return format!("w{after}");
+                    }
                     format!("{}{}", if after < dof { "bristle" } else { "warmth" }, after % dof + 1)
                 };
                 return self.parameters.get(at).cloned().unwrap_or_else(beyond);

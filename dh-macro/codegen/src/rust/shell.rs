@@ -141,10 +141,11 @@ pub(super) fn print(robot: &Robot, model: &Model, kernels: &[Kernel], context: &
         let zero = kernel.shape.iter().rev().fold("S::default()".to_string(), |inner, n| format!("[{inner}; {n}]"));
         let packed =
             if has_packed(kernel) { format!(" Packed form: [`kernel::{name}::packed`].") } else { String::new() };
+        let write = if has_packed(kernel) { "nonzeros" } else { "dense" };
         let _ = writeln!(
             t,
-            "\n/// {title}.\n///\n/// {meaning}{packed}\n#[must_use]\n#[inline]\npub fn {name}<S: {bound}>({}) -> {shape} {{\n    let mut out = {zero};\n    kernel::{name}::dense({}, &mut out);\n    out\n}}",
-            signature(function, "q: &[S; DOF]"),
+            "\n/// {title}.\n///\n/// {meaning}{packed}\n#[must_use]\n#[inline]\npub fn {name}<S: {bound}>({}) -> {shape} {{\n    let mut out = {zero};\n    kernel::{name}::{write}({}, &mut out);\n    out\n}}",
+            signature(function, "q: &[S; DOF]").replace("SEEDS", &format!("kernel::{name}::SEEDS")),
             call
         );
     }

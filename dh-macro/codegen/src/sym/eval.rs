@@ -1,12 +1,16 @@
 //! Runs a tape on f64, many states at a time: the meaning of a tape.
 
+use super::order::just_in_time;
 use super::tape::{Instruction, Kind, Operand, Tape};
 use crate::elementary::Real;
 
 /// States that are carried through the tape together.
 pub const LANES: usize = 64;
 
-type Lane = [f64; LANES];
+/// States that one register may hold: an operation is done for so many at once, and in place.
+const WIDE: usize = 8;
+
+type Lane = [[f64; WIDE]; LANES / WIDE];
 
 #[derive(Debug, Clone, Copy)]
 struct Step {
@@ -35,8 +39,16 @@ impl Evaluator {
         Self::of(tape, &all)
     }
 
-    /// Some outputs of a tape, in this order: gives every operand a slot.
+    /// Some outputs of a tape, in this order. Of two orders of the steps it takes the one that needs fewer slots: what fits into the
+    /// nearest cache runs faster.
     pub fn of(tape: &Tape, wanted: &[usize]) -> Self {
+        let late = Self::in_order(tape, wanted, &just_in_time(tape, wanted));
+        let as_it_is = Self::in_order(tape, wanted, &(0..tape.code.len()).collect::<Vec<_>>());
+        if (late.steps.len(), late.slots) < (as_it_is.steps.len(), as_it_is.slots) { late } else { as_it_is }
+    }
+
+    /// Gives every operand a slot. `order`: steps of the tape, readers behind what they read.
+    fn in_order(tape: &Tape, wanted: &[usize], order: &[usize]) -> Self {
         let roots: Vec<Operand> = wanted.iter().map(|&o| tape.outputs[o]).collect();
         let mut slots = Slots::default();
         let mut constants: Vec<(u32, f64)> = Vec::new();
@@ -63,15 +75,15 @@ impl Evaluator {
             }
         };
         // These are loaded once, before the first step: they get their slots before any temporary does.
-        for operand in tape.code.iter().flat_map(|step| [step.a, step.b]).chain(roots.iter().copied()) {
+        for operand in order.iter().flat_map(|&at| [tape.code[at].a, tape.code[at].b]).chain(roots.iter().copied()) {
             pinned(operand, &mut slots);
         }
-        // Last reader of each temporary, so that its slot can be used again.
+        // Last reader of each temporary (by its place in the order), so that its slot can be used again.
         let mut last = vec![0usize; tape.code.len()];
-        for (at, Instruction { a, b, .. }) in tape.code.iter().enumerate() {
-            for operand in [a, b] {
+        for (place, &at) in order.iter().enumerate() {
+            for operand in [tape.code[at].a, tape.code[at].b] {
                 if let Operand::Temp(t) = operand {
-                    last[*t as usize] = at;
+                    last[t as usize] = place;
                 }
             }
         }
@@ -89,7 +101,8 @@ impl Evaluator {
         }
         let mut place = vec![0u32; tape.code.len()];
         let mut steps = Vec::with_capacity(tape.code.len());
-        for (at, Instruction { kind, a, b }) in tape.code.iter().enumerate() {
+        for (now, &at) in order.iter().enumerate() {
+            let Instruction { kind, a, b } = &tape.code[at];
             let mut slot_of = |operand: &Operand, slots: &mut Slots| match operand {
                 Operand::Temp(t) => place[*t as usize],
                 other => pinned(*other, slots).unwrap_or(0),
@@ -97,7 +110,7 @@ impl Evaluator {
             let (sa, sb) = (slot_of(a, &mut slots), slot_of(b, &mut slots));
             for (k, operand) in [a, b].into_iter().enumerate() {
                 if let Operand::Temp(t) = operand
-                    && last[*t as usize] == at
+                    && last[*t as usize] == now
                     && !(k == 1 && a == b)
                 {
                     slots.release(place[*t as usize]);
@@ -106,7 +119,7 @@ impl Evaluator {
             let out = slots.take();
             place[at] = out;
             steps.push(Step { kind: *kind, a: sa, b: sb, out });
-            outputs.extend(at_step[at].iter().map(|&index| (at + 1, out, index)));
+            outputs.extend(at_step[at].iter().map(|&index| (now + 1, out, index)));
             if last[at] == 0 && !at_step[at].is_empty() {
                 slots.release(out); // an output that nothing else reads
             }
@@ -125,37 +138,39 @@ impl Evaluator {
     /// # Panics
     /// If `out` is shorter than `outputs() * len` or an input column than `len`.
     pub fn run<'a>(&self, len: usize, inputs: impl Fn(usize) -> &'a [f64], out: &mut [f64]) {
-        let mut slots: Vec<Lane> = vec![[0.0; LANES]; self.slots];
+        let mut slots: Vec<Lane> = vec![[[0.0; WIDE]; LANES / WIDE]; self.slots];
         for &(slot, value) in &self.constants {
-            slots[slot as usize] = [value; LANES];
+            slots[slot as usize] = [[value; WIDE]; LANES / WIDE];
         }
         let mut start = 0;
         while start < len {
             let width = LANES.min(len - start);
             for &(slot, index) in &self.inputs {
-                slots[slot as usize][..width].copy_from_slice(&inputs(index)[start..start + width]);
+                slots[slot as usize].as_flattened_mut()[..width].copy_from_slice(&inputs(index)[start..start + width]);
             }
             let mut pending = self.outputs.iter().peekable();
             let mut write = |after: usize, slots: &[Lane]| {
                 while let Some(&(_, slot, index)) = pending.next_if(|(step, _, _)| *step <= after) {
                     let from = index * len + start;
-                    out[from..from + width].copy_from_slice(&slots[slot as usize][..width]);
+                    out[from..from + width].copy_from_slice(&slots[slot as usize].as_flattened()[..width]);
                 }
             };
             write(0, &slots);
             for (at, step) in self.steps.iter().enumerate() {
-                let (a, b) = (slots[step.a as usize], slots[step.b as usize]);
-                let result = &mut slots[step.out as usize];
                 match step.kind {
-                    Kind::Add => (0..LANES).for_each(|l| result[l] = a[l] + b[l]),
-                    Kind::Sub => (0..LANES).for_each(|l| result[l] = a[l] - b[l]),
-                    Kind::Mul => (0..LANES).for_each(|l| result[l] = a[l] * b[l]),
-                    Kind::Div => (0..LANES).for_each(|l| result[l] = a[l] / b[l]),
-                    Kind::Neg => (0..LANES).for_each(|l| result[l] = -a[l]),
-                    Kind::Sign => (0..LANES).for_each(|l| result[l] = sign(a[l])),
-                    Kind::Call(f) => (0..width).for_each(|l| result[l] = f.value(a[l])),
-                    Kind::Least => (0..LANES).for_each(|l| result[l] = Real::min(a[l], b[l])),
-                    Kind::Most => (0..LANES).for_each(|l| result[l] = Real::max(a[l], b[l])),
+                    Kind::Add => each(&mut slots, step, |a, b| a + b),
+                    Kind::Sub => each(&mut slots, step, |a, b| a - b),
+                    Kind::Mul => each(&mut slots, step, |a, b| a * b),
+                    Kind::Div => each(&mut slots, step, |a, b| a / b),
+                    Kind::Neg => each(&mut slots, step, |a, _| -a),
+                    Kind::Sign => each(&mut slots, step, |a, _| sign(a)),
+                    Kind::Call(f) => {
+                        let a = slots[step.a as usize];
+                        let result = slots[step.out as usize].as_flattened_mut();
+                        (0..width).for_each(|l| result[l] = f.value(a.as_flattened()[l]));
+                    }
+                    Kind::Least => each(&mut slots, step, Real::min),
+                    Kind::Most => each(&mut slots, step, Real::max),
                 }
                 write(at + 1, &slots);
             }
@@ -200,6 +215,15 @@ impl Evaluator {
             done = after;
             out[index] = slots[slot as usize];
         }
+    }
+}
+
+/// One step, a register's width at a time: the result may take the slot of an operand.
+#[inline(always)]
+fn each(slots: &mut [Lane], step: &Step, f: impl Fn(f64, f64) -> f64) {
+    for part in 0..LANES / WIDE {
+        let (a, b) = (slots[step.a as usize][part], slots[step.b as usize][part]);
+        slots[step.out as usize][part] = core::array::from_fn(|l| f(a[l], b[l]));
     }
 }
 

@@ -14,7 +14,7 @@ use super::regional::Regional;
 use super::six::{Method, Six};
 use super::solution::{Branch, CAPACITY, PoseError, Solution, Solutions, Status};
 use super::swivel::{Reference, Swivel};
-use super::vector::{IDENTITY, norm, product, transposed, unit};
+use super::vector::{IDENTITY, product, transposed};
 
 /// How an arm is solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,15 +73,15 @@ impl<const N: usize> Default for Query<'_, N> {
 }
 
 /// What goes along while solutions are gathered.
-struct Work {
+pub(super) struct Work {
     /// Of the solutions, to tell equal ones.
     marks: [f64; CAPACITY],
     /// The nearest miss, m and rad.
     best: [f64; 2],
 }
 
-/// How many poses beside the given one are tried for branches that are missing.
-const NEARBY: usize = 24;
+/// Newton's steps: at a double root each only halves what is left.
+const STEPS: usize = 40;
 
 /// What is left of a pose below this is rounding, m and rad.
 const EXACT: f64 = 1e-13;
@@ -111,6 +111,9 @@ impl<const N: usize> Arm<N> {
         let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
         let mut all: Candidates<N> = Candidates::new();
         let second_plane = self.candidates(&g, query, query.redundancy, &near, &mut all);
+        if all.in_doubt() {
+            self.settle(&g, query, &near, &mut all);
+        }
         // Of a family of postures, the member nearest to the one that was named; and that one itself where it is there already.
         let mut member = None;
         if query.near.is_some() && all.len > 0 {
@@ -135,7 +138,7 @@ impl<const N: usize> Arm<N> {
         let mut work = Work { marks: [0.0; CAPACITY], best: [f64::INFINITY; 2] };
         self.finish(&g, query, &all, member.map(|place| (place, near)), &mut solutions, &mut work);
         if !self.exact {
-            self.search_nearby(&g, query, &near, all.len, &mut solutions, &mut work);
+            self.search_nearby(&g, query, &near, &all, &mut solutions, &mut work);
         }
         conclude(query, &work, &mut solutions);
         Ok(solutions)
@@ -143,7 +146,7 @@ impl<const N: usize> Arm<N> {
 
     /// What the closed form gives at a redundancy; true: counted from the second plane.
     #[inline]
-    fn candidates(
+    pub(super) fn candidates(
         &self,
         g: &Displacement,
         query: &Query<'_, N>,
@@ -178,7 +181,11 @@ impl<const N: usize> Arm<N> {
                         put(&mut values, *j, v);
                     }
                     put(&mut values, plane.lift.map(|(_, j, _)| j), f.lift);
-                    all.push_all(&values, slides, f.branch, 0);
+                    let mut free = super::candidates::in_doubt(f.free);
+                    for (k, j) in plane.joints.iter().enumerate() {
+                        free |= j.map_or(0, |j| u32::from(f.free >> k & 1) << (j & 15));
+                    }
+                    all.push_all(&values, slides, f.branch, free);
                 }
             }
             Family::Slides => {
@@ -280,7 +287,11 @@ impl<const N: usize> Arm<N> {
                     }
                     found.within_limits = found.margin >= -1e-9;
                     self.keep(out, work, found, mark);
-                } else if p2 <= nearly * nearly && r2 <= nearly * nearly {
+                    continue;
+                }
+                // What rounding does grows with each singularity.
+                let nearly = if free == 0 { nearly } else { nearly.max(1e-3) };
+                if p2 <= nearly * nearly && r2 <= nearly * nearly {
                     self.refine(g, query, all.values(place, slides), (branch, free), out, work);
                 } else {
                     // No posture, or one of the joints that were added: looked at only where nothing else is found.
@@ -307,7 +318,7 @@ impl<const N: usize> Arm<N> {
     /// One candidate by Newton's steps.
     #[cold]
     #[inline(never)]
-    fn refine(
+    pub(super) fn refine(
         &self,
         g: &Displacement,
         query: &Query<'_, N>,
@@ -320,30 +331,30 @@ impl<const N: usize> Arm<N> {
             // What meets no circle is not always of length one.
             v.turn = super::vector::Turn::along(v.turn.c, v.turn.s).0;
         }
+        let start = values;
         let mut e = remainder(self, g, &values);
         let [p, r] = sizes(&e);
-        if p.max(r) > EXACT {
-            let steps = if self.exact { 8 } else { 40 };
-            e = match (&self.family, self.exact) {
-                (Family::Locked { joint, .. }, _) => self.held(usize::from(*joint)).polished(g, &mut values, steps),
-                (Family::Swivel(swivel), false) => {
-                    let hold = |v: &[Value; N]| {
-                        let seven = core::array::from_fn(|i| v.get(i).copied().unwrap_or(Value::ZERO));
-                        wrapped(swivel.angle(&seven, &query.reference).0 - query.redundancy)
-                    };
-                    polish(self, g, &mut values, Some(&hold), steps)
+        if p.max(r) > EXACT || !self.exact {
+            e = polish(self, g, query, &mut values, STEPS);
+            if let Family::Locked { joint, .. } = self.family {
+                // Its own value to the last digit.
+                let lock = usize::from(joint);
+                if let (Some(place), Some(kept)) = (values.get_mut(lock), start.get(lock)) {
+                    *place = *kept;
                 }
-                _ => polish(self, g, &mut values, None, steps),
-            };
+                e = remainder(self, g, &values);
+            }
         }
         let [p, r] = sizes(&e);
         if p + r < work.best[0] + work.best[1] {
             work.best = [p, r];
         }
-        if !(p <= query.tolerance && r <= query.tolerance) {
+        if !(p <= query.tolerance && r <= query.tolerance && self.keeps(query, &values)) {
             out.lost += 1;
             return;
         }
+        let own = self.freedom(g, query, &values);
+        let free = if self.exact { free | own } else { own };
         let mut found = Solution {
             q: polish::positions(self, &values),
             branch,
@@ -373,11 +384,15 @@ impl<const N: usize> Arm<N> {
         let same = |s: &Solution<N>| {
             (0..N).all(|i| (s.q[i] - found.q[i]).abs() < 1e-10 || self.full_turn(i, s.q[i] - found.q[i]))
         };
-        if out.list.iter().zip(work.marks.iter()).any(|(s, m)| (m - mark).abs() < 1e-7 && same(s)) {
-            return;
-        }
         if found.free != 0 {
             out.status = Status::Singular;
+        }
+        let twin = out.list.iter().zip(work.marks.iter()).position(|(s, m)| (m - mark).abs() < 1e-7 && same(s));
+        if let Some(twin) = twin {
+            if let Some(twin) = out.list.as_mut_slice().get_mut(twin) {
+                twin.free |= found.free;
+            }
+            return;
         }
         if let Some(place) = work.marks.get_mut(out.list.len()) {
             *place = mark;
@@ -385,82 +400,57 @@ impl<const N: usize> Arm<N> {
         out.list.push(found);
     }
 
-    /// An arm that is only nearly of its family: near a singularity the nominal postures lie too far from the real ones, and two may
-    /// run into one. While branches are missing, the nominal arm is asked beside the pose and beside the redundancy, and what it
-    /// says is refined to the pose itself. What is still missing is counted as lost.
-    fn search_nearby(
-        &self,
-        g: &Displacement,
-        query: &Query<'_, N>,
-        near: &[Value; N],
-        wanted: usize,
-        out: &mut Solutions<N>,
-        work: &mut Work,
-    ) {
-        let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
-        let size = self.axes.iter().fold(norm(self.home.shift), |m, a| m.max(norm(a.c)));
-        let mut state = 0x9E37_79B9_7F4A_7C15u64;
-        let mut random = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-        };
-        for k in 0..NEARBY {
-            if out.list.len() >= wanted {
-                break;
-            }
-            // Near ones first.
-            let reach = (k + 1) as f64 / NEARBY as f64;
-            let axis = unit([random(), random(), random()]);
-            let way = [random(), random(), random()].map(|x| 0.04 * size * reach * x);
-            let ([s], [c]) = f64::sin_cos_all(&[0.5 * reach * random()]);
-            let turn =
-                Axis { slides: false, h: axis, c: g.shift }.displacement(Value::turn(super::vector::Turn { c, s }));
-            let mut beside = turn.after(g);
-            beside.shift = super::vector::add(beside.shift, way);
-            let mut all: Candidates<N> = Candidates::new();
-            let redundancy = query.redundancy + reach * random();
-            // A locked joint stays where it is asked to be.
-            let redundancy = if matches!(self.family, Family::Swivel(_)) { redundancy } else { query.redundancy };
-            self.candidates(&beside, query, redundancy, near, &mut all);
-            for place in 0..all.len {
-                let kind = all.kind(place);
-                self.refine(g, query, all.values(place, slides), kind, out, work);
-            }
-        }
-        out.lost = (wanted as u32).saturating_sub(out.list.len() as u32);
-    }
-
     fn full_turn(&self, joint: usize, difference: f64) -> bool {
         !self.axes[joint].slides && wrapped(difference).abs() < 1e-10
     }
 
-    /// The arm with one joint held: it turns about nothing.
-    fn held(&self, joint: usize) -> Held<'_, N> {
-        Held { arm: self, joint }
-    }
-}
-
-/// Polishing with one joint left alone.
-struct Held<'a, const N: usize> {
-    arm: &'a Arm<N>,
-    joint: usize,
-}
-
-impl<const N: usize> Held<'_, N> {
-    fn polished(&self, g: &Displacement, v: &mut [Value; N], steps: usize) -> polish::Twist {
-        // A stiff further equation: the joint stays where it is.
-        let start = v.get(self.joint).copied().unwrap_or(Value::ZERO);
-        let slides = self.arm.axes.get(self.joint).is_some_and(|a| a.slides);
-        let hold = |v: &[Value; N]| {
-            let here = v.get(self.joint).copied().unwrap_or(Value::ZERO);
-            let back = here.turn.then(start.turn.back());
-            if slides { here.way - start.way } else { super::real::angle(back.s, back.c) }
-        };
-        polish(self.arm, g, v, Some(&hold), steps);
-        if let Some(place) = v.get_mut(self.joint) {
-            *place = start;
+    /// Does the arm keep a redundancy while it is refined? An exact swivel arm is not led away from its angle.
+    pub(super) fn holds(&self) -> bool {
+        match self.family {
+            Family::Locked { .. } => true,
+            Family::Swivel(_) => !self.exact,
+            _ => false,
         }
-        remainder(self.arm, g, v)
+    }
+
+    /// What is left to the redundancy that is kept, and how fast the joints bring it there; zeros where none is kept.
+    pub(super) fn held(&self, query: &Query<'_, N>, v: &[Value; N]) -> (f64, [f64; N]) {
+        if self.holds() { self.kept(query, v) } else { (0.0, [0.0; N]) }
+    }
+
+    /// The same of every redundant arm.
+    pub(super) fn kept(&self, query: &Query<'_, N>, v: &[Value; N]) -> (f64, [f64; N]) {
+        let mut row = [0.0; N];
+        match &self.family {
+            Family::Locked { joint, .. } => {
+                let lock = usize::from(*joint);
+                let here = v.get(lock).copied().unwrap_or(Value::ZERO);
+                if let Some(place) = row.get_mut(lock) {
+                    *place = 1.0;
+                }
+                let slides = self.axes.get(lock).is_some_and(|a| a.slides);
+                let at = if slides { here.way } else { super::real::angle(here.turn.s, here.turn.c) };
+                (if slides { query.redundancy - at } else { wrapped(query.redundancy - at) }, row)
+            }
+            Family::Swivel(swivel) => {
+                let seven = core::array::from_fn(|i| v.get(i).copied().unwrap_or(Value::ZERO));
+                let (left, rates) = swivel.left(&seven, &query.reference, query.redundancy);
+                for (place, rate) in row.iter_mut().zip(rates) {
+                    *place = rate;
+                }
+                (left, row)
+            }
+            _ => (0.0, row),
+        }
+    }
+
+    /// Is the redundancy the one that was asked for? The equation does not tell half turns of a swivel angle.
+    fn keeps(&self, query: &Query<'_, N>, v: &[Value; N]) -> bool {
+        let Family::Swivel(swivel) = &self.family else { return true };
+        let seven = core::array::from_fn(|i| v.get(i).copied().unwrap_or(Value::ZERO));
+        self.exact
+            || wrapped(swivel.angle(&seven, &query.reference).0 - query.redundancy).abs() < 1e-6
+            || swivel.left(&seven, &query.reference, query.redundancy).0.abs() < 1e-6 && swivel.straight(&seven)
     }
 }
 

@@ -108,17 +108,25 @@ pub(super) fn roots(a: &[f64; 5]) -> List<f64, 4> {
         // q = 0: a quadratic in y y.
         for sign in [1.0, -1.0] {
             let z = -p / 2.0 + sign * root((p * p / 4.0 - r).max(0.0));
-            if z > -1e-6 * scale {
+            if z > -1e-5 * scale {
                 found.push(root(z) - h);
                 found.push(-root(z) - h);
             }
         }
     } else {
+        // y y - sign s y + (p/2 + m + sign half) = 0: half the difference of the constants is q/(2 s), and the constants' product is r,
+        // which tells it where s is small.
+        let half = if m > 1e-4 * scale {
+            q / (2.0 * s)
+        } else {
+            let middle = p / 2.0 + m;
+            let sign = if q < 0.0 { -1.0 } else { 1.0 };
+            sign * root(middle * middle - r)
+        };
         for sign in [1.0, -1.0] {
-            // y y - sign s y + (p/2 + m + sign q/(2 s)) = 0
-            let constant = p / 2.0 + m + sign * q / (2.0 * s);
+            let constant = p / 2.0 + m + sign * half;
             let disc = s * s / 4.0 - constant;
-            if disc > -1e-6 * scale {
+            if disc > -1e-5 * scale {
                 let w = root(disc);
                 found.push(sign * s / 2.0 + w - h);
                 found.push(sign * s / 2.0 - w - h);

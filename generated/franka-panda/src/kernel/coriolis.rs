@@ -2,7 +2,7 @@
 //!
 //! N m, from the base parameters; no gravity, no friction.
 //!
-//! 288 multiplications, 269 additions; 7, 7 of 7 structurally nonzero.
+//! 287 multiplications, 260 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -22,7 +22,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [
-        _, _, _, XX2R, ZZ2R, XY2, XZ2, YZ2, MSX3R, MSY3R, XX3R, ZZ3R,
+        _, _, _, XX2R, _, XY2, XZ2, YZ2, MSX3R, MSY3R, XX3R, ZZ3R,
         XY3R, XZ3, YZ3, MSX4R, MSY4R, XX4R, ZZ4R, XY4R, XZ4, YZ4, MSX5, MSY5R,
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6R, MSY6R, XX6R, ZZ6R, XY6R, XZ6, YZ6,
         MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
@@ -37,303 +37,297 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         t0
     };
     // link 2: motion
-    let [
-        t1, t2, t5, dw2_y, t7, t8, t9, t10,
-        t11, t12,
-    ] = {
+    let [t1, t2, t4, t5, dw2_y, t8, t9] = {
         let t1 = s2 * dq1;
         let t2 = c2 * dq1;
-        let t3 = t1 * t1;
         let t4 = dq2 * dq2;
         let t5 = t1 * t2;
         let dw2_y = dq2 * t1;
         let t7 = dq2 * t2;
-        let t8 = t3 - t4;
-        let t9 = t8 - t0;
-        let t10 = t3 + t4;
-        let t11 = dw2_y + dw2_y;
-        let t12 = t7 + t7;
-        [
-        t1, t2, t5, dw2_y, t7, t8, t9, t10,
-        t11, t12,
-    ]
+        let t8 = t1 * t1 + t4;
+        let t9 = t7 + t7;
+        [t1, t2, t4, t5, dw2_y, t8, t9]
     };
     // link 3: motion
     let [
-        w3_x, w3_y, t20, a3_x, a3_y, t30, t33, w3_z,
-        t37, t38, t39, dw3_x, dw3_y, t42, t43, t44,
-        t45, t46, t47, t48,
+        t11, a3_x, a3_y, w3_x, w3_y, t27, t30, w3_z,
+        t34, t35, t36, dw3_x, dw3_y, t39, t40, t41,
+        t42, t43, t44, t45,
     ] = {
+        let t10 = L2 * t5;
+        let t11 = L2 * t8;
+        let t12 = L2 * t9;
+        let a3_x = s3 * t12 - c3 * t10;
+        let a3_y = c3 * t12 + s3 * t10;
         let w3_x = s3 * dq2 - c3 * t1;
         let w3_y = c3 * dq2 + s3 * t1;
-        let t19 = L2 * t5;
-        let t20 = L2 * t10;
-        let t21 = L2 * t12;
-        let a3_x = s3 * t21 - c3 * t19;
-        let a3_y = c3 * t21 + s3 * t19;
-        let t30 = s3 * t12 - c3 * t5;
-        let t33 = c3 * t12 + s3 * t5;
+        let t27 = s3 * t9 - c3 * t5;
+        let t30 = c3 * t9 + s3 * t5;
         let w3_z = t2 + dq3;
-        let t35 = w3_x * w3_x;
-        let t36 = w3_z * w3_z;
-        let t37 = w3_x * w3_y;
-        let t38 = w3_x * w3_z;
-        let t39 = w3_y * w3_z;
-        let dw3_x = t39 - t33;
-        let dw3_y = t30 - t38;
-        let t42 = t35 - t36;
-        let t43 = t42 - t10;
-        let t44 = dw2_y + t37;
-        let t45 = t37 - dw2_y;
-        let t46 = t35 + t36;
-        let t47 = t38 - dw3_y;
-        let t48 = t39 + dw3_x;
+        let t32 = w3_x * w3_x;
+        let t33 = w3_z * w3_z;
+        let t34 = w3_x * w3_y;
+        let t35 = w3_x * w3_z;
+        let t36 = w3_y * w3_z;
+        let dw3_x = t36 - t30;
+        let dw3_y = t27 - t35;
+        let t39 = t32 - t33;
+        let t40 = t39 - t8;
+        let t41 = dw2_y + t34;
+        let t42 = t34 - dw2_y;
+        let t43 = t32 + t33;
+        let t44 = t35 - dw3_y;
+        let t45 = t36 + dw3_x;
         [
-        w3_x, w3_y, t20, a3_x, a3_y, t30, t33, w3_z,
-        t37, t38, t39, dw3_x, dw3_y, t42, t43, t44,
-        t45, t46, t47, t48,
+        t11, a3_x, a3_y, w3_x, w3_y, t27, t30, w3_z,
+        t34, t35, t36, dw3_x, dw3_y, t39, t40, t41,
+        t42, t43, t44, t45,
     ]
     };
     // link 4: motion
     let [
-        w4_x, w4_y, t59, a4_x, a4_y, t69, t72, w4_z,
-        t76, t77, t78, dw4_x, t80, t81, t82, t83,
-        t84, t85, t86, t87,
+        t50, a4_x, a4_y, w4_x, w4_y, t66, t69, w4_z,
+        t73, t74, t75, dw4_x, t77, t78, t79, t80,
+        t81, t82, t83, t84,
     ] = {
+        let t49 = a3_x + A * t40;
+        let t50 = a3_y + A * t42;
+        let t51 = A * t44 - t11;
+        let a4_x = c4 * t49 + s4 * t51;
+        let a4_y = c4 * t51 - s4 * t49;
         let w4_x = c4 * w3_x + s4 * w3_z;
         let w4_y = c4 * w3_z - s4 * w3_x;
-        let t58 = a3_x + A * t43;
-        let t59 = a3_y + A * t45;
-        let t60 = A * t47 - t20;
-        let a4_x = c4 * t58 + s4 * t60;
-        let a4_y = c4 * t60 - s4 * t58;
-        let t69 = c4 * t44 + s4 * t48;
-        let t72 = s4 * t44 - c4 * t48;
+        let t66 = c4 * t41 + s4 * t45;
+        let t69 = s4 * t41 - c4 * t45;
         let w4_z = dq4 - w3_y;
-        let t74 = w4_x * w4_x;
-        let t75 = w4_z * w4_z;
-        let t76 = w4_x * w4_y;
-        let t77 = w4_x * w4_z;
-        let t78 = w4_y * w4_z;
-        let dw4_x = t78 - t72;
-        let t80 = t69 + t77;
-        let t81 = t74 - t75;
-        let t82 = t81 - t46;
-        let t83 = dw3_y + t76;
-        let t84 = t76 - dw3_y;
-        let t85 = t74 + t75;
-        let t86 = t77 + t80;
-        let t87 = t78 + dw4_x;
+        let t71 = w4_x * w4_x;
+        let t72 = w4_z * w4_z;
+        let t73 = w4_x * w4_y;
+        let t74 = w4_x * w4_z;
+        let t75 = w4_y * w4_z;
+        let dw4_x = t75 - t69;
+        let t77 = t66 + t74;
+        let t78 = t71 - t72;
+        let t79 = t78 - t43;
+        let t80 = dw3_y + t73;
+        let t81 = t73 - dw3_y;
+        let t82 = t71 + t72;
+        let t83 = t74 + t77;
+        let t84 = t75 + dw4_x;
         [
-        w4_x, w4_y, t59, a4_x, a4_y, t69, t72, w4_z,
-        t76, t77, t78, dw4_x, t80, t81, t82, t83,
-        t84, t85, t86, t87,
+        t50, a4_x, a4_y, w4_x, w4_y, t66, t69, w4_z,
+        t73, t74, t75, dw4_x, t77, t78, t79, t80,
+        t81, t82, t83, t84,
     ]
     };
     // link 5: motion
     let [
-        w5_x, t93, a5_z, a5_x, a6_z, t114, t117, w5_z,
-        t121, t122, t123, dw5_x, dw5_y, t126, t127, t128,
-        t129, t130, t131, t132,
+        a5_z, a5_x, a6_z, w5_x, t108, t111, t114, w5_z,
+        t118, t119, t120, dw5_x, dw5_y, t123, t124, t125,
+        t126, t127, t128, t129,
     ] = {
+        let t94 = a4_x + (L3 * t80 - A * t79);
+        let a5_z = a4_y - (A * t81 + L3 * t82);
+        let t96 = L3 * t84 - A * t83 - t50;
+        let a5_x = c5 * t94 - s5 * t96;
+        let a6_z = c5 * t96 + s5 * t94;
         let w5_x = c5 * w4_x - s5 * w4_z;
-        let t93 = c5 * w4_z + s5 * w4_x;
-        let t103 = a4_x + (L3 * t83 - A * t82);
-        let a5_z = a4_y - (A * t84 + L3 * t85);
-        let t105 = L3 * t87 - A * t86 - t59;
-        let a5_x = c5 * t103 - s5 * t105;
-        let a6_z = c5 * t105 + s5 * t103;
-        let t114 = c5 * t83 - s5 * t87;
-        let t117 = c5 * t87 + s5 * t83;
+        let t108 = c5 * w4_z + s5 * w4_x;
+        let t111 = c5 * t80 - s5 * t84;
+        let t114 = c5 * t84 + s5 * t80;
         let w5_z = w4_y + dq5;
-        let t119 = w5_x * w5_x;
-        let t120 = w5_z * w5_z;
-        let t121 = w5_x * t93;
-        let t122 = w5_x * w5_z;
-        let t123 = t93 * w5_z;
-        let dw5_x = t117 - t123;
-        let dw5_y = t114 - t122;
-        let t126 = t119 - t120;
-        let t127 = t126 - t85;
-        let t128 = t80 - t121;
-        let t129 = t80 + t121;
-        let t130 = t119 + t120;
-        let t131 = t122 - dw5_y;
-        let t132 = dw5_x - t123;
+        let t116 = w5_x * w5_x;
+        let t117 = w5_z * w5_z;
+        let t118 = w5_x * t108;
+        let t119 = w5_x * w5_z;
+        let t120 = t108 * w5_z;
+        let dw5_x = t114 - t120;
+        let dw5_y = t111 - t119;
+        let t123 = t116 - t117;
+        let t124 = t123 - t82;
+        let t125 = t77 - t118;
+        let t126 = t77 + t118;
+        let t127 = t116 + t117;
+        let t128 = t119 - dw5_y;
+        let t129 = dw5_x - t120;
         [
-        w5_x, t93, a5_z, a5_x, a6_z, t114, t117, w5_z,
-        t121, t122, t123, dw5_x, dw5_y, t126, t127, t128,
-        t129, t130, t131, t132,
+        a5_z, a5_x, a6_z, w5_x, t108, t111, t114, w5_z,
+        t118, t119, t120, dw5_x, dw5_y, t123, t124, t125,
+        t126, t127, t128, t129,
     ]
     };
     // link 6: motion
     let [
-        w6_x, w6_y, a6_x, a6_y, t147, t150, w6_z, t154,
-        t155, t156, dw6_x, dw7_z, t159, t160, t161, t162,
-        t163, t164, t165,
+        a6_x, a6_y, w6_x, w6_y, t144, t147, w6_z, t151,
+        t152, t153, dw6_x, dw7_z, t156, t157, t158, t159,
+        t160, t161, t162,
     ] = {
-        let w6_x = c6 * w5_x + s6 * w5_z;
-        let w6_y = c6 * w5_z - s6 * w5_x;
         let a6_x = c6 * a5_x + s6 * a5_z;
         let a6_y = c6 * a5_z - s6 * a5_x;
-        let t147 = c6 * t128 + s6 * t132;
-        let t150 = s6 * t128 - c6 * t132;
-        let w6_z = t93 + dq6;
-        let t152 = w6_x * w6_x;
-        let t153 = w6_z * w6_z;
-        let t154 = w6_x * w6_y;
-        let t155 = w6_x * w6_z;
-        let t156 = w6_y * w6_z;
-        let dw6_x = t156 - t150;
-        let dw7_z = t147 + t155;
-        let t159 = t152 - t153;
-        let t160 = t159 - t130;
-        let t161 = dw5_y + t154;
-        let t162 = t154 - dw5_y;
-        let t163 = t152 + t153;
-        let t164 = t155 + dw7_z;
-        let t165 = t156 + dw6_x;
+        let w6_x = c6 * w5_x + s6 * w5_z;
+        let w6_y = c6 * w5_z - s6 * w5_x;
+        let t144 = c6 * t125 + s6 * t129;
+        let t147 = s6 * t125 - c6 * t129;
+        let w6_z = t108 + dq6;
+        let t149 = w6_x * w6_x;
+        let t150 = w6_z * w6_z;
+        let t151 = w6_x * w6_y;
+        let t152 = w6_x * w6_z;
+        let t153 = w6_y * w6_z;
+        let dw6_x = t153 - t147;
+        let dw7_z = t144 + t152;
+        let t156 = t149 - t150;
+        let t157 = t156 - t127;
+        let t158 = dw5_y + t151;
+        let t159 = t151 - dw5_y;
+        let t160 = t149 + t150;
+        let t161 = t152 + dw7_z;
+        let t162 = t153 + dw6_x;
         [
-        w6_x, w6_y, a6_x, a6_y, t147, t150, w6_z, t154,
-        t155, t156, dw6_x, dw7_z, t159, t160, t161, t162,
-        t163, t164, t165,
+        a6_x, a6_y, w6_x, w6_y, t144, t147, w6_z, t151,
+        t152, t153, dw6_x, dw7_z, t156, t157, t158, t159,
+        t160, t161, t162,
     ]
     };
     // link 7: motion
     let [
-        t176, a7_x, a7_y, t186, t189, t193, t194, t195,
-        dw7_x, t198, t199, t200, t201, t202, t203, t204,
+        t167, a7_x, a7_y, t183, t186, t190, t191, t192,
+        dw7_x, t195, t196, t197, t198, t199, t200, t201,
     ] = {
+        let t166 = a6_x + k3 * t157;
+        let t167 = a6_y + k3 * t159;
+        let t168 = a6_z + k3 * t161;
+        let a7_x = c7 * t166 + s7 * t168;
+        let a7_y = c7 * t168 - s7 * t166;
         let w7_x = c7 * w6_x + s7 * w6_z;
         let w7_y = c7 * w6_z - s7 * w6_x;
-        let t175 = a6_x + k3 * t160;
-        let t176 = a6_y + k3 * t162;
-        let t177 = a6_z + k3 * t164;
-        let a7_x = c7 * t175 + s7 * t177;
-        let a7_y = c7 * t177 - s7 * t175;
-        let t186 = c7 * t161 + s7 * t165;
-        let t189 = s7 * t161 - c7 * t165;
+        let t183 = c7 * t158 + s7 * t162;
+        let t186 = s7 * t158 - c7 * t162;
         let w7_z = dq7 - w6_y;
-        let t191 = w7_x * w7_x;
-        let t192 = w7_z * w7_z;
-        let t193 = w7_x * w7_y;
-        let t194 = w7_x * w7_z;
-        let t195 = w7_y * w7_z;
-        let dw7_x = t195 - t189;
-        let t198 = t191 - t192;
-        let t199 = t198 - t163;
-        let t200 = t193 - dw7_z;
-        let t201 = dw7_z + t193;
-        let t202 = t191 + t192;
-        let t203 = t194 + (t186 + t194);
-        let t204 = t195 + dw7_x;
+        let t188 = w7_x * w7_x;
+        let t189 = w7_z * w7_z;
+        let t190 = w7_x * w7_y;
+        let t191 = w7_x * w7_z;
+        let t192 = w7_y * w7_z;
+        let dw7_x = t192 - t186;
+        let t195 = t188 - t189;
+        let t196 = t195 - t160;
+        let t197 = t190 - dw7_z;
+        let t198 = dw7_z + t190;
+        let t199 = t188 + t189;
+        let t200 = t191 + (t183 + t191);
+        let t201 = t192 + dw7_x;
         [
-        t176, a7_x, a7_y, t186, t189, t193, t194, t195,
-        dw7_x, t198, t199, t200, t201, t202, t203, t204,
+        t167, a7_x, a7_y, t183, t186, t190, t191, t192,
+        dw7_x, t195, t196, t197, t198, t199, t200, t201,
     ]
     };
     // link 7: force and moment
-    let [f7_z, t252, t255, t258, t264, t265] = {
-        let t225 = ZZ7 * dw7_z - XX7R * t193 + XY7 * (t199 + t202) - XZ7 * t189;
-        let t227 = YZ7 * (t163 - t202);
-        let t230 = ZZ7 * t195 + XX7R * dw7_x - XY7 * t203 + XZ7 * t201 + t227;
-        let t231 = t194 * (XX7R - ZZ7) + XY7 * t204 - XZ7 * t198 - YZ7 * t200;
-        let f7_x = MSX7 * t199 + MSY7 * t200;
-        let f7_y = MSX7 * t201 - MSY7 * t202;
-        let f7_z = MSX7 * t203 + MSY7 * t204;
-        let n7_x = t230 - MSY7 * t176;
-        let n7_y = t231 + MSX7 * t176;
-        let n7_z = t225 - YZ7 * t186 + (MSX7 * a7_y - MSY7 * a7_x);
-        let t252 = c7 * f7_x - s7 * f7_y;
-        let t255 = s7 * f7_x + c7 * f7_y;
-        let t258 = c7 * n7_x - s7 * n7_y;
-        let t264 = s7 * n7_x + c7 * n7_y - k3 * f7_z;
-        let t265 = n7_z + k3 * t255;
+    let [f7_z, t249, t252, t255, t261, t262] = {
+        let t222 = ZZ7 * dw7_z - XX7R * t190 + XY7 * (t196 + t199) - XZ7 * t186;
+        let t224 = YZ7 * (t160 - t199);
+        let t227 = ZZ7 * t192 + XX7R * dw7_x - XY7 * t200 + XZ7 * t198 + t224;
+        let t228 = t191 * (XX7R - ZZ7) + XY7 * t201 - XZ7 * t195 - YZ7 * t197;
+        let f7_x = MSX7 * t196 + MSY7 * t197;
+        let f7_y = MSX7 * t198 - MSY7 * t199;
+        let f7_z = MSX7 * t200 + MSY7 * t201;
+        let n7_x = t227 - MSY7 * t167;
+        let n7_y = t228 + MSX7 * t167;
+        let n7_z = t222 - YZ7 * t183 + (MSX7 * a7_y - MSY7 * a7_x);
+        let t249 = c7 * f7_x - s7 * f7_y;
+        let t252 = s7 * f7_x + c7 * f7_y;
+        let t255 = c7 * n7_x - s7 * n7_y;
+        let t261 = s7 * n7_x + c7 * n7_y - k3 * f7_z;
+        let t262 = n7_z + k3 * t252;
         put(6, n7_z);
-        [f7_z, t252, t255, t258, t264, t265]
+        [f7_z, t249, t252, t255, t261, t262]
     };
     // link 6: force and moment
-    let [f6_z, n6_z, t319, t322, t325, t328] = {
-        let t286 = XY6R * (t160 + t163) - (XX6R * t154 + ZZ6R * dw5_y) - XZ6 * t150;
-        let t288 = YZ6 * (t130 - t163);
-        let t291 = ZZ6R * t156 + XX6R * dw6_x - XY6R * t164 + XZ6 * t162 + t288;
-        let t292 = t155 * (XX6R - ZZ6R) + XY6R * t165 - XZ6 * t159 - YZ6 * t161;
-        let f6_x = t252 + (MSX6R * t160 + MSY6R * t161);
-        let f6_y = MSX6R * t162 - MSY6R * t163 - f7_z;
-        let f6_z = t255 + (MSX6R * t164 + MSY6R * t165);
-        let n6_x = t258 + (t291 + MSY6R * a6_z);
-        let n6_y = t292 - MSX6R * a6_z - t265;
-        let n6_z = t264 + (t286 - YZ6 * t147 + (MSX6R * a6_y - MSY6R * a6_x));
-        let t319 = c6 * f6_x - s6 * f6_y;
-        let t322 = s6 * f6_x + c6 * f6_y;
-        let t325 = c6 * n6_x - s6 * n6_y;
-        let t328 = s6 * n6_x + c6 * n6_y;
+    let [f6_z, n6_z, t316, t319, t322, t325] = {
+        let t283 = XY6R * (t157 + t160) - (XX6R * t151 + ZZ6R * dw5_y) - XZ6 * t147;
+        let t285 = YZ6 * (t127 - t160);
+        let t288 = ZZ6R * t153 + XX6R * dw6_x - XY6R * t161 + XZ6 * t159 + t285;
+        let t289 = t152 * (XX6R - ZZ6R) + XY6R * t162 - XZ6 * t156 - YZ6 * t158;
+        let f6_x = t249 + (MSX6R * t157 + MSY6R * t158);
+        let f6_y = MSX6R * t159 - MSY6R * t160 - f7_z;
+        let f6_z = t252 + (MSX6R * t161 + MSY6R * t162);
+        let n6_x = t255 + (t288 + MSY6R * a6_z);
+        let n6_y = t289 - MSX6R * a6_z - t262;
+        let n6_z = t261 + (t283 - YZ6 * t144 + (MSX6R * a6_y - MSY6R * a6_x));
+        let t316 = c6 * f6_x - s6 * f6_y;
+        let t319 = s6 * f6_x + c6 * f6_y;
+        let t322 = c6 * n6_x - s6 * n6_y;
+        let t325 = s6 * n6_x + c6 * n6_y;
         put(5, n6_z);
-        [f6_z, n6_z, t319, t322, t325, t328]
+        [f6_z, n6_z, t316, t319, t322, t325]
     };
     // link 5: force and moment
-    let [f5_z, t382, t385, t397, t398, t399] = {
-        let t349 = XX5R * t121 - ZZ5R * t80 + XY5 * (t127 + t130) + XZ5 * t117;
-        let t351 = YZ5 * (t85 - t130);
-        let t354 = XX5R * dw5_x - ZZ5R * t123 - XY5 * t131 - XZ5 * t129 + t351;
-        let t355 = t122 * (XX5R - ZZ5R) + XY5 * t132 - XZ5 * t126 - YZ5 * t128;
-        let f5_x = t319 + (MSX5 * t127 + MSY5R * t128);
-        let t375 = f6_z + (MSX5 * t129 + MSY5R * t130);
-        let f5_z = t322 + (MSX5 * t131 + MSY5R * t132);
-        let n5_x = t325 + (t354 + MSY5R * a5_z);
-        let n5_y = t355 - MSX5 * a5_z - n6_z;
-        let n5_z = t328 + (t349 + YZ5 * t114 - (MSX5 * a6_z + MSY5R * a5_x));
-        let t382 = c5 * f5_x + s5 * t375;
-        let t385 = s5 * f5_x - c5 * t375;
-        let t397 = c5 * n5_x - s5 * n5_y - L3 * t385;
-        let t398 = s5 * n5_x + c5 * n5_y + (L3 * t382 + A * f5_z);
-        let t399 = n5_z - A * t385;
+    let [f5_z, t379, t382, t394, t395, t396] = {
+        let t346 = XX5R * t118 - ZZ5R * t77 + XY5 * (t124 + t127) + XZ5 * t114;
+        let t348 = YZ5 * (t82 - t127);
+        let t351 = XX5R * dw5_x - ZZ5R * t120 - XY5 * t128 - XZ5 * t126 + t348;
+        let t352 = t119 * (XX5R - ZZ5R) + XY5 * t129 - XZ5 * t123 - YZ5 * t125;
+        let f5_x = t316 + (MSX5 * t124 + MSY5R * t125);
+        let t372 = f6_z + (MSX5 * t126 + MSY5R * t127);
+        let f5_z = t319 + (MSX5 * t128 + MSY5R * t129);
+        let n5_x = t322 + (t351 + MSY5R * a5_z);
+        let n5_y = t352 - MSX5 * a5_z - n6_z;
+        let n5_z = t325 + (t346 + YZ5 * t111 - (MSX5 * a6_z + MSY5R * a5_x));
+        let t379 = c5 * f5_x + s5 * t372;
+        let t382 = s5 * f5_x - c5 * t372;
+        let t394 = c5 * n5_x - s5 * n5_y - L3 * t382;
+        let t395 = s5 * n5_x + c5 * n5_y + (L3 * t379 + A * f5_z);
+        let t396 = n5_z - A * t382;
         put(4, n5_z);
-        [f5_z, t382, t385, t397, t398, t399]
+        [f5_z, t379, t382, t394, t395, t396]
     };
     // link 4: force and moment
-    let [f4_z, t453, t459, t465, t466] = {
-        let t420 = XY4R * (t82 + t85) - (XX4R * t76 + ZZ4R * dw3_y) - XZ4 * t72;
-        let t422 = YZ4 * (t46 - t85);
-        let t425 = ZZ4R * t78 + XX4R * dw4_x - XY4R * t86 + XZ4 * t84 + t422;
-        let t426 = t77 * (XX4R - ZZ4R) + XY4R * t87 - XZ4 * t81 - YZ4 * t83;
-        let f4_x = t382 + (MSX4R * t82 + MSY4R * t83);
-        let f4_y = f5_z + (MSX4R * t84 - MSY4R * t85);
-        let f4_z = MSX4R * t86 + MSY4R * t87 - t385;
-        let n4_x = t397 + (t425 - MSY4R * t59);
-        let n4_y = t399 + (t426 + MSX4R * t59);
-        let n4_z = t420 - YZ4 * t69 + (MSX4R * a4_y - MSY4R * a4_x) - t398;
-        let t453 = c4 * f4_x - s4 * f4_y;
-        let t459 = c4 * n4_x - s4 * n4_y;
-        let t465 = s4 * n4_x + c4 * n4_y - A * f4_z;
-        let t466 = n4_z + A * (s4 * f4_x + c4 * f4_y);
+    let [f4_z, t450, t456, t462, t463] = {
+        let t417 = XY4R * (t79 + t82) - (XX4R * t73 + ZZ4R * dw3_y) - XZ4 * t69;
+        let t419 = YZ4 * (t43 - t82);
+        let t422 = ZZ4R * t75 + XX4R * dw4_x - XY4R * t83 + XZ4 * t81 + t419;
+        let t423 = t74 * (XX4R - ZZ4R) + XY4R * t84 - XZ4 * t78 - YZ4 * t80;
+        let f4_x = t379 + (MSX4R * t79 + MSY4R * t80);
+        let f4_y = f5_z + (MSX4R * t81 - MSY4R * t82);
+        let f4_z = MSX4R * t83 + MSY4R * t84 - t382;
+        let n4_x = t394 + (t422 - MSY4R * t50);
+        let n4_y = t396 + (t423 + MSX4R * t50);
+        let n4_z = t417 - YZ4 * t66 + (MSX4R * a4_y - MSY4R * a4_x) - t395;
+        let t450 = c4 * f4_x - s4 * f4_y;
+        let t456 = c4 * n4_x - s4 * n4_y;
+        let t462 = s4 * n4_x + c4 * n4_y - A * f4_z;
+        let t463 = n4_z + A * (s4 * f4_x + c4 * f4_y);
         put(3, n4_z);
-        [f4_z, t453, t459, t465, t466]
+        [f4_z, t450, t456, t462, t463]
     };
     // link 3: force and moment
-    let [n3_z, t528, t529] = {
-        let t487 = XY3R * (t43 + t46) - (XX3R * t37 + ZZ3R * dw2_y) - XZ3 * t33;
-        let t489 = YZ3 * (t10 - t46);
-        let t492 = ZZ3R * t39 + XX3R * dw3_x - XY3R * t47 + XZ3 * t45 + t489;
-        let t493 = t38 * (XX3R - ZZ3R) + XY3R * t48 - XZ3 * t42 - YZ3 * t44;
-        let f3_x = t453 + (MSX3R * t43 + MSY3R * t44);
-        let f3_y = MSX3R * t45 - MSY3R * t46 - f4_z;
-        let n3_x = t459 + (t492 - MSY3R * t20);
-        let n3_y = t493 + MSX3R * t20 - t466;
-        let n3_z = t465 + (t487 + YZ3 * t30 + (MSX3R * a3_y - MSY3R * a3_x));
-        let t528 = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
-        let t529 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
+    let [n3_z, n2_x, t526] = {
+        let t484 = XY3R * (t40 + t43) - (XX3R * t34 + ZZ3R * dw2_y) - XZ3 * t30;
+        let t486 = YZ3 * (t8 - t43);
+        let t489 = ZZ3R * t36 + XX3R * dw3_x - XY3R * t44 + XZ3 * t42 + t486;
+        let t490 = t35 * (XX3R - ZZ3R) + XY3R * t45 - XZ3 * t39 - YZ3 * t41;
+        let f3_x = t450 + (MSX3R * t40 + MSY3R * t41);
+        let f3_y = MSX3R * t42 - MSY3R * t43 - f4_z;
+        let n3_x = t456 + (t489 - MSY3R * t11);
+        let n3_y = t490 + MSX3R * t11 - t463;
+        let n3_z = t462 + (t484 + YZ3 * t27 + (MSX3R * a3_y - MSY3R * a3_x));
+        let n2_x = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
+        let t526 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
         put(2, n3_z);
-        [n3_z, t528, t529]
+        [n3_z, n2_x, t526]
     };
     // link 2: force and moment
-    {
-        let t547 = YZ2 * (t0 - t10);
-        let t550 = dw2_y * (XX2R - ZZ2R) + XY2 * t12 + XZ2 * t8 + YZ2 * t5;
-        let n2_x = t528 + (XY2 * t11 - t7 * (XX2R + ZZ2R) + XZ2 * t5 + t547);
-        let n2_z = t529 + (XY2 * (t9 + t10) - XX2R * t5);
-        let n1_z = c2 * (n3_z + t550) - s2 * n2_x;
-        put(0, n1_z);
+    let [t540, t545] = {
+        let t532 = c2 * (s2 * XX2R + c2 * (XY2 + XY2)) - XY2;
+        let t540 = (t532 + t532) * (dq1 * dq2) + t4 * (s2 * YZ2 - c2 * XZ2);
+        let n2_z = t526 - t0 * t532;
+        let t545 = s2 * n2_x - c2 * n3_z;
         put(1, n2_z);
+        [t540, t545]
+    };
+    // link 1: force and moment
+    {
+        let n1_z = t540 - t545;
+        put(0, n1_z);
     }
 }

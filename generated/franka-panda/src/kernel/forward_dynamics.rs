@@ -2,7 +2,7 @@
 //!
 //! `ddq = M^-1 (tau - C dq - g - friction)`, rad/s^2, from the base parameters; `M = L D L'` written out.
 //!
-//! 698 multiplications, 589 additions; 7, 7 of 7 structurally nonzero.
+//! 697 multiplications, 580 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -248,410 +248,409 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     };
     // link 2: motion
     let [
-        t414, t415, t416, t417, t420, dw2_y, t422, t423,
-        t424, t425, t426, t427,
+        t414, t415, t416, t417, t419, t420, dw2_y, t423,
+        t424,
     ] = {
-        let t414 = s2 * dq1;
-        let t415 = c2 * dq1;
-        let t416 = s2 * k4;
-        let t417 = c2 * k4;
-        let t418 = t414 * t414;
+        let t414 = s2 * k4;
+        let t415 = c2 * k4;
+        let t416 = s2 * dq1;
+        let t417 = c2 * dq1;
         let t419 = dq2 * dq2;
-        let t420 = t414 * t415;
-        let dw2_y = dq2 * t414;
-        let t422 = dq2 * t415;
-        let t423 = t418 - t419;
-        let t424 = t423 - t413;
-        let t425 = t418 + t419;
-        let t426 = dw2_y + dw2_y;
-        let t427 = t422 + t422;
+        let t420 = t416 * t417;
+        let dw2_y = dq2 * t416;
+        let t422 = dq2 * t417;
+        let t423 = t416 * t416 + t419;
+        let t424 = t422 + t422;
         [
-        t414, t415, t416, t417, t420, dw2_y, t422, t423,
-        t424, t425, t426, t427,
+        t414, t415, t416, t417, t419, t420, dw2_y, t423,
+        t424,
     ]
     };
     // link 3: motion
     let [
-        w3_x, w3_y, t438, a3_x, a3_y, t447, t450, w3_z,
-        t454, t455, t456, dw3_x, dw3_y, t459, t460, t461,
-        t462, t463, t464, t465,
+        t429, a3_x, a3_y, w3_x, w3_y, t444, t447, w3_z,
+        t451, t452, t453, dw3_x, dw3_y, t456, t457, t458,
+        t459, t460, t461, t462,
     ] = {
-        let w3_x = s3 * dq2 - c3 * t414;
-        let w3_y = c3 * dq2 + s3 * t414;
-        let t436 = L2 * t427;
-        let t437 = t416 + L2 * t420;
-        let t438 = L2 * t425 - t417;
-        let a3_x = s3 * t436 - c3 * t437;
-        let a3_y = c3 * t436 + s3 * t437;
-        let t447 = s3 * t427 - c3 * t420;
-        let t450 = c3 * t427 + s3 * t420;
-        let w3_z = t415 + dq3;
-        let t452 = w3_x * w3_x;
-        let t453 = w3_z * w3_z;
-        let t454 = w3_x * w3_y;
-        let t455 = w3_x * w3_z;
-        let t456 = w3_y * w3_z;
-        let dw3_x = t456 - t450;
-        let dw3_y = t447 - t455;
-        let t459 = t452 - t453;
-        let t460 = t459 - t425;
-        let t461 = dw2_y + t454;
-        let t462 = t454 - dw2_y;
-        let t463 = t452 + t453;
-        let t464 = t455 - dw3_y;
-        let t465 = t456 + dw3_x;
+        let t427 = L2 * t424;
+        let t428 = t414 + L2 * t420;
+        let t429 = L2 * t423 - t415;
+        let a3_x = s3 * t427 - c3 * t428;
+        let a3_y = c3 * t427 + s3 * t428;
+        let w3_x = s3 * dq2 - c3 * t416;
+        let w3_y = c3 * dq2 + s3 * t416;
+        let t444 = s3 * t424 - c3 * t420;
+        let t447 = c3 * t424 + s3 * t420;
+        let w3_z = t417 + dq3;
+        let t449 = w3_x * w3_x;
+        let t450 = w3_z * w3_z;
+        let t451 = w3_x * w3_y;
+        let t452 = w3_x * w3_z;
+        let t453 = w3_y * w3_z;
+        let dw3_x = t453 - t447;
+        let dw3_y = t444 - t452;
+        let t456 = t449 - t450;
+        let t457 = t456 - t423;
+        let t458 = dw2_y + t451;
+        let t459 = t451 - dw2_y;
+        let t460 = t449 + t450;
+        let t461 = t452 - dw3_y;
+        let t462 = t453 + dw3_x;
         [
-        w3_x, w3_y, t438, a3_x, a3_y, t447, t450, w3_z,
-        t454, t455, t456, dw3_x, dw3_y, t459, t460, t461,
-        t462, t463, t464, t465,
+        t429, a3_x, a3_y, w3_x, w3_y, t444, t447, w3_z,
+        t451, t452, t453, dw3_x, dw3_y, t456, t457, t458,
+        t459, t460, t461, t462,
     ]
     };
     // link 4: motion
     let [
-        w4_x, w4_y, t476, a4_x, a4_y, t486, t489, w4_z,
-        t493, t494, t495, dw4_x, t497, t498, t499, t500,
-        t501, t502, t503, t504,
+        t467, a4_x, a4_y, w4_x, w4_y, t483, t486, w4_z,
+        t490, t491, t492, dw4_x, t494, t495, t496, t497,
+        t498, t499, t500, t501,
     ] = {
+        let t466 = a3_x + A * t457;
+        let t467 = a3_y + A * t459;
+        let t468 = A * t461 - t429;
+        let a4_x = c4 * t466 + s4 * t468;
+        let a4_y = c4 * t468 - s4 * t466;
         let w4_x = c4 * w3_x + s4 * w3_z;
         let w4_y = c4 * w3_z - s4 * w3_x;
-        let t475 = a3_x + A * t460;
-        let t476 = a3_y + A * t462;
-        let t477 = A * t464 - t438;
-        let a4_x = c4 * t475 + s4 * t477;
-        let a4_y = c4 * t477 - s4 * t475;
-        let t486 = c4 * t461 + s4 * t465;
-        let t489 = s4 * t461 - c4 * t465;
+        let t483 = c4 * t458 + s4 * t462;
+        let t486 = s4 * t458 - c4 * t462;
         let w4_z = dq4 - w3_y;
-        let t491 = w4_x * w4_x;
-        let t492 = w4_z * w4_z;
-        let t493 = w4_x * w4_y;
-        let t494 = w4_x * w4_z;
-        let t495 = w4_y * w4_z;
-        let dw4_x = t495 - t489;
-        let t497 = t486 + t494;
-        let t498 = t491 - t492;
-        let t499 = t498 - t463;
-        let t500 = dw3_y + t493;
-        let t501 = t493 - dw3_y;
-        let t502 = t491 + t492;
-        let t503 = t494 + t497;
-        let t504 = t495 + dw4_x;
+        let t488 = w4_x * w4_x;
+        let t489 = w4_z * w4_z;
+        let t490 = w4_x * w4_y;
+        let t491 = w4_x * w4_z;
+        let t492 = w4_y * w4_z;
+        let dw4_x = t492 - t486;
+        let t494 = t483 + t491;
+        let t495 = t488 - t489;
+        let t496 = t495 - t460;
+        let t497 = dw3_y + t490;
+        let t498 = t490 - dw3_y;
+        let t499 = t488 + t489;
+        let t500 = t491 + t494;
+        let t501 = t492 + dw4_x;
         [
-        w4_x, w4_y, t476, a4_x, a4_y, t486, t489, w4_z,
-        t493, t494, t495, dw4_x, t497, t498, t499, t500,
-        t501, t502, t503, t504,
+        t467, a4_x, a4_y, w4_x, w4_y, t483, t486, w4_z,
+        t490, t491, t492, dw4_x, t494, t495, t496, t497,
+        t498, t499, t500, t501,
     ]
     };
     // link 5: motion
     let [
-        w5_x, t510, a5_z, a5_x, a6_z, t531, t534, w5_z,
-        t538, t539, t540, dw5_x, dw5_y, t543, t544, t545,
-        t546, t547, t548, t549,
+        a5_z, a5_x, a6_z, w5_x, t525, t528, t531, w5_z,
+        t535, t536, t537, dw5_x, dw5_y, t540, t541, t542,
+        t543, t544, t545, t546,
     ] = {
+        let t511 = a4_x + (L3 * t497 - A * t496);
+        let a5_z = a4_y - (A * t498 + L3 * t499);
+        let t513 = L3 * t501 - A * t500 - t467;
+        let a5_x = c5 * t511 - s5 * t513;
+        let a6_z = c5 * t513 + s5 * t511;
         let w5_x = c5 * w4_x - s5 * w4_z;
-        let t510 = c5 * w4_z + s5 * w4_x;
-        let t520 = a4_x + (L3 * t500 - A * t499);
-        let a5_z = a4_y - (A * t501 + L3 * t502);
-        let t522 = L3 * t504 - A * t503 - t476;
-        let a5_x = c5 * t520 - s5 * t522;
-        let a6_z = c5 * t522 + s5 * t520;
-        let t531 = c5 * t500 - s5 * t504;
-        let t534 = c5 * t504 + s5 * t500;
+        let t525 = c5 * w4_z + s5 * w4_x;
+        let t528 = c5 * t497 - s5 * t501;
+        let t531 = c5 * t501 + s5 * t497;
         let w5_z = w4_y + dq5;
-        let t536 = w5_x * w5_x;
-        let t537 = w5_z * w5_z;
-        let t538 = w5_x * t510;
-        let t539 = w5_x * w5_z;
-        let t540 = t510 * w5_z;
-        let dw5_x = t534 - t540;
-        let dw5_y = t531 - t539;
-        let t543 = t536 - t537;
-        let t544 = t543 - t502;
-        let t545 = t497 - t538;
-        let t546 = t497 + t538;
-        let t547 = t536 + t537;
-        let t548 = t539 - dw5_y;
-        let t549 = dw5_x - t540;
+        let t533 = w5_x * w5_x;
+        let t534 = w5_z * w5_z;
+        let t535 = w5_x * t525;
+        let t536 = w5_x * w5_z;
+        let t537 = t525 * w5_z;
+        let dw5_x = t531 - t537;
+        let dw5_y = t528 - t536;
+        let t540 = t533 - t534;
+        let t541 = t540 - t499;
+        let t542 = t494 - t535;
+        let t543 = t494 + t535;
+        let t544 = t533 + t534;
+        let t545 = t536 - dw5_y;
+        let t546 = dw5_x - t537;
         [
-        w5_x, t510, a5_z, a5_x, a6_z, t531, t534, w5_z,
-        t538, t539, t540, dw5_x, dw5_y, t543, t544, t545,
-        t546, t547, t548, t549,
+        a5_z, a5_x, a6_z, w5_x, t525, t528, t531, w5_z,
+        t535, t536, t537, dw5_x, dw5_y, t540, t541, t542,
+        t543, t544, t545, t546,
     ]
     };
     // link 6: motion
     let [
-        w6_x, w6_y, a6_x, a6_y, t564, t567, w6_z, t571,
-        t572, t573, dw6_x, dw7_z, t576, t577, t578, t579,
-        t580, t581, t582,
+        a6_x, a6_y, w6_x, w6_y, t561, t564, w6_z, t568,
+        t569, t570, dw6_x, dw7_z, t573, t574, t575, t576,
+        t577, t578, t579,
     ] = {
-        let w6_x = c6 * w5_x + s6 * w5_z;
-        let w6_y = c6 * w5_z - s6 * w5_x;
         let a6_x = c6 * a5_x + s6 * a5_z;
         let a6_y = c6 * a5_z - s6 * a5_x;
-        let t564 = c6 * t545 + s6 * t549;
-        let t567 = s6 * t545 - c6 * t549;
-        let w6_z = t510 + dq6;
-        let t569 = w6_x * w6_x;
-        let t570 = w6_z * w6_z;
-        let t571 = w6_x * w6_y;
-        let t572 = w6_x * w6_z;
-        let t573 = w6_y * w6_z;
-        let dw6_x = t573 - t567;
-        let dw7_z = t564 + t572;
-        let t576 = t569 - t570;
-        let t577 = t576 - t547;
-        let t578 = dw5_y + t571;
-        let t579 = t571 - dw5_y;
-        let t580 = t569 + t570;
-        let t581 = t572 + dw7_z;
-        let t582 = t573 + dw6_x;
+        let w6_x = c6 * w5_x + s6 * w5_z;
+        let w6_y = c6 * w5_z - s6 * w5_x;
+        let t561 = c6 * t542 + s6 * t546;
+        let t564 = s6 * t542 - c6 * t546;
+        let w6_z = t525 + dq6;
+        let t566 = w6_x * w6_x;
+        let t567 = w6_z * w6_z;
+        let t568 = w6_x * w6_y;
+        let t569 = w6_x * w6_z;
+        let t570 = w6_y * w6_z;
+        let dw6_x = t570 - t564;
+        let dw7_z = t561 + t569;
+        let t573 = t566 - t567;
+        let t574 = t573 - t544;
+        let t575 = dw5_y + t568;
+        let t576 = t568 - dw5_y;
+        let t577 = t566 + t567;
+        let t578 = t569 + dw7_z;
+        let t579 = t570 + dw6_x;
         [
-        w6_x, w6_y, a6_x, a6_y, t564, t567, w6_z, t571,
-        t572, t573, dw6_x, dw7_z, t576, t577, t578, t579,
-        t580, t581, t582,
+        a6_x, a6_y, w6_x, w6_y, t561, t564, w6_z, t568,
+        t569, t570, dw6_x, dw7_z, t573, t574, t575, t576,
+        t577, t578, t579,
     ]
     };
     // link 7: motion
     let [
-        t593, a7_x, a7_y, t603, t606, t610, t611, t612,
-        dw7_x, t615, t616, t617, t618, t619, t620, t621,
+        t584, a7_x, a7_y, t600, t603, t607, t608, t609,
+        dw7_x, t612, t613, t614, t615, t616, t617, t618,
     ] = {
+        let t583 = a6_x + k0 * t574;
+        let t584 = a6_y + k0 * t576;
+        let t585 = a6_z + k0 * t578;
+        let a7_x = c7 * t583 + s7 * t585;
+        let a7_y = c7 * t585 - s7 * t583;
         let w7_x = c7 * w6_x + s7 * w6_z;
         let w7_y = c7 * w6_z - s7 * w6_x;
-        let t592 = a6_x + k0 * t577;
-        let t593 = a6_y + k0 * t579;
-        let t594 = a6_z + k0 * t581;
-        let a7_x = c7 * t592 + s7 * t594;
-        let a7_y = c7 * t594 - s7 * t592;
-        let t603 = c7 * t578 + s7 * t582;
-        let t606 = s7 * t578 - c7 * t582;
+        let t600 = c7 * t575 + s7 * t579;
+        let t603 = s7 * t575 - c7 * t579;
         let w7_z = dq7 - w6_y;
-        let t608 = w7_x * w7_x;
-        let t609 = w7_z * w7_z;
-        let t610 = w7_x * w7_y;
-        let t611 = w7_x * w7_z;
-        let t612 = w7_y * w7_z;
-        let dw7_x = t612 - t606;
-        let t615 = t608 - t609;
-        let t616 = t615 - t580;
-        let t617 = t610 - dw7_z;
-        let t618 = dw7_z + t610;
-        let t619 = t608 + t609;
-        let t620 = t611 + (t603 + t611);
-        let t621 = t612 + dw7_x;
+        let t605 = w7_x * w7_x;
+        let t606 = w7_z * w7_z;
+        let t607 = w7_x * w7_y;
+        let t608 = w7_x * w7_z;
+        let t609 = w7_y * w7_z;
+        let dw7_x = t609 - t603;
+        let t612 = t605 - t606;
+        let t613 = t612 - t577;
+        let t614 = t607 - dw7_z;
+        let t615 = dw7_z + t607;
+        let t616 = t605 + t606;
+        let t617 = t608 + (t600 + t608);
+        let t618 = t609 + dw7_x;
         [
-        t593, a7_x, a7_y, t603, t606, t610, t611, t612,
-        dw7_x, t615, t616, t617, t618, t619, t620, t621,
+        t584, a7_x, a7_y, t600, t603, t607, t608, t609,
+        dw7_x, t612, t613, t614, t615, t616, t617, t618,
     ]
     };
     // link 7: force and moment
-    let [f7_z, n7_z, t669, t672, t675, t681, t682] = {
-        let t642 = ZZ7 * dw7_z - XX7R * t610 + XY7 * (t616 + t619) - XZ7 * t606;
-        let t644 = YZ7 * (t580 - t619);
-        let t647 = ZZ7 * t612 + XX7R * dw7_x - XY7 * t620 + XZ7 * t618 + t644;
-        let t648 = t611 * (XX7R - ZZ7) + XY7 * t621 - XZ7 * t615 - YZ7 * t617;
-        let f7_x = MSX7 * t616 + MSY7 * t617;
-        let f7_y = MSX7 * t618 - MSY7 * t619;
-        let f7_z = MSX7 * t620 + MSY7 * t621;
-        let n7_x = t647 - MSY7 * t593;
-        let n7_y = t648 + MSX7 * t593;
-        let n7_z = t642 - YZ7 * t603 + (MSX7 * a7_y - MSY7 * a7_x);
-        let t669 = c7 * f7_x - s7 * f7_y;
-        let t672 = s7 * f7_x + c7 * f7_y;
-        let t675 = c7 * n7_x - s7 * n7_y;
-        let t681 = s7 * n7_x + c7 * n7_y - k0 * f7_z;
-        let t682 = n7_z + k0 * t672;
-        [f7_z, n7_z, t669, t672, t675, t681, t682]
+    let [f7_z, n7_z, t666, t669, t672, t678, t679] = {
+        let t639 = ZZ7 * dw7_z - XX7R * t607 + XY7 * (t613 + t616) - XZ7 * t603;
+        let t641 = YZ7 * (t577 - t616);
+        let t644 = ZZ7 * t609 + XX7R * dw7_x - XY7 * t617 + XZ7 * t615 + t641;
+        let t645 = t608 * (XX7R - ZZ7) + XY7 * t618 - XZ7 * t612 - YZ7 * t614;
+        let f7_x = MSX7 * t613 + MSY7 * t614;
+        let f7_y = MSX7 * t615 - MSY7 * t616;
+        let f7_z = MSX7 * t617 + MSY7 * t618;
+        let n7_x = t644 - MSY7 * t584;
+        let n7_y = t645 + MSX7 * t584;
+        let n7_z = t639 - YZ7 * t600 + (MSX7 * a7_y - MSY7 * a7_x);
+        let t666 = c7 * f7_x - s7 * f7_y;
+        let t669 = s7 * f7_x + c7 * f7_y;
+        let t672 = c7 * n7_x - s7 * n7_y;
+        let t678 = s7 * n7_x + c7 * n7_y - k0 * f7_z;
+        let t679 = n7_z + k0 * t669;
+        [f7_z, n7_z, t666, t669, t672, t678, t679]
     };
     // link 6: force and moment
-    let [f6_z, n6_z, t736, t739, t742, t745] = {
-        let t703 = XY6R * (t577 + t580) - (XX6R * t571 + ZZ6R * dw5_y) - XZ6 * t567;
-        let t705 = YZ6 * (t547 - t580);
-        let t708 = ZZ6R * t573 + XX6R * dw6_x - XY6R * t581 + XZ6 * t579 + t705;
-        let t709 = t572 * (XX6R - ZZ6R) + XY6R * t582 - XZ6 * t576 - YZ6 * t578;
-        let f6_x = t669 + (MSX6R * t577 + MSY6R * t578);
-        let f6_y = MSX6R * t579 - MSY6R * t580 - f7_z;
-        let f6_z = t672 + (MSX6R * t581 + MSY6R * t582);
-        let n6_x = t675 + (t708 + MSY6R * a6_z);
-        let n6_y = t709 - MSX6R * a6_z - t682;
-        let n6_z = t681 + (t703 - YZ6 * t564 + (MSX6R * a6_y - MSY6R * a6_x));
-        let t736 = c6 * f6_x - s6 * f6_y;
-        let t739 = s6 * f6_x + c6 * f6_y;
-        let t742 = c6 * n6_x - s6 * n6_y;
-        let t745 = s6 * n6_x + c6 * n6_y;
-        [f6_z, n6_z, t736, t739, t742, t745]
+    let [f6_z, n6_z, t733, t736, t739, t742] = {
+        let t700 = XY6R * (t574 + t577) - (XX6R * t568 + ZZ6R * dw5_y) - XZ6 * t564;
+        let t702 = YZ6 * (t544 - t577);
+        let t705 = ZZ6R * t570 + XX6R * dw6_x - XY6R * t578 + XZ6 * t576 + t702;
+        let t706 = t569 * (XX6R - ZZ6R) + XY6R * t579 - XZ6 * t573 - YZ6 * t575;
+        let f6_x = t666 + (MSX6R * t574 + MSY6R * t575);
+        let f6_y = MSX6R * t576 - MSY6R * t577 - f7_z;
+        let f6_z = t669 + (MSX6R * t578 + MSY6R * t579);
+        let n6_x = t672 + (t705 + MSY6R * a6_z);
+        let n6_y = t706 - MSX6R * a6_z - t679;
+        let n6_z = t678 + (t700 - YZ6 * t561 + (MSX6R * a6_y - MSY6R * a6_x));
+        let t733 = c6 * f6_x - s6 * f6_y;
+        let t736 = s6 * f6_x + c6 * f6_y;
+        let t739 = c6 * n6_x - s6 * n6_y;
+        let t742 = s6 * n6_x + c6 * n6_y;
+        [f6_z, n6_z, t733, t736, t739, t742]
     };
     // link 5: force and moment
-    let [f5_z, n5_z, t799, t802, t814, t815, t816] = {
-        let t766 = XX5R * t538 - ZZ5R * t497 + XY5 * (t544 + t547) + XZ5 * t534;
-        let t768 = YZ5 * (t502 - t547);
-        let t771 = XX5R * dw5_x - ZZ5R * t540 - XY5 * t548 - XZ5 * t546 + t768;
-        let t772 = t539 * (XX5R - ZZ5R) + XY5 * t549 - XZ5 * t543 - YZ5 * t545;
-        let f5_x = t736 + (MSX5 * t544 + MSY5R * t545);
-        let t792 = f6_z + (MSX5 * t546 + MSY5R * t547);
-        let f5_z = t739 + (MSX5 * t548 + MSY5R * t549);
-        let n5_x = t742 + (t771 + MSY5R * a5_z);
-        let n5_y = t772 - MSX5 * a5_z - n6_z;
-        let n5_z = t745 + (t766 + YZ5 * t531 - (MSX5 * a6_z + MSY5R * a5_x));
-        let t799 = c5 * f5_x + s5 * t792;
-        let t802 = s5 * f5_x - c5 * t792;
-        let t814 = c5 * n5_x - s5 * n5_y - L3 * t802;
-        let t815 = s5 * n5_x + c5 * n5_y + (L3 * t799 + A * f5_z);
-        let t816 = n5_z - A * t802;
-        [f5_z, n5_z, t799, t802, t814, t815, t816]
+    let [f5_z, n5_z, t796, t799, t811, t812, t813] = {
+        let t763 = XX5R * t535 - ZZ5R * t494 + XY5 * (t541 + t544) + XZ5 * t531;
+        let t765 = YZ5 * (t499 - t544);
+        let t768 = XX5R * dw5_x - ZZ5R * t537 - XY5 * t545 - XZ5 * t543 + t765;
+        let t769 = t536 * (XX5R - ZZ5R) + XY5 * t546 - XZ5 * t540 - YZ5 * t542;
+        let f5_x = t733 + (MSX5 * t541 + MSY5R * t542);
+        let t789 = f6_z + (MSX5 * t543 + MSY5R * t544);
+        let f5_z = t736 + (MSX5 * t545 + MSY5R * t546);
+        let n5_x = t739 + (t768 + MSY5R * a5_z);
+        let n5_y = t769 - MSX5 * a5_z - n6_z;
+        let n5_z = t742 + (t763 + YZ5 * t528 - (MSX5 * a6_z + MSY5R * a5_x));
+        let t796 = c5 * f5_x + s5 * t789;
+        let t799 = s5 * f5_x - c5 * t789;
+        let t811 = c5 * n5_x - s5 * n5_y - L3 * t799;
+        let t812 = s5 * n5_x + c5 * n5_y + (L3 * t796 + A * f5_z);
+        let t813 = n5_z - A * t799;
+        [f5_z, n5_z, t796, t799, t811, t812, t813]
     };
     // link 4: force and moment
-    let [f4_z, n4_z, t870, t876, t882, t883] = {
-        let t837 = XY4R * (t499 + t502) - (XX4R * t493 + ZZ4R * dw3_y) - XZ4 * t489;
-        let t839 = YZ4 * (t463 - t502);
-        let t842 = ZZ4R * t495 + XX4R * dw4_x - XY4R * t503 + XZ4 * t501 + t839;
-        let t843 = t494 * (XX4R - ZZ4R) + XY4R * t504 - XZ4 * t498 - YZ4 * t500;
-        let f4_x = t799 + (MSX4R * t499 + MSY4R * t500);
-        let f4_y = f5_z + (MSX4R * t501 - MSY4R * t502);
-        let f4_z = MSX4R * t503 + MSY4R * t504 - t802;
-        let n4_x = t814 + (t842 - MSY4R * t476);
-        let n4_y = t816 + (t843 + MSX4R * t476);
-        let n4_z = t837 - YZ4 * t486 + (MSX4R * a4_y - MSY4R * a4_x) - t815;
-        let t870 = c4 * f4_x - s4 * f4_y;
-        let t876 = c4 * n4_x - s4 * n4_y;
-        let t882 = s4 * n4_x + c4 * n4_y - A * f4_z;
-        let t883 = n4_z + A * (s4 * f4_x + c4 * f4_y);
-        [f4_z, n4_z, t870, t876, t882, t883]
+    let [f4_z, n4_z, t867, t873, t879, t880] = {
+        let t834 = XY4R * (t496 + t499) - (XX4R * t490 + ZZ4R * dw3_y) - XZ4 * t486;
+        let t836 = YZ4 * (t460 - t499);
+        let t839 = ZZ4R * t492 + XX4R * dw4_x - XY4R * t500 + XZ4 * t498 + t836;
+        let t840 = t491 * (XX4R - ZZ4R) + XY4R * t501 - XZ4 * t495 - YZ4 * t497;
+        let f4_x = t796 + (MSX4R * t496 + MSY4R * t497);
+        let f4_y = f5_z + (MSX4R * t498 - MSY4R * t499);
+        let f4_z = MSX4R * t500 + MSY4R * t501 - t799;
+        let n4_x = t811 + (t839 - MSY4R * t467);
+        let n4_y = t813 + (t840 + MSX4R * t467);
+        let n4_z = t834 - YZ4 * t483 + (MSX4R * a4_y - MSY4R * a4_x) - t812;
+        let t867 = c4 * f4_x - s4 * f4_y;
+        let t873 = c4 * n4_x - s4 * n4_y;
+        let t879 = s4 * n4_x + c4 * n4_y - A * f4_z;
+        let t880 = n4_z + A * (s4 * f4_x + c4 * f4_y);
+        [f4_z, n4_z, t867, t873, t879, t880]
     };
     // link 3: force and moment
-    let [n3_z, t945, t946] = {
-        let t904 = XY3R * (t460 + t463) - (XX3R * t454 + ZZ3R * dw2_y) - XZ3 * t450;
-        let t906 = YZ3 * (t425 - t463);
-        let t909 = ZZ3R * t456 + XX3R * dw3_x - XY3R * t464 + XZ3 * t462 + t906;
-        let t910 = t455 * (XX3R - ZZ3R) + XY3R * t465 - XZ3 * t459 - YZ3 * t461;
-        let f3_x = t870 + (MSX3R * t460 + MSY3R * t461);
-        let f3_y = MSX3R * t462 - MSY3R * t463 - f4_z;
-        let n3_x = t876 + (t909 - MSY3R * t438);
-        let n3_y = t910 + MSX3R * t438 - t883;
-        let n3_z = t882 + (t904 + YZ3 * t447 + (MSX3R * a3_y - MSY3R * a3_x));
-        let t945 = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
-        let t946 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
-        [n3_z, t945, t946]
+    let [n3_z, n2_x, t943] = {
+        let t901 = XY3R * (t457 + t460) - (XX3R * t451 + ZZ3R * dw2_y) - XZ3 * t447;
+        let t903 = YZ3 * (t423 - t460);
+        let t906 = ZZ3R * t453 + XX3R * dw3_x - XY3R * t461 + XZ3 * t459 + t903;
+        let t907 = t452 * (XX3R - ZZ3R) + XY3R * t462 - XZ3 * t456 - YZ3 * t458;
+        let f3_x = t867 + (MSX3R * t457 + MSY3R * t458);
+        let f3_y = MSX3R * t459 - MSY3R * t460 - f4_z;
+        let n3_x = t873 + (t906 - MSY3R * t429);
+        let n3_y = t907 + MSX3R * t429 - t880;
+        let n3_z = t879 + (t901 + YZ3 * t444 + (MSX3R * a3_y - MSY3R * a3_x));
+        let n2_x = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
+        let t943 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
+        [n3_z, n2_x, t943]
     };
     // link 2: force and moment
-    let [n2_z, t977] = {
-        let t964 = YZ2 * (t413 - t425);
-        let t967 = dw2_y * (XX2R - ZZ2R) + XY2 * t427 + XZ2 * t423 + YZ2 * t420;
-        let t971 = XY2 * (t424 + t425) - XX2R * t420 + (MSY2R * t416 - MSX2 * t417);
-        let n2_x = t945 + (XY2 * t426 - t422 * (XX2R + ZZ2R) + XZ2 * t420 + t964);
-        let n2_z = t946 + t971;
-        let t977 = s2 * n2_x - c2 * (n3_z + t967);
-        [n2_z, t977]
+    let [t957, n2_z, t966] = {
+        let t949 = c2 * (s2 * XX2R + c2 * (XY2 + XY2)) - XY2;
+        let t957 = (t949 + t949) * (dq1 * dq2) + t419 * (s2 * YZ2 - c2 * XZ2);
+        let n2_z = t943 + (MSY2R * t414 - MSX2 * t415) - t413 * t949;
+        let t966 = s2 * n2_x - c2 * n3_z;
+        [t957, n2_z, t966]
+    };
+    // link 1: force and moment
+    let n1_z = {
+        let n1_z = t957 - t966;
+        n1_z
     };
     // drives
-    let [t1020, t1021, t1022, t1023, t1024, t1025, t1026] = {
-        let t1020 = tau1 - (FO1 + (FV1 * dq1 - t977 + FC1 * dq1.sign()));
-        let t1021 = tau2 - (FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign()));
-        let t1022 = tau3 - (FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign()));
-        let t1023 = tau4 - (FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign()));
-        let t1024 = tau5 - (FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign()));
-        let t1025 = tau6 - (FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign()));
-        let t1026 = tau7 - (FO7 + (n7_z + FV7 * dq7 + FC7 * dq7.sign()));
-        [t1020, t1021, t1022, t1023, t1024, t1025, t1026]
+    let [t1010, t1011, t1012, t1013, t1014, t1015, t1016] = {
+        let t1010 = tau1 - (FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign()));
+        let t1011 = tau2 - (FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign()));
+        let t1012 = tau3 - (FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign()));
+        let t1013 = tau4 - (FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign()));
+        let t1014 = tau5 - (FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign()));
+        let t1015 = tau6 - (FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign()));
+        let t1016 = tau7 - (FO7 + (n7_z + FV7 * dq7 + FC7 * dq7.sign()));
+        [t1010, t1011, t1012, t1013, t1014, t1015, t1016]
     };
     // M = L D L'
     let [
-        t1027, t1028, t1029, t1030, t1031, t1032, t1033, t1037,
-        t1041, t1044, t1047, t1050, t1053, t1060, t1067, t1072,
-        t1077, t1082, t1092, t1102, t1109, t1116, t1129, t1142,
-        t1151, t1167, t1183, t1202,
+        t1017, t1018, t1019, t1020, t1021, t1022, t1023, t1027,
+        t1031, t1034, t1037, t1040, t1043, t1050, t1057, t1062,
+        t1067, t1072, t1082, t1092, t1099, t1106, t1119, t1132,
+        t1141, t1157, t1173, t1192,
     ] = {
-        let t1027 = k5 / t412;
-        let t1028 = t402 * t1027;
-        let t1029 = t368 * t1027;
-        let t1030 = t312 * t1027;
-        let t1031 = t242 * t1027;
-        let t1032 = t167 * t1027;
-        let t1033 = t75 * t1027;
-        let t1036 = t396 - t412 * (t1028 * t1028);
-        let t1037 = k5 / t1036;
-        let t1038 = t412 * t1028;
-        let t1041 = t1037 * (t365 - t1029 * t1038);
-        let t1044 = t1037 * (t309 - t1030 * t1038);
-        let t1047 = t1037 * (t239 - t1031 * t1038);
-        let t1050 = t1037 * (t164 - t1032 * t1038);
-        let t1053 = t1037 * (t72 - t1033 * t1038);
-        let t1059 = t346 - t412 * (t1029 * t1029) - t1036 * (t1041 * t1041);
-        let t1060 = k5 / t1059;
-        let t1061 = t412 * t1029;
-        let t1064 = t1036 * t1041;
-        let t1067 = t1060 * (t295 - t1030 * t1061 - t1044 * t1064);
-        let t1072 = t1060 * (t222 - t1031 * t1061 - t1047 * t1064);
-        let t1077 = t1060 * (t147 - t1032 * t1061 - t1050 * t1064);
-        let t1082 = t1060 * (t55 - t1033 * t1061 - t1053 * t1064);
-        let t1090 = t1059 * (t1067 * t1067);
-        let t1091 = t280 - t412 * (t1030 * t1030) - t1036 * (t1044 * t1044) - t1090;
-        let t1092 = k5 / t1091;
-        let t1093 = t412 * t1030;
-        let t1096 = t1036 * t1044;
-        let t1099 = t1059 * t1067;
-        let t1102 = t1092 * (t211 + t1031 * t1093 + t1047 * t1096 + t1072 * t1099);
-        let t1109 = t1092 * (t132 + t1032 * t1093 + t1050 * t1096 + t1077 * t1099);
-        let t1116 = t1092 * (t40 + t1033 * t1093 + t1053 * t1096 + t1082 * t1099);
-        let t1124 = t1059 * (t1072 * t1072);
-        let t1127 = t1091 * (t1102 * t1102);
-        let t1128 = t191 - t412 * (t1031 * t1031) - t1036 * (t1047 * t1047) - t1124 - t1127;
-        let t1129 = k5 / t1128;
-        let t1130 = t412 * t1031;
-        let t1133 = t1036 * t1047;
-        let t1136 = t1059 * t1072;
-        let t1139 = t1091 * t1102;
-        let t1141 = t117 - t1032 * t1130 - t1050 * t1133 - t1077 * t1136 - t1109 * t1139;
-        let t1142 = t1129 * t1141;
-        let t1150 = t21 - t1033 * t1130 - t1053 * t1133 - t1082 * t1136 - t1116 * t1139;
-        let t1151 = t1129 * t1150;
-        let t1159 = t1059 * (t1077 * t1077);
-        let t1162 = t1091 * (t1109 * t1109);
-        let t1163 = t102 - t412 * (t1032 * t1032) - t1036 * (t1050 * t1050) - t1159 - t1162;
-        let t1166 = t1163 - t1128 * (t1142 * t1142);
-        let t1167 = k5 / t1166;
-        let t1175 = t1082 * (t1059 * t1077);
-        let t1178 = t1116 * (t1091 * t1109);
-        let t1179 = t11 - t1033 * (t412 * t1032) - t1053 * (t1036 * t1050) - t1175 - t1178;
-        let t1183 = t1167 * (t1179 - t1151 * (t1128 * t1142));
-        let t1191 = t1059 * (t1082 * t1082);
-        let t1194 = t1091 * (t1116 * t1116);
-        let t1195 = ZZ7 - t412 * (t1033 * t1033) - t1036 * (t1053 * t1053) - t1191 - t1194;
-        let t1202 = k5 / (t1195 - t1128 * (t1151 * t1151) - t1166 * (t1183 * t1183));
+        let t1017 = k5 / t412;
+        let t1018 = t402 * t1017;
+        let t1019 = t368 * t1017;
+        let t1020 = t312 * t1017;
+        let t1021 = t242 * t1017;
+        let t1022 = t167 * t1017;
+        let t1023 = t75 * t1017;
+        let t1026 = t396 - t412 * (t1018 * t1018);
+        let t1027 = k5 / t1026;
+        let t1028 = t412 * t1018;
+        let t1031 = t1027 * (t365 - t1019 * t1028);
+        let t1034 = t1027 * (t309 - t1020 * t1028);
+        let t1037 = t1027 * (t239 - t1021 * t1028);
+        let t1040 = t1027 * (t164 - t1022 * t1028);
+        let t1043 = t1027 * (t72 - t1023 * t1028);
+        let t1049 = t346 - t412 * (t1019 * t1019) - t1026 * (t1031 * t1031);
+        let t1050 = k5 / t1049;
+        let t1051 = t412 * t1019;
+        let t1054 = t1026 * t1031;
+        let t1057 = t1050 * (t295 - t1020 * t1051 - t1034 * t1054);
+        let t1062 = t1050 * (t222 - t1021 * t1051 - t1037 * t1054);
+        let t1067 = t1050 * (t147 - t1022 * t1051 - t1040 * t1054);
+        let t1072 = t1050 * (t55 - t1023 * t1051 - t1043 * t1054);
+        let t1080 = t1049 * (t1057 * t1057);
+        let t1081 = t280 - t412 * (t1020 * t1020) - t1026 * (t1034 * t1034) - t1080;
+        let t1082 = k5 / t1081;
+        let t1083 = t412 * t1020;
+        let t1086 = t1026 * t1034;
+        let t1089 = t1049 * t1057;
+        let t1092 = t1082 * (t211 + t1021 * t1083 + t1037 * t1086 + t1062 * t1089);
+        let t1099 = t1082 * (t132 + t1022 * t1083 + t1040 * t1086 + t1067 * t1089);
+        let t1106 = t1082 * (t40 + t1023 * t1083 + t1043 * t1086 + t1072 * t1089);
+        let t1114 = t1049 * (t1062 * t1062);
+        let t1117 = t1081 * (t1092 * t1092);
+        let t1118 = t191 - t412 * (t1021 * t1021) - t1026 * (t1037 * t1037) - t1114 - t1117;
+        let t1119 = k5 / t1118;
+        let t1120 = t412 * t1021;
+        let t1123 = t1026 * t1037;
+        let t1126 = t1049 * t1062;
+        let t1129 = t1081 * t1092;
+        let t1131 = t117 - t1022 * t1120 - t1040 * t1123 - t1067 * t1126 - t1099 * t1129;
+        let t1132 = t1119 * t1131;
+        let t1140 = t21 - t1023 * t1120 - t1043 * t1123 - t1072 * t1126 - t1106 * t1129;
+        let t1141 = t1119 * t1140;
+        let t1149 = t1049 * (t1067 * t1067);
+        let t1152 = t1081 * (t1099 * t1099);
+        let t1153 = t102 - t412 * (t1022 * t1022) - t1026 * (t1040 * t1040) - t1149 - t1152;
+        let t1156 = t1153 - t1118 * (t1132 * t1132);
+        let t1157 = k5 / t1156;
+        let t1165 = t1072 * (t1049 * t1067);
+        let t1168 = t1106 * (t1081 * t1099);
+        let t1169 = t11 - t1023 * (t412 * t1022) - t1043 * (t1026 * t1040) - t1165 - t1168;
+        let t1173 = t1157 * (t1169 - t1141 * (t1118 * t1132));
+        let t1181 = t1049 * (t1072 * t1072);
+        let t1184 = t1081 * (t1106 * t1106);
+        let t1185 = ZZ7 - t412 * (t1023 * t1023) - t1026 * (t1043 * t1043) - t1181 - t1184;
+        let t1192 = k5 / (t1185 - t1118 * (t1141 * t1141) - t1156 * (t1173 * t1173));
         [
-        t1027, t1028, t1029, t1030, t1031, t1032, t1033, t1037,
-        t1041, t1044, t1047, t1050, t1053, t1060, t1067, t1072,
-        t1077, t1082, t1092, t1102, t1109, t1116, t1129, t1142,
-        t1151, t1167, t1183, t1202,
+        t1017, t1018, t1019, t1020, t1021, t1022, t1023, t1027,
+        t1031, t1034, t1037, t1040, t1043, t1050, t1057, t1062,
+        t1067, t1072, t1082, t1092, t1099, t1106, t1119, t1132,
+        t1141, t1157, t1173, t1192,
     ]
     };
     // ddq
     {
-        let t1204 = t1021 + t1020 * t1028;
-        let t1208 = t1022 + t1020 * t1029 - t1041 * t1204;
-        let t1214 = t1023 + t1020 * t1030 - t1044 * t1204 - t1067 * t1208;
-        let t1222 = t1024 + t1020 * t1031 - t1047 * t1204 - t1072 * t1208 + t1102 * t1214;
-        let t1230 = t1025 + t1020 * t1032 - t1050 * t1204 - t1077 * t1208 + t1109 * t1214;
-        let t1232 = t1230 - t1142 * t1222;
-        let t1240 = t1026 + t1020 * t1033 - t1053 * t1204 - t1082 * t1208 + t1116 * t1214;
-        let t1251 = t1202 * (t1240 - t1151 * t1222 - t1183 * t1232);
-        let t1253 = t1167 * t1232 - t1183 * t1251;
-        let t1257 = t1129 * t1222 - t1142 * t1253 - t1151 * t1251;
-        let t1263 = t1092 * t1214 + t1102 * t1257 + t1109 * t1253 + t1116 * t1251;
-        let t1270 = t1082 * t1251;
-        let t1271 = t1060 * t1208 - t1067 * t1263 - t1072 * t1257 - t1077 * t1253 - t1270;
-        let t1278 = t1050 * t1253;
-        let t1279 = t1037 * t1204 - t1041 * t1271 - t1044 * t1263 - t1047 * t1257 - t1278;
-        let t1281 = t1279 - t1053 * t1251;
-        let t1288 = t1031 * t1257;
-        let t1289 = t1020 * t1027 + t1028 * t1281 + t1029 * t1271 + t1030 * t1263 + t1288;
-        let t1293 = t1289 + t1032 * t1253 + t1033 * t1251;
-        put(0, t1293);
-        put(1, t1281);
-        put(2, t1271);
-        put(3, t1263);
-        put(4, t1257);
-        put(5, t1253);
-        put(6, t1251);
+        let t1194 = t1011 + t1010 * t1018;
+        let t1198 = t1012 + t1010 * t1019 - t1031 * t1194;
+        let t1204 = t1013 + t1010 * t1020 - t1034 * t1194 - t1057 * t1198;
+        let t1212 = t1014 + t1010 * t1021 - t1037 * t1194 - t1062 * t1198 + t1092 * t1204;
+        let t1220 = t1015 + t1010 * t1022 - t1040 * t1194 - t1067 * t1198 + t1099 * t1204;
+        let t1222 = t1220 - t1132 * t1212;
+        let t1230 = t1016 + t1010 * t1023 - t1043 * t1194 - t1072 * t1198 + t1106 * t1204;
+        let t1241 = t1192 * (t1230 - t1141 * t1212 - t1173 * t1222);
+        let t1243 = t1157 * t1222 - t1173 * t1241;
+        let t1247 = t1119 * t1212 - t1132 * t1243 - t1141 * t1241;
+        let t1253 = t1082 * t1204 + t1092 * t1247 + t1099 * t1243 + t1106 * t1241;
+        let t1260 = t1072 * t1241;
+        let t1261 = t1050 * t1198 - t1057 * t1253 - t1062 * t1247 - t1067 * t1243 - t1260;
+        let t1268 = t1040 * t1243;
+        let t1269 = t1027 * t1194 - t1031 * t1261 - t1034 * t1253 - t1037 * t1247 - t1268;
+        let t1271 = t1269 - t1043 * t1241;
+        let t1278 = t1021 * t1247;
+        let t1279 = t1010 * t1017 + t1018 * t1271 + t1019 * t1261 + t1020 * t1253 + t1278;
+        let t1283 = t1279 + t1022 * t1243 + t1023 * t1241;
+        put(0, t1283);
+        put(1, t1271);
+        put(2, t1261);
+        put(3, t1253);
+        put(4, t1247);
+        put(5, t1243);
+        put(6, t1241);
     }
 }

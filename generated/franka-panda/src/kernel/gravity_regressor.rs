@@ -27,7 +27,41 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Regressor at rest: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 70]; 7]) {
-    out.as_flattened_mut().fill(S::default());
+    let flat = &mut out.as_flattened_mut()[..];
+    flat[0..13].fill(S::default());
+    flat[14..20].fill(S::default());
+    flat[24..30].fill(S::default());
+    flat[34..40].fill(S::default());
+    flat[44..50].fill(S::default());
+    flat[54..60].fill(S::default());
+    flat[64..81].fill(S::default());
+    flat[83..90].fill(S::default());
+    flat[94..100].fill(S::default());
+    flat[104..110].fill(S::default());
+    flat[114..120].fill(S::default());
+    flat[124..130].fill(S::default());
+    flat[134..161].fill(S::default());
+    flat[163..170].fill(S::default());
+    flat[174..180].fill(S::default());
+    flat[184..190].fill(S::default());
+    flat[194..200].fill(S::default());
+    flat[204..241].fill(S::default());
+    flat[243..250].fill(S::default());
+    flat[254..260].fill(S::default());
+    flat[264..270].fill(S::default());
+    flat[274..321].fill(S::default());
+    flat[323..331].fill(S::default());
+    flat[334..340].fill(S::default());
+    flat[344..401].fill(S::default());
+    flat[403..410].fill(S::default());
+    flat[414..481].fill(S::default());
+    flat[483..490].fill(S::default());
+    nonzeros(trig, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 70]; 7]) {
     entries(trig, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
     });
@@ -57,54 +91,50 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [t0, a3_z]
     };
     // link 3: motion
-    let [t2, a3_y] = {
-        let t2 = c3 * t0;
+    let [t2, z1_3_y, t4, a3_y] = {
+        let t2 = s2 * c3;
+        let z1_3_y = s2 * s3;
+        let t4 = c3 * t0;
         let a3_y = s3 * t0;
         put(43, a3_y); // row 3, MSX3
-        put(44, t2); // row 3, MSY3
-        [t2, a3_y]
+        put(44, t4); // row 3, MSY3
+        [t2, z1_3_y, t4, a3_y]
     };
     // link 4: motion
-    let [t6, a4_y] = {
-        let t6 = c4 * t2 - s4 * a3_z;
-        let a4_y = c4 * a3_z + s4 * t2;
+    let [t8, a4_y] = {
+        let t8 = c4 * t4 - s4 * a3_z;
+        let a4_y = c4 * a3_z + s4 * t4;
         put(61, a4_y); // row 4, MSX4
-        put(62, t6); // row 4, MSY4
-        [t6, a4_y]
+        put(62, t8); // row 4, MSY4
+        [t8, a4_y]
     };
     // link 5: motion
-    let [t12, a5_y] = {
-        let t12 = c5 * t6 - s5 * a3_y;
-        let a5_y = c5 * a3_y + s5 * t6;
+    let [t14, a5_y] = {
+        let t14 = c5 * t8 - s5 * a3_y;
+        let a5_y = c5 * a3_y + s5 * t8;
         put(75, a5_y); // row 5, MSX5
-        put(76, t12); // row 5, MSY5
-        [t12, a5_y]
+        put(76, t14); // row 5, MSY5
+        [t14, a5_y]
     };
     // link 6: motion
-    let [t18, a6_y] = {
-        let t18 = c6 * t12 - s6 * a4_y;
-        let a6_y = c6 * a4_y + s6 * t12;
+    let [t20, a6_y] = {
+        let t20 = c6 * t14 - s6 * a4_y;
+        let a6_y = c6 * a4_y + s6 * t14;
         put(84, a6_y); // row 6, MSX6
-        put(85, t18); // row 6, MSY6
-        [t18, a6_y]
+        put(85, t20); // row 6, MSY6
+        [t20, a6_y]
     };
     // link 7: motion
-    let [t24, t27] = {
-        let t24 = c7 * t18 + s7 * a5_y;
-        let t27 = c7 * a5_y - s7 * t18;
-        put(91, t24); // row 7, MSY7
-        [t24, t27]
-    };
-    // joint axes in frame 3
-    let [t28, z1_3_y] = {
-        let t28 = s2 * c3;
-        let z1_3_y = s2 * s3;
-        [t28, z1_3_y]
+    let [t26, t29] = {
+        let t26 = c7 * t20 + s7 * a5_y;
+        let t29 = c7 * a5_y - s7 * t20;
+        put(91, t26); // row 7, MSY7
+        [t26, t29]
     };
     // joint axes in frame 4
     let [z1_4_x, z1_4_y, z2_4_x, t37] = {
-        let z1_4_x = c2 * s4 - c4 * t28;
-        let z1_4_y = c2 * c4 + s4 * t28;
+        let z1_4_x = c2 * s4 - c4 * t2;
+        let z1_4_y = c2 * c4 + s4 * t2;
         let z2_4_x = s3 * c4;
         let t37 = s3 * s4;
         [z1_4_x, z1_4_y, z2_4_x, t37]
@@ -122,10 +152,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     // M3: column
     let [t49, t52] = {
         let t42 = L2 * a3_y;
-        let t43 = L2 * t2;
-        let t46 = t28 * t42 - z1_3_y * t43;
+        let t43 = L2 * t4;
+        let t46 = t2 * t42 - z1_3_y * t43;
         let t49 = s3 * t42 + c3 * t43;
-        let t52 = c3 * t2 + s3 * a3_y;
+        let t52 = c3 * t4 + s3 * a3_y;
         put(1, t46); // row 1, M3
         [t49, t52]
     };
@@ -138,14 +168,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSY3: column
     {
-        let t59 = c2 * t2 - a3_z * t28;
+        let t59 = c2 * t4 - a3_z * t2;
         let t60 = s3 * a3_z;
         put(3, t59); // row 1, MSY3
         put(25, t60); // row 2, MSY3
     }
     // MSZ3: column
     {
-        let t63 = a3_y * t28 - t2 * z1_3_y;
+        let t63 = t2 * a3_y - z1_3_y * t4;
         put(4, t63); // row 1, MSZ3
     }
     // M4: column
@@ -155,7 +185,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t69 = a3_y * t68;
         let t70 = a3_y * t65;
         let t71 = a4_y * t65;
-        let t73 = t6 * t68 - t71;
+        let t73 = t8 * t68 - t71;
         let t78 = z1_3_y * t73 + (z1_4_x * t69 + z1_4_y * t70);
         let t83 = c3 * t73 + (z2_4_x * t69 - t37 * t70);
         let t84 = A * a3_y;
@@ -166,7 +196,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSX4: column
     let t90 = {
-        let t87 = a3_y * z1_4_y - a4_y * z1_3_y;
+        let t87 = a3_y * z1_4_y - z1_3_y * a4_y;
         let t90 = a3_y * t37 + c3 * a4_y;
         let t91 = c4 * a3_y;
         put(6, t87); // row 1, MSX4
@@ -175,25 +205,25 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSY4: column
     let [t94, t97, t98] = {
-        let t94 = a3_y * z1_4_x + t6 * z1_3_y;
-        let t97 = a3_y * z2_4_x + c3 * t6;
+        let t94 = a3_y * z1_4_x + z1_3_y * t8;
+        let t97 = a3_y * z2_4_x + c3 * t8;
         let t98 = s4 * a3_y;
         [t94, t97, t98]
     };
     // MSZ4: column
     let [t101, t107] = {
-        let t101 = a4_y * z1_4_x + t6 * z1_4_y;
-        let t104 = t6 * t37 - a4_y * z2_4_x;
-        let t107 = s4 * a4_y + c4 * t6;
+        let t101 = a4_y * z1_4_x + t8 * z1_4_y;
+        let t104 = t8 * t37 - a4_y * z2_4_x;
+        let t107 = s4 * a4_y + c4 * t8;
         put(30, t104); // row 2, MSZ4
         [t101, t107]
     };
     // M5: column
     let [t109, t110, t112, t113] = {
         let t109 = s5 * a5_y;
-        let t110 = c5 * t12 + t109;
+        let t110 = c5 * t14 + t109;
         let t112 = c5 * a5_y;
-        let t113 = s5 * t12 - t112;
+        let t113 = s5 * t14 - t112;
         let t114 = L3 * t113;
         let t117 = L3 * t110 - A * a4_y;
         let t118 = A * t113;
@@ -225,9 +255,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSY5: column
     {
-        let t159 = z1_3_y * t140 + (z1_4_x * t141 + t12 * z1_4_y);
-        let t164 = c3 * t140 + (z2_4_x * t141 - t12 * t37);
-        let t167 = s4 * t141 + c4 * t12;
+        let t159 = z1_3_y * t140 + (z1_4_x * t141 + t14 * z1_4_y);
+        let t164 = c3 * t140 + (z2_4_x * t141 - t14 * t37);
+        let t167 = s4 * t141 + c4 * t14;
         put(11, t159); // row 1, MSY5
         put(33, t164); // row 2, MSY5
         put(51, t167); // row 3, MSY5
@@ -244,9 +274,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     // M6: column
     let [t176, t177, t179, t180] = {
         let t176 = s6 * a6_y;
-        let t177 = c6 * t18 + t176;
+        let t177 = c6 * t20 + t176;
         let t179 = c6 * a6_y;
-        let t180 = s6 * t18 - t179;
+        let t180 = s6 * t20 - t179;
         let t182 = t109 + c5 * t177;
         let t184 = t112 - s5 * t177;
         let t185 = L3 * t184;
@@ -282,8 +312,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSY6: column
     {
-        let t235 = s5 * t18 - c5 * t213;
-        let t238 = s5 * t213 + c5 * t18;
+        let t235 = s5 * t20 - c5 * t213;
+        let t238 = s5 * t213 + c5 * t20;
         let t243 = z1_4_x * t235 - z1_4_y * t212 - z1_3_y * t238;
         let t248 = z2_4_x * t235 + t37 * t212 - c3 * t238;
         let t251 = s4 * t235 - c4 * t212;
@@ -306,8 +336,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // M7: column
     let [t269, t272] = {
-        let t269 = s7 * t27 - c7 * t24;
-        let t272 = s7 * t24 + c7 * t27;
+        let t269 = s7 * t29 - c7 * t26;
+        let t272 = s7 * t26 + c7 * t29;
         let t273 = k4 * a6_y;
         let t274 = k4 * t272;
         let t276 = t176 - c6 * t269;
@@ -339,8 +369,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [t323, t324] = {
         let t323 = s7 * a6_y;
         let t324 = c7 * a6_y;
-        let t327 = c6 * t323 + s6 * t27;
-        let t330 = c6 * t27 - s6 * t323;
+        let t327 = c6 * t323 + s6 * t29;
+        let t330 = c6 * t29 - s6 * t323;
         let t333 = s5 * t324 - c5 * t327;
         let t336 = s5 * t327 + c5 * t324;
         let t341 = z1_4_x * t333 + z1_4_y * t330 - z1_3_y * t336;
@@ -356,8 +386,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSY7: column
     let [t355, t361] = {
-        let t352 = s6 * t24 - c6 * t324;
-        let t355 = s6 * t324 + c6 * t24;
+        let t352 = s6 * t26 - c6 * t324;
+        let t355 = s6 * t324 + c6 * t26;
         let t358 = c5 * t352 - s5 * t323;
         let t361 = s5 * t352 + c5 * t323;
         let t366 = z1_3_y * t361 - (z1_4_y * t355 - z1_4_x * t358);
@@ -394,7 +424,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t410 = -t177;
         let t411 = -t355;
         let t412 = -t323;
-        let t413 = -t27;
+        let t413 = -t29;
         put(7, t396); // row 1, MSY4
         put(8, t397); // row 1, MSZ4
         put(20, t387); // row 1, MSZ7

@@ -24,7 +24,15 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Regressor of a body fixed to the tool frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 7]) {
-    out.as_flattened_mut().fill(S::default());
+    let flat = &mut out.as_flattened_mut()[..];
+    flat[60] = S::default();
+    flat[63] = S::default();
+    nonzeros(trig, dq, ddq, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 7]) {
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
     });
@@ -49,187 +57,182 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let k0 = S::constant(9.81);
     let k4 = S::constant(0.088);
     // link 2: motion
-    let [t0, t1, t4, t5, dw2_y, t13, t14, t15] = {
-        let t0 = s2 * dq1;
-        let t1 = c2 * dq1;
-        let t4 = s2 * k0;
-        let t5 = c2 * k0;
-        let t10 = dq2 * t1;
-        let dw2_y = dq2 * t0 - c2 * ddq1;
-        let t13 = t0 * t1 - ddq2;
-        let t14 = t0 * t0 + dq2 * dq2;
+    let [t0, t1, t2, t3, dw2_y, t13, t14, t15] = {
+        let t0 = s2 * k0;
+        let t1 = c2 * k0;
+        let t2 = s2 * dq1;
+        let t3 = c2 * dq1;
+        let t10 = dq2 * t3;
+        let dw2_y = dq2 * t2 - c2 * ddq1;
+        let t13 = t2 * t3 - ddq2;
+        let t14 = t2 * t2 + dq2 * dq2;
         let t15 = t10 + (s2 * ddq1 + t10);
-        [t0, t1, t4, t5, dw2_y, t13, t14, t15]
+        [t0, t1, t2, t3, dw2_y, t13, t14, t15]
     };
     // link 3: motion
     let [
-        t18, w3_y, t26, a3_x, a3_y, w3_z, dw3_y, t49,
-        t50, t51, t52, t53, t54,
+        t16, z1_3_y, t22, t25, a3_y, t31, w3_y, w3_z,
+        dw3_y, t51, t52, t53, t54, t55, t56,
     ] = {
-        let t18 = c3 * t0 - s3 * dq2;
-        let w3_y = c3 * dq2 + s3 * t0;
-        let t24 = L2 * t15;
-        let t25 = t4 + L2 * t13;
-        let t26 = t5 - L2 * t14;
-        let a3_x = s3 * t24 - c3 * t25;
-        let a3_y = c3 * t24 + s3 * t25;
-        let w3_z = t1 + dq3;
-        let t40 = dw2_y - ddq3;
-        let t41 = t18 * t18;
-        let t42 = w3_z * w3_z;
-        let t43 = t18 * w3_y;
-        let t44 = t18 * w3_z;
-        let t45 = w3_y * w3_z;
-        let dw3_y = s3 * t15 - c3 * t13 + t44;
-        let t49 = t14 + (t42 - t41);
-        let t50 = t40 - t43;
-        let t51 = t40 + t43;
-        let t52 = t41 + t42;
-        let t53 = t44 + dw3_y;
-        let t54 = t45 - (c3 * t15 + s3 * t13 - t45);
+        let t16 = s2 * c3;
+        let z1_3_y = s2 * s3;
+        let t20 = L2 * t15;
+        let t21 = t0 + L2 * t13;
+        let t22 = L2 * t14 - t1;
+        let t25 = c3 * t21 - s3 * t20;
+        let a3_y = c3 * t20 + s3 * t21;
+        let t31 = c3 * t2 - s3 * dq2;
+        let w3_y = c3 * dq2 + s3 * t2;
+        let w3_z = t3 + dq3;
+        let t42 = dw2_y - ddq3;
+        let t43 = t31 * t31;
+        let t44 = w3_z * w3_z;
+        let t45 = t31 * w3_y;
+        let t46 = t31 * w3_z;
+        let t47 = w3_y * w3_z;
+        let dw3_y = s3 * t15 - c3 * t13 + t46;
+        let t51 = t14 + (t44 - t43);
+        let t52 = t45 - t42;
+        let t53 = t42 + t45;
+        let t54 = t43 + t44;
+        let t55 = t46 + dw3_y;
+        let t56 = t47 - (c3 * t15 + s3 * t13 - t47);
         [
-        t18, w3_y, t26, a3_x, a3_y, w3_z, dw3_y, t49,
-        t50, t51, t52, t53, t54,
+        t16, z1_3_y, t22, t25, a3_y, t31, w3_y, w3_z,
+        dw3_y, t51, t52, t53, t54, t55, t56,
     ]
     };
     // link 4: motion
     let [
-        t57, w4_y, t65, a4_x, a4_y, w4_z, t87, t89,
-        t90, t91, t92, t93, t94,
+        t61, t65, t68, t71, w4_y, t81, t89, t91,
+        t92, t93, t94, t95, t96,
     ] = {
-        let t57 = c4 * t18 - s4 * w3_z;
-        let w4_y = c4 * w3_z + s4 * t18;
-        let t64 = A * t49 - a3_x;
-        let t65 = A * t51 - a3_y;
-        let t66 = t26 - A * t53;
-        let a4_x = s4 * t66 - c4 * t64;
-        let a4_y = c4 * t66 + s4 * t64;
-        let w4_z = dq4 - w3_y;
-        let t80 = dw3_y - ddq4;
-        let t81 = t57 * t57;
-        let t82 = w4_z * w4_z;
-        let t83 = t57 * w4_y;
-        let t84 = t57 * w4_z;
-        let t85 = w4_y * w4_z;
-        let t87 = t84 - (c4 * t50 + s4 * t54);
-        let t89 = t52 + (t82 - t81);
-        let t90 = t80 - t83;
-        let t91 = t80 + t83;
-        let t92 = t81 + t82;
-        let t93 = t84 + t87;
-        let t94 = t85 - (s4 * t50 - c4 * t54 - t85);
+        let t60 = t25 + A * t51;
+        let t61 = a3_y - A * t53;
+        let t62 = t22 + A * t55;
+        let t65 = c4 * t60 + s4 * t62;
+        let t68 = c4 * t62 - s4 * t60;
+        let t71 = c4 * t31 - s4 * w3_z;
+        let w4_y = c4 * w3_z + s4 * t31;
+        let t81 = w3_y - dq4;
+        let t82 = dw3_y - ddq4;
+        let t83 = t71 * t71;
+        let t84 = t81 * t81;
+        let t85 = t71 * w4_y;
+        let t86 = t71 * t81;
+        let t87 = w4_y * t81;
+        let t89 = s4 * t56 - c4 * t52 + t86;
+        let t91 = t54 - (t83 - t84);
+        let t92 = t85 - t82;
+        let t93 = t82 + t85;
+        let t94 = t83 + t84;
+        let t95 = t86 + t89;
+        let t96 = t87 + (t87 - (c4 * t56 + s4 * t52));
         [
-        t57, w4_y, t65, a4_x, a4_y, w4_z, t87, t89,
-        t90, t91, t92, t93, t94,
+        t61, t65, t68, t71, w4_y, t81, t89, t91,
+        t92, t93, t94, t95, t96,
     ]
     };
     // link 5: motion
     let [
-        t97, t100, a5_z, t115, a6_z, w5_z, dw5_y, t134,
-        t135, t136,
+        t107, a5_x, t114, t117, t120, w5_z, t135, t136,
+        t137, t138,
     ] = {
-        let t97 = c5 * t57 + s5 * w4_z;
-        let t100 = s5 * t57 - c5 * w4_z;
-        let t110 = a4_x + (A * t89 + L3 * t90);
-        let a5_z = a4_y + (A * t91 - L3 * t92);
-        let t112 = t65 + (A * t93 + L3 * t94);
-        let t115 = s5 * t112 - c5 * t110;
-        let a6_z = c5 * t112 + s5 * t110;
+        let t106 = t65 - (A * t91 - L3 * t92);
+        let t107 = t68 + (L3 * t94 - A * t93);
+        let t108 = t61 + (A * t95 + L3 * t96);
+        let a5_x = s5 * t108 - c5 * t106;
+        let t114 = c5 * t108 + s5 * t106;
+        let t117 = c5 * t71 - s5 * t81;
+        let t120 = c5 * t81 + s5 * t71;
         let w5_z = w4_y + dq5;
-        let dw5_z = t87 + ddq5;
-        let t131 = t100 * w5_z;
-        let dw5_x = c5 * t94 + s5 * t90 + t131;
-        let dw5_y = c5 * t90 - s5 * t94 + t97 * w5_z;
-        let t134 = dw5_z + t97 * t100;
-        let t135 = t97 * t97 + w5_z * w5_z;
-        let t136 = t131 + dw5_x;
+        let dw5_z = ddq5 - t89;
+        let t133 = t120 * w5_z;
+        let t135 = c5 * t92 - s5 * t96 - t117 * w5_z;
+        let t136 = dw5_z + t117 * t120;
+        let t137 = t117 * t117 + w5_z * w5_z;
+        let t138 = t133 - (c5 * t96 + s5 * t92 - t133);
         [
-        t97, t100, a5_z, t115, a6_z, w5_z, dw5_y, t134,
-        t135, t136,
+        t107, a5_x, t114, t117, t120, w5_z, t135, t136,
+        t137, t138,
     ]
     };
     // link 6: motion
     let [
-        t139, w6_y, t145, a6_y, w6_z, dw6_y, t165, t166,
-        t167, t168, t169, t170,
+        a6_x, t144, t147, w6_y, w6_z, dw6_y, t167, t168,
+        t169, t170, t171, t172,
     ] = {
-        let t139 = c6 * t97 - s6 * w5_z;
-        let w6_y = c6 * w5_z + s6 * t97;
-        let t145 = c6 * t115 - s6 * a5_z;
-        let a6_y = c6 * a5_z + s6 * t115;
-        let w6_z = dq6 - t100;
-        let t156 = dw5_y - ddq6;
-        let t157 = t139 * t139;
-        let t158 = w6_z * w6_z;
-        let t159 = t139 * w6_y;
-        let t160 = t139 * w6_z;
-        let t161 = w6_y * w6_z;
-        let dw6_x = c6 * t136 + s6 * t134 + t161;
-        let dw6_y = c6 * t134 - s6 * t136 + t160;
-        let t165 = t135 + (t158 - t157);
-        let t166 = t159 - t156;
-        let t167 = t156 + t159;
-        let t168 = t157 + t158;
-        let t169 = t160 + dw6_y;
-        let t170 = t161 + dw6_x;
+        let a6_x = c6 * a5_x - s6 * t107;
+        let t144 = c6 * t107 + s6 * a5_x;
+        let t147 = c6 * t117 - s6 * w5_z;
+        let w6_y = c6 * w5_z + s6 * t117;
+        let w6_z = dq6 - t120;
+        let dw6_z = t135 + ddq6;
+        let t159 = t147 * t147;
+        let t160 = w6_z * w6_z;
+        let t161 = t147 * w6_y;
+        let t162 = t147 * w6_z;
+        let t163 = w6_y * w6_z;
+        let dw6_x = c6 * t138 + s6 * t136 + t163;
+        let dw6_y = c6 * t136 - s6 * t138 + t162;
+        let t167 = t137 + (t160 - t159);
+        let t168 = dw6_z + t161;
+        let t169 = t161 - dw6_z;
+        let t170 = t159 + t160;
+        let t171 = t162 + dw6_y;
+        let t172 = t163 + dw6_x;
         [
-        t139, w6_y, t145, a6_y, w6_z, dw6_y, t165, t166,
-        t167, t168, t169, t170,
+        a6_x, t144, t147, w6_y, w6_z, dw6_y, t167, t168,
+        t169, t170, t171, t172,
     ]
     };
     // link 7: motion
     let [
-        t181, t185, a7_y, t191, t194, dw7_z, t199, t200,
-        t201, dw7_x, t203, t204, t205, t206, t207, t208,
-        t209, t210,
+        t177, t181, a7_y, t193, t196, dw7_z, t201, t202,
+        t203, dw7_x, t205, t206, t207, t208, t209, t210,
+        t211, t212,
     ] = {
-        let w7_x = s7 * w6_z - c7 * t139;
-        let w7_y = c7 * w6_z + s7 * t139;
-        let t180 = t145 + k4 * t165;
-        let t181 = a6_y - k4 * t167;
-        let t182 = a6_z - k4 * t169;
-        let t185 = c7 * t180 - s7 * t182;
-        let a7_y = c7 * t182 + s7 * t180;
-        let t191 = c7 * t166 - s7 * t170;
-        let t194 = c7 * t170 + s7 * t166;
-        let t195 = w6_y - dq7;
+        let t176 = k4 * t167 - a6_x;
+        let t177 = t144 + k4 * t169;
+        let t178 = t114 + k4 * t171;
+        let t181 = c7 * t176 + s7 * t178;
+        let a7_y = s7 * t176 - c7 * t178;
+        let t187 = c7 * t147 - s7 * w6_z;
+        let w7_y = c7 * w6_z + s7 * t147;
+        let t193 = c7 * t168 - s7 * t172;
+        let t196 = c7 * t172 + s7 * t168;
+        let w7_z = dq7 - w6_y;
         let dw7_z = ddq7 - dw6_y;
-        let t197 = w7_x * w7_x;
-        let t198 = t195 * t195;
-        let t199 = w7_x * w7_y;
-        let t200 = w7_x * t195;
-        let t201 = w7_y * t195;
-        let dw7_x = t194 - t201;
-        let t203 = t191 + t200;
-        let t204 = t198 - t197;
-        let t205 = t168 + t204;
-        let t206 = t199 - dw7_z;
-        let t207 = dw7_z + t199;
-        let t208 = t197 + t198;
-        let t209 = t200 + t203;
-        let t210 = t201 - dw7_x;
+        let t199 = t187 * t187;
+        let t200 = w7_z * w7_z;
+        let t201 = t187 * w7_y;
+        let t202 = t187 * w7_z;
+        let t203 = w7_y * w7_z;
+        let dw7_x = t196 + t203;
+        let t205 = t193 + t202;
+        let t206 = t200 - t199;
+        let t207 = t170 + t206;
+        let t208 = dw7_z + t201;
+        let t209 = dw7_z - t201;
+        let t210 = t199 + t200;
+        let t211 = t202 + t205;
+        let t212 = t203 + dw7_x;
         put(60, a7_y); // row 7, MSX
-        put(61, t185); // row 7, MSY
-        put(63, t199); // row 7, YY
+        put(61, t181); // row 7, MSY
+        put(62, t201); // row 7, XX
         put(64, dw7_z); // row 7, ZZ
-        put(66, t194); // row 7, XZ
-        put(67, t191); // row 7, YZ
+        put(66, t196); // row 7, XZ
+        put(67, t193); // row 7, YZ
         [
-        t181, t185, a7_y, t191, t194, dw7_z, t199, t200,
-        t201, dw7_x, t203, t204, t205, t206, t207, t208,
-        t209, t210,
+        t177, t181, a7_y, t193, t196, dw7_z, t201, t202,
+        t203, dw7_x, t205, t206, t207, t208, t209, t210,
+        t211, t212,
     ]
-    };
-    // joint axes in frame 3
-    let [t211, z1_3_y] = {
-        let t211 = s2 * c3;
-        let z1_3_y = s2 * s3;
-        [t211, z1_3_y]
     };
     // joint axes in frame 4
     let [z1_4_x, z1_4_y, z2_4_x, t220] = {
-        let z1_4_x = c2 * s4 - c4 * t211;
-        let z1_4_y = c2 * c4 + s4 * t211;
+        let z1_4_x = c2 * s4 - c4 * t16;
+        let z1_4_y = c2 * c4 + s4 * t16;
         let z2_4_x = s3 * c4;
         let t220 = s3 * s4;
         [z1_4_x, z1_4_y, z2_4_x, t220]
@@ -246,63 +249,62 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [z1_5_x, t226, z2_5_x, t232, t233, z3_5_x, z3_6_z]
     };
     // payload: column M
-    let [t238, t241, t273, t276] = {
-        let t238 = c7 * t185 + s7 * a7_y;
-        let t241 = s7 * t185 - c7 * a7_y;
-        let t242 = k4 * t181;
+    let [t238, t241, t242, t273, t276] = {
+        let t238 = c7 * t181 + s7 * a7_y;
+        let t241 = s7 * t181 - c7 * a7_y;
+        let t242 = k4 * t177;
         let t243 = k4 * t241;
-        let t246 = c6 * t238 + s6 * t181;
-        let t249 = c6 * t181 - s6 * t238;
+        let t246 = c6 * t238 - s6 * t177;
+        let t249 = s6 * t238 + c6 * t177;
         let t250 = s6 * t243;
         let t251 = c6 * t243;
         let t254 = c5 * t246 + s5 * t241;
         let t257 = c5 * t241 - s5 * t246;
         let t268 = A * t257;
-        let t269 = c5 * t250 - s5 * t242 + L3 * t257;
-        let t270 = s5 * t250 + c5 * t242 + (L3 * t254 - A * t249);
-        let t271 = t251 - t268;
+        let t269 = c5 * t250 + s5 * t242 + L3 * t257;
+        let t270 = L3 * t254 + A * t249 - (c5 * t242 - s5 * t250);
+        let t271 = t268 - t251;
         let t273 = t233 + L2 * s4;
         let t276 = s4 * A - L2 * c4;
         let t282 = t257 * t276 - t269;
-        let t283 = t271 + t257 * t273;
-        let t284 = t254 * t276 - t249 * t273 - t270;
-        let t289 = z1_3_y * t284 + (z1_4_x * t282 + z1_4_y * t283);
-        let t294 = c3 * t284 + (z2_4_x * t282 - t220 * t283);
-        let t298 = t268 - (s4 * t269 - c4 * t271);
+        let t283 = t271 - t257 * t273;
+        let t284 = t249 * t273 + t254 * t276 - t270;
+        let t289 = z1_3_y * t284 - (z1_4_y * t283 - z1_4_x * t282);
+        let t294 = c3 * t284 + (z2_4_x * t282 + t220 * t283);
+        let t298 = t268 - (s4 * t269 + c4 * t271);
         put(0, t289); // row 1, M
         put(10, t294); // row 2, M
         put(20, t298); // row 3, M
         put(30, t270); // row 4, M
         put(40, t251); // row 5, M
-        put(50, t242); // row 6, M
-        [t238, t241, t273, t276]
+        [t238, t241, t242, t273, t276]
     };
     // payload: column MSX
     let [t300, t303, t305, t306] = {
-        let t300 = s7 * t207;
-        let t301 = c7 * t205 + t300;
-        let t303 = c7 * t207;
-        let t304 = s7 * t205 - t303;
-        let t305 = s7 * t181;
-        let t306 = c7 * t181;
-        let t309 = t306 + k4 * t209;
-        let t310 = k4 * t304 - a7_y;
-        let t313 = c6 * t301 + s6 * t209;
-        let t316 = s6 * t301 - c6 * t209;
+        let t300 = s7 * t209;
+        let t301 = c7 * t207 + t300;
+        let t303 = c7 * t209;
+        let t304 = t303 - s7 * t207;
+        let t305 = s7 * t177;
+        let t306 = c7 * t177;
+        let t309 = k4 * t211 - t306;
+        let t310 = a7_y + k4 * t304;
+        let t313 = c6 * t301 + s6 * t211;
+        let t316 = s6 * t301 - c6 * t211;
         let t319 = c6 * t305 + s6 * t310;
-        let t322 = c6 * t310 - s6 * t305;
-        let t325 = c5 * t313 + s5 * t304;
-        let t328 = c5 * t304 - s5 * t313;
+        let t322 = s6 * t305 - c6 * t310;
+        let t325 = s5 * t304 - c5 * t313;
+        let t328 = s5 * t313 + c5 * t304;
         let t339 = A * t328;
-        let t340 = s5 * t309 - c5 * t319 - L3 * t328;
-        let t341 = s5 * t319 + c5 * t309 + (L3 * t325 + A * t316);
-        let t342 = t322 - t339;
-        let t348 = t340 + t276 * t328;
-        let t349 = t342 + t273 * t328;
-        let t350 = t273 * t316 + t276 * t325 - t341;
+        let t340 = c5 * t319 + s5 * t309 + L3 * t328;
+        let t341 = c5 * t309 - s5 * t319 + (A * t316 - L3 * t325);
+        let t342 = t322 + t339;
+        let t348 = t340 - t276 * t328;
+        let t349 = t342 - t273 * t328;
+        let t350 = t273 * t316 - t276 * t325 - t341;
         let t355 = z1_3_y * t350 + (z1_4_x * t348 + z1_4_y * t349);
         let t360 = c3 * t350 + (z2_4_x * t348 - t220 * t349);
-        let t364 = t339 + (s4 * t340 + c4 * t342);
+        let t364 = s4 * t340 + c4 * t342 - t339;
         put(1, t355); // row 1, MSX
         put(11, t360); // row 2, MSX
         put(21, t364); // row 3, MSX
@@ -313,27 +315,27 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column MSY
     let [t365, t368] = {
-        let t365 = c7 * t206;
-        let t367 = t365 + s7 * t208;
-        let t368 = s7 * t206;
-        let t370 = c7 * t208 - t368;
-        let t373 = k4 * t210 - t305;
-        let t374 = k4 * t370 - t185;
-        let t377 = s6 * t210 - c6 * t367;
-        let t380 = s6 * t367 + c6 * t210;
-        let t383 = c6 * t306 + s6 * t374;
-        let t386 = c6 * t374 - s6 * t306;
-        let t389 = c5 * t377 + s5 * t370;
-        let t392 = c5 * t370 - s5 * t377;
+        let t365 = c7 * t208;
+        let t367 = t365 - s7 * t210;
+        let t368 = s7 * t208;
+        let t370 = t368 + c7 * t210;
+        let t373 = t305 - k4 * t212;
+        let t374 = k4 * t370 - t181;
+        let t377 = s6 * t212 - c6 * t367;
+        let t380 = s6 * t367 + c6 * t212;
+        let t383 = s6 * t374 - c6 * t306;
+        let t386 = s6 * t306 + c6 * t374;
+        let t389 = s5 * t370 - c5 * t377;
+        let t392 = s5 * t377 + c5 * t370;
         let t403 = A * t392;
         let t404 = L3 * t392 - (s5 * t373 - c5 * t383);
-        let t405 = s5 * t383 + c5 * t373 + (L3 * t389 - A * t380);
+        let t405 = s5 * t383 + c5 * t373 + (L3 * t389 + A * t380);
         let t406 = t403 - t386;
-        let t412 = t276 * t392 - t404;
-        let t413 = t273 * t392 - t406;
-        let t414 = t276 * t389 - t273 * t380 - t405;
-        let t419 = z1_3_y * t414 + (z1_4_x * t412 + z1_4_y * t413);
-        let t424 = c3 * t414 - (t220 * t413 - z2_4_x * t412);
+        let t412 = t404 - t276 * t392;
+        let t413 = t406 - t273 * t392;
+        let t414 = t273 * t380 + t276 * t389 - t405;
+        let t419 = z1_3_y * t414 - (z1_4_x * t412 + z1_4_y * t413);
+        let t424 = c3 * t414 + (t220 * t413 - z2_4_x * t412);
         let t428 = t403 - (s4 * t404 + c4 * t406);
         put(2, t419); // row 1, MSY
         put(12, t424); // row 2, MSY
@@ -345,26 +347,26 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column MSZ
     {
-        let t431 = c7 * t191 + s7 * t194;
-        let t434 = c7 * t194 - s7 * t191;
+        let t431 = c7 * t193 + s7 * t196;
+        let t434 = c7 * t196 - s7 * t193;
         let t436 = k4 * t434;
-        let t437 = k4 * t168 - t238;
-        let t440 = s6 * t168 - c6 * t431;
-        let t443 = s6 * t431 + c6 * t168;
+        let t437 = k4 * t170 - t238;
+        let t440 = s6 * t170 - c6 * t431;
+        let t443 = s6 * t431 + c6 * t170;
         let t446 = s6 * t436 - c6 * t241;
         let t449 = s6 * t241 + c6 * t436;
         let t452 = c5 * t440 + s5 * t434;
-        let t455 = s5 * t440 - c5 * t434;
+        let t455 = c5 * t434 - s5 * t440;
         let t466 = A * t455;
-        let t467 = s5 * t437 - c5 * t446 + L3 * t455;
+        let t467 = L3 * t455 - (s5 * t437 - c5 * t446);
         let t468 = s5 * t446 + c5 * t437 + (L3 * t452 - A * t443);
-        let t469 = t449 + t466;
-        let t475 = t467 - t276 * t455;
-        let t476 = t273 * t455 - t469;
-        let t477 = t276 * t452 - t273 * t443 - t468;
-        let t482 = z1_3_y * t477 + (z1_4_x * t475 - z1_4_y * t476);
-        let t487 = c3 * t477 + (z2_4_x * t475 + t220 * t476);
-        let t491 = s4 * t467 + c4 * t469 - t466;
+        let t469 = t466 - t449;
+        let t475 = t276 * t455 - t467;
+        let t476 = t469 - t273 * t455;
+        let t477 = t468 - (t276 * t452 - t273 * t443);
+        let t482 = z1_4_x * t475 - z1_4_y * t476 - z1_3_y * t477;
+        let t487 = z2_4_x * t475 + t220 * t476 - c3 * t477;
+        let t491 = t466 - (s4 * t467 + c4 * t469);
         put(3, t482); // row 1, MSZ
         put(13, t487); // row 2, MSZ
         put(23, t491); // row 3, MSZ
@@ -374,18 +376,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // payload: column XX
     let [t493, t496, t499, t502] = {
-        let t493 = s7 * t200;
+        let t493 = s7 * t202;
         let t494 = c7 * dw7_x + t493;
-        let t496 = c7 * t200;
+        let t496 = c7 * t202;
         let t497 = s7 * dw7_x - t496;
-        let t499 = s6 * t199;
-        let t500 = t499 - c6 * t494;
-        let t502 = c6 * t199;
-        let t503 = s6 * t494 + t502;
-        let t508 = z1_4_y * t503 - (z1_5_x * t500 - t226 * t497);
-        let t513 = t232 * t497 - z2_5_x * t500 - t220 * t503;
-        let t518 = c4 * t503 + (z3_6_z * t497 - z3_5_x * t500);
-        let t521 = s5 * t500 + c5 * t497;
+        let t499 = s6 * t201;
+        let t500 = c6 * t494 + t499;
+        let t502 = c6 * t201;
+        let t503 = s6 * t494 - t502;
+        let t508 = z1_4_y * t503 + (z1_5_x * t500 + t226 * t497);
+        let t513 = z2_5_x * t500 + t232 * t497 - t220 * t503;
+        let t518 = c4 * t503 + (z3_5_x * t500 + z3_6_z * t497);
+        let t521 = c5 * t497 - s5 * t500;
         put(4, t508); // row 1, XX
         put(14, t513); // row 2, XX
         put(24, t518); // row 3, XX
@@ -396,16 +398,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column YY
     let [t522, t525] = {
-        let t522 = c7 * t201;
-        let t524 = t522 - s7 * t203;
-        let t525 = s7 * t201;
-        let t527 = t525 + c7 * t203;
+        let t522 = c7 * t203;
+        let t524 = t522 + s7 * t205;
+        let t525 = s7 * t203;
+        let t527 = c7 * t205 - t525;
         let t529 = t499 + c6 * t524;
-        let t531 = s6 * t524 - t502;
-        let t536 = z1_4_y * t531 + (z1_5_x * t529 + t226 * t527);
-        let t541 = z2_5_x * t529 + t232 * t527 - t220 * t531;
-        let t546 = c4 * t531 + (z3_5_x * t529 + z3_6_z * t527);
-        let t549 = c5 * t527 - s5 * t529;
+        let t531 = t502 - s6 * t524;
+        let t536 = z1_4_y * t531 - (z1_5_x * t529 - t226 * t527);
+        let t541 = t232 * t527 - z2_5_x * t529 - t220 * t531;
+        let t546 = c4 * t531 + (z3_6_z * t527 - z3_5_x * t529);
+        let t549 = s5 * t529 + c5 * t527;
         put(5, t536); // row 1, YY
         put(15, t541); // row 2, YY
         put(25, t546); // row 3, YY
@@ -415,28 +417,29 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [t522, t525]
     };
     // payload: column ZZ
-    let [t557, t576] = {
-        let t550 = t493 + t522;
-        let t551 = t496 - t525;
-        let t554 = s6 * dw7_z - c6 * t550;
-        let t557 = s6 * t550 + c6 * dw7_z;
-        let t562 = z1_5_x * t554 + t226 * t551 - z1_4_y * t557;
-        let t567 = t220 * t557 + (z2_5_x * t554 + t232 * t551);
-        let t572 = z3_5_x * t554 + z3_6_z * t551 - c4 * t557;
+    let t576 = {
+        let t550 = t522 - t493;
+        let t551 = t496 + t525;
+        let t554 = c6 * t550 + s6 * dw7_z;
+        let t557 = s6 * t550 - c6 * dw7_z;
+        let t562 = z1_4_y * t557 + (z1_5_x * t554 + t226 * t551);
+        let t567 = z2_5_x * t554 + t232 * t551 - t220 * t557;
+        let t572 = c4 * t557 + (z3_5_x * t554 + z3_6_z * t551);
         let t575 = c5 * t551 - s5 * t554;
-        let t576 = t208 - t205;
+        let t576 = t210 - t207;
         put(6, t562); // row 1, ZZ
         put(16, t567); // row 2, ZZ
         put(26, t572); // row 3, ZZ
         put(36, t575); // row 4, ZZ
+        put(46, t557); // row 5, ZZ
         put(56, t551); // row 6, ZZ
         put(65, t576); // row 7, XY
-        [t557, t576]
+        t576
     };
     // payload: column XY
     {
-        let t579 = c7 * t209 + s7 * t210;
-        let t582 = s7 * t209 - c7 * t210;
+        let t579 = c7 * t211 - s7 * t212;
+        let t582 = s7 * t211 + c7 * t212;
         let t585 = c6 * t579 + s6 * t576;
         let t588 = s6 * t579 - c6 * t576;
         let t593 = z1_4_y * t588 + (z1_5_x * t585 + t226 * t582);
@@ -452,15 +455,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // payload: column XZ
     let t635 = {
-        let t608 = t303 - s7 * t204;
-        let t610 = t300 + c7 * t204;
-        let t613 = c6 * t608 + s6 * t194;
-        let t616 = s6 * t608 - c6 * t194;
+        let t608 = t303 - s7 * t206;
+        let t610 = t300 + c7 * t206;
+        let t613 = c6 * t608 + s6 * t196;
+        let t616 = s6 * t608 - c6 * t196;
         let t621 = z1_4_y * t616 + (z1_5_x * t613 + t226 * t610);
         let t626 = z2_5_x * t613 + t232 * t610 - t220 * t616;
         let t631 = c4 * t616 + (z3_5_x * t613 + z3_6_z * t610);
         let t634 = c5 * t610 - s5 * t613;
-        let t635 = t168 - t208;
+        let t635 = t170 - t210;
         put(8, t621); // row 1, XZ
         put(18, t626); // row 2, XZ
         put(28, t631); // row 3, XZ
@@ -471,23 +474,23 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column YZ
     {
-        let t637 = t368 + c7 * t635;
-        let t639 = s7 * t635 - t365;
-        let t642 = c6 * t637 + s6 * t191;
-        let t645 = s6 * t637 - c6 * t191;
+        let t637 = c7 * t635 - t368;
+        let t639 = t365 + s7 * t635;
+        let t642 = c6 * t637 + s6 * t193;
+        let t645 = s6 * t637 - c6 * t193;
         let t650 = z1_4_y * t645 + (z1_5_x * t642 + t226 * t639);
         let t655 = z2_5_x * t642 + t232 * t639 - t220 * t645;
         let t660 = c4 * t645 + (z3_5_x * t642 + z3_6_z * t639);
         let t663 = c5 * t639 - s5 * t642;
-        let t664 = -t557;
-        let t665 = -t199;
+        let t664 = -t242;
+        let t665 = -t201;
         put(9, t650); // row 1, YZ
         put(19, t655); // row 2, YZ
         put(29, t660); // row 3, YZ
         put(39, t663); // row 4, YZ
-        put(46, t664); // row 5, ZZ
         put(49, t645); // row 5, YZ
+        put(50, t664); // row 6, M
         put(59, t639); // row 6, YZ
-        put(62, t665); // row 7, XX
+        put(63, t665); // row 7, YY
     }
 }

@@ -21,7 +21,21 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Potential energy, one entry per standard parameter: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 91]) {
-    out.fill(S::default());
+    let flat = &mut out[..];
+    flat[1..3].fill(S::default());
+    flat[4..10].fill(S::default());
+    flat[13..20].fill(S::default());
+    flat[24..30].fill(S::default());
+    flat[34..40].fill(S::default());
+    flat[44..50].fill(S::default());
+    flat[54..60].fill(S::default());
+    flat[64..84].fill(S::default());
+    nonzeros(trig, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [S; 91]) {
     entries(trig, |k, x| {
         out[PATTERN[k].0] = x;
     });

@@ -4,6 +4,7 @@
 use super::super::runtime::Pack;
 use super::axis::Value;
 use super::solution::{Branch, CAPACITY};
+use super::subproblem::DOUBT;
 use super::vector::Turn;
 
 /// The values of one joint; of one that slides, `c` is the way, m.
@@ -20,9 +21,18 @@ pub(super) struct Candidates<const N: usize> {
     /// By joint and branch: which value.
     at: [[u8; CAPACITY]; N],
     pub branch: [Branch; CAPACITY],
-    /// Bit `j`: joint `j` is free.
+    /// Bit `j`: joint `j` is free; [`IN_DOUBT`].
     pub free: [u32; CAPACITY],
     pub len: usize,
+}
+
+/// Bit of `free` that stands for [`super::subproblem::DOUBT`] among all joints.
+pub(super) const IN_DOUBT: u32 = 1 << 31;
+
+/// That bit, from a byte of free joints.
+#[inline(always)]
+pub(super) fn in_doubt(free: u8) -> u32 {
+    u32::from(free & DOUBT) << 24
 }
 
 /// No bound check: there are as many places as the mask allows.
@@ -80,6 +90,24 @@ impl<const N: usize> Candidates<N> {
     #[inline(always)]
     pub fn kind(&self, place: usize) -> (Branch, u32) {
         (self.branch[place & MASK], self.free[place & MASK])
+    }
+
+    /// Is some branch [`IN_DOUBT`]?
+    #[inline(always)]
+    pub fn in_doubt(&self) -> bool {
+        self.free.iter().fold(0, |all, free| all | free) & IN_DOUBT != 0
+    }
+
+    /// More joints of a branch are free.
+    pub fn loosen(&mut self, place: usize, bits: u32) {
+        self.free[place & MASK] |= bits;
+    }
+
+    /// No branch is in doubt.
+    pub fn be_sure(&mut self) {
+        for free in &mut self.free {
+            *free &= !IN_DOUBT;
+        }
     }
 
     /// A branch with values of its own.

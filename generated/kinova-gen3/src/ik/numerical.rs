@@ -33,7 +33,7 @@ pub(super) fn search<const N: usize>(
             });
             v = values(arm, &q);
         }
-        let [p, r] = sizes(&polish(arm, g, &mut v, None, STEPS));
+        let [p, r] = sizes(&polish(arm, g, query, &mut v, STEPS));
         let branch = |root: usize| Branch { numerical: true, root: root as u8 + 1, ..Branch::NONE };
         if p.max(r) <= 1e-12 {
             let same = |place: usize| {

@@ -2,7 +2,7 @@
 //!
 //! `ddq = M^-1 (tau - C dq - g - friction)`, rad/s^2, from the base parameters; `M = L D L'` written out.
 //!
-//! 729 multiplications, 606 additions; 7, 7 of 7 structurally nonzero.
+//! 725 multiplications, 596 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -252,421 +252,420 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     };
     // link 2: motion
     let [
-        w2_x, w2_y, t441, t442, a2_z, t446, t447, dw2_x,
-        t449, t450, t451, t452, t453,
+        t439, t440, a2_z, w2_x, w2_y, t445, t446, t447,
+        t450, t451, t452,
     ] = {
+        let t439 = s2 * k6;
+        let t440 = c2 * k6;
+        let a2_z = k5 * t438;
         let w2_x = s2 * dq1;
         let w2_y = c2 * dq1;
-        let t441 = s2 * k6;
-        let t442 = c2 * k6;
-        let a2_z = k5 * t438;
         let t444 = w2_x * w2_x;
         let t445 = dq2 * dq2;
         let t446 = w2_x * w2_y;
         let t447 = dq2 * w2_x;
         let dw2_x = dq2 * w2_y;
-        let t449 = t444 - t445;
-        let t450 = t449 - t438;
+        let t450 = t444 - t445 - t438;
         let t451 = t444 + t445;
-        let t452 = t447 + t447;
-        let t453 = dw2_x + dw2_x;
+        let t452 = dw2_x + dw2_x;
         [
-        w2_x, w2_y, t441, t442, a2_z, t446, t447, dw2_x,
-        t449, t450, t451, t452, t453,
+        t439, t440, a2_z, w2_x, w2_y, t445, t446, t447,
+        t450, t451, t452,
     ]
     };
     // link 3: motion
     let [
-        w3_x, t459, a3_z, t468, a3_y, t474, t477, w3_z,
-        t481, t482, t483, dw3_x, dw3_y, t486, t487, t488,
-        t489, t490, t491, t492,
+        a3_z, t461, a3_y, w3_x, t470, t473, t476, w3_z,
+        t480, t481, t482, dw3_x, dw3_y, t485, t486, t487,
+        t488, t489, t490, t491,
     ] = {
+        let t456 = t439 + k4 * t446;
+        let a3_z = k4 * t451 - t440;
+        let t458 = a2_z - k4 * t452;
+        let t461 = c3 * t456 + s3 * t458;
+        let a3_y = s3 * t456 - c3 * t458;
         let w3_x = c3 * w2_x - s3 * dq2;
-        let t459 = c3 * dq2 + s3 * w2_x;
-        let t463 = t441 + k4 * t446;
-        let a3_z = k4 * t451 - t442;
-        let t465 = a2_z - k4 * t453;
-        let t468 = c3 * t463 + s3 * t465;
-        let a3_y = s3 * t463 - c3 * t465;
-        let t474 = c3 * t446 - s3 * t453;
-        let t477 = c3 * t453 + s3 * t446;
+        let t470 = c3 * dq2 + s3 * w2_x;
+        let t473 = c3 * t446 - s3 * t452;
+        let t476 = c3 * t452 + s3 * t446;
         let w3_z = w2_y + dq3;
-        let t479 = w3_x * w3_x;
-        let t480 = w3_z * w3_z;
-        let t481 = w3_x * t459;
-        let t482 = w3_x * w3_z;
-        let t483 = t459 * w3_z;
-        let dw3_x = t477 - t483;
-        let dw3_y = t474 - t482;
-        let t486 = t479 - t480;
-        let t487 = t486 - t451;
-        let t488 = t447 - t481;
-        let t489 = t447 + t481;
-        let t490 = t479 + t480;
-        let t491 = t482 - dw3_y;
-        let t492 = dw3_x - t483;
+        let t478 = w3_x * w3_x;
+        let t479 = w3_z * w3_z;
+        let t480 = w3_x * t470;
+        let t481 = w3_x * w3_z;
+        let t482 = t470 * w3_z;
+        let dw3_x = t476 - t482;
+        let dw3_y = t473 - t481;
+        let t485 = t478 - t479;
+        let t486 = t485 - t451;
+        let t487 = t447 - t480;
+        let t488 = t447 + t480;
+        let t489 = t478 + t479;
+        let t490 = t481 - dw3_y;
+        let t491 = dw3_x - t482;
         [
-        w3_x, t459, a3_z, t468, a3_y, t474, t477, w3_z,
-        t481, t482, t483, dw3_x, dw3_y, t486, t487, t488,
-        t489, t490, t491, t492,
+        a3_z, t461, a3_y, w3_x, t470, t473, t476, w3_z,
+        t480, t481, t482, dw3_x, dw3_y, t485, t486, t487,
+        t488, t489, t490, t491,
     ]
     };
     // link 4: motion
     let [
-        w4_x, w4_y, t503, a4_x, a4_y, t513, t516, w4_z,
-        t520, t521, t522, dw4_x, t524, t525, t526, t527,
-        t528, t529, t530, t531,
+        t496, a4_x, a4_y, w4_x, w4_y, t512, t515, w4_z,
+        t519, t520, t521, dw4_x, t523, t524, t525, t526,
+        t527, t528, t529, t530,
     ] = {
+        let t495 = k3 * t487 - t461;
+        let t496 = a3_y - k3 * t489;
+        let t497 = a3_z + k3 * t491;
+        let a4_x = c4 * t495 + s4 * t497;
+        let a4_y = c4 * t497 - s4 * t495;
         let w4_x = c4 * w3_x + s4 * w3_z;
         let w4_y = c4 * w3_z - s4 * w3_x;
-        let t502 = k3 * t488 - t468;
-        let t503 = a3_y - k3 * t490;
-        let t504 = a3_z + k3 * t492;
-        let a4_x = c4 * t502 + s4 * t504;
-        let a4_y = c4 * t504 - s4 * t502;
-        let t513 = c4 * t488 + s4 * t492;
-        let t516 = s4 * t488 - c4 * t492;
-        let w4_z = t459 + dq4;
-        let t518 = w4_x * w4_x;
-        let t519 = w4_z * w4_z;
-        let t520 = w4_x * w4_y;
-        let t521 = w4_x * w4_z;
-        let t522 = w4_y * w4_z;
-        let dw4_x = t522 - t516;
-        let t524 = t513 + t521;
-        let t525 = t518 - t519;
-        let t526 = t525 - t490;
-        let t527 = dw3_y + t520;
-        let t528 = t520 - dw3_y;
-        let t529 = t518 + t519;
-        let t530 = t521 + t524;
-        let t531 = t522 + dw4_x;
+        let t512 = c4 * t487 + s4 * t491;
+        let t515 = s4 * t487 - c4 * t491;
+        let w4_z = t470 + dq4;
+        let t517 = w4_x * w4_x;
+        let t518 = w4_z * w4_z;
+        let t519 = w4_x * w4_y;
+        let t520 = w4_x * w4_z;
+        let t521 = w4_y * w4_z;
+        let dw4_x = t521 - t515;
+        let t523 = t512 + t520;
+        let t524 = t517 - t518;
+        let t525 = t524 - t489;
+        let t526 = dw3_y + t519;
+        let t527 = t519 - dw3_y;
+        let t528 = t517 + t518;
+        let t529 = t520 + t523;
+        let t530 = t521 + dw4_x;
         [
-        w4_x, w4_y, t503, a4_x, a4_y, t513, t516, w4_z,
-        t520, t521, t522, dw4_x, t524, t525, t526, t527,
-        t528, t529, t530, t531,
+        t496, a4_x, a4_y, w4_x, w4_y, t512, t515, w4_z,
+        t519, t520, t521, dw4_x, t523, t524, t525, t526,
+        t527, t528, t529, t530,
     ]
     };
     // link 5: motion
     let [
-        w5_x, t537, a5_z, a5_x, a5_y, t552, t555, w5_z,
-        t559, t560, t561, dw5_x, dw5_y, t564, t565, t566,
-        t567, t568, t569, t570,
+        a5_z, a5_x, a5_y, w5_x, t548, t551, t554, w5_z,
+        t558, t559, t560, dw5_x, dw5_y, t563, t564, t565,
+        t566, t567, t568, t569,
     ] = {
+        let t534 = a4_x - k2 * t526;
+        let a5_z = a4_y + k2 * t528;
+        let t536 = t496 + k2 * t530;
+        let a5_x = c5 * t534 + s5 * t536;
+        let a5_y = c5 * t536 - s5 * t534;
         let w5_x = c5 * w4_x - s5 * w4_z;
-        let t537 = c5 * w4_z + s5 * w4_x;
-        let t541 = a4_x - k2 * t527;
-        let a5_z = a4_y + k2 * t529;
-        let t543 = t503 + k2 * t531;
-        let a5_x = c5 * t541 + s5 * t543;
-        let a5_y = c5 * t543 - s5 * t541;
-        let t552 = c5 * t527 - s5 * t531;
-        let t555 = c5 * t531 + s5 * t527;
+        let t548 = c5 * w4_z + s5 * w4_x;
+        let t551 = c5 * t526 - s5 * t530;
+        let t554 = c5 * t530 + s5 * t526;
         let w5_z = w4_y + dq5;
-        let t557 = w5_x * w5_x;
-        let t558 = w5_z * w5_z;
-        let t559 = w5_x * t537;
-        let t560 = w5_x * w5_z;
-        let t561 = t537 * w5_z;
-        let dw5_x = t555 - t561;
-        let dw5_y = t552 - t560;
-        let t564 = t557 - t558;
-        let t565 = t564 - t529;
-        let t566 = t524 - t559;
-        let t567 = t524 + t559;
-        let t568 = t557 + t558;
-        let t569 = t560 - dw5_y;
-        let t570 = dw5_x - t561;
+        let t556 = w5_x * w5_x;
+        let t557 = w5_z * w5_z;
+        let t558 = w5_x * t548;
+        let t559 = w5_x * w5_z;
+        let t560 = t548 * w5_z;
+        let dw5_x = t554 - t560;
+        let dw5_y = t551 - t559;
+        let t563 = t556 - t557;
+        let t564 = t563 - t528;
+        let t565 = t523 - t558;
+        let t566 = t523 + t558;
+        let t567 = t556 + t557;
+        let t568 = t559 - dw5_y;
+        let t569 = dw5_x - t560;
         [
-        w5_x, t537, a5_z, a5_x, a5_y, t552, t555, w5_z,
-        t559, t560, t561, dw5_x, dw5_y, t564, t565, t566,
-        t567, t568, t569, t570,
+        a5_z, a5_x, a5_y, w5_x, t548, t551, t554, w5_z,
+        t558, t559, t560, dw5_x, dw5_y, t563, t564, t565,
+        t566, t567, t568, t569,
     ]
     };
     // link 6: motion
     let [
-        w6_x, w6_y, t581, a6_x, a6_y, t591, t594, w6_z,
-        t598, t599, t600, dw6_x, t602, t603, t604, t605,
-        t606, t607, t608, t609,
+        t574, a6_x, a6_y, w6_x, w6_y, t590, t593, w6_z,
+        t597, t598, t599, dw6_x, t601, t602, t603, t604,
+        t605, t606, t607, t608,
     ] = {
+        let t573 = a5_x + k1 * t565;
+        let t574 = a5_y - k1 * t567;
+        let t575 = a5_z + k1 * t569;
+        let a6_x = c6 * t573 + s6 * t575;
+        let a6_y = c6 * t575 - s6 * t573;
         let w6_x = c6 * w5_x + s6 * w5_z;
         let w6_y = c6 * w5_z - s6 * w5_x;
-        let t580 = a5_x + k1 * t566;
-        let t581 = a5_y - k1 * t568;
-        let t582 = a5_z + k1 * t570;
-        let a6_x = c6 * t580 + s6 * t582;
-        let a6_y = c6 * t582 - s6 * t580;
-        let t591 = c6 * t566 + s6 * t570;
-        let t594 = s6 * t566 - c6 * t570;
-        let w6_z = t537 + dq6;
-        let t596 = w6_x * w6_x;
-        let t597 = w6_z * w6_z;
-        let t598 = w6_x * w6_y;
-        let t599 = w6_x * w6_z;
-        let t600 = w6_y * w6_z;
-        let dw6_x = t600 - t594;
-        let t602 = t591 + t599;
-        let t603 = t596 - t597;
-        let t604 = t603 - t568;
-        let t605 = dw5_y + t598;
-        let t606 = t598 - dw5_y;
-        let t607 = t596 + t597;
-        let t608 = t599 + t602;
-        let t609 = t600 + dw6_x;
+        let t590 = c6 * t565 + s6 * t569;
+        let t593 = s6 * t565 - c6 * t569;
+        let w6_z = t548 + dq6;
+        let t595 = w6_x * w6_x;
+        let t596 = w6_z * w6_z;
+        let t597 = w6_x * w6_y;
+        let t598 = w6_x * w6_z;
+        let t599 = w6_y * w6_z;
+        let dw6_x = t599 - t593;
+        let t601 = t590 + t598;
+        let t602 = t595 - t596;
+        let t603 = t602 - t567;
+        let t604 = dw5_y + t597;
+        let t605 = t597 - dw5_y;
+        let t606 = t595 + t596;
+        let t607 = t598 + t601;
+        let t608 = t599 + dw6_x;
         [
-        w6_x, w6_y, t581, a6_x, a6_y, t591, t594, w6_z,
-        t598, t599, t600, dw6_x, t602, t603, t604, t605,
-        t606, t607, t608, t609,
+        t574, a6_x, a6_y, w6_x, w6_y, t590, t593, w6_z,
+        t597, t598, t599, dw6_x, t601, t602, t603, t604,
+        t605, t606, t607, t608,
     ]
     };
     // link 7: motion
     let [
-        a7_z, a7_x, a7_y, t630, t633, t637, t638, t639,
-        dw7_x, t642, t643, t644, t645, t646, t647, t648,
+        t611, t614, t623, t626, t630, t631, t632, dw7_x,
+        t635, t636, t637, t638, t639, t640, t641,
     ] = {
+        let t611 = c7 * a6_x + s7 * t574;
+        let t614 = c7 * t574 - s7 * a6_x;
         let w7_x = c7 * w6_x - s7 * w6_z;
-        let t615 = c7 * w6_z + s7 * w6_x;
-        let t619 = a6_x - k0 * t605;
-        let a7_z = a6_y + k0 * t607;
-        let t621 = t581 + k0 * t609;
-        let a7_x = c7 * t619 + s7 * t621;
-        let a7_y = c7 * t621 - s7 * t619;
-        let t630 = c7 * t605 - s7 * t609;
-        let t633 = c7 * t609 + s7 * t605;
+        let t620 = c7 * w6_z + s7 * w6_x;
+        let t623 = c7 * t604 - s7 * t608;
+        let t626 = c7 * t608 + s7 * t604;
         let w7_z = w6_y + dq7;
-        let t635 = w7_x * w7_x;
-        let t636 = w7_z * w7_z;
-        let t637 = w7_x * t615;
-        let t638 = w7_x * w7_z;
-        let t639 = t615 * w7_z;
-        let dw7_x = t633 - t639;
-        let dw7_y = t630 - t638;
-        let t642 = t635 - t636;
-        let t643 = t642 - t607;
-        let t644 = t602 - t637;
-        let t645 = t602 + t637;
-        let t646 = t635 + t636;
-        let t647 = t638 - dw7_y;
-        let t648 = dw7_x - t639;
+        let t628 = w7_x * w7_x;
+        let t629 = w7_z * w7_z;
+        let t630 = w7_x * t620;
+        let t631 = w7_x * w7_z;
+        let t632 = t620 * w7_z;
+        let dw7_x = t626 - t632;
+        let dw7_y = t623 - t631;
+        let t635 = t628 - t629;
+        let t636 = t635 - t606;
+        let t637 = t601 - t630;
+        let t638 = t601 + t630;
+        let t639 = t628 + t629;
+        let t640 = t631 - dw7_y;
+        let t641 = dw7_x - t632;
         [
-        a7_z, a7_x, a7_y, t630, t633, t637, t638, t639,
-        dw7_x, t642, t643, t644, t645, t646, t647, t648,
+        t611, t614, t623, t626, t630, t631, t632, dw7_x,
+        t635, t636, t637, t638, t639, t640, t641,
     ]
     };
     // link 7: force and moment
-    let [f7_z, n7_z, t696, t699, t708, t709] = {
-        let t669 = XX7R * t637 - ZZ7 * t602 + XY7 * (t643 + t646) + XZ7 * t633;
-        let t671 = YZ7 * (t607 - t646);
-        let t674 = XX7R * dw7_x - ZZ7 * t639 - XY7 * t647 - XZ7 * t645 + t671;
-        let t675 = t638 * (XX7R - ZZ7) + XY7 * t648 - XZ7 * t642 - YZ7 * t644;
-        let f7_x = MSX7 * t643 + MSY7 * t644;
-        let t682 = MSX7 * t645 + MSY7 * t646;
-        let f7_z = MSX7 * t647 + MSY7 * t648;
-        let n7_x = t674 + MSY7 * a7_z;
-        let n7_y = t675 - MSX7 * a7_z;
-        let n7_z = t669 + YZ7 * t630 + (MSX7 * a7_y - MSY7 * a7_x);
-        let t696 = c7 * f7_x + s7 * t682;
-        let t699 = s7 * f7_x - c7 * t682;
-        let t708 = c7 * n7_x - s7 * n7_y + k0 * t699;
-        let t709 = s7 * n7_x + c7 * n7_y - k0 * t696;
-        [f7_z, n7_z, t696, t699, t708, t709]
+    let [f7_z, n7_z, t693, t696, t699, t702] = {
+        let t643 = XZ7 + MSX7 * k0;
+        let t645 = YZ7 + MSY7 * k0;
+        let t666 = XX7R * t630 - ZZ7 * t601 + XY7 * (t636 + t639) + t626 * t643;
+        let t668 = t645 * (t606 - t639);
+        let t671 = XX7R * dw7_x - ZZ7 * t632 - XY7 * t640 - t638 * t643 + t668;
+        let t672 = t631 * (XX7R - ZZ7) + XY7 * t641 - t635 * t643 - t637 * t645;
+        let f7_x = MSX7 * t636 + MSY7 * t637;
+        let t679 = MSX7 * t638 + MSY7 * t639;
+        let f7_z = MSX7 * t640 + MSY7 * t641;
+        let n7_x = t671 + MSY7 * a6_y;
+        let n7_y = t672 - MSX7 * a6_y;
+        let n7_z = t666 + t623 * t645 + (MSX7 * t614 - MSY7 * t611);
+        let t693 = c7 * f7_x + s7 * t679;
+        let t696 = s7 * f7_x - c7 * t679;
+        let t699 = c7 * n7_x - s7 * n7_y;
+        let t702 = s7 * n7_x + c7 * n7_y;
+        [f7_z, n7_z, t693, t696, t699, t702]
     };
     // link 6: force and moment
-    let [f6_z, n6_z, t763, t766, t775, t776] = {
-        let t730 = XY6 * (t604 + t607) - (XX6R * t598 + ZZ6R * dw5_y) - XZ6 * t594;
-        let t732 = YZ6 * (t568 - t607);
-        let t735 = ZZ6R * t600 + XX6R * dw6_x - XY6 * t608 + XZ6 * t606 + t732;
-        let t736 = t599 * (XX6R - ZZ6R) + XY6 * t609 - XZ6 * t603 - YZ6 * t605;
-        let f6_x = t696 + (MSX6 * t604 + MSY6R * t605);
-        let f6_y = f7_z + (MSX6 * t606 - MSY6R * t607);
-        let f6_z = MSX6 * t608 + MSY6R * t609 - t699;
-        let n6_x = t708 + (t735 - MSY6R * t581);
-        let n6_y = n7_z + (t736 + MSX6 * t581);
-        let n6_z = t730 - YZ6 * t591 + (MSX6 * a6_y - MSY6R * a6_x) - t709;
-        let t763 = c6 * f6_x - s6 * f6_y;
-        let t766 = s6 * f6_x + c6 * f6_y;
-        let t775 = c6 * n6_x - s6 * n6_y + k1 * t766;
-        let t776 = s6 * n6_x + c6 * n6_y - k1 * t763;
-        [f6_z, n6_z, t763, t766, t775, t776]
+    let [f6_z, n6_z, t756, t759, t768, t769] = {
+        let t723 = XY6 * (t603 + t606) - (XX6R * t597 + ZZ6R * dw5_y) - XZ6 * t593;
+        let t725 = YZ6 * (t567 - t606);
+        let t728 = ZZ6R * t599 + XX6R * dw6_x - XY6 * t607 + XZ6 * t605 + t725;
+        let t729 = t598 * (XX6R - ZZ6R) + XY6 * t608 - XZ6 * t602 - YZ6 * t604;
+        let f6_x = t693 + (MSX6 * t603 + MSY6R * t604);
+        let f6_y = f7_z + (MSX6 * t605 - MSY6R * t606);
+        let f6_z = MSX6 * t607 + MSY6R * t608 - t696;
+        let n6_x = t699 + (t728 - MSY6R * t574);
+        let n6_y = n7_z + (t729 + MSX6 * t574);
+        let n6_z = t723 - YZ6 * t590 + (MSX6 * a6_y - MSY6R * a6_x) - t702;
+        let t756 = c6 * f6_x - s6 * f6_y;
+        let t759 = s6 * f6_x + c6 * f6_y;
+        let t768 = c6 * n6_x - s6 * n6_y + k1 * t759;
+        let t769 = s6 * n6_x + c6 * n6_y - k1 * t756;
+        [f6_z, n6_z, t756, t759, t768, t769]
     };
     // link 5: force and moment
-    let [f5_z, n5_z, t830, t833, t842, t843] = {
-        let t797 = XX5R * t559 - ZZ5R * t524 + XY5 * (t565 + t568) + XZ5 * t555;
-        let t799 = YZ5 * (t529 - t568);
-        let t802 = XX5R * dw5_x - ZZ5R * t561 - XY5 * t569 - XZ5 * t567 + t799;
-        let t803 = t560 * (XX5R - ZZ5R) + XY5 * t570 - XZ5 * t564 - YZ5 * t566;
-        let f5_x = t763 + (MSX5 * t565 + MSY5R * t566);
-        let t823 = f6_z + (MSX5 * t567 + MSY5R * t568);
-        let f5_z = t766 + (MSX5 * t569 + MSY5R * t570);
-        let n5_x = t775 + (t802 + MSY5R * a5_z);
-        let n5_y = t803 - MSX5 * a5_z - n6_z;
-        let n5_z = t776 + (t797 + YZ5 * t552 + (MSX5 * a5_y - MSY5R * a5_x));
-        let t830 = c5 * f5_x + s5 * t823;
-        let t833 = s5 * f5_x - c5 * t823;
-        let t842 = c5 * n5_x - s5 * n5_y + k2 * t833;
-        let t843 = s5 * n5_x + c5 * n5_y - k2 * t830;
-        [f5_z, n5_z, t830, t833, t842, t843]
+    let [f5_z, n5_z, t823, t826, t835, t836] = {
+        let t790 = XX5R * t558 - ZZ5R * t523 + XY5 * (t564 + t567) + XZ5 * t554;
+        let t792 = YZ5 * (t528 - t567);
+        let t795 = XX5R * dw5_x - ZZ5R * t560 - XY5 * t568 - XZ5 * t566 + t792;
+        let t796 = t559 * (XX5R - ZZ5R) + XY5 * t569 - XZ5 * t563 - YZ5 * t565;
+        let f5_x = t756 + (MSX5 * t564 + MSY5R * t565);
+        let t816 = f6_z + (MSX5 * t566 + MSY5R * t567);
+        let f5_z = t759 + (MSX5 * t568 + MSY5R * t569);
+        let n5_x = t768 + (t795 + MSY5R * a5_z);
+        let n5_y = t796 - MSX5 * a5_z - n6_z;
+        let n5_z = t769 + (t790 + YZ5 * t551 + (MSX5 * a5_y - MSY5R * a5_x));
+        let t823 = c5 * f5_x + s5 * t816;
+        let t826 = s5 * f5_x - c5 * t816;
+        let t835 = c5 * n5_x - s5 * n5_y + k2 * t826;
+        let t836 = s5 * n5_x + c5 * n5_y - k2 * t823;
+        [f5_z, n5_z, t823, t826, t835, t836]
     };
     // link 4: force and moment
-    let [f4_z, n4_z, t897, t900, t909, t910] = {
-        let t864 = XY4 * (t526 + t529) - (XX4R * t520 + ZZ4R * dw3_y) - XZ4 * t516;
-        let t866 = YZ4 * (t490 - t529);
-        let t869 = ZZ4R * t522 + XX4R * dw4_x - XY4 * t530 + XZ4 * t528 + t866;
-        let t870 = t521 * (XX4R - ZZ4R) + XY4 * t531 - XZ4 * t525 - YZ4 * t527;
-        let f4_x = t830 + (MSX4 * t526 + MSY4R * t527);
-        let f4_y = f5_z + (MSX4 * t528 - MSY4R * t529);
-        let f4_z = MSX4 * t530 + MSY4R * t531 - t833;
-        let n4_x = t842 + (t869 - MSY4R * t503);
-        let n4_y = n5_z + (t870 + MSX4 * t503);
-        let n4_z = t864 - YZ4 * t513 + (MSX4 * a4_y - MSY4R * a4_x) - t843;
-        let t897 = c4 * f4_x - s4 * f4_y;
-        let t900 = s4 * f4_x + c4 * f4_y;
-        let t909 = c4 * n4_x - s4 * n4_y + k3 * t900;
-        let t910 = s4 * n4_x + c4 * n4_y - k3 * t897;
-        [f4_z, n4_z, t897, t900, t909, t910]
+    let [f4_z, n4_z, t890, t893, t902, t903] = {
+        let t857 = XY4 * (t525 + t528) - (XX4R * t519 + ZZ4R * dw3_y) - XZ4 * t515;
+        let t859 = YZ4 * (t489 - t528);
+        let t862 = ZZ4R * t521 + XX4R * dw4_x - XY4 * t529 + XZ4 * t527 + t859;
+        let t863 = t520 * (XX4R - ZZ4R) + XY4 * t530 - XZ4 * t524 - YZ4 * t526;
+        let f4_x = t823 + (MSX4 * t525 + MSY4R * t526);
+        let f4_y = f5_z + (MSX4 * t527 - MSY4R * t528);
+        let f4_z = MSX4 * t529 + MSY4R * t530 - t826;
+        let n4_x = t835 + (t862 - MSY4R * t496);
+        let n4_y = n5_z + (t863 + MSX4 * t496);
+        let n4_z = t857 - YZ4 * t512 + (MSX4 * a4_y - MSY4R * a4_x) - t836;
+        let t890 = c4 * f4_x - s4 * f4_y;
+        let t893 = s4 * f4_x + c4 * f4_y;
+        let t902 = c4 * n4_x - s4 * n4_y + k3 * t893;
+        let t903 = s4 * n4_x + c4 * n4_y - k3 * t890;
+        [f4_z, n4_z, t890, t893, t902, t903]
     };
     // link 3: force and moment
-    let [f3_z, n3_z, t964, t976, t977] = {
-        let t931 = XX3R * t481 - ZZ3R * t447 + XY3 * (t487 + t490) + XZ3 * t477;
-        let t933 = YZ3 * (t451 - t490);
-        let t936 = XX3R * dw3_x - ZZ3R * t483 - XY3 * t491 - XZ3 * t489 + t933;
-        let t937 = t482 * (XX3R - ZZ3R) + XY3 * t492 - XZ3 * t486 - YZ3 * t488;
-        let f3_x = t897 + (MSX3 * t487 + MSY3R * t488);
-        let t957 = f4_z + (MSX3 * t489 + MSY3R * t490);
-        let f3_z = t900 + (MSX3 * t491 + MSY3R * t492);
-        let n3_x = t909 + (t936 + MSY3R * a3_z);
-        let n3_y = t937 - MSX3 * a3_z - n4_z;
-        let n3_z = t910 + (t931 + YZ3 * t474 + (MSX3 * a3_y + MSY3R * t468));
-        let t964 = c3 * f3_x + s3 * t957;
-        let t976 = c3 * n3_x - s3 * n3_y + k4 * (s3 * f3_x - c3 * t957);
-        let t977 = s3 * n3_x + c3 * n3_y - k4 * t964;
-        [f3_z, n3_z, t964, t976, t977]
+    let [f3_z, n3_z, t957, t969, t970] = {
+        let t924 = XX3R * t480 - ZZ3R * t447 + XY3 * (t486 + t489) + XZ3 * t476;
+        let t926 = YZ3 * (t451 - t489);
+        let t929 = XX3R * dw3_x - ZZ3R * t482 - XY3 * t490 - XZ3 * t488 + t926;
+        let t930 = t481 * (XX3R - ZZ3R) + XY3 * t491 - XZ3 * t485 - YZ3 * t487;
+        let f3_x = t890 + (MSX3 * t486 + MSY3R * t487);
+        let t950 = f4_z + (MSX3 * t488 + MSY3R * t489);
+        let f3_z = t893 + (MSX3 * t490 + MSY3R * t491);
+        let n3_x = t902 + (t929 + MSY3R * a3_z);
+        let n3_y = t930 - MSX3 * a3_z - n4_z;
+        let n3_z = t903 + (t924 + YZ3 * t473 + (MSX3 * a3_y + MSY3R * t461));
+        let t957 = c3 * f3_x + s3 * t950;
+        let t969 = c3 * n3_x - s3 * n3_y + k4 * (s3 * f3_x - c3 * t950);
+        let t970 = s3 * n3_x + c3 * n3_y - k4 * t957;
+        [f3_z, n3_z, t957, t969, t970]
     };
     // link 2: force and moment
-    let [n2_z, n1_z] = {
-        let t995 = YZ2 * (t438 - t451);
-        let t998 = t447 * (XX2R - ZZ2R) + XY2 * t453 - XZ2 * t449 - YZ2 * t446;
-        let t1005 = MSY2R * a2_z;
-        let t1010 = dw2_x * (XX2R + ZZ2R) - XY2 * t452 + XZ2 * t446 + t995 + t1005;
-        let t1012 = XY2 * (t450 + t451) - XX2R * t446 + (MSY2R * t441 - MSX2 * t442);
-        let f2_x = t964 + (MSX2 * t450 + MSY2R * t446);
+    let [t984, n2_z, t1010] = {
+        let t976 = c2 * (s2 * XX2R + c2 * (XY2 + XY2)) - XY2;
+        let t984 = (t976 + t976) * (dq1 * dq2) + t445 * (c2 * XZ2 - s2 * YZ2);
+        let f2_x = t957 + (MSX2 * t450 + MSY2R * t446);
         let f2_y = f3_z + (MSX2 * t446 - MSY2R * t451);
-        let n2_x = t976 + t1010;
-        let n2_y = n3_z + (t998 - MSX2 * a2_z);
-        let n2_z = t1012 - t977;
+        let n2_x = t969 + MSY2R * a2_z;
+        let n2_y = n3_z - MSX2 * a2_z;
+        let n2_z = MSY2R * t439 - MSX2 * t440 - t970 - t438 * t976;
         let f1_x = c2 * f2_x - s2 * f2_y;
-        let n1_z = s2 * n2_x + c2 * n2_y - k5 * f1_x;
-        [n2_z, n1_z]
+        let t1010 = s2 * n2_x + c2 * n2_y - k5 * f1_x;
+        [t984, n2_z, t1010]
+    };
+    // link 1: force and moment
+    let n1_z = {
+        let n1_z = t984 + t1010;
+        n1_z
     };
     // drives
-    let [t1068, t1069, t1070, t1071, t1072, t1073, t1074] = {
-        let t1068 = tau1 - (FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign()));
-        let t1069 = tau2 - (FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign()));
-        let t1070 = tau3 - (FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign()));
-        let t1071 = tau4 - (FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign()));
-        let t1072 = tau5 - (FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign()));
-        let t1073 = tau6 - (FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign()));
-        let t1074 = tau7 - (FO7 + (n7_z + FV7 * dq7 + FC7 * dq7.sign()));
-        [t1068, t1069, t1070, t1071, t1072, t1073, t1074]
+    let [t1054, t1055, t1056, t1057, t1058, t1059, t1060] = {
+        let t1054 = tau1 - (FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign()));
+        let t1055 = tau2 - (FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign()));
+        let t1056 = tau3 - (FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign()));
+        let t1057 = tau4 - (FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign()));
+        let t1058 = tau5 - (FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign()));
+        let t1059 = tau6 - (FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign()));
+        let t1060 = tau7 - (FO7 + (n7_z + FV7 * dq7 + FC7 * dq7.sign()));
+        [t1054, t1055, t1056, t1057, t1058, t1059, t1060]
     };
     // M = L D L'
     let [
-        t1075, t1076, t1077, t1078, t1079, t1080, t1081, t1085,
-        t1089, t1092, t1095, t1098, t1101, t1108, t1115, t1120,
-        t1125, t1130, t1140, t1150, t1157, t1164, t1177, t1190,
-        t1199, t1215, t1231, t1250,
+        t1061, t1062, t1063, t1064, t1065, t1066, t1067, t1071,
+        t1075, t1078, t1081, t1084, t1087, t1094, t1101, t1106,
+        t1111, t1116, t1126, t1136, t1143, t1150, t1163, t1176,
+        t1185, t1201, t1217, t1236,
     ] = {
-        let t1075 = k7 / t437;
-        let t1076 = t425 * t1075;
-        let t1077 = t383 * t1075;
-        let t1078 = t327 * t1075;
-        let t1079 = t257 * t1075;
-        let t1080 = t173 * t1075;
-        let t1081 = t83 * t1075;
-        let t1084 = t414 - t437 * (t1076 * t1076);
-        let t1085 = k7 / t1084;
-        let t1086 = t437 * t1076;
-        let t1089 = t1085 * (t377 + t1077 * t1086);
-        let t1092 = t1085 * (t319 + t1078 * t1086);
-        let t1095 = t1085 * (t249 + t1079 * t1086);
-        let t1098 = t1085 * (t165 + t1080 * t1086);
-        let t1101 = t1085 * (t75 + t1081 * t1086);
-        let t1107 = t358 - t437 * (t1077 * t1077) - t1084 * (t1089 * t1089);
-        let t1108 = k7 / t1107;
-        let t1109 = t437 * t1077;
-        let t1112 = t1084 * t1089;
-        let t1115 = t1108 * (t307 - t1078 * t1109 - t1092 * t1112);
-        let t1120 = t1108 * (t233 - t1079 * t1109 - t1095 * t1112);
-        let t1125 = t1108 * (t149 - t1080 * t1109 - t1098 * t1112);
-        let t1130 = t1108 * (t59 - t1081 * t1109 - t1101 * t1112);
-        let t1138 = t1107 * (t1115 * t1115);
-        let t1139 = t288 - t437 * (t1078 * t1078) - t1084 * (t1092 * t1092) - t1138;
-        let t1140 = k7 / t1139;
-        let t1141 = t437 * t1078;
-        let t1144 = t1084 * t1092;
-        let t1147 = t1107 * t1115;
-        let t1150 = t1140 * (t221 + t1079 * t1141 + t1095 * t1144 + t1120 * t1147);
-        let t1157 = t1140 * (t133 + t1080 * t1141 + t1098 * t1144 + t1125 * t1147);
-        let t1164 = t1140 * (t43 + t1081 * t1141 + t1101 * t1144 + t1130 * t1147);
-        let t1172 = t1107 * (t1120 * t1120);
-        let t1175 = t1139 * (t1150 * t1150);
-        let t1176 = t202 - t437 * (t1079 * t1079) - t1084 * (t1095 * t1095) - t1172 - t1175;
-        let t1177 = k7 / t1176;
-        let t1178 = t437 * t1079;
-        let t1181 = t1084 * t1095;
-        let t1184 = t1107 * t1120;
-        let t1187 = t1139 * t1150;
-        let t1189 = t121 - t1080 * t1178 - t1098 * t1181 - t1125 * t1184 - t1157 * t1187;
-        let t1190 = t1177 * t1189;
-        let t1198 = t27 - t1081 * t1178 - t1101 * t1181 - t1130 * t1184 - t1164 * t1187;
-        let t1199 = t1177 * t1198;
-        let t1207 = t1107 * (t1125 * t1125);
-        let t1210 = t1139 * (t1157 * t1157);
-        let t1211 = t102 - t437 * (t1080 * t1080) - t1084 * (t1098 * t1098) - t1207 - t1210;
-        let t1214 = t1211 - t1176 * (t1190 * t1190);
-        let t1215 = k7 / t1214;
-        let t1223 = t1130 * (t1107 * t1125);
-        let t1226 = t1164 * (t1139 * t1157);
-        let t1227 = t15 + t1081 * (t437 * t1080) + t1101 * (t1084 * t1098) + t1223 + t1226;
-        let t1231 = t1215 * (t1227 + t1199 * (t1176 * t1190));
-        let t1239 = t1107 * (t1130 * t1130);
-        let t1242 = t1139 * (t1164 * t1164);
-        let t1243 = ZZ7 - t437 * (t1081 * t1081) - t1084 * (t1101 * t1101) - t1239 - t1242;
-        let t1250 = k7 / (t1243 - t1176 * (t1199 * t1199) - t1214 * (t1231 * t1231));
+        let t1061 = k7 / t437;
+        let t1062 = t425 * t1061;
+        let t1063 = t383 * t1061;
+        let t1064 = t327 * t1061;
+        let t1065 = t257 * t1061;
+        let t1066 = t173 * t1061;
+        let t1067 = t83 * t1061;
+        let t1070 = t414 - t437 * (t1062 * t1062);
+        let t1071 = k7 / t1070;
+        let t1072 = t437 * t1062;
+        let t1075 = t1071 * (t377 + t1063 * t1072);
+        let t1078 = t1071 * (t319 + t1064 * t1072);
+        let t1081 = t1071 * (t249 + t1065 * t1072);
+        let t1084 = t1071 * (t165 + t1066 * t1072);
+        let t1087 = t1071 * (t75 + t1067 * t1072);
+        let t1093 = t358 - t437 * (t1063 * t1063) - t1070 * (t1075 * t1075);
+        let t1094 = k7 / t1093;
+        let t1095 = t437 * t1063;
+        let t1098 = t1070 * t1075;
+        let t1101 = t1094 * (t307 - t1064 * t1095 - t1078 * t1098);
+        let t1106 = t1094 * (t233 - t1065 * t1095 - t1081 * t1098);
+        let t1111 = t1094 * (t149 - t1066 * t1095 - t1084 * t1098);
+        let t1116 = t1094 * (t59 - t1067 * t1095 - t1087 * t1098);
+        let t1124 = t1093 * (t1101 * t1101);
+        let t1125 = t288 - t437 * (t1064 * t1064) - t1070 * (t1078 * t1078) - t1124;
+        let t1126 = k7 / t1125;
+        let t1127 = t437 * t1064;
+        let t1130 = t1070 * t1078;
+        let t1133 = t1093 * t1101;
+        let t1136 = t1126 * (t221 + t1065 * t1127 + t1081 * t1130 + t1106 * t1133);
+        let t1143 = t1126 * (t133 + t1066 * t1127 + t1084 * t1130 + t1111 * t1133);
+        let t1150 = t1126 * (t43 + t1067 * t1127 + t1087 * t1130 + t1116 * t1133);
+        let t1158 = t1093 * (t1106 * t1106);
+        let t1161 = t1125 * (t1136 * t1136);
+        let t1162 = t202 - t437 * (t1065 * t1065) - t1070 * (t1081 * t1081) - t1158 - t1161;
+        let t1163 = k7 / t1162;
+        let t1164 = t437 * t1065;
+        let t1167 = t1070 * t1081;
+        let t1170 = t1093 * t1106;
+        let t1173 = t1125 * t1136;
+        let t1175 = t121 - t1066 * t1164 - t1084 * t1167 - t1111 * t1170 - t1143 * t1173;
+        let t1176 = t1163 * t1175;
+        let t1184 = t27 - t1067 * t1164 - t1087 * t1167 - t1116 * t1170 - t1150 * t1173;
+        let t1185 = t1163 * t1184;
+        let t1193 = t1093 * (t1111 * t1111);
+        let t1196 = t1125 * (t1143 * t1143);
+        let t1197 = t102 - t437 * (t1066 * t1066) - t1070 * (t1084 * t1084) - t1193 - t1196;
+        let t1200 = t1197 - t1162 * (t1176 * t1176);
+        let t1201 = k7 / t1200;
+        let t1209 = t1116 * (t1093 * t1111);
+        let t1212 = t1150 * (t1125 * t1143);
+        let t1213 = t15 + t1067 * (t437 * t1066) + t1087 * (t1070 * t1084) + t1209 + t1212;
+        let t1217 = t1201 * (t1213 + t1185 * (t1162 * t1176));
+        let t1225 = t1093 * (t1116 * t1116);
+        let t1228 = t1125 * (t1150 * t1150);
+        let t1229 = ZZ7 - t437 * (t1067 * t1067) - t1070 * (t1087 * t1087) - t1225 - t1228;
+        let t1236 = k7 / (t1229 - t1162 * (t1185 * t1185) - t1200 * (t1217 * t1217));
         [
-        t1075, t1076, t1077, t1078, t1079, t1080, t1081, t1085,
-        t1089, t1092, t1095, t1098, t1101, t1108, t1115, t1120,
-        t1125, t1130, t1140, t1150, t1157, t1164, t1177, t1190,
-        t1199, t1215, t1231, t1250,
+        t1061, t1062, t1063, t1064, t1065, t1066, t1067, t1071,
+        t1075, t1078, t1081, t1084, t1087, t1094, t1101, t1106,
+        t1111, t1116, t1126, t1136, t1143, t1150, t1163, t1176,
+        t1185, t1201, t1217, t1236,
     ]
     };
     // ddq
     {
-        let t1252 = t1069 - t1068 * t1076;
-        let t1256 = t1070 - t1068 * t1077 + t1089 * t1252;
-        let t1262 = t1071 - t1068 * t1078 + t1092 * t1252 - t1115 * t1256;
-        let t1270 = t1072 - t1068 * t1079 + t1095 * t1252 - t1120 * t1256 + t1150 * t1262;
-        let t1278 = t1073 - t1068 * t1080 + t1098 * t1252 - t1125 * t1256 + t1157 * t1262;
-        let t1280 = t1278 - t1190 * t1270;
-        let t1288 = t1074 - t1068 * t1081 + t1101 * t1252 - t1130 * t1256 + t1164 * t1262;
-        let t1299 = t1250 * (t1288 - t1199 * t1270 + t1231 * t1280);
-        let t1301 = t1215 * t1280 + t1231 * t1299;
-        let t1305 = t1177 * t1270 - t1190 * t1301 - t1199 * t1299;
-        let t1311 = t1140 * t1262 + t1150 * t1305 + t1157 * t1301 + t1164 * t1299;
-        let t1318 = t1130 * t1299;
-        let t1319 = t1108 * t1256 - t1115 * t1311 - t1120 * t1305 - t1125 * t1301 - t1318;
-        let t1326 = t1098 * t1301;
-        let t1327 = t1085 * t1252 + t1089 * t1319 + t1092 * t1311 + t1095 * t1305 + t1326;
-        let t1329 = t1327 + t1101 * t1299;
-        let t1336 = t1079 * t1305;
-        let t1337 = t1068 * t1075 - t1076 * t1329 - t1077 * t1319 - t1078 * t1311 - t1336;
-        let t1341 = t1337 - t1080 * t1301 - t1081 * t1299;
-        put(0, t1341);
-        put(1, t1329);
-        put(2, t1319);
-        put(3, t1311);
-        put(4, t1305);
-        put(5, t1301);
-        put(6, t1299);
+        let t1238 = t1055 - t1054 * t1062;
+        let t1242 = t1056 - t1054 * t1063 + t1075 * t1238;
+        let t1248 = t1057 - t1054 * t1064 + t1078 * t1238 - t1101 * t1242;
+        let t1256 = t1058 - t1054 * t1065 + t1081 * t1238 - t1106 * t1242 + t1136 * t1248;
+        let t1264 = t1059 - t1054 * t1066 + t1084 * t1238 - t1111 * t1242 + t1143 * t1248;
+        let t1266 = t1264 - t1176 * t1256;
+        let t1274 = t1060 - t1054 * t1067 + t1087 * t1238 - t1116 * t1242 + t1150 * t1248;
+        let t1285 = t1236 * (t1274 - t1185 * t1256 + t1217 * t1266);
+        let t1287 = t1201 * t1266 + t1217 * t1285;
+        let t1291 = t1163 * t1256 - t1176 * t1287 - t1185 * t1285;
+        let t1297 = t1126 * t1248 + t1136 * t1291 + t1143 * t1287 + t1150 * t1285;
+        let t1304 = t1116 * t1285;
+        let t1305 = t1094 * t1242 - t1101 * t1297 - t1106 * t1291 - t1111 * t1287 - t1304;
+        let t1312 = t1084 * t1287;
+        let t1313 = t1071 * t1238 + t1075 * t1305 + t1078 * t1297 + t1081 * t1291 + t1312;
+        let t1315 = t1313 + t1087 * t1285;
+        let t1322 = t1065 * t1291;
+        let t1323 = t1054 * t1061 - t1062 * t1315 - t1063 * t1305 - t1064 * t1297 - t1322;
+        let t1327 = t1323 - t1066 * t1287 - t1067 * t1285;
+        put(0, t1327);
+        put(1, t1315);
+        put(2, t1305);
+        put(3, t1297);
+        put(4, t1291);
+        put(5, t1287);
+        put(6, t1285);
     }
 }

@@ -27,7 +27,42 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Regressor at rest: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 70]; 7]) {
-    out.as_flattened_mut().fill(S::default());
+    let flat = &mut out.as_flattened_mut()[..];
+    flat[0..10].fill(S::default());
+    flat[11..13].fill(S::default());
+    flat[14..20].fill(S::default());
+    flat[24..30].fill(S::default());
+    flat[34..40].fill(S::default());
+    flat[44..50].fill(S::default());
+    flat[54..60].fill(S::default());
+    flat[64..81].fill(S::default());
+    flat[83..90].fill(S::default());
+    flat[94..100].fill(S::default());
+    flat[104..110].fill(S::default());
+    flat[114..120].fill(S::default());
+    flat[124..130].fill(S::default());
+    flat[134..161].fill(S::default());
+    flat[163..170].fill(S::default());
+    flat[174..180].fill(S::default());
+    flat[184..190].fill(S::default());
+    flat[194..200].fill(S::default());
+    flat[204..241].fill(S::default());
+    flat[243..250].fill(S::default());
+    flat[254..260].fill(S::default());
+    flat[264..270].fill(S::default());
+    flat[274..321].fill(S::default());
+    flat[323..330].fill(S::default());
+    flat[334..340].fill(S::default());
+    flat[344..401].fill(S::default());
+    flat[403..410].fill(S::default());
+    flat[414..481].fill(S::default());
+    flat[483..490].fill(S::default());
+    nonzeros(trig, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 70]; 7]) {
     entries(trig, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
     });
@@ -59,61 +94,61 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [t0, t1]
     };
     // link 3: motion
-    let [t2, a3_y] = {
-        let t2 = c3 * t0;
-        let a3_y = s3 * t0;
-        put(44, a3_y); // row 3, MSX3
-        put(45, t2); // row 3, MSY3
-        [t2, a3_y]
-    };
-    // link 4: motion
-    let [t6, a4_y] = {
-        let t6 = c4 * t2 + s4 * t1;
-        let a4_y = s4 * t2 - c4 * t1;
-        put(62, a4_y); // row 4, MSX4
-        put(63, t6); // row 4, MSY4
-        [t6, a4_y]
-    };
-    // link 5: motion
-    let [t12, a5_y] = {
-        let t12 = c5 * t6 - s5 * a3_y;
-        let a5_y = c5 * a3_y + s5 * t6;
-        put(76, a5_y); // row 5, MSX5
-        put(77, t12); // row 5, MSY5
-        [t12, a5_y]
-    };
-    // link 6: motion
-    let [t18, a6_y] = {
-        let t18 = c6 * t12 - s6 * a4_y;
-        let a6_y = c6 * a4_y + s6 * t12;
-        put(86, a6_y); // row 6, MSX6
-        put(87, t18); // row 6, MSY6
-        [t18, a6_y]
-    };
-    // link 7: motion
-    let [t24, a7_y] = {
-        let t24 = c7 * t18 - s7 * a5_y;
-        let a7_y = c7 * a5_y + s7 * t18;
-        put(92, a7_y); // row 7, MSX7
-        put(93, t24); // row 7, MSY7
-        [t24, a7_y]
-    };
-    // joint axes in frame 2
-    let [t28, v1_2_y] = {
-        let t28 = c2 * k1;
-        let v1_2_y = s2 * k1;
-        [t28, v1_2_y]
-    };
-    // joint axes in frame 3
-    let [z1_3_x, z1_4_z, t35, v1_3_y, v2_3_x, v2_4_z] = {
-        let t30 = s2 * k2;
+    let [z1_3_x, z1_4_z, t4, a3_y] = {
         let z1_3_x = s2 * c3;
         let z1_4_z = s2 * s3;
-        let t35 = c3 * t28 - s3 * t30;
-        let v1_3_y = c3 * t30 + s3 * t28;
+        let t4 = c3 * t0;
+        let a3_y = s3 * t0;
+        put(44, a3_y); // row 3, MSX3
+        put(45, t4); // row 3, MSY3
+        [z1_3_x, z1_4_z, t4, a3_y]
+    };
+    // link 4: motion
+    let [t8, a4_y] = {
+        let t8 = c4 * t4 + s4 * t1;
+        let a4_y = s4 * t4 - c4 * t1;
+        put(62, a4_y); // row 4, MSX4
+        put(63, t8); // row 4, MSY4
+        [t8, a4_y]
+    };
+    // link 5: motion
+    let [t14, a5_y] = {
+        let t14 = c5 * t8 - s5 * a3_y;
+        let a5_y = c5 * a3_y + s5 * t8;
+        put(76, a5_y); // row 5, MSX5
+        put(77, t14); // row 5, MSY5
+        [t14, a5_y]
+    };
+    // link 6: motion
+    let [t20, a6_y] = {
+        let t20 = c6 * t14 - s6 * a4_y;
+        let a6_y = c6 * a4_y + s6 * t14;
+        put(86, a6_y); // row 6, MSX6
+        put(87, t20); // row 6, MSY6
+        [t20, a6_y]
+    };
+    // link 7: motion
+    let [t26, a7_y] = {
+        let t26 = c7 * t20 - s7 * a5_y;
+        let a7_y = c7 * a5_y + s7 * t20;
+        put(92, a7_y); // row 7, MSX7
+        put(93, t26); // row 7, MSY7
+        [t26, a7_y]
+    };
+    // joint axes in frame 2
+    let [t30, v1_2_y] = {
+        let t30 = c2 * k1;
+        let v1_2_y = s2 * k1;
+        [t30, v1_2_y]
+    };
+    // joint axes in frame 3
+    let [t35, v1_3_y, v2_3_x, v2_4_z] = {
+        let t32 = s2 * k2;
+        let t35 = c3 * t30 - s3 * t32;
+        let v1_3_y = c3 * t32 + s3 * t30;
         let v2_3_x = c3 * k2;
         let v2_4_z = s3 * k2;
-        [z1_3_x, z1_4_z, t35, v1_3_y, v2_3_x, v2_4_z]
+        [t35, v1_3_y, v2_3_x, v2_4_z]
     };
     // joint axes in frame 4
     let [z1_4_x, z1_4_y, t47, z2_4_y, t49, t50, t53, t56] = {
@@ -137,9 +172,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     // M3: column
     let [t62, t67, t68] = {
         let t62 = a3_y * v1_3_y;
-        let t65 = t2 * t35 + t62 - t1 * v1_2_y;
+        let t65 = t4 * t35 + t62 - t1 * v1_2_y;
         let t67 = a3_y * v2_4_z;
-        let t68 = t2 * v2_3_x + t67;
+        let t68 = t4 * v2_3_x + t67;
         put(2, t65); // row 1, M3
         [t62, t67, t68]
     };
@@ -152,22 +187,22 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSY3: column
     {
-        let t75 = c2 * t2 - t1 * z1_3_x;
+        let t75 = c2 * t4 - t1 * z1_3_x;
         let t76 = s3 * t1;
         put(4, t75); // row 1, MSY3
         put(26, t76); // row 2, MSY3
     }
     // MSZ3: column
     {
-        let t79 = t2 * z1_4_z - a3_y * z1_3_x;
-        let t82 = s3 * a3_y + c3 * t2;
+        let t79 = z1_4_z * t4 - z1_3_x * a3_y;
+        let t82 = s3 * a3_y + c3 * t4;
         put(5, t79); // row 1, MSZ3
         put(27, t82); // row 2, MSZ3
     }
     // M4: column
     let [t85, t88] = {
-        let t85 = c4 * t6 + s4 * a4_y;
-        let t88 = s4 * t6 - c4 * a4_y;
+        let t85 = c4 * t8 + s4 * a4_y;
+        let t88 = s4 * t8 - c4 * a4_y;
         let t89 = k3 * t88;
         let t90 = k3 * t85;
         let t98 = t62 + t35 * t85 - v1_2_y * t88 - (z1_3_x * t89 - c2 * t90);
@@ -181,7 +216,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [t103, t104] = {
         let t103 = s4 * a3_y;
         let t104 = c4 * a3_y;
-        let t109 = c2 * t104 + (a4_y * z1_4_z - z1_3_x * t103);
+        let t109 = c2 * t104 + (z1_4_z * a4_y - z1_3_x * t103);
         let t112 = s3 * t103 + c3 * a4_y;
         put(7, t109); // row 1, MSX4
         put(29, t112); // row 2, MSX4
@@ -190,8 +225,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSY4: column
     {
-        let t117 = t6 * z1_4_z - z1_3_x * t104 - c2 * t103;
-        let t120 = s3 * t104 + c3 * t6;
+        let t117 = z1_4_z * t8 - z1_3_x * t104 - c2 * t103;
+        let t120 = s3 * t104 + c3 * t8;
         put(8, t117); // row 1, MSY4
         put(30, t120); // row 2, MSY4
     }
@@ -205,9 +240,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     // M5: column
     let [t126, t127, t129, t130, t132] = {
         let t126 = s5 * a5_y;
-        let t127 = c5 * t12 + t126;
+        let t127 = c5 * t14 + t126;
         let t129 = c5 * a5_y;
-        let t130 = s5 * t12 - t129;
+        let t130 = s5 * t14 - t129;
         let t132 = k4 * t127;
         let t134 = k3 * t127;
         let t135 = a4_y * k3 - k4 * t130;
@@ -237,9 +272,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSY5: column
     {
-        let t180 = z1_4_x * t162 + t12 * z1_4_y - z1_4_z * t161;
-        let t185 = t12 * z2_4_y - t47 * t162 - c3 * t161;
-        let t188 = s4 * t162 + c4 * t12;
+        let t180 = z1_4_x * t162 + t14 * z1_4_y - z1_4_z * t161;
+        let t185 = t14 * z2_4_y - t47 * t162 - c3 * t161;
+        let t188 = s4 * t162 + c4 * t14;
         put(12, t180); // row 1, MSY5
         put(34, t185); // row 2, MSY5
         put(52, t188); // row 3, MSY5
@@ -256,9 +291,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     // M6: column
     let [t197, t198, t200, t201, t213] = {
         let t197 = s6 * a6_y;
-        let t198 = c6 * t18 + t197;
+        let t198 = c6 * t20 + t197;
         let t200 = c6 * a6_y;
-        let t201 = t200 - s6 * t18;
+        let t201 = t200 - s6 * t20;
         let t202 = k5 * t201;
         let t203 = k5 * t198;
         let t205 = t126 + c5 * t198;
@@ -295,8 +330,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSY6: column
     {
-        let t266 = s5 * t18 - c5 * t244;
-        let t269 = s5 * t244 + c5 * t18;
+        let t266 = s5 * t20 - c5 * t244;
+        let t269 = s5 * t244 + c5 * t20;
         let t274 = z1_4_z * t269 + (z1_4_x * t266 - z1_4_y * t243);
         let t279 = c3 * t269 - (t47 * t266 + z2_4_y * t243);
         let t282 = s4 * t266 - c4 * t243;
@@ -319,8 +354,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // M7: column
     let [t300, t303, t305] = {
-        let t300 = c7 * t24 + s7 * a7_y;
-        let t303 = s7 * t24 - c7 * a7_y;
+        let t300 = c7 * t26 + s7 * a7_y;
+        let t303 = s7 * t26 - c7 * a7_y;
         let t304 = k6 * t303;
         let t305 = k6 * t300;
         let t307 = t197 + c6 * t300;
@@ -366,8 +401,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSY7: column
     {
-        let t390 = s6 * t24 - c6 * t362;
-        let t393 = s6 * t362 + c6 * t24;
+        let t390 = s6 * t26 - c6 * t362;
+        let t393 = s6 * t362 + c6 * t26;
         let t396 = c5 * t390 + s5 * t361;
         let t399 = s5 * t390 - c5 * t361;
         let t404 = z1_4_z * t399 - (z1_4_x * t396 - z1_4_y * t393);

@@ -24,7 +24,16 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Kinetic energy, one entry per standard parameter: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 91]) {
-    out.fill(S::default());
+    let flat = &mut out[..];
+    flat[0..6].fill(S::default());
+    flat[7..10].fill(S::default());
+    flat[70..91].fill(S::default());
+    nonzeros(trig, dq, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 91]) {
     entries(trig, dq, |k, x| {
         out[PATTERN[k].0] = x;
     });

@@ -24,7 +24,15 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Regressor of a body fixed to the tool frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 7]) {
-    out.as_flattened_mut().fill(S::default());
+    let flat = &mut out.as_flattened_mut()[..];
+    flat[60] = S::default();
+    flat[63] = S::default();
+    nonzeros(trig, dq, ddq, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 7]) {
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
     });
@@ -57,178 +65,184 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // link 2: motion
     let [
-        w2_x, w2_y, a2_z, t10, a2_y, t19, t20, t21,
+        a2_z, t6, a2_y, w2_x, w2_y, dw2_y, t20, t21,
         t22,
     ] = {
+        let t3 = ddq1 * k1;
+        let a2_z = t0 * k1;
+        let t6 = s2 * k0 + c2 * t3;
+        let a2_y = s2 * t3 - c2 * k0;
         let w2_x = s2 * dq1;
         let w2_y = c2 * dq1;
-        let t7 = ddq1 * k1;
-        let a2_z = t0 * k1;
-        let t10 = s2 * k0 + c2 * t7;
-        let a2_y = s2 * t7 - c2 * k0;
         let t17 = dq2 * w2_y;
         let dw2_x = s2 * ddq1 + t17;
-        let t19 = dq2 * w2_x - c2 * ddq1;
+        let dw2_y = c2 * ddq1 - dq2 * w2_x;
         let t20 = ddq2 - w2_x * w2_y;
         let t21 = w2_x * w2_x + dq2 * dq2;
         let t22 = t17 + dw2_x;
         [
-        w2_x, w2_y, a2_z, t10, a2_y, t19, t20, t21,
+        a2_z, t6, a2_y, w2_x, w2_y, dw2_y, t20, t21,
         t22,
     ]
     };
     // link 3: motion
     let [
-        w3_x, t28, a3_z, t37, t40, w3_z, t55, t56,
-        t57, t58,
+        z1_3_x, z1_4_z, a3_z, t33, t36, w3_x, t42, w3_z,
+        t57, t58, t59, t60,
     ] = {
-        let w3_x = c3 * w2_x - s3 * dq2;
-        let t28 = c3 * dq2 + s3 * w2_x;
-        let t32 = t20 * k2 - t10;
+        let z1_3_x = s2 * c3;
+        let z1_4_z = s2 * s3;
+        let t28 = t20 * k2 - t6;
         let a3_z = a2_y + t21 * k2;
-        let t34 = t22 * k2 - a2_z;
-        let t37 = c3 * t32 + s3 * t34;
-        let t40 = s3 * t32 - c3 * t34;
+        let t30 = a2_z - t22 * k2;
+        let t33 = s3 * t30 - c3 * t28;
+        let t36 = c3 * t30 + s3 * t28;
+        let w3_x = c3 * w2_x - s3 * dq2;
+        let t42 = c3 * dq2 + s3 * w2_x;
         let w3_z = w2_y + dq3;
-        let t53 = t28 * w3_z;
-        let t55 = c3 * t20 + s3 * t22 + w3_x * w3_z;
-        let t56 = t19 - ddq3 - w3_x * t28;
-        let t57 = w3_x * w3_x + w3_z * w3_z;
-        let t58 = t53 + (s3 * t20 - c3 * t22 + t53);
+        let dw3_z = dw2_y + ddq3;
+        let t55 = t42 * w3_z;
+        let t57 = c3 * t20 + s3 * t22 + w3_x * w3_z;
+        let t58 = dw3_z + w3_x * t42;
+        let t59 = w3_x * w3_x + w3_z * w3_z;
+        let t60 = t55 + (s3 * t20 - c3 * t22 + t55);
         [
-        w3_x, t28, a3_z, t37, t40, w3_z, t55, t56,
-        t57, t58,
+        z1_3_x, z1_4_z, a3_z, t33, t36, w3_x, t42, w3_z,
+        t57, t58, t59, t60,
     ]
     };
     // link 4: motion
     let [
-        w4_x, t64, t69, a4_x, a4_y, w4_z, t91, t92,
-        t93, t94,
+        t65, t69, a4_y, w4_x, t78, w4_z, t93, t94,
+        t95, t96,
     ] = {
+        let t64 = t33 + t58 * k3;
+        let t65 = t36 + t59 * k3;
+        let t66 = a3_z - t60 * k3;
+        let t69 = c4 * t64 - s4 * t66;
+        let a4_y = c4 * t66 + s4 * t64;
         let w4_x = c4 * w3_x + s4 * w3_z;
-        let t64 = s4 * w3_x - c4 * w3_z;
-        let t68 = t37 + t56 * k3;
-        let t69 = t40 + t57 * k3;
-        let t70 = a3_z - t58 * k3;
-        let a4_x = c4 * t68 + s4 * t70;
-        let a4_y = c4 * t70 - s4 * t68;
-        let w4_z = t28 + dq4;
-        let dw4_z = t55 + ddq4;
-        let t89 = t64 * w4_z;
-        let t91 = c4 * t56 - s4 * t58 + w4_x * w4_z;
-        let t92 = dw4_z + w4_x * t64;
-        let t93 = w4_x * w4_x + w4_z * w4_z;
-        let t94 = t89 + (c4 * t58 + s4 * t56 + t89);
+        let t78 = s4 * w3_x - c4 * w3_z;
+        let w4_z = t42 + dq4;
+        let dw4_z = t57 + ddq4;
+        let t91 = t78 * w4_z;
+        let dw4_x = s4 * t58 - c4 * t60 - t91;
+        let t93 = w4_x * w4_z - (c4 * t58 + s4 * t60);
+        let t94 = dw4_z + w4_x * t78;
+        let t95 = w4_x * w4_x + w4_z * w4_z;
+        let t96 = dw4_x - t91;
         [
-        w4_x, t64, t69, a4_x, a4_y, w4_z, t91, t92,
-        t93, t94,
+        t65, t69, a4_y, w4_x, t78, w4_z, t93, t94,
+        t95, t96,
     ]
     };
     // link 5: motion
     let [
-        w5_x, t100, a5_z, a5_x, t112, w5_z, t127, t128,
-        t129, t130,
+        a5_z, t105, a5_y, w5_x, t114, t121, t129, t130,
+        t131, t132,
     ] = {
+        let t100 = t69 - t94 * k4;
+        let a5_z = a4_y + t95 * k4;
+        let t102 = t65 - t96 * k4;
+        let t105 = c5 * t100 + s5 * t102;
+        let a5_y = s5 * t100 - c5 * t102;
         let w5_x = c5 * w4_x - s5 * w4_z;
-        let t100 = c5 * w4_z + s5 * w4_x;
-        let t104 = a4_x + t92 * k4;
-        let a5_z = a4_y + t93 * k4;
-        let t106 = t69 + t94 * k4;
-        let a5_x = c5 * t104 - s5 * t106;
-        let t112 = c5 * t106 + s5 * t104;
-        let w5_z = dq5 - t64;
-        let t125 = t100 * w5_z;
-        let t127 = w5_x * w5_z - (s5 * t94 - c5 * t92);
-        let t128 = t91 - ddq5 - w5_x * t100;
-        let t129 = w5_x * w5_x + w5_z * w5_z;
-        let t130 = t125 + (c5 * t94 + s5 * t92 + t125);
+        let t114 = c5 * w4_z + s5 * w4_x;
+        let t121 = t78 - dq5;
+        let dw5_z = ddq5 - t93;
+        let t127 = t114 * t121;
+        let dw5_x = c5 * t96 - s5 * t94 + t127;
+        let t129 = c5 * t94 + s5 * t96 - w5_x * t121;
+        let t130 = dw5_z + w5_x * t114;
+        let t131 = w5_x * w5_x + t121 * t121;
+        let t132 = t127 + dw5_x;
         [
-        w5_x, t100, a5_z, a5_x, t112, w5_z, t127, t128,
-        t129, t130,
+        a5_z, t105, a5_y, w5_x, t114, t121, t129, t130,
+        t131, t132,
     ]
     };
     // link 6: motion
     let [
-        w6_x, w6_y, t141, t145, t148, w6_z, t163, t164,
-        t165, t166,
+        t137, t141, a6_y, t147, t150, w6_z, dw6_y, t166,
+        t167, t168,
     ] = {
-        let w6_x = c6 * w5_x + s6 * w5_z;
-        let w6_y = c6 * w5_z - s6 * w5_x;
-        let t140 = a5_x + t128 * k5;
-        let t141 = t112 + t129 * k5;
-        let t142 = t130 * k5 - a5_z;
-        let t145 = s6 * t142 - c6 * t140;
-        let t148 = c6 * t142 + s6 * t140;
-        let w6_z = t100 + dq6;
-        let dw6_z = t127 + ddq6;
-        let t161 = w6_y * w6_z;
-        let t163 = c6 * t128 - s6 * t130 + w6_x * w6_z;
-        let t164 = w6_x * w6_y - dw6_z;
-        let t165 = w6_x * w6_x + w6_z * w6_z;
-        let t166 = c6 * t130 + s6 * t128 - t161 - t161;
+        let t136 = t105 + t130 * k5;
+        let t137 = a5_y - t131 * k5;
+        let t138 = a5_z + t132 * k5;
+        let t141 = c6 * t136 - s6 * t138;
+        let a6_y = c6 * t138 + s6 * t136;
+        let t147 = s6 * t121 - c6 * w5_x;
+        let t150 = c6 * t121 + s6 * w5_x;
+        let w6_z = t114 + dq6;
+        let dw6_z = t129 + ddq6;
+        let t163 = t150 * w6_z;
+        let dw6_x = c6 * t132 + s6 * t130 - t163;
+        let dw6_y = t147 * w6_z - (s6 * t132 - c6 * t130);
+        let t166 = t147 * t150 - dw6_z;
+        let t167 = t147 * t147 + w6_z * w6_z;
+        let t168 = dw6_x - t163;
         [
-        w6_x, w6_y, t141, t145, t148, w6_z, t163, t164,
-        t165, t166,
+        t137, t141, a6_y, t147, t150, w6_z, dw6_y, t166,
+        t167, t168,
     ]
     };
     // link 7: motion
     let [
-        a7_z, t181, t184, t187, t190, dw7_z, t195, t196,
-        t197, t198, t199, t200, t201, t202, t203, t204,
-        t205, t206,
+        a7_z, t177, a7_y, t189, t192, dw7_z, t197, t198,
+        t199, t200, t201, t202, t203, t204, t205, t206,
+        t207, t208,
     ] = {
-        let w7_x = c7 * w6_x - s7 * w6_z;
-        let t172 = c7 * w6_z + s7 * w6_x;
-        let t176 = t145 + t164 * k6;
-        let a7_z = t165 * k6 - t148;
-        let t178 = t141 + t166 * k6;
-        let t181 = c7 * t176 + s7 * t178;
-        let t184 = c7 * t178 - s7 * t176;
-        let t187 = c7 * t164 + s7 * t166;
-        let t190 = s7 * t164 - c7 * t166;
-        let w7_z = w6_y + dq7;
-        let dw7_z = ddq7 - t163;
-        let t193 = w7_x * w7_x;
-        let t194 = w7_z * w7_z;
-        let t195 = w7_x * t172;
-        let t196 = w7_x * w7_z;
-        let t197 = t172 * w7_z;
-        let t198 = t197 - t190;
-        let t199 = t196 - t187;
-        let t200 = t193 - t194;
-        let t201 = t200 - t165;
-        let t202 = dw7_z + t195;
-        let t203 = t195 - dw7_z;
-        let t204 = t193 + t194;
-        let t205 = t196 + t199;
-        let t206 = t197 + t198;
-        put(61, t181); // row 7, MSY
-        put(62, t195); // row 7, XX
+        let t172 = t141 + t166 * k6;
+        let a7_z = a6_y + t167 * k6;
+        let t174 = t137 + t168 * k6;
+        let t177 = c7 * t172 - s7 * t174;
+        let a7_y = c7 * t174 + s7 * t172;
+        let t183 = c7 * t147 + s7 * w6_z;
+        let t186 = s7 * t147 - c7 * w6_z;
+        let t189 = c7 * t166 - s7 * t168;
+        let t192 = c7 * t168 + s7 * t166;
+        let t193 = t150 - dq7;
+        let dw7_z = dw6_y + ddq7;
+        let t195 = t183 * t183;
+        let t196 = t193 * t193;
+        let t197 = t183 * t186;
+        let t198 = t183 * t193;
+        let t199 = t186 * t193;
+        let t200 = t199 - t192;
+        let t201 = t198 - t189;
+        let t202 = t196 - t195;
+        let t203 = t167 + t202;
+        let t204 = dw7_z + t197;
+        let t205 = t197 - dw7_z;
+        let t206 = t195 + t196;
+        let t207 = t198 + t201;
+        let t208 = t199 + t200;
+        put(60, a7_y); // row 7, MSX
+        put(61, t177); // row 7, MSY
+        put(62, t197); // row 7, XX
         put(64, dw7_z); // row 7, ZZ
-        put(66, t190); // row 7, XZ
-        put(67, t187); // row 7, YZ
+        put(66, t192); // row 7, XZ
+        put(67, t189); // row 7, YZ
         [
-        a7_z, t181, t184, t187, t190, dw7_z, t195, t196,
-        t197, t198, t199, t200, t201, t202, t203, t204,
-        t205, t206,
+        a7_z, t177, a7_y, t189, t192, dw7_z, t197, t198,
+        t199, t200, t201, t202, t203, t204, t205, t206,
+        t207, t208,
     ]
     };
     // joint axes in frame 2
-    let [t207, v1_2_y] = {
-        let t207 = c2 * k1;
+    let [t209, v1_2_y] = {
+        let t209 = c2 * k1;
         let v1_2_y = s2 * k1;
-        [t207, v1_2_y]
+        [t209, v1_2_y]
     };
     // joint axes in frame 3
-    let [z1_3_x, z1_4_z, t214, v1_3_y, v2_3_x, v2_4_z] = {
-        let t209 = s2 * k2;
-        let z1_3_x = s2 * c3;
-        let z1_4_z = s2 * s3;
-        let t214 = c3 * t207 - s3 * t209;
-        let v1_3_y = c3 * t209 + s3 * t207;
+    let [t214, v1_3_y, v2_3_x, v2_4_z] = {
+        let t211 = s2 * k2;
+        let t214 = c3 * t209 - s3 * t211;
+        let v1_3_y = c3 * t211 + s3 * t209;
         let v2_3_x = c3 * k2;
         let v2_4_z = s3 * k2;
-        [z1_3_x, z1_4_z, t214, v1_3_y, v2_3_x, v2_4_z]
+        [t214, v1_3_y, v2_3_x, v2_4_z]
     };
     // joint axes in frame 4
     let [z1_4_x, z1_4_y, t226, z2_4_y, t228, t229, t232, t235] = {
@@ -243,65 +257,64 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [z1_4_x, z1_4_y, t226, z2_4_y, t228, t229, t232, t235]
     };
     // joint axes in frame 5
-    let [z1_5_x, z1_6_z, t244, t247, z3_5_x, z3_6_z] = {
-        let z1_5_x = c5 * z1_4_x - s5 * z1_4_z;
+    let [t238, z1_6_z, t244, t247, z3_5_x, z3_6_z] = {
+        let t238 = s5 * z1_4_z - c5 * z1_4_x;
         let z1_6_z = c5 * z1_4_z + s5 * z1_4_x;
         let t244 = c5 * t226 + c3 * s5;
         let t247 = c3 * c5 - s5 * t226;
         let z3_5_x = s4 * c5;
         let z3_6_z = s4 * s5;
-        [z1_5_x, z1_6_z, t244, t247, z3_5_x, z3_6_z]
+        [t238, z1_6_z, t244, t247, z3_5_x, z3_6_z]
     };
     // payload: column M
-    let [t252, t255] = {
-        let t252 = s7 * t184 - c7 * t181;
-        let t255 = s7 * t181 + c7 * t184;
+    let [t252, t255, t257] = {
+        let t252 = c7 * t177 + s7 * a7_y;
+        let t255 = s7 * t177 - c7 * a7_y;
         let t256 = k6 * t255;
         let t257 = k6 * t252;
-        let t260 = s6 * a7_z - c6 * t252;
-        let t263 = s6 * t252 + c6 * a7_z;
+        let t260 = c6 * t252 + s6 * a7_z;
+        let t263 = c6 * a7_z - s6 * t252;
         let t268 = k5 * t263 - c6 * t256;
         let t269 = k5 * t260 - s6 * t256;
-        let t272 = c5 * t260 - s5 * t255;
+        let t272 = s5 * t255 - c5 * t260;
         let t275 = s5 * t260 + c5 * t255;
-        let t285 = c5 * t257 - s5 * t268 - k4 * t272;
-        let t288 = k3 * t263 - (k4 * t275 - (c5 * t268 + s5 * t257));
-        let t289 = t269 + k3 * t272;
-        let t299 = t235 * t263 - t232 * t272 - v1_3_y * t275;
-        let t300 = z1_4_z * t285 + (z1_4_x * t288 + z1_4_y * t289) + t299;
-        let t310 = v2_4_z * t275 - (t228 * t272 + t229 * t263);
-        let t311 = c3 * t285 - (t226 * t288 - z2_4_y * t289) + t310;
-        let t314 = s4 * t288 + c4 * t289;
+        let t285 = k4 * t272 - (s5 * t268 + c5 * t257);
+        let t288 = s5 * t257 - c5 * t268 + k4 * t275 - k3 * t263;
+        let t289 = t269 - k3 * t272;
+        let t299 = t232 * t272 + t235 * t263 - v1_3_y * t275;
+        let t300 = z1_4_z * t285 + (z1_4_y * t289 - z1_4_x * t288) + t299;
+        let t310 = v2_4_z * t275 - (t229 * t263 - t228 * t272);
+        let t311 = c3 * t285 + (t226 * t288 + z2_4_y * t289) + t310;
+        let t314 = c4 * t289 - s4 * t288;
         put(0, t300); // row 1, M
         put(10, t311); // row 2, M
         put(20, t314); // row 3, M
         put(30, t285); // row 4, M
         put(40, t269); // row 5, M
-        put(50, t257); // row 6, M
-        [t252, t255]
+        [t252, t255, t257]
     };
     // payload: column MSX
     let [t316, t319, t321, t322] = {
-        let t316 = s7 * t203;
-        let t317 = c7 * t201 + t316;
-        let t319 = c7 * t203;
-        let t320 = s7 * t201 - t319;
+        let t316 = s7 * t205;
+        let t317 = c7 * t203 - t316;
+        let t319 = c7 * t205;
+        let t320 = s7 * t203 + t319;
         let t321 = s7 * a7_z;
         let t322 = c7 * a7_z;
-        let t325 = t321 + k6 * t320;
-        let t326 = t322 + k6 * t317;
-        let t329 = s6 * t205 - c6 * t317;
-        let t332 = s6 * t317 + c6 * t205;
-        let t341 = c6 * t325 + s6 * t184 + k5 * t332;
-        let t342 = k5 * t329 - (c6 * t184 - s6 * t325);
-        let t345 = c5 * t329 + s5 * t320;
-        let t348 = s5 * t329 - c5 * t320;
-        let t358 = c5 * t326 - s5 * t341 - k4 * t345;
+        let t325 = k6 * t320 - t321;
+        let t326 = t322 - k6 * t317;
+        let t329 = c6 * t317 + s6 * t207;
+        let t332 = c6 * t207 - s6 * t317;
+        let t341 = k5 * t332 - (c6 * t325 + s6 * a7_y);
+        let t342 = c6 * a7_y - s6 * t325 + k5 * t329;
+        let t345 = s5 * t320 - c5 * t329;
+        let t348 = s5 * t329 + c5 * t320;
+        let t358 = c5 * t326 - s5 * t341 + k4 * t345;
         let t361 = c5 * t341 + s5 * t326 - k4 * t348 + k3 * t332;
-        let t362 = t342 + k3 * t345;
-        let t372 = v1_3_y * t348 + (t232 * t345 - t235 * t332);
-        let t373 = z1_4_z * t358 + (z1_4_x * t361 + z1_4_y * t362) - t372;
-        let t383 = v2_4_z * t348 - (t228 * t345 + t229 * t332);
+        let t362 = t342 - k3 * t345;
+        let t372 = t232 * t345 + t235 * t332 - v1_3_y * t348;
+        let t373 = z1_4_z * t358 + (z1_4_x * t361 + z1_4_y * t362) + t372;
+        let t383 = v2_4_z * t348 + (t228 * t345 - t229 * t332);
         let t384 = c3 * t358 - (t226 * t361 - z2_4_y * t362) + t383;
         let t387 = s4 * t361 + c4 * t362;
         put(1, t373); // row 1, MSX
@@ -314,26 +327,26 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column MSY
     let [t388, t391] = {
-        let t388 = c7 * t202;
-        let t390 = s7 * t204 - t388;
-        let t391 = s7 * t202;
-        let t393 = t391 + c7 * t204;
-        let t396 = t322 - k6 * t393;
+        let t388 = c7 * t204;
+        let t390 = s7 * t206 - t388;
+        let t391 = s7 * t204;
+        let t393 = t391 + c7 * t206;
+        let t396 = k6 * t393 - t322;
         let t397 = k6 * t390 - t321;
-        let t400 = c6 * t390 + s6 * t206;
-        let t403 = s6 * t390 - c6 * t206;
-        let t412 = c6 * t396 - s6 * t181 + k5 * t403;
-        let t413 = s6 * t396 + c6 * t181 - k5 * t400;
+        let t400 = c6 * t390 + s6 * t208;
+        let t403 = c6 * t208 - s6 * t390;
+        let t412 = c6 * t396 + s6 * t177 + k5 * t403;
+        let t413 = c6 * t177 - s6 * t396 - k5 * t400;
         let t416 = c5 * t400 + s5 * t393;
-        let t419 = c5 * t393 - s5 * t400;
-        let t429 = k4 * t416 - (s5 * t412 - c5 * t397);
-        let t432 = k3 * t403 - (k4 * t419 - (c5 * t412 + s5 * t397));
-        let t433 = k3 * t416 - t413;
-        let t443 = t232 * t416 + t235 * t403 - v1_3_y * t419;
-        let t444 = z1_4_z * t429 - (z1_4_y * t433 - z1_4_x * t432) + t443;
-        let t454 = t229 * t403 - t228 * t416 - v2_4_z * t419;
-        let t455 = c3 * t429 - (t226 * t432 + z2_4_y * t433) - t454;
-        let t458 = s4 * t432 - c4 * t433;
+        let t419 = s5 * t400 - c5 * t393;
+        let t429 = s5 * t412 + c5 * t397 + k4 * t416;
+        let t432 = c5 * t412 - s5 * t397 - k4 * t419 + k3 * t403;
+        let t433 = t413 - k3 * t416;
+        let t443 = v1_3_y * t419 + (t232 * t416 - t235 * t403);
+        let t444 = z1_4_z * t429 + (z1_4_y * t433 - z1_4_x * t432) + t443;
+        let t454 = t228 * t416 + t229 * t403 - v2_4_z * t419;
+        let t455 = c3 * t429 + (t226 * t432 + z2_4_y * t433) + t454;
+        let t458 = c4 * t433 - s4 * t432;
         put(2, t444); // row 1, MSY
         put(12, t455); // row 2, MSY
         put(22, t458); // row 3, MSY
@@ -344,24 +357,24 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column MSZ
     {
-        let t461 = c7 * t187 + s7 * t190;
-        let t464 = s7 * t187 - c7 * t190;
+        let t461 = c7 * t189 + s7 * t192;
+        let t464 = s7 * t189 - c7 * t192;
         let t467 = t255 + k6 * t464;
-        let t468 = k6 * t461 - t252;
-        let t471 = c6 * t461 + s6 * t165;
-        let t474 = c6 * t165 - s6 * t461;
-        let t479 = k5 * t474 - c6 * t467;
+        let t468 = t252 + k6 * t461;
+        let t471 = c6 * t461 + s6 * t167;
+        let t474 = c6 * t167 - s6 * t461;
+        let t479 = c6 * t467 - k5 * t474;
         let t480 = s6 * t467 - k5 * t471;
-        let t483 = c5 * t471 - s5 * t464;
+        let t483 = s5 * t464 - c5 * t471;
         let t486 = s5 * t471 + c5 * t464;
-        let t496 = s5 * t479 + c5 * t468 + k4 * t483;
-        let t499 = s5 * t468 - c5 * t479 + k4 * t486 - k3 * t474;
-        let t500 = t480 - k3 * t483;
-        let t510 = t235 * t474 - t232 * t483 - v1_3_y * t486;
-        let t511 = z1_4_z * t496 + (z1_4_x * t499 + z1_4_y * t500) - t510;
-        let t521 = t228 * t483 + t229 * t474 - v2_4_z * t486;
-        let t522 = c3 * t496 + (z2_4_y * t500 - t226 * t499) + t521;
-        let t525 = s4 * t499 + c4 * t500;
+        let t496 = c5 * t468 - s5 * t479 - k4 * t483;
+        let t499 = k3 * t474 - (c5 * t479 + s5 * t468 + k4 * t486);
+        let t500 = t480 + k3 * t483;
+        let t510 = t232 * t483 + t235 * t474 - v1_3_y * t486;
+        let t511 = z1_4_z * t496 + (z1_4_y * t500 - z1_4_x * t499) - t510;
+        let t521 = t229 * t474 - t228 * t483 - v2_4_z * t486;
+        let t522 = c3 * t496 + (t226 * t499 + z2_4_y * t500) + t521;
+        let t525 = c4 * t500 - s4 * t499;
         put(3, t511); // row 1, MSZ
         put(13, t522); // row 2, MSZ
         put(23, t525); // row 3, MSZ
@@ -371,15 +384,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // payload: column XX
     let [t527, t530, t533, t536] = {
-        let t527 = s7 * t196;
-        let t528 = c7 * t198 + t527;
-        let t530 = c7 * t196;
-        let t531 = s7 * t198 - t530;
-        let t533 = s6 * t195;
+        let t527 = s7 * t198;
+        let t528 = c7 * t200 + t527;
+        let t530 = c7 * t198;
+        let t531 = s7 * t200 - t530;
+        let t533 = s6 * t197;
         let t534 = c6 * t528 + t533;
-        let t536 = c6 * t195;
+        let t536 = c6 * t197;
         let t537 = t536 - s6 * t528;
-        let t542 = z1_4_y * t537 + (z1_6_z * t531 - z1_5_x * t534);
+        let t542 = z1_4_y * t537 + (t238 * t534 + z1_6_z * t531);
         let t547 = z2_4_y * t537 + (t244 * t534 + t247 * t531);
         let t552 = c4 * t537 - (z3_5_x * t534 - z3_6_z * t531);
         let t555 = s5 * t534 + c5 * t531;
@@ -393,13 +406,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column YY
     let [t556, t559] = {
-        let t556 = c7 * t197;
-        let t558 = t556 + s7 * t199;
-        let t559 = s7 * t197;
-        let t561 = c7 * t199 - t559;
+        let t556 = c7 * t199;
+        let t558 = t556 + s7 * t201;
+        let t559 = s7 * t199;
+        let t561 = c7 * t201 - t559;
         let t563 = t533 + c6 * t558;
         let t565 = s6 * t558 - t536;
-        let t570 = z1_4_y * t565 + (z1_5_x * t563 + z1_6_z * t561);
+        let t570 = z1_4_y * t565 - (t238 * t563 - z1_6_z * t561);
         let t575 = z2_4_y * t565 + (t247 * t561 - t244 * t563);
         let t580 = c4 * t565 + (z3_5_x * t563 + z3_6_z * t561);
         let t583 = c5 * t561 - s5 * t563;
@@ -417,11 +430,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t585 = t530 + t559;
         let t588 = c6 * t584 + s6 * dw7_z;
         let t591 = c6 * dw7_z - s6 * t584;
-        let t596 = z1_4_y * t591 - (z1_5_x * t588 - z1_6_z * t585);
+        let t596 = z1_4_y * t591 + (t238 * t588 + z1_6_z * t585);
         let t601 = z2_4_y * t591 + (t244 * t588 + t247 * t585);
         let t606 = c4 * t591 + (z3_6_z * t585 - z3_5_x * t588);
         let t609 = s5 * t588 + c5 * t585;
-        let t610 = t201 + t204;
+        let t610 = t206 - t203;
         put(6, t596); // row 1, ZZ
         put(16, t601); // row 2, ZZ
         put(26, t606); // row 3, ZZ
@@ -433,13 +446,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column XY
     {
-        let t613 = c7 * t205 - s7 * t206;
-        let t616 = s7 * t205 + c7 * t206;
+        let t613 = c7 * t207 - s7 * t208;
+        let t616 = s7 * t207 + c7 * t208;
         let t619 = c6 * t613 + s6 * t610;
         let t622 = c6 * t610 - s6 * t613;
-        let t627 = z1_4_y * t622 + (z1_6_z * t616 - z1_5_x * t619);
+        let t627 = z1_4_y * t622 + (t238 * t619 + z1_6_z * t616);
         let t632 = z2_4_y * t622 + (t244 * t619 + t247 * t616);
-        let t637 = c4 * t622 - (z3_5_x * t619 - z3_6_z * t616);
+        let t637 = c4 * t622 + (z3_6_z * t616 - z3_5_x * t619);
         let t640 = s5 * t619 + c5 * t616;
         put(7, t627); // row 1, XY
         put(17, t632); // row 2, XY
@@ -450,15 +463,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // payload: column XZ
     let t669 = {
-        let t642 = s7 * t200 - t319;
-        let t644 = t316 + c7 * t200;
-        let t647 = c6 * t642 - s6 * t190;
-        let t650 = s6 * t642 + c6 * t190;
-        let t655 = z1_4_y * t650 + (z1_5_x * t647 + z1_6_z * t644);
-        let t660 = z2_4_y * t650 - (t244 * t647 - t247 * t644);
-        let t665 = c4 * t650 + (z3_5_x * t647 + z3_6_z * t644);
-        let t668 = c5 * t644 - s5 * t647;
-        let t669 = t204 - t165;
+        let t642 = t319 + s7 * t202;
+        let t644 = t316 - c7 * t202;
+        let t647 = c6 * t642 + s6 * t192;
+        let t650 = c6 * t192 - s6 * t642;
+        let t655 = z1_4_y * t650 + (t238 * t647 + z1_6_z * t644);
+        let t660 = z2_4_y * t650 + (t244 * t647 + t247 * t644);
+        let t665 = c4 * t650 - (z3_5_x * t647 - z3_6_z * t644);
+        let t668 = s5 * t647 + c5 * t644;
+        let t669 = t206 - t167;
         put(8, t655); // row 1, XZ
         put(18, t660); // row 2, XZ
         put(28, t665); // row 3, XZ
@@ -471,21 +484,21 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     {
         let t671 = t391 + c7 * t669;
         let t673 = s7 * t669 - t388;
-        let t676 = c6 * t671 + s6 * t187;
-        let t679 = c6 * t187 - s6 * t671;
-        let t684 = z1_4_y * t679 + (z1_6_z * t673 - z1_5_x * t676);
+        let t676 = c6 * t671 + s6 * t189;
+        let t679 = c6 * t189 - s6 * t671;
+        let t684 = z1_4_y * t679 + (t238 * t676 + z1_6_z * t673);
         let t689 = z2_4_y * t679 + (t244 * t676 + t247 * t673);
-        let t694 = c4 * t679 + (z3_6_z * t673 - z3_5_x * t676);
+        let t694 = c4 * t679 - (z3_5_x * t676 - z3_6_z * t673);
         let t697 = s5 * t676 + c5 * t673;
-        let t698 = -t184;
-        let t699 = -t195;
+        let t698 = -t257;
+        let t699 = -t197;
         put(9, t684); // row 1, YZ
         put(19, t689); // row 2, YZ
         put(29, t694); // row 3, YZ
         put(39, t697); // row 4, YZ
         put(49, t679); // row 5, YZ
+        put(50, t698); // row 6, M
         put(59, t673); // row 6, YZ
-        put(60, t698); // row 7, MSX
         put(63, t699); // row 7, YY
     }
 }

@@ -8,6 +8,7 @@ pub struct List<T, const K: usize> {
 }
 
 impl<T: Copy, const K: usize> List<T, K> {
+    #[inline(always)]
     pub(super) fn new(filler: T) -> Self {
         Self { items: [filler; K], len: 0 }
     }

@@ -2,7 +2,7 @@
 //!
 //! `ddq = M^-1 (tau - C dq - g - friction)`, rad/s^2, from the base parameters; `M = L D L'` written out.
 //!
-//! 655 multiplications, 529 additions; 7, 7 of 7 structurally nonzero.
+//! 654 multiplications, 520 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -223,403 +223,401 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     };
     // link 2: motion
     let [
-        w2_x, w2_y, a2_x, a2_y, t357, t358, dw2_x, t360,
-        t361, t362, t363, t364,
+        a2_x, a2_y, w2_x, w2_y, t356, t357, t358, t360,
+        t361,
     ] = {
-        let w2_x = s2 * dq1;
-        let w2_y = c2 * dq1;
         let a2_x = s2 * k2;
         let a2_y = c2 * k2;
-        let t355 = w2_x * w2_x;
+        let w2_x = s2 * dq1;
+        let w2_y = c2 * dq1;
         let t356 = dq2 * dq2;
         let t357 = w2_x * w2_y;
         let t358 = dq2 * w2_x;
         let dw2_x = dq2 * w2_y;
-        let t360 = t355 - t356;
-        let t361 = t360 - t350;
-        let t362 = t355 + t356;
-        let t363 = t358 + t358;
-        let t364 = dw2_x + dw2_x;
+        let t360 = w2_x * w2_x + t356;
+        let t361 = dw2_x + dw2_x;
         [
-        w2_x, w2_y, a2_x, a2_y, t357, t358, dw2_x, t360,
-        t361, t362, t363, t364,
+        a2_x, a2_y, w2_x, w2_y, t356, t357, t358, t360,
+        t361,
     ]
     };
     // link 3: motion
     let [
-        w3_x, t370, a3_z, a3_x, t381, t384, t387, w3_z,
-        t391, t392, t393, dw3_x, dw3_y, t396, t397, t398,
-        t399, t400, t401, t402,
+        a3_z, a3_x, t372, w3_x, t378, t381, t384, w3_z,
+        t388, t389, t390, dw3_x, dw3_y, t393, t394, t395,
+        t396, t397, t398, t399,
     ] = {
+        let t364 = L2 * t361;
+        let t365 = a2_x + L2 * t357;
+        let a3_z = a2_y - L2 * t360;
+        let a3_x = c3 * t365 - s3 * t364;
+        let t372 = c3 * t364 + s3 * t365;
         let w3_x = c3 * w2_x - s3 * dq2;
-        let t370 = c3 * dq2 + s3 * w2_x;
-        let t373 = L2 * t364;
-        let t374 = a2_x + L2 * t357;
-        let a3_z = a2_y - L2 * t362;
-        let a3_x = c3 * t374 - s3 * t373;
-        let t381 = c3 * t373 + s3 * t374;
-        let t384 = c3 * t357 - s3 * t364;
-        let t387 = c3 * t364 + s3 * t357;
+        let t378 = c3 * dq2 + s3 * w2_x;
+        let t381 = c3 * t357 - s3 * t361;
+        let t384 = c3 * t361 + s3 * t357;
         let w3_z = w2_y + dq3;
-        let t389 = w3_x * w3_x;
-        let t390 = w3_z * w3_z;
-        let t391 = w3_x * t370;
-        let t392 = w3_x * w3_z;
-        let t393 = t370 * w3_z;
-        let dw3_x = t387 - t393;
-        let dw3_y = t384 - t392;
-        let t396 = t389 - t390;
-        let t397 = t396 - t362;
-        let t398 = t358 - t391;
-        let t399 = t358 + t391;
-        let t400 = t389 + t390;
-        let t401 = t392 - dw3_y;
-        let t402 = dw3_x - t393;
+        let t386 = w3_x * w3_x;
+        let t387 = w3_z * w3_z;
+        let t388 = w3_x * t378;
+        let t389 = w3_x * w3_z;
+        let t390 = t378 * w3_z;
+        let dw3_x = t384 - t390;
+        let dw3_y = t381 - t389;
+        let t393 = t386 - t387;
+        let t394 = t393 - t360;
+        let t395 = t358 - t388;
+        let t396 = t358 + t388;
+        let t397 = t386 + t387;
+        let t398 = t389 - dw3_y;
+        let t399 = dw3_x - t390;
         [
-        w3_x, t370, a3_z, a3_x, t381, t384, t387, w3_z,
-        t391, t392, t393, dw3_x, dw3_y, t396, t397, t398,
-        t399, t400, t401, t402,
+        a3_z, a3_x, t372, w3_x, t378, t381, t384, w3_z,
+        t388, t389, t390, dw3_x, dw3_y, t393, t394, t395,
+        t396, t397, t398, t399,
     ]
     };
     // link 4: motion
     let [
-        w4_x, t408, a4_x, t414, t417, t420, w4_z, t424,
-        t425, t426, dw4_x, dw4_y, t429, t430, t431, t432,
-        t433, t434, t435,
+        a4_x, t405, w4_x, t411, t414, t417, w4_z, t421,
+        t422, t423, dw4_x, dw4_y, t426, t427, t428, t429,
+        t430, t431, t432,
     ] = {
-        let w4_x = c4 * w3_x - s4 * w3_z;
-        let t408 = c4 * w3_z + s4 * w3_x;
         let a4_x = c4 * a3_x - s4 * a3_z;
-        let t414 = c4 * a3_z + s4 * a3_x;
-        let t417 = c4 * t398 - s4 * t402;
-        let t420 = c4 * t402 + s4 * t398;
-        let w4_z = dq4 - t370;
-        let t422 = w4_x * w4_x;
-        let t423 = w4_z * w4_z;
-        let t424 = w4_x * t408;
-        let t425 = w4_x * w4_z;
-        let t426 = t408 * w4_z;
-        let dw4_x = t420 - t426;
-        let dw4_y = t417 - t425;
-        let t429 = t422 - t423;
-        let t430 = t429 - t400;
-        let t431 = dw3_y + t424;
-        let t432 = dw3_y - t424;
-        let t433 = t422 + t423;
-        let t434 = t425 - dw4_y;
-        let t435 = dw4_x - t426;
+        let t405 = c4 * a3_z + s4 * a3_x;
+        let w4_x = c4 * w3_x - s4 * w3_z;
+        let t411 = c4 * w3_z + s4 * w3_x;
+        let t414 = c4 * t395 - s4 * t399;
+        let t417 = c4 * t399 + s4 * t395;
+        let w4_z = dq4 - t378;
+        let t419 = w4_x * w4_x;
+        let t420 = w4_z * w4_z;
+        let t421 = w4_x * t411;
+        let t422 = w4_x * w4_z;
+        let t423 = t411 * w4_z;
+        let dw4_x = t417 - t423;
+        let dw4_y = t414 - t422;
+        let t426 = t419 - t420;
+        let t427 = t426 - t397;
+        let t428 = dw3_y + t421;
+        let t429 = dw3_y - t421;
+        let t430 = t419 + t420;
+        let t431 = t422 - dw4_y;
+        let t432 = dw4_x - t423;
         [
-        w4_x, t408, a4_x, t414, t417, t420, w4_z, t424,
-        t425, t426, dw4_x, dw4_y, t429, t430, t431, t432,
-        t433, t434, t435,
+        a4_x, t405, w4_x, t411, t414, t417, w4_z, t421,
+        t422, t423, dw4_x, dw4_y, t426, t427, t428, t429,
+        t430, t431, t432,
     ]
     };
     // link 5: motion
     let [
-        w5_x, w5_y, t446, a5_x, a6_z, t456, t459, w5_z,
-        t463, t464, t465, dw5_x, dw5_y, t468, t469, t470,
-        t471, t472, t473, t474,
+        t437, a5_x, a6_z, w5_x, w5_y, t453, t456, w5_z,
+        t460, t461, t462, dw5_x, dw5_y, t465, t466, t467,
+        t468, t469, t470, t471,
     ] = {
+        let t436 = a4_x + L3 * t428;
+        let t437 = L3 * t430 - t405;
+        let t438 = t372 + L3 * t432;
+        let a5_x = c5 * t436 - s5 * t438;
+        let a6_z = c5 * t438 + s5 * t436;
         let w5_x = c5 * w4_x + s5 * w4_z;
         let w5_y = c5 * w4_z - s5 * w4_x;
-        let t445 = a4_x + L3 * t431;
-        let t446 = L3 * t433 - t414;
-        let t447 = t381 + L3 * t435;
-        let a5_x = c5 * t445 - s5 * t447;
-        let a6_z = c5 * t447 + s5 * t445;
-        let t456 = c5 * t431 - s5 * t435;
-        let t459 = c5 * t435 + s5 * t431;
-        let w5_z = t408 + dq5;
-        let t461 = w5_x * w5_x;
-        let t462 = w5_z * w5_z;
-        let t463 = w5_x * w5_y;
-        let t464 = w5_x * w5_z;
-        let t465 = w5_y * w5_z;
-        let dw5_x = t459 + t465;
-        let dw5_y = t456 - t464;
-        let t468 = t461 - t462;
-        let t469 = t468 - t433;
-        let t470 = dw4_y + t463;
-        let t471 = t463 - dw4_y;
-        let t472 = t461 + t462;
-        let t473 = t464 - dw5_y;
-        let t474 = t465 + dw5_x;
+        let t453 = c5 * t428 - s5 * t432;
+        let t456 = c5 * t432 + s5 * t428;
+        let w5_z = t411 + dq5;
+        let t458 = w5_x * w5_x;
+        let t459 = w5_z * w5_z;
+        let t460 = w5_x * w5_y;
+        let t461 = w5_x * w5_z;
+        let t462 = w5_y * w5_z;
+        let dw5_x = t456 + t462;
+        let dw5_y = t453 - t461;
+        let t465 = t458 - t459;
+        let t466 = t465 - t430;
+        let t467 = dw4_y + t460;
+        let t468 = t460 - dw4_y;
+        let t469 = t458 + t459;
+        let t470 = t461 - dw5_y;
+        let t471 = t462 + dw5_x;
         [
-        w5_x, w5_y, t446, a5_x, a6_z, t456, t459, w5_z,
-        t463, t464, t465, dw5_x, dw5_y, t468, t469, t470,
-        t471, t472, t473, t474,
+        t437, a5_x, a6_z, w5_x, w5_y, t453, t456, w5_z,
+        t460, t461, t462, dw5_x, dw5_y, t465, t466, t467,
+        t468, t469, t470, t471,
     ]
     };
     // link 6: motion
     let [
-        w6_x, w6_y, a6_x, t486, t489, t492, w6_z, t496,
-        t497, t498, dw6_x, t500, t501, t502, t503, t504,
-        t505, t506, t507,
+        a6_x, t477, w6_x, w6_y, t486, t489, w6_z, t493,
+        t494, t495, dw6_x, t497, t498, t499, t500, t501,
+        t502, t503, t504,
     ] = {
+        let a6_x = c6 * a5_x - s6 * t437;
+        let t477 = c6 * t437 + s6 * a5_x;
         let w6_x = c6 * w5_x + s6 * w5_z;
         let w6_y = c6 * w5_z - s6 * w5_x;
-        let a6_x = c6 * a5_x - s6 * t446;
-        let t486 = c6 * t446 + s6 * a5_x;
-        let t489 = c6 * t470 + s6 * t474;
-        let t492 = s6 * t470 - c6 * t474;
+        let t486 = c6 * t467 + s6 * t471;
+        let t489 = s6 * t467 - c6 * t471;
         let w6_z = dq6 - w5_y;
-        let t494 = w6_x * w6_x;
-        let t495 = w6_z * w6_z;
-        let t496 = w6_x * w6_y;
-        let t497 = w6_x * w6_z;
-        let t498 = w6_y * w6_z;
-        let dw6_x = t498 - t492;
-        let t500 = t489 + t497;
-        let t501 = t494 - t495;
-        let t502 = t501 - t472;
-        let t503 = dw5_y + t496;
-        let t504 = t496 - dw5_y;
-        let t505 = t494 + t495;
-        let t506 = t497 + t500;
-        let t507 = t498 + dw6_x;
+        let t491 = w6_x * w6_x;
+        let t492 = w6_z * w6_z;
+        let t493 = w6_x * w6_y;
+        let t494 = w6_x * w6_z;
+        let t495 = w6_y * w6_z;
+        let dw6_x = t495 - t489;
+        let t497 = t486 + t494;
+        let t498 = t491 - t492;
+        let t499 = t498 - t469;
+        let t500 = dw5_y + t493;
+        let t501 = t493 - dw5_y;
+        let t502 = t491 + t492;
+        let t503 = t494 + t497;
+        let t504 = t495 + dw6_x;
         [
-        w6_x, w6_y, a6_x, t486, t489, t492, w6_z, t496,
-        t497, t498, dw6_x, t500, t501, t502, t503, t504,
-        t505, t506, t507,
+        a6_x, t477, w6_x, w6_y, t486, t489, w6_z, t493,
+        t494, t495, dw6_x, t497, t498, t499, t500, t501,
+        t502, t503, t504,
     ]
     };
     // link 7: motion
     let [
-        a7_x, t519, t522, t525, t529, t530, t531, dw7_x,
-        t534, t535, t536, t537, t538, t539, t540,
+        a7_x, t510, t519, t522, t526, t527, t528, dw7_x,
+        t531, t532, t533, t534, t535, t536, t537,
     ] = {
-        let w7_x = c7 * w6_x - s7 * w6_z;
-        let t513 = c7 * w6_z + s7 * w6_x;
         let a7_x = c7 * a6_x - s7 * a6_z;
-        let t519 = c7 * a6_z + s7 * a6_x;
-        let t522 = c7 * t503 - s7 * t507;
-        let t525 = c7 * t507 + s7 * t503;
+        let t510 = c7 * a6_z + s7 * a6_x;
+        let w7_x = c7 * w6_x - s7 * w6_z;
+        let t516 = c7 * w6_z + s7 * w6_x;
+        let t519 = c7 * t500 - s7 * t504;
+        let t522 = c7 * t504 + s7 * t500;
         let w7_z = w6_y + dq7;
-        let t527 = w7_x * w7_x;
-        let t528 = w7_z * w7_z;
-        let t529 = w7_x * t513;
-        let t530 = w7_x * w7_z;
-        let t531 = t513 * w7_z;
-        let dw7_x = t525 - t531;
-        let dw7_y = t522 - t530;
-        let t534 = t527 - t528;
-        let t535 = t534 - t505;
-        let t536 = t500 - t529;
-        let t537 = t500 + t529;
-        let t538 = t527 + t528;
-        let t539 = t530 - dw7_y;
-        let t540 = dw7_x - t531;
+        let t524 = w7_x * w7_x;
+        let t525 = w7_z * w7_z;
+        let t526 = w7_x * t516;
+        let t527 = w7_x * w7_z;
+        let t528 = t516 * w7_z;
+        let dw7_x = t522 - t528;
+        let dw7_y = t519 - t527;
+        let t531 = t524 - t525;
+        let t532 = t531 - t502;
+        let t533 = t497 - t526;
+        let t534 = t497 + t526;
+        let t535 = t524 + t525;
+        let t536 = t527 - dw7_y;
+        let t537 = dw7_x - t528;
         [
-        a7_x, t519, t522, t525, t529, t530, t531, dw7_x,
-        t534, t535, t536, t537, t538, t539, t540,
+        a7_x, t510, t519, t522, t526, t527, t528, dw7_x,
+        t531, t532, t533, t534, t535, t536, t537,
     ]
     };
     // link 7: force and moment
-    let [f7_z, n7_z, t588, t591, t594, t597] = {
-        let t561 = XX7R * t529 - ZZ7 * t500 + XY7 * (t535 + t538) + XZ7 * t525;
-        let t563 = YZ7 * (t505 - t538);
-        let t566 = XX7R * dw7_x - ZZ7 * t531 - XY7 * t539 - XZ7 * t537 + t563;
-        let t567 = t530 * (XX7R - ZZ7) + XY7 * t540 - XZ7 * t534 - YZ7 * t536;
-        let f7_x = MSX7 * t535 + MSY7 * t536;
-        let t574 = MSX7 * t537 + MSY7 * t538;
-        let f7_z = MSX7 * t539 + MSY7 * t540;
-        let n7_x = t566 - MSY7 * t486;
-        let n7_y = t567 + MSX7 * t486;
-        let n7_z = t561 + YZ7 * t522 - (MSX7 * t519 + MSY7 * a7_x);
-        let t588 = c7 * f7_x + s7 * t574;
-        let t591 = s7 * f7_x - c7 * t574;
-        let t594 = c7 * n7_x - s7 * n7_y;
-        let t597 = s7 * n7_x + c7 * n7_y;
-        [f7_z, n7_z, t588, t591, t594, t597]
+    let [f7_z, n7_z, t585, t588, t591, t594] = {
+        let t558 = XX7R * t526 - ZZ7 * t497 + XY7 * (t532 + t535) + XZ7 * t522;
+        let t560 = YZ7 * (t502 - t535);
+        let t563 = XX7R * dw7_x - ZZ7 * t528 - XY7 * t536 - XZ7 * t534 + t560;
+        let t564 = t527 * (XX7R - ZZ7) + XY7 * t537 - XZ7 * t531 - YZ7 * t533;
+        let f7_x = MSX7 * t532 + MSY7 * t533;
+        let t571 = MSX7 * t534 + MSY7 * t535;
+        let f7_z = MSX7 * t536 + MSY7 * t537;
+        let n7_x = t563 - MSY7 * t477;
+        let n7_y = t564 + MSX7 * t477;
+        let n7_z = t558 + YZ7 * t519 - (MSX7 * t510 + MSY7 * a7_x);
+        let t585 = c7 * f7_x + s7 * t571;
+        let t588 = s7 * f7_x - c7 * t571;
+        let t591 = c7 * n7_x - s7 * n7_y;
+        let t594 = s7 * n7_x + c7 * n7_y;
+        [f7_z, n7_z, t585, t588, t591, t594]
     };
     // link 6: force and moment
-    let [f6_z, n6_z, t651, t654, t657, t660] = {
-        let t618 = XY6 * (t502 + t505) - (XX6R * t496 + ZZ6R * dw5_y) - XZ6 * t492;
-        let t620 = YZ6 * (t472 - t505);
-        let t623 = ZZ6R * t498 + XX6R * dw6_x - XY6 * t506 + XZ6 * t504 + t620;
-        let t624 = t497 * (XX6R - ZZ6R) + XY6 * t507 - XZ6 * t501 - YZ6 * t503;
-        let f6_x = t588 + (MSX6 * t502 + MSY6R * t503);
-        let f6_y = f7_z + (MSX6 * t504 - MSY6R * t505);
-        let f6_z = MSX6 * t506 + MSY6R * t507 - t591;
-        let n6_x = t594 + (t623 + MSY6R * a6_z);
-        let n6_y = n7_z + (t624 - MSX6 * a6_z);
-        let n6_z = t618 - YZ6 * t489 - (MSX6 * t486 + MSY6R * a6_x) - t597;
-        let t651 = c6 * f6_x - s6 * f6_y;
-        let t654 = s6 * f6_x + c6 * f6_y;
-        let t657 = c6 * n6_x - s6 * n6_y;
-        let t660 = s6 * n6_x + c6 * n6_y;
-        [f6_z, n6_z, t651, t654, t657, t660]
+    let [f6_z, n6_z, t648, t651, t654, t657] = {
+        let t615 = XY6 * (t499 + t502) - (XX6R * t493 + ZZ6R * dw5_y) - XZ6 * t489;
+        let t617 = YZ6 * (t469 - t502);
+        let t620 = ZZ6R * t495 + XX6R * dw6_x - XY6 * t503 + XZ6 * t501 + t617;
+        let t621 = t494 * (XX6R - ZZ6R) + XY6 * t504 - XZ6 * t498 - YZ6 * t500;
+        let f6_x = t585 + (MSX6 * t499 + MSY6R * t500);
+        let f6_y = f7_z + (MSX6 * t501 - MSY6R * t502);
+        let f6_z = MSX6 * t503 + MSY6R * t504 - t588;
+        let n6_x = t591 + (t620 + MSY6R * a6_z);
+        let n6_y = n7_z + (t621 - MSX6 * a6_z);
+        let n6_z = t615 - YZ6 * t486 - (MSX6 * t477 + MSY6R * a6_x) - t594;
+        let t648 = c6 * f6_x - s6 * f6_y;
+        let t651 = s6 * f6_x + c6 * f6_y;
+        let t654 = c6 * n6_x - s6 * n6_y;
+        let t657 = s6 * n6_x + c6 * n6_y;
+        [f6_z, n6_z, t648, t651, t654, t657]
     };
     // link 5: force and moment
-    let [f5_z, n5_z, t714, t717, t726, t727] = {
-        let t681 = XY5 * (t469 + t472) - (XX5R * t463 + ZZ5R * dw4_y) + XZ5 * t459;
-        let t683 = YZ5 * (t433 - t472);
-        let t686 = ZZ5R * t465 + XX5R * dw5_x - XY5 * t473 + XZ5 * t471 + t683;
-        let t687 = t464 * (XX5R - ZZ5R) + XY5 * t474 - XZ5 * t468 - YZ5 * t470;
-        let f5_x = t651 + (MSX5 * t469 + MSY5R * t470);
-        let f5_y = MSX5 * t471 - MSY5R * t472 - f6_z;
-        let f5_z = t654 + (MSX5 * t473 + MSY5R * t474);
-        let n5_x = t657 + (t686 - MSY5R * t446);
-        let n5_y = t687 + MSX5 * t446 - n6_z;
-        let n5_z = t660 + (t681 + YZ5 * t456 - (MSX5 * a6_z + MSY5R * a5_x));
-        let t714 = c5 * f5_x - s5 * f5_y;
-        let t717 = s5 * f5_x + c5 * f5_y;
-        let t726 = c5 * n5_x - s5 * n5_y - L3 * t717;
-        let t727 = s5 * n5_x + c5 * n5_y + L3 * t714;
-        [f5_z, n5_z, t714, t717, t726, t727]
+    let [f5_z, n5_z, t711, t714, t723, t724] = {
+        let t678 = XY5 * (t466 + t469) - (XX5R * t460 + ZZ5R * dw4_y) + XZ5 * t456;
+        let t680 = YZ5 * (t430 - t469);
+        let t683 = ZZ5R * t462 + XX5R * dw5_x - XY5 * t470 + XZ5 * t468 + t680;
+        let t684 = t461 * (XX5R - ZZ5R) + XY5 * t471 - XZ5 * t465 - YZ5 * t467;
+        let f5_x = t648 + (MSX5 * t466 + MSY5R * t467);
+        let f5_y = MSX5 * t468 - MSY5R * t469 - f6_z;
+        let f5_z = t651 + (MSX5 * t470 + MSY5R * t471);
+        let n5_x = t654 + (t683 - MSY5R * t437);
+        let n5_y = t684 + MSX5 * t437 - n6_z;
+        let n5_z = t657 + (t678 + YZ5 * t453 - (MSX5 * a6_z + MSY5R * a5_x));
+        let t711 = c5 * f5_x - s5 * f5_y;
+        let t714 = s5 * f5_x + c5 * f5_y;
+        let t723 = c5 * n5_x - s5 * n5_y - L3 * t714;
+        let t724 = s5 * n5_x + c5 * n5_y + L3 * t711;
+        [f5_z, n5_z, t711, t714, t723, t724]
     };
     // link 4: force and moment
-    let [f4_z, n4_z, t781, t784, t787] = {
-        let t748 = XX4R * t424 + ZZ4R * dw3_y + XY4 * (t430 + t433) + XZ4 * t420;
-        let t750 = YZ4 * (t400 - t433);
-        let t753 = XX4R * dw4_x - ZZ4R * t426 - XY4 * t434 + XZ4 * t432 + t750;
-        let t754 = t425 * (XX4R - ZZ4R) + XY4 * t435 - XZ4 * t429 + YZ4 * t431;
-        let f4_x = t714 + (MSX4 * t430 - MSY4R * t431);
-        let f4_y = MSX4 * t432 - MSY4R * t433 - f5_z;
-        let f4_z = t717 + (MSX4 * t434 + MSY4R * t435);
-        let n4_x = t726 + (t753 - MSY4R * t381);
-        let n4_y = t754 + MSX4 * t381 - n5_z;
-        let n4_z = t727 + (t748 + YZ4 * t417 - (MSX4 * t414 + MSY4R * a4_x));
-        let t781 = c4 * f4_x - s4 * f4_y;
-        let t784 = c4 * n4_x - s4 * n4_y;
-        let t787 = s4 * n4_x + c4 * n4_y;
-        [f4_z, n4_z, t781, t784, t787]
+    let [f4_z, n4_z, t778, t781, t784] = {
+        let t745 = XX4R * t421 + ZZ4R * dw3_y + XY4 * (t427 + t430) + XZ4 * t417;
+        let t747 = YZ4 * (t397 - t430);
+        let t750 = XX4R * dw4_x - ZZ4R * t423 - XY4 * t431 + XZ4 * t429 + t747;
+        let t751 = t422 * (XX4R - ZZ4R) + XY4 * t432 - XZ4 * t426 + YZ4 * t428;
+        let f4_x = t711 + (MSX4 * t427 - MSY4R * t428);
+        let f4_y = MSX4 * t429 - MSY4R * t430 - f5_z;
+        let f4_z = t714 + (MSX4 * t431 + MSY4R * t432);
+        let n4_x = t723 + (t750 - MSY4R * t372);
+        let n4_y = t751 + MSX4 * t372 - n5_z;
+        let n4_z = t724 + (t745 + YZ4 * t414 - (MSX4 * t405 + MSY4R * a4_x));
+        let t778 = c4 * f4_x - s4 * f4_y;
+        let t781 = c4 * n4_x - s4 * n4_y;
+        let t784 = s4 * n4_x + c4 * n4_y;
+        [f4_z, n4_z, t778, t781, t784]
     };
     // link 3: force and moment
-    let [n3_z, t849, t850] = {
-        let t808 = XX3R * t391 - ZZ3R * t358 + XY3 * (t397 + t400) + XZ3 * t387;
-        let t810 = YZ3 * (t362 - t400);
-        let t813 = XX3R * dw3_x - ZZ3R * t393 - XY3 * t401 - XZ3 * t399 + t810;
-        let t814 = t392 * (XX3R - ZZ3R) + XY3 * t402 - XZ3 * t396 - YZ3 * t398;
-        let f3_x = t781 + (MSX3 * t397 + MSY3R * t398);
-        let f3_y = f4_z - (MSX3 * t399 + MSY3R * t400);
-        let n3_x = t784 + (t813 + MSY3R * a3_z);
-        let n3_y = n4_z + (t814 - MSX3 * a3_z);
-        let n3_z = t808 + YZ3 * t384 - (MSX3 * t381 + MSY3R * a3_x) - t787;
-        let t849 = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
-        let t850 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
-        [n3_z, t849, t850]
+    let [n3_z, n2_x, t847] = {
+        let t805 = XX3R * t388 - ZZ3R * t358 + XY3 * (t394 + t397) + XZ3 * t384;
+        let t807 = YZ3 * (t360 - t397);
+        let t810 = XX3R * dw3_x - ZZ3R * t390 - XY3 * t398 - XZ3 * t396 + t807;
+        let t811 = t389 * (XX3R - ZZ3R) + XY3 * t399 - XZ3 * t393 - YZ3 * t395;
+        let f3_x = t778 + (MSX3 * t394 + MSY3R * t395);
+        let f3_y = f4_z - (MSX3 * t396 + MSY3R * t397);
+        let n3_x = t781 + (t810 + MSY3R * a3_z);
+        let n3_y = n4_z + (t811 - MSX3 * a3_z);
+        let n3_z = t805 + YZ3 * t381 - (MSX3 * t372 + MSY3R * a3_x) - t784;
+        let n2_x = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
+        let t847 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
+        [n3_z, n2_x, t847]
     };
     // link 2: force and moment
-    let [n2_z, n1_z] = {
-        let t868 = YZ2 * (t350 - t362);
-        let t871 = t358 * (XX2R - ZZ2R) + XY2 * t364 - XZ2 * t360 - YZ2 * t357;
-        let t875 = XY2 * (t361 + t362) - XX2R * t357 + (MSX2 * a2_y - MSY2R * a2_x);
-        let n2_x = t849 + (dw2_x * (XX2R + ZZ2R) - XY2 * t363 + XZ2 * t357 + t868);
-        let n2_y = n3_z + t871;
-        let n2_z = t875 - t850;
-        let n1_z = s2 * n2_x + c2 * n2_y;
-        [n2_z, n1_z]
+    let [t861, n2_z, t870] = {
+        let t853 = c2 * (s2 * XX2R + c2 * (XY2 + XY2)) - XY2;
+        let t861 = (t853 + t853) * (dq1 * dq2) + t356 * (c2 * XZ2 - s2 * YZ2);
+        let n2_z = MSX2 * a2_y - MSY2R * a2_x - t847 - t350 * t853;
+        let t870 = s2 * n2_x + c2 * n3_z;
+        [t861, n2_z, t870]
+    };
+    // link 1: force and moment
+    let n1_z = {
+        let n1_z = t861 + t870;
+        n1_z
     };
     // drives
-    let [t917, t918, t919, t920, t921, t922, t923] = {
-        let t917 = tau1 - (n1_z + FV1 * dq1 + FC1 * dq1.sign());
-        let t918 = tau2 - (n2_z + FV2 * dq2 + FC2 * dq2.sign());
-        let t919 = tau3 - (n3_z + FV3 * dq3 + FC3 * dq3.sign());
-        let t920 = tau4 - (n4_z + FV4 * dq4 + FC4 * dq4.sign());
-        let t921 = tau5 - (n5_z + FV5 * dq5 + FC5 * dq5.sign());
-        let t922 = tau6 - (n6_z + FV6 * dq6 + FC6 * dq6.sign());
-        let t923 = tau7 - (n7_z + FV7 * dq7 + FC7 * dq7.sign());
-        [t917, t918, t919, t920, t921, t922, t923]
+    let [t907, t908, t909, t910, t911, t912, t913] = {
+        let t907 = tau1 - (n1_z + FV1 * dq1 + FC1 * dq1.sign());
+        let t908 = tau2 - (n2_z + FV2 * dq2 + FC2 * dq2.sign());
+        let t909 = tau3 - (n3_z + FV3 * dq3 + FC3 * dq3.sign());
+        let t910 = tau4 - (n4_z + FV4 * dq4 + FC4 * dq4.sign());
+        let t911 = tau5 - (n5_z + FV5 * dq5 + FC5 * dq5.sign());
+        let t912 = tau6 - (n6_z + FV6 * dq6 + FC6 * dq6.sign());
+        let t913 = tau7 - (n7_z + FV7 * dq7 + FC7 * dq7.sign());
+        [t907, t908, t909, t910, t911, t912, t913]
     };
     // M = L D L'
     let [
-        t924, t925, t926, t927, t928, t929, t930, t934,
-        t938, t941, t944, t947, t950, t957, t964, t969,
-        t974, t979, t989, t999, t1006, t1013, t1026, t1039,
-        t1048, t1064, t1080, t1099,
+        t914, t915, t916, t917, t918, t919, t920, t924,
+        t928, t931, t934, t937, t940, t947, t954, t959,
+        t964, t969, t979, t989, t996, t1003, t1016, t1029,
+        t1038, t1054, t1070, t1089,
     ] = {
-        let t924 = k3 / t349;
-        let t925 = t339 * t924;
-        let t926 = t307 * t924;
-        let t927 = t261 * t924;
-        let t928 = t203 * t924;
-        let t929 = t136 * t924;
-        let t930 = t63 * t924;
-        let t933 = t333 - t349 * (t925 * t925);
-        let t934 = k3 / t933;
-        let t935 = t349 * t925;
-        let t938 = t934 * (t304 + t926 * t935);
-        let t941 = t934 * (t258 + t927 * t935);
-        let t944 = t934 * (t200 + t928 * t935);
-        let t947 = t934 * (t133 + t929 * t935);
-        let t950 = t934 * (t60 + t930 * t935);
-        let t956 = t285 - t349 * (t926 * t926) - t933 * (t938 * t938);
-        let t957 = k3 / t956;
-        let t958 = t349 * t926;
-        let t961 = t933 * t938;
-        let t964 = t957 * (t246 + t927 * t958 + t941 * t961);
-        let t969 = t957 * (t184 + t928 * t958 + t944 * t961);
-        let t974 = t957 * (t117 + t929 * t958 + t947 * t961);
-        let t979 = t957 * (t44 + t930 * t958 + t950 * t961);
-        let t987 = t956 * (t964 * t964);
-        let t988 = t231 - t349 * (t927 * t927) - t933 * (t941 * t941) - t987;
-        let t989 = k3 / t988;
-        let t990 = t349 * t927;
-        let t993 = t933 * t941;
-        let t996 = t956 * t964;
-        let t999 = t989 * (t177 - t928 * t990 - t944 * t993 - t969 * t996);
-        let t1006 = t989 * (t108 - t929 * t990 - t947 * t993 - t974 * t996);
-        let t1013 = t989 * (t35 - t930 * t990 - t950 * t993 - t979 * t996);
-        let t1021 = t956 * (t969 * t969);
-        let t1024 = t988 * (t999 * t999);
-        let t1025 = t158 - t349 * (t928 * t928) - t933 * (t944 * t944) - t1021 - t1024;
-        let t1026 = k3 / t1025;
-        let t1027 = t349 * t928;
-        let t1030 = t933 * t944;
-        let t1033 = t956 * t969;
-        let t1036 = t988 * t999;
-        let t1038 = t96 - t929 * t1027 - t947 * t1030 - t974 * t1033 - t1006 * t1036;
-        let t1039 = t1026 * t1038;
-        let t1047 = t19 - t930 * t1027 - t950 * t1030 - t979 * t1033 - t1013 * t1036;
-        let t1048 = t1026 * t1047;
-        let t1056 = t956 * (t974 * t974);
-        let t1059 = t988 * (t1006 * t1006);
-        let t1060 = t81 - t349 * (t929 * t929) - t933 * (t947 * t947) - t1056 - t1059;
-        let t1063 = t1060 - t1025 * (t1039 * t1039);
-        let t1064 = k3 / t1063;
-        let t1072 = t979 * (t956 * t974);
-        let t1075 = t1013 * (t988 * t1006);
-        let t1076 = t11 + t930 * (t349 * t929) + t950 * (t933 * t947) + t1072 + t1075;
-        let t1080 = t1064 * (t1076 + t1048 * (t1025 * t1039));
-        let t1088 = t956 * (t979 * t979);
-        let t1091 = t988 * (t1013 * t1013);
-        let t1092 = ZZ7 - t349 * (t930 * t930) - t933 * (t950 * t950) - t1088 - t1091;
-        let t1099 = k3 / (t1092 - t1025 * (t1048 * t1048) - t1063 * (t1080 * t1080));
+        let t914 = k3 / t349;
+        let t915 = t339 * t914;
+        let t916 = t307 * t914;
+        let t917 = t261 * t914;
+        let t918 = t203 * t914;
+        let t919 = t136 * t914;
+        let t920 = t63 * t914;
+        let t923 = t333 - t349 * (t915 * t915);
+        let t924 = k3 / t923;
+        let t925 = t349 * t915;
+        let t928 = t924 * (t304 + t916 * t925);
+        let t931 = t924 * (t258 + t917 * t925);
+        let t934 = t924 * (t200 + t918 * t925);
+        let t937 = t924 * (t133 + t919 * t925);
+        let t940 = t924 * (t60 + t920 * t925);
+        let t946 = t285 - t349 * (t916 * t916) - t923 * (t928 * t928);
+        let t947 = k3 / t946;
+        let t948 = t349 * t916;
+        let t951 = t923 * t928;
+        let t954 = t947 * (t246 + t917 * t948 + t931 * t951);
+        let t959 = t947 * (t184 + t918 * t948 + t934 * t951);
+        let t964 = t947 * (t117 + t919 * t948 + t937 * t951);
+        let t969 = t947 * (t44 + t920 * t948 + t940 * t951);
+        let t977 = t946 * (t954 * t954);
+        let t978 = t231 - t349 * (t917 * t917) - t923 * (t931 * t931) - t977;
+        let t979 = k3 / t978;
+        let t980 = t349 * t917;
+        let t983 = t923 * t931;
+        let t986 = t946 * t954;
+        let t989 = t979 * (t177 - t918 * t980 - t934 * t983 - t959 * t986);
+        let t996 = t979 * (t108 - t919 * t980 - t937 * t983 - t964 * t986);
+        let t1003 = t979 * (t35 - t920 * t980 - t940 * t983 - t969 * t986);
+        let t1011 = t946 * (t959 * t959);
+        let t1014 = t978 * (t989 * t989);
+        let t1015 = t158 - t349 * (t918 * t918) - t923 * (t934 * t934) - t1011 - t1014;
+        let t1016 = k3 / t1015;
+        let t1017 = t349 * t918;
+        let t1020 = t923 * t934;
+        let t1023 = t946 * t959;
+        let t1026 = t978 * t989;
+        let t1028 = t96 - t919 * t1017 - t937 * t1020 - t964 * t1023 - t996 * t1026;
+        let t1029 = t1016 * t1028;
+        let t1037 = t19 - t920 * t1017 - t940 * t1020 - t969 * t1023 - t1003 * t1026;
+        let t1038 = t1016 * t1037;
+        let t1046 = t946 * (t964 * t964);
+        let t1049 = t978 * (t996 * t996);
+        let t1050 = t81 - t349 * (t919 * t919) - t923 * (t937 * t937) - t1046 - t1049;
+        let t1053 = t1050 - t1015 * (t1029 * t1029);
+        let t1054 = k3 / t1053;
+        let t1062 = t969 * (t946 * t964);
+        let t1065 = t1003 * (t978 * t996);
+        let t1066 = t11 + t920 * (t349 * t919) + t940 * (t923 * t937) + t1062 + t1065;
+        let t1070 = t1054 * (t1066 + t1038 * (t1015 * t1029));
+        let t1078 = t946 * (t969 * t969);
+        let t1081 = t978 * (t1003 * t1003);
+        let t1082 = ZZ7 - t349 * (t920 * t920) - t923 * (t940 * t940) - t1078 - t1081;
+        let t1089 = k3 / (t1082 - t1015 * (t1038 * t1038) - t1053 * (t1070 * t1070));
         [
-        t924, t925, t926, t927, t928, t929, t930, t934,
-        t938, t941, t944, t947, t950, t957, t964, t969,
-        t974, t979, t989, t999, t1006, t1013, t1026, t1039,
-        t1048, t1064, t1080, t1099,
+        t914, t915, t916, t917, t918, t919, t920, t924,
+        t928, t931, t934, t937, t940, t947, t954, t959,
+        t964, t969, t979, t989, t996, t1003, t1016, t1029,
+        t1038, t1054, t1070, t1089,
     ]
     };
     // ddq
     {
-        let t1101 = t918 - t917 * t925;
-        let t1105 = t919 - t917 * t926 + t938 * t1101;
-        let t1111 = t920 - t917 * t927 + t941 * t1101 + t964 * t1105;
-        let t1119 = t921 - t917 * t928 + t944 * t1101 + t969 * t1105 - t999 * t1111;
-        let t1127 = t922 - t917 * t929 + t947 * t1101 + t974 * t1105 - t1006 * t1111;
-        let t1129 = t1127 - t1039 * t1119;
-        let t1137 = t923 - t917 * t930 + t950 * t1101 + t979 * t1105 - t1013 * t1111;
-        let t1148 = t1099 * (t1137 - t1048 * t1119 + t1080 * t1129);
-        let t1150 = t1064 * t1129 + t1080 * t1148;
-        let t1154 = t1026 * t1119 - t1039 * t1150 - t1048 * t1148;
-        let t1160 = t989 * t1111 - t999 * t1154 - t1006 * t1150 - t1013 * t1148;
-        let t1167 = t979 * t1148;
-        let t1168 = t957 * t1105 + t964 * t1160 + t969 * t1154 + t974 * t1150 + t1167;
-        let t1175 = t947 * t1150;
-        let t1176 = t934 * t1101 + t938 * t1168 + t941 * t1160 + t944 * t1154 + t1175;
-        let t1178 = t1176 + t950 * t1148;
-        let t1185 = t928 * t1154;
-        let t1186 = t917 * t924 - t925 * t1178 - t926 * t1168 - t927 * t1160 - t1185;
-        let t1190 = t1186 - t929 * t1150 - t930 * t1148;
-        put(0, t1190);
-        put(1, t1178);
-        put(2, t1168);
-        put(3, t1160);
-        put(4, t1154);
-        put(5, t1150);
-        put(6, t1148);
+        let t1091 = t908 - t907 * t915;
+        let t1095 = t909 - t907 * t916 + t928 * t1091;
+        let t1101 = t910 - t907 * t917 + t931 * t1091 + t954 * t1095;
+        let t1109 = t911 - t907 * t918 + t934 * t1091 + t959 * t1095 - t989 * t1101;
+        let t1117 = t912 - t907 * t919 + t937 * t1091 + t964 * t1095 - t996 * t1101;
+        let t1119 = t1117 - t1029 * t1109;
+        let t1127 = t913 - t907 * t920 + t940 * t1091 + t969 * t1095 - t1003 * t1101;
+        let t1138 = t1089 * (t1127 - t1038 * t1109 + t1070 * t1119);
+        let t1140 = t1054 * t1119 + t1070 * t1138;
+        let t1144 = t1016 * t1109 - t1029 * t1140 - t1038 * t1138;
+        let t1150 = t979 * t1101 - t989 * t1144 - t996 * t1140 - t1003 * t1138;
+        let t1157 = t969 * t1138;
+        let t1158 = t947 * t1095 + t954 * t1150 + t959 * t1144 + t964 * t1140 + t1157;
+        let t1165 = t937 * t1140;
+        let t1166 = t924 * t1091 + t928 * t1158 + t931 * t1150 + t934 * t1144 + t1165;
+        let t1168 = t1166 + t940 * t1138;
+        let t1175 = t918 * t1144;
+        let t1176 = t907 * t914 - t915 * t1168 - t916 * t1158 - t917 * t1150 - t1175;
+        let t1180 = t1176 - t919 * t1140 - t920 * t1138;
+        put(0, t1180);
+        put(1, t1168);
+        put(2, t1158);
+        put(3, t1150);
+        put(4, t1144);
+        put(5, t1140);
+        put(6, t1138);
     }
 }

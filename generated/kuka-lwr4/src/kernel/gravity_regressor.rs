@@ -26,7 +26,41 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Regressor at rest: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 70]; 7]) {
-    out.as_flattened_mut().fill(S::default());
+    let flat = &mut out.as_flattened_mut()[..];
+    flat[0..13].fill(S::default());
+    flat[14..20].fill(S::default());
+    flat[24..30].fill(S::default());
+    flat[34..40].fill(S::default());
+    flat[44..50].fill(S::default());
+    flat[54..60].fill(S::default());
+    flat[64..81].fill(S::default());
+    flat[83..90].fill(S::default());
+    flat[94..100].fill(S::default());
+    flat[104..110].fill(S::default());
+    flat[114..120].fill(S::default());
+    flat[124..130].fill(S::default());
+    flat[134..161].fill(S::default());
+    flat[163..171].fill(S::default());
+    flat[174..180].fill(S::default());
+    flat[184..190].fill(S::default());
+    flat[194..200].fill(S::default());
+    flat[204..241].fill(S::default());
+    flat[243..250].fill(S::default());
+    flat[254..260].fill(S::default());
+    flat[264..270].fill(S::default());
+    flat[274..321].fill(S::default());
+    flat[323..331].fill(S::default());
+    flat[334..341].fill(S::default());
+    flat[344..401].fill(S::default());
+    flat[403..411].fill(S::default());
+    flat[414..481].fill(S::default());
+    flat[483..490].fill(S::default());
+    nonzeros(trig, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 70]; 7]) {
     entries(trig, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
     });
@@ -54,44 +88,40 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [a2_x, a2_y]
     };
     // link 3: motion
-    let [a3_x, t3] = {
+    let [z1_3_x, t3, a3_x, t5] = {
+        let z1_3_x = s2 * c3;
+        let t3 = s2 * s3;
         let a3_x = c3 * a2_x;
-        let t3 = s3 * a2_x;
-        [a3_x, t3]
+        let t5 = s3 * a2_x;
+        [z1_3_x, t3, a3_x, t5]
     };
     // link 4: motion
-    let [t6, a5_z] = {
-        let t6 = s4 * a2_y - c4 * a3_x;
+    let [t8, a5_z] = {
+        let t8 = s4 * a2_y - c4 * a3_x;
         let a5_z = c4 * a2_y + s4 * a3_x;
-        put(61, t6); // row 4, MSY4
-        [t6, a5_z]
+        put(61, t8); // row 4, MSY4
+        [t8, a5_z]
     };
     // link 5: motion
-    let [t12, a5_y] = {
-        let t12 = c5 * t6 + s5 * t3;
-        let a5_y = s5 * t6 - c5 * t3;
+    let [t14, a5_y] = {
+        let t14 = c5 * t8 + s5 * t5;
+        let a5_y = s5 * t8 - c5 * t5;
         put(74, a5_y); // row 5, MSX5
-        put(75, t12); // row 5, MSY5
-        [t12, a5_y]
+        put(75, t14); // row 5, MSY5
+        [t14, a5_y]
     };
     // link 6: motion
     let [a6_x, a6_y] = {
-        let a6_x = s6 * a5_z - c6 * t12;
-        let a6_y = c6 * a5_z + s6 * t12;
+        let a6_x = s6 * a5_z - c6 * t14;
+        let a6_y = c6 * a5_z + s6 * t14;
         put(82, a6_y); // row 6, MSX6
         [a6_x, a6_y]
     };
     // link 7: motion
-    let [a7_x, t27] = {
+    let [a7_x, t29] = {
         let a7_x = c7 * a6_x + s7 * a5_y;
-        let t27 = s7 * a6_x - c7 * a5_y;
-        [a7_x, t27]
-    };
-    // joint axes in frame 3
-    let [z1_3_x, t29] = {
-        let z1_3_x = s2 * c3;
-        let t29 = s2 * s3;
-        [z1_3_x, t29]
+        let t29 = s7 * a6_x - c7 * a5_y;
+        [a7_x, t29]
     };
     // MSZ2: column
     {
@@ -100,10 +130,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     }
     // M3: column
     let [t35, t38, t40] = {
-        let t33 = L2 * t3;
+        let t33 = L2 * t5;
         let t34 = L2 * a3_x;
         let t35 = z1_3_x * t33;
-        let t37 = t35 - t29 * t34;
+        let t37 = t35 - t3 * t34;
         let t38 = s3 * t33;
         let t40 = t38 + c3 * t34;
         put(1, t37); // row 1, M3
@@ -111,7 +141,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSX3: column
     {
-        let t43 = a2_y * t29 - c2 * t3;
+        let t43 = a2_y * t3 - c2 * t5;
         let t44 = c3 * a2_y;
         put(2, t43); // row 1, MSX3
         put(24, t44); // row 2, MSX3
@@ -125,18 +155,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSZ3: column
     let t54 = {
-        let t51 = t3 * z1_3_x - a3_x * t29;
-        let t54 = s3 * t3 + c3 * a3_x;
+        let t51 = z1_3_x * t5 - t3 * a3_x;
+        let t54 = s3 * t5 + c3 * a3_x;
         put(4, t51); // row 1, MSZ3
         t54
     };
     // M4: column
     let [t56, t57, t60] = {
         let t56 = s4 * a5_z;
-        let t57 = c4 * t6 - t56;
-        let t60 = s4 * t6 + c4 * a5_z;
+        let t57 = c4 * t8 - t56;
+        let t60 = s4 * t8 + c4 * a5_z;
         let t61 = L2 * t57;
-        let t63 = t35 + t29 * t61;
+        let t63 = t35 + t3 * t61;
         let t65 = c3 * t61 - t38;
         put(5, t63); // row 1, M4
         put(27, t65); // row 2, M4
@@ -145,9 +175,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSX4: column
     let [t66, t67] = {
-        let t66 = s4 * t3;
-        let t67 = c4 * t3;
-        let t72 = a5_z * t29 - z1_3_x * t66 - c2 * t67;
+        let t66 = s4 * t5;
+        let t67 = c4 * t5;
+        let t72 = t3 * a5_z - z1_3_x * t66 - c2 * t67;
         let t75 = s3 * t66 + c3 * a5_z;
         put(6, t72); // row 1, MSX4
         put(28, t75); // row 2, MSX4
@@ -156,8 +186,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSY4: column
     {
-        let t80 = c2 * t66 - (z1_3_x * t67 + t6 * t29);
-        let t83 = s3 * t67 - c3 * t6;
+        let t80 = c2 * t66 - (z1_3_x * t67 + t3 * t8);
+        let t83 = s3 * t67 - c3 * t8;
         put(7, t80); // row 1, MSY4
         put(29, t83); // row 2, MSY4
     }
@@ -171,15 +201,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     // M5: column
     let [t89, t90, t92, t93, t95] = {
         let t89 = s5 * a5_y;
-        let t90 = c5 * t12 + t89;
+        let t90 = c5 * t14 + t89;
         let t92 = c5 * a5_y;
-        let t93 = t92 - s5 * t12;
+        let t93 = t92 - s5 * t14;
         let t94 = L3 * t93;
         let t95 = L3 * t90;
         let t99 = s4 * t94;
         let t102 = c4 * t94 + L2 * t93;
         let t103 = t95 + L2 * (c4 * t90 - t56);
-        let t108 = c2 * t99 + (t29 * t103 - z1_3_x * t102);
+        let t108 = c2 * t99 + (t3 * t103 - z1_3_x * t102);
         let t111 = s3 * t102 + c3 * t103;
         put(9, t108); // row 1, M5
         put(31, t111); // row 2, M5
@@ -192,7 +222,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t113 = c5 * a5_z;
         let t116 = c4 * t112 + s4 * a5_y;
         let t119 = c4 * a5_y - s4 * t112;
-        let t124 = c2 * t119 + (z1_3_x * t116 + t29 * t113);
+        let t124 = c2 * t119 + (z1_3_x * t116 + t3 * t113);
         let t127 = c3 * t113 - s3 * t116;
         put(10, t124); // row 1, MSX5
         put(32, t127); // row 2, MSX5
@@ -202,9 +232,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSY5: column
     let t141 = {
-        let t130 = c4 * t113 + s4 * t12;
-        let t133 = c4 * t12 - s4 * t113;
-        let t138 = c2 * t133 - (t29 * t112 - z1_3_x * t130);
+        let t130 = c4 * t113 + s4 * t14;
+        let t133 = c4 * t14 - s4 * t113;
+        let t138 = c2 * t133 - (t3 * t112 - z1_3_x * t130);
         let t141 = s3 * t130 + c3 * t112;
         put(11, t138); // row 1, MSY5
         put(50, t133); // row 3, MSY5
@@ -214,7 +244,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     {
         let t142 = c4 * t93;
         let t143 = s4 * t93;
-        let t148 = c2 * t143 - (z1_3_x * t142 - t29 * t90);
+        let t148 = c2 * t143 - (z1_3_x * t142 - t3 * t90);
         let t151 = s3 * t142 + c3 * t90;
         put(12, t148); // row 1, MSZ5
         put(34, t151); // row 2, MSZ5
@@ -233,7 +263,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t168 = s4 * t162;
         let t171 = c4 * t162 + L2 * t161;
         let t172 = t163 + L2 * (c4 * t159 + s4 * t157);
-        let t177 = c2 * t168 - (z1_3_x * t171 + t29 * t172);
+        let t177 = c2 * t168 - (z1_3_x * t171 + t3 * t172);
         let t180 = s3 * t171 - c3 * t172;
         put(13, t177); // row 1, M6
         put(35, t180); // row 2, M6
@@ -250,7 +280,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t188 = s5 * t181 + c5 * a6_y;
         let t191 = c4 * t185 - s4 * t182;
         let t194 = s4 * t185 + c4 * t182;
-        let t199 = c2 * t194 + (t29 * t188 - z1_3_x * t191);
+        let t199 = c2 * t194 + (t3 * t188 - z1_3_x * t191);
         let t202 = s3 * t191 + c3 * t188;
         put(14, t199); // row 1, MSX6
         put(36, t202); // row 2, MSX6
@@ -264,7 +294,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t208 = c5 * a6_x - s5 * t182;
         let t211 = c4 * t205 + s4 * t181;
         let t214 = s4 * t205 - c4 * t181;
-        let t219 = c2 * t214 - (z1_3_x * t211 + t29 * t208);
+        let t219 = c2 * t214 - (z1_3_x * t211 + t3 * t208);
         let t222 = s3 * t211 - c3 * t208;
         put(15, t219); // row 1, MSY6
         put(37, t222); // row 2, MSY6
@@ -277,7 +307,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t224 = s5 * t157;
         let t227 = s4 * t154 - c4 * t223;
         let t230 = s4 * t223 + c4 * t154;
-        let t235 = c2 * t230 + (z1_3_x * t227 + t29 * t224);
+        let t235 = c2 * t230 + (z1_3_x * t227 + t3 * t224);
         let t238 = c3 * t224 - s3 * t227;
         put(16, t235); // row 1, MSZ6
         put(38, t238); // row 2, MSZ6
@@ -286,8 +316,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // M7: column
     let [t241, t244] = {
-        let t241 = c7 * a7_x + s7 * t27;
-        let t244 = c7 * t27 - s7 * a7_x;
+        let t241 = c7 * a7_x + s7 * t29;
+        let t244 = c7 * t29 - s7 * a7_x;
         let t246 = c6 * t241 - t153;
         let t251 = c5 * t246 + s5 * t244;
         let t254 = s5 * t246 - c5 * t244;
@@ -296,7 +326,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t261 = s4 * t255;
         let t264 = c4 * t255 + L2 * t254;
         let t265 = t256 + L2 * (c4 * t251 + s4 * (t156 + s6 * t241));
-        let t270 = c2 * t261 - (z1_3_x * t264 + t29 * t265);
+        let t270 = c2 * t261 - (z1_3_x * t264 + t3 * t265);
         let t273 = s3 * t264 - c3 * t265;
         put(17, t270); // row 1, M7
         put(39, t273); // row 2, M7
@@ -308,13 +338,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [t274, t275, t287] = {
         let t274 = s7 * a6_y;
         let t275 = c7 * a6_y;
-        let t278 = c6 * t274 + s6 * t27;
-        let t281 = s6 * t274 - c6 * t27;
+        let t278 = c6 * t274 + s6 * t29;
+        let t281 = s6 * t274 - c6 * t29;
         let t284 = c5 * t278 + s5 * t275;
         let t287 = c5 * t275 - s5 * t278;
         let t290 = c4 * t284 + s4 * t281;
         let t293 = c4 * t281 - s4 * t284;
-        let t298 = c2 * t293 + (z1_3_x * t290 + t29 * t287);
+        let t298 = c2 * t293 + (z1_3_x * t290 + t3 * t287);
         let t301 = c3 * t287 - s3 * t290;
         put(18, t298); // row 1, MSX7
         put(40, t301); // row 2, MSX7
@@ -331,7 +361,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t313 = s5 * t304 + c5 * t274;
         let t316 = c4 * t310 - s4 * t307;
         let t319 = s4 * t310 + c4 * t307;
-        let t324 = c2 * t319 - (z1_3_x * t316 + t29 * t313);
+        let t324 = c2 * t319 - (z1_3_x * t316 + t3 * t313);
         let t327 = s3 * t316 - c3 * t313;
         put(19, t324); // row 1, MSY7
         put(41, t327); // row 2, MSY7
@@ -347,7 +377,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t335 = s5 * t328 + c5 * t241;
         let t338 = c4 * t332 - s4 * t329;
         let t341 = s4 * t332 + c4 * t329;
-        let t346 = c2 * t341 - (z1_3_x * t338 + t29 * t335);
+        let t346 = c2 * t341 - (z1_3_x * t338 + t3 * t335);
         let t349 = s3 * t338 - c3 * t335;
         let t350 = -a2_x;
         let t351 = -t40;
@@ -355,7 +385,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t353 = -t54;
         let t354 = -t87;
         let t355 = -t141;
-        let t356 = -t3;
+        let t356 = -t5;
         let t357 = -a3_x;
         let t358 = -t67;
         let t359 = -a5_z;
@@ -369,7 +399,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t367 = -a6_x;
         let t368 = -t274;
         let t369 = -t241;
-        let t370 = -t27;
+        let t370 = -t29;
         let t371 = -a7_x;
         put(20, t346); // row 1, MSZ7
         put(22, t350); // row 2, MSY2

@@ -20,7 +20,18 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Jacobian of the last DH frame's origin, in base axes: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 7]; 6]) {
-    out.as_flattened_mut().fill(S::default());
+    let flat = &mut out.as_flattened_mut()[..];
+    flat[4..7].fill(S::default());
+    flat[11..15].fill(S::default());
+    flat[18..22].fill(S::default());
+    flat[28] = S::default();
+    flat[36] = S::default();
+    nonzeros(trig, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 7]; 6]) {
     entries(trig, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
     });

@@ -4,14 +4,14 @@
 //! `E1 .. E6 = G` is `E6' .. E1' = G'`.
 
 use super::axis::{Axis, Value};
-use super::candidates::Candidates;
+use super::candidates::{Candidates, in_doubt};
 use super::list::List;
 use super::orient::Three;
 use super::pose::Displacement;
 use super::quartic::two_turns;
 use super::regional::{self, Regional};
 use super::solution::Branch;
-use super::subproblem::{FREE, Tilt, across, circle, reach, towards};
+use super::subproblem::{DOUBT, FREE, NARROW, Reach, Tilt, across, circle, doubt, reach, towards};
 use super::vector::{Turn, Vector, beside, cross, dot, norm, scale, sub};
 
 /// How six joints are taken apart.
@@ -61,7 +61,7 @@ impl<const N: usize> Into<'_, N> {
 
     #[inline(always)]
     fn push(&mut self, at: [u8; 6], branch: Branch, free: u8) {
-        let mut bits = 0;
+        let mut bits = in_doubt(free);
         for (k, j) in self.six.joints.iter().enumerate() {
             if let Some(j) = j {
                 bits |= u32::from(free >> k & 1) << (u32::from(*j) & 31);
@@ -117,7 +117,7 @@ impl Six {
                 let [a, b, c] = regional_at;
                 let at = [a, b, c, into.value(3, v4), into.value(4, v5), into.value(5, v6)];
                 let branch = Branch::of_wrist(regional, place.branch, i as u8, self.reversed);
-                into.push(at, branch, place.free | free << 3);
+                into.push(at, branch, place.free | (free & 3) << 3 | free & DOUBT);
             }
         }
     }
@@ -133,8 +133,8 @@ impl Six {
         let [one, two, three, four, five, six] = &self.axes;
         let h = two.h;
         let mut free = 0;
-        // Joint 1 (and its value's name), with the two answers of joint 5 for each.
-        let mut starts: List<(Value, u8, Value, u8, u8), 8> = List::new((Value::ZERO, 0, Value::ZERO, 0, 0));
+        // Joint 1 (and its value's name), with the two answers of joint 5 for each; which signs, and whether in doubt.
+        let mut starts: List<(Value, u8, Value, [u8; 2], u8), 8> = List::new((Value::ZERO, 0, Value::ZERO, [0; 2], 0));
         let goal6 = super::vector::times(&g.rotation, six.h);
         if let Some(x) = meet {
             let rel = sub(g.point(x), one.c);
@@ -145,14 +145,15 @@ impl Six {
                 dot(h, sub(sub(x, one.c), along)),
                 norm(rel),
             );
-            free |= u8::from(pair.free);
+            free |= u8::from(pair.free) | doubt(pair.narrow);
             let firsts = if pair.blind { [near[0]; 2] } else { pair.both.map(Value::turn) };
             let tilt = Tilt::new(h, five.h, six.h);
             for (i, first) in firsts.into_iter().enumerate() {
                 let goal = one.direction(first.back(), goal6);
                 let at = into.value(0, first);
-                for (j, fifth) in tilt.towards(goal).both.into_iter().enumerate() {
-                    starts.push((first, at, Value::turn(fifth), i as u8, j as u8));
+                let fifths = tilt.towards(goal);
+                for (j, fifth) in fifths.both.into_iter().enumerate() {
+                    starts.push((first, at, Value::turn(fifth), [i as u8, j as u8], doubt(fifths.narrow)));
                 }
             }
         } else {
@@ -166,46 +167,58 @@ impl Six {
             let (d5, l5) = part(h, five.h, six.h);
             let a = [[p1[0], -p1[1]], [d1[0], -d1[1]]];
             let k = [k1 + dot(h, one.c) - k5 - dot(h, five.c), l1 - l5];
-            for (i, &(first, fifth)) in two_turns(&a, &k, &[p5, d5]).iter().enumerate() {
+            let roots = two_turns(&a, &k, &[p5, d5]);
+            for (i, &(first, fifth)) in roots.iter().enumerate() {
                 let at = into.value(0, Value::turn(first));
-                starts.push((Value::turn(first), at, Value::turn(fifth), i as u8 | 4, 0));
+                // Roots of a quartic that lie close together are known to fewer digits.
+                let close = |t: Turn| (t.c - first.c).abs() + (t.s - first.s).abs() < 10.0 * NARROW;
+                let narrow = roots.iter().enumerate().any(|(k, (t, _))| k != i && close(*t));
+                starts.push((Value::turn(first), at, Value::turn(fifth), [i as u8 | 4, 0], doubt(narrow)));
             }
         }
+        let elbow = Reach::new(three, four.c, two.c);
         let side = beside(six.h);
         let side_goal = super::vector::times(&g.rotation, side);
-        for &(v1, at1, v5, shoulder, wrist) in starts.iter() {
-            let mut free = free;
+        for &(v1, at1, v5, [shoulder, wrist], doubtful) in starts.iter() {
+            let mut free = free | doubtful;
             let goal = one.direction(v1.back(), goal6);
             let image = one.direction(v1.back(), side_goal);
             let (turn, known) = towards(h, five.direction(v5, six.h), goal);
-            let (sum, v6) = if known > 1e-28 {
-                free |= if known < FREE * FREE { 32 } else { 0 };
+            let seen = known > 1e-28;
+            let (mut sum, mut v6) = if seen {
                 let back = five.direction(v5.back(), turn.back().about(h, image));
                 (turn, Value::turn(across(six.h, side, back)))
             } else {
-                free |= 32;
-                let v6 = self.last_within_reach(g, v1, v5, near[5]);
-                let carried = |x: Vector| v5.turn.about(five.h, v6.turn.about(six.h, x));
-                let other = cross(six.h, side);
-                let image2 = one.direction(v1.back(), super::vector::times(&g.rotation, other));
-                // The better seen of two directions across axis 6.
-                let (a, na) = towards(h, carried(side), image);
-                let (b, nb) = towards(h, carried(other), image2);
-                (if na >= nb { a } else { b }, v6)
+                (Turn::NONE, near[5])
             };
+            if known < FREE * FREE {
+                free |= 32 | DOUBT;
+                // Rounding turns it too, perhaps to where the planar arm does not reach.
+                let within = self.last_within_reach(g, v1, v5, v6, seen);
+                if !seen || within != v6 {
+                    v6 = within;
+                    let carried = |x: Vector| v5.turn.about(five.h, v6.turn.about(six.h, x));
+                    let other = cross(six.h, side);
+                    let image2 = one.direction(v1.back(), super::vector::times(&g.rotation, other));
+                    // The better seen of two directions across axis 6.
+                    let (a, na) = towards(h, carried(side), image);
+                    let (b, nb) = towards(h, carried(other), image2);
+                    sum = if na >= nb { a } else { b };
+                }
+            }
             let four_at = six.point(v6.back(), five.point(v5.back(), four.c));
             let target = one.point(v1.back(), g.point(four_at));
             let to = sub(target, two.c);
-            let pair = reach(three, four.c, two.c, dot(to, to));
+            let pair = elbow.at(dot(to, to));
             // Both ends of the planar arm are as far from axis 2: one division for both answers.
             let flat = sub(to, scale(dot(h, to), h));
             let flat2 = dot(flat, flat);
-            let known = flat2 > 1e-26;
-            let per = if known { 1.0 / flat2 } else { 0.0 };
+            let apart = flat2 > 1e-26;
+            let per = if apart { 1.0 / flat2 } else { 0.0 };
             let ends = [into.value(4, v5), into.value(5, v6)];
             for (j, third) in pair.both.into_iter().enumerate() {
                 let arm = sub(three.point(Value::turn(third), four.c), two.c);
-                let second = if known {
+                let second = if apart {
                     let (c, s) = (dot(arm, flat), dot(h, cross(arm, flat)));
                     Turn { c: c * per, s: s * per }
                 } else {
@@ -214,8 +227,10 @@ impl Six {
                 let same = |axis: &Axis, t: Turn| if dot(axis.h, h) < 0.0 { t.back() } else { t };
                 let fourth = sum.then(second.back()).then(same(three, third).back());
                 let mut free = free;
-                free |= if flat2 > FREE * FREE * dot(to, to).max(1e-6) { 0 } else { 2 };
+                let size2 = dot(to, to).max(1e-6);
+                free |= if flat2 > FREE * FREE * size2 { 0 } else { 2 };
                 free |= if pair.free { 4 } else { 0 };
+                free |= doubt(pair.narrow || known < NARROW * NARROW || flat2 < NARROW * NARROW * size2);
                 let at = [
                     at1,
                     into.value(1, Value::turn(second)),
@@ -229,9 +244,9 @@ impl Six {
         }
     }
 
-    /// Axis 6 is parallel to the three: its turn is free as far as the planar arm still reaches. The near one, or else one in the
-    /// middle of what it reaches.
-    fn last_within_reach(&self, g: &Displacement, v1: Value, v5: Value, near: Value) -> Value {
+    /// Axis 6 is parallel to the three: its turn is free as far as the planar arm still reaches. The near one; else, where that one
+    /// was `seen` in the pose, the nearest, or one in the middle of what it reaches.
+    fn last_within_reach(&self, g: &Displacement, v1: Value, v5: Value, near: Value, seen: bool) -> Value {
         let [one, two, three, four, five, six] = &self.axes;
         let h = two.h;
         let across = |x: Vector| norm(sub(x, scale(dot(h, x), h)));
@@ -248,10 +263,28 @@ impl Six {
         let radius = norm(sub(rel, scale(dot(six.h, rel), six.h)));
         let away = there(six.c);
         let (low, high) = (least.max((away - radius).abs()), most.min(away + radius));
-        let goal = 0.5 * (low + high);
+        let goal = match (seen, now <= least) {
+            (false, _) => 0.5 * (low + high),
+            (true, true) => low,
+            (true, false) => high,
+        };
         let shoulder = g.back(one.point(v1, two.c));
         let lift = dot(six.h, sub(hand, shoulder));
-        Value::turn(reach(&six.reversed(), hand, shoulder, goal * goal + lift * lift).both[0])
+        let [a, b] = reach(&six.reversed(), hand, shoulder, goal * goal + lift * lift).both;
+        let like = |t: Turn| t.c * near.turn.c + t.s * near.turn.s;
+        let mut turn = if seen && like(b) > like(a) { b } else { a };
+        // That was about axis 6; what counts is the distance across the plane, and the two differ by their angle.
+        let distance = |t: Turn| there(six.point(Value::turn(t.back()), hand));
+        let by = |t: Turn, angle: f64| t.then(Turn::along(1.0, angle).0);
+        for _ in 0..3 {
+            let slope = (distance(by(turn, 1e-4)) - distance(by(turn, -1e-4))) / 2e-4;
+            let step = (goal - distance(turn)) / slope;
+            if !(step.abs() < 1e-2) {
+                break;
+            }
+            turn = by(turn, step);
+        }
+        Value::turn(turn)
     }
 
     /// Fills the joints of an arm; those of a reversed one have the same values.

@@ -19,7 +19,17 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Regressor `W_b` of the base parameters: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 2]) {
-    out.as_flattened_mut().fill(S::default());
+    let flat = &mut out.as_flattened_mut()[..];
+    flat[7] = S::default();
+    flat[9..13].fill(S::default());
+    flat[16] = S::default();
+    flat[18] = S::default();
+    nonzeros(trig, dq, ddq, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 2]) {
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
     });
@@ -52,19 +62,19 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [a1_x, a1_y, t2]
     };
     // link 2: motion
-    let [t9, a2_y, dw2_z, t15] = {
-        let t5 = L1 * t2 - a1_x;
-        let t6 = a1_y + L1 * ddq1;
-        let t9 = c2 * t5 - s2 * t6;
-        let a2_y = c2 * t6 + s2 * t5;
+    let [dw2_z, t11, a2_y, t15] = {
         let w2_z = dq1 + dq2;
         let dw2_z = ddq1 + ddq2;
+        let t7 = L1 * t2 - a1_x;
+        let t8 = a1_y + L1 * ddq1;
+        let t11 = c2 * t7 - s2 * t8;
+        let a2_y = c2 * t8 + s2 * t7;
         let t15 = w2_z * w2_z;
         put(5, dw2_z); // row 1, ZZ2
         put(8, a2_y); // row 2, MSX2
-        put(9, t9); // row 2, MSY2
+        put(9, t11); // row 2, MSY2
         put(10, dw2_z); // row 2, ZZ2
-        [t9, a2_y, dw2_z, t15]
+        [dw2_z, t11, a2_y, t15]
     };
     // joint axes in frame 2
     let [v1_2_x, v1_2_y] = {
@@ -79,7 +89,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // MSY2: column
     {
-        let t25 = t9 - (dw2_z * v1_2_x + t15 * v1_2_y);
+        let t25 = t11 - (dw2_z * v1_2_x + t15 * v1_2_y);
         put(4, t25); // row 1, MSY2
     }
     // ZZ2: column

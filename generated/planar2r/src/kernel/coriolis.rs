@@ -29,17 +29,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         t0
     };
     // link 2: motion
-    let [t2, a2_y, t5] = {
-        let t1 = L1 * t0;
-        let t2 = c2 * t1;
-        let a2_y = s2 * t1;
+    let [t3, a2_y, t5] = {
         let w2_z = dq1 + dq2;
+        let t2 = L1 * t0;
+        let t3 = c2 * t2;
+        let a2_y = s2 * t2;
         let t5 = w2_z * w2_z;
-        [t2, a2_y, t5]
+        [t3, a2_y, t5]
     };
     // link 2: force and moment
     {
-        let n2_z = MSX2 * a2_y + MSY2 * t2;
+        let n2_z = MSX2 * a2_y + MSY2 * t3;
         let n1_z = n2_z - L1 * (s2 * (MSX2 * t5) + c2 * (MSY2 * t5));
         put(0, n1_z);
         put(1, n2_z);

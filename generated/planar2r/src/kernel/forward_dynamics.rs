@@ -47,10 +47,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     };
     // link 2: motion
     let [a2_x, a2_y, t21] = {
-        let t13 = a1_x - L1 * t11;
-        let a2_x = c2 * t13 + s2 * a1_y;
-        let a2_y = c2 * a1_y - s2 * t13;
         let w2_z = dq1 + dq2;
+        let t14 = a1_x - L1 * t11;
+        let a2_x = c2 * t14 + s2 * a1_y;
+        let a2_y = c2 * a1_y - s2 * t14;
         let t21 = w2_z * w2_z;
         [a2_x, a2_y, t21]
     };

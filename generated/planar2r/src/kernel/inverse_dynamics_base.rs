@@ -33,15 +33,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         [a1_x, a1_y, t2]
     };
     // link 2: motion
-    let [a2_x, a2_y, dw2_z, t15] = {
-        let t5 = a1_x - L1 * t2;
-        let t6 = a1_y + L1 * ddq1;
-        let a2_x = c2 * t5 + s2 * t6;
-        let a2_y = c2 * t6 - s2 * t5;
+    let [dw2_z, a2_x, a2_y, t15] = {
         let w2_z = dq1 + dq2;
         let dw2_z = ddq1 + ddq2;
+        let t7 = a1_x - L1 * t2;
+        let t8 = a1_y + L1 * ddq1;
+        let a2_x = c2 * t7 + s2 * t8;
+        let a2_y = c2 * t8 - s2 * t7;
         let t15 = w2_z * w2_z;
-        [a2_x, a2_y, dw2_z, t15]
+        [dw2_z, a2_x, a2_y, t15]
     };
     // link 2: force and moment
     let [n2_z, t31] = {

@@ -18,7 +18,15 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Jacobian of the last DH frame's origin, in base axes: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 2]; 6]) {
-    out.as_flattened_mut().fill(S::default());
+    let flat = &mut out.as_flattened_mut()[..];
+    flat[1] = S::default();
+    flat[3..10].fill(S::default());
+    nonzeros(trig, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 2]; 6]) {
     entries(trig, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
     });

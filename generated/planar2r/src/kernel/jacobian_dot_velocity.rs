@@ -18,7 +18,14 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 6]) {
-    out.fill(S::default());
+    let flat = &mut out[..];
+    flat[2..6].fill(S::default());
+    nonzeros(trig, dq, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 6]) {
     entries(trig, dq, |k, x| {
         out[PATTERN[k].0] = x;
     });

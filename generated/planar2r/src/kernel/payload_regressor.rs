@@ -18,7 +18,17 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Regressor of a body fixed to the tool frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 2]) {
-    out.as_flattened_mut().fill(S::default());
+    let flat = &mut out.as_flattened_mut()[..];
+    flat[3..6].fill(S::default());
+    flat[7..10].fill(S::default());
+    flat[13..16].fill(S::default());
+    flat[17..20].fill(S::default());
+    nonzeros(trig, dq, ddq, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 2]) {
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
     });
@@ -48,25 +58,25 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [a1_x, a1_y, t2]
     };
     // link 2: motion
-    let [t9, a2_y, dw2_z, t15] = {
-        let t5 = L1 * t2 - a1_x;
-        let t6 = a1_y + L1 * ddq1;
-        let t9 = c2 * t5 - s2 * t6;
-        let a2_y = c2 * t6 + s2 * t5;
+    let [dw2_z, t11, a2_y, t15] = {
         let w2_z = dq1 + dq2;
         let dw2_z = ddq1 + ddq2;
+        let t7 = L1 * t2 - a1_x;
+        let t8 = a1_y + L1 * ddq1;
+        let t11 = c2 * t7 - s2 * t8;
+        let a2_y = c2 * t8 + s2 * t7;
         let t15 = w2_z * w2_z;
         put(3, dw2_z); // row 1, ZZ
-        put(6, t9); // row 2, MSY
+        put(6, t11); // row 2, MSY
         put(7, dw2_z); // row 2, ZZ
-        [t9, a2_y, dw2_z, t15]
+        [dw2_z, t11, a2_y, t15]
     };
     // joint axes in frame 2
     let [v1_2_x, v1_2_y, t19, t20, t21, t22] = {
         let v1_2_x = s2 * L1;
         let v1_2_y = c2 * L1;
         let t19 = dw2_z * L2;
-        let t20 = t9 + t15 * L2;
+        let t20 = t11 + t15 * L2;
         let t21 = a2_y + t19;
         let t22 = L2 * t21;
         put(4, t22); // row 2, M
@@ -87,7 +97,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // payload: column MSY
     {
-        let t35 = t9 - (dw2_z * v1_2_x + t15 * v1_2_y);
+        let t35 = t11 - (dw2_z * v1_2_x + t15 * v1_2_y);
         put(2, t35); // row 1, MSY
     }
 }

@@ -18,7 +18,16 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Potential energy, one entry per standard parameter: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 24]) {
-    out.fill(S::default());
+    let flat = &mut out[..];
+    flat[0] = S::default();
+    flat[3..10].fill(S::default());
+    flat[13..24].fill(S::default());
+    nonzeros(trig, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [S; 24]) {
     entries(trig, |k, x| {
         out[PATTERN[k].0] = x;
     });

@@ -19,7 +19,23 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Regressor `W` of the standard parameters: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 24]; 2]) {
-    out.as_flattened_mut().fill(S::default());
+    let flat = &mut out.as_flattened_mut()[..];
+    flat[0] = S::default();
+    flat[3..6].fill(S::default());
+    flat[7..10].fill(S::default());
+    flat[13..16].fill(S::default());
+    flat[17..20].fill(S::default());
+    flat[21] = S::default();
+    flat[23..35].fill(S::default());
+    flat[37..40].fill(S::default());
+    flat[41..45].fill(S::default());
+    flat[46] = S::default();
+    nonzeros(trig, dq, ddq, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 24]; 2]) {
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
     });
@@ -52,19 +68,19 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         [a1_x, a1_y, t2]
     };
     // link 2: motion
-    let [t9, a2_y, dw2_z, t15] = {
-        let t5 = L1 * t2 - a1_x;
-        let t6 = a1_y + L1 * ddq1;
-        let t9 = c2 * t5 - s2 * t6;
-        let a2_y = c2 * t6 + s2 * t5;
+    let [dw2_z, t11, a2_y, t15] = {
         let w2_z = dq1 + dq2;
         let dw2_z = ddq1 + ddq2;
+        let t7 = L1 * t2 - a1_x;
+        let t8 = a1_y + L1 * ddq1;
+        let t11 = c2 * t7 - s2 * t8;
+        let a2_y = c2 * t8 + s2 * t7;
         let t15 = w2_z * w2_z;
         put(6, dw2_z); // row 1, ZZ2
         put(9, a2_y); // row 2, MSX2
-        put(10, t9); // row 2, MSY2
+        put(10, t11); // row 2, MSY2
         put(11, dw2_z); // row 2, ZZ2
-        [t9, a2_y, dw2_z, t15]
+        [dw2_z, t11, a2_y, t15]
     };
     // joint axes in frame 2
     let [v1_2_x, v1_2_y] = {
@@ -74,7 +90,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // M2: column
     {
-        let t20 = a2_y * v1_2_y - t9 * v1_2_x;
+        let t20 = a2_y * v1_2_y - t11 * v1_2_x;
         put(3, t20); // row 1, M2
     }
     // MSX2: column
@@ -84,7 +100,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // MSY2: column
     {
-        let t28 = t9 - (dw2_z * v1_2_x + t15 * v1_2_y);
+        let t28 = t11 - (dw2_z * v1_2_x + t15 * v1_2_y);
         put(5, t28); // row 1, MSY2
     }
     // YZ2: column

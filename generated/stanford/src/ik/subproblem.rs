@@ -8,6 +8,18 @@ use super::vector::{Turn, Vector, add, cross, dot, norm, scale, sub};
 /// Below this sine an angle hangs on the last digits of the pose: it is reported as free.
 pub(super) const FREE: f64 = 1e-6;
 
+/// Below this sine an answer is worth a second look: several of them multiply.
+pub(super) const NARROW: f64 = 1e-3;
+
+/// Bit of a branch's free joints: some sine is [`NARROW`].
+pub(super) const DOUBT: u8 = 128;
+
+/// [`DOUBT`] where it is so.
+#[inline(always)]
+pub(super) fn doubt(narrow: bool) -> u8 {
+    u8::from(narrow) << 7
+}
+
 /// Two answers, the second first where the sign is minus; equal at a double root.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pair {
@@ -17,6 +29,8 @@ pub(super) struct Pair {
     pub free: bool,
     /// The data say nothing at all: the two turns are none.
     pub blind: bool,
+    /// Nearly a double root, or nearly free.
+    pub narrow: bool,
 }
 
 /// The turn about `h` that takes `from` nearest to `to`, and how well it is known (product of their distances from `h`).
@@ -36,32 +50,85 @@ pub(super) fn across(h: Vector, from: Vector, to: Vector) -> Turn {
 /// `a cos + b sin = d`. Where there is no answer, the nearest one twice.
 #[inline(always)]
 pub(super) fn circle(a: f64, b: f64, d: f64, size: f64) -> Pair {
-    let r = root(a * a + b * b);
-    if !(r > 1e-14 * size) {
-        return Pair { both: [Turn::NONE; 2], free: true, blind: true };
+    Circle::new(a, b, size).at(d)
+}
+
+/// The part of [`circle`] that does not change with `d`.
+struct Circle {
+    /// The direction `(a, b)`.
+    middle: Turn,
+    r: f64,
+    per: f64,
+    size: f64,
+}
+
+impl Circle {
+    #[inline(always)]
+    fn new(a: f64, b: f64, size: f64) -> Self {
+        let r = root(a * a + b * b);
+        let per = 1.0 / r;
+        Self { middle: Turn { c: a * per, s: b * per }, r, per, size }
     }
-    let d = d.clamp(-r, r);
-    let w = root((r - d) * (r + d));
-    let (c0, s0, k) = (a / r, b / r, 1.0 / r);
-    let (c, s) = (d * k, w * k);
-    let turn = |s: f64| Turn { c: c0 * c - s0 * s, s: s0 * c + c0 * s };
-    Pair { both: [turn(s), turn(-s)], free: r < FREE * size, blind: false }
+
+    #[inline(always)]
+    fn at(&self, d: f64) -> Pair {
+        let &Self { middle, r, per, size } = self;
+        if !(r > 1e-14 * size) {
+            return BLIND;
+        }
+        // What is out of reach is not in doubt.
+        let reached = d.abs() < r + NARROW * size;
+        let d = if d > r {
+            r
+        } else if d < -r {
+            -r
+        } else {
+            d
+        };
+        let w = root((r - d) * (r + d));
+        let (c, s) = (d * per, w * per);
+        Pair {
+            both: [middle.then(Turn { c, s }), middle.then(Turn { c, s: -s })],
+            free: r < FREE * size,
+            blind: false,
+            narrow: reached & (w < NARROW * size),
+        }
+    }
 }
 
 /// Turns of `axis` that bring `w` to the distance `length` from `x`.
 #[inline(always)]
 pub(super) fn reach(axis: &Axis, w: Vector, x: Vector, length2: f64) -> Pair {
-    let rel = sub(w, axis.c);
-    let along = dot(axis.h, rel);
-    let k = sub(add(axis.c, scale(along, axis.h)), x);
-    let k_across = sub(k, scale(dot(axis.h, k), axis.h));
-    let across = sub(rel, scale(along, axis.h));
-    let a = 2.0 * dot(k_across, across);
-    let b = 2.0 * dot(k_across, cross(axis.h, across));
-    // Heron: the two distances from the axis and the height between them, so that a stretched arm keeps its digits.
-    let height = dot(axis.h, k);
-    let (k2, w2) = (dot(k_across, k_across), dot(across, across));
-    circle(a, b, length2 - height * height - k2 - w2, k2 + w2 + height * height)
+    Reach::new(axis, w, x).at(length2)
+}
+
+/// The part of [`reach`] that does not change with the distance.
+pub(super) struct Reach {
+    circle: Circle,
+    /// What the squared distance is in the middle.
+    middle: f64,
+}
+
+impl Reach {
+    #[inline(always)]
+    pub(super) fn new(axis: &Axis, w: Vector, x: Vector) -> Self {
+        let rel = sub(w, axis.c);
+        let along = dot(axis.h, rel);
+        let k = sub(add(axis.c, scale(along, axis.h)), x);
+        // Heron: the two distances from the axis and the height between them, so that a stretched arm keeps its digits.
+        let height = dot(axis.h, k);
+        let k_across = sub(k, scale(height, axis.h));
+        let across = sub(rel, scale(along, axis.h));
+        let a = 2.0 * dot(k_across, across);
+        let b = 2.0 * dot(k_across, cross(axis.h, across));
+        let (k2, w2) = (dot(k_across, k_across), dot(across, across));
+        Self { circle: Circle::new(a, b, k2 + w2 + height * height), middle: height * height + k2 + w2 }
+    }
+
+    #[inline(always)]
+    pub(super) fn at(&self, length2: f64) -> Pair {
+        self.circle.at(length2 - self.middle)
+    }
 }
 
 /// Turns of `second` for which `R(first) R(second) w` can point along `p`: `first . R(second) w = first . p` for directions
@@ -83,7 +150,7 @@ pub(super) struct Tilt {
     free: bool,
 }
 
-const BLIND: Pair = Pair { both: [Turn::NONE; 2], free: true, blind: true };
+const BLIND: Pair = Pair { both: [Turn::NONE; 2], free: true, blind: true, narrow: true };
 
 impl Tilt {
     #[inline(always)]
@@ -114,17 +181,20 @@ impl Tilt {
             let sum = c + cg;
             if sum.abs() > 1.0 { (sg * c - cg * s) * (sg * c + cg * s) / sum } else { c - cg }
         };
-        let x = unlike(self.difference).max(0.0);
-        let y = (-unlike(self.sum)).max(0.0);
+        let (x, y) = (unlike(self.difference), -unlike(self.sum));
+        let reached = (x > -NARROW) & (y > -NARROW);
+        let (x, y) = (x.max(0.0), y.max(0.0));
         let sum = x + y;
         if !(sum > 1e-14) {
             return BLIND;
         }
-        let (c, s) = ((y - x) / sum, 2.0 * root(x * y) / sum);
+        let height = root(x * y);
+        let (c, s) = ((y - x) / sum, 2.0 * height / sum);
         Pair {
             both: [self.middle.then(Turn { c, s }), self.middle.then(Turn { c, s: -s })],
             free: self.free,
             blind: false,
+            narrow: reached & (height < NARROW),
         }
     }
 }

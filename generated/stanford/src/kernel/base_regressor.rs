@@ -2,7 +2,7 @@
 //!
 //! `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 337 multiplications, 251 additions; 6 x 37, 121 of 222 structurally nonzero.
+//! 337 multiplications, 252 additions; 6 x 37, 121 of 222 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
@@ -30,7 +30,24 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Regressor `W_b` of the base parameters: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 37]; 6]) {
-    out.as_flattened_mut().fill(S::default());
+    let flat = &mut out.as_flattened_mut()[..];
+    flat[33..38].fill(S::default());
+    flat[70..82].fill(S::default());
+    flat[88..93].fill(S::default());
+    flat[95..100].fill(S::default());
+    flat[102..107].fill(S::default());
+    flat[108..123].fill(S::default());
+    flat[144] = S::default();
+    flat[146..167].fill(S::default());
+    flat[181..183].fill(S::default());
+    flat[184..211].fill(S::default());
+    flat[218..221].fill(S::default());
+    nonzeros(trig, dq, ddq, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 37]; 6]) {
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
     });
@@ -67,35 +84,35 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // link 2: motion
     let [
-        t1, w3_z, t3, t4, t8, t10, a2_y, t13,
+        t4, t6, a2_y, t9, w3_z, t11, t12, t13,
         t14, t16, t17, t19, t20, t21, t22, t23,
         t24,
     ] = {
-        let t1 = s2 * dq1;
+        let t3 = D2 * ddq1;
+        let t4 = D2 * t0;
+        let t6 = s2 * k0 + c2 * t3;
+        let a2_y = s2 * t3 - c2 * k0;
+        let t9 = s2 * dq1;
         let w3_z = c2 * dq1;
-        let t3 = s2 * ddq1;
-        let t4 = c2 * ddq1;
-        let t7 = D2 * ddq1;
-        let t8 = D2 * t0;
-        let t10 = s2 * k0 + c2 * t7;
-        let a2_y = s2 * t7 - c2 * k0;
-        let t13 = t1 * t1;
+        let t11 = s2 * ddq1;
+        let t12 = c2 * ddq1;
+        let t13 = t9 * t9;
         let t14 = dq2 * dq2;
-        let t15 = t1 * w3_z;
-        let t16 = dq2 * t1;
+        let t15 = t9 * w3_z;
+        let t16 = dq2 * t9;
         let t17 = dq2 * w3_z;
-        let t19 = t4 - t16;
+        let t19 = t12 - t16;
         let t20 = t15 - ddq2;
         let t21 = ddq2 + t15;
         let t22 = t13 + t14;
         let t23 = t16 - t19;
-        let t24 = t17 + (t3 + t17);
+        let t24 = t17 + (t11 + t17);
         put(33, a2_y); // row 2, MSX2
         put(36, t15); // row 2, ZZ2R
-        put(39, t4); // row 2, YZ2R
-        put(66, t3); // row 3, MSX3
+        put(39, t12); // row 2, YZ2R
+        put(66, t11); // row 3, MSX3
         [
-        t1, w3_z, t3, t4, t8, t10, a2_y, t13,
+        t4, t6, a2_y, t9, w3_z, t11, t12, t13,
         t14, t16, t17, t19, t20, t21, t22, t23,
         t24,
     ]
@@ -105,8 +122,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t25 = q3 * t20;
         let t27 = q3 * t24;
         let t31 = dq3 * k2;
-        let t34 = t27 - t8 + t1 * t31;
-        let a3_y = dq2 * t31 - (t10 + t25);
+        let t34 = t9 * t31 - (t4 - t27);
+        let a3_y = dq2 * t31 - (t6 + t25);
         let t36 = a2_y + q3 * t22 - ddq3;
         let t37 = w3_z * w3_z;
         let t38 = t13 + t37;
@@ -115,148 +132,146 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // link 4: motion
     let [
-        t42, w4_y, t48, a4_y, t54, t57, w4_z, dw4_z,
-        t60, t61, t62, t63, t64, t66, t67, t68,
-        t69, t70, t71,
+        t40, t41, t44, a4_y, t50, t53, t56, t59,
+        w4_z, dw4_z, t62, t63, t64, t65, t66, dw4_y,
+        t69, t70, t71, t72, t73,
     ] = {
-        let t42 = c4 * dq2 + s4 * t1;
-        let w4_y = s4 * dq2 - c4 * t1;
-        let t48 = c4 * t34 - s4 * a3_y;
+        let t40 = s2 * s4;
+        let t41 = s2 * c4;
+        let t44 = c4 * t34 - s4 * a3_y;
         let a4_y = c4 * a3_y + s4 * t34;
-        let t54 = c4 * t24 + s4 * t20;
-        let t57 = s4 * t24 - c4 * t20;
+        let t50 = c4 * dq2 + s4 * t9;
+        let t53 = c4 * t9 - s4 * dq2;
+        let t56 = c4 * t24 + s4 * t20;
+        let t59 = c4 * t20 - s4 * t24;
         let w4_z = w3_z + dq4;
         let dw4_z = t19 + ddq4;
-        let t60 = t42 * t42;
-        let t61 = w4_z * w4_z;
-        let t62 = t42 * w4_y;
-        let t63 = t42 * w4_z;
-        let t64 = w4_y * w4_z;
-        let dw4_x = t64 - t57;
-        let t66 = t54 - t63;
-        let t67 = dw4_z + t62;
-        let t68 = dw4_z - t62;
-        let t69 = t60 + t61;
-        let t70 = t66 - t63;
-        let t71 = t64 + dw4_x;
-        put(69, t70); // row 3, MSX4
-        put(70, t71); // row 3, MSZ4R
+        let t62 = t50 * t50;
+        let t63 = w4_z * w4_z;
+        let t64 = t50 * t53;
+        let t65 = t50 * w4_z;
+        let t66 = t53 * w4_z;
+        let dw4_x = t59 - t66;
+        let dw4_y = t65 - t56;
+        let t69 = t64 - dw4_z;
+        let t70 = dw4_z + t64;
+        let t71 = t62 + t63;
+        let t72 = t65 + dw4_y;
+        let t73 = dw4_x - t66;
+        put(70, t73); // row 3, MSZ4R
         put(76, a4_y); // row 4, MSX4
-        put(77, t48); // row 4, MSZ4R
+        put(77, t44); // row 4, MSZ4R
         put(78, dw4_z); // row 4, YY4R
-        put(80, t57); // row 4, XY4
-        put(82, t54); // row 4, YZ4
+        put(79, t64); // row 4, ZZ4R
+        put(82, t56); // row 4, YZ4
         [
-        t42, w4_y, t48, a4_y, t54, t57, w4_z, dw4_z,
-        t60, t61, t62, t63, t64, t66, t67, t68,
-        t69, t70, t71,
+        t40, t41, t44, a4_y, t50, t53, t56, t59,
+        w4_z, dw4_z, t62, t63, t64, t65, t66, dw4_y,
+        t69, t70, t71, t72, t73,
     ]
     };
     // link 5: motion
     let [
-        t74, t77, a5_x, a5_y, t86, t89, w5_z, dw5_z,
-        t92, t93, t94, t95, t96, t98, t99, t100,
-        t101, t102, t103,
+        a5_x, a5_y, t82, t85, t88, t91, w5_z, dw5_z,
+        t94, t95, t96, t97, t98, t100, t101, t102,
+        t103, t104, t105,
     ] = {
-        let t74 = c5 * t42 + s5 * w4_z;
-        let t77 = c5 * w4_z - s5 * t42;
-        let a5_x = s5 * t36 - c5 * t48;
-        let a5_y = c5 * t36 + s5 * t48;
-        let t86 = c5 * t67 + s5 * t71;
-        let t89 = c5 * t71 - s5 * t67;
-        let w5_z = w4_y + dq5;
-        let dw5_z = ddq5 - t66;
-        let t92 = t74 * t74;
-        let t93 = w5_z * w5_z;
-        let t94 = t74 * t77;
-        let t95 = t74 * w5_z;
-        let t96 = t77 * w5_z;
-        let dw5_x = t89 - t96;
-        let t98 = t86 - t95;
-        let t99 = t94 - dw5_z;
-        let t100 = dw5_z + t94;
-        let t101 = t92 + t93;
-        let t102 = t95 - t98;
-        let t103 = t96 - dw5_x;
+        let a5_x = s5 * t36 - c5 * t44;
+        let a5_y = c5 * t36 + s5 * t44;
+        let t82 = c5 * t50 + s5 * w4_z;
+        let t85 = c5 * w4_z - s5 * t50;
+        let t88 = s5 * t73 - c5 * t69;
+        let t91 = c5 * t73 + s5 * t69;
+        let w5_z = dq5 - t53;
+        let dw5_z = dw4_y + ddq5;
+        let t94 = t82 * t82;
+        let t95 = w5_z * w5_z;
+        let t96 = t82 * t85;
+        let t97 = t82 * w5_z;
+        let t98 = t85 * w5_z;
+        let dw5_x = t91 - t98;
+        let t100 = t88 - t97;
+        let t101 = t96 - dw5_z;
+        let t102 = dw5_z + t96;
+        let t103 = t94 + t95;
+        let t104 = t100 - t97;
+        let t105 = dw5_x - t98;
         put(98, a5_y); // row 5, MSX5
         put(99, a5_x); // row 5, MSZ5R
         put(100, dw5_z); // row 5, YY5R
-        put(101, t94); // row 5, ZZ5R
-        put(102, t89); // row 5, XY5
-        put(104, t86); // row 5, YZ5
+        put(101, t96); // row 5, ZZ5R
+        put(102, t91); // row 5, XY5
+        put(104, t88); // row 5, YZ5
         [
-        t74, t77, a5_x, a5_y, t86, t89, w5_z, dw5_z,
-        t92, t93, t94, t95, t96, t98, t99, t100,
-        t101, t102, t103,
+        a5_x, a5_y, t82, t85, t88, t91, w5_z, dw5_z,
+        t94, t95, t96, t97, t98, t100, t101, t102,
+        t103, t104, t105,
     ]
     };
     // link 6: motion
     let [
-        t114, t118, a6_y, t124, t127, dw6_z, t132, t133,
-        t134, dw6_x, t137, t138, t139, t140, t141, t142,
-        t143,
+        t110, t114, a6_y, t126, t129, dw6_z, t134, t135,
+        t136, dw6_x, t139, t140, t141, t142, t143, t144,
+        t145,
     ] = {
-        let t106 = c6 * t74 - s6 * w5_z;
-        let w6_y = c6 * w5_z + s6 * t74;
-        let t113 = D6 * t99 - a5_x;
-        let t114 = a5_y + D6 * t101;
-        let t115 = a4_y + D6 * t103;
-        let t118 = c6 * t113 - s6 * t115;
-        let a6_y = c6 * t115 + s6 * t113;
-        let t124 = s6 * t103 - c6 * t99;
-        let t127 = c6 * t103 + s6 * t99;
-        let w6_z = t77 + dq6;
-        let dw6_z = t98 + ddq6;
-        let t130 = t106 * t106;
-        let t131 = w6_z * w6_z;
-        let t132 = t106 * w6_y;
-        let t133 = t106 * w6_z;
-        let t134 = w6_y * w6_z;
-        let dw6_x = t134 - t127;
-        let dw6_y = t124 + t133;
-        let t137 = t131 - t130;
-        let t138 = t101 + t137;
-        let t139 = dw6_z + t132;
-        let t140 = t132 - dw6_z;
-        let t141 = t130 + t131;
-        let t142 = t133 + dw6_y;
-        let t143 = t134 + dw6_x;
+        let t109 = D6 * t101 - a5_x;
+        let t110 = a5_y + D6 * t103;
+        let t111 = a4_y - D6 * t105;
+        let t114 = c6 * t109 - s6 * t111;
+        let a6_y = c6 * t111 + s6 * t109;
+        let t120 = c6 * t82 - s6 * w5_z;
+        let w6_y = c6 * w5_z + s6 * t82;
+        let t126 = c6 * t101 + s6 * t105;
+        let t129 = c6 * t105 - s6 * t101;
+        let w6_z = t85 + dq6;
+        let dw6_z = t100 + ddq6;
+        let t132 = t120 * t120;
+        let t133 = w6_z * w6_z;
+        let t134 = t120 * w6_y;
+        let t135 = t120 * w6_z;
+        let t136 = w6_y * w6_z;
+        let dw6_x = t129 + t136;
+        let t139 = t132 - t133;
+        let t140 = t139 - t103;
+        let t141 = dw6_z + t134;
+        let t142 = dw6_z - t134;
+        let t143 = t132 + t133;
+        let t144 = t126 - t135 - t135;
+        let t145 = t136 + dw6_x;
         put(113, a6_y); // row 6, MSX6
-        put(114, t118); // row 6, MSY6
-        put(115, t132); // row 6, XX6R
+        put(114, t114); // row 6, MSY6
+        put(115, t134); // row 6, XX6R
         put(116, dw6_z); // row 6, ZZ6
-        put(119, t124); // row 6, YZ6
+        put(118, t129); // row 6, XZ6
         [
-        t114, t118, a6_y, t124, t127, dw6_z, t132, t133,
-        t134, dw6_x, t137, t138, t139, t140, t141, t142,
-        t143,
+        t110, t114, a6_y, t126, t129, dw6_z, t134, t135,
+        t136, dw6_x, t139, t140, t141, t142, t143, t144,
+        t145,
     ]
     };
     // joint axes in frame 2
-    let [t144, v1_2_y] = {
-        let t144 = c2 * D2;
+    let [t146, v1_2_y] = {
+        let t146 = c2 * D2;
         let v1_2_y = s2 * D2;
-        [t144, v1_2_y]
+        [t146, v1_2_y]
     };
     // joint axes in frame 4
-    let [t146, t147, t148, t149] = {
-        let t146 = s2 * s4;
-        let t147 = s2 * c4;
-        let t148 = s4 * t144;
-        let t149 = c4 * t144;
-        [t146, t147, t148, t149]
+    let [t148, t149] = {
+        let t148 = s4 * t146;
+        let t149 = c4 * t146;
+        [t148, t149]
     };
     // MSX2: column
     let t153 = {
-        let t153 = t39 * t144 + t21 * v1_2_y;
-        let t154 = t153 - c2 * t8;
+        let t153 = t39 * t146 + t21 * v1_2_y;
+        let t154 = t153 - c2 * t4;
         put(1, t154); // row 1, MSX2
         t153
     };
     // MSZ2: column
     let t158 = {
-        let t158 = t20 * t144 + t22 * v1_2_y;
-        let t159 = t158 - s2 * t8;
+        let t158 = t20 * t146 + t22 * v1_2_y;
+        let t159 = t158 - s2 * t4;
         put(2, t159); // row 1, MSZ2
         t158
     };
@@ -292,14 +307,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // M3: column
     {
         let t178 = q3 * a3_y;
-        let t183 = s2 * (q3 * t34) + (t36 * v1_2_y - a3_y * t144);
+        let t183 = s2 * (q3 * t34) - (a3_y * t146 - t36 * v1_2_y);
         put(8, t183); // row 1, M3R
         put(40, t178); // row 2, M3R
     }
     // MSX3: column
     {
-        let t185 = q3 * t4;
-        let t192 = t4 * t144 + t3 * v1_2_y;
+        let t185 = q3 * t12;
+        let t192 = t12 * t146 + t11 * v1_2_y;
         let t193 = s2 * (q3 * t38 - t36) + c2 * a3_y - t192;
         put(9, t193); // row 1, MSX3
         put(41, t185); // row 2, MSX3
@@ -307,7 +322,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSY3: column
     {
         let t196 = t36 - q3 * t39;
-        let t200 = t153 - (s2 * (q3 * t23) - c2 * t34);
+        let t200 = t153 + (c2 * t34 - s2 * (q3 * t23));
         put(10, t200); // row 1, MSY3
         put(42, t196); // row 2, MSY3
     }
@@ -320,89 +335,89 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // MSX4: column
     let [t206, t207, t212, t214, t215] = {
-        let t205 = w4_y * w4_y;
-        let t206 = t61 + t205;
-        let t207 = t60 + t205;
-        let t212 = c4 * t68;
-        let t213 = s4 * t206 - t212;
+        let t205 = t53 * t53;
+        let t206 = t63 + t205;
+        let t207 = t62 + t205;
+        let t212 = c4 * t70;
+        let t213 = t212 - s4 * t206;
         let t214 = s4 * t36;
         let t215 = c4 * t36;
-        let t219 = t214 - q3 * t213;
-        let t222 = c2 * a4_y - s2 * (t215 - q3 * (c4 * t206 + s4 * t68));
-        let t226 = t222 + (t144 * t213 - t70 * v1_2_y);
+        let t219 = t214 + q3 * t213;
+        let t222 = s2 * (q3 * (c4 * t206 + s4 * t70) - t215) + c2 * a4_y;
+        let t226 = t222 - (t146 * t213 - t72 * v1_2_y);
         put(12, t226); // row 1, MSX4
         put(44, t219); // row 2, MSX4
         [t206, t207, t212, t214, t215]
     };
     // MSZ4: column
     let t230 = {
-        let t230 = s4 * t67;
-        let t232 = t230 + c4 * t69;
-        let t236 = t215 - q3 * t232;
-        let t239 = s2 * (t214 + q3 * (c4 * t67 - s4 * t69)) + c2 * t48;
-        let t243 = t239 + (t144 * t232 - t71 * v1_2_y);
+        let t230 = s4 * t69;
+        let t232 = t230 - c4 * t71;
+        let t236 = t215 + q3 * t232;
+        let t239 = s2 * (t214 - q3 * (c4 * t69 + s4 * t71)) + c2 * t44;
+        let t243 = t239 - (t146 * t232 + t73 * v1_2_y);
         put(13, t243); // row 1, MSZ4R
         put(45, t236); // row 2, MSZ4R
         t230
     };
     // YY4: column
     let [t244, t249] = {
-        let t244 = t64 * t146;
-        let t248 = c2 * dw4_z - (t244 + t63 * t147);
-        let t249 = c4 * t64;
-        let t251 = s4 * t63 - t249;
+        let t244 = t40 * t66;
+        let t248 = c2 * dw4_z - (t41 * t65 - t244);
+        let t249 = c4 * t66;
+        let t251 = t249 + s4 * t65;
         put(14, t248); // row 1, YY4R
         put(46, t251); // row 2, YY4R
         [t244, t249]
     };
     // ZZ4: column
     {
-        let t255 = t244 + t66 * t147 - c2 * t62;
-        let t257 = t249 - s4 * t66;
+        let t255 = c2 * t64 - (t244 + t41 * dw4_y);
+        let t257 = s4 * dw4_y - t249;
         put(15, t255); // row 1, ZZ4R
         put(47, t257); // row 2, ZZ4R
     }
     // XY4: column
     {
         let t258 = t207 - t206;
-        let t263 = c2 * t57 + (t68 * t146 - t147 * t258);
+        let t263 = t40 * t70 - t41 * t258 - c2 * t59;
         let t265 = t212 + s4 * t258;
         put(16, t263); // row 1, XY4
         put(48, t265); // row 2, XY4
     }
     // XZ4: column
     {
-        let t266 = t69 - t206;
-        let t271 = c2 * t266 - (t71 * t147 - t70 * t146);
-        let t274 = c4 * t70 + s4 * t71;
+        let t266 = t71 - t206;
+        let t271 = c2 * t266 - (t40 * t72 + t41 * t73);
+        let t274 = s4 * t73 - c4 * t72;
         put(17, t271); // row 1, XZ4
         put(49, t274); // row 2, XZ4
         put(81, t266); // row 4, XZ4
     }
     // YZ4: column
     {
-        let t275 = t207 - t69;
-        let t280 = c2 * t54 + (t146 * t275 + t67 * t147);
-        let t282 = c4 * t275 - t230;
+        let t275 = t207 - t71;
+        let t280 = c2 * t56 + (t40 * t275 - t41 * t69);
+        let t282 = t230 + c4 * t275;
         put(18, t280); // row 1, YZ4
         put(50, t282); // row 2, YZ4
     }
     // MSX5: column
     let [t284, t285, t287, t290, t292, t293] = {
-        let t283 = t77 * t77;
-        let t284 = t93 + t283;
-        let t285 = t92 + t283;
-        let t287 = s5 * t100;
+        let t283 = t85 * t85;
+        let t284 = t95 + t283;
+        let t285 = t94 + t283;
+        let t287 = s5 * t102;
         let t288 = c5 * t284 + t287;
-        let t290 = c5 * t100;
+        let t290 = c5 * t102;
         let t291 = s5 * t284 - t290;
         let t292 = s5 * a4_y;
         let t293 = c5 * a4_y;
-        let t296 = t292 + q3 * t102;
-        let t297 = a5_y - q3 * t288;
-        let t302 = t146 * t296 + t147 * t297 - c2 * t293;
-        let t308 = t148 * t288 + t102 * t149 - v1_2_y * t291 - t302;
-        let t311 = s4 * t297 - c4 * t296;
+        let t296 = q3 * t104 - t292;
+        let t297 = q3 * t288 - a5_y;
+        let t307 = t148 * t288 - t104 * t149 - v1_2_y * t291;
+        let t308 = c2 * t293 + (t40 * t296 + t41 * t297) + t307;
+        let t311 = c4 * t296 - s4 * t297;
         put(19, t308); // row 1, MSX5
         put(51, t311); // row 2, MSX5
         put(71, t291); // row 3, MSX5
@@ -412,14 +427,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // MSZ5: column
     let [t312, t315] = {
-        let t312 = c5 * t99;
-        let t314 = t312 + s5 * t101;
-        let t315 = s5 * t99;
-        let t317 = t315 - c5 * t101;
-        let t320 = t293 + q3 * t103;
+        let t312 = c5 * t101;
+        let t314 = t312 + s5 * t103;
+        let t315 = s5 * t101;
+        let t317 = t315 - c5 * t103;
+        let t320 = t293 - q3 * t105;
         let t321 = a5_x - q3 * t314;
-        let t331 = t148 * t314 - t103 * t149 - v1_2_y * t317;
-        let t332 = c2 * t292 + (t146 * t320 - t147 * t321) + t331;
+        let t331 = v1_2_y * t317 - (t148 * t314 + t105 * t149);
+        let t332 = c2 * t292 + (t40 * t320 - t41 * t321) - t331;
         let t335 = c4 * t320 + s4 * t321;
         put(20, t332); // row 1, MSZ5R
         put(52, t335); // row 2, MSZ5R
@@ -428,11 +443,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // YY5: column
     let [t336, t339] = {
-        let t336 = c5 * t96;
-        let t338 = t336 + s5 * t95;
-        let t339 = s5 * t96;
-        let t341 = t339 - c5 * t95;
-        let t346 = c2 * t341 + (t146 * t338 - dw5_z * t147);
+        let t336 = c5 * t98;
+        let t338 = t336 + s5 * t97;
+        let t339 = s5 * t98;
+        let t341 = t339 - c5 * t97;
+        let t346 = c2 * t341 - (t41 * dw5_z - t40 * t338);
         let t349 = c4 * t338 + s4 * dw5_z;
         put(21, t346); // row 1, YY5R
         put(53, t349); // row 2, YY5R
@@ -441,10 +456,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // ZZ5: column
     {
-        let t351 = t336 + s5 * t98;
-        let t353 = c5 * t98 - t339;
-        let t358 = c2 * t353 - (t146 * t351 + t94 * t147);
-        let t361 = s4 * t94 - c4 * t351;
+        let t351 = t336 + s5 * t100;
+        let t353 = c5 * t100 - t339;
+        let t358 = c2 * t353 - (t40 * t351 + t41 * t96);
+        let t361 = s4 * t96 - c4 * t351;
         put(22, t358); // row 1, ZZ5R
         put(54, t361); // row 2, ZZ5R
         put(86, t353); // row 4, ZZ5R
@@ -454,19 +469,19 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t362 = t285 - t284;
         let t364 = t290 + s5 * t362;
         let t366 = c5 * t362 - t287;
-        let t371 = c2 * t366 - (t146 * t364 + t89 * t147);
-        let t374 = s4 * t89 - c4 * t364;
+        let t371 = c2 * t366 - (t40 * t364 + t41 * t91);
+        let t374 = s4 * t91 - c4 * t364;
         put(23, t371); // row 1, XY5
         put(55, t374); // row 2, XY5
         put(87, t366); // row 4, XY5
     }
     // XZ5: column
     {
-        let t375 = t284 - t101;
-        let t378 = c5 * t102 + s5 * t103;
-        let t381 = s5 * t102 - c5 * t103;
-        let t386 = c2 * t381 + (t146 * t378 - t147 * t375);
-        let t389 = c4 * t378 + s4 * t375;
+        let t375 = t284 - t103;
+        let t378 = c5 * t104 + s5 * t105;
+        let t381 = c5 * t105 - s5 * t104;
+        let t386 = c2 * t381 - (t40 * t378 + t41 * t375);
+        let t389 = s4 * t375 - c4 * t378;
         put(24, t386); // row 1, XZ5
         put(56, t389); // row 2, XZ5
         put(88, t381); // row 4, XZ5
@@ -474,33 +489,33 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // YZ5: column
     {
-        let t390 = t285 - t101;
+        let t390 = t285 - t103;
         let t392 = t315 + c5 * t390;
         let t394 = s5 * t390 - t312;
-        let t399 = c2 * t394 - (t86 * t147 - t146 * t392);
-        let t402 = c4 * t392 + s4 * t86;
+        let t399 = c2 * t394 + (t40 * t392 - t41 * t88);
+        let t402 = c4 * t392 + s4 * t88;
         put(25, t399); // row 1, YZ5
         put(57, t402); // row 2, YZ5
         put(89, t394); // row 4, YZ5
     }
     // MSX6: column
     let [t404, t407, t409, t410] = {
-        let t404 = s6 * t140;
-        let t405 = c6 * t138 - t404;
-        let t407 = c6 * t140;
-        let t408 = s6 * t138 + t407;
-        let t409 = s6 * t114;
-        let t410 = c6 * t114;
-        let t413 = D6 * t408 - t409;
+        let t404 = s6 * t142;
+        let t405 = t404 - c6 * t140;
+        let t407 = c6 * t142;
+        let t408 = s6 * t140 + t407;
+        let t409 = s6 * t110;
+        let t410 = c6 * t110;
+        let t413 = t409 + D6 * t408;
         let t414 = t410 - D6 * t405;
-        let t417 = c5 * t405 + s5 * t142;
-        let t420 = s5 * t405 - c5 * t142;
-        let t426 = c5 * a6_y - s5 * t413;
-        let t429 = c5 * t413 + s5 * a6_y + q3 * t408;
+        let t417 = c5 * t405 - s5 * t144;
+        let t420 = s5 * t405 + c5 * t144;
+        let t426 = s5 * t413 + c5 * a6_y;
+        let t429 = c5 * t413 - s5 * a6_y + q3 * t408;
         let t430 = t414 - q3 * t417;
-        let t440 = t148 * t417 + t149 * t408 - v1_2_y * t420;
-        let t441 = c2 * t426 - (t146 * t429 + t147 * t430) + t440;
-        let t444 = s4 * t430 - c4 * t429;
+        let t440 = v1_2_y * t420 - (t148 * t417 - t149 * t408);
+        let t441 = c2 * t426 + (t40 * t429 - t41 * t430) - t440;
+        let t444 = c4 * t429 + s4 * t430;
         put(26, t441); // row 1, MSX6
         put(58, t444); // row 2, MSX6
         put(73, t420); // row 3, MSX6
@@ -510,20 +525,20 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // MSY6: column
     let [t445, t448] = {
-        let t445 = c6 * t139;
-        let t447 = s6 * t141 - t445;
-        let t448 = s6 * t139;
-        let t450 = t448 + c6 * t141;
+        let t445 = c6 * t141;
+        let t447 = s6 * t143 - t445;
+        let t448 = s6 * t141;
+        let t450 = t448 + c6 * t143;
         let t453 = t410 - D6 * t450;
         let t454 = D6 * t447 - t409;
-        let t457 = c5 * t447 + s5 * t143;
-        let t460 = c5 * t143 - s5 * t447;
-        let t466 = s5 * t453 + c5 * t118;
-        let t469 = c5 * t453 - s5 * t118 - q3 * t450;
+        let t457 = c5 * t447 + s5 * t145;
+        let t460 = c5 * t145 - s5 * t447;
+        let t466 = s5 * t453 + c5 * t114;
+        let t469 = s5 * t114 - c5 * t453 + q3 * t450;
         let t470 = t454 + q3 * t457;
-        let t480 = v1_2_y * t460 + (t148 * t457 - t149 * t450);
-        let t481 = c2 * t466 - (t147 * t470 - t146 * t469) - t480;
-        let t484 = c4 * t469 + s4 * t470;
+        let t480 = t149 * t450 - t148 * t457 - v1_2_y * t460;
+        let t481 = c2 * t466 - (t40 * t469 + t41 * t470) + t480;
+        let t484 = s4 * t470 - c4 * t469;
         put(27, t481); // row 1, MSY6
         put(59, t484); // row 2, MSY6
         put(74, t460); // row 3, MSY6
@@ -533,13 +548,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // XX6: column
     let [t486, t489] = {
-        let t486 = s6 * t133;
+        let t486 = s6 * t135;
         let t487 = c6 * dw6_x + t486;
-        let t489 = c6 * t133;
+        let t489 = c6 * t135;
         let t490 = s6 * dw6_x - t489;
-        let t493 = c5 * t487 + s5 * t132;
-        let t496 = c5 * t132 - s5 * t487;
-        let t501 = c2 * t496 - (t146 * t493 + t147 * t490);
+        let t493 = c5 * t487 + s5 * t134;
+        let t496 = c5 * t134 - s5 * t487;
+        let t501 = c2 * t496 - (t40 * t493 + t41 * t490);
         let t504 = s4 * t490 - c4 * t493;
         put(28, t501); // row 1, XX6R
         put(60, t504); // row 2, XX6R
@@ -549,11 +564,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // ZZ6: column
     {
-        let t506 = c6 * t134 - t486;
-        let t508 = t489 + s6 * t134;
+        let t506 = c6 * t136 - t486;
+        let t508 = t489 + s6 * t136;
         let t511 = c5 * t506 + s5 * dw6_z;
         let t514 = c5 * dw6_z - s5 * t506;
-        let t519 = c2 * t514 - (t146 * t511 + t147 * t508);
+        let t519 = c2 * t514 - (t40 * t511 + t41 * t508);
         let t522 = s4 * t508 - c4 * t511;
         put(29, t519); // row 1, ZZ6
         put(61, t522); // row 2, ZZ6
@@ -562,13 +577,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // XY6: column
     {
-        let t523 = t141 - t138;
-        let t526 = s6 * t143 - c6 * t142;
-        let t529 = s6 * t142 + c6 * t143;
-        let t532 = c5 * t526 - s5 * t523;
+        let t523 = t140 + t143;
+        let t526 = c6 * t144 + s6 * t145;
+        let t529 = c6 * t145 - s6 * t144;
+        let t532 = s5 * t523 - c5 * t526;
         let t535 = s5 * t526 + c5 * t523;
-        let t540 = c2 * t535 + (t146 * t532 - t147 * t529);
-        let t543 = c4 * t532 + s4 * t529;
+        let t540 = c2 * t535 - (t40 * t532 + t41 * t529);
+        let t543 = s4 * t529 - c4 * t532;
         put(30, t540); // row 1, XY6
         put(62, t543); // row 2, XY6
         put(94, t535); // row 4, XY6
@@ -577,12 +592,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // XZ6: column
     {
-        let t545 = t407 + s6 * t137;
-        let t547 = c6 * t137 - t404;
-        let t550 = c5 * t545 + s5 * t127;
-        let t553 = s5 * t545 - c5 * t127;
-        let t558 = c2 * t553 + (t146 * t550 - t147 * t547);
-        let t561 = c4 * t550 + s4 * t547;
+        let t545 = t407 + s6 * t139;
+        let t547 = t404 - c6 * t139;
+        let t550 = c5 * t545 + s5 * t129;
+        let t553 = c5 * t129 - s5 * t545;
+        let t558 = c2 * t553 - (t40 * t550 + t41 * t547);
+        let t561 = s4 * t547 - c4 * t550;
         put(31, t558); // row 1, XZ6
         put(63, t561); // row 2, XZ6
         put(95, t553); // row 4, XZ6
@@ -590,20 +605,21 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // YZ6: column
     {
-        let t562 = t141 - t101;
-        let t564 = t448 + c6 * t562;
-        let t566 = t445 - s6 * t562;
-        let t569 = c5 * t564 - s5 * t124;
-        let t572 = s5 * t564 + c5 * t124;
-        let t577 = c2 * t572 + (t146 * t569 - t147 * t566);
+        let t562 = t103 - t143;
+        let t564 = t448 - c6 * t562;
+        let t566 = t445 + s6 * t562;
+        let t569 = c5 * t564 + s5 * t126;
+        let t572 = s5 * t564 - c5 * t126;
+        let t577 = c2 * t572 - (t41 * t566 - t40 * t569);
         let t580 = c4 * t569 + s4 * t566;
-        let t581 = -t10;
-        let t582 = -t3;
+        let t581 = -t6;
+        let t582 = -t11;
         let t583 = -t36;
         let t584 = -t21;
         let t585 = -t22;
-        let t586 = -t62;
-        let t587 = -t127;
+        let t586 = -t72;
+        let t587 = -t59;
+        let t588 = -t126;
         put(32, t577); // row 1, YZ6
         put(34, t581); // row 2, MSZ2
         put(37, t582); // row 2, XY2R
@@ -611,9 +627,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(65, t583); // row 3, M3R
         put(67, t584); // row 3, MSY3
         put(68, t585); // row 3, MSZ3R
-        put(79, t586); // row 4, ZZ4R
+        put(69, t586); // row 3, MSX4
+        put(80, t587); // row 4, XY4
         put(96, t572); // row 4, YZ6
         put(111, t566); // row 5, YZ6
-        put(118, t587); // row 6, XZ6
+        put(119, t588); // row 6, YZ6
     }
 }

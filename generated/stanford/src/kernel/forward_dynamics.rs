@@ -2,7 +2,7 @@
 //!
 //! `ddq = M^-1 (tau - C dq - g - friction)`, rad/s^2, from the base parameters; `M = L D L'` written out.
 //!
-//! 450 multiplications, 365 additions; 6, 6 of 6 structurally nonzero.
+//! 447 multiplications, 362 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -171,33 +171,33 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     };
     // link 2: motion
     let [
-        t220, w3_z, t222, t223, t224, t225, t226, t227,
+        t220, t221, t222, t223, w3_z, t225, t226, t227,
         dw2_y, t229, t230, t231, t232,
     ] = {
-        let t220 = s2 * dq1;
+        let t220 = s2 * k2;
+        let t221 = c2 * k2;
+        let t222 = D2 * t219;
+        let t223 = s2 * dq1;
         let w3_z = c2 * dq1;
-        let t222 = s2 * k2;
-        let t223 = c2 * k2;
-        let t224 = D2 * t219;
-        let t225 = t220 * t220;
+        let t225 = t223 * t223;
         let t226 = dq2 * dq2;
-        let t227 = t220 * w3_z;
-        let dw2_y = dq2 * t220;
+        let t227 = t223 * w3_z;
+        let dw2_y = dq2 * t223;
         let t229 = dq2 * w3_z;
         let t230 = t225 + t226;
         let t231 = dw2_y + dw2_y;
         let t232 = t229 + t229;
         [
-        t220, w3_z, t222, t223, t224, t225, t226, t227,
+        t220, t221, t222, t223, w3_z, t225, t226, t227,
         dw2_y, t229, t230, t231, t232,
     ]
     };
     // link 3: motion
     let [t237, t242, a3_y, t245, t246] = {
-        let t237 = q3 * t230 - t223;
+        let t237 = q3 * t230 - t221;
         let t239 = dq3 * k3;
-        let t242 = q3 * t232 - t224 + t220 * t239;
-        let a3_y = dq2 * t239 - (t222 + q3 * t227);
+        let t242 = q3 * t232 - t222 + t223 * t239;
+        let a3_y = dq2 * t239 - (t220 + q3 * t227);
         let t244 = w3_z * w3_z;
         let t245 = t225 + t244;
         let t246 = t226 + t244;
@@ -205,21 +205,21 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     };
     // link 4: motion
     let [
-        t249, w4_y, a4_x, a4_y, t261, t264, w4_z, t266,
+        a4_x, a4_y, t255, w4_y, t261, t264, w4_z, t266,
         t267, t268, t269, t270, dw4_y, t273, t274, t275,
         t276, t277,
     ] = {
-        let t249 = c4 * dq2 + s4 * t220;
-        let w4_y = s4 * dq2 - c4 * t220;
         let a4_x = s4 * a3_y - c4 * t242;
         let a4_y = c4 * a3_y + s4 * t242;
+        let t255 = c4 * dq2 + s4 * t223;
+        let w4_y = s4 * dq2 - c4 * t223;
         let t261 = c4 * t232 + s4 * t227;
         let t264 = s4 * t232 - c4 * t227;
         let w4_z = w3_z + dq4;
-        let t266 = t249 * t249;
+        let t266 = t255 * t255;
         let t267 = w4_z * w4_z;
-        let t268 = t249 * w4_y;
-        let t269 = t249 * w4_z;
+        let t268 = t255 * w4_y;
+        let t269 = t255 * w4_z;
         let t270 = w4_y * w4_z;
         let dw4_x = t270 - t264;
         let dw4_y = t269 - t261;
@@ -229,28 +229,28 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t276 = t269 + dw4_y;
         let t277 = t270 + dw4_x;
         [
-        t249, w4_y, a4_x, a4_y, t261, t264, w4_z, t266,
+        a4_x, a4_y, t255, w4_y, t261, t264, w4_z, t266,
         t267, t268, t269, t270, dw4_y, t273, t274, t275,
         t276, t277,
     ]
     };
     // link 5: motion
     let [
-        t280, w5_y, a5_x, a5_y, t292, t295, w5_z, t297,
+        a5_x, a5_y, t286, w5_y, t292, t295, w5_z, t297,
         t298, t299, t300, t301, dw5_y, t304, t305, t306,
         t307, t308,
     ] = {
-        let t280 = c5 * t249 + s5 * w4_z;
-        let w5_y = s5 * t249 - c5 * w4_z;
         let a5_x = c5 * a4_x + s5 * t237;
         let a5_y = c5 * t237 - s5 * a4_x;
+        let t286 = c5 * t255 + s5 * w4_z;
+        let w5_y = s5 * t255 - c5 * w4_z;
         let t292 = c5 * t273 - s5 * t277;
         let t295 = c5 * t277 + s5 * t273;
         let w5_z = w4_y + dq5;
-        let t297 = t280 * t280;
+        let t297 = t286 * t286;
         let t298 = w5_z * w5_z;
-        let t299 = t280 * w5_y;
-        let t300 = t280 * w5_z;
+        let t299 = t286 * w5_y;
+        let t300 = t286 * w5_z;
         let t301 = w5_y * w5_z;
         let dw5_x = t295 + t301;
         let dw5_y = t292 + t300;
@@ -260,218 +260,217 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t307 = t300 + dw5_y;
         let t308 = t301 + dw5_x;
         [
-        t280, w5_y, a5_x, a5_y, t292, t295, w5_z, t297,
+        a5_x, a5_y, t286, w5_y, t292, t295, w5_z, t297,
         t298, t299, t300, t301, dw5_y, t304, t305, t306,
         t307, t308,
     ]
     };
     // link 6: motion
     let [
-        t319, a6_x, a6_y, t329, t332, t336, t337, t338,
-        dw6_x, t341, t342, t343, t344, t345, t346, t347,
+        t311, t314, t323, t326, t330, t331, t332, dw6_x,
+        t335, t336, t337, t338, t339, t340, t341,
     ] = {
-        let w6_x = s6 * w5_z - c6 * t280;
-        let w6_y = c6 * w5_z + s6 * t280;
-        let t318 = a5_x + D6 * t304;
-        let t319 = a5_y + D6 * t306;
-        let t320 = a4_y - D6 * t308;
-        let a6_x = c6 * t318 + s6 * t320;
-        let a6_y = c6 * t320 - s6 * t318;
-        let t329 = c6 * t304 - s6 * t308;
-        let t332 = c6 * t308 + s6 * t304;
+        let t311 = c6 * a5_x + s6 * a4_y;
+        let t314 = c6 * a4_y - s6 * a5_x;
+        let w6_x = s6 * w5_z - c6 * t286;
+        let w6_y = c6 * w5_z + s6 * t286;
+        let t323 = c6 * t304 - s6 * t308;
+        let t326 = c6 * t308 + s6 * t304;
         let w6_z = dq6 - w5_y;
-        let t334 = w6_x * w6_x;
-        let t335 = w6_z * w6_z;
-        let t336 = w6_x * w6_y;
-        let t337 = w6_x * w6_z;
-        let t338 = w6_y * w6_z;
-        let dw6_x = t332 + t338;
-        let dw6_y = t329 - t337;
-        let t341 = t334 - t335;
-        let t342 = t341 - t306;
-        let t343 = dw5_y + t336;
-        let t344 = t336 - dw5_y;
-        let t345 = t334 + t335;
-        let t346 = t337 - dw6_y;
-        let t347 = t338 + dw6_x;
+        let t328 = w6_x * w6_x;
+        let t329 = w6_z * w6_z;
+        let t330 = w6_x * w6_y;
+        let t331 = w6_x * w6_z;
+        let t332 = w6_y * w6_z;
+        let dw6_x = t326 + t332;
+        let dw6_y = t323 - t331;
+        let t335 = t328 - t329;
+        let t336 = t335 - t306;
+        let t337 = dw5_y + t330;
+        let t338 = t330 - dw5_y;
+        let t339 = t328 + t329;
+        let t340 = t331 - dw6_y;
+        let t341 = t332 + dw6_x;
         [
-        t319, a6_x, a6_y, t329, t332, t336, t337, t338,
-        dw6_x, t341, t342, t343, t344, t345, t346, t347,
+        t311, t314, t323, t326, t330, t331, t332, dw6_x,
+        t335, t336, t337, t338, t339, t340, t341,
     ]
     };
     // link 6: force and moment
-    let [f6_z, n6_z, t395, t398, t407, t408] = {
-        let t368 = XY6 * (t342 + t345) - (XX6R * t336 + ZZ6 * dw5_y) + XZ6 * t332;
-        let t370 = YZ6 * (t306 - t345);
-        let t373 = ZZ6 * t338 + XX6R * dw6_x - XY6 * t346 + XZ6 * t344 + t370;
-        let t374 = t337 * (XX6R - ZZ6) + XY6 * t347 - XZ6 * t341 - YZ6 * t343;
-        let f6_x = MSX6 * t342 + MSY6 * t343;
-        let f6_y = MSX6 * t344 - MSY6 * t345;
-        let f6_z = MSX6 * t346 + MSY6 * t347;
-        let n6_x = t373 - MSY6 * t319;
-        let n6_y = t374 + MSX6 * t319;
-        let n6_z = t368 + YZ6 * t329 + (MSX6 * a6_y - MSY6 * a6_x);
-        let t395 = c6 * f6_x - s6 * f6_y;
-        let t398 = s6 * f6_x + c6 * f6_y;
-        let t407 = c6 * n6_x - s6 * n6_y - D6 * t398;
-        let t408 = s6 * n6_x + c6 * n6_y + D6 * t395;
-        [f6_z, n6_z, t395, t398, t407, t408]
+    let [f6_z, n6_z, t393, t396, t399, t402] = {
+        let t343 = XZ6 - D6 * MSX6;
+        let t345 = YZ6 - D6 * MSY6;
+        let t366 = XY6 * (t336 + t339) - (XX6R * t330 + ZZ6 * dw5_y) + t326 * t343;
+        let t368 = t345 * (t306 - t339);
+        let t371 = ZZ6 * t332 + XX6R * dw6_x - XY6 * t340 + t338 * t343 + t368;
+        let t372 = t331 * (XX6R - ZZ6) + XY6 * t341 - t335 * t343 - t337 * t345;
+        let f6_x = MSX6 * t336 + MSY6 * t337;
+        let f6_y = MSX6 * t338 - MSY6 * t339;
+        let f6_z = MSX6 * t340 + MSY6 * t341;
+        let n6_x = t371 - MSY6 * a5_y;
+        let n6_y = t372 + MSX6 * a5_y;
+        let n6_z = t366 + t323 * t345 + (MSX6 * t314 - MSY6 * t311);
+        let t393 = c6 * f6_x - s6 * f6_y;
+        let t396 = s6 * f6_x + c6 * f6_y;
+        let t399 = c6 * n6_x - s6 * n6_y;
+        let t402 = s6 * n6_x + c6 * n6_y;
+        [f6_z, n6_z, t393, t396, t399, t402]
     };
     // link 5: force and moment
-    let [f5_z, n5_z, t466, t469, t472, t475] = {
-        let t409 = w5_y * w5_y;
-        let t410 = t298 + t409;
-        let t411 = t297 + t409;
-        let t432 = YY5R * dw4_y - ZZ5R * t299 + XY5 * t295 + XZ5 * (t410 - t306);
-        let t433 = XY5 * (t411 - t410) - (YY5R * t300 + ZZ5R * dw5_y) + XZ5 * t308;
-        let t435 = YZ5 * (t306 - t411);
-        let t450 = MSZ5R * a4_y;
-        let t455 = XY5 * t305 - t301 * (ZZ5R - YY5R) - XZ5 * t307 + t435 - t450;
-        let f5_x = t395 + (MSZ5R * t304 - MSX5 * t410);
+    let [f5_z, n5_z, t460, t463, t466, t469] = {
+        let t403 = w5_y * w5_y;
+        let t404 = t298 + t403;
+        let t405 = t297 + t403;
+        let t426 = YY5R * dw4_y - ZZ5R * t299 + XY5 * t295 + XZ5 * (t404 - t306);
+        let t427 = XY5 * (t405 - t404) - (YY5R * t300 + ZZ5R * dw5_y) + XZ5 * t308;
+        let t429 = YZ5 * (t306 - t405);
+        let t444 = MSZ5R * a4_y;
+        let t449 = XY5 * t305 - t301 * (ZZ5R - YY5R) - XZ5 * t307 + t429 - t444;
+        let f5_x = t393 + (MSZ5R * t304 - MSX5 * t404);
         let f5_y = MSX5 * t305 + MSZ5R * t306 - f6_z;
-        let f5_z = t398 - (MSX5 * t307 + MSZ5R * t308);
-        let n5_x = t407 + t455;
-        let t462 = n6_z + (t433 + YZ5 * t304 + MSX5 * a4_y);
-        let n5_z = t408 + (t432 - YZ5 * t292 + (MSZ5R * a5_x + MSX5 * a5_y));
-        let t466 = c5 * f5_x - s5 * f5_y;
-        let t469 = s5 * f5_x + c5 * f5_y;
-        let t472 = c5 * n5_x + s5 * t462;
-        let t475 = s5 * n5_x - c5 * t462;
-        [f5_z, n5_z, t466, t469, t472, t475]
+        let f5_z = t396 - (MSX5 * t307 + MSZ5R * t308);
+        let n5_x = t399 + t449;
+        let t456 = n6_z + (t427 + YZ5 * t304 + MSX5 * a4_y);
+        let n5_z = t402 + (t426 - YZ5 * t292 + (MSZ5R * a5_x + MSX5 * a5_y));
+        let t460 = c5 * f5_x - s5 * f5_y;
+        let t463 = s5 * f5_x + c5 * f5_y;
+        let t466 = c5 * n5_x + s5 * t456;
+        let t469 = s5 * n5_x - c5 * t456;
+        [f5_z, n5_z, t460, t463, t466, t469]
     };
     // link 4: force and moment
-    let [t527, t530, t533, t536, t539, t542] = {
-        let t476 = w4_y * w4_y;
-        let t477 = t267 + t476;
-        let t478 = t266 + t476;
-        let t499 = ZZ4R * t268 + YY4R * dw2_y - XY4 * t264 + XZ4 * (t477 - t275);
-        let t500 = YY4R * t269 + ZZ4R * dw4_y + XY4 * (t478 - t477) + XZ4 * t277;
-        let t502 = YZ4 * (t275 - t478);
-        let t517 = MSZ4R * t237;
-        let t522 = XY4 * t274 - t270 * (ZZ4R - YY4R) + XZ4 * t276 + t502 - t517;
-        let f4_x = t466 + (MSZ4R * t273 - MSX4 * t477);
+    let [t521, t524, t527, t530, t533, t536] = {
+        let t470 = w4_y * w4_y;
+        let t471 = t267 + t470;
+        let t472 = t266 + t470;
+        let t493 = ZZ4R * t268 + YY4R * dw2_y - XY4 * t264 + XZ4 * (t471 - t275);
+        let t494 = YY4R * t269 + ZZ4R * dw4_y + XY4 * (t472 - t471) + XZ4 * t277;
+        let t496 = YZ4 * (t275 - t472);
+        let t511 = MSZ4R * t237;
+        let t516 = XY4 * t274 - t270 * (ZZ4R - YY4R) + XZ4 * t276 + t496 - t511;
+        let f4_x = t460 + (MSZ4R * t273 - MSX4 * t471);
         let f4_y = f5_z - (MSX4 * t274 + MSZ4R * t275);
-        let t527 = t469 + (MSX4 * t276 - MSZ4R * t277);
-        let n4_x = t472 + t522;
-        let n4_y = n5_z + (t500 + YZ4 * t273 + MSX4 * t237);
-        let t530 = t475 + (t499 - YZ4 * t261 + (MSZ4R * a4_x - MSX4 * a4_y));
-        let t533 = c4 * f4_x - s4 * f4_y;
-        let t536 = s4 * f4_x + c4 * f4_y;
-        let t539 = c4 * n4_x - s4 * n4_y;
-        let t542 = s4 * n4_x + c4 * n4_y;
-        [t527, t530, t533, t536, t539, t542]
+        let t521 = t463 + (MSX4 * t276 - MSZ4R * t277);
+        let n4_x = t466 + t516;
+        let n4_y = n5_z + (t494 + YZ4 * t273 + MSX4 * t237);
+        let t524 = t469 + (t493 - YZ4 * t261 + (MSZ4R * a4_x - MSX4 * a4_y));
+        let t527 = c4 * f4_x - s4 * f4_y;
+        let t530 = s4 * f4_x + c4 * f4_y;
+        let t533 = c4 * n4_x - s4 * n4_y;
+        let t536 = s4 * n4_x + c4 * n4_y;
+        [t521, t524, t527, t530, t533, t536]
     };
     // link 3: force and moment
-    let [t543, t544, t545, f3_y, t574, n3_z, t580, t581] = {
-        let t543 = t246 - t245;
-        let t544 = t245 - t230;
-        let t545 = t230 - t246;
-        let f3_x = t533 + (MSY3 * t231 - MSX3 * t245 - MSZ3R * t232 - M3R * t242);
-        let f3_y = t536 + (M3R * a3_y - (MSY3 * t246 + MSZ3R * t227));
-        let t574 = t527 + (M3R * t237 + (MSY3 * t227 + MSZ3R * t230));
-        let n3_x = t539 - (MSY3 * t237 + MSZ3R * a3_y);
-        let n3_y = t542 + (MSX3 * t237 - MSZ3R * t242);
-        let n3_z = MSX3 * a3_y + MSY3 * t242 - t530;
-        let t580 = n3_y + q3 * f3_x;
-        let t581 = q3 * f3_y - n3_x;
-        [t543, t544, t545, f3_y, t574, n3_z, t580, t581]
+    let [t537, t538, t539, f3_y, t568, n3_z, t574, t575] = {
+        let t537 = t246 - t245;
+        let t538 = t245 - t230;
+        let t539 = t230 - t246;
+        let f3_x = t527 + (MSY3 * t231 - MSX3 * t245 - MSZ3R * t232 - M3R * t242);
+        let f3_y = t530 + (M3R * a3_y - (MSY3 * t246 + MSZ3R * t227));
+        let t568 = t521 + (M3R * t237 + (MSY3 * t227 + MSZ3R * t230));
+        let n3_x = t533 - (MSY3 * t237 + MSZ3R * a3_y);
+        let n3_y = t536 + (MSX3 * t237 - MSZ3R * t242);
+        let n3_z = MSX3 * a3_y + MSY3 * t242 - t524;
+        let t574 = n3_y + q3 * f3_x;
+        let t575 = q3 * f3_y - n3_x;
+        [t537, t538, t539, f3_y, t568, n3_z, t574, t575]
     };
     // link 2: force and moment
-    let [n2_z, t627] = {
-        let t599 = t229 * (ZZ2R - YY2R) + XY2R * t227 - XZ2R * t231 - YZ2R * t544;
-        let t600 = dw2_y * (YY2R + ZZ2R) + XY2R * t543 + XZ2R * t232 + YZ2R * t227;
+    let [n2_z, t621] = {
+        let t593 = t229 * (ZZ2R - YY2R) + XY2R * t227 - XZ2R * t231 - YZ2R * t538;
+        let t594 = dw2_y * (YY2R + ZZ2R) + XY2R * t537 + XZ2R * t232 + YZ2R * t227;
         let f2_x = f3_y - (MSX2 * t246 + MSZ2 * t227);
-        let f2_y = t574 + (MSX2 * t227 + MSZ2 * t230);
-        let n2_x = t580 + (t599 + MSZ2 * t224);
-        let n2_y = t600 + MSX2 * t224 - n3_z;
-        let n2_z = t581 + (ZZ2R * t227 - XZ2R * t545 - (MSZ2 * t222 + MSX2 * t223));
+        let f2_y = t568 + (MSX2 * t227 + MSZ2 * t230);
+        let n2_x = t574 + (t593 + MSZ2 * t222);
+        let n2_y = t594 + MSX2 * t222 - n3_z;
+        let n2_z = t575 + (ZZ2R * t227 - XZ2R * t539 - (MSZ2 * t220 + MSX2 * t221));
         let f1_x = c2 * f2_x - s2 * f2_y;
-        let t627 = s2 * n2_x + c2 * n2_y + D2 * f1_x;
-        [n2_z, t627]
+        let t621 = s2 * n2_x + c2 * n2_y + D2 * f1_x;
+        [n2_z, t621]
     };
     // drives
-    let [t628, t629, t630, t631, t632, t633] = {
-        let t628 = t627 + tau1;
-        let t629 = tau2 - n2_z;
-        let t630 = t574 + tau3;
-        let t631 = t530 + tau4;
-        let t632 = tau5 - n5_z;
-        let t633 = tau6 - n6_z;
-        [t628, t629, t630, t631, t632, t633]
+    let [t622, t623, t624, t625, t626, t627] = {
+        let t622 = t621 + tau1;
+        let t623 = tau2 - n2_z;
+        let t624 = t568 + tau3;
+        let t625 = t524 + tau4;
+        let t626 = tau5 - n5_z;
+        let t627 = tau6 - n6_z;
+        [t622, t623, t624, t625, t626, t627]
     };
     // M = L D L'
     let [
-        t634, t635, t636, t637, t638, t639, t643, t647,
-        t650, t653, t656, t663, t669, t674, t679, t689,
-        t699, t706, t719, t732, t748,
+        t628, t629, t630, t631, t632, t633, t637, t641,
+        t644, t647, t650, t657, t663, t668, t673, t683,
+        t693, t700, t713, t726, t742,
     ] = {
-        let t634 = k4 / t218;
-        let t635 = t203 * t634;
-        let t636 = t178 * t634;
-        let t637 = t151 * t634;
-        let t638 = t102 * t634;
-        let t639 = t48 * t634;
-        let t642 = t192 - t218 * (t635 * t635);
-        let t643 = k4 / t642;
-        let t644 = t218 * t635;
-        let t647 = t643 * (t172 + t636 * t644);
-        let t650 = t643 * (t145 - t637 * t644);
-        let t653 = t643 * (t94 - t638 * t644);
-        let t656 = t643 * (t40 - t639 * t644);
-        let t662 = t174 - t218 * (t636 * t636) - t642 * (t647 * t647);
-        let t663 = k4 / t662;
-        let t664 = t218 * t636;
-        let t666 = t642 * t647;
-        let t669 = t663 * (t650 * t666 - t637 * t664);
-        let t674 = t663 * (t653 * t666 - (t76 + t638 * t664));
-        let t679 = t663 * (t18 - t639 * t664 + t656 * t666);
-        let t687 = t662 * (t669 * t669);
-        let t688 = t129 - t218 * (t637 * t637) - t642 * (t650 * t650) - t687;
-        let t689 = k4 / t688;
-        let t690 = t218 * t637;
-        let t693 = t642 * t650;
-        let t696 = t662 * t669;
-        let t699 = t689 * (t82 + t638 * t690 + t653 * t693 + t674 * t696);
-        let t706 = t689 * (t24 + t639 * t690 + t656 * t693 + t679 * t696);
-        let t714 = t662 * (t674 * t674);
-        let t717 = t688 * (t699 * t699);
-        let t718 = t70 - t218 * (t638 * t638) - t642 * (t653 * t653) - t714 - t717;
-        let t719 = k4 / t718;
-        let t727 = t679 * (t662 * t674);
-        let t730 = t706 * (t688 * t699);
-        let t731 = t16 - t639 * (t218 * t638) - t656 * (t642 * t653) - t727 - t730;
-        let t732 = t719 * t731;
-        let t740 = t662 * (t679 * t679);
-        let t743 = t688 * (t706 * t706);
-        let t744 = t0 - t218 * (t639 * t639) - t642 * (t656 * t656) - t740 - t743;
-        let t748 = k4 / (t744 - t718 * (t732 * t732));
+        let t628 = k4 / t218;
+        let t629 = t203 * t628;
+        let t630 = t178 * t628;
+        let t631 = t151 * t628;
+        let t632 = t102 * t628;
+        let t633 = t48 * t628;
+        let t636 = t192 - t218 * (t629 * t629);
+        let t637 = k4 / t636;
+        let t638 = t218 * t629;
+        let t641 = t637 * (t172 + t630 * t638);
+        let t644 = t637 * (t145 - t631 * t638);
+        let t647 = t637 * (t94 - t632 * t638);
+        let t650 = t637 * (t40 - t633 * t638);
+        let t656 = t174 - t218 * (t630 * t630) - t636 * (t641 * t641);
+        let t657 = k4 / t656;
+        let t658 = t218 * t630;
+        let t660 = t636 * t641;
+        let t663 = t657 * (t644 * t660 - t631 * t658);
+        let t668 = t657 * (t647 * t660 - (t76 + t632 * t658));
+        let t673 = t657 * (t18 - t633 * t658 + t650 * t660);
+        let t681 = t656 * (t663 * t663);
+        let t682 = t129 - t218 * (t631 * t631) - t636 * (t644 * t644) - t681;
+        let t683 = k4 / t682;
+        let t684 = t218 * t631;
+        let t687 = t636 * t644;
+        let t690 = t656 * t663;
+        let t693 = t683 * (t82 + t632 * t684 + t647 * t687 + t668 * t690);
+        let t700 = t683 * (t24 + t633 * t684 + t650 * t687 + t673 * t690);
+        let t708 = t656 * (t668 * t668);
+        let t711 = t682 * (t693 * t693);
+        let t712 = t70 - t218 * (t632 * t632) - t636 * (t647 * t647) - t708 - t711;
+        let t713 = k4 / t712;
+        let t721 = t673 * (t656 * t668);
+        let t724 = t700 * (t682 * t693);
+        let t725 = t16 - t633 * (t218 * t632) - t650 * (t636 * t647) - t721 - t724;
+        let t726 = t713 * t725;
+        let t734 = t656 * (t673 * t673);
+        let t737 = t682 * (t700 * t700);
+        let t738 = t0 - t218 * (t633 * t633) - t636 * (t650 * t650) - t734 - t737;
+        let t742 = k4 / (t738 - t712 * (t726 * t726));
         [
-        t634, t635, t636, t637, t638, t639, t643, t647,
-        t650, t653, t656, t663, t669, t674, t679, t689,
-        t699, t706, t719, t732, t748,
+        t628, t629, t630, t631, t632, t633, t637, t641,
+        t644, t647, t650, t657, t663, t668, t673, t683,
+        t693, t700, t713, t726, t742,
     ]
     };
     // ddq
     {
-        let t750 = t629 + t628 * t635;
-        let t754 = t630 + t628 * t636 + t647 * t750;
-        let t760 = t631 + t628 * t637 - t650 * t750 - t669 * t754;
-        let t768 = t632 + t628 * t638 - t653 * t750 - t674 * t754 + t699 * t760;
-        let t776 = t633 + t628 * t639 - t656 * t750 - t679 * t754 + t706 * t760;
-        let t784 = t748 * (t776 - t732 * t768);
-        let t786 = t719 * t768 - t732 * t784;
-        let t790 = t689 * t760 + t699 * t786 + t706 * t784;
-        let t796 = t663 * t754 - t669 * t790 - t674 * t786 - t679 * t784;
-        let t803 = t656 * t784;
-        let t804 = t643 * t750 + t647 * t796 - t650 * t790 - t653 * t786 - t803;
-        let t811 = t638 * t786;
-        let t812 = t628 * t634 + t635 * t804 + t636 * t796 + t637 * t790 + t811;
-        let t814 = t812 + t639 * t784;
-        put(0, t814);
-        put(1, t804);
-        put(2, t796);
-        put(3, t790);
-        put(4, t786);
-        put(5, t784);
+        let t744 = t623 + t622 * t629;
+        let t748 = t624 + t622 * t630 + t641 * t744;
+        let t754 = t625 + t622 * t631 - t644 * t744 - t663 * t748;
+        let t762 = t626 + t622 * t632 - t647 * t744 - t668 * t748 + t693 * t754;
+        let t770 = t627 + t622 * t633 - t650 * t744 - t673 * t748 + t700 * t754;
+        let t778 = t742 * (t770 - t726 * t762);
+        let t780 = t713 * t762 - t726 * t778;
+        let t784 = t683 * t754 + t693 * t780 + t700 * t778;
+        let t790 = t657 * t748 - t663 * t784 - t668 * t780 - t673 * t778;
+        let t797 = t650 * t778;
+        let t798 = t637 * t744 + t641 * t790 - t644 * t784 - t647 * t780 - t797;
+        let t805 = t632 * t780;
+        let t806 = t622 * t628 + t629 * t798 + t630 * t790 + t631 * t784 + t805;
+        let t808 = t806 + t633 * t778;
+        put(0, t808);
+        put(1, t798);
+        put(2, t790);
+        put(3, t784);
+        put(4, t780);
+        put(5, t778);
     }
 }

@@ -23,7 +23,39 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Regressor at rest: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 60]; 6]) {
-    out.as_flattened_mut().fill(S::default());
+    let flat = &mut out.as_flattened_mut()[..];
+    flat[0..10].fill(S::default());
+    flat[11] = S::default();
+    flat[13..20].fill(S::default());
+    flat[22..30].fill(S::default());
+    flat[34..40].fill(S::default());
+    flat[44..50].fill(S::default());
+    flat[54..71].fill(S::default());
+    flat[72] = S::default();
+    flat[74..80].fill(S::default());
+    flat[81] = S::default();
+    flat[84..90].fill(S::default());
+    flat[94..100].fill(S::default());
+    flat[104..110].fill(S::default());
+    flat[114..140].fill(S::default());
+    flat[141..150].fill(S::default());
+    flat[151..160].fill(S::default());
+    flat[161..170].fill(S::default());
+    flat[171..211].fill(S::default());
+    flat[212] = S::default();
+    flat[214..221].fill(S::default());
+    flat[224..230].fill(S::default());
+    flat[234..281].fill(S::default());
+    flat[282] = S::default();
+    flat[284..290].fill(S::default());
+    flat[294..351].fill(S::default());
+    flat[353..360].fill(S::default());
+    nonzeros(trig, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 60]; 6]) {
     entries(trig, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
     });
@@ -53,45 +85,45 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [t0, a3_z]
     };
     // link 4: motion
-    let [t2, t3] = {
-        let t2 = s4 * t0;
-        let t3 = c4 * t0;
-        put(38, t2); // row 4, MSZ4
-        [t2, t3]
+    let [t2, t3, t4, t5] = {
+        let t2 = s2 * s4;
+        let t3 = s2 * c4;
+        let t4 = s4 * t0;
+        let t5 = c4 * t0;
+        put(38, t4); // row 4, MSZ4
+        [t2, t3, t4, t5]
     };
     // link 5: motion
-    let [t6, a5_y] = {
-        let t6 = c5 * t2 + s5 * a3_z;
-        let a5_y = s5 * t2 - c5 * a3_z;
+    let [t8, a5_y] = {
+        let t8 = c5 * t4 + s5 * a3_z;
+        let a5_y = s5 * t4 - c5 * a3_z;
         put(46, a5_y); // row 5, MSX5
-        [t6, a5_y]
+        [t8, a5_y]
     };
     // link 6: motion
-    let [t12, a6_y] = {
-        let t12 = c6 * t6 + s6 * t3;
-        let a6_y = s6 * t6 - c6 * t3;
+    let [t14, a6_y] = {
+        let t14 = c6 * t8 + s6 * t5;
+        let a6_y = s6 * t8 - c6 * t5;
         put(52, a6_y); // row 6, MSX6
-        put(53, t12); // row 6, MSY6
-        [t12, a6_y]
+        put(53, t14); // row 6, MSY6
+        [t14, a6_y]
     };
     // joint axes in frame 2
-    let [t16, v1_2_y] = {
-        let t16 = c2 * D2;
+    let [t18, v1_2_y] = {
+        let t18 = c2 * D2;
         let v1_2_y = s2 * D2;
-        [t16, v1_2_y]
+        [t18, v1_2_y]
     };
     // joint axes in frame 4
-    let [t18, t19, t20, t21] = {
-        let t18 = s2 * s4;
-        let t19 = s2 * c4;
-        let t20 = s4 * t16;
-        let t21 = c4 * t16;
-        [t18, t19, t20, t21]
+    let [t20, t21] = {
+        let t20 = s4 * t18;
+        let t21 = c4 * t18;
+        [t20, t21]
     };
     // M2: column
     let t23 = {
         let t23 = a3_z * v1_2_y;
-        let t24 = t0 * t16 - t23;
+        let t24 = t0 * t18 - t23;
         put(0, t24); // row 1, M2
         put(2, t24); // row 1, M3
         t23
@@ -109,10 +141,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // M4: column
     let [t31, t36] = {
-        let t31 = s4 * t3 - c4 * t2;
-        let t34 = s4 * t2 + c4 * t3;
+        let t31 = s4 * t5 - c4 * t4;
+        let t34 = s4 * t4 + c4 * t5;
         let t36 = q3 * t34;
-        let t40 = t16 * t34 - t23 - s2 * (q3 * t31);
+        let t40 = t18 * t34 - t23 - s2 * (q3 * t31);
         put(4, t40); // row 1, M4
         put(23, t34); // row 2, MSY4
         [t31, t36]
@@ -121,7 +153,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [t41, t42] = {
         let t41 = s4 * a3_z;
         let t42 = c4 * a3_z;
-        let t45 = s2 * t42 - c2 * t3;
+        let t45 = s2 * t42 - c2 * t5;
         put(5, t45); // row 1, MSX4
         [t41, t42]
     };
@@ -132,19 +164,19 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     }
     // MSZ4: column
     {
-        let t49 = c2 * t2 - s2 * t41;
+        let t49 = c2 * t4 - s2 * t41;
         put(7, t49); // row 1, MSZ4
     }
     // M5: column
     let [t51, t52, t54, t55, t69] = {
         let t51 = s5 * a5_y;
-        let t52 = c5 * t6 + t51;
+        let t52 = c5 * t8 + t51;
         let t54 = c5 * a5_y;
-        let t55 = t54 - s5 * t6;
-        let t56 = q3 * t3;
+        let t55 = t54 - s5 * t8;
+        let t56 = q3 * t5;
         let t57 = q3 * t52;
-        let t65 = v1_2_y * t55 + (t20 * t52 + t3 * t21);
-        let t66 = t19 * t57 - t18 * t56 + t65;
+        let t65 = v1_2_y * t55 + (t20 * t52 + t5 * t21);
+        let t66 = t3 * t57 - t2 * t56 + t65;
         let t69 = c4 * t56 + s4 * t57;
         put(8, t66); // row 1, M5
         put(40, t52); // row 4, MSY5
@@ -152,9 +184,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSX5: column
     let [t70, t71] = {
-        let t70 = s5 * t3;
-        let t71 = c5 * t3;
-        let t76 = t18 * t70 - a5_y * t19 - c2 * t71;
+        let t70 = s5 * t5;
+        let t71 = c5 * t5;
+        let t76 = t2 * t70 - t3 * a5_y - c2 * t71;
         let t79 = c4 * t70 + s4 * a5_y;
         put(9, t76); // row 1, MSX5
         put(26, t79); // row 2, MSX5
@@ -162,22 +194,22 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSY5: column
     {
-        let t82 = t18 * t55 + c2 * t52;
+        let t82 = t2 * t55 + c2 * t52;
         let t83 = c4 * t55;
         put(10, t82); // row 1, MSY5
         put(27, t83); // row 2, MSY5
     }
     // MSZ5: column
     let t91 = {
-        let t88 = t6 * t19 - t18 * t71 - c2 * t70;
-        let t91 = c4 * t71 + s4 * t6;
+        let t88 = t3 * t8 - t2 * t71 - c2 * t70;
+        let t91 = c4 * t71 + s4 * t8;
         put(11, t88); // row 1, MSZ5
         t91
     };
     // M6: column
     let [t94, t97, t99] = {
-        let t94 = c6 * t12 + s6 * a6_y;
-        let t97 = c6 * a6_y - s6 * t12;
+        let t94 = c6 * t14 + s6 * a6_y;
+        let t97 = c6 * a6_y - s6 * t14;
         let t98 = D6 * t97;
         let t99 = D6 * t94;
         let t101 = t51 + c5 * t94;
@@ -186,7 +218,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t108 = c5 * t98 + q3 * t97;
         let t109 = t99 + q3 * t101;
         let t119 = v1_2_y * t103 + (t21 * t97 - t20 * t101);
-        let t120 = c2 * t105 + (t18 * t108 + t19 * t109) - t119;
+        let t120 = c2 * t105 + (t2 * t108 + t3 * t109) - t119;
         let t123 = c4 * t108 - s4 * t109;
         put(12, t120); // row 1, M6
         put(29, t123); // row 2, M6
@@ -200,7 +232,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t125 = c6 * a5_y;
         let t128 = c5 * t124 - s5 * a6_y;
         let t131 = s5 * t124 + c5 * a6_y;
-        let t136 = c2 * t131 + (t18 * t128 - t19 * t125);
+        let t136 = c2 * t131 + (t2 * t128 - t3 * t125);
         let t139 = c4 * t128 + s4 * t125;
         put(13, t136); // row 1, MSX6
         put(30, t139); // row 2, MSX6
@@ -210,9 +242,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // MSY6: column
     {
-        let t142 = c5 * t125 - s5 * t12;
-        let t145 = s5 * t125 + c5 * t12;
-        let t150 = c2 * t145 + (t18 * t142 + t19 * t124);
+        let t142 = c5 * t125 - s5 * t14;
+        let t145 = s5 * t125 + c5 * t14;
+        let t150 = c2 * t145 + (t2 * t142 + t3 * t124);
         let t153 = c4 * t142 - s4 * t124;
         put(14, t150); // row 1, MSY6
         put(31, t153); // row 2, MSY6
@@ -222,7 +254,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     {
         let t154 = c5 * t97;
         let t155 = s5 * t97;
-        let t160 = c2 * t155 + (t18 * t154 + t19 * t94);
+        let t160 = c2 * t155 + (t2 * t154 + t3 * t94);
         let t163 = c4 * t154 - s4 * t94;
         let t164 = -t27;
         let t165 = -a3_z;
@@ -234,10 +266,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t171 = -t69;
         let t172 = -t91;
         let t173 = -t55;
-        let t174 = -t3;
+        let t174 = -t5;
         let t175 = -t71;
         let t176 = -t70;
-        let t177 = -t6;
+        let t177 = -t8;
         let t178 = -t99;
         let t179 = -t124;
         let t180 = -t94;

@@ -21,7 +21,15 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Mass matrix `M`, symmetric, kg m^2: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], out: &mut [[S; 6]; 6]) {
-    out.as_flattened_mut().fill(S::default());
+    let flat = &mut out.as_flattened_mut()[..];
+    flat[15] = S::default();
+    flat[20] = S::default();
+    nonzeros(trig, beta, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], out: &mut [[S; 6]; 6]) {
     entries(trig, beta, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
     });

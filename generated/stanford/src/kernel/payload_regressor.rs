@@ -23,7 +23,16 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Regressor of a body fixed to the tool frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 6]) {
-    out.as_flattened_mut().fill(S::default());
+    let flat = &mut out.as_flattened_mut()[..];
+    flat[24..30].fill(S::default());
+    flat[50] = S::default();
+    flat[53] = S::default();
+    nonzeros(trig, dq, ddq, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 6]) {
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
     });
@@ -54,139 +63,146 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // link 2: motion
     let [
-        t1, w3_z, t8, t10, t12, t19, t20, t21,
+        t4, t6, a2_y, t9, w3_z, dw2_y, t20, t21,
         t22,
     ] = {
-        let t1 = s2 * dq1;
+        let t3 = D2 * ddq1;
+        let t4 = D2 * t0;
+        let t6 = s2 * k0 + c2 * t3;
+        let a2_y = s2 * t3 - c2 * k0;
+        let t9 = s2 * dq1;
         let w3_z = c2 * dq1;
-        let t7 = D2 * ddq1;
-        let t8 = D2 * t0;
-        let t10 = s2 * k0 + c2 * t7;
-        let t12 = c2 * k0 - s2 * t7;
         let t17 = dq2 * w3_z;
-        let t19 = c2 * ddq1 - dq2 * t1;
-        let t20 = t1 * w3_z - ddq2;
-        let t21 = t1 * t1 + dq2 * dq2;
+        let dw2_y = dq2 * t9 - c2 * ddq1;
+        let t20 = t9 * w3_z - ddq2;
+        let t21 = t9 * t9 + dq2 * dq2;
         let t22 = t17 + (s2 * ddq1 + t17);
         [
-        t1, w3_z, t8, t10, t12, t19, t20, t21,
+        t4, t6, a2_y, t9, w3_z, dw2_y, t20, t21,
         t22,
     ]
     };
     // link 3: motion
-    let [t32, t33, a3_z] = {
+    let [t32, a3_y, a3_z] = {
         let t29 = dq3 * k2;
-        let t32 = q3 * t22 - t8 + t1 * t29;
-        let t33 = t10 + q3 * t20 - dq2 * t29;
-        let a3_z = ddq3 + (t12 - q3 * t21);
-        [t32, t33, a3_z]
+        let t32 = t9 * t29 - (t4 - q3 * t22);
+        let a3_y = dq2 * t29 - (t6 + q3 * t20);
+        let a3_z = ddq3 - (a2_y + q3 * t21);
+        [t32, a3_y, a3_z]
     };
     // link 4: motion
-    let [t37, w4_y, t43, a4_y, w4_z, dw4_y, t60, t61] = {
-        let t37 = c4 * dq2 + s4 * t1;
-        let w4_y = s4 * dq2 - c4 * t1;
-        let t43 = c4 * t32 + s4 * t33;
-        let a4_y = s4 * t32 - c4 * t33;
+    let [
+        t35, t36, t39, a4_y, t45, w4_y, w4_z, dw4_y,
+        t62, t63,
+    ] = {
+        let t35 = s2 * s4;
+        let t36 = s2 * c4;
+        let t39 = c4 * t32 - s4 * a3_y;
+        let a4_y = c4 * a3_y + s4 * t32;
+        let t45 = c4 * dq2 + s4 * t9;
+        let w4_y = s4 * dq2 - c4 * t9;
         let w4_z = w3_z + dq4;
-        let dw4_z = t19 + ddq4;
-        let t57 = w4_y * w4_z;
-        let dw4_x = c4 * t20 - s4 * t22 + t57;
-        let dw4_y = t37 * w4_z - (c4 * t22 + s4 * t20);
-        let t60 = dw4_z + t37 * w4_y;
-        let t61 = t57 + dw4_x;
-        [t37, w4_y, t43, a4_y, w4_z, dw4_y, t60, t61]
+        let dw4_z = ddq4 - dw2_y;
+        let t59 = w4_y * w4_z;
+        let dw4_x = c4 * t20 - s4 * t22 + t59;
+        let dw4_y = t45 * w4_z - (c4 * t22 + s4 * t20);
+        let t62 = dw4_z + t45 * w4_y;
+        let t63 = t59 + dw4_x;
+        [
+        t35, t36, t39, a4_y, t45, w4_y, w4_z, dw4_y,
+        t62, t63,
+    ]
     };
     // link 5: motion
     let [
-        t64, t67, t70, t73, w5_z, dw5_y, t89, t90,
-        t91,
+        t66, t69, t72, w5_y, w5_z, t90, t91, t92,
+        t93,
     ] = {
-        let t64 = c5 * t37 + s5 * w4_z;
-        let t67 = c5 * w4_z - s5 * t37;
-        let t70 = c5 * t43 + s5 * a3_z;
-        let t73 = s5 * t43 - c5 * a3_z;
+        let t66 = c5 * t39 + s5 * a3_z;
+        let t69 = c5 * a3_z - s5 * t39;
+        let t72 = c5 * t45 + s5 * w4_z;
+        let w5_y = s5 * t45 - c5 * w4_z;
         let w5_z = w4_y + dq5;
         let dw5_z = dw4_y + ddq5;
-        let t86 = t67 * w5_z;
-        let dw5_y = t64 * w5_z - (c5 * t60 + s5 * t61);
-        let t89 = dw5_z - t64 * t67;
-        let t90 = t64 * t64 + w5_z * w5_z;
-        let t91 = t86 + (s5 * t60 - c5 * t61 + t86);
+        let t88 = w5_y * w5_z;
+        let dw5_x = c5 * t63 - s5 * t62 + t88;
+        let t90 = c5 * t62 + s5 * t63 - t72 * w5_z;
+        let t91 = dw5_z + t72 * w5_y;
+        let t92 = t72 * t72 + w5_z * w5_z;
+        let t93 = t88 + dw5_x;
         [
-        t64, t67, t70, t73, w5_z, dw5_y, t89, t90,
-        t91,
+        t66, t69, t72, w5_y, w5_z, t90, t91, t92,
+        t93,
     ]
     };
     // link 6: motion
     let [
-        t102, t106, a6_y, t112, t115, dw6_z, t120, t121,
-        t122, dw6_x, dw6_y, t125, t126, t127, t128, t129,
-        t130, t131,
+        t98, t102, a6_y, t114, t117, dw6_z, t122, t123,
+        t124, dw6_x, dw6_y, t127, t128, t129, t130, t131,
+        t132, t133,
     ] = {
-        let w6_x = s6 * w5_z - c6 * t64;
-        let w6_y = c6 * w5_z + s6 * t64;
-        let t101 = t70 - D6 * t89;
-        let t102 = t73 + D6 * t90;
-        let t103 = a4_y + D6 * t91;
-        let t106 = c6 * t101 - s6 * t103;
-        let a6_y = c6 * t103 + s6 * t101;
-        let t112 = c6 * t89 + s6 * t91;
-        let t115 = s6 * t89 - c6 * t91;
-        let w6_z = t67 + dq6;
-        let dw6_z = ddq6 - dw5_y;
-        let t118 = w6_x * w6_x;
-        let t119 = w6_z * w6_z;
-        let t120 = w6_x * w6_y;
-        let t121 = w6_x * w6_z;
-        let t122 = w6_y * w6_z;
-        let dw6_x = t115 + t122;
-        let dw6_y = t112 - t121;
-        let t125 = t119 - t118;
-        let t126 = t90 + t125;
-        let t127 = dw6_z - t120;
-        let t128 = dw6_z + t120;
-        let t129 = t118 + t119;
-        let t130 = t121 - dw6_y;
-        let t131 = t122 + dw6_x;
+        let t97 = t66 - D6 * t91;
+        let t98 = D6 * t92 - t69;
+        let t99 = a4_y - D6 * t93;
+        let t102 = c6 * t97 - s6 * t99;
+        let a6_y = c6 * t99 + s6 * t97;
+        let w6_x = s6 * w5_z - c6 * t72;
+        let w6_y = c6 * w5_z + s6 * t72;
+        let t114 = c6 * t91 - s6 * t93;
+        let t117 = c6 * t93 + s6 * t91;
+        let w6_z = dq6 - w5_y;
+        let dw6_z = t90 + ddq6;
+        let t120 = w6_x * w6_x;
+        let t121 = w6_z * w6_z;
+        let t122 = w6_x * w6_y;
+        let t123 = w6_x * w6_z;
+        let t124 = w6_y * w6_z;
+        let dw6_x = t117 + t124;
+        let dw6_y = t114 - t123;
+        let t127 = t121 - t120;
+        let t128 = t92 + t127;
+        let t129 = t122 - dw6_z;
+        let t130 = dw6_z + t122;
+        let t131 = t120 + t121;
+        let t132 = dw6_y - t123;
+        let t133 = t124 + dw6_x;
         put(44, a6_y); // row 6, MSX
-        put(45, t106); // row 6, MSY
-        put(47, t120); // row 6, YY
+        put(45, t102); // row 6, MSY
+        put(47, t122); // row 6, YY
         put(48, dw6_z); // row 6, ZZ
-        put(50, t115); // row 6, XZ
-        put(51, t112); // row 6, YZ
+        put(50, t117); // row 6, XZ
+        put(51, t114); // row 6, YZ
         [
-        t102, t106, a6_y, t112, t115, dw6_z, t120, t121,
-        t122, dw6_x, dw6_y, t125, t126, t127, t128, t129,
-        t130, t131,
+        t98, t102, a6_y, t114, t117, dw6_z, t122, t123,
+        t124, dw6_x, dw6_y, t127, t128, t129, t130, t131,
+        t132, t133,
     ]
     };
     // joint axes in frame 2
-    let [t132, v1_2_y] = {
-        let t132 = c2 * D2;
+    let [t134, v1_2_y] = {
+        let t134 = c2 * D2;
         let v1_2_y = s2 * D2;
-        [t132, v1_2_y]
+        [t134, v1_2_y]
     };
     // joint axes in frame 4
-    let [t134, t135, t136, t137] = {
-        let t134 = s2 * s4;
-        let t135 = s2 * c4;
-        let t136 = s4 * t132;
-        let t137 = c4 * t132;
-        [t134, t135, t136, t137]
+    let [t136, t137] = {
+        let t136 = s4 * t134;
+        let t137 = c4 * t134;
+        [t136, t137]
     };
     // payload: column M
     let [t140, t143, t145] = {
-        let t140 = c6 * t106 + s6 * a6_y;
-        let t143 = c6 * a6_y - s6 * t106;
+        let t140 = c6 * t102 + s6 * a6_y;
+        let t143 = c6 * a6_y - s6 * t102;
         let t144 = D6 * t143;
         let t145 = D6 * t140;
-        let t148 = c5 * t140 + s5 * t102;
-        let t151 = s5 * t140 - c5 * t102;
+        let t148 = c5 * t140 + s5 * t98;
+        let t151 = s5 * t140 - c5 * t98;
         let t153 = s5 * t144;
         let t156 = c5 * t144 + q3 * t143;
         let t157 = t145 + q3 * t148;
-        let t167 = v1_2_y * t151 - (t136 * t148 - t137 * t143);
-        let t168 = c2 * t153 + (t134 * t156 + t135 * t157) - t167;
+        let t167 = t136 * t148 - t137 * t143 - v1_2_y * t151;
+        let t168 = c2 * t153 + (t35 * t156 + t36 * t157) + t167;
         let t171 = c4 * t156 - s4 * t157;
         put(0, t168); // row 1, M
         put(10, t171); // row 2, M
@@ -196,21 +212,21 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column MSX
     let [t173, t176, t178, t179] = {
-        let t173 = s6 * t128;
-        let t174 = c6 * t126 + t173;
-        let t176 = c6 * t128;
-        let t177 = t176 - s6 * t126;
-        let t178 = s6 * t102;
-        let t179 = c6 * t102;
+        let t173 = s6 * t130;
+        let t174 = c6 * t128 + t173;
+        let t176 = c6 * t130;
+        let t177 = t176 - s6 * t128;
+        let t178 = s6 * t98;
+        let t179 = c6 * t98;
         let t182 = t178 + D6 * t177;
         let t183 = t179 - D6 * t174;
-        let t186 = s5 * t130 - c5 * t174;
-        let t189 = s5 * t174 + c5 * t130;
+        let t186 = c5 * t174 + s5 * t132;
+        let t189 = s5 * t174 - c5 * t132;
         let t195 = s5 * t182 + c5 * a6_y;
-        let t198 = q3 * t177 - (s5 * a6_y - c5 * t182);
-        let t199 = t183 + q3 * t186;
-        let t209 = v1_2_y * t189 + (t136 * t186 + t137 * t177);
-        let t210 = c2 * t195 + (t134 * t198 - t135 * t199) - t209;
+        let t198 = c5 * t182 - s5 * a6_y + q3 * t177;
+        let t199 = t183 - q3 * t186;
+        let t209 = v1_2_y * t189 + (t137 * t177 - t136 * t186);
+        let t210 = c2 * t195 + (t35 * t198 - t36 * t199) - t209;
         let t213 = c4 * t198 + s4 * t199;
         put(1, t210); // row 1, MSX
         put(11, t213); // row 2, MSX
@@ -221,19 +237,19 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column MSY
     let [t214, t217] = {
-        let t214 = c6 * t127;
-        let t216 = s6 * t129 - t214;
-        let t217 = s6 * t127;
-        let t219 = t217 + c6 * t129;
-        let t222 = t179 - D6 * t219;
+        let t214 = c6 * t129;
+        let t216 = t214 + s6 * t131;
+        let t217 = s6 * t129;
+        let t219 = t217 - c6 * t131;
+        let t222 = t179 + D6 * t219;
         let t223 = D6 * t216 - t178;
-        let t226 = c5 * t216 + s5 * t131;
-        let t229 = c5 * t131 - s5 * t216;
-        let t235 = s5 * t222 + c5 * t106;
-        let t238 = c5 * t222 - s5 * t106 - q3 * t219;
+        let t226 = c5 * t216 + s5 * t133;
+        let t229 = c5 * t133 - s5 * t216;
+        let t235 = s5 * t222 + c5 * t102;
+        let t238 = c5 * t222 - s5 * t102 + q3 * t219;
         let t239 = t223 + q3 * t226;
-        let t249 = v1_2_y * t229 - (t137 * t219 - t136 * t226);
-        let t250 = c2 * t235 + (t134 * t238 - t135 * t239) - t249;
+        let t249 = v1_2_y * t229 + (t136 * t226 + t137 * t219);
+        let t250 = c2 * t235 + (t35 * t238 - t36 * t239) - t249;
         let t253 = c4 * t238 + s4 * t239;
         put(2, t250); // row 1, MSY
         put(12, t253); // row 2, MSY
@@ -244,17 +260,17 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column MSZ
     let t269 = {
-        let t256 = c6 * t112 + s6 * t115;
-        let t259 = s6 * t112 - c6 * t115;
+        let t256 = c6 * t114 + s6 * t117;
+        let t259 = s6 * t114 - c6 * t117;
         let t262 = t143 + D6 * t259;
         let t263 = D6 * t256 - t140;
-        let t266 = c5 * t256 - s5 * t90;
-        let t269 = s5 * t256 + c5 * t90;
+        let t266 = c5 * t256 - s5 * t92;
+        let t269 = s5 * t256 + c5 * t92;
         let t271 = s5 * t262;
         let t274 = c5 * t262 + q3 * t259;
         let t275 = t263 + q3 * t266;
         let t285 = v1_2_y * t269 - (t136 * t266 + t137 * t259);
-        let t286 = c2 * t271 - (t135 * t275 - t134 * t274) + t285;
+        let t286 = c2 * t271 + (t35 * t274 - t36 * t275) + t285;
         let t289 = c4 * t274 + s4 * t275;
         put(3, t286); // row 1, MSZ
         put(13, t289); // row 2, MSZ
@@ -264,15 +280,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column XX
     let [t291, t294, t297, t300] = {
-        let t291 = s6 * t121;
+        let t291 = s6 * t123;
         let t292 = t291 - c6 * dw6_x;
-        let t294 = c6 * t121;
+        let t294 = c6 * t123;
         let t295 = s6 * dw6_x + t294;
-        let t297 = s5 * t120;
+        let t297 = s5 * t122;
         let t298 = c5 * t292 + t297;
-        let t300 = c5 * t120;
+        let t300 = c5 * t122;
         let t301 = s5 * t292 - t300;
-        let t306 = c2 * t301 - (t135 * t295 - t134 * t298);
+        let t306 = c2 * t301 + (t35 * t298 - t36 * t295);
         let t309 = c4 * t298 + s4 * t295;
         put(4, t306); // row 1, XX
         put(14, t309); // row 2, XX
@@ -282,13 +298,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column YY
     let [t310, t313] = {
-        let t310 = c6 * t122;
+        let t310 = c6 * t124;
         let t312 = t310 + s6 * dw6_y;
-        let t313 = s6 * t122;
+        let t313 = s6 * t124;
         let t315 = c6 * dw6_y - t313;
         let t317 = c5 * t312 - t297;
         let t319 = t300 + s5 * t312;
-        let t324 = c2 * t319 + (t134 * t317 - t135 * t315);
+        let t324 = c2 * t319 + (t35 * t317 - t36 * t315);
         let t327 = c4 * t317 + s4 * t315;
         put(5, t324); // row 1, YY
         put(15, t327); // row 2, YY
@@ -302,9 +318,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t329 = t313 - t294;
         let t332 = c5 * t328 + s5 * dw6_z;
         let t335 = c5 * dw6_z - s5 * t328;
-        let t340 = c2 * t335 - (t134 * t332 + t135 * t329);
+        let t340 = c2 * t335 - (t35 * t332 + t36 * t329);
         let t343 = s4 * t329 - c4 * t332;
-        let t344 = t129 - t126;
+        let t344 = t131 - t128;
         put(6, t340); // row 1, ZZ
         put(16, t343); // row 2, ZZ
         put(30, t335); // row 4, ZZ
@@ -314,12 +330,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // payload: column XY
     {
-        let t347 = c6 * t130 + s6 * t131;
-        let t350 = c6 * t131 - s6 * t130;
-        let t353 = c5 * t347 - s5 * t344;
-        let t356 = s5 * t347 + c5 * t344;
-        let t361 = c2 * t356 - (t135 * t350 - t134 * t353);
-        let t364 = c4 * t353 + s4 * t350;
+        let t347 = c6 * t132 - s6 * t133;
+        let t350 = s6 * t132 + c6 * t133;
+        let t353 = c5 * t347 + s5 * t344;
+        let t356 = c5 * t344 - s5 * t347;
+        let t361 = c2 * t356 - (t35 * t353 + t36 * t350);
+        let t364 = s4 * t350 - c4 * t353;
         put(7, t361); // row 1, XY
         put(17, t364); // row 2, XY
         put(31, t356); // row 4, XY
@@ -327,13 +343,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // payload: column XZ
     let t383 = {
-        let t366 = s6 * t125 - t176;
-        let t368 = t173 + c6 * t125;
-        let t371 = s5 * t115 - c5 * t366;
-        let t374 = s5 * t366 + c5 * t115;
-        let t379 = c2 * t374 - (t134 * t371 + t135 * t368);
+        let t366 = t176 - s6 * t127;
+        let t368 = t173 + c6 * t127;
+        let t371 = c5 * t366 + s5 * t117;
+        let t374 = c5 * t117 - s5 * t366;
+        let t379 = c2 * t374 - (t35 * t371 + t36 * t368);
         let t382 = s4 * t368 - c4 * t371;
-        let t383 = t129 - t90;
+        let t383 = t92 - t131;
         put(8, t379); // row 1, XZ
         put(18, t382); // row 2, XZ
         put(32, t374); // row 4, XZ
@@ -343,14 +359,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // payload: column YZ
     {
         let t385 = t217 + c6 * t383;
-        let t387 = t214 - s6 * t383;
-        let t390 = c5 * t385 - s5 * t112;
-        let t393 = s5 * t385 + c5 * t112;
-        let t398 = c2 * t393 - (t135 * t387 - t134 * t390);
-        let t401 = c4 * t390 + s4 * t387;
+        let t387 = s6 * t383 - t214;
+        let t390 = c5 * t385 + s5 * t114;
+        let t393 = c5 * t114 - s5 * t385;
+        let t398 = c2 * t393 - (t35 * t390 + t36 * t387);
+        let t401 = s4 * t387 - c4 * t390;
         let t402 = -t269;
         let t403 = -t145;
-        let t404 = -t120;
+        let t404 = -t122;
         put(9, t398); // row 1, YZ
         put(19, t401); // row 2, YZ
         put(23, t402); // row 3, MSZ

@@ -19,7 +19,22 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Potential energy, one entry per standard parameter: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 66]) {
-    out.fill(S::default());
+    let flat = &mut out[..];
+    flat[1] = S::default();
+    flat[3..10].fill(S::default());
+    flat[12] = S::default();
+    flat[14..20].fill(S::default());
+    flat[21] = S::default();
+    flat[24..30].fill(S::default());
+    flat[34..40].fill(S::default());
+    flat[44..50].fill(S::default());
+    flat[54..66].fill(S::default());
+    nonzeros(trig, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [S; 66]) {
     entries(trig, |k, x| {
         out[PATTERN[k].0] = x;
     });

@@ -1,7 +1,7 @@
 //! Turns of three axes that make a rotation, `R1 R2 R3 = R`.
 
 use super::real::root;
-use super::subproblem::{FREE, tilt, towards};
+use super::subproblem::{FREE, NARROW, doubt, tilt, towards};
 use super::vector::{Matrix, Turn, Vector, beside, cross, dot, product, times, transposed};
 
 /// Three axes, and a basis with each of the outer ones (columns; the axis is the last).
@@ -14,7 +14,8 @@ pub(super) struct Three {
     square: Option<Turn>,
 }
 
-/// Both answers, the second after the sign of a square root; bit 0: the first joint is free, bit 1: the second.
+/// Both answers, the second after the sign of a square root; bit 0: the first joint is free, bit 1: the second;
+/// bit 7: [`super::subproblem::DOUBT`].
 pub(super) type Turns = [([Turn; 3], u8); 2];
 
 impl Three {
@@ -48,7 +49,7 @@ impl Three {
         // The second row of what the first turn leaves: well known in a singularity, too.
         let row = |k: usize| first.c * m[1][k] - first.s * m[0][k];
         let third = Turn { c: row(1), s: row(0) };
-        let free = u8::from(sine < FREE);
+        let free = u8::from(sine < FREE) | doubt(sine < NARROW);
         let one = [first, Turn { c: cosine, s: sine }.then(together), third];
         let second = Turn { c: cosine, s: -sine }.then(together);
         let half = |t: Turn| Turn { c: -t.c, s: -t.s };
@@ -71,6 +72,7 @@ impl Three {
             // The product of two small distances from the axis: both are about `sine`.
             let (first, free) =
                 if known > 1e-28 { (turn, if known < FREE * FREE { 1u8 } else { 0 }) } else { (near, 1) };
+            let free = free | doubt(pair.narrow || known < NARROW * NARROW);
             let back = second.back().about(h[1], first.back().about(h[0], image));
             ([first, second, towards(h[2], side, back).0], free | u8::from(pair.free) << 1)
         })

@@ -5,7 +5,7 @@ use super::list::List;
 use super::pose::Displacement;
 use super::real::root;
 use super::solution::Branch;
-use super::subproblem::{reach, towards};
+use super::subproblem::{FREE, NARROW, doubt, reach, towards};
 use super::vector::{Turn, Vector, add, beside, dot, norm, scale, sub, times};
 
 /// Three joints in the plane across `h`, and perhaps one that slides out of it.
@@ -26,6 +26,8 @@ pub(super) struct FoundPlane {
     pub values: [Value; 3],
     pub lift: Value,
     pub branch: Branch,
+    /// Like that of a place: which of the three are free, and the doubt.
+    pub free: u8,
 }
 
 type Finds = List<FoundPlane, 2>;
@@ -33,7 +35,8 @@ type Finds = List<FoundPlane, 2>;
 impl Plane {
     /// All answers; where there is none, the nearest ones.
     pub(super) fn solve(&self, g: &Displacement, near: &[Value; 3]) -> Finds {
-        let mut finds = List::new(FoundPlane { values: [Value::ZERO; 3], lift: Value::ZERO, branch: Branch::NONE });
+        let mut finds =
+            List::new(FoundPlane { values: [Value::ZERO; 3], lift: Value::ZERO, branch: Branch::NONE, free: 0 });
         let (mut axes, mut goal, mut lift) = (self.axes, *g, Value::ZERO);
         if let Some((axis, _, before)) = self.lift {
             let x = axes[0].c;
@@ -49,15 +52,19 @@ impl Plane {
         }
         let side = beside(self.h);
         let (sum, _) = towards(self.h, side, times(&g.rotation, side));
-        for (i, values) in self.turns(&axes, &goal, sum, near).iter().enumerate() {
+        for (i, (values, free)) in self.turns(&axes, &goal, sum, near).iter().enumerate() {
             let elbow = if i == 0 { 1 } else { -1 };
-            finds.push(FoundPlane { values: *values, lift, branch: Branch { elbow, ..Branch::NONE } });
+            finds.push(FoundPlane { values: *values, lift, branch: Branch { elbow, ..Branch::NONE }, free: *free });
         }
         finds
     }
 
-    fn turns(&self, axes: &[Axis; 3], g: &Displacement, sum: Turn, near: &[Value; 3]) -> List<[Value; 3], 2> {
-        let mut found = List::new([Value::ZERO; 3]);
+    fn turns(&self, axes: &[Axis; 3], g: &Displacement, sum: Turn, near: &[Value; 3]) -> List<([Value; 3], u8), 2> {
+        let mut found = List::new(([Value::ZERO; 3], 0));
+        // What a direction of length `sqrt(known / size)` tells, and whether anything.
+        let loose = |joint: u8, known: f64, size: f64| {
+            u8::from(!(known > FREE * FREE * size)) << joint | doubt(!(known > NARROW * NARROW * size))
+        };
         let [one, two, three] = axes;
         // Angles are counted about each joint's own axis.
         let own = |axis: &Axis, t: Turn| Value::turn(if dot(axis.h, self.h) < 0.0 { t.back() } else { t });
@@ -66,6 +73,8 @@ impl Plane {
             [false, false, false] => {
                 let goal = g.point(three.c);
                 let to = sub(goal, one.c);
+                let (upper, fore) = (sub(two.c, one.c), sub(three.c, two.c));
+                let size2 = dot(upper, upper) + dot(fore, fore);
                 let pair = reach(two, three.c, one.c, dot(to, to));
                 for second in pair.both {
                     let second = if pair.blind { near[1] } else { Value::turn(second) };
@@ -73,7 +82,8 @@ impl Plane {
                     let (first, known) = towards(one.h, arm, to);
                     let first = if known > 1e-26 { Value::turn(first) } else { near[0] };
                     let third = sum.then(common(one, first).back()).then(common(two, second).back());
-                    found.push([first, second, own(three, third)]);
+                    let free = loose(0, known, size2) | u8::from(pair.free) << 1 | doubt(pair.narrow);
+                    found.push(([first, second, own(three, third)], free));
                 }
             }
             [false, true, false] => {
@@ -84,29 +94,32 @@ impl Plane {
                     let (first, known) = towards(one.h, arm, to);
                     let first = if known > 1e-26 { Value::turn(first) } else { near[0] };
                     let third = sum.then(common(one, first).back());
-                    found.push([first, Value::way(way), own(three, third)]);
+                    let free = loose(0, known, dot(three.c, three.c) + dot(one.c, one.c));
+                    found.push(([first, Value::way(way), own(three, third)], free));
                 }
             }
             [true, false, false] => {
                 // E2 c3 = G c3 - h1 t
                 let goal = g.point(three.c);
-                for way in ways(sub(goal, two.c), scale(-1.0, one.h), norm(sub(three.c, two.c))) {
+                let length2 = dot(sub(three.c, two.c), sub(three.c, two.c));
+                for way in ways(sub(goal, two.c), scale(-1.0, one.h), root(length2)) {
                     let to = sub(one.point(Value::way(-way), goal), two.c);
                     let (second, known) = towards(two.h, sub(three.c, two.c), to);
                     let second = if known > 1e-26 { Value::turn(second) } else { near[1] };
                     let third = sum.then(common(two, second).back());
-                    found.push([Value::way(way), second, own(three, third)]);
+                    found.push(([Value::way(way), second, own(three, third)], loose(1, known, length2)));
                 }
             }
             [false, false, true] => {
                 // E2' E1' c1 = E3 G' c1: c1 - h1.. taken from the far end.
                 let goal = g.back(one.c);
-                for way in ways(sub(goal, two.c), three.h, norm(sub(one.c, two.c))) {
+                let length2 = dot(sub(one.c, two.c), sub(one.c, two.c));
+                for way in ways(sub(goal, two.c), three.h, root(length2)) {
                     let to = sub(three.point(Value::way(way), goal), two.c);
                     let (back, known) = towards(two.h, sub(one.c, two.c), to);
                     let second = if known > 1e-26 { Value::turn(back.back()) } else { near[1] };
                     let first = sum.then(common(two, second).back());
-                    found.push([own(one, first), second, Value::way(way)]);
+                    found.push(([own(one, first), second, Value::way(way)], loose(1, known, length2)));
                 }
             }
             slides => {
@@ -136,7 +149,7 @@ impl Plane {
                 let d = 1.0 - c * c;
                 values[i] = Value::way((yi - c * yj) / d);
                 values[j] = Value::way((yj - c * yi) / d);
-                found.push(values);
+                found.push((values, 0));
             }
         }
         found

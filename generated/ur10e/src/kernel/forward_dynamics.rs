@@ -2,7 +2,7 @@
 //!
 //! `ddq = M^-1 (tau - C dq - g - friction)`, rad/s^2, from the base parameters; `M = L D L'` written out.
 //!
-//! 517 multiplications, 443 additions; 6, 6 of 6 structurally nonzero.
+//! 514 multiplications, 420 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, BASE, Trig};
@@ -208,323 +208,311 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         t310
     };
     // link 2: motion
-    let [
-        w2_x, w2_y, a2_x, a2_y, t317, t318, dw2_x, t320,
-        t321, t322, t323, t324,
-    ] = {
-        let w2_x = s2 * dq1;
-        let w2_y = c2 * dq1;
+    let [a2_x, a2_y, t316, t317, t320, t321] = {
         let a2_x = s2 * k5;
         let a2_y = c2 * k5;
-        let t315 = w2_x * w2_x;
+        let w2_x = s2 * dq1;
+        let w2_y = c2 * dq1;
         let t316 = dq2 * dq2;
         let t317 = w2_x * w2_y;
         let t318 = dq2 * w2_x;
-        let dw2_x = dq2 * w2_y;
-        let t320 = t315 - t316;
-        let t321 = t320 - t310;
-        let t322 = t315 + t316;
-        let t323 = t318 + t318;
-        let t324 = dw2_x + dw2_x;
-        [
-        w2_x, w2_y, a2_x, a2_y, t317, t318, dw2_x, t320,
-        t321, t322, t323, t324,
-    ]
+        let t320 = w2_x * w2_x - t316 - t310;
+        let t321 = t318 + t318;
+        [a2_x, a2_y, t316, t317, t320, t321]
     };
     // link 3: motion
     let [
-        w3_x, w3_y, t333, a3_x, a3_y, w3_z, t345, t346,
-        dw3_x, t348, t349, t350, t351, t352,
+        t324, t327, w3_z, t331, a3_x, a3_y, t343, t344,
+        t348, t349, t350, t351,
     ] = {
-        let w3_x = c3 * w2_x + s3 * w2_y;
-        let w3_y = c3 * w2_y - s3 * w2_x;
-        let t333 = k4 * t323;
-        let t334 = a2_x - k4 * t321;
-        let t335 = a2_y - k4 * t317;
-        let a3_x = c3 * t334 + s3 * t335;
-        let a3_y = c3 * t335 - s3 * t334;
+        let t324 = s2 * c3 + c2 * s3;
+        let t327 = c2 * c3 - s2 * s3;
         let w3_z = dq2 + dq3;
-        let t343 = w3_x * w3_x;
-        let t344 = w3_z * w3_z;
-        let t345 = w3_x * w3_y;
-        let t346 = w3_x * w3_z;
-        let dw3_x = w3_y * w3_z;
-        let t348 = t343 - t344;
-        let t349 = t348 - t310;
-        let t350 = t343 + t344;
-        let t351 = t346 + t346;
-        let t352 = dw3_x + dw3_x;
+        let t331 = k4 * t321;
+        let t332 = a2_x - k4 * t320;
+        let t333 = a2_y - k4 * t317;
+        let a3_x = c3 * t332 + s3 * t333;
+        let a3_y = c3 * t333 - s3 * t332;
+        let w3_x = dq1 * t324;
+        let w3_y = dq1 * t327;
+        let t342 = w3_x * w3_x;
+        let t343 = w3_z * w3_z;
+        let t344 = w3_x * w3_y;
+        let t345 = w3_z * w3_x;
+        let dw3_x = w3_z * w3_y;
+        let t348 = t342 - t343 - t310;
+        let t349 = t342 + t343;
+        let t350 = t345 + t345;
+        let t351 = dw3_x + dw3_x;
         [
-        w3_x, w3_y, t333, a3_x, a3_y, w3_z, t345, t346,
-        dw3_x, t348, t349, t350, t351, t352,
+        t324, t327, w3_z, t331, a3_x, a3_y, t343, t344,
+        t348, t349, t350, t351,
     ]
     };
     // link 4: motion
     let [
-        w4_x, w4_y, a4_x, a4_y, t372, w4_z, t376, dw5_z,
-        dw4_x, t379, t380, t381, t382, t383,
+        t354, t357, w4_z, a4_x, a4_y, t372, w4_x, w4_y,
+        t376, t377, dw5_z, t381, t382, t383, t384,
     ] = {
-        let w4_x = c4 * w3_x + s4 * w3_y;
-        let w4_y = c4 * w3_y - s4 * w3_x;
-        let t362 = a3_x - k3 * t349;
-        let t363 = a3_y - k3 * t345;
+        let t354 = c4 * t324 + s4 * t327;
+        let t357 = c4 * t327 - s4 * t324;
+        let w4_z = w3_z + dq4;
+        let t362 = a3_x - k3 * t348;
+        let t363 = a3_y - k3 * t344;
         let a4_x = c4 * t362 + s4 * t363;
         let a4_y = c4 * t363 - s4 * t362;
-        let t372 = t333 + (k3 * t351 + D4 * t310);
-        let w4_z = w3_z + dq4;
-        let t374 = w4_x * w4_x;
-        let t375 = w4_z * w4_z;
-        let t376 = w4_x * w4_y;
-        let dw5_z = w4_x * w4_z;
-        let dw4_x = w4_y * w4_z;
-        let t379 = t374 - t375;
-        let t380 = t379 - t310;
-        let t381 = t374 + t375;
-        let t382 = dw5_z + dw5_z;
-        let t383 = dw4_x + dw4_x;
+        let t372 = t331 + (k3 * t350 + D4 * t310);
+        let w4_x = dq1 * t354;
+        let w4_y = dq1 * t357;
+        let t375 = w4_x * w4_x;
+        let t376 = w4_z * w4_z;
+        let t377 = w4_x * w4_y;
+        let dw5_z = w4_z * w4_x;
+        let dw4_x = w4_z * w4_y;
+        let t381 = t375 - t376 - t310;
+        let t382 = t375 + t376;
+        let t383 = dw5_z + dw5_z;
+        let t384 = dw4_x + dw4_x;
         [
-        w4_x, w4_y, a4_x, a4_y, t372, w4_z, t376, dw5_z,
-        dw4_x, t379, t380, t381, t382, t383,
+        t354, t357, w4_z, a4_x, a4_y, t372, w4_x, w4_y,
+        t376, t377, dw5_z, t381, t382, t383, t384,
     ]
     };
     // link 5: motion
     let [
-        w5_x, w5_y, t394, a5_x, t401, t404, t407, w5_z,
-        t411, t412, t413, dw5_x, t415, t416, t417, t418,
-        t419, t420, t421, t422,
+        t389, a5_x, t396, w5_x, w5_y, t405, t408, w5_z,
+        t412, t413, t414, dw5_x, t416, t417, t418, t419,
+        t420, t421, t422, t423,
     ] = {
+        let t388 = a4_x - D5 * t377;
+        let t389 = a4_y + D5 * t382;
+        let t390 = t372 + D5 * t384;
+        let a5_x = c5 * t388 - s5 * t390;
+        let t396 = c5 * t390 + s5 * t388;
         let w5_x = c5 * w4_x + s5 * w4_z;
         let w5_y = c5 * w4_z - s5 * w4_x;
-        let t393 = a4_x - D5 * t376;
-        let t394 = a4_y + D5 * t381;
-        let t395 = t372 + D5 * t383;
-        let a5_x = c5 * t393 - s5 * t395;
-        let t401 = c5 * t395 + s5 * t393;
-        let t404 = c5 * t376 + s5 * t383;
-        let t407 = s5 * t376 - c5 * t383;
+        let t405 = c5 * t377 + s5 * t384;
+        let t408 = s5 * t377 - c5 * t384;
         let w5_z = dq5 - w4_y;
-        let t409 = w5_x * w5_x;
-        let t410 = w5_z * w5_z;
-        let t411 = w5_x * w5_y;
-        let t412 = w5_x * w5_z;
-        let t413 = w5_y * w5_z;
-        let dw5_x = t413 - t407;
-        let t415 = t404 + t412;
-        let t416 = t409 - t410;
-        let t417 = t416 - t381;
-        let t418 = t411 - dw5_z;
-        let t419 = dw5_z + t411;
-        let t420 = t409 + t410;
-        let t421 = t412 + t415;
-        let t422 = t413 + dw5_x;
+        let t410 = w5_x * w5_x;
+        let t411 = w5_z * w5_z;
+        let t412 = w5_x * w5_y;
+        let t413 = w5_x * w5_z;
+        let t414 = w5_y * w5_z;
+        let dw5_x = t414 - t408;
+        let t416 = t405 + t413;
+        let t417 = t410 - t411;
+        let t418 = t417 - t382;
+        let t419 = t412 - dw5_z;
+        let t420 = dw5_z + t412;
+        let t421 = t410 + t411;
+        let t422 = t413 + t416;
+        let t423 = t414 + dw5_x;
         [
-        w5_x, w5_y, t394, a5_x, t401, t404, t407, w5_z,
-        t411, t412, t413, dw5_x, t415, t416, t417, t418,
-        t419, t420, t421, t422,
+        t389, a5_x, t396, w5_x, w5_y, t405, t408, w5_z,
+        t412, t413, t414, dw5_x, t416, t417, t418, t419,
+        t420, t421, t422, t423,
     ]
     };
     // link 6: motion
     let [
-        t433, a6_x, t440, t443, t446, t450, t451, t452,
-        dw6_x, t455, t456, t457, t458, t459, t460, t461,
+        t426, t429, t438, t441, t445, t446, t447, dw6_x,
+        t450, t451, t452, t453, t454, t455, t456,
     ] = {
+        let t426 = c6 * a5_x + s6 * t389;
+        let t429 = c6 * t389 - s6 * a5_x;
         let w6_x = c6 * w5_x - s6 * w5_z;
-        let t428 = c6 * w5_z + s6 * w5_x;
-        let t432 = a5_x + D6 * t418;
-        let t433 = t401 + D6 * t420;
-        let t434 = D6 * t422 - t394;
-        let a6_x = c6 * t432 - s6 * t434;
-        let t440 = c6 * t434 + s6 * t432;
-        let t443 = c6 * t418 - s6 * t422;
-        let t446 = c6 * t422 + s6 * t418;
+        let t435 = c6 * w5_z + s6 * w5_x;
+        let t438 = c6 * t419 - s6 * t423;
+        let t441 = c6 * t423 + s6 * t419;
         let w6_z = w5_y + dq6;
-        let t448 = w6_x * w6_x;
-        let t449 = w6_z * w6_z;
-        let t450 = w6_x * t428;
-        let t451 = w6_x * w6_z;
-        let t452 = t428 * w6_z;
-        let dw6_x = t446 - t452;
-        let dw6_y = t443 - t451;
-        let t455 = t448 - t449;
-        let t456 = t455 - t420;
-        let t457 = t415 - t450;
-        let t458 = t415 + t450;
-        let t459 = t448 + t449;
-        let t460 = t451 - dw6_y;
-        let t461 = dw6_x - t452;
+        let t443 = w6_x * w6_x;
+        let t444 = w6_z * w6_z;
+        let t445 = w6_x * t435;
+        let t446 = w6_x * w6_z;
+        let t447 = t435 * w6_z;
+        let dw6_x = t441 - t447;
+        let dw6_y = t438 - t446;
+        let t450 = t443 - t444;
+        let t451 = t450 - t421;
+        let t452 = t416 - t445;
+        let t453 = t416 + t445;
+        let t454 = t443 + t444;
+        let t455 = t446 - dw6_y;
+        let t456 = dw6_x - t447;
         [
-        t433, a6_x, t440, t443, t446, t450, t451, t452,
-        dw6_x, t455, t456, t457, t458, t459, t460, t461,
+        t426, t429, t438, t441, t445, t446, t447, dw6_x,
+        t450, t451, t452, t453, t454, t455, t456,
     ]
     };
     // link 6: force and moment
-    let [f6_z, n6_z, t509, t512, t521, t522] = {
-        let t482 = XX6R * t450 - ZZ6 * t415 + XY6 * (t456 + t459) + XZ6 * t446;
-        let t484 = YZ6 * (t420 - t459);
-        let t487 = XX6R * dw6_x - ZZ6 * t452 - XY6 * t460 - XZ6 * t458 + t484;
-        let t488 = t451 * (XX6R - ZZ6) + XY6 * t461 - XZ6 * t455 - YZ6 * t457;
-        let f6_x = MSX6 * t456 + MSY6 * t457;
-        let t495 = MSX6 * t458 + MSY6 * t459;
-        let f6_z = MSX6 * t460 + MSY6 * t461;
-        let n6_x = t487 - MSY6 * t433;
-        let n6_y = t488 + MSX6 * t433;
-        let n6_z = t482 + YZ6 * t443 - (MSX6 * t440 + MSY6 * a6_x);
-        let t509 = c6 * f6_x + s6 * t495;
-        let t512 = s6 * f6_x - c6 * t495;
-        let t521 = c6 * n6_x - s6 * n6_y - D6 * t512;
-        let t522 = s6 * n6_x + c6 * n6_y + D6 * t509;
-        [f6_z, n6_z, t509, t512, t521, t522]
+    let [f6_z, n6_z, t508, t511, t514, t517] = {
+        let t458 = XZ6 - D6 * MSX6;
+        let t460 = YZ6 - D6 * MSY6;
+        let t481 = XX6R * t445 - ZZ6 * t416 + XY6 * (t451 + t454) + t441 * t458;
+        let t483 = t460 * (t421 - t454);
+        let t486 = XX6R * dw6_x - ZZ6 * t447 - XY6 * t455 - t453 * t458 + t483;
+        let t487 = t446 * (XX6R - ZZ6) + XY6 * t456 - t450 * t458 - t452 * t460;
+        let f6_x = MSX6 * t451 + MSY6 * t452;
+        let t494 = MSX6 * t453 + MSY6 * t454;
+        let f6_z = MSX6 * t455 + MSY6 * t456;
+        let n6_x = t486 - MSY6 * t396;
+        let n6_y = t487 + MSX6 * t396;
+        let n6_z = t481 + t438 * t460 + (MSX6 * t429 - MSY6 * t426);
+        let t508 = c6 * f6_x + s6 * t494;
+        let t511 = s6 * f6_x - c6 * t494;
+        let t514 = c6 * n6_x - s6 * n6_y;
+        let t517 = s6 * n6_x + c6 * n6_y;
+        [f6_z, n6_z, t508, t511, t514, t517]
     };
     // link 5: force and moment
-    let [f5_z, n5_z, t576, t579, t588, t589] = {
-        let t543 = ZZ5R * dw5_z - XX5R * t411 + XY5 * (t417 + t420) - XZ5 * t407;
-        let t545 = YZ5 * (t381 - t420);
-        let t548 = ZZ5R * t413 + XX5R * dw5_x - XY5 * t421 + XZ5 * t419 + t545;
-        let t549 = t412 * (XX5R - ZZ5R) + XY5 * t422 - XZ5 * t416 - YZ5 * t418;
-        let f5_x = t509 + (MSX5 * t417 + MSY5R * t418);
-        let f5_y = f6_z + (MSX5 * t419 - MSY5R * t420);
-        let f5_z = MSX5 * t421 + MSY5R * t422 - t512;
-        let n5_x = t521 + (t548 - MSY5R * t394);
-        let n5_y = n6_z + (t549 + MSX5 * t394);
-        let n5_z = t543 - YZ5 * t404 - (MSX5 * t401 + MSY5R * a5_x) - t522;
-        let t576 = c5 * f5_x - s5 * f5_y;
-        let t579 = s5 * f5_x + c5 * f5_y;
-        let t588 = c5 * n5_x - s5 * n5_y - D5 * t579;
-        let t589 = s5 * n5_x + c5 * n5_y + D5 * t576;
-        [f5_z, n5_z, t576, t579, t588, t589]
+    let [f5_z, n5_z, t571, t574, t583, t584] = {
+        let t538 = ZZ5R * dw5_z - XX5R * t412 + XY5 * (t418 + t421) - XZ5 * t408;
+        let t540 = YZ5 * (t382 - t421);
+        let t543 = ZZ5R * t414 + XX5R * dw5_x - XY5 * t422 + XZ5 * t420 + t540;
+        let t544 = t413 * (XX5R - ZZ5R) + XY5 * t423 - XZ5 * t417 - YZ5 * t419;
+        let f5_x = t508 + (MSX5 * t418 + MSY5R * t419);
+        let f5_y = f6_z + (MSX5 * t420 - MSY5R * t421);
+        let f5_z = MSX5 * t422 + MSY5R * t423 - t511;
+        let n5_x = t514 + (t543 - MSY5R * t389);
+        let n5_y = n6_z + (t544 + MSX5 * t389);
+        let n5_z = t538 - YZ5 * t405 - (MSX5 * t396 + MSY5R * a5_x) - t517;
+        let t571 = c5 * f5_x - s5 * f5_y;
+        let t574 = s5 * f5_x + c5 * f5_y;
+        let t583 = c5 * n5_x - s5 * n5_y - D5 * t574;
+        let t584 = s5 * n5_x + c5 * n5_y + D5 * t571;
+        [f5_z, n5_z, t571, t574, t583, t584]
     };
     // link 4: force and moment
-    let [f4_z, n4_z, t636, t639, t651, t652, t653] = {
-        let t607 = YZ4 * (t310 - t381);
-        let t610 = dw5_z * (XX4R - ZZ4R) + XY4 * t383 - XZ4 * t379 - YZ4 * t376;
-        let t620 = MSY4R * t372;
-        let t625 = dw4_x * (XX4R + ZZ4R) - XY4 * t382 + XZ4 * t376 + t607 - t620;
-        let t627 = XY4 * (t380 + t381) - XX4R * t376 + (MSX4 * a4_y - MSY4R * a4_x);
-        let f4_x = t576 + (MSX4 * t380 + MSY4R * t376);
-        let f4_y = MSX4 * t376 - MSY4R * t381 - f5_z;
-        let f4_z = t579 + (MSX4 * t382 + MSY4R * t383);
-        let n4_x = t588 + t625;
-        let n4_y = t610 + MSX4 * t372 - n5_z;
-        let n4_z = t589 + t627;
-        let t636 = c4 * f4_x - s4 * f4_y;
-        let t639 = s4 * f4_x + c4 * f4_y;
-        let t651 = c4 * n4_x - s4 * n4_y - D4 * t639;
-        let t652 = s4 * n4_x + c4 * n4_y + (D4 * t636 + k3 * f4_z);
-        let t653 = n4_z - k3 * t639;
-        [f4_z, n4_z, t636, t639, t651, t652, t653]
+    let [t598, f4_z, n4_z, t623, t626, t638, t639, t640] = {
+        let t590 = t357 * (XX4R * t354 + t357 * (XY4 + XY4)) - XY4;
+        let t598 = (t590 + t590) * (dq1 * w4_z) + t376 * (XZ4 * t357 - YZ4 * t354);
+        let f4_x = t571 + (MSX4 * t381 + MSY4R * t377);
+        let f4_y = MSX4 * t377 - MSY4R * t382 - f5_z;
+        let f4_z = t574 + (MSX4 * t383 + MSY4R * t384);
+        let n4_x = t583 - MSY4R * t372;
+        let n4_y = MSX4 * t372 - n5_z;
+        let n4_z = t584 + (MSX4 * a4_y - MSY4R * a4_x) - t310 * t590;
+        let t623 = c4 * f4_x - s4 * f4_y;
+        let t626 = s4 * f4_x + c4 * f4_y;
+        let t638 = c4 * n4_x - s4 * n4_y - D4 * t626;
+        let t639 = s4 * n4_x + c4 * n4_y + (D4 * t623 + k3 * f4_z);
+        let t640 = n4_z - k3 * t626;
+        [t598, f4_z, n4_z, t623, t626, t638, t639, t640]
     };
     // link 3: force and moment
-    let [n3_z, t703, t709, t710] = {
-        let t671 = YZ3 * (t310 - t350);
-        let t674 = t346 * (XX3R - ZZ3R) + XY3 * t352 - XZ3R * t348 - YZ3 * t345;
-        let t684 = MSY3 * t333;
-        let t689 = dw3_x * (XX3R + ZZ3R) - XY3 * t351 + XZ3R * t345 + t671 - t684;
-        let t691 = XY3 * (t349 + t350) - XX3R * t345 + (MSX3R * a3_y - MSY3 * a3_x);
-        let f3_x = t636 + (MSX3R * t349 + MSY3 * t345);
-        let f3_y = t639 + (MSX3R * t345 - MSY3 * t350);
-        let f3_z = f4_z + (MSX3R * t351 + MSY3 * t352);
-        let n3_x = t651 + t689;
-        let n3_y = t652 + (t674 + MSX3R * t333);
-        let n3_z = t653 + t691;
-        let t703 = c3 * n3_x - s3 * n3_y;
-        let t709 = s3 * n3_x + c3 * n3_y + k4 * f3_z;
-        let t710 = n3_z - k4 * (s3 * f3_x + c3 * f3_y);
-        [n3_z, t703, t709, t710]
+    let [t656, n3_z, n2_x, n2_y, t690] = {
+        let t646 = t327 * (XX3R * t324 + t327 * (XY3 + XY3)) - XY3;
+        let t654 = (t646 + t646) * (dq1 * w3_z) + t343 * (XZ3R * t327 - YZ3 * t324);
+        let t656 = t598 + t654;
+        let f3_x = t623 + (MSX3R * t348 + MSY3 * t344);
+        let f3_y = t626 + (MSX3R * t344 - MSY3 * t349);
+        let f3_z = f4_z + (MSX3R * t350 + MSY3 * t351);
+        let n3_x = t638 - MSY3 * t331;
+        let n3_y = t639 + MSX3R * t331;
+        let n3_z = t640 + (MSX3R * a3_y - MSY3 * a3_x) - t310 * t646;
+        let n2_x = c3 * n3_x - s3 * n3_y;
+        let n2_y = s3 * n3_x + c3 * n3_y + k4 * f3_z;
+        let t690 = n3_z - k4 * (s3 * f3_x + c3 * f3_y);
+        [t656, n3_z, n2_x, n2_y, t690]
     };
     // link 2: force and moment
-    let [n2_z, n1_z] = {
-        let t728 = YZ2 * (t310 - t322);
-        let t731 = t318 * (XX2R - ZZ2R) + XY2 * t324 - XZ2R * t320 - YZ2 * t317;
-        let t735 = XY2 * (t321 + t322) - XX2R * t317 + (MSX2R * a2_y - MSY2 * a2_x);
-        let n2_x = t703 + (dw2_x * (XX2R + ZZ2R) - XY2 * t323 + XZ2R * t317 + t728);
-        let n2_y = t709 + t731;
-        let n2_z = t710 + t735;
-        let n1_z = s2 * n2_x + c2 * n2_y;
-        [n2_z, n1_z]
+    let [t706, n2_z, t714] = {
+        let t696 = c2 * (s2 * XX2R + c2 * (XY2 + XY2)) - XY2;
+        let t704 = (t696 + t696) * (dq1 * dq2) + t316 * (c2 * XZ2R - s2 * YZ2);
+        let t706 = t656 + t704;
+        let n2_z = t690 + (MSX2R * a2_y - MSY2 * a2_x) - t310 * t696;
+        let t714 = s2 * n2_x + c2 * n2_y;
+        [t706, n2_z, t714]
+    };
+    // link 1: force and moment
+    let n1_z = {
+        let n1_z = t706 + t714;
+        n1_z
     };
     // drives
-    let [t778, t779, t780, t781, t782, t783] = {
-        let t778 = tau1 - (FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign()));
-        let t779 = tau2 - (FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign()));
-        let t780 = tau3 - (FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign()));
-        let t781 = tau4 - (FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign()));
-        let t782 = tau5 - (FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign()));
-        let t783 = tau6 - (FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign()));
-        [t778, t779, t780, t781, t782, t783]
+    let [t752, t753, t754, t755, t756, t757] = {
+        let t752 = tau1 - (FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign()));
+        let t753 = tau2 - (FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign()));
+        let t754 = tau3 - (FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign()));
+        let t755 = tau4 - (FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign()));
+        let t756 = tau5 - (FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign()));
+        let t757 = tau6 - (FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign()));
+        [t752, t753, t754, t755, t756, t757]
     };
     // M = L D L'
     let [
-        t784, t785, t786, t787, t788, t789, t793, t797,
-        t800, t803, t806, t813, t820, t825, t830, t840,
-        t850, t857, t870, t883, t899,
+        t758, t759, t760, t761, t762, t763, t767, t771,
+        t774, t777, t780, t787, t794, t799, t804, t814,
+        t824, t831, t844, t857, t873,
     ] = {
-        let t784 = k6 / t309;
-        let t785 = t299 * t784;
-        let t786 = t261 * t784;
-        let t787 = t200 * t784;
-        let t788 = t135 * t784;
-        let t789 = t64 * t784;
-        let t792 = t293 - t309 * (t785 * t785);
-        let t793 = k6 / t792;
-        let t794 = t309 * t785;
-        let t797 = t793 * (t258 - t786 * t794);
-        let t800 = t793 * (t197 - t787 * t794);
-        let t803 = t793 * (t132 - t788 * t794);
-        let t806 = t793 * (t61 - t789 * t794);
-        let t812 = t244 - t309 * (t786 * t786) - t792 * (t797 * t797);
-        let t813 = k6 / t812;
-        let t814 = t309 * t786;
-        let t817 = t792 * t797;
-        let t820 = t813 * (t186 - t787 * t814 - t800 * t817);
-        let t825 = t813 * (t119 - t788 * t814 - t803 * t817);
-        let t830 = t813 * (t48 - t789 * t814 - t806 * t817);
-        let t838 = t812 * (t820 * t820);
-        let t839 = t168 - t309 * (t787 * t787) - t792 * (t800 * t800) - t838;
-        let t840 = k6 / t839;
-        let t841 = t309 * t787;
-        let t844 = t792 * t800;
-        let t847 = t812 * t820;
-        let t850 = t840 * (t103 - t788 * t841 - t803 * t844 - t825 * t847);
-        let t857 = t840 * (t28 - t789 * t841 - t806 * t844 - t830 * t847);
-        let t865 = t812 * (t825 * t825);
-        let t868 = t839 * (t850 * t850);
-        let t869 = t87 - t309 * (t788 * t788) - t792 * (t803 * t803) - t865 - t868;
-        let t870 = k6 / t869;
-        let t878 = t830 * (t812 * t825);
-        let t881 = t857 * (t839 * t850);
-        let t882 = t16 + t789 * (t309 * t788) + t806 * (t792 * t803) + t878 + t881;
-        let t883 = t870 * t882;
-        let t891 = t812 * (t830 * t830);
-        let t894 = t839 * (t857 * t857);
-        let t895 = t0 - t309 * (t789 * t789) - t792 * (t806 * t806) - t891 - t894;
-        let t899 = k6 / (t895 - t869 * (t883 * t883));
+        let t758 = k6 / t309;
+        let t759 = t299 * t758;
+        let t760 = t261 * t758;
+        let t761 = t200 * t758;
+        let t762 = t135 * t758;
+        let t763 = t64 * t758;
+        let t766 = t293 - t309 * (t759 * t759);
+        let t767 = k6 / t766;
+        let t768 = t309 * t759;
+        let t771 = t767 * (t258 - t760 * t768);
+        let t774 = t767 * (t197 - t761 * t768);
+        let t777 = t767 * (t132 - t762 * t768);
+        let t780 = t767 * (t61 - t763 * t768);
+        let t786 = t244 - t309 * (t760 * t760) - t766 * (t771 * t771);
+        let t787 = k6 / t786;
+        let t788 = t309 * t760;
+        let t791 = t766 * t771;
+        let t794 = t787 * (t186 - t761 * t788 - t774 * t791);
+        let t799 = t787 * (t119 - t762 * t788 - t777 * t791);
+        let t804 = t787 * (t48 - t763 * t788 - t780 * t791);
+        let t812 = t786 * (t794 * t794);
+        let t813 = t168 - t309 * (t761 * t761) - t766 * (t774 * t774) - t812;
+        let t814 = k6 / t813;
+        let t815 = t309 * t761;
+        let t818 = t766 * t774;
+        let t821 = t786 * t794;
+        let t824 = t814 * (t103 - t762 * t815 - t777 * t818 - t799 * t821);
+        let t831 = t814 * (t28 - t763 * t815 - t780 * t818 - t804 * t821);
+        let t839 = t786 * (t799 * t799);
+        let t842 = t813 * (t824 * t824);
+        let t843 = t87 - t309 * (t762 * t762) - t766 * (t777 * t777) - t839 - t842;
+        let t844 = k6 / t843;
+        let t852 = t804 * (t786 * t799);
+        let t855 = t831 * (t813 * t824);
+        let t856 = t16 + t763 * (t309 * t762) + t780 * (t766 * t777) + t852 + t855;
+        let t857 = t844 * t856;
+        let t865 = t786 * (t804 * t804);
+        let t868 = t813 * (t831 * t831);
+        let t869 = t0 - t309 * (t763 * t763) - t766 * (t780 * t780) - t865 - t868;
+        let t873 = k6 / (t869 - t843 * (t857 * t857));
         [
-        t784, t785, t786, t787, t788, t789, t793, t797,
-        t800, t803, t806, t813, t820, t825, t830, t840,
-        t850, t857, t870, t883, t899,
+        t758, t759, t760, t761, t762, t763, t767, t771,
+        t774, t777, t780, t787, t794, t799, t804, t814,
+        t824, t831, t844, t857, t873,
     ]
     };
     // ddq
     {
-        let t901 = t779 - t778 * t785;
-        let t905 = t780 - t778 * t786 - t797 * t901;
-        let t911 = t781 - t778 * t787 - t800 * t901 - t820 * t905;
-        let t919 = t782 - t778 * t788 - t803 * t901 - t825 * t905 - t850 * t911;
-        let t927 = t783 - t778 * t789 - t806 * t901 - t830 * t905 - t857 * t911;
-        let t935 = t899 * (t927 + t883 * t919);
-        let t937 = t870 * t919 + t883 * t935;
-        let t941 = t840 * t911 - t850 * t937 - t857 * t935;
-        let t947 = t813 * t905 - t820 * t941 - t825 * t937 - t830 * t935;
-        let t954 = t806 * t935;
-        let t955 = t793 * t901 - t797 * t947 - t800 * t941 - t803 * t937 - t954;
-        let t962 = t788 * t937;
-        let t963 = t778 * t784 - t785 * t955 - t786 * t947 - t787 * t941 - t962;
-        let t965 = t963 - t789 * t935;
-        put(0, t965);
-        put(1, t955);
-        put(2, t947);
-        put(3, t941);
-        put(4, t937);
-        put(5, t935);
+        let t875 = t753 - t752 * t759;
+        let t879 = t754 - t752 * t760 - t771 * t875;
+        let t885 = t755 - t752 * t761 - t774 * t875 - t794 * t879;
+        let t893 = t756 - t752 * t762 - t777 * t875 - t799 * t879 - t824 * t885;
+        let t901 = t757 - t752 * t763 - t780 * t875 - t804 * t879 - t831 * t885;
+        let t909 = t873 * (t901 + t857 * t893);
+        let t911 = t844 * t893 + t857 * t909;
+        let t915 = t814 * t885 - t824 * t911 - t831 * t909;
+        let t921 = t787 * t879 - t794 * t915 - t799 * t911 - t804 * t909;
+        let t928 = t780 * t909;
+        let t929 = t767 * t875 - t771 * t921 - t774 * t915 - t777 * t911 - t928;
+        let t936 = t762 * t911;
+        let t937 = t752 * t758 - t759 * t929 - t760 * t921 - t761 * t915 - t936;
+        let t939 = t937 - t763 * t909;
+        put(0, t939);
+        put(1, t929);
+        put(2, t921);
+        put(3, t915);
+        put(4, t911);
+        put(5, t909);
     }
 }

@@ -24,7 +24,20 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// DH frames of all rows in the base frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[[S; 4]; 3]; 6]) {
-    out.as_flattened_mut().as_flattened_mut().fill(S::default());
+    let flat = &mut out.as_flattened_mut().as_flattened_mut()[..];
+    flat[2..4].fill(S::default());
+    flat[6..10].fill(S::default());
+    flat[15] = S::default();
+    flat[19] = S::default();
+    flat[22] = S::default();
+    flat[34] = S::default();
+    flat[46] = S::default();
+    nonzeros(trig, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [[[S; 4]; 3]; 6]) {
     entries(trig, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1 / 4][PATTERN[k].1 % 4] = x;
     });

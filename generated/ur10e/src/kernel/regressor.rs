@@ -2,7 +2,7 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 421 multiplications, 330 additions; 6 x 84, 212 of 504 structurally nonzero.
+//! 413 multiplications, 323 additions; 6 x 84, 212 of 504 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
@@ -39,7 +39,48 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 /// Regressor `W` of the standard parameters: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 84]; 6]) {
-    out.as_flattened_mut().fill(S::default());
+    let flat = &mut out.as_flattened_mut()[..];
+    flat[0..6].fill(S::default());
+    flat[7..13].fill(S::default());
+    flat[61..66].fill(S::default());
+    flat[67..72].fill(S::default());
+    flat[73..78].fill(S::default());
+    flat[79..95].fill(S::default());
+    flat[97] = S::default();
+    flat[144] = S::default();
+    flat[146..151].fill(S::default());
+    flat[152..157].fill(S::default());
+    flat[158..163].fill(S::default());
+    flat[164..189].fill(S::default());
+    flat[191] = S::default();
+    flat[228..230].fill(S::default());
+    flat[231..236].fill(S::default());
+    flat[237..242].fill(S::default());
+    flat[243..248].fill(S::default());
+    flat[249..283].fill(S::default());
+    flat[285] = S::default();
+    flat[312..315].fill(S::default());
+    flat[316..321].fill(S::default());
+    flat[322..327].fill(S::default());
+    flat[328..333].fill(S::default());
+    flat[334..377].fill(S::default());
+    flat[379] = S::default();
+    flat[396..400].fill(S::default());
+    flat[401..406].fill(S::default());
+    flat[407..412].fill(S::default());
+    flat[413..418].fill(S::default());
+    flat[419..471].fill(S::default());
+    flat[473] = S::default();
+    flat[480..485].fill(S::default());
+    flat[486..491].fill(S::default());
+    flat[492..497].fill(S::default());
+    flat[498..503].fill(S::default());
+    nonzeros(trig, dq, ddq, out);
+}
+
+/// The same, where all other entries of `out` are zero already: they are left alone.
+#[inline]
+pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 84]; 6]) {
     entries(trig, dq, ddq, |k, x| {
         out[PATTERN[k].0][PATTERN[k].1] = x;
     });
@@ -93,23 +134,22 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // link 2: motion
     let [
-        w2_x, w2_y, t3, t4, a2_x, a2_y, t9, t10,
-        t11, dw2_x, dw2_y, t14, t15, t16, t17, t18,
-        t19, t20,
+        a2_x, a2_y, t9, t10, t11, dw2_x, dw2_y, t14,
+        t15, t16, t17, t18, t19, t20,
     ] = {
-        let w2_x = s2 * dq1;
-        let w2_y = c2 * dq1;
-        let t3 = s2 * ddq1;
-        let t4 = c2 * ddq1;
         let a2_x = s2 * k0;
         let a2_y = c2 * k0;
+        let w2_x = s2 * dq1;
+        let w2_y = c2 * dq1;
+        let t5 = s2 * ddq1;
+        let t6 = c2 * ddq1;
         let t7 = w2_x * w2_x;
         let t8 = dq2 * dq2;
         let t9 = w2_x * w2_y;
         let t10 = dq2 * w2_x;
         let t11 = dq2 * w2_y;
-        let dw2_x = t3 + t11;
-        let dw2_y = t4 - t10;
+        let dw2_x = t5 + t11;
+        let dw2_y = t6 - t10;
         let t14 = t7 - t8;
         let t15 = t14 - t0;
         let t16 = ddq2 - t9;
@@ -119,742 +159,733 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t20 = t11 + dw2_x;
         put(52, a2_y); // row 2, MSX2
         put(55, t9); // row 2, YY2
-        put(58, t3); // row 2, XZ2
-        put(59, t4); // row 2, YZ2
+        put(58, t5); // row 2, XZ2
+        put(59, t6); // row 2, YZ2
         [
-        w2_x, w2_y, t3, t4, a2_x, a2_y, t9, t10,
-        t11, dw2_x, dw2_y, t14, t15, t16, t17, t18,
-        t19, t20,
+        a2_x, a2_y, t9, t10, t11, dw2_x, dw2_y, t14,
+        t15, t16, t17, t18, t19, t20,
     ]
     };
     // link 3: motion
     let [
-        w3_x, t26, t29, t34, a3_y, t40, t43, w3_z,
-        dw3_z, t48, t49, t50, dw3_x, dw3_y, t53, t54,
-        t55, t56, t57, t58, t59,
+        z1_3_x, z1_3_y, w3_z, dw3_z, t31, t36, a3_y, t40,
+        t41, t46, t47, t48, dw3_x, dw3_y, t51, t52,
+        t53, t54, t55, t56, t57,
     ] = {
-        let w3_x = c3 * w2_x + s3 * w2_y;
-        let t26 = s3 * w2_x - c3 * w2_y;
-        let t29 = t19 * k1;
-        let t30 = t15 * k1 - a2_x;
-        let t31 = a2_y - t17 * k1;
-        let t34 = c3 * t30 - s3 * t31;
-        let a3_y = c3 * t31 + s3 * t30;
-        let t40 = c3 * t4 - s3 * t3;
-        let t43 = c3 * t3 + s3 * t4;
+        let z1_3_x = s2 * c3 + c2 * s3;
+        let z1_3_y = c2 * c3 - s2 * s3;
         let w3_z = dq2 + dq3;
         let dw3_z = ddq2 + ddq3;
-        let t46 = w3_x * w3_x;
-        let t47 = w3_z * w3_z;
-        let t48 = w3_x * t26;
-        let t49 = w3_x * w3_z;
-        let t50 = t26 * w3_z;
-        let dw3_x = t43 - t50;
-        let dw3_y = t40 - t49;
-        let t53 = t47 - t46;
-        let t54 = t0 + t53;
-        let t55 = dw3_z + t48;
-        let t56 = dw3_z - t48;
-        let t57 = t46 + t47;
-        let t58 = dw3_y - t49;
-        let t59 = t50 - dw3_x;
-        put(64, t48); // row 2, XX3
+        let t31 = t19 * k1;
+        let t32 = t15 * k1 - a2_x;
+        let t33 = a2_y - t17 * k1;
+        let t36 = c3 * t32 - s3 * t33;
+        let a3_y = c3 * t33 + s3 * t32;
+        let t40 = ddq1 * z1_3_y;
+        let t41 = ddq1 * z1_3_x;
+        let w3_x = dq1 * z1_3_x;
+        let w3_y = dq1 * z1_3_y;
+        let t44 = w3_x * w3_x;
+        let t45 = w3_z * w3_z;
+        let t46 = w3_x * w3_y;
+        let t47 = w3_z * w3_x;
+        let t48 = w3_z * w3_y;
+        let dw3_x = t41 + t48;
+        let dw3_y = t40 - t47;
+        let t51 = t45 - t44;
+        let t52 = t0 + t51;
+        let t53 = dw3_z - t46;
+        let t54 = dw3_z + t46;
+        let t55 = t44 + t45;
+        let t56 = t47 - dw3_y;
+        let t57 = t48 + dw3_x;
+        put(65, t46); // row 2, YY3
         put(66, dw3_z); // row 2, ZZ3
-        put(68, t43); // row 2, XZ3
+        put(68, t41); // row 2, XZ3
         put(69, t40); // row 2, YZ3
         put(104, a3_y); // row 3, MSX3
-        put(105, t34); // row 3, MSY3
-        put(106, t48); // row 3, XX3
+        put(105, t36); // row 3, MSY3
+        put(107, t46); // row 3, YY3
         put(108, dw3_z); // row 3, ZZ3
-        put(110, t43); // row 3, XZ3
+        put(110, t41); // row 3, XZ3
         put(111, t40); // row 3, YZ3
         [
-        w3_x, t26, t29, t34, a3_y, t40, t43, w3_z,
-        dw3_z, t48, t49, t50, dw3_x, dw3_y, t53, t54,
-        t55, t56, t57, t58, t59,
+        z1_3_x, z1_3_y, w3_z, dw3_z, t31, t36, a3_y, t40,
+        t41, t46, t47, t48, dw3_x, dw3_y, t51, t52,
+        t53, t54, t55, t56, t57,
     ]
     };
     // link 4: motion
     let [
-        w4_x, t65, t77, t80, a4_y, t86, t89, w4_z,
-        t94, t95, t96, dw4_x, t98, t99, t100, t101,
-        t102, t103, t104, t105,
+        z1_4_x, t63, w4_z, t77, t80, a4_y, t84, t85,
+        w4_x, t87, t90, t91, t92, dw4_x, t94, t95,
+        t96, t97, t98, t99, t100, t101,
     ] = {
-        let w4_x = c4 * w3_x - s4 * t26;
-        let t65 = c4 * t26 + s4 * w3_x;
-        let t75 = t34 - (t54 * k2 + D4 * t40);
-        let t76 = t56 * k2 + D4 * t43 - a3_y;
-        let t77 = t29 + (t58 * k2 - D4 * t0);
-        let t80 = c4 * t75 + s4 * t76;
-        let a4_y = s4 * t75 - c4 * t76;
-        let t86 = s4 * t43 - c4 * t40;
-        let t89 = c4 * t43 + s4 * t40;
+        let z1_4_x = c4 * z1_3_x + s4 * z1_3_y;
+        let t63 = s4 * z1_3_x - c4 * z1_3_y;
         let w4_z = w3_z + dq4;
         let dw4_z = dw3_z + ddq4;
-        let t92 = w4_x * w4_x;
-        let t93 = w4_z * w4_z;
-        let t94 = w4_x * t65;
-        let t95 = w4_x * w4_z;
-        let t96 = t65 * w4_z;
-        let dw4_x = t89 - t96;
-        let t98 = t86 + t95;
-        let t99 = t92 - t93;
-        let t100 = t99 - t0;
-        let t101 = dw4_z + t94;
-        let t102 = dw4_z - t94;
-        let t103 = t92 + t93;
-        let t104 = t95 + t98;
-        let t105 = t96 - dw4_x;
-        put(74, t94); // row 2, XX4
+        let t75 = t36 - (t52 * k2 + D4 * t40);
+        let t76 = a3_y - (t54 * k2 + D4 * t41);
+        let t77 = t31 - (t56 * k2 + D4 * t0);
+        let t80 = c4 * t75 - s4 * t76;
+        let a4_y = c4 * t76 + s4 * t75;
+        let t84 = ddq1 * t63;
+        let t85 = ddq1 * z1_4_x;
+        let w4_x = dq1 * z1_4_x;
+        let t87 = dq1 * t63;
+        let t88 = w4_x * w4_x;
+        let t89 = w4_z * w4_z;
+        let t90 = w4_x * t87;
+        let t91 = w4_z * w4_x;
+        let t92 = w4_z * t87;
+        let dw4_x = t85 - t92;
+        let t94 = t84 + t91;
+        let t95 = t89 - t88;
+        let t96 = t0 + t95;
+        let t97 = dw4_z + t90;
+        let t98 = dw4_z - t90;
+        let t99 = t88 + t89;
+        let t100 = t91 + t94;
+        let t101 = t92 - dw4_x;
+        put(74, t90); // row 2, XX4
         put(76, dw4_z); // row 2, ZZ4
-        put(78, t89); // row 2, XZ4
-        put(116, t94); // row 3, XX4
+        put(78, t85); // row 2, XZ4
+        put(116, t90); // row 3, XX4
         put(118, dw4_z); // row 3, ZZ4
-        put(120, t89); // row 3, XZ4
+        put(120, t85); // row 3, XZ4
         put(146, a4_y); // row 4, MSX4
         put(147, t80); // row 4, MSY4
-        put(148, t94); // row 4, XX4
+        put(148, t90); // row 4, XX4
         put(150, dw4_z); // row 4, ZZ4
-        put(152, t89); // row 4, XZ4
+        put(152, t85); // row 4, XZ4
         [
-        w4_x, t65, t77, t80, a4_y, t86, t89, w4_z,
-        t94, t95, t96, dw4_x, t98, t99, t100, t101,
-        t102, t103, t104, t105,
+        z1_4_x, t63, w4_z, t77, t80, a4_y, t84, t85,
+        w4_x, t87, t90, t91, t92, dw4_x, t94, t95,
+        t96, t97, t98, t99, t100, t101,
     ]
     };
     // link 5: motion
     let [
-        w5_x, w5_y, t116, t120, a5_y, t126, t129, w5_z,
-        dw5_z, t134, t135, t136, dw5_x, t138, t139, t140,
-        t141, t142, t143, t144, t145,
+        z1_5_x, t103, t108, t112, a5_y, w5_x, w5_y, t124,
+        t127, w5_z, dw5_z, t132, t133, t134, dw5_x, t136,
+        t137, t138, t139, t140, t141, t142, t143,
     ] = {
+        let z1_5_x = c5 * z1_4_x;
+        let t103 = s5 * z1_4_x;
+        let t107 = t80 - D5 * t97;
+        let t108 = a4_y + D5 * t99;
+        let t109 = t77 + D5 * t101;
+        let t112 = c5 * t107 - s5 * t109;
+        let a5_y = c5 * t109 + s5 * t107;
         let w5_x = c5 * w4_x + s5 * w4_z;
         let w5_y = c5 * w4_z - s5 * w4_x;
-        let t115 = t80 - D5 * t101;
-        let t116 = a4_y + D5 * t103;
-        let t117 = t77 + D5 * t105;
-        let t120 = c5 * t115 - s5 * t117;
-        let a5_y = c5 * t117 + s5 * t115;
-        let t126 = c5 * t101 + s5 * t105;
-        let t129 = s5 * t101 - c5 * t105;
-        let w5_z = t65 + dq5;
-        let dw5_z = t98 + ddq5;
-        let t132 = w5_x * w5_x;
-        let t133 = w5_z * w5_z;
-        let t134 = w5_x * w5_y;
-        let t135 = w5_x * w5_z;
-        let t136 = w5_y * w5_z;
-        let dw5_x = t129 + t136;
-        let t138 = t126 - t135;
-        let t139 = t133 - t132;
-        let t140 = t103 + t139;
-        let t141 = t134 - dw5_z;
-        let t142 = dw5_z + t134;
-        let t143 = t132 + t133;
-        let t144 = t138 - t135;
-        let t145 = t136 + dw5_x;
+        let t124 = c5 * t97 + s5 * t101;
+        let t127 = s5 * t97 - c5 * t101;
+        let w5_z = t87 + dq5;
+        let dw5_z = t94 + ddq5;
+        let t130 = w5_x * w5_x;
+        let t131 = w5_z * w5_z;
+        let t132 = w5_x * w5_y;
+        let t133 = w5_x * w5_z;
+        let t134 = w5_y * w5_z;
+        let dw5_x = t127 + t134;
+        let t136 = t124 - t133;
+        let t137 = t130 - t131;
+        let t138 = t137 - t99;
+        let t139 = t132 - dw5_z;
+        let t140 = dw5_z + t132;
+        let t141 = t130 + t131;
+        let t142 = t136 - t133;
+        let t143 = t134 + dw5_x;
         put(178, a5_y); // row 5, MSX5
-        put(179, t120); // row 5, MSY5
-        put(181, t134); // row 5, YY5
+        put(179, t112); // row 5, MSY5
+        put(181, t132); // row 5, YY5
         put(182, dw5_z); // row 5, ZZ5
-        put(184, t129); // row 5, XZ5
-        put(185, t126); // row 5, YZ5
+        put(184, t127); // row 5, XZ5
+        put(185, t124); // row 5, YZ5
         [
-        w5_x, w5_y, t116, t120, a5_y, t126, t129, w5_z,
-        dw5_z, t134, t135, t136, dw5_x, t138, t139, t140,
-        t141, t142, t143, t144, t145,
+        z1_5_x, t103, t108, t112, a5_y, w5_x, w5_y, t124,
+        t127, w5_z, dw5_z, t132, t133, t134, dw5_x, t136,
+        t137, t138, t139, t140, t141, t142, t143,
     ]
     };
     // link 6: motion
     let [
-        t156, t160, a6_y, t166, t169, dw6_z, t174, t175,
-        t176, t177, t178, t179, t180, t181, t182, t183,
-        t184, t185,
+        t148, t152, a6_y, t164, t167, dw6_z, t172, t173,
+        t174, t175, t176, t177, t178, t179, t180, t181,
+        t182, t183,
     ] = {
+        let t147 = t112 - D6 * t139;
+        let t148 = a5_y - D6 * t141;
+        let t149 = t108 - D6 * t143;
+        let t152 = c6 * t147 - s6 * t149;
+        let a6_y = c6 * t149 + s6 * t147;
         let w6_x = c6 * w5_x - s6 * w5_z;
-        let t151 = c6 * w5_z + s6 * w5_x;
-        let t155 = t120 - D6 * t141;
-        let t156 = a5_y - D6 * t143;
-        let t157 = t116 - D6 * t145;
-        let t160 = c6 * t155 - s6 * t157;
-        let a6_y = c6 * t157 + s6 * t155;
-        let t166 = c6 * t141 - s6 * t145;
-        let t169 = c6 * t145 + s6 * t141;
+        let t161 = c6 * w5_z + s6 * w5_x;
+        let t164 = c6 * t139 - s6 * t143;
+        let t167 = c6 * t143 + s6 * t139;
         let w6_z = w5_y + dq6;
-        let dw6_z = t138 + ddq6;
-        let t172 = w6_x * w6_x;
-        let t173 = w6_z * w6_z;
-        let t174 = w6_x * t151;
-        let t175 = w6_x * w6_z;
-        let t176 = t151 * w6_z;
-        let t177 = t176 - t169;
-        let t178 = t175 - t166;
-        let t179 = t172 - t173;
-        let t180 = t143 - t179;
-        let t181 = dw6_z + t174;
-        let t182 = dw6_z - t174;
-        let t183 = t172 + t173;
-        let t184 = t175 + t178;
-        let t185 = t176 + t177;
+        let dw6_z = t136 + ddq6;
+        let t170 = w6_x * w6_x;
+        let t171 = w6_z * w6_z;
+        let t172 = w6_x * t161;
+        let t173 = w6_x * w6_z;
+        let t174 = t161 * w6_z;
+        let t175 = t174 - t167;
+        let t176 = t173 - t164;
+        let t177 = t170 - t171;
+        let t178 = t177 - t141;
+        let t179 = dw6_z + t172;
+        let t180 = t172 - dw6_z;
+        let t181 = t170 + t171;
+        let t182 = t173 + t176;
+        let t183 = t174 + t175;
         put(200, a6_y); // row 6, MSX6
-        put(201, t160); // row 6, MSY6
-        put(202, t174); // row 6, XX6
+        put(201, t152); // row 6, MSY6
+        put(202, t172); // row 6, XX6
         put(204, dw6_z); // row 6, ZZ6
-        put(206, t169); // row 6, XZ6
-        put(207, t166); // row 6, YZ6
+        put(206, t167); // row 6, XZ6
+        put(207, t164); // row 6, YZ6
         [
-        t156, t160, a6_y, t166, t169, dw6_z, t174, t175,
-        t176, t177, t178, t179, t180, t181, t182, t183,
-        t184, t185,
+        t148, t152, a6_y, t164, t167, dw6_z, t172, t173,
+        t174, t175, t176, t177, t178, t179, t180, t181,
+        t182, t183,
     ]
     };
     // joint axes in frame 3
-    let [v1_3_z, z1_3_x, t192, t193, t194] = {
+    let [v1_3_z, t185, t186] = {
         let v1_3_z = c2 * k1;
-        let z1_3_x = s2 * c3 + c2 * s3;
-        let t192 = s2 * s3 - c2 * c3;
-        let t193 = s3 * k1;
-        let t194 = c3 * k1;
-        [v1_3_z, z1_3_x, t192, t193, t194]
+        let t185 = s3 * k1;
+        let t186 = c3 * k1;
+        [v1_3_z, t185, t186]
     };
     // joint axes in frame 4
-    let [
-        t198, z1_4_x, t204, t207, t210, t214, v2_4_y, t218,
-        v3_5_z,
-    ] = {
-        let t195 = D4 * t192;
-        let t196 = D4 * z1_3_x;
-        let t198 = k2 * t192 - v1_3_z;
-        let z1_4_x = c4 * z1_3_x - s4 * t192;
-        let t204 = c4 * t192 + s4 * z1_3_x;
-        let t207 = c4 * t195 + s4 * t196;
-        let t210 = s4 * t195 - c4 * t196;
-        let t211 = A3 - t194;
-        let t214 = c4 * t193 - s4 * t211;
-        let v2_4_y = c4 * t211 + s4 * t193;
-        let t218 = s4 * k2;
+    let [v1_4_z, t193, v1_5_z, t200, v2_4_y, t204, v3_5_z] = {
+        let t187 = D4 * z1_3_y;
+        let t188 = D4 * z1_3_x;
+        let v1_4_z = v1_3_z + z1_3_y * k2;
+        let t193 = s4 * t188 - c4 * t187;
+        let v1_5_z = c4 * t188 + s4 * t187;
+        let t197 = t186 - A3;
+        let t200 = c4 * t185 + s4 * t197;
+        let v2_4_y = s4 * t185 - c4 * t197;
+        let t204 = s4 * k2;
         let v3_5_z = c4 * k2;
-        [
-        t198, z1_4_x, t204, t207, t210, t214, v2_4_y, t218,
-        v3_5_z,
-    ]
-    };
-    // joint axes in frame 5
-    let [z1_5_x, t221] = {
-        let z1_5_x = c5 * z1_4_x;
-        let t221 = s5 * z1_4_x;
-        [z1_5_x, t221]
+        [v1_4_z, t193, v1_5_z, t200, v2_4_y, t204, v3_5_z]
     };
     // MSZ2: column
     {
-        let t224 = c2 * a2_x - s2 * a2_y;
-        put(1, t224); // row 1, MSZ2
+        let t208 = c2 * a2_x - s2 * a2_y;
+        put(1, t208); // row 1, MSZ2
     }
     // XX2: column
-    let t226 = {
-        let t226 = c2 * t10;
-        let t227 = s2 * dw2_x + t226;
-        put(2, t227); // row 1, XX2
-        t226
+    let t210 = {
+        let t210 = c2 * t10;
+        let t211 = s2 * dw2_x + t210;
+        put(2, t211); // row 1, XX2
+        t210
     };
     // YY2: column
-    let t228 = {
-        let t228 = s2 * t11;
-        let t230 = c2 * dw2_y - t228;
-        put(3, t230); // row 1, YY2
-        t228
+    let t212 = {
+        let t212 = s2 * t11;
+        let t214 = c2 * dw2_y - t212;
+        put(3, t214); // row 1, YY2
+        t212
     };
     // ZZ2: column
     {
-        let t231 = t228 - t226;
-        put(4, t231); // row 1, ZZ2
+        let t215 = t212 - t210;
+        put(4, t215); // row 1, ZZ2
     }
     // XY2: column
     {
-        let t232 = t15 + t18;
-        let t235 = s2 * t19 + c2 * t20;
-        put(5, t235); // row 1, XY2
-        put(57, t232); // row 2, XY2
+        let t216 = t15 + t18;
+        let t219 = s2 * t19 + c2 * t20;
+        put(5, t219); // row 1, XY2
+        put(57, t216); // row 2, XY2
     }
     // XZ2: column
     {
-        let t238 = s2 * t17 - c2 * t14;
-        put(6, t238); // row 1, XZ2
+        let t222 = s2 * t17 - c2 * t14;
+        put(6, t222); // row 1, XZ2
     }
     // YZ2: column
     {
-        let t242 = s2 * (t0 - t18) + c2 * t16;
-        put(7, t242); // row 1, YZ2
+        let t226 = s2 * (t0 - t18) + c2 * t16;
+        put(7, t226); // row 1, YZ2
     }
     // M3: column
     {
-        let t243 = t29 * v1_3_z;
-        let t246 = t34 * t193 - a3_y * t194;
-        put(8, t243); // row 1, M3
-        put(60, t246); // row 2, M3
+        let t227 = t31 * v1_3_z;
+        let t230 = t36 * t185 - a3_y * t186;
+        put(8, t227); // row 1, M3
+        put(60, t230); // row 2, M3
     }
     // MSX3: column
     {
-        let t249 = t29 * t192 - t58 * v1_3_z;
-        let t253 = a3_y + (t54 * t193 - t56 * t194);
-        put(9, t249); // row 1, MSX3
-        put(61, t253); // row 2, MSX3
+        let t233 = t56 * v1_3_z - z1_3_y * t31;
+        let t237 = a3_y + (t52 * t185 - t54 * t186);
+        put(9, t233); // row 1, MSX3
+        put(61, t237); // row 2, MSX3
     }
     // MSY3: column
     {
-        let t256 = t29 * z1_3_x - t59 * v1_3_z;
-        let t260 = t34 + (t55 * t193 + t57 * t194);
-        put(10, t256); // row 1, MSY3
-        put(62, t260); // row 2, MSY3
+        let t240 = z1_3_x * t31 + t57 * v1_3_z;
+        let t244 = t36 + (t53 * t185 + t55 * t186);
+        put(10, t240); // row 1, MSY3
+        put(62, t244); // row 2, MSY3
     }
     // MSZ3: column
-    {
-        let t265 = t34 * t192 - a3_y * z1_3_x - t0 * v1_3_z;
-        let t268 = t43 * t194 - t40 * t193;
-        put(11, t265); // row 1, MSZ3
-        put(63, t268); // row 2, MSZ3
-    }
+    let t249 = {
+        let t249 = z1_3_x * a3_y + z1_3_y * t36 + t0 * v1_3_z;
+        let t252 = t41 * t186 - t40 * t185;
+        put(63, t252); // row 2, MSZ3
+        t249
+    };
     // XX3: column
-    let t270 = {
-        let t270 = t49 * t192;
-        let t271 = dw3_x * z1_3_x - t270;
-        put(12, t271); // row 1, XX3
-        t270
+    let t254 = {
+        let t254 = z1_3_y * t47;
+        let t255 = z1_3_x * dw3_x + t254;
+        put(12, t255); // row 1, XX3
+        t254
     };
     // YY3: column
-    let t272 = {
-        let t272 = t50 * z1_3_x;
-        let t274 = t272 - dw3_y * t192;
-        put(13, t274); // row 1, YY3
-        t272
+    let t256 = {
+        let t256 = z1_3_x * t48;
+        let t258 = z1_3_y * dw3_y - t256;
+        put(13, t258); // row 1, YY3
+        t256
     };
     // ZZ3: column
     {
-        let t275 = t270 - t272;
-        put(14, t275); // row 1, ZZ3
+        let t259 = t256 - t254;
+        put(14, t259); // row 1, ZZ3
     }
     // XY3: column
     {
-        let t276 = t57 - t54;
-        let t279 = t58 * z1_3_x + t59 * t192;
-        put(15, t279); // row 1, XY3
-        put(67, t276); // row 2, XY3
-        put(109, t276); // row 3, XY3
+        let t260 = t55 - t52;
+        let t263 = z1_3_y * t57 - z1_3_x * t56;
+        put(15, t263); // row 1, XY3
+        put(67, t260); // row 2, XY3
+        put(109, t260); // row 3, XY3
     }
     // XZ3: column
     {
-        let t282 = t56 * z1_3_x - t53 * t192;
-        put(16, t282); // row 1, XZ3
+        let t266 = z1_3_x * t54 + z1_3_y * t51;
+        put(16, t266); // row 1, XZ3
     }
     // YZ3: column
     {
-        let t286 = z1_3_x * (t0 - t57) - t55 * t192;
-        put(17, t286); // row 1, YZ3
+        let t270 = z1_3_x * (t0 - t55) + z1_3_y * t53;
+        put(17, t270); // row 1, YZ3
     }
     // M4: column
     {
-        let t291 = t80 * t207 + a4_y * t210 - t77 * t198;
-        let t294 = t80 * t214 + a4_y * v2_4_y;
-        let t297 = t80 * t218 - a4_y * v3_5_z;
-        put(18, t291); // row 1, M4
-        put(70, t294); // row 2, M4
-        put(112, t297); // row 3, M4
+        let t275 = t77 * v1_4_z + (t80 * t193 - a4_y * v1_5_z);
+        let t278 = t80 * t200 + a4_y * v2_4_y;
+        let t281 = t80 * t204 - a4_y * v3_5_z;
+        put(18, t275); // row 1, M4
+        put(70, t278); // row 2, M4
+        put(112, t281); // row 3, M4
     }
     // MSX4: column
     {
-        let t304 = t77 * t204 - (t104 * t198 + (t100 * t207 - t102 * t210));
-        let t308 = a4_y + (t102 * v2_4_y - t100 * t214);
-        let t312 = a4_y - (t100 * t218 + t102 * v3_5_z);
-        put(19, t304); // row 1, MSX4
-        put(71, t308); // row 2, MSX4
-        put(113, t312); // row 3, MSX4
+        let t288 = t63 * t77 + (t100 * v1_4_z - (t98 * v1_5_z - t96 * t193));
+        let t292 = a4_y + (t96 * t200 + t98 * v2_4_y);
+        let t296 = a4_y + (t96 * t204 - t98 * v3_5_z);
+        put(19, t288); // row 1, MSX4
+        put(71, t292); // row 2, MSX4
+        put(113, t296); // row 3, MSX4
     }
     // MSY4: column
-    let [t315, t321, t325] = {
-        let t315 = t103 * t210;
-        let t319 = t77 * z1_4_x + (t105 * t198 + (t101 * t207 - t315));
-        let t321 = t103 * v2_4_y;
-        let t323 = t80 + (t101 * t214 - t321);
-        let t325 = t103 * v3_5_z;
-        let t327 = t80 + (t101 * t218 + t325);
-        put(20, t319); // row 1, MSY4
-        put(72, t323); // row 2, MSY4
-        put(114, t327); // row 3, MSY4
-        [t315, t321, t325]
+    let [t299, t305, t309] = {
+        let t299 = t99 * v1_5_z;
+        let t303 = z1_4_x * t77 + (t97 * t193 + t299 - t101 * v1_4_z);
+        let t305 = t99 * v2_4_y;
+        let t307 = t80 - (t305 - t97 * t200);
+        let t309 = t99 * v3_5_z;
+        let t311 = t80 + (t97 * t204 + t309);
+        put(20, t303); // row 1, MSY4
+        put(72, t307); // row 2, MSY4
+        put(114, t311); // row 3, MSY4
+        [t299, t305, t309]
     };
     // MSZ4: column
     {
-        let t335 = t89 * t210 - t86 * t207 - t0 * t198;
-        let t336 = t80 * t204 - a4_y * z1_4_x - t335;
-        let t339 = t86 * t214 - t89 * v2_4_y;
-        let t342 = t86 * t218 + t89 * v3_5_z;
-        put(21, t336); // row 1, MSZ4
-        put(73, t339); // row 2, MSZ4
-        put(115, t342); // row 3, MSZ4
+        let t319 = t0 * v1_4_z - (t84 * t193 + t85 * v1_5_z);
+        let t320 = t63 * t80 - z1_4_x * a4_y - t319;
+        let t323 = t84 * t200 - t85 * v2_4_y;
+        let t326 = t84 * t204 + t85 * v3_5_z;
+        put(21, t320); // row 1, MSZ4
+        put(73, t323); // row 2, MSZ4
+        put(115, t326); // row 3, MSZ4
     }
     // XX4: column
-    let t344 = {
-        let t344 = t95 * t204;
-        let t345 = dw4_x * z1_4_x - t344;
-        put(22, t345); // row 1, XX4
-        t344
+    let t328 = {
+        let t328 = t63 * t91;
+        let t329 = z1_4_x * dw4_x - t328;
+        put(22, t329); // row 1, XX4
+        t328
     };
     // YY4: column
-    let t346 = {
-        let t346 = t96 * z1_4_x;
-        let t348 = t346 + t98 * t204;
-        put(23, t348); // row 1, YY4
-        t346
+    let t330 = {
+        let t330 = z1_4_x * t92;
+        let t332 = t330 + t63 * t94;
+        put(23, t332); // row 1, YY4
+        t330
     };
     // ZZ4: column
     {
-        let t349 = t344 - t346;
-        put(24, t349); // row 1, ZZ4
+        let t333 = t328 - t330;
+        put(24, t333); // row 1, ZZ4
     }
     // XY4: column
     {
-        let t350 = t100 + t103;
-        let t353 = t105 * t204 - t104 * z1_4_x;
-        put(25, t353); // row 1, XY4
-        put(77, t350); // row 2, XY4
-        put(119, t350); // row 3, XY4
-        put(151, t350); // row 4, XY4
+        let t334 = t99 - t96;
+        let t337 = t63 * t101 - z1_4_x * t100;
+        put(25, t337); // row 1, XY4
+        put(77, t334); // row 2, XY4
+        put(119, t334); // row 3, XY4
+        put(151, t334); // row 4, XY4
     }
     // XZ4: column
     {
-        let t356 = t102 * z1_4_x + t99 * t204;
-        put(26, t356); // row 1, XZ4
+        let t340 = z1_4_x * t98 - t63 * t95;
+        put(26, t340); // row 1, XZ4
     }
     // YZ4: column
     {
-        let t360 = z1_4_x * (t0 - t103) - t101 * t204;
-        put(27, t360); // row 1, YZ4
+        let t344 = z1_4_x * (t0 - t99) - t63 * t97;
+        put(27, t344); // row 1, YZ4
     }
     // M5: column
-    let [t363, t366, t368] = {
-        let t363 = c5 * t120 + s5 * a5_y;
-        let t366 = s5 * t120 - c5 * a5_y;
-        let t368 = D5 * t363;
-        let t375 = z1_4_x * (D5 * t366) + (t198 * t366 + (t207 * t363 + t116 * t210));
-        let t379 = t214 * t363 + t116 * v2_4_y - t368;
-        let t383 = t218 * t363 - t116 * v3_5_z - t368;
-        put(28, t375); // row 1, M5
-        put(80, t379); // row 2, M5
-        put(122, t383); // row 3, M5
-        [t363, t366, t368]
+    let [t347, t350, t352] = {
+        let t347 = c5 * t112 + s5 * a5_y;
+        let t350 = s5 * t112 - c5 * a5_y;
+        let t352 = D5 * t347;
+        let t359 = z1_4_x * (D5 * t350) - (v1_4_z * t350 + (t108 * v1_5_z - t193 * t347));
+        let t363 = t200 * t347 + t108 * v2_4_y - t352;
+        let t367 = t204 * t347 - t108 * v3_5_z - t352;
+        put(28, t359); // row 1, M5
+        put(80, t363); // row 2, M5
+        put(122, t367); // row 3, M5
+        [t347, t350, t352]
     };
     // MSX5: column
-    let [t385, t390, t391] = {
-        let t385 = s5 * t142;
-        let t386 = c5 * t140 + t385;
-        let t389 = s5 * t140 - c5 * t142;
-        let t390 = s5 * t116;
-        let t391 = c5 * t116;
-        let t395 = t391 - D5 * t386;
-        let t398 = z1_4_x * (t390 - D5 * t389) - a5_y * t204;
-        let t404 = t198 * t389 + (t207 * t386 + t144 * t210) - t398;
-        let t408 = t395 + (t214 * t386 + t144 * v2_4_y);
-        let t412 = t395 - (t144 * v3_5_z - t218 * t386);
-        put(29, t404); // row 1, MSX5
-        put(81, t408); // row 2, MSX5
-        put(123, t412); // row 3, MSX5
-        put(155, t395); // row 4, MSX5
-        [t385, t390, t391]
+    let [t369, t374, t375] = {
+        let t369 = s5 * t140;
+        let t370 = t369 - c5 * t138;
+        let t373 = s5 * t138 + c5 * t140;
+        let t374 = s5 * t108;
+        let t375 = c5 * t108;
+        let t379 = t375 - D5 * t370;
+        let t382 = z1_4_x * (t374 + D5 * t373) - t63 * a5_y;
+        let t388 = v1_4_z * t373 + (t193 * t370 - t142 * v1_5_z) - t382;
+        let t392 = t379 + (t200 * t370 + t142 * v2_4_y);
+        let t396 = t379 + (t204 * t370 - t142 * v3_5_z);
+        put(29, t388); // row 1, MSX5
+        put(81, t392); // row 2, MSX5
+        put(123, t396); // row 3, MSX5
+        put(155, t379); // row 4, MSX5
+        [t369, t374, t375]
     };
     // MSY5: column
-    let [t413, t414, t417] = {
-        let t413 = c5 * t141;
-        let t414 = s5 * t143;
-        let t415 = t413 + t414;
-        let t417 = c5 * t143;
-        let t418 = t417 - s5 * t141;
-        let t422 = D5 * t415 - t390;
-        let t430 = t207 * t415 + t145 * t210 - t198 * t418;
-        let t431 = z1_4_x * (D5 * t418 - t391) + t120 * t204 - t430;
-        let t435 = t422 - (t214 * t415 + t145 * v2_4_y);
-        let t439 = t422 + (t145 * v3_5_z - t218 * t415);
-        put(30, t431); // row 1, MSY5
-        put(82, t435); // row 2, MSY5
-        put(124, t439); // row 3, MSY5
-        put(156, t422); // row 4, MSY5
-        [t413, t414, t417]
+    let [t397, t398, t401] = {
+        let t397 = c5 * t139;
+        let t398 = s5 * t141;
+        let t399 = t397 + t398;
+        let t401 = c5 * t141;
+        let t402 = t401 - s5 * t139;
+        let t406 = D5 * t399 - t374;
+        let t414 = t143 * v1_5_z - t193 * t399 - v1_4_z * t402;
+        let t415 = z1_4_x * (D5 * t402 - t375) + t63 * t112 + t414;
+        let t419 = t406 - (t200 * t399 + t143 * v2_4_y);
+        let t423 = t406 - (t204 * t399 - t143 * v3_5_z);
+        put(30, t415); // row 1, MSY5
+        put(82, t419); // row 2, MSY5
+        put(124, t423); // row 3, MSY5
+        put(156, t406); // row 4, MSY5
+        [t397, t398, t401]
     };
     // MSZ5: column
     {
-        let t442 = c5 * t126 + s5 * t129;
-        let t445 = c5 * t129 - s5 * t126;
-        let t449 = D5 * t442 - t363;
-        let t455 = z1_4_x * (t366 + D5 * t445) + (t198 * t445 + (t315 - t207 * t442));
-        let t458 = t449 + (t321 - t214 * t442);
-        let t461 = t449 - (t325 + t218 * t442);
-        put(31, t455); // row 1, MSZ5
-        put(83, t458); // row 2, MSZ5
-        put(125, t461); // row 3, MSZ5
-        put(157, t449); // row 4, MSZ5
+        let t426 = c5 * t124 + s5 * t127;
+        let t429 = s5 * t124 - c5 * t127;
+        let t433 = D5 * t426 - t347;
+        let t439 = v1_4_z * t429 - (t299 + t193 * t426) - z1_4_x * (D5 * t429 - t350);
+        let t442 = t433 - (t200 * t426 - t305);
+        let t445 = t433 - (t309 + t204 * t426);
+        put(31, t439); // row 1, MSZ5
+        put(83, t442); // row 2, MSZ5
+        put(125, t445); // row 3, MSZ5
+        put(157, t433); // row 4, MSZ5
     }
     // XX5: column
-    let [t463, t464, t468] = {
-        let t463 = t135 * t221;
-        let t464 = t134 * t204;
-        let t466 = dw5_x * z1_5_x - t463 - t464;
-        let t468 = c5 * t135;
-        let t469 = s5 * dw5_x + t468;
-        put(32, t466); // row 1, XX5
-        put(84, t469); // row 2, XX5
-        put(126, t469); // row 3, XX5
-        put(158, t469); // row 4, XX5
-        [t463, t464, t468]
+    let [t447, t448, t452] = {
+        let t447 = t103 * t133;
+        let t448 = t63 * t132;
+        let t450 = z1_5_x * dw5_x - t447 - t448;
+        let t452 = c5 * t133;
+        let t453 = s5 * dw5_x + t452;
+        put(32, t450); // row 1, XX5
+        put(84, t453); // row 2, XX5
+        put(126, t453); // row 3, XX5
+        put(158, t453); // row 4, XX5
+        [t447, t448, t452]
     };
     // YY5: column
-    let [t470, t474] = {
-        let t470 = t136 * z1_5_x;
-        let t473 = t464 - (t470 + t138 * t221);
-        let t474 = s5 * t136;
-        let t476 = c5 * t138 - t474;
-        put(33, t473); // row 1, YY5
-        put(85, t476); // row 2, YY5
-        put(127, t476); // row 3, YY5
-        put(159, t476); // row 4, YY5
-        [t470, t474]
+    let [t454, t458] = {
+        let t454 = z1_5_x * t134;
+        let t457 = t448 - (t454 + t103 * t136);
+        let t458 = s5 * t134;
+        let t460 = c5 * t136 - t458;
+        put(33, t457); // row 1, YY5
+        put(85, t460); // row 2, YY5
+        put(127, t460); // row 3, YY5
+        put(159, t460); // row 4, YY5
+        [t454, t458]
     };
     // ZZ5: column
     {
-        let t479 = dw5_z * t204 + (t463 + t470);
-        let t480 = t474 - t468;
-        put(34, t479); // row 1, ZZ5
-        put(86, t480); // row 2, ZZ5
-        put(128, t480); // row 3, ZZ5
-        put(160, t480); // row 4, ZZ5
+        let t463 = t63 * dw5_z + (t447 + t454);
+        let t464 = t458 - t452;
+        put(34, t463); // row 1, ZZ5
+        put(86, t464); // row 2, ZZ5
+        put(128, t464); // row 3, ZZ5
+        put(160, t464); // row 4, ZZ5
     }
     // XY5: column
     {
-        let t481 = t143 - t140;
-        let t486 = t204 * t481 + (t144 * z1_5_x - t145 * t221);
-        let t489 = s5 * t144 + c5 * t145;
-        put(35, t486); // row 1, XY5
-        put(87, t489); // row 2, XY5
-        put(129, t489); // row 3, XY5
-        put(161, t489); // row 4, XY5
-        put(183, t481); // row 5, XY5
+        let t465 = t138 + t141;
+        let t470 = t63 * t465 - (t103 * t143 - z1_5_x * t142);
+        let t473 = s5 * t142 + c5 * t143;
+        put(35, t470); // row 1, XY5
+        put(87, t473); // row 2, XY5
+        put(129, t473); // row 3, XY5
+        put(161, t473); // row 4, XY5
+        put(183, t465); // row 5, XY5
     }
     // XZ5: column
     {
-        let t494 = t129 * t204 + (t142 * z1_5_x - t139 * t221);
-        let t496 = t385 + c5 * t139;
-        put(36, t494); // row 1, XZ5
-        put(88, t496); // row 2, XZ5
-        put(130, t496); // row 3, XZ5
-        put(162, t496); // row 4, XZ5
+        let t478 = t63 * t127 + (z1_5_x * t140 + t103 * t137);
+        let t480 = t369 - c5 * t137;
+        put(36, t478); // row 1, XZ5
+        put(88, t480); // row 2, XZ5
+        put(130, t480); // row 3, XZ5
+        put(162, t480); // row 4, XZ5
     }
     // YZ5: column
     {
-        let t497 = t103 - t143;
-        let t502 = t126 * t204 + (z1_5_x * t497 + t141 * t221);
-        let t504 = s5 * t497 - t413;
-        put(37, t502); // row 1, YZ5
-        put(89, t504); // row 2, YZ5
-        put(131, t504); // row 3, YZ5
-        put(163, t504); // row 4, YZ5
+        let t481 = t99 - t141;
+        let t486 = t63 * t124 + (z1_5_x * t481 + t103 * t139);
+        let t488 = s5 * t481 - t397;
+        put(37, t486); // row 1, YZ5
+        put(89, t488); // row 2, YZ5
+        put(131, t488); // row 3, YZ5
+        put(163, t488); // row 4, YZ5
     }
     // M6: column
-    let [t507, t510] = {
-        let t507 = c6 * t160 + s6 * a6_y;
-        let t510 = s6 * t160 - c6 * a6_y;
-        let t511 = D6 * t510;
-        let t512 = D6 * t507;
-        let t515 = c5 * t507 + s5 * t156;
-        let t518 = c5 * t156 - s5 * t507;
-        let t524 = s5 * t511 - D5 * t515;
-        let t532 = t207 * t515 - t210 * t510 - t198 * t518;
-        let t533 = z1_4_x * (c5 * t511 - D5 * t518) + t204 * t512 + t532;
-        let t537 = t524 + (t214 * t515 - v2_4_y * t510);
-        let t541 = t524 + (t218 * t515 + v3_5_z * t510);
-        put(38, t533); // row 1, M6
-        put(90, t537); // row 2, M6
-        put(132, t541); // row 3, M6
-        put(164, t524); // row 4, M6
-        put(186, t512); // row 5, M6
-        [t507, t510]
+    let [t491, t494] = {
+        let t491 = c6 * t152 + s6 * a6_y;
+        let t494 = s6 * t152 - c6 * a6_y;
+        let t495 = D6 * t494;
+        let t496 = D6 * t491;
+        let t499 = c5 * t491 + s5 * t148;
+        let t502 = s5 * t491 - c5 * t148;
+        let t508 = s5 * t495 - D5 * t499;
+        let t516 = t193 * t499 + v1_5_z * t494 - v1_4_z * t502;
+        let t517 = z1_4_x * (c5 * t495 + D5 * t502) + t63 * t496 + t516;
+        let t521 = t508 + (t200 * t499 - v2_4_y * t494);
+        let t525 = t508 + (t204 * t499 + v3_5_z * t494);
+        put(38, t517); // row 1, M6
+        put(90, t521); // row 2, M6
+        put(132, t525); // row 3, M6
+        put(164, t508); // row 4, M6
+        put(186, t496); // row 5, M6
+        [t491, t494]
     };
     // MSX6: column
-    let [t543, t546, t548, t549] = {
-        let t543 = s6 * t182;
-        let t544 = c6 * t180 + t543;
-        let t546 = c6 * t182;
-        let t547 = s6 * t180 - t546;
-        let t548 = s6 * t156;
-        let t549 = c6 * t156;
-        let t552 = t548 + D6 * t547;
-        let t553 = t549 + D6 * t544;
-        let t556 = c5 * t544 + s5 * t184;
-        let t559 = s5 * t544 - c5 * t184;
-        let t569 = s5 * t552 + c5 * a6_y - D5 * t556;
-        let t572 = t204 * t553 - z1_4_x * (s5 * a6_y - c5 * t552 - D5 * t559);
-        let t578 = t572 + (t198 * t559 - (t210 * t547 - t207 * t556));
-        let t582 = t569 - (v2_4_y * t547 - t214 * t556);
-        let t586 = t569 + (t218 * t556 + v3_5_z * t547);
-        put(39, t578); // row 1, MSX6
-        put(91, t582); // row 2, MSX6
-        put(133, t586); // row 3, MSX6
-        put(165, t569); // row 4, MSX6
-        put(187, t553); // row 5, MSX6
-        [t543, t546, t548, t549]
+    let [t527, t530, t532, t533] = {
+        let t527 = s6 * t180;
+        let t528 = c6 * t178 + t527;
+        let t530 = c6 * t180;
+        let t531 = t530 - s6 * t178;
+        let t532 = s6 * t148;
+        let t533 = c6 * t148;
+        let t536 = t532 + D6 * t531;
+        let t537 = t533 - D6 * t528;
+        let t540 = s5 * t182 - c5 * t528;
+        let t543 = s5 * t528 + c5 * t182;
+        let t553 = s5 * t536 + c5 * a6_y - D5 * t540;
+        let t556 = t63 * t537 - z1_4_x * (D5 * t543 - (c5 * t536 - s5 * a6_y));
+        let t562 = t556 + (v1_4_z * t543 + (t193 * t540 + v1_5_z * t531));
+        let t566 = t553 - (v2_4_y * t531 - t200 * t540);
+        let t570 = t553 + (t204 * t540 + v3_5_z * t531);
+        put(39, t562); // row 1, MSX6
+        put(91, t566); // row 2, MSX6
+        put(133, t570); // row 3, MSX6
+        put(165, t553); // row 4, MSX6
+        put(187, t537); // row 5, MSX6
+        [t527, t530, t532, t533]
     };
     // MSY6: column
-    let [t587, t590] = {
-        let t587 = c6 * t181;
-        let t589 = t587 - s6 * t183;
-        let t590 = s6 * t181;
-        let t592 = t590 + c6 * t183;
-        let t595 = t549 + D6 * t592;
-        let t596 = D6 * t589 - t548;
-        let t599 = c5 * t589 - s5 * t185;
-        let t602 = s5 * t589 + c5 * t185;
-        let t612 = s5 * t595 + c5 * t160 - D5 * t599;
-        let t615 = z1_4_x * (D5 * t602 - (s5 * t160 - c5 * t595)) + t204 * t596;
-        let t621 = t615 - (t210 * t592 - t207 * t599 - t198 * t602);
-        let t625 = t612 - (v2_4_y * t592 - t214 * t599);
-        let t629 = t612 + (t218 * t599 + v3_5_z * t592);
-        put(40, t621); // row 1, MSY6
-        put(92, t625); // row 2, MSY6
-        put(134, t629); // row 3, MSY6
-        put(166, t612); // row 4, MSY6
-        put(188, t596); // row 5, MSY6
-        [t587, t590]
+    let [t571, t574] = {
+        let t571 = c6 * t179;
+        let t573 = t571 - s6 * t181;
+        let t574 = s6 * t179;
+        let t576 = t574 + c6 * t181;
+        let t579 = t533 + D6 * t576;
+        let t580 = D6 * t573 - t532;
+        let t583 = c5 * t573 - s5 * t183;
+        let t586 = s5 * t573 + c5 * t183;
+        let t596 = s5 * t579 + c5 * t152 - D5 * t583;
+        let t599 = z1_4_x * (D5 * t586 - (s5 * t152 - c5 * t579)) + t63 * t580;
+        let t605 = t599 - (v1_4_z * t586 - (t193 * t583 + v1_5_z * t576));
+        let t609 = t596 + (t200 * t583 - v2_4_y * t576);
+        let t613 = t596 + (t204 * t583 + v3_5_z * t576);
+        put(40, t605); // row 1, MSY6
+        put(92, t609); // row 2, MSY6
+        put(134, t613); // row 3, MSY6
+        put(166, t596); // row 4, MSY6
+        put(188, t580); // row 5, MSY6
+        [t571, t574]
     };
     // MSZ6: column
     {
-        let t632 = c6 * t166 + s6 * t169;
-        let t635 = s6 * t166 - c6 * t169;
-        let t638 = t510 - D6 * t635;
-        let t639 = t507 - D6 * t632;
-        let t641 = t414 + c5 * t632;
-        let t643 = s5 * t632 - t417;
-        let t649 = s5 * t638 + D5 * t641;
-        let t657 = t210 * t635 - t207 * t641 - t198 * t643;
-        let t658 = z1_4_x * (c5 * t638 - D5 * t643) + t204 * t639 + t657;
-        let t662 = t649 + (v2_4_y * t635 - t214 * t641);
-        let t666 = t649 - (t218 * t641 + v3_5_z * t635);
-        put(41, t658); // row 1, MSZ6
-        put(93, t662); // row 2, MSZ6
-        put(135, t666); // row 3, MSZ6
-        put(167, t649); // row 4, MSZ6
-        put(189, t639); // row 5, MSZ6
+        let t616 = c6 * t164 + s6 * t167;
+        let t619 = c6 * t167 - s6 * t164;
+        let t622 = t494 + D6 * t619;
+        let t623 = t491 - D6 * t616;
+        let t625 = t398 + c5 * t616;
+        let t627 = s5 * t616 - t401;
+        let t633 = s5 * t622 + D5 * t625;
+        let t641 = v1_4_z * t627 - (t193 * t625 - v1_5_z * t619);
+        let t642 = z1_4_x * (c5 * t622 - D5 * t627) + t63 * t623 + t641;
+        let t646 = t633 - (t200 * t625 + v2_4_y * t619);
+        let t650 = t633 + (v3_5_z * t619 - t204 * t625);
+        put(41, t642); // row 1, MSZ6
+        put(93, t646); // row 2, MSZ6
+        put(135, t650); // row 3, MSZ6
+        put(167, t633); // row 4, MSZ6
+        put(189, t623); // row 5, MSZ6
     }
     // XX6: column
-    let [t668, t671, t674, t679] = {
-        let t668 = s6 * t175;
-        let t669 = c6 * t177 + t668;
-        let t671 = c6 * t175;
-        let t672 = s6 * t177 - t671;
-        let t674 = t174 * t221;
-        let t677 = t204 * t672 - (z1_5_x * t669 + t674);
-        let t679 = c5 * t174;
-        let t680 = t679 - s5 * t669;
-        put(42, t677); // row 1, XX6
-        put(94, t680); // row 2, XX6
-        put(136, t680); // row 3, XX6
-        put(168, t680); // row 4, XX6
-        put(190, t672); // row 5, XX6
-        [t668, t671, t674, t679]
+    let [t652, t655, t658, t663] = {
+        let t652 = s6 * t173;
+        let t653 = c6 * t175 + t652;
+        let t655 = c6 * t173;
+        let t656 = s6 * t175 - t655;
+        let t658 = t103 * t172;
+        let t661 = t63 * t656 - (z1_5_x * t653 + t658);
+        let t663 = c5 * t172;
+        let t664 = t663 - s5 * t653;
+        put(42, t661); // row 1, XX6
+        put(94, t664); // row 2, XX6
+        put(136, t664); // row 3, XX6
+        put(168, t664); // row 4, XX6
+        put(190, t656); // row 5, XX6
+        [t652, t655, t658, t663]
     };
     // YY6: column
-    let [t681, t684] = {
-        let t681 = c6 * t176;
-        let t683 = t681 + s6 * t178;
-        let t684 = s6 * t176;
-        let t686 = c6 * t178 - t684;
-        let t690 = t204 * t686 + (t674 + z1_5_x * t683);
-        let t692 = s5 * t683 - t679;
-        put(43, t690); // row 1, YY6
-        put(95, t692); // row 2, YY6
-        put(137, t692); // row 3, YY6
-        put(169, t692); // row 4, YY6
-        put(191, t686); // row 5, YY6
-        [t681, t684]
+    let [t665, t668] = {
+        let t665 = c6 * t174;
+        let t667 = t665 + s6 * t176;
+        let t668 = s6 * t174;
+        let t670 = c6 * t176 - t668;
+        let t674 = t63 * t670 + (t658 + z1_5_x * t667);
+        let t676 = s5 * t667 - t663;
+        put(43, t674); // row 1, YY6
+        put(95, t676); // row 2, YY6
+        put(137, t676); // row 3, YY6
+        put(169, t676); // row 4, YY6
+        put(191, t670); // row 5, YY6
+        [t665, t668]
     };
     // ZZ6: column
     {
-        let t693 = t668 - t681;
-        let t694 = t671 + t684;
-        let t699 = t204 * t694 - (dw6_z * t221 - z1_5_x * t693);
-        let t702 = s5 * t693 + c5 * dw6_z;
-        put(44, t699); // row 1, ZZ6
-        put(96, t702); // row 2, ZZ6
-        put(138, t702); // row 3, ZZ6
-        put(170, t702); // row 4, ZZ6
-        put(192, t694); // row 5, ZZ6
+        let t677 = t652 - t665;
+        let t678 = t655 + t668;
+        let t683 = t63 * t678 + (z1_5_x * t677 - t103 * dw6_z);
+        let t686 = s5 * t677 + c5 * dw6_z;
+        put(44, t683); // row 1, ZZ6
+        put(96, t686); // row 2, ZZ6
+        put(138, t686); // row 3, ZZ6
+        put(170, t686); // row 4, ZZ6
+        put(192, t678); // row 5, ZZ6
     }
     // XY6: column
     {
-        let t703 = t183 - t180;
-        let t706 = c6 * t184 - s6 * t185;
-        let t709 = s6 * t184 + c6 * t185;
-        let t714 = t204 * t709 - (z1_5_x * t706 + t221 * t703);
-        let t717 = c5 * t703 - s5 * t706;
-        put(45, t714); // row 1, XY6
-        put(97, t717); // row 2, XY6
-        put(139, t717); // row 3, XY6
-        put(171, t717); // row 4, XY6
-        put(193, t709); // row 5, XY6
-        put(205, t703); // row 6, XY6
+        let t687 = t178 + t181;
+        let t690 = s6 * t183 - c6 * t182;
+        let t693 = s6 * t182 + c6 * t183;
+        let t698 = t63 * t693 + (z1_5_x * t690 - t103 * t687);
+        let t701 = s5 * t690 + c5 * t687;
+        put(45, t698); // row 1, XY6
+        put(97, t701); // row 2, XY6
+        put(139, t701); // row 3, XY6
+        put(171, t701); // row 4, XY6
+        put(193, t693); // row 5, XY6
+        put(205, t687); // row 6, XY6
     }
     // XZ6: column
     {
-        let t719 = t546 + s6 * t179;
-        let t721 = c6 * t179 - t543;
-        let t726 = t204 * t721 + (z1_5_x * t719 - t169 * t221);
-        let t729 = s5 * t719 + c5 * t169;
-        put(46, t726); // row 1, XZ6
-        put(98, t729); // row 2, XZ6
-        put(140, t729); // row 3, XZ6
-        put(172, t729); // row 4, XZ6
-        put(194, t721); // row 5, XZ6
+        let t703 = s6 * t177 - t530;
+        let t705 = t527 + c6 * t177;
+        let t710 = t63 * t705 + (z1_5_x * t703 - t103 * t167);
+        let t713 = s5 * t703 + c5 * t167;
+        put(46, t710); // row 1, XZ6
+        put(98, t713); // row 2, XZ6
+        put(140, t713); // row 3, XZ6
+        put(172, t713); // row 4, XZ6
+        put(194, t705); // row 5, XZ6
     }
     // YZ6: column
     {
-        let t730 = t183 - t143;
-        let t732 = t590 + c6 * t730;
-        let t734 = s6 * t730 - t587;
-        let t739 = t204 * t734 - (z1_5_x * t732 + t166 * t221);
-        let t742 = c5 * t166 - s5 * t732;
-        let t743 = dq1.sign();
-        let t744 = dq2.sign();
-        let t745 = dq3.sign();
-        let t746 = dq4.sign();
-        let t747 = dq5.sign();
-        let t748 = dq6.sign();
-        let t749 = -a2_x;
-        let t750 = -t9;
-        let t751 = -t48;
-        let t752 = -t94;
-        let t753 = -t86;
-        let t754 = -t368;
-        let t755 = -t134;
-        let t756 = -t174;
-        put(47, t739); // row 1, YZ6
-        put(50, t743); // row 1, FC1
-        put(53, t749); // row 2, MSY2
-        put(54, t750); // row 2, XX2
-        put(65, t751); // row 2, YY3
-        put(75, t752); // row 2, YY4
-        put(79, t753); // row 2, YZ4
-        put(99, t742); // row 2, YZ6
-        put(102, t744); // row 2, FC2
-        put(107, t751); // row 3, YY3
-        put(117, t752); // row 3, YY4
-        put(121, t753); // row 3, YZ4
-        put(141, t742); // row 3, YZ6
-        put(144, t745); // row 3, FC3
-        put(149, t752); // row 4, YY4
-        put(153, t753); // row 4, YZ4
-        put(154, t754); // row 4, M5
-        put(173, t742); // row 4, YZ6
-        put(176, t746); // row 4, FC4
-        put(180, t755); // row 5, XX5
-        put(195, t734); // row 5, YZ6
-        put(198, t747); // row 5, FC5
-        put(203, t756); // row 6, YY6
-        put(210, t748); // row 6, FC6
+        let t714 = t181 - t141;
+        let t716 = t574 + c6 * t714;
+        let t718 = s6 * t714 - t571;
+        let t723 = t63 * t718 - (z1_5_x * t716 + t103 * t164);
+        let t726 = c5 * t164 - s5 * t716;
+        let t727 = dq1.sign();
+        let t728 = dq2.sign();
+        let t729 = dq3.sign();
+        let t730 = dq4.sign();
+        let t731 = dq5.sign();
+        let t732 = dq6.sign();
+        let t733 = -t249;
+        let t734 = -a2_x;
+        let t735 = -t9;
+        let t736 = -t46;
+        let t737 = -t90;
+        let t738 = -t84;
+        let t739 = -t352;
+        let t740 = -t132;
+        let t741 = -t172;
+        put(11, t733); // row 1, MSZ3
+        put(47, t723); // row 1, YZ6
+        put(50, t727); // row 1, FC1
+        put(53, t734); // row 2, MSY2
+        put(54, t735); // row 2, XX2
+        put(64, t736); // row 2, XX3
+        put(75, t737); // row 2, YY4
+        put(79, t738); // row 2, YZ4
+        put(99, t726); // row 2, YZ6
+        put(102, t728); // row 2, FC2
+        put(106, t736); // row 3, XX3
+        put(117, t737); // row 3, YY4
+        put(121, t738); // row 3, YZ4
+        put(141, t726); // row 3, YZ6
+        put(144, t729); // row 3, FC3
+        put(149, t737); // row 4, YY4
+        put(153, t738); // row 4, YZ4
+        put(154, t739); // row 4, M5
+        put(173, t726); // row 4, YZ6
+        put(176, t730); // row 4, FC4
+        put(180, t740); // row 5, XX5
+        put(195, t718); // row 5, YZ6
+        put(198, t731); // row 5, FC5
+        put(203, t741); // row 6, YY6
+        put(210, t732); // row 6, FC6
     }
 }
