@@ -311,7 +311,7 @@ impl<'a> Bench<'a> {
                         settled = false;
                     }
                 }
-                if c.cause.rests_on_model() && before != c.x {
+                if c.cause.rests_on_model() && !c.cause.moves_time() && before != c.x {
                     let size = c.x.iter().map(|x| x.abs()).fold(1e-12, f64::max);
                     let change = before.iter().zip(&c.x).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                     settled &= before.len() == c.x.len() && change < 1e-3 * size;
