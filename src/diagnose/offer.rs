@@ -5,7 +5,7 @@
 //! of that (the rule of one standard error, Breiman et al. 1984, 3.4.3).
 
 /// Least gain for which the file's links are given up.
-const LEAST: f64 = 0.025;
+const LEAST: f64 = 0.05;
 
 /// Errors on stretches that were left out.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,10 +31,10 @@ impl Paired {
         self.gain > self.error
     }
 
-    /// Whether it is worth giving up the file's links: a fortieth at least, and two standard errors. A refit has many unknowns, which find something in errors that remember
+    /// Whether it is worth giving up the file's links: a twentieth at least, and one and a half standard errors. A refit has many unknowns, which find something in errors that remember
     /// themselves.
     pub fn pays(&self) -> bool {
-        self.gain > LEAST && self.gain > 2.0 * self.error
+        self.gain > LEAST && self.gain > 1.5 * self.error
     }
 }
 
