@@ -16,6 +16,9 @@ use super::offer::LeftOut;
 use super::record::Recording;
 use super::scene::{BLOCKS, Column, Scene};
 
+/// A delay that is taken as in proportion to its column, s: to move the data by it would change nothing.
+const LINEAR: f64 = 2e-4;
+
 /// Which parameters of the rigid arm are unknown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
@@ -297,7 +300,8 @@ impl<'a> Bench<'a> {
                 if c.cause.secant() && !c.x.is_empty() {
                     let x = c.x[0];
                     if c.cause.moves_time() {
-                        if x.abs() > 2e-5 && x.is_finite() {
+                        // What is less is taken on lines.
+                        if x.abs() > LINEAR && x.is_finite() {
                             settled = false;
                             self.delay(&c.place, x.clamp(-0.05, 0.05));
                             c.shape[0] = 1e-3;
@@ -307,7 +311,7 @@ impl<'a> Bench<'a> {
                         settled = false;
                     }
                 }
-                if c.cause.rests_on_model() && before != c.x {
+                if c.cause.rests_on_model() && !c.cause.moves_time() && before != c.x {
                     let size = c.x.iter().map(|x| x.abs()).fold(1e-12, f64::max);
                     let change = before.iter().zip(&c.x).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                     settled &= before.len() == c.x.len() && change < 1e-3 * size;

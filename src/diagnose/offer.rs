@@ -4,6 +4,9 @@
 //! in it): errors of two models are compared stretch by stretch, and the simpler one stays unless the other is better by more than the standard error
 //! of that (the rule of one standard error, Breiman et al. 1984, 3.4.3).
 
+/// Least gain for which the file's links are given up.
+const LEAST: f64 = 0.05;
+
 /// Errors on stretches that were left out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LeftOut {
@@ -26,6 +29,12 @@ impl Paired {
     /// Whether it is more than chance.
     pub fn sure(&self) -> bool {
         self.gain > self.error
+    }
+
+    /// Whether it is worth giving up the file's links: a twentieth at least, and one and a half standard errors. A refit has many unknowns, which find something in errors that remember
+    /// themselves.
+    pub fn pays(&self) -> bool {
+        self.gain > LEAST && self.gain > 1.5 * self.error
     }
 }
 

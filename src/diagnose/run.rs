@@ -226,13 +226,13 @@ fn once(
         let (trusted, explained) = attempt(Mode::Trusted);
         let left = structure(&trusted.scene, &explained.fitted.residual, &noise, &torque_rms);
         let few = trusted.left_out(&chosen_of(&explained.accepted), &explained.fitted);
-        if left.is_empty() && !refit_out.less(&few, &ground).sure() {
+        if left.is_empty() && !refit_out.less(&few, &ground).pays() {
             (trusted, explained)
         } else {
             progress("all base parameters anew");
             let (free, other) = attempt(Mode::Refitted);
             let all = free.left_out(&chosen_of(&other.accepted), &other.fitted);
-            if all.less(&few, &ground).sure() { (free, other) } else { (trusted, explained) }
+            if all.less(&few, &ground).pays() { (free, other) } else { (trusted, explained) }
         }
     } else {
         attempt(Mode::Refitted)
@@ -278,8 +278,8 @@ fn once(
             })
             .collect();
         // The bench as it was, with everything in it.
-        fitted = bench.fit(&mut chosen.clone());
-        let uncertainty = Uncertainty::of(&bench, &fitted, &chosen);
+        fitted = without(&mut bench, &mut found.accepted, &[]);
+        let uncertainty = Uncertainty::of(&bench, &fitted, &chosen_of(&found.accepted));
         let mut causes: Vec<Cause> = Vec::new();
         for (item, (without, interval)) in items.iter().zip(others) {
             let (on, with) = if item.hypothesis.local() { ("fit", &after_fit) } else { ("validate", &after) };
@@ -328,10 +328,12 @@ fn once(
             let mut believed = Bench::new(plant, fit, settings.rate, Mode::Trusted, &bench.scene.delays, false);
             believed.frozen = bench.frozen.clone();
             let mut others = chosen_of(&found.accepted);
-            let fitted = believed.fit(&mut others);
-            let without = Meter::new(plant, validate, &believed).of(&believed, &fitted, &others, true);
+            let trusting = believed.fit(&mut others);
+            let without = Meter::new(plant, validate, &believed).of(&believed, &trusting, &others, true);
             let part = share(&without.rms, &after.rms, &noise, &[]);
-            causes.push(Cause {
+            let full = bench.left_out(&chosen_of(&found.accepted), &fitted);
+            let told = full.less(&believed.left_out(&others, &trusting), &ground);
+            let links = Cause {
                 cause: "link_inertia_error",
                 evidence: format!(
                     "the base parameters of joint(s) {joints:?} differ from the file's by more than five of their standard deviations; with the file's own and everything else that was found {} N m are missed on the validating logs (RMS over joints), with these {} N m",
@@ -352,7 +354,11 @@ fn once(
                 not_distinguished_from: Vec::new(),
                 shown_by: "an exciting motion for the base parameters",
                 curve: None,
-            });
+            };
+            // It has to pay like any other.
+            if told.pays() && taken(&links, &scale) > 0.0 && matters(&links, &noise) {
+                causes.push(links);
+            }
         }
     }
     causes.sort_by(|a, b| taken(b, &scale).total_cmp(&taken(a, &scale)));
@@ -520,7 +526,7 @@ fn offer<'a>(
     let mut model = extended.clone();
     let beaten = match bench.mode {
         // Of two models that are as good the one with fewer unknowns.
-        Mode::Trusted => refit.less(extended, ground).sure(),
+        Mode::Trusted => refit.less(extended, ground).pays(),
         Mode::Refitted => !found.accepted.is_empty() && !extended.less(refit, ground).sure(),
     };
     if beaten {
@@ -760,7 +766,11 @@ fn leave_out<'a>(
     let mut others: Vec<Chosen> =
         chosen.iter().enumerate().filter(|(i, _)| item.accepted != Some(*i)).map(|(_, c)| c.clone()).collect();
     let fitted = bench.fit(&mut others);
-    let measured = meter.of(bench, &fitted, &others, elsewhere);
+    let measured = match bench.scene.delays == meter.fine.scene.delays {
+        true => meter.of(bench, &fitted, &others, elsewhere),
+        // Without this the delay is another.
+        false => Meter::new(plant, meter.fine.recordings, bench).of(bench, &fitted, &others, elsewhere),
+    };
     bench.frozen = frozen;
     measured
 }
@@ -901,20 +911,23 @@ fn bootstrap(without: &Measured, with: &Measured, place: &[usize]) -> [f64; 2] {
 /// A margin beyond which more of it says nothing.
 const MOST_MARGIN: f64 = 1e4;
 
-/// Where all parameters were refitted that is done as a matter of course, and a cause that takes half of the squared error of a joint, or a quarter of that of all,
-/// beside them is what no value of a parameter explains: it is named before them.
-fn values_last(causes: &mut [Cause], noise: &[f64]) {
-    let Some(links) = causes.iter().position(|c| c.cause == "link_inertia_error" && c.keys.is_empty()) else { return };
+/// What no value of a link's parameter explains is named before those values, where it takes half of the squared error of a joint beside them, or a quarter of that of all:
+/// what is wrong with a recording or an arm as a whole, whatever stands in the file; and every cause where all parameters were refitted as a matter of course.
+fn values_last(causes: &mut Vec<Cause>, noise: &[f64]) {
+    let Some(at) = causes.iter().position(|c| c.cause == "link_inertia_error") else { return };
+    let refitted = causes[at].keys.is_empty();
     let structure = |c: &Cause| {
         let joints = c.rms_before.iter().zip(&c.rms_after).zip(noise);
         let shares: Vec<f64> = joints.map(|((b, a), s)| (b * b - a * a) / (b * b + s * s).max(1e-24)).collect();
         let most = shares.iter().copied().fold(0.0, f64::max);
         most > 0.5 || shares.iter().sum::<f64>() > 0.25 * shares.len() as f64
     };
-    let last = (links + 1..causes.len()).rev().find(|&i| causes[i].cause != "unknown" && structure(&causes[i]));
-    if let Some(last) = last {
-        causes[links..=last].rotate_left(1);
-    }
+    let value = |c: &Cause| ["link_inertia_error", "payload", "unknown"].contains(&c.cause);
+    let tail = causes.split_off(at);
+    let (first, rest): (Vec<Cause>, Vec<Cause>) =
+        tail.into_iter().partition(|c| !value(c) && (refitted || c.joints.is_empty()) && structure(c));
+    causes.extend(first);
+    causes.extend(rest);
 }
 
 /// Part of the squared error above the noise that goes: of the main joint, or of the one with the most to gain.
