@@ -141,7 +141,7 @@ fn a_run_presses_as_asked_and_shows_it() {
     assert!(rms(&|r| number(r, 3) - 20.0) < 1.0);
     let html = std::fs::read_to_string(&page).unwrap();
     assert!(html.contains("<polyline") && html.contains("Path of the roller") && !html.contains("NaN"));
-    assert!(!html.contains("http://") && !html.contains("https://"));
+    assert!(html.matches("http").count() == html.matches("http://www.w3.org").count());
 
     let fails = |arguments: &[&str], part: &str| {
         let run = denavit(&[&base[..], &tool, arguments].concat());
