@@ -56,6 +56,8 @@ pub fn misses(plant: &dyn Plant, recordings: &[Recording], settings: &Settings) 
 /// Errors per joint and sample at the logs' own rate.
 struct Measured {
     rms: Vec<f64>,
+    /// The same where the joint moves: at reversals the sign of a velocity inside its noise errs by twice the Coulomb level, whatever the cause.
+    steady: Vec<f64>,
     error: Vec<Vec<f64>>,
     time: Vec<f64>,
     view: View,
@@ -103,7 +105,16 @@ impl<'a> Meter<'a> {
             }
         }
         let rms = error.iter().map(|e| root_mean_square(e)).collect();
-        Measured { rms, error, time: self.fine.scene.time.clone(), view: View::of(&self.fine.scene) }
+        let scene = &self.fine.scene;
+        let steady = (0..error.len())
+            .map(|j| {
+                let v = scene.own[j].iter().flat_map(|own| own.v.iter().copied());
+                let moving = error[j].iter().zip(v).filter(|(_, v)| v.abs() > scene.dead[j]);
+                let moving: Vec<f64> = moving.map(|(e, _)| *e).collect();
+                root_mean_square(if 2 * moving.len() < error[j].len() { &error[j] } else { &moving })
+            })
+            .collect();
+        Measured { rms, steady, error, time: self.fine.scene.time.clone(), view: View::of(&self.fine.scene) }
     }
 }
 
@@ -268,20 +279,20 @@ fn once(
         let [mut far, mut near] = [validate, fit].map(|data| Meter::new(plant, data, &bench));
         let after = far.of(&bench, &fitted, &chosen, true);
         let after_fit = near.of(&bench, &fitted, &chosen, false);
-        let others: Vec<(Vec<f64>, [f64; 2])> = items
+        let others: Vec<(Vec<f64>, Vec<f64>, [f64; 2])> = items
             .iter()
             .map(|item| {
                 let (meter, with) = if item.hypothesis.local() { (&mut near, &after_fit) } else { (&mut far, &after) };
                 let without = leave_out(plant, fit, meter, &mut bench, &chosen, item);
                 let interval = bootstrap(&without, with, &item.place);
-                (without.rms, interval)
+                (without.rms, without.steady, interval)
             })
             .collect();
         // The bench as it was, with everything in it.
         fitted = without(&mut bench, &mut found.accepted, &[]);
         let uncertainty = Uncertainty::of(&bench, &fitted, &chosen_of(&found.accepted));
         let mut causes: Vec<Cause> = Vec::new();
-        for (item, (without, interval)) in items.iter().zip(others) {
+        for (item, (without, steady, interval)) in items.iter().zip(&others) {
             let (on, with) = if item.hypothesis.local() { ("fit", &after_fit) } else { ("validate", &after) };
             causes.push(weigh(
                 &bench,
@@ -290,21 +301,22 @@ fn once(
                 &found.accepted,
                 &plain_rivals,
                 item,
-                [&without, &with.rms],
-                interval,
+                [without, &with.rms],
+                [steady, &with.steady],
+                *interval,
                 on,
                 &noise,
             ));
         }
         // A cause that loses on data that was not used is no cause, and not in the model; that there was something to explain stays true.
-        let failed: Vec<usize> = (0..causes.len())
-            .filter(|&i| causes[i].on != "fit" && !(taken(&causes[i], &scale) > 0.0 && matters(&causes[i], &noise)))
-            .collect();
+        let gains = |i: usize| taken_of(&others[i].1, &after.steady, &scale);
+        let holds = |i: usize| gains(i) > 0.0 && matters(&others[i].1, &after.steady, &noise);
+        let failed: Vec<usize> = (0..causes.len()).filter(|&i| causes[i].on != "fit" && !holds(i)).collect();
         round += 1;
         if failed.is_empty() || round > 3 {
             break (after, after_fit, causes);
         }
-        for c in failed.iter().map(|&i| &causes[i]).filter(|c| c.curve.is_some() && taken(c, &scale) <= 0.0) {
+        for c in failed.iter().filter(|i| gains(**i) <= 0.0).map(|&i| &causes[i]).filter(|c| c.curve.is_some()) {
             left.push(Structure {
                 joint: c.joints.first().map_or(0, |j| j - 1),
                 rms: 0.0,
@@ -348,7 +360,7 @@ fn once(
                 parameters: Vec::new(),
                 keys: Vec::new(),
                 interval: bootstrap(&without, &after, &[]),
-                rms_before: without.rms,
+                rms_before: without.rms.clone(),
                 rms_after: after.rms.clone(),
                 on: "validate",
                 not_distinguished_from: Vec::new(),
@@ -356,7 +368,8 @@ fn once(
                 curve: None,
             };
             // It has to pay like any other.
-            if told.pays() && taken(&links, &scale) > 0.0 && matters(&links, &noise) {
+            let gains = taken_of(&without.steady, &after.steady, &scale) > 0.0;
+            if told.pays() && gains && matters(&without.steady, &after.steady, &noise) {
                 causes.push(links);
             }
         }
@@ -809,6 +822,7 @@ fn weigh(
     plain_rivals: &[Plain],
     item: &Item,
     [without, with]: [&[f64]; 2],
+    steady: [&[f64]; 2],
     interval: [f64; 2],
     on: &'static str,
     noise: &[f64],
@@ -829,7 +843,7 @@ fn weigh(
         keys.iter().map(|k| Named { symbol: format!("{}{suffix}", k.symbol), ..k.clone() }).collect();
     let accepted = item.accepted.map(|a| &all[a]);
     let margin = near(item, accepted, plain_rivals).iter().map(|r| r.2.max(0.0)).fold(MOST_MARGIN, f64::min);
-    let part = share(without, with, noise, &item.place);
+    let part = share(steady[0], steady[1], noise, &item.place);
     let support = accepted.map_or_else(|| plain_support(fitted, &uncertainty.covariance, item), |a| a.support);
     Cause {
         cause: item.hypothesis.name(),
@@ -861,15 +875,20 @@ fn weigh(
 }
 
 /// Whether a cause takes as much on some joint as a torque of half of the noise would.
-fn matters(cause: &Cause, noise: &[f64]) -> bool {
-    let joints = cause.rms_before.iter().zip(&cause.rms_after).zip(noise);
+fn matters(before: &[f64], after: &[f64], noise: &[f64]) -> bool {
+    let joints = before.iter().zip(after).zip(noise);
     joints.map(|((a, b), s)| a * a - b * b - (0.5 * s).powi(2)).any(|x| x > 0.0)
 }
 
 /// How much error a cause takes: the logarithm of the ratio of root mean squares without and with it, noise added to both, summed over joints; so no
 /// joint counts for more than another by the size of its torques.
 fn taken(cause: &Cause, noise: &[f64]) -> f64 {
-    let joints = cause.rms_before.iter().zip(&cause.rms_after).zip(noise);
+    taken_of(&cause.rms_before, &cause.rms_after, noise)
+}
+
+/// The same of errors without and with it.
+fn taken_of(before: &[f64], after: &[f64], noise: &[f64]) -> f64 {
+    let joints = before.iter().zip(after).zip(noise);
     joints.map(|((a, b), s)| 0.5 * ((a * a + s * s).max(1e-24) / (b * b + s * s).max(1e-24)).ln()).sum()
 }
 
