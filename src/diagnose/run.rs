@@ -58,6 +58,8 @@ struct Measured {
     error: Vec<Vec<f64>>,
     time: Vec<f64>,
     view: View,
+    /// Whether this data can show each of the chosen causes.
+    shown: Vec<bool>,
 }
 
 const RAW: f64 = 1e9;
@@ -94,7 +96,8 @@ fn measure<'a>(
         }
     }
     let rms = error.iter().map(|e| root_mean_square(e)).collect();
-    Measured { rms, error, time: fine.scene.time.clone(), view: View::of(&fine.scene) }
+    let shown = chosen.iter().map(|c| c.cause.shows(&fine.scene, &c.place, &c.shape)).collect();
+    Measured { rms, error, time: fine.scene.time.clone(), view: View::of(&fine.scene), shown }
 }
 
 fn root_mean_square(x: &[f64]) -> f64 {
@@ -184,6 +187,7 @@ pub fn diagnose(
     let fitted = freeze(&mut bench, &mut found, &noise);
     progress("what else plain friction might be");
     let (fitted, plain_rivals) = reconsider(&mut bench, &mut found.accepted, fitted, &noise, &settings.search);
+    let fitted = prune(&mut bench, &mut found, fitted, &noise);
     let items = items(&bench, &found, &fitted);
     let chosen: Vec<Chosen> = found.accepted.iter().map(|a| a.chosen.clone()).collect();
     let mut left = structure(&bench.scene, &fitted.residual, &noise, &torque_rms);
@@ -195,7 +199,8 @@ pub fn diagnose(
     let covariance = &uncertainty.covariance;
     let mut causes: Vec<Cause> = Vec::new();
     for item in &items {
-        let local = item.hypothesis.local();
+        // What the validating logs can't show, they can't refute.
+        let local = item.hypothesis.local() || item.accepted.is_some_and(|index| !after.shown[index]);
         let (on, data, with) = if local { ("fit", fit, &after_fit) } else { ("validate", validate, &after) };
         let without = leave_out(plant, fit, data, &bench, &chosen, item);
         let keys = match item.accepted {
@@ -337,6 +342,28 @@ fn pays(trusted: &Fitted, free: &Fitted) -> bool {
     let live = trusted.solution.counts.iter().filter(|n| **n > 0.0).count().max(1) as f64;
     let logs: f64 = a.iter().zip(&b).filter(|(a, b)| **a > 1e-200 && **b > 1e-200).map(|(a, b)| (a / b).ln()).sum();
     logs / live > 0.05
+}
+
+/// Takes out, the least sure first, causes whose coefficients do not stand out of their uncertainty, that of the shape included.
+fn prune(bench: &mut Bench<'_>, found: &mut Found, mut fitted: Fitted, noise: &[f64]) -> Fitted {
+    loop {
+        let chosen: Vec<Chosen> = found.accepted.iter().map(|a| a.chosen.clone()).collect();
+        let uncertainty = Uncertainty::of(bench, &fitted, &chosen);
+        let least = (0..chosen.len())
+            .map(|index| (index, uncertainty.stands_out(bench, &fitted, index, &chosen[index])))
+            .min_by(|a, b| a.1.total_cmp(&b.1));
+        let Some((index, _)) = least.filter(|l| l.1 < 0.0) else { return fitted };
+        let gone = found.accepted.remove(index).chosen;
+        // Plain friction may have given way to it.
+        gone.place.iter().for_each(|j| bench.frozen[3 * j..3 * j + 3].fill(false));
+        if gone.cause.moves_time() {
+            let all: Vec<usize> = (0..bench.scene.dof()).collect();
+            for &j in if gone.place.is_empty() { &all } else { &gone.place } {
+                bench.delay(&[j], -bench.scene.delays[j]);
+            }
+        }
+        fitted = freeze(bench, found, noise);
+    }
 }
 
 /// Friction parameters that the data do not want changed go back to the file's values.
@@ -486,7 +513,7 @@ fn leave_out<'a>(
     let mut others: Vec<Chosen> =
         chosen.iter().enumerate().filter(|(i, _)| item.accepted != Some(*i)).map(|(_, c)| c.clone()).collect();
     let fitted = reduced.fit(&mut others);
-    measure(plant, data, &reduced, Some(&fitted), &others, !item.hypothesis.local())
+    measure(plant, data, &reduced, Some(&fitted), &others, !std::ptr::eq(fit, data))
 }
 
 /// Whether a cause takes as much on some joint as a torque of a fifth of the noise would.
