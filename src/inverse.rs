@@ -75,6 +75,9 @@ impl Default for Ask {
     }
 }
 
+/// Postures of a pose, and where its swivel angle may be, for an arm that has one.
+pub type Answer = (Postures, Option<Vec<SwivelRange>>);
+
 /// Arms of each size behind one door.
 trait Solver: Send + Sync {
     fn solve(&self, pose: &[[f64; 4]; 3], ask: &Ask) -> Result<Postures, PoseError>;

@@ -302,7 +302,7 @@ fn a_calibrated_arm_keeps_its_branches() {
             let (error, nearest, solutions) = bench.check(&q, false);
             worst = worst.max(error);
             own += usize::from(nearest < 1e-6);
-            told += usize::from(!(nearest < 1e-6) && solutions.lost > 0);
+            told += usize::from(nearest >= 1e-6 && solutions.lost > 0);
             found += solutions.list.len();
             all += solutions.list.len() + solutions.lost as usize;
         }

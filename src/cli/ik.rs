@@ -9,7 +9,7 @@ use indicatif::ProgressBar;
 
 use super::table::Table;
 use super::{Failure, files};
-use crate::inverse::{Ask, Kinematics, MOST, PoseError, Postures, SwivelRange};
+use crate::inverse::{Answer, Ask, Kinematics, MOST, PoseError, SwivelRange};
 use crate::report::{ik_json, ik_text};
 
 const ENTRIES: [&str; 12] = ["r11", "r12", "r13", "px", "r21", "r22", "r23", "py", "r31", "r32", "r33", "pz"];
@@ -114,7 +114,7 @@ impl Ik {
         kinematics: &Kinematics,
         reference: Reference,
         tool: Option<Displacement>,
-    ) -> Result<Vec<(Postures, Option<Vec<SwivelRange>>)>, Failure> {
+    ) -> Result<Vec<Answer>, Failure> {
         let table = Table::read(&self.poses)?;
         let file = &table.file;
         let mut entries = Vec::with_capacity(12);

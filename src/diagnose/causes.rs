@@ -294,6 +294,11 @@ pub trait Cause: Sync {
         true
     }
 
+    /// What of its coefficients is beyond what can't be known at all.
+    fn beyond(&self, _scene: &Scene<'_>, _place: &[usize], x: &[f64]) -> Vec<f64> {
+        x.to_vec()
+    }
+
     /// Its parameters under the names of a robot file.
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
         let shapes = self.shape().iter().enumerate().filter(|(_, number)| number.named());

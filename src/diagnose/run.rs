@@ -61,6 +61,8 @@ struct Measured {
     error: Vec<Vec<f64>>,
     time: Vec<f64>,
     view: View,
+    /// Whether this data can show each of the chosen causes.
+    shown: Vec<bool>,
 }
 
 const RAW: f64 = 1e9;
@@ -89,7 +91,8 @@ impl<'a> Meter<'a> {
         for (c, first) in chosen.iter().zip(&fitted.first).filter(|(c, _)| elsewhere && c.cause.local()) {
             (0..c.x.len()).for_each(|k| x[first + k] = 0.0);
         }
-        self.errors(self.fine.predict(&x, chosen))
+        let shown = chosen.iter().map(|c| c.cause.shows(&self.fine.scene, &c.place, &c.shape)).collect();
+        Measured { shown, ..self.errors(self.fine.predict(&x, chosen)) }
     }
 
     fn errors(&self, predicted: Vec<Vec<f64>>) -> Measured {
@@ -114,7 +117,8 @@ impl<'a> Meter<'a> {
                 root_mean_square(if 2 * moving.len() < error[j].len() { &error[j] } else { &moving })
             })
             .collect();
-        Measured { rms, steady, error, time: self.fine.scene.time.clone(), view: View::of(&self.fine.scene) }
+        let (time, view) = (self.fine.scene.time.clone(), View::of(&self.fine.scene));
+        Measured { rms, steady, error, time, view, shown: Vec::new() }
     }
 }
 
@@ -251,6 +255,7 @@ fn once(
     let fitted = freeze(&mut bench, &mut found, &noise);
     progress("what else plain friction might be");
     let (fitted, plain_rivals) = reconsider(&mut bench, &mut found.accepted, fitted, &noise, &settings.search);
+    let fitted = prune(&mut bench, &mut found, fitted, &noise);
     let fitted = release(&mut bench, &mut found.accepted, fitted);
     progress("what holds on stretches that were left out");
     let mut why = Vec::new();
@@ -282,8 +287,9 @@ fn once(
         let others: Vec<(Vec<f64>, Vec<f64>, [f64; 2])> = items
             .iter()
             .map(|item| {
-                let (meter, with) = if item.hypothesis.local() { (&mut near, &after_fit) } else { (&mut far, &after) };
-                let without = leave_out(plant, fit, meter, &mut bench, &chosen, item);
+                let here = here(item, &after);
+                let (meter, with) = if here { (&mut near, &after_fit) } else { (&mut far, &after) };
+                let without = leave_out(plant, fit, meter, &mut bench, &chosen, item, !here);
                 let interval = bootstrap(&without, with, &item.place);
                 (without.rms, without.steady, interval)
             })
@@ -293,7 +299,7 @@ fn once(
         let uncertainty = Uncertainty::of(&bench, &fitted, &chosen_of(&found.accepted));
         let mut causes: Vec<Cause> = Vec::new();
         for (item, (without, steady, interval)) in items.iter().zip(&others) {
-            let (on, with) = if item.hypothesis.local() { ("fit", &after_fit) } else { ("validate", &after) };
+            let (on, with) = if here(item, &after) { ("fit", &after_fit) } else { ("validate", &after) };
             causes.push(weigh(
                 &bench,
                 &fitted,
@@ -573,6 +579,29 @@ fn offer<'a>(
     (offered, fitted)
 }
 
+/// Takes out, the least sure first, causes whose coefficients do not stand out of their uncertainty, that of the shape included.
+fn prune(bench: &mut Bench<'_>, found: &mut Found, mut fitted: Fitted, noise: &[f64]) -> Fitted {
+    loop {
+        let chosen: Vec<Chosen> = found.accepted.iter().map(|a| a.chosen.clone()).collect();
+        let uncertainty = Uncertainty::of(bench, &fitted, &chosen);
+        let least = (0..chosen.len())
+            .map(|index| (index, uncertainty.stands_out(bench, &fitted, index, &chosen[index])))
+            .min_by(|a, b| a.1.total_cmp(&b.1));
+        let Some((index, _)) = least.filter(|l| l.1 < 0.0) else { return fitted };
+        let gone = found.accepted.remove(index).chosen;
+        // Plain friction may have given way to it.
+        gone.place.iter().for_each(|j| bench.frozen[3 * j..3 * j + 3].fill(false));
+        if gone.cause.moves_time() {
+            let all: Vec<usize> = (0..bench.scene.dof()).collect();
+            for &j in if gone.place.is_empty() { &all } else { &gone.place } {
+                let given = bench.plant.delays()[j];
+                bench.delay(&[j], given - bench.scene.delays[j]);
+            }
+        }
+        fitted = freeze(bench, found, noise);
+    }
+}
+
 /// Friction parameters that the data do not want changed go back to the file's values.
 fn freeze(bench: &mut Bench<'_>, found: &mut Found, noise: &[f64]) -> Fitted {
     let mut chosen: Vec<Chosen> = found.accepted.iter().map(|a| a.chosen.clone()).collect();
@@ -760,6 +789,11 @@ fn quiet(bench: &Bench<'_>, fitted: &Fitted) -> Vec<Cause> {
         .collect()
 }
 
+/// Whether a cause is measured on the fitted logs: it acts in a part of one of them, or the validating ones can't show it, and so can't refute it.
+fn here(item: &Item, after: &Measured) -> bool {
+    item.hypothesis.local() || item.accepted.is_some_and(|index| !after.shown[index])
+}
+
 /// Errors of the model that is fitted without one of its causes; the bench is left with that.
 fn leave_out<'a>(
     plant: &'a dyn Plant,
@@ -768,8 +802,8 @@ fn leave_out<'a>(
     bench: &mut Bench<'_>,
     chosen: &[Chosen],
     item: &Item,
+    elsewhere: bool,
 ) -> Measured {
-    let elsewhere = !item.hypothesis.local();
     if item.hypothesis.moves_time() {
         let (reduced, others, fitted) = reduced(plant, fit, bench, chosen, item);
         return Meter::new(plant, meter.fine.recordings, &reduced).of(&reduced, &fitted, &others, elsewhere);

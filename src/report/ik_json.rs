@@ -4,7 +4,7 @@ use dh_codegen::arm::Inverse;
 use dh_codegen::ik::Status;
 use serde_json::{Value, json};
 
-use crate::inverse::{Postures, SwivelRange};
+use crate::inverse::{Answer, SwivelRange};
 
 /// The status as the contract writes it.
 pub(super) fn status(status: Status) -> &'static str {
@@ -24,8 +24,8 @@ fn range(r: &SwivelRange) -> Value {
 }
 
 /// `{"class", "poses": [{"status", "solutions": [..]}]}`.
-pub fn value(name: &str, inverse: &Inverse, redundant: bool, poses: &[(Postures, Option<Vec<SwivelRange>>)]) -> Value {
-    let pose = |(p, ranges): &(Postures, Option<Vec<SwivelRange>>)| {
+pub fn value(name: &str, inverse: &Inverse, redundant: bool, poses: &[Answer]) -> Value {
+    let pose = |(p, ranges): &Answer| {
         let solutions: Vec<Value> = p
             .list
             .iter()

@@ -5,10 +5,10 @@ use core::fmt::Write;
 use dh_codegen::arm::Inverse;
 use dh_codegen::ik::{Family, Status};
 
-use crate::inverse::{Postures, SwivelRange};
+use crate::inverse::{Answer, SwivelRange};
 
 /// A table of postures for each pose.
-pub fn text(name: &str, inverse: &Inverse, poses: &[(Postures, Option<Vec<SwivelRange>>)]) -> String {
+pub fn text(name: &str, inverse: &Inverse, poses: &[Answer]) -> String {
     let mut t = format!("{name}: {} ({})\n", inverse.class, inverse.reason);
     for (k, (pose, ranges)) in poses.iter().enumerate() {
         let _ = match pose.status {

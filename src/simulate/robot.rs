@@ -56,14 +56,11 @@ impl Built {
         let everywhere = own.robot.iter().chain(&more.robot);
         for contact in everywhere.clone().filter(|e| e.name == "external_contact") {
             let given = Given::new(contact, None);
-            if let (Some(start), Some(end)) = (given.stated("start"), given.stated("end")) {
-                if end <= start {
-                    return Err(SimulateError::Setting {
-                        what: "external_contact.end",
-                        value: end,
-                        must: "be later than start",
-                    });
-                }
+            if let (Some(start), Some(end)) = (given.stated("start"), given.stated("end"))
+                && end <= start
+            {
+                let (what, must) = ("external_contact.end", "be later than start");
+                return Err(SimulateError::Setting { what, value: end, must });
             }
         }
         let of_joints: Vec<(usize, &Effect)> = own

@@ -33,6 +33,10 @@ impl Cause for StribeckFriction {
         moves(scene, place[0]) && shape[0] <= 0.5 * fastest(scene, place[0])
     }
 
+    fn natural(&self) -> Option<usize> {
+        Some(1) // 1 (Tustin) or 2 (Gauss), unless the data know better
+    }
+
     fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
         let j = place[0];
         let (speed, power) = (shape[0], shape[1]);

@@ -58,16 +58,19 @@ impl Cause for TimeDelay {
         true
     }
 
-    /// Within what is looked for; and at least half a sample, below which nobody can say when a sample was taken. Of one joint: half a sample from
-    /// the others.
     fn plausible(&self, scene: &Scene<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
-        let late = |j: usize| scene.delays[j] + x[0];
+        let own: Vec<usize> = if place.is_empty() { (0..scene.dof()).collect() } else { place.to_vec() };
+        own.iter().all(|&j| (scene.delays[j] + x[0]).abs() <= MOST_DELAY) && self.beyond(scene, place, x)[0] > 0.0
+    }
+
+    /// Beyond half a sample, below which nobody can say when a sample was taken. Of one joint: from the others.
+    fn beyond(&self, scene: &Scene<'_>, place: &[usize], x: &[f64]) -> Vec<f64> {
         let own: Vec<usize> = if place.is_empty() { (0..scene.dof()).collect() } else { place.to_vec() };
         let mut others: Vec<f64> = (0..scene.dof()).filter(|j| !own.contains(j)).map(|j| scene.delays[j]).collect();
         others.sort_by(f64::total_cmp);
         let usual = others.get(others.len() / 2).copied().unwrap_or(0.0);
-        own.iter().all(|&j| late(j).abs() <= MOST_DELAY)
-            && own.iter().any(|&j| (late(j) - usual).abs() >= 0.5 * scene.period)
+        let late = own.iter().map(|&j| (scene.delays[j] + x[0] - usual).abs()).fold(0.0, f64::max);
+        vec![(late - 0.5 * scene.period).max(0.0)]
     }
 
     fn moves_time(&self) -> bool {
