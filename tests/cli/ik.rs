@@ -122,7 +122,7 @@ fn swivel_intervals_are_printed() {
         for interval in range["intervals"].as_array().unwrap() {
             let ends = numbers(interval);
             for (swivel, inside) in [(ends[0] + 1e-6, true), (ends[1] - 1e-6, true), (ends[0] - 1e-6, false)] {
-                if swivel.abs() < 3.14 {
+                if swivel.abs() < 3.1 {
                     rows.push([row(&goal), vec![swivel]].concat());
                     expected.push((range["branch"].clone(), inside, None));
                 }
