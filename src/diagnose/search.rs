@@ -551,10 +551,10 @@ fn unite(bench: &mut Bench<'_>, accepted: &mut Vec<Accepted>, fitted: &mut Fitte
     let own: Vec<usize> = late.iter().map(|&i| of(i).0).collect();
     let members: Vec<usize> = group.iter().map(|&i| of(i).0).collect();
     let before = bench.scene.delays.clone();
-    for j in 0..bench.scene.dof() {
-        let wanted = if own.contains(&j) && !members.contains(&j) { before[j] } else { mean };
-        if wanted != before[j] {
-            bench.delay(&[j], wanted - before[j]);
+    for (j, was) in before.iter().enumerate() {
+        let wanted = if own.contains(&j) && !members.contains(&j) { *was } else { mean };
+        if wanted != *was {
+            bench.delay(&[j], wanted - was);
         }
     }
     let mut kept: Vec<Accepted> =

@@ -58,8 +58,8 @@ impl Derived {
             }
             let end = (k..power.len()).find(|&i| power[i] <= noise).unwrap_or(power.len());
             if power[k..end].iter().any(|p| *p > peak) {
-                for i in k..end {
-                    let share = 1.0 - noise / power[i];
+                for (i, power) in (k..end).zip(&power[k..end]) {
+                    let share = 1.0 - noise / power;
                     self.q[i] += share * (wide.q[i] - self.q[i]);
                     self.dq[i] += share * (wide.dq[i] - self.dq[i]);
                     self.ddq[i] += share * (wide.ddq[i] - self.ddq[i]);
