@@ -317,7 +317,10 @@ fn once(
         // A cause that loses on data that was not used is no cause, and not in the model; that there was something to explain stays true.
         let gains = |i: usize| taken_of(&others[i].1, &after.steady, &scale);
         let holds = |i: usize| gains(i) > 0.0 && matters(&others[i].1, &after.steady, &noise);
-        let failed: Vec<usize> = (0..causes.len()).filter(|&i| causes[i].on != "fit" && !holds(i)).collect();
+        // What acts in a part of a log must still stand out beside everything else.
+        let stands = |i: usize| !items[i].hypothesis.local() || causes[i].share >= settings.search.least_gain;
+        let failed: Vec<usize> =
+            (0..causes.len()).filter(|&i| if causes[i].on == "fit" { !stands(i) } else { !holds(i) }).collect();
         round += 1;
         if failed.is_empty() || round > 3 {
             break (after, after_fit, causes);
@@ -388,7 +391,7 @@ fn once(
         (false, true) => Verdict::Explained,
         (false, false) => Verdict::PartlyExplained,
     };
-    unknown(&mut causes, &left, &after.rms, &scale);
+    unknown(&mut causes, &left, [&baseline.validate, &after.rms], &scale);
     let next_experiment =
         causes.iter().find(|c| !c.not_distinguished_from.is_empty() && c.cause != "unknown").map(|c| NextExperiment {
             between: std::iter::once(c.cause).chain(c.not_distinguished_from.iter().copied()).collect(),
@@ -1026,7 +1029,7 @@ fn confusable(bench: &Bench<'_>, item: &Item, accepted: Option<&Accepted>, plain
 }
 
 /// What is left without a name.
-fn unknown(causes: &mut Vec<Cause>, left: &[Structure], rms: &[f64], noise: &[f64]) {
+fn unknown(causes: &mut Vec<Cause>, left: &[Structure], [baseline, rms]: [&[f64]; 2], noise: &[f64]) {
     if left.is_empty() {
         return;
     }
@@ -1061,12 +1064,13 @@ fn unknown(causes: &mut Vec<Cause>, left: &[Structure], rms: &[f64], noise: &[f6
         shown_by: "a longer recording with slow and fast motion of the named joints",
         curve: None,
     };
-    let size = taken(&entry, noise);
-    let at = causes.iter().position(|c| taken(c, noise) < size).unwrap_or(causes.len());
-    if at > 0 {
+    // First, where more is left than the causes explain; else last: it gains nothing.
+    if taken(&entry, noise) > taken_of(baseline, rms, noise) {
+        causes.insert(0, entry);
+    } else {
         entry.probability = calibration::UNKNOWN_BESIDE;
+        causes.push(entry);
     }
-    causes.insert(at, entry);
 }
 
 /// Torque and errors over time, at most 2,000 points.
