@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::causes::{CAUSES, Cause, Sign};
 use super::model::{Bench, Chosen, Fitted, Mode};
-use super::moments::Gain;
+use super::moments::{Gain, Solution};
 use super::noise::memory;
 
 /// How strict the search is.
@@ -45,6 +45,13 @@ pub struct Candidate {
     pub gain: Gain,
     /// Sum over joints of windows times the logarithm of the ratio of residuals, less what its unknowns cost.
     pub score: f64,
+}
+
+impl Candidate {
+    /// As a part of a model.
+    fn chosen(&self) -> Chosen {
+        Chosen { cause: self.cause, place: self.place.clone(), shape: self.shape.clone(), x: self.gain.x.clone() }
+    }
 }
 
 /// An accepted cause with the evidence.
@@ -241,12 +248,7 @@ pub fn search(bench: &mut Bench<'_>, noise: &[f64], settings: &SearchSettings, p
         let mut taken = None;
         for (rank, candidate) in ranked.iter().take(4).enumerate() {
             let mut trial = chosen.clone();
-            trial.push(Chosen {
-                cause: candidate.cause,
-                place: candidate.place.clone(),
-                shape: candidate.shape.clone(),
-                x: candidate.gain.x.clone(),
-            });
+            trial.push(candidate.chosen());
             let delays = bench.scene.delays.clone();
             let next = bench.fit(&mut trial);
             let judge = Judge { bench, noise, settings, accepted: &accepted, tried };
@@ -273,7 +275,22 @@ pub fn search(bench: &mut Bench<'_>, noise: &[f64], settings: &SearchSettings, p
                 None => {}
             }
         }
-        let Some((judged, trial, next)) = taken else { break };
+        let Some((judged, trial, next)) = taken else {
+            let judge = Judge { bench: &*bench, noise, settings, accepted: &accepted, tried };
+            if !judge.leaves_more_than_noise(&fitted) {
+                break;
+            }
+            let Some((pair, trial, next)) = together(bench, &chosen, &ranked, noise, settings, &accepted) else {
+                fitted = bench.fit(&mut chosen);
+                break;
+            };
+            accepted.extend(pair);
+            (chosen, fitted) = (trial, next);
+            for (a, c) in accepted.iter_mut().zip(&chosen) {
+                a.chosen = c.clone();
+            }
+            continue;
+        };
         chosen = trial;
         accepted.push(judged);
         fitted = next;
@@ -285,6 +302,51 @@ pub fn search(bench: &mut Bench<'_>, noise: &[f64], settings: &SearchSettings, p
     settle(bench, &mut accepted, &mut fitted, noise, settings);
     unite(bench, &mut accepted, &mut fitted);
     Found { accepted, fitted }
+}
+
+/// Two causes on one joint, neither of which is supported alone: what the other leaves remembers itself for so long that the windows count for few. Each must
+/// be worth having beside the other.
+fn together(
+    bench: &mut Bench<'_>,
+    chosen: &[Chosen],
+    ranked: &[Candidate],
+    noise: &[f64],
+    settings: &SearchSettings,
+    accepted: &[Accepted],
+) -> Option<([Accepted; 2], Vec<Chosen>, Fitted)> {
+    let with = |others: &[Chosen], one: &Chosen| others.iter().chain([one]).cloned().collect::<Vec<Chosen>>();
+    let first = |c: &&Candidate| c.place.len() == 1 && !c.cause.moves_time() && !c.cause.local();
+    for first in ranked.iter().filter(first).take(3) {
+        let mut alone = with(chosen, &first.chosen());
+        let one = bench.fit(&mut alone);
+        let first = alone.last()?.clone();
+        let wanted = |cause: &'static dyn Cause, place: &[usize]| {
+            place == first.place.as_slice()
+                && cause.name() != first.cause.name()
+                && chosen.iter().all(|c| c.cause.name() != cause.name() || c.place != place)
+                && !cause.moves_time()
+                && !cause.local()
+                && makes_sense(bench, cause)
+        };
+        let seconds = candidates(bench, &one, &wanted);
+        let tried = ranked.len() * seconds.len().max(1);
+        for (rank, second) in seconds.iter().take(2).enumerate() {
+            let mut both = with(&alone, &second.chosen());
+            let two = bench.fit(&mut both);
+            let judge = Judge { bench: &*bench, noise, settings, accepted, tried };
+            let Some(mut other) = judge.judge(&one, &two, &both) else { continue };
+            let mut turned = with(chosen, &other.chosen);
+            let without = bench.fit(&mut turned);
+            turned.push(first.clone());
+            let again = bench.fit(&mut turned);
+            let judge = Judge { bench: &*bench, noise, settings, accepted, tried };
+            let Some(own) = judge.judge(&without, &again, &turned) else { continue };
+            other.rivals = rivals(&seconds, rank, &two);
+            let two = bench.fit(&mut both);
+            return Some(([own, other], both, two));
+        }
+    }
+    None
 }
 
 /// The same columns as a cause of the whole robot, where they rather are one.
@@ -310,6 +372,12 @@ struct Judge<'a> {
 }
 
 impl Judge<'_> {
+    /// Whether some joint's error is beyond the noise of its torque.
+    fn leaves_more_than_noise(&self, fitted: &Fitted) -> bool {
+        let Solution { rss, counts, .. } = &fitted.solution;
+        rss.iter().zip(counts).zip(self.noise).any(|((rss, count), noise)| *rss > count * noise * noise)
+    }
+
     /// Whether the last of `trial` is worth having.
     fn judge(&self, before: &Fitted, after: &Fitted, trial: &[Chosen]) -> Option<Accepted> {
         let Self { bench, noise, settings, accepted, tried } = *self;
@@ -486,12 +554,7 @@ fn settle(
         let mut replaced = false;
         for (rank, candidate) in ranked.iter().take(2).enumerate() {
             let mut trial = without.clone();
-            trial.push(Chosen {
-                cause: candidate.cause,
-                place: candidate.place.clone(),
-                shape: candidate.shape.clone(),
-                x: candidate.gain.x.clone(),
-            });
+            trial.push(candidate.chosen());
             let next = bench.fit(&mut trial);
             let judge = Judge { bench, noise, settings, accepted: &others, tried: ranked.len() };
             if let Some(mut judged) = judge.judge(&reduced, &next, &trial) {
@@ -636,12 +699,7 @@ pub fn reconsider(
         let mut replaced = false;
         if let Some(best) = ranked.first().filter(|c| c.score > plain + 4.0 * memory) {
             let mut trial = without.clone();
-            trial.push(Chosen {
-                cause: best.cause,
-                place: best.place.clone(),
-                shape: best.shape.clone(),
-                x: best.gain.x.clone(),
-            });
+            trial.push(best.chosen());
             let next = bench.fit(&mut trial);
             let judge = Judge { bench, noise, settings, accepted: accepted.as_slice(), tried: ranked.len() };
             if let Some(mut judged) = judge.judge(&reduced, &next, &trial) {
