@@ -143,7 +143,7 @@ impl Sensor {
         let Self { gain, zero } = self;
         for (key, value) in keys.iter_mut().filter(|(key, _)| SIZES.contains(&key.as_str())) {
             *value = match (cause, key.as_str()) {
-                ("torque_offset", _) => *value * gain, // found beside the gain, written behind it
+                ("torque_offset", _) => *value, // behind the gain, as it was found
                 (_, "FS") => coulomb + (*value - coulomb) / gain,
                 _ => *value / gain,
             };

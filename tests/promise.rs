@@ -108,7 +108,8 @@ fn kept(hidden: &Effects) -> (Diagnosis, Robot) {
     let back = Robot::from_yaml(&text, &|f| Err(f.to_string())).unwrap_or_else(|e| panic!("{e}\n{text}")).robot;
     let (promised, is) = (&found.extended.validate, errors(&back, &validate));
     let before = &found.baseline.validate;
-    let causes: Vec<(&str, &[usize])> = found.causes.iter().map(|c| (c.cause, &c.joints[..])).collect();
+    let causes: Vec<(&str, &[usize], &str)> =
+        found.causes.iter().map(|c| (c.cause, &c.joints[..], &c.evidence[..])).collect();
     println!("{causes:?}\n {:?}\n before {before:.4?}\n promised {promised:.4?}\n kept {is:.4?}", found.offer.why);
     // What was promised is what the file's own laws give. Elastic joints and gear couplings are differenced anew along the log's own samples there.
     for j in 0..is.len() {

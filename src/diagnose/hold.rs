@@ -5,7 +5,7 @@
 //! times the link's size, inertia by the mass times its square, rotors by 100 %, friction by half of the torque that was seen. In the axes in which that is white, the
 //! data tell each direction so much (Hansen 1998, generalised singular values: `mu`, by how much their variance is less than that of the belief, windows
 //! counted by how long residuals remember themselves). Directions that are told well are left to the data alone; those that are not stay with
-//! the file: what least squares says is taken by `mu^2 / (mu^2 + firm^2)`. So nothing that the data do tell is drawn to the file, as a plain normal
+//! the file: what least squares says is taken by `mu^4 / (mu^4 + firm^4)`. So nothing that the data do tell is drawn to the file, as a plain normal
 //! prior would. How firm is left to the data as well: what predicts stretches of the logs best that are left out in turn.
 
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
@@ -54,7 +54,7 @@ impl Hold {
             let mu = mu.max(1e-12);
             // The solver counts every window.
             let dependence = (v.dot(&(&all * v)) / mu).clamp(1.0, 1e4);
-            let weight = (firm * firm / mu).min(FIRMEST) * dependence;
+            let weight = (firm.powi(4) / mu.powi(3)).min(FIRMEST) * dependence;
             let axis = inverse.transpose() * v;
             precision.ger(weight, &axis, &axis, 1.0);
             spread.ger((TYPICAL * weight).powi(2), &axis, &axis, 1.0);

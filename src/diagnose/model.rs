@@ -432,7 +432,8 @@ impl<'a> Bench<'a> {
         for j in 0..self.scene.dof() {
             let value =
                 |which: usize| given[j][which].unwrap_or(0.0) + fitted.solution.x[fitted.friction + 3 * j + which];
-            let (fv, fc, fo) = (value(0), value(1), value(2));
+            // A shift that was found is the sensor's: no gear and no gain sees it.
+            let (fv, fc, fo) = (value(0), value(1), given[j][2].unwrap_or(0.0));
             let with_rigid = |fc: f64| -> Vec<f64> {
                 let own = self.scene.own[j].iter();
                 let friction =
