@@ -10,7 +10,9 @@ mod calibration;
 mod causes;
 mod evidence;
 mod hold;
+mod item;
 mod maps;
+mod measure;
 mod model;
 mod moments;
 mod next;
@@ -21,7 +23,9 @@ mod result;
 mod run;
 mod scene;
 mod search;
+mod stay;
 mod structure;
+mod weigh;
 
 #[cfg(test)]
 mod tests;

@@ -1,0 +1,257 @@
+//! What stays in the extended model: causes and friction that stand out, hold on left-out stretches, and beat the file and its refit.
+
+use super::evidence;
+use super::item::{Item, items, place_of};
+use super::measure::reduced;
+use super::model::{Bench, Chosen, Fitted, Mode, Uncertainty, given_friction};
+use super::offer::LeftOut;
+use super::record::Recording;
+use super::result::Offered;
+use super::search::{Accepted, Found};
+use crate::arm::Plant;
+
+pub(super) fn chosen_of(accepted: &[Accepted]) -> Vec<Chosen> {
+    accepted.iter().map(|a| a.chosen.clone()).collect()
+}
+
+/// The model without some of its accepted causes, fitted.
+pub(super) fn without(bench: &mut Bench<'_>, accepted: &mut Vec<Accepted>, out: &[usize]) -> Fitted {
+    let given = bench.plant.delays();
+    let mut late = vec![0.0; bench.scene.dof()];
+    for c in out.iter().map(|&i| &accepted[i].chosen).filter(|c| c.cause.moves_time()) {
+        let own: Vec<usize> = if c.place.is_empty() { (0..late.len()).collect() } else { c.place.clone() };
+        own.iter().for_each(|&j| late[j] = given[j] - bench.scene.delays[j]);
+    }
+    bench.undo_delay(&late);
+    let mut index = 0;
+    accepted.retain(|_| {
+        index += 1;
+        !out.contains(&(index - 1))
+    });
+    let mut chosen = chosen_of(accepted);
+    let fitted = bench.fit(&mut chosen);
+    for (a, c) in accepted.iter_mut().zip(&chosen) {
+        a.chosen = c.clone();
+    }
+    fitted
+}
+
+/// Takes out, one after the other, what makes stretches of the fitted logs that are left out in turn worse.
+pub(super) fn withdraw(
+    plant: &dyn Plant,
+    fit: &[Recording],
+    bench: &mut Bench<'_>,
+    accepted: &mut Vec<Accepted>,
+    mut fitted: Fitted,
+    ground: &[f64],
+    why: &mut Vec<String>,
+) -> Fitted {
+    for round in 0..12 {
+        let chosen = chosen_of(accepted);
+        let items = items(bench, accepted, &fitted);
+        let stretches = bench.stretches(&chosen);
+        let counts = stretches.counts();
+        let with = LeftOut::new(&stretches.cross_validated(&fitted.solution), &counts);
+        let mut worst = None;
+        for item in items.iter().filter(|i| !i.hypothesis.local()) {
+            let others = if item.hypothesis.moves_time() {
+                if round > 0 {
+                    continue;
+                }
+                let (reduced, others, fitted) = reduced(plant, fit, bench, &chosen, item);
+                reduced.left_out(&others, &fitted)
+            } else {
+                let mut out: Vec<usize> = item.friction.iter().map(|k| fitted.friction + k).collect();
+                out.extend(
+                    item.accepted
+                        .iter()
+                        .flat_map(|&i| (0..fitted.terms[i].len()).map(move |t| (i, t)))
+                        .map(|(i, t)| fitted.first[i] + t),
+                );
+                LeftOut::new(&stretches.cross_validated_without(&fitted.solution, &out), &counts)
+            };
+            let paired = with.less(&others, ground);
+            if paired.gain < -1e-6
+                && worst.as_ref().is_none_or(|(_, w): &(&Item, super::offer::Paired)| paired.gain < w.gain)
+            {
+                worst = Some((item, paired));
+            }
+        }
+        let Some((item, paired)) = worst else { break };
+        why.push(format!(
+            "{} {} is not in the model: stretches of the fitted logs that were left out are predicted better without it ({:.1} +- {:.1} % of their squared error).",
+            item.hypothesis.name(),
+            place_of(&item.place),
+            -200.0 * paired.gain,
+            200.0 * paired.error
+        ));
+        item.friction.iter().for_each(|&k| bench.frozen[k] = true);
+        let out: Vec<usize> = item.accepted.into_iter().collect();
+        fitted = without(bench, accepted, &out);
+    }
+    fitted
+}
+
+/// Which of file, refitted file and extended model is offered, by what they predict of stretches that were left out; the bench and what was found become that.
+#[allow(clippy::too_many_arguments)]
+pub(super) fn offer<'a>(
+    plant: &'a dyn Plant,
+    fit: &'a [Recording],
+    bench: &mut Bench<'a>,
+    found: &mut Found,
+    mut fitted: Fitted,
+    [file, refit, extended]: [&LeftOut; 3],
+    noise: &[f64],
+    ground: &[f64],
+    why: &mut Vec<String>,
+) -> (Offered, Fitted) {
+    let zeros = plant.delays();
+    let says = |what: &str, a: &LeftOut, b: &LeftOut| {
+        let paired = a.less(b, ground);
+        format!(
+            "On stretches of the fitted logs that were left out in turn {what}: {} N m against {} N m ({:.0} +- {:.0} % less squared error, mean over joints).",
+            evidence::short(a.rms()),
+            evidence::short(b.rms()),
+            200.0 * paired.gain / (1.0 + paired.gain),
+            200.0 * paired.error / (1.0 + paired.gain),
+        )
+    };
+    let mut offered =
+        if found.accepted.is_empty() && bench.mode == Mode::Refitted { Offered::Refitted } else { Offered::Extended };
+    let mut model = extended.clone();
+    let beaten = match bench.mode {
+        // Of two models that are as good the one with fewer unknowns.
+        Mode::Trusted => refit.less(extended, ground).pays(),
+        Mode::Refitted => !found.accepted.is_empty() && !extended.less(refit, ground).sure(),
+    };
+    if beaten {
+        why.push(says("a plain refit predicts as well as the model with further causes, or better", refit, extended));
+        found.accepted.clear();
+        *bench = Bench::new(plant, fit, bench.rate, Mode::Refitted, &zeros, false);
+        fitted = freeze(bench, found, noise);
+        fitted = release(bench, &mut found.accepted, fitted);
+        (offered, model) = (Offered::Refitted, refit.clone());
+    }
+    let changed = bench.mode == Mode::Refitted || !found.accepted.is_empty() || bench.frozen.iter().any(|f| !f);
+    if !changed {
+        return (Offered::File, fitted);
+    }
+    if !model.less(file, ground).sure() {
+        why.push(says("nothing predicts surely better than the file as it is", &model, file));
+        found.accepted.clear();
+        *bench = Bench::new(plant, fit, bench.rate, Mode::Trusted, &zeros, false);
+        bench.frozen.iter_mut().for_each(|f| *f = true);
+        return (Offered::File, bench.fit(&mut []));
+    }
+    why.push(says(
+        if offered == Offered::Extended {
+            "the extended model predicts better than the file"
+        } else {
+            "the refitted file predicts better than the file as it is"
+        },
+        &model,
+        file,
+    ));
+    (offered, fitted)
+}
+
+/// Takes out, the least sure first, causes whose coefficients do not stand out of their uncertainty, that of the shape included.
+pub(super) fn prune(bench: &mut Bench<'_>, found: &mut Found, mut fitted: Fitted, noise: &[f64]) -> Fitted {
+    loop {
+        let chosen: Vec<Chosen> = found.accepted.iter().map(|a| a.chosen.clone()).collect();
+        let uncertainty = Uncertainty::of(bench, &fitted, &chosen);
+        let least = (0..chosen.len())
+            .map(|index| (index, uncertainty.stands_out(bench, &fitted, index, &chosen[index])))
+            .min_by(|a, b| a.1.total_cmp(&b.1));
+        let Some((index, _)) = least.filter(|l| l.1 < 0.0) else { return fitted };
+        let gone = found.accepted.remove(index).chosen;
+        // Plain friction may have given way to it.
+        gone.place.iter().for_each(|j| bench.frozen[3 * j..3 * j + 3].fill(false));
+        if gone.cause.moves_time() {
+            let all: Vec<usize> = (0..bench.scene.dof()).collect();
+            for &j in if gone.place.is_empty() { &all } else { &gone.place } {
+                let given = bench.plant.delays()[j];
+                bench.delay(&[j], given - bench.scene.delays[j]);
+            }
+        }
+        fitted = freeze(bench, found, noise);
+    }
+}
+
+/// Friction parameters that the data do not want changed go back to the file's values.
+pub(super) fn freeze(bench: &mut Bench<'_>, found: &mut Found, noise: &[f64]) -> Fitted {
+    let mut chosen: Vec<Chosen> = found.accepted.iter().map(|a| a.chosen.clone()).collect();
+    let mut fitted = bench.fit(&mut chosen);
+    let given = given_friction(bench.plant);
+    for _ in 0..4 {
+        let covariance = fitted.covariance();
+        let mut changed = false;
+        for j in 0..bench.scene.dof() {
+            // One at a time: of two that say nearly the same, neither seems to be wanted while the other is there.
+            let mut least: Option<(usize, f64)> = None;
+            for which in 0..3 {
+                let k = 3 * j + which;
+                if bench.frozen[k] {
+                    continue;
+                }
+                let at = fitted.friction + k;
+                let (value, std) = (fitted.solution.x[at], covariance[(at, at)].max(0.0).sqrt());
+                // What this much of it does to the torque that the others can't: 1 / sqrt(inverse diagonal) is the column's own size.
+                let own = fitted.solution.inverse[(at, at)];
+                let weight = fitted.solution.weights[j] * fitted.solution.counts[j];
+                let effect = if own > 0.0 && weight > 0.0 { value.abs() / (own * weight).sqrt() } else { 0.0 };
+                let small = value.abs() < 0.04 * given[j][which].unwrap_or(0.0).abs();
+                // Friction that drives the joint is none.
+                let drives = which < 2 && given[j][which].unwrap_or(0.0) + value < 0.0;
+                let sure = if std > 0.0 { value.abs() / std } else { 0.0 };
+                if (sure < 4.5 || effect < 0.2 * noise[j] || small || drives) && least.is_none_or(|(_, s)| sure < s) {
+                    least = Some((k, sure));
+                }
+            }
+            if let Some((k, _)) = least {
+                bench.frozen[k] = true;
+                changed = true;
+            }
+        }
+        if !changed {
+            break;
+        }
+        fitted = bench.fit(&mut chosen);
+    }
+    for (a, c) in found.accepted.iter_mut().zip(&chosen) {
+        a.chosen = c.clone();
+    }
+    fitted
+}
+
+/// Where all base parameters are unknown so is friction: what went back to the file's values because it is too little or too unsure to be named is part of the model
+/// again, so that this is never less than a plain refit. Friction that would drive a joint stays out.
+pub(super) fn release(bench: &mut Bench<'_>, accepted: &mut [Accepted], fitted: Fitted) -> Fitted {
+    if bench.mode != Mode::Refitted {
+        return fitted;
+    }
+    let frozen = bench.frozen.clone();
+    let mut chosen = chosen_of(accepted);
+    bench.quiet.clone_from(&frozen);
+    bench.frozen.iter_mut().for_each(|f| *f = false);
+    let given = given_friction(bench.plant);
+    let mut fitted = bench.fit(&mut chosen);
+    for _ in 0..3 {
+        let drives = |k: &usize| {
+            let (j, which) = (k / 3, k % 3);
+            which < 2
+                && !bench.frozen[*k]
+                && given[j][which].unwrap_or(0.0) + fitted.solution.x[fitted.friction + k] < 0.0
+        };
+        let out: Vec<usize> = (0..frozen.len()).filter(drives).collect();
+        if out.is_empty() {
+            break;
+        }
+        out.iter().for_each(|&k| (bench.frozen[k], bench.quiet[k]) = (true, false));
+        fitted = bench.fit(&mut chosen);
+    }
+    for (a, c) in accepted.iter_mut().zip(&chosen) {
+        a.chosen = c.clone();
+    }
+    fitted
+}
