@@ -13,6 +13,17 @@ pub struct Ball {
     pub radius: f64,
 }
 
+impl Ball {
+    /// Its centre in the base frame, m, at sample `s` of `len`; `frames` as [`crate::arm::Placed::frames`] writes them.
+    pub fn placed(&self, frames: &[f64], len: usize, s: usize) -> [f64; 3] {
+        let Some(f) = self.frame else { return self.center };
+        std::array::from_fn(|i| {
+            let at = |k: usize| frames[((f * 3 + i) * 4 + k) * len + s];
+            at(0) * self.center[0] + at(1) * self.center[1] + at(2) * self.center[2] + at(3)
+        })
+    }
+}
+
 /// A box of the surroundings, along the base axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Block {

@@ -148,12 +148,7 @@ impl Constraints<'_> {
 
     /// Centre of a sphere in the base frame.
     fn center(&self, ball: usize, frames: &[f64], len: usize, s: usize) -> [f64; 3] {
-        let ball = &self.bodies.balls[ball];
-        let Some(f) = ball.frame else { return ball.center };
-        std::array::from_fn(|i| {
-            let at = |k: usize| frames[((f * 3 + i) * 4 + k) * len + s];
-            at(0) * ball.center[0] + at(1) * ball.center[1] + at(2) * ball.center[2] + at(3)
-        })
+        self.bodies.balls[ball].placed(frames, len, s)
     }
 
     /// Hands a derivative by a sphere's centre on to its frame.

@@ -27,13 +27,6 @@ impl StickFigures<'_> {
 
     /// Centres of the spheres in the base frame, x y z each, m.
     pub(super) fn balls(&self, s: usize) -> Vec<f64> {
-        let center = |ball: &Ball| {
-            let Some(f) = ball.frame else { return ball.center };
-            [0, 1, 2].map(|i| {
-                let turned: f64 = (0..3).map(|k| self.at(f, i, k, s) * ball.center[k]).sum();
-                turned + self.at(f, i, 3, s)
-            })
-        };
-        self.balls.iter().flat_map(center).map(|x| short(x, 3)).collect()
+        self.balls.iter().flat_map(|ball| ball.placed(self.frames, self.len, s)).map(|x| short(x, 3)).collect()
     }
 }
