@@ -1,16 +1,15 @@
 //! The diagnosis from end to end: recordings in, [`Diagnosis`] out.
 
-use super::item::{items, quiet};
-use super::measure::{Meter, bootstrap, here, leave_out, matters, root_mean_square, share, taken_of};
-use super::model::{Bench, Mode, Uncertainty};
+use super::item::quiet;
+use super::measure::{Meter, root_mean_square};
+use super::model::{Bench, Mode};
 use super::noise::floor;
 use super::record::{Recording, unexplained};
 use super::result::{Cause, Diagnosis, Errors, NextExperiment, Offer, Verdict};
-use super::search::{SearchSettings, reconsider, search};
-use super::stay::{chosen_of, freeze, offer, prune, release, withdraw, without};
-use super::structure::{Structure, structure};
-use super::weigh::{MOST_MARGIN, curve, taken, unknown, values_last, weigh};
-use super::{calibration, evidence};
+use super::search::SearchSettings;
+use super::settle::{Case, Settled};
+use super::structure::structure;
+use super::weigh::{curve, taken, unknown, values_last};
 use crate::arm::Plant;
 
 /// How to diagnose.
@@ -147,158 +146,27 @@ fn once(
     drop(refit);
 
     let has_links = plant.given().is_some_and(|g| g.iter().any(|v| *v != 0.0));
-    let attempt = |mode: Mode| {
-        let mut bench = Bench::new(plant, fit, settings.rate, mode, &zeros, false);
-        let found = search(&mut bench, &noise, &settings.search, progress);
-        (bench, found)
-    };
-    let (mut bench, mut found) = if has_links {
-        progress("the file's links as they are");
-        let (trusted, explained) = attempt(Mode::Trusted);
-        let left = structure(&trusted.scene, &explained.fitted.residual, &noise, &torque_rms);
-        let few = trusted.left_out(&chosen_of(&explained.accepted), &explained.fitted);
-        if left.is_empty() && !refit_out.less(&few, &ground).pays() {
-            (trusted, explained)
-        } else {
-            progress("all base parameters anew");
-            let (free, other) = attempt(Mode::Refitted);
-            let all = free.left_out(&chosen_of(&other.accepted), &other.fitted);
-            if all.less(&few, &ground).pays() { (free, other) } else { (trusted, explained) }
-        }
-    } else {
-        attempt(Mode::Refitted)
-    };
-    let fitted = freeze(&mut bench, &mut found, &noise);
-    progress("what else plain friction might be");
-    let (fitted, plain_rivals) = reconsider(&mut bench, &mut found.accepted, fitted, &noise, &settings.search);
-    let fitted = prune(&mut bench, &mut found, fitted, &noise);
-    let fitted = release(&mut bench, &mut found.accepted, fitted);
-    progress("what holds on stretches that were left out");
-    let mut why = Vec::new();
-    let fitted = withdraw(plant, fit, &mut bench, &mut found.accepted, fitted, &ground, &mut why);
-    let extended_out = bench.left_out(&chosen_of(&found.accepted), &fitted);
-    let (offered, mut fitted) = offer(
-        plant,
-        fit,
-        &mut bench,
-        &mut found,
-        fitted,
-        [&file_out, &refit_out, &extended_out],
-        &noise,
-        &ground,
-        &mut why,
-    );
-    let mut left = structure(&bench.scene, &fitted.residual, &noise, &torque_rms);
-
     // What a gain is measured by: the noise, or a fiftieth of the torque where the noise is less.
     let scale: Vec<f64> = noise.iter().zip(&torque_rms).map(|(s, t)| (s * s + (0.02 * t).powi(2)).sqrt()).collect();
-    let mut round = 0;
-    let (after, after_fit, mut causes) = loop {
-        progress("measuring on data that was not used");
-        let chosen = chosen_of(&found.accepted);
-        let items = items(&bench, &found.accepted, &fitted);
-        let [mut far, mut near] = [validate, fit].map(|data| Meter::new(plant, data, &bench));
-        let after = far.of(&bench, &fitted, &chosen, true);
-        let after_fit = near.of(&bench, &fitted, &chosen, false);
-        let others: Vec<(Vec<f64>, Vec<f64>, [f64; 2])> = items
-            .iter()
-            .map(|item| {
-                let here = here(item, &after);
-                let (meter, with) = if here { (&mut near, &after_fit) } else { (&mut far, &after) };
-                let without = leave_out(plant, fit, meter, &mut bench, &chosen, item, !here);
-                let interval = bootstrap(&without, with, &item.place);
-                (without.rms, without.steady, interval)
-            })
-            .collect();
-        // The bench as it was, with everything in it.
-        fitted = without(&mut bench, &mut found.accepted, &[]);
-        let uncertainty = Uncertainty::of(&bench, &fitted, &chosen_of(&found.accepted));
-        let mut causes: Vec<Cause> = Vec::new();
-        for (item, (without, steady, interval)) in items.iter().zip(&others) {
-            let (on, with) = if here(item, &after) { ("fit", &after_fit) } else { ("validate", &after) };
-            causes.push(weigh(
-                &bench,
-                &fitted,
-                &uncertainty,
-                &found.accepted,
-                &plain_rivals,
-                item,
-                [without, &with.rms],
-                [steady, &with.steady],
-                *interval,
-                on,
-                &noise,
-            ));
-        }
-        // A cause that loses on data that was not used is no cause, and not in the model; that there was something to explain stays true.
-        let gains = |i: usize| taken_of(&others[i].1, &after.steady, &scale);
-        let holds = |i: usize| gains(i) > 0.0 && matters(&others[i].1, &after.steady, &noise);
-        // What acts in a part of a log must still stand out beside everything else.
-        let stands = |i: usize| !items[i].hypothesis.local() || causes[i].share >= settings.search.least_gain;
-        let failed: Vec<usize> =
-            (0..causes.len()).filter(|&i| if causes[i].on == "fit" { !stands(i) } else { !holds(i) }).collect();
-        round += 1;
-        if failed.is_empty() || round > 3 {
-            break (after, after_fit, causes);
-        }
-        for c in failed.iter().filter(|i| gains(**i) <= 0.0).map(|&i| &causes[i]).filter(|c| c.curve.is_some()) {
-            left.push(Structure {
-                joint: c.joints.first().map_or(0, |j| j - 1),
-                rms: 0.0,
-                description: format!(
-                    "{} on joint(s) {:?} explains the fitted logs but not the validating ones",
-                    c.cause, c.joints
-                ),
-            });
-        }
-        for &k in failed.iter().flat_map(|&i| &items[i].friction) {
-            let which = if bench.mode == Mode::Refitted { &mut bench.quiet } else { &mut bench.frozen };
-            which[k] = true;
-        }
-        let out: Vec<usize> = failed.iter().filter_map(|&i| items[i].accepted).collect();
-        fitted = without(&mut bench, &mut found.accepted, &out);
-    };
-    if bench.mode == Mode::Refitted && has_links {
-        let joints = evidence::changed_links(&bench, &fitted, &fitted.covariance());
-        if !joints.is_empty() {
-            // What the file's links would leave beside all other causes.
-            let mut believed = Bench::new(plant, fit, settings.rate, Mode::Trusted, &bench.scene.delays, false);
-            believed.frozen = bench.frozen.clone();
-            let mut others = chosen_of(&found.accepted);
-            let trusting = believed.fit(&mut others);
-            let without = Meter::new(plant, validate, &believed).of(&believed, &trusting, &others, true);
-            let part = share(&without.rms, &after.rms, &noise, &[]);
-            let full = bench.left_out(&chosen_of(&found.accepted), &fitted);
-            let told = full.less(&believed.left_out(&others, &trusting), &ground);
-            let links = Cause {
-                cause: "link_inertia_error",
-                evidence: format!(
-                    "the base parameters of joint(s) {joints:?} differ from the file's by more than five of their standard deviations; with the file's own and everything else that was found {} N m are missed on the validating logs (RMS over joints), with these {} N m",
-                    evidence::short(root_mean_square(&without.rms)),
-                    evidence::short(root_mean_square(&after.rms)),
-                ),
-                joints,
-                probability: calibration::LINKS,
-                support: MOST_MARGIN,
-                margin: MOST_MARGIN,
-                share: part,
-                parameters: Vec::new(),
-                keys: Vec::new(),
-                interval: bootstrap(&without, &after, &[]),
-                rms_before: without.rms.clone(),
-                rms_after: after.rms.clone(),
-                on: "validate",
-                not_distinguished_from: Vec::new(),
-                shown_by: "an exciting motion for the base parameters",
-                curve: None,
-            };
-            // It has to pay like any other.
-            let gains = taken_of(&without.steady, &after.steady, &scale) > 0.0;
-            if told.pays() && gains && matters(&without.steady, &after.steady, &noise) {
-                causes.push(links);
-            }
-        }
+    let case = Case { plant, fit, validate, noise: &noise, ground: &ground, scale: &scale, settings, progress };
+    let structure_of = |s: &Settled<'_>| structure(&s.bench.scene, &s.fitted.residual, &noise, &torque_rms);
+    let mut models: Vec<Settled<'_>> = Vec::new();
+    if has_links {
+        progress("the file's links as they are");
+        models.push(case.searched(Mode::Trusted));
     }
+    let enough = |s: &Settled<'_>| structure_of(s).is_empty() && !refit_out.less(&s.left_out, &ground).pays();
+    if !models.iter().any(enough) {
+        progress("all base parameters anew");
+        models.push(case.searched(Mode::Refitted));
+    }
+    let (offered, why, settled) = case.choose(models, &file_out, &refit_out);
+    let left = structure_of(&settled);
+    let mut causes = settled.causes.clone();
+    if settled.bench.mode == Mode::Refitted && has_links {
+        causes.extend(case.links(&settled));
+    }
+    let Settled { bench, fitted, after, after_fit, left_out, .. } = settled;
     causes.sort_by(|a, b| taken(b, &scale).total_cmp(&taken(a, &scale)));
     values_last(&mut causes, &scale);
     let verdict = match (causes.is_empty(), left.is_empty()) {
@@ -320,19 +188,15 @@ fn once(
     Ok(Diagnosis {
         robot: plant.name().to_string(),
         verdict,
-        noise_floor: noise,
-        torque_rms,
+        noise_floor: noise.clone(),
+        torque_rms: torque_rms.clone(),
         baseline,
         refitted,
         extended,
         has_links,
         links_refitted: bench.mode == Mode::Refitted,
         standard: bench.scene.standard.clone(),
-        offer: Offer {
-            offered,
-            left_out: [file_out.rms(), refit_out.rms(), bench.left_out(&chosen_of(&found.accepted), &fitted).rms()],
-            why,
-        },
+        offer: Offer { offered, left_out: [file_out.rms(), refit_out.rms(), left_out.rms()], why },
         friction: quiet(&bench, &fitted),
         forgotten: Vec::new(),
         causes,

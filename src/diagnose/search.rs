@@ -69,14 +69,6 @@ pub struct Accepted {
     pub variance: f64,
 }
 
-/// What a search found.
-pub struct Found {
-    /// Accepted causes.
-    pub accepted: Vec<Accepted>,
-    /// The model with them.
-    pub fitted: Fitted,
-}
-
 fn unknowns(cause: &dyn Cause, shape: &[f64], terms: usize) -> f64 {
     (terms + cause.free(shape)) as f64
 }
@@ -232,7 +224,12 @@ fn refine(bench: &Bench<'_>, fitted: &Fitted, candidate: &mut Candidate) {
 }
 
 /// Searches until nothing more is supported.
-pub fn search(bench: &mut Bench<'_>, noise: &[f64], settings: &SearchSettings, progress: &dyn Fn(&str)) -> Found {
+pub fn search(
+    bench: &mut Bench<'_>,
+    noise: &[f64],
+    settings: &SearchSettings,
+    progress: &dyn Fn(&str),
+) -> Vec<Accepted> {
     let mut chosen: Vec<Chosen> = Vec::new();
     let mut accepted: Vec<Accepted> = Vec::new();
     let mut fitted = bench.fit(&mut []);
@@ -301,7 +298,7 @@ pub fn search(bench: &mut Bench<'_>, noise: &[f64], settings: &SearchSettings, p
     progress("weighing the causes against each other");
     settle(bench, &mut accepted, &mut fitted, noise, settings);
     unite(bench, &mut accepted, &mut fitted);
-    Found { accepted, fitted }
+    accepted
 }
 
 /// Two causes on one joint, neither of which is supported alone: what the other leaves remembers itself for so long that the windows count for few. Each must

@@ -1,13 +1,11 @@
-//! What stays in the extended model: causes and friction that stand out, hold on left-out stretches, and beat the file and its refit.
+//! What stays in the extended model: causes and friction that stand out and hold on left-out stretches.
 
-use super::evidence;
 use super::item::{Item, items, place_of};
 use super::measure::reduced;
 use super::model::{Bench, Chosen, Fitted, Mode, Uncertainty, given_friction};
 use super::offer::LeftOut;
 use super::record::Recording;
-use super::result::Offered;
-use super::search::{Accepted, Found};
+use super::search::Accepted;
 use crate::arm::Plant;
 
 pub(super) fn chosen_of(accepted: &[Accepted]) -> Vec<Chosen> {
@@ -92,79 +90,16 @@ pub(super) fn withdraw(
     fitted
 }
 
-/// Which of file, refitted file and extended model is offered, by what they predict of stretches that were left out; the bench and what was found become that.
-#[allow(clippy::too_many_arguments)]
-pub(super) fn offer<'a>(
-    plant: &'a dyn Plant,
-    fit: &'a [Recording],
-    bench: &mut Bench<'a>,
-    found: &mut Found,
-    mut fitted: Fitted,
-    [file, refit, extended]: [&LeftOut; 3],
-    noise: &[f64],
-    ground: &[f64],
-    why: &mut Vec<String>,
-) -> (Offered, Fitted) {
-    let zeros = plant.delays();
-    let says = |what: &str, a: &LeftOut, b: &LeftOut| {
-        let paired = a.less(b, ground);
-        format!(
-            "On stretches of the fitted logs that were left out in turn {what}: {} N m against {} N m ({:.0} +- {:.0} % less squared error, mean over joints).",
-            evidence::short(a.rms()),
-            evidence::short(b.rms()),
-            200.0 * paired.gain / (1.0 + paired.gain),
-            200.0 * paired.error / (1.0 + paired.gain),
-        )
-    };
-    let mut offered =
-        if found.accepted.is_empty() && bench.mode == Mode::Refitted { Offered::Refitted } else { Offered::Extended };
-    let mut model = extended.clone();
-    let beaten = match bench.mode {
-        // Of two models that are as good the one with fewer unknowns.
-        Mode::Trusted => refit.less(extended, ground).pays(),
-        Mode::Refitted => !found.accepted.is_empty() && !extended.less(refit, ground).sure(),
-    };
-    if beaten {
-        why.push(says("a plain refit predicts as well as the model with further causes, or better", refit, extended));
-        found.accepted.clear();
-        *bench = Bench::new(plant, fit, bench.rate, Mode::Refitted, &zeros, false);
-        fitted = freeze(bench, found, noise);
-        fitted = release(bench, &mut found.accepted, fitted);
-        (offered, model) = (Offered::Refitted, refit.clone());
-    }
-    let changed = bench.mode == Mode::Refitted || !found.accepted.is_empty() || bench.frozen.iter().any(|f| !f);
-    if !changed {
-        return (Offered::File, fitted);
-    }
-    if !model.less(file, ground).sure() {
-        why.push(says("nothing predicts surely better than the file as it is", &model, file));
-        found.accepted.clear();
-        *bench = Bench::new(plant, fit, bench.rate, Mode::Trusted, &zeros, false);
-        bench.frozen.iter_mut().for_each(|f| *f = true);
-        return (Offered::File, bench.fit(&mut []));
-    }
-    why.push(says(
-        if offered == Offered::Extended {
-            "the extended model predicts better than the file"
-        } else {
-            "the refitted file predicts better than the file as it is"
-        },
-        &model,
-        file,
-    ));
-    (offered, fitted)
-}
-
 /// Takes out, the least sure first, causes whose coefficients do not stand out of their uncertainty, that of the shape included.
-pub(super) fn prune(bench: &mut Bench<'_>, found: &mut Found, mut fitted: Fitted, noise: &[f64]) -> Fitted {
+pub(super) fn prune(bench: &mut Bench<'_>, accepted: &mut Vec<Accepted>, mut fitted: Fitted, noise: &[f64]) -> Fitted {
     loop {
-        let chosen: Vec<Chosen> = found.accepted.iter().map(|a| a.chosen.clone()).collect();
+        let chosen = chosen_of(accepted);
         let uncertainty = Uncertainty::of(bench, &fitted, &chosen);
         let least = (0..chosen.len())
             .map(|index| (index, uncertainty.stands_out(bench, &fitted, index, &chosen[index])))
             .min_by(|a, b| a.1.total_cmp(&b.1));
         let Some((index, _)) = least.filter(|l| l.1 < 0.0) else { return fitted };
-        let gone = found.accepted.remove(index).chosen;
+        let gone = accepted.remove(index).chosen;
         // Plain friction may have given way to it.
         gone.place.iter().for_each(|j| bench.frozen[3 * j..3 * j + 3].fill(false));
         if gone.cause.moves_time() {
@@ -174,13 +109,13 @@ pub(super) fn prune(bench: &mut Bench<'_>, found: &mut Found, mut fitted: Fitted
                 bench.delay(&[j], given - bench.scene.delays[j]);
             }
         }
-        fitted = freeze(bench, found, noise);
+        fitted = freeze(bench, accepted, noise);
     }
 }
 
 /// Friction parameters that the data do not want changed go back to the file's values.
-pub(super) fn freeze(bench: &mut Bench<'_>, found: &mut Found, noise: &[f64]) -> Fitted {
-    let mut chosen: Vec<Chosen> = found.accepted.iter().map(|a| a.chosen.clone()).collect();
+pub(super) fn freeze(bench: &mut Bench<'_>, accepted: &mut [Accepted], noise: &[f64]) -> Fitted {
+    let mut chosen = chosen_of(accepted);
     let mut fitted = bench.fit(&mut chosen);
     let given = given_friction(bench.plant);
     for _ in 0..4 {
@@ -218,7 +153,7 @@ pub(super) fn freeze(bench: &mut Bench<'_>, found: &mut Found, noise: &[f64]) ->
         }
         fitted = bench.fit(&mut chosen);
     }
-    for (a, c) in found.accepted.iter_mut().zip(&chosen) {
+    for (a, c) in accepted.iter_mut().zip(&chosen) {
         a.chosen = c.clone();
     }
     fitted

@@ -10,65 +10,73 @@ use super::search::{Accepted, Plain};
 use super::structure::Structure;
 use super::{calibration, evidence};
 
-/// An item as a cause of the result.
-#[allow(clippy::too_many_arguments)]
-pub(super) fn weigh(
-    bench: &Bench<'_>,
-    fitted: &Fitted,
-    uncertainty: &Uncertainty,
-    all: &[Accepted],
-    plain_rivals: &[Plain],
-    item: &Item,
-    [without, with]: [&[f64]; 2],
-    steady: [&[f64]; 2],
-    interval: [f64; 2],
-    on: &'static str,
-    noise: &[f64],
-) -> Cause {
-    let mut keys = match item.accepted {
-        Some(index) => parameters(bench, fitted, uncertainty, index, &all[index].chosen),
-        None => friction_values(bench, fitted, &uncertainty.covariance, item),
-    };
-    if item.accepted.is_some() {
-        for named in friction_values(bench, fitted, &uncertainty.covariance, item) {
-            if keys.iter().all(|k| k.symbol != named.symbol) {
-                keys.push(named);
+/// A model whose causes are weighed.
+pub(super) struct Weighing<'a> {
+    pub(super) bench: &'a Bench<'a>,
+    pub(super) fitted: &'a Fitted,
+    pub(super) uncertainty: &'a Uncertainty,
+    pub(super) accepted: &'a [Accepted],
+    /// What plain friction might be instead.
+    pub(super) rivals: &'a [Plain],
+    pub(super) noise: &'a [f64],
+}
+
+impl Weighing<'_> {
+    /// An item as a cause of the result: errors without it and with it, on the fitted logs (`here`) or the validating ones.
+    pub(super) fn weigh(
+        &self,
+        item: &Item,
+        without: &Measured,
+        with: &Measured,
+        interval: [f64; 2],
+        here: bool,
+    ) -> Cause {
+        let Self { bench, fitted, uncertainty, accepted: all, rivals: plain_rivals, noise } = *self;
+        let mut keys = match item.accepted {
+            Some(index) => parameters(bench, fitted, uncertainty, index, &all[index].chosen),
+            None => friction_values(bench, fitted, &uncertainty.covariance, item),
+        };
+        if item.accepted.is_some() {
+            for named in friction_values(bench, fitted, &uncertainty.covariance, item) {
+                if keys.iter().all(|k| k.symbol != named.symbol) {
+                    keys.push(named);
+                }
             }
         }
-    }
-    let suffix = item.place.first().map(|j| (j + 1).to_string()).unwrap_or_default();
-    let parameters: Vec<Named> =
-        keys.iter().map(|k| Named { symbol: format!("{}{suffix}", k.symbol), ..k.clone() }).collect();
-    let accepted = item.accepted.map(|a| &all[a]);
-    let margin = near(item, accepted, plain_rivals).iter().map(|r| r.2.max(0.0)).fold(MOST_MARGIN, f64::min);
-    let part = share(steady[0], steady[1], noise, &item.place);
-    let support = accepted.map_or_else(|| plain_support(fitted, &uncertainty.covariance, item), |a| a.support);
-    Cause {
-        cause: item.hypothesis.name(),
-        joints: item.place.iter().map(|j| j + 1).collect(),
-        probability: calibration::probability(item.accepted.is_none(), support, margin, part),
-        support,
-        margin,
-        share: part,
-        evidence: evidence::sentence(&Shown {
-            cause: item.hypothesis,
-            place: &item.place,
-            parameters: &parameters,
-            before: without,
-            after: with,
-            noise,
-            on,
-            confirmed: accepted.map(|a| a.confirmed),
-        }),
-        curve: item.accepted.and_then(|index| evidence::curve(bench, fitted, index, &all[index].chosen)),
-        parameters,
-        keys,
-        interval,
-        rms_before: without.to_vec(),
-        rms_after: with.to_vec(),
-        on,
-        not_distinguished_from: confusable(bench, item, accepted, plain_rivals),
-        shown_by: item.hypothesis.shown_by(),
+        let suffix = item.place.first().map(|j| (j + 1).to_string()).unwrap_or_default();
+        let parameters: Vec<Named> =
+            keys.iter().map(|k| Named { symbol: format!("{}{suffix}", k.symbol), ..k.clone() }).collect();
+        let accepted = item.accepted.map(|a| &all[a]);
+        let margin = near(item, accepted, plain_rivals).iter().map(|r| r.2.max(0.0)).fold(MOST_MARGIN, f64::min);
+        let part = share(&without.steady, &with.steady, noise, &item.place);
+        let support = accepted.map_or_else(|| plain_support(fitted, &uncertainty.covariance, item), |a| a.support);
+        Cause {
+            cause: item.hypothesis.name(),
+            joints: item.place.iter().map(|j| j + 1).collect(),
+            probability: calibration::probability(item.accepted.is_none(), support, margin, part),
+            support,
+            margin,
+            share: part,
+            evidence: evidence::sentence(&Shown {
+                cause: item.hypothesis,
+                place: &item.place,
+                parameters: &parameters,
+                before: &without.rms,
+                after: &with.rms,
+                noise,
+                on: if here { "fit" } else { "validate" },
+                confirmed: accepted.map(|a| a.confirmed),
+            }),
+            curve: item.accepted.and_then(|index| evidence::curve(bench, fitted, index, &all[index].chosen)),
+            parameters,
+            keys,
+            interval,
+            rms_before: without.rms.clone(),
+            rms_after: with.rms.clone(),
+            on: if here { "fit" } else { "validate" },
+            not_distinguished_from: confusable(bench, item, accepted, plain_rivals),
+            shown_by: item.hypothesis.shown_by(),
+        }
     }
 }
 

@@ -1,0 +1,55 @@
+//! Links that are not the file's: a cause where all base parameters were taken anew.
+
+use super::measure::{Meter, bootstrap, matters, root_mean_square, share, taken_of};
+use super::model::{Bench, Mode};
+use super::result::Cause;
+use super::settle::{Case, Settled};
+use super::stay::chosen_of;
+use super::weigh::MOST_MARGIN;
+use super::{calibration, evidence};
+
+impl Case<'_> {
+    /// The cause, where base parameters differ from the file's, and the file's beside everything else that was found are worse.
+    pub(super) fn links(&self, model: &Settled<'_>) -> Option<Cause> {
+        let joints = evidence::changed_links(&model.bench, &model.fitted, &model.fitted.covariance());
+        if joints.is_empty() {
+            return None;
+        }
+        // What the file's links would leave beside all other causes.
+        let delays = &model.bench.scene.delays;
+        let mut believed = Bench::new(self.plant, self.fit, self.settings.rate, Mode::Trusted, delays, false);
+        believed.frozen = model.bench.frozen.clone();
+        let mut others = chosen_of(&model.accepted);
+        let trusting = believed.fit(&mut others);
+        let without = Meter::new(self.plant, self.validate, &believed).of(&believed, &trusting, &others, true);
+        let after = &model.after;
+        let told = model.left_out.less(&believed.left_out(&others, &trusting), self.ground);
+        // It has to pay like any other.
+        let gains = taken_of(&without.steady, &after.steady, self.scale) > 0.0;
+        if !(told.pays() && gains && matters(&without.steady, &after.steady, self.noise)) {
+            return None;
+        }
+        Some(Cause {
+            cause: "link_inertia_error",
+            evidence: format!(
+                "the base parameters of joint(s) {joints:?} differ from the file's by more than five of their standard deviations; with the file's own and everything else that was found {} N m are missed on the validating logs (RMS over joints), with these {} N m",
+                evidence::short(root_mean_square(&without.rms)),
+                evidence::short(root_mean_square(&after.rms)),
+            ),
+            joints,
+            probability: calibration::LINKS,
+            support: MOST_MARGIN,
+            margin: MOST_MARGIN,
+            share: share(&without.rms, &after.rms, self.noise, &[]),
+            parameters: Vec::new(),
+            keys: Vec::new(),
+            interval: bootstrap(&without, after, &[]),
+            rms_before: without.rms.clone(),
+            rms_after: after.rms.clone(),
+            on: "validate",
+            not_distinguished_from: Vec::new(),
+            shown_by: "an exciting motion for the base parameters",
+            curve: None,
+        })
+    }
+}
