@@ -23,6 +23,8 @@ pub struct Paired {
     pub gain: f64,
     /// Standard error of that, from how stretches differ.
     pub error: f64,
+    /// Whether its error over all joints and stretches, in N m, is the smaller one too: no number of weak joints outvotes a heavy one.
+    pub whole: bool,
 }
 
 impl Paired {
@@ -31,10 +33,10 @@ impl Paired {
         self.gain > self.error
     }
 
-    /// Whether it is worth giving up the file's links: a twentieth at least, and one and a half standard errors. A refit has many unknowns, which find something in errors that remember
-    /// themselves.
+    /// Whether it is worth giving up the file's links: a twentieth at least, and one and a half standard errors, and less error as a whole. A refit has many unknowns, which find something in
+    /// errors that remember themselves.
     pub fn pays(&self) -> bool {
-        self.gain > LEAST && self.gain > 1.5 * self.error
+        self.whole && self.gain > LEAST && self.gain > 1.5 * self.error
     }
 }
 
@@ -70,7 +72,7 @@ impl LeftOut {
         let n = stretches.max(1) as f64;
         let gain: f64 = gains.iter().sum();
         let variance = gains.iter().map(|g| (g - gain / n).powi(2)).sum::<f64>() / (n - 1.0).max(1.0);
-        Paired { gain, error: (n * variance).sqrt() }
+        Paired { gain, error: (n * variance).sqrt(), whole: self.rms() < other.rms() }
     }
 
     /// Root mean square over all stretches and joints, N m.
