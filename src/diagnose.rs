@@ -7,10 +7,12 @@
 //! Sees a robot only as a [`Plant`](crate::arm::Plant); prints nothing.
 
 mod calibration;
+mod candidate;
 mod causes;
 mod evidence;
 mod hold;
 mod item;
+mod judge;
 mod links;
 mod maps;
 mod measure;
@@ -19,6 +21,7 @@ mod moments;
 mod next;
 mod noise;
 mod offer;
+mod plain;
 mod record;
 mod result;
 mod run;
@@ -27,6 +30,8 @@ mod search;
 mod settle;
 mod stay;
 mod structure;
+mod swap;
+mod unite;
 mod weigh;
 
 #[cfg(test)]

@@ -316,6 +316,11 @@ pub trait Cause: Sync {
         None
     }
 
+    /// How large a change of the file's own values its coefficients are, by what such values may be off; `None`: it changes none.
+    fn change(&self, _scene: &Scene<'_>, _place: &[usize], _terms: &[Term], _x: &[f64]) -> Option<f64> {
+        None
+    }
+
     /// What it does, for the sentence of the evidence.
     fn says(&self) -> &'static str;
 

@@ -1,9 +1,9 @@
 //! What is reported as one cause: an accepted one with the friction that belongs to it, or friction that changed by itself.
 
 use super::causes::{AsymmetricFriction, COULOMB, Cause as Hypothesis, Kind, Named, OFFSET, VISCOUS};
+use super::judge::Accepted;
 use super::model::{Bench, Fitted, given_friction};
 use super::result::Cause;
-use super::search::Accepted;
 
 /// A cause on its way into the result.
 pub(super) struct Item {

@@ -106,6 +106,12 @@ impl Fitted {
     }
 }
 
+/// Unknowns of causes that act in a part of a log only: other parts don't tell them.
+pub fn local(chosen: &[Chosen], fitted: &Fitted) -> Vec<usize> {
+    let of = chosen.iter().zip(&fitted.first).zip(&fitted.terms).filter(|((c, _), _)| c.cause.local());
+    of.flat_map(|((_, first), terms)| *first..first + terms.len()).collect()
+}
+
 /// What tells one set of terms from another.
 type Key = (&'static str, Vec<usize>, Vec<u64>);
 
@@ -397,7 +403,8 @@ impl<'a> Bench<'a> {
     /// Errors of the fitted model on stretches that were left out in turn.
     pub fn left_out(&self, chosen: &[Chosen], fitted: &Fitted) -> LeftOut {
         let stretches = self.stretches(chosen);
-        LeftOut::new(&stretches.cross_validated(&fitted.solution), &stretches.counts())
+        let sums = stretches.cross_validated_without(&fitted.solution, &[], &local(chosen, fitted));
+        LeftOut::new(&sums, &stretches.counts())
     }
 
     /// Errors of the file as it is on the same stretches.

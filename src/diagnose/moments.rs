@@ -275,22 +275,26 @@ impl Moments {
 
     /// Sums of squared residuals per joint and part, each part predicted from all others (weights as in `whole`).
     pub fn cross_validated(&self, whole: &Solution) -> Vec<Vec<f64>> {
-        self.cross_validated_without(whole, &[])
+        self.cross_validated_without(whole, &[], &[])
     }
 
-    /// The same where some unknowns are 0.
-    pub fn cross_validated_without(&self, whole: &Solution, out: &[usize]) -> Vec<Vec<f64>> {
+    /// The same where some unknowns are 0 (`out`), and others (`fixed`) are those of the whole, since no other part can tell them.
+    pub fn cross_validated_without(&self, whole: &Solution, out: &[usize], fixed: &[usize]) -> Vec<Vec<f64>> {
         (0..self.parts())
             .map(|part| {
                 let sums = self.sums(|b| b != part);
                 let (mut matrix, mut rhs) = self.assemble(&sums, &whole.weights);
-                for &k in out {
+                for &k in fixed {
+                    rhs.axpy(-whole.x[k], &matrix.column(k), 1.0);
+                }
+                for &k in out.iter().chain(fixed) {
                     matrix.row_mut(k).fill(0.0);
                     matrix.column_mut(k).fill(0.0);
                     rhs[k] = 0.0;
                 }
                 let held = self.held();
-                let x = pseudo_inverse(&matrix) * (rhs - &matrix * &held) + held;
+                let mut x = pseudo_inverse(&matrix) * (rhs - &matrix * &held) + held;
+                fixed.iter().for_each(|&k| x[k] = whole.x[k]);
                 self.residuals(&self.sums(|b| b == part), &x)
             })
             .collect()

@@ -75,6 +75,17 @@ impl LeftOut {
         Paired { gain, error: (n * variance).sqrt(), whole: self.rms() < other.rms() }
     }
 
+    /// Whether less than a share of the squared error of `other` is left on a joint, and less than half of it in every stretch.
+    pub fn nearly_all(&self, other: &Self, joint: usize, share: f64) -> bool {
+        let (mut sums, mut every) = ([0.0; 2], true);
+        for (s, counts) in self.counts.iter().enumerate() {
+            let [a, b] = [other, self].map(|x| x.squares[s][joint] * counts[joint]);
+            every &= b <= 0.5 * a;
+            sums = [sums[0] + a, sums[1] + b];
+        }
+        every && sums[1] < share * sums[0]
+    }
+
     /// Root mean square over all stretches and joints, N m.
     pub fn rms(&self) -> f64 {
         let joints = self.squares.first().map_or(0, Vec::len);

@@ -2,13 +2,15 @@
 
 use super::evidence;
 use super::item::items;
+use super::judge::Accepted;
 use super::measure::{Measured, Meter, bootstrap, here, leave_out, matters, taken_of};
 use super::model::{Bench, Fitted, Mode, Uncertainty};
 use super::offer::LeftOut;
+use super::plain::{Plain, reconsider};
 use super::record::Recording;
 use super::result::{Cause, Offered};
 use super::run::Settings;
-use super::search::{Accepted, Plain, reconsider, search};
+use super::search::search;
 use super::stay::{chosen_of, freeze, prune, release, withdraw, without};
 use super::weigh::Weighing;
 use crate::arm::Plant;
@@ -198,7 +200,9 @@ impl<'a> Case<'a> {
             (_, true) => Offered::Refitted,
             _ => Offered::Extended,
         };
-        if changed && !model.left_out.less(file, self.ground).sure() {
+        // What acts in a part of a log no other part can predict; that it stands out there is all it has to do.
+        let local = model.accepted.iter().any(|a| a.chosen.cause.local());
+        if changed && !local && !model.left_out.less(file, self.ground).sure() {
             said.push(self.says("nothing predicts surely better than the file as it is", &model.left_out, file));
             let why = std::mem::take(&mut model.why);
             (offered, model) = (Offered::File, Settled { why, ..self.file() });

@@ -1,11 +1,11 @@
 //! What stays in the extended model: causes and friction that stand out and hold on left-out stretches.
 
 use super::item::{Item, items, place_of};
+use super::judge::Accepted;
 use super::measure::reduced;
-use super::model::{Bench, Chosen, Fitted, Mode, Uncertainty, given_friction};
+use super::model::{Bench, Chosen, Fitted, Mode, Uncertainty, given_friction, local};
 use super::offer::LeftOut;
 use super::record::Recording;
-use super::search::Accepted;
 use crate::arm::Plant;
 
 pub(super) fn chosen_of(accepted: &[Accepted]) -> Vec<Chosen> {
@@ -48,8 +48,8 @@ pub(super) fn withdraw(
         let chosen = chosen_of(accepted);
         let items = items(bench, accepted, &fitted);
         let stretches = bench.stretches(&chosen);
-        let counts = stretches.counts();
-        let with = LeftOut::new(&stretches.cross_validated(&fitted.solution), &counts);
+        let (counts, local) = (stretches.counts(), local(&chosen, &fitted));
+        let with = LeftOut::new(&stretches.cross_validated_without(&fitted.solution, &[], &local), &counts);
         let mut worst = None;
         for item in items.iter().filter(|i| !i.hypothesis.local()) {
             let others = if item.hypothesis.moves_time() {
@@ -66,7 +66,7 @@ pub(super) fn withdraw(
                         .flat_map(|&i| (0..fitted.terms[i].len()).map(move |t| (i, t)))
                         .map(|(i, t)| fitted.first[i] + t),
                 );
-                LeftOut::new(&stretches.cross_validated_without(&fitted.solution, &out), &counts)
+                LeftOut::new(&stretches.cross_validated_without(&fitted.solution, &out, &local), &counts)
             };
             let paired = with.less(&others, ground);
             if paired.gain < -1e-6

@@ -2,11 +2,12 @@
 
 use super::causes::{COULOMB, Cause as _, Named, OFFSET, VISCOUS};
 use super::evidence::Shown;
-use super::item::{Item, friction_values};
+use super::item::{Item, friction_values, place_of};
+use super::judge::Accepted;
 use super::measure::{Measured, share, taken_of};
 use super::model::{Bench, Fitted, Uncertainty, parameters};
+use super::plain::Plain;
 use super::result::{Cause, Curve};
-use super::search::{Accepted, Plain};
 use super::structure::Structure;
 use super::{calibration, evidence};
 
@@ -50,6 +51,13 @@ impl Weighing<'_> {
         let margin = near(item, accepted, plain_rivals).iter().map(|r| r.2.max(0.0)).fold(MOST_MARGIN, f64::min);
         let part = share(&without.steady, &with.steady, noise, &item.place);
         let support = accepted.map_or_else(|| plain_support(fitted, &uncertainty.covariance, item), |a| a.support);
+        // The same in another place says nearly as much.
+        let elsewhere: Vec<&[usize]> = near(item, accepted, plain_rivals)
+            .iter()
+            .filter(|r| r.0 == item.hypothesis.name())
+            .map(|r| r.1.as_slice())
+            .collect();
+        let elsewhere = elsewhere.iter().map(|p| format!("; the same {} would explain nearly as much", place_of(p)));
         Cause {
             cause: item.hypothesis.name(),
             joints: item.place.iter().map(|j| j + 1).collect(),
@@ -66,7 +74,7 @@ impl Weighing<'_> {
                 noise,
                 on: if here { "fit" } else { "validate" },
                 confirmed: accepted.map(|a| a.confirmed),
-            }),
+            }) + &elsewhere.collect::<String>(),
             curve: item.accepted.and_then(|index| evidence::curve(bench, fitted, index, &all[index].chosen)),
             parameters,
             keys,

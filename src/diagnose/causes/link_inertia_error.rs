@@ -1,5 +1,6 @@
 //! `link_inertia_error`: the given inertial parameters of a link are wrong.
 
+use super::super::hold::deviations;
 use super::super::scene::Scene;
 use super::payload::{Payload, body_terms};
 use super::{Cause, Kind, Term};
@@ -38,6 +39,14 @@ impl Cause for LinkInertiaError {
         let last = place.first().is_some_and(|j| j + 1 == scene.dof());
         let mass = terms.iter().zip(x).find(|(t, _)| t.symbol == "M").map_or(0.0, |(_, x)| *x);
         (last && mass > 0.0).then_some(&Payload as &dyn Cause)
+    }
+
+    fn change(&self, scene: &Scene<'_>, place: &[usize], terms: &[Term], x: &[f64]) -> Option<f64> {
+        let (names, row) = (scene.plant.standard_names(), scene.plant.rows()[place[0]] + 1);
+        let std = deviations(names, scene.plant.given()?)?;
+        let of = |symbol: &str| names.iter().position(|n| *n == format!("{symbol}{row}")).map(|i| std[i]);
+        let shares = terms.iter().zip(x).filter_map(|(t, x)| of(&t.symbol).map(|s| (x / s).powi(2)));
+        Some(shares.sum::<f64>().sqrt())
     }
 
     fn says(&self) -> &'static str {

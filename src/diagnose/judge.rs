@@ -1,0 +1,187 @@
+//! Whether a candidate is accepted: if its gain pays for its unknowns and for how many candidates were tried, if parts of the data that were not used to fit it
+//! confirm it, and if it is large enough to matter beside the noise.
+
+use super::candidate::{logs, unknowns};
+use super::causes::Sign;
+use super::model::{Bench, Chosen, Fitted};
+use super::moments::Solution;
+use super::search::SearchSettings;
+
+/// An accepted cause with the evidence.
+#[derive(Clone)]
+pub struct Accepted {
+    /// The cause.
+    pub chosen: Chosen,
+    /// Twice the gain in log-likelihood, in independent windows, less the cost.
+    pub support: f64,
+    /// Share of the parts of the data that confirm it.
+    pub confirmed: f64,
+    /// What says nearly the same: cause, place, difference of support.
+    pub rivals: Vec<(&'static str, Vec<usize>, f64)>,
+    /// Variance that it takes, summed over joints, (N m)^2.
+    pub variance: f64,
+}
+
+/// Less than this share of a joint's squared error is left by what takes nearly all of it.
+const NEARLY: f64 = 0.1;
+/// Support of a cause that holds in every stretch, where windows that remember each other can't say so.
+const THROUGHOUT: f64 = 1.0;
+
+/// By what a cause is judged.
+pub(super) struct Judge<'a> {
+    pub(super) bench: &'a Bench<'a>,
+    pub(super) noise: &'a [f64],
+    pub(super) settings: &'a SearchSettings,
+    /// Accepted before.
+    pub(super) accepted: &'a [Accepted],
+    /// How many candidates there were.
+    pub(super) tried: usize,
+}
+
+impl Judge<'_> {
+    /// Whether some joint's error is beyond the noise of its torque.
+    pub(super) fn leaves_more_than_noise(&self, fitted: &Fitted) -> bool {
+        let Solution { rss, counts, .. } = &fitted.solution;
+        rss.iter().zip(counts).zip(self.noise).any(|((rss, count), noise)| *rss > count * noise * noise)
+    }
+
+    /// Whether the last of `trial` takes nearly all of a joint's error in every stretch of the logs that is left out. What it leaves may then remember itself for so long that hardly a window is
+    /// independent: a slow rest is no reason to doubt what predicts all but that.
+    fn throughout(&self, before: &Fitted, after: &Fitted, trial: &[Chosen]) -> bool {
+        let Some((last, others)) = trial.split_last() else { return false };
+        let nearly = |j: usize| after.solution.rss[j] < NEARLY * before.solution.rss[j];
+        let large = |j: usize| before.solution.rss[j] > before.solution.counts[j] * self.noise[j].powi(2);
+        let joints: Vec<usize> = (0..self.noise.len()).filter(|&j| nearly(j) && large(j)).collect();
+        if joints.is_empty() || last.cause.local() || last.cause.moves_time() {
+            return false;
+        }
+        let [a, b] = [(others, before), (trial, after)].map(|(chosen, fitted)| self.bench.left_out(chosen, fitted));
+        joints.into_iter().any(|j| b.nearly_all(&a, j, NEARLY))
+    }
+
+    /// Whether the last of `trial` is worth having.
+    pub(super) fn judge(&self, before: &Fitted, after: &Fitted, trial: &[Chosen]) -> Option<Accepted> {
+        let Self { bench, noise, settings, accepted, tried } = *self;
+        let last = trial.last()?;
+        let terms = after.terms.last()?;
+        if terms.is_empty() || !last.cause.plausible(&bench.scene, &last.place, &last.shape, &last.x) {
+            return None;
+        }
+        if terms.iter().zip(&last.x).any(|(t, x)| t.sign == Sign::Positive && *x <= 0.0) {
+            return None;
+        }
+        let counts = &before.solution.counts;
+        let independent: f64 = counts.iter().zip(&after.memory).map(|(n, m)| n / m).sum();
+        let gain: f64 = logs(&before.solution.rss, &after.solution.rss)
+            .zip(counts.iter().zip(&after.memory))
+            .map(|(l, (n, m))| l * n / m)
+            .sum();
+        let cost = unknowns(last.cause, &last.shape, terms.len()) * independent.max(2.0).ln()
+            + 2.0 * (tried as f64).ln()
+            + 6.0;
+        let mut support = gain - cost;
+        if support <= 0.0 {
+            if !self.throughout(before, after, trial) {
+                return None;
+            }
+            support = THROUGHOUT;
+        }
+        // Large enough beside the noise, on some joint?
+        let taken: Vec<f64> = before
+            .solution
+            .rss
+            .iter()
+            .zip(&after.solution.rss)
+            .zip(counts)
+            .map(|((a, b), n)| if *n > 0.0 { (a - b) / n } else { 0.0 })
+            .collect();
+        let size = |j: usize| if counts[j] > 0.0 { before.solution.rss[j] / counts[j] } else { 0.0 };
+        let matters = (0..taken.len())
+            .any(|j| taken[j] > (settings.least_effect * noise[j]).powi(2).max(settings.least_gain * size(j)));
+        if !matters {
+            return None;
+        }
+        let variance: f64 = taken.iter().filter(|t| **t > 0.0).sum();
+        // What an earlier law of the same kind does not fit is not another cause.
+        let same = |a: &Accepted| {
+            a.chosen.place == last.place && a.chosen.cause.kind() == last.cause.kind() && !last.place.is_empty()
+        };
+        let overshadowed = accepted.iter().any(|a| {
+            let share = if same(a) { settings.least_share } else { 0.3 * settings.least_share };
+            let joints = !a.chosen.place.is_empty() && a.chosen.place == last.place;
+            (same(a) || joints) && variance < share * a.variance
+        });
+        if overshadowed {
+            return None;
+        }
+        let stands: Vec<bool> = (0..counts.len()).map(|j| last.place.is_empty() && stands(bench, j)).collect();
+        let Confirmation { confirmed, predicted, spoilt, stirred } = confirmation(before, after, &stands);
+        if last.cause.local() {
+            // No other part can vouch for it: it must stand out by itself.
+            let stands_out = (0..taken.len()).any(|j| taken[j] > 0.25 * size(j));
+            if !stands_out {
+                return None;
+            }
+        } else if confirmed < 0.75
+            || predicted < 0.6 * settings.least_gain
+            || spoilt > bearable(predicted)
+            || stirred > (0.5 * predicted).max(0.1)
+        {
+            return None;
+        }
+        Some(Accepted { chosen: last.clone(), support, confirmed, rivals: Vec::new(), variance })
+    }
+}
+
+/// Whether a joint stands most of the time: what the file has wrong of it the motion does not show, and a cause of the whole robot can make it seem larger.
+pub(super) fn stands(bench: &Bench<'_>, j: usize) -> bool {
+    let (mut moving, mut all) = (0, 0);
+    for sign in bench.scene.own[j].iter().flat_map(|own| &own.sign) {
+        moving += usize::from(*sign != 0.0);
+        all += 1;
+    }
+    2 * moving < all
+}
+
+/// By what share another joint's error may grow: what takes all but a tenth of one joint's error is not refuted by what earlier causes, found beside that error,
+/// still have to give way.
+fn bearable(predicted: f64) -> f64 {
+    if predicted > 0.9 { 0.5 } else { 0.1 }
+}
+
+/// What parts of the data say that were left out of the fit in turn.
+struct Confirmation {
+    /// Share of the parts that the larger model predicts better, parts weighted by what they gain or lose.
+    confirmed: f64,
+    /// The largest share of a joint's error that it takes.
+    predicted: f64,
+    /// The largest share by which a joint's error grows.
+    spoilt: f64,
+    /// The same of joints that stand, where the cause is one of the whole robot.
+    stirred: f64,
+}
+
+fn confirmation(before: &Fitted, after: &Fitted, stands: &[bool]) -> Confirmation {
+    let (a, b) = (before.moments.cross_validated(&before.solution), after.moments.cross_validated(&after.solution));
+    let weights = &after.solution.weights;
+    let (mut won, mut lost) = (0.0, 0.0);
+    let mut sums = vec![[0.0; 2]; weights.len()];
+    for (a, b) in a.iter().zip(&b) {
+        let change: f64 = a.iter().zip(b).zip(weights).map(|((a, b), w)| w * (a - b)).sum();
+        if change > 0.0 {
+            won += change
+        } else {
+            lost -= change
+        }
+        for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
+            *sum = [sum[0] + a, sum[1] + b];
+        }
+    }
+    let shares = || sums.iter().map(|[a, b]| if *a > 1e-200 { 1.0 - b / a } else { 0.0 });
+    Confirmation {
+        confirmed: if won + lost > 0.0 { won / (won + lost) } else { 0.0 },
+        predicted: shares().fold(0.0, f64::max),
+        spoilt: -shares().zip(stands).filter(|s| !s.1).map(|s| s.0).fold(0.0, f64::min),
+        stirred: -shares().zip(stands).filter(|s| *s.1).map(|s| s.0).fold(0.0, f64::min),
+    }
+}
