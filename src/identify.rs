@@ -36,6 +36,8 @@ mod carry;
 mod consistent;
 mod essential;
 mod known;
+mod left_out;
+mod preference;
 mod recover;
 mod result;
 pub(crate) mod rows;
@@ -46,6 +48,7 @@ mod stack;
 mod statistics;
 mod trace;
 mod triangle;
+mod unexplained;
 mod wls;
 
 #[cfg(test)]
@@ -61,6 +64,8 @@ pub use consistent::{
 };
 pub use essential::{Dropped, Essential};
 pub use known::Known;
+pub use left_out::{LeftOutError, left_out};
+pub use preference::{Better, Preference, preference};
 pub use recover::{RecoverError, implausible_links, recover_standard};
 pub use result::{Condition, Confused, Estimate, Identification, LogSummary, Standing};
 pub use solve::{IdentifyError, IdentifySettings, solve};

@@ -6,14 +6,14 @@ use clap::{Args, ValueEnum};
 use dh_codegen::arm::param::{self, Parameter};
 use dh_codegen::robot::Robot;
 
-use super::prepare::{Preparation, pass};
+use super::prepare::{Preparation, against_limits, pass};
 use super::{Failure, files};
 use crate::arm::{Arm, Reach};
 use crate::coupled::Coupled;
 use crate::identify::{
-    Bounds, Consistent, ConsistentError, ConsistentSettings, Essential, Factors, Identification, IdentifySettings,
-    PriorBody, Stack, Trace, Tracer, carry_over, consistent, geometric_bodies, possible_bodies, prior_bodies,
-    recover_standard, solve,
+    Better, Bounds, Consistent, ConsistentError, ConsistentSettings, Essential, Factors, Identification,
+    IdentifySettings, LeftOutError, Preference, PriorBody, Stack, Trace, Tracer, carry_over, consistent,
+    geometric_bodies, left_out, possible_bodies, prior_bodies, recover_standard, solve,
 };
 use crate::interpreted::Interpreted;
 use crate::signal::{Derivatives, Prepare};
@@ -139,6 +139,8 @@ impl Identify {
         let fit: Vec<Factors> = self.logs.iter().map(&mut factor).collect::<Result<_, _>>()?;
         let validate: Vec<Factors> = self.validate.iter().map(&mut factor).collect::<Result<_, _>>()?;
 
+        against_limits(&mut prepared, &file.robot);
+
         let solving = IdentifySettings {
             weighted: !self.ordinary,
             essential: self.essential.then(Essential::default),
@@ -164,10 +166,15 @@ impl Identify {
             }
             _ => None,
         };
+        let left_out = match &possible {
+            Some(Ok(c)) => self.left_out(&file.robot, &arm, &bodies, &fit, &found, c, prior.as_deref())?,
+            _ => None,
+        };
         let possible = possible.as_ref().map(|result| report::Possible {
             result: result.as_ref(),
             written: self.out.as_ref().map(|_| result.is_ok()),
             plain: exact.is_some(),
+            left_out: left_out.as_ref(),
         });
 
         let standard = match possible.as_ref().map(|p| p.result) {
@@ -234,6 +241,25 @@ impl Identify {
             Err(error @ ConsistentError::Bounds { .. }) => Err(Failure::input(error)),
             result => Ok(result),
         }
+    }
+
+    /// Where the validating logs prefer the plain solution: what the fitted logs say to that, a part of them left out at a time.
+    #[allow(clippy::too_many_arguments)]
+    fn left_out(
+        &self,
+        robot: &Robot,
+        arm: &Coupled<'_>,
+        reach: &dyn Reach,
+        fit: &[Factors],
+        found: &Identification,
+        bodies: &Consistent,
+        file: Option<&[f64]>,
+    ) -> Result<Option<Result<Preference, LeftOutError>>, Failure> {
+        if bodies.against_plain.as_ref().is_none_or(|p| p.better() != Better::First) {
+            return Ok(None);
+        }
+        let (settings, prior) = (self.settings(robot)?, self.prior_of(robot, reach));
+        Ok(Some(left_out(arm, fit, found, &prior, &drives(robot), &settings, file)))
     }
 
     fn settings(&self, robot: &Robot) -> Result<ConsistentSettings, Failure> {

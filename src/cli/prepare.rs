@@ -4,11 +4,12 @@ use std::io::Read;
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
+use dh_codegen::robot::{JointKind, Robot};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::{Failure, files};
 use crate::identify::{DeadZone, StackSettings};
-use crate::log::{Keep, Quantity, open};
+use crate::log::{Keep, Limits, Quantity, beyond, open};
 use crate::signal::{Filter, Motion, Prepare, PrepareError, Prepared, each_motion};
 
 /// Low-pass, clock, torque column, and what to keep.
@@ -121,6 +122,23 @@ impl Preparation {
         } else {
             "none".into()
         }
+    }
+}
+
+/// What the logs say against the limits of the robot file, added to what was found in them.
+pub(super) fn against_limits(prepared: &mut [Prepared], robot: &Robot) {
+    let limits: Vec<Limits> = robot
+        .joints
+        .iter()
+        .filter(|joint| joint.kind != JointKind::Fixed)
+        .map(|joint| Limits {
+            position: joint.limits.position.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]),
+            torque: joint.limits.torque.unwrap_or(f64::INFINITY),
+            slides: joint.kind == JointKind::Prismatic,
+        })
+        .collect();
+    for log in prepared {
+        log.findings.extend(beyond(&log.reached, &limits));
     }
 }
 

@@ -7,7 +7,7 @@ use clap::Args;
 use dh_codegen::arm::{Function, param};
 use dh_codegen::robot::Tool;
 
-use super::prepare::{Preparation, pass};
+use super::prepare::{Preparation, against_limits, pass};
 use super::{Failure, files};
 use crate::arm::Arm;
 use crate::identify::{Factors, Stack, Trace, Tracer};
@@ -42,6 +42,10 @@ pub(super) struct ToolVerb {
     /// Mass from a scale, kg; the other nine are then known better.
     #[arg(long, value_name = "KG", allow_negative_numbers = true)]
     known_mass: Option<f64>,
+    /// Standard deviation of --known-mass, kg (a scale that shows grams: 0.0003). Zero takes it as exact: an error of a gram then moves the centre of a
+    /// 200 g tool by half a percent of its distance.
+    #[arg(long, default_value_t = 0.0, value_name = "KG", allow_negative_numbers = true, requires = "known_mass")]
+    mass_std: f64,
     /// Without --unloaded: take only links and rotors from the robot file, and estimate friction and offsets from the loaded log.
     #[arg(long, conflicts_with = "unloaded")]
     refresh_friction: bool,
@@ -80,6 +84,7 @@ impl ToolVerb {
         let settings = ToolSettings {
             robot: param::standard_values(if self.on_top { &file.robot } else { &bare }),
             known_mass: self.known_mass,
+            mass_std: self.mass_std,
             refresh_friction: self.refresh_friction,
         };
         if let Some(twice) = self.unloaded.iter().find(|log| self.loaded.contains(log)) {
@@ -94,6 +99,7 @@ impl ToolVerb {
             paths.iter().map(|path| self.factor(path, &carrying, &prepare, &mut prepared)).collect()
         };
         let (unloaded, loaded) = (factors(&self.unloaded, false)?, factors(&self.loaded, true)?);
+        against_limits(&mut prepared, &file.robot);
         let carried = identify_tool(&arm, &unloaded, &loaded, &settings).map_err(Failure::input)?;
         let found = look_up(carried, own.as_ref(), table, &tolerance, &recognising);
         let provenance = self.provenance(&file.text);

@@ -45,6 +45,7 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 use super::{
     accuracy,
     accuracy::Accuracy,
+    preference::{Preference, preference},
     recover::base_of,
     result::Identification,
     stack::Factors,
@@ -176,6 +177,8 @@ pub struct Consistent {
     pub cost: Cost,
     /// What possibility alone costs (the prior's weight vanishing).
     pub possible: Cost,
+    /// How [`Consistent::standard`] does on the validating logs beside the plain solution, with an interval.
+    pub against_plain: Option<Preference>,
     /// Whether what possibility alone costs is more than noise explains: some of the residual is not noise, and the plain solution
     /// follows it into the impossible.
     pub significant: bool,
@@ -268,8 +271,10 @@ pub fn consistent(
     let carried: f64 = settings.carried.iter().map(|(_, b)| b[0]).sum();
     let edge = |(link, margin): (usize, &f64)| (*margin < 2.0 * settings.margin).then_some(link + 1);
     let distance = |l: &newton::Link| setup.problem.distance(&v, l.start).unwrap_or(f64::INFINITY);
+    let base = base_of(arm, &standard);
     Ok(Consistent {
-        base: base_of(arm, &standard),
+        against_plain: preference(validate, &found.values(), &base),
+        base,
         names: arm.base_parameters().iter().map(|b| b.name.clone()).collect(),
         cost: cost(&v),
         possible,

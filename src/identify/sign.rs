@@ -14,7 +14,20 @@ fn finding(joint: usize, correlation: f64) -> Finding {
     Finding { kind: Kind::Sign { correlation }, severity: Severity::Warning, line: None, column, count: 1 }
 }
 
-/// With a model: joints whose torque runs against what it predicts (correlation below -0.5).
+/// Fewer batches than these tell nothing of a sign.
+const BATCHES: usize = 3;
+
+/// Whether the joint's regressor keeps its direction, as that of an arm that stands does: next to rank one.
+fn stands(joint: &JointSystem) -> bool {
+    let n = joint.columns.len() + 1;
+    let entry = |i: usize, k: usize| joint.gram[i + k * n];
+    let trace: f64 = (0..n - 1).map(|k| entry(k, k)).sum();
+    let squares: f64 = (0..n - 1).flat_map(|i| (0..n - 1).map(move |k| (i, k))).map(|(i, k)| entry(i, k).powi(2)).sum();
+    squares.sqrt() > 0.99 * trace
+}
+
+/// With a model: joints whose torque runs against what it predicts (correlation below -0.5; of a joint in one posture, where an offset or a payload may
+/// say the same, below -0.95).
 pub(super) fn against_model(joints: &[JointSystem], beta: &[f64]) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (index, joint) in joints.iter().enumerate().filter(|(_, j)| j.samples > 0) {
@@ -26,7 +39,8 @@ pub(super) fn against_model(joints: &[JointSystem], beta: &[f64]) -> Vec<Finding
         let inner: f64 = predicted.iter().zip(measured).map(|(a, b)| a * b).sum();
         let norm = |v: &[f64]| v.iter().map(|a| a * a).sum::<f64>().sqrt();
         let correlation = inner / (norm(&predicted) * norm(measured));
-        if correlation < -0.5 {
+        let most = if stands(joint) { -0.95 } else { -0.5 };
+        if correlation < most && joint.batches.len() >= BATCHES {
             findings.push(finding(index, correlation));
         }
     }

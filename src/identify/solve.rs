@@ -9,6 +9,7 @@ use super::{
     spectrum::{Small, coupled},
     stack::Factors,
     statistics::covariance,
+    unexplained::unexplained,
     wls::{JointSystem, Problem, stacked},
 };
 use crate::arm::Arm;
@@ -162,10 +163,15 @@ pub fn solve(
             }
         }
     }
+    let total = |logs: &[Factors], beta: &[f64]| accuracy(&logs.iter().collect::<Vec<_>>(), beta);
+    let fitted = total(fit, &solution.beta);
+    // A sign says more.
+    if findings.is_empty() {
+        findings = unexplained(&fitted);
+    }
     let [weighted, scaled] = solution.small.conditions();
     let plain =
         Small::new(&stacked(&joints, &vec![1.0; joints.len()], &solution.active, parameters.len())).conditions()[0];
-    let total = |logs: &[Factors], beta: &[f64]| accuracy(&logs.iter().collect::<Vec<_>>(), beta);
     let some = !validate.is_empty();
     Ok(Identification {
         robot: arm.name().into(),
@@ -189,7 +195,7 @@ pub fn solve(
             .collect(),
         correlation,
         noise,
-        fit: total(fit, &solution.beta),
+        fit: fitted,
         validation: some.then(|| total(validate, &solution.beta)),
         fit_before: before.as_ref().map(|beta| total(fit, beta)),
         validation_before: before.as_ref().filter(|_| some).map(|beta| total(validate, beta)),

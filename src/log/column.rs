@@ -137,6 +137,11 @@ impl Layout {
                 None => layout.ignored.push((*name).into()),
             }
         }
+        if layout.roles.is_empty()
+            && let Some(what) = no_header(&names)
+        {
+            return Err(LogError::Header { file: file.into(), what });
+        }
         layout.require(Role::Time)?;
         layout.require(Role::Joint(Quantity::Q, 0))?;
         for (quantity, _) in Quantity::ALL {
@@ -156,7 +161,10 @@ impl Layout {
         self.find(role).ok_or_else(|| {
             let column = role.name();
             let lookalike = self.ignored.iter().find(|name| resembles(name, &column)).cloned();
-            let known = self.roles.iter().map(|r| r.name()).collect::<Vec<_>>().join(", ");
+            let known = match self.roles.as_slice() {
+                [] => "none".into(),
+                roles => roles.iter().map(|r| r.name()).collect::<Vec<_>>().join(", "),
+            };
             LogError::MissingColumn { file: self.file.clone(), column, known, lookalike }
         })
     }
@@ -175,6 +183,26 @@ impl Layout {
     pub fn has(&self, quantity: Quantity) -> bool {
         (0..self.dof).all(|joint| self.find(Role::Joint(quantity, joint)).is_some())
     }
+}
+
+/// What a first line is that has no column's name in it, where that can be told.
+fn no_header(names: &[&str]) -> Option<String> {
+    let odd = |c: char| c == char::REPLACEMENT_CHARACTER || (c.is_control() && c != '\t');
+    if names.iter().any(|name| name.chars().any(odd)) {
+        return Some("this is no text (CSV, gzipped CSV and Parquet are told apart by their first bytes)".into());
+    }
+    for (separator, shown) in [(';', "semicolons"), ('\t', "tabs"), (' ', "spaces"), ('|', "`|`")] {
+        // Understood once it is taken apart there; a decimal comma goes with semicolons.
+        let cells = names.iter().flat_map(|name| name.split(separator)).map(str::trim);
+        if cells.filter(|cell| Role::of(cell).is_some()).count() > 1 {
+            let comma =
+                if separator == ';' { ", and if numbers have a decimal comma, a point in its place" } else { "" };
+            return Some(format!("cells are separated by {shown}: put commas there{comma}"));
+        }
+    }
+    let number = |name: &&str| name.parse::<f64>().is_ok();
+    (names.len() > 1 && names.iter().all(|n| number(&n)))
+        .then(|| "numbers where names belong: the header is missing".into())
 }
 
 /// Whether a column of another name probably is the missing one: `Time`, `tau_1`, `effort1`, `joint_position_1`.
@@ -224,6 +252,22 @@ mod tests {
     fn missing_time_names_the_lookalike() {
         let error = Layout::new("log.csv", &["Time", "q1", "tau1"]).unwrap_err().to_string();
         assert!(error.contains("`t`") && error.contains("`Time`"), "{error}");
+    }
+
+    #[test]
+    fn a_first_line_without_names_is_told_by_what_it_is() {
+        for (header, word) in [
+            (&["t;q1;tau1"][..], "semicolons"),
+            (&["t\tq1\ttau1"], "tabs"),
+            (&["0.0", "1.5", "-2e3"], "the header is missing"),
+            (&["PK\u{3}\u{4}", "x"], "no text"),
+        ] {
+            let error = Layout::new("log.csv", header).unwrap_err().to_string();
+            assert!(error.contains(word) && error.contains("log.csv, line 1"), "{error}");
+        }
+        // Other names are names.
+        let error = Layout::new("log.csv", &["stamp", "joint_position_1"]).unwrap_err().to_string();
+        assert!(error.contains("`t` is missing") && error.contains("understood: none"), "{error}");
     }
 
     #[test]

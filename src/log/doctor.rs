@@ -2,6 +2,15 @@
 
 use super::{Block, Finding, Keep, Kind, Layout, Quantity, Role, Severity};
 
+/// Least and largest value of a column.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reached {
+    /// Its name: `q3`, `tau3`.
+    pub column: String,
+    /// Least, largest.
+    pub range: [f64; 2],
+}
+
 /// What becomes of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
@@ -192,6 +201,15 @@ impl Doctor {
         }
         let severity = if allowed { Severity::Warning } else { Severity::Fatal };
         self.findings.push(Finding { kind, severity, line: Some(line), column: name, count: 1 });
+    }
+
+    /// How far the columns of positions and of the used torques went, so far.
+    pub fn reached(&self) -> Vec<Reached> {
+        let of = |channel: &Channel| Reached {
+            column: self.names[channel.column].clone(),
+            range: [-channel.bottom.level, channel.top.level],
+        };
+        self.channels.iter().filter(|c| c.top.samples > 0).map(of).collect()
     }
 
     /// All findings, the gravest first, in the order of the file.

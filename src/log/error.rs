@@ -22,6 +22,14 @@ pub enum LogError {
         /// File.
         file: String,
     },
+    /// The first line names no column at all.
+    #[error("{file}, line 1: {what}; the first line must name the columns, with commas between them: t,q1,..,tau1,..")]
+    Header {
+        /// File.
+        file: String,
+        /// What it looks like instead.
+        what: String,
+    },
     /// A column that must be there is not.
     #[error("{file}, line 1: the column `{column}` is missing{}; columns understood: {known}", rename(.lookalike))]
     MissingColumn {

@@ -116,6 +116,22 @@ pub enum Kind {
         /// Samples that were left out.
         samples: usize,
     },
+    /// A position or torque far beyond what the robot file says the joint can reach or do.
+    BeyondLimit {
+        /// Largest of the log.
+        reaches: f64,
+        /// Of the robot file.
+        limit: f64,
+        /// Unit of both.
+        unit: &'static str,
+    },
+    /// A joint whose torque the fitted model leaves a large part of.
+    Unexplained {
+        /// Of the joint's torque (root mean square), percent.
+        percent: f64,
+    },
+    /// No joint moves beyond the noise of its encoder.
+    Standstill,
     /// Hardly any data.
     TooFew {
         /// Samples.
@@ -191,8 +207,10 @@ impl Finding {
             ),
             Kind::Evened { clock: Clock::Even } => "samples taken as evenly spaced (smoother so)".into(),
             Kind::Evened { clock: Clock::Resampled } => "samples interpolated to an even clock (cubic)".into(),
-            Kind::Stuck { value, seconds } => format!("stands still at {value} for up to {seconds:.3} s{times}"),
-            Kind::Clipped { level, samples } => format!("is cut off at {level} ({samples} samples)"),
+            Kind::Stuck { value, seconds } => {
+                format!("stands still at {} for up to {seconds:.3} s{times}", plain(*value))
+            }
+            Kind::Clipped { level, samples } => format!("is cut off at {} ({samples} samples)", plain(*level)),
             Kind::DeadTorque => "is zero throughout: the sensor was off".into(),
             Kind::Degrees { largest } => format!("reaches {largest:.1}, which looks like degrees"),
             Kind::Sign { correlation } => {
@@ -201,6 +219,13 @@ impl Finding {
             Kind::ShortSegments { samples } => {
                 format!("segments too short to be filtered were left out: {samples} samples{times}")
             }
+            Kind::BeyondLimit { reaches, limit, unit } => {
+                format!("reaches {} {unit}, where the robot file's limit is {} {unit}", plain(*reaches), plain(*limit))
+            }
+            Kind::Unexplained { percent } => {
+                format!("the fitted model leaves {percent:.0} % of the torque unexplained")
+            }
+            Kind::Standstill => "no joint moves: nothing but gravity in this posture can be told".into(),
             Kind::TooFew { samples } => format!("only {samples} samples"),
             Kind::VeryLong { samples } => format!("{samples} samples"),
         }
@@ -222,6 +247,14 @@ impl Finding {
             Kind::Sign { .. } => {
                 "compare the joint's positive direction with the robot file; negate the column if it is so"
             }
+            Kind::BeyondLimit { unit: "rad" | "m", .. } => {
+                "look whether the columns are in the robot's order, in rad or m, and of this robot"
+            }
+            Kind::BeyondLimit { .. } => "look whether torques are in N m on the joint side, and of this robot",
+            Kind::Unexplained { .. } => {
+                "look for columns that were swapped, a wrong sign or unit, another robot's log; `denavit diagnose` looks for what the model lacks"
+            }
+            Kind::Standstill => "record a motion of all joints: `denavit excite` designs one",
             Kind::ShortSegments { .. } => "",
             Kind::TooFew { .. } => "record some seconds with all joints moving",
             Kind::VeryLong { .. } => "decimate if it takes too long",
@@ -232,6 +265,11 @@ impl Finding {
             _ => mend.into(),
         }
     }
+}
+
+/// A number in as few characters as it takes.
+fn plain(x: f64) -> String {
+    if x == 0.0 || (1e-4..1e6).contains(&x.abs()) { format!("{x}") } else { format!("{x:e}") }
 }
 
 impl fmt::Display for Finding {

@@ -2,9 +2,10 @@
 
 use std::fmt::Write;
 
-use super::consistent::{Possible, paid};
+use super::consistent::{Possible, paid, preferred};
 use super::number::{digits, figure};
 use super::page::escape;
+use crate::identify::Identification;
 use crate::tool::Body;
 
 /// The links that go with the identified parameters, beside those of the robot file. Without the tool.
@@ -18,12 +19,14 @@ pub struct Links<'a> {
 }
 
 /// A section of the page.
-pub(super) fn bodies_section(body: &mut String, links: &Links<'_>) {
+pub(super) fn bodies_section(body: &mut String, found: &Identification, links: &Links<'_>) {
     body.push_str("<section id=bodies><h2>The links as bodies</h2>\n");
-    let found = links.possible.map(|p| p.result);
-    match found {
+    match links.possible.map(|p| p.result) {
         Some(Ok(c)) => {
             let _ = writeln!(body, "<p>{}</p>", escape(&paid(c)));
+            if let Some(preferred) = links.possible.and_then(|p| preferred(found, c, p)) {
+                let _ = writeln!(body, "<p>{}</p>", escape(&preferred));
+            }
         }
         Some(Err(error)) => {
             let _ = writeln!(body, "<p class=warning>No possible bodies: {}.</p>", escape(&error.to_string()));
@@ -71,7 +74,7 @@ pub(super) fn bodies_section(body: &mut String, links: &Links<'_>) {
         if known {
             cell(file.map(moments), true);
         }
-        let c = found.and_then(Result::ok).filter(|_| !links.possible.is_some_and(|p| p.plain));
+        let c = links.possible.and_then(|p| p.result.ok()).filter(|_| !links.possible.is_some_and(|p| p.plain));
         cell(c.and_then(|c| c.distances.get(k)).map(|d| digits(*d, 2)), false);
         let answer = match now {
             None => "no: its mass is not positive".into(),

@@ -5,7 +5,10 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use super::number::{figure, pad, percent};
-use crate::identify::{Accuracy, CarryOver, Consistent, ConsistentError, Identification, Source};
+use crate::identify::{
+    Accuracy, Better, CarryOver, Consistent, ConsistentError, Identification, LeftOutError, Preference, Source,
+    Standing,
+};
 
 /// What came of the search for possible bodies.
 #[derive(Debug, Clone)]
@@ -16,6 +19,8 @@ pub struct Possible<'a> {
     pub written: Option<bool>,
     /// Whether what was written are bodies with exactly the plain solution's base parameters: it is possible itself.
     pub plain: bool,
+    /// Where the validating logs prefer the plain solution: what parts of the fitted logs say that were left out in turn.
+    pub left_out: Option<&'a Result<Preference, LeftOutError>>,
 }
 
 fn source(source: Source) -> &'static str {
@@ -37,6 +42,14 @@ pub fn consistent_json(possible: &Possible<'_>) -> Value {
             };
             return json!({ "status": status, "reason": error.to_string(), "written": possible.written });
         }
+    };
+    let preference = |p: &Preference| {
+        let better = match p.better() {
+            Better::First => "plain",
+            Better::Second => "bodies",
+            Better::Open => "open",
+        };
+        json!({ "percent": p.percent, "interval": p.interval, "stretches": p.stretches, "independent": p.independent, "better": better })
     };
     let each = |pick: fn(&Accuracy) -> &Vec<f64>| {
         json!({
@@ -60,6 +73,10 @@ pub fn consistent_json(possible: &Possible<'_>) -> Value {
             "sources": c.sources.iter().map(|s| source(*s)).collect::<Vec<_>>(),
             "distances": c.distances,
         },
+        "against_plain": {
+            "validate": c.against_plain.as_ref().map(preference),
+            "left_out": possible.left_out.and_then(|l| l.as_ref().ok()).map(preference),
+        },
         "margin": c.margin,
         "margins": c.margins,
         "at_the_edge": c.at_the_edge,
@@ -78,6 +95,66 @@ pub(super) fn paid(c: &Consistent) -> String {
         percent(c.cost.growth_percent.max(0.0)),
         figure(c.total_mass)
     )
+}
+
+/// The bodies' error beside the plain fit's: `9.7 % larger (95 %: +2.1 to +18 %)`.
+fn beside(p: &Preference) -> String {
+    let [low, high] = p.interval;
+    let word = if p.percent < 0.0 { "smaller" } else { "larger" };
+    format!("{} % {word} (95 %: {} to {} %)", percent(p.percent.abs()), signed(low), signed(high))
+}
+
+fn signed(x: f64) -> String {
+    let size = percent(x.abs());
+    if size == "0.00" { size } else { format!("{}{size}", if x < 0.0 { "-" } else { "+" }) }
+}
+
+/// The parameters in which the plain solution is furthest from the bodies, in its own standard deviations: `XY7 = 0.366 ± 0.081 (bodies: 0)`.
+fn furthest(found: &Identification, c: &Consistent) -> String {
+    let mut all: Vec<_> =
+        found.parameters.iter().zip(&c.base).filter(|(p, _)| p.standing == Standing::Identified).collect();
+    let far = |(p, bodies): &(&_, &f64)| -> f64 {
+        let p: &crate::identify::Estimate = p;
+        (p.value - **bodies).abs() / p.std
+    };
+    all.sort_by(|a, b| far(b).total_cmp(&far(a)));
+    let one = |(p, bodies): &(&crate::identify::Estimate, &f64)| {
+        format!("{} = {} ± {} (bodies: {})", p.name, figure(p.value), figure(p.std), figure(**bodies))
+    };
+    all.iter().take(3).map(one).collect::<Vec<_>>().join(", ")
+}
+
+/// Whether bodies or the plain solution predict the validating logs better, and what it means.
+pub(super) fn preferred(found: &Identification, c: &Consistent, possible: &Possible<'_>) -> Option<String> {
+    let against = c.against_plain.as_ref()?;
+    let error =
+        format!("On the validating logs the error of the bodies is {} than that of the plain fit", beside(against));
+    Some(match against.better() {
+        Better::Second => format!("{error}: bodies predict better."),
+        Better::Open => format!("{error}: these logs can't tell which is better."),
+        Better::First => {
+            let wants =
+                format!("{error}: the data want something that no body can do, most of all {}.", furthest(found, c));
+            let elsewhere = match possible.left_out {
+                Some(Ok(p)) if p.better() == Better::First => format!(
+                    " On parts of the fitted logs that were left out in turn it is {} too: the model lacks something. `denavit diagnose` looks for it; a drive of which the \
+                     torque is the motor's needs `rotor_inertia: 0` in the robot file, a wrist with coupled gears `gear_coupling`. For torques alone `--consistent=never` keeps the plain values.",
+                    beside(p)
+                ),
+                Some(Ok(p)) if p.better() == Better::Second => format!(
+                    " On parts of the fitted logs that were left out in turn it is {}: bodies predict better where the motion is new, so the validating logs most likely repeat fitted motion, and \
+                     with it what the plain fit keeps of errors of the model. Validate on another motion; `denavit diagnose` looks for those errors.",
+                    beside(p)
+                ),
+                Some(Ok(p)) => format!(
+                    " Parts of the fitted logs that were left out in turn can't tell: {}. `denavit diagnose` looks for what the model lacks.",
+                    beside(p)
+                ),
+                _ => " `denavit diagnose` looks for what the model lacks.".into(),
+            };
+            wants + &elsewhere
+        }
+    })
 }
 
 /// A section for the terminal.
@@ -130,6 +207,9 @@ pub fn consistent_text(found: &Identification, possible: &Possible<'_>) -> Strin
             let _ = write!(out, "{}{}", pad(&figure(plain.rms[joint]), 16, true), cell(figure(bodies.rms[joint])));
         }
         out.push('\n');
+    }
+    if let Some(preferred) = preferred(found, c, possible) {
+        let _ = writeln!(out, "  {preferred}");
     }
     if possible.written == Some(true) {
         out.push_str(match possible.plain {

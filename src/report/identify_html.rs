@@ -57,7 +57,7 @@ pub fn identify_html(
     open_questions(&mut body, found);
     body.push_str("</section>\n");
     if let Some(links) = links {
-        bodies_section(&mut body, links);
+        bodies_section(&mut body, found, links);
     }
     body.push_str("<section><h2>Correlation of the estimates</h2><p class=note>Blue: if one is estimated too high, so is the other. Red: the other way about. White: independent. Pairs near ±1 are told apart badly by this motion.</p><div id=correlation></div></section>\n");
     foot(&mut body, found, provenance);

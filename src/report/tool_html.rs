@@ -136,8 +136,8 @@ fn workshop(body: &mut String, found: &Found) {
     let mm = |v: &[f64]| v.iter().map(|x| digits(1e3 * x, 3)).collect::<Vec<_>>().join(", ");
     let list = |v: &[f64]| v.iter().map(|x| figure(*x)).collect::<Vec<_>>().join(", ");
     let mass = match found.carried.known_mass {
-        Some(_) => format!("{} kg, as given", figure(b.mass)),
-        None => format!("{} ± {} kg", figure(b.mass), digits(found.carried.std[0], 2)),
+        Some(_) if found.carried.mass_std == 0.0 => format!("{} kg, as given", figure(b.mass)),
+        _ => format!("{} ± {} kg", figure(b.mass), digits(found.carried.std[0], 2)),
     };
     let mut rows = vec![
         ("mass".to_string(), mass),

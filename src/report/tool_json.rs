@@ -107,6 +107,7 @@ pub fn tool_json(found: &Found, logs: &[Prepared], provenance: &Provenance) -> V
             Standing::Dropped => "dropped",
         }),
         "known_mass": carried.known_mass,
+        "mass_std": carried.known_mass.map(|_| carried.mass_std),
         "robot_identified": carried.robot_identified,
         "body": body,
         "recognised": recognised,

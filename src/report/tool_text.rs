@@ -18,7 +18,7 @@ pub fn tool_verdict(found: &Found) -> String {
         Some(body) => {
             let [x, y, z] = body.center.map(|c| digits(1e3 * c, 3));
             let worst = body.center_std.iter().fold(0.0_f64, |m, s| m.max(*s));
-            let std = if carried.known_mass.is_some() {
+            let std = if carried.known_mass.is_some() && carried.mass_std == 0.0 {
                 "as given".into()
             } else {
                 format!("± {}", digits(carried.std[0], 2))

@@ -2,15 +2,16 @@
 //! parameters are in both logs alike, and of the roller is known what a log that is twice as noisy would say.
 
 use super::honesty::STRIDE;
-use super::loaded::{carry, loaded, stacked, together};
+use super::loaded::{carry, loaded, stacked};
 use super::lwr::Lwr;
 use super::many::many;
 use super::motions::Motion;
 use super::verdict::Verdict;
 use super::{ReproduceError, Share, Watch};
+use crate::numeric::random::Random;
 use crate::simulate::Recording;
 use crate::tool::rerun::{Column, Row, TABLE_THREE};
-use crate::tool::{Entry, Tolerance, names};
+use crate::tool::{Entry, Tolerance, ToolSettings, identify_tool, names};
 
 /// Of the mass of the large roller, percent, and of its centre, m: what is asked of the rerun.
 pub const ASKED: [f64; 2] = [2.0, 2e-3];
@@ -49,11 +50,41 @@ pub fn columns(
     Ok(columns)
 }
 
+/// What a run has to go by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Case {
+    /// Logs with an empty hand, and with the roller, 10 s each.
+    pub logs: [usize; 2],
+    /// Standard deviation of a scale that the roller was put on, kg.
+    pub scale: Option<f64>,
+}
+
+impl std::fmt::Display for Case {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} + {}", self.logs[0], self.logs[1])?;
+        if self.scale.is_some() { write!(f, ", weighed") } else { Ok(()) }
+    }
+}
+
+/// A scale that shows whole grams: what rounding leaves, a gram over the root of twelve.
+pub const SCALE: f64 = 0.29e-3;
+
+/// One log of each kind; the logs from which the robot was identified beside it (the same robot with an empty hand); a scale; and more logs of both
+/// kinds: the paper's, twice, four times as many.
+pub const CASES: [Case; 6] = [
+    Case { logs: [1, 1], scale: None },
+    Case { logs: [4, 1], scale: None },
+    Case { logs: [1, 1], scale: Some(SCALE) },
+    Case { logs: [4, 1], scale: Some(SCALE) },
+    Case { logs: [2, 2], scale: None },
+    Case { logs: [4, 4], scale: None },
+];
+
 /// The large roller over many runs with other noise: whether mass and centre are as good as asked, and the deviations honest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Repeated {
-    /// Logs with an empty hand, and as many with the roller, 10 s each.
-    pub logs: usize,
+    /// What was recorded.
+    pub case: Case,
     /// Runs with the mass within [`ASKED`].
     pub mass_within: Share,
     /// Root mean square of the distance from the true centre, m.
@@ -80,8 +111,6 @@ impl Repeated {
 
 /// Runs of [`repeated`].
 pub const RUNS: usize = 100;
-/// Logs of either kind that are solved together there: the paper's, twice, four times as many.
-pub const LOGS: [usize; 3] = [1, 2, 4];
 
 /// The large roller from one log of each kind, and from more. `unloaded` and `moving` are the same motions, which take turns; all logs of a run have
 /// noise of their own.
@@ -99,7 +128,7 @@ pub fn repeated(
         return Ok(Vec::new());
     };
     let truth = entry.values;
-    let most = LOGS.into_iter().max().unwrap_or(1);
+    let most = CASES.iter().flat_map(|c| c.logs).max().unwrap_or(1);
     // Mass off by, percent; centre off by, m^2; its variance as told; its error in its own deviations, squared.
     let one = |run: usize| -> Result<Vec<[f64; 4]>, ReproduceError> {
         let noisy = |which: usize, recording: &Recording| {
@@ -110,10 +139,23 @@ pub fn repeated(
             stacked(lwr, &noisy(k, empty), &noisy(50 + k, full), STRIDE)
         };
         let pairs = (0..most).map(pair).collect::<Result<Vec<_>, _>>()?;
-        LOGS.iter()
-            .map(|&logs| {
-                let (empty, full): (Vec<_>, Vec<_>) = pairs[..logs].iter().cloned().unzip();
-                let found = together(lwr, &empty, &full)?;
+        // The scale of this run.
+        let mut random = Random::new(seed.wrapping_add(1 + (1000 * run + 99) as u64));
+        random.bits();
+        let reads = random.even(3.0_f64.sqrt());
+        CASES
+            .iter()
+            .map(|case| {
+                let (empty, full): (Vec<_>, Vec<_>) = pairs.iter().cloned().unzip();
+                let settings = match case.scale {
+                    Some(std) => ToolSettings {
+                        known_mass: Some(truth[0] + std * reads),
+                        mass_std: std,
+                        ..ToolSettings::default()
+                    },
+                    None => ToolSettings::default(),
+                };
+                let found = identify_tool(&lwr.arm, &empty[..case.logs[0]], &full[..case.logs[1]], &settings)?;
                 let nothing = [f64::NAN; 3];
                 let (center, std) = found.body.as_ref().map_or((nothing, nothing), |b| (b.center, b.center_std));
                 let off: [f64; 3] = std::array::from_fn(|k| center[k] - truth[k + 1] / truth[0]);
@@ -124,11 +166,11 @@ pub fn repeated(
             .collect()
     };
     let runs = many(RUNS, &one, watch)?;
-    let of = |k: usize, logs: usize| {
+    let of = |k: usize, case: Case| {
         let each = || runs.iter().map(move |run| run[k]);
         let mean = |f: fn(&[f64; 4]) -> f64| each().map(|r| f(&r)).sum::<f64>() / RUNS as f64;
         Repeated {
-            logs,
+            case,
             mass_within: Share::of(each().map(|r| r[0].abs() <= ASKED[0])),
             center_rms: mean(|r| r[1]).sqrt(),
             center_std: mean(|r| r[2].sqrt()),
@@ -137,7 +179,7 @@ pub fn repeated(
             spread: mean(|r| r[3]).sqrt(),
         }
     };
-    Ok(LOGS.iter().enumerate().map(|(k, &logs)| of(k, logs)).collect())
+    Ok(CASES.iter().enumerate().map(|(k, &case)| of(k, case)).collect())
 }
 
 /// Standard deviations in SI units: relative ones of parameters that are zero say nothing.

@@ -109,9 +109,15 @@ fn the_papers_identification() {
     for many in &found.rollers {
         assert!(many.mass_within.value() == 1.0 && (0.7..1.4).contains(&many.spread), "{many:?}");
     }
-    let [one, two, four] = found.rollers.as_slice() else { panic!("{:?}", found.rollers) };
+    let of = |logs: [usize; 2], weighed: bool| {
+        found.rollers.iter().find(|r| r.case.logs == logs && r.case.scale.is_some() == weighed).unwrap()
+    };
+    let (one, two, four) = (of([1, 1], false), of([2, 2], false), of([4, 4], false));
     assert!(one.center_rms < table3::ASKED[1] && two.center_rms < one.center_rms, "{one:?} {two:?}");
     assert!(four.holds(), "{four:?}");
+    // What the robot's own logs and a scale add to one loaded log.
+    assert!(of([4, 1], false).center_rms < one.center_rms && of([1, 1], true).center_rms < one.center_rms);
+    assert!(of([4, 1], true).holds(), "{:?}", of([4, 1], true));
     // The textbook's formula at the paper's residual gives the paper's deviations, but for FC3.
     assert!(found.table2.iter().filter(|r| r.textbook_percent() < 2.0 * r.printed.paper[1]).count() >= 13);
     assert!((0..7).all(|j| found.fig10.verdict(j).holds()));

@@ -6,7 +6,7 @@ use super::sos::{Biquad, Sos};
 
 /// A cutoff that the sampling rate does not allow.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error("a low-pass of {cutoff} Hz and order {order} needs samples at more than {} Hz; these come at {rate:.4} Hz: lower the cutoff or leave the filter out", 2.0 * .cutoff)]
+#[error("a low-pass of {cutoff} Hz and order {order} needs samples at more than {} Hz; these come at {rate:.4} Hz{}: lower the cutoff or leave the filter out", 2.0 * .cutoff, slow(*.rate))]
 pub struct CutoffError {
     /// Cutoff, Hz.
     pub cutoff: f64,
@@ -14,6 +14,11 @@ pub struct CutoffError {
     pub order: usize,
     /// Sampling rate, Hz.
     pub rate: f64,
+}
+
+/// No robot is recorded once in a second.
+fn slow(rate: f64) -> &'static str {
+    if rate < 2.0 { " (is `t` in milliseconds or ticks? It must be in s)" } else { "" }
 }
 
 /// The digital Butterworth low-pass of this order, -3 dB at `cutoff` Hz for samples at `rate` Hz, as second-order sections of unit

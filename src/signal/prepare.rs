@@ -6,7 +6,9 @@
 use super::{Motion, burst::Derived, central, even, even::smoother_evenly, low_pass, sos::Sos};
 use crate::{
     arm::{States, VelocitySum},
-    log::{Block, Clock, Doctor, Finding, Keep, Kind, Layout, LogError, Quantity, Role, Severity, Source, Verdict},
+    log::{
+        Block, Clock, Doctor, Finding, Keep, Kind, Layout, LogError, Quantity, Reached, Role, Severity, Source, Verdict,
+    },
 };
 
 /// A zero-phase Butterworth low-pass.
@@ -170,6 +172,8 @@ pub struct Prepared {
     pub segments: usize,
     /// Usual sampling rate, Hz.
     pub rate: f64,
+    /// How far positions and torques went.
+    pub reached: Vec<Reached>,
 }
 
 /// Reads a log to its end and hands each [`Motion`] to `sink`.
@@ -191,6 +195,17 @@ pub fn each_motion(
             sink(&motion);
         }
     };
+    // Time that runs back or stands still makes a rate that no filter goes with: what the doctor says of the clock comes first.
+    let explained = |error: PrepareError, doctor: &Doctor, file: &str| -> PrepareError {
+        let findings = doctor.clone().finish();
+        let clock = |f: &Finding| f.is_fatal() && f.column.as_deref() == Some("t");
+        match findings.iter().any(clock) {
+            true => {
+                LogError::Rejected { file: file.into(), findings: findings.into_iter().filter(clock).collect() }.into()
+            }
+            false => error,
+        }
+    };
     loop {
         source.next_block(8192, &mut block)?;
         if block.is_empty() {
@@ -200,16 +215,17 @@ pub fn each_motion(
         preparer.nominal = doctor.period();
         for (row, verdict) in verdicts.iter().enumerate().filter(|(_, v)| **v != Verdict::Drop) {
             if *verdict == Verdict::Start {
-                hand_on(preparer.end_segment()?);
+                hand_on(preparer.end_segment().map_err(|e| explained(e, &doctor, &layout.file))?);
             }
             row_values.clear();
             row_values.extend(preparer.sources.iter().map(|&column| block.columns[column][row]));
             preparer.push(block.columns[preparer.time][row], &row_values);
             rows += 1;
         }
-        hand_on(preparer.advance()?);
+        hand_on(preparer.advance().map_err(|e| explained(e, &doctor, &layout.file))?);
     }
-    hand_on(preparer.end_segment()?);
+    hand_on(preparer.end_segment().map_err(|e| explained(e, &doctor, &layout.file))?);
+    let reached = doctor.reached();
     let mut findings = doctor.finish();
     findings.append(&mut preparer.findings);
     if findings.iter().any(Finding::is_fatal) {
@@ -219,7 +235,7 @@ pub fn each_motion(
         return Err(PrepareError::NothingLeft { file: layout.file, samples: rows, trim: prepare.trim });
     }
     let rate = preparer.nominal.map_or(0.0, f64::recip);
-    Ok(Prepared { file: layout.file, findings, rows, samples, segments: preparer.segment, rate })
+    Ok(Prepared { file: layout.file, findings, rows, samples, segments: preparer.segment, rate, reached })
 }
 
 /// The running state between rows and motions.

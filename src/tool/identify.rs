@@ -18,6 +18,8 @@ pub struct ToolSettings {
     pub robot: Option<Vec<f64>>,
     /// Mass from a scale, kg.
     pub known_mass: Option<f64>,
+    /// Standard deviation of that, kg; zero: it is exact.
+    pub mass_std: f64,
     /// Without an unloaded log: whether friction and offsets (`FV FC FO`) are estimated from the loaded log, as they change from day to
     /// day, and only the links and rotors are taken as known.
     pub refresh_friction: bool,
@@ -42,6 +44,14 @@ pub enum ToolError {
     /// A mass that is none.
     #[error("the known mass is {0} kg; give a positive number")]
     Mass(f64),
+    /// A deviation that is none.
+    #[error("the standard deviation of the known mass is {0} kg; give zero or more, and --known-mass with it")]
+    MassStd(f64),
+    /// A scale that is not exact can only be weighed against a mass that the logs tell.
+    #[error(
+        "the logs don't tell the mass, so that of the scale can't be weighed against theirs; leave --mass-std out to take it as it is"
+    )]
+    MassNotTold,
     /// The data say nothing of the tool.
     #[error(
         "the loaded log says nothing about what the arm carries: none of its ten parameters can be told; record a motion that moves the wrist"
@@ -77,8 +87,10 @@ pub struct Carried {
     pub covariance: Vec<f64>,
     /// What became of each.
     pub standing: [Standing; 10],
-    /// The mass that was given.
+    /// The mass that was given, and its standard deviation.
     pub known_mass: Option<f64>,
+    /// Zero: it was taken as exact.
+    pub mass_std: f64,
     /// Whether the robot's own parameters were identified along.
     pub robot_identified: bool,
     /// Mass, centre, principal axes; `None` where the data do not tell the mass or the first moments.
@@ -135,6 +147,13 @@ pub fn identify_tool(
     if let Some(mass) = settings.known_mass.filter(|m| !(m.is_finite() && *m > 0.0)) {
         return Err(ToolError::Mass(mass));
     }
+    if !(settings.mass_std.is_finite() && settings.mass_std >= 0.0)
+        || (settings.mass_std > 0.0 && settings.known_mass.is_none())
+    {
+        return Err(ToolError::MassStd(settings.mass_std));
+    }
+    // A mass that is exact is no unknown; one that a scale tells to so many grams is weighed against the logs' below.
+    let exact = settings.known_mass.filter(|_| settings.mass_std == 0.0);
     let whole = Carrying::new(arm, true);
     let first = whole.first();
     let standard = match &settings.robot {
@@ -145,7 +164,7 @@ pub fn identify_tool(
         robot => robot.as_ref(),
     };
     let mut known: Vec<Option<f64>> = vec![None; first + 10];
-    known[first] = settings.known_mass;
+    known[first] = exact;
     if unloaded.is_empty() {
         let robot = standard.ok_or(ToolError::UnknownRobot)?;
         for (slot, base) in known.iter_mut().zip(arm.base_parameters()) {
@@ -161,12 +180,15 @@ pub fn identify_tool(
         prior: standard.map(|robot| robot.iter().copied().chain([0.0; 10]).collect()),
         ..IdentifySettings::default()
     };
-    let solved = solve(&unknown, &factors, &[], &solving)?;
+    let mut solved = solve(&unknown, &factors, &[], &solving)?;
+    if let (Some(mass), None) = (settings.known_mass, exact) {
+        weigh(&mut solved, mass, settings.mass_std)?;
+    }
     let beta = unknown.whole(&solved.values());
 
     // The ten among what was solved for, in order; a known mass is not there.
     let count = solved.parameters.len();
-    let ten: Vec<Option<usize>> = match settings.known_mass {
+    let ten: Vec<Option<usize>> = match exact {
         Some(_) => std::iter::once(None).chain((count - 9..count).map(Some)).collect(),
         None => (count - 10..count).map(Some).collect(),
     };
@@ -204,6 +226,7 @@ pub fn identify_tool(
         covariance,
         standing,
         known_mass: settings.known_mass,
+        mass_std: settings.mass_std,
         robot_identified: !unloaded.is_empty(),
         body: body.filter(|_| told.iter().all(|t| *t)),
         freedom: (solved.noise.effective_samples.iter().sum::<f64>() - count as f64).max(1.0),
@@ -212,4 +235,36 @@ pub fn identify_tool(
         beta,
         solved,
     })
+}
+
+/// Takes in what a scale says of the mass, the first of the last ten parameters: the conditional mean and covariance of a normal distribution.
+fn weigh(solved: &mut Identification, mass: f64, std: f64) -> Result<(), ToolError> {
+    let count = solved.parameters.len();
+    let at = count - 10;
+    if solved.parameters[at].standing != Standing::Identified {
+        return Err(ToolError::MassNotTold);
+    }
+    let told: Vec<bool> = solved.parameters.iter().map(|p| p.standing == Standing::Identified).collect();
+    let stds: Vec<f64> = solved.parameters.iter().map(|p| p.std).collect();
+    let covariance = |i: usize, k: usize| match told[i] && told[k] {
+        true => solved.correlation[i * count + k] * stds[i] * stds[k],
+        false => 0.0,
+    };
+    let variance = covariance(at, at) + std * std;
+    let column: Vec<f64> = (0..count).map(|i| covariance(i, at)).collect();
+    let after: Vec<f64> = (0..count * count)
+        .map(|e| covariance(e / count, e % count) - column[e / count] * column[e % count] / variance)
+        .collect();
+    let off = mass - solved.parameters[at].value;
+    for i in (0..count).filter(|&i| told[i]) {
+        solved.parameters[i].value += column[i] / variance * off;
+        solved.parameters[i].std = after[i * count + i].max(0.0).sqrt();
+    }
+    for i in (0..count).filter(|&i| told[i]) {
+        for k in (0..count).filter(|&k| told[k] && k != i) {
+            let scale = solved.parameters[i].std * solved.parameters[k].std;
+            solved.correlation[i * count + k] = if scale > 0.0 { after[i * count + k] / scale } else { 0.0 };
+        }
+    }
+    Ok(())
 }
