@@ -1,6 +1,7 @@
 //! A step of the controller with force estimate on the generated KUKA LWR: equations (13), (14), (15), gravity, closed-form inverse kinematics.
 //!
-//! `cargo bench --bench control` prints the distribution over a million steps along a painting stroke: median, 99th, 99.99th percentile, worst, by three
+//! `cargo bench --bench control` prints the distribution over a million steps along a painting stroke, and over a tenth as many of what could cost more (a wall
+//! out of reach, an outstretched arm, a wrist in line, samples that are missing): median, 99th, 99.99th percentile, worst, by three
 //! clocks:
 //!
 //! - wall: with whatever else the machine did meanwhile; worth something on an idle machine, or on a core of its own;
@@ -11,8 +12,8 @@
 use std::time::{Duration, Instant};
 
 use denavit::control::law::{
-    Body, Controller, Estimator, EstimatorSettings, ForceSettings, JointLoop, Model, Sample, Settings, Target, Tool,
-    moved,
+    Body, Controller, Estimator, EstimatorSettings, ForceSettings, JointLoop, Model, Sample, Settings, Status, Target,
+    Tool, moved,
 };
 use kuka_lwr4::ik::{Query, Reference};
 
@@ -57,12 +58,16 @@ impl Model<N> for Lwr {
         std::array::from_fn(|j| (0..3).map(|k| jacobian[k][j] * along[k]).sum())
     }
 
+    fn touch(&mut self, q: &[f64; N]) -> Option<Tool<N>> {
+        Some(self.contact(q))
+    }
+
     fn displaced(&mut self, q: &[f64; N], by: &[f64; 3], near: &[f64; N]) -> Option<[f64; N]> {
         let mut pose = kuka_lwr4::forward_kinematics(q);
         (0..3).for_each(|i| pose[i][3] += by[i]);
         let reference = Reference::UP;
         let redundancy = kuka_lwr4::IK.redundancy(q, &reference);
-        let query = Query { redundancy, reference, near: Some(near), ..Query::default() };
+        let query = Query { redundancy, reference, near: Some(near), steps: 0, tolerance: 1e-9 };
         let found = kuka_lwr4::inverse_kinematics(&pose, &query).ok()?;
         let best = found.as_slice().first().filter(|s| s.position_error < 1e-6).map(|s| s.q);
         best.or_else(|| moved(q, by, |q| self.contact(q)))
@@ -78,6 +83,35 @@ impl Body<N> for Lwr {
         self.contact(q)
     }
 }
+
+/// What is asked of the law at a step.
+struct Scene {
+    name: &'static str,
+    /// Middle of the motion, rad.
+    base: [f64; N],
+    /// Size of the motion, rad.
+    swing: f64,
+    /// Does the force follow the displacement (a wall), or stay below what is wanted, so that the displacement runs to where nothing reaches?
+    wall: bool,
+    /// Each so many samples one is missing, and one in ten times as many is a leap.
+    missing: Option<usize>,
+}
+
+/// A stroke as it should be; and what could cost more: out of reach, an outstretched arm, a wrist in line, samples that are missing.
+const SCENES: [Scene; 5] = {
+    let bent = [0.3, 0.9, 0.2, 1.3, 0.1, -0.9, 0.4];
+    let stroke = Scene { name: "along a stroke", base: bent, swing: 0.2, wall: true, missing: None };
+    [
+        Scene { name: "out of reach", wall: false, ..stroke },
+        Scene { name: "stretched out", base: [0.3, 0.9, 0.2, 0.0, 0.1, -0.9, 0.4], swing: 1e-3, ..stroke },
+        Scene { name: "wrist in line", base: [0.3, 0.9, 0.2, 1.3, 0.1, 0.0, 0.4], swing: 1e-3, ..stroke },
+        Scene { name: "samples missing", missing: Some(7), ..stroke },
+        stroke,
+    ]
+};
+
+/// One and the same wall for all scenes, N/m.
+const STIFFNESS: f64 = 8e3;
 
 fn main() {
     let beta = std::array::from_fn(|k| 0.3 + 0.01 * k as f64);
@@ -97,30 +131,83 @@ fn main() {
         feed: 1.0,
         aside: 0.9,
         aside_pole: 20.0,
+        drag: 1.0,
+        corner: 10.0,
     };
-    let estimator = EstimatorSettings { period: 1e-3, corner: 10.0, weights: [1.0; N], damping: 1e-4, moment: true };
-    let Ok(mut controller) = Controller::new(Lwr { beta }, settings) else { return };
-    let mut estimator = Estimator::new(Lwr { beta }, estimator);
     // `cargo test --benches` asks for a look, not a measurement.
     let steps: usize = if std::env::args().any(|a| a == "--bench") { 1_000_000 } else { 1_000 };
+    for (k, scene) in SCENES.iter().enumerate() {
+        // The stroke is the measurement; of the others a tenth of it.
+        let count = if k + 1 == SCENES.len() { steps } else { steps / 10 };
+        if let Some(measured) = measure(scene, Lwr { beta }, settings, count) {
+            measured.print(scene.name);
+        }
+    }
+    let mut empty: Vec<u32> = (0..steps).map(|_| nanoseconds(thread_time().abs_diff(thread_time()))).collect();
+    empty.sort_unstable();
+    println!("two calls of the thread's clock: median {:.2} us", f64::from(empty[steps / 2]) * 1e-3);
+}
+
+/// Nanoseconds of each step by each clock.
+struct Measured {
+    times: [Vec<u32>; 3],
+    preempted: usize,
+    /// Steps in which it pressed.
+    pressing: usize,
+}
+
+impl Measured {
+    fn print(self, name: &str) {
+        let steps = self.times[0].len();
+        println!(
+            "{name}: {steps} steps, pressing in {}, preempted for 5 us or longer in {}",
+            self.pressing, self.preempted
+        );
+        for (name, mut times) in ["wall", "thread", "best of three"].into_iter().zip(self.times) {
+            times.sort_unstable();
+            let at = |share: f64| f64::from(times[((steps - 1) as f64 * share) as usize]) * 1e-3;
+            let [median, most, nearly, worst] = [0.5, 0.99, 0.9999, 1.0].map(at);
+            println!(
+                "  {name:<13}: median {median:.2} us, 99 % {most:.2} us, 99.99 % {nearly:.2} us, worst {worst:.2} us"
+            );
+        }
+    }
+}
+
+fn measure(scene: &Scene, lwr: Lwr, settings: Settings<N>, steps: usize) -> Option<Measured> {
+    let estimator = EstimatorSettings { period: 1e-3, corner: 10.0, weights: [1.0; N], damping: 1e-4, moment: true };
+    let mut controller = Controller::new(lwr.clone(), settings).ok()?;
+    let mut estimator = Estimator::new(lwr, estimator);
     let mut times: [Vec<u32>; 3] = std::array::from_fn(|_| Vec::with_capacity(steps));
-    let (mut sum, mut preempted) = (0.0, 0);
+    let (mut sum, mut preempted, mut pressing, mut displacement) = (0.0, 0, 0, 0.0);
     for k in 0..steps {
         let t = 1e-3 * k as f64;
-        let wave = |j: usize| 0.2 * (0.3 * t + j as f64).sin();
-        let base = [0.3, 0.9, 0.2, 1.3, 0.1, -0.9, 0.4];
-        let q: [f64; N] = std::array::from_fn(|j| base[j] + wave(j));
+        let wave = |j: usize| scene.swing * (0.3 * t + j as f64).sin();
+        let q: [f64; N] = std::array::from_fn(|j| scene.base[j] + wave(j));
         let tau: [f64; N] = std::array::from_fn(|j| 5.0 * wave(j + 3));
-        let dq: [f64; N] = std::array::from_fn(|j| 0.06 * (0.3 * t + j as f64).cos());
-        let target = Target { q, dq, ddq: dq.map(|v| -0.3 * v), normal: [-1.0, 0.0, 0.0], force: Some(30.0) };
+        let dq: [f64; N] = std::array::from_fn(|j| 0.3 * scene.swing * (0.3 * t + j as f64).cos());
+        let target = Target {
+            q,
+            dq,
+            ddq: std::array::from_fn(|j| -0.09 * wave(j)),
+            normal: [-1.0, 0.0, 0.0],
+            force: Some(30.0),
+        };
+        let mut seen = q;
+        match scene.missing {
+            Some(each) if k % each == each - 1 => seen[3] = f64::NAN,
+            Some(each) if k % (10 * each) == 5 => seen[2] += 1.0,
+            _ => {}
+        }
         let mut best = u32::MAX;
         for round in 0..3 {
             // The last round is the one that goes on.
             let (mut estimator_of, mut controller_of) = (estimator.clone(), controller.clone());
             let (own, begin) = (thread_time(), Instant::now());
-            let wrench = std::hint::black_box(&mut estimator_of).step(&q, &tau);
+            let wrench = std::hint::black_box(&mut estimator_of).step(&seen, &tau);
             let force = wrench.map_or(f64::NAN, |w| -w[0]);
-            let sample = Sample { t, q, force: 25.0 + 1e-3 * force, push: [force, 1.0, 2.0] };
+            let wall = if scene.wall { (STIFFNESS * displacement).max(0.0) } else { 25.0 };
+            let sample = Sample { t, q: seen, force: wall + 1e-3 * force, push: [force, 1.0, 2.0] };
             let command = std::hint::black_box(&mut controller_of).step(&target, &sample);
             let (wall, own) = (nanoseconds(begin.elapsed()), nanoseconds(thread_time().saturating_sub(own)));
             best = best.min(wall);
@@ -131,29 +218,15 @@ fn main() {
             }
             if round == 2 {
                 sum += command.torque[0];
+                displacement = command.displacement;
+                pressing += usize::from(command.status == Status::Pressing);
                 (estimator, controller) = (estimator_of, controller_of);
             }
         }
         times[2].push(best);
     }
     std::hint::black_box(sum);
-    let mut empty: Vec<u32> = (0..steps).map(|_| nanoseconds(thread_time().abs_diff(thread_time()))).collect();
-    empty.sort_unstable();
-    for (name, mut times) in ["wall", "thread", "best of three"].into_iter().zip(times) {
-        times.sort_unstable();
-        let at = |share: f64| f64::from(times[((steps - 1) as f64 * share) as usize]) * 1e-3;
-        println!(
-            "a step, {name:<13}: median {:.2} us, 99 % {:.2} us, 99.99 % {:.2} us, worst {:.2} us, of {steps}",
-            at(0.5),
-            at(0.99),
-            at(0.9999),
-            at(1.0)
-        );
-    }
-    println!(
-        "{preempted} steps were preempted for 5 us or longer; two calls of the thread's clock: median {:.2} us",
-        f64::from(empty[steps / 2]) * 1e-3
-    );
+    Some(Measured { times, preempted, pressing })
 }
 
 fn nanoseconds(time: Duration) -> u32 {

@@ -66,12 +66,14 @@ pub struct Ask {
     pub near: Option<Vec<f64>>,
     /// What may be left to the pose, m and rad.
     pub tolerance: f64,
+    /// Newton's steps at most on a branch that is not exact as it stands: see [`Query::steps`].
+    pub steps: usize,
 }
 
 impl Default for Ask {
     fn default() -> Self {
-        let Query { redundancy, reference, tolerance, .. } = Query::<1>::default();
-        Self { redundancy, reference, near: None, tolerance }
+        let Query { redundancy, reference, tolerance, steps, .. } = Query::<1>::default();
+        Self { redundancy, reference, near: None, tolerance, steps }
     }
 }
 
@@ -98,6 +100,7 @@ impl<const N: usize> Solver for Arm<N> {
             reference: ask.reference,
             near: near.as_ref(),
             tolerance: ask.tolerance,
+            steps: ask.steps,
         };
         let found = Arm::solve(self, pose, &query)?;
         let list = found.as_slice().iter().map(|s| Posture {

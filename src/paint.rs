@@ -25,6 +25,7 @@ mod track;
 pub mod tune;
 mod vector;
 pub mod wall;
+mod wipe;
 
 pub use cover::Coverage;
 pub use motion::Motion;

@@ -68,6 +68,8 @@ fn settings() -> Settings<6> {
         feed: 0.0,
         aside: 0.0,
         aside_pole: 20.0,
+        drag: 0.0,
+        corner: 10.0,
     }
 }
 

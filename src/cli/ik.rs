@@ -152,7 +152,7 @@ impl Ik {
                     }
                     .unwrap_or(0.0),
                 };
-                let ask = Ask { redundancy, reference, near, tolerance: self.tolerance };
+                let ask = Ask { redundancy, reference, near, tolerance: self.tolerance, ..Ask::default() };
                 Ok((kinematics.solve(&pose, &ask)?, ranges))
             })();
             poses.push(found.map_err(|e: PoseError| {

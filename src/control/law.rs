@@ -9,6 +9,7 @@
 //! Uses `core` alone: no allocation, no panic, no square root. Whoever calls brings the robot, as [`Model`] and [`Body`].
 
 mod controller;
+mod drag;
 mod estimate;
 mod force;
 mod joint;
@@ -17,6 +18,7 @@ mod model;
 mod watch;
 
 pub use controller::{Command, Controller, Fault, Settings, Status, Target};
+pub use drag::Drag;
 pub use estimate::{Estimator, EstimatorSettings};
 pub use force::{ForceLoop, ForceSettings};
 pub use joint::JointLoop;

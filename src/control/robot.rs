@@ -135,6 +135,10 @@ impl<const N: usize> Model<N> for Lent<'_> {
         std::array::from_fn(|j| (0..3).map(|k| jacobian[k][j] * along[k]).sum())
     }
 
+    fn touch(&mut self, q: &[f64; N]) -> Option<Tool<N>> {
+        Some(self.contact(q))
+    }
+
     fn displaced(&mut self, q: &[f64; N], by: &[f64; 3], near: &[f64; N]) -> Option<[f64; N]> {
         if let Some(kinematics) = self.kinematics {
             let pose = self.last_pose(q, by);
@@ -143,7 +147,9 @@ impl<const N: usize> Model<N> for Lent<'_> {
                 redundancy: kinematics.redundancy(q, &reference),
                 reference,
                 near: Some(near.to_vec()),
-                ..Ask::default()
+                // No Newton's steps on each of the branches: a controller has no time for them, and where they were needed `moved` takes its own.
+                steps: 0,
+                tolerance: 1e-9,
             };
             let found = kinematics.solve(&pose, &ask).ok()?;
             let best = found.list.first().filter(|p| p.position_error < 1e-6 && p.rotation_error < 1e-5);

@@ -3,8 +3,9 @@
 //!
 //! `r' = K (J' F - r)`: the external torque through a low-pass of `K`. The momentum `p = M dq` grows by `tau - c - g - friction + J' F + M' dq`;
 //! from one sample to the next the last term is `(M1 - M0) (dq0 + dq1) / 2`, so that neither `C'` nor an acceleration is needed: the mass
-//! matrix and the inverse dynamics at zero acceleration will do. `r` less `r` through the low-pass once more is what a ramp is late by: the wrench is
-//! that of the observed torques and this; noise and band are those of both, and what is left of the lag (the same difference once more) is in the band.
+//! matrix and the inverse dynamics at zero acceleration will do. `r` less `r` through the low-pass once more is what a ramp is late by, but for half a sample: torques between
+//! two samples are those of its middle. The wrench is that of the observed torques, this, and the half sample in proportion; noise and band are those of all three, and what
+//! is left of the lag (the same difference once more) is in the band.
 
 use super::sample::{Estimate, ForceEstimator, Sample, Scale};
 use super::small::{finite, times};
@@ -77,10 +78,11 @@ impl<const N: usize> Momentum<N> {
         let late: [f64; N] = core::array::from_fn(|j| observed[j] - self.again[j]);
         (0..N).for_each(|j| self.lag[j] += (1.0 - keep) * (late[j] - self.lag[j]));
         let left: [f64; N] = core::array::from_fn(|j| late[j] - self.lag[j]);
-        let ahead: [f64; N] = core::array::from_fn(|j| observed[j] + late[j]);
+        let [lead, missing] = lead(keep);
+        let ahead: [f64; N] = core::array::from_fn(|j| observed[j] + lead * late[j]);
         self.start *= keep;
         // Of white torque noise, and of the velocities' noise, which comes as its differences.
-        let [white, steps, rest] = gains(keep);
+        let [white, steps, rest] = gains(keep, lead);
         let moved: [f64; N] = core::array::from_fn(|j| {
             (0..N).map(|k| now.mass[j][k] * now.mass[j][k] * self.velocity_noise[k] * self.velocity_noise[k]).sum()
         });
@@ -96,11 +98,12 @@ impl<const N: usize> Momentum<N> {
             if seen > 9.0 * usual {
                 covariance[j][j] += PULSE * PULSE * seen;
             }
+            covariance[j][j] += missing * missing * late[j] * late[j];
         }
         // The observer began at zero, whatever pressed then.
         let sizes = self.scale.each();
-        // `(1 + K t) exp(-K t)` of it is left.
-        let begun_share = self.start * (1.0 - libm::log(self.start.max(1e-300)));
+        // At most `(1 + lead K t) exp(-K t)` of it is left.
+        let begun_share = self.start * (1.0 - lead * libm::log(self.start.max(1e-300)));
         if begun_share > 1e-6 {
             for j in 0..N {
                 let begun: f64 = (0..6).map(|i| now.jacobian[i][j] * sizes[i] * begun_share).map(|x| x * x).sum();
@@ -117,16 +120,23 @@ impl<const N: usize> Momentum<N> {
 /// A pulse by what is left of its lag, in standard deviations: half of `(1 + k) / k^2` for the time constants of some samples that are in use.
 const PULSE: f64 = 2.5;
 
-/// What is left of white noise of variance 1 in each sample, with `H = (1 - k) / (1 - k / z)`, in what follows a ramp, `G = H (2 - H)`: of noise that comes as the
-/// mean of two samples; of noise that comes as their difference; and, of the former, in `H (1 - H)^2`, what is left of the lag (for small steps).
+/// How many times what `1 - H` leaves of the observed torques is added to them so that a ramp is met: `H` is late by `k / (1 - k)` samples, the mean of two by half a one. At
+/// most 2, as it adds noise; and what is missing then.
+fn lead(k: f64) -> [f64; 2] {
+    let exact = 0.5 * (1.0 + k) / k.max(1e-3);
+    [exact.min(2.0), (exact - 2.0).max(0.0)]
+}
+
+/// What is left of white noise of variance 1 in each sample, with `H = (1 - k) / (1 - k / z)`, in what follows a ramp, `G = H (1 + l (1 - H))`, `l` the [`lead`]: of noise that
+/// comes as the mean of two samples; of noise that comes as their difference; and, of the former, in `H (1 - H)^2`, what is left of the lag (for small steps).
 ///
-/// `G` answers an impulse by `g_n = (1 - k) k^n (1 + k - (1 - k) n)`; sums of `g_n g_n` and `g_n g_{n+1}` are geometric series.
-fn gains(k: f64) -> [f64; 3] {
-    let (m, c, d) = (k * k, 1.0 + k, k - 1.0);
-    let away = (1.0 - m).max(1e-12);
+/// `G` answers an impulse by `g_n = (1 - k) k^n (1 + l k - l (1 - k) n)`; sums of `g_n g_n` and `g_n g_{n+1}` are geometric series.
+fn gains(k: f64, lead: f64) -> [f64; 3] {
+    let (m, c, d) = (k * k, 1.0 + lead * k, lead * (k - 1.0));
+    let (away, size) = ((1.0 - m).max(1e-12), (1.0 - k) * (1.0 - k));
     let sums = [1.0 / away, m / (away * away), m * (1.0 + m) / (away * away * away)];
-    let same = d * d * (c * c * sums[0] + 2.0 * c * d * sums[1] + d * d * sums[2]);
-    let next = d * d * k * (c * (c + d) * sums[0] + d * (2.0 * c + d) * sums[1] + d * d * sums[2]);
+    let same = size * (c * c * sums[0] + 2.0 * c * d * sums[1] + d * d * sums[2]);
+    let next = size * k * (c * (c + d) * sums[0] + d * (2.0 * c + d) * sums[1] + d * d * sums[2]);
     let turn = -libm::log(k.clamp(1e-300, 1.0));
     [0.5 * (same + next), 2.0 * (same - next), 0.1875 * turn]
 }

@@ -1,12 +1,14 @@
 //! A planned motion against the simulated wall, under the controller of the paper's Fig. 8.
 //!
-//! The arm starts 2 cm before the wall, comes to it, presses at the plan's first point until the force has settled, and then paints.
+//! The arm starts 2 cm before the wall, comes to it, presses at the plan's first point until the force has settled (and wipes a centimetre there and back where drag is
+//! to be predicted), and then paints.
 
 use dh_codegen::robot::Robot;
 
 use super::Plan;
 use super::tune::{Demands, Tuning, tune};
 use super::wall::{RollerWall, WallSensor};
+use super::wipe::wipe;
 use crate::arm::Dynamics;
 use crate::control::law::{
     Controller, Estimator, EstimatorSettings, ForceSettings, JointLoop, Model, Sample, Settings, Status, Target,
@@ -50,13 +52,16 @@ pub struct Law {
     pub feed: f64,
     /// Of the estimated force aside of the normal: see [`Settings::aside`].
     pub aside: f64,
+    /// Of the drag that is predicted: see [`Settings::drag`]. It is learned in a wipe of a centimetre along the roller's axis, before the painting, where there are
+    /// 3 s for it.
+    pub drag: f64,
 }
 
 impl Law {
     /// Equations (13) and (15) as they stand.
-    pub const PAPER: Self = Self { carry: 0.0, feed: 0.0, aside: 0.0 };
+    pub const PAPER: Self = Self { carry: 0.0, feed: 0.0, aside: 0.0, drag: 0.0 };
     /// With what is known fed forward.
-    pub const FED: Self = Self { carry: 1.0, feed: 1.0, aside: 0.9 };
+    pub const FED: Self = Self { carry: 1.0, feed: 1.0, aside: 0.9, drag: 1.0 };
 }
 
 /// What is to be done.
@@ -166,6 +171,8 @@ pub fn in_contact(plan: &Plan) -> Result<Trajectory, TrajectoryError> {
     Trajectory::new(dof, times, q, Some(dq), Some(ddq))
 }
 
+/// How finely the arm is integrated.
+const TOLERANCE: f64 = 1e-5;
 /// Pole of the force aside, rad/s: as fast as the low-pass of the estimate allows.
 const ASIDE_POLE: f64 = 20.0;
 /// How far from the wall it begins, m, and how long it rests there, comes, and presses before it paints, s.
@@ -243,6 +250,7 @@ fn run_n<const N: usize>(
             })
             .collect(),
     };
+    let wiped = (task.law.drag > 0.0).then(|| wipe(&mut lent, &first, &postures, &press, task.settle)).flatten();
     let tuning = tune(&mut lent, &postures, &viscous, &press, &demands).map_err(RunError::Setting)?;
 
     let settings = Settings {
@@ -264,6 +272,8 @@ fn run_n<const N: usize>(
         feed: task.law.feed,
         aside: task.law.aside,
         aside_pole: ASIDE_POLE,
+        drag: task.law.drag,
+        corner: task.corner,
     };
     let mut controller = Controller::new(lend(), settings).map_err(setting)?;
     let estimator = EstimatorSettings {
@@ -279,13 +289,13 @@ fn run_n<const N: usize>(
     let share = turn / (1.0 + turn);
     let mut low = [0.0; 3];
     let mut trace = Trace::default();
-    let (mut status, mut idle) = (Status::Free, 0.0);
+    let (mut status, mut idle, mut wiping) = (Status::Free, 0.0, 0);
     let paints = REST + COME + task.settle.max(0.0);
     let run = Sampled {
         start: start.to_vec(),
         seconds: paints + seconds,
         sensors: task.sensors.clone(),
-        solver: Solver::default(),
+        solver: Solver { tolerance: TOLERANCE, ..Solver::default() },
         seed: task.seed,
     };
     let external: [&dyn External; 1] = [&task.wall];
@@ -316,6 +326,13 @@ fn run_n<const N: usize>(
             ];
             let [q, dq, ddq] = along.map(|s| std::array::from_fn(|j| s * (first[j] - start[j])));
             Target { q: std::array::from_fn(|j| start[j] + q[j]), dq, ddq, normal: press, force: None }
+        } else if let Some(wiped) =
+            wiped.as_ref().filter(|w| (w.span().start..w.span().end).contains(&(t - REST - COME)))
+        {
+            let mut points = vec![[0.0; 3]; N];
+            wiped.at(t - REST - COME, &mut wiping, &mut points);
+            let [q, dq, ddq] = std::array::from_fn(|d| std::array::from_fn(|j| points[j][d]));
+            Target { q, dq, ddq, normal: press, force: Some(task.force) }
         } else {
             let [q, dq, ddq] = moment(span.start + (t - paints).max(0.0));
             let moves = f64::from(u8::from(t >= paints));

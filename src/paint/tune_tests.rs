@@ -72,6 +72,8 @@ fn stepped(stiffness: f64, factor: impl Fn(&Tuning) -> f64) -> (Tuning, Vec<f64>
         feed: 0.0,
         aside: 0.0,
         aside_pole: 0.0,
+        drag: 0.0,
+        corner: CORNER,
     };
     let mut controller = Controller::new(lend(), settings).unwrap();
     let run = Sampled {

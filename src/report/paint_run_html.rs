@@ -58,10 +58,11 @@ pub fn paint_run_html(painted: &Painted<'_>, provenance: &Provenance) -> String 
     let f = &run.tuning.force;
     let _ = writeln!(
         body,
-        "</section>\n<section><h2>Gains, as proposed</h2><p class=note>Equations (13) and (15); fed forward: {} of the desired force, {} of the planned motion's torques, {} of the force aside. Force loop: Kp {} m/N, Ki {} m/(N s), crossover {} rad/s, phase margin {}°, gain margin {} dB, the worst of nine postures.</p><div class=scroll><table><thead><tr><th>joint<th>Kp<br>N m/rad<th>Kd<br>N m s/rad<th>bandwidth<br>rad/s<th>phase margin<br>°</tr></thead><tbody>",
+        "</section>\n<section><h2>Gains, as proposed</h2><p class=note>Equations (13) and (15); fed forward: {} of the desired force, {} of the planned motion's torques, {} of the force aside, {} of the drag predicted. Force loop: Kp {} m/N, Ki {} m/(N s), crossover {} rad/s, phase margin {}°, gain margin {} dB, the worst of nine postures.</p><div class=scroll><table><thead><tr><th>joint<th>Kp<br>N m/rad<th>Kd<br>N m s/rad<th>bandwidth<br>rad/s<th>phase margin<br>°</tr></thead><tbody>",
         digits(law.carry, 2),
         digits(law.feed, 2),
         digits(law.aside, 2),
+        digits(law.drag, 2),
         digits(f.kp, 3),
         digits(f.ki, 3),
         digits(f.margins.crossover, 3),

@@ -53,8 +53,12 @@ pub(super) struct Run {
     /// Share of the estimated force aside of the wall's normal that is fed forward.
     #[arg(long, default_value_t = 0.9, value_name = "0..1")]
     aside: f64,
+    /// Share of the drag that is predicted from where the plan slides, with friction as learned so far. It is learned in a wipe of a centimetre along the roller's
+    /// axis, at the end of the settling time (where that is 3 s or longer).
+    #[arg(long, default_value_t = 1.0, value_name = "0..1")]
+    drag: f64,
     /// The paper's law: nothing is fed forward but gravity.
-    #[arg(long, conflicts_with_all = ["carry", "feed", "aside"])]
+    #[arg(long, conflicts_with_all = ["carry", "feed", "aside", "drag"])]
     paper: bool,
     /// The contact carries no moment: three components of the force are estimated instead of six.
     #[arg(long)]
@@ -135,7 +139,11 @@ impl Run {
             drives: own.drives().to_vec(),
             spread: vec![1.0; robot.dof()],
         };
-        let law = if self.paper { Law::PAPER } else { Law { carry: self.carry, feed: self.feed, aside: self.aside } };
+        let law = if self.paper {
+            Law::PAPER
+        } else {
+            Law { carry: self.carry, feed: self.feed, aside: self.aside, drag: self.drag }
+        };
         let motion = in_contact(&plan).map_err(Failure::input)?;
         let mut wall = RollerWall::new(plan.surface.center, plan.surface.normal, contact_point(robot.tool.as_ref()));
         wall.stiffness = self.stiffness;
@@ -217,6 +225,7 @@ impl Run {
             ("--carry", self.carry, 0.0, 1.0),
             ("--feed", self.feed, 0.0, 1.0),
             ("--aside", self.aside, 0.0, 1.0),
+            ("--drag", self.drag, 0.0, 1.0),
             ("--settle", self.settle, 0.0, 60.0),
             ("--corner", self.corner, 0.5, 200.0),
             ("--stiffness", self.stiffness, 100.0, 1e6),

@@ -12,6 +12,7 @@
 //!
 //! Torques are finite and within their limits whatever arrives.
 
+use super::drag::Drag;
 use super::force::{ForceLoop, ForceSettings};
 use super::joint::JointLoop;
 use super::model::Model;
@@ -52,6 +53,11 @@ pub struct Settings<const N: usize> {
     pub aside: f64,
     /// Pole of the low-pass of that force, rad/s.
     pub aside_pole: f64,
+    /// Share of the drag that is fed forward before the estimate shows it: friction along the tool's axes as learned so far ([`Drag`]), where and when the plan slides.
+    /// 0: all that is known of it comes late, from the estimate.
+    pub drag: f64,
+    /// Corner of the low-pass of the estimate (three equal poles), Hz: how late it is.
+    pub corner: f64,
 }
 
 impl<const N: usize> Settings<N> {
@@ -77,10 +83,12 @@ impl<const N: usize> Settings<N> {
             .all(|x| not_negative(*x))
         {
             Some("the limits of contact must not be negative")
-        } else if ![self.carry, self.feed, self.aside].iter().all(|share| (0.0..=1.0).contains(share)) {
+        } else if ![self.carry, self.feed, self.aside, self.drag].iter().all(|share| (0.0..=1.0).contains(share)) {
             Some("shares that are fed forward must be from 0 to 1")
         } else if !not_negative(self.aside_pole) {
             Some("the pole of the force aside must not be negative")
+        } else if !positive(self.corner) {
+            Some("the corner of the estimate's low-pass must be greater than 0")
         } else {
             None
         }
@@ -171,6 +179,7 @@ pub struct Controller<M, const N: usize> {
     anchor: f64,
     carried: f64,
     aside: [f64; 3],
+    drag: Drag,
 }
 
 impl<M: Model<N>, const N: usize> Controller<M, N> {
@@ -198,12 +207,18 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
             anchor: 0.0,
             carried: 0.0,
             aside: [0.0; 3],
+            drag: Drag::default(),
         })
     }
 
     /// The model, to look at or to change.
     pub fn model(&mut self) -> &mut M {
         &mut self.model
+    }
+
+    /// What it has learned of the friction at the contact.
+    pub fn drag(&self) -> &Drag {
+        &self.drag
     }
 
     /// Forgets faults and begins anew from where the arm is.
@@ -213,6 +228,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         (self.target, self.desired, self.fault) = (None, None, None);
         (self.blind, self.touched, self.away, self.carried) = (0, false, 0.0, 0.0);
         self.aside = [0.0; 3];
+        self.drag.reset();
     }
 
     /// One period: what is wanted and what was measured in, torques out.
@@ -254,9 +270,10 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         let desired = self.send(&target, &last, dt);
         let mut torque = self.settings.joints.torques([&desired, &last], [&q, &before], dt, &gravity);
         self.carry(&target, status, dt);
-        self.yield_aside(&target, &sample.push, status, dt);
-        if self.settings.carry > 0.0 || self.settings.aside > 0.0 {
-            let push = core::array::from_fn(|k| self.carried * target.normal[k] + self.aside[k]);
+        let drag = self.slide(&q, &target, &sample.push, status, dt);
+        self.yield_aside(&target, &sample.push, &drag[1], status, dt);
+        if self.settings.carry > 0.0 || self.settings.aside > 0.0 || self.settings.drag > 0.0 {
+            let push = core::array::from_fn(|k| self.carried * target.normal[k] + self.aside[k] + drag[0][k]);
             let pressing = self.model.pressing(&q, &push);
             (0..N).for_each(|j| torque[j] += pressing[j]);
         }
@@ -344,23 +361,44 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
     /// Comes within half a second of contact, and goes within 20 ms of its end.
     fn carry(&mut self, target: &Target<N>, status: Status, dt: f64) {
         let wanted = target.force.unwrap_or(0.0);
-        let presses = status == Status::Pressing && self.touched && self.away == 0.0;
+        let presses = self.presses(status);
         let to = if presses { self.settings.carry * wanted } else { 0.0 };
         let full = wanted.max(self.carried);
         let (up, down) = (full * dt / 0.5, full * dt / 0.02);
         self.carried = to.clamp(self.carried - down, self.carried + up);
     }
 
+    fn presses(&self, status: Status) -> bool {
+        status == Status::Pressing && self.touched && self.away == 0.0
+    }
+
+    /// The push that drag will take (N, base axes): where the plan slides now, and as late as the estimate shows it. Learns from the estimate.
+    fn slide(&mut self, q: &[f64; N], target: &Target<N>, push: &[f64; 3], status: Status, dt: f64) -> [[f64; 3]; 2] {
+        let Settings { drag, corner, contact, period, .. } = self.settings;
+        let (true, Some(most), true) = (drag > 0.0, target.force, self.presses(status)) else { return [[0.0; 3]; 2] };
+        let Some(tool) = self.model.touch(q) else { return [[0.0; 3]; 2] };
+        let turn = core::f64::consts::TAU * corner * period;
+        self.drag.slide(&tool, &target.dq, &target.normal, turn / (1.0 + turn));
+        let n = target.normal;
+        let out: f64 = (0..3).map(|k| push[k] * n[k]).sum();
+        if out > contact {
+            self.drag.learn(&core::array::from_fn(|k| (push[k] - out * n[k]) / out), dt);
+        }
+        self.drag.predicted().map(|by| by.map(|x| drag * most * x))
+    }
+
     /// What the estimate says aside of the normal, low-passed, at most as large as the force that is wanted along it. Friction goes with the normal
     /// force: its ratio to the force along the normal is taken, times the force that is wanted, or each swing of the one would come back by the other.
-    fn yield_aside(&mut self, target: &Target<N>, push: &[f64; 3], status: Status, dt: f64) {
+    /// What of it was fed forward already (`known`, as late as the estimate) is taken off.
+    fn yield_aside(&mut self, target: &Target<N>, push: &[f64; 3], known: &[f64; 3], status: Status, dt: f64) {
         let (n, most) = (target.normal, target.force.unwrap_or(0.0));
-        let presses = status == Status::Pressing && self.touched && self.away == 0.0;
+        let presses = self.presses(status);
         let keep = 1.0 / (1.0 + self.settings.aside_pole * dt);
         let out: f64 = (0..3).map(|k| push[k] * n[k]).sum();
-        let share = self.settings.aside * most / out.max(self.settings.contact).max(1e-9);
+        let share = most / out.max(self.settings.contact).max(1e-9);
         for k in 0..3 {
-            let to = if presses { share * (push[k] - out * n[k]) } else { 0.0 };
+            let left = share * (push[k] - out * n[k]) - known[k];
+            let to = if presses { self.settings.aside * left } else { 0.0 };
             // Without an estimate it stays as it is.
             if to.is_finite() {
                 self.aside[k] = (to + keep * (self.aside[k] - to)).clamp(-most, most);

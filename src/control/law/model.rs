@@ -27,6 +27,11 @@ pub trait Model<const N: usize> {
     /// Torques with which the tool presses by a force (base axes, N): `J'` times it.
     fn pressing(&mut self, q: &[f64; N], along: &[f64; 3]) -> [f64; N];
 
+    /// Frame and Jacobian of the point that touches; read where [`Settings::drag`](super::Settings::drag) is not 0. None by default: drag is not predicted.
+    fn touch(&mut self, _q: &[f64; N]) -> Option<Tool<N>> {
+        None
+    }
+
     /// A posture whose tool stands as that of `q` does, but moved by `by` (m, base axes), with the arm's redundancy as it is in `q`; `near`
     /// is where the arm was sent last. `None` where there is none.
     fn displaced(&mut self, q: &[f64; N], by: &[f64; 3], near: &[f64; N]) -> Option<[f64; N]>;

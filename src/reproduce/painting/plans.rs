@@ -2,8 +2,8 @@
 
 use dh_codegen::robot::Robot;
 
-use super::super::ReproduceError;
 use super::super::motions::ACCELERATION_TIME;
+use super::super::{ReproduceError, Watch};
 use super::rig::{CENTER, NORMAL};
 use crate::control::law::Model;
 use crate::control::robot::Lent;
@@ -45,7 +45,7 @@ pub fn planned(
     force: f64,
     extent: &Extent,
     seconds: f64,
-    tell: &dyn Fn(&str, f64),
+    tell: Watch<'_>,
 ) -> Result<Plan, ReproduceError> {
     let failed = |why: String| ReproduceError::Design { what: "the plan".into(), why };
     let geometry = robot.tool.as_ref().and_then(|t| t.geometry).ok_or_else(|| failed("the tool has no size".into()))?;

@@ -5,13 +5,17 @@ use dh_codegen::robot::{Effects, Robot, Tool};
 
 use super::super::chain::{factors, fit};
 use super::super::lwr::{Lwr, Unmodelled};
+use super::super::many::many;
 use super::super::motions::Motion;
-use super::super::{ReproduceError, fig6};
+use super::super::{ReproduceError, Watch, fig6};
 use super::plans::{Extent, ROOM, in_the_air, planned};
+use crate::arm::{Arm, Reach};
 use crate::control::robot::{Lent, contact_point};
 use crate::diagnose::{self, Diagnosis};
 use crate::extend;
-use crate::identify::recover_standard;
+use crate::identify::{
+    Accuracy, ConsistentSettings, Factors, consistent, geometric_bodies, possible_bodies, prior_bodies,
+};
 use crate::interpreted::Interpreted;
 use crate::inverse::Kinematics;
 use crate::log::{Log, Replay};
@@ -30,6 +34,8 @@ pub const CENTER: [f64; 3] = [-0.8, 0.3, 0.4];
 pub const NORMAL: [f64; 3] = [1.0, 0.0, 0.0];
 /// Corner of the low-pass of the forces: the paper filters at 10 Hz.
 const CORNER: f64 = 10.0;
+/// Samples to one of the diagnosis.
+const THIN: usize = 4;
 /// How far before the wall a dry run passes, m.
 const DRY: f64 = 0.05;
 
@@ -102,6 +108,21 @@ pub struct Stand {
     validate: Log,
 }
 
+/// Means of so many samples each, as a logger at a lower rate would write them: a diagnosis of motion below 40 Hz needs no kilohertz.
+fn thinned(log: &Log, by: usize) -> Log {
+    let ends = log.starts.iter().skip(1).copied().chain([log.columns.first().map_or(0, Vec::len)]);
+    let segments: Vec<_> = log.starts.iter().copied().zip(ends).collect();
+    let mut thin = Log { columns: vec![Vec::new(); log.columns.len()], starts: Vec::new(), ..log.clone() };
+    for (start, end) in segments {
+        thin.starts.push(thin.columns.first().map_or(0, Vec::len));
+        for (column, thin) in log.columns.iter().zip(&mut thin.columns) {
+            let means = column[start..end].chunks_exact(by).map(|part| part.iter().sum::<f64>() / by as f64);
+            thin.extend(means);
+        }
+    }
+    thin
+}
+
 fn tools() -> Result<Vec<Tool>, ReproduceError> {
     super::PAPER
         .iter()
@@ -121,7 +142,7 @@ impl Stand {
         extent: &Extent,
         seed: u64,
         plans: Option<&[Plan]>,
-        tell: &dyn Fn(&str, f64),
+        tell: Watch<'_>,
     ) -> Result<Self, ReproduceError> {
         let effects = lwr.effects(which)?;
         let record = |robot: &Robot, motion: &Trajectory, seed: u64| -> Result<Log, ReproduceError> {
@@ -129,24 +150,32 @@ impl Stand {
             let request = Request { sensors: Lwr::sensors(), seed, ..Request::default() };
             Ok(simulator.run(motion, &request, &mut |_| {})?.log)
         };
-        tell("recording", 0.0);
-        let excited = record(&lwr.robot, &exciting.played, seed)?;
-        let validate = record(&lwr.robot, &validating.played, seed.wrapping_add(1))?;
+        let tools: Vec<Tool> = tools()?.into_iter().take(extent.seconds.len()).collect();
+        let one = |k: usize| -> Result<Log, ReproduceError> {
+            let seed = seed.wrapping_add(k as u64);
+            match k.checked_sub(2).and_then(|k| tools.get(k)) {
+                None => record(&lwr.robot, if k == 0 { &exciting.played } else { &validating.played }, seed),
+                Some(tool) => {
+                    let mut robot = lwr.robot.clone();
+                    robot.tool = Some(tool.clone());
+                    record(&robot, &carrying.played, seed)
+                }
+            }
+        };
+        let mut recorded =
+            many(2 + tools.len(), &one, &|what, share| tell(&format!("recording: {what}"), 0.4 * share))?;
+        let carried = recorded.split_off(2);
+        let [excited, validate] =
+            <[Log; 2]>::try_from(recorded).map_err(|_| ReproduceError::Robot("no logs".into()))?;
         tell("identifying", 0.4);
-        let held_out = factors("validate", &lwr.arm, &validate, 1)?;
-        let found = fit(lwr, &factors("logdet", &lwr.arm, &excited, 1)?, &held_out)?;
-        let rms = found.validation.as_ref().map_or_else(Vec::new, |v| v.rms.clone());
-        let standard =
-            recover_standard(&lwr.arm, &found.values(), None).map_err(|why| ReproduceError::Robot(why.to_string()))?;
+        let (standard, rms) =
+            bodies(lwr, factors("logdet", &lwr.arm, &excited, 1)?, factors("validate", &lwr.arm, &validate, 1)?)?;
         let identified = extend::with_values(lwr.robot.clone(), &standard);
 
         let mut weighed = Vec::new();
         let unloaded = factors("unloaded", &Carrying::new(&lwr.arm, false), &excited, 1)?;
-        for (k, tool) in tools()?.into_iter().take(extent.seconds.len()).enumerate() {
-            tell("weighing the rollers", 0.5 + 0.2 * k as f64);
-            let mut robot = lwr.robot.clone();
-            robot.tool = Some(tool.clone());
-            let loaded = record(&robot, &carrying.played, seed.wrapping_add(2 + k as u64))?;
+        tell("weighing the rollers", 0.6);
+        for (tool, loaded) in tools.into_iter().zip(carried) {
             let loaded = factors("loaded", &Carrying::new(&lwr.arm, true), &loaded, 1)?;
             let found = identify_tool(&lwr.arm, std::slice::from_ref(&unloaded), &[loaded], &ToolSettings::default())?;
             weighed.push((tool, found.values));
@@ -182,7 +211,9 @@ impl Stand {
                 ..Prepare::default()
             };
             let mut recording = diagnose::Recording::new(name);
-            each_motion(&mut Replay::new(log), lwr.robot.dof(), &prepare, |motion| recording.absorb(motion))?;
+            each_motion(&mut Replay::new(&thinned(log, THIN)), lwr.robot.dof(), &prepare, |motion| {
+                recording.absorb(motion)
+            })?;
             Ok(recording)
         };
         let logs = self.logs.iter().map(|(name, log)| recording(name, log)).collect::<Result<Vec<_>, _>>()?;
@@ -207,6 +238,28 @@ impl Stand {
     }
 }
 
+/// Standard parameters of bodies that could exist, and their torque errors where nothing was fitted. Least squares alone may give an arm whose mass matrix is none: it has
+/// no gains. Where possible bodies have the very base parameters of the fit it is these, else those that explain the log best. Nothing is known beforehand but the
+/// geometry.
+fn bodies(lwr: &Lwr, fitted: Factors, held_out: Factors) -> Result<(Vec<f64>, Vec<f64>), ReproduceError> {
+    let failed = |why: &dyn std::fmt::Display| ReproduceError::Robot(why.to_string());
+    let found = fit(lwr, &fitted, &held_out)?;
+    let prior = prior_bodies(&[], &geometric_bodies(&lwr.arm.ends()));
+    let drives = vec![0.0; lwr.arm.standard_names().len()];
+    // What possibility costs is in the table, as torque errors.
+    let settings = ConsistentSettings { most_cost_percent: f64::INFINITY, ..ConsistentSettings::default() };
+    let rms = |of: &Option<Accuracy>| of.as_ref().map_or_else(Vec::new, |v| v.rms.clone());
+    if let Ok(same) = possible_bodies(&lwr.arm, &found.values(), &prior, &drives, &settings) {
+        if same.exact {
+            return Ok((same.standard, rms(&found.validation)));
+        }
+    }
+    let possible = consistent(&lwr.arm, &[fitted], &[held_out], &found, &prior, &drives, &settings);
+    let possible = possible.map_err(|why| failed(&why))?;
+    let errors = rms(&possible.cost.validation);
+    Ok((possible.standard, errors))
+}
+
 /// The robot with a tool's frame, and its parameters with the tool as it was weighed.
 fn holding(known: &Robot, tool: &Tool, weighed: &[f64; 10]) -> Result<(Robot, Vec<f64>), ReproduceError> {
     let mut robot = known.clone();
@@ -224,18 +277,16 @@ fn plan_all(
     known: &Robot,
     tools: &[(Tool, [f64; 10])],
     extent: &Extent,
-    tell: &dyn Fn(&str, f64),
+    tell: Watch<'_>,
 ) -> Result<Vec<Plan>, ReproduceError> {
-    let seconds = extent.seconds.iter().copied().enumerate();
-    tools
-        .iter()
-        .zip(seconds)
-        .map(|((tool, weighed), (k, seconds))| {
-            let (robot, standard) = holding(known, tool, weighed)?;
-            let tell = |what: &str, share: f64| tell(&format!("planning: {what}"), 0.8 + 0.05 * (k as f64 + share));
-            planned(&robot, &standard, FORCE, extent, seconds, &tell)
-        })
-        .collect()
+    let jobs: Vec<_> = tools.iter().zip(extent.seconds).collect();
+    let one = |k: usize| {
+        let ((tool, weighed), seconds) = jobs[k];
+        let (robot, standard) = holding(known, tool, weighed)?;
+        let tell = |what: &str, share: f64| tell(&format!("planning: {what}"), 0.7 + 0.2 * share);
+        planned(&robot, &standard, FORCE, extent, *seconds, &tell)
+    };
+    many(jobs.len(), &one, &|_, _| {})
 }
 
 /// The arm as it is known, with each roller as it was weighed.

@@ -64,11 +64,15 @@ pub struct Query<'a, const N: usize> {
     pub near: Option<&'a [f64; N]>,
     /// What may be left to the pose, m and rad. The default is `1e-12`: rounding.
     pub tolerance: f64,
+    /// Newton's steps at most on a branch whose closed form leaves more than rounding (singular, or out of reach, where they find how far off the pose is).
+    /// The default is 40: at a double root each only halves what is left. Who must answer in time asks for none, with a tolerance that
+    /// the closed form keeps by itself (1e-9).
+    pub steps: usize,
 }
 
 impl<const N: usize> Default for Query<'_, N> {
     fn default() -> Self {
-        Self { redundancy: 0.0, reference: Reference::UP, near: None, tolerance: 1e-12 }
+        Self { redundancy: 0.0, reference: Reference::UP, near: None, tolerance: 1e-12, steps: STEPS }
     }
 }
 
@@ -80,7 +84,7 @@ pub(super) struct Work {
     best: [f64; 2],
 }
 
-/// Newton's steps: at a double root each only halves what is left.
+/// Newton's steps where nothing else is asked for.
 const STEPS: usize = 40;
 
 /// What is left of a pose below this is rounding, m and rad.
@@ -334,8 +338,8 @@ impl<const N: usize> Arm<N> {
         let start = values;
         let mut e = remainder(self, g, &values);
         let [p, r] = sizes(&e);
-        if p.max(r) > EXACT || !self.exact {
-            e = polish(self, g, query, &mut values, STEPS);
+        if query.steps > 0 && (p.max(r) > EXACT || !self.exact) {
+            e = polish(self, g, query, &mut values, query.steps);
             if let Family::Locked { joint, .. } = self.family {
                 // Its own value to the last digit.
                 let lock = usize::from(joint);

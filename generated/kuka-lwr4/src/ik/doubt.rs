@@ -85,7 +85,7 @@ impl<const N: usize> Arm<N> {
         let mut on = moved(v, &idle.map(|x| x * WAY / n));
         // Only as many steps as it needs: more would lead it back to where it is a little better.
         let [mut p, mut r] = sizes(&remainder(self, g, &on));
-        for _ in 0..8 {
+        for _ in 0..query.steps.min(8) {
             if p.max(r) < FREE * WAY {
                 break;
             }

@@ -1,0 +1,82 @@
+//! Drag on what touches: friction aside of the normal, learned from the estimate, and known before the estimate shows it.
+//!
+//! A roller that is dragged along its axis holds back with half of what presses it, within a tenth of a second; the estimate tells it one low-pass later, and the
+//! springs of the joint loop have given way by then, aside and along the normal. But when it slides, and which way, is planned: with `v_k` the planned velocity along each
+//! axis of the tool, drag is `-mu_k s(v_k) F`, and the three `mu_k` are learned from the estimate in the motion so far (a gradient step each period, on what the
+//! prediction, as late as the estimate, leaves of it).
+
+use super::model::Tool;
+
+/// Coefficients of friction along the tool's axes, and the prediction as the estimate's low-pass shows it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Drag {
+    coefficients: [f64; 3],
+    /// Direction of sliding along each axis, -1 to 1, and the same through the three poles of the estimate.
+    sign: [f64; 3],
+    late: [[f64; 3]; 3],
+    axes: [[f64; 3]; 3],
+}
+
+/// Planned speed at which friction has two thirds of its level, m/s: some multiples of what a joint's smallest step moves the tool by in a period.
+const CREEP: f64 = 5e-3;
+/// How fast is learned, 1/s: a wipe of half a second tells most.
+const PACE: f64 = 5.0;
+/// What slides harder than this is no friction.
+const MOST: f64 = 1.5;
+
+impl Drag {
+    /// Forgets what was learned.
+    pub fn reset(&mut self) {
+        *self = Self::default();
+    }
+
+    /// Coefficients along the tool's axes, as learned so far.
+    pub fn coefficients(&self) -> &[f64; 3] {
+        &self.coefficients
+    }
+
+    /// Where the plan slides, with `share` the part of its way that each pole of the estimate's low-pass goes in a period.
+    pub(super) fn slide<const N: usize>(&mut self, tool: &Tool<N>, dq: &[f64; N], normal: &[f64; 3], share: f64) {
+        let velocity: [f64; 3] = core::array::from_fn(|i| (0..N).map(|j| tool.jacobian[i][j] * dq[j]).sum());
+        for k in 0..3 {
+            let axis = [tool.rotation[0][k], tool.rotation[1][k], tool.rotation[2][k]];
+            let out = dot(&axis, normal);
+            let axis: [f64; 3] = core::array::from_fn(|i| axis[i] - out * normal[i]);
+            let v = dot(&axis, &velocity);
+            let size = v.abs();
+            let sign = v * (size + CREEP) / (v * v + CREEP * size + CREEP * CREEP);
+            // The axis that points into the wall has nothing left of it, and no number must get in.
+            (self.axes[k], self.sign[k]) = (axis, if sign.is_finite() { sign } else { 0.0 });
+            let mut from = self.sign[k];
+            for stage in &mut self.late {
+                stage[k] += share * (from - stage[k]);
+                from = stage[k];
+            }
+        }
+    }
+
+    /// Learns from an estimated push of the tool aside of the normal, by the push along it.
+    pub(super) fn learn(&mut self, aside: &[f64; 3], dt: f64) {
+        let late = self.late[2];
+        let size: f64 = late.iter().map(|s| s * s).sum();
+        let share = PACE * dt / (1.0 + PACE * dt * size);
+        for k in 0..3 {
+            let left = dot(aside, &self.axes[k]) - self.coefficients[k] * late[k] * dot(&self.axes[k], &self.axes[k]);
+            let learned = self.coefficients[k] + share * late[k] * left;
+            if learned.is_finite() {
+                self.coefficients[k] = learned.clamp(0.0, MOST);
+            }
+        }
+    }
+
+    /// Push of the tool aside of the normal, by the push along it: now, and as the estimate shows it.
+    pub(super) fn predicted(&self) -> [[f64; 3]; 2] {
+        [self.sign, self.late[2]].map(|sign| {
+            core::array::from_fn(|i| (0..3).map(|k| self.coefficients[k] * sign[k] * self.axes[k][i]).sum())
+        })
+    }
+}
+
+fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
