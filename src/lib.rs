@@ -50,3 +50,4 @@ pub mod signal;
 pub mod simulate;
 pub mod tool;
 pub mod trajectory;
+pub mod wound;

@@ -3,6 +3,7 @@
 //! Rows of a log -> even clock -> low-pass, forward and backward -> derivatives -> [`Motion`]. A log of any length streams through
 //! in bounded memory. Knows no robot.
 
+mod band;
 mod burst;
 mod butterworth;
 mod difference;
@@ -11,6 +12,7 @@ mod motion;
 mod prepare;
 mod sos;
 
+pub use band::Band;
 pub use butterworth::{CutoffError, low_pass};
 pub use difference::{central, central_second};
 pub use even::even;

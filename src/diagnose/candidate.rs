@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use super::causes::{CAUSES, Cause, Sign};
+use super::causes::{CAUSES, Cause, Sign, UNIT};
 use super::model::{Bench, Chosen, Fitted};
 use super::moments::Gain;
 
@@ -58,7 +58,8 @@ pub(super) fn evaluate(
     }
     let total: f64 = fitted.solution.counts.iter().sum();
     let raw: f64 = logs(&fitted.solution.rss, &gain.rss).zip(&fitted.solution.counts).map(|(l, n)| n * l).sum();
-    let score = raw - unknowns(cause, shape, terms.len()) * total.max(2.0).ln();
+    let off = if cause.unit() { (gain.x[0] - 1.0) / UNIT } else { 0.0 };
+    let score = raw - unknowns(cause, shape, terms.len()) * total.max(2.0).ln() - off * off;
     Some(Candidate { cause, place: place.to_vec(), shape: shape.to_vec(), gain, score })
 }
 

@@ -244,6 +244,11 @@ pub trait Cause: Sync {
         false
     }
 
+    /// Whether its size is in its shape, and its one coefficient is 1 where its law holds: known to [`UNIT`].
+    fn unit(&self) -> bool {
+        false
+    }
+
     /// Whether it may act in one part of the data only, so that the other parts can't vouch for it.
     fn local(&self) -> bool {
         false
@@ -358,6 +363,9 @@ pub static CAUSES: [&dyn Cause; 22] = [
 pub fn by_name(name: &str) -> Option<&'static dyn Cause> {
     CAUSES.iter().copied().chain(plain::ALL).find(|c| c.name() == name)
 }
+
+/// To what the coefficient of a [`Cause::unit`] is known to be 1: filters and windows leave so much of a law open.
+pub(super) const UNIT: f64 = 0.05;
 
 /// Values from `first` to `last`, `count` of them, evenly spaced in their logarithms.
 fn geometric(first: f64, last: f64, count: usize) -> Vec<f64> {

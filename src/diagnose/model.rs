@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::arm::Plant;
 use crate::identify::recover_standard;
 
-use super::causes::{COULOMB, Cause, Estimate, Named, OFFSET, Term, VISCOUS};
+use super::causes::{COULOMB, Cause, Estimate, Named, OFFSET, Term, UNIT, VISCOUS};
 use super::hold::{FIRM, Hold, belief};
 use super::moments::{Moments, Solution, pseudo_inverse};
 use super::noise::memory;
@@ -524,7 +524,16 @@ impl Uncertainty {
             return Self { covariance: fitted.covariance(), shapes };
         }
         let (moments, solution) = fitted.moments.beside(&fitted.solution, &more);
-        Self { covariance: moments.covariance(&solution, &fitted.memory), shapes }
+        let mut covariance = moments.covariance(&solution, &fitted.memory);
+        for (index, _) in chosen.iter().enumerate().filter(|(_, c)| c.cause.unit() && !c.x.is_empty()) {
+            // What is known beside the data: one more measurement of this unknown.
+            let own = covariance.column(fitted.first[index]).into_owned();
+            let variance = own[fitted.first[index]];
+            if variance > 0.0 {
+                covariance -= &own * own.transpose() / (variance + UNIT * UNIT);
+            }
+        }
+        Self { covariance, shapes }
     }
 }
 
@@ -534,6 +543,10 @@ impl Uncertainty {
     /// once in a hundred (beyond 2.5).
     pub fn stands_out(&self, bench: &Bench<'_>, fitted: &Fitted, index: usize, chosen: &Chosen) -> f64 {
         let first = fitted.first[index];
+        if chosen.x.is_empty() {
+            // Its columns are gone: of what is known now it is nothing.
+            return f64::NEG_INFINITY;
+        }
         let x = DVector::from_vec(chosen.cause.beyond(&bench.scene, &chosen.place, &chosen.x));
         let unknowns = x.len() as f64;
         let wald = |covariance: &DMatrix<f64>| {

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use crate::arm::{Plant, States};
-use crate::signal::Motion;
+use crate::signal::{Band, Motion};
 
 /// An uninterrupted, evenly sampled stretch of a log.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +20,8 @@ pub struct Stretch {
     pub temperature: Vec<f64>,
     /// Standard deviation of the velocity error that the noise of the positions leaves, rad/s, per joint.
     pub velocity_noise: Vec<f64>,
+    /// What the low-pass made of the positions.
+    pub band: Band,
 }
 
 /// A log.
@@ -61,6 +63,7 @@ impl Recording {
             tau: cut(&motion.tau),
             temperature: cut(&motion.temperature),
             velocity_noise: motion.velocity_noise.clone(),
+            band: motion.band.cut(len, core.clone()),
         });
     }
 
@@ -171,6 +174,7 @@ impl Stretch {
             tau: take(&self.tau),
             temperature: take(&self.temperature),
             velocity_noise: self.velocity_noise.clone(),
+            band: self.band.cut(self.states.len, range.clone()),
         }
     }
 

@@ -4,9 +4,11 @@
 //! noise stays white, and steps of friction keep their size. Windows in which a joint turns about are not used for that joint's own
 //! torque, since there the sign of its velocity is noise.
 
+use std::sync::{Arc, OnceLock};
+
 use crate::arm::{Change, Plant, States};
 
-use crate::signal::central;
+use crate::signal::{Band, central};
 
 use super::noise::floor;
 use super::record::Recording;
@@ -41,6 +43,10 @@ pub struct Own {
     pub t: Vec<f64>,
     /// Temperature, deg C; empty where there is none.
     pub temperature: Vec<f64>,
+    /// What the low-pass made of the position.
+    pub band: Band,
+    /// Spacing of the samples, s.
+    pub period: f64,
     first: usize,
     windows: usize,
     per: usize,
@@ -58,6 +64,17 @@ impl Column {
     pub fn on(joint: usize, series: Vec<f64>) -> Self {
         Self { rows: vec![(joint, series)] }
     }
+}
+
+/// How the rigid torques change with one joint's motion: a series over the windows for each joint's torque.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Slopes {
+    /// With its position, N m/rad.
+    pub position: Vec<Vec<f64>>,
+    /// With its velocity, N m s/rad.
+    pub velocity: Vec<Vec<f64>>,
+    /// With its acceleration, kg m^2.
+    pub acceleration: Vec<Vec<f64>>,
 }
 
 /// What causes see.
@@ -104,6 +121,10 @@ pub struct Scene<'a> {
     pub noise: Vec<f64>,
     /// Longest spacing of the logs' samples, s.
     pub period: f64,
+    /// Whether every window counts, as where models are measured and not fitted.
+    pub all: bool,
+    /// [`Scene::slopes`], by joint.
+    slopes: Vec<OnceLock<Arc<Slopes>>>,
 }
 
 impl<'a> Scene<'a> {
@@ -181,6 +202,13 @@ impl<'a> Scene<'a> {
                         } else {
                             stretch.of(&stretch.temperature, j)[span.clone()].to_vec()
                         },
+                        band: {
+                            let Band { narrow, wide, share } = &stretch.band;
+                            let own = share.chunks_exact(len).nth(j);
+                            let share = own.map_or(Vec::new(), |share| earlier(share, span.clone(), by));
+                            Band { narrow: *narrow, wide: *wide, share }
+                        },
+                        period: stretch.period,
                         v,
                         sign,
                         first,
@@ -212,6 +240,8 @@ impl<'a> Scene<'a> {
             rotors: rotors(plant),
             noise: floor(recordings, dof).iter().map(|s| s / (step / period).max(1.0).sqrt()).collect(),
             period,
+            all,
+            slopes: vec![OnceLock::new(); dof],
             plant,
             len,
             y,
@@ -343,6 +373,7 @@ impl<'a> Scene<'a> {
     pub fn set_model(&mut self, beta: Vec<f64>, standard: Option<Vec<f64>>) {
         (self.beta, self.standard) = (beta, standard);
         self.rigid = self.rigid_with(|_| {});
+        self.slopes.fill(OnceLock::new());
         for (j, stretches) in self.own.iter_mut().enumerate() {
             for own in stretches {
                 let rigid = &self.rigid[j][own.first..own.first + own.windows];
@@ -350,6 +381,55 @@ impl<'a> Scene<'a> {
                 own.load.iter_mut().zip(&own.a).for_each(|(t, a)| *t -= self.rotors[j] * a);
             }
         }
+    }
+
+    /// What is seen of a change of joint `j`'s position that a function of a series over the windows makes, after the low-pass that its positions went
+    /// through: the change (rad) and its two derivatives, over the windows.
+    pub fn seen_through(&self, j: usize, series: &[f64], change: impl Fn(f64) -> f64) -> [Vec<f64>; 3] {
+        let mut out: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::with_capacity(self.len));
+        for own in &self.own[j] {
+            let fine = spread(&series[own.first..own.first + own.windows], own.per);
+            let changed: Vec<f64> = fine.into_iter().map(&change).collect();
+            for (out, seen) in out.iter_mut().zip(own.band.seen(0, &changed, own.period)) {
+                out.extend(average(&seen, own.per));
+            }
+        }
+        out
+    }
+
+    /// Difference quotient of the rigid torque when joint `j` really moves by `scale` times these (position, velocity, acceleration over the windows) more:
+    /// the torques per unit of `scale`, all joints.
+    pub fn moved(&self, j: usize, by: &[Vec<f64>; 3], scale: f64) -> Vec<Vec<f64>> {
+        let span = j * self.len..(j + 1) * self.len;
+        let mut rows = self.rigid_with(|states| {
+            for (x, by) in [&mut states.q, &mut states.dq, &mut states.ddq].into_iter().zip(by) {
+                x[span.clone()].iter_mut().zip(by).for_each(|(x, by)| *x += scale * by);
+            }
+        });
+        for (row, rigid) in rows.iter_mut().zip(&self.rigid) {
+            row.iter_mut().zip(rigid).for_each(|(a, b)| *a = (*a - b) / scale);
+        }
+        rows
+    }
+
+    /// How the rigid torques change with joint `j`'s motion.
+    pub fn slopes(&self, j: usize) -> Arc<Slopes> {
+        let made = self.slopes[j].get_or_init(|| {
+            let span = j * self.len..(j + 1) * self.len;
+            let by = |step: f64, what: fn(&mut States) -> &mut Vec<f64>| {
+                let mut rows = self.rigid_with(|states| what(states)[span.clone()].iter_mut().for_each(|x| *x += step));
+                for (row, rigid) in rows.iter_mut().zip(&self.rigid) {
+                    row.iter_mut().zip(rigid).for_each(|(a, b)| *a = (*a - b) / step);
+                }
+                rows
+            };
+            Arc::new(Slopes {
+                position: by(1e-3, |s| &mut s.q),
+                velocity: by(1e-2, |s| &mut s.dq),
+                acceleration: by(1.0, |s| &mut s.ddq),
+            })
+        });
+        made.clone()
     }
 
     /// Time derivative of a series over the windows, by central differences within each run.
@@ -366,18 +446,7 @@ impl<'a> Scene<'a> {
     pub fn shifted(&self, j: usize, shift: &[f64], scale: f64) -> Vec<Vec<f64>> {
         let rate = self.rate_of(shift);
         let second = self.rate_of(&rate);
-        let len = self.len;
-        let mut rows = self.rigid_with(|states| {
-            for w in 0..len {
-                states.q[j * len + w] += scale * shift[w];
-                states.dq[j * len + w] += scale * rate[w];
-                states.ddq[j * len + w] += scale * second[w];
-            }
-        });
-        for (row, rigid) in rows.iter_mut().zip(&self.rigid) {
-            row.iter_mut().zip(rigid).for_each(|(a, b)| *a = (*a - b) / scale);
-        }
-        rows
+        self.moved(j, &[shift.to_vec(), rate, second], scale)
     }
 }
 

@@ -31,8 +31,9 @@ impl Derived {
         Self { q, dq, ddq }
     }
 
-    /// Takes what `wide`, the same signal with a higher cutoff, has beyond the noise. `cutoffs`: of both, Hz.
-    pub fn let_through(&mut self, wide: &Self, cutoffs: [f64; 2], period: f64) {
+    /// Takes what `wide`, the same signal with a higher cutoff, has beyond the noise. `cutoffs`: of both, Hz. Returns the share of it that each sample
+    /// takes; nothing where none takes any.
+    pub fn let_through(&mut self, wide: &Self, cutoffs: [f64; 2], period: f64) -> Vec<f64> {
         let band: Vec<f64> = wide.ddq.iter().zip(&self.ddq).map(|(a, b)| (a - b) * (a - b)).collect();
         let half = ((NEAR / period).round() as usize).max(1);
         let power = averaged(&band, half);
@@ -40,8 +41,9 @@ impl Derived {
         let moving = power.iter().zip(&self.dq).filter(|(_, v)| v.abs() > STANDS * fastest).map(|(p, _)| *p);
         let mut sorted: Vec<f64> = moving.collect();
         if sorted.is_empty() {
-            return;
+            return Vec::new();
         }
+        let mut shares: Vec<f64> = Vec::new();
         let middle = sorted.len() / 2;
         let median = *sorted.select_nth_unstable_by(middle, f64::total_cmp).1;
         // Raised cosine: what it averages over counts as 4/3 of its half width.
@@ -58,14 +60,23 @@ impl Derived {
             }
             let end = (k..power.len()).find(|&i| power[i] <= noise).unwrap_or(power.len());
             if power[k..end].iter().any(|p| *p > peak) {
-                for (i, power) in (k..end).zip(&power[k..end]) {
-                    let share = 1.0 - noise / power;
-                    self.q[i] += share * (wide.q[i] - self.q[i]);
-                    self.dq[i] += share * (wide.dq[i] - self.dq[i]);
-                    self.ddq[i] += share * (wide.ddq[i] - self.ddq[i]);
+                shares.resize(power.len(), 0.0);
+                for (share, power) in shares[k..end].iter_mut().zip(&power[k..end]) {
+                    *share = 1.0 - noise / power;
                 }
             }
             k = end;
+        }
+        self.share_of(wide, &shares);
+        shares
+    }
+
+    /// Takes a share of each sample of `wide`.
+    pub fn share_of(&mut self, wide: &Self, shares: &[f64]) {
+        for (own, other) in [(&mut self.q, &wide.q), (&mut self.dq, &wide.dq), (&mut self.ddq, &wide.ddq)] {
+            for ((own, other), share) in own.iter_mut().zip(other).zip(shares) {
+                *own += share * (other - *own);
+            }
         }
     }
 }

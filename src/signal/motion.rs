@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::Band;
 use crate::arm::States;
 
 /// Filtered motion and torque of consecutive, evenly spaced samples of one segment.
@@ -29,6 +30,8 @@ pub struct Motion {
     pub stride: usize,
     /// Standard deviation of the velocity error that the noise of `q` leaves after the filter, rad/s, per joint.
     pub velocity_noise: Vec<f64>,
+    /// What the low-pass made of the positions, for all samples.
+    pub band: Band,
     /// Temperatures as recorded, joint-major, deg C; empty where they were not asked for or not recorded.
     pub temperature: Vec<f64>,
     /// External wrench as recorded, `fx .. mz` one after the other, `6 * len`, treated like the torque; empty where it was not asked for or not

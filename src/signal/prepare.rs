@@ -3,7 +3,7 @@
 //! A segment that is longer than a chunk is filtered in overlapping chunks. The overlap is as long as the filter remembers (to 1e-12),
 //! so the result is that of filtering the segment at once.
 
-use super::{Motion, burst::Derived, central, even, even::smoother_evenly, low_pass, sos::Sos};
+use super::{Band, Motion, burst::Derived, central, even, even::smoother_evenly, low_pass, sos::Sos};
 use crate::{
     arm::{States, VelocitySum},
     log::{
@@ -507,6 +507,14 @@ impl Preparer {
         Ok(motions)
     }
 
+    /// What positions go through; no sample has a share of the wider band yet.
+    fn band(&self) -> Band {
+        let from_position = self.settings.derivatives == Derivatives::FromPosition;
+        let narrow = self.settings.filter.filter(|_| from_position);
+        let wide = self.settings.bursts.zip(narrow).map(|(cutoff, narrow)| Filter { cutoff, ..narrow });
+        Band { narrow, wide: wide.filter(|_| self.wide.is_some()), share: Vec::new() }
+    }
+
     /// Both cutoffs, Hz.
     fn bands(&self) -> [f64; 2] {
         let low = self.settings.filter.map_or(0.0, |f| f.cutoff);
@@ -548,6 +556,7 @@ impl Preparer {
             states: States { len: to - from, ..States::default() },
             tau: Vec::with_capacity(dof * (to - from)),
             velocity_noise: Vec::with_capacity(dof),
+            band: self.band(),
             sign: Vec::new(),
             temperature: Vec::new(),
             wrench: Vec::new(),
@@ -561,7 +570,13 @@ impl Preparer {
                     if let Some(sos) = &self.wide {
                         let mut wide = self.evened[joint].clone();
                         sos.forward_backward(&mut wide, pad.max(sos.scipy_padding()));
-                        narrow.let_through(&Derived::of(wide, clock.period), self.bands(), clock.period);
+                        let wide = Derived::of(wide, clock.period);
+                        let share = narrow.let_through(&wide, self.bands(), clock.period);
+                        if !share.is_empty() {
+                            motion.band.share.resize(dof * (to - from), 0.0);
+                            let own = joint * (to - from)..(joint + 1) * (to - from);
+                            motion.band.share[own].copy_from_slice(&share[from..to]);
+                        }
                     }
                     q = narrow.q;
                     (narrow.dq, narrow.ddq)

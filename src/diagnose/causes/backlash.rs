@@ -1,16 +1,37 @@
 //! `backlash`: a dead zone in the transmission: the link stands half the gap to the side to which its torque pushes it.
+//!
+//! The motor passes the gap in hundredths of a second. What a log shows of that is what its low-pass left: a hump in the acceleration that the link never
+//! had. So the passage goes through the same low-pass before it is taken off the motion; and sides are decided by the slow part of the load, for the model's
+//! load has the hump in it.
 
 use super::super::scene::Scene;
 use super::{Cause, Estimate, Kind, Named, Over, Shape, Sign, Term};
+use crate::signal::low_pass;
 
-/// Link angle `q - (BL / 2) tanh(tau / TB)`; `TB` rounds the passage through the gap.
+/// Link angle `q - (BL / 2) load / sqrt(load^2 + (TB rms)^2)`.
 pub struct Backlash;
+
+/// Up to here the load decides on which side the link lies, Hz.
+const SLOW: f64 = 3.0;
 
 /// Whether the joint carries load to both sides, so that it passes through a gap.
 pub(super) fn both_ways(scene: &Scene<'_>, j: usize) -> bool {
     let torque = &scene.rigid[j];
     let rms = (torque.iter().map(|t| t * t).sum::<f64>() / scene.len.max(1) as f64).sqrt();
     rms > 0.0 && torque.iter().any(|t| *t > 0.05 * rms) && torque.iter().any(|t| *t < -0.05 * rms)
+}
+
+/// Slow part of what the gear of joint `j` transmits, over the windows, N m.
+fn slow_load(scene: &Scene<'_>, j: usize) -> Vec<f64> {
+    let states = &scene.states[scene.seen[j]];
+    let acceleration = &states.ddq[j * scene.len..(j + 1) * scene.len];
+    let mut load: Vec<f64> = scene.rigid[j].iter().zip(acceleration).map(|(t, a)| t - scene.rotors[j] * a).collect();
+    if let Ok(filter) = low_pass(2, SLOW, 1.0 / scene.step) {
+        for run in &scene.runs {
+            filter.forward_backward(&mut load[run.clone()], (1.0 / (SLOW * scene.step)) as usize);
+        }
+    }
+    load
 }
 
 impl Cause for Backlash {
@@ -30,7 +51,7 @@ impl Cause for Backlash {
     }
 
     fn grid(&self, _: &Scene<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        [0.02, 0.08, 0.3].iter().map(|share| vec![1e-4, *share]).collect()
+        [0.01, 0.05, 0.2].iter().map(|share| vec![1e-4, *share]).collect()
     }
 
     fn shows(&self, scene: &Scene<'_>, place: &[usize], _: &[f64]) -> bool {
@@ -38,11 +59,15 @@ impl Cause for Backlash {
     }
 
     fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
-        let j = place[0];
-        let torque = &scene.rigid[j];
-        let rms = (torque.iter().map(|t| t * t).sum::<f64>() / scene.len.max(1) as f64).sqrt();
-        let gap: Vec<f64> = torque.iter().map(|t| -0.5 * (t / (shape[1] * rms).max(1e-12)).tanh()).collect();
-        vec![Term::new("BL", scene.column(scene.shifted(j, &gap, shape[0])), Sign::Positive)]
+        let (j, scale) = (place[0], shape[0]);
+        let load = slow_load(scene, j);
+        let rms = (load.iter().map(|t| t * t).sum::<f64>() / scene.len.max(1) as f64).sqrt();
+        let small = (shape[1] * rms).max(1e-12);
+        let behind = scene.seen_through(j, &load, |t| -0.5 * t / (t * t + small * small).sqrt());
+        let mut rows = scene.moved(j, &behind, scale);
+        // The rotor moves as it is seen to.
+        rows[j].iter_mut().zip(&behind[2]).for_each(|(t, a)| *t -= scene.rotors[j] * a);
+        vec![Term::new("BL", scene.column(rows), Sign::Positive)]
     }
 
     fn secant(&self) -> bool {
