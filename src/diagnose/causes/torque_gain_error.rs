@@ -33,6 +33,11 @@ impl Cause for TorqueGainError {
         true
     }
 
+    /// A torque that hardly goes with the arm's own any more is not a scaled one.
+    fn plausible(&self, _: &Scene<'_>, _: &[usize], _: &[f64], x: &[f64]) -> bool {
+        x.first().is_none_or(|x| (-0.7..2.0).contains(x))
+    }
+
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
         vec![Named::new("GT", 1.0 + found.x[0], Some(found.std(0)))]
     }
