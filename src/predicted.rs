@@ -1,7 +1,8 @@
 //! [`Predicted`] by the tapes of a robot file with its effects: the numbers that its generated code gives.
 
+use dh_codegen::arm::param::Parameter;
 use dh_codegen::arm::{Function, param};
-use dh_codegen::drive::Memory;
+use dh_codegen::drive::{self, Behind, Memory, Spring};
 use dh_codegen::interpret::{Room, State};
 use dh_codegen::robot::{Laws, Robot};
 use dh_codegen::runtime::Scalar;
@@ -21,6 +22,8 @@ pub struct Predictor {
     arm: Interpreted,
     standard: Vec<f64>,
     laws: Vec<Laws>,
+    /// `standard` without what belongs to drives.
+    bodies: Vec<f64>,
 }
 
 impl Predictor {
@@ -29,6 +32,11 @@ impl Predictor {
         let standard = param::standard_values(&robot.as_it_is()).ok_or(NoLinks)?;
         Ok(Self {
             arm: Interpreted::with_effects(robot, &[Function::DriveTorques, Function::RigidDynamics]),
+            bodies: param::standard(&robot.as_it_is())
+                .iter()
+                .zip(&standard)
+                .map(|(p, &v)| if matches!(p, Parameter::Link(..)) { v } else { 0.0 })
+                .collect(),
             standard,
             laws: robot.laws(),
         })
@@ -53,6 +61,10 @@ impl Predictor {
         parameters.resize(p + 2 * n, 0.0);
         let (mut q, mut dq, mut ddq, mut tau) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; n]);
         let (mut room, mut start) = (Room::default(), 0);
+        let springs: Vec<Spring> = self.laws.iter().map(Laws::gear).collect();
+        let swings = springs.iter().any(|s| s.stiffness > 0.0);
+        let (mut behind, mut still): (Vec<Behind<f64>>, Vec<Behind<f64>>) = (vec![[0.0; 3]; n], vec![[0.0; 3]; n]);
+        let (mut work, mut kernel) = (vec![0.0; n * (n + 2)], Room::default());
         for s in 0..len {
             let fresh = s == 0 || time[s] <= time[s - 1];
             if fresh {
@@ -69,6 +81,23 @@ impl Predictor {
             }
             let state = State { q: &q, dq: &dq, ddq: &ddq, tau: &[], parameters: &parameters };
             self.arm.run_one(Function::DriveTorques, &state, &mut room, &mut tau);
+            if swings && !fresh {
+                let mut bodies = |behind: &[Behind<f64>], out: &mut [f64]| {
+                    let less = |x: &[f64], which: usize| -> Vec<f64> {
+                        x.iter().zip(behind).map(|(x, b)| x - b[which]).collect()
+                    };
+                    let (q, dq, ddq) = (less(&q, 0), less(&dq, 1), less(&ddq, 2));
+                    let state = State { q: &q, dq: &dq, ddq: &ddq, tau: &[], parameters: &self.bodies };
+                    self.arm.run_one(Function::RigidDynamics, &state, &mut kernel, out);
+                };
+                // Before the first step the links hang at ease.
+                if s == start + 1 {
+                    drive::at_ease(&springs, &mut behind, &mut work[..n], &mut bodies);
+                } else {
+                    drive::swing(&springs, time[s] - time[s - 1], &mut behind, &mut work, &mut bodies);
+                }
+                drive::swung(&springs, &behind, &mut still, &mut work[..2 * n], &mut tau, &mut bodies);
+            }
             (0..n).for_each(|k| out[k * len + s] = tau[k]);
         }
     }

@@ -366,6 +366,41 @@ fn a_simulated_log_is_what_was_predicted() {
     }
 }
 
+/// Links that swing on the springs of both joints: the simulator integrates two inertias to a joint, the file's law follows the motors' recorded motion.
+#[test]
+fn links_swing_on_their_springs() {
+    let text = planar_text(", joint_elasticity: { KE: 40, DE: 0.5 }", ", joint_elasticity: { KE: 12, DE: 0.06 }", "")
+        .replace("torque: 8, drive: {", "torque: 8, drive: { rotor_inertia: 0.02,")
+        .replace(", coulomb_friction: 0.2", "")
+        .replace(", coulomb_friction: 0.1", "");
+    let robot = read(&text);
+    let len = 601;
+    let t: Vec<f64> = (0..len).map(|k| 0.02 * f64::from(k)).collect();
+    let wave = |w: f64, t: f64| 0.3 * (0.2 * w * t).sin() + 0.05 * (w * t).sin();
+    let q = [9.0, 14.0].iter().flat_map(|w| t.iter().map(|t| wave(*w, *t)).collect::<Vec<f64>>()).collect();
+    let trajectory = Trajectory::new(2, t, q, None, None).unwrap();
+    let request = Request { sensors: Sensors::perfect(1000.0), ..Request::default() };
+    let truth =
+        Simulator::new(&robot, &Effects::default()).unwrap().run(&trajectory, &request, &mut |_| {}).unwrap().truth;
+    let n = truth.t.len();
+    let ddq: Vec<f64> =
+        (0..2).flat_map(|j| denavit::signal::central(&truth.motor_dq[j * n..(j + 1) * n], 1e-3)).collect();
+    let states = States { len: n, q: truth.motor_q.clone(), dq: truth.motor_dq.clone(), ddq };
+    let predictor = Predictor::new(&robot).unwrap();
+    let (mut still, mut swings) = (vec![0.0; 2 * n], vec![0.0; 2 * n]);
+    predictor.torques(&states, &mut still);
+    predictor.torques_along(&truth.t, &states, &[], &mut swings);
+    for j in 0..2 {
+        // How it swung at the start is gone after half of the motion.
+        let rms = |x: &[f64]| {
+            let span = j * n + n / 2..(j + 1) * n - 5;
+            (span.clone().map(|k| (x[k] - truth.motor_torque[k]).powi(2)).sum::<f64>() / span.len() as f64).sqrt()
+        };
+        let (a, b) = (rms(&still), rms(&swings));
+        assert!(a > 0.02 && b < 0.05 * a, "joint {}: {a} standing, {b} swinging", j + 1);
+    }
+}
+
 /// Without effects nothing changes.
 #[test]
 fn a_file_without_effects_is_the_rigid_arm() {

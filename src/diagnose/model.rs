@@ -332,6 +332,60 @@ impl<'a> Bench<'a> {
         unreachable!("the loop returns")
     }
 
+    /// Sizes that stand in the shape of a law ([`Cause::unit`]), by Gauss's and Newton's steps with everything else refitted.
+    pub fn polish(&mut self, chosen: &mut [Chosen]) -> Fitted {
+        let mut fitted = self.fit(chosen);
+        for index in (0..chosen.len()).filter(|&i| chosen[i].cause.unit()).collect::<Vec<usize>>() {
+            let off = |c: &Chosen| ((c.x.first().copied().unwrap_or(0.0) - 1.0) / UNIT).powi(2);
+            let misfit = |fitted: &Fitted, c: &Chosen| {
+                let Solution { rss, counts, .. } = &fitted.solution;
+                rss.iter().zip(counts).map(|(r, n)| n * r.max(1e-290).ln()).sum::<f64>() + off(c)
+            };
+            for _ in 0..4 {
+                let Some(step) = self.newton(&fitted, chosen, index) else { break };
+                let known = misfit(&fitted, &chosen[index]);
+                let better = [1.0, 0.4, 0.15].into_iter().find_map(|share| {
+                    let mut trial = chosen.to_vec();
+                    let numbers = trial[index].cause.shape();
+                    for ((value, by), number) in trial[index].shape.iter_mut().zip(&step).zip(numbers) {
+                        let next = (*value + share * by).clamp(0.6 * *value, 1.6 * *value);
+                        *value = next.clamp(number.range[0], number.range[1]);
+                    }
+                    let next = self.fit(&mut trial);
+                    (misfit(&next, &trial[index]) < known).then_some((trial, next))
+                });
+                let Some((trial, next)) = better else { break };
+                let gained = known - misfit(&next, &trial[index]);
+                chosen.clone_from_slice(&trial);
+                fitted = next;
+                if gained < 0.1 {
+                    break;
+                }
+            }
+        }
+        // The scene's model is that of the last trial.
+        self.update_model(&fitted);
+        fitted
+    }
+
+    /// The step of the numbers of one law's shape to where the misfit is least on lines, its coefficient known to be 1 to [`UNIT`].
+    fn newton(&self, fitted: &Fitted, chosen: &[Chosen], index: usize) -> Option<Vec<f64>> {
+        let (c, own) = (&chosen[index], fitted.first[index]);
+        let columns: Option<Vec<Column>> = (0..c.shape.len())
+            .map(|k| {
+                let first = c.cause.shape()[k].step?;
+                derivative(self, fitted, index, c, k, 1e-2 * first.abs() * c.shape[k])
+            })
+            .collect();
+        let columns = columns.filter(|columns| !columns.is_empty() && !c.x.is_empty())?;
+        let solution = fitted.moments.with(&columns).solve(Some(&fitted.solution.weights));
+        let known = (1.0 - solution.x[own]) / (solution.inverse[(own, own)].max(0.0) + UNIT * UNIT);
+        let behind = fitted.solution.x.len();
+        let step: Vec<f64> =
+            (0..columns.len()).map(|k| solution.x[behind + k] + solution.inverse[(behind + k, own)] * known).collect();
+        step.iter().all(|s| s.is_finite()).then_some(step)
+    }
+
     fn fit_once(&self, chosen: &[Chosen], weights: Option<&[f64]>) -> Fitted {
         let (moments, first, terms) = self.equations(chosen, false);
         let friction = self.base.len();

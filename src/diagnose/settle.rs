@@ -76,6 +76,11 @@ impl<'a> Case<'a> {
     }
 
     fn settle(&self, mut bench: Bench<'a>, mut accepted: Vec<Accepted>) -> Settled<'a> {
+        if accepted.iter().any(|a| a.chosen.cause.unit()) {
+            let mut chosen = chosen_of(&accepted);
+            bench.polish(&mut chosen);
+            accepted.iter_mut().zip(chosen).for_each(|(a, c)| a.chosen = c);
+        }
         let fitted = freeze(&mut bench, &mut accepted, self.noise);
         (self.progress)("what else plain friction might be");
         let (fitted, rivals) = reconsider(&mut bench, &mut accepted, fitted, self.noise, &self.settings.search);

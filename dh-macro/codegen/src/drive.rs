@@ -1,5 +1,5 @@
-//! Drives that remember: friction that depends on the travel since the last reversal, and on time and temperature. Shipped verbatim into
-//! crates whose robot file has effects; the interpreter uses the same text.
+//! Drives that remember: friction that depends on the travel since the last reversal, and on time and temperature; links that swing on the springs of their
+//! gears. Shipped verbatim into crates whose robot file has effects; the interpreter uses the same text.
 
 use super::elementary::Real;
 
@@ -37,5 +37,114 @@ impl Memory {
         let cold = (-(since / S::constant(self.time))).exp() * S::constant(self.cold);
         let heat = (temperature - S::constant(self.reference)) * S::constant(self.per_kelvin);
         (S::constant(1.0) + cold + heat).max(S::default())
+    }
+}
+
+/// The spring between one joint's motor and link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spring {
+    /// `KE`, N m/rad; 0: none.
+    pub stiffness: f64,
+    /// `DE`, N m s/rad.
+    pub damping: f64,
+    /// `GT`: what the sensor shows of 1 N m.
+    pub gain: f64,
+}
+
+/// Where a link stands behind its motor: angle, rad, its rate and its acceleration.
+pub type Behind<S> = [S; 3];
+
+/// Least damping ratio of a link on its spring: with less, what the motion was long ago would count.
+pub const LEAST_DAMPING: f64 = 0.01;
+
+/// Where the springs carry their links if nothing swings. `bodies`: torques of the arm with its links so far behind.
+pub fn at_ease<S: Real>(
+    springs: &[Spring],
+    behind: &mut [Behind<S>],
+    torques: &mut [S],
+    bodies: &mut dyn FnMut(&[Behind<S>], &mut [S]),
+) {
+    behind.fill([S::default(); 3]);
+    bodies(behind, torques);
+    for ((behind, spring), &torque) in behind.iter_mut().zip(springs).zip(torques.iter()) {
+        if spring.stiffness > 0.0 {
+            behind[0] = torque / S::constant(spring.stiffness);
+        }
+    }
+}
+
+/// The links go on by `dt`, s, by the trapezoidal rule: of each soft joint `KE d + DE d'` is the torque of the arm whose links stand `d` behind their motors,
+/// linear in the accelerations. `bodies` gives that torque; `room` is of `n (n + 2)` numbers.
+pub fn swing<S: Real>(
+    springs: &[Spring],
+    dt: S,
+    behind: &mut [Behind<S>],
+    room: &mut [S],
+    bodies: &mut dyn FnMut(&[Behind<S>], &mut [S]),
+) {
+    let n = springs.len();
+    let (matrix, rest) = room.split_at_mut(n * n);
+    let (load, column) = rest.split_at_mut(n);
+    let (half, zero, one) = (dt * S::constant(0.5), S::default(), S::constant(1.0));
+    let quarter = half * half;
+    let soft = |k: usize| springs[k].stiffness > 0.0;
+    for [x, v, a] in behind.iter_mut() {
+        // What the step's end has of its beginning.
+        (*x, *v, *a) = (*x + dt * *v + quarter * *a, *v + half * *a, zero);
+    }
+    bodies(behind, load);
+    for c in (0..n).filter(|&c| soft(c)) {
+        behind[c][2] = one;
+        bodies(behind, column);
+        behind[c][2] = zero;
+        for r in 0..n {
+            matrix[r * n + c] = load[r] - column[r];
+        }
+    }
+    for k in (0..n).filter(|&k| soft(k)) {
+        let (stiffness, inertia) = (S::constant(springs[k].stiffness), matrix[k * n + k]);
+        let least = S::constant(2.0 * LEAST_DAMPING) * (stiffness * inertia.max(zero)).sqrt();
+        let damping = S::constant(springs[k].damping).max(least);
+        load[k] = load[k] - damping * behind[k][1] - stiffness * behind[k][0];
+        matrix[k * n + k] = inertia + half * damping + quarter * stiffness;
+    }
+    // Gauss: the matrix is positive definite.
+    for p in (0..n).filter(|&p| soft(p)) {
+        for r in (p + 1..n).filter(|&r| soft(r)) {
+            let share = matrix[r * n + p] / matrix[p * n + p];
+            for c in (p..n).filter(|&c| soft(c)) {
+                matrix[r * n + c] = matrix[r * n + c] - share * matrix[p * n + c];
+            }
+            load[r] = load[r] - share * load[p];
+        }
+    }
+    for p in (0..n).rev().filter(|&p| soft(p)) {
+        let mut sum = load[p];
+        for c in (p + 1..n).filter(|&c| soft(c)) {
+            sum = sum - matrix[p * n + c] * behind[c][2];
+        }
+        behind[p][2] = sum / matrix[p * n + p];
+    }
+    for [x, v, a] in behind.iter_mut() {
+        (*x, *v) = (*x + quarter * *a, *v + half * *a);
+    }
+}
+
+/// What the links' swing adds to the torques at the sensors, beside the static winding of the springs. `room` is of `2 n` numbers.
+pub fn swung<S: Real>(
+    springs: &[Spring],
+    behind: &[Behind<S>],
+    still: &mut [Behind<S>],
+    room: &mut [S],
+    torques: &mut [S],
+    bodies: &mut dyn FnMut(&[Behind<S>], &mut [S]),
+) {
+    let (moving, resting) = room.split_at_mut(springs.len());
+    at_ease(springs, still, resting, bodies);
+    bodies(still, resting);
+    bodies(behind, moving);
+    for ((torque, spring), (moving, resting)) in torques.iter_mut().zip(springs).zip(moving.iter().zip(resting.iter()))
+    {
+        *torque = *torque + S::constant(spring.gain) * (*moving - *resting);
     }
 }

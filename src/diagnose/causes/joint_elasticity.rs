@@ -17,6 +17,8 @@ struct Link<'s, 'a> {
     slopes: std::sync::Arc<Slopes>,
     /// Torque on the link where it stands as its motor, N m.
     load: Vec<f64>,
+    /// What the load is less where the link stands as its motor, for the arm is not linear in the winding, N m.
+    bent: Vec<f64>,
     /// Its inertia, kg m^2.
     inertia: Vec<f64>,
     /// Of the inertia, the usual.
@@ -41,7 +43,7 @@ impl<'s, 'a> Link<'s, 'a> {
         let states = &scene.states[scene.seen[joint]];
         let acceleration = &states.ddq[joint * scene.len..(joint + 1) * scene.len];
         let load = scene.rigid[joint].iter().zip(acceleration).map(|(t, a)| t - rotor * a).collect();
-        Some(Self { scene, joint, slopes, load, inertia, usual })
+        Some(Self { scene, joint, slopes, load, bent: vec![0.0; scene.len], inertia, usual })
     }
 
     fn asked(&self, run: std::ops::Range<usize>) -> Asked<'_> {
@@ -85,7 +87,7 @@ impl<'s, 'a> Link<'s, 'a> {
         let adds = self.adds(j, &wound, run.clone());
         let (mut n, mut r) = ([[0.0; 2]; 2], [0.0; 2]);
         for (k, w) in run.clone().enumerate().filter(|(_, w)| scene.live[j][*w]) {
-            let left = scene.y[j][w] - scene.whole[j][w] - adds[k];
+            let left = scene.y[j][w] - scene.whole[j][w] - self.bent[w] - adds[k];
             for (a, way) in ways.iter().enumerate() {
                 r[a] += way[k] * left;
                 (0..2).for_each(|b| n[a][b] += way[k] * ways[b][k]);
@@ -133,7 +135,7 @@ impl Cause for JointElasticity {
         ]
     }
 
-    /// Where the spring takes most of what the joint's torque has left: resonances of 1.5 to 45 Hz, then finer about the best of them.
+    /// Where the spring takes most of what the joint's torque has left: resonances of 0.4 to 45 Hz, then finer about the best of them.
     fn grid(&self, scene: &Scene<'_>, place: &[usize], residual: &[Vec<f64>]) -> Vec<Vec<f64>> {
         let Some(link) = Link::new(scene, place[0]) else { return Vec::new() };
         let residual = &residual[place[0]];
@@ -142,7 +144,7 @@ impl Cause for JointElasticity {
             Spring { stiffness: w * w * link.usual, damping: 2.0 * ratio * w * link.usual }
         };
         let mut all: Vec<(f64, [f64; 2])> = Vec::new();
-        for frequency in geometric(1.5, 45.0, 24) {
+        for frequency in geometric(0.4, 45.0, 30) {
             let best =
                 [0.02, 0.08, 0.3].map(|ratio| (link.takes(spring(frequency, ratio), residual), [frequency, ratio]));
             all.extend(best.into_iter().max_by(|a, b| a.0.total_cmp(&b.0)));
@@ -184,14 +186,36 @@ impl Cause for JointElasticity {
     }
 
     fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
-        let Some(link) = Link::new(scene, place[0]) else { return Vec::new() };
+        let j = place[0];
+        let Some(mut link) = Link::new(scene, j) else { return Vec::new() };
         let least = 2.0 * LEAST * (shape[0] * link.usual).sqrt();
-        let wound = link.wound(Spring { stiffness: shape[0], damping: shape[1].max(least) });
-        let row = |of: usize| {
-            let runs = scene.runs.iter().zip(&wound);
-            runs.flat_map(|(run, wound)| link.adds(of, wound, run.clone())).collect::<Vec<f64>>()
+        let spring = Spring { stiffness: shape[0], damping: shape[1].max(least) };
+        let linear = |link: &Link<'_, '_>, wound: &[Wound]| -> Vec<Vec<f64>> {
+            let row = |of: usize| {
+                let runs = scene.runs.iter().zip(wound);
+                runs.flat_map(|(run, wound)| link.adds(of, wound, run.clone())).collect()
+            };
+            (0..scene.dof()).map(row).collect()
         };
-        vec![Term::new("swing", scene.column((0..scene.dof()).map(row).collect()), Sign::Positive)]
+        let mut wound = link.wound(spring);
+        let mut rows = linear(&link, &wound);
+        if wound.iter().flat_map(|w| &w[0]).any(|d| d.abs() > SMALL) {
+            // Once more with what the linear arm lacks.
+            let behind: [Vec<f64>; 3] = std::array::from_fn(|k| wound.iter().flat_map(|w| &w[k]).map(|x| -x).collect());
+            let mut lacks = scene.moved(j, &behind, 1.0);
+            lacks[j].iter_mut().zip(&behind[2]).for_each(|(t, a)| *t -= scene.rotors[j] * a);
+            for (lacks, row) in lacks.iter_mut().zip(&rows) {
+                lacks.iter_mut().zip(row).for_each(|(a, b)| *a -= b);
+            }
+            link.load.iter_mut().zip(&lacks[j]).for_each(|(load, more)| *load += more);
+            link.bent.clone_from(&lacks[j]);
+            wound = link.wound(spring);
+            rows = linear(&link, &wound);
+            for (row, lacks) in rows.iter_mut().zip(&lacks) {
+                row.iter_mut().zip(lacks).for_each(|(a, b)| *a += b);
+            }
+        }
+        vec![Term::new("swing", scene.column(rows), Sign::Positive)]
     }
 
     fn rests_on_model(&self) -> bool {
@@ -220,5 +244,7 @@ impl Cause for JointElasticity {
     }
 }
 
-/// Least damping ratio: below, what the motion was a minute ago would count.
-const LEAST: f64 = 0.005;
+/// Least damping ratio, as in the law of the file.
+const LEAST: f64 = dh_codegen::drive::LEAST_DAMPING;
+/// A winding beyond which the arm is not taken as linear in it, rad.
+const SMALL: f64 = 3e-3;

@@ -65,6 +65,8 @@ pub struct Laws {
     pub ripple: Vec<[f64; 3]>,
     /// `KE`, N m/rad.
     pub stiffness: Option<f64>,
+    /// `DE`, N m s/rad.
+    pub damping: f64,
     /// `BL`, rad.
     pub backlash: f64,
     /// `KS`, `QS`.
@@ -97,6 +99,7 @@ impl Laws {
             position: None,
             ripple: Vec::new(),
             stiffness: None,
+            damping: 0.0,
             backlash: 0.0,
             spring: None,
             couplings: Vec::new(),
@@ -115,7 +118,7 @@ impl Laws {
 
     /// Whether its torque depends on more than the present state.
     pub fn remembers(&self) -> bool {
-        self.hysteresis.is_some() || self.drift.is_some()
+        self.hysteresis.is_some() || self.drift.is_some() || self.stiffness.is_some()
     }
 
     fn take(&mut self, robot: &Robot, row: usize, effect: &Effect) {
@@ -137,7 +140,7 @@ impl Laws {
             }
             "position_dependent_friction" => self.position = Some(["PC", "PS", "PN"].map(of)),
             "torque_ripple" => self.ripple.extend(ripple(&given, joint.drive.gear_ratio)),
-            "joint_elasticity" => self.stiffness = Some(of("KE")),
+            "joint_elasticity" => (self.stiffness, self.damping) = (Some(of("KE")), of("DE")),
             "backlash" => self.backlash = of("BL"),
             "gear_coupling" => self.couplings.extend(coupling(robot, row, &given)),
             "torque_gain_error" => self.gain *= of("GT"),

@@ -3,6 +3,7 @@
 use core::fmt::Write;
 
 use crate::arm::Model;
+use crate::arm::param::Parameter;
 
 impl crate::robot::Laws {
     /// What its drive remembers by.
@@ -11,6 +12,11 @@ impl crate::robot::Laws {
         let [cold, time, per_kelvin, reference] =
             self.drift.map_or([0.0; 4], |d| [d.cold, d.time, d.per_kelvin, d.reference]);
         crate::drive::Memory { travel, cold, time, per_kelvin, reference }
+    }
+
+    /// The spring of its gear.
+    pub fn gear(&self) -> crate::drive::Spring {
+        crate::drive::Spring { stiffness: self.stiffness.unwrap_or(0.0), damping: self.damping, gain: self.gain }
     }
 }
 
@@ -38,7 +44,12 @@ pub(super) fn print(model: &Model) -> String {
         t,
         "/// What each joint's drive remembers by; zeros: nothing.\npub const DRIVE_MEMORY: [drive::Memory; DOF] = [\n{memory}];\n"
     );
-    t += r#"/// Torques at the sensors along a motion, with what the drives remember: bent bristles near reversals, gears that warm.
+    let swings = model.laws().iter().any(|l| l.stiffness.is_some());
+    if swings {
+        springs(model, &mut t);
+    }
+    let with = |text: &'static str| if swings { text } else { "" };
+    let drive = r#"/// Torques at the sensors along a motion, with what the drives remember: bent bristles near reversals, gears that warm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drive<S> {
     /// Where the joints were last, rad or m.
@@ -49,7 +60,7 @@ pub struct Drive<S> {
     pub since: S,
     /// Temperatures, degrees C; those at which nothing changes unless they are set.
     pub temperature: [S; DOF],
-}
+@FIELDS}
 
 impl<S: Real> Drive<S> {
     /// At the start of a motion: bristles are bent the way the joints go.
@@ -60,7 +71,7 @@ impl<S: Real> Drive<S> {
             bristle: dq.map(|v| v.sign()),
             since: S::default(),
             temperature: DRIVE_MEMORY.map(|m| S::constant(m.reference)),
-        }
+@NEW        }
     }
 
     /// Factor of each joint's friction now.
@@ -74,16 +85,72 @@ impl<S: Real> Drive<S> {
         let (old, bent) = (self.q, self.bristle);
         self.bristle = core::array::from_fn(|k| DRIVE_MEMORY[k].bent(bent[k], q[k] - old[k]));
         (self.q, self.since) = (*q, self.since + dt);
-        self.torques(dq, ddq, phi)
+@STEP        self.torques(dq, ddq, phi)
     }
 
     /// Torques where the joints are, N m.
     #[must_use]
     pub fn torques(&self, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; STANDARD]) -> [S; DOF] {
-        drive_torques(&self.q, dq, ddq, phi, &self.bristle, &self.warmth())
+@TORQUES
     }
 }
 
 "#;
+    let plain = "        drive_torques(&self.q, dq, ddq, phi, &self.bristle, &self.warmth())";
+    t += &drive
+        .replace("@FIELDS", with(FIELDS))
+        .replace("@NEW", with("            behind: None,\n"))
+        .replace("@STEP", with(STEP))
+        .replace("@TORQUES", if swings { TORQUES } else { plain });
     t
+}
+
+const FIELDS: &str =
+    "    /// Where the links stand behind their motors; `None` before the first step, and taken to hang at ease then.
+    pub behind: Option<[drive::Behind<S>; DOF]>,
+";
+
+const STEP: &str =
+    "        let mut bodies = |behind: &[drive::Behind<S>], out: &mut [S]| bodies(q, dq, ddq, phi, behind, out);
+        let mut room = [S::default(); DOF * (DOF + 2)];
+        let mut behind = self.behind.unwrap_or_default();
+        match self.behind {
+            Some(_) => drive::swing(&SPRINGS, dt, &mut behind, &mut room, &mut bodies),
+            None => drive::at_ease(&SPRINGS, &mut behind, &mut room[..DOF], &mut bodies),
+        }
+        self.behind = Some(behind);
+";
+
+const TORQUES: &str = "        let mut torques = drive_torques(&self.q, dq, ddq, phi, &self.bristle, &self.warmth());
+        if let Some(behind) = &self.behind {
+            let mut bodies = |behind: &[drive::Behind<S>], out: &mut [S]| bodies(&self.q, dq, ddq, phi, behind, out);
+            let (mut still, mut room) = ([[S::default(); 3]; DOF], [S::default(); 2 * DOF]);
+            drive::swung(&SPRINGS, behind, &mut still, &mut room, &mut torques, &mut bodies);
+        }
+        torques";
+
+/// Constants of the springs, and the torques of the arm behind them.
+fn springs(model: &Model, t: &mut String) {
+    let springs: String = model
+        .laws()
+        .iter()
+        .map(|l| {
+            let s = l.gear();
+            format!(
+                "    drive::Spring {{ stiffness: {:?}, damping: {:?}, gain: {:?} }},\n",
+                s.stiffness, s.damping, s.gain
+            )
+        })
+        .collect();
+    let of_drives = model.standard().iter().enumerate().filter(|(_, p)| matches!(p, Parameter::Drive(..)));
+    let of_drives: Vec<String> = of_drives.map(|(k, _)| k.to_string()).collect();
+    let _ = writeln!(
+        t,
+        "/// Springs between motors and links.\npub const SPRINGS: [drive::Spring; DOF] = [\n{springs}];\n"
+    );
+    let _ = writeln!(
+        t,
+        "/// Torques of the bodies alone where links stand behind their motors.\nfn bodies<S: Real>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; STANDARD], behind: &[drive::Behind<S>], out: &mut [S]) {{\n    let mut links = *phi;\n    for k in [{}] {{\n        links[k] = S::default();\n    }}\n    let less = |x: &[S; DOF], which: usize| -> [S; DOF] {{ core::array::from_fn(|k| x[k] - behind[k][which]) }};\n    out.copy_from_slice(&rigid_dynamics(&less(q, 0), &less(dq, 1), &less(ddq, 2), &links));\n}}\n",
+        of_drives.join(", ")
+    );
 }
