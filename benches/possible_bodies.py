@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-DENAVIT = os.path.join(ROOT, "target", "release", "denavit")
+DENAVIT = os.environ.get("DENAVIT", os.path.join(ROOT, "target", "release", "denavit"))
 DATA = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
 PLACE = tempfile.mkdtemp()
 
@@ -67,26 +67,33 @@ CALIBRATION = []
 
 
 def table(what, robot, splits, options=()):
-    held_out = []
+    held_out, better = [], []
     for fit, validate in splits:
         said = identify(robot, fit, validate, options)
         bodies = said["consistent"]["rms"]
         held_out.append([mean(v) for v in (said["rms"]["validate"], bodies["validate_possible"], bodies["validate"])])
+        against = said["consistent"]["against_plain"]
+        better.append((against["validate"] or {}).get("better", "open"))
+        if len(splits) == 1:
+            for where in ("validate", "left_out"):
+                if against[where]:
+                    low, high = against[where]["interval"]
+                    print(f"<!-- {what}: {where} {against[where]['percent']:+.1f} % ({low:+.1f} to {high:+.1f}) -->")
         for announced, here, there in zip(said["carry_over"]["ratio"], said["rms"]["fit"], said["rms"]["validate"]):
             if here and there:
                 CALIBRATION.append((math.inf if announced is None else announced, there / here))
     columns = [statistics.fmean(c) for c in zip(*held_out)]
     share = lambda k: f"{100 * (columns[k] / columns[0] - 1):+.1f} %"
     worst = lambda k: f"{100 * (max(h[k] / h[0] for h in held_out) - 1):+.0f} %"
-    row(what, str(len(held_out)), *(f"{c:.3f}" for c in columns), share(1), share(2), worst(1), worst(2))
+    row(what, str(len(held_out)), *(f"{c:.3f}" for c in columns), share(1), share(2), worst(1), worst(2), "/".join(str(better.count(b)) for b in ("bodies", "open", "plain")))
 
 
 def log(*path):
     return os.path.join(DATA, *path)
 
 
-row("log, splits", "fits", "plain", "possible", "with prior", "possible", "with prior", "worst split", "with prior")
-row(*["---"] * 9)
+row("log, splits", "fits", "plain", "possible", "with prior", "possible", "with prior", "worst split", "with prior", "told: bodies/open/plain")
+row(*["---"] * 10)
 
 lwr = robot("kuka-lwr4", lambda text: re.sub(r"(coulomb_friction: [0-9.]+) \}", r"\1, offset: 0 }", text))
 run, period, end = log("kuka-lwr4plus", "traj1.csv"), 4 * math.pi, 24.63
@@ -100,6 +107,27 @@ table("TX40, 3.5 s and 2.2 s", tx40, [parts(run, lambda t: t >= 3.5, "tx")])
 for k in (4, 5, 8):
     block = lambda b: (lambda t: int(k * t / 5.75) == b)
     table(f"TX40, {k} blocks", tx40, [parts(run, block(b), f"tx-{b}") for b in range(k)])
+
+GEAR = "gear_coupling: { joint: 5, KC: 1, IAM: 0.0077, FVM: 0.616, FCM: 1.956 }, "
+
+
+def with_gear(text):
+    """The wrist's gear, which the file lacks."""
+    at = text.index("drive: {", text.index("name: J6")) + len("drive: {")
+    return text[:at] + " " + GEAR + text[at:].lstrip()
+
+
+def with_rotors(text):
+    """And the rotors that it lacks: those of joints 1, 2 (where base parameters hold them too) and 6."""
+    return re.sub(r"drive: \{ (?!rotor)", "drive: { rotor_inertia: 0, ", text)
+
+
+for what, change in [("gear", with_gear), ("gear, rotors", lambda text: with_rotors(with_gear(text)))]:
+    other = robot("staubli-tx40", change)
+    table(f"TX40 with {what}, 3.5 s and 2.2 s", other, [parts(run, lambda t: t >= 3.5, "tx")])
+    for k in (4, 5, 8):
+        block = lambda b: (lambda t: int(k * t / 5.75) == b)
+        table(f"TX40 with {what}, {k} blocks", other, [parts(run, block(b), f"tx-{b}") for b in range(k)])
 
 names = ["chirp_j2", "chirp_j5j6j7", "chirp_j6", "motion_j2toj7", "motion_j3j4"]
 logs = {name: log("kuka-iiwa14", name + ".csv") for name in names}

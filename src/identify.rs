@@ -34,6 +34,7 @@ mod accuracy;
 mod batches;
 mod carry;
 mod consistent;
+mod disagree;
 mod essential;
 mod known;
 mod left_out;

@@ -13,8 +13,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use super::table::Table;
 use super::{Failure, files};
 use crate::log::csv;
-use crate::report;
 use crate::simulate::{Method, Mode, Recording, Request, Side, SimulateError, Simulator, Trajectory};
+use crate::{report, simulate};
 
 /// Play a motion on the simulated robot and record a log.
 ///
@@ -94,6 +94,9 @@ impl Simulate {
             request.control.mode = Mode::Free;
         }
         let trajectory = self.trajectory(file.robot.dof(), request.control.mode)?;
+        for doubt in simulate::doubts(&trajectory, &file.robot) {
+            eprintln!("denavit: note: {doubt}");
+        }
         let simulator = Simulator::new(&file.robot, &given.effects).map_err(|e| self.failed(e))?;
 
         let span = trajectory.span();

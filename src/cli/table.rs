@@ -59,7 +59,12 @@ impl Table {
         let file = &self.file;
         let column = self.columns.iter().find(|c| c.name == name).ok_or_else(|| {
             let known: Vec<&str> = self.columns.iter().map(|c| c.name.as_str()).take(30).collect();
-            Failure::input(format!("{file}, line 1: there is no column {name}; there are {}", known.join(", ")))
+            let mend = match known.as_slice() {
+                [one] if one.contains([';', '\t']) => "; put commas between the cells",
+                some if some.iter().all(|name| name.parse::<f64>().is_ok()) => "; the first line must name the columns",
+                _ => "",
+            };
+            Failure::input(format!("{file}, line 1: there is no column {name}; there are {}{mend}", known.join(", ")))
         })?;
         match &column.bad {
             Some((cell, line)) => Err(Failure::input(format!(

@@ -78,7 +78,7 @@ impl Errors {
     }
 }
 
-/// Compares base parameters `b` with `a` on these logs. `None` where there are fewer than three stretches, or no error at all.
+/// Compares base parameters `b` with `a` on these logs. `None` where there are fewer than four stretches, or no error at all.
 pub fn preference(logs: &[Factors], a: &[f64], b: &[f64]) -> Option<Preference> {
     let all = |log: &Factors| log.joints.iter().map(|j| j.batches.grams.len()).max().unwrap_or(0);
     compare(&logs.iter().map(|log| Errors::new(log, 0..all(log), [a, b])).collect::<Vec<_>>())
@@ -116,7 +116,7 @@ pub(super) fn compare(logs: &[Errors]) -> Option<Preference> {
         })
         .collect();
     let stretches = influences.iter().map(Vec::len).sum::<usize>();
-    if stretches < 3 {
+    if stretches < 4 {
         return None;
     }
     let lagged = |lag: usize| -> f64 {

@@ -1,7 +1,9 @@
 //! Factors of logs -> [`Identification`].
 
 use super::{
-    accuracy, essential,
+    accuracy,
+    disagree::disagree,
+    essential,
     essential::Essential,
     recover::base_of,
     result::{Condition, Confused, Estimate, Identification, LogSummary, Standing},
@@ -169,6 +171,7 @@ pub fn solve(
     if findings.is_empty() {
         findings = unexplained(&fitted);
     }
+    findings.extend(disagree(fit, &solution.weights, parameters.len()));
     let [weighted, scaled] = solution.small.conditions();
     let plain =
         Small::new(&stacked(&joints, &vec![1.0; joints.len()], &solution.active, parameters.len())).conditions()[0];

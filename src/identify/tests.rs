@@ -5,6 +5,7 @@ mod honesty;
 mod logs;
 mod speed;
 mod unexcited;
+mod wrong;
 
 use super::{
     Factors, Identification, IdentifySettings, Stack, StackSettings,

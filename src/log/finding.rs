@@ -130,6 +130,13 @@ pub enum Kind {
         /// Of the joint's torque (root mean square), percent.
         percent: f64,
     },
+    /// Logs that contradict each other.
+    Disagree {
+        /// What they leave when fitted together, in what they leave when each is fitted alone (root mean square).
+        times: f64,
+        /// The log that is most at odds with the others, where that can be told.
+        worst: Option<String>,
+    },
     /// No joint moves beyond the noise of its encoder.
     Standstill,
     /// Hardly any data.
@@ -220,10 +227,17 @@ impl Finding {
                 format!("segments too short to be filtered were left out: {samples} samples{times}")
             }
             Kind::BeyondLimit { reaches, limit, unit } => {
-                format!("reaches {} {unit}, where the robot file's limit is {} {unit}", plain(*reaches), plain(*limit))
+                format!("reaches {reaches:.4} {unit}, where the robot file's limit is {limit:.4} {unit}")
             }
             Kind::Unexplained { percent } => {
                 format!("the fitted model leaves {percent:.0} % of the torque unexplained")
+            }
+            Kind::Disagree { times, worst } => {
+                let worst =
+                    worst.as_ref().map_or(String::new(), |log| format!("; most at odds with the others is {log}"));
+                format!(
+                    "the logs contradict each other: fitted together they leave {times:.1} times the error of each fitted alone{worst}"
+                )
             }
             Kind::Standstill => "no joint moves: nothing but gravity in this posture can be told".into(),
             Kind::TooFew { samples } => format!("only {samples} samples"),
@@ -253,6 +267,9 @@ impl Finding {
             Kind::BeyondLimit { .. } => "look whether torques are in N m on the joint side, and of this robot",
             Kind::Unexplained { .. } => {
                 "look for columns that were swapped, a wrong sign or unit, another robot's log; `denavit diagnose` looks for what the model lacks"
+            }
+            Kind::Disagree { .. } => {
+                "look whether all are of this robot, with the same tool, and with columns and units alike; identify them apart to see which is wrong"
             }
             Kind::Standstill => "record a motion of all joints: `denavit excite` designs one",
             Kind::ShortSegments { .. } => "",

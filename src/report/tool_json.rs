@@ -108,6 +108,7 @@ pub fn tool_json(found: &Found, logs: &[Prepared], provenance: &Provenance) -> V
         }),
         "known_mass": carried.known_mass,
         "mass_std": carried.known_mass.map(|_| carried.mass_std),
+        "mass_of_logs": carried.mass_of_logs.map(|[mass, std]| serde_json::json!({ "M": mass, "std": std })),
         "robot_identified": carried.robot_identified,
         "body": body,
         "recognised": recognised,

@@ -40,7 +40,15 @@ pub fn tool_verdict(found: &Found) -> String {
                 .filter(|(_, s)| *s == Standing::NotIdentifiable)
                 .map(|(n, _)| n)
                 .collect();
-            if open.is_empty() {
+            if open.is_empty() && carried.values[0] < -3.0 * carried.std[0] {
+                let _ = write!(
+                    text,
+                    "The mass comes out as {} kg (± {}), surely below zero: something was taken off the arm. Are the logs of --unloaded and --loaded exchanged, or is \
+                     something on the arm that the robot file's parameters have in them? ",
+                    figure(carried.values[0]),
+                    digits(carried.std[0], 2)
+                );
+            } else if open.is_empty() {
                 let _ = write!(
                     text,
                     "The mass comes out as {} kg (± {}): there is nothing in the hand, or less than the noise lets see. ",
@@ -52,6 +60,17 @@ pub fn tool_verdict(found: &Found) -> String {
                     write!(text, "This data does not tell all of the ten parameters: {} are open. ", open.join(", "));
             }
         }
+    }
+    if let (Some(given), Some([mass, std])) = (carried.known_mass, carried.mass_of_logs)
+        && (given - mass).abs() > 4.0 * std.hypot(carried.mass_std)
+    {
+        let _ = write!(
+            text,
+            "The scale's {} kg contradict the logs, which say {} ± {} kg: look whether it is in kg, and of what hangs on the arm beyond the unloaded log. ",
+            figure(given),
+            figure(mass),
+            digits(std, 2)
+        );
     }
     if let Some(r) = &found.recognition {
         let (nearest, tools) = (r.nearest(), r.candidates.len());

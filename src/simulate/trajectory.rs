@@ -115,6 +115,32 @@ impl Trajectory {
         self.t[0]..self.t[self.t.len() - 1]
     }
 
+    /// Least and largest position of a joint's knots.
+    pub fn reach(&self, joint: usize) -> [f64; 2] {
+        let q = &self.q[joint * self.t.len()..(joint + 1) * self.t.len()];
+        q.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(*v), high.max(*v)])
+    }
+
+    /// The largest mean speed of a joint between two knots, and the time of the first of them, s.
+    pub fn fastest(&self, joint: usize) -> [f64; 2] {
+        let q = &self.q[joint * self.t.len()..(joint + 1) * self.t.len()];
+        let speeds = self.t.windows(2).zip(q.windows(2)).map(|(t, q)| [((q[1] - q[0]) / (t[1] - t[0])).abs(), t[0]]);
+        speeds.fold([0.0, self.t[0]], |most, one| if one[0] > most[0] { one } else { most })
+    }
+
+    /// How far a joint's velocities are from the slope of its positions: root mean square of the difference by that of the slope; zero where nothing moves.
+    pub fn off_slope(&self, joint: usize) -> f64 {
+        let knots = joint * self.t.len()..(joint + 1) * self.t.len();
+        let (q, dq) = (&self.q[knots.clone()], &self.dq[knots]);
+        let (mut off, mut all) = (0.0, 0.0);
+        for ((t, q), dq) in self.t.windows(2).zip(q.windows(2)).zip(dq.windows(2)) {
+            let (h, slope) = (t[1] - t[0], (q[1] - q[0]) / (t[1] - t[0]));
+            off += h * (slope - 0.5 * (dq[0] + dq[1])).powi(2);
+            all += h * slope * slope;
+        }
+        if all > 0.0 { (off / all).sqrt() } else { 0.0 }
+    }
+
     /// Whether torques were given.
     pub fn has_torques(&self) -> bool {
         !self.tau.is_empty()

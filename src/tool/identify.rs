@@ -91,6 +91,8 @@ pub struct Carried {
     pub known_mass: Option<f64>,
     /// Zero: it was taken as exact.
     pub mass_std: f64,
+    /// What the logs alone say of the mass where one was given, and its standard deviation, kg; `None` where they don't tell it.
+    pub mass_of_logs: Option<[f64; 2]>,
     /// Whether the robot's own parameters were identified along.
     pub robot_identified: bool,
     /// Mass, centre, principal axes; `None` where the data do not tell the mass or the first moments.
@@ -181,6 +183,17 @@ pub fn identify_tool(
         ..IdentifySettings::default()
     };
     let mut solved = solve(&unknown, &factors, &[], &solving)?;
+    let mass_of_logs = match (settings.known_mass, exact) {
+        (None, _) => None,
+        (Some(_), None) => mass_of(&solved),
+        // Without what the scale says.
+        (Some(_), Some(_)) => {
+            known[first] = None;
+            let free = Known::new(&whole, &known);
+            let factors: Vec<Factors> = unloaded.iter().chain(loaded).map(|log| free.factors(log)).collect();
+            solve(&free, &factors, &[], &solving).ok().and_then(|solved| mass_of(&solved))
+        }
+    };
     if let (Some(mass), None) = (settings.known_mass, exact) {
         weigh(&mut solved, mass, settings.mass_std)?;
     }
@@ -227,6 +240,7 @@ pub fn identify_tool(
         standing,
         known_mass: settings.known_mass,
         mass_std: settings.mass_std,
+        mass_of_logs,
         robot_identified: !unloaded.is_empty(),
         body: body.filter(|_| told.iter().all(|t| *t)),
         freedom: (solved.noise.effective_samples.iter().sum::<f64>() - count as f64).max(1.0),
@@ -235,6 +249,12 @@ pub fn identify_tool(
         beta,
         solved,
     })
+}
+
+/// The mass among all that was solved for, and its standard deviation; `None` where it is not told.
+fn mass_of(solved: &Identification) -> Option<[f64; 2]> {
+    let mass = solved.parameters.len().checked_sub(10).map(|at| &solved.parameters[at])?;
+    (mass.standing == Standing::Identified).then_some([mass.value, mass.std])
 }
 
 /// Takes in what a scale says of the mass, the first of the last ten parameters: the conditional mean and covariance of a normal distribution.

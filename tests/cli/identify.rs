@@ -144,6 +144,10 @@ fn the_json_has_what_the_contract_lists() {
             assert_eq!(numbers(&said[key][set]).len(), 7);
         }
     }
+    let against = &said["consistent"]["against_plain"]["validate"];
+    let [low, high] = [0, 1].map(|k| against["interval"][k].as_f64().unwrap());
+    let percent = against["percent"].as_f64().unwrap();
+    assert!(low <= percent && percent <= high && against["stretches"].as_u64().unwrap() > 3, "{against}");
     assert!(said["condition_number"].as_f64().unwrap() > 1.0);
     assert!(said["samples"].as_u64().unwrap() > 7000);
     // The low-pass takes most of the noise; its own error and that of the differences grow with the torque.

@@ -129,6 +129,18 @@ fn a_known_robot_and_a_scale_say_more() {
         assert_eq!(said["recognised"]["name"], "large-roller");
         assert_eq!(said["robot_identified"], false);
     }
+    // A scale that is good to so much is weighed against the logs: between the two, and surer than either.
+    let [mass, std] =
+        [0, 1].map(|k| if k == 0 { free["M"].as_f64().unwrap() } else { free["std"][0].as_f64().unwrap() });
+    let reads = mass + 2.0 * std;
+    let rough = alone(&["--known-mass", &reads.to_string(), "--mass-std", &std.to_string()]);
+    assert!((rough["M"].as_f64().unwrap() - (mass + std)).abs() < 1e-3 * std, "{rough}");
+    assert!((rough["std"][0].as_f64().unwrap() / std - 0.5f64.sqrt()).abs() < 1e-6);
+    assert!((rough["mass_of_logs"]["M"].as_f64().unwrap() - mass).abs() < 1e-12);
+    // Grams in place of kilograms contradict the logs, and the result says so; so does a hand that was loaded in the other log.
+    let said = |arguments: &[&str]| denavit(&[&["tool", ROBOT], arguments].concat()).out;
+    assert!(said(&["--loaded", &logs.large, "--known-mass", "200"]).contains("contradict the logs"));
+    assert!(said(&["--unloaded", &logs.large, "--loaded", &logs.empty]).contains("exchanged"));
     assert_eq!(weighed["M"], 0.2);
     assert_eq!(weighed["relative_std_percent"][0], 0.0);
     let std = |said: &Value, k: usize| said["std"][k].as_f64().unwrap();

@@ -326,3 +326,26 @@ fn the_announced_uncertainty_elsewhere_is_honest() {
         assert!((0.6..1.5).contains(&ratio), "joint {}: {ratio}", j + 1);
     }
 }
+
+/// Of a model that is right, the plain fit can be no better where it was not fitted, but for luck; a true and a wrong one are told apart.
+#[test]
+fn left_out_parts_tell_which_predicts_better() {
+    let (robot, arm) = file("kuka-lwr4");
+    let truth = param::standard_values(&robot).unwrap();
+    let logs = [factors(&arm, &motion(&arm, &truth, 8.0, 1.0, 31))];
+    let found = solve(&arm, &logs, &[], &IdentifySettings::default()).unwrap();
+    let links = robot.joints.len();
+    let drives: Vec<f64> = truth.iter().enumerate().map(|(k, v)| if k < 10 * links { 0.0 } else { *v }).collect();
+    let of = |prior: &[PriorBody], weight: f64| {
+        let settings = ConsistentSettings { prior_weight: weight, ..ConsistentSettings::default() };
+        crate::identify::left_out(&arm, &logs, &found, prior, &drives, &settings, Some(&truth)).unwrap()
+    };
+    // Little data, and bodies that are known: better than the plain fit beyond doubt.
+    let good = of(&prior_bodies(&bodies(&truth, links), &geometric_bodies(&arm.ends())), 1e3);
+    assert!(good.better() == crate::identify::Better::Second && good.stretches >= 8, "{good:?}");
+    // Bodies of the wrong size that are believed to 3 %.
+    let twice: Vec<Option<[f64; 10]>> =
+        bodies(&truth, links).into_iter().map(|b| b.map(|b| b.map(|v| 2.0 * v))).collect();
+    let bad = of(&prior_bodies(&twice, &geometric_bodies(&arm.ends())), 1e6);
+    assert_eq!(bad.better(), crate::identify::Better::First, "{bad:?}");
+}
