@@ -7,7 +7,7 @@ acceleration limit). SLSQP holds them at 51 times, two-sided: 2,142 constraints;
 
     pip install numpy scipy pin
     cargo build --release
-    python benches/excite_slsqp.py [cond|logdet] [iterations, 0: only ours] [seed]
+    OMP_NUM_THREADS=1 python benches/excite_slsqp.py [cond|logdet] [iterations, 0: only ours] [seeds, 5]
 """
 
 import json
@@ -15,6 +15,7 @@ import math
 import os
 import re
 import resource
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -30,7 +31,7 @@ DENAVIT = os.path.join(ROOT, "target", "release", "denavit")
 ROBOT = os.path.join(ROOT, "robots", "kuka-lwr4.yaml")
 CRITERION = sys.argv[1] if len(sys.argv) > 1 else "cond"
 ITERATIONS = int(sys.argv[2]) if len(sys.argv) > 2 else 60
-SEED = int(sys.argv[3]) if len(sys.argv) > 3 else 1
+SEEDS = range(1, 1 + (int(sys.argv[3]) if len(sys.argv) > 3 else 5))
 
 L1, L2, L3 = 0.3105, 0.40, 0.39
 ROWS = [(0, L1), (1, 0), (-1, L2), (-1, 0), (1, L3), (1, 0), (-1, 0)]  # alpha in quarter turns, r
@@ -90,44 +91,50 @@ def bounds():
     return np.array(rows)
 
 
-def slsqp():
+def slsqp(seed):
+    """From one random start: value, seconds, seconds of processor."""
     a = bounds()
-    x = np.random.default_rng(SEED).uniform(-1, 1, 77)
+    x = np.random.default_rng(seed).uniform(-1, 1, 77)
     x *= 0.8 / np.abs(a @ x).max()
-    calls = [0]
-
-    def f(x):
-        calls[0] += 1
-        return value(x)
-
-    print(f"SLSQP: {len(x)} variables, {len(a)} constraints, {len(COLUMNS)} columns, starts at {value(x):.2f}", flush=True)
     begun, cpu = time.time(), time.process_time()
-    done = minimize(f, x, method="SLSQP", constraints={"type": "ineq", "fun": lambda x: 1 - a @ x, "jac": lambda x: -a}, options={"maxiter": ITERATIONS})
-    print(f"SLSQP: {CRITERION} {done.fun:.3f} after {done.nit} iterations, {calls[0]} values, {time.time() - begun:.1f} s, {time.process_time() - cpu:.1f} s of processor; {done.message}", flush=True)
+    done = minimize(value, x, method="SLSQP", constraints={"type": "ineq", "fun": lambda x: 1 - a @ x, "jac": lambda x: -a}, options={"maxiter": ITERATIONS})
+    wall, cpu = time.time() - begun, time.process_time() - cpu
     worst = max(np.abs(b @ done.x.reshape(7, 11).T / limit).max() for b, limit in zip(SAMPLES, [POSITION, VELOCITY, ACCELERATION]))
-    print(f"SLSQP: at 1,001 samples, {100 * worst:.1f} % of a limit is used", flush=True)
-    return done.fun
+    print(f"SLSQP, seed {seed}: {CRITERION} {value(x):.1f} to {done.fun:.3f}, {done.nit} iterations, {done.nfev} values, {wall:.1f} s, {cpu:.1f} s of processor; {100 * worst:.1f} % of a limit at 1,001 samples; {done.message}", flush=True)
+    return done.fun, wall, cpu
 
 
-def denavit(target):
-    """The same limits, without ground, spheres and torques; ever more starts and steps. Time: the search, on all cores, as `denavit` says
-    it; processor time: of the whole program, with the robot's generation."""
+def excite(path, seed, *options):
+    """Value, seconds of the search on one core or more as the command says them, seconds of processor of the whole program."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    command = [DENAVIT, "excite", path, "--links-only", "--criterion", CRITERION, "--seed", str(seed), "--json", "-", *map(str, options)]
+    found = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+    assert found["feasible"]
+    return found["value"], found["seconds"], resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+
+def denavit(seeds, target):
+    """The same limits, without ground, spheres and torques; ever more starts and steps. Processor time of the search: of the program, less what it
+    takes to read the robot, build its tapes and make one step."""
     text = open(ROBOT).read()
     text = re.sub(r"\ncollision:.*", "\n", text, flags=re.S)
     text = re.sub(r"\nlinks:\n(  .*\n)*", "\n", text)
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "bare.yaml")
         open(path, "w").write(text)
-        for starts, steps in [(1, 15), (1, 30), (1, 60), (2, 30), (4, 30), (6, 30), (16, 90)]:
-            before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-            out = subprocess.run([DENAVIT, "excite", path, "--links-only", "--criterion", CRITERION, "--starts", str(starts), "--seed", str(SEED), "--iterations", str(steps), "--json", "-"], capture_output=True, text=True, check=True).stdout
-            cpu = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
-            found = json.loads(out)
-            print(f"denavit: {CRITERION} {found['value']:.3f} with --starts {starts} --iterations {steps}, {found['seconds']:.2f} s, {cpu:.2f} s of processor, limits kept between samples: {found['feasible']}", flush=True)
-            if target is not None and found["value"] < target:
-                print(f"denavit reaches SLSQP's value in {found['seconds']:.2f} s")
-                target = None
+        idle = statistics.median(excite(path, s, "--starts", 1, "--iterations", 1)[2] for s in seeds)
+        for starts, steps in [(1, 20), (1, 30), (1, 40), (1, 60), (1, 90), (4, 30), (6, 30), (16, 90)]:
+            runs = [excite(path, s, "--starts", starts, "--iterations", steps) for s in seeds]
+            value, wall, cpu = (statistics.median(r[k] for r in runs) for k in range(3))
+            less = "" if target is None or value >= target else ", less than SLSQP's median"
+            each = " ".join(f"{r[0]:.2f}" for r in runs)
+            print(f"denavit --starts {starts} --iterations {steps}: {CRITERION} {each}, median {value:.3f}{less}; {wall:.2f} s, {cpu - idle:.2f} s of processor", flush=True)
 
 
 if __name__ == "__main__":
-    denavit(None if ITERATIONS == 0 else slsqp())
+    target = None
+    if ITERATIONS > 0:
+        print(f"SLSQP: 77 variables, {len(bounds())} constraints, {len(COLUMNS)} columns")
+        target, wall, cpu = (statistics.median(r) for r in zip(*(slsqp(seed) for seed in SEEDS)))
+        print(f"SLSQP: median {target:.3f}, {wall:.1f} s, {cpu:.1f} s of processor")
+    denavit(SEEDS, target)

@@ -68,13 +68,13 @@ pub(super) struct Excite {
     #[arg(long, default_value_t = 3)]
     periods: usize,
     /// Random motions to begin with.
-    #[arg(long, default_value_t = 16)]
+    #[arg(long, default_value_t = 24)]
     starts: usize,
     /// Seed of the random motions.
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Steps of the solver per start, at most.
-    #[arg(long, default_value_t = 90)]
+    #[arg(long, default_value_t = 60)]
     iterations: usize,
     /// Threads; default: all cores. The result does not depend on it.
     #[arg(long)]
@@ -91,9 +91,13 @@ pub(super) struct Excite {
     /// Tell richer friction laws too: low and high speeds in both directions.
     #[arg(long)]
     friction: bool,
-    /// Standard deviation of the torque noise per joint, N m; one number for all, or one per joint. Weighs the joints; default: all the same.
+    /// Standard deviation of the torque noise per joint, N m, that the low-pass leaves (`identify` tells it); one number for all, or one per
+    /// joint. Weighs the joints; default: all the same, and for what is expected half a percent of the torque limit.
     #[arg(long, value_delimiter = ',', value_name = "NM")]
     noise: Vec<f64>,
+    /// The given --noise is that of the sensors, white, in logs of so many samples per second.
+    #[arg(long, value_name = "HZ", requires = "noise")]
+    log_rate: Option<f64>,
     /// Cut-off of the low-pass that logs will go through, Hz: noise has at most two independent values per period of it.
     #[arg(long, default_value_t = 10.0, value_name = "HZ")]
     cutoff: f64,
@@ -104,7 +108,7 @@ pub(super) struct Excite {
     #[arg(long, value_name = "PERCENT")]
     known_std: Option<f64>,
     /// Find the shortest motion, of at most --duration, after which every essential parameter is known to this share of itself, percent.
-    #[arg(long, value_name = "PERCENT")]
+    #[arg(long, value_name = "PERCENT", conflicts_with = "fourier")]
     target_std: Option<f64>,
     /// Time in which a joint without `acceleration` limit may reach its speed, s.
     #[arg(long, default_value_t = 0.5, value_name = "SECONDS")]
@@ -246,6 +250,7 @@ impl Excite {
             ("--acceleration-time", self.acceleration_time, 1e-3, 100.0),
             ("--speed", self.speed, 1.0, 100.0),
             ("--cutoff", self.cutoff, 0.01, 1e5),
+            ("--log-rate", self.log_rate.unwrap_or(1000.0), 1.0, 1e6),
             ("--time-limit", self.time_limit.unwrap_or(1.0), 0.0, 1e6),
         ];
         for (name, value, low, high) in positive {
@@ -307,19 +312,22 @@ impl Excite {
         }
         if let Some(share) = known_std {
             let values = known_values(task, share).ok_or_else(|| {
-                Failure::input(
-                    "--known-std: the robot file has no inertial parameters of all links; write them under `links`",
-                )
+                Failure::input(if self.tool {
+                    "--known-std: the robot file has no body in the hand; write its nominal `M`, `MS` and `I` under `tool`"
+                } else {
+                    "--known-std: the robot file has no inertial parameters of all links; write them under `links`"
+                })
             })?;
             task.prior = Some(task.prior.take().map_or(values.clone(), |p| p + values));
         }
         Ok(())
     }
 
-    /// Noise of successive samples is alike after a low-pass: as if it were larger and independent.
+    /// Independent noise of the criterion's samples that tells as much. Noise of successive samples is alike after a low-pass: as if it were
+    /// larger and independent. Of white noise, more samples per second leave less.
     fn per_sample(&self, noise: Vec<f64>) -> Vec<f64> {
-        let share = (2.0 * self.cutoff / CRITERION_RATE).min(1.0);
-        noise.into_iter().map(|s| s / share.sqrt()).collect()
+        let independent = self.log_rate.unwrap_or((2.0 * self.cutoff).min(CRITERION_RATE));
+        noise.into_iter().map(|s| s * (CRITERION_RATE / independent).sqrt()).collect()
     }
 
     fn provenance(&self, text: &str) -> Vec<(String, String)> {

@@ -32,7 +32,7 @@ pub struct Effort {
 impl Default for Effort {
     fn default() -> Self {
         let threads = std::thread::available_parallelism().map_or(1, usize::from);
-        Self { starts: 16, seed: 1, iterations: 90, finalists: 2, threads }
+        Self { starts: 24, seed: 1, iterations: 60, finalists: 2, threads }
     }
 }
 
@@ -135,7 +135,7 @@ pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Des
     let powers = task.criterion.powers();
     let starts = effort.starts.max(1);
     let kept = starts.div_ceil(3);
-    let finalists = effort.finalists.clamp(1, kept);
+    let finalists = effort.finalists.min(kept).max(1);
     let first = (effort.iterations / 4).max(1);
     let total = starts * first + kept * effort.iterations + finalists * 2 * effort.iterations;
     let counter = AtomicUsize::new(0);
@@ -309,10 +309,7 @@ fn assess(
     let power = task.criterion.powers().last().copied().unwrap_or(1.0);
     let minimised = information.judge(&task.criterion, power).map_or(f64::INFINITY, |j| j.0);
     if !minimised.is_finite() {
-        return Err(
-            "the motion tells nothing about some columns; make it longer, or leave the drives out with --links-only"
-                .into(),
-        );
+        return Err(untold(task, &information));
     }
     Ok(Design {
         value: task.criterion.reported(&scaled, minimised),
@@ -327,6 +324,25 @@ fn assess(
         history,
         starts,
     })
+}
+
+/// Why the criterion has no value: columns that no motion of this arm tells apart, or that this one does not.
+fn untold(task: &Task<'_>, information: &Information) -> String {
+    let columns = task.columns();
+    let names = |untold: &[usize]| untold.iter().map(|&k| columns.names()[k].as_str()).collect::<Vec<_>>().join(", ");
+    let never = Information::new(&columns, &start::anywhere(task), &task.scaling(1.0)).untold();
+    if never.is_empty() {
+        return format!(
+            "the motion tells nothing about {}; make it longer, or leave the drives out with --links-only",
+            names(&information.untold())
+        );
+    }
+    let instead =
+        if task.payload { "; identify the whole robot with the tool in its hand instead, without --tool" } else { "" };
+    format!(
+        "no motion of this arm tells {} apart: its torques depend on fewer combinations of them{instead}",
+        names(&never)
+    )
 }
 
 /// Calls `work` with `0..count` on some threads; results in order.

@@ -123,6 +123,14 @@ impl Information {
         }
     }
 
+    /// Columns that can't be told, each by itself or from one another: those with a part in the null space.
+    pub(super) fn untold(&self) -> Vec<usize> {
+        let (sigma, v, _) = self.singular(true);
+        let most = sigma.iter().fold(0.0_f64, |m, s| m.max(*s));
+        let null: Vec<usize> = (0..sigma.len()).filter(|&k| sigma[k].is_nan() || sigma[k] <= 1e-10 * most).collect();
+        (0..v.nrows()).filter(|&i| null.iter().any(|&k| v[(i, k)].abs() > 1e-4)).collect()
+    }
+
     /// Of each column, per unit of its parameter: RMS over the motion of its share in a joint's torque, in standard deviations of that torque's
     /// noise; of the joint where it is largest.
     pub(super) fn torque_shares(&self, columns: &Columns<'_>, scaling: &Scaling) -> Vec<f64> {
@@ -309,7 +317,7 @@ fn combine(row: &[Entry], factor: impl Fn(&Entry, &Entry) -> f64, values: &[f64]
 }
 
 /// By four accumulators, which vectorises and keeps the order of the sum fixed.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let (mut sums, even) = ([0.0; 4], a.len() / 4 * 4);
     for (x, y) in a[..even].chunks_exact(4).zip(b[..even].chunks_exact(4)) {
         for l in 0..4 {

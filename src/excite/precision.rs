@@ -27,12 +27,14 @@ impl Expected {
     }
 }
 
-/// Nominal values of the base parameters whose columns count.
+/// Nominal values of the base parameters whose columns count, then of the body in the tool frame where that counts and the file has it.
 pub fn nominal(task: &Task<'_>) -> Option<Vec<f64>> {
-    let standard = task.standard.as_ref()?;
     let base = task.arm.base_parameters();
-    let value = |b: &usize| base[*b].coefficients.iter().map(|&(i, c)| c * standard[i]).sum();
-    Some(task.base.iter().map(value).collect())
+    let standard = task.standard.as_deref();
+    let value = |b: &usize| base[*b].coefficients.iter().map(|&(i, c)| Some(c * standard?[i])).sum::<Option<f64>>();
+    let mut values = task.base.iter().map(value).collect::<Option<Vec<f64>>>()?;
+    values.extend(task.body.iter().filter(|_| task.payload).flatten());
+    Some(values)
 }
 
 /// What to expect after these states at the task's rate, with the task's noise (standard deviation per sample, as if noise of
@@ -69,7 +71,7 @@ pub fn known_from(task: &Task<'_>, played: &[States]) -> DMatrix<f64> {
 
 /// Information of nominal values that are known to this share of themselves. Those that are zero, or have no value, are not known.
 pub fn known_values(task: &Task<'_>, share: f64) -> Option<DMatrix<f64>> {
-    let values = nominal(task)?;
+    let values = nominal(task).filter(|values| !values.is_empty())?;
     let count = task.columns().count();
     let mut prior = DMatrix::zeros(count, count);
     for (k, value) in values.iter().enumerate().filter(|(_, v)| **v != 0.0) {

@@ -5,45 +5,131 @@ use crate::arm::{Gradient, States};
 use super::columns::Columns;
 use super::constraints::{Constraint, Constraints};
 use super::curve::Curve;
-use super::information::{Information, Scaling};
+use super::information::{Information, Scaling, dot};
 use super::subproblem::Row;
 use super::task::Task;
 
-/// Times at which something is evaluated, with the rows that lead from variables to states.
+/// Times at which something is evaluated, with what leads from variables to states. A variable moves a joint during a part of the time only.
 pub(super) struct Grid {
     pub(super) times: Vec<f64>,
-    /// Per derivative, `times * count`.
-    rows: [Vec<f64>; 3],
-    count: usize,
+    /// Per derivative and variable: the first time at which it counts, and its weights from there on.
+    weights: [Vec<(usize, Vec<f64>)>; 3],
 }
 
 impl Grid {
     pub(super) fn new(curve: &Curve, rate: f64) -> Self {
         let times = crate::trajectory::times(curve.design_duration(), rate);
-        let rows = [0, 1, 2].map(|order| times.iter().flat_map(|&t| curve.row(t, order)).collect());
-        Self { times, rows, count: curve.count() }
+        let weights = [0, 1, 2].map(|order| {
+            let rows: Vec<Vec<f64>> = times.iter().map(|&t| curve.row(t, order)).collect();
+            let of = |k: usize| {
+                let counts = |row: &Vec<f64>| row[k] != 0.0;
+                let first = rows.iter().position(counts).unwrap_or(0);
+                let end = rows.iter().rposition(counts).map_or(first, |last| last + 1);
+                (first, rows[first..end].iter().map(|row| row[k]).collect())
+            };
+            (0..curve.count()).map(of).collect()
+        });
+        Self { times, weights }
     }
 
     /// States of all joints at all times, for variables `x`.
     pub(super) fn states(&self, x: &[f64]) -> States {
         let len = self.times.len();
-        let part = |rows: &[f64]| -> Vec<f64> {
-            let joint = |x: &[f64]| -> Vec<f64> {
-                rows.chunks(self.count).map(|row| row.iter().zip(x).map(|(r, x)| r * x).sum()).collect()
-            };
-            x.chunks(self.count).flat_map(joint).collect()
+        let part = |weights: &[(usize, Vec<f64>)]| -> Vec<f64> {
+            let mut all = vec![0.0; x.len() / weights.len() * len];
+            for (to, x) in all.chunks_mut(len).zip(x.chunks(weights.len())) {
+                for ((first, weights), x) in weights.iter().zip(x) {
+                    to[*first..].iter_mut().zip(weights).for_each(|(to, w)| *to += w * x);
+                }
+            }
+            all
         };
-        States { len, q: part(&self.rows[0]), dq: part(&self.rows[1]), ddq: part(&self.rows[2]) }
+        let [q, dq, ddq] = &self.weights;
+        States { len, q: part(q), dq: part(dq), ddq: part(ddq) }
     }
 
-    /// Adds what a derivative by the state of joint `j` at time `s` is by the variables of that joint.
-    fn back(&self, s: usize, by: [f64; 3], to: &mut [f64]) {
-        for (rows, by) in self.rows.iter().zip(by) {
-            if by != 0.0 {
-                let row = &rows[s * self.count..(s + 1) * self.count];
-                to.iter_mut().zip(row).for_each(|(to, r)| *to += by * r);
+    /// From derivatives by the states at all times to those by the variables.
+    fn pull(&self, by: &Gradient) -> Vec<f64> {
+        let len = self.times.len();
+        let mut to = vec![0.0; by.q.len() / len * self.weights[0].len()];
+        for (weights, by) in self.weights.iter().zip([&by.q, &by.dq, &by.ddq]) {
+            for (to, by) in to.chunks_mut(weights.len()).zip(by.chunks(len)) {
+                for (to, (first, weights)) in to.iter_mut().zip(weights) {
+                    *to += dot(&by[*first..*first + weights.len()], weights);
+                }
             }
         }
+        to
+    }
+
+    /// Adds what a derivative by the state of one joint at time `s` is by the variables of that joint.
+    fn back(&self, s: usize, by: [f64; 3], to: &mut [f64]) {
+        for (weights, by) in self.weights.iter().zip(by).filter(|(_, by)| *by != 0.0) {
+            for (to, (first, weights)) in to.iter_mut().zip(weights) {
+                *to += by * s.checked_sub(*first).and_then(|s| weights.get(s)).unwrap_or(&0.0);
+            }
+        }
+    }
+}
+
+/// Bounds of a derivative, the same rows for every joint.
+struct Bounds {
+    order: usize,
+    rows: Vec<Weights>,
+    /// How much of the half range the rows may use.
+    share: f64,
+}
+
+/// A row without the zeros at its ends.
+struct Weights {
+    /// First variable of the joint that has a weight.
+    first: usize,
+    values: Vec<f64>,
+    /// Sum of sizes, and the largest.
+    sum: f64,
+    size: f64,
+}
+
+impl Weights {
+    fn new(row: &[f64]) -> Self {
+        let first = row.iter().position(|v| *v != 0.0).unwrap_or(0);
+        let end = row.iter().rposition(|v| *v != 0.0).map_or(first, |last| last + 1);
+        let values = row[first..end].to_vec();
+        let (sum, size) = values.iter().fold((0.0, 0.0_f64), |(sum, size), v| (sum + v.abs(), size.max(v.abs())));
+        Self { first, values, sum, size }
+    }
+}
+
+/// A bound that a step could break.
+pub(super) struct Bound<'p> {
+    weights: &'p Weights,
+    /// First variable.
+    first: usize,
+    sign: f64,
+    /// How far the bound is.
+    room: f64,
+    /// How far a step could go.
+    reach: f64,
+}
+
+impl Bound<'_> {
+    /// Could a step that goes this share of its way break it?
+    pub(super) fn near(&self, share: f64) -> bool {
+        self.room < share * self.reach
+    }
+
+    /// Does this step break it?
+    pub(super) fn broken(&self, d: &[f64]) -> bool {
+        let values = &self.weights.values;
+        let value: f64 = values.iter().zip(&d[self.first..]).map(|(r, d)| r * d).sum();
+        self.sign * value > self.room * (1.0 + 1e-6) + 1e-12 * self.weights.size
+    }
+
+    /// A row of unit size, as the solver likes them.
+    pub(super) fn row(&self) -> Row {
+        let Weights { values, size, .. } = self.weights;
+        let values = values.iter().map(|r| self.sign * r / size).collect();
+        Row { first: self.first, values, bound: self.room / size, soft: false }
     }
 }
 
@@ -59,8 +145,7 @@ pub(super) struct Program<'a> {
     pub(super) guard: Grid,
     pub(super) list: Vec<Constraint>,
     constraints: Constraints<'a>,
-    /// Rows of one joint and how much of the half range they may use, per derivative.
-    bounds: Vec<(usize, Vec<Vec<f64>>, f64)>,
+    bounds: Vec<Bounds>,
     count: usize,
     /// Divides the criterion, so that values are of order one per column.
     unit: f64,
@@ -69,7 +154,7 @@ pub(super) struct Program<'a> {
 impl<'a> Program<'a> {
     /// `measure`: samples per second of the criterion; `guard`: of the constraints; `refine`: hull pieces per interval.
     pub(super) fn new(task: &'a Task<'a>, measure: f64, guard: f64, refine: usize) -> Self {
-        let columns = task.smooth_columns();
+        let columns = task.smooth_columns(measure);
         let constraints = task.constraints();
         let list = constraints.list();
         let orders = 0..=3;
@@ -77,7 +162,7 @@ impl<'a> Program<'a> {
             .filter(|&order| task.limits.iter().any(|l| l.range(order).is_some()))
             .map(|order| {
                 let bound = task.curve.bound(order, refine);
-                (order, bound.rows, bound.share)
+                Bounds { order, rows: bound.rows.iter().map(|row| Weights::new(row)).collect(), share: bound.share }
             })
             .collect();
         let unit = match task.criterion {
@@ -117,13 +202,7 @@ impl<'a> Program<'a> {
         let (n, len) = (self.task.dof(), states.len);
         let mut by = Gradient { q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };
         information.pull(&self.columns, &states, &self.scaling, &slope, &mut by);
-        let mut gradient = vec![0.0; self.variables()];
-        for (j, to) in gradient.chunks_mut(self.count).enumerate() {
-            for s in 0..len {
-                let at = j * len + s;
-                self.measure.back(s, [by.q[at], by.dq[at], by.ddq[at]], to);
-            }
-        }
+        let mut gradient = self.measure.pull(&by);
         gradient.iter_mut().for_each(|g| *g /= self.unit);
         gradient.iter().all(|g| g.is_finite()).then_some((value / self.unit, gradient))
     }
@@ -179,33 +258,29 @@ impl<'a> Program<'a> {
         sum
     }
 
-    /// Calls with joint, row, lower and upper bound of every bound of position and its derivatives.
-    fn each_bound(&self, mut visit: impl FnMut(usize, &[f64], f64, f64)) {
-        for (order, rows, share) in &self.bounds {
+    /// Calls with first variable, row, lower and upper bound of every bound of position and its derivatives.
+    fn each_bound<'p>(&'p self, mut visit: impl FnMut(usize, &'p Weights, f64, f64)) {
+        for Bounds { order, rows, share } in &self.bounds {
             for (j, limits) in self.task.limits.iter().enumerate() {
                 let Some([low, high]) = limits.range(*order) else { continue };
                 let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
                 let half = half * share * if *order == 0 { 1.0 } else { self.task.share } * (1.0 - 1e-6);
                 for row in rows {
-                    visit(j, row, middle - half, middle + half);
+                    visit(j * self.count + row.first, row, middle - half, middle + half);
                 }
             }
         }
     }
 
-    /// Bounds on a step `d` from `x` that a step of size `radius` could break, with how far it could take them.
-    pub(super) fn bound_rows(&self, x: &[f64], radius: f64) -> Vec<(Row, f64)> {
+    /// Bounds that a step from `x` of size `radius` could break.
+    pub(super) fn bounds(&self, x: &[f64], radius: f64) -> Vec<Bound<'_>> {
         let mut out = Vec::new();
-        self.each_bound(|j, row, low, high| {
-            let value: f64 = row.iter().zip(&x[j * self.count..]).map(|(r, x)| r * x).sum();
-            let reach = radius * row.iter().map(|r| r.abs()).sum::<f64>();
-            // Rows of unit size, as the solver likes them.
-            let size = row.iter().fold(0.0_f64, |m, r| m.max(r.abs()));
+        self.each_bound(|first, weights, low, high| {
+            let value: f64 = weights.values.iter().zip(&x[first..]).map(|(r, x)| r * x).sum();
+            let reach = radius * weights.sum;
             for (sign, room) in [(1.0, high - value), (-1.0, value - low)] {
                 if room < reach {
-                    let values = row.iter().map(|r| sign * r / size).collect();
-                    let row = Row { first: j * self.count, values, bound: room / size, soft: false };
-                    out.push((row, reach / size));
+                    out.push(Bound { weights, first, sign, room, reach });
                 }
             }
         });
@@ -215,8 +290,8 @@ impl<'a> Program<'a> {
     /// The largest share of the way from `x` along `d` that the bounds allow.
     pub(super) fn room(&self, x: &[f64], d: &[f64]) -> f64 {
         let mut share: f64 = 1.0;
-        self.each_bound(|j, row, low, high| {
-            let at = |v: &[f64]| -> f64 { row.iter().zip(&v[j * self.count..]).map(|(r, v)| r * v).sum() };
+        self.each_bound(|first, weights, low, high| {
+            let at = |v: &[f64]| -> f64 { weights.values.iter().zip(&v[first..]).map(|(r, v)| r * v).sum() };
             let (value, step) = (at(x), at(d));
             if value + step > high {
                 share = share.min((high - value).max(0.0) / step);

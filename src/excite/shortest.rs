@@ -53,7 +53,7 @@ pub fn shortest(task: &Task<'_>, percent: f64, effort: &Effort, watch: &Watch<'_
     };
     let (found, values, worst) = attempt(duration)?;
     let Some((name, reached)) = worst else {
-        return Err("no parameter is essential at this noise, or the file has no nominal values; give `links`".into());
+        return Err(no_share_of_itself(task, &values));
     };
     if reached > percent || !found.feasible {
         return Err(format!(
@@ -74,6 +74,17 @@ pub fn shortest(task: &Task<'_>, percent: f64, effort: &Effort, watch: &Watch<'_
         }
     }
     Ok(Shortest { design: best.0, expected: best.1, tried })
+}
+
+/// Why no parameter's share of itself can be told.
+fn no_share_of_itself(task: &Task<'_>, values: &[Expected]) -> String {
+    let unknown = values.iter().all(|e| e.value.is_none());
+    match (unknown, task.payload) {
+        (true, true) => "a share of what? The robot file has no body in the hand; write the nominal `M`, `MS` and `I` under `tool`",
+        (true, false) => "a share of what? The robot file has no inertial parameters of all links; write nominal ones under `links`",
+        _ => "no parameter's share in a torque stands out of the noise, however long the motion: none is essential; give the noise that the low-pass leaves with --noise",
+    }
+    .into()
 }
 
 /// The states of a motion at a rate.

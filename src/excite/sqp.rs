@@ -6,11 +6,13 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::program::{Program, Watched};
+use super::program::{Bound, Program, Watched};
 use super::subproblem::{self, Row, Step};
 
 /// Bounds that this share of a step's reach could break are given to the subproblem at once.
 const NEAR: f64 = 0.25;
+/// No update shrinks what is known of the curvature further than this.
+const SHRINK: f64 = 0.85;
 
 /// Settings of one run.
 #[derive(Debug, Clone, Copy)]
@@ -179,20 +181,15 @@ fn bounded(
     radius: f64,
 ) -> Option<Step> {
     let soft = rows.len();
-    let all = program.bound_rows(x, radius);
-    let (near, mut far): (Vec<_>, Vec<_>) = all.into_iter().partition(|(row, reach)| row.bound < NEAR * reach);
-    rows.extend(near.into_iter().map(|(row, _)| row));
+    let (near, mut far): (Vec<_>, Vec<_>) = program.bounds(x, radius).into_iter().partition(|bound| bound.near(NEAR));
+    rows.extend(near.iter().map(Bound::row));
     loop {
         let step = subproblem::solve(hessian, gradient, &rows, penalty, radius)?;
-        let broken = |row: &Row| {
-            let value: f64 = row.values.iter().zip(&step.d[row.first..]).map(|(r, d)| r * d).sum();
-            value > row.bound + 1e-6 * row.bound.abs() + 1e-12
-        };
-        let (more, rest): (Vec<_>, Vec<_>) = far.into_iter().partition(|(row, _)| broken(row));
+        let (more, rest): (Vec<_>, Vec<_>) = far.into_iter().partition(|bound| bound.broken(&step.d));
         if more.is_empty() {
             return Some(Step { multipliers: step.multipliers[..soft].to_vec(), ..step });
         }
-        rows.extend(more.into_iter().map(|(row, _)| row));
+        rows.extend(more.iter().map(Bound::row));
         far = rest;
     }
 }
@@ -233,7 +230,8 @@ fn norm(x: &[f64]) -> f64 {
     x.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// BFGS with Powell's damping (Nocedal and Wright, procedure 18.2).
+/// BFGS with Powell's damping (Nocedal and Wright, procedure 18.2). The criteria bend downwards along most steps, and a matrix that is
+/// positive definite bends too much; so all of it shrinks first, as far as the step says (Oren and Luenberger, Management Science 20, 1974).
 fn update(hessian: &mut DMatrix<f64>, s: &DVector<f64>, y: &DVector<f64>, fresh: &mut bool) {
     let sy = s.dot(y);
     if *fresh && sy > 0.0 {
@@ -242,11 +240,15 @@ fn update(hessian: &mut DMatrix<f64>, s: &DVector<f64>, y: &DVector<f64>, fresh:
         *hessian = DMatrix::identity(n, n) * (y.norm_squared() / sy).clamp(1e-6, 1e6);
         *fresh = false;
     }
-    let bs = &*hessian * s;
-    let sbs = s.dot(&bs);
+    let mut bs = &*hessian * s;
+    let mut sbs = s.dot(&bs);
     if sbs <= 0.0 || !sbs.is_finite() {
         return;
     }
+    let scale = (sy / sbs).clamp(SHRINK, 1.0);
+    *hessian *= scale;
+    bs *= scale;
+    sbs *= scale;
     let theta = if sy >= 0.2 * sbs { 1.0 } else { 0.8 * sbs / (sbs - sy) };
     let r = y * theta + &bs * (1.0 - theta);
     let sr = s.dot(&r);

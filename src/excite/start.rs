@@ -45,6 +45,17 @@ pub(super) fn home(task: &Task<'_>) -> Result<Vec<f64>, Worst> {
     Ok((0..n).map(|j| states.q[j * len + best.1]).collect())
 }
 
+/// Random states inside the limits, rest left out: what they do not tell, no motion does.
+pub(super) fn anywhere(task: &Task<'_>) -> States {
+    let (n, len) = (task.dof(), 500);
+    let mut random = Random::new(11, 0);
+    let mut draw = |order: usize| -> Vec<f64> {
+        let range = |j: usize| task.limits[j].range(order).unwrap_or([-1.0, 1.0]);
+        (0..n * len).map(|k| random.uniform(range(k / len)[0], range(k / len)[1])).collect()
+    };
+    States { len, q: draw(0), dq: draw(1), ddq: draw(2) }
+}
+
 /// A random motion about a posture.
 pub(super) fn random_motion(task: &Task<'_>, program: &Program<'_>, home: &[f64], seed: u64, stream: u64) -> Vec<f64> {
     let mut random = Random::new(seed, stream.wrapping_add(100));

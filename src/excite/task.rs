@@ -38,6 +38,8 @@ pub struct Task<'a> {
     pub base: Vec<usize>,
     /// With the ten columns of a body in the tool frame.
     pub payload: bool,
+    /// Nominal parameters of that body, `M MSX .. YZ`: those of the file's tool.
+    pub body: Option<[f64; 10]>,
     /// Further columns.
     pub extra: Option<&'a dyn Extra>,
     /// Standard deviation of each joint's torque noise, N m; all 1: plain equation (9).
@@ -113,6 +115,7 @@ impl<'a> Task<'a> {
             curve: Curve::Spline { duration, intervals: (duration.round() as usize).max(1) },
             criterion: Criterion::LogDet,
             payload: false,
+            body: robot.tool.as_ref().and_then(|tool| tool.inertia).map(|inertia| inertia.to_array()),
             extra: None,
             scale: Vec::new(),
             prior: None,
@@ -182,9 +185,11 @@ impl<'a> Task<'a> {
         Columns::new(self.arm, &self.base, self.payload, self.extra)
     }
 
-    /// The columns with Coulomb's sign made smooth: over two percent of the largest speed.
-    pub(super) fn smooth_columns(&self) -> Columns<'a> {
-        self.columns().smooth(self.limits.iter().map(|l| 0.02 * l.velocity).collect())
+    /// The columns with Coulomb's sign made smooth: over two percent of the largest speed, and over what a speed can change in half the time
+    /// between two samples, so that no turning round falls between them.
+    pub(super) fn smooth_columns(&self, rate: f64) -> Columns<'a> {
+        let turn = |l: &JointLimits| (0.02 * l.velocity).max(0.5 * l.acceleration / rate);
+        self.columns().smooth(self.limits.iter().map(turn).collect())
     }
 
     pub(super) fn scaling(&self, repeat: f64) -> Scaling {

@@ -151,7 +151,7 @@ fn bars(found: &Experiment) -> String {
         tick += step;
     }
     let bar = |into: &mut String, slot: usize, k: usize, value: f64, floor: Option<f64>, class: &str| {
-        let wide = group / 4.2;
+        let wide = group / (found.fig6.len() as f64 + 1.2);
         let x = left + slot as f64 * group + (k as f64 + 0.6) * wide;
         let _ = writeln!(
             into,

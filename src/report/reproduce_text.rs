@@ -11,6 +11,7 @@ use crate::reproduce::diagnosis::Battery;
 use crate::reproduce::fig6::{self, mean};
 use crate::reproduce::fig10::{PAPER_RMS, PAPER_SEVENTH};
 use crate::reproduce::honesty::ASKED;
+use crate::reproduce::motions::LINKS;
 use crate::reproduce::table2;
 use crate::reproduce::table3::{self, Repeated};
 use crate::reproduce::{Excitation, Experiment, Force, Painting, Share, Verdict};
@@ -200,11 +201,12 @@ fn fig6(found: &Experiment) -> Table {
     Table {
         title: "Fig. 6: held-out torque error, mean over the joints of the RMS, N m".into(),
         note: format!(
-            "Noise only, mean over {} runs with other noise: the floor is {} N m, what the low-pass leaves of the sensors' noise; an error above it by more than 5 % must be explained: by what the true parameters show as well (the chain) and by the parameters' own uncertainty after 10 s. With effects that the model has not (hysteresis, ripple, elasticity: sizes of the order of real arms', the same for all three, so that the order of the motions tells more than the size), from best to worst: {}; {same}{}.",
+            "Noise only, mean over {} runs with other noise: the floor is {} N m, what the low-pass leaves of the sensors' noise; an error above it by more than 5 % must be explained: by what the true parameters show as well (the chain) and by the parameters' own uncertainty after 10 s. With effects that the model has not (hysteresis, ripple, elasticity: sizes of the order of real arms', the same for all three, so that the order of the motions tells more than the size), from best to worst: {}; {same}{}. `{}` is the condition number of the links' columns alone, as in Fig. 5; the paper does not say whether its J_c has friction's. A Coulomb column is 1 in size however the arm moves, and least told from its viscous neighbour: with both, a smaller condition number asks for smaller columns of the links, not for more of everything.",
             fig6::RUNS,
             digits(mean(&found.floor), 3),
             ours.join(", "),
             if ours == paper { String::new() } else { format!(": {}", paper.join(", ")) },
+            LINKS,
         ),
         head: vec![
             "motion",

@@ -11,7 +11,7 @@ use crate::tool::rerun::PAPER_TORQUE_NOISE;
 /// A motion and its figures.
 #[derive(Debug, Clone)]
 pub struct Motion {
-    /// `cond`, `logdet`, `hadamard`; `tool`; `validate`.
+    /// `cond`, `logdet`, `hadamard`; [`LINKS`]; `tool`; `validate`.
     pub name: &'static str,
     /// Length, s.
     pub seconds: f64,
@@ -29,22 +29,25 @@ pub struct Motion {
 pub const CRITERIA: [(&str, Criterion); 3] =
     [("cond", Criterion::Condition), ("logdet", Criterion::LogDet), ("hadamard", Criterion::Hadamard)];
 
+/// The motion by the condition number of the links' columns, friction's left out: the paper does not say which of the two its `J_c` is.
+pub const LINKS: &str = "cond of links";
+
 /// Length of an exciting motion, s (section III.D), and of the one that validates (section III.E).
 const SECONDS: [f64; 2] = [10.0, 20.0];
 /// Time in which joints without a limit of acceleration (the LWR's are not published) may reach their speed, s.
 pub(super) const ACCELERATION_TIME: f64 = 0.5;
 
-/// Designs all five: the three criteria's, one for what the hand carries (log det of equation 7's loaded part, joints weighted by their noise; the
+/// Designs all six: the three criteria's, the condition number's without friction, one for what the hand carries (log det of equation 7's loaded part, joints weighted by their noise; the
 /// paper does not say how it moved its rollers), and last the one that validates. The seed says which random motions the search starts with.
 pub fn motions(lwr: &Lwr, seed: u64, watch: Watch<'_>) -> Result<Vec<Motion>, ReproduceError> {
     let arm = Differentiated::new(&lwr.robot);
-    let asked = CRITERIA.into_iter().chain([("tool", Criterion::LogDet)]);
+    let asked = CRITERIA.into_iter().chain([(LINKS, Criterion::Condition), ("tool", Criterion::LogDet)]);
     let asked = asked.map(|(name, criterion)| (name, criterion, SECONDS[0], 4, seed));
     // Large and fast, for another criterion's sake and from other starts than what is judged on it.
     let validate = ("validate", Criterion::Hadamard, SECONDS[1], 1, seed ^ 0x5eed);
     let mut all = Vec::new();
     for (k, (name, criterion, seconds, starts, seed)) in asked.chain([validate]).enumerate() {
-        let tell = |share: f64| watch(&format!("designing {name}"), (k as f64 + share) / 5.0);
+        let tell = |share: f64| watch(&format!("designing {name}"), (k as f64 + share) / 6.0);
         all.push(designed(lwr, &arm, name, criterion, seconds, Effort { starts, seed, ..Effort::default() }, &tell)?);
     }
     Ok(all)
@@ -63,6 +66,9 @@ pub(super) fn designed(
     let failed = |why: String| ReproduceError::Design { what: format!("the motion `{name}`"), why };
     let mut task = Task::new(arm, &lwr.robot, seconds, ACCELERATION_TIME).map_err(failed)?;
     task.criterion = criterion;
+    if name == LINKS {
+        task.links_only();
+    }
     if name == "tool" {
         task.payload = true;
         task.base.clear();

@@ -106,6 +106,9 @@ fn wrong_uses_end_with_2() {
         (vec!["excite", ROBOT, "--duration", "-1"], "--duration"),
         (vec!["excite", ROBOT, "--duration", "NaN"], "--duration"),
         (vec!["excite", ROBOT, "--noise", "1,2"], "--noise"),
+        (vec!["excite", ROBOT, "--log-rate", "1000"], "--noise"),
+        (vec!["excite", ROBOT, "--noise", "1", "--log-rate", "0"], "--log-rate"),
+        (vec!["excite", ROBOT, "--fourier", "3", "--target-std", "5"], "--fourier"),
         (vec!["excite", ROBOT, "--criterion", "best"], "--criterion"),
         (vec!["excite", ROBOT, "--duration", "500", "--spacing", "0.1"], "--spacing"),
         (vec!["excite", ROBOT, "--check", &bad], "line 2, column `q7`"),
@@ -139,4 +142,63 @@ fn what_the_file_does_not_say_is_said_once() {
     assert!(run.out.contains("not checked: self-collision"), "{}", run.out);
     let verdict = json(&["excite", "robots/planar2r.yaml", "--check", &path, "--json", "-"]);
     assert!(verdict["unchecked"].as_array().unwrap().len() >= 2, "{verdict}");
+}
+
+/// `--target-std` is kept: errors of what is identified from the motion, played with that noise, are as large as was promised.
+#[test]
+fn what_is_promised_is_found_again() {
+    let folder = folder("excite_promise");
+    let path = |name: &str| folder.join(name).display().to_string();
+    let (motion, log) = (path("motion.csv"), path("log.csv"));
+    let sensors = file(&folder, "sensors.yaml", "sensors: { rate: 1000, torque_noise: [0.3, 0.1] }\n");
+    let robot = "robots/planar2r.yaml";
+    let asked = ["--target-std", "5", "--duration", "8", "--noise", "0.3,0.1", "--log-rate", "1000"];
+    let quick = ["--starts", "2", "--iterations", "12", "--out", &motion, "--json", "-"];
+    let found = json(&[&["excite", robot], &asked[..], &quick[..]].concat());
+    let tried = found["tried"].as_array().unwrap();
+    assert!(tried.len() > 1 && found["duration"].as_f64().unwrap() < 8.0, "{tried:?}");
+    let essential: Vec<_> = found["expected"].as_array().unwrap().iter().filter(|e| e["essential"] == true).collect();
+    assert!(essential.len() >= 4, "{essential:?}");
+    assert!(essential.iter().all(|e| e["relative_std_percent"].as_f64().unwrap() <= 5.0), "{essential:?}");
+
+    let runs = 8;
+    let mut sum = 0.0;
+    for seed in 1..=runs {
+        let seed = seed.to_string();
+        let play =
+            ["--trajectory", &motion, "--effects", &sensors, "--control", "exact", "--seed", &seed, "--out", &log];
+        let run = denavit(&[&["simulate", robot], &play[..]].concat());
+        assert_eq!(run.status, Some(0), "{}", run.err);
+        let identified = json(&["identify", robot, &log, "--consistent=never", "--json", "-"]);
+        let value = |name: &str| {
+            let all = identified["parameters"].as_array().unwrap();
+            all.iter().find(|p| p["name"] == name).unwrap()["value"].as_f64().unwrap()
+        };
+        for e in &essential {
+            let number = |key: &str| e[key].as_f64().unwrap();
+            sum += ((value(e["name"].as_str().unwrap()) - number("value")) / number("std")).powi(2);
+        }
+    }
+    let spread = (sum / f64::from(runs) / essential.len() as f64).sqrt();
+    assert!((0.6..1.6).contains(&spread), "errors are {spread} times what was promised");
+}
+
+#[test]
+fn a_tool_needs_nominal_values_for_a_target_and_an_arm_that_can_tell_it() {
+    let folder = folder("excite_tool");
+    let lwr = std::fs::read_to_string(PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(ROBOT)).unwrap();
+    let tool = "\ntool: { name: box, M: 2, MS: [0.05, 0.04, 0.2], I: [0.05, 0.05, 0.02, -0.003, -0.004, -0.003] }\n";
+    let loaded = file(&folder, "loaded.yaml", lwr + tool);
+    let asked = ["--tool", "--target-std", "10", "--duration", "4", "--starts", "2", "--iterations", "8"];
+    let found = json(&[&["excite", &loaded], &asked[..], &["--json", "-"]].concat());
+    let expected = found["expected"].as_array().unwrap();
+    assert!(expected.len() == 10 && expected[0]["value"] == 2.0, "{expected:?}");
+    assert!(expected.iter().filter(|e| e["essential"] == true).count() >= 4, "{expected:?}");
+    for (robot, says) in
+        [(ROBOT, "under `tool`"), ("robots/planar2r.yaml", "no motion of this arm tells M of the tool")]
+    {
+        let run = denavit(&[&["excite", robot], &asked[..]].concat());
+        assert_eq!(run.status, Some(1), "{robot}");
+        assert!(run.err.contains(says), "{robot}: {}", run.err);
+    }
 }
