@@ -60,6 +60,7 @@ pub fn value(name: &str, inverse: &Inverse, redundant: bool, poses: &[Answer]) -
         }
         if !inverse.exact {
             v["branches_lost"] = json!(p.lost);
+            v["branches_uncertain"] = json!(p.uncertain);
         }
         v
     };

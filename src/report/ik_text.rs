@@ -30,8 +30,9 @@ pub fn text(name: &str, inverse: &Inverse, poses: &[Answer]) -> String {
                     _ => String::new(),
                 };
                 let lost = match pose.lost {
-                    0 => String::new(),
                     _ if inverse.exact => String::new(),
+                    0 if pose.uncertain => String::from(", beside a singularity: one may be missing"),
+                    0 => String::new(),
                     n => format!(", {n} branches of the nominal arm not found"),
                 };
                 writeln!(t, "\npose {}: {word}, {} solutions{at}{lost}", k + 1, pose.list.len())

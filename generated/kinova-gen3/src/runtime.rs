@@ -1,8 +1,10 @@
 //! What generated code needs beside itself: a scalar, sines and cosines, packs of states. Shipped along verbatim.
 
+mod block;
 mod pack;
 mod scalar;
 mod sincos;
 
+pub use block::Block;
 pub use pack::{Pack, square_root};
 pub use scalar::Scalar;

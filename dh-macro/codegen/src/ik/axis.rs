@@ -42,6 +42,12 @@ impl Value {
     }
 }
 
+/// Both turns.
+#[inline(always)]
+pub(super) fn turns([a, b]: [Turn; 2]) -> [Value; 2] {
+    [Value::turn(a), Value::turn(b)]
+}
+
 impl Axis {
     /// A direction turned about the axis: with few products where that is a base axis.
     #[inline(always)]
@@ -77,7 +83,8 @@ impl Axis {
     #[inline]
     pub(super) fn displacement(&self, v: Value) -> Displacement {
         // Columns of the rotation are the images of the base vectors.
-        let columns = IDENTITY.map(|e| self.direction(v, e));
+        let [x, y, z] = IDENTITY;
+        let columns = [self.direction(v, x), self.direction(v, y), self.direction(v, z)];
         Displacement { rotation: super::vector::transposed(&columns), shift: self.point(v, [0.0; 3]) }
     }
 

@@ -30,6 +30,7 @@ pub const FILES: &[(&str, &str)] = &[
     ("ik/swivel.rs", include_str!("../ik/swivel.rs")),
     ("ik/vector.rs", include_str!("../ik/vector.rs")),
     ("runtime.rs", include_str!("../runtime.rs")),
+    ("runtime/block.rs", include_str!("../runtime/block.rs")),
     ("runtime/pack.rs", include_str!("../runtime/pack.rs")),
     ("runtime/scalar.rs", include_str!("../runtime/scalar.rs")),
     ("runtime/sincos.rs", include_str!("../runtime/sincos.rs")),

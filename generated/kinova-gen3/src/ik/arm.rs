@@ -9,12 +9,12 @@ use super::numerical;
 use super::plane::Plane;
 use super::polish::{self, polish, remainder, sizes};
 use super::pose::Displacement;
-use super::real::{angles, root, whole, wrapped};
+use super::real::{angles_into, root, whole, wrapped};
 use super::regional::Regional;
 use super::six::{Method, Six};
 use super::solution::{Branch, CAPACITY, PoseError, Solution, Solutions, Status};
 use super::swivel::{Reference, Swivel};
-use super::vector::{IDENTITY, product, transposed};
+use super::vector::{IDENTITY, Matrix, dot, product, transposed};
 
 /// How an arm is solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -105,7 +105,10 @@ impl<const N: usize> Arm<N> {
     /// # Errors
     /// If an entry is not finite, or the rotation is none (beyond 1e-6; a smaller defect is taken away).
     pub fn solve(&self, pose: &[[f64; 4]; 3], query: &Query<'_, N>) -> Result<Solutions<N>, PoseError> {
-        let target = checked(pose)?;
+        let target = match checked(pose) {
+            Ok(target) => target,
+            Err(error) => return Err(error),
+        };
         let near_finite = query.near.is_none_or(|q| q.iter().all(|x| x.is_finite()));
         if !query.redundancy.is_finite() || !near_finite {
             return Err(PoseError::NotFinite(3, 0));
@@ -131,21 +134,24 @@ impl<const N: usize> Arm<N> {
                 member = (0..all.len).reduce(|a, b| if far(b) < far(a) { b } else { a });
             }
         }
-        let mut solutions = Solutions {
+        // Filled where it is returned: it is large to copy.
+        let mut result = Ok(Solutions {
             list: List::new(Solution::NONE),
             status: Status::Ok,
             distance: [0.0; 2],
             lost: 0,
+            uncertain: false,
             redundancy: query.redundancy,
             second_plane,
-        };
+        });
+        let Ok(solutions) = &mut result else { return result };
         let mut work = Work { marks: [0.0; CAPACITY], best: [f64::INFINITY; 2] };
-        self.finish(&g, query, &all, member.map(|place| (place, near)), &mut solutions, &mut work);
+        self.finish(&g, query, &all, member.map(|place| (place, near)), solutions, &mut work);
         if !self.exact {
-            self.search_nearby(&g, query, &near, &all, &mut solutions, &mut work);
+            self.search_nearby(&g, query, &near, &all, solutions, &mut work);
         }
-        conclude(query, &work, &mut solutions);
-        Ok(solutions)
+        conclude(query, &work, solutions);
+        result
     }
 
     /// What the closed form gives at a redundancy; true: counted from the second plane.
@@ -272,12 +278,13 @@ impl<const N: usize> Arm<N> {
             if first >= all.len {
                 break;
             }
-            let (p2, r2, mark) = misses(self, g, all, first);
-            for (lane, ((p2, r2), mark)) in p2.into_iter().zip(r2).zip(mark).enumerate() {
+            let (ways, turns, marks) = misses(self, g, all, first);
+            for lane in 0..8 {
                 let place = first + lane;
                 if place >= all.len {
                     break;
                 }
+                let (p2, r2, mark) = (ways[lane], turns[lane], marks[lane]);
                 let (branch, free) = all.kind(place);
                 if p2 <= EXACT * EXACT && r2 <= EXACT * EXACT {
                     let mut found = Solution { branch, free, ..Solution::NONE };
@@ -391,12 +398,18 @@ impl<const N: usize> Arm<N> {
         if found.free != 0 {
             out.status = Status::Singular;
         }
-        let twin = out.list.iter().zip(work.marks.iter()).position(|(s, m)| (m - mark).abs() < 1e-7 && same(s));
-        if let Some(twin) = twin {
-            if let Some(twin) = out.list.as_mut_slice().get_mut(twin) {
-                twin.free |= found.free;
+        // Marks first: only where one is equal are all joints compared.
+        let mut alike = false;
+        for m in work.marks.iter().take(out.list.len()) {
+            alike |= (m - mark).abs() < 1e-7;
+        }
+        if alike {
+            for (twin, m) in out.list.as_mut_slice().iter_mut().zip(work.marks.iter()) {
+                if (m - mark).abs() < 1e-7 && same(twin) {
+                    twin.free |= found.free;
+                    return;
+                }
             }
-            return;
         }
         if let Some(place) = work.marks.get_mut(out.list.len()) {
             *place = mark;
@@ -506,11 +519,15 @@ impl<const N: usize> Fits<N> {
         for j in 0..N {
             let (column, slides, limits) = (&columns[j], arm.axes[j].slides, arm.limits[j]);
             let (qs, margins) = (&mut self.q[j], &mut self.margin[j]);
-            *qs = if slides { column.c } else { angles(&column.s, &column.c, column.len) };
+            if slides {
+                *qs = column.c;
+            } else {
+                angles_into(&column.s, &column.c, column.len, qs);
+            }
             if let Some([low, high]) = limits {
-                for (margin, q) in margins.iter_mut().zip(qs.iter()) {
-                    let (a, b) = (q - low, high - q);
-                    *margin = if a < b { a } else { b };
+                for k in 0..CAPACITY {
+                    let (a, b) = (qs[k] - low, high - qs[k]);
+                    margins[k] = if a < b { a } else { b };
                 }
             }
             // Elsewhere a turned angle is never inside where it was not.
@@ -534,34 +551,68 @@ fn ceiling(x: f64) -> f64 {
 
 /// A pose with finite entries and a true rotation.
 pub(super) fn checked(pose: &[[f64; 4]; 3]) -> Result<Displacement, PoseError> {
-    for (i, row) in pose.iter().enumerate() {
-        for (j, x) in row.iter().enumerate() {
-            // Beyond that squares overflow, and no arm is as long.
-            if !(x.abs() < 1e100) {
-                return Err(PoseError::NotFinite(i, j));
-            }
-        }
+    // Beyond that squares overflow, and no arm is as long.
+    let usual = |x: f64| x.abs() < 1e100;
+    let mut all = true;
+    for row in pose {
+        all &= usual(row[0]) & usual(row[1]) & usual(row[2]) & usual(row[3]);
+    }
+    if !all {
+        return Err(not_finite(pose));
     }
     let mut t = Displacement::from_rows(pose);
-    let defect = |r: &super::vector::Matrix| {
-        let rr = product(&transposed(r), r);
-        (0..9).fold(0.0f64, |m, k| m.max((rr[k / 3][k % 3] - IDENTITY[k / 3][k % 3]).abs()))
-    };
-    let d = defect(&t.rotation);
-    let determinant = super::vector::dot(t.rotation[0], super::vector::cross(t.rotation[1], t.rotation[2]));
+    let (rr, d) = squared(&t.rotation);
+    let determinant = dot(t.rotation[0], super::vector::cross(t.rotation[1], t.rotation[2]));
     if !(d <= 1e-6) || !(determinant > 0.0) {
         return Err(PoseError::NotARotation(if d <= 1e-6 { 2.0 } else { d }));
     }
     if d > 4e-16 {
         // Nearest rotation: R (3 - R'R) / 2; the defect is squared each time.
-        for _ in 0..if d > 1e-9 { 2 } else { 1 } {
-            let rr = product(&transposed(&t.rotation), &t.rotation);
-            let k: super::vector::Matrix =
-                core::array::from_fn(|i| core::array::from_fn(|j| 1.5 * IDENTITY[i][j] - 0.5 * rr[i][j]));
-            t.rotation = product(&t.rotation, &k);
+        t.rotation = nearer(&t.rotation, &rr);
+        if d > 1e-9 {
+            let (rr, _) = squared(&t.rotation);
+            t.rotation = nearer(&t.rotation, &rr);
         }
     }
     Ok(t)
+}
+
+/// `R'R`, its upper half twice, and how far it is from the identity.
+#[inline(always)]
+fn squared(r: &Matrix) -> (Matrix, f64) {
+    let [x, y, z] = transposed(r);
+    let [xx, yy, zz] = [dot(x, x), dot(y, y), dot(z, z)];
+    let [xy, xz, yz] = [dot(x, y), dot(x, z), dot(y, z)];
+    let mut d = 0.0f64;
+    // NaN stays.
+    for part in [xx - 1.0, yy - 1.0, zz - 1.0, xy, xz, yz] {
+        d = if part.abs() <= d { d } else { part.abs() };
+    }
+    ([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]], d)
+}
+
+/// `R (3 - R'R) / 2`.
+#[inline(always)]
+fn nearer(r: &Matrix, rr: &Matrix) -> Matrix {
+    let k = |i: usize| {
+        let [x, y, z] = IDENTITY[i];
+        [1.5 * x - 0.5 * rr[i][0], 1.5 * y - 0.5 * rr[i][1], 1.5 * z - 0.5 * rr[i][2]]
+    };
+    product(r, &[k(0), k(1), k(2)])
+}
+
+/// Which entry is not finite.
+#[cold]
+#[inline(never)]
+fn not_finite(pose: &[[f64; 4]; 3]) -> PoseError {
+    for (i, row) in pose.iter().enumerate() {
+        for (j, x) in row.iter().enumerate() {
+            if !(x.abs() < 1e100) {
+                return PoseError::NotFinite(i, j);
+            }
+        }
+    }
+    PoseError::NotFinite(0, 0)
 }
 
 /// Status and order.

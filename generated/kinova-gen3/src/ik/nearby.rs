@@ -6,8 +6,8 @@
 use super::arm::{Arm, Family, Query, Work};
 use super::axis::{Axis, Value};
 use super::candidates::Candidates;
-use super::homotopy::walk;
-use super::polish::{equations, polish, remainder, sizes, slack};
+use super::homotopy::{around, walk};
+use super::polish::{equations, polish, remainder, sizes, slack, values};
 use super::pose::Displacement;
 use super::solution::Solutions;
 use super::vector::{Turn, add, norm, unit};
@@ -67,8 +67,20 @@ impl<const N: usize> Arm<N> {
                     walk(self, g, query, &start, &[-1.0, 1.0], FAR, |v| {
                         self.refine(g, query, v, kind, out, work);
                     });
+                    around(self, g, query, &start, |v| self.refine(g, query, v, kind, out, work));
                 }
             }
+        }
+        // What was found beside a singularity is followed around it, too.
+        let mut at = 0;
+        while let Some(found) = out.list.as_slice().get(at).copied() {
+            let start = values(self, &found.q);
+            if slack(&equations(self, g, query, &start).1, size) < REGULAR {
+                narrow = true;
+                let kind = (found.branch, found.free);
+                around(self, g, query, &start, |v| self.refine(g, query, v, kind, out, work));
+            }
+            at += 1;
         }
         for k in 1..=ELSEWHERE {
             if narrow && (k % EVERY == 0 || out.list.is_empty()) || missing(wanted, out) > 0 {
@@ -76,6 +88,7 @@ impl<const N: usize> Arm<N> {
             }
         }
         out.lost = missing(wanted, out);
+        out.uncertain = narrow;
     }
 
     /// From postures at another swivel angle, and at a pose beside.

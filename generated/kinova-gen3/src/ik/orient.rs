@@ -19,7 +19,7 @@ pub(super) struct Three {
 pub(super) type Turns = [([Turn; 3], u8); 2];
 
 impl Three {
-    #[inline]
+    #[inline(always)]
     pub fn new(h: [Vector; 3]) -> Self {
         let [h1, h2, h3] = h;
         if dot(h1, h2).abs() < 1e-14 && dot(h2, h3).abs() < 1e-14 {
@@ -34,7 +34,9 @@ impl Three {
     /// Where the outer axes become parallel, the first turn is `near`'s.
     #[inline(always)]
     pub fn turns(&self, x: &[Vector; 3], y: &[Vector; 3], near: Turn) -> Turns {
-        self.between(&x.map(|x| y.map(|y| dot(x, y))), near)
+        let [a, b, c] = *x;
+        let row = |x: Vector| [dot(x, y[0]), dot(x, y[1]), dot(x, y[2])];
+        self.between(&[row(a), row(b), row(c)], near)
     }
 
     /// The same by the products of those vectors.
@@ -47,8 +49,7 @@ impl Three {
         let blind = !(sine > 1e-14);
         let first = if blind { near } else { Turn { c: c1 / sine, s: s1 / sine } };
         // The second row of what the first turn leaves: well known in a singularity, too.
-        let row = |k: usize| first.c * m[1][k] - first.s * m[0][k];
-        let third = Turn { c: row(1), s: row(0) };
+        let third = Turn { c: first.c * m[1][1] - first.s * m[0][1], s: first.c * m[1][0] - first.s * m[0][0] };
         let free = u8::from(sine < FREE) | doubt(sine < NARROW);
         let one = [first, Turn { c: cosine, s: sine }.then(together), third];
         let second = Turn { c: cosine, s: -sine }.then(together);

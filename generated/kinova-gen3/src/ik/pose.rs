@@ -17,7 +17,8 @@ impl Displacement {
 
     /// From the top three rows of a homogeneous matrix.
     pub fn from_rows(rows: &[[f64; 4]; 3]) -> Self {
-        Self { rotation: rows.map(|[x, y, z, _]| [x, y, z]), shift: rows.map(|[.., p]| p) }
+        let [[a, b, c, x], [d, e, f, y], [g, h, i, z]] = *rows;
+        Self { rotation: [[a, b, c], [d, e, f], [g, h, i]], shift: [x, y, z] }
     }
 
     #[inline(always)]
@@ -32,15 +33,16 @@ impl Displacement {
     }
 
     /// `self` after `first`.
-    #[inline]
+    #[inline(always)]
     pub fn after(&self, first: &Self) -> Self {
         Self { rotation: product(&self.rotation, &first.rotation), shift: self.point(first.shift) }
     }
 
     /// The inverse.
-    #[inline]
+    #[inline(always)]
     pub fn inverse(&self) -> Self {
         let rotation = transposed(&self.rotation);
-        Self { shift: times(&rotation, self.shift.map(|x| -x)), rotation }
+        let [x, y, z] = self.shift;
+        Self { shift: times(&rotation, [-x, -y, -z]), rotation }
     }
 }

@@ -172,10 +172,19 @@ impl Tilt {
     #[inline(always)]
     pub(super) fn towards(&self, p: Vector) -> Pair {
         let pn = norm(p);
-        if self.blind || !(pn > 1e-150) {
+        if !(pn > 1e-150) {
             return BLIND;
         }
-        let (cg, sg) = (dot(self.first, p) / pn, norm(cross(self.first, p)) / pn);
+        self.towards_unit(scale(1.0 / pn, p))
+    }
+
+    /// The same for a direction of length one.
+    #[inline(always)]
+    pub(super) fn towards_unit(&self, p: Vector) -> Pair {
+        if self.blind {
+            return BLIND;
+        }
+        let (cg, sg) = (dot(self.first, p), norm(cross(self.first, p)));
         // x = cos(difference) - cos(gamma), y = cos(gamma) - cos(sum); near 0 and pi by products of sines.
         let unlike = |[c, s]: [f64; 2]| {
             let sum = c + cg;
@@ -189,7 +198,8 @@ impl Tilt {
             return BLIND;
         }
         let height = root(x * y);
-        let (c, s) = ((y - x) / sum, 2.0 * height / sum);
+        let per = 1.0 / sum;
+        let (c, s) = ((y - x) * per, 2.0 * height * per);
         Pair {
             both: [self.middle.then(Turn { c, s }), self.middle.then(Turn { c, s: -s })],
             free: self.free,

@@ -1,6 +1,6 @@
 //! Square root and arc tangent: `core` has neither.
 
-use super::super::runtime::square_root;
+use super::super::runtime::{Block, square_root};
 
 /// `sqrt(x)`; zero for a negative `x` (a rounding error below a double root).
 #[inline(always)]
@@ -25,39 +25,53 @@ const A: [f64; 11] = [
     1.628_582_011_536_578_2e-2,
 ];
 
-/// Angle of the point `(x, y)`, rad, in `[-pi, pi]`; zero at the origin. Within 2 ulp. No branches: a loop over it runs in the
-/// registers' lanes.
+/// Angle of the point `(x, y)`, rad, in `[-pi, pi]`; zero at the origin. Within 2 ulp.
 #[inline(always)]
 pub(super) fn angle(y: f64, x: f64) -> f64 {
-    use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
-    let (ay, ax) = (y.abs(), x.abs());
-    let (low, high) = if ay > ax { (ax, ay) } else { (ay, ax) };
-    let steep = low > TAN_PI_8 * high;
-    let up = if steep { low - high } else { low };
-    let down = if steep { low + high } else { high };
-    let t = up / if down > 0.0 { down } else { 1.0 };
-    let z = t * t;
-    let w = z * z;
-    let odd = z * (A[0] + w * (A[2] + w * (A[4] + w * (A[6] + w * (A[8] + w * A[10])))));
-    let even = w * (A[1] + w * (A[3] + w * (A[5] + w * (A[7] + w * A[9]))));
-    let small = t - t * (odd + even);
-    let a = if steep { FRAC_PI_4 } else { 0.0 } + small;
-    let a = if ay > ax { FRAC_PI_2 - a } else { a };
-    let a = if x < 0.0 { PI - a } else { a };
-    if y < 0.0 { -a } else { a }
+    let mut out = [0.0; Block::WIDTH];
+    angle_block(Block::constant(y), Block::constant(x)).put(&mut out);
+    out[0]
 }
 
-/// Angles of the first points of a list, in fours; what lies beyond them is not looked at.
+/// Of the points of a block.
+#[inline(always)]
+fn angle_block(y: Block, x: Block) -> Block {
+    use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+    let n = Block::constant;
+    let (ay, ax) = (y.abs(), x.abs());
+    let (low, high) = (ay.min(ax), ay.max(ax));
+    let limit = n(TAN_PI_8) * high;
+    // Steep, where limit < low.
+    let up = low - high.only_where_less(limit, low);
+    let down = high + low.only_where_less(limit, low);
+    let t = up / down.max(n(f64::MIN_POSITIVE));
+    let z = t * t;
+    let w = z * z;
+    let odd = z * (n(A[0]) + w * (n(A[2]) + w * (n(A[4]) + w * (n(A[6]) + w * (n(A[8]) + w * n(A[10]))))));
+    let even = w * (n(A[1]) + w * (n(A[3]) + w * (n(A[5]) + w * (n(A[7]) + w * n(A[9])))));
+    let small = t - t * (odd + even);
+    let a = n(FRAC_PI_4).only_where_less(limit, low) + small;
+    let a = n(FRAC_PI_2).only_where_less(ax, ay) + a.negative_where_less(ax, ay);
+    let a = n(PI).only_where_less(x, n(0.0)) + a.negative_where_less(x, n(0.0));
+    a.negative_where_less(y, n(0.0))
+}
+
+/// Angles of the first points of a list, block by block; what lies beyond them is not looked at.
 #[inline(always)]
 pub(super) fn angles<const K: usize>(s: &[f64; K], c: &[f64; K], len: usize) -> [f64; K] {
     let mut out = [0.0; K];
-    let fours = out.chunks_exact_mut(4).zip(s.chunks_exact(4)).zip(c.chunks_exact(4));
-    for ((out, s), c) in fours.take(len.div_ceil(4)) {
-        for ((out, s), c) in out.iter_mut().zip(s).zip(c) {
-            *out = angle(*s, *c);
-        }
-    }
+    angles_into(s, c, len, &mut out);
     out
+}
+
+/// The same, put where they are wanted.
+#[inline(always)]
+pub(super) fn angles_into<const K: usize>(s: &[f64; K], c: &[f64; K], len: usize, out: &mut [f64; K]) {
+    const WIDTH: usize = Block::WIDTH;
+    let blocks = out.chunks_exact_mut(WIDTH).zip(s.chunks_exact(WIDTH)).zip(c.chunks_exact(WIDTH));
+    for ((out, s), c) in blocks.take(len.div_ceil(WIDTH)) {
+        angle_block(Block::from_fn(|l| s[l]), Block::from_fn(|l| c[l])).put(out);
+    }
 }
 
 /// The same direction within a half turn of zero: `(-pi, pi]`.

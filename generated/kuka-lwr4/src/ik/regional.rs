@@ -1,6 +1,6 @@
 //! Three joints that bring a point to a place: `E1 E2 E3 w = p` (Pieper 1968).
 
-use super::axis::{Axis, Value};
+use super::axis::{Axis, Value, turns};
 use super::list::List;
 use super::quartic::{roots, two_turns, zeros};
 use super::real::root;
@@ -114,13 +114,13 @@ fn meet([one, two, three]: &[Axis; 3], x: Vector, w: Vector, p: Vector, near: &[
     } else {
         let pair = reach(three, w, x, length2);
         free |= u8::from(pair.free) << 2 | doubt(pair.narrow);
-        if pair.blind { [near[2]; 2] } else { pair.both.map(Value::turn) }
+        if pair.blind { [near[2]; 2] } else { turns(pair.both) }
     };
-    for (i, third) in thirds.into_iter().enumerate() {
+    for (i, &third) in thirds.iter().enumerate() {
         let arm = sub(three.point(third, w), x);
         let pair = tilt(one.h, two.h, arm, to);
-        let seconds = if pair.blind { [near[1]; 2] } else { pair.both.map(Value::turn) };
-        for (j, second) in seconds.into_iter().enumerate() {
+        let seconds = if pair.blind { [near[1]; 2] } else { turns(pair.both) };
+        for (j, &second) in seconds.iter().enumerate() {
             let from = add(x, second.turn.about(two.h, arm));
             let (first, loose) = first_turn(one, from, p, near[0]);
             let free = free | loose | u8::from(pair.free) << 1 | doubt(pair.narrow);
@@ -143,17 +143,17 @@ fn parallel([one, two, three]: &[Axis; 3], w: Vector, p: Vector, near: &[Value; 
         let d = dot(h, sub(p, add(three.c, along)));
         let pair = circle(dot(h, across), dot(h, cross(three.h, across)), d, norm(rel));
         free |= u8::from(pair.free) << 2 | doubt(pair.narrow);
-        if pair.blind { [near[2]; 2] } else { pair.both.map(Value::turn) }
+        if pair.blind { [near[2]; 2] } else { turns(pair.both) }
     };
-    for (i, third) in thirds.into_iter().enumerate() {
+    for (i, &third) in thirds.iter().enumerate() {
         if three.slides && i == 1 {
             break;
         }
         let arm = three.point(third, w);
         let to = sub(p, one.c);
         let pair = reach(two, arm, one.c, dot(to, to));
-        let seconds = if pair.blind { [near[1]; 2] } else { pair.both.map(Value::turn) };
-        for (j, second) in seconds.into_iter().enumerate() {
+        let seconds = if pair.blind { [near[1]; 2] } else { turns(pair.both) };
+        for (j, &second) in seconds.iter().enumerate() {
             let (first, loose) = first_turn(one, two.point(second, arm), p, near[0]);
             let free = free | loose | u8::from(pair.free) << 1 | doubt(pair.narrow);
             places.push(Place { values: [first, second, third], branch: (i | j << 1) as u8, free });
@@ -305,8 +305,8 @@ fn turn_slides([one, two, three]: &[Axis; 3], w: Vector, p: Vector, near: &[Valu
     let across = sub(rel, scale(along, one.h));
     let d = dot(m, sub(w, add(one.c, scale(along, one.h))));
     let pair = circle(dot(m, across), -dot(m, cross(one.h, across)), d, norm(rel));
-    let turns = if pair.blind { [near[0]; 2] } else { pair.both.map(Value::turn) };
-    for (i, first) in turns.into_iter().enumerate() {
+    let both = if pair.blind { [near[0]; 2] } else { turns(pair.both) };
+    for (i, &first) in both.iter().enumerate() {
         let (s, t) = two_ways(two.h, three.h, sub(one.point(first.back(), p), w));
         let values = [first, Value::way(s), Value::way(t)];
         places.push(Place { values, branch: i as u8, free: u8::from(pair.free) | doubt(pair.narrow) });
@@ -325,8 +325,8 @@ fn slide_turn_slide([one, two, three]: &[Axis; 3], w: Vector, p: Vector, near: &
     };
     let (f, g) = (part(m, three.h), part(one.h, n));
     let pair = circle(f[0] - g[0], f[1] - g[1], g[2] - f[2], norm(m) + norm(n));
-    let turns = if pair.blind { [near[1]; 2] } else { pair.both.map(Value::turn) };
-    for (i, second) in turns.into_iter().enumerate() {
+    let both = if pair.blind { [near[1]; 2] } else { turns(pair.both) };
+    for (i, &second) in both.iter().enumerate() {
         let out = second.turn.about(two.h, three.h);
         let (s, t) = two_ways(one.h, out, sub(p, two.point(second, w)));
         let values = [Value::way(s), second, Value::way(t)];

@@ -3,7 +3,7 @@
 //! An arm with fewer joints is completed by joints that stay at zero; one with its sphere at the shoulder is solved from its tip:
 //! `E1 .. E6 = G` is `E6' .. E1' = G'`.
 
-use super::axis::{Axis, Value};
+use super::axis::{Axis, Value, turns};
 use super::candidates::{Candidates, in_doubt};
 use super::list::List;
 use super::orient::Three;
@@ -44,6 +44,33 @@ pub struct Six {
     pub method: Method,
 }
 
+/// Of three parallel axes: joints 1 and 5, and what joint 1 leaves of the pose.
+#[derive(Clone, Copy)]
+struct Start {
+    first: Value,
+    /// Its name among the values of joint 1.
+    at: u8,
+    fifth: Value,
+    /// Where axis 6, and a direction beside it, are to point.
+    goal: Vector,
+    image: Vector,
+    /// Of the two roots; from 4: which zero of a quartic.
+    signs: [u8; 2],
+    doubt: u8,
+}
+
+impl Start {
+    const NONE: Self = Self {
+        first: Value::ZERO,
+        at: 0,
+        fifth: Value::ZERO,
+        goal: [0.0; 3],
+        image: [0.0; 3],
+        signs: [0; 2],
+        doubt: 0,
+    };
+}
+
 /// Where what is found of six joints goes: into the columns of the arm's own joints.
 struct Into<'a, const N: usize> {
     six: &'a Six,
@@ -68,9 +95,9 @@ impl<const N: usize> Into<'_, N> {
             }
         }
         let Some(place) = self.all.push(branch, bits) else { return };
-        for (at, j) in at.into_iter().zip(self.six.joints) {
+        for (at, j) in at.iter().zip(&self.six.joints) {
             if let Some(j) = j {
-                self.all.set(place, usize::from(j), at);
+                self.all.set(place, usize::from(*j), *at);
             }
         }
     }
@@ -112,9 +139,9 @@ impl Six {
             let [v1, v2, v3] = place.values;
             let basis = wrist.carried(|x| one.direction(v1, two.direction(v2, three.direction(v3, x))));
             let regional_at = [into.value(0, v1), into.value(1, v2), into.value(2, v3)];
-            for (i, (turns, free)) in wrist.turns(&basis, &goal, near[3].turn).into_iter().enumerate() {
-                let [v4, v5, v6] = turns.map(Value::turn);
+            for (i, ([v4, v5, v6], free)) in wrist.turns(&basis, &goal, near[3].turn).iter().enumerate() {
                 let [a, b, c] = regional_at;
+                let [v4, v5, v6] = [Value::turn(*v4), Value::turn(*v5), Value::turn(*v6)];
                 let at = [a, b, c, into.value(3, v4), into.value(4, v5), into.value(5, v6)];
                 let branch = Branch::of_wrist(regional, place.branch, i as u8, self.reversed);
                 into.push(at, branch, place.free | (free & 3) << 3 | free & DOUBT);
@@ -134,8 +161,10 @@ impl Six {
         let h = two.h;
         let mut free = 0;
         // Joint 1 (and its value's name), with the two answers of joint 5 for each; which signs, and whether in doubt.
-        let mut starts: List<(Value, u8, Value, [u8; 2], u8), 8> = List::new((Value::ZERO, 0, Value::ZERO, [0; 2], 0));
+        let mut starts: List<Start, 4> = List::new(Start::NONE);
         let goal6 = super::vector::times(&g.rotation, six.h);
+        let side = beside(six.h);
+        let side_goal = super::vector::times(&g.rotation, side);
         if let Some(x) = meet {
             let rel = sub(g.point(x), one.c);
             let along = scale(dot(one.h, rel), one.h);
@@ -146,14 +175,24 @@ impl Six {
                 norm(rel),
             );
             free |= u8::from(pair.free) | doubt(pair.narrow);
-            let firsts = if pair.blind { [near[0]; 2] } else { pair.both.map(Value::turn) };
+            let firsts = if pair.blind { [near[0]; 2] } else { turns(pair.both) };
             let tilt = Tilt::new(h, five.h, six.h);
-            for (i, first) in firsts.into_iter().enumerate() {
+            for (i, &first) in firsts.iter().enumerate() {
                 let goal = one.direction(first.back(), goal6);
+                let image = one.direction(first.back(), side_goal);
                 let at = into.value(0, first);
-                let fifths = tilt.towards(goal);
-                for (j, fifth) in fifths.both.into_iter().enumerate() {
-                    starts.push((first, at, Value::turn(fifth), [i as u8, j as u8], doubt(fifths.narrow)));
+                let fifths = tilt.towards_unit(goal);
+                for (j, &fifth) in fifths.both.iter().enumerate() {
+                    let signs = [i as u8, j as u8];
+                    starts.push(Start {
+                        first,
+                        at,
+                        fifth: Value::turn(fifth),
+                        goal,
+                        image,
+                        signs,
+                        doubt: doubt(fifths.narrow),
+                    });
                 }
             }
         } else {
@@ -169,20 +208,21 @@ impl Six {
             let k = [k1 + dot(h, one.c) - k5 - dot(h, five.c), l1 - l5];
             let roots = two_turns(&a, &k, &[p5, d5]);
             for (i, &(first, fifth)) in roots.iter().enumerate() {
-                let at = into.value(0, Value::turn(first));
+                let (own, fifth) = (Value::turn(first), Value::turn(fifth));
+                let at = into.value(0, own);
+                let (goal, image) = (one.direction(own.back(), goal6), one.direction(own.back(), side_goal));
                 // Roots of a quartic that lie close together are known to fewer digits.
                 let close = |t: Turn| (t.c - first.c).abs() + (t.s - first.s).abs() < 10.0 * NARROW;
                 let narrow = roots.iter().enumerate().any(|(k, (t, _))| k != i && close(*t));
-                starts.push((Value::turn(first), at, Value::turn(fifth), [i as u8 | 4, 0], doubt(narrow)));
+                let signs = [i as u8 | 4, 0];
+                starts.push(Start { first: own, at, fifth, goal, image, signs, doubt: doubt(narrow) });
             }
         }
         let elbow = Reach::new(three, four.c, two.c);
-        let side = beside(six.h);
-        let side_goal = super::vector::times(&g.rotation, side);
-        for &(v1, at1, v5, [shoulder, wrist], doubtful) in starts.iter() {
+        for &Start { first: v1, at: at1, fifth: v5, goal, image, signs: [shoulder, wrist], doubt: doubtful } in
+            starts.iter()
+        {
             let mut free = free | doubtful;
-            let goal = one.direction(v1.back(), goal6);
-            let image = one.direction(v1.back(), side_goal);
             let (turn, known) = towards(h, five.direction(v5, six.h), goal);
             let seen = known > 1e-28;
             let (mut sum, mut v6) = if seen {
@@ -216,7 +256,7 @@ impl Six {
             let apart = flat2 > 1e-26;
             let per = if apart { 1.0 / flat2 } else { 0.0 };
             let ends = [into.value(4, v5), into.value(5, v6)];
-            for (j, third) in pair.both.into_iter().enumerate() {
+            for (j, &third) in pair.both.iter().enumerate() {
                 let arm = sub(three.point(Value::turn(third), four.c), two.c);
                 let second = if apart {
                     let (c, s) = (dot(arm, flat), dot(h, cross(arm, flat)));
@@ -289,6 +329,12 @@ impl Six {
 
     /// Fills the joints of an arm; those of a reversed one have the same values.
     pub(super) fn near<const N: usize>(&self, near: &[Value; N]) -> [Value; 6] {
-        self.joints.map(|j| j.and_then(|j| near.get(usize::from(j)).copied()).unwrap_or(Value::ZERO))
+        let mut own = [Value::ZERO; 6];
+        for (own, joint) in own.iter_mut().zip(&self.joints) {
+            if let Some(v) = joint.and_then(|j| near.get(usize::from(j))) {
+                *own = *v;
+            }
+        }
+        own
     }
 }

@@ -136,6 +136,9 @@ pub struct Solutions<const N: usize> {
     /// Of an arm that is only nearly of its family: how many branches fewer were found than the nominal arm has, and at least one where
     /// their number is odd. The real arm may have fewer.
     pub lost: u32,
+    /// Of an arm that is only nearly of its family: some posture lies beside a singularity, where the real arm may have other branches
+    /// than the nominal one; they were looked for, but `lost` may miss one.
+    pub uncertain: bool,
     /// The redundancy that was used: swivel angle or the locked joint's position; zero for other arms.
     pub redundancy: f64,
     /// Was the second reference plane used, because the first is singular here?

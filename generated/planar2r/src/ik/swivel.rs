@@ -84,12 +84,14 @@ impl Swivel {
         let pair = reach(&self.axes[3], self.wrist, self.shoulder, dot(to, to));
         let mut stretched = false;
         let mut side = -1.0;
-        let both = pair.both.map(|t| {
+        let least = 1e-8 * norm(sub(self.elbow, self.shoulder));
+        let mut one = |t: Turn| {
             side = -side;
             let (frame, out) = self.upper(Value::turn(t), side);
-            stretched |= out < 1e-8 * norm(sub(self.elbow, self.shoulder));
+            stretched |= out < least;
             (Value::turn(t), frame)
-        });
+        };
+        let both = [one(pair.both[0]), one(pair.both[1])];
         Elbows { n, both, stretched, narrow: pair.narrow }
     }
 
@@ -112,27 +114,31 @@ impl Swivel {
         let (shoulder, wrist) = (Three::new([a1.h, a2.h, a3.h]), Three::new([a5.h, a6.h, a7.h]));
         let hand = wrist.goal(&g.rotation);
         let sign = |bit: usize| if bit == 0 { 1 } else { -1 };
-        for (i, (v4, frame)) in both.into_iter().enumerate() {
-            let upper = from_to(&frame, &goal);
+        for (i, (v4, frame)) in both.iter().enumerate() {
+            let upper = from_to(frame, &goal);
             // R(123) = R(G) R(567)' R(4)', from either end.
             let firsts = shoulder.turns(&shoulder.first, &shoulder.goal(&upper), near(0));
-            let fore = wrist.carried(|x| times(&upper, a4.direction(v4, x)));
+            let fore = wrist.carried(|x| times(&upper, a4.direction(*v4, x)));
             let lasts = wrist.turns(&fore, &hand, near(4));
-            let at4 = all.value(3, false, v4);
-            let mut name = |first: usize, turns: [Turn; 3]| {
-                let [a, b, c] = turns.map(Value::turn);
-                [all.value(first, false, a), all.value(first + 1, false, b), all.value(first + 2, false, c)]
+            let at4 = all.value(3, false, *v4);
+            let mut name = |first: usize, [a, b, c]: [Turn; 3]| {
+                [
+                    all.value(first, false, Value::turn(a)),
+                    all.value(first + 1, false, Value::turn(b)),
+                    all.value(first + 2, false, Value::turn(c)),
+                ]
             };
-            let (at1, at5) = (firsts.map(|(t, _)| name(0, t)), lasts.map(|(t, _)| name(4, t)));
-            for (j, (a, (_, f1))) in at1.into_iter().zip(firsts).enumerate() {
-                for (k, (b, (_, f2))) in at5.into_iter().zip(lasts).enumerate() {
+            let at1 = [name(0, firsts[0].0), name(0, firsts[1].0)];
+            let at5 = [name(4, lasts[0].0), name(4, lasts[1].0)];
+            for (j, (a, (_, f1))) in at1.iter().zip(&firsts).enumerate() {
+                for (k, (b, (_, f2))) in at5.iter().zip(&lasts).enumerate() {
                     let branch = Branch { shoulder: sign(j), elbow: sign(i), wrist: sign(k), ..Branch::NONE };
                     let bits = |f: u8| u32::from(f & 3);
-                    let free = bits(f1) | bits(f2) << 4 | if stretched { 4 } else { 0 };
+                    let free = bits(*f1) | bits(*f2) << 4 | if stretched { 4 } else { 0 };
                     let free = free | in_doubt(f1 | f2 | narrow);
                     let Some(place) = all.push(branch, free) else { continue };
-                    for (joint, at) in [a[0], a[1], a[2], at4, b[0], b[1], b[2]].into_iter().enumerate() {
-                        all.set(place, joint, at);
+                    for (joint, at) in [a[0], a[1], a[2], at4, b[0], b[1], b[2]].iter().enumerate() {
+                        all.set(place, joint, *at);
                     }
                 }
             }

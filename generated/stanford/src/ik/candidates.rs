@@ -1,7 +1,7 @@
 //! What the families hand on: for each joint the values it takes, for each branch which of them. Branches share values (eight
 //! branches of a swivel arm have two angles of joint 4), and so do their arc tangents.
 
-use super::super::runtime::Pack;
+use super::super::runtime::Block;
 use super::axis::Value;
 use super::solution::{Branch, CAPACITY};
 use super::subproblem::DOUBT;
@@ -95,7 +95,11 @@ impl<const N: usize> Candidates<N> {
     /// Is some branch [`IN_DOUBT`]?
     #[inline(always)]
     pub fn in_doubt(&self) -> bool {
-        self.free.iter().fold(0, |all, free| all | free) & IN_DOUBT != 0
+        let mut all = 0;
+        for free in &self.free {
+            all |= free;
+        }
+        all & IN_DOUBT != 0
     }
 
     /// More joints of a branch are free.
@@ -128,11 +132,11 @@ impl<const N: usize> Candidates<N> {
         })
     }
 
-    /// One joint in eight branches from `first` on, side by side.
+    /// One joint in as many branches from `first` on as a block holds, side by side.
     #[inline(always)]
-    pub fn lanes(&self, joint: usize, first: usize) -> (Pack, Pack) {
-        let column = &self.columns[joint];
-        let at: [usize; 8] = core::array::from_fn(|l| usize::from(self.at[joint][(first + l) & MASK]) & MASK);
-        (Pack::new(at.map(|k| column.c[k])), Pack::new(at.map(|k| column.s[k])))
+    pub fn lanes(&self, joint: usize, first: usize) -> (Block, Block) {
+        let (row, column) = (&self.at[joint], &self.columns[joint]);
+        let at = |lane: usize| usize::from(row[(first + lane) & MASK]) & MASK;
+        (Block::from_fn(|lane| column.c[at(lane)]), Block::from_fn(|lane| column.s[at(lane)]))
     }
 }
