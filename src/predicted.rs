@@ -90,11 +90,12 @@ impl Predictor {
                     let state = State { q: &q, dq: &dq, ddq: &ddq, tau: &[], parameters: &self.bodies };
                     self.arm.run_one(Function::RigidDynamics, &state, &mut kernel, out);
                 };
-                // Before the first step the links hang at ease.
-                if s == start + 1 {
-                    drive::at_ease(&springs, &mut behind, &mut work[..n], &mut bodies);
-                } else {
-                    drive::swing(&springs, time[s] - time[s - 1], &mut behind, &mut work, &mut bodies);
+                // At the first step the links hang at ease; from the second on they swing.
+                let dt = time[s] - time[s - 1];
+                match s - start {
+                    1 => drive::at_ease(&springs, &mut behind, &mut work[..n], &mut bodies),
+                    2 => drive::let_go(&springs, dt, &mut behind, &mut work[..2 * n], &mut bodies),
+                    _ => drive::swing(&springs, dt, &mut behind, &mut work, &mut bodies),
                 }
                 drive::swung(&springs, &behind, &mut still, &mut work[..2 * n], &mut tau, &mut bodies);
             }

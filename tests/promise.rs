@@ -50,8 +50,12 @@ fn record(simulator: &Simulator, name: &str, seconds: f64, seed: u64) -> Recordi
 }
 
 fn play(simulator: &Simulator, name: &str, motion: &Trajectory, seed: u64) -> Recording {
+    played(simulator, name, motion, seed, Mode::Exact)
+}
+
+fn played(simulator: &Simulator, name: &str, motion: &Trajectory, seed: u64, mode: Mode) -> Recording {
     let sensors = Sensors { rate: 500.0, torque_noise: vec![0.03], ..Sensors::default() };
-    let control = Control { mode: Mode::Exact, ..Control::default() };
+    let control = Control { mode, ..Control::default() };
     let dof = simulator.dof();
     let request = Request { control, sensors, seed, ..Request::default() };
     let log = simulator.run(motion, &request, &mut |_| {}).unwrap().log;
@@ -241,6 +245,32 @@ promises! {
     longer: on(4, &[effect("geometric_error", &[("DR", 0.02)])]);
     #[ignore = "a minute of the same"]
     rotor: on(4, &[effect("rotor_inertia", &[("IA", 0.5)])]);
+}
+
+/// A link that swings behind its motor in a position loop, and a gap: both by name, on their joint, of their size.
+#[test]
+fn springs_and_gaps_have_names() {
+    let rotor = || effect("rotor_inertia", &[("IA", 0.01)]);
+    let cases = [
+        (effect("joint_elasticity", &[("KE", 1600.0), ("DE", 10.0)]), 2, Mode::Position, "KE", 0.05),
+        (effect("backlash", &[("BL", 2e-3)]), 2, Mode::Exact, "BL", 0.15),
+    ];
+    for (hidden, joint, mode, key, tolerance) in cases {
+        let truth = hidden.parameters[0].1;
+        let simulator = Simulator::new(&robot(), &on(joint, &[hidden.clone(), rotor()])).unwrap();
+        let run = |name: &str, seconds: f64, seed: u64| {
+            played(&simulator, name, &trajectory(7, seconds, seed as f64), seed, mode)
+        };
+        let (fit, validate) = (run("fit", 10.0, 1), run("validate", 6.0, 2));
+        let found = diagnose(&RobotPlant::new(&robot()), &[fit], &[validate], &Settings::default(), &|_| {}).unwrap();
+        let said: Vec<(&str, &[usize], &str)> =
+            found.causes.iter().map(|c| (c.cause, &c.joints[..], c.evidence.as_str())).collect();
+        println!("{said:?}");
+        let first = &found.causes[0];
+        assert_eq!((first.cause, &first.joints[..]), (hidden.name.as_str(), &[joint][..]), "{said:?}");
+        let value = first.parameters.iter().find(|p| p.symbol.starts_with(key)).unwrap().value;
+        assert!((value / truth - 1.0).abs() < tolerance, "{key} {value}, hidden {truth}");
+    }
 }
 
 /// Joint 4 alone, on one sine: its acceleration is in proportion to its angle.

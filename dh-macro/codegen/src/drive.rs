@@ -73,6 +73,23 @@ pub fn at_ease<S: Real>(
     }
 }
 
+/// The same one step later, `dt` s after [`at_ease`], and at the rate at which the springs are wound meanwhile: from here links [`swing`]. `room` is of `2 n`
+/// numbers.
+pub fn let_go<S: Real>(
+    springs: &[Spring],
+    dt: S,
+    behind: &mut [Behind<S>],
+    room: &mut [S],
+    bodies: &mut dyn FnMut(&[Behind<S>], &mut [S]),
+) {
+    let (torques, before) = room.split_at_mut(springs.len());
+    before.iter_mut().zip(behind.iter()).for_each(|(before, behind)| *before = behind[0]);
+    at_ease(springs, behind, torques, bodies);
+    for (behind, &mut before) in behind.iter_mut().zip(before) {
+        behind[1] = (behind[0] - before) / dt;
+    }
+}
+
 /// The links go on by `dt`, s, by the trapezoidal rule: of each soft joint `KE d + DE d'` is the torque of the arm whose links stand `d` behind their motors,
 /// linear in the accelerations. `bodies` gives that torque; `room` is of `n (n + 2)` numbers.
 pub fn swing<S: Real>(

@@ -46,6 +46,12 @@ impl<'s, 'a> Link<'s, 'a> {
         Some(Self { scene, joint, slopes, load, bent: vec![0.0; scene.len], inertia, usual })
     }
 
+    /// The highest resonance that the motion can show, Hz.
+    fn highest(&self) -> f64 {
+        let filters = self.scene.own[self.joint].iter().filter_map(|own| own.band.narrow);
+        filters.map(|filter| SEEN * filter.cutoff).fold(HIGHEST, f64::min)
+    }
+
     fn asked(&self, run: std::ops::Range<usize>) -> Asked<'_> {
         Asked {
             load: &self.load[run.clone()],
@@ -135,7 +141,12 @@ impl Cause for JointElasticity {
         ]
     }
 
-    /// Where the spring takes most of what the joint's torque has left: resonances of 0.4 to 45 Hz, then finer about the best of them.
+    fn shows(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> bool {
+        let resonance = |link: Link<'_, '_>| (shape[0] / link.usual).sqrt() / std::f64::consts::TAU <= link.highest();
+        Link::new(scene, place[0]).is_some_and(resonance)
+    }
+
+    /// Where the spring takes most of what the joint's torque has left: resonances from 0.4 Hz to the highest that can be seen, then finer about the best of them.
     fn grid(&self, scene: &Scene<'_>, place: &[usize], residual: &[Vec<f64>]) -> Vec<Vec<f64>> {
         let Some(link) = Link::new(scene, place[0]) else { return Vec::new() };
         let residual = &residual[place[0]];
@@ -144,7 +155,7 @@ impl Cause for JointElasticity {
             Spring { stiffness: w * w * link.usual, damping: 2.0 * ratio * w * link.usual }
         };
         let mut all: Vec<(f64, [f64; 2])> = Vec::new();
-        for frequency in geometric(0.4, 45.0, 30) {
+        for frequency in geometric(0.4, link.highest().max(0.5), 30) {
             let best =
                 [0.02, 0.08, 0.3].map(|ratio| (link.takes(spring(frequency, ratio), residual), [frequency, ratio]));
             all.extend(best.into_iter().max_by(|a, b| a.0.total_cmp(&b.0)));
@@ -246,5 +257,10 @@ impl Cause for JointElasticity {
 
 /// Least damping ratio, as in the law of the file.
 const LEAST: f64 = dh_codegen::drive::LEAST_DAMPING;
+/// Share of the low-pass's cutoff above which a resonance is not looked for: what swings there is kicked by motion that the low-pass took away, and what the
+/// low-pass took away looks like it.
+const SEEN: f64 = 0.7;
+/// The highest resonance that is looked for where there is no low-pass, Hz.
+const HIGHEST: f64 = 45.0;
 /// A winding beyond which the arm is not taken as linear in it, rad.
 const SMALL: f64 = 3e-3;

@@ -99,7 +99,7 @@ impl<S: Real> Drive<S> {
     let plain = "        drive_torques(&self.q, dq, ddq, phi, &self.bristle, &self.warmth())";
     t += &drive
         .replace("@FIELDS", with(FIELDS))
-        .replace("@NEW", with("            behind: None,\n"))
+        .replace("@NEW", with("            behind: None,\n            swings: false,\n"))
         .replace("@STEP", with(STEP))
         .replace("@TORQUES", if swings { TORQUES } else { plain });
     t
@@ -108,6 +108,8 @@ impl<S: Real> Drive<S> {
 const FIELDS: &str =
     "    /// Where the links stand behind their motors; `None` before the first step, and taken to hang at ease then.
     pub behind: Option<[drive::Behind<S>; DOF]>,
+    /// Whether the links swing: from the second step on.
+    pub swings: bool,
 ";
 
 const STEP: &str =
@@ -115,10 +117,11 @@ const STEP: &str =
         let mut room = [S::default(); DOF * (DOF + 2)];
         let mut behind = self.behind.unwrap_or_default();
         match self.behind {
-            Some(_) => drive::swing(&SPRINGS, dt, &mut behind, &mut room, &mut bodies),
             None => drive::at_ease(&SPRINGS, &mut behind, &mut room[..DOF], &mut bodies),
+            Some(_) if self.swings => drive::swing(&SPRINGS, dt, &mut behind, &mut room, &mut bodies),
+            Some(_) => drive::let_go(&SPRINGS, dt, &mut behind, &mut room[..2 * DOF], &mut bodies),
         }
-        self.behind = Some(behind);
+        (self.swings, self.behind) = (self.behind.is_some(), Some(behind));
 ";
 
 const TORQUES: &str = "        let mut torques = drive_torques(&self.q, dq, ddq, phi, &self.bristle, &self.warmth());
