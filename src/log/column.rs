@@ -162,7 +162,9 @@ impl Layout {
             let column = role.name();
             let lookalike = self.ignored.iter().find(|name| resembles(name, &column)).cloned();
             let known = match self.roles.as_slice() {
-                [] => "none".into(),
+                [] => {
+                    format!("none (the line begins `{}`)", self.ignored.join(",").chars().take(40).collect::<String>())
+                }
                 roles => roles.iter().map(|r| r.name()).collect::<Vec<_>>().join(", "),
             };
             LogError::MissingColumn { file: self.file.clone(), column, known, lookalike }
@@ -201,8 +203,7 @@ fn no_header(names: &[&str]) -> Option<String> {
         }
     }
     let number = |name: &&str| name.parse::<f64>().is_ok();
-    (names.len() > 1 && names.iter().all(|n| number(&n)))
-        .then(|| "numbers where names belong: the header is missing".into())
+    (names.len() > 1 && names.iter().all(number)).then(|| "numbers where names belong: the header is missing".into())
 }
 
 /// Whether a column of another name probably is the missing one: `Time`, `tau_1`, `effort1`, `joint_position_1`.

@@ -72,6 +72,9 @@ mod tests {
         let found = beyond(&log([-9.0, 2.0], [-1e5, 20.0]), &[joint]);
         let said: Vec<String> = found.iter().map(ToString::to_string).collect();
         assert_eq!(beyond(&log([0.5, 0.5001], [0.0, 1.0]), &[joint])[0].kind, Kind::Standstill);
-        assert!(said[0].contains("`q1`: reaches -9 rad") && said[1].contains("`tau1`: reaches 100000 N m"), "{said:?}");
+        assert!(
+            said[0].contains("`q1`: reaches -9.0000 rad") && said[1].contains("`tau1`: reaches 100000.0000 N m"),
+            "{said:?}"
+        );
     }
 }

@@ -37,7 +37,7 @@ pub fn doubts(trajectory: &Trajectory, robot: &Robot) -> Vec<String> {
         let off = trajectory.off_slope(k);
         if off > OFF {
             said.push(format!(
-                "dq{number} is not the slope of q{number}: they differ by {:.0} % (columns exchanged, or other units?); both are kept to, so the joint speeds up and brakes between rows",
+                "dq{number} is not the slope of q{number}: they differ by {:.0} % (columns exchanged, other units, or rows missing?); both are kept to, so the joint speeds up and brakes between rows",
                 100.0 * off
             ));
         }
