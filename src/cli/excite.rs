@@ -14,7 +14,7 @@ use crate::differentiated::Differentiated;
 use crate::excite::check::check;
 use crate::excite::{
     Criterion, Curve, Design, Effort, Expected, FrictionCoverage, Progress, Task, Watch, design, expected, known_from,
-    known_values, shortest,
+    known_values, nominal, shortest,
 };
 use crate::report;
 use dh_codegen::robot::Robot;
@@ -301,6 +301,9 @@ impl Excite {
         let known_std = share("--known-std", self.known_std)?;
         share("--target-std", self.target_std)?;
         let given = self.noises(dof)?;
+        if self.target_std.is_some() && nominal(task).is_none_or(|values| values.is_empty()) {
+            return Err(no_nominal("--target-std", self.tool));
+        }
         if self.noise.is_empty() && self.known.is_empty() && known_std.is_none() && self.target_std.is_none() {
             return Ok(());
         }
@@ -311,13 +314,7 @@ impl Excite {
             task.prior = Some(known_from(task, &played));
         }
         if let Some(share) = known_std {
-            let values = known_values(task, share).ok_or_else(|| {
-                Failure::input(if self.tool {
-                    "--known-std: the robot file has no body in the hand; write its nominal `M`, `MS` and `I` under `tool`"
-                } else {
-                    "--known-std: the robot file has no inertial parameters of all links; write them under `links`"
-                })
-            })?;
+            let values = known_values(task, share).ok_or_else(|| no_nominal("--known-std", self.tool))?;
             task.prior = Some(task.prior.take().map_or(values.clone(), |p| p + values));
         }
         Ok(())
@@ -412,6 +409,15 @@ impl Excite {
 
 /// A design, what to expect of it, and durations that were tried.
 type Found = (Design, Vec<Expected>, Vec<(f64, Option<f64>)>);
+
+/// A share of what?
+fn no_nominal(option: &str, tool: bool) -> Failure {
+    Failure::input(if tool {
+        format!("{option}: the robot file has no body in the hand; write its nominal `M`, `MS` and `I` under `tool`")
+    } else {
+        format!("{option}: the robot file has no inertial parameters of all links; write nominal ones under `links`")
+    })
+}
 
 /// Samples per second that the criterion counts, as in the paper.
 const CRITERION_RATE: f64 = 100.0;
