@@ -36,6 +36,10 @@ impl Model<6> for Gantry {
         [along[0], along[1], along[2], 0.0, 0.0, 0.0]
     }
 
+    fn touch(&mut self, q: &[f64; 6]) -> Option<Tool<6>> {
+        (!self.lost).then(|| Self::tool(q))
+    }
+
     fn displaced(&mut self, q: &[f64; 6], by: &[f64; 3], _: &[f64; 6]) -> Option<[f64; 6]> {
         if self.lost { None } else { moved(q, by, Self::tool) }
     }
@@ -168,6 +172,44 @@ fn a_drag_aside_is_carried_by_its_estimate() {
     // The spring of the joint loop (400 N/m) carries all of it, or what is left.
     assert!((moved(0.0) + 8.0 / 400.0).abs() < 1e-4);
     assert!((moved(0.9) + 0.8 / 400.0).abs() < 1e-4);
+}
+
+#[test]
+fn drag_is_learned_and_then_known_before_the_estimate_shows_it() {
+    const FRICTION: f64 = 0.4;
+    // To and fro along y, the push aside known as late as a low-pass of 10 Hz makes it; how far the tool is off in the last of seven turns.
+    let run = |drag: f64| {
+        let settings = Settings { carry: 1.0, feed: 1.0, aside: 0.5, aside_pole: 4.0, drag, ..settings() };
+        let mut controller = Controller::new(Gantry::default(), settings).unwrap();
+        let mut world = World::new();
+        let turn = std::f64::consts::TAU * 10.0 * T;
+        let (mut low, mut worst) = ([0.0; 3], 0.0_f64);
+        for k in 0..26_000 {
+            let t = T * f64::from(k);
+            let moves = if t > 4.0 { 1.0 } else { 0.0 };
+            let wave = |d: i32| {
+                moves * 0.05 * 2f64.powi(d) * (2.0 * (t - 4.0) + f64::from(d) * std::f64::consts::FRAC_PI_2).cos()
+            };
+            let mut target = target();
+            (target.q[1], target.dq[1], target.ddq[1]) = (wave(0) - 0.05 * moves, wave(1), wave(2));
+            let mut from = world.drag;
+            for stage in &mut low {
+                *stage += turn / (1.0 + turn) * (from - *stage);
+                from = *stage;
+            }
+            let sample = Sample { push: [world.force(), low[2], 0.0], ..world.sample() };
+            let command = controller.step(&target, &sample);
+            world.run(&command);
+            world.drag = FRICTION * world.force() * world.v[1] / world.v[1].hypot(1e-2);
+            if k > 23_000 {
+                worst = worst.max((world.q[1] - target.q[1]).abs());
+            }
+        }
+        (worst, controller.drag().coefficients()[1])
+    };
+    let ((late, nothing), (known, learned)) = (run(0.0), run(1.0));
+    assert!(nothing == 0.0 && (learned - FRICTION).abs() < 0.05, "{learned}");
+    assert!(known < 0.4 * late, "{known} {late}");
 }
 
 #[test]
@@ -325,6 +367,8 @@ fn settings_that_make_no_sense_are_refused() {
     assert!(!refused(settings()));
     assert!(refused(Settings { period: 0.0, ..settings() }));
     assert!(refused(Settings { aside: 1.1, ..settings() }));
+    assert!(refused(Settings { drag: -0.1, ..settings() }));
+    assert!(refused(Settings { corner: 0.0, ..settings() }));
     assert!(refused(Settings { feed: f64::NAN, ..settings() }));
     assert!(refused(Settings { torque: [f64::NAN; 6], ..settings() }));
     assert!(refused(Settings { force: ForceSettings { ki: -1.0, ..settings().force }, ..settings() }));
@@ -377,7 +421,7 @@ proptest! {
     ) {
         let mut settings = settings();
         settings.joints.kd = [kd; 6];
-        (settings.carry, settings.feed, settings.aside) = (carry, carry, carry);
+        (settings.carry, settings.feed, settings.aside, settings.drag) = (carry, carry, carry, carry);
         (settings.force.ki, settings.force.kp) = (ki, ki);
         let mut controller = Controller::new(Gantry::default(), settings).unwrap();
         let mut estimator = Estimator::new(

@@ -40,7 +40,7 @@ pub(super) struct Reproduce {
     /// Hide nothing in the cases of the diagnosis: all that is named is a false alarm.
     #[arg(long)]
     clean: bool,
-    /// Painting in a minute instead of twenty: a hand's breadth of wall, one roller, no diagnosis; to see that it runs.
+    /// Painting in a quarter of a minute instead of some: a hand's breadth of wall, one roller, no diagnosis; to see that it runs.
     #[arg(long)]
     quick: bool,
     /// Of motions and noise: the same seed gives the same figures.

@@ -21,6 +21,10 @@ pub struct Lent<'a> {
     memory: Vec<[f64; 2]>,
     before: Vec<f64>,
     state: ToolState,
+    /// Where the tool's state, and the torques at rest, are those of.
+    placed: Vec<f64>,
+    rested: Vec<f64>,
+    still: Vec<f64>,
     mass: Vec<f64>,
     bias: Vec<f64>,
     clock: f64,
@@ -56,6 +60,9 @@ impl<'a> Lent<'a> {
             memory: vec![[0.0; 2]; n],
             before: Vec::new(),
             state: ToolState::default(),
+            placed: Vec::new(),
+            rested: Vec::new(),
+            still: vec![0.0; n],
             mass: vec![0.0; n * n],
             bias: vec![0.0; n],
             drives,
@@ -65,7 +72,10 @@ impl<'a> Lent<'a> {
 
     /// Frame and Jacobian of the point of contact.
     pub fn contact<const N: usize>(&mut self, q: &[f64; N]) -> Tool<N> {
-        self.bodies.tool(q, &mut self.state);
+        if self.placed != q {
+            self.bodies.tool(q, &mut self.state);
+            self.placed = q.to_vec();
+        }
         let pose = &self.state.pose;
         let rotation: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|k| pose[4 * i + k]));
         let arm: [f64; 3] = std::array::from_fn(|i| (0..3).map(|k| rotation[i][k] * self.point[k]).sum());
@@ -78,6 +88,15 @@ impl<'a> Lent<'a> {
             jacobian[2][j] += w[0] * arm[1] - w[1] * arm[0];
         }
         Tool { origin: std::array::from_fn(|i| pose[4 * i + 3] + arm[i]), rotation, jacobian }
+    }
+
+    /// Torques of the bodies at rest.
+    fn resting<const N: usize>(&mut self, q: &[f64; N]) -> [f64; N] {
+        if self.rested != q {
+            self.bodies.bias(q, &[0.0; N], &mut self.still);
+            self.rested = q.to_vec();
+        }
+        std::array::from_fn(|j| self.still[j])
     }
 
     /// Mass matrix with the rotors, row-major.
@@ -107,14 +126,13 @@ impl<'a> Lent<'a> {
 
 impl<const N: usize> Model<N> for Lent<'_> {
     fn gravity(&mut self, q: &[f64; N]) -> [f64; N] {
-        self.bodies.bias(q, &[0.0; N], &mut self.bias);
-        std::array::from_fn(|j| self.bias[j] + self.drives[j].plain.offset)
+        let still = self.resting(q);
+        std::array::from_fn(|j| still[j] + self.drives[j].plain.offset)
     }
 
     fn moving(&mut self, q: &[f64; N], dq: &[f64; N], ddq: &[f64; N]) -> [f64; N] {
         self.bodies.mass_matrix(q, &mut self.mass);
-        self.bodies.bias(q, &[0.0; N], &mut self.bias);
-        let still: [f64; N] = std::array::from_fn(|j| self.bias[j]);
+        let still = self.resting(q);
         self.bodies.bias(q, dq, &mut self.bias);
         std::array::from_fn(|j| {
             let drive = &self.drives[j];

@@ -12,6 +12,8 @@ pub struct Bodies<'a> {
     arm: &'a Interpreted,
     base: Vec<f64>,
     still: Vec<f64>,
+    /// From the last frame's origin to the tool's, in the tool's axes: the same in all positions; none before the first.
+    arm_of_tool: Option<[f64; 3]>,
     room: Room,
 }
 
@@ -34,6 +36,7 @@ impl Interpreted {
             base: self.model.base().values(&standard),
             still: vec![0.0; self.model.dof()],
             arm: self,
+            arm_of_tool: None,
             room: Room::default(),
         }
     }
@@ -62,12 +65,18 @@ impl Dynamics for Bodies<'_> {
     fn tool(&mut self, q: &[f64], tool: &mut ToolState) {
         let n = self.dof();
         tool.jacobian.resize(6 * n, 0.0);
-        let mut last = [0.0; 12];
-        self.run(Function::ForwardKinematics, q, &[], &mut last);
         self.run(Function::ToolPose, q, &[], &mut tool.pose);
+        let pose = tool.pose;
+        let arm = self.arm_of_tool.unwrap_or_else(|| {
+            let mut last = [0.0; 12];
+            self.run(Function::ForwardKinematics, q, &[], &mut last);
+            let away = [3, 7, 11].map(|k| pose[k] - last[k]);
+            std::array::from_fn(|k| (0..3).map(|i| pose[4 * i + k] * away[i]).sum())
+        });
+        self.arm_of_tool = Some(arm);
         self.run(Function::Jacobian, q, &[], &mut tool.jacobian);
         // The Jacobian is the last frame's: v_tool = v_last + w x (p_tool - p_last).
-        let [x, y, z] = [3, 7, 11].map(|k| tool.pose[k] - last[k]);
+        let [x, y, z]: [f64; 3] = std::array::from_fn(|i| (0..3).map(|k| pose[4 * i + k] * arm[k]).sum());
         let j = &mut tool.jacobian;
         for k in 0..n {
             let [wx, wy, wz] = [3, 4, 5].map(|row| j[row * n + k]);

@@ -1,6 +1,6 @@
 //! A planned motion against the simulated wall, under the controller of the paper's Fig. 8.
 //!
-//! The arm starts 2 cm before the wall, comes to it, presses at the plan's first point until the force has settled (and wipes a centimetre there and back where drag is
+//! The arm starts 2 cm before the wall, comes to it, presses at the plan's first point until the force has settled (and wipes 4 cm there and back where drag is
 //! to be predicted), and then paints.
 
 use dh_codegen::robot::Robot;
@@ -52,7 +52,7 @@ pub struct Law {
     pub feed: f64,
     /// Of the estimated force aside of the normal: see [`Settings::aside`].
     pub aside: f64,
-    /// Of the drag that is predicted: see [`Settings::drag`]. It is learned in a wipe of a centimetre along the roller's axis, before the painting, where there are
+    /// Of the drag that is predicted: see [`Settings::drag`]. It is learned in a wipe of 4 cm along the roller's axis, before the painting, where there are
     /// 3 s for it.
     pub drag: f64,
 }
@@ -61,7 +61,7 @@ impl Law {
     /// Equations (13) and (15) as they stand.
     pub const PAPER: Self = Self { carry: 0.0, feed: 0.0, aside: 0.0, drag: 0.0 };
     /// With what is known fed forward.
-    pub const FED: Self = Self { carry: 1.0, feed: 1.0, aside: 0.9, drag: 1.0 };
+    pub const FED: Self = Self { carry: 1.0, feed: 1.0, aside: 0.5, drag: 1.0 };
 }
 
 /// What is to be done.
@@ -173,8 +173,8 @@ pub fn in_contact(plan: &Plan) -> Result<Trajectory, TrajectoryError> {
 
 /// How finely the arm is integrated.
 const TOLERANCE: f64 = 1e-5;
-/// Pole of the force aside, rad/s: as fast as the low-pass of the estimate allows.
-const ASIDE_POLE: f64 = 20.0;
+/// Pole of the force aside, rad/s: what comes faster is predicted, and a fast one rings at 3 Hz with the estimate's low-pass and soft joints.
+const ASIDE_POLE: f64 = 4.0;
 /// How far from the wall it begins, m, and how long it rests there, comes, and presses before it paints, s.
 const AWAY: f64 = 0.02;
 const REST: f64 = 0.3;
@@ -345,14 +345,15 @@ fn run_n<const N: usize>(
             if status != Status::Pressing {
                 idle += period;
             }
-            let real_q: [f64; N] = std::array::from_fn(|j| is.q[j]);
             trace.t.push(t - paints);
             trace.estimated.push(estimated);
             trace.measured.push(measured);
             trace.truth.push(truth);
             trace.displacement.push(command.displacement);
             trace.planned.push(planned.contact(&target.q).origin);
-            trace.actual.push(planned.contact(&real_q).origin);
+            trace.actual.push(std::array::from_fn(|i| {
+                is.pose[4 * i + 3] + (0..3).map(|k| is.pose[4 * i + k] * task.wall.contact[k]).sum::<f64>()
+            }));
         }
         if trace.t.len() % 64 == 0 {
             progress(t / run.seconds);

@@ -4,8 +4,8 @@ use crate::control::law::Model;
 use crate::control::robot::Lent;
 use crate::simulate::Trajectory;
 
-/// How far, m; how long it takes there and back, and how long it then rests before the painting begins, s.
-const FAR: f64 = 0.01;
+/// How far, m: joints of some hundred N m/rad give way by a centimetre before the roller slides. How long it takes there and back, and how long it then rests before the painting begins, s.
+const FAR: f64 = 0.04;
 const TIME: f64 = 1.5;
 const REST: f64 = 0.6;
 /// What is left of the settling time for the force to come up first, s.

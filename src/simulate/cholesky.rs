@@ -4,21 +4,17 @@
 /// `Err` with the row where `A` is found not to be positive definite.
 pub(super) fn factor(n: usize, a: &mut [f64]) -> Result<(), usize> {
     for j in 0..n {
-        let mut pivot = a[j * n + j];
-        for k in 0..j {
-            pivot -= a[j * n + k] * a[j * n + k];
-        }
+        let (above, below) = a.split_at_mut((j + 1) * n);
+        let row = &mut above[j * n..=j * n + j];
+        let pivot = row[j] - row[..j].iter().map(|x| x * x).sum::<f64>();
         if pivot.is_nan() || pivot <= 0.0 {
             return Err(j);
         }
         let root = pivot.sqrt();
-        a[j * n + j] = root;
-        for i in j + 1..n {
-            let mut entry = a[i * n + j];
-            for k in 0..j {
-                entry -= a[i * n + k] * a[j * n + k];
-            }
-            a[i * n + j] = entry / root;
+        row[j] = root;
+        for other in below.chunks_exact_mut(n).take(n - j - 1) {
+            let known: f64 = other[..j].iter().zip(&row[..j]).map(|(x, y)| x * y).sum();
+            other[j] = (other[j] - known) / root;
         }
     }
     Ok(())
@@ -27,16 +23,17 @@ pub(super) fn factor(n: usize, a: &mut [f64]) -> Result<(), usize> {
 /// Solves `L L' x = b` in place.
 pub(super) fn solve(n: usize, l: &[f64], x: &mut [f64]) {
     for i in 0..n {
-        for k in 0..i {
-            x[i] -= l[i * n + k] * x[k];
-        }
-        x[i] /= l[i * n + i];
+        let row = &l[i * n..=i * n + i];
+        let (done, rest) = x.split_at_mut(i);
+        let known: f64 = row.iter().zip(done.iter()).map(|(l, x)| l * x).sum();
+        rest[0] = (rest[0] - known) / row[i];
     }
+    // Row by row here too, as they stand in memory: what is found is taken off the others.
     for i in (0..n).rev() {
-        for k in i + 1..n {
-            x[i] -= l[k * n + i] * x[k];
-        }
-        x[i] /= l[i * n + i];
+        let row = &l[i * n..=i * n + i];
+        let (others, rest) = x.split_at_mut(i);
+        rest[0] /= row[i];
+        others.iter_mut().zip(row).for_each(|(x, l)| *x -= l * rest[0]);
     }
 }
 

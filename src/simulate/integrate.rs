@@ -62,8 +62,8 @@ pub(super) trait System {
     fn coordinates(&self) -> usize;
     /// `dy = [x', a, r]`.
     fn rate(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Breakdown>;
-    /// Mass matrix and stiff parts at a state.
-    fn linearise(&mut self, t: f64, y: &[f64], linear: &mut Linear) -> Result<(), Breakdown>;
+    /// Mass matrix and stiff parts at a state, and its rate.
+    fn linearise(&mut self, t: f64, y: &[f64], linear: &mut Linear, dy: &mut [f64]) -> Result<(), Breakdown>;
 }
 
 /// Where a system is stiff: `M a = -K x - D x' - sum_b along_b c_b z_b + (what is not)`, `z_b' = a_b v_b + b_b z_b + ..`,

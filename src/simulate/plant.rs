@@ -209,12 +209,17 @@ impl<'a> Plant<'a> {
 
     /// Everything at a state, to [`Plant::now`].
     pub fn look(&mut self, t: f64, y: &[f64]) -> Result<(), Breakdown> {
+        self.see(t, y, false)
+    }
+
+    /// With the slopes of what pushes, if they are asked for.
+    fn see(&mut self, t: f64, y: &[f64], slopes: bool) -> Result<(), Breakdown> {
         let (n, total) = (self.n, self.coordinates);
         let (x, v, z) = (&y[..total], &y[total..2 * total], &y[2 * total..]);
         let work = &mut self.work;
         self.bodies.mass_matrix(&x[..n], &mut work.bodies);
         self.bodies.bias(&x[..n], &v[..n], &mut work.bias);
-        self.push(t, x, v);
+        self.push(t, x, v, slopes);
         self.command(t, x, v);
         let (work, now) = (&mut self.work, &mut self.now);
 
@@ -288,12 +293,14 @@ impl<'a> Plant<'a> {
         Ok(())
     }
 
-    /// Torques of the external wrenches.
-    fn push(&mut self, t: f64, x: &[f64], v: &[f64]) {
+    /// Torques of the external wrenches, and what stiffness and damping they put on the joints.
+    fn push(&mut self, t: f64, x: &[f64], v: &[f64], slopes: bool) {
         let (n, work) = (self.n, &mut self.work);
         work.pushed.fill(0.0);
-        work.push_stiffness.fill(0.0);
-        work.push_damping.fill(0.0);
+        if slopes {
+            work.push_stiffness.fill(0.0);
+            work.push_damping.fill(0.0);
+        }
         self.now.wrench = [0.0; 6];
         let acting = self.contacts.iter().any(|c| c.acts(t));
         if !acting && self.external.is_empty() {
@@ -304,7 +311,7 @@ impl<'a> Plant<'a> {
         let twist: [f64; 6] = std::array::from_fn(|i| (0..n).map(|k| jacobian[i * n + k] * v[k]).sum());
         let total = contact::total(self.contacts, self.external, t, pose, &twist);
         for (matrix, out) in [(&total.stiffness, &mut work.push_stiffness), (&total.damping, &mut work.push_damping)] {
-            if matrix.iter().flatten().all(|&entry| entry == 0.0) {
+            if !slopes || matrix.iter().flatten().all(|&entry| entry == 0.0) {
                 continue;
             }
             for a in 0..n {
@@ -318,6 +325,16 @@ impl<'a> Plant<'a> {
             work.pushed[k] = (0..6).map(|i| jacobian[i * n + k] * total.wrench[i]).sum();
         }
         self.now.wrench = contact::in_tool(pose, &total.wrench);
+    }
+
+    /// The rate at the state that was looked at last.
+    fn seen_rate(&self, y: &[f64], dy: &mut [f64]) {
+        let total = self.coordinates;
+        dy[..total].copy_from_slice(&y[total..2 * total]);
+        dy[total..2 * total].copy_from_slice(&self.now.acceleration);
+        for (b, bristle) in self.bristles.iter().enumerate() {
+            dy[2 * total + b] = bristle.rate(bristle.velocity(&y[total..2 * total]), y[2 * total + b]);
+        }
     }
 
     /// Torques that hold the bodies at the state that was looked at last, N m.
@@ -366,19 +383,15 @@ impl System for Plant<'_> {
     }
 
     fn rate(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Breakdown> {
-        let total = self.coordinates;
         self.look(t, y)?;
-        dy[..total].copy_from_slice(&y[total..2 * total]);
-        dy[total..2 * total].copy_from_slice(&self.now.acceleration);
-        for (b, bristle) in self.bristles.iter().enumerate() {
-            dy[2 * total + b] = bristle.rate(bristle.velocity(&y[total..2 * total]), y[2 * total + b]);
-        }
+        self.seen_rate(y, dy);
         Ok(())
     }
 
-    fn linearise(&mut self, t: f64, y: &[f64], linear: &mut Linear) -> Result<(), Breakdown> {
+    fn linearise(&mut self, t: f64, y: &[f64], linear: &mut Linear, dy: &mut [f64]) -> Result<(), Breakdown> {
         let (n, total) = (self.n, self.coordinates);
-        self.look(t, y)?;
+        self.see(t, y, true)?;
+        self.seen_rate(y, dy);
         let (x, v, z) = (&y[..total], &y[total..2 * total], &y[2 * total..]);
         let since = t - self.start;
         linear.mass.clone_from(&self.work.mass);

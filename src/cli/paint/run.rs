@@ -51,9 +51,9 @@ pub(super) struct Run {
     #[arg(long, default_value_t = 1.0, value_name = "0..1")]
     feed: f64,
     /// Share of the estimated force aside of the wall's normal that is fed forward.
-    #[arg(long, default_value_t = 0.9, value_name = "0..1")]
+    #[arg(long, default_value_t = 0.5, value_name = "0..1")]
     aside: f64,
-    /// Share of the drag that is predicted from where the plan slides, with friction as learned so far. It is learned in a wipe of a centimetre along the roller's
+    /// Share of the drag that is predicted from where the plan slides, with friction as learned so far. It is learned in a wipe of 4 cm along the roller's
     /// axis, at the end of the settling time (where that is 3 s or longer).
     #[arg(long, default_value_t = 1.0, value_name = "0..1")]
     drag: f64,

@@ -30,7 +30,7 @@ impl Extent {
     /// The paper's wall and durations.
     pub const PAPER: Self = Self { size: [0.6, 0.8], seconds: &super::PAPER_SECONDS, plain: false, settle: SETTLE };
     /// A hand's breadth.
-    pub const QUICK: Self = Self { size: [0.2, 0.15], seconds: &[2.0], plain: true, settle: 1.0 };
+    pub const QUICK: Self = Self { size: [0.2, 0.15], seconds: &[2.0], plain: true, settle: 3.0 };
 }
 
 /// Joints of the arm.

@@ -29,6 +29,8 @@ pub(in crate::simulate) struct Rosenbrock {
     k: [Vec<f64>; 4],
     stage: Vec<f64>,
     rate: Vec<f64>,
+    /// The rate where the step begins.
+    first: Vec<f64>,
     sum: Vec<f64>,
     new: Vec<f64>,
     linear: Linear,
@@ -47,14 +49,16 @@ impl Rosenbrock {
         y: &mut [f64],
     ) -> Result<(), Breakdown> {
         let len = y.len();
-        for buffer in self.k.iter_mut().chain([&mut self.stage, &mut self.rate, &mut self.sum, &mut self.new]) {
+        for buffer in
+            self.k.iter_mut().chain([&mut self.stage, &mut self.rate, &mut self.first, &mut self.sum, &mut self.new])
+        {
             buffer.resize(len, 0.0);
         }
         let mut fresh = true;
         while t < end {
             let (h, last) = pace.step(t, end);
             if fresh {
-                system.linearise(t, y, &mut self.linear)?;
+                system.linearise(t, y, &mut self.linear, &mut self.first)?;
             }
             let error = self.step(system, t, h, y, pace.solver.tolerance)?;
             fresh = pace.judge(t, h, error, 2.0)?;
@@ -96,7 +100,11 @@ impl Rosenbrock {
                     self.sum[e] += GAMMAS[i][j] * self.k[j][e];
                 }
             }
-            system.rate(at, &self.stage, &mut self.rate)?;
+            if i == 0 {
+                self.rate.copy_from_slice(&self.first);
+            } else {
+                system.rate(at, &self.stage, &mut self.rate)?;
+            }
             self.solve(n, h, i);
         }
         for e in 0..y.len() {

@@ -21,7 +21,8 @@ impl System for Pendulum {
         Ok(())
     }
 
-    fn linearise(&mut self, _: f64, y: &[f64], linear: &mut Linear) -> Result<(), Breakdown> {
+    fn linearise(&mut self, t: f64, y: &[f64], linear: &mut Linear, dy: &mut [f64]) -> Result<(), Breakdown> {
+        self.rate(t, y, dy)?;
         linear.mass = vec![2.0];
         linear.stiffness = vec![self.told * 4.0 * y[0].cos()];
         linear.damping = vec![self.told * 0.3];
