@@ -114,6 +114,9 @@ fn tolerance(best: &Candidate, memory: f64) -> f64 {
     (10.0 * memory).max(0.015 * best.score)
 }
 
+/// Two links are the same to the data within this share of what they gain: both have ten columns, so that nothing else decides.
+const SAME: f64 = 0.002;
+
 /// Of wrong links that gain nearly the same (a neighbour's mass on the common axis is the link's own) the one with the least change goes first.
 fn least_change_first(all: &mut [Candidate], bench: &Bench<'_>, fitted: &Fitted) {
     let change = |c: &Candidate| {
@@ -123,7 +126,7 @@ fn least_change_first(all: &mut [Candidate], bench: &Bench<'_>, fitted: &Fitted)
     let last = |c: &Candidate| c.place.first().is_some_and(|j| j + 1 == bench.scene.dof());
     let Some(best) = all.first().filter(|c| !last(c)) else { return };
     let Some(mut least) = change(best) else { return };
-    let near = tolerance(best, mean(&fitted.memory));
+    let near = tolerance(best, mean(&fitted.memory)).min(SAME * best.score);
     let (score, mut at) = (best.score, 0);
     for (i, c) in all.iter().enumerate().filter(|(_, c)| score - c.score < near && !last(c)) {
         if let Some(change) = change(c).filter(|c| *c < least) {
