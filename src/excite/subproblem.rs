@@ -71,13 +71,10 @@ pub(super) fn solve(hessian: &DMatrix<f64>, gradient: &[f64], rows: &[Row], pena
     let settings = DefaultSettingsBuilder::default()
         .verbose(false)
         .max_iter(60)
-        .tol_gap_abs(1e-6)
-        .tol_gap_rel(1e-6)
-        .tol_feas(1e-7)
+        .tol_gap_abs(1e-7)
+        .tol_gap_rel(1e-7)
+        .tol_feas(1e-8)
         .presolve_enable(false)
-        // Rows are of one size already.
-        .equilibrate_enable(false)
-        .iterative_refinement_max_iter(1)
         .build()
         .ok()?;
     let mut solver = DefaultSolver::new(&p, &q, &a, &b, &[NonnegativeConeT(m)], settings).ok()?;
