@@ -57,7 +57,8 @@ pub type Behind<S> = [S; 3];
 /// Least damping ratio of a link on its spring: with less, what the motion was long ago would count.
 pub const LEAST_DAMPING: f64 = 0.01;
 
-/// Where the springs carry their links if nothing swings. `bodies`: torques of the arm with its links so far behind.
+/// Where the springs carry their links if nothing swings: the arm behind them hangs otherwise than it was, so it is asked again until that is next to nothing.
+/// `bodies`: torques of the arm with its links so far behind.
 pub fn at_ease<S: Real>(
     springs: &[Spring],
     behind: &mut [Behind<S>],
@@ -65,6 +66,18 @@ pub fn at_ease<S: Real>(
     bodies: &mut dyn FnMut(&[Behind<S>], &mut [S]),
 ) {
     behind.fill([S::default(); 3]);
+    for _ in 0..5 {
+        wind(springs, behind, torques, bodies);
+    }
+}
+
+/// Winds the springs by the torques of the arm as it is behind them.
+fn wind<S: Real>(
+    springs: &[Spring],
+    behind: &mut [Behind<S>],
+    torques: &mut [S],
+    bodies: &mut dyn FnMut(&[Behind<S>], &mut [S]),
+) {
     bodies(behind, torques);
     for ((behind, spring), &torque) in behind.iter_mut().zip(springs).zip(torques.iter()) {
         if spring.stiffness > 0.0 {
@@ -157,7 +170,9 @@ pub fn swung<S: Real>(
     bodies: &mut dyn FnMut(&[Behind<S>], &mut [S]),
 ) {
     let (moving, resting) = room.split_at_mut(springs.len());
-    at_ease(springs, still, resting, bodies);
+    // Once, as the static law has it.
+    still.fill([S::default(); 3]);
+    wind(springs, still, resting, bodies);
     bodies(still, resting);
     bodies(behind, moving);
     for ((torque, spring), (moving, resting)) in torques.iter_mut().zip(springs).zip(moving.iter().zip(resting.iter()))
