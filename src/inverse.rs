@@ -38,7 +38,7 @@ pub struct Postures {
     pub distance: [f64; 2],
     /// How many branches fewer were found than the nominal arm has, and at least one where their number is odd.
     pub lost: u32,
-    /// May more be missing? Some posture of an arm that is only nearly of its family lies beside a singularity.
+    /// May one be missing beside those? Some posture of an arm that is only nearly of its family lies beside a singularity.
     pub uncertain: bool,
     /// The swivel angle, rad, or position of the locked joint that was used.
     pub redundancy: f64,

@@ -119,12 +119,15 @@ fn random_postures() {
         let bench = Bench::new(robot(name));
         let mut random = Random::new(1);
         let (mut loose, mut missed, mut silent, mut worst, mut far, mut outside) = (0, 0, 0, 0.0f64, 0.0f64, 0);
+        let (mut uncertain, mut unflagged) = (0, 0);
         // Refined branch by branch: a thousand times as slow.
         let count = if bench.ik.inverse().exact { postures() } else { postures().min(20_000) };
         for _ in 0..count {
             let q = bench.random(&mut random);
             let (error, nearest, found) = bench.check(&q, false);
             worst = worst.max(error);
+            uncertain += usize::from(found.uncertain);
+            unflagged += usize::from(nearest > 1e-6 && found.status == Status::Ok && !found.uncertain);
             if nearest > 1e-6 && found.status == Status::Singular {
                 // So near a singularity that the pose's last digits do not tell it, and said to be.
                 loose += 1;
@@ -141,8 +144,15 @@ fn random_postures() {
             }
         }
         eprintln!(
-            "{name}: {count} postures, missed {missed}, singular {loose}, worst pose {worst:.1e}, farthest {far:.1e}, outside {outside}"
+            "{name}: {count} postures, missed {missed}, singular {loose}, uncertain {uncertain}, worst pose {worst:.1e}, farthest {far:.1e}, outside {outside}"
         );
+        // Away from singularities an arm that is nearly of its family has the branches of the nominal one, and it knows where that is.
+        assert_eq!(unflagged, 0, "{name}");
+        if bench.ik.inverse().exact {
+            assert_eq!(uncertain, 0, "{name}");
+        } else {
+            assert!(0 < uncertain && uncertain < count / 2, "{name}: {uncertain} of {count}");
+        }
         assert!(worst < 1e-12, "{name}: {worst}");
         assert_eq!(outside, 0, "{name}");
         // Of an arm that is only nearly of its family a branch may be lost, but not without a word.
@@ -286,7 +296,7 @@ fn a_path_through_the_wrist_singularity_is_followed() {
 #[test]
 fn a_calibrated_arm_keeps_its_branches() {
     let mut random = Random::new(5);
-    let (mut found, mut all, mut own, mut told, mut worst) = (0, 0, 0, 0, 0.0f64);
+    let (mut found, mut all, mut own, mut told, mut flagged, mut worst) = (0, 0, 0, 0, 0, 0.0f64);
     for _ in 0..5 {
         let mut robot = robot("ur10e");
         for joint in &mut robot.joints {
@@ -303,11 +313,14 @@ fn a_calibrated_arm_keeps_its_branches() {
             worst = worst.max(error);
             own += usize::from(nearest < 1e-6);
             told += usize::from(nearest >= 1e-6 && solutions.lost > 0);
+            flagged += usize::from(solutions.uncertain);
             found += solutions.list.len();
             all += solutions.list.len() + solutions.lost as usize;
         }
     }
-    eprintln!("calibrated ur10e: own posture {own} of 500, branches {found} of {all}, worst pose {worst:.1e}");
+    eprintln!(
+        "calibrated ur10e: own posture {own} of 500, branches {found} of {all}, uncertain {flagged}, worst pose {worst:.1e}"
+    );
     // Every branch is kept, or its loss is reported.
     assert!(worst < 1e-12 && own + told == 500, "{own} {told} {worst}");
 }

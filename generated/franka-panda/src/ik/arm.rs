@@ -105,10 +105,7 @@ impl<const N: usize> Arm<N> {
     /// # Errors
     /// If an entry is not finite, or the rotation is none (beyond 1e-6; a smaller defect is taken away).
     pub fn solve(&self, pose: &[[f64; 4]; 3], query: &Query<'_, N>) -> Result<Solutions<N>, PoseError> {
-        let target = match checked(pose) {
-            Ok(target) => target,
-            Err(error) => return Err(error),
-        };
+        let target = checked(pose)?;
         let near_finite = query.near.is_none_or(|q| q.iter().all(|x| x.is_finite()));
         if !query.redundancy.is_finite() || !near_finite {
             return Err(PoseError::NotFinite(3, 0));

@@ -1,7 +1,8 @@
 //! Arms that are only nearly of their family. Each posture of the nominal arm is refined to one of the real arm. Away from
 //! singularities that is all. Near one, two may run into one or end between, and the real arm may have other postures than the
-//! nominal one: there every nominal posture is also followed to the real arm's along a curve that goes past turning points, and
-//! postures at other swivel angles or at poses beside are followed, too.
+//! nominal one: there every nominal posture is also followed to the real arm's along a curve that goes past turning points, and around
+//! the curve that is left of the singular arm's family of postures; so is every branch that was found there, and postures at other
+//! swivel angles or at poses beside.
 
 use super::arm::{Arm, Family, Query, Work};
 use super::axis::{Axis, Value};
