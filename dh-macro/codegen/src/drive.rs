@@ -54,17 +54,15 @@ pub struct Spring {
 /// Where a link stands behind its motor: angle, rad, its rate and its acceleration.
 pub type Behind<S> = [S; 3];
 
+/// Torques of the arm, N m, whose links stand so far behind their motors.
+pub type Bodies<'a, S> = dyn FnMut(&[Behind<S>], &mut [S]) + 'a;
+
 /// Least damping ratio of a link on its spring: with less, what the motion was long ago would count.
 pub const LEAST_DAMPING: f64 = 0.01;
 
 /// Where the springs carry their links if nothing swings: the arm behind them hangs otherwise than it was, so it is asked again until that is next to nothing.
 /// `bodies`: torques of the arm with its links so far behind.
-pub fn at_ease<S: Real>(
-    springs: &[Spring],
-    behind: &mut [Behind<S>],
-    torques: &mut [S],
-    bodies: &mut dyn FnMut(&[Behind<S>], &mut [S]),
-) {
+pub fn at_ease<S: Real>(springs: &[Spring], behind: &mut [Behind<S>], torques: &mut [S], bodies: &mut Bodies<'_, S>) {
     behind.fill([S::default(); 3]);
     for _ in 0..5 {
         wind(springs, behind, torques, bodies);
@@ -72,12 +70,7 @@ pub fn at_ease<S: Real>(
 }
 
 /// Winds the springs by the torques of the arm as it is behind them.
-fn wind<S: Real>(
-    springs: &[Spring],
-    behind: &mut [Behind<S>],
-    torques: &mut [S],
-    bodies: &mut dyn FnMut(&[Behind<S>], &mut [S]),
-) {
+fn wind<S: Real>(springs: &[Spring], behind: &mut [Behind<S>], torques: &mut [S], bodies: &mut Bodies<'_, S>) {
     bodies(behind, torques);
     for ((behind, spring), &torque) in behind.iter_mut().zip(springs).zip(torques.iter()) {
         if spring.stiffness > 0.0 {
@@ -93,7 +86,7 @@ pub fn let_go<S: Real>(
     dt: S,
     behind: &mut [Behind<S>],
     room: &mut [S],
-    bodies: &mut dyn FnMut(&[Behind<S>], &mut [S]),
+    bodies: &mut Bodies<'_, S>,
 ) {
     let (torques, before) = room.split_at_mut(springs.len());
     before.iter_mut().zip(behind.iter()).for_each(|(before, behind)| *before = behind[0]);
@@ -105,13 +98,7 @@ pub fn let_go<S: Real>(
 
 /// The links go on by `dt`, s, by the trapezoidal rule: of each soft joint `KE d + DE d'` is the torque of the arm whose links stand `d` behind their motors,
 /// linear in the accelerations. `bodies` gives that torque; `room` is of `n (n + 2)` numbers.
-pub fn swing<S: Real>(
-    springs: &[Spring],
-    dt: S,
-    behind: &mut [Behind<S>],
-    room: &mut [S],
-    bodies: &mut dyn FnMut(&[Behind<S>], &mut [S]),
-) {
+pub fn swing<S: Real>(springs: &[Spring], dt: S, behind: &mut [Behind<S>], room: &mut [S], bodies: &mut Bodies<'_, S>) {
     let n = springs.len();
     let (matrix, rest) = room.split_at_mut(n * n);
     let (load, column) = rest.split_at_mut(n);
@@ -167,7 +154,7 @@ pub fn swung<S: Real>(
     still: &mut [Behind<S>],
     room: &mut [S],
     torques: &mut [S],
-    bodies: &mut dyn FnMut(&[Behind<S>], &mut [S]),
+    bodies: &mut Bodies<'_, S>,
 ) {
     let (moving, resting) = room.split_at_mut(springs.len());
     // Once, as the static law has it.

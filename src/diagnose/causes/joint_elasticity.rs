@@ -78,12 +78,12 @@ impl<'s, 'a> Link<'s, 'a> {
             let asked = self.asked(run.clone());
             let start = spring.at_ease(&asked);
             let wound = spring.wind(&asked, start);
-            if self.scene.all { wound } else { self.from_where_it_was(spring, run.clone(), start, wound) }
+            if self.scene.all { wound } else { self.after_a_start(spring, run.clone(), start, wound) }
         };
         self.scene.runs.iter().map(begins).collect()
     }
 
-    fn from_where_it_was(&self, spring: Spring, run: std::ops::Range<usize>, start: [f64; 2], wound: Wound) -> Wound {
+    fn after_a_start(&self, spring: Spring, run: std::ops::Range<usize>, start: [f64; 2], wound: Wound) -> Wound {
         let (j, scene, asked) = (self.joint, self.scene, self.asked(run.clone()));
         let nothing = vec![0.0; run.len()];
         let free = Asked { load: &nothing, ..asked };

@@ -30,7 +30,10 @@ impl Cause for JointSpring {
 
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
         let (stiffness, [_, _, offset]) = (found.x[0], found.levels);
-        vec![found.term(0), Named::new("QS", if stiffness == 0.0 || offset == 0.0 { 0.0 } else { -offset / stiffness }, None)]
+        vec![
+            found.term(0),
+            Named::new("QS", if stiffness == 0.0 || offset == 0.0 { 0.0 } else { -offset / stiffness }, None),
+        ]
     }
 
     fn says(&self) -> &'static str {

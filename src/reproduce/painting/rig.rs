@@ -249,10 +249,10 @@ fn bodies(lwr: &Lwr, fitted: Factors, held_out: Factors) -> Result<(Vec<f64>, Ve
     // What possibility costs is in the table, as torque errors.
     let settings = ConsistentSettings { most_cost_percent: f64::INFINITY, ..ConsistentSettings::default() };
     let rms = |of: &Option<Accuracy>| of.as_ref().map_or_else(Vec::new, |v| v.rms.clone());
-    if let Ok(same) = possible_bodies(&lwr.arm, &found.values(), &prior, &drives, &settings) {
-        if same.exact {
-            return Ok((same.standard, rms(&found.validation)));
-        }
+    if let Ok(same) = possible_bodies(&lwr.arm, &found.values(), &prior, &drives, &settings)
+        && same.exact
+    {
+        return Ok((same.standard, rms(&found.validation)));
     }
     let possible = consistent(&lwr.arm, &[fitted], &[held_out], &found, &prior, &drives, &settings);
     let possible = possible.map_err(|why| failed(&why))?;
