@@ -85,14 +85,11 @@ impl<const N: usize> Kalman<N> {
         // Stationary variance: pace^2 / (2 rate) = size^2.
         let keep: [f64; 6] =
             core::array::from_fn(|i| libm::exp(-0.5 * dt * paces[i] * paces[i] / (sizes[i] * sizes[i])));
-        // Prediction: p + dt (tau - bias) + (M1 - M0)(dq0 + dq1)/2 + B (F0 + F1)/2, B = dt J': what pushes between two samples is the wrench of its middle, and half
-        // of what it wanders by is in it.
+        // Prediction: p + dt (tau - bias) + (M1 - M0)(dq0 + dq1)/2 + B F, B = dt J'.
         let mean: [f64; N] = core::array::from_fn(|j| 0.5 * (before.dq[j] + now.dq[j]));
         let (a, b) = (times(&before.mass, &mean), times(&now.mass, &mean));
-        let whole: [[f64; N]; 6] =
+        let push: [[f64; N]; 6] =
             core::array::from_fn(|i| core::array::from_fn(|j| 0.5 * dt * (before.jacobian[i][j] + now.jacobian[i][j])));
-        let push: [[f64; N]; 6] = core::array::from_fn(|i| whole[i].map(|b| 0.5 * (1.0 + keep[i]) * b));
-        let fresh: [f64; 6] = core::array::from_fn(|i| (1.0 - keep[i] * keep[i]) * sizes[i] * sizes[i]);
         let pushed = transposed_times(&push, &state.wrench);
         let mut momentum: [f64; N] = core::array::from_fn(|j| {
             let actuated = 0.5 * (before.tau[j] + now.tau[j] - before.bias[j] - now.bias[j]);
@@ -106,14 +103,15 @@ impl<const N: usize> Kalman<N> {
         let mut pp: [[f64; N]; N] = core::array::from_fn(|i| {
             core::array::from_fn(|j| {
                 let mixed: f64 = (0..6).map(|k| state.pf[i][k] * push[k][j] + push[k][i] * joined[j][k]).sum();
-                let wandered: f64 = (0..6).map(|k| 0.25 * whole[k][i] * fresh[k] * whole[k][j]).sum();
-                state.pp[i][j] + mixed + wandered + if i == j { self.density[i] * dt } else { 0.0 }
+                state.pp[i][j] + mixed + if i == j { self.density[i] * dt } else { 0.0 }
             })
         });
-        let mut pf: [[f64; 6]; N] =
-            core::array::from_fn(|j| core::array::from_fn(|i| keep[i] * joined[j][i] + 0.5 * whole[i][j] * fresh[i]));
+        let mut pf = joined.map(|row| core::array::from_fn(|i| keep[i] * row[i]));
         let mut ff: [[f64; 6]; 6] = core::array::from_fn(|i| {
-            core::array::from_fn(|j| keep[i] * keep[j] * state.ff[i][j] + if i == j { fresh[i] } else { 0.0 })
+            core::array::from_fn(|j| {
+                let fresh = if i == j { (1.0 - keep[i] * keep[i]) * sizes[i] * sizes[i] } else { 0.0 };
+                keep[i] * keep[j] * state.ff[i][j] + fresh
+            })
         });
         // Correction by M dq, in the measurement's whitened coordinates: covariances lose what their rows, whitened, have in common.
         let noise = self.measurement(now);

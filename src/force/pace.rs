@@ -3,14 +3,13 @@
 //! In a steady state a Kalman filter for a random walk of pace `w` (standard deviation after a second) in noise of density `R` is a low-pass of time
 //! constant `T = sqrt(R) / w`. Its error has two halves, `R / (2 T)` of noise and as much of lag. The lag is seen in the estimate: what it is
 //! ahead of its own low-pass of the same `T` is `v T` for a ramp of rate `v`, `w^2 T / 2` in the mean square for a random walk, and `R / (4 T)` for the
-//! noise that is left in it. The pace at which the lag is half of the error of a wrench that comes and goes smoothly is `w^3 = 2 v^2 sqrt(R)`, `v^2` the mean square of its
-//! rate over the last moments; for a wrench that truly wanders `4 v^2` makes it its own. Which of the two it is the estimate does not show: 3 is taken, with which bands hold
-//! 96 to 98 % of sines and 87 to 90 % of random walks (one component, simulated).
+//! noise that is left in it. The pace at which the lag is half of the error is `w^3 = 2 v^2 sqrt(R)`: for a random walk its own. Rates come and go: a sine's
+//! is twice its mean square at its height, and that is what is taken.
 
 /// Mean over so long, s.
 const MEMORY: f64 = 0.3;
 /// A time constant longer than this, at full pace, is that of a component which the joints hardly tell: nothing is found out of it then.
-const SLOWEST: f64 = 0.012;
+const SLOWEST: f64 = 0.03;
 /// The least pace, as a share of the largest.
 const LEAST: f64 = 0.01;
 
@@ -45,8 +44,7 @@ impl Pace {
             return;
         }
         let lag = (root / self.pace).max(dt);
-        // By the backward rule: late by `lag` at a ramp, however long a sample is.
-        let slow = value + lag / (lag + dt) * (slow - value);
+        let slow = value + libm::exp(-dt / lag) * (slow - value);
         self.slow = Some(slow);
         let ahead = (value - slow) * (value - slow);
         let noise = density / (4.0 * lag);
@@ -55,7 +53,7 @@ impl Pace {
         let share =
             if ahead > 25.0 * (noise + self.rate.max(0.0) * lag * lag) { 1.0 } else { 1.0 - libm::exp(-dt / MEMORY) };
         self.rate += share * (seen - self.rate);
-        let pace = libm::cbrt(3.0 * self.rate.max(0.0) * root);
+        let pace = libm::cbrt(4.0 * self.rate.max(0.0) * root);
         self.pace = pace.clamp(LEAST * self.most, self.most);
     }
 }

@@ -26,7 +26,7 @@ pub struct Settings {
     pub gain: f64,
     /// How large wrenches are.
     pub scale: Scale,
-    /// How fast they wander at most: the Kalman filter's. Default 50 N and 5 N m in a second.
+    /// How fast they wander at most: the Kalman filter's. Default 20 N and 2 N m in a second.
     pub wander: Scale,
     /// Stretches in which nothing touches, s.
     pub free: Vec<[f64; 2]>,
@@ -43,7 +43,7 @@ impl Default for Settings {
             filter: Some(Filter::default()),
             gain: 62.8,
             scale: Scale::default(),
-            wander: Scale { force: 50.0, moment: 5.0 },
+            wander: Scale { force: 20.0, moment: 2.0 },
             free: Vec::new(),
             nothing_touches: false,
             bias: None,

@@ -14,7 +14,9 @@ fn of_200_runs_95_in_100_bands_hold_the_force() {
     assert!(c.found_right > 0.98, "{c:?}");
     let all = coverage(&stage, &[Method::Momentum, Method::Kalman], Case::Right, 30, 1500, &|_, _| {}).unwrap();
     assert!(all.iter().all(|c| (0.91..0.98).contains(&c.whole)), "{all:?}");
-    assert!(all.iter().flat_map(|c| &c.components).all(|share| (0.87..0.99).contains(share)), "{all:?}");
+    // The momentum observer's are exact; the Kalman filter's are as good as the pace that it finds.
+    assert!(all[0].components.iter().all(|share| (0.92..0.98).contains(share)), "{all:?}");
+    assert!(all[1].components.iter().all(|share| (0.87..0.99).contains(share)), "{all:?}");
 }
 
 #[test]
