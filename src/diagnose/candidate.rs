@@ -121,7 +121,8 @@ const SAME: f64 = 0.002;
 fn least_change_first(all: &mut [Candidate], bench: &Bench<'_>, fitted: &Fitted) {
     let change = |c: &Candidate| {
         let terms = bench.family(c.cause, &c.place, &c.shape);
-        c.cause.change(&bench.scene, &c.place, &terms, &c.gain.x)
+        let std = c.cause.beliefs(&bench.scene, &c.place, &terms)?;
+        Some(c.gain.x.iter().zip(std).map(|(x, s)| (x / s).powi(2)).sum::<f64>().sqrt())
     };
     let last = |c: &Candidate| c.place.first().is_some_and(|j| j + 1 == bench.scene.dof());
     let Some(best) = all.first().filter(|c| !last(c)) else { return };

@@ -321,8 +321,8 @@ pub trait Cause: Sync {
         None
     }
 
-    /// How large a change of the file's own values its coefficients are, by what such values may be off; `None`: it changes none.
-    fn change(&self, _scene: &Scene<'_>, _place: &[usize], _terms: &[Term], _x: &[f64]) -> Option<f64> {
+    /// By how much the values of the file that its coefficients change may be off, one each; `None`: it changes none.
+    fn beliefs(&self, _scene: &Scene<'_>, _place: &[usize], _terms: &[Term]) -> Option<Vec<f64>> {
         None
     }
 

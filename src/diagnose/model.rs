@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use crate::arm::Plant;
 use crate::identify::recover_standard;
@@ -661,14 +661,41 @@ pub fn parameters(
     let at: Vec<usize> = (0..chosen.x.len()).map(|k| fitted.first[index] + k).chain((0..3).map(level)).collect();
     let whole = &uncertainty.covariance;
     let variance = |k: usize| whole[(k, k)].max(0.0).sqrt();
+    let mut x = DVector::from_column_slice(&chosen.x);
+    let mut covariance = DMatrix::from_fn(at.len(), at.len(), |i, k| whole[(at[i], at[k])]);
+    if let Some(std) = chosen.cause.beliefs(&bench.scene, &chosen.place, &fitted.terms[index]) {
+        let told = fitted.moments.told(&fitted.solution.weights);
+        let own = told.view((fitted.first[index], fitted.first[index]), (x.len(), x.len()));
+        let loose = untold(&own.into_owned(), &std);
+        let scale = DMatrix::from_diagonal(&DVector::from_vec(std));
+        let inverse = scale.map_diagonal(|s| if s > 0.0 { 1.0 / s } else { 0.0 });
+        let share = x.component_mul(&inverse);
+        x -= &scale * (&loose * (&loose.transpose() * share));
+        let mut corner = covariance.view_mut((0, 0), (x.len(), x.len()));
+        corner += &scale * (&loose * loose.transpose()) * &scale;
+    }
     chosen.cause.named(&Estimate {
         scene: &bench.scene,
         place: &chosen.place,
         shape: &chosen.shape,
         shape_std: uncertainty.shapes[index].iter().map(|k| k.map(variance)).collect(),
         terms: &fitted.terms[index],
-        x: &chosen.x,
+        x: x.as_slice(),
         levels: std::array::from_fn(|which| given[which].unwrap_or(0.0) + fitted.solution.x[level(which)]),
-        covariance: DMatrix::from_fn(at.len(), at.len(), |i, k| whole[(at[i], at[k])]),
+        covariance,
     })
+}
+
+/// Directions, one a column, of unknowns counted in what they may be off (`std`), of which the data (`told`, their normal matrix) say less than that belief: of a mass on the axis and
+/// a first moment along it, for one, often only a sum is told. There the least change is as good as any other, and as uncertain as the belief.
+fn untold(told: &DMatrix<f64>, std: &[f64]) -> DMatrix<f64> {
+    let n = std.len();
+    let white = DMatrix::from_fn(n, n, |i, k| told[(i, k)] * std[i] * std[k]);
+    if !white.iter().all(|x| x.is_finite()) {
+        return DMatrix::zeros(n, 0);
+    }
+    let eigen = SymmetricEigen::new(white);
+    let columns: Vec<_> =
+        (0..n).filter(|&k| eigen.eigenvalues[k] < 1.0).map(|k| eigen.eigenvectors.column(k).into_owned()).collect();
+    if columns.is_empty() { DMatrix::zeros(n, 0) } else { DMatrix::from_columns(&columns) }
 }

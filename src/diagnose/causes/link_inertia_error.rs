@@ -41,12 +41,11 @@ impl Cause for LinkInertiaError {
         (last && mass > 0.0).then_some(&Payload as &dyn Cause)
     }
 
-    fn change(&self, scene: &Scene<'_>, place: &[usize], terms: &[Term], x: &[f64]) -> Option<f64> {
+    fn beliefs(&self, scene: &Scene<'_>, place: &[usize], terms: &[Term]) -> Option<Vec<f64>> {
         let (names, row) = (scene.plant.standard_names(), scene.plant.rows()[place[0]] + 1);
         let std = deviations(names, scene.plant.given()?)?;
         let of = |symbol: &str| names.iter().position(|n| *n == format!("{symbol}{row}")).map(|i| std[i]);
-        let shares = terms.iter().zip(x).filter_map(|(t, x)| of(&t.symbol).map(|s| (x / s).powi(2)));
-        Some(shares.sum::<f64>().sqrt())
+        terms.iter().map(|t| of(&t.symbol)).collect()
     }
 
     fn says(&self) -> &'static str {
