@@ -31,6 +31,7 @@ mod settle;
 mod stay;
 mod structure;
 mod swap;
+mod uncertainty;
 mod unite;
 mod weigh;
 

@@ -3,6 +3,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::causes::{CAUSES, Cause, Sign, UNIT};
+use super::judge::SURE;
 use super::model::{Bench, Chosen, Fitted};
 use super::moments::Gain;
 
@@ -105,7 +106,7 @@ pub fn candidates(
     }
     all.sort_by(|a, b| b.score.total_cmp(&a.score));
     simplest_first(&mut all, fitted);
-    least_change_first(&mut all, bench, fitted);
+    least_change_first(&mut all, bench);
     all
 }
 
@@ -118,7 +119,7 @@ fn tolerance(best: &Candidate, memory: f64) -> f64 {
 const SAME: f64 = 0.002;
 
 /// Of wrong links that gain nearly the same (a neighbour's mass on the common axis is the link's own) the one with the least change goes first.
-fn least_change_first(all: &mut [Candidate], bench: &Bench<'_>, fitted: &Fitted) {
+fn least_change_first(all: &mut [Candidate], bench: &Bench<'_>) {
     let change = |c: &Candidate| {
         let terms = bench.family(c.cause, &c.place, &c.shape);
         let std = c.cause.beliefs(&bench.scene, &c.place, &terms)?;
@@ -127,7 +128,7 @@ fn least_change_first(all: &mut [Candidate], bench: &Bench<'_>, fitted: &Fitted)
     let last = |c: &Candidate| c.place.first().is_some_and(|j| j + 1 == bench.scene.dof());
     let Some(best) = all.first().filter(|c| !last(c)) else { return };
     let Some(mut least) = change(best) else { return };
-    let near = tolerance(best, mean(&fitted.memory)).min(SAME * best.score);
+    let near = SAME * best.score;
     let (score, mut at) = (best.score, 0);
     for (i, c) in all.iter().enumerate().filter(|(_, c)| score - c.score < near && !last(c)) {
         if let Some(change) = change(c).filter(|c| *c < least) {
@@ -137,15 +138,16 @@ fn least_change_first(all: &mut [Candidate], bench: &Bench<'_>, fitted: &Fitted)
     all[..=at].rotate_right(1);
 }
 
-/// Of candidates on one joint that gain nearly the same, the one beside which fewest terms of plain friction are needed goes first.
-pub(super) fn sparest_first(all: &mut [Candidate], bench: &mut Bench<'_>, others: &[Chosen], fitted: &Fitted) {
-    let Some(best) = all.first() else { return };
-    let [joint] = best.place[..] else { return };
+/// Of candidates on one joint that gain nearly the same, the one beside which fewest terms of plain friction are needed goes first. Whether models were fitted for
+/// that, so that the bench is left with another.
+pub(super) fn sparest_first(all: &mut [Candidate], bench: &mut Bench<'_>, others: &[Chosen], fitted: &Fitted) -> bool {
+    let Some(best) = all.first() else { return false };
+    let [joint] = best.place[..] else { return false };
     let eligible = |c: &Candidate| c.place == [joint] && !c.cause.moves_time() && !c.cause.local();
     let least = best.score - tolerance(best, fitted.memory[joint]);
     let near: Vec<usize> = (0..all.len()).filter(|&i| eligible(&all[i]) && all[i].score > least).take(4).collect();
     if near.len() < 2 || near[0] != 0 {
-        return;
+        return false;
     }
     let mut needed = |c: &Candidate| {
         let mut trial = [others, &[c.chosen()]].concat();
@@ -153,7 +155,7 @@ pub(super) fn sparest_first(all: &mut [Candidate], bench: &mut Bench<'_>, others
         let covariance = fitted.covariance();
         let sure = |k: &usize| {
             let at = fitted.friction + k;
-            fitted.solution.x[at].powi(2) > NEEDED.powi(2) * covariance[(at, at)]
+            fitted.solution.x[at].powi(2) > SURE.powi(2) * covariance[(at, at)]
         };
         let friction = (3 * joint..3 * joint + 3).filter(|k| !bench.frozen[*k]).filter(sure).count();
         unknowns(c.cause, &c.shape, c.gain.x.len()) + friction as f64
@@ -163,10 +165,8 @@ pub(super) fn sparest_first(all: &mut [Candidate], bench: &mut Bench<'_>, others
     if let Some(at) = counts.iter().position(|c| *c <= fewest) {
         all[..=near[at]].rotate_right(1);
     }
+    true
 }
-
-/// Standard deviations from 0 at which a term of plain friction is needed.
-const NEEDED: f64 = 4.5;
 
 fn mean(x: &[f64]) -> f64 {
     x.iter().sum::<f64>() / x.len().max(1) as f64

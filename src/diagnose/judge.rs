@@ -22,6 +22,19 @@ pub struct Accepted {
     pub variance: f64,
 }
 
+/// What was chosen, as a model takes it.
+pub(super) fn chosen_of(accepted: &[Accepted]) -> Vec<Chosen> {
+    accepted.iter().map(|a| a.chosen.clone()).collect()
+}
+
+/// Takes over what a fit made of the chosen causes.
+pub(super) fn adopt(accepted: &mut [Accepted], chosen: &[Chosen]) {
+    accepted.iter_mut().zip(chosen).for_each(|(a, c)| a.chosen = c.clone());
+}
+
+/// Standard deviations from 0 at which a term of plain friction is needed: what chance gives once in some 150,000 times, for there are many to choose from.
+pub(super) const SURE: f64 = 4.5;
+
 /// Less than this share of a joint's squared error is left by what takes nearly all of it.
 const NEARLY: f64 = 0.1;
 /// Support of a cause that holds in every stretch, where windows that remember each other can't say so.

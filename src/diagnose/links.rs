@@ -1,10 +1,10 @@
 //! Links that are not the file's: a cause where all base parameters were taken anew.
 
+use super::judge::chosen_of;
 use super::measure::{Meter, bootstrap, matters, root_mean_square, share, taken_of};
 use super::model::{Bench, Mode};
 use super::result::Cause;
 use super::settle::{Case, Settled};
-use super::stay::chosen_of;
 use super::weigh::MOST_MARGIN;
 use super::{calibration, evidence};
 

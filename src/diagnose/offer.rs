@@ -117,8 +117,21 @@ mod tests {
         assert!(paired.sure() && (paired.gain - 1.0 / 3.0).abs() < 0.05, "{paired:?}");
         assert!(!worse.less(&one, &[0.0; 2]).sure());
         assert!(!one.less(&one, &[0.0; 2]).sure());
+        assert!(paired.pays() && one.nearly_all(&noisy(&mut random, 20.0), 1, 0.1));
+        assert!(!one.nearly_all(&worse, 1, 0.1));
         // Far below what matters nothing is better.
         assert!(one.less(&worse, &[100.0; 2]).gain < 1e-3);
         assert!((one.rms() - 1.0).abs() < 0.1);
+    }
+
+    #[test]
+    fn weak_joints_do_not_outvote_a_heavy_one() {
+        let model = |light: f64, heavy: f64| {
+            let sums = vec![vec![light, light, light, heavy]; 8];
+            LeftOut::new(&sums, &vec![vec![1.0; 4]; 8])
+        };
+        // Three joints err half as much, a hundred times as heavy a one somewhat more.
+        let paired = model(0.25, 120.0).less(&model(1.0, 100.0), &[0.0; 4]);
+        assert!(paired.sure() && paired.gain > 0.3 && !paired.pays(), "{paired:?}");
     }
 }

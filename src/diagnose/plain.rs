@@ -2,8 +2,8 @@
 
 use super::candidate::{Candidate, candidates, logs, rivals};
 use super::causes::Cause;
-use super::judge::{Accepted, Judge};
-use super::model::{Bench, Chosen, Fitted};
+use super::judge::{Accepted, Judge, adopt, chosen_of};
+use super::model::{Bench, Fitted};
 use super::search::{SearchSettings, makes_sense};
 
 /// What else the plain friction of a joint might be.
@@ -32,7 +32,7 @@ pub fn reconsider(
         if free.is_empty() && !left || accepted.iter().any(|a| a.chosen.place.contains(&j)) {
             continue;
         }
-        let chosen: Vec<Chosen> = accepted.iter().map(|a| a.chosen.clone()).collect();
+        let chosen = chosen_of(accepted);
         let delays = bench.scene.delays.clone();
         free.iter().for_each(|&k| bench.frozen[k] = true);
         let mut without = chosen.clone();
@@ -59,9 +59,7 @@ pub fn reconsider(
                 let plain = names.iter().filter(|(_, which)| near && free.contains(&(3 * j + which)));
                 judged.rivals.extend(plain.map(|(name, _)| (*name, vec![j], margin)));
                 accepted.push(judged);
-                for (a, c) in accepted.iter_mut().zip(&trial) {
-                    a.chosen = c.clone();
-                }
+                adopt(accepted, &trial);
                 fitted = next;
                 replaced = true;
             }
@@ -79,10 +77,8 @@ pub fn reconsider(
         let rivals = rivals.map(|c| (c.cause.name(), c.place.clone(), ((plain - c.score) / memory).max(0.0))).collect();
         all.push(Plain { joint: j, rivals });
     }
-    let mut chosen: Vec<Chosen> = accepted.iter().map(|a| a.chosen.clone()).collect();
+    let mut chosen = chosen_of(accepted);
     fitted = bench.fit(&mut chosen);
-    for (a, c) in accepted.iter_mut().zip(&chosen) {
-        a.chosen = c.clone();
-    }
+    adopt(accepted, &chosen);
     (fitted, all)
 }

@@ -7,7 +7,7 @@
 
 use super::candidate::{Candidate, candidates, rivals, sparest_first};
 use super::causes::Cause;
-use super::judge::{Accepted, Judge};
+use super::judge::{Accepted, Judge, adopt};
 use super::model::{Bench, Chosen, Fitted, Mode};
 use super::swap::swap;
 use super::unite::unite;
@@ -93,17 +93,13 @@ pub fn search(
             };
             accepted.extend(pair);
             (chosen, fitted) = (trial, next);
-            for (a, c) in accepted.iter_mut().zip(&chosen) {
-                a.chosen = c.clone();
-            }
+            adopt(&mut accepted, &chosen);
             continue;
         };
         chosen = trial;
         accepted.push(judged);
         fitted = next;
-        for (a, c) in accepted.iter_mut().zip(&chosen) {
-            a.chosen = c.clone();
-        }
+        adopt(&mut accepted, &chosen);
     }
     progress("weighing the causes against each other");
     swap(bench, &mut accepted, &mut fitted, noise, settings);

@@ -3,15 +3,17 @@
 use super::evidence;
 use super::item::items;
 use super::judge::Accepted;
+use super::judge::chosen_of;
 use super::measure::{Measured, Meter, bootstrap, here, leave_out, matters, taken_of};
-use super::model::{Bench, Fitted, Mode, Uncertainty};
+use super::model::{Bench, Fitted, Mode};
 use super::offer::LeftOut;
 use super::plain::{Plain, reconsider};
 use super::record::Recording;
 use super::result::{Cause, Offered};
 use super::run::Settings;
 use super::search::search;
-use super::stay::{chosen_of, freeze, prune, release, withdraw, without};
+use super::stay::{freeze, prune, release, withdraw, without};
+use super::uncertainty::Uncertainty;
 use super::weigh::Weighing;
 use crate::arm::Plant;
 

@@ -1,16 +1,13 @@
 //! What stays in the extended model: causes and friction that stand out and hold on left-out stretches.
 
 use super::item::{Item, items, place_of};
-use super::judge::Accepted;
+use super::judge::{Accepted, SURE, adopt, chosen_of};
 use super::measure::reduced;
-use super::model::{Bench, Chosen, Fitted, Mode, Uncertainty, given_friction, local};
+use super::model::{Bench, Fitted, Mode, given_friction, local};
 use super::offer::LeftOut;
 use super::record::Recording;
+use super::uncertainty::Uncertainty;
 use crate::arm::Plant;
-
-pub(super) fn chosen_of(accepted: &[Accepted]) -> Vec<Chosen> {
-    accepted.iter().map(|a| a.chosen.clone()).collect()
-}
 
 /// The model without some of its accepted causes, fitted.
 pub(super) fn without(bench: &mut Bench<'_>, accepted: &mut Vec<Accepted>, out: &[usize]) -> Fitted {
@@ -28,9 +25,7 @@ pub(super) fn without(bench: &mut Bench<'_>, accepted: &mut Vec<Accepted>, out: 
     });
     let mut chosen = chosen_of(accepted);
     let fitted = bench.fit(&mut chosen);
-    for (a, c) in accepted.iter_mut().zip(&chosen) {
-        a.chosen = c.clone();
-    }
+    adopt(accepted, &chosen);
     fitted
 }
 
@@ -139,7 +134,7 @@ pub(super) fn freeze(bench: &mut Bench<'_>, accepted: &mut [Accepted], noise: &[
                 // Friction that drives the joint is none.
                 let drives = which < 2 && given[j][which].unwrap_or(0.0) + value < 0.0;
                 let sure = if std > 0.0 { value.abs() / std } else { 0.0 };
-                if (sure < 4.5 || effect < 0.2 * noise[j] || small || drives) && least.is_none_or(|(_, s)| sure < s) {
+                if (sure < SURE || effect < 0.2 * noise[j] || small || drives) && least.is_none_or(|(_, s)| sure < s) {
                     least = Some((k, sure));
                 }
             }
@@ -153,9 +148,7 @@ pub(super) fn freeze(bench: &mut Bench<'_>, accepted: &mut [Accepted], noise: &[
         }
         fitted = bench.fit(&mut chosen);
     }
-    for (a, c) in accepted.iter_mut().zip(&chosen) {
-        a.chosen = c.clone();
-    }
+    adopt(accepted, &chosen);
     fitted
 }
 
@@ -185,8 +178,6 @@ pub(super) fn release(bench: &mut Bench<'_>, accepted: &mut [Accepted], fitted: 
         out.iter().for_each(|&k| (bench.frozen[k], bench.quiet[k]) = (true, false));
         fitted = bench.fit(&mut chosen);
     }
-    for (a, c) in accepted.iter_mut().zip(&chosen) {
-        a.chosen = c.clone();
-    }
+    adopt(accepted, &chosen);
     fitted
 }

@@ -2,7 +2,7 @@
 
 use super::candidate::{candidates, evaluate, refine, rivals, sparest_first};
 use super::causes::Cause;
-use super::judge::{Accepted, Judge};
+use super::judge::{Accepted, Judge, adopt, chosen_of};
 use super::model::{Bench, Chosen, Fitted};
 use super::noise::memory;
 use super::search::{SearchSettings, makes_sense};
@@ -25,9 +25,8 @@ pub(super) fn swap(
             index += 1;
             continue;
         }
-        let mut without: Vec<Chosen> = accepted.iter().map(|a| a.chosen.clone()).collect();
+        let mut without = chosen_of(accepted);
         let removed = without.remove(index);
-        let kept = without.clone();
         let turned = reshape(bench, &mut without, &removed.place);
         let reduced = bench.fit(&mut without);
         let others: Vec<Accepted> =
@@ -39,8 +38,8 @@ pub(super) fn swap(
                 && (cause.repeats() || without.iter().all(|c| c.cause.name() != cause.name() || c.place != place))
         };
         let mut ranked = candidates(bench, &reduced, &wanted);
-        sparest_first(&mut ranked, bench, &without, &reduced);
-        let reduced = bench.fit(&mut without);
+        let moved = sparest_first(&mut ranked, bench, &without, &reduced);
+        let reduced = if moved { bench.fit(&mut without) } else { reduced };
         let mut replaced = false;
         for (rank, candidate) in ranked.iter().take(2).enumerate() {
             let mut trial = without.clone();
@@ -52,7 +51,6 @@ pub(super) fn swap(
                 if turned && judged.chosen.cause.name() == removed.cause.name() {
                     // It is needed, whatever the shapes of the others: all stay as they were found beside it.
                     accepted[index] = Accepted { chosen: removed.clone(), ..judged };
-                    without.clone_from(&kept);
                     replaced = true;
                     break;
                 }
@@ -61,9 +59,7 @@ pub(super) fn swap(
                 trial.insert(first, chosen);
                 judged.chosen = trial[first].clone();
                 accepted[index] = judged;
-                for (a, c) in accepted.iter_mut().zip(&trial) {
-                    a.chosen = c.clone();
-                }
+                adopt(accepted, &trial);
                 replaced = true;
                 break;
             }
@@ -72,16 +68,12 @@ pub(super) fn swap(
             index += 1;
         } else {
             accepted.remove(index);
-            for (a, c) in accepted.iter_mut().zip(&without) {
-                a.chosen = c.clone();
-            }
+            adopt(accepted, &without);
         }
     }
-    let mut chosen: Vec<Chosen> = accepted.iter().map(|a| a.chosen.clone()).collect();
+    let mut chosen = chosen_of(accepted);
     *fitted = bench.fit(&mut chosen);
-    for (a, c) in accepted.iter_mut().zip(&chosen) {
-        a.chosen = c.clone();
-    }
+    adopt(accepted, &chosen);
     fitted.memory = fitted.residual.iter().zip(&bench.scene.live).map(|(e, l)| memory(e, l)).collect();
 }
 

@@ -1,8 +1,8 @@
 //! Delays of several joints that are one.
 
 use super::candidate::logs;
-use super::judge::Accepted;
-use super::model::{Bench, Chosen, Fitted};
+use super::judge::{Accepted, adopt, chosen_of};
+use super::model::{Bench, Fitted};
 
 /// Delays of several joints that are the same within what they are known to are one: that of a clock, or a bus. It takes their place where the data do not
 /// speak against it: where it costs less than the unknowns that it saves.
@@ -47,7 +47,7 @@ pub(super) fn unite(bench: &mut Bench<'_>, accepted: &mut Vec<Accepted>, fitted:
     one.support = group.iter().map(|&i| accepted[i].support).fold(f64::NEG_INFINITY, f64::max);
     one.variance = group.iter().map(|&i| accepted[i].variance).sum();
     kept.insert(group[0].min(kept.len()), one);
-    let mut chosen: Vec<Chosen> = kept.iter().map(|a| a.chosen.clone()).collect();
+    let mut chosen = chosen_of(&kept);
     let next = bench.fit(&mut chosen);
     let counts = &next.solution.counts;
     let lost: f64 = logs(&fitted.solution.rss, &next.solution.rss)
@@ -57,9 +57,7 @@ pub(super) fn unite(bench: &mut Bench<'_>, accepted: &mut Vec<Accepted>, fitted:
     let independent: f64 = counts.iter().zip(&next.memory).map(|(n, m)| n / m).sum();
     let saved = (group.len() - 1) as f64 * independent.max(2.0).ln();
     if lost < saved {
-        for (a, c) in kept.iter_mut().zip(&chosen) {
-            a.chosen = c.clone();
-        }
+        adopt(&mut kept, &chosen);
         (*accepted, *fitted) = (kept, next);
         return;
     }
@@ -69,9 +67,7 @@ pub(super) fn unite(bench: &mut Bench<'_>, accepted: &mut Vec<Accepted>, fitted:
             bench.delay(&[j], was - now);
         }
     }
-    let mut chosen: Vec<Chosen> = accepted.iter().map(|a| a.chosen.clone()).collect();
+    let mut chosen = chosen_of(accepted);
     *fitted = bench.fit(&mut chosen);
-    for (a, c) in accepted.iter_mut().zip(&chosen) {
-        a.chosen = c.clone();
-    }
+    adopt(accepted, &chosen);
 }

@@ -5,10 +5,11 @@ use super::evidence::Shown;
 use super::item::{Item, friction_values, place_of};
 use super::judge::Accepted;
 use super::measure::{Measured, share, taken_of};
-use super::model::{Bench, Fitted, Uncertainty, parameters};
+use super::model::{Bench, Fitted};
 use super::plain::Plain;
 use super::result::{Cause, Curve};
 use super::structure::Structure;
+use super::uncertainty::{Uncertainty, parameters};
 use super::{calibration, evidence};
 
 /// A model whose causes are weighed.
