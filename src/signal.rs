@@ -11,6 +11,7 @@ mod even;
 mod motion;
 mod prepare;
 mod sos;
+mod stick;
 
 pub use band::Band;
 pub use butterworth::{CutoffError, low_pass};

@@ -230,6 +230,11 @@ pub trait Cause: Sync {
         None
     }
 
+    /// Where that number is natural by habit only: by how much it may be off, one standard deviation.
+    fn habit(&self) -> Option<f64> {
+        None
+    }
+
     /// How many numbers of this shape are unknown.
     fn free(&self, shape: &[f64]) -> usize {
         let numbers = self.shape().iter().enumerate().filter(|(_, s)| s.step.is_some());

@@ -9,7 +9,8 @@ use crate::arm::Plant;
 /// Errors per joint and sample at the logs' own rate.
 pub(super) struct Measured {
     pub(super) rms: Vec<f64>,
-    /// The same where the joint moves: at reversals the sign of a velocity inside its noise errs by twice the Coulomb level, whatever the cause.
+    /// The same where the joint moves: at reversals the sign of a velocity inside its noise, or of a joint that sticks, errs by twice the Coulomb level,
+    /// whatever the cause.
     pub(super) steady: Vec<f64>,
     pub(super) error: Vec<Vec<f64>>,
     pub(super) time: Vec<f64>,
@@ -64,8 +65,8 @@ impl<'a> Meter<'a> {
         let scene = &self.fine.scene;
         let steady = (0..error.len())
             .map(|j| {
-                let v = scene.own[j].iter().flat_map(|own| own.v.iter().copied());
-                let moving = error[j].iter().zip(v).filter(|(_, v)| v.abs() > scene.dead[j]);
+                let moves = scene.own[j].iter().flat_map(|own| own.moves.iter().copied());
+                let moving = error[j].iter().zip(moves).filter(|(_, moves)| *moves);
                 let moving: Vec<f64> = moving.map(|(e, _)| *e).collect();
                 root_mean_square(if 2 * moving.len() < error[j].len() { &error[j] } else { &moving })
             })

@@ -20,6 +20,8 @@ pub struct Stretch {
     pub temperature: Vec<f64>,
     /// Standard deviation of the velocity error that the noise of the positions leaves, rad/s, per joint.
     pub velocity_noise: Vec<f64>,
+    /// Whether each joint sticks, joint-major; empty where that is not known.
+    pub stuck: Vec<bool>,
     /// What the low-pass made of the positions.
     pub band: Band,
 }
@@ -43,13 +45,7 @@ impl Recording {
     pub fn absorb(&mut self, motion: &Motion) {
         let (dof, len) = (motion.dof(), motion.states.len);
         let core = motion.core.clone();
-        let cut = |x: &[f64]| -> Vec<f64> {
-            if x.len() == dof * len {
-                x.chunks_exact(len.max(1)).flat_map(|row| row[core.clone()].to_vec()).collect()
-            } else {
-                Vec::new()
-            }
-        };
+        let cut = |x: &[f64]| part(x, dof, len, core.clone());
         let states = States {
             len: core.len(),
             q: cut(&motion.states.q),
@@ -63,6 +59,7 @@ impl Recording {
             tau: cut(&motion.tau),
             temperature: cut(&motion.temperature),
             velocity_noise: motion.velocity_noise.clone(),
+            stuck: part(&motion.stuck, dof, len, core.clone()),
             band: motion.band.cut(len, core.clone()),
         });
     }
@@ -156,12 +153,19 @@ fn settle(recording: &mut Recording, travel: &[f64]) {
     }
 }
 
+/// These samples of each joint of a joint-major series; nothing of one that has not as many.
+fn part<T: Clone>(x: &[T], dof: usize, len: usize, range: std::ops::Range<usize>) -> Vec<T> {
+    if x.len() != dof * len || len == 0 {
+        return Vec::new();
+    }
+    x.chunks_exact(len).flat_map(|row| row[range.clone()].to_vec()).collect()
+}
+
 impl Stretch {
     /// Part of it.
     fn cut(&self, range: std::ops::Range<usize>) -> Self {
-        let take = |x: &[f64]| -> Vec<f64> {
-            x.chunks_exact(self.states.len.max(1)).flat_map(|row| row[range.clone()].to_vec()).collect()
-        };
+        let (dof, len) = (self.velocity_noise.len(), self.states.len);
+        let take = |x: &[f64]| part(x, dof, len, range.clone());
         Self {
             start: self.start + range.start as f64 * self.period,
             period: self.period,
@@ -174,12 +178,13 @@ impl Stretch {
             tau: take(&self.tau),
             temperature: take(&self.temperature),
             velocity_noise: self.velocity_noise.clone(),
-            band: self.band.cut(self.states.len, range.clone()),
+            stuck: part(&self.stuck, dof, len, range.clone()),
+            band: self.band.cut(len, range.clone()),
         }
     }
 
     /// Joint `j`'s part of a joint-major series.
-    pub fn of<'a>(&self, series: &'a [f64], j: usize) -> &'a [f64] {
+    pub fn of<'a, T>(&self, series: &'a [T], j: usize) -> &'a [T] {
         &series[j * self.states.len..(j + 1) * self.states.len]
     }
 }

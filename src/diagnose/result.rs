@@ -34,6 +34,8 @@ pub struct Errors {
     pub fit: Vec<f64>,
     /// On those that were not.
     pub validate: Vec<f64>,
+    /// The same where the joint moves. Where one sticks at a reversal, friction is what balances the other torques, and no law of the velocity tells it.
+    pub moving: Vec<f64>,
 }
 
 /// A curve of the evidence: what the cause has to explain against what it says, over the quantity that shows it best.

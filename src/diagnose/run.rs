@@ -44,11 +44,12 @@ pub enum DiagnoseError {
     NotFinite,
 }
 
-/// What a simulation of the robot file as it is misses of logs, per joint: root mean square, N m, every sample counted.
-pub fn misses(plant: &dyn Plant, recordings: &[Recording], settings: &Settings) -> Vec<f64> {
+/// What a simulation of the robot file as it is misses of logs, per joint: root mean square, N m, of all samples and of those where the joint moves.
+pub fn misses(plant: &dyn Plant, recordings: &[Recording], settings: &Settings) -> [Vec<f64>; 2] {
     let recordings = &unexplained(plant, recordings)[..];
     let bench = Bench::new(plant, recordings, settings.rate, Mode::Trusted, &plant.delays(), false);
-    Meter::new(plant, recordings, &bench).of_the_file().rms
+    let measured = Meter::new(plant, recordings, &bench).of_the_file();
+    [measured.rms, measured.steady]
 }
 
 /// Diagnoses `fit`, and measures on `validate`; where that is empty, on the last three tenths of each stretch of `fit`.
@@ -124,7 +125,11 @@ fn once(
         return Err(DiagnoseError::NoTorque);
     }
     let before = Meter::new(plant, validate, &start).of_the_file();
-    let baseline = Errors { fit: Meter::new(plant, fit, &start).of_the_file().rms, validate: before.rms.clone() };
+    let baseline = Errors {
+        fit: Meter::new(plant, fit, &start).of_the_file().rms,
+        validate: before.rms.clone(),
+        moving: before.steady.clone(),
+    };
     let before = before.error;
     let torque_rms: Vec<f64> = (0..dof)
         .map(|j| {
@@ -137,9 +142,11 @@ fn once(
     // The same after refitting: what remains is structure.
     let mut refit = Bench::new(plant, fit, settings.rate, Mode::Refitted, &zeros, false);
     let plain = refit.fit(&mut []);
+    let after_refit = Meter::new(plant, validate, &refit).of(&refit, &plain, &[], true);
     let refitted = Errors {
         fit: Meter::new(plant, fit, &refit).of(&refit, &plain, &[], false).rms,
-        validate: Meter::new(plant, validate, &refit).of(&refit, &plain, &[], true).rms,
+        validate: after_refit.rms,
+        moving: after_refit.steady,
     };
     let ground: Vec<f64> = noise.iter().zip(&torque_rms).map(|(s, t)| s.max(0.004 * t)).collect();
     let (file_out, refit_out) = (start.file_left_out(), refit.left_out(&[], &plain));
@@ -184,7 +191,7 @@ fn once(
         });
     let curves = (0..dof).map(|j| curve(j, &after, &before)).collect();
     let maps = (0..dof).map(|j| after.view.maps(j, &before[j], &after.error[j])).collect();
-    let extended = Errors { fit: after_fit.rms, validate: after.rms };
+    let extended = Errors { fit: after_fit.rms, validate: after.rms, moving: after.steady };
     Ok(Diagnosis {
         robot: plant.name().to_string(),
         verdict,

@@ -33,8 +33,10 @@ pub struct Own {
     pub q: Vec<f64>,
     /// Velocity, rad/s.
     pub v: Vec<f64>,
-    /// Sign of the velocity, 0 inside its noise.
+    /// Sign of the velocity, 0 inside its noise and where the joint sticks.
     pub sign: Vec<f64>,
+    /// Whether a law of the velocity says something: outside its noise, and the joint does not stick.
+    pub moves: Vec<bool>,
     /// Acceleration, rad/s^2.
     pub a: Vec<f64>,
     /// Torque of the rigid model without the file's rotor: what the gear transmits, N m.
@@ -183,9 +185,15 @@ impl<'a> Scene<'a> {
                     let v = earlier(stretch.of(&stretch.states.dq, j), span.clone(), by);
                     // Where every sample counts, the sign is that of the file's laws, so that what is measured is what they give; of a joint that
                     // stands the sign is nothing but noise.
+                    let sticks = |k: usize| {
+                        let then = (k as f64 - by).round().clamp(0.0, (len - 1) as f64) as usize;
+                        !stretch.stuck.is_empty() && stretch.of(&stretch.stuck, j)[then]
+                    };
+                    let moves: Vec<bool> =
+                        span.clone().zip(&v).map(|(k, v)| v.abs() > dead[j].0 && (dead[j].1 || !sticks(k))).collect();
                     let sign: Vec<f64> = match all && !dead[j].1 {
                         true => v.iter().map(|v| if *v == 0.0 { 0.0 } else { v.signum() }).collect(),
-                        false => v.iter().map(|v| if v.abs() > dead[j].0 { v.signum() } else { 0.0 }).collect(),
+                        false => v.iter().zip(&moves).map(|(v, moves)| if *moves { v.signum() } else { 0.0 }).collect(),
                     };
                     live[j]
                         .extend(sign.chunks_exact(per).map(|w| {
@@ -211,6 +219,7 @@ impl<'a> Scene<'a> {
                         period: stretch.period,
                         v,
                         sign,
+                        moves,
                         first,
                         windows,
                         per,

@@ -32,6 +32,9 @@ impl Default for SearchSettings {
     }
 }
 
+/// Windows that an error remembers itself for, from which on it counts as slow: a tenth of a second.
+const SLOW: f64 = 10.0;
+
 /// Searches until nothing more is supported.
 pub fn search(
     bench: &mut Bench<'_>,
@@ -57,9 +60,17 @@ pub fn search(
             let mut trial = chosen.clone();
             trial.push(candidate.chosen());
             let delays = bench.scene.delays.clone();
-            let next = bench.fit(&mut trial);
-            let judge = Judge { bench, noise, settings, accepted: &accepted, tried };
-            let judged = judge.judge(&fitted, &next, &trial);
+            let mut next = bench.fit(&mut trial);
+            let mut judged = Judge { bench, noise, settings, accepted: &accepted, tried }.judge(&fitted, &next, &trial);
+            if judged.is_none() && fitted.memory.iter().any(|m| *m > SLOW) {
+                // What was held beside a slow error need not be beside its cause.
+                let held = bench.hold.clone();
+                next = bench.fit_anew(&mut trial);
+                judged = Judge { bench, noise, settings, accepted: &accepted, tried }.judge(&fitted, &next, &trial);
+                if judged.is_none() {
+                    bench.hold = held;
+                }
+            }
             match judged {
                 Some(mut judged) => {
                     judged.rivals = rivals(&ranked, rank, &next);
@@ -98,7 +109,7 @@ pub fn search(
         };
         chosen = trial;
         accepted.push(judged);
-        fitted = next;
+        fitted = if fitted.memory.iter().any(|m| *m > SLOW) { bench.fit_anew(&mut chosen) } else { next };
         adopt(&mut accepted, &chosen);
     }
     progress("weighing the causes against each other");

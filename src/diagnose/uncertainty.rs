@@ -13,38 +13,39 @@ pub struct Uncertainty {
     pub covariance: DMatrix<f64>,
     /// Where each cause's shape stands in it; `None` for what is no estimate.
     shapes: Vec<Vec<Option<usize>>>,
+    /// Which of these are taken to be natural numbers, by habit.
+    habits: Vec<usize>,
 }
 
 impl Uncertainty {
     /// Of a fit. A number of a shape is an unknown too, and its column is the derivative of what its cause says.
     pub fn of(bench: &Bench<'_>, fitted: &Fitted, chosen: &[Chosen]) -> Self {
-        let (mut shapes, mut more) = (Vec::new(), Vec::new());
+        let (mut shapes, mut more, mut habits) = (Vec::new(), Vec::new(), Vec::new());
         for (index, c) in chosen.iter().enumerate() {
             let places = c.cause.shape().iter().enumerate().map(|(k, number)| {
-                let known = c.cause.natural() == Some(k) && c.shape[k].fract() == 0.0;
-                let first = number.step.filter(|_| number.named() && !known)?;
+                let natural = c.cause.natural() == Some(k) && c.shape[k].fract() == 0.0;
+                let first = number.step.filter(|_| number.named() && !(natural && c.cause.habit().is_none()))?;
                 let step = if first > 0.0 { 1e-2 * first * c.shape[k] } else { -1e-2 * first };
                 let step = Some(step).filter(|s| *s != 0.0)?;
                 let column = derivative(bench, fitted, index, c, k, step)?;
                 more.push(column);
-                Some(fitted.solution.x.len() + more.len() - 1)
+                let at = fitted.solution.x.len() + more.len() - 1;
+                habits.extend(c.cause.habit().filter(|_| natural).map(|std| (at, std)));
+                Some(at)
             });
             shapes.push(places.collect());
         }
         if more.is_empty() {
-            return Self { covariance: fitted.covariance(), shapes };
+            return Self { covariance: fitted.covariance(), shapes, habits: Vec::new() };
         }
         let (moments, solution) = fitted.moments.beside(&fitted.solution, &more);
         let mut covariance = moments.covariance(&solution, &fitted.memory);
-        for (index, _) in chosen.iter().enumerate().filter(|(_, c)| c.cause.unit() && !c.x.is_empty()) {
-            // What is known beside the data: one more measurement of this unknown.
-            let own = covariance.column(fitted.first[index]).into_owned();
-            let variance = own[fitted.first[index]];
-            if variance > 0.0 {
-                covariance -= &own * own.transpose() / (variance + UNIT * UNIT);
-            }
+        // What is known beside the data: one more measurement of an unknown.
+        let units = chosen.iter().enumerate().filter(|(_, c)| c.cause.unit() && !c.x.is_empty());
+        for (at, std) in units.map(|(index, _)| (fitted.first[index], UNIT)).chain(habits.iter().copied()) {
+            measure(&mut covariance, at, std);
         }
-        Self { covariance, shapes }
+        Self { covariance, shapes, habits: habits.into_iter().map(|h| h.0).collect() }
     }
 }
 
@@ -66,8 +67,18 @@ impl Uncertainty {
         };
         // Quantiles of chi-squared, on lines.
         let known = wald(&fitted.covariance()) - (18.0 + 2.5 * unknowns);
-        let unknown = wald(&self.covariance) - (4.2 + 2.1 * unknowns);
+        let mut covariance = self.covariance.clone();
+        self.habits.iter().for_each(|&at| measure(&mut covariance, at, 0.0));
+        let unknown = wald(&covariance) - (4.2 + 2.1 * unknowns);
         known.min(unknown)
+    }
+}
+
+/// The covariance when one unknown has been measured, too.
+fn measure(covariance: &mut DMatrix<f64>, at: usize, std: f64) {
+    let own = covariance.column(at).into_owned();
+    if own[at] > 0.0 {
+        *covariance -= &own * own.transpose() / (own[at] + std * std);
     }
 }
 

@@ -8,7 +8,7 @@ use crate::signal::Prepared;
 
 /// The result as one JSON object.
 pub fn diagnose_json(found: &Diagnosis, logs: &[Prepared], provenance: &Provenance) -> Value {
-    let rms = |e: &Errors| json!({ "rms": { "fit": e.fit, "validate": e.validate } });
+    let rms = |e: &Errors| json!({ "rms": { "fit": e.fit, "validate": e.validate, "validate_moving": e.moving } });
     let findings: Vec<Value> = logs
         .iter()
         .flat_map(|log| log.findings.iter().map(|f| json!({ "log": log.file, "finding": f.to_string() })))

@@ -117,7 +117,7 @@ fn diagnosis_page_stands_alone() {
     use crate::diagnose::{
         Cause, Curve, Diagnosis, ErrorMap, Errors, Evidence, Named, NextExperiment, Offer, Offered, Verdict,
     };
-    let errors = |x: f64| Errors { fit: vec![x], validate: vec![x] };
+    let errors = |x: f64| Errors { fit: vec![x], validate: vec![x], moving: vec![x] };
     let found = Diagnosis {
         robot: "a <b>".into(),
         verdict: Verdict::Explained,

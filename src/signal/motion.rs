@@ -30,6 +30,8 @@ pub struct Motion {
     pub stride: usize,
     /// Standard deviation of the velocity error that the noise of `q` leaves after the filter, rad/s, per joint.
     pub velocity_noise: Vec<f64>,
+    /// Whether each joint sticks (it does not move beyond the noise of its encoder), joint-major; empty where velocities do not come from filtered positions.
+    pub stuck: Vec<bool>,
     /// What the low-pass made of the positions, for all samples.
     pub band: Band,
     /// Temperatures as recorded, joint-major, deg C; empty where they were not asked for or not recorded.

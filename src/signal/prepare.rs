@@ -3,7 +3,7 @@
 //! A segment that is longer than a chunk is filtered in overlapping chunks. The overlap is as long as the filter remembers (to 1e-12),
 //! so the result is that of filtering the segment at once.
 
-use super::{Band, Motion, burst::Derived, central, even, even::smoother_evenly, low_pass, sos::Sos};
+use super::{Band, Motion, burst::Derived, central, even, even::smoother_evenly, low_pass, sos::Sos, stick::sticks};
 use crate::{
     arm::{States, VelocitySum},
     log::{
@@ -556,6 +556,7 @@ impl Preparer {
             states: States { len: to - from, ..States::default() },
             tau: Vec::with_capacity(dof * (to - from)),
             velocity_noise: Vec::with_capacity(dof),
+            stuck: Vec::new(),
             band: self.band(),
             sign: Vec::new(),
             temperature: Vec::new(),
@@ -593,6 +594,9 @@ impl Preparer {
             };
             motion.velocity_noise.push(match (self.settings.filter, self.settings.derivatives) {
                 (Some(filter), Derivatives::FromPosition) => {
+                    motion
+                        .stuck
+                        .extend_from_slice(&sticks(&self.evened[joint], &q, filter.cutoff, clock.period)[from..to]);
                     velocity_noise(&self.evened[joint], &q, filter.cutoff, rate)
                 }
                 _ => 0.0,

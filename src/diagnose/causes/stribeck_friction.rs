@@ -37,6 +37,10 @@ impl Cause for StribeckFriction {
         Some(1) // 1 (Tustin) or 2 (Gauss), unless the data know better
     }
 
+    fn habit(&self) -> Option<f64> {
+        Some(0.5) // what was measured lies between 0.5 and 2 (Armstrong-Helouvry, Dupont and Canudas de Wit 1994)
+    }
+
     fn terms(&self, scene: &Scene<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
         let j = place[0];
         let (speed, power) = (shape[0], shape[1]);

@@ -428,6 +428,7 @@ fn recordings_hold_what_was_written() {
         tau: vec![1.0, 2.0],
         temperature: Vec::new(),
         velocity_noise: vec![0.0],
+        stuck: Vec::new(),
         band: Default::default(),
     };
     assert_eq!(stretch.of(&stretch.tau, 0), [1.0, 2.0]);

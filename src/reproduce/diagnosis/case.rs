@@ -99,8 +99,8 @@ pub struct Outcome {
     pub hidden: Vec<Hidden>,
     /// Standard deviation of each joint's torque noise with the step of the sensor, N m.
     pub noise: Vec<f64>,
-    /// What the file misses of the validating motion where nothing is hidden, N m: what is attainable.
-    pub attainable: Vec<f64>,
+    /// What the file misses of the validating motion where nothing is hidden, N m: what is attainable; of all samples and where the joint moves.
+    pub attainable: [Vec<f64>; 2],
     /// What was found.
     pub found: Diagnosis,
 }

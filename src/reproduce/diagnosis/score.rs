@@ -53,9 +53,11 @@ pub struct Scores {
     /// Wrong causes beside the right ones, per case with something of the vocabulary hidden.
     pub beside: f64,
     /// Share of what could be gained on the validating log, mean over cases with something of the vocabulary hidden: RMS that went by RMS above
-    /// what the file misses where nothing is hidden, on the joint with the largest error.
+    /// what the file misses where nothing is hidden, on the joint with the largest error, where it moves.
     pub gain: f64,
-    /// Cases that reach nine tenths of it.
+    /// The same of all samples.
+    pub gain_of_all: f64,
+    /// Cases that reach nine tenths of it where the joint moves.
     pub gained: Share,
     /// Parameters of causes that were rightly named within three of their standard deviations.
     pub within_three: Share,
@@ -88,7 +90,14 @@ fn same(cause: &Cause, hidden: &Hidden) -> bool {
 
 /// Whether the extended model leaves nothing but noise on the validating log.
 fn only_noise(outcome: &Outcome) -> bool {
-    outcome.found.extended.validate.iter().zip(&outcome.attainable).all(|(e, s)| *e < 1.1 * s)
+    outcome.found.extended.moving.iter().zip(&outcome.attainable[1]).all(|(e, s)| *e < 1.1 * s)
+}
+
+/// Share of what could be gained on the joint with the largest error, if anything could.
+fn gained(before: &[f64], after: &[f64], attainable: &[f64]) -> Option<f64> {
+    let above = |j: &usize| before[*j] / attainable[*j].max(1e-12);
+    let j = (0..before.len()).max_by(|a, b| above(a).total_cmp(&above(b)))?;
+    (above(&j) > 1.2).then(|| (before[j] - after[j]) / (before[j] - attainable[j]))
 }
 
 impl Outcome {
@@ -137,12 +146,14 @@ impl Outcome {
         self.hidden.iter().any(|h| if h.cause == "unknown" { cause.cause == "unknown" } else { same(cause, h) })
     }
 
-    /// Share of what could be gained, where anything could.
+    /// Share of what could be gained where the joint moves, if anything could.
     pub fn gain(&self) -> Option<f64> {
-        let (before, after) = (&self.found.baseline.validate, &self.found.extended.validate);
-        let above = |j: &usize| before[*j] / self.attainable[*j].max(1e-12);
-        let j = (0..before.len()).max_by(|a, b| above(a).total_cmp(&above(b)))?;
-        (above(&j) > 1.2).then(|| (before[j] - after[j]) / (before[j] - self.attainable[j]))
+        gained(&self.found.baseline.moving, &self.found.extended.moving, &self.attainable[1])
+    }
+
+    /// The same of all samples: what friction does while a joint sticks counts too, and what is hidden may have made it stick longer.
+    pub fn gain_of_all(&self) -> Option<f64> {
+        gained(&self.found.baseline.validate, &self.found.extended.validate, &self.attainable[0])
     }
 
     /// Parameters of rightly named causes: symbol, truth, value, standard deviation.
@@ -164,7 +175,7 @@ impl Outcome {
 impl Scores {
     pub(super) fn of(outcomes: &[Outcome]) -> Self {
         let mut scores = Self::default();
-        let (mut gains, mut beside, mut with) = (Vec::new(), 0, 0);
+        let (mut gains, mut of_all, mut beside, mut with) = (Vec::new(), Vec::new(), 0, 0);
         for o in outcomes {
             match o.task {
                 Task::Nothing => scores.false_alarms.count(!o.right()),
@@ -181,6 +192,7 @@ impl Scores {
             if !matches!(o.task, Task::Nothing | Task::Outside(_)) {
                 with += 1;
                 beside += o.found.causes.iter().filter(|c| !o.holds(c)).count();
+                of_all.extend(o.gain_of_all());
                 if let Some(gain) = o.gain() {
                     gains.push(gain);
                     scores.gained.count(gain >= 0.9);
@@ -209,7 +221,8 @@ impl Scores {
         for (_, row) in &mut scores.confusion {
             row.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(b.0)));
         }
-        scores.gain = gains.iter().sum::<f64>() / gains.len().max(1) as f64;
+        let mean = |x: &[f64]| x.iter().sum::<f64>() / x.len().max(1) as f64;
+        (scores.gain, scores.gain_of_all) = (mean(&gains), mean(&of_all));
         scores.beside = f64::from(beside as u32) / f64::from((with as u32).max(1));
         scores
     }
