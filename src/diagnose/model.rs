@@ -294,7 +294,7 @@ impl<'a> Bench<'a> {
     /// made anew about what was found until that settles; so is what rests on the rigid model.
     pub fn fit(&mut self, chosen: &mut [Chosen]) -> Fitted {
         if self.hold.is_none() {
-            self.hold = Some(self.held(chosen));
+            self.hold = Some(self.held());
         }
         let mut weights: Option<Vec<f64>> = None;
         for round in 0.. {
@@ -422,15 +422,16 @@ impl<'a> Bench<'a> {
         self.hold.as_ref().map_or_else(Hold::none, |hold| hold.without(frozen))
     }
 
-    /// Fits with what the motion shows of base parameters and friction beside these causes: without them what is left may remember itself for so long that the
-    /// data seem to tell little, and what they do tell is held.
-    pub fn fit_anew(&mut self, chosen: &mut [Chosen]) -> Fitted {
-        self.hold = None;
-        self.fit(chosen)
+    /// Holds nothing of these joints' friction. Beside a slow error the data seem to tell little of it, and it is held; beside the cause of that error it need
+    /// not be.
+    pub fn let_go(&mut self, joints: &[usize]) {
+        let base = self.base.len();
+        let own = |k: usize| k.checked_sub(base).is_some_and(|k| joints.contains(&(k / 3)));
+        self.hold = self.hold.take().map(|hold| hold.without(own));
     }
 
-    /// What the motion shows of base parameters and friction beside these causes, and what of them stays with the file.
-    fn held(&self, chosen: &[Chosen]) -> Hold {
+    /// What the motion shows of base parameters and friction, and what of them stays with the file.
+    fn held(&self) -> Hold {
         let wanted = if self.mode == Mode::Refitted { inertial(self.plant) } else { Vec::new() };
         let torque: Vec<f64> = self
             .scene
@@ -439,18 +440,17 @@ impl<'a> Bench<'a> {
             .map(|y| (y.iter().map(|y| y * y).sum::<f64>() / y.len().max(1) as f64).sqrt())
             .collect();
         let Some(belief) = belief(self.plant, &wanted, &torque) else { return Hold::none() };
-        let free = self.fit_once(chosen, None);
+        let free = self.fit_once(&[], None);
         let weights = &free.solution.weights;
         let thinned: Vec<f64> = weights.iter().zip(&free.memory).map(|(w, m)| w / m).collect();
         let (full, thinned) = (free.moments.told(weights), free.moments.told(&thinned));
-        let mut stretches = self.stretches(chosen);
+        let mut stretches = self.stretches(&[]);
         let counts = stretches.counts();
         let ground: Vec<f64> = torque.iter().map(|t| 0.004 * t).collect();
-        let local = local(chosen, &free);
         let mut best: Option<(Hold, LeftOut)> = None;
         for hold in FIRM.iter().filter_map(|firm| Hold::new(&belief, &full, &thinned, *firm)) {
             stretches.held_by(hold.clone());
-            let left = LeftOut::new(&stretches.cross_validated_without(&free.solution, &[], &local), &counts);
+            let left = LeftOut::new(&stretches.cross_validated(&free.solution), &counts);
             if best.as_ref().is_none_or(|(_, known)| left.less(known, &ground).gain > 0.0) {
                 best = Some((hold, left));
             }

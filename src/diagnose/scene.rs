@@ -33,7 +33,7 @@ pub struct Own {
     pub q: Vec<f64>,
     /// Velocity, rad/s.
     pub v: Vec<f64>,
-    /// Sign of the velocity, 0 inside its noise and where the joint sticks.
+    /// Sign of the velocity, 0 inside its noise.
     pub sign: Vec<f64>,
     /// Whether a law of the velocity says something: outside its noise, and the joint does not stick.
     pub moves: Vec<bool>,
@@ -193,7 +193,7 @@ impl<'a> Scene<'a> {
                         span.clone().zip(&v).map(|(k, v)| v.abs() > dead[j].0 && (dead[j].1 || !sticks(k))).collect();
                     let sign: Vec<f64> = match all && !dead[j].1 {
                         true => v.iter().map(|v| if *v == 0.0 { 0.0 } else { v.signum() }).collect(),
-                        false => v.iter().zip(&moves).map(|(v, moves)| if *moves { v.signum() } else { 0.0 }).collect(),
+                        false => v.iter().map(|v| if v.abs() > dead[j].0 { v.signum() } else { 0.0 }).collect(),
                     };
                     live[j]
                         .extend(sign.chunks_exact(per).map(|w| {

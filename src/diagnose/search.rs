@@ -62,10 +62,10 @@ pub fn search(
             let delays = bench.scene.delays.clone();
             let mut next = bench.fit(&mut trial);
             let mut judged = Judge { bench, noise, settings, accepted: &accepted, tried }.judge(&fitted, &next, &trial);
-            if judged.is_none() && fitted.memory.iter().any(|m| *m > SLOW) {
-                // What was held beside a slow error need not be beside its cause.
+            if judged.is_none() && candidate.place.iter().any(|&j| fitted.memory[j] > SLOW) {
                 let held = bench.hold.clone();
-                next = bench.fit_anew(&mut trial);
+                bench.let_go(&candidate.place);
+                next = bench.fit(&mut trial);
                 judged = Judge { bench, noise, settings, accepted: &accepted, tried }.judge(&fitted, &next, &trial);
                 if judged.is_none() {
                     bench.hold = held;
@@ -109,7 +109,7 @@ pub fn search(
         };
         chosen = trial;
         accepted.push(judged);
-        fitted = if fitted.memory.iter().any(|m| *m > SLOW) { bench.fit_anew(&mut chosen) } else { next };
+        fitted = next;
         adopt(&mut accepted, &chosen);
     }
     progress("weighing the causes against each other");

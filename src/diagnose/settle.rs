@@ -83,10 +83,6 @@ impl<'a> Case<'a> {
             bench.polish(&mut chosen);
             accepted.iter_mut().zip(chosen).for_each(|(a, c)| a.chosen = c);
         }
-        if !accepted.is_empty() {
-            // What was held beside other causes need not be beside these.
-            bench.hold = None;
-        }
         let fitted = freeze(&mut bench, &mut accepted, self.noise);
         (self.progress)("what else plain friction might be");
         let (fitted, rivals) = reconsider(&mut bench, &mut accepted, fitted, self.noise, &self.settings.search);

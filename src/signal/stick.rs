@@ -1,4 +1,4 @@
-//! Where a joint sticks: it does not move beyond the noise of its encoder, though the low-pass lets it creep.
+//! Where a joint sticks as it turns about: it does not move beyond the noise of its encoder, though the low-pass lets it creep.
 //!
 //! At a reversal dry friction holds a joint for some hundredths of a second. The low-pass spreads the motion before and after over that time, so that the
 //! velocity has a sign where the joint has none, while the friction torque is whatever balances the others: it passes from one level to the other. A law of
@@ -10,8 +10,10 @@ const NEAR: f64 = 0.01;
 const NOTHING: f64 = 4.0;
 /// What the low-pass smears to each side of a stick, as a share of the period of its cutoff.
 const SMEAR: f64 = 0.25;
+/// A joint that sticks for longer rests, or creeps more slowly than its encoder shows in [`NEAR`], s.
+const LONGEST: f64 = 0.3;
 
-/// Whether the joint sticks, at each sample. `raw`, `smooth`: position as it was recorded and behind a low-pass of `cutoff` Hz; `period`: spacing, s.
+/// Whether the joint sticks where it turns about, at each sample. `raw`, `smooth`: position as it was recorded and behind a low-pass of `cutoff` Hz; `period`: spacing, s.
 pub(super) fn sticks(raw: &[f64], smooth: &[f64], cutoff: f64, period: f64) -> Vec<bool> {
     let n = raw.len();
     let mut stuck = vec![false; n];
@@ -30,12 +32,22 @@ pub(super) fn sticks(raw: &[f64], smooth: &[f64], cutoff: f64, period: f64) -> V
         }
         let end = (k..n - near).find(|&i| !still(i)).unwrap_or(n - near);
         // A parabola is still for an instant at its top.
-        if end - k > near.div_ceil(2) {
-            stuck[k.saturating_sub(wide)..(end + wide).min(n)].fill(true);
+        let long = near.div_ceil(2) + 1..=(LONGEST / period) as usize;
+        let span = k.saturating_sub(wide)..(end + wide).min(n);
+        if long.contains(&(end - k)) && turns(&smooth[span.clone()]) {
+            stuck[span].fill(true);
         }
         k = end;
     }
     stuck
+}
+
+/// Whether it comes back to the side from which it came.
+fn turns(smooth: &[f64]) -> bool {
+    match smooth {
+        [first, second, .., before, last] => (second - first) * (last - before) < 0.0,
+        _ => false,
+    }
 }
 
 /// Standard deviation of a position's noise: the median, which sticks and reversals do not move, of what the low-pass takes out.
@@ -82,5 +94,20 @@ mod tests {
         }
         let free: Vec<f64> = (0..4000).map(|k| read(0.5 * (4.0 * k as f64 * PERIOD).cos())).collect();
         assert!(sticks(&free, &through(&free), 15.0, PERIOD)[100..3900].iter().all(|s| !s));
+    }
+    /// Nor does one that creeps onwards, or rests.
+    #[test]
+    fn creeping_and_resting_are_not_sticking() {
+        let read = |q: f64| (q / 1e-4).round() * 1e-4;
+        let creeping: Vec<f64> = (0..4000).map(|k| read(5e-3 * k as f64 * PERIOD)).collect();
+        let resting: Vec<f64> = (0..4000)
+            .map(|k| {
+                let t = k as f64 * PERIOD;
+                read(if t < 3.0 { (3.0 - t).powi(2) } else { (t - 5.0).max(0.0).powi(2) })
+            })
+            .collect();
+        for q in [creeping, resting] {
+            assert!(sticks(&q, &through(&q), 15.0, PERIOD)[100..3900].iter().all(|s| !s));
+        }
     }
 }
