@@ -156,10 +156,10 @@ pub(super) fn stands(bench: &Bench<'_>, j: usize) -> bool {
     2 * moving < all
 }
 
-/// By what share another joint's error may grow: what takes all but a tenth of one joint's error is not refuted by what earlier causes, found beside that error,
-/// still have to give way.
+/// By what share another joint's error may grow: what takes most of one joint's error is not refuted by what earlier causes, found beside that error, still have
+/// to give way. A tenth up to six tenths of the error, a half from nine tenths on.
 fn bearable(predicted: f64) -> f64 {
-    if predicted > 0.9 { 0.5 } else { 0.1 }
+    0.1 + 0.4 * ((predicted - 0.6) / 0.3).clamp(0.0, 1.0)
 }
 
 /// What parts of the data say that were left out of the fit in turn.
