@@ -35,6 +35,11 @@ impl Default for SearchSettings {
 /// Windows that an error remembers itself for, from which on it counts as slow: a tenth of a second.
 const SLOW: f64 = 10.0;
 
+/// Whether what is left of one of these joints is slow.
+fn slow(fitted: &Fitted, joints: &[usize]) -> bool {
+    joints.iter().any(|&j| fitted.memory[j] > SLOW)
+}
+
 /// Searches until nothing more is supported.
 pub fn search(
     bench: &mut Bench<'_>,
@@ -62,11 +67,12 @@ pub fn search(
             let delays = bench.scene.delays.clone();
             let mut next = bench.fit(&mut trial);
             let mut judged = Judge { bench, noise, settings, accepted: &accepted, tried }.judge(&fitted, &next, &trial);
-            if judged.is_none() && candidate.place.iter().any(|&j| fitted.memory[j] > SLOW) {
+            if judged.is_none() && slow(&fitted, &candidate.place) {
                 let held = bench.hold.clone();
                 bench.let_go(&candidate.place);
                 next = bench.fit(&mut trial);
-                judged = Judge { bench, noise, settings, accepted: &accepted, tried }.judge(&fitted, &next, &trial);
+                let judge = Judge { bench, noise, settings, accepted: &accepted, tried };
+                judged = judge.judge(&fitted, &next, &trial).filter(|_| !slow(&next, &candidate.place));
                 if judged.is_none() {
                     bench.hold = held;
                 }
@@ -98,7 +104,10 @@ pub fn search(
             if !judge.leaves_more_than_noise(&fitted) {
                 break;
             }
-            let Some((pair, trial, next)) = together(bench, &chosen, &ranked, noise, settings, &accepted) else {
+            let held = bench.hold.clone();
+            let Some((pair, trial, next)) = together(bench, &chosen, &fitted, &ranked, noise, settings, &accepted)
+            else {
+                bench.hold = held;
                 fitted = bench.fit(&mut chosen);
                 break;
             };
@@ -123,6 +132,7 @@ pub fn search(
 fn together(
     bench: &mut Bench<'_>,
     chosen: &[Chosen],
+    fitted: &Fitted,
     ranked: &[Candidate],
     noise: &[f64],
     settings: &SearchSettings,
@@ -130,7 +140,13 @@ fn together(
 ) -> Option<([Accepted; 2], Vec<Chosen>, Fitted)> {
     let with = |others: &[Chosen], one: &Chosen| others.iter().chain([one]).cloned().collect::<Vec<Chosen>>();
     let first = |c: &&Candidate| c.place.len() == 1 && !c.cause.moves_time() && !c.cause.local();
+    let held = bench.hold.clone();
     for first in ranked.iter().filter(first).take(3) {
+        let was_slow = slow(fitted, &first.place);
+        bench.hold.clone_from(&held);
+        if was_slow {
+            bench.let_go(&first.place);
+        }
         let mut alone = with(chosen, &first.chosen());
         let one = bench.fit(&mut alone);
         let first = alone.last()?.clone();
@@ -147,6 +163,9 @@ fn together(
         for (rank, second) in seconds.iter().take(2).enumerate() {
             let mut both = with(&alone, &second.chosen());
             let two = bench.fit(&mut both);
+            if was_slow && slow(&two, &first.place) {
+                continue;
+            }
             let judge = Judge { bench: &*bench, noise, settings, accepted, tried };
             let Some(mut other) = judge.judge(&one, &two, &both) else { continue };
             let mut turned = with(chosen, &other.chosen);
