@@ -225,7 +225,7 @@ pub trait Cause: Sync {
         true
     }
 
-    /// Which number of the shape is a natural number by its nature (periods a turn): as such it is no unknown.
+    /// Which number of the shape is a natural number, by its nature (periods a turn) or by habit: as such it is no unknown.
     fn natural(&self) -> Option<usize> {
         None
     }
