@@ -42,7 +42,7 @@ impl Model {
             let graph = Graph::new();
             Tape::estimate(&graph, &regressor(&chain.over(&graph), &leaders, plan, Include::ALL))
         };
-        let plan = plan::search(plan::plain(chain.rows.len()), |row| can_shift(&chain.rows[row]), cost);
+        let plan = plan::search(plan::plain(chain.rows.len()), plan::ROUNDS, |row| can_shift(&chain.rows[row]), cost);
         Self { chain, standard, base, plan, laws }
     }
 
@@ -99,7 +99,7 @@ impl Model {
             let graph = Graph::new();
             Tape::estimate(&graph, &regressor(&self.chain.over(&graph), parameters, plan, include))
         };
-        let own = plan::search(plan::plain(self.chain.rows.len()), |row| can_shift(&self.chain.rows[row]), cost);
+        let own = plan::search(plan::plain(self.chain.rows.len()), 1, |row| can_shift(&self.chain.rows[row]), cost);
         if cost(&own) < cost(&self.plan) { own } else { self.plan.clone() }
     }
 

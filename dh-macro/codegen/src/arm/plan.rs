@@ -34,8 +34,8 @@ pub type Plan = Vec<RowPlan>;
 
 /// How far inward a frame is looked for.
 const REACH: usize = 2;
-/// Rounds of moves.
-const PASSES: usize = 3;
+/// Rounds of moves for the base parameters, whose plan serves most functions.
+pub const ROUNDS: usize = 3;
 
 /// Every link in its own frame.
 pub fn plain(rows: usize) -> Plan {
@@ -44,7 +44,9 @@ pub fn plain(rows: usize) -> Plan {
 
 /// Descent from `start`: one move at a time, kept where it makes `cost` smaller, until none does. A move sets the frames of
 /// one kind of column for a run of neighbouring rows (links with a common wrist gain only together).
-pub fn search(start: Plan, can_shift: impl Fn(usize) -> bool, cost: impl Fn(&Plan) -> usize) -> Plan {
+///
+/// At most `rounds` rounds of all moves; the first finds nearly everything.
+pub fn search(start: Plan, rounds: usize, can_shift: impl Fn(usize) -> bool, cost: impl Fn(&Plan) -> usize) -> Plan {
     let rows = start.len();
     let mut best = start;
     let mut best_cost = cost(&best);
@@ -60,7 +62,7 @@ pub fn search(start: Plan, can_shift: impl Fn(usize) -> bool, cost: impl Fn(&Pla
         }
         false
     };
-    for _pass in 0..PASSES {
+    for _round in 0..rounds {
         let mut improved = false;
         for last in (0..rows).rev() {
             for first in 0..=last {

@@ -209,7 +209,10 @@ fn place(shape: &[usize], mut at: usize) -> String {
 
 /// The text of `src/kernel/<function>.rs`.
 pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
-    let kernel = &Kernel { tape: kernel.tape.with_few_waiting(), ..kernel.clone() };
+    let packed = has_packed(kernel);
+    // A matrix with zeros is written as it comes about, column by column.
+    let tape = if packed { kernel.tape.with_few_waiting() } else { kernel.tape.clone() };
+    let kernel = &Kernel { tape, ..kernel.clone() };
     let function = kernel.function;
     let (title, meaning) = context.doc(function);
     let bound = bound(kernel);
@@ -217,7 +220,6 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
     let names = if function.primal().is_some() { names.with_seeds() } else { names };
     let count = kernel.tape.operations();
     let nonzeros = kernel.nonzeros();
-    let packed = has_packed(kernel);
     let size: usize = kernel.shape.iter().product();
     let shape = kernel.shape.iter().map(usize::to_string).collect::<Vec<_>>().join(" x ");
 

@@ -30,636 +30,636 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7, FO1, FO2, FO3,
         FO4, FO5, FO6, FO7,
         ..] = *beta;
-    let k0 = S::constant(9.81);
-    let k1 = S::constant(0.01175);
-    let k2 = S::constant(0.167455);
-    let k3 = S::constant(0.00035);
-    let k4 = S::constant(0.31436);
-    let k5 = S::constant(0.01275);
-    let k6 = S::constant(0.42076);
+    let k0 = S::constant(0.167455);
+    let k1 = S::constant(0.00035);
+    let k2 = S::constant(0.31436);
+    let k3 = S::constant(0.01275);
+    let k4 = S::constant(0.42076);
+    let k5 = S::constant(0.01175);
+    let k6 = S::constant(9.81);
     let k7 = S::constant(1.0);
-    // link 1: motion
-    let t0 = {
-        let t0 = dq1 * dq1;
-        t0
-    };
-    // link 2: motion
-    let [
-        t1, t2, a2_z, w2_x, w2_y, t7, t8, t9,
-        t12, t13, t14,
-    ] = {
-        let t1 = s2 * k0;
-        let t2 = c2 * k0;
-        let a2_z = k1 * t0;
-        let w2_x = s2 * dq1;
-        let w2_y = c2 * dq1;
-        let t6 = w2_x * w2_x;
-        let t7 = dq2 * dq2;
-        let t8 = w2_x * w2_y;
-        let t9 = dq2 * w2_x;
-        let dw2_x = dq2 * w2_y;
-        let t12 = t6 - t7 - t0;
-        let t13 = t6 + t7;
-        let t14 = dw2_x + dw2_x;
-        [
-        t1, t2, a2_z, w2_x, w2_y, t7, t8, t9,
-        t12, t13, t14,
-    ]
-    };
     // composite body 7
     let [
-        t17, t20, t29, t30, t34, t37, t42, t58,
-        t74, t90, t98, t107, t110, t113, t114,
+        t2, t5, t14, t15, t19, t22, t27, t43,
+        t59, t75, t83, t92, t95, t98, t99,
     ] = {
-        let t17 = c7 * MSY7 + s7 * MSX7;
-        let t20 = c7 * MSX7 - s7 * MSY7;
-        let t29 = c7 * XZ7 - s7 * YZ7 + t20 * k2;
-        let t30 = s7 * XZ7 + c7 * YZ7 + t17 * k2;
-        let t31 = c6 * t17;
-        let t32 = s6 * t17;
-        let t34 = s6 * ZZ7;
-        let t37 = c6 * ZZ7;
-        let t41 = c6 * t29 - t34 - t32 * k3;
-        let t42 = s6 * t29 + t37 + t31 * k3;
-        let t45 = c5 * t31 + s5 * t20;
-        let t48 = c5 * t20 - s5 * t31;
-        let t57 = c5 * t41 - s5 * t30 + t48 * k4;
-        let t58 = s5 * t41 + c5 * t30 + t45 * k4;
-        let t61 = s4 * t32 - c4 * t45;
-        let t64 = s4 * t45 + c4 * t32;
-        let t73 = c4 * t57 - s4 * t42 - t64 * k5;
-        let t74 = s4 * t57 + c4 * t42 - t61 * k5;
-        let t77 = c3 * t61 - s3 * t48;
-        let t89 = c3 * t73 - s3 * t58 + (s3 * t61 + c3 * t48) * k6;
-        let t90 = s3 * t73 + c3 * t58 - t77 * k6;
-        let t98 = s2 * t89 + c2 * t74 - (c2 * t77 + s2 * t64) * k1;
-        let t100 = s7 * XY7;
-        let t103 = c7 * XY7;
-        let t104 = s7 * XX7R + t103;
-        let t107 = c7 * (c7 * XX7R - t100) - s7 * t103;
-        let t110 = c7 * t104 - s7 * t100;
-        let t113 = s7 * t104 + c7 * t100;
-        let t114 = t17 + t17;
+        let t2 = c7 * MSY7 + s7 * MSX7;
+        let t5 = c7 * MSX7 - s7 * MSY7;
+        let t14 = c7 * XZ7 - s7 * YZ7 + t5 * k0;
+        let t15 = s7 * XZ7 + c7 * YZ7 + t2 * k0;
+        let t16 = c6 * t2;
+        let t17 = s6 * t2;
+        let t19 = s6 * ZZ7;
+        let t22 = c6 * ZZ7;
+        let t26 = c6 * t14 - t19 - t17 * k1;
+        let t27 = s6 * t14 + t22 + t16 * k1;
+        let t30 = c5 * t16 + s5 * t5;
+        let t33 = c5 * t5 - s5 * t16;
+        let t42 = c5 * t26 - s5 * t15 + t33 * k2;
+        let t43 = s5 * t26 + c5 * t15 + t30 * k2;
+        let t46 = s4 * t17 - c4 * t30;
+        let t49 = s4 * t30 + c4 * t17;
+        let t58 = c4 * t42 - s4 * t27 - t49 * k3;
+        let t59 = s4 * t42 + c4 * t27 - t46 * k3;
+        let t62 = c3 * t46 - s3 * t33;
+        let t74 = c3 * t58 - s3 * t43 + (s3 * t46 + c3 * t33) * k4;
+        let t75 = s3 * t58 + c3 * t43 - t62 * k4;
+        let t83 = s2 * t74 + c2 * t59 - (c2 * t62 + s2 * t49) * k5;
+        let t85 = s7 * XY7;
+        let t88 = c7 * XY7;
+        let t89 = s7 * XX7R + t88;
+        let t92 = c7 * (c7 * XX7R - t85) - s7 * t88;
+        let t95 = c7 * t89 - s7 * t85;
+        let t98 = s7 * t89 + c7 * t85;
+        let t99 = t2 + t2;
         [
-        t17, t20, t29, t30, t34, t37, t42, t58,
-        t74, t90, t98, t107, t110, t113, t114,
+        t2, t5, t14, t15, t19, t22, t27, t43,
+        t59, t75, t83, t92, t95, t98, t99,
     ]
     };
     // composite body 6
     let [
-        t117, t123, t126, t135, t136, t148, t164, t180,
-        t188, t202, t206, t208, t209, t213,
+        t102, t108, t111, t120, t121, t133, t149, t165,
+        t173, t187, t191, t193, t194, t198,
     ] = {
-        let t115 = MSX6 + t20;
-        let t116 = XX6R + t107;
-        let t117 = ZZ6R + t113;
-        let t118 = XY6 + t29;
-        let t119 = XZ6 - t110;
-        let t120 = YZ6 - t30;
-        let t123 = c6 * MSY6R + s6 * t115;
-        let t126 = c6 * t115 - s6 * MSY6R;
-        let t135 = c6 * t119 - s6 * t120 + k3 * t126;
-        let t136 = s6 * t119 + c6 * t120 + k3 * t123;
-        let t137 = c5 * t123;
-        let t138 = s5 * t123;
-        let t147 = c5 * t135 + s5 * t117 - k4 * t138;
-        let t148 = s5 * t135 - c5 * t117 + k4 * t137;
-        let t151 = c4 * t137 + s4 * t126;
-        let t154 = c4 * t126 - s4 * t137;
-        let t163 = c4 * t147 - s4 * t136 + k5 * t154;
-        let t164 = s4 * t147 + c4 * t136 + k5 * t151;
-        let t167 = s3 * t138 - c3 * t151;
-        let t179 = c3 * t163 - s3 * t148 - k6 * (s3 * t151 + c3 * t138);
-        let t180 = s3 * t163 + c3 * t148 - k6 * t167;
-        let t188 = s2 * t179 + c2 * t164 - k1 * (c2 * t167 - s2 * t154);
-        let t190 = s6 * t118;
-        let t193 = c6 * t118;
-        let t194 = s6 * t116 + t193;
-        let t196 = t37 + t190;
-        let t202 = c6 * t194 - s6 * t196;
-        let t206 = t123 + t123;
-        let t207 = k3 * t114;
-        let t208 = c6 * (c6 * t116 - t190) - s6 * (t193 - t34) + t207;
-        let t209 = s6 * t194 + c6 * t196 + t207;
-        let t211 = t17 * k3;
-        let t213 = t117 + t207 - (t211 + t211);
+        let t100 = MSX6 + t5;
+        let t101 = XX6R + t92;
+        let t102 = ZZ6R + t98;
+        let t103 = XY6 + t14;
+        let t104 = XZ6 - t95;
+        let t105 = YZ6 - t15;
+        let t108 = c6 * MSY6R + s6 * t100;
+        let t111 = c6 * t100 - s6 * MSY6R;
+        let t120 = c6 * t104 - s6 * t105 + k1 * t111;
+        let t121 = s6 * t104 + c6 * t105 + k1 * t108;
+        let t122 = c5 * t108;
+        let t123 = s5 * t108;
+        let t132 = c5 * t120 + s5 * t102 - k2 * t123;
+        let t133 = s5 * t120 - c5 * t102 + k2 * t122;
+        let t136 = c4 * t122 + s4 * t111;
+        let t139 = c4 * t111 - s4 * t122;
+        let t148 = c4 * t132 - s4 * t121 + k3 * t139;
+        let t149 = s4 * t132 + c4 * t121 + k3 * t136;
+        let t152 = s3 * t123 - c3 * t136;
+        let t164 = c3 * t148 - s3 * t133 - k4 * (s3 * t136 + c3 * t123);
+        let t165 = s3 * t148 + c3 * t133 - k4 * t152;
+        let t173 = s2 * t164 + c2 * t149 - k5 * (c2 * t152 - s2 * t139);
+        let t175 = s6 * t103;
+        let t178 = c6 * t103;
+        let t179 = s6 * t101 + t178;
+        let t181 = t22 + t175;
+        let t187 = c6 * t179 - s6 * t181;
+        let t191 = t108 + t108;
+        let t192 = k1 * t99;
+        let t193 = c6 * (c6 * t101 - t175) - s6 * (t178 - t19) + t192;
+        let t194 = s6 * t179 + c6 * t181 + t192;
+        let t196 = t2 * k1;
+        let t198 = t102 + t192 - (t196 + t196);
         [
-        t117, t123, t126, t135, t136, t148, t164, t180,
-        t188, t202, t206, t208, t209, t213,
+        t102, t108, t111, t120, t121, t133, t149, t165,
+        t173, t187, t191, t193, t194, t198,
     ]
     };
     // composite body 5
     let [
-        t217, t223, t226, t235, t236, t248, t264, t272,
-        t288, t292, t294, t295, t299,
+        t202, t208, t211, t220, t221, t233, t249, t257,
+        t273, t277, t279, t280, t284,
     ] = {
-        let t214 = MSX5 + t126;
-        let t215 = MSY5R + t17;
-        let t216 = XX5R + t208;
-        let t217 = ZZ5R + t209;
-        let t218 = XY5 - t135;
-        let t219 = XZ5 + t202;
-        let t220 = YZ5 - t136;
-        let t223 = c5 * t215 + s5 * t214;
-        let t226 = c5 * t214 - s5 * t215;
-        let t235 = c5 * t219 - s5 * t220 + k4 * t226;
-        let t236 = s5 * t219 + c5 * t220 + k4 * t223;
-        let t237 = c4 * t223;
-        let t238 = s4 * t223;
-        let t247 = c4 * t235 - s4 * t217 - k5 * t238;
-        let t248 = s4 * t235 + c4 * t217 + k5 * t237;
-        let t251 = c3 * t237 + s3 * t226;
-        let t263 = c3 * t247 - s3 * t236 + k6 * (c3 * t226 - s3 * t237);
-        let t264 = s3 * t247 + c3 * t236 + k6 * t251;
-        let t272 = s2 * t263 + c2 * t248 - k1 * (s2 * t238 - c2 * t251);
-        let t274 = s5 * t218;
-        let t277 = c5 * t218;
-        let t278 = s5 * t216 + t277;
-        let t282 = t274 + c5 * t213;
-        let t288 = c5 * t278 - s5 * t282;
-        let t292 = t223 + t223;
-        let t293 = k4 * t206;
-        let t294 = c5 * (c5 * t216 - t274) - s5 * (t277 - s5 * t213) - t293;
-        let t295 = s5 * t278 + c5 * t282 - t293;
-        let t297 = k4 * t123;
-        let t299 = t217 - t293 + (t297 + t297);
+        let t199 = MSX5 + t111;
+        let t200 = MSY5R + t2;
+        let t201 = XX5R + t193;
+        let t202 = ZZ5R + t194;
+        let t203 = XY5 - t120;
+        let t204 = XZ5 + t187;
+        let t205 = YZ5 - t121;
+        let t208 = c5 * t200 + s5 * t199;
+        let t211 = c5 * t199 - s5 * t200;
+        let t220 = c5 * t204 - s5 * t205 + k2 * t211;
+        let t221 = s5 * t204 + c5 * t205 + k2 * t208;
+        let t222 = c4 * t208;
+        let t223 = s4 * t208;
+        let t232 = c4 * t220 - s4 * t202 - k3 * t223;
+        let t233 = s4 * t220 + c4 * t202 + k3 * t222;
+        let t236 = c3 * t222 + s3 * t211;
+        let t248 = c3 * t232 - s3 * t221 + k4 * (c3 * t211 - s3 * t222);
+        let t249 = s3 * t232 + c3 * t221 + k4 * t236;
+        let t257 = s2 * t248 + c2 * t233 - k5 * (s2 * t223 - c2 * t236);
+        let t259 = s5 * t203;
+        let t262 = c5 * t203;
+        let t263 = s5 * t201 + t262;
+        let t267 = t259 + c5 * t198;
+        let t273 = c5 * t263 - s5 * t267;
+        let t277 = t208 + t208;
+        let t278 = k2 * t191;
+        let t279 = c5 * (c5 * t201 - t259) - s5 * (t262 - s5 * t198) - t278;
+        let t280 = s5 * t263 + c5 * t267 - t278;
+        let t282 = k2 * t108;
+        let t284 = t202 - t278 + (t282 + t282);
         [
-        t217, t223, t226, t235, t236, t248, t264, t272,
-        t288, t292, t294, t295, t299,
+        t202, t208, t211, t220, t221, t233, t249, t257,
+        t273, t277, t279, t280, t284,
     ]
     };
     // composite body 4
     let [
-        t303, t309, t312, t321, t322, t334, t342, t358,
-        t362, t364, t365, t369,
+        t288, t294, t297, t306, t307, t319, t327, t343,
+        t347, t349, t350, t354,
     ] = {
-        let t300 = MSX4 + t226;
-        let t301 = MSY4R + t123;
-        let t302 = XX4R + t294;
-        let t303 = ZZ4R + t295;
-        let t304 = XY4 + t235;
-        let t305 = XZ4 - t288;
-        let t306 = YZ4 - t236;
-        let t309 = c4 * t301 + s4 * t300;
-        let t312 = c4 * t300 - s4 * t301;
-        let t321 = c4 * t305 - s4 * t306 + k5 * t312;
-        let t322 = s4 * t305 + c4 * t306 + k5 * t309;
-        let t323 = c3 * t309;
-        let t334 = s3 * t321 - c3 * t303 + k6 * t323;
-        let t339 = c2 * t322;
-        let t340 = s2 * (c3 * t321 + s3 * t303 - k6 * (s3 * t309)) + t339;
-        let t342 = t340 + k1 * (c2 * t323 + s2 * t312);
-        let t344 = s4 * t304;
-        let t347 = c4 * t304;
-        let t348 = s4 * t302 + t347;
-        let t352 = t344 + c4 * t299;
-        let t358 = c4 * t348 - s4 * t352;
-        let t362 = t309 + t309;
-        let t363 = k5 * t292;
-        let t364 = c4 * (c4 * t302 - t344) - s4 * (t347 - s4 * t299) + t363;
-        let t365 = s4 * t348 + c4 * t352 + t363;
-        let t367 = k5 * t223;
-        let t369 = t303 + t363 - (t367 + t367);
+        let t285 = MSX4 + t211;
+        let t286 = MSY4R + t108;
+        let t287 = XX4R + t279;
+        let t288 = ZZ4R + t280;
+        let t289 = XY4 + t220;
+        let t290 = XZ4 - t273;
+        let t291 = YZ4 - t221;
+        let t294 = c4 * t286 + s4 * t285;
+        let t297 = c4 * t285 - s4 * t286;
+        let t306 = c4 * t290 - s4 * t291 + k3 * t297;
+        let t307 = s4 * t290 + c4 * t291 + k3 * t294;
+        let t308 = c3 * t294;
+        let t319 = s3 * t306 - c3 * t288 + k4 * t308;
+        let t324 = c2 * t307;
+        let t325 = s2 * (c3 * t306 + s3 * t288 - k4 * (s3 * t294)) + t324;
+        let t327 = t325 + k5 * (c2 * t308 + s2 * t297);
+        let t329 = s4 * t289;
+        let t332 = c4 * t289;
+        let t333 = s4 * t287 + t332;
+        let t337 = t329 + c4 * t284;
+        let t343 = c4 * t333 - s4 * t337;
+        let t347 = t294 + t294;
+        let t348 = k3 * t277;
+        let t349 = c4 * (c4 * t287 - t329) - s4 * (t332 - s4 * t284) + t348;
+        let t350 = s4 * t333 + c4 * t337 + t348;
+        let t352 = k3 * t208;
+        let t354 = t288 + t348 - (t352 + t352);
         [
-        t303, t309, t312, t321, t322, t334, t342, t358,
-        t362, t364, t365, t369,
+        t288, t294, t297, t306, t307, t319, t327, t343,
+        t347, t349, t350, t354,
     ]
     };
     // composite body 3
     let [
-        t373, t382, t391, t392, t398, t414, t418, t420,
-        t421, t425,
+        t358, t367, t376, t377, t383, t399, t403, t405,
+        t406, t410,
     ] = {
-        let t370 = MSX3 + t312;
-        let t371 = MSY3R + t223;
-        let t372 = XX3R + t364;
-        let t373 = ZZ3R + t365;
-        let t374 = XY3 - t321;
-        let t375 = XZ3 + t358;
-        let t376 = YZ3 - t322;
-        let t379 = c3 * t371 + s3 * t370;
-        let t382 = c3 * t370 - s3 * t371;
-        let t391 = c3 * t375 - s3 * t376 + k6 * t382;
-        let t392 = s3 * t375 + c3 * t376 + k6 * t379;
-        let t398 = s2 * t391 + c2 * t373 + k1 * (c2 * t379);
-        let t400 = s3 * t374;
-        let t403 = c3 * t374;
-        let t404 = s3 * t372 + t403;
-        let t408 = t400 + c3 * t369;
-        let t414 = c3 * t404 - s3 * t408;
-        let t418 = t379 + t379;
-        let t419 = k6 * t362;
-        let t420 = c3 * (c3 * t372 - t400) - s3 * (t403 - s3 * t369) - t419;
-        let t421 = s3 * t404 + c3 * t408 - t419;
-        let t423 = k6 * t309;
-        let t425 = t373 - t419 + (t423 + t423);
+        let t355 = MSX3 + t297;
+        let t356 = MSY3R + t208;
+        let t357 = XX3R + t349;
+        let t358 = ZZ3R + t350;
+        let t359 = XY3 - t306;
+        let t360 = XZ3 + t343;
+        let t361 = YZ3 - t307;
+        let t364 = c3 * t356 + s3 * t355;
+        let t367 = c3 * t355 - s3 * t356;
+        let t376 = c3 * t360 - s3 * t361 + k4 * t367;
+        let t377 = s3 * t360 + c3 * t361 + k4 * t364;
+        let t383 = s2 * t376 + c2 * t358 + k5 * (c2 * t364);
+        let t385 = s3 * t359;
+        let t388 = c3 * t359;
+        let t389 = s3 * t357 + t388;
+        let t393 = t385 + c3 * t354;
+        let t399 = c3 * t389 - s3 * t393;
+        let t403 = t364 + t364;
+        let t404 = k4 * t347;
+        let t405 = c3 * (c3 * t357 - t385) - s3 * (t388 - s3 * t354) - t404;
+        let t406 = s3 * t389 + c3 * t393 - t404;
+        let t408 = k4 * t294;
+        let t410 = t358 - t404 + (t408 + t408);
         [
-        t373, t382, t391, t392, t398, t414, t418, t420,
-        t421, t425,
+        t358, t367, t376, t377, t383, t399, t403, t405,
+        t406, t410,
     ]
     };
     // composite body 2
-    let [t429, t440, t451] = {
-        let t429 = ZZ2R + t421;
-        let t430 = XY2 + t391;
-        let t439 = k1 * (c2 * (MSY2R + t309) + s2 * (MSX2 + t382));
-        let t440 = s2 * (XZ2 - t414) + c2 * (YZ2 - t392) + t439;
-        let t448 = c2 * (s2 * t430 + c2 * t425);
-        let t451 = s2 * (s2 * (XX2R + t420) + c2 * t430) + t448 + k1 * t418;
-        [t429, t440, t451]
+    let [t414, t425, t436] = {
+        let t414 = ZZ2R + t406;
+        let t415 = XY2 + t376;
+        let t424 = k5 * (c2 * (MSY2R + t294) + s2 * (MSX2 + t367));
+        let t425 = s2 * (XZ2 - t399) + c2 * (YZ2 - t377) + t424;
+        let t433 = c2 * (s2 * t415 + c2 * t410);
+        let t436 = s2 * (s2 * (XX2R + t405) + c2 * t415) + t433 + k5 * t403;
+        [t414, t425, t436]
     };
     // composite body 1
-    let t452 = {
-        let t452 = ZZ1R + t451;
-        t452
+    let t437 = {
+        let t437 = ZZ1R + t436;
+        t437
     };
-    // M = L D L'
+    // link 1: motion
+    let t438 = {
+        let t438 = dq1 * dq1;
+        t438
+    };
+    // link 2: motion
     let [
-        t453, t454, t455, t456, t457, t458, t459, t463,
-        t467, t470, t473, t476, t479, t486, t493, t498,
-        t503, t508, t518, t528, t535, t542, t555, t568,
-        t577, t593, t609, t628,
+        t439, t440, a2_z, w2_x, w2_y, t445, t446, t447,
+        t450, t451, t452,
     ] = {
-        let t453 = k7 / t452;
-        let t454 = t440 * t453;
-        let t455 = t398 * t453;
-        let t456 = t342 * t453;
-        let t457 = t272 * t453;
-        let t458 = t188 * t453;
-        let t459 = t98 * t453;
-        let t462 = t429 - t452 * (t454 * t454);
-        let t463 = k7 / t462;
-        let t464 = t452 * t454;
-        let t467 = t463 * (t392 + t455 * t464);
-        let t470 = t463 * (t334 + t456 * t464);
-        let t473 = t463 * (t264 + t457 * t464);
-        let t476 = t463 * (t180 + t458 * t464);
-        let t479 = t463 * (t90 + t459 * t464);
-        let t485 = t373 - t452 * (t455 * t455) - t462 * (t467 * t467);
-        let t486 = k7 / t485;
-        let t487 = t452 * t455;
-        let t490 = t462 * t467;
-        let t493 = t486 * (t322 - t456 * t487 - t470 * t490);
-        let t498 = t486 * (t248 - t457 * t487 - t473 * t490);
-        let t503 = t486 * (t164 - t458 * t487 - t476 * t490);
-        let t508 = t486 * (t74 - t459 * t487 - t479 * t490);
-        let t516 = t485 * (t493 * t493);
-        let t517 = t303 - t452 * (t456 * t456) - t462 * (t470 * t470) - t516;
-        let t518 = k7 / t517;
-        let t519 = t452 * t456;
-        let t522 = t462 * t470;
-        let t525 = t485 * t493;
-        let t528 = t518 * (t236 + t457 * t519 + t473 * t522 + t498 * t525);
-        let t535 = t518 * (t148 + t458 * t519 + t476 * t522 + t503 * t525);
-        let t542 = t518 * (t58 + t459 * t519 + t479 * t522 + t508 * t525);
-        let t550 = t485 * (t498 * t498);
-        let t553 = t517 * (t528 * t528);
-        let t554 = t217 - t452 * (t457 * t457) - t462 * (t473 * t473) - t550 - t553;
-        let t555 = k7 / t554;
-        let t556 = t452 * t457;
-        let t559 = t462 * t473;
-        let t562 = t485 * t498;
-        let t565 = t517 * t528;
-        let t567 = t136 - t458 * t556 - t476 * t559 - t503 * t562 - t535 * t565;
-        let t568 = t555 * t567;
-        let t576 = t42 - t459 * t556 - t479 * t559 - t508 * t562 - t542 * t565;
-        let t577 = t555 * t576;
-        let t585 = t485 * (t503 * t503);
-        let t588 = t517 * (t535 * t535);
-        let t589 = t117 - t452 * (t458 * t458) - t462 * (t476 * t476) - t585 - t588;
-        let t592 = t589 - t554 * (t568 * t568);
-        let t593 = k7 / t592;
-        let t601 = t508 * (t485 * t503);
-        let t604 = t542 * (t517 * t535);
-        let t605 = t30 + t459 * (t452 * t458) + t479 * (t462 * t476) + t601 + t604;
-        let t609 = t593 * (t605 + t577 * (t554 * t568));
-        let t617 = t485 * (t508 * t508);
-        let t620 = t517 * (t542 * t542);
-        let t621 = ZZ7 - t452 * (t459 * t459) - t462 * (t479 * t479) - t617 - t620;
-        let t628 = k7 / (t621 - t554 * (t577 * t577) - t592 * (t609 * t609));
+        let t439 = s2 * k6;
+        let t440 = c2 * k6;
+        let a2_z = k5 * t438;
+        let w2_x = s2 * dq1;
+        let w2_y = c2 * dq1;
+        let t444 = w2_x * w2_x;
+        let t445 = dq2 * dq2;
+        let t446 = w2_x * w2_y;
+        let t447 = dq2 * w2_x;
+        let dw2_x = dq2 * w2_y;
+        let t450 = t444 - t445 - t438;
+        let t451 = t444 + t445;
+        let t452 = dw2_x + dw2_x;
         [
-        t453, t454, t455, t456, t457, t458, t459, t463,
-        t467, t470, t473, t476, t479, t486, t493, t498,
-        t503, t508, t518, t528, t535, t542, t555, t568,
-        t577, t593, t609, t628,
+        t439, t440, a2_z, w2_x, w2_y, t445, t446, t447,
+        t450, t451, t452,
     ]
     };
     // link 3: motion
     let [
-        a3_z, t637, a3_y, w3_x, t646, t649, t652, w3_z,
-        t656, t657, t658, dw3_x, dw3_y, t661, t662, t663,
-        t664, t665, t666, t667,
+        a3_z, t461, a3_y, w3_x, t470, t473, t476, w3_z,
+        t480, t481, t482, dw3_x, dw3_y, t485, t486, t487,
+        t488, t489, t490, t491,
     ] = {
-        let t632 = t1 + k6 * t8;
-        let a3_z = k6 * t13 - t2;
-        let t634 = a2_z - k6 * t14;
-        let t637 = c3 * t632 + s3 * t634;
-        let a3_y = s3 * t632 - c3 * t634;
+        let t456 = t439 + k4 * t446;
+        let a3_z = k4 * t451 - t440;
+        let t458 = a2_z - k4 * t452;
+        let t461 = c3 * t456 + s3 * t458;
+        let a3_y = s3 * t456 - c3 * t458;
         let w3_x = c3 * w2_x - s3 * dq2;
-        let t646 = c3 * dq2 + s3 * w2_x;
-        let t649 = c3 * t8 - s3 * t14;
-        let t652 = c3 * t14 + s3 * t8;
+        let t470 = c3 * dq2 + s3 * w2_x;
+        let t473 = c3 * t446 - s3 * t452;
+        let t476 = c3 * t452 + s3 * t446;
         let w3_z = w2_y + dq3;
-        let t654 = w3_x * w3_x;
-        let t655 = w3_z * w3_z;
-        let t656 = w3_x * t646;
-        let t657 = w3_x * w3_z;
-        let t658 = t646 * w3_z;
-        let dw3_x = t652 - t658;
-        let dw3_y = t649 - t657;
-        let t661 = t654 - t655;
-        let t662 = t661 - t13;
-        let t663 = t9 - t656;
-        let t664 = t9 + t656;
-        let t665 = t654 + t655;
-        let t666 = t657 - dw3_y;
-        let t667 = dw3_x - t658;
+        let t478 = w3_x * w3_x;
+        let t479 = w3_z * w3_z;
+        let t480 = w3_x * t470;
+        let t481 = w3_x * w3_z;
+        let t482 = t470 * w3_z;
+        let dw3_x = t476 - t482;
+        let dw3_y = t473 - t481;
+        let t485 = t478 - t479;
+        let t486 = t485 - t451;
+        let t487 = t447 - t480;
+        let t488 = t447 + t480;
+        let t489 = t478 + t479;
+        let t490 = t481 - dw3_y;
+        let t491 = dw3_x - t482;
         [
-        a3_z, t637, a3_y, w3_x, t646, t649, t652, w3_z,
-        t656, t657, t658, dw3_x, dw3_y, t661, t662, t663,
-        t664, t665, t666, t667,
+        a3_z, t461, a3_y, w3_x, t470, t473, t476, w3_z,
+        t480, t481, t482, dw3_x, dw3_y, t485, t486, t487,
+        t488, t489, t490, t491,
     ]
     };
     // link 4: motion
     let [
-        t672, a4_x, a4_y, w4_x, w4_y, t688, t691, w4_z,
-        t695, t696, t697, dw4_x, t699, t700, t701, t702,
-        t703, t704, t705, t706,
+        t496, a4_x, a4_y, w4_x, w4_y, t512, t515, w4_z,
+        t519, t520, t521, dw4_x, t523, t524, t525, t526,
+        t527, t528, t529, t530,
     ] = {
-        let t671 = k5 * t663 - t637;
-        let t672 = a3_y - k5 * t665;
-        let t673 = a3_z + k5 * t667;
-        let a4_x = c4 * t671 + s4 * t673;
-        let a4_y = c4 * t673 - s4 * t671;
+        let t495 = k3 * t487 - t461;
+        let t496 = a3_y - k3 * t489;
+        let t497 = a3_z + k3 * t491;
+        let a4_x = c4 * t495 + s4 * t497;
+        let a4_y = c4 * t497 - s4 * t495;
         let w4_x = c4 * w3_x + s4 * w3_z;
         let w4_y = c4 * w3_z - s4 * w3_x;
-        let t688 = c4 * t663 + s4 * t667;
-        let t691 = s4 * t663 - c4 * t667;
-        let w4_z = t646 + dq4;
-        let t693 = w4_x * w4_x;
-        let t694 = w4_z * w4_z;
-        let t695 = w4_x * w4_y;
-        let t696 = w4_x * w4_z;
-        let t697 = w4_y * w4_z;
-        let dw4_x = t697 - t691;
-        let t699 = t688 + t696;
-        let t700 = t693 - t694;
-        let t701 = t700 - t665;
-        let t702 = dw3_y + t695;
-        let t703 = t695 - dw3_y;
-        let t704 = t693 + t694;
-        let t705 = t696 + t699;
-        let t706 = t697 + dw4_x;
+        let t512 = c4 * t487 + s4 * t491;
+        let t515 = s4 * t487 - c4 * t491;
+        let w4_z = t470 + dq4;
+        let t517 = w4_x * w4_x;
+        let t518 = w4_z * w4_z;
+        let t519 = w4_x * w4_y;
+        let t520 = w4_x * w4_z;
+        let t521 = w4_y * w4_z;
+        let dw4_x = t521 - t515;
+        let t523 = t512 + t520;
+        let t524 = t517 - t518;
+        let t525 = t524 - t489;
+        let t526 = dw3_y + t519;
+        let t527 = t519 - dw3_y;
+        let t528 = t517 + t518;
+        let t529 = t520 + t523;
+        let t530 = t521 + dw4_x;
         [
-        t672, a4_x, a4_y, w4_x, w4_y, t688, t691, w4_z,
-        t695, t696, t697, dw4_x, t699, t700, t701, t702,
-        t703, t704, t705, t706,
+        t496, a4_x, a4_y, w4_x, w4_y, t512, t515, w4_z,
+        t519, t520, t521, dw4_x, t523, t524, t525, t526,
+        t527, t528, t529, t530,
     ]
     };
     // link 5: motion
     let [
-        a5_z, a5_x, a5_y, w5_x, t724, t727, t730, w5_z,
-        t734, t735, t736, dw5_x, dw5_y, t739, t740, t741,
-        t742, t743, t744, t745,
+        a5_z, a5_x, a5_y, w5_x, t548, t551, t554, w5_z,
+        t558, t559, t560, dw5_x, dw5_y, t563, t564, t565,
+        t566, t567, t568, t569,
     ] = {
-        let t710 = a4_x - k4 * t702;
-        let a5_z = a4_y + k4 * t704;
-        let t712 = t672 + k4 * t706;
-        let a5_x = c5 * t710 + s5 * t712;
-        let a5_y = c5 * t712 - s5 * t710;
+        let t534 = a4_x - k2 * t526;
+        let a5_z = a4_y + k2 * t528;
+        let t536 = t496 + k2 * t530;
+        let a5_x = c5 * t534 + s5 * t536;
+        let a5_y = c5 * t536 - s5 * t534;
         let w5_x = c5 * w4_x - s5 * w4_z;
-        let t724 = c5 * w4_z + s5 * w4_x;
-        let t727 = c5 * t702 - s5 * t706;
-        let t730 = c5 * t706 + s5 * t702;
+        let t548 = c5 * w4_z + s5 * w4_x;
+        let t551 = c5 * t526 - s5 * t530;
+        let t554 = c5 * t530 + s5 * t526;
         let w5_z = w4_y + dq5;
-        let t732 = w5_x * w5_x;
-        let t733 = w5_z * w5_z;
-        let t734 = w5_x * t724;
-        let t735 = w5_x * w5_z;
-        let t736 = t724 * w5_z;
-        let dw5_x = t730 - t736;
-        let dw5_y = t727 - t735;
-        let t739 = t732 - t733;
-        let t740 = t739 - t704;
-        let t741 = t699 - t734;
-        let t742 = t699 + t734;
-        let t743 = t732 + t733;
-        let t744 = t735 - dw5_y;
-        let t745 = dw5_x - t736;
+        let t556 = w5_x * w5_x;
+        let t557 = w5_z * w5_z;
+        let t558 = w5_x * t548;
+        let t559 = w5_x * w5_z;
+        let t560 = t548 * w5_z;
+        let dw5_x = t554 - t560;
+        let dw5_y = t551 - t559;
+        let t563 = t556 - t557;
+        let t564 = t563 - t528;
+        let t565 = t523 - t558;
+        let t566 = t523 + t558;
+        let t567 = t556 + t557;
+        let t568 = t559 - dw5_y;
+        let t569 = dw5_x - t560;
         [
-        a5_z, a5_x, a5_y, w5_x, t724, t727, t730, w5_z,
-        t734, t735, t736, dw5_x, dw5_y, t739, t740, t741,
-        t742, t743, t744, t745,
+        a5_z, a5_x, a5_y, w5_x, t548, t551, t554, w5_z,
+        t558, t559, t560, dw5_x, dw5_y, t563, t564, t565,
+        t566, t567, t568, t569,
     ]
     };
     // link 6: motion
     let [
-        t750, a6_x, a6_y, w6_x, w6_y, t766, t769, w6_z,
-        t773, t774, t775, dw6_x, t777, t778, t779, t780,
-        t781, t782, t783, t784,
+        t574, a6_x, a6_y, w6_x, w6_y, t590, t593, w6_z,
+        t597, t598, t599, dw6_x, t601, t602, t603, t604,
+        t605, t606, t607, t608,
     ] = {
-        let t749 = a5_x + k3 * t741;
-        let t750 = a5_y - k3 * t743;
-        let t751 = a5_z + k3 * t745;
-        let a6_x = c6 * t749 + s6 * t751;
-        let a6_y = c6 * t751 - s6 * t749;
+        let t573 = a5_x + k1 * t565;
+        let t574 = a5_y - k1 * t567;
+        let t575 = a5_z + k1 * t569;
+        let a6_x = c6 * t573 + s6 * t575;
+        let a6_y = c6 * t575 - s6 * t573;
         let w6_x = c6 * w5_x + s6 * w5_z;
         let w6_y = c6 * w5_z - s6 * w5_x;
-        let t766 = c6 * t741 + s6 * t745;
-        let t769 = s6 * t741 - c6 * t745;
-        let w6_z = t724 + dq6;
-        let t771 = w6_x * w6_x;
-        let t772 = w6_z * w6_z;
-        let t773 = w6_x * w6_y;
-        let t774 = w6_x * w6_z;
-        let t775 = w6_y * w6_z;
-        let dw6_x = t775 - t769;
-        let t777 = t766 + t774;
-        let t778 = t771 - t772;
-        let t779 = t778 - t743;
-        let t780 = dw5_y + t773;
-        let t781 = t773 - dw5_y;
-        let t782 = t771 + t772;
-        let t783 = t774 + t777;
-        let t784 = t775 + dw6_x;
+        let t590 = c6 * t565 + s6 * t569;
+        let t593 = s6 * t565 - c6 * t569;
+        let w6_z = t548 + dq6;
+        let t595 = w6_x * w6_x;
+        let t596 = w6_z * w6_z;
+        let t597 = w6_x * w6_y;
+        let t598 = w6_x * w6_z;
+        let t599 = w6_y * w6_z;
+        let dw6_x = t599 - t593;
+        let t601 = t590 + t598;
+        let t602 = t595 - t596;
+        let t603 = t602 - t567;
+        let t604 = dw5_y + t597;
+        let t605 = t597 - dw5_y;
+        let t606 = t595 + t596;
+        let t607 = t598 + t601;
+        let t608 = t599 + dw6_x;
         [
-        t750, a6_x, a6_y, w6_x, w6_y, t766, t769, w6_z,
-        t773, t774, t775, dw6_x, t777, t778, t779, t780,
-        t781, t782, t783, t784,
+        t574, a6_x, a6_y, w6_x, w6_y, t590, t593, w6_z,
+        t597, t598, t599, dw6_x, t601, t602, t603, t604,
+        t605, t606, t607, t608,
     ]
     };
     // link 7: motion
     let [
-        t787, t790, t799, t802, t806, t807, t808, dw7_x,
-        t811, t812, t813, t814, t815, t816, t817,
+        t611, t614, t623, t626, t630, t631, t632, dw7_x,
+        t635, t636, t637, t638, t639, t640, t641,
     ] = {
-        let t787 = c7 * a6_x + s7 * t750;
-        let t790 = c7 * t750 - s7 * a6_x;
+        let t611 = c7 * a6_x + s7 * t574;
+        let t614 = c7 * t574 - s7 * a6_x;
         let w7_x = c7 * w6_x - s7 * w6_z;
-        let t796 = c7 * w6_z + s7 * w6_x;
-        let t799 = c7 * t780 - s7 * t784;
-        let t802 = c7 * t784 + s7 * t780;
+        let t620 = c7 * w6_z + s7 * w6_x;
+        let t623 = c7 * t604 - s7 * t608;
+        let t626 = c7 * t608 + s7 * t604;
         let w7_z = w6_y + dq7;
-        let t804 = w7_x * w7_x;
-        let t805 = w7_z * w7_z;
-        let t806 = w7_x * t796;
-        let t807 = w7_x * w7_z;
-        let t808 = t796 * w7_z;
-        let dw7_x = t802 - t808;
-        let dw7_y = t799 - t807;
-        let t811 = t804 - t805;
-        let t812 = t811 - t782;
-        let t813 = t777 - t806;
-        let t814 = t777 + t806;
-        let t815 = t804 + t805;
-        let t816 = t807 - dw7_y;
-        let t817 = dw7_x - t808;
+        let t628 = w7_x * w7_x;
+        let t629 = w7_z * w7_z;
+        let t630 = w7_x * t620;
+        let t631 = w7_x * w7_z;
+        let t632 = t620 * w7_z;
+        let dw7_x = t626 - t632;
+        let dw7_y = t623 - t631;
+        let t635 = t628 - t629;
+        let t636 = t635 - t606;
+        let t637 = t601 - t630;
+        let t638 = t601 + t630;
+        let t639 = t628 + t629;
+        let t640 = t631 - dw7_y;
+        let t641 = dw7_x - t632;
         [
-        t787, t790, t799, t802, t806, t807, t808, dw7_x,
-        t811, t812, t813, t814, t815, t816, t817,
+        t611, t614, t623, t626, t630, t631, t632, dw7_x,
+        t635, t636, t637, t638, t639, t640, t641,
     ]
     };
     // link 7: force and moment
-    let [f7_z, n7_z, t869, t872, t875, t878] = {
-        let t819 = XZ7 + MSX7 * k2;
-        let t821 = YZ7 + MSY7 * k2;
-        let t842 = XX7R * t806 - ZZ7 * t777 + XY7 * (t812 + t815) + t802 * t819;
-        let t844 = t821 * (t782 - t815);
-        let t847 = XX7R * dw7_x - ZZ7 * t808 - XY7 * t816 - t814 * t819 + t844;
-        let t848 = t807 * (XX7R - ZZ7) + XY7 * t817 - t811 * t819 - t813 * t821;
-        let f7_x = MSX7 * t812 + MSY7 * t813;
-        let t855 = MSX7 * t814 + MSY7 * t815;
-        let f7_z = MSX7 * t816 + MSY7 * t817;
-        let n7_x = t847 + MSY7 * a6_y;
-        let n7_y = t848 - MSX7 * a6_y;
-        let n7_z = t842 + t799 * t821 + (MSX7 * t790 - MSY7 * t787);
-        let t869 = c7 * f7_x + s7 * t855;
-        let t872 = s7 * f7_x - c7 * t855;
-        let t875 = c7 * n7_x - s7 * n7_y;
-        let t878 = s7 * n7_x + c7 * n7_y;
-        [f7_z, n7_z, t869, t872, t875, t878]
+    let [f7_z, n7_z, t693, t696, t699, t702] = {
+        let t643 = XZ7 + MSX7 * k0;
+        let t645 = YZ7 + MSY7 * k0;
+        let t666 = XX7R * t630 - ZZ7 * t601 + XY7 * (t636 + t639) + t626 * t643;
+        let t668 = t645 * (t606 - t639);
+        let t671 = XX7R * dw7_x - ZZ7 * t632 - XY7 * t640 - t638 * t643 + t668;
+        let t672 = t631 * (XX7R - ZZ7) + XY7 * t641 - t635 * t643 - t637 * t645;
+        let f7_x = MSX7 * t636 + MSY7 * t637;
+        let t679 = MSX7 * t638 + MSY7 * t639;
+        let f7_z = MSX7 * t640 + MSY7 * t641;
+        let n7_x = t671 + MSY7 * a6_y;
+        let n7_y = t672 - MSX7 * a6_y;
+        let n7_z = t666 + t623 * t645 + (MSX7 * t614 - MSY7 * t611);
+        let t693 = c7 * f7_x + s7 * t679;
+        let t696 = s7 * f7_x - c7 * t679;
+        let t699 = c7 * n7_x - s7 * n7_y;
+        let t702 = s7 * n7_x + c7 * n7_y;
+        [f7_z, n7_z, t693, t696, t699, t702]
     };
     // link 6: force and moment
-    let [f6_z, n6_z, t932, t935, t944, t945] = {
-        let t899 = XY6 * (t779 + t782) - (XX6R * t773 + ZZ6R * dw5_y) - XZ6 * t769;
-        let t901 = YZ6 * (t743 - t782);
-        let t904 = ZZ6R * t775 + XX6R * dw6_x - XY6 * t783 + XZ6 * t781 + t901;
-        let t905 = t774 * (XX6R - ZZ6R) + XY6 * t784 - XZ6 * t778 - YZ6 * t780;
-        let f6_x = t869 + (MSX6 * t779 + MSY6R * t780);
-        let f6_y = f7_z + (MSX6 * t781 - MSY6R * t782);
-        let f6_z = MSX6 * t783 + MSY6R * t784 - t872;
-        let n6_x = t875 + (t904 - MSY6R * t750);
-        let n6_y = n7_z + (t905 + MSX6 * t750);
-        let n6_z = t899 - YZ6 * t766 + (MSX6 * a6_y - MSY6R * a6_x) - t878;
-        let t932 = c6 * f6_x - s6 * f6_y;
-        let t935 = s6 * f6_x + c6 * f6_y;
-        let t944 = c6 * n6_x - s6 * n6_y + k3 * t935;
-        let t945 = s6 * n6_x + c6 * n6_y - k3 * t932;
-        [f6_z, n6_z, t932, t935, t944, t945]
+    let [f6_z, n6_z, t756, t759, t768, t769] = {
+        let t723 = XY6 * (t603 + t606) - (XX6R * t597 + ZZ6R * dw5_y) - XZ6 * t593;
+        let t725 = YZ6 * (t567 - t606);
+        let t728 = ZZ6R * t599 + XX6R * dw6_x - XY6 * t607 + XZ6 * t605 + t725;
+        let t729 = t598 * (XX6R - ZZ6R) + XY6 * t608 - XZ6 * t602 - YZ6 * t604;
+        let f6_x = t693 + (MSX6 * t603 + MSY6R * t604);
+        let f6_y = f7_z + (MSX6 * t605 - MSY6R * t606);
+        let f6_z = MSX6 * t607 + MSY6R * t608 - t696;
+        let n6_x = t699 + (t728 - MSY6R * t574);
+        let n6_y = n7_z + (t729 + MSX6 * t574);
+        let n6_z = t723 - YZ6 * t590 + (MSX6 * a6_y - MSY6R * a6_x) - t702;
+        let t756 = c6 * f6_x - s6 * f6_y;
+        let t759 = s6 * f6_x + c6 * f6_y;
+        let t768 = c6 * n6_x - s6 * n6_y + k1 * t759;
+        let t769 = s6 * n6_x + c6 * n6_y - k1 * t756;
+        [f6_z, n6_z, t756, t759, t768, t769]
     };
     // link 5: force and moment
-    let [f5_z, n5_z, t999, t1002, t1011, t1012] = {
-        let t966 = XX5R * t734 - ZZ5R * t699 + XY5 * (t740 + t743) + XZ5 * t730;
-        let t968 = YZ5 * (t704 - t743);
-        let t971 = XX5R * dw5_x - ZZ5R * t736 - XY5 * t744 - XZ5 * t742 + t968;
-        let t972 = t735 * (XX5R - ZZ5R) + XY5 * t745 - XZ5 * t739 - YZ5 * t741;
-        let f5_x = t932 + (MSX5 * t740 + MSY5R * t741);
-        let t992 = f6_z + (MSX5 * t742 + MSY5R * t743);
-        let f5_z = t935 + (MSX5 * t744 + MSY5R * t745);
-        let n5_x = t944 + (t971 + MSY5R * a5_z);
-        let n5_y = t972 - MSX5 * a5_z - n6_z;
-        let n5_z = t945 + (t966 + YZ5 * t727 + (MSX5 * a5_y - MSY5R * a5_x));
-        let t999 = c5 * f5_x + s5 * t992;
-        let t1002 = s5 * f5_x - c5 * t992;
-        let t1011 = c5 * n5_x - s5 * n5_y + k4 * t1002;
-        let t1012 = s5 * n5_x + c5 * n5_y - k4 * t999;
-        [f5_z, n5_z, t999, t1002, t1011, t1012]
+    let [f5_z, n5_z, t823, t826, t835, t836] = {
+        let t790 = XX5R * t558 - ZZ5R * t523 + XY5 * (t564 + t567) + XZ5 * t554;
+        let t792 = YZ5 * (t528 - t567);
+        let t795 = XX5R * dw5_x - ZZ5R * t560 - XY5 * t568 - XZ5 * t566 + t792;
+        let t796 = t559 * (XX5R - ZZ5R) + XY5 * t569 - XZ5 * t563 - YZ5 * t565;
+        let f5_x = t756 + (MSX5 * t564 + MSY5R * t565);
+        let t816 = f6_z + (MSX5 * t566 + MSY5R * t567);
+        let f5_z = t759 + (MSX5 * t568 + MSY5R * t569);
+        let n5_x = t768 + (t795 + MSY5R * a5_z);
+        let n5_y = t796 - MSX5 * a5_z - n6_z;
+        let n5_z = t769 + (t790 + YZ5 * t551 + (MSX5 * a5_y - MSY5R * a5_x));
+        let t823 = c5 * f5_x + s5 * t816;
+        let t826 = s5 * f5_x - c5 * t816;
+        let t835 = c5 * n5_x - s5 * n5_y + k2 * t826;
+        let t836 = s5 * n5_x + c5 * n5_y - k2 * t823;
+        [f5_z, n5_z, t823, t826, t835, t836]
     };
     // link 4: force and moment
-    let [f4_z, n4_z, t1066, t1069, t1078, t1079] = {
-        let t1033 = XY4 * (t701 + t704) - (XX4R * t695 + ZZ4R * dw3_y) - XZ4 * t691;
-        let t1035 = YZ4 * (t665 - t704);
-        let t1038 = ZZ4R * t697 + XX4R * dw4_x - XY4 * t705 + XZ4 * t703 + t1035;
-        let t1039 = t696 * (XX4R - ZZ4R) + XY4 * t706 - XZ4 * t700 - YZ4 * t702;
-        let f4_x = t999 + (MSX4 * t701 + MSY4R * t702);
-        let f4_y = f5_z + (MSX4 * t703 - MSY4R * t704);
-        let f4_z = MSX4 * t705 + MSY4R * t706 - t1002;
-        let n4_x = t1011 + (t1038 - MSY4R * t672);
-        let n4_y = n5_z + (t1039 + MSX4 * t672);
-        let n4_z = t1033 - YZ4 * t688 + (MSX4 * a4_y - MSY4R * a4_x) - t1012;
-        let t1066 = c4 * f4_x - s4 * f4_y;
-        let t1069 = s4 * f4_x + c4 * f4_y;
-        let t1078 = c4 * n4_x - s4 * n4_y + k5 * t1069;
-        let t1079 = s4 * n4_x + c4 * n4_y - k5 * t1066;
-        [f4_z, n4_z, t1066, t1069, t1078, t1079]
+    let [f4_z, n4_z, t890, t893, t902, t903] = {
+        let t857 = XY4 * (t525 + t528) - (XX4R * t519 + ZZ4R * dw3_y) - XZ4 * t515;
+        let t859 = YZ4 * (t489 - t528);
+        let t862 = ZZ4R * t521 + XX4R * dw4_x - XY4 * t529 + XZ4 * t527 + t859;
+        let t863 = t520 * (XX4R - ZZ4R) + XY4 * t530 - XZ4 * t524 - YZ4 * t526;
+        let f4_x = t823 + (MSX4 * t525 + MSY4R * t526);
+        let f4_y = f5_z + (MSX4 * t527 - MSY4R * t528);
+        let f4_z = MSX4 * t529 + MSY4R * t530 - t826;
+        let n4_x = t835 + (t862 - MSY4R * t496);
+        let n4_y = n5_z + (t863 + MSX4 * t496);
+        let n4_z = t857 - YZ4 * t512 + (MSX4 * a4_y - MSY4R * a4_x) - t836;
+        let t890 = c4 * f4_x - s4 * f4_y;
+        let t893 = s4 * f4_x + c4 * f4_y;
+        let t902 = c4 * n4_x - s4 * n4_y + k3 * t893;
+        let t903 = s4 * n4_x + c4 * n4_y - k3 * t890;
+        [f4_z, n4_z, t890, t893, t902, t903]
     };
     // link 3: force and moment
-    let [f3_z, n3_z, t1133, t1145, t1146] = {
-        let t1100 = XX3R * t656 - ZZ3R * t9 + XY3 * (t662 + t665) + XZ3 * t652;
-        let t1102 = YZ3 * (t13 - t665);
-        let t1105 = XX3R * dw3_x - ZZ3R * t658 - XY3 * t666 - XZ3 * t664 + t1102;
-        let t1106 = t657 * (XX3R - ZZ3R) + XY3 * t667 - XZ3 * t661 - YZ3 * t663;
-        let f3_x = t1066 + (MSX3 * t662 + MSY3R * t663);
-        let t1126 = f4_z + (MSX3 * t664 + MSY3R * t665);
-        let f3_z = t1069 + (MSX3 * t666 + MSY3R * t667);
-        let n3_x = t1078 + (t1105 + MSY3R * a3_z);
-        let n3_y = t1106 - MSX3 * a3_z - n4_z;
-        let n3_z = t1079 + (t1100 + YZ3 * t649 + (MSX3 * a3_y + MSY3R * t637));
-        let t1133 = c3 * f3_x + s3 * t1126;
-        let t1145 = c3 * n3_x - s3 * n3_y + k6 * (s3 * f3_x - c3 * t1126);
-        let t1146 = s3 * n3_x + c3 * n3_y - k6 * t1133;
-        [f3_z, n3_z, t1133, t1145, t1146]
+    let [f3_z, n3_z, t957, t969, t970] = {
+        let t924 = XX3R * t480 - ZZ3R * t447 + XY3 * (t486 + t489) + XZ3 * t476;
+        let t926 = YZ3 * (t451 - t489);
+        let t929 = XX3R * dw3_x - ZZ3R * t482 - XY3 * t490 - XZ3 * t488 + t926;
+        let t930 = t481 * (XX3R - ZZ3R) + XY3 * t491 - XZ3 * t485 - YZ3 * t487;
+        let f3_x = t890 + (MSX3 * t486 + MSY3R * t487);
+        let t950 = f4_z + (MSX3 * t488 + MSY3R * t489);
+        let f3_z = t893 + (MSX3 * t490 + MSY3R * t491);
+        let n3_x = t902 + (t929 + MSY3R * a3_z);
+        let n3_y = t930 - MSX3 * a3_z - n4_z;
+        let n3_z = t903 + (t924 + YZ3 * t473 + (MSX3 * a3_y + MSY3R * t461));
+        let t957 = c3 * f3_x + s3 * t950;
+        let t969 = c3 * n3_x - s3 * n3_y + k4 * (s3 * f3_x - c3 * t950);
+        let t970 = s3 * n3_x + c3 * n3_y - k4 * t957;
+        [f3_z, n3_z, t957, t969, t970]
     };
     // link 2: force and moment
-    let [t1160, n2_z, t1186] = {
-        let t1152 = c2 * (s2 * XX2R + c2 * (XY2 + XY2)) - XY2;
-        let t1160 = (t1152 + t1152) * (dq1 * dq2) + t7 * (c2 * XZ2 - s2 * YZ2);
-        let f2_x = t1133 + (MSX2 * t12 + MSY2R * t8);
-        let f2_y = f3_z + (MSX2 * t8 - MSY2R * t13);
-        let n2_x = t1145 + MSY2R * a2_z;
+    let [t984, n2_z, t1010] = {
+        let t976 = c2 * (s2 * XX2R + c2 * (XY2 + XY2)) - XY2;
+        let t984 = (t976 + t976) * (dq1 * dq2) + t445 * (c2 * XZ2 - s2 * YZ2);
+        let f2_x = t957 + (MSX2 * t450 + MSY2R * t446);
+        let f2_y = f3_z + (MSX2 * t446 - MSY2R * t451);
+        let n2_x = t969 + MSY2R * a2_z;
         let n2_y = n3_z - MSX2 * a2_z;
-        let n2_z = MSY2R * t1 - MSX2 * t2 - t1146 - t0 * t1152;
+        let n2_z = MSY2R * t439 - MSX2 * t440 - t970 - t438 * t976;
         let f1_x = c2 * f2_x - s2 * f2_y;
-        let t1186 = s2 * n2_x + c2 * n2_y - k1 * f1_x;
-        [t1160, n2_z, t1186]
+        let t1010 = s2 * n2_x + c2 * n2_y - k5 * f1_x;
+        [t984, n2_z, t1010]
     };
     // link 1: force and moment
     let n1_z = {
-        let n1_z = t1160 + t1186;
+        let n1_z = t984 + t1010;
         n1_z
     };
     // drives
-    let [t1230, t1231, t1232, t1233, t1234, t1235, t1236] = {
-        let t1230 = tau1 - (FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign()));
-        let t1231 = tau2 - (FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign()));
-        let t1232 = tau3 - (FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign()));
-        let t1233 = tau4 - (FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign()));
-        let t1234 = tau5 - (FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign()));
-        let t1235 = tau6 - (FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign()));
-        let t1236 = tau7 - (FO7 + (n7_z + FV7 * dq7 + FC7 * dq7.sign()));
-        [t1230, t1231, t1232, t1233, t1234, t1235, t1236]
+    let [t1054, t1055, t1056, t1057, t1058, t1059, t1060] = {
+        let t1054 = tau1 - (FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign()));
+        let t1055 = tau2 - (FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign()));
+        let t1056 = tau3 - (FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign()));
+        let t1057 = tau4 - (FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign()));
+        let t1058 = tau5 - (FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign()));
+        let t1059 = tau6 - (FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign()));
+        let t1060 = tau7 - (FO7 + (n7_z + FV7 * dq7 + FC7 * dq7.sign()));
+        [t1054, t1055, t1056, t1057, t1058, t1059, t1060]
+    };
+    // M = L D L'
+    let [
+        t1061, t1062, t1063, t1064, t1065, t1066, t1067, t1071,
+        t1075, t1078, t1081, t1084, t1087, t1094, t1101, t1106,
+        t1111, t1116, t1126, t1136, t1143, t1150, t1163, t1176,
+        t1185, t1201, t1217, t1236,
+    ] = {
+        let t1061 = k7 / t437;
+        let t1062 = t425 * t1061;
+        let t1063 = t383 * t1061;
+        let t1064 = t327 * t1061;
+        let t1065 = t257 * t1061;
+        let t1066 = t173 * t1061;
+        let t1067 = t83 * t1061;
+        let t1070 = t414 - t437 * (t1062 * t1062);
+        let t1071 = k7 / t1070;
+        let t1072 = t437 * t1062;
+        let t1075 = t1071 * (t377 + t1063 * t1072);
+        let t1078 = t1071 * (t319 + t1064 * t1072);
+        let t1081 = t1071 * (t249 + t1065 * t1072);
+        let t1084 = t1071 * (t165 + t1066 * t1072);
+        let t1087 = t1071 * (t75 + t1067 * t1072);
+        let t1093 = t358 - t437 * (t1063 * t1063) - t1070 * (t1075 * t1075);
+        let t1094 = k7 / t1093;
+        let t1095 = t437 * t1063;
+        let t1098 = t1070 * t1075;
+        let t1101 = t1094 * (t307 - t1064 * t1095 - t1078 * t1098);
+        let t1106 = t1094 * (t233 - t1065 * t1095 - t1081 * t1098);
+        let t1111 = t1094 * (t149 - t1066 * t1095 - t1084 * t1098);
+        let t1116 = t1094 * (t59 - t1067 * t1095 - t1087 * t1098);
+        let t1124 = t1093 * (t1101 * t1101);
+        let t1125 = t288 - t437 * (t1064 * t1064) - t1070 * (t1078 * t1078) - t1124;
+        let t1126 = k7 / t1125;
+        let t1127 = t437 * t1064;
+        let t1130 = t1070 * t1078;
+        let t1133 = t1093 * t1101;
+        let t1136 = t1126 * (t221 + t1065 * t1127 + t1081 * t1130 + t1106 * t1133);
+        let t1143 = t1126 * (t133 + t1066 * t1127 + t1084 * t1130 + t1111 * t1133);
+        let t1150 = t1126 * (t43 + t1067 * t1127 + t1087 * t1130 + t1116 * t1133);
+        let t1158 = t1093 * (t1106 * t1106);
+        let t1161 = t1125 * (t1136 * t1136);
+        let t1162 = t202 - t437 * (t1065 * t1065) - t1070 * (t1081 * t1081) - t1158 - t1161;
+        let t1163 = k7 / t1162;
+        let t1164 = t437 * t1065;
+        let t1167 = t1070 * t1081;
+        let t1170 = t1093 * t1106;
+        let t1173 = t1125 * t1136;
+        let t1175 = t121 - t1066 * t1164 - t1084 * t1167 - t1111 * t1170 - t1143 * t1173;
+        let t1176 = t1163 * t1175;
+        let t1184 = t27 - t1067 * t1164 - t1087 * t1167 - t1116 * t1170 - t1150 * t1173;
+        let t1185 = t1163 * t1184;
+        let t1193 = t1093 * (t1111 * t1111);
+        let t1196 = t1125 * (t1143 * t1143);
+        let t1197 = t102 - t437 * (t1066 * t1066) - t1070 * (t1084 * t1084) - t1193 - t1196;
+        let t1200 = t1197 - t1162 * (t1176 * t1176);
+        let t1201 = k7 / t1200;
+        let t1209 = t1116 * (t1093 * t1111);
+        let t1212 = t1150 * (t1125 * t1143);
+        let t1213 = t15 + t1067 * (t437 * t1066) + t1087 * (t1070 * t1084) + t1209 + t1212;
+        let t1217 = t1201 * (t1213 + t1185 * (t1162 * t1176));
+        let t1225 = t1093 * (t1116 * t1116);
+        let t1228 = t1125 * (t1150 * t1150);
+        let t1229 = ZZ7 - t437 * (t1067 * t1067) - t1070 * (t1087 * t1087) - t1225 - t1228;
+        let t1236 = k7 / (t1229 - t1162 * (t1185 * t1185) - t1200 * (t1217 * t1217));
+        [
+        t1061, t1062, t1063, t1064, t1065, t1066, t1067, t1071,
+        t1075, t1078, t1081, t1084, t1087, t1094, t1101, t1106,
+        t1111, t1116, t1126, t1136, t1143, t1150, t1163, t1176,
+        t1185, t1201, t1217, t1236,
+    ]
     };
     // ddq
     {
-        let t1238 = t1231 - t1230 * t454;
-        let t1242 = t1232 - t1230 * t455 + t467 * t1238;
-        let t1248 = t1233 - t1230 * t456 + t470 * t1238 - t493 * t1242;
-        let t1256 = t1234 - t1230 * t457 + t473 * t1238 - t498 * t1242 + t528 * t1248;
-        let t1264 = t1235 - t1230 * t458 + t476 * t1238 - t503 * t1242 + t535 * t1248;
-        let t1266 = t1264 - t568 * t1256;
-        let t1274 = t1236 - t1230 * t459 + t479 * t1238 - t508 * t1242 + t542 * t1248;
-        let t1285 = t628 * (t1274 - t577 * t1256 + t609 * t1266);
-        let t1287 = t593 * t1266 + t609 * t1285;
-        let t1291 = t555 * t1256 - t568 * t1287 - t577 * t1285;
-        let t1297 = t518 * t1248 + t528 * t1291 + t535 * t1287 + t542 * t1285;
-        let t1304 = t508 * t1285;
-        let t1305 = t486 * t1242 - t493 * t1297 - t498 * t1291 - t503 * t1287 - t1304;
-        let t1312 = t476 * t1287;
-        let t1313 = t463 * t1238 + t467 * t1305 + t470 * t1297 + t473 * t1291 + t1312;
-        let t1315 = t1313 + t479 * t1285;
-        let t1322 = t457 * t1291;
-        let t1323 = t1230 * t453 - t454 * t1315 - t455 * t1305 - t456 * t1297 - t1322;
-        let t1327 = t1323 - t458 * t1287 - t459 * t1285;
+        let t1238 = t1055 - t1054 * t1062;
+        let t1242 = t1056 - t1054 * t1063 + t1075 * t1238;
+        let t1248 = t1057 - t1054 * t1064 + t1078 * t1238 - t1101 * t1242;
+        let t1256 = t1058 - t1054 * t1065 + t1081 * t1238 - t1106 * t1242 + t1136 * t1248;
+        let t1264 = t1059 - t1054 * t1066 + t1084 * t1238 - t1111 * t1242 + t1143 * t1248;
+        let t1266 = t1264 - t1176 * t1256;
+        let t1274 = t1060 - t1054 * t1067 + t1087 * t1238 - t1116 * t1242 + t1150 * t1248;
+        let t1285 = t1236 * (t1274 - t1185 * t1256 + t1217 * t1266);
+        let t1287 = t1201 * t1266 + t1217 * t1285;
+        let t1291 = t1163 * t1256 - t1176 * t1287 - t1185 * t1285;
+        let t1297 = t1126 * t1248 + t1136 * t1291 + t1143 * t1287 + t1150 * t1285;
+        let t1304 = t1116 * t1285;
+        let t1305 = t1094 * t1242 - t1101 * t1297 - t1106 * t1291 - t1111 * t1287 - t1304;
+        let t1312 = t1084 * t1287;
+        let t1313 = t1071 * t1238 + t1075 * t1305 + t1078 * t1297 + t1081 * t1291 + t1312;
+        let t1315 = t1313 + t1087 * t1285;
+        let t1322 = t1065 * t1291;
+        let t1323 = t1054 * t1061 - t1062 * t1315 - t1063 * t1305 - t1064 * t1297 - t1322;
+        let t1327 = t1323 - t1066 * t1287 - t1067 * t1285;
         put(0, t1327);
         put(1, t1315);
         put(2, t1305);

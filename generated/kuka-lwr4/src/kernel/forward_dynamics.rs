@@ -31,587 +31,587 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         ..] = *beta;
     let L2 = S::constant(0.4);
     let L3 = S::constant(0.39);
-    let k0 = S::constant(9.81);
+    let k2 = S::constant(9.81);
     let k3 = S::constant(1.0);
-    // link 1: motion
-    let t0 = {
-        let t0 = dq1 * dq1;
-        t0
-    };
-    // link 2: motion
-    let [
-        a2_x, a2_y, w2_x, w2_y, t6, t7, t8, t10,
-        t11,
-    ] = {
-        let a2_x = s2 * k0;
-        let a2_y = c2 * k0;
-        let w2_x = s2 * dq1;
-        let w2_y = c2 * dq1;
-        let t6 = dq2 * dq2;
-        let t7 = w2_x * w2_y;
-        let t8 = dq2 * w2_x;
-        let dw2_x = dq2 * w2_y;
-        let t10 = w2_x * w2_x + t6;
-        let t11 = dw2_x + dw2_x;
-        [
-        a2_x, a2_y, w2_x, w2_y, t6, t7, t8, t10,
-        t11,
-    ]
-    };
     // composite body 7
     let [
-        t14, t17, t20, t23, t27, t30, t31, t47,
-        t56, t72, t75, t84, t87, t90,
+        t2, t5, t8, t11, t15, t18, t19, t35,
+        t44, t60, t63, t72, t75, t78,
     ] = {
-        let t14 = c7 * MSY7 + s7 * MSX7;
-        let t17 = c7 * MSX7 - s7 * MSY7;
-        let t20 = c7 * XZ7 - s7 * YZ7;
-        let t23 = s7 * XZ7 + c7 * YZ7;
-        let t24 = c6 * t14;
-        let t27 = s6 * ZZ7;
-        let t28 = c6 * t20 - t27;
-        let t30 = c6 * ZZ7;
-        let t31 = s6 * t20 + t30;
-        let t34 = c5 * t24 + s5 * t17;
-        let t37 = c5 * t17 - s5 * t24;
-        let t46 = c5 * t28 - s5 * t23 - L3 * t37;
-        let t47 = s5 * t28 + c5 * t23 - L3 * t34;
-        let t50 = c4 * t34 + s4 * (s6 * t14);
-        let t53 = c4 * t46 + s4 * t31;
-        let t56 = s4 * t46 - c4 * t31;
-        let t71 = c3 * t53 - s3 * t47 - L2 * (c3 * t37 - s3 * t50);
-        let t72 = s3 * t53 + c3 * t47 - L2 * (c3 * t50 + s3 * t37);
-        let t75 = s2 * t71 - c2 * t56;
-        let t77 = s7 * XY7;
-        let t80 = c7 * XY7;
-        let t81 = s7 * XX7R + t80;
-        let t84 = c7 * (c7 * XX7R - t77) - s7 * t80;
-        let t87 = c7 * t81 - s7 * t77;
-        let t90 = s7 * t81 + c7 * t77;
+        let t2 = c7 * MSY7 + s7 * MSX7;
+        let t5 = c7 * MSX7 - s7 * MSY7;
+        let t8 = c7 * XZ7 - s7 * YZ7;
+        let t11 = s7 * XZ7 + c7 * YZ7;
+        let t12 = c6 * t2;
+        let t15 = s6 * ZZ7;
+        let t16 = c6 * t8 - t15;
+        let t18 = c6 * ZZ7;
+        let t19 = s6 * t8 + t18;
+        let t22 = c5 * t12 + s5 * t5;
+        let t25 = c5 * t5 - s5 * t12;
+        let t34 = c5 * t16 - s5 * t11 - L3 * t25;
+        let t35 = s5 * t16 + c5 * t11 - L3 * t22;
+        let t38 = c4 * t22 + s4 * (s6 * t2);
+        let t41 = c4 * t34 + s4 * t19;
+        let t44 = s4 * t34 - c4 * t19;
+        let t59 = c3 * t41 - s3 * t35 - L2 * (c3 * t25 - s3 * t38);
+        let t60 = s3 * t41 + c3 * t35 - L2 * (c3 * t38 + s3 * t25);
+        let t63 = s2 * t59 - c2 * t44;
+        let t65 = s7 * XY7;
+        let t68 = c7 * XY7;
+        let t69 = s7 * XX7R + t68;
+        let t72 = c7 * (c7 * XX7R - t65) - s7 * t68;
+        let t75 = c7 * t69 - s7 * t65;
+        let t78 = s7 * t69 + c7 * t65;
         [
-        t14, t17, t20, t23, t27, t30, t31, t47,
-        t56, t72, t75, t84, t87, t90,
+        t2, t5, t8, t11, t15, t18, t19, t35,
+        t44, t60, t63, t72, t75, t78,
     ]
     };
     // composite body 6
     let [
-        t93, t99, t102, t105, t108, t112, t115, t120,
-        t129, t145, t148, t159, t162, t165, t166,
+        t81, t87, t90, t93, t96, t100, t103, t108,
+        t117, t133, t136, t147, t150, t153, t154,
     ] = {
-        let t91 = MSX6 + t17;
-        let t92 = XX6R + t84;
-        let t93 = ZZ6R + t90;
-        let t94 = XY6 + t20;
-        let t95 = XZ6 - t87;
-        let t96 = YZ6 - t23;
-        let t99 = c6 * MSY6R + s6 * t91;
-        let t102 = c6 * t91 - s6 * MSY6R;
-        let t105 = c6 * t95 - s6 * t96;
-        let t108 = s6 * t95 + c6 * t96;
-        let t109 = c5 * t99;
-        let t110 = s5 * t99;
-        let t112 = s5 * t93;
-        let t115 = c5 * t93;
-        let t119 = c5 * t105 + t112 + L3 * t110;
-        let t120 = s5 * t105 - t115 - L3 * t109;
-        let t123 = s4 * t102 - c4 * t109;
-        let t126 = c4 * t119 + s4 * t108;
-        let t129 = s4 * t119 - c4 * t108;
-        let t144 = c3 * t126 - s3 * t120 - L2 * (s3 * t123 - c3 * t110);
-        let t145 = s3 * t126 + c3 * t120 + L2 * (c3 * t123 + s3 * t110);
-        let t148 = s2 * t144 - c2 * t129;
-        let t150 = s6 * t94;
-        let t153 = c6 * t94;
-        let t154 = s6 * t92 + t153;
-        let t156 = t30 + t150;
-        let t159 = c6 * (c6 * t92 - t150) - s6 * (t153 - t27);
-        let t162 = c6 * t154 - s6 * t156;
-        let t165 = s6 * t154 + c6 * t156;
-        let t166 = t99 + t99;
+        let t79 = MSX6 + t5;
+        let t80 = XX6R + t72;
+        let t81 = ZZ6R + t78;
+        let t82 = XY6 + t8;
+        let t83 = XZ6 - t75;
+        let t84 = YZ6 - t11;
+        let t87 = c6 * MSY6R + s6 * t79;
+        let t90 = c6 * t79 - s6 * MSY6R;
+        let t93 = c6 * t83 - s6 * t84;
+        let t96 = s6 * t83 + c6 * t84;
+        let t97 = c5 * t87;
+        let t98 = s5 * t87;
+        let t100 = s5 * t81;
+        let t103 = c5 * t81;
+        let t107 = c5 * t93 + t100 + L3 * t98;
+        let t108 = s5 * t93 - t103 - L3 * t97;
+        let t111 = s4 * t90 - c4 * t97;
+        let t114 = c4 * t107 + s4 * t96;
+        let t117 = s4 * t107 - c4 * t96;
+        let t132 = c3 * t114 - s3 * t108 - L2 * (s3 * t111 - c3 * t98);
+        let t133 = s3 * t114 + c3 * t108 + L2 * (c3 * t111 + s3 * t98);
+        let t136 = s2 * t132 - c2 * t117;
+        let t138 = s6 * t82;
+        let t141 = c6 * t82;
+        let t142 = s6 * t80 + t141;
+        let t144 = t18 + t138;
+        let t147 = c6 * (c6 * t80 - t138) - s6 * (t141 - t15);
+        let t150 = c6 * t142 - s6 * t144;
+        let t153 = s6 * t142 + c6 * t144;
+        let t154 = t87 + t87;
         [
-        t93, t99, t102, t105, t108, t112, t115, t120,
-        t129, t145, t148, t159, t162, t165, t166,
+        t81, t87, t90, t93, t96, t100, t103, t108,
+        t117, t133, t136, t147, t150, t153, t154,
     ]
     };
     // composite body 5
     let [
-        t170, t176, t179, t188, t189, t196, t212, t215,
-        t229, t234, t235, t239,
+        t158, t164, t167, t176, t177, t184, t200, t203,
+        t217, t222, t223, t227,
     ] = {
-        let t167 = MSX5 + t102;
-        let t168 = MSY5R + t14;
-        let t169 = XX5R + t159;
-        let t170 = ZZ5R + t165;
-        let t171 = XY5 - t105;
-        let t172 = XZ5 + t162;
-        let t173 = YZ5 - t108;
-        let t176 = c5 * t168 + s5 * t167;
-        let t179 = c5 * t167 - s5 * t168;
-        let t188 = c5 * t172 - s5 * t173 - L3 * t179;
-        let t189 = s5 * t172 + c5 * t173 - L3 * t176;
-        let t190 = c4 * t176;
-        let t193 = c4 * t188 + s4 * t170;
-        let t196 = s4 * t188 - c4 * t170;
-        let t211 = c3 * t193 - s3 * t189 - L2 * (c3 * t179 - s3 * t190);
-        let t212 = s3 * t193 + c3 * t189 - L2 * (c3 * t190 + s3 * t179);
-        let t215 = s2 * t211 - c2 * t196;
-        let t217 = s5 * t171;
-        let t220 = c5 * t171;
-        let t221 = s5 * t169 + t220;
-        let t223 = t115 + t217;
-        let t229 = c5 * t221 - s5 * t223;
-        let t233 = L3 * t166;
-        let t234 = c5 * (c5 * t169 - t217) - s5 * (t220 - t112) + t233;
-        let t235 = s5 * t221 + c5 * t223 + t233;
-        let t237 = L3 * t99;
-        let t239 = t170 + t233 - (t237 + t237);
+        let t155 = MSX5 + t90;
+        let t156 = MSY5R + t2;
+        let t157 = XX5R + t147;
+        let t158 = ZZ5R + t153;
+        let t159 = XY5 - t93;
+        let t160 = XZ5 + t150;
+        let t161 = YZ5 - t96;
+        let t164 = c5 * t156 + s5 * t155;
+        let t167 = c5 * t155 - s5 * t156;
+        let t176 = c5 * t160 - s5 * t161 - L3 * t167;
+        let t177 = s5 * t160 + c5 * t161 - L3 * t164;
+        let t178 = c4 * t164;
+        let t181 = c4 * t176 + s4 * t158;
+        let t184 = s4 * t176 - c4 * t158;
+        let t199 = c3 * t181 - s3 * t177 - L2 * (c3 * t167 - s3 * t178);
+        let t200 = s3 * t181 + c3 * t177 - L2 * (c3 * t178 + s3 * t167);
+        let t203 = s2 * t199 - c2 * t184;
+        let t205 = s5 * t159;
+        let t208 = c5 * t159;
+        let t209 = s5 * t157 + t208;
+        let t211 = t103 + t205;
+        let t217 = c5 * t209 - s5 * t211;
+        let t221 = L3 * t154;
+        let t222 = c5 * (c5 * t157 - t205) - s5 * (t208 - t100) + t221;
+        let t223 = s5 * t209 + c5 * t211 + t221;
+        let t225 = L3 * t87;
+        let t227 = t158 + t221 - (t225 + t225);
         [
-        t170, t176, t179, t188, t189, t196, t212, t215,
-        t229, t234, t235, t239,
+        t158, t164, t167, t176, t177, t184, t200, t203,
+        t217, t222, t223, t227,
     ]
     };
     // composite body 4
     let [
-        t243, t249, t252, t255, t258, t262, t265, t270,
-        t273, t286, t289, t292, t293,
+        t231, t237, t240, t243, t246, t250, t253, t258,
+        t261, t274, t277, t280, t281,
     ] = {
-        let t240 = MSX4 + t179;
-        let t241 = MSY4R - t99;
-        let t242 = XX4R + t234;
-        let t243 = ZZ4R + t235;
-        let t244 = XY4 - t188;
-        let t245 = XZ4 + t229;
-        let t246 = YZ4 - t189;
-        let t249 = c4 * t241 + s4 * t240;
-        let t252 = c4 * t240 - s4 * t241;
-        let t255 = c4 * t245 - s4 * t246;
-        let t258 = s4 * t245 + c4 * t246;
-        let t262 = s3 * t243;
-        let t265 = c3 * t243;
-        let t270 = s3 * t255 + t265 - L2 * (c3 * t249);
-        let t273 = s2 * (c3 * t255 - t262 + L2 * (s3 * t249)) - c2 * t258;
-        let t275 = s4 * t244;
-        let t278 = c4 * t244;
-        let t279 = s4 * t242 + t278;
-        let t283 = t275 + c4 * t239;
-        let t286 = c4 * (c4 * t242 - t275) - s4 * (t278 - s4 * t239);
-        let t289 = c4 * t279 - s4 * t283;
-        let t292 = s4 * t279 + c4 * t283;
-        let t293 = t249 + t249;
+        let t228 = MSX4 + t167;
+        let t229 = MSY4R - t87;
+        let t230 = XX4R + t222;
+        let t231 = ZZ4R + t223;
+        let t232 = XY4 - t176;
+        let t233 = XZ4 + t217;
+        let t234 = YZ4 - t177;
+        let t237 = c4 * t229 + s4 * t228;
+        let t240 = c4 * t228 - s4 * t229;
+        let t243 = c4 * t233 - s4 * t234;
+        let t246 = s4 * t233 + c4 * t234;
+        let t250 = s3 * t231;
+        let t253 = c3 * t231;
+        let t258 = s3 * t243 + t253 - L2 * (c3 * t237);
+        let t261 = s2 * (c3 * t243 - t250 + L2 * (s3 * t237)) - c2 * t246;
+        let t263 = s4 * t232;
+        let t266 = c4 * t232;
+        let t267 = s4 * t230 + t266;
+        let t271 = t263 + c4 * t227;
+        let t274 = c4 * (c4 * t230 - t263) - s4 * (t266 - s4 * t227);
+        let t277 = c4 * t267 - s4 * t271;
+        let t280 = s4 * t267 + c4 * t271;
+        let t281 = t237 + t237;
         [
-        t243, t249, t252, t255, t258, t262, t265, t270,
-        t273, t286, t289, t292, t293,
+        t231, t237, t240, t243, t246, t250, t253, t258,
+        t261, t274, t277, t280, t281,
     ]
     };
     // composite body 3
-    let [t297, t315, t316, t319, t333, t338, t339, t343] = {
-        let t294 = MSX3 + t252;
-        let t295 = MSY3R + t176;
-        let t296 = XX3R + t286;
-        let t297 = ZZ3R + t292;
-        let t298 = XY3 + t255;
-        let t299 = XZ3 - t289;
-        let t300 = YZ3 - t258;
-        let t315 = c3 * t299 - s3 * t300 - L2 * (c3 * t294 - s3 * t295);
-        let t316 = s3 * t299 + c3 * t300 - L2 * (c3 * t295 + s3 * t294);
-        let t319 = s2 * t315 + c2 * t297;
-        let t321 = s3 * t298;
-        let t324 = c3 * t298;
-        let t325 = s3 * t296 + t324;
-        let t327 = t265 + t321;
-        let t333 = c3 * t325 - s3 * t327;
-        let t337 = L2 * t293;
-        let t338 = c3 * (c3 * t296 - t321) - s3 * (t324 - t262) - t337;
-        let t339 = s3 * t325 + c3 * t327 - t337;
-        let t341 = L2 * t249;
-        let t343 = t297 - t337 + (t341 + t341);
-        [t297, t315, t316, t319, t333, t338, t339, t343]
+    let [t285, t303, t304, t307, t321, t326, t327, t331] = {
+        let t282 = MSX3 + t240;
+        let t283 = MSY3R + t164;
+        let t284 = XX3R + t274;
+        let t285 = ZZ3R + t280;
+        let t286 = XY3 + t243;
+        let t287 = XZ3 - t277;
+        let t288 = YZ3 - t246;
+        let t303 = c3 * t287 - s3 * t288 - L2 * (c3 * t282 - s3 * t283);
+        let t304 = s3 * t287 + c3 * t288 - L2 * (c3 * t283 + s3 * t282);
+        let t307 = s2 * t303 + c2 * t285;
+        let t309 = s3 * t286;
+        let t312 = c3 * t286;
+        let t313 = s3 * t284 + t312;
+        let t315 = t253 + t309;
+        let t321 = c3 * t313 - s3 * t315;
+        let t325 = L2 * t281;
+        let t326 = c3 * (c3 * t284 - t309) - s3 * (t312 - t250) - t325;
+        let t327 = s3 * t313 + c3 * t315 - t325;
+        let t329 = L2 * t237;
+        let t331 = t285 - t325 + (t329 + t329);
+        [t285, t303, t304, t307, t321, t326, t327, t331]
     };
     // composite body 2
-    let [t345, t351, t360] = {
-        let t345 = ZZ2R + t339;
-        let t346 = XY2 + t315;
-        let t351 = s2 * (XZ2 - t333) + c2 * (YZ2 - t316);
-        let t359 = c2 * (s2 * t346 + c2 * t343);
-        let t360 = s2 * (s2 * (XX2R + t338) + c2 * t346) + t359;
-        [t345, t351, t360]
+    let [t333, t339, t348] = {
+        let t333 = ZZ2R + t327;
+        let t334 = XY2 + t303;
+        let t339 = s2 * (XZ2 - t321) + c2 * (YZ2 - t304);
+        let t347 = c2 * (s2 * t334 + c2 * t331);
+        let t348 = s2 * (s2 * (XX2R + t326) + c2 * t334) + t347;
+        [t333, t339, t348]
     };
     // composite body 1
-    let t361 = {
-        let t361 = ZZ1R + t360;
-        t361
+    let t349 = {
+        let t349 = ZZ1R + t348;
+        t349
     };
-    // M = L D L'
+    // link 1: motion
+    let t350 = {
+        let t350 = dq1 * dq1;
+        t350
+    };
+    // link 2: motion
     let [
-        t362, t363, t364, t365, t366, t367, t368, t372,
-        t376, t379, t382, t385, t388, t395, t402, t407,
-        t412, t417, t427, t437, t444, t451, t464, t477,
-        t486, t502, t518, t537,
+        a2_x, a2_y, w2_x, w2_y, t356, t357, t358, t360,
+        t361,
     ] = {
-        let t362 = k3 / t361;
-        let t363 = t351 * t362;
-        let t364 = t319 * t362;
-        let t365 = t273 * t362;
-        let t366 = t215 * t362;
-        let t367 = t148 * t362;
-        let t368 = t75 * t362;
-        let t371 = t345 - t361 * (t363 * t363);
-        let t372 = k3 / t371;
-        let t373 = t361 * t363;
-        let t376 = t372 * (t316 + t364 * t373);
-        let t379 = t372 * (t270 + t365 * t373);
-        let t382 = t372 * (t212 + t366 * t373);
-        let t385 = t372 * (t145 + t367 * t373);
-        let t388 = t372 * (t72 + t368 * t373);
-        let t394 = t297 - t361 * (t364 * t364) - t371 * (t376 * t376);
-        let t395 = k3 / t394;
-        let t396 = t361 * t364;
-        let t399 = t371 * t376;
-        let t402 = t395 * (t258 + t365 * t396 + t379 * t399);
-        let t407 = t395 * (t196 + t366 * t396 + t382 * t399);
-        let t412 = t395 * (t129 + t367 * t396 + t385 * t399);
-        let t417 = t395 * (t56 + t368 * t396 + t388 * t399);
-        let t425 = t394 * (t402 * t402);
-        let t426 = t243 - t361 * (t365 * t365) - t371 * (t379 * t379) - t425;
-        let t427 = k3 / t426;
-        let t428 = t361 * t365;
-        let t431 = t371 * t379;
-        let t434 = t394 * t402;
-        let t437 = t427 * (t189 - t366 * t428 - t382 * t431 - t407 * t434);
-        let t444 = t427 * (t120 - t367 * t428 - t385 * t431 - t412 * t434);
-        let t451 = t427 * (t47 - t368 * t428 - t388 * t431 - t417 * t434);
-        let t459 = t394 * (t407 * t407);
-        let t462 = t426 * (t437 * t437);
-        let t463 = t170 - t361 * (t366 * t366) - t371 * (t382 * t382) - t459 - t462;
-        let t464 = k3 / t463;
-        let t465 = t361 * t366;
-        let t468 = t371 * t382;
-        let t471 = t394 * t407;
-        let t474 = t426 * t437;
-        let t476 = t108 - t367 * t465 - t385 * t468 - t412 * t471 - t444 * t474;
-        let t477 = t464 * t476;
-        let t485 = t31 - t368 * t465 - t388 * t468 - t417 * t471 - t451 * t474;
-        let t486 = t464 * t485;
-        let t494 = t394 * (t412 * t412);
-        let t497 = t426 * (t444 * t444);
-        let t498 = t93 - t361 * (t367 * t367) - t371 * (t385 * t385) - t494 - t497;
-        let t501 = t498 - t463 * (t477 * t477);
-        let t502 = k3 / t501;
-        let t510 = t417 * (t394 * t412);
-        let t513 = t451 * (t426 * t444);
-        let t514 = t23 + t368 * (t361 * t367) + t388 * (t371 * t385) + t510 + t513;
-        let t518 = t502 * (t514 + t486 * (t463 * t477));
-        let t526 = t394 * (t417 * t417);
-        let t529 = t426 * (t451 * t451);
-        let t530 = ZZ7 - t361 * (t368 * t368) - t371 * (t388 * t388) - t526 - t529;
-        let t537 = k3 / (t530 - t463 * (t486 * t486) - t501 * (t518 * t518));
+        let a2_x = s2 * k2;
+        let a2_y = c2 * k2;
+        let w2_x = s2 * dq1;
+        let w2_y = c2 * dq1;
+        let t356 = dq2 * dq2;
+        let t357 = w2_x * w2_y;
+        let t358 = dq2 * w2_x;
+        let dw2_x = dq2 * w2_y;
+        let t360 = w2_x * w2_x + t356;
+        let t361 = dw2_x + dw2_x;
         [
-        t362, t363, t364, t365, t366, t367, t368, t372,
-        t376, t379, t382, t385, t388, t395, t402, t407,
-        t412, t417, t427, t437, t444, t451, t464, t477,
-        t486, t502, t518, t537,
+        a2_x, a2_y, w2_x, w2_y, t356, t357, t358, t360,
+        t361,
     ]
     };
     // link 3: motion
     let [
-        a3_z, a3_x, t548, w3_x, t554, t557, t560, w3_z,
-        t564, t565, t566, dw3_x, dw3_y, t569, t570, t571,
-        t572, t573, t574, t575,
+        a3_z, a3_x, t372, w3_x, t378, t381, t384, w3_z,
+        t388, t389, t390, dw3_x, dw3_y, t393, t394, t395,
+        t396, t397, t398, t399,
     ] = {
-        let t540 = L2 * t11;
-        let t541 = a2_x + L2 * t7;
-        let a3_z = a2_y - L2 * t10;
-        let a3_x = c3 * t541 - s3 * t540;
-        let t548 = c3 * t540 + s3 * t541;
+        let t364 = L2 * t361;
+        let t365 = a2_x + L2 * t357;
+        let a3_z = a2_y - L2 * t360;
+        let a3_x = c3 * t365 - s3 * t364;
+        let t372 = c3 * t364 + s3 * t365;
         let w3_x = c3 * w2_x - s3 * dq2;
-        let t554 = c3 * dq2 + s3 * w2_x;
-        let t557 = c3 * t7 - s3 * t11;
-        let t560 = c3 * t11 + s3 * t7;
+        let t378 = c3 * dq2 + s3 * w2_x;
+        let t381 = c3 * t357 - s3 * t361;
+        let t384 = c3 * t361 + s3 * t357;
         let w3_z = w2_y + dq3;
-        let t562 = w3_x * w3_x;
-        let t563 = w3_z * w3_z;
-        let t564 = w3_x * t554;
-        let t565 = w3_x * w3_z;
-        let t566 = t554 * w3_z;
-        let dw3_x = t560 - t566;
-        let dw3_y = t557 - t565;
-        let t569 = t562 - t563;
-        let t570 = t569 - t10;
-        let t571 = t8 - t564;
-        let t572 = t8 + t564;
-        let t573 = t562 + t563;
-        let t574 = t565 - dw3_y;
-        let t575 = dw3_x - t566;
+        let t386 = w3_x * w3_x;
+        let t387 = w3_z * w3_z;
+        let t388 = w3_x * t378;
+        let t389 = w3_x * w3_z;
+        let t390 = t378 * w3_z;
+        let dw3_x = t384 - t390;
+        let dw3_y = t381 - t389;
+        let t393 = t386 - t387;
+        let t394 = t393 - t360;
+        let t395 = t358 - t388;
+        let t396 = t358 + t388;
+        let t397 = t386 + t387;
+        let t398 = t389 - dw3_y;
+        let t399 = dw3_x - t390;
         [
-        a3_z, a3_x, t548, w3_x, t554, t557, t560, w3_z,
-        t564, t565, t566, dw3_x, dw3_y, t569, t570, t571,
-        t572, t573, t574, t575,
+        a3_z, a3_x, t372, w3_x, t378, t381, t384, w3_z,
+        t388, t389, t390, dw3_x, dw3_y, t393, t394, t395,
+        t396, t397, t398, t399,
     ]
     };
     // link 4: motion
     let [
-        a4_x, t581, w4_x, t587, t590, t593, w4_z, t597,
-        t598, t599, dw4_x, dw4_y, t602, t603, t604, t605,
-        t606, t607, t608,
+        a4_x, t405, w4_x, t411, t414, t417, w4_z, t421,
+        t422, t423, dw4_x, dw4_y, t426, t427, t428, t429,
+        t430, t431, t432,
     ] = {
         let a4_x = c4 * a3_x - s4 * a3_z;
-        let t581 = c4 * a3_z + s4 * a3_x;
+        let t405 = c4 * a3_z + s4 * a3_x;
         let w4_x = c4 * w3_x - s4 * w3_z;
-        let t587 = c4 * w3_z + s4 * w3_x;
-        let t590 = c4 * t571 - s4 * t575;
-        let t593 = c4 * t575 + s4 * t571;
-        let w4_z = dq4 - t554;
-        let t595 = w4_x * w4_x;
-        let t596 = w4_z * w4_z;
-        let t597 = w4_x * t587;
-        let t598 = w4_x * w4_z;
-        let t599 = t587 * w4_z;
-        let dw4_x = t593 - t599;
-        let dw4_y = t590 - t598;
-        let t602 = t595 - t596;
-        let t603 = t602 - t573;
-        let t604 = dw3_y + t597;
-        let t605 = dw3_y - t597;
-        let t606 = t595 + t596;
-        let t607 = t598 - dw4_y;
-        let t608 = dw4_x - t599;
+        let t411 = c4 * w3_z + s4 * w3_x;
+        let t414 = c4 * t395 - s4 * t399;
+        let t417 = c4 * t399 + s4 * t395;
+        let w4_z = dq4 - t378;
+        let t419 = w4_x * w4_x;
+        let t420 = w4_z * w4_z;
+        let t421 = w4_x * t411;
+        let t422 = w4_x * w4_z;
+        let t423 = t411 * w4_z;
+        let dw4_x = t417 - t423;
+        let dw4_y = t414 - t422;
+        let t426 = t419 - t420;
+        let t427 = t426 - t397;
+        let t428 = dw3_y + t421;
+        let t429 = dw3_y - t421;
+        let t430 = t419 + t420;
+        let t431 = t422 - dw4_y;
+        let t432 = dw4_x - t423;
         [
-        a4_x, t581, w4_x, t587, t590, t593, w4_z, t597,
-        t598, t599, dw4_x, dw4_y, t602, t603, t604, t605,
-        t606, t607, t608,
+        a4_x, t405, w4_x, t411, t414, t417, w4_z, t421,
+        t422, t423, dw4_x, dw4_y, t426, t427, t428, t429,
+        t430, t431, t432,
     ]
     };
     // link 5: motion
     let [
-        t613, a5_x, a6_z, w5_x, w5_y, t629, t632, w5_z,
-        t636, t637, t638, dw5_x, dw5_y, t641, t642, t643,
-        t644, t645, t646, t647,
+        t437, a5_x, a6_z, w5_x, w5_y, t453, t456, w5_z,
+        t460, t461, t462, dw5_x, dw5_y, t465, t466, t467,
+        t468, t469, t470, t471,
     ] = {
-        let t612 = a4_x + L3 * t604;
-        let t613 = L3 * t606 - t581;
-        let t614 = t548 + L3 * t608;
-        let a5_x = c5 * t612 - s5 * t614;
-        let a6_z = c5 * t614 + s5 * t612;
+        let t436 = a4_x + L3 * t428;
+        let t437 = L3 * t430 - t405;
+        let t438 = t372 + L3 * t432;
+        let a5_x = c5 * t436 - s5 * t438;
+        let a6_z = c5 * t438 + s5 * t436;
         let w5_x = c5 * w4_x + s5 * w4_z;
         let w5_y = c5 * w4_z - s5 * w4_x;
-        let t629 = c5 * t604 - s5 * t608;
-        let t632 = c5 * t608 + s5 * t604;
-        let w5_z = t587 + dq5;
-        let t634 = w5_x * w5_x;
-        let t635 = w5_z * w5_z;
-        let t636 = w5_x * w5_y;
-        let t637 = w5_x * w5_z;
-        let t638 = w5_y * w5_z;
-        let dw5_x = t632 + t638;
-        let dw5_y = t629 - t637;
-        let t641 = t634 - t635;
-        let t642 = t641 - t606;
-        let t643 = dw4_y + t636;
-        let t644 = t636 - dw4_y;
-        let t645 = t634 + t635;
-        let t646 = t637 - dw5_y;
-        let t647 = t638 + dw5_x;
+        let t453 = c5 * t428 - s5 * t432;
+        let t456 = c5 * t432 + s5 * t428;
+        let w5_z = t411 + dq5;
+        let t458 = w5_x * w5_x;
+        let t459 = w5_z * w5_z;
+        let t460 = w5_x * w5_y;
+        let t461 = w5_x * w5_z;
+        let t462 = w5_y * w5_z;
+        let dw5_x = t456 + t462;
+        let dw5_y = t453 - t461;
+        let t465 = t458 - t459;
+        let t466 = t465 - t430;
+        let t467 = dw4_y + t460;
+        let t468 = t460 - dw4_y;
+        let t469 = t458 + t459;
+        let t470 = t461 - dw5_y;
+        let t471 = t462 + dw5_x;
         [
-        t613, a5_x, a6_z, w5_x, w5_y, t629, t632, w5_z,
-        t636, t637, t638, dw5_x, dw5_y, t641, t642, t643,
-        t644, t645, t646, t647,
+        t437, a5_x, a6_z, w5_x, w5_y, t453, t456, w5_z,
+        t460, t461, t462, dw5_x, dw5_y, t465, t466, t467,
+        t468, t469, t470, t471,
     ]
     };
     // link 6: motion
     let [
-        a6_x, t653, w6_x, w6_y, t662, t665, w6_z, t669,
-        t670, t671, dw6_x, t673, t674, t675, t676, t677,
-        t678, t679, t680,
+        a6_x, t477, w6_x, w6_y, t486, t489, w6_z, t493,
+        t494, t495, dw6_x, t497, t498, t499, t500, t501,
+        t502, t503, t504,
     ] = {
-        let a6_x = c6 * a5_x - s6 * t613;
-        let t653 = c6 * t613 + s6 * a5_x;
+        let a6_x = c6 * a5_x - s6 * t437;
+        let t477 = c6 * t437 + s6 * a5_x;
         let w6_x = c6 * w5_x + s6 * w5_z;
         let w6_y = c6 * w5_z - s6 * w5_x;
-        let t662 = c6 * t643 + s6 * t647;
-        let t665 = s6 * t643 - c6 * t647;
+        let t486 = c6 * t467 + s6 * t471;
+        let t489 = s6 * t467 - c6 * t471;
         let w6_z = dq6 - w5_y;
-        let t667 = w6_x * w6_x;
-        let t668 = w6_z * w6_z;
-        let t669 = w6_x * w6_y;
-        let t670 = w6_x * w6_z;
-        let t671 = w6_y * w6_z;
-        let dw6_x = t671 - t665;
-        let t673 = t662 + t670;
-        let t674 = t667 - t668;
-        let t675 = t674 - t645;
-        let t676 = dw5_y + t669;
-        let t677 = t669 - dw5_y;
-        let t678 = t667 + t668;
-        let t679 = t670 + t673;
-        let t680 = t671 + dw6_x;
+        let t491 = w6_x * w6_x;
+        let t492 = w6_z * w6_z;
+        let t493 = w6_x * w6_y;
+        let t494 = w6_x * w6_z;
+        let t495 = w6_y * w6_z;
+        let dw6_x = t495 - t489;
+        let t497 = t486 + t494;
+        let t498 = t491 - t492;
+        let t499 = t498 - t469;
+        let t500 = dw5_y + t493;
+        let t501 = t493 - dw5_y;
+        let t502 = t491 + t492;
+        let t503 = t494 + t497;
+        let t504 = t495 + dw6_x;
         [
-        a6_x, t653, w6_x, w6_y, t662, t665, w6_z, t669,
-        t670, t671, dw6_x, t673, t674, t675, t676, t677,
-        t678, t679, t680,
+        a6_x, t477, w6_x, w6_y, t486, t489, w6_z, t493,
+        t494, t495, dw6_x, t497, t498, t499, t500, t501,
+        t502, t503, t504,
     ]
     };
     // link 7: motion
     let [
-        a7_x, t686, t695, t698, t702, t703, t704, dw7_x,
-        t707, t708, t709, t710, t711, t712, t713,
+        a7_x, t510, t519, t522, t526, t527, t528, dw7_x,
+        t531, t532, t533, t534, t535, t536, t537,
     ] = {
         let a7_x = c7 * a6_x - s7 * a6_z;
-        let t686 = c7 * a6_z + s7 * a6_x;
+        let t510 = c7 * a6_z + s7 * a6_x;
         let w7_x = c7 * w6_x - s7 * w6_z;
-        let t692 = c7 * w6_z + s7 * w6_x;
-        let t695 = c7 * t676 - s7 * t680;
-        let t698 = c7 * t680 + s7 * t676;
+        let t516 = c7 * w6_z + s7 * w6_x;
+        let t519 = c7 * t500 - s7 * t504;
+        let t522 = c7 * t504 + s7 * t500;
         let w7_z = w6_y + dq7;
-        let t700 = w7_x * w7_x;
-        let t701 = w7_z * w7_z;
-        let t702 = w7_x * t692;
-        let t703 = w7_x * w7_z;
-        let t704 = t692 * w7_z;
-        let dw7_x = t698 - t704;
-        let dw7_y = t695 - t703;
-        let t707 = t700 - t701;
-        let t708 = t707 - t678;
-        let t709 = t673 - t702;
-        let t710 = t673 + t702;
-        let t711 = t700 + t701;
-        let t712 = t703 - dw7_y;
-        let t713 = dw7_x - t704;
+        let t524 = w7_x * w7_x;
+        let t525 = w7_z * w7_z;
+        let t526 = w7_x * t516;
+        let t527 = w7_x * w7_z;
+        let t528 = t516 * w7_z;
+        let dw7_x = t522 - t528;
+        let dw7_y = t519 - t527;
+        let t531 = t524 - t525;
+        let t532 = t531 - t502;
+        let t533 = t497 - t526;
+        let t534 = t497 + t526;
+        let t535 = t524 + t525;
+        let t536 = t527 - dw7_y;
+        let t537 = dw7_x - t528;
         [
-        a7_x, t686, t695, t698, t702, t703, t704, dw7_x,
-        t707, t708, t709, t710, t711, t712, t713,
+        a7_x, t510, t519, t522, t526, t527, t528, dw7_x,
+        t531, t532, t533, t534, t535, t536, t537,
     ]
     };
     // link 7: force and moment
-    let [f7_z, n7_z, t761, t764, t767, t770] = {
-        let t734 = XX7R * t702 - ZZ7 * t673 + XY7 * (t708 + t711) + XZ7 * t698;
-        let t736 = YZ7 * (t678 - t711);
-        let t739 = XX7R * dw7_x - ZZ7 * t704 - XY7 * t712 - XZ7 * t710 + t736;
-        let t740 = t703 * (XX7R - ZZ7) + XY7 * t713 - XZ7 * t707 - YZ7 * t709;
-        let f7_x = MSX7 * t708 + MSY7 * t709;
-        let t747 = MSX7 * t710 + MSY7 * t711;
-        let f7_z = MSX7 * t712 + MSY7 * t713;
-        let n7_x = t739 - MSY7 * t653;
-        let n7_y = t740 + MSX7 * t653;
-        let n7_z = t734 + YZ7 * t695 - (MSX7 * t686 + MSY7 * a7_x);
-        let t761 = c7 * f7_x + s7 * t747;
-        let t764 = s7 * f7_x - c7 * t747;
-        let t767 = c7 * n7_x - s7 * n7_y;
-        let t770 = s7 * n7_x + c7 * n7_y;
-        [f7_z, n7_z, t761, t764, t767, t770]
+    let [f7_z, n7_z, t585, t588, t591, t594] = {
+        let t558 = XX7R * t526 - ZZ7 * t497 + XY7 * (t532 + t535) + XZ7 * t522;
+        let t560 = YZ7 * (t502 - t535);
+        let t563 = XX7R * dw7_x - ZZ7 * t528 - XY7 * t536 - XZ7 * t534 + t560;
+        let t564 = t527 * (XX7R - ZZ7) + XY7 * t537 - XZ7 * t531 - YZ7 * t533;
+        let f7_x = MSX7 * t532 + MSY7 * t533;
+        let t571 = MSX7 * t534 + MSY7 * t535;
+        let f7_z = MSX7 * t536 + MSY7 * t537;
+        let n7_x = t563 - MSY7 * t477;
+        let n7_y = t564 + MSX7 * t477;
+        let n7_z = t558 + YZ7 * t519 - (MSX7 * t510 + MSY7 * a7_x);
+        let t585 = c7 * f7_x + s7 * t571;
+        let t588 = s7 * f7_x - c7 * t571;
+        let t591 = c7 * n7_x - s7 * n7_y;
+        let t594 = s7 * n7_x + c7 * n7_y;
+        [f7_z, n7_z, t585, t588, t591, t594]
     };
     // link 6: force and moment
-    let [f6_z, n6_z, t824, t827, t830, t833] = {
-        let t791 = XY6 * (t675 + t678) - (XX6R * t669 + ZZ6R * dw5_y) - XZ6 * t665;
-        let t793 = YZ6 * (t645 - t678);
-        let t796 = ZZ6R * t671 + XX6R * dw6_x - XY6 * t679 + XZ6 * t677 + t793;
-        let t797 = t670 * (XX6R - ZZ6R) + XY6 * t680 - XZ6 * t674 - YZ6 * t676;
-        let f6_x = t761 + (MSX6 * t675 + MSY6R * t676);
-        let f6_y = f7_z + (MSX6 * t677 - MSY6R * t678);
-        let f6_z = MSX6 * t679 + MSY6R * t680 - t764;
-        let n6_x = t767 + (t796 + MSY6R * a6_z);
-        let n6_y = n7_z + (t797 - MSX6 * a6_z);
-        let n6_z = t791 - YZ6 * t662 - (MSX6 * t653 + MSY6R * a6_x) - t770;
-        let t824 = c6 * f6_x - s6 * f6_y;
-        let t827 = s6 * f6_x + c6 * f6_y;
-        let t830 = c6 * n6_x - s6 * n6_y;
-        let t833 = s6 * n6_x + c6 * n6_y;
-        [f6_z, n6_z, t824, t827, t830, t833]
+    let [f6_z, n6_z, t648, t651, t654, t657] = {
+        let t615 = XY6 * (t499 + t502) - (XX6R * t493 + ZZ6R * dw5_y) - XZ6 * t489;
+        let t617 = YZ6 * (t469 - t502);
+        let t620 = ZZ6R * t495 + XX6R * dw6_x - XY6 * t503 + XZ6 * t501 + t617;
+        let t621 = t494 * (XX6R - ZZ6R) + XY6 * t504 - XZ6 * t498 - YZ6 * t500;
+        let f6_x = t585 + (MSX6 * t499 + MSY6R * t500);
+        let f6_y = f7_z + (MSX6 * t501 - MSY6R * t502);
+        let f6_z = MSX6 * t503 + MSY6R * t504 - t588;
+        let n6_x = t591 + (t620 + MSY6R * a6_z);
+        let n6_y = n7_z + (t621 - MSX6 * a6_z);
+        let n6_z = t615 - YZ6 * t486 - (MSX6 * t477 + MSY6R * a6_x) - t594;
+        let t648 = c6 * f6_x - s6 * f6_y;
+        let t651 = s6 * f6_x + c6 * f6_y;
+        let t654 = c6 * n6_x - s6 * n6_y;
+        let t657 = s6 * n6_x + c6 * n6_y;
+        [f6_z, n6_z, t648, t651, t654, t657]
     };
     // link 5: force and moment
-    let [f5_z, n5_z, t887, t890, t899, t900] = {
-        let t854 = XY5 * (t642 + t645) - (XX5R * t636 + ZZ5R * dw4_y) + XZ5 * t632;
-        let t856 = YZ5 * (t606 - t645);
-        let t859 = ZZ5R * t638 + XX5R * dw5_x - XY5 * t646 + XZ5 * t644 + t856;
-        let t860 = t637 * (XX5R - ZZ5R) + XY5 * t647 - XZ5 * t641 - YZ5 * t643;
-        let f5_x = t824 + (MSX5 * t642 + MSY5R * t643);
-        let f5_y = MSX5 * t644 - MSY5R * t645 - f6_z;
-        let f5_z = t827 + (MSX5 * t646 + MSY5R * t647);
-        let n5_x = t830 + (t859 - MSY5R * t613);
-        let n5_y = t860 + MSX5 * t613 - n6_z;
-        let n5_z = t833 + (t854 + YZ5 * t629 - (MSX5 * a6_z + MSY5R * a5_x));
-        let t887 = c5 * f5_x - s5 * f5_y;
-        let t890 = s5 * f5_x + c5 * f5_y;
-        let t899 = c5 * n5_x - s5 * n5_y - L3 * t890;
-        let t900 = s5 * n5_x + c5 * n5_y + L3 * t887;
-        [f5_z, n5_z, t887, t890, t899, t900]
+    let [f5_z, n5_z, t711, t714, t723, t724] = {
+        let t678 = XY5 * (t466 + t469) - (XX5R * t460 + ZZ5R * dw4_y) + XZ5 * t456;
+        let t680 = YZ5 * (t430 - t469);
+        let t683 = ZZ5R * t462 + XX5R * dw5_x - XY5 * t470 + XZ5 * t468 + t680;
+        let t684 = t461 * (XX5R - ZZ5R) + XY5 * t471 - XZ5 * t465 - YZ5 * t467;
+        let f5_x = t648 + (MSX5 * t466 + MSY5R * t467);
+        let f5_y = MSX5 * t468 - MSY5R * t469 - f6_z;
+        let f5_z = t651 + (MSX5 * t470 + MSY5R * t471);
+        let n5_x = t654 + (t683 - MSY5R * t437);
+        let n5_y = t684 + MSX5 * t437 - n6_z;
+        let n5_z = t657 + (t678 + YZ5 * t453 - (MSX5 * a6_z + MSY5R * a5_x));
+        let t711 = c5 * f5_x - s5 * f5_y;
+        let t714 = s5 * f5_x + c5 * f5_y;
+        let t723 = c5 * n5_x - s5 * n5_y - L3 * t714;
+        let t724 = s5 * n5_x + c5 * n5_y + L3 * t711;
+        [f5_z, n5_z, t711, t714, t723, t724]
     };
     // link 4: force and moment
-    let [f4_z, n4_z, t954, t957, t960] = {
-        let t921 = XX4R * t597 + ZZ4R * dw3_y + XY4 * (t603 + t606) + XZ4 * t593;
-        let t923 = YZ4 * (t573 - t606);
-        let t926 = XX4R * dw4_x - ZZ4R * t599 - XY4 * t607 + XZ4 * t605 + t923;
-        let t927 = t598 * (XX4R - ZZ4R) + XY4 * t608 - XZ4 * t602 + YZ4 * t604;
-        let f4_x = t887 + (MSX4 * t603 - MSY4R * t604);
-        let f4_y = MSX4 * t605 - MSY4R * t606 - f5_z;
-        let f4_z = t890 + (MSX4 * t607 + MSY4R * t608);
-        let n4_x = t899 + (t926 - MSY4R * t548);
-        let n4_y = t927 + MSX4 * t548 - n5_z;
-        let n4_z = t900 + (t921 + YZ4 * t590 - (MSX4 * t581 + MSY4R * a4_x));
-        let t954 = c4 * f4_x - s4 * f4_y;
-        let t957 = c4 * n4_x - s4 * n4_y;
-        let t960 = s4 * n4_x + c4 * n4_y;
-        [f4_z, n4_z, t954, t957, t960]
+    let [f4_z, n4_z, t778, t781, t784] = {
+        let t745 = XX4R * t421 + ZZ4R * dw3_y + XY4 * (t427 + t430) + XZ4 * t417;
+        let t747 = YZ4 * (t397 - t430);
+        let t750 = XX4R * dw4_x - ZZ4R * t423 - XY4 * t431 + XZ4 * t429 + t747;
+        let t751 = t422 * (XX4R - ZZ4R) + XY4 * t432 - XZ4 * t426 + YZ4 * t428;
+        let f4_x = t711 + (MSX4 * t427 - MSY4R * t428);
+        let f4_y = MSX4 * t429 - MSY4R * t430 - f5_z;
+        let f4_z = t714 + (MSX4 * t431 + MSY4R * t432);
+        let n4_x = t723 + (t750 - MSY4R * t372);
+        let n4_y = t751 + MSX4 * t372 - n5_z;
+        let n4_z = t724 + (t745 + YZ4 * t414 - (MSX4 * t405 + MSY4R * a4_x));
+        let t778 = c4 * f4_x - s4 * f4_y;
+        let t781 = c4 * n4_x - s4 * n4_y;
+        let t784 = s4 * n4_x + c4 * n4_y;
+        [f4_z, n4_z, t778, t781, t784]
     };
     // link 3: force and moment
-    let [n3_z, n2_x, t1023] = {
-        let t981 = XX3R * t564 - ZZ3R * t8 + XY3 * (t570 + t573) + XZ3 * t560;
-        let t983 = YZ3 * (t10 - t573);
-        let t986 = XX3R * dw3_x - ZZ3R * t566 - XY3 * t574 - XZ3 * t572 + t983;
-        let t987 = t565 * (XX3R - ZZ3R) + XY3 * t575 - XZ3 * t569 - YZ3 * t571;
-        let f3_x = t954 + (MSX3 * t570 + MSY3R * t571);
-        let f3_y = f4_z - (MSX3 * t572 + MSY3R * t573);
-        let n3_x = t957 + (t986 + MSY3R * a3_z);
-        let n3_y = n4_z + (t987 - MSX3 * a3_z);
-        let n3_z = t981 + YZ3 * t557 - (MSX3 * t548 + MSY3R * a3_x) - t960;
+    let [n3_z, n2_x, t847] = {
+        let t805 = XX3R * t388 - ZZ3R * t358 + XY3 * (t394 + t397) + XZ3 * t384;
+        let t807 = YZ3 * (t360 - t397);
+        let t810 = XX3R * dw3_x - ZZ3R * t390 - XY3 * t398 - XZ3 * t396 + t807;
+        let t811 = t389 * (XX3R - ZZ3R) + XY3 * t399 - XZ3 * t393 - YZ3 * t395;
+        let f3_x = t778 + (MSX3 * t394 + MSY3R * t395);
+        let f3_y = f4_z - (MSX3 * t396 + MSY3R * t397);
+        let n3_x = t781 + (t810 + MSY3R * a3_z);
+        let n3_y = n4_z + (t811 - MSX3 * a3_z);
+        let n3_z = t805 + YZ3 * t381 - (MSX3 * t372 + MSY3R * a3_x) - t784;
         let n2_x = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
-        let t1023 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
-        [n3_z, n2_x, t1023]
+        let t847 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
+        [n3_z, n2_x, t847]
     };
     // link 2: force and moment
-    let [t1037, n2_z, t1046] = {
-        let t1029 = c2 * (s2 * XX2R + c2 * (XY2 + XY2)) - XY2;
-        let t1037 = (t1029 + t1029) * (dq1 * dq2) + t6 * (c2 * XZ2 - s2 * YZ2);
-        let n2_z = MSX2 * a2_y - MSY2R * a2_x - t1023 - t0 * t1029;
-        let t1046 = s2 * n2_x + c2 * n3_z;
-        [t1037, n2_z, t1046]
+    let [t861, n2_z, t870] = {
+        let t853 = c2 * (s2 * XX2R + c2 * (XY2 + XY2)) - XY2;
+        let t861 = (t853 + t853) * (dq1 * dq2) + t356 * (c2 * XZ2 - s2 * YZ2);
+        let n2_z = MSX2 * a2_y - MSY2R * a2_x - t847 - t350 * t853;
+        let t870 = s2 * n2_x + c2 * n3_z;
+        [t861, n2_z, t870]
     };
     // link 1: force and moment
     let n1_z = {
-        let n1_z = t1037 + t1046;
+        let n1_z = t861 + t870;
         n1_z
     };
     // drives
-    let [t1083, t1084, t1085, t1086, t1087, t1088, t1089] = {
-        let t1083 = tau1 - (n1_z + FV1 * dq1 + FC1 * dq1.sign());
-        let t1084 = tau2 - (n2_z + FV2 * dq2 + FC2 * dq2.sign());
-        let t1085 = tau3 - (n3_z + FV3 * dq3 + FC3 * dq3.sign());
-        let t1086 = tau4 - (n4_z + FV4 * dq4 + FC4 * dq4.sign());
-        let t1087 = tau5 - (n5_z + FV5 * dq5 + FC5 * dq5.sign());
-        let t1088 = tau6 - (n6_z + FV6 * dq6 + FC6 * dq6.sign());
-        let t1089 = tau7 - (n7_z + FV7 * dq7 + FC7 * dq7.sign());
-        [t1083, t1084, t1085, t1086, t1087, t1088, t1089]
+    let [t907, t908, t909, t910, t911, t912, t913] = {
+        let t907 = tau1 - (n1_z + FV1 * dq1 + FC1 * dq1.sign());
+        let t908 = tau2 - (n2_z + FV2 * dq2 + FC2 * dq2.sign());
+        let t909 = tau3 - (n3_z + FV3 * dq3 + FC3 * dq3.sign());
+        let t910 = tau4 - (n4_z + FV4 * dq4 + FC4 * dq4.sign());
+        let t911 = tau5 - (n5_z + FV5 * dq5 + FC5 * dq5.sign());
+        let t912 = tau6 - (n6_z + FV6 * dq6 + FC6 * dq6.sign());
+        let t913 = tau7 - (n7_z + FV7 * dq7 + FC7 * dq7.sign());
+        [t907, t908, t909, t910, t911, t912, t913]
+    };
+    // M = L D L'
+    let [
+        t914, t915, t916, t917, t918, t919, t920, t924,
+        t928, t931, t934, t937, t940, t947, t954, t959,
+        t964, t969, t979, t989, t996, t1003, t1016, t1029,
+        t1038, t1054, t1070, t1089,
+    ] = {
+        let t914 = k3 / t349;
+        let t915 = t339 * t914;
+        let t916 = t307 * t914;
+        let t917 = t261 * t914;
+        let t918 = t203 * t914;
+        let t919 = t136 * t914;
+        let t920 = t63 * t914;
+        let t923 = t333 - t349 * (t915 * t915);
+        let t924 = k3 / t923;
+        let t925 = t349 * t915;
+        let t928 = t924 * (t304 + t916 * t925);
+        let t931 = t924 * (t258 + t917 * t925);
+        let t934 = t924 * (t200 + t918 * t925);
+        let t937 = t924 * (t133 + t919 * t925);
+        let t940 = t924 * (t60 + t920 * t925);
+        let t946 = t285 - t349 * (t916 * t916) - t923 * (t928 * t928);
+        let t947 = k3 / t946;
+        let t948 = t349 * t916;
+        let t951 = t923 * t928;
+        let t954 = t947 * (t246 + t917 * t948 + t931 * t951);
+        let t959 = t947 * (t184 + t918 * t948 + t934 * t951);
+        let t964 = t947 * (t117 + t919 * t948 + t937 * t951);
+        let t969 = t947 * (t44 + t920 * t948 + t940 * t951);
+        let t977 = t946 * (t954 * t954);
+        let t978 = t231 - t349 * (t917 * t917) - t923 * (t931 * t931) - t977;
+        let t979 = k3 / t978;
+        let t980 = t349 * t917;
+        let t983 = t923 * t931;
+        let t986 = t946 * t954;
+        let t989 = t979 * (t177 - t918 * t980 - t934 * t983 - t959 * t986);
+        let t996 = t979 * (t108 - t919 * t980 - t937 * t983 - t964 * t986);
+        let t1003 = t979 * (t35 - t920 * t980 - t940 * t983 - t969 * t986);
+        let t1011 = t946 * (t959 * t959);
+        let t1014 = t978 * (t989 * t989);
+        let t1015 = t158 - t349 * (t918 * t918) - t923 * (t934 * t934) - t1011 - t1014;
+        let t1016 = k3 / t1015;
+        let t1017 = t349 * t918;
+        let t1020 = t923 * t934;
+        let t1023 = t946 * t959;
+        let t1026 = t978 * t989;
+        let t1028 = t96 - t919 * t1017 - t937 * t1020 - t964 * t1023 - t996 * t1026;
+        let t1029 = t1016 * t1028;
+        let t1037 = t19 - t920 * t1017 - t940 * t1020 - t969 * t1023 - t1003 * t1026;
+        let t1038 = t1016 * t1037;
+        let t1046 = t946 * (t964 * t964);
+        let t1049 = t978 * (t996 * t996);
+        let t1050 = t81 - t349 * (t919 * t919) - t923 * (t937 * t937) - t1046 - t1049;
+        let t1053 = t1050 - t1015 * (t1029 * t1029);
+        let t1054 = k3 / t1053;
+        let t1062 = t969 * (t946 * t964);
+        let t1065 = t1003 * (t978 * t996);
+        let t1066 = t11 + t920 * (t349 * t919) + t940 * (t923 * t937) + t1062 + t1065;
+        let t1070 = t1054 * (t1066 + t1038 * (t1015 * t1029));
+        let t1078 = t946 * (t969 * t969);
+        let t1081 = t978 * (t1003 * t1003);
+        let t1082 = ZZ7 - t349 * (t920 * t920) - t923 * (t940 * t940) - t1078 - t1081;
+        let t1089 = k3 / (t1082 - t1015 * (t1038 * t1038) - t1053 * (t1070 * t1070));
+        [
+        t914, t915, t916, t917, t918, t919, t920, t924,
+        t928, t931, t934, t937, t940, t947, t954, t959,
+        t964, t969, t979, t989, t996, t1003, t1016, t1029,
+        t1038, t1054, t1070, t1089,
+    ]
     };
     // ddq
     {
-        let t1091 = t1084 - t1083 * t363;
-        let t1095 = t1085 - t1083 * t364 + t376 * t1091;
-        let t1101 = t1086 - t1083 * t365 + t379 * t1091 + t402 * t1095;
-        let t1109 = t1087 - t1083 * t366 + t382 * t1091 + t407 * t1095 - t437 * t1101;
-        let t1117 = t1088 - t1083 * t367 + t385 * t1091 + t412 * t1095 - t444 * t1101;
-        let t1119 = t1117 - t477 * t1109;
-        let t1127 = t1089 - t1083 * t368 + t388 * t1091 + t417 * t1095 - t451 * t1101;
-        let t1138 = t537 * (t1127 - t486 * t1109 + t518 * t1119);
-        let t1140 = t502 * t1119 + t518 * t1138;
-        let t1144 = t464 * t1109 - t477 * t1140 - t486 * t1138;
-        let t1150 = t427 * t1101 - t437 * t1144 - t444 * t1140 - t451 * t1138;
-        let t1157 = t417 * t1138;
-        let t1158 = t395 * t1095 + t402 * t1150 + t407 * t1144 + t412 * t1140 + t1157;
-        let t1165 = t385 * t1140;
-        let t1166 = t372 * t1091 + t376 * t1158 + t379 * t1150 + t382 * t1144 + t1165;
-        let t1168 = t1166 + t388 * t1138;
-        let t1175 = t366 * t1144;
-        let t1176 = t1083 * t362 - t363 * t1168 - t364 * t1158 - t365 * t1150 - t1175;
-        let t1180 = t1176 - t367 * t1140 - t368 * t1138;
+        let t1091 = t908 - t907 * t915;
+        let t1095 = t909 - t907 * t916 + t928 * t1091;
+        let t1101 = t910 - t907 * t917 + t931 * t1091 + t954 * t1095;
+        let t1109 = t911 - t907 * t918 + t934 * t1091 + t959 * t1095 - t989 * t1101;
+        let t1117 = t912 - t907 * t919 + t937 * t1091 + t964 * t1095 - t996 * t1101;
+        let t1119 = t1117 - t1029 * t1109;
+        let t1127 = t913 - t907 * t920 + t940 * t1091 + t969 * t1095 - t1003 * t1101;
+        let t1138 = t1089 * (t1127 - t1038 * t1109 + t1070 * t1119);
+        let t1140 = t1054 * t1119 + t1070 * t1138;
+        let t1144 = t1016 * t1109 - t1029 * t1140 - t1038 * t1138;
+        let t1150 = t979 * t1101 - t989 * t1144 - t996 * t1140 - t1003 * t1138;
+        let t1157 = t969 * t1138;
+        let t1158 = t947 * t1095 + t954 * t1150 + t959 * t1144 + t964 * t1140 + t1157;
+        let t1165 = t937 * t1140;
+        let t1166 = t924 * t1091 + t928 * t1158 + t931 * t1150 + t934 * t1144 + t1165;
+        let t1168 = t1166 + t940 * t1138;
+        let t1175 = t918 * t1144;
+        let t1176 = t907 * t914 - t915 * t1168 - t916 * t1158 - t917 * t1150 - t1175;
+        let t1180 = t1176 - t919 * t1140 - t920 * t1138;
         put(0, t1180);
         put(1, t1168);
         put(2, t1158);

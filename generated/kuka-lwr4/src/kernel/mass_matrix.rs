@@ -58,19 +58,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t72 = s7 * t68 - c7 * (c7 * XX7R - t65);
         let t75 = s7 * t65 - c7 * t69;
         let t78 = s7 * t69 + c7 * t65;
-        let t79 = -t11;
         put(6, t63); // [0][6]
         put(13, t60); // [1][6]
         put(20, t44); // [2][6]
         put(27, t35); // [3][6]
         put(34, t19); // [4][6]
-        put(41, t79); // [5][6]
         put(42, t63); // [6][0]
         put(43, t60); // [6][1]
         put(44, t44); // [6][2]
         put(45, t35); // [6][3]
         put(46, t19); // [6][4]
-        put(47, t79); // [6][5]
         put(48, ZZ7); // [6][6]
         [
         t2, t5, t8, t11, t15, t18, t72, t75,
@@ -79,179 +76,182 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
     };
     // composite body 6
     let [
-        t88, t91, t94, t97, t101, t104, t148, t151,
-        t154, t155,
+        t87, t90, t93, t96, t100, t103, t147, t150,
+        t153, t154,
     ] = {
-        let t80 = t5 - MSX6;
-        let t81 = t72 - XX6R;
-        let t82 = ZZ6R + t78;
-        let t83 = XY6 + t8;
-        let t84 = XZ6 + t75;
-        let t85 = t11 - YZ6;
-        let t88 = c6 * MSY6R - s6 * t80;
-        let t91 = s6 * MSY6R + c6 * t80;
-        let t94 = c6 * t84 + s6 * t85;
-        let t97 = s6 * t84 - c6 * t85;
-        let t98 = c5 * t88;
-        let t99 = s5 * t88;
-        let t101 = s5 * t82;
-        let t104 = c5 * t82;
-        let t108 = c5 * t94 + t101 + L3 * t99;
-        let t109 = s5 * t94 - t104 - L3 * t98;
-        let t112 = c4 * t98 + s4 * t91;
-        let t115 = c4 * t108 + s4 * t97;
-        let t118 = c4 * t97 - s4 * t108;
-        let t133 = c3 * t115 - s3 * t109 + L2 * (s3 * t112 + c3 * t99);
-        let t134 = L2 * (c3 * t112 - s3 * t99) - (s3 * t115 + c3 * t109);
-        let t137 = s2 * t133 + c2 * t118;
-        let t139 = s6 * t83;
-        let t142 = c6 * t83;
-        let t143 = s6 * t81 - t142;
-        let t145 = t18 + t139;
-        let t148 = c6 * (c6 * t81 + t139) + s6 * (t142 - t15);
-        let t151 = c6 * t143 + s6 * t145;
-        let t154 = s6 * t143 - c6 * t145;
-        let t155 = t88 + t88;
-        put(5, t137); // [0][5]
-        put(12, t134); // [1][5]
-        put(19, t118); // [2][5]
-        put(26, t109); // [3][5]
-        put(33, t97); // [4][5]
-        put(35, t137); // [5][0]
-        put(36, t134); // [5][1]
-        put(37, t118); // [5][2]
-        put(38, t109); // [5][3]
-        put(39, t97); // [5][4]
-        put(40, t82); // [5][5]
+        let t79 = t5 - MSX6;
+        let t80 = t72 - XX6R;
+        let t81 = ZZ6R + t78;
+        let t82 = XY6 + t8;
+        let t83 = XZ6 + t75;
+        let t84 = t11 - YZ6;
+        let t87 = c6 * MSY6R - s6 * t79;
+        let t90 = s6 * MSY6R + c6 * t79;
+        let t93 = c6 * t83 + s6 * t84;
+        let t96 = s6 * t83 - c6 * t84;
+        let t97 = c5 * t87;
+        let t98 = s5 * t87;
+        let t100 = s5 * t81;
+        let t103 = c5 * t81;
+        let t107 = c5 * t93 + t100 + L3 * t98;
+        let t108 = s5 * t93 - t103 - L3 * t97;
+        let t111 = c4 * t97 + s4 * t90;
+        let t114 = c4 * t107 + s4 * t96;
+        let t117 = c4 * t96 - s4 * t107;
+        let t132 = c3 * t114 - s3 * t108 + L2 * (s3 * t111 + c3 * t98);
+        let t133 = L2 * (c3 * t111 - s3 * t98) - (s3 * t114 + c3 * t108);
+        let t136 = s2 * t132 + c2 * t117;
+        let t138 = s6 * t82;
+        let t141 = c6 * t82;
+        let t142 = s6 * t80 - t141;
+        let t144 = t18 + t138;
+        let t147 = c6 * (c6 * t80 + t138) + s6 * (t141 - t15);
+        let t150 = c6 * t142 + s6 * t144;
+        let t153 = s6 * t142 - c6 * t144;
+        let t154 = t87 + t87;
+        put(5, t136); // [0][5]
+        put(12, t133); // [1][5]
+        put(19, t117); // [2][5]
+        put(26, t108); // [3][5]
+        put(33, t96); // [4][5]
+        put(35, t136); // [5][0]
+        put(36, t133); // [5][1]
+        put(37, t117); // [5][2]
+        put(38, t108); // [5][3]
+        put(39, t96); // [5][4]
+        put(40, t81); // [5][5]
         [
-        t88, t91, t94, t97, t101, t104, t148, t151,
-        t154, t155,
+        t87, t90, t93, t96, t100, t103, t147, t150,
+        t153, t154,
     ]
     };
     // composite body 5
-    let [t165, t168, t177, t178, t218, t223, t224, t228] = {
-        let t156 = MSX5 - t91;
-        let t157 = MSY5R + t2;
-        let t158 = XX5R - t148;
-        let t159 = ZZ5R - t154;
-        let t160 = t94 - XY5;
-        let t161 = t151 - XZ5;
-        let t162 = YZ5 - t97;
-        let t165 = c5 * t157 + s5 * t156;
-        let t168 = s5 * t157 - c5 * t156;
-        let t177 = c5 * t161 + s5 * t162 - L3 * t168;
-        let t178 = c5 * t162 - s5 * t161 - L3 * t165;
-        let t179 = c4 * t165;
-        let t182 = s4 * t159 - c4 * t177;
-        let t185 = s4 * t177 + c4 * t159;
-        let t200 = s3 * t178 - c3 * t182 - L2 * (s3 * t179 + c3 * t168);
-        let t201 = L2 * (c3 * t179 - s3 * t168) - (s3 * t182 + c3 * t178);
-        let t204 = c2 * t185 - s2 * t200;
-        let t206 = s5 * t160;
-        let t209 = c5 * t160;
-        let t210 = t209 - s5 * t158;
-        let t212 = t104 - t206;
-        let t218 = c5 * t210 + s5 * t212;
-        let t222 = L3 * t155;
-        let t223 = c5 * (c5 * t158 + t206) + s5 * (t101 + t209) + t222;
-        let t224 = s5 * t210 - c5 * t212 - t222;
-        let t226 = L3 * t88;
-        let t228 = t159 + t222 - (t226 + t226);
-        put(4, t204); // [0][4]
-        put(11, t201); // [1][4]
-        put(18, t185); // [2][4]
-        put(25, t178); // [3][4]
-        put(28, t204); // [4][0]
-        put(29, t201); // [4][1]
-        put(30, t185); // [4][2]
-        put(31, t178); // [4][3]
-        put(32, t159); // [4][4]
-        [t165, t168, t177, t178, t218, t223, t224, t228]
+    let [t164, t167, t176, t177, t217, t222, t223, t227] = {
+        let t155 = MSX5 - t90;
+        let t156 = MSY5R + t2;
+        let t157 = XX5R - t147;
+        let t158 = ZZ5R - t153;
+        let t159 = t93 - XY5;
+        let t160 = t150 - XZ5;
+        let t161 = YZ5 - t96;
+        let t164 = c5 * t156 + s5 * t155;
+        let t167 = s5 * t156 - c5 * t155;
+        let t176 = c5 * t160 + s5 * t161 - L3 * t167;
+        let t177 = c5 * t161 - s5 * t160 - L3 * t164;
+        let t178 = c4 * t164;
+        let t181 = s4 * t158 - c4 * t176;
+        let t184 = s4 * t176 + c4 * t158;
+        let t199 = s3 * t177 - c3 * t181 - L2 * (s3 * t178 + c3 * t167);
+        let t200 = L2 * (c3 * t178 - s3 * t167) - (s3 * t181 + c3 * t177);
+        let t203 = c2 * t184 - s2 * t199;
+        let t205 = s5 * t159;
+        let t208 = c5 * t159;
+        let t209 = t208 - s5 * t157;
+        let t211 = t103 - t205;
+        let t217 = c5 * t209 + s5 * t211;
+        let t221 = L3 * t154;
+        let t222 = c5 * (c5 * t157 + t205) + s5 * (t100 + t208) + t221;
+        let t223 = s5 * t209 - c5 * t211 - t221;
+        let t225 = L3 * t87;
+        let t227 = t158 + t221 - (t225 + t225);
+        put(4, t203); // [0][4]
+        put(11, t200); // [1][4]
+        put(18, t184); // [2][4]
+        put(25, t177); // [3][4]
+        put(28, t203); // [4][0]
+        put(29, t200); // [4][1]
+        put(30, t184); // [4][2]
+        put(31, t177); // [4][3]
+        put(32, t158); // [4][4]
+        [t164, t167, t176, t177, t217, t222, t223, t227]
     };
     // composite body 4
     let [
-        t238, t241, t244, t247, t251, t254, t275, t278,
-        t281, t282,
+        t237, t240, t243, t246, t250, t253, t274, t277,
+        t280, t281,
     ] = {
-        let t229 = MSX4 - t168;
-        let t230 = MSY4R - t88;
-        let t231 = XX4R + t223;
-        let t232 = ZZ4R - t224;
-        let t233 = XY4 + t177;
-        let t234 = t218 - XZ4;
-        let t235 = YZ4 - t178;
-        let t238 = c4 * t230 + s4 * t229;
-        let t241 = c4 * t229 - s4 * t230;
-        let t244 = c4 * t234 + s4 * t235;
-        let t247 = s4 * t234 - c4 * t235;
-        let t251 = s3 * t232;
-        let t254 = c3 * t232;
-        let t259 = s3 * t244 - t254 + L2 * (c3 * t238);
-        let t262 = c2 * t247 - s2 * (c3 * t244 + t251 - L2 * (s3 * t238));
-        let t264 = s4 * t233;
-        let t267 = c4 * t233;
-        let t268 = s4 * t231 + t267;
-        let t272 = t264 + c4 * t228;
-        let t275 = s4 * (t267 - s4 * t228) - c4 * (c4 * t231 - t264);
-        let t278 = s4 * t272 - c4 * t268;
-        let t281 = s4 * t268 + c4 * t272;
-        let t282 = t238 + t238;
-        put(3, t262); // [0][3]
-        put(10, t259); // [1][3]
-        put(17, t247); // [2][3]
-        put(21, t262); // [3][0]
-        put(22, t259); // [3][1]
-        put(23, t247); // [3][2]
-        put(24, t232); // [3][3]
+        let t228 = MSX4 - t167;
+        let t229 = MSY4R - t87;
+        let t230 = XX4R + t222;
+        let t231 = ZZ4R - t223;
+        let t232 = XY4 + t176;
+        let t233 = t217 - XZ4;
+        let t234 = YZ4 - t177;
+        let t237 = c4 * t229 + s4 * t228;
+        let t240 = c4 * t228 - s4 * t229;
+        let t243 = c4 * t233 + s4 * t234;
+        let t246 = s4 * t233 - c4 * t234;
+        let t250 = s3 * t231;
+        let t253 = c3 * t231;
+        let t258 = s3 * t243 - t253 + L2 * (c3 * t237);
+        let t261 = c2 * t246 - s2 * (c3 * t243 + t250 - L2 * (s3 * t237));
+        let t263 = s4 * t232;
+        let t266 = c4 * t232;
+        let t267 = s4 * t230 + t266;
+        let t271 = t263 + c4 * t227;
+        let t274 = s4 * (t266 - s4 * t227) - c4 * (c4 * t230 - t263);
+        let t277 = s4 * t271 - c4 * t267;
+        let t280 = s4 * t267 + c4 * t271;
+        let t281 = t237 + t237;
+        put(3, t261); // [0][3]
+        put(10, t258); // [1][3]
+        put(17, t246); // [2][3]
+        put(21, t261); // [3][0]
+        put(22, t258); // [3][1]
+        put(23, t246); // [3][2]
+        put(24, t231); // [3][3]
         [
-        t238, t241, t244, t247, t251, t254, t275, t278,
-        t281, t282,
+        t237, t240, t243, t246, t250, t253, t274, t277,
+        t280, t281,
     ]
     };
     // composite body 3
-    let [t304, t305, t322, t327, t328, t332] = {
-        let t283 = MSX3 + t241;
-        let t284 = MSY3R + t165;
-        let t285 = t275 - XX3R;
-        let t286 = ZZ3R + t281;
-        let t287 = t244 - XY3;
-        let t288 = XZ3 + t278;
-        let t289 = YZ3 + t247;
-        let t304 = s3 * t289 - c3 * t288 - L2 * (s3 * t284 - c3 * t283);
-        let t305 = L2 * (c3 * t284 + s3 * t283) - (s3 * t288 + c3 * t289);
-        let t308 = c2 * t286 - s2 * t304;
-        let t310 = s3 * t287;
-        let t313 = c3 * t287;
-        let t314 = s3 * t285 + t313;
-        let t316 = t310 - t254;
-        let t322 = s3 * t316 - c3 * t314;
-        let t326 = L2 * t282;
-        let t327 = t326 - (c3 * (t310 - c3 * t285) + s3 * (t251 + t313));
-        let t328 = s3 * t314 + c3 * t316 + t326;
-        let t330 = L2 * t238;
-        let t332 = t330 + t330 - (t326 - t286);
-        put(2, t308); // [0][2]
-        put(9, t305); // [1][2]
-        put(14, t308); // [2][0]
-        put(15, t305); // [2][1]
-        put(16, t286); // [2][2]
-        [t304, t305, t322, t327, t328, t332]
+    let [t303, t304, t321, t326, t327, t331] = {
+        let t282 = MSX3 + t240;
+        let t283 = MSY3R + t164;
+        let t284 = t274 - XX3R;
+        let t285 = ZZ3R + t280;
+        let t286 = t243 - XY3;
+        let t287 = XZ3 + t277;
+        let t288 = YZ3 + t246;
+        let t303 = s3 * t288 - c3 * t287 - L2 * (s3 * t283 - c3 * t282);
+        let t304 = L2 * (c3 * t283 + s3 * t282) - (s3 * t287 + c3 * t288);
+        let t307 = c2 * t285 - s2 * t303;
+        let t309 = s3 * t286;
+        let t312 = c3 * t286;
+        let t313 = s3 * t284 + t312;
+        let t315 = t309 - t253;
+        let t321 = s3 * t315 - c3 * t313;
+        let t325 = L2 * t281;
+        let t326 = t325 - (c3 * (t309 - c3 * t284) + s3 * (t250 + t312));
+        let t327 = s3 * t313 + c3 * t315 + t325;
+        let t329 = L2 * t237;
+        let t331 = t329 + t329 - (t325 - t285);
+        put(2, t307); // [0][2]
+        put(9, t304); // [1][2]
+        put(14, t307); // [2][0]
+        put(15, t304); // [2][1]
+        put(16, t285); // [2][2]
+        [t303, t304, t321, t326, t327, t331]
     };
     // composite body 2
-    let t349 = {
-        let t334 = ZZ2R - t328;
-        let t335 = XY2 - t304;
-        let t340 = s2 * (XZ2 - t322) + c2 * (YZ2 + t305);
-        let t348 = c2 * (s2 * t335 + c2 * t332);
-        let t349 = s2 * (s2 * (t327 - XX2R) - c2 * t335) - t348;
-        put(1, t340); // [0][1]
-        put(7, t340); // [1][0]
-        put(8, t334); // [1][1]
-        t349
+    let t348 = {
+        let t333 = ZZ2R - t327;
+        let t334 = XY2 - t303;
+        let t339 = s2 * (XZ2 - t321) + c2 * (YZ2 + t304);
+        let t347 = c2 * (s2 * t334 + c2 * t331);
+        let t348 = s2 * (s2 * (t326 - XX2R) - c2 * t334) - t347;
+        put(1, t339); // [0][1]
+        put(7, t339); // [1][0]
+        put(8, t333); // [1][1]
+        t348
     };
     // composite body 1
     {
-        let t350 = ZZ1R - t349;
-        put(0, t350); // [0][0]
+        let t349 = ZZ1R - t348;
+        let t350 = -t11;
+        put(0, t349); // [0][0]
+        put(41, t350); // [5][6]
+        put(47, t350); // [6][5]
     }
 }

@@ -61,7 +61,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         [t24, t27, t30, t33, t36, t39]
     };
     // frame 5
-    let [t48, t51, t54, t57, t60, t63] = {
+    let [t43, t48, t51, t54, t57, t60, t63] = {
+        let t43 = t4 + L3 * t27;
         let t44 = L3 * t33 - t5;
         let t45 = t7 + L3 * t39;
         let t48 = c5 * t24 + s5 * t13;
@@ -70,38 +71,38 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t57 = c5 * t19 - s5 * t30;
         let t60 = c5 * t36 + s5 * t21;
         let t63 = s5 * t36 - c5 * t21;
-        let t64 = -(t4 + L3 * t27);
-        put(3, t64); // [0][3]
         put(7, t44); // [1][3]
         put(11, t45); // [2][3]
-        [t48, t51, t54, t57, t60, t63]
+        [t43, t48, t51, t54, t57, t60, t63]
     };
     // frame 6
-    let [t67, t73, t79] = {
-        let t67 = c6 * t48 + s6 * t27;
-        let t70 = s6 * t48 - c6 * t27;
-        let t73 = c6 * t54 + s6 * t33;
-        let t76 = c6 * t33 - s6 * t54;
-        let t79 = s6 * t39 - c6 * t60;
-        let t82 = c6 * t39 + s6 * t60;
-        put(2, t70); // [0][2]
-        put(6, t76); // [1][2]
-        put(10, t82); // [2][2]
-        [t67, t73, t79]
+    let [t66, t72, t78] = {
+        let t66 = c6 * t48 + s6 * t27;
+        let t69 = s6 * t48 - c6 * t27;
+        let t72 = c6 * t54 + s6 * t33;
+        let t75 = c6 * t33 - s6 * t54;
+        let t78 = s6 * t39 - c6 * t60;
+        let t81 = c6 * t39 + s6 * t60;
+        put(2, t69); // [0][2]
+        put(6, t75); // [1][2]
+        put(10, t81); // [2][2]
+        [t66, t72, t78]
     };
     // frame 7
     {
-        let t85 = s7 * t51 - c7 * t67;
-        let t88 = c7 * t51 + s7 * t67;
-        let t91 = c7 * t73 + s7 * t57;
-        let t94 = c7 * t57 - s7 * t73;
-        let t97 = c7 * t79 + s7 * t63;
-        let t100 = c7 * t63 - s7 * t79;
-        put(0, t85); // [0][0]
-        put(1, t88); // [0][1]
-        put(4, t91); // [1][0]
-        put(5, t94); // [1][1]
-        put(8, t97); // [2][0]
-        put(9, t100); // [2][1]
+        let t84 = s7 * t51 - c7 * t66;
+        let t87 = c7 * t51 + s7 * t66;
+        let t90 = c7 * t72 + s7 * t57;
+        let t93 = c7 * t57 - s7 * t72;
+        let t96 = c7 * t78 + s7 * t63;
+        let t99 = c7 * t63 - s7 * t78;
+        let t100 = -t43;
+        put(0, t84); // [0][0]
+        put(1, t87); // [0][1]
+        put(3, t100); // [0][3]
+        put(4, t90); // [1][0]
+        put(5, t93); // [1][1]
+        put(8, t96); // [2][0]
+        put(9, t99); // [2][1]
     }
 }

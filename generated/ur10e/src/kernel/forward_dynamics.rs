@@ -32,482 +32,482 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     let D4 = S::constant(0.17415);
     let D5 = S::constant(0.11985);
     let D6 = S::constant(0.11655);
-    let k0 = S::constant(9.81);
-    let k1 = S::constant(0.6127);
-    let k5 = S::constant(0.57155);
+    let k3 = S::constant(0.57155);
+    let k4 = S::constant(0.6127);
+    let k5 = S::constant(9.81);
     let k6 = S::constant(1.0);
-    // link 1: motion
-    let t0 = {
-        let t0 = dq1 * dq1;
-        t0
-    };
-    // link 2: motion
-    let [a2_x, a2_y, t6, t7, t10, t11] = {
-        let a2_x = s2 * k0;
-        let a2_y = c2 * k0;
-        let w2_x = s2 * dq1;
-        let w2_y = c2 * dq1;
-        let t6 = dq2 * dq2;
-        let t7 = w2_x * w2_y;
-        let t8 = dq2 * w2_x;
-        let t10 = w2_x * w2_x - t6 - t0;
-        let t11 = t8 + t8;
-        [a2_x, a2_y, t6, t7, t10, t11]
-    };
-    // link 3: motion
-    let [
-        t14, t17, w3_z, t21, a3_x, a3_y, t33, t34,
-        t38, t39, t40, t41,
-    ] = {
-        let t14 = s2 * c3 + c2 * s3;
-        let t17 = c2 * c3 - s2 * s3;
-        let w3_z = dq2 + dq3;
-        let t21 = k1 * t11;
-        let t22 = a2_x - k1 * t10;
-        let t23 = a2_y - k1 * t7;
-        let a3_x = c3 * t22 + s3 * t23;
-        let a3_y = c3 * t23 - s3 * t22;
-        let w3_x = dq1 * t14;
-        let w3_y = dq1 * t17;
-        let t32 = w3_x * w3_x;
-        let t33 = w3_z * w3_z;
-        let t34 = w3_x * w3_y;
-        let t35 = w3_z * w3_x;
-        let dw3_x = w3_z * w3_y;
-        let t38 = t32 - t33 - t0;
-        let t39 = t32 + t33;
-        let t40 = t35 + t35;
-        let t41 = dw3_x + dw3_x;
-        [
-        t14, t17, w3_z, t21, a3_x, a3_y, t33, t34,
-        t38, t39, t40, t41,
-    ]
-    };
     // composite body 6
     let [
-        t42, t45, t48, t57, t58, t62, t65, t70,
-        t90, t103, t106, t115, t118, t121, t122,
+        t0, t3, t6, t15, t16, t20, t23, t28,
+        t48, t61, t64, t73, t76, t79, t80,
     ] = {
-        let t42 = ZZ6 + IA6;
-        let t45 = c6 * MSY6 + s6 * MSX6;
-        let t48 = c6 * MSX6 - s6 * MSY6;
-        let t57 = c6 * XZ6 - s6 * YZ6 - D6 * t48;
-        let t58 = s6 * XZ6 + c6 * YZ6 - D6 * t45;
-        let t59 = c5 * t45;
-        let t60 = s5 * t45;
-        let t62 = s5 * ZZ6;
-        let t65 = c5 * ZZ6;
-        let t69 = c5 * t57 - t62 + D5 * t60;
-        let t70 = s5 * t57 + t65 - D5 * t59;
-        let t73 = c4 * t59 + s4 * t48;
-        let t76 = c4 * t48 - s4 * t59;
-        let t88 = c4 * t69 - s4 * t58 - D4 * t76;
-        let t89 = s4 * t69 + c4 * t58 - (D4 * t73 + t60 * k5);
-        let t90 = t70 - t76 * k5;
-        let t103 = t90 - (c3 * t76 - s3 * t73) * k1;
-        let t105 = c2 * (s3 * t88 + c3 * t89 - t60 * k1);
-        let t106 = s2 * (c3 * t88 - s3 * t89) + t105;
-        let t108 = s6 * XY6;
-        let t111 = c6 * XY6;
-        let t112 = s6 * XX6R + t111;
-        let t115 = c6 * (c6 * XX6R - t108) - s6 * t111;
-        let t118 = c6 * t112 - s6 * t108;
-        let t121 = s6 * t112 + c6 * t108;
-        let t122 = t45 + t45;
+        let t0 = ZZ6 + IA6;
+        let t3 = c6 * MSY6 + s6 * MSX6;
+        let t6 = c6 * MSX6 - s6 * MSY6;
+        let t15 = c6 * XZ6 - s6 * YZ6 - D6 * t6;
+        let t16 = s6 * XZ6 + c6 * YZ6 - D6 * t3;
+        let t17 = c5 * t3;
+        let t18 = s5 * t3;
+        let t20 = s5 * ZZ6;
+        let t23 = c5 * ZZ6;
+        let t27 = c5 * t15 - t20 + D5 * t18;
+        let t28 = s5 * t15 + t23 - D5 * t17;
+        let t31 = c4 * t17 + s4 * t6;
+        let t34 = c4 * t6 - s4 * t17;
+        let t46 = c4 * t27 - s4 * t16 - D4 * t34;
+        let t47 = s4 * t27 + c4 * t16 - (D4 * t31 + t18 * k3);
+        let t48 = t28 - t34 * k3;
+        let t61 = t48 - (c3 * t34 - s3 * t31) * k4;
+        let t63 = c2 * (s3 * t46 + c3 * t47 - t18 * k4);
+        let t64 = s2 * (c3 * t46 - s3 * t47) + t63;
+        let t66 = s6 * XY6;
+        let t69 = c6 * XY6;
+        let t70 = s6 * XX6R + t69;
+        let t73 = c6 * (c6 * XX6R - t66) - s6 * t69;
+        let t76 = c6 * t70 - s6 * t66;
+        let t79 = s6 * t70 + c6 * t66;
+        let t80 = t3 + t3;
         [
-        t42, t45, t48, t57, t58, t62, t65, t70,
-        t90, t103, t106, t115, t118, t121, t122,
+        t0, t3, t6, t15, t16, t20, t23, t28,
+        t48, t61, t64, t73, t76, t79, t80,
     ]
     };
     // composite body 5
     let [
-        t129, t132, t135, t144, t145, t161, t174, t177,
-        t191, t195, t197, t198, t202,
+        t87, t90, t93, t102, t103, t119, t132, t135,
+        t149, t153, t155, t156, t160,
     ] = {
-        let t123 = MSX5 + t48;
-        let t124 = XX5R + t115;
-        let t125 = ZZ5R + t121;
-        let t126 = XY5 + t57;
-        let t127 = XZ5 - t118;
-        let t128 = YZ5 - t58;
-        let t129 = IA5 + t125;
-        let t132 = c5 * MSY5R + s5 * t123;
-        let t135 = c5 * t123 - s5 * MSY5R;
-        let t144 = c5 * t127 - s5 * t128 - D5 * t135;
-        let t145 = s5 * t127 + c5 * t128 - D5 * t132;
-        let t146 = c4 * t132;
-        let t147 = s4 * t132;
-        let t159 = c4 * t144 + s4 * t125 + D4 * t147;
-        let t160 = s4 * t144 - c4 * t125 + (k5 * t135 - D4 * t146);
-        let t161 = t145 + k5 * t147;
-        let t174 = t161 + k1 * (s3 * t146 + c3 * t147);
-        let t176 = c2 * (s3 * t159 + c3 * t160 + k1 * t135);
-        let t177 = s2 * (c3 * t159 - s3 * t160) + t176;
-        let t179 = s5 * t126;
-        let t182 = c5 * t126;
-        let t183 = s5 * t124 + t182;
-        let t185 = t65 + t179;
-        let t191 = c5 * t183 - s5 * t185;
-        let t195 = t132 + t132;
-        let t196 = D5 * t122;
-        let t197 = c5 * (c5 * t124 - t179) - s5 * (t182 - t62) - t196;
-        let t198 = s5 * t183 + c5 * t185 - t196;
-        let t200 = D5 * t45;
-        let t202 = t125 - t196 + (t200 + t200);
+        let t81 = MSX5 + t6;
+        let t82 = XX5R + t73;
+        let t83 = ZZ5R + t79;
+        let t84 = XY5 + t15;
+        let t85 = XZ5 - t76;
+        let t86 = YZ5 - t16;
+        let t87 = IA5 + t83;
+        let t90 = c5 * MSY5R + s5 * t81;
+        let t93 = c5 * t81 - s5 * MSY5R;
+        let t102 = c5 * t85 - s5 * t86 - D5 * t93;
+        let t103 = s5 * t85 + c5 * t86 - D5 * t90;
+        let t104 = c4 * t90;
+        let t105 = s4 * t90;
+        let t117 = c4 * t102 + s4 * t83 + D4 * t105;
+        let t118 = s4 * t102 - c4 * t83 + (k3 * t93 - D4 * t104);
+        let t119 = t103 + k3 * t105;
+        let t132 = t119 + k4 * (s3 * t104 + c3 * t105);
+        let t134 = c2 * (s3 * t117 + c3 * t118 + k4 * t93);
+        let t135 = s2 * (c3 * t117 - s3 * t118) + t134;
+        let t137 = s5 * t84;
+        let t140 = c5 * t84;
+        let t141 = s5 * t82 + t140;
+        let t143 = t23 + t137;
+        let t149 = c5 * t141 - s5 * t143;
+        let t153 = t90 + t90;
+        let t154 = D5 * t80;
+        let t155 = c5 * (c5 * t82 - t137) - s5 * (t140 - t20) - t154;
+        let t156 = s5 * t141 + c5 * t143 - t154;
+        let t158 = D5 * t3;
+        let t160 = t83 - t154 + (t158 + t158);
         [
-        t129, t132, t135, t144, t145, t161, t174, t177,
-        t191, t195, t197, t198, t202,
+        t87, t90, t93, t102, t103, t119, t132, t135,
+        t149, t153, t155, t156, t160,
     ]
     };
     // composite body 4
     let [
-        t210, t213, t216, t227, t228, t239, t242, t268,
-        t270, t273, t274, t278,
+        t168, t171, t174, t185, t186, t197, t200, t226,
+        t228, t231, t232, t236,
     ] = {
-        let t203 = MSX4 + t135;
-        let t204 = MSY4R + t45;
-        let t205 = XX4R + t197;
-        let t206 = ZZ4R + t198;
-        let t207 = XY4 - t144;
-        let t208 = XZ4 + t191;
-        let t209 = YZ4 - t145;
-        let t210 = IA4 + t206;
-        let t213 = c4 * t204 + s4 * t203;
-        let t216 = c4 * t203 - s4 * t204;
-        let t219 = c4 * t208 - s4 * t209;
-        let t223 = D4 * t216;
-        let t225 = k5 * t216;
-        let t226 = t219 - t223;
-        let t227 = s4 * t208 + c4 * t209 - D4 * t213;
-        let t228 = t206 - t225;
-        let t239 = t228 - k1 * (c3 * t216 - s3 * t213);
-        let t241 = c2 * (s3 * t226 + c3 * t227);
-        let t242 = s2 * (c3 * t226 - s3 * t227) + t241;
-        let t244 = s4 * t207;
-        let t247 = c4 * t207;
-        let t248 = s4 * t205 + t247;
-        let t252 = t244 + c4 * t202;
-        let t265 = D4 * t195 - k5 * (t216 + t216);
-        let t266 = c4 * (c4 * t205 - t244) - s4 * (t247 - s4 * t202) + t265;
-        let t268 = t266 + (t225 + t225);
-        let t270 = c4 * t248 - s4 * t252 + k5 * t213;
-        let t273 = t219 - (t223 - k5 * t132);
-        let t274 = s4 * t248 + c4 * t252 + t265;
-        let t276 = D4 * t132;
-        let t278 = t206 + t265 - (t276 + t276);
+        let t161 = MSX4 + t93;
+        let t162 = MSY4R + t3;
+        let t163 = XX4R + t155;
+        let t164 = ZZ4R + t156;
+        let t165 = XY4 - t102;
+        let t166 = XZ4 + t149;
+        let t167 = YZ4 - t103;
+        let t168 = IA4 + t164;
+        let t171 = c4 * t162 + s4 * t161;
+        let t174 = c4 * t161 - s4 * t162;
+        let t177 = c4 * t166 - s4 * t167;
+        let t181 = D4 * t174;
+        let t183 = k3 * t174;
+        let t184 = t177 - t181;
+        let t185 = s4 * t166 + c4 * t167 - D4 * t171;
+        let t186 = t164 - t183;
+        let t197 = t186 - k4 * (c3 * t174 - s3 * t171);
+        let t199 = c2 * (s3 * t184 + c3 * t185);
+        let t200 = s2 * (c3 * t184 - s3 * t185) + t199;
+        let t202 = s4 * t165;
+        let t205 = c4 * t165;
+        let t206 = s4 * t163 + t205;
+        let t210 = t202 + c4 * t160;
+        let t223 = D4 * t153 - k3 * (t174 + t174);
+        let t224 = c4 * (c4 * t163 - t202) - s4 * (t205 - s4 * t160) + t223;
+        let t226 = t224 + (t183 + t183);
+        let t228 = c4 * t206 - s4 * t210 + k3 * t171;
+        let t231 = t177 - (t181 - k3 * t90);
+        let t232 = s4 * t206 + c4 * t210 + t223;
+        let t234 = D4 * t90;
+        let t236 = t164 + t223 - (t234 + t234);
         [
-        t210, t213, t216, t227, t228, t239, t242, t268,
-        t270, t273, t274, t278,
+        t168, t171, t174, t185, t186, t197, t200, t226,
+        t228, t231, t232, t236,
     ]
     };
     // composite body 3
     let [
-        t286, t298, t300, t303, t327, t329, t331, t332,
-        t333,
+        t244, t256, t258, t261, t285, t287, t289, t290,
+        t291,
     ] = {
-        let t279 = MSX3R + t216;
-        let t280 = MSY3 + t213;
-        let t281 = XX3R + t268;
-        let t282 = ZZ3R + t278;
-        let t283 = XY3 + t270;
-        let t284 = XZ3R + t273;
-        let t285 = YZ3 + t227;
-        let t286 = IA3 + t282;
-        let t292 = c3 * t279 - s3 * t280;
-        let t295 = c3 * t284 - s3 * t285;
-        let t298 = s3 * t284 + c3 * t285;
-        let t299 = k1 * t292;
-        let t300 = t282 - t299;
-        let t303 = s2 * t295 + c2 * t298;
-        let t305 = s3 * t283;
-        let t308 = c3 * t283;
-        let t309 = s3 * t281 + t308;
-        let t313 = t305 + c3 * t274;
-        let t324 = k1 * (t292 + t292);
-        let t325 = c3 * (c3 * t281 - t305) - s3 * (t308 - s3 * t274) - t324;
-        let t327 = t325 + (t299 + t299);
-        let t329 = c3 * t309 - s3 * t313 + k1 * (c3 * t280 + s3 * t279);
-        let t331 = t295 + k1 * t132;
-        let t332 = s3 * t309 + c3 * t313 - t324;
-        let t333 = t282 - t324;
+        let t237 = MSX3R + t174;
+        let t238 = MSY3 + t171;
+        let t239 = XX3R + t226;
+        let t240 = ZZ3R + t236;
+        let t241 = XY3 + t228;
+        let t242 = XZ3R + t231;
+        let t243 = YZ3 + t185;
+        let t244 = IA3 + t240;
+        let t250 = c3 * t237 - s3 * t238;
+        let t253 = c3 * t242 - s3 * t243;
+        let t256 = s3 * t242 + c3 * t243;
+        let t257 = k4 * t250;
+        let t258 = t240 - t257;
+        let t261 = s2 * t253 + c2 * t256;
+        let t263 = s3 * t241;
+        let t266 = c3 * t241;
+        let t267 = s3 * t239 + t266;
+        let t271 = t263 + c3 * t232;
+        let t282 = k4 * (t250 + t250);
+        let t283 = c3 * (c3 * t239 - t263) - s3 * (t266 - s3 * t232) - t282;
+        let t285 = t283 + (t257 + t257);
+        let t287 = c3 * t267 - s3 * t271 + k4 * (c3 * t238 + s3 * t237);
+        let t289 = t253 + k4 * t90;
+        let t290 = s3 * t267 + c3 * t271 - t282;
+        let t291 = t240 - t282;
         [
-        t286, t298, t300, t303, t327, t329, t331, t332,
-        t333,
+        t244, t256, t258, t261, t285, t287, t289, t290,
+        t291,
     ]
     };
     // composite body 2
-    let [t335, t341, t350] = {
-        let t335 = ZZ2R + t333;
-        let t336 = XY2 + t329;
-        let t341 = s2 * (XZ2R + t331) + c2 * (YZ2 + t298);
-        let t349 = c2 * (s2 * t336 + c2 * t332);
-        let t350 = s2 * (s2 * (XX2R + t327) + c2 * t336) + t349;
-        [t335, t341, t350]
+    let [t293, t299, t308] = {
+        let t293 = ZZ2R + t291;
+        let t294 = XY2 + t287;
+        let t299 = s2 * (XZ2R + t289) + c2 * (YZ2 + t256);
+        let t307 = c2 * (s2 * t294 + c2 * t290);
+        let t308 = s2 * (s2 * (XX2R + t285) + c2 * t294) + t307;
+        [t293, t299, t308]
     };
     // composite body 1
-    let t351 = {
-        let t351 = ZZ1R + t350;
-        t351
+    let t309 = {
+        let t309 = ZZ1R + t308;
+        t309
     };
-    // M = L D L'
+    // link 1: motion
+    let t310 = {
+        let t310 = dq1 * dq1;
+        t310
+    };
+    // link 2: motion
+    let [a2_x, a2_y, t316, t317, t320, t321] = {
+        let a2_x = s2 * k5;
+        let a2_y = c2 * k5;
+        let w2_x = s2 * dq1;
+        let w2_y = c2 * dq1;
+        let t316 = dq2 * dq2;
+        let t317 = w2_x * w2_y;
+        let t318 = dq2 * w2_x;
+        let t320 = w2_x * w2_x - t316 - t310;
+        let t321 = t318 + t318;
+        [a2_x, a2_y, t316, t317, t320, t321]
+    };
+    // link 3: motion
     let [
-        t352, t353, t354, t355, t356, t357, t361, t365,
-        t368, t371, t374, t381, t388, t393, t398, t408,
-        t418, t425, t438, t451, t467,
+        t324, t327, w3_z, t331, a3_x, a3_y, t343, t344,
+        t348, t349, t350, t351,
     ] = {
-        let t352 = k6 / t351;
-        let t353 = t341 * t352;
-        let t354 = t303 * t352;
-        let t355 = t242 * t352;
-        let t356 = t177 * t352;
-        let t357 = t106 * t352;
-        let t360 = t335 - t351 * (t353 * t353);
-        let t361 = k6 / t360;
-        let t362 = t351 * t353;
-        let t365 = t361 * (t300 - t354 * t362);
-        let t368 = t361 * (t239 - t355 * t362);
-        let t371 = t361 * (t174 - t356 * t362);
-        let t374 = t361 * (t103 - t357 * t362);
-        let t380 = t286 - t351 * (t354 * t354) - t360 * (t365 * t365);
-        let t381 = k6 / t380;
-        let t382 = t351 * t354;
-        let t385 = t360 * t365;
-        let t388 = t381 * (t228 - t355 * t382 - t368 * t385);
-        let t393 = t381 * (t161 - t356 * t382 - t371 * t385);
-        let t398 = t381 * (t90 - t357 * t382 - t374 * t385);
-        let t406 = t380 * (t388 * t388);
-        let t407 = t210 - t351 * (t355 * t355) - t360 * (t368 * t368) - t406;
-        let t408 = k6 / t407;
-        let t409 = t351 * t355;
-        let t412 = t360 * t368;
-        let t415 = t380 * t388;
-        let t418 = t408 * (t145 - t356 * t409 - t371 * t412 - t393 * t415);
-        let t425 = t408 * (t70 - t357 * t409 - t374 * t412 - t398 * t415);
-        let t433 = t380 * (t393 * t393);
-        let t436 = t407 * (t418 * t418);
-        let t437 = t129 - t351 * (t356 * t356) - t360 * (t371 * t371) - t433 - t436;
-        let t438 = k6 / t437;
-        let t446 = t398 * (t380 * t393);
-        let t449 = t425 * (t407 * t418);
-        let t450 = t58 + t357 * (t351 * t356) + t374 * (t360 * t371) + t446 + t449;
-        let t451 = t438 * t450;
-        let t459 = t380 * (t398 * t398);
-        let t462 = t407 * (t425 * t425);
-        let t463 = t42 - t351 * (t357 * t357) - t360 * (t374 * t374) - t459 - t462;
-        let t467 = k6 / (t463 - t437 * (t451 * t451));
+        let t324 = s2 * c3 + c2 * s3;
+        let t327 = c2 * c3 - s2 * s3;
+        let w3_z = dq2 + dq3;
+        let t331 = k4 * t321;
+        let t332 = a2_x - k4 * t320;
+        let t333 = a2_y - k4 * t317;
+        let a3_x = c3 * t332 + s3 * t333;
+        let a3_y = c3 * t333 - s3 * t332;
+        let w3_x = dq1 * t324;
+        let w3_y = dq1 * t327;
+        let t342 = w3_x * w3_x;
+        let t343 = w3_z * w3_z;
+        let t344 = w3_x * w3_y;
+        let t345 = w3_z * w3_x;
+        let dw3_x = w3_z * w3_y;
+        let t348 = t342 - t343 - t310;
+        let t349 = t342 + t343;
+        let t350 = t345 + t345;
+        let t351 = dw3_x + dw3_x;
         [
-        t352, t353, t354, t355, t356, t357, t361, t365,
-        t368, t371, t374, t381, t388, t393, t398, t408,
-        t418, t425, t438, t451, t467,
+        t324, t327, w3_z, t331, a3_x, a3_y, t343, t344,
+        t348, t349, t350, t351,
     ]
     };
     // link 4: motion
     let [
-        t470, t473, w4_z, a4_x, a4_y, t488, w4_x, w4_y,
-        t492, t493, dw5_z, t497, t498, t499, t500,
+        t354, t357, w4_z, a4_x, a4_y, t372, w4_x, w4_y,
+        t376, t377, dw5_z, t381, t382, t383, t384,
     ] = {
-        let t470 = c4 * t14 + s4 * t17;
-        let t473 = c4 * t17 - s4 * t14;
+        let t354 = c4 * t324 + s4 * t327;
+        let t357 = c4 * t327 - s4 * t324;
         let w4_z = w3_z + dq4;
-        let t478 = a3_x - k5 * t38;
-        let t479 = a3_y - k5 * t34;
-        let a4_x = c4 * t478 + s4 * t479;
-        let a4_y = c4 * t479 - s4 * t478;
-        let t488 = t21 + (k5 * t40 + D4 * t0);
-        let w4_x = dq1 * t470;
-        let w4_y = dq1 * t473;
-        let t491 = w4_x * w4_x;
-        let t492 = w4_z * w4_z;
-        let t493 = w4_x * w4_y;
+        let t362 = a3_x - k3 * t348;
+        let t363 = a3_y - k3 * t344;
+        let a4_x = c4 * t362 + s4 * t363;
+        let a4_y = c4 * t363 - s4 * t362;
+        let t372 = t331 + (k3 * t350 + D4 * t310);
+        let w4_x = dq1 * t354;
+        let w4_y = dq1 * t357;
+        let t375 = w4_x * w4_x;
+        let t376 = w4_z * w4_z;
+        let t377 = w4_x * w4_y;
         let dw5_z = w4_z * w4_x;
         let dw4_x = w4_z * w4_y;
-        let t497 = t491 - t492 - t0;
-        let t498 = t491 + t492;
-        let t499 = dw5_z + dw5_z;
-        let t500 = dw4_x + dw4_x;
+        let t381 = t375 - t376 - t310;
+        let t382 = t375 + t376;
+        let t383 = dw5_z + dw5_z;
+        let t384 = dw4_x + dw4_x;
         [
-        t470, t473, w4_z, a4_x, a4_y, t488, w4_x, w4_y,
-        t492, t493, dw5_z, t497, t498, t499, t500,
+        t354, t357, w4_z, a4_x, a4_y, t372, w4_x, w4_y,
+        t376, t377, dw5_z, t381, t382, t383, t384,
     ]
     };
     // link 5: motion
     let [
-        t505, a5_x, t512, w5_x, w5_y, t521, t524, w5_z,
-        t528, t529, t530, dw5_x, t532, t533, t534, t535,
-        t536, t537, t538, t539,
+        t389, a5_x, t396, w5_x, w5_y, t405, t408, w5_z,
+        t412, t413, t414, dw5_x, t416, t417, t418, t419,
+        t420, t421, t422, t423,
     ] = {
-        let t504 = a4_x - D5 * t493;
-        let t505 = a4_y + D5 * t498;
-        let t506 = t488 + D5 * t500;
-        let a5_x = c5 * t504 - s5 * t506;
-        let t512 = c5 * t506 + s5 * t504;
+        let t388 = a4_x - D5 * t377;
+        let t389 = a4_y + D5 * t382;
+        let t390 = t372 + D5 * t384;
+        let a5_x = c5 * t388 - s5 * t390;
+        let t396 = c5 * t390 + s5 * t388;
         let w5_x = c5 * w4_x + s5 * w4_z;
         let w5_y = c5 * w4_z - s5 * w4_x;
-        let t521 = c5 * t493 + s5 * t500;
-        let t524 = s5 * t493 - c5 * t500;
+        let t405 = c5 * t377 + s5 * t384;
+        let t408 = s5 * t377 - c5 * t384;
         let w5_z = dq5 - w4_y;
-        let t526 = w5_x * w5_x;
-        let t527 = w5_z * w5_z;
-        let t528 = w5_x * w5_y;
-        let t529 = w5_x * w5_z;
-        let t530 = w5_y * w5_z;
-        let dw5_x = t530 - t524;
-        let t532 = t521 + t529;
-        let t533 = t526 - t527;
-        let t534 = t533 - t498;
-        let t535 = t528 - dw5_z;
-        let t536 = dw5_z + t528;
-        let t537 = t526 + t527;
-        let t538 = t529 + t532;
-        let t539 = t530 + dw5_x;
+        let t410 = w5_x * w5_x;
+        let t411 = w5_z * w5_z;
+        let t412 = w5_x * w5_y;
+        let t413 = w5_x * w5_z;
+        let t414 = w5_y * w5_z;
+        let dw5_x = t414 - t408;
+        let t416 = t405 + t413;
+        let t417 = t410 - t411;
+        let t418 = t417 - t382;
+        let t419 = t412 - dw5_z;
+        let t420 = dw5_z + t412;
+        let t421 = t410 + t411;
+        let t422 = t413 + t416;
+        let t423 = t414 + dw5_x;
         [
-        t505, a5_x, t512, w5_x, w5_y, t521, t524, w5_z,
-        t528, t529, t530, dw5_x, t532, t533, t534, t535,
-        t536, t537, t538, t539,
+        t389, a5_x, t396, w5_x, w5_y, t405, t408, w5_z,
+        t412, t413, t414, dw5_x, t416, t417, t418, t419,
+        t420, t421, t422, t423,
     ]
     };
     // link 6: motion
     let [
-        t542, t545, t554, t557, t561, t562, t563, dw6_x,
-        t566, t567, t568, t569, t570, t571, t572,
+        t426, t429, t438, t441, t445, t446, t447, dw6_x,
+        t450, t451, t452, t453, t454, t455, t456,
     ] = {
-        let t542 = c6 * a5_x + s6 * t505;
-        let t545 = c6 * t505 - s6 * a5_x;
+        let t426 = c6 * a5_x + s6 * t389;
+        let t429 = c6 * t389 - s6 * a5_x;
         let w6_x = c6 * w5_x - s6 * w5_z;
-        let t551 = c6 * w5_z + s6 * w5_x;
-        let t554 = c6 * t535 - s6 * t539;
-        let t557 = c6 * t539 + s6 * t535;
+        let t435 = c6 * w5_z + s6 * w5_x;
+        let t438 = c6 * t419 - s6 * t423;
+        let t441 = c6 * t423 + s6 * t419;
         let w6_z = w5_y + dq6;
-        let t559 = w6_x * w6_x;
-        let t560 = w6_z * w6_z;
-        let t561 = w6_x * t551;
-        let t562 = w6_x * w6_z;
-        let t563 = t551 * w6_z;
-        let dw6_x = t557 - t563;
-        let dw6_y = t554 - t562;
-        let t566 = t559 - t560;
-        let t567 = t566 - t537;
-        let t568 = t532 - t561;
-        let t569 = t532 + t561;
-        let t570 = t559 + t560;
-        let t571 = t562 - dw6_y;
-        let t572 = dw6_x - t563;
+        let t443 = w6_x * w6_x;
+        let t444 = w6_z * w6_z;
+        let t445 = w6_x * t435;
+        let t446 = w6_x * w6_z;
+        let t447 = t435 * w6_z;
+        let dw6_x = t441 - t447;
+        let dw6_y = t438 - t446;
+        let t450 = t443 - t444;
+        let t451 = t450 - t421;
+        let t452 = t416 - t445;
+        let t453 = t416 + t445;
+        let t454 = t443 + t444;
+        let t455 = t446 - dw6_y;
+        let t456 = dw6_x - t447;
         [
-        t542, t545, t554, t557, t561, t562, t563, dw6_x,
-        t566, t567, t568, t569, t570, t571, t572,
+        t426, t429, t438, t441, t445, t446, t447, dw6_x,
+        t450, t451, t452, t453, t454, t455, t456,
     ]
     };
     // link 6: force and moment
-    let [f6_z, n6_z, t624, t627, t630, t633] = {
-        let t574 = XZ6 - D6 * MSX6;
-        let t576 = YZ6 - D6 * MSY6;
-        let t597 = XX6R * t561 - ZZ6 * t532 + XY6 * (t567 + t570) + t557 * t574;
-        let t599 = t576 * (t537 - t570);
-        let t602 = XX6R * dw6_x - ZZ6 * t563 - XY6 * t571 - t569 * t574 + t599;
-        let t603 = t562 * (XX6R - ZZ6) + XY6 * t572 - t566 * t574 - t568 * t576;
-        let f6_x = MSX6 * t567 + MSY6 * t568;
-        let t610 = MSX6 * t569 + MSY6 * t570;
-        let f6_z = MSX6 * t571 + MSY6 * t572;
-        let n6_x = t602 - MSY6 * t512;
-        let n6_y = t603 + MSX6 * t512;
-        let n6_z = t597 + t554 * t576 + (MSX6 * t545 - MSY6 * t542);
-        let t624 = c6 * f6_x + s6 * t610;
-        let t627 = s6 * f6_x - c6 * t610;
-        let t630 = c6 * n6_x - s6 * n6_y;
-        let t633 = s6 * n6_x + c6 * n6_y;
-        [f6_z, n6_z, t624, t627, t630, t633]
+    let [f6_z, n6_z, t508, t511, t514, t517] = {
+        let t458 = XZ6 - D6 * MSX6;
+        let t460 = YZ6 - D6 * MSY6;
+        let t481 = XX6R * t445 - ZZ6 * t416 + XY6 * (t451 + t454) + t441 * t458;
+        let t483 = t460 * (t421 - t454);
+        let t486 = XX6R * dw6_x - ZZ6 * t447 - XY6 * t455 - t453 * t458 + t483;
+        let t487 = t446 * (XX6R - ZZ6) + XY6 * t456 - t450 * t458 - t452 * t460;
+        let f6_x = MSX6 * t451 + MSY6 * t452;
+        let t494 = MSX6 * t453 + MSY6 * t454;
+        let f6_z = MSX6 * t455 + MSY6 * t456;
+        let n6_x = t486 - MSY6 * t396;
+        let n6_y = t487 + MSX6 * t396;
+        let n6_z = t481 + t438 * t460 + (MSX6 * t429 - MSY6 * t426);
+        let t508 = c6 * f6_x + s6 * t494;
+        let t511 = s6 * f6_x - c6 * t494;
+        let t514 = c6 * n6_x - s6 * n6_y;
+        let t517 = s6 * n6_x + c6 * n6_y;
+        [f6_z, n6_z, t508, t511, t514, t517]
     };
     // link 5: force and moment
-    let [f5_z, n5_z, t687, t690, t699, t700] = {
-        let t654 = ZZ5R * dw5_z - XX5R * t528 + XY5 * (t534 + t537) - XZ5 * t524;
-        let t656 = YZ5 * (t498 - t537);
-        let t659 = ZZ5R * t530 + XX5R * dw5_x - XY5 * t538 + XZ5 * t536 + t656;
-        let t660 = t529 * (XX5R - ZZ5R) + XY5 * t539 - XZ5 * t533 - YZ5 * t535;
-        let f5_x = t624 + (MSX5 * t534 + MSY5R * t535);
-        let f5_y = f6_z + (MSX5 * t536 - MSY5R * t537);
-        let f5_z = MSX5 * t538 + MSY5R * t539 - t627;
-        let n5_x = t630 + (t659 - MSY5R * t505);
-        let n5_y = n6_z + (t660 + MSX5 * t505);
-        let n5_z = t654 - YZ5 * t521 - (MSX5 * t512 + MSY5R * a5_x) - t633;
-        let t687 = c5 * f5_x - s5 * f5_y;
-        let t690 = s5 * f5_x + c5 * f5_y;
-        let t699 = c5 * n5_x - s5 * n5_y - D5 * t690;
-        let t700 = s5 * n5_x + c5 * n5_y + D5 * t687;
-        [f5_z, n5_z, t687, t690, t699, t700]
+    let [f5_z, n5_z, t571, t574, t583, t584] = {
+        let t538 = ZZ5R * dw5_z - XX5R * t412 + XY5 * (t418 + t421) - XZ5 * t408;
+        let t540 = YZ5 * (t382 - t421);
+        let t543 = ZZ5R * t414 + XX5R * dw5_x - XY5 * t422 + XZ5 * t420 + t540;
+        let t544 = t413 * (XX5R - ZZ5R) + XY5 * t423 - XZ5 * t417 - YZ5 * t419;
+        let f5_x = t508 + (MSX5 * t418 + MSY5R * t419);
+        let f5_y = f6_z + (MSX5 * t420 - MSY5R * t421);
+        let f5_z = MSX5 * t422 + MSY5R * t423 - t511;
+        let n5_x = t514 + (t543 - MSY5R * t389);
+        let n5_y = n6_z + (t544 + MSX5 * t389);
+        let n5_z = t538 - YZ5 * t405 - (MSX5 * t396 + MSY5R * a5_x) - t517;
+        let t571 = c5 * f5_x - s5 * f5_y;
+        let t574 = s5 * f5_x + c5 * f5_y;
+        let t583 = c5 * n5_x - s5 * n5_y - D5 * t574;
+        let t584 = s5 * n5_x + c5 * n5_y + D5 * t571;
+        [f5_z, n5_z, t571, t574, t583, t584]
     };
     // link 4: force and moment
-    let [t714, f4_z, n4_z, t739, t742, t754, t755, t756] = {
-        let t706 = t473 * (XX4R * t470 + t473 * (XY4 + XY4)) - XY4;
-        let t714 = (t706 + t706) * (dq1 * w4_z) + t492 * (XZ4 * t473 - YZ4 * t470);
-        let f4_x = t687 + (MSX4 * t497 + MSY4R * t493);
-        let f4_y = MSX4 * t493 - MSY4R * t498 - f5_z;
-        let f4_z = t690 + (MSX4 * t499 + MSY4R * t500);
-        let n4_x = t699 - MSY4R * t488;
-        let n4_y = MSX4 * t488 - n5_z;
-        let n4_z = t700 + (MSX4 * a4_y - MSY4R * a4_x) - t0 * t706;
-        let t739 = c4 * f4_x - s4 * f4_y;
-        let t742 = s4 * f4_x + c4 * f4_y;
-        let t754 = c4 * n4_x - s4 * n4_y - D4 * t742;
-        let t755 = s4 * n4_x + c4 * n4_y + (D4 * t739 + k5 * f4_z);
-        let t756 = n4_z - k5 * t742;
-        [t714, f4_z, n4_z, t739, t742, t754, t755, t756]
+    let [t598, f4_z, n4_z, t623, t626, t638, t639, t640] = {
+        let t590 = t357 * (XX4R * t354 + t357 * (XY4 + XY4)) - XY4;
+        let t598 = (t590 + t590) * (dq1 * w4_z) + t376 * (XZ4 * t357 - YZ4 * t354);
+        let f4_x = t571 + (MSX4 * t381 + MSY4R * t377);
+        let f4_y = MSX4 * t377 - MSY4R * t382 - f5_z;
+        let f4_z = t574 + (MSX4 * t383 + MSY4R * t384);
+        let n4_x = t583 - MSY4R * t372;
+        let n4_y = MSX4 * t372 - n5_z;
+        let n4_z = t584 + (MSX4 * a4_y - MSY4R * a4_x) - t310 * t590;
+        let t623 = c4 * f4_x - s4 * f4_y;
+        let t626 = s4 * f4_x + c4 * f4_y;
+        let t638 = c4 * n4_x - s4 * n4_y - D4 * t626;
+        let t639 = s4 * n4_x + c4 * n4_y + (D4 * t623 + k3 * f4_z);
+        let t640 = n4_z - k3 * t626;
+        [t598, f4_z, n4_z, t623, t626, t638, t639, t640]
     };
     // link 3: force and moment
-    let [t772, n3_z, n2_x, n2_y, t806] = {
-        let t762 = t17 * (XX3R * t14 + t17 * (XY3 + XY3)) - XY3;
-        let t770 = (t762 + t762) * (dq1 * w3_z) + t33 * (XZ3R * t17 - YZ3 * t14);
-        let t772 = t714 + t770;
-        let f3_x = t739 + (MSX3R * t38 + MSY3 * t34);
-        let f3_y = t742 + (MSX3R * t34 - MSY3 * t39);
-        let f3_z = f4_z + (MSX3R * t40 + MSY3 * t41);
-        let n3_x = t754 - MSY3 * t21;
-        let n3_y = t755 + MSX3R * t21;
-        let n3_z = t756 + (MSX3R * a3_y - MSY3 * a3_x) - t0 * t762;
+    let [t656, n3_z, n2_x, n2_y, t690] = {
+        let t646 = t327 * (XX3R * t324 + t327 * (XY3 + XY3)) - XY3;
+        let t654 = (t646 + t646) * (dq1 * w3_z) + t343 * (XZ3R * t327 - YZ3 * t324);
+        let t656 = t598 + t654;
+        let f3_x = t623 + (MSX3R * t348 + MSY3 * t344);
+        let f3_y = t626 + (MSX3R * t344 - MSY3 * t349);
+        let f3_z = f4_z + (MSX3R * t350 + MSY3 * t351);
+        let n3_x = t638 - MSY3 * t331;
+        let n3_y = t639 + MSX3R * t331;
+        let n3_z = t640 + (MSX3R * a3_y - MSY3 * a3_x) - t310 * t646;
         let n2_x = c3 * n3_x - s3 * n3_y;
-        let n2_y = s3 * n3_x + c3 * n3_y + k1 * f3_z;
-        let t806 = n3_z - k1 * (s3 * f3_x + c3 * f3_y);
-        [t772, n3_z, n2_x, n2_y, t806]
+        let n2_y = s3 * n3_x + c3 * n3_y + k4 * f3_z;
+        let t690 = n3_z - k4 * (s3 * f3_x + c3 * f3_y);
+        [t656, n3_z, n2_x, n2_y, t690]
     };
     // link 2: force and moment
-    let [t822, n2_z, t830] = {
-        let t812 = c2 * (s2 * XX2R + c2 * (XY2 + XY2)) - XY2;
-        let t820 = (t812 + t812) * (dq1 * dq2) + t6 * (c2 * XZ2R - s2 * YZ2);
-        let t822 = t772 + t820;
-        let n2_z = t806 + (MSX2R * a2_y - MSY2 * a2_x) - t0 * t812;
-        let t830 = s2 * n2_x + c2 * n2_y;
-        [t822, n2_z, t830]
+    let [t706, n2_z, t714] = {
+        let t696 = c2 * (s2 * XX2R + c2 * (XY2 + XY2)) - XY2;
+        let t704 = (t696 + t696) * (dq1 * dq2) + t316 * (c2 * XZ2R - s2 * YZ2);
+        let t706 = t656 + t704;
+        let n2_z = t690 + (MSX2R * a2_y - MSY2 * a2_x) - t310 * t696;
+        let t714 = s2 * n2_x + c2 * n2_y;
+        [t706, n2_z, t714]
     };
     // link 1: force and moment
     let n1_z = {
-        let n1_z = t822 + t830;
+        let n1_z = t706 + t714;
         n1_z
     };
     // drives
-    let [t868, t869, t870, t871, t872, t873] = {
-        let t868 = tau1 - (FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign()));
-        let t869 = tau2 - (FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign()));
-        let t870 = tau3 - (FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign()));
-        let t871 = tau4 - (FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign()));
-        let t872 = tau5 - (FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign()));
-        let t873 = tau6 - (FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign()));
-        [t868, t869, t870, t871, t872, t873]
+    let [t752, t753, t754, t755, t756, t757] = {
+        let t752 = tau1 - (FO1 + (n1_z + FV1 * dq1 + FC1 * dq1.sign()));
+        let t753 = tau2 - (FO2 + (n2_z + FV2 * dq2 + FC2 * dq2.sign()));
+        let t754 = tau3 - (FO3 + (n3_z + FV3 * dq3 + FC3 * dq3.sign()));
+        let t755 = tau4 - (FO4 + (n4_z + FV4 * dq4 + FC4 * dq4.sign()));
+        let t756 = tau5 - (FO5 + (n5_z + FV5 * dq5 + FC5 * dq5.sign()));
+        let t757 = tau6 - (FO6 + (n6_z + FV6 * dq6 + FC6 * dq6.sign()));
+        [t752, t753, t754, t755, t756, t757]
+    };
+    // M = L D L'
+    let [
+        t758, t759, t760, t761, t762, t763, t767, t771,
+        t774, t777, t780, t787, t794, t799, t804, t814,
+        t824, t831, t844, t857, t873,
+    ] = {
+        let t758 = k6 / t309;
+        let t759 = t299 * t758;
+        let t760 = t261 * t758;
+        let t761 = t200 * t758;
+        let t762 = t135 * t758;
+        let t763 = t64 * t758;
+        let t766 = t293 - t309 * (t759 * t759);
+        let t767 = k6 / t766;
+        let t768 = t309 * t759;
+        let t771 = t767 * (t258 - t760 * t768);
+        let t774 = t767 * (t197 - t761 * t768);
+        let t777 = t767 * (t132 - t762 * t768);
+        let t780 = t767 * (t61 - t763 * t768);
+        let t786 = t244 - t309 * (t760 * t760) - t766 * (t771 * t771);
+        let t787 = k6 / t786;
+        let t788 = t309 * t760;
+        let t791 = t766 * t771;
+        let t794 = t787 * (t186 - t761 * t788 - t774 * t791);
+        let t799 = t787 * (t119 - t762 * t788 - t777 * t791);
+        let t804 = t787 * (t48 - t763 * t788 - t780 * t791);
+        let t812 = t786 * (t794 * t794);
+        let t813 = t168 - t309 * (t761 * t761) - t766 * (t774 * t774) - t812;
+        let t814 = k6 / t813;
+        let t815 = t309 * t761;
+        let t818 = t766 * t774;
+        let t821 = t786 * t794;
+        let t824 = t814 * (t103 - t762 * t815 - t777 * t818 - t799 * t821);
+        let t831 = t814 * (t28 - t763 * t815 - t780 * t818 - t804 * t821);
+        let t839 = t786 * (t799 * t799);
+        let t842 = t813 * (t824 * t824);
+        let t843 = t87 - t309 * (t762 * t762) - t766 * (t777 * t777) - t839 - t842;
+        let t844 = k6 / t843;
+        let t852 = t804 * (t786 * t799);
+        let t855 = t831 * (t813 * t824);
+        let t856 = t16 + t763 * (t309 * t762) + t780 * (t766 * t777) + t852 + t855;
+        let t857 = t844 * t856;
+        let t865 = t786 * (t804 * t804);
+        let t868 = t813 * (t831 * t831);
+        let t869 = t0 - t309 * (t763 * t763) - t766 * (t780 * t780) - t865 - t868;
+        let t873 = k6 / (t869 - t843 * (t857 * t857));
+        [
+        t758, t759, t760, t761, t762, t763, t767, t771,
+        t774, t777, t780, t787, t794, t799, t804, t814,
+        t824, t831, t844, t857, t873,
+    ]
     };
     // ddq
     {
-        let t875 = t869 - t868 * t353;
-        let t879 = t870 - t868 * t354 - t365 * t875;
-        let t885 = t871 - t868 * t355 - t368 * t875 - t388 * t879;
-        let t893 = t872 - t868 * t356 - t371 * t875 - t393 * t879 - t418 * t885;
-        let t901 = t873 - t868 * t357 - t374 * t875 - t398 * t879 - t425 * t885;
-        let t909 = t467 * (t901 + t451 * t893);
-        let t911 = t438 * t893 + t451 * t909;
-        let t915 = t408 * t885 - t418 * t911 - t425 * t909;
-        let t921 = t381 * t879 - t388 * t915 - t393 * t911 - t398 * t909;
-        let t928 = t374 * t909;
-        let t929 = t361 * t875 - t365 * t921 - t368 * t915 - t371 * t911 - t928;
-        let t936 = t356 * t911;
-        let t937 = t868 * t352 - t353 * t929 - t354 * t921 - t355 * t915 - t936;
-        let t939 = t937 - t357 * t909;
+        let t875 = t753 - t752 * t759;
+        let t879 = t754 - t752 * t760 - t771 * t875;
+        let t885 = t755 - t752 * t761 - t774 * t875 - t794 * t879;
+        let t893 = t756 - t752 * t762 - t777 * t875 - t799 * t879 - t824 * t885;
+        let t901 = t757 - t752 * t763 - t780 * t875 - t804 * t879 - t831 * t885;
+        let t909 = t873 * (t901 + t857 * t893);
+        let t911 = t844 * t893 + t857 * t909;
+        let t915 = t814 * t885 - t824 * t911 - t831 * t909;
+        let t921 = t787 * t879 - t794 * t915 - t799 * t911 - t804 * t909;
+        let t928 = t780 * t909;
+        let t929 = t767 * t875 - t771 * t921 - t774 * t915 - t777 * t911 - t928;
+        let t936 = t762 * t911;
+        let t937 = t752 * t758 - t759 * t929 - t760 * t921 - t761 * t915 - t936;
+        let t939 = t937 - t763 * t909;
         put(0, t939);
         put(1, t929);
         put(2, t921);
