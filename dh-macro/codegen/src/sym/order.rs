@@ -112,3 +112,48 @@ fn moved(operand: Operand, place: &[u32]) -> Operand {
         other => other,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Graph, Kind, Operand, Tape};
+
+    /// Two motions of ten values each, then a column of either: the first column comes before the second motion, and every step reads the
+    /// same values as before.
+    #[test]
+    fn a_column_stands_right_after_its_motion() {
+        let g = Graph::new();
+        g.section("motion 1");
+        let first: Vec<_> = (0..10).map(|i| g.input(i) * g.input(i + 1)).collect();
+        g.section("motion 2");
+        let second: Vec<_> = first.iter().map(|&x| x * g.input(20)).collect();
+        g.section("column 1");
+        let one = first.iter().copied().reduce(|a, b| a + b).unwrap();
+        g.section("column 2");
+        let two = second.iter().copied().reduce(|a, b| a - b).unwrap();
+        let tape = Tape::new(&g, &[one, two, -two]);
+        let sorted = tape.with_few_waiting();
+        let titles: Vec<&str> = sorted.sections.iter().map(|s| s.title.as_str()).collect();
+        assert_eq!(titles, ["motion 1", "column 1", "motion 2", "column 2"]);
+        let values = |tape: &Tape| -> Vec<u64> {
+            let mut of: Vec<f64> = Vec::new();
+            let read = |of: &[f64], operand: Operand| match operand {
+                Operand::Constant(x) => x,
+                Operand::Input(i) => 1.0 + 0.37 * f64::from(i),
+                Operand::Temp(t) => of[t as usize],
+            };
+            for step in &tape.code {
+                let (a, b) = (read(&of, step.a), read(&of, step.b));
+                of.push(match step.kind {
+                    Kind::Add => a + b,
+                    Kind::Sub => a - b,
+                    Kind::Mul => a * b,
+                    Kind::Neg => -a,
+                    other => panic!("{other:?}"),
+                });
+            }
+            tape.outputs.iter().map(|&o| read(&of, o).to_bits()).collect()
+        };
+        assert_eq!(values(&sorted), values(&tape));
+        assert_eq!(sorted.operations(), tape.operations());
+    }
+}

@@ -53,8 +53,9 @@ fn near(x: Pack) -> (Pack, Pack) {
     let a = x - k * n(PIO2_1); // exact
     let b = k * n(PIO2_2); // exact
     let (r, error) = two_sum(a, -b);
-    // The tail is not carried into the head: nothing then waits for it but the last few steps.
-    let (s, c) = kernels(r, error - k * n(PIO2_3));
+    // The head does not wait for the first error, which goes to the tail alone: that is read last.
+    let (head, rest) = two_sum(r, -(k * n(PIO2_3)));
+    let (s, c) = kernels(head, error + rest);
     let (s, c) = Pack::quarter_turned(s, c, shifted);
     (s.unless_zero(x), c)
 }
