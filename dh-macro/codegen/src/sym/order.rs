@@ -125,7 +125,7 @@ mod tests {
         g.section("motion 1");
         let first: Vec<_> = (0..10).map(|i| g.input(i) * g.input(i + 1)).collect();
         g.section("motion 2");
-        let second: Vec<_> = first.iter().map(|&x| x * g.input(20)).collect();
+        let second: Vec<_> = first.iter().enumerate().map(|(i, &x)| x * g.input(20 + i)).collect();
         g.section("column 1");
         let one = first.iter().copied().reduce(|a, b| a + b).unwrap();
         g.section("column 2");
