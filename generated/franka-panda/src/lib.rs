@@ -19,7 +19,7 @@
 //! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 7 | 287 | 260 |
 //! | [`gravity`]: Gravity torques `g` | 7 | 64 | 38 |
 //! | [`forward_dynamics`]: Accelerations that torques cause | 7 | 697 | 580 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 91 | 854 | 639 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 91 | 813 | 634 |
 //! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 64 | 625 | 466 |
 //! | [`gravity_regressor`]: Regressor at rest | 7 x 70 | 259 | 155 |
 //! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 91 | 154 | 59 |
@@ -394,7 +394,7 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("coriolis", 287, 260),
     ("gravity", 64, 38),
     ("forward_dynamics", 697, 580),
-    ("regressor", 854, 639),
+    ("regressor", 813, 634),
     ("base_regressor", 625, 466),
     ("gravity_regressor", 259, 155),
     ("kinetic_energy_regressor", 154, 59),

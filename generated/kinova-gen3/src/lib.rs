@@ -19,7 +19,7 @@
 //! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 7 | 296 | 270 |
 //! | [`gravity`]: Gravity torques `g` | 7 | 64 | 38 |
 //! | [`forward_dynamics`]: Accelerations that torques cause | 7 | 725 | 596 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 91 | 934 | 690 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 91 | 859 | 669 |
 //! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 64 | 675 | 492 |
 //! | [`gravity_regressor`]: Regressor at rest | 7 x 70 | 283 | 166 |
 //! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 91 | 163 | 68 |
@@ -382,7 +382,7 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("coriolis", 296, 270),
     ("gravity", 64, 38),
     ("forward_dynamics", 725, 596),
-    ("regressor", 934, 690),
+    ("regressor", 859, 669),
     ("base_regressor", 675, 492),
     ("gravity_regressor", 283, 166),
     ("kinetic_energy_regressor", 163, 68),

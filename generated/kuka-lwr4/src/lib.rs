@@ -19,7 +19,7 @@
 //! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 7 | 270 | 244 |
 //! | [`gravity`]: Gravity torques `g` | 7 | 64 | 38 |
 //! | [`forward_dynamics`]: Accelerations that torques cause | 7 | 654 | 520 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 84 | 789 | 557 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 7 x 84 | 757 | 578 |
 //! | [`base_regressor`]: Regressor `W_b` of the base parameters | 7 x 57 | 597 | 426 |
 //! | [`gravity_regressor`]: Regressor at rest | 7 x 70 | 237 | 135 |
 //! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 84 | 143 | 53 |
@@ -363,7 +363,7 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("coriolis", 270, 244),
     ("gravity", 64, 38),
     ("forward_dynamics", 654, 520),
-    ("regressor", 789, 557),
+    ("regressor", 757, 578),
     ("base_regressor", 597, 426),
     ("gravity_regressor", 237, 135),
     ("kinetic_energy_regressor", 143, 53),

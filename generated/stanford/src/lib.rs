@@ -19,7 +19,7 @@
 //! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 6 | 206 | 189 |
 //! | [`gravity`]: Gravity torques `g` | 6 | 50 | 29 |
 //! | [`forward_dynamics`]: Accelerations that torques cause | 6 | 447 | 362 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 66 | 444 | 332 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 66 | 420 | 330 |
 //! | [`base_regressor`]: Regressor `W_b` of the base parameters | 6 x 37 | 337 | 252 |
 //! | [`gravity_regressor`]: Regressor at rest | 6 x 60 | 113 | 68 |
 //! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 66 | 123 | 45 |
@@ -284,7 +284,7 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("coriolis", 206, 189),
     ("gravity", 50, 29),
     ("forward_dynamics", 447, 362),
-    ("regressor", 444, 332),
+    ("regressor", 420, 330),
     ("base_regressor", 337, 252),
     ("gravity_regressor", 113, 68),
     ("kinetic_energy_regressor", 123, 45),

@@ -19,7 +19,7 @@
 //! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 6 | 218 | 180 |
 //! | [`gravity`]: Gravity torques `g` | 6 | 48 | 26 |
 //! | [`forward_dynamics`]: Accelerations that torques cause | 6 | 514 | 420 |
-//! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 84 | 413 | 323 |
+//! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 84 | 406 | 322 |
 //! | [`base_regressor`]: Regressor `W_b` of the base parameters | 6 x 58 | 308 | 243 |
 //! | [`gravity_regressor`]: Regressor at rest | 6 x 60 | 111 | 63 |
 //! | [`kinetic_energy_regressor`]: Kinetic energy, one entry per standard parameter | 84 | 135 | 50 |
@@ -374,7 +374,7 @@ pub const OPERATIONS: [(&str, usize, usize); 17] = [
     ("coriolis", 218, 180),
     ("gravity", 48, 26),
     ("forward_dynamics", 514, 420),
-    ("regressor", 413, 323),
+    ("regressor", 406, 322),
     ("base_regressor", 308, 243),
     ("gravity_regressor", 111, 63),
     ("kinetic_energy_regressor", 135, 50),

@@ -40,9 +40,9 @@ impl Model {
         let leaders: Vec<Parameter> = base.0.iter().map(|b| b.leader).collect();
         let cost = |plan: &Plan| {
             let graph = Graph::new();
-            Tape::estimate(&graph, &base_regressor(&chain.over(&graph), &leaders, plan))
+            Tape::estimate(&graph, &regressor(&chain.over(&graph), &leaders, plan, Include::ALL))
         };
-        let plan = plan::search(chain.rows.len(), |row| can_shift(&chain.rows[row]), cost);
+        let plan = plan::search(plan::plain(chain.rows.len()), plan::ROUNDS, |row| can_shift(&chain.rows[row]), cost);
         Self { chain, standard, base, plan, laws }
     }
 
@@ -93,6 +93,16 @@ impl Model {
         dynamics::torques(links, &Values::new(links, from), include, drives, slide)
     }
 
+    /// The plan for the columns of other parameters than the base ones.
+    fn plan_for(&self, parameters: &[Parameter], include: Include) -> Plan {
+        let cost = |plan: &Plan| {
+            let graph = Graph::new();
+            Tape::estimate(&graph, &regressor(&self.chain.over(&graph), parameters, plan, include))
+        };
+        let own = plan::search(plan::plain(self.chain.rows.len()), 1, |row| can_shift(&self.chain.rows[row]), cost);
+        if cost(&own) < cost(&self.plan) { own } else { self.plan.clone() }
+    }
+
     /// Builds the tape of a function.
     pub fn kernel(&self, function: Function) -> Kernel {
         let n = self.dof();
@@ -101,11 +111,6 @@ impl Model {
         let leaders: Vec<Parameter> = self.base.0.iter().map(|b| b.leader).collect();
         let make = |shape: Vec<usize>, roots: Vec<Ex<'_>>| Kernel::new(function, links.inputs, shape, &roots);
         let base_values = || Values::new(&links, &leaders);
-        let columns = |parameters: &[Parameter], include: Include| {
-            let columns = Columns::new(&links, &self.plan, include);
-            let all: Vec<Vec<Ex<'_>>> = parameters.iter().map(|p| columns.column(*p)).collect();
-            by_rows(n, &all)
-        };
         match function {
             Function::Frames => {
                 let poses = kinematics::frames(&links);
@@ -144,12 +149,17 @@ impl Model {
                     bias.iter().enumerate().map(|(k, &b)| links.input(super::chain::Group::Torque, k) - b).collect();
                 make(vec![n], dynamics::solve(&links, &mass, &right))
             }
-            Function::Regressor => make(vec![n, self.standard.len()], columns(&self.standard, Include::ALL)),
-            Function::BaseRegressor => make(vec![n, leaders.len()], base_regressor(&links, &leaders, &self.plan)),
+            Function::Regressor => {
+                let all = &self.standard;
+                make(vec![n, all.len()], regressor(&links, all, &self.plan_for(all, Include::ALL), Include::ALL))
+            }
+            Function::BaseRegressor => {
+                make(vec![n, leaders.len()], regressor(&links, &leaders, &self.plan, Include::ALL))
+            }
             Function::GravityRegressor => {
                 let links_only: Vec<Parameter> =
                     self.standard.iter().copied().filter(|p| matches!(p, Parameter::Link(..))).collect();
-                make(vec![n, links_only.len()], columns(&links_only, Include::GRAVITY))
+                make(vec![n, links_only.len()], regressor(&links, &links_only, &self.plan, Include::GRAVITY))
             }
             Function::KineticEnergyRegressor => {
                 make(vec![self.standard.len()], energy::kinetic(&links, &self.standard))
@@ -172,10 +182,10 @@ impl Model {
     }
 }
 
-/// The base regressor for a plan, row-major: the columns of the leaders.
-fn base_regressor<'g>(links: &Links<'g>, leaders: &[Parameter], plan: &Plan) -> Vec<Ex<'g>> {
-    let columns = Columns::new(links, plan, Include::ALL);
-    let all: Vec<Vec<Ex<'g>>> = leaders.iter().map(|p| columns.column(*p)).collect();
+/// The regressor of these parameters for a plan, row-major.
+fn regressor<'g>(links: &Links<'g>, parameters: &[Parameter], plan: &Plan, include: Include) -> Vec<Ex<'g>> {
+    let columns = Columns::new(links, plan, include);
+    let all: Vec<Vec<Ex<'g>>> = parameters.iter().map(|p| columns.column(*p)).collect();
     by_rows(links.inputs.dof, &all)
 }
 

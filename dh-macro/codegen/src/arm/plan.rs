@@ -1,5 +1,7 @@
 //! Where each column is computed: choices that change the number of operations, not the result.
 
+use std::collections::BTreeSet;
+
 /// How the wrench of one column becomes torques.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ColumnPlan {
@@ -19,7 +21,7 @@ impl ColumnPlan {
 }
 
 /// The choices for one row.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct RowPlan {
     /// Compute about the origin before `TransZ(r)`, and combine columns afterwards.
     pub shifted: bool,
@@ -32,21 +34,26 @@ pub type Plan = Vec<RowPlan>;
 
 /// How far inward a frame is looked for.
 const REACH: usize = 2;
-/// Rounds of moves.
-const PASSES: usize = 3;
+/// Rounds of moves for the base parameters, whose plan serves most functions.
+pub const ROUNDS: usize = 3;
 
 /// Every link in its own frame.
 pub fn plain(rows: usize) -> Plan {
     (0..rows).map(|row| RowPlan { shifted: false, columns: [ColumnPlan::at(row); 10] }).collect()
 }
 
-/// Descent from [`plain`]: one move at a time, kept where it makes `cost` smaller, until none does. A move sets the frames of
+/// Descent from `start`: one move at a time, kept where it makes `cost` smaller, until none does. A move sets the frames of
 /// one kind of column for a run of neighbouring rows (links with a common wrist gain only together).
-pub fn search(rows: usize, can_shift: impl Fn(usize) -> bool, cost: impl Fn(&Plan) -> usize) -> Plan {
-    let mut best = plain(rows);
+///
+/// At most `rounds` rounds of all moves; the first finds nearly everything.
+pub fn search(start: Plan, rounds: usize, can_shift: impl Fn(usize) -> bool, cost: impl Fn(&Plan) -> usize) -> Plan {
+    let rows = start.len();
+    let mut best = start;
     let mut best_cost = cost(&best);
+    // What was tried once was not better than the best of then, so it is not better than that of now.
+    let mut tried = BTreeSet::from([best.clone()]);
     let mut try_plan = |best: &mut Plan, trial: Plan| {
-        if trial != *best {
+        if tried.insert(trial.clone()) {
             let trial_cost = cost(&trial);
             if trial_cost < best_cost {
                 (*best, best_cost) = (trial, trial_cost);
@@ -55,7 +62,7 @@ pub fn search(rows: usize, can_shift: impl Fn(usize) -> bool, cost: impl Fn(&Pla
         }
         false
     };
-    for _pass in 0..PASSES {
+    for _round in 0..rounds {
         let mut improved = false;
         for last in (0..rows).rev() {
             for first in 0..=last {

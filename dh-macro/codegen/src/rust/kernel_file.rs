@@ -209,6 +209,10 @@ fn place(shape: &[usize], mut at: usize) -> String {
 
 /// The text of `src/kernel/<function>.rs`.
 pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
+    let packed = has_packed(kernel);
+    // A matrix with zeros is written as it comes about, column by column.
+    let tape = if packed { kernel.tape.with_few_waiting() } else { kernel.tape.clone() };
+    let kernel = &Kernel { tape, ..kernel.clone() };
     let function = kernel.function;
     let (title, meaning) = context.doc(function);
     let bound = bound(kernel);
@@ -216,7 +220,6 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
     let names = if function.primal().is_some() { names.with_seeds() } else { names };
     let count = kernel.tape.operations();
     let nonzeros = kernel.nonzeros();
-    let packed = has_packed(kernel);
     let size: usize = kernel.shape.iter().product();
     let shape = kernel.shape.iter().map(usize::to_string).collect::<Vec<_>>().join(" x ");
 
@@ -231,7 +234,12 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
     );
     let uses = ["DOF", "STANDARD", "BASE"].into_iter().filter(|c| signature(function, "").contains(c));
     let uses: Vec<&str> = uses.chain(["Trig"]).collect();
-    let numbers = if bound == "Real" { "elementary::Real" } else { "runtime::Scalar" };
+    let numbers = match (bound, packed) {
+        ("Real", true) => "{elementary::Real, runtime::apart}",
+        ("Real", false) => "elementary::Real",
+        (_, true) => "runtime::{Scalar, apart}",
+        (_, false) => "runtime::Scalar",
+    };
     let _ = writeln!(text, "use super::super::{numbers};\nuse super::super::{{{}}};\n", uses.join(", "));
 
     if let Some(seeds) = context.seeds(function) {
@@ -258,6 +266,13 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
             list.join("\n")
         );
     }
+    if packed {
+        let row = size / kernel.shape[0];
+        let _ = writeln!(
+            text,
+            "/// Where entry `k` stands in the row-major result.\nconst fn place(k: usize) -> usize {{\n    PATTERN[k].0 * {row} + PATTERN[k].1\n}}\n"
+        );
+    }
     let arguments = signature(function, "trig: &Trig<S>");
     let call = call(function, "trig");
     let target = match (packed, kernel.shape.len()) {
@@ -277,16 +292,25 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
         "/// {title}: every entry of `out` is written.\n#[inline]\npub fn dense<S: {bound}>({arguments}, out: &mut {out}) {{"
     );
     if packed {
-        // Each entry is written once: clearing the whole array first would take a call of `memset`, and every store twice.
+        // Each entry is written once: clearing the whole array first would take a call of `memset`, and every store twice. The
+        // stretches of zeros go among the other stores: all of them at once would have the rest wait.
         let flat = ".as_flattened_mut()".repeat(kernel.shape.len() - 1);
         let _ = writeln!(text, "    let flat = &mut out{flat}[..];");
-        for run in gaps(&nonzeros, size) {
-            let _ = match run.len() {
-                1 => writeln!(text, "    flat[{}] = S::default();", run.start),
-                _ => writeln!(text, "    flat[{}..{}].fill(S::default());", run.start, run.end),
-            };
+        let clear = |run: &core::ops::Range<usize>| match run.len() {
+            1 => format!("flat[{}] = S::default()", run.start),
+            _ => format!("flat[{}..{}].fill(S::default())", run.start, run.end),
+        };
+        let runs = gaps(&nonzeros, size);
+        if let Some(first) = runs.first().filter(|run| run.start == 0) {
+            let _ = writeln!(text, "    {};", clear(first));
         }
-        let _ = writeln!(text, "    nonzeros({call}, out);\n}}\n");
+        let _ = writeln!(text, "    entries({call}, |k, x| {{\n        flat[place(k)] = x;\n        match k {{");
+        for (k, &entry) in nonzeros.iter().enumerate() {
+            if let Some(run) = runs.iter().find(|run| run.start == entry + 1) {
+                let _ = writeln!(text, "            {k} => {},", clear(run));
+            }
+        }
+        text += "            _ => {}\n        }\n        apart();\n    });\n}\n\n";
         let _ = writeln!(
             text,
             "/// The same, where all other entries of `out` are zero already: they are left alone.\n#[inline]\npub fn nonzeros<S: {bound}>({arguments}, out: &mut {out}) {{\n{entries}}}\n"

@@ -182,6 +182,11 @@ impl Tape {
         count
     }
 
+    /// The same steps with their sections in the order in which the fewest values wait.
+    pub fn with_few_waiting(&self) -> Self {
+        super::order::few_waiting(self)
+    }
+
     /// Is this output the number zero whatever the inputs?
     pub fn is_zero(&self, output: usize) -> bool {
         self.outputs[output] == Operand::Constant(0.0)

@@ -4,7 +4,7 @@
 //!
 //! 625 multiplications, 466 additions; 7 x 64, 209 of 448 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -35,38 +35,49 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (6, 37), (6, 38), (6, 39), (6, 40), (6, 41), (6, 42), (6, 49), (6, 56), (6, 63),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 64 + PATTERN[k].1
+}
+
 /// Regressor `W_b` of the base parameters: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 64]; 7]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[1..3].fill(S::default());
-    flat[44..50].fill(S::default());
-    flat[51..57].fill(S::default());
-    flat[58..65].fill(S::default());
-    flat[107] = S::default();
-    flat[109..115].fill(S::default());
-    flat[116..122].fill(S::default());
-    flat[123..136].fill(S::default());
-    flat[171..173].fill(S::default());
-    flat[174..180].fill(S::default());
-    flat[181..187].fill(S::default());
-    flat[188..207].fill(S::default());
-    flat[235..238].fill(S::default());
-    flat[239..245].fill(S::default());
-    flat[246..252].fill(S::default());
-    flat[253..278].fill(S::default());
-    flat[299..303].fill(S::default());
-    flat[304..310].fill(S::default());
-    flat[311..317].fill(S::default());
-    flat[318..349].fill(S::default());
-    flat[363..368].fill(S::default());
-    flat[369..375].fill(S::default());
-    flat[376..382].fill(S::default());
-    flat[383..420].fill(S::default());
-    flat[427..433].fill(S::default());
-    flat[434..440].fill(S::default());
-    flat[441..447].fill(S::default());
-    nonzeros(trig, dq, ddq, out);
+    entries(trig, dq, ddq, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            0 => flat[1..3].fill(S::default()),
+            41 => flat[44..50].fill(S::default()),
+            42 => flat[51..57].fill(S::default()),
+            43 => flat[58..65].fill(S::default()),
+            85 => flat[107] = S::default(),
+            86 => flat[109..115].fill(S::default()),
+            87 => flat[116..122].fill(S::default()),
+            88 => flat[123..136].fill(S::default()),
+            123 => flat[171..173].fill(S::default()),
+            124 => flat[174..180].fill(S::default()),
+            125 => flat[181..187].fill(S::default()),
+            126 => flat[188..207].fill(S::default()),
+            154 => flat[235..238].fill(S::default()),
+            155 => flat[239..245].fill(S::default()),
+            156 => flat[246..252].fill(S::default()),
+            157 => flat[253..278].fill(S::default()),
+            178 => flat[299..303].fill(S::default()),
+            179 => flat[304..310].fill(S::default()),
+            180 => flat[311..317].fill(S::default()),
+            181 => flat[318..349].fill(S::default()),
+            195 => flat[363..368].fill(S::default()),
+            196 => flat[369..375].fill(S::default()),
+            197 => flat[376..382].fill(S::default()),
+            198 => flat[383..420].fill(S::default()),
+            205 => flat[427..433].fill(S::default()),
+            206 => flat[434..440].fill(S::default()),
+            207 => flat[441..447].fill(S::default()),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -119,9 +130,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // link 2: motion
     let [
-        t1, t2, t3, t4, t5, t6, t9, t10,
-        t11, t12, dw2_y, t14, t15, t16, t17, t18,
-        t19, t20,
+        t1, t2, t3, t4, t10, t11, t12, dw2_y,
+        t14, t15, t16, t17, t18, t19, t20,
     ] = {
         let t1 = s2 * k0;
         let t2 = c2 * k0;
@@ -143,837 +153,832 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t18 = t7 + t8;
         let t19 = t10 + dw2_y;
         let t20 = t11 + t12;
+        let t21 = -t2;
+        let t22 = -t9;
+        let t23 = -t5;
+        let t24 = -t6;
+        put(44, t21); // row 2, MSX2
         put(45, t1); // row 2, MSY2R
+        put(46, t22); // row 2, XX2R
+        put(49, t23); // row 2, XZ2
+        put(50, t24); // row 2, YZ2
         [
-        t1, t2, t3, t4, t5, t6, t9, t10,
-        t11, t12, dw2_y, t14, t15, t16, t17, t18,
-        t19, t20,
+        t1, t2, t3, t4, t10, t11, t12, dw2_y,
+        t14, t15, t16, t17, t18, t19, t20,
     ]
-    };
-    // link 3: motion
-    let [
-        t21, z1_3_y, t27, t30, a3_y, t36, w3_y, t42,
-        t45, w3_z, dw3_z, t50, t51, t52, dw3_x, dw3_y,
-        t55, t56, t57, t58, t59, t60, t61,
-    ] = {
-        let t21 = s2 * c3;
-        let z1_3_y = s2 * s3;
-        let t25 = L2 * t20;
-        let t26 = t1 - L2 * t16;
-        let t27 = L2 * t18 - t2;
-        let t30 = c3 * t26 - s3 * t25;
-        let a3_y = c3 * t25 + s3 * t26;
-        let t36 = c3 * t3 - s3 * dq2;
-        let w3_y = c3 * dq2 + s3 * t3;
-        let t42 = c3 * t16 + s3 * t20;
-        let t45 = s3 * t16 - c3 * t20;
-        let w3_z = t4 + dq3;
-        let dw3_z = ddq3 - dw2_y;
-        let t48 = t36 * t36;
-        let t49 = w3_z * w3_z;
-        let t50 = t36 * w3_y;
-        let t51 = t36 * w3_z;
-        let t52 = w3_y * w3_z;
-        let dw3_x = t45 + t52;
-        let dw3_y = t42 + t51;
-        let t55 = t49 - t48;
-        let t56 = t18 + t55;
-        let t57 = dw3_z + t50;
-        let t58 = t50 - dw3_z;
-        let t59 = t48 + t49;
-        let t60 = t51 + dw3_y;
-        let t61 = t52 + dw3_x;
-        put(89, a3_y); // row 3, MSX3R
-        put(90, t30); // row 3, MSY3R
-        put(91, t50); // row 3, XX3R
-        put(92, dw3_z); // row 3, ZZ3R
-        put(94, t45); // row 3, XZ3
-        put(95, t42); // row 3, YZ3
-        [
-        t21, z1_3_y, t27, t30, a3_y, t36, w3_y, t42,
-        t45, w3_z, dw3_z, t50, t51, t52, dw3_x, dw3_y,
-        t55, t56, t57, t58, t59, t60, t61,
-    ]
-    };
-    // link 4: motion
-    let [
-        t66, t70, a4_y, w4_x, w4_y, t82, t85, w4_z,
-        dw4_z, t90, t91, t92, dw4_x, t94, t95, t96,
-        t97, t98, t99, t100, t101,
-    ] = {
-        let t65 = t30 + A * t56;
-        let t66 = A * t58 - a3_y;
-        let t67 = t27 + A * t60;
-        let t70 = c4 * t65 + s4 * t67;
-        let a4_y = s4 * t65 - c4 * t67;
-        let w4_x = s4 * w3_z - c4 * t36;
-        let w4_y = c4 * w3_z + s4 * t36;
-        let t82 = c4 * t57 - s4 * t61;
-        let t85 = c4 * t61 + s4 * t57;
-        let w4_z = dq4 - w3_y;
-        let dw4_z = ddq4 - dw3_y;
-        let t88 = w4_x * w4_x;
-        let t89 = w4_z * w4_z;
-        let t90 = w4_x * w4_y;
-        let t91 = w4_x * w4_z;
-        let t92 = w4_y * w4_z;
-        let dw4_x = t85 + t92;
-        let t94 = t82 - t91;
-        let t95 = t89 - t88;
-        let t96 = t59 + t95;
-        let t97 = t90 - dw4_z;
-        let t98 = dw4_z + t90;
-        let t99 = t88 + t89;
-        let t100 = t94 - t91;
-        let t101 = t92 + dw4_x;
-        put(127, a4_y); // row 4, MSX4R
-        put(128, t70); // row 4, MSY4R
-        put(130, dw4_z); // row 4, ZZ4R
-        put(132, t85); // row 4, XZ4
-        put(133, t82); // row 4, YZ4
-        [
-        t66, t70, a4_y, w4_x, w4_y, t82, t85, w4_z,
-        dw4_z, t90, t91, t92, dw4_x, t94, t95, t96,
-        t97, t98, t99, t100, t101,
-    ]
-    };
-    // link 5: motion
-    let [
-        t104, a5_z, t116, a5_y, w5_x, t125, t128, t131,
-        w5_z, dw5_z, t136, t137, t138, t139, dw5_y, t141,
-        t142, t143, t144, t145, t146, t147,
-    ] = {
-        let t104 = A * t100;
-        let t111 = t70 - (A * t96 + L3 * t97);
-        let a5_z = a4_y - (A * t98 + L3 * t99);
-        let t113 = t66 + (t104 + L3 * t101);
-        let t116 = c5 * t111 + s5 * t113;
-        let a5_y = s5 * t111 - c5 * t113;
-        let w5_x = c5 * w4_x - s5 * w4_z;
-        let t125 = c5 * w4_z + s5 * w4_x;
-        let t128 = c5 * t97 - s5 * t101;
-        let t131 = c5 * t101 + s5 * t97;
-        let w5_z = w4_y + dq5;
-        let dw5_z = t94 + ddq5;
-        let t134 = w5_x * w5_x;
-        let t135 = w5_z * w5_z;
-        let t136 = w5_x * t125;
-        let t137 = w5_x * w5_z;
-        let t138 = t125 * w5_z;
-        let t139 = t138 - t131;
-        let dw5_y = t128 - t137;
-        let t141 = t134 - t135;
-        let t142 = t141 - t99;
-        let t143 = dw5_z + t136;
-        let t144 = dw5_z - t136;
-        let t145 = t134 + t135;
-        let t146 = dw5_y - t137;
-        let t147 = t138 + t139;
-        put(158, a5_y); // row 5, MSX5
-        put(159, t116); // row 5, MSY5R
-        put(160, t136); // row 5, XX5R
-        put(161, dw5_z); // row 5, ZZ5R
-        put(163, t131); // row 5, XZ5
-        put(164, t128); // row 5, YZ5
-        [
-        t104, a5_z, t116, a5_y, w5_x, t125, t128, t131,
-        w5_z, dw5_z, t136, t137, t138, t139, dw5_y, t141,
-        t142, t143, t144, t145, t146, t147,
-    ]
-    };
-    // link 6: motion
-    let [
-        t150, a6_y, w6_x, t159, t162, t165, w6_z, dw6_z,
-        t170, t171, t172, t173, dw6_y, t175, t176, t177,
-        t178, t179, t180, t181,
-    ] = {
-        let t150 = c6 * t116 - s6 * a5_z;
-        let a6_y = c6 * a5_z + s6 * t116;
-        let w6_x = c6 * w5_x + s6 * w5_z;
-        let t159 = s6 * w5_x - c6 * w5_z;
-        let t162 = c6 * t143 + s6 * t147;
-        let t165 = s6 * t143 - c6 * t147;
-        let w6_z = t125 + dq6;
-        let dw6_z = ddq6 - dw5_y;
-        let t168 = w6_x * w6_x;
-        let t169 = w6_z * w6_z;
-        let t170 = w6_x * t159;
-        let t171 = w6_x * w6_z;
-        let t172 = t159 * w6_z;
-        let t173 = t172 - t165;
-        let dw6_y = t162 - t171;
-        let t175 = t169 - t168;
-        let t176 = t145 + t175;
-        let t177 = dw6_z + t170;
-        let t178 = t170 - dw6_z;
-        let t179 = t168 + t169;
-        let t180 = dw6_y - t171;
-        let t181 = t172 + t173;
-        put(182, a6_y); // row 6, MSX6R
-        put(183, t150); // row 6, MSY6R
-        put(184, t170); // row 6, XX6R
-        put(185, dw6_z); // row 6, ZZ6R
-        put(187, t165); // row 6, XZ6
-        put(188, t162); // row 6, YZ6
-        [
-        t150, a6_y, w6_x, t159, t162, t165, w6_z, dw6_z,
-        t170, t171, t172, t173, dw6_y, t175, t176, t177,
-        t178, t179, t180, t181,
-    ]
-    };
-    // link 7: motion
-    let [
-        t186, t190, a7_y, t202, t205, dw7_z, t210, t211,
-        t212, dw7_x, t215, t216, t217, t218, t219, t220,
-        t221,
-    ] = {
-        let t185 = t150 + k4 * t176;
-        let t186 = k4 * t178 - a6_y;
-        let t187 = a5_y + k4 * t180;
-        let t190 = c7 * t185 + s7 * t187;
-        let a7_y = s7 * t185 - c7 * t187;
-        let w7_x = c7 * w6_x + s7 * w6_z;
-        let w7_y = c7 * w6_z - s7 * w6_x;
-        let t202 = c7 * t177 + s7 * t181;
-        let t205 = s7 * t177 - c7 * t181;
-        let w7_z = t159 + dq7;
-        let dw7_z = ddq7 - dw6_y;
-        let t208 = w7_x * w7_x;
-        let t209 = w7_z * w7_z;
-        let t210 = w7_x * w7_y;
-        let t211 = w7_x * w7_z;
-        let t212 = w7_y * w7_z;
-        let dw7_x = t205 + t212;
-        let t215 = t208 - t209;
-        let t216 = t179 - t215;
-        let t217 = dw7_z - t210;
-        let t218 = dw7_z + t210;
-        let t219 = t208 + t209;
-        let t220 = t202 - t211 - t211;
-        let t221 = t212 + dw7_x;
-        put(199, a7_y); // row 7, MSX7
-        put(200, t190); // row 7, MSY7
-        put(202, dw7_z); // row 7, ZZ7
-        put(204, t205); // row 7, XZ7
-        put(205, t202); // row 7, YZ7
-        [
-        t186, t190, a7_y, t202, t205, dw7_z, t210, t211,
-        t212, dw7_x, t215, t216, t217, t218, t219, t220,
-        t221,
-    ]
-    };
-    // joint axes in frame 4
-    let [z1_4_x, z1_4_y, z2_4_x, t229] = {
-        let z1_4_x = c2 * s4 - c4 * t21;
-        let z1_4_y = c2 * c4 + s4 * t21;
-        let z2_4_x = s3 * c4;
-        let t229 = s3 * s4;
-        [z1_4_x, z1_4_y, z2_4_x, t229]
-    };
-    // joint axes in frame 5
-    let [z1_5_x, t235, z2_5_x, t241, t242, z3_5_x, z3_6_z] = {
-        let z1_5_x = c5 * z1_4_x + s5 * z1_3_y;
-        let t235 = s5 * z1_4_x - c5 * z1_3_y;
-        let z2_5_x = c5 * z2_4_x + c3 * s5;
-        let t241 = s5 * z2_4_x - c3 * c5;
-        let t242 = c4 * A;
-        let z3_5_x = s4 * c5;
-        let z3_6_z = s4 * s5;
-        [z1_5_x, t235, z2_5_x, t241, t242, z3_5_x, z3_6_z]
     };
     // XX2: column
-    let t246 = {
-        let t246 = c2 * t10;
-        let t247 = s2 * t12 + t246;
-        put(1, t247); // row 1, XX2R
-        t246
+    let t26 = {
+        let t26 = c2 * t10;
+        let t27 = s2 * t12 + t26;
+        put(1, t27); // row 1, XX2R
+        t26
     };
     // ZZ2: column
     {
-        let t249 = s2 * t11 - t246;
-        put(2, t249); // row 1, ZZ2R
+        let t29 = s2 * t11 - t26;
+        put(2, t29); // row 1, ZZ2R
     }
     // XY2: column
     {
-        let t250 = t15 + t18;
-        let t253 = c2 * t20 - s2 * t19;
-        put(3, t253); // row 1, XY2
-        put(48, t250); // row 2, XY2
+        let t30 = t15 + t18;
+        let t33 = c2 * t20 - s2 * t19;
+        put(3, t33); // row 1, XY2
+        put(48, t30); // row 2, XY2
     }
     // XZ2: column
     {
-        let t256 = c2 * t14 - s2 * t17;
-        put(4, t256); // row 1, XZ2
+        let t36 = c2 * t14 - s2 * t17;
+        put(4, t36); // row 1, XZ2
     }
     // YZ2: column
     {
-        let t260 = s2 * (t18 - t0) - c2 * t16;
-        put(5, t260); // row 1, YZ2
+        let t40 = s2 * (t18 - t0) - c2 * t16;
+        put(5, t40); // row 1, YZ2
     }
+    // link 3: motion
+    let [
+        t41, z1_3_y, t47, t50, a3_y, t56, w3_y, t62,
+        t65, w3_z, dw3_z, t70, t71, t72, dw3_x, dw3_y,
+        t75, t76, t77, t78, t79, t80, t81,
+    ] = {
+        let t41 = s2 * c3;
+        let z1_3_y = s2 * s3;
+        let t45 = L2 * t20;
+        let t46 = t1 - L2 * t16;
+        let t47 = L2 * t18 - t2;
+        let t50 = c3 * t46 - s3 * t45;
+        let a3_y = c3 * t45 + s3 * t46;
+        let t56 = c3 * t3 - s3 * dq2;
+        let w3_y = c3 * dq2 + s3 * t3;
+        let t62 = c3 * t16 + s3 * t20;
+        let t65 = s3 * t16 - c3 * t20;
+        let w3_z = t4 + dq3;
+        let dw3_z = ddq3 - dw2_y;
+        let t68 = t56 * t56;
+        let t69 = w3_z * w3_z;
+        let t70 = t56 * w3_y;
+        let t71 = t56 * w3_z;
+        let t72 = w3_y * w3_z;
+        let dw3_x = t65 + t72;
+        let dw3_y = t62 + t71;
+        let t75 = t69 - t68;
+        let t76 = t18 + t75;
+        let t77 = dw3_z + t70;
+        let t78 = t70 - dw3_z;
+        let t79 = t68 + t69;
+        let t80 = t71 + dw3_y;
+        let t81 = t72 + dw3_x;
+        put(89, a3_y); // row 3, MSX3R
+        put(90, t50); // row 3, MSY3R
+        put(91, t70); // row 3, XX3R
+        put(92, dw3_z); // row 3, ZZ3R
+        put(94, t65); // row 3, XZ3
+        put(95, t62); // row 3, YZ3
+        [
+        t41, z1_3_y, t47, t50, a3_y, t56, w3_y, t62,
+        t65, w3_z, dw3_z, t70, t71, t72, dw3_x, dw3_y,
+        t75, t76, t77, t78, t79, t80, t81,
+    ]
+    };
+    // joint axes in frame 4
+    let [z1_4_x, z1_4_y, z2_4_x, t89] = {
+        let z1_4_x = c2 * s4 - c4 * t41;
+        let z1_4_y = c2 * c4 + s4 * t41;
+        let z2_4_x = s3 * c4;
+        let t89 = s3 * s4;
+        [z1_4_x, z1_4_y, z2_4_x, t89]
+    };
+    // joint axes in frame 5
+    let [z1_5_x, t95, z2_5_x, t101, t102, z3_5_x, z3_6_z] = {
+        let z1_5_x = c5 * z1_4_x + s5 * z1_3_y;
+        let t95 = s5 * z1_4_x - c5 * z1_3_y;
+        let z2_5_x = c5 * z2_4_x + c3 * s5;
+        let t101 = s5 * z2_4_x - c3 * c5;
+        let t102 = c4 * A;
+        let z3_5_x = s4 * c5;
+        let z3_6_z = s4 * s5;
+        [z1_5_x, t95, z2_5_x, t101, t102, z3_5_x, z3_6_z]
+    };
     // MSX3: column
-    let t272 = {
-        let t261 = L2 * t58;
-        let t263 = t27 - L2 * t56;
-        let t268 = c2 * a3_y - (t21 * t261 - z1_3_y * t263);
-        let t271 = s3 * t261 + c3 * t263;
-        let t272 = s3 * t58;
-        put(6, t268); // row 1, MSX3R
-        put(51, t271); // row 2, MSX3R
-        t272
+    let t116 = {
+        let t105 = L2 * t78;
+        let t107 = t47 - L2 * t76;
+        let t112 = c2 * a3_y - (t41 * t105 - z1_3_y * t107);
+        let t115 = s3 * t105 + c3 * t107;
+        let t116 = s3 * t78;
+        put(6, t112); // row 1, MSX3R
+        put(51, t115); // row 2, MSX3R
+        t116
     };
     // MSY3: column
-    let t284 = {
-        let t274 = L2 * t57;
-        let t275 = L2 * t59 - t27;
-        let t280 = c2 * t30 - (t21 * t275 + z1_3_y * t274);
-        let t283 = s3 * t275 - c3 * t274;
-        let t284 = c3 * t57;
-        put(7, t280); // row 1, MSY3R
-        put(52, t283); // row 2, MSY3R
-        t284
+    let t128 = {
+        let t118 = L2 * t77;
+        let t119 = L2 * t79 - t47;
+        let t124 = c2 * t50 - (t41 * t119 + z1_3_y * t118);
+        let t127 = s3 * t119 - c3 * t118;
+        let t128 = c3 * t77;
+        put(7, t124); // row 1, MSY3R
+        put(52, t127); // row 2, MSY3R
+        t128
     };
     // XX3: column
-    let [t286, t291] = {
-        let t286 = z1_3_y * t51;
-        let t289 = c2 * t50 - (t21 * dw3_x + t286);
-        let t291 = c3 * t51;
-        let t292 = s3 * dw3_x - t291;
-        put(8, t289); // row 1, XX3R
-        put(53, t292); // row 2, XX3R
-        [t286, t291]
+    let [t130, t135] = {
+        let t130 = z1_3_y * t71;
+        let t133 = c2 * t70 - (t41 * dw3_x + t130);
+        let t135 = c3 * t71;
+        let t136 = s3 * dw3_x - t135;
+        put(8, t133); // row 1, XX3R
+        put(53, t136); // row 2, XX3R
+        [t130, t135]
     };
     // ZZ3: column
     {
-        let t296 = c2 * dw3_z + (t286 - t21 * t52);
-        let t298 = t291 + s3 * t52;
-        put(9, t296); // row 1, ZZ3R
-        put(54, t298); // row 2, ZZ3R
+        let t140 = c2 * dw3_z + (t130 - t41 * t72);
+        let t142 = t135 + s3 * t72;
+        put(9, t140); // row 1, ZZ3R
+        put(54, t142); // row 2, ZZ3R
     }
     // XY3: column
     {
-        let t299 = t59 - t56;
-        let t304 = c2 * t299 + (z1_3_y * t61 - t21 * t60);
-        let t307 = s3 * t60 + c3 * t61;
-        put(10, t304); // row 1, XY3R
-        put(55, t307); // row 2, XY3R
-        put(93, t299); // row 3, XY3R
+        let t143 = t79 - t76;
+        let t148 = c2 * t143 + (z1_3_y * t81 - t41 * t80);
+        let t151 = s3 * t80 + c3 * t81;
+        put(10, t148); // row 1, XY3R
+        put(55, t151); // row 2, XY3R
+        put(93, t143); // row 3, XY3R
     }
     // XZ3: column
     {
-        let t312 = c2 * t45 + (t21 * t58 + z1_3_y * t55);
-        let t314 = c3 * t55 - t272;
-        put(11, t312); // row 1, XZ3
-        put(56, t314); // row 2, XZ3
+        let t156 = c2 * t65 + (t41 * t78 + z1_3_y * t75);
+        let t158 = c3 * t75 - t116;
+        put(11, t156); // row 1, XZ3
+        put(56, t158); // row 2, XZ3
     }
     // YZ3: column
     {
-        let t315 = t18 - t59;
-        let t320 = c2 * t42 + (z1_3_y * t57 - t21 * t315);
-        let t322 = t284 + s3 * t315;
-        put(12, t320); // row 1, YZ3
-        put(57, t322); // row 2, YZ3
+        let t159 = t18 - t79;
+        let t164 = c2 * t62 + (z1_3_y * t77 - t41 * t159);
+        let t166 = t128 + s3 * t159;
+        put(12, t164); // row 1, YZ3
+        put(57, t166); // row 2, YZ3
     }
-    // MSX4: column
-    let [t324, t327] = {
-        let t324 = t242 + L2 * s4;
-        let t327 = s4 * A - L2 * c4;
-        let t328 = t100 * t327;
-        let t333 = t100 * t324 - t66;
-        let t334 = t96 * t327 - t98 * t324 - a4_y;
-        let t339 = z1_3_y * t334 + (z1_4_x * t328 + z1_4_y * t333);
-        let t344 = c3 * t334 - (t229 * t333 - z2_4_x * t328);
-        let t346 = t104 - c4 * t66;
-        put(13, t339); // row 1, MSX4R
-        put(58, t344); // row 2, MSX4R
-        put(96, t346); // row 3, MSX4R
-        [t324, t327]
+    // link 4: motion
+    let [
+        t171, t175, a4_y, w4_x, w4_y, t187, t190, w4_z,
+        dw4_z, t195, t196, t197, dw4_x, t199, t200, t201,
+        t202, t203, t204, t205, t206,
+    ] = {
+        let t170 = t50 + A * t76;
+        let t171 = A * t78 - a3_y;
+        let t172 = t47 + A * t80;
+        let t175 = c4 * t170 + s4 * t172;
+        let a4_y = s4 * t170 - c4 * t172;
+        let w4_x = s4 * w3_z - c4 * t56;
+        let w4_y = c4 * w3_z + s4 * t56;
+        let t187 = c4 * t77 - s4 * t81;
+        let t190 = c4 * t81 + s4 * t77;
+        let w4_z = dq4 - w3_y;
+        let dw4_z = ddq4 - dw3_y;
+        let t193 = w4_x * w4_x;
+        let t194 = w4_z * w4_z;
+        let t195 = w4_x * w4_y;
+        let t196 = w4_x * w4_z;
+        let t197 = w4_y * w4_z;
+        let dw4_x = t190 + t197;
+        let t199 = t187 - t196;
+        let t200 = t194 - t193;
+        let t201 = t79 + t200;
+        let t202 = t195 - dw4_z;
+        let t203 = dw4_z + t195;
+        let t204 = t193 + t194;
+        let t205 = t199 - t196;
+        let t206 = t197 + dw4_x;
+        let t207 = -t195;
+        put(127, a4_y); // row 4, MSX4R
+        put(128, t175); // row 4, MSY4R
+        put(129, t207); // row 4, XX4R
+        put(130, dw4_z); // row 4, ZZ4R
+        put(132, t190); // row 4, XZ4
+        put(133, t187); // row 4, YZ4
+        [
+        t171, t175, a4_y, w4_x, w4_y, t187, t190, w4_z,
+        dw4_z, t195, t196, t197, dw4_x, t199, t200, t201,
+        t202, t203, t204, t205, t206,
+    ]
     };
-    // MSY4: column
-    {
-        let t348 = t101 * t324;
-        let t352 = t101 * t327 - t66;
-        let t353 = t99 * t324 - t97 * t327 - t70;
-        let t358 = z1_3_y * t353 - (z1_4_x * t352 + z1_4_y * t348);
-        let t363 = c3 * t353 - (z2_4_x * t352 - t229 * t348);
-        let t366 = s4 * t66 - A * t101;
-        put(14, t358); // row 1, MSY4R
-        put(59, t363); // row 2, MSY4R
-        put(97, t366); // row 3, MSY4R
-    }
     // XX4: column
-    let [t368, t373, t378] = {
-        let t368 = t91 * z1_4_y;
-        let t371 = z1_3_y * t90 + (dw4_x * z1_4_x + t368);
-        let t373 = t91 * t229;
-        let t376 = c3 * t90 + (dw4_x * z2_4_x - t373);
-        let t378 = c4 * t91;
-        let t379 = s4 * dw4_x + t378;
-        put(15, t371); // row 1, XX4R
-        put(60, t376); // row 2, XX4R
-        put(98, t379); // row 3, XX4R
-        [t368, t373, t378]
+    let [t209, t214, t219] = {
+        let t209 = t196 * z1_4_y;
+        let t212 = z1_3_y * t195 + (dw4_x * z1_4_x + t209);
+        let t214 = t196 * t89;
+        let t217 = c3 * t195 + (dw4_x * z2_4_x - t214);
+        let t219 = c4 * t196;
+        let t220 = s4 * dw4_x + t219;
+        put(15, t212); // row 1, XX4R
+        put(60, t217); // row 2, XX4R
+        put(98, t220); // row 3, XX4R
+        [t209, t214, t219]
     };
     // ZZ4: column
     {
-        let t383 = t92 * z1_4_x - t368 - z1_3_y * dw4_z;
-        let t387 = t373 + t92 * z2_4_x - c3 * dw4_z;
-        let t389 = s4 * t92 - t378;
-        put(16, t383); // row 1, ZZ4R
-        put(61, t387); // row 2, ZZ4R
-        put(99, t389); // row 3, ZZ4R
+        let t224 = t197 * z1_4_x - t209 - z1_3_y * dw4_z;
+        let t228 = t214 + t197 * z2_4_x - c3 * dw4_z;
+        let t230 = s4 * t197 - t219;
+        put(16, t224); // row 1, ZZ4R
+        put(61, t228); // row 2, ZZ4R
+        put(99, t230); // row 3, ZZ4R
     }
     // XY4: column
     {
-        let t390 = t99 - t96;
-        let t395 = t100 * z1_4_x + t101 * z1_4_y - z1_3_y * t390;
-        let t400 = t100 * z2_4_x - t101 * t229 - c3 * t390;
-        let t403 = s4 * t100 + c4 * t101;
-        put(17, t395); // row 1, XY4R
-        put(62, t400); // row 2, XY4R
-        put(100, t403); // row 3, XY4R
-        put(131, t390); // row 4, XY4R
+        let t231 = t204 - t201;
+        let t236 = t205 * z1_4_x + t206 * z1_4_y - z1_3_y * t231;
+        let t241 = t205 * z2_4_x - t206 * t89 - c3 * t231;
+        let t244 = s4 * t205 + c4 * t206;
+        put(17, t236); // row 1, XY4R
+        put(62, t241); // row 2, XY4R
+        put(100, t244); // row 3, XY4R
+        put(131, t231); // row 4, XY4R
     }
     // XZ4: column
     {
-        let t408 = t98 * z1_4_x + t95 * z1_4_y - z1_3_y * t85;
-        let t413 = t98 * z2_4_x - t95 * t229 - c3 * t85;
-        let t416 = s4 * t98 + c4 * t95;
-        put(18, t408); // row 1, XZ4
-        put(63, t413); // row 2, XZ4
-        put(101, t416); // row 3, XZ4
+        let t249 = t203 * z1_4_x + t200 * z1_4_y - z1_3_y * t190;
+        let t254 = t203 * z2_4_x - t200 * t89 - c3 * t190;
+        let t257 = s4 * t203 + c4 * t200;
+        put(18, t249); // row 1, XZ4
+        put(63, t254); // row 2, XZ4
+        put(101, t257); // row 3, XZ4
     }
     // YZ4: column
     {
-        let t417 = t59 - t99;
-        let t422 = z1_4_x * t417 - t97 * z1_4_y - z1_3_y * t82;
-        let t427 = z2_4_x * t417 + t97 * t229 - c3 * t82;
-        let t430 = s4 * t417 - c4 * t97;
-        put(19, t422); // row 1, YZ4
-        put(64, t427); // row 2, YZ4
-        put(102, t430); // row 3, YZ4
+        let t258 = t79 - t204;
+        let t263 = z1_4_x * t258 - t202 * z1_4_y - z1_3_y * t187;
+        let t268 = z2_4_x * t258 + t202 * t89 - c3 * t187;
+        let t271 = s4 * t258 - c4 * t202;
+        put(19, t263); // row 1, YZ4
+        put(64, t268); // row 2, YZ4
+        put(102, t271); // row 3, YZ4
+    }
+    // link 5: motion
+    let [
+        t274, a5_z, t286, a5_y, w5_x, t295, t298, t301,
+        w5_z, dw5_z, t306, t307, t308, t309, dw5_y, t311,
+        t312, t313, t314, t315, t316, t317,
+    ] = {
+        let t274 = A * t205;
+        let t281 = t175 - (A * t201 + L3 * t202);
+        let a5_z = a4_y - (A * t203 + L3 * t204);
+        let t283 = t171 + (t274 + L3 * t206);
+        let t286 = c5 * t281 + s5 * t283;
+        let a5_y = s5 * t281 - c5 * t283;
+        let w5_x = c5 * w4_x - s5 * w4_z;
+        let t295 = c5 * w4_z + s5 * w4_x;
+        let t298 = c5 * t202 - s5 * t206;
+        let t301 = c5 * t206 + s5 * t202;
+        let w5_z = w4_y + dq5;
+        let dw5_z = t199 + ddq5;
+        let t304 = w5_x * w5_x;
+        let t305 = w5_z * w5_z;
+        let t306 = w5_x * t295;
+        let t307 = w5_x * w5_z;
+        let t308 = t295 * w5_z;
+        let t309 = t308 - t301;
+        let dw5_y = t298 - t307;
+        let t311 = t304 - t305;
+        let t312 = t311 - t204;
+        let t313 = dw5_z + t306;
+        let t314 = dw5_z - t306;
+        let t315 = t304 + t305;
+        let t316 = dw5_y - t307;
+        let t317 = t308 + t309;
+        put(158, a5_y); // row 5, MSX5
+        put(159, t286); // row 5, MSY5R
+        put(160, t306); // row 5, XX5R
+        put(161, dw5_z); // row 5, ZZ5R
+        put(163, t301); // row 5, XZ5
+        put(164, t298); // row 5, YZ5
+        [
+        t274, a5_z, t286, a5_y, w5_x, t295, t298, t301,
+        w5_z, dw5_z, t306, t307, t308, t309, dw5_y, t311,
+        t312, t313, t314, t315, t316, t317,
+    ]
+    };
+    // MSX4: column
+    let [t319, t322] = {
+        let t319 = t102 + L2 * s4;
+        let t322 = s4 * A - L2 * c4;
+        let t323 = t205 * t322;
+        let t328 = t205 * t319 - t171;
+        let t329 = t201 * t322 - t203 * t319 - a4_y;
+        let t334 = z1_3_y * t329 + (z1_4_x * t323 + z1_4_y * t328);
+        let t339 = c3 * t329 - (t89 * t328 - z2_4_x * t323);
+        let t341 = t274 - c4 * t171;
+        put(13, t334); // row 1, MSX4R
+        put(58, t339); // row 2, MSX4R
+        put(96, t341); // row 3, MSX4R
+        [t319, t322]
+    };
+    // MSY4: column
+    {
+        let t343 = t206 * t319;
+        let t347 = t206 * t322 - t171;
+        let t348 = t204 * t319 - t202 * t322 - t175;
+        let t353 = z1_3_y * t348 - (z1_4_x * t347 + z1_4_y * t343);
+        let t358 = c3 * t348 - (z2_4_x * t347 - t89 * t343);
+        let t361 = s4 * t171 - A * t206;
+        put(14, t353); // row 1, MSY4R
+        put(59, t358); // row 2, MSY4R
+        put(97, t361); // row 3, MSY4R
     }
     // MSX5: column
-    let [t432, t437, t438] = {
-        let t432 = s5 * t144;
-        let t433 = t432 - c5 * t142;
-        let t436 = s5 * t142 + c5 * t144;
-        let t437 = s5 * a5_z;
-        let t438 = c5 * a5_z;
-        let t443 = A * t436;
-        let t444 = L3 * t436 - t437;
-        let t445 = t438 + (L3 * t433 + A * t146);
-        let t446 = a5_y - t443;
-        let t452 = t327 * t436 - t444;
-        let t453 = t446 + t324 * t436;
-        let t454 = t146 * t324 + t327 * t433 - t445;
-        let t459 = z1_3_y * t454 + (z1_4_x * t452 + z1_4_y * t453);
-        let t464 = c3 * t454 + (z2_4_x * t452 - t229 * t453);
-        let t468 = t443 + (c4 * t446 - s4 * t444);
-        put(20, t459); // row 1, MSX5
-        put(65, t464); // row 2, MSX5
-        put(103, t468); // row 3, MSX5
-        put(134, t445); // row 4, MSX5
-        [t432, t437, t438]
+    let [t363, t368, t369] = {
+        let t363 = s5 * t314;
+        let t364 = t363 - c5 * t312;
+        let t367 = s5 * t312 + c5 * t314;
+        let t368 = s5 * a5_z;
+        let t369 = c5 * a5_z;
+        let t374 = A * t367;
+        let t375 = L3 * t367 - t368;
+        let t376 = t369 + (L3 * t364 + A * t316);
+        let t377 = a5_y - t374;
+        let t383 = t322 * t367 - t375;
+        let t384 = t377 + t319 * t367;
+        let t385 = t316 * t319 + t322 * t364 - t376;
+        let t390 = z1_3_y * t385 + (z1_4_x * t383 + z1_4_y * t384);
+        let t395 = c3 * t385 + (z2_4_x * t383 - t89 * t384);
+        let t399 = t374 + (c4 * t377 - s4 * t375);
+        put(20, t390); // row 1, MSX5
+        put(65, t395); // row 2, MSX5
+        put(103, t399); // row 3, MSX5
+        put(134, t376); // row 4, MSX5
+        [t363, t368, t369]
     };
     // MSY5: column
-    let t469 = {
-        let t469 = c5 * t143;
-        let t471 = t469 - s5 * t145;
-        let t474 = s5 * t143 + c5 * t145;
-        let t479 = A * t474;
-        let t480 = t438 + L3 * t474;
-        let t481 = L3 * t471 + A * t147 - t437;
-        let t482 = t116 + t479;
-        let t488 = t327 * t474 - t480;
-        let t489 = t324 * t474 - t482;
-        let t490 = t147 * t324 + t327 * t471 - t481;
-        let t495 = z1_3_y * t490 - (z1_4_x * t488 + z1_4_y * t489);
-        let t500 = c3 * t490 - (z2_4_x * t488 - t229 * t489);
-        let t504 = s4 * t480 + c4 * t482 - t479;
-        put(21, t495); // row 1, MSY5R
-        put(66, t500); // row 2, MSY5R
-        put(104, t504); // row 3, MSY5R
-        put(135, t481); // row 4, MSY5R
-        t469
+    let t400 = {
+        let t400 = c5 * t313;
+        let t402 = t400 - s5 * t315;
+        let t405 = s5 * t313 + c5 * t315;
+        let t410 = A * t405;
+        let t411 = t369 + L3 * t405;
+        let t412 = L3 * t402 + A * t317 - t368;
+        let t413 = t286 + t410;
+        let t419 = t322 * t405 - t411;
+        let t420 = t319 * t405 - t413;
+        let t421 = t317 * t319 + t322 * t402 - t412;
+        let t426 = z1_3_y * t421 - (z1_4_x * t419 + z1_4_y * t420);
+        let t431 = c3 * t421 - (z2_4_x * t419 - t89 * t420);
+        let t435 = s4 * t411 + c4 * t413 - t410;
+        put(21, t426); // row 1, MSY5R
+        put(66, t431); // row 2, MSY5R
+        put(104, t435); // row 3, MSY5R
+        put(135, t412); // row 4, MSY5R
+        t400
     };
     // XX5: column
-    let [t506, t511, t514, t516, t521] = {
-        let t506 = t137 * t235;
-        let t509 = t136 * z1_4_y - (t139 * z1_5_x + t506);
-        let t511 = t137 * t241;
-        let t514 = t136 * t229 + (t139 * z2_5_x + t511);
-        let t516 = t137 * z3_6_z;
-        let t519 = c4 * t136 - (t139 * z3_5_x + t516);
-        let t521 = c5 * t137;
-        let t522 = s5 * t139 - t521;
-        put(22, t509); // row 1, XX5R
-        put(105, t519); // row 3, XX5R
-        put(136, t522); // row 4, XX5R
-        [t506, t511, t514, t516, t521]
+    let [t437, t442, t447, t452] = {
+        let t437 = t307 * t95;
+        let t440 = t306 * z1_4_y - (t309 * z1_5_x + t437);
+        let t442 = t307 * t101;
+        let t447 = t307 * z3_6_z;
+        let t450 = c4 * t306 - (t309 * z3_5_x + t447);
+        let t452 = c5 * t307;
+        let t453 = s5 * t309 - t452;
+        let t454 = -(t306 * t89 + (t309 * z2_5_x + t442));
+        put(22, t440); // row 1, XX5R
+        put(67, t454); // row 2, XX5R
+        put(105, t450); // row 3, XX5R
+        put(136, t453); // row 4, XX5R
+        [t437, t442, t447, t452]
     };
     // ZZ5: column
     {
-        let t526 = dw5_z * z1_4_y + (t506 - t138 * z1_5_x);
-        let t530 = t511 - t138 * z2_5_x - dw5_z * t229;
-        let t534 = c4 * dw5_z + (t516 - t138 * z3_5_x);
-        let t536 = t521 + s5 * t138;
-        put(23, t526); // row 1, ZZ5R
-        put(68, t530); // row 2, ZZ5R
-        put(106, t534); // row 3, ZZ5R
-        put(137, t536); // row 4, ZZ5R
+        let t458 = dw5_z * z1_4_y + (t437 - t308 * z1_5_x);
+        let t462 = t442 - t308 * z2_5_x - dw5_z * t89;
+        let t466 = c4 * dw5_z + (t447 - t308 * z3_5_x);
+        let t468 = t452 + s5 * t308;
+        put(23, t458); // row 1, ZZ5R
+        put(68, t462); // row 2, ZZ5R
+        put(106, t466); // row 3, ZZ5R
+        put(137, t468); // row 4, ZZ5R
     }
     // XY5: column
     {
-        let t537 = t142 + t145;
-        let t542 = z1_4_y * t537 + (t146 * z1_5_x + t147 * t235);
-        let t547 = t146 * z2_5_x + t147 * t241 - t229 * t537;
-        let t552 = c4 * t537 + (t146 * z3_5_x + t147 * z3_6_z);
-        let t555 = c5 * t147 - s5 * t146;
-        put(24, t542); // row 1, XY5
-        put(69, t547); // row 2, XY5
-        put(107, t552); // row 3, XY5
-        put(138, t555); // row 4, XY5
-        put(162, t537); // row 5, XY5
+        let t469 = t312 + t315;
+        let t474 = z1_4_y * t469 + (t316 * z1_5_x + t317 * t95);
+        let t479 = t316 * z2_5_x + t317 * t101 - t89 * t469;
+        let t484 = c4 * t469 + (t316 * z3_5_x + t317 * z3_6_z);
+        let t487 = c5 * t317 - s5 * t316;
+        put(24, t474); // row 1, XY5
+        put(69, t479); // row 2, XY5
+        put(107, t484); // row 3, XY5
+        put(138, t487); // row 4, XY5
+        put(162, t469); // row 5, XY5
     }
     // XZ5: column
     {
-        let t560 = t131 * z1_4_y + (t144 * z1_5_x + t141 * t235);
-        let t565 = t144 * z2_5_x + t141 * t241 - t131 * t229;
-        let t570 = c4 * t131 + (t144 * z3_5_x + t141 * z3_6_z);
-        let t572 = c5 * t141 - t432;
-        put(25, t560); // row 1, XZ5
-        put(70, t565); // row 2, XZ5
-        put(108, t570); // row 3, XZ5
-        put(139, t572); // row 4, XZ5
+        let t492 = t301 * z1_4_y + (t314 * z1_5_x + t311 * t95);
+        let t497 = t314 * z2_5_x + t311 * t101 - t301 * t89;
+        let t502 = c4 * t301 + (t314 * z3_5_x + t311 * z3_6_z);
+        let t504 = c5 * t311 - t363;
+        put(25, t492); // row 1, XZ5
+        put(70, t497); // row 2, XZ5
+        put(108, t502); // row 3, XZ5
+        put(139, t504); // row 4, XZ5
     }
     // YZ5: column
-    let t583 = {
-        let t573 = t145 - t99;
-        let t578 = t128 * z1_4_y - (z1_5_x * t573 + t143 * t235);
-        let t583 = t128 * t229 + (z2_5_x * t573 + t143 * t241);
-        let t588 = c4 * t128 - (z3_5_x * t573 + t143 * z3_6_z);
-        let t590 = s5 * t573 - t469;
-        put(26, t578); // row 1, YZ5
-        put(109, t588); // row 3, YZ5
-        put(140, t590); // row 4, YZ5
-        t583
+    {
+        let t505 = t315 - t204;
+        let t510 = t298 * z1_4_y - (z1_5_x * t505 + t313 * t95);
+        let t520 = c4 * t298 - (z3_5_x * t505 + t313 * z3_6_z);
+        let t522 = s5 * t505 - t400;
+        let t523 = -(t298 * t89 + (z2_5_x * t505 + t313 * t101));
+        put(26, t510); // row 1, YZ5
+        put(71, t523); // row 2, YZ5
+        put(109, t520); // row 3, YZ5
+        put(140, t522); // row 4, YZ5
+    }
+    // link 6: motion
+    let [
+        t526, a6_y, w6_x, t535, t538, t541, w6_z, dw6_z,
+        t546, t547, t548, t549, dw6_y, t551, t552, t553,
+        t554, t555, t556, t557,
+    ] = {
+        let t526 = c6 * t286 - s6 * a5_z;
+        let a6_y = c6 * a5_z + s6 * t286;
+        let w6_x = c6 * w5_x + s6 * w5_z;
+        let t535 = s6 * w5_x - c6 * w5_z;
+        let t538 = c6 * t313 + s6 * t317;
+        let t541 = s6 * t313 - c6 * t317;
+        let w6_z = t295 + dq6;
+        let dw6_z = ddq6 - dw5_y;
+        let t544 = w6_x * w6_x;
+        let t545 = w6_z * w6_z;
+        let t546 = w6_x * t535;
+        let t547 = w6_x * w6_z;
+        let t548 = t535 * w6_z;
+        let t549 = t548 - t541;
+        let dw6_y = t538 - t547;
+        let t551 = t545 - t544;
+        let t552 = t315 + t551;
+        let t553 = dw6_z + t546;
+        let t554 = t546 - dw6_z;
+        let t555 = t544 + t545;
+        let t556 = dw6_y - t547;
+        let t557 = t548 + t549;
+        put(182, a6_y); // row 6, MSX6R
+        put(183, t526); // row 6, MSY6R
+        put(184, t546); // row 6, XX6R
+        put(185, dw6_z); // row 6, ZZ6R
+        put(187, t541); // row 6, XZ6
+        put(188, t538); // row 6, YZ6
+        [
+        t526, a6_y, w6_x, t535, t538, t541, w6_z, dw6_z,
+        t546, t547, t548, t549, dw6_y, t551, t552, t553,
+        t554, t555, t556, t557,
+    ]
     };
     // MSX6: column
-    let [t592, t595, t597, t598] = {
-        let t592 = s6 * t178;
-        let t593 = c6 * t176 - t592;
-        let t595 = c6 * t178;
-        let t596 = s6 * t176 + t595;
-        let t597 = s6 * a5_y;
-        let t598 = c6 * a5_y;
-        let t601 = c5 * t593 + s5 * t180;
-        let t604 = c5 * t180 - s5 * t593;
-        let t615 = A * t604;
-        let t616 = c5 * t597 - s5 * a6_y + L3 * t604;
-        let t617 = s5 * t597 + c5 * a6_y + (L3 * t601 + A * t596);
-        let t618 = t598 - t615;
-        let t624 = t327 * t604 - t616;
-        let t625 = t618 + t324 * t604;
-        let t626 = t324 * t596 + t327 * t601 - t617;
-        let t631 = z1_3_y * t626 + (z1_4_x * t624 + z1_4_y * t625);
-        let t636 = c3 * t626 + (z2_4_x * t624 - t229 * t625);
-        let t640 = t615 + (c4 * t618 - s4 * t616);
-        put(27, t631); // row 1, MSX6R
-        put(72, t636); // row 2, MSX6R
-        put(110, t640); // row 3, MSX6R
-        put(141, t617); // row 4, MSX6R
-        put(165, t598); // row 5, MSX6R
-        [t592, t595, t597, t598]
+    let [t559, t562, t564, t565] = {
+        let t559 = s6 * t554;
+        let t560 = c6 * t552 - t559;
+        let t562 = c6 * t554;
+        let t563 = s6 * t552 + t562;
+        let t564 = s6 * a5_y;
+        let t565 = c6 * a5_y;
+        let t568 = c5 * t560 + s5 * t556;
+        let t571 = c5 * t556 - s5 * t560;
+        let t582 = A * t571;
+        let t583 = c5 * t564 - s5 * a6_y + L3 * t571;
+        let t584 = s5 * t564 + c5 * a6_y + (L3 * t568 + A * t563);
+        let t585 = t565 - t582;
+        let t591 = t322 * t571 - t583;
+        let t592 = t585 + t319 * t571;
+        let t593 = t319 * t563 + t322 * t568 - t584;
+        let t598 = z1_3_y * t593 + (z1_4_x * t591 + z1_4_y * t592);
+        let t603 = c3 * t593 + (z2_4_x * t591 - t89 * t592);
+        let t607 = t582 + (c4 * t585 - s4 * t583);
+        let t608 = -t564;
+        put(27, t598); // row 1, MSX6R
+        put(72, t603); // row 2, MSX6R
+        put(110, t607); // row 3, MSX6R
+        put(141, t584); // row 4, MSX6R
+        put(165, t565); // row 5, MSX6R
+        put(166, t608); // row 5, MSY6R
+        [t559, t562, t564, t565]
     };
     // MSY6: column
-    let [t641, t644] = {
-        let t641 = c6 * t177;
-        let t643 = s6 * t179 - t641;
-        let t644 = s6 * t177;
-        let t646 = t644 + c6 * t179;
-        let t649 = c5 * t643 - s5 * t181;
-        let t652 = s5 * t643 + c5 * t181;
-        let t663 = A * t652;
-        let t664 = c5 * t598 - s5 * t150 + L3 * t652;
-        let t665 = s5 * t598 + c5 * t150 + (A * t646 - L3 * t649);
-        let t666 = t597 + t663;
-        let t672 = t664 - t327 * t652;
-        let t673 = t324 * t652 - t666;
-        let t674 = t324 * t646 - t327 * t649 - t665;
-        let t679 = z1_3_y * t674 - (z1_4_x * t672 - z1_4_y * t673);
-        let t684 = c3 * t674 - (z2_4_x * t672 + t229 * t673);
-        let t688 = t663 - (s4 * t664 + c4 * t666);
-        put(28, t679); // row 1, MSY6R
-        put(73, t684); // row 2, MSY6R
-        put(111, t688); // row 3, MSY6R
-        put(142, t665); // row 4, MSY6R
-        [t641, t644]
+    let [t609, t612] = {
+        let t609 = c6 * t553;
+        let t611 = s6 * t555 - t609;
+        let t612 = s6 * t553;
+        let t614 = t612 + c6 * t555;
+        let t617 = c5 * t611 - s5 * t557;
+        let t620 = s5 * t611 + c5 * t557;
+        let t631 = A * t620;
+        let t632 = c5 * t565 - s5 * t526 + L3 * t620;
+        let t633 = s5 * t565 + c5 * t526 + (A * t614 - L3 * t617);
+        let t634 = t564 + t631;
+        let t640 = t632 - t322 * t620;
+        let t641 = t319 * t620 - t634;
+        let t642 = t319 * t614 - t322 * t617 - t633;
+        let t647 = z1_3_y * t642 - (z1_4_x * t640 - z1_4_y * t641);
+        let t652 = c3 * t642 - (z2_4_x * t640 + t89 * t641);
+        let t656 = t631 - (s4 * t632 + c4 * t634);
+        put(28, t647); // row 1, MSY6R
+        put(73, t652); // row 2, MSY6R
+        put(111, t656); // row 3, MSY6R
+        put(142, t633); // row 4, MSY6R
+        [t609, t612]
+    };
+    // link 7: motion
+    let [
+        t661, t665, a7_y, t677, t680, dw7_z, t685, t686,
+        t687, dw7_x, t690, t691, t692, t693, t694, t695,
+        t696,
+    ] = {
+        let t660 = t526 + k4 * t552;
+        let t661 = k4 * t554 - a6_y;
+        let t662 = a5_y + k4 * t556;
+        let t665 = c7 * t660 + s7 * t662;
+        let a7_y = s7 * t660 - c7 * t662;
+        let w7_x = c7 * w6_x + s7 * w6_z;
+        let w7_y = c7 * w6_z - s7 * w6_x;
+        let t677 = c7 * t553 + s7 * t557;
+        let t680 = s7 * t553 - c7 * t557;
+        let w7_z = t535 + dq7;
+        let dw7_z = ddq7 - dw6_y;
+        let t683 = w7_x * w7_x;
+        let t684 = w7_z * w7_z;
+        let t685 = w7_x * w7_y;
+        let t686 = w7_x * w7_z;
+        let t687 = w7_y * w7_z;
+        let dw7_x = t680 + t687;
+        let t690 = t683 - t684;
+        let t691 = t555 - t690;
+        let t692 = dw7_z - t685;
+        let t693 = dw7_z + t685;
+        let t694 = t683 + t684;
+        let t695 = t677 - t686 - t686;
+        let t696 = t687 + dw7_x;
+        let t697 = -t685;
+        put(199, a7_y); // row 7, MSX7
+        put(200, t665); // row 7, MSY7
+        put(201, t697); // row 7, XX7R
+        put(202, dw7_z); // row 7, ZZ7
+        put(204, t680); // row 7, XZ7
+        put(205, t677); // row 7, YZ7
+        [
+        t661, t665, a7_y, t677, t680, dw7_z, t685, t686,
+        t687, dw7_x, t690, t691, t692, t693, t694, t695,
+        t696,
+    ]
     };
     // XX6: column
-    let [t690, t693] = {
-        let t690 = s6 * t171;
-        let t691 = c6 * t173 + t690;
-        let t693 = c6 * t171;
-        let t694 = t693 - s6 * t173;
-        let t699 = z1_4_y * t694 + (t170 * t235 - z1_5_x * t691);
-        let t704 = t170 * t241 - z2_5_x * t691 - t229 * t694;
-        let t709 = c4 * t694 + (t170 * z3_6_z - z3_5_x * t691);
-        let t712 = s5 * t691 + c5 * t170;
-        put(29, t699); // row 1, XX6R
-        put(74, t704); // row 2, XX6R
-        put(112, t709); // row 3, XX6R
-        put(143, t712); // row 4, XX6R
-        put(167, t694); // row 5, XX6R
-        [t690, t693]
+    let [t699, t702] = {
+        let t699 = s6 * t547;
+        let t700 = c6 * t549 + t699;
+        let t702 = c6 * t547;
+        let t703 = t702 - s6 * t549;
+        let t708 = z1_4_y * t703 + (t546 * t95 - z1_5_x * t700);
+        let t713 = t546 * t101 - z2_5_x * t700 - t89 * t703;
+        let t718 = c4 * t703 + (t546 * z3_6_z - z3_5_x * t700);
+        let t721 = s5 * t700 + c5 * t546;
+        put(29, t708); // row 1, XX6R
+        put(74, t713); // row 2, XX6R
+        put(112, t718); // row 3, XX6R
+        put(143, t721); // row 4, XX6R
+        put(167, t703); // row 5, XX6R
+        [t699, t702]
     };
     // ZZ6: column
-    let t716 = {
-        let t714 = c6 * t172 - t690;
-        let t716 = t693 + s6 * t172;
-        let t721 = dw6_z * t235 - z1_5_x * t714 - z1_4_y * t716;
-        let t726 = t229 * t716 + (dw6_z * t241 - z2_5_x * t714);
-        let t731 = dw6_z * z3_6_z - z3_5_x * t714 - c4 * t716;
-        let t734 = s5 * t714 + c5 * dw6_z;
-        put(30, t721); // row 1, ZZ6R
-        put(75, t726); // row 2, ZZ6R
-        put(113, t731); // row 3, ZZ6R
-        put(144, t734); // row 4, ZZ6R
-        t716
-    };
+    {
+        let t723 = c6 * t548 - t699;
+        let t725 = t702 + s6 * t548;
+        let t730 = dw6_z * t95 - z1_5_x * t723 - z1_4_y * t725;
+        let t735 = t89 * t725 + (dw6_z * t101 - z2_5_x * t723);
+        let t740 = dw6_z * z3_6_z - z3_5_x * t723 - c4 * t725;
+        let t743 = s5 * t723 + c5 * dw6_z;
+        let t744 = -t725;
+        put(30, t730); // row 1, ZZ6R
+        put(75, t735); // row 2, ZZ6R
+        put(113, t740); // row 3, ZZ6R
+        put(144, t743); // row 4, ZZ6R
+        put(168, t744); // row 5, ZZ6R
+    }
     // XY6: column
     {
-        let t735 = t179 - t176;
-        let t738 = c6 * t180 + s6 * t181;
-        let t741 = s6 * t180 - c6 * t181;
-        let t746 = z1_4_y * t741 + (z1_5_x * t738 + t235 * t735);
-        let t751 = z2_5_x * t738 + t241 * t735 - t229 * t741;
-        let t756 = c4 * t741 + (z3_5_x * t738 + z3_6_z * t735);
-        let t759 = c5 * t735 - s5 * t738;
-        put(31, t746); // row 1, XY6R
-        put(76, t751); // row 2, XY6R
-        put(114, t756); // row 3, XY6R
-        put(145, t759); // row 4, XY6R
-        put(169, t741); // row 5, XY6R
-        put(186, t735); // row 6, XY6R
+        let t745 = t555 - t552;
+        let t748 = c6 * t556 + s6 * t557;
+        let t751 = s6 * t556 - c6 * t557;
+        let t756 = z1_4_y * t751 + (z1_5_x * t748 + t95 * t745);
+        let t761 = z2_5_x * t748 + t101 * t745 - t89 * t751;
+        let t766 = c4 * t751 + (z3_5_x * t748 + z3_6_z * t745);
+        let t769 = c5 * t745 - s5 * t748;
+        put(31, t756); // row 1, XY6R
+        put(76, t761); // row 2, XY6R
+        put(114, t766); // row 3, XY6R
+        put(145, t769); // row 4, XY6R
+        put(169, t751); // row 5, XY6R
+        put(186, t745); // row 6, XY6R
     }
     // XZ6: column
     {
-        let t761 = t595 + s6 * t175;
-        let t763 = c6 * t175 - t592;
-        let t768 = z1_4_y * t763 - (z1_5_x * t761 - t165 * t235);
-        let t773 = t165 * t241 - z2_5_x * t761 - t229 * t763;
-        let t778 = c4 * t763 - (z3_5_x * t761 - t165 * z3_6_z);
-        let t781 = s5 * t761 + c5 * t165;
-        put(32, t768); // row 1, XZ6
-        put(77, t773); // row 2, XZ6
-        put(115, t778); // row 3, XZ6
-        put(146, t781); // row 4, XZ6
-        put(170, t763); // row 5, XZ6
+        let t771 = t562 + s6 * t551;
+        let t773 = c6 * t551 - t559;
+        let t778 = z1_4_y * t773 - (z1_5_x * t771 - t541 * t95);
+        let t783 = t541 * t101 - z2_5_x * t771 - t89 * t773;
+        let t788 = c4 * t773 - (z3_5_x * t771 - t541 * z3_6_z);
+        let t791 = s5 * t771 + c5 * t541;
+        put(32, t778); // row 1, XZ6
+        put(77, t783); // row 2, XZ6
+        put(115, t788); // row 3, XZ6
+        put(146, t791); // row 4, XZ6
+        put(170, t773); // row 5, XZ6
     }
     // YZ6: column
     {
-        let t782 = t145 - t179;
-        let t784 = t644 - c6 * t782;
-        let t786 = t641 + s6 * t782;
-        let t791 = z1_4_y * t786 + (t162 * t235 - z1_5_x * t784);
-        let t796 = t162 * t241 - z2_5_x * t784 - t229 * t786;
-        let t801 = c4 * t786 + (t162 * z3_6_z - z3_5_x * t784);
-        let t804 = s5 * t784 + c5 * t162;
-        put(33, t791); // row 1, YZ6
-        put(78, t796); // row 2, YZ6
-        put(116, t801); // row 3, YZ6
-        put(147, t804); // row 4, YZ6
-        put(171, t786); // row 5, YZ6
+        let t792 = t315 - t555;
+        let t794 = t612 - c6 * t792;
+        let t796 = t609 + s6 * t792;
+        let t801 = z1_4_y * t796 + (t538 * t95 - z1_5_x * t794);
+        let t806 = t538 * t101 - z2_5_x * t794 - t89 * t796;
+        let t811 = c4 * t796 + (t538 * z3_6_z - z3_5_x * t794);
+        let t814 = s5 * t794 + c5 * t538;
+        put(33, t801); // row 1, YZ6
+        put(78, t806); // row 2, YZ6
+        put(116, t811); // row 3, YZ6
+        put(147, t814); // row 4, YZ6
+        put(171, t796); // row 5, YZ6
     }
     // MSX7: column
-    let [t806, t809, t811, t812] = {
-        let t806 = s7 * t218;
-        let t807 = c7 * t216 + t806;
-        let t809 = c7 * t218;
-        let t810 = s7 * t216 - t809;
-        let t811 = s7 * t186;
-        let t812 = c7 * t186;
-        let t815 = k4 * t220 - t812;
-        let t816 = a7_y - k4 * t810;
-        let t819 = c6 * t807 + s6 * t220;
-        let t822 = s6 * t807 - c6 * t220;
-        let t825 = c6 * t811 + s6 * t816;
-        let t828 = s6 * t811 - c6 * t816;
-        let t831 = c5 * t819 + s5 * t810;
-        let t834 = s5 * t819 - c5 * t810;
-        let t845 = A * t834;
-        let t846 = c5 * t825 + s5 * t815 + L3 * t834;
-        let t847 = c5 * t815 - s5 * t825 + (L3 * t831 + A * t822);
-        let t848 = t828 + t845;
-        let t854 = t846 - t327 * t834;
-        let t855 = t324 * t834 - t848;
-        let t856 = t324 * t822 + t327 * t831 - t847;
-        let t861 = z1_3_y * t856 + (z1_4_x * t854 - z1_4_y * t855);
-        let t866 = c3 * t856 + (z2_4_x * t854 + t229 * t855);
-        let t870 = s4 * t846 + c4 * t848 - t845;
-        put(34, t861); // row 1, MSX7
-        put(79, t866); // row 2, MSX7
-        put(117, t870); // row 3, MSX7
-        put(148, t847); // row 4, MSX7
-        put(172, t828); // row 5, MSX7
-        put(189, t815); // row 6, MSX7
-        [t806, t809, t811, t812]
+    let [t816, t819, t821, t822] = {
+        let t816 = s7 * t693;
+        let t817 = c7 * t691 + t816;
+        let t819 = c7 * t693;
+        let t820 = s7 * t691 - t819;
+        let t821 = s7 * t661;
+        let t822 = c7 * t661;
+        let t825 = k4 * t695 - t822;
+        let t826 = a7_y - k4 * t820;
+        let t829 = c6 * t817 + s6 * t695;
+        let t832 = s6 * t817 - c6 * t695;
+        let t835 = c6 * t821 + s6 * t826;
+        let t838 = s6 * t821 - c6 * t826;
+        let t841 = c5 * t829 + s5 * t820;
+        let t844 = s5 * t829 - c5 * t820;
+        let t855 = A * t844;
+        let t856 = c5 * t835 + s5 * t825 + L3 * t844;
+        let t857 = c5 * t825 - s5 * t835 + (L3 * t841 + A * t832);
+        let t858 = t838 + t855;
+        let t864 = t856 - t322 * t844;
+        let t865 = t319 * t844 - t858;
+        let t866 = t319 * t832 + t322 * t841 - t857;
+        let t871 = z1_3_y * t866 + (z1_4_x * t864 - z1_4_y * t865);
+        let t876 = c3 * t866 + (z2_4_x * t864 + t89 * t865);
+        let t880 = s4 * t856 + c4 * t858 - t855;
+        put(34, t871); // row 1, MSX7
+        put(79, t876); // row 2, MSX7
+        put(117, t880); // row 3, MSX7
+        put(148, t857); // row 4, MSX7
+        put(172, t838); // row 5, MSX7
+        put(189, t825); // row 6, MSX7
+        [t816, t819, t821, t822]
     };
     // MSY7: column
-    let [t871, t874] = {
-        let t871 = c7 * t217;
-        let t873 = t871 - s7 * t219;
-        let t874 = s7 * t217;
-        let t876 = t874 + c7 * t219;
-        let t879 = t811 - k4 * t221;
-        let t880 = k4 * t876 - t190;
-        let t883 = c6 * t873 - s6 * t221;
-        let t886 = s6 * t873 + c6 * t221;
-        let t889 = c6 * t812 - s6 * t880;
-        let t892 = s6 * t812 + c6 * t880;
-        let t895 = c5 * t883 + s5 * t876;
-        let t898 = s5 * t883 - c5 * t876;
-        let t909 = A * t898;
-        let t910 = c5 * t889 + s5 * t879 + L3 * t898;
-        let t911 = c5 * t879 - s5 * t889 + (L3 * t895 + A * t886);
-        let t912 = t892 + t909;
-        let t918 = t327 * t898 - t910;
-        let t919 = t912 - t324 * t898;
-        let t920 = t324 * t886 + t327 * t895 - t911;
-        let t925 = z1_3_y * t920 - (z1_4_x * t918 - z1_4_y * t919);
-        let t930 = c3 * t920 - (z2_4_x * t918 + t229 * t919);
-        let t934 = s4 * t910 + c4 * t912 - t909;
-        put(35, t925); // row 1, MSY7
-        put(80, t930); // row 2, MSY7
-        put(118, t934); // row 3, MSY7
-        put(149, t911); // row 4, MSY7
-        put(173, t892); // row 5, MSY7
-        put(190, t879); // row 6, MSY7
-        [t871, t874]
+    let [t881, t884] = {
+        let t881 = c7 * t692;
+        let t883 = t881 - s7 * t694;
+        let t884 = s7 * t692;
+        let t886 = t884 + c7 * t694;
+        let t889 = t821 - k4 * t696;
+        let t890 = k4 * t886 - t665;
+        let t893 = c6 * t883 - s6 * t696;
+        let t896 = s6 * t883 + c6 * t696;
+        let t899 = c6 * t822 - s6 * t890;
+        let t902 = s6 * t822 + c6 * t890;
+        let t905 = c5 * t893 + s5 * t886;
+        let t908 = s5 * t893 - c5 * t886;
+        let t919 = A * t908;
+        let t920 = c5 * t899 + s5 * t889 + L3 * t908;
+        let t921 = c5 * t889 - s5 * t899 + (L3 * t905 + A * t896);
+        let t922 = t902 + t919;
+        let t928 = t322 * t908 - t920;
+        let t929 = t922 - t319 * t908;
+        let t930 = t319 * t896 + t322 * t905 - t921;
+        let t935 = z1_3_y * t930 - (z1_4_x * t928 - z1_4_y * t929);
+        let t940 = c3 * t930 - (z2_4_x * t928 + t89 * t929);
+        let t944 = s4 * t920 + c4 * t922 - t919;
+        put(35, t935); // row 1, MSY7
+        put(80, t940); // row 2, MSY7
+        put(118, t944); // row 3, MSY7
+        put(149, t921); // row 4, MSY7
+        put(173, t902); // row 5, MSY7
+        put(190, t889); // row 6, MSY7
+        [t881, t884]
     };
     // XX7: column
-    let [t936, t939] = {
-        let t936 = s7 * t211;
-        let t937 = c7 * dw7_x - t936;
-        let t939 = c7 * t211;
-        let t940 = s7 * dw7_x + t939;
-        let t943 = c6 * t937 - s6 * t210;
-        let t946 = s6 * t937 + c6 * t210;
-        let t951 = z1_4_y * t946 + (z1_5_x * t943 + t235 * t940);
-        let t956 = z2_5_x * t943 + t241 * t940 - t229 * t946;
-        let t961 = c4 * t946 + (z3_5_x * t943 + z3_6_z * t940);
-        let t964 = c5 * t940 - s5 * t943;
-        put(36, t951); // row 1, XX7R
-        put(81, t956); // row 2, XX7R
-        put(119, t961); // row 3, XX7R
-        put(150, t964); // row 4, XX7R
-        put(174, t946); // row 5, XX7R
-        put(191, t940); // row 6, XX7R
-        [t936, t939]
+    let [t946, t949] = {
+        let t946 = s7 * t686;
+        let t947 = c7 * dw7_x - t946;
+        let t949 = c7 * t686;
+        let t950 = s7 * dw7_x + t949;
+        let t953 = c6 * t947 - s6 * t685;
+        let t956 = s6 * t947 + c6 * t685;
+        let t961 = z1_4_y * t956 + (z1_5_x * t953 + t95 * t950);
+        let t966 = z2_5_x * t953 + t101 * t950 - t89 * t956;
+        let t971 = c4 * t956 + (z3_5_x * t953 + z3_6_z * t950);
+        let t974 = c5 * t950 - s5 * t953;
+        put(36, t961); // row 1, XX7R
+        put(81, t966); // row 2, XX7R
+        put(119, t971); // row 3, XX7R
+        put(150, t974); // row 4, XX7R
+        put(174, t956); // row 5, XX7R
+        put(191, t950); // row 6, XX7R
+        [t946, t949]
     };
     // ZZ7: column
     {
-        let t966 = t936 + c7 * t212;
-        let t968 = s7 * t212 - t939;
-        let t971 = c6 * t966 + s6 * dw7_z;
-        let t974 = s6 * t966 - c6 * dw7_z;
-        let t979 = z1_4_y * t974 + (z1_5_x * t971 + t235 * t968);
-        let t984 = z2_5_x * t971 + t241 * t968 - t229 * t974;
-        let t989 = c4 * t974 + (z3_5_x * t971 + z3_6_z * t968);
-        let t992 = c5 * t968 - s5 * t971;
-        put(37, t979); // row 1, ZZ7
-        put(82, t984); // row 2, ZZ7
-        put(120, t989); // row 3, ZZ7
-        put(151, t992); // row 4, ZZ7
-        put(175, t974); // row 5, ZZ7
-        put(192, t968); // row 6, ZZ7
+        let t976 = t946 + c7 * t687;
+        let t978 = s7 * t687 - t949;
+        let t981 = c6 * t976 + s6 * dw7_z;
+        let t984 = s6 * t976 - c6 * dw7_z;
+        let t989 = z1_4_y * t984 + (z1_5_x * t981 + t95 * t978);
+        let t994 = z2_5_x * t981 + t101 * t978 - t89 * t984;
+        let t999 = c4 * t984 + (z3_5_x * t981 + z3_6_z * t978);
+        let t1002 = c5 * t978 - s5 * t981;
+        put(37, t989); // row 1, ZZ7
+        put(82, t994); // row 2, ZZ7
+        put(120, t999); // row 3, ZZ7
+        put(151, t1002); // row 4, ZZ7
+        put(175, t984); // row 5, ZZ7
+        put(192, t978); // row 6, ZZ7
     }
     // XY7: column
     {
-        let t993 = t219 - t216;
-        let t996 = c7 * t220 - s7 * t221;
-        let t999 = s7 * t220 + c7 * t221;
-        let t1002 = c6 * t996 + s6 * t993;
-        let t1005 = s6 * t996 - c6 * t993;
-        let t1010 = z1_4_y * t1005 + (z1_5_x * t1002 + t235 * t999);
-        let t1015 = z2_5_x * t1002 + t241 * t999 - t229 * t1005;
-        let t1020 = c4 * t1005 + (z3_5_x * t1002 + z3_6_z * t999);
-        let t1023 = c5 * t999 - s5 * t1002;
-        put(38, t1010); // row 1, XY7
-        put(83, t1015); // row 2, XY7
-        put(121, t1020); // row 3, XY7
-        put(152, t1023); // row 4, XY7
-        put(176, t1005); // row 5, XY7
-        put(193, t999); // row 6, XY7
-        put(203, t993); // row 7, XY7
+        let t1003 = t694 - t691;
+        let t1006 = c7 * t695 - s7 * t696;
+        let t1009 = s7 * t695 + c7 * t696;
+        let t1012 = c6 * t1006 + s6 * t1003;
+        let t1015 = s6 * t1006 - c6 * t1003;
+        let t1020 = z1_4_y * t1015 + (z1_5_x * t1012 + t95 * t1009);
+        let t1025 = z2_5_x * t1012 + t101 * t1009 - t89 * t1015;
+        let t1030 = c4 * t1015 + (z3_5_x * t1012 + z3_6_z * t1009);
+        let t1033 = c5 * t1009 - s5 * t1012;
+        put(38, t1020); // row 1, XY7
+        put(83, t1025); // row 2, XY7
+        put(121, t1030); // row 3, XY7
+        put(152, t1033); // row 4, XY7
+        put(176, t1015); // row 5, XY7
+        put(193, t1009); // row 6, XY7
+        put(203, t1003); // row 7, XY7
     }
     // XZ7: column
     {
-        let t1025 = t809 + s7 * t215;
-        let t1027 = t806 - c7 * t215;
-        let t1030 = c6 * t1025 + s6 * t205;
-        let t1033 = s6 * t1025 - c6 * t205;
-        let t1038 = z1_4_y * t1033 + (z1_5_x * t1030 + t235 * t1027);
-        let t1043 = z2_5_x * t1030 + t241 * t1027 - t229 * t1033;
-        let t1048 = c4 * t1033 + (z3_5_x * t1030 + z3_6_z * t1027);
-        let t1051 = c5 * t1027 - s5 * t1030;
-        put(39, t1038); // row 1, XZ7
-        put(84, t1043); // row 2, XZ7
-        put(122, t1048); // row 3, XZ7
-        put(153, t1051); // row 4, XZ7
-        put(177, t1033); // row 5, XZ7
-        put(194, t1027); // row 6, XZ7
+        let t1035 = t819 + s7 * t690;
+        let t1037 = t816 - c7 * t690;
+        let t1040 = c6 * t1035 + s6 * t680;
+        let t1043 = s6 * t1035 - c6 * t680;
+        let t1048 = z1_4_y * t1043 + (z1_5_x * t1040 + t95 * t1037);
+        let t1053 = z2_5_x * t1040 + t101 * t1037 - t89 * t1043;
+        let t1058 = c4 * t1043 + (z3_5_x * t1040 + z3_6_z * t1037);
+        let t1061 = c5 * t1037 - s5 * t1040;
+        put(39, t1048); // row 1, XZ7
+        put(84, t1053); // row 2, XZ7
+        put(122, t1058); // row 3, XZ7
+        put(153, t1061); // row 4, XZ7
+        put(177, t1043); // row 5, XZ7
+        put(194, t1037); // row 6, XZ7
     }
     // YZ7: column
     {
-        let t1052 = t179 - t219;
-        let t1054 = c7 * t1052 - t874;
-        let t1056 = t871 + s7 * t1052;
-        let t1059 = c6 * t1054 + s6 * t202;
-        let t1062 = s6 * t1054 - c6 * t202;
-        let t1067 = z1_4_y * t1062 + (z1_5_x * t1059 + t235 * t1056);
-        let t1072 = z2_5_x * t1059 + t241 * t1056 - t229 * t1062;
-        let t1077 = c4 * t1062 + (z3_5_x * t1059 + z3_6_z * t1056);
-        let t1080 = c5 * t1056 - s5 * t1059;
-        let t1081 = dq1.sign();
-        let t1082 = dq2.sign();
-        let t1083 = dq3.sign();
-        let t1084 = dq4.sign();
-        let t1085 = dq5.sign();
-        let t1086 = dq6.sign();
-        let t1087 = dq7.sign();
-        let t1088 = -t2;
-        let t1089 = -t9;
-        let t1090 = -t5;
-        let t1091 = -t6;
-        let t1092 = -t514;
-        let t1093 = -t583;
-        let t1094 = -t90;
-        let t1095 = -t597;
-        let t1096 = -t716;
-        let t1097 = -t210;
-        put(40, t1067); // row 1, YZ7
-        put(42, t1081); // row 1, FC1
-        put(44, t1088); // row 2, MSX2
-        put(46, t1089); // row 2, XX2R
-        put(49, t1090); // row 2, XZ2
-        put(50, t1091); // row 2, YZ2
-        put(67, t1092); // row 2, XX5R
-        put(71, t1093); // row 2, YZ5
-        put(85, t1072); // row 2, YZ7
-        put(87, t1082); // row 2, FC2
-        put(123, t1077); // row 3, YZ7
-        put(125, t1083); // row 3, FC3
-        put(129, t1094); // row 4, XX4R
-        put(154, t1080); // row 4, YZ7
-        put(156, t1084); // row 4, FC4
-        put(166, t1095); // row 5, MSY6R
-        put(168, t1096); // row 5, ZZ6R
-        put(178, t1062); // row 5, YZ7
-        put(180, t1085); // row 5, FC5
-        put(195, t1056); // row 6, YZ7
-        put(197, t1086); // row 6, FC6
-        put(201, t1097); // row 7, XX7R
-        put(207, t1087); // row 7, FC7
+        let t1062 = t555 - t694;
+        let t1064 = c7 * t1062 - t884;
+        let t1066 = t881 + s7 * t1062;
+        let t1069 = c6 * t1064 + s6 * t677;
+        let t1072 = s6 * t1064 - c6 * t677;
+        let t1077 = z1_4_y * t1072 + (z1_5_x * t1069 + t95 * t1066);
+        let t1082 = z2_5_x * t1069 + t101 * t1066 - t89 * t1072;
+        let t1087 = c4 * t1072 + (z3_5_x * t1069 + z3_6_z * t1066);
+        let t1090 = c5 * t1066 - s5 * t1069;
+        let t1091 = dq1.sign();
+        let t1092 = dq2.sign();
+        let t1093 = dq3.sign();
+        let t1094 = dq4.sign();
+        let t1095 = dq5.sign();
+        let t1096 = dq6.sign();
+        let t1097 = dq7.sign();
+        put(40, t1077); // row 1, YZ7
+        put(42, t1091); // row 1, FC1
+        put(85, t1082); // row 2, YZ7
+        put(87, t1092); // row 2, FC2
+        put(123, t1087); // row 3, YZ7
+        put(125, t1093); // row 3, FC3
+        put(154, t1090); // row 4, YZ7
+        put(156, t1094); // row 4, FC4
+        put(178, t1072); // row 5, YZ7
+        put(180, t1095); // row 5, FC5
+        put(195, t1066); // row 6, YZ7
+        put(197, t1096); // row 6, FC6
+        put(207, t1097); // row 7, FC7
     }
 }

@@ -4,7 +4,7 @@
 //!
 //! 259 multiplications, 155 additions; 7 x 70, 92 of 490 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -24,39 +24,50 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (6, 61), (6, 62),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 70 + PATTERN[k].1
+}
+
 /// Regressor at rest: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 70]; 7]) {
     let flat = &mut out.as_flattened_mut()[..];
     flat[0..13].fill(S::default());
-    flat[14..20].fill(S::default());
-    flat[24..30].fill(S::default());
-    flat[34..40].fill(S::default());
-    flat[44..50].fill(S::default());
-    flat[54..60].fill(S::default());
-    flat[64..81].fill(S::default());
-    flat[83..90].fill(S::default());
-    flat[94..100].fill(S::default());
-    flat[104..110].fill(S::default());
-    flat[114..120].fill(S::default());
-    flat[124..130].fill(S::default());
-    flat[134..161].fill(S::default());
-    flat[163..170].fill(S::default());
-    flat[174..180].fill(S::default());
-    flat[184..190].fill(S::default());
-    flat[194..200].fill(S::default());
-    flat[204..241].fill(S::default());
-    flat[243..250].fill(S::default());
-    flat[254..260].fill(S::default());
-    flat[264..270].fill(S::default());
-    flat[274..321].fill(S::default());
-    flat[323..331].fill(S::default());
-    flat[334..340].fill(S::default());
-    flat[344..401].fill(S::default());
-    flat[403..410].fill(S::default());
-    flat[414..481].fill(S::default());
-    flat[483..490].fill(S::default());
-    nonzeros(trig, out);
+    entries(trig, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            0 => flat[14..20].fill(S::default()),
+            4 => flat[24..30].fill(S::default()),
+            8 => flat[34..40].fill(S::default()),
+            12 => flat[44..50].fill(S::default()),
+            16 => flat[54..60].fill(S::default()),
+            20 => flat[64..81].fill(S::default()),
+            22 => flat[83..90].fill(S::default()),
+            26 => flat[94..100].fill(S::default()),
+            30 => flat[104..110].fill(S::default()),
+            34 => flat[114..120].fill(S::default()),
+            38 => flat[124..130].fill(S::default()),
+            42 => flat[134..161].fill(S::default()),
+            44 => flat[163..170].fill(S::default()),
+            48 => flat[174..180].fill(S::default()),
+            52 => flat[184..190].fill(S::default()),
+            56 => flat[194..200].fill(S::default()),
+            60 => flat[204..241].fill(S::default()),
+            62 => flat[243..250].fill(S::default()),
+            66 => flat[254..260].fill(S::default()),
+            70 => flat[264..270].fill(S::default()),
+            74 => flat[274..321].fill(S::default()),
+            76 => flat[323..331].fill(S::default()),
+            79 => flat[334..340].fill(S::default()),
+            83 => flat[344..401].fill(S::default()),
+            85 => flat[403..410].fill(S::default()),
+            89 => flat[414..481].fill(S::default()),
+            91 => flat[483..490].fill(S::default()),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -87,366 +98,350 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [t0, a3_z] = {
         let t0 = s2 * k0;
         let a3_z = c2 * k0;
+        let t2 = -a3_z;
+        put(21, t2); // row 2, MSX2
         put(22, t0); // row 2, MSY2
         [t0, a3_z]
     };
     // link 3: motion
-    let [t2, z1_3_y, t4, a3_y] = {
-        let t2 = s2 * c3;
+    let [t3, z1_3_y, t5, a3_y] = {
+        let t3 = s2 * c3;
         let z1_3_y = s2 * s3;
-        let t4 = c3 * t0;
+        let t5 = c3 * t0;
         let a3_y = s3 * t0;
         put(43, a3_y); // row 3, MSX3
-        put(44, t4); // row 3, MSY3
-        [t2, z1_3_y, t4, a3_y]
+        put(44, t5); // row 3, MSY3
+        [t3, z1_3_y, t5, a3_y]
     };
     // link 4: motion
-    let [t8, a4_y] = {
-        let t8 = c4 * t4 - s4 * a3_z;
-        let a4_y = c4 * a3_z + s4 * t4;
+    let [t9, a4_y] = {
+        let t9 = c4 * t5 - s4 * a3_z;
+        let a4_y = c4 * a3_z + s4 * t5;
         put(61, a4_y); // row 4, MSX4
-        put(62, t8); // row 4, MSY4
-        [t8, a4_y]
+        put(62, t9); // row 4, MSY4
+        [t9, a4_y]
     };
     // link 5: motion
-    let [t14, a5_y] = {
-        let t14 = c5 * t8 - s5 * a3_y;
-        let a5_y = c5 * a3_y + s5 * t8;
+    let [t15, a5_y] = {
+        let t15 = c5 * t9 - s5 * a3_y;
+        let a5_y = c5 * a3_y + s5 * t9;
         put(75, a5_y); // row 5, MSX5
-        put(76, t14); // row 5, MSY5
-        [t14, a5_y]
+        put(76, t15); // row 5, MSY5
+        [t15, a5_y]
     };
     // link 6: motion
-    let [t20, a6_y] = {
-        let t20 = c6 * t14 - s6 * a4_y;
-        let a6_y = c6 * a4_y + s6 * t14;
+    let [t21, a6_y] = {
+        let t21 = c6 * t15 - s6 * a4_y;
+        let a6_y = c6 * a4_y + s6 * t15;
         put(84, a6_y); // row 6, MSX6
-        put(85, t20); // row 6, MSY6
-        [t20, a6_y]
+        put(85, t21); // row 6, MSY6
+        [t21, a6_y]
     };
     // link 7: motion
-    let [t26, t29] = {
-        let t26 = c7 * t20 + s7 * a5_y;
-        let t29 = c7 * a5_y - s7 * t20;
-        put(91, t26); // row 7, MSY7
-        [t26, t29]
+    let [t27, t30] = {
+        let t27 = c7 * t21 + s7 * a5_y;
+        let t30 = c7 * a5_y - s7 * t21;
+        let t31 = -t30;
+        put(90, t31); // row 7, MSX7
+        put(91, t27); // row 7, MSY7
+        [t27, t30]
     };
     // joint axes in frame 4
-    let [z1_4_x, z1_4_y, z2_4_x, t37] = {
-        let z1_4_x = c2 * s4 - c4 * t2;
-        let z1_4_y = c2 * c4 + s4 * t2;
+    let [z1_4_x, z1_4_y, z2_4_x, t39] = {
+        let z1_4_x = c2 * s4 - c4 * t3;
+        let z1_4_y = c2 * c4 + s4 * t3;
         let z2_4_x = s3 * c4;
-        let t37 = s3 * s4;
-        [z1_4_x, z1_4_y, z2_4_x, t37]
+        let t39 = s3 * s4;
+        [z1_4_x, z1_4_y, z2_4_x, t39]
     };
     // joint axes in frame 5
-    let t38 = {
-        let t38 = c4 * A;
-        t38
+    let t40 = {
+        let t40 = c4 * A;
+        t40
     };
     // MSZ2: column
     {
-        let t41 = c2 * t0 - s2 * a3_z;
-        put(0, t41); // row 1, MSZ2
+        let t43 = c2 * t0 - s2 * a3_z;
+        put(0, t43); // row 1, MSZ2
     }
     // M3: column
-    let [t49, t52] = {
-        let t42 = L2 * a3_y;
-        let t43 = L2 * t4;
-        let t46 = t2 * t42 - z1_3_y * t43;
-        let t49 = s3 * t42 + c3 * t43;
-        let t52 = c3 * t4 + s3 * a3_y;
-        put(1, t46); // row 1, M3
-        [t49, t52]
-    };
+    {
+        let t44 = L2 * a3_y;
+        let t45 = L2 * t5;
+        let t48 = t3 * t44 - z1_3_y * t45;
+        let t55 = -(s3 * t44 + c3 * t45);
+        let t56 = -(c3 * t5 + s3 * a3_y);
+        put(1, t48); // row 1, M3
+        put(23, t55); // row 2, M3
+        put(26, t56); // row 2, MSZ3
+    }
     // MSX3: column
-    let t56 = {
-        let t55 = c2 * a3_y - a3_z * z1_3_y;
-        let t56 = c3 * a3_z;
-        put(2, t55); // row 1, MSX3
-        t56
-    };
+    {
+        let t59 = c2 * a3_y - a3_z * z1_3_y;
+        let t61 = -(c3 * a3_z);
+        put(2, t59); // row 1, MSX3
+        put(24, t61); // row 2, MSX3
+    }
     // MSY3: column
     {
-        let t59 = c2 * t4 - a3_z * t2;
-        let t60 = s3 * a3_z;
-        put(3, t59); // row 1, MSY3
-        put(25, t60); // row 2, MSY3
+        let t64 = c2 * t5 - a3_z * t3;
+        let t65 = s3 * a3_z;
+        put(3, t64); // row 1, MSY3
+        put(25, t65); // row 2, MSY3
     }
     // MSZ3: column
     {
-        let t63 = t2 * a3_y - z1_3_y * t4;
-        put(4, t63); // row 1, MSZ3
+        let t68 = t3 * a3_y - z1_3_y * t5;
+        put(4, t68); // row 1, MSZ3
     }
     // M4: column
-    let [t65, t68, t71] = {
-        let t65 = t38 + L2 * s4;
-        let t68 = s4 * A - L2 * c4;
-        let t69 = a3_y * t68;
-        let t70 = a3_y * t65;
-        let t71 = a4_y * t65;
-        let t73 = t8 * t68 - t71;
-        let t78 = z1_3_y * t73 + (z1_4_x * t69 + z1_4_y * t70);
-        let t83 = c3 * t73 + (z2_4_x * t69 - t37 * t70);
-        let t84 = A * a3_y;
-        put(5, t78); // row 1, M4
-        put(27, t83); // row 2, M4
-        put(45, t84); // row 3, M4
-        [t65, t68, t71]
+    let [t70, t73, t76] = {
+        let t70 = t40 + L2 * s4;
+        let t73 = s4 * A - L2 * c4;
+        let t74 = a3_y * t73;
+        let t75 = a3_y * t70;
+        let t76 = a4_y * t70;
+        let t78 = t9 * t73 - t76;
+        let t83 = z1_3_y * t78 + (z1_4_x * t74 + z1_4_y * t75);
+        let t88 = c3 * t78 + (z2_4_x * t74 - t39 * t75);
+        let t89 = A * a3_y;
+        put(5, t83); // row 1, M4
+        put(27, t88); // row 2, M4
+        put(45, t89); // row 3, M4
+        [t70, t73, t76]
     };
     // MSX4: column
-    let t90 = {
-        let t87 = a3_y * z1_4_y - z1_3_y * a4_y;
-        let t90 = a3_y * t37 + c3 * a4_y;
-        let t91 = c4 * a3_y;
-        put(6, t87); // row 1, MSX4
-        put(46, t91); // row 3, MSX4
-        t90
-    };
+    {
+        let t92 = a3_y * z1_4_y - z1_3_y * a4_y;
+        let t96 = c4 * a3_y;
+        let t97 = -(a3_y * t39 + c3 * a4_y);
+        put(6, t92); // row 1, MSX4
+        put(28, t97); // row 2, MSX4
+        put(46, t96); // row 3, MSX4
+    }
     // MSY4: column
-    let [t94, t97, t98] = {
-        let t94 = a3_y * z1_4_x + z1_3_y * t8;
-        let t97 = a3_y * z2_4_x + c3 * t8;
-        let t98 = s4 * a3_y;
-        [t94, t97, t98]
-    };
+    {
+        let t105 = -(a3_y * z1_4_x + z1_3_y * t9);
+        let t106 = -(a3_y * z2_4_x + c3 * t9);
+        let t107 = -(s4 * a3_y);
+        put(7, t105); // row 1, MSY4
+        put(29, t106); // row 2, MSY4
+        put(47, t107); // row 3, MSY4
+    }
     // MSZ4: column
-    let [t101, t107] = {
-        let t101 = a4_y * z1_4_x + t8 * z1_4_y;
-        let t104 = t8 * t37 - a4_y * z2_4_x;
-        let t107 = s4 * a4_y + c4 * t8;
-        put(30, t104); // row 2, MSZ4
-        [t101, t107]
-    };
+    {
+        let t113 = t9 * t39 - a4_y * z2_4_x;
+        let t117 = -(a4_y * z1_4_x + t9 * z1_4_y);
+        let t118 = -(s4 * a4_y + c4 * t9);
+        put(8, t117); // row 1, MSZ4
+        put(30, t113); // row 2, MSZ4
+        put(48, t118); // row 3, MSZ4
+    }
     // M5: column
-    let [t109, t110, t112, t113] = {
-        let t109 = s5 * a5_y;
-        let t110 = c5 * t14 + t109;
-        let t112 = c5 * a5_y;
-        let t113 = s5 * t14 - t112;
-        let t114 = L3 * t113;
-        let t117 = L3 * t110 - A * a4_y;
-        let t118 = A * t113;
-        let t123 = t68 * t113 - t114;
-        let t124 = t65 * t113 - t118;
-        let t125 = t68 * t110 - t71 - t117;
-        let t130 = z1_3_y * t125 - (z1_4_x * t123 + z1_4_y * t124);
-        let t135 = c3 * t125 + (t37 * t124 - z2_4_x * t123);
-        let t139 = s4 * t114 + c4 * t118 - t118;
-        put(9, t130); // row 1, M5
-        put(31, t135); // row 2, M5
-        put(49, t139); // row 3, M5
-        put(63, t117); // row 4, M5
-        put(66, t110); // row 4, MSZ5
-        [t109, t110, t112, t113]
+    let [t120, t121, t123, t124] = {
+        let t120 = s5 * a5_y;
+        let t121 = c5 * t15 + t120;
+        let t123 = c5 * a5_y;
+        let t124 = s5 * t15 - t123;
+        let t125 = L3 * t124;
+        let t128 = L3 * t121 - A * a4_y;
+        let t129 = A * t124;
+        let t134 = t73 * t124 - t125;
+        let t135 = t70 * t124 - t129;
+        let t136 = t73 * t121 - t76 - t128;
+        let t141 = z1_3_y * t136 - (z1_4_x * t134 + z1_4_y * t135);
+        let t146 = c3 * t136 + (t39 * t135 - z2_4_x * t134);
+        let t150 = s4 * t125 + c4 * t129 - t129;
+        put(9, t141); // row 1, M5
+        put(31, t146); // row 2, M5
+        put(49, t150); // row 3, M5
+        put(63, t128); // row 4, M5
+        put(66, t121); // row 4, MSZ5
+        [t120, t121, t123, t124]
     };
     // MSX5: column
-    let [t140, t141] = {
-        let t140 = s5 * a4_y;
-        let t141 = c5 * a4_y;
-        let t146 = z1_4_x * t140 + a5_y * z1_4_y - z1_3_y * t141;
-        let t151 = z2_4_x * t140 - a5_y * t37 - c3 * t141;
-        let t154 = s4 * t140 + c4 * a5_y;
-        put(10, t146); // row 1, MSX5
-        put(32, t151); // row 2, MSX5
-        put(50, t154); // row 3, MSX5
-        put(64, t141); // row 4, MSX5
-        [t140, t141]
+    let [t151, t152] = {
+        let t151 = s5 * a4_y;
+        let t152 = c5 * a4_y;
+        let t157 = z1_4_x * t151 + a5_y * z1_4_y - z1_3_y * t152;
+        let t162 = z2_4_x * t151 - a5_y * t39 - c3 * t152;
+        let t165 = s4 * t151 + c4 * a5_y;
+        let t166 = -t151;
+        put(10, t157); // row 1, MSX5
+        put(32, t162); // row 2, MSX5
+        put(50, t165); // row 3, MSX5
+        put(64, t152); // row 4, MSX5
+        put(65, t166); // row 4, MSY5
+        [t151, t152]
     };
     // MSY5: column
     {
-        let t159 = z1_3_y * t140 + (z1_4_x * t141 + t14 * z1_4_y);
-        let t164 = c3 * t140 + (z2_4_x * t141 - t14 * t37);
-        let t167 = s4 * t141 + c4 * t14;
-        put(11, t159); // row 1, MSY5
-        put(33, t164); // row 2, MSY5
-        put(51, t167); // row 3, MSY5
+        let t171 = z1_3_y * t151 + (z1_4_x * t152 + t15 * z1_4_y);
+        let t176 = c3 * t151 + (z2_4_x * t152 - t15 * t39);
+        let t179 = s4 * t152 + c4 * t15;
+        put(11, t171); // row 1, MSY5
+        put(33, t176); // row 2, MSY5
+        put(51, t179); // row 3, MSY5
     }
     // MSZ5: column
     {
-        let t170 = z1_4_x * t113 - z1_3_y * t110;
-        let t173 = z2_4_x * t113 - c3 * t110;
-        let t174 = s4 * t113;
-        put(12, t170); // row 1, MSZ5
-        put(34, t173); // row 2, MSZ5
-        put(52, t174); // row 3, MSZ5
+        let t182 = z1_4_x * t124 - z1_3_y * t121;
+        let t185 = z2_4_x * t124 - c3 * t121;
+        let t186 = s4 * t124;
+        put(12, t182); // row 1, MSZ5
+        put(34, t185); // row 2, MSZ5
+        put(52, t186); // row 3, MSZ5
     }
     // M6: column
-    let [t176, t177, t179, t180] = {
-        let t176 = s6 * a6_y;
-        let t177 = c6 * t20 + t176;
-        let t179 = c6 * a6_y;
-        let t180 = s6 * t20 - t179;
-        let t182 = t109 + c5 * t177;
-        let t184 = t112 - s5 * t177;
-        let t185 = L3 * t184;
-        let t188 = L3 * t182 + A * t180;
-        let t189 = A * t184;
-        let t195 = t68 * t184 - t185;
-        let t196 = t65 * t184 - t189;
-        let t197 = t65 * t180 + t68 * t182 - t188;
-        let t202 = z1_3_y * t197 + (z1_4_x * t195 + z1_4_y * t196);
-        let t207 = c3 * t197 + (z2_4_x * t195 - t37 * t196);
-        let t211 = t189 - (s4 * t185 + c4 * t189);
-        put(13, t202); // row 1, M6
-        put(35, t207); // row 2, M6
-        put(53, t211); // row 3, M6
-        put(67, t188); // row 4, M6
-        [t176, t177, t179, t180]
+    let [t188, t189, t191, t192] = {
+        let t188 = s6 * a6_y;
+        let t189 = c6 * t21 + t188;
+        let t191 = c6 * a6_y;
+        let t192 = s6 * t21 - t191;
+        let t194 = t120 + c5 * t189;
+        let t196 = t123 - s5 * t189;
+        let t197 = L3 * t196;
+        let t200 = L3 * t194 + A * t192;
+        let t201 = A * t196;
+        let t207 = t73 * t196 - t197;
+        let t208 = t70 * t196 - t201;
+        let t209 = t70 * t192 + t73 * t194 - t200;
+        let t214 = z1_3_y * t209 + (z1_4_x * t207 + z1_4_y * t208);
+        let t219 = c3 * t209 + (z2_4_x * t207 - t39 * t208);
+        let t223 = t201 - (s4 * t197 + c4 * t201);
+        let t224 = -t189;
+        put(13, t214); // row 1, M6
+        put(35, t219); // row 2, M6
+        put(53, t223); // row 3, M6
+        put(67, t200); // row 4, M6
+        put(79, t224); // row 5, MSZ6
+        [t188, t189, t191, t192]
     };
     // MSX6: column
-    let [t212, t213] = {
-        let t212 = s6 * a5_y;
-        let t213 = c6 * a5_y;
-        let t216 = s5 * a6_y - c5 * t212;
-        let t219 = s5 * t212 + c5 * a6_y;
-        let t224 = z1_4_x * t216 + z1_4_y * t213 - z1_3_y * t219;
-        let t229 = z2_4_x * t216 - t37 * t213 - c3 * t219;
-        let t232 = s4 * t216 + c4 * t213;
-        put(14, t224); // row 1, MSX6
-        put(36, t229); // row 2, MSX6
-        put(54, t232); // row 3, MSX6
-        put(68, t219); // row 4, MSX6
-        put(77, t213); // row 5, MSX6
-        [t212, t213]
+    let [t225, t226] = {
+        let t225 = s6 * a5_y;
+        let t226 = c6 * a5_y;
+        let t229 = s5 * a6_y - c5 * t225;
+        let t232 = s5 * t225 + c5 * a6_y;
+        let t237 = z1_4_x * t229 + z1_4_y * t226 - z1_3_y * t232;
+        let t242 = z2_4_x * t229 - t39 * t226 - c3 * t232;
+        let t245 = s4 * t229 + c4 * t226;
+        let t246 = -t225;
+        put(14, t237); // row 1, MSX6
+        put(36, t242); // row 2, MSX6
+        put(54, t245); // row 3, MSX6
+        put(68, t232); // row 4, MSX6
+        put(77, t226); // row 5, MSX6
+        put(78, t246); // row 5, MSY6
+        [t225, t226]
     };
     // MSY6: column
     {
-        let t235 = s5 * t20 - c5 * t213;
-        let t238 = s5 * t213 + c5 * t20;
-        let t243 = z1_4_x * t235 - z1_4_y * t212 - z1_3_y * t238;
-        let t248 = z2_4_x * t235 + t37 * t212 - c3 * t238;
-        let t251 = s4 * t235 - c4 * t212;
-        put(15, t243); // row 1, MSY6
-        put(37, t248); // row 2, MSY6
-        put(55, t251); // row 3, MSY6
-        put(69, t238); // row 4, MSY6
+        let t249 = s5 * t21 - c5 * t226;
+        let t252 = s5 * t226 + c5 * t21;
+        let t257 = z1_4_x * t249 - z1_4_y * t225 - z1_3_y * t252;
+        let t262 = z2_4_x * t249 + t39 * t225 - c3 * t252;
+        let t265 = s4 * t249 - c4 * t225;
+        put(15, t257); // row 1, MSY6
+        put(37, t262); // row 2, MSY6
+        put(55, t265); // row 3, MSY6
+        put(69, t252); // row 4, MSY6
     }
     // MSZ6: column
-    let t253 = {
-        let t252 = c5 * t180;
-        let t253 = s5 * t180;
-        let t258 = z1_3_y * t253 + (z1_4_x * t252 - z1_4_y * t177);
-        let t263 = c3 * t253 + (z2_4_x * t252 + t37 * t177);
-        let t266 = s4 * t252 - c4 * t177;
-        put(16, t258); // row 1, MSZ6
-        put(38, t263); // row 2, MSZ6
-        put(56, t266); // row 3, MSZ6
-        t253
-    };
+    {
+        let t266 = c5 * t192;
+        let t267 = s5 * t192;
+        let t272 = z1_3_y * t267 + (z1_4_x * t266 - z1_4_y * t189);
+        let t277 = c3 * t267 + (z2_4_x * t266 + t39 * t189);
+        let t280 = s4 * t266 - c4 * t189;
+        let t281 = -t267;
+        put(16, t272); // row 1, MSZ6
+        put(38, t277); // row 2, MSZ6
+        put(56, t280); // row 3, MSZ6
+        put(70, t281); // row 4, MSZ6
+    }
     // M7: column
-    let [t269, t272] = {
-        let t269 = s7 * t29 - c7 * t26;
-        let t272 = s7 * t26 + c7 * t29;
-        let t273 = k4 * a6_y;
-        let t274 = k4 * t272;
-        let t276 = t176 - c6 * t269;
-        let t278 = t179 + s6 * t269;
-        let t279 = s6 * t274;
-        let t280 = c6 * t274;
-        let t283 = c5 * t276 + s5 * t272;
-        let t286 = c5 * t272 - s5 * t276;
-        let t297 = A * t286;
-        let t298 = c5 * t279 - s5 * t273 + L3 * t286;
-        let t299 = s5 * t279 + c5 * t273 - (A * t278 - L3 * t283);
-        let t300 = t297 - t280;
-        let t306 = t298 - t68 * t286;
-        let t307 = t65 * t286 - t300;
-        let t308 = t68 * t283 - t65 * t278 - t299;
-        let t313 = z1_3_y * t308 + (z1_4_y * t307 - z1_4_x * t306);
-        let t318 = c3 * t308 - (z2_4_x * t306 + t37 * t307);
-        let t322 = t297 - (s4 * t298 + c4 * t300);
-        put(17, t313); // row 1, M7
-        put(39, t318); // row 2, M7
-        put(57, t322); // row 3, M7
-        put(71, t299); // row 4, M7
-        put(80, t280); // row 5, M7
-        put(86, t273); // row 6, M7
-        put(89, t269); // row 6, MSZ7
-        [t269, t272]
+    let [t284, t287] = {
+        let t284 = s7 * t30 - c7 * t27;
+        let t287 = s7 * t27 + c7 * t30;
+        let t288 = k4 * a6_y;
+        let t289 = k4 * t287;
+        let t291 = t188 - c6 * t284;
+        let t293 = t191 + s6 * t284;
+        let t294 = s6 * t289;
+        let t295 = c6 * t289;
+        let t298 = c5 * t291 + s5 * t287;
+        let t301 = c5 * t287 - s5 * t291;
+        let t312 = A * t301;
+        let t313 = c5 * t294 - s5 * t288 + L3 * t301;
+        let t314 = s5 * t294 + c5 * t288 - (A * t293 - L3 * t298);
+        let t315 = t312 - t295;
+        let t321 = t313 - t73 * t301;
+        let t322 = t70 * t301 - t315;
+        let t323 = t73 * t298 - t70 * t293 - t314;
+        let t328 = z1_3_y * t323 + (z1_4_y * t322 - z1_4_x * t321);
+        let t333 = c3 * t323 - (z2_4_x * t321 + t39 * t322);
+        let t337 = t312 - (s4 * t313 + c4 * t315);
+        put(17, t328); // row 1, M7
+        put(39, t333); // row 2, M7
+        put(57, t337); // row 3, M7
+        put(71, t314); // row 4, M7
+        put(80, t295); // row 5, M7
+        put(86, t288); // row 6, M7
+        put(89, t284); // row 6, MSZ7
+        [t284, t287]
     };
     // MSX7: column
-    let [t323, t324] = {
-        let t323 = s7 * a6_y;
-        let t324 = c7 * a6_y;
-        let t327 = c6 * t323 + s6 * t29;
-        let t330 = c6 * t29 - s6 * t323;
-        let t333 = s5 * t324 - c5 * t327;
-        let t336 = s5 * t327 + c5 * t324;
-        let t341 = z1_4_x * t333 + z1_4_y * t330 - z1_3_y * t336;
-        let t346 = z2_4_x * t333 - t37 * t330 - c3 * t336;
-        let t349 = s4 * t333 + c4 * t330;
-        put(18, t341); // row 1, MSX7
-        put(40, t346); // row 2, MSX7
-        put(58, t349); // row 3, MSX7
-        put(72, t336); // row 4, MSX7
-        put(81, t330); // row 5, MSX7
-        put(87, t324); // row 6, MSX7
-        [t323, t324]
+    let [t338, t339] = {
+        let t338 = s7 * a6_y;
+        let t339 = c7 * a6_y;
+        let t342 = c6 * t338 + s6 * t30;
+        let t345 = c6 * t30 - s6 * t338;
+        let t348 = s5 * t339 - c5 * t342;
+        let t351 = s5 * t342 + c5 * t339;
+        let t356 = z1_4_x * t348 + z1_4_y * t345 - z1_3_y * t351;
+        let t361 = z2_4_x * t348 - t39 * t345 - c3 * t351;
+        let t364 = s4 * t348 + c4 * t345;
+        let t365 = -t338;
+        put(18, t356); // row 1, MSX7
+        put(40, t361); // row 2, MSX7
+        put(58, t364); // row 3, MSX7
+        put(72, t351); // row 4, MSX7
+        put(81, t345); // row 5, MSX7
+        put(87, t339); // row 6, MSX7
+        put(88, t365); // row 6, MSY7
+        [t338, t339]
     };
     // MSY7: column
-    let [t355, t361] = {
-        let t352 = s6 * t26 - c6 * t324;
-        let t355 = s6 * t324 + c6 * t26;
-        let t358 = c5 * t352 - s5 * t323;
-        let t361 = s5 * t352 + c5 * t323;
-        let t366 = z1_3_y * t361 - (z1_4_y * t355 - z1_4_x * t358);
-        let t371 = c3 * t361 + (z2_4_x * t358 + t37 * t355);
-        let t374 = s4 * t358 - c4 * t355;
-        put(19, t366); // row 1, MSY7
-        put(41, t371); // row 2, MSY7
-        put(59, t374); // row 3, MSY7
-        [t355, t361]
-    };
+    {
+        let t368 = s6 * t27 - c6 * t339;
+        let t371 = s6 * t339 + c6 * t27;
+        let t374 = c5 * t368 - s5 * t338;
+        let t377 = s5 * t368 + c5 * t338;
+        let t382 = z1_3_y * t377 - (z1_4_y * t371 - z1_4_x * t374);
+        let t387 = c3 * t377 + (z2_4_x * t374 + t39 * t371);
+        let t390 = s4 * t374 - c4 * t371;
+        let t391 = -t377;
+        let t392 = -t371;
+        put(19, t382); // row 1, MSY7
+        put(41, t387); // row 2, MSY7
+        put(59, t390); // row 3, MSY7
+        put(73, t391); // row 4, MSY7
+        put(82, t392); // row 5, MSY7
+    }
     // MSZ7: column
     {
-        let t375 = c6 * t272;
-        let t376 = s6 * t272;
-        let t379 = c5 * t375 + s5 * t269;
-        let t382 = c5 * t269 - s5 * t375;
-        let t387 = z1_4_x * t379 + z1_4_y * t376 - z1_3_y * t382;
-        let t392 = z2_4_x * t379 - t37 * t376 - c3 * t382;
-        let t395 = s4 * t379 + c4 * t376;
-        let t396 = -t94;
-        let t397 = -t101;
-        let t398 = -a3_z;
-        let t399 = -t49;
-        let t400 = -t56;
-        let t401 = -t52;
-        let t402 = -t90;
-        let t403 = -t97;
-        let t404 = -t98;
-        let t405 = -t107;
-        let t406 = -t140;
-        let t407 = -t253;
-        let t408 = -t361;
-        let t409 = -t212;
-        let t410 = -t177;
-        let t411 = -t355;
-        let t412 = -t323;
-        let t413 = -t29;
-        put(7, t396); // row 1, MSY4
-        put(8, t397); // row 1, MSZ4
-        put(20, t387); // row 1, MSZ7
-        put(21, t398); // row 2, MSX2
-        put(23, t399); // row 2, M3
-        put(24, t400); // row 2, MSX3
-        put(26, t401); // row 2, MSZ3
-        put(28, t402); // row 2, MSX4
-        put(29, t403); // row 2, MSY4
-        put(42, t392); // row 2, MSZ7
-        put(47, t404); // row 3, MSY4
-        put(48, t405); // row 3, MSZ4
-        put(60, t395); // row 3, MSZ7
-        put(65, t406); // row 4, MSY5
-        put(70, t407); // row 4, MSZ6
-        put(73, t408); // row 4, MSY7
-        put(74, t382); // row 4, MSZ7
-        put(78, t409); // row 5, MSY6
-        put(79, t410); // row 5, MSZ6
-        put(82, t411); // row 5, MSY7
-        put(83, t376); // row 5, MSZ7
-        put(88, t412); // row 6, MSY7
-        put(90, t413); // row 7, MSX7
+        let t393 = c6 * t287;
+        let t394 = s6 * t287;
+        let t397 = c5 * t393 + s5 * t284;
+        let t400 = c5 * t284 - s5 * t393;
+        let t405 = z1_4_x * t397 + z1_4_y * t394 - z1_3_y * t400;
+        let t410 = z2_4_x * t397 - t39 * t394 - c3 * t400;
+        let t413 = s4 * t397 + c4 * t394;
+        put(20, t405); // row 1, MSZ7
+        put(42, t410); // row 2, MSZ7
+        put(60, t413); // row 3, MSZ7
+        put(74, t400); // row 4, MSZ7
+        put(83, t394); // row 5, MSZ7
     }
 }

@@ -4,7 +4,7 @@
 //!
 //! 93 multiplications, 57 additions; 6 x 7, 35 of 42 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -18,16 +18,27 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (5, 2), (5, 3), (5, 4), (5, 5), (5, 6),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 7 + PATTERN[k].1
+}
+
 /// Jacobian of the last DH frame's origin, in base axes: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 7]; 6]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[6] = S::default();
-    flat[13..15].fill(S::default());
-    flat[20..22].fill(S::default());
-    flat[28] = S::default();
-    flat[36] = S::default();
-    nonzeros(trig, out);
+    entries(trig, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            5 => flat[6] = S::default(),
+            11 => flat[13..15].fill(S::default()),
+            16 => flat[20..22].fill(S::default()),
+            22 => flat[28] = S::default(),
+            29 => flat[36] = S::default(),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -82,8 +93,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t19 = s3 * t2 - c1 * c3;
         let t20 = s2 * c3;
         let t21 = s2 * s3;
+        let t22 = -t21;
         put(19, t13); // [3][3]
         put(25, t19); // [4][3]
+        put(31, t22); // [5][3]
         [
         t4, t5, t7, t10, t13, t16, t19, t20,
         t21,
@@ -91,127 +104,125 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // frame 4
     let [
-        t25, t26, t27, t30, t33, t36, t39, t42,
-        t45,
+        t26, t27, t28, t31, t34, t37, t40, t43,
+        t46,
     ] = {
-        let t25 = t4 + A * t10;
-        let t26 = t5 + A * t16;
-        let t27 = t7 - A * t20;
-        let t30 = c4 * t10 + s4 * t1;
-        let t33 = c4 * t1 - s4 * t10;
-        let t36 = c4 * t16 + s4 * t3;
-        let t39 = c4 * t3 - s4 * t16;
-        let t42 = c2 * s4 - c4 * t20;
-        let t45 = c2 * c4 + s4 * t20;
-        put(20, t33); // [3][4]
-        put(26, t39); // [4][4]
-        put(32, t45); // [5][4]
+        let t26 = t4 + A * t10;
+        let t27 = t5 + A * t16;
+        let t28 = t7 - A * t20;
+        let t31 = c4 * t10 + s4 * t1;
+        let t34 = c4 * t1 - s4 * t10;
+        let t37 = c4 * t16 + s4 * t3;
+        let t40 = c4 * t3 - s4 * t16;
+        let t43 = c2 * s4 - c4 * t20;
+        let t46 = c2 * c4 + s4 * t20;
+        put(20, t34); // [3][4]
+        put(26, t40); // [4][4]
+        put(32, t46); // [5][4]
         [
-        t25, t26, t27, t30, t33, t36, t39, t42,
-        t45,
+        t26, t27, t28, t31, t34, t37, t40, t43,
+        t46,
     ]
     };
     // frame 5
     let [
-        t55, t56, t57, t60, t63, t66, t69, t72,
-        t75,
+        t56, t57, t58, t61, t64, t67, t70, t73,
+        t76,
     ] = {
-        let t55 = t25 - (A * t30 - L3 * t33);
-        let t56 = A * t36 - L3 * t39 - t26;
-        let t57 = A * t42 - L3 * t45 - t27;
-        let t60 = c5 * t30 - s5 * t13;
-        let t63 = c5 * t13 + s5 * t30;
-        let t66 = c5 * t36 - s5 * t19;
-        let t69 = c5 * t19 + s5 * t36;
-        let t72 = c5 * t42 + s5 * t21;
-        let t75 = s5 * t42 - c5 * t21;
-        put(21, t63); // [3][5]
-        put(27, t69); // [4][5]
-        put(33, t75); // [5][5]
+        let t56 = t26 - (A * t31 - L3 * t34);
+        let t57 = A * t37 - L3 * t40 - t27;
+        let t58 = A * t43 - L3 * t46 - t28;
+        let t61 = c5 * t31 - s5 * t13;
+        let t64 = c5 * t13 + s5 * t31;
+        let t67 = c5 * t37 - s5 * t19;
+        let t70 = c5 * t19 + s5 * t37;
+        let t73 = c5 * t43 + s5 * t21;
+        let t76 = s5 * t43 - c5 * t21;
+        put(21, t64); // [3][5]
+        put(27, t70); // [4][5]
+        put(33, t76); // [5][5]
         [
-        t55, t56, t57, t60, t63, t66, t69, t72,
-        t75,
+        t56, t57, t58, t61, t64, t67, t70, t73,
+        t76,
     ]
     };
     // frame 6
     let [
-        t78, t79, t80, t83, t84, t85, t88, t89,
-        t90,
+        t79, t80, t81, t84, t85, t86, t89, t90,
+        t91,
     ] = {
-        let t78 = c6 * t60 + s6 * t33;
-        let t79 = c6 * t33;
-        let t80 = s6 * t60;
-        let t83 = c6 * t66 + s6 * t39;
-        let t84 = c6 * t39;
-        let t85 = s6 * t66;
-        let t88 = c6 * t72 + s6 * t45;
-        let t89 = c6 * t45;
-        let t90 = s6 * t72;
+        let t79 = c6 * t61 + s6 * t34;
+        let t80 = c6 * t34;
+        let t81 = s6 * t61;
+        let t84 = c6 * t67 + s6 * t40;
+        let t85 = c6 * t40;
+        let t86 = s6 * t67;
+        let t89 = c6 * t73 + s6 * t46;
+        let t90 = c6 * t46;
+        let t91 = s6 * t73;
         [
-        t78, t79, t80, t83, t84, t85, t88, t89,
-        t90,
+        t79, t80, t81, t84, t85, t86, t89, t90,
+        t91,
     ]
     };
     // frame 7
-    let [t91, t92, t93, t94, t95, t96] = {
-        let t91 = k4 * t78;
-        let t92 = k4 * t83;
-        let t93 = k4 * t88;
-        let t94 = t55 + t91;
-        let t95 = t56 - t92;
-        let t96 = t93 - t57;
-        let t97 = t80 - t79;
-        let t98 = t85 - t84;
-        let t99 = t90 - t89;
-        put(0, t95); // [0][0]
-        put(6, t94); // [1][0]
-        put(22, t97); // [3][6]
-        put(28, t98); // [4][6]
-        put(34, t99); // [5][6]
-        [t91, t92, t93, t94, t95, t96]
+    let [t92, t93, t94, t95, t96, t97] = {
+        let t92 = k4 * t79;
+        let t93 = k4 * t84;
+        let t94 = k4 * t89;
+        let t95 = t56 + t92;
+        let t96 = t57 - t93;
+        let t97 = t94 - t58;
+        let t98 = t81 - t80;
+        let t99 = t86 - t85;
+        let t100 = t91 - t90;
+        put(0, t96); // [0][0]
+        put(6, t95); // [1][0]
+        put(22, t98); // [3][6]
+        put(28, t99); // [4][6]
+        put(34, t100); // [5][6]
+        [t92, t93, t94, t95, t96, t97]
     };
     // columns
     {
-        let t100 = t96 - L1;
-        let t101 = c1 * t100;
-        let t102 = s1 * t100;
-        let t105 = s1 * t95 - c1 * t94;
-        let t106 = t4 - t94;
-        let t107 = t5 + t95;
-        let t108 = t7 - t96;
-        let t111 = c2 * t107 - t3 * t108;
-        let t114 = t1 * t108 - c2 * t106;
-        let t117 = t3 * t106 - t1 * t107;
-        let t118 = t25 - t94;
-        let t119 = t26 + t95;
-        let t120 = t96 - t27;
-        let t123 = t19 * t120 - t21 * t119;
-        let t126 = t21 * t118 - t13 * t120;
-        let t129 = t19 * t118 - t13 * t119;
-        let t132 = t39 * t93 - t45 * t92;
-        let t135 = t45 * t91 - t33 * t93;
-        let t138 = t33 * t92 - t39 * t91;
-        let t141 = t69 * t93 - t75 * t92;
-        let t144 = t75 * t91 - t63 * t93;
-        let t147 = t63 * t92 - t69 * t91;
-        let t148 = -s1;
-        let t149 = -t21;
-        put(1, t101); // [0][1]
-        put(2, t111); // [0][2]
-        put(3, t123); // [0][3]
-        put(4, t132); // [0][4]
-        put(5, t141); // [0][5]
-        put(7, t102); // [1][1]
-        put(8, t114); // [1][2]
-        put(9, t126); // [1][3]
-        put(10, t135); // [1][4]
-        put(11, t144); // [1][5]
-        put(12, t105); // [2][1]
-        put(13, t117); // [2][2]
-        put(14, t129); // [2][3]
-        put(15, t138); // [2][4]
-        put(16, t147); // [2][5]
-        put(17, t148); // [3][1]
-        put(31, t149); // [5][3]
+        let t101 = t97 - L1;
+        let t102 = c1 * t101;
+        let t103 = s1 * t101;
+        let t106 = s1 * t96 - c1 * t95;
+        let t107 = t4 - t95;
+        let t108 = t5 + t96;
+        let t109 = t7 - t97;
+        let t112 = c2 * t108 - t3 * t109;
+        let t115 = t1 * t109 - c2 * t107;
+        let t118 = t3 * t107 - t1 * t108;
+        let t119 = t26 - t95;
+        let t120 = t27 + t96;
+        let t121 = t97 - t28;
+        let t124 = t19 * t121 - t21 * t120;
+        let t127 = t21 * t119 - t13 * t121;
+        let t130 = t19 * t119 - t13 * t120;
+        let t133 = t40 * t94 - t46 * t93;
+        let t136 = t46 * t92 - t34 * t94;
+        let t139 = t34 * t93 - t40 * t92;
+        let t142 = t70 * t94 - t76 * t93;
+        let t145 = t76 * t92 - t64 * t94;
+        let t148 = t64 * t93 - t70 * t92;
+        let t149 = -s1;
+        put(1, t102); // [0][1]
+        put(2, t112); // [0][2]
+        put(3, t124); // [0][3]
+        put(4, t133); // [0][4]
+        put(5, t142); // [0][5]
+        put(7, t103); // [1][1]
+        put(8, t115); // [1][2]
+        put(9, t127); // [1][3]
+        put(10, t136); // [1][4]
+        put(11, t145); // [1][5]
+        put(12, t106); // [2][1]
+        put(13, t118); // [2][2]
+        put(14, t130); // [2][3]
+        put(15, t139); // [2][4]
+        put(16, t148); // [2][5]
+        put(17, t149); // [3][1]
     }
 }

@@ -4,7 +4,7 @@
 //!
 //! 389 multiplications, 277 additions; 7 x 10, 68 of 70 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -21,13 +21,24 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (6, 1), (6, 2), (6, 4), (6, 5), (6, 6), (6, 7), (6, 8), (6, 9),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 10 + PATTERN[k].1
+}
+
 /// Regressor of a body fixed to the tool frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 7]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[60] = S::default();
-    flat[63] = S::default();
-    nonzeros(trig, dq, ddq, out);
+    entries(trig, dq, ddq, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            59 => flat[60] = S::default(),
+            61 => flat[63] = S::default(),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -217,9 +228,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t210 = t199 + t200;
         let t211 = t202 + t205;
         let t212 = t203 + dw7_x;
+        let t213 = -t201;
         put(60, a7_y); // row 7, MSX
         put(61, t181); // row 7, MSY
         put(62, t201); // row 7, XX
+        put(63, t213); // row 7, YY
         put(64, dw7_z); // row 7, ZZ
         put(66, t196); // row 7, XZ
         put(67, t193); // row 7, YZ
@@ -230,267 +243,265 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     ]
     };
     // joint axes in frame 4
-    let [z1_4_x, z1_4_y, z2_4_x, t220] = {
+    let [z1_4_x, z1_4_y, z2_4_x, t221] = {
         let z1_4_x = c2 * s4 - c4 * t16;
         let z1_4_y = c2 * c4 + s4 * t16;
         let z2_4_x = s3 * c4;
-        let t220 = s3 * s4;
-        [z1_4_x, z1_4_y, z2_4_x, t220]
+        let t221 = s3 * s4;
+        [z1_4_x, z1_4_y, z2_4_x, t221]
     };
     // joint axes in frame 5
-    let [z1_5_x, t226, z2_5_x, t232, t233, z3_5_x, z3_6_z] = {
+    let [z1_5_x, t227, z2_5_x, t233, t234, z3_5_x, z3_6_z] = {
         let z1_5_x = c5 * z1_4_x + s5 * z1_3_y;
-        let t226 = s5 * z1_4_x - c5 * z1_3_y;
+        let t227 = s5 * z1_4_x - c5 * z1_3_y;
         let z2_5_x = c5 * z2_4_x + c3 * s5;
-        let t232 = s5 * z2_4_x - c3 * c5;
-        let t233 = c4 * A;
+        let t233 = s5 * z2_4_x - c3 * c5;
+        let t234 = c4 * A;
         let z3_5_x = s4 * c5;
         let z3_6_z = s4 * s5;
-        [z1_5_x, t226, z2_5_x, t232, t233, z3_5_x, z3_6_z]
+        [z1_5_x, t227, z2_5_x, t233, t234, z3_5_x, z3_6_z]
     };
     // payload: column M
-    let [t238, t241, t242, t273, t276] = {
-        let t238 = c7 * t181 + s7 * a7_y;
-        let t241 = s7 * t181 - c7 * a7_y;
-        let t242 = k4 * t177;
-        let t243 = k4 * t241;
-        let t246 = c6 * t238 - s6 * t177;
-        let t249 = s6 * t238 + c6 * t177;
-        let t250 = s6 * t243;
-        let t251 = c6 * t243;
-        let t254 = c5 * t246 + s5 * t241;
-        let t257 = c5 * t241 - s5 * t246;
-        let t268 = A * t257;
-        let t269 = c5 * t250 + s5 * t242 + L3 * t257;
-        let t270 = L3 * t254 + A * t249 - (c5 * t242 - s5 * t250);
-        let t271 = t268 - t251;
-        let t273 = t233 + L2 * s4;
-        let t276 = s4 * A - L2 * c4;
-        let t282 = t257 * t276 - t269;
-        let t283 = t271 - t257 * t273;
-        let t284 = t249 * t273 + t254 * t276 - t270;
-        let t289 = z1_3_y * t284 - (z1_4_y * t283 - z1_4_x * t282);
-        let t294 = c3 * t284 + (z2_4_x * t282 + t220 * t283);
-        let t298 = t268 - (s4 * t269 + c4 * t271);
-        put(0, t289); // row 1, M
-        put(10, t294); // row 2, M
-        put(20, t298); // row 3, M
-        put(30, t270); // row 4, M
-        put(40, t251); // row 5, M
-        [t238, t241, t242, t273, t276]
+    let [t239, t242, t274, t277] = {
+        let t239 = c7 * t181 + s7 * a7_y;
+        let t242 = s7 * t181 - c7 * a7_y;
+        let t243 = k4 * t177;
+        let t244 = k4 * t242;
+        let t247 = c6 * t239 - s6 * t177;
+        let t250 = s6 * t239 + c6 * t177;
+        let t251 = s6 * t244;
+        let t252 = c6 * t244;
+        let t255 = c5 * t247 + s5 * t242;
+        let t258 = c5 * t242 - s5 * t247;
+        let t269 = A * t258;
+        let t270 = c5 * t251 + s5 * t243 + L3 * t258;
+        let t271 = L3 * t255 + A * t250 - (c5 * t243 - s5 * t251);
+        let t272 = t269 - t252;
+        let t274 = t234 + L2 * s4;
+        let t277 = s4 * A - L2 * c4;
+        let t283 = t258 * t277 - t270;
+        let t284 = t272 - t258 * t274;
+        let t285 = t250 * t274 + t255 * t277 - t271;
+        let t290 = z1_3_y * t285 - (z1_4_y * t284 - z1_4_x * t283);
+        let t295 = c3 * t285 + (z2_4_x * t283 + t221 * t284);
+        let t299 = t269 - (s4 * t270 + c4 * t272);
+        let t300 = -t243;
+        put(0, t290); // row 1, M
+        put(10, t295); // row 2, M
+        put(20, t299); // row 3, M
+        put(30, t271); // row 4, M
+        put(40, t252); // row 5, M
+        put(50, t300); // row 6, M
+        [t239, t242, t274, t277]
     };
     // payload: column MSX
-    let [t300, t303, t305, t306] = {
-        let t300 = s7 * t209;
-        let t301 = c7 * t207 + t300;
-        let t303 = c7 * t209;
-        let t304 = t303 - s7 * t207;
-        let t305 = s7 * t177;
-        let t306 = c7 * t177;
-        let t309 = k4 * t211 - t306;
-        let t310 = a7_y + k4 * t304;
-        let t313 = c6 * t301 + s6 * t211;
-        let t316 = s6 * t301 - c6 * t211;
-        let t319 = c6 * t305 + s6 * t310;
-        let t322 = s6 * t305 - c6 * t310;
-        let t325 = s5 * t304 - c5 * t313;
-        let t328 = s5 * t313 + c5 * t304;
-        let t339 = A * t328;
-        let t340 = c5 * t319 + s5 * t309 + L3 * t328;
-        let t341 = c5 * t309 - s5 * t319 + (A * t316 - L3 * t325);
-        let t342 = t322 + t339;
-        let t348 = t340 - t276 * t328;
-        let t349 = t342 - t273 * t328;
-        let t350 = t273 * t316 - t276 * t325 - t341;
-        let t355 = z1_3_y * t350 + (z1_4_x * t348 + z1_4_y * t349);
-        let t360 = c3 * t350 + (z2_4_x * t348 - t220 * t349);
-        let t364 = s4 * t340 + c4 * t342 - t339;
-        put(1, t355); // row 1, MSX
-        put(11, t360); // row 2, MSX
-        put(21, t364); // row 3, MSX
-        put(31, t341); // row 4, MSX
-        put(41, t322); // row 5, MSX
-        put(51, t309); // row 6, MSX
-        [t300, t303, t305, t306]
+    let [t302, t305, t307, t308] = {
+        let t302 = s7 * t209;
+        let t303 = c7 * t207 + t302;
+        let t305 = c7 * t209;
+        let t306 = t305 - s7 * t207;
+        let t307 = s7 * t177;
+        let t308 = c7 * t177;
+        let t311 = k4 * t211 - t308;
+        let t312 = a7_y + k4 * t306;
+        let t315 = c6 * t303 + s6 * t211;
+        let t318 = s6 * t303 - c6 * t211;
+        let t321 = c6 * t307 + s6 * t312;
+        let t324 = s6 * t307 - c6 * t312;
+        let t327 = s5 * t306 - c5 * t315;
+        let t330 = s5 * t315 + c5 * t306;
+        let t341 = A * t330;
+        let t342 = c5 * t321 + s5 * t311 + L3 * t330;
+        let t343 = c5 * t311 - s5 * t321 + (A * t318 - L3 * t327);
+        let t344 = t324 + t341;
+        let t350 = t342 - t277 * t330;
+        let t351 = t344 - t274 * t330;
+        let t352 = t274 * t318 - t277 * t327 - t343;
+        let t357 = z1_3_y * t352 + (z1_4_x * t350 + z1_4_y * t351);
+        let t362 = c3 * t352 + (z2_4_x * t350 - t221 * t351);
+        let t366 = s4 * t342 + c4 * t344 - t341;
+        put(1, t357); // row 1, MSX
+        put(11, t362); // row 2, MSX
+        put(21, t366); // row 3, MSX
+        put(31, t343); // row 4, MSX
+        put(41, t324); // row 5, MSX
+        put(51, t311); // row 6, MSX
+        [t302, t305, t307, t308]
     };
     // payload: column MSY
-    let [t365, t368] = {
-        let t365 = c7 * t208;
-        let t367 = t365 - s7 * t210;
-        let t368 = s7 * t208;
-        let t370 = t368 + c7 * t210;
-        let t373 = t305 - k4 * t212;
-        let t374 = k4 * t370 - t181;
-        let t377 = s6 * t212 - c6 * t367;
-        let t380 = s6 * t367 + c6 * t212;
-        let t383 = s6 * t374 - c6 * t306;
-        let t386 = s6 * t306 + c6 * t374;
-        let t389 = s5 * t370 - c5 * t377;
-        let t392 = s5 * t377 + c5 * t370;
-        let t403 = A * t392;
-        let t404 = L3 * t392 - (s5 * t373 - c5 * t383);
-        let t405 = s5 * t383 + c5 * t373 + (L3 * t389 + A * t380);
-        let t406 = t403 - t386;
-        let t412 = t404 - t276 * t392;
-        let t413 = t406 - t273 * t392;
-        let t414 = t273 * t380 + t276 * t389 - t405;
-        let t419 = z1_3_y * t414 - (z1_4_x * t412 + z1_4_y * t413);
-        let t424 = c3 * t414 + (t220 * t413 - z2_4_x * t412);
-        let t428 = t403 - (s4 * t404 + c4 * t406);
-        put(2, t419); // row 1, MSY
-        put(12, t424); // row 2, MSY
-        put(22, t428); // row 3, MSY
-        put(32, t405); // row 4, MSY
-        put(42, t386); // row 5, MSY
-        put(52, t373); // row 6, MSY
-        [t365, t368]
+    let [t367, t370] = {
+        let t367 = c7 * t208;
+        let t369 = t367 - s7 * t210;
+        let t370 = s7 * t208;
+        let t372 = t370 + c7 * t210;
+        let t375 = t307 - k4 * t212;
+        let t376 = k4 * t372 - t181;
+        let t379 = s6 * t212 - c6 * t369;
+        let t382 = s6 * t369 + c6 * t212;
+        let t385 = s6 * t376 - c6 * t308;
+        let t388 = s6 * t308 + c6 * t376;
+        let t391 = s5 * t372 - c5 * t379;
+        let t394 = s5 * t379 + c5 * t372;
+        let t405 = A * t394;
+        let t406 = L3 * t394 - (s5 * t375 - c5 * t385);
+        let t407 = s5 * t385 + c5 * t375 + (L3 * t391 + A * t382);
+        let t408 = t405 - t388;
+        let t414 = t406 - t277 * t394;
+        let t415 = t408 - t274 * t394;
+        let t416 = t274 * t382 + t277 * t391 - t407;
+        let t421 = z1_3_y * t416 - (z1_4_x * t414 + z1_4_y * t415);
+        let t426 = c3 * t416 + (t221 * t415 - z2_4_x * t414);
+        let t430 = t405 - (s4 * t406 + c4 * t408);
+        put(2, t421); // row 1, MSY
+        put(12, t426); // row 2, MSY
+        put(22, t430); // row 3, MSY
+        put(32, t407); // row 4, MSY
+        put(42, t388); // row 5, MSY
+        put(52, t375); // row 6, MSY
+        [t367, t370]
     };
     // payload: column MSZ
     {
-        let t431 = c7 * t193 + s7 * t196;
-        let t434 = c7 * t196 - s7 * t193;
-        let t436 = k4 * t434;
-        let t437 = k4 * t170 - t238;
-        let t440 = s6 * t170 - c6 * t431;
-        let t443 = s6 * t431 + c6 * t170;
-        let t446 = s6 * t436 - c6 * t241;
-        let t449 = s6 * t241 + c6 * t436;
-        let t452 = c5 * t440 + s5 * t434;
-        let t455 = c5 * t434 - s5 * t440;
-        let t466 = A * t455;
-        let t467 = L3 * t455 - (s5 * t437 - c5 * t446);
-        let t468 = s5 * t446 + c5 * t437 + (L3 * t452 - A * t443);
-        let t469 = t466 - t449;
-        let t475 = t276 * t455 - t467;
-        let t476 = t469 - t273 * t455;
-        let t477 = t468 - (t276 * t452 - t273 * t443);
-        let t482 = z1_4_x * t475 - z1_4_y * t476 - z1_3_y * t477;
-        let t487 = z2_4_x * t475 + t220 * t476 - c3 * t477;
-        let t491 = t466 - (s4 * t467 + c4 * t469);
-        put(3, t482); // row 1, MSZ
-        put(13, t487); // row 2, MSZ
-        put(23, t491); // row 3, MSZ
-        put(33, t468); // row 4, MSZ
-        put(43, t449); // row 5, MSZ
-        put(53, t437); // row 6, MSZ
+        let t433 = c7 * t193 + s7 * t196;
+        let t436 = c7 * t196 - s7 * t193;
+        let t438 = k4 * t436;
+        let t439 = k4 * t170 - t239;
+        let t442 = s6 * t170 - c6 * t433;
+        let t445 = s6 * t433 + c6 * t170;
+        let t448 = s6 * t438 - c6 * t242;
+        let t451 = s6 * t242 + c6 * t438;
+        let t454 = c5 * t442 + s5 * t436;
+        let t457 = c5 * t436 - s5 * t442;
+        let t468 = A * t457;
+        let t469 = L3 * t457 - (s5 * t439 - c5 * t448);
+        let t470 = s5 * t448 + c5 * t439 + (L3 * t454 - A * t445);
+        let t471 = t468 - t451;
+        let t477 = t277 * t457 - t469;
+        let t478 = t471 - t274 * t457;
+        let t479 = t470 - (t277 * t454 - t274 * t445);
+        let t484 = z1_4_x * t477 - z1_4_y * t478 - z1_3_y * t479;
+        let t489 = z2_4_x * t477 + t221 * t478 - c3 * t479;
+        let t493 = t468 - (s4 * t469 + c4 * t471);
+        put(3, t484); // row 1, MSZ
+        put(13, t489); // row 2, MSZ
+        put(23, t493); // row 3, MSZ
+        put(33, t470); // row 4, MSZ
+        put(43, t451); // row 5, MSZ
+        put(53, t439); // row 6, MSZ
     }
     // payload: column XX
-    let [t493, t496, t499, t502] = {
-        let t493 = s7 * t202;
-        let t494 = c7 * dw7_x + t493;
-        let t496 = c7 * t202;
-        let t497 = s7 * dw7_x - t496;
-        let t499 = s6 * t201;
-        let t500 = c6 * t494 + t499;
-        let t502 = c6 * t201;
-        let t503 = s6 * t494 - t502;
-        let t508 = z1_4_y * t503 + (z1_5_x * t500 + t226 * t497);
-        let t513 = z2_5_x * t500 + t232 * t497 - t220 * t503;
-        let t518 = c4 * t503 + (z3_5_x * t500 + z3_6_z * t497);
-        let t521 = c5 * t497 - s5 * t500;
-        put(4, t508); // row 1, XX
-        put(14, t513); // row 2, XX
-        put(24, t518); // row 3, XX
-        put(34, t521); // row 4, XX
-        put(44, t503); // row 5, XX
-        put(54, t497); // row 6, XX
-        [t493, t496, t499, t502]
+    let [t495, t498, t501, t504] = {
+        let t495 = s7 * t202;
+        let t496 = c7 * dw7_x + t495;
+        let t498 = c7 * t202;
+        let t499 = s7 * dw7_x - t498;
+        let t501 = s6 * t201;
+        let t502 = c6 * t496 + t501;
+        let t504 = c6 * t201;
+        let t505 = s6 * t496 - t504;
+        let t510 = z1_4_y * t505 + (z1_5_x * t502 + t227 * t499);
+        let t515 = z2_5_x * t502 + t233 * t499 - t221 * t505;
+        let t520 = c4 * t505 + (z3_5_x * t502 + z3_6_z * t499);
+        let t523 = c5 * t499 - s5 * t502;
+        put(4, t510); // row 1, XX
+        put(14, t515); // row 2, XX
+        put(24, t520); // row 3, XX
+        put(34, t523); // row 4, XX
+        put(44, t505); // row 5, XX
+        put(54, t499); // row 6, XX
+        [t495, t498, t501, t504]
     };
     // payload: column YY
-    let [t522, t525] = {
-        let t522 = c7 * t203;
-        let t524 = t522 + s7 * t205;
-        let t525 = s7 * t203;
-        let t527 = c7 * t205 - t525;
-        let t529 = t499 + c6 * t524;
-        let t531 = t502 - s6 * t524;
-        let t536 = z1_4_y * t531 - (z1_5_x * t529 - t226 * t527);
-        let t541 = t232 * t527 - z2_5_x * t529 - t220 * t531;
-        let t546 = c4 * t531 + (z3_6_z * t527 - z3_5_x * t529);
-        let t549 = s5 * t529 + c5 * t527;
-        put(5, t536); // row 1, YY
-        put(15, t541); // row 2, YY
-        put(25, t546); // row 3, YY
-        put(35, t549); // row 4, YY
-        put(45, t531); // row 5, YY
-        put(55, t527); // row 6, YY
-        [t522, t525]
+    let [t524, t527] = {
+        let t524 = c7 * t203;
+        let t526 = t524 + s7 * t205;
+        let t527 = s7 * t203;
+        let t529 = c7 * t205 - t527;
+        let t531 = t501 + c6 * t526;
+        let t533 = t504 - s6 * t526;
+        let t538 = z1_4_y * t533 - (z1_5_x * t531 - t227 * t529);
+        let t543 = t233 * t529 - z2_5_x * t531 - t221 * t533;
+        let t548 = c4 * t533 + (z3_6_z * t529 - z3_5_x * t531);
+        let t551 = s5 * t531 + c5 * t529;
+        put(5, t538); // row 1, YY
+        put(15, t543); // row 2, YY
+        put(25, t548); // row 3, YY
+        put(35, t551); // row 4, YY
+        put(45, t533); // row 5, YY
+        put(55, t529); // row 6, YY
+        [t524, t527]
     };
     // payload: column ZZ
-    let t576 = {
-        let t550 = t522 - t493;
-        let t551 = t496 + t525;
-        let t554 = c6 * t550 + s6 * dw7_z;
-        let t557 = s6 * t550 - c6 * dw7_z;
-        let t562 = z1_4_y * t557 + (z1_5_x * t554 + t226 * t551);
-        let t567 = z2_5_x * t554 + t232 * t551 - t220 * t557;
-        let t572 = c4 * t557 + (z3_5_x * t554 + z3_6_z * t551);
-        let t575 = c5 * t551 - s5 * t554;
-        let t576 = t210 - t207;
-        put(6, t562); // row 1, ZZ
-        put(16, t567); // row 2, ZZ
-        put(26, t572); // row 3, ZZ
-        put(36, t575); // row 4, ZZ
-        put(46, t557); // row 5, ZZ
-        put(56, t551); // row 6, ZZ
-        put(65, t576); // row 7, XY
-        t576
+    let t578 = {
+        let t552 = t524 - t495;
+        let t553 = t498 + t527;
+        let t556 = c6 * t552 + s6 * dw7_z;
+        let t559 = s6 * t552 - c6 * dw7_z;
+        let t564 = z1_4_y * t559 + (z1_5_x * t556 + t227 * t553);
+        let t569 = z2_5_x * t556 + t233 * t553 - t221 * t559;
+        let t574 = c4 * t559 + (z3_5_x * t556 + z3_6_z * t553);
+        let t577 = c5 * t553 - s5 * t556;
+        let t578 = t210 - t207;
+        put(6, t564); // row 1, ZZ
+        put(16, t569); // row 2, ZZ
+        put(26, t574); // row 3, ZZ
+        put(36, t577); // row 4, ZZ
+        put(46, t559); // row 5, ZZ
+        put(56, t553); // row 6, ZZ
+        put(65, t578); // row 7, XY
+        t578
     };
     // payload: column XY
     {
-        let t579 = c7 * t211 - s7 * t212;
-        let t582 = s7 * t211 + c7 * t212;
-        let t585 = c6 * t579 + s6 * t576;
-        let t588 = s6 * t579 - c6 * t576;
-        let t593 = z1_4_y * t588 + (z1_5_x * t585 + t226 * t582);
-        let t598 = z2_5_x * t585 + t232 * t582 - t220 * t588;
-        let t603 = c4 * t588 + (z3_5_x * t585 + z3_6_z * t582);
-        let t606 = c5 * t582 - s5 * t585;
-        put(7, t593); // row 1, XY
-        put(17, t598); // row 2, XY
-        put(27, t603); // row 3, XY
-        put(37, t606); // row 4, XY
-        put(47, t588); // row 5, XY
-        put(57, t582); // row 6, XY
+        let t581 = c7 * t211 - s7 * t212;
+        let t584 = s7 * t211 + c7 * t212;
+        let t587 = c6 * t581 + s6 * t578;
+        let t590 = s6 * t581 - c6 * t578;
+        let t595 = z1_4_y * t590 + (z1_5_x * t587 + t227 * t584);
+        let t600 = z2_5_x * t587 + t233 * t584 - t221 * t590;
+        let t605 = c4 * t590 + (z3_5_x * t587 + z3_6_z * t584);
+        let t608 = c5 * t584 - s5 * t587;
+        put(7, t595); // row 1, XY
+        put(17, t600); // row 2, XY
+        put(27, t605); // row 3, XY
+        put(37, t608); // row 4, XY
+        put(47, t590); // row 5, XY
+        put(57, t584); // row 6, XY
     }
     // payload: column XZ
-    let t635 = {
-        let t608 = t303 - s7 * t206;
-        let t610 = t300 + c7 * t206;
-        let t613 = c6 * t608 + s6 * t196;
-        let t616 = s6 * t608 - c6 * t196;
-        let t621 = z1_4_y * t616 + (z1_5_x * t613 + t226 * t610);
-        let t626 = z2_5_x * t613 + t232 * t610 - t220 * t616;
-        let t631 = c4 * t616 + (z3_5_x * t613 + z3_6_z * t610);
-        let t634 = c5 * t610 - s5 * t613;
-        let t635 = t170 - t210;
-        put(8, t621); // row 1, XZ
-        put(18, t626); // row 2, XZ
-        put(28, t631); // row 3, XZ
-        put(38, t634); // row 4, XZ
-        put(48, t616); // row 5, XZ
-        put(58, t610); // row 6, XZ
-        t635
+    let t637 = {
+        let t610 = t305 - s7 * t206;
+        let t612 = t302 + c7 * t206;
+        let t615 = c6 * t610 + s6 * t196;
+        let t618 = s6 * t610 - c6 * t196;
+        let t623 = z1_4_y * t618 + (z1_5_x * t615 + t227 * t612);
+        let t628 = z2_5_x * t615 + t233 * t612 - t221 * t618;
+        let t633 = c4 * t618 + (z3_5_x * t615 + z3_6_z * t612);
+        let t636 = c5 * t612 - s5 * t615;
+        let t637 = t170 - t210;
+        put(8, t623); // row 1, XZ
+        put(18, t628); // row 2, XZ
+        put(28, t633); // row 3, XZ
+        put(38, t636); // row 4, XZ
+        put(48, t618); // row 5, XZ
+        put(58, t612); // row 6, XZ
+        t637
     };
     // payload: column YZ
     {
-        let t637 = c7 * t635 - t368;
-        let t639 = t365 + s7 * t635;
-        let t642 = c6 * t637 + s6 * t193;
-        let t645 = s6 * t637 - c6 * t193;
-        let t650 = z1_4_y * t645 + (z1_5_x * t642 + t226 * t639);
-        let t655 = z2_5_x * t642 + t232 * t639 - t220 * t645;
-        let t660 = c4 * t645 + (z3_5_x * t642 + z3_6_z * t639);
-        let t663 = c5 * t639 - s5 * t642;
-        let t664 = -t242;
-        let t665 = -t201;
-        put(9, t650); // row 1, YZ
-        put(19, t655); // row 2, YZ
-        put(29, t660); // row 3, YZ
-        put(39, t663); // row 4, YZ
-        put(49, t645); // row 5, YZ
-        put(50, t664); // row 6, M
-        put(59, t639); // row 6, YZ
-        put(63, t665); // row 7, YY
+        let t639 = c7 * t637 - t370;
+        let t641 = t367 + s7 * t637;
+        let t644 = c6 * t639 + s6 * t193;
+        let t647 = s6 * t639 - c6 * t193;
+        let t652 = z1_4_y * t647 + (z1_5_x * t644 + t227 * t641);
+        let t657 = z2_5_x * t644 + t233 * t641 - t221 * t647;
+        let t662 = c4 * t647 + (z3_5_x * t644 + z3_6_z * t641);
+        let t665 = c5 * t641 - s5 * t644;
+        put(9, t652); // row 1, YZ
+        put(19, t657); // row 2, YZ
+        put(29, t662); // row 3, YZ
+        put(39, t665); // row 4, YZ
+        put(49, t647); // row 5, YZ
+        put(59, t641); // row 6, YZ
     }
 }

@@ -4,7 +4,7 @@
 //!
 //! 283 multiplications, 166 additions; 7 x 70, 94 of 490 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -24,40 +24,51 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (5, 62), (5, 63), (6, 61), (6, 62),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 70 + PATTERN[k].1
+}
+
 /// Regressor at rest: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 70]; 7]) {
     let flat = &mut out.as_flattened_mut()[..];
     flat[0..10].fill(S::default());
-    flat[11..13].fill(S::default());
-    flat[14..20].fill(S::default());
-    flat[24..30].fill(S::default());
-    flat[34..40].fill(S::default());
-    flat[44..50].fill(S::default());
-    flat[54..60].fill(S::default());
-    flat[64..81].fill(S::default());
-    flat[83..90].fill(S::default());
-    flat[94..100].fill(S::default());
-    flat[104..110].fill(S::default());
-    flat[114..120].fill(S::default());
-    flat[124..130].fill(S::default());
-    flat[134..161].fill(S::default());
-    flat[163..170].fill(S::default());
-    flat[174..180].fill(S::default());
-    flat[184..190].fill(S::default());
-    flat[194..200].fill(S::default());
-    flat[204..241].fill(S::default());
-    flat[243..250].fill(S::default());
-    flat[254..260].fill(S::default());
-    flat[264..270].fill(S::default());
-    flat[274..321].fill(S::default());
-    flat[323..330].fill(S::default());
-    flat[334..340].fill(S::default());
-    flat[344..401].fill(S::default());
-    flat[403..410].fill(S::default());
-    flat[414..481].fill(S::default());
-    flat[483..490].fill(S::default());
-    nonzeros(trig, out);
+    entries(trig, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            0 => flat[11..13].fill(S::default()),
+            1 => flat[14..20].fill(S::default()),
+            5 => flat[24..30].fill(S::default()),
+            9 => flat[34..40].fill(S::default()),
+            13 => flat[44..50].fill(S::default()),
+            17 => flat[54..60].fill(S::default()),
+            21 => flat[64..81].fill(S::default()),
+            23 => flat[83..90].fill(S::default()),
+            27 => flat[94..100].fill(S::default()),
+            31 => flat[104..110].fill(S::default()),
+            35 => flat[114..120].fill(S::default()),
+            39 => flat[124..130].fill(S::default()),
+            43 => flat[134..161].fill(S::default()),
+            45 => flat[163..170].fill(S::default()),
+            49 => flat[174..180].fill(S::default()),
+            53 => flat[184..190].fill(S::default()),
+            57 => flat[194..200].fill(S::default()),
+            61 => flat[204..241].fill(S::default()),
+            63 => flat[243..250].fill(S::default()),
+            67 => flat[254..260].fill(S::default()),
+            71 => flat[264..270].fill(S::default()),
+            75 => flat[274..321].fill(S::default()),
+            77 => flat[323..330].fill(S::default()),
+            81 => flat[334..340].fill(S::default()),
+            85 => flat[344..401].fill(S::default()),
+            87 => flat[403..410].fill(S::default()),
+            91 => flat[414..481].fill(S::default()),
+            93 => flat[483..490].fill(S::default()),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -90,373 +101,365 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [t0, t1] = {
         let t0 = s2 * k0;
         let t1 = c2 * k0;
+        let t2 = -t1;
+        put(22, t2); // row 2, MSX2
         put(23, t0); // row 2, MSY2
         [t0, t1]
     };
     // link 3: motion
-    let [z1_3_x, z1_4_z, t4, a3_y] = {
+    let [z1_3_x, z1_4_z, t5, a3_y] = {
         let z1_3_x = s2 * c3;
         let z1_4_z = s2 * s3;
-        let t4 = c3 * t0;
+        let t5 = c3 * t0;
         let a3_y = s3 * t0;
         put(44, a3_y); // row 3, MSX3
-        put(45, t4); // row 3, MSY3
-        [z1_3_x, z1_4_z, t4, a3_y]
+        put(45, t5); // row 3, MSY3
+        [z1_3_x, z1_4_z, t5, a3_y]
     };
     // link 4: motion
-    let [t8, a4_y] = {
-        let t8 = c4 * t4 + s4 * t1;
-        let a4_y = s4 * t4 - c4 * t1;
+    let [t9, a4_y] = {
+        let t9 = c4 * t5 + s4 * t1;
+        let a4_y = s4 * t5 - c4 * t1;
         put(62, a4_y); // row 4, MSX4
-        put(63, t8); // row 4, MSY4
-        [t8, a4_y]
+        put(63, t9); // row 4, MSY4
+        [t9, a4_y]
     };
     // link 5: motion
-    let [t14, a5_y] = {
-        let t14 = c5 * t8 - s5 * a3_y;
-        let a5_y = c5 * a3_y + s5 * t8;
+    let [t15, a5_y] = {
+        let t15 = c5 * t9 - s5 * a3_y;
+        let a5_y = c5 * a3_y + s5 * t9;
         put(76, a5_y); // row 5, MSX5
-        put(77, t14); // row 5, MSY5
-        [t14, a5_y]
+        put(77, t15); // row 5, MSY5
+        [t15, a5_y]
     };
     // link 6: motion
-    let [t20, a6_y] = {
-        let t20 = c6 * t14 - s6 * a4_y;
-        let a6_y = c6 * a4_y + s6 * t14;
+    let [t21, a6_y] = {
+        let t21 = c6 * t15 - s6 * a4_y;
+        let a6_y = c6 * a4_y + s6 * t15;
         put(86, a6_y); // row 6, MSX6
-        put(87, t20); // row 6, MSY6
-        [t20, a6_y]
+        put(87, t21); // row 6, MSY6
+        [t21, a6_y]
     };
     // link 7: motion
-    let [t26, a7_y] = {
-        let t26 = c7 * t20 - s7 * a5_y;
-        let a7_y = c7 * a5_y + s7 * t20;
+    let [t27, a7_y] = {
+        let t27 = c7 * t21 - s7 * a5_y;
+        let a7_y = c7 * a5_y + s7 * t21;
         put(92, a7_y); // row 7, MSX7
-        put(93, t26); // row 7, MSY7
-        [t26, a7_y]
+        put(93, t27); // row 7, MSY7
+        [t27, a7_y]
     };
     // joint axes in frame 2
-    let [t30, v1_2_y] = {
-        let t30 = c2 * k1;
+    let [t31, v1_2_y] = {
+        let t31 = c2 * k1;
         let v1_2_y = s2 * k1;
-        [t30, v1_2_y]
+        [t31, v1_2_y]
     };
     // joint axes in frame 3
-    let [t35, v1_3_y, v2_3_x, v2_4_z] = {
-        let t32 = s2 * k2;
-        let t35 = c3 * t30 - s3 * t32;
-        let v1_3_y = c3 * t32 + s3 * t30;
+    let [t36, v1_3_y, v2_3_x, v2_4_z] = {
+        let t33 = s2 * k2;
+        let t36 = c3 * t31 - s3 * t33;
+        let v1_3_y = c3 * t33 + s3 * t31;
         let v2_3_x = c3 * k2;
         let v2_4_z = s3 * k2;
-        [t35, v1_3_y, v2_3_x, v2_4_z]
+        [t36, v1_3_y, v2_3_x, v2_4_z]
     };
     // joint axes in frame 4
-    let [z1_4_x, z1_4_y, t47, z2_4_y, t49, t50, t53, t56] = {
+    let [z1_4_x, z1_4_y, t48, z2_4_y, t50, t51, t54, t57] = {
         let z1_4_x = c4 * z1_3_x + c2 * s4;
         let z1_4_y = c2 * c4 - s4 * z1_3_x;
-        let t47 = s3 * c4;
+        let t48 = s3 * c4;
         let z2_4_y = s3 * s4;
-        let t49 = c4 * v2_3_x;
-        let t50 = s4 * v2_3_x;
-        let t53 = s4 * v1_2_y - c4 * t35;
-        let t56 = c4 * v1_2_y + s4 * t35;
-        [z1_4_x, z1_4_y, t47, z2_4_y, t49, t50, t53, t56]
+        let t50 = c4 * v2_3_x;
+        let t51 = s4 * v2_3_x;
+        let t54 = s4 * v1_2_y - c4 * t36;
+        let t57 = c4 * v1_2_y + s4 * t36;
+        [z1_4_x, z1_4_y, t48, z2_4_y, t50, t51, t54, t57]
     };
     // MSZ2: column
-    let t59 = {
-        let t59 = c2 * t0 - s2 * t1;
-        let t60 = k1 * t59;
-        put(0, t60); // row 1, M2
-        t59
-    };
+    {
+        let t60 = c2 * t0 - s2 * t1;
+        let t61 = k1 * t60;
+        let t62 = -t60;
+        put(0, t61); // row 1, M2
+        put(1, t62); // row 1, MSZ2
+    }
     // M3: column
-    let [t62, t67, t68] = {
-        let t62 = a3_y * v1_3_y;
-        let t65 = t4 * t35 + t62 - t1 * v1_2_y;
-        let t67 = a3_y * v2_4_z;
-        let t68 = t4 * v2_3_x + t67;
-        put(2, t65); // row 1, M3
-        [t62, t67, t68]
+    let [t64, t69] = {
+        let t64 = a3_y * v1_3_y;
+        let t67 = t5 * t36 + t64 - t1 * v1_2_y;
+        let t69 = a3_y * v2_4_z;
+        let t71 = -(t5 * v2_3_x + t69);
+        put(2, t67); // row 1, M3
+        put(24, t71); // row 2, M3
+        [t64, t69]
     };
     // MSX3: column
-    let t72 = {
-        let t71 = c2 * a3_y - t1 * z1_4_z;
-        let t72 = c3 * t1;
-        put(3, t71); // row 1, MSX3
-        t72
-    };
+    {
+        let t74 = c2 * a3_y - t1 * z1_4_z;
+        let t76 = -(c3 * t1);
+        put(3, t74); // row 1, MSX3
+        put(25, t76); // row 2, MSX3
+    }
     // MSY3: column
     {
-        let t75 = c2 * t4 - t1 * z1_3_x;
-        let t76 = s3 * t1;
-        put(4, t75); // row 1, MSY3
-        put(26, t76); // row 2, MSY3
+        let t79 = c2 * t5 - t1 * z1_3_x;
+        let t80 = s3 * t1;
+        put(4, t79); // row 1, MSY3
+        put(26, t80); // row 2, MSY3
     }
     // MSZ3: column
     {
-        let t79 = z1_4_z * t4 - z1_3_x * a3_y;
-        let t82 = s3 * a3_y + c3 * t4;
-        put(5, t79); // row 1, MSZ3
-        put(27, t82); // row 2, MSZ3
+        let t83 = z1_4_z * t5 - z1_3_x * a3_y;
+        let t86 = s3 * a3_y + c3 * t5;
+        put(5, t83); // row 1, MSZ3
+        put(27, t86); // row 2, MSZ3
     }
     // M4: column
-    let [t85, t88] = {
-        let t85 = c4 * t8 + s4 * a4_y;
-        let t88 = s4 * t8 - c4 * a4_y;
-        let t89 = k3 * t88;
-        let t90 = k3 * t85;
-        let t98 = t62 + t35 * t85 - v1_2_y * t88 - (z1_3_x * t89 - c2 * t90);
-        let t102 = s3 * t89 - (t67 + v2_3_x * t85);
-        put(6, t98); // row 1, M4
-        put(28, t102); // row 2, M4
-        put(46, t90); // row 3, M4
-        [t85, t88]
+    let [t89, t92] = {
+        let t89 = c4 * t9 + s4 * a4_y;
+        let t92 = s4 * t9 - c4 * a4_y;
+        let t93 = k3 * t92;
+        let t94 = k3 * t89;
+        let t102 = t64 + t36 * t89 - v1_2_y * t92 - (z1_3_x * t93 - c2 * t94);
+        let t106 = s3 * t93 - (t69 + v2_3_x * t89);
+        let t107 = -t89;
+        put(6, t102); // row 1, M4
+        put(28, t106); // row 2, M4
+        put(46, t94); // row 3, M4
+        put(49, t107); // row 3, MSZ4
+        [t89, t92]
     };
     // MSX4: column
-    let [t103, t104] = {
-        let t103 = s4 * a3_y;
-        let t104 = c4 * a3_y;
-        let t109 = c2 * t104 + (z1_4_z * a4_y - z1_3_x * t103);
-        let t112 = s3 * t103 + c3 * a4_y;
-        put(7, t109); // row 1, MSX4
-        put(29, t112); // row 2, MSX4
-        put(47, t104); // row 3, MSX4
-        [t103, t104]
+    let [t108, t109] = {
+        let t108 = s4 * a3_y;
+        let t109 = c4 * a3_y;
+        let t114 = c2 * t109 + (z1_4_z * a4_y - z1_3_x * t108);
+        let t117 = s3 * t108 + c3 * a4_y;
+        let t118 = -t108;
+        put(7, t114); // row 1, MSX4
+        put(29, t117); // row 2, MSX4
+        put(47, t109); // row 3, MSX4
+        put(48, t118); // row 3, MSY4
+        [t108, t109]
     };
     // MSY4: column
     {
-        let t117 = z1_4_z * t8 - z1_3_x * t104 - c2 * t103;
-        let t120 = s3 * t104 + c3 * t8;
-        put(8, t117); // row 1, MSY4
-        put(30, t120); // row 2, MSY4
+        let t123 = z1_4_z * t9 - z1_3_x * t109 - c2 * t108;
+        let t126 = s3 * t109 + c3 * t9;
+        put(8, t123); // row 1, MSY4
+        put(30, t126); // row 2, MSY4
     }
     // MSZ4: column
-    let t124 = {
-        let t123 = z1_3_x * t88 - c2 * t85;
-        let t124 = s3 * t88;
-        put(9, t123); // row 1, MSZ4
-        t124
-    };
+    {
+        let t129 = z1_3_x * t92 - c2 * t89;
+        let t131 = -(s3 * t92);
+        put(9, t129); // row 1, MSZ4
+        put(31, t131); // row 2, MSZ4
+    }
     // M5: column
-    let [t126, t127, t129, t130, t132] = {
-        let t126 = s5 * a5_y;
-        let t127 = c5 * t14 + t126;
-        let t129 = c5 * a5_y;
-        let t130 = s5 * t14 - t129;
-        let t132 = k4 * t127;
-        let t134 = k3 * t127;
-        let t135 = a4_y * k3 - k4 * t130;
-        let t140 = z1_4_z * t132 - (z1_4_x * t135 + z1_4_y * t134);
-        let t146 = a4_y * t56 - t53 * t127 - v1_3_y * t130 - t140;
-        let t151 = c3 * t132 + (t47 * t135 - z2_4_y * t134);
-        let t157 = v2_4_z * t130 - (t49 * t127 + a4_y * t50) - t151;
-        let t160 = s4 * t135 + c4 * t134;
-        put(10, t146); // row 1, M5
-        put(32, t157); // row 2, M5
-        put(50, t160); // row 3, M5
-        put(67, t127); // row 4, MSZ5
-        [t126, t127, t129, t130, t132]
+    let [t133, t134, t136, t137] = {
+        let t133 = s5 * a5_y;
+        let t134 = c5 * t15 + t133;
+        let t136 = c5 * a5_y;
+        let t137 = s5 * t15 - t136;
+        let t139 = k4 * t134;
+        let t141 = k3 * t134;
+        let t142 = a4_y * k3 - k4 * t137;
+        let t147 = z1_4_z * t139 - (z1_4_x * t142 + z1_4_y * t141);
+        let t153 = a4_y * t57 - t54 * t134 - v1_3_y * t137 - t147;
+        let t158 = c3 * t139 + (t48 * t142 - z2_4_y * t141);
+        let t164 = v2_4_z * t137 - (t50 * t134 + a4_y * t51) - t158;
+        let t167 = s4 * t142 + c4 * t141;
+        let t168 = -t139;
+        put(10, t153); // row 1, M5
+        put(32, t164); // row 2, M5
+        put(50, t167); // row 3, M5
+        put(64, t168); // row 4, M5
+        put(67, t134); // row 4, MSZ5
+        [t133, t134, t136, t137]
     };
     // MSX5: column
-    let [t161, t162] = {
-        let t161 = s5 * a4_y;
-        let t162 = c5 * a4_y;
-        let t167 = z1_4_z * t162 + (z1_4_x * t161 + a5_y * z1_4_y);
-        let t172 = c3 * t162 - (t47 * t161 - a5_y * z2_4_y);
-        let t175 = s4 * t161 + c4 * a5_y;
-        put(11, t167); // row 1, MSX5
-        put(33, t172); // row 2, MSX5
-        put(51, t175); // row 3, MSX5
-        put(65, t162); // row 4, MSX5
-        [t161, t162]
+    let [t169, t170] = {
+        let t169 = s5 * a4_y;
+        let t170 = c5 * a4_y;
+        let t175 = z1_4_z * t170 + (z1_4_x * t169 + a5_y * z1_4_y);
+        let t180 = c3 * t170 - (t48 * t169 - a5_y * z2_4_y);
+        let t183 = s4 * t169 + c4 * a5_y;
+        let t184 = -t169;
+        put(11, t175); // row 1, MSX5
+        put(33, t180); // row 2, MSX5
+        put(51, t183); // row 3, MSX5
+        put(65, t170); // row 4, MSX5
+        put(66, t184); // row 4, MSY5
+        [t169, t170]
     };
     // MSY5: column
     {
-        let t180 = z1_4_x * t162 + t14 * z1_4_y - z1_4_z * t161;
-        let t185 = t14 * z2_4_y - t47 * t162 - c3 * t161;
-        let t188 = s4 * t162 + c4 * t14;
-        put(12, t180); // row 1, MSY5
-        put(34, t185); // row 2, MSY5
-        put(52, t188); // row 3, MSY5
+        let t189 = z1_4_x * t170 + t15 * z1_4_y - z1_4_z * t169;
+        let t194 = t15 * z2_4_y - t48 * t170 - c3 * t169;
+        let t197 = s4 * t170 + c4 * t15;
+        put(12, t189); // row 1, MSY5
+        put(34, t194); // row 2, MSY5
+        put(52, t197); // row 3, MSY5
     }
     // MSZ5: column
     {
-        let t191 = z1_4_x * t130 + z1_4_z * t127;
-        let t194 = c3 * t127 - t47 * t130;
-        let t195 = s4 * t130;
-        put(13, t191); // row 1, MSZ5
-        put(35, t194); // row 2, MSZ5
-        put(53, t195); // row 3, MSZ5
+        let t200 = z1_4_x * t137 + z1_4_z * t134;
+        let t203 = c3 * t134 - t48 * t137;
+        let t204 = s4 * t137;
+        put(13, t200); // row 1, MSZ5
+        put(35, t203); // row 2, MSZ5
+        put(53, t204); // row 3, MSZ5
     }
     // M6: column
-    let [t197, t198, t200, t201, t213] = {
-        let t197 = s6 * a6_y;
-        let t198 = c6 * t20 + t197;
-        let t200 = c6 * a6_y;
-        let t201 = t200 - s6 * t20;
-        let t202 = k5 * t201;
-        let t203 = k5 * t198;
-        let t205 = t126 + c5 * t198;
-        let t207 = s5 * t198 - t129;
-        let t213 = s5 * t202 + k4 * t205;
-        let t216 = c5 * t202 - k4 * t207 + k3 * t201;
-        let t217 = t203 + k3 * t205;
-        let t227 = t56 * t201 - t53 * t205 - v1_3_y * t207;
-        let t228 = z1_4_x * t216 + z1_4_y * t217 - z1_4_z * t213 + t227;
-        let t238 = v2_4_z * t207 - (t49 * t205 + t50 * t201);
-        let t239 = z2_4_y * t217 - t47 * t216 - c3 * t213 + t238;
-        let t242 = s4 * t216 + c4 * t217;
-        put(14, t228); // row 1, M6
-        put(36, t239); // row 2, M6
-        put(54, t242); // row 3, M6
-        put(78, t203); // row 5, M6
-        [t197, t198, t200, t201, t213]
+    let [t206, t207, t209, t210] = {
+        let t206 = s6 * a6_y;
+        let t207 = c6 * t21 + t206;
+        let t209 = c6 * a6_y;
+        let t210 = t209 - s6 * t21;
+        let t211 = k5 * t210;
+        let t212 = k5 * t207;
+        let t214 = t133 + c5 * t207;
+        let t216 = s5 * t207 - t136;
+        let t222 = s5 * t211 + k4 * t214;
+        let t225 = c5 * t211 - k4 * t216 + k3 * t210;
+        let t226 = t212 + k3 * t214;
+        let t236 = t57 * t210 - t54 * t214 - v1_3_y * t216;
+        let t237 = z1_4_x * t225 + z1_4_y * t226 - z1_4_z * t222 + t236;
+        let t247 = v2_4_z * t216 - (t50 * t214 + t51 * t210);
+        let t248 = z2_4_y * t226 - t48 * t225 - c3 * t222 + t247;
+        let t251 = s4 * t225 + c4 * t226;
+        let t252 = -t222;
+        let t253 = -t207;
+        put(14, t237); // row 1, M6
+        put(36, t248); // row 2, M6
+        put(54, t251); // row 3, M6
+        put(68, t252); // row 4, M6
+        put(78, t212); // row 5, M6
+        put(81, t253); // row 5, MSZ6
+        [t206, t207, t209, t210]
     };
     // MSX6: column
-    let [t243, t244] = {
-        let t243 = s6 * a5_y;
-        let t244 = c6 * a5_y;
-        let t247 = s5 * a6_y - c5 * t243;
-        let t250 = s5 * t243 + c5 * a6_y;
-        let t255 = z1_4_z * t250 + (z1_4_x * t247 + z1_4_y * t244);
-        let t260 = c3 * t250 + (z2_4_y * t244 - t47 * t247);
-        let t263 = s4 * t247 + c4 * t244;
-        put(15, t255); // row 1, MSX6
-        put(37, t260); // row 2, MSX6
-        put(55, t263); // row 3, MSX6
-        put(69, t250); // row 4, MSX6
-        put(79, t244); // row 5, MSX6
-        [t243, t244]
+    let [t254, t255] = {
+        let t254 = s6 * a5_y;
+        let t255 = c6 * a5_y;
+        let t258 = s5 * a6_y - c5 * t254;
+        let t261 = s5 * t254 + c5 * a6_y;
+        let t266 = z1_4_z * t261 + (z1_4_x * t258 + z1_4_y * t255);
+        let t271 = c3 * t261 + (z2_4_y * t255 - t48 * t258);
+        let t274 = s4 * t258 + c4 * t255;
+        let t275 = -t254;
+        put(15, t266); // row 1, MSX6
+        put(37, t271); // row 2, MSX6
+        put(55, t274); // row 3, MSX6
+        put(69, t261); // row 4, MSX6
+        put(79, t255); // row 5, MSX6
+        put(80, t275); // row 5, MSY6
+        [t254, t255]
     };
     // MSY6: column
     {
-        let t266 = s5 * t20 - c5 * t244;
-        let t269 = s5 * t244 + c5 * t20;
-        let t274 = z1_4_z * t269 + (z1_4_x * t266 - z1_4_y * t243);
-        let t279 = c3 * t269 - (t47 * t266 + z2_4_y * t243);
-        let t282 = s4 * t266 - c4 * t243;
-        put(16, t274); // row 1, MSY6
-        put(38, t279); // row 2, MSY6
-        put(56, t282); // row 3, MSY6
-        put(70, t269); // row 4, MSY6
+        let t278 = s5 * t21 - c5 * t255;
+        let t281 = s5 * t255 + c5 * t21;
+        let t286 = z1_4_z * t281 + (z1_4_x * t278 - z1_4_y * t254);
+        let t291 = c3 * t281 - (t48 * t278 + z2_4_y * t254);
+        let t294 = s4 * t278 - c4 * t254;
+        put(16, t286); // row 1, MSY6
+        put(38, t291); // row 2, MSY6
+        put(56, t294); // row 3, MSY6
+        put(70, t281); // row 4, MSY6
     }
     // MSZ6: column
-    let t297 = {
-        let t283 = c5 * t201;
-        let t284 = s5 * t201;
-        let t289 = z1_4_z * t284 - (z1_4_x * t283 + z1_4_y * t198);
-        let t294 = c3 * t284 - (z2_4_y * t198 - t47 * t283);
-        let t297 = s4 * t283 + c4 * t198;
-        put(17, t289); // row 1, MSZ6
-        put(39, t294); // row 2, MSZ6
-        put(71, t284); // row 4, MSZ6
-        t297
-    };
+    {
+        let t295 = c5 * t210;
+        let t296 = s5 * t210;
+        let t301 = z1_4_z * t296 - (z1_4_x * t295 + z1_4_y * t207);
+        let t306 = c3 * t296 - (z2_4_y * t207 - t48 * t295);
+        let t310 = -(s4 * t295 + c4 * t207);
+        put(17, t301); // row 1, MSZ6
+        put(39, t306); // row 2, MSZ6
+        put(57, t310); // row 3, MSZ6
+        put(71, t296); // row 4, MSZ6
+    }
     // M7: column
-    let [t300, t303, t305] = {
-        let t300 = c7 * t26 + s7 * a7_y;
-        let t303 = s7 * t26 - c7 * a7_y;
-        let t304 = k6 * t303;
-        let t305 = k6 * t300;
-        let t307 = t197 + c6 * t300;
-        let t309 = t200 - s6 * t300;
-        let t314 = k5 * t309 - c6 * t304;
-        let t315 = k5 * t307 - s6 * t304;
-        let t318 = s5 * t303 - c5 * t307;
-        let t321 = s5 * t307 + c5 * t303;
-        let t331 = k4 * t318 - (s5 * t314 + c5 * t305);
-        let t334 = s5 * t305 - c5 * t314 + k4 * t321 - k3 * t309;
-        let t335 = t315 - k3 * t318;
-        let t345 = t53 * t318 + t56 * t309 - v1_3_y * t321;
-        let t346 = z1_4_z * t331 + (z1_4_y * t335 - z1_4_x * t334) + t345;
-        let t356 = v2_4_z * t321 + (t49 * t318 - t50 * t309);
-        let t357 = c3 * t331 + (t47 * t334 + z2_4_y * t335) + t356;
-        let t360 = c4 * t335 - s4 * t334;
-        put(18, t346); // row 1, M7
-        put(40, t357); // row 2, M7
-        put(58, t360); // row 3, M7
-        put(72, t331); // row 4, M7
-        put(82, t315); // row 5, M7
-        put(91, t300); // row 6, MSZ7
-        [t300, t303, t305]
+    let [t313, t316] = {
+        let t313 = c7 * t27 + s7 * a7_y;
+        let t316 = s7 * t27 - c7 * a7_y;
+        let t317 = k6 * t316;
+        let t318 = k6 * t313;
+        let t320 = t206 + c6 * t313;
+        let t322 = t209 - s6 * t313;
+        let t327 = k5 * t322 - c6 * t317;
+        let t328 = k5 * t320 - s6 * t317;
+        let t331 = s5 * t316 - c5 * t320;
+        let t334 = s5 * t320 + c5 * t316;
+        let t344 = k4 * t331 - (s5 * t327 + c5 * t318);
+        let t347 = s5 * t318 - c5 * t327 + k4 * t334 - k3 * t322;
+        let t348 = t328 - k3 * t331;
+        let t358 = t54 * t331 + t57 * t322 - v1_3_y * t334;
+        let t359 = z1_4_z * t344 + (z1_4_y * t348 - z1_4_x * t347) + t358;
+        let t369 = v2_4_z * t334 + (t50 * t331 - t51 * t322);
+        let t370 = c3 * t344 + (t48 * t347 + z2_4_y * t348) + t369;
+        let t373 = c4 * t348 - s4 * t347;
+        let t374 = -t318;
+        put(18, t359); // row 1, M7
+        put(40, t370); // row 2, M7
+        put(58, t373); // row 3, M7
+        put(72, t344); // row 4, M7
+        put(82, t328); // row 5, M7
+        put(88, t374); // row 6, M7
+        put(91, t313); // row 6, MSZ7
+        [t313, t316]
     };
     // MSX7: column
-    let [t361, t362] = {
-        let t361 = s7 * a6_y;
-        let t362 = c7 * a6_y;
-        let t365 = s6 * a7_y - c6 * t361;
-        let t368 = s6 * t361 + c6 * a7_y;
-        let t371 = c5 * t365 - s5 * t362;
-        let t374 = s5 * t365 + c5 * t362;
-        let t379 = z1_4_z * t374 + (z1_4_y * t368 - z1_4_x * t371);
-        let t384 = c3 * t374 + (t47 * t371 + z2_4_y * t368);
-        let t387 = c4 * t368 - s4 * t371;
-        put(19, t379); // row 1, MSX7
-        put(41, t384); // row 2, MSX7
-        put(59, t387); // row 3, MSX7
-        put(73, t374); // row 4, MSX7
-        put(83, t368); // row 5, MSX7
-        put(89, t362); // row 6, MSX7
-        [t361, t362]
+    let [t375, t376] = {
+        let t375 = s7 * a6_y;
+        let t376 = c7 * a6_y;
+        let t379 = s6 * a7_y - c6 * t375;
+        let t382 = s6 * t375 + c6 * a7_y;
+        let t385 = c5 * t379 - s5 * t376;
+        let t388 = s5 * t379 + c5 * t376;
+        let t393 = z1_4_z * t388 + (z1_4_y * t382 - z1_4_x * t385);
+        let t398 = c3 * t388 + (t48 * t385 + z2_4_y * t382);
+        let t401 = c4 * t382 - s4 * t385;
+        let t402 = -t375;
+        put(19, t393); // row 1, MSX7
+        put(41, t398); // row 2, MSX7
+        put(59, t401); // row 3, MSX7
+        put(73, t388); // row 4, MSX7
+        put(83, t382); // row 5, MSX7
+        put(89, t376); // row 6, MSX7
+        put(90, t402); // row 6, MSY7
+        [t375, t376]
     };
     // MSY7: column
     {
-        let t390 = s6 * t26 - c6 * t362;
-        let t393 = s6 * t362 + c6 * t26;
-        let t396 = c5 * t390 + s5 * t361;
-        let t399 = s5 * t390 - c5 * t361;
-        let t404 = z1_4_z * t399 - (z1_4_x * t396 - z1_4_y * t393);
-        let t409 = c3 * t399 + (t47 * t396 + z2_4_y * t393);
-        let t412 = c4 * t393 - s4 * t396;
-        put(20, t404); // row 1, MSY7
-        put(42, t409); // row 2, MSY7
-        put(60, t412); // row 3, MSY7
-        put(74, t399); // row 4, MSY7
-        put(84, t393); // row 5, MSY7
+        let t405 = s6 * t27 - c6 * t376;
+        let t408 = s6 * t376 + c6 * t27;
+        let t411 = c5 * t405 + s5 * t375;
+        let t414 = s5 * t405 - c5 * t375;
+        let t419 = z1_4_z * t414 - (z1_4_x * t411 - z1_4_y * t408);
+        let t424 = c3 * t414 + (t48 * t411 + z2_4_y * t408);
+        let t427 = c4 * t408 - s4 * t411;
+        put(20, t419); // row 1, MSY7
+        put(42, t424); // row 2, MSY7
+        put(60, t427); // row 3, MSY7
+        put(74, t414); // row 4, MSY7
+        put(84, t408); // row 5, MSY7
     }
     // MSZ7: column
     {
-        let t413 = c6 * t303;
-        let t414 = s6 * t303;
-        let t417 = c5 * t413 + s5 * t300;
-        let t420 = c5 * t300 - s5 * t413;
-        let t425 = z1_4_z * t420 + (z1_4_x * t417 + z1_4_y * t414);
-        let t430 = c3 * t420 - (t47 * t417 - z2_4_y * t414);
-        let t433 = s4 * t417 + c4 * t414;
-        let t434 = -t59;
-        let t435 = -t1;
-        let t436 = -t68;
-        let t437 = -t72;
-        let t438 = -t124;
-        let t439 = -t103;
-        let t440 = -t85;
-        let t441 = -t297;
-        let t442 = -t132;
-        let t443 = -t161;
-        let t444 = -t213;
-        let t445 = -t243;
-        let t446 = -t198;
-        let t447 = -t305;
-        let t448 = -t361;
-        put(1, t434); // row 1, MSZ2
-        put(21, t425); // row 1, MSZ7
-        put(22, t435); // row 2, MSX2
-        put(24, t436); // row 2, M3
-        put(25, t437); // row 2, MSX3
-        put(31, t438); // row 2, MSZ4
-        put(43, t430); // row 2, MSZ7
-        put(48, t439); // row 3, MSY4
-        put(49, t440); // row 3, MSZ4
-        put(57, t441); // row 3, MSZ6
-        put(61, t433); // row 3, MSZ7
-        put(64, t442); // row 4, M5
-        put(66, t443); // row 4, MSY5
-        put(68, t444); // row 4, M6
-        put(75, t420); // row 4, MSZ7
-        put(80, t445); // row 5, MSY6
-        put(81, t446); // row 5, MSZ6
-        put(85, t414); // row 5, MSZ7
-        put(88, t447); // row 6, M7
-        put(90, t448); // row 6, MSY7
+        let t428 = c6 * t316;
+        let t429 = s6 * t316;
+        let t432 = c5 * t428 + s5 * t313;
+        let t435 = c5 * t313 - s5 * t428;
+        let t440 = z1_4_z * t435 + (z1_4_x * t432 + z1_4_y * t429);
+        let t445 = c3 * t435 - (t48 * t432 - z2_4_y * t429);
+        let t448 = s4 * t432 + c4 * t429;
+        put(21, t440); // row 1, MSZ7
+        put(43, t445); // row 2, MSZ7
+        put(61, t448); // row 3, MSZ7
+        put(75, t435); // row 4, MSZ7
+        put(85, t429); // row 5, MSZ7
     }
 }

@@ -4,7 +4,7 @@
 //!
 //! 89 multiplications, 65 additions; 6 x 7, 35 of 42 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -18,16 +18,27 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (5, 2), (5, 3), (5, 4), (5, 5), (5, 6),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 7 + PATTERN[k].1
+}
+
 /// Jacobian of the last DH frame's origin, in base axes: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 7]; 6]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[6] = S::default();
-    flat[13..15].fill(S::default());
-    flat[20..22].fill(S::default());
-    flat[28] = S::default();
-    flat[36] = S::default();
-    nonzeros(trig, out);
+    entries(trig, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            5 => flat[6] = S::default(),
+            11 => flat[13..15].fill(S::default()),
+            16 => flat[20..22].fill(S::default()),
+            22 => flat[28] = S::default(),
+            29 => flat[36] = S::default(),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -65,7 +76,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t3 = c1 * s2;
         let t4 = s1 * c2;
         let t5 = s1 * s2;
+        let t6 = -t3;
         put(17, s1); // [3][1]
+        put(18, t6); // [3][2]
         put(23, c1); // [4][1]
         put(24, t5); // [4][2]
         put(29, k7); // [5][0]
@@ -73,143 +86,141 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // frame 3
     let [
-        t9, t10, t11, t14, t17, t20, t23, t24,
-        t25,
+        t10, t11, t12, t15, t18, t21, t24, t25,
+        t26,
     ] = {
-        let t9 = t3 * k1 - t0;
-        let t10 = t1 + t5 * k1;
-        let t11 = k2 + c2 * k1;
-        let t14 = s1 * s3 - c3 * t2;
-        let t17 = s1 * c3 + s3 * t2;
-        let t20 = c3 * t4 + c1 * s3;
-        let t23 = c1 * c3 - s3 * t4;
-        let t24 = s2 * c3;
-        let t25 = s2 * s3;
-        put(19, t17); // [3][3]
-        put(25, t23); // [4][3]
+        let t10 = t3 * k1 - t0;
+        let t11 = t1 + t5 * k1;
+        let t12 = k2 + c2 * k1;
+        let t15 = s1 * s3 - c3 * t2;
+        let t18 = s1 * c3 + s3 * t2;
+        let t21 = c3 * t4 + c1 * s3;
+        let t24 = c1 * c3 - s3 * t4;
+        let t25 = s2 * c3;
+        let t26 = s2 * s3;
+        let t27 = -t26;
+        put(19, t18); // [3][3]
+        put(25, t24); // [4][3]
+        put(31, t27); // [5][3]
         [
-        t9, t10, t11, t14, t17, t20, t23, t24,
-        t25,
+        t10, t11, t12, t15, t18, t21, t24, t25,
+        t26,
     ]
     };
     // frame 4
     let [
-        t29, t30, t31, t34, t37, t40, t43, t46,
-        t49,
+        t31, t32, t33, t36, t39, t42, t45, t48,
+        t51,
     ] = {
-        let t29 = t17 * k3 - t9;
-        let t30 = t10 + t23 * k3;
-        let t31 = t11 + t25 * k3;
-        let t34 = c4 * t14 + s4 * t3;
-        let t37 = s4 * t14 - c4 * t3;
-        let t40 = s4 * t5 - c4 * t20;
-        let t43 = c4 * t5 + s4 * t20;
-        let t46 = c4 * t24 + c2 * s4;
-        let t49 = s4 * t24 - c2 * c4;
-        put(20, t37); // [3][4]
-        put(26, t43); // [4][4]
-        put(32, t49); // [5][4]
+        let t31 = t18 * k3 - t10;
+        let t32 = t11 + t24 * k3;
+        let t33 = t12 + t26 * k3;
+        let t36 = c4 * t15 + s4 * t3;
+        let t39 = s4 * t15 - c4 * t3;
+        let t42 = s4 * t5 - c4 * t21;
+        let t45 = c4 * t5 + s4 * t21;
+        let t48 = c4 * t25 + c2 * s4;
+        let t51 = s4 * t25 - c2 * c4;
+        put(20, t39); // [3][4]
+        put(26, t45); // [4][4]
+        put(32, t51); // [5][4]
         [
-        t29, t30, t31, t34, t37, t40, t43, t46,
-        t49,
+        t31, t32, t33, t36, t39, t42, t45, t48,
+        t51,
     ]
     };
     // frame 5
     let [
-        t53, t54, t55, t58, t61, t64, t67, t70,
-        t73,
+        t55, t56, t57, t60, t63, t66, t69, t72,
+        t75,
     ] = {
-        let t53 = t29 + t37 * k4;
-        let t54 = t30 + t43 * k4;
-        let t55 = t31 - t49 * k4;
-        let t58 = c5 * t34 + s5 * t17;
-        let t61 = c5 * t17 - s5 * t34;
-        let t64 = c5 * t40 - s5 * t23;
-        let t67 = c5 * t23 + s5 * t40;
-        let t70 = c5 * t46 - s5 * t25;
-        let t73 = c5 * t25 + s5 * t46;
-        put(21, t61); // [3][5]
-        put(27, t67); // [4][5]
+        let t55 = t31 + t39 * k4;
+        let t56 = t32 + t45 * k4;
+        let t57 = t33 - t51 * k4;
+        let t60 = c5 * t36 + s5 * t18;
+        let t63 = c5 * t18 - s5 * t36;
+        let t66 = c5 * t42 - s5 * t24;
+        let t69 = c5 * t24 + s5 * t42;
+        let t72 = c5 * t48 - s5 * t26;
+        let t75 = c5 * t26 + s5 * t48;
+        let t76 = -t75;
+        put(21, t63); // [3][5]
+        put(27, t69); // [4][5]
+        put(33, t76); // [5][5]
         [
-        t53, t54, t55, t58, t61, t64, t67, t70,
-        t73,
+        t55, t56, t57, t60, t63, t66, t69, t72,
+        t75,
     ]
     };
     // frame 6
-    let [t77, t78, t79, t82, t85, t88] = {
-        let t77 = t53 + t61 * k5;
-        let t78 = t54 + t67 * k5;
-        let t79 = t55 + t73 * k5;
-        let t82 = c6 * t37 + s6 * t58;
-        let t85 = s6 * t64 - c6 * t43;
-        let t88 = c6 * t49 + s6 * t70;
-        put(22, t82); // [3][6]
-        put(34, t88); // [5][6]
-        [t77, t78, t79, t82, t85, t88]
+    let [t80, t81, t82, t85, t88, t91] = {
+        let t80 = t55 + t63 * k5;
+        let t81 = t56 + t69 * k5;
+        let t82 = t57 + t75 * k5;
+        let t85 = c6 * t39 + s6 * t60;
+        let t88 = s6 * t66 - c6 * t45;
+        let t91 = c6 * t51 + s6 * t72;
+        let t92 = -t88;
+        put(22, t85); // [3][6]
+        put(28, t92); // [4][6]
+        put(34, t91); // [5][6]
+        [t80, t81, t82, t85, t88, t91]
     };
     // frame 7
-    let [t89, t90, t91, t92, t93, t94] = {
-        let t89 = t82 * k6;
-        let t90 = t85 * k6;
-        let t91 = t88 * k6;
-        let t92 = t77 + t89;
-        let t93 = t90 - t78;
-        let t94 = t79 - t91;
-        put(0, t93); // [0][0]
-        put(6, t92); // [1][0]
-        [t89, t90, t91, t92, t93, t94]
+    let [t93, t94, t95, t96, t97, t98] = {
+        let t93 = t85 * k6;
+        let t94 = t88 * k6;
+        let t95 = t91 * k6;
+        let t96 = t80 + t93;
+        let t97 = t94 - t81;
+        let t98 = t82 - t95;
+        put(0, t97); // [0][0]
+        put(6, t96); // [1][0]
+        [t93, t94, t95, t96, t97, t98]
     };
     // columns
     {
-        let t95 = t94 - k2;
-        let t98 = c1 * t95;
-        let t102 = s1 * (t1 + t93) + c1 * (t92 - t0);
-        let t103 = t9 + t92;
-        let t104 = t10 + t93;
-        let t105 = t94 - t11;
-        let t108 = t5 * t105 + c2 * t104;
-        let t111 = c2 * t103 + t3 * t105;
-        let t114 = t5 * t103 - t3 * t104;
-        let t115 = t92 - t29;
-        let t116 = t30 + t93;
-        let t117 = t94 - t31;
-        let t120 = t23 * t117 + t25 * t116;
-        let t123 = t25 * t115 - t17 * t117;
-        let t126 = t17 * t116 + t23 * t115;
-        let t127 = t53 - t92;
-        let t128 = t54 + t93;
-        let t129 = t94 - t55;
-        let t132 = t43 * t129 - t49 * t128;
-        let t135 = t49 * t127 - t37 * t129;
-        let t138 = t37 * t128 - t43 * t127;
-        let t141 = t73 * t90 - t67 * t91;
-        let t144 = t73 * t89 + t61 * t91;
-        let t147 = t61 * t90 + t67 * t89;
-        let t148 = -(s1 * t95);
-        let t149 = -t3;
-        let t150 = -t85;
-        let t151 = -c2;
-        let t152 = -t25;
-        let t153 = -t73;
-        put(1, t98); // [0][1]
-        put(2, t108); // [0][2]
-        put(3, t120); // [0][3]
-        put(4, t132); // [0][4]
-        put(5, t141); // [0][5]
-        put(7, t148); // [1][1]
-        put(8, t111); // [1][2]
-        put(9, t123); // [1][3]
-        put(10, t135); // [1][4]
-        put(11, t144); // [1][5]
-        put(12, t102); // [2][1]
-        put(13, t114); // [2][2]
-        put(14, t126); // [2][3]
-        put(15, t138); // [2][4]
-        put(16, t147); // [2][5]
-        put(18, t149); // [3][2]
-        put(28, t150); // [4][6]
-        put(30, t151); // [5][2]
-        put(31, t152); // [5][3]
-        put(33, t153); // [5][5]
+        let t99 = t98 - k2;
+        let t102 = c1 * t99;
+        let t106 = s1 * (t1 + t97) + c1 * (t96 - t0);
+        let t107 = t10 + t96;
+        let t108 = t11 + t97;
+        let t109 = t98 - t12;
+        let t112 = t5 * t109 + c2 * t108;
+        let t115 = c2 * t107 + t3 * t109;
+        let t118 = t5 * t107 - t3 * t108;
+        let t119 = t96 - t31;
+        let t120 = t32 + t97;
+        let t121 = t98 - t33;
+        let t124 = t24 * t121 + t26 * t120;
+        let t127 = t26 * t119 - t18 * t121;
+        let t130 = t18 * t120 + t24 * t119;
+        let t131 = t55 - t96;
+        let t132 = t56 + t97;
+        let t133 = t98 - t57;
+        let t136 = t45 * t133 - t51 * t132;
+        let t139 = t51 * t131 - t39 * t133;
+        let t142 = t39 * t132 - t45 * t131;
+        let t145 = t75 * t94 - t69 * t95;
+        let t148 = t75 * t93 + t63 * t95;
+        let t151 = t63 * t94 + t69 * t93;
+        let t152 = -(s1 * t99);
+        let t153 = -c2;
+        put(1, t102); // [0][1]
+        put(2, t112); // [0][2]
+        put(3, t124); // [0][3]
+        put(4, t136); // [0][4]
+        put(5, t145); // [0][5]
+        put(7, t152); // [1][1]
+        put(8, t115); // [1][2]
+        put(9, t127); // [1][3]
+        put(10, t139); // [1][4]
+        put(11, t148); // [1][5]
+        put(12, t106); // [2][1]
+        put(13, t118); // [2][2]
+        put(14, t130); // [2][3]
+        put(15, t142); // [2][4]
+        put(16, t151); // [2][5]
+        put(30, t153); // [5][2]
     }
 }

@@ -4,7 +4,7 @@
 //!
 //! 419 multiplications, 281 additions; 7 x 10, 68 of 70 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -21,13 +21,24 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (6, 1), (6, 2), (6, 4), (6, 5), (6, 6), (6, 7), (6, 8), (6, 9),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 10 + PATTERN[k].1
+}
+
 /// Regressor of a body fixed to the tool frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 7]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[60] = S::default();
-    flat[63] = S::default();
-    nonzeros(trig, dq, ddq, out);
+    entries(trig, dq, ddq, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            59 => flat[60] = S::default(),
+            61 => flat[63] = S::default(),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -186,319 +197,319 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t167, t168,
     ]
     };
-    // link 7: motion
-    let [
-        a7_z, t177, a7_y, t189, t192, dw7_z, t197, t198,
-        t199, t200, t201, t202, t203, t204, t205, t206,
-        t207, t208,
-    ] = {
-        let t172 = t141 + t166 * k6;
-        let a7_z = a6_y + t167 * k6;
-        let t174 = t137 + t168 * k6;
-        let t177 = c7 * t172 - s7 * t174;
-        let a7_y = c7 * t174 + s7 * t172;
-        let t183 = c7 * t147 + s7 * w6_z;
-        let t186 = s7 * t147 - c7 * w6_z;
-        let t189 = c7 * t166 - s7 * t168;
-        let t192 = c7 * t168 + s7 * t166;
-        let t193 = t150 - dq7;
-        let dw7_z = dw6_y + ddq7;
-        let t195 = t183 * t183;
-        let t196 = t193 * t193;
-        let t197 = t183 * t186;
-        let t198 = t183 * t193;
-        let t199 = t186 * t193;
-        let t200 = t199 - t192;
-        let t201 = t198 - t189;
-        let t202 = t196 - t195;
-        let t203 = t167 + t202;
-        let t204 = dw7_z + t197;
-        let t205 = t197 - dw7_z;
-        let t206 = t195 + t196;
-        let t207 = t198 + t201;
-        let t208 = t199 + t200;
-        put(60, a7_y); // row 7, MSX
-        put(61, t177); // row 7, MSY
-        put(62, t197); // row 7, XX
-        put(64, dw7_z); // row 7, ZZ
-        put(66, t192); // row 7, XZ
-        put(67, t189); // row 7, YZ
-        [
-        a7_z, t177, a7_y, t189, t192, dw7_z, t197, t198,
-        t199, t200, t201, t202, t203, t204, t205, t206,
-        t207, t208,
-    ]
-    };
     // joint axes in frame 2
-    let [t209, v1_2_y] = {
-        let t209 = c2 * k1;
+    let [t169, v1_2_y] = {
+        let t169 = c2 * k1;
         let v1_2_y = s2 * k1;
-        [t209, v1_2_y]
+        [t169, v1_2_y]
     };
     // joint axes in frame 3
-    let [t214, v1_3_y, v2_3_x, v2_4_z] = {
-        let t211 = s2 * k2;
-        let t214 = c3 * t209 - s3 * t211;
-        let v1_3_y = c3 * t211 + s3 * t209;
+    let [t174, v1_3_y, v2_3_x, v2_4_z] = {
+        let t171 = s2 * k2;
+        let t174 = c3 * t169 - s3 * t171;
+        let v1_3_y = c3 * t171 + s3 * t169;
         let v2_3_x = c3 * k2;
         let v2_4_z = s3 * k2;
-        [t214, v1_3_y, v2_3_x, v2_4_z]
+        [t174, v1_3_y, v2_3_x, v2_4_z]
     };
     // joint axes in frame 4
-    let [z1_4_x, z1_4_y, t226, z2_4_y, t228, t229, t232, t235] = {
+    let [z1_4_x, z1_4_y, t186, z2_4_y, t188, t189, t192, t195] = {
         let z1_4_x = c4 * z1_3_x + c2 * s4;
         let z1_4_y = c2 * c4 - s4 * z1_3_x;
-        let t226 = s3 * c4;
+        let t186 = s3 * c4;
         let z2_4_y = s3 * s4;
-        let t228 = c4 * v2_3_x;
-        let t229 = s4 * v2_3_x;
-        let t232 = s4 * v1_2_y - c4 * t214;
-        let t235 = c4 * v1_2_y + s4 * t214;
-        [z1_4_x, z1_4_y, t226, z2_4_y, t228, t229, t232, t235]
+        let t188 = c4 * v2_3_x;
+        let t189 = s4 * v2_3_x;
+        let t192 = s4 * v1_2_y - c4 * t174;
+        let t195 = c4 * v1_2_y + s4 * t174;
+        [z1_4_x, z1_4_y, t186, z2_4_y, t188, t189, t192, t195]
     };
     // joint axes in frame 5
-    let [t238, z1_6_z, t244, t247, z3_5_x, z3_6_z] = {
-        let t238 = s5 * z1_4_z - c5 * z1_4_x;
+    let [t198, z1_6_z, t204, t207, z3_5_x, z3_6_z] = {
+        let t198 = s5 * z1_4_z - c5 * z1_4_x;
         let z1_6_z = c5 * z1_4_z + s5 * z1_4_x;
-        let t244 = c5 * t226 + c3 * s5;
-        let t247 = c3 * c5 - s5 * t226;
+        let t204 = c5 * t186 + c3 * s5;
+        let t207 = c3 * c5 - s5 * t186;
         let z3_5_x = s4 * c5;
         let z3_6_z = s4 * s5;
-        [t238, z1_6_z, t244, t247, z3_5_x, z3_6_z]
+        [t198, z1_6_z, t204, t207, z3_5_x, z3_6_z]
+    };
+    // link 7: motion
+    let [
+        a7_z, t218, a7_y, t230, t233, dw7_z, t238, t239,
+        t240, t241, t242, t243, t244, t245, t246, t247,
+        t248, t249,
+    ] = {
+        let t213 = t141 + t166 * k6;
+        let a7_z = a6_y + t167 * k6;
+        let t215 = t137 + t168 * k6;
+        let t218 = c7 * t213 - s7 * t215;
+        let a7_y = c7 * t215 + s7 * t213;
+        let t224 = c7 * t147 + s7 * w6_z;
+        let t227 = s7 * t147 - c7 * w6_z;
+        let t230 = c7 * t166 - s7 * t168;
+        let t233 = c7 * t168 + s7 * t166;
+        let t234 = t150 - dq7;
+        let dw7_z = dw6_y + ddq7;
+        let t236 = t224 * t224;
+        let t237 = t234 * t234;
+        let t238 = t224 * t227;
+        let t239 = t224 * t234;
+        let t240 = t227 * t234;
+        let t241 = t240 - t233;
+        let t242 = t239 - t230;
+        let t243 = t237 - t236;
+        let t244 = t167 + t243;
+        let t245 = dw7_z + t238;
+        let t246 = t238 - dw7_z;
+        let t247 = t236 + t237;
+        let t248 = t239 + t242;
+        let t249 = t240 + t241;
+        let t250 = -t238;
+        put(60, a7_y); // row 7, MSX
+        put(61, t218); // row 7, MSY
+        put(62, t238); // row 7, XX
+        put(63, t250); // row 7, YY
+        put(64, dw7_z); // row 7, ZZ
+        put(66, t233); // row 7, XZ
+        put(67, t230); // row 7, YZ
+        [
+        a7_z, t218, a7_y, t230, t233, dw7_z, t238, t239,
+        t240, t241, t242, t243, t244, t245, t246, t247,
+        t248, t249,
+    ]
     };
     // payload: column M
-    let [t252, t255, t257] = {
-        let t252 = c7 * t177 + s7 * a7_y;
-        let t255 = s7 * t177 - c7 * a7_y;
-        let t256 = k6 * t255;
-        let t257 = k6 * t252;
-        let t260 = c6 * t252 + s6 * a7_z;
-        let t263 = c6 * a7_z - s6 * t252;
-        let t268 = k5 * t263 - c6 * t256;
-        let t269 = k5 * t260 - s6 * t256;
-        let t272 = s5 * t255 - c5 * t260;
-        let t275 = s5 * t260 + c5 * t255;
-        let t285 = k4 * t272 - (s5 * t268 + c5 * t257);
-        let t288 = s5 * t257 - c5 * t268 + k4 * t275 - k3 * t263;
-        let t289 = t269 - k3 * t272;
-        let t299 = t232 * t272 + t235 * t263 - v1_3_y * t275;
-        let t300 = z1_4_z * t285 + (z1_4_y * t289 - z1_4_x * t288) + t299;
-        let t310 = v2_4_z * t275 - (t229 * t263 - t228 * t272);
-        let t311 = c3 * t285 + (t226 * t288 + z2_4_y * t289) + t310;
-        let t314 = c4 * t289 - s4 * t288;
-        put(0, t300); // row 1, M
-        put(10, t311); // row 2, M
-        put(20, t314); // row 3, M
-        put(30, t285); // row 4, M
-        put(40, t269); // row 5, M
-        [t252, t255, t257]
+    let [t253, t256] = {
+        let t253 = c7 * t218 + s7 * a7_y;
+        let t256 = s7 * t218 - c7 * a7_y;
+        let t257 = k6 * t256;
+        let t258 = k6 * t253;
+        let t261 = c6 * t253 + s6 * a7_z;
+        let t264 = c6 * a7_z - s6 * t253;
+        let t269 = k5 * t264 - c6 * t257;
+        let t270 = k5 * t261 - s6 * t257;
+        let t273 = s5 * t256 - c5 * t261;
+        let t276 = s5 * t261 + c5 * t256;
+        let t286 = k4 * t273 - (s5 * t269 + c5 * t258);
+        let t289 = s5 * t258 - c5 * t269 + k4 * t276 - k3 * t264;
+        let t290 = t270 - k3 * t273;
+        let t300 = t192 * t273 + t195 * t264 - v1_3_y * t276;
+        let t301 = z1_4_z * t286 + (z1_4_y * t290 - z1_4_x * t289) + t300;
+        let t311 = v2_4_z * t276 - (t189 * t264 - t188 * t273);
+        let t312 = c3 * t286 + (t186 * t289 + z2_4_y * t290) + t311;
+        let t315 = c4 * t290 - s4 * t289;
+        let t316 = -t258;
+        put(0, t301); // row 1, M
+        put(10, t312); // row 2, M
+        put(20, t315); // row 3, M
+        put(30, t286); // row 4, M
+        put(40, t270); // row 5, M
+        put(50, t316); // row 6, M
+        [t253, t256]
     };
     // payload: column MSX
-    let [t316, t319, t321, t322] = {
-        let t316 = s7 * t205;
-        let t317 = c7 * t203 - t316;
-        let t319 = c7 * t205;
-        let t320 = s7 * t203 + t319;
-        let t321 = s7 * a7_z;
-        let t322 = c7 * a7_z;
-        let t325 = k6 * t320 - t321;
-        let t326 = t322 - k6 * t317;
-        let t329 = c6 * t317 + s6 * t207;
-        let t332 = c6 * t207 - s6 * t317;
-        let t341 = k5 * t332 - (c6 * t325 + s6 * a7_y);
-        let t342 = c6 * a7_y - s6 * t325 + k5 * t329;
-        let t345 = s5 * t320 - c5 * t329;
-        let t348 = s5 * t329 + c5 * t320;
-        let t358 = c5 * t326 - s5 * t341 + k4 * t345;
-        let t361 = c5 * t341 + s5 * t326 - k4 * t348 + k3 * t332;
-        let t362 = t342 - k3 * t345;
-        let t372 = t232 * t345 + t235 * t332 - v1_3_y * t348;
-        let t373 = z1_4_z * t358 + (z1_4_x * t361 + z1_4_y * t362) + t372;
-        let t383 = v2_4_z * t348 + (t228 * t345 - t229 * t332);
-        let t384 = c3 * t358 - (t226 * t361 - z2_4_y * t362) + t383;
-        let t387 = s4 * t361 + c4 * t362;
-        put(1, t373); // row 1, MSX
-        put(11, t384); // row 2, MSX
-        put(21, t387); // row 3, MSX
-        put(31, t358); // row 4, MSX
-        put(41, t342); // row 5, MSX
-        put(51, t326); // row 6, MSX
-        [t316, t319, t321, t322]
+    let [t318, t321, t323, t324] = {
+        let t318 = s7 * t246;
+        let t319 = c7 * t244 - t318;
+        let t321 = c7 * t246;
+        let t322 = s7 * t244 + t321;
+        let t323 = s7 * a7_z;
+        let t324 = c7 * a7_z;
+        let t327 = k6 * t322 - t323;
+        let t328 = t324 - k6 * t319;
+        let t331 = c6 * t319 + s6 * t248;
+        let t334 = c6 * t248 - s6 * t319;
+        let t343 = k5 * t334 - (c6 * t327 + s6 * a7_y);
+        let t344 = c6 * a7_y - s6 * t327 + k5 * t331;
+        let t347 = s5 * t322 - c5 * t331;
+        let t350 = s5 * t331 + c5 * t322;
+        let t360 = c5 * t328 - s5 * t343 + k4 * t347;
+        let t363 = c5 * t343 + s5 * t328 - k4 * t350 + k3 * t334;
+        let t364 = t344 - k3 * t347;
+        let t374 = t192 * t347 + t195 * t334 - v1_3_y * t350;
+        let t375 = z1_4_z * t360 + (z1_4_x * t363 + z1_4_y * t364) + t374;
+        let t385 = v2_4_z * t350 + (t188 * t347 - t189 * t334);
+        let t386 = c3 * t360 - (t186 * t363 - z2_4_y * t364) + t385;
+        let t389 = s4 * t363 + c4 * t364;
+        put(1, t375); // row 1, MSX
+        put(11, t386); // row 2, MSX
+        put(21, t389); // row 3, MSX
+        put(31, t360); // row 4, MSX
+        put(41, t344); // row 5, MSX
+        put(51, t328); // row 6, MSX
+        [t318, t321, t323, t324]
     };
     // payload: column MSY
-    let [t388, t391] = {
-        let t388 = c7 * t204;
-        let t390 = s7 * t206 - t388;
-        let t391 = s7 * t204;
-        let t393 = t391 + c7 * t206;
-        let t396 = k6 * t393 - t322;
-        let t397 = k6 * t390 - t321;
-        let t400 = c6 * t390 + s6 * t208;
-        let t403 = c6 * t208 - s6 * t390;
-        let t412 = c6 * t396 + s6 * t177 + k5 * t403;
-        let t413 = c6 * t177 - s6 * t396 - k5 * t400;
-        let t416 = c5 * t400 + s5 * t393;
-        let t419 = s5 * t400 - c5 * t393;
-        let t429 = s5 * t412 + c5 * t397 + k4 * t416;
-        let t432 = c5 * t412 - s5 * t397 - k4 * t419 + k3 * t403;
-        let t433 = t413 - k3 * t416;
-        let t443 = v1_3_y * t419 + (t232 * t416 - t235 * t403);
-        let t444 = z1_4_z * t429 + (z1_4_y * t433 - z1_4_x * t432) + t443;
-        let t454 = t228 * t416 + t229 * t403 - v2_4_z * t419;
-        let t455 = c3 * t429 + (t226 * t432 + z2_4_y * t433) + t454;
-        let t458 = c4 * t433 - s4 * t432;
-        put(2, t444); // row 1, MSY
-        put(12, t455); // row 2, MSY
-        put(22, t458); // row 3, MSY
-        put(32, t429); // row 4, MSY
-        put(42, t413); // row 5, MSY
-        put(52, t397); // row 6, MSY
-        [t388, t391]
+    let [t390, t393] = {
+        let t390 = c7 * t245;
+        let t392 = s7 * t247 - t390;
+        let t393 = s7 * t245;
+        let t395 = t393 + c7 * t247;
+        let t398 = k6 * t395 - t324;
+        let t399 = k6 * t392 - t323;
+        let t402 = c6 * t392 + s6 * t249;
+        let t405 = c6 * t249 - s6 * t392;
+        let t414 = c6 * t398 + s6 * t218 + k5 * t405;
+        let t415 = c6 * t218 - s6 * t398 - k5 * t402;
+        let t418 = c5 * t402 + s5 * t395;
+        let t421 = s5 * t402 - c5 * t395;
+        let t431 = s5 * t414 + c5 * t399 + k4 * t418;
+        let t434 = c5 * t414 - s5 * t399 - k4 * t421 + k3 * t405;
+        let t435 = t415 - k3 * t418;
+        let t445 = v1_3_y * t421 + (t192 * t418 - t195 * t405);
+        let t446 = z1_4_z * t431 + (z1_4_y * t435 - z1_4_x * t434) + t445;
+        let t456 = t188 * t418 + t189 * t405 - v2_4_z * t421;
+        let t457 = c3 * t431 + (t186 * t434 + z2_4_y * t435) + t456;
+        let t460 = c4 * t435 - s4 * t434;
+        put(2, t446); // row 1, MSY
+        put(12, t457); // row 2, MSY
+        put(22, t460); // row 3, MSY
+        put(32, t431); // row 4, MSY
+        put(42, t415); // row 5, MSY
+        put(52, t399); // row 6, MSY
+        [t390, t393]
     };
     // payload: column MSZ
     {
-        let t461 = c7 * t189 + s7 * t192;
-        let t464 = s7 * t189 - c7 * t192;
-        let t467 = t255 + k6 * t464;
-        let t468 = t252 + k6 * t461;
-        let t471 = c6 * t461 + s6 * t167;
-        let t474 = c6 * t167 - s6 * t461;
-        let t479 = c6 * t467 - k5 * t474;
-        let t480 = s6 * t467 - k5 * t471;
-        let t483 = s5 * t464 - c5 * t471;
-        let t486 = s5 * t471 + c5 * t464;
-        let t496 = c5 * t468 - s5 * t479 - k4 * t483;
-        let t499 = k3 * t474 - (c5 * t479 + s5 * t468 + k4 * t486);
-        let t500 = t480 + k3 * t483;
-        let t510 = t232 * t483 + t235 * t474 - v1_3_y * t486;
-        let t511 = z1_4_z * t496 + (z1_4_y * t500 - z1_4_x * t499) - t510;
-        let t521 = t229 * t474 - t228 * t483 - v2_4_z * t486;
-        let t522 = c3 * t496 + (t226 * t499 + z2_4_y * t500) + t521;
-        let t525 = c4 * t500 - s4 * t499;
-        put(3, t511); // row 1, MSZ
-        put(13, t522); // row 2, MSZ
-        put(23, t525); // row 3, MSZ
-        put(33, t496); // row 4, MSZ
-        put(43, t480); // row 5, MSZ
-        put(53, t468); // row 6, MSZ
+        let t463 = c7 * t230 + s7 * t233;
+        let t466 = s7 * t230 - c7 * t233;
+        let t469 = t256 + k6 * t466;
+        let t470 = t253 + k6 * t463;
+        let t473 = c6 * t463 + s6 * t167;
+        let t476 = c6 * t167 - s6 * t463;
+        let t481 = c6 * t469 - k5 * t476;
+        let t482 = s6 * t469 - k5 * t473;
+        let t485 = s5 * t466 - c5 * t473;
+        let t488 = s5 * t473 + c5 * t466;
+        let t498 = c5 * t470 - s5 * t481 - k4 * t485;
+        let t501 = k3 * t476 - (c5 * t481 + s5 * t470 + k4 * t488);
+        let t502 = t482 + k3 * t485;
+        let t512 = t192 * t485 + t195 * t476 - v1_3_y * t488;
+        let t513 = z1_4_z * t498 + (z1_4_y * t502 - z1_4_x * t501) - t512;
+        let t523 = t189 * t476 - t188 * t485 - v2_4_z * t488;
+        let t524 = c3 * t498 + (t186 * t501 + z2_4_y * t502) + t523;
+        let t527 = c4 * t502 - s4 * t501;
+        put(3, t513); // row 1, MSZ
+        put(13, t524); // row 2, MSZ
+        put(23, t527); // row 3, MSZ
+        put(33, t498); // row 4, MSZ
+        put(43, t482); // row 5, MSZ
+        put(53, t470); // row 6, MSZ
     }
     // payload: column XX
-    let [t527, t530, t533, t536] = {
-        let t527 = s7 * t198;
-        let t528 = c7 * t200 + t527;
-        let t530 = c7 * t198;
-        let t531 = s7 * t200 - t530;
-        let t533 = s6 * t197;
-        let t534 = c6 * t528 + t533;
-        let t536 = c6 * t197;
-        let t537 = t536 - s6 * t528;
-        let t542 = z1_4_y * t537 + (t238 * t534 + z1_6_z * t531);
-        let t547 = z2_4_y * t537 + (t244 * t534 + t247 * t531);
-        let t552 = c4 * t537 - (z3_5_x * t534 - z3_6_z * t531);
-        let t555 = s5 * t534 + c5 * t531;
-        put(4, t542); // row 1, XX
-        put(14, t547); // row 2, XX
-        put(24, t552); // row 3, XX
-        put(34, t555); // row 4, XX
-        put(44, t537); // row 5, XX
-        put(54, t531); // row 6, XX
-        [t527, t530, t533, t536]
+    let [t529, t532, t535, t538] = {
+        let t529 = s7 * t239;
+        let t530 = c7 * t241 + t529;
+        let t532 = c7 * t239;
+        let t533 = s7 * t241 - t532;
+        let t535 = s6 * t238;
+        let t536 = c6 * t530 + t535;
+        let t538 = c6 * t238;
+        let t539 = t538 - s6 * t530;
+        let t544 = z1_4_y * t539 + (t198 * t536 + z1_6_z * t533);
+        let t549 = z2_4_y * t539 + (t204 * t536 + t207 * t533);
+        let t554 = c4 * t539 - (z3_5_x * t536 - z3_6_z * t533);
+        let t557 = s5 * t536 + c5 * t533;
+        put(4, t544); // row 1, XX
+        put(14, t549); // row 2, XX
+        put(24, t554); // row 3, XX
+        put(34, t557); // row 4, XX
+        put(44, t539); // row 5, XX
+        put(54, t533); // row 6, XX
+        [t529, t532, t535, t538]
     };
     // payload: column YY
-    let [t556, t559] = {
-        let t556 = c7 * t199;
-        let t558 = t556 + s7 * t201;
-        let t559 = s7 * t199;
-        let t561 = c7 * t201 - t559;
-        let t563 = t533 + c6 * t558;
-        let t565 = s6 * t558 - t536;
-        let t570 = z1_4_y * t565 - (t238 * t563 - z1_6_z * t561);
-        let t575 = z2_4_y * t565 + (t247 * t561 - t244 * t563);
-        let t580 = c4 * t565 + (z3_5_x * t563 + z3_6_z * t561);
-        let t583 = c5 * t561 - s5 * t563;
-        put(5, t570); // row 1, YY
-        put(15, t575); // row 2, YY
-        put(25, t580); // row 3, YY
-        put(35, t583); // row 4, YY
-        put(45, t565); // row 5, YY
-        put(55, t561); // row 6, YY
-        [t556, t559]
+    let [t558, t561] = {
+        let t558 = c7 * t240;
+        let t560 = t558 + s7 * t242;
+        let t561 = s7 * t240;
+        let t563 = c7 * t242 - t561;
+        let t565 = t535 + c6 * t560;
+        let t567 = s6 * t560 - t538;
+        let t572 = z1_4_y * t567 - (t198 * t565 - z1_6_z * t563);
+        let t577 = z2_4_y * t567 + (t207 * t563 - t204 * t565);
+        let t582 = c4 * t567 + (z3_5_x * t565 + z3_6_z * t563);
+        let t585 = c5 * t563 - s5 * t565;
+        put(5, t572); // row 1, YY
+        put(15, t577); // row 2, YY
+        put(25, t582); // row 3, YY
+        put(35, t585); // row 4, YY
+        put(45, t567); // row 5, YY
+        put(55, t563); // row 6, YY
+        [t558, t561]
     };
     // payload: column ZZ
-    let t610 = {
-        let t584 = t556 - t527;
-        let t585 = t530 + t559;
-        let t588 = c6 * t584 + s6 * dw7_z;
-        let t591 = c6 * dw7_z - s6 * t584;
-        let t596 = z1_4_y * t591 + (t238 * t588 + z1_6_z * t585);
-        let t601 = z2_4_y * t591 + (t244 * t588 + t247 * t585);
-        let t606 = c4 * t591 + (z3_6_z * t585 - z3_5_x * t588);
-        let t609 = s5 * t588 + c5 * t585;
-        let t610 = t206 - t203;
-        put(6, t596); // row 1, ZZ
-        put(16, t601); // row 2, ZZ
-        put(26, t606); // row 3, ZZ
-        put(36, t609); // row 4, ZZ
-        put(46, t591); // row 5, ZZ
-        put(56, t585); // row 6, ZZ
-        put(65, t610); // row 7, XY
-        t610
+    let t612 = {
+        let t586 = t558 - t529;
+        let t587 = t532 + t561;
+        let t590 = c6 * t586 + s6 * dw7_z;
+        let t593 = c6 * dw7_z - s6 * t586;
+        let t598 = z1_4_y * t593 + (t198 * t590 + z1_6_z * t587);
+        let t603 = z2_4_y * t593 + (t204 * t590 + t207 * t587);
+        let t608 = c4 * t593 + (z3_6_z * t587 - z3_5_x * t590);
+        let t611 = s5 * t590 + c5 * t587;
+        let t612 = t247 - t244;
+        put(6, t598); // row 1, ZZ
+        put(16, t603); // row 2, ZZ
+        put(26, t608); // row 3, ZZ
+        put(36, t611); // row 4, ZZ
+        put(46, t593); // row 5, ZZ
+        put(56, t587); // row 6, ZZ
+        put(65, t612); // row 7, XY
+        t612
     };
     // payload: column XY
     {
-        let t613 = c7 * t207 - s7 * t208;
-        let t616 = s7 * t207 + c7 * t208;
-        let t619 = c6 * t613 + s6 * t610;
-        let t622 = c6 * t610 - s6 * t613;
-        let t627 = z1_4_y * t622 + (t238 * t619 + z1_6_z * t616);
-        let t632 = z2_4_y * t622 + (t244 * t619 + t247 * t616);
-        let t637 = c4 * t622 + (z3_6_z * t616 - z3_5_x * t619);
-        let t640 = s5 * t619 + c5 * t616;
-        put(7, t627); // row 1, XY
-        put(17, t632); // row 2, XY
-        put(27, t637); // row 3, XY
-        put(37, t640); // row 4, XY
-        put(47, t622); // row 5, XY
-        put(57, t616); // row 6, XY
+        let t615 = c7 * t248 - s7 * t249;
+        let t618 = s7 * t248 + c7 * t249;
+        let t621 = c6 * t615 + s6 * t612;
+        let t624 = c6 * t612 - s6 * t615;
+        let t629 = z1_4_y * t624 + (t198 * t621 + z1_6_z * t618);
+        let t634 = z2_4_y * t624 + (t204 * t621 + t207 * t618);
+        let t639 = c4 * t624 + (z3_6_z * t618 - z3_5_x * t621);
+        let t642 = s5 * t621 + c5 * t618;
+        put(7, t629); // row 1, XY
+        put(17, t634); // row 2, XY
+        put(27, t639); // row 3, XY
+        put(37, t642); // row 4, XY
+        put(47, t624); // row 5, XY
+        put(57, t618); // row 6, XY
     }
     // payload: column XZ
-    let t669 = {
-        let t642 = t319 + s7 * t202;
-        let t644 = t316 - c7 * t202;
-        let t647 = c6 * t642 + s6 * t192;
-        let t650 = c6 * t192 - s6 * t642;
-        let t655 = z1_4_y * t650 + (t238 * t647 + z1_6_z * t644);
-        let t660 = z2_4_y * t650 + (t244 * t647 + t247 * t644);
-        let t665 = c4 * t650 - (z3_5_x * t647 - z3_6_z * t644);
-        let t668 = s5 * t647 + c5 * t644;
-        let t669 = t206 - t167;
-        put(8, t655); // row 1, XZ
-        put(18, t660); // row 2, XZ
-        put(28, t665); // row 3, XZ
-        put(38, t668); // row 4, XZ
-        put(48, t650); // row 5, XZ
-        put(58, t644); // row 6, XZ
-        t669
+    let t671 = {
+        let t644 = t321 + s7 * t243;
+        let t646 = t318 - c7 * t243;
+        let t649 = c6 * t644 + s6 * t233;
+        let t652 = c6 * t233 - s6 * t644;
+        let t657 = z1_4_y * t652 + (t198 * t649 + z1_6_z * t646);
+        let t662 = z2_4_y * t652 + (t204 * t649 + t207 * t646);
+        let t667 = c4 * t652 - (z3_5_x * t649 - z3_6_z * t646);
+        let t670 = s5 * t649 + c5 * t646;
+        let t671 = t247 - t167;
+        put(8, t657); // row 1, XZ
+        put(18, t662); // row 2, XZ
+        put(28, t667); // row 3, XZ
+        put(38, t670); // row 4, XZ
+        put(48, t652); // row 5, XZ
+        put(58, t646); // row 6, XZ
+        t671
     };
     // payload: column YZ
     {
-        let t671 = t391 + c7 * t669;
-        let t673 = s7 * t669 - t388;
-        let t676 = c6 * t671 + s6 * t189;
-        let t679 = c6 * t189 - s6 * t671;
-        let t684 = z1_4_y * t679 + (t238 * t676 + z1_6_z * t673);
-        let t689 = z2_4_y * t679 + (t244 * t676 + t247 * t673);
-        let t694 = c4 * t679 - (z3_5_x * t676 - z3_6_z * t673);
-        let t697 = s5 * t676 + c5 * t673;
-        let t698 = -t257;
-        let t699 = -t197;
-        put(9, t684); // row 1, YZ
-        put(19, t689); // row 2, YZ
-        put(29, t694); // row 3, YZ
-        put(39, t697); // row 4, YZ
-        put(49, t679); // row 5, YZ
-        put(50, t698); // row 6, M
-        put(59, t673); // row 6, YZ
-        put(63, t699); // row 7, YY
+        let t673 = t393 + c7 * t671;
+        let t675 = s7 * t671 - t390;
+        let t678 = c6 * t673 + s6 * t230;
+        let t681 = c6 * t230 - s6 * t673;
+        let t686 = z1_4_y * t681 + (t198 * t678 + z1_6_z * t675);
+        let t691 = z2_4_y * t681 + (t204 * t678 + t207 * t675);
+        let t696 = c4 * t681 - (z3_5_x * t678 - z3_6_z * t675);
+        let t699 = s5 * t678 + c5 * t675;
+        put(9, t686); // row 1, YZ
+        put(19, t691); // row 2, YZ
+        put(29, t696); // row 3, YZ
+        put(39, t699); // row 4, YZ
+        put(49, t681); // row 5, YZ
+        put(59, t675); // row 6, YZ
     }
 }

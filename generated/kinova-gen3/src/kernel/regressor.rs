@@ -2,9 +2,9 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 934 multiplications, 690 additions; 7 x 91, 280 of 637 structurally nonzero.
+//! 859 multiplications, 669 additions; 7 x 91, 280 of 637 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -42,45 +42,56 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (6, 62), (6, 64), (6, 65), (6, 66), (6, 67), (6, 68), (6, 69), (6, 76), (6, 83), (6, 90),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 91 + PATTERN[k].1
+}
+
 /// Regressor `W` of the standard parameters: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 91]; 7]) {
     let flat = &mut out.as_flattened_mut()[..];
     flat[0..6].fill(S::default());
-    flat[7..10].fill(S::default());
-    flat[71..77].fill(S::default());
-    flat[78..84].fill(S::default());
-    flat[85..102].fill(S::default());
-    flat[104] = S::default();
-    flat[161] = S::default();
-    flat[163..169].fill(S::default());
-    flat[170..176].fill(S::default());
-    flat[177..203].fill(S::default());
-    flat[205] = S::default();
-    flat[252..254].fill(S::default());
-    flat[255..261].fill(S::default());
-    flat[262..268].fill(S::default());
-    flat[269..304].fill(S::default());
-    flat[306] = S::default();
-    flat[343..346].fill(S::default());
-    flat[347..353].fill(S::default());
-    flat[354..360].fill(S::default());
-    flat[361..405].fill(S::default());
-    flat[407] = S::default();
-    flat[434..438].fill(S::default());
-    flat[439..445].fill(S::default());
-    flat[446..452].fill(S::default());
-    flat[453..506].fill(S::default());
-    flat[508] = S::default();
-    flat[525..530].fill(S::default());
-    flat[531..537].fill(S::default());
-    flat[538..544].fill(S::default());
-    flat[545..607].fill(S::default());
-    flat[609] = S::default();
-    flat[616..622].fill(S::default());
-    flat[623..629].fill(S::default());
-    flat[630..636].fill(S::default());
-    nonzeros(trig, dq, ddq, out);
+    entries(trig, dq, ddq, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            0 => flat[7..10].fill(S::default()),
+            61 => flat[71..77].fill(S::default()),
+            62 => flat[78..84].fill(S::default()),
+            63 => flat[85..102].fill(S::default()),
+            65 => flat[104] = S::default(),
+            121 => flat[161] = S::default(),
+            122 => flat[163..169].fill(S::default()),
+            123 => flat[170..176].fill(S::default()),
+            124 => flat[177..203].fill(S::default()),
+            126 => flat[205] = S::default(),
+            172 => flat[252..254].fill(S::default()),
+            173 => flat[255..261].fill(S::default()),
+            174 => flat[262..268].fill(S::default()),
+            175 => flat[269..304].fill(S::default()),
+            177 => flat[306] = S::default(),
+            213 => flat[343..346].fill(S::default()),
+            214 => flat[347..353].fill(S::default()),
+            215 => flat[354..360].fill(S::default()),
+            216 => flat[361..405].fill(S::default()),
+            218 => flat[407] = S::default(),
+            244 => flat[434..438].fill(S::default()),
+            245 => flat[439..445].fill(S::default()),
+            246 => flat[446..452].fill(S::default()),
+            247 => flat[453..506].fill(S::default()),
+            249 => flat[508] = S::default(),
+            265 => flat[525..530].fill(S::default()),
+            266 => flat[531..537].fill(S::default()),
+            267 => flat[538..544].fill(S::default()),
+            268 => flat[545..607].fill(S::default()),
+            270 => flat[609] = S::default(),
+            276 => flat[616..622].fill(S::default()),
+            277 => flat[623..629].fill(S::default()),
+            278 => flat[630..636].fill(S::default()),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -104,15 +115,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6, ddq7] = *ddq;
-    let k0 = S::constant(9.81);
-    let k1 = S::constant(0.01175);
-    let k2 = S::constant(0.42076);
-    let k3 = S::constant(0.01275);
-    let k4 = S::constant(0.31436);
-    let k5 = S::constant(0.00035);
-    let k6 = S::constant(0.167455);
-    let k7 = S::constant(0.0001380625);
-    let k8 = S::constant(0.0235);
+    let k0 = S::constant(0.01175);
+    let k1 = S::constant(0.42076);
+    let k2 = S::constant(9.81);
+    let k3 = S::constant(0.0001380625);
+    let k4 = S::constant(0.0235);
+    let k5 = S::constant(0.01275);
+    let k6 = S::constant(0.31436);
+    let k7 = S::constant(0.00035);
+    let k8 = S::constant(0.167455);
     let k9 = S::constant(1.0);
     // link 1: motion
     let t0 = {
@@ -135,1184 +146,1173 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(279, k9); // row 7, FO7
         t0
     };
+    // joint axes in frame 2
+    let [t1, v1_2_y] = {
+        let t1 = c2 * k0;
+        let v1_2_y = s2 * k0;
+        [t1, v1_2_y]
+    };
+    // joint axes in frame 3
+    let [v1_3_x, v1_3_y, v2_3_x, v2_4_z] = {
+        let t3 = s2 * k1;
+        let v1_3_x = s3 * t3 - c3 * t1;
+        let v1_3_y = c3 * t3 + s3 * t1;
+        let v2_3_x = c3 * k1;
+        let v2_4_z = s3 * k1;
+        [v1_3_x, v1_3_y, v2_3_x, v2_4_z]
+    };
     // link 2: motion
     let [
-        t1, t2, a2_z, t6, t8, w2_x, w2_y, t11,
-        t12, t15, t16, t17, dw2_x, dw2_y, t20, t21,
-        t22, t23, t24, t25, t26,
+        t12, t13, a2_z, t17, a2_y, w2_x, w2_y, t22,
+        t23, t27, t28, dw2_x, dw2_y, t31, t32, t33,
+        t34, t35, t36, t37,
     ] = {
-        let t1 = s2 * k0;
-        let t2 = c2 * k0;
-        let t3 = ddq1 * k1;
-        let a2_z = t0 * k1;
-        let t6 = t1 + c2 * t3;
-        let t8 = t2 - s2 * t3;
+        let t12 = s2 * k2;
+        let t13 = c2 * k2;
+        let t14 = ddq1 * k0;
+        let a2_z = t0 * k0;
+        let t17 = t12 + c2 * t14;
+        let a2_y = s2 * t14 - t13;
         let w2_x = s2 * dq1;
         let w2_y = c2 * dq1;
-        let t11 = s2 * ddq1;
-        let t12 = c2 * ddq1;
-        let t13 = w2_x * w2_x;
-        let t14 = dq2 * dq2;
-        let t15 = w2_x * w2_y;
-        let t16 = dq2 * w2_x;
-        let t17 = dq2 * w2_y;
-        let dw2_x = t11 + t17;
-        let dw2_y = t12 - t16;
-        let t20 = t14 - t13;
-        let t21 = t0 + t20;
-        let t22 = t15 - ddq2;
-        let t23 = ddq2 + t15;
-        let t24 = t13 + t14;
-        let t25 = dw2_y - t16;
-        let t26 = t17 + dw2_x;
-        put(67, t15); // row 2, YY2
-        put(70, t11); // row 2, XZ2
-        put(71, t12); // row 2, YZ2
+        let t22 = s2 * ddq1;
+        let t23 = c2 * ddq1;
+        let t24 = w2_x * w2_x;
+        let t25 = dq2 * dq2;
+        let t26 = w2_x * w2_y;
+        let t27 = dq2 * w2_x;
+        let t28 = dq2 * w2_y;
+        let dw2_x = t22 + t28;
+        let dw2_y = t23 - t27;
+        let t31 = t25 - t24;
+        let t32 = t0 + t31;
+        let t33 = t26 - ddq2;
+        let t34 = ddq2 + t26;
+        let t35 = t24 + t25;
+        let t36 = dw2_y - t27;
+        let t37 = t28 + dw2_x;
+        let t38 = -t26;
+        put(66, t38); // row 2, XX2
+        put(67, t26); // row 2, YY2
+        put(70, t22); // row 2, XZ2
+        put(71, t23); // row 2, YZ2
         [
-        t1, t2, a2_z, t6, t8, w2_x, w2_y, t11,
-        t12, t15, t16, t17, dw2_x, dw2_y, t20, t21,
-        t22, t23, t24, t25, t26,
+        t12, t13, a2_z, t17, a2_y, w2_x, w2_y, t22,
+        t23, t27, t28, dw2_x, dw2_y, t31, t32, t33,
+        t34, t35, t36, t37,
     ]
     };
+    // MSZ2: column
+    let [t41, t42] = {
+        let t41 = s2 * t13 - c2 * t12;
+        let t42 = k0 * t41;
+        [t41, t42]
+    };
+    // XX2: column
+    let [t44, t45] = {
+        let t44 = c2 * t27;
+        let t45 = s2 * dw2_x + t44;
+        put(5, t45); // row 1, XX2
+        [t44, t45]
+    };
+    // YY2: column
+    let [t46, t49] = {
+        let t46 = s2 * t28;
+        let t48 = c2 * dw2_y - t46;
+        let t49 = t45 + t48;
+        let t51 = t49 * k3 - t42;
+        put(1, t51); // row 1, M2
+        put(6, t48); // row 1, YY2
+        [t46, t49]
+    };
+    // XZ2: column
+    {
+        let t54 = s2 * t34 + c2 * t31;
+        let t55 = k0 * t54;
+        let t57 = k0 * t22 - t13;
+        put(2, t55); // row 1, MSX2
+        put(9, t54); // row 1, XZ2
+        put(64, t57); // row 2, MSX2
+    }
+    // YZ2: column
+    {
+        let t61 = s2 * (t0 - t35) - c2 * t33;
+        let t62 = k0 * t61;
+        let t64 = t12 + k0 * t23;
+        put(3, t62); // row 1, MSY2
+        put(10, t61); // row 1, YZ2
+        put(65, t64); // row 2, MSY2
+    }
+    // YY2: column
+    {
+        let t66 = t41 - t49 * k4;
+        put(4, t66); // row 1, MSZ2
+    }
+    // ZZ2: column
+    {
+        let t67 = t46 - t44;
+        put(7, t67); // row 1, ZZ2
+    }
+    // XY2: column
+    {
+        let t68 = t35 - t32;
+        let t71 = s2 * t36 + c2 * t37;
+        put(8, t71); // row 1, XY2
+        put(69, t68); // row 2, XY2
+    }
     // link 3: motion
     let [
-        z1_3_x, z1_4_z, a3_z, t37, a3_y, w3_x, t46, t49,
-        t52, w3_z, dw3_z, t57, t58, t59, t60, t61,
-        t62, t63, t64, t65, t66, t67, t68,
+        z1_3_x, z1_4_z, a3_z, t82, a3_y, w3_x, t91, t94,
+        t97, w3_z, dw3_z, t102, t103, t104, t105, t106,
+        t107, t108, t109, t110, t111, t112, t113,
     ] = {
         let z1_3_x = s2 * c3;
         let z1_4_z = s2 * s3;
-        let t32 = t6 + t22 * k2;
-        let a3_z = t24 * k2 - t8;
-        let t34 = t26 * k2 - a2_z;
-        let t37 = c3 * t32 - s3 * t34;
-        let a3_y = c3 * t34 + s3 * t32;
+        let t77 = t17 + t33 * k1;
+        let a3_z = a2_y + t35 * k1;
+        let t79 = t37 * k1 - a2_z;
+        let t82 = c3 * t77 - s3 * t79;
+        let a3_y = c3 * t79 + s3 * t77;
         let w3_x = c3 * w2_x - s3 * dq2;
-        let t46 = c3 * dq2 + s3 * w2_x;
-        let t49 = c3 * t22 - s3 * t26;
-        let t52 = c3 * t26 + s3 * t22;
+        let t91 = c3 * dq2 + s3 * w2_x;
+        let t94 = c3 * t33 - s3 * t37;
+        let t97 = c3 * t37 + s3 * t33;
         let w3_z = w2_y + dq3;
         let dw3_z = dw2_y + ddq3;
-        let t55 = w3_x * w3_x;
-        let t56 = w3_z * w3_z;
-        let t57 = w3_x * t46;
-        let t58 = w3_x * w3_z;
-        let t59 = t46 * w3_z;
-        let t60 = t59 - t52;
-        let t61 = t58 - t49;
-        let t62 = t55 - t56;
-        let t63 = t62 - t24;
-        let t64 = dw3_z + t57;
-        let t65 = t57 - dw3_z;
-        let t66 = t55 + t56;
-        let t67 = t58 + t61;
-        let t68 = t59 + t60;
+        let t100 = w3_x * w3_x;
+        let t101 = w3_z * w3_z;
+        let t102 = w3_x * t91;
+        let t103 = w3_x * w3_z;
+        let t104 = t91 * w3_z;
+        let t105 = t104 - t97;
+        let t106 = t103 - t94;
+        let t107 = t100 - t101;
+        let t108 = t35 - t107;
+        let t109 = dw3_z + t102;
+        let t110 = dw3_z - t102;
+        let t111 = t100 + t101;
+        let t112 = t103 + t106;
+        let t113 = t104 + t105;
+        let t114 = -t102;
         put(125, a3_y); // row 3, MSX3
-        put(126, t37); // row 3, MSY3
-        put(127, t57); // row 3, XX3
+        put(126, t82); // row 3, MSY3
+        put(127, t102); // row 3, XX3
+        put(128, t114); // row 3, YY3
         put(129, dw3_z); // row 3, ZZ3
-        put(131, t52); // row 3, XZ3
-        put(132, t49); // row 3, YZ3
+        put(131, t97); // row 3, XZ3
+        put(132, t94); // row 3, YZ3
         [
-        z1_3_x, z1_4_z, a3_z, t37, a3_y, w3_x, t46, t49,
-        t52, w3_z, dw3_z, t57, t58, t59, t60, t61,
-        t62, t63, t64, t65, t66, t67, t68,
+        z1_3_x, z1_4_z, a3_z, t82, a3_y, w3_x, t91, t94,
+        t97, w3_z, dw3_z, t102, t103, t104, t105, t106,
+        t107, t108, t109, t110, t111, t112, t113,
     ]
     };
+    // M3: column
+    {
+        let t119 = a3_z * v1_2_y - (t82 * v1_3_x - a3_y * v1_3_y);
+        let t123 = -(t82 * v2_3_x + a3_y * v2_4_z);
+        put(11, t119); // row 1, M3
+        put(72, t123); // row 2, M3
+    }
+    // MSX3: column
+    {
+        let t131 = t112 * v1_2_y + (t110 * v1_3_y - t108 * v1_3_x);
+        let t132 = z1_4_z * a3_z + c2 * a3_y + t131;
+        let t137 = c3 * a3_z - (t108 * v2_3_x + t110 * v2_4_z);
+        put(12, t132); // row 1, MSX3
+        put(73, t137); // row 2, MSX3
+    }
+    // MSY3: column
+    let [t142, t149] = {
+        let t142 = t111 * v1_3_y;
+        let t146 = z1_3_x * a3_z + c2 * t82 - (t113 * v1_2_y + (t109 * v1_3_x + t142));
+        let t149 = t111 * v2_4_z;
+        let t151 = t149 - t109 * v2_3_x - s3 * a3_z;
+        put(13, t146); // row 1, MSY3
+        put(74, t151); // row 2, MSY3
+        [t142, t149]
+    };
+    // MSZ3: column
+    {
+        let t159 = t94 * v1_3_x - t97 * v1_3_y - t35 * v1_2_y;
+        let t160 = z1_4_z * t82 - z1_3_x * a3_y + t159;
+        let t167 = s3 * a3_y + c3 * t82 + (t94 * v2_3_x + t97 * v2_4_z);
+        put(14, t160); // row 1, MSZ3
+        put(75, t167); // row 2, MSZ3
+    }
+    // joint axes in frame 4
+    let [
+        z1_4_x, z1_4_y, v1_4_x, v1_4_y, t185, z2_4_y, t189, t192,
+        t193, v3_4_y,
+    ] = {
+        let t170 = v1_3_x - c2 * k5;
+        let t171 = v1_2_y + z1_3_x * k5;
+        let z1_4_x = c4 * z1_3_x + c2 * s4;
+        let z1_4_y = c2 * c4 - s4 * z1_3_x;
+        let v1_4_x = c4 * t170 + s4 * t171;
+        let v1_4_y = c4 * t171 - s4 * t170;
+        let t184 = s3 * k5;
+        let t185 = s3 * c4;
+        let z2_4_y = s3 * s4;
+        let t189 = s4 * t184 - c4 * v2_3_x;
+        let t192 = c4 * t184 + s4 * v2_3_x;
+        let t193 = c4 * k5;
+        let v3_4_y = s4 * k5;
+        [
+        z1_4_x, z1_4_y, v1_4_x, v1_4_y, t185, z2_4_y, t189, t192,
+        t193, v3_4_y,
+    ]
+    };
+    // XX3: column
+    let [t196, t197, t201] = {
+        let t196 = z1_4_z * t103;
+        let t197 = c2 * t102;
+        let t199 = t197 - (z1_3_x * t105 + t196);
+        let t201 = c3 * t103;
+        let t202 = s3 * t105 - t201;
+        put(15, t199); // row 1, XX3
+        put(76, t202); // row 2, XX3
+        [t196, t197, t201]
+    };
+    // YY3: column
+    let [t203, t207] = {
+        let t203 = z1_3_x * t104;
+        let t206 = t203 + z1_4_z * t106 - t197;
+        let t207 = s3 * t104;
+        let t209 = c3 * t106 - t207;
+        put(16, t206); // row 1, YY3
+        put(77, t209); // row 2, YY3
+        [t203, t207]
+    };
+    // ZZ3: column
+    {
+        let t212 = c2 * dw3_z + (t196 - t203);
+        let t213 = t201 + t207;
+        put(17, t212); // row 1, ZZ3
+        put(78, t213); // row 2, ZZ3
+    }
+    // XY3: column
+    {
+        let t214 = t111 - t108;
+        let t219 = c2 * t214 + (z1_4_z * t113 - z1_3_x * t112);
+        let t222 = s3 * t112 + c3 * t113;
+        put(18, t219); // row 1, XY3
+        put(79, t222); // row 2, XY3
+        put(130, t214); // row 3, XY3
+    }
+    // XZ3: column
+    {
+        let t227 = c2 * t97 + (z1_3_x * t110 + z1_4_z * t107);
+        let t230 = c3 * t107 - s3 * t110;
+        put(19, t227); // row 1, XZ3
+        put(80, t230); // row 2, XZ3
+    }
+    // YZ3: column
+    {
+        let t231 = t111 - t35;
+        let t236 = c2 * t94 - (z1_3_x * t231 + z1_4_z * t109);
+        let t239 = s3 * t231 - c3 * t109;
+        put(20, t236); // row 1, YZ3
+        put(81, t239); // row 2, YZ3
+    }
     // link 4: motion
     let [
-        t73, t77, a4_y, w4_x, w4_y, t89, t92, w4_z,
-        dw4_z, t97, t98, t99, dw4_x, dw4_y, t102, t103,
-        t104, t105, t106, t107, t108,
+        t244, t248, a4_y, w4_x, w4_y, t260, t263, w4_z,
+        dw4_z, t268, t269, t270, dw4_x, dw4_y, t273, t274,
+        t275, t276, t277, t278, t279,
     ] = {
-        let t72 = t37 + t64 * k3;
-        let t73 = t66 * k3 - a3_y;
-        let t74 = t68 * k3 - a3_z;
-        let t77 = c4 * t72 + s4 * t74;
-        let a4_y = s4 * t72 - c4 * t74;
+        let t243 = t82 + t109 * k5;
+        let t244 = t111 * k5 - a3_y;
+        let t245 = a3_z - t113 * k5;
+        let t248 = c4 * t243 - s4 * t245;
+        let a4_y = c4 * t245 + s4 * t243;
         let w4_x = c4 * w3_x + s4 * w3_z;
         let w4_y = c4 * w3_z - s4 * w3_x;
-        let t89 = c4 * t64 + s4 * t68;
-        let t92 = s4 * t64 - c4 * t68;
-        let w4_z = t46 + dq4;
-        let dw4_z = t61 + ddq4;
-        let t95 = w4_x * w4_x;
-        let t96 = w4_z * w4_z;
-        let t97 = w4_x * w4_y;
-        let t98 = w4_x * w4_z;
-        let t99 = w4_y * w4_z;
-        let dw4_x = t92 + t99;
-        let dw4_y = t89 - t98;
-        let t102 = t96 - t95;
-        let t103 = t66 + t102;
-        let t104 = t97 - dw4_z;
-        let t105 = dw4_z + t97;
-        let t106 = t95 + t96;
-        let t107 = t98 - dw4_y;
-        let t108 = t99 + dw4_x;
+        let t260 = c4 * t109 + s4 * t113;
+        let t263 = s4 * t109 - c4 * t113;
+        let w4_z = t91 + dq4;
+        let dw4_z = t106 + ddq4;
+        let t266 = w4_x * w4_x;
+        let t267 = w4_z * w4_z;
+        let t268 = w4_x * w4_y;
+        let t269 = w4_x * w4_z;
+        let t270 = w4_y * w4_z;
+        let dw4_x = t263 + t270;
+        let dw4_y = t260 - t269;
+        let t273 = t267 - t266;
+        let t274 = t111 + t273;
+        let t275 = t268 - dw4_z;
+        let t276 = dw4_z + t268;
+        let t277 = t266 + t267;
+        let t278 = dw4_y - t269;
+        let t279 = t270 + dw4_x;
+        let t280 = -t268;
         put(176, a4_y); // row 4, MSX4
-        put(177, t77); // row 4, MSY4
-        put(179, t97); // row 4, YY4
+        put(177, t248); // row 4, MSY4
+        put(178, t280); // row 4, XX4
+        put(179, t268); // row 4, YY4
         put(180, dw4_z); // row 4, ZZ4
-        put(182, t92); // row 4, XZ4
-        put(183, t89); // row 4, YZ4
+        put(182, t263); // row 4, XZ4
+        put(183, t260); // row 4, YZ4
         [
-        t73, t77, a4_y, w4_x, w4_y, t89, t92, w4_z,
-        dw4_z, t97, t98, t99, dw4_x, dw4_y, t102, t103,
-        t104, t105, t106, t107, t108,
+        t244, t248, a4_y, w4_x, w4_y, t260, t263, w4_z,
+        dw4_z, t268, t269, t270, dw4_x, dw4_y, t273, t274,
+        t275, t276, t277, t278, t279,
+    ]
+    };
+    // M4: column
+    {
+        let t285 = a4_y * v1_4_y - t248 * v1_4_x - t244 * v1_3_y;
+        let t290 = t244 * v2_4_z - (a4_y * t192 - t248 * t189);
+        let t293 = t248 * t193 + a4_y * v3_4_y;
+        put(21, t285); // row 1, M4
+        put(82, t290); // row 2, M4
+        put(133, t293); // row 3, M4
+    }
+    // MSX4: column
+    {
+        let t301 = t278 * v1_3_y + (t276 * v1_4_y - t274 * v1_4_x);
+        let t302 = z1_4_z * a4_y - t244 * z1_4_y + t301;
+        let t310 = t278 * v2_4_z + (t276 * t192 - t274 * t189);
+        let t311 = c3 * a4_y - t244 * z2_4_y - t310;
+        let t316 = t274 * t193 + t276 * v3_4_y - c4 * t244;
+        put(22, t302); // row 1, MSX4
+        put(83, t311); // row 2, MSX4
+        put(134, t316); // row 3, MSX4
+    }
+    // MSY4: column
+    let [t321, t330, t337] = {
+        let t321 = t277 * v1_4_y;
+        let t325 = t244 * z1_4_x + z1_4_z * t248 - (t279 * v1_3_y + (t321 - t275 * v1_4_x));
+        let t330 = t277 * t192;
+        let t334 = t279 * v2_4_z - (t275 * t189 - t330) - (t244 * t185 - c3 * t248);
+        let t337 = t277 * v3_4_y;
+        let t339 = s4 * t244 - (t275 * t193 + t337);
+        put(23, t325); // row 1, MSY4
+        put(84, t334); // row 2, MSY4
+        put(135, t339); // row 3, MSY4
+        [t321, t330, t337]
+    };
+    // MSZ4: column
+    {
+        let t347 = t142 - (t263 * v1_4_y - t260 * v1_4_x) - (a4_y * z1_4_x + t248 * z1_4_y);
+        let t355 = a4_y * t185 - t248 * z2_4_y + (t263 * t192 - t260 * t189 - t149);
+        let t363 = -(s4 * a4_y + c4 * t248 + (t260 * t193 + t263 * v3_4_y));
+        put(24, t347); // row 1, MSZ4
+        put(85, t355); // row 2, MSZ4
+        put(136, t363); // row 3, MSZ4
+    }
+    // XX4: column
+    let [t365, t366, t370, t371, t375] = {
+        let t365 = t269 * z1_4_y;
+        let t366 = z1_4_z * t268;
+        let t368 = dw4_x * z1_4_x + t365 - t366;
+        let t370 = t269 * z2_4_y;
+        let t371 = c3 * t268;
+        let t373 = t370 - dw4_x * t185 - t371;
+        let t375 = c4 * t269;
+        let t376 = s4 * dw4_x + t375;
+        put(25, t368); // row 1, XX4
+        put(86, t373); // row 2, XX4
+        put(137, t376); // row 3, XX4
+        [t365, t366, t370, t371, t375]
+    };
+    // YY4: column
+    let [t377, t381, t385] = {
+        let t377 = t270 * z1_4_x;
+        let t380 = t366 - (t377 - dw4_y * z1_4_y);
+        let t381 = t270 * t185;
+        let t384 = t371 + (t381 + dw4_y * z2_4_y);
+        let t385 = s4 * t270;
+        let t387 = c4 * dw4_y - t385;
+        put(26, t380); // row 1, YY4
+        put(87, t384); // row 2, YY4
+        put(138, t387); // row 3, YY4
+        [t377, t381, t385]
+    };
+    // ZZ4: column
+    {
+        let t390 = z1_4_z * dw4_z + (t377 - t365);
+        let t393 = c3 * dw4_z - (t370 + t381);
+        let t394 = t385 - t375;
+        put(27, t390); // row 1, ZZ4
+        put(88, t393); // row 2, ZZ4
+        put(139, t394); // row 3, ZZ4
+    }
+    // XY4: column
+    {
+        let t395 = t277 - t274;
+        let t400 = z1_4_z * t395 + (t278 * z1_4_x + t279 * z1_4_y);
+        let t405 = c3 * t395 - (t278 * t185 - t279 * z2_4_y);
+        let t408 = s4 * t278 + c4 * t279;
+        put(28, t400); // row 1, XY4
+        put(89, t405); // row 2, XY4
+        put(140, t408); // row 3, XY4
+        put(181, t395); // row 4, XY4
+    }
+    // XZ4: column
+    {
+        let t413 = z1_4_z * t263 + (t276 * z1_4_x + t273 * z1_4_y);
+        let t418 = c3 * t263 - (t276 * t185 - t273 * z2_4_y);
+        let t421 = s4 * t276 + c4 * t273;
+        put(29, t413); // row 1, XZ4
+        put(90, t418); // row 2, XZ4
+        put(141, t421); // row 3, XZ4
+    }
+    // YZ4: column
+    {
+        let t422 = t111 - t277;
+        let t427 = z1_4_z * t260 + (z1_4_x * t422 - t275 * z1_4_y);
+        let t432 = c3 * t260 - (t185 * t422 + t275 * z2_4_y);
+        let t435 = s4 * t422 - c4 * t275;
+        put(30, t427); // row 1, YZ4
+        put(91, t432); // row 2, YZ4
+        put(142, t435); // row 3, YZ4
+    }
+    // joint axes in frame 5
+    let [
+        z1_5_x, z1_6_z, v1_5_x, t451, t458, t461, t464, t467,
+        z3_5_x, z3_6_z, v3_5_x, v3_5_y, v4_5_x, v4_6_z,
+    ] = {
+        let t438 = v1_4_x + z1_4_z * k6;
+        let t439 = v1_3_y + k6 * z1_4_x;
+        let z1_5_x = c5 * z1_4_x - s5 * z1_4_z;
+        let z1_6_z = c5 * z1_4_z + s5 * z1_4_x;
+        let v1_5_x = c5 * t438 + s5 * t439;
+        let t451 = s5 * t438 - c5 * t439;
+        let t454 = t189 - c3 * k6;
+        let t455 = v2_4_z + k6 * t185;
+        let t458 = c5 * t185 + c3 * s5;
+        let t461 = c3 * c5 - s5 * t185;
+        let t464 = c5 * t454 + s5 * t455;
+        let t467 = s5 * t454 - c5 * t455;
+        let t468 = s4 * k6;
+        let z3_5_x = s4 * c5;
+        let z3_6_z = s4 * s5;
+        let v3_5_x = s5 * t468 - c5 * t193;
+        let v3_5_y = c5 * t468 + s5 * t193;
+        let v4_5_x = c5 * k6;
+        let v4_6_z = s5 * k6;
+        [
+        z1_5_x, z1_6_z, v1_5_x, t451, t458, t461, t464, t467,
+        z3_5_x, z3_6_z, v3_5_x, v3_5_y, v4_5_x, v4_6_z,
     ]
     };
     // link 5: motion
     let [
-        a5_z, t117, a5_y, w5_x, t126, t129, t132, w5_z,
-        dw5_z, t137, t138, t139, t140, t141, t142, t143,
-        t144, t145, t146, t147, t148,
+        a5_z, t487, a5_y, w5_x, t496, t499, t502, w5_z,
+        dw5_z, t507, t508, t509, t510, t511, t512, t513,
+        t514, t515, t516, t517, t518,
     ] = {
-        let t112 = t77 + t104 * k4;
-        let a5_z = a4_y + t106 * k4;
-        let t114 = t108 * k4 - t73;
-        let t117 = c5 * t112 - s5 * t114;
-        let a5_y = c5 * t114 + s5 * t112;
+        let t482 = t248 + t275 * k6;
+        let a5_z = a4_y + t277 * k6;
+        let t484 = t279 * k6 - t244;
+        let t487 = c5 * t482 - s5 * t484;
+        let a5_y = c5 * t484 + s5 * t482;
         let w5_x = c5 * w4_x - s5 * w4_z;
-        let t126 = c5 * w4_z + s5 * w4_x;
-        let t129 = c5 * t104 - s5 * t108;
-        let t132 = c5 * t108 + s5 * t104;
+        let t496 = c5 * w4_z + s5 * w4_x;
+        let t499 = c5 * t275 - s5 * t279;
+        let t502 = c5 * t279 + s5 * t275;
         let w5_z = w4_y + dq5;
         let dw5_z = dw4_y + ddq5;
-        let t135 = w5_x * w5_x;
-        let t136 = w5_z * w5_z;
-        let t137 = w5_x * t126;
-        let t138 = w5_x * w5_z;
-        let t139 = t126 * w5_z;
-        let t140 = t139 - t132;
-        let t141 = t138 - t129;
-        let t142 = t135 - t136;
-        let t143 = t142 - t106;
-        let t144 = dw5_z + t137;
-        let t145 = t137 - dw5_z;
-        let t146 = t135 + t136;
-        let t147 = t138 + t141;
-        let t148 = t139 + t140;
+        let t505 = w5_x * w5_x;
+        let t506 = w5_z * w5_z;
+        let t507 = w5_x * t496;
+        let t508 = w5_x * w5_z;
+        let t509 = t496 * w5_z;
+        let t510 = t509 - t502;
+        let t511 = t508 - t499;
+        let t512 = t505 - t506;
+        let t513 = t512 - t277;
+        let t514 = dw5_z + t507;
+        let t515 = t507 - dw5_z;
+        let t516 = t505 + t506;
+        let t517 = t508 + t511;
+        let t518 = t509 + t510;
+        let t519 = -t507;
         put(217, a5_y); // row 5, MSX5
-        put(218, t117); // row 5, MSY5
-        put(219, t137); // row 5, XX5
+        put(218, t487); // row 5, MSY5
+        put(219, t507); // row 5, XX5
+        put(220, t519); // row 5, YY5
         put(221, dw5_z); // row 5, ZZ5
-        put(223, t132); // row 5, XZ5
-        put(224, t129); // row 5, YZ5
+        put(223, t502); // row 5, XZ5
+        put(224, t499); // row 5, YZ5
         [
-        a5_z, t117, a5_y, w5_x, t126, t129, t132, w5_z,
-        dw5_z, t137, t138, t139, t140, t141, t142, t143,
-        t144, t145, t146, t147, t148,
+        a5_z, t487, a5_y, w5_x, t496, t499, t502, w5_z,
+        dw5_z, t507, t508, t509, t510, t511, t512, t513,
+        t514, t515, t516, t517, t518,
+    ]
+    };
+    // M5: column
+    {
+        let t524 = a5_z * v1_4_y - (t487 * v1_5_x + a5_y * t451);
+        let t529 = t487 * t464 + a5_y * t467 - a5_z * t192;
+        let t534 = a5_z * v3_4_y + (a5_y * v3_5_y - t487 * v3_5_x);
+        let t538 = -(t487 * v4_5_x + a5_y * v4_6_z);
+        put(31, t524); // row 1, M5
+        put(92, t529); // row 2, M5
+        put(143, t534); // row 3, M5
+        put(184, t538); // row 4, M5
+    }
+    // MSX5: column
+    {
+        let t546 = t517 * v1_4_y + (t513 * v1_5_x + t515 * t451);
+        let t547 = a5_z * z1_6_z + a5_y * z1_4_y + t546;
+        let t555 = t517 * t192 + (t513 * t464 + t515 * t467);
+        let t556 = a5_z * t461 + a5_y * z2_4_y - t555;
+        let t564 = t517 * v3_4_y - (t515 * v3_5_y - t513 * v3_5_x);
+        let t565 = a5_z * z3_6_z + c4 * a5_y + t564;
+        let t570 = c5 * a5_z + (t513 * v4_5_x + t515 * v4_6_z);
+        put(32, t547); // row 1, MSX5
+        put(93, t556); // row 2, MSX5
+        put(144, t565); // row 3, MSX5
+        put(185, t570); // row 4, MSX5
+    }
+    // MSY5: column
+    let [t575, t584, t593, t600] = {
+        let t575 = t516 * t451;
+        let t579 = a5_z * z1_5_x + t487 * z1_4_y - (t518 * v1_4_y - (t575 - t514 * v1_5_x));
+        let t584 = t516 * t467;
+        let t588 = t487 * z2_4_y - a5_z * t458 - (t584 - t514 * t464 - t518 * t192);
+        let t593 = t516 * v3_5_y;
+        let t597 = a5_z * z3_5_x + c4 * t487 - (t518 * v3_4_y + (t514 * v3_5_x + t593));
+        let t600 = t516 * v4_6_z;
+        let t602 = t600 - t514 * v4_5_x - s5 * a5_z;
+        put(33, t579); // row 1, MSY5
+        put(94, t588); // row 2, MSY5
+        put(145, t597); // row 3, MSY5
+        put(186, t602); // row 4, MSY5
+        [t575, t584, t593, t600]
+    };
+    // MSZ5: column
+    {
+        let t610 = t487 * z1_6_z - a5_y * z1_5_x - (t321 - (t499 * v1_5_x + t502 * t451));
+        let t618 = a5_y * t458 + t487 * t461 + (t330 - (t499 * t464 + t502 * t467));
+        let t626 = t487 * z3_6_z - a5_y * z3_5_x + (t499 * v3_5_x - t502 * v3_5_y - t337);
+        let t633 = s5 * a5_y + c5 * t487 + (t499 * v4_5_x + t502 * v4_6_z);
+        put(34, t610); // row 1, MSZ5
+        put(95, t618); // row 2, MSZ5
+        put(146, t626); // row 3, MSZ5
+        put(187, t633); // row 4, MSZ5
+    }
+    // XX5: column
+    let [t635, t636, t640, t641, t645, t646, t650] = {
+        let t635 = t508 * z1_6_z;
+        let t636 = t507 * z1_4_y;
+        let t638 = t636 - (t510 * z1_5_x + t635);
+        let t640 = t508 * t461;
+        let t641 = t507 * z2_4_y;
+        let t643 = t641 + (t510 * t458 - t640);
+        let t645 = t508 * z3_6_z;
+        let t646 = c4 * t507;
+        let t648 = t646 - (t510 * z3_5_x + t645);
+        let t650 = c5 * t508;
+        let t651 = s5 * t510 - t650;
+        put(35, t638); // row 1, XX5
+        put(96, t643); // row 2, XX5
+        put(147, t648); // row 3, XX5
+        put(188, t651); // row 4, XX5
+        [t635, t636, t640, t641, t645, t646, t650]
+    };
+    // YY5: column
+    let [t652, t656, t660, t664] = {
+        let t652 = t509 * z1_5_x;
+        let t655 = t652 + t511 * z1_6_z - t636;
+        let t656 = t509 * t458;
+        let t659 = t511 * t461 - t656 - t641;
+        let t660 = t509 * z3_5_x;
+        let t663 = t660 + t511 * z3_6_z - t646;
+        let t664 = s5 * t509;
+        let t666 = c5 * t511 - t664;
+        put(36, t655); // row 1, YY5
+        put(97, t659); // row 2, YY5
+        put(148, t663); // row 3, YY5
+        put(189, t666); // row 4, YY5
+        [t652, t656, t660, t664]
+    };
+    // ZZ5: column
+    {
+        let t669 = dw5_z * z1_4_y - (t652 - t635);
+        let t672 = dw5_z * z2_4_y + (t640 + t656);
+        let t675 = c4 * dw5_z + (t645 - t660);
+        let t676 = t650 + t664;
+        put(37, t669); // row 1, ZZ5
+        put(98, t672); // row 2, ZZ5
+        put(149, t675); // row 3, ZZ5
+        put(190, t676); // row 4, ZZ5
+    }
+    // XY5: column
+    {
+        let t677 = t513 + t516;
+        let t682 = z1_4_y * t677 + (t518 * z1_6_z - t517 * z1_5_x);
+        let t687 = z2_4_y * t677 + (t517 * t458 + t518 * t461);
+        let t692 = c4 * t677 - (t517 * z3_5_x - t518 * z3_6_z);
+        let t695 = s5 * t517 + c5 * t518;
+        put(38, t682); // row 1, XY5
+        put(99, t687); // row 2, XY5
+        put(150, t692); // row 3, XY5
+        put(191, t695); // row 4, XY5
+        put(222, t677); // row 5, XY5
+    }
+    // XZ5: column
+    {
+        let t700 = t502 * z1_4_y + (t512 * z1_6_z - t515 * z1_5_x);
+        let t705 = t502 * z2_4_y + (t515 * t458 + t512 * t461);
+        let t710 = c4 * t502 + (t512 * z3_6_z - t515 * z3_5_x);
+        let t713 = s5 * t515 + c5 * t512;
+        put(39, t700); // row 1, XZ5
+        put(100, t705); // row 2, XZ5
+        put(151, t710); // row 3, XZ5
+        put(192, t713); // row 4, XZ5
+    }
+    // YZ5: column
+    {
+        let t714 = t516 - t277;
+        let t719 = t499 * z1_4_y - (z1_5_x * t714 + t514 * z1_6_z);
+        let t724 = t499 * z2_4_y + (t458 * t714 - t514 * t461);
+        let t729 = c4 * t499 - (z3_5_x * t714 + t514 * z3_6_z);
+        let t732 = s5 * t714 - c5 * t514;
+        put(40, t719); // row 1, YZ5
+        put(101, t724); // row 2, YZ5
+        put(152, t729); // row 3, YZ5
+        put(193, t732); // row 4, YZ5
+    }
+    // joint axes in frame 6
+    let [
+        z1_6_x, z1_6_y, v1_6_x, v1_6_y, z2_6_x, z2_6_y, t761, t764,
+        z3_6_x, z3_6_y, t777, v3_6_y, t782, z4_6_y, t786, t789,
+        t790, v5_6_y,
+    ] = {
+        let t735 = v1_5_x - k7 * z1_4_y;
+        let t736 = v1_4_y + k7 * z1_5_x;
+        let z1_6_x = c6 * z1_5_x + s6 * z1_4_y;
+        let z1_6_y = c6 * z1_4_y - s6 * z1_5_x;
+        let v1_6_x = c6 * t735 + s6 * t736;
+        let v1_6_y = c6 * t736 - s6 * t735;
+        let t751 = t464 + k7 * z2_4_y;
+        let t752 = t192 + k7 * t458;
+        let z2_6_x = s6 * z2_4_y - c6 * t458;
+        let z2_6_y = c6 * z2_4_y + s6 * t458;
+        let t761 = c6 * t751 + s6 * t752;
+        let t764 = c6 * t752 - s6 * t751;
+        let t767 = c4 * k7 - v3_5_x;
+        let t768 = v3_4_y + k7 * z3_5_x;
+        let z3_6_x = c6 * z3_5_x + c4 * s6;
+        let z3_6_y = c4 * c6 - s6 * z3_5_x;
+        let t777 = c6 * t767 - s6 * t768;
+        let v3_6_y = c6 * t768 + s6 * t767;
+        let t781 = s5 * k7;
+        let t782 = s5 * c6;
+        let z4_6_y = s5 * s6;
+        let t786 = s6 * t781 - c6 * v4_5_x;
+        let t789 = c6 * t781 + s6 * v4_5_x;
+        let t790 = c6 * k7;
+        let v5_6_y = s6 * k7;
+        [
+        z1_6_x, z1_6_y, v1_6_x, v1_6_y, z2_6_x, z2_6_y, t761, t764,
+        z3_6_x, z3_6_y, t777, v3_6_y, t782, z4_6_y, t786, t789,
+        t790, v5_6_y,
     ]
     };
     // link 6: motion
     let [
-        t153, t157, a6_y, w6_x, w6_y, t169, t172, w6_z,
-        dw6_z, t177, t178, t179, dw6_x, dw6_y, t182, t183,
-        t184, t185, t186, t187, t188,
+        t796, t800, a6_y, w6_x, w6_y, t812, t815, w6_z,
+        dw6_z, t820, t821, t822, dw6_x, dw6_y, t825, t826,
+        t827, t828, t829, t830, t831,
     ] = {
-        let t152 = t117 + t144 * k5;
-        let t153 = t146 * k5 - a5_y;
-        let t154 = a5_z - t148 * k5;
-        let t157 = c6 * t152 - s6 * t154;
-        let a6_y = c6 * t154 + s6 * t152;
+        let t795 = t487 + t514 * k7;
+        let t796 = t516 * k7 - a5_y;
+        let t797 = t518 * k7 - a5_z;
+        let t800 = c6 * t795 + s6 * t797;
+        let a6_y = s6 * t795 - c6 * t797;
         let w6_x = c6 * w5_x + s6 * w5_z;
         let w6_y = c6 * w5_z - s6 * w5_x;
-        let t169 = c6 * t144 + s6 * t148;
-        let t172 = s6 * t144 - c6 * t148;
-        let w6_z = t126 + dq6;
-        let dw6_z = t141 + ddq6;
-        let t175 = w6_x * w6_x;
-        let t176 = w6_z * w6_z;
-        let t177 = w6_x * w6_y;
-        let t178 = w6_x * w6_z;
-        let t179 = w6_y * w6_z;
-        let dw6_x = t172 + t179;
-        let dw6_y = t169 - t178;
-        let t182 = t176 - t175;
-        let t183 = t146 + t182;
-        let t184 = t177 - dw6_z;
-        let t185 = dw6_z + t177;
-        let t186 = t175 + t176;
-        let t187 = dw6_y - t178;
-        let t188 = t179 + dw6_x;
+        let t812 = c6 * t514 + s6 * t518;
+        let t815 = s6 * t514 - c6 * t518;
+        let w6_z = t496 + dq6;
+        let dw6_z = t511 + ddq6;
+        let t818 = w6_x * w6_x;
+        let t819 = w6_z * w6_z;
+        let t820 = w6_x * w6_y;
+        let t821 = w6_x * w6_z;
+        let t822 = w6_y * w6_z;
+        let dw6_x = t815 + t822;
+        let dw6_y = t812 - t821;
+        let t825 = t818 - t819;
+        let t826 = t825 - t516;
+        let t827 = t820 - dw6_z;
+        let t828 = dw6_z + t820;
+        let t829 = t818 + t819;
+        let t830 = dw6_y - t821;
+        let t831 = t822 + dw6_x;
+        let t832 = -t820;
         put(248, a6_y); // row 6, MSX6
-        put(249, t157); // row 6, MSY6
-        put(251, t177); // row 6, YY6
+        put(249, t800); // row 6, MSY6
+        put(250, t832); // row 6, XX6
+        put(251, t820); // row 6, YY6
         put(252, dw6_z); // row 6, ZZ6
-        put(254, t172); // row 6, XZ6
-        put(255, t169); // row 6, YZ6
+        put(254, t815); // row 6, XZ6
+        put(255, t812); // row 6, YZ6
         [
-        t153, t157, a6_y, w6_x, w6_y, t169, t172, w6_z,
-        dw6_z, t177, t178, t179, dw6_x, dw6_y, t182, t183,
-        t184, t185, t186, t187, t188,
+        t796, t800, a6_y, w6_x, w6_y, t812, t815, w6_z,
+        dw6_z, t820, t821, t822, dw6_x, dw6_y, t825, t826,
+        t827, t828, t829, t830, t831,
+    ]
+    };
+    // M6: column
+    {
+        let t837 = t796 * t451 + (a6_y * v1_6_y - t800 * v1_6_x);
+        let t842 = t800 * t761 - a6_y * t764 - t796 * t467;
+        let t847 = t800 * t777 + a6_y * v3_6_y - t796 * v3_5_y;
+        let t852 = t796 * v4_6_z + (t800 * t786 - a6_y * t789);
+        let t855 = t800 * t790 + a6_y * v5_6_y;
+        put(41, t837); // row 1, M6
+        put(102, t842); // row 2, M6
+        put(153, t847); // row 3, M6
+        put(194, t852); // row 4, M6
+        put(225, t855); // row 5, M6
+    }
+    // MSX6: column
+    {
+        let t863 = t826 * v1_6_x + t828 * v1_6_y - t830 * t451;
+        let t864 = a6_y * z1_6_z - t796 * z1_6_y + t863;
+        let t867 = t796 * z2_6_y - a6_y * t461;
+        let t873 = t830 * t467 - (t826 * t761 + t828 * t764) - t867;
+        let t881 = t826 * t777 - t828 * v3_6_y - t830 * v3_5_y;
+        let t882 = a6_y * z3_6_z - t796 * z3_6_y - t881;
+        let t890 = t830 * v4_6_z + (t826 * t786 + t828 * t789);
+        let t891 = c5 * a6_y - t796 * z4_6_y - t890;
+        let t896 = t828 * v5_6_y - t826 * t790 - c6 * t796;
+        put(42, t864); // row 1, MSX6
+        put(103, t873); // row 2, MSX6
+        put(154, t882); // row 3, MSX6
+        put(195, t891); // row 4, MSX6
+        put(226, t896); // row 5, MSX6
+    }
+    // MSY6: column
+    let [t901, t910, t919, t928, t935] = {
+        let t901 = t829 * v1_6_y;
+        let t905 = t796 * z1_6_x + t800 * z1_6_z + (t831 * t451 - (t901 - t827 * v1_6_x));
+        let t910 = t829 * t764;
+        let t914 = t796 * z2_6_x + t800 * t461 - (t831 * t467 - (t910 - t827 * t761));
+        let t919 = t829 * v3_6_y;
+        let t923 = t796 * z3_6_x + t800 * z3_6_z - (t831 * v3_5_y + (t827 * t777 + t919));
+        let t928 = t829 * t789;
+        let t932 = c5 * t800 - t796 * t782 + (t831 * v4_6_z + (t928 - t827 * t786));
+        let t935 = t829 * v5_6_y;
+        let t937 = s6 * t796 - (t827 * t790 + t935);
+        put(43, t905); // row 1, MSY6
+        put(104, t914); // row 2, MSY6
+        put(155, t923); // row 3, MSY6
+        put(196, t932); // row 4, MSY6
+        put(227, t937); // row 5, MSY6
+        [t901, t910, t919, t928, t935]
+    };
+    // MSZ6: column
+    {
+        let t945 = t812 * v1_6_x - t815 * v1_6_y - t575 - (a6_y * z1_6_x + t800 * z1_6_y);
+        let t953 = t584 - (t812 * t761 - t815 * t764) - (a6_y * z2_6_x + t800 * z2_6_y);
+        let t961 = t593 - (t812 * t777 + t815 * v3_6_y) - (a6_y * z3_6_x + t800 * z3_6_y);
+        let t969 = a6_y * t782 - t800 * z4_6_y - (t600 + (t812 * t786 - t815 * t789));
+        let t977 = -(s6 * a6_y + c6 * t800 + (t812 * t790 + t815 * v5_6_y));
+        put(44, t945); // row 1, MSZ6
+        put(105, t953); // row 2, MSZ6
+        put(156, t961); // row 3, MSZ6
+        put(197, t969); // row 4, MSZ6
+        put(228, t977); // row 5, MSZ6
+    }
+    // XX6: column
+    let [
+        t979, t980, t984, t985, t989, t990, t994, t995,
+        t999,
+    ] = {
+        let t979 = t821 * z1_6_y;
+        let t980 = t820 * z1_6_z;
+        let t982 = dw6_x * z1_6_x + t979 - t980;
+        let t984 = t821 * z2_6_y;
+        let t985 = t820 * t461;
+        let t987 = dw6_x * z2_6_x + t984 - t985;
+        let t989 = t821 * z3_6_y;
+        let t990 = t820 * z3_6_z;
+        let t992 = dw6_x * z3_6_x + t989 - t990;
+        let t994 = t821 * z4_6_y;
+        let t995 = c5 * t820;
+        let t997 = t994 - dw6_x * t782 - t995;
+        let t999 = c6 * t821;
+        let t1000 = s6 * dw6_x + t999;
+        put(45, t982); // row 1, XX6
+        put(106, t987); // row 2, XX6
+        put(157, t992); // row 3, XX6
+        put(198, t997); // row 4, XX6
+        put(229, t1000); // row 5, XX6
+        [
+        t979, t980, t984, t985, t989, t990, t994, t995,
+        t999,
+    ]
+    };
+    // YY6: column
+    let [t1001, t1005, t1009, t1013, t1017] = {
+        let t1001 = t822 * z1_6_x;
+        let t1004 = t980 + (dw6_y * z1_6_y - t1001);
+        let t1005 = t822 * z2_6_x;
+        let t1008 = t985 + (dw6_y * z2_6_y - t1005);
+        let t1009 = t822 * z3_6_x;
+        let t1012 = t990 + (dw6_y * z3_6_y - t1009);
+        let t1013 = t822 * t782;
+        let t1016 = t995 + (t1013 + dw6_y * z4_6_y);
+        let t1017 = s6 * t822;
+        let t1019 = c6 * dw6_y - t1017;
+        put(46, t1004); // row 1, YY6
+        put(107, t1008); // row 2, YY6
+        put(158, t1012); // row 3, YY6
+        put(199, t1016); // row 4, YY6
+        put(230, t1019); // row 5, YY6
+        [t1001, t1005, t1009, t1013, t1017]
+    };
+    // ZZ6: column
+    {
+        let t1022 = dw6_z * z1_6_z - (t979 - t1001);
+        let t1025 = dw6_z * t461 + (t1005 - t984);
+        let t1028 = dw6_z * z3_6_z + (t1009 - t989);
+        let t1031 = c5 * dw6_z - (t994 + t1013);
+        let t1032 = t1017 - t999;
+        put(47, t1022); // row 1, ZZ6
+        put(108, t1025); // row 2, ZZ6
+        put(159, t1028); // row 3, ZZ6
+        put(200, t1031); // row 4, ZZ6
+        put(231, t1032); // row 5, ZZ6
+    }
+    // XY6: column
+    {
+        let t1033 = t826 + t829;
+        let t1038 = z1_6_z * t1033 + (t830 * z1_6_x + t831 * z1_6_y);
+        let t1043 = t461 * t1033 + (t830 * z2_6_x + t831 * z2_6_y);
+        let t1048 = z3_6_z * t1033 + (t830 * z3_6_x + t831 * z3_6_y);
+        let t1053 = c5 * t1033 + (t831 * z4_6_y - t830 * t782);
+        let t1056 = s6 * t830 + c6 * t831;
+        put(48, t1038); // row 1, XY6
+        put(109, t1043); // row 2, XY6
+        put(160, t1048); // row 3, XY6
+        put(201, t1053); // row 4, XY6
+        put(232, t1056); // row 5, XY6
+        put(253, t1033); // row 6, XY6
+    }
+    // XZ6: column
+    {
+        let t1061 = t815 * z1_6_z - (t825 * z1_6_y - t828 * z1_6_x);
+        let t1066 = t815 * t461 + (t828 * z2_6_x - t825 * z2_6_y);
+        let t1071 = t815 * z3_6_z + (t828 * z3_6_x - t825 * z3_6_y);
+        let t1076 = c5 * t815 - (t828 * t782 + t825 * z4_6_y);
+        let t1079 = s6 * t828 - c6 * t825;
+        put(49, t1061); // row 1, XZ6
+        put(110, t1066); // row 2, XZ6
+        put(161, t1071); // row 3, XZ6
+        put(202, t1076); // row 4, XZ6
+        put(233, t1079); // row 5, XZ6
+    }
+    // YZ6: column
+    {
+        let t1080 = t516 - t829;
+        let t1085 = t812 * z1_6_z + (z1_6_x * t1080 - t827 * z1_6_y);
+        let t1090 = t812 * t461 - (t827 * z2_6_y - z2_6_x * t1080);
+        let t1095 = t812 * z3_6_z + (z3_6_x * t1080 - t827 * z3_6_y);
+        let t1100 = c5 * t812 - (t782 * t1080 + t827 * z4_6_y);
+        let t1103 = s6 * t1080 - c6 * t827;
+        put(50, t1085); // row 1, YZ6
+        put(111, t1090); // row 2, YZ6
+        put(162, t1095); // row 3, YZ6
+        put(203, t1100); // row 4, YZ6
+        put(234, t1103); // row 5, YZ6
+    }
+    // joint axes in frame 7
+    let [
+        t1106, t1107, t1110, t1113, t1116, t1117, z2_7_x, t1123,
+        t1126, t1127, t1130, t1133, t1136, t1137, t1140, t1143,
+        t1144, z5_7_x, t1146,
+    ] = {
+        let t1106 = v1_6_x + k8 * z1_6_z;
+        let t1107 = t451 - k8 * z1_6_x;
+        let t1110 = s7 * z1_6_z - c7 * z1_6_x;
+        let t1113 = c7 * z1_6_z + s7 * z1_6_x;
+        let t1116 = t761 - k8 * t461;
+        let t1117 = t467 + k8 * z2_6_x;
+        let z2_7_x = c7 * z2_6_x - s7 * t461;
+        let t1123 = c7 * t461 + s7 * z2_6_x;
+        let t1126 = t777 - k8 * z3_6_z;
+        let t1127 = v3_5_y + k8 * z3_6_x;
+        let t1130 = s7 * z3_6_z - c7 * z3_6_x;
+        let t1133 = c7 * z3_6_z + s7 * z3_6_x;
+        let t1136 = t786 - c5 * k8;
+        let t1137 = v4_6_z + k8 * t782;
+        let t1140 = c7 * t782 + c5 * s7;
+        let t1143 = c5 * c7 - s7 * t782;
+        let t1144 = s6 * k8;
+        let z5_7_x = s6 * c7;
+        let t1146 = s6 * s7;
+        [
+        t1106, t1107, t1110, t1113, t1116, t1117, z2_7_x, t1123,
+        t1126, t1127, t1130, t1133, t1136, t1137, t1140, t1143,
+        t1144, z5_7_x, t1146,
     ]
     };
     // link 7: motion
     let [
-        a7_z, t197, a7_y, t209, t212, dw7_z, t217, t218,
-        t219, t220, t221, t222, t223, t224, t225, t226,
-        t227, t228,
+        a7_z, t1155, a7_y, t1167, t1170, dw7_z, t1175, t1176,
+        t1177, t1178, t1179, t1180, t1181, t1182, t1183, t1184,
+        t1185, t1186,
     ] = {
-        let t192 = t157 + t184 * k6;
-        let a7_z = a6_y + t186 * k6;
-        let t194 = t188 * k6 - t153;
-        let t197 = c7 * t192 - s7 * t194;
-        let a7_y = c7 * t194 + s7 * t192;
+        let t1150 = t800 + t827 * k8;
+        let a7_z = a6_y + t829 * k8;
+        let t1152 = t796 - t831 * k8;
+        let t1155 = c7 * t1150 + s7 * t1152;
+        let a7_y = s7 * t1150 - c7 * t1152;
         let w7_x = c7 * w6_x - s7 * w6_z;
-        let t206 = c7 * w6_z + s7 * w6_x;
-        let t209 = c7 * t184 - s7 * t188;
-        let t212 = c7 * t188 + s7 * t184;
+        let t1164 = c7 * w6_z + s7 * w6_x;
+        let t1167 = c7 * t827 - s7 * t831;
+        let t1170 = c7 * t831 + s7 * t827;
         let w7_z = w6_y + dq7;
         let dw7_z = dw6_y + ddq7;
-        let t215 = w7_x * w7_x;
-        let t216 = w7_z * w7_z;
-        let t217 = w7_x * t206;
-        let t218 = w7_x * w7_z;
-        let t219 = t206 * w7_z;
-        let t220 = t219 - t212;
-        let t221 = t218 - t209;
-        let t222 = t215 - t216;
-        let t223 = t222 - t186;
-        let t224 = dw7_z + t217;
-        let t225 = t217 - dw7_z;
-        let t226 = t215 + t216;
-        let t227 = t218 + t221;
-        let t228 = t219 + t220;
+        let t1173 = w7_x * w7_x;
+        let t1174 = w7_z * w7_z;
+        let t1175 = w7_x * t1164;
+        let t1176 = w7_x * w7_z;
+        let t1177 = t1164 * w7_z;
+        let t1178 = t1177 - t1170;
+        let t1179 = t1176 - t1167;
+        let t1180 = t1173 - t1174;
+        let t1181 = t829 - t1180;
+        let t1182 = dw7_z + t1175;
+        let t1183 = t1175 - dw7_z;
+        let t1184 = t1173 + t1174;
+        let t1185 = t1176 + t1179;
+        let t1186 = t1177 + t1178;
+        let t1187 = -t1175;
         put(269, a7_y); // row 7, MSX7
-        put(270, t197); // row 7, MSY7
-        put(271, t217); // row 7, XX7
+        put(270, t1155); // row 7, MSY7
+        put(271, t1175); // row 7, XX7
+        put(272, t1187); // row 7, YY7
         put(273, dw7_z); // row 7, ZZ7
-        put(275, t212); // row 7, XZ7
-        put(276, t209); // row 7, YZ7
+        put(275, t1170); // row 7, XZ7
+        put(276, t1167); // row 7, YZ7
         [
-        a7_z, t197, a7_y, t209, t212, dw7_z, t217, t218,
-        t219, t220, t221, t222, t223, t224, t225, t226,
-        t227, t228,
+        a7_z, t1155, a7_y, t1167, t1170, dw7_z, t1175, t1176,
+        t1177, t1178, t1179, t1180, t1181, t1182, t1183, t1184,
+        t1185, t1186,
     ]
     };
-    // joint axes in frame 2
-    let [t229, v1_2_y] = {
-        let t229 = c2 * k1;
-        let v1_2_y = s2 * k1;
-        [t229, v1_2_y]
-    };
-    // joint axes in frame 3
-    let [v1_3_x, v1_3_y, v2_3_x, v2_4_z] = {
-        let t231 = s2 * k2;
-        let v1_3_x = s3 * t231 - c3 * t229;
-        let v1_3_y = c3 * t231 + s3 * t229;
-        let v2_3_x = c3 * k2;
-        let v2_4_z = s3 * k2;
-        [v1_3_x, v1_3_y, v2_3_x, v2_4_z]
-    };
-    // joint axes in frame 4
-    let [z1_4_x, z1_4_y, t246, z2_4_y, t248, t249, t252, t255] = {
-        let z1_4_x = c4 * z1_3_x + c2 * s4;
-        let z1_4_y = c2 * c4 - s4 * z1_3_x;
-        let t246 = s3 * c4;
-        let z2_4_y = s3 * s4;
-        let t248 = c4 * v2_3_x;
-        let t249 = s4 * v2_3_x;
-        let t252 = c4 * v1_3_x + s4 * v1_2_y;
-        let t255 = s4 * v1_3_x - c4 * v1_2_y;
-        [z1_4_x, z1_4_y, t246, z2_4_y, t248, t249, t252, t255]
-    };
-    // joint axes in frame 5
-    let [t258, z1_6_z, t264, t267, z3_5_x, z3_6_z] = {
-        let t258 = s5 * z1_4_z - c5 * z1_4_x;
-        let z1_6_z = c5 * z1_4_z + s5 * z1_4_x;
-        let t264 = c5 * t246 + c3 * s5;
-        let t267 = c3 * c5 - s5 * t246;
-        let z3_5_x = s4 * c5;
-        let z3_6_z = s4 * s5;
-        [t258, z1_6_z, t264, t267, z3_5_x, z3_6_z]
-    };
-    // MSZ2: column
-    let [t272, t273] = {
-        let t272 = s2 * t2 - c2 * t1;
-        let t273 = k1 * t272;
-        [t272, t273]
-    };
-    // XX2: column
-    let [t275, t276] = {
-        let t275 = c2 * t16;
-        let t276 = s2 * dw2_x + t275;
-        put(5, t276); // row 1, XX2
-        [t275, t276]
-    };
-    // YY2: column
-    let [t277, t280] = {
-        let t277 = s2 * t17;
-        let t279 = c2 * dw2_y - t277;
-        let t280 = t276 + t279;
-        let t282 = t280 * k7 - t273;
-        put(1, t282); // row 1, M2
-        put(6, t279); // row 1, YY2
-        [t277, t280]
-    };
-    // XZ2: column
-    {
-        let t285 = s2 * t23 + c2 * t20;
-        let t286 = k1 * t285;
-        let t288 = k1 * t11 - t2;
-        put(2, t286); // row 1, MSX2
-        put(9, t285); // row 1, XZ2
-        put(64, t288); // row 2, MSX2
-    }
-    // YZ2: column
-    {
-        let t292 = s2 * (t0 - t24) - c2 * t22;
-        let t293 = k1 * t292;
-        let t295 = t1 + k1 * t12;
-        put(3, t293); // row 1, MSY2
-        put(10, t292); // row 1, YZ2
-        put(65, t295); // row 2, MSY2
-    }
-    // YY2: column
-    {
-        let t297 = t272 - t280 * k8;
-        put(4, t297); // row 1, MSZ2
-    }
-    // ZZ2: column
-    {
-        let t298 = t277 - t275;
-        put(7, t298); // row 1, ZZ2
-    }
-    // XY2: column
-    {
-        let t299 = t24 - t21;
-        let t302 = s2 * t25 + c2 * t26;
-        put(8, t302); // row 1, XY2
-        put(69, t299); // row 2, XY2
-    }
-    // M3: column
-    let t310 = {
-        let t307 = a3_z * v1_2_y - (t37 * v1_3_x - a3_y * v1_3_y);
-        let t310 = t37 * v2_3_x + a3_y * v2_4_z;
-        put(11, t307); // row 1, M3
-        t310
-    };
-    // MSX3: column
-    {
-        let t318 = t67 * v1_2_y + (t63 * v1_3_x - t65 * v1_3_y);
-        let t319 = z1_4_z * a3_z + c2 * a3_y + t318;
-        let t324 = c3 * a3_z + (t63 * v2_3_x + t65 * v2_4_z);
-        put(12, t319); // row 1, MSX3
-        put(73, t324); // row 2, MSX3
-    }
-    // MSY3: column
-    let [t329, t336] = {
-        let t329 = t66 * v1_3_y;
-        let t333 = z1_3_x * a3_z + c2 * t37 - (t68 * v1_2_y + (t64 * v1_3_x + t329));
-        let t336 = t66 * v2_4_z;
-        let t338 = t336 - t64 * v2_3_x - s3 * a3_z;
-        put(13, t333); // row 1, MSY3
-        put(74, t338); // row 2, MSY3
-        [t329, t336]
-    };
-    // MSZ3: column
-    {
-        let t346 = t49 * v1_3_x - t52 * v1_3_y - t24 * v1_2_y;
-        let t347 = z1_4_z * t37 - z1_3_x * a3_y + t346;
-        let t354 = s3 * a3_y + c3 * t37 + (t49 * v2_3_x + t52 * v2_4_z);
-        put(14, t347); // row 1, MSZ3
-        put(75, t354); // row 2, MSZ3
-    }
-    // XX3: column
-    let [t356, t357, t361] = {
-        let t356 = z1_4_z * t58;
-        let t357 = c2 * t57;
-        let t359 = t357 - (z1_3_x * t60 + t356);
-        let t361 = c3 * t58;
-        let t362 = s3 * t60 - t361;
-        put(15, t359); // row 1, XX3
-        put(76, t362); // row 2, XX3
-        [t356, t357, t361]
-    };
-    // YY3: column
-    let [t363, t367] = {
-        let t363 = z1_3_x * t59;
-        let t366 = t363 + z1_4_z * t61 - t357;
-        let t367 = s3 * t59;
-        let t369 = c3 * t61 - t367;
-        put(16, t366); // row 1, YY3
-        put(77, t369); // row 2, YY3
-        [t363, t367]
-    };
-    // ZZ3: column
-    {
-        let t372 = c2 * dw3_z + (t356 - t363);
-        let t373 = t361 + t367;
-        put(17, t372); // row 1, ZZ3
-        put(78, t373); // row 2, ZZ3
-    }
-    // XY3: column
-    {
-        let t374 = t63 + t66;
-        let t379 = c2 * t374 + (z1_4_z * t68 - z1_3_x * t67);
-        let t382 = s3 * t67 + c3 * t68;
-        put(18, t379); // row 1, XY3
-        put(79, t382); // row 2, XY3
-        put(130, t374); // row 3, XY3
-    }
-    // XZ3: column
-    {
-        let t387 = c2 * t52 - (z1_3_x * t65 - z1_4_z * t62);
-        let t390 = s3 * t65 + c3 * t62;
-        put(19, t387); // row 1, XZ3
-        put(80, t390); // row 2, XZ3
-    }
-    // YZ3: column
-    {
-        let t391 = t66 - t24;
-        let t396 = c2 * t49 - (z1_3_x * t391 + z1_4_z * t64);
-        let t399 = s3 * t391 - c3 * t64;
-        put(20, t396); // row 1, YZ3
-        put(81, t399); // row 2, YZ3
-    }
-    // M4: column
-    let [t402, t405] = {
-        let t402 = c4 * t77 + s4 * a4_y;
-        let t405 = c4 * a4_y - s4 * t77;
-        let t406 = k3 * t405;
-        let t407 = k3 * t402;
-        let t415 = v1_2_y * t405 - (v1_3_x * t402 + t73 * v1_3_y);
-        let t416 = z1_3_x * t406 + c2 * t407 + t415;
-        let t421 = t73 * v2_4_z - v2_3_x * t402 - s3 * t406;
-        put(21, t416); // row 1, M4
-        put(82, t421); // row 2, M4
-        put(133, t407); // row 3, M4
-        [t402, t405]
-    };
-    // MSX4: column
-    let [t423, t428, t429] = {
-        let t423 = s4 * t105;
-        let t424 = c4 * t103 + t423;
-        let t427 = c4 * t105 - s4 * t103;
-        let t428 = s4 * t73;
-        let t429 = c4 * t73;
-        let t432 = t428 + k3 * t427;
-        let t433 = k3 * t424 - t429;
-        let t443 = v1_2_y * t427 - (v1_3_x * t424 + t107 * v1_3_y);
-        let t444 = c2 * t433 + (z1_3_x * t432 + z1_4_z * a4_y) + t443;
-        let t451 = c3 * a4_y - s3 * t432 - (v2_3_x * t424 - t107 * v2_4_z);
-        put(22, t444); // row 1, MSX4
-        put(83, t451); // row 2, MSX4
-        put(134, t433); // row 3, MSX4
-        [t423, t428, t429]
-    };
-    // MSY4: column
-    let t452 = {
-        let t452 = c4 * t104;
-        let t454 = t452 + s4 * t106;
-        let t457 = s4 * t104 - c4 * t106;
-        let t460 = t429 + k3 * t457;
-        let t461 = t428 - k3 * t454;
-        let t471 = v1_2_y * t457 - (t108 * v1_3_y - v1_3_x * t454);
-        let t472 = c2 * t461 + (z1_3_x * t460 + z1_4_z * t77) + t471;
-        let t479 = c3 * t77 - s3 * t460 + (v2_3_x * t454 + t108 * v2_4_z);
-        put(23, t472); // row 1, MSY4
-        put(84, t479); // row 2, MSY4
-        put(135, t461); // row 3, MSY4
-        t452
-    };
-    // MSZ4: column
-    let t489 = {
-        let t482 = c4 * t89 + s4 * t92;
-        let t485 = s4 * t89 - c4 * t92;
-        let t488 = k3 * t485 - t405;
-        let t489 = t402 + k3 * t482;
-        let t497 = z1_3_x * t488 - c2 * t489 + (v1_2_y * t485 + (t329 + v1_3_x * t482));
-        let t501 = v2_3_x * t482 - t336 - s3 * t488;
-        put(24, t497); // row 1, MSZ4
-        put(85, t501); // row 2, MSZ4
-        t489
-    };
-    // XX4: column
-    let [t503, t504, t508, t509, t513] = {
-        let t503 = t98 * z1_4_y;
-        let t504 = z1_4_z * t97;
-        let t506 = dw4_x * z1_4_x + t503 - t504;
-        let t508 = t98 * z2_4_y;
-        let t509 = c3 * t97;
-        let t511 = t508 - dw4_x * t246 - t509;
-        let t513 = c4 * t98;
-        let t514 = s4 * dw4_x + t513;
-        put(25, t506); // row 1, XX4
-        put(86, t511); // row 2, XX4
-        put(137, t514); // row 3, XX4
-        [t503, t504, t508, t509, t513]
-    };
-    // YY4: column
-    let [t515, t519, t523] = {
-        let t515 = t99 * z1_4_x;
-        let t518 = t504 + (dw4_y * z1_4_y - t515);
-        let t519 = t99 * t246;
-        let t522 = t509 + (t519 + dw4_y * z2_4_y);
-        let t523 = s4 * t99;
-        let t525 = c4 * dw4_y - t523;
-        put(26, t518); // row 1, YY4
-        put(87, t522); // row 2, YY4
-        put(138, t525); // row 3, YY4
-        [t515, t519, t523]
-    };
-    // ZZ4: column
-    {
-        let t528 = z1_4_z * dw4_z - (t503 - t515);
-        let t531 = c3 * dw4_z - (t508 + t519);
-        let t532 = t523 - t513;
-        put(27, t528); // row 1, ZZ4
-        put(88, t531); // row 2, ZZ4
-        put(139, t532); // row 3, ZZ4
-    }
-    // XY4: column
-    {
-        let t533 = t106 - t103;
-        let t538 = z1_4_z * t533 - (t107 * z1_4_x - t108 * z1_4_y);
-        let t543 = c3 * t533 + (t107 * t246 + t108 * z2_4_y);
-        let t546 = c4 * t108 - s4 * t107;
-        put(28, t538); // row 1, XY4
-        put(89, t543); // row 2, XY4
-        put(140, t546); // row 3, XY4
-        put(181, t533); // row 4, XY4
-    }
-    // XZ4: column
-    {
-        let t551 = z1_4_z * t92 + (t105 * z1_4_x + t102 * z1_4_y);
-        let t556 = c3 * t92 - (t105 * t246 - t102 * z2_4_y);
-        let t558 = t423 + c4 * t102;
-        put(29, t551); // row 1, XZ4
-        put(90, t556); // row 2, XZ4
-        put(141, t558); // row 3, XZ4
-    }
-    // YZ4: column
-    {
-        let t559 = t66 - t106;
-        let t564 = z1_4_z * t89 - (t104 * z1_4_y - z1_4_x * t559);
-        let t569 = c3 * t89 - (t246 * t559 + t104 * z2_4_y);
-        let t571 = s4 * t559 - t452;
-        put(30, t564); // row 1, YZ4
-        put(91, t569); // row 2, YZ4
-        put(142, t571); // row 3, YZ4
-    }
-    // M5: column
-    let [t574, t577, t579] = {
-        let t574 = c5 * t117 + s5 * a5_y;
-        let t577 = s5 * t117 - c5 * a5_y;
-        let t579 = k4 * t574;
-        let t581 = k3 * t574;
-        let t582 = k4 * t577 - k3 * a5_z;
-        let t592 = v1_3_y * t577 + (t252 * t574 + a5_z * t255);
-        let t593 = z1_4_y * t581 - z1_4_x * t582 - z1_4_z * t579 - t592;
-        let t598 = c3 * t579 - (t246 * t582 + z2_4_y * t581);
-        let t604 = v2_4_z * t577 - (t248 * t574 + a5_z * t249) - t598;
-        let t607 = c4 * t581 - s4 * t582;
-        put(31, t593); // row 1, M5
-        put(92, t604); // row 2, M5
-        put(143, t607); // row 3, M5
-        [t574, t577, t579]
-    };
-    // MSX5: column
-    let [t609, t614, t615] = {
-        let t609 = s5 * t145;
-        let t610 = c5 * t143 + t609;
-        let t613 = s5 * t143 - c5 * t145;
-        let t614 = s5 * a5_z;
-        let t615 = c5 * a5_z;
-        let t619 = t615 + k4 * t610;
-        let t622 = t614 + k4 * t613 + k3 * t147;
-        let t623 = a5_y - k3 * t610;
-        let t633 = v1_3_y * t613 + (t252 * t610 - t147 * t255);
-        let t634 = z1_4_z * t619 + (z1_4_x * t622 + z1_4_y * t623) + t633;
-        let t644 = t248 * t610 - t147 * t249 - v2_4_z * t613;
-        let t645 = c3 * t619 + (z2_4_y * t623 - t246 * t622) + t644;
-        let t648 = s4 * t622 + c4 * t623;
-        put(32, t634); // row 1, MSX5
-        put(93, t645); // row 2, MSX5
-        put(144, t648); // row 3, MSX5
-        put(185, t619); // row 4, MSX5
-        [t609, t614, t615]
-    };
-    // MSY5: column
-    let [t649, t650, t653] = {
-        let t649 = c5 * t144;
-        let t650 = s5 * t146;
-        let t651 = t650 - t649;
-        let t653 = c5 * t146;
-        let t654 = s5 * t144 + t653;
-        let t658 = k4 * t651 - t614;
-        let t661 = t615 - k4 * t654 - k3 * t148;
-        let t662 = t117 - k3 * t651;
-        let t672 = t252 * t651 + t148 * t255 - v1_3_y * t654;
-        let t673 = z1_4_z * t658 + (z1_4_x * t661 + z1_4_y * t662) + t672;
-        let t683 = v2_4_z * t654 + (t248 * t651 + t148 * t249);
-        let t684 = c3 * t658 + (z2_4_y * t662 - t246 * t661) + t683;
-        let t687 = s4 * t661 + c4 * t662;
-        put(33, t673); // row 1, MSY5
-        put(94, t684); // row 2, MSY5
-        put(145, t687); // row 3, MSY5
-        put(186, t658); // row 4, MSY5
-        [t649, t650, t653]
-    };
-    // MSZ5: column
-    {
-        let t690 = c5 * t129 + s5 * t132;
-        let t693 = s5 * t129 - c5 * t132;
-        let t697 = t574 + k4 * t690;
-        let t699 = k3 * t690;
-        let t700 = t577 + k4 * t693 - k3 * t106;
-        let t705 = z1_4_y * t699 - z1_4_x * t700 - z1_4_z * t697;
-        let t711 = v1_3_y * t693 + (t252 * t690 + t106 * t255) - t705;
-        let t721 = t248 * t690 + t106 * t249 - v2_4_z * t693;
-        let t722 = c3 * t697 - (t246 * t700 + z2_4_y * t699) + t721;
-        let t725 = s4 * t700 - c4 * t699;
-        put(34, t711); // row 1, MSZ5
-        put(95, t722); // row 2, MSZ5
-        put(146, t725); // row 3, MSZ5
-        put(187, t697); // row 4, MSZ5
-    }
-    // XX5: column
-    let [t727, t728, t732, t733, t737, t738, t742] = {
-        let t727 = t138 * z1_6_z;
-        let t728 = t137 * z1_4_y;
-        let t730 = t728 - (t727 - t140 * t258);
-        let t732 = t138 * t267;
-        let t733 = t137 * z2_4_y;
-        let t735 = t733 + (t140 * t264 - t732);
-        let t737 = t138 * z3_6_z;
-        let t738 = c4 * t137;
-        let t740 = t738 - (t140 * z3_5_x + t737);
-        let t742 = c5 * t138;
-        let t743 = s5 * t140 - t742;
-        put(35, t730); // row 1, XX5
-        put(96, t735); // row 2, XX5
-        put(147, t740); // row 3, XX5
-        put(188, t743); // row 4, XX5
-        [t727, t728, t732, t733, t737, t738, t742]
-    };
-    // YY5: column
-    let [t744, t748, t752, t756] = {
-        let t744 = t139 * t258;
-        let t747 = t141 * z1_6_z - t744 - t728;
-        let t748 = t139 * t264;
-        let t751 = t141 * t267 - t748 - t733;
-        let t752 = t139 * z3_5_x;
-        let t755 = t752 + t141 * z3_6_z - t738;
-        let t756 = s5 * t139;
-        let t758 = c5 * t141 - t756;
-        put(36, t747); // row 1, YY5
-        put(97, t751); // row 2, YY5
-        put(148, t755); // row 3, YY5
-        put(189, t758); // row 4, YY5
-        [t744, t748, t752, t756]
-    };
-    // ZZ5: column
-    {
-        let t761 = dw5_z * z1_4_y + (t727 + t744);
-        let t764 = dw5_z * z2_4_y + (t732 + t748);
-        let t767 = c4 * dw5_z + (t737 - t752);
-        let t768 = t742 + t756;
-        put(37, t761); // row 1, ZZ5
-        put(98, t764); // row 2, ZZ5
-        put(149, t767); // row 3, ZZ5
-        put(190, t768); // row 4, ZZ5
-    }
-    // XY5: column
-    {
-        let t769 = t143 + t146;
-        let t774 = z1_4_y * t769 + (t147 * t258 + t148 * z1_6_z);
-        let t779 = z2_4_y * t769 + (t147 * t264 + t148 * t267);
-        let t784 = c4 * t769 - (t147 * z3_5_x - t148 * z3_6_z);
-        let t787 = s5 * t147 + c5 * t148;
-        put(38, t774); // row 1, XY5
-        put(99, t779); // row 2, XY5
-        put(150, t784); // row 3, XY5
-        put(191, t787); // row 4, XY5
-        put(222, t769); // row 5, XY5
-    }
-    // XZ5: column
-    {
-        let t792 = t132 * z1_4_y + (t145 * t258 + t142 * z1_6_z);
-        let t797 = t132 * z2_4_y + (t145 * t264 + t142 * t267);
-        let t802 = c4 * t132 - (t145 * z3_5_x - t142 * z3_6_z);
-        let t804 = t609 + c5 * t142;
-        put(39, t792); // row 1, XZ5
-        put(100, t797); // row 2, XZ5
-        put(151, t802); // row 3, XZ5
-        put(192, t804); // row 4, XZ5
-    }
-    // YZ5: column
-    {
-        let t805 = t146 - t106;
-        let t810 = t129 * z1_4_y + (t258 * t805 - t144 * z1_6_z);
-        let t815 = t129 * z2_4_y + (t264 * t805 - t144 * t267);
-        let t820 = c4 * t129 - (z3_5_x * t805 + t144 * z3_6_z);
-        let t822 = s5 * t805 - t649;
-        put(40, t810); // row 1, YZ5
-        put(101, t815); // row 2, YZ5
-        put(152, t820); // row 3, YZ5
-        put(193, t822); // row 4, YZ5
-    }
-    // M6: column
-    let [t825, t828] = {
-        let t825 = c6 * t157 + s6 * a6_y;
-        let t828 = s6 * t157 - c6 * a6_y;
-        let t829 = k5 * t828;
-        let t830 = k5 * t825;
-        let t833 = c5 * t825 - s5 * t153;
-        let t836 = s5 * t825 + c5 * t153;
-        let t842 = s5 * t829 - k4 * t833;
-        let t845 = c5 * t829 + k4 * t836 + k3 * t828;
-        let t846 = t830 + k3 * t833;
-        let t856 = t255 * t828 - t252 * t833 - v1_3_y * t836;
-        let t857 = z1_4_z * t842 + (z1_4_y * t846 - z1_4_x * t845) + t856;
-        let t867 = v2_4_z * t836 + (t249 * t828 - t248 * t833);
-        let t868 = c3 * t842 + (t246 * t845 + z2_4_y * t846) + t867;
-        let t871 = c4 * t846 - s4 * t845;
-        put(41, t857); // row 1, M6
-        put(102, t868); // row 2, M6
-        put(153, t871); // row 3, M6
-        put(194, t842); // row 4, M6
-        put(225, t830); // row 5, M6
-        [t825, t828]
-    };
-    // MSX6: column
-    let [t873, t876, t878, t879] = {
-        let t873 = s6 * t185;
-        let t874 = c6 * t183 + t873;
-        let t876 = c6 * t185;
-        let t877 = t876 - s6 * t183;
-        let t878 = s6 * t153;
-        let t879 = c6 * t153;
-        let t882 = t878 + k5 * t877;
-        let t883 = k5 * t874 - t879;
-        let t886 = c5 * t874 + s5 * t187;
-        let t889 = s5 * t874 - c5 * t187;
-        let t899 = c5 * a6_y - s5 * t882 - k4 * t886;
-        let t902 = c5 * t882 + s5 * a6_y - k4 * t889 + k3 * t877;
-        let t903 = t883 + k3 * t886;
-        let t913 = v1_3_y * t889 + (t252 * t886 + t255 * t877);
-        let t914 = z1_4_z * t899 + (z1_4_x * t902 + z1_4_y * t903) - t913;
-        let t924 = v2_4_z * t889 - (t248 * t886 + t249 * t877);
-        let t925 = c3 * t899 + (z2_4_y * t903 - t246 * t902) + t924;
-        let t928 = s4 * t902 + c4 * t903;
-        put(42, t914); // row 1, MSX6
-        put(103, t925); // row 2, MSX6
-        put(154, t928); // row 3, MSX6
-        put(195, t899); // row 4, MSX6
-        put(226, t883); // row 5, MSX6
-        [t873, t876, t878, t879]
-    };
-    // MSY6: column
-    let [t929, t930, t932, t933] = {
-        let t929 = c6 * t184;
-        let t930 = s6 * t186;
-        let t931 = t929 + t930;
-        let t932 = s6 * t184;
-        let t933 = c6 * t186;
-        let t934 = t932 - t933;
-        let t937 = t879 + k5 * t934;
-        let t938 = t878 - k5 * t931;
-        let t941 = c5 * t931 + s5 * t188;
-        let t944 = s5 * t931 - c5 * t188;
-        let t954 = c5 * t157 - s5 * t937 + k4 * t941;
-        let t957 = c5 * t937 + s5 * t157 + k4 * t944 + k3 * t934;
-        let t958 = k3 * t941 - t938;
-        let t963 = z1_4_y * t958 - z1_4_x * t957 - z1_4_z * t954;
-        let t969 = v1_3_y * t944 + (t252 * t941 - t255 * t934) - t963;
-        let t979 = v2_4_z * t944 + (t249 * t934 - t248 * t941);
-        let t980 = c3 * t954 - (t246 * t957 + z2_4_y * t958) - t979;
-        let t983 = s4 * t957 - c4 * t958;
-        put(43, t969); // row 1, MSY6
-        put(104, t980); // row 2, MSY6
-        put(155, t983); // row 3, MSY6
-        put(196, t954); // row 4, MSY6
-        put(227, t938); // row 5, MSY6
-        [t929, t930, t932, t933]
-    };
-    // MSZ6: column
-    let t993 = {
-        let t986 = c6 * t169 + s6 * t172;
-        let t989 = s6 * t169 - c6 * t172;
-        let t992 = t828 + k5 * t989;
-        let t993 = t825 + k5 * t986;
-        let t995 = c5 * t986 - t650;
-        let t997 = t653 + s5 * t986;
-        let t1003 = k4 * t995 - s5 * t992;
-        let t1006 = c5 * t992 + k4 * t997 + k3 * t989;
-        let t1007 = t993 + k3 * t995;
-        let t1017 = v1_3_y * t997 + (t252 * t995 - t255 * t989);
-        let t1018 = z1_4_z * t1003 + (z1_4_x * t1006 - z1_4_y * t1007) + t1017;
-        let t1028 = v2_4_z * t997 + (t249 * t989 - t248 * t995);
-        let t1029 = c3 * t1003 - (t246 * t1006 + z2_4_y * t1007) - t1028;
-        let t1032 = s4 * t1006 - c4 * t1007;
-        put(44, t1018); // row 1, MSZ6
-        put(105, t1029); // row 2, MSZ6
-        put(156, t1032); // row 3, MSZ6
-        put(197, t1003); // row 4, MSZ6
-        t993
-    };
-    // XX6: column
-    let [t1034, t1037, t1040, t1045, t1050, t1055] = {
-        let t1034 = s6 * t178;
-        let t1035 = t1034 - c6 * dw6_x;
-        let t1037 = c6 * t178;
-        let t1038 = s6 * dw6_x + t1037;
-        let t1040 = t177 * z1_6_z;
-        let t1043 = z1_4_y * t1038 + (t258 * t1035 - t1040);
-        let t1045 = t177 * t267;
-        let t1048 = z2_4_y * t1038 - (t1045 - t264 * t1035);
-        let t1050 = t177 * z3_6_z;
-        let t1053 = c4 * t1038 - (z3_5_x * t1035 + t1050);
-        let t1055 = c5 * t177;
-        let t1056 = s5 * t1035 - t1055;
-        put(45, t1043); // row 1, XX6
-        put(106, t1048); // row 2, XX6
-        put(157, t1053); // row 3, XX6
-        put(198, t1056); // row 4, XX6
-        put(229, t1038); // row 5, XX6
-        [t1034, t1037, t1040, t1045, t1050, t1055]
-    };
-    // YY6: column
-    let [t1057, t1060] = {
-        let t1057 = c6 * t179;
-        let t1059 = t1057 + s6 * dw6_y;
-        let t1060 = s6 * t179;
-        let t1062 = c6 * dw6_y - t1060;
-        let t1066 = z1_4_y * t1062 + (t1040 + t258 * t1059);
-        let t1070 = z2_4_y * t1062 + (t1045 + t264 * t1059);
-        let t1074 = c4 * t1062 + (t1050 - z3_5_x * t1059);
-        let t1076 = t1055 + s5 * t1059;
-        put(46, t1066); // row 1, YY6
-        put(107, t1070); // row 2, YY6
-        put(158, t1074); // row 3, YY6
-        put(199, t1076); // row 4, YY6
-        put(230, t1062); // row 5, YY6
-        [t1057, t1060]
-    };
-    // ZZ6: column
-    {
-        let t1077 = t1034 + t1057;
-        let t1078 = t1060 - t1037;
-        let t1083 = z1_4_y * t1078 + (dw6_z * z1_6_z - t258 * t1077);
-        let t1088 = z2_4_y * t1078 - (t264 * t1077 - dw6_z * t267);
-        let t1093 = c4 * t1078 + (z3_5_x * t1077 + dw6_z * z3_6_z);
-        let t1096 = c5 * dw6_z - s5 * t1077;
-        put(47, t1083); // row 1, ZZ6
-        put(108, t1088); // row 2, ZZ6
-        put(159, t1093); // row 3, ZZ6
-        put(200, t1096); // row 4, ZZ6
-        put(231, t1078); // row 5, ZZ6
-    }
-    // XY6: column
-    {
-        let t1097 = t186 - t183;
-        let t1100 = s6 * t188 - c6 * t187;
-        let t1103 = s6 * t187 + c6 * t188;
-        let t1108 = z1_4_y * t1103 + (t258 * t1100 + z1_6_z * t1097);
-        let t1113 = z2_4_y * t1103 + (t264 * t1100 + t267 * t1097);
-        let t1118 = c4 * t1103 - (z3_5_x * t1100 - z3_6_z * t1097);
-        let t1121 = s5 * t1100 + c5 * t1097;
-        put(48, t1108); // row 1, XY6
-        put(109, t1113); // row 2, XY6
-        put(160, t1118); // row 3, XY6
-        put(201, t1121); // row 4, XY6
-        put(232, t1103); // row 5, XY6
-        put(253, t1097); // row 6, XY6
-    }
-    // XZ6: column
-    {
-        let t1123 = t876 - s6 * t182;
-        let t1125 = t873 + c6 * t182;
-        let t1130 = z1_4_y * t1125 + (t172 * z1_6_z - t258 * t1123);
-        let t1135 = z2_4_y * t1125 + (t172 * t267 - t264 * t1123);
-        let t1140 = c4 * t1125 + (z3_5_x * t1123 + t172 * z3_6_z);
-        let t1143 = c5 * t172 - s5 * t1123;
-        put(49, t1130); // row 1, XZ6
-        put(110, t1135); // row 2, XZ6
-        put(161, t1140); // row 3, XZ6
-        put(202, t1143); // row 4, XZ6
-        put(233, t1125); // row 5, XZ6
-    }
-    // YZ6: column
-    {
-        let t1144 = t146 - t186;
-        let t1146 = t932 + c6 * t1144;
-        let t1148 = s6 * t1144 - t929;
-        let t1153 = z1_4_y * t1148 - (t258 * t1146 - t169 * z1_6_z);
-        let t1158 = z2_4_y * t1148 + (t169 * t267 - t264 * t1146);
-        let t1163 = c4 * t1148 + (z3_5_x * t1146 + t169 * z3_6_z);
-        let t1166 = c5 * t169 - s5 * t1146;
-        put(50, t1153); // row 1, YZ6
-        put(111, t1158); // row 2, YZ6
-        put(162, t1163); // row 3, YZ6
-        put(203, t1166); // row 4, YZ6
-        put(234, t1148); // row 5, YZ6
-    }
     // M7: column
-    let [t1169, t1172, t1174] = {
-        let t1169 = c7 * t197 + s7 * a7_y;
-        let t1172 = s7 * t197 - c7 * a7_y;
-        let t1173 = k6 * t1172;
-        let t1174 = k6 * t1169;
-        let t1177 = c6 * t1169 + s6 * a7_z;
-        let t1180 = s6 * t1169 - c6 * a7_z;
-        let t1185 = c6 * t1173 + k5 * t1180;
-        let t1186 = k5 * t1177 - s6 * t1173;
-        let t1189 = s5 * t1172 - c5 * t1177;
-        let t1192 = s5 * t1177 + c5 * t1172;
-        let t1202 = s5 * t1185 - c5 * t1174 + k4 * t1189;
-        let t1205 = c5 * t1185 + s5 * t1174 + k4 * t1192 + k3 * t1180;
-        let t1206 = t1186 - k3 * t1189;
-        let t1216 = t252 * t1189 + t255 * t1180 - v1_3_y * t1192;
-        let t1217 = z1_4_z * t1202 - (z1_4_x * t1205 - z1_4_y * t1206) + t1216;
-        let t1227 = v2_4_z * t1192 + (t248 * t1189 + t249 * t1180);
-        let t1228 = c3 * t1202 + (t246 * t1205 + z2_4_y * t1206) + t1227;
-        let t1231 = c4 * t1206 - s4 * t1205;
-        put(51, t1217); // row 1, M7
-        put(112, t1228); // row 2, M7
-        put(163, t1231); // row 3, M7
-        put(204, t1202); // row 4, M7
-        put(235, t1186); // row 5, M7
-        [t1169, t1172, t1174]
+    let t1190 = {
+        let t1190 = c7 * t1155 + s7 * a7_y;
+        let t1193 = c7 * a7_y - s7 * t1155;
+        let t1198 = a7_z * v1_6_y - t1106 * t1190 - t1107 * t1193;
+        let t1203 = t1117 * t1193 - (a7_z * t764 - t1116 * t1190);
+        let t1208 = t1127 * t1193 + (t1126 * t1190 + a7_z * v3_6_y);
+        let t1213 = t1136 * t1190 - a7_z * t789 - t1137 * t1193;
+        let t1218 = t1144 * t1193 + (t790 * t1190 + a7_z * v5_6_y);
+        let t1220 = -(k8 * t1190);
+        put(51, t1198); // row 1, M7
+        put(112, t1203); // row 2, M7
+        put(163, t1208); // row 3, M7
+        put(204, t1213); // row 4, M7
+        put(235, t1218); // row 5, M7
+        put(256, t1220); // row 6, M7
+        t1190
     };
     // MSX7: column
-    let [t1233, t1236, t1238, t1239] = {
-        let t1233 = s7 * t225;
-        let t1234 = c7 * t223 + t1233;
-        let t1236 = c7 * t225;
-        let t1237 = s7 * t223 - t1236;
-        let t1238 = s7 * a7_z;
-        let t1239 = c7 * a7_z;
-        let t1242 = t1238 + k6 * t1237;
-        let t1243 = t1239 + k6 * t1234;
-        let t1246 = c6 * t1234 - s6 * t227;
-        let t1249 = s6 * t1234 + c6 * t227;
-        let t1258 = c6 * t1242 - s6 * a7_y + k5 * t1249;
-        let t1259 = s6 * t1242 + c6 * a7_y - k5 * t1246;
-        let t1262 = s5 * t1237 - c5 * t1246;
-        let t1265 = s5 * t1246 + c5 * t1237;
-        let t1275 = c5 * t1243 - s5 * t1258 - k4 * t1262;
-        let t1278 = c5 * t1258 + s5 * t1243 + k4 * t1265 + k3 * t1249;
-        let t1279 = t1259 + k3 * t1262;
-        let t1289 = v1_3_y * t1265 - (t252 * t1262 + t255 * t1249);
-        let t1290 = z1_4_z * t1275 + (z1_4_x * t1278 + z1_4_y * t1279) + t1289;
-        let t1300 = v2_4_z * t1265 + (t248 * t1262 + t249 * t1249);
-        let t1301 = c3 * t1275 - (t246 * t1278 - z2_4_y * t1279) - t1300;
-        let t1304 = s4 * t1278 + c4 * t1279;
-        put(52, t1290); // row 1, MSX7
-        put(113, t1301); // row 2, MSX7
-        put(164, t1304); // row 3, MSX7
-        put(205, t1275); // row 4, MSX7
-        put(236, t1259); // row 5, MSX7
-        put(257, t1243); // row 6, MSX7
-        [t1233, t1236, t1238, t1239]
+    let t1222 = {
+        let t1222 = s7 * t1183;
+        let t1223 = c7 * t1181 - t1222;
+        let t1226 = s7 * t1181 + c7 * t1183;
+        let t1234 = a7_z * t1113 + a7_y * z1_6_y;
+        let t1235 = t1107 * t1226 - (t1106 * t1223 - t1185 * v1_6_y) + t1234;
+        let t1243 = a7_z * t1123 + a7_y * z2_6_y;
+        let t1244 = t1116 * t1223 - t1185 * t764 - t1117 * t1226 + t1243;
+        let t1252 = a7_z * t1133 + a7_y * z3_6_y;
+        let t1253 = t1126 * t1223 + t1185 * v3_6_y - t1127 * t1226 + t1252;
+        let t1261 = a7_z * t1143 + a7_y * z4_6_y;
+        let t1262 = t1137 * t1226 + (t1136 * t1223 - t1185 * t789) + t1261;
+        let t1270 = a7_z * t1146 + c6 * a7_y;
+        let t1271 = t790 * t1223 + t1185 * v5_6_y - t1144 * t1226 + t1270;
+        let t1274 = c7 * a7_z - k8 * t1223;
+        put(52, t1235); // row 1, MSX7
+        put(113, t1244); // row 2, MSX7
+        put(164, t1253); // row 3, MSX7
+        put(205, t1262); // row 4, MSX7
+        put(236, t1271); // row 5, MSX7
+        put(257, t1274); // row 6, MSX7
+        t1222
     };
     // MSY7: column
-    let [t1305, t1308] = {
-        let t1305 = c7 * t224;
-        let t1307 = s7 * t226 - t1305;
-        let t1308 = s7 * t224;
-        let t1310 = t1308 + c7 * t226;
-        let t1313 = t1239 - k6 * t1310;
-        let t1314 = k6 * t1307 - t1238;
-        let t1317 = c6 * t1307 + s6 * t228;
-        let t1320 = s6 * t1307 - c6 * t228;
-        let t1329 = c6 * t1313 - s6 * t197 + k5 * t1320;
-        let t1330 = s6 * t1313 + c6 * t197 - k5 * t1317;
-        let t1333 = c5 * t1317 + s5 * t1310;
-        let t1336 = s5 * t1317 - c5 * t1310;
-        let t1346 = k4 * t1333 - (s5 * t1329 - c5 * t1314);
-        let t1349 = c5 * t1329 + s5 * t1314 + k4 * t1336 + k3 * t1320;
-        let t1350 = k3 * t1333 - t1330;
-        let t1355 = z1_4_y * t1350 - z1_4_x * t1349 - z1_4_z * t1346;
-        let t1361 = v1_3_y * t1336 + (t252 * t1333 - t255 * t1320) - t1355;
-        let t1371 = v2_4_z * t1336 + (t249 * t1320 - t248 * t1333);
-        let t1372 = c3 * t1346 - (t246 * t1349 + z2_4_y * t1350) - t1371;
-        let t1375 = s4 * t1349 - c4 * t1350;
-        put(53, t1361); // row 1, MSY7
-        put(114, t1372); // row 2, MSY7
-        put(165, t1375); // row 3, MSY7
-        put(206, t1346); // row 4, MSY7
-        put(237, t1330); // row 5, MSY7
-        put(258, t1314); // row 6, MSY7
-        [t1305, t1308]
+    let t1275 = {
+        let t1275 = c7 * t1182;
+        let t1277 = s7 * t1184 - t1275;
+        let t1280 = s7 * t1182 + c7 * t1184;
+        let t1288 = t1155 * z1_6_y - a7_z * t1110;
+        let t1289 = t1107 * t1280 + (t1106 * t1277 - t1186 * v1_6_y) + t1288;
+        let t1294 = t1117 * t1280 - (t1186 * t764 - t1116 * t1277);
+        let t1298 = a7_z * z2_7_x + t1155 * z2_6_y - t1294;
+        let t1303 = t1127 * t1280 + (t1126 * t1277 + t1186 * v3_6_y);
+        let t1307 = t1155 * z3_6_y - a7_z * t1130 - t1303;
+        let t1315 = a7_z * t1140 - t1155 * z4_6_y;
+        let t1316 = t1137 * t1280 - (t1136 * t1277 - t1186 * t789) - t1315;
+        let t1321 = t1144 * t1280 + (t790 * t1277 + t1186 * v5_6_y);
+        let t1325 = a7_z * z5_7_x + c6 * t1155 - t1321;
+        let t1328 = k8 * t1277 - s7 * a7_z;
+        put(53, t1289); // row 1, MSY7
+        put(114, t1298); // row 2, MSY7
+        put(165, t1307); // row 3, MSY7
+        put(206, t1316); // row 4, MSY7
+        put(237, t1325); // row 5, MSY7
+        put(258, t1328); // row 6, MSY7
+        t1275
     };
     // MSZ7: column
     {
-        let t1378 = c7 * t209 + s7 * t212;
-        let t1381 = c7 * t212 - s7 * t209;
-        let t1384 = t1172 - k6 * t1381;
-        let t1385 = t1169 + k6 * t1378;
-        let t1387 = t930 + c6 * t1378;
-        let t1389 = s6 * t1378 - t933;
-        let t1394 = c6 * t1384 + k5 * t1389;
-        let t1395 = s6 * t1384 - k5 * t1387;
-        let t1398 = c5 * t1387 + s5 * t1381;
-        let t1401 = s5 * t1387 - c5 * t1381;
-        let t1411 = c5 * t1385 - s5 * t1394 + k4 * t1398;
-        let t1414 = c5 * t1394 + s5 * t1385 + k4 * t1401 + k3 * t1389;
-        let t1415 = k3 * t1398 - t1395;
-        let t1425 = v1_3_y * t1401 + (t252 * t1398 - t255 * t1389);
-        let t1426 = z1_4_z * t1411 + (z1_4_x * t1414 - z1_4_y * t1415) + t1425;
-        let t1436 = v2_4_z * t1401 - (t248 * t1398 - t249 * t1389);
-        let t1437 = c3 * t1411 - (t246 * t1414 + z2_4_y * t1415) - t1436;
-        let t1440 = s4 * t1414 - c4 * t1415;
-        put(54, t1426); // row 1, MSZ7
-        put(115, t1437); // row 2, MSZ7
-        put(166, t1440); // row 3, MSZ7
-        put(207, t1411); // row 4, MSZ7
-        put(238, t1395); // row 5, MSZ7
-        put(259, t1385); // row 6, MSZ7
+        let t1331 = c7 * t1167 + s7 * t1170;
+        let t1334 = s7 * t1167 - c7 * t1170;
+        let t1342 = t1106 * t1331 - t901 - t1107 * t1334 + (a7_y * t1110 + t1155 * t1113);
+        let t1350 = t1155 * t1123 - a7_y * z2_7_x - (t1116 * t1331 - t910 - t1117 * t1334);
+        let t1358 = a7_y * t1130 + t1155 * t1133 - (t919 + t1126 * t1331 - t1127 * t1334);
+        let t1366 = a7_y * t1140 + t1155 * t1143 - (t1137 * t1334 + (t1136 * t1331 - t928));
+        let t1374 = t1155 * t1146 - a7_y * z5_7_x - (t935 + t790 * t1331 - t1144 * t1334);
+        let t1376 = t1190 + k8 * t1331;
+        put(54, t1342); // row 1, MSZ7
+        put(115, t1350); // row 2, MSZ7
+        put(166, t1358); // row 3, MSZ7
+        put(207, t1366); // row 4, MSZ7
+        put(238, t1374); // row 5, MSZ7
+        put(259, t1376); // row 6, MSZ7
     }
     // XX7: column
-    let [t1442, t1445, t1448, t1451] = {
-        let t1442 = s7 * t218;
-        let t1443 = c7 * t220 + t1442;
-        let t1445 = c7 * t218;
-        let t1446 = s7 * t220 - t1445;
-        let t1448 = s6 * t217;
-        let t1449 = c6 * t1443 + t1448;
-        let t1451 = c6 * t217;
-        let t1452 = t1451 - s6 * t1443;
-        let t1457 = z1_4_y * t1452 + (t258 * t1449 + z1_6_z * t1446);
-        let t1462 = z2_4_y * t1452 + (t264 * t1449 + t267 * t1446);
-        let t1467 = c4 * t1452 + (z3_6_z * t1446 - z3_5_x * t1449);
-        let t1470 = s5 * t1449 + c5 * t1446;
-        put(55, t1457); // row 1, XX7
-        put(116, t1462); // row 2, XX7
-        put(167, t1467); // row 3, XX7
-        put(208, t1470); // row 4, XX7
-        put(239, t1452); // row 5, XX7
-        put(260, t1446); // row 6, XX7
-        [t1442, t1445, t1448, t1451]
+    let [
+        t1378, t1379, t1383, t1384, t1388, t1389, t1393, t1394,
+        t1398, t1399, t1403,
+    ] = {
+        let t1378 = t1176 * t1113;
+        let t1379 = t1175 * z1_6_y;
+        let t1381 = t1379 - (t1378 - t1178 * t1110);
+        let t1383 = t1176 * t1123;
+        let t1384 = t1175 * z2_6_y;
+        let t1386 = t1384 - (t1178 * z2_7_x + t1383);
+        let t1388 = t1176 * t1133;
+        let t1389 = t1175 * z3_6_y;
+        let t1391 = t1389 + (t1178 * t1130 - t1388);
+        let t1393 = t1176 * t1143;
+        let t1394 = t1175 * z4_6_y;
+        let t1396 = t1394 + (t1178 * t1140 - t1393);
+        let t1398 = t1176 * t1146;
+        let t1399 = c6 * t1175;
+        let t1401 = t1399 - (t1178 * z5_7_x + t1398);
+        let t1403 = c7 * t1176;
+        let t1404 = s7 * t1178 - t1403;
+        put(55, t1381); // row 1, XX7
+        put(116, t1386); // row 2, XX7
+        put(167, t1391); // row 3, XX7
+        put(208, t1396); // row 4, XX7
+        put(239, t1401); // row 5, XX7
+        put(260, t1404); // row 6, XX7
+        [
+        t1378, t1379, t1383, t1384, t1388, t1389, t1393, t1394,
+        t1398, t1399, t1403,
+    ]
     };
     // YY7: column
-    let [t1471, t1474] = {
-        let t1471 = c7 * t219;
-        let t1473 = t1471 + s7 * t221;
-        let t1474 = s7 * t219;
-        let t1476 = c7 * t221 - t1474;
-        let t1478 = t1448 + c6 * t1473;
-        let t1480 = s6 * t1473 - t1451;
-        let t1485 = z1_4_y * t1480 - (t258 * t1478 - z1_6_z * t1476);
-        let t1490 = z2_4_y * t1480 + (t267 * t1476 - t264 * t1478);
-        let t1495 = c4 * t1480 + (z3_5_x * t1478 + z3_6_z * t1476);
-        let t1498 = c5 * t1476 - s5 * t1478;
-        put(56, t1485); // row 1, YY7
-        put(117, t1490); // row 2, YY7
-        put(168, t1495); // row 3, YY7
-        put(209, t1498); // row 4, YY7
-        put(240, t1480); // row 5, YY7
-        put(261, t1476); // row 6, YY7
-        [t1471, t1474]
+    let [t1405, t1409, t1413, t1417, t1421, t1425] = {
+        let t1405 = t1177 * t1110;
+        let t1408 = t1179 * t1113 - t1405 - t1379;
+        let t1409 = t1177 * z2_7_x;
+        let t1412 = t1409 + t1179 * t1123 - t1384;
+        let t1413 = t1177 * t1130;
+        let t1416 = t1179 * t1133 - t1413 - t1389;
+        let t1417 = t1177 * t1140;
+        let t1420 = t1179 * t1143 - t1417 - t1394;
+        let t1421 = t1177 * z5_7_x;
+        let t1424 = t1421 + t1179 * t1146 - t1399;
+        let t1425 = s7 * t1177;
+        let t1427 = c7 * t1179 - t1425;
+        put(56, t1408); // row 1, YY7
+        put(117, t1412); // row 2, YY7
+        put(168, t1416); // row 3, YY7
+        put(209, t1420); // row 4, YY7
+        put(240, t1424); // row 5, YY7
+        put(261, t1427); // row 6, YY7
+        [t1405, t1409, t1413, t1417, t1421, t1425]
     };
     // ZZ7: column
     {
-        let t1499 = t1442 - t1471;
-        let t1500 = t1445 + t1474;
-        let t1503 = c6 * t1499 - s6 * dw7_z;
-        let t1506 = s6 * t1499 + c6 * dw7_z;
-        let t1511 = z1_4_y * t1506 + (z1_6_z * t1500 - t258 * t1503);
-        let t1516 = z2_4_y * t1506 - (t264 * t1503 - t267 * t1500);
-        let t1521 = c4 * t1506 + (z3_5_x * t1503 + z3_6_z * t1500);
-        let t1524 = c5 * t1500 - s5 * t1503;
-        put(57, t1511); // row 1, ZZ7
-        put(118, t1516); // row 2, ZZ7
-        put(169, t1521); // row 3, ZZ7
-        put(210, t1524); // row 4, ZZ7
-        put(241, t1506); // row 5, ZZ7
-        put(262, t1500); // row 6, ZZ7
+        let t1430 = dw7_z * z1_6_y + (t1378 + t1405);
+        let t1433 = dw7_z * z2_6_y + (t1383 - t1409);
+        let t1436 = dw7_z * z3_6_y + (t1388 + t1413);
+        let t1439 = dw7_z * z4_6_y + (t1393 + t1417);
+        let t1442 = c6 * dw7_z - (t1421 - t1398);
+        let t1443 = t1403 + t1425;
+        put(57, t1430); // row 1, ZZ7
+        put(118, t1433); // row 2, ZZ7
+        put(169, t1436); // row 3, ZZ7
+        put(210, t1439); // row 4, ZZ7
+        put(241, t1442); // row 5, ZZ7
+        put(262, t1443); // row 6, ZZ7
     }
     // XY7: column
     {
-        let t1525 = t223 + t226;
-        let t1528 = s7 * t228 - c7 * t227;
-        let t1531 = s7 * t227 + c7 * t228;
-        let t1534 = c6 * t1528 - s6 * t1525;
-        let t1537 = s6 * t1528 + c6 * t1525;
-        let t1542 = z1_4_y * t1537 + (z1_6_z * t1531 - t258 * t1534);
-        let t1547 = z2_4_y * t1537 - (t264 * t1534 - t267 * t1531);
-        let t1552 = c4 * t1537 + (z3_5_x * t1534 + z3_6_z * t1531);
-        let t1555 = c5 * t1531 - s5 * t1534;
-        put(58, t1542); // row 1, XY7
-        put(119, t1547); // row 2, XY7
-        put(170, t1552); // row 3, XY7
-        put(211, t1555); // row 4, XY7
-        put(242, t1537); // row 5, XY7
-        put(263, t1531); // row 6, XY7
-        put(274, t1525); // row 7, XY7
+        let t1444 = t1184 - t1181;
+        let t1449 = z1_6_y * t1444 + (t1185 * t1110 + t1186 * t1113);
+        let t1454 = z2_6_y * t1444 + (t1186 * t1123 - t1185 * z2_7_x);
+        let t1459 = z3_6_y * t1444 + (t1185 * t1130 + t1186 * t1133);
+        let t1464 = z4_6_y * t1444 + (t1185 * t1140 + t1186 * t1143);
+        let t1469 = c6 * t1444 - (t1185 * z5_7_x - t1186 * t1146);
+        let t1472 = s7 * t1185 + c7 * t1186;
+        put(58, t1449); // row 1, XY7
+        put(119, t1454); // row 2, XY7
+        put(170, t1459); // row 3, XY7
+        put(211, t1464); // row 4, XY7
+        put(242, t1469); // row 5, XY7
+        put(263, t1472); // row 6, XY7
+        put(274, t1444); // row 7, XY7
     }
     // XZ7: column
     {
-        let t1557 = s7 * t222 - t1236;
-        let t1559 = t1233 + c7 * t222;
-        let t1562 = s6 * t212 - c6 * t1557;
-        let t1565 = s6 * t1557 + c6 * t212;
-        let t1570 = z1_4_y * t1565 + (t258 * t1562 + z1_6_z * t1559);
-        let t1575 = z2_4_y * t1565 + (t264 * t1562 + t267 * t1559);
-        let t1580 = c4 * t1565 - (z3_5_x * t1562 - z3_6_z * t1559);
-        let t1583 = s5 * t1562 + c5 * t1559;
-        put(59, t1570); // row 1, XZ7
-        put(120, t1575); // row 2, XZ7
-        put(171, t1580); // row 3, XZ7
-        put(212, t1583); // row 4, XZ7
-        put(243, t1565); // row 5, XZ7
-        put(264, t1559); // row 6, XZ7
+        let t1477 = t1170 * z1_6_y + (t1183 * t1110 + t1180 * t1113);
+        let t1482 = t1170 * z2_6_y - (t1183 * z2_7_x - t1180 * t1123);
+        let t1487 = t1170 * z3_6_y + (t1183 * t1130 + t1180 * t1133);
+        let t1492 = t1170 * z4_6_y + (t1183 * t1140 + t1180 * t1143);
+        let t1497 = c6 * t1170 + (t1180 * t1146 - t1183 * z5_7_x);
+        let t1499 = t1222 + c7 * t1180;
+        put(59, t1477); // row 1, XZ7
+        put(120, t1482); // row 2, XZ7
+        put(171, t1487); // row 3, XZ7
+        put(212, t1492); // row 4, XZ7
+        put(243, t1497); // row 5, XZ7
+        put(264, t1499); // row 6, XZ7
     }
     // YZ7: column
     {
-        let t1584 = t226 - t186;
-        let t1586 = t1308 + c7 * t1584;
-        let t1588 = s7 * t1584 - t1305;
-        let t1591 = c6 * t1586 + s6 * t209;
-        let t1594 = c6 * t209 - s6 * t1586;
-        let t1599 = z1_4_y * t1594 + (t258 * t1591 + z1_6_z * t1588);
-        let t1604 = z2_4_y * t1594 + (t264 * t1591 + t267 * t1588);
-        let t1609 = c4 * t1594 + (z3_6_z * t1588 - z3_5_x * t1591);
-        let t1612 = s5 * t1591 + c5 * t1588;
-        let t1613 = dq1.sign();
-        let t1614 = dq2.sign();
-        let t1615 = dq3.sign();
-        let t1616 = dq4.sign();
-        let t1617 = dq5.sign();
-        let t1618 = dq6.sign();
-        let t1619 = dq7.sign();
-        let t1620 = -t15;
-        let t1621 = -t310;
-        let t1622 = -t57;
-        let t1623 = -t489;
-        let t1624 = -t97;
-        let t1625 = -t579;
-        let t1626 = -t137;
-        let t1627 = -t993;
-        let t1628 = -t177;
-        let t1629 = -t1174;
-        let t1630 = -t217;
-        put(60, t1599); // row 1, YZ7
-        put(62, t1613); // row 1, FC1
-        put(66, t1620); // row 2, XX2
-        put(72, t1621); // row 2, M3
-        put(121, t1604); // row 2, YZ7
-        put(123, t1614); // row 2, FC2
-        put(128, t1622); // row 3, YY3
-        put(136, t1623); // row 3, MSZ4
-        put(172, t1609); // row 3, YZ7
-        put(174, t1615); // row 3, FC3
-        put(178, t1624); // row 4, XX4
-        put(184, t1625); // row 4, M5
-        put(213, t1612); // row 4, YZ7
-        put(215, t1616); // row 4, FC4
-        put(220, t1626); // row 5, YY5
-        put(228, t1627); // row 5, MSZ6
-        put(244, t1594); // row 5, YZ7
-        put(246, t1617); // row 5, FC5
-        put(250, t1628); // row 6, XX6
-        put(256, t1629); // row 6, M7
-        put(265, t1588); // row 6, YZ7
-        put(267, t1618); // row 6, FC6
-        put(272, t1630); // row 7, YY7
-        put(278, t1619); // row 7, FC7
+        let t1500 = t1184 - t829;
+        let t1505 = t1167 * z1_6_y - (t1182 * t1113 - t1110 * t1500);
+        let t1510 = t1167 * z2_6_y - (z2_7_x * t1500 + t1182 * t1123);
+        let t1515 = t1167 * z3_6_y + (t1130 * t1500 - t1182 * t1133);
+        let t1520 = t1167 * z4_6_y + (t1140 * t1500 - t1182 * t1143);
+        let t1525 = c6 * t1167 - (z5_7_x * t1500 + t1182 * t1146);
+        let t1527 = s7 * t1500 - t1275;
+        let t1528 = dq1.sign();
+        let t1529 = dq2.sign();
+        let t1530 = dq3.sign();
+        let t1531 = dq4.sign();
+        let t1532 = dq5.sign();
+        let t1533 = dq6.sign();
+        let t1534 = dq7.sign();
+        put(60, t1505); // row 1, YZ7
+        put(62, t1528); // row 1, FC1
+        put(121, t1510); // row 2, YZ7
+        put(123, t1529); // row 2, FC2
+        put(172, t1515); // row 3, YZ7
+        put(174, t1530); // row 3, FC3
+        put(213, t1520); // row 4, YZ7
+        put(215, t1531); // row 4, FC4
+        put(244, t1525); // row 5, YZ7
+        put(246, t1532); // row 5, FC5
+        put(265, t1527); // row 6, YZ7
+        put(267, t1533); // row 6, FC6
+        put(278, t1534); // row 7, FC7
     }
 }

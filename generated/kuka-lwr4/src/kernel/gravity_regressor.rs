@@ -4,7 +4,7 @@
 //!
 //! 237 multiplications, 135 additions; 7 x 70, 89 of 490 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -23,39 +23,50 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (4, 62), (4, 63), (5, 51), (5, 52), (5, 61), (5, 62), (5, 63), (6, 61), (6, 62),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 70 + PATTERN[k].1
+}
+
 /// Regressor at rest: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 70]; 7]) {
     let flat = &mut out.as_flattened_mut()[..];
     flat[0..13].fill(S::default());
-    flat[14..20].fill(S::default());
-    flat[24..30].fill(S::default());
-    flat[34..40].fill(S::default());
-    flat[44..50].fill(S::default());
-    flat[54..60].fill(S::default());
-    flat[64..81].fill(S::default());
-    flat[83..90].fill(S::default());
-    flat[94..100].fill(S::default());
-    flat[104..110].fill(S::default());
-    flat[114..120].fill(S::default());
-    flat[124..130].fill(S::default());
-    flat[134..161].fill(S::default());
-    flat[163..171].fill(S::default());
-    flat[174..180].fill(S::default());
-    flat[184..190].fill(S::default());
-    flat[194..200].fill(S::default());
-    flat[204..241].fill(S::default());
-    flat[243..250].fill(S::default());
-    flat[254..260].fill(S::default());
-    flat[264..270].fill(S::default());
-    flat[274..321].fill(S::default());
-    flat[323..331].fill(S::default());
-    flat[334..341].fill(S::default());
-    flat[344..401].fill(S::default());
-    flat[403..411].fill(S::default());
-    flat[414..481].fill(S::default());
-    flat[483..490].fill(S::default());
-    nonzeros(trig, out);
+    entries(trig, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            0 => flat[14..20].fill(S::default()),
+            4 => flat[24..30].fill(S::default()),
+            8 => flat[34..40].fill(S::default()),
+            12 => flat[44..50].fill(S::default()),
+            16 => flat[54..60].fill(S::default()),
+            20 => flat[64..81].fill(S::default()),
+            22 => flat[83..90].fill(S::default()),
+            26 => flat[94..100].fill(S::default()),
+            30 => flat[104..110].fill(S::default()),
+            34 => flat[114..120].fill(S::default()),
+            38 => flat[124..130].fill(S::default()),
+            42 => flat[134..161].fill(S::default()),
+            44 => flat[163..171].fill(S::default()),
+            47 => flat[174..180].fill(S::default()),
+            51 => flat[184..190].fill(S::default()),
+            55 => flat[194..200].fill(S::default()),
+            59 => flat[204..241].fill(S::default()),
+            61 => flat[243..250].fill(S::default()),
+            65 => flat[254..260].fill(S::default()),
+            69 => flat[264..270].fill(S::default()),
+            73 => flat[274..321].fill(S::default()),
+            75 => flat[323..331].fill(S::default()),
+            78 => flat[334..341].fill(S::default()),
+            81 => flat[344..401].fill(S::default()),
+            83 => flat[403..411].fill(S::default()),
+            86 => flat[414..481].fill(S::default()),
+            88 => flat[483..490].fill(S::default()),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -84,349 +95,339 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [a2_x, a2_y] = {
         let a2_x = s2 * k0;
         let a2_y = c2 * k0;
+        let t2 = -a2_x;
         put(21, a2_y); // row 2, MSX2
+        put(22, t2); // row 2, MSY2
         [a2_x, a2_y]
     };
     // link 3: motion
-    let [z1_3_x, t3, a3_x, t5] = {
+    let [z1_3_x, t4, a3_x, t6] = {
         let z1_3_x = s2 * c3;
-        let t3 = s2 * s3;
+        let t4 = s2 * s3;
         let a3_x = c3 * a2_x;
-        let t5 = s3 * a2_x;
-        [z1_3_x, t3, a3_x, t5]
+        let t6 = s3 * a2_x;
+        let t7 = -t6;
+        let t8 = -a3_x;
+        put(43, t7); // row 3, MSX3
+        put(44, t8); // row 3, MSY3
+        [z1_3_x, t4, a3_x, t6]
     };
     // link 4: motion
-    let [t8, a5_z] = {
-        let t8 = s4 * a2_y - c4 * a3_x;
+    let [t11, a5_z] = {
+        let t11 = s4 * a2_y - c4 * a3_x;
         let a5_z = c4 * a2_y + s4 * a3_x;
-        put(61, t8); // row 4, MSY4
-        [t8, a5_z]
+        let t15 = -a5_z;
+        put(60, t15); // row 4, MSX4
+        put(61, t11); // row 4, MSY4
+        [t11, a5_z]
     };
     // link 5: motion
-    let [t14, a5_y] = {
-        let t14 = c5 * t8 + s5 * t5;
-        let a5_y = s5 * t8 - c5 * t5;
+    let [t18, a5_y] = {
+        let t18 = c5 * t11 + s5 * t6;
+        let a5_y = s5 * t11 - c5 * t6;
         put(74, a5_y); // row 5, MSX5
-        put(75, t14); // row 5, MSY5
-        [t14, a5_y]
+        put(75, t18); // row 5, MSY5
+        [t18, a5_y]
     };
     // link 6: motion
     let [a6_x, a6_y] = {
-        let a6_x = s6 * a5_z - c6 * t14;
-        let a6_y = c6 * a5_z + s6 * t14;
+        let a6_x = s6 * a5_z - c6 * t18;
+        let a6_y = c6 * a5_z + s6 * t18;
+        let t28 = -a6_x;
         put(82, a6_y); // row 6, MSX6
+        put(83, t28); // row 6, MSY6
         [a6_x, a6_y]
     };
     // link 7: motion
-    let [a7_x, t29] = {
+    let [a7_x, t34] = {
         let a7_x = c7 * a6_x + s7 * a5_y;
-        let t29 = s7 * a6_x - c7 * a5_y;
-        [a7_x, t29]
+        let t34 = s7 * a6_x - c7 * a5_y;
+        let t35 = -t34;
+        let t36 = -a7_x;
+        put(87, t35); // row 7, MSX7
+        put(88, t36); // row 7, MSY7
+        [a7_x, t34]
     };
     // MSZ2: column
     {
-        let t32 = c2 * a2_x - s2 * a2_y;
-        put(0, t32); // row 1, MSZ2
+        let t39 = c2 * a2_x - s2 * a2_y;
+        put(0, t39); // row 1, MSZ2
     }
     // M3: column
-    let [t35, t38, t40] = {
-        let t33 = L2 * t5;
-        let t34 = L2 * a3_x;
-        let t35 = z1_3_x * t33;
-        let t37 = t35 - t3 * t34;
-        let t38 = s3 * t33;
-        let t40 = t38 + c3 * t34;
-        put(1, t37); // row 1, M3
-        [t35, t38, t40]
+    let [t42, t45] = {
+        let t40 = L2 * t6;
+        let t41 = L2 * a3_x;
+        let t42 = z1_3_x * t40;
+        let t44 = t42 - t4 * t41;
+        let t45 = s3 * t40;
+        let t48 = -(t45 + c3 * t41);
+        put(1, t44); // row 1, M3
+        put(23, t48); // row 2, M3
+        [t42, t45]
     };
     // MSX3: column
     {
-        let t43 = a2_y * t3 - c2 * t5;
-        let t44 = c3 * a2_y;
-        put(2, t43); // row 1, MSX3
-        put(24, t44); // row 2, MSX3
+        let t51 = a2_y * t4 - c2 * t6;
+        let t52 = c3 * a2_y;
+        put(2, t51); // row 1, MSX3
+        put(24, t52); // row 2, MSX3
     }
     // MSY3: column
-    let t48 = {
-        let t47 = a2_y * z1_3_x - c2 * a3_x;
-        let t48 = s3 * a2_y;
-        put(3, t47); // row 1, MSY3
-        t48
-    };
+    {
+        let t55 = a2_y * z1_3_x - c2 * a3_x;
+        let t57 = -(s3 * a2_y);
+        put(3, t55); // row 1, MSY3
+        put(25, t57); // row 2, MSY3
+    }
     // MSZ3: column
-    let t54 = {
-        let t51 = z1_3_x * t5 - t3 * a3_x;
-        let t54 = s3 * t5 + c3 * a3_x;
-        put(4, t51); // row 1, MSZ3
-        t54
-    };
+    {
+        let t60 = z1_3_x * t6 - t4 * a3_x;
+        let t64 = -(s3 * t6 + c3 * a3_x);
+        put(4, t60); // row 1, MSZ3
+        put(26, t64); // row 2, MSZ3
+    }
     // M4: column
-    let [t56, t57, t60] = {
-        let t56 = s4 * a5_z;
-        let t57 = c4 * t8 - t56;
-        let t60 = s4 * t8 + c4 * a5_z;
-        let t61 = L2 * t57;
-        let t63 = t35 + t3 * t61;
-        let t65 = c3 * t61 - t38;
-        put(5, t63); // row 1, M4
-        put(27, t65); // row 2, M4
-        put(47, t57); // row 3, MSZ4
-        [t56, t57, t60]
+    let [t66, t67, t70] = {
+        let t66 = s4 * a5_z;
+        let t67 = c4 * t11 - t66;
+        let t70 = s4 * t11 + c4 * a5_z;
+        let t71 = L2 * t67;
+        let t73 = t42 + t4 * t71;
+        let t75 = c3 * t71 - t45;
+        put(5, t73); // row 1, M4
+        put(27, t75); // row 2, M4
+        put(47, t67); // row 3, MSZ4
+        [t66, t67, t70]
     };
     // MSX4: column
-    let [t66, t67] = {
-        let t66 = s4 * t5;
-        let t67 = c4 * t5;
-        let t72 = t3 * a5_z - z1_3_x * t66 - c2 * t67;
-        let t75 = s3 * t66 + c3 * a5_z;
-        put(6, t72); // row 1, MSX4
-        put(28, t75); // row 2, MSX4
-        put(46, t66); // row 3, MSY4
-        [t66, t67]
+    let [t76, t77] = {
+        let t76 = s4 * t6;
+        let t77 = c4 * t6;
+        let t82 = t4 * a5_z - z1_3_x * t76 - c2 * t77;
+        let t85 = s3 * t76 + c3 * a5_z;
+        let t86 = -t77;
+        put(6, t82); // row 1, MSX4
+        put(28, t85); // row 2, MSX4
+        put(45, t86); // row 3, MSX4
+        put(46, t76); // row 3, MSY4
+        [t76, t77]
     };
     // MSY4: column
     {
-        let t80 = c2 * t66 - (z1_3_x * t67 + t3 * t8);
-        let t83 = s3 * t67 - c3 * t8;
-        put(7, t80); // row 1, MSY4
-        put(29, t83); // row 2, MSY4
+        let t91 = c2 * t76 - (z1_3_x * t77 + t4 * t11);
+        let t94 = s3 * t77 - c3 * t11;
+        put(7, t91); // row 1, MSY4
+        put(29, t94); // row 2, MSY4
     }
     // MSZ4: column
-    let t87 = {
-        let t86 = z1_3_x * t60 + c2 * t57;
-        let t87 = s3 * t60;
-        put(8, t86); // row 1, MSZ4
-        t87
-    };
+    {
+        let t97 = z1_3_x * t70 + c2 * t67;
+        let t99 = -(s3 * t70);
+        put(8, t97); // row 1, MSZ4
+        put(30, t99); // row 2, MSZ4
+    }
     // M5: column
-    let [t89, t90, t92, t93, t95] = {
-        let t89 = s5 * a5_y;
-        let t90 = c5 * t14 + t89;
-        let t92 = c5 * a5_y;
-        let t93 = t92 - s5 * t14;
-        let t94 = L3 * t93;
-        let t95 = L3 * t90;
-        let t99 = s4 * t94;
-        let t102 = c4 * t94 + L2 * t93;
-        let t103 = t95 + L2 * (c4 * t90 - t56);
-        let t108 = c2 * t99 + (t3 * t103 - z1_3_x * t102);
-        let t111 = s3 * t102 + c3 * t103;
-        put(9, t108); // row 1, M5
-        put(31, t111); // row 2, M5
-        put(48, t99); // row 3, M5
-        [t89, t90, t92, t93, t95]
+    let [t101, t102, t104, t105] = {
+        let t101 = s5 * a5_y;
+        let t102 = c5 * t18 + t101;
+        let t104 = c5 * a5_y;
+        let t105 = t104 - s5 * t18;
+        let t106 = L3 * t105;
+        let t107 = L3 * t102;
+        let t111 = s4 * t106;
+        let t114 = c4 * t106 + L2 * t105;
+        let t115 = t107 + L2 * (c4 * t102 - t66);
+        let t120 = c2 * t111 + (t4 * t115 - z1_3_x * t114);
+        let t123 = s3 * t114 + c3 * t115;
+        let t124 = -t107;
+        let t125 = -t102;
+        put(9, t120); // row 1, M5
+        put(31, t123); // row 2, M5
+        put(48, t111); // row 3, M5
+        put(62, t124); // row 4, M5
+        put(65, t125); // row 4, MSZ5
+        [t101, t102, t104, t105]
     };
     // MSX5: column
-    let [t112, t113] = {
-        let t112 = s5 * a5_z;
-        let t113 = c5 * a5_z;
-        let t116 = c4 * t112 + s4 * a5_y;
-        let t119 = c4 * a5_y - s4 * t112;
-        let t124 = c2 * t119 + (z1_3_x * t116 + t3 * t113);
-        let t127 = c3 * t113 - s3 * t116;
-        put(10, t124); // row 1, MSX5
-        put(32, t127); // row 2, MSX5
-        put(49, t119); // row 3, MSX5
-        put(64, t112); // row 4, MSY5
-        [t112, t113]
+    let [t126, t127] = {
+        let t126 = s5 * a5_z;
+        let t127 = c5 * a5_z;
+        let t130 = c4 * t126 + s4 * a5_y;
+        let t133 = c4 * a5_y - s4 * t126;
+        let t138 = c2 * t133 + (z1_3_x * t130 + t4 * t127);
+        let t141 = c3 * t127 - s3 * t130;
+        let t142 = -t127;
+        put(10, t138); // row 1, MSX5
+        put(32, t141); // row 2, MSX5
+        put(49, t133); // row 3, MSX5
+        put(63, t142); // row 4, MSX5
+        put(64, t126); // row 4, MSY5
+        [t126, t127]
     };
     // MSY5: column
-    let t141 = {
-        let t130 = c4 * t113 + s4 * t14;
-        let t133 = c4 * t14 - s4 * t113;
-        let t138 = c2 * t133 - (t3 * t112 - z1_3_x * t130);
-        let t141 = s3 * t130 + c3 * t112;
-        put(11, t138); // row 1, MSY5
-        put(50, t133); // row 3, MSY5
-        t141
-    };
+    {
+        let t145 = c4 * t127 + s4 * t18;
+        let t148 = c4 * t18 - s4 * t127;
+        let t153 = c2 * t148 - (t4 * t126 - z1_3_x * t145);
+        let t157 = -(s3 * t145 + c3 * t126);
+        put(11, t153); // row 1, MSY5
+        put(33, t157); // row 2, MSY5
+        put(50, t148); // row 3, MSY5
+    }
     // MSZ5: column
     {
-        let t142 = c4 * t93;
-        let t143 = s4 * t93;
-        let t148 = c2 * t143 - (z1_3_x * t142 - t3 * t90);
-        let t151 = s3 * t142 + c3 * t90;
-        put(12, t148); // row 1, MSZ5
-        put(34, t151); // row 2, MSZ5
-        put(51, t143); // row 3, MSZ5
+        let t158 = c4 * t105;
+        let t159 = s4 * t105;
+        let t164 = c2 * t159 - (z1_3_x * t158 - t4 * t102);
+        let t167 = s3 * t158 + c3 * t102;
+        put(12, t164); // row 1, MSZ5
+        put(34, t167); // row 2, MSZ5
+        put(51, t159); // row 3, MSZ5
     }
     // M6: column
-    let [t153, t154, t156, t157] = {
-        let t153 = s6 * a6_y;
-        let t154 = c6 * a6_x - t153;
-        let t156 = c6 * a6_y;
-        let t157 = s6 * a6_x + t156;
-        let t159 = c5 * t154 - t89;
-        let t161 = t92 + s5 * t154;
-        let t162 = L3 * t161;
-        let t163 = L3 * t159;
-        let t168 = s4 * t162;
-        let t171 = c4 * t162 + L2 * t161;
-        let t172 = t163 + L2 * (c4 * t159 + s4 * t157);
-        let t177 = c2 * t168 - (z1_3_x * t171 + t3 * t172);
-        let t180 = s3 * t171 - c3 * t172;
-        put(13, t177); // row 1, M6
-        put(35, t180); // row 2, M6
-        put(52, t168); // row 3, M6
-        put(66, t163); // row 4, M6
-        put(78, t154); // row 5, MSZ6
-        [t153, t154, t156, t157]
+    let [t169, t170, t172, t173] = {
+        let t169 = s6 * a6_y;
+        let t170 = c6 * a6_x - t169;
+        let t172 = c6 * a6_y;
+        let t173 = s6 * a6_x + t172;
+        let t175 = c5 * t170 - t101;
+        let t177 = t104 + s5 * t170;
+        let t178 = L3 * t177;
+        let t179 = L3 * t175;
+        let t184 = s4 * t178;
+        let t187 = c4 * t178 + L2 * t177;
+        let t188 = t179 + L2 * (c4 * t175 + s4 * t173);
+        let t193 = c2 * t184 - (z1_3_x * t187 + t4 * t188);
+        let t196 = s3 * t187 - c3 * t188;
+        put(13, t193); // row 1, M6
+        put(35, t196); // row 2, M6
+        put(52, t184); // row 3, M6
+        put(66, t179); // row 4, M6
+        put(78, t170); // row 5, MSZ6
+        [t169, t170, t172, t173]
     };
     // MSX6: column
-    let [t181, t182, t188] = {
-        let t181 = s6 * a5_y;
-        let t182 = c6 * a5_y;
-        let t185 = c5 * t181 - s5 * a6_y;
-        let t188 = s5 * t181 + c5 * a6_y;
-        let t191 = c4 * t185 - s4 * t182;
-        let t194 = s4 * t185 + c4 * t182;
-        let t199 = c2 * t194 + (t3 * t188 - z1_3_x * t191);
-        let t202 = s3 * t191 + c3 * t188;
-        put(14, t199); // row 1, MSX6
-        put(36, t202); // row 2, MSX6
-        put(53, t194); // row 3, MSX6
-        put(76, t182); // row 5, MSX6
-        [t181, t182, t188]
+    let [t197, t198] = {
+        let t197 = s6 * a5_y;
+        let t198 = c6 * a5_y;
+        let t201 = c5 * t197 - s5 * a6_y;
+        let t204 = s5 * t197 + c5 * a6_y;
+        let t207 = c4 * t201 - s4 * t198;
+        let t210 = s4 * t201 + c4 * t198;
+        let t215 = c2 * t210 + (t4 * t204 - z1_3_x * t207);
+        let t218 = s3 * t207 + c3 * t204;
+        let t219 = -t204;
+        let t220 = -t197;
+        put(14, t215); // row 1, MSX6
+        put(36, t218); // row 2, MSX6
+        put(53, t210); // row 3, MSX6
+        put(67, t219); // row 4, MSX6
+        put(76, t198); // row 5, MSX6
+        put(77, t220); // row 5, MSY6
+        [t197, t198]
     };
     // MSY6: column
     {
-        let t205 = c5 * t182 + s5 * a6_x;
-        let t208 = c5 * a6_x - s5 * t182;
-        let t211 = c4 * t205 + s4 * t181;
-        let t214 = s4 * t205 - c4 * t181;
-        let t219 = c2 * t214 - (z1_3_x * t211 + t3 * t208);
-        let t222 = s3 * t211 - c3 * t208;
-        put(15, t219); // row 1, MSY6
-        put(37, t222); // row 2, MSY6
-        put(54, t214); // row 3, MSY6
-        put(68, t208); // row 4, MSY6
+        let t223 = c5 * t198 + s5 * a6_x;
+        let t226 = c5 * a6_x - s5 * t198;
+        let t229 = c4 * t223 + s4 * t197;
+        let t232 = s4 * t223 - c4 * t197;
+        let t237 = c2 * t232 - (z1_3_x * t229 + t4 * t226);
+        let t240 = s3 * t229 - c3 * t226;
+        put(15, t237); // row 1, MSY6
+        put(37, t240); // row 2, MSY6
+        put(54, t232); // row 3, MSY6
+        put(68, t226); // row 4, MSY6
     }
     // MSZ6: column
-    let t224 = {
-        let t223 = c5 * t157;
-        let t224 = s5 * t157;
-        let t227 = s4 * t154 - c4 * t223;
-        let t230 = s4 * t223 + c4 * t154;
-        let t235 = c2 * t230 + (z1_3_x * t227 + t3 * t224);
-        let t238 = c3 * t224 - s3 * t227;
-        put(16, t235); // row 1, MSZ6
-        put(38, t238); // row 2, MSZ6
-        put(55, t230); // row 3, MSZ6
-        t224
-    };
+    {
+        let t241 = c5 * t173;
+        let t242 = s5 * t173;
+        let t245 = s4 * t170 - c4 * t241;
+        let t248 = s4 * t241 + c4 * t170;
+        let t253 = c2 * t248 + (z1_3_x * t245 + t4 * t242);
+        let t256 = c3 * t242 - s3 * t245;
+        let t257 = -t242;
+        put(16, t253); // row 1, MSZ6
+        put(38, t256); // row 2, MSZ6
+        put(55, t248); // row 3, MSZ6
+        put(69, t257); // row 4, MSZ6
+    }
     // M7: column
-    let [t241, t244] = {
-        let t241 = c7 * a7_x + s7 * t29;
-        let t244 = c7 * t29 - s7 * a7_x;
-        let t246 = c6 * t241 - t153;
-        let t251 = c5 * t246 + s5 * t244;
-        let t254 = s5 * t246 - c5 * t244;
-        let t255 = L3 * t254;
-        let t256 = L3 * t251;
-        let t261 = s4 * t255;
-        let t264 = c4 * t255 + L2 * t254;
-        let t265 = t256 + L2 * (c4 * t251 + s4 * (t156 + s6 * t241));
-        let t270 = c2 * t261 - (z1_3_x * t264 + t3 * t265);
-        let t273 = s3 * t264 - c3 * t265;
-        put(17, t270); // row 1, M7
-        put(39, t273); // row 2, M7
-        put(56, t261); // row 3, M7
-        put(70, t256); // row 4, M7
-        [t241, t244]
+    let [t260, t263] = {
+        let t260 = c7 * a7_x + s7 * t34;
+        let t263 = c7 * t34 - s7 * a7_x;
+        let t265 = c6 * t260 - t169;
+        let t270 = c5 * t265 + s5 * t263;
+        let t273 = s5 * t265 - c5 * t263;
+        let t274 = L3 * t273;
+        let t275 = L3 * t270;
+        let t280 = s4 * t274;
+        let t283 = c4 * t274 + L2 * t273;
+        let t284 = t275 + L2 * (c4 * t270 + s4 * (t172 + s6 * t260));
+        let t289 = c2 * t280 - (z1_3_x * t283 + t4 * t284);
+        let t292 = s3 * t283 - c3 * t284;
+        let t293 = -t260;
+        put(17, t289); // row 1, M7
+        put(39, t292); // row 2, M7
+        put(56, t280); // row 3, M7
+        put(70, t275); // row 4, M7
+        put(86, t293); // row 6, MSZ7
+        [t260, t263]
     };
     // MSX7: column
-    let [t274, t275, t287] = {
-        let t274 = s7 * a6_y;
-        let t275 = c7 * a6_y;
-        let t278 = c6 * t274 + s6 * t29;
-        let t281 = s6 * t274 - c6 * t29;
-        let t284 = c5 * t278 + s5 * t275;
-        let t287 = c5 * t275 - s5 * t278;
-        let t290 = c4 * t284 + s4 * t281;
-        let t293 = c4 * t281 - s4 * t284;
-        let t298 = c2 * t293 + (z1_3_x * t290 + t3 * t287);
-        let t301 = c3 * t287 - s3 * t290;
-        put(18, t298); // row 1, MSX7
-        put(40, t301); // row 2, MSX7
-        put(57, t293); // row 3, MSX7
-        put(79, t281); // row 5, MSX7
-        put(84, t275); // row 6, MSX7
-        [t274, t275, t287]
+    let [t294, t295] = {
+        let t294 = s7 * a6_y;
+        let t295 = c7 * a6_y;
+        let t298 = c6 * t294 + s6 * t34;
+        let t301 = s6 * t294 - c6 * t34;
+        let t304 = c5 * t298 + s5 * t295;
+        let t307 = c5 * t295 - s5 * t298;
+        let t310 = c4 * t304 + s4 * t301;
+        let t313 = c4 * t301 - s4 * t304;
+        let t318 = c2 * t313 + (z1_3_x * t310 + t4 * t307);
+        let t321 = c3 * t307 - s3 * t310;
+        let t322 = -t307;
+        let t323 = -t294;
+        put(18, t318); // row 1, MSX7
+        put(40, t321); // row 2, MSX7
+        put(57, t313); // row 3, MSX7
+        put(71, t322); // row 4, MSX7
+        put(79, t301); // row 5, MSX7
+        put(84, t295); // row 6, MSX7
+        put(85, t323); // row 6, MSY7
+        [t294, t295]
     };
     // MSY7: column
     {
-        let t304 = c6 * t275 + s6 * a7_x;
-        let t307 = s6 * t275 - c6 * a7_x;
-        let t310 = s5 * t274 - c5 * t304;
-        let t313 = s5 * t304 + c5 * t274;
-        let t316 = c4 * t310 - s4 * t307;
-        let t319 = s4 * t310 + c4 * t307;
-        let t324 = c2 * t319 - (z1_3_x * t316 + t3 * t313);
-        let t327 = s3 * t316 - c3 * t313;
-        put(19, t324); // row 1, MSY7
-        put(41, t327); // row 2, MSY7
-        put(58, t319); // row 3, MSY7
-        put(72, t313); // row 4, MSY7
-        put(80, t307); // row 5, MSY7
+        let t326 = c6 * t295 + s6 * a7_x;
+        let t329 = s6 * t295 - c6 * a7_x;
+        let t332 = s5 * t294 - c5 * t326;
+        let t335 = s5 * t326 + c5 * t294;
+        let t338 = c4 * t332 - s4 * t329;
+        let t341 = s4 * t332 + c4 * t329;
+        let t346 = c2 * t341 - (z1_3_x * t338 + t4 * t335);
+        let t349 = s3 * t338 - c3 * t335;
+        put(19, t346); // row 1, MSY7
+        put(41, t349); // row 2, MSY7
+        put(58, t341); // row 3, MSY7
+        put(72, t335); // row 4, MSY7
+        put(80, t329); // row 5, MSY7
     }
     // MSZ7: column
     {
-        let t328 = c6 * t244;
-        let t329 = s6 * t244;
-        let t332 = s5 * t241 - c5 * t328;
-        let t335 = s5 * t328 + c5 * t241;
-        let t338 = c4 * t332 - s4 * t329;
-        let t341 = s4 * t332 + c4 * t329;
-        let t346 = c2 * t341 - (z1_3_x * t338 + t3 * t335);
-        let t349 = s3 * t338 - c3 * t335;
-        let t350 = -a2_x;
-        let t351 = -t40;
-        let t352 = -t48;
-        let t353 = -t54;
-        let t354 = -t87;
-        let t355 = -t141;
-        let t356 = -t5;
-        let t357 = -a3_x;
-        let t358 = -t67;
-        let t359 = -a5_z;
-        let t360 = -t95;
-        let t361 = -t113;
-        let t362 = -t90;
-        let t363 = -t188;
-        let t364 = -t224;
-        let t365 = -t287;
-        let t366 = -t181;
-        let t367 = -a6_x;
-        let t368 = -t274;
-        let t369 = -t241;
-        let t370 = -t29;
-        let t371 = -a7_x;
-        put(20, t346); // row 1, MSZ7
-        put(22, t350); // row 2, MSY2
-        put(23, t351); // row 2, M3
-        put(25, t352); // row 2, MSY3
-        put(26, t353); // row 2, MSZ3
-        put(30, t354); // row 2, MSZ4
-        put(33, t355); // row 2, MSY5
-        put(42, t349); // row 2, MSZ7
-        put(43, t356); // row 3, MSX3
-        put(44, t357); // row 3, MSY3
-        put(45, t358); // row 3, MSX4
-        put(59, t341); // row 3, MSZ7
-        put(60, t359); // row 4, MSX4
-        put(62, t360); // row 4, M5
-        put(63, t361); // row 4, MSX5
-        put(65, t362); // row 4, MSZ5
-        put(67, t363); // row 4, MSX6
-        put(69, t364); // row 4, MSZ6
-        put(71, t365); // row 4, MSX7
-        put(73, t335); // row 4, MSZ7
-        put(77, t366); // row 5, MSY6
-        put(81, t329); // row 5, MSZ7
-        put(83, t367); // row 6, MSY6
-        put(85, t368); // row 6, MSY7
-        put(86, t369); // row 6, MSZ7
-        put(87, t370); // row 7, MSX7
-        put(88, t371); // row 7, MSY7
+        let t350 = c6 * t263;
+        let t351 = s6 * t263;
+        let t354 = s5 * t260 - c5 * t350;
+        let t357 = s5 * t350 + c5 * t260;
+        let t360 = c4 * t354 - s4 * t351;
+        let t363 = s4 * t354 + c4 * t351;
+        let t368 = c2 * t363 - (z1_3_x * t360 + t4 * t357);
+        let t371 = s3 * t360 - c3 * t357;
+        put(20, t368); // row 1, MSZ7
+        put(42, t371); // row 2, MSZ7
+        put(59, t363); // row 3, MSZ7
+        put(73, t357); // row 4, MSZ7
+        put(81, t351); // row 5, MSZ7
     }
 }

@@ -4,7 +4,7 @@
 //!
 //! 66 multiplications, 38 additions; 6 x 7, 29 of 42 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -17,16 +17,27 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (4, 4), (4, 5), (4, 6), (5, 0), (5, 2), (5, 3), (5, 4), (5, 5), (5, 6),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 7 + PATTERN[k].1
+}
+
 /// Jacobian of the last DH frame's origin, in base axes: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 7]; 6]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[4..7].fill(S::default());
-    flat[11..15].fill(S::default());
-    flat[18..22].fill(S::default());
-    flat[28] = S::default();
-    flat[36] = S::default();
-    nonzeros(trig, out);
+    entries(trig, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            3 => flat[4..7].fill(S::default()),
+            7 => flat[11..15].fill(S::default()),
+            10 => flat[18..22].fill(S::default()),
+            16 => flat[28] = S::default(),
+            23 => flat[36] = S::default(),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -58,115 +69,113 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t1 = c1 * s2;
         let t2 = s1 * c2;
         let t3 = s1 * s2;
+        let t4 = -t1;
+        let t5 = -t3;
         put(11, s1); // [3][1]
+        put(12, t4); // [3][2]
+        put(18, t5); // [4][2]
         put(23, k3); // [5][0]
         put(24, c2); // [5][2]
         [t0, t1, t2, t3]
     };
     // frame 3
     let [
-        t4, t5, t7, t10, t13, t16, t19, t20,
-        t21,
+        t6, t7, t9, t12, t15, t18, t21, t22,
+        t23,
     ] = {
-        let t4 = L2 * t1;
-        let t5 = L2 * t3;
-        let t7 = L1 + c2 * L2;
-        let t10 = c3 * t0 - s1 * s3;
-        let t13 = s1 * c3 + s3 * t0;
-        let t16 = c3 * t2 + c1 * s3;
-        let t19 = c1 * c3 - s3 * t2;
-        let t20 = s2 * c3;
-        let t21 = s2 * s3;
-        put(19, t19); // [4][3]
+        let t6 = L2 * t1;
+        let t7 = L2 * t3;
+        let t9 = L1 + c2 * L2;
+        let t12 = c3 * t0 - s1 * s3;
+        let t15 = s1 * c3 + s3 * t0;
+        let t18 = c3 * t2 + c1 * s3;
+        let t21 = c1 * c3 - s3 * t2;
+        let t22 = s2 * c3;
+        let t23 = s2 * s3;
+        let t24 = -t15;
+        let t25 = -t23;
+        put(13, t24); // [3][3]
+        put(19, t21); // [4][3]
+        put(25, t25); // [5][3]
         [
-        t4, t5, t7, t10, t13, t16, t19, t20,
-        t21,
+        t6, t7, t9, t12, t15, t18, t21, t22,
+        t23,
     ]
     };
     // frame 4
-    let [t24, t27, t30, t33, t36, t39] = {
-        let t24 = c4 * t10 + s4 * t1;
-        let t27 = s4 * t10 - c4 * t1;
-        let t30 = c4 * t16 + s4 * t3;
-        let t33 = c4 * t3 - s4 * t16;
-        let t36 = c4 * t20 - c2 * s4;
-        let t39 = c2 * c4 + s4 * t20;
-        put(14, t27); // [3][4]
-        put(26, t39); // [5][4]
-        [t24, t27, t30, t33, t36, t39]
+    let [t28, t31, t34, t37, t40, t43] = {
+        let t28 = c4 * t12 + s4 * t1;
+        let t31 = s4 * t12 - c4 * t1;
+        let t34 = c4 * t18 + s4 * t3;
+        let t37 = c4 * t3 - s4 * t18;
+        let t40 = c4 * t22 - c2 * s4;
+        let t43 = c2 * c4 + s4 * t22;
+        let t44 = -t37;
+        put(14, t31); // [3][4]
+        put(20, t44); // [4][4]
+        put(26, t43); // [5][4]
+        [t28, t31, t34, t37, t40, t43]
     };
     // frame 5
     let [
-        t40, t41, t42, t43, t44, t45, t48, t54,
-        t55, t56, t59,
+        t45, t46, t47, t48, t49, t50, t53, t59,
+        t60, t61, t64,
     ] = {
-        let t40 = L3 * t27;
-        let t41 = L3 * t33;
-        let t42 = L3 * t39;
-        let t43 = t40 - t4;
-        let t44 = t5 + t41;
-        let t45 = t7 + t42;
-        let t48 = c5 * t24 - s5 * t13;
-        let t51 = c5 * t13 + s5 * t24;
-        let t54 = c5 * t30 + s5 * t19;
-        let t55 = c5 * t19;
-        let t56 = s5 * t30;
-        let t59 = s5 * t21 - c5 * t36;
-        let t62 = c5 * t21 + s5 * t36;
-        put(0, t44); // [0][0]
-        put(4, t43); // [1][0]
-        put(15, t51); // [3][5]
-        put(27, t62); // [5][5]
+        let t45 = L3 * t31;
+        let t46 = L3 * t37;
+        let t47 = L3 * t43;
+        let t48 = t45 - t6;
+        let t49 = t7 + t46;
+        let t50 = t9 + t47;
+        let t53 = c5 * t28 - s5 * t15;
+        let t56 = c5 * t15 + s5 * t28;
+        let t59 = c5 * t34 + s5 * t21;
+        let t60 = c5 * t21;
+        let t61 = s5 * t34;
+        let t64 = s5 * t23 - c5 * t40;
+        let t67 = c5 * t23 + s5 * t40;
+        put(0, t49); // [0][0]
+        put(4, t48); // [1][0]
+        put(15, t56); // [3][5]
+        put(27, t67); // [5][5]
         [
-        t40, t41, t42, t43, t44, t45, t48, t54,
-        t55, t56, t59,
+        t45, t46, t47, t48, t49, t50, t53, t59,
+        t60, t61, t64,
     ]
     };
     // frame 6
-    let t69 = {
-        let t65 = c6 * t27 - s6 * t48;
-        let t66 = t56 - t55;
-        let t69 = c6 * t33 + s6 * t54;
-        let t72 = c6 * t39 + s6 * t59;
-        put(16, t65); // [3][6]
-        put(21, t66); // [4][5]
-        put(28, t72); // [5][6]
-        t69
-    };
+    {
+        let t70 = c6 * t31 - s6 * t53;
+        let t71 = t61 - t60;
+        let t77 = c6 * t43 + s6 * t64;
+        let t78 = -(c6 * t37 + s6 * t59);
+        put(16, t70); // [3][6]
+        put(21, t71); // [4][5]
+        put(22, t78); // [4][6]
+        put(28, t77); // [5][6]
+    }
     // columns
     {
-        let t73 = L1 - t45;
-        let t74 = c1 * t73;
-        let t75 = s1 * t73;
-        let t78 = c1 * t43 - s1 * t44;
-        let t81 = c2 * t41 - t3 * t42;
-        let t84 = c2 * t40 + t1 * t42;
-        let t87 = t1 * t41 + t3 * t40;
-        let t90 = t19 * t42 - t21 * t41;
-        let t93 = t13 * t42 - t21 * t40;
-        let t96 = t13 * t41 - t19 * t40;
-        let t97 = -t1;
-        let t98 = -t13;
-        let t99 = -c1;
-        let t100 = -t3;
-        let t101 = -t33;
-        let t102 = -t69;
-        let t103 = -t21;
-        put(1, t74); // [0][1]
-        put(2, t81); // [0][2]
-        put(3, t90); // [0][3]
-        put(5, t75); // [1][1]
-        put(6, t84); // [1][2]
-        put(7, t93); // [1][3]
-        put(8, t78); // [2][1]
-        put(9, t87); // [2][2]
-        put(10, t96); // [2][3]
-        put(12, t97); // [3][2]
-        put(13, t98); // [3][3]
-        put(17, t99); // [4][1]
-        put(18, t100); // [4][2]
-        put(20, t101); // [4][4]
-        put(22, t102); // [4][6]
-        put(25, t103); // [5][3]
+        let t79 = L1 - t50;
+        let t80 = c1 * t79;
+        let t81 = s1 * t79;
+        let t84 = c1 * t48 - s1 * t49;
+        let t87 = c2 * t46 - t3 * t47;
+        let t90 = c2 * t45 + t1 * t47;
+        let t93 = t1 * t46 + t3 * t45;
+        let t96 = t21 * t47 - t23 * t46;
+        let t99 = t15 * t47 - t23 * t45;
+        let t102 = t15 * t46 - t21 * t45;
+        let t103 = -c1;
+        put(1, t80); // [0][1]
+        put(2, t87); // [0][2]
+        put(3, t96); // [0][3]
+        put(5, t81); // [1][1]
+        put(6, t90); // [1][2]
+        put(7, t99); // [1][3]
+        put(8, t84); // [2][1]
+        put(9, t93); // [2][2]
+        put(10, t102); // [2][3]
+        put(17, t103); // [4][1]
     }
 }

@@ -4,7 +4,7 @@
 //!
 //! 350 multiplications, 225 additions; 7 x 10, 66 of 70 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -21,15 +21,26 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (6, 4), (6, 5), (6, 6), (6, 7), (6, 8), (6, 9),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 10 + PATTERN[k].1
+}
+
 /// Regressor of a body fixed to the tool frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 7]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[40] = S::default();
-    flat[50] = S::default();
-    flat[60] = S::default();
-    flat[63] = S::default();
-    nonzeros(trig, dq, ddq, out);
+    entries(trig, dq, ddq, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            39 => flat[40] = S::default(),
+            48 => flat[50] = S::default(),
+            57 => flat[60] = S::default(),
+            59 => flat[63] = S::default(),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -161,278 +172,278 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t142,
     ]
     };
-    // link 7: motion
-    let [
-        t145, a7_y, t157, t160, dw7_z, t165, t166, t167,
-        dw7_x, t169, t170, t171, t172, t173, t174, t175,
-        t176,
-    ] = {
-        let t145 = c7 * t115 - s7 * a5_y;
-        let a7_y = c7 * a5_y + s7 * t115;
-        let w7_x = c7 * w6_x - s7 * w6_z;
-        let t154 = c7 * w6_z + s7 * w6_x;
-        let t157 = c7 * t140 - s7 * t142;
-        let t160 = c7 * t142 + s7 * t140;
-        let w7_z = w6_y + dq7;
-        let dw7_z = t139 + ddq7;
-        let t163 = w7_x * w7_x;
-        let t164 = w7_z * w7_z;
-        let t165 = w7_x * t154;
-        let t166 = w7_x * w7_z;
-        let t167 = t154 * w7_z;
-        let dw7_x = t160 - t167;
-        let t169 = t166 - t157;
-        let t170 = t163 - t164;
-        let t171 = t170 - t141;
-        let t172 = dw7_z + t165;
-        let t173 = t165 - dw7_z;
-        let t174 = t163 + t164;
-        let t175 = t166 + t169;
-        let t176 = t167 - dw7_x;
-        put(58, a7_y); // row 7, MSX
-        put(59, t145); // row 7, MSY
-        put(60, t165); // row 7, XX
-        put(62, dw7_z); // row 7, ZZ
-        put(64, t160); // row 7, XZ
-        put(65, t157); // row 7, YZ
-        [
-        t145, a7_y, t157, t160, dw7_z, t165, t166, t167,
-        dw7_x, t169, t170, t171, t172, t173, t174, t175,
-        t176,
-    ]
-    };
     // joint axes in frame 4
-    let [z1_4_x, z1_5_z, t183, z2_4_y] = {
+    let [z1_4_x, z1_5_z, t149, z2_4_y] = {
         let z1_4_x = c4 * z1_3_x - c2 * s4;
         let z1_5_z = c2 * c4 + s4 * z1_3_x;
-        let t183 = s3 * c4;
+        let t149 = s3 * c4;
         let z2_4_y = s3 * s4;
-        [z1_4_x, z1_5_z, t183, z2_4_y]
+        [z1_4_x, z1_5_z, t149, z2_4_y]
     };
     // joint axes in frame 5
-    let [z1_5_x, z1_6_z, t193, t196, t197, z3_5_y] = {
+    let [z1_5_x, z1_6_z, t159, t162, t163, z3_5_y] = {
         let z1_5_x = c5 * z1_4_x - s5 * t17;
         let z1_6_z = c5 * t17 + s5 * z1_4_x;
-        let t193 = c5 * t183 + c3 * s5;
-        let t196 = c3 * c5 - s5 * t183;
-        let t197 = s4 * c5;
+        let t159 = c5 * t149 + c3 * s5;
+        let t162 = c3 * c5 - s5 * t149;
+        let t163 = s4 * c5;
         let z3_5_y = s4 * s5;
-        [z1_5_x, z1_6_z, t193, t196, t197, z3_5_y]
+        [z1_5_x, z1_6_z, t159, t162, t163, z3_5_y]
+    };
+    // link 7: motion
+    let [
+        t167, a7_y, t179, t182, dw7_z, t187, t188, t189,
+        dw7_x, t191, t192, t193, t194, t195, t196, t197,
+        t198,
+    ] = {
+        let t167 = c7 * t115 - s7 * a5_y;
+        let a7_y = c7 * a5_y + s7 * t115;
+        let w7_x = c7 * w6_x - s7 * w6_z;
+        let t176 = c7 * w6_z + s7 * w6_x;
+        let t179 = c7 * t140 - s7 * t142;
+        let t182 = c7 * t142 + s7 * t140;
+        let w7_z = w6_y + dq7;
+        let dw7_z = t139 + ddq7;
+        let t185 = w7_x * w7_x;
+        let t186 = w7_z * w7_z;
+        let t187 = w7_x * t176;
+        let t188 = w7_x * w7_z;
+        let t189 = t176 * w7_z;
+        let dw7_x = t182 - t189;
+        let t191 = t188 - t179;
+        let t192 = t185 - t186;
+        let t193 = t192 - t141;
+        let t194 = dw7_z + t187;
+        let t195 = t187 - dw7_z;
+        let t196 = t185 + t186;
+        let t197 = t188 + t191;
+        let t198 = t189 - dw7_x;
+        let t199 = -t187;
+        put(58, a7_y); // row 7, MSX
+        put(59, t167); // row 7, MSY
+        put(60, t187); // row 7, XX
+        put(61, t199); // row 7, YY
+        put(62, dw7_z); // row 7, ZZ
+        put(64, t182); // row 7, XZ
+        put(65, t179); // row 7, YZ
+        [
+        t167, a7_y, t179, t182, dw7_z, t187, t188, t189,
+        dw7_x, t191, t192, t193, t194, t195, t196, t197,
+        t198,
+    ]
     };
     // payload: column M
-    let [t201, t204] = {
-        let t201 = c7 * t145 + s7 * a7_y;
-        let t204 = s7 * t145 - c7 * a7_y;
-        let t207 = s6 * t118 - c6 * t201;
-        let t213 = c5 * t207 + s5 * t204;
-        let t216 = s5 * t207 - c5 * t204;
-        let t217 = L3 * t216;
-        let t218 = L3 * t213;
-        let t223 = s4 * t217;
-        let t226 = c4 * t217 + L2 * t216;
-        let t227 = t218 + L2 * (c4 * t213 - s4 * (s6 * t201 + c6 * t118));
-        let t232 = c2 * t223 - (z1_3_x * t226 + t17 * t227);
-        let t235 = s3 * t226 - c3 * t227;
-        put(0, t232); // row 1, M
-        put(10, t235); // row 2, M
-        put(20, t223); // row 3, M
-        put(30, t218); // row 4, M
-        put(51, t201); // row 6, MSZ
-        [t201, t204]
+    let [t202, t205] = {
+        let t202 = c7 * t167 + s7 * a7_y;
+        let t205 = s7 * t167 - c7 * a7_y;
+        let t208 = s6 * t118 - c6 * t202;
+        let t214 = c5 * t208 + s5 * t205;
+        let t217 = s5 * t208 - c5 * t205;
+        let t218 = L3 * t217;
+        let t219 = L3 * t214;
+        let t224 = s4 * t218;
+        let t227 = c4 * t218 + L2 * t217;
+        let t228 = t219 + L2 * (c4 * t214 - s4 * (s6 * t202 + c6 * t118));
+        let t233 = c2 * t224 - (z1_3_x * t227 + t17 * t228);
+        let t236 = s3 * t227 - c3 * t228;
+        put(0, t233); // row 1, M
+        put(10, t236); // row 2, M
+        put(20, t224); // row 3, M
+        put(30, t219); // row 4, M
+        put(51, t202); // row 6, MSZ
+        [t202, t205]
     };
     // payload: column MSX
-    let [t237, t240, t242, t243] = {
-        let t237 = s7 * t173;
-        let t238 = c7 * t171 + t237;
-        let t240 = c7 * t173;
-        let t241 = t240 - s7 * t171;
-        let t242 = s7 * t118;
-        let t243 = c7 * t118;
-        let t246 = c6 * t238 - s6 * t175;
-        let t252 = c6 * t242 + s6 * a7_y;
-        let t255 = c6 * a7_y - s6 * t242;
-        let t258 = c5 * t246 + s5 * t241;
-        let t261 = s5 * t246 - c5 * t241;
-        let t270 = c5 * t252 + s5 * t243 + L3 * t261;
-        let t271 = L3 * t258 - (s5 * t252 - c5 * t243);
-        let t280 = s4 * t270 + c4 * t255;
-        let t283 = c4 * t270 - s4 * t255 + L2 * t261;
-        let t284 = t271 + L2 * (c4 * t258 + s4 * (s6 * t238 + c6 * t175));
-        let t289 = c2 * t280 - (z1_3_x * t283 + t17 * t284);
-        let t292 = s3 * t283 - c3 * t284;
-        put(1, t289); // row 1, MSX
-        put(11, t292); // row 2, MSX
-        put(21, t280); // row 3, MSX
-        put(31, t271); // row 4, MSX
-        put(40, t255); // row 5, MSX
-        put(50, t242); // row 6, MSY
-        [t237, t240, t242, t243]
+    let [t238, t241, t243, t244] = {
+        let t238 = s7 * t195;
+        let t239 = c7 * t193 + t238;
+        let t241 = c7 * t195;
+        let t242 = t241 - s7 * t193;
+        let t243 = s7 * t118;
+        let t244 = c7 * t118;
+        let t247 = c6 * t239 - s6 * t197;
+        let t253 = c6 * t243 + s6 * a7_y;
+        let t256 = c6 * a7_y - s6 * t243;
+        let t259 = c5 * t247 + s5 * t242;
+        let t262 = s5 * t247 - c5 * t242;
+        let t271 = c5 * t253 + s5 * t244 + L3 * t262;
+        let t272 = L3 * t259 - (s5 * t253 - c5 * t244);
+        let t281 = s4 * t271 + c4 * t256;
+        let t284 = c4 * t271 - s4 * t256 + L2 * t262;
+        let t285 = t272 + L2 * (c4 * t259 + s4 * (s6 * t239 + c6 * t197));
+        let t290 = c2 * t281 - (z1_3_x * t284 + t17 * t285);
+        let t293 = s3 * t284 - c3 * t285;
+        let t294 = -t244;
+        put(1, t290); // row 1, MSX
+        put(11, t293); // row 2, MSX
+        put(21, t281); // row 3, MSX
+        put(31, t272); // row 4, MSX
+        put(40, t256); // row 5, MSX
+        put(49, t294); // row 6, MSX
+        put(50, t243); // row 6, MSY
+        [t238, t241, t243, t244]
     };
     // payload: column MSY
-    let [t293, t296] = {
-        let t293 = c7 * t172;
-        let t295 = s7 * t174 - t293;
-        let t296 = s7 * t172;
-        let t298 = t296 + c7 * t174;
-        let t301 = c6 * t295 + s6 * t176;
-        let t307 = c6 * t243 + s6 * t145;
-        let t310 = c6 * t145 - s6 * t243;
-        let t313 = c5 * t301 + s5 * t298;
-        let t316 = s5 * t301 - c5 * t298;
-        let t325 = c5 * t307 - s5 * t242 + L3 * t316;
-        let t326 = L3 * t313 - (s5 * t307 + c5 * t242);
-        let t335 = s4 * t325 + c4 * t310;
-        let t338 = c4 * t325 - s4 * t310 + L2 * t316;
-        let t339 = L2 * (s4 * (c6 * t176 - s6 * t295) - c4 * t313) - t326;
-        let t344 = c2 * t335 + (t17 * t339 - z1_3_x * t338);
-        let t347 = s3 * t338 + c3 * t339;
-        put(2, t344); // row 1, MSY
-        put(12, t347); // row 2, MSY
-        put(22, t335); // row 3, MSY
-        put(32, t326); // row 4, MSY
-        put(41, t310); // row 5, MSY
-        [t293, t296]
+    let [t295, t298] = {
+        let t295 = c7 * t194;
+        let t297 = s7 * t196 - t295;
+        let t298 = s7 * t194;
+        let t300 = t298 + c7 * t196;
+        let t303 = c6 * t297 + s6 * t198;
+        let t309 = c6 * t244 + s6 * t167;
+        let t312 = c6 * t167 - s6 * t244;
+        let t315 = c5 * t303 + s5 * t300;
+        let t318 = s5 * t303 - c5 * t300;
+        let t327 = c5 * t309 - s5 * t243 + L3 * t318;
+        let t328 = L3 * t315 - (s5 * t309 + c5 * t243);
+        let t337 = s4 * t327 + c4 * t312;
+        let t340 = c4 * t327 - s4 * t312 + L2 * t318;
+        let t341 = L2 * (s4 * (c6 * t198 - s6 * t297) - c4 * t315) - t328;
+        let t346 = c2 * t337 + (t17 * t341 - z1_3_x * t340);
+        let t349 = s3 * t340 + c3 * t341;
+        put(2, t346); // row 1, MSY
+        put(12, t349); // row 2, MSY
+        put(22, t337); // row 3, MSY
+        put(32, t328); // row 4, MSY
+        put(41, t312); // row 5, MSY
+        [t295, t298]
     };
     // payload: column MSZ
     {
-        let t350 = c7 * t157 + s7 * t160;
-        let t353 = s7 * t157 - c7 * t160;
-        let t356 = c6 * t350 + s6 * t141;
-        let t360 = c6 * t204;
-        let t361 = s6 * t204;
-        let t364 = c5 * t356 - s5 * t353;
-        let t367 = s5 * t356 + c5 * t353;
-        let t376 = L3 * t367 - (c5 * t360 + s5 * t201);
-        let t377 = L3 * t364 - (c5 * t201 - s5 * t360);
-        let t386 = s4 * t376 + c4 * t361;
-        let t389 = c4 * t376 - s4 * t361 + L2 * t367;
-        let t390 = t377 + L2 * (c4 * t364 - s4 * (c6 * t141 - s6 * t350));
-        let t395 = c2 * t386 - (z1_3_x * t389 + t17 * t390);
-        let t398 = s3 * t389 - c3 * t390;
-        put(3, t395); // row 1, MSZ
-        put(13, t398); // row 2, MSZ
-        put(23, t386); // row 3, MSZ
-        put(33, t377); // row 4, MSZ
-        put(42, t361); // row 5, MSZ
+        let t352 = c7 * t179 + s7 * t182;
+        let t355 = s7 * t179 - c7 * t182;
+        let t358 = c6 * t352 + s6 * t141;
+        let t362 = c6 * t205;
+        let t363 = s6 * t205;
+        let t366 = c5 * t358 - s5 * t355;
+        let t369 = s5 * t358 + c5 * t355;
+        let t378 = L3 * t369 - (c5 * t362 + s5 * t202);
+        let t379 = L3 * t366 - (c5 * t202 - s5 * t362);
+        let t388 = s4 * t378 + c4 * t363;
+        let t391 = c4 * t378 - s4 * t363 + L2 * t369;
+        let t392 = t379 + L2 * (c4 * t366 - s4 * (c6 * t141 - s6 * t352));
+        let t397 = c2 * t388 - (z1_3_x * t391 + t17 * t392);
+        let t400 = s3 * t391 - c3 * t392;
+        put(3, t397); // row 1, MSZ
+        put(13, t400); // row 2, MSZ
+        put(23, t388); // row 3, MSZ
+        put(33, t379); // row 4, MSZ
+        put(42, t363); // row 5, MSZ
     }
     // payload: column XX
-    let [t400, t403, t404, t406, t409] = {
-        let t400 = s7 * t166;
-        let t401 = c7 * dw7_x - t400;
-        let t403 = c7 * t166;
-        let t404 = s7 * dw7_x + t403;
-        let t406 = s6 * t165;
-        let t407 = t406 - c6 * t401;
-        let t409 = c6 * t165;
-        let t410 = s6 * t401 + t409;
-        let t415 = z1_5_z * t410 - (z1_5_x * t407 + z1_6_z * t404);
-        let t420 = t193 * t407 - t196 * t404 - z2_4_y * t410;
-        let t425 = c4 * t410 + (t197 * t407 + z3_5_y * t404);
-        let t428 = c5 * t404 - s5 * t407;
-        put(4, t415); // row 1, XX
-        put(14, t420); // row 2, XX
-        put(24, t425); // row 3, XX
-        put(34, t428); // row 4, XX
-        put(43, t410); // row 5, XX
-        [t400, t403, t404, t406, t409]
+    let [t402, t405, t408, t411] = {
+        let t402 = s7 * t188;
+        let t403 = c7 * dw7_x - t402;
+        let t405 = c7 * t188;
+        let t406 = s7 * dw7_x + t405;
+        let t408 = s6 * t187;
+        let t409 = t408 - c6 * t403;
+        let t411 = c6 * t187;
+        let t412 = s6 * t403 + t411;
+        let t417 = z1_5_z * t412 - (z1_5_x * t409 + z1_6_z * t406);
+        let t422 = t159 * t409 - t162 * t406 - z2_4_y * t412;
+        let t427 = c4 * t412 + (t163 * t409 + z3_5_y * t406);
+        let t430 = c5 * t406 - s5 * t409;
+        let t431 = -t406;
+        put(4, t417); // row 1, XX
+        put(14, t422); // row 2, XX
+        put(24, t427); // row 3, XX
+        put(34, t430); // row 4, XX
+        put(43, t412); // row 5, XX
+        put(52, t431); // row 6, XX
+        [t402, t405, t408, t411]
     };
     // payload: column YY
-    let [t429, t432] = {
-        let t429 = c7 * t167;
-        let t431 = t429 + s7 * t169;
-        let t432 = s7 * t167;
-        let t434 = c7 * t169 - t432;
-        let t436 = t406 + c6 * t431;
-        let t438 = s6 * t431 - t409;
-        let t443 = z1_5_z * t438 + (z1_5_x * t436 + z1_6_z * t434);
-        let t448 = t196 * t434 - t193 * t436 - z2_4_y * t438;
-        let t453 = c4 * t438 - (t197 * t436 + z3_5_y * t434);
-        let t456 = s5 * t436 - c5 * t434;
-        put(5, t443); // row 1, YY
-        put(15, t448); // row 2, YY
-        put(25, t453); // row 3, YY
-        put(35, t456); // row 4, YY
-        put(44, t438); // row 5, YY
-        put(53, t434); // row 6, YY
-        [t429, t432]
+    let [t432, t435] = {
+        let t432 = c7 * t189;
+        let t434 = t432 + s7 * t191;
+        let t435 = s7 * t189;
+        let t437 = c7 * t191 - t435;
+        let t439 = t408 + c6 * t434;
+        let t441 = s6 * t434 - t411;
+        let t446 = z1_5_z * t441 + (z1_5_x * t439 + z1_6_z * t437);
+        let t451 = t162 * t437 - t159 * t439 - z2_4_y * t441;
+        let t456 = c4 * t441 - (t163 * t439 + z3_5_y * t437);
+        let t459 = s5 * t439 - c5 * t437;
+        put(5, t446); // row 1, YY
+        put(15, t451); // row 2, YY
+        put(25, t456); // row 3, YY
+        put(35, t459); // row 4, YY
+        put(44, t441); // row 5, YY
+        put(53, t437); // row 6, YY
+        [t432, t435]
     };
     // payload: column ZZ
-    let t483 = {
-        let t457 = t400 - t429;
-        let t458 = t403 + t432;
-        let t461 = c6 * t457 - s6 * dw7_z;
-        let t464 = s6 * t457 + c6 * dw7_z;
-        let t469 = z1_5_z * t464 + (z1_5_x * t461 + z1_6_z * t458);
-        let t474 = t196 * t458 - t193 * t461 - z2_4_y * t464;
-        let t479 = c4 * t464 - (t197 * t461 + z3_5_y * t458);
-        let t482 = s5 * t461 - c5 * t458;
-        let t483 = t171 + t174;
-        put(6, t469); // row 1, ZZ
-        put(16, t474); // row 2, ZZ
-        put(26, t479); // row 3, ZZ
-        put(36, t482); // row 4, ZZ
-        put(45, t464); // row 5, ZZ
-        put(54, t458); // row 6, ZZ
-        put(63, t483); // row 7, XY
-        t483
+    let t486 = {
+        let t460 = t402 - t432;
+        let t461 = t405 + t435;
+        let t464 = c6 * t460 - s6 * dw7_z;
+        let t467 = s6 * t460 + c6 * dw7_z;
+        let t472 = z1_5_z * t467 + (z1_5_x * t464 + z1_6_z * t461);
+        let t477 = t162 * t461 - t159 * t464 - z2_4_y * t467;
+        let t482 = c4 * t467 - (t163 * t464 + z3_5_y * t461);
+        let t485 = s5 * t464 - c5 * t461;
+        let t486 = t193 + t196;
+        put(6, t472); // row 1, ZZ
+        put(16, t477); // row 2, ZZ
+        put(26, t482); // row 3, ZZ
+        put(36, t485); // row 4, ZZ
+        put(45, t467); // row 5, ZZ
+        put(54, t461); // row 6, ZZ
+        put(63, t486); // row 7, XY
+        t486
     };
     // payload: column XY
     {
-        let t486 = s7 * t176 - c7 * t175;
-        let t489 = s7 * t175 + c7 * t176;
-        let t492 = c6 * t486 - s6 * t483;
-        let t495 = s6 * t486 + c6 * t483;
-        let t500 = z1_5_z * t495 + (z1_5_x * t492 + z1_6_z * t489);
-        let t505 = t196 * t489 - t193 * t492 - z2_4_y * t495;
-        let t510 = c4 * t495 - (t197 * t492 + z3_5_y * t489);
-        let t513 = s5 * t492 - c5 * t489;
-        put(7, t500); // row 1, XY
-        put(17, t505); // row 2, XY
-        put(27, t510); // row 3, XY
-        put(37, t513); // row 4, XY
-        put(46, t495); // row 5, XY
-        put(55, t489); // row 6, XY
+        let t489 = s7 * t198 - c7 * t197;
+        let t492 = s7 * t197 + c7 * t198;
+        let t495 = c6 * t489 - s6 * t486;
+        let t498 = s6 * t489 + c6 * t486;
+        let t503 = z1_5_z * t498 + (z1_5_x * t495 + z1_6_z * t492);
+        let t508 = t162 * t492 - t159 * t495 - z2_4_y * t498;
+        let t513 = c4 * t498 - (t163 * t495 + z3_5_y * t492);
+        let t516 = s5 * t495 - c5 * t492;
+        put(7, t503); // row 1, XY
+        put(17, t508); // row 2, XY
+        put(27, t513); // row 3, XY
+        put(37, t516); // row 4, XY
+        put(46, t498); // row 5, XY
+        put(55, t492); // row 6, XY
     }
     // payload: column XZ
-    let t542 = {
-        let t515 = s7 * t170 - t240;
-        let t517 = t237 + c7 * t170;
-        let t520 = c6 * t515 - s6 * t160;
-        let t523 = s6 * t515 + c6 * t160;
-        let t528 = z1_5_z * t523 + (z1_5_x * t520 + z1_6_z * t517);
-        let t533 = t196 * t517 - t193 * t520 - z2_4_y * t523;
-        let t538 = c4 * t523 - (t197 * t520 + z3_5_y * t517);
-        let t541 = s5 * t520 - c5 * t517;
-        let t542 = t174 - t141;
-        put(8, t528); // row 1, XZ
-        put(18, t533); // row 2, XZ
-        put(28, t538); // row 3, XZ
-        put(38, t541); // row 4, XZ
-        put(47, t523); // row 5, XZ
-        put(56, t517); // row 6, XZ
-        t542
+    let t545 = {
+        let t518 = s7 * t192 - t241;
+        let t520 = t238 + c7 * t192;
+        let t523 = c6 * t518 - s6 * t182;
+        let t526 = s6 * t518 + c6 * t182;
+        let t531 = z1_5_z * t526 + (z1_5_x * t523 + z1_6_z * t520);
+        let t536 = t162 * t520 - t159 * t523 - z2_4_y * t526;
+        let t541 = c4 * t526 - (t163 * t523 + z3_5_y * t520);
+        let t544 = s5 * t523 - c5 * t520;
+        let t545 = t196 - t141;
+        put(8, t531); // row 1, XZ
+        put(18, t536); // row 2, XZ
+        put(28, t541); // row 3, XZ
+        put(38, t544); // row 4, XZ
+        put(47, t526); // row 5, XZ
+        put(56, t520); // row 6, XZ
+        t545
     };
     // payload: column YZ
     {
-        let t544 = t296 + c7 * t542;
-        let t546 = s7 * t542 - t293;
-        let t549 = c6 * t544 + s6 * t157;
-        let t552 = c6 * t157 - s6 * t544;
-        let t557 = z1_5_z * t552 - (z1_5_x * t549 - z1_6_z * t546);
-        let t562 = t193 * t549 + t196 * t546 - z2_4_y * t552;
-        let t567 = c4 * t552 - (z3_5_y * t546 - t197 * t549);
-        let t571 = -(s5 * t549 + c5 * t546);
-        let t572 = -t243;
-        let t573 = -t404;
-        let t574 = -t165;
-        put(9, t557); // row 1, YZ
-        put(19, t562); // row 2, YZ
-        put(29, t567); // row 3, YZ
-        put(39, t571); // row 4, YZ
-        put(48, t552); // row 5, YZ
-        put(49, t572); // row 6, MSX
-        put(52, t573); // row 6, XX
-        put(57, t546); // row 6, YZ
-        put(61, t574); // row 7, YY
+        let t547 = t298 + c7 * t545;
+        let t549 = s7 * t545 - t295;
+        let t552 = c6 * t547 + s6 * t179;
+        let t555 = c6 * t179 - s6 * t547;
+        let t560 = z1_5_z * t555 - (z1_5_x * t552 - z1_6_z * t549);
+        let t565 = t159 * t552 + t162 * t549 - z2_4_y * t555;
+        let t570 = c4 * t555 - (z3_5_y * t549 - t163 * t552);
+        let t574 = -(s5 * t552 + c5 * t549);
+        put(9, t560); // row 1, YZ
+        put(19, t565); // row 2, YZ
+        put(29, t570); // row 3, YZ
+        put(39, t574); // row 4, YZ
+        put(48, t555); // row 5, YZ
+        put(57, t549); // row 6, YZ
     }
 }

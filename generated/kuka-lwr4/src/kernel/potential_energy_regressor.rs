@@ -4,7 +4,7 @@
 //!
 //! 34 multiplications, 14 additions; 84, 25 of 84 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -17,19 +17,30 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (53, 0), (60, 0), (61, 0), (62, 0), (63, 0),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 1 + PATTERN[k].1
+}
+
 /// Potential energy, one entry per standard parameter: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 84]) {
     let flat = &mut out[..];
-    flat[1..3].fill(S::default());
-    flat[4..10].fill(S::default());
-    flat[13..20].fill(S::default());
-    flat[24..30].fill(S::default());
-    flat[34..40].fill(S::default());
-    flat[44..50].fill(S::default());
-    flat[54..60].fill(S::default());
-    flat[64..84].fill(S::default());
-    nonzeros(trig, out);
+    entries(trig, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            0 => flat[1..3].fill(S::default()),
+            1 => flat[4..10].fill(S::default()),
+            4 => flat[13..20].fill(S::default()),
+            8 => flat[24..30].fill(S::default()),
+            12 => flat[34..40].fill(S::default()),
+            16 => flat[44..50].fill(S::default()),
+            20 => flat[54..60].fill(S::default()),
+            24 => flat[64..84].fill(S::default()),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.

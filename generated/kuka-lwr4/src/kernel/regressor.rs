@@ -2,9 +2,9 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 789 multiplications, 557 additions; 7 x 84, 266 of 588 structurally nonzero.
+//! 757 multiplications, 578 additions; 7 x 84, 266 of 588 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -41,42 +41,53 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (6, 66), (6, 67), (6, 68), (6, 69), (6, 76), (6, 83),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 84 + PATTERN[k].1
+}
+
 /// Regressor `W` of the standard parameters: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 84]; 7]) {
     let flat = &mut out.as_flattened_mut()[..];
     flat[0..6].fill(S::default());
-    flat[7..13].fill(S::default());
-    flat[71..77].fill(S::default());
-    flat[78..95].fill(S::default());
-    flat[97] = S::default();
-    flat[154] = S::default();
-    flat[156..162].fill(S::default());
-    flat[163..189].fill(S::default());
-    flat[191] = S::default();
-    flat[198] = S::default();
-    flat[238..240].fill(S::default());
-    flat[241..247].fill(S::default());
-    flat[248..283].fill(S::default());
-    flat[285] = S::default();
-    flat[322..325].fill(S::default());
-    flat[326..332].fill(S::default());
-    flat[333..377].fill(S::default());
-    flat[379] = S::default();
-    flat[386] = S::default();
-    flat[396] = S::default();
-    flat[406..410].fill(S::default());
-    flat[411..417].fill(S::default());
-    flat[418..471].fill(S::default());
-    flat[473] = S::default();
-    flat[480] = S::default();
-    flat[490..495].fill(S::default());
-    flat[496..502].fill(S::default());
-    flat[503..565].fill(S::default());
-    flat[567] = S::default();
-    flat[574..580].fill(S::default());
-    flat[581..587].fill(S::default());
-    nonzeros(trig, dq, ddq, out);
+    entries(trig, dq, ddq, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            0 => flat[7..13].fill(S::default()),
+            58 => flat[71..77].fill(S::default()),
+            59 => flat[78..95].fill(S::default()),
+            61 => flat[97] = S::default(),
+            117 => flat[154] = S::default(),
+            118 => flat[156..162].fill(S::default()),
+            119 => flat[163..189].fill(S::default()),
+            121 => flat[191] = S::default(),
+            127 => flat[198] = S::default(),
+            166 => flat[238..240].fill(S::default()),
+            167 => flat[241..247].fill(S::default()),
+            168 => flat[248..283].fill(S::default()),
+            170 => flat[285] = S::default(),
+            206 => flat[322..325].fill(S::default()),
+            207 => flat[326..332].fill(S::default()),
+            208 => flat[333..377].fill(S::default()),
+            210 => flat[379] = S::default(),
+            216 => flat[386] = S::default(),
+            225 => flat[396] = S::default(),
+            234 => flat[406..410].fill(S::default()),
+            235 => flat[411..417].fill(S::default()),
+            236 => flat[418..471].fill(S::default()),
+            238 => flat[473] = S::default(),
+            244 => flat[480] = S::default(),
+            253 => flat[490..495].fill(S::default()),
+            254 => flat[496..502].fill(S::default()),
+            255 => flat[503..565].fill(S::default()),
+            257 => flat[567] = S::default(),
+            263 => flat[574..580].fill(S::default()),
+            264 => flat[581..587].fill(S::default()),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -102,7 +113,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6, ddq7] = *ddq;
     let L2 = S::constant(0.4);
     let L3 = S::constant(0.39);
-    let k0 = S::constant(9.81);
+    let k1 = S::constant(9.81);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -117,1105 +128,1121 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(264, dq7); // row 7, FV7
         t0
     };
+    // joint axes in frame 3
+    let [t2, t3, t4, v2_3_y] = {
+        let t1 = s2 * L2;
+        let t2 = s3 * t1;
+        let t3 = c3 * t1;
+        let t4 = c3 * L2;
+        let v2_3_y = s3 * L2;
+        [t2, t3, t4, v2_3_y]
+    };
     // link 2: motion
     let [
-        a2_x, a2_y, w2_x, w2_y, t9, t10, t11, dw2_x,
-        dw2_y, t14, t15, t16, t17, t18, t19, t20,
+        a2_x, a2_y, w2_x, w2_y, t15, t16, dw2_x, dw2_y,
+        t19, t20, t21, t22, t23, t24, t25,
     ] = {
-        let a2_x = s2 * k0;
-        let a2_y = c2 * k0;
+        let a2_x = s2 * k1;
+        let a2_y = c2 * k1;
         let w2_x = s2 * dq1;
         let w2_y = c2 * dq1;
-        let t5 = s2 * ddq1;
-        let t6 = c2 * ddq1;
-        let t7 = w2_x * w2_x;
-        let t8 = dq2 * dq2;
-        let t9 = w2_x * w2_y;
-        let t10 = dq2 * w2_x;
-        let t11 = dq2 * w2_y;
-        let dw2_x = t5 + t11;
-        let dw2_y = t6 - t10;
-        let t14 = t8 - t7;
-        let t15 = t0 + t14;
-        let t16 = ddq2 - t9;
-        let t17 = ddq2 + t9;
-        let t18 = t7 + t8;
-        let t19 = dw2_y - t10;
-        let t20 = t11 + dw2_x;
+        let t10 = s2 * ddq1;
+        let t11 = c2 * ddq1;
+        let t12 = w2_x * w2_x;
+        let t13 = dq2 * dq2;
+        let t14 = w2_x * w2_y;
+        let t15 = dq2 * w2_x;
+        let t16 = dq2 * w2_y;
+        let dw2_x = t10 + t16;
+        let dw2_y = t11 - t15;
+        let t19 = t12 - t13;
+        let t20 = t19 - t0;
+        let t21 = ddq2 - t14;
+        let t22 = ddq2 + t14;
+        let t23 = t12 + t13;
+        let t24 = dw2_y - t15;
+        let t25 = t16 + dw2_x;
+        let t26 = -a2_x;
+        let t27 = -t14;
         put(60, a2_y); // row 2, MSX2
-        put(63, t9); // row 2, YY2
-        put(66, t5); // row 2, XZ2
-        put(67, t6); // row 2, YZ2
+        put(61, t26); // row 2, MSY2
+        put(62, t27); // row 2, XX2
+        put(63, t14); // row 2, YY2
+        put(66, t10); // row 2, XZ2
+        put(67, t11); // row 2, YZ2
         [
-        a2_x, a2_y, w2_x, w2_y, t9, t10, t11, dw2_x,
-        dw2_y, t14, t15, t16, t17, t18, t19, t20,
+        a2_x, a2_y, w2_x, w2_y, t15, t16, dw2_x, dw2_y,
+        t19, t20, t21, t22, t23, t24, t25,
     ]
     };
+    // MSZ2: column
+    {
+        let t30 = c2 * a2_x - s2 * a2_y;
+        put(1, t30); // row 1, MSZ2
+    }
+    // XX2: column
+    let t32 = {
+        let t32 = c2 * t15;
+        let t33 = s2 * dw2_x + t32;
+        put(2, t33); // row 1, XX2
+        t32
+    };
+    // YY2: column
+    let t34 = {
+        let t34 = s2 * t16;
+        let t36 = c2 * dw2_y - t34;
+        put(3, t36); // row 1, YY2
+        t34
+    };
+    // ZZ2: column
+    {
+        let t37 = t34 - t32;
+        put(4, t37); // row 1, ZZ2
+    }
+    // XY2: column
+    {
+        let t38 = t20 + t23;
+        let t41 = s2 * t24 + c2 * t25;
+        put(5, t41); // row 1, XY2
+        put(65, t38); // row 2, XY2
+    }
+    // XZ2: column
+    {
+        let t44 = s2 * t22 - c2 * t19;
+        put(6, t44); // row 1, XZ2
+    }
+    // YZ2: column
+    {
+        let t48 = s2 * (t0 - t23) + c2 * t21;
+        put(7, t48); // row 1, YZ2
+    }
     // link 3: motion
     let [
-        z1_3_x, t22, a3_z, t30, a3_y, w3_x, t39, t42,
-        t45, w3_z, dw3_z, t50, t51, t52, t53, t54,
-        t55, t56, t57, t58, t59, t60, t61,
+        z1_3_x, t50, a3_z, t58, a3_y, w3_x, t67, t70,
+        t73, w3_z, dw3_z, t78, t79, t80, t81, t82,
+        t83, t84, t85, t86, t87, t88, t89,
     ] = {
         let z1_3_x = s2 * c3;
-        let t22 = s2 * s3;
-        let t25 = L2 * t20;
-        let t26 = L2 * t16 - a2_x;
-        let a3_z = a2_y - L2 * t18;
-        let t30 = c3 * t26 + s3 * t25;
-        let a3_y = s3 * t26 - c3 * t25;
+        let t50 = s2 * s3;
+        let t53 = L2 * t25;
+        let t54 = L2 * t21 - a2_x;
+        let a3_z = a2_y - L2 * t23;
+        let t58 = c3 * t54 + s3 * t53;
+        let a3_y = s3 * t54 - c3 * t53;
         let w3_x = c3 * w2_x - s3 * dq2;
-        let t39 = c3 * dq2 + s3 * w2_x;
-        let t42 = c3 * t16 + s3 * t20;
-        let t45 = c3 * t20 - s3 * t16;
+        let t67 = c3 * dq2 + s3 * w2_x;
+        let t70 = c3 * t21 + s3 * t25;
+        let t73 = c3 * t25 - s3 * t21;
         let w3_z = w2_y + dq3;
         let dw3_z = dw2_y + ddq3;
-        let t48 = w3_x * w3_x;
-        let t49 = w3_z * w3_z;
-        let t50 = w3_x * t39;
-        let t51 = w3_x * w3_z;
-        let t52 = t39 * w3_z;
-        let t53 = t52 - t45;
-        let t54 = t42 + t51;
-        let t55 = t48 - t49;
-        let t56 = t55 - t18;
-        let t57 = dw3_z + t50;
-        let t58 = dw3_z - t50;
-        let t59 = t48 + t49;
-        let t60 = t51 + t54;
-        let t61 = t52 + t53;
+        let t76 = w3_x * w3_x;
+        let t77 = w3_z * w3_z;
+        let t78 = w3_x * t67;
+        let t79 = w3_x * w3_z;
+        let t80 = t67 * w3_z;
+        let t81 = t80 - t73;
+        let t82 = t70 + t79;
+        let t83 = t76 - t77;
+        let t84 = t83 - t23;
+        let t85 = dw3_z + t78;
+        let t86 = dw3_z - t78;
+        let t87 = t76 + t77;
+        let t88 = t79 + t82;
+        let t89 = t80 + t81;
+        let t90 = -t78;
+        let t91 = -t70;
         put(120, a3_y); // row 3, MSX3
-        put(121, t30); // row 3, MSY3
-        put(122, t50); // row 3, XX3
+        put(121, t58); // row 3, MSY3
+        put(122, t78); // row 3, XX3
+        put(123, t90); // row 3, YY3
         put(124, dw3_z); // row 3, ZZ3
-        put(126, t45); // row 3, XZ3
+        put(126, t73); // row 3, XZ3
+        put(127, t91); // row 3, YZ3
         [
-        z1_3_x, t22, a3_z, t30, a3_y, w3_x, t39, t42,
-        t45, w3_z, dw3_z, t50, t51, t52, t53, t54,
-        t55, t56, t57, t58, t59, t60, t61,
+        z1_3_x, t50, a3_z, t58, a3_y, w3_x, t67, t70,
+        t73, w3_z, dw3_z, t78, t79, t80, t81, t82,
+        t83, t84, t85, t86, t87, t88, t89,
+    ]
+    };
+    // joint axes in frame 4
+    let [t94, z1_5_z, t98, v1_4_y, t100, z2_4_y, t102, v2_4_y] = {
+        let t94 = c2 * s4 - c4 * z1_3_x;
+        let z1_5_z = c2 * c4 + s4 * z1_3_x;
+        let t98 = c4 * t2;
+        let v1_4_y = s4 * t2;
+        let t100 = s3 * c4;
+        let z2_4_y = s3 * s4;
+        let t102 = c4 * t4;
+        let v2_4_y = s4 * t4;
+        [t94, z1_5_z, t98, v1_4_y, t100, z2_4_y, t102, v2_4_y]
+    };
+    // M3: column
+    let [t106, t109] = {
+        let t104 = L2 * a3_y;
+        let t105 = L2 * t58;
+        let t106 = z1_3_x * t104;
+        let t108 = t50 * t105 - t106;
+        let t109 = s3 * t104;
+        let t111 = t109 + c3 * t105;
+        put(8, t108); // row 1, M3
+        put(68, t111); // row 2, M3
+        [t106, t109]
+    };
+    // MSX3: column
+    {
+        let t112 = L2 * t86;
+        let t114 = L2 * t84 - a3_z;
+        let t119 = c2 * a3_y - (z1_3_x * t112 + t50 * t114);
+        let t122 = s3 * t112 - c3 * t114;
+        put(9, t119); // row 1, MSX3
+        put(69, t122); // row 2, MSX3
+    }
+    // MSY3: column
+    let t123 = {
+        let t123 = L2 * t87;
+        let t124 = L2 * t85;
+        let t125 = a3_z + t123;
+        let t130 = c2 * t58 + (z1_3_x * t125 + t50 * t124);
+        let t133 = c3 * t124 - s3 * t125;
+        put(10, t130); // row 1, MSY3
+        put(70, t133); // row 2, MSY3
+        t123
+    };
+    // MSZ3: column
+    {
+        let t136 = L2 * t73 - a3_y;
+        let t137 = t58 + L2 * t70;
+        let t140 = z1_3_x * t136 + t50 * t137;
+        let t143 = c3 * t137 - s3 * t136;
+        put(11, t140); // row 1, MSZ3
+        put(71, t143); // row 2, MSZ3
+    }
+    // XX3: column
+    let [t145, t146, t150] = {
+        let t145 = t50 * t79;
+        let t146 = c2 * t78;
+        let t148 = t146 - (z1_3_x * t81 + t145);
+        let t150 = c3 * t79;
+        let t151 = s3 * t81 - t150;
+        put(12, t148); // row 1, XX3
+        put(72, t151); // row 2, XX3
+        [t145, t146, t150]
+    };
+    // YY3: column
+    let [t152, t156] = {
+        let t152 = z1_3_x * t80;
+        let t155 = t152 + t50 * t82 - t146;
+        let t156 = s3 * t80;
+        let t158 = c3 * t82 - t156;
+        put(13, t155); // row 1, YY3
+        put(73, t158); // row 2, YY3
+        [t152, t156]
+    };
+    // ZZ3: column
+    {
+        let t161 = c2 * dw3_z + (t145 - t152);
+        let t162 = t150 + t156;
+        put(14, t161); // row 1, ZZ3
+        put(74, t162); // row 2, ZZ3
+    }
+    // XY3: column
+    {
+        let t163 = t84 + t87;
+        let t168 = c2 * t163 + (t50 * t89 - z1_3_x * t88);
+        let t171 = s3 * t88 + c3 * t89;
+        put(15, t168); // row 1, XY3
+        put(75, t171); // row 2, XY3
+        put(125, t163); // row 3, XY3
+    }
+    // XZ3: column
+    {
+        let t176 = c2 * t73 + (z1_3_x * t86 + t50 * t83);
+        let t179 = c3 * t83 - s3 * t86;
+        put(16, t176); // row 1, XZ3
+        put(76, t179); // row 2, XZ3
+    }
+    // YZ3: column
+    {
+        let t180 = t23 - t87;
+        let t185 = z1_3_x * t180 - t50 * t85 - c2 * t70;
+        let t189 = -(s3 * t180 + c3 * t85);
+        put(17, t185); // row 1, YZ3
+        put(77, t189); // row 2, YZ3
+    }
+    // joint axes in frame 5
+    let [
+        t196, z1_6_z, t202, v1_5_y, t212, t215, v2_5_x, v2_5_y,
+        t223, z3_5_y, v3_5_x, v3_5_y, v4_5_x, v4_6_z,
+    ] = {
+        let t192 = t98 + L3 * t50;
+        let t193 = L3 * t94 - t3;
+        let t196 = c5 * t94 + s5 * t50;
+        let z1_6_z = c5 * t50 - s5 * t94;
+        let t202 = s5 * t193 - c5 * t192;
+        let v1_5_y = c5 * t193 + s5 * t192;
+        let t208 = t102 + c3 * L3;
+        let t209 = v2_3_y + L3 * t100;
+        let t212 = c5 * t100 + c3 * s5;
+        let t215 = c3 * c5 - s5 * t100;
+        let v2_5_x = s5 * t209 - c5 * t208;
+        let v2_5_y = c5 * t209 + s5 * t208;
+        let t222 = s4 * L3;
+        let t223 = s4 * c5;
+        let z3_5_y = s4 * s5;
+        let v3_5_x = s5 * t222;
+        let v3_5_y = c5 * t222;
+        let v4_5_x = c5 * L3;
+        let v4_6_z = s5 * L3;
+        [
+        t196, z1_6_z, t202, v1_5_y, t212, t215, v2_5_x, v2_5_y,
+        t223, z3_5_y, v3_5_x, v3_5_y, v4_5_x, v4_6_z,
+    ]
+    };
+    // joint axes in frame 6
+    let [z1_6_x, z1_6_y, t237, z2_6_y, z3_6_x, z3_6_y, z4_6_x, t248] = {
+        let z1_6_x = s6 * z1_5_z - c6 * t196;
+        let z1_6_y = c6 * z1_5_z + s6 * t196;
+        let t237 = c6 * t212 + s6 * z2_4_y;
+        let z2_6_y = s6 * t212 - c6 * z2_4_y;
+        let z3_6_x = c4 * s6 - c6 * t223;
+        let z3_6_y = c4 * c6 + s6 * t223;
+        let z4_6_x = s5 * c6;
+        let t248 = s5 * s6;
+        [z1_6_x, z1_6_y, t237, z2_6_y, z3_6_x, z3_6_y, z4_6_x, t248]
+    };
+    // joint axes in frame 7
+    let [
+        t251, t254, t257, t260, z3_7_x, t266, z4_7_x, z4_7_y,
+        z5_7_x, t274,
+    ] = {
+        let t251 = s7 * z1_6_z - c7 * z1_6_x;
+        let t254 = c7 * z1_6_z + s7 * z1_6_x;
+        let t257 = c7 * t237 + s7 * t215;
+        let t260 = c7 * t215 - s7 * t237;
+        let z3_7_x = c7 * z3_6_x + s7 * z3_5_y;
+        let t266 = s7 * z3_6_x - c7 * z3_5_y;
+        let z4_7_x = c7 * z4_6_x + c5 * s7;
+        let z4_7_y = c5 * c7 - s7 * z4_6_x;
+        let z5_7_x = s6 * c7;
+        let t274 = s6 * s7;
+        [
+        t251, t254, t257, t260, z3_7_x, t266, z4_7_x, z4_7_y,
+        z5_7_x, t274,
     ]
     };
     // link 4: motion
     let [
-        t64, a4_y, w4_x, t73, t76, t79, w4_z, dw4_z,
-        t84, t85, t86, t87, t88, t89, t90, t91,
-        t92, t93, t94, t95,
+        t277, a4_y, w4_x, t286, t289, t292, w4_z, dw4_z,
+        t297, t298, t299, t300, t301, t302, t303, t304,
+        t305, t306, t307, t308,
     ] = {
-        let t64 = c4 * t30 + s4 * a3_z;
-        let a4_y = s4 * t30 - c4 * a3_z;
+        let t277 = c4 * t58 + s4 * a3_z;
+        let a4_y = s4 * t58 - c4 * a3_z;
         let w4_x = c4 * w3_x - s4 * w3_z;
-        let t73 = c4 * w3_z + s4 * w3_x;
-        let t76 = s4 * t61 - c4 * t57;
-        let t79 = c4 * t61 + s4 * t57;
-        let w4_z = dq4 - t39;
-        let dw4_z = ddq4 - t54;
-        let t82 = w4_x * w4_x;
-        let t83 = w4_z * w4_z;
-        let t84 = w4_x * t73;
-        let t85 = w4_x * w4_z;
-        let t86 = t73 * w4_z;
-        let t87 = t79 + t86;
-        let t88 = t85 - t76;
-        let t89 = t83 - t82;
-        let t90 = t59 + t89;
-        let t91 = dw4_z + t84;
-        let t92 = t84 - dw4_z;
-        let t93 = t82 + t83;
-        let t94 = t85 + t88;
-        let t95 = t86 + t87;
+        let t286 = c4 * w3_z + s4 * w3_x;
+        let t289 = s4 * t89 - c4 * t85;
+        let t292 = c4 * t89 + s4 * t85;
+        let w4_z = dq4 - t67;
+        let dw4_z = ddq4 - t82;
+        let t295 = w4_x * w4_x;
+        let t296 = w4_z * w4_z;
+        let t297 = w4_x * t286;
+        let t298 = w4_x * w4_z;
+        let t299 = t286 * w4_z;
+        let t300 = t292 + t299;
+        let t301 = t298 - t289;
+        let t302 = t295 - t296;
+        let t303 = t302 - t87;
+        let t304 = dw4_z + t297;
+        let t305 = t297 - dw4_z;
+        let t306 = t295 + t296;
+        let t307 = t298 + t301;
+        let t308 = t299 + t300;
+        let t309 = -t297;
+        let t310 = -t292;
         put(169, a4_y); // row 4, MSX4
-        put(170, t64); // row 4, MSY4
-        put(171, t84); // row 4, XX4
+        put(170, t277); // row 4, MSY4
+        put(171, t297); // row 4, XX4
+        put(172, t309); // row 4, YY4
         put(173, dw4_z); // row 4, ZZ4
-        put(176, t76); // row 4, YZ4
+        put(175, t310); // row 4, XZ4
+        put(176, t289); // row 4, YZ4
         [
-        t64, a4_y, w4_x, t73, t76, t79, w4_z, dw4_z,
-        t84, t85, t86, t87, t88, t89, t90, t91,
-        t92, t93, t94, t95,
+        t277, a4_y, w4_x, t286, t289, t292, w4_z, dw4_z,
+        t297, t298, t299, t300, t301, t302, t303, t304,
+        t305, t306, t307, t308,
     ]
-    };
-    // link 5: motion
-    let [
-        t100, t104, a5_y, w5_x, t113, t116, t119, w5_z,
-        dw5_z, t124, t125, t126, t127, dw5_y, t129, t130,
-        t131, t132, t133, t134, t135,
-    ] = {
-        let t99 = t64 - L3 * t91;
-        let t100 = a4_y + L3 * t93;
-        let t101 = a3_y + L3 * t95;
-        let t104 = c5 * t99 - s5 * t101;
-        let a5_y = c5 * t101 + s5 * t99;
-        let w5_x = c5 * w4_x + s5 * w4_z;
-        let t113 = s5 * w4_x - c5 * w4_z;
-        let t116 = c5 * t91 + s5 * t95;
-        let t119 = s5 * t91 - c5 * t95;
-        let w5_z = t73 + dq5;
-        let dw5_z = t88 + ddq5;
-        let t122 = w5_x * w5_x;
-        let t123 = w5_z * w5_z;
-        let t124 = w5_x * t113;
-        let t125 = w5_x * w5_z;
-        let t126 = t113 * w5_z;
-        let t127 = t126 - t119;
-        let dw5_y = t116 - t125;
-        let t129 = t123 - t122;
-        let t130 = t93 + t129;
-        let t131 = dw5_z + t124;
-        let t132 = t124 - dw5_z;
-        let t133 = t122 + t123;
-        let t134 = t125 - dw5_y;
-        let t135 = t126 + t127;
-        put(209, a5_y); // row 5, MSX5
-        put(210, t104); // row 5, MSY5
-        put(211, t124); // row 5, XX5
-        put(213, dw5_z); // row 5, ZZ5
-        put(215, t119); // row 5, XZ5
-        put(216, t116); // row 5, YZ5
-        [
-        t100, t104, a5_y, w5_x, t113, t116, t119, w5_z,
-        dw5_z, t124, t125, t126, t127, dw5_y, t129, t130,
-        t131, t132, t133, t134, t135,
-    ]
-    };
-    // link 6: motion
-    let [
-        t138, t141, w6_x, w6_y, t150, t153, w6_z, dw6_z,
-        t158, t159, t160, dw6_x, t162, t163, t164, t165,
-        t166, t167, t168, t169,
-    ] = {
-        let t138 = c6 * t104 + s6 * t100;
-        let t141 = c6 * t100 - s6 * t104;
-        let w6_x = c6 * w5_x + s6 * w5_z;
-        let w6_y = c6 * w5_z - s6 * w5_x;
-        let t150 = c6 * t131 + s6 * t135;
-        let t153 = s6 * t131 - c6 * t135;
-        let w6_z = t113 + dq6;
-        let dw6_z = ddq6 - dw5_y;
-        let t156 = w6_x * w6_x;
-        let t157 = w6_z * w6_z;
-        let t158 = w6_x * w6_y;
-        let t159 = w6_x * w6_z;
-        let t160 = w6_y * w6_z;
-        let dw6_x = t153 + t160;
-        let t162 = t150 - t159;
-        let t163 = t156 - t157;
-        let t164 = t163 - t133;
-        let t165 = t158 - dw6_z;
-        let t166 = dw6_z + t158;
-        let t167 = t156 + t157;
-        let t168 = t162 - t159;
-        let t169 = t160 + dw6_x;
-        put(238, t138); // row 6, MSY6
-        put(240, t158); // row 6, YY6
-        put(241, dw6_z); // row 6, ZZ6
-        put(243, t153); // row 6, XZ6
-        put(244, t150); // row 6, YZ6
-        [
-        t138, t141, w6_x, w6_y, t150, t153, w6_z, dw6_z,
-        t158, t159, t160, dw6_x, t162, t163, t164, t165,
-        t166, t167, t168, t169,
-    ]
-    };
-    // link 7: motion
-    let [
-        t172, a7_y, t184, t187, dw7_z, t192, t193, t194,
-        t195, t196, t197, t198, t199, t200, t201, t202,
-        t203,
-    ] = {
-        let t172 = c7 * t138 - s7 * a5_y;
-        let a7_y = c7 * a5_y + s7 * t138;
-        let w7_x = c7 * w6_x - s7 * w6_z;
-        let t181 = c7 * w6_z + s7 * w6_x;
-        let t184 = c7 * t165 - s7 * t169;
-        let t187 = c7 * t169 + s7 * t165;
-        let w7_z = w6_y + dq7;
-        let dw7_z = t162 + ddq7;
-        let t190 = w7_x * w7_x;
-        let t191 = w7_z * w7_z;
-        let t192 = w7_x * t181;
-        let t193 = w7_x * w7_z;
-        let t194 = t181 * w7_z;
-        let t195 = t194 - t187;
-        let t196 = t193 - t184;
-        let t197 = t190 - t191;
-        let t198 = t197 - t167;
-        let t199 = dw7_z + t192;
-        let t200 = t192 - dw7_z;
-        let t201 = t190 + t191;
-        let t202 = t193 + t196;
-        let t203 = t194 + t195;
-        put(256, a7_y); // row 7, MSX7
-        put(257, t172); // row 7, MSY7
-        put(258, t192); // row 7, XX7
-        put(260, dw7_z); // row 7, ZZ7
-        put(262, t187); // row 7, XZ7
-        put(263, t184); // row 7, YZ7
-        [
-        t172, a7_y, t184, t187, dw7_z, t192, t193, t194,
-        t195, t196, t197, t198, t199, t200, t201, t202,
-        t203,
-    ]
-    };
-    // joint axes in frame 4
-    let [t206, z1_5_z, t210, z2_4_y] = {
-        let t206 = c2 * s4 - c4 * z1_3_x;
-        let z1_5_z = c2 * c4 + s4 * z1_3_x;
-        let t210 = s3 * c4;
-        let z2_4_y = s3 * s4;
-        [t206, z1_5_z, t210, z2_4_y]
-    };
-    // joint axes in frame 5
-    let [t214, t217, t220, t223, t224, z3_5_y] = {
-        let t214 = c5 * t206 + s5 * t22;
-        let t217 = s5 * t206 - c5 * t22;
-        let t220 = c5 * t210 + c3 * s5;
-        let t223 = c3 * c5 - s5 * t210;
-        let t224 = s4 * c5;
-        let z3_5_y = s4 * s5;
-        [t214, t217, t220, t223, t224, z3_5_y]
-    };
-    // MSZ2: column
-    {
-        let t228 = c2 * a2_x - s2 * a2_y;
-        put(1, t228); // row 1, MSZ2
-    }
-    // XX2: column
-    let t230 = {
-        let t230 = c2 * t10;
-        let t231 = s2 * dw2_x + t230;
-        put(2, t231); // row 1, XX2
-        t230
-    };
-    // YY2: column
-    let t232 = {
-        let t232 = s2 * t11;
-        let t234 = c2 * dw2_y - t232;
-        put(3, t234); // row 1, YY2
-        t232
-    };
-    // ZZ2: column
-    {
-        let t235 = t232 - t230;
-        put(4, t235); // row 1, ZZ2
-    }
-    // XY2: column
-    {
-        let t236 = t18 - t15;
-        let t239 = s2 * t19 + c2 * t20;
-        put(5, t239); // row 1, XY2
-        put(65, t236); // row 2, XY2
-    }
-    // XZ2: column
-    {
-        let t242 = s2 * t17 + c2 * t14;
-        put(6, t242); // row 1, XZ2
-    }
-    // YZ2: column
-    {
-        let t246 = c2 * t16 - s2 * (t18 - t0);
-        put(7, t246); // row 1, YZ2
-    }
-    // M3: column
-    let [t249, t252] = {
-        let t247 = L2 * a3_y;
-        let t248 = L2 * t30;
-        let t249 = z1_3_x * t247;
-        let t251 = t22 * t248 - t249;
-        let t252 = s3 * t247;
-        let t254 = t252 + c3 * t248;
-        put(8, t251); // row 1, M3
-        put(68, t254); // row 2, M3
-        [t249, t252]
-    };
-    // MSX3: column
-    {
-        let t255 = L2 * t58;
-        let t257 = a3_z - L2 * t56;
-        let t262 = c2 * a3_y - (z1_3_x * t255 - t22 * t257);
-        let t265 = s3 * t255 + c3 * t257;
-        put(9, t262); // row 1, MSX3
-        put(69, t265); // row 2, MSX3
-    }
-    // MSY3: column
-    let t266 = {
-        let t266 = L2 * t59;
-        let t267 = L2 * t57;
-        let t268 = a3_z + t266;
-        let t273 = c2 * t30 + (z1_3_x * t268 + t22 * t267);
-        let t276 = c3 * t267 - s3 * t268;
-        put(10, t273); // row 1, MSY3
-        put(70, t276); // row 2, MSY3
-        t266
-    };
-    // MSZ3: column
-    {
-        let t279 = L2 * t45 - a3_y;
-        let t280 = t30 + L2 * t42;
-        let t283 = z1_3_x * t279 + t22 * t280;
-        let t286 = c3 * t280 - s3 * t279;
-        put(11, t283); // row 1, MSZ3
-        put(71, t286); // row 2, MSZ3
-    }
-    // XX3: column
-    let [t288, t289, t293] = {
-        let t288 = t22 * t51;
-        let t289 = c2 * t50;
-        let t291 = t289 - (z1_3_x * t53 + t288);
-        let t293 = c3 * t51;
-        let t294 = s3 * t53 - t293;
-        put(12, t291); // row 1, XX3
-        put(72, t294); // row 2, XX3
-        [t288, t289, t293]
-    };
-    // YY3: column
-    let [t295, t299] = {
-        let t295 = z1_3_x * t52;
-        let t298 = t295 + t22 * t54 - t289;
-        let t299 = s3 * t52;
-        let t301 = c3 * t54 - t299;
-        put(13, t298); // row 1, YY3
-        put(73, t301); // row 2, YY3
-        [t295, t299]
-    };
-    // ZZ3: column
-    {
-        let t304 = c2 * dw3_z + (t288 - t295);
-        let t305 = t293 + t299;
-        put(14, t304); // row 1, ZZ3
-        put(74, t305); // row 2, ZZ3
-    }
-    // XY3: column
-    {
-        let t306 = t56 + t59;
-        let t311 = c2 * t306 + (t22 * t61 - z1_3_x * t60);
-        let t314 = s3 * t60 + c3 * t61;
-        put(15, t311); // row 1, XY3
-        put(75, t314); // row 2, XY3
-        put(125, t306); // row 3, XY3
-    }
-    // XZ3: column
-    {
-        let t319 = c2 * t45 + (z1_3_x * t58 + t22 * t55);
-        let t322 = c3 * t55 - s3 * t58;
-        put(16, t319); // row 1, XZ3
-        put(76, t322); // row 2, XZ3
-    }
-    // YZ3: column
-    let t328 = {
-        let t323 = t59 - t18;
-        let t328 = c2 * t42 + (z1_3_x * t323 + t22 * t57);
-        let t331 = s3 * t323 - c3 * t57;
-        put(77, t331); // row 2, YZ3
-        t328
     };
     // M4: column
-    let [t334, t337] = {
-        let t334 = c4 * t64 + s4 * a4_y;
-        let t337 = c4 * a4_y - s4 * t64;
-        let t338 = L2 * t334;
-        let t340 = t22 * t338 - t249;
-        let t342 = t252 + c3 * t338;
-        put(18, t340); // row 1, M4
-        put(78, t342); // row 2, M4
-        put(130, t334); // row 3, MSZ4
-        [t334, t337]
+    let [t313, t316] = {
+        let t313 = c4 * t277 + s4 * a4_y;
+        let t316 = s4 * t277 - c4 * a4_y;
+        let t317 = L2 * t313;
+        let t319 = t50 * t317 - t106;
+        let t321 = t109 + c3 * t317;
+        put(18, t319); // row 1, M4
+        put(78, t321); // row 2, M4
+        put(130, t313); // row 3, MSZ4
+        [t313, t316]
     };
     // MSX4: column
-    let [t344, t346, t347] = {
-        let t344 = s4 * t92;
-        let t346 = s4 * a3_y;
-        let t347 = c4 * a3_y;
-        let t350 = L2 * t94 - t346;
-        let t351 = L2 * (c4 * t90 - t344) - a4_y;
-        let t356 = c2 * t347 + (t22 * t351 - z1_3_x * t350);
-        let t359 = s3 * t350 + c3 * t351;
-        put(19, t356); // row 1, MSX4
-        put(79, t359); // row 2, MSX4
-        put(128, t347); // row 3, MSX4
-        [t344, t346, t347]
+    let [t323, t325, t326] = {
+        let t323 = s4 * t305;
+        let t325 = s4 * a3_y;
+        let t326 = c4 * a3_y;
+        let t329 = L2 * t307 - t325;
+        let t330 = a4_y + L2 * (c4 * t303 + t323);
+        let t335 = c2 * t326 - (z1_3_x * t329 + t50 * t330);
+        let t338 = s3 * t329 - c3 * t330;
+        let t339 = -t325;
+        put(19, t335); // row 1, MSX4
+        put(79, t338); // row 2, MSX4
+        put(128, t326); // row 3, MSX4
+        put(129, t339); // row 3, MSY4
+        [t323, t325, t326]
     };
     // MSY4: column
-    let [t360, t361] = {
-        let t360 = c4 * t91;
-        let t361 = s4 * t93;
-        let t365 = t347 + L2 * t95;
-        let t366 = L2 * (t360 - t361) - t64;
-        let t371 = z1_3_x * t365 + t22 * t366 - c2 * t346;
-        let t374 = c3 * t366 - s3 * t365;
-        put(20, t371); // row 1, MSY4
-        put(80, t374); // row 2, MSY4
-        [t360, t361]
+    let t340 = {
+        let t340 = c4 * t304;
+        let t345 = t326 + L2 * t308;
+        let t346 = L2 * (t340 - s4 * t306) - t277;
+        let t351 = z1_3_x * t345 + t50 * t346 - c2 * t325;
+        let t354 = c3 * t346 - s3 * t345;
+        put(20, t351); // row 1, MSY4
+        put(80, t354); // row 2, MSY4
+        t340
     };
     // MSZ4: column
     {
-        let t378 = L2 * (s4 * t79 - c4 * t76);
-        let t379 = t337 - t266;
-        let t384 = c2 * t334 + (t22 * t378 - z1_3_x * t379);
-        let t387 = s3 * t379 + c3 * t378;
-        put(21, t384); // row 1, MSZ4
-        put(81, t387); // row 2, MSZ4
+        let t358 = L2 * (s4 * t292 - c4 * t289);
+        let t359 = t123 + t316;
+        let t364 = c2 * t313 + (z1_3_x * t359 + t50 * t358);
+        let t367 = c3 * t358 - s3 * t359;
+        put(21, t364); // row 1, MSZ4
+        put(81, t367); // row 2, MSZ4
     }
     // XX4: column
-    let [t389, t390, t394, t395, t399] = {
-        let t389 = t85 * z1_5_z;
-        let t390 = t22 * t84;
-        let t392 = t87 * t206 - t389 - t390;
-        let t394 = t85 * z2_4_y;
-        let t395 = c3 * t84;
-        let t397 = t87 * t210 + t394 - t395;
-        let t399 = c4 * t85;
-        let t400 = s4 * t87 - t399;
-        put(22, t392); // row 1, XX4
-        put(82, t397); // row 2, XX4
-        put(131, t400); // row 3, XX4
-        [t389, t390, t394, t395, t399]
+    let [t369, t370, t374, t375, t379] = {
+        let t369 = t298 * z1_5_z;
+        let t370 = t50 * t297;
+        let t372 = t300 * t94 - t369 - t370;
+        let t374 = t298 * z2_4_y;
+        let t375 = c3 * t297;
+        let t377 = t300 * t100 + t374 - t375;
+        let t379 = c4 * t298;
+        let t380 = s4 * t300 - t379;
+        put(22, t372); // row 1, XX4
+        put(82, t377); // row 2, XX4
+        put(131, t380); // row 3, XX4
+        [t369, t370, t374, t375, t379]
     };
     // YY4: column
-    let [t401, t405, t409] = {
-        let t401 = t86 * t206;
-        let t404 = t390 + (t88 * z1_5_z - t401);
-        let t405 = t86 * t210;
-        let t408 = t395 - (t405 + t88 * z2_4_y);
-        let t409 = s4 * t86;
-        let t411 = c4 * t88 - t409;
-        put(23, t404); // row 1, YY4
-        put(83, t408); // row 2, YY4
-        put(132, t411); // row 3, YY4
-        [t401, t405, t409]
+    let [t381, t385, t389] = {
+        let t381 = t299 * t94;
+        let t384 = t370 + (t301 * z1_5_z - t381);
+        let t385 = t299 * t100;
+        let t388 = t375 - (t385 + t301 * z2_4_y);
+        let t389 = s4 * t299;
+        let t391 = c4 * t301 - t389;
+        put(23, t384); // row 1, YY4
+        put(83, t388); // row 2, YY4
+        put(132, t391); // row 3, YY4
+        [t381, t385, t389]
     };
     // ZZ4: column
     {
-        let t414 = t389 + t401 - t22 * dw4_z;
-        let t417 = t405 - t394 - c3 * dw4_z;
-        let t418 = t399 + t409;
-        put(24, t414); // row 1, ZZ4
-        put(84, t417); // row 2, ZZ4
-        put(133, t418); // row 3, ZZ4
+        let t394 = t369 + t381 - t50 * dw4_z;
+        let t397 = t385 - t374 - c3 * dw4_z;
+        let t398 = t379 + t389;
+        put(24, t394); // row 1, ZZ4
+        put(84, t397); // row 2, ZZ4
+        put(133, t398); // row 3, ZZ4
     }
     // XY4: column
     {
-        let t419 = t93 - t90;
-        let t424 = t94 * t206 + t95 * z1_5_z - t22 * t419;
-        let t429 = t94 * t210 - t95 * z2_4_y - c3 * t419;
-        let t432 = s4 * t94 + c4 * t95;
-        put(25, t424); // row 1, XY4
-        put(85, t429); // row 2, XY4
-        put(134, t432); // row 3, XY4
-        put(174, t419); // row 4, XY4
+        let t399 = t303 + t306;
+        let t404 = t307 * t94 + t308 * z1_5_z - t50 * t399;
+        let t409 = t307 * t100 - t308 * z2_4_y - c3 * t399;
+        let t412 = s4 * t307 + c4 * t308;
+        put(25, t404); // row 1, XY4
+        put(85, t409); // row 2, XY4
+        put(134, t412); // row 3, XY4
+        put(174, t399); // row 4, XY4
     }
     // XZ4: column
     {
-        let t437 = t22 * t79 + (t92 * t206 - t89 * z1_5_z);
-        let t442 = c3 * t79 + (t92 * t210 + t89 * z2_4_y);
-        let t444 = t344 - c4 * t89;
-        put(26, t437); // row 1, XZ4
-        put(86, t442); // row 2, XZ4
-        put(135, t444); // row 3, XZ4
+        let t417 = t50 * t292 + (t305 * t94 + t302 * z1_5_z);
+        let t422 = c3 * t292 - (t302 * z2_4_y - t305 * t100);
+        let t424 = t323 + c4 * t302;
+        put(26, t417); // row 1, XZ4
+        put(86, t422); // row 2, XZ4
+        put(135, t424); // row 3, XZ4
     }
     // YZ4: column
     {
-        let t445 = t93 - t59;
-        let t450 = t206 * t445 - t91 * z1_5_z - t22 * t76;
-        let t455 = t210 * t445 + t91 * z2_4_y - c3 * t76;
-        let t457 = s4 * t445 - t360;
-        put(27, t450); // row 1, YZ4
-        put(87, t455); // row 2, YZ4
-        put(136, t457); // row 3, YZ4
+        let t425 = t306 - t87;
+        let t430 = t94 * t425 - t304 * z1_5_z - t50 * t289;
+        let t435 = t100 * t425 + t304 * z2_4_y - c3 * t289;
+        let t437 = s4 * t425 - t340;
+        put(27, t430); // row 1, YZ4
+        put(87, t435); // row 2, YZ4
+        put(136, t437); // row 3, YZ4
     }
+    // link 5: motion
+    let [
+        t442, a5_x, a5_y, w5_x, w5_y, t458, t461, w5_z,
+        dw5_z, t466, t467, t468, dw5_x, dw5_y, t471, t472,
+        t473, t474, t475, t476, t477,
+    ] = {
+        let t441 = L3 * t304 - t277;
+        let t442 = a4_y + L3 * t306;
+        let t443 = a3_y + L3 * t308;
+        let a5_x = c5 * t441 + s5 * t443;
+        let a5_y = c5 * t443 - s5 * t441;
+        let w5_x = c5 * w4_x + s5 * w4_z;
+        let w5_y = c5 * w4_z - s5 * w4_x;
+        let t458 = c5 * t304 + s5 * t308;
+        let t461 = s5 * t304 - c5 * t308;
+        let w5_z = t286 + dq5;
+        let dw5_z = t301 + ddq5;
+        let t464 = w5_x * w5_x;
+        let t465 = w5_z * w5_z;
+        let t466 = w5_x * w5_y;
+        let t467 = w5_x * w5_z;
+        let t468 = w5_y * w5_z;
+        let dw5_x = t461 + t468;
+        let dw5_y = t458 - t467;
+        let t471 = t464 - t465;
+        let t472 = t471 - t306;
+        let t473 = dw5_z - t466;
+        let t474 = dw5_z + t466;
+        let t475 = t464 + t465;
+        let t476 = t467 - dw5_y;
+        let t477 = t468 + dw5_x;
+        let t478 = -a5_x;
+        let t479 = -t466;
+        put(209, a5_y); // row 5, MSX5
+        put(210, t478); // row 5, MSY5
+        put(211, t479); // row 5, XX5
+        put(212, t466); // row 5, YY5
+        put(213, dw5_z); // row 5, ZZ5
+        put(215, t461); // row 5, XZ5
+        put(216, t458); // row 5, YZ5
+        [
+        t442, a5_x, a5_y, w5_x, w5_y, t458, t461, w5_z,
+        dw5_z, t466, t467, t468, dw5_x, dw5_y, t471, t472,
+        t473, t474, t475, t476, t477,
+    ]
+    };
     // M5: column
-    let [t459, t460, t462, t463, t465] = {
-        let t459 = s5 * a5_y;
-        let t460 = c5 * t104 + t459;
-        let t462 = c5 * a5_y;
-        let t463 = t462 - s5 * t104;
-        let t464 = L3 * t463;
-        let t465 = L3 * t460;
-        let t470 = s4 * t464;
-        let t473 = c4 * t464 + L2 * t463;
-        let t474 = t465 + L2 * (c4 * t460 + s4 * t100);
-        let t479 = c2 * t470 + (t22 * t474 - z1_3_x * t473);
-        let t482 = s3 * t473 + c3 * t474;
-        put(28, t479); // row 1, M5
-        put(88, t482); // row 2, M5
-        put(137, t470); // row 3, M5
-        [t459, t460, t462, t463, t465]
+    let [t481, t486, t491, t494] = {
+        let t481 = a5_y * v1_5_y;
+        let t484 = t442 * v1_4_y + (a5_x * t202 + t481);
+        let t486 = a5_y * v2_5_y;
+        let t489 = t442 * v2_4_y + (a5_x * v2_5_x + t486);
+        let t491 = a5_y * v3_5_y;
+        let t492 = a5_x * v3_5_x + t491;
+        let t494 = a5_y * v4_6_z;
+        let t495 = a5_x * v4_5_x - t494;
+        put(28, t484); // row 1, M5
+        put(88, t489); // row 2, M5
+        put(137, t492); // row 3, M5
+        put(177, t495); // row 4, M5
+        [t481, t486, t491, t494]
     };
     // MSX5: column
-    let [t484, t489, t490] = {
-        let t484 = s5 * t132;
-        let t485 = t484 - c5 * t130;
-        let t488 = s5 * t130 + c5 * t132;
-        let t489 = s5 * t100;
-        let t490 = c5 * t100;
-        let t493 = t489 - L3 * t488;
-        let t494 = t490 + L3 * t485;
-        let t503 = s4 * t493 + c4 * a5_y;
-        let t506 = c4 * t493 - s4 * a5_y - L2 * t488;
-        let t507 = t494 + L2 * (c4 * t485 + s4 * t134);
-        let t512 = c2 * t503 - (z1_3_x * t506 + t22 * t507);
-        let t515 = s3 * t506 - c3 * t507;
-        put(29, t512); // row 1, MSX5
-        put(89, t515); // row 2, MSX5
-        put(138, t503); // row 3, MSX5
-        put(178, t494); // row 4, MSX5
-        [t484, t489, t490]
-    };
+    {
+        let t503 = t476 * v1_4_y - (t472 * t202 + t474 * v1_5_y);
+        let t504 = a5_y * z1_5_z - t442 * z1_6_z - t503;
+        let t507 = t442 * t215 + a5_y * z2_4_y;
+        let t513 = t472 * v2_5_x + t474 * v2_5_y - t476 * v2_4_y - t507;
+        let t520 = t442 * z3_5_y + c4 * a5_y + (t472 * v3_5_x + t474 * v3_5_y);
+        let t525 = c5 * t442 + (t472 * v4_5_x - t474 * v4_6_z);
+        put(29, t504); // row 1, MSX5
+        put(89, t513); // row 2, MSX5
+        put(138, t520); // row 3, MSX5
+        put(178, t525); // row 4, MSX5
+    }
     // MSY5: column
-    let [t516, t517, t520] = {
-        let t516 = c5 * t131;
-        let t517 = s5 * t133;
-        let t518 = t517 - t516;
-        let t520 = c5 * t133;
-        let t521 = s5 * t131 + t520;
-        let t524 = t490 - L3 * t521;
-        let t525 = L3 * t518 - t489;
-        let t534 = s4 * t524 + c4 * t104;
-        let t537 = c4 * t524 - s4 * t104 - L2 * t521;
-        let t538 = L2 * (s4 * t135 - c4 * t518) - t525;
-        let t543 = c2 * t534 + (t22 * t538 - z1_3_x * t537);
-        let t546 = s3 * t537 + c3 * t538;
-        put(30, t543); // row 1, MSY5
-        put(90, t546); // row 2, MSY5
-        put(139, t534); // row 3, MSY5
-        put(179, t525); // row 4, MSY5
-        [t516, t517, t520]
+    let [t530, t539, t548, t553] = {
+        let t530 = t475 * v1_5_y;
+        let t534 = t442 * t196 - a5_x * z1_5_z - (t477 * v1_4_y + (t473 * t202 + t530));
+        let t539 = t475 * v2_5_y;
+        let t543 = t442 * t212 + a5_x * z2_4_y - (t477 * v2_4_y + (t473 * v2_5_x + t539));
+        let t548 = t475 * v3_5_y;
+        let t550 = t442 * t223 - c4 * a5_x - (t473 * v3_5_x + t548);
+        let t553 = t475 * v4_6_z;
+        let t555 = t553 - t473 * v4_5_x - s5 * t442;
+        put(30, t534); // row 1, MSY5
+        put(90, t543); // row 2, MSY5
+        put(139, t550); // row 3, MSY5
+        put(179, t555); // row 4, MSY5
+        [t530, t539, t548, t553]
     };
     // MSZ5: column
     {
-        let t549 = c5 * t116 + s5 * t119;
-        let t552 = s5 * t116 - c5 * t119;
-        let t555 = t463 + L3 * t552;
-        let t556 = L3 * t549 - t460;
-        let t560 = s4 * t555;
-        let t563 = c4 * t555 + L2 * t552;
-        let t564 = t556 - L2 * (t361 - c4 * t549);
-        let t569 = c2 * t560 - (z1_3_x * t563 + t22 * t564);
-        let t572 = s3 * t563 - c3 * t564;
-        put(31, t569); // row 1, MSZ5
-        put(91, t572); // row 2, MSZ5
-        put(140, t560); // row 3, MSZ5
-        put(180, t556); // row 4, MSZ5
+        let t563 = t306 * v1_4_y - (t461 * v1_5_y - t458 * t202);
+        let t564 = a5_y * t196 - a5_x * z1_6_z + t563;
+        let t567 = a5_x * t215 - a5_y * t212;
+        let t573 = t306 * v2_4_y + (t458 * v2_5_x - t461 * v2_5_y) - t567;
+        let t580 = a5_y * t223 + a5_x * z3_5_y - (t461 * v3_5_y - t458 * v3_5_x);
+        let t587 = t458 * v4_5_x + t461 * v4_6_z - (s5 * a5_y - c5 * a5_x);
+        put(31, t564); // row 1, MSZ5
+        put(91, t573); // row 2, MSZ5
+        put(140, t580); // row 3, MSZ5
+        put(180, t587); // row 4, MSZ5
     }
     // XX5: column
-    let [t574, t575, t579, t580, t584, t585, t589] = {
-        let t574 = t125 * t217;
-        let t575 = t124 * z1_5_z;
-        let t577 = t575 + (t127 * t214 + t574);
-        let t579 = t125 * t223;
-        let t580 = t124 * z2_4_y;
-        let t582 = t127 * t220 - t579 - t580;
-        let t584 = t125 * z3_5_y;
-        let t585 = c4 * t124;
-        let t587 = t585 + (t127 * t224 + t584);
-        let t589 = c5 * t125;
-        let t590 = t589 - s5 * t127;
-        put(32, t577); // row 1, XX5
-        put(92, t582); // row 2, XX5
-        put(141, t587); // row 3, XX5
-        put(181, t590); // row 4, XX5
-        [t574, t575, t579, t580, t584, t585, t589]
+    let [t589, t590, t594, t595, t599, t600, t604] = {
+        let t589 = t467 * z1_6_z;
+        let t590 = t466 * z1_5_z;
+        let t594 = t467 * t215;
+        let t595 = t466 * z2_4_y;
+        let t597 = t595 - (dw5_x * t212 + t594);
+        let t599 = t467 * z3_5_y;
+        let t600 = c4 * t466;
+        let t602 = t599 - dw5_x * t223 - t600;
+        let t604 = c5 * t467;
+        let t605 = s5 * dw5_x + t604;
+        let t606 = -(t590 + (dw5_x * t196 + t589));
+        put(32, t606); // row 1, XX5
+        put(92, t597); // row 2, XX5
+        put(141, t602); // row 3, XX5
+        put(181, t605); // row 4, XX5
+        [t589, t590, t594, t595, t599, t600, t604]
     };
     // YY5: column
-    let [t591, t595, t599, t603] = {
-        let t591 = t126 * t214;
-        let t594 = dw5_y * t217 - t591 - t575;
-        let t595 = t126 * t220;
-        let t598 = t580 - (t595 + dw5_y * t223);
-        let t599 = t126 * t224;
-        let t602 = dw5_y * z3_5_y - t599 - t585;
-        let t603 = s5 * t126;
-        let t605 = t603 + c5 * dw5_y;
-        put(33, t594); // row 1, YY5
-        put(93, t598); // row 2, YY5
-        put(142, t602); // row 3, YY5
-        put(182, t605); // row 4, YY5
-        [t591, t595, t599, t603]
+    let [t607, t611, t615, t619] = {
+        let t607 = t468 * t196;
+        let t610 = t590 + (t607 - dw5_y * z1_6_z);
+        let t611 = t468 * t212;
+        let t614 = t611 - dw5_y * t215 - t595;
+        let t615 = t468 * t223;
+        let t618 = t600 + (t615 + dw5_y * z3_5_y);
+        let t619 = s5 * t468;
+        let t621 = c5 * dw5_y - t619;
+        put(33, t610); // row 1, YY5
+        put(93, t614); // row 2, YY5
+        put(142, t618); // row 3, YY5
+        put(182, t621); // row 4, YY5
+        [t607, t611, t615, t619]
     };
     // ZZ5: column
-    let t615 = {
-        let t608 = dw5_z * z1_5_z + (t591 - t574);
-        let t611 = t579 + t595 - dw5_z * z2_4_y;
-        let t614 = c4 * dw5_z + (t599 - t584);
-        let t615 = t589 + t603;
-        put(34, t608); // row 1, ZZ5
-        put(94, t611); // row 2, ZZ5
-        put(143, t614); // row 3, ZZ5
-        t615
-    };
+    {
+        let t624 = dw5_z * z1_5_z - (t607 - t589);
+        let t627 = t594 - t611 - dw5_z * z2_4_y;
+        let t630 = c4 * dw5_z - (t599 + t615);
+        let t631 = t619 - t604;
+        put(34, t624); // row 1, ZZ5
+        put(94, t627); // row 2, ZZ5
+        put(143, t630); // row 3, ZZ5
+        put(183, t631); // row 4, ZZ5
+    }
     // XY5: column
-    let t634 = {
-        let t616 = t133 - t130;
-        let t621 = z1_5_z * t616 + (t134 * t214 - t135 * t217);
-        let t626 = t134 * t220 + t135 * t223 - z2_4_y * t616;
-        let t631 = c4 * t616 - (t135 * z3_5_y - t134 * t224);
-        let t634 = s5 * t134 + c5 * t135;
-        put(35, t621); // row 1, XY5
-        put(95, t626); // row 2, XY5
-        put(144, t631); // row 3, XY5
-        put(214, t616); // row 5, XY5
-        t634
-    };
+    {
+        let t632 = t472 + t475;
+        let t637 = z1_5_z * t632 + (t476 * t196 - t477 * z1_6_z);
+        let t642 = t476 * t212 - t477 * t215 - z2_4_y * t632;
+        let t647 = c4 * t632 + (t476 * t223 + t477 * z3_5_y);
+        let t650 = c5 * t477 - s5 * t476;
+        put(35, t637); // row 1, XY5
+        put(95, t642); // row 2, XY5
+        put(144, t647); // row 3, XY5
+        put(184, t650); // row 4, XY5
+        put(214, t632); // row 5, XY5
+    }
     // XZ5: column
     {
-        let t639 = t119 * z1_5_z + (t132 * t214 + t129 * t217);
-        let t644 = t132 * t220 - t129 * t223 - t119 * z2_4_y;
-        let t649 = c4 * t119 + (t132 * t224 + t129 * z3_5_y);
-        let t651 = c5 * t129 - t484;
-        put(36, t639); // row 1, XZ5
-        put(96, t644); // row 2, XZ5
-        put(145, t649); // row 3, XZ5
-        put(185, t651); // row 4, XZ5
+        let t655 = t461 * z1_5_z - (t474 * t196 - t471 * z1_6_z);
+        let t660 = t471 * t215 - t474 * t212 - t461 * z2_4_y;
+        let t665 = c4 * t461 - (t474 * t223 + t471 * z3_5_y);
+        let t668 = s5 * t474 - c5 * t471;
+        put(36, t655); // row 1, XZ5
+        put(96, t660); // row 2, XZ5
+        put(145, t665); // row 3, XZ5
+        put(185, t668); // row 4, XZ5
     }
     // YZ5: column
     {
-        let t652 = t133 - t93;
-        let t657 = t116 * z1_5_z + (t214 * t652 + t131 * t217);
-        let t662 = t220 * t652 - t131 * t223 - t116 * z2_4_y;
-        let t667 = c4 * t116 + (t224 * t652 + t131 * z3_5_y);
-        let t669 = t516 - s5 * t652;
-        put(37, t657); // row 1, YZ5
-        put(97, t662); // row 2, YZ5
-        put(146, t667); // row 3, YZ5
-        put(186, t669); // row 4, YZ5
+        let t669 = t475 - t306;
+        let t674 = t458 * z1_5_z + (t196 * t669 - t473 * z1_6_z);
+        let t679 = t212 * t669 - t473 * t215 - t458 * z2_4_y;
+        let t684 = c4 * t458 + (t223 * t669 + t473 * z3_5_y);
+        let t687 = c5 * t473 - s5 * t669;
+        put(37, t674); // row 1, YZ5
+        put(97, t679); // row 2, YZ5
+        put(146, t684); // row 3, YZ5
+        put(186, t687); // row 4, YZ5
     }
+    // link 6: motion
+    let [
+        t690, t693, w6_x, w6_y, t702, t705, w6_z, dw6_z,
+        t710, t711, t712, dw6_x, t714, t715, t716, t717,
+        t718, t719, t720, t721,
+    ] = {
+        let t690 = s6 * t442 - c6 * a5_x;
+        let t693 = c6 * t442 + s6 * a5_x;
+        let w6_x = c6 * w5_x + s6 * w5_z;
+        let w6_y = c6 * w5_z - s6 * w5_x;
+        let t702 = c6 * t473 - s6 * t477;
+        let t705 = c6 * t477 + s6 * t473;
+        let w6_z = dq6 - w5_y;
+        let dw6_z = ddq6 - dw5_y;
+        let t708 = w6_x * w6_x;
+        let t709 = w6_z * w6_z;
+        let t710 = w6_x * w6_y;
+        let t711 = w6_x * w6_z;
+        let t712 = w6_y * w6_z;
+        let dw6_x = t705 + t712;
+        let t714 = t702 - t711;
+        let t715 = t709 - t708;
+        let t716 = t475 + t715;
+        let t717 = t710 - dw6_z;
+        let t718 = dw6_z + t710;
+        let t719 = t708 + t709;
+        let t720 = t714 - t711;
+        let t721 = t712 + dw6_x;
+        let t722 = -t693;
+        let t723 = -t710;
+        put(237, t722); // row 6, MSX6
+        put(238, t690); // row 6, MSY6
+        put(239, t723); // row 6, XX6
+        put(240, t710); // row 6, YY6
+        put(241, dw6_z); // row 6, ZZ6
+        put(243, t705); // row 6, XZ6
+        put(244, t702); // row 6, YZ6
+        [
+        t690, t693, w6_x, w6_y, t702, t705, w6_z, dw6_z,
+        t710, t711, t712, dw6_x, t714, t715, t716, t717,
+        t718, t719, t720, t721,
+    ]
+    };
     // M6: column
-    let [t671, t672, t674, t675] = {
-        let t671 = s6 * t141;
-        let t672 = t671 - c6 * t138;
-        let t674 = c6 * t141;
-        let t675 = s6 * t138 + t674;
-        let t677 = c5 * t672 - t459;
-        let t679 = t462 + s5 * t672;
-        let t680 = L3 * t679;
-        let t681 = L3 * t677;
-        let t686 = s4 * t680;
-        let t689 = c4 * t680 + L2 * t679;
-        let t690 = L2 * (s4 * t675 - c4 * t677) - t681;
-        let t695 = c2 * t686 - (z1_3_x * t689 - t22 * t690);
-        let t698 = s3 * t689 + c3 * t690;
-        put(38, t695); // row 1, M6
-        put(98, t698); // row 2, M6
-        put(147, t686); // row 3, M6
-        put(187, t681); // row 4, M6
-        put(219, t672); // row 5, MSZ6
-        [t671, t672, t674, t675]
+    let [t725, t728] = {
+        let t725 = s6 * t693;
+        let t726 = t725 - c6 * t690;
+        let t728 = c6 * t693;
+        let t729 = s6 * t690 + t728;
+        let t733 = v1_4_y * t729 + (t481 + t202 * t726);
+        let t737 = v2_4_y * t729 + (t486 + v2_5_x * t726);
+        let t739 = t491 + v3_5_x * t726;
+        let t741 = v4_5_x * t726 - t494;
+        put(38, t733); // row 1, M6
+        put(98, t737); // row 2, M6
+        put(147, t739); // row 3, M6
+        put(187, t741); // row 4, M6
+        put(219, t726); // row 5, MSZ6
+        [t725, t728]
     };
     // MSX6: column
-    let [t700, t703, t705, t706] = {
-        let t700 = s6 * t166;
-        let t701 = c6 * t164 - t700;
-        let t703 = c6 * t166;
-        let t705 = s6 * a5_y;
-        let t706 = c6 * a5_y;
-        let t709 = c5 * t701 - s5 * t168;
-        let t712 = s5 * t701 + c5 * t168;
-        let t721 = c5 * t705 + s5 * t141 + L3 * t712;
-        let t722 = c5 * t141 - s5 * t705 + L3 * t709;
-        let t731 = s4 * t721 + c4 * t706;
-        let t734 = c4 * t721 - s4 * t706 + L2 * t712;
-        let t735 = t722 + L2 * (c4 * t709 + s4 * (s6 * t164 + t703));
-        let t740 = c2 * t731 - (z1_3_x * t734 + t22 * t735);
-        let t743 = s3 * t734 - c3 * t735;
-        put(39, t740); // row 1, MSX6
-        put(99, t743); // row 2, MSX6
-        put(148, t731); // row 3, MSX6
-        put(188, t722); // row 4, MSX6
-        put(217, t706); // row 5, MSX6
-        [t700, t703, t705, t706]
+    let t743 = {
+        let t743 = s6 * t718;
+        let t744 = c6 * t716 + t743;
+        let t747 = c6 * t718 - s6 * t716;
+        let t752 = v1_4_y * t747 + (t202 * t744 - t720 * v1_5_y);
+        let t756 = a5_y * z1_6_y - t693 * z1_6_z - t752;
+        let t764 = t693 * t215 - a5_y * z2_6_y;
+        let t765 = t720 * v2_5_y - v2_5_x * t744 - v2_4_y * t747 - t764;
+        let t772 = t720 * v3_5_y - v3_5_x * t744 + (a5_y * z3_6_y + t693 * z3_5_y);
+        let t779 = c5 * t693 - a5_y * t248 - (v4_5_x * t744 + t720 * v4_6_z);
+        let t780 = c6 * a5_y;
+        put(39, t756); // row 1, MSX6
+        put(99, t765); // row 2, MSX6
+        put(148, t772); // row 3, MSX6
+        put(188, t779); // row 4, MSX6
+        put(217, t780); // row 5, MSX6
+        t743
     };
     // MSY6: column
-    let [t744, t745, t747, t748] = {
-        let t744 = c6 * t165;
-        let t745 = s6 * t167;
-        let t746 = t744 + t745;
-        let t747 = s6 * t165;
-        let t748 = c6 * t167;
-        let t752 = c5 * t746 + s5 * t169;
-        let t755 = s5 * t746 - c5 * t169;
-        let t764 = c5 * t706 - s5 * t138 + L3 * t755;
-        let t765 = L3 * t752 - (s5 * t706 + c5 * t138);
-        let t774 = s4 * t764 - c4 * t705;
-        let t777 = c4 * t764 + s4 * t705 + L2 * t755;
-        let t778 = L2 * (s4 * (t748 - t747) - c4 * t752) - t765;
-        let t783 = c2 * t774 + (t22 * t778 - z1_3_x * t777);
-        let t786 = s3 * t777 + c3 * t778;
-        put(40, t783); // row 1, MSY6
-        put(100, t786); // row 2, MSY6
-        put(149, t774); // row 3, MSY6
-        put(189, t765); // row 4, MSY6
-        [t744, t745, t747, t748]
+    let [t781, t782, t785] = {
+        let t781 = c6 * t717;
+        let t782 = s6 * t719;
+        let t783 = t781 + t782;
+        let t785 = c6 * t719;
+        let t786 = s6 * t717 - t785;
+        let t791 = v1_4_y * t786 + (t721 * v1_5_y - t202 * t783);
+        let t795 = t690 * z1_6_z - a5_y * z1_6_x - t791;
+        let t803 = a5_y * t237 + t690 * t215;
+        let t804 = v2_5_x * t783 - t721 * v2_5_y - v2_4_y * t786 + t803;
+        let t811 = v3_5_x * t783 - t721 * v3_5_y - (a5_y * z3_6_x + t690 * z3_5_y);
+        let t818 = v4_5_x * t783 + t721 * v4_6_z - (a5_y * z4_6_x + c5 * t690);
+        let t820 = -(s6 * a5_y);
+        put(40, t795); // row 1, MSY6
+        put(100, t804); // row 2, MSY6
+        put(149, t811); // row 3, MSY6
+        put(189, t818); // row 4, MSY6
+        put(218, t820); // row 5, MSY6
+        [t781, t782, t785]
     };
     // MSZ6: column
     {
-        let t789 = c6 * t150 + s6 * t153;
-        let t794 = c5 * t789 - t517;
-        let t796 = t520 + s5 * t789;
-        let t801 = L3 * t796 - c5 * t675;
-        let t802 = s5 * t675 + L3 * t794;
-        let t811 = s4 * t801 + c4 * t672;
-        let t814 = c4 * t801 - s4 * t672 + L2 * t796;
-        let t815 = t802 + L2 * (c4 * t794 + s4 * (s6 * t150 - c6 * t153));
-        let t820 = c2 * t811 - (z1_3_x * t814 + t22 * t815);
-        let t823 = s3 * t814 - c3 * t815;
-        put(41, t820); // row 1, MSZ6
-        put(101, t823); // row 2, MSZ6
-        put(150, t811); // row 3, MSZ6
-        put(190, t802); // row 4, MSZ6
+        let t823 = c6 * t702 + s6 * t705;
+        let t826 = c6 * t705 - s6 * t702;
+        let t834 = v1_4_y * t826 + (t530 + t202 * t823) - (t690 * z1_6_y - t693 * z1_6_x);
+        let t842 = v2_4_y * t826 + (t539 + v2_5_x * t823) - (t693 * t237 + t690 * z2_6_y);
+        let t848 = t548 + v3_5_x * t823 + (t693 * z3_6_x - t690 * z3_6_y);
+        let t854 = v4_5_x * t823 - t553 + (t693 * z4_6_x + t690 * t248);
+        put(41, t834); // row 1, MSZ6
+        put(101, t842); // row 2, MSZ6
+        put(150, t848); // row 3, MSZ6
+        put(190, t854); // row 4, MSZ6
     }
     // XX6: column
-    let [t825, t828, t831, t836, t841, t846] = {
-        let t825 = s6 * t159;
-        let t826 = t825 - c6 * dw6_x;
-        let t828 = c6 * t159;
-        let t829 = s6 * dw6_x + t828;
-        let t831 = t158 * t217;
-        let t834 = z1_5_z * t829 + (t214 * t826 + t831);
-        let t836 = t158 * t223;
-        let t839 = t220 * t826 - t836 - z2_4_y * t829;
-        let t841 = t158 * z3_5_y;
-        let t844 = c4 * t829 + (t224 * t826 + t841);
-        let t846 = c5 * t158;
-        let t847 = t846 - s5 * t826;
-        put(42, t834); // row 1, XX6
-        put(102, t839); // row 2, XX6
-        put(151, t844); // row 3, XX6
-        put(191, t847); // row 4, XX6
-        put(220, t829); // row 5, XX6
-        [t825, t828, t831, t836, t841, t846]
+    let [
+        t856, t857, t861, t862, t866, t867, t871, t872,
+        t876,
+    ] = {
+        let t856 = t711 * z1_6_y;
+        let t857 = t710 * z1_6_z;
+        let t859 = dw6_x * z1_6_x + t856 - t857;
+        let t861 = t711 * z2_6_y;
+        let t862 = t710 * t215;
+        let t864 = t861 - dw6_x * t237 - t862;
+        let t866 = t711 * z3_6_y;
+        let t867 = t710 * z3_5_y;
+        let t869 = t867 + (dw6_x * z3_6_x + t866);
+        let t871 = t711 * t248;
+        let t872 = c5 * t710;
+        let t874 = t872 + (dw6_x * z4_6_x - t871);
+        let t876 = c6 * t711;
+        let t877 = s6 * dw6_x + t876;
+        put(42, t859); // row 1, XX6
+        put(102, t864); // row 2, XX6
+        put(151, t869); // row 3, XX6
+        put(191, t874); // row 4, XX6
+        put(220, t877); // row 5, XX6
+        [
+        t856, t857, t861, t862, t866, t867, t871, t872,
+        t876,
+    ]
     };
     // YY6: column
-    let [t848, t851, t867] = {
-        let t848 = c6 * t160;
-        let t850 = t848 + s6 * t162;
-        let t851 = s6 * t160;
-        let t853 = c6 * t162 - t851;
-        let t857 = z1_5_z * t853 - (t831 - t214 * t850);
-        let t861 = t836 + t220 * t850 - z2_4_y * t853;
-        let t865 = c4 * t853 + (t224 * t850 - t841);
-        let t867 = t846 + s5 * t850;
-        put(43, t857); // row 1, YY6
-        put(103, t861); // row 2, YY6
-        put(152, t865); // row 3, YY6
-        put(221, t853); // row 5, YY6
-        [t848, t851, t867]
+    let [t878, t882, t886, t890, t894] = {
+        let t878 = t712 * z1_6_x;
+        let t881 = t857 + (t714 * z1_6_y - t878);
+        let t882 = t712 * t237;
+        let t885 = t862 + (t882 + t714 * z2_6_y);
+        let t886 = t712 * z3_6_x;
+        let t889 = t714 * z3_6_y - t886 - t867;
+        let t890 = t712 * z4_6_x;
+        let t894 = s6 * t712;
+        let t896 = c6 * t714 - t894;
+        let t897 = -(t872 + (t890 + t714 * t248));
+        put(43, t881); // row 1, YY6
+        put(103, t885); // row 2, YY6
+        put(152, t889); // row 3, YY6
+        put(192, t897); // row 4, YY6
+        put(221, t896); // row 5, YY6
+        [t878, t882, t886, t890, t894]
     };
     // ZZ6: column
     {
-        let t868 = t825 + t848;
-        let t869 = t851 - t828;
-        let t874 = z1_5_z * t869 - (t214 * t868 + dw6_z * t217);
-        let t879 = dw6_z * t223 - t220 * t868 - z2_4_y * t869;
-        let t884 = c4 * t869 - (t224 * t868 + dw6_z * z3_5_y);
-        let t887 = s5 * t868 - c5 * dw6_z;
-        put(44, t874); // row 1, ZZ6
-        put(104, t879); // row 2, ZZ6
-        put(153, t884); // row 3, ZZ6
-        put(193, t887); // row 4, ZZ6
-        put(222, t869); // row 5, ZZ6
+        let t900 = dw6_z * z1_6_z - (t856 - t878);
+        let t903 = dw6_z * t215 - (t861 + t882);
+        let t906 = t886 - t866 - dw6_z * z3_5_y;
+        let t909 = t871 + t890 - c5 * dw6_z;
+        let t910 = t894 - t876;
+        put(44, t900); // row 1, ZZ6
+        put(104, t903); // row 2, ZZ6
+        put(153, t906); // row 3, ZZ6
+        put(193, t909); // row 4, ZZ6
+        put(222, t910); // row 5, ZZ6
     }
     // XY6: column
     {
-        let t888 = t164 + t167;
-        let t891 = c6 * t168 - s6 * t169;
-        let t894 = s6 * t168 + c6 * t169;
-        let t899 = z1_5_z * t894 - (t214 * t891 + t217 * t888);
-        let t904 = t223 * t888 - t220 * t891 - z2_4_y * t894;
-        let t909 = c4 * t894 - (t224 * t891 + z3_5_y * t888);
-        let t912 = s5 * t891 - c5 * t888;
-        put(45, t899); // row 1, XY6
-        put(105, t904); // row 2, XY6
-        put(154, t909); // row 3, XY6
-        put(194, t912); // row 4, XY6
-        put(223, t894); // row 5, XY6
-        put(242, t888); // row 6, XY6
+        let t911 = t719 - t716;
+        let t916 = z1_6_z * t911 + (t720 * z1_6_x + t721 * z1_6_y);
+        let t921 = t215 * t911 + (t721 * z2_6_y - t720 * t237);
+        let t926 = t720 * z3_6_x + t721 * z3_6_y - z3_5_y * t911;
+        let t931 = t720 * z4_6_x - t721 * t248 - c5 * t911;
+        let t934 = s6 * t720 + c6 * t721;
+        put(45, t916); // row 1, XY6
+        put(105, t921); // row 2, XY6
+        put(154, t926); // row 3, XY6
+        put(194, t931); // row 4, XY6
+        put(223, t934); // row 5, XY6
+        put(242, t911); // row 6, XY6
     }
     // XZ6: column
     {
-        let t914 = t703 + s6 * t163;
-        let t916 = t700 - c6 * t163;
-        let t921 = z1_5_z * t916 - (t214 * t914 + t153 * t217);
-        let t926 = t153 * t223 - t220 * t914 - z2_4_y * t916;
-        let t931 = c4 * t916 - (t224 * t914 + t153 * z3_5_y);
-        let t934 = s5 * t914 - c5 * t153;
-        put(46, t921); // row 1, XZ6
-        put(106, t926); // row 2, XZ6
-        put(155, t931); // row 3, XZ6
-        put(195, t934); // row 4, XZ6
-        put(224, t916); // row 5, XZ6
+        let t939 = t705 * z1_6_z + (t718 * z1_6_x + t715 * z1_6_y);
+        let t944 = t705 * t215 + (t715 * z2_6_y - t718 * t237);
+        let t949 = t718 * z3_6_x + t715 * z3_6_y - t705 * z3_5_y;
+        let t954 = t718 * z4_6_x - t715 * t248 - c5 * t705;
+        let t956 = t743 + c6 * t715;
+        put(46, t939); // row 1, XZ6
+        put(106, t944); // row 2, XZ6
+        put(155, t949); // row 3, XZ6
+        put(195, t954); // row 4, XZ6
+        put(224, t956); // row 5, XZ6
     }
     // YZ6: column
     {
-        let t935 = t133 - t167;
-        let t937 = t747 + c6 * t935;
-        let t939 = s6 * t935 - t744;
-        let t944 = z1_5_z * t939 - (t214 * t937 + t150 * t217);
-        let t949 = t150 * t223 - t220 * t937 - z2_4_y * t939;
-        let t954 = c4 * t939 - (t224 * t937 + t150 * z3_5_y);
-        let t957 = s5 * t937 - c5 * t150;
-        put(47, t944); // row 1, YZ6
-        put(107, t949); // row 2, YZ6
-        put(156, t954); // row 3, YZ6
-        put(196, t957); // row 4, YZ6
-        put(225, t939); // row 5, YZ6
+        let t957 = t475 - t719;
+        let t962 = t702 * z1_6_z - (t717 * z1_6_y - z1_6_x * t957);
+        let t967 = t702 * t215 - (t237 * t957 + t717 * z2_6_y);
+        let t972 = z3_6_x * t957 - t717 * z3_6_y - t702 * z3_5_y;
+        let t977 = z4_6_x * t957 + t717 * t248 - c5 * t702;
+        let t979 = s6 * t957 - t781;
+        put(47, t962); // row 1, YZ6
+        put(107, t967); // row 2, YZ6
+        put(156, t972); // row 3, YZ6
+        put(196, t977); // row 4, YZ6
+        put(225, t979); // row 5, YZ6
     }
-    // M7: column
-    let [t960, t963] = {
-        let t960 = c7 * t172 + s7 * a7_y;
-        let t963 = s7 * t172 - c7 * a7_y;
-        let t965 = t671 - c6 * t960;
-        let t970 = c5 * t965 + s5 * t963;
-        let t973 = s5 * t965 - c5 * t963;
-        let t974 = L3 * t973;
-        let t975 = L3 * t970;
-        let t980 = s4 * t974;
-        let t983 = c4 * t974 + L2 * t973;
-        let t984 = L2 * (s4 * (t674 + s6 * t960) - c4 * t970) - t975;
-        let t989 = c2 * t980 - (z1_3_x * t983 - t22 * t984);
-        let t992 = s3 * t983 + c3 * t984;
-        put(48, t989); // row 1, M7
-        put(108, t992); // row 2, M7
-        put(157, t980); // row 3, M7
-        put(197, t975); // row 4, M7
-        put(247, t960); // row 6, MSZ7
-        [t960, t963]
+    // link 7: motion
+    let [
+        t982, a7_y, t994, t997, dw7_z, t1002, t1003, t1004,
+        t1005, dw7_y, t1007, t1008, t1009, t1010, t1011, t1012,
+        t1013,
+    ] = {
+        let t982 = c7 * t690 - s7 * a5_y;
+        let a7_y = c7 * a5_y + s7 * t690;
+        let t988 = s7 * w6_z - c7 * w6_x;
+        let t991 = c7 * w6_z + s7 * w6_x;
+        let t994 = c7 * t717 - s7 * t721;
+        let t997 = c7 * t721 + s7 * t717;
+        let w7_z = w6_y + dq7;
+        let dw7_z = t714 + ddq7;
+        let t1000 = t988 * t988;
+        let t1001 = w7_z * w7_z;
+        let t1002 = t988 * t991;
+        let t1003 = t988 * w7_z;
+        let t1004 = t991 * w7_z;
+        let t1005 = t1004 - t997;
+        let dw7_y = t994 + t1003;
+        let t1007 = t1000 - t1001;
+        let t1008 = t1007 - t719;
+        let t1009 = dw7_z - t1002;
+        let t1010 = dw7_z + t1002;
+        let t1011 = t1000 + t1001;
+        let t1012 = t1003 + dw7_y;
+        let t1013 = t1004 + t1005;
+        let t1014 = -t1002;
+        put(256, a7_y); // row 7, MSX7
+        put(257, t982); // row 7, MSY7
+        put(258, t1014); // row 7, XX7
+        put(259, t1002); // row 7, YY7
+        put(260, dw7_z); // row 7, ZZ7
+        put(262, t997); // row 7, XZ7
+        put(263, t994); // row 7, YZ7
+        [
+        t982, a7_y, t994, t997, dw7_z, t1002, t1003, t1004,
+        t1005, dw7_y, t1007, t1008, t1009, t1010, t1011, t1012,
+        t1013,
+    ]
     };
+    // M7: column
+    {
+        let t1017 = c7 * t982 + s7 * a7_y;
+        let t1020 = s7 * t982 - c7 * a7_y;
+        let t1022 = t725 - c6 * t1017;
+        let t1024 = t728 + s6 * t1017;
+        let t1029 = v1_4_y * t1024 + (t202 * t1022 - v1_5_y * t1020);
+        let t1034 = v2_4_y * t1024 + (v2_5_x * t1022 - v2_5_y * t1020);
+        let t1037 = v3_5_x * t1022 - v3_5_y * t1020;
+        let t1040 = v4_5_x * t1022 + v4_6_z * t1020;
+        put(48, t1029); // row 1, M7
+        put(108, t1034); // row 2, M7
+        put(157, t1037); // row 3, M7
+        put(197, t1040); // row 4, M7
+        put(247, t1017); // row 6, MSZ7
+    }
     // MSX7: column
-    let [t994, t997, t999, t1000] = {
-        let t994 = s7 * t200;
-        let t995 = c7 * t198 + t994;
-        let t997 = c7 * t200;
-        let t998 = s7 * t198 - t997;
-        let t999 = s7 * t141;
-        let t1000 = c7 * t141;
-        let t1003 = s6 * t202 - c6 * t995;
-        let t1009 = c6 * t999 + s6 * a7_y;
-        let t1012 = c6 * a7_y - s6 * t999;
-        let t1015 = c5 * t1003 + s5 * t998;
-        let t1018 = c5 * t998 - s5 * t1003;
-        let t1027 = c5 * t1009 + s5 * t1000 + L3 * t1018;
-        let t1028 = c5 * t1000 - s5 * t1009 - L3 * t1015;
-        let t1037 = s4 * t1027 + c4 * t1012;
-        let t1040 = L2 * t1018 - (s4 * t1012 - c4 * t1027);
-        let t1041 = L2 * (c4 * t1015 - s4 * (s6 * t995 + c6 * t202)) - t1028;
-        let t1046 = c2 * t1037 + (t22 * t1041 - z1_3_x * t1040);
-        let t1049 = s3 * t1040 + c3 * t1041;
-        put(49, t1046); // row 1, MSX7
-        put(109, t1049); // row 2, MSX7
-        put(158, t1037); // row 3, MSX7
-        put(198, t1028); // row 4, MSX7
-        put(226, t1012); // row 5, MSX7
-        put(246, t999); // row 6, MSY7
-        [t994, t997, t999, t1000]
+    let t1042 = {
+        let t1042 = s7 * t1010;
+        let t1043 = c7 * t1008 - t1042;
+        let t1046 = s7 * t1008 + c7 * t1010;
+        let t1049 = c6 * t1043 + s6 * t1012;
+        let t1052 = c6 * t1012 - s6 * t1043;
+        let t1060 = a7_y * z1_6_y - t693 * t254;
+        let t1061 = v1_4_y * t1052 + (t202 * t1049 + v1_5_y * t1046) + t1060;
+        let t1069 = t693 * t260 - a7_y * z2_6_y;
+        let t1070 = v2_4_y * t1052 + (v2_5_x * t1049 + v2_5_y * t1046) - t1069;
+        let t1077 = v3_5_x * t1049 + v3_5_y * t1046 + (a7_y * z3_6_y - t693 * t266);
+        let t1084 = t693 * z4_7_y - a7_y * t248 - (v4_6_z * t1046 - v4_5_x * t1049);
+        let t1087 = c6 * a7_y - t693 * t274;
+        let t1089 = -(c7 * t693);
+        put(49, t1061); // row 1, MSX7
+        put(109, t1070); // row 2, MSX7
+        put(158, t1077); // row 3, MSX7
+        put(198, t1084); // row 4, MSX7
+        put(226, t1087); // row 5, MSX7
+        put(245, t1089); // row 6, MSX7
+        t1042
     };
     // MSY7: column
-    let [t1050, t1053] = {
-        let t1050 = c7 * t199;
-        let t1052 = s7 * t201 - t1050;
-        let t1053 = s7 * t199;
-        let t1055 = t1053 + c7 * t201;
-        let t1058 = c6 * t1052 + s6 * t203;
-        let t1064 = c6 * t1000 + s6 * t172;
-        let t1067 = c6 * t172 - s6 * t1000;
-        let t1070 = c5 * t1058 + s5 * t1055;
-        let t1073 = c5 * t1055 - s5 * t1058;
-        let t1082 = c5 * t1064 - s5 * t999 - L3 * t1073;
-        let t1083 = L3 * t1070 - (s5 * t1064 + c5 * t999);
-        let t1092 = s4 * t1082 + c4 * t1067;
-        let t1095 = c4 * t1082 - s4 * t1067 - L2 * t1073;
-        let t1096 = t1083 + L2 * (c4 * t1070 - s4 * (c6 * t203 - s6 * t1052));
-        let t1101 = c2 * t1092 - (z1_3_x * t1095 + t22 * t1096);
-        let t1104 = s3 * t1095 - c3 * t1096;
-        put(50, t1101); // row 1, MSY7
-        put(110, t1104); // row 2, MSY7
-        put(159, t1092); // row 3, MSY7
-        put(199, t1083); // row 4, MSY7
-        put(227, t1067); // row 5, MSY7
-        [t1050, t1053]
+    let t1090 = {
+        let t1090 = c7 * t1009;
+        let t1092 = t1090 - s7 * t1011;
+        let t1095 = s7 * t1009 + c7 * t1011;
+        let t1098 = s6 * t1013 - c6 * t1092;
+        let t1101 = s6 * t1092 + c6 * t1013;
+        let t1109 = t693 * t251 + t982 * z1_6_y;
+        let t1110 = v1_4_y * t1101 + (t202 * t1098 - v1_5_y * t1095) + t1109;
+        let t1115 = v2_5_y * t1095 - v2_5_x * t1098 - v2_4_y * t1101;
+        let t1119 = t693 * t257 + t982 * z2_6_y - t1115;
+        let t1126 = v3_5_x * t1098 - v3_5_y * t1095 + (t982 * z3_6_y - t693 * z3_7_x);
+        let t1133 = v4_5_x * t1098 + v4_6_z * t1095 - (t693 * z4_7_x + t982 * t248);
+        let t1136 = c6 * t982 - t693 * z5_7_x;
+        let t1137 = s7 * t693;
+        put(50, t1110); // row 1, MSY7
+        put(110, t1119); // row 2, MSY7
+        put(159, t1126); // row 3, MSY7
+        put(199, t1133); // row 4, MSY7
+        put(227, t1136); // row 5, MSY7
+        put(246, t1137); // row 6, MSY7
+        t1090
     };
     // MSZ7: column
     {
-        let t1107 = c7 * t184 + s7 * t187;
-        let t1110 = s7 * t184 - c7 * t187;
-        let t1112 = t745 + c6 * t1107;
-        let t1115 = c6 * t963;
-        let t1116 = s6 * t963;
-        let t1119 = s5 * t1110 - c5 * t1112;
-        let t1122 = s5 * t1112 + c5 * t1110;
-        let t1131 = L3 * t1122 - (c5 * t1115 + s5 * t960);
-        let t1132 = s5 * t1115 - c5 * t960 - L3 * t1119;
-        let t1141 = s4 * t1131 + c4 * t1116;
-        let t1144 = c4 * t1131 - s4 * t1116 + L2 * t1122;
-        let t1145 = t1132 - L2 * (c4 * t1119 + s4 * (t748 - s6 * t1107));
-        let t1150 = c2 * t1141 - (z1_3_x * t1144 + t22 * t1145);
-        let t1153 = s3 * t1144 - c3 * t1145;
-        put(51, t1150); // row 1, MSZ7
-        put(111, t1153); // row 2, MSZ7
-        put(160, t1141); // row 3, MSZ7
-        put(200, t1132); // row 4, MSZ7
-        put(228, t1116); // row 5, MSZ7
+        let t1140 = c7 * t994 + s7 * t997;
+        let t1143 = c7 * t997 - s7 * t994;
+        let t1145 = t782 + c6 * t1140;
+        let t1147 = s6 * t1140 - t785;
+        let t1152 = v1_4_y * t1147 + (v1_5_y * t1143 - t202 * t1145);
+        let t1156 = a7_y * t251 + t982 * t254 - t1152;
+        let t1161 = v2_4_y * t1147 + (v2_5_y * t1143 - v2_5_x * t1145);
+        let t1165 = a7_y * t257 + t982 * t260 - t1161;
+        let t1172 = v3_5_x * t1145 - v3_5_y * t1143 - (a7_y * z3_7_x - t982 * t266);
+        let t1179 = v4_5_x * t1145 + v4_6_z * t1143 - (a7_y * z4_7_x + t982 * z4_7_y);
+        let t1182 = t982 * t274 - a7_y * z5_7_x;
+        put(51, t1156); // row 1, MSZ7
+        put(111, t1165); // row 2, MSZ7
+        put(160, t1172); // row 3, MSZ7
+        put(200, t1179); // row 4, MSZ7
+        put(228, t1182); // row 5, MSZ7
     }
     // XX7: column
-    let [t1155, t1158, t1161, t1164, t1183] = {
-        let t1155 = s7 * t193;
-        let t1156 = c7 * t195 + t1155;
-        let t1158 = c7 * t193;
-        let t1159 = s7 * t195 - t1158;
-        let t1161 = s6 * t192;
-        let t1162 = c6 * t1156 + t1161;
-        let t1164 = c6 * t192;
-        let t1165 = t1164 - s6 * t1156;
-        let t1170 = z1_5_z * t1165 + (t214 * t1162 - t217 * t1159);
-        let t1175 = t220 * t1162 + t223 * t1159 - z2_4_y * t1165;
-        let t1180 = c4 * t1165 - (z3_5_y * t1159 - t224 * t1162);
-        let t1183 = s5 * t1162 + c5 * t1159;
-        put(52, t1170); // row 1, XX7
-        put(112, t1175); // row 2, XX7
-        put(161, t1180); // row 3, XX7
-        put(229, t1165); // row 5, XX7
-        put(248, t1159); // row 6, XX7
-        [t1155, t1158, t1161, t1164, t1183]
+    let [
+        t1184, t1185, t1189, t1190, t1194, t1195, t1199, t1200,
+        t1204, t1205, t1209,
+    ] = {
+        let t1184 = t1003 * t254;
+        let t1185 = t1002 * z1_6_y;
+        let t1187 = t1005 * t251 + t1184 - t1185;
+        let t1189 = t1003 * t260;
+        let t1190 = t1002 * z2_6_y;
+        let t1192 = t1005 * t257 + t1189 - t1190;
+        let t1194 = t1003 * t266;
+        let t1195 = t1002 * z3_6_y;
+        let t1197 = t1194 - t1005 * z3_7_x - t1195;
+        let t1199 = t1003 * z4_7_y;
+        let t1200 = t1002 * t248;
+        let t1202 = t1200 - (t1005 * z4_7_x + t1199);
+        let t1204 = t1003 * t274;
+        let t1205 = c6 * t1002;
+        let t1207 = t1204 - t1005 * z5_7_x - t1205;
+        let t1209 = c7 * t1003;
+        let t1210 = s7 * t1005 + t1209;
+        put(52, t1187); // row 1, XX7
+        put(112, t1192); // row 2, XX7
+        put(161, t1197); // row 3, XX7
+        put(201, t1202); // row 4, XX7
+        put(229, t1207); // row 5, XX7
+        put(248, t1210); // row 6, XX7
+        [
+        t1184, t1185, t1189, t1190, t1194, t1195, t1199, t1200,
+        t1204, t1205, t1209,
+    ]
     };
     // YY7: column
-    let [t1184, t1187] = {
-        let t1184 = c7 * t194;
-        let t1186 = t1184 + s7 * t196;
-        let t1187 = s7 * t194;
-        let t1189 = c7 * t196 - t1187;
-        let t1191 = t1161 + c6 * t1186;
-        let t1193 = s6 * t1186 - t1164;
-        let t1198 = z1_5_z * t1193 - (t214 * t1191 + t217 * t1189);
-        let t1203 = t223 * t1189 - t220 * t1191 - z2_4_y * t1193;
-        let t1208 = c4 * t1193 - (t224 * t1191 + z3_5_y * t1189);
-        let t1211 = s5 * t1191 - c5 * t1189;
-        put(53, t1198); // row 1, YY7
-        put(113, t1203); // row 2, YY7
-        put(162, t1208); // row 3, YY7
-        put(202, t1211); // row 4, YY7
-        put(230, t1193); // row 5, YY7
-        put(249, t1189); // row 6, YY7
-        [t1184, t1187]
+    let [t1211, t1215, t1219, t1223, t1227, t1231] = {
+        let t1211 = t1004 * t251;
+        let t1214 = t1185 - (t1211 + dw7_y * t254);
+        let t1215 = t1004 * t257;
+        let t1218 = t1190 - (t1215 + dw7_y * t260);
+        let t1219 = t1004 * z3_7_x;
+        let t1222 = t1195 + (t1219 - dw7_y * t266);
+        let t1223 = t1004 * z4_7_x;
+        let t1226 = t1223 + dw7_y * z4_7_y - t1200;
+        let t1227 = t1004 * z5_7_x;
+        let t1230 = t1205 - (dw7_y * t274 - t1227);
+        let t1231 = s7 * t1004;
+        let t1234 = -(t1231 + c7 * dw7_y);
+        put(53, t1214); // row 1, YY7
+        put(113, t1218); // row 2, YY7
+        put(162, t1222); // row 3, YY7
+        put(202, t1226); // row 4, YY7
+        put(230, t1230); // row 5, YY7
+        put(249, t1234); // row 6, YY7
+        [t1211, t1215, t1219, t1223, t1227, t1231]
     };
     // ZZ7: column
     {
-        let t1212 = t1155 - t1184;
-        let t1213 = t1158 + t1187;
-        let t1216 = c6 * t1212 - s6 * dw7_z;
-        let t1219 = s6 * t1212 + c6 * dw7_z;
-        let t1224 = z1_5_z * t1219 - (t214 * t1216 + t217 * t1213);
-        let t1229 = t223 * t1213 - t220 * t1216 - z2_4_y * t1219;
-        let t1234 = c4 * t1219 - (t224 * t1216 + z3_5_y * t1213);
-        let t1237 = s5 * t1216 - c5 * t1213;
-        put(54, t1224); // row 1, ZZ7
-        put(114, t1229); // row 2, ZZ7
-        put(163, t1234); // row 3, ZZ7
-        put(203, t1237); // row 4, ZZ7
-        put(231, t1219); // row 5, ZZ7
-        put(250, t1213); // row 6, ZZ7
+        let t1237 = dw7_z * z1_6_y - (t1184 - t1211);
+        let t1240 = dw7_z * z2_6_y + (t1215 - t1189);
+        let t1243 = dw7_z * z3_6_y - (t1194 + t1219);
+        let t1246 = t1199 - t1223 - dw7_z * t248;
+        let t1249 = c6 * dw7_z - (t1204 + t1227);
+        let t1250 = t1231 - t1209;
+        put(54, t1237); // row 1, ZZ7
+        put(114, t1240); // row 2, ZZ7
+        put(163, t1243); // row 3, ZZ7
+        put(203, t1246); // row 4, ZZ7
+        put(231, t1249); // row 5, ZZ7
+        put(250, t1250); // row 6, ZZ7
     }
     // XY7: column
     {
-        let t1238 = t198 + t201;
-        let t1241 = s7 * t203 - c7 * t202;
-        let t1244 = s7 * t202 + c7 * t203;
-        let t1247 = c6 * t1241 - s6 * t1238;
-        let t1250 = s6 * t1241 + c6 * t1238;
-        let t1255 = z1_5_z * t1250 - (t214 * t1247 + t217 * t1244);
-        let t1260 = t223 * t1244 - t220 * t1247 - z2_4_y * t1250;
-        let t1265 = c4 * t1250 - (t224 * t1247 + z3_5_y * t1244);
-        let t1268 = s5 * t1247 - c5 * t1244;
-        put(55, t1255); // row 1, XY7
-        put(115, t1260); // row 2, XY7
-        put(164, t1265); // row 3, XY7
-        put(204, t1268); // row 4, XY7
-        put(232, t1250); // row 5, XY7
-        put(251, t1244); // row 6, XY7
-        put(261, t1238); // row 7, XY7
+        let t1251 = t1008 + t1011;
+        let t1256 = z1_6_y * t1251 - (t1012 * t251 - t1013 * t254);
+        let t1261 = z2_6_y * t1251 + (t1013 * t260 - t1012 * t257);
+        let t1266 = z3_6_y * t1251 + (t1012 * z3_7_x + t1013 * t266);
+        let t1271 = t1012 * z4_7_x - t1013 * z4_7_y - t248 * t1251;
+        let t1276 = c6 * t1251 + (t1012 * z5_7_x + t1013 * t274);
+        let t1279 = c7 * t1013 - s7 * t1012;
+        put(55, t1256); // row 1, XY7
+        put(115, t1261); // row 2, XY7
+        put(164, t1266); // row 3, XY7
+        put(204, t1271); // row 4, XY7
+        put(232, t1276); // row 5, XY7
+        put(251, t1279); // row 6, XY7
+        put(261, t1251); // row 7, XY7
     }
     // XZ7: column
     {
-        let t1270 = s7 * t197 - t997;
-        let t1272 = t994 + c7 * t197;
-        let t1275 = c6 * t1270 - s6 * t187;
-        let t1278 = s6 * t1270 + c6 * t187;
-        let t1283 = z1_5_z * t1278 - (t214 * t1275 + t217 * t1272);
-        let t1288 = t223 * t1272 - t220 * t1275 - z2_4_y * t1278;
-        let t1293 = c4 * t1278 - (t224 * t1275 + z3_5_y * t1272);
-        let t1296 = s5 * t1275 - c5 * t1272;
-        put(56, t1283); // row 1, XZ7
-        put(116, t1288); // row 2, XZ7
-        put(165, t1293); // row 3, XZ7
-        put(205, t1296); // row 4, XZ7
-        put(233, t1278); // row 5, XZ7
-        put(252, t1272); // row 6, XZ7
+        let t1284 = t997 * z1_6_y + (t1007 * t254 - t1010 * t251);
+        let t1289 = t997 * z2_6_y + (t1007 * t260 - t1010 * t257);
+        let t1294 = t997 * z3_6_y + (t1010 * z3_7_x + t1007 * t266);
+        let t1299 = t1010 * z4_7_x - t1007 * z4_7_y - t997 * t248;
+        let t1304 = c6 * t997 + (t1010 * z5_7_x + t1007 * t274);
+        let t1306 = c7 * t1007 - t1042;
+        put(56, t1284); // row 1, XZ7
+        put(116, t1289); // row 2, XZ7
+        put(165, t1294); // row 3, XZ7
+        put(205, t1299); // row 4, XZ7
+        put(233, t1304); // row 5, XZ7
+        put(252, t1306); // row 6, XZ7
     }
     // YZ7: column
     {
-        let t1297 = t201 - t167;
-        let t1299 = t1053 + c7 * t1297;
-        let t1301 = s7 * t1297 - t1050;
-        let t1304 = c6 * t1299 + s6 * t184;
-        let t1307 = c6 * t184 - s6 * t1299;
-        let t1312 = z1_5_z * t1307 - (t217 * t1301 - t214 * t1304);
-        let t1317 = t220 * t1304 + t223 * t1301 - z2_4_y * t1307;
-        let t1322 = c4 * t1307 - (z3_5_y * t1301 - t224 * t1304);
-        let t1326 = dq1.sign();
-        let t1327 = dq2.sign();
-        let t1328 = dq3.sign();
-        let t1329 = dq4.sign();
-        let t1330 = dq5.sign();
-        let t1331 = dq6.sign();
-        let t1332 = dq7.sign();
-        let t1333 = -t328;
-        let t1334 = -a2_x;
-        let t1335 = -t9;
-        let t1336 = -t50;
-        let t1337 = -t42;
-        let t1338 = -t346;
-        let t1339 = -t84;
-        let t1340 = -t79;
-        let t1341 = -t465;
-        let t1342 = -t615;
-        let t1343 = -t634;
-        let t1344 = -t867;
-        let t1345 = -t1183;
-        let t1346 = -(s5 * t1304 + c5 * t1301);
-        let t1347 = -t124;
-        let t1348 = -t705;
-        let t1349 = -t141;
-        let t1350 = -t158;
-        let t1351 = -t1000;
-        let t1352 = -t192;
-        put(17, t1333); // row 1, YZ3
+        let t1307 = t1011 - t719;
+        let t1312 = t994 * z1_6_y - (t1009 * t254 - t251 * t1307);
+        let t1317 = t994 * z2_6_y + (t257 * t1307 - t1009 * t260);
+        let t1322 = t994 * z3_6_y - (z3_7_x * t1307 + t1009 * t266);
+        let t1327 = t1009 * z4_7_y - z4_7_x * t1307 - t994 * t248;
+        let t1332 = c6 * t994 - (z5_7_x * t1307 + t1009 * t274);
+        let t1334 = s7 * t1307 - t1090;
+        let t1335 = dq1.sign();
+        let t1336 = dq2.sign();
+        let t1337 = dq3.sign();
+        let t1338 = dq4.sign();
+        let t1339 = dq5.sign();
+        let t1340 = dq6.sign();
+        let t1341 = dq7.sign();
         put(57, t1312); // row 1, YZ7
-        put(59, t1326); // row 1, FC1
-        put(61, t1334); // row 2, MSY2
-        put(62, t1335); // row 2, XX2
+        put(59, t1335); // row 1, FC1
         put(117, t1317); // row 2, YZ7
-        put(119, t1327); // row 2, FC2
-        put(123, t1336); // row 3, YY3
-        put(127, t1337); // row 3, YZ3
-        put(129, t1338); // row 3, MSY4
+        put(119, t1336); // row 2, FC2
         put(166, t1322); // row 3, YZ7
-        put(168, t1328); // row 3, FC3
-        put(172, t1339); // row 4, YY4
-        put(175, t1340); // row 4, XZ4
-        put(177, t1341); // row 4, M5
-        put(183, t1342); // row 4, ZZ5
-        put(184, t1343); // row 4, XY5
-        put(192, t1344); // row 4, YY6
-        put(201, t1345); // row 4, XX7
-        put(206, t1346); // row 4, YZ7
-        put(208, t1329); // row 4, FC4
-        put(212, t1347); // row 5, YY5
-        put(218, t1348); // row 5, MSY6
-        put(234, t1307); // row 5, YZ7
-        put(236, t1330); // row 5, FC5
-        put(237, t1349); // row 6, MSX6
-        put(239, t1350); // row 6, XX6
-        put(245, t1351); // row 6, MSX7
-        put(253, t1301); // row 6, YZ7
-        put(255, t1331); // row 6, FC6
-        put(259, t1352); // row 7, YY7
-        put(265, t1332); // row 7, FC7
+        put(168, t1337); // row 3, FC3
+        put(206, t1327); // row 4, YZ7
+        put(208, t1338); // row 4, FC4
+        put(234, t1332); // row 5, YZ7
+        put(236, t1339); // row 5, FC5
+        put(253, t1334); // row 6, YZ7
+        put(255, t1340); // row 6, FC6
+        put(265, t1341); // row 7, FC7
     }
 }

@@ -30,7 +30,7 @@ impl Pack {
     /// Is every lane's size at most `limit`? (Not so for NaN.)
     #[inline(always)]
     pub(super) fn within(self, limit: f64) -> bool {
-        self.to_array().iter().fold(true, |all, x| all & (x.abs() <= limit))
+        lanes::within(self.0, limit)
     }
 
     /// `self` where `x` is not zero, else `x`.
@@ -188,6 +188,10 @@ mod lanes {
         unsafe { _mm512_set1_pd(x) }
     }
     #[inline(always)]
+    pub(super) fn within(v: Lanes, limit: f64) -> bool {
+        unsafe { _mm512_cmp_pd_mask::<_CMP_LE_OQ>(_mm512_abs_pd(v), _mm512_set1_pd(limit)) == 0xff }
+    }
+    #[inline(always)]
     pub(super) fn neg(v: Lanes) -> Lanes {
         unsafe {
             let sign = _mm512_set1_epi64(i64::MIN);
@@ -248,6 +252,13 @@ mod lanes {
     pub(super) fn splat(x: f64) -> Lanes {
         let v = unsafe { _mm256_set1_pd(x) };
         Lanes(v, v)
+    }
+    #[inline(always)]
+    pub(super) fn within(v: Lanes, limit: f64) -> bool {
+        let half = |v| unsafe {
+            _mm256_cmp_pd::<_CMP_LE_OQ>(_mm256_andnot_pd(_mm256_set1_pd(-0.0), v), _mm256_set1_pd(limit))
+        };
+        unsafe { _mm256_movemask_pd(_mm256_and_pd(half(v.0), half(v.1))) == 0xf }
     }
     #[inline(always)]
     pub(super) fn neg(v: Lanes) -> Lanes {
@@ -313,6 +324,12 @@ mod lanes {
         Lanes([unsafe { _mm_set1_pd(x) }; 4])
     }
     #[inline(always)]
+    pub(super) fn within(v: Lanes, limit: f64) -> bool {
+        let pair = |v| unsafe { _mm_cmple_pd(_mm_andnot_pd(_mm_set1_pd(-0.0), v), _mm_set1_pd(limit)) };
+        let [a, b, c, d] = v.0.map(pair);
+        unsafe { _mm_movemask_pd(_mm_and_pd(_mm_and_pd(a, b), _mm_and_pd(c, d))) == 0x3 }
+    }
+    #[inline(always)]
     pub(super) fn neg(v: Lanes) -> Lanes {
         Lanes(v.0.map(|v| unsafe { _mm_xor_pd(v, _mm_set1_pd(-0.0)) }))
     }
@@ -365,6 +382,10 @@ mod lanes {
     #[inline(always)]
     pub(super) fn splat(x: f64) -> Lanes {
         [x; 8]
+    }
+    #[inline(always)]
+    pub(super) fn within(v: Lanes, limit: f64) -> bool {
+        v.iter().fold(true, |all, x| all & (x.abs() <= limit))
     }
     #[inline(always)]
     pub(super) fn neg(v: Lanes) -> Lanes {

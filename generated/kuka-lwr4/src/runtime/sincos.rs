@@ -35,8 +35,13 @@ const C: [f64; 6] = [
 /// Sine and cosine of eight angles, rad.
 #[inline]
 pub(super) fn eight(x: Pack) -> (Pack, Pack) {
-    let near = near(x);
-    if x.within(LIMIT) { near } else { corrected(x, near) }
+    // The way out shares no memory with the usual way, whose results stay in registers.
+    if x.within(LIMIT) {
+        near(x)
+    } else {
+        let (s, c) = corrected(x.to_array());
+        (Pack::new(s), Pack::new(c))
+    }
 }
 
 /// For angles up to [`LIMIT`].
@@ -48,23 +53,25 @@ fn near(x: Pack) -> (Pack, Pack) {
     let a = x - k * n(PIO2_1); // exact
     let b = k * n(PIO2_2); // exact
     let (r, error) = two_sum(a, -b);
-    let (head, tail) = two_sum(r, error - k * n(PIO2_3));
-    let (s, c) = kernels(head, tail);
+    // The head does not wait for the first error, which goes to the tail alone: that is read last.
+    let (head, rest) = two_sum(r, -(k * n(PIO2_3)));
+    let (s, c) = kernels(head, error + rest);
     let (s, c) = Pack::quarter_turned(s, c, shifted);
     (s.unless_zero(x), c)
 }
 
-/// Puts right the lanes that are too far out.
+/// The same where some lanes are too far out.
 #[cold]
 #[inline(never)]
-fn corrected(x: Pack, near: (Pack, Pack)) -> (Pack, Pack) {
-    let (x, mut s, mut c) = (x.to_array(), near.0.to_array(), near.1.to_array());
+fn corrected(x: [f64; 8]) -> ([f64; 8], [f64; 8]) {
+    let (s, c) = near(Pack::new(x));
+    let (mut s, mut c) = (s.to_array(), c.to_array());
     for l in 0..8 {
         if x[l].is_nan() || x[l].abs() > LIMIT {
             (s[l], c[l]) = beyond(x[l]);
         }
     }
-    (Pack::new(s), Pack::new(c))
+    (s, c)
 }
 
 /// `a + b` and what rounding left out (Knuth).

@@ -4,7 +4,7 @@
 //!
 //! 16 multiplications, 11 additions; 2 x 10, 13 of 20 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -16,15 +16,26 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (1, 5), (1, 7), (1, 9),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 10 + PATTERN[k].1
+}
+
 /// Regressor `W_b` of the base parameters: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 2]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[7] = S::default();
-    flat[9..13].fill(S::default());
-    flat[16] = S::default();
-    flat[18] = S::default();
-    nonzeros(trig, dq, ddq, out);
+    entries(trig, dq, ddq, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            6 => flat[7] = S::default(),
+            7 => flat[9..13].fill(S::default()),
+            10 => flat[16] = S::default(),
+            11 => flat[18] = S::default(),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -55,26 +66,28 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let a1_x = s1 * k0;
         let a1_y = c1 * k0;
         let t2 = dq1 * dq1;
+        let t3 = -a1_x;
         put(0, a1_y); // row 1, MSX1R
+        put(1, t3); // row 1, MSY1
         put(2, ddq1); // row 1, ZZ1R
         put(6, dq1); // row 1, FV1
         put(11, dq2); // row 2, FV2
         [a1_x, a1_y, t2]
     };
     // link 2: motion
-    let [dw2_z, t11, a2_y, t15] = {
+    let [dw2_z, t12, a2_y, t16] = {
         let w2_z = dq1 + dq2;
         let dw2_z = ddq1 + ddq2;
-        let t7 = L1 * t2 - a1_x;
-        let t8 = a1_y + L1 * ddq1;
-        let t11 = c2 * t7 - s2 * t8;
-        let a2_y = c2 * t8 + s2 * t7;
-        let t15 = w2_z * w2_z;
+        let t8 = L1 * t2 - a1_x;
+        let t9 = a1_y + L1 * ddq1;
+        let t12 = c2 * t8 - s2 * t9;
+        let a2_y = c2 * t9 + s2 * t8;
+        let t16 = w2_z * w2_z;
         put(5, dw2_z); // row 1, ZZ2
         put(8, a2_y); // row 2, MSX2
-        put(9, t11); // row 2, MSY2
+        put(9, t12); // row 2, MSY2
         put(10, dw2_z); // row 2, ZZ2
-        [dw2_z, t11, a2_y, t15]
+        [dw2_z, t12, a2_y, t16]
     };
     // joint axes in frame 2
     let [v1_2_x, v1_2_y] = {
@@ -84,21 +97,19 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // MSX2: column
     {
-        let t21 = a2_y + (dw2_z * v1_2_y - t15 * v1_2_x);
-        put(3, t21); // row 1, MSX2
+        let t22 = a2_y + (dw2_z * v1_2_y - t16 * v1_2_x);
+        put(3, t22); // row 1, MSX2
     }
     // MSY2: column
     {
-        let t25 = t11 - (dw2_z * v1_2_x + t15 * v1_2_y);
-        put(4, t25); // row 1, MSY2
+        let t26 = t12 - (dw2_z * v1_2_x + t16 * v1_2_y);
+        put(4, t26); // row 1, MSY2
     }
     // ZZ2: column
     {
-        let t26 = dq1.sign();
-        let t27 = dq2.sign();
-        let t28 = -a1_x;
-        put(1, t28); // row 1, MSY1
-        put(7, t26); // row 1, FC1
-        put(12, t27); // row 2, FC2
+        let t27 = dq1.sign();
+        let t28 = dq2.sign();
+        put(7, t27); // row 1, FC1
+        put(12, t28); // row 2, FC2
     }
 }

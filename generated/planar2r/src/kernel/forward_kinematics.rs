@@ -4,7 +4,7 @@
 //!
 //! 6 multiplications, 3 additions; 3 x 4, 7 of 12 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -15,15 +15,26 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 0), (0, 1), (0, 3), (1, 0), (1, 1), (1, 3), (2, 2),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 4 + PATTERN[k].1
+}
+
 /// The last DH frame in the base frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 4]; 3]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[2] = S::default();
-    flat[6] = S::default();
-    flat[8..10].fill(S::default());
-    flat[11] = S::default();
-    nonzeros(trig, out);
+    entries(trig, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            1 => flat[2] = S::default(),
+            4 => flat[6] = S::default(),
+            5 => flat[8..10].fill(S::default()),
+            6 => flat[11] = S::default(),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.

@@ -4,7 +4,7 @@
 //!
 //! 6 multiplications, 4 additions; 2 x 3 x 4, 12 of 24 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -16,18 +16,29 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (1, 7), (1, 10),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 12 + PATTERN[k].1
+}
+
 /// DH frames of all rows in the base frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[[S; 4]; 3]; 2]) {
     let flat = &mut out.as_flattened_mut().as_flattened_mut()[..];
-    flat[2..4].fill(S::default());
-    flat[6..10].fill(S::default());
-    flat[11] = S::default();
-    flat[14] = S::default();
-    flat[18] = S::default();
-    flat[20..22].fill(S::default());
-    flat[23] = S::default();
-    nonzeros(trig, out);
+    entries(trig, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            1 => flat[2..4].fill(S::default()),
+            3 => flat[6..10].fill(S::default()),
+            4 => flat[11] = S::default(),
+            6 => flat[14] = S::default(),
+            9 => flat[18] = S::default(),
+            10 => flat[20..22].fill(S::default()),
+            11 => flat[23] = S::default(),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.

@@ -4,7 +4,7 @@
 //!
 //! 10 multiplications, 5 additions; 2 x 20, 7 of 40 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -15,15 +15,26 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 1), (0, 2), (0, 10), (0, 11), (0, 12), (1, 11), (1, 12),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 20 + PATTERN[k].1
+}
+
 /// Regressor at rest: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 20]; 2]) {
     let flat = &mut out.as_flattened_mut()[..];
     flat[0] = S::default();
-    flat[3..10].fill(S::default());
-    flat[13..31].fill(S::default());
-    flat[33..40].fill(S::default());
-    nonzeros(trig, out);
+    entries(trig, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            1 => flat[3..10].fill(S::default()),
+            4 => flat[13..31].fill(S::default()),
+            6 => flat[33..40].fill(S::default()),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -51,15 +62,20 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [a1_x, a1_y] = {
         let a1_x = s1 * k0;
         let a1_y = c1 * k0;
+        let t2 = -a1_x;
         put(0, a1_y); // row 1, MSX1
+        put(1, t2); // row 1, MSY1
         [a1_x, a1_y]
     };
     // link 2: motion
     let [a2_x, a2_y] = {
         let a2_x = c2 * a1_x + s2 * a1_y;
         let a2_y = c2 * a1_y - s2 * a1_x;
+        let t9 = -a2_x;
         put(3, a2_y); // row 1, MSX2
+        put(4, t9); // row 1, MSY2
         put(5, a2_y); // row 2, MSX2
+        put(6, t9); // row 2, MSY2
         [a2_x, a2_y]
     };
     // joint axes in frame 2
@@ -70,15 +86,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // M2: column
     {
-        let t12 = a2_x * v1_2_x + a2_y * v1_2_y;
-        put(2, t12); // row 1, M2
-    }
-    // MSY2: column
-    {
-        let t13 = -a1_x;
-        let t14 = -a2_x;
-        put(1, t13); // row 1, MSY1
-        put(4, t14); // row 1, MSY2
-        put(6, t14); // row 2, MSY2
+        let t14 = a2_x * v1_2_x + a2_y * v1_2_y;
+        put(2, t14); // row 1, M2
     }
 }

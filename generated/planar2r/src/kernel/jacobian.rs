@@ -4,7 +4,7 @@
 //!
 //! 2 multiplications, 1 additions; 6 x 2, 4 of 12 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -15,13 +15,24 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 0), (1, 0), (5, 0), (5, 1),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 2 + PATTERN[k].1
+}
+
 /// Jacobian of the last DH frame's origin, in base axes: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 2]; 6]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[1] = S::default();
-    flat[3..10].fill(S::default());
-    nonzeros(trig, out);
+    entries(trig, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            0 => flat[1] = S::default(),
+            1 => flat[3..10].fill(S::default()),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -46,17 +57,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let L1 = S::constant(0.5);
     let k1 = S::constant(1.0);
     // frame 2
-    let t1 = {
-        let t0 = c1 * L1;
-        let t1 = s1 * L1;
-        put(1, t0); // [1][0]
-        put(2, k1); // [5][0]
-        put(3, k1); // [5][1]
-        t1
-    };
-    // columns
-    {
-        let t2 = -t1;
-        put(0, t2); // [0][0]
-    }
+    let t0 = c1 * L1;
+    let t2 = -(s1 * L1);
+    put(0, t2); // [0][0]
+    put(1, t0); // [1][0]
+    put(2, k1); // [5][0]
+    put(3, k1); // [5][1]
 }

@@ -4,7 +4,7 @@
 //!
 //! 12 multiplications, 5 additions; 6, 2 of 6 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -15,12 +15,23 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 0), (1, 0),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 1 + PATTERN[k].1
+}
+
 /// Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 6]) {
     let flat = &mut out[..];
-    flat[2..6].fill(S::default());
-    nonzeros(trig, dq, out);
+    entries(trig, dq, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            1 => flat[2..6].fill(S::default()),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.

@@ -4,7 +4,7 @@
 //!
 //! 12 multiplications, 3 additions; 24, 5 of 24 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -15,15 +15,26 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (6, 0), (10, 0), (11, 0), (12, 0), (16, 0),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 1 + PATTERN[k].1
+}
+
 /// Kinetic energy, one entry per standard parameter: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 24]) {
     let flat = &mut out[..];
     flat[0..6].fill(S::default());
-    flat[7..10].fill(S::default());
-    flat[13..16].fill(S::default());
-    flat[17..24].fill(S::default());
-    nonzeros(trig, dq, out);
+    entries(trig, dq, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            0 => flat[7..10].fill(S::default()),
+            3 => flat[13..16].fill(S::default()),
+            4 => flat[17..24].fill(S::default()),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.

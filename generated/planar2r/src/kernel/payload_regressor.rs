@@ -4,7 +4,7 @@
 //!
 //! 21 multiplications, 15 additions; 2 x 10, 8 of 20 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -15,15 +15,26 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 0), (0, 1), (0, 2), (0, 6), (1, 0), (1, 1), (1, 2), (1, 6),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 10 + PATTERN[k].1
+}
+
 /// Regressor of a body fixed to the tool frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 2]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[3..6].fill(S::default());
-    flat[7..10].fill(S::default());
-    flat[13..16].fill(S::default());
-    flat[17..20].fill(S::default());
-    nonzeros(trig, dq, ddq, out);
+    entries(trig, dq, ddq, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            2 => flat[3..6].fill(S::default()),
+            3 => flat[7..10].fill(S::default()),
+            6 => flat[13..16].fill(S::default()),
+            7 => flat[17..20].fill(S::default()),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.

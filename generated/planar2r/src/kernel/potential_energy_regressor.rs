@@ -4,7 +4,7 @@
 //!
 //! 9 multiplications, 2 additions; 24, 5 of 24 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -15,14 +15,25 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (1, 0), (2, 0), (10, 0), (11, 0), (12, 0),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 1 + PATTERN[k].1
+}
+
 /// Potential energy, one entry per standard parameter: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 24]) {
     let flat = &mut out[..];
     flat[0] = S::default();
-    flat[3..10].fill(S::default());
-    flat[13..24].fill(S::default());
-    nonzeros(trig, out);
+    entries(trig, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            1 => flat[3..10].fill(S::default()),
+            4 => flat[13..24].fill(S::default()),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.

@@ -4,7 +4,7 @@
 //!
 //! 18 multiplications, 12 additions; 2 x 24, 14 of 48 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -16,21 +16,32 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (1, 12), (1, 16), (1, 21), (1, 23),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 24 + PATTERN[k].1
+}
+
 /// Regressor `W` of the standard parameters: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 24]; 2]) {
     let flat = &mut out.as_flattened_mut()[..];
     flat[0] = S::default();
-    flat[3..6].fill(S::default());
-    flat[7..10].fill(S::default());
-    flat[13..16].fill(S::default());
-    flat[17..20].fill(S::default());
-    flat[21] = S::default();
-    flat[23..35].fill(S::default());
-    flat[37..40].fill(S::default());
-    flat[41..45].fill(S::default());
-    flat[46] = S::default();
-    nonzeros(trig, dq, ddq, out);
+    entries(trig, dq, ddq, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            1 => flat[3..6].fill(S::default()),
+            2 => flat[7..10].fill(S::default()),
+            5 => flat[13..16].fill(S::default()),
+            6 => flat[17..20].fill(S::default()),
+            7 => flat[21] = S::default(),
+            8 => flat[23..35].fill(S::default()),
+            10 => flat[37..40].fill(S::default()),
+            11 => flat[41..45].fill(S::default()),
+            12 => flat[46] = S::default(),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -61,26 +72,28 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let a1_x = s1 * k0;
         let a1_y = c1 * k0;
         let t2 = dq1 * dq1;
+        let t3 = -a1_x;
         put(0, a1_y); // row 1, MSX1
+        put(1, t3); // row 1, MSY1
         put(2, ddq1); // row 1, ZZ1
         put(7, dq1); // row 1, FV1
         put(12, dq2); // row 2, FV2
         [a1_x, a1_y, t2]
     };
     // link 2: motion
-    let [dw2_z, t11, a2_y, t15] = {
+    let [dw2_z, t12, a2_y, t16] = {
         let w2_z = dq1 + dq2;
         let dw2_z = ddq1 + ddq2;
-        let t7 = L1 * t2 - a1_x;
-        let t8 = a1_y + L1 * ddq1;
-        let t11 = c2 * t7 - s2 * t8;
-        let a2_y = c2 * t8 + s2 * t7;
-        let t15 = w2_z * w2_z;
+        let t8 = L1 * t2 - a1_x;
+        let t9 = a1_y + L1 * ddq1;
+        let t12 = c2 * t8 - s2 * t9;
+        let a2_y = c2 * t9 + s2 * t8;
+        let t16 = w2_z * w2_z;
         put(6, dw2_z); // row 1, ZZ2
         put(9, a2_y); // row 2, MSX2
-        put(10, t11); // row 2, MSY2
+        put(10, t12); // row 2, MSY2
         put(11, dw2_z); // row 2, ZZ2
-        [dw2_z, t11, a2_y, t15]
+        [dw2_z, t12, a2_y, t16]
     };
     // joint axes in frame 2
     let [v1_2_x, v1_2_y] = {
@@ -90,26 +103,24 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // M2: column
     {
-        let t20 = a2_y * v1_2_y - t11 * v1_2_x;
-        put(3, t20); // row 1, M2
+        let t21 = a2_y * v1_2_y - t12 * v1_2_x;
+        put(3, t21); // row 1, M2
     }
     // MSX2: column
     {
-        let t24 = a2_y - (t15 * v1_2_x - dw2_z * v1_2_y);
-        put(4, t24); // row 1, MSX2
+        let t25 = a2_y - (t16 * v1_2_x - dw2_z * v1_2_y);
+        put(4, t25); // row 1, MSX2
     }
     // MSY2: column
     {
-        let t28 = t11 - (dw2_z * v1_2_x + t15 * v1_2_y);
-        put(5, t28); // row 1, MSY2
+        let t29 = t12 - (dw2_z * v1_2_x + t16 * v1_2_y);
+        put(5, t29); // row 1, MSY2
     }
     // YZ2: column
     {
-        let t29 = dq1.sign();
-        let t30 = dq2.sign();
-        let t31 = -a1_x;
-        put(1, t31); // row 1, MSY1
-        put(8, t29); // row 1, FC1
-        put(13, t30); // row 2, FC2
+        let t30 = dq1.sign();
+        let t31 = dq2.sign();
+        put(8, t30); // row 1, FC1
+        put(13, t31); // row 2, FC2
     }
 }

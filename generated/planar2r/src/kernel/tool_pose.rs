@@ -4,7 +4,7 @@
 //!
 //! 8 multiplications, 5 additions; 3 x 4, 7 of 12 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -15,15 +15,26 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 0), (0, 1), (0, 3), (1, 0), (1, 1), (1, 3), (2, 2),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 4 + PATTERN[k].1
+}
+
 /// The tool frame in the base frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 4]; 3]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[2] = S::default();
-    flat[6] = S::default();
-    flat[8..10].fill(S::default());
-    flat[11] = S::default();
-    nonzeros(trig, out);
+    entries(trig, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            1 => flat[2] = S::default(),
+            4 => flat[6] = S::default(),
+            5 => flat[8..10].fill(S::default()),
+            6 => flat[11] = S::default(),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -54,7 +65,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t1 = s1 * L1;
         let t4 = c1 * c2 - s1 * s2;
         let t7 = s1 * c2 + c1 * s2;
+        let t8 = -t7;
         put(0, t4); // [0][0]
+        put(1, t8); // [0][1]
         put(3, t7); // [1][0]
         put(4, t4); // [1][1]
         put(6, k2); // [2][2]
@@ -62,11 +75,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // tool
     {
-        let t10 = t0 + t4 * L2;
-        let t11 = t1 + t7 * L2;
-        let t12 = -t7;
-        put(1, t12); // [0][1]
-        put(2, t10); // [0][3]
-        put(5, t11); // [1][3]
+        let t11 = t0 + t4 * L2;
+        let t12 = t1 + t7 * L2;
+        put(2, t11); // [0][3]
+        put(5, t12); // [1][3]
     }
 }

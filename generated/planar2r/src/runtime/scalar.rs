@@ -1,8 +1,16 @@
 //! The little that a kernel asks of a number.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::sync::atomic::{Ordering, compiler_fence};
 
 use super::{Pack, sincos};
+
+/// Keeps the stores before it before those after it; no instruction. Else LLVM gathers entries of a row, which are computed far apart,
+/// into vectors, and twice as many values wait for their neighbours in memory (measured on a regressor of seven joints: 3 % more time).
+#[inline(always)]
+pub fn apart() {
+    compiler_fence(Ordering::Release);
+}
 
 /// A number, or a pack of numbers that are computed side by side. `Default` is zero.
 pub trait Scalar:

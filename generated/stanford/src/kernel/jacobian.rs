@@ -4,7 +4,7 @@
 //!
 //! 44 multiplications, 27 additions; 6 x 6, 26 of 36 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -17,18 +17,29 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (4, 4), (4, 5), (5, 0), (5, 3), (5, 4), (5, 5),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 6 + PATTERN[k].1
+}
+
 /// Jacobian of the last DH frame's origin, in base axes: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 6]; 6]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[5] = S::default();
-    flat[11..13].fill(S::default());
-    flat[17..19].fill(S::default());
-    flat[20] = S::default();
-    flat[24] = S::default();
-    flat[26] = S::default();
-    flat[31..33].fill(S::default());
-    nonzeros(trig, out);
+    entries(trig, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            4 => flat[5] = S::default(),
+            9 => flat[11..13].fill(S::default()),
+            13 => flat[17..19].fill(S::default()),
+            14 => flat[20] = S::default(),
+            17 => flat[24] = S::default(),
+            18 => flat[26] = S::default(),
+            22 => flat[31..33].fill(S::default()),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -88,57 +99,57 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t23 = c4 * t4 + c1 * s4;
         let t24 = s2 * s4;
         let t25 = s2 * c4;
+        let t26 = -t25;
         put(16, t17); // [3][4]
         put(20, t23); // [4][4]
+        put(24, t26); // [5][4]
         [t14, t17, t20, t23, t24, t25]
     };
     // frame 5
-    let [t28, t31, t34] = {
-        let t28 = c5 * t3 + s5 * t14;
-        let t31 = c5 * t5 - s5 * t20;
-        let t34 = c2 * c5 - s5 * t24;
-        put(17, t28); // [3][5]
-        put(21, t31); // [4][5]
-        put(25, t34); // [5][5]
-        [t28, t31, t34]
+    let [t29, t32, t35] = {
+        let t29 = c5 * t3 + s5 * t14;
+        let t32 = c5 * t5 - s5 * t20;
+        let t35 = c2 * c5 - s5 * t24;
+        put(17, t29); // [3][5]
+        put(21, t32); // [4][5]
+        put(25, t35); // [5][5]
+        [t29, t32, t35]
     };
     // frame 6
-    let [t35, t36, t37, t38, t39, t40] = {
-        let t35 = D6 * t28;
-        let t36 = D6 * t31;
-        let t37 = D6 * t34;
-        let t38 = t9 + t35;
-        let t39 = t10 + t36;
-        let t40 = t11 + t37;
-        put(5, t38); // [1][0]
-        [t35, t36, t37, t38, t39, t40]
+    let [t36, t37, t38, t39, t40, t41] = {
+        let t36 = D6 * t29;
+        let t37 = D6 * t32;
+        let t38 = D6 * t35;
+        let t39 = t9 + t36;
+        let t40 = t10 + t37;
+        let t41 = t11 + t38;
+        let t42 = -t40;
+        put(0, t42); // [0][0]
+        put(5, t39); // [1][0]
+        [t36, t37, t38, t39, t40, t41]
     };
     // columns
     {
-        let t41 = t40 - D1;
-        let t44 = c1 * t41;
-        let t45 = s1 * t41;
-        let t48 = s1 * (t1 - t39) - c1 * (t0 + t38);
-        let t51 = t5 * t37 - c2 * t36;
-        let t54 = c2 * t35 - t3 * t37;
-        let t57 = t3 * t36 - t5 * t35;
-        let t60 = t23 * t37 + t25 * t36;
-        let t66 = t17 * t36 - t23 * t35;
-        let t67 = -t39;
-        let t68 = -(t25 * t35 + t17 * t37);
-        let t69 = -s1;
-        let t70 = -t25;
-        put(0, t67); // [0][0]
-        put(1, t44); // [0][1]
-        put(3, t51); // [0][3]
-        put(4, t60); // [0][4]
-        put(6, t45); // [1][1]
-        put(8, t54); // [1][3]
-        put(9, t68); // [1][4]
-        put(10, t48); // [2][1]
-        put(12, t57); // [2][3]
-        put(13, t66); // [2][4]
-        put(14, t69); // [3][1]
-        put(24, t70); // [5][4]
+        let t43 = t41 - D1;
+        let t46 = c1 * t43;
+        let t47 = s1 * t43;
+        let t50 = s1 * (t1 - t40) - c1 * (t0 + t39);
+        let t53 = t5 * t38 - c2 * t37;
+        let t56 = c2 * t36 - t3 * t38;
+        let t59 = t3 * t37 - t5 * t36;
+        let t62 = t23 * t38 + t25 * t37;
+        let t68 = t17 * t37 - t23 * t36;
+        let t69 = -(t25 * t36 + t17 * t38);
+        let t70 = -s1;
+        put(1, t46); // [0][1]
+        put(3, t53); // [0][3]
+        put(4, t62); // [0][4]
+        put(6, t47); // [1][1]
+        put(8, t56); // [1][3]
+        put(9, t69); // [1][4]
+        put(10, t50); // [2][1]
+        put(12, t59); // [2][3]
+        put(13, t68); // [2][4]
+        put(14, t70); // [3][1]
     }
 }

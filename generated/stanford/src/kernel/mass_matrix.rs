@@ -4,7 +4,7 @@
 //!
 //! 120 multiplications, 99 additions; 6 x 6, 34 of 36 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{BASE, Trig};
 
 /// Entries that are not structurally zero.
@@ -18,13 +18,24 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (5, 2), (5, 3), (5, 4), (5, 5),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 6 + PATTERN[k].1
+}
+
 /// Mass matrix `M`, symmetric, kg m^2: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], out: &mut [[S; 6]; 6]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[15] = S::default();
-    flat[20] = S::default();
-    nonzeros(trig, beta, out);
+    entries(trig, beta, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            14 => flat[15] = S::default(),
+            18 => flat[20] = S::default(),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.

@@ -4,7 +4,7 @@
 //!
 //! 242 multiplications, 163 additions; 6 x 10, 52 of 60 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -20,14 +20,25 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (5, 8), (5, 9),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 10 + PATTERN[k].1
+}
+
 /// Regressor of a body fixed to the tool frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 6]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[24..30].fill(S::default());
-    flat[50] = S::default();
-    flat[53] = S::default();
-    nonzeros(trig, dq, ddq, out);
+    entries(trig, dq, ddq, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            23 => flat[24..30].fill(S::default()),
+            43 => flat[50] = S::default(),
+            45 => flat[53] = S::default(),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -135,244 +146,243 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t93,
     ]
     };
-    // link 6: motion
-    let [
-        t98, t102, a6_y, t114, t117, dw6_z, t122, t123,
-        t124, dw6_x, dw6_y, t127, t128, t129, t130, t131,
-        t132, t133,
-    ] = {
-        let t97 = t66 - D6 * t91;
-        let t98 = D6 * t92 - t69;
-        let t99 = a4_y - D6 * t93;
-        let t102 = c6 * t97 - s6 * t99;
-        let a6_y = c6 * t99 + s6 * t97;
-        let w6_x = s6 * w5_z - c6 * t72;
-        let w6_y = c6 * w5_z + s6 * t72;
-        let t114 = c6 * t91 - s6 * t93;
-        let t117 = c6 * t93 + s6 * t91;
-        let w6_z = dq6 - w5_y;
-        let dw6_z = t90 + ddq6;
-        let t120 = w6_x * w6_x;
-        let t121 = w6_z * w6_z;
-        let t122 = w6_x * w6_y;
-        let t123 = w6_x * w6_z;
-        let t124 = w6_y * w6_z;
-        let dw6_x = t117 + t124;
-        let dw6_y = t114 - t123;
-        let t127 = t121 - t120;
-        let t128 = t92 + t127;
-        let t129 = t122 - dw6_z;
-        let t130 = dw6_z + t122;
-        let t131 = t120 + t121;
-        let t132 = dw6_y - t123;
-        let t133 = t124 + dw6_x;
-        put(44, a6_y); // row 6, MSX
-        put(45, t102); // row 6, MSY
-        put(47, t122); // row 6, YY
-        put(48, dw6_z); // row 6, ZZ
-        put(50, t117); // row 6, XZ
-        put(51, t114); // row 6, YZ
-        [
-        t98, t102, a6_y, t114, t117, dw6_z, t122, t123,
-        t124, dw6_x, dw6_y, t127, t128, t129, t130, t131,
-        t132, t133,
-    ]
-    };
     // joint axes in frame 2
-    let [t134, v1_2_y] = {
-        let t134 = c2 * D2;
+    let [t94, v1_2_y] = {
+        let t94 = c2 * D2;
         let v1_2_y = s2 * D2;
-        [t134, v1_2_y]
+        [t94, v1_2_y]
     };
     // joint axes in frame 4
-    let [t136, t137] = {
-        let t136 = s4 * t134;
-        let t137 = c4 * t134;
-        [t136, t137]
+    let [t96, t97] = {
+        let t96 = s4 * t94;
+        let t97 = c4 * t94;
+        [t96, t97]
+    };
+    // link 6: motion
+    let [
+        t102, t106, a6_y, t118, t121, dw6_z, t126, t127,
+        t128, dw6_x, dw6_y, t131, t132, t133, t134, t135,
+        t136, t137,
+    ] = {
+        let t101 = t66 - D6 * t91;
+        let t102 = D6 * t92 - t69;
+        let t103 = a4_y - D6 * t93;
+        let t106 = c6 * t101 - s6 * t103;
+        let a6_y = c6 * t103 + s6 * t101;
+        let w6_x = s6 * w5_z - c6 * t72;
+        let w6_y = c6 * w5_z + s6 * t72;
+        let t118 = c6 * t91 - s6 * t93;
+        let t121 = c6 * t93 + s6 * t91;
+        let w6_z = dq6 - w5_y;
+        let dw6_z = t90 + ddq6;
+        let t124 = w6_x * w6_x;
+        let t125 = w6_z * w6_z;
+        let t126 = w6_x * w6_y;
+        let t127 = w6_x * w6_z;
+        let t128 = w6_y * w6_z;
+        let dw6_x = t121 + t128;
+        let dw6_y = t118 - t127;
+        let t131 = t125 - t124;
+        let t132 = t92 + t131;
+        let t133 = t126 - dw6_z;
+        let t134 = dw6_z + t126;
+        let t135 = t124 + t125;
+        let t136 = dw6_y - t127;
+        let t137 = t128 + dw6_x;
+        let t138 = -t126;
+        put(44, a6_y); // row 6, MSX
+        put(45, t106); // row 6, MSY
+        put(46, t138); // row 6, XX
+        put(47, t126); // row 6, YY
+        put(48, dw6_z); // row 6, ZZ
+        put(50, t121); // row 6, XZ
+        put(51, t118); // row 6, YZ
+        [
+        t102, t106, a6_y, t118, t121, dw6_z, t126, t127,
+        t128, dw6_x, dw6_y, t131, t132, t133, t134, t135,
+        t136, t137,
+    ]
     };
     // payload: column M
-    let [t140, t143, t145] = {
-        let t140 = c6 * t102 + s6 * a6_y;
-        let t143 = c6 * a6_y - s6 * t102;
-        let t144 = D6 * t143;
-        let t145 = D6 * t140;
-        let t148 = c5 * t140 + s5 * t98;
-        let t151 = s5 * t140 - c5 * t98;
-        let t153 = s5 * t144;
-        let t156 = c5 * t144 + q3 * t143;
-        let t157 = t145 + q3 * t148;
-        let t167 = t136 * t148 - t137 * t143 - v1_2_y * t151;
-        let t168 = c2 * t153 + (t35 * t156 + t36 * t157) + t167;
-        let t171 = c4 * t156 - s4 * t157;
-        put(0, t168); // row 1, M
-        put(10, t171); // row 2, M
-        put(20, t151); // row 3, M
-        put(24, t153); // row 4, M
-        [t140, t143, t145]
+    let [t141, t144] = {
+        let t141 = c6 * t106 + s6 * a6_y;
+        let t144 = c6 * a6_y - s6 * t106;
+        let t145 = D6 * t144;
+        let t146 = D6 * t141;
+        let t149 = c5 * t141 + s5 * t102;
+        let t152 = s5 * t141 - c5 * t102;
+        let t154 = s5 * t145;
+        let t157 = c5 * t145 + q3 * t144;
+        let t158 = t146 + q3 * t149;
+        let t168 = t96 * t149 - t97 * t144 - v1_2_y * t152;
+        let t169 = c2 * t154 + (t35 * t157 + t36 * t158) + t168;
+        let t172 = c4 * t157 - s4 * t158;
+        let t173 = -t146;
+        put(0, t169); // row 1, M
+        put(10, t172); // row 2, M
+        put(20, t152); // row 3, M
+        put(24, t154); // row 4, M
+        put(34, t173); // row 5, M
+        [t141, t144]
     };
     // payload: column MSX
-    let [t173, t176, t178, t179] = {
-        let t173 = s6 * t130;
-        let t174 = c6 * t128 + t173;
-        let t176 = c6 * t130;
-        let t177 = t176 - s6 * t128;
-        let t178 = s6 * t98;
-        let t179 = c6 * t98;
-        let t182 = t178 + D6 * t177;
-        let t183 = t179 - D6 * t174;
-        let t186 = c5 * t174 + s5 * t132;
-        let t189 = s5 * t174 - c5 * t132;
-        let t195 = s5 * t182 + c5 * a6_y;
-        let t198 = c5 * t182 - s5 * a6_y + q3 * t177;
-        let t199 = t183 - q3 * t186;
-        let t209 = v1_2_y * t189 + (t137 * t177 - t136 * t186);
-        let t210 = c2 * t195 + (t35 * t198 - t36 * t199) - t209;
-        let t213 = c4 * t198 + s4 * t199;
-        put(1, t210); // row 1, MSX
-        put(11, t213); // row 2, MSX
-        put(21, t189); // row 3, MSX
-        put(25, t195); // row 4, MSX
-        put(35, t183); // row 5, MSX
-        [t173, t176, t178, t179]
+    let [t175, t178, t180, t181] = {
+        let t175 = s6 * t134;
+        let t176 = c6 * t132 + t175;
+        let t178 = c6 * t134;
+        let t179 = t178 - s6 * t132;
+        let t180 = s6 * t102;
+        let t181 = c6 * t102;
+        let t184 = t180 + D6 * t179;
+        let t185 = t181 - D6 * t176;
+        let t188 = c5 * t176 + s5 * t136;
+        let t191 = s5 * t176 - c5 * t136;
+        let t197 = s5 * t184 + c5 * a6_y;
+        let t200 = c5 * t184 - s5 * a6_y + q3 * t179;
+        let t201 = t185 - q3 * t188;
+        let t211 = v1_2_y * t191 + (t97 * t179 - t96 * t188);
+        let t212 = c2 * t197 + (t35 * t200 - t36 * t201) - t211;
+        let t215 = c4 * t200 + s4 * t201;
+        put(1, t212); // row 1, MSX
+        put(11, t215); // row 2, MSX
+        put(21, t191); // row 3, MSX
+        put(25, t197); // row 4, MSX
+        put(35, t185); // row 5, MSX
+        [t175, t178, t180, t181]
     };
     // payload: column MSY
-    let [t214, t217] = {
-        let t214 = c6 * t129;
-        let t216 = t214 + s6 * t131;
-        let t217 = s6 * t129;
-        let t219 = t217 - c6 * t131;
-        let t222 = t179 + D6 * t219;
-        let t223 = D6 * t216 - t178;
-        let t226 = c5 * t216 + s5 * t133;
-        let t229 = c5 * t133 - s5 * t216;
-        let t235 = s5 * t222 + c5 * t102;
-        let t238 = c5 * t222 - s5 * t102 + q3 * t219;
-        let t239 = t223 + q3 * t226;
-        let t249 = v1_2_y * t229 + (t136 * t226 + t137 * t219);
-        let t250 = c2 * t235 + (t35 * t238 - t36 * t239) - t249;
-        let t253 = c4 * t238 + s4 * t239;
-        put(2, t250); // row 1, MSY
-        put(12, t253); // row 2, MSY
-        put(22, t229); // row 3, MSY
-        put(26, t235); // row 4, MSY
-        put(36, t223); // row 5, MSY
-        [t214, t217]
+    let [t216, t219] = {
+        let t216 = c6 * t133;
+        let t218 = t216 + s6 * t135;
+        let t219 = s6 * t133;
+        let t221 = t219 - c6 * t135;
+        let t224 = t181 + D6 * t221;
+        let t225 = D6 * t218 - t180;
+        let t228 = c5 * t218 + s5 * t137;
+        let t231 = c5 * t137 - s5 * t218;
+        let t237 = s5 * t224 + c5 * t106;
+        let t240 = c5 * t224 - s5 * t106 + q3 * t221;
+        let t241 = t225 + q3 * t228;
+        let t251 = v1_2_y * t231 + (t96 * t228 + t97 * t221);
+        let t252 = c2 * t237 + (t35 * t240 - t36 * t241) - t251;
+        let t255 = c4 * t240 + s4 * t241;
+        put(2, t252); // row 1, MSY
+        put(12, t255); // row 2, MSY
+        put(22, t231); // row 3, MSY
+        put(26, t237); // row 4, MSY
+        put(36, t225); // row 5, MSY
+        [t216, t219]
     };
     // payload: column MSZ
-    let t269 = {
-        let t256 = c6 * t114 + s6 * t117;
-        let t259 = s6 * t114 - c6 * t117;
-        let t262 = t143 + D6 * t259;
-        let t263 = D6 * t256 - t140;
-        let t266 = c5 * t256 - s5 * t92;
-        let t269 = s5 * t256 + c5 * t92;
-        let t271 = s5 * t262;
-        let t274 = c5 * t262 + q3 * t259;
-        let t275 = t263 + q3 * t266;
-        let t285 = v1_2_y * t269 - (t136 * t266 + t137 * t259);
-        let t286 = c2 * t271 + (t35 * t274 - t36 * t275) + t285;
-        let t289 = c4 * t274 + s4 * t275;
-        put(3, t286); // row 1, MSZ
-        put(13, t289); // row 2, MSZ
-        put(27, t271); // row 4, MSZ
-        put(37, t263); // row 5, MSZ
-        t269
-    };
+    {
+        let t258 = c6 * t118 + s6 * t121;
+        let t261 = s6 * t118 - c6 * t121;
+        let t264 = t144 + D6 * t261;
+        let t265 = D6 * t258 - t141;
+        let t268 = c5 * t258 - s5 * t92;
+        let t271 = s5 * t258 + c5 * t92;
+        let t273 = s5 * t264;
+        let t276 = c5 * t264 + q3 * t261;
+        let t277 = t265 + q3 * t268;
+        let t287 = v1_2_y * t271 - (t96 * t268 + t97 * t261);
+        let t288 = c2 * t273 + (t35 * t276 - t36 * t277) + t287;
+        let t291 = c4 * t276 + s4 * t277;
+        let t292 = -t271;
+        put(3, t288); // row 1, MSZ
+        put(13, t291); // row 2, MSZ
+        put(23, t292); // row 3, MSZ
+        put(27, t273); // row 4, MSZ
+        put(37, t265); // row 5, MSZ
+    }
     // payload: column XX
-    let [t291, t294, t297, t300] = {
-        let t291 = s6 * t123;
-        let t292 = t291 - c6 * dw6_x;
-        let t294 = c6 * t123;
-        let t295 = s6 * dw6_x + t294;
-        let t297 = s5 * t122;
-        let t298 = c5 * t292 + t297;
-        let t300 = c5 * t122;
-        let t301 = s5 * t292 - t300;
-        let t306 = c2 * t301 + (t35 * t298 - t36 * t295);
-        let t309 = c4 * t298 + s4 * t295;
-        put(4, t306); // row 1, XX
-        put(14, t309); // row 2, XX
-        put(28, t301); // row 4, XX
-        put(38, t295); // row 5, XX
-        [t291, t294, t297, t300]
+    let [t294, t297, t300, t303] = {
+        let t294 = s6 * t127;
+        let t295 = t294 - c6 * dw6_x;
+        let t297 = c6 * t127;
+        let t298 = s6 * dw6_x + t297;
+        let t300 = s5 * t126;
+        let t301 = c5 * t295 + t300;
+        let t303 = c5 * t126;
+        let t304 = s5 * t295 - t303;
+        let t309 = c2 * t304 + (t35 * t301 - t36 * t298);
+        let t312 = c4 * t301 + s4 * t298;
+        put(4, t309); // row 1, XX
+        put(14, t312); // row 2, XX
+        put(28, t304); // row 4, XX
+        put(38, t298); // row 5, XX
+        [t294, t297, t300, t303]
     };
     // payload: column YY
-    let [t310, t313] = {
-        let t310 = c6 * t124;
-        let t312 = t310 + s6 * dw6_y;
-        let t313 = s6 * t124;
-        let t315 = c6 * dw6_y - t313;
-        let t317 = c5 * t312 - t297;
-        let t319 = t300 + s5 * t312;
-        let t324 = c2 * t319 + (t35 * t317 - t36 * t315);
-        let t327 = c4 * t317 + s4 * t315;
-        put(5, t324); // row 1, YY
-        put(15, t327); // row 2, YY
-        put(29, t319); // row 4, YY
-        put(39, t315); // row 5, YY
-        [t310, t313]
+    let [t313, t316] = {
+        let t313 = c6 * t128;
+        let t315 = t313 + s6 * dw6_y;
+        let t316 = s6 * t128;
+        let t318 = c6 * dw6_y - t316;
+        let t320 = c5 * t315 - t300;
+        let t322 = t303 + s5 * t315;
+        let t327 = c2 * t322 + (t35 * t320 - t36 * t318);
+        let t330 = c4 * t320 + s4 * t318;
+        put(5, t327); // row 1, YY
+        put(15, t330); // row 2, YY
+        put(29, t322); // row 4, YY
+        put(39, t318); // row 5, YY
+        [t313, t316]
     };
     // payload: column ZZ
-    let t344 = {
-        let t328 = t291 + t310;
-        let t329 = t313 - t294;
-        let t332 = c5 * t328 + s5 * dw6_z;
-        let t335 = c5 * dw6_z - s5 * t328;
-        let t340 = c2 * t335 - (t35 * t332 + t36 * t329);
-        let t343 = s4 * t329 - c4 * t332;
-        let t344 = t131 - t128;
-        put(6, t340); // row 1, ZZ
-        put(16, t343); // row 2, ZZ
-        put(30, t335); // row 4, ZZ
-        put(40, t329); // row 5, ZZ
-        put(49, t344); // row 6, XY
-        t344
+    let t347 = {
+        let t331 = t294 + t313;
+        let t332 = t316 - t297;
+        let t335 = c5 * t331 + s5 * dw6_z;
+        let t338 = c5 * dw6_z - s5 * t331;
+        let t343 = c2 * t338 - (t35 * t335 + t36 * t332);
+        let t346 = s4 * t332 - c4 * t335;
+        let t347 = t135 - t132;
+        put(6, t343); // row 1, ZZ
+        put(16, t346); // row 2, ZZ
+        put(30, t338); // row 4, ZZ
+        put(40, t332); // row 5, ZZ
+        put(49, t347); // row 6, XY
+        t347
     };
     // payload: column XY
     {
-        let t347 = c6 * t132 - s6 * t133;
-        let t350 = s6 * t132 + c6 * t133;
-        let t353 = c5 * t347 + s5 * t344;
-        let t356 = c5 * t344 - s5 * t347;
-        let t361 = c2 * t356 - (t35 * t353 + t36 * t350);
-        let t364 = s4 * t350 - c4 * t353;
-        put(7, t361); // row 1, XY
-        put(17, t364); // row 2, XY
-        put(31, t356); // row 4, XY
-        put(41, t350); // row 5, XY
+        let t350 = c6 * t136 - s6 * t137;
+        let t353 = s6 * t136 + c6 * t137;
+        let t356 = c5 * t350 + s5 * t347;
+        let t359 = c5 * t347 - s5 * t350;
+        let t364 = c2 * t359 - (t35 * t356 + t36 * t353);
+        let t367 = s4 * t353 - c4 * t356;
+        put(7, t364); // row 1, XY
+        put(17, t367); // row 2, XY
+        put(31, t359); // row 4, XY
+        put(41, t353); // row 5, XY
     }
     // payload: column XZ
-    let t383 = {
-        let t366 = t176 - s6 * t127;
-        let t368 = t173 + c6 * t127;
-        let t371 = c5 * t366 + s5 * t117;
-        let t374 = c5 * t117 - s5 * t366;
-        let t379 = c2 * t374 - (t35 * t371 + t36 * t368);
-        let t382 = s4 * t368 - c4 * t371;
-        let t383 = t92 - t131;
-        put(8, t379); // row 1, XZ
-        put(18, t382); // row 2, XZ
-        put(32, t374); // row 4, XZ
-        put(42, t368); // row 5, XZ
-        t383
+    let t386 = {
+        let t369 = t178 - s6 * t131;
+        let t371 = t175 + c6 * t131;
+        let t374 = c5 * t369 + s5 * t121;
+        let t377 = c5 * t121 - s5 * t369;
+        let t382 = c2 * t377 - (t35 * t374 + t36 * t371);
+        let t385 = s4 * t371 - c4 * t374;
+        let t386 = t92 - t135;
+        put(8, t382); // row 1, XZ
+        put(18, t385); // row 2, XZ
+        put(32, t377); // row 4, XZ
+        put(42, t371); // row 5, XZ
+        t386
     };
     // payload: column YZ
     {
-        let t385 = t217 + c6 * t383;
-        let t387 = s6 * t383 - t214;
-        let t390 = c5 * t385 + s5 * t114;
-        let t393 = c5 * t114 - s5 * t385;
-        let t398 = c2 * t393 - (t35 * t390 + t36 * t387);
-        let t401 = s4 * t387 - c4 * t390;
-        let t402 = -t269;
-        let t403 = -t145;
-        let t404 = -t122;
-        put(9, t398); // row 1, YZ
-        put(19, t401); // row 2, YZ
-        put(23, t402); // row 3, MSZ
-        put(33, t393); // row 4, YZ
-        put(34, t403); // row 5, M
-        put(43, t387); // row 5, YZ
-        put(46, t404); // row 6, XX
+        let t388 = t219 + c6 * t386;
+        let t390 = s6 * t386 - t216;
+        let t393 = c5 * t388 + s5 * t118;
+        let t396 = c5 * t118 - s5 * t388;
+        let t401 = c2 * t396 - (t35 * t393 + t36 * t390);
+        let t404 = s4 * t390 - c4 * t393;
+        put(9, t401); // row 1, YZ
+        put(19, t404); // row 2, YZ
+        put(33, t396); // row 4, YZ
+        put(43, t390); // row 5, YZ
     }
 }

@@ -4,7 +4,7 @@
 //!
 //! 22 multiplications, 12 additions; 66, 20 of 66 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -16,20 +16,31 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (32, 0), (33, 0), (40, 0), (41, 0), (42, 0), (43, 0), (50, 0), (51, 0), (52, 0), (53, 0),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 1 + PATTERN[k].1
+}
+
 /// Potential energy, one entry per standard parameter: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 66]) {
     let flat = &mut out[..];
-    flat[1] = S::default();
-    flat[3..10].fill(S::default());
-    flat[12] = S::default();
-    flat[14..20].fill(S::default());
-    flat[21] = S::default();
-    flat[24..30].fill(S::default());
-    flat[34..40].fill(S::default());
-    flat[44..50].fill(S::default());
-    flat[54..66].fill(S::default());
-    nonzeros(trig, out);
+    entries(trig, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            0 => flat[1] = S::default(),
+            1 => flat[3..10].fill(S::default()),
+            3 => flat[12] = S::default(),
+            4 => flat[14..20].fill(S::default()),
+            5 => flat[21] = S::default(),
+            7 => flat[24..30].fill(S::default()),
+            11 => flat[34..40].fill(S::default()),
+            15 => flat[44..50].fill(S::default()),
+            19 => flat[54..66].fill(S::default()),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.

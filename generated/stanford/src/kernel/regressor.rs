@@ -2,9 +2,9 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 444 multiplications, 332 additions; 6 x 66, 174 of 396 structurally nonzero.
+//! 420 multiplications, 330 additions; 6 x 66, 174 of 396 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -32,31 +32,42 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (5, 57), (5, 58), (5, 59), (5, 65),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 66 + PATTERN[k].1
+}
+
 /// Regressor `W` of the standard parameters: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 66]; 6]) {
     let flat = &mut out.as_flattened_mut()[..];
     flat[0..5].fill(S::default());
-    flat[6..10].fill(S::default());
-    flat[61..77].fill(S::default());
-    flat[78] = S::default();
-    flat[126] = S::default();
-    flat[128..152].fill(S::default());
-    flat[156..162].fill(S::default());
-    flat[166..172].fill(S::default());
-    flat[176..182].fill(S::default());
-    flat[186..194].fill(S::default());
-    flat[195..229].fill(S::default());
-    flat[230] = S::default();
-    flat[238] = S::default();
-    flat[258..261].fill(S::default());
-    flat[262..305].fill(S::default());
-    flat[306] = S::default();
-    flat[324..328].fill(S::default());
-    flat[329..381].fill(S::default());
-    flat[383] = S::default();
-    flat[390..395].fill(S::default());
-    nonzeros(trig, dq, ddq, out);
+    entries(trig, dq, ddq, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            0 => flat[6..10].fill(S::default()),
+            51 => flat[61..77].fill(S::default()),
+            52 => flat[78] = S::default(),
+            99 => flat[126] = S::default(),
+            100 => flat[128..152].fill(S::default()),
+            104 => flat[156..162].fill(S::default()),
+            108 => flat[166..172].fill(S::default()),
+            112 => flat[176..182].fill(S::default()),
+            116 => flat[186..194].fill(S::default()),
+            117 => flat[195..229].fill(S::default()),
+            118 => flat[230] = S::default(),
+            125 => flat[238] = S::default(),
+            144 => flat[258..261].fill(S::default()),
+            145 => flat[262..305].fill(S::default()),
+            146 => flat[306] = S::default(),
+            163 => flat[324..328].fill(S::default()),
+            164 => flat[329..381].fill(S::default()),
+            166 => flat[383] = S::default(),
+            172 => flat[390..395].fill(S::default()),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -83,7 +94,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6] = *ddq;
     let D2 = S::constant(0.154);
     let D6 = S::constant(0.263);
-    let k0 = S::constant(9.81);
+    let k1 = S::constant(9.81);
     let k2 = S::constant(2.0);
     // link 1: motion
     let t0 = {
@@ -99,741 +110,710 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(173, ddq6); // row 6, IA6
         t0
     };
+    // joint axes in frame 2
+    let [t1, v1_2_y] = {
+        let t1 = c2 * D2;
+        let v1_2_y = s2 * D2;
+        [t1, v1_2_y]
+    };
+    // joint axes in frame 3
+    let t3 = {
+        let t3 = s2 * q3;
+        t3
+    };
+    // joint axes in frame 4
+    let [t6, t9, v2_4_x, v2_4_y] = {
+        let t6 = c4 * t3 + s4 * t1;
+        let t9 = c4 * t1 - s4 * t3;
+        let v2_4_x = q3 * s4;
+        let v2_4_y = q3 * c4;
+        [t6, t9, v2_4_x, v2_4_y]
+    };
     // link 2: motion
     let [
-        t4, t6, a2_y, t9, w3_z, t11, t12, t13,
-        t14, t15, t16, t17, t18, t19, t20, t21,
-        t22, t23, t24,
+        t15, t17, a2_y, t20, w3_z, t22, t23, t24,
+        t25, t27, t28, t29, t30, t31, t32, t33,
+        t34, t35,
     ] = {
-        let t3 = D2 * ddq1;
-        let t4 = D2 * t0;
-        let t6 = s2 * k0 + c2 * t3;
-        let a2_y = s2 * t3 - c2 * k0;
-        let t9 = s2 * dq1;
+        let t14 = D2 * ddq1;
+        let t15 = D2 * t0;
+        let t17 = s2 * k1 + c2 * t14;
+        let a2_y = s2 * t14 - c2 * k1;
+        let t20 = s2 * dq1;
         let w3_z = c2 * dq1;
-        let t11 = s2 * ddq1;
-        let t12 = c2 * ddq1;
-        let t13 = t9 * t9;
-        let t14 = dq2 * dq2;
-        let t15 = t9 * w3_z;
-        let t16 = dq2 * t9;
-        let t17 = dq2 * w3_z;
-        let t18 = t11 + t17;
-        let t19 = t12 - t16;
-        let t20 = t15 - ddq2;
-        let t21 = ddq2 + t15;
-        let t22 = t13 + t14;
-        let t23 = t16 - t19;
-        let t24 = t17 + t18;
+        let t22 = s2 * ddq1;
+        let t23 = c2 * ddq1;
+        let t24 = t20 * t20;
+        let t25 = dq2 * dq2;
+        let t26 = t20 * w3_z;
+        let t27 = dq2 * t20;
+        let t28 = dq2 * w3_z;
+        let t29 = t22 + t28;
+        let t30 = t23 - t27;
+        let t31 = ddq2 - t26;
+        let t32 = ddq2 + t26;
+        let t33 = t24 + t25;
+        let t34 = t27 - t30;
+        let t35 = t28 + t29;
+        let t36 = -t17;
+        let t37 = -t26;
+        let t38 = -t22;
+        let t39 = -t23;
+        let t40 = -t32;
+        let t41 = -t33;
         put(52, a2_y); // row 2, MSX2
-        put(56, t15); // row 2, ZZ2
-        put(59, t12); // row 2, YZ2
-        put(66, t15); // row 2, ZZ3
-        put(67, t11); // row 2, XY3
-        put(102, t11); // row 3, MSX3
+        put(53, t36); // row 2, MSZ2
+        put(54, t37); // row 2, XX2
+        put(56, t26); // row 2, ZZ2
+        put(57, t38); // row 2, XY2
+        put(59, t23); // row 2, YZ2
+        put(65, t37); // row 2, YY3
+        put(66, t26); // row 2, ZZ3
+        put(67, t22); // row 2, XY3
+        put(68, t39); // row 2, XZ3
+        put(102, t22); // row 3, MSX3
+        put(103, t40); // row 3, MSY3
+        put(104, t41); // row 3, MSZ3
         [
-        t4, t6, a2_y, t9, w3_z, t11, t12, t13,
-        t14, t15, t16, t17, t18, t19, t20, t21,
-        t22, t23, t24,
+        t15, t17, a2_y, t20, w3_z, t22, t23, t24,
+        t25, t27, t28, t29, t30, t31, t32, t33,
+        t34, t35,
     ]
     };
     // link 3: motion
-    let [t25, t27, t34, a3_y, t36, t38, t39] = {
-        let t25 = q3 * t20;
-        let t27 = q3 * t24;
-        let t31 = dq3 * k2;
-        let t34 = t27 - t4 + t9 * t31;
-        let a3_y = dq2 * t31 - (t6 + t25);
-        let t36 = a2_y + q3 * t22 - ddq3;
-        let t37 = w3_z * w3_z;
-        let t38 = t13 + t37;
-        let t39 = t14 + t37;
-        [t25, t27, t34, a3_y, t36, t38, t39]
-    };
-    // link 4: motion
-    let [
-        t40, t41, t44, a4_y, t50, w4_y, t56, t59,
-        w4_z, dw4_z, t62, t63, t64, t65, t66, t67,
-        t68, t69, t70, t71, t72, t73,
-    ] = {
-        let t40 = s2 * s4;
-        let t41 = s2 * c4;
-        let t44 = c4 * t34 - s4 * a3_y;
-        let a4_y = c4 * a3_y + s4 * t34;
-        let t50 = c4 * dq2 + s4 * t9;
-        let w4_y = s4 * dq2 - c4 * t9;
-        let t56 = c4 * t24 + s4 * t20;
-        let t59 = s4 * t24 - c4 * t20;
-        let w4_z = w3_z + dq4;
-        let dw4_z = t19 + ddq4;
-        let t62 = t50 * t50;
-        let t63 = w4_z * w4_z;
-        let t64 = t50 * w4_y;
-        let t65 = t50 * w4_z;
-        let t66 = w4_y * w4_z;
-        let t67 = t59 - t66;
-        let t68 = t56 - t65;
-        let t69 = dw4_z + t64;
-        let t70 = dw4_z - t64;
-        let t71 = t62 + t63;
-        let t72 = t68 - t65;
-        let t73 = t66 - t67;
-        put(106, t72); // row 3, MSX4
-        put(108, t73); // row 3, MSZ4
-        put(118, a4_y); // row 4, MSX4
-        put(119, t44); // row 4, MSZ4
-        put(120, t64); // row 4, XX4
-        put(121, dw4_z); // row 4, YY4
-        put(123, t59); // row 4, XY4
-        put(125, t56); // row 4, YZ4
-        [
-        t40, t41, t44, a4_y, t50, w4_y, t56, t59,
-        w4_z, dw4_z, t62, t63, t64, t65, t66, t67,
-        t68, t69, t70, t71, t72, t73,
-    ]
-    };
-    // link 5: motion
-    let [
-        t76, a5_y, t82, t85, t88, t91, w5_z, dw5_z,
-        t94, t95, t96, t97, t98, t99, t100, t101,
-        t102, t103, t104, t105,
-    ] = {
-        let t76 = c5 * t44 - s5 * t36;
-        let a5_y = c5 * t36 + s5 * t44;
-        let t82 = c5 * t50 + s5 * w4_z;
-        let t85 = c5 * w4_z - s5 * t50;
-        let t88 = c5 * t69 + s5 * t73;
-        let t91 = c5 * t73 - s5 * t69;
-        let w5_z = w4_y + dq5;
-        let dw5_z = ddq5 - t68;
-        let t94 = t82 * t82;
-        let t95 = w5_z * w5_z;
-        let t96 = t82 * t85;
-        let t97 = t82 * w5_z;
-        let t98 = t85 * w5_z;
-        let t99 = t98 - t91;
-        let t100 = t88 - t97;
-        let t101 = dw5_z - t96;
-        let t102 = dw5_z + t96;
-        let t103 = t94 + t95;
-        let t104 = t97 - t100;
-        let t105 = t98 + t99;
-        put(146, a5_y); // row 5, MSX5
-        put(149, dw5_z); // row 5, YY5
-        put(150, t96); // row 5, ZZ5
-        put(151, t91); // row 5, XY5
-        put(153, t88); // row 5, YZ5
-        [
-        t76, a5_y, t82, t85, t88, t91, w5_z, dw5_z,
-        t94, t95, t96, t97, t98, t99, t100, t101,
-        t102, t103, t104, t105,
-    ]
-    };
-    // link 6: motion
-    let [
-        t110, t114, a6_y, t126, t129, dw6_z, t134, t135,
-        t136, dw6_x, dw6_y, t139, t140, t141, t142, t143,
-        t144, t145,
-    ] = {
-        let t109 = t76 - D6 * t101;
-        let t110 = a5_y + D6 * t103;
-        let t111 = a4_y + D6 * t105;
-        let t114 = c6 * t109 - s6 * t111;
-        let a6_y = c6 * t111 + s6 * t109;
-        let w6_x = s6 * w5_z - c6 * t82;
-        let w6_y = c6 * w5_z + s6 * t82;
-        let t126 = c6 * t101 + s6 * t105;
-        let t129 = s6 * t101 - c6 * t105;
-        let w6_z = t85 + dq6;
-        let dw6_z = t100 + ddq6;
-        let t132 = w6_x * w6_x;
-        let t133 = w6_z * w6_z;
-        let t134 = w6_x * w6_y;
-        let t135 = w6_x * w6_z;
-        let t136 = w6_y * w6_z;
-        let dw6_x = t129 + t136;
-        let dw6_y = t126 - t135;
-        let t139 = t133 - t132;
-        let t140 = t103 + t139;
-        let t141 = t134 - dw6_z;
-        let t142 = dw6_z + t134;
-        let t143 = t132 + t133;
-        let t144 = t135 - dw6_y;
-        let t145 = t136 + dw6_x;
-        put(165, a6_y); // row 6, MSX6
-        put(166, t114); // row 6, MSY6
-        put(168, t134); // row 6, YY6
-        put(169, dw6_z); // row 6, ZZ6
-        put(171, t129); // row 6, XZ6
-        put(172, t126); // row 6, YZ6
-        [
-        t110, t114, a6_y, t126, t129, dw6_z, t134, t135,
-        t136, dw6_x, dw6_y, t139, t140, t141, t142, t143,
-        t144, t145,
-    ]
-    };
-    // joint axes in frame 2
-    let [t146, v1_2_y] = {
-        let t146 = c2 * D2;
-        let v1_2_y = s2 * D2;
-        [t146, v1_2_y]
-    };
-    // joint axes in frame 4
-    let [t148, t149] = {
-        let t148 = s4 * t146;
-        let t149 = c4 * t146;
-        [t148, t149]
+    let [t42, t44, t51, a3_y, t53, t55, t56] = {
+        let t42 = q3 * t31;
+        let t44 = q3 * t35;
+        let t48 = dq3 * k2;
+        let t51 = t20 * t48 - (t15 - t44);
+        let a3_y = t42 - t17 + dq2 * t48;
+        let t53 = a2_y + q3 * t33 - ddq3;
+        let t54 = w3_z * w3_z;
+        let t55 = t24 + t54;
+        let t56 = t25 + t54;
+        let t57 = -t53;
+        put(101, t57); // row 3, M3
+        put(105, t57); // row 3, M4
+        [t42, t44, t51, a3_y, t53, t55, t56]
     };
     // M2: column
     {
-        let t152 = t6 * t146 + a2_y * v1_2_y;
-        put(1, t152); // row 1, M2
+        let t60 = t17 * t1 + a2_y * v1_2_y;
+        put(1, t60); // row 1, M2
     }
     // MSX2: column
-    let t156 = {
-        let t156 = t39 * t146 + t21 * v1_2_y;
-        let t157 = t156 - c2 * t4;
-        put(2, t157); // row 1, MSX2
-        t156
+    let t64 = {
+        let t64 = t56 * t1 + t32 * v1_2_y;
+        let t65 = t64 - c2 * t15;
+        put(2, t65); // row 1, MSX2
+        t64
     };
     // MSY2: column
-    let t163 = {
-        let t163 = t12 * t146 + t11 * v1_2_y;
-        let t164 = s2 * a2_y + c2 * t6 + t163;
-        put(3, t164); // row 1, MSY2
-        t163
+    let t71 = {
+        let t71 = t23 * t1 + t22 * v1_2_y;
+        let t72 = s2 * a2_y + c2 * t17 + t71;
+        put(3, t72); // row 1, MSY2
+        t71
     };
     // MSZ2: column
-    let t168 = {
-        let t168 = t20 * t146 + t22 * v1_2_y;
-        let t169 = t168 - s2 * t4;
-        put(4, t169); // row 1, MSZ2
-        t168
+    let t76 = {
+        let t76 = t33 * v1_2_y - t31 * t1;
+        let t77 = t76 - s2 * t15;
+        put(4, t77); // row 1, MSZ2
+        t76
     };
     // XX2: column
-    let t171 = {
-        let t171 = c2 * t16;
-        let t172 = s2 * t18 + t171;
-        put(5, t172); // row 1, XX2
-        put(16, t172); // row 1, YY3
-        t171
+    let t79 = {
+        let t79 = c2 * t27;
+        let t80 = s2 * t29 + t79;
+        put(5, t80); // row 1, XX2
+        put(16, t80); // row 1, YY3
+        t79
     };
     // YY2: column
-    let t173 = {
-        let t173 = s2 * t17;
-        let t174 = t173 - t171;
-        put(6, t174); // row 1, YY2
-        put(15, t174); // row 1, XX3
-        t173
+    let t81 = {
+        let t81 = s2 * t28;
+        let t82 = t81 - t79;
+        put(6, t82); // row 1, YY2
+        put(15, t82); // row 1, XX3
+        t81
     };
     // ZZ2: column
     {
-        let t176 = c2 * t19 - t173;
-        put(7, t176); // row 1, ZZ2
-        put(17, t176); // row 1, ZZ3
+        let t84 = c2 * t30 - t81;
+        put(7, t84); // row 1, ZZ2
+        put(17, t84); // row 1, ZZ3
     }
     // XY2: column
-    let t180 = {
-        let t180 = s2 * t21 - c2 * (t38 - t39);
-        put(18, t180); // row 1, XY3
-        t180
-    };
+    {
+        let t88 = s2 * t32 + c2 * (t56 - t55);
+        let t89 = -t88;
+        put(8, t89); // row 1, XY2
+        put(18, t88); // row 1, XY3
+    }
     // XZ2: column
     {
-        let t181 = t39 - t22;
-        let t184 = s2 * t23 - c2 * t24;
-        put(9, t184); // row 1, XZ2
-        put(20, t184); // row 1, YZ3
-        put(58, t181); // row 2, XZ2
-        put(69, t181); // row 2, YZ3
+        let t90 = t56 - t33;
+        let t93 = s2 * t34 - c2 * t35;
+        put(9, t93); // row 1, XZ2
+        put(20, t93); // row 1, YZ3
+        put(58, t90); // row 2, XZ2
+        put(69, t90); // row 2, YZ3
     }
     // YZ2: column
-    let t188 = {
-        let t188 = s2 * (t22 - t38) + c2 * t20;
-        put(19, t188); // row 1, XZ3
-        t188
-    };
+    {
+        let t97 = c2 * t31 - s2 * (t33 - t55);
+        let t98 = -t97;
+        put(10, t97); // row 1, YZ2
+        put(19, t98); // row 1, XZ3
+    }
     // M3: column
-    let t193 = {
-        let t190 = q3 * a3_y;
-        let t193 = t36 * v1_2_y;
-        let t195 = s2 * (q3 * t34) - (a3_y * t146 - t193);
-        put(11, t195); // row 1, M3
-        put(60, t190); // row 2, M3
-        t193
+    let t103 = {
+        let t100 = q3 * a3_y;
+        let t103 = t53 * v1_2_y;
+        let t105 = s2 * (q3 * t51) + (t103 - a3_y * t1);
+        put(11, t105); // row 1, M3
+        put(60, t100); // row 2, M3
+        t103
     };
     // MSX3: column
     {
-        let t197 = q3 * t12;
-        let t202 = s2 * (q3 * t38 - t36) + c2 * a3_y - t163;
-        put(12, t202); // row 1, MSX3
-        put(61, t197); // row 2, MSX3
+        let t107 = q3 * t23;
+        let t112 = s2 * (q3 * t55 - t53) + c2 * a3_y - t71;
+        put(12, t112); // row 1, MSX3
+        put(61, t107); // row 2, MSX3
     }
     // MSY3: column
     {
-        let t205 = t36 - q3 * t39;
-        let t209 = t156 - (s2 * (q3 * t23) - c2 * t34);
-        put(13, t209); // row 1, MSY3
-        put(62, t205); // row 2, MSY3
+        let t115 = t53 - q3 * t56;
+        let t119 = t64 - (s2 * (q3 * t34) - c2 * t51);
+        put(13, t119); // row 1, MSY3
+        put(62, t115); // row 2, MSY3
     }
     // MSZ3: column
     {
-        let t211 = a3_y - t25;
-        let t213 = t168 + s2 * (t27 + t34);
-        put(14, t213); // row 1, MSZ3
-        put(63, t211); // row 2, MSZ3
+        let t121 = t42 + a3_y;
+        let t123 = t76 + s2 * (t44 + t51);
+        put(14, t123); // row 1, MSZ3
+        put(63, t121); // row 2, MSZ3
     }
+    // link 4: motion
+    let [
+        t124, t125, t128, a4_y, t134, w4_y, t140, t143,
+        w4_z, dw4_z, t146, t147, t148, t149, t150, t151,
+        t152, t153, t154, t155, t156, t157,
+    ] = {
+        let t124 = s2 * s4;
+        let t125 = s2 * c4;
+        let t128 = c4 * t51 - s4 * a3_y;
+        let a4_y = c4 * a3_y + s4 * t51;
+        let t134 = c4 * dq2 + s4 * t20;
+        let w4_y = s4 * dq2 - c4 * t20;
+        let t140 = c4 * t35 - s4 * t31;
+        let t143 = c4 * t31 + s4 * t35;
+        let w4_z = w3_z + dq4;
+        let dw4_z = t30 + ddq4;
+        let t146 = t134 * t134;
+        let t147 = w4_z * w4_z;
+        let t148 = t134 * w4_y;
+        let t149 = t134 * w4_z;
+        let t150 = w4_y * w4_z;
+        let t151 = t143 - t150;
+        let t152 = t140 - t149;
+        let t153 = dw4_z + t148;
+        let t154 = dw4_z - t148;
+        let t155 = t146 + t147;
+        let t156 = t152 - t149;
+        let t157 = t150 - t151;
+        let t158 = -t148;
+        put(106, t156); // row 3, MSX4
+        put(108, t157); // row 3, MSZ4
+        put(118, a4_y); // row 4, MSX4
+        put(119, t128); // row 4, MSZ4
+        put(120, t148); // row 4, XX4
+        put(121, dw4_z); // row 4, YY4
+        put(122, t158); // row 4, ZZ4
+        put(123, t143); // row 4, XY4
+        put(125, t140); // row 4, YZ4
+        [
+        t124, t125, t128, a4_y, t134, w4_y, t140, t143,
+        w4_z, dw4_z, t146, t147, t148, t149, t150, t151,
+        t152, t153, t154, t155, t156, t157,
+    ]
+    };
+    // joint axes in frame 5
+    let [t161, t164, t167, v1_5_y, t171, z2_5_y, v2_5_x, v2_6_z] = {
+        let t161 = c5 * t124 + c2 * s5;
+        let t164 = c2 * c5 - s5 * t124;
+        let t167 = c5 * t6 - s5 * v1_2_y;
+        let v1_5_y = c5 * v1_2_y + s5 * t6;
+        let t171 = c4 * c5;
+        let z2_5_y = c4 * s5;
+        let v2_5_x = c5 * v2_4_x;
+        let v2_6_z = s5 * v2_4_x;
+        [t161, t164, t167, v1_5_y, t171, z2_5_y, v2_5_x, v2_6_z]
+    };
     // M4: column
-    let [t215, t216, t219, t222] = {
-        let t214 = w4_y * w4_y;
-        let t215 = t63 + t214;
-        let t216 = t62 + t214;
-        let t219 = c4 * t44 + s4 * a4_y;
-        let t222 = c4 * a4_y - s4 * t44;
-        let t224 = q3 * t222;
-        let t228 = s2 * (q3 * t219) + (t193 - t146 * t222);
-        put(21, t228); // row 1, M4
-        put(70, t224); // row 2, M4
-        put(107, t216); // row 3, MSY4
-        [t215, t216, t219, t222]
+    let [t176, t177, t179, t183] = {
+        let t175 = w4_y * w4_y;
+        let t176 = t147 + t175;
+        let t177 = t146 + t175;
+        let t179 = a4_y * t9;
+        let t181 = t103 + (t128 * t6 - t179);
+        let t183 = a4_y * v2_4_y;
+        let t184 = t183 - t128 * v2_4_x;
+        put(21, t181); // row 1, M4
+        put(70, t184); // row 2, M4
+        put(107, t177); // row 3, MSY4
+        [t176, t177, t179, t183]
     };
     // MSX4: column
-    let [t233, t235, t236] = {
-        let t233 = c4 * t70;
-        let t234 = t233 - s4 * t215;
-        let t235 = s4 * t36;
-        let t236 = c4 * t36;
-        let t240 = t235 + q3 * t234;
-        let t243 = s2 * (q3 * (c4 * t215 + s4 * t70) - t236) + c2 * a4_y;
-        let t247 = t243 - (t146 * t234 + t72 * v1_2_y);
-        put(22, t247); // row 1, MSX4
-        put(71, t240); // row 2, MSX4
-        [t233, t235, t236]
-    };
+    {
+        let t192 = t156 * v1_2_y + (t154 * t9 - t6 * t176);
+        let t193 = c2 * a4_y - t53 * t125 - t192;
+        let t198 = s4 * t53 + (t154 * v2_4_y - v2_4_x * t176);
+        put(22, t193); // row 1, MSX4
+        put(71, t198); // row 2, MSX4
+    }
     // MSY4: column
-    let t257 = {
-        let t253 = c4 * t59 - s4 * t56;
-        let t257 = t222 + q3 * t253;
-        let t258 = s2 * (t219 + q3 * (c4 * t56 + s4 * t59));
-        let t262 = t146 * t253 - v1_2_y * t216 - t258;
-        put(23, t262); // row 1, MSY4
-        t257
-    };
+    {
+        let t201 = t124 * a4_y + t125 * t128;
+        let t207 = t143 * t9 - t140 * t6 - v1_2_y * t177 - t201;
+        let t214 = s4 * t128 - c4 * a4_y - (t143 * v2_4_y - t140 * v2_4_x);
+        put(23, t207); // row 1, MSY4
+        put(72, t214); // row 2, MSY4
+    }
     // MSZ4: column
-    let t266 = {
-        let t266 = s4 * t69;
-        let t268 = t266 + c4 * t71;
-        let t272 = t236 - q3 * t268;
-        let t275 = s2 * (t235 - q3 * (s4 * t71 - c4 * t69)) + c2 * t44;
-        let t279 = t275 + (t146 * t268 - t73 * v1_2_y);
-        put(24, t279); // row 1, MSZ4
-        put(73, t272); // row 2, MSZ4
-        t266
-    };
+    {
+        let t222 = t157 * v1_2_y - (t153 * t6 + t155 * t9);
+        let t223 = t53 * t124 + c2 * t128 - t222;
+        let t228 = c4 * t53 - (t153 * v2_4_x + t155 * v2_4_y);
+        put(24, t223); // row 1, MSZ4
+        put(73, t228); // row 2, MSZ4
+    }
     // XX4: column
-    let [t281, t282, t286] = {
-        let t281 = t41 * t65;
-        let t282 = c2 * t64;
-        let t284 = t282 + (t40 * t67 + t281);
-        let t286 = s4 * t65;
-        let t287 = c4 * t67 - t286;
-        put(25, t284); // row 1, XX4
-        put(74, t287); // row 2, XX4
-        [t281, t282, t286]
+    let [t230, t231, t235] = {
+        let t230 = t125 * t149;
+        let t231 = c2 * t148;
+        let t233 = t231 + (t124 * t151 + t230);
+        let t235 = s4 * t149;
+        let t236 = c4 * t151 - t235;
+        put(25, t233); // row 1, XX4
+        put(74, t236); // row 2, XX4
+        [t230, t231, t235]
     };
     // YY4: column
-    let [t288, t292] = {
-        let t288 = t40 * t66;
-        let t291 = c2 * dw4_z - (t281 + t288);
-        let t292 = c4 * t66;
-        let t293 = t286 - t292;
-        put(26, t291); // row 1, YY4
-        put(75, t293); // row 2, YY4
-        [t288, t292]
+    let [t237, t241] = {
+        let t237 = t124 * t150;
+        let t240 = c2 * dw4_z - (t230 + t237);
+        let t241 = c4 * t150;
+        let t242 = t235 - t241;
+        put(26, t240); // row 1, YY4
+        put(75, t242); // row 2, YY4
+        [t237, t241]
     };
     // ZZ4: column
     {
-        let t296 = t288 + t41 * t68 - t282;
-        let t298 = t292 - s4 * t68;
-        put(27, t296); // row 1, ZZ4
-        put(76, t298); // row 2, ZZ4
+        let t245 = t237 + t125 * t152 - t231;
+        let t247 = t241 - s4 * t152;
+        put(27, t245); // row 1, ZZ4
+        put(76, t247); // row 2, ZZ4
     }
     // XY4: column
     {
-        let t299 = t216 - t215;
-        let t304 = c2 * t59 + (t40 * t70 - t41 * t299);
-        let t306 = t233 + s4 * t299;
-        put(28, t304); // row 1, XY4
-        put(77, t306); // row 2, XY4
+        let t248 = t177 - t176;
+        let t253 = c2 * t143 + (t124 * t154 - t125 * t248);
+        let t256 = c4 * t154 + s4 * t248;
+        put(28, t253); // row 1, XY4
+        put(77, t256); // row 2, XY4
     }
     // XZ4: column
     {
-        let t307 = t71 - t215;
-        let t312 = c2 * t307 + (t40 * t72 - t41 * t73);
-        let t315 = c4 * t72 + s4 * t73;
-        put(29, t312); // row 1, XZ4
-        put(78, t315); // row 2, XZ4
-        put(124, t307); // row 4, XZ4
+        let t257 = t155 - t176;
+        let t262 = c2 * t257 - (t125 * t157 - t124 * t156);
+        let t265 = c4 * t156 + s4 * t157;
+        put(29, t262); // row 1, XZ4
+        put(78, t265); // row 2, XZ4
+        put(124, t257); // row 4, XZ4
     }
     // YZ4: column
     {
-        let t316 = t216 - t71;
-        let t321 = c2 * t56 + (t40 * t316 + t41 * t69);
-        let t323 = c4 * t316 - t266;
-        put(30, t321); // row 1, YZ4
-        put(79, t323); // row 2, YZ4
+        let t266 = t177 - t155;
+        let t271 = c2 * t140 + (t124 * t266 + t125 * t153);
+        let t274 = c4 * t266 - s4 * t153;
+        put(30, t271); // row 1, YZ4
+        put(79, t274); // row 2, YZ4
     }
+    // link 5: motion
+    let [
+        t277, a5_y, t283, t286, t289, t292, w5_z, dw5_z,
+        t295, t296, t297, t298, t299, t300, t301, t302,
+        t303, t304, t305, t306,
+    ] = {
+        let t277 = c5 * t128 - s5 * t53;
+        let a5_y = c5 * t53 + s5 * t128;
+        let t283 = c5 * t134 + s5 * w4_z;
+        let t286 = c5 * w4_z - s5 * t134;
+        let t289 = c5 * t153 + s5 * t157;
+        let t292 = c5 * t157 - s5 * t153;
+        let w5_z = w4_y + dq5;
+        let dw5_z = ddq5 - t152;
+        let t295 = t283 * t283;
+        let t296 = w5_z * w5_z;
+        let t297 = t283 * t286;
+        let t298 = t283 * w5_z;
+        let t299 = t286 * w5_z;
+        let t300 = t299 - t292;
+        let t301 = t289 - t298;
+        let t302 = dw5_z - t297;
+        let t303 = dw5_z + t297;
+        let t304 = t295 + t296;
+        let t305 = t298 - t301;
+        let t306 = t299 + t300;
+        let t307 = -t277;
+        let t308 = -t297;
+        put(146, a5_y); // row 5, MSX5
+        put(147, t307); // row 5, MSZ5
+        put(148, t308); // row 5, XX5
+        put(149, dw5_z); // row 5, YY5
+        put(150, t297); // row 5, ZZ5
+        put(151, t292); // row 5, XY5
+        put(153, t289); // row 5, YZ5
+        [
+        t277, a5_y, t283, t286, t289, t292, w5_z, dw5_z,
+        t295, t296, t297, t298, t299, t300, t301, t302,
+        t303, t304, t305, t306,
+    ]
+    };
     // M5: column
-    let [t325, t326, t329, t332] = {
-        let t324 = t85 * t85;
-        let t325 = t95 + t324;
-        let t326 = t94 + t324;
-        let t329 = c5 * t76 + s5 * a5_y;
-        let t332 = s5 * t76 - c5 * a5_y;
-        let t333 = q3 * a4_y;
-        let t334 = q3 * t329;
-        let t342 = t148 * t329 - a4_y * t149 - v1_2_y * t332;
-        let t343 = t40 * t333 + t41 * t334 + t342;
-        let t346 = c4 * t333 - s4 * t334;
-        put(31, t343); // row 1, M5
-        put(80, t346); // row 2, M5
-        put(109, t332); // row 3, M5
-        put(127, t329); // row 4, MSY5
-        [t325, t326, t329, t332]
+    let [t310, t311] = {
+        let t309 = t286 * t286;
+        let t310 = t296 + t309;
+        let t311 = t295 + t309;
+        let t315 = t277 * t167 + a5_y * v1_5_y - t179;
+        let t319 = t183 - (t277 * v2_5_x + a5_y * v2_6_z);
+        let t322 = s5 * t277 - c5 * a5_y;
+        put(31, t315); // row 1, M5
+        put(80, t319); // row 2, M5
+        put(109, t322); // row 3, M5
+        [t310, t311]
     };
     // MSX5: column
-    let [t348, t351, t353, t354] = {
-        let t348 = s5 * t102;
-        let t349 = c5 * t325 + t348;
-        let t351 = c5 * t102;
-        let t352 = s5 * t325 - t351;
-        let t353 = s5 * a4_y;
-        let t354 = c5 * a4_y;
-        let t357 = t353 + q3 * t104;
-        let t358 = a5_y - q3 * t349;
-        let t363 = t40 * t357 + t41 * t358 - c2 * t354;
-        let t369 = t148 * t349 + t104 * t149 - v1_2_y * t352 - t363;
-        let t372 = s4 * t358 - c4 * t357;
-        put(32, t369); // row 1, MSX5
-        put(81, t372); // row 2, MSX5
-        put(110, t352); // row 3, MSX5
-        put(126, t354); // row 4, MSX5
-        put(128, t353); // row 4, MSZ5
-        [t348, t351, t353, t354]
-    };
+    {
+        let t330 = t305 * t9 + (t167 * t310 + t303 * v1_5_y);
+        let t331 = a4_y * t164 - t125 * a5_y + t330;
+        let t339 = t305 * v2_4_y + (v2_5_x * t310 + t303 * v2_6_z);
+        let t340 = s4 * a5_y - a4_y * z2_5_y - t339;
+        let t343 = s5 * t310 - c5 * t303;
+        let t344 = c5 * a4_y;
+        put(32, t331); // row 1, MSX5
+        put(81, t340); // row 2, MSX5
+        put(110, t343); // row 3, MSX5
+        put(126, t344); // row 4, MSX5
+    }
     // MSY5: column
     {
-        let t375 = s5 * t91 - c5 * t88;
-        let t378 = s5 * t88 + c5 * t91;
-        let t380 = q3 * t375;
-        let t381 = t332 + q3 * t326;
-        let t391 = v1_2_y * t378 - (t149 * t326 - t148 * t375);
-        let t392 = c2 * t329 - (t40 * t381 + t41 * t380) - t391;
-        let t395 = s4 * t380 - c4 * t381;
-        put(33, t392); // row 1, MSY5
-        put(82, t395); // row 2, MSY5
-        put(111, t378); // row 3, MSY5
+        let t352 = t9 * t311 + (t289 * t167 - t292 * v1_5_y);
+        let t353 = a5_y * t161 + t277 * t164 + t352;
+        let t361 = v2_4_y * t311 + (t289 * v2_5_x - t292 * v2_6_z);
+        let t362 = a5_y * t171 - t277 * z2_5_y - t361;
+        let t365 = s5 * t289 + c5 * t292;
+        let t368 = s5 * a5_y + c5 * t277;
+        put(33, t353); // row 1, MSY5
+        put(82, t362); // row 2, MSY5
+        put(111, t365); // row 3, MSY5
+        put(127, t368); // row 4, MSY5
     }
     // MSZ5: column
-    let [t396, t397, t399, t400, t401] = {
-        let t396 = c5 * t101;
-        let t397 = s5 * t103;
-        let t398 = t396 - t397;
-        let t399 = s5 * t101;
-        let t400 = c5 * t103;
-        let t401 = t399 + t400;
-        let t404 = t354 + q3 * t105;
-        let t405 = q3 * t398 - t76;
-        let t415 = v1_2_y * t401 - (t148 * t398 + t105 * t149);
-        let t416 = c2 * t353 - (t41 * t405 - t40 * t404) + t415;
-        let t419 = c4 * t404 + s4 * t405;
-        put(34, t416); // row 1, MSZ5
-        put(83, t419); // row 2, MSZ5
-        [t396, t397, t399, t400, t401]
+    let [t373, t382, t388] = {
+        let t373 = t304 * v1_5_y;
+        let t377 = a4_y * t161 + t125 * t277 - (t306 * t9 + (t302 * t167 - t373));
+        let t382 = t304 * v2_6_z;
+        let t386 = a4_y * t171 - s4 * t277 + (t306 * v2_4_y + (t302 * v2_5_x - t382));
+        let t388 = c5 * t304;
+        let t390 = s5 * a4_y;
+        let t391 = -(s5 * t302 + t388);
+        put(34, t377); // row 1, MSZ5
+        put(83, t386); // row 2, MSZ5
+        put(112, t391); // row 3, MSZ5
+        put(128, t390); // row 4, MSZ5
+        [t373, t382, t388]
     };
     // XX5: column
-    let [t421, t424, t427, t432] = {
-        let t421 = s5 * t97;
-        let t422 = c5 * t99 - t421;
-        let t424 = c5 * t97;
-        let t425 = s5 * t99 + t424;
-        let t427 = t41 * t96;
-        let t430 = c2 * t425 + (t40 * t422 + t427);
-        let t432 = s4 * t96;
-        let t433 = c4 * t422 - t432;
-        put(35, t430); // row 1, XX5
-        put(84, t433); // row 2, XX5
-        put(129, t425); // row 4, XX5
-        [t421, t424, t427, t432]
+    let [t393, t394, t398, t399, t403] = {
+        let t393 = t298 * t164;
+        let t394 = t125 * t297;
+        let t396 = t394 + (t300 * t161 + t393);
+        let t398 = t298 * z2_5_y;
+        let t399 = s4 * t297;
+        let t401 = t300 * t171 - t398 - t399;
+        let t403 = c5 * t298;
+        let t404 = s5 * t300 + t403;
+        put(35, t396); // row 1, XX5
+        put(84, t401); // row 2, XX5
+        put(129, t404); // row 4, XX5
+        [t393, t394, t398, t399, t403]
     };
     // YY5: column
-    let [t434, t436] = {
-        let t434 = c5 * t98;
-        let t435 = t421 + t434;
-        let t436 = s5 * t98;
-        let t437 = t436 - t424;
-        let t442 = c2 * t437 - (t41 * dw5_z - t40 * t435);
-        let t445 = c4 * t435 + s4 * dw5_z;
-        put(36, t442); // row 1, YY5
-        put(85, t445); // row 2, YY5
-        put(130, t437); // row 4, YY5
-        [t434, t436]
+    let [t405, t409, t413] = {
+        let t405 = t299 * t161;
+        let t408 = t405 - t393 - t125 * dw5_z;
+        let t409 = t299 * t171;
+        let t412 = s4 * dw5_z + (t398 + t409);
+        let t413 = s5 * t299;
+        let t414 = t413 - t403;
+        put(36, t408); // row 1, YY5
+        put(85, t412); // row 2, YY5
+        put(130, t414); // row 4, YY5
+        [t405, t409, t413]
     };
     // ZZ5: column
     {
-        let t447 = t434 + s5 * t100;
-        let t449 = c5 * t100 - t436;
-        let t453 = c2 * t449 - (t427 + t40 * t447);
-        let t455 = t432 - c4 * t447;
-        put(37, t453); // row 1, ZZ5
-        put(86, t455); // row 2, ZZ5
-        put(131, t449); // row 4, ZZ5
+        let t417 = t301 * t164 - t405 - t394;
+        let t420 = t399 - (t409 + t301 * z2_5_y);
+        let t422 = c5 * t301 - t413;
+        put(37, t417); // row 1, ZZ5
+        put(86, t420); // row 2, ZZ5
+        put(131, t422); // row 4, ZZ5
     }
     // XY5: column
     {
-        let t456 = t326 - t325;
-        let t458 = t351 + s5 * t456;
-        let t460 = c5 * t456 - t348;
-        let t465 = c2 * t460 - (t40 * t458 + t41 * t91);
-        let t468 = s4 * t91 - c4 * t458;
-        put(38, t465); // row 1, XY5
-        put(87, t468); // row 2, XY5
-        put(132, t460); // row 4, XY5
+        let t423 = t311 - t310;
+        let t428 = t164 * t423 - t303 * t161 - t125 * t292;
+        let t433 = s4 * t292 - (t303 * t171 + z2_5_y * t423);
+        let t436 = c5 * t423 - s5 * t303;
+        put(38, t428); // row 1, XY5
+        put(87, t433); // row 2, XY5
+        put(132, t436); // row 4, XY5
     }
     // XZ5: column
     {
-        let t469 = t325 - t103;
-        let t472 = c5 * t104 + s5 * t105;
-        let t475 = s5 * t104 - c5 * t105;
-        let t480 = c2 * t475 + (t40 * t472 - t41 * t469);
-        let t483 = c4 * t472 + s4 * t469;
-        put(39, t480); // row 1, XZ5
-        put(88, t483); // row 2, XZ5
-        put(133, t475); // row 4, XZ5
-        put(152, t469); // row 5, XZ5
+        let t437 = t310 - t304;
+        let t442 = t305 * t161 - t306 * t164 - t125 * t437;
+        let t447 = s4 * t437 + (t305 * t171 + t306 * z2_5_y);
+        let t450 = s5 * t305 - c5 * t306;
+        put(39, t442); // row 1, XZ5
+        put(88, t447); // row 2, XZ5
+        put(133, t450); // row 4, XZ5
+        put(152, t437); // row 5, XZ5
     }
     // YZ5: column
     {
-        let t484 = t326 - t103;
-        let t486 = t399 - c5 * t484;
-        let t488 = t396 + s5 * t484;
-        let t493 = c2 * t488 - (t40 * t486 + t41 * t88);
-        let t496 = s4 * t88 - c4 * t486;
-        put(40, t493); // row 1, YZ5
-        put(89, t496); // row 2, YZ5
-        put(134, t488); // row 4, YZ5
+        let t451 = t311 - t304;
+        let t456 = t161 * t451 + t302 * t164 - t125 * t289;
+        let t461 = s4 * t289 - (t302 * z2_5_y - t171 * t451);
+        let t464 = s5 * t451 + c5 * t302;
+        put(40, t456); // row 1, YZ5
+        put(89, t461); // row 2, YZ5
+        put(134, t464); // row 4, YZ5
     }
+    // link 6: motion
+    let [
+        t469, t473, a6_y, t485, t488, dw6_z, t493, t494,
+        t495, dw6_x, dw6_y, t498, t499, t500, t501, t502,
+        t503, t504,
+    ] = {
+        let t468 = t277 - D6 * t302;
+        let t469 = a5_y + D6 * t304;
+        let t470 = a4_y + D6 * t306;
+        let t473 = c6 * t468 - s6 * t470;
+        let a6_y = c6 * t470 + s6 * t468;
+        let w6_x = s6 * w5_z - c6 * t283;
+        let w6_y = c6 * w5_z + s6 * t283;
+        let t485 = c6 * t302 + s6 * t306;
+        let t488 = s6 * t302 - c6 * t306;
+        let w6_z = t286 + dq6;
+        let dw6_z = t301 + ddq6;
+        let t491 = w6_x * w6_x;
+        let t492 = w6_z * w6_z;
+        let t493 = w6_x * w6_y;
+        let t494 = w6_x * w6_z;
+        let t495 = w6_y * w6_z;
+        let dw6_x = t488 + t495;
+        let dw6_y = t485 - t494;
+        let t498 = t492 - t491;
+        let t499 = t304 + t498;
+        let t500 = dw6_z - t493;
+        let t501 = dw6_z + t493;
+        let t502 = t491 + t492;
+        let t503 = dw6_y - t494;
+        let t504 = t495 + dw6_x;
+        let t505 = -t493;
+        put(165, a6_y); // row 6, MSX6
+        put(166, t473); // row 6, MSY6
+        put(167, t505); // row 6, XX6
+        put(168, t493); // row 6, YY6
+        put(169, dw6_z); // row 6, ZZ6
+        put(171, t488); // row 6, XZ6
+        put(172, t485); // row 6, YZ6
+        [
+        t469, t473, a6_y, t485, t488, dw6_z, t493, t494,
+        t495, dw6_x, dw6_y, t498, t499, t500, t501, t502,
+        t503, t504,
+    ]
+    };
     // M6: column
-    let [t499, t502, t504] = {
-        let t499 = c6 * t114 + s6 * a6_y;
-        let t502 = c6 * a6_y - s6 * t114;
-        let t503 = D6 * t502;
-        let t504 = D6 * t499;
-        let t507 = c5 * t499 + s5 * t110;
-        let t510 = s5 * t499 - c5 * t110;
-        let t512 = s5 * t503;
-        let t515 = c5 * t503 + q3 * t502;
-        let t516 = t504 + q3 * t507;
-        let t526 = t148 * t507 - t149 * t502 - v1_2_y * t510;
-        let t527 = c2 * t512 + (t40 * t515 + t41 * t516) + t526;
-        let t530 = c4 * t515 - s4 * t516;
-        put(41, t527); // row 1, M6
-        put(90, t530); // row 2, M6
-        put(113, t510); // row 3, M6
-        put(135, t512); // row 4, M6
-        [t499, t502, t504]
+    let [t508, t511] = {
+        let t508 = c6 * t473 + s6 * a6_y;
+        let t511 = c6 * a6_y - s6 * t473;
+        let t512 = D6 * t511;
+        let t513 = D6 * t508;
+        let t521 = t167 * t508 + t469 * v1_5_y - t9 * t511;
+        let t522 = t161 * t512 + t125 * t513 + t521;
+        let t530 = v2_4_y * t511 - (v2_5_x * t508 + t469 * v2_6_z);
+        let t531 = t171 * t512 - s4 * t513 + t530;
+        let t534 = s5 * t508 - c5 * t469;
+        let t535 = s5 * t512;
+        let t536 = -t513;
+        put(41, t522); // row 1, M6
+        put(90, t531); // row 2, M6
+        put(113, t534); // row 3, M6
+        put(135, t535); // row 4, M6
+        put(154, t536); // row 5, M6
+        [t508, t511]
     };
     // MSX6: column
-    let [t532, t535, t537, t538] = {
-        let t532 = s6 * t142;
-        let t533 = c6 * t140 + t532;
-        let t535 = c6 * t142;
-        let t536 = s6 * t140 - t535;
-        let t537 = s6 * t110;
-        let t538 = c6 * t110;
-        let t541 = t537 - D6 * t536;
-        let t542 = t538 - D6 * t533;
-        let t545 = c5 * t533 - s5 * t144;
-        let t548 = s5 * t533 + c5 * t144;
-        let t554 = s5 * t541 + c5 * a6_y;
-        let t557 = c5 * t541 - s5 * a6_y - q3 * t536;
-        let t558 = t542 - q3 * t545;
-        let t568 = t148 * t545 + t149 * t536 - v1_2_y * t548;
-        let t569 = c2 * t554 + (t40 * t557 - t41 * t558) + t568;
-        let t572 = c4 * t557 + s4 * t558;
-        put(42, t569); // row 1, MSX6
-        put(91, t572); // row 2, MSX6
-        put(114, t548); // row 3, MSX6
-        put(136, t554); // row 4, MSX6
-        put(155, t542); // row 5, MSX6
-        [t532, t535, t537, t538]
+    let [t538, t541, t543, t544] = {
+        let t538 = s6 * t501;
+        let t539 = c6 * t499 + t538;
+        let t541 = c6 * t501;
+        let t542 = s6 * t499 - t541;
+        let t543 = s6 * t469;
+        let t544 = c6 * t469;
+        let t547 = t543 - D6 * t542;
+        let t548 = t544 - D6 * t539;
+        let t558 = t9 * t542 + (t167 * t539 + t503 * v1_5_y);
+        let t559 = t161 * t547 + a6_y * t164 - t125 * t548 + t558;
+        let t569 = v2_4_y * t542 + (v2_5_x * t539 + t503 * v2_6_z);
+        let t570 = s4 * t548 + (t171 * t547 - a6_y * z2_5_y) - t569;
+        let t573 = s5 * t539 - c5 * t503;
+        let t576 = s5 * t547 + c5 * a6_y;
+        put(42, t559); // row 1, MSX6
+        put(91, t570); // row 2, MSX6
+        put(114, t573); // row 3, MSX6
+        put(136, t576); // row 4, MSX6
+        put(155, t548); // row 5, MSX6
+        [t538, t541, t543, t544]
     };
     // MSY6: column
-    let [t573, t576] = {
-        let t573 = c6 * t141;
-        let t575 = t573 + s6 * t143;
-        let t576 = s6 * t141;
-        let t578 = t576 - c6 * t143;
-        let t581 = t538 + D6 * t578;
-        let t582 = D6 * t575 - t537;
-        let t585 = c5 * t575 + s5 * t145;
-        let t588 = c5 * t145 - s5 * t575;
-        let t594 = s5 * t581 + c5 * t114;
-        let t597 = c5 * t581 - s5 * t114 + q3 * t578;
-        let t598 = t582 + q3 * t585;
-        let t608 = v1_2_y * t588 + (t148 * t585 + t149 * t578);
-        let t609 = c2 * t594 + (t40 * t597 - t41 * t598) - t608;
-        let t612 = c4 * t597 + s4 * t598;
-        put(43, t609); // row 1, MSY6
-        put(92, t612); // row 2, MSY6
-        put(115, t588); // row 3, MSY6
-        put(137, t594); // row 4, MSY6
-        put(156, t582); // row 5, MSY6
-        [t573, t576]
+    let [t577, t580] = {
+        let t577 = c6 * t500;
+        let t579 = s6 * t502 - t577;
+        let t580 = s6 * t500;
+        let t582 = t580 + c6 * t502;
+        let t585 = D6 * t582 - t544;
+        let t586 = D6 * t579 - t543;
+        let t596 = t9 * t582 - (t167 * t579 + t504 * v1_5_y);
+        let t597 = t473 * t164 - t161 * t585 - t125 * t586 + t596;
+        let t607 = v2_4_y * t582 - (v2_5_x * t579 + t504 * v2_6_z);
+        let t608 = s4 * t586 - (t171 * t585 + t473 * z2_5_y) - t607;
+        let t611 = c5 * t504 - s5 * t579;
+        let t614 = c5 * t473 - s5 * t585;
+        put(43, t597); // row 1, MSY6
+        put(92, t608); // row 2, MSY6
+        put(115, t611); // row 3, MSY6
+        put(137, t614); // row 4, MSY6
+        put(156, t586); // row 5, MSY6
+        [t577, t580]
     };
     // MSZ6: column
-    let t626 = {
-        let t615 = c6 * t126 + s6 * t129;
-        let t618 = c6 * t129 - s6 * t126;
-        let t621 = t502 - D6 * t618;
-        let t622 = D6 * t615 - t499;
-        let t624 = t397 - c5 * t615;
-        let t626 = t400 + s5 * t615;
-        let t628 = s5 * t621;
-        let t631 = c5 * t621 - q3 * t618;
-        let t632 = t622 - q3 * t624;
-        let t642 = v1_2_y * t626 + (t148 * t624 + t149 * t618);
-        let t643 = c2 * t628 + (t40 * t631 - t41 * t632) + t642;
-        let t646 = c4 * t631 + s4 * t632;
-        put(44, t643); // row 1, MSZ6
-        put(93, t646); // row 2, MSZ6
-        put(138, t628); // row 4, MSZ6
-        put(157, t622); // row 5, MSZ6
-        t626
-    };
+    {
+        let t617 = c6 * t485 + s6 * t488;
+        let t620 = c6 * t488 - s6 * t485;
+        let t623 = t511 - D6 * t620;
+        let t624 = D6 * t617 - t508;
+        let t632 = t161 * t623 - t125 * t624 + (t9 * t620 + (t373 - t167 * t617));
+        let t640 = t171 * t623 + s4 * t624 - (v2_4_y * t620 + (t382 - v2_5_x * t617));
+        let t643 = s5 * t623;
+        let t644 = -(t388 + s5 * t617);
+        put(44, t632); // row 1, MSZ6
+        put(93, t640); // row 2, MSZ6
+        put(116, t644); // row 3, MSZ6
+        put(138, t643); // row 4, MSZ6
+        put(157, t624); // row 5, MSZ6
+    }
     // XX6: column
-    let [t648, t651, t654, t657] = {
-        let t648 = s6 * t135;
-        let t649 = t648 - c6 * dw6_x;
-        let t651 = c6 * t135;
-        let t652 = s6 * dw6_x + t651;
-        let t654 = s5 * t134;
-        let t655 = c5 * t649 + t654;
-        let t657 = c5 * t134;
-        let t658 = s5 * t649 - t657;
-        let t663 = c2 * t658 + (t40 * t655 - t41 * t652);
-        let t666 = c4 * t655 + s4 * t652;
-        put(45, t663); // row 1, XX6
-        put(94, t666); // row 2, XX6
-        put(139, t658); // row 4, XX6
-        put(158, t652); // row 5, XX6
-        [t648, t651, t654, t657]
+    let [t646, t649, t652, t657, t662] = {
+        let t646 = s6 * t494;
+        let t647 = t646 - c6 * dw6_x;
+        let t649 = c6 * t494;
+        let t650 = s6 * dw6_x + t649;
+        let t652 = t493 * t164;
+        let t655 = t161 * t647 - t652 - t125 * t650;
+        let t657 = t493 * z2_5_y;
+        let t660 = s4 * t650 + (t171 * t647 + t657);
+        let t662 = c5 * t493;
+        let t663 = s5 * t647 - t662;
+        put(45, t655); // row 1, XX6
+        put(94, t660); // row 2, XX6
+        put(139, t663); // row 4, XX6
+        put(158, t650); // row 5, XX6
+        [t646, t649, t652, t657, t662]
     };
     // YY6: column
-    let [t667, t670] = {
-        let t667 = c6 * t136;
-        let t669 = t667 + s6 * dw6_y;
-        let t670 = s6 * t136;
-        let t672 = c6 * dw6_y - t670;
-        let t674 = c5 * t669 - t654;
-        let t676 = t657 + s5 * t669;
-        let t681 = c2 * t676 - (t41 * t672 - t40 * t674);
-        let t684 = c4 * t674 + s4 * t672;
-        put(46, t681); // row 1, YY6
-        put(95, t684); // row 2, YY6
-        put(140, t676); // row 4, YY6
-        put(159, t672); // row 5, YY6
-        [t667, t670]
+    let [t664, t667] = {
+        let t664 = c6 * t495;
+        let t666 = t664 + s6 * dw6_y;
+        let t667 = s6 * t495;
+        let t669 = c6 * dw6_y - t667;
+        let t673 = t652 + t161 * t666 - t125 * t669;
+        let t677 = s4 * t669 + (t171 * t666 - t657);
+        let t679 = t662 + s5 * t666;
+        put(46, t673); // row 1, YY6
+        put(95, t677); // row 2, YY6
+        put(140, t679); // row 4, YY6
+        put(159, t669); // row 5, YY6
+        [t664, t667]
     };
     // ZZ6: column
     {
-        let t685 = t648 + t667;
-        let t686 = t670 - t651;
-        let t689 = c5 * t685 + s5 * dw6_z;
-        let t692 = c5 * dw6_z - s5 * t685;
-        let t697 = c2 * t692 - (t40 * t689 + t41 * t686);
-        let t700 = s4 * t686 - c4 * t689;
-        put(47, t697); // row 1, ZZ6
-        put(96, t700); // row 2, ZZ6
-        put(141, t692); // row 4, ZZ6
-        put(160, t686); // row 5, ZZ6
+        let t680 = t646 + t664;
+        let t681 = t667 - t649;
+        let t686 = dw6_z * t164 - t161 * t680 - t125 * t681;
+        let t691 = s4 * t681 - (t171 * t680 + dw6_z * z2_5_y);
+        let t694 = c5 * dw6_z - s5 * t680;
+        put(47, t686); // row 1, ZZ6
+        put(96, t691); // row 2, ZZ6
+        put(141, t694); // row 4, ZZ6
+        put(160, t681); // row 5, ZZ6
     }
     // XY6: column
     {
-        let t701 = t143 - t140;
-        let t704 = c6 * t144 + s6 * t145;
-        let t707 = c6 * t145 - s6 * t144;
-        let t710 = c5 * t704 - s5 * t701;
-        let t713 = s5 * t704 + c5 * t701;
-        let t718 = c2 * t713 - (t41 * t707 - t40 * t710);
-        let t721 = c4 * t710 + s4 * t707;
-        put(48, t718); // row 1, XY6
-        put(97, t721); // row 2, XY6
-        put(142, t713); // row 4, XY6
-        put(161, t707); // row 5, XY6
-        put(170, t701); // row 6, XY6
+        let t695 = t502 - t499;
+        let t698 = s6 * t504 - c6 * t503;
+        let t701 = s6 * t503 + c6 * t504;
+        let t706 = t161 * t698 + t164 * t695 - t125 * t701;
+        let t711 = s4 * t701 - (z2_5_y * t695 - t171 * t698);
+        let t714 = s5 * t698 + c5 * t695;
+        put(48, t706); // row 1, XY6
+        put(97, t711); // row 2, XY6
+        put(142, t714); // row 4, XY6
+        put(161, t701); // row 5, XY6
+        put(170, t695); // row 6, XY6
     }
     // XZ6: column
     {
-        let t723 = s6 * t139 - t535;
-        let t725 = t532 + c6 * t139;
-        let t728 = c5 * t723 - s5 * t129;
-        let t731 = s5 * t723 + c5 * t129;
-        let t736 = c2 * t731 + (t40 * t728 - t41 * t725);
-        let t739 = c4 * t728 + s4 * t725;
-        put(49, t736); // row 1, XZ6
-        put(98, t739); // row 2, XZ6
+        let t716 = t541 - s6 * t498;
+        let t718 = t538 + c6 * t498;
+        let t723 = t488 * t164 - t161 * t716 - t125 * t718;
+        let t728 = s4 * t718 - (t171 * t716 + t488 * z2_5_y);
+        let t731 = c5 * t488 - s5 * t716;
+        put(49, t723); // row 1, XZ6
+        put(98, t728); // row 2, XZ6
         put(143, t731); // row 4, XZ6
-        put(162, t725); // row 5, XZ6
+        put(162, t718); // row 5, XZ6
     }
     // YZ6: column
     {
-        let t740 = t103 - t143;
-        let t742 = t576 + c6 * t740;
-        let t744 = s6 * t740 - t573;
-        let t747 = c5 * t742 + s5 * t126;
-        let t750 = c5 * t126 - s5 * t742;
-        let t755 = c2 * t750 - (t40 * t747 + t41 * t744);
-        let t758 = s4 * t744 - c4 * t747;
-        let t759 = -t180;
-        let t760 = -t188;
-        let t761 = -t6;
-        let t762 = -t15;
-        let t763 = -t11;
-        let t764 = -t12;
-        let t765 = -t257;
-        let t766 = -t36;
-        let t767 = -t21;
-        let t768 = -t22;
-        let t769 = -t401;
-        let t770 = -t626;
-        let t771 = -t64;
-        let t772 = -t76;
-        let t773 = -t96;
-        let t774 = -t504;
-        let t775 = -t134;
-        put(8, t759); // row 1, XY2
-        put(10, t760); // row 1, YZ2
-        put(50, t755); // row 1, YZ6
-        put(53, t761); // row 2, MSZ2
-        put(54, t762); // row 2, XX2
-        put(57, t763); // row 2, XY2
-        put(65, t762); // row 2, YY3
-        put(68, t764); // row 2, XZ3
-        put(72, t765); // row 2, MSY4
-        put(99, t758); // row 2, YZ6
-        put(101, t766); // row 3, M3
-        put(103, t767); // row 3, MSY3
-        put(104, t768); // row 3, MSZ3
-        put(105, t766); // row 3, M4
-        put(112, t769); // row 3, MSZ5
-        put(116, t770); // row 3, MSZ6
-        put(122, t771); // row 4, ZZ4
-        put(144, t750); // row 4, YZ6
-        put(147, t772); // row 5, MSZ5
-        put(148, t773); // row 5, XX5
-        put(154, t774); // row 5, M6
-        put(163, t744); // row 5, YZ6
-        put(167, t775); // row 6, XX6
+        let t732 = t304 - t502;
+        let t734 = t580 - c6 * t732;
+        let t736 = t577 + s6 * t732;
+        let t741 = t161 * t734 + t485 * t164 - t125 * t736;
+        let t746 = s4 * t736 + (t171 * t734 - t485 * z2_5_y);
+        let t749 = s5 * t734 + c5 * t485;
+        put(50, t741); // row 1, YZ6
+        put(99, t746); // row 2, YZ6
+        put(144, t749); // row 4, YZ6
+        put(163, t736); // row 5, YZ6
     }
 }

@@ -4,7 +4,7 @@
 //!
 //! 308 multiplications, 243 additions; 6 x 58, 161 of 348 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -31,38 +31,49 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (5, 57),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 58 + PATTERN[k].1
+}
+
 /// Regressor `W_b` of the base parameters: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 58]; 6]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[1..3].fill(S::default());
-    flat[36..40].fill(S::default());
-    flat[41..46].fill(S::default());
-    flat[47..52].fill(S::default());
-    flat[53..59].fill(S::default());
-    flat[94..99].fill(S::default());
-    flat[100..105].fill(S::default());
-    flat[106..111].fill(S::default());
-    flat[112..124].fill(S::default());
-    flat[153..158].fill(S::default());
-    flat[159..164].fill(S::default());
-    flat[165..170].fill(S::default());
-    flat[171..189].fill(S::default());
-    flat[210] = S::default();
-    flat[212..217].fill(S::default());
-    flat[218..223].fill(S::default());
-    flat[224..229].fill(S::default());
-    flat[230..254].fill(S::default());
-    flat[268..270].fill(S::default());
-    flat[271..276].fill(S::default());
-    flat[277..282].fill(S::default());
-    flat[283..288].fill(S::default());
-    flat[289..319].fill(S::default());
-    flat[326..329].fill(S::default());
-    flat[330..335].fill(S::default());
-    flat[336..341].fill(S::default());
-    flat[342..347].fill(S::default());
-    nonzeros(trig, dq, ddq, out);
+    entries(trig, dq, ddq, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            0 => flat[1..3].fill(S::default()),
+            33 => flat[36..40].fill(S::default()),
+            34 => flat[41..46].fill(S::default()),
+            35 => flat[47..52].fill(S::default()),
+            36 => flat[53..59].fill(S::default()),
+            71 => flat[94..99].fill(S::default()),
+            72 => flat[100..105].fill(S::default()),
+            73 => flat[106..111].fill(S::default()),
+            74 => flat[112..124].fill(S::default()),
+            103 => flat[153..158].fill(S::default()),
+            104 => flat[159..164].fill(S::default()),
+            105 => flat[165..170].fill(S::default()),
+            106 => flat[171..189].fill(S::default()),
+            127 => flat[210] = S::default(),
+            128 => flat[212..217].fill(S::default()),
+            129 => flat[218..223].fill(S::default()),
+            130 => flat[224..229].fill(S::default()),
+            131 => flat[230..254].fill(S::default()),
+            145 => flat[268..270].fill(S::default()),
+            146 => flat[271..276].fill(S::default()),
+            147 => flat[277..282].fill(S::default()),
+            148 => flat[283..288].fill(S::default()),
+            149 => flat[289..319].fill(S::default()),
+            156 => flat[326..329].fill(S::default()),
+            157 => flat[330..335].fill(S::default()),
+            158 => flat[336..341].fill(S::default()),
+            159 => flat[342..347].fill(S::default()),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -90,9 +101,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let D4 = S::constant(0.17415);
     let D5 = S::constant(0.11985);
     let D6 = S::constant(0.11655);
-    let k0 = S::constant(9.81);
-    let k1 = S::constant(0.6127);
-    let k2 = S::constant(0.57155);
+    let k0 = S::constant(0.6127);
+    let k1 = S::constant(9.81);
+    let k3 = S::constant(0.57155);
     let k7 = S::constant(1.0);
     // link 1: motion
     let t0 = {
@@ -117,584 +128,584 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(160, k7); // row 6, FO6
         t0
     };
+    // joint axes in frame 3
+    let [v1_3_z, t2, t3] = {
+        let v1_3_z = c2 * k0;
+        let t2 = s3 * k0;
+        let t3 = c3 * k0;
+        [v1_3_z, t2, t3]
+    };
     // link 2: motion
     let [
-        a2_x, a2_y, t9, t10, t11, dw2_x, t14, t15,
-        t16, t17, t18, t19, t20,
+        a2_x, a2_y, t13, t14, dw2_x, t17, t18, t19,
+        t20, t21, t22, t23,
     ] = {
-        let a2_x = s2 * k0;
-        let a2_y = c2 * k0;
+        let a2_x = s2 * k1;
+        let a2_y = c2 * k1;
         let w2_x = s2 * dq1;
         let w2_y = c2 * dq1;
-        let t5 = s2 * ddq1;
-        let t6 = c2 * ddq1;
-        let t7 = w2_x * w2_x;
-        let t8 = dq2 * dq2;
-        let t9 = w2_x * w2_y;
-        let t10 = dq2 * w2_x;
-        let t11 = dq2 * w2_y;
-        let dw2_x = t5 + t11;
-        let dw2_y = t6 - t10;
-        let t14 = t7 - t8;
-        let t15 = t14 - t0;
-        let t16 = ddq2 - t9;
-        let t17 = ddq2 + t9;
-        let t18 = t7 + t8;
-        let t19 = dw2_y - t10;
-        let t20 = t11 + dw2_x;
+        let t8 = s2 * ddq1;
+        let t9 = c2 * ddq1;
+        let t10 = w2_x * w2_x;
+        let t11 = dq2 * dq2;
+        let t12 = w2_x * w2_y;
+        let t13 = dq2 * w2_x;
+        let t14 = dq2 * w2_y;
+        let dw2_x = t8 + t14;
+        let dw2_y = t9 - t13;
+        let t17 = t10 - t11;
+        let t18 = t17 - t0;
+        let t19 = ddq2 - t12;
+        let t20 = ddq2 + t12;
+        let t21 = t10 + t11;
+        let t22 = dw2_y - t13;
+        let t23 = t14 + dw2_x;
+        let t24 = -a2_x;
+        let t25 = -t12;
         put(37, a2_y); // row 2, MSX2R
-        put(42, t5); // row 2, XZ2R
-        put(43, t6); // row 2, YZ2
+        put(38, t24); // row 2, MSY2
+        put(39, t25); // row 2, XX2R
+        put(42, t8); // row 2, XZ2R
+        put(43, t9); // row 2, YZ2
         [
-        a2_x, a2_y, t9, t10, t11, dw2_x, t14, t15,
-        t16, t17, t18, t19, t20,
+        a2_x, a2_y, t13, t14, dw2_x, t17, t18, t19,
+        t20, t21, t22, t23,
     ]
     };
+    // XX2: column
+    let t27 = {
+        let t27 = c2 * t13;
+        let t28 = s2 * dw2_x + t27;
+        put(1, t28); // row 1, XX2R
+        t27
+    };
+    // ZZ2: column
+    {
+        let t30 = s2 * t14 - t27;
+        put(2, t30); // row 1, ZZ2R
+    }
+    // XY2: column
+    {
+        let t31 = t18 + t21;
+        let t34 = s2 * t22 + c2 * t23;
+        put(3, t34); // row 1, XY2
+        put(41, t31); // row 2, XY2
+    }
+    // XZ2: column
+    {
+        let t37 = s2 * t20 - c2 * t17;
+        put(4, t37); // row 1, XZ2R
+    }
+    // YZ2: column
+    {
+        let t41 = c2 * t19 - s2 * (t21 - t0);
+        put(5, t41); // row 1, YZ2
+    }
     // link 3: motion
     let [
-        z1_3_x, z1_3_y, w3_z, dw3_z, t31, t36, a3_y, t40,
-        t41, t46, t47, t48, dw3_x, t51, t52, t53,
-        t54, t55, t56, t57,
+        z1_3_x, z1_3_y, w3_z, dw3_z, t52, t57, a3_y, t61,
+        t62, t68, t69, dw3_x, t72, t73, t74, t75,
+        t76, t77, t78,
     ] = {
         let z1_3_x = s2 * c3 + c2 * s3;
         let z1_3_y = c2 * c3 - s2 * s3;
         let w3_z = dq2 + dq3;
         let dw3_z = ddq2 + ddq3;
-        let t31 = t19 * k1;
-        let t32 = t15 * k1 - a2_x;
-        let t33 = t17 * k1 - a2_y;
-        let t36 = c3 * t32 + s3 * t33;
-        let a3_y = s3 * t32 - c3 * t33;
-        let t40 = ddq1 * z1_3_y;
-        let t41 = ddq1 * z1_3_x;
+        let t52 = t22 * k0;
+        let t53 = t18 * k0 - a2_x;
+        let t54 = t20 * k0 - a2_y;
+        let t57 = c3 * t53 + s3 * t54;
+        let a3_y = s3 * t53 - c3 * t54;
+        let t61 = ddq1 * z1_3_y;
+        let t62 = ddq1 * z1_3_x;
         let w3_x = dq1 * z1_3_x;
         let w3_y = dq1 * z1_3_y;
-        let t44 = w3_x * w3_x;
-        let t45 = w3_z * w3_z;
-        let t46 = w3_x * w3_y;
-        let t47 = w3_z * w3_x;
-        let t48 = w3_z * w3_y;
-        let dw3_x = t41 + t48;
-        let t51 = t45 - t44;
-        let t52 = t0 + t51;
-        let t53 = dw3_z - t46;
-        let t54 = dw3_z + t46;
-        let t55 = t44 + t45;
-        let t56 = t47 + (t47 - t40);
-        let t57 = t48 + dw3_x;
+        let t65 = w3_x * w3_x;
+        let t66 = w3_z * w3_z;
+        let t67 = w3_x * w3_y;
+        let t68 = w3_z * w3_x;
+        let t69 = w3_z * w3_y;
+        let dw3_x = t62 + t69;
+        let t72 = t66 - t65;
+        let t73 = t0 + t72;
+        let t74 = dw3_z - t67;
+        let t75 = dw3_z + t67;
+        let t76 = t65 + t66;
+        let t77 = t68 + (t68 - t61);
+        let t78 = t69 + dw3_x;
+        let t79 = -t67;
+        put(46, t79); // row 2, XX3R
         put(47, dw3_z); // row 2, ZZ3R
-        put(49, t41); // row 2, XZ3R
-        put(50, t40); // row 2, YZ3
+        put(49, t62); // row 2, XZ3R
+        put(50, t61); // row 2, YZ3
         put(75, a3_y); // row 3, MSX3R
-        put(76, t36); // row 3, MSY3
+        put(76, t57); // row 3, MSY3
+        put(77, t79); // row 3, XX3R
         put(78, dw3_z); // row 3, ZZ3R
-        put(80, t41); // row 3, XZ3R
-        put(81, t40); // row 3, YZ3
+        put(80, t62); // row 3, XZ3R
+        put(81, t61); // row 3, YZ3
         [
-        z1_3_x, z1_3_y, w3_z, dw3_z, t31, t36, a3_y, t40,
-        t41, t46, t47, t48, dw3_x, t51, t52, t53,
-        t54, t55, t56, t57,
+        z1_3_x, z1_3_y, w3_z, dw3_z, t52, t57, a3_y, t61,
+        t62, t68, t69, dw3_x, t72, t73, t74, t75,
+        t76, t77, t78,
     ]
-    };
-    // link 4: motion
-    let [
-        z1_4_x, t63, w4_z, t77, t80, a4_y, t84, w4_x,
-        t87, t91, t92, dw4_x, t94, t95, t96, t97,
-        t98, t99, t100, t101,
-    ] = {
-        let z1_4_x = c4 * z1_3_x + s4 * z1_3_y;
-        let t63 = s4 * z1_3_x - c4 * z1_3_y;
-        let w4_z = w3_z + dq4;
-        let dw4_z = dw3_z + ddq4;
-        let t75 = t36 - (t52 * k2 + D4 * t40);
-        let t76 = t54 * k2 + D4 * t41 - a3_y;
-        let t77 = t31 - (t56 * k2 + D4 * t0);
-        let t80 = c4 * t75 + s4 * t76;
-        let a4_y = s4 * t75 - c4 * t76;
-        let t84 = ddq1 * t63;
-        let t85 = ddq1 * z1_4_x;
-        let w4_x = dq1 * z1_4_x;
-        let t87 = dq1 * t63;
-        let t88 = w4_x * w4_x;
-        let t89 = w4_z * w4_z;
-        let t90 = w4_x * t87;
-        let t91 = w4_z * w4_x;
-        let t92 = w4_z * t87;
-        let dw4_x = t85 - t92;
-        let t94 = t84 + t91;
-        let t95 = t88 - t89;
-        let t96 = t95 - t0;
-        let t97 = dw4_z + t90;
-        let t98 = t90 - dw4_z;
-        let t99 = t88 + t89;
-        let t100 = t91 + t94;
-        let t101 = t92 - dw4_x;
-        put(53, t90); // row 2, XX4R
-        put(54, dw4_z); // row 2, ZZ4R
-        put(56, t85); // row 2, XZ4
-        put(84, t90); // row 3, XX4R
-        put(85, dw4_z); // row 3, ZZ4R
-        put(87, t85); // row 3, XZ4
-        put(107, a4_y); // row 4, MSX4
-        put(108, t80); // row 4, MSY4R
-        put(109, t90); // row 4, XX4R
-        put(110, dw4_z); // row 4, ZZ4R
-        put(112, t85); // row 4, XZ4
-        [
-        z1_4_x, t63, w4_z, t77, t80, a4_y, t84, w4_x,
-        t87, t91, t92, dw4_x, t94, t95, t96, t97,
-        t98, t99, t100, t101,
-    ]
-    };
-    // link 5: motion
-    let [
-        z1_5_x, t103, t108, t112, a5_y, w5_x, w5_y, t124,
-        t127, w5_z, dw5_z, t132, t133, t134, dw5_x, t136,
-        t137, t138, t139, t140, t141, t142, t143,
-    ] = {
-        let z1_5_x = c5 * z1_4_x;
-        let t103 = s5 * z1_4_x;
-        let t107 = t80 - D5 * t97;
-        let t108 = a4_y + D5 * t99;
-        let t109 = t77 + D5 * t101;
-        let t112 = c5 * t107 - s5 * t109;
-        let a5_y = c5 * t109 + s5 * t107;
-        let w5_x = c5 * w4_x + s5 * w4_z;
-        let w5_y = c5 * w4_z - s5 * w4_x;
-        let t124 = c5 * t97 + s5 * t101;
-        let t127 = s5 * t97 - c5 * t101;
-        let w5_z = t87 + dq5;
-        let dw5_z = t94 + ddq5;
-        let t130 = w5_x * w5_x;
-        let t131 = w5_z * w5_z;
-        let t132 = w5_x * w5_y;
-        let t133 = w5_x * w5_z;
-        let t134 = w5_y * w5_z;
-        let dw5_x = t127 + t134;
-        let t136 = t133 - t124;
-        let t137 = t130 - t131;
-        let t138 = t137 - t99;
-        let t139 = t132 - dw5_z;
-        let t140 = dw5_z + t132;
-        let t141 = t130 + t131;
-        let t142 = t133 + t136;
-        let t143 = t134 + dw5_x;
-        put(132, a5_y); // row 5, MSX5
-        put(133, t112); // row 5, MSY5R
-        put(135, dw5_z); // row 5, ZZ5R
-        put(137, t127); // row 5, XZ5
-        put(138, t124); // row 5, YZ5
-        [
-        z1_5_x, t103, t108, t112, a5_y, w5_x, w5_y, t124,
-        t127, w5_z, dw5_z, t132, t133, t134, dw5_x, t136,
-        t137, t138, t139, t140, t141, t142, t143,
-    ]
-    };
-    // link 6: motion
-    let [
-        t148, t152, a6_y, t164, t167, dw6_z, t172, t173,
-        t174, t175, t177, t178, t179, t180, t181, t182,
-        t183,
-    ] = {
-        let t147 = t112 - D6 * t139;
-        let t148 = a5_y - D6 * t141;
-        let t149 = D6 * t143 - t108;
-        let t152 = c6 * t147 + s6 * t149;
-        let a6_y = s6 * t147 - c6 * t149;
-        let w6_x = c6 * w5_x - s6 * w5_z;
-        let t161 = c6 * w5_z + s6 * w5_x;
-        let t164 = c6 * t139 - s6 * t143;
-        let t167 = c6 * t143 + s6 * t139;
-        let w6_z = w5_y + dq6;
-        let dw6_z = ddq6 - t136;
-        let t170 = w6_x * w6_x;
-        let t171 = w6_z * w6_z;
-        let t172 = w6_x * t161;
-        let t173 = w6_x * w6_z;
-        let t174 = t161 * w6_z;
-        let t175 = t174 - t167;
-        let t177 = t170 - t171;
-        let t178 = t141 - t177;
-        let t179 = dw6_z + t172;
-        let t180 = t172 - dw6_z;
-        let t181 = t170 + t171;
-        let t182 = t173 + (t173 - t164);
-        let t183 = t174 + t175;
-        put(150, a6_y); // row 6, MSX6
-        put(151, t152); // row 6, MSY6
-        put(152, t172); // row 6, XX6R
-        put(153, dw6_z); // row 6, ZZ6
-        put(155, t167); // row 6, XZ6
-        put(156, t164); // row 6, YZ6
-        [
-        t148, t152, a6_y, t164, t167, dw6_z, t172, t173,
-        t174, t175, t177, t178, t179, t180, t181, t182,
-        t183,
-    ]
-    };
-    // joint axes in frame 3
-    let [v1_3_z, t185, t186] = {
-        let v1_3_z = c2 * k1;
-        let t185 = s3 * k1;
-        let t186 = c3 * k1;
-        [v1_3_z, t185, t186]
     };
     // joint axes in frame 4
-    let [v1_4_z, v1_4_x, v1_5_z, t200, t203, t204, v3_5_z] = {
-        let t187 = D4 * z1_3_y;
-        let t188 = D4 * z1_3_x;
-        let v1_4_z = v1_3_z + z1_3_y * k2;
-        let v1_4_x = c4 * t187 - s4 * t188;
-        let v1_5_z = c4 * t188 + s4 * t187;
-        let t197 = t186 - A3;
-        let t200 = c4 * t185 + s4 * t197;
-        let t203 = c4 * t197 - s4 * t185;
-        let t204 = s4 * k2;
-        let v3_5_z = c4 * k2;
-        [v1_4_z, v1_4_x, v1_5_z, t200, t203, t204, v3_5_z]
+    let [v1_4_z, v1_4_x, v1_5_z, t93, t96, t97, v3_5_z] = {
+        let t80 = D4 * z1_3_y;
+        let t81 = D4 * z1_3_x;
+        let v1_4_z = v1_3_z + z1_3_y * k3;
+        let v1_4_x = c4 * t80 - s4 * t81;
+        let v1_5_z = c4 * t81 + s4 * t80;
+        let t90 = t3 - A3;
+        let t93 = c4 * t2 + s4 * t90;
+        let t96 = c4 * t90 - s4 * t2;
+        let t97 = s4 * k3;
+        let v3_5_z = c4 * k3;
+        [v1_4_z, v1_4_x, v1_5_z, t93, t96, t97, v3_5_z]
     };
-    // XX2: column
-    let t207 = {
-        let t207 = c2 * t10;
-        let t208 = s2 * dw2_x + t207;
-        put(1, t208); // row 1, XX2R
-        t207
-    };
-    // ZZ2: column
-    {
-        let t210 = s2 * t11 - t207;
-        put(2, t210); // row 1, ZZ2R
-    }
-    // XY2: column
-    {
-        let t211 = t15 + t18;
-        let t214 = s2 * t19 + c2 * t20;
-        put(3, t214); // row 1, XY2
-        put(41, t211); // row 2, XY2
-    }
-    // XZ2: column
-    {
-        let t217 = s2 * t17 - c2 * t14;
-        put(4, t217); // row 1, XZ2R
-    }
-    // YZ2: column
-    {
-        let t221 = c2 * t16 - s2 * (t18 - t0);
-        put(5, t221); // row 1, YZ2
-    }
     // MSX3: column
     {
-        let t224 = t56 * v1_3_z - z1_3_y * t31;
-        let t228 = a3_y + (t52 * t185 - t54 * t186);
-        put(6, t224); // row 1, MSX3R
-        put(44, t228); // row 2, MSX3R
+        let t101 = t77 * v1_3_z - z1_3_y * t52;
+        let t105 = a3_y + (t73 * t2 - t75 * t3);
+        put(6, t101); // row 1, MSX3R
+        put(44, t105); // row 2, MSX3R
     }
     // MSY3: column
     {
-        let t231 = z1_3_x * t31 + t57 * v1_3_z;
-        let t235 = t36 + (t53 * t185 + t55 * t186);
-        put(7, t231); // row 1, MSY3
-        put(45, t235); // row 2, MSY3
+        let t108 = z1_3_x * t52 + t78 * v1_3_z;
+        let t112 = t57 + (t74 * t2 + t76 * t3);
+        put(7, t108); // row 1, MSY3
+        put(45, t112); // row 2, MSY3
     }
     // XX3: column
-    let t237 = {
-        let t237 = z1_3_y * t47;
-        let t238 = z1_3_x * dw3_x + t237;
-        put(8, t238); // row 1, XX3R
-        t237
+    let t114 = {
+        let t114 = z1_3_y * t68;
+        let t115 = z1_3_x * dw3_x + t114;
+        put(8, t115); // row 1, XX3R
+        t114
     };
     // ZZ3: column
     {
-        let t240 = z1_3_x * t48 - t237;
-        put(9, t240); // row 1, ZZ3R
+        let t117 = z1_3_x * t69 - t114;
+        put(9, t117); // row 1, ZZ3R
     }
     // XY3: column
     {
-        let t241 = t55 - t52;
-        let t244 = z1_3_y * t57 - z1_3_x * t56;
-        put(10, t244); // row 1, XY3
-        put(48, t241); // row 2, XY3
-        put(79, t241); // row 3, XY3
+        let t118 = t76 - t73;
+        let t121 = z1_3_y * t78 - z1_3_x * t77;
+        put(10, t121); // row 1, XY3
+        put(48, t118); // row 2, XY3
+        put(79, t118); // row 3, XY3
     }
     // XZ3: column
     {
-        let t247 = z1_3_x * t54 + z1_3_y * t51;
-        put(11, t247); // row 1, XZ3R
+        let t124 = z1_3_x * t75 + z1_3_y * t72;
+        put(11, t124); // row 1, XZ3R
     }
     // YZ3: column
     {
-        let t251 = z1_3_x * (t0 - t55) + z1_3_y * t53;
-        put(12, t251); // row 1, YZ3
+        let t128 = z1_3_x * (t0 - t76) + z1_3_y * t74;
+        put(12, t128); // row 1, YZ3
     }
+    // link 4: motion
+    let [
+        z1_4_x, t134, w4_z, t148, t151, a4_y, w4_x, t158,
+        t162, t163, dw4_x, t165, t166, t167, t168, t169,
+        t170, t171, t172,
+    ] = {
+        let z1_4_x = c4 * z1_3_x + s4 * z1_3_y;
+        let t134 = s4 * z1_3_x - c4 * z1_3_y;
+        let w4_z = w3_z + dq4;
+        let dw4_z = dw3_z + ddq4;
+        let t146 = t57 - (t73 * k3 + D4 * t61);
+        let t147 = t75 * k3 + D4 * t62 - a3_y;
+        let t148 = t52 - (t77 * k3 + D4 * t0);
+        let t151 = c4 * t146 + s4 * t147;
+        let a4_y = s4 * t146 - c4 * t147;
+        let t155 = ddq1 * t134;
+        let t156 = ddq1 * z1_4_x;
+        let w4_x = dq1 * z1_4_x;
+        let t158 = dq1 * t134;
+        let t159 = w4_x * w4_x;
+        let t160 = w4_z * w4_z;
+        let t161 = w4_x * t158;
+        let t162 = w4_z * w4_x;
+        let t163 = w4_z * t158;
+        let dw4_x = t156 - t163;
+        let t165 = t155 + t162;
+        let t166 = t159 - t160;
+        let t167 = t166 - t0;
+        let t168 = dw4_z + t161;
+        let t169 = t161 - dw4_z;
+        let t170 = t159 + t160;
+        let t171 = t162 + t165;
+        let t172 = t163 - dw4_x;
+        let t173 = -t155;
+        put(53, t161); // row 2, XX4R
+        put(54, dw4_z); // row 2, ZZ4R
+        put(56, t156); // row 2, XZ4
+        put(57, t173); // row 2, YZ4
+        put(84, t161); // row 3, XX4R
+        put(85, dw4_z); // row 3, ZZ4R
+        put(87, t156); // row 3, XZ4
+        put(88, t173); // row 3, YZ4
+        put(107, a4_y); // row 4, MSX4
+        put(108, t151); // row 4, MSY4R
+        put(109, t161); // row 4, XX4R
+        put(110, dw4_z); // row 4, ZZ4R
+        put(112, t156); // row 4, XZ4
+        put(113, t173); // row 4, YZ4
+        [
+        z1_4_x, t134, w4_z, t148, t151, a4_y, w4_x, t158,
+        t162, t163, dw4_x, t165, t166, t167, t168, t169,
+        t170, t171, t172,
+    ]
+    };
     // MSX4: column
     {
-        let t258 = t63 * t77 + (t100 * v1_4_z + (t96 * v1_4_x + t98 * v1_5_z));
-        let t262 = a4_y + (t98 * t203 - t96 * t200);
-        let t266 = a4_y + (t98 * v3_5_z - t96 * t204);
-        put(13, t258); // row 1, MSX4
-        put(51, t262); // row 2, MSX4
-        put(82, t266); // row 3, MSX4
+        let t180 = t134 * t148 + (t171 * v1_4_z + (t167 * v1_4_x + t169 * v1_5_z));
+        let t184 = a4_y + (t169 * t96 - t167 * t93);
+        let t188 = a4_y + (t169 * v3_5_z - t167 * t97);
+        put(13, t180); // row 1, MSX4
+        put(51, t184); // row 2, MSX4
+        put(82, t188); // row 3, MSX4
     }
     // MSY4: column
     {
-        let t273 = z1_4_x * t77 - (t101 * v1_4_z - (t99 * v1_5_z - t97 * v1_4_x));
-        let t277 = t80 + (t97 * t200 + t99 * t203);
-        let t281 = t80 + (t97 * t204 + t99 * v3_5_z);
-        put(14, t273); // row 1, MSY4R
-        put(52, t277); // row 2, MSY4R
-        put(83, t281); // row 3, MSY4R
+        let t195 = z1_4_x * t148 - (t172 * v1_4_z - (t170 * v1_5_z - t168 * v1_4_x));
+        let t199 = t151 + (t168 * t93 + t170 * t96);
+        let t203 = t151 + (t168 * t97 + t170 * v3_5_z);
+        put(14, t195); // row 1, MSY4R
+        put(52, t199); // row 2, MSY4R
+        put(83, t203); // row 3, MSY4R
     }
     // XX4: column
-    let t283 = {
-        let t283 = t63 * t91;
-        let t284 = z1_4_x * dw4_x - t283;
-        put(15, t284); // row 1, XX4R
-        t283
+    let t205 = {
+        let t205 = t134 * t162;
+        let t206 = z1_4_x * dw4_x - t205;
+        put(15, t206); // row 1, XX4R
+        t205
     };
     // ZZ4: column
     {
-        let t286 = t283 - z1_4_x * t92;
-        put(16, t286); // row 1, ZZ4R
+        let t208 = t205 - z1_4_x * t163;
+        put(16, t208); // row 1, ZZ4R
     }
     // XY4: column
     {
-        let t287 = t96 + t99;
-        let t290 = t63 * t101 - z1_4_x * t100;
-        put(17, t290); // row 1, XY4
-        put(55, t287); // row 2, XY4
-        put(86, t287); // row 3, XY4
-        put(111, t287); // row 4, XY4
+        let t209 = t167 + t170;
+        let t212 = t134 * t172 - z1_4_x * t171;
+        put(17, t212); // row 1, XY4
+        put(55, t209); // row 2, XY4
+        put(86, t209); // row 3, XY4
+        put(111, t209); // row 4, XY4
     }
     // XZ4: column
     {
-        let t293 = t63 * t95 - z1_4_x * t98;
-        put(18, t293); // row 1, XZ4
+        let t215 = t134 * t166 - z1_4_x * t169;
+        put(18, t215); // row 1, XZ4
     }
     // YZ4: column
     {
-        let t297 = z1_4_x * (t0 - t99) - t63 * t97;
-        put(19, t297); // row 1, YZ4
+        let t219 = z1_4_x * (t0 - t170) - t134 * t168;
+        put(19, t219); // row 1, YZ4
     }
+    // link 5: motion
+    let [
+        z1_5_x, t221, t226, t230, a5_y, w5_x, w5_y, t242,
+        t245, w5_z, dw5_z, t250, t251, t252, dw5_x, t254,
+        t255, t256, t257, t258, t259, t260, t261,
+    ] = {
+        let z1_5_x = c5 * z1_4_x;
+        let t221 = s5 * z1_4_x;
+        let t225 = t151 - D5 * t168;
+        let t226 = a4_y + D5 * t170;
+        let t227 = t148 + D5 * t172;
+        let t230 = c5 * t225 - s5 * t227;
+        let a5_y = c5 * t227 + s5 * t225;
+        let w5_x = c5 * w4_x + s5 * w4_z;
+        let w5_y = c5 * w4_z - s5 * w4_x;
+        let t242 = c5 * t168 + s5 * t172;
+        let t245 = s5 * t168 - c5 * t172;
+        let w5_z = t158 + dq5;
+        let dw5_z = t165 + ddq5;
+        let t248 = w5_x * w5_x;
+        let t249 = w5_z * w5_z;
+        let t250 = w5_x * w5_y;
+        let t251 = w5_x * w5_z;
+        let t252 = w5_y * w5_z;
+        let dw5_x = t245 + t252;
+        let t254 = t251 - t242;
+        let t255 = t248 - t249;
+        let t256 = t255 - t170;
+        let t257 = t250 - dw5_z;
+        let t258 = dw5_z + t250;
+        let t259 = t248 + t249;
+        let t260 = t251 + t254;
+        let t261 = t252 + dw5_x;
+        let t262 = -t250;
+        put(132, a5_y); // row 5, MSX5
+        put(133, t230); // row 5, MSY5R
+        put(134, t262); // row 5, XX5R
+        put(135, dw5_z); // row 5, ZZ5R
+        put(137, t245); // row 5, XZ5
+        put(138, t242); // row 5, YZ5
+        [
+        z1_5_x, t221, t226, t230, a5_y, w5_x, w5_y, t242,
+        t245, w5_z, dw5_z, t250, t251, t252, dw5_x, t254,
+        t255, t256, t257, t258, t259, t260, t261,
+    ]
+    };
     // MSX5: column
-    let [t299, t304, t305] = {
-        let t299 = s5 * t140;
-        let t300 = c5 * t138 - t299;
-        let t303 = s5 * t138 + c5 * t140;
-        let t304 = s5 * t108;
-        let t305 = c5 * t108;
-        let t309 = t305 + D5 * t300;
-        let t312 = z1_4_x * (t304 + D5 * t303) - t63 * a5_y;
-        let t318 = v1_4_z * t303 + (v1_4_x * t300 + t142 * v1_5_z) - t312;
-        let t322 = t309 + (t142 * t203 - t200 * t300);
-        let t326 = t309 + (t142 * v3_5_z - t204 * t300);
-        put(20, t318); // row 1, MSX5
-        put(58, t322); // row 2, MSX5
-        put(89, t326); // row 3, MSX5
-        put(114, t309); // row 4, MSX5
-        [t299, t304, t305]
+    let [t264, t269, t270] = {
+        let t264 = s5 * t258;
+        let t265 = c5 * t256 - t264;
+        let t268 = s5 * t256 + c5 * t258;
+        let t269 = s5 * t226;
+        let t270 = c5 * t226;
+        let t274 = t270 + D5 * t265;
+        let t277 = z1_4_x * (t269 + D5 * t268) - t134 * a5_y;
+        let t283 = v1_4_z * t268 + (v1_4_x * t265 + t260 * v1_5_z) - t277;
+        let t287 = t274 + (t260 * t96 - t93 * t265);
+        let t291 = t274 + (t260 * v3_5_z - t97 * t265);
+        put(20, t283); // row 1, MSX5
+        put(58, t287); // row 2, MSX5
+        put(89, t291); // row 3, MSX5
+        put(114, t274); // row 4, MSX5
+        [t264, t269, t270]
     };
     // MSY5: column
-    let t327 = {
-        let t327 = c5 * t139;
-        let t329 = t327 + s5 * t141;
-        let t332 = s5 * t139 - c5 * t141;
-        let t336 = D5 * t329 - t304;
-        let t344 = v1_4_z * t332 + (v1_4_x * t329 + t143 * v1_5_z);
-        let t345 = t63 * t112 - z1_4_x * (t305 + D5 * t332) + t344;
-        let t349 = t336 - (t200 * t329 - t143 * t203);
-        let t353 = t336 + (t143 * v3_5_z - t204 * t329);
-        put(21, t345); // row 1, MSY5R
-        put(59, t349); // row 2, MSY5R
-        put(90, t353); // row 3, MSY5R
-        put(115, t336); // row 4, MSY5R
-        t327
+    let t292 = {
+        let t292 = c5 * t257;
+        let t294 = t292 + s5 * t259;
+        let t297 = s5 * t257 - c5 * t259;
+        let t301 = D5 * t294 - t269;
+        let t309 = v1_4_z * t297 + (v1_4_x * t294 + t261 * v1_5_z);
+        let t310 = t134 * t230 - z1_4_x * (t270 + D5 * t297) + t309;
+        let t314 = t301 - (t93 * t294 - t261 * t96);
+        let t318 = t301 + (t261 * v3_5_z - t97 * t294);
+        put(21, t310); // row 1, MSY5R
+        put(59, t314); // row 2, MSY5R
+        put(90, t318); // row 3, MSY5R
+        put(115, t301); // row 4, MSY5R
+        t292
     };
     // XX5: column
-    let [t355, t360] = {
-        let t355 = t103 * t133;
-        let t358 = z1_5_x * dw5_x - t355 - t63 * t132;
-        let t360 = c5 * t133;
-        let t361 = s5 * dw5_x + t360;
-        put(22, t358); // row 1, XX5R
-        put(60, t361); // row 2, XX5R
-        put(91, t361); // row 3, XX5R
-        put(116, t361); // row 4, XX5R
-        [t355, t360]
+    let [t320, t325] = {
+        let t320 = t221 * t251;
+        let t323 = z1_5_x * dw5_x - t320 - t134 * t250;
+        let t325 = c5 * t251;
+        let t326 = s5 * dw5_x + t325;
+        put(22, t323); // row 1, XX5R
+        put(60, t326); // row 2, XX5R
+        put(91, t326); // row 3, XX5R
+        put(116, t326); // row 4, XX5R
+        [t320, t325]
     };
     // ZZ5: column
     {
-        let t365 = t63 * dw5_z + (t355 + z1_5_x * t134);
-        let t367 = s5 * t134 - t360;
-        put(23, t365); // row 1, ZZ5R
-        put(61, t367); // row 2, ZZ5R
-        put(92, t367); // row 3, ZZ5R
-        put(117, t367); // row 4, ZZ5R
+        let t330 = t134 * dw5_z + (t320 + z1_5_x * t252);
+        let t332 = s5 * t252 - t325;
+        put(23, t330); // row 1, ZZ5R
+        put(61, t332); // row 2, ZZ5R
+        put(92, t332); // row 3, ZZ5R
+        put(117, t332); // row 4, ZZ5R
     }
     // XY5: column
     {
-        let t368 = t138 + t141;
-        let t373 = t63 * t368 - (z1_5_x * t142 + t103 * t143);
-        let t376 = c5 * t143 - s5 * t142;
-        put(24, t373); // row 1, XY5
-        put(62, t376); // row 2, XY5
-        put(93, t376); // row 3, XY5
-        put(118, t376); // row 4, XY5
-        put(136, t368); // row 5, XY5
+        let t333 = t256 + t259;
+        let t338 = t134 * t333 - (z1_5_x * t260 + t221 * t261);
+        let t341 = c5 * t261 - s5 * t260;
+        put(24, t338); // row 1, XY5
+        put(62, t341); // row 2, XY5
+        put(93, t341); // row 3, XY5
+        put(118, t341); // row 4, XY5
+        put(136, t333); // row 5, XY5
     }
     // XZ5: column
     {
-        let t381 = t63 * t127 + (z1_5_x * t140 + t103 * t137);
-        let t383 = t299 - c5 * t137;
-        put(25, t381); // row 1, XZ5
-        put(63, t383); // row 2, XZ5
-        put(94, t383); // row 3, XZ5
-        put(119, t383); // row 4, XZ5
+        let t346 = t134 * t245 + (z1_5_x * t258 + t221 * t255);
+        let t348 = t264 - c5 * t255;
+        put(25, t346); // row 1, XZ5
+        put(63, t348); // row 2, XZ5
+        put(94, t348); // row 3, XZ5
+        put(119, t348); // row 4, XZ5
     }
     // YZ5: column
     {
-        let t384 = t99 - t141;
-        let t389 = t63 * t124 + (z1_5_x * t384 + t103 * t139);
-        let t391 = s5 * t384 - t327;
-        put(26, t389); // row 1, YZ5
-        put(64, t391); // row 2, YZ5
-        put(95, t391); // row 3, YZ5
-        put(120, t391); // row 4, YZ5
+        let t349 = t170 - t259;
+        let t354 = t134 * t242 + (z1_5_x * t349 + t221 * t257);
+        let t356 = s5 * t349 - t292;
+        put(26, t354); // row 1, YZ5
+        put(64, t356); // row 2, YZ5
+        put(95, t356); // row 3, YZ5
+        put(120, t356); // row 4, YZ5
     }
+    // link 6: motion
+    let [
+        t361, t365, a6_y, t377, t380, dw6_z, t385, t386,
+        t387, t388, t390, t391, t392, t393, t394, t395,
+        t396,
+    ] = {
+        let t360 = t230 - D6 * t257;
+        let t361 = a5_y - D6 * t259;
+        let t362 = D6 * t261 - t226;
+        let t365 = c6 * t360 + s6 * t362;
+        let a6_y = s6 * t360 - c6 * t362;
+        let w6_x = c6 * w5_x - s6 * w5_z;
+        let t374 = c6 * w5_z + s6 * w5_x;
+        let t377 = c6 * t257 - s6 * t261;
+        let t380 = c6 * t261 + s6 * t257;
+        let w6_z = w5_y + dq6;
+        let dw6_z = ddq6 - t254;
+        let t383 = w6_x * w6_x;
+        let t384 = w6_z * w6_z;
+        let t385 = w6_x * t374;
+        let t386 = w6_x * w6_z;
+        let t387 = t374 * w6_z;
+        let t388 = t387 - t380;
+        let t390 = t383 - t384;
+        let t391 = t259 - t390;
+        let t392 = dw6_z + t385;
+        let t393 = t385 - dw6_z;
+        let t394 = t383 + t384;
+        let t395 = t386 + (t386 - t377);
+        let t396 = t387 + t388;
+        put(150, a6_y); // row 6, MSX6
+        put(151, t365); // row 6, MSY6
+        put(152, t385); // row 6, XX6R
+        put(153, dw6_z); // row 6, ZZ6
+        put(155, t380); // row 6, XZ6
+        put(156, t377); // row 6, YZ6
+        [
+        t361, t365, a6_y, t377, t380, dw6_z, t385, t386,
+        t387, t388, t390, t391, t392, t393, t394, t395,
+        t396,
+    ]
+    };
     // MSX6: column
-    let [t393, t396, t398, t399] = {
-        let t393 = s6 * t180;
-        let t394 = c6 * t178 - t393;
-        let t396 = c6 * t180;
-        let t397 = s6 * t178 + t396;
-        let t398 = s6 * t148;
-        let t399 = c6 * t148;
-        let t402 = t398 + D6 * t397;
-        let t403 = t399 + D6 * t394;
-        let t406 = c5 * t394 + s5 * t182;
-        let t409 = s5 * t394 - c5 * t182;
-        let t419 = s5 * t402 + c5 * a6_y - D5 * t406;
-        let t422 = z1_4_x * (c5 * t402 - s5 * a6_y + D5 * t409) + t63 * t403;
-        let t428 = t422 - (v1_4_z * t409 + (v1_4_x * t406 - v1_5_z * t397));
-        let t432 = t419 + (t200 * t406 + t203 * t397);
-        let t436 = t419 + (t204 * t406 + v3_5_z * t397);
-        put(27, t428); // row 1, MSX6
-        put(65, t432); // row 2, MSX6
-        put(96, t436); // row 3, MSX6
-        put(121, t419); // row 4, MSX6
-        put(139, t403); // row 5, MSX6
-        [t393, t396, t398, t399]
+    let [t398, t401, t403, t404] = {
+        let t398 = s6 * t393;
+        let t399 = c6 * t391 - t398;
+        let t401 = c6 * t393;
+        let t402 = s6 * t391 + t401;
+        let t403 = s6 * t361;
+        let t404 = c6 * t361;
+        let t407 = t403 + D6 * t402;
+        let t408 = t404 + D6 * t399;
+        let t411 = c5 * t399 + s5 * t395;
+        let t414 = s5 * t399 - c5 * t395;
+        let t424 = s5 * t407 + c5 * a6_y - D5 * t411;
+        let t427 = z1_4_x * (c5 * t407 - s5 * a6_y + D5 * t414) + t134 * t408;
+        let t433 = t427 - (v1_4_z * t414 + (v1_4_x * t411 - v1_5_z * t402));
+        let t437 = t424 + (t93 * t411 + t96 * t402);
+        let t441 = t424 + (t97 * t411 + v3_5_z * t402);
+        put(27, t433); // row 1, MSX6
+        put(65, t437); // row 2, MSX6
+        put(96, t441); // row 3, MSX6
+        put(121, t424); // row 4, MSX6
+        put(139, t408); // row 5, MSX6
+        [t398, t401, t403, t404]
     };
     // MSY6: column
-    let [t437, t440] = {
-        let t437 = c6 * t179;
-        let t439 = t437 - s6 * t181;
-        let t440 = s6 * t179;
-        let t442 = t440 + c6 * t181;
-        let t445 = t399 + D6 * t442;
-        let t446 = D6 * t439 - t398;
-        let t449 = c5 * t439 - s5 * t183;
-        let t452 = s5 * t439 + c5 * t183;
-        let t462 = s5 * t445 + c5 * t152 - D5 * t449;
-        let t465 = z1_4_x * (c5 * t445 - s5 * t152 + D5 * t452) + t63 * t446;
-        let t471 = t465 - (v1_4_z * t452 - (v1_5_z * t442 - v1_4_x * t449));
-        let t475 = t462 + (t200 * t449 + t203 * t442);
-        let t479 = t462 + (t204 * t449 + v3_5_z * t442);
-        put(28, t471); // row 1, MSY6
-        put(66, t475); // row 2, MSY6
-        put(97, t479); // row 3, MSY6
-        put(122, t462); // row 4, MSY6
-        put(140, t446); // row 5, MSY6
-        [t437, t440]
+    let [t442, t445] = {
+        let t442 = c6 * t392;
+        let t444 = t442 - s6 * t394;
+        let t445 = s6 * t392;
+        let t447 = t445 + c6 * t394;
+        let t450 = t404 + D6 * t447;
+        let t451 = D6 * t444 - t403;
+        let t454 = c5 * t444 - s5 * t396;
+        let t457 = s5 * t444 + c5 * t396;
+        let t467 = s5 * t450 + c5 * t365 - D5 * t454;
+        let t470 = z1_4_x * (c5 * t450 - s5 * t365 + D5 * t457) + t134 * t451;
+        let t476 = t470 - (v1_4_z * t457 - (v1_5_z * t447 - v1_4_x * t454));
+        let t480 = t467 + (t93 * t454 + t96 * t447);
+        let t484 = t467 + (t97 * t454 + v3_5_z * t447);
+        put(28, t476); // row 1, MSY6
+        put(66, t480); // row 2, MSY6
+        put(97, t484); // row 3, MSY6
+        put(122, t467); // row 4, MSY6
+        put(140, t451); // row 5, MSY6
+        [t442, t445]
     };
     // XX6: column
-    let [t481, t484] = {
-        let t481 = s6 * t173;
-        let t482 = c6 * t175 + t481;
-        let t484 = c6 * t173;
-        let t485 = s6 * t175 - t484;
-        let t490 = t63 * t485 - (z1_5_x * t482 + t103 * t172);
-        let t493 = c5 * t172 - s5 * t482;
-        put(29, t490); // row 1, XX6R
-        put(67, t493); // row 2, XX6R
-        put(98, t493); // row 3, XX6R
-        put(123, t493); // row 4, XX6R
-        put(141, t485); // row 5, XX6R
-        [t481, t484]
+    let [t486, t489] = {
+        let t486 = s6 * t386;
+        let t487 = c6 * t388 + t486;
+        let t489 = c6 * t386;
+        let t490 = s6 * t388 - t489;
+        let t495 = t134 * t490 - (z1_5_x * t487 + t221 * t385);
+        let t498 = c5 * t385 - s5 * t487;
+        put(29, t495); // row 1, XX6R
+        put(67, t498); // row 2, XX6R
+        put(98, t498); // row 3, XX6R
+        put(123, t498); // row 4, XX6R
+        put(141, t490); // row 5, XX6R
+        [t486, t489]
     };
     // ZZ6: column
     {
-        let t495 = t481 - c6 * t174;
-        let t497 = t484 + s6 * t174;
-        let t502 = t63 * t497 + (z1_5_x * t495 - t103 * dw6_z);
-        let t505 = s5 * t495 + c5 * dw6_z;
-        put(30, t502); // row 1, ZZ6
-        put(68, t505); // row 2, ZZ6
-        put(99, t505); // row 3, ZZ6
-        put(124, t505); // row 4, ZZ6
-        put(142, t497); // row 5, ZZ6
+        let t500 = t486 - c6 * t387;
+        let t502 = t489 + s6 * t387;
+        let t507 = t134 * t502 + (z1_5_x * t500 - t221 * dw6_z);
+        let t510 = s5 * t500 + c5 * dw6_z;
+        put(30, t507); // row 1, ZZ6
+        put(68, t510); // row 2, ZZ6
+        put(99, t510); // row 3, ZZ6
+        put(124, t510); // row 4, ZZ6
+        put(142, t502); // row 5, ZZ6
     }
     // XY6: column
     {
-        let t506 = t181 - t178;
-        let t509 = c6 * t182 - s6 * t183;
-        let t512 = s6 * t182 + c6 * t183;
-        let t517 = t63 * t512 - (z1_5_x * t509 + t103 * t506);
-        let t520 = c5 * t506 - s5 * t509;
-        put(31, t517); // row 1, XY6
-        put(69, t520); // row 2, XY6
-        put(100, t520); // row 3, XY6
-        put(125, t520); // row 4, XY6
-        put(143, t512); // row 5, XY6
-        put(154, t506); // row 6, XY6
+        let t511 = t394 - t391;
+        let t514 = c6 * t395 - s6 * t396;
+        let t517 = s6 * t395 + c6 * t396;
+        let t522 = t134 * t517 - (z1_5_x * t514 + t221 * t511);
+        let t525 = c5 * t511 - s5 * t514;
+        put(31, t522); // row 1, XY6
+        put(69, t525); // row 2, XY6
+        put(100, t525); // row 3, XY6
+        put(125, t525); // row 4, XY6
+        put(143, t517); // row 5, XY6
+        put(154, t511); // row 6, XY6
     }
     // XZ6: column
     {
-        let t522 = t396 - s6 * t177;
-        let t524 = t393 + c6 * t177;
-        let t529 = t63 * t524 - (z1_5_x * t522 + t103 * t167);
-        let t532 = c5 * t167 - s5 * t522;
-        put(32, t529); // row 1, XZ6
-        put(70, t532); // row 2, XZ6
-        put(101, t532); // row 3, XZ6
-        put(126, t532); // row 4, XZ6
-        put(144, t524); // row 5, XZ6
+        let t527 = t401 - s6 * t390;
+        let t529 = t398 + c6 * t390;
+        let t534 = t134 * t529 - (z1_5_x * t527 + t221 * t380);
+        let t537 = c5 * t380 - s5 * t527;
+        put(32, t534); // row 1, XZ6
+        put(70, t537); // row 2, XZ6
+        put(101, t537); // row 3, XZ6
+        put(126, t537); // row 4, XZ6
+        put(144, t529); // row 5, XZ6
     }
     // YZ6: column
     {
-        let t533 = t181 - t141;
-        let t535 = t440 + c6 * t533;
-        let t537 = s6 * t533 - t437;
-        let t542 = t63 * t537 - (z1_5_x * t535 + t103 * t164);
-        let t545 = c5 * t164 - s5 * t535;
-        let t546 = dq1.sign();
-        let t547 = dq2.sign();
-        let t548 = dq3.sign();
-        let t549 = dq4.sign();
-        let t550 = dq5.sign();
-        let t551 = dq6.sign();
-        let t552 = -a2_x;
-        let t553 = -t9;
-        let t554 = -t46;
-        let t555 = -t84;
-        let t556 = -t132;
-        put(33, t542); // row 1, YZ6
-        put(35, t546); // row 1, FC1
-        put(38, t552); // row 2, MSY2
-        put(39, t553); // row 2, XX2R
-        put(46, t554); // row 2, XX3R
-        put(57, t555); // row 2, YZ4
-        put(71, t545); // row 2, YZ6
-        put(73, t547); // row 2, FC2
-        put(77, t554); // row 3, XX3R
-        put(88, t555); // row 3, YZ4
-        put(102, t545); // row 3, YZ6
-        put(105, t548); // row 3, FC3
-        put(113, t555); // row 4, YZ4
-        put(127, t545); // row 4, YZ6
-        put(130, t549); // row 4, FC4
-        put(134, t556); // row 5, XX5R
-        put(145, t537); // row 5, YZ6
-        put(148, t550); // row 5, FC5
-        put(159, t551); // row 6, FC6
+        let t538 = t394 - t259;
+        let t540 = t445 + c6 * t538;
+        let t542 = s6 * t538 - t442;
+        let t547 = t134 * t542 - (z1_5_x * t540 + t221 * t377);
+        let t550 = c5 * t377 - s5 * t540;
+        let t551 = dq1.sign();
+        let t552 = dq2.sign();
+        let t553 = dq3.sign();
+        let t554 = dq4.sign();
+        let t555 = dq5.sign();
+        let t556 = dq6.sign();
+        put(33, t547); // row 1, YZ6
+        put(35, t551); // row 1, FC1
+        put(71, t550); // row 2, YZ6
+        put(73, t552); // row 2, FC2
+        put(102, t550); // row 3, YZ6
+        put(105, t553); // row 3, FC3
+        put(127, t550); // row 4, YZ6
+        put(130, t554); // row 4, FC4
+        put(145, t542); // row 5, YZ6
+        put(148, t555); // row 5, FC5
+        put(159, t556); // row 6, FC6
     }
 }

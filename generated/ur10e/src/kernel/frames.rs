@@ -4,7 +4,7 @@
 //!
 //! 64 multiplications, 50 additions; 6 x 3 x 4, 61 of 72 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -21,18 +21,29 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (5, 11),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 12 + PATTERN[k].1
+}
+
 /// DH frames of all rows in the base frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[[S; 4]; 3]; 6]) {
     let flat = &mut out.as_flattened_mut().as_flattened_mut()[..];
-    flat[2..4].fill(S::default());
-    flat[6..10].fill(S::default());
-    flat[15] = S::default();
-    flat[19] = S::default();
-    flat[22] = S::default();
-    flat[34] = S::default();
-    flat[46] = S::default();
-    nonzeros(trig, out);
+    entries(trig, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            1 => flat[2..4].fill(S::default()),
+            3 => flat[6..10].fill(S::default()),
+            8 => flat[15] = S::default(),
+            11 => flat[19] = S::default(),
+            13 => flat[22] = S::default(),
+            24 => flat[34] = S::default(),
+            35 => flat[46] = S::default(),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -67,14 +78,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t1 = c1 * s2;
         let t2 = s1 * c2;
         let t3 = s1 * s2;
+        let t4 = -t1;
+        let t5 = -t3;
         put(0, c1); // [0][0][0]
         put(2, s1); // [0][1][0]
         put(3, c1); // [0][1][1]
         put(4, k6); // [0][2][2]
         put(5, D1); // [0][2][3]
         put(6, t0); // [1][0][0]
+        put(7, t4); // [1][0][1]
         put(8, s1); // [1][0][2]
         put(9, t2); // [1][1][0]
+        put(10, t5); // [1][1][1]
         put(12, s2); // [1][2][0]
         put(13, c2); // [1][2][1]
         put(14, D1); // [1][2][3]
@@ -84,133 +99,129 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // frame 3
     let [
-        t4, t5, t7, t10, t13, t16, t19, t22,
-        t25,
+        t6, t7, t9, t12, t15, t18, t21, t24,
+        t27,
     ] = {
-        let t4 = t0 * k0;
-        let t5 = t2 * k0;
-        let t7 = D1 - s2 * k0;
-        let t10 = c3 * t0 - s3 * t1;
-        let t13 = c3 * t1 + s3 * t0;
-        let t16 = c3 * t2 - s3 * t3;
-        let t19 = c3 * t3 + s3 * t2;
-        let t22 = s2 * c3 + c2 * s3;
-        let t25 = c2 * c3 - s2 * s3;
-        put(15, t10); // [2][0][0]
-        put(19, t16); // [2][1][0]
-        put(23, t22); // [2][2][0]
-        put(24, t25); // [2][2][1]
-        put(25, t7); // [2][2][3]
+        let t6 = t0 * k0;
+        let t7 = t2 * k0;
+        let t9 = D1 - s2 * k0;
+        let t12 = c3 * t0 - s3 * t1;
+        let t15 = c3 * t1 + s3 * t0;
+        let t18 = c3 * t2 - s3 * t3;
+        let t21 = c3 * t3 + s3 * t2;
+        let t24 = s2 * c3 + c2 * s3;
+        let t27 = c2 * c3 - s2 * s3;
+        let t28 = -t15;
+        let t29 = -t6;
+        let t30 = -t21;
+        let t31 = -t7;
+        put(15, t12); // [2][0][0]
+        put(16, t28); // [2][0][1]
+        put(18, t29); // [2][0][3]
+        put(19, t18); // [2][1][0]
+        put(20, t30); // [2][1][1]
+        put(22, t31); // [2][1][3]
+        put(23, t24); // [2][2][0]
+        put(24, t27); // [2][2][1]
+        put(25, t9); // [2][2][3]
         [
-        t4, t5, t7, t10, t13, t16, t19, t22,
-        t25,
+        t6, t7, t9, t12, t15, t18, t21, t24,
+        t27,
     ]
     };
     // frame 4
     let [
-        t33, t34, t35, t38, t41, t44, t47, t50,
-        t53,
+        t39, t40, t41, t44, t47, t50, t53, t56,
+        t59,
     ] = {
-        let t33 = s1 * D4 - t10 * k2 - t4;
-        let t34 = t5 + (t16 * k2 + c1 * D4);
-        let t35 = t7 - t22 * k2;
-        let t38 = c4 * t10 - s4 * t13;
-        let t41 = c4 * t13 + s4 * t10;
-        let t44 = c4 * t16 - s4 * t19;
-        let t47 = c4 * t19 + s4 * t16;
-        let t50 = c4 * t22 + s4 * t25;
-        let t53 = c4 * t25 - s4 * t22;
-        put(26, t38); // [3][0][0]
-        put(29, t33); // [3][0][3]
-        put(30, t44); // [3][1][0]
-        put(34, t50); // [3][2][0]
-        put(35, t53); // [3][2][1]
-        put(36, t35); // [3][2][3]
-        put(39, t41); // [4][0][2]
-        put(43, t47); // [4][1][2]
+        let t39 = s1 * D4 - t12 * k2 - t6;
+        let t40 = t7 + (t18 * k2 + c1 * D4);
+        let t41 = t9 - t24 * k2;
+        let t44 = c4 * t12 - s4 * t15;
+        let t47 = c4 * t15 + s4 * t12;
+        let t50 = c4 * t18 - s4 * t21;
+        let t53 = c4 * t21 + s4 * t18;
+        let t56 = c4 * t24 + s4 * t27;
+        let t59 = c4 * t27 - s4 * t24;
+        let t60 = -t47;
+        let t61 = -t53;
+        let t62 = -t40;
+        let t63 = -t59;
+        put(26, t44); // [3][0][0]
+        put(27, t60); // [3][0][1]
+        put(29, t39); // [3][0][3]
+        put(30, t50); // [3][1][0]
+        put(31, t61); // [3][1][1]
+        put(33, t62); // [3][1][3]
+        put(34, t56); // [3][2][0]
+        put(35, t59); // [3][2][1]
+        put(36, t41); // [3][2][3]
+        put(39, t47); // [4][0][2]
+        put(43, t53); // [4][1][2]
+        put(47, t63); // [4][2][2]
         [
-        t33, t34, t35, t38, t41, t44, t47, t50,
-        t53,
+        t39, t40, t41, t44, t47, t50, t53, t56,
+        t59,
     ]
     };
     // frame 5
     let [
-        t57, t58, t59, t62, t65, t68, t71, t72,
-        t73,
+        t67, t68, t69, t72, t75, t78, t81, t82,
+        t83,
     ] = {
-        let t57 = t33 + D5 * t41;
-        let t58 = D5 * t47 - t34;
-        let t59 = t35 - D5 * t53;
-        let t62 = c5 * t38 + s1 * s5;
-        let t65 = s1 * c5 - s5 * t38;
-        let t68 = c5 * t44 - c1 * s5;
-        let t71 = c1 * c5 + s5 * t44;
-        let t72 = c5 * t50;
-        let t73 = s5 * t50;
-        put(37, t62); // [4][0][0]
-        put(38, t65); // [4][0][1]
-        put(40, t57); // [4][0][3]
-        put(41, t68); // [4][1][0]
-        put(44, t58); // [4][1][3]
-        put(45, t72); // [4][2][0]
-        put(48, t59); // [4][2][3]
-        put(51, t65); // [5][0][2]
+        let t67 = t39 + D5 * t47;
+        let t68 = D5 * t53 - t40;
+        let t69 = t41 - D5 * t59;
+        let t72 = c5 * t44 + s1 * s5;
+        let t75 = s1 * c5 - s5 * t44;
+        let t78 = c5 * t50 - c1 * s5;
+        let t81 = c1 * c5 + s5 * t50;
+        let t82 = c5 * t56;
+        let t83 = s5 * t56;
+        let t84 = -t81;
+        let t85 = -t83;
+        put(37, t72); // [4][0][0]
+        put(38, t75); // [4][0][1]
+        put(40, t67); // [4][0][3]
+        put(41, t78); // [4][1][0]
+        put(42, t84); // [4][1][1]
+        put(44, t68); // [4][1][3]
+        put(45, t82); // [4][2][0]
+        put(46, t85); // [4][2][1]
+        put(48, t69); // [4][2][3]
+        put(51, t75); // [5][0][2]
+        put(55, t84); // [5][1][2]
+        put(59, t85); // [5][2][2]
         [
-        t57, t58, t59, t62, t65, t68, t71, t72,
-        t73,
+        t67, t68, t69, t72, t75, t78, t81, t82,
+        t83,
     ]
     };
     // frame 6
     {
-        let t77 = t57 + D6 * t65;
-        let t78 = t58 - D6 * t71;
-        let t79 = t59 - D6 * t73;
-        let t82 = c6 * t62 - s6 * t41;
-        let t88 = c6 * t68 - s6 * t47;
-        let t94 = c6 * t72 + s6 * t53;
-        let t97 = c6 * t53 - s6 * t72;
-        let t98 = -s1;
-        let t99 = -t1;
-        let t100 = -t3;
-        let t101 = -c1;
-        let t102 = -t13;
-        let t103 = -t4;
-        let t104 = -t19;
-        let t105 = -t5;
-        let t106 = -t41;
-        let t107 = -t47;
-        let t108 = -t34;
-        let t109 = -t71;
-        let t110 = -t73;
-        let t111 = -t53;
-        let t112 = -(c6 * t41 + s6 * t62);
-        let t113 = -(c6 * t47 + s6 * t68);
-        put(1, t98); // [0][0][1]
-        put(7, t99); // [1][0][1]
-        put(10, t100); // [1][1][1]
-        put(11, t101); // [1][1][2]
-        put(16, t102); // [2][0][1]
-        put(18, t103); // [2][0][3]
-        put(20, t104); // [2][1][1]
-        put(21, t101); // [2][1][2]
-        put(22, t105); // [2][1][3]
-        put(27, t106); // [3][0][1]
-        put(31, t107); // [3][1][1]
-        put(32, t101); // [3][1][2]
-        put(33, t108); // [3][1][3]
-        put(42, t109); // [4][1][1]
-        put(46, t110); // [4][2][1]
-        put(47, t111); // [4][2][2]
-        put(49, t82); // [5][0][0]
+        let t89 = t67 + D6 * t75;
+        let t90 = t68 - D6 * t81;
+        let t91 = t69 - D6 * t83;
+        let t94 = c6 * t72 - s6 * t47;
+        let t100 = c6 * t78 - s6 * t53;
+        let t106 = c6 * t82 + s6 * t59;
+        let t109 = c6 * t59 - s6 * t82;
+        let t110 = -s1;
+        let t111 = -c1;
+        let t112 = -(c6 * t47 + s6 * t72);
+        let t113 = -(c6 * t53 + s6 * t78);
+        put(1, t110); // [0][0][1]
+        put(11, t111); // [1][1][2]
+        put(21, t111); // [2][1][2]
+        put(32, t111); // [3][1][2]
+        put(49, t94); // [5][0][0]
         put(50, t112); // [5][0][1]
-        put(52, t77); // [5][0][3]
-        put(53, t88); // [5][1][0]
+        put(52, t89); // [5][0][3]
+        put(53, t100); // [5][1][0]
         put(54, t113); // [5][1][1]
-        put(55, t109); // [5][1][2]
-        put(56, t78); // [5][1][3]
-        put(57, t94); // [5][2][0]
-        put(58, t97); // [5][2][1]
-        put(59, t110); // [5][2][2]
-        put(60, t79); // [5][2][3]
+        put(56, t90); // [5][1][3]
+        put(57, t106); // [5][2][0]
+        put(58, t109); // [5][2][1]
+        put(60, t91); // [5][2][3]
     }
 }

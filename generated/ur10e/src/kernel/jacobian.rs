@@ -4,7 +4,7 @@
 //!
 //! 65 multiplications, 40 additions; 6 x 6, 27 of 36 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -17,16 +17,27 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (4, 2), (4, 3), (4, 4), (4, 5), (5, 0), (5, 4), (5, 5),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 6 + PATTERN[k].1
+}
+
 /// Jacobian of the last DH frame's origin, in base axes: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 6]; 6]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[5] = S::default();
-    flat[11..13].fill(S::default());
-    flat[17..19].fill(S::default());
-    flat[24] = S::default();
-    flat[31..34].fill(S::default());
-    nonzeros(trig, out);
+    entries(trig, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            4 => flat[5] = S::default(),
+            9 => flat[11..13].fill(S::default()),
+            13 => flat[17..19].fill(S::default()),
+            18 => flat[24] = S::default(),
+            24 => flat[31..34].fill(S::default()),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.

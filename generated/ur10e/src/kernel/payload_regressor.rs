@@ -4,7 +4,7 @@
 //!
 //! 252 multiplications, 176 additions; 6 x 10, 58 of 60 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -20,13 +20,24 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (5, 1), (5, 2), (5, 4), (5, 5), (5, 6), (5, 7), (5, 8), (5, 9),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 10 + PATTERN[k].1
+}
+
 /// Regressor of a body fixed to the tool frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 6]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[50] = S::default();
-    flat[53] = S::default();
-    nonzeros(trig, dq, ddq, out);
+    entries(trig, dq, ddq, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            49 => flat[50] = S::default(),
+            51 => flat[53] = S::default(),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -153,240 +164,240 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t121, t122, t123, t124,
     ]
     };
-    // link 6: motion
-    let [
-        t129, t133, a6_y, t145, t148, dw6_z, t153, t154,
-        t155, t156, t157, t158, t159, t160, t161, t162,
-        t163, t164,
-    ] = {
-        let t128 = t97 - D6 * t122;
-        let t129 = t100 + D6 * t123;
-        let t130 = D6 * t124 - t93;
-        let t133 = c6 * t128 - s6 * t130;
-        let a6_y = c6 * t130 + s6 * t128;
-        let w6_x = c6 * w5_x - s6 * w5_z;
-        let t142 = c6 * w5_z + s6 * w5_x;
-        let t145 = c6 * t122 + s6 * t124;
-        let t148 = s6 * t122 - c6 * t124;
-        let w6_z = w5_y + dq6;
-        let dw6_z = t121 + ddq6;
-        let t151 = w6_x * w6_x;
-        let t152 = w6_z * w6_z;
-        let t153 = w6_x * t142;
-        let t154 = w6_x * w6_z;
-        let t155 = t142 * w6_z;
-        let t156 = t155 - t148;
-        let t157 = t154 - t145;
-        let t158 = t151 - t152;
-        let t159 = t123 - t158;
-        let t160 = dw6_z + t153;
-        let t161 = dw6_z - t153;
-        let t162 = t151 + t152;
-        let t163 = t154 + t157;
-        let t164 = t155 + t156;
-        put(50, a6_y); // row 6, MSX
-        put(51, t133); // row 6, MSY
-        put(52, t153); // row 6, XX
-        put(54, dw6_z); // row 6, ZZ
-        put(56, t148); // row 6, XZ
-        put(57, t145); // row 6, YZ
-        [
-        t129, t133, a6_y, t145, t148, dw6_z, t153, t154,
-        t155, t156, t157, t158, t159, t160, t161, t162,
-        t163, t164,
-    ]
-    };
     // joint axes in frame 3
-    let [v1_3_z, t166, t167] = {
+    let [v1_3_z, t126, t127] = {
         let v1_3_z = c2 * k1;
-        let t166 = s3 * k1;
-        let t167 = c3 * k1;
-        [v1_3_z, t166, t167]
+        let t126 = s3 * k1;
+        let t127 = c3 * k1;
+        [v1_3_z, t126, t127]
     };
     // joint axes in frame 4
-    let [v1_4_z, t174, v1_5_z, t181, t184, t185, v3_5_z] = {
-        let t168 = D4 * t20;
-        let t169 = D4 * z1_3_x;
+    let [v1_4_z, t134, v1_5_z, t141, t144, t145, v3_5_z] = {
+        let t128 = D4 * t20;
+        let t129 = D4 * z1_3_x;
         let v1_4_z = v1_3_z - t20 * k2;
-        let t174 = c4 * t168 + s4 * t169;
-        let v1_5_z = c4 * t169 - s4 * t168;
-        let t178 = t167 - A3;
-        let t181 = c4 * t166 + s4 * t178;
-        let t184 = c4 * t178 - s4 * t166;
-        let t185 = s4 * k2;
+        let t134 = c4 * t128 + s4 * t129;
+        let v1_5_z = c4 * t129 - s4 * t128;
+        let t138 = t127 - A3;
+        let t141 = c4 * t126 + s4 * t138;
+        let t144 = c4 * t138 - s4 * t126;
+        let t145 = s4 * k2;
         let v3_5_z = c4 * k2;
-        [v1_4_z, t174, v1_5_z, t181, t184, t185, v3_5_z]
+        [v1_4_z, t134, v1_5_z, t141, t144, t145, v3_5_z]
+    };
+    // link 6: motion
+    let [
+        t151, t155, a6_y, t167, t170, dw6_z, t175, t176,
+        t177, t178, t179, t180, t181, t182, t183, t184,
+        t185, t186,
+    ] = {
+        let t150 = t97 - D6 * t122;
+        let t151 = t100 + D6 * t123;
+        let t152 = D6 * t124 - t93;
+        let t155 = c6 * t150 - s6 * t152;
+        let a6_y = c6 * t152 + s6 * t150;
+        let w6_x = c6 * w5_x - s6 * w5_z;
+        let t164 = c6 * w5_z + s6 * w5_x;
+        let t167 = c6 * t122 + s6 * t124;
+        let t170 = s6 * t122 - c6 * t124;
+        let w6_z = w5_y + dq6;
+        let dw6_z = t121 + ddq6;
+        let t173 = w6_x * w6_x;
+        let t174 = w6_z * w6_z;
+        let t175 = w6_x * t164;
+        let t176 = w6_x * w6_z;
+        let t177 = t164 * w6_z;
+        let t178 = t177 - t170;
+        let t179 = t176 - t167;
+        let t180 = t173 - t174;
+        let t181 = t123 - t180;
+        let t182 = dw6_z + t175;
+        let t183 = dw6_z - t175;
+        let t184 = t173 + t174;
+        let t185 = t176 + t179;
+        let t186 = t177 + t178;
+        let t187 = -t175;
+        put(50, a6_y); // row 6, MSX
+        put(51, t155); // row 6, MSY
+        put(52, t175); // row 6, XX
+        put(53, t187); // row 6, YY
+        put(54, dw6_z); // row 6, ZZ
+        put(56, t170); // row 6, XZ
+        put(57, t167); // row 6, YZ
+        [
+        t151, t155, a6_y, t167, t170, dw6_z, t175, t176,
+        t177, t178, t179, t180, t181, t182, t183, t184,
+        t185, t186,
+    ]
     };
     // payload: column M
-    let [t189, t192] = {
-        let t189 = c6 * t133 + s6 * a6_y;
-        let t192 = s6 * t133 - c6 * a6_y;
-        let t193 = D6 * t192;
-        let t194 = D6 * t189;
-        let t197 = s5 * t129 - c5 * t189;
-        let t200 = s5 * t189 + c5 * t129;
-        let t206 = s5 * t193 + D5 * t197;
-        let t214 = v1_5_z * t192 - t174 * t197 - v1_4_z * t200;
-        let t215 = t52 * t194 - t49 * (c5 * t193 + D5 * t200) + t214;
-        let t219 = t206 + (t184 * t192 - t181 * t197);
-        let t223 = t206 + (v3_5_z * t192 - t185 * t197);
-        put(0, t215); // row 1, M
-        put(10, t219); // row 2, M
-        put(20, t223); // row 3, M
-        put(30, t206); // row 4, M
-        put(40, t194); // row 5, M
-        [t189, t192]
+    let [t190, t193] = {
+        let t190 = c6 * t155 + s6 * a6_y;
+        let t193 = s6 * t155 - c6 * a6_y;
+        let t194 = D6 * t193;
+        let t195 = D6 * t190;
+        let t198 = s5 * t151 - c5 * t190;
+        let t201 = s5 * t190 + c5 * t151;
+        let t207 = s5 * t194 + D5 * t198;
+        let t215 = v1_5_z * t193 - t134 * t198 - v1_4_z * t201;
+        let t216 = t52 * t195 - t49 * (c5 * t194 + D5 * t201) + t215;
+        let t220 = t207 + (t144 * t193 - t141 * t198);
+        let t224 = t207 + (v3_5_z * t193 - t145 * t198);
+        put(0, t216); // row 1, M
+        put(10, t220); // row 2, M
+        put(20, t224); // row 3, M
+        put(30, t207); // row 4, M
+        put(40, t195); // row 5, M
+        [t190, t193]
     };
     // payload: column MSX
-    let [t225, t228, t230, t231] = {
-        let t225 = s6 * t161;
-        let t226 = c6 * t159 + t225;
-        let t228 = c6 * t161;
-        let t229 = t228 - s6 * t159;
-        let t230 = s6 * t129;
-        let t231 = c6 * t129;
-        let t234 = t230 + D6 * t229;
-        let t235 = D6 * t226 - t231;
-        let t238 = c5 * t226 + s5 * t163;
-        let t241 = s5 * t226 - c5 * t163;
-        let t251 = c5 * a6_y - s5 * t234 - D5 * t238;
-        let t254 = t52 * t235 - t49 * (D5 * t241 - (c5 * t234 + s5 * a6_y));
-        let t260 = t254 - (v1_4_z * t241 + (v1_5_z * t229 - t174 * t238));
-        let t264 = t251 - (t184 * t229 - t181 * t238);
-        let t268 = t251 + (t185 * t238 - v3_5_z * t229);
-        put(1, t260); // row 1, MSX
-        put(11, t264); // row 2, MSX
-        put(21, t268); // row 3, MSX
-        put(31, t251); // row 4, MSX
-        put(41, t235); // row 5, MSX
-        [t225, t228, t230, t231]
+    let [t226, t229, t231, t232] = {
+        let t226 = s6 * t183;
+        let t227 = c6 * t181 + t226;
+        let t229 = c6 * t183;
+        let t230 = t229 - s6 * t181;
+        let t231 = s6 * t151;
+        let t232 = c6 * t151;
+        let t235 = t231 + D6 * t230;
+        let t236 = D6 * t227 - t232;
+        let t239 = c5 * t227 + s5 * t185;
+        let t242 = s5 * t227 - c5 * t185;
+        let t252 = c5 * a6_y - s5 * t235 - D5 * t239;
+        let t255 = t52 * t236 - t49 * (D5 * t242 - (c5 * t235 + s5 * a6_y));
+        let t261 = t255 - (v1_4_z * t242 + (v1_5_z * t230 - t134 * t239));
+        let t265 = t252 - (t144 * t230 - t141 * t239);
+        let t269 = t252 + (t145 * t239 - v3_5_z * t230);
+        put(1, t261); // row 1, MSX
+        put(11, t265); // row 2, MSX
+        put(21, t269); // row 3, MSX
+        put(31, t252); // row 4, MSX
+        put(41, t236); // row 5, MSX
+        [t226, t229, t231, t232]
     };
     // payload: column MSY
-    let [t269, t272] = {
-        let t269 = c6 * t160;
-        let t271 = t269 - s6 * t162;
-        let t272 = s6 * t160;
-        let t274 = t272 + c6 * t162;
-        let t277 = D6 * t274 - t231;
-        let t278 = t230 + D6 * t271;
-        let t281 = c5 * t271 - s5 * t164;
-        let t284 = s5 * t271 + c5 * t164;
-        let t294 = s5 * t277 + c5 * t133 - D5 * t281;
-        let t297 = t49 * (s5 * t133 - c5 * t277 - D5 * t284) + t52 * t278;
-        let t303 = t297 + (t174 * t281 + v1_5_z * t274 - v1_4_z * t284);
-        let t307 = t294 + (t181 * t281 + t184 * t274);
-        let t311 = t294 + (t185 * t281 + v3_5_z * t274);
-        put(2, t303); // row 1, MSY
-        put(12, t307); // row 2, MSY
-        put(22, t311); // row 3, MSY
-        put(32, t294); // row 4, MSY
-        put(42, t278); // row 5, MSY
-        [t269, t272]
+    let [t270, t273] = {
+        let t270 = c6 * t182;
+        let t272 = t270 - s6 * t184;
+        let t273 = s6 * t182;
+        let t275 = t273 + c6 * t184;
+        let t278 = D6 * t275 - t232;
+        let t279 = t231 + D6 * t272;
+        let t282 = c5 * t272 - s5 * t186;
+        let t285 = s5 * t272 + c5 * t186;
+        let t295 = s5 * t278 + c5 * t155 - D5 * t282;
+        let t298 = t49 * (s5 * t155 - c5 * t278 - D5 * t285) + t52 * t279;
+        let t304 = t298 + (t134 * t282 + v1_5_z * t275 - v1_4_z * t285);
+        let t308 = t295 + (t141 * t282 + t144 * t275);
+        let t312 = t295 + (t145 * t282 + v3_5_z * t275);
+        put(2, t304); // row 1, MSY
+        put(12, t308); // row 2, MSY
+        put(22, t312); // row 3, MSY
+        put(32, t295); // row 4, MSY
+        put(42, t279); // row 5, MSY
+        [t270, t273]
     };
     // payload: column MSZ
     {
-        let t314 = c6 * t145 + s6 * t148;
-        let t317 = c6 * t148 - s6 * t145;
-        let t320 = t192 + D6 * t317;
-        let t321 = t189 - D6 * t314;
-        let t324 = c5 * t314 + s5 * t123;
-        let t327 = s5 * t314 - c5 * t123;
-        let t333 = s5 * t320 + D5 * t324;
-        let t341 = v1_4_z * t327 + (v1_5_z * t317 - t174 * t324);
-        let t342 = t52 * t321 - t49 * (c5 * t320 - D5 * t327) + t341;
-        let t346 = t333 - (t181 * t324 - t184 * t317);
-        let t350 = t333 + (v3_5_z * t317 - t185 * t324);
-        put(3, t342); // row 1, MSZ
-        put(13, t346); // row 2, MSZ
-        put(23, t350); // row 3, MSZ
-        put(33, t333); // row 4, MSZ
-        put(43, t321); // row 5, MSZ
+        let t315 = c6 * t167 + s6 * t170;
+        let t318 = c6 * t170 - s6 * t167;
+        let t321 = t193 + D6 * t318;
+        let t322 = t190 - D6 * t315;
+        let t325 = c5 * t315 + s5 * t123;
+        let t328 = s5 * t315 - c5 * t123;
+        let t334 = s5 * t321 + D5 * t325;
+        let t342 = v1_4_z * t328 + (v1_5_z * t318 - t134 * t325);
+        let t343 = t52 * t322 - t49 * (c5 * t321 - D5 * t328) + t342;
+        let t347 = t334 - (t141 * t325 - t144 * t318);
+        let t351 = t334 + (v3_5_z * t318 - t145 * t325);
+        put(3, t343); // row 1, MSZ
+        put(13, t347); // row 2, MSZ
+        put(23, t351); // row 3, MSZ
+        put(33, t334); // row 4, MSZ
+        put(43, t322); // row 5, MSZ
     }
     // payload: column XX
-    let [t352, t355, t358, t363] = {
-        let t352 = s6 * t154;
-        let t353 = c6 * t156 + t352;
-        let t355 = c6 * t154;
-        let t356 = s6 * t156 - t355;
-        let t358 = t88 * t153;
-        let t361 = t52 * t356 + (t87 * t353 + t358);
-        let t363 = c5 * t153;
-        let t364 = t363 - s5 * t353;
-        put(4, t361); // row 1, XX
-        put(14, t364); // row 2, XX
-        put(24, t364); // row 3, XX
-        put(34, t364); // row 4, XX
-        put(44, t356); // row 5, XX
-        [t352, t355, t358, t363]
+    let [t353, t356, t359, t364] = {
+        let t353 = s6 * t176;
+        let t354 = c6 * t178 + t353;
+        let t356 = c6 * t176;
+        let t357 = s6 * t178 - t356;
+        let t359 = t88 * t175;
+        let t362 = t52 * t357 + (t87 * t354 + t359);
+        let t364 = c5 * t175;
+        let t365 = t364 - s5 * t354;
+        put(4, t362); // row 1, XX
+        put(14, t365); // row 2, XX
+        put(24, t365); // row 3, XX
+        put(34, t365); // row 4, XX
+        put(44, t357); // row 5, XX
+        [t353, t356, t359, t364]
     };
     // payload: column YY
-    let [t365, t368] = {
-        let t365 = c6 * t155;
-        let t367 = t365 + s6 * t157;
-        let t368 = s6 * t155;
-        let t370 = c6 * t157 - t368;
-        let t374 = t52 * t370 - (t358 + t87 * t367);
-        let t376 = s5 * t367 - t363;
-        put(5, t374); // row 1, YY
-        put(15, t376); // row 2, YY
-        put(25, t376); // row 3, YY
-        put(35, t376); // row 4, YY
-        put(45, t370); // row 5, YY
-        [t365, t368]
+    let [t366, t369] = {
+        let t366 = c6 * t177;
+        let t368 = t366 + s6 * t179;
+        let t369 = s6 * t177;
+        let t371 = c6 * t179 - t369;
+        let t375 = t52 * t371 - (t359 + t87 * t368);
+        let t377 = s5 * t368 - t364;
+        put(5, t375); // row 1, YY
+        put(15, t377); // row 2, YY
+        put(25, t377); // row 3, YY
+        put(35, t377); // row 4, YY
+        put(45, t371); // row 5, YY
+        [t366, t369]
     };
     // payload: column ZZ
-    let t387 = {
-        let t377 = t365 - t352;
-        let t378 = t355 + t368;
-        let t383 = t52 * t378 + (t87 * t377 + t88 * dw6_z);
-        let t386 = c5 * dw6_z - s5 * t377;
-        let t387 = t162 - t159;
-        put(6, t383); // row 1, ZZ
-        put(16, t386); // row 2, ZZ
-        put(26, t386); // row 3, ZZ
-        put(36, t386); // row 4, ZZ
-        put(46, t378); // row 5, ZZ
-        put(55, t387); // row 6, XY
-        t387
+    let t388 = {
+        let t378 = t366 - t353;
+        let t379 = t356 + t369;
+        let t384 = t52 * t379 + (t87 * t378 + t88 * dw6_z);
+        let t387 = c5 * dw6_z - s5 * t378;
+        let t388 = t184 - t181;
+        put(6, t384); // row 1, ZZ
+        put(16, t387); // row 2, ZZ
+        put(26, t387); // row 3, ZZ
+        put(36, t387); // row 4, ZZ
+        put(46, t379); // row 5, ZZ
+        put(55, t388); // row 6, XY
+        t388
     };
     // payload: column XY
     {
-        let t390 = s6 * t164 - c6 * t163;
-        let t393 = s6 * t163 + c6 * t164;
-        let t398 = t52 * t393 + (t88 * t387 - t87 * t390);
-        let t401 = s5 * t390 + c5 * t387;
-        put(7, t398); // row 1, XY
-        put(17, t401); // row 2, XY
-        put(27, t401); // row 3, XY
-        put(37, t401); // row 4, XY
-        put(47, t393); // row 5, XY
+        let t391 = s6 * t186 - c6 * t185;
+        let t394 = s6 * t185 + c6 * t186;
+        let t399 = t52 * t394 + (t88 * t388 - t87 * t391);
+        let t402 = s5 * t391 + c5 * t388;
+        put(7, t399); // row 1, XY
+        put(17, t402); // row 2, XY
+        put(27, t402); // row 3, XY
+        put(37, t402); // row 4, XY
+        put(47, t394); // row 5, XY
     }
     // payload: column XZ
-    let t414 = {
-        let t403 = t228 + s6 * t158;
-        let t405 = c6 * t158 - t225;
-        let t410 = t52 * t405 + (t88 * t148 - t87 * t403);
-        let t413 = s5 * t403 + c5 * t148;
-        let t414 = t162 - t123;
-        put(8, t410); // row 1, XZ
-        put(18, t413); // row 2, XZ
-        put(28, t413); // row 3, XZ
-        put(38, t413); // row 4, XZ
-        put(48, t405); // row 5, XZ
-        t414
+    let t415 = {
+        let t404 = t229 + s6 * t180;
+        let t406 = c6 * t180 - t226;
+        let t411 = t52 * t406 + (t88 * t170 - t87 * t404);
+        let t414 = s5 * t404 + c5 * t170;
+        let t415 = t184 - t123;
+        put(8, t411); // row 1, XZ
+        put(18, t414); // row 2, XZ
+        put(28, t414); // row 3, XZ
+        put(38, t414); // row 4, XZ
+        put(48, t406); // row 5, XZ
+        t415
     };
     // payload: column YZ
     {
-        let t416 = t272 + c6 * t414;
-        let t418 = s6 * t414 - t269;
-        let t423 = t52 * t418 + (t87 * t416 + t88 * t145);
-        let t426 = c5 * t145 - s5 * t416;
-        let t427 = -t153;
-        put(9, t423); // row 1, YZ
-        put(19, t426); // row 2, YZ
-        put(29, t426); // row 3, YZ
-        put(39, t426); // row 4, YZ
-        put(49, t418); // row 5, YZ
-        put(53, t427); // row 6, YY
+        let t417 = t273 + c6 * t415;
+        let t419 = s6 * t415 - t270;
+        let t424 = t52 * t419 + (t87 * t417 + t88 * t167);
+        let t427 = c5 * t167 - s5 * t417;
+        put(9, t424); // row 1, YZ
+        put(19, t427); // row 2, YZ
+        put(29, t427); // row 3, YZ
+        put(39, t427); // row 4, YZ
+        put(49, t419); // row 5, YZ
     }
 }

@@ -2,9 +2,9 @@
 //!
 //! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
 //!
-//! 413 multiplications, 323 additions; 6 x 84, 212 of 504 structurally nonzero.
+//! 406 multiplications, 322 additions; 6 x 84, 212 of 504 structurally nonzero.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Scalar, apart};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -36,46 +36,57 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (5, 77), (5, 83),
 ];
 
+/// Where entry `k` stands in the row-major result.
+const fn place(k: usize) -> usize {
+    PATTERN[k].0 * 84 + PATTERN[k].1
+}
+
 /// Regressor `W` of the standard parameters: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 84]; 6]) {
     let flat = &mut out.as_flattened_mut()[..];
     flat[0..6].fill(S::default());
-    flat[7..13].fill(S::default());
-    flat[61..66].fill(S::default());
-    flat[67..72].fill(S::default());
-    flat[73..78].fill(S::default());
-    flat[79..95].fill(S::default());
-    flat[97] = S::default();
-    flat[144] = S::default();
-    flat[146..151].fill(S::default());
-    flat[152..157].fill(S::default());
-    flat[158..163].fill(S::default());
-    flat[164..189].fill(S::default());
-    flat[191] = S::default();
-    flat[228..230].fill(S::default());
-    flat[231..236].fill(S::default());
-    flat[237..242].fill(S::default());
-    flat[243..248].fill(S::default());
-    flat[249..283].fill(S::default());
-    flat[285] = S::default();
-    flat[312..315].fill(S::default());
-    flat[316..321].fill(S::default());
-    flat[322..327].fill(S::default());
-    flat[328..333].fill(S::default());
-    flat[334..377].fill(S::default());
-    flat[379] = S::default();
-    flat[396..400].fill(S::default());
-    flat[401..406].fill(S::default());
-    flat[407..412].fill(S::default());
-    flat[413..418].fill(S::default());
-    flat[419..471].fill(S::default());
-    flat[473] = S::default();
-    flat[480..485].fill(S::default());
-    flat[486..491].fill(S::default());
-    flat[492..497].fill(S::default());
-    flat[498..503].fill(S::default());
-    nonzeros(trig, dq, ddq, out);
+    entries(trig, dq, ddq, |k, x| {
+        flat[place(k)] = x;
+        match k {
+            0 => flat[7..13].fill(S::default()),
+            48 => flat[61..66].fill(S::default()),
+            49 => flat[67..72].fill(S::default()),
+            50 => flat[73..78].fill(S::default()),
+            51 => flat[79..95].fill(S::default()),
+            53 => flat[97] = S::default(),
+            99 => flat[144] = S::default(),
+            100 => flat[146..151].fill(S::default()),
+            101 => flat[152..157].fill(S::default()),
+            102 => flat[158..163].fill(S::default()),
+            103 => flat[164..189].fill(S::default()),
+            105 => flat[191] = S::default(),
+            141 => flat[228..230].fill(S::default()),
+            142 => flat[231..236].fill(S::default()),
+            143 => flat[237..242].fill(S::default()),
+            144 => flat[243..248].fill(S::default()),
+            145 => flat[249..283].fill(S::default()),
+            147 => flat[285] = S::default(),
+            173 => flat[312..315].fill(S::default()),
+            174 => flat[316..321].fill(S::default()),
+            175 => flat[322..327].fill(S::default()),
+            176 => flat[328..333].fill(S::default()),
+            177 => flat[334..377].fill(S::default()),
+            179 => flat[379] = S::default(),
+            195 => flat[396..400].fill(S::default()),
+            196 => flat[401..406].fill(S::default()),
+            197 => flat[407..412].fill(S::default()),
+            198 => flat[413..418].fill(S::default()),
+            199 => flat[419..471].fill(S::default()),
+            201 => flat[473] = S::default(),
+            207 => flat[480..485].fill(S::default()),
+            208 => flat[486..491].fill(S::default()),
+            209 => flat[492..497].fill(S::default()),
+            210 => flat[498..503].fill(S::default()),
+            _ => {}
+        }
+        apart();
+    });
 }
 
 /// The same, where all other entries of `out` are zero already: they are left alone.
@@ -103,9 +114,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let D4 = S::constant(0.17415);
     let D5 = S::constant(0.11985);
     let D6 = S::constant(0.11655);
-    let k0 = S::constant(9.81);
-    let k1 = S::constant(0.6127);
-    let k2 = S::constant(0.57155);
+    let k0 = S::constant(0.6127);
+    let k1 = S::constant(9.81);
+    let k3 = S::constant(0.57155);
     let k7 = S::constant(1.0);
     // link 1: motion
     let t0 = {
@@ -132,760 +143,766 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         put(211, k7); // row 6, FO6
         t0
     };
+    // joint axes in frame 3
+    let [v1_3_z, t2, t3] = {
+        let v1_3_z = c2 * k0;
+        let t2 = s3 * k0;
+        let t3 = c3 * k0;
+        [v1_3_z, t2, t3]
+    };
     // link 2: motion
     let [
-        a2_x, a2_y, t9, t10, t11, dw2_x, dw2_y, t14,
-        t15, t16, t17, t18, t19, t20,
+        a2_x, a2_y, t13, t14, dw2_x, dw2_y, t17, t18,
+        t19, t20, t21, t22, t23,
     ] = {
-        let a2_x = s2 * k0;
-        let a2_y = c2 * k0;
+        let a2_x = s2 * k1;
+        let a2_y = c2 * k1;
         let w2_x = s2 * dq1;
         let w2_y = c2 * dq1;
-        let t5 = s2 * ddq1;
-        let t6 = c2 * ddq1;
-        let t7 = w2_x * w2_x;
-        let t8 = dq2 * dq2;
-        let t9 = w2_x * w2_y;
-        let t10 = dq2 * w2_x;
-        let t11 = dq2 * w2_y;
-        let dw2_x = t5 + t11;
-        let dw2_y = t6 - t10;
-        let t14 = t7 - t8;
-        let t15 = t14 - t0;
-        let t16 = ddq2 - t9;
-        let t17 = ddq2 + t9;
-        let t18 = t7 + t8;
-        let t19 = dw2_y - t10;
-        let t20 = t11 + dw2_x;
+        let t8 = s2 * ddq1;
+        let t9 = c2 * ddq1;
+        let t10 = w2_x * w2_x;
+        let t11 = dq2 * dq2;
+        let t12 = w2_x * w2_y;
+        let t13 = dq2 * w2_x;
+        let t14 = dq2 * w2_y;
+        let dw2_x = t8 + t14;
+        let dw2_y = t9 - t13;
+        let t17 = t10 - t11;
+        let t18 = t17 - t0;
+        let t19 = ddq2 - t12;
+        let t20 = ddq2 + t12;
+        let t21 = t10 + t11;
+        let t22 = dw2_y - t13;
+        let t23 = t14 + dw2_x;
+        let t24 = -a2_x;
+        let t25 = -t12;
         put(52, a2_y); // row 2, MSX2
-        put(55, t9); // row 2, YY2
-        put(58, t5); // row 2, XZ2
-        put(59, t6); // row 2, YZ2
+        put(53, t24); // row 2, MSY2
+        put(54, t25); // row 2, XX2
+        put(55, t12); // row 2, YY2
+        put(58, t8); // row 2, XZ2
+        put(59, t9); // row 2, YZ2
         [
-        a2_x, a2_y, t9, t10, t11, dw2_x, dw2_y, t14,
-        t15, t16, t17, t18, t19, t20,
+        a2_x, a2_y, t13, t14, dw2_x, dw2_y, t17, t18,
+        t19, t20, t21, t22, t23,
     ]
-    };
-    // link 3: motion
-    let [
-        z1_3_x, z1_3_y, w3_z, dw3_z, t31, t36, a3_y, t40,
-        t41, t46, t47, t48, dw3_x, dw3_y, t51, t52,
-        t53, t54, t55, t56, t57,
-    ] = {
-        let z1_3_x = s2 * c3 + c2 * s3;
-        let z1_3_y = c2 * c3 - s2 * s3;
-        let w3_z = dq2 + dq3;
-        let dw3_z = ddq2 + ddq3;
-        let t31 = t19 * k1;
-        let t32 = t15 * k1 - a2_x;
-        let t33 = a2_y - t17 * k1;
-        let t36 = c3 * t32 - s3 * t33;
-        let a3_y = c3 * t33 + s3 * t32;
-        let t40 = ddq1 * z1_3_y;
-        let t41 = ddq1 * z1_3_x;
-        let w3_x = dq1 * z1_3_x;
-        let w3_y = dq1 * z1_3_y;
-        let t44 = w3_x * w3_x;
-        let t45 = w3_z * w3_z;
-        let t46 = w3_x * w3_y;
-        let t47 = w3_z * w3_x;
-        let t48 = w3_z * w3_y;
-        let dw3_x = t41 + t48;
-        let dw3_y = t40 - t47;
-        let t51 = t45 - t44;
-        let t52 = t0 + t51;
-        let t53 = dw3_z - t46;
-        let t54 = dw3_z + t46;
-        let t55 = t44 + t45;
-        let t56 = t47 - dw3_y;
-        let t57 = t48 + dw3_x;
-        put(65, t46); // row 2, YY3
-        put(66, dw3_z); // row 2, ZZ3
-        put(68, t41); // row 2, XZ3
-        put(69, t40); // row 2, YZ3
-        put(104, a3_y); // row 3, MSX3
-        put(105, t36); // row 3, MSY3
-        put(107, t46); // row 3, YY3
-        put(108, dw3_z); // row 3, ZZ3
-        put(110, t41); // row 3, XZ3
-        put(111, t40); // row 3, YZ3
-        [
-        z1_3_x, z1_3_y, w3_z, dw3_z, t31, t36, a3_y, t40,
-        t41, t46, t47, t48, dw3_x, dw3_y, t51, t52,
-        t53, t54, t55, t56, t57,
-    ]
-    };
-    // link 4: motion
-    let [
-        z1_4_x, t63, w4_z, t77, t80, a4_y, t84, t85,
-        w4_x, t87, t90, t91, t92, dw4_x, t94, t95,
-        t96, t97, t98, t99, t100, t101,
-    ] = {
-        let z1_4_x = c4 * z1_3_x + s4 * z1_3_y;
-        let t63 = s4 * z1_3_x - c4 * z1_3_y;
-        let w4_z = w3_z + dq4;
-        let dw4_z = dw3_z + ddq4;
-        let t75 = t36 - (t52 * k2 + D4 * t40);
-        let t76 = a3_y - (t54 * k2 + D4 * t41);
-        let t77 = t31 - (t56 * k2 + D4 * t0);
-        let t80 = c4 * t75 - s4 * t76;
-        let a4_y = c4 * t76 + s4 * t75;
-        let t84 = ddq1 * t63;
-        let t85 = ddq1 * z1_4_x;
-        let w4_x = dq1 * z1_4_x;
-        let t87 = dq1 * t63;
-        let t88 = w4_x * w4_x;
-        let t89 = w4_z * w4_z;
-        let t90 = w4_x * t87;
-        let t91 = w4_z * w4_x;
-        let t92 = w4_z * t87;
-        let dw4_x = t85 - t92;
-        let t94 = t84 + t91;
-        let t95 = t89 - t88;
-        let t96 = t0 + t95;
-        let t97 = dw4_z + t90;
-        let t98 = dw4_z - t90;
-        let t99 = t88 + t89;
-        let t100 = t91 + t94;
-        let t101 = t92 - dw4_x;
-        put(74, t90); // row 2, XX4
-        put(76, dw4_z); // row 2, ZZ4
-        put(78, t85); // row 2, XZ4
-        put(116, t90); // row 3, XX4
-        put(118, dw4_z); // row 3, ZZ4
-        put(120, t85); // row 3, XZ4
-        put(146, a4_y); // row 4, MSX4
-        put(147, t80); // row 4, MSY4
-        put(148, t90); // row 4, XX4
-        put(150, dw4_z); // row 4, ZZ4
-        put(152, t85); // row 4, XZ4
-        [
-        z1_4_x, t63, w4_z, t77, t80, a4_y, t84, t85,
-        w4_x, t87, t90, t91, t92, dw4_x, t94, t95,
-        t96, t97, t98, t99, t100, t101,
-    ]
-    };
-    // link 5: motion
-    let [
-        z1_5_x, t103, t108, t112, a5_y, w5_x, w5_y, t124,
-        t127, w5_z, dw5_z, t132, t133, t134, dw5_x, t136,
-        t137, t138, t139, t140, t141, t142, t143,
-    ] = {
-        let z1_5_x = c5 * z1_4_x;
-        let t103 = s5 * z1_4_x;
-        let t107 = t80 - D5 * t97;
-        let t108 = a4_y + D5 * t99;
-        let t109 = t77 + D5 * t101;
-        let t112 = c5 * t107 - s5 * t109;
-        let a5_y = c5 * t109 + s5 * t107;
-        let w5_x = c5 * w4_x + s5 * w4_z;
-        let w5_y = c5 * w4_z - s5 * w4_x;
-        let t124 = c5 * t97 + s5 * t101;
-        let t127 = s5 * t97 - c5 * t101;
-        let w5_z = t87 + dq5;
-        let dw5_z = t94 + ddq5;
-        let t130 = w5_x * w5_x;
-        let t131 = w5_z * w5_z;
-        let t132 = w5_x * w5_y;
-        let t133 = w5_x * w5_z;
-        let t134 = w5_y * w5_z;
-        let dw5_x = t127 + t134;
-        let t136 = t124 - t133;
-        let t137 = t130 - t131;
-        let t138 = t137 - t99;
-        let t139 = t132 - dw5_z;
-        let t140 = dw5_z + t132;
-        let t141 = t130 + t131;
-        let t142 = t136 - t133;
-        let t143 = t134 + dw5_x;
-        put(178, a5_y); // row 5, MSX5
-        put(179, t112); // row 5, MSY5
-        put(181, t132); // row 5, YY5
-        put(182, dw5_z); // row 5, ZZ5
-        put(184, t127); // row 5, XZ5
-        put(185, t124); // row 5, YZ5
-        [
-        z1_5_x, t103, t108, t112, a5_y, w5_x, w5_y, t124,
-        t127, w5_z, dw5_z, t132, t133, t134, dw5_x, t136,
-        t137, t138, t139, t140, t141, t142, t143,
-    ]
-    };
-    // link 6: motion
-    let [
-        t148, t152, a6_y, t164, t167, dw6_z, t172, t173,
-        t174, t175, t176, t177, t178, t179, t180, t181,
-        t182, t183,
-    ] = {
-        let t147 = t112 - D6 * t139;
-        let t148 = a5_y - D6 * t141;
-        let t149 = t108 - D6 * t143;
-        let t152 = c6 * t147 - s6 * t149;
-        let a6_y = c6 * t149 + s6 * t147;
-        let w6_x = c6 * w5_x - s6 * w5_z;
-        let t161 = c6 * w5_z + s6 * w5_x;
-        let t164 = c6 * t139 - s6 * t143;
-        let t167 = c6 * t143 + s6 * t139;
-        let w6_z = w5_y + dq6;
-        let dw6_z = t136 + ddq6;
-        let t170 = w6_x * w6_x;
-        let t171 = w6_z * w6_z;
-        let t172 = w6_x * t161;
-        let t173 = w6_x * w6_z;
-        let t174 = t161 * w6_z;
-        let t175 = t174 - t167;
-        let t176 = t173 - t164;
-        let t177 = t170 - t171;
-        let t178 = t177 - t141;
-        let t179 = dw6_z + t172;
-        let t180 = t172 - dw6_z;
-        let t181 = t170 + t171;
-        let t182 = t173 + t176;
-        let t183 = t174 + t175;
-        put(200, a6_y); // row 6, MSX6
-        put(201, t152); // row 6, MSY6
-        put(202, t172); // row 6, XX6
-        put(204, dw6_z); // row 6, ZZ6
-        put(206, t167); // row 6, XZ6
-        put(207, t164); // row 6, YZ6
-        [
-        t148, t152, a6_y, t164, t167, dw6_z, t172, t173,
-        t174, t175, t176, t177, t178, t179, t180, t181,
-        t182, t183,
-    ]
-    };
-    // joint axes in frame 3
-    let [v1_3_z, t185, t186] = {
-        let v1_3_z = c2 * k1;
-        let t185 = s3 * k1;
-        let t186 = c3 * k1;
-        [v1_3_z, t185, t186]
-    };
-    // joint axes in frame 4
-    let [v1_4_z, t193, v1_5_z, t200, v2_4_y, t204, v3_5_z] = {
-        let t187 = D4 * z1_3_y;
-        let t188 = D4 * z1_3_x;
-        let v1_4_z = v1_3_z + z1_3_y * k2;
-        let t193 = s4 * t188 - c4 * t187;
-        let v1_5_z = c4 * t188 + s4 * t187;
-        let t197 = t186 - A3;
-        let t200 = c4 * t185 + s4 * t197;
-        let v2_4_y = s4 * t185 - c4 * t197;
-        let t204 = s4 * k2;
-        let v3_5_z = c4 * k2;
-        [v1_4_z, t193, v1_5_z, t200, v2_4_y, t204, v3_5_z]
     };
     // MSZ2: column
     {
-        let t208 = c2 * a2_x - s2 * a2_y;
-        put(1, t208); // row 1, MSZ2
+        let t28 = c2 * a2_x - s2 * a2_y;
+        put(1, t28); // row 1, MSZ2
     }
     // XX2: column
-    let t210 = {
-        let t210 = c2 * t10;
-        let t211 = s2 * dw2_x + t210;
-        put(2, t211); // row 1, XX2
-        t210
+    let t30 = {
+        let t30 = c2 * t13;
+        let t31 = s2 * dw2_x + t30;
+        put(2, t31); // row 1, XX2
+        t30
     };
     // YY2: column
-    let t212 = {
-        let t212 = s2 * t11;
-        let t214 = c2 * dw2_y - t212;
-        put(3, t214); // row 1, YY2
-        t212
+    let t32 = {
+        let t32 = s2 * t14;
+        let t34 = c2 * dw2_y - t32;
+        put(3, t34); // row 1, YY2
+        t32
     };
     // ZZ2: column
     {
-        let t215 = t212 - t210;
-        put(4, t215); // row 1, ZZ2
+        let t35 = t32 - t30;
+        put(4, t35); // row 1, ZZ2
     }
     // XY2: column
     {
-        let t216 = t15 + t18;
-        let t219 = s2 * t19 + c2 * t20;
-        put(5, t219); // row 1, XY2
-        put(57, t216); // row 2, XY2
+        let t36 = t18 + t21;
+        let t39 = s2 * t22 + c2 * t23;
+        put(5, t39); // row 1, XY2
+        put(57, t36); // row 2, XY2
     }
     // XZ2: column
     {
-        let t222 = s2 * t17 - c2 * t14;
-        put(6, t222); // row 1, XZ2
+        let t42 = s2 * t20 - c2 * t17;
+        put(6, t42); // row 1, XZ2
     }
     // YZ2: column
     {
-        let t226 = s2 * (t0 - t18) + c2 * t16;
-        put(7, t226); // row 1, YZ2
+        let t46 = c2 * t19 - s2 * (t21 - t0);
+        put(7, t46); // row 1, YZ2
     }
+    // link 3: motion
+    let [
+        z1_3_x, t52, w3_z, dw3_z, t57, t62, a3_y, t66,
+        t67, t73, t74, dw3_x, t76, t77, t78, t79,
+        t80, t81, t82, t83,
+    ] = {
+        let z1_3_x = s2 * c3 + c2 * s3;
+        let t52 = s2 * s3 - c2 * c3;
+        let w3_z = dq2 + dq3;
+        let dw3_z = ddq2 + ddq3;
+        let t57 = t22 * k0;
+        let t58 = t18 * k0 - a2_x;
+        let t59 = t20 * k0 - a2_y;
+        let t62 = c3 * t58 + s3 * t59;
+        let a3_y = s3 * t58 - c3 * t59;
+        let t66 = ddq1 * t52;
+        let t67 = ddq1 * z1_3_x;
+        let w3_x = dq1 * z1_3_x;
+        let t69 = dq1 * t52;
+        let t70 = w3_x * w3_x;
+        let t71 = w3_z * w3_z;
+        let t72 = w3_x * t69;
+        let t73 = w3_z * w3_x;
+        let t74 = w3_z * t69;
+        let dw3_x = t67 - t74;
+        let t76 = t66 + t73;
+        let t77 = t70 - t71;
+        let t78 = t77 - t0;
+        let t79 = dw3_z + t72;
+        let t80 = dw3_z - t72;
+        let t81 = t70 + t71;
+        let t82 = t73 + t76;
+        let t83 = t74 - dw3_x;
+        let t84 = -t72;
+        let t85 = -t66;
+        put(64, t72); // row 2, XX3
+        put(65, t84); // row 2, YY3
+        put(66, dw3_z); // row 2, ZZ3
+        put(68, t67); // row 2, XZ3
+        put(69, t85); // row 2, YZ3
+        put(104, a3_y); // row 3, MSX3
+        put(105, t62); // row 3, MSY3
+        put(106, t72); // row 3, XX3
+        put(107, t84); // row 3, YY3
+        put(108, dw3_z); // row 3, ZZ3
+        put(110, t67); // row 3, XZ3
+        put(111, t85); // row 3, YZ3
+        [
+        z1_3_x, t52, w3_z, dw3_z, t57, t62, a3_y, t66,
+        t67, t73, t74, dw3_x, t76, t77, t78, t79,
+        t80, t81, t82, t83,
+    ]
+    };
+    // joint axes in frame 4
+    let [t89, t92, t95, t99, t102, t103, v3_5_z] = {
+        let t86 = D4 * t52;
+        let t87 = D4 * z1_3_x;
+        let t89 = t52 * k3 - v1_3_z;
+        let t92 = c4 * t86 + s4 * t87;
+        let t95 = s4 * t86 - c4 * t87;
+        let t96 = t3 - A3;
+        let t99 = c4 * t2 + s4 * t96;
+        let t102 = c4 * t96 - s4 * t2;
+        let t103 = s4 * k3;
+        let v3_5_z = c4 * k3;
+        [t89, t92, t95, t99, t102, t103, v3_5_z]
+    };
     // M3: column
     {
-        let t227 = t31 * v1_3_z;
-        let t230 = t36 * t185 - a3_y * t186;
-        put(8, t227); // row 1, M3
-        put(60, t230); // row 2, M3
+        let t105 = t57 * v1_3_z;
+        let t108 = t62 * t2 - a3_y * t3;
+        put(8, t105); // row 1, M3
+        put(60, t108); // row 2, M3
     }
     // MSX3: column
     {
-        let t233 = t56 * v1_3_z - z1_3_y * t31;
-        let t237 = a3_y + (t52 * t185 - t54 * t186);
-        put(9, t233); // row 1, MSX3
-        put(61, t237); // row 2, MSX3
+        let t111 = t52 * t57 + t82 * v1_3_z;
+        let t115 = a3_y - (t78 * t2 + t80 * t3);
+        put(9, t111); // row 1, MSX3
+        put(61, t115); // row 2, MSX3
     }
     // MSY3: column
     {
-        let t240 = z1_3_x * t31 + t57 * v1_3_z;
-        let t244 = t36 + (t53 * t185 + t55 * t186);
-        put(10, t240); // row 1, MSY3
-        put(62, t244); // row 2, MSY3
+        let t118 = z1_3_x * t57 - t83 * v1_3_z;
+        let t122 = t62 + (t79 * t2 + t81 * t3);
+        put(10, t118); // row 1, MSY3
+        put(62, t122); // row 2, MSY3
     }
     // MSZ3: column
-    let t249 = {
-        let t249 = z1_3_x * a3_y + z1_3_y * t36 + t0 * v1_3_z;
-        let t252 = t41 * t186 - t40 * t185;
-        put(63, t252); // row 2, MSZ3
-        t249
-    };
+    {
+        let t127 = t52 * t62 - z1_3_x * a3_y - t0 * v1_3_z;
+        let t130 = t66 * t2 + t67 * t3;
+        put(11, t127); // row 1, MSZ3
+        put(63, t130); // row 2, MSZ3
+    }
     // XX3: column
-    let t254 = {
-        let t254 = z1_3_y * t47;
-        let t255 = z1_3_x * dw3_x + t254;
-        put(12, t255); // row 1, XX3
-        t254
+    let t132 = {
+        let t132 = t52 * t73;
+        let t133 = z1_3_x * dw3_x - t132;
+        put(12, t133); // row 1, XX3
+        t132
     };
     // YY3: column
-    let t256 = {
-        let t256 = z1_3_x * t48;
-        let t258 = z1_3_y * dw3_y - t256;
-        put(13, t258); // row 1, YY3
-        t256
+    let t134 = {
+        let t134 = z1_3_x * t74;
+        let t136 = t134 + t52 * t76;
+        put(13, t136); // row 1, YY3
+        t134
     };
     // ZZ3: column
     {
-        let t259 = t256 - t254;
-        put(14, t259); // row 1, ZZ3
+        let t137 = t132 - t134;
+        put(14, t137); // row 1, ZZ3
     }
     // XY3: column
     {
-        let t260 = t55 - t52;
-        let t263 = z1_3_y * t57 - z1_3_x * t56;
-        put(15, t263); // row 1, XY3
-        put(67, t260); // row 2, XY3
-        put(109, t260); // row 3, XY3
+        let t138 = t78 + t81;
+        let t141 = t52 * t83 - z1_3_x * t82;
+        put(15, t141); // row 1, XY3
+        put(67, t138); // row 2, XY3
+        put(109, t138); // row 3, XY3
     }
     // XZ3: column
     {
-        let t266 = z1_3_x * t54 + z1_3_y * t51;
-        put(16, t266); // row 1, XZ3
+        let t144 = z1_3_x * t80 + t52 * t77;
+        put(16, t144); // row 1, XZ3
     }
     // YZ3: column
     {
-        let t270 = z1_3_x * (t0 - t55) + z1_3_y * t53;
-        put(17, t270); // row 1, YZ3
+        let t148 = z1_3_x * (t0 - t81) - t52 * t79;
+        put(17, t148); // row 1, YZ3
     }
+    // link 4: motion
+    let [
+        z1_4_x, t154, w4_z, t168, t171, a4_y, t175, t176,
+        w4_x, t178, t182, t183, dw4_x, t185, t186, t187,
+        t188, t189, t190, t191, t192,
+    ] = {
+        let z1_4_x = c4 * z1_3_x - s4 * t52;
+        let t154 = c4 * t52 + s4 * z1_3_x;
+        let w4_z = w3_z + dq4;
+        let dw4_z = dw3_z + ddq4;
+        let t166 = t62 + (t78 * k3 + D4 * t66);
+        let t167 = a3_y - (t80 * k3 + D4 * t67);
+        let t168 = t82 * k3 + D4 * t0 - t57;
+        let t171 = c4 * t166 - s4 * t167;
+        let a4_y = c4 * t167 + s4 * t166;
+        let t175 = ddq1 * t154;
+        let t176 = ddq1 * z1_4_x;
+        let w4_x = dq1 * z1_4_x;
+        let t178 = dq1 * t154;
+        let t179 = w4_x * w4_x;
+        let t180 = w4_z * w4_z;
+        let t181 = w4_x * t178;
+        let t182 = w4_z * w4_x;
+        let t183 = w4_z * t178;
+        let dw4_x = t176 - t183;
+        let t185 = t175 + t182;
+        let t186 = t180 - t179;
+        let t187 = t0 + t186;
+        let t188 = dw4_z + t181;
+        let t189 = dw4_z - t181;
+        let t190 = t179 + t180;
+        let t191 = t182 + t185;
+        let t192 = t183 - dw4_x;
+        let t193 = -t181;
+        let t194 = -t175;
+        put(74, t181); // row 2, XX4
+        put(75, t193); // row 2, YY4
+        put(76, dw4_z); // row 2, ZZ4
+        put(78, t176); // row 2, XZ4
+        put(79, t194); // row 2, YZ4
+        put(116, t181); // row 3, XX4
+        put(117, t193); // row 3, YY4
+        put(118, dw4_z); // row 3, ZZ4
+        put(120, t176); // row 3, XZ4
+        put(121, t194); // row 3, YZ4
+        put(146, a4_y); // row 4, MSX4
+        put(147, t171); // row 4, MSY4
+        put(148, t181); // row 4, XX4
+        put(149, t193); // row 4, YY4
+        put(150, dw4_z); // row 4, ZZ4
+        put(152, t176); // row 4, XZ4
+        put(153, t194); // row 4, YZ4
+        [
+        z1_4_x, t154, w4_z, t168, t171, a4_y, t175, t176,
+        w4_x, t178, t182, t183, dw4_x, t185, t186, t187,
+        t188, t189, t190, t191, t192,
+    ]
+    };
+    // joint axes in frame 5
+    let [t196, t197, t198] = {
+        let t196 = t89 + D5 * z1_4_x;
+        let t197 = D5 - t99;
+        let t198 = D5 - t103;
+        [t196, t197, t198]
+    };
     // M4: column
     {
-        let t275 = t77 * v1_4_z + (t80 * t193 - a4_y * v1_5_z);
-        let t278 = t80 * t200 + a4_y * v2_4_y;
-        let t281 = t80 * t204 - a4_y * v3_5_z;
-        put(18, t275); // row 1, M4
-        put(70, t278); // row 2, M4
-        put(112, t281); // row 3, M4
+        let t203 = t168 * t89 + (t171 * t92 + a4_y * t95);
+        let t206 = t171 * t99 - a4_y * t102;
+        let t209 = t171 * t103 - a4_y * v3_5_z;
+        put(18, t203); // row 1, M4
+        put(70, t206); // row 2, M4
+        put(112, t209); // row 3, M4
     }
     // MSX4: column
     {
-        let t288 = t63 * t77 + (t100 * v1_4_z - (t98 * v1_5_z - t96 * t193));
-        let t292 = a4_y + (t96 * t200 + t98 * v2_4_y);
-        let t296 = a4_y + (t96 * t204 - t98 * v3_5_z);
-        put(19, t288); // row 1, MSX4
-        put(71, t292); // row 2, MSX4
-        put(113, t296); // row 3, MSX4
+        let t216 = t187 * t92 + t189 * t95 - t191 * t89 - t154 * t168;
+        let t220 = a4_y + (t187 * t99 - t189 * t102);
+        let t224 = a4_y + (t187 * t103 - t189 * v3_5_z);
+        put(19, t216); // row 1, MSX4
+        put(71, t220); // row 2, MSX4
+        put(113, t224); // row 3, MSX4
     }
     // MSY4: column
-    let [t299, t305, t309] = {
-        let t299 = t99 * v1_5_z;
-        let t303 = z1_4_x * t77 + (t97 * t193 + t299 - t101 * v1_4_z);
-        let t305 = t99 * v2_4_y;
-        let t307 = t80 - (t305 - t97 * t200);
-        let t309 = t99 * v3_5_z;
-        let t311 = t80 + (t97 * t204 + t309);
-        put(20, t303); // row 1, MSY4
-        put(72, t307); // row 2, MSY4
-        put(114, t311); // row 3, MSY4
-        [t299, t305, t309]
+    let [t227, t233, t237] = {
+        let t227 = t190 * t95;
+        let t231 = t192 * t89 - (t227 - t188 * t92) - z1_4_x * t168;
+        let t233 = t190 * t102;
+        let t235 = t171 + (t188 * t99 + t233);
+        let t237 = t190 * v3_5_z;
+        let t239 = t171 + (t188 * t103 + t237);
+        put(20, t231); // row 1, MSY4
+        put(72, t235); // row 2, MSY4
+        put(114, t239); // row 3, MSY4
+        [t227, t233, t237]
     };
     // MSZ4: column
     {
-        let t319 = t0 * v1_4_z - (t84 * t193 + t85 * v1_5_z);
-        let t320 = t63 * t80 - z1_4_x * a4_y - t319;
-        let t323 = t84 * t200 - t85 * v2_4_y;
-        let t326 = t84 * t204 + t85 * v3_5_z;
-        put(21, t320); // row 1, MSZ4
-        put(73, t323); // row 2, MSZ4
-        put(115, t326); // row 3, MSZ4
+        let t247 = t0 * t89 + (t175 * t92 - t176 * t95);
+        let t248 = t154 * t171 - z1_4_x * a4_y + t247;
+        let t251 = t175 * t99 + t176 * t102;
+        let t254 = t175 * t103 + t176 * v3_5_z;
+        put(21, t248); // row 1, MSZ4
+        put(73, t251); // row 2, MSZ4
+        put(115, t254); // row 3, MSZ4
     }
     // XX4: column
-    let t328 = {
-        let t328 = t63 * t91;
-        let t329 = z1_4_x * dw4_x - t328;
-        put(22, t329); // row 1, XX4
-        t328
+    let t256 = {
+        let t256 = t154 * t182;
+        let t257 = z1_4_x * dw4_x - t256;
+        put(22, t257); // row 1, XX4
+        t256
     };
     // YY4: column
-    let t330 = {
-        let t330 = z1_4_x * t92;
-        let t332 = t330 + t63 * t94;
-        put(23, t332); // row 1, YY4
-        t330
+    let t258 = {
+        let t258 = z1_4_x * t183;
+        let t260 = t258 + t154 * t185;
+        put(23, t260); // row 1, YY4
+        t258
     };
     // ZZ4: column
     {
-        let t333 = t328 - t330;
-        put(24, t333); // row 1, ZZ4
+        let t261 = t256 - t258;
+        put(24, t261); // row 1, ZZ4
     }
     // XY4: column
     {
-        let t334 = t99 - t96;
-        let t337 = t63 * t101 - z1_4_x * t100;
-        put(25, t337); // row 1, XY4
-        put(77, t334); // row 2, XY4
-        put(119, t334); // row 3, XY4
-        put(151, t334); // row 4, XY4
+        let t262 = t190 - t187;
+        let t265 = t154 * t192 - z1_4_x * t191;
+        put(25, t265); // row 1, XY4
+        put(77, t262); // row 2, XY4
+        put(119, t262); // row 3, XY4
+        put(151, t262); // row 4, XY4
     }
     // XZ4: column
     {
-        let t340 = z1_4_x * t98 - t63 * t95;
-        put(26, t340); // row 1, XZ4
+        let t268 = z1_4_x * t189 - t154 * t186;
+        put(26, t268); // row 1, XZ4
     }
     // YZ4: column
     {
-        let t344 = z1_4_x * (t0 - t99) - t63 * t97;
-        put(27, t344); // row 1, YZ4
+        let t272 = z1_4_x * (t0 - t190) - t154 * t188;
+        put(27, t272); // row 1, YZ4
     }
+    // link 5: motion
+    let [
+        z1_5_x, t274, t279, t283, t286, w5_x, w5_y, t295,
+        t298, w5_z, dw5_z, t303, t304, t305, dw5_x, t307,
+        t308, t309, t310, t311, t312, t313, t314,
+    ] = {
+        let z1_5_x = c5 * z1_4_x;
+        let t274 = s5 * z1_4_x;
+        let t278 = t171 - D5 * t188;
+        let t279 = a4_y + D5 * t190;
+        let t280 = t168 - D5 * t192;
+        let t283 = c5 * t278 + s5 * t280;
+        let t286 = c5 * t280 - s5 * t278;
+        let w5_x = c5 * w4_x + s5 * w4_z;
+        let w5_y = c5 * w4_z - s5 * w4_x;
+        let t295 = c5 * t188 + s5 * t192;
+        let t298 = s5 * t188 - c5 * t192;
+        let w5_z = t178 + dq5;
+        let dw5_z = t185 + ddq5;
+        let t301 = w5_x * w5_x;
+        let t302 = w5_z * w5_z;
+        let t303 = w5_x * w5_y;
+        let t304 = w5_x * w5_z;
+        let t305 = w5_y * w5_z;
+        let dw5_x = t298 + t305;
+        let t307 = t295 - t304;
+        let t308 = t302 - t301;
+        let t309 = t190 + t308;
+        let t310 = t303 - dw5_z;
+        let t311 = dw5_z + t303;
+        let t312 = t301 + t302;
+        let t313 = t307 - t304;
+        let t314 = t305 + dw5_x;
+        let t315 = -t286;
+        let t316 = -t303;
+        put(178, t315); // row 5, MSX5
+        put(179, t283); // row 5, MSY5
+        put(180, t316); // row 5, XX5
+        put(181, t303); // row 5, YY5
+        put(182, dw5_z); // row 5, ZZ5
+        put(184, t298); // row 5, XZ5
+        put(185, t295); // row 5, YZ5
+        [
+        z1_5_x, t274, t279, t283, t286, w5_x, w5_y, t295,
+        t298, w5_z, dw5_z, t303, t304, t305, dw5_x, t307,
+        t308, t309, t310, t311, t312, t313, t314,
+    ]
+    };
     // M5: column
-    let [t347, t350, t352] = {
-        let t347 = c5 * t112 + s5 * a5_y;
-        let t350 = s5 * t112 - c5 * a5_y;
-        let t352 = D5 * t347;
-        let t359 = z1_4_x * (D5 * t350) - (v1_4_z * t350 + (t108 * v1_5_z - t193 * t347));
-        let t363 = t200 * t347 + t108 * v2_4_y - t352;
-        let t367 = t204 * t347 - t108 * v3_5_z - t352;
-        put(28, t359); // row 1, M5
-        put(80, t363); // row 2, M5
-        put(122, t367); // row 3, M5
-        [t347, t350, t352]
+    let [t319, t322] = {
+        let t319 = s5 * t286 - c5 * t283;
+        let t322 = s5 * t283 + c5 * t286;
+        let t324 = D5 * t319;
+        let t331 = z1_4_x * (D5 * t322) + (t89 * t322 + (t279 * t95 - t92 * t319));
+        let t335 = t324 - (t99 * t319 + t279 * t102);
+        let t339 = t324 - (t103 * t319 + t279 * v3_5_z);
+        put(28, t331); // row 1, M5
+        put(80, t335); // row 2, M5
+        put(122, t339); // row 3, M5
+        put(154, t324); // row 4, M5
+        [t319, t322]
     };
     // MSX5: column
-    let [t369, t374, t375] = {
-        let t369 = s5 * t140;
-        let t370 = t369 - c5 * t138;
-        let t373 = s5 * t138 + c5 * t140;
-        let t374 = s5 * t108;
-        let t375 = c5 * t108;
-        let t379 = t375 - D5 * t370;
-        let t382 = z1_4_x * (t374 + D5 * t373) - t63 * a5_y;
-        let t388 = v1_4_z * t373 + (t193 * t370 - t142 * v1_5_z) - t382;
-        let t392 = t379 + (t200 * t370 + t142 * v2_4_y);
-        let t396 = t379 + (t204 * t370 - t142 * v3_5_z);
-        put(29, t388); // row 1, MSX5
-        put(81, t392); // row 2, MSX5
-        put(123, t396); // row 3, MSX5
-        put(155, t379); // row 4, MSX5
-        [t369, t374, t375]
+    let [t341, t346, t347] = {
+        let t341 = s5 * t311;
+        let t342 = c5 * t309 + t341;
+        let t345 = s5 * t309 - c5 * t311;
+        let t346 = s5 * t279;
+        let t347 = c5 * t279;
+        let t351 = t347 - D5 * t342;
+        let t354 = t154 * t286 - z1_4_x * (D5 * t345 - t346);
+        let t360 = t89 * t345 + (t92 * t342 + t313 * t95) - t354;
+        let t364 = t351 - (t313 * t102 - t99 * t342);
+        let t368 = t351 + (t103 * t342 - t313 * v3_5_z);
+        put(29, t360); // row 1, MSX5
+        put(81, t364); // row 2, MSX5
+        put(123, t368); // row 3, MSX5
+        put(155, t351); // row 4, MSX5
+        [t341, t346, t347]
     };
     // MSY5: column
-    let [t397, t398, t401] = {
-        let t397 = c5 * t139;
-        let t398 = s5 * t141;
-        let t399 = t397 + t398;
-        let t401 = c5 * t141;
-        let t402 = t401 - s5 * t139;
-        let t406 = D5 * t399 - t374;
-        let t414 = t143 * v1_5_z - t193 * t399 - v1_4_z * t402;
-        let t415 = z1_4_x * (D5 * t402 - t375) + t63 * t112 + t414;
-        let t419 = t406 - (t200 * t399 + t143 * v2_4_y);
-        let t423 = t406 - (t204 * t399 - t143 * v3_5_z);
-        put(30, t415); // row 1, MSY5
-        put(82, t419); // row 2, MSY5
-        put(124, t423); // row 3, MSY5
-        put(156, t406); // row 4, MSY5
-        [t397, t398, t401]
+    let [t369, t370, t373] = {
+        let t369 = c5 * t310;
+        let t370 = s5 * t312;
+        let t371 = t369 + t370;
+        let t373 = c5 * t312;
+        let t374 = t373 - s5 * t310;
+        let t378 = D5 * t371 - t346;
+        let t386 = t89 * t374 - (t92 * t371 + t314 * t95);
+        let t387 = z1_4_x * (D5 * t374 - t347) + t154 * t283 + t386;
+        let t391 = t378 + (t314 * t102 - t99 * t371);
+        let t395 = t378 + (t314 * v3_5_z - t103 * t371);
+        put(30, t387); // row 1, MSY5
+        put(82, t391); // row 2, MSY5
+        put(124, t395); // row 3, MSY5
+        put(156, t378); // row 4, MSY5
+        [t369, t370, t373]
     };
     // MSZ5: column
     {
-        let t426 = c5 * t124 + s5 * t127;
-        let t429 = s5 * t124 - c5 * t127;
-        let t433 = D5 * t426 - t347;
-        let t439 = v1_4_z * t429 - (t299 + t193 * t426) - z1_4_x * (D5 * t429 - t350);
-        let t442 = t433 - (t200 * t426 - t305);
-        let t445 = t433 - (t309 + t204 * t426);
-        put(31, t439); // row 1, MSZ5
-        put(83, t442); // row 2, MSZ5
-        put(125, t445); // row 3, MSZ5
-        put(157, t433); // row 4, MSZ5
+        let t398 = c5 * t295 + s5 * t298;
+        let t401 = c5 * t298 - s5 * t295;
+        let t405 = t319 + D5 * t398;
+        let t411 = z1_4_x * (t322 + D5 * t401) + (t89 * t401 + (t227 - t92 * t398));
+        let t414 = t405 - (t233 + t99 * t398);
+        let t417 = t405 - (t237 + t103 * t398);
+        put(31, t411); // row 1, MSZ5
+        put(83, t414); // row 2, MSZ5
+        put(125, t417); // row 3, MSZ5
+        put(157, t405); // row 4, MSZ5
     }
     // XX5: column
-    let [t447, t448, t452] = {
-        let t447 = t103 * t133;
-        let t448 = t63 * t132;
-        let t450 = z1_5_x * dw5_x - t447 - t448;
-        let t452 = c5 * t133;
-        let t453 = s5 * dw5_x + t452;
-        put(32, t450); // row 1, XX5
-        put(84, t453); // row 2, XX5
-        put(126, t453); // row 3, XX5
-        put(158, t453); // row 4, XX5
-        [t447, t448, t452]
+    let [t419, t420, t424] = {
+        let t419 = t274 * t304;
+        let t420 = t154 * t303;
+        let t422 = z1_5_x * dw5_x - t419 - t420;
+        let t424 = c5 * t304;
+        let t425 = s5 * dw5_x + t424;
+        put(32, t422); // row 1, XX5
+        put(84, t425); // row 2, XX5
+        put(126, t425); // row 3, XX5
+        put(158, t425); // row 4, XX5
+        [t419, t420, t424]
     };
     // YY5: column
-    let [t454, t458] = {
-        let t454 = z1_5_x * t134;
-        let t457 = t448 - (t454 + t103 * t136);
-        let t458 = s5 * t134;
-        let t460 = c5 * t136 - t458;
-        put(33, t457); // row 1, YY5
-        put(85, t460); // row 2, YY5
-        put(127, t460); // row 3, YY5
-        put(159, t460); // row 4, YY5
-        [t454, t458]
+    let [t426, t430] = {
+        let t426 = z1_5_x * t305;
+        let t429 = t420 - (t426 + t274 * t307);
+        let t430 = s5 * t305;
+        let t432 = c5 * t307 - t430;
+        put(33, t429); // row 1, YY5
+        put(85, t432); // row 2, YY5
+        put(127, t432); // row 3, YY5
+        put(159, t432); // row 4, YY5
+        [t426, t430]
     };
     // ZZ5: column
     {
-        let t463 = t63 * dw5_z + (t447 + t454);
-        let t464 = t458 - t452;
-        put(34, t463); // row 1, ZZ5
-        put(86, t464); // row 2, ZZ5
-        put(128, t464); // row 3, ZZ5
-        put(160, t464); // row 4, ZZ5
+        let t435 = t154 * dw5_z + (t419 + t426);
+        let t436 = t430 - t424;
+        put(34, t435); // row 1, ZZ5
+        put(86, t436); // row 2, ZZ5
+        put(128, t436); // row 3, ZZ5
+        put(160, t436); // row 4, ZZ5
     }
     // XY5: column
     {
-        let t465 = t138 + t141;
-        let t470 = t63 * t465 - (t103 * t143 - z1_5_x * t142);
-        let t473 = s5 * t142 + c5 * t143;
-        put(35, t470); // row 1, XY5
-        put(87, t473); // row 2, XY5
-        put(129, t473); // row 3, XY5
-        put(161, t473); // row 4, XY5
-        put(183, t465); // row 5, XY5
+        let t437 = t312 - t309;
+        let t442 = t154 * t437 + (z1_5_x * t313 - t274 * t314);
+        let t445 = s5 * t313 + c5 * t314;
+        put(35, t442); // row 1, XY5
+        put(87, t445); // row 2, XY5
+        put(129, t445); // row 3, XY5
+        put(161, t445); // row 4, XY5
+        put(183, t437); // row 5, XY5
     }
     // XZ5: column
     {
-        let t478 = t63 * t127 + (z1_5_x * t140 + t103 * t137);
-        let t480 = t369 - c5 * t137;
-        put(36, t478); // row 1, XZ5
-        put(88, t480); // row 2, XZ5
-        put(130, t480); // row 3, XZ5
-        put(162, t480); // row 4, XZ5
+        let t450 = t154 * t298 + (z1_5_x * t311 - t274 * t308);
+        let t452 = t341 + c5 * t308;
+        put(36, t450); // row 1, XZ5
+        put(88, t452); // row 2, XZ5
+        put(130, t452); // row 3, XZ5
+        put(162, t452); // row 4, XZ5
     }
     // YZ5: column
     {
-        let t481 = t99 - t141;
-        let t486 = t63 * t124 + (z1_5_x * t481 + t103 * t139);
-        let t488 = s5 * t481 - t397;
-        put(37, t486); // row 1, YZ5
-        put(89, t488); // row 2, YZ5
-        put(131, t488); // row 3, YZ5
-        put(163, t488); // row 4, YZ5
+        let t453 = t190 - t312;
+        let t458 = t154 * t295 + (z1_5_x * t453 + t274 * t310);
+        let t460 = s5 * t453 - t369;
+        put(37, t458); // row 1, YZ5
+        put(89, t460); // row 2, YZ5
+        put(131, t460); // row 3, YZ5
+        put(163, t460); // row 4, YZ5
     }
+    // link 6: motion
+    let [
+        t465, t469, a6_y, t481, t484, dw6_z, t489, t490,
+        t491, t492, t493, t494, t495, t496, t497, t498,
+        t499, t500,
+    ] = {
+        let t464 = t283 - D6 * t310;
+        let t465 = t286 + D6 * t312;
+        let t466 = t279 - D6 * t314;
+        let t469 = c6 * t464 - s6 * t466;
+        let a6_y = c6 * t466 + s6 * t464;
+        let w6_x = c6 * w5_x - s6 * w5_z;
+        let t478 = c6 * w5_z + s6 * w5_x;
+        let t481 = c6 * t310 - s6 * t314;
+        let t484 = c6 * t314 + s6 * t310;
+        let w6_z = w5_y + dq6;
+        let dw6_z = t307 + ddq6;
+        let t487 = w6_x * w6_x;
+        let t488 = w6_z * w6_z;
+        let t489 = w6_x * t478;
+        let t490 = w6_x * w6_z;
+        let t491 = t478 * w6_z;
+        let t492 = t491 - t484;
+        let t493 = t490 - t481;
+        let t494 = t487 - t488;
+        let t495 = t312 - t494;
+        let t496 = dw6_z + t489;
+        let t497 = dw6_z - t489;
+        let t498 = t487 + t488;
+        let t499 = t490 + t493;
+        let t500 = t491 + t492;
+        let t501 = -t489;
+        put(200, a6_y); // row 6, MSX6
+        put(201, t469); // row 6, MSY6
+        put(202, t489); // row 6, XX6
+        put(203, t501); // row 6, YY6
+        put(204, dw6_z); // row 6, ZZ6
+        put(206, t484); // row 6, XZ6
+        put(207, t481); // row 6, YZ6
+        [
+        t465, t469, a6_y, t481, t484, dw6_z, t489, t490,
+        t491, t492, t493, t494, t495, t496, t497, t498,
+        t499, t500,
+    ]
+    };
     // M6: column
-    let [t491, t494] = {
-        let t491 = c6 * t152 + s6 * a6_y;
-        let t494 = s6 * t152 - c6 * a6_y;
-        let t495 = D6 * t494;
-        let t496 = D6 * t491;
-        let t499 = c5 * t491 + s5 * t148;
-        let t502 = s5 * t491 - c5 * t148;
-        let t508 = s5 * t495 - D5 * t499;
-        let t516 = t193 * t499 + v1_5_z * t494 - v1_4_z * t502;
-        let t517 = z1_4_x * (c5 * t495 + D5 * t502) + t63 * t496 + t516;
-        let t521 = t508 + (t200 * t499 - v2_4_y * t494);
-        let t525 = t508 + (t204 * t499 + v3_5_z * t494);
-        put(38, t517); // row 1, M6
-        put(90, t521); // row 2, M6
-        put(132, t525); // row 3, M6
-        put(164, t508); // row 4, M6
-        put(186, t496); // row 5, M6
-        [t491, t494]
+    let [t504, t507] = {
+        let t504 = c6 * t469 + s6 * a6_y;
+        let t507 = s6 * t469 - c6 * a6_y;
+        let t508 = D6 * t507;
+        let t509 = D6 * t504;
+        let t512 = s5 * t465 - c5 * t504;
+        let t520 = t196 * (s5 * t504 + c5 * t465) - (t92 * t512 + t95 * t507);
+        let t524 = t520 + (z1_5_x * t508 + t154 * t509);
+        let t528 = s5 * t508;
+        let t529 = t197 * t512 + t102 * t507 + t528;
+        let t533 = t528 + (t198 * t512 + v3_5_z * t507);
+        let t535 = t528 + D5 * t512;
+        put(38, t524); // row 1, M6
+        put(90, t529); // row 2, M6
+        put(132, t533); // row 3, M6
+        put(164, t535); // row 4, M6
+        put(186, t509); // row 5, M6
+        [t504, t507]
     };
     // MSX6: column
-    let [t527, t530, t532, t533] = {
-        let t527 = s6 * t180;
-        let t528 = c6 * t178 + t527;
-        let t530 = c6 * t180;
-        let t531 = t530 - s6 * t178;
-        let t532 = s6 * t148;
-        let t533 = c6 * t148;
-        let t536 = t532 + D6 * t531;
-        let t537 = t533 - D6 * t528;
-        let t540 = s5 * t182 - c5 * t528;
-        let t543 = s5 * t528 + c5 * t182;
-        let t553 = s5 * t536 + c5 * a6_y - D5 * t540;
-        let t556 = t63 * t537 - z1_4_x * (D5 * t543 - (c5 * t536 - s5 * a6_y));
-        let t562 = t556 + (v1_4_z * t543 + (t193 * t540 + v1_5_z * t531));
-        let t566 = t553 - (v2_4_y * t531 - t200 * t540);
-        let t570 = t553 + (t204 * t540 + v3_5_z * t531);
-        put(39, t562); // row 1, MSX6
-        put(91, t566); // row 2, MSX6
-        put(133, t570); // row 3, MSX6
-        put(165, t553); // row 4, MSX6
-        put(187, t537); // row 5, MSX6
-        [t527, t530, t532, t533]
+    let [t537, t540, t542, t543] = {
+        let t537 = s6 * t497;
+        let t538 = c6 * t495 + t537;
+        let t540 = c6 * t497;
+        let t541 = s6 * t495 - t540;
+        let t542 = s6 * t465;
+        let t543 = c6 * t465;
+        let t546 = D6 * t541 - t542;
+        let t547 = D6 * t538 - t543;
+        let t550 = c5 * t538 + s5 * t499;
+        let t558 = t196 * (c5 * t499 - s5 * t538) - (t92 * t550 - t95 * t541);
+        let t564 = t154 * t547 + (z1_5_x * t546 - t274 * a6_y) - t558;
+        let t570 = s5 * t546 + c5 * a6_y;
+        let t571 = t102 * t541 - t197 * t550 + t570;
+        let t575 = t570 + (v3_5_z * t541 - t198 * t550);
+        let t577 = t570 - D5 * t550;
+        put(39, t564); // row 1, MSX6
+        put(91, t571); // row 2, MSX6
+        put(133, t575); // row 3, MSX6
+        put(165, t577); // row 4, MSX6
+        put(187, t547); // row 5, MSX6
+        [t537, t540, t542, t543]
     };
     // MSY6: column
-    let [t571, t574] = {
-        let t571 = c6 * t179;
-        let t573 = t571 - s6 * t181;
-        let t574 = s6 * t179;
-        let t576 = t574 + c6 * t181;
-        let t579 = t533 + D6 * t576;
-        let t580 = D6 * t573 - t532;
-        let t583 = c5 * t573 - s5 * t183;
-        let t586 = s5 * t573 + c5 * t183;
-        let t596 = s5 * t579 + c5 * t152 - D5 * t583;
-        let t599 = z1_4_x * (D5 * t586 - (s5 * t152 - c5 * t579)) + t63 * t580;
-        let t605 = t599 - (v1_4_z * t586 - (t193 * t583 + v1_5_z * t576));
-        let t609 = t596 + (t200 * t583 - v2_4_y * t576);
-        let t613 = t596 + (t204 * t583 + v3_5_z * t576);
-        put(40, t605); // row 1, MSY6
-        put(92, t609); // row 2, MSY6
-        put(134, t613); // row 3, MSY6
-        put(166, t596); // row 4, MSY6
-        put(188, t580); // row 5, MSY6
-        [t571, t574]
+    let [t578, t581] = {
+        let t578 = c6 * t496;
+        let t580 = t578 - s6 * t498;
+        let t581 = s6 * t496;
+        let t583 = t581 + c6 * t498;
+        let t586 = t543 - D6 * t583;
+        let t587 = t542 + D6 * t580;
+        let t590 = s5 * t500 - c5 * t580;
+        let t598 = t196 * (s5 * t580 + c5 * t500) - (t92 * t590 + t95 * t583);
+        let t604 = t598 + (t154 * t587 - (z1_5_x * t586 + t274 * t469));
+        let t610 = c5 * t469 - s5 * t586;
+        let t611 = t197 * t590 + t102 * t583 + t610;
+        let t615 = t610 + (t198 * t590 + v3_5_z * t583);
+        let t617 = t610 + D5 * t590;
+        put(40, t604); // row 1, MSY6
+        put(92, t611); // row 2, MSY6
+        put(134, t615); // row 3, MSY6
+        put(166, t617); // row 4, MSY6
+        put(188, t587); // row 5, MSY6
+        [t578, t581]
     };
     // MSZ6: column
     {
-        let t616 = c6 * t164 + s6 * t167;
-        let t619 = c6 * t167 - s6 * t164;
-        let t622 = t494 + D6 * t619;
-        let t623 = t491 - D6 * t616;
-        let t625 = t398 + c5 * t616;
-        let t627 = s5 * t616 - t401;
-        let t633 = s5 * t622 + D5 * t625;
-        let t641 = v1_4_z * t627 - (t193 * t625 - v1_5_z * t619);
-        let t642 = z1_4_x * (c5 * t622 - D5 * t627) + t63 * t623 + t641;
-        let t646 = t633 - (t200 * t625 + v2_4_y * t619);
-        let t650 = t633 + (v3_5_z * t619 - t204 * t625);
-        put(41, t642); // row 1, MSZ6
-        put(93, t646); // row 2, MSZ6
-        put(135, t650); // row 3, MSZ6
-        put(167, t633); // row 4, MSZ6
-        put(189, t623); // row 5, MSZ6
+        let t620 = c6 * t481 + s6 * t484;
+        let t623 = s6 * t481 - c6 * t484;
+        let t626 = t507 - D6 * t623;
+        let t627 = t504 - D6 * t620;
+        let t629 = t370 + c5 * t620;
+        let t636 = t92 * t629 - t95 * t623 - t196 * (t373 - s5 * t620);
+        let t640 = z1_5_x * t626 + t154 * t627 - t636;
+        let t644 = s5 * t626;
+        let t645 = t197 * t629 - t102 * t623 + t644;
+        let t649 = t644 + (t198 * t629 - v3_5_z * t623);
+        let t651 = t644 + D5 * t629;
+        put(41, t640); // row 1, MSZ6
+        put(93, t645); // row 2, MSZ6
+        put(135, t649); // row 3, MSZ6
+        put(167, t651); // row 4, MSZ6
+        put(189, t627); // row 5, MSZ6
     }
     // XX6: column
-    let [t652, t655, t658, t663] = {
-        let t652 = s6 * t173;
-        let t653 = c6 * t175 + t652;
-        let t655 = c6 * t173;
-        let t656 = s6 * t175 - t655;
-        let t658 = t103 * t172;
-        let t661 = t63 * t656 - (z1_5_x * t653 + t658);
-        let t663 = c5 * t172;
-        let t664 = t663 - s5 * t653;
-        put(42, t661); // row 1, XX6
-        put(94, t664); // row 2, XX6
-        put(136, t664); // row 3, XX6
-        put(168, t664); // row 4, XX6
-        put(190, t656); // row 5, XX6
-        [t652, t655, t658, t663]
+    let [t653, t656, t659, t664] = {
+        let t653 = s6 * t490;
+        let t654 = c6 * t492 + t653;
+        let t656 = c6 * t490;
+        let t657 = s6 * t492 - t656;
+        let t659 = t274 * t489;
+        let t662 = t154 * t657 - (z1_5_x * t654 + t659);
+        let t664 = c5 * t489;
+        let t665 = t664 - s5 * t654;
+        put(42, t662); // row 1, XX6
+        put(94, t665); // row 2, XX6
+        put(136, t665); // row 3, XX6
+        put(168, t665); // row 4, XX6
+        put(190, t657); // row 5, XX6
+        [t653, t656, t659, t664]
     };
     // YY6: column
-    let [t665, t668] = {
-        let t665 = c6 * t174;
-        let t667 = t665 + s6 * t176;
-        let t668 = s6 * t174;
-        let t670 = c6 * t176 - t668;
-        let t674 = t63 * t670 + (t658 + z1_5_x * t667);
-        let t676 = s5 * t667 - t663;
-        put(43, t674); // row 1, YY6
-        put(95, t676); // row 2, YY6
-        put(137, t676); // row 3, YY6
-        put(169, t676); // row 4, YY6
-        put(191, t670); // row 5, YY6
-        [t665, t668]
+    let [t666, t669] = {
+        let t666 = c6 * t491;
+        let t668 = t666 + s6 * t493;
+        let t669 = s6 * t491;
+        let t671 = c6 * t493 - t669;
+        let t675 = t154 * t671 + (t659 + z1_5_x * t668);
+        let t677 = s5 * t668 - t664;
+        put(43, t675); // row 1, YY6
+        put(95, t677); // row 2, YY6
+        put(137, t677); // row 3, YY6
+        put(169, t677); // row 4, YY6
+        put(191, t671); // row 5, YY6
+        [t666, t669]
     };
     // ZZ6: column
     {
-        let t677 = t652 - t665;
-        let t678 = t655 + t668;
-        let t683 = t63 * t678 + (z1_5_x * t677 - t103 * dw6_z);
-        let t686 = s5 * t677 + c5 * dw6_z;
-        put(44, t683); // row 1, ZZ6
-        put(96, t686); // row 2, ZZ6
-        put(138, t686); // row 3, ZZ6
-        put(170, t686); // row 4, ZZ6
-        put(192, t678); // row 5, ZZ6
+        let t678 = t666 - t653;
+        let t679 = t656 + t669;
+        let t684 = t154 * t679 - (z1_5_x * t678 + t274 * dw6_z);
+        let t687 = c5 * dw6_z - s5 * t678;
+        put(44, t684); // row 1, ZZ6
+        put(96, t687); // row 2, ZZ6
+        put(138, t687); // row 3, ZZ6
+        put(170, t687); // row 4, ZZ6
+        put(192, t679); // row 5, ZZ6
     }
     // XY6: column
     {
-        let t687 = t178 + t181;
-        let t690 = s6 * t183 - c6 * t182;
-        let t693 = s6 * t182 + c6 * t183;
-        let t698 = t63 * t693 + (z1_5_x * t690 - t103 * t687);
-        let t701 = s5 * t690 + c5 * t687;
-        put(45, t698); // row 1, XY6
-        put(97, t701); // row 2, XY6
-        put(139, t701); // row 3, XY6
-        put(171, t701); // row 4, XY6
-        put(193, t693); // row 5, XY6
-        put(205, t687); // row 6, XY6
+        let t688 = t498 - t495;
+        let t691 = s6 * t500 - c6 * t499;
+        let t694 = s6 * t499 + c6 * t500;
+        let t699 = t154 * t694 - (t274 * t688 - z1_5_x * t691);
+        let t702 = s5 * t691 + c5 * t688;
+        put(45, t699); // row 1, XY6
+        put(97, t702); // row 2, XY6
+        put(139, t702); // row 3, XY6
+        put(171, t702); // row 4, XY6
+        put(193, t694); // row 5, XY6
+        put(205, t688); // row 6, XY6
     }
     // XZ6: column
     {
-        let t703 = s6 * t177 - t530;
-        let t705 = t527 + c6 * t177;
-        let t710 = t63 * t705 + (z1_5_x * t703 - t103 * t167);
-        let t713 = s5 * t703 + c5 * t167;
-        put(46, t710); // row 1, XZ6
-        put(98, t713); // row 2, XZ6
-        put(140, t713); // row 3, XZ6
-        put(172, t713); // row 4, XZ6
-        put(194, t705); // row 5, XZ6
+        let t704 = t540 + s6 * t494;
+        let t706 = c6 * t494 - t537;
+        let t711 = t154 * t706 + (z1_5_x * t704 - t274 * t484);
+        let t714 = s5 * t704 + c5 * t484;
+        put(46, t711); // row 1, XZ6
+        put(98, t714); // row 2, XZ6
+        put(140, t714); // row 3, XZ6
+        put(172, t714); // row 4, XZ6
+        put(194, t706); // row 5, XZ6
     }
     // YZ6: column
     {
-        let t714 = t181 - t141;
-        let t716 = t574 + c6 * t714;
-        let t718 = s6 * t714 - t571;
-        let t723 = t63 * t718 - (z1_5_x * t716 + t103 * t164);
-        let t726 = c5 * t164 - s5 * t716;
-        let t727 = dq1.sign();
-        let t728 = dq2.sign();
-        let t729 = dq3.sign();
-        let t730 = dq4.sign();
-        let t731 = dq5.sign();
-        let t732 = dq6.sign();
-        let t733 = -t249;
-        let t734 = -a2_x;
-        let t735 = -t9;
-        let t736 = -t46;
-        let t737 = -t90;
-        let t738 = -t84;
-        let t739 = -t352;
-        let t740 = -t132;
-        let t741 = -t172;
-        put(11, t733); // row 1, MSZ3
-        put(47, t723); // row 1, YZ6
-        put(50, t727); // row 1, FC1
-        put(53, t734); // row 2, MSY2
-        put(54, t735); // row 2, XX2
-        put(64, t736); // row 2, XX3
-        put(75, t737); // row 2, YY4
-        put(79, t738); // row 2, YZ4
-        put(99, t726); // row 2, YZ6
-        put(102, t728); // row 2, FC2
-        put(106, t736); // row 3, XX3
-        put(117, t737); // row 3, YY4
-        put(121, t738); // row 3, YZ4
-        put(141, t726); // row 3, YZ6
-        put(144, t729); // row 3, FC3
-        put(149, t737); // row 4, YY4
-        put(153, t738); // row 4, YZ4
-        put(154, t739); // row 4, M5
-        put(173, t726); // row 4, YZ6
-        put(176, t730); // row 4, FC4
-        put(180, t740); // row 5, XX5
-        put(195, t718); // row 5, YZ6
-        put(198, t731); // row 5, FC5
-        put(203, t741); // row 6, YY6
-        put(210, t732); // row 6, FC6
+        let t715 = t498 - t312;
+        let t717 = t581 + c6 * t715;
+        let t719 = s6 * t715 - t578;
+        let t724 = t154 * t719 - (z1_5_x * t717 + t274 * t481);
+        let t727 = c5 * t481 - s5 * t717;
+        let t728 = dq1.sign();
+        let t729 = dq2.sign();
+        let t730 = dq3.sign();
+        let t731 = dq4.sign();
+        let t732 = dq5.sign();
+        let t733 = dq6.sign();
+        put(47, t724); // row 1, YZ6
+        put(50, t728); // row 1, FC1
+        put(99, t727); // row 2, YZ6
+        put(102, t729); // row 2, FC2
+        put(141, t727); // row 3, YZ6
+        put(144, t730); // row 3, FC3
+        put(173, t727); // row 4, YZ6
+        put(176, t731); // row 4, FC4
+        put(195, t719); // row 5, YZ6
+        put(198, t732); // row 5, FC5
+        put(210, t733); // row 6, FC6
     }
 }
