@@ -4,6 +4,7 @@
 use super::arm::{Arm, Family, Query};
 use super::axis::{Axis, Value};
 use super::candidates::{Candidates, IN_DOUBT};
+use super::list::each;
 use super::polish::{Rows, jacobian, moved, polish, remainder, sizes, slack, step};
 use super::pose::Displacement;
 use super::real::root;
@@ -66,7 +67,7 @@ impl<const N: usize> Arm<N> {
         let size = self.axes.iter().fold(norm(self.home.shift), |m, a| m.max(norm(a.c)));
         let (_, row) = self.kept(query, v);
         let parts = jacobian(self, v);
-        let columns: [Rows; N] = core::array::from_fn(|i| {
+        let columns: [Rows; N] = each([0.0; 7], |i| {
             let [a, b, c, d, e, f] = parts[i];
             [a, b, c, d, e, f, row[i]]
         });
@@ -74,10 +75,10 @@ impl<const N: usize> Arm<N> {
             return 0;
         }
         // What a motion of all joints does, undone by the least motion: the difference does nothing.
-        let any: [f64; N] = core::array::from_fn(|i| [1.0, -0.7, 0.9, 0.6, -0.8, 1.1, -0.5, 0.75][i & 7]);
-        let done: Rows = core::array::from_fn(|k| columns.iter().zip(&any).fold(0.0, |s, (c, x)| s + c[k] * x));
+        let any: [f64; N] = each(0.0, |i| [1.0, -0.7, 0.9, 0.6, -0.8, 1.1, -0.5, 0.75][i & 7]);
+        let done: Rows = each(0.0, |k| columns.iter().zip(&any).fold(0.0, |s, (c, x)| s + c[k] * x));
         let undone = step(&columns, &done, 1e-13);
-        let idle: [f64; N] = core::array::from_fn(|i| any[i] - undone[i]);
+        let idle: [f64; N] = each(0.0, |i| any[i] - undone[i]);
         let n = root(idle.iter().fold(0.0, |s, x| s + x * x));
         if !(n > 0.05) {
             return 0;

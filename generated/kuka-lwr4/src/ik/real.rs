@@ -68,8 +68,9 @@ pub(super) fn angles<const K: usize>(s: &[f64; K], c: &[f64; K], len: usize) -> 
 #[inline(always)]
 pub(super) fn angles_into<const K: usize>(s: &[f64; K], c: &[f64; K], len: usize, out: &mut [f64; K]) {
     const WIDTH: usize = Block::WIDTH;
-    let blocks = out.chunks_exact_mut(WIDTH).zip(s.chunks_exact(WIDTH)).zip(c.chunks_exact(WIDTH));
-    for ((out, s), c) in blocks.take(len.div_ceil(WIDTH)) {
+    // Arrays, so that no index is checked.
+    let (out, s, c) = (out.as_chunks_mut::<WIDTH>().0, s.as_chunks::<WIDTH>().0, c.as_chunks::<WIDTH>().0);
+    for ((out, s), c) in out.iter_mut().zip(s).zip(c).take(len.div_ceil(WIDTH)) {
         angle_block(Block::from_fn(|l| s[l]), Block::from_fn(|l| c[l])).put(out);
     }
 }

@@ -1,6 +1,6 @@
 //! An arm made ready for its inverse, and the one entrance to all solvers.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Block, Scalar};
 use super::axis::{Axis, Value};
 use super::candidates::{Candidates, Column};
 use super::lanes::misses;
@@ -105,6 +105,15 @@ impl<const N: usize> Arm<N> {
     /// # Errors
     /// If an entry is not finite, or the rotation is none (beyond 1e-6; a smaller defect is taken away).
     pub fn solve(&self, pose: &[[f64; 4]; 3], query: &Query<'_, N>) -> Result<Solutions<N>, PoseError> {
+        self.solve_inlined(pose, query)
+    }
+
+    /// The same inlined: of an arm that is a constant, as that of a generated crate, the compiler makes a solver for it alone.
+    ///
+    /// # Errors
+    /// Like [`Arm::solve`].
+    #[inline(always)]
+    pub fn solve_inlined(&self, pose: &[[f64; 4]; 3], query: &Query<'_, N>) -> Result<Solutions<N>, PoseError> {
         let target = checked(pose)?;
         let near_finite = query.near.is_none_or(|q| q.iter().all(|x| x.is_finite()));
         if !query.redundancy.is_finite() || !near_finite {
@@ -114,7 +123,7 @@ impl<const N: usize> Arm<N> {
         let near = query.near.map_or([Value::ZERO; N], |q| polish::values(self, q));
         let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
         let mut all: Candidates<N> = Candidates::new();
-        let second_plane = self.candidates(&g, query, query.redundancy, &near, &mut all);
+        let second_plane = self.candidates_inlined(&g, query, query.redundancy, &near, &mut all);
         if all.in_doubt() {
             self.settle(&g, query, &near, &mut all);
         }
@@ -142,7 +151,7 @@ impl<const N: usize> Arm<N> {
             second_plane,
         });
         let Ok(solutions) = &mut result else { return result };
-        let mut work = Work { marks: [0.0; CAPACITY], best: [f64::INFINITY; 2] };
+        let mut work = Work { marks: [f64::INFINITY; CAPACITY], best: [f64::INFINITY; 2] };
         self.finish(&g, query, &all, member.map(|place| (place, near)), solutions, &mut work);
         if !self.exact {
             self.search_nearby(&g, query, &near, &all, solutions, &mut work);
@@ -152,8 +161,20 @@ impl<const N: usize> Arm<N> {
     }
 
     /// What the closed form gives at a redundancy; true: counted from the second plane.
-    #[inline]
+    #[inline(never)]
     pub(super) fn candidates(
+        &self,
+        g: &Displacement,
+        query: &Query<'_, N>,
+        redundancy: f64,
+        near: &[Value; N],
+        all: &mut Candidates<N>,
+    ) -> bool {
+        self.candidates_inlined(g, query, redundancy, near, all)
+    }
+
+    #[inline(always)]
+    fn candidates_inlined(
         &self,
         g: &Displacement,
         query: &Query<'_, N>,
@@ -257,6 +278,7 @@ impl<const N: usize> Arm<N> {
 
     /// Measures, refines where rounding shows, and keeps what reaches the pose. `member`: one more posture, of the family of the
     /// branch in that place.
+    #[inline(always)]
     fn finish(
         &self,
         g: &Displacement,
@@ -276,6 +298,15 @@ impl<const N: usize> Arm<N> {
                 break;
             }
             let (ways, turns, marks) = misses(self, g, all, first);
+            let (mut qs, mut margins) = ([[0.0; 8]; N], [0.0; 8]);
+            for k in 0..Block::COUNT {
+                let mut least = Block::constant(f64::INFINITY);
+                for j in 0..N {
+                    all.spread(&fits.q[j], j, first + k * Block::WIDTH).store(k, &mut qs[j]);
+                    least = least.min(all.spread(&fits.margin[j], j, first + k * Block::WIDTH));
+                }
+                least.store(k, &mut margins);
+            }
             for lane in 0..8 {
                 let place = first + lane;
                 if place >= all.len {
@@ -286,12 +317,9 @@ impl<const N: usize> Arm<N> {
                 if p2 <= EXACT * EXACT && r2 <= EXACT * EXACT {
                     let mut found = Solution { branch, free, ..Solution::NONE };
                     (found.position_error, found.rotation_error) = (root(p2), root(r2));
-                    found.margin = f64::INFINITY;
+                    found.margin = margins[lane];
                     for j in 0..N {
-                        let at = all.at(place, j);
-                        found.q[j] = fits.q[j][at];
-                        let margin = fits.margin[j][at];
-                        found.margin = if margin < found.margin { margin } else { found.margin };
+                        found.q[j] = qs[j][lane];
                     }
                     found.within_limits = found.margin >= -1e-9;
                     self.keep(out, work, found, mark);
@@ -395,9 +423,9 @@ impl<const N: usize> Arm<N> {
         if found.free != 0 {
             out.status = Status::Singular;
         }
-        // Marks first: only where one is equal are all joints compared.
+        // Marks first: only where one is equal are all joints compared. Those that are not yet there are equal to none.
         let mut alike = false;
-        for m in work.marks.iter().take(out.list.len()) {
+        for m in &work.marks {
             alike |= (m - mark).abs() < 1e-7;
         }
         if alike {
@@ -415,7 +443,7 @@ impl<const N: usize> Arm<N> {
     }
 
     fn full_turn(&self, joint: usize, difference: f64) -> bool {
-        !self.axes[joint].slides && wrapped(difference).abs() < 1e-10
+        self.axes.get(joint).is_some_and(|a| !a.slides) && wrapped(difference).abs() < 1e-10
     }
 
     /// Does the arm keep a redundancy while it is refined? An exact swivel arm is not led away from its angle.
@@ -529,7 +557,11 @@ impl<const N: usize> Fits<N> {
             }
             // Elsewhere a turned angle is never inside where it was not.
             let wide = limits.is_some_and(|[low, high]| low < 1e-6 - PI || high > PI - 1e-6);
-            if !slides && (near.is_some() || wide) {
+            let mut outside = false;
+            for margin in margins.iter() {
+                outside |= *margin < 0.0;
+            }
+            if !slides && (near.is_some() || wide && outside) {
                 let near = near.map(|n| n[j]);
                 for (margin, q) in margins.iter_mut().zip(qs).take(column.len) {
                     if near.is_some() || *margin < 0.0 {
