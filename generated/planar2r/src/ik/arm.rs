@@ -60,7 +60,8 @@ pub struct Query<'a, const N: usize> {
     pub redundancy: f64,
     /// From where the swivel angle is counted.
     pub reference: Reference,
-    /// A posture: free joints take their positions from it, whole turns are chosen near it, and nearest solutions stand first.
+    /// A posture: free joints take their positions from it, whole turns are chosen near it (near zero where it
+    /// is beyond 1000 rad), and nearest solutions stand first.
     pub near: Option<&'a [f64; N]>,
     /// What may be left to the pose, m and rad. The default is `1e-12`: rounding.
     pub tolerance: f64,
@@ -83,6 +84,9 @@ pub(super) struct Work {
     /// The nearest miss, m and rad.
     best: [f64; 2],
 }
+
+/// A pose that is missed by less, m and rad, may be one that the arm reaches at a singularity.
+const LITTLE: f64 = 1e-6;
 
 /// Newton's steps where nothing else is asked for.
 const STEPS: usize = 40;
@@ -153,6 +157,9 @@ impl<const N: usize> Arm<N> {
         let Ok(solutions) = &mut result else { return result };
         let mut work = Work { marks: [f64::INFINITY; CAPACITY], best: [f64::INFINITY; 2] };
         self.finish(&g, query, &all, member.map(|place| (place, near)), solutions, &mut work);
+        if self.exact && solutions.list.is_empty() && query.steps > 0 && work.best[0] + work.best[1] < LITTLE {
+            self.retry(&g, query, &near, solutions, &mut work);
+        }
         if !self.exact {
             self.search_nearby(&g, query, &near, &all, solutions, &mut work);
         }
@@ -506,19 +513,24 @@ fn put<const N: usize>(values: &mut [Value; N], joint: Option<u8>, v: Value) {
     }
 }
 
+/// Whole turns are chosen near a position up to here, rad: the digits of one that is farther away would not hold a pose.
+const FAR: f64 = 1e3;
+
 /// The whole turns that respect the limits and lie nearest to `near` (or zero), with the distance to the nearest limit.
 pub(super) fn fitted(q: f64, slides: bool, limits: Option<[f64; 2]>, near: Option<f64>) -> (f64, f64) {
     use core::f64::consts::TAU;
     let mut x = q;
     if !slides {
-        let near = near.unwrap_or(0.0);
-        x = q + TAU * whole((near - q) / TAU);
+        let near = near.filter(|near| near.abs() <= FAR).unwrap_or(0.0);
+        // All turns in one product: a sum of sums would keep what a far one has rounded.
+        let turns = whole((near - q) / TAU);
+        x = q + TAU * turns;
         if let Some([low, high]) = limits {
             let outside = |x: f64| (low - x).max(x - high);
             if outside(x) > 0.0 {
                 // The nearest turn inside, from either side.
-                let up = x + TAU * ceiling((low - 1e-9 - x) / TAU).max(0.0);
-                let down = x - TAU * ceiling((x - high - 1e-9) / TAU).max(0.0);
+                let up = q + TAU * (turns + ceiling((low - 1e-9 - x) / TAU).max(0.0));
+                let down = q + TAU * (turns - ceiling((x - high - 1e-9) / TAU).max(0.0));
                 for other in [up, down] {
                     if outside(other) < outside(x) && outside(other) <= 1e-9 {
                         x = other;

@@ -2,10 +2,10 @@
 
 use super::super::runtime::{Block, square_root};
 
-/// `sqrt(x)`; zero for a negative `x` (a rounding error below a double root).
+/// `sqrt(x)`; zero for a negative `x` (a rounding error below a double root). NaN stays: an error must not look like none.
 #[inline(always)]
 pub(super) fn root(x: f64) -> f64 {
-    if x > 0.0 { square_root(x) } else { 0.0 }
+    if x <= 0.0 { 0.0 } else { square_root(x) }
 }
 
 /// Tangent of pi/8: beyond it a ratio is turned back by pi/4.
