@@ -7,7 +7,9 @@
 #[path = "ik/measure.rs"]
 mod measure;
 
-use measure::Bench;
+use std::hint::black_box;
+
+use measure::{Bench, cycles};
 
 fn row<const N: usize>(name: &str) {
     let bench = Bench::<N>::new(name);
@@ -25,6 +27,18 @@ fn row<const N: usize>(name: &str) {
     );
 }
 
+/// The same by the function of a generated crate, whose arm is a constant.
+macro_rules! generated {
+    ($name:literal, $krate:ident) => {{
+        let bench = Bench::<{ $krate::DOF }>::new($name);
+        let all = cycles(&bench.poses, |(pose, redundancy)| {
+            let query = $krate::ik::Query { redundancy: *redundancy, ..Default::default() };
+            black_box($krate::inverse_kinematics(pose, &query)).ok();
+        });
+        println!("| {} | {all:.0} | {:.2} us |", $name, all / 2.5e3);
+    }};
+}
+
 fn main() {
     println!("| robot | class | branches | all branches | cycles | at 2.5 GHz | swivel intervals | cycles |");
     println!("|---|---|---:|---:|---:|---:|---:|---:|");
@@ -36,4 +50,9 @@ fn main() {
     row::<6>("staubli-tx40");
     row::<4>("scara");
     row::<6>("stanford");
+    println!("\n| generated crate | cycles | at 2.5 GHz |\n|---|---:|---:|");
+    generated!("kuka-lwr4", kuka_lwr4);
+    generated!("franka-panda", franka_panda);
+    generated!("ur10e", ur10e);
+    generated!("stanford", stanford);
 }

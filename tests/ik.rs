@@ -75,6 +75,24 @@ impl Bench {
         (error, nearest, found)
     }
 
+    /// Is no direction hard to reach, by differences of poses? Of a swivel arm, whose swivel angle is kept: is no sine small?
+    fn away_from_singularities(&self, q: &[f64]) -> bool {
+        if self.ik.inverse().class == "srs" {
+            return [1, 3, 5].into_iter().all(|j| q[j].sin().abs() > 0.1);
+        }
+        let columns: Vec<_> = (0..q.len())
+            .map(|j| {
+                let (mut up, mut down) = (q.to_vec(), q.to_vec());
+                up[j] += 1e-6;
+                down[j] -= 1e-6;
+                let (up, down) = (self.pose(&up), self.pose(&down));
+                let d = |i: usize| (up[i / 4][i % 4] - down[i / 4][i % 4]) / 2e-6;
+                nalgebra::SVector::<f64, 12>::from_fn(|i, _| d(i))
+            })
+            .collect();
+        nalgebra::DMatrix::from_fn(12, q.len(), |i, j| columns[j][i]).singular_values().min() > 0.05
+    }
+
     fn random(&self, random: &mut Random) -> Vec<f64> {
         self.robot
             .moving()
@@ -349,6 +367,87 @@ fn poses_out_of_reach_and_poses_that_are_none() {
         assert!(bench.ik.solve(&pose, &Ask::default()).is_err(), "{name}: a reflection");
         let ask = Ask { redundancy: f64::NAN, ..Ask::default() };
         assert!(bench.ik.solve(&bench.pose(&vec![0.1; bench.slides.len()]), &ask).is_err());
+    }
+}
+
+/// Whatever is finite gives postures of the pose or none, no NaN; what is not finite gives an error. A near posture far away, of which
+/// no digit is left of a turn, is no reason for a posture that does not reach the pose.
+#[test]
+fn absurd_input_gives_no_wrong_answer() {
+    const ODD: [f64; 14] =
+        [0.0, -0.0, 1.0, 1e300, -1.7e308, 1e-320, -5e-324, 1e160, 1e99, -1e50, 1e15, 1e10, -1e6, core::f64::consts::PI];
+    for (name, _) in ROBOTS.into_iter().filter(|(name, _)| *name != "kinova-gen3") {
+        let bench = Bench::new(robot(name));
+        let mut random = Random::new(7);
+        let (mut found, mut refused) = (0, 0);
+        for k in 0..600 {
+            let q = bench.random(&mut random);
+            let mut pose = bench.pose(&q);
+            for _ in 0..k % 3 {
+                pose[random.below(3)][random.below(4)] = ODD[random.below(ODD.len())];
+            }
+            let mut near = q.clone();
+            near[random.below(q.len())] = ODD[random.below(ODD.len())];
+            let mut ask =
+                Ask { redundancy: bench.ik.redundancy(&q, &Reference::UP), near: Some(near), ..Ask::default() };
+            if random.chance(0.3) {
+                ask.redundancy = ODD[random.below(ODD.len())];
+            }
+            let Ok(postures) = bench.ik.solve(&pose, &ask) else {
+                refused += 1;
+                assert!(k % 3 > 0, "{name}: refused {pose:?} {ask:?}");
+                continue;
+            };
+            assert!(postures.distance.iter().all(|x| x.is_finite()), "{name}: {pose:?} {ask:?}");
+            for s in &postures.list {
+                found += 1;
+                assert!(s.q.iter().all(|x| x.is_finite()) && !s.margin.is_nan(), "{name}: {s:?} {ask:?}");
+                let again = bench.pose(&s.q);
+                let size = pose.as_flattened().iter().fold(1.0f64, |m, x| m.max(x.abs()));
+                for (a, b) in again.as_flattened().iter().zip(pose.as_flattened()) {
+                    // A rotation that is none by up to 1e-6 is mended.
+                    let allowed = if k % 3 == 0 { 1e-12 } else { 1e-6 };
+                    assert!((a - b).abs() < allowed * size, "{name}: {s:?} of {pose:?} {ask:?}");
+                }
+            }
+            for bad in [f64::NAN, f64::INFINITY] {
+                let near = ask.near.clone().map(|mut near| {
+                    near[k % q.len()] = bad;
+                    near
+                });
+                assert!(bench.ik.solve(&bench.pose(&q), &Ask { near, ..Ask::default() }).is_err(), "{name}");
+            }
+        }
+        assert!(found > 300 && refused > 20, "{name}: {found} {refused}");
+    }
+}
+
+/// Along a path each posture keeps its label: of the next pose's postures, the one that clearly follows has the same.
+#[test]
+fn labels_stay_with_their_branch() {
+    for name in ["kuka-lwr4", "puma560", "staubli-tx40", "ur10e", "stanford"] {
+        let bench = Bench::new(robot(name));
+        let mut random = Random::new(8);
+        let mut followed = 0;
+        for _ in 0..30 {
+            let (start, rate) = (bench.random(&mut random), random.vector(bench.slides.len(), 0.003));
+            let at = |k: usize| -> Vec<f64> { start.iter().zip(&rate).map(|(q, r)| q + r * k as f64).collect() };
+            let mut last = bench.solve(&at(0), false);
+            for k in 1..40 {
+                let next = bench.solve(&at(k), false);
+                for s in &last.list {
+                    let mut far: Vec<_> = next.list.iter().map(|n| (bench.distance(&n.q, &s.q), n.branch)).collect();
+                    far.sort_by(|a, b| a.0.total_cmp(&b.0));
+                    let [first, second, ..] = far[..] else { continue };
+                    if first.0 < 0.02 && second.0 > 0.2 && bench.away_from_singularities(&s.q) {
+                        followed += 1;
+                        assert_eq!(first.1, s.branch, "{name} step {k}: {:?}", s.q);
+                    }
+                }
+                last = next;
+            }
+        }
+        assert!(followed > 2000, "{name}: {followed}");
     }
 }
 

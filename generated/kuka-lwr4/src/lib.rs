@@ -411,9 +411,8 @@ pub const IK: ik::Arm<DOF> = ik::Arm {
 ///
 /// # Errors
 /// If an entry is not finite, or the rotation is none.
-#[inline]
 pub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {
-    IK.solve(pose, query)
+    IK.solve_inlined(pose, query)
 }
 
 /// A configuration with the sines and cosines that all kernels share: make it once per state.

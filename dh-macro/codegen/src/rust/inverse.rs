@@ -79,7 +79,7 @@ pub(super) fn print(model: &Model) -> String {
     };
     let _ = writeln!(
         t,
-        "/// Every posture that brings the last DH frame to a pose: the top three rows of `T(0, n)`, m.\n///\n/// {}.{redundancy}\n///\n/// # Errors\n/// If an entry is not finite, or the rotation is none.\n#[inline]\npub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {{\n    IK.solve(pose, query)\n}}\n",
+        "/// Every posture that brings the last DH frame to a pose: the top three rows of `T(0, n)`, m.\n///\n/// {}.{redundancy}\n///\n/// # Errors\n/// If an entry is not finite, or the rotation is none.\npub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {{\n    IK.solve_inlined(pose, query)\n}}\n",
         capital(&inverse.reason)
     );
     t

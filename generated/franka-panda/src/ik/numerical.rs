@@ -3,6 +3,7 @@
 use super::arm::{Arm, Query};
 use super::axis::Value;
 use super::candidates::Candidates;
+use super::list::each;
 use super::polish::{polish, sizes, values};
 use super::pose::Displacement;
 use super::solution::{Branch, CAPACITY};
@@ -25,7 +26,7 @@ pub(super) fn search<const N: usize>(
     for start in 0..STARTS {
         let mut v = *near;
         if start > 0 || query.near.is_none() {
-            let q = core::array::from_fn(|i| {
+            let q = each(0.0, |i| {
                 state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
                 let unit = if start == 0 { 0.5 } else { (state >> 11) as f64 / (1u64 << 53) as f64 };
                 let [low, high] = arm.limits[i].unwrap_or(if arm.axes[i].slides { [-1.0, 1.0] } else { [-3.1, 3.1] });

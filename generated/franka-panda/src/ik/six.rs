@@ -11,8 +11,8 @@ use super::pose::Displacement;
 use super::quartic::two_turns;
 use super::regional::{self, Regional};
 use super::solution::Branch;
-use super::subproblem::{DOUBT, FREE, NARROW, Reach, Tilt, across, circle, doubt, reach, towards};
-use super::vector::{Turn, Vector, beside, cross, dot, norm, scale, sub};
+use super::subproblem::{DOUBT, FREE, NARROW, Reach, across, circle, doubt, reach, tilt, towards};
+use super::vector::{Turn, Vector, beside, cross, dot, norm, scale, sub, times};
 
 /// How six joints are taken apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,31 +44,25 @@ pub struct Six {
     pub method: Method,
 }
 
-/// Of three parallel axes: joints 1 and 5, and what joint 1 leaves of the pose.
+/// Of three parallel axes: what is known before them.
 #[derive(Clone, Copy)]
 struct Start {
-    first: Value,
-    /// Its name among the values of joint 1.
+    /// The name of joint 1 among its values.
     at: u8,
     fifth: Value,
-    /// Where axis 6, and a direction beside it, are to point.
-    goal: Vector,
-    image: Vector,
+    sixth: Value,
+    /// The turn of the three axes together.
+    sum: Turn,
+    /// Where axis 4 is to be, seen from axis 2, m.
+    to: Vector,
     /// Of the two roots; from 4: which zero of a quartic.
     signs: [u8; 2],
-    doubt: u8,
+    free: u8,
 }
 
 impl Start {
-    const NONE: Self = Self {
-        first: Value::ZERO,
-        at: 0,
-        fifth: Value::ZERO,
-        goal: [0.0; 3],
-        image: [0.0; 3],
-        signs: [0; 2],
-        doubt: 0,
-    };
+    const NONE: Self =
+        Self { at: 0, fifth: Value::ZERO, sixth: Value::ZERO, sum: Turn::NONE, to: [0.0; 3], signs: [0; 2], free: 0 };
 }
 
 /// Where what is found of six joints goes: into the columns of the arm's own joints.
@@ -89,9 +83,11 @@ impl<const N: usize> Into<'_, N> {
     #[inline(always)]
     fn push(&mut self, at: [u8; 6], branch: Branch, free: u8) {
         let mut bits = in_doubt(free);
-        for (k, j) in self.six.joints.iter().enumerate() {
-            if let Some(j) = j {
-                bits |= u32::from(free >> k & 1) << (u32::from(*j) & 31);
+        if free & !DOUBT != 0 {
+            for (k, j) in self.six.joints.iter().enumerate() {
+                if let Some(j) = j {
+                    bits |= u32::from(free >> k & 1) << (u32::from(*j) & 31);
+                }
             }
         }
         let Some(place) = self.all.push(branch, bits) else { return };
@@ -106,6 +102,7 @@ impl<const N: usize> Into<'_, N> {
 impl Six {
     /// All answers of `E1 .. E6 = g` of the arm, the joints that are not among the six at the first values of their columns; where
     /// there is none, the nearest ones.
+    #[inline(always)]
     pub(super) fn solve<const N: usize>(&self, g: &Displacement, near: &[Value; N], all: &mut Candidates<N>) {
         let near = self.near(near);
         let inverse;
@@ -122,6 +119,7 @@ impl Six {
         }
     }
 
+    #[inline(always)]
     fn wrist<const N: usize>(
         &self,
         g: &Displacement,
@@ -135,12 +133,19 @@ impl Six {
             regional::solve(regional, &[*one, *two, *three], center, g.point(center), &[near[0], near[1], near[2]]);
         let wrist = Three::new([four.h, five.h, six.h]);
         let goal = wrist.goal(&g.rotation);
+        // What joint 1 leaves of the goal, and its value's name: often the same for two places.
+        let (mut last, mut y1, mut z1, mut a) = (Value::way(f64::NAN), goal[1], goal[2], 0);
         for place in places.iter() {
             let [v1, v2, v3] = place.values;
-            let basis = wrist.carried(|x| one.direction(v1, two.direction(v2, three.direction(v3, x))));
-            let regional_at = [into.value(0, v1), into.value(1, v2), into.value(2, v3)];
-            for (i, ([v4, v5, v6], free)) in wrist.turns(&basis, &goal, near[3].turn).iter().enumerate() {
-                let [a, b, c] = regional_at;
+            if v1 != last {
+                (last, y1, z1) = (v1, one.direction(v1.back(), goal[1]), one.direction(v1.back(), goal[2]));
+                a = into.value(0, v1);
+            }
+            let (y2, z2) = (two.direction(v2.back(), y1), two.direction(v2.back(), z1));
+            let (y, z) = (three.direction(v3.back(), y2), three.direction(v3.back(), z2));
+            let (b, c) = (into.value(1, v2), into.value(2, v3));
+            let both = wrist.turns(&wrist.first, &[cross(y, z), y, z], near[3].turn);
+            for (i, ([v4, v5, v6], free)) in both.iter().enumerate() {
                 let [v4, v5, v6] = [Value::turn(*v4), Value::turn(*v5), Value::turn(*v6)];
                 let at = [a, b, c, into.value(3, v4), into.value(4, v5), into.value(5, v6)];
                 let branch = Branch::of_wrist(regional, place.branch, i as u8, self.reversed);
@@ -150,6 +155,7 @@ impl Six {
     }
 
     /// What the three parallel axes leave alone gives joints 1 and 5; then they are a planar arm.
+    #[inline(always)]
     fn three_parallel<const N: usize>(
         &self,
         g: &Displacement,
@@ -159,14 +165,10 @@ impl Six {
     ) {
         let [one, two, three, four, five, six] = &self.axes;
         let h = two.h;
-        let mut free = 0;
-        // Joint 1 (and its value's name), with the two answers of joint 5 for each; which signs, and whether in doubt.
         let mut starts: List<Start, 4> = List::new(Start::NONE);
-        let goal6 = super::vector::times(&g.rotation, six.h);
-        let side = beside(six.h);
-        let side_goal = super::vector::times(&g.rotation, side);
         if let Some(x) = meet {
-            let rel = sub(g.point(x), one.c);
+            let there = g.point(x);
+            let rel = sub(there, one.c);
             let along = scale(dot(one.h, rel), one.h);
             let pair = circle(
                 dot(h, sub(rel, along)),
@@ -174,25 +176,38 @@ impl Six {
                 dot(h, sub(sub(x, one.c), along)),
                 norm(rel),
             );
-            free |= u8::from(pair.free) | doubt(pair.narrow);
+            let free = u8::from(pair.free) | doubt(pair.narrow);
             let firsts = if pair.blind { [near[0]; 2] } else { turns(pair.both) };
-            let tilt = Tilt::new(h, five.h, six.h);
+            let wrist = Three::new([h, five.h, six.h]);
+            let goal = wrist.goal(&g.rotation);
             for (i, &first) in firsts.iter().enumerate() {
-                let goal = one.direction(first.back(), goal6);
-                let image = one.direction(first.back(), side_goal);
                 let at = into.value(0, first);
-                let fifths = tilt.towards_unit(goal);
+                if wrist.is_square() {
+                    // The turn of the three, joint 5 and joint 6 are Euler angles; joints 5 and 6 leave `x` where it is.
+                    let carried = |k: usize| one.direction(first.back(), goal[k]);
+                    let image = [carried(0), carried(1), carried(2)];
+                    let both = wrist.turns(&wrist.first, &image, Turn::NONE);
+                    if both[0].1 == 0 {
+                        let hand = sub(one.point(first.back(), there), two.c);
+                        for (j, ([sum, fifth, sixth], _)) in both.iter().enumerate() {
+                            starts.push(Start {
+                                at,
+                                fifth: Value::turn(*fifth),
+                                sixth: Value::turn(*sixth),
+                                sum: *sum,
+                                to: sub(hand, two.spun(*sum, sub(x, four.c))),
+                                signs: [i as u8, j as u8],
+                                free,
+                            });
+                        }
+                        continue;
+                    }
+                }
+                let fifths = tilt(h, five.h, six.h, one.direction(first.back(), goal[2]));
                 for (j, &fifth) in fifths.both.iter().enumerate() {
-                    let signs = [i as u8, j as u8];
-                    starts.push(Start {
-                        first,
-                        at,
-                        fifth: Value::turn(fifth),
-                        goal,
-                        image,
-                        signs,
-                        doubt: doubt(fifths.narrow),
-                    });
+                    let free = free | doubt(fifths.narrow);
+                    let known = [first, Value::turn(fifth)];
+                    starts.push(self.start(g, known, at, [i as u8, j as u8], free, near));
                 }
             }
         } else {
@@ -200,6 +215,7 @@ impl Six {
                 let along = dot(a, r);
                 ([dot(b, r) - dot(b, a) * along, dot(b, cross(a, r))], dot(b, a) * along)
             };
+            let goal6 = times(&g.rotation, six.h);
             let (p1, k1) = part(h, one.h, sub(g.point(six.c), one.c));
             let (d1, l1) = part(h, one.h, goal6);
             let (p5, k5) = part(h, five.h, sub(six.c, five.c));
@@ -208,54 +224,30 @@ impl Six {
             let k = [k1 + dot(h, one.c) - k5 - dot(h, five.c), l1 - l5];
             let roots = two_turns(&a, &k, &[p5, d5]);
             for (i, &(first, fifth)) in roots.iter().enumerate() {
-                let (own, fifth) = (Value::turn(first), Value::turn(fifth));
+                let own = Value::turn(first);
                 let at = into.value(0, own);
-                let (goal, image) = (one.direction(own.back(), goal6), one.direction(own.back(), side_goal));
                 // Roots of a quartic that lie close together are known to fewer digits.
                 let close = |t: Turn| (t.c - first.c).abs() + (t.s - first.s).abs() < 10.0 * NARROW;
                 let narrow = roots.iter().enumerate().any(|(k, (t, _))| k != i && close(*t));
-                let signs = [i as u8 | 4, 0];
-                starts.push(Start { first: own, at, fifth, goal, image, signs, doubt: doubt(narrow) });
+                starts.push(self.start(g, [own, Value::turn(fifth)], at, [i as u8 | 4, 0], doubt(narrow), near));
             }
         }
         let elbow = Reach::new(three, four.c, two.c);
-        for &Start { first: v1, at: at1, fifth: v5, goal, image, signs: [shoulder, wrist], doubt: doubtful } in
-            starts.iter()
-        {
-            let mut free = free | doubtful;
-            let (turn, known) = towards(h, five.direction(v5, six.h), goal);
-            let seen = known > 1e-28;
-            let (mut sum, mut v6) = if seen {
-                let back = five.direction(v5.back(), turn.back().about(h, image));
-                (turn, Value::turn(across(six.h, side, back)))
-            } else {
-                (Turn::NONE, near[5])
-            };
-            if known < FREE * FREE {
-                free |= 32 | DOUBT;
-                // Rounding turns it too, perhaps to where the planar arm does not reach.
-                let within = self.last_within_reach(g, v1, v5, v6, seen);
-                if !seen || within != v6 {
-                    v6 = within;
-                    let carried = |x: Vector| v5.turn.about(five.h, v6.turn.about(six.h, x));
-                    let other = cross(six.h, side);
-                    let image2 = one.direction(v1.back(), super::vector::times(&g.rotation, other));
-                    // The better seen of two directions across axis 6.
-                    let (a, na) = towards(h, carried(side), image);
-                    let (b, nb) = towards(h, carried(other), image2);
-                    sum = if na >= nb { a } else { b };
-                }
-            }
-            let four_at = six.point(v6.back(), five.point(v5.back(), four.c));
-            let target = one.point(v1.back(), g.point(four_at));
-            let to = sub(target, two.c);
-            let pair = elbow.at(dot(to, to));
+        for start in starts.iter() {
+            let &Start { to, sum, signs: [shoulder, wrist], .. } = start;
+            let to2 = dot(to, to);
+            let pair = elbow.at(to2);
             // Both ends of the planar arm are as far from axis 2: one division for both answers.
             let flat = sub(to, scale(dot(h, to), h));
             let flat2 = dot(flat, flat);
             let apart = flat2 > 1e-26;
             let per = if apart { 1.0 / flat2 } else { 0.0 };
-            let ends = [into.value(4, v5), into.value(5, v6)];
+            let size2 = to2.max(1e-6);
+            let free = start.free
+                | if flat2 > FREE * FREE * size2 { 0 } else { 2 }
+                | if pair.free { 4 } else { 0 }
+                | doubt(pair.narrow || flat2 < NARROW * NARROW * size2);
+            let ends = [into.value(4, start.fifth), into.value(5, start.sixth)];
             for (j, &third) in pair.both.iter().enumerate() {
                 let arm = sub(three.point(Value::turn(third), four.c), two.c);
                 let second = if apart {
@@ -266,13 +258,8 @@ impl Six {
                 };
                 let same = |axis: &Axis, t: Turn| if dot(axis.h, h) < 0.0 { t.back() } else { t };
                 let fourth = sum.then(second.back()).then(same(three, third).back());
-                let mut free = free;
-                let size2 = dot(to, to).max(1e-6);
-                free |= if flat2 > FREE * FREE * size2 { 0 } else { 2 };
-                free |= if pair.free { 4 } else { 0 };
-                free |= doubt(pair.narrow || known < NARROW * NARROW || flat2 < NARROW * NARROW * size2);
                 let at = [
-                    at1,
+                    start.at,
                     into.value(1, Value::turn(second)),
                     into.value(2, Value::turn(third)),
                     into.value(3, Value::turn(same(four, fourth))),
@@ -282,6 +269,51 @@ impl Six {
                 into.push(at, Branch::of_three_parallel(shoulder, j as u8, wrist, self.reversed), free);
             }
         }
+    }
+
+    /// Joint 6 and the turn of the three parallel axes from joints 1 and 5, with any angle between the axes.
+    #[inline(never)]
+    fn start(
+        &self,
+        g: &Displacement,
+        [v1, v5]: [Value; 2],
+        at: u8,
+        signs: [u8; 2],
+        doubtful: u8,
+        near: &[Value; 6],
+    ) -> Start {
+        let [one, two, _, four, five, six] = &self.axes;
+        let h = two.h;
+        let mut free = doubtful;
+        let side = beside(six.h);
+        let back = |x: Vector| one.direction(v1.back(), times(&g.rotation, x));
+        let (goal, image) = (back(six.h), back(side));
+        let (turn, known) = towards(h, five.direction(v5, six.h), goal);
+        let seen = known > 1e-28;
+        let (mut sum, mut v6) = if seen {
+            let back = five.direction(v5.back(), turn.back().about(h, image));
+            (turn, Value::turn(across(six.h, side, back)))
+        } else {
+            (Turn::NONE, near[5])
+        };
+        if known < FREE * FREE {
+            free |= 32 | DOUBT;
+            // Rounding turns it too, perhaps to where the planar arm does not reach.
+            let within = self.last_within_reach(g, v1, v5, v6, seen);
+            if !seen || within != v6 {
+                v6 = within;
+                let carried = |x: Vector| v5.turn.about(five.h, v6.turn.about(six.h, x));
+                let other = cross(six.h, side);
+                // The better seen of two directions across axis 6.
+                let (a, na) = towards(h, carried(side), image);
+                let (b, nb) = towards(h, carried(other), back(other));
+                sum = if na >= nb { a } else { b };
+            }
+        }
+        let four_at = six.point(v6.back(), five.point(v5.back(), four.c));
+        let to = sub(one.point(v1.back(), g.point(four_at)), two.c);
+        free |= doubt(known < NARROW * NARROW);
+        Start { at, fifth: v5, sixth: v6, sum, to, signs, free }
     }
 
     /// Axis 6 is parallel to the three: its turn is free as far as the planar arm still reaches. The near one; else, where that one

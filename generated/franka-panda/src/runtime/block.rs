@@ -28,6 +28,13 @@ impl Block {
         Self(lanes::from_fn(lane))
     }
 
+    /// Numbers of a list by their places (of which the last four bits count), those from `first` on.
+    #[inline(always)]
+    #[must_use]
+    pub fn pick(numbers: &[f64; 16], places: &[u8; 16], first: usize) -> Self {
+        Self(lanes::pick(numbers, places, first))
+    }
+
     /// The smaller of each two numbers; not for NaN.
     #[inline(always)]
     #[must_use]
@@ -105,7 +112,7 @@ mod lanes {
     pub(super) const WIDTH: usize = 8;
 
     // SAFETY, for all of this module: it is compiled only where AVX-512F is enabled for the whole build, and touches no memory
-    // but a whole array of eight.
+    // but a whole array of eight or both halves of one of sixteen.
     macro_rules! two {
         ($($name:ident = $intrinsic:ident;)*) => {
             $(#[inline(always)] pub(super) fn $name(a: Lanes, b: Lanes) -> Lanes { unsafe { $intrinsic(a, b) } })*
@@ -139,6 +146,14 @@ mod lanes {
     #[inline(always)]
     pub(super) fn from_fn(f: impl Fn(usize) -> f64) -> Lanes {
         unsafe { _mm512_setr_pd(f(0), f(1), f(2), f(3), f(4), f(5), f(6), f(7)) }
+    }
+    #[inline(always)]
+    pub(super) fn pick(numbers: &[f64; 16], places: &[u8; 16], first: usize) -> Lanes {
+        let eight = (u128::from_le_bytes(*places) >> (8 * (first & 8))) as i64;
+        unsafe {
+            let (low, high) = (_mm512_loadu_pd(numbers.as_ptr()), _mm512_loadu_pd(numbers.as_ptr().add(8)));
+            _mm512_permutex2var_pd(low, _mm512_cvtepu8_epi64(_mm_cvtsi64_si128(eight)), high)
+        }
     }
     #[inline(always)]
     pub(super) fn to_array(v: Lanes) -> [f64; WIDTH] {
@@ -190,6 +205,10 @@ mod lanes {
         unsafe { _mm256_setr_pd(f(0), f(1), f(2), f(3)) }
     }
     #[inline(always)]
+    pub(super) fn pick(numbers: &[f64; 16], places: &[u8; 16], first: usize) -> Lanes {
+        from_fn(|l| numbers[usize::from(places[(first + l) & 15] & 15)])
+    }
+    #[inline(always)]
     pub(super) fn to_array(v: Lanes) -> [f64; WIDTH] {
         let mut out = [0.0; WIDTH];
         unsafe { _mm256_storeu_pd(out.as_mut_ptr(), v) }
@@ -233,6 +252,10 @@ mod lanes {
     #[inline(always)]
     pub(super) fn from_fn(f: impl Fn(usize) -> f64) -> Lanes {
         unsafe { _mm_setr_pd(f(0), f(1)) }
+    }
+    #[inline(always)]
+    pub(super) fn pick(numbers: &[f64; 16], places: &[u8; 16], first: usize) -> Lanes {
+        from_fn(|l| numbers[usize::from(places[(first + l) & 15] & 15)])
     }
     #[inline(always)]
     pub(super) fn to_array(v: Lanes) -> [f64; WIDTH] {
@@ -287,6 +310,10 @@ mod lanes {
     #[inline(always)]
     pub(super) fn from_fn(f: impl Fn(usize) -> f64) -> Lanes {
         [f(0), f(1)]
+    }
+    #[inline(always)]
+    pub(super) fn pick(numbers: &[f64; 16], places: &[u8; 16], first: usize) -> Lanes {
+        from_fn(|l| numbers[usize::from(places[(first + l) & 15] & 15)])
     }
     #[inline(always)]
     pub(super) fn to_array(v: Lanes) -> [f64; WIDTH] {

@@ -62,7 +62,7 @@ pub(super) fn weights(j: usize) -> [f64; 2] {
 
 /// Squares of what is left to `g` in eight branches from `first` on (those that there are): m^2 and rad^2 (for small angles), and a
 /// number that tells branches apart.
-#[inline]
+#[inline(always)]
 pub(super) fn misses<const N: usize>(
     arm: &Arm<N>,
     g: &Displacement,

@@ -1,11 +1,11 @@
 //! Three joints that bring a point to a place: `E1 E2 E3 w = p` (Pieper 1968).
 
 use super::axis::{Axis, Value, turns};
-use super::list::List;
+use super::list::{List, each};
 use super::quartic::{roots, two_turns, zeros};
 use super::real::root;
 use super::subproblem::{DOUBT, FREE, NARROW, circle, doubt, reach, tilt, towards};
-use super::vector::{Vector, add, cross, dot, norm, scale, sub, transposed_times, unit};
+use super::vector::{Turn, Vector, add, cross, dot, norm, scale, sub, transposed_times, unit};
 
 /// How the three joints are taken apart. A mirrored one is taken from its far end: `E3' E2' E1' p = w`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,6 +54,7 @@ pub(super) type Places = List<Place, 4>;
 const NOWHERE: Place = Place { values: [Value::ZERO; 3], branch: 0, free: 0 };
 
 /// All answers; where there is none, the nearest ones. `near`: values for joints that are free.
+#[inline(always)]
 pub(super) fn solve(kind: &Regional, axes: &[Axis; 3], w: Vector, p: Vector, near: &[Value; 3]) -> Places {
     let mirrored = match *kind {
         Regional::Meet { mirrored, .. }
@@ -75,6 +76,7 @@ pub(super) fn solve(kind: &Regional, axes: &[Axis; 3], w: Vector, p: Vector, nea
     places
 }
 
+#[inline(always)]
 fn forward(kind: &Regional, axes: &[Axis; 3], w: Vector, p: Vector, near: &[Value; 3]) -> Places {
     match *kind {
         Regional::Meet { at, .. } => meet(axes, at, w, p, near),
@@ -91,14 +93,17 @@ fn forward(kind: &Regional, axes: &[Axis; 3], w: Vector, p: Vector, near: &[Valu
 fn first_turn(axis: &Axis, from: Vector, to: Vector, near: Value) -> (Value, u8) {
     let (from, to) = (sub(from, axis.c), sub(to, axis.c));
     let (turn, known) = towards(axis.h, from, to);
-    let size = norm(from) * norm(to);
-    if known > 1e-26 * size.max(1e-20) {
-        (Value::turn(turn), u8::from(known < FREE * FREE * size) | doubt(known < NARROW * NARROW * size))
+    // Squares, which need no root.
+    let (known, size) = (known * known, dot(from, from) * dot(to, to));
+    let below = |sine: f64| known < sine * sine * (sine * sine) * size;
+    if known > 1e-52 * size.max(1e-40) {
+        (Value::turn(turn), u8::from(below(FREE)) | doubt(below(NARROW)))
     } else {
         (near, 1 | DOUBT)
     }
 }
 
+#[inline(always)]
 fn meet([one, two, three]: &[Axis; 3], x: Vector, w: Vector, p: Vector, near: &[Value; 3]) -> Places {
     let mut places = List::new(NOWHERE);
     let to = sub(p, x);
@@ -130,6 +135,7 @@ fn meet([one, two, three]: &[Axis; 3], x: Vector, w: Vector, p: Vector, near: &[
     places
 }
 
+#[inline(always)]
 fn parallel([one, two, three]: &[Axis; 3], w: Vector, p: Vector, near: &[Value; 3]) -> Places {
     let mut places = List::new(NOWHERE);
     let mut free = 0;
@@ -145,16 +151,28 @@ fn parallel([one, two, three]: &[Axis; 3], w: Vector, p: Vector, near: &[Value; 
         free |= u8::from(pair.free) << 2 | doubt(pair.narrow);
         if pair.blind { [near[2]; 2] } else { turns(pair.both) }
     };
+    let to = sub(p, one.c);
+    let (to2, flat) = (dot(to, to), sub(to, scale(dot(h, to), h)));
+    // Away from the first axis, both ends of the planar arm are as far from it: one division for all answers.
+    let flat2 = dot(flat, flat);
+    let apart = flat2 > 1e-4 * to2.max(1e-16);
+    let per = if apart { 1.0 / flat2 } else { 0.0 };
     for (i, &third) in thirds.iter().enumerate() {
         if three.slides && i == 1 {
             break;
         }
         let arm = three.point(third, w);
-        let to = sub(p, one.c);
-        let pair = reach(two, arm, one.c, dot(to, to));
+        let pair = reach(two, arm, one.c, to2);
         let seconds = if pair.blind { [near[1]; 2] } else { turns(pair.both) };
         for (j, &second) in seconds.iter().enumerate() {
-            let (first, loose) = first_turn(one, two.point(second, arm), p, near[0]);
+            let end = two.point(second, arm);
+            let (first, loose) = if apart {
+                let from = sub(end, one.c);
+                let (c, s) = (dot(from, flat), dot(h, cross(from, flat)));
+                (Value::turn(Turn { c: c * per, s: s * per }), 0)
+            } else {
+                first_turn(one, end, p, near[0])
+            };
             let free = free | loose | u8::from(pair.free) << 1 | doubt(pair.narrow);
             places.push(Place { values: [first, second, third], branch: (i | j << 1) as u8, free });
         }
@@ -219,7 +237,7 @@ fn general([one, two, three]: &[Axis; 3], w: Vector, p: Vector, near: &[Value; 3
             [v[0] * v[0], 2.0 * v[0] * v[1], 2.0 * v[0] * v[2], v[1] * v[1], 2.0 * v[1] * v[2], v[2] * v[2]]
         };
         let (sx, sy, sm) = (square(&big_x), square(&big_y), square(&m));
-        let mut form: [f64; 6] = core::array::from_fn(|i| sx[i] + sy[i] + sm[i]);
+        let mut form: [f64; 6] = each(0.0, |i| sx[i] + sy[i] + sm[i]);
         (form[0], form[1], form[2]) = (form[0] - k[0], form[1] - k[1], form[2] - k[2]);
         for &t in zeros(&form).iter() {
             thirds.push(Value::turn(t));

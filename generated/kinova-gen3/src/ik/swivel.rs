@@ -96,6 +96,7 @@ impl Swivel {
     }
 
     /// All answers at a swivel angle (its cosine and sine); true: counted from the second plane.
+    #[inline(always)]
     pub(super) fn solve<const N: usize>(
         &self,
         g: &Displacement,
@@ -177,7 +178,8 @@ impl Swivel {
     /// The swivel angle of a posture, rad, and whether it is counted from the second plane.
     pub(super) fn angle(&self, values: &[Value; 7], reference: &Reference) -> (f64, bool) {
         let (frame, _) = self.upper(values[3], 1.0);
-        let upper = |x: Vector| (0..3).rev().fold(x, |x, k| self.axes[k].direction(values[k], x));
+        let ([a1, a2, a3, ..], [v1, v2, v3, ..]) = (&self.axes, *values);
+        let upper = |x: Vector| a1.direction(v1, a2.direction(v2, a3.direction(v3, x)));
         let (n, e) = (upper(frame[0]), upper(frame[1]));
         let (u, v, second) = reference.plane(n);
         (angle(dot(e, v), dot(e, u)), second)

@@ -3,6 +3,7 @@
 
 use super::super::runtime::Block;
 use super::axis::Value;
+use super::list::each;
 use super::solution::{Branch, CAPACITY};
 use super::subproblem::DOUBT;
 use super::vector::Turn;
@@ -86,6 +87,12 @@ impl<const N: usize> Candidates<N> {
         self.at.get(joint).map_or(0, |row| usize::from(row[place & MASK])) & MASK
     }
 
+    /// One number for each value of a joint, in as many branches from `first` on as a block holds.
+    #[inline(always)]
+    pub fn spread(&self, numbers: &[f64; CAPACITY], joint: usize, first: usize) -> Block {
+        Block::pick(numbers, &self.at[joint], first)
+    }
+
     /// Which branch, and which of its joints are free.
     #[inline(always)]
     pub fn kind(&self, place: usize) -> (Branch, u32) {
@@ -126,7 +133,7 @@ impl<const N: usize> Candidates<N> {
 
     /// All joints in a branch.
     pub fn values(&self, place: usize, slides: impl Fn(usize) -> bool) -> [Value; N] {
-        core::array::from_fn(|j| {
+        each(Value::ZERO, |j| {
             let (at, column) = (self.at(place, j), &self.columns[j]);
             if slides(j) { Value::way(column.c[at]) } else { Value::turn(Turn { c: column.c[at], s: column.s[at] }) }
         })
@@ -136,7 +143,6 @@ impl<const N: usize> Candidates<N> {
     #[inline(always)]
     pub fn lanes(&self, joint: usize, first: usize) -> (Block, Block) {
         let (row, column) = (&self.at[joint], &self.columns[joint]);
-        let at = |lane: usize| usize::from(row[(first + lane) & MASK]) & MASK;
-        (Block::from_fn(|lane| column.c[at(lane)]), Block::from_fn(|lane| column.s[at(lane)]))
+        (Block::pick(&column.c, row, first), Block::pick(&column.s, row, first))
     }
 }

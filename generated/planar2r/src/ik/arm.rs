@@ -1,6 +1,6 @@
 //! An arm made ready for its inverse, and the one entrance to all solvers.
 
-use super::super::runtime::Scalar;
+use super::super::runtime::{Block, Scalar};
 use super::axis::{Axis, Value};
 use super::candidates::{Candidates, Column};
 use super::lanes::misses;
@@ -60,7 +60,8 @@ pub struct Query<'a, const N: usize> {
     pub redundancy: f64,
     /// From where the swivel angle is counted.
     pub reference: Reference,
-    /// A posture: free joints take their positions from it, whole turns are chosen near it, and nearest solutions stand first.
+    /// A posture: free joints take their positions from it, whole turns are chosen near it (near zero where it
+    /// is beyond 1000 rad), and nearest solutions stand first.
     pub near: Option<&'a [f64; N]>,
     /// What may be left to the pose, m and rad. The default is `1e-12`: rounding.
     pub tolerance: f64,
@@ -84,6 +85,9 @@ pub(super) struct Work {
     best: [f64; 2],
 }
 
+/// A pose that is missed by less, m and rad, may be one that the arm reaches at a singularity.
+const LITTLE: f64 = 1e-6;
+
 /// Newton's steps where nothing else is asked for.
 const STEPS: usize = 40;
 
@@ -105,6 +109,15 @@ impl<const N: usize> Arm<N> {
     /// # Errors
     /// If an entry is not finite, or the rotation is none (beyond 1e-6; a smaller defect is taken away).
     pub fn solve(&self, pose: &[[f64; 4]; 3], query: &Query<'_, N>) -> Result<Solutions<N>, PoseError> {
+        self.solve_inlined(pose, query)
+    }
+
+    /// The same inlined: of an arm that is a constant, as that of a generated crate, the compiler makes a solver for it alone.
+    ///
+    /// # Errors
+    /// Like [`Arm::solve`].
+    #[inline(always)]
+    pub fn solve_inlined(&self, pose: &[[f64; 4]; 3], query: &Query<'_, N>) -> Result<Solutions<N>, PoseError> {
         let target = checked(pose)?;
         let near_finite = query.near.is_none_or(|q| q.iter().all(|x| x.is_finite()));
         if !query.redundancy.is_finite() || !near_finite {
@@ -114,7 +127,7 @@ impl<const N: usize> Arm<N> {
         let near = query.near.map_or([Value::ZERO; N], |q| polish::values(self, q));
         let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
         let mut all: Candidates<N> = Candidates::new();
-        let second_plane = self.candidates(&g, query, query.redundancy, &near, &mut all);
+        let second_plane = self.candidates_inlined(&g, query, query.redundancy, &near, &mut all);
         if all.in_doubt() {
             self.settle(&g, query, &near, &mut all);
         }
@@ -142,8 +155,11 @@ impl<const N: usize> Arm<N> {
             second_plane,
         });
         let Ok(solutions) = &mut result else { return result };
-        let mut work = Work { marks: [0.0; CAPACITY], best: [f64::INFINITY; 2] };
+        let mut work = Work { marks: [f64::INFINITY; CAPACITY], best: [f64::INFINITY; 2] };
         self.finish(&g, query, &all, member.map(|place| (place, near)), solutions, &mut work);
+        if self.exact && solutions.list.is_empty() && query.steps > 0 && work.best[0] + work.best[1] < LITTLE {
+            self.retry(&g, query, &near, solutions, &mut work);
+        }
         if !self.exact {
             self.search_nearby(&g, query, &near, &all, solutions, &mut work);
         }
@@ -152,8 +168,20 @@ impl<const N: usize> Arm<N> {
     }
 
     /// What the closed form gives at a redundancy; true: counted from the second plane.
-    #[inline]
+    #[inline(never)]
     pub(super) fn candidates(
+        &self,
+        g: &Displacement,
+        query: &Query<'_, N>,
+        redundancy: f64,
+        near: &[Value; N],
+        all: &mut Candidates<N>,
+    ) -> bool {
+        self.candidates_inlined(g, query, redundancy, near, all)
+    }
+
+    #[inline(always)]
+    fn candidates_inlined(
         &self,
         g: &Displacement,
         query: &Query<'_, N>,
@@ -257,6 +285,7 @@ impl<const N: usize> Arm<N> {
 
     /// Measures, refines where rounding shows, and keeps what reaches the pose. `member`: one more posture, of the family of the
     /// branch in that place.
+    #[inline(always)]
     fn finish(
         &self,
         g: &Displacement,
@@ -276,6 +305,15 @@ impl<const N: usize> Arm<N> {
                 break;
             }
             let (ways, turns, marks) = misses(self, g, all, first);
+            let (mut qs, mut margins) = ([[0.0; 8]; N], [0.0; 8]);
+            for k in 0..Block::COUNT {
+                let mut least = Block::constant(f64::INFINITY);
+                for j in 0..N {
+                    all.spread(&fits.q[j], j, first + k * Block::WIDTH).store(k, &mut qs[j]);
+                    least = least.min(all.spread(&fits.margin[j], j, first + k * Block::WIDTH));
+                }
+                least.store(k, &mut margins);
+            }
             for lane in 0..8 {
                 let place = first + lane;
                 if place >= all.len {
@@ -286,12 +324,9 @@ impl<const N: usize> Arm<N> {
                 if p2 <= EXACT * EXACT && r2 <= EXACT * EXACT {
                     let mut found = Solution { branch, free, ..Solution::NONE };
                     (found.position_error, found.rotation_error) = (root(p2), root(r2));
-                    found.margin = f64::INFINITY;
+                    found.margin = margins[lane];
                     for j in 0..N {
-                        let at = all.at(place, j);
-                        found.q[j] = fits.q[j][at];
-                        let margin = fits.margin[j][at];
-                        found.margin = if margin < found.margin { margin } else { found.margin };
+                        found.q[j] = qs[j][lane];
                     }
                     found.within_limits = found.margin >= -1e-9;
                     self.keep(out, work, found, mark);
@@ -395,9 +430,9 @@ impl<const N: usize> Arm<N> {
         if found.free != 0 {
             out.status = Status::Singular;
         }
-        // Marks first: only where one is equal are all joints compared.
+        // Marks first: only where one is equal are all joints compared. Those that are not yet there are equal to none.
         let mut alike = false;
-        for m in work.marks.iter().take(out.list.len()) {
+        for m in &work.marks {
             alike |= (m - mark).abs() < 1e-7;
         }
         if alike {
@@ -415,7 +450,7 @@ impl<const N: usize> Arm<N> {
     }
 
     fn full_turn(&self, joint: usize, difference: f64) -> bool {
-        !self.axes[joint].slides && wrapped(difference).abs() < 1e-10
+        self.axes.get(joint).is_some_and(|a| !a.slides) && wrapped(difference).abs() < 1e-10
     }
 
     /// Does the arm keep a redundancy while it is refined? An exact swivel arm is not led away from its angle.
@@ -478,19 +513,24 @@ fn put<const N: usize>(values: &mut [Value; N], joint: Option<u8>, v: Value) {
     }
 }
 
+/// Whole turns are chosen near a position up to here, rad: the digits of one that is farther away would not hold a pose.
+const FAR: f64 = 1e3;
+
 /// The whole turns that respect the limits and lie nearest to `near` (or zero), with the distance to the nearest limit.
 pub(super) fn fitted(q: f64, slides: bool, limits: Option<[f64; 2]>, near: Option<f64>) -> (f64, f64) {
     use core::f64::consts::TAU;
     let mut x = q;
     if !slides {
-        let near = near.unwrap_or(0.0);
-        x = q + TAU * whole((near - q) / TAU);
+        let near = near.filter(|near| near.abs() <= FAR).unwrap_or(0.0);
+        // All turns in one product: a sum of sums would keep what a far one has rounded.
+        let turns = whole((near - q) / TAU);
+        x = q + TAU * turns;
         if let Some([low, high]) = limits {
             let outside = |x: f64| (low - x).max(x - high);
             if outside(x) > 0.0 {
                 // The nearest turn inside, from either side.
-                let up = x + TAU * ceiling((low - 1e-9 - x) / TAU).max(0.0);
-                let down = x - TAU * ceiling((x - high - 1e-9) / TAU).max(0.0);
+                let up = q + TAU * (turns + ceiling((low - 1e-9 - x) / TAU).max(0.0));
+                let down = q + TAU * (turns - ceiling((x - high - 1e-9) / TAU).max(0.0));
                 for other in [up, down] {
                     if outside(other) < outside(x) && outside(other) <= 1e-9 {
                         x = other;
@@ -529,7 +569,11 @@ impl<const N: usize> Fits<N> {
             }
             // Elsewhere a turned angle is never inside where it was not.
             let wide = limits.is_some_and(|[low, high]| low < 1e-6 - PI || high > PI - 1e-6);
-            if !slides && (near.is_some() || wide) {
+            let mut outside = false;
+            for margin in margins.iter() {
+                outside |= *margin < 0.0;
+            }
+            if !slides && (near.is_some() || wide && outside) {
                 let near = near.map(|n| n[j]);
                 for (margin, q) in margins.iter_mut().zip(qs).take(column.len) {
                     if near.is_some() || *margin < 0.0 {

@@ -2,10 +2,10 @@
 
 use super::super::runtime::{Block, square_root};
 
-/// `sqrt(x)`; zero for a negative `x` (a rounding error below a double root).
+/// `sqrt(x)`; zero for a negative `x` (a rounding error below a double root). NaN stays: an error must not look like none.
 #[inline(always)]
 pub(super) fn root(x: f64) -> f64 {
-    if x > 0.0 { square_root(x) } else { 0.0 }
+    if x <= 0.0 { 0.0 } else { square_root(x) }
 }
 
 /// Tangent of pi/8: beyond it a ratio is turned back by pi/4.
@@ -68,8 +68,9 @@ pub(super) fn angles<const K: usize>(s: &[f64; K], c: &[f64; K], len: usize) -> 
 #[inline(always)]
 pub(super) fn angles_into<const K: usize>(s: &[f64; K], c: &[f64; K], len: usize, out: &mut [f64; K]) {
     const WIDTH: usize = Block::WIDTH;
-    let blocks = out.chunks_exact_mut(WIDTH).zip(s.chunks_exact(WIDTH)).zip(c.chunks_exact(WIDTH));
-    for ((out, s), c) in blocks.take(len.div_ceil(WIDTH)) {
+    // Arrays, so that no index is checked.
+    let (out, s, c) = (out.as_chunks_mut::<WIDTH>().0, s.as_chunks::<WIDTH>().0, c.as_chunks::<WIDTH>().0);
+    for ((out, s), c) in out.iter_mut().zip(s).zip(c).take(len.div_ceil(WIDTH)) {
         angle_block(Block::from_fn(|l| s[l]), Block::from_fn(|l| c[l])).put(out);
     }
 }

@@ -72,20 +72,27 @@ impl Circle {
 
     #[inline(always)]
     fn at(&self, d: f64) -> Pair {
+        self.between(d, [self.r + d, self.r - d])
+    }
+
+    /// For `d` whose distances from the two ends, `r + d` and `r - d`, are known by themselves: beside an end they have digits that
+    /// `d` has lost.
+    #[inline(always)]
+    fn between(&self, d: f64, [above, below]: [f64; 2]) -> Pair {
         let &Self { middle, r, per, size } = self;
         if !(r > 1e-14 * size) {
             return BLIND;
         }
         // What is out of reach is not in doubt.
         let reached = d.abs() < r + NARROW * size;
-        let d = if d > r {
+        let d = if below < 0.0 {
             r
-        } else if d < -r {
+        } else if above < 0.0 {
             -r
         } else {
             d
         };
-        let w = root((r - d) * (r + d));
+        let w = root(above.max(0.0) * below.max(0.0));
         let (c, s) = (d * per, w * per);
         Pair {
             both: [middle.then(Turn { c, s }), middle.then(Turn { c, s: -s })],
@@ -105,8 +112,9 @@ pub(super) fn reach(axis: &Axis, w: Vector, x: Vector, length2: f64) -> Pair {
 /// The part of [`reach`] that does not change with the distance.
 pub(super) struct Reach {
     circle: Circle,
-    /// What the squared distance is in the middle.
+    /// What the squared distance is in the middle, where it is least and where it is most.
     middle: f64,
+    ends: [f64; 2],
 }
 
 impl Reach {
@@ -122,12 +130,15 @@ impl Reach {
         let a = 2.0 * dot(k_across, across);
         let b = 2.0 * dot(k_across, cross(axis.h, across));
         let (k2, w2) = (dot(k_across, k_across), dot(across, across));
-        Self { circle: Circle::new(a, b, k2 + w2 + height * height), middle: height * height + k2 + w2 }
+        let (h2, k, w) = (height * height, root(k2), root(w2));
+        let ends = [h2 + (k - w) * (k - w), h2 + (k + w) * (k + w)];
+        Self { circle: Circle::new(a, b, k2 + w2 + h2), middle: h2 + k2 + w2, ends }
     }
 
     #[inline(always)]
     pub(super) fn at(&self, length2: f64) -> Pair {
-        self.circle.at(length2 - self.middle)
+        let [least, most] = self.ends;
+        self.circle.between(length2 - self.middle, [length2 - least, most - length2])
     }
 }
 

@@ -30,6 +30,12 @@ impl Three {
         Self { h, first: [cross(y1, h1), y1, h1], last: [cross(y3, h3), y3, h3], square: None }
     }
 
+    /// Is the middle axis square to the outer ones?
+    #[inline(always)]
+    pub fn is_square(&self) -> bool {
+        self.square.is_some()
+    }
+
     /// The basis of the first axis as the joints before it carry it, `x`, and the basis of the last one as the goal has it, `y`.
     /// Where the outer axes become parallel, the first turn is `near`'s.
     #[inline(always)]

@@ -3,6 +3,7 @@
 use super::super::runtime::Scalar;
 use super::arm::{Arm, Query};
 use super::axis::Value;
+use super::list::each;
 use super::pose::Displacement;
 use super::real::{angle, root};
 use super::vector::{IDENTITY, Turn, Vector, cross, norm, product, scale, sub, times, transposed};
@@ -18,7 +19,8 @@ pub(super) fn sizes(e: &Twist) -> [f64; 2] {
 /// Turns of all joints.
 pub(super) fn values<const N: usize>(arm: &Arm<N>, q: &[f64; N]) -> [Value; N] {
     let (sin, cos) = f64::sin_cos_all(q);
-    core::array::from_fn(
+    each(
+        Value::ZERO,
         |i| {
             if arm.axes[i].slides { Value::way(q[i]) } else { Value::turn(Turn { c: cos[i], s: sin[i] }) }
         },
@@ -27,7 +29,7 @@ pub(super) fn values<const N: usize>(arm: &Arm<N>, q: &[f64; N]) -> [Value; N] {
 
 /// Positions from turns, each within half a turn of zero.
 pub(super) fn positions<const N: usize>(arm: &Arm<N>, v: &[Value; N]) -> [f64; N] {
-    core::array::from_fn(|i| if arm.axes[i].slides { v[i].way } else { angle(v[i].turn.s, v[i].turn.c) })
+    each(0.0, |i| if arm.axes[i].slides { v[i].way } else { angle(v[i].turn.s, v[i].turn.c) })
 }
 
 /// `E1 .. En`.
@@ -71,7 +73,7 @@ pub(super) fn jacobian<const N: usize>(arm: &Arm<N>, v: &[Value; N]) -> [Twist; 
 /// The same where the tip is known already.
 fn jacobian_about<const N: usize>(arm: &Arm<N>, v: &[Value; N], tip: Vector) -> [Twist; N] {
     let mut before = Displacement::NONE;
-    core::array::from_fn(|i| {
+    each([0.0; 6], |i| {
         let axis = &arm.axes[i];
         let h = times(&before.rotation, axis.h);
         let c = before.point(axis.c);
@@ -95,7 +97,7 @@ pub(super) fn equations<const N: usize>(
     let [a, b, c, d, e, f] = remainder_of(arm, g, &here);
     let (left, row) = arm.held(query, v);
     let columns = jacobian_about(arm, v, here.point(arm.home.shift));
-    let all = core::array::from_fn(|i| {
+    let all = each([0.0; 7], |i| {
         let [a, b, c, d, e, f] = columns[i];
         [a, b, c, d, e, f, row[i]]
     });
@@ -173,7 +175,7 @@ pub(super) fn step<const N: usize>(columns: &[Rows; N], e: &Rows, damping: f64) 
 /// `v` moved on by `d`.
 pub(super) fn moved<const N: usize>(v: &[Value; N], d: &[f64; N]) -> [Value; N] {
     let (sin, cos) = f64::sin_cos_all(d);
-    core::array::from_fn(|i| {
+    each(Value::ZERO, |i| {
         let turn = v[i].turn.then(Turn { c: cos[i], s: sin[i] });
         // Keep the length one.
         let k = 1.5 - 0.5 * (turn.c * turn.c + turn.s * turn.s);
