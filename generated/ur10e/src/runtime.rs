@@ -9,4 +9,4 @@ mod sincos;
 
 pub use block::Block;
 pub use pack::{Pack, square_root};
-pub use scalar::{Scalar, apart};
+pub use scalar::{Scalar, apart, clear};

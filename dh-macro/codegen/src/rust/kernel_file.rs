@@ -234,9 +234,12 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
     );
     let uses = ["DOF", "STANDARD", "BASE"].into_iter().filter(|c| signature(function, "").contains(c));
     let uses: Vec<&str> = uses.chain(["Trig"]).collect();
+    let clears = packed && gaps(&nonzeros, size).iter().any(|run| run.len() > 1);
     let numbers = match (bound, packed) {
+        ("Real", true) if clears => "{elementary::Real, runtime::{apart, clear}}",
         ("Real", true) => "{elementary::Real, runtime::apart}",
         ("Real", false) => "elementary::Real",
+        (_, true) if clears => "runtime::{Scalar, apart, clear}",
         (_, true) => "runtime::{Scalar, apart}",
         (_, false) => "runtime::Scalar",
     };
@@ -298,7 +301,7 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
         let _ = writeln!(text, "    let flat = &mut out{flat}[..];");
         let clear = |run: &core::ops::Range<usize>| match run.len() {
             1 => format!("flat[{}] = S::default()", run.start),
-            _ => format!("flat[{}..{}].fill(S::default())", run.start, run.end),
+            _ => format!("clear(&mut flat[{}..{}])", run.start, run.end),
         };
         let runs = gaps(&nonzeros, size);
         if let Some(first) = runs.first().filter(|run| run.start == 0) {

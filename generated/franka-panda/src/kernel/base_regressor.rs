@@ -4,7 +4,7 @@
 //!
 //! 625 multiplications, 466 additions; 7 x 64, 209 of 448 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -47,33 +47,33 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut
     entries(trig, dq, ddq, |k, x| {
         flat[place(k)] = x;
         match k {
-            0 => flat[1..3].fill(S::default()),
-            41 => flat[44..50].fill(S::default()),
-            42 => flat[51..57].fill(S::default()),
-            43 => flat[58..65].fill(S::default()),
+            0 => clear(&mut flat[1..3]),
+            41 => clear(&mut flat[44..50]),
+            42 => clear(&mut flat[51..57]),
+            43 => clear(&mut flat[58..65]),
             85 => flat[107] = S::default(),
-            86 => flat[109..115].fill(S::default()),
-            87 => flat[116..122].fill(S::default()),
-            88 => flat[123..136].fill(S::default()),
-            123 => flat[171..173].fill(S::default()),
-            124 => flat[174..180].fill(S::default()),
-            125 => flat[181..187].fill(S::default()),
-            126 => flat[188..207].fill(S::default()),
-            154 => flat[235..238].fill(S::default()),
-            155 => flat[239..245].fill(S::default()),
-            156 => flat[246..252].fill(S::default()),
-            157 => flat[253..278].fill(S::default()),
-            178 => flat[299..303].fill(S::default()),
-            179 => flat[304..310].fill(S::default()),
-            180 => flat[311..317].fill(S::default()),
-            181 => flat[318..349].fill(S::default()),
-            195 => flat[363..368].fill(S::default()),
-            196 => flat[369..375].fill(S::default()),
-            197 => flat[376..382].fill(S::default()),
-            198 => flat[383..420].fill(S::default()),
-            205 => flat[427..433].fill(S::default()),
-            206 => flat[434..440].fill(S::default()),
-            207 => flat[441..447].fill(S::default()),
+            86 => clear(&mut flat[109..115]),
+            87 => clear(&mut flat[116..122]),
+            88 => clear(&mut flat[123..136]),
+            123 => clear(&mut flat[171..173]),
+            124 => clear(&mut flat[174..180]),
+            125 => clear(&mut flat[181..187]),
+            126 => clear(&mut flat[188..207]),
+            154 => clear(&mut flat[235..238]),
+            155 => clear(&mut flat[239..245]),
+            156 => clear(&mut flat[246..252]),
+            157 => clear(&mut flat[253..278]),
+            178 => clear(&mut flat[299..303]),
+            179 => clear(&mut flat[304..310]),
+            180 => clear(&mut flat[311..317]),
+            181 => clear(&mut flat[318..349]),
+            195 => clear(&mut flat[363..368]),
+            196 => clear(&mut flat[369..375]),
+            197 => clear(&mut flat[376..382]),
+            198 => clear(&mut flat[383..420]),
+            205 => clear(&mut flat[427..433]),
+            206 => clear(&mut flat[434..440]),
+            207 => clear(&mut flat[441..447]),
             _ => {}
         }
         apart();

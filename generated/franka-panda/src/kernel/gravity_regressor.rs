@@ -4,7 +4,7 @@
 //!
 //! 259 multiplications, 155 additions; 7 x 70, 92 of 490 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -33,37 +33,37 @@ const fn place(k: usize) -> usize {
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 70]; 7]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[0..13].fill(S::default());
+    clear(&mut flat[0..13]);
     entries(trig, |k, x| {
         flat[place(k)] = x;
         match k {
-            0 => flat[14..20].fill(S::default()),
-            4 => flat[24..30].fill(S::default()),
-            8 => flat[34..40].fill(S::default()),
-            12 => flat[44..50].fill(S::default()),
-            16 => flat[54..60].fill(S::default()),
-            20 => flat[64..81].fill(S::default()),
-            22 => flat[83..90].fill(S::default()),
-            26 => flat[94..100].fill(S::default()),
-            30 => flat[104..110].fill(S::default()),
-            34 => flat[114..120].fill(S::default()),
-            38 => flat[124..130].fill(S::default()),
-            42 => flat[134..161].fill(S::default()),
-            44 => flat[163..170].fill(S::default()),
-            48 => flat[174..180].fill(S::default()),
-            52 => flat[184..190].fill(S::default()),
-            56 => flat[194..200].fill(S::default()),
-            60 => flat[204..241].fill(S::default()),
-            62 => flat[243..250].fill(S::default()),
-            66 => flat[254..260].fill(S::default()),
-            70 => flat[264..270].fill(S::default()),
-            74 => flat[274..321].fill(S::default()),
-            76 => flat[323..331].fill(S::default()),
-            79 => flat[334..340].fill(S::default()),
-            83 => flat[344..401].fill(S::default()),
-            85 => flat[403..410].fill(S::default()),
-            89 => flat[414..481].fill(S::default()),
-            91 => flat[483..490].fill(S::default()),
+            0 => clear(&mut flat[14..20]),
+            4 => clear(&mut flat[24..30]),
+            8 => clear(&mut flat[34..40]),
+            12 => clear(&mut flat[44..50]),
+            16 => clear(&mut flat[54..60]),
+            20 => clear(&mut flat[64..81]),
+            22 => clear(&mut flat[83..90]),
+            26 => clear(&mut flat[94..100]),
+            30 => clear(&mut flat[104..110]),
+            34 => clear(&mut flat[114..120]),
+            38 => clear(&mut flat[124..130]),
+            42 => clear(&mut flat[134..161]),
+            44 => clear(&mut flat[163..170]),
+            48 => clear(&mut flat[174..180]),
+            52 => clear(&mut flat[184..190]),
+            56 => clear(&mut flat[194..200]),
+            60 => clear(&mut flat[204..241]),
+            62 => clear(&mut flat[243..250]),
+            66 => clear(&mut flat[254..260]),
+            70 => clear(&mut flat[264..270]),
+            74 => clear(&mut flat[274..321]),
+            76 => clear(&mut flat[323..331]),
+            79 => clear(&mut flat[334..340]),
+            83 => clear(&mut flat[344..401]),
+            85 => clear(&mut flat[403..410]),
+            89 => clear(&mut flat[414..481]),
+            91 => clear(&mut flat[483..490]),
             _ => {}
         }
         apart();

@@ -4,7 +4,7 @@
 //!
 //! 813 multiplications, 634 additions; 7 x 91, 276 of 637 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -51,44 +51,44 @@ const fn place(k: usize) -> usize {
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 91]; 7]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[0..6].fill(S::default());
+    clear(&mut flat[0..6]);
     entries(trig, dq, ddq, |k, x| {
         flat[place(k)] = x;
         match k {
-            0 => flat[7..13].fill(S::default()),
-            58 => flat[71..77].fill(S::default()),
-            59 => flat[78..84].fill(S::default()),
-            60 => flat[85..102].fill(S::default()),
+            0 => clear(&mut flat[7..13]),
+            58 => clear(&mut flat[71..77]),
+            59 => clear(&mut flat[78..84]),
+            60 => clear(&mut flat[85..102]),
             62 => flat[104] = S::default(),
             118 => flat[161] = S::default(),
-            119 => flat[163..169].fill(S::default()),
-            120 => flat[170..176].fill(S::default()),
-            121 => flat[177..203].fill(S::default()),
+            119 => clear(&mut flat[163..169]),
+            120 => clear(&mut flat[170..176]),
+            121 => clear(&mut flat[177..203]),
             123 => flat[205] = S::default(),
-            169 => flat[252..254].fill(S::default()),
-            170 => flat[255..261].fill(S::default()),
-            171 => flat[262..268].fill(S::default()),
-            172 => flat[269..304].fill(S::default()),
+            169 => clear(&mut flat[252..254]),
+            170 => clear(&mut flat[255..261]),
+            171 => clear(&mut flat[262..268]),
+            172 => clear(&mut flat[269..304]),
             174 => flat[306] = S::default(),
-            210 => flat[343..346].fill(S::default()),
-            211 => flat[347..353].fill(S::default()),
-            212 => flat[354..360].fill(S::default()),
-            213 => flat[361..405].fill(S::default()),
+            210 => clear(&mut flat[343..346]),
+            211 => clear(&mut flat[347..353]),
+            212 => clear(&mut flat[354..360]),
+            213 => clear(&mut flat[361..405]),
             215 => flat[407] = S::default(),
             221 => flat[414] = S::default(),
-            240 => flat[434..438].fill(S::default()),
-            241 => flat[439..445].fill(S::default()),
-            242 => flat[446..452].fill(S::default()),
-            243 => flat[453..506].fill(S::default()),
+            240 => clear(&mut flat[434..438]),
+            241 => clear(&mut flat[439..445]),
+            242 => clear(&mut flat[446..452]),
+            243 => clear(&mut flat[453..506]),
             245 => flat[508] = S::default(),
-            261 => flat[525..530].fill(S::default()),
-            262 => flat[531..537].fill(S::default()),
-            263 => flat[538..544].fill(S::default()),
-            264 => flat[545..607].fill(S::default()),
+            261 => clear(&mut flat[525..530]),
+            262 => clear(&mut flat[531..537]),
+            263 => clear(&mut flat[538..544]),
+            264 => clear(&mut flat[545..607]),
             266 => flat[609] = S::default(),
-            272 => flat[616..622].fill(S::default()),
-            273 => flat[623..629].fill(S::default()),
-            274 => flat[630..636].fill(S::default()),
+            272 => clear(&mut flat[616..622]),
+            273 => clear(&mut flat[623..629]),
+            274 => clear(&mut flat[630..636]),
             _ => {}
         }
         apart();

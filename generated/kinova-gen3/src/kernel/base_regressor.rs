@@ -4,7 +4,7 @@
 //!
 //! 675 multiplications, 492 additions; 7 x 64, 211 of 448 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -48,32 +48,32 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut
     entries(trig, dq, ddq, |k, x| {
         flat[place(k)] = x;
         match k {
-            43 => flat[44..50].fill(S::default()),
-            44 => flat[51..57].fill(S::default()),
-            45 => flat[58..65].fill(S::default()),
+            43 => clear(&mut flat[44..50]),
+            44 => clear(&mut flat[51..57]),
+            45 => clear(&mut flat[58..65]),
             87 => flat[107] = S::default(),
-            88 => flat[109..115].fill(S::default()),
-            89 => flat[116..122].fill(S::default()),
-            90 => flat[123..136].fill(S::default()),
-            125 => flat[171..173].fill(S::default()),
-            126 => flat[174..180].fill(S::default()),
-            127 => flat[181..187].fill(S::default()),
-            128 => flat[188..207].fill(S::default()),
-            156 => flat[235..238].fill(S::default()),
-            157 => flat[239..245].fill(S::default()),
-            158 => flat[246..252].fill(S::default()),
-            159 => flat[253..278].fill(S::default()),
-            180 => flat[299..303].fill(S::default()),
-            181 => flat[304..310].fill(S::default()),
-            182 => flat[311..317].fill(S::default()),
-            183 => flat[318..349].fill(S::default()),
-            197 => flat[363..368].fill(S::default()),
-            198 => flat[369..375].fill(S::default()),
-            199 => flat[376..382].fill(S::default()),
-            200 => flat[383..420].fill(S::default()),
-            207 => flat[427..433].fill(S::default()),
-            208 => flat[434..440].fill(S::default()),
-            209 => flat[441..447].fill(S::default()),
+            88 => clear(&mut flat[109..115]),
+            89 => clear(&mut flat[116..122]),
+            90 => clear(&mut flat[123..136]),
+            125 => clear(&mut flat[171..173]),
+            126 => clear(&mut flat[174..180]),
+            127 => clear(&mut flat[181..187]),
+            128 => clear(&mut flat[188..207]),
+            156 => clear(&mut flat[235..238]),
+            157 => clear(&mut flat[239..245]),
+            158 => clear(&mut flat[246..252]),
+            159 => clear(&mut flat[253..278]),
+            180 => clear(&mut flat[299..303]),
+            181 => clear(&mut flat[304..310]),
+            182 => clear(&mut flat[311..317]),
+            183 => clear(&mut flat[318..349]),
+            197 => clear(&mut flat[363..368]),
+            198 => clear(&mut flat[369..375]),
+            199 => clear(&mut flat[376..382]),
+            200 => clear(&mut flat[383..420]),
+            207 => clear(&mut flat[427..433]),
+            208 => clear(&mut flat[434..440]),
+            209 => clear(&mut flat[441..447]),
             _ => {}
         }
         apart();

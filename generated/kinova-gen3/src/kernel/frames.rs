@@ -4,7 +4,7 @@
 //!
 //! 79 multiplications, 64 additions; 7 x 3 x 4, 77 of 84 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -34,8 +34,8 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[[S; 4]; 3]; 7]) {
     entries(trig, |k, x| {
         flat[place(k)] = x;
         match k {
-            1 => flat[2..4].fill(S::default()),
-            3 => flat[6..10].fill(S::default()),
+            1 => clear(&mut flat[2..4]),
+            3 => clear(&mut flat[6..10]),
             15 => flat[22] = S::default(),
             _ => {}
         }

@@ -4,7 +4,7 @@
 //!
 //! 283 multiplications, 166 additions; 7 x 70, 94 of 490 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -33,38 +33,38 @@ const fn place(k: usize) -> usize {
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 70]; 7]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[0..10].fill(S::default());
+    clear(&mut flat[0..10]);
     entries(trig, |k, x| {
         flat[place(k)] = x;
         match k {
-            0 => flat[11..13].fill(S::default()),
-            1 => flat[14..20].fill(S::default()),
-            5 => flat[24..30].fill(S::default()),
-            9 => flat[34..40].fill(S::default()),
-            13 => flat[44..50].fill(S::default()),
-            17 => flat[54..60].fill(S::default()),
-            21 => flat[64..81].fill(S::default()),
-            23 => flat[83..90].fill(S::default()),
-            27 => flat[94..100].fill(S::default()),
-            31 => flat[104..110].fill(S::default()),
-            35 => flat[114..120].fill(S::default()),
-            39 => flat[124..130].fill(S::default()),
-            43 => flat[134..161].fill(S::default()),
-            45 => flat[163..170].fill(S::default()),
-            49 => flat[174..180].fill(S::default()),
-            53 => flat[184..190].fill(S::default()),
-            57 => flat[194..200].fill(S::default()),
-            61 => flat[204..241].fill(S::default()),
-            63 => flat[243..250].fill(S::default()),
-            67 => flat[254..260].fill(S::default()),
-            71 => flat[264..270].fill(S::default()),
-            75 => flat[274..321].fill(S::default()),
-            77 => flat[323..330].fill(S::default()),
-            81 => flat[334..340].fill(S::default()),
-            85 => flat[344..401].fill(S::default()),
-            87 => flat[403..410].fill(S::default()),
-            91 => flat[414..481].fill(S::default()),
-            93 => flat[483..490].fill(S::default()),
+            0 => clear(&mut flat[11..13]),
+            1 => clear(&mut flat[14..20]),
+            5 => clear(&mut flat[24..30]),
+            9 => clear(&mut flat[34..40]),
+            13 => clear(&mut flat[44..50]),
+            17 => clear(&mut flat[54..60]),
+            21 => clear(&mut flat[64..81]),
+            23 => clear(&mut flat[83..90]),
+            27 => clear(&mut flat[94..100]),
+            31 => clear(&mut flat[104..110]),
+            35 => clear(&mut flat[114..120]),
+            39 => clear(&mut flat[124..130]),
+            43 => clear(&mut flat[134..161]),
+            45 => clear(&mut flat[163..170]),
+            49 => clear(&mut flat[174..180]),
+            53 => clear(&mut flat[184..190]),
+            57 => clear(&mut flat[194..200]),
+            61 => clear(&mut flat[204..241]),
+            63 => clear(&mut flat[243..250]),
+            67 => clear(&mut flat[254..260]),
+            71 => clear(&mut flat[264..270]),
+            75 => clear(&mut flat[274..321]),
+            77 => clear(&mut flat[323..330]),
+            81 => clear(&mut flat[334..340]),
+            85 => clear(&mut flat[344..401]),
+            87 => clear(&mut flat[403..410]),
+            91 => clear(&mut flat[414..481]),
+            93 => clear(&mut flat[483..490]),
             _ => {}
         }
         apart();

@@ -4,7 +4,7 @@
 //!
 //! 89 multiplications, 65 additions; 6 x 7, 35 of 42 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -31,8 +31,8 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 7]; 6]) {
         flat[place(k)] = x;
         match k {
             5 => flat[6] = S::default(),
-            11 => flat[13..15].fill(S::default()),
-            16 => flat[20..22].fill(S::default()),
+            11 => clear(&mut flat[13..15]),
+            16 => clear(&mut flat[20..22]),
             22 => flat[28] = S::default(),
             29 => flat[36] = S::default(),
             _ => {}

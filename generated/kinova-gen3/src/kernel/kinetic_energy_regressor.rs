@@ -4,7 +4,7 @@
 //!
 //! 163 multiplications, 68 additions; 91, 61 of 91 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -30,12 +30,12 @@ const fn place(k: usize) -> usize {
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 91]) {
     let flat = &mut out[..];
-    flat[0..6].fill(S::default());
+    clear(&mut flat[0..6]);
     entries(trig, dq, |k, x| {
         flat[place(k)] = x;
         match k {
-            0 => flat[7..10].fill(S::default()),
-            60 => flat[70..91].fill(S::default()),
+            0 => clear(&mut flat[7..10]),
+            60 => clear(&mut flat[70..91]),
             _ => {}
         }
         apart();

@@ -4,7 +4,7 @@
 //!
 //! 859 multiplications, 669 additions; 7 x 91, 280 of 637 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -51,43 +51,43 @@ const fn place(k: usize) -> usize {
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 91]; 7]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[0..6].fill(S::default());
+    clear(&mut flat[0..6]);
     entries(trig, dq, ddq, |k, x| {
         flat[place(k)] = x;
         match k {
-            0 => flat[7..10].fill(S::default()),
-            61 => flat[71..77].fill(S::default()),
-            62 => flat[78..84].fill(S::default()),
-            63 => flat[85..102].fill(S::default()),
+            0 => clear(&mut flat[7..10]),
+            61 => clear(&mut flat[71..77]),
+            62 => clear(&mut flat[78..84]),
+            63 => clear(&mut flat[85..102]),
             65 => flat[104] = S::default(),
             121 => flat[161] = S::default(),
-            122 => flat[163..169].fill(S::default()),
-            123 => flat[170..176].fill(S::default()),
-            124 => flat[177..203].fill(S::default()),
+            122 => clear(&mut flat[163..169]),
+            123 => clear(&mut flat[170..176]),
+            124 => clear(&mut flat[177..203]),
             126 => flat[205] = S::default(),
-            172 => flat[252..254].fill(S::default()),
-            173 => flat[255..261].fill(S::default()),
-            174 => flat[262..268].fill(S::default()),
-            175 => flat[269..304].fill(S::default()),
+            172 => clear(&mut flat[252..254]),
+            173 => clear(&mut flat[255..261]),
+            174 => clear(&mut flat[262..268]),
+            175 => clear(&mut flat[269..304]),
             177 => flat[306] = S::default(),
-            213 => flat[343..346].fill(S::default()),
-            214 => flat[347..353].fill(S::default()),
-            215 => flat[354..360].fill(S::default()),
-            216 => flat[361..405].fill(S::default()),
+            213 => clear(&mut flat[343..346]),
+            214 => clear(&mut flat[347..353]),
+            215 => clear(&mut flat[354..360]),
+            216 => clear(&mut flat[361..405]),
             218 => flat[407] = S::default(),
-            244 => flat[434..438].fill(S::default()),
-            245 => flat[439..445].fill(S::default()),
-            246 => flat[446..452].fill(S::default()),
-            247 => flat[453..506].fill(S::default()),
+            244 => clear(&mut flat[434..438]),
+            245 => clear(&mut flat[439..445]),
+            246 => clear(&mut flat[446..452]),
+            247 => clear(&mut flat[453..506]),
             249 => flat[508] = S::default(),
-            265 => flat[525..530].fill(S::default()),
-            266 => flat[531..537].fill(S::default()),
-            267 => flat[538..544].fill(S::default()),
-            268 => flat[545..607].fill(S::default()),
+            265 => clear(&mut flat[525..530]),
+            266 => clear(&mut flat[531..537]),
+            267 => clear(&mut flat[538..544]),
+            268 => clear(&mut flat[545..607]),
             270 => flat[609] = S::default(),
-            276 => flat[616..622].fill(S::default()),
-            277 => flat[623..629].fill(S::default()),
-            278 => flat[630..636].fill(S::default()),
+            276 => clear(&mut flat[616..622]),
+            277 => clear(&mut flat[623..629]),
+            278 => clear(&mut flat[630..636]),
             _ => {}
         }
         apart();

@@ -4,7 +4,7 @@
 //!
 //! 597 multiplications, 426 additions; 7 x 57, 202 of 399 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -47,26 +47,26 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut
     entries(trig, dq, ddq, |k, x| {
         flat[place(k)] = x;
         match k {
-            0 => flat[1..3].fill(S::default()),
-            41 => flat[44..50].fill(S::default()),
-            42 => flat[51..58].fill(S::default()),
+            0 => clear(&mut flat[1..3]),
+            41 => clear(&mut flat[44..50]),
+            42 => clear(&mut flat[51..58]),
             84 => flat[100] = S::default(),
-            85 => flat[102..108].fill(S::default()),
-            86 => flat[109..122].fill(S::default()),
-            121 => flat[157..159].fill(S::default()),
-            122 => flat[160..166].fill(S::default()),
-            123 => flat[167..186].fill(S::default()),
-            151 => flat[214..217].fill(S::default()),
-            152 => flat[218..224].fill(S::default()),
-            153 => flat[225..250].fill(S::default()),
-            174 => flat[271..275].fill(S::default()),
-            175 => flat[276..282].fill(S::default()),
-            176 => flat[283..314].fill(S::default()),
-            190 => flat[328..333].fill(S::default()),
-            191 => flat[334..340].fill(S::default()),
-            192 => flat[341..378].fill(S::default()),
-            199 => flat[385..391].fill(S::default()),
-            200 => flat[392..398].fill(S::default()),
+            85 => clear(&mut flat[102..108]),
+            86 => clear(&mut flat[109..122]),
+            121 => clear(&mut flat[157..159]),
+            122 => clear(&mut flat[160..166]),
+            123 => clear(&mut flat[167..186]),
+            151 => clear(&mut flat[214..217]),
+            152 => clear(&mut flat[218..224]),
+            153 => clear(&mut flat[225..250]),
+            174 => clear(&mut flat[271..275]),
+            175 => clear(&mut flat[276..282]),
+            176 => clear(&mut flat[283..314]),
+            190 => clear(&mut flat[328..333]),
+            191 => clear(&mut flat[334..340]),
+            192 => clear(&mut flat[341..378]),
+            199 => clear(&mut flat[385..391]),
+            200 => clear(&mut flat[392..398]),
             _ => {}
         }
         apart();

@@ -4,7 +4,7 @@
 //!
 //! 237 multiplications, 135 additions; 7 x 70, 89 of 490 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -32,37 +32,37 @@ const fn place(k: usize) -> usize {
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 70]; 7]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[0..13].fill(S::default());
+    clear(&mut flat[0..13]);
     entries(trig, |k, x| {
         flat[place(k)] = x;
         match k {
-            0 => flat[14..20].fill(S::default()),
-            4 => flat[24..30].fill(S::default()),
-            8 => flat[34..40].fill(S::default()),
-            12 => flat[44..50].fill(S::default()),
-            16 => flat[54..60].fill(S::default()),
-            20 => flat[64..81].fill(S::default()),
-            22 => flat[83..90].fill(S::default()),
-            26 => flat[94..100].fill(S::default()),
-            30 => flat[104..110].fill(S::default()),
-            34 => flat[114..120].fill(S::default()),
-            38 => flat[124..130].fill(S::default()),
-            42 => flat[134..161].fill(S::default()),
-            44 => flat[163..171].fill(S::default()),
-            47 => flat[174..180].fill(S::default()),
-            51 => flat[184..190].fill(S::default()),
-            55 => flat[194..200].fill(S::default()),
-            59 => flat[204..241].fill(S::default()),
-            61 => flat[243..250].fill(S::default()),
-            65 => flat[254..260].fill(S::default()),
-            69 => flat[264..270].fill(S::default()),
-            73 => flat[274..321].fill(S::default()),
-            75 => flat[323..331].fill(S::default()),
-            78 => flat[334..341].fill(S::default()),
-            81 => flat[344..401].fill(S::default()),
-            83 => flat[403..411].fill(S::default()),
-            86 => flat[414..481].fill(S::default()),
-            88 => flat[483..490].fill(S::default()),
+            0 => clear(&mut flat[14..20]),
+            4 => clear(&mut flat[24..30]),
+            8 => clear(&mut flat[34..40]),
+            12 => clear(&mut flat[44..50]),
+            16 => clear(&mut flat[54..60]),
+            20 => clear(&mut flat[64..81]),
+            22 => clear(&mut flat[83..90]),
+            26 => clear(&mut flat[94..100]),
+            30 => clear(&mut flat[104..110]),
+            34 => clear(&mut flat[114..120]),
+            38 => clear(&mut flat[124..130]),
+            42 => clear(&mut flat[134..161]),
+            44 => clear(&mut flat[163..171]),
+            47 => clear(&mut flat[174..180]),
+            51 => clear(&mut flat[184..190]),
+            55 => clear(&mut flat[194..200]),
+            59 => clear(&mut flat[204..241]),
+            61 => clear(&mut flat[243..250]),
+            65 => clear(&mut flat[254..260]),
+            69 => clear(&mut flat[264..270]),
+            73 => clear(&mut flat[274..321]),
+            75 => clear(&mut flat[323..331]),
+            78 => clear(&mut flat[334..341]),
+            81 => clear(&mut flat[344..401]),
+            83 => clear(&mut flat[403..411]),
+            86 => clear(&mut flat[414..481]),
+            88 => clear(&mut flat[483..490]),
             _ => {}
         }
         apart();

@@ -4,7 +4,7 @@
 //!
 //! 66 multiplications, 38 additions; 6 x 7, 29 of 42 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -29,9 +29,9 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 7]; 6]) {
     entries(trig, |k, x| {
         flat[place(k)] = x;
         match k {
-            3 => flat[4..7].fill(S::default()),
-            7 => flat[11..15].fill(S::default()),
-            10 => flat[18..22].fill(S::default()),
+            3 => clear(&mut flat[4..7]),
+            7 => clear(&mut flat[11..15]),
+            10 => clear(&mut flat[18..22]),
             16 => flat[28] = S::default(),
             23 => flat[36] = S::default(),
             _ => {}

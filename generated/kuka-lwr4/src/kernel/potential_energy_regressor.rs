@@ -4,7 +4,7 @@
 //!
 //! 34 multiplications, 14 additions; 84, 25 of 84 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -29,14 +29,14 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 84]) {
     entries(trig, |k, x| {
         flat[place(k)] = x;
         match k {
-            0 => flat[1..3].fill(S::default()),
-            1 => flat[4..10].fill(S::default()),
-            4 => flat[13..20].fill(S::default()),
-            8 => flat[24..30].fill(S::default()),
-            12 => flat[34..40].fill(S::default()),
-            16 => flat[44..50].fill(S::default()),
-            20 => flat[54..60].fill(S::default()),
-            24 => flat[64..84].fill(S::default()),
+            0 => clear(&mut flat[1..3]),
+            1 => clear(&mut flat[4..10]),
+            4 => clear(&mut flat[13..20]),
+            8 => clear(&mut flat[24..30]),
+            12 => clear(&mut flat[34..40]),
+            16 => clear(&mut flat[44..50]),
+            20 => clear(&mut flat[54..60]),
+            24 => clear(&mut flat[64..84]),
             _ => {}
         }
         apart();

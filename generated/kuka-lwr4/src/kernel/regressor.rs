@@ -4,7 +4,7 @@
 //!
 //! 757 multiplications, 578 additions; 7 x 84, 266 of 588 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -50,40 +50,40 @@ const fn place(k: usize) -> usize {
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 84]; 7]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[0..6].fill(S::default());
+    clear(&mut flat[0..6]);
     entries(trig, dq, ddq, |k, x| {
         flat[place(k)] = x;
         match k {
-            0 => flat[7..13].fill(S::default()),
-            58 => flat[71..77].fill(S::default()),
-            59 => flat[78..95].fill(S::default()),
+            0 => clear(&mut flat[7..13]),
+            58 => clear(&mut flat[71..77]),
+            59 => clear(&mut flat[78..95]),
             61 => flat[97] = S::default(),
             117 => flat[154] = S::default(),
-            118 => flat[156..162].fill(S::default()),
-            119 => flat[163..189].fill(S::default()),
+            118 => clear(&mut flat[156..162]),
+            119 => clear(&mut flat[163..189]),
             121 => flat[191] = S::default(),
             127 => flat[198] = S::default(),
-            166 => flat[238..240].fill(S::default()),
-            167 => flat[241..247].fill(S::default()),
-            168 => flat[248..283].fill(S::default()),
+            166 => clear(&mut flat[238..240]),
+            167 => clear(&mut flat[241..247]),
+            168 => clear(&mut flat[248..283]),
             170 => flat[285] = S::default(),
-            206 => flat[322..325].fill(S::default()),
-            207 => flat[326..332].fill(S::default()),
-            208 => flat[333..377].fill(S::default()),
+            206 => clear(&mut flat[322..325]),
+            207 => clear(&mut flat[326..332]),
+            208 => clear(&mut flat[333..377]),
             210 => flat[379] = S::default(),
             216 => flat[386] = S::default(),
             225 => flat[396] = S::default(),
-            234 => flat[406..410].fill(S::default()),
-            235 => flat[411..417].fill(S::default()),
-            236 => flat[418..471].fill(S::default()),
+            234 => clear(&mut flat[406..410]),
+            235 => clear(&mut flat[411..417]),
+            236 => clear(&mut flat[418..471]),
             238 => flat[473] = S::default(),
             244 => flat[480] = S::default(),
-            253 => flat[490..495].fill(S::default()),
-            254 => flat[496..502].fill(S::default()),
-            255 => flat[503..565].fill(S::default()),
+            253 => clear(&mut flat[490..495]),
+            254 => clear(&mut flat[496..502]),
+            255 => clear(&mut flat[503..565]),
             257 => flat[567] = S::default(),
-            263 => flat[574..580].fill(S::default()),
-            264 => flat[581..587].fill(S::default()),
+            263 => clear(&mut flat[574..580]),
+            264 => clear(&mut flat[581..587]),
             _ => {}
         }
         apart();

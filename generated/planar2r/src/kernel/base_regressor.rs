@@ -4,7 +4,7 @@
 //!
 //! 16 multiplications, 11 additions; 2 x 10, 13 of 20 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -29,7 +29,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut
         flat[place(k)] = x;
         match k {
             6 => flat[7] = S::default(),
-            7 => flat[9..13].fill(S::default()),
+            7 => clear(&mut flat[9..13]),
             10 => flat[16] = S::default(),
             11 => flat[18] = S::default(),
             _ => {}

@@ -4,7 +4,7 @@
 //!
 //! 6 multiplications, 4 additions; 2 x 3 x 4, 12 of 24 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -28,12 +28,12 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[[S; 4]; 3]; 2]) {
     entries(trig, |k, x| {
         flat[place(k)] = x;
         match k {
-            1 => flat[2..4].fill(S::default()),
-            3 => flat[6..10].fill(S::default()),
+            1 => clear(&mut flat[2..4]),
+            3 => clear(&mut flat[6..10]),
             4 => flat[11] = S::default(),
             6 => flat[14] = S::default(),
             9 => flat[18] = S::default(),
-            10 => flat[20..22].fill(S::default()),
+            10 => clear(&mut flat[20..22]),
             11 => flat[23] = S::default(),
             _ => {}
         }

@@ -4,7 +4,7 @@
 //!
 //! 10 multiplications, 5 additions; 2 x 20, 7 of 40 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -28,9 +28,9 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 20]; 2]) {
     entries(trig, |k, x| {
         flat[place(k)] = x;
         match k {
-            1 => flat[3..10].fill(S::default()),
-            4 => flat[13..31].fill(S::default()),
-            6 => flat[33..40].fill(S::default()),
+            1 => clear(&mut flat[3..10]),
+            4 => clear(&mut flat[13..31]),
+            6 => clear(&mut flat[33..40]),
             _ => {}
         }
         apart();

@@ -4,7 +4,7 @@
 //!
 //! 2 multiplications, 1 additions; 6 x 2, 4 of 12 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -28,7 +28,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 2]; 6]) {
         flat[place(k)] = x;
         match k {
             0 => flat[1] = S::default(),
-            1 => flat[3..10].fill(S::default()),
+            1 => clear(&mut flat[3..10]),
             _ => {}
         }
         apart();

@@ -4,7 +4,7 @@
 //!
 //! 12 multiplications, 5 additions; 6, 2 of 6 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -27,7 +27,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 6]) {
     entries(trig, dq, |k, x| {
         flat[place(k)] = x;
         match k {
-            1 => flat[2..6].fill(S::default()),
+            1 => clear(&mut flat[2..6]),
             _ => {}
         }
         apart();

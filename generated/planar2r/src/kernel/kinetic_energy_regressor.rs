@@ -4,7 +4,7 @@
 //!
 //! 12 multiplications, 3 additions; 24, 5 of 24 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -24,13 +24,13 @@ const fn place(k: usize) -> usize {
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 24]) {
     let flat = &mut out[..];
-    flat[0..6].fill(S::default());
+    clear(&mut flat[0..6]);
     entries(trig, dq, |k, x| {
         flat[place(k)] = x;
         match k {
-            0 => flat[7..10].fill(S::default()),
-            3 => flat[13..16].fill(S::default()),
-            4 => flat[17..24].fill(S::default()),
+            0 => clear(&mut flat[7..10]),
+            3 => clear(&mut flat[13..16]),
+            4 => clear(&mut flat[17..24]),
             _ => {}
         }
         apart();

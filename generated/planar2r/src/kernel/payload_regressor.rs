@@ -4,7 +4,7 @@
 //!
 //! 21 multiplications, 15 additions; 2 x 10, 8 of 20 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -27,10 +27,10 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut
     entries(trig, dq, ddq, |k, x| {
         flat[place(k)] = x;
         match k {
-            2 => flat[3..6].fill(S::default()),
-            3 => flat[7..10].fill(S::default()),
-            6 => flat[13..16].fill(S::default()),
-            7 => flat[17..20].fill(S::default()),
+            2 => clear(&mut flat[3..6]),
+            3 => clear(&mut flat[7..10]),
+            6 => clear(&mut flat[13..16]),
+            7 => clear(&mut flat[17..20]),
             _ => {}
         }
         apart();

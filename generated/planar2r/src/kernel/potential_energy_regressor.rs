@@ -4,7 +4,7 @@
 //!
 //! 9 multiplications, 2 additions; 24, 5 of 24 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -28,8 +28,8 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 24]) {
     entries(trig, |k, x| {
         flat[place(k)] = x;
         match k {
-            1 => flat[3..10].fill(S::default()),
-            4 => flat[13..24].fill(S::default()),
+            1 => clear(&mut flat[3..10]),
+            4 => clear(&mut flat[13..24]),
             _ => {}
         }
         apart();

@@ -4,7 +4,7 @@
 //!
 //! 18 multiplications, 12 additions; 2 x 24, 14 of 48 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -29,14 +29,14 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut
     entries(trig, dq, ddq, |k, x| {
         flat[place(k)] = x;
         match k {
-            1 => flat[3..6].fill(S::default()),
-            2 => flat[7..10].fill(S::default()),
-            5 => flat[13..16].fill(S::default()),
-            6 => flat[17..20].fill(S::default()),
+            1 => clear(&mut flat[3..6]),
+            2 => clear(&mut flat[7..10]),
+            5 => clear(&mut flat[13..16]),
+            6 => clear(&mut flat[17..20]),
             7 => flat[21] = S::default(),
-            8 => flat[23..35].fill(S::default()),
-            10 => flat[37..40].fill(S::default()),
-            11 => flat[41..45].fill(S::default()),
+            8 => clear(&mut flat[23..35]),
+            10 => clear(&mut flat[37..40]),
+            11 => clear(&mut flat[41..45]),
             12 => flat[46] = S::default(),
             _ => {}
         }

@@ -4,7 +4,7 @@
 //!
 //! 8 multiplications, 5 additions; 3 x 4, 7 of 12 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -29,7 +29,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 4]; 3]) {
         match k {
             1 => flat[2] = S::default(),
             4 => flat[6] = S::default(),
-            5 => flat[8..10].fill(S::default()),
+            5 => clear(&mut flat[8..10]),
             6 => flat[11] = S::default(),
             _ => {}
         }

@@ -4,7 +4,7 @@
 //!
 //! 337 multiplications, 252 additions; 6 x 37, 121 of 222 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -39,17 +39,17 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut
     entries(trig, dq, ddq, |k, x| {
         flat[place(k)] = x;
         match k {
-            32 => flat[33..38].fill(S::default()),
-            64 => flat[70..82].fill(S::default()),
-            70 => flat[88..93].fill(S::default()),
-            72 => flat[95..100].fill(S::default()),
-            74 => flat[102..107].fill(S::default()),
-            75 => flat[108..123].fill(S::default()),
+            32 => clear(&mut flat[33..38]),
+            64 => clear(&mut flat[70..82]),
+            70 => clear(&mut flat[88..93]),
+            72 => clear(&mut flat[95..100]),
+            74 => clear(&mut flat[102..107]),
+            75 => clear(&mut flat[108..123]),
             96 => flat[144] = S::default(),
-            97 => flat[146..167].fill(S::default()),
-            111 => flat[181..183].fill(S::default()),
-            112 => flat[184..211].fill(S::default()),
-            119 => flat[218..221].fill(S::default()),
+            97 => clear(&mut flat[146..167]),
+            111 => clear(&mut flat[181..183]),
+            112 => clear(&mut flat[184..211]),
+            119 => clear(&mut flat[218..221]),
             _ => {}
         }
         apart();

@@ -4,7 +4,7 @@
 //!
 //! 46 multiplications, 33 additions; 6 x 3 x 4, 64 of 72 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -36,7 +36,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[[S; 4]; 3]; 6]) {
             0 => flat[1] = S::default(),
             1 => flat[3] = S::default(),
             2 => flat[5] = S::default(),
-            3 => flat[7..9].fill(S::default()),
+            3 => clear(&mut flat[7..9]),
             4 => flat[10] = S::default(),
             14 => flat[21] = S::default(),
             24 => flat[32] = S::default(),

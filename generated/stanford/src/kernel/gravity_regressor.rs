@@ -4,7 +4,7 @@
 //!
 //! 113 multiplications, 68 additions; 6 x 60, 54 of 360 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -29,35 +29,35 @@ const fn place(k: usize) -> usize {
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 60]; 6]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[0..10].fill(S::default());
+    clear(&mut flat[0..10]);
     entries(trig, |k, x| {
         flat[place(k)] = x;
         match k {
             0 => flat[11] = S::default(),
-            1 => flat[13..20].fill(S::default()),
-            3 => flat[22..30].fill(S::default()),
-            7 => flat[34..40].fill(S::default()),
-            11 => flat[44..50].fill(S::default()),
-            15 => flat[54..71].fill(S::default()),
+            1 => clear(&mut flat[13..20]),
+            3 => clear(&mut flat[22..30]),
+            7 => clear(&mut flat[34..40]),
+            11 => clear(&mut flat[44..50]),
+            15 => clear(&mut flat[54..71]),
             16 => flat[72] = S::default(),
-            17 => flat[74..80].fill(S::default()),
+            17 => clear(&mut flat[74..80]),
             18 => flat[81] = S::default(),
-            20 => flat[84..90].fill(S::default()),
-            24 => flat[94..100].fill(S::default()),
-            28 => flat[104..110].fill(S::default()),
-            32 => flat[114..140].fill(S::default()),
-            33 => flat[141..150].fill(S::default()),
-            34 => flat[151..160].fill(S::default()),
-            35 => flat[161..170].fill(S::default()),
-            36 => flat[171..211].fill(S::default()),
+            20 => clear(&mut flat[84..90]),
+            24 => clear(&mut flat[94..100]),
+            28 => clear(&mut flat[104..110]),
+            32 => clear(&mut flat[114..140]),
+            33 => clear(&mut flat[141..150]),
+            34 => clear(&mut flat[151..160]),
+            35 => clear(&mut flat[161..170]),
+            36 => clear(&mut flat[171..211]),
             37 => flat[212] = S::default(),
-            38 => flat[214..221].fill(S::default()),
-            41 => flat[224..230].fill(S::default()),
-            45 => flat[234..281].fill(S::default()),
+            38 => clear(&mut flat[214..221]),
+            41 => clear(&mut flat[224..230]),
+            45 => clear(&mut flat[234..281]),
             46 => flat[282] = S::default(),
-            47 => flat[284..290].fill(S::default()),
-            51 => flat[294..351].fill(S::default()),
-            53 => flat[353..360].fill(S::default()),
+            47 => clear(&mut flat[284..290]),
+            51 => clear(&mut flat[294..351]),
+            53 => clear(&mut flat[353..360]),
             _ => {}
         }
         apart();

@@ -4,7 +4,7 @@
 //!
 //! 44 multiplications, 27 additions; 6 x 6, 26 of 36 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -30,12 +30,12 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 6]; 6]) {
         flat[place(k)] = x;
         match k {
             4 => flat[5] = S::default(),
-            9 => flat[11..13].fill(S::default()),
-            13 => flat[17..19].fill(S::default()),
+            9 => clear(&mut flat[11..13]),
+            13 => clear(&mut flat[17..19]),
             14 => flat[20] = S::default(),
             17 => flat[24] = S::default(),
             18 => flat[26] = S::default(),
-            22 => flat[31..33].fill(S::default()),
+            22 => clear(&mut flat[31..33]),
             _ => {}
         }
         apart();

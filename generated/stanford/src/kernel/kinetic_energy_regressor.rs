@@ -4,7 +4,7 @@
 //!
 //! 123 multiplications, 45 additions; 66, 57 of 66 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -29,11 +29,11 @@ const fn place(k: usize) -> usize {
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 66]) {
     let flat = &mut out[..];
-    flat[0..5].fill(S::default());
+    clear(&mut flat[0..5]);
     entries(trig, dq, |k, x| {
         flat[place(k)] = x;
         match k {
-            0 => flat[6..10].fill(S::default()),
+            0 => clear(&mut flat[6..10]),
             _ => {}
         }
         apart();

@@ -4,7 +4,7 @@
 //!
 //! 242 multiplications, 163 additions; 6 x 10, 52 of 60 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -32,7 +32,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut
     entries(trig, dq, ddq, |k, x| {
         flat[place(k)] = x;
         match k {
-            23 => flat[24..30].fill(S::default()),
+            23 => clear(&mut flat[24..30]),
             43 => flat[50] = S::default(),
             45 => flat[53] = S::default(),
             _ => {}

@@ -4,7 +4,7 @@
 //!
 //! 22 multiplications, 12 additions; 66, 20 of 66 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -29,14 +29,14 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 66]) {
         flat[place(k)] = x;
         match k {
             0 => flat[1] = S::default(),
-            1 => flat[3..10].fill(S::default()),
+            1 => clear(&mut flat[3..10]),
             3 => flat[12] = S::default(),
-            4 => flat[14..20].fill(S::default()),
+            4 => clear(&mut flat[14..20]),
             5 => flat[21] = S::default(),
-            7 => flat[24..30].fill(S::default()),
-            11 => flat[34..40].fill(S::default()),
-            15 => flat[44..50].fill(S::default()),
-            19 => flat[54..66].fill(S::default()),
+            7 => clear(&mut flat[24..30]),
+            11 => clear(&mut flat[34..40]),
+            15 => clear(&mut flat[44..50]),
+            19 => clear(&mut flat[54..66]),
             _ => {}
         }
         apart();

@@ -4,7 +4,7 @@
 //!
 //! 420 multiplications, 330 additions; 6 x 66, 174 of 396 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -41,29 +41,29 @@ const fn place(k: usize) -> usize {
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 66]; 6]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[0..5].fill(S::default());
+    clear(&mut flat[0..5]);
     entries(trig, dq, ddq, |k, x| {
         flat[place(k)] = x;
         match k {
-            0 => flat[6..10].fill(S::default()),
-            51 => flat[61..77].fill(S::default()),
+            0 => clear(&mut flat[6..10]),
+            51 => clear(&mut flat[61..77]),
             52 => flat[78] = S::default(),
             99 => flat[126] = S::default(),
-            100 => flat[128..152].fill(S::default()),
-            104 => flat[156..162].fill(S::default()),
-            108 => flat[166..172].fill(S::default()),
-            112 => flat[176..182].fill(S::default()),
-            116 => flat[186..194].fill(S::default()),
-            117 => flat[195..229].fill(S::default()),
+            100 => clear(&mut flat[128..152]),
+            104 => clear(&mut flat[156..162]),
+            108 => clear(&mut flat[166..172]),
+            112 => clear(&mut flat[176..182]),
+            116 => clear(&mut flat[186..194]),
+            117 => clear(&mut flat[195..229]),
             118 => flat[230] = S::default(),
             125 => flat[238] = S::default(),
-            144 => flat[258..261].fill(S::default()),
-            145 => flat[262..305].fill(S::default()),
+            144 => clear(&mut flat[258..261]),
+            145 => clear(&mut flat[262..305]),
             146 => flat[306] = S::default(),
-            163 => flat[324..328].fill(S::default()),
-            164 => flat[329..381].fill(S::default()),
+            163 => clear(&mut flat[324..328]),
+            164 => clear(&mut flat[329..381]),
             166 => flat[383] = S::default(),
-            172 => flat[390..395].fill(S::default()),
+            172 => clear(&mut flat[390..395]),
             _ => {}
         }
         apart();

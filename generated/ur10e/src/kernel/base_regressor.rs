@@ -4,7 +4,7 @@
 //!
 //! 308 multiplications, 243 additions; 6 x 58, 161 of 348 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -43,33 +43,33 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut
     entries(trig, dq, ddq, |k, x| {
         flat[place(k)] = x;
         match k {
-            0 => flat[1..3].fill(S::default()),
-            33 => flat[36..40].fill(S::default()),
-            34 => flat[41..46].fill(S::default()),
-            35 => flat[47..52].fill(S::default()),
-            36 => flat[53..59].fill(S::default()),
-            71 => flat[94..99].fill(S::default()),
-            72 => flat[100..105].fill(S::default()),
-            73 => flat[106..111].fill(S::default()),
-            74 => flat[112..124].fill(S::default()),
-            103 => flat[153..158].fill(S::default()),
-            104 => flat[159..164].fill(S::default()),
-            105 => flat[165..170].fill(S::default()),
-            106 => flat[171..189].fill(S::default()),
+            0 => clear(&mut flat[1..3]),
+            33 => clear(&mut flat[36..40]),
+            34 => clear(&mut flat[41..46]),
+            35 => clear(&mut flat[47..52]),
+            36 => clear(&mut flat[53..59]),
+            71 => clear(&mut flat[94..99]),
+            72 => clear(&mut flat[100..105]),
+            73 => clear(&mut flat[106..111]),
+            74 => clear(&mut flat[112..124]),
+            103 => clear(&mut flat[153..158]),
+            104 => clear(&mut flat[159..164]),
+            105 => clear(&mut flat[165..170]),
+            106 => clear(&mut flat[171..189]),
             127 => flat[210] = S::default(),
-            128 => flat[212..217].fill(S::default()),
-            129 => flat[218..223].fill(S::default()),
-            130 => flat[224..229].fill(S::default()),
-            131 => flat[230..254].fill(S::default()),
-            145 => flat[268..270].fill(S::default()),
-            146 => flat[271..276].fill(S::default()),
-            147 => flat[277..282].fill(S::default()),
-            148 => flat[283..288].fill(S::default()),
-            149 => flat[289..319].fill(S::default()),
-            156 => flat[326..329].fill(S::default()),
-            157 => flat[330..335].fill(S::default()),
-            158 => flat[336..341].fill(S::default()),
-            159 => flat[342..347].fill(S::default()),
+            128 => clear(&mut flat[212..217]),
+            129 => clear(&mut flat[218..223]),
+            130 => clear(&mut flat[224..229]),
+            131 => clear(&mut flat[230..254]),
+            145 => clear(&mut flat[268..270]),
+            146 => clear(&mut flat[271..276]),
+            147 => clear(&mut flat[277..282]),
+            148 => clear(&mut flat[283..288]),
+            149 => clear(&mut flat[289..319]),
+            156 => clear(&mut flat[326..329]),
+            157 => clear(&mut flat[330..335]),
+            158 => clear(&mut flat[336..341]),
+            159 => clear(&mut flat[342..347]),
             _ => {}
         }
         apart();

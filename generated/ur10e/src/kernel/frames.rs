@@ -4,7 +4,7 @@
 //!
 //! 64 multiplications, 50 additions; 6 x 3 x 4, 61 of 72 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -33,8 +33,8 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[[S; 4]; 3]; 6]) {
     entries(trig, |k, x| {
         flat[place(k)] = x;
         match k {
-            1 => flat[2..4].fill(S::default()),
-            3 => flat[6..10].fill(S::default()),
+            1 => clear(&mut flat[2..4]),
+            3 => clear(&mut flat[6..10]),
             8 => flat[15] = S::default(),
             11 => flat[19] = S::default(),
             13 => flat[22] = S::default(),

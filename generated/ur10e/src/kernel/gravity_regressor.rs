@@ -4,7 +4,7 @@
 //!
 //! 111 multiplications, 63 additions; 6 x 60, 59 of 360 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -29,31 +29,31 @@ const fn place(k: usize) -> usize {
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 60]; 6]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[0..13].fill(S::default());
+    clear(&mut flat[0..13]);
     entries(trig, |k, x| {
         flat[place(k)] = x;
         match k {
-            0 => flat[14..23].fill(S::default()),
-            1 => flat[24..30].fill(S::default()),
-            2 => flat[31..33].fill(S::default()),
-            3 => flat[34..40].fill(S::default()),
-            7 => flat[44..50].fill(S::default()),
-            11 => flat[54..71].fill(S::default()),
-            13 => flat[73..80].fill(S::default()),
-            16 => flat[83..90].fill(S::default()),
-            19 => flat[93..100].fill(S::default()),
-            23 => flat[104..110].fill(S::default()),
-            27 => flat[114..141].fill(S::default()),
-            29 => flat[143..150].fill(S::default()),
-            32 => flat[153..160].fill(S::default()),
-            36 => flat[164..170].fill(S::default()),
-            40 => flat[174..211].fill(S::default()),
-            42 => flat[213..220].fill(S::default()),
-            46 => flat[224..230].fill(S::default()),
-            50 => flat[234..281].fill(S::default()),
-            52 => flat[283..290].fill(S::default()),
-            56 => flat[294..351].fill(S::default()),
-            58 => flat[353..360].fill(S::default()),
+            0 => clear(&mut flat[14..23]),
+            1 => clear(&mut flat[24..30]),
+            2 => clear(&mut flat[31..33]),
+            3 => clear(&mut flat[34..40]),
+            7 => clear(&mut flat[44..50]),
+            11 => clear(&mut flat[54..71]),
+            13 => clear(&mut flat[73..80]),
+            16 => clear(&mut flat[83..90]),
+            19 => clear(&mut flat[93..100]),
+            23 => clear(&mut flat[104..110]),
+            27 => clear(&mut flat[114..141]),
+            29 => clear(&mut flat[143..150]),
+            32 => clear(&mut flat[153..160]),
+            36 => clear(&mut flat[164..170]),
+            40 => clear(&mut flat[174..211]),
+            42 => clear(&mut flat[213..220]),
+            46 => clear(&mut flat[224..230]),
+            50 => clear(&mut flat[234..281]),
+            52 => clear(&mut flat[283..290]),
+            56 => clear(&mut flat[294..351]),
+            58 => clear(&mut flat[353..360]),
             _ => {}
         }
         apart();

@@ -4,7 +4,7 @@
 //!
 //! 135 multiplications, 50 additions; 84, 53 of 84 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -29,12 +29,12 @@ const fn place(k: usize) -> usize {
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 84]) {
     let flat = &mut out[..];
-    flat[0..6].fill(S::default());
+    clear(&mut flat[0..6]);
     entries(trig, dq, |k, x| {
         flat[place(k)] = x;
         match k {
-            0 => flat[7..14].fill(S::default()),
-            52 => flat[66..84].fill(S::default()),
+            0 => clear(&mut flat[7..14]),
+            52 => clear(&mut flat[66..84]),
             _ => {}
         }
         apart();

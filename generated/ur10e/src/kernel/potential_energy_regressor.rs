@@ -4,7 +4,7 @@
 //!
 //! 32 multiplications, 12 additions; 84, 25 of 84 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{Trig};
 
 /// Entries that are not structurally zero.
@@ -29,13 +29,13 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 84]) {
     entries(trig, |k, x| {
         flat[place(k)] = x;
         match k {
-            0 => flat[1..3].fill(S::default()),
-            1 => flat[4..10].fill(S::default()),
-            4 => flat[13..20].fill(S::default()),
-            7 => flat[23..30].fill(S::default()),
-            10 => flat[33..40].fill(S::default()),
-            14 => flat[44..50].fill(S::default()),
-            18 => flat[54..78].fill(S::default()),
+            0 => clear(&mut flat[1..3]),
+            1 => clear(&mut flat[4..10]),
+            4 => clear(&mut flat[13..20]),
+            7 => clear(&mut flat[23..30]),
+            10 => clear(&mut flat[33..40]),
+            14 => clear(&mut flat[44..50]),
+            18 => clear(&mut flat[54..78]),
             _ => {}
         }
         apart();

@@ -4,7 +4,7 @@
 //!
 //! 406 multiplications, 322 additions; 6 x 84, 212 of 504 structurally nonzero.
 
-use super::super::runtime::{Scalar, apart};
+use super::super::runtime::{Scalar, apart, clear};
 use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
@@ -45,44 +45,44 @@ const fn place(k: usize) -> usize {
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 84]; 6]) {
     let flat = &mut out.as_flattened_mut()[..];
-    flat[0..6].fill(S::default());
+    clear(&mut flat[0..6]);
     entries(trig, dq, ddq, |k, x| {
         flat[place(k)] = x;
         match k {
-            0 => flat[7..13].fill(S::default()),
-            48 => flat[61..66].fill(S::default()),
-            49 => flat[67..72].fill(S::default()),
-            50 => flat[73..78].fill(S::default()),
-            51 => flat[79..95].fill(S::default()),
+            0 => clear(&mut flat[7..13]),
+            48 => clear(&mut flat[61..66]),
+            49 => clear(&mut flat[67..72]),
+            50 => clear(&mut flat[73..78]),
+            51 => clear(&mut flat[79..95]),
             53 => flat[97] = S::default(),
             99 => flat[144] = S::default(),
-            100 => flat[146..151].fill(S::default()),
-            101 => flat[152..157].fill(S::default()),
-            102 => flat[158..163].fill(S::default()),
-            103 => flat[164..189].fill(S::default()),
+            100 => clear(&mut flat[146..151]),
+            101 => clear(&mut flat[152..157]),
+            102 => clear(&mut flat[158..163]),
+            103 => clear(&mut flat[164..189]),
             105 => flat[191] = S::default(),
-            141 => flat[228..230].fill(S::default()),
-            142 => flat[231..236].fill(S::default()),
-            143 => flat[237..242].fill(S::default()),
-            144 => flat[243..248].fill(S::default()),
-            145 => flat[249..283].fill(S::default()),
+            141 => clear(&mut flat[228..230]),
+            142 => clear(&mut flat[231..236]),
+            143 => clear(&mut flat[237..242]),
+            144 => clear(&mut flat[243..248]),
+            145 => clear(&mut flat[249..283]),
             147 => flat[285] = S::default(),
-            173 => flat[312..315].fill(S::default()),
-            174 => flat[316..321].fill(S::default()),
-            175 => flat[322..327].fill(S::default()),
-            176 => flat[328..333].fill(S::default()),
-            177 => flat[334..377].fill(S::default()),
+            173 => clear(&mut flat[312..315]),
+            174 => clear(&mut flat[316..321]),
+            175 => clear(&mut flat[322..327]),
+            176 => clear(&mut flat[328..333]),
+            177 => clear(&mut flat[334..377]),
             179 => flat[379] = S::default(),
-            195 => flat[396..400].fill(S::default()),
-            196 => flat[401..406].fill(S::default()),
-            197 => flat[407..412].fill(S::default()),
-            198 => flat[413..418].fill(S::default()),
-            199 => flat[419..471].fill(S::default()),
+            195 => clear(&mut flat[396..400]),
+            196 => clear(&mut flat[401..406]),
+            197 => clear(&mut flat[407..412]),
+            198 => clear(&mut flat[413..418]),
+            199 => clear(&mut flat[419..471]),
             201 => flat[473] = S::default(),
-            207 => flat[480..485].fill(S::default()),
-            208 => flat[486..491].fill(S::default()),
-            209 => flat[492..497].fill(S::default()),
-            210 => flat[498..503].fill(S::default()),
+            207 => clear(&mut flat[480..485]),
+            208 => clear(&mut flat[486..491]),
+            209 => clear(&mut flat[492..497]),
+            210 => clear(&mut flat[498..503]),
             _ => {}
         }
         apart();

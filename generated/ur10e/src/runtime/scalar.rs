@@ -12,6 +12,14 @@ pub fn apart() {
     compiler_fence(Ordering::Release);
 }
 
+/// Sets all to zero. (`fill` of the library is a call where the compiler does not look across its units.)
+#[inline(always)]
+pub fn clear<S: Scalar>(entries: &mut [S]) {
+    for entry in entries {
+        *entry = S::default();
+    }
+}
+
 /// A number, or a pack of numbers that are computed side by side. `Default` is zero.
 pub trait Scalar:
     Copy + Default + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
