@@ -31,6 +31,8 @@ pub struct Tuning {
     pub joints: Vec<JointProposal>,
     /// Of the force loop.
     pub force: ForceProposal,
+    /// The linear model of arm and wall in each posture, springs of the joints included.
+    pub plants: Vec<ForcePlant>,
 }
 
 /// Gains that keep their margins in all these postures; `press` is the unit vector into the wall.
@@ -86,17 +88,22 @@ pub fn tune<const N: usize>(
             margins: plant.margins(kp, kd),
         })
         .collect();
-    let mut plants = Vec::new();
+    let (mut plants, mut bodies) = (Vec::new(), Vec::new());
     for (q, mass) in postures.iter().zip(&masses) {
         let along = lent.contact(q).jacobian;
         let step = 1e-3;
         let by = press.map(|p| p * step);
         let moved = lent.displaced(q, &by, q).ok_or("a posture can't be displaced along the normal")?;
-        let mut mass = DMatrix::from_row_slice(N, N, mass);
+        let links = DMatrix::from_row_slice(N, N, mass);
+        let mut mass = links.clone();
         (0..N).for_each(|j| mass[(j, j)] += demands.drives[j][0]);
+        bodies.push(DMatrix::from_fn(N, N, |i, k| {
+            links[(i, k)] + if i == k && !demands.drives[i][1].is_finite() { demands.drives[i][0] } else { 0.0 }
+        }));
         plants.push(ForcePlant {
             period: demands.period,
             mass,
+            drives: vec![[0.0, f64::INFINITY, 0.0]; N],
             viscous: DVector::from_column_slice(viscous),
             kp: DVector::from_fn(N, |j, _| joints[j].kp),
             kd: DVector::from_fn(N, |j, _| joints[j].kd),
@@ -108,5 +115,9 @@ pub fn tune<const N: usize>(
         });
     }
     let force = propose_force(&plants).ok_or("no gains of the force loop keep their margins on this wall")?;
-    Ok(Tuning { joints, force })
+    // With the springs as they are.
+    for (plant, mass) in plants.iter_mut().zip(bodies) {
+        (plant.mass, plant.drives) = (mass, demands.drives.clone());
+    }
+    Ok(Tuning { joints, force, plants })
 }

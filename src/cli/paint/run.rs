@@ -160,6 +160,7 @@ impl Run {
             law,
             corner: self.corner,
             settle: self.settle,
+            learned: None,
             sensors: request.sensors,
             seed: self.seed,
         };

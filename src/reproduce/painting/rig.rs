@@ -86,6 +86,7 @@ impl Roller {
             law,
             corner: CORNER,
             settle: self.settle,
+            learned: None,
             sensors: Lwr::sensors(),
             seed,
         };
