@@ -6,7 +6,7 @@
 use dh_codegen::robot::Robot;
 
 use super::Plan;
-use super::tune::{Demands, Tuning, tune};
+use super::tune::{Demands, Tuning, plant, tune};
 use super::wall::{RollerWall, WallSensor};
 use super::wipe::wipe;
 use crate::arm::Dynamics;
@@ -184,6 +184,8 @@ const ASIDE_POLE: f64 = 4.0;
 const AWAY: f64 = 0.02;
 const REST: f64 = 0.3;
 const COME: f64 = 1.5;
+/// Between postures in which what is learned has its own linear model, s.
+const APART: f64 = 1.0;
 /// The last of these by default.
 pub const SETTLE: f64 = 4.0;
 
@@ -394,7 +396,12 @@ fn run_n<const N: usize>(
     };
     let next = (status == Status::Pressing && idle == 0.0).then(|| {
         let error: Vec<f64> = fed_back.iter().map(|f| task.force - f).collect();
-        learned(&tuning.plants, [tuning.force.kp, tuning.force.ki], &error, &pace, period, task.learned)
+        let gains: Vec<[f64; 2]> = tuning.joints.iter().map(|j| [j.kp, j.kd]).collect();
+        let count = (seconds / APART).ceil().max(1.0) as usize;
+        let at = |k: usize| moment(span.start + seconds * k as f64 / count as f64)[0];
+        let plants: Option<Vec<_>> =
+            (0..=count).map(at).map(|q| plant(&mut lent, &q, &viscous, &press, &demands, &gains, true)).collect();
+        learned(&plants?, [tuning.force.kp, tuning.force.ki], &error, &pace, period, task.learned)
     });
     Ok(Run { accuracy, tracking: rms(&aside), off: idle, status, tuning, learned: next.flatten(), trace })
 }
