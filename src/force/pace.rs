@@ -40,8 +40,8 @@ impl Pace {
     /// What is missing in the filter's variance `variance` of this component, in noise of this density, as the pace is only found from the estimate:
     ///
     /// - found to wander faster than the filter took it to of late, it has the error of that pace, in a steady state `sqrt(R) w`, already;
-    /// - lag, half of the variance, is known as well as the mean square of the rate: from `nu = 2 M / T + 1` independent looks (a memory of `M` at what is alike
-    ///   for `T / 2`), so that its 95 % are those of Student's distribution.
+    /// - lag, with the pace that is taken a quarter of the variance in the mean (half of it where a sine is steepest), is known as well as the mean square of the
+    ///   rate: from `nu = 2 M / T + 1` independent looks (a memory of `M` at what is alike for `T / 2`), so that its 95 % are those of Student's distribution.
     pub fn missing(&self, variance: f64, density: f64) -> f64 {
         if self.rate == 0.0 || !(density > 0.0 && variance > 0.0) {
             return 0.0;
@@ -51,7 +51,7 @@ impl Pace {
         // The normal deviate z = 1.96 in Cornish and Fisher's expansion: (z^3 + z) / 4 and (5 z^5 + 16 z^3 + 3 z) / 96.
         let wider = (NINETY_FIVE + 2.37 / looks + 2.82 / (looks * looks)) / NINETY_FIVE;
         let all = variance.max(root * self.pace);
-        all - variance + 0.5 * all * (wider * wider - 1.0)
+        all - variance + 0.25 * all * (wider * wider - 1.0)
     }
 
     /// Takes in the estimate, `dt` s after the one before, in noise of this density (squared unit times s).

@@ -79,12 +79,13 @@ fn coats(count: usize) -> Vec<Run> {
     let first = [0.6, -1.3, 0.7];
     let place = lent.contact(&first).origin;
     let times: Vec<f64> = (0..=150).map(|k| 0.02 * f64::from(k)).collect();
-    let mut rows = vec![first];
+    let (mut rows, mut height) = (vec![first], 0.0);
     for t in &times[1..] {
         let s = t / 3.0;
         let up = 0.4 * s * s * s * (10.0 + s * (6.0 * s - 15.0));
         let last = rows[rows.len() - 1];
-        rows.push(lent.displaced(&first, &[0.0, 0.0, up], &last).unwrap());
+        rows.push(lent.displaced(&last, &[0.0, 0.0, up - height], &last).unwrap());
+        height = up;
     }
     let q = (0..3).flat_map(|j| rows.iter().map(move |row| row[j])).collect();
     let motion = Trajectory::new(3, times, q, None, None).unwrap();
