@@ -65,7 +65,7 @@ fn it_presses_as_asked() {
     }
 }
 
-/// 0.4 m up along the wall in 3 s; the gears of the first two joints ripple, which the controller does not know.
+/// 0.4 m along the wall in 3 s; the gears of the first two joints ripple, which the controller does not know.
 fn coats(count: usize) -> Vec<Run> {
     let robot = Robot::from_yaml(FILE, &|name| Err(format!("no file {name}"))).unwrap().robot;
     let text = "joints:\n  1: { torque_ripple: { RC: 0.8, RS: 0.3 } }\n  2: { torque_ripple: { RC: 0.5, RS: -0.4 } }\n";
@@ -84,7 +84,7 @@ fn coats(count: usize) -> Vec<Run> {
         let s = t / 3.0;
         let up = 0.4 * s * s * s * (10.0 + s * (6.0 * s - 15.0));
         let last = rows[rows.len() - 1];
-        rows.push(lent.displaced(&last, &[0.0, 0.0, up - height], &last).unwrap());
+        rows.push(lent.displaced(&last, &[0.0, up - height, 0.0], &last).unwrap());
         height = up;
     }
     let q = (0..3).flat_map(|j| rows.iter().map(move |row| row[j])).collect();
