@@ -181,8 +181,8 @@ impl Run {
             coats.push(before.accuracy);
             let seed = self.seed.wrapping_add(1000 * u64::from(coat));
             let task = Task { learned: Some(&learned), seed, ..task.clone() };
-            let share = |share: f64| bar.set_position((1000.0 * (f64::from(coat) + share) / of) as u64);
-            found = run(&known, &real, &task, &mut |now| share(now));
+            let done = f64::from(coat);
+            found = run(&known, &real, &task, &mut |share| bar.set_position((1000.0 * (done + share) / of) as u64));
         }
         bar.finish_and_clear();
         let found = found.map_err(|e| match e {
