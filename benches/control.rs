@@ -192,6 +192,7 @@ fn measure(scene: &Scene, lwr: Lwr, settings: Settings<N>, steps: usize) -> Opti
             ddq: std::array::from_fn(|j| -0.09 * wave(j)),
             normal: [-1.0, 0.0, 0.0],
             force: Some(30.0),
+            ahead: 0.0,
         };
         let mut seen = q;
         match scene.missing {

@@ -243,10 +243,10 @@ fn anti_windup() {
     let mut force =
         denavit::control::law::ForceLoop::new(ForceSettings { kp: 1e-3, ki: 0.1, range: [0.0, 0.05], rate: 1.0 });
     for _ in 0..10_000 {
-        assert!(force.press(30.0, T, f64::MAX) <= 0.05);
+        assert!(force.press(30.0, T, f64::MAX, 0.0) <= 0.05);
     }
     for _ in 0..20 {
-        force.press(-30.0, T, f64::MAX);
+        force.press(-30.0, T, f64::MAX, 0.0);
     }
     assert!(force.displacement() < 0.03, "{}", force.displacement());
 }

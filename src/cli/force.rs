@@ -25,7 +25,7 @@ use crate::signal::Prepare;
 /// touches; without that, from the torque's own noise, and then the model's errors are in no band.
 #[derive(Args)]
 #[command(
-    after_help = "Example:\n  denavit identify robot.yaml fit.csv --out identified.yaml --json identified.json\n  denavit force identified.yaml push.csv --identified identified.json --free 0:2 --bias \\\n      --out wrench.csv --report wrench.html\n  denavit force identified.yaml free.csv --identified identified.json --against nothing"
+    after_help = "Example:\n  denavit identify robot.yaml fit.csv --out identified.yaml --json identified.json\n  denavit force identified.yaml push.csv --identified identified.json --free 0:2 --bias \\\n      --out wrench.csv --report wrench.html\n  denavit force identified.yaml free.csv --identified identified.json --against nothing\n\nOut:\n  the text and the JSON have figures for each log and component (root mean squares, mean half-width of the band, comparison, phantom force,\n  consistency with the uncertainty); the wrench itself, sample by sample, is in the CSV of --out: t (s), fx fy fz (N), mx my mz (N m),\n  fx_half .. mz_half (half-widths of the 95 % bands; empty: the joints don't tell the component), touching (0 or 1), surprise (a normal deviate:\n  under 3 it is nothing, else something touches or the model is wrong), dexterity (m/rad: near 0 at a singularity), seg. `meaning` in the JSON says what its names mean."
 )]
 pub(super) struct Force {
     /// Robot file with its links: identified, or extended by `denavit diagnose`.
@@ -39,7 +39,7 @@ pub(super) struct Force {
     /// How to estimate.
     #[arg(long, value_enum, default_value_t = Estimator::Residual)]
     estimator: Estimator,
-    /// JSON of `denavit identify`: standard deviations, correlations, noise.
+    /// What `denavit identify --json` wrote for this robot: standard deviations and correlations of the parameters, noise of the torques.
     #[arg(long, value_name = "JSON")]
     identified: Option<PathBuf>,
     /// Nothing touches from one time to the other, s, in every log; may stand more than once.
@@ -48,10 +48,10 @@ pub(super) struct Force {
     /// Take off the mean of what the model leaves in the `--free` stretches.
     #[arg(long, requires = "free")]
     bias: bool,
-    /// Gain of the momentum observer, 1/s.
+    /// Gain of the momentum observer, 1/s: one over the time constant of its low-pass.
     #[arg(long, default_value_t = force::Settings::default().gain, value_name = "GAIN")]
     gain: f64,
-    /// Standard deviations by which force and moment wander in a second, N,N m: the pace of the Kalman filter.
+    /// Standard deviations by which force and moment wander in a second at most, N,N m: the largest pace of the Kalman filter. Default: 20,2.
     #[arg(long, value_name = "N,NM", value_parser = pair)]
     wander: Option<[f64; 2]>,
     /// Write t, the wrench, the half-widths of its 95 % band (empty where the joints don't tell a component), and whether something touches.

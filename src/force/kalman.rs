@@ -142,9 +142,12 @@ impl<const N: usize> Kalman<N> {
         if !(finite(&momentum) && finite(&wrench)) {
             return None;
         }
-        let (covariance, density) = self.with_model(now, &ff)?;
+        let (mut covariance, density) = self.with_model(now, &ff)?;
         let mut found = state.paces;
-        (0..6).for_each(|i| found[i].see(wrench[i], density[i], dt));
+        for i in 0..6 {
+            found[i].see(wrench[i], density[i], dt);
+            covariance[i][i] += found[i].missing(ff[i][i], density[i]);
+        }
         let surprise = {
             let root = cholesky(&covariance)?;
             let mut white = wrench;

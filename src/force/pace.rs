@@ -6,6 +6,8 @@
 //! noise that is left in it. The pace at which the lag is half of the error is `w^3 = 2 v^2 sqrt(R)`: for a random walk its own. Rates come and go: a sine's
 //! is twice its mean square at its height, and that is what is taken.
 
+use super::sample::NINETY_FIVE;
+
 /// Mean over so long, s.
 const MEMORY: f64 = 0.3;
 /// A time constant longer than this, at full pace, is that of a component which the joints hardly tell: nothing is found out of it then.
@@ -33,6 +35,23 @@ impl Pace {
     /// After a second, standard deviation.
     pub fn now(&self) -> f64 {
         self.pace
+    }
+
+    /// What is missing in the filter's variance `variance` of this component, in noise of this density, as the pace is only found from the estimate:
+    ///
+    /// - found to wander faster than the filter took it to of late, it has the error of that pace, in a steady state `sqrt(R) w`, already;
+    /// - lag, with the pace that is taken a quarter of the variance in the mean (half of it where a sine is steepest), is known as well as the mean square of the
+    ///   rate: from `nu = 2 M / T + 1` independent looks (a memory of `M` at what is alike for `T / 2`), so that its 95 % are those of Student's distribution.
+    pub fn missing(&self, variance: f64, density: f64) -> f64 {
+        if self.rate == 0.0 || !(density > 0.0 && variance > 0.0) {
+            return 0.0;
+        }
+        let root = libm::sqrt(density);
+        let looks = 2.0 * MEMORY * self.pace / root + 1.0;
+        // The normal deviate z = 1.96 in Cornish and Fisher's expansion: (z^3 + z) / 4 and (5 z^5 + 16 z^3 + 3 z) / 96.
+        let wider = (NINETY_FIVE + 2.37 / looks + 2.82 / (looks * looks)) / NINETY_FIVE;
+        let all = variance.max(root * self.pace);
+        all - variance + 0.25 * all * (wider * wider - 1.0)
     }
 
     /// Takes in the estimate, `dt` s after the one before, in noise of this density (squared unit times s).

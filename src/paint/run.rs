@@ -6,13 +6,14 @@
 use dh_codegen::robot::Robot;
 
 use super::Plan;
-use super::tune::{Demands, Tuning, tune};
+use super::tune::{Demands, Tuning, plant, tune};
 use super::wall::{RollerWall, WallSensor};
 use super::wipe::wipe;
 use crate::arm::Dynamics;
 use crate::control::law::{
     Controller, Estimator, EstimatorSettings, ForceSettings, JointLoop, Model, Sample, Settings, Status, Target,
 };
+use crate::control::learned::{Learned, learned};
 use crate::control::robot::Lent;
 use crate::interpreted::Interpreted;
 use crate::inverse::{Kinematics, MOST};
@@ -83,6 +84,8 @@ pub struct Task<'a> {
     pub corner: f64,
     /// How long it presses before it paints, s.
     pub settle: f64,
+    /// What the coat before has learned.
+    pub learned: Option<&'a Learned>,
     /// Sensors of the joints.
     pub sensors: Sensors,
     /// Of all noise.
@@ -134,6 +137,8 @@ pub struct Run {
     pub status: Status,
     /// Gains.
     pub tuning: Tuning,
+    /// For the next coat; none where this one came to no good end.
+    pub learned: Option<Learned>,
 }
 
 /// Why there is no run.
@@ -179,6 +184,8 @@ const ASIDE_POLE: f64 = 4.0;
 const AWAY: f64 = 0.02;
 const REST: f64 = 0.3;
 const COME: f64 = 1.5;
+/// Between postures in which what is learned has its own linear model, s.
+const APART: f64 = 1.0;
 /// The last of these by default.
 pub const SETTLE: f64 = 4.0;
 
@@ -288,7 +295,7 @@ fn run_n<const N: usize>(
     let turn = std::f64::consts::TAU * task.corner * period;
     let share = turn / (1.0 + turn);
     let mut low = [0.0; 3];
-    let mut trace = Trace::default();
+    let (mut trace, mut pace) = (Trace::default(), Vec::new());
     let (mut status, mut idle, mut wiping) = (Status::Free, 0.0, 0);
     let paints = REST + COME + task.settle.max(0.0);
     let run = Sampled {
@@ -325,18 +332,25 @@ fn run_n<const N: usize>(
                 60.0 * s * (1.0 - s) * (1.0 - 2.0 * s) / (COME * COME),
             ];
             let [q, dq, ddq] = along.map(|s| std::array::from_fn(|j| s * (first[j] - start[j])));
-            Target { q: std::array::from_fn(|j| start[j] + q[j]), dq, ddq, normal: press, force: None }
+            Target { q: std::array::from_fn(|j| start[j] + q[j]), dq, ddq, normal: press, force: None, ahead: 0.0 }
         } else if let Some(wiped) =
             wiped.as_ref().filter(|w| (w.span().start..w.span().end).contains(&(t - REST - COME)))
         {
             let mut points = vec![[0.0; 3]; N];
             wiped.at(t - REST - COME, &mut wiping, &mut points);
             let [q, dq, ddq] = std::array::from_fn(|d| std::array::from_fn(|j| points[j][d]));
-            Target { q, dq, ddq, normal: press, force: Some(task.force) }
+            Target { q, dq, ddq, normal: press, force: Some(task.force), ahead: 0.0 }
         } else {
             let [q, dq, ddq] = moment(span.start + (t - paints).max(0.0));
             let moves = f64::from(u8::from(t >= paints));
-            Target { q, dq: dq.map(|v| moves * v), ddq: ddq.map(|a| moves * a), normal: press, force: Some(task.force) }
+            Target {
+                q,
+                dq: dq.map(|v| moves * v),
+                ddq: ddq.map(|a| moves * a),
+                normal: press,
+                force: Some(task.force),
+                ahead: task.learned.map_or(0.0, |l| l.at(t - paints)),
+            }
         };
         let command = controller.step(&target, &Sample { t, q, force, push });
         torque.copy_from_slice(&command.torque);
@@ -345,6 +359,7 @@ fn run_n<const N: usize>(
             if status != Status::Pressing {
                 idle += period;
             }
+            pace.push(target.dq.iter().fold(0.0_f64, |most, v| most.max(v.abs())));
             trace.t.push(t - paints);
             trace.estimated.push(estimated);
             trace.measured.push(measured);
@@ -375,5 +390,18 @@ fn run_n<const N: usize>(
         estimated_desired: rms(&|k| trace.estimated[k] - task.force),
         measured_desired: rms(&|k| trace.measured[k] - task.force),
     };
-    Ok(Run { accuracy, tracking: rms(&aside), off: idle, status, tuning, trace })
+    let fed_back = match task.feedback {
+        Feedback::Estimated => &trace.estimated,
+        Feedback::Measured => &trace.measured,
+    };
+    let next = (status == Status::Pressing && idle == 0.0).then(|| {
+        let error: Vec<f64> = fed_back.iter().map(|f| task.force - f).collect();
+        let gains: Vec<[f64; 2]> = tuning.joints.iter().map(|j| [j.kp, j.kd]).collect();
+        let count = (seconds / APART).ceil().max(1.0) as usize;
+        let at = |k: usize| moment(span.start + seconds * k as f64 / count as f64)[0];
+        let plants: Option<Vec<_>> =
+            (0..=count).map(at).map(|q| plant(&mut lent, &q, &viscous, &press, &demands, &gains, true)).collect();
+        learned(&plants?, [tuning.force.kp, tuning.force.ki], &error, &pace, period, task.learned)
+    });
+    Ok(Run { accuracy, tracking: rms(&aside), off: idle, status, tuning, learned: next.flatten(), trace })
 }

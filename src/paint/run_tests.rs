@@ -44,6 +44,7 @@ fn pressed(feedback: Feedback, law: Law) -> Run {
         law,
         corner: 20.0,
         settle: SETTLE,
+        learned: None,
         sensors: Sensors { torque_noise: vec![0.0], ..Sensors::default() },
         seed: 1,
     };

@@ -86,27 +86,43 @@ pub fn tune<const N: usize>(
             margins: plant.margins(kp, kd),
         })
         .collect();
-    let mut plants = Vec::new();
-    for (q, mass) in postures.iter().zip(&masses) {
-        let along = lent.contact(q).jacobian;
-        let step = 1e-3;
-        let by = press.map(|p| p * step);
-        let moved = lent.displaced(q, &by, q).ok_or("a posture can't be displaced along the normal")?;
-        let mut mass = DMatrix::from_row_slice(N, N, mass);
-        (0..N).for_each(|j| mass[(j, j)] += demands.drives[j][0]);
-        plants.push(ForcePlant {
-            period: demands.period,
-            mass,
-            viscous: DVector::from_column_slice(viscous),
-            kp: DVector::from_fn(N, |j, _| joints[j].kp),
-            kd: DVector::from_fn(N, |j, _| joints[j].kd),
-            along: DVector::from_fn(N, |j, _| (0..3).map(|k| press[k] * along[k][j]).sum()),
-            inverse: DVector::from_fn(N, |j, _| (moved[j] - q[j]) / step),
-            stiffness: demands.stiffness,
-            damping: demands.damping,
-            corner: demands.corner,
-        });
-    }
-    let force = propose_force(&plants).ok_or("no gains of the force loop keep their margins on this wall")?;
+    let gains: Vec<[f64; 2]> = joints.iter().map(|j| [j.kp, j.kd]).collect();
+    let rigid: Option<Vec<ForcePlant>> =
+        postures.iter().map(|q| plant(lent, q, viscous, press, demands, &gains, false)).collect();
+    let force = propose_force(&rigid.ok_or("a posture can't be displaced along the normal")?);
+    let force = force.ok_or("no gains of the force loop keep their margins on this wall")?;
     Ok(Tuning { joints, force })
+}
+
+/// The linear model of arm and wall in a posture, for joints with these gains (`kp`, `kd`): rigid joints, or those that are `soft` on their springs. `None` where the posture can't be displaced
+/// along the normal.
+pub fn plant<const N: usize>(
+    lent: &mut Lent<'_>,
+    q: &[f64; N],
+    viscous: &[f64; N],
+    press: &[f64; 3],
+    demands: &Demands,
+    gains: &[[f64; 2]],
+    soft: bool,
+) -> Option<ForcePlant> {
+    let drives: Vec<[f64; 3]> =
+        demands.drives.iter().map(|d| if soft { *d } else { [d[0], f64::INFINITY, 0.0] }).collect();
+    let mut mass = DMatrix::from_row_slice(N, N, &lent.mass(q));
+    (0..N).filter(|&j| !drives[j][1].is_finite()).for_each(|j| mass[(j, j)] += drives[j][0]);
+    let along = lent.contact(q).jacobian;
+    let step = 1e-3;
+    let moved = lent.displaced(q, &press.map(|p| p * step), q)?;
+    Some(ForcePlant {
+        period: demands.period,
+        mass,
+        drives,
+        viscous: DVector::from_column_slice(viscous),
+        kp: DVector::from_fn(N, |j, _| gains[j][0]),
+        kd: DVector::from_fn(N, |j, _| gains[j][1]),
+        along: DVector::from_fn(N, |j, _| (0..3).map(|k| press[k] * along[k][j]).sum()),
+        inverse: DVector::from_fn(N, |j, _| (moved[j] - q[j]) / step),
+        stiffness: demands.stiffness,
+        damping: demands.damping,
+        corner: demands.corner,
+    })
 }

@@ -54,11 +54,36 @@ pub fn force_json(outcome: &Forces<'_>, provenance: &Provenance) -> Value {
     json!({
         "robot": outcome.robot,
         "components": COMPONENTS,
+        "units": { "fx": "N", "fy": "N", "fz": "N", "mx": "N m", "my": "N m", "mz": "N m", "noise": "N m", "bias": "N m" },
+        "meaning": meaning(),
         "noise": outcome.uncertainty.noise,
         "known_from": outcome.known_from,
         "not_in_band": outcome.uncertainty.open,
         "logs": logs,
         "provenance": provenance,
+    })
+}
+
+/// What the names mean, for who has nothing but this file.
+fn meaning() -> Value {
+    json!({
+        "wrench": "of the surroundings on the tool, about the origin of the tool's frame, in its axes; what the tool does to them has the other sign",
+        "noise": "standard deviation of each joint's torque noise after the low-pass, joint by joint",
+        "known_from": "where noise and the parameters' uncertainty come from; it decides what the bands mean",
+        "not_in_band": "base parameters whose errors are in no band, as nothing is known of them",
+        "name": "the log",
+        "estimator": "how it was estimated: --estimator",
+        "samples": "instants with an estimate",
+        "not_used": "those of them whose sample could not be used: the estimate is that of the sample before",
+        "half_width": "mean half-width of the 95 % band, component by component",
+        "told": "share of the samples in which the joints tell the component at all (near a singularity, and with fewer than six joints, some don't)",
+        "rms": "root mean square of the estimate itself, component by component",
+        "against_measured": "estimate less the log's fx..mz, low-passed alike, where it is told: rms, mean and largest error, mean half-width, share of samples inside their band; null where the log has none",
+        "phantom": "the same against zero, in the stretches in which nothing touches (--free, --against nothing); null where none is known",
+        "touching": "samples in which something is said to touch",
+        "false_contact": "share of the samples in which nothing touches that are said to touch; null where none is known",
+        "consistency": "whether torque errors are as large as their predicted covariance: `free` where nothing touches, `unexplained` those that no wrench explains (more than six joints). ratio: squared errors by prediction; probability: of a larger ratio if the model is right; holds: not less than one in a thousand; widen: factor by which bands would have to be wider; joints: root mean square of each joint's error by its prediction; instants: how many were judged",
+        "bias": "torque that was taken off, joint by joint (--bias); empty if none was",
     })
 }
 

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use super::number::digits;
+use super::paint_run_html::Painted;
 use crate::control::law::Status;
 use crate::paint::run::Run;
 
@@ -30,12 +31,17 @@ pub(super) fn differences(run: &Run) -> [(&'static str, f64); 3] {
 }
 
 /// Some lines.
-pub fn paint_run_text(run: &Run, force: f64) -> String {
+pub fn paint_run_text(painted: &Painted<'_>) -> String {
+    let Painted { run, force, coats, .. } = *painted;
     let mut text = format!("{}; {} s without pressing\n\n", status(run), digits(run.off, 3));
     for (name, value) in differences(run) {
         let _ = writeln!(text, "  {name:<24} {:>7} N  {:>6} %", digits(value, 3), digits(100.0 * value / force, 3));
     }
     let _ = writeln!(text, "  {:<24} {:>7} mm", "aside of the plan", digits(1e3 * run.tracking, 3));
+    if coats.len() > 1 {
+        let each: Vec<String> = coats.iter().map(|a| digits(a.estimated_desired, 3)).collect();
+        let _ = writeln!(text, "  estimated less desired, coat by coat: {} N", each.join(", "));
+    }
     let f = &run.tuning.force;
     let _ = writeln!(
         text,
@@ -53,7 +59,8 @@ pub fn paint_run_text(run: &Run, force: f64) -> String {
 }
 
 /// The same.
-pub fn paint_run_json(run: &Run, force: f64) -> Value {
+pub fn paint_run_json(painted: &Painted<'_>) -> Value {
+    let Painted { run, force, coats, .. } = *painted;
     let a = &run.accuracy;
     let f = &run.tuning.force;
     let finite = |x: f64| x.is_finite().then_some(x);
@@ -64,6 +71,10 @@ pub fn paint_run_json(run: &Run, force: f64) -> Value {
             "estimated_measured": finite(a.estimated_measured), "estimated_desired": finite(a.estimated_desired),
             "measured_desired": finite(a.measured_desired),
         },
+        "coats": coats.iter().map(|a| json!({
+            "estimated_measured": finite(a.estimated_measured), "estimated_desired": finite(a.estimated_desired),
+            "measured_desired": finite(a.measured_desired),
+        })).collect::<Vec<_>>(),
         "tracking": finite(run.tracking),
         "seconds": run.trace.t.last(),
         "seconds_off": run.off,

@@ -10,7 +10,7 @@ use super::page::{Page, escape};
 use super::paint_run::{differences, status};
 use super::paint_trace;
 use crate::paint::Plan;
-use crate::paint::run::{Feedback, Law, Run};
+use crate::paint::run::{Accuracy, Feedback, Law, Run};
 
 /// What was run.
 pub struct Painted<'a> {
@@ -24,11 +24,13 @@ pub struct Painted<'a> {
     pub feedback: Feedback,
     /// What was fed forward.
     pub law: Law,
+    /// Accuracy of each coat, that of `run` last.
+    pub coats: &'a [Accuracy],
 }
 
 /// The page.
 pub fn paint_run_html(painted: &Painted<'_>, provenance: &Provenance) -> String {
-    let Painted { run, plan, force, feedback, law } = painted;
+    let Painted { run, plan, force, feedback, law, coats } = painted;
     let mut body = String::new();
     let fed = match feedback {
         Feedback::Estimated => "the force estimated from the joint torques",
@@ -52,7 +54,16 @@ pub fn paint_run_html(painted: &Painted<'_>, provenance: &Provenance) -> String 
     for (name, value) in differences(run) {
         let _ = writeln!(body, "<tr><th>{name}<td>{}<td>{}", digits(value, 3), digits(100.0 * value / force, 2));
     }
-    body.push_str("</tbody></table></div></section>\n<section><h2>The path</h2>");
+    body.push_str("</tbody></table></div>");
+    if coats.len() > 1 {
+        body.push_str("<p class=note>Shown is the last coat. Each but the first was fed the displacement that the coats before had learned.</p><div class=scroll><table><thead><tr><th>coat<th>estimated less measured, N<th>estimated less desired, N<th>measured less desired, N</tr></thead><tbody>");
+        for (k, a) in coats.iter().enumerate() {
+            let [em, ed, md] = [a.estimated_measured, a.estimated_desired, a.measured_desired].map(|x| digits(x, 3));
+            let _ = writeln!(body, "<tr><th>{}<td>{em}<td>{ed}<td>{md}", k + 1);
+        }
+        body.push_str("</tbody></table></div>");
+    }
+    body.push_str("</section>\n<section><h2>The path</h2>");
     paint_trace::path(&mut body, &run.trace, axes, "Path of the roller on the wall");
     paint_trace::aside(&mut body, &run.trace, axes, ["across", "up"]);
     let f = &run.tuning.force;

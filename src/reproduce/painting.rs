@@ -65,6 +65,8 @@ pub const PAPER: [(&str, [f64; 3]); 2] = [("large-roller", [2.9, 0.2, 2.9]), ("s
 /// Laws and feedbacks of the table: the paper's law, and with what is known fed forward; the measured force in the feedback for the latter.
 pub const KINDS: [(Law, Feedback); 3] =
     [(Law::PAPER, Feedback::Estimated), (Law::FED, Feedback::Estimated), (Law::FED, Feedback::Measured)];
+/// Coats with the estimate in the feedback and what is known fed forward; each but the first has learned from those before it.
+pub const COATS: usize = 3;
 /// The paper's durations, s.
 pub const PAPER_SECONDS: [f64; 2] = [50.0, 46.0];
 /// What is asked of estimated against measured once the model is extended, N.
@@ -81,6 +83,8 @@ pub struct Row {
     pub law: Law,
     /// What closed the loop.
     pub feedback: Feedback,
+    /// Which coat: beyond the first, what the coats before have learned is fed forward too.
+    pub coat: usize,
     /// Whether the estimate allowed for a moment at the contact.
     pub moment: bool,
     /// Everything that was recorded.
@@ -115,16 +119,22 @@ pub struct Painting {
     pub torque: Vec<f64>,
     /// White noise of the torque sensors and what the low-pass leaves of it, mean, N m.
     pub noise: [f64; 2],
-    /// Runs: rollers, cases, feedback.
+    /// Runs: rollers, cases, laws and feedback, the first and the last coat.
     pub rows: Vec<Row>,
     /// What the diagnosis found in the logs of the second robot; none where it was quick.
     pub diagnosis: Option<Diagnosis>,
 }
 
 impl Painting {
-    /// The run of a roller and a case under a law, with the paper's six components.
+    /// The first coat of a roller and a case under a law, with the paper's six components.
     pub fn row(&self, roller: &str, case: Case, law: Law, feedback: Feedback) -> Option<&Row> {
-        self.rows.iter().find(|r| r.roller == roller && r.case == case && r.law == law && r.feedback == feedback)
+        let this = |r: &&Row| r.roller == roller && r.case == case && r.law == law && r.feedback == feedback;
+        self.rows.iter().find(|r| this(r) && r.coat == 1)
+    }
+
+    /// The last coat of a roller and a case, with the estimate in the feedback.
+    pub fn last_coat(&self, roller: &str, case: Case) -> Option<&Row> {
+        self.rows.iter().find(|r| r.roller == roller && r.case == case && r.coat == COATS)
     }
 }
 
@@ -181,10 +191,21 @@ pub fn painting(settings: &PaintingSettings, watch: Watch<'_>) -> Result<Paintin
     }
     let one = |k: usize| {
         let (of, case, law, feedback, stage) = jobs[k];
-        let run = stage.paint(law, feedback, true, seed.wrapping_add(100 + k as u64), &mut |_| {})?;
-        Ok(Row { roller: PAPER[of].0, case, law, feedback, moment: true, run, paper: PAPER[of].1 })
+        let coats = if law == Law::FED && feedback == Feedback::Estimated && !settings.quick { COATS } else { 1 };
+        let mut rows: Vec<Row> = Vec::new();
+        let mut learned = None;
+        for coat in 1..=coats {
+            let seed = seed.wrapping_add(100 + k as u64 + 1000 * (coat as u64 - 1));
+            let run = stage.paint(law, feedback, true, learned.as_ref(), seed, &mut |_| {})?;
+            learned.clone_from(&run.learned);
+            // Of the coats that have learned the last one is kept.
+            rows.truncate(1);
+            rows.push(Row { roller: PAPER[of].0, case, law, feedback, coat, moment: true, run, paper: PAPER[of].1 });
+        }
+        Ok(rows)
     };
     let rows = many(jobs.len(), &one, &|what, share| watch(&format!("painting: {what}"), 0.45 + 0.55 * share))?;
+    let rows = rows.into_iter().flatten().collect();
     let noise = crate::tool::rerun::PAPER_TORQUE_NOISE;
     let mean = noise.iter().sum::<f64>() / noise.len() as f64;
     let gain = Filter::default().noise_gain(Lwr::sensors().rate);

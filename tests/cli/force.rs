@@ -84,6 +84,14 @@ fn a_push_is_measured_without_a_sensor() {
             "-",
         ]);
         let log = &found["logs"][0];
+        for name in log
+            .as_object()
+            .unwrap()
+            .keys()
+            .chain(["noise", "known_from", "not_in_band", "wrench"].map(String::from).iter())
+        {
+            assert!(found["meaning"][name].is_string(), "{name} is not explained");
+        }
         for (i, name) in ["fx", "fy", "fz", "mx", "my", "mz"].iter().enumerate() {
             let c = &log["against_measured"][name];
             let [rms, half, inside] = ["rms", "half_width", "inside"].map(|k| c[k].as_f64().unwrap());

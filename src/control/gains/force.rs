@@ -3,15 +3,17 @@
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::joint::largest;
-use super::sampled::{Margins, held, radius, response, wanted};
+use super::sampled::{Margins, held, radius, response, states, wanted};
 
 /// Arm and wall in one posture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ForcePlant {
     /// Time between samples, s.
     pub period: f64,
-    /// Mass matrix, `n x n`, kg m^2, rotors included.
+    /// Mass matrix, `n x n`, kg m^2, with the rotors of rigid joints.
     pub mass: DMatrix<f64>,
+    /// Rotors of soft joints, kg m^2, their springs, N m/rad (infinite: rigid, the rotor counts as a part of `mass`), and their damping, N m s/rad.
+    pub drives: Vec<[f64; 3]>,
     /// Viscous friction of the joints, N m s/rad.
     pub viscous: DVector<f64>,
     /// Gains of the joints.
@@ -62,48 +64,74 @@ struct Inner {
     c: DVector<f64>,
     /// Force itself.
     force: DVector<f64>,
+    /// Where each joint's motor stands among the states.
+    motor: Vec<usize>,
 }
 
 impl ForcePlant {
-    /// States `q, dq, q before, displacement before, filter`. What is seen at an instant is that instant's; the displacement acts until the next.
+    /// States `x, dx, motors before, displacement before, filter`; `x` the links and then the motors of soft joints. What is seen at an instant is that instant's; the
+    /// displacement acts until the next.
     fn inner(&self) -> Option<Inner> {
         let n = self.mass.nrows();
-        let inverse_mass = self.mass.clone().cholesky()?.inverse();
+        let mut motor: Vec<usize> = (0..n).collect();
+        let mut total = n;
+        for (m, [_, spring, _]) in motor.iter_mut().zip(&self.drives) {
+            if spring.is_finite() {
+                (*m, total) = (total, total + 1);
+            }
+        }
+        let mut mass = DMatrix::zeros(total, total);
+        mass.view_mut((0, 0), (n, n)).copy_from(&self.mass);
+        let (mut stiffness, mut damping) = (DMatrix::zeros(total, total), DMatrix::zeros(total, total));
         let contact = &self.along * self.along.transpose();
-        let mut a = DMatrix::zeros(2 * n, 2 * n);
-        a.view_mut((0, n), (n, n)).fill_with_identity();
-        a.view_mut((n, 0), (n, n)).copy_from(&(-&inverse_mass * &contact * self.stiffness));
-        let damping = &contact * self.damping + DMatrix::from_diagonal(&self.viscous);
-        a.view_mut((n, n), (n, n)).copy_from(&(-&inverse_mass * damping));
-        let mut b = DMatrix::zeros(2 * n, n);
-        b.view_mut((n, 0), (n, n)).copy_from(&inverse_mass);
+        stiffness.view_mut((0, 0), (n, n)).copy_from(&(&contact * self.stiffness));
+        damping.view_mut((0, 0), (n, n)).copy_from(&(&contact * self.damping));
+        for (j, &m) in motor.iter().enumerate() {
+            damping[(m, m)] += self.viscous[j];
+            if m != j {
+                let [rotor, spring, loss] = self.drives[j];
+                mass[(m, m)] += rotor;
+                for (r, c, sign) in [(j, j, 1.0), (m, m, 1.0), (j, m, -1.0), (m, j, -1.0)] {
+                    stiffness[(r, c)] += sign * spring;
+                    damping[(r, c)] += sign * loss;
+                }
+            }
+        }
+        let inverse_mass = mass.cholesky()?.inverse();
+        let states = 2 * total;
+        let mut a = DMatrix::zeros(states, states);
+        a.view_mut((0, total), (total, total)).fill_with_identity();
+        a.view_mut((total, 0), (total, total)).copy_from(&(-&inverse_mass * stiffness));
+        a.view_mut((total, total), (total, total)).copy_from(&(-&inverse_mass * damping));
+        let mut b = DMatrix::zeros(states, n);
+        (0..n).for_each(|j| b.view_mut((total, j), (total, 1)).copy_from(&inverse_mass.column(motor[j])));
         let (ad, bd) = held(&a, &b, self.period);
 
         let filter = self.corner.is_finite();
         let poles = if filter { 3 } else { 0 };
-        let size = 3 * n + 1 + poles;
-        let (before, last, first) = (2 * n, 3 * n, 3 * n + 1);
+        let (before, last, first) = (states, states + n, states + n + 1);
+        let size = first + poles;
         let kd = &self.kd / self.period;
         // Torques: (Kp + Kd/T) (g s - q) - Kd/T (g s_before - q_before).
         let mut torque = DMatrix::zeros(n, size);
         for j in 0..n {
-            torque[(j, j)] = -(self.kp[j] + kd[j]);
+            torque[(j, motor[j])] = -(self.kp[j] + kd[j]);
             torque[(j, before + j)] = kd[j];
             torque[(j, last)] = -kd[j] * self.inverse[j];
         }
         let direct = DVector::from_fn(n, |j, _| (self.kp[j] + kd[j]) * self.inverse[j]);
         let mut whole = DMatrix::zeros(size, size);
-        whole.view_mut((0, 0), (2 * n, 2 * n)).copy_from(&ad);
+        whole.view_mut((0, 0), (states, states)).copy_from(&ad);
         let driven = &bd * torque;
-        (0..2 * n).for_each(|i| (0..size).for_each(|k| whole[(i, k)] += driven[(i, k)]));
-        (0..n).for_each(|j| whole[(before + j, j)] = 1.0);
+        (0..states).for_each(|i| (0..size).for_each(|k| whole[(i, k)] += driven[(i, k)]));
+        (0..n).for_each(|j| whole[(before + j, motor[j])] = 1.0);
         let mut input = DVector::zeros(size);
-        input.rows_mut(0, 2 * n).copy_from(&(&bd * direct));
+        input.rows_mut(0, states).copy_from(&(&bd * direct));
         input[last] = 1.0;
         let mut force = DVector::zeros(size);
         for j in 0..n {
             force[j] = self.stiffness * self.along[j];
-            force[n + j] = self.damping * self.along[j];
+            force[total + j] = self.damping * self.along[j];
         }
         let mut c = force.clone();
         if filter {
@@ -119,7 +147,7 @@ impl ForcePlant {
             }
             c = from;
         }
-        Some(Inner { a: whole, b: input, c, force })
+        Some(Inner { a: whole, b: input, c, force, motor })
     }
 
     /// The inner loop closed by proportional and integral gains: `s = kp e + i`, `i` summing `ki T e`.
@@ -145,6 +173,28 @@ impl ForcePlant {
             let sum = Complex::from(ki * self.period) * z / (z - 1.0);
             (sum + kp) * response(&inner.a, &inner.b, &inner.c, z)
         }))
+    }
+
+    /// What becomes of a displacement that is added to the force loop's own, at these frequencies, rad/s: filtered force per displacement, N/m, with the loop closed
+    /// by these gains on the force that is estimated from the motors: links that swing behind them have inertial forces of their own, which the estimate takes for the
+    /// motors'. `None` where the mass matrix is none.
+    pub fn response_to_displacement(&self, kp: f64, ki: f64, frequencies: &[f64]) -> Option<Vec<Complex<f64>>> {
+        let inner = self.inner()?;
+        // Torques to the force along the normal: `n J^+'`, all joints alike, as far as that direction goes.
+        let per_torque = &self.along / self.along.norm_squared().max(1e-12);
+        let lever = &self.mass * per_torque;
+        let of = |w: &f64| {
+            let z = Complex::from_polar(1.0, w * self.period);
+            let states = states(&inner.a, &inner.b, z)?;
+            let sum_of = |c: &DVector<f64>| c.iter().zip(states.iter()).map(|(c, x)| x * *c).sum::<Complex<f64>>();
+            let (filtered, force) = (sum_of(&inner.c), sum_of(&inner.force));
+            let behind: Complex<f64> =
+                inner.motor.iter().enumerate().map(|(j, &m)| (states[j] - states[m]) * lever[j]).sum();
+            let plant = filtered * (Complex::from(1.0) - behind * (w * w) / force);
+            let sum = Complex::from(ki * self.period) * z / (z - 1.0);
+            Some(plant / ((sum + kp) * plant + 1.0))
+        };
+        frequencies.iter().map(of).collect()
     }
 
     /// Answer to a step of the desired force by 1 N.

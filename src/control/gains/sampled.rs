@@ -85,13 +85,17 @@ pub fn held(a: &DMatrix<f64>, b: &DMatrix<f64>, period: f64) -> (DMatrix<f64>, D
 
 /// `C (z - A)^-1 B` of a sampled system with one input and one output.
 pub fn response(a: &DMatrix<f64>, b: &DVector<f64>, c: &DVector<f64>, z: Complex<f64>) -> Complex<f64> {
-    let n = a.nrows();
-    let matrix = DMatrix::from_fn(n, n, |i, k| Complex::from(-a[(i, k)]) + if i == k { z } else { Complex::ZERO });
-    let right = b.map(Complex::from);
-    match matrix.lu().solve(&right) {
+    match states(a, b, z) {
         Some(x) => c.iter().zip(x.iter()).map(|(c, x)| x * *c).sum(),
         None => Complex::new(f64::MAX, 0.0),
     }
+}
+
+/// `(z - A)^-1 B`; `None` at a pole.
+pub fn states(a: &DMatrix<f64>, b: &DVector<f64>, z: Complex<f64>) -> Option<DVector<Complex<f64>>> {
+    let n = a.nrows();
+    let matrix = DMatrix::from_fn(n, n, |i, k| Complex::from(-a[(i, k)]) + if i == k { z } else { Complex::ZERO });
+    matrix.lu().solve(&b.map(Complex::from))
 }
 
 /// Largest absolute value of the eigenvalues.

@@ -108,12 +108,15 @@ pub struct Target<const N: usize> {
     pub normal: [f64; 3],
     /// Force to press with, N, not negative; `None` away from the wall.
     pub force: Option<f64>,
+    /// Displacement along the normal that is known to be needed here, m, added to what the force loop asks for: learned on the coat before, or 0. The limits of
+    /// the displacement hold for the sum, and away from the wall it is not used.
+    pub ahead: f64,
 }
 
 impl<const N: usize> Target<N> {
     /// At a posture, without velocity and acceleration.
     pub fn at(q: [f64; N], normal: [f64; 3], force: Option<f64>) -> Self {
-        Self { q, dq: [0.0; N], ddq: [0.0; N], normal, force }
+        Self { q, dq: [0.0; N], ddq: [0.0; N], normal, force, ahead: 0.0 }
     }
 }
 
@@ -354,7 +357,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
             self.fault = Some(Fault::Contact);
             return Status::Leaving(Fault::Contact);
         }
-        self.force.press(wanted - force, dt, ceiling);
+        self.force.press(wanted - force, dt, ceiling, target.ahead);
         status
     }
 
@@ -430,10 +433,11 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
 }
 
 fn is_sound<const N: usize>(target: &Target<N>) -> bool {
-    let Target { q, dq, ddq, normal, force } = target;
+    let Target { q, dq, ddq, normal, force, ahead } = target;
     let length: f64 = normal.iter().map(|n| n * n).sum();
     // A NaN is in no range.
     q.iter().chain(dq).chain(ddq).all(|x| x.is_finite())
         && (0.98..1.02).contains(&length)
         && force.is_none_or(|f| (0.0..1e6).contains(&f))
+        && ahead.abs() < 1.0
 }

@@ -1,4 +1,5 @@
-//! The outer loop, equation (15): `dP = Kp (F_d - F) + Ki integral (F_d - F)`, along the normal, with limits of place and speed.
+//! The outer loop, equation (15): `dP = Kp (F_d - F) + Ki integral (F_d - F)`, along the normal, with limits of place and speed. What is known to be needed anyway
+//! is added to it.
 
 /// Gains and limits of the force loop.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,9 +38,10 @@ impl ForceLoop {
         (self.integral, self.displacement) = (0.0, 0.0);
     }
 
-    /// Presses: error of the force (desired less actual, N), time since the step before (s), and a limit of the displacement besides its range.
-    /// The integral stands still while the displacement is held by a limit and the error pushes against it.
-    pub fn press(&mut self, error: f64, dt: f64, ceiling: f64) -> f64 {
+    /// Presses: error of the force (desired less actual, N), time since the step before (s), a limit of the displacement besides its range, and what is
+    /// added to the loop's own displacement (m; all limits hold for the sum). The integral stands still while the displacement is held by a limit and the
+    /// error pushes against it.
+    pub fn press(&mut self, error: f64, dt: f64, ceiling: f64, ahead: f64) -> f64 {
         let ForceSettings { kp, ki, range, rate } = self.settings;
         // So large that it is a limit anyway, and small enough never to overflow.
         let error = error.clamp(-1e9, 1e9);
@@ -47,7 +49,7 @@ impl ForceLoop {
         let top = range[1].min(ceiling.max(range[0])).min(self.displacement + step);
         let bottom = range[0].max(self.displacement - step).min(top);
         let integral = self.integral + ki * error * dt;
-        let wanted = kp * error + integral;
+        let wanted = kp * error + integral + ahead;
         self.displacement = wanted.clamp(bottom, top);
         let pushes_out = (wanted > top && error > 0.0) || (wanted < bottom && error < 0.0);
         if !pushes_out {

@@ -10,6 +10,7 @@ use super::super::motions::Motion;
 use super::super::{ReproduceError, Watch, fig6};
 use super::plans::{Extent, ROOM, in_the_air, planned};
 use crate::arm::{Arm, Reach};
+use crate::control::learned::Learned;
 use crate::control::robot::{Lent, contact_point};
 use crate::diagnose::{self, Diagnosis};
 use crate::extend;
@@ -67,6 +68,7 @@ impl Roller {
         law: Law,
         feedback: Feedback,
         moment: bool,
+        learned: Option<&Learned>,
         seed: u64,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Run, ReproduceError> {
@@ -86,6 +88,7 @@ impl Roller {
             law,
             corner: CORNER,
             settle: self.settle,
+            learned,
             sensors: Lwr::sensors(),
             seed,
         };
