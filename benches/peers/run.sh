@@ -57,5 +57,29 @@ for library in "$work"/casadi-*.so; do
 done
 # A folder of its own: other flags would build everything in target anew.
 CARGO_TARGET_DIR="$work/native" RUSTFLAGS="-C target-cpu=native" cargo bench --quiet --bench kernels -- kuka_lwr4 > "$work/kernels.txt"
+# The full regressor once more without the drives of the robot file: 70 columns, which are all that the peers' have.
+"$root/target/release/denavit" generate "$work/bare.yaml" --out "$work/bare/arm" > "$work/bare.log"
+mkdir -p "$work/bare/src"
+cp "$here/bare.rs" "$work/bare/src/main.rs"
+name=$(sed -n 's/^name = "\(.*\)"/\1/p' "$work/bare/arm/Cargo.toml" | head -1)
+sed -i '/^\[workspace\]/d' "$work/bare/arm/Cargo.toml"
+cat > "$work/bare/Cargo.toml" << END
+[package]
+name = "time-bare"
+version = "0.1.0"
+edition = "2024"
+[dependencies]
+bare = { package = "$name", path = "arm" }
+[profile.release]
+lto = "thin"
+codegen-units = 4
+[workspace]
+END
+(cd "$work/bare" && RUSTFLAGS="-C target-cpu=native" cargo build --release --quiet)
+: > "$work/bare.txt"
+for round in 1 2 3 4 5 6 7; do
+    "$work/pinocchio-native" "$work/model.txt" > "$work/again.txt"
+    echo "$("$work/bare/target/release/time-bare") $(sed -n 's/.*"regressor": *\([0-9.]*\).*/\1/p' "$work/again.txt" | tail -1)" >> "$work/bare.txt"
+done
 grep -m1 'model name' /proc/cpuinfo | sed 's/.*: //'
 "$venv/bin/python" "$here/table.py" table "$work"

@@ -134,6 +134,14 @@ def table(work):
             found = best(kind, name)
             row += [f"{found[0]:.0f} ({found[1].removeprefix(kind + '-')})", f"{found[0] / own:.1f}"] if found else ["-", "-"]
         print("| " + " | ".join(row) + " |")
+    with open(os.path.join(work, "bare.txt")) as file:
+        rounds = [tuple(map(float, line.split())) for line in file if line.strip()]
+    ratios = sorted(peer / own for own, peer in rounds)
+    middle = lambda x: sorted(x)[len(x) // 2]
+    print(
+        f"\nFull regressor of the same 70 columns as Pinocchio's (no drives), one after the other {len(rounds)} times: {middle([r[0] for r in rounds]):.0f} ns, Pinocchio "
+        f"{middle([r[1] for r in rounds]):.0f} ns, {middle(ratios):.1f} times ({ratios[0]:.1f} to {ratios[-1]:.1f})."
+    )
     base = times["inverse_dynamics_base", "generated"], times["inverse_dynamics_base", "pack"] / 8
     print(f"\nInverse dynamics from base parameters: {base[0]:.0f} ns, {base[1]:.1f} ns per state of eight.")
     print("\nAll builds, ns:")
