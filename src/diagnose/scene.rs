@@ -183,14 +183,14 @@ impl<'a> Scene<'a> {
                 for j in 0..dof {
                     let by = delays[j] / stretch.period;
                     let v = earlier(stretch.of(&stretch.states.dq, j), span.clone(), by);
-                    // Where every sample counts, the sign is that of the file's laws, so that what is measured is what they give; of a joint that
-                    // stands the sign is nothing but noise.
                     let sticks = |k: usize| {
                         let then = (k as f64 - by).round().clamp(0.0, (len - 1) as f64) as usize;
                         !stretch.stuck.is_empty() && stretch.of(&stretch.stuck, j)[then]
                     };
                     let moves: Vec<bool> =
                         span.clone().zip(&v).map(|(k, v)| v.abs() > dead[j].0 && (dead[j].1 || !sticks(k))).collect();
+                    // Where every sample counts, the sign is that of the file's laws, so that what is measured is what they give; of a joint that
+                    // stands the sign is nothing but noise.
                     let sign: Vec<f64> = match all && !dead[j].1 {
                         true => v.iter().map(|v| if *v == 0.0 { 0.0 } else { v.signum() }).collect(),
                         false => v.iter().map(|v| if v.abs() > dead[j].0 { v.signum() } else { 0.0 }).collect(),
