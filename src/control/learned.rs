@@ -44,7 +44,7 @@ impl Learned {
     /// At a time, m; zero before and after.
     pub fn at(&self, t: f64) -> f64 {
         let x = t / self.period;
-        if !(x >= 0.0 && x.is_finite()) {
+        if !(0.0..self.displacement.len() as f64).contains(&x) {
             return 0.0;
         }
         let k = x as usize;

@@ -104,10 +104,8 @@ pub fn search(
             if !judge.leaves_more_than_noise(&fitted) {
                 break;
             }
-            let held = bench.hold.clone();
             let Some((pair, trial, next)) = together(bench, &chosen, &fitted, &ranked, noise, settings, &accepted)
             else {
-                bench.hold = held;
                 fitted = bench.fit(&mut chosen);
                 break;
             };
@@ -179,6 +177,7 @@ fn together(
             return Some(([own, other], both, two));
         }
     }
+    bench.hold = held;
     None
 }
 
