@@ -1,15 +1,15 @@
 //! An arm made ready for its inverse, and the one entrance to all solvers.
 
-use super::super::runtime::{Block, Scalar};
+use super::super::runtime::Scalar;
 use super::axis::{Axis, Value};
-use super::candidates::{Candidates, Column};
-use super::lanes::misses;
+use super::candidates::Candidates;
+use super::lanes::measured;
 use super::list::List;
 use super::numerical;
 use super::plane::Plane;
 use super::polish::{self, polish, remainder, sizes};
 use super::pose::Displacement;
-use super::real::{angles_into, root, whole, wrapped};
+use super::real::{root, whole, wrapped};
 use super::regional::Regional;
 use super::six::{Method, Six};
 use super::solution::{Branch, CAPACITY, PoseError, Solution, Solutions, Status};
@@ -90,6 +90,9 @@ const LITTLE: f64 = 1e-6;
 
 /// Newton's steps where nothing else is asked for.
 const STEPS: usize = 40;
+
+/// Branches whose marks differ by less may be equal.
+const SAME: f64 = 1e-7;
 
 /// What is left of a pose below this is rounding, m and rad.
 const EXACT: f64 = 1e-13;
@@ -296,45 +299,46 @@ impl<const N: usize> Arm<N> {
         work: &mut Work,
     ) {
         let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
-        let mut fits = Fits { q: [[0.0; CAPACITY]; N], margin: [[f64::INFINITY; CAPACITY]; N] };
-        fits.fill(self, &all.columns, query.near);
         let nearly = self.nearly(query.tolerance);
         let mut far_off = 0u32;
         for first in [0, 8] {
             if first >= all.len {
                 break;
             }
-            let (ways, turns, marks) = misses(self, g, all, first);
-            let (mut qs, mut margins) = ([[0.0; 8]; N], [0.0; 8]);
-            for k in 0..Block::COUNT {
-                let mut least = Block::constant(f64::INFINITY);
-                for j in 0..N {
-                    all.spread(&fits.q[j], j, first + k * Block::WIDTH).store(k, &mut qs[j]);
-                    least = least.min(all.spread(&fits.margin[j], j, first + k * Block::WIDTH));
+            let eight = measured(self, g, query.near, all, first);
+            // Equal branches are rare: where no two of these are, and none is there, they are not compared again.
+            let mut alike = !out.list.is_empty();
+            for (lane, mark) in eight.marks.iter().enumerate() {
+                for other in &eight.marks[..lane] {
+                    alike |= (mark - other).abs() < SAME;
                 }
-                least.store(k, &mut margins);
             }
             for lane in 0..8 {
                 let place = first + lane;
                 if place >= all.len {
                     break;
                 }
-                let (p2, r2, mark) = (ways[lane], turns[lane], marks[lane]);
+                let (p2, r2, mark) = (eight.ways[lane], eight.turns[lane], eight.marks[lane]);
                 let (branch, free) = all.kind(place);
                 if p2 <= EXACT * EXACT && r2 <= EXACT * EXACT {
                     let mut found = Solution { branch, free, ..Solution::NONE };
                     (found.position_error, found.rotation_error) = (root(p2), root(r2));
-                    found.margin = margins[lane];
+                    found.margin = eight.margins[lane];
                     for j in 0..N {
-                        found.q[j] = qs[j][lane];
+                        found.q[j] = eight.q[j][lane];
                     }
                     found.within_limits = found.margin >= -1e-9;
-                    self.keep(out, work, found, mark);
+                    if alike {
+                        self.keep(out, work, found, mark);
+                    } else {
+                        add(out, work, found, mark);
+                    }
                     continue;
                 }
                 // What rounding does grows with each singularity.
                 let nearly = if free == 0 { nearly } else { nearly.max(1e-3) };
                 if p2 <= nearly * nearly && r2 <= nearly * nearly {
+                    alike = true;
                     self.refine(g, query, all.values(place, slides), (branch, free), out, work);
                 } else {
                     // No posture, or one of the joints that were added: looked at only where nothing else is found.
@@ -422,31 +426,23 @@ impl<const N: usize> Arm<N> {
     }
 
     /// Adds a solution that is not there yet. Equal ones have equal marks.
-    #[inline]
+    #[cold]
+    #[inline(never)]
     fn keep(&self, out: &mut Solutions<N>, work: &mut Work, found: Solution<N>, mark: f64) {
         let same = |s: &Solution<N>| {
             (0..N).all(|i| (s.q[i] - found.q[i]).abs() < 1e-10 || self.full_turn(i, s.q[i] - found.q[i]))
         };
-        if found.free != 0 {
-            out.status = Status::Singular;
-        }
-        // Marks first: only where one is equal are all joints compared. Those that are not yet there are equal to none.
-        let mut alike = false;
-        for m in &work.marks {
-            alike |= (m - mark).abs() < 1e-7;
-        }
-        if alike {
-            for (twin, m) in out.list.as_mut_slice().iter_mut().zip(work.marks.iter()) {
-                if (m - mark).abs() < 1e-7 && same(twin) {
-                    twin.free |= found.free;
-                    return;
+        // Marks first: only where one is equal are all joints compared.
+        for (twin, m) in out.list.as_mut_slice().iter_mut().zip(work.marks.iter()) {
+            if (m - mark).abs() < SAME && same(twin) {
+                twin.free |= found.free;
+                if found.free != 0 {
+                    out.status = Status::Singular;
                 }
+                return;
             }
         }
-        if let Some(place) = work.marks.get_mut(out.list.len()) {
-            *place = mark;
-        }
-        out.list.push(found);
+        add(out, work, found, mark);
     }
 
     fn full_turn(&self, joint: usize, difference: f64) -> bool {
@@ -503,6 +499,18 @@ impl<const N: usize> Arm<N> {
     }
 }
 
+/// Adds a solution.
+#[inline(always)]
+fn add<const N: usize>(out: &mut Solutions<N>, work: &mut Work, found: Solution<N>, mark: f64) {
+    if found.free != 0 {
+        out.status = Status::Singular;
+    }
+    if let Some(place) = work.marks.get_mut(out.list.len()) {
+        *place = mark;
+    }
+    out.list.push(found);
+}
+
 fn pick<const N: usize>(values: &[Value; N], joint: Option<u8>) -> Value {
     joint.and_then(|j| values.get(usize::from(j)).copied()).unwrap_or(Value::ZERO)
 }
@@ -541,48 +549,6 @@ pub(super) fn fitted(q: f64, slides: bool, limits: Option<[f64; 2]>, near: Optio
     }
     let margin = limits.map_or(f64::INFINITY, |[low, high]| (x - low).min(high - x));
     (x, margin)
-}
-
-/// The values of all joints as positions, rad or m, whole turns chosen, with their distances from the limits.
-struct Fits<const N: usize> {
-    q: [[f64; CAPACITY]; N],
-    margin: [[f64; CAPACITY]; N],
-}
-
-impl<const N: usize> Fits<N> {
-    #[inline(always)]
-    fn fill(&mut self, arm: &Arm<N>, columns: &[Column; N], near: Option<&[f64; N]>) {
-        use core::f64::consts::PI;
-        for j in 0..N {
-            let (column, slides, limits) = (&columns[j], arm.axes[j].slides, arm.limits[j]);
-            let (qs, margins) = (&mut self.q[j], &mut self.margin[j]);
-            if slides {
-                *qs = column.c;
-            } else {
-                angles_into(&column.s, &column.c, column.len, qs);
-            }
-            if let Some([low, high]) = limits {
-                for k in 0..CAPACITY {
-                    let (a, b) = (qs[k] - low, high - qs[k]);
-                    margins[k] = if a < b { a } else { b };
-                }
-            }
-            // Elsewhere a turned angle is never inside where it was not.
-            let wide = limits.is_some_and(|[low, high]| low < 1e-6 - PI || high > PI - 1e-6);
-            let mut outside = false;
-            for margin in margins.iter() {
-                outside |= *margin < 0.0;
-            }
-            if !slides && (near.is_some() || wide && outside) {
-                let near = near.map(|n| n[j]);
-                for (margin, q) in margins.iter_mut().zip(qs).take(column.len) {
-                    if near.is_some() || *margin < 0.0 {
-                        (*q, *margin) = fitted(*q, slides, limits, near);
-                    }
-                }
-            }
-        }
-    }
 }
 
 fn ceiling(x: f64) -> f64 {

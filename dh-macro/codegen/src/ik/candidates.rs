@@ -24,6 +24,8 @@ pub(super) struct Candidates<const N: usize> {
     pub branch: [Branch; CAPACITY],
     /// Bit `j`: joint `j` is free; [`IN_DOUBT`].
     pub free: [u32; CAPACITY],
+    /// All of them together: what was just written would not yet be there to be read side by side.
+    any: u32,
     pub len: usize,
 }
 
@@ -47,6 +49,7 @@ impl<const N: usize> Candidates<N> {
             at: [[0; CAPACITY]; N],
             branch: [Branch::NONE; CAPACITY],
             free: [0; CAPACITY],
+            any: 0,
             len: 0,
         }
     }
@@ -69,6 +72,7 @@ impl<const N: usize> Candidates<N> {
             return None;
         }
         (self.branch[place], self.free[place]) = (branch, free);
+        self.any |= free;
         self.len += 1;
         Some(place)
     }
@@ -87,12 +91,6 @@ impl<const N: usize> Candidates<N> {
         self.at.get(joint).map_or(0, |row| usize::from(row[place & MASK])) & MASK
     }
 
-    /// One number for each value of a joint, in as many branches from `first` on as a block holds.
-    #[inline(always)]
-    pub fn spread(&self, numbers: &[f64; CAPACITY], joint: usize, first: usize) -> Block {
-        Block::pick(numbers, &self.at[joint], first)
-    }
-
     /// Which branch, and which of its joints are free.
     #[inline(always)]
     pub fn kind(&self, place: usize) -> (Branch, u32) {
@@ -102,16 +100,13 @@ impl<const N: usize> Candidates<N> {
     /// Is some branch [`IN_DOUBT`]?
     #[inline(always)]
     pub fn in_doubt(&self) -> bool {
-        let mut all = 0;
-        for free in &self.free {
-            all |= free;
-        }
-        all & IN_DOUBT != 0
+        self.any & IN_DOUBT != 0
     }
 
     /// More joints of a branch are free.
     pub fn loosen(&mut self, place: usize, bits: u32) {
         self.free[place & MASK] |= bits;
+        self.any |= bits;
     }
 
     /// No branch is in doubt.
@@ -119,6 +114,7 @@ impl<const N: usize> Candidates<N> {
         for free in &mut self.free {
             *free &= !IN_DOUBT;
         }
+        self.any &= !IN_DOUBT;
     }
 
     /// A branch with values of its own.

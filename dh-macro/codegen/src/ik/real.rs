@@ -35,7 +35,7 @@ pub(super) fn angle(y: f64, x: f64) -> f64 {
 
 /// Of the points of a block.
 #[inline(always)]
-fn angle_block(y: Block, x: Block) -> Block {
+pub(super) fn angle_block(y: Block, x: Block) -> Block {
     use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
     let n = Block::constant;
     let (ay, ax) = (y.abs(), x.abs());
@@ -59,20 +59,14 @@ fn angle_block(y: Block, x: Block) -> Block {
 /// Angles of the first points of a list, block by block; what lies beyond them is not looked at.
 #[inline(always)]
 pub(super) fn angles<const K: usize>(s: &[f64; K], c: &[f64; K], len: usize) -> [f64; K] {
-    let mut out = [0.0; K];
-    angles_into(s, c, len, &mut out);
-    out
-}
-
-/// The same, put where they are wanted.
-#[inline(always)]
-pub(super) fn angles_into<const K: usize>(s: &[f64; K], c: &[f64; K], len: usize, out: &mut [f64; K]) {
     const WIDTH: usize = Block::WIDTH;
+    let mut angles = [0.0; K];
     // Arrays, so that no index is checked.
-    let (out, s, c) = (out.as_chunks_mut::<WIDTH>().0, s.as_chunks::<WIDTH>().0, c.as_chunks::<WIDTH>().0);
+    let (out, s, c) = (angles.as_chunks_mut::<WIDTH>().0, s.as_chunks::<WIDTH>().0, c.as_chunks::<WIDTH>().0);
     for ((out, s), c) in out.iter_mut().zip(s).zip(c).take(len.div_ceil(WIDTH)) {
         angle_block(Block::from_fn(|l| s[l]), Block::from_fn(|l| c[l])).put(out);
     }
+    angles
 }
 
 /// The same direction within a half turn of zero: `(-pi, pi]`.

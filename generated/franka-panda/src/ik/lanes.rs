@@ -1,9 +1,12 @@
-//! How far eight branches are from their pose, side by side.
+//! How far eight branches are from their pose and from the limits, side by side.
+
+use core::f64::consts::{PI, TAU};
 
 use super::super::runtime::Block;
-use super::arm::Arm;
+use super::arm::{Arm, fitted};
 use super::candidates::Candidates;
 use super::pose::Displacement;
+use super::real::angle_block;
 use super::vector::{IDENTITY, Matrix, Vector, transposed};
 
 type Vectors = [Block; 3];
@@ -60,18 +63,37 @@ pub(super) fn weights(j: usize) -> [f64; 2] {
     [1.0 + 0.37 * j as f64, 0.73 + 0.29 * j as f64]
 }
 
-/// Squares of what is left to `g` in eight branches from `first` on (those that there are): m^2 and rad^2 (for small angles), and a
-/// number that tells branches apart.
+/// Eight branches, of which those count that there are.
+pub(super) struct Eight<const N: usize> {
+    /// Squares of what is left to the pose, m^2 and (for small angles) rad^2.
+    pub ways: [f64; 8],
+    pub turns: [f64; 8],
+    /// A number that tells branches apart; infinite where there is none.
+    pub marks: [f64; 8],
+    /// By joint: positions, rad or m, whole turns chosen.
+    pub q: [[f64; 8]; N],
+    /// Distance to the nearest limit, rad or m.
+    pub margins: [f64; 8],
+}
+
+/// Measures the branches from `first` on.
 #[inline(always)]
-pub(super) fn misses<const N: usize>(
+pub(super) fn measured<const N: usize>(
     arm: &Arm<N>,
     g: &Displacement,
+    near: Option<&[f64; N]>,
     all: &Candidates<N>,
     first: usize,
-) -> ([f64; 8], [f64; 8], [f64; 8]) {
+) -> Eight<N> {
     let goal: Matrix = transposed(&g.rotation);
     let goal_tip = g.point(arm.home.shift);
-    let (mut ways, mut turns, mut marks) = ([0.0; 8], [0.0; 8], [0.0; 8]);
+    let mut out = Eight {
+        ways: [0.0; 8],
+        turns: [0.0; 8],
+        marks: [f64::INFINITY; 8],
+        q: [[0.0; 8]; N],
+        margins: [f64::INFINITY; 8],
+    };
     for k in 0..Block::COUNT {
         let from = first + k * Block::WIDTH;
         if from >= all.len {
@@ -79,29 +101,92 @@ pub(super) fn misses<const N: usize>(
         }
         let mut tip = splat(arm.home.shift);
         let (mut x, mut y) = (splat(IDENTITY[0]), splat(IDENTITY[1]));
-        let mut mark = Block::constant(0.0);
+        let (mut mark, mut least) = (Block::constant(0.0), Block::constant(f64::INFINITY));
         for j in (0..N).rev() {
             let axis = &arm.axes[j];
             let (c, s) = all.lanes(j, from);
             let [a, b] = weights(j);
             mark = mark + c * Block::constant(a) + s * Block::constant(b);
-            if axis.slides {
+            let q = if axis.slides {
                 let h = splat(axis.h);
                 tip = add(tip, [c * h[0], c * h[1], c * h[2]]);
+                c
             } else {
                 let at = splat(axis.c);
                 tip = add(turned(axis.h, c, s, sub(tip, at)), at);
                 x = turned(axis.h, c, s, x);
                 y = turned(axis.h, c, s, y);
-            }
+                angle_block(s, c)
+            };
+            let (q, margin) = within(q, axis.slides, arm.limits[j]);
+            q.store(k, &mut out.q[j]);
+            least = least.min(margin);
         }
         let way = sub(tip, splat(goal_tip));
         // A turn by `a` moves the three base vectors by 2 sqrt(2) sin(a/2) together.
         let turn =
             square(sub(x, splat(goal[0]))) + square(sub(y, splat(goal[1]))) + square(sub(cross(x, y), splat(goal[2])));
-        square(way).store(k, &mut ways);
-        (turn * Block::constant(0.5)).store(k, &mut turns);
-        mark.store(k, &mut marks);
+        square(way).store(k, &mut out.ways);
+        (turn * Block::constant(0.5)).store(k, &mut out.turns);
+        mark.store(k, &mut out.marks);
+        least.store(k, &mut out.margins);
     }
-    (ways, turns, marks)
+    for (lane, mark) in out.marks.iter_mut().enumerate() {
+        if first + lane >= all.len {
+            *mark = f64::INFINITY;
+        }
+    }
+    if near.is_some() || arm.winds() {
+        fit(arm, near, &mut out);
+    }
+    out
+}
+
+/// The whole turn that respects the limits, and the distance to the nearest one.
+#[inline(always)]
+fn within(q: Block, slides: bool, limits: Option<[f64; 2]>) -> (Block, Block) {
+    let n = Block::constant;
+    let Some([low, high]) = limits else { return (q, n(f64::INFINITY)) };
+    let (low, high) = (n(low), n(high));
+    let margin = |q: Block| (q - low).min(high - q);
+    let here = margin(q);
+    if slides || !wide(limits) {
+        return (q, here);
+    }
+    let turn = n(TAU).only_where_less(q, low) - n(TAU).only_where_less(high, q);
+    let there = margin(q + turn);
+    let q = q + turn.only_where_less(here.max(n(-1e-9)), there);
+    (q, margin(q))
+}
+
+/// Elsewhere a turned angle is never inside where it was not.
+fn wide(limits: Option<[f64; 2]>) -> bool {
+    limits.is_some_and(|[low, high]| low < 1e-6 - PI || high > PI - 1e-6)
+}
+
+impl<const N: usize> Arm<N> {
+    /// May a joint need more than one whole turn to be within its limits?
+    #[inline(always)]
+    fn winds(&self) -> bool {
+        let mut any = false;
+        for (axis, limits) in self.axes.iter().zip(&self.limits) {
+            let beyond = |[low, high]: [f64; 2]| (low > -PI || high < PI) && (low < -3.0 * PI || high > 3.0 * PI);
+            any |= !axis.slides && limits.is_some_and(beyond);
+        }
+        any
+    }
+}
+
+/// Whole turns near a posture, or several of them.
+#[cold]
+#[inline(never)]
+fn fit<const N: usize>(arm: &Arm<N>, near: Option<&[f64; N]>, out: &mut Eight<N>) {
+    out.margins = [f64::INFINITY; 8];
+    for j in 0..N {
+        for (q, least) in out.q[j].iter_mut().zip(&mut out.margins) {
+            let margin;
+            (*q, margin) = fitted(*q, arm.axes[j].slides, arm.limits[j], near.map(|n| n[j]));
+            *least = least.min(margin);
+        }
+    }
 }

@@ -6,10 +6,12 @@ use super::axis::{Axis, Value};
 use super::candidates::{Candidates, in_doubt};
 use super::orient::Three;
 use super::pose::Displacement;
-use super::real::angle;
+use super::real::{angle, root};
 use super::solution::Branch;
 use super::subproblem::{doubt, reach};
-use super::vector::{Matrix, Turn, Vector, add, beside, cross, dot, norm, scale, sub, times, transposed, unit};
+use super::vector::{
+    Matrix, Turn, Vector, add, beside, cross, dot, nearly_unit, norm, scale, sub, times, transposed, unit,
+};
 
 /// Lines and points of the arm at `q = 0`, in base axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,25 +71,30 @@ pub(super) struct Elbows {
 
 impl Swivel {
     /// In the upper arm's frame at `q = 0`: direction to the wrist, and beside it direction to the elbow, for an angle of joint 4.
-    fn upper(&self, v4: Value, side: f64) -> (Frame, f64) {
-        let w = unit(sub(self.axes[3].point(v4, self.wrist), self.shoulder));
+    /// `per`: the reciprocal of the way to the wrist, as far as it is known.
+    fn upper(&self, v4: Value, per: f64, side: f64) -> (Frame, f64) {
+        let to = sub(self.axes[3].point(v4, self.wrist), self.shoulder);
+        let w = nearly_unit(scale(per, to));
         let across = cross(self.axes[3].h, w);
         let out = dot(sub(self.elbow, self.shoulder), across);
         let sign = if out.abs() > 1e-15 { out } else { side };
-        let e = unit(scale(if sign < 0.0 { -1.0 } else { 1.0 }, across));
+        let e = nearly_unit(scale(if sign < 0.0 { -1.0 } else { 1.0 }, across));
         ([w, e, cross(w, e)], out.abs())
     }
 
     pub(super) fn elbows(&self, g: &Displacement) -> Elbows {
         let to = sub(g.point(self.wrist), self.shoulder);
-        let n = if norm(to) > 1e-12 { unit(to) } else { self.axes[0].h };
-        let pair = reach(&self.axes[3], self.wrist, self.shoulder, dot(to, to));
+        let length2 = dot(to, to);
+        let length = root(length2);
+        let per = if length > 1e-12 { 1.0 / length } else { 1.0 };
+        let n = if length > 1e-12 { scale(per, to) } else { self.axes[0].h };
+        let pair = reach(&self.axes[3], self.wrist, self.shoulder, length2);
         let mut stretched = false;
         let mut side = -1.0;
         let least = 1e-8 * norm(sub(self.elbow, self.shoulder));
         let mut one = |t: Turn| {
             side = -side;
-            let (frame, out) = self.upper(Value::turn(t), side);
+            let (frame, out) = self.upper(Value::turn(t), per, side);
             stretched |= out < least;
             (Value::turn(t), frame)
         };
@@ -172,12 +179,12 @@ impl Swivel {
 
     /// Is the arm stretched, so that its elbow is on neither side?
     pub(super) fn straight(&self, values: &[Value; 7]) -> bool {
-        self.upper(values[3], 1.0).1 < 1e-9 * norm(sub(self.elbow, self.shoulder))
+        self.upper(values[3], 1.0, 1.0).1 < 1e-9 * norm(sub(self.elbow, self.shoulder))
     }
 
     /// The swivel angle of a posture, rad, and whether it is counted from the second plane.
     pub(super) fn angle(&self, values: &[Value; 7], reference: &Reference) -> (f64, bool) {
-        let (frame, _) = self.upper(values[3], 1.0);
+        let (frame, _) = self.upper(values[3], 1.0, 1.0);
         let ([a1, a2, a3, ..], [v1, v2, v3, ..]) = (&self.axes, *values);
         let upper = |x: Vector| a1.direction(v1, a2.direction(v2, a3.direction(v3, x)));
         let (n, e) = (upper(frame[0]), upper(frame[1]));

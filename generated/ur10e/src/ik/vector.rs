@@ -49,6 +49,14 @@ pub(super) fn unit(a: Vector) -> Vector {
     if n > 0.0 { scale(1.0 / n, a) } else { a }
 }
 
+/// The same of a vector whose length is mostly one already, but for rounding: one of Newton's steps, which waits for no root and no
+/// quotient.
+#[inline(always)]
+pub(super) fn nearly_unit(a: Vector) -> Vector {
+    let n2 = dot(a, a);
+    if (n2 - 1.0).abs() < 1e-8 { scale(1.5 - 0.5 * n2, a) } else { unit(a) }
+}
+
 /// A unit vector at right angles to the unit vector `h`: always the same one for the same `h`.
 #[inline]
 pub(super) fn beside(h: Vector) -> Vector {
