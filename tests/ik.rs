@@ -178,19 +178,62 @@ fn random_postures() {
     }
 }
 
-/// Multiples of 15, 30, 45 and 90 degrees, joints at their limits, and postures at and beside singularities. Where the pose leaves
-/// joints free, the posture is found when it is named as near.
+/// What becomes of postures that are special.
+#[derive(Default)]
+struct Special {
+    count: usize,
+    missed: usize,
+    empty: usize,
+    unmarked: usize,
+    worst: f64,
+}
+
+impl Special {
+    /// A posture, once named as near, where it is found though its pose leaves joints free, and once not.
+    fn look(&mut self, bench: &Bench, name: &str, q: &[f64]) {
+        self.count += 1;
+        let (error, nearest, _) = bench.check(q, true);
+        self.worst = self.worst.max(error);
+        if nearest > 1e-5 {
+            self.missed += 1;
+            if self.missed < 4 {
+                eprintln!("{name}: near {q:?}: {nearest:e}");
+            }
+        }
+        let (error, nearest, found) = bench.check(q, false);
+        self.worst = self.worst.max(error);
+        self.empty += usize::from(found.list.is_empty());
+        if nearest > 1e-4 && found.status == Status::Ok {
+            self.unmarked += 1;
+            if self.unmarked < 4 {
+                eprintln!("{name}: unmarked {q:?}: {nearest:e} of {}", found.list.len());
+            }
+        }
+    }
+
+    fn judge(&self, name: &str) {
+        let Self { count, missed, empty, unmarked, worst } = *self;
+        eprintln!(
+            "{name}: {count} special: missed {missed}, empty {empty}, unmarked {unmarked}, worst pose {worst:.1e}"
+        );
+        assert!(worst < 1e-12, "{name}: {worst}");
+        assert_eq!((missed, empty), (0, 0), "{name}");
+        // Singular twice over or not: what the pose does not tell is said.
+        assert_eq!(unmarked, 0, "{name}");
+    }
+}
+
+/// Multiples of 15, 30, 45 and 90 degrees, joints at their limits, and postures at and beside right angles.
 #[test]
 fn nice_angles_limits_and_singularities() {
     for (name, _) in ROBOTS.into_iter().filter(|(name, _)| *name != "kinova-gen3" && asked_for(name)) {
         let bench = Bench::new(robot(name));
         let mut random = Random::new(2);
-        let (mut missed, mut worst, mut empty, mut unmarked) = (0, 0.0f64, 0, 0);
-        let count = (postures() / 2).min(40_000);
-        for k in 0..count {
+        let mut special = Special::default();
+        for k in 0..(postures() / 2).min(40_000) {
             let mut q = bench.random(&mut random);
             let step = [15.0, 30.0, 45.0, 90.0][random.below(4)] * PI / 180.0;
-            let beside = [0.0, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12][random.below(6)];
+            let beside = BESIDE[random.below(6)];
             for j in 0..q.len() {
                 let limits = bench.robot.joints[bench.robot.moving()[j]].limits.position;
                 match (k % 4, limits) {
@@ -202,31 +245,49 @@ fn nice_angles_limits_and_singularities() {
                     _ => {}
                 }
             }
-            let (error, nearest, _) = bench.check(&q, true);
-            worst = worst.max(error);
-            if nearest > 1e-5 {
-                missed += 1;
-                if missed < 4 {
-                    eprintln!("{name}: near {q:?}: {nearest:e}");
-                }
-            }
-            let (error, nearest, found) = bench.check(&q, false);
-            worst = worst.max(error);
-            empty += usize::from(found.list.is_empty());
-            if nearest > 1e-4 && found.status == Status::Ok {
-                unmarked += 1;
-                if unmarked < 4 {
-                    eprintln!("{name}: unmarked {q:?}: {nearest:e} of {}", found.list.len());
-                }
-            }
+            special.look(&bench, name, &q);
         }
-        eprintln!(
-            "{name}: {count} special: missed {missed}, empty {empty}, unmarked {unmarked}, worst pose {worst:.1e}"
-        );
-        assert!(worst < 1e-12, "{name}: {worst}");
-        assert_eq!((missed, empty), (0, 0), "{name}");
-        // Singular twice over or not: what the pose does not tell is said.
-        assert_eq!(unmarked, 0, "{name}");
+        special.judge(name);
+    }
+}
+
+/// How far beside a singularity, rad.
+const BESIDE: [f64; 6] = [0.0, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
+
+/// Postures singular once, twice or three times: zeros of the Jacobian's determinant along random lines, by bisection; of half of
+/// them the wrist is straight, too.
+#[test]
+fn zeros_of_the_determinant() {
+    for name in ["puma560", "staubli-tx40", "ur10e", "stanford"].into_iter().filter(|name| asked_for(name)) {
+        let bench = Bench::new(robot(name));
+        // Without the straight wrist, which would be a factor of every posture.
+        let determinant = |q: &[f64]| bench.oracle.jacobian(q).fixed_columns::<6>(0).determinant() / q[4].sin();
+        let mut random = Random::new(6);
+        let mut special = Special::default();
+        let mut k = 0;
+        while special.count < (postures() / 4).min(10_000) {
+            let (from, to) = (bench.random(&mut random), bench.random(&mut random));
+            let at = |t: f64| -> Vec<f64> {
+                // The wrist stands still, away from its zero.
+                (0..6).map(|j| if j == 4 { 1.0 } else { from[j] + t * (to[j] - from[j]) }).collect()
+            };
+            let (mut low, mut high) = (0.0, 1.0);
+            let (first, last) = (determinant(&at(low)), determinant(&at(high)));
+            if first * last > 0.0 {
+                continue;
+            }
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                if determinant(&at(middle)) * first > 0.0 { low = middle } else { high = middle }
+            }
+            let mut q = at(low);
+            k += 1;
+            q[4] = if k % 2 == 0 { [0.0, PI][random.below(2)] } else { bench.random(&mut random)[4] };
+            let beside = BESIDE[random.below(6)];
+            q.iter_mut().for_each(|x| *x += beside * random.even(1.0));
+            special.look(&bench, name, &q);
+        }
+        special.judge(name);
     }
 }
 
