@@ -42,7 +42,7 @@ pub(super) const ACCELERATION_TIME: f64 = 0.5;
 pub fn motions(lwr: &Lwr, seed: u64, watch: Watch<'_>) -> Result<Vec<Motion>, ReproduceError> {
     let arm = Differentiated::new(&lwr.robot);
     let asked = CRITERIA.into_iter().chain([(LINKS, Criterion::Condition), ("tool", Criterion::LogDet)]);
-    let asked = asked.map(|(name, criterion)| (name, criterion, SECONDS[0], 4, seed));
+    let asked = asked.map(|(name, criterion)| (name, criterion, SECONDS[0], Effort::default().starts, seed));
     // Large and fast, for another criterion's sake and from other starts than what is judged on it.
     let validate = ("validate", Criterion::Hadamard, SECONDS[1], 1, seed ^ 0x5eed);
     let mut all = Vec::new();
