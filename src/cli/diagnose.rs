@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use indicatif::ProgressBar;
 
-use super::prepare::{Torque, keep, try_pass};
+use super::prepare::{Torque, keep, try_pass, warned};
 use super::{Failure, files};
 use crate::arm::Arm;
 use crate::diagnose::{self, Diagnosis, Recording, Separation, Settings};
@@ -162,7 +162,7 @@ impl Diagnose {
             let mut recording = Recording::new(&path.display().to_string());
             match try_pass(path, dof, &prepare, |motion| recording.absorb(motion))? {
                 Ok(found) => {
-                    prepared.push(found);
+                    prepared.push(warned(path, found));
                     return Ok(recording);
                 }
                 Err(PrepareError::Cutoff { .. }) if cutoff > 1.0 => cutoff *= 0.6,

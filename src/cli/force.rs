@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use dh_codegen::arm::param;
 
-use super::prepare::{Preparation, pass};
+use super::prepare::{Preparation, pass, warned};
 use super::{Failure, files};
 use crate::arm::Arm;
 use crate::force::{
@@ -156,7 +156,7 @@ impl Force {
             let mut tool = arm.bodies(&standard);
             let shown = path.display().to_string();
             let mut run = Run::new(&shown, known, &mut tool, settings.clone()).map_err(Failure::input)?;
-            prepared.push(pass(path, arm.dof(), &prepare, |motion| run.absorb(motion))?);
+            prepared.push(warned(path, pass(path, arm.dof(), &prepare, |motion| run.absorb(motion))?));
             let mut series = run.finish();
             if self.against == Some(Against::Measured) && series.measured.is_empty() {
                 return Err(Failure::input(format!(

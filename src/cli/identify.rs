@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 use dh_codegen::arm::param::{self, Parameter};
 use dh_codegen::robot::Robot;
 
-use super::prepare::{Preparation, against_limits, pass};
+use super::prepare::{Preparation, against_limits, pass, warned};
 use super::{Failure, files};
 use crate::arm::{Arm, Reach};
 use crate::coupled::Coupled;
@@ -133,7 +133,7 @@ impl Identify {
         let mut prepared = Vec::new();
         let mut factor = |path: &PathBuf| -> Result<Factors, Failure> {
             let mut stack = Stack::new(&path.display().to_string(), &arm, settings);
-            prepared.push(pass(path, arm.dof(), &prepare, |motion| stack.absorb(motion))?);
+            prepared.push(warned(path, pass(path, arm.dof(), &prepare, |motion| stack.absorb(motion))?));
             Ok(stack.finish())
         };
         let fit: Vec<Factors> = self.logs.iter().map(&mut factor).collect::<Result<_, _>>()?;

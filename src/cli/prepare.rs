@@ -9,7 +9,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::{Failure, files};
 use crate::identify::{DeadZone, StackSettings};
-use crate::log::{Keep, Limits, Quantity, beyond, open};
+use crate::log::{Finding, Keep, Kind, Limits, Quantity, beyond, open};
 use crate::signal::{Filter, Motion, Prepare, PrepareError, Prepared, each_motion};
 
 /// Low-pass, clock, torque column, and what to keep.
@@ -140,6 +140,15 @@ pub(super) fn against_limits(prepared: &mut [Prepared], robot: &Robot) {
     for log in prepared {
         log.findings.extend(beyond(&log.reached, &limits));
     }
+}
+
+/// A log as it was read, after one line of warning where it has columns that nobody knows, whatever else is printed where.
+pub(super) fn warned(path: &Path, log: Prepared) -> Prepared {
+    let unknown = |finding: &&Finding| matches!(finding.kind, Kind::UnknownColumns { .. });
+    if let Some(finding) = log.findings.iter().find(unknown) {
+        eprintln!("{}: warning: {finding}", path.display());
+    }
+    log
 }
 
 /// One pass over a log, with a bar on a terminal.

@@ -14,12 +14,13 @@ use super::table::Table;
 use super::{Failure, files};
 use crate::log::csv;
 use crate::simulate::{Method, Mode, Recording, Request, Side, SimulateError, Simulator, Trajectory};
+use crate::trajectory::Trajectory as Motion;
 use crate::{report, simulate};
 
 /// Play a motion on the simulated robot and record a log.
 ///
 /// The trajectory has columns `t, q1..` and, where they are known, `dq1..` and `ddq1..` (quintics between the rows; what is missing comes
-/// from splines). The bodies are those of the robot file, the drives those of the file and of `--effects`; a loop makes the arm follow, and
+/// from splines), or is a file of coefficients. The bodies are those of the robot file, the drives those of the file and of `--effects`; a loop makes the arm follow, and
 /// sensors of 1 kHz record `t, q1.., tau1.., qd1..`. docs/simulate.md shows every effect.
 #[derive(Args)]
 #[command(
@@ -28,8 +29,8 @@ use crate::{report, simulate};
 pub(super) struct Simulate {
     /// Robot file; every link's inertial parameters must be in it.
     robot: PathBuf,
-    /// The motion, CSV with a header.
-    #[arg(long, value_name = "CSV", required_unless_present = "free")]
+    /// The motion: CSV with a header, or the coefficients (.json) that `excite --coefficients` writes.
+    #[arg(long, value_name = "FILE", required_unless_present = "free")]
     trajectory: Option<PathBuf>,
     /// Where the log goes: .csv or .csv.gz.
     #[arg(long, value_name = "LOG")]
@@ -141,8 +142,11 @@ impl Simulate {
         let Some(path) = &self.trajectory else {
             return Err(Failure::input("--free takes its start from --start q1,q2,.. or from --trajectory CSV"));
         };
-        let table = Table::read(path)?;
         let shown = path.display();
+        if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
+            return self.coefficients(path, n, mode);
+        }
+        let table = Table::read(path)?;
         let found = table.count("q");
         if found == 0 {
             table.column("q1")?;
@@ -169,6 +173,26 @@ impl Simulate {
         let made = Trajectory::new(n, t, q, optional("dq")?, optional("ddq")?);
         let made = made.and_then(|m| if let Some(tau) = tau { m.with_torques(tau) } else { Ok(m) });
         made.map_err(|e| Failure::input(format!("{shown}: {e}")))
+    }
+
+    /// What `excite --coefficients` wrote.
+    fn coefficients(&self, path: &Path, n: usize, mode: Mode) -> Result<Trajectory, Failure> {
+        let shown = path.display();
+        let bad = |what: String| Failure::input(format!("{shown}: {what}"));
+        let value = serde_json::from_str(&files::text(path)?).map_err(|e| bad(format!("not JSON: {e}")))?;
+        let mend = "a motion in JSON is what `denavit excite --coefficients` writes; else give a CSV";
+        let motion = Motion::from_json(&value).map_err(|e| bad(format!("{e}; {mend}")))?;
+        if motion.dof() != n {
+            return Err(bad(SimulateError::Joints { found: motion.dof(), expected: n }.to_string()));
+        }
+        if mode == Mode::Torque {
+            return Err(bad("coefficients have no torques to play; give a CSV with tau1..".into()));
+        }
+        match self.free {
+            Some(duration) => Trajectory::rest(&motion.at(0.0).q, duration),
+            None => Trajectory::of_motion(&motion),
+        }
+        .map_err(|e| bad(e.to_string()))
     }
 
     fn failed(&self, error: SimulateError) -> Failure {

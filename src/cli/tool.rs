@@ -7,7 +7,7 @@ use clap::Args;
 use dh_codegen::arm::{Function, param};
 use dh_codegen::robot::Tool;
 
-use super::prepare::{Preparation, against_limits, pass};
+use super::prepare::{Preparation, against_limits, pass, warned};
 use super::{Failure, files};
 use crate::arm::Arm;
 use crate::identify::{Factors, Stack, Trace, Tracer};
@@ -155,7 +155,7 @@ impl ToolVerb {
         prepared: &mut Vec<Prepared>,
     ) -> Result<Factors, Failure> {
         let mut stack = Stack::new(&path.display().to_string(), carrying, self.preparation.stack());
-        prepared.push(pass(path, carrying.dof(), prepare, |motion| stack.absorb(motion))?);
+        prepared.push(warned(path, pass(path, carrying.dof(), prepare, |motion| stack.absorb(motion))?));
         Ok(stack.finish())
     }
 

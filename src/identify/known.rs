@@ -67,6 +67,7 @@ impl<'a> Known<'a> {
             triangle,
             samples: whole.samples,
             range: whole.range,
+            reach: whole.reach,
             batches,
         }
     }

@@ -97,6 +97,7 @@ fn without(log: &Factors, out: &std::ops::Range<usize>) -> Factors {
             batches,
             columns: joint.columns.clone(),
             range: joint.range,
+            reach: joint.reach,
         }
     };
     Factors { joints: log.joints.iter().map(joint).collect(), ..log.clone() }

@@ -2,6 +2,13 @@
 
 use crate::arm::{Arm, States, SummedSign};
 
+/// Whether a base parameter is a drive's own of this kind: `FC7`, `FC7R`. The number is that of the table's row, not of the moving joint: fixed rows
+/// count. A drive's column stands in its own joint's row alone, so that the row tells whose it is.
+pub(crate) fn is_drive(name: &str, kind: &str) -> bool {
+    let number = name.strip_prefix(kind).unwrap_or("").trim_end_matches('R');
+    !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit())
+}
+
 /// Where each joint's entries stand in [`Arm::base_pattern`].
 #[derive(Debug, Clone)]
 pub(crate) struct Rows {
@@ -25,10 +32,8 @@ impl Rows {
         for row in &columns {
             offsets.push(offsets[offsets.len() - 1] + row.len());
         }
-        let name = |c: usize| arm.base_parameters()[c].name.trim_end_matches('R').to_string();
-        let coulomb =
-            |(joint, row): (usize, &Vec<usize>)| row.iter().position(|&c| name(c) == format!("FC{}", joint + 1));
-        let coulomb = columns.iter().enumerate().map(coulomb).collect();
+        let coulomb = |row: &Vec<usize>| row.iter().position(|&c| is_drive(&arm.base_parameters()[c].name, "FC"));
+        let coulomb = columns.iter().map(coulomb).collect();
         Self { columns, offsets, coulomb, sums: arm.summed_signs() }
     }
 
@@ -54,5 +59,40 @@ impl Rows {
                 column.iter_mut().zip(sign).for_each(|(w, s)| *w = factor * s);
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::interpreted::Interpreted;
+
+    #[test]
+    fn a_fixed_row_does_not_move_the_friction_of_the_joints_behind_it() {
+        let drive = "drive: { rotor_inertia: 0, friction: { viscous_friction: 0, coulomb_friction: 0 } }";
+        let text = format!(
+            "name: elbow\nconvention: modified\njoints:\n  - {{ type: revolute, {drive} }}\n  - {{ type: fixed, alpha: 90deg, d: 0.2 }}\n  - \
+             {{ type: revolute, d: 0.3, {drive} }}\n"
+        );
+        let robot = dh_codegen::robot::Robot::from_yaml(&text, &|_| Err(String::new())).unwrap().robot;
+        let arm = Interpreted::new(&robot, &[]);
+        let rows = Rows::new(&arm);
+        for (joint, name) in ["FC1", "FC3"].iter().enumerate() {
+            let at = rows.coulomb[joint].map(|k| rows.columns[joint][k]);
+            assert_eq!(at.map(|c| arm.base_parameters()[c].name.as_str()), Some(*name));
+        }
+        // A sign that is given takes its place.
+        let states = States { len: 1, q: vec![0.1, 0.2], dq: vec![1.0, 1.0], ddq: vec![0.0; 2] };
+        let (mut plain, mut given) = (Vec::new(), Vec::new());
+        rows.evaluate(&arm, &states, &[], &mut plain);
+        rows.evaluate(&arm, &states, &[0.25, -0.5], &mut given);
+        let changed: Vec<f64> = plain.iter().zip(&given).filter(|(a, b)| a != b).map(|(_, b)| *b).collect();
+        assert_eq!(changed, [0.25, -0.5]);
+    }
+
+    #[test]
+    fn names_of_drives() {
+        assert!(is_drive("FC7", "FC") && is_drive("IA12R", "IA"));
+        assert!(!is_drive("FCM2", "FC") && !is_drive("FC", "FC") && !is_drive("FV1", "FC"));
     }
 }

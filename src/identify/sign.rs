@@ -1,8 +1,11 @@
 //! Whether a joint's torque was recorded with the other sign.
 
+use nalgebra::DMatrix;
+
 use super::{
+    rows::is_drive,
     stack::Factors,
-    wls::{JointSystem, Problem, Solution, stacked},
+    wls::{JointSystem, Problem, Solution, positions, stacked},
 };
 use crate::{
     arm::Arm,
@@ -26,25 +29,67 @@ fn stands(joint: &JointSystem) -> bool {
     squares.sqrt() > 0.99 * trace
 }
 
-/// With a model: joints whose torque runs against what it predicts (correlation below -0.5; of a joint in one posture, where an offset or a payload may
-/// say the same, below -0.95).
-pub(super) fn against_model(joints: &[JointSystem], beta: &[f64]) -> Vec<Finding> {
-    let mut findings = Vec::new();
-    for (index, joint) in joints.iter().enumerate().filter(|(_, j)| j.samples > 0) {
-        let n = joint.columns.len();
-        let mut x: Vec<f64> = joint.columns.iter().map(|&c| beta[c]).collect();
-        x.push(0.0);
-        let predicted = joint.triangle.apply(&x);
-        let measured = joint.triangle.column(n);
-        let inner: f64 = predicted.iter().zip(measured).map(|(a, b)| a * b).sum();
-        let norm = |v: &[f64]| v.iter().map(|a| a * a).sum::<f64>().sqrt();
-        let correlation = inner / (norm(&predicted) * norm(measured));
-        let most = if stands(joint) { -0.95 } else { -0.5 };
-        if correlation < most && joint.batches.len() >= BATCHES {
-            findings.push(finding(index, correlation));
-        }
+/// What stands is held by friction anywhere between its levels, and torque sensors have offsets: of real arms up to some percent of the torques they are made for
+/// (a Staubli TX40: 7 %). As a share of the largest torque of the arm.
+const STICTION: f64 = 0.02;
+/// How many times its own standard deviation, and of a joint that stands how many times friction, the prediction must be.
+const SURE: f64 = 3.0;
+/// A joint that has not moved farther than this, rad (m), may have been sliding nowhere: what a gear does within its teeth is a spring with memory, and its friction has no sign.
+const TRAVEL: f64 = 0.05;
+
+/// Values of the base parameters that torques are held against, and what is known of them.
+pub(super) struct Model<'a> {
+    /// The model's base parameters.
+    pub(super) beta: &'a [f64],
+    /// Covariance of the active ones among them, and these; none where the model is given.
+    pub(super) covariance: Option<(&'a DMatrix<f64>, &'a [usize])>,
+}
+
+impl Model<'_> {
+    /// Variance of the predicted torque, mean over the samples, N^2 m^2.
+    fn variance(&self, joint: &JointSystem) -> f64 {
+        let Some((covariance, active)) = self.covariance else { return 0.0 };
+        let (pairs, n) = (joint.active(&positions(active, self.beta.len())), joint.columns.len() + 1);
+        let sum: f64 = pairs
+            .iter()
+            .flat_map(|&(i, p)| pairs.iter().map(move |&(k, q)| (i, p, k, q)))
+            .map(|(i, p, k, q)| covariance[(p, q)] * joint.gram[i + k * n])
+            .sum();
+        sum.max(0.0) / joint.samples.max(1) as f64
     }
-    findings
+
+    /// Joints whose torque runs against what the model predicts (correlation below -0.5), where the prediction is more than its own deviation and, turned about, nearer to
+    /// the torque than nothing is. Of a joint in one posture, where an offset or a payload may say the same, the correlation must be below -0.95 and the prediction a
+    /// torque that counts.
+    pub(super) fn opposed(&self, joints: &[JointSystem]) -> Vec<Finding> {
+        let mut findings = Vec::new();
+        let largest = joints.iter().map(|j| j.torque_rms).fold(0.0, f64::max);
+        for (index, joint) in joints.iter().enumerate().filter(|(_, j)| j.samples > 0) {
+            let n = joint.columns.len();
+            let mut x: Vec<f64> = joint.columns.iter().map(|&c| self.beta[c]).collect();
+            x.push(0.0);
+            let predicted = joint.triangle.apply(&x);
+            let measured = joint.triangle.column(n);
+            let inner: f64 = predicted.iter().zip(measured).map(|(a, b)| a * b).sum();
+            let norm = |v: &[f64]| v.iter().map(|a| a * a).sum::<f64>().sqrt();
+            let (of_model, of_log) = (norm(&predicted), norm(measured));
+            let correlation = inner / (of_model * of_log);
+            let size = of_model / (joint.samples as f64).sqrt();
+            let (most, least) = if stands(joint) { (-0.95, SURE * STICTION * largest) } else { (-0.5, 0.0) };
+            // |tau + W beta| < |tau|
+            let explains = of_model < -2.0 * correlation * of_log;
+            let counts = size > least && size > SURE * self.variance(joint).sqrt();
+            if correlation < most && explains && counts && joint.batches.len() >= BATCHES {
+                findings.push(finding(index, correlation));
+            }
+        }
+        findings
+    }
+
+    /// The same for a single log.
+    pub(super) fn opposed_by(&self, log: &Factors) -> Vec<Finding> {
+        self.opposed(&JointSystem::all(std::slice::from_ref(log), log.parameters))
+    }
 }
 
 /// Without a model: joints whose torque, turned about, agrees far better with the equations of the others; and joints whose
@@ -64,18 +109,17 @@ pub(super) fn against_fit(arm: &dyn Arm, problem: &Problem<'_>, solution: &Solut
     };
     let as_is = residual(&scale, None);
     for (index, joint) in problem.joints.iter().enumerate().filter(|(_, j)| j.samples > 0) {
-        let drive: Vec<usize> = ["IA", "FV", "FC"]
-            .iter()
-            .filter_map(|kind| {
-                parameters.iter().position(|p| p.name.trim_end_matches('R') == format!("{kind}{}", index + 1))
-            })
-            .collect();
-        let negative = drive.len() >= 2 && drive.iter().all(|&c| solution.beta[c] < -3.0 * std[c]);
+        let of = |kind: &str, c: &usize| is_drive(&parameters[*c].name, kind);
+        let drive: Vec<usize> =
+            ["IA", "FV", "FC"].iter().filter_map(|kind| joint.columns.iter().copied().find(|c| of(kind, c))).collect();
+        let turned = residual(&scale, Some(index));
+        let slid = joint.travel > TRAVEL;
+        let negative = slid && drive.len() >= 2 && drive.iter().all(|&c| solution.beta[c] < -3.0 * std[c]);
         // Of two joints that contradict each other, the one whose friction came out negative is the one to turn about.
         let friction = drive.iter().filter(|&&c| !parameters[c].name.starts_with("IA"));
         let brakes = friction.clone().count() > 0 && friction.clone().all(|&c| solution.beta[c] > 0.0);
         // Torque that is next to nothing says nothing about its sign.
-        let better = residual(&scale, Some(index)) < 0.5 * as_is;
+        let better = turned < 0.5 * as_is;
         if joint.torque_rms > 0.0 && (negative || (better && !brakes)) {
             let explained =
                 1.0 - (joint.residual_norm(&solution.beta) / joint.torque_rms).powi(2) / joint.samples as f64;
@@ -83,9 +127,4 @@ pub(super) fn against_fit(arm: &dyn Arm, problem: &Problem<'_>, solution: &Solut
         }
     }
     findings
-}
-
-/// Which of the logs has the joint's torque the wrong way about, by the identified model.
-pub(super) fn by_log(log: &Factors, beta: &[f64]) -> Vec<Finding> {
-    against_model(&JointSystem::all(std::slice::from_ref(log), log.parameters), beta)
 }

@@ -152,14 +152,16 @@ pub fn solve(
         }
     }
     let mut findings = match &before {
-        Some(beta) if beta.iter().any(|v| *v != 0.0) => sign::against_model(&joints, beta),
+        Some(beta) if beta.iter().any(|v| *v != 0.0) => sign::Model { beta, covariance: None }.opposed(&joints),
         _ => Vec::new(),
     };
     if findings.is_empty() {
         findings = sign::against_fit(arm, &problem, &solution, &std);
     }
+    let known = Some((&covariance, solution.active.as_slice()));
+    let model = sign::Model { beta: &solution.beta, covariance: known };
     for log in validate {
-        for suspicion in sign::by_log(log, &solution.beta) {
+        for suspicion in model.opposed_by(log) {
             if findings.iter().all(|f| f.column != suspicion.column) {
                 findings.push(suspicion);
             }

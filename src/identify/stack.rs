@@ -53,6 +53,8 @@ pub struct JointFactor {
     pub samples: usize,
     /// Least and largest torque, N m.
     pub range: [f64; 2],
+    /// Least and largest position, rad or m.
+    pub reach: [f64; 2],
     pub(super) batches: Batches,
 }
 
@@ -122,6 +124,7 @@ impl<'a> Stack<'a> {
                 columns,
                 samples: 0,
                 range: [f64::INFINITY, f64::NEG_INFINITY],
+                reach: [f64::INFINITY, f64::NEG_INFINITY],
                 batches: Batches::new(),
             })
             .collect();
@@ -144,6 +147,11 @@ impl<'a> Stack<'a> {
         let step = motion.period * motion.stride.max(1) as f64;
         let full = ((self.settings.batch / step).ceil() as usize).max(8);
         self.factors.seconds += motion.picks().len() as f64 * step;
+        for (factor, q) in self.factors.joints.iter_mut().zip(motion.states.q.chunks_exact(motion.states.len.max(1))) {
+            for s in motion.picks() {
+                factor.reach = [factor.reach[0].min(q[s]), factor.reach[1].max(q[s])];
+            }
+        }
         if let Some((order, cutoff)) = self.settings.parallel
             && let Ok(sos) = low_pass(order, cutoff, motion.period.recip())
         {

@@ -19,6 +19,8 @@ use super::track::Line;
 pub(super) enum Bound {
     /// Out of reach.
     Reach,
+    /// The arm can't hold the roller in this direction there.
+    Direction,
     /// The branch of the inverse ends or is not smooth: a singularity.
     Singular,
     /// Travel of a joint (from 0).

@@ -119,9 +119,10 @@ pub fn plan(task: &Task<'_>, progress: Progress<'_>) -> Result<Plan, Infeasible>
         let short = task.surface.width - (b - a);
         if short > 1e-9 {
             let reason = format!(
-                "{} lanes of {} m leave {short:.4} m of the wall's width of {} m unpainted; {} lanes are needed",
-                task.lanes,
+                "{} of {} m {} {short:.4} m of the wall's width of {} m unpainted; {} are needed",
+                if task.lanes == 1 { "1 lane".into() } else { format!("{} lanes", task.lanes) },
                 task.roller.width,
+                if task.lanes == 1 { "leaves" } else { "leave" },
                 task.surface.width,
                 Strokes::fewest(&task.surface, task.roller.width)
             );
@@ -177,6 +178,7 @@ impl Search<'_> {
         let joint = |j: usize| self.judge.task.limits[j].name.clone();
         match bound {
             Bound::Reach => "reach".into(),
+            Bound::Direction => "direction of the roller".into(),
             Bound::Singular => "singularity".into(),
             Bound::Position(j) => format!("travel of {}", joint(j)),
             Bound::Velocity(j) => format!("speed of {}", joint(j)),
@@ -203,6 +205,7 @@ impl Search<'_> {
         let amount = broken.amount;
         match broken.bound {
             Bound::Reach => format!("out of reach by {amount:.4} m {place}"),
+            Bound::Direction => format!("the arm can't point the roller there: {amount:.4} rad off {place}"),
             Bound::Singular => format!("the posture can't be followed (singularity, or its branch ends) {place}"),
             Bound::Position(j) => {
                 let [low, high] = task.limits[j].position;

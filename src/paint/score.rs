@@ -127,11 +127,12 @@ impl<'a> Judge<'a> {
             .iter()
             .zip(&all)
             .filter(|(_, p)| p.distance[0] + p.distance[1] > 0.0)
-            .map(|(line, p)| Broken {
-                bound: Bound::Reach,
-                amount: p.distance[0].max(p.distance[1]),
-                weight: p.distance[0] / 0.1 + p.distance[1],
-                at: line.place(grid.chebyshev.points[p.farthest]),
+            .map(|(line, p)| {
+                // m and rad are weighed against each other as in the weight; what weighs more is told, in its own unit.
+                let [place, turn] = [p.distance[0] / 0.1, p.distance[1]];
+                let (bound, amount) =
+                    if place >= turn { (Bound::Reach, p.distance[0]) } else { (Bound::Direction, p.distance[1]) };
+                Broken { bound, amount, weight: place + turn, at: line.place(grid.chebyshev.points[p.farthest]) }
             })
             .collect();
         let first = all.first().and_then(|p| p.lists.first()).cloned().unwrap_or_default();

@@ -388,7 +388,8 @@ impl Preparer {
             }
         }
         let period = if resample { nominal } else { mean };
-        if let Some(filter) = self.settings.filter {
+        // A single row has no rate; that it is too few is said elsewhere.
+        if let Some(filter) = self.settings.filter.filter(|_| t.len() > 1) {
             let rate = period.recip();
             let sos = low_pass(filter.order, filter.cutoff, rate)
                 .map_err(|source| PrepareError::Cutoff { file: self.file.clone(), source })?;

@@ -85,6 +85,40 @@ impl Trajectory {
         Ok(Self { dof, t, q, dq, ddq, tau: Vec::new() })
     }
 
+    /// The same motion as a spline or a Fourier series: exactly, where pieces of a spline are of fifth degree or less and their second derivative is
+    /// continuous; else through its values at 1 kHz.
+    ///
+    /// # Errors
+    /// Where it has no duration.
+    pub fn of_motion(motion: &crate::trajectory::Trajectory) -> Result<Self, TrajectoryError> {
+        use crate::trajectory::{Trajectory as Motion, times};
+        let t = match motion {
+            Motion::Spline(spline) if spline.degree <= 5 => {
+                let mut knots = spline.knots.clone();
+                knots.dedup();
+                // A quintic's parts are the same quintic; rows as near as in a CSV let the same doubts be looked for.
+                let parts = |w: &[f64]| ((w[1] - w[0]) * 1000.0 + 1e-6).floor().clamp(1.0, 1e6) as usize;
+                let inner = knots.windows(2).flat_map(|w| {
+                    let n = parts(w);
+                    let (from, step) = (w[0], (w[1] - w[0]) / n as f64);
+                    (0..n).map(move |k| from + step * k as f64)
+                });
+                inner.chain(knots.last().copied()).collect()
+            }
+            _ => times(motion.duration(), 1000.0),
+        };
+        let (n, rows) = (motion.dof(), t.len());
+        let mut columns = [(); 3].map(|()| vec![0.0; n * rows]);
+        for (row, &t) in t.iter().enumerate() {
+            let at = motion.at(t);
+            for (column, values) in columns.iter_mut().zip([&at.q, &at.dq, &at.ddq]) {
+                values.iter().enumerate().for_each(|(joint, value)| column[joint * rows + row] = *value);
+            }
+        }
+        let [q, dq, ddq] = columns;
+        Self::new(n, t, q, Some(dq), Some(ddq))
+    }
+
     /// The same with torques, joint-major, for torque control; they are interpolated linearly.
     pub fn with_torques(mut self, tau: Vec<f64>) -> Result<Self, TrajectoryError> {
         let expected = self.dof * self.t.len();

@@ -75,6 +75,27 @@ fn values(said: &Value) -> Vec<f64> {
 }
 
 #[test]
+fn an_unknown_column_is_one_line_on_standard_error() {
+    let folder = folder("identify-unknown-column");
+    let text: Vec<String> = record(10, 3)
+        .lines()
+        .enumerate()
+        .map(|(k, l)| format!("{l},{}", if k == 0 { "mode" } else { "auto" }))
+        .collect();
+    let log = file(&folder, "mode.csv", text.join("\n") + "\n");
+    let page = folder.join("page.html").display().to_string();
+    for verb in
+        [&["identify", ROBOT, &log, "--report", &page, "--json", "-"][..], &["force", ROBOT, &log, "--json", "-"]]
+    {
+        let run = denavit(verb);
+        assert_eq!(run.status, Some(0), "{}", run.err);
+        let told: Vec<&str> =
+            run.err.lines().filter(|l| l.contains("mode.csv: warning:") && l.contains("mode (")).collect();
+        assert_eq!(told.len(), 1, "{}", run.err);
+    }
+}
+
+#[test]
 fn the_parameters_of_the_robot_are_found() {
     let (said, robot) = (&identified().said, read_robot(ROBOT));
     let base = BaseParameters::new(&robot);

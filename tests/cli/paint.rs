@@ -155,3 +155,12 @@ fn a_run_presses_as_asked_and_shows_it() {
     assert_eq!(wrong.status, Some(2));
     assert!(wrong.err.contains("the plan has 7 joints"), "{}", wrong.err);
 }
+
+#[test]
+fn a_direction_out_of_reach_is_told_in_radians() {
+    // A SCARA's last axis is upright: it can't point a roller at a wall.
+    let wall = ["--tool", QUICK[1], "--center=0.2,0.3,0", "--width", "0.2", "--height", "0.1", "--ground=-2"];
+    let run = denavit(&[&["paint", "plan", "robots/scara.yaml"], &wall[..]].concat());
+    assert_eq!(run.status, Some(1));
+    assert!(run.err.contains("can't point the roller there: 1.5708 rad off"), "{}", run.err);
+}

@@ -141,6 +141,10 @@ fn mistakes_are_told_and_mended() {
     let plain = |text: &str| file(&folder, "one.yaml", text);
     for (text, expected) in [
         ("sensors: { rate: -1000 }", "sensors.rate is -1000; it must be greater than 0, and at most 100000 Hz"),
+        (
+            "sensors: { rate: 500, jitter: 0.001 }",
+            "sensors.jitter is 0.001; it must be from 0 to 0.45 sampling periods",
+        ),
         ("sensors: { rate: 0.1 }", "raise sensors.rate, or give a longer motion"),
         ("joints: { 1: { coulomb_friction: -5 } }", "coulomb_friction of joint 1: FC, the file's included, is -4.8"),
         ("joints: { 1: { viscous_friction: -5 } }", "viscous_friction of joint 1: FV, the file's included, is -4.9"),
@@ -173,4 +177,37 @@ fn mistakes_are_told_and_mended() {
         denavit(&["simulate", "robots/kuka-lbr-med7.yaml", "--free", "1", "--start", "0,0,0,0,0,0,0", "--out", &log]);
     assert_eq!(nowhere.status, Some(2));
     assert!(nowhere.err.contains("has no `links`; add a `links:` list"), "{}", nowhere.err);
+}
+
+#[test]
+fn coefficients_are_the_motion() {
+    let folder = folder("simulate-coefficients");
+    let path = |name: &str| folder.join(name).display().to_string();
+    let exact =
+        file(&folder, "exact.yaml", "control: { mode: exact }\nsensors: { rate: 100, encoder: 0, torque_noise: 0 }\n");
+    for kind in [&["--spacing", "1"][..], &["--fourier", "3", "--periods", "2"]] {
+        let (csv, coefficients) = (path("motion.csv"), path("motion.json"));
+        let design = ["excite", ROBOT, "--duration", "3", "--starts", "2", "--iterations", "4", "--rate", "1000"];
+        let run = denavit(&[&design[..], kind, &["--out", &csv, "--coefficients", &coefficients]].concat());
+        assert_eq!(run.status, Some(0), "{}", run.err);
+        let logs = [&csv, &coefficients].map(|motion| {
+            let log = path("log.csv");
+            let run = denavit(&["simulate", ROBOT, "--trajectory", motion, "--effects", &exact, "--out", &log]);
+            assert!(run.status == Some(0) && !run.err.contains("slope"), "{}", run.err);
+            let text = std::fs::read_to_string(&log).unwrap();
+            let rows =
+                text.lines().skip(1).map(|l| l.split(',').map(|x| x.parse::<f64>().unwrap()).collect::<Vec<_>>());
+            rows.collect::<Vec<_>>()
+        });
+        assert!(logs[0].len() >= 300 && logs[0].len() == logs[1].len(), "{} {}", logs[0].len(), logs[1].len());
+        let largest = |k: usize| logs[0].iter().zip(&logs[1]).map(|(a, b)| (a[k] - b[k]).abs()).fold(0.0, f64::max);
+        assert!((0..3).all(|k| largest(k) < 1e-8), "{:?}", [1, 2].map(largest));
+        // t q1 q2 tau1 tau2; at rest friction may be anything between its levels.
+        let apart = (0..logs[0].len()).filter(|&s| (3..5).any(|k| (logs[0][s][k] - logs[1][s][k]).abs() > 1e-5));
+        assert!(apart.count() < 8);
+    }
+    let other = file(&folder, "other.json", "{\"kind\": \"circle\"}");
+    let run = denavit(&["simulate", ROBOT, "--trajectory", &other, "--out", &path("log.csv")]);
+    assert_eq!(run.status, Some(2));
+    assert!(run.err.contains("other.json") && run.err.contains("excite --coefficients"), "{}", run.err);
 }

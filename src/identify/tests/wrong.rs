@@ -45,3 +45,63 @@ fn exchanged_torques_are_not_explained() {
     let findings = found(&arm, &[exchanged]);
     assert!(findings.iter().any(|f| matches!(f.kind, Kind::Unexplained { .. } | Kind::Sign { .. })), "{findings:?}");
 }
+
+fn signs(findings: &[Finding]) -> Vec<&str> {
+    findings.iter().filter(|f| matches!(f.kind, Kind::Sign { .. })).filter_map(|f| f.column.as_deref()).collect()
+}
+
+/// Joint 2 stands (but for what `tremble` adds), joint 1 moves.
+fn standing(arm: &Planar, seconds: f64, phase: f64, tremble: f64, change: impl Fn(&mut [f64])) -> Motion {
+    let mut m = motion(arm, seconds, 200.0, phase);
+    let len = m.states.len;
+    for s in 0..len {
+        let w = std::f64::consts::TAU * 4.0;
+        let (sin, cos) = (w * s as f64 / 200.0).sin_cos();
+        m.states.q[len + s] = 0.4 + tremble * sin;
+        m.states.dq[len + s] = tremble * w * cos;
+        m.states.ddq[len + s] = -tremble * w * w * sin;
+    }
+    m.tau = vec![0.0; 2 * len];
+    crate::identify::planar::torque(arm, &m.states, &arm.beta(), &mut m.tau);
+    change(&mut m.tau[len..]);
+    add_noise(&mut m, [0.05, 0.02], false, 7);
+    m
+}
+
+#[test]
+fn a_joint_that_stands_tells_no_sign_by_its_offset() {
+    let arm = Planar::new();
+    let fit = log(&arm, 6, |_| {});
+    // Gravity of joint 2 is carried by something else, and a small torque of the other sign is left.
+    let other = standing(&arm, 8.0, 0.0, 0.0, |tau| tau.iter_mut().for_each(|t| *t *= -0.1));
+    let said = |m: Motion| {
+        let log = Factors { name: "other.csv".into(), ..factors(&arm, &[m]) };
+        solve(&arm, std::slice::from_ref(&fit), &[log], &IdentifySettings::default()).unwrap().findings
+    };
+    let found = said(other);
+    assert!(signs(&found).is_empty(), "{found:?}");
+    // Turned about it is told, as the arm's weight is on that joint.
+    let found = said(standing(&arm, 8.0, 0.0, 0.0, |tau| tau.iter_mut().for_each(|t| *t = -*t)));
+    assert_eq!(signs(&found), ["tau2"], "{found:?}");
+}
+
+#[test]
+fn friction_of_a_joint_that_only_trembles_has_no_sign() {
+    let arm = Planar::new();
+    // A millimetre at the tip: what brakes there is a spring with memory, here one that leads.
+    let lead = |m: &mut Motion| {
+        let len = m.states.len;
+        for s in len..2 * len {
+            m.tau[s] -= 2.5 * m.states.dq[s].signum() + 1.5 * m.states.dq[s] + 0.5 * m.states.ddq[s];
+        }
+    };
+    let mut m = standing(&arm, 12.0, 0.3, 2e-3, |_| {});
+    lead(&mut m);
+    let found = solve(&arm, &[factors(&arm, &[m])], &[], &IdentifySettings::default()).unwrap();
+    assert!(signs(&found.findings).is_empty(), "{:?}", found.findings);
+    // The same of a joint that slides is told.
+    let mut m = standing(&arm, 12.0, 0.3, 0.2, |_| {});
+    lead(&mut m);
+    let found = solve(&arm, &[factors(&arm, &[m])], &[], &IdentifySettings::default()).unwrap();
+    assert_eq!(signs(&found.findings), ["tau2"], "{:?}", found.findings);
+}

@@ -192,8 +192,15 @@ fn row(text: &str, mark: Mark, path: &str, robot: &Robot, to: &mut Findings) -> 
             Some(row) => format!("joint {} is fixed", row + 1),
             None => format!("{} has no joint `{}`", robot.name, shortened(text)),
         };
-        let names = robot.joints.iter().map(|joint| joint.name.as_str()).collect::<Vec<_>>().join(", ");
-        let mend = format!("write a number from 1 to {}, or one of {names}", robot.joints.len());
+        let moving = || robot.joints.iter().enumerate().filter(|(_, joint)| joint.kind != JointKind::Fixed);
+        let names = moving().map(|(_, joint)| joint.name.as_str()).collect::<Vec<_>>().join(", ");
+        let mend = match moving().count() == robot.joints.len() {
+            true => format!("write a number from 1 to {}, or one of {names}", robot.joints.len()),
+            false => {
+                let rows = moving().map(|(row, _)| (row + 1).to_string()).collect::<Vec<_>>().join(", ");
+                format!("write the row of a joint that moves ({rows}), or one of {names}")
+            }
+        };
         to.problem(mark, path, what, mend);
     }
     moving
