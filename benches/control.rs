@@ -175,7 +175,14 @@ impl Measured {
 }
 
 fn measure(scene: &Scene, lwr: Lwr, settings: Settings<N>, steps: usize) -> Option<Measured> {
-    let estimator = EstimatorSettings { period: 1e-3, corner: 10.0, weights: [1.0; N], damping: 1e-4, moment: true };
+    let estimator = EstimatorSettings {
+        period: 1e-3,
+        corner: 10.0,
+        weights: [1.0; N],
+        damping: 1e-4,
+        moment: 0.87,
+        turning: [0.5; N],
+    };
     let mut controller = Controller::new(lwr.clone(), settings).ok()?;
     let mut estimator = Estimator::new(lwr, estimator);
     let mut times: [Vec<u32>; 3] = std::array::from_fn(|_| Vec::with_capacity(steps));
