@@ -34,7 +34,7 @@ pub struct Known<'a> {
     /// Standard deviation of each joint's torque error, N m: weights of the estimate.
     pub spread: Vec<f64>,
     /// By how much each joint's friction may be off at most where it has just turned round, N m; infinite where nothing is known of it, 0 where noise explains all torque errors:
-    /// [`EstimatorSettings::turning`]. [`Law::PAPER`] knows no doubt.
+    /// [`EstimatorSettings::turning`].
     pub doubt: Vec<f64>,
 }
 
@@ -297,7 +297,7 @@ fn run_n<const N: usize>(
         weights: std::array::from_fn(|j| 1.0 / (known.spread[j] * known.spread[j]).max(1e-12)),
         damping: 1e-4,
         moment: task.moment,
-        turning: if task.law == Law::PAPER { [0.0; N] } else { std::array::from_fn(|j| known.doubt[j]) },
+        turning: std::array::from_fn(|j| known.doubt[j]),
     };
     let mut estimator = Estimator::new(lend(), estimator);
     let mut sensor = WallSensor::new(task.seed);

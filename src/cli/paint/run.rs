@@ -149,7 +149,7 @@ impl Run {
             standard: &standard,
             drives: own.drives().to_vec(),
             spread: vec![1.0; robot.dof()],
-            doubt: vec![self.doubt; robot.dof()],
+            doubt: vec![if self.paper { 0.0 } else { self.doubt }; robot.dof()],
         };
         let law = if self.paper {
             Law::PAPER

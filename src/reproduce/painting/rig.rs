@@ -74,21 +74,22 @@ impl Roller {
         seed: u64,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Run, ReproduceError> {
+        // Equation (14) as it stands; what is known of a roller's contact and what is not of friction is ours.
+        let paper = law == Law::PAPER;
         let known = Known {
             robot: &self.robot,
             arm: &self.arm,
             standard: &self.standard,
             drives: self.drives.clone(),
             spread: self.spread.clone(),
-            doubt: self.doubt.clone(),
+            doubt: if paper { vec![0.0; self.doubt.len()] } else { self.doubt.clone() },
         };
         let task = Task {
             motion: &self.motion,
             wall: RollerWall::new(CENTER, NORMAL, contact_point(self.robot.tool.as_ref())),
             force: FORCE,
             feedback,
-            // The paper's six components; what is known of a roller's contact is ours.
-            moment: if law == Law::PAPER { f64::INFINITY } else { roller_moment(self.robot.tool.as_ref(), FORCE) },
+            moment: if paper { f64::INFINITY } else { roller_moment(self.robot.tool.as_ref(), FORCE) },
             law,
             corner: CORNER,
             settle: self.settle,
