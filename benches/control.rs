@@ -79,6 +79,11 @@ impl Body<N> for Lwr {
         kuka_lwr4::inverse_dynamics_base(q, dq, ddq, &self.beta)
     }
 
+    // The most work: friction of all joints in doubt.
+    fn turning(&self) -> [f64; N] {
+        [0.1; N]
+    }
+
     fn tool(&mut self, q: &[f64; N]) -> Tool<N> {
         self.contact(q)
     }

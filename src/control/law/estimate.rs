@@ -3,7 +3,7 @@
 //! Positions and torques pass the same low-pass before anything else, so that model and measurement stay in step; velocity and acceleration
 //! are backward differences of what comes out.
 
-use super::least::solve;
+use super::least::{factor, substitute};
 use super::model::{Body, Tool};
 
 /// How the force is estimated.
@@ -139,23 +139,19 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         for (i, row) in a.iter_mut().enumerate() {
             row[i] += damping * trace / M as f64 + if i < 3 { 0.0 } else { 1.0 / (moment * moment) };
         }
-        let of = |torque: &[f64; N]| {
-            let right = core::array::from_fn(|i| (0..N).map(|j| tool.jacobian[i][j] * weights[j] * torque[j]).sum());
-            solve(&mut a.clone(), &right, trace)
-        };
-        let wrench = of(external)?;
+        factor(&mut a, trace)?;
+        let right = core::array::from_fn(|i| (0..N).map(|j| tool.jacobian[i][j] * weights[j] * external[j]).sum());
+        let wrench = substitute(&a, &right);
         let [mut less, mut more] = [[0.0; M]; 2];
         for j in (0..N).filter(|&j| turning[j] != 0.0) {
             // Friction that is more in the model is less at the contact.
-            let mut one = [0.0; N];
-            one[j] = -turning[j];
-            let by = of(&one)?;
+            let by = substitute(&a, &core::array::from_fn(|i| -tool.jacobian[i][j] * weights[j] * turning[j]));
             for i in 0..M {
                 less[i] += by[i].min(0.0);
                 more[i] += by[i].max(0.0);
             }
         }
-        let sound = less.iter().chain(&more).all(|x| x.is_finite());
+        let sound = wrench.iter().chain(&less).chain(&more).all(|x| x.is_finite());
         sound.then_some([wrench, less, more])
     }
 }
