@@ -79,6 +79,11 @@ impl Body<N> for Lwr {
         kuka_lwr4::inverse_dynamics_base(q, dq, ddq, &self.beta)
     }
 
+    // The most work: friction of all joints in doubt.
+    fn turning(&self) -> [f64; N] {
+        [0.1; N]
+    }
+
     fn tool(&mut self, q: &[f64; N]) -> Tool<N> {
         self.contact(q)
     }
@@ -175,7 +180,14 @@ impl Measured {
 }
 
 fn measure(scene: &Scene, lwr: Lwr, settings: Settings<N>, steps: usize) -> Option<Measured> {
-    let estimator = EstimatorSettings { period: 1e-3, corner: 10.0, weights: [1.0; N], damping: 1e-4, moment: true };
+    let estimator = EstimatorSettings {
+        period: 1e-3,
+        corner: 10.0,
+        weights: [1.0; N],
+        damping: 1e-4,
+        moment: 0.87,
+        turning: [0.5; N],
+    };
     let mut controller = Controller::new(lwr.clone(), settings).ok()?;
     let mut estimator = Estimator::new(lwr, estimator);
     let mut times: [Vec<u32>; 3] = std::array::from_fn(|_| Vec::with_capacity(steps));

@@ -8,6 +8,8 @@
 pub mod gains;
 pub mod law;
 pub mod learned;
+#[cfg(test)]
+mod learned_tests;
 pub mod robot;
 
 pub use law::{Command, Controller, Fault, Sample, Settings, Status, Target};

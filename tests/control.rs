@@ -386,8 +386,9 @@ fn the_estimate_is_the_wrench() {
     let found = damped(&jacobian, &weights, &right, 0.0).unwrap();
     assert!(found.iter().zip(wrench).all(|(a, b)| (a - b).abs() < 1e-9), "{found:?}");
 
-    for moment in [true, false] {
-        let settings = EstimatorSettings { period: T, corner: 20.0, weights: [1.0; 6], damping: 1e-9, moment };
+    for moment in [f64::INFINITY, 10.0, 0.0] {
+        let settings =
+            EstimatorSettings { period: T, corner: 20.0, weights: [1.0; 6], damping: 1e-9, moment, turning: [1.0; 6] };
         let mut estimator = Estimator::new(Gantry::default(), settings);
         let mut last = None;
         for k in 0..2000 {
@@ -399,6 +400,58 @@ fn the_estimate_is_the_wrench() {
         assert!(found.iter().zip([0.0, 5.0, 0.0, 0.0, 0.0, 0.0]).all(|(a, b)| (a - b).abs() < 1e-3), "{found:?}");
         assert_eq!(estimator.step(&[f64::NAN; 6], &[0.0; 6]), None);
     }
+}
+
+/// A gantry whose second joint may have friction of 0.4 N less than the model says.
+struct Doubtful(f64);
+
+impl Body<6> for Doubtful {
+    fn torques(&mut self, _: &[f64; 6], _: &[f64; 6], _: &[f64; 6], _: f64) -> [f64; 6] {
+        [0.0; 6]
+    }
+
+    fn turning(&self) -> [f64; 6] {
+        [0.0, self.0, 0.0, 0.0, 0.0, 0.0]
+    }
+
+    fn tool(&mut self, q: &[f64; 6]) -> Tool<6> {
+        Gantry::tool(q)
+    }
+}
+
+#[test]
+fn what_may_be_friction_is_no_force() {
+    let told = |doubt: f64, most: f64, to: f64| {
+        let settings = EstimatorSettings {
+            period: T,
+            corner: 20.0,
+            weights: [1.0; 6],
+            damping: 1e-9,
+            moment: 10.0,
+            turning: [most; 6],
+        };
+        let mut estimator = Estimator::new(Doubtful(0.0), settings);
+        let mut last = None;
+        for k in 0..1000 {
+            if k == 500 {
+                estimator.body().0 = doubt;
+            }
+            last = estimator.step(&[0.0; 6], &[1.0, if k < 500 { 5.0 } else { to }, 0.0, 0.0, 0.0, 0.0]);
+        }
+        last.map(|w| w[1])
+    };
+    let is = |found: Option<f64>, wanted: f64| assert!((found.unwrap() - wanted).abs() < 1e-6, "{found:?} {wanted}");
+    // Friction that is 0.4 N less than the model says is a force that is up to 0.4 N more than was told, and no less.
+    is(told(-0.4, 1.0, 4.7), 5.0);
+    is(told(-0.4, 1.0, 4.0), 4.4);
+    is(told(-0.4, 1.0, 5.3), 5.3);
+    is(told(0.4, 1.0, 5.3), 5.0);
+    is(told(0.4, 1.0, 4.7), 4.7);
+    // No more than is allowed, and nothing without doubt.
+    is(told(-0.4, 0.1, 4.7), 4.8);
+    is(told(-0.4, 0.0, 4.7), 4.7);
+    is(told(0.0, f64::INFINITY, 4.7), 4.7);
+    assert_eq!(told(f64::NAN, 1.0, 4.7), None);
 }
 
 /// Anything at all, and often something sensible.
@@ -426,7 +479,7 @@ proptest! {
         let mut controller = Controller::new(Gantry::default(), settings).unwrap();
         let mut estimator = Estimator::new(
             Gantry::default(),
-            EstimatorSettings { period: T, corner: 20.0, weights: [1.0; 6], damping: 1e-6, moment: true },
+            EstimatorSettings { period: T, corner: 20.0, weights: [1.0; 6], damping: 1e-6, moment: 1.0, turning: [1.0; 6] },
         );
         let mut t = 0.0;
         for (dt, q, force, wanted, press, [dumb, lost, reset]) in steps {

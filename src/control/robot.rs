@@ -17,8 +17,9 @@ pub struct Lent<'a> {
     /// The point of contact in the tool frame, m.
     point: [f64; 3],
     drives: Vec<Drive>,
-    /// Of the bristles that stand for signs, and of the hysteresis.
-    memory: Vec<[f64; 2]>,
+    /// Of the bristles that stand for signs, of the hysteresis, and of friction that turns round as slowly as it may.
+    memory: Vec<[f64; 3]>,
+    turning: Vec<f64>,
     before: Vec<f64>,
     state: ToolState,
     /// Where the tool's state, and the torques at rest, are those of.
@@ -32,6 +33,10 @@ pub struct Lent<'a> {
 
 /// Travel of the bristle that stands for a sign, rad: some steps of an encoder, so that noise does not turn it.
 const TRAVEL: f64 = 5e-5;
+
+/// Travel in which friction has turned round at the latest, to `1 - 2/e`, rad: gears do within some milliradians (`presliding_hysteresis` has 2 by default), and a file that has Coulomb friction alone does not
+/// know where.
+const TURNED: f64 = 3e-3;
 
 /// Planned speed, rad/s, at which friction that is fed forward has 70 % of its level.
 const SLOW: f64 = 0.01;
@@ -57,7 +62,8 @@ impl<'a> Lent<'a> {
             kinematics,
             mount,
             point: contact_point(robot.tool.as_ref()),
-            memory: vec![[0.0; 2]; n],
+            memory: vec![[0.0; 3]; n],
+            turning: vec![0.0; n],
             before: Vec::new(),
             state: ToolState::default(),
             placed: Vec::new(),
@@ -197,14 +203,18 @@ impl<const N: usize> Body<N> for Lent<'_> {
                 let side = if step > 0.0 { 1.0 } else { -1.0 };
                 if step == 0.0 { z } else { side + (z - side) * libm::exp(-step.abs() / travel) }
             };
-            let [sign, hysteresis] = &mut self.memory[j];
+            let [sign, hysteresis, slow] = &mut self.memory[j];
             *sign = bend(*sign, TRAVEL);
             *hysteresis = bend(*hysteresis, drive.hysteresis.map_or(1.0, |h| h.travel));
+            *slow = bend(*slow, TURNED);
             let bodies = inertial + self.bias[j];
+            let mut later = drive.friction(q[j], dq[j], *slow, *hysteresis);
             let mut friction = drive.friction(q[j], dq[j], *sign, *hysteresis);
             if let Some(load) = drive.load {
                 friction += load.level(bodies) * *sign;
+                later += load.level(bodies) * *slow;
             }
+            self.turning[j] = drive.warmth(self.clock) * (later - friction);
             bodies
                 + drive.rotor * ddq[j]
                 + drive.warmth(self.clock) * friction
@@ -212,6 +222,10 @@ impl<const N: usize> Body<N> for Lent<'_> {
                 + drive.ripple(q[j])
                 + drive.spring.map_or(0.0, |s| s.torque(q[j]))
         })
+    }
+
+    fn turning(&self) -> [f64; N] {
+        std::array::from_fn(|j| self.turning[j])
     }
 
     fn tool(&mut self, q: &[f64; N]) -> Tool<N> {

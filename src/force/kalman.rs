@@ -7,7 +7,7 @@
 
 use super::pace::Pace;
 use super::sample::{Estimate, ForceEstimator, Sample, Scale};
-use super::small::{cholesky, dot, finite, forward, inverse, sandwich, times, transposed_times};
+use super::small::{self, cholesky, dot, finite, forward, inverse, sandwich, times, transposed_times};
 use super::wrench::told;
 
 /// The filter.
@@ -39,6 +39,17 @@ struct State<const N: usize> {
     ff: [[f64; 6]; 6],
     /// How fast each component wanders.
     paces: [Pace; 6],
+}
+
+/// In a steady state: see [`Kalman::steady`].
+struct Steady {
+    /// The filter's covariance and that of the parameters.
+    covariance: [[f64; 6]; 6],
+    /// Of each component's noise.
+    density: [f64; 6],
+    /// By how long each component is late for the rate of each, s or by units: the error of a filter of covariance `P` on torques of information `I` (per s) goes as
+    /// `e' = v - P I e`, so that rates `v` leave it `(P I)^-1 v` behind. What is late is late for the others' rates, too.
+    late: [[f64; 6]; 6],
 }
 
 impl<const N: usize> Kalman<N> {
@@ -142,11 +153,12 @@ impl<const N: usize> Kalman<N> {
         if !(finite(&momentum) && finite(&wrench)) {
             return None;
         }
-        let (mut covariance, density) = self.with_model(now, &ff)?;
+        let Steady { mut covariance, density, late } = self.steady(now, &ff)?;
         let mut found = state.paces;
+        (0..6).for_each(|i| found[i].see(wrench[i], density[i], dt));
         for i in 0..6 {
-            found[i].see(wrench[i], density[i], dt);
-            covariance[i][i] += found[i].missing(ff[i][i], density[i]);
+            let of_others: f64 = (0..6).filter(|&j| j != i).map(|j| late[i][j] * late[i][j] * found[j].rate()).sum();
+            covariance[i][i] += found[i].missing(ff[i][i], density[i]) + of_others;
         }
         let surprise = {
             let root = cholesky(&covariance)?;
@@ -159,9 +171,9 @@ impl<const N: usize> Kalman<N> {
         Some((State { before: *now, momentum, wrench, pp, pf, ff, paces: found }, estimate))
     }
 
-    /// The filter's covariance, and that of the model's parameters, which stay the same from sample to sample and so are no noise: `A W C W' A'`,
-    /// `A` the filter's steady map from torque to wrench, least squares weighted by the torques' densities. And the density of each component's noise.
-    fn with_model(&self, now: &Sample<N>, noise: &[[f64; 6]; 6]) -> Option<([[f64; 6]; 6], [f64; 6])> {
+    /// What the filter is where all stays as it is. The model's parameters stay the same from sample to sample and so are no noise: their covariance is `A W C W' A'`,
+    /// `A` the filter's steady map from torque to wrench, least squares weighted by the torques' densities.
+    fn steady(&self, now: &Sample<N>, noise: &[[f64; 6]; 6]) -> Option<Steady> {
         let variance: [f64; N] = core::array::from_fn(|j| self.density[j] + 1e-12);
         let sizes = self.scale.each();
         let information: [[f64; 6]; 6] = core::array::from_fn(|i| {
@@ -175,8 +187,15 @@ impl<const N: usize> Kalman<N> {
             core::array::from_fn(|k| (0..6).map(|j| inverse[i][j] * now.jacobian[j][k]).sum::<f64>() / variance[k])
         });
         let model = sandwich(&map, &now.covariance);
-        let all = core::array::from_fn(|i| core::array::from_fn(|j| noise[i][j] + model[i][j]));
-        Some((all, core::array::from_fn(|i| inverse[i][i])))
+        let late = cholesky(noise).map_or([[0.0; 6]; 6], |root| {
+            let gain = small::inverse(&root);
+            core::array::from_fn(|i| core::array::from_fn(|j| (0..6).map(|k| inverse[i][k] * gain[k][j]).sum()))
+        });
+        Some(Steady {
+            covariance: core::array::from_fn(|i| core::array::from_fn(|j| noise[i][j] + model[i][j])),
+            density: core::array::from_fn(|i| inverse[i][i]),
+            late,
+        })
     }
 }
 

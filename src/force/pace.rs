@@ -37,6 +37,11 @@ impl Pace {
         self.pace
     }
 
+    /// Mean square of its rate of late, squared unit per s^2, at its height; zero where nothing is found out of the estimate.
+    pub fn rate(&self) -> f64 {
+        2.0 * self.rate.max(0.0)
+    }
+
     /// What is missing in the filter's variance `variance` of this component, in noise of this density, as the pace is only found from the estimate:
     ///
     /// - found to wander faster than the filter took it to of late, it has the error of that pace, in a steady state `sqrt(R) w`, already;

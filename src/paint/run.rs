@@ -3,7 +3,7 @@
 //! The arm starts 2 cm before the wall, comes to it, presses at the plan's first point until the force has settled (and wipes 4 cm there and back where drag is
 //! to be predicted), and then paints.
 
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{Robot, Tool};
 
 use super::Plan;
 use super::tune::{Demands, Tuning, plant, tune};
@@ -33,6 +33,9 @@ pub struct Known<'a> {
     pub drives: Vec<Drive>,
     /// Standard deviation of each joint's torque error, N m: weights of the estimate.
     pub spread: Vec<f64>,
+    /// By how much each joint's friction may be off at most where it has just turned round, N m; infinite where nothing is known of it, 0 where noise explains all torque errors:
+    /// [`EstimatorSettings::turning`].
+    pub doubt: Vec<f64>,
 }
 
 /// Which force the loop is closed with.
@@ -76,8 +79,8 @@ pub struct Task<'a> {
     pub force: f64,
     /// Which force the loop is closed with.
     pub feedback: Feedback,
-    /// Whether the estimate allows for a moment at the contact.
-    pub moment: bool,
+    /// How large a moment the estimate allows for at the contact, N m, as a standard deviation: see [`EstimatorSettings::moment`] and [`roller_moment`].
+    pub moment: f64,
     /// What the inner loop adds to equation (13).
     pub law: Law,
     /// Corner of the low-pass of both forces, Hz.
@@ -154,6 +157,11 @@ pub enum RunError {
     /// The simulation.
     #[error(transparent)]
     Simulate(#[from] SimulateError),
+}
+
+/// Standard deviation of the moment at a roller that presses with a force (N), N m: the pressure's middle may be anywhere along its face. Infinite for a tool of no known size.
+pub fn roller_moment(tool: Option<&Tool>, force: f64) -> f64 {
+    tool.and_then(|t| t.geometry).map_or(f64::INFINITY, |g| force * g.width / 12.0_f64.sqrt())
 }
 
 /// The joint motion of a plan's time in contact.
@@ -289,6 +297,7 @@ fn run_n<const N: usize>(
         weights: std::array::from_fn(|j| 1.0 / (known.spread[j] * known.spread[j]).max(1e-12)),
         damping: 1e-4,
         moment: task.moment,
+        turning: std::array::from_fn(|j| known.doubt[j]),
     };
     let mut estimator = Estimator::new(lend(), estimator);
     let mut sensor = WallSensor::new(task.seed);

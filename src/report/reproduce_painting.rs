@@ -79,7 +79,7 @@ pub(super) fn tables(found: &Painting) -> Vec<Table> {
     let table4 = Table {
         title: "Table IV: root mean square differences of the normal force, N, and percent of the desired".into(),
         note: format!(
-            "{} N along the wall's normal, over the whole time of painting. est: equation (14), causal; meas: the sensor in the wall, with noise, through the same low-pass; des: desired. Paper's values beside ours; they were measured with the estimate in the feedback. Laws: the paper's equations (13) and (15) as they stand, and with the planned motion's torques, the desired force, the drag that is predicted, and half of what is left of the force aside fed forward; on a further coat also the displacement that the coats before have learned. Aside: distance between plan and roller in the plane of the wall, mm. The verdict is on estimated against measured.",
+            "{} N along the wall's normal, over the whole time of painting. est: equation (14), causal; meas: the sensor in the wall, with noise, through the same low-pass; des: desired. Paper's values beside ours; they were measured with the estimate in the feedback. Laws: the paper's equations (13) and (15) as they stand, and with the planned motion's torques, the desired force, the drag that is predicted, and half of what is left of the force aside fed forward, where the estimate also knows that the roller carries no larger moment than its width allows, and does not take for force what may be friction that has just turned round; on a further coat also the displacement that the coats before have learned. Aside: distance between plan and roller in the plane of the wall, mm. The verdict is on estimated against measured.",
             found.force
         ),
         head: vec![

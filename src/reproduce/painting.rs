@@ -85,8 +85,6 @@ pub struct Row {
     pub feedback: Feedback,
     /// Which coat: beyond the first, what the coats before have learned is fed forward too.
     pub coat: usize,
-    /// Whether the estimate allowed for a moment at the contact.
-    pub moment: bool,
     /// Everything that was recorded.
     pub run: Run,
     /// Table IV.
@@ -126,7 +124,7 @@ pub struct Painting {
 }
 
 impl Painting {
-    /// The first coat of a roller and a case under a law, with the paper's six components.
+    /// The first coat of a roller and a case under a law.
     pub fn row(&self, roller: &str, case: Case, law: Law, feedback: Feedback) -> Option<&Row> {
         let this = |r: &&Row| r.roller == roller && r.case == case && r.law == law && r.feedback == feedback;
         self.rows.iter().find(|r| this(r) && r.coat == 1)
@@ -196,11 +194,11 @@ pub fn painting(settings: &PaintingSettings, watch: Watch<'_>) -> Result<Paintin
         let mut learned = None;
         for coat in 1..=coats {
             let seed = seed.wrapping_add(100 + k as u64 + 1000 * (coat as u64 - 1));
-            let run = stage.paint(law, feedback, true, learned.as_ref(), seed, &mut |_| {})?;
+            let run = stage.paint(law, feedback, learned.as_ref(), seed, &mut |_| {})?;
             learned.clone_from(&run.learned);
             // Of the coats that have learned the last one is kept.
             rows.truncate(1);
-            rows.push(Row { roller: PAPER[of].0, case, law, feedback, coat, moment: true, run, paper: PAPER[of].1 });
+            rows.push(Row { roller: PAPER[of].0, case, law, feedback, coat, run, paper: PAPER[of].1 });
         }
         Ok(rows)
     };

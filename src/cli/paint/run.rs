@@ -13,7 +13,7 @@ use crate::cli::{Failure, files};
 use crate::control::robot::contact_point;
 use crate::interpreted::Interpreted;
 use crate::paint::Plan;
-use crate::paint::run::{Feedback, Known, Law, RunError, SETTLE, Task, in_contact, run};
+use crate::paint::run::{Feedback, Known, Law, RunError, SETTLE, Task, in_contact, roller_moment, run};
 use crate::paint::wall::RollerWall;
 use crate::report;
 use crate::simulate::{Request, Simulator};
@@ -63,6 +63,14 @@ pub(super) struct Run {
     /// The paper's law: nothing is fed forward but gravity.
     #[arg(long, conflicts_with_all = ["carry", "feed", "aside", "drag"])]
     paper: bool,
+    /// How large a moment the contact may carry, N m (standard deviation); `inf`: any. Default: force times the roller's width over the root of 12, as the pressure's middle may be anywhere along it;
+    /// any with `--paper`.
+    #[arg(long, value_name = "N M", conflicts_with = "no_moment")]
+    moment: Option<f64>,
+    /// By how much a joint's friction may be off at most just after it has turned round, N m: what may be friction is not taken for force. `inf`: by as much as there is;
+    /// 0: the model is right (and with `--paper`).
+    #[arg(long, default_value_t = f64::INFINITY, value_name = "N M")]
+    doubt: f64,
     /// The contact carries no moment: three components of the force are estimated instead of six.
     #[arg(long)]
     no_moment: bool,
@@ -141,6 +149,7 @@ impl Run {
             standard: &standard,
             drives: own.drives().to_vec(),
             spread: vec![1.0; robot.dof()],
+            doubt: vec![if self.paper { 0.0 } else { self.doubt }; robot.dof()],
         };
         let law = if self.paper {
             Law::PAPER
@@ -154,12 +163,18 @@ impl Run {
             Which::Estimated => Feedback::Estimated,
             Which::Measured => Feedback::Measured,
         };
+        let moment = match self.moment {
+            Some(moment) => moment,
+            None if self.no_moment => 0.0,
+            None if self.paper => f64::INFINITY,
+            None => roller_moment(robot.tool.as_ref(), self.force),
+        };
         let task = Task {
             motion: &motion,
             wall,
             force: self.force,
             feedback,
-            moment: !self.no_moment,
+            moment,
             law,
             corner: self.corner,
             settle: self.settle,
@@ -248,6 +263,8 @@ impl Run {
             ("--settle", self.settle, 0.0, 60.0),
             ("--corner", self.corner, 0.5, 200.0),
             ("--stiffness", self.stiffness, 100.0, 1e6),
+            ("--doubt", self.doubt, 0.0, f64::INFINITY),
+            ("--moment", self.moment.unwrap_or(0.0), 0.0, f64::INFINITY),
         ] {
             if !(low..=high).contains(&value) {
                 return Err(Failure::input(format!("{name} {value}: from {low} to {high}")));

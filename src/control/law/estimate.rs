@@ -3,8 +3,8 @@
 //! Positions and torques pass the same low-pass before anything else, so that model and measurement stay in step; velocity and acceleration
 //! are backward differences of what comes out.
 
-use super::least::{damped, solve};
-use super::model::Body;
+use super::least::{factor, substitute};
+use super::model::{Body, Tool};
 
 /// How the force is estimated.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,9 +17,13 @@ pub struct EstimatorSettings<const N: usize> {
     pub weights: [f64; N],
     /// Part of the mean eigenvalue of `J W J'` that is added to all: bounds the estimate near singular postures.
     pub damping: f64,
-    /// Whether the contact may carry a moment. The paper's six components need it; a point or a roller that turns freely has none, and
-    /// without it the force is better known.
-    pub moment: bool,
+    /// How large a moment the contact may carry, N m, as a standard deviation. Infinite: any at all, equation (14) as it stands; 0: none, and three components are found in place of six. What is
+    /// known of the moment makes the force better known: seven torques tell six components hardly better than they are themselves.
+    pub moment: f64,
+    /// By how much the friction of each joint may be off at most where it has just turned round ([`Body::turning`] says where and by how much it could be), N m. There the wrench is only known to lie
+    /// in an interval, and of that the value next to the last one is taken, so that what may be friction does not count as force. Where no joint has just turned round nothing is changed, and nothing
+    /// comes later. 0: equation (14) as it stands.
+    pub turning: [f64; N],
 }
 
 /// What runs along with the arm.
@@ -34,6 +38,7 @@ pub struct Estimator<B, const N: usize> {
     before: [f64; N],
     speed: [f64; N],
     bias: [f64; N],
+    wrench: Option<[f64; 6]>,
     seen: u32,
 }
 
@@ -51,6 +56,7 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
             before: [0.0; N],
             speed: [0.0; N],
             bias: [0.0; N],
+            wrench: None,
             seen: 0,
         }
     }
@@ -97,25 +103,55 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
     pub fn step(&mut self, q: &[f64; N], tau: &[f64; N]) -> Option<[f64; 6]> {
         let external = self.external(q, tau)?;
         let tool = self.body.tool(&self.before);
+        let turning = self.body.turning();
+        let turning = core::array::from_fn(|j| {
+            let most = self.settings.turning[j];
+            if most > 0.0 { turning[j].clamp(-most, most) } else { 0.0 }
+        });
+        let found = if self.settings.moment > 0.0 {
+            self.told::<6>(&tool, &external, &turning)?
+        } else {
+            let [force, less, more] = self.told::<3>(&tool, &external, &turning)?;
+            [force, less, more].map(|w| [w[0], w[1], w[2], 0.0, 0.0, 0.0])
+        };
+        // Of all wrenches that it may be, the one that changes least.
+        let [wrench, less, more] = found;
+        let last = self.wrench.unwrap_or(wrench);
+        let wrench = core::array::from_fn(|i| last[i].clamp(wrench[i] + less[i], wrench[i] + more[i]));
+        if !wrench.iter().all(|x: &f64| x.is_finite()) {
+            return None;
+        }
+        self.wrench = Some(wrench);
+        Some(wrench)
+    }
+
+    /// The first `M` components: as the torques tell them, and by how much they may be less (not above 0) and more, where friction is in doubt.
+    fn told<const M: usize>(&self, tool: &Tool<N>, external: &[f64; N], turning: &[f64; N]) -> Option<[[f64; M]; 3]> {
         let EstimatorSettings { weights, damping, moment, .. } = &self.settings;
-        let mut right = [0.0; 6];
-        for i in 0..6 {
-            right[i] = (0..N).map(|j| tool.jacobian[i][j] * weights[j] * external[j]).sum();
-        }
-        if *moment {
-            return damped(&tool.jacobian, weights, &right, *damping);
-        }
-        let mut a = [[0.0; 3]; 3];
-        for i in 0..3 {
+        let mut a = [[0.0; M]; M];
+        for i in 0..M {
             for k in 0..=i {
                 a[i][k] = (0..N).map(|j| tool.jacobian[i][j] * weights[j] * tool.jacobian[k][j]).sum();
             }
         }
-        let trace: f64 = (0..3).map(|i| a[i][i]).sum();
-        for i in 0..3 {
-            a[i][i] += damping * trace / 3.0;
+        let trace: f64 = (0..M).map(|i| a[i][i]).sum();
+        let moment = moment.max(1e-6);
+        for (i, row) in a.iter_mut().enumerate() {
+            row[i] += damping * trace / M as f64 + if i < 3 { 0.0 } else { 1.0 / (moment * moment) };
         }
-        let force = solve(&mut a, &[right[0], right[1], right[2]], trace)?;
-        Some([force[0], force[1], force[2], 0.0, 0.0, 0.0])
+        factor(&mut a, trace)?;
+        let right = core::array::from_fn(|i| (0..N).map(|j| tool.jacobian[i][j] * weights[j] * external[j]).sum());
+        let wrench = substitute(&a, &right);
+        let [mut less, mut more] = [[0.0; M]; 2];
+        for j in (0..N).filter(|&j| turning[j] != 0.0) {
+            // Friction that is more in the model is less at the contact.
+            let by = substitute(&a, &core::array::from_fn(|i| -tool.jacobian[i][j] * weights[j] * turning[j]));
+            for i in 0..M {
+                less[i] += by[i].min(0.0);
+                more[i] += by[i].max(0.0);
+            }
+        }
+        let sound = wrench.iter().chain(&less).chain(&more).all(|x| x.is_finite());
+        sound.then_some([wrench, less, more])
     }
 }

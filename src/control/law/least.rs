@@ -25,6 +25,13 @@ pub fn damped<const N: usize>(
 
 /// By `L D L'` of the lower triangle; a pivot below rounding of the trace is singular.
 pub(super) fn solve<const M: usize>(a: &mut [[f64; M]; M], right: &[f64; M], trace: f64) -> Option<[f64; M]> {
+    factor(a, trace)?;
+    let y = substitute(a, right);
+    y.iter().all(|x| x.is_finite()).then_some(y)
+}
+
+/// `L D L'` in place of the lower triangle.
+pub(super) fn factor<const M: usize>(a: &mut [[f64; M]; M], trace: f64) -> Option<()> {
     for k in 0..M {
         for j in 0..k {
             a[k][k] -= a[k][j] * a[k][j] * a[j][j];
@@ -40,6 +47,11 @@ pub(super) fn solve<const M: usize>(a: &mut [[f64; M]; M], right: &[f64; M], tra
             a[i][k] /= a[k][k];
         }
     }
+    Some(())
+}
+
+/// The solution for one right side, from what [`factor`] has left.
+pub(super) fn substitute<const M: usize>(a: &[[f64; M]; M], right: &[f64; M]) -> [f64; M] {
     let mut y = *right;
     for i in 0..M {
         for j in 0..i {
@@ -54,5 +66,5 @@ pub(super) fn solve<const M: usize>(a: &mut [[f64; M]; M], right: &[f64; M], tra
             y[i] -= a[j][i] * y[j];
         }
     }
-    y.iter().all(|x| x.is_finite()).then_some(y)
+    y
 }

@@ -42,6 +42,12 @@ pub trait Body<const N: usize> {
     /// Torques of the motion without contact, N m: bodies, tool and friction; `dt` (s) since the call before, for friction with memory.
     fn torques(&mut self, q: &[f64; N], dq: &[f64; N], ddq: &[f64; N], dt: f64) -> [f64; N];
 
+    /// By how much more the friction of each joint may be than the last [`Body::torques`] had it, N m, or less where negative: friction takes some way to turn round with its joint, and how far is not
+    /// known. None by default.
+    fn turning(&self) -> [f64; N] {
+        [0.0; N]
+    }
+
     /// Frame and Jacobian of the point where contact is.
     fn tool(&mut self, q: &[f64; N]) -> Tool<N>;
 }

@@ -21,7 +21,7 @@ use crate::interpreted::Interpreted;
 use crate::inverse::Kinematics;
 use crate::log::{Log, Replay};
 use crate::paint::Plan;
-use crate::paint::run::{Feedback, Known, Law, Run, Task, in_contact, run};
+use crate::paint::run::{Feedback, Known, Law, Run, Task, in_contact, roller_moment, run};
 use crate::paint::wall::RollerWall;
 use crate::plant::RobotPlant;
 use crate::signal::{Filter, Prepare, each_motion};
@@ -37,6 +37,8 @@ pub const NORMAL: [f64; 3] = [1.0, 0.0, 0.0];
 const CORNER: f64 = 10.0;
 /// Samples to one of the diagnosis.
 const THIN: usize = 4;
+/// Torque errors by what noise leaves, up to which noise explains them: the root mean square of 20 s below 10 Hz scatters by a thirtieth.
+const EXPLAINED: f64 = 1.25;
 /// How far before the wall a dry run passes, m.
 const DRY: f64 = 0.05;
 
@@ -48,6 +50,7 @@ pub struct Roller {
     standard: Vec<f64>,
     drives: Vec<Drive>,
     spread: Vec<f64>,
+    doubt: Vec<f64>,
     real: Simulator,
     motion: Trajectory,
     settle: f64,
@@ -67,24 +70,26 @@ impl Roller {
         &self,
         law: Law,
         feedback: Feedback,
-        moment: bool,
         learned: Option<&Learned>,
         seed: u64,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Run, ReproduceError> {
+        // Equation (14) as it stands; what is known of a roller's contact and what is not of friction is ours.
+        let paper = law == Law::PAPER;
         let known = Known {
             robot: &self.robot,
             arm: &self.arm,
             standard: &self.standard,
             drives: self.drives.clone(),
             spread: self.spread.clone(),
+            doubt: if paper { vec![0.0; self.doubt.len()] } else { self.doubt.clone() },
         };
         let task = Task {
             motion: &self.motion,
             wall: RollerWall::new(CENTER, NORMAL, contact_point(self.robot.tool.as_ref())),
             force: FORCE,
             feedback,
-            moment,
+            moment: if paper { f64::INFINITY } else { roller_moment(self.robot.tool.as_ref(), FORCE) },
             law,
             corner: CORNER,
             settle: self.settle,
@@ -103,6 +108,8 @@ pub struct Stand {
     /// One for each of the paper's rollers.
     pub rollers: Vec<Roller>,
     settle: f64,
+    /// Of the friction of each joint where it has just turned round, N m: see [`Known::doubt`].
+    doubt: Vec<f64>,
     effects: Effects,
     tools: Vec<(Tool, [f64; 10])>,
     /// The identified arm with an empty hand.
@@ -188,7 +195,12 @@ impl Stand {
             Some(plans) => plans.to_vec(),
             None => plan_all(&identified, &weighed, extent, tell)?,
         };
-        let rollers = rollers(&identified, &weighed, &plans, lwr, &effects, &rms, extent.settle)?;
+        // Where torque errors are more than noise the model lacks something, and friction that takes its way to turn round may be it.
+        let gain = Filter::default().noise_gain(Lwr::sensors().rate);
+        let noise = |j: usize| gain * Lwr::sensors().torque_noise.get(j).copied().unwrap_or(0.0);
+        let doubtful = |(j, rms): (usize, &f64)| if *rms > EXPLAINED * noise(j) { f64::INFINITY } else { 0.0 };
+        let doubt: Vec<f64> = rms.iter().enumerate().map(doubtful).collect();
+        let rollers = rollers(&identified, &weighed, &plans, lwr, &effects, [&rms, &doubt], extent.settle)?;
         tell("dry run", 0.9);
         let before = {
             let first = &rollers[0];
@@ -199,7 +211,7 @@ impl Stand {
         };
         let dry = record(&lwr.robot, &before, seed.wrapping_add(9))?;
         let logs = vec![("exciting", excited), ("dry run", dry)];
-        Ok(Self { torque, rollers, settle: extent.settle, effects, tools: weighed, identified, logs, validate })
+        Ok(Self { torque, rollers, settle: extent.settle, doubt, effects, tools: weighed, identified, logs, validate })
     }
 
     /// The same robot with the model that the diagnosis extends.
@@ -226,11 +238,13 @@ impl Stand {
         let robot = extend::extended(self.identified.clone(), &found);
         let rms = &found.extended.validate;
         let plans: Vec<Plan> = self.rollers.iter().map(|r| r.plan.clone()).collect();
-        let rollers = rollers(&robot, &self.tools, &plans, lwr, &self.effects, rms, self.settle)?;
+        // A diagnosis tells the size of friction rather than where it turns round: what was in doubt stays so.
+        let rollers = rollers(&robot, &self.tools, &plans, lwr, &self.effects, [rms, &self.doubt], self.settle)?;
         let extended = Self {
             torque: fig6::mean(rms),
             rollers,
             settle: self.settle,
+            doubt: self.doubt.clone(),
             effects: self.effects.clone(),
             tools: self.tools.clone(),
             identified: robot,
@@ -299,7 +313,7 @@ fn rollers(
     plans: &[Plan],
     lwr: &Lwr,
     effects: &Effects,
-    spread: &[f64],
+    [spread, doubt]: [&[f64]; 2],
     settle: f64,
 ) -> Result<Vec<Roller>, ReproduceError> {
     let mut all = Vec::new();
@@ -324,6 +338,7 @@ fn rollers(
             standard,
             drives,
             spread: spread.to_vec(),
+            doubt: doubt.to_vec(),
         });
     }
     Ok(all)
