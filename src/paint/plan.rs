@@ -119,7 +119,7 @@ pub fn plan(task: &Task<'_>, progress: Progress<'_>) -> Result<Plan, Infeasible>
         let short = task.surface.width - (b - a);
         if short > 1e-9 {
             let reason = format!(
-                "{} of {} m {} {short:.4} m of the wall's width of {} m unpainted; {} are needed",
+                "{} of {} m {} {short:.4} m of the wall's width of {} m unpainted; {} lanes are needed",
                 if task.lanes == 1 { "1 lane".into() } else { format!("{} lanes", task.lanes) },
                 task.roller.width,
                 if task.lanes == 1 { "leaves" } else { "leave" },
