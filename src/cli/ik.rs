@@ -157,7 +157,10 @@ impl Ik {
             })();
             poses.push(found.map_err(|e: PoseError| {
                 let mend = match e {
-                    PoseError::NotARotation(_) => "; a rotation has orthogonal columns of length one, to 1e-6",
+                    PoseError::NotARotation(_) => {
+                        "; a rotation has orthogonal columns of length one, to 1e-6: give at least seven decimals"
+                    }
+                    PoseError::Reflection => "; a rotation has +1: turn one column about",
                     PoseError::NotFinite(..) => "; give a number",
                 };
                 Failure::input(format!("{file}, pose {} (line {}): {e}{mend}", row + 1, row + 2))

@@ -175,6 +175,7 @@ fn wrong_poses_are_told() {
     let cases = [
         (csv(&pose_columns()[1..], &[good[1..].to_vec()]), "no column r11"),
         (csv(&pose_columns(), &[vec![2.0; 12]]), "not a rotation"),
+        (csv(&pose_columns(), core::slice::from_ref(&good)).replacen("1,0,0,0", "-1,0,0,0", 1), "a reflection"),
         (csv(&pose_columns(), core::slice::from_ref(&good)).replace("1,0,0,0", "1,NaN,0,0"), "not a finite number"),
         (csv(&pose_columns(), &[]), "a header and no pose"),
     ];

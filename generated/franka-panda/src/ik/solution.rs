@@ -173,8 +173,10 @@ impl<const N: usize> Solutions<N> {
 pub enum PoseError {
     /// Not a finite number: row and column of the pose, from 0; row 3: the redundancy or the near posture.
     NotFinite(usize, usize),
-    /// The rotation is none: the largest entry of `R' R - 1`, or of a reflection.
+    /// The rotation is none: the largest entry of `R' R - 1`.
     NotARotation(f64),
+    /// The columns are orthogonal and of length one, but turn the wrong way round: their determinant is -1.
+    Reflection,
 }
 
 impl core::fmt::Display for PoseError {
@@ -187,6 +189,7 @@ impl core::fmt::Display for PoseError {
             Self::NotARotation(defect) => {
                 write!(f, "the first three columns are not a rotation: R'R differs from the identity by {defect:.1e}")
             }
+            Self::Reflection => write!(f, "the first three columns are a reflection: their determinant is -1"),
         }
     }
 }

@@ -570,8 +570,11 @@ pub(super) fn checked(pose: &[[f64; 4]; 3]) -> Result<Displacement, PoseError> {
     let mut t = Displacement::from_rows(pose);
     let (rr, d) = squared(&t.rotation);
     let determinant = dot(t.rotation[0], super::vector::cross(t.rotation[1], t.rotation[2]));
-    if !(d <= 1e-6) || !(determinant > 0.0) {
-        return Err(PoseError::NotARotation(if d <= 1e-6 { 2.0 } else { d }));
+    if !(d <= 1e-6) {
+        return Err(PoseError::NotARotation(d));
+    }
+    if !(determinant > 0.0) {
+        return Err(PoseError::Reflection);
     }
     if d > 4e-16 {
         // Nearest rotation: R (3 - R'R) / 2; the defect is squared each time.
