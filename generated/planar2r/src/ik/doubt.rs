@@ -8,7 +8,7 @@ use super::list::each;
 use super::polish::{Rows, jacobian, moved, polish, remainder, sizes, slack, step};
 use super::pose::Displacement;
 use super::real::root;
-use super::solution::Solutions;
+use super::solution::{CAPACITY, Solutions};
 use super::subproblem::FREE;
 use super::vector::{Turn, add, norm, scale, unit};
 
@@ -27,19 +27,23 @@ impl<const N: usize> Arm<N> {
     #[inline(never)]
     pub(super) fn settle(&self, g: &Displacement, query: &Query<'_, N>, near: &[Value; N], all: &mut Candidates<N>) {
         let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
+        let list = |of: &Candidates<N>| {
+            each([Value::ZERO; N], |place| if place < of.len { of.values(place, slides) } else { [Value::ZERO; N] })
+        };
+        let own: [[Value; N]; CAPACITY] = list(all);
         for k in 0..TRIES {
             let other = self.shaken(g, k);
             let mut moved: Candidates<N> = Candidates::new();
             self.candidates(&other, query, query.redundancy, near, &mut moved);
-            for place in 0..all.len {
+            let theirs: [[Value; N]; CAPACITY] = list(&moved);
+            for (place, own) in own.iter().enumerate().take(all.len) {
                 if all.kind(place).1 & IN_DOUBT == 0 {
                     continue;
                 }
-                let own = all.values(place, slides);
                 let mut nearest: Option<(f64, u32)> = None;
-                for there in 0..moved.len {
+                for there in theirs.iter().take(moved.len) {
                     let (mut far, mut bits) = (0.0f64, 0u32);
-                    for (j, (a, b)) in own.iter().zip(&moved.values(there, slides)).enumerate() {
+                    for (j, (a, b)) in own.iter().zip(there).enumerate() {
                         let d = (a.turn.c - b.turn.c).abs() + (a.turn.s - b.turn.s).abs() + (a.way - b.way).abs();
                         far = far.max(d);
                         bits |= u32::from(d > MOVES) << (j & 15);
