@@ -289,9 +289,9 @@ impl Simulator {
         let Sensors { rate, latency, jitter, colour_corner, .. } = request.sensors;
         setting("sensors.rate", rate, rate > 0.0 && rate <= 1e5, "be greater than 0, and at most 100000 Hz")?;
         setting("sensors.latency", latency, (0.0..10.0).contains(&latency), "be from 0 to 10 s")?;
-        // No sample may overtake its neighbour.
+        // A standard deviation; no sample overtakes its neighbour (sensors.rs), and more than this would hardly be what was asked for.
         let share = jitter * rate;
-        setting("sensors.jitter", jitter, (0.0..=0.45).contains(&share), "be from 0 to 0.45 sampling periods")?;
+        setting("sensors.jitter", jitter, (0.0..=0.45).contains(&share), "be from 0 s to 0.45 sampling periods")?;
         setting("sensors.torque_noise_color.corner", colour_corner, colour_corner > 0.0, "be greater than 0")?;
         let Solver { tolerance, longest, .. } = request.solver;
         setting("solver.tolerance", tolerance, (1e-13..=1e-2).contains(&tolerance), "be from 1e-13 to 1e-2")?;

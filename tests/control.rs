@@ -421,7 +421,7 @@ impl Body<6> for Doubtful {
 
 #[test]
 fn what_may_be_friction_is_no_force() {
-    let told = |doubt: f64, most: f64, to: f64| {
+    let after = |steps: usize, doubt: f64, most: f64, to: f64| {
         let settings = EstimatorSettings {
             period: T,
             corner: 20.0,
@@ -432,7 +432,7 @@ fn what_may_be_friction_is_no_force() {
         };
         let mut estimator = Estimator::new(Doubtful(0.0), settings);
         let mut last = None;
-        for k in 0..1000 {
+        for k in 0..500 + steps {
             if k == 500 {
                 estimator.body().0 = doubt;
             }
@@ -440,18 +440,27 @@ fn what_may_be_friction_is_no_force() {
         }
         last.map(|w| w[1])
     };
-    let is = |found: Option<f64>, wanted: f64| assert!((found.unwrap() - wanted).abs() < 1e-6, "{found:?} {wanted}");
+    // As long as a joint takes to turn round; the low-pass takes half of it.
+    let told = |doubt: f64, most: f64, to: f64| after(100, doubt, most, to);
+    let near = |found: Option<f64>, wanted: f64, to: f64| {
+        let off = (found.unwrap() - wanted) / (to - wanted);
+        assert!((0.0..0.25).contains(&off), "{found:?} {wanted} {to}");
+    };
+    let is = |found: Option<f64>, wanted: f64| assert!((found.unwrap() - wanted).abs() < 1e-3, "{found:?} {wanted}");
     // Friction that is 0.4 N less than the model says is a force that is up to 0.4 N more than was told, and no less.
-    is(told(-0.4, 1.0, 4.7), 5.0);
-    is(told(-0.4, 1.0, 4.0), 4.4);
+    near(told(-0.4, 1.0, 4.7), 5.0, 4.7);
+    near(told(-0.4, 1.0, 4.0), 4.4, 4.0);
     is(told(-0.4, 1.0, 5.3), 5.3);
-    is(told(0.4, 1.0, 5.3), 5.0);
+    near(told(0.4, 1.0, 5.3), 5.0, 5.3);
     is(told(0.4, 1.0, 4.7), 4.7);
     // No more than is allowed, and nothing without doubt.
-    is(told(-0.4, 0.1, 4.7), 4.8);
+    near(told(-0.4, 0.1, 4.7), 4.8, 4.7);
     is(told(-0.4, 0.0, 4.7), 4.7);
     is(told(0.0, f64::INFINITY, 4.7), 4.7);
     assert_eq!(told(f64::NAN, 1.0, 4.7), None);
+    // A contact that is lost while a joint stands in doubt, though friction could be all of it.
+    let lost = after(3000, -8.0, f64::INFINITY, 0.0).unwrap();
+    assert!(lost.abs() < 0.05, "{lost}");
 }
 
 /// Anything at all, and often something sensible.

@@ -140,7 +140,7 @@ impl Simulate {
             return Trajectory::rest(start, duration).map_err(Failure::input);
         }
         let Some(path) = &self.trajectory else {
-            return Err(Failure::input("--free takes its start from --start q1,q2,.. or from --trajectory CSV"));
+            return Err(Failure::input("--free takes its start from --start q1,q2,.. or from --trajectory FILE"));
         };
         let shown = path.display();
         if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {

@@ -211,8 +211,9 @@ impl<const N: usize> Body<N> for Lent<'_> {
             let mut later = drive.friction(q[j], dq[j], *slow, *hysteresis);
             let mut friction = drive.friction(q[j], dq[j], *sign, *hysteresis);
             if let Some(load) = drive.load {
-                friction += load.level(bodies) * *sign;
-                later += load.level(bodies) * *slow;
+                let level = load.level(bodies);
+                friction += level * *sign;
+                later += level * *slow;
             }
             self.turning[j] = drive.warmth(self.clock) * (later - friction);
             bodies

@@ -31,6 +31,9 @@ pub enum TrajectoryError {
         /// s
         to: f64,
     },
+    /// Rows at 1 kHz would not fit anywhere.
+    #[error("the motion lasts {0} s; a motion to be simulated lasts 10000 s at most (is its time in ms?)")]
+    TooLong(f64),
     /// NaN or infinity.
     #[error("the trajectory holds a value that is not finite")]
     NotFinite,
@@ -45,6 +48,9 @@ pub enum TrajectoryError {
         expected: usize,
     },
 }
+
+/// Of a motion by formula, s.
+const LONGEST: f64 = 1e4;
 
 /// Position, velocity, acceleration.
 pub type Point = [f64; 3];
@@ -89,9 +95,12 @@ impl Trajectory {
     /// continuous; else through its values at 1 kHz.
     ///
     /// # Errors
-    /// Where it has no duration.
+    /// Where it has no duration, or more than 10000 s.
     pub fn of_motion(motion: &crate::trajectory::Trajectory) -> Result<Self, TrajectoryError> {
         use crate::trajectory::{Trajectory as Motion, times};
+        if !(motion.duration() <= LONGEST) {
+            return Err(TrajectoryError::TooLong(motion.duration()));
+        }
         let t = match motion {
             Motion::Spline(spline) if spline.degree <= 5 => {
                 let mut knots = spline.knots.clone();

@@ -210,4 +210,15 @@ fn coefficients_are_the_motion() {
     let run = denavit(&["simulate", ROBOT, "--trajectory", &other, "--out", &path("log.csv")]);
     assert_eq!(run.status, Some(2));
     assert!(run.err.contains("other.json") && run.err.contains("excite --coefficients"), "{}", run.err);
+    // A period in ms, and one that no number of rows holds.
+    for period in ["10000", "1e300"] {
+        let zeros = "[[0],[0],[0],[0],[0],[0],[0]]";
+        let text = format!(
+            r#"{{"kind":"fourier","period":{period},"periods":10,"center":[0,0,0,0,0,0,0],"sine":{zeros},"cosine":{zeros}}}"#
+        );
+        let long = file(&folder, "long.json", text);
+        let run = denavit(&["simulate", "robots/kuka-lwr4.yaml", "--trajectory", &long, "--out", &path("long.csv")]);
+        assert_eq!(run.status, Some(2), "{}", run.err);
+        assert!(run.err.contains("long.json") && run.err.contains("10000 s at most"), "{}", run.err);
+    }
 }

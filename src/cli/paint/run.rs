@@ -67,10 +67,10 @@ pub(super) struct Run {
     /// any with `--paper`.
     #[arg(long, value_name = "N M", conflicts_with = "no_moment")]
     moment: Option<f64>,
-    /// By how much a joint's friction may be off at most just after it has turned round, N m: what may be friction is not taken for force. `inf`: by as much as there is;
-    /// 0: the model is right (and with `--paper`).
-    #[arg(long, default_value_t = f64::INFINITY, value_name = "N M")]
-    doubt: f64,
+    /// By how much a joint's friction may be off at most just after it has turned round, N m: what may be friction is not taken for force. `inf`, the default: by as much as there is;
+    /// 0, the default with `--paper`: the model is right.
+    #[arg(long, value_name = "N M")]
+    doubt: Option<f64>,
     /// The contact carries no moment: three components of the force are estimated instead of six.
     #[arg(long)]
     no_moment: bool,
@@ -149,7 +149,7 @@ impl Run {
             standard: &standard,
             drives: own.drives().to_vec(),
             spread: vec![1.0; robot.dof()],
-            doubt: vec![if self.paper { 0.0 } else { self.doubt }; robot.dof()],
+            doubt: vec![self.doubt.unwrap_or(if self.paper { 0.0 } else { f64::INFINITY }); robot.dof()],
         };
         let law = if self.paper {
             Law::PAPER
@@ -263,7 +263,7 @@ impl Run {
             ("--settle", self.settle, 0.0, 60.0),
             ("--corner", self.corner, 0.5, 200.0),
             ("--stiffness", self.stiffness, 100.0, 1e6),
-            ("--doubt", self.doubt, 0.0, f64::INFINITY),
+            ("--doubt", self.doubt.unwrap_or(0.0), 0.0, f64::INFINITY),
             ("--moment", self.moment.unwrap_or(0.0), 0.0, f64::INFINITY),
         ] {
             if !(low..=high).contains(&value) {

@@ -21,10 +21,14 @@ pub struct EstimatorSettings<const N: usize> {
     /// known of the moment makes the force better known: seven torques tell six components hardly better than they are themselves.
     pub moment: f64,
     /// By how much the friction of each joint may be off at most where it has just turned round ([`Body::turning`] says where and by how much it could be), N m. There the wrench is only known to lie
-    /// in an interval, and of that the value next to the last one is taken, so that what may be friction does not count as force. Where no joint has just turned round nothing is changed, and nothing
-    /// comes later. 0: equation (14) as it stands.
+    /// in an interval, and of that the value next to the last one is taken, so that what may be friction does not count as force. Where no joint has just turned round nearly nothing is changed, and nothing
+    /// comes later. What stands in doubt is not believed for ever: it goes over into what the torques tell within [`HELD`]. 0: equation (14) as it stands.
     pub turning: [f64; N],
 }
+
+/// Time in which what is held in doubt goes over into what the torques tell, s: some times as long as friction takes to turn round in a motion (0.1 s), so that a contact that is lost meanwhile, or a
+/// glitch, is not held by a joint that stops there.
+pub const HELD: f64 = 0.5;
 
 /// What runs along with the arm.
 #[derive(Debug, Clone)]
@@ -69,12 +73,14 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
     /// Torques that are to be taken for zero, N m: what was left in free motion.
     pub fn set_bias(&mut self, bias: [f64; N]) {
         self.bias = bias;
+        self.wrench = None;
     }
 
     /// Torques of the environment at the joints, `Gamma - Gamma_dyn`, of a sample; `None` until the differences are there, and for a sample
     /// that is no number.
     pub fn external(&mut self, q: &[f64; N], tau: &[f64; N]) -> Option<[f64; N]> {
         if q.iter().chain(tau).any(|x| !x.is_finite()) {
+            self.wrench = None;
             return None;
         }
         if self.seen == 0 {
@@ -114,10 +120,14 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
             let [force, less, more] = self.told::<3>(&tool, &external, &turning)?;
             [force, less, more].map(|w| [w[0], w[1], w[2], 0.0, 0.0, 0.0])
         };
-        // Of all wrenches that it may be, the one that changes least.
+        // Within the bounds of all wrenches that it may be, the one that changes least.
         let [wrench, less, more] = found;
         let last = self.wrench.unwrap_or(wrench);
-        let wrench = core::array::from_fn(|i| last[i].clamp(wrench[i] + less[i], wrench[i] + more[i]));
+        let share = (self.settings.period / HELD).min(1.0);
+        let wrench = core::array::from_fn(|i| {
+            let held = last[i] + share * (wrench[i] - last[i]);
+            held.clamp(wrench[i] + less[i], wrench[i] + more[i])
+        });
         if !wrench.iter().all(|x: &f64| x.is_finite()) {
             return None;
         }

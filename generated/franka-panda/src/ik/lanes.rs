@@ -155,6 +155,7 @@ fn within(q: Block, slides: bool, limits: Option<[f64; 2]>) -> (Block, Block) {
     }
     let turn = n(TAU).only_where_less(q, low) - n(TAU).only_where_less(high, q);
     let there = margin(q + turn);
+    let turn = turn.only_where_less(here, n(-1e-9));
     let q = q + turn.only_where_less(here.max(n(-1e-9)), there);
     (q, margin(q))
 }
@@ -170,7 +171,8 @@ impl<const N: usize> Arm<N> {
     fn winds(&self) -> bool {
         let mut any = false;
         for (axis, limits) in self.axes.iter().zip(&self.limits) {
-            let beyond = |[low, high]: [f64; 2]| (low > -PI || high < PI) && (low < -3.0 * PI || high > 3.0 * PI);
+            let beyond =
+                |[low, high]: [f64; 2]| (low > -PI || high < PI) && (low < 1e-6 - 3.0 * PI || high > 3.0 * PI - 1e-6);
             any |= !axis.slides && limits.is_some_and(beyond);
         }
         any

@@ -10,15 +10,15 @@ use super::vector::Turn;
 
 /// The values of one joint; of one that slides, `c` is the way, m.
 #[derive(Clone, Copy)]
-pub(super) struct Column {
-    pub c: [f64; CAPACITY],
-    pub s: [f64; CAPACITY],
-    pub len: usize,
+struct Column {
+    c: [f64; CAPACITY],
+    s: [f64; CAPACITY],
+    len: usize,
 }
 
 /// Up to [`CAPACITY`] branches of `N` joints.
 pub(super) struct Candidates<const N: usize> {
-    pub columns: [Column; N],
+    columns: [Column; N],
     /// By joint and branch: which value.
     at: [[u8; CAPACITY]; N],
     pub branch: [Branch; CAPACITY],
