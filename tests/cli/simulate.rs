@@ -143,7 +143,7 @@ fn mistakes_are_told_and_mended() {
         ("sensors: { rate: -1000 }", "sensors.rate is -1000; it must be greater than 0, and at most 100000 Hz"),
         (
             "sensors: { rate: 500, jitter: 0.001 }",
-            "sensors.jitter is 0.001; it must be from 0 to 0.45 sampling periods",
+            "sensors.jitter is 0.001; it must be from 0 s to 0.45 sampling periods",
         ),
         ("sensors: { rate: 0.1 }", "raise sensors.rate, or give a longer motion"),
         ("joints: { 1: { coulomb_friction: -5 } }", "coulomb_friction of joint 1: FC, the file's included, is -4.8"),
