@@ -98,7 +98,7 @@ impl Trajectory {
     /// Where it has no duration, or more than 10000 s.
     pub fn of_motion(motion: &crate::trajectory::Trajectory) -> Result<Self, TrajectoryError> {
         use crate::trajectory::{Trajectory as Motion, times};
-        if !(motion.duration() <= LONGEST) {
+        if motion.duration() > LONGEST || motion.duration().is_nan() {
             return Err(TrajectoryError::TooLong(motion.duration()));
         }
         let t = match motion {
