@@ -22,13 +22,13 @@ pub struct EstimatorSettings<const N: usize> {
     pub moment: f64,
     /// By how much the friction of each joint may be off at most where it has just turned round ([`Body::turning`] says where and by how much it could be), N m. There the wrench is only known to lie
     /// in an interval, and of that the value next to the last one is taken, so that what may be friction does not count as force. Where no joint has just turned round nearly nothing is changed, and nothing
-    /// comes later. What stands in doubt is not believed for ever: it goes over into what the torques tell within [`HELD`]. 0: equation (14) as it stands.
+    /// comes later. What stands in doubt is not believed for ever: it goes over into what the torques tell within half a second. 0: equation (14) as it stands.
     pub turning: [f64; N],
 }
 
 /// Time in which what is held in doubt goes over into what the torques tell, s: some times as long as friction takes to turn round in a motion (0.1 s), so that a contact that is lost meanwhile, or a
 /// glitch, is not held by a joint that stops there.
-pub const HELD: f64 = 0.5;
+const HELD: f64 = 0.5;
 
 /// What runs along with the arm.
 #[derive(Debug, Clone)]
