@@ -28,6 +28,7 @@ mod series;
 mod small;
 mod torques;
 mod uncertainty;
+mod verdict;
 mod wrench;
 
 #[cfg(test)]
@@ -46,5 +47,6 @@ pub use run::{Known, Run, Settings, TooManyJoints};
 pub use sample::{Estimate, ForceEstimator, NINETY_FIVE, Sample, Scale};
 pub use series::{COMPONENTS, Comparison, Series};
 pub use torques::{Effected, Linear, Torques};
-pub use uncertainty::{Uncertainty, covariance};
+pub use uncertainty::{NoiseSource, Uncertainty, covariance};
+pub use verdict::Verdict;
 pub use wrench::Weights;

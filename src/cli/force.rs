@@ -9,8 +9,8 @@ use super::prepare::{Preparation, pass, warned};
 use super::{Failure, files};
 use crate::arm::Arm;
 use crate::force::{
-    self, Bias, BiasPass, COMPONENTS, Effected, Known, Linear, MOST_JOINTS, Method, NoisePass, Run, Series, Torques,
-    Uncertainty,
+    self, Bias, BiasPass, COMPONENTS, Effected, Known, Linear, MOST_JOINTS, Method, NoisePass, NoiseSource, Run,
+    Series, Torques, Uncertainty,
 };
 use crate::interpreted::Interpreted;
 use crate::predicted::Predictor;
@@ -208,11 +208,11 @@ impl Force {
         let parameters = arm.base_parameters().len();
         Ok(match first.left(self.bias) {
             Some(noise) => (
-                Uncertainty::noise(noise, parameters),
+                Uncertainty::noise(noise, NoiseSource::Free, parameters),
                 "what the model leaves where nothing touches, all of it counted as noise".into(),
             ),
             None => (
-                Uncertainty::noise(first.white(), parameters),
+                Uncertainty::noise(first.white(), NoiseSource::Log, parameters),
                 "the torque's own noise alone: the model's errors are in no band".into(),
             ),
         })

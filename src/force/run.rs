@@ -11,6 +11,7 @@ use super::sample::Scale;
 use super::series::Series;
 use super::torques::Torques;
 use super::uncertainty::Uncertainty;
+use super::verdict::Verdict;
 use crate::arm::{Arm, Dynamics, States, ToolState};
 use crate::identify::rows::Rows;
 use crate::signal::{Filter, Motion};
@@ -276,6 +277,8 @@ impl<'a> Run<'a> {
         }
         self.series.in_free = self.free.finish();
         self.series.unexplained = self.anywhere.finish();
+        let (free, spare) = (self.series.in_free.as_ref(), self.series.unexplained.as_ref());
+        self.series.verdict = Verdict::of(free, spare, self.known.uncertainty.source);
         self.series
     }
 }

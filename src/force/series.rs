@@ -2,6 +2,7 @@
 
 use super::consistency::Consistency;
 use super::method::Method;
+use super::verdict::Verdict;
 
 /// Names of the components.
 pub const COMPONENTS: [&str; 6] = ["fx", "fy", "fz", "mx", "my", "mz"];
@@ -37,6 +38,8 @@ pub struct Series {
     pub in_free: Option<Consistency>,
     /// Of the torque errors that no wrench explains, anywhere: arms with more than six joints.
     pub unexplained: Option<Consistency>,
+    /// Whether the bands can be relied upon: of the two checks before.
+    pub verdict: Verdict,
     /// Torque that was taken off as a bias, N m; empty if none was.
     pub bias: Vec<f64>,
     /// Samples that the estimator could not use.

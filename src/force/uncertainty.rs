@@ -4,6 +4,17 @@ use nalgebra::DMatrix;
 
 use crate::identify::{Identification, Standing};
 
+/// Where the torque noise is known from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NoiseSource {
+    /// The residual of an identification.
+    Identification,
+    /// What the model leaves where nothing touches, all of it counted as noise.
+    Free,
+    /// The torque's own noise from sample to sample: the model's errors are in no band.
+    Log,
+}
+
 /// Errors of the model's torque come from the parameters (constant over a run, drawn anew by each identification) and from noise (drawn anew
 /// at each sample, alike among neighbours after a low-pass).
 #[derive(Debug, Clone, PartialEq)]
@@ -12,6 +23,8 @@ pub struct Uncertainty {
     pub covariance: Vec<f64>,
     /// Standard deviation of each joint's torque noise after the low-pass, N m.
     pub noise: Vec<f64>,
+    /// Where that is known from.
+    pub source: NoiseSource,
     /// Base parameters that the identification did not tell: their errors are in no band.
     pub open: Vec<String>,
 }
@@ -25,13 +38,14 @@ impl Uncertainty {
         Self {
             covariance: covariance(&std, &found.correlation),
             noise: found.noise.sigma.clone(),
+            source: NoiseSource::Identification,
             open: open.map(|p| p.name.clone()).collect(),
         }
     }
 
     /// Of noise alone: the parameters (`B`) are taken to be exact.
-    pub fn noise(noise: Vec<f64>, parameters: usize) -> Self {
-        Self { covariance: vec![0.0; parameters * parameters], noise, open: Vec::new() }
+    pub fn noise(noise: Vec<f64>, source: NoiseSource, parameters: usize) -> Self {
+        Self { covariance: vec![0.0; parameters * parameters], noise, source, open: Vec::new() }
     }
 
     /// `L` with `L L' = C`, `B x rank`: the columns that matter.

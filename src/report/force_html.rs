@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde_json::json;
 
 use super::Provenance;
-use super::force_text::{Forces, HEAD, cells, sentences, tables};
+use super::force_text::{Forces, HEAD, cells, sentences, tables, verdict};
 use super::identify_html::findings_list;
 use super::number::digits;
 use super::page::{Page, escape};
@@ -18,7 +18,7 @@ const POINTS: usize = 900;
 /// The page.
 pub fn force_html(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Provenance) -> String {
     let mut body = String::new();
-    let verdict = outcome.found.iter().flat_map(|s| sentences(s, outcome.circular())).next().unwrap_or_default();
+    let verdict = outcome.verdict().map(verdict).unwrap_or_default();
     let _ = writeln!(
         body,
         "<header><p class=kicker>Force without a sensor</p><h1>{}</h1><p class=verdict>{}</p></header>",

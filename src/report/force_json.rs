@@ -3,9 +3,9 @@
 use serde_json::{Value, json};
 
 use super::Provenance;
-use super::force_text::Forces;
+use super::force_text::{Forces, verdict};
 use crate::arm::BaseParameter;
-use crate::force::{COMPONENTS, Comparison, Consistency, Uncertainty, covariance};
+use crate::force::{COMPONENTS, Comparison, Consistency, NoiseSource, Uncertainty, Verdict, covariance};
 
 /// The result as one JSON object; wrenches sample by sample stand in the CSV.
 pub fn force_json(outcome: &Forces<'_>, provenance: &Provenance) -> Value {
@@ -42,6 +42,7 @@ pub fn force_json(outcome: &Forces<'_>, provenance: &Provenance) -> Value {
                 "phantom": s.phantom().as_ref().map(compared),
                 "touching": s.touching.iter().filter(|t| **t).count(),
                 "false_contact": s.free.iter().any(|f| *f).then(|| s.touch_share(true)),
+                "verdict": judged(&s.verdict),
                 "consistency": {
                     "free": s.in_free.as_ref().filter(|_| !outcome.circular()).map(consistent),
                     "unexplained": s.unexplained.as_ref().map(consistent),
@@ -58,10 +59,21 @@ pub fn force_json(outcome: &Forces<'_>, provenance: &Provenance) -> Value {
         "meaning": meaning(),
         "noise": outcome.uncertainty.noise,
         "known_from": outcome.known_from,
+        "verdict": outcome.verdict().map(judged),
         "not_in_band": outcome.uncertainty.open,
         "logs": logs,
         "provenance": provenance,
     })
+}
+
+/// A verdict on the bands.
+fn judged(v: &Verdict) -> Value {
+    let (bands, widen, probability, joint) = match v {
+        Verdict::Hold { probability } => ("hold", None, Some(*probability), None),
+        Verdict::TooWrong { widen, joint } => ("too_narrow", Some(*widen), None, joint.map(|(j, _)| j)),
+        Verdict::Circular | Verdict::NotJudged => ("not_judged", None, None, None),
+    };
+    json!({ "bands": bands, "widen": widen, "probability": probability, "joint": joint, "sentence": verdict(v) })
 }
 
 /// What the names mean, for who has nothing but this file.
@@ -83,6 +95,7 @@ fn meaning() -> Value {
         "touching": "samples in which something is said to touch",
         "false_contact": "share of the samples in which nothing touches that are said to touch; null where none is known",
         "consistency": "whether torque errors are as large as their predicted covariance: `free` where nothing touches, `unexplained` those that no wrench explains (more than six joints). ratio: squared errors by prediction; probability: of a larger ratio if the model is right; holds: not less than one in a thousand; widen: factor by which bands would have to be wider; joints: root mean square of each joint's error by its prediction; instants: how many were judged",
+        "verdict": "whether the bands can be relied upon, of all checks together. bands: `hold`, `too_narrow` (the model is too wrong for them), `not_judged` (nothing to judge with, or the noise was taken from the samples that would judge it); widen: factor by which they would have to be wider; probability: the least of the checks; joint: whose errors exceed their prediction most, from 1; sentence: the same in words. At the top: of the log that fares worst",
         "bias": "torque that was taken off, joint by joint (--bias); empty if none was",
     })
 }
@@ -132,6 +145,7 @@ pub fn uncertainty_of_json(json: &Value, base: &[BaseParameter], dof: usize) -> 
     Ok(Uncertainty {
         covariance: covariance(&std, &all),
         noise: noise.into_iter().map(|s| s.max(1e-9)).collect(),
+        source: NoiseSource::Identification,
         open: open.collect(),
     })
 }

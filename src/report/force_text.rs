@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::number::{digits, pad};
-use crate::force::{COMPONENTS, Comparison, Consistency, Series, Uncertainty};
+use crate::force::{COMPONENTS, Comparison, Consistency, NoiseSource, Series, Uncertainty, Verdict};
 use crate::log::Severity;
 use crate::signal::Prepared;
 
@@ -22,7 +22,12 @@ pub struct Forces<'a> {
 impl Forces<'_> {
     /// Whether the noise was taken from what is to be judged with it.
     pub(super) fn circular(&self) -> bool {
-        self.known_from.starts_with("what the model leaves")
+        self.uncertainty.source == NoiseSource::Free
+    }
+
+    /// Of the log that fares worst.
+    pub(super) fn verdict(&self) -> Option<&Verdict> {
+        Verdict::worst(self.found.iter().map(|s| &s.verdict))
     }
 }
 
@@ -110,37 +115,44 @@ fn table(rows: &[Comparison; 6]) -> String {
     text
 }
 
-/// What is to be said of a log beside its figures.
+/// What the bands of a log are worth, in one sentence.
+pub(super) fn verdict(verdict: &Verdict) -> String {
+    match verdict {
+        Verdict::Hold { probability } => format!(
+            "The bands can be relied upon: errors are as large as predicted (a model that is right gives errors as large with a probability of {}).",
+            digits(*probability, 2)
+        ),
+        Verdict::TooWrong { widen, joint } => {
+            let joint = joint.map_or(String::new(), |(j, r)| format!(", most in joint {j} ({} times)", digits(r, 2)));
+            format!(
+                "The model is too wrong for the bands to hold{joint}. Take them {} times as wide; diagnose the model (`denavit diagnose`) or identify it again.",
+                digits(*widen, 2)
+            )
+        }
+        Verdict::Circular => {
+            "Not judged: the noise was taken from the samples in which nothing touches, so they can't say whether the bands hold; give --identified.".into()
+        }
+        Verdict::NotJudged => {
+            "Not judged: nothing says whether the bands hold; give stretches in which nothing touches (--free).".into()
+        }
+    }
+}
+
+/// What is to be said of a log beside its figures: first the verdict, then what it rests on.
 pub(super) fn sentences(series: &Series, circular: bool) -> Vec<String> {
-    let mut all = Vec::new();
-    let mut judge = |what: &str, c: &Consistency| {
-        let errors = format!("errors are {} times what was predicted", digits(c.widen(), 2));
-        all.push(if c.holds() {
-            format!("{what} {errors} (a model that is right may give that: probability {}): the bands can be believed.", digits(c.probability, 2))
-        } else {
-            let worst = c.joints.iter().enumerate().filter(|(_, r)| **r > 0.0).max_by(|a, b| a.1.total_cmp(b.1));
-            let joint = worst.map_or(String::new(), |(j, r)| format!(", most in joint {} ({} times)", j + 1, digits(*r, 2)));
-            format!("{what} {errors}{joint}: the model is too wrong for the bands to hold. Diagnose it (`denavit diagnose`), or identify it anew; until then take the bands {} times as wide.", digits(c.widen(), 2))
-        });
+    let mut all = vec![verdict(&series.verdict)];
+    let mut evidence = |what: &str, c: &Consistency| {
+        all.push(format!(
+            "{what} {} times what was predicted (probability {}).",
+            digits(c.widen(), 2),
+            digits(c.probability, 2)
+        ));
     };
-    match &series.in_free {
-        Some(c) if !circular => judge("Where nothing touches,", c),
-        Some(_) => all_push_circular(&mut all),
-        None => {}
+    if let Some(c) = series.in_free.as_ref().filter(|_| !circular) {
+        evidence("Where nothing touches, errors are", c);
     }
     if let Some(c) = &series.unexplained {
-        let mut judge = |what: &str, c: &Consistency| {
-            all.push(format!(
-                "{what} {} times what was predicted{}",
-                digits(c.widen(), 2),
-                if c.holds() {
-                    " (probability ".to_string() + &digits(c.probability, 2) + ")."
-                } else {
-                    ": the model is too wrong for the bands to hold.".into()
-                }
-            ));
-        };
-        judge("What no wrench on the tool explains is", c);
+        evidence("What no wrench on the tool explains is", c);
     }
     let touching = series.touching.iter().filter(|t| **t).count() as f64 / series.touching.len().max(1) as f64;
     if series.free.iter().any(|f| *f) {
@@ -160,10 +172,4 @@ pub(super) fn sentences(series: &Series, circular: bool) -> Vec<String> {
         ));
     }
     all
-}
-
-fn all_push_circular(all: &mut Vec<String>) {
-    all.push(
-        "The noise was taken from these samples, so they can't say whether the bands hold; give --identified.".into(),
-    );
 }

@@ -170,6 +170,45 @@ fn where_nothing_touches_the_force_is_a_phantom() {
     assert!(run.status == Some(0) && run.out.contains("in no band"), "{} {}", run.out, run.err);
 }
 
+/// A model that holds where nothing touches and is contradicted by the spare joint elsewhere: one verdict in text, JSON and page.
+#[test]
+fn one_verdict_wherever_it_is_printed() {
+    let logs = logs();
+    let text = std::fs::read_to_string(&logs.push).unwrap();
+    let spoiled: Vec<String> = text
+        .lines()
+        .enumerate()
+        .map(|(row, line)| {
+            let mut cells: Vec<String> = line.split(',').map(String::from).collect();
+            if row > 1250 {
+                for (cell, by) in cells[8..15].iter_mut().zip([4.0, -6.0, 5.0, 3.0, -2.0, 2.0, 1.5]) {
+                    *cell = (cell.parse::<f64>().unwrap() + by).to_string();
+                }
+            }
+            cells.join(",")
+        })
+        .collect();
+    let spoiled = file(&logs.folder, "spoiled.csv", spoiled.join("\n") + "\n");
+    let page = logs.folder.join("spoiled.html").display().to_string();
+    let arguments =
+        ["force", &logs.identified, &spoiled, "--identified", &logs.json, "--free", "0:3.8", "--report", &page];
+    let run = denavit(&arguments);
+    assert_eq!(run.status, Some(0), "{}", run.err);
+    let found = json(&[&arguments[..], &["--json", "-"]].concat());
+    assert_eq!(found["logs"][0]["consistency"]["free"]["holds"], true, "{found}");
+    assert_eq!(found["logs"][0]["consistency"]["unexplained"]["holds"], false, "{found}");
+    for verdict in [&found["verdict"], &found["logs"][0]["verdict"]] {
+        assert_eq!(verdict["bands"], "too_narrow", "{verdict}");
+        let sentence = verdict["sentence"].as_str().unwrap();
+        assert!(run.out.contains(sentence) && sentence.contains("too wrong"), "{sentence}\n{}", run.out);
+        let page = std::fs::read_to_string(&page).unwrap();
+        assert!(page.contains(&format!("<p class=verdict>{sentence}</p>")), "{sentence}");
+        for said in [&page, &run.out] {
+            assert!(!said.contains("can be relied upon") && !said.contains("can be believed"), "{said}");
+        }
+    }
+}
+
 #[test]
 fn wrong_use_is_explained() {
     let logs = logs();
