@@ -18,6 +18,7 @@ mod problem;
 mod ratio;
 mod reader;
 mod real;
+mod rewrite;
 mod schema;
 mod value;
 mod write;
@@ -31,6 +32,7 @@ pub use laws::{Coupling, Drift, Laws, Stribeck};
 pub use length::{Length, Polynomial};
 pub use physical::NotPhysical;
 pub use problem::{Note, Problem, Problems};
+pub use rewrite::{Files, Run};
 pub use schema::schema;
 
 /// Which Denavit-Hartenberg convention the rows are written in.

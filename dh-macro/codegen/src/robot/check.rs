@@ -3,6 +3,7 @@
 mod body;
 mod drive;
 mod joint;
+mod provenance;
 mod simulation;
 
 pub use simulation::{Setting, SimulationFile};
@@ -98,6 +99,7 @@ fn robot(top: &Fields<'_>, files: &dyn Fn(&str) -> Result<String, String>, to: &
         _ => Convention::Modified,
     };
     let gravity = gravity(top, to);
+    provenance::check(top, to);
     let joints = joint::joints(top, to);
     let links = body::links(top, joints.len(), to);
     let tool = body::tool(top, files, to);

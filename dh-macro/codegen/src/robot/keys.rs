@@ -24,6 +24,8 @@ pub(super) struct Key {
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Shape {
     Text,
+    /// A list of texts.
+    Texts,
     Flag,
     Choice(&'static [&'static str]),
     /// A whole number, from 0.
@@ -52,6 +54,7 @@ impl Shape {
     pub(super) fn describe(&self) -> String {
         match self {
             Self::Text => "text".to_string(),
+            Self::Texts => "a list of texts".to_string(),
             Self::Flag => "true or false".to_string(),
             Self::Choice(words) => words.join(" or "),
             Self::Count => "a whole number".to_string(),
@@ -91,7 +94,7 @@ const fn required(name: &'static str, shape: Shape, unit: &'static str, doc: &'s
 }
 
 use Shape::{Angle, Angles, Choice, Constants, Count, Effects, Flag, Length, Map, MapOrFile};
-use Shape::{Number, Positive, Rows, RowsOrNull, Text, Vector};
+use Shape::{Number, Positive, Rows, RowsOrNull, Text, Texts, Vector};
 
 pub(super) static ROBOT: Table = Table {
     what: "robot",
@@ -100,6 +103,7 @@ pub(super) static ROBOT: Table = Table {
         required("name", Text, "", "Name of the robot and of the crate written for it: lower case, digits, dashes."),
         key("source", Text, "", "Where the numbers come from; free text."),
         required("convention", Choice(&["modified", "standard"]), "", "Denavit-Hartenberg convention of the rows."),
+        key("provenance", Rows(&RUN), "", "Commands that wrote this file, the last one last."),
         key("constants", Constants, "m, rad", "Named constants; may be used in every number below."),
         key("gravity", Vector(3), "m/s^2", "Gravity in the base frame; default [0, 0, -9.81]."),
         required("joints", Rows(&JOINT), "", "Rows of the DH table, base to tip."),
@@ -107,6 +111,39 @@ pub(super) static ROBOT: Table = Table {
         key("tool", MapOrFile(&TOOL), "", "Body fixed to the last frame."),
         key("collision", Map(&COLLISION), "", "What must not be hit."),
         key("effects", Effects, "", "Effects beyond the rigid body that concern the whole robot."),
+    ],
+};
+
+pub(super) static RUN: Table = Table {
+    what: "run",
+    effects: false,
+    keys: &[
+        required("command", Text, "", "The command without its outputs; it can be repeated."),
+        key("version", Text, "", "Version of the program."),
+        key("options", Texts, "", "Every option and its value."),
+        key("files", Rows(&RUN_FILE), "", "Files that were read."),
+        key("found", Texts, "", "What was found, a sentence each."),
+    ],
+};
+
+pub(super) static RUN_FILE: Table = Table {
+    what: "file of a run",
+    effects: false,
+    keys: &[
+        key("for", Text, "", "What it was read for."),
+        required("path", Text, "", "Its path."),
+        key("sha256", Text, "", "SHA-256 of its bytes, hexadecimal."),
+    ],
+};
+
+/// Where a joint was imported from.
+pub(super) static JOINT_SOURCE: Table = Table {
+    what: "source of a joint",
+    effects: false,
+    keys: &[
+        key("name", Text, "", "Name of the joint in the file that it was imported from."),
+        key("sign", Number, "", "1 or -1: whether the joint turns the same way there."),
+        key("offset", Number, "rad or m", "Position here where the position there is 0."),
     ],
 };
 
@@ -128,6 +165,7 @@ pub(super) static JOINT: Table = Table {
         key("jerk", Positive, "rad/s^3 or m/s^3", "Largest jerk, symmetric."),
         key("torque", Positive, "N m or N", "Largest torque or force, symmetric."),
         key("drive", Map(&DRIVE), "", "Rotor, gear, friction and other effects of the drive."),
+        key("source", Map(&JOINT_SOURCE), "", "The joint in the file that it was imported from."),
     ],
 };
 

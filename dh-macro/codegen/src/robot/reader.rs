@@ -170,6 +170,16 @@ impl<'a> Fields<'a> {
         }
     }
 
+    /// Checks a list of texts.
+    pub(super) fn texts(&self, name: &str, to: &mut Findings) {
+        let Some((node, path, about, _)) = self.get(name) else { return };
+        for item in to.list(node, &path, &about).unwrap_or_default() {
+            if !matches!(item.kind, Kind::Scalar { .. }) {
+                to.problem(item.mark, &path, format!("{} stands here", item.kind.describe()), "write text");
+            }
+        }
+    }
+
     /// One of the words of the key's table entry.
     pub(super) fn choice(&self, name: &str, to: &mut Findings) -> Option<&'static str> {
         let (node, path, _, shape) = self.get(name)?;

@@ -115,6 +115,7 @@ fn shape(shape: &Shape) -> Vec<(&'static str, Json)> {
     let with = |name, least| number().into_iter().chain([(name, Json::Number(least))]).collect();
     match *shape {
         Shape::Text => vec![kind("string")],
+        Shape::Texts => vec![kind("array"), ("items", Json::Map(vec![kind("string")]))],
         Shape::Flag => vec![kind("boolean")],
         Shape::Choice(words) => vec![("enum", Json::words(words))],
         Shape::Count => vec![kind("integer"), ("minimum", Json::Number(0))],

@@ -16,15 +16,9 @@ impl Robot {
 
     /// [`Robot::to_yaml`] with the key `source`: where the numbers come from, as [`super::Reading::source`] or better.
     pub fn to_yaml_with_source(&self, source: Option<&str>) -> String {
-        let mut scope = Scope::default();
-        let mut constants = Vec::new();
-        for (name, value) in &self.constants {
-            let text = constant(*value);
-            if let Ok(value) = scope.evaluate(&text) {
-                scope.define(name, value);
-            }
-            constants.push((name.clone(), text));
-        }
+        let scope = self.scope();
+        let constants: Vec<Field> =
+            self.constants.iter().map(|(name, value)| (name.clone(), constant(*value))).collect();
         let mut out = String::from("# yaml-language-server: $schema=robot.schema.json\n");
         let convention = if self.convention == Convention::Modified { "modified" } else { "standard" };
         out += &format!("name: {}\n", word(&self.name));
@@ -92,14 +86,34 @@ impl Robot {
     }
 }
 
-type Field = (String, String);
+/// A key and the text of its value.
+pub(super) type Field = (String, String);
+
+impl Robot {
+    /// The constants, for expressions that use them.
+    pub(super) fn scope(&self) -> Scope {
+        let mut scope = Scope::default();
+        for (name, value) in &self.constants {
+            if let Ok(value) = scope.evaluate(&constant(*value)) {
+                scope.define(name, value);
+            }
+        }
+        scope
+    }
+}
+
+/// What stands at the top in one line each.
+pub(super) fn head_fields(robot: &Robot) -> Vec<Field> {
+    let convention = if robot.convention == Convention::Modified { "modified" } else { "standard" };
+    vec![field("name", word(&robot.name)), field("convention", convention), field("gravity", list(&robot.gravity))]
+}
 
 fn field(key: &str, value: impl Into<String>) -> Field {
     (key.to_string(), value.into())
 }
 
 /// What the joint is, and its row of the table.
-fn row_fields(joint: &Joint, scope: &Scope) -> Vec<Field> {
+pub(super) fn row_fields(joint: &Joint, scope: &Scope) -> Vec<Field> {
     let kind = match joint.kind {
         JointKind::Revolute => "revolute",
         JointKind::Prismatic => "prismatic",
@@ -116,7 +130,7 @@ fn row_fields(joint: &Joint, scope: &Scope) -> Vec<Field> {
     fields
 }
 
-fn limit_fields(joint: &Joint) -> Vec<Field> {
+pub(super) fn limit_fields(joint: &Joint) -> Vec<Field> {
     let mut fields = Vec::new();
     // In degrees where that is the same number: 170deg is easier to read than 2.9670597283903604.
     let turning = |value: f64| if joint.kind == JointKind::Revolute { degrees(value) } else { number(value) };
@@ -131,21 +145,18 @@ fn limit_fields(joint: &Joint) -> Vec<Field> {
     fields
 }
 
-fn drive_field(joint: &Joint) -> Vec<Field> {
+pub(super) fn drive_field(joint: &Joint) -> Vec<Field> {
     let drive = drive_fields(&joint.drive);
     if drive.is_empty() { Vec::new() } else { vec![field("drive", flow(&drive, 13))] }
 }
 
-fn drive_fields(drive: &Drive) -> Vec<Field> {
+pub(super) fn drive_fields(drive: &Drive) -> Vec<Field> {
     let some = |key: &str, value: Option<f64>| value.map(|value| field(key, number(value)));
     let mut fields: Vec<Field> = Vec::new();
     fields.extend(some("rotor_inertia", drive.rotor_inertia));
     fields.extend(some("gear_ratio", drive.gear_ratio));
     fields.extend(some("torque_constant", drive.torque_constant));
-    let mut friction: Vec<Field> = Vec::new();
-    friction.extend(some("viscous_friction", drive.viscous_friction));
-    friction.extend(some("coulomb_friction", drive.coulomb_friction));
-    friction.extend(some("offset", drive.offset));
+    let friction = friction_fields(drive);
     if !friction.is_empty() {
         fields.push(field("friction", braces(&friction)));
     }
@@ -157,12 +168,22 @@ fn drive_fields(drive: &Drive) -> Vec<Field> {
     fields
 }
 
-fn effect_field(effect: &Effect) -> Field {
+/// Plain friction, as it stands under `friction`.
+pub(super) fn friction_fields(drive: &Drive) -> Vec<Field> {
+    let laws = [
+        ("viscous_friction", drive.viscous_friction),
+        ("coulomb_friction", drive.coulomb_friction),
+        ("offset", drive.offset),
+    ];
+    laws.into_iter().filter_map(|(key, value)| Some(field(key, number(value?)))).collect()
+}
+
+pub(super) fn effect_field(effect: &Effect) -> Field {
     let parameters: Vec<Field> = effect.parameters.iter().map(|(key, value)| (word(key), number(*value))).collect();
     (effect.name.clone(), braces(&parameters))
 }
 
-fn inertia_fields(inertia: &Inertia) -> Vec<Field> {
+pub(super) fn inertia_fields(inertia: &Inertia) -> Vec<Field> {
     let mut fields = vec![field("M", number(inertia.m)), field("MS", list(&inertia.ms)), field("I", list(&inertia.i))];
     if inertia.physical().is_err() {
         fields.push(field("identified", "true"));
@@ -170,7 +191,7 @@ fn inertia_fields(inertia: &Inertia) -> Vec<Field> {
     fields
 }
 
-fn tool_fields(tool: &Tool, scope: &Scope) -> Vec<Field> {
+pub(super) fn tool_fields(tool: &Tool, scope: &Scope) -> Vec<Field> {
     let mut fields = vec![field("name", word(&tool.name))];
     let rpy: Vec<String> = tool.rpy.iter().map(|a| angle(a, scope)).collect();
     fields.push(field("pose", format!("{{ xyz: {}, rpy: [{}] }}", list(&tool.xyz), rpy.join(", "))));
@@ -195,7 +216,7 @@ impl Tool {
 }
 
 /// `{ a: 1, b: 2 }`, on one line.
-fn braces(fields: &[Field]) -> String {
+pub(super) fn braces(fields: &[Field]) -> String {
     if fields.is_empty() {
         return "{}".to_string();
     }
@@ -204,7 +225,7 @@ fn braces(fields: &[Field]) -> String {
 }
 
 /// `{ a: 1, b: 2 }`, broken where a line would be too long; `indent` is the column of the brace.
-fn flow(fields: &[Field], indent: usize) -> String {
+pub(super) fn flow(fields: &[Field], indent: usize) -> String {
     flow_groups(&[fields.to_vec()], indent)
 }
 
@@ -303,15 +324,8 @@ fn safe(text: &str) -> bool {
     !text.starts_with("- ") && text.chars().all(|c| c.is_ascii_alphanumeric() || "+-*/()._ ".contains(c))
 }
 
-/// Text, in quotes where YAML would read something else.
-fn word(text: &str) -> String {
-    let plain = text.starts_with(|c: char| c.is_ascii_alphabetic())
-        && text.chars().all(|c| c.is_ascii_alphanumeric() || "-_. ".contains(c))
-        && !text.ends_with(' ');
-    let same = |node: yaml::Node| matches!(node.kind, Kind::Scalar { text: read, .. } if read == text);
-    if plain && yaml::parse(text).is_ok_and(same) {
-        return text.to_string();
-    }
+/// Text in quotes, whatever it looks like.
+pub(super) fn text(text: &str) -> String {
     let escaped: String = text
         .chars()
         .map(|c| match c {
@@ -322,4 +336,16 @@ fn word(text: &str) -> String {
         })
         .collect();
     format!("\"{escaped}\"")
+}
+
+/// Text, in quotes where YAML would read something else.
+pub(super) fn word(text: &str) -> String {
+    let plain = text.starts_with(|c: char| c.is_ascii_alphabetic())
+        && text.chars().all(|c| c.is_ascii_alphanumeric() || "-_. ".contains(c))
+        && !text.ends_with(' ');
+    let same = |node: yaml::Node| matches!(node.kind, Kind::Scalar { text: read, .. } if read == text);
+    if plain && yaml::parse(text).is_ok_and(same) {
+        return text.to_string();
+    }
+    self::text(text)
 }

@@ -1,5 +1,7 @@
 //! Text to a tree in which every node knows its line and column. The only file that knows the YAML library.
 
+use core::ops::Range;
+
 use saphyr_parser::{Event, Parser, ScalarStyle};
 
 use super::problem::Problem;
@@ -24,6 +26,8 @@ pub(super) struct Mark {
 #[derive(Debug, Clone)]
 pub(super) struct Node {
     pub(super) mark: Mark,
+    /// First character and the one after the last, from the start of the text (a byte order mark not counted).
+    pub(super) span: Range<usize>,
     pub(super) kind: Kind,
 }
 
@@ -44,6 +48,8 @@ pub(super) enum Kind {
 #[derive(Debug, Clone)]
 pub(super) struct Word {
     pub(super) mark: Mark,
+    /// Where it begins, in characters.
+    pub(super) start: usize,
     pub(super) text: String,
 }
 
@@ -79,7 +85,8 @@ pub(super) fn parse(text: &str) -> Result<Node, Vec<Problem>> {
             }
             Ok((event, span)) => {
                 let mark = Mark { line: span.start.line(), column: span.start.col() + 1 };
-                if tree.take(event, mark).is_err() || tree.problems.len() >= MOST_PROBLEMS {
+                let range = span.start.index()..span.end.index();
+                if tree.take(event, mark, range).is_err() || tree.problems.len() >= MOST_PROBLEMS {
                     break;
                 }
             }
@@ -157,9 +164,9 @@ fn refuse_unreadable(text: &str) -> Result<(), Vec<Problem>> {
 
 /// A list or mapping that is not closed yet.
 enum Open {
-    List(Mark, Vec<Node>),
+    List(Mark, usize, Vec<Node>),
     /// The last field: a key that waits for its value.
-    Map(Mark, Vec<(Word, Node)>, Option<Word>),
+    Map(Mark, usize, Vec<(Word, Node)>, Option<Word>),
 }
 
 #[derive(Default)]
@@ -178,10 +185,10 @@ impl Tree {
         self.problems.push(at(mark, what, mend));
     }
 
-    fn take(&mut self, event: Event<'_>, mark: Mark) -> Result<(), Stop> {
+    fn take(&mut self, event: Event<'_>, mark: Mark, span: Range<usize>) -> Result<(), Stop> {
         let entries = match self.open.last() {
-            Some(Open::List(_, items)) => items.len(),
-            Some(Open::Map(_, fields, _)) => fields.len(),
+            Some(Open::List(_, _, items)) => items.len(),
+            Some(Open::Map(_, _, fields, _)) => fields.len(),
             None => 0,
         };
         if entries > MOST_ENTRIES {
@@ -204,7 +211,7 @@ impl Tree {
             }
             Event::Alias(_) => {
                 self.problem(mark, "an alias (`*name`) stands here", "write the values out; aliases are not read");
-                self.value(Node { mark, kind: Kind::Null });
+                self.value(Node { mark, span, kind: Kind::Null });
             }
             Event::Scalar(text, style, anchor, tag) => {
                 self.refuse_decoration(mark, anchor, tag.is_some());
@@ -213,19 +220,25 @@ impl Tree {
                     "" | "~" | "null" | "Null" | "NULL" if !quoted => Kind::Null,
                     _ => Kind::Scalar { text: text.into_owned(), quoted },
                 };
-                self.scalar(mark, kind)?;
+                self.scalar(mark, span, kind)?;
             }
             Event::SequenceStart(anchor, tag) => {
                 self.refuse_decoration(mark, anchor, tag.is_some());
-                self.opened(Open::List(mark, Vec::new()), mark)?;
+                self.opened(Open::List(mark, span.start, Vec::new()), mark)?;
             }
             Event::MappingStart(anchor, tag) => {
                 self.refuse_decoration(mark, anchor, tag.is_some());
-                self.opened(Open::Map(mark, Vec::new(), None), mark)?;
+                self.opened(Open::Map(mark, span.start, Vec::new(), None), mark)?;
             }
             Event::SequenceEnd | Event::MappingEnd => match self.open.pop() {
-                Some(Open::List(mark, items)) => self.value(Node { mark, kind: Kind::List(items) }),
-                Some(Open::Map(mark, fields, _)) => self.value(Node { mark, kind: Kind::Map(fields) }),
+                Some(Open::List(mark, start, items)) => {
+                    let last = items.last().map_or(start, |item| item.span.end);
+                    self.value(Node { mark, span: start..closed(last, &span), kind: Kind::List(items) });
+                }
+                Some(Open::Map(mark, start, fields, _)) => {
+                    let last = fields.last().map_or(start, |(_, value)| value.span.end);
+                    self.value(Node { mark, span: start..closed(last, &span), kind: Kind::Map(fields) });
+                }
                 None => return Err(Stop),
             },
         }
@@ -242,9 +255,9 @@ impl Tree {
     }
 
     fn opened(&mut self, open: Open, mark: Mark) -> Result<(), Stop> {
-        if let Some(Open::Map(_, _, key @ None)) = self.open.last_mut() {
+        if let Some(Open::Map(_, _, _, key @ None)) = self.open.last_mut() {
             // Its value would follow; the shape of the rest is not to be trusted.
-            *key = Some(Word { mark, text: String::new() });
+            *key = Some(Word { mark, start: 0, text: String::new() });
             self.problem(mark, "a key is a list or a mapping", "a key is a word, followed by `: ` and its value");
             return Err(Stop);
         }
@@ -261,9 +274,9 @@ impl Tree {
     }
 
     /// A scalar is a key where a mapping waits for one, otherwise a value.
-    fn scalar(&mut self, mark: Mark, kind: Kind) -> Result<(), Stop> {
-        let Some(Open::Map(_, fields, key @ None)) = self.open.last_mut() else {
-            self.value(Node { mark, kind });
+    fn scalar(&mut self, mark: Mark, span: Range<usize>, kind: Kind) -> Result<(), Stop> {
+        let Some(Open::Map(_, _, fields, key @ None)) = self.open.last_mut() else {
+            self.value(Node { mark, span, kind });
             return Ok(());
         };
         let Kind::Scalar { text, .. } = kind else {
@@ -273,7 +286,7 @@ impl Tree {
         let first = fields.iter().find(|(word, _)| word.text == text).map(|(word, _)| word.mark.line);
         let merge = text == "<<";
         let name = shortened(&text);
-        *key = Some(Word { mark, text });
+        *key = Some(Word { mark, start: span.start, text });
         if merge {
             self.problem(mark, "a merge key (`<<`) stands here", "write the values out; merge keys are not read");
         } else if let Some(line) = first {
@@ -289,14 +302,19 @@ impl Tree {
     fn value(&mut self, node: Node) {
         match self.open.last_mut() {
             None => self.root = Some(node),
-            Some(Open::List(_, items)) => items.push(node),
-            Some(Open::Map(_, fields, key)) => {
+            Some(Open::List(_, _, items)) => items.push(node),
+            Some(Open::Map(_, _, fields, key)) => {
                 if let Some(word) = key.take() {
                     fields.push((word, node));
                 }
             }
         }
     }
+}
+
+/// Where a list or mapping ends: at its bracket, or, in lines, with its last entry.
+fn closed(last: usize, end: &Range<usize>) -> usize {
+    if end.is_empty() { last } else { end.end }
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use super::super::reader::{Fields, Findings};
 use super::super::yaml::{Kind, Mark, Node};
 use super::super::{Angle, Drive, Joint, JointKind, Length, Limits};
-use super::{drive, place};
+use super::{drive, place, provenance};
 
 /// Faster than any joint turns, rad/s: degrees, most likely.
 const FASTEST: f64 = 60.0;
@@ -60,6 +60,7 @@ fn joint(row: usize, fields: &Fields<'_>, to: &mut Findings) -> Joint {
         _ => JointKind::Revolute,
     };
     antecedent(row, fields, to);
+    provenance::of_joint(fields, to);
     Joint {
         name: fields.text("name", to).unwrap_or_else(|| format!("joint{}", row + 1)),
         kind,

@@ -1,0 +1,28 @@
+//! Where a file and its joints come from: read by people, checked for its form.
+
+use super::super::reader::{Fields, Findings};
+
+/// `provenance:` at the top.
+pub(super) fn check(top: &Fields<'_>, to: &mut Findings) {
+    for (node, path) in top.rows("provenance", to).unwrap_or_default() {
+        let Some(run) = top.row("provenance", node, &path, to) else { continue };
+        ["command", "version"].iter().for_each(|key| drop(run.text(key, to)));
+        ["options", "found"].iter().for_each(|key| run.texts(key, to));
+        for (node, path) in run.rows("files", to).unwrap_or_default() {
+            let Some(file) = run.row("files", node, &path, to) else { continue };
+            ["for", "path", "sha256"].iter().for_each(|key| drop(file.text(key, to)));
+        }
+    }
+}
+
+/// `source:` of a joint.
+pub(super) fn of_joint(joint: &Fields<'_>, to: &mut Findings) {
+    let Some(source) = joint.map("source", to) else { return };
+    source.text("name", to);
+    source.number("offset", to);
+    if let (Some(sign), Some((node, path))) = (source.number("sign", to), source.node("sign"))
+        && sign.abs() != 1.0
+    {
+        to.problem(node.mark, &path, format!("the sign is {sign}"), "write 1 or -1");
+    }
+}
