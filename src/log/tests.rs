@@ -1,6 +1,7 @@
 //! A log in order first, then one thing wrong per test.
 
 mod doctor;
+mod fingerprint;
 mod formats;
 mod measured;
 
