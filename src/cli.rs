@@ -1,5 +1,7 @@
 //! The command line: one verb, one file. Only this room touches disk and terminal.
 
+#![deny(clippy::print_stdout, clippy::print_stderr)] // `terminal` writes, and shows control characters
+
 mod check;
 mod diagnose;
 mod eval;
@@ -9,15 +11,22 @@ mod force;
 mod generate;
 mod identify;
 mod ik;
+mod interrupt;
+mod logbook;
 mod motion;
+mod output;
 mod paint;
 mod prepare;
+mod provenance;
 mod reproduce;
 mod simulate;
 mod table;
+mod terminal;
 mod tool;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+
+pub use terminal::say;
 
 /// From a robot's DH table to closed-form Rust, and from a recorded motion to an identified model.
 #[derive(Parser)]
@@ -25,6 +34,8 @@ use clap::{Parser, Subcommand};
 pub struct Cli {
     #[command(subcommand)]
     command: Command,
+    #[arg(skip)]
+    provenance: provenance::Provenance,
 }
 
 #[derive(Subcommand)]
@@ -56,24 +67,37 @@ enum Command {
 }
 
 impl Cli {
+    /// Parses the arguments of this process.
+    ///
+    /// # Errors
+    /// What clap says: wrong use, or help and version to be printed.
+    pub fn of_process() -> Result<Self, clap::Error> {
+        let mut command = Self::command();
+        let matches = command.try_get_matches_from_mut(std::env::args_os())?;
+        let mut cli = Self::from_arg_matches(&matches).map_err(|e| e.format(&mut command))?;
+        cli.provenance = provenance::Provenance::new(&command, &matches);
+        Ok(cli)
+    }
+
     /// Does what was asked.
     ///
     /// # Errors
     /// A paragraph for standard error and an exit status: 2 for wrong use or bad input, 1 otherwise.
     pub fn run(self) -> Result<(), Failure> {
+        let provenance = self.provenance;
         match self.command {
-            Command::Check(verb) => verb.run(),
-            Command::Generate(verb) => verb.run(),
-            Command::Diagnose(verb) => verb.run(),
-            Command::Eval(verb) => verb.run(),
-            Command::Excite(verb) => verb.run(),
-            Command::Force(verb) => verb.run(),
-            Command::Ik(verb) => verb.run(),
-            Command::Identify(verb) => verb.run(),
-            Command::Paint(verb) => verb.run(),
-            Command::Reproduce(verb) => verb.run(),
-            Command::Simulate(verb) => verb.run(),
-            Command::Tool(verb) => verb.run(),
+            Command::Check(verb) => verb.run(provenance),
+            Command::Generate(verb) => verb.run(provenance),
+            Command::Diagnose(verb) => verb.run(provenance),
+            Command::Eval(verb) => verb.run(provenance),
+            Command::Excite(verb) => verb.run(provenance),
+            Command::Force(verb) => verb.run(provenance),
+            Command::Ik(verb) => verb.run(provenance),
+            Command::Identify(verb) => verb.run(provenance),
+            Command::Paint(verb) => verb.run(provenance),
+            Command::Reproduce(verb) => verb.run(provenance),
+            Command::Simulate(verb) => verb.run(provenance),
+            Command::Tool(verb) => verb.run(provenance),
         }
     }
 }

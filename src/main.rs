@@ -2,24 +2,34 @@
 
 use std::process::ExitCode;
 
-use clap::Parser;
 use clap::error::ErrorKind;
-use denavit::cli::{Cli, Failure};
+use denavit::cli::{Cli, Failure, say};
 
 fn main() -> ExitCode {
-    let done = match Cli::try_parse() {
+    let done = match Cli::of_process() {
         Ok(cli) => cli.run(),
         // A wrong use is one paragraph like any other error; help and version are clap's to print.
         Err(e) if e.use_stderr() && e.kind() != ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
             Err(Failure::input(one_paragraph(&e.render().to_string())))
         }
-        Err(e) => e.exit(),
+        Err(e) => return shown_by_clap(&e),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(Failure { status, message }) => {
-            eprintln!("denavit: {message}");
+            say(&format!("denavit: {message}"));
             ExitCode::from(status)
+        }
+    }
+}
+
+/// Help and version.
+fn shown_by_clap(message: &clap::Error) -> ExitCode {
+    match message.print() {
+        Ok(()) => ExitCode::from(u8::try_from(message.exit_code()).unwrap_or(2)),
+        Err(e) => {
+            say(&format!("denavit: standard output can't be written: {e}"));
+            ExitCode::FAILURE
         }
     }
 }

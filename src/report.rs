@@ -40,6 +40,7 @@ mod stick_figure;
 mod tool_html;
 mod tool_json;
 mod tool_text;
+mod visible;
 
 pub use bodies_html::Links;
 pub use consistent::{Possible, carry_over_json, carry_over_text, consistent_json, consistent_text};
@@ -68,6 +69,7 @@ pub use simulate_text::simulate_text;
 pub use tool_html::tool_html;
 pub use tool_json::tool_json;
 pub use tool_text::{tool_text, tool_verdict};
+pub use visible::{is_control, visible};
 
 #[cfg(test)]
 mod tests;

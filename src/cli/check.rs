@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::provenance::Provenance;
 use super::{Failure, files};
 use crate::interpreted::Interpreted;
 use crate::report::{check_json, check_text};
@@ -22,11 +23,13 @@ pub(super) struct Check {
 }
 
 impl Check {
-    pub(super) fn run(self) -> Result<(), Failure> {
+    pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         let file = files::robot(&self.robot)?;
+        files::check_outputs(&[("--json", &self.json)], &file.read)?;
         let arm = Interpreted::with_effects(&file.robot, &[]);
         if let Some(target) = &self.json {
-            files::json(target, &check_json::value(&file.robot, arm.model()))?;
+            let provenance = provenance.robot(&self.robot, &file);
+            files::json(target, check_json::value(&file.robot, arm.model()), &provenance)?;
         }
         if !files::is_stdout(&self.json) {
             files::print(&check_text::text(&file.robot, arm.model()))?;

@@ -5,10 +5,12 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use indicatif::ProgressBar;
 
-use super::prepare::{Torque, keep, try_pass, warned};
+use super::logbook::{Logbook, Purpose};
+use super::prepare::{Torque, keep, warned};
+use super::provenance::Provenance;
 use super::{Failure, files};
 use crate::arm::Arm;
-use crate::diagnose::{self, Diagnosis, Recording, Separation, Settings};
+use crate::diagnose::{self, Cause, Diagnosis, Recording, Separation, Settings};
 use crate::log::Keep;
 use crate::plant::RobotPlant;
 use crate::signal::{Filter, Prepare, PrepareError, Prepared};
@@ -62,8 +64,16 @@ pub(super) struct Diagnose {
 /// Rows per second of the motion that is written.
 const NEXT_RATE: f64 = 100.0;
 
+/// What is known of the logs after reading them.
+#[derive(Default)]
+struct Reading {
+    prepared: Vec<Prepared>,
+    logbook: Logbook,
+    provenance: Provenance,
+}
+
 impl Diagnose {
-    pub(super) fn run(self) -> Result<(), Failure> {
+    pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         if !(self.cutoff > 0.0 && self.cutoff.is_finite()) {
             return Err(Failure::input(format!("--cutoff {}: a frequency in Hz above 0", self.cutoff)));
         }
@@ -72,12 +82,18 @@ impl Diagnose {
         }
         let keep = keep(&self.keep)?;
         let file = files::robot(&self.robot)?;
+        files::check_outputs(
+            &[("--out", &self.out), ("--next", &self.next_path()), ("--json", &self.json), ("--report", &self.report)],
+            file.read.iter().chain(&self.logs).chain(&self.validate),
+        )?;
         let plant = RobotPlant::new(&file.robot);
-        let mut prepared = Vec::new();
-        let mut read = |paths: &[PathBuf]| -> Result<Vec<Recording>, Failure> {
-            paths.iter().map(|path| self.record(path, plant.dof(), keep, &mut prepared)).collect()
+        let mut reading = Reading { provenance: provenance.robot(&self.robot, &file), ..Reading::default() };
+        let mut read = |purpose: Purpose, paths: &[PathBuf]| -> Result<Vec<Recording>, Failure> {
+            paths.iter().map(|path| self.record(purpose, path, plant.dof(), keep, &mut reading)).collect()
         };
-        let (fit, validate) = (read(&self.logs)?, read(&self.validate)?);
+        let (fit, validate) = (read(Purpose::Fit, &self.logs)?, read(Purpose::Validate, &self.validate)?);
+        let Reading { prepared, logbook, provenance } = reading;
+        let provenance = provenance.logs(&logbook);
         let bar = ProgressBar::new_spinner();
         bar.enable_steady_tick(std::time::Duration::from_millis(120));
         let settings = Settings { rate: self.rate, ..Settings::default() };
@@ -88,7 +104,7 @@ impl Diagnose {
             Some((next, path))
         });
         bar.finish_and_clear();
-        self.deliver(&found, next.as_ref(), &prepared, file)
+        self.deliver(&found, next.as_ref(), &prepared, file, &provenance)
     }
 
     fn next_path(&self) -> Option<PathBuf> {
@@ -101,38 +117,27 @@ impl Diagnose {
         next: Option<&(Separation, PathBuf)>,
         prepared: &[Prepared],
         file: files::RobotFile,
+        provenance: &Provenance,
     ) -> Result<(), Failure> {
-        let list = |paths: &[PathBuf]| paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ");
-        let provenance = vec![
-            ("denavit".to_string(), env!("CARGO_PKG_VERSION").to_string()),
-            ("robot file".into(), format!("{} ({} bytes)", self.robot.display(), file.text.len())),
-            ("fitted logs".into(), list(&self.logs)),
-            ("validating logs".into(), list(&self.validate)),
-        ];
         if let Some(path) = &self.out {
-            let mut text =
-                format!("# {} with what `denavit diagnose` found in {}\n", self.robot.display(), list(&self.logs));
-            for cause in found.causes.iter().filter(|c| c.cause != "unknown") {
-                text.push_str(&format!(
-                    "# {} (probability {:.2}): {}\n",
-                    cause.cause, cause.probability, cause.evidence
-                ));
-            }
-            text.push_str(&extend::extended(file.robot, found).to_yaml());
+            let sentence = |c: &&Cause| format!("{} (probability {:.2}): {}", c.cause, c.probability, c.evidence);
+            let causes = found.causes.iter().filter(|c| c.cause != "unknown");
+            let run = provenance.run(causes.map(|c| sentence(&c)).collect());
+            let text = file.rewritten(&extend::extended(file.robot.clone(), found), path, &run);
             files::write(path, text.as_bytes())?;
         }
         if let Some((next, path)) = next {
             files::write(path, report::motion_csv(&next.motion, NEXT_RATE).as_bytes())?;
         }
         if let Some(target) = &self.json {
-            let mut value = report::diagnose_json(found, prepared, &provenance);
+            let mut value = report::diagnose_json(found, prepared, &provenance.rows());
             if let Some((next, path)) = next {
                 value["next_experiment"] = report::next_experiment_json(next, &path.display().to_string());
             }
-            files::json(target, &value)?;
+            files::json(target, value, provenance)?;
         }
         if let Some(path) = &self.report {
-            files::write(path, report::diagnose_html(found, prepared, &provenance).as_bytes())?;
+            files::write(path, report::diagnose_html(found, prepared, &provenance.rows()).as_bytes())?;
         }
         if !files::is_stdout(&self.json) {
             files::print(&report::diagnose_text(found, prepared))?;
@@ -147,7 +152,14 @@ impl Diagnose {
     }
 
     /// A log, whole; slow ones with as much of the band as they have.
-    fn record(&self, path: &Path, dof: usize, keep: Keep, prepared: &mut Vec<Prepared>) -> Result<Recording, Failure> {
+    fn record(
+        &self,
+        purpose: Purpose,
+        path: &Path,
+        dof: usize,
+        keep: Keep,
+        reading: &mut Reading,
+    ) -> Result<Recording, Failure> {
         let mut cutoff = self.cutoff;
         loop {
             let prepare = Prepare {
@@ -160,9 +172,14 @@ impl Diagnose {
                 ..Prepare::default()
             };
             let mut recording = Recording::new(&path.display().to_string());
-            match try_pass(path, dof, &prepare, |motion| recording.absorb(motion))? {
+            match reading.logbook.try_pass(purpose, path, dof, &prepare, |motion| recording.absorb(motion))? {
                 Ok(found) => {
-                    prepared.push(warned(path, found));
+                    reading.prepared.push(warned(path, found));
+                    if cutoff < self.cutoff {
+                        let what = format!("cut-off for {}, as it is sampled slowly", path.display());
+                        reading.provenance =
+                            std::mem::take(&mut reading.provenance).with(&what, format!("{cutoff} Hz"));
+                    }
                     return Ok(recording);
                 }
                 Err(PrepareError::Cutoff { .. }) if cutoff > 1.0 => cutoff *= 0.6,

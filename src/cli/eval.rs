@@ -6,6 +6,7 @@ use clap::{Args, ValueEnum};
 use dh_codegen::arm::{Argument, Function, param};
 use dh_codegen::robot::Robot;
 
+use super::provenance::Provenance;
 use super::table::Table;
 use super::{Failure, files};
 use crate::arm::{Arm, Predicted, States};
@@ -80,8 +81,9 @@ impl Quantity {
 }
 
 impl Eval {
-    pub(super) fn run(self) -> Result<(), Failure> {
+    pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         let file = files::robot(&self.robot)?;
+        files::check_outputs(&[("--json", &Some(self.json.clone()))], file.read.iter().chain([&self.states]))?;
         let function = self.quantity.function();
         let arm = Interpreted::with_effects(&file.robot, &[function]);
         let table = Table::read(&self.states)?;
@@ -116,7 +118,7 @@ impl Eval {
         };
         let shape = arm.shape(function);
         let value = eval_json::value(function.name(), &arm, &shape, values);
-        files::json(&self.json, &value)
+        files::json(&self.json, value, &provenance.robot(&self.robot, &file))
     }
 }
 

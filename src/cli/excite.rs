@@ -8,7 +8,8 @@ use std::time::{Duration, Instant};
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 
-use super::{Failure, files};
+use super::provenance::Provenance;
+use super::{Failure, files, interrupt, terminal};
 use crate::arm::{Arm, States};
 use crate::differentiated::Differentiated;
 use crate::excite::check::check;
@@ -140,11 +141,22 @@ impl Which {
 }
 
 impl Excite {
-    pub(super) fn run(self) -> Result<(), Failure> {
+    pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         self.validate()?;
         let file = files::robot(&self.robot)?;
+        files::check_outputs(
+            &[
+                ("--out", &self.out),
+                ("--coefficients", &self.coefficients),
+                ("--ros", &self.ros),
+                ("--report", &self.report),
+                ("--json", &self.json),
+            ],
+            file.read.iter().chain(&self.check).chain(&self.known),
+        )?;
+        let provenance = provenance.robot(&self.robot, &file);
         if let Some(path) = &self.check {
-            return self.judge(path, &file.robot);
+            return self.judge(path, &file.robot, &provenance);
         }
         let arm = Differentiated::new(&file.robot);
         let begun = Instant::now();
@@ -169,7 +181,7 @@ impl Excite {
         }
         self.know(&mut task)?;
         for line in report::missing_text(&task.missing) {
-            eprintln!("{}: note: {line}", self.robot.display());
+            terminal::say(&format!("{}: note: {line}", self.robot.display()));
         }
 
         let (found, expected, tried) = self.search(&task)?;
@@ -204,12 +216,12 @@ impl Excite {
         }
         let outcome = report::Outcome { task: &task, found: &found, expected: &expected, tried: &tried, seconds };
         if let Some(path) = &self.report {
-            files::write(path, report::excite_html(&outcome, &self.provenance(&file.text)).as_bytes())?;
+            files::write(path, report::excite_html(&outcome, &provenance.rows()).as_bytes())?;
         }
         if let Some(target) = &self.json {
-            files::json(target, &report::excite_json(&outcome))?;
+            files::json(target, report::excite_json(&outcome), &provenance)?;
         }
-        if !files::is_stdout(&self.json) {
+        if !files::is_stdout(self.json.iter().chain(&self.out).chain(&self.coefficients).chain(&self.ros)) {
             files::print(&report::excite_text(&outcome))?;
             for path in self.out.iter().chain(&self.coefficients).chain(&self.ros).chain(&self.report) {
                 files::print(&format!("wrote {}\n", path.display()))?;
@@ -218,12 +230,12 @@ impl Excite {
         Ok(())
     }
 
-    fn judge(&self, path: &Path, robot: &Robot) -> Result<(), Failure> {
+    fn judge(&self, path: &Path, robot: &Robot, provenance: &Provenance) -> Result<(), Failure> {
         let written = super::motion::read(path, robot.dof())?;
         let verdict = check(robot, &written, Some(self.acceleration_time))
             .map_err(|e| Failure::input(format!("{}: {e}", path.display())))?;
         if let Some(target) = &self.json {
-            files::json(target, &report::motion_check_json(&verdict))?;
+            files::json(target, report::motion_check_json(&verdict), provenance)?;
         }
         if !files::is_stdout(&self.json) {
             files::print(&report::motion_check_text(&verdict))?;
@@ -327,15 +339,6 @@ impl Excite {
         noise.into_iter().map(|s| s * (CRITERION_RATE / independent).sqrt()).collect()
     }
 
-    fn provenance(&self, text: &str) -> Vec<(String, String)> {
-        let command: Vec<String> = std::env::args().collect();
-        vec![
-            ("robot".into(), format!("{} ({} bytes)", self.robot.display(), text.len())),
-            ("command".into(), command.join(" ")),
-            ("program".into(), format!("denavit {}", env!("CARGO_PKG_VERSION"))),
-        ]
-    }
-
     fn noises(&self, dof: usize) -> Result<Vec<f64>, Failure> {
         if let Some(bad) = self.noise.iter().find(|s| !(**s > 0.0 && s.is_finite())) {
             return Err(Failure::input(format!("--noise {bad}: a standard deviation is positive, N m")));
@@ -358,13 +361,7 @@ impl Excite {
             ..Effort::default()
         };
         let stop = Arc::new(AtomicBool::new(false));
-        let asked = Arc::clone(&stop);
-        // A second Ctrl-C ends the program at once. Where no handler can be set, the first does.
-        let _ = ctrlc::set_handler(move || {
-            if asked.swap(true, Ordering::Relaxed) {
-                std::process::exit(130);
-            }
-        });
+        interrupt::stop_on_interrupt(&stop);
         let bar = ProgressBar::new(1);
         if let Ok(style) = ProgressStyle::with_template("{bar:30} {percent}% {msg} {eta} left") {
             bar.set_style(style);

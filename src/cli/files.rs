@@ -1,18 +1,40 @@
 //! Reading and writing for all verbs.
 
+use std::cell::RefCell;
 use std::fs;
-use std::io::{ErrorKind, Write};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{Robot, Run};
+use serde::Serialize;
 use serde_json::Value;
 
-use super::Failure;
+use super::output::{self, Output, unwritable};
+use super::provenance::Provenance;
+use super::terminal::is_control;
+use super::{Failure, terminal};
+
+pub(super) use super::output::check_outputs;
+pub(super) use super::terminal::print;
 
 /// A robot file with its text.
 pub(super) struct RobotFile {
     pub robot: Robot,
     pub text: String,
+    /// Files that were read for it: its own and those that it names.
+    pub read: Vec<PathBuf>,
+}
+
+impl RobotFile {
+    /// The text of this file for a robot that was made of it and goes to `path`.
+    pub(super) fn rewritten(&self, robot: &Robot, path: &Path, run: &Run) -> String {
+        let load = |beside: &Path, name: &str| {
+            let path = beside.parent().unwrap_or(Path::new("")).join(name);
+            fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))
+        };
+        let own = self.read.first().map_or(path, PathBuf::as_path);
+        robot.rewritten(&self.text, &|name| load(own, name), &|name| load(path, name), run)
+    }
 }
 
 /// Reads a robot file and says on standard error what was noted in it.
@@ -20,14 +42,18 @@ pub(super) fn robot(path: &Path) -> Result<RobotFile, Failure> {
     let shown = path.display().to_string();
     let text = text(path)?;
     let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
-    let load =
-        |name: &str| fs::read_to_string(folder.join(name)).map_err(|e| format!("{}: {e}", folder.join(name).display()));
+    let read = RefCell::new(vec![path.to_path_buf()]);
+    let load = |name: &str| {
+        let path = folder.join(name);
+        read.borrow_mut().push(path.clone());
+        fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))
+    };
     match Robot::from_yaml(&text, &load) {
         Ok(reading) => {
             for note in &reading.notes {
-                eprintln!("{shown}: note: {note}");
+                terminal::say(&format!("{shown}: note: {note}"));
             }
-            Ok(RobotFile { robot: reading.robot, text })
+            Ok(RobotFile { robot: reading.robot, text, read: read.into_inner() })
         }
         Err(problems) => Err(Failure::input(format!("{shown} can't be used:\n{}", problems.in_file(&shown)))),
     }
@@ -65,37 +91,73 @@ fn unreadable(path: &Path, error: &std::io::Error) -> Failure {
     Failure::input(format!("{} can't be read: {error}{advice}", path.display()))
 }
 
-/// Writes a whole file by way of a neighbour, so that what stood there is lost only when the new one is complete.
+/// Writes a whole file: it is there when all of it is, or not at all.
 pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let failed = |e: std::io::Error| Failure::other(format!("{} can't be written: {e}", path.display()));
-    if let Some(folder) = path.parent().filter(|f| !f.as_os_str().is_empty()) {
-        fs::create_dir_all(folder).map_err(failed)?;
+    stream(path, |output| output.write_all(bytes))
+}
+
+/// Makes `root`, and the folders in it that the file `inside` needs; what `root` stands in must be there.
+pub(super) fn create_folder(root: &Path, inside: &Path) -> Result<(), Failure> {
+    let folders = inside.parent().into_iter().flat_map(Path::ancestors).filter(|f| !f.as_os_str().is_empty());
+    let mut all: Vec<PathBuf> = folders.map(|folder| root.join(folder)).collect();
+    all.push(root.to_path_buf());
+    for folder in all.iter().rev() {
+        match fs::create_dir(folder) {
+            Err(_) if folder.is_dir() => {}
+            Err(e) if e.kind() == ErrorKind::NotFound => {
+                let parent = folder.parent().unwrap_or(folder).display();
+                return Err(Failure::other(format!(
+                    "{} can't be made: there is no folder {parent}; create it, or correct the path",
+                    folder.display()
+                )));
+            }
+            done => done.map_err(|e| unwritable(&folder.display().to_string(), &e))?,
+        }
     }
-    let mut name = path.file_name().unwrap_or_default().to_os_string();
-    name.push(".tmp");
-    let beside = path.with_file_name(name);
-    fs::write(&beside, bytes).and_then(|()| fs::rename(&beside, path)).map_err(|e| {
-        let _ = fs::remove_file(&beside);
-        failed(e)
-    })
+    Ok(())
 }
 
-/// Where `--json` goes.
-pub(super) fn json(target: &Path, value: &Value) -> Result<(), Failure> {
-    let mut text = value.to_string();
-    text.push('\n');
-    if target == Path::new("-") { print(&text) } else { write(target, text.as_bytes()) }
-}
-
-/// To standard output; a reader that has gone away is no error.
-pub(super) fn print(text: &str) -> Result<(), Failure> {
-    match std::io::stdout().lock().write_all(text.as_bytes()) {
-        Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(Failure::other(format!("standard output: {e}"))),
-        _ => Ok(()),
+/// Writes a file piece by piece, with the same promise.
+pub(super) fn stream(path: &Path, fill: impl FnOnce(&mut Output) -> io::Result<()>) -> Result<(), Failure> {
+    let mut output = Output::create(path)?;
+    match fill(&mut output) {
+        Ok(()) => output.finish(),
+        Err(e) => Err(output.failed(&e)),
     }
 }
 
-/// Is `--json -` asked for? Then nothing else goes to standard output.
-pub(super) fn is_stdout(json: &Option<PathBuf>) -> bool {
-    json.as_deref() == Some(Path::new("-"))
+/// Where `--json` goes, with what made it.
+pub(super) fn json(target: &Path, mut value: Value, provenance: &Provenance) -> Result<(), Failure> {
+    let rows = provenance.rows().into_iter().map(|(what, value)| (what, Value::from(value)));
+    value["provenance"] = Value::Object(rows.collect());
+    let fill = |output: &mut dyn Write| {
+        value.serialize(&mut serde_json::Serializer::with_formatter(&mut *output, Visible))?;
+        output.write_all(b"\n")
+    };
+    if target != Path::new("-") {
+        return stream(target, |output| fill(output));
+    }
+    let mut out = io::BufWriter::new(io::stdout().lock());
+    fill(&mut out).and_then(|()| out.flush()).map_err(|e| unwritable("standard output", &e))
+}
+
+/// JSON without control characters, as it may end on a terminal: JSON itself lets those above U+007E stand.
+struct Visible;
+
+impl serde_json::ser::Formatter for Visible {
+    fn write_string_fragment<W: ?Sized + Write>(&mut self, writer: &mut W, fragment: &str) -> io::Result<()> {
+        if !fragment.contains(is_control) {
+            return writer.write_all(fragment.as_bytes());
+        }
+        for c in fragment.chars() {
+            // All of them have 16 bits.
+            if is_control(c) { write!(writer, "\\u{:04x}", u32::from(c))? } else { write!(writer, "{c}")? }
+        }
+        Ok(())
+    }
+}
+
+/// Does one of these outputs go to standard output? Then nothing else does.
+pub(super) fn is_stdout<'a>(outputs: impl IntoIterator<Item = &'a PathBuf>) -> bool {
+    outputs.into_iter().any(|path| output::is_stdout(path))
 }

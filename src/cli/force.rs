@@ -1,11 +1,14 @@
 //! `denavit force`: the wrench on the tool from joint torques.
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use dh_codegen::arm::param;
 
+use super::logbook::{Logbook, Purpose};
 use super::prepare::{Preparation, pass, warned};
+use super::provenance::Provenance;
 use super::{Failure, files};
 use crate::arm::Arm;
 use crate::force::{
@@ -103,7 +106,7 @@ fn pair(text: &str) -> Result<[f64; 2], String> {
 }
 
 impl Force {
-    pub(super) fn run(self) -> Result<(), Failure> {
+    pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         if self.out.is_some() && self.logs.len() > 1 {
             return Err(Failure::input("--out writes the wrench of one log; run the command once for each log"));
         }
@@ -111,6 +114,10 @@ impl Force {
             return Err(Failure::input(format!("--gain {}: 1/s, above 0 and below 10000", self.gain)));
         }
         let file = files::robot(&self.robot)?;
+        files::check_outputs(
+            &[("--out", &self.out), ("--json", &self.json), ("--report", &self.report)],
+            file.read.iter().chain(&self.logs).chain(&self.identified),
+        )?;
         let real = file.robot.as_it_is();
         let standard = param::standard_values(&real).ok_or_else(|| {
             Failure::input(format!(
@@ -150,13 +157,14 @@ impl Force {
         settings.bias = self.bias_of(&arm, torques, &prepare)?;
         let (uncertainty, known_from) = self.uncertainty(&arm, torques, &prepare)?;
 
-        let (mut found, mut prepared) = (Vec::new(), Vec::new());
+        let (mut found, mut prepared, mut logbook) = (Vec::new(), Vec::new(), Logbook::default());
         for path in &self.logs {
             let known = Known { arm: &arm, standard: &standard, torques, uncertainty: &uncertainty };
             let mut tool = arm.bodies(&standard);
             let shown = path.display().to_string();
             let mut run = Run::new(&shown, known, &mut tool, settings.clone()).map_err(Failure::input)?;
-            prepared.push(warned(path, pass(path, arm.dof(), &prepare, |motion| run.absorb(motion))?));
+            let log = logbook.pass(Purpose::Estimate, path, arm.dof(), &prepare, |motion| run.absorb(motion))?;
+            prepared.push(warned(path, log));
             let mut series = run.finish();
             if self.against == Some(Against::Measured) && series.measured.is_empty() {
                 return Err(Failure::input(format!(
@@ -170,7 +178,12 @@ impl Force {
         }
         let outcome =
             report::Forces { robot: arm.name(), found: &found, uncertainty: &uncertainty, known_from: &known_from };
-        self.deliver(&outcome, &prepared, &file.text)
+        let provenance = provenance
+            .robot(&self.robot, &file)
+            .logs(&logbook)
+            .with("low-pass", self.preparation.low_pass())
+            .with("errors of the model", &known_from);
+        self.deliver(&outcome, &prepared, &provenance)
     }
 
     fn bias_of(&self, arm: &Interpreted, torques: &dyn Torques, prepare: &Prepare) -> Result<Option<Bias>, Failure> {
@@ -222,24 +235,18 @@ impl Force {
         &self,
         outcome: &report::Forces<'_>,
         prepared: &[crate::signal::Prepared],
-        text: &str,
+        provenance: &Provenance,
     ) -> Result<(), Failure> {
-        let provenance = vec![
-            ("denavit".to_string(), env!("CARGO_PKG_VERSION").to_string()),
-            ("robot file".into(), format!("{} ({} bytes)", self.robot.display(), text.len())),
-            ("low-pass".into(), self.preparation.low_pass()),
-            ("errors of the model".into(), outcome.known_from.to_string()),
-        ];
         if let (Some(path), [series]) = (&self.out, outcome.found) {
             write_csv(path, series)?;
         }
         if let Some(path) = &self.report {
-            files::write(path, report::force_html(outcome, prepared, &provenance).as_bytes())?;
+            files::write(path, report::force_html(outcome, prepared, &provenance.rows()).as_bytes())?;
         }
         if let Some(target) = &self.json {
-            files::json(target, &report::force_json(outcome, &provenance))?;
+            files::json(target, report::force_json(outcome, &provenance.rows()), provenance)?;
         }
-        if !files::is_stdout(&self.json) {
+        if !files::is_stdout(self.json.iter().chain(&self.out)) {
             files::print(&report::force_text(outcome, prepared))?;
             for path in self.out.iter().chain(&self.report) {
                 files::print(&format!("wrote {}\n", path.display()))?;
@@ -255,18 +262,21 @@ fn write_csv(path: &Path, series: &Series) -> Result<(), Failure> {
     header.extend(COMPONENTS.iter().map(|c| (*c).to_string()));
     header.extend(COMPONENTS.iter().map(|c| format!("{c}_half")));
     header.extend(["touching".to_string(), "surprise".into(), "dexterity".into(), "seg".into()]);
-    let mut text = header.join(",") + "\n";
-    for s in 0..series.time.len() {
-        let mut row = vec![format!("{:.6}", series.time[s])];
-        row.extend(series.wrench[s].iter().map(|x| format!("{x:.6}")));
-        // Empty where the joints don't tell the component.
-        row.extend((0..6).map(|i| if series.told[s][i] { format!("{:.6}", series.half[s][i]) } else { String::new() }));
-        row.push(u8::from(series.touching[s]).to_string());
-        row.push(format!("{:.3}", series.deviate[s]));
-        row.push(format!("{:.5}", series.dexterity[s]));
-        row.push(series.segment[s].to_string());
-        text.push_str(&row.join(","));
-        text.push('\n');
-    }
-    files::write(path, text.as_bytes())
+    files::stream(path, |out| {
+        writeln!(out, "{}", header.join(","))?;
+        for s in 0..series.time.len() {
+            let mut row = vec![format!("{:.6}", series.time[s])];
+            row.extend(series.wrench[s].iter().map(|x| format!("{x:.6}")));
+            // Empty where the joints don't tell the component.
+            row.extend(
+                (0..6).map(|i| if series.told[s][i] { format!("{:.6}", series.half[s][i]) } else { String::new() }),
+            );
+            row.push(u8::from(series.touching[s]).to_string());
+            row.push(format!("{:.3}", series.deviate[s]));
+            row.push(format!("{:.5}", series.dexterity[s]));
+            row.push(series.segment[s].to_string());
+            writeln!(out, "{}", row.join(","))?;
+        }
+        Ok(())
+    })
 }

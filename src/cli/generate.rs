@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use dh_codegen::arm::Function;
 
+use super::provenance::Provenance;
 use super::{Failure, files};
 
 /// Write the drop-in crate with the robot's closed-form functions.
@@ -33,8 +34,9 @@ pub(super) struct Generate {
 }
 
 impl Generate {
-    pub(super) fn run(self) -> Result<(), Failure> {
+    pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         let file = files::robot(&self.robot)?;
+        files::check_outputs(&[("--json", &self.json)], &file.read)?;
         let further: &[Function] = if self.adjoints { &Function::ADJOINTS } else { &[] };
         let crate_files = dh_codegen::krate_with(&file.robot, &file.text, further);
         let stale = differing(&self.out, &crate_files);
@@ -49,12 +51,13 @@ impl Generate {
         }
         if !self.check {
             for path in &stale {
+                files::create_folder(&self.out, Path::new(path))?;
                 files::write(&self.out.join(path), crate_files[*path].as_bytes())?;
             }
         }
         if let Some(target) = &self.json {
             let value = serde_json::json!({ "out": self.out.display().to_string(), "files": crate_files.len(), "written": if self.check { vec![] } else { stale.clone() } });
-            files::json(target, &value)?;
+            files::json(target, value, &provenance.robot(&self.robot, &file))?;
         }
         if !files::is_stdout(&self.json) {
             let what = if stale.is_empty() {

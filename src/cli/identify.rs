@@ -6,8 +6,10 @@ use clap::{Args, ValueEnum};
 use dh_codegen::arm::param::{self, Parameter};
 use dh_codegen::robot::Robot;
 
+use super::logbook::{Logbook, Purpose};
 use super::prepare::{Preparation, against_limits, pass, warned};
-use super::{Failure, files};
+use super::provenance::Provenance;
+use super::{Failure, files, terminal};
 use crate::arm::{Arm, Reach};
 use crate::coupled::Coupled;
 use crate::identify::{
@@ -119,8 +121,12 @@ enum PriorFrom {
 }
 
 impl Identify {
-    pub(super) fn run(self) -> Result<(), Failure> {
+    pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         let file = files::robot(&self.robot)?;
+        files::check_outputs(
+            &[("--out", &self.out), ("--json", &self.json), ("--report", &self.report)],
+            file.read.iter().chain(&self.logs).chain(&self.validate).chain(&self.bounds),
+        )?;
         let mut prepare = self.prepare()?;
         let bodies = Interpreted::new(&file.robot, &[]);
         let couplings = extend::couplings(&file.robot);
@@ -130,14 +136,16 @@ impl Identify {
         let prior = param::standard_values(&file.robot).map(|values| [values, given].concat());
 
         let settings = self.preparation.stack();
-        let mut prepared = Vec::new();
-        let mut factor = |path: &PathBuf| -> Result<Factors, Failure> {
+        let (mut prepared, mut logbook) = (Vec::new(), Logbook::default());
+        let mut factor = |purpose: Purpose, path: &PathBuf| -> Result<Factors, Failure> {
             let mut stack = Stack::new(&path.display().to_string(), &arm, settings);
-            prepared.push(warned(path, pass(path, arm.dof(), &prepare, |motion| stack.absorb(motion))?));
+            let log = logbook.pass(purpose, path, arm.dof(), &prepare, |motion| stack.absorb(motion))?;
+            prepared.push(warned(path, log));
             Ok(stack.finish())
         };
-        let fit: Vec<Factors> = self.logs.iter().map(&mut factor).collect::<Result<_, _>>()?;
-        let validate: Vec<Factors> = self.validate.iter().map(&mut factor).collect::<Result<_, _>>()?;
+        let fit: Vec<Factors> = self.logs.iter().map(|path| factor(Purpose::Fit, path)).collect::<Result<_, _>>()?;
+        let validate: Vec<Factors> =
+            self.validate.iter().map(|path| factor(Purpose::Validate, path)).collect::<Result<_, _>>()?;
 
         against_limits(&mut prepared, &file.robot);
 
@@ -148,7 +156,8 @@ impl Identify {
             ..IdentifySettings::default()
         };
         let found = solve(&arm, &fit, &validate, &solving).map_err(Failure::input)?;
-        let provenance = self.provenance(&file.text);
+        let provenance =
+            provenance.robot(&self.robot, &file).logs(&logbook).with("low-pass", self.preparation.low_pass());
         let carry = carry_over(&arm, &bodies, &found);
         let possible = match self.consistent {
             Consistency::Never => None,
@@ -188,24 +197,27 @@ impl Identify {
                 file: links(&file.robot, prior.as_deref()),
                 possible: possible.as_ref(),
             };
-            let page = report::identify_html(&found, &prepared, &traces, Some(&links), &provenance);
+            let page = report::identify_html(&found, &prepared, &traces, Some(&links), &provenance.rows());
             files::write(path, page.as_bytes())?;
         }
         if let Some(path) = &self.out {
             if let Some(Err(error)) = possible.as_ref().map(|p| p.result) {
-                eprintln!("{}: warning: no possible bodies, the plain values were written: {error}", path.display());
+                terminal::say(&format!(
+                    "{}: warning: no possible bodies, the plain values were written: {error}",
+                    path.display()
+                ));
             }
             let (own, coupled) = standard.split_at(bodies.standard_names().len());
-            let robot = extend::with_couplings(extend::with_values(file.robot, own), coupled);
-            files::write(path, robot.to_yaml().as_bytes())?;
+            let robot = extend::with_couplings(extend::with_values(file.robot.clone(), own), coupled);
+            files::write(path, file.rewritten(&robot, path, &provenance.run(Vec::new())).as_bytes())?;
         }
         if let Some(target) = &self.json {
-            let mut json = report::identify_json(&found, &prepared, &provenance);
+            let mut json = report::identify_json(&found, &prepared, &provenance.rows());
             json["carry_over"] = report::carry_over_json(&carry);
             if let Some(possible) = &possible {
                 json["consistent"] = report::consistent_json(possible);
             }
-            files::json(target, &json)?;
+            files::json(target, json, &provenance)?;
         }
         if !files::is_stdout(&self.json) {
             files::print(&report::identify_text(&found, &prepared))?;
@@ -324,17 +336,6 @@ impl Identify {
             Ok(tracer.finish())
         })
         .collect()
-    }
-
-    fn provenance(&self, text: &str) -> Vec<(String, String)> {
-        let list = |paths: &[PathBuf]| paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ");
-        vec![
-            ("denavit".into(), env!("CARGO_PKG_VERSION").into()),
-            ("robot file".into(), format!("{} ({} bytes)", self.robot.display(), text.len())),
-            ("fitted logs".into(), list(&self.logs)),
-            ("validating logs".into(), list(&self.validate)),
-            ("low-pass".into(), self.preparation.low_pass()),
-        ]
     }
 }
 

@@ -7,6 +7,7 @@ use dh_codegen::arm::Model;
 use dh_codegen::ik::{Displacement, Family, Reference};
 use indicatif::ProgressBar;
 
+use super::provenance::Provenance;
 use super::table::Table;
 use super::{Failure, files};
 use crate::inverse::{Answer, Ask, Kinematics, MOST, PoseError, SwivelRange};
@@ -68,8 +69,9 @@ pub(super) struct Ik {
 }
 
 impl Ik {
-    pub(super) fn run(self) -> Result<(), Failure> {
+    pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         let file = files::robot(&self.robot)?;
+        files::check_outputs(&[("--json", &self.json)], file.read.iter().chain([&self.poses]))?;
         // Effects of geometry (zeros, lengths) are where the arm is; its generated code has them too.
         let robot = &file.robot.as_it_is();
         let reference = Reference {
@@ -100,7 +102,8 @@ impl Ik {
         let redundant = matches!(kinematics.inverse().family, Family::Swivel(_) | Family::Locked { .. });
         let poses = self.solve(robot.dof(), &kinematics, reference, tool)?;
         if let Some(target) = &self.json {
-            files::json(target, &ik_json::value(&robot.name, kinematics.inverse(), redundant, &poses))?;
+            let value = ik_json::value(&robot.name, kinematics.inverse(), redundant, &poses);
+            files::json(target, value, &provenance.robot(&self.robot, &file))?;
         }
         if !files::is_stdout(&self.json) {
             files::print(&ik_text::text(&robot.name, kinematics.inverse(), &poses))?;

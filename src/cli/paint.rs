@@ -6,6 +6,7 @@ mod run;
 use clap::{Args, Subcommand};
 
 use super::Failure;
+use super::provenance::Provenance;
 
 /// Plan a motion that paints a wall with a roller.
 #[derive(Args)]
@@ -27,10 +28,10 @@ enum What {
 }
 
 impl Paint {
-    pub(super) fn run(self) -> Result<(), Failure> {
+    pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         match self.what {
-            What::Plan(verb) => verb.run(),
-            What::Run(verb) => verb.run(),
+            What::Plan(verb) => verb.run(provenance),
+            What::Run(verb) => verb.run(provenance),
         }
     }
 }

@@ -1,15 +1,19 @@
 //! What the verbs that read logs share: how samples become motion, and the pass over a file.
 
+use std::cell::RefCell;
 use std::io::Read;
 use std::path::Path;
+use std::rc::Rc;
 
 use clap::{Args, ValueEnum};
 use dh_codegen::robot::{JointKind, Robot};
 use indicatif::{ProgressBar, ProgressStyle};
+use sha2::{Digest, Sha256};
 
-use super::{Failure, files};
+use super::provenance::hexadecimal;
+use super::{Failure, files, terminal};
 use crate::identify::{DeadZone, StackSettings};
-use crate::log::{Finding, Keep, Kind, Limits, Quantity, beyond, open};
+use crate::log::{Finding, Fingerprint, Fingerprinted, Keep, Kind, Limits, Quantity, beyond, open};
 use crate::signal::{Filter, Motion, Prepare, PrepareError, Prepared, each_motion};
 
 /// Low-pass, clock, torque column, and what to keep.
@@ -146,7 +150,7 @@ pub(super) fn against_limits(prepared: &mut [Prepared], robot: &Robot) {
 pub(super) fn warned(path: &Path, log: Prepared) -> Prepared {
     let unknown = |finding: &&Finding| matches!(finding.kind, Kind::UnknownColumns { .. });
     if let Some(finding) = log.findings.iter().find(unknown) {
-        eprintln!("{}: warning: {finding}", path.display());
+        terminal::say(&format!("{}: warning: {finding}", path.display()));
     }
     log
 }
@@ -163,8 +167,57 @@ pub(super) fn try_pass(
     prepare: &Prepare,
     sink: impl FnMut(&Motion),
 ) -> Result<Result<Prepared, PrepareError>, Failure> {
+    let (bar, reader) = reader(path)?;
+    let mut source = open(&path.display().to_string(), reader).map_err(Failure::input)?;
+    let prepared = each_motion(&mut *source, dof, prepare, sink);
+    bar.finish_and_clear();
+    Ok(prepared)
+}
+
+/// A first pass over a log: what was prepared, and by what the log is recognised.
+pub(super) struct Recognised {
+    pub prepared: Result<Prepared, PrepareError>,
+    /// SHA-256 of the file's bytes.
+    pub sha256: String,
+    pub fingerprint: Fingerprint,
+}
+
+/// [`try_pass`], with digest and fingerprint on the way.
+pub(super) fn recognised_pass(
+    path: &Path,
+    dof: usize,
+    prepare: &Prepare,
+    sink: impl FnMut(&Motion),
+) -> Result<Recognised, Failure> {
+    let (bar, reader) = reader(path)?;
+    let digest = Rc::new(RefCell::new(Sha256::new()));
+    let hashed = Hashed { inner: reader, digest: Rc::clone(&digest) };
+    let mut source = open(&path.display().to_string(), hashed).map_err(Failure::input)?;
+    let mut fingerprinted = Fingerprinted::new(&mut *source);
+    let prepared = each_motion(&mut fingerprinted, dof, prepare, sink);
+    let fingerprint = fingerprinted.finish();
+    bar.finish_and_clear();
+    let sha256 = hexadecimal(&digest.borrow().clone().finalize());
+    Ok(Recognised { prepared, sha256, fingerprint })
+}
+
+/// Bytes that are hashed as they are read.
+struct Hashed<R> {
+    inner: R,
+    digest: Rc<RefCell<Sha256>>,
+}
+
+impl<R: Read> Read for Hashed<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        let n = self.inner.read(buffer)?;
+        self.digest.borrow_mut().update(&buffer[..n]);
+        Ok(n)
+    }
+}
+
+/// A file with a bar on a terminal where it is large.
+fn reader(path: &Path) -> Result<(ProgressBar, impl Read + use<>), Failure> {
     let file = files::open(path)?;
-    let shown = path.display().to_string();
     let bar = match file.metadata() {
         Ok(meta) if meta.len() > 1 << 20 => ProgressBar::new(meta.len()),
         _ => ProgressBar::hidden(),
@@ -172,10 +225,7 @@ pub(super) fn try_pass(
     if let Ok(style) = ProgressStyle::with_template("{msg} [{bar:30}] {bytes}/{total_bytes} {eta}") {
         bar.set_style(style);
     }
-    bar.set_message(shown.clone());
-    let reader: Box<dyn Read> = Box::new(std::io::BufReader::new(bar.wrap_read(file)));
-    let mut source = open(&shown, reader).map_err(Failure::input)?;
-    let prepared = each_motion(&mut *source, dof, prepare, sink);
-    bar.finish_and_clear();
-    Ok(prepared)
+    bar.set_message(terminal::visible(&path.display().to_string()).into_owned());
+    let reader = std::io::BufReader::new(bar.wrap_read(file));
+    Ok((bar, reader))
 }

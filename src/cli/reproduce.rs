@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::provenance::Provenance;
 use super::{Failure, files};
 use crate::report::{self, Parts};
 use crate::reproduce::diagnosis::Settings as DiagnosisSettings;
@@ -84,10 +85,12 @@ fn longest(text: &str) -> Result<usize, String> {
 const MOST_RUNS: usize = 100_000;
 
 impl Reproduce {
-    pub(super) fn run(self) -> Result<(), Failure> {
+    pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         if self.runs > MOST_RUNS {
             return Err(Failure::input(format!("--runs {}: at most {MOST_RUNS}", self.runs)));
         }
+        files::check_outputs(&[("--json", &self.json), ("--report", &self.report)], [])?;
+        let provenance = provenance.with("robot", "robots/kuka-lwr4.yaml, built in");
         let asked = |part: Part| self.part.is_none_or(|p| p == part);
         let mut parts = Parts::default();
         if asked(Part::Excitation) {
@@ -119,10 +122,10 @@ impl Reproduce {
             parts.diagnosis = Some(watched("diagnosis", |watch| reproduce::diagnosis::battery(&settings, watch))?);
         }
         if let Some(path) = &self.report {
-            files::write(path, report::reproduce_html(&parts, &self.provenance()).as_bytes())?;
+            files::write(path, report::reproduce_html(&parts, &provenance.rows()).as_bytes())?;
         }
         if let Some(target) = &self.json {
-            files::json(target, &report::reproduce_json(&parts))?;
+            files::json(target, report::reproduce_json(&parts), &provenance)?;
         }
         if !files::is_stdout(&self.json) {
             files::print(&report::reproduce_text(&parts))?;
@@ -131,14 +134,6 @@ impl Reproduce {
             }
         }
         Ok(())
-    }
-
-    fn provenance(&self) -> Vec<(String, String)> {
-        vec![
-            ("denavit".into(), env!("CARGO_PKG_VERSION").into()),
-            ("seed".into(), self.seed.to_string()),
-            ("robot".into(), "robots/kuka-lwr4.yaml, built in".into()),
-        ]
     }
 }
 

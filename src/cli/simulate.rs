@@ -10,8 +10,9 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::provenance::Provenance;
 use super::table::Table;
-use super::{Failure, files};
+use super::{Failure, files, terminal};
 use crate::log::csv;
 use crate::simulate::{Method, Mode, Recording, Request, Side, SimulateError, Simulator, Trajectory};
 use crate::trajectory::Trajectory as Motion;
@@ -68,7 +69,7 @@ enum ControlMode {
 }
 
 impl Simulate {
-    pub(super) fn run(self) -> Result<(), Failure> {
+    pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         let name = self.out.to_string_lossy().to_lowercase();
         if !name.ends_with(".csv") && !name.ends_with(".csv.gz") {
             let shown = self.out.display();
@@ -77,6 +78,10 @@ impl Simulate {
             )));
         }
         let file = files::robot(&self.robot)?;
+        files::check_outputs(
+            &[("--out", &Some(self.out.clone())), ("--json", &self.json)],
+            file.read.iter().chain(&self.trajectory).chain(&self.effects),
+        )?;
         let given = match &self.effects {
             Some(path) => effects(path, &file.robot)?,
             None => SimulationFile::default(),
@@ -96,7 +101,7 @@ impl Simulate {
         }
         let trajectory = self.trajectory(file.robot.dof(), request.control.mode)?;
         for doubt in simulate::doubts(&trajectory, &file.robot) {
-            eprintln!("denavit: note: {doubt}");
+            terminal::say(&format!("denavit: note: {doubt}"));
         }
         let simulator = Simulator::new(&file.robot, &given.effects).map_err(|e| self.failed(e))?;
 
@@ -117,7 +122,8 @@ impl Simulate {
 
         self.write(&recording)?;
         if let Some(target) = &self.json {
-            files::json(target, &report::simulate_json(&file.robot.name, &recording, &request))?;
+            let provenance = provenance.robot(&self.robot, &file);
+            files::json(target, report::simulate_json(&file.robot.name, &recording, &request), &provenance)?;
         }
         if !files::is_stdout(&self.json) {
             files::print(&report::simulate_text(&file.robot.name, &recording, &request, seconds))?;
@@ -206,18 +212,15 @@ impl Simulate {
     }
 
     fn write(&self, recording: &Recording) -> Result<(), Failure> {
-        let shown = self.out.display();
         let name = self.out.file_name().unwrap_or_default().to_string_lossy().to_lowercase();
-        let failed = |e: std::io::Error| Failure::other(format!("{shown} can't be written: {e}"));
-        let mut bytes = Vec::new();
-        if name.ends_with(".gz") {
-            let mut packer = GzEncoder::new(&mut bytes, Compression::default());
-            csv::write(&recording.log, &mut packer).map_err(failed)?;
-            packer.finish().map_err(failed)?;
-        } else {
-            csv::write(&recording.log, &mut bytes).map_err(failed)?;
-        }
-        files::write(&self.out, &bytes)
+        files::stream(&self.out, |output| {
+            if !name.ends_with(".gz") {
+                return csv::write(&recording.log, output);
+            }
+            let mut packer = GzEncoder::new(output, Compression::default());
+            csv::write(&recording.log, &mut packer)?;
+            packer.finish().map(|_| ())
+        })
     }
 }
 
@@ -226,7 +229,7 @@ pub(in crate::cli) fn effects(path: &Path, robot: &Robot) -> Result<SimulationFi
     let file = SimulationFile::from_yaml(&files::text(path)?, robot)
         .map_err(|problems| Failure::input(format!("{shown} can't be used:\n{}", problems.in_file(&shown))))?;
     for note in &file.notes {
-        eprintln!("{shown}: note: {note}");
+        terminal::say(&format!("{shown}: note: {note}"));
     }
     Ok(file)
 }

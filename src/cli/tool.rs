@@ -1,19 +1,21 @@
 //! `denavit tool`: what is in the arm's hand, and which tool that is.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use dh_codegen::arm::{Function, param};
 use dh_codegen::robot::Tool;
 
+use super::logbook::{Logbook, Purpose};
 use super::prepare::{Preparation, against_limits, pass, warned};
-use super::{Failure, files};
+use super::provenance::Provenance;
+use super::{Failure, files, terminal};
 use crate::arm::Arm;
 use crate::identify::{Factors, Stack, Trace, Tracer};
 use crate::interpreted::Interpreted;
 use crate::report;
-use crate::signal::{Prepare, Prepared};
+use crate::signal::Prepare;
 use crate::tool::{Carrying, Entry, Found, RecogniseSettings, Tolerance, ToolSettings, identify_tool, look_up};
 
 /// Identify what the arm carries, from logs with an empty hand and with the tool, and look it up among known tools.
@@ -73,10 +75,14 @@ pub(super) struct ToolVerb {
 }
 
 impl ToolVerb {
-    pub(super) fn run(self) -> Result<(), Failure> {
+    pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         let (tolerance, recognising) = self.looking_up()?;
         let prepare = self.preparation.prepare()?;
         let file = files::robot(&self.robot)?;
+        files::check_outputs(
+            &[("--json", &self.json), ("--report", &self.report)],
+            file.read.iter().chain(&self.unloaded).chain(&self.loaded),
+        )?;
         let mut bare = file.robot.clone();
         let own = bare.tool.take();
         let table = self.table(&tolerance)?;
@@ -93,23 +99,30 @@ impl ToolVerb {
                 twice.display()
             )));
         }
-        let mut prepared = Vec::new();
-        let mut factors = |paths: &[PathBuf], loaded: bool| -> Result<Vec<Factors>, Failure> {
-            let carrying = Carrying::new(&arm, loaded);
-            paths.iter().map(|path| self.factor(path, &carrying, &prepare, &mut prepared)).collect()
+        let (mut prepared, mut logbook) = (Vec::new(), Logbook::default());
+        let mut factors = |paths: &[PathBuf], purpose: Purpose| -> Result<Vec<Factors>, Failure> {
+            let carrying = Carrying::new(&arm, purpose == Purpose::Loaded);
+            let mut factor = |path: &PathBuf| -> Result<Factors, Failure> {
+                let mut stack = Stack::new(&path.display().to_string(), &carrying, self.preparation.stack());
+                let log = logbook.pass(purpose, path, carrying.dof(), &prepare, |motion| stack.absorb(motion))?;
+                prepared.push(warned(path, log));
+                Ok(stack.finish())
+            };
+            paths.iter().map(&mut factor).collect()
         };
-        let (unloaded, loaded) = (factors(&self.unloaded, false)?, factors(&self.loaded, true)?);
+        let (unloaded, loaded) = (factors(&self.unloaded, Purpose::Unloaded)?, factors(&self.loaded, Purpose::Loaded)?);
         against_limits(&mut prepared, &file.robot);
         let carried = identify_tool(&arm, &unloaded, &loaded, &settings).map_err(Failure::input)?;
         let found = look_up(carried, own.as_ref(), table, &tolerance, &recognising);
-        let provenance = self.provenance(&file.text);
+        let provenance =
+            provenance.robot(&self.robot, &file).logs(&logbook).with("low-pass", self.preparation.low_pass());
 
         if let Some(path) = &self.report {
             let traces = self.traces(&arm, &found, &prepare)?;
-            files::write(path, report::tool_html(&found, &prepared, &traces, &provenance).as_bytes())?;
+            files::write(path, report::tool_html(&found, &prepared, &traces, &provenance.rows()).as_bytes())?;
         }
         if let Some(target) = &self.json {
-            files::json(target, &report::tool_json(&found, &prepared, &provenance))?;
+            files::json(target, report::tool_json(&found, &prepared, &provenance.rows()), &provenance)?;
         }
         if !files::is_stdout(&self.json) {
             files::print(&report::tool_text(&found, &prepared))?;
@@ -146,19 +159,6 @@ impl ToolVerb {
         Ok((tolerance, RecogniseSettings { level: self.level, ..RecogniseSettings::default() }))
     }
 
-    /// One pass over a log.
-    fn factor(
-        &self,
-        path: &Path,
-        carrying: &Carrying<'_>,
-        prepare: &Prepare,
-        prepared: &mut Vec<Prepared>,
-    ) -> Result<Factors, Failure> {
-        let mut stack = Stack::new(&path.display().to_string(), carrying, self.preparation.stack());
-        prepared.push(warned(path, pass(path, carrying.dof(), prepare, |motion| stack.absorb(motion))?));
-        Ok(stack.finish())
-    }
-
     /// The tool files of the folder, in the order of their names.
     fn table(&self, tolerance: &Tolerance) -> Result<Vec<Entry>, Failure> {
         let Some(folder) = &self.tools else { return Ok(Vec::new()) };
@@ -181,7 +181,7 @@ impl ToolVerb {
             let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
             let (tool, notes) = Tool::from_yaml(&files::text(path)?, &stem)
                 .map_err(|problems| Failure::input(format!("{shown} can't be used:\n{}", problems.in_file(&shown))))?;
-            notes.iter().for_each(|note| eprintln!("{shown}: note: {note}"));
+            notes.iter().for_each(|note| terminal::say(&format!("{shown}: note: {note}")));
             match Entry::new(&tool, mount, tolerance) {
                 Some(entry) if table.iter().any(|e| e.name == entry.name) => {
                     let what =
@@ -189,7 +189,9 @@ impl ToolVerb {
                     return Err(Failure::input(what));
                 }
                 Some(entry) => table.push(entry),
-                None => eprintln!("{shown}: note: has no M, MS and I, so nothing can be recognised by it"),
+                None => {
+                    terminal::say(&format!("{shown}: note: has no M, MS and I, so nothing can be recognised by it"))
+                }
             }
         }
         if table.is_empty() {
@@ -208,23 +210,5 @@ impl ToolVerb {
             Ok(tracer.finish())
         })
         .collect()
-    }
-
-    fn provenance(&self, text: &str) -> Vec<(String, String)> {
-        let list = |paths: &[PathBuf]| match paths {
-            [] => "none: the robot file's parameters are taken as known".to_string(),
-            paths => paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", "),
-        };
-        let mut rows = vec![
-            ("denavit".into(), env!("CARGO_PKG_VERSION").into()),
-            ("robot file".into(), format!("{} ({} bytes)", self.robot.display(), text.len())),
-            ("unloaded logs".into(), list(&self.unloaded)),
-            ("loaded logs".into(), list(&self.loaded)),
-            ("low-pass".into(), self.preparation.low_pass()),
-        ];
-        if let Some(folder) = &self.tools {
-            rows.push(("tools".into(), folder.display().to_string()));
-        }
-        rows
     }
 }

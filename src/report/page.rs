@@ -2,6 +2,8 @@
 
 use serde_json::Value;
 
+use super::visible;
+
 /// What differs between pages.
 pub(super) struct Page<'a> {
     /// In the window's title; plain text.
@@ -32,7 +34,12 @@ impl Page<'_> {
     }
 }
 
-/// Text inside markup.
+/// Text inside markup; control characters are shown.
 pub(super) fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;").replace('\'', "&#39;")
+    visible(text)
+        .replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
+        .replace('\'', "&#39;")
 }

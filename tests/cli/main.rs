@@ -9,8 +9,11 @@ mod force;
 mod generate;
 mod identify;
 mod ik;
+mod outputs;
 mod paint;
+mod provenance;
 mod reproduce;
+mod same_samples;
 mod simulate;
 mod tool;
 

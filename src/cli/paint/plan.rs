@@ -8,7 +8,8 @@ use dh_codegen::robot::{Robot, Tool};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::arm::Placed;
-use crate::cli::{Failure, files};
+use crate::cli::provenance::Provenance;
+use crate::cli::{Failure, files, terminal};
 use crate::interpreted::Interpreted;
 use crate::inverse::{Kinematics, MOST};
 use crate::paint::{Cover, Pattern, Roller, Strokes, Surface, Swivel, Task, Weights, plan};
@@ -154,15 +155,15 @@ pub(super) struct Site {
     pub pattern: Pattern,
     pub lanes: usize,
     pub standoff: f64,
-    /// Text of the robot's file.
-    pub text: String,
+    /// The robot's file.
+    pub file: files::RobotFile,
 }
 
 impl Where {
     /// Reads and checks all of it.
     pub(super) fn site(&self, path: &Path) -> Result<Site, Failure> {
         let file = files::robot(path)?;
-        let mut robot = file.robot;
+        let mut robot = file.robot.clone();
         if let Some(path) = &self.tool {
             robot.tool = Some(tool(path)?);
         }
@@ -209,7 +210,7 @@ impl Where {
             },
             lanes,
             standoff: self.standoff,
-            text: file.text,
+            file,
             robot,
         })
     }
@@ -220,7 +221,7 @@ fn tool(path: &Path) -> Result<Tool, Failure> {
     let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
     let (tool, notes) = Tool::from_yaml(&files::text(path)?, &stem)
         .map_err(|problems| Failure::input(format!("{shown} can't be used:\n{}", problems.in_file(&shown))))?;
-    notes.iter().for_each(|note| eprintln!("{shown}: note: {note}"));
+    notes.iter().for_each(|note| terminal::say(&format!("{shown}: note: {note}")));
     Ok(tool)
 }
 
@@ -232,9 +233,20 @@ fn vector(option: &str, numbers: &[f64]) -> Result<[f64; 3], Failure> {
 }
 
 impl Plan {
-    pub(super) fn run(self) -> Result<(), Failure> {
+    pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         self.validate()?;
         let site = self.task.site(&self.robot)?;
+        files::check_outputs(
+            &[
+                ("--out", &self.out),
+                ("--path", &self.path),
+                ("--plan", &self.plan),
+                ("--report", &self.report),
+                ("--json", &self.json),
+            ],
+            site.file.read.iter().chain(&self.task.tool),
+        )?;
+        let provenance = provenance.robot(&self.robot, &site.file).with("lanes", site.lanes);
         let begun = Instant::now();
         let arm = Interpreted::new(&site.robot, &Interpreted::PLACED);
         let shown = self.robot.display();
@@ -263,7 +275,7 @@ impl Plan {
             _ => {}
         }
         for line in report::missing_text(&task.missing) {
-            eprintln!("{shown}: note: {line}");
+            terminal::say(&format!("{shown}: note: {line}"));
         }
         let bar = ProgressBar::new(1000);
         if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {bar:30} {msg}") {
@@ -288,12 +300,12 @@ impl Plan {
             files::write(path, format!("{}\n", found.to_json()).as_bytes())?;
         }
         if let Some(path) = &self.report {
-            files::write(path, report::paint_html(&planned, &self.provenance(&site.text)).as_bytes())?;
+            files::write(path, report::paint_html(&planned, &provenance.rows()).as_bytes())?;
         }
         if let Some(target) = &self.json {
-            files::json(target, &report::paint_json(&planned))?;
+            files::json(target, report::paint_json(&planned), &provenance)?;
         }
-        if !files::is_stdout(&self.json) {
+        if !files::is_stdout(self.json.iter().chain(&self.out).chain(&self.path).chain(&self.plan)) {
             files::print(&report::paint_text(&planned))?;
             for path in self.out.iter().chain(&self.path).chain(&self.plan).chain(&self.report) {
                 files::print(&format!("wrote {}\n", path.display()))?;
@@ -319,15 +331,6 @@ impl Plan {
             }
         }
         Ok(())
-    }
-
-    fn provenance(&self, text: &str) -> Vec<(String, String)> {
-        let command: Vec<String> = std::env::args().collect();
-        vec![
-            ("robot".into(), format!("{} ({} bytes)", self.robot.display(), text.len())),
-            ("command".into(), command.join(" ")),
-            ("program".into(), format!("denavit {}", env!("CARGO_PKG_VERSION"))),
-        ]
     }
 
     fn advice(&self) -> &'static str {

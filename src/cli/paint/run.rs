@@ -8,6 +8,7 @@ use dh_codegen::arm::param;
 use dh_codegen::robot::{Effects, SimulationFile, Tool};
 use indicatif::{ProgressBar, ProgressStyle};
 
+use crate::cli::provenance::Provenance;
 use crate::cli::simulate::{apply, effects};
 use crate::cli::{Failure, files};
 use crate::control::robot::contact_point;
@@ -106,9 +107,16 @@ enum Which {
 }
 
 impl Run {
-    pub(super) fn run(self) -> Result<(), Failure> {
+    pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         self.validate()?;
         let mut file = files::robot(&self.robot)?;
+        files::check_outputs(
+            &[("--out", &self.out), ("--json", &self.json), ("--report", &self.report)],
+            file.read.iter().chain([&self.plan]).chain(&self.tool).chain(&self.effects),
+        )?;
+        let provenance = provenance
+            .robot(&self.robot, &file)
+            .with("low-pass of the forces", format!("three poles, {} Hz", self.corner));
         let shown = self.robot.display();
         if let Some(path) = &self.tool {
             let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
@@ -206,43 +214,26 @@ impl Run {
         })?;
         coats.push(found.accuracy);
         let painted = report::Painted { run: &found, plan: &plan, force: self.force, feedback, law, coats: &coats };
-        self.deliver(&painted, &file.text)
+        self.deliver(&painted, &provenance.with("moment", format!("{moment} N m")))
     }
 
-    fn deliver(&self, found: &report::Painted<'_>, text: &str) -> Result<(), Failure> {
+    fn deliver(&self, found: &report::Painted<'_>, provenance: &Provenance) -> Result<(), Failure> {
         if let Some(path) = &self.out {
             files::write(path, report::paint_run_csv(found.run).as_bytes())?;
         }
         if let Some(path) = &self.report {
-            files::write(path, report::paint_run_html(found, &self.provenance(text)).as_bytes())?;
+            files::write(path, report::paint_run_html(found, &provenance.rows()).as_bytes())?;
         }
         if let Some(target) = &self.json {
-            files::json(target, &report::paint_run_json(found))?;
+            files::json(target, report::paint_run_json(found), provenance)?;
         }
-        if !files::is_stdout(&self.json) {
+        if !files::is_stdout(self.json.iter().chain(&self.out)) {
             files::print(&report::paint_run_text(found))?;
             for path in self.out.iter().chain(&self.report) {
                 files::print(&format!("wrote {}\n", path.display()))?;
             }
         }
         Ok(())
-    }
-
-    fn provenance(&self, text: &str) -> Vec<(String, String)> {
-        let named = |path: &Option<PathBuf>, none: &str| {
-            path.as_ref().map_or_else(|| none.to_string(), |path| path.display().to_string())
-        };
-        vec![
-            ("denavit".into(), env!("CARGO_PKG_VERSION").into()),
-            ("robot file".into(), format!("{} ({} bytes)", self.robot.display(), text.len())),
-            ("plan".into(), self.plan.display().to_string()),
-            ("tool".into(), named(&self.tool, "the robot file's")),
-            ("effects of the simulated robot".into(), named(&self.effects, "those of the robot file")),
-            ("wall and roller".into(), format!("{} N/m", self.stiffness)),
-            ("coats".into(), self.coats.to_string()),
-            ("low-pass of the forces".into(), format!("three poles, {} Hz", self.corner)),
-            ("seed".into(), self.seed.to_string()),
-        ]
     }
 
     fn plan(&self, path: &Path) -> Result<Plan, Failure> {

@@ -1,0 +1,103 @@
+//! The logs of a command: what each is for, its digest, and by what it is recognised. No sample counts twice.
+
+use std::path::{Path, PathBuf};
+
+use super::Failure;
+use super::prepare::{Recognised, recognised_pass};
+use crate::log::{Common, Fingerprint};
+use crate::signal::{Motion, Prepare, PrepareError, Prepared};
+
+/// What a log is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Purpose {
+    Fit,
+    Validate,
+    Unloaded,
+    Loaded,
+    Estimate,
+}
+
+impl Purpose {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Fit => "fitted",
+            Self::Validate => "validating",
+            Self::Unloaded => "unloaded",
+            Self::Loaded => "loaded",
+            Self::Estimate => "estimated",
+        }
+    }
+}
+
+/// A log that was read.
+struct Entry {
+    purpose: Purpose,
+    path: PathBuf,
+    sha256: String,
+    fingerprint: Fingerprint,
+}
+
+/// The logs that were read so far.
+#[derive(Default)]
+pub(super) struct Logbook {
+    entries: Vec<Entry>,
+}
+
+impl Logbook {
+    /// The first pass over a log. A log that shares samples with one before is refused.
+    pub(super) fn pass(
+        &mut self,
+        purpose: Purpose,
+        path: &Path,
+        dof: usize,
+        prepare: &Prepare,
+        sink: impl FnMut(&Motion),
+    ) -> Result<Prepared, Failure> {
+        self.try_pass(purpose, path, dof, prepare, sink)?.map_err(Failure::input)
+    }
+
+    /// The same; what preparing refuses comes back as it is.
+    pub(super) fn try_pass(
+        &mut self,
+        purpose: Purpose,
+        path: &Path,
+        dof: usize,
+        prepare: &Prepare,
+        sink: impl FnMut(&Motion),
+    ) -> Result<Result<Prepared, PrepareError>, Failure> {
+        let Recognised { prepared, sha256, fingerprint } = recognised_pass(path, dof, prepare, sink)?;
+        if prepared.is_ok() {
+            let entry = Entry { purpose, path: path.to_path_buf(), sha256, fingerprint };
+            self.entries.iter().try_for_each(|other| apart(&entry, other))?;
+            self.entries.push(entry);
+        }
+        Ok(prepared)
+    }
+
+    /// Purpose, path and SHA-256 of each file, for a provenance.
+    pub(super) fn digests(&self) -> impl Iterator<Item = (&'static str, String, &str)> {
+        self.entries.iter().map(|e| (e.purpose.name(), e.path.display().to_string(), e.sha256.as_str()))
+    }
+}
+
+/// Refuses a log that shares samples with another one.
+fn apart(log: &Entry, other: &Entry) -> Result<(), Failure> {
+    let Some(common) = log.fingerprint.common(&other.fingerprint) else { return Ok(()) };
+    let (shown, before) = (log.path.display(), other.path.display());
+    let (here, there) = (log.purpose.name(), other.purpose.name());
+    let what = match common {
+        Common::All => format!("{shown} ({here}) holds the same samples as {before} ({there})"),
+        Common::Stretch(seconds) => format!(
+            "{shown} ({here}) shares {seconds:.1} of its {:.1} s with {before} ({there}): the samples are equal, bit for bit",
+            log.fingerprint.duration()
+        ),
+    };
+    let advice = if log.purpose != other.purpose {
+        "figures on samples that were used already say nothing; give logs of separate recordings"
+    } else if matches!(log.purpose, Purpose::Fit | Purpose::Unloaded | Purpose::Loaded) {
+        "samples that count twice make standard deviations too small; give each recording once"
+    } else {
+        "give each recording once"
+    };
+    Err(Failure::input(format!("{what}; {advice}")))
+}

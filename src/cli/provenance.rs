@@ -1,0 +1,179 @@
+//! What made a result: program, command, every option with its value, the files that were read. Enough to repeat the run.
+
+use std::path::Path;
+
+use clap::parser::ValueSource;
+use clap::{Arg, ArgAction, ArgMatches, Command};
+use dh_codegen::robot::Run;
+use sha2::{Digest, Sha256};
+
+use super::files::RobotFile;
+use super::logbook::Logbook;
+
+/// Options that name outputs. They say where a result goes, not what it is.
+const OUTPUTS: [&str; 7] = ["out", "json", "report", "next", "coefficients", "ros", "path"];
+
+/// What made a result.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Provenance {
+    /// The command without its outputs, ready for a shell.
+    command: String,
+    /// The options that name outputs, as they were given.
+    outputs: String,
+    /// Every option and its value; those that were not given have their default.
+    options: Vec<(String, String)>,
+    /// What was read or chosen: name and value.
+    further: Vec<(String, String)>,
+    /// Files with their SHA-256: what for, path, digest.
+    files: Vec<(String, String, String)>,
+}
+
+impl Provenance {
+    /// Of the arguments of a command line.
+    pub(super) fn new(command: &Command, matches: &ArgMatches) -> Self {
+        let (mut words, mut outputs) = (vec![command.get_name().to_string()], Vec::new());
+        let (mut command, mut matches) = (command, matches);
+        while let Some((name, inner)) = matches.subcommand()
+            && let Some(verb) = command.find_subcommand(name)
+        {
+            words.push(name.to_string());
+            (command, matches) = (verb, inner);
+        }
+        let arguments = command.get_arguments().filter(|a| !matches!(a.get_id().as_str(), "help" | "version"));
+        let (places, named): (Vec<&Arg>, Vec<&Arg>) = arguments.partition(|a| a.is_positional());
+        let mut options = Vec::new();
+        for argument in places.into_iter().chain(named) {
+            let id = argument.get_id().as_str();
+            let values: Vec<String> = matches
+                .get_raw(id)
+                .map(|raw| raw.map(|value| value.to_string_lossy().into_owned()).collect())
+                .unwrap_or_default();
+            let given = matches.value_source(id) == Some(ValueSource::CommandLine);
+            // `paint plan` writes a plan, `paint run` reads it.
+            let output = OUTPUTS.contains(&id) || (id == "plan" && command.get_name() == "plan");
+            if given {
+                let to = if output { &mut outputs } else { &mut words };
+                to.extend(as_typed(argument, &values));
+            }
+            if !argument.is_positional() && !output {
+                options.push((format!("--{}", name(argument)), shown(argument, &values, given)));
+            }
+        }
+        Self { command: words.join(" "), outputs: outputs.join(" "), options, ..Self::default() }
+    }
+
+    /// For a robot file that this run writes. Where it is written to is no part of it: the same run gives the same bytes.
+    pub(super) fn run(&self, found: Vec<String>) -> Run {
+        let option = |(name, value): &(String, String)| format!("{name}: {value}");
+        Run {
+            command: self.command.clone(),
+            version: env!("CARGO_PKG_VERSION").into(),
+            options: self.further.iter().chain(&self.options).map(option).collect(),
+            files: self.files.iter().map(|(what, path, sha256)| [what, path, sha256].map(String::clone)).collect(),
+            found,
+        }
+    }
+
+    /// With the robot file.
+    pub(super) fn robot(mut self, path: &Path, file: &RobotFile) -> Self {
+        self.files.push(("robot file".into(), path.display().to_string(), sha256(file.text.as_bytes())));
+        self
+    }
+
+    /// With the logs that were read.
+    pub(super) fn logs(mut self, logbook: &Logbook) -> Self {
+        let entry =
+            |(purpose, path, digest): (&str, String, &str)| (format!("{purpose} log"), path, digest.to_string());
+        self.files.extend(logbook.digests().map(entry));
+        self
+    }
+
+    /// With something else that was read or chosen.
+    pub(super) fn with(mut self, what: &str, value: impl ToString) -> Self {
+        self.further.push((what.into(), value.to_string()));
+        self
+    }
+
+    /// For the foot of a page and the `provenance` of the JSON: what and value.
+    pub(super) fn rows(&self) -> Vec<(String, String)> {
+        let row = |what: &str, value: &str| (what.to_string(), value.to_string());
+        let mut rows = vec![row("denavit", env!("CARGO_PKG_VERSION")), row("command", &self.command)];
+        if !self.outputs.is_empty() {
+            rows.push(row("outputs", &self.outputs));
+        }
+        let mut purposes: Vec<&str> = self.files.iter().map(|(purpose, ..)| purpose.as_str()).collect();
+        purposes.dedup();
+        for purpose in purposes {
+            let of = self.files.iter().filter(|(p, ..)| p == purpose);
+            let list: Vec<String> = of.map(|(_, path, digest)| format!("{path} (SHA-256 {digest})")).collect();
+            let plural = if purpose.ends_with("log") { "s" } else { "" };
+            rows.push((format!("{purpose}{plural}"), list.join(", ")));
+        }
+        rows.extend(self.further.iter().cloned());
+        rows.extend(self.options.iter().cloned());
+        rows
+    }
+}
+
+/// Hexadecimal SHA-256.
+pub(super) fn sha256(bytes: &[u8]) -> String {
+    hexadecimal(&Sha256::digest(bytes))
+}
+
+/// Lower-case digits.
+pub(super) fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn name(argument: &Arg) -> &str {
+    argument.get_long().unwrap_or(argument.get_id().as_str())
+}
+
+fn is_flag(argument: &Arg) -> bool {
+    matches!(argument.get_action(), ArgAction::SetTrue)
+}
+
+/// The words that give an argument these values.
+fn as_typed(argument: &Arg, values: &[String]) -> Vec<String> {
+    if argument.is_positional() {
+        return values.iter().map(|value| quoted(value)).collect();
+    }
+    let option = format!("--{}", name(argument));
+    if is_flag(argument) {
+        return vec![option];
+    }
+    let joined = argument.get_value_delimiter().map(|between| values.join(&between.to_string()));
+    let values = joined.map_or(values.to_vec(), |joined| vec![joined]);
+    let several = argument.get_num_args().is_some_and(|n| n.max_values() > 1);
+    if several && !values.iter().any(|value| value.starts_with('-')) {
+        return std::iter::once(option).chain(values.iter().map(|value| quoted(value))).collect();
+    }
+    let equals = |value: &str| argument.is_require_equals_set() || value.starts_with('-');
+    let one = |value: &String| match equals(value) {
+        true => vec![format!("{option}={}", quoted(value))],
+        false => vec![option.clone(), quoted(value)],
+    };
+    values.iter().flat_map(one).collect()
+}
+
+/// The value of an option for a reader.
+fn shown(argument: &Arg, values: &[String], given: bool) -> String {
+    match (is_flag(argument), values) {
+        (true, _) => if given { "yes" } else { "no" }.into(),
+        (_, []) => "not given".into(),
+        _ => {
+            let between = argument.get_value_delimiter().map_or(" ".to_string(), |c| c.to_string());
+            let value = values.join(&between);
+            if given { value } else { format!("{value} (default)") }
+        }
+    }
+}
+
+/// A word for a shell.
+fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./,:=@%+".contains(c);
+    if !word.is_empty() && word.chars().all(plain) {
+        return word.to_string();
+    }
+    format!("'{}'", word.replace('\'', "'\\''"))
+}
