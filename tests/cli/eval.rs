@@ -122,7 +122,7 @@ fn stanford() {
 fn columns_that_are_not_needed_are_not_looked_at() {
     let folder = folder("eval-columns");
     let states = file(&folder, "states.csv", "note, q1, dq1, q2\nfirst, 0.1, NaN, 0.2\nsecond, 0.3, oops, 0.4\n");
-    let out = folder.join("deep/gravity.json").display().to_string();
+    let out = folder.join("gravity.json").display().to_string();
     let run = denavit(&["eval", "robots/planar2r.yaml", "--quantity", "gravity", "--states", &states, "--json", &out]);
     assert_eq!((run.status, run.out.as_str()), (Some(0), ""), "{}", run.err);
     let said: serde_json::Value = serde_json::from_slice(&std::fs::read(out).unwrap()).unwrap();

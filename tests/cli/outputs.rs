@@ -190,3 +190,31 @@ fn control_characters_are_shown() {
         assert!(!raw(&run.out) && !raw(&run.err), "{arguments:?}: {:?} {:?}", run.out, run.err);
     }
 }
+
+/// Names of joints and files are text in a page, never markup.
+#[test]
+fn names_are_no_markup() {
+    let folder = folder("outputs-markup");
+    let robot = fs::read_to_string(PLANAR).unwrap().replacen("name: shoulder", "name: \"<u>joint\\e\"", 1);
+    let robot = file(&folder, "robot<u>.yaml", robot);
+    let path = |name: &str| folder.join(name).display().to_string();
+    let page = path("page.html");
+    let without_markup = |arguments: &[&str]| {
+        let run = denavit(&[arguments, &["--report", &page]].concat());
+        assert_eq!(run.status, Some(0), "{}", run.err);
+        let text = fs::read_to_string(&page).unwrap();
+        // What the script draws is JSON, in which only `</` matters.
+        let data = text.find("<script id=data").unwrap();
+        let end = data + text[data..].find("</script>").unwrap();
+        let markup = format!("{}{}", &text[..data], &text[end..]);
+        assert!(!markup.contains("<u>") && !markup.contains('\u{1b}'), "{arguments:?}");
+        assert!(markup.contains("&lt;u&gt;"), "{arguments:?}");
+    };
+    let (motion, log) = (path("motion.csv"), path("log<u>.csv"));
+    without_markup(&["excite", &robot, "--duration", "6", "--starts", "1", "--out", &motion]);
+    assert_eq!(denavit(&["simulate", &robot, "--trajectory", &motion, "--out", &log]).status, Some(0));
+    without_markup(&["identify", &robot, &log]);
+    without_markup(&["diagnose", &robot, &log]);
+    without_markup(&["force", &robot, &log]);
+    without_markup(&["tool", &robot, "--loaded", &log]);
+}
