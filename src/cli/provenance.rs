@@ -18,8 +18,6 @@ const OUTPUTS: [&str; 7] = ["out", "json", "report", "next", "coefficients", "ro
 pub(super) struct Provenance {
     /// The command without its outputs, ready for a shell.
     command: String,
-    /// The options that name outputs, as they were given.
-    outputs: String,
     /// Every option and its value; those that were not given have their default.
     options: Vec<(String, String)>,
     /// What was read or chosen: name and value.
@@ -31,7 +29,7 @@ pub(super) struct Provenance {
 impl Provenance {
     /// Of the arguments of a command line.
     pub(super) fn new(command: &Command, matches: &ArgMatches) -> Self {
-        let (mut words, mut outputs) = (vec![command.get_name().to_string()], Vec::new());
+        let mut words = vec![command.get_name().to_string()];
         let (mut command, mut matches) = (command, matches);
         while let Some((name, inner)) = matches.subcommand()
             && let Some(verb) = command.find_subcommand(name)
@@ -51,15 +49,14 @@ impl Provenance {
             let given = matches.value_source(id) == Some(ValueSource::CommandLine);
             // `paint plan` writes a plan, `paint run` reads it.
             let output = OUTPUTS.contains(&id) || (id == "plan" && command.get_name() == "plan");
-            if given {
-                let to = if output { &mut outputs } else { &mut words };
-                to.extend(as_typed(argument, &values));
+            if given && !output {
+                words.extend(as_typed(argument, &values));
             }
             if !argument.is_positional() && !output {
                 options.push((format!("--{}", name(argument)), shown(argument, &values, given)));
             }
         }
-        Self { command: words.join(" "), outputs: outputs.join(" "), options, ..Self::default() }
+        Self { command: words.join(" "), options, ..Self::default() }
     }
 
     /// For a robot file that this run writes. Where it is written to is no part of it: the same run gives the same bytes.
@@ -98,9 +95,6 @@ impl Provenance {
     pub(super) fn rows(&self) -> Vec<(String, String)> {
         let row = |what: &str, value: &str| (what.to_string(), value.to_string());
         let mut rows = vec![row("denavit", env!("CARGO_PKG_VERSION")), row("command", &self.command)];
-        if !self.outputs.is_empty() {
-            rows.push(row("outputs", &self.outputs));
-        }
         let mut purposes: Vec<&str> = self.files.iter().map(|(purpose, ..)| purpose.as_str()).collect();
         purposes.dedup();
         for purpose in purposes {
