@@ -31,10 +31,10 @@ pub(super) struct Diagnose {
     /// Logs to look for causes in.
     #[arg(required = true, value_name = "LOG")]
     logs: Vec<PathBuf>,
-    /// Logs to measure the gain on; they are not used otherwise.
+    /// Logs to measure the gain on; they are not used otherwise. One that holds samples of another log is refused.
     #[arg(long, num_args = 1.., value_name = "LOG")]
     validate: Vec<PathBuf>,
-    /// Robot file to write, with the effects in it.
+    /// Robot file to write: the one that was read, with the effects in it and what made them under `provenance`.
     #[arg(long, value_name = "ROBOT2")]
     out: Option<PathBuf>,
     /// Where the next experiment goes: where two causes can't be told apart, the motion (CSV, as `excite` writes it) on which they would differ

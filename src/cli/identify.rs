@@ -41,10 +41,10 @@ pub(super) struct Identify {
     /// Logs to fit.
     #[arg(required = true, value_name = "LOG")]
     logs: Vec<PathBuf>,
-    /// Logs to validate on; they are not used to fit.
+    /// Logs to validate on; they are not used to fit. One that holds samples of another log is refused.
     #[arg(long, num_args = 1.., value_name = "LOG")]
     validate: Vec<PathBuf>,
-    /// Robot file to write, with the identified values in place.
+    /// Robot file to write: the one that was read, with the identified values in place and what made them under `provenance`.
     #[arg(long, value_name = "ROBOT2")]
     out: Option<PathBuf>,
     /// Write the result as JSON; `-` for standard output.
