@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use dh_codegen::arm::Model;
 use dh_codegen::ik::{Displacement, Family, Reference};
+use dh_codegen::robot::Robot;
 use indicatif::ProgressBar;
 
 use super::provenance::Provenance;
@@ -81,16 +82,7 @@ impl Ik {
         if !(self.tolerance > 0.0 && self.tolerance.is_finite()) {
             return Err(Failure::input("--tolerance must be a positive number, in m and rad; 1e-12 is rounding"));
         }
-        let tool = match (self.tool, &robot.tool) {
-            (false, _) => None,
-            (true, Some(t)) => Some(Displacement { rotation: t.rotation(), shift: t.xyz }.inverse()),
-            (true, None) => {
-                return Err(Failure::input(format!(
-                    "{}: there is no `tool:`, so --tool says nothing; leave it out, or add the tool's pose to the file",
-                    self.robot.display()
-                )));
-            }
-        };
+        let tool = self.tool_frame(robot)?;
         let model = Model::new(robot);
         let kinematics = Kinematics::new(robot, &model).ok_or_else(|| {
             Failure::input(format!(
@@ -102,13 +94,27 @@ impl Ik {
         let redundant = matches!(kinematics.inverse().family, Family::Swivel(_) | Family::Locked { .. });
         let poses = self.solve(robot.dof(), &kinematics, reference, tool)?;
         if let Some(target) = &self.json {
-            let value = ik_json::value(&robot.name, kinematics.inverse(), redundant, &poses);
-            files::json(target, value, &provenance.robot(&self.robot, &file))?;
+            let made = provenance.robot(&self.robot, &file);
+            files::json(target, ik_json::value(&robot.name, kinematics.inverse(), redundant, &poses), &made)?;
         }
         if !files::is_stdout(&self.json) {
             files::print(&ik_text::text(&robot.name, kinematics.inverse(), &poses))?;
         }
         Ok(())
+    }
+
+    /// From the tool frame of the poses to the last frame, where `--tool` is given.
+    fn tool_frame(&self, robot: &Robot) -> Result<Option<Displacement>, Failure> {
+        Ok(match (self.tool, &robot.tool) {
+            (false, _) => None,
+            (true, Some(t)) => Some(Displacement { rotation: t.rotation(), shift: t.xyz }.inverse()),
+            (true, None) => {
+                return Err(Failure::input(format!(
+                    "{}: there is no `tool:`, so --tool says nothing; leave it out, or add the tool's pose to the file",
+                    self.robot.display()
+                )));
+            }
+        })
     }
 
     fn solve(

@@ -78,10 +78,8 @@ impl Simulate {
             )));
         }
         let file = files::robot(&self.robot)?;
-        files::check_outputs(
-            &[("--out", &Some(self.out.clone())), ("--json", &self.json)],
-            file.read.iter().chain(&self.trajectory).chain(&self.effects),
-        )?;
+        let inputs = file.read.iter().chain(&self.trajectory).chain(&self.effects);
+        files::check_outputs(&[("--out", &Some(self.out.clone())), ("--json", &self.json)], inputs)?;
         let given = match &self.effects {
             Some(path) => effects(path, &file.robot)?,
             None => SimulationFile::default(),
