@@ -18,8 +18,9 @@ use std::path::{Path, PathBuf};
 
 use dh_codegen::robot::Robot;
 use proc_macro::TokenStream;
-use quote::{format_ident, quote};
-use syn::{DeriveInput, Error, LitStr, parse_macro_input};
+use quote::quote;
+use syn::ext::IdentExt;
+use syn::{DeriveInput, Error, Ident, LitStr, parse_macro_input};
 
 /// Writes the module with the robot's functions, and `NAME` and `DOF` of the struct.
 #[proc_macro_derive(DhRobot, attributes(dh))]
@@ -46,7 +47,9 @@ fn expand(input: &DeriveInput) -> syn::Result<proc_macro2::TokenStream> {
     let code = dh_codegen::module(&reading.robot, &text);
     let body: proc_macro2::TokenStream = code.parse().map_err(|e| at_path(format!("generated text: {e}")))?;
     let (name, visibility, inputs) = (&input.ident, &input.vis, inputs.into_inner());
-    let module = format_ident!("{}", snake(&name.to_string()));
+    let module = snake(&name.unraw().to_string());
+    // A struct may be called `Loop`, and its module then needs the raw form.
+    let module = syn::parse_str(&module).unwrap_or_else(|_| Ident::new_raw(&module, name.span()));
     Ok(quote! {
         #[allow(missing_docs, clippy::all)]
         #visibility mod #module { #body }

@@ -16,7 +16,10 @@ use crate::report::{ik_json, ik_text};
 
 const ENTRIES: [&str; 12] = ["r11", "r12", "r13", "px", "r21", "r22", "r23", "py", "r31", "r32", "r33", "pz"];
 
-/// Find every posture that brings the arm to given poses, in closed form where the arm has one.
+/// Find the postures that bring the arm to given poses: all of them in closed form where the arm has one.
+///
+/// An arm without one (class `none`) is searched numerically, and an arm that nearly has one is refined from a nominal arm: both say
+/// `exact: false`, and for each pose whether postures may be missing.
 ///
 /// A pose is that of the last DH frame in the base frame, as `denavit eval --quantity forward_kinematics` prints it: columns
 /// `r11 r12 r13 px r21 r22 r23 py r31 r32 r33 pz`, m. The tool of the robot file does not count, unless `--tool` is given: then

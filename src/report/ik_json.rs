@@ -1,7 +1,7 @@
 //! `ik --json`.
 
 use dh_codegen::arm::Inverse;
-use dh_codegen::ik::Status;
+use dh_codegen::ik::{Family, Status};
 use serde_json::{Value, json};
 
 use crate::inverse::{Answer, SwivelRange};
@@ -21,6 +21,15 @@ fn range(r: &SwivelRange) -> Value {
         json!({ "swivel": swivel, "limit_margin": if margin.is_finite() { json!(margin) } else { Value::Null } })
     });
     json!({ "branch": r.branch.to_string(), "intervals": r.intervals, "best": best })
+}
+
+/// How postures are found.
+fn method(inverse: &Inverse) -> &'static str {
+    match (&inverse.family, inverse.exact) {
+        (Family::Numerical, _) => "numerical search",
+        (_, true) => "closed form",
+        (_, false) => "closed form of a nominal arm, refined",
+    }
 }
 
 /// `{"class", "poses": [{"status", "solutions": [..]}]}`.
@@ -48,6 +57,8 @@ pub fn value(name: &str, inverse: &Inverse, redundant: bool, poses: &[Answer]) -
         let mut v = json!({ "status": status(p.status), "solutions": solutions });
         if p.status == Status::Unreachable {
             v["distance"] = json!({ "position": p.distance[0], "rotation": p.distance[1] });
+            // Only a closed form of the arm itself proves that there is none.
+            v["not_found"] = json!(!inverse.exact);
         }
         if redundant {
             v["swivel"] = json!(p.redundancy);
@@ -68,6 +79,7 @@ pub fn value(name: &str, inverse: &Inverse, redundant: bool, poses: &[Answer]) -
         "name": name,
         "class": inverse.class,
         "exact": inverse.exact,
+        "method": method(inverse),
         "poses": poses.iter().map(pose).collect::<Vec<_>>(),
     })
 }

@@ -10,17 +10,15 @@ use crate::inverse::{Answer, SwivelRange};
 /// A table of postures for each pose.
 pub fn text(name: &str, inverse: &Inverse, poses: &[Answer]) -> String {
     let mut t = format!("{name}: {} ({})\n", inverse.class, inverse.reason);
+    let searched = matches!(inverse.family, Family::Numerical);
     for (k, (pose, ranges)) in poses.iter().enumerate() {
         let _ = match pose.status {
             Status::Unreachable => {
                 let [p, r] = pose.distance;
+                let word = if inverse.exact { "unreachable" } else { "not found" };
                 // Rounded in its file, and the arm has too few joints to follow.
                 let mend = if p.max(r) < 1e-4 { "; a larger --tolerance would take it" } else { "" };
-                writeln!(
-                    t,
-                    "\npose {}: unreachable, by {p:.3e} m and {r:.3e} rad at the nearest posture found{mend}",
-                    k + 1
-                )
+                writeln!(t, "\npose {}: {word}, by {p:.3e} m and {r:.3e} rad at the nearest posture found{mend}", k + 1)
             }
             status => {
                 let word = super::ik_json::status(status);
@@ -31,6 +29,8 @@ pub fn text(name: &str, inverse: &Inverse, poses: &[Answer]) -> String {
                 };
                 let lost = match pose.lost {
                     _ if inverse.exact => String::new(),
+                    0 if searched => String::from(", found by search: there may be more"),
+                    n if searched => format!(", found by search: at least {n} is missing, their number being even"),
                     0 if pose.uncertain => String::from(", beside a singularity: one may be missing"),
                     0 => String::new(),
                     n => format!(", {n} branches of the nominal arm not found"),

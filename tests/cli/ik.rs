@@ -167,6 +167,44 @@ fn the_tool_counts_when_asked() {
     assert!(!met(&["ik", "robots/planar2r.yaml", "--poses", &poses, "--json", "-"]));
 }
 
+/// Lines of a robot without a closed form: six joints, none parallel, none meeting.
+const GENERAL: &str = "name: general\nconvention: modified\njoints:
+  - { type: revolute, r: 0.3 }
+  - { type: revolute, alpha: 1.2, d: 0.1, r: 0.11 }
+  - { type: revolute, alpha: -0.8, d: 0.35, r: -0.07 }
+  - { type: revolute, alpha: 1.1, d: 0.06, r: 0.31 }
+  - { type: revolute, alpha: -1.3, d: 0.05, r: 0.09 }
+  - { type: revolute, alpha: 0.9, d: 0.08, r: 0.12 }
+";
+
+/// A numerical search never says that it has every posture, nor that there is none.
+#[test]
+fn a_search_does_not_say_that_it_has_all() {
+    let folder = folder("ik-search");
+    let robot = file(&folder, "general.yaml", GENERAL);
+    let oracle = Numeric::new(&read_robot(&robot));
+    let mut random = Random::new(3);
+    let mut rows: Vec<Vec<f64>> = (0..4).map(|_| row(oracle.frames(&random.vector(6, 1.5)).last().unwrap())).collect();
+    rows.push(vec![1.0, 0.0, 0.0, 9.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
+    let poses = file(&folder, "poses.csv", csv(&pose_columns(), &rows));
+    assert_eq!(json(&["check", &robot, "--json", "-"])["ik"]["exact"], false);
+    let said = json(&["ik", &robot, "--poses", &poses, "--json", "-"]);
+    assert_eq!((&said["class"], &said["exact"]), (&"none".into(), &false.into()));
+    assert_eq!(said["method"], "numerical search");
+    for pose in said["poses"].as_array().unwrap() {
+        assert_eq!(pose["branches_uncertain"], true, "{pose}");
+        let odd = pose["solutions"].as_array().unwrap().len() as u64 % 2;
+        assert_eq!(pose["branches_lost"].as_u64(), Some(odd), "{pose}");
+    }
+    let last = &said["poses"][4];
+    assert_eq!((&last["status"], &last["not_found"]), (&"unreachable".into(), &true.into()));
+    let text = denavit(&["ik", &robot, "--poses", &poses]).out;
+    assert!(text.contains("found by search") && text.contains("pose 5: not found, by"), "{text}");
+    assert!(!text.contains("unreachable"), "{text}");
+    let exact = json(&["ik", "robots/puma560.yaml", "--poses", &poses, "--json", "-"]);
+    assert_eq!((&exact["method"], &exact["poses"][4]["not_found"]), (&"closed form".into(), &false.into()));
+}
+
 /// What is wrong is said with its place, and the status is 2.
 #[test]
 fn wrong_poses_are_told() {

@@ -16,5 +16,5 @@ pub mod runtime;
 pub mod rust;
 pub mod sym;
 
-pub use rust::krate::{krate, krate_with};
+pub use rust::krate::{MARK, krate, krate_with};
 pub use rust::module::module;

@@ -13,6 +13,7 @@ mod inertia;
 mod keys;
 mod laws;
 mod length;
+mod name;
 mod physical;
 mod problem;
 mod ratio;
@@ -30,6 +31,7 @@ pub use given::{Given, RATED};
 pub use inertia::Inertia;
 pub use laws::{Coupling, Drift, Laws, Stribeck};
 pub use length::{Length, Polynomial};
+pub use name::crate_name;
 pub use physical::NotPhysical;
 pub use problem::{Note, Problem, Problems};
 pub use rewrite::{Files, Run};
@@ -252,6 +254,11 @@ impl Robot {
     /// Rows that move, in order: index into [`Robot::joints`].
     pub fn moving(&self) -> Vec<usize> {
         (0..self.joints.len()).filter(|&i| self.joints[i].kind != JointKind::Fixed).collect()
+    }
+
+    /// Rows that move and have no motor (`actuated: false`).
+    pub fn unactuated(&self) -> impl Iterator<Item = usize> + '_ {
+        self.moving().into_iter().filter(|&row| !self.joints[row].actuated)
     }
 
     /// Degrees of freedom: number of moving rows; the length of `q`.

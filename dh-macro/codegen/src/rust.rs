@@ -10,3 +10,4 @@ mod print;
 pub mod runtime_files;
 mod shell;
 mod tests_file;
+mod words;

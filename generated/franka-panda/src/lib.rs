@@ -34,6 +34,7 @@
 #[cfg(test)]
 extern crate std;
 
+pub mod constants;
 pub mod ik;
 pub mod kernel;
 pub mod runtime;
@@ -359,18 +360,6 @@ pub const BASE_COEFFICIENTS: [&[(usize, f64)]; BASE] = [
     &[(90, 1.0)],
 ];
 
-/// Constant `L1` of the robot file.
-#[allow(non_upper_case_globals)]
-pub const L1: f64 = 0.333;
-/// Constant `L2` of the robot file.
-#[allow(non_upper_case_globals)]
-pub const L2: f64 = 0.316;
-/// Constant `L3` of the robot file.
-#[allow(non_upper_case_globals)]
-pub const L3: f64 = 0.384;
-/// Constant `A` of the robot file.
-#[allow(non_upper_case_globals)]
-pub const A: f64 = 0.0825;
 /// Lower and upper position of each joint, rad or m.
 pub const POSITION_LIMITS: [Option<[f64; 2]>; DOF] = [Some([-2.8973, 2.8973]), Some([-1.7628, 1.7628]), Some([-2.8973, 2.8973]), Some([-3.0718, -0.0698]), Some([-2.8973, 2.8973]), Some([-0.0175, 3.7525]), Some([-2.8973, 2.8973])];
 /// Largest speeds, rad/s or m/s.
@@ -435,7 +424,7 @@ pub const IK: ik::Arm<DOF> = ik::Arm {
     } },
 };
 
-/// Every posture that brings the last DH frame to a pose: the top three rows of `T(0, n)`, m.
+/// All postures that bring the last DH frame to a pose: the top three rows of `T(0, n)`, m.
 ///
 /// Axes 1-3 meet in one point, and so do the first two of the others; joint 7 is given. `query.redundancy` is the position of joint 7.
 ///

@@ -424,7 +424,7 @@ pub const IK: ik::Arm<DOF> = ik::Arm {
     }),
 };
 
-/// Every posture that brings the last DH frame to a pose: the top three rows of `T(0, n)`, m.
+/// Postures ([`ik::Solutions::lost`] and [`ik::Solutions::uncertain`] say where one may be missing) that bring the last DH frame to a pose: the top three rows of `T(0, n)`, m.
 ///
 /// Nearly: axes 1-3 meet in a shoulder, 5-7 in a wrist, and axis 4 meets both upper and lower arm: by swivel angle; closed form of that nominal arm, each branch refined by Newton's steps. `query.redundancy` is the swivel angle, rad.
 ///

@@ -34,6 +34,7 @@
 #[cfg(test)]
 extern crate std;
 
+pub mod constants;
 pub mod ik;
 pub mod kernel;
 pub mod runtime;
@@ -331,15 +332,6 @@ pub const BASE_COEFFICIENTS: [&[(usize, f64)]; BASE] = [
     &[(83, 1.0)],
 ];
 
-/// Constant `L1` of the robot file.
-#[allow(non_upper_case_globals)]
-pub const L1: f64 = 0.3105;
-/// Constant `L2` of the robot file.
-#[allow(non_upper_case_globals)]
-pub const L2: f64 = 0.4;
-/// Constant `L3` of the robot file.
-#[allow(non_upper_case_globals)]
-pub const L3: f64 = 0.39;
 /// Lower and upper position of each joint, rad or m.
 pub const POSITION_LIMITS: [Option<[f64; 2]>; DOF] = [Some([-2.9670597283903604, 2.9670597283903604]), Some([-2.0943951023931953, 2.0943951023931953]), Some([-2.9670597283903604, 2.9670597283903604]), Some([-2.0943951023931953, 2.0943951023931953]), Some([-2.9670597283903604, 2.9670597283903604]), Some([-2.0943951023931953, 2.0943951023931953]), Some([-2.9670597283903604, 2.9670597283903604])];
 /// Largest speeds, rad/s or m/s.
@@ -405,7 +397,7 @@ pub const IK: ik::Arm<DOF> = ik::Arm {
     }),
 };
 
-/// Every posture that brings the last DH frame to a pose: the top three rows of `T(0, n)`, m.
+/// All postures that bring the last DH frame to a pose: the top three rows of `T(0, n)`, m.
 ///
 /// Axes 1-3 meet in a shoulder, 5-7 in a wrist, and axis 4 meets both upper and lower arm: by swivel angle. `query.redundancy` is the swivel angle, rad.
 ///

@@ -34,6 +34,7 @@
 #[cfg(test)]
 extern crate std;
 
+pub mod constants;
 pub mod ik;
 pub mod kernel;
 pub mod runtime;
@@ -125,12 +126,6 @@ pub const BASE_COEFFICIENTS: [&[(usize, f64)]; BASE] = [
     &[(23, 1.0)],
 ];
 
-/// Constant `L1` of the robot file.
-#[allow(non_upper_case_globals)]
-pub const L1: f64 = 0.5;
-/// Constant `L2` of the robot file.
-#[allow(non_upper_case_globals)]
-pub const L2: f64 = 0.4;
 /// Lower and upper position of each joint, rad or m.
 pub const POSITION_LIMITS: [Option<[f64; 2]>; DOF] = [Some([-2.9670597283903604, 2.9670597283903604]), Some([-2.6179938779914944, 2.6179938779914944])];
 /// Largest speeds, rad/s or m/s.
@@ -187,7 +182,7 @@ pub const IK: ik::Arm<DOF> = ik::Arm {
     }),
 };
 
-/// Every posture that brings the last DH frame to a pose: the top three rows of `T(0, n)`, m.
+/// All postures that bring the last DH frame to a pose: the top three rows of `T(0, n)`, m.
 ///
 /// All turning axes are parallel, everything moves in one plane.
 ///

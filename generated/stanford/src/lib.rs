@@ -34,6 +34,7 @@
 #[cfg(test)]
 extern crate std;
 
+pub mod constants;
 pub mod ik;
 pub mod kernel;
 pub mod runtime;
@@ -252,15 +253,6 @@ pub const BASE_COEFFICIENTS: [&[(usize, f64)]; BASE] = [
     &[(65, 1.0)],
 ];
 
-/// Constant `D1` of the robot file.
-#[allow(non_upper_case_globals)]
-pub const D1: f64 = 0.412;
-/// Constant `D2` of the robot file.
-#[allow(non_upper_case_globals)]
-pub const D2: f64 = 0.154;
-/// Constant `D6` of the robot file.
-#[allow(non_upper_case_globals)]
-pub const D6: f64 = 0.263;
 /// Lower and upper position of each joint, rad or m.
 pub const POSITION_LIMITS: [Option<[f64; 2]>; DOF] = [None, None, None, None, None, None];
 /// Largest speeds, rad/s or m/s.
@@ -324,7 +316,7 @@ pub const IK: ik::Arm<DOF> = ik::Arm {
     }),
 };
 
-/// Every posture that brings the last DH frame to a pose: the top three rows of `T(0, n)`, m.
+/// All postures that bring the last DH frame to a pose: the top three rows of `T(0, n)`, m.
 ///
 /// Axes 4-6 meet in one point, joint 3 of the others slides, the first two meet.
 ///

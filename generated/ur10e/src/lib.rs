@@ -34,6 +34,7 @@
 #[cfg(test)]
 extern crate std;
 
+pub mod constants;
 pub mod ik;
 pub mod kernel;
 pub mod runtime;
@@ -333,24 +334,6 @@ pub const BASE_COEFFICIENTS: [&[(usize, f64)]; BASE] = [
     &[(83, 1.0)],
 ];
 
-/// Constant `D1` of the robot file.
-#[allow(non_upper_case_globals)]
-pub const D1: f64 = 0.1807;
-/// Constant `A2` of the robot file.
-#[allow(non_upper_case_globals)]
-pub const A2: f64 = -0.6127;
-/// Constant `A3` of the robot file.
-#[allow(non_upper_case_globals)]
-pub const A3: f64 = -0.57155;
-/// Constant `D4` of the robot file.
-#[allow(non_upper_case_globals)]
-pub const D4: f64 = 0.17415;
-/// Constant `D5` of the robot file.
-#[allow(non_upper_case_globals)]
-pub const D5: f64 = 0.11985;
-/// Constant `D6` of the robot file.
-#[allow(non_upper_case_globals)]
-pub const D6: f64 = 0.11655;
 /// Lower and upper position of each joint, rad or m.
 pub const POSITION_LIMITS: [Option<[f64; 2]>; DOF] = [Some([-6.283185307179586, 6.283185307179586]), Some([-6.283185307179586, 6.283185307179586]), Some([-6.283185307179586, 6.283185307179586]), Some([-6.283185307179586, 6.283185307179586]), Some([-6.283185307179586, 6.283185307179586]), Some([-6.283185307179586, 6.283185307179586])];
 /// Largest speeds, rad/s or m/s.
@@ -414,7 +397,7 @@ pub const IK: ik::Arm<DOF> = ik::Arm {
     }),
 };
 
-/// Every posture that brings the last DH frame to a pose: the top three rows of `T(0, n)`, m.
+/// All postures that bring the last DH frame to a pose: the top three rows of `T(0, n)`, m.
 ///
 /// Axes 2-4 are parallel, and the two at their end meet.
 ///

@@ -447,11 +447,12 @@ impl BaseParameters {
                 }
             }
         }
+        let constants = unlike_parameters(&robot.constants, &parameters);
         let base = parameters.iter().zip(forms).filter_map(|(&leader, form)| {
             let form = form?;
             let groups = form.len() > 1;
             let name = format!("{}{}", leader.name(), if groups { "R" } else { "" });
-            let grouping = grouping_text(&name, index[&leader], &form, &parameters, &robot.constants);
+            let grouping = grouping_text(&name, index[&leader], &form, &parameters, &constants);
             let coefficients = form.iter().map(|(&i, c)| (i, c.value(&robot.constants))).collect();
             Some(BaseParameter { leader, name, grouping, coefficients })
         });
@@ -472,6 +473,17 @@ impl BaseParameters {
     pub fn values(&self, standard: &[f64]) -> Vec<f64> {
         self.0.iter().map(|b| b.coefficients.iter().map(|&(i, c)| c * standard[i]).sum()).collect()
     }
+}
+
+/// The constants as groupings write them: `constants.M2` where a parameter has the name too.
+fn unlike_parameters(constants: &[(String, f64)], parameters: &[Parameter]) -> Vec<(String, f64)> {
+    let names: Vec<String> = parameters.iter().map(|p| p.name()).collect();
+    let is_parameter = |word: &str| names.iter().any(|n| n == word || word.strip_suffix('R') == Some(n.as_str()));
+    let one = |(word, value): &(String, f64)| match is_parameter(word) {
+        true => (format!("constants.{word}"), *value),
+        false => (word.clone(), *value),
+    };
+    constants.iter().map(one).collect()
 }
 
 /// `ZZ1R = ZZ1 + YY2 + L2^2*(M3 + M4)`: parameters with the same factor stand together.

@@ -25,7 +25,7 @@ pub struct Inverse {
     pub axes: Vec<Axis>,
     /// The last DH frame at `q = 0`.
     pub home: Displacement,
-    /// Is the closed form the arm's own?
+    /// Whether a closed form is the arm's own. Otherwise it is that of a nominal arm nearby, or there is none ([`Family::Numerical`]).
     pub exact: bool,
     /// The solver.
     pub family: Family,
@@ -78,7 +78,7 @@ impl Inverse {
             }
             _ => "an arm with more than seven joints has no closed form here; the numerical solver is used",
         };
-        inverse(Found { class: "none", reason: reason.into(), family: Family::Numerical }, true)
+        inverse(Found { class: "none", reason: reason.into(), family: Family::Numerical }, false)
     }
 
     fn near(mut self) -> Self {

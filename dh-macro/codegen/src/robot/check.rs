@@ -10,6 +10,7 @@ pub use simulation::{Setting, SimulationFile};
 
 use super::expression::{RESERVED, is_name};
 use super::keys;
+use super::name;
 use super::problem::{Note, Problem, Problems};
 use super::reader::{Fields, Findings, join};
 use super::yaml::{self, Kind, Mark, shortened};
@@ -28,15 +29,6 @@ pub struct Reading {
 
 /// Gravity where the file gives none, m/s^2: the contract's value.
 const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
-
-/// Words that can't name a crate.
-const NOT_CRATES: &[&str] = &[
-    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "core", "crate", "do", "dyn",
-    "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro",
-    "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static", "std", "struct",
-    "super", "test", "trait", "true", "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while",
-    "yield",
-];
 
 impl Robot {
     /// Reads a robot file. `files` gives the text of a tool file by the name that stands behind `tool:`.
@@ -104,7 +96,10 @@ fn robot(top: &Fields<'_>, files: &dyn Fn(&str) -> Result<String, String>, to: &
     let links = body::links(top, joints.len(), to);
     let tool = body::tool(top, files, to);
     let collision = collision(top, joints.len(), to);
-    let effects = top.node("effects").map(|(node, path)| drive::effects(node, &path, false, to)).unwrap_or_default();
+    let effects = top
+        .node("effects")
+        .map(|(node, path)| drive::effects(node, &path, drive::Origin::Robot, to))
+        .unwrap_or_default();
     numbers_in_effects(top, &joints, &effects, to);
     let constants = to.scope.constants();
     Robot { name, convention, constants, gravity, joints, links, tool, collision, effects }
@@ -198,26 +193,16 @@ fn constants(top: &Fields<'_>, to: &mut Findings) {
 /// The name is also that of the crate that is written for the robot.
 fn check_name(name: &str, top: &Fields<'_>, to: &mut Findings) {
     let Some((node, path)) = top.node("name").filter(|_| !name.is_empty()) else { return };
-    let good = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-' || c == '_';
-    if NOT_CRATES.contains(&name) {
+    if name::is_reserved(name) {
         let what = format!("`{name}` is a reserved word and can't name a crate");
-        to.problem(node.mark, &path, what, format!("write {name}-robot"));
-    } else if name.len() > 64 {
-        let what = format!("the name has {} characters; a crate's name has at most 64", name.len());
+        to.problem(node.mark, &path, what, format!("write {}", name::crate_name(name)));
+    } else if name.len() > name::LONGEST {
+        let what = format!("the name has {} characters; a crate's name has at most {}", name.len(), name::LONGEST);
         to.problem(node.mark, &path, what, "shorten it");
-    } else if !name.starts_with(|c: char| c.is_ascii_lowercase()) || !name.chars().all(good) {
-        let mut slug: String = name.to_lowercase().chars().map(|c| if good(c) { c } else { '-' }).collect();
-        slug = slug.trim_matches('-').to_string();
-        if !slug.starts_with(|c: char| c.is_ascii_lowercase()) {
-            slug = format!("robot-{slug}").trim_end_matches('-').to_string();
-        }
-        let what = format!("`{}` can't name a crate", shortened(name));
-        to.problem(
-            node.mark,
-            &path,
-            what,
-            format!("write {}: lower case, digits and dashes, a letter first", shortened(&slug)),
-        );
+    } else if !name::is_well_formed(name) {
+        let mend =
+            format!("write {}: lower case, digits and dashes, a letter first", shortened(&name::crate_name(name)));
+        to.problem(node.mark, &path, format!("`{}` can't name a crate", shortened(name)), mend);
     }
 }
 

@@ -75,11 +75,19 @@ pub(super) fn print(model: &Model) -> String {
     let redundancy = match &inverse.family {
         Family::Swivel(_) => " `query.redundancy` is the swivel angle, rad.".to_string(),
         Family::Locked { joint, .. } => format!(" `query.redundancy` is the position of joint {}.", joint + 1),
+        Family::Numerical => " There may be postures that the search does not find.".to_string(),
         _ => String::new(),
+    };
+    let which = match (&inverse.family, inverse.exact) {
+        (Family::Numerical, _) => "Postures, found by search,",
+        (_, true) => "All postures",
+        (_, false) => {
+            "Postures ([`ik::Solutions::lost`] and [`ik::Solutions::uncertain`] say where one may be missing)"
+        }
     };
     let _ = writeln!(
         t,
-        "/// Every posture that brings the last DH frame to a pose: the top three rows of `T(0, n)`, m.\n///\n/// {}.{redundancy}\n///\n/// # Errors\n/// If an entry is not finite, or the rotation is none.\npub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {{\n    IK.solve_inlined(pose, query)\n}}\n",
+        "/// {which} that bring the last DH frame to a pose: the top three rows of `T(0, n)`, m.\n///\n/// {}.{redundancy}\n///\n/// # Errors\n/// If an entry is not finite, or the rotation is none.\npub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {{\n    IK.solve_inlined(pose, query)\n}}\n",
         capital(&inverse.reason)
     );
     t

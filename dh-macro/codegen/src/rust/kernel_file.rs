@@ -4,6 +4,7 @@ use core::fmt::Write;
 
 use super::names::Names;
 use super::print::{statements, wrapped};
+use super::words::Constant;
 use crate::arm::chain::Group;
 use crate::arm::{Argument, Function, Kernel};
 use crate::robot::Robot;
@@ -109,6 +110,7 @@ pub(super) fn doc(function: Function) -> (&'static str, &'static str) {
 /// What the printer has to know of the robot.
 pub(super) struct Context<'a> {
     pub robot: &'a Robot,
+    pub constants: &'a [Constant],
     pub standard: &'a [String],
     pub base: &'a [String],
     pub kernels: &'a [Kernel],
@@ -216,7 +218,7 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
     let function = kernel.function;
     let (title, meaning) = context.doc(function);
     let bound = bound(kernel);
-    let names = Names::new(&kernel.tape, kernel.inputs, context.parameters(function), &context.robot.constants);
+    let names = Names::new(&kernel.tape, kernel.inputs, context.parameters(function), context.constants);
     let names = if function.primal().is_some() { names.with_seeds() } else { names };
     let count = kernel.tape.operations();
     let nonzeros = kernel.nonzeros();
@@ -233,7 +235,8 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
         nonzeros.len()
     );
     let uses = ["DOF", "STANDARD", "BASE"].into_iter().filter(|c| signature(function, "").contains(c));
-    let uses: Vec<&str> = uses.chain(["Trig"]).collect();
+    let of_file = names.constants().any(|(_, value)| value.starts_with("constants::")).then_some("constants");
+    let uses: Vec<&str> = uses.chain(["Trig"]).chain(of_file).collect();
     let clears = packed && gaps(&nonzeros, size).iter().any(|run| run.len() > 1);
     let numbers = match (bound, packed) {
         ("Real", true) if clears => "{elementary::Real, runtime::{apart, clear}}",
@@ -328,13 +331,14 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
             call
         );
     }
+    let put = if nonzeros.is_empty() { "_" } else { "mut put" };
     let _ = writeln!(
         text,
-        "#[allow(non_snake_case, clippy::all)]\n#[inline(always)]\nfn entries<S: {bound}>({arguments}, mut put: impl FnMut(usize, S)) {{"
+        "#[allow(non_snake_case, clippy::all)]\n#[inline(always)]\nfn entries<S: {bound}>({arguments}, {put}: impl FnMut(usize, S)) {{"
     );
     text += &inputs(kernel, &names);
     for (name, value) in names.constants() {
-        let _ = writeln!(text, "    let {name} = S::constant({value:?});");
+        let _ = writeln!(text, "    let {name} = S::constant({value});");
     }
     let columns = column_names(function, context);
     text += &statements(&kernel.tape, &names, &nonzeros, |o, value| {

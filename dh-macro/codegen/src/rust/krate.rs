@@ -4,10 +4,13 @@ use core::fmt::Write;
 use std::collections::BTreeMap;
 
 use super::kernel_file::{self, Context};
-use super::{runtime_files, shell, tests_file};
+use super::{runtime_files, shell, tests_file, words};
 use crate::arm::{Function, Kernel, Model};
 use crate::interpret::Interpreter;
-use crate::robot::Robot;
+use crate::robot::{Robot, crate_name};
+
+/// First words of the `Cargo.toml` of every generated crate: by them a folder is known to be the generator's own.
+pub const MARK: &str = "# Written by `denavit generate`.";
 
 /// The parts that crate and macro share: body of the root, and the files below it.
 pub(super) struct Parts {
@@ -30,8 +33,12 @@ pub(super) fn parts(robot: &Robot, source: &str, further: &[Function]) -> Parts 
     let kernels: Vec<Kernel> = functions.iter().map(|&f| model.kernel(f)).collect();
     let standard: Vec<String> = model.standard().iter().map(|p| p.name()).collect();
     let base: Vec<String> = model.base().0.iter().map(|b| b.name.clone()).collect();
-    let context = Context { robot, standard: &standard, base: &base, kernels: &kernels };
+    let constants = words::constants(&robot.constants);
+    let context = Context { robot, constants: &constants, standard: &standard, base: &base, kernels: &kernels };
     let mut files = BTreeMap::new();
+    if !constants.is_empty() {
+        files.insert("constants.rs".to_string(), words::module(&constants));
+    }
     let mut index = String::from(
         "//! Kernels: additions and multiplications only, given the sines and cosines. One file per function.\n\n",
     );
@@ -60,8 +67,8 @@ fn header(context: &Context<'_>, model: &Model, kernels: &[Kernel], source: &str
     let (mut t, robot) = (String::new(), context.robot);
     let _ = writeln!(
         t,
-        "//! Closed-form kinematics and dynamics of `{}`: {} degrees of freedom, {} base parameters.",
-        robot.name,
+        "//! Closed-form kinematics and dynamics of {}: {} degrees of freedom, {} base parameters.",
+        words::code(&robot.name),
         model.dof(),
         model.base().len()
     );
@@ -102,11 +109,12 @@ pub fn krate_with(robot: &Robot, source: &str, further: &[Function]) -> BTreeMap
         "src/lib.rs".into(),
         format!("{}\n#![no_std]\n#![deny(unsafe_code)]\n#![warn(missing_docs)]\n#![allow(clippy::all)]\n\n#[cfg(test)]\nextern crate std;\n\n{}", parts.header, parts.root),
     );
-    let name = &robot.name;
+    let name = crate_name(&robot.name);
+    let description = words::toml(&format!("Closed-form kinematics and dynamics of {}", robot.name));
     files.insert(
         "Cargo.toml".into(),
         format!(
-            "# Written by `denavit generate`. A folder of its own: copy it anywhere.\n[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\nlicense = \"MIT OR Apache-2.0\"\ndescription = \"Closed-form kinematics and dynamics of {name}\"\npublish = false\n\n[dependencies]\n\n[workspace]\n"
+            "{MARK} A folder of its own: copy it anywhere.\n[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\nlicense = \"MIT OR Apache-2.0\"\ndescription = {description}\npublish = false\n\n[dependencies]\n\n[workspace]\n"
         ),
     );
     files

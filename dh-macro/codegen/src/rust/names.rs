@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::words::{Constant, LOCAL};
 use crate::arm::chain::{Group, Inputs};
 use crate::sym::{Operand, Tape};
 
@@ -10,32 +11,33 @@ pub(super) struct Names {
     inputs: Inputs,
     parameters: Vec<String>,
     temps: Vec<String>,
-    constants: BTreeMap<u64, String>,
+    /// By the bits of the number: its variable, and where it comes from.
+    constants: BTreeMap<u64, (String, String)>,
     seeds: bool,
 }
 
 impl Names {
     /// `named` are the file's constants: where a number of the tape is one of them, it gets that name.
-    pub(super) fn new(tape: &Tape, inputs: Inputs, parameters: &[String], named: &[(String, f64)]) -> Self {
+    pub(super) fn new(tape: &Tape, inputs: Inputs, parameters: &[String], named: &[Constant]) -> Self {
         let mut constants = BTreeMap::new();
-        let mut taken: BTreeSet<String> = BTreeSet::new();
         let mut add = |operand: &Operand| {
             if let Operand::Constant(value) = operand
                 && !constants.contains_key(&value.to_bits())
             {
-                let own = named.iter().find(|(n, v)| v == value && !taken.contains(n)).map(|(n, _)| n.clone());
-                let name = own.unwrap_or_else(|| format!("k{}", constants.len()));
-                taken.insert(name.clone());
+                let own = named.iter().find(|c| c.value.to_bits() == value.to_bits());
+                let own = own.map(|c| (c.local.clone(), format!("constants::{}", c.item)));
+                let name = own.unwrap_or_else(|| (format!("k{}", constants.len()), format!("{value:?}")));
                 constants.insert(value.to_bits(), name);
             }
         };
         tape.code.iter().flat_map(|s| [&s.a, &s.b]).for_each(&mut add);
         // Structural zeros are never stored one by one.
         tape.outputs.iter().filter(|o| **o != Operand::Constant(0.0)).for_each(&mut add);
+        let mut taken: BTreeSet<String> = parameters.iter().cloned().collect();
         let mut temps = Vec::with_capacity(tape.code.len());
         for (i, label) in tape.labels.iter().enumerate() {
             temps.push(match label {
-                Some(label) if taken.insert(label.clone()) => label.clone(),
+                Some(label) if !label.starts_with(LOCAL) && taken.insert(label.clone()) => label.clone(),
                 _ => format!("t{i}"),
             });
         }
@@ -48,9 +50,9 @@ impl Names {
         self
     }
 
-    /// The constants, by name.
-    pub(super) fn constants(&self) -> impl Iterator<Item = (&str, f64)> {
-        let mut all: Vec<(&str, f64)> = self.constants.iter().map(|(b, n)| (n.as_str(), f64::from_bits(*b))).collect();
+    /// The constants by name, with the text of their values.
+    pub(super) fn constants(&self) -> impl Iterator<Item = (&str, &str)> {
+        let mut all: Vec<(&str, &str)> = self.constants.values().map(|(n, v)| (n.as_str(), v.as_str())).collect();
         all.sort_by(|a, b| (a.0.len(), a.0).cmp(&(b.0.len(), b.0)));
         all.into_iter()
     }
@@ -58,7 +60,9 @@ impl Names {
     /// Name of an operand.
     pub(super) fn of(&self, operand: Operand) -> String {
         match operand {
-            Operand::Constant(value) => self.constants.get(&value.to_bits()).cloned().unwrap_or_default(),
+            Operand::Constant(value) => {
+                self.constants.get(&value.to_bits()).map(|(name, _)| name.clone()).unwrap_or_default()
+            }
             Operand::Temp(i) => self.temps[i as usize].clone(),
             Operand::Input(i) => {
                 let (group, at) = self.inputs.locate(i as usize);

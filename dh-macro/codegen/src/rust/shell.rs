@@ -26,7 +26,8 @@ pub(super) fn print(robot: &Robot, model: &Model, kernels: &[Kernel], context: &
     let (n, p, b) = (model.dof(), model.standard().len(), model.base().len());
     let _ = writeln!(
         t,
-        "pub mod ik;\npub mod kernel;\npub mod runtime;\n#[cfg(test)]\nmod tests;\n\nuse runtime::Scalar;\n"
+        "{}pub mod ik;\npub mod kernel;\npub mod runtime;\n#[cfg(test)]\nmod tests;\n\nuse runtime::Scalar;\n",
+        if context.constants.is_empty() { "" } else { "pub mod constants;\n" }
     );
     if context.robot.has_effects() {
         t = t.replace("pub mod ik;\n", "pub mod drive;\npub mod elementary;\npub mod ik;\n");
@@ -69,12 +70,6 @@ pub(super) fn print(robot: &Robot, model: &Model, kernels: &[Kernel], context: &
         t,
         "/// The same as numbers: index into the standard parameters, and factor.\npub const BASE_COEFFICIENTS: [&[(usize, f64)]; BASE] = [\n{rows}];\n"
     );
-    for (name, value) in &robot.constants {
-        let _ = writeln!(
-            t,
-            "/// Constant `{name}` of the robot file.\n#[allow(non_upper_case_globals)]\npub const {name}: f64 = {value:?};"
-        );
-    }
     let limits = |f: &dyn Fn(&crate::robot::Limits) -> Option<f64>| {
         options(moving.iter().map(|&i| f(&robot.joints[i].limits)).collect())
     };

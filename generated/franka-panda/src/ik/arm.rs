@@ -34,7 +34,7 @@ pub enum Family {
     Plane(Plane),
     /// Only joints that slide: linear.
     Slides,
-    /// No closed form is known: damped least squares from many starts.
+    /// No closed form is known: damped least squares from many starts. There may be postures that no start leads to.
     Numerical,
 }
 
@@ -47,7 +47,8 @@ pub struct Arm<const N: usize> {
     pub home: Displacement,
     /// Lower and upper positions, rad or m.
     pub limits: [Option<[f64; 2]>; N],
-    /// Is the family's closed form the arm's own? Otherwise it is that of a nominal arm nearby, and every branch is refined.
+    /// Whether a closed form is the arm's own. Otherwise it is that of a nominal arm nearby, each branch refined, or there is none and
+    /// postures are searched.
     pub exact: bool,
     /// How it is solved.
     pub family: Family,
@@ -160,10 +161,19 @@ impl<const N: usize> Arm<N> {
         let Ok(solutions) = &mut result else { return result };
         let mut work = Work { marks: [f64::INFINITY; CAPACITY], best: [f64::INFINITY; 2] };
         self.finish(&g, query, &all, member.map(|place| (place, near)), solutions, &mut work);
-        if self.exact && solutions.list.is_empty() && query.steps > 0 && work.best[0] + work.best[1] < LITTLE {
+        let searched = matches!(self.family, Family::Numerical);
+        if (self.exact || searched)
+            && solutions.list.is_empty()
+            && query.steps > 0
+            && work.best[0] + work.best[1] < LITTLE
+        {
             self.retry(&g, query, &near, solutions, &mut work);
         }
-        if !self.exact {
+        if searched {
+            solutions.uncertain = true;
+            // Real postures of a general arm with six joints come in pairs.
+            solutions.lost = u32::from(N == 6 && solutions.as_slice().len() % 2 == 1);
+        } else if !self.exact {
             self.search_nearby(&g, query, &near, &all, solutions, &mut work);
         }
         conclude(query, &work, solutions);

@@ -5,7 +5,7 @@
 //! 625 multiplications, 466 additions; 7 x 64, 209 of 448 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 209;
@@ -101,12 +101,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6, ddq7] = *ddq;
-    let A = S::constant(0.0825);
-    let L2 = S::constant(0.316);
-    let L3 = S::constant(0.384);
     let k0 = S::constant(9.81);
     let k4 = S::constant(0.088);
     let k5 = S::constant(1.0);
+    let k_A = S::constant(constants::A);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -204,9 +204,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     ] = {
         let t41 = s2 * c3;
         let z1_3_y = s2 * s3;
-        let t45 = L2 * t20;
-        let t46 = t1 - L2 * t16;
-        let t47 = L2 * t18 - t2;
+        let t45 = k_L2 * t20;
+        let t46 = t1 - k_L2 * t16;
+        let t47 = k_L2 * t18 - t2;
         let t50 = c3 * t46 - s3 * t45;
         let a3_y = c3 * t45 + s3 * t46;
         let t56 = c3 * t3 - s3 * dq2;
@@ -255,15 +255,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t95 = s5 * z1_4_x - c5 * z1_3_y;
         let z2_5_x = c5 * z2_4_x + c3 * s5;
         let t101 = s5 * z2_4_x - c3 * c5;
-        let t102 = c4 * A;
+        let t102 = c4 * k_A;
         let z3_5_x = s4 * c5;
         let z3_6_z = s4 * s5;
         [z1_5_x, t95, z2_5_x, t101, t102, z3_5_x, z3_6_z]
     };
     // MSX3: column
     let t116 = {
-        let t105 = L2 * t78;
-        let t107 = t47 - L2 * t76;
+        let t105 = k_L2 * t78;
+        let t107 = t47 - k_L2 * t76;
         let t112 = c2 * a3_y - (t41 * t105 - z1_3_y * t107);
         let t115 = s3 * t105 + c3 * t107;
         let t116 = s3 * t78;
@@ -273,8 +273,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // MSY3: column
     let t128 = {
-        let t118 = L2 * t77;
-        let t119 = L2 * t79 - t47;
+        let t118 = k_L2 * t77;
+        let t119 = k_L2 * t79 - t47;
         let t124 = c2 * t50 - (t41 * t119 + z1_3_y * t118);
         let t127 = s3 * t119 - c3 * t118;
         let t128 = c3 * t77;
@@ -329,9 +329,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         dw4_z, t195, t196, t197, dw4_x, t199, t200, t201,
         t202, t203, t204, t205, t206,
     ] = {
-        let t170 = t50 + A * t76;
-        let t171 = A * t78 - a3_y;
-        let t172 = t47 + A * t80;
+        let t170 = t50 + k_A * t76;
+        let t171 = k_A * t78 - a3_y;
+        let t172 = t47 + k_A * t80;
         let t175 = c4 * t170 + s4 * t172;
         let a4_y = s4 * t170 - c4 * t172;
         let w4_x = s4 * w3_z - c4 * t56;
@@ -425,10 +425,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         w5_z, dw5_z, t306, t307, t308, t309, dw5_y, t311,
         t312, t313, t314, t315, t316, t317,
     ] = {
-        let t274 = A * t205;
-        let t281 = t175 - (A * t201 + L3 * t202);
-        let a5_z = a4_y - (A * t203 + L3 * t204);
-        let t283 = t171 + (t274 + L3 * t206);
+        let t274 = k_A * t205;
+        let t281 = t175 - (k_A * t201 + k_L3 * t202);
+        let a5_z = a4_y - (k_A * t203 + k_L3 * t204);
+        let t283 = t171 + (t274 + k_L3 * t206);
         let t286 = c5 * t281 + s5 * t283;
         let a5_y = s5 * t281 - c5 * t283;
         let w5_x = c5 * w4_x - s5 * w4_z;
@@ -465,8 +465,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // MSX4: column
     let [t319, t322] = {
-        let t319 = t102 + L2 * s4;
-        let t322 = s4 * A - L2 * c4;
+        let t319 = t102 + k_L2 * s4;
+        let t322 = s4 * k_A - k_L2 * c4;
         let t323 = t205 * t322;
         let t328 = t205 * t319 - t171;
         let t329 = t201 * t322 - t203 * t319 - a4_y;
@@ -485,7 +485,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t348 = t204 * t319 - t202 * t322 - t175;
         let t353 = z1_3_y * t348 - (z1_4_x * t347 + z1_4_y * t343);
         let t358 = c3 * t348 - (z2_4_x * t347 - t89 * t343);
-        let t361 = s4 * t171 - A * t206;
+        let t361 = s4 * t171 - k_A * t206;
         put(14, t353); // row 1, MSY4R
         put(59, t358); // row 2, MSY4R
         put(97, t361); // row 3, MSY4R
@@ -497,9 +497,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t367 = s5 * t312 + c5 * t314;
         let t368 = s5 * a5_z;
         let t369 = c5 * a5_z;
-        let t374 = A * t367;
-        let t375 = L3 * t367 - t368;
-        let t376 = t369 + (L3 * t364 + A * t316);
+        let t374 = k_A * t367;
+        let t375 = k_L3 * t367 - t368;
+        let t376 = t369 + (k_L3 * t364 + k_A * t316);
         let t377 = a5_y - t374;
         let t383 = t322 * t367 - t375;
         let t384 = t377 + t319 * t367;
@@ -518,9 +518,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t400 = c5 * t313;
         let t402 = t400 - s5 * t315;
         let t405 = s5 * t313 + c5 * t315;
-        let t410 = A * t405;
-        let t411 = t369 + L3 * t405;
-        let t412 = L3 * t402 + A * t317 - t368;
+        let t410 = k_A * t405;
+        let t411 = t369 + k_L3 * t405;
+        let t412 = k_L3 * t402 + k_A * t317 - t368;
         let t413 = t286 + t410;
         let t419 = t322 * t405 - t411;
         let t420 = t319 * t405 - t413;
@@ -647,9 +647,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t565 = c6 * a5_y;
         let t568 = c5 * t560 + s5 * t556;
         let t571 = c5 * t556 - s5 * t560;
-        let t582 = A * t571;
-        let t583 = c5 * t564 - s5 * a6_y + L3 * t571;
-        let t584 = s5 * t564 + c5 * a6_y + (L3 * t568 + A * t563);
+        let t582 = k_A * t571;
+        let t583 = c5 * t564 - s5 * a6_y + k_L3 * t571;
+        let t584 = s5 * t564 + c5 * a6_y + (k_L3 * t568 + k_A * t563);
         let t585 = t565 - t582;
         let t591 = t322 * t571 - t583;
         let t592 = t585 + t319 * t571;
@@ -674,9 +674,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t614 = t612 + c6 * t555;
         let t617 = c5 * t611 - s5 * t557;
         let t620 = s5 * t611 + c5 * t557;
-        let t631 = A * t620;
-        let t632 = c5 * t565 - s5 * t526 + L3 * t620;
-        let t633 = s5 * t565 + c5 * t526 + (A * t614 - L3 * t617);
+        let t631 = k_A * t620;
+        let t632 = c5 * t565 - s5 * t526 + k_L3 * t620;
+        let t633 = s5 * t565 + c5 * t526 + (k_A * t614 - k_L3 * t617);
         let t634 = t564 + t631;
         let t640 = t632 - t322 * t620;
         let t641 = t319 * t620 - t634;
@@ -826,9 +826,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t838 = s6 * t821 - c6 * t826;
         let t841 = c5 * t829 + s5 * t820;
         let t844 = s5 * t829 - c5 * t820;
-        let t855 = A * t844;
-        let t856 = c5 * t835 + s5 * t825 + L3 * t844;
-        let t857 = c5 * t825 - s5 * t835 + (L3 * t841 + A * t832);
+        let t855 = k_A * t844;
+        let t856 = c5 * t835 + s5 * t825 + k_L3 * t844;
+        let t857 = c5 * t825 - s5 * t835 + (k_L3 * t841 + k_A * t832);
         let t858 = t838 + t855;
         let t864 = t856 - t322 * t844;
         let t865 = t319 * t844 - t858;
@@ -858,9 +858,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t902 = s6 * t822 + c6 * t890;
         let t905 = c5 * t893 + s5 * t886;
         let t908 = s5 * t893 - c5 * t886;
-        let t919 = A * t908;
-        let t920 = c5 * t899 + s5 * t889 + L3 * t908;
-        let t921 = c5 * t889 - s5 * t899 + (L3 * t905 + A * t896);
+        let t919 = k_A * t908;
+        let t920 = c5 * t899 + s5 * t889 + k_L3 * t908;
+        let t921 = c5 * t889 - s5 * t899 + (k_L3 * t905 + k_A * t896);
         let t922 = t902 + t919;
         let t928 = t322 * t908 - t920;
         let t929 = t922 - t319 * t908;

@@ -5,7 +5,7 @@
 //! 287 multiplications, 260 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, BASE, Trig};
+use super::super::{DOF, BASE, Trig, constants};
 
 /// Coriolis and centrifugal torques `C dq`: every entry of `out` is written.
 #[inline]
@@ -27,10 +27,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6R, MSY6R, XX6R, ZZ6R, XY6R, XZ6, YZ6,
         MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
         ..] = *beta;
-    let A = S::constant(0.0825);
-    let L2 = S::constant(0.316);
-    let L3 = S::constant(0.384);
     let k3 = S::constant(0.088);
+    let k_A = S::constant(constants::A);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -54,9 +54,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         t34, t35, t36, dw3_x, dw3_y, t39, t40, t41,
         t42, t43, t44, t45,
     ] = {
-        let t10 = L2 * t5;
-        let t11 = L2 * t8;
-        let t12 = L2 * t9;
+        let t10 = k_L2 * t5;
+        let t11 = k_L2 * t8;
+        let t12 = k_L2 * t9;
         let a3_x = s3 * t12 - c3 * t10;
         let a3_y = c3 * t12 + s3 * t10;
         let w3_x = s3 * dq2 - c3 * t1;
@@ -90,9 +90,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         t73, t74, t75, dw4_x, t77, t78, t79, t80,
         t81, t82, t83, t84,
     ] = {
-        let t49 = a3_x + A * t40;
-        let t50 = a3_y + A * t42;
-        let t51 = A * t44 - t11;
+        let t49 = a3_x + k_A * t40;
+        let t50 = a3_y + k_A * t42;
+        let t51 = k_A * t44 - t11;
         let a4_x = c4 * t49 + s4 * t51;
         let a4_y = c4 * t51 - s4 * t49;
         let w4_x = c4 * w3_x + s4 * w3_z;
@@ -126,9 +126,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         t118, t119, t120, dw5_x, dw5_y, t123, t124, t125,
         t126, t127, t128, t129,
     ] = {
-        let t94 = a4_x + (L3 * t80 - A * t79);
-        let a5_z = a4_y - (A * t81 + L3 * t82);
-        let t96 = L3 * t84 - A * t83 - t50;
+        let t94 = a4_x + (k_L3 * t80 - k_A * t79);
+        let a5_z = a4_y - (k_A * t81 + k_L3 * t82);
+        let t96 = k_L3 * t84 - k_A * t83 - t50;
         let a5_x = c5 * t94 - s5 * t96;
         let a6_z = c5 * t96 + s5 * t94;
         let w5_x = c5 * w4_x - s5 * w4_z;
@@ -275,9 +275,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let n5_z = t325 + (t346 + YZ5 * t111 - (MSX5 * a6_z + MSY5R * a5_x));
         let t379 = c5 * f5_x + s5 * t372;
         let t382 = s5 * f5_x - c5 * t372;
-        let t394 = c5 * n5_x - s5 * n5_y - L3 * t382;
-        let t395 = s5 * n5_x + c5 * n5_y + (L3 * t379 + A * f5_z);
-        let t396 = n5_z - A * t382;
+        let t394 = c5 * n5_x - s5 * n5_y - k_L3 * t382;
+        let t395 = s5 * n5_x + c5 * n5_y + (k_L3 * t379 + k_A * f5_z);
+        let t396 = n5_z - k_A * t382;
         put(4, n5_z);
         [f5_z, t379, t382, t394, t395, t396]
     };
@@ -295,8 +295,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let n4_z = t417 - YZ4 * t66 + (MSX4R * a4_y - MSY4R * a4_x) - t395;
         let t450 = c4 * f4_x - s4 * f4_y;
         let t456 = c4 * n4_x - s4 * n4_y;
-        let t462 = s4 * n4_x + c4 * n4_y - A * f4_z;
-        let t463 = n4_z + A * (s4 * f4_x + c4 * f4_y);
+        let t462 = s4 * n4_x + c4 * n4_y - k_A * f4_z;
+        let t463 = n4_z + k_A * (s4 * f4_x + c4 * f4_y);
         put(3, n4_z);
         [f4_z, t450, t456, t462, t463]
     };
@@ -311,8 +311,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let n3_x = t456 + (t489 - MSY3R * t11);
         let n3_y = t490 + MSX3R * t11 - t463;
         let n3_z = t462 + (t484 + YZ3 * t27 + (MSX3R * a3_y - MSY3R * a3_x));
-        let n2_x = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
-        let t526 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
+        let n2_x = c3 * n3_x - s3 * n3_y - k_L2 * (s3 * f3_x + c3 * f3_y);
+        let t526 = s3 * n3_x + c3 * n3_y + k_L2 * (c3 * f3_x - s3 * f3_y);
         put(2, n3_z);
         [n3_z, n2_x, t526]
     };

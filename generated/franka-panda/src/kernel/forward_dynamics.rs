@@ -5,7 +5,7 @@
 //! 697 multiplications, 580 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, BASE, Trig};
+use super::super::{DOF, BASE, Trig, constants};
 
 /// Accelerations that torques cause: every entry of `out` is written.
 #[inline]
@@ -30,12 +30,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7, FO1, FO2, FO3,
         FO4, FO5, FO6, FO7,
         ..] = *beta;
-    let A = S::constant(0.0825);
-    let L2 = S::constant(0.316);
-    let L3 = S::constant(0.384);
     let k0 = S::constant(0.088);
     let k4 = S::constant(9.81);
     let k5 = S::constant(1.0);
+    let k_A = S::constant(constants::A);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // composite body 7
     let [
         t2, t5, t8, t11, t21, t40, t55, t72,
@@ -53,16 +53,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t21 = s6 * t8 - c6 * t13;
         let t24 = s5 * t5 - c5 * t14;
         let t27 = s5 * t14 + c5 * t5;
-        let t38 = A * t27;
-        let t39 = c5 * t18 + s5 * t11 + L3 * t27;
-        let t40 = s5 * t18 - c5 * t11 + (L3 * t24 - A * t15);
+        let t38 = k_A * t27;
+        let t39 = c5 * t18 + s5 * t11 + k_L3 * t27;
+        let t40 = s5 * t18 - c5 * t11 + (k_L3 * t24 - k_A * t15);
         let t41 = t21 + t38;
         let t44 = c4 * t24 + s4 * t15;
         let t50 = c4 * t39 - s4 * t41;
         let t55 = s4 * t39 + c4 * t41 - t38;
-        let t56 = A * (s4 * t24 - c4 * t15) - t40;
-        let t71 = c3 * t50 + s3 * t56 - L2 * (s3 * t44 - c3 * t27);
-        let t72 = s3 * t50 - c3 * t56 + L2 * (c3 * t44 + s3 * t27);
+        let t56 = k_A * (s4 * t24 - c4 * t15) - t40;
+        let t71 = c3 * t50 + s3 * t56 - k_L2 * (s3 * t44 - c3 * t27);
+        let t72 = s3 * t50 - c3 * t56 + k_L2 * (c3 * t44 + s3 * t27);
         let t75 = s2 * t71 - c2 * t55;
         let t77 = s7 * XY7;
         let t80 = c7 * XY7;
@@ -96,16 +96,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t119 = s5 * t108;
         let t121 = s5 * t102;
         let t124 = c5 * t102;
-        let t130 = A * t119;
-        let t131 = c5 * t114 + t121 + L3 * t119;
-        let t132 = s5 * t114 - t124 + (A * t111 - L3 * t118);
+        let t130 = k_A * t119;
+        let t131 = c5 * t114 + t121 + k_L3 * t119;
+        let t132 = s5 * t114 - t124 + (k_A * t111 - k_L3 * t118);
         let t133 = t117 + t130;
         let t136 = c4 * t118 + s4 * t111;
         let t142 = c4 * t131 - s4 * t133;
         let t147 = s4 * t131 + c4 * t133 - t130;
-        let t148 = A * (c4 * t111 - s4 * t118) - t132;
-        let t163 = c3 * t142 + s3 * t148 + L2 * (s3 * t136 + c3 * t119);
-        let t164 = s3 * t142 - c3 * t148 + L2 * (s3 * t119 - c3 * t136);
+        let t148 = k_A * (c4 * t111 - s4 * t118) - t132;
+        let t163 = c3 * t142 + s3 * t148 + k_L2 * (s3 * t136 + c3 * t119);
+        let t164 = s3 * t142 - c3 * t148 + k_L2 * (s3 * t119 - c3 * t136);
         let t167 = s2 * t163 - c2 * t147;
         let t169 = s6 * t103;
         let t172 = c6 * t103;
@@ -135,30 +135,30 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t197 = c5 * t189 + s5 * t188;
         let t200 = c5 * t188 - s5 * t189;
         let t203 = c5 * t193 - s5 * t194;
-        let t207 = L3 * t200;
-        let t209 = A * t200;
+        let t207 = k_L3 * t200;
+        let t209 = k_A * t200;
         let t210 = t203 - t207;
-        let t211 = s5 * t193 + c5 * t194 - L3 * t197;
+        let t211 = s5 * t193 + c5 * t194 - k_L3 * t197;
         let t212 = t191 - t209;
         let t213 = c4 * t197;
         let t217 = c4 * t210 - s4 * t212;
         let t222 = t209 + (s4 * t210 + c4 * t212);
-        let t223 = t211 + A * (s4 * t197);
-        let t238 = c3 * t217 - s3 * t223 - L2 * (c3 * t200 - s3 * t213);
-        let t239 = s3 * t217 + c3 * t223 - L2 * (c3 * t213 + s3 * t200);
+        let t223 = t211 + k_A * (s4 * t197);
+        let t238 = c3 * t217 - s3 * t223 - k_L2 * (c3 * t200 - s3 * t213);
+        let t239 = s3 * t217 + c3 * t223 - k_L2 * (c3 * t213 + s3 * t200);
         let t242 = s2 * t238 - c2 * t222;
         let t244 = s5 * t192;
         let t247 = c5 * t192;
         let t248 = s5 * t190 + t247;
         let t250 = t124 + t244;
-        let t263 = L3 * t187 - A * (t200 + t200);
+        let t263 = k_L3 * t187 - k_A * (t200 + t200);
         let t265 = t209 + t209;
         let t266 = c5 * (c5 * t190 - t244) - s5 * (t247 - t121) + t263 + t265;
-        let t267 = A * t197;
+        let t267 = k_A * t197;
         let t268 = c5 * t248 - s5 * t250 + t267;
-        let t271 = t203 - (t207 - A * t108);
+        let t271 = t203 - (t207 - k_A * t108);
         let t272 = s5 * t248 + c5 * t250 + t263;
-        let t274 = L3 * t108;
+        let t274 = k_L3 * t108;
         let t276 = t191 + t263 - (t274 + t274);
         [
         t191, t197, t200, t211, t222, t239, t242, t266,
@@ -181,20 +181,20 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t289 = c4 * t277 - s4 * t278;
         let t292 = c4 * t282 - s4 * t283;
         let t295 = s4 * t282 + c4 * t283;
-        let t296 = A * t289;
+        let t296 = k_A * t289;
         let t297 = t280 + t296;
-        let t309 = s3 * t292 - c3 * t297 - L2 * (c3 * t286);
+        let t309 = s3 * t292 - c3 * t297 - k_L2 * (c3 * t286);
         let t311 = c2 * t295;
-        let t312 = s2 * (c3 * t292 + s3 * t297 + L2 * (s3 * t286)) - t311;
+        let t312 = s2 * (c3 * t292 + s3 * t297 + k_L2 * (s3 * t286)) - t311;
         let t314 = s4 * t281;
         let t317 = c4 * t281;
         let t318 = s4 * t279 + t317;
         let t322 = t314 + c4 * t276;
         let t333 = t286 + t286;
-        let t334 = A * (t289 + t289);
+        let t334 = k_A * (t289 + t289);
         let t335 = c4 * (c4 * t279 - t314) - s4 * (t317 - s4 * t276) + t334;
         let t337 = t335 - (t296 + t296);
-        let t339 = c4 * t318 - s4 * t322 - A * t286;
+        let t339 = c4 * t318 - s4 * t322 - k_A * t286;
         let t340 = t267 + t292;
         let t341 = s4 * t318 + c4 * t322 + t334;
         let t342 = t280 + t334;
@@ -212,18 +212,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t347 = XY3R - t340;
         let t348 = XZ3 + t339;
         let t349 = YZ3 - t295;
-        let t364 = c3 * t348 - s3 * t349 - L2 * (c3 * t343 - s3 * t344);
-        let t365 = s3 * t348 + c3 * t349 - L2 * (c3 * t344 + s3 * t343);
+        let t364 = c3 * t348 - s3 * t349 - k_L2 * (c3 * t343 - s3 * t344);
+        let t365 = s3 * t348 + c3 * t349 - k_L2 * (c3 * t344 + s3 * t343);
         let t368 = s2 * t364 - c2 * t346;
         let t370 = s3 * t347;
         let t373 = c3 * t347;
         let t374 = s3 * t345 + t373;
         let t378 = t370 + c3 * t342;
         let t384 = c3 * t374 - s3 * t378;
-        let t388 = L2 * t333;
+        let t388 = k_L2 * t333;
         let t389 = c3 * (c3 * t345 - t370) - s3 * (t373 - s3 * t342) + t388;
         let t390 = s3 * t374 + c3 * t378 + t388;
-        let t392 = L2 * t286;
+        let t392 = k_L2 * t286;
         let t394 = t346 + t388 - (t392 + t392);
         [t346, t364, t365, t368, t384, t389, t390, t394]
     };
@@ -272,9 +272,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         t451, t452, t453, dw3_x, dw3_y, t456, t457, t458,
         t459, t460, t461, t462,
     ] = {
-        let t427 = L2 * t424;
-        let t428 = t414 + L2 * t420;
-        let t429 = L2 * t423 - t415;
+        let t427 = k_L2 * t424;
+        let t428 = t414 + k_L2 * t420;
+        let t429 = k_L2 * t423 - t415;
         let a3_x = s3 * t427 - c3 * t428;
         let a3_y = c3 * t427 + s3 * t428;
         let w3_x = s3 * dq2 - c3 * t416;
@@ -308,9 +308,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         t490, t491, t492, dw4_x, t494, t495, t496, t497,
         t498, t499, t500, t501,
     ] = {
-        let t466 = a3_x + A * t457;
-        let t467 = a3_y + A * t459;
-        let t468 = A * t461 - t429;
+        let t466 = a3_x + k_A * t457;
+        let t467 = a3_y + k_A * t459;
+        let t468 = k_A * t461 - t429;
         let a4_x = c4 * t466 + s4 * t468;
         let a4_y = c4 * t468 - s4 * t466;
         let w4_x = c4 * w3_x + s4 * w3_z;
@@ -344,9 +344,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         t535, t536, t537, dw5_x, dw5_y, t540, t541, t542,
         t543, t544, t545, t546,
     ] = {
-        let t511 = a4_x + (L3 * t497 - A * t496);
-        let a5_z = a4_y - (A * t498 + L3 * t499);
-        let t513 = L3 * t501 - A * t500 - t467;
+        let t511 = a4_x + (k_L3 * t497 - k_A * t496);
+        let a5_z = a4_y - (k_A * t498 + k_L3 * t499);
+        let t513 = k_L3 * t501 - k_A * t500 - t467;
         let a5_x = c5 * t511 - s5 * t513;
         let a6_z = c5 * t513 + s5 * t511;
         let w5_x = c5 * w4_x - s5 * w4_z;
@@ -491,9 +491,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let n5_z = t742 + (t763 + YZ5 * t528 - (MSX5 * a6_z + MSY5R * a5_x));
         let t796 = c5 * f5_x + s5 * t789;
         let t799 = s5 * f5_x - c5 * t789;
-        let t811 = c5 * n5_x - s5 * n5_y - L3 * t799;
-        let t812 = s5 * n5_x + c5 * n5_y + (L3 * t796 + A * f5_z);
-        let t813 = n5_z - A * t799;
+        let t811 = c5 * n5_x - s5 * n5_y - k_L3 * t799;
+        let t812 = s5 * n5_x + c5 * n5_y + (k_L3 * t796 + k_A * f5_z);
+        let t813 = n5_z - k_A * t799;
         [f5_z, n5_z, t796, t799, t811, t812, t813]
     };
     // link 4: force and moment
@@ -510,8 +510,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let n4_z = t834 - YZ4 * t483 + (MSX4R * a4_y - MSY4R * a4_x) - t812;
         let t867 = c4 * f4_x - s4 * f4_y;
         let t873 = c4 * n4_x - s4 * n4_y;
-        let t879 = s4 * n4_x + c4 * n4_y - A * f4_z;
-        let t880 = n4_z + A * (s4 * f4_x + c4 * f4_y);
+        let t879 = s4 * n4_x + c4 * n4_y - k_A * f4_z;
+        let t880 = n4_z + k_A * (s4 * f4_x + c4 * f4_y);
         [f4_z, n4_z, t867, t873, t879, t880]
     };
     // link 3: force and moment
@@ -525,8 +525,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let n3_x = t873 + (t906 - MSY3R * t429);
         let n3_y = t907 + MSX3R * t429 - t880;
         let n3_z = t879 + (t901 + YZ3 * t444 + (MSX3R * a3_y - MSY3R * a3_x));
-        let n2_x = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
-        let t943 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
+        let n2_x = c3 * n3_x - s3 * n3_y - k_L2 * (s3 * f3_x + c3 * f3_y);
+        let t943 = s3 * n3_x + c3 * n3_y + k_L2 * (c3 * f3_x - s3 * f3_y);
         [n3_z, n2_x, t943]
     };
     // link 2: force and moment

@@ -5,7 +5,7 @@
 //! 77 multiplications, 56 additions; 7 x 3 x 4, 75 of 84 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 75;
@@ -64,12 +64,12 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [s1, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [c1, c2, c3, c4, c5, c6, c7] = trig.cos;
-    let A = S::constant(0.0825);
-    let L1 = S::constant(0.333);
-    let L2 = S::constant(0.316);
-    let L3 = S::constant(0.384);
     let k4 = S::constant(0.088);
     let k5 = S::constant(1.0);
+    let k_A = S::constant(constants::A);
+    let k_L1 = S::constant(constants::L1);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // frame 2
     let [t0, t1, t2, t3] = {
         let t0 = c1 * c2;
@@ -82,13 +82,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(2, s1); // [0][1][0]
         put(3, c1); // [0][1][1]
         put(4, k5); // [0][2][2]
-        put(5, L1); // [0][2][3]
+        put(5, k_L1); // [0][2][3]
         put(6, t0); // [1][0][0]
         put(7, t4); // [1][0][1]
         put(9, t2); // [1][1][0]
         put(10, t5); // [1][1][1]
         put(11, c1); // [1][1][2]
-        put(14, L1); // [1][2][3]
+        put(14, k_L1); // [1][2][3]
         put(17, t1); // [2][0][2]
         put(21, t3); // [2][1][2]
         put(25, c2); // [2][2][2]
@@ -99,9 +99,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t6, t7, t9, t12, t15, t18, t21, t22,
         t23,
     ] = {
-        let t6 = L2 * t1;
-        let t7 = L2 * t3;
-        let t9 = L1 + c2 * L2;
+        let t6 = k_L2 * t1;
+        let t7 = k_L2 * t3;
+        let t9 = k_L1 + c2 * k_L2;
         let t12 = c3 * t0 - s1 * s3;
         let t15 = s1 * c3 + s3 * t0;
         let t18 = c3 * t2 + c1 * s3;
@@ -134,9 +134,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t31, t32, t33, t36, t39, t42, t45, t48,
         t51,
     ] = {
-        let t31 = t6 + A * t12;
-        let t32 = t7 + A * t18;
-        let t33 = t9 - A * t22;
+        let t31 = t6 + k_A * t12;
+        let t32 = t7 + k_A * t18;
+        let t33 = t9 - k_A * t22;
         let t36 = c4 * t12 + s4 * t1;
         let t39 = c4 * t1 - s4 * t12;
         let t42 = c4 * t18 + s4 * t3;
@@ -165,9 +165,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t61, t62, t63, t66, t69, t72, t75, t78,
         t81,
     ] = {
-        let t61 = t31 - (A * t36 - L3 * t39);
-        let t62 = t32 + (L3 * t45 - A * t42);
-        let t63 = t33 + (L3 * t51 - A * t48);
+        let t61 = t31 - (k_A * t36 - k_L3 * t39);
+        let t62 = t32 + (k_L3 * t45 - k_A * t42);
+        let t63 = t33 + (k_L3 * t51 - k_A * t48);
         let t66 = c5 * t36 - s5 * t15;
         let t69 = c5 * t15 + s5 * t36;
         let t72 = c5 * t42 + s5 * t21;

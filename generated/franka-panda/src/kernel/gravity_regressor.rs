@@ -5,7 +5,7 @@
 //! 259 multiplications, 155 additions; 7 x 70, 92 of 490 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 92;
@@ -89,11 +89,11 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [_, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
-    let A = S::constant(0.0825);
-    let L2 = S::constant(0.316);
-    let L3 = S::constant(0.384);
     let k0 = S::constant(9.81);
     let k4 = S::constant(0.088);
+    let k_A = S::constant(constants::A);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // link 2: motion
     let [t0, a3_z] = {
         let t0 = s2 * k0;
@@ -156,7 +156,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // joint axes in frame 5
     let t40 = {
-        let t40 = c4 * A;
+        let t40 = c4 * k_A;
         t40
     };
     // MSZ2: column
@@ -166,8 +166,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     }
     // M3: column
     {
-        let t44 = L2 * a3_y;
-        let t45 = L2 * t5;
+        let t44 = k_L2 * a3_y;
+        let t45 = k_L2 * t5;
         let t48 = t3 * t44 - z1_3_y * t45;
         let t55 = -(s3 * t44 + c3 * t45);
         let t56 = -(c3 * t5 + s3 * a3_y);
@@ -196,15 +196,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     }
     // M4: column
     let [t70, t73, t76] = {
-        let t70 = t40 + L2 * s4;
-        let t73 = s4 * A - L2 * c4;
+        let t70 = t40 + k_L2 * s4;
+        let t73 = s4 * k_A - k_L2 * c4;
         let t74 = a3_y * t73;
         let t75 = a3_y * t70;
         let t76 = a4_y * t70;
         let t78 = t9 * t73 - t76;
         let t83 = z1_3_y * t78 + (z1_4_x * t74 + z1_4_y * t75);
         let t88 = c3 * t78 + (z2_4_x * t74 - t39 * t75);
-        let t89 = A * a3_y;
+        let t89 = k_A * a3_y;
         put(5, t83); // row 1, M4
         put(27, t88); // row 2, M4
         put(45, t89); // row 3, M4
@@ -243,9 +243,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t121 = c5 * t15 + t120;
         let t123 = c5 * a5_y;
         let t124 = s5 * t15 - t123;
-        let t125 = L3 * t124;
-        let t128 = L3 * t121 - A * a4_y;
-        let t129 = A * t124;
+        let t125 = k_L3 * t124;
+        let t128 = k_L3 * t121 - k_A * a4_y;
+        let t129 = k_A * t124;
         let t134 = t73 * t124 - t125;
         let t135 = t70 * t124 - t129;
         let t136 = t73 * t121 - t76 - t128;
@@ -300,9 +300,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t192 = s6 * t21 - t191;
         let t194 = t120 + c5 * t189;
         let t196 = t123 - s5 * t189;
-        let t197 = L3 * t196;
-        let t200 = L3 * t194 + A * t192;
-        let t201 = A * t196;
+        let t197 = k_L3 * t196;
+        let t200 = k_L3 * t194 + k_A * t192;
+        let t201 = k_A * t196;
         let t207 = t73 * t196 - t197;
         let t208 = t70 * t196 - t201;
         let t209 = t70 * t192 + t73 * t194 - t200;
@@ -372,9 +372,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t295 = c6 * t289;
         let t298 = c5 * t291 + s5 * t287;
         let t301 = c5 * t287 - s5 * t291;
-        let t312 = A * t301;
-        let t313 = c5 * t294 - s5 * t288 + L3 * t301;
-        let t314 = s5 * t294 + c5 * t288 - (A * t293 - L3 * t298);
+        let t312 = k_A * t301;
+        let t313 = c5 * t294 - s5 * t288 + k_L3 * t301;
+        let t314 = s5 * t294 + c5 * t288 - (k_A * t293 - k_L3 * t298);
         let t315 = t312 - t295;
         let t321 = t313 - t73 * t301;
         let t322 = t70 * t301 - t315;

@@ -5,7 +5,7 @@
 //! 314 multiplications, 299 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, BASE, Trig};
+use super::super::{DOF, BASE, Trig, constants};
 
 /// Torques from the base parameters: every entry of `out` is written.
 #[inline]
@@ -30,11 +30,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7, FO1, FO2, FO3,
         FO4, FO5, FO6, FO7,
         ..] = *beta;
-    let A = S::constant(0.0825);
-    let L2 = S::constant(0.316);
-    let L3 = S::constant(0.384);
     let k0 = S::constant(9.81);
     let k4 = S::constant(0.088);
+    let k_A = S::constant(constants::A);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -67,9 +67,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         dw3_z, t44, t45, t46, dw3_x, dw3_y, t49, t50,
         t51, t52, t53, t54, t55,
     ] = {
-        let t19 = L2 * t16;
-        let t20 = t1 + L2 * t14;
-        let t21 = L2 * t15 - t2;
+        let t19 = k_L2 * t16;
+        let t20 = t1 + k_L2 * t14;
+        let t21 = k_L2 * t15 - t2;
         let a3_x = s3 * t19 - c3 * t20;
         let a3_y = c3 * t19 + s3 * t20;
         let w3_x = s3 * dq2 - c3 * t3;
@@ -104,9 +104,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         dw4_z, t84, t85, t86, dw4_x, t88, t89, t90,
         t91, t92, t93, t94, t95,
     ] = {
-        let t59 = a3_x + A * t50;
-        let t60 = a3_y + A * t52;
-        let t61 = A * t54 - t21;
+        let t59 = a3_x + k_A * t50;
+        let t60 = a3_y + k_A * t52;
+        let t61 = k_A * t54 - t21;
         let a4_x = c4 * t59 + s4 * t61;
         let a4_y = c4 * t61 - s4 * t59;
         let w4_x = c4 * w3_x + s4 * w3_z;
@@ -141,9 +141,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         dw5_z, t130, t131, t132, dw5_x, dw5_y, t135, t136,
         t137, t138, t139, t140, t141,
     ] = {
-        let t105 = a4_x + (L3 * t91 - A * t90);
-        let a5_z = a4_y - (A * t92 + L3 * t93);
-        let t107 = L3 * t95 - A * t94 - t60;
+        let t105 = a4_x + (k_L3 * t91 - k_A * t90);
+        let a5_z = a4_y - (k_A * t92 + k_L3 * t93);
+        let t107 = k_L3 * t95 - k_A * t94 - t60;
         let a5_x = c5 * t105 - s5 * t107;
         let a6_z = c5 * t107 + s5 * t105;
         let w5_x = c5 * w4_x - s5 * w4_z;
@@ -293,9 +293,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let n5_z = t339 + (t360 + YZ5 * t122 - (MSX5 * a6_z + MSY5R * a5_x));
         let t393 = c5 * f5_x - s5 * f5_y;
         let t396 = s5 * f5_x + c5 * f5_y;
-        let t408 = c5 * n5_x - s5 * n5_y - L3 * t396;
-        let t409 = s5 * n5_x + c5 * n5_y + (L3 * t393 + A * f5_z);
-        let t410 = n5_z - A * t396;
+        let t408 = c5 * n5_x - s5 * n5_y - k_L3 * t396;
+        let t409 = s5 * n5_x + c5 * n5_y + (k_L3 * t393 + k_A * f5_z);
+        let t410 = n5_z - k_A * t396;
         [f5_z, n5_z, t393, t396, t408, t409, t410]
     };
     // link 4: force and moment
@@ -312,8 +312,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let n4_z = t431 - YZ4 * t76 + (MSX4R * a4_y - MSY4R * a4_x) - t409;
         let t464 = c4 * f4_x - s4 * f4_y;
         let t470 = c4 * n4_x - s4 * n4_y;
-        let t476 = s4 * n4_x + c4 * n4_y - A * f4_z;
-        let t477 = n4_z + A * (s4 * f4_x + c4 * f4_y);
+        let t476 = s4 * n4_x + c4 * n4_y - k_A * f4_z;
+        let t477 = n4_z + k_A * (s4 * f4_x + c4 * f4_y);
         [f4_z, n4_z, t464, t470, t476, t477]
     };
     // link 3: force and moment
@@ -327,8 +327,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let n3_x = t470 + (t503 - MSY3R * t21);
         let n3_y = t504 + MSX3R * t21 - t477;
         let n3_z = t476 + (t498 + YZ3 * t36 + (MSX3R * a3_y - MSY3R * a3_x));
-        let n2_x = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
-        let t540 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
+        let n2_x = c3 * n3_x - s3 * n3_y - k_L2 * (s3 * f3_x + c3 * f3_y);
+        let t540 = s3 * n3_x + c3 * n3_y + k_L2 * (c3 * f3_x - s3 * f3_y);
         [n3_z, n2_x, t540]
     };
     // link 2: force and moment

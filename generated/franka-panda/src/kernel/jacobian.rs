@@ -5,7 +5,7 @@
 //! 93 multiplications, 57 additions; 6 x 7, 35 of 42 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 35;
@@ -60,12 +60,12 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [s1, s2, s3, s4, s5, s6, ..] = trig.sin;
     let [c1, c2, c3, c4, c5, c6, ..] = trig.cos;
-    let A = S::constant(0.0825);
-    let L1 = S::constant(0.333);
-    let L2 = S::constant(0.316);
-    let L3 = S::constant(0.384);
     let k4 = S::constant(0.088);
     let k5 = S::constant(1.0);
+    let k_A = S::constant(constants::A);
+    let k_L1 = S::constant(constants::L1);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // frame 2
     let [t0, t1, t2, t3] = {
         let t0 = c1 * c2;
@@ -84,9 +84,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t4, t5, t7, t10, t13, t16, t19, t20,
         t21,
     ] = {
-        let t4 = L2 * t1;
-        let t5 = L2 * t3;
-        let t7 = L1 + c2 * L2;
+        let t4 = k_L2 * t1;
+        let t5 = k_L2 * t3;
+        let t7 = k_L1 + c2 * k_L2;
         let t10 = c3 * t0 - s1 * s3;
         let t13 = s1 * c3 + s3 * t0;
         let t16 = c3 * t2 + c1 * s3;
@@ -107,9 +107,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t26, t27, t28, t31, t34, t37, t40, t43,
         t46,
     ] = {
-        let t26 = t4 + A * t10;
-        let t27 = t5 + A * t16;
-        let t28 = t7 - A * t20;
+        let t26 = t4 + k_A * t10;
+        let t27 = t5 + k_A * t16;
+        let t28 = t7 - k_A * t20;
         let t31 = c4 * t10 + s4 * t1;
         let t34 = c4 * t1 - s4 * t10;
         let t37 = c4 * t16 + s4 * t3;
@@ -129,9 +129,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t56, t57, t58, t61, t64, t67, t70, t73,
         t76,
     ] = {
-        let t56 = t26 - (A * t31 - L3 * t34);
-        let t57 = A * t37 - L3 * t40 - t27;
-        let t58 = A * t43 - L3 * t46 - t28;
+        let t56 = t26 - (k_A * t31 - k_L3 * t34);
+        let t57 = k_A * t37 - k_L3 * t40 - t27;
+        let t58 = k_A * t43 - k_L3 * t46 - t28;
         let t61 = c5 * t31 - s5 * t13;
         let t64 = c5 * t13 + s5 * t31;
         let t67 = c5 * t37 - s5 * t19;
@@ -185,7 +185,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // columns
     {
-        let t101 = t97 - L1;
+        let t101 = t97 - k_L1;
         let t102 = c1 * t101;
         let t103 = s1 * t101;
         let t106 = s1 * t96 - c1 * t95;

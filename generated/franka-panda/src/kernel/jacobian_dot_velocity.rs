@@ -5,7 +5,7 @@
 //! 184 multiplications, 122 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`: every entry of `out` is written.
 #[inline]
@@ -21,10 +21,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     let [s1, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [c1, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
-    let A = S::constant(0.0825);
-    let L2 = S::constant(0.316);
-    let L3 = S::constant(0.384);
     let k3 = S::constant(0.088);
+    let k_A = S::constant(constants::A);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // link 2: motion
     let [t0, t1, t4, dw2_y, t7, t8] = {
         let t0 = s2 * dq1;
@@ -43,9 +43,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     ] = {
         let t9 = s2 * c3;
         let t10 = s2 * s3;
-        let t11 = L2 * t4;
-        let t12 = L2 * t7;
-        let t13 = L2 * t8;
+        let t11 = k_L2 * t4;
+        let t12 = k_L2 * t7;
+        let t13 = k_L2 * t8;
         let a3_x = s3 * t13 - c3 * t11;
         let a3_y = c3 * t13 + s3 * t11;
         let w3_x = s3 * dq2 - c3 * t0;
@@ -74,9 +74,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         t51, a4_x, a4_y, w4_x, w4_y, w4_z, t78, t80,
         t81, t82, t83, t84, t85,
     ] = {
-        let t50 = a3_x + A * t41;
-        let t51 = a3_y + A * t43;
-        let t52 = A * t45 - t12;
+        let t50 = a3_x + k_A * t41;
+        let t51 = a3_y + k_A * t43;
+        let t52 = k_A * t45 - t12;
         let a4_x = c4 * t50 + s4 * t52;
         let a4_y = c4 * t52 - s4 * t50;
         let w4_x = c4 * w3_x + s4 * w3_z;
@@ -105,9 +105,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         a5_z, a5_x, a6_z, w5_x, t109, w5_z, dw5_y, t124,
         t125, t126,
     ] = {
-        let t95 = a4_x + (L3 * t81 - A * t80);
-        let a5_z = a4_y - (A * t82 + L3 * t83);
-        let t97 = L3 * t85 - A * t84 - t51;
+        let t95 = a4_x + (k_L3 * t81 - k_A * t80);
+        let a5_z = a4_y - (k_A * t82 + k_L3 * t83);
+        let t97 = k_L3 * t85 - k_A * t84 - t51;
         let a5_x = c5 * t95 - s5 * t97;
         let a6_z = c5 * t97 + s5 * t95;
         let w5_x = c5 * w4_x - s5 * w4_z;

@@ -5,7 +5,7 @@
 //! 154 multiplications, 59 additions; 91, 57 of 91 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 57;
@@ -61,11 +61,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     let [_, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
-    let A = S::constant(0.0825);
-    let L2 = S::constant(0.316);
-    let L3 = S::constant(0.384);
     let k3 = S::constant(0.088);
     let k4 = S::constant(0.5);
+    let k_A = S::constant(constants::A);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // link 2: velocity
     let [t0, t1] = {
         let t0 = s2 * dq1;
@@ -74,8 +74,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     };
     // link 3: velocity
     let [t6, t9, t12, t15, t16] = {
-        let t2 = L2 * dq2;
-        let t3 = L2 * t0;
+        let t2 = k_L2 * dq2;
+        let t3 = k_L2 * t0;
         let t6 = s3 * dq2 - c3 * t0;
         let t9 = c3 * dq2 + s3 * t0;
         let t12 = c3 * t2 + s3 * t3;
@@ -85,8 +85,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     };
     // link 4: velocity
     let [t19, t22, t25, t28, t31, t32] = {
-        let t17 = A * t9;
-        let t19 = t15 + A * t16;
+        let t17 = k_A * t9;
+        let t19 = t15 + k_A * t16;
         let t22 = c4 * t6 + s4 * t16;
         let t25 = c4 * t16 - s4 * t6;
         let t28 = s4 * t17 - c4 * t12;
@@ -96,9 +96,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     };
     // link 5: velocity
     let [t40, t43, t46, t49, t52, t53] = {
-        let t38 = t28 + L3 * t32;
-        let t39 = A * t25 + L3 * t22 - t19;
-        let t40 = t31 + A * t32;
+        let t38 = t28 + k_L3 * t32;
+        let t39 = k_A * t25 + k_L3 * t22 - t19;
+        let t40 = t31 + k_A * t32;
         let t43 = s5 * t32 - c5 * t22;
         let t46 = c5 * t32 + s5 * t22;
         let t49 = c5 * t38 + s5 * t39;

@@ -5,7 +5,7 @@
 //! 223 multiplications, 190 additions; 7 x 7, 49 of 49 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, Trig};
+use super::super::{BASE, Trig, constants};
 
 /// Mass matrix `M`, symmetric, kg m^2: every entry of `out` is written.
 #[inline]
@@ -26,10 +26,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6R, MSY6R, XX6R, ZZ6R, XY6R, XZ6, YZ6,
         MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
         ..] = *beta;
-    let A = S::constant(0.0825);
-    let L2 = S::constant(0.316);
-    let L3 = S::constant(0.384);
     let k0 = S::constant(0.088);
+    let k_A = S::constant(constants::A);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // composite body 7
     let [t2, t5, t8, t11, t95, t97, t98, t99] = {
         let t2 = c7 * MSY7 + s7 * MSX7;
@@ -44,16 +44,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t21 = c6 * t13 - s6 * t8;
         let t24 = c5 * t14 + s5 * t5;
         let t27 = c5 * t5 - s5 * t14;
-        let t38 = A * t27;
-        let t39 = c5 * t18 - s5 * t11 + L3 * t27;
-        let t40 = s5 * t18 + c5 * t11 + (L3 * t24 + A * t15);
+        let t38 = k_A * t27;
+        let t39 = c5 * t18 - s5 * t11 + k_L3 * t27;
+        let t40 = s5 * t18 + c5 * t11 + (k_L3 * t24 + k_A * t15);
         let t41 = t21 - t38;
         let t44 = s4 * t15 - c4 * t24;
         let t50 = c4 * t39 + s4 * t41;
         let t55 = t38 + (c4 * t41 - s4 * t39);
-        let t56 = t40 - A * (s4 * t24 + c4 * t15);
-        let t71 = L2 * (s3 * t44 + c3 * t27) - (s3 * t56 - c3 * t50);
-        let t72 = L2 * (c3 * t44 - s3 * t27) - (s3 * t50 + c3 * t56);
+        let t56 = t40 - k_A * (s4 * t24 + c4 * t15);
+        let t71 = k_L2 * (s3 * t44 + c3 * t27) - (s3 * t56 - c3 * t50);
+        let t72 = k_L2 * (c3 * t44 - s3 * t27) - (s3 * t50 + c3 * t56);
         let t75 = s2 * t71 + c2 * t55;
         let t77 = s7 * XY7;
         let t80 = c7 * XY7;
@@ -97,16 +97,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t119 = s5 * t108;
         let t121 = s5 * t102;
         let t124 = c5 * t102;
-        let t130 = A * t119;
-        let t131 = L3 * t119 - (c5 * t114 + t121);
-        let t132 = A * t111 - L3 * t118 - (s5 * t114 - t124);
+        let t130 = k_A * t119;
+        let t131 = k_L3 * t119 - (c5 * t114 + t121);
+        let t132 = k_A * t111 - k_L3 * t118 - (s5 * t114 - t124);
         let t133 = t117 - t130;
         let t136 = c4 * t118 + s4 * t111;
         let t142 = c4 * t131 + s4 * t133;
         let t147 = t130 + (c4 * t133 - s4 * t131);
-        let t148 = A * (c4 * t111 - s4 * t118) - t132;
-        let t163 = c3 * t142 + s3 * t148 + L2 * (s3 * t136 + c3 * t119);
-        let t164 = c3 * t148 - s3 * t142 - L2 * (s3 * t119 - c3 * t136);
+        let t148 = k_A * (c4 * t111 - s4 * t118) - t132;
+        let t163 = c3 * t142 + s3 * t148 + k_L2 * (s3 * t136 + c3 * t119);
+        let t164 = c3 * t148 - s3 * t142 - k_L2 * (s3 * t119 - c3 * t136);
         let t167 = s2 * t163 + c2 * t147;
         let t169 = s6 * t103;
         let t172 = c6 * t103;
@@ -147,30 +147,30 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t197 = c5 * t189 + s5 * t188;
         let t200 = s5 * t189 - c5 * t188;
         let t203 = c5 * t193 + s5 * t194;
-        let t207 = L3 * t200;
-        let t209 = A * t200;
+        let t207 = k_L3 * t200;
+        let t209 = k_A * t200;
         let t210 = t203 - t207;
-        let t211 = c5 * t194 - s5 * t193 - L3 * t197;
+        let t211 = c5 * t194 - s5 * t193 - k_L3 * t197;
         let t212 = t191 - t209;
         let t213 = c4 * t197;
         let t217 = c4 * t210 - s4 * t212;
         let t222 = t209 + (s4 * t210 + c4 * t212);
-        let t223 = t211 + A * (s4 * t197);
-        let t238 = c3 * t217 + s3 * t223 - L2 * (s3 * t213 + c3 * t200);
-        let t239 = s3 * t217 - c3 * t223 + L2 * (c3 * t213 - s3 * t200);
+        let t223 = t211 + k_A * (s4 * t197);
+        let t238 = c3 * t217 + s3 * t223 - k_L2 * (s3 * t213 + c3 * t200);
+        let t239 = s3 * t217 - c3 * t223 + k_L2 * (c3 * t213 - s3 * t200);
         let t242 = c2 * t222 - s2 * t238;
         let t244 = s5 * t192;
         let t247 = c5 * t192;
         let t248 = s5 * t190 + t247;
         let t250 = t124 + t244;
-        let t263 = A * (t200 + t200) + L3 * t187;
+        let t263 = k_A * (t200 + t200) + k_L3 * t187;
         let t264 = s5 * (t247 - t121) - c5 * (c5 * t190 - t244) + t263;
         let t266 = t209 + t209 - t264;
-        let t267 = A * t197;
+        let t267 = k_A * t197;
         let t268 = s5 * t250 - c5 * t248 + t267;
-        let t271 = t203 - (t207 + A * t108);
+        let t271 = t203 - (t207 + k_A * t108);
         let t272 = s5 * t248 + c5 * t250 - t263;
-        let t274 = L3 * t108;
+        let t274 = k_L3 * t108;
         let t276 = t191 - t263 + (t274 + t274);
         put(4, t242); // [0][4]
         put(11, t239); // [1][4]
@@ -202,20 +202,20 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t289 = s4 * t278 + c4 * t277;
         let t292 = c4 * t282 - s4 * t283;
         let t295 = s4 * t282 + c4 * t283;
-        let t296 = A * t289;
+        let t296 = k_A * t289;
         let t297 = t280 + t296;
-        let t309 = s3 * t292 - c3 * t297 - L2 * (c3 * t286);
-        let t310 = s2 * (c3 * t292 + s3 * t297 + L2 * (s3 * t286));
+        let t309 = s3 * t292 - c3 * t297 - k_L2 * (c3 * t286);
+        let t310 = s2 * (c3 * t292 + s3 * t297 + k_L2 * (s3 * t286));
         let t312 = c2 * t295 - t310;
         let t314 = s4 * t281;
         let t317 = c4 * t281;
         let t318 = s4 * t279 + t317;
         let t322 = t314 + c4 * t276;
         let t333 = t286 + t286;
-        let t334 = A * (t289 + t289);
+        let t334 = k_A * (t289 + t289);
         let t335 = c4 * (c4 * t279 - t314) + s4 * (s4 * t276 - t317) + t334;
         let t337 = t296 + t296 - t335;
-        let t339 = s4 * t322 - c4 * t318 + A * t286;
+        let t339 = s4 * t322 - c4 * t318 + k_A * t286;
         let t340 = t267 - t292;
         let t341 = s4 * t318 + c4 * t322 + t334;
         let t342 = t280 + t334;
@@ -240,18 +240,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t347 = XY3R + t340;
         let t348 = XZ3 - t339;
         let t349 = t295 - YZ3;
-        let t364 = c3 * t348 + s3 * t349 + L2 * (s3 * t344 - c3 * t343);
-        let t365 = s3 * t348 - c3 * t349 - L2 * (c3 * t344 + s3 * t343);
+        let t364 = c3 * t348 + s3 * t349 + k_L2 * (s3 * t344 - c3 * t343);
+        let t365 = s3 * t348 - c3 * t349 - k_L2 * (c3 * t344 + s3 * t343);
         let t368 = c2 * t346 - s2 * t364;
         let t370 = s3 * t347;
         let t373 = c3 * t347;
         let t374 = s3 * t345 + t373;
         let t378 = t370 + c3 * t342;
         let t384 = c3 * t374 - s3 * t378;
-        let t388 = L2 * t333;
+        let t388 = k_L2 * t333;
         let t389 = s3 * (s3 * t342 - t373) - c3 * (t370 - c3 * t345) + t388;
         let t390 = s3 * t374 + c3 * t378 + t388;
-        let t392 = L2 * t286;
+        let t392 = k_L2 * t286;
         let t394 = t346 + t388 - (t392 + t392);
         put(2, t368); // [0][2]
         put(9, t365); // [1][2]

@@ -5,7 +5,7 @@
 //! 389 multiplications, 277 additions; 7 x 10, 68 of 70 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 68;
@@ -62,11 +62,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6, ddq7] = *ddq;
-    let A = S::constant(0.0825);
-    let L2 = S::constant(0.316);
-    let L3 = S::constant(0.384);
     let k0 = S::constant(9.81);
     let k4 = S::constant(0.088);
+    let k_A = S::constant(constants::A);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // link 2: motion
     let [t0, t1, t2, t3, dw2_y, t13, t14, t15] = {
         let t0 = s2 * k0;
@@ -87,9 +87,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     ] = {
         let t16 = s2 * c3;
         let z1_3_y = s2 * s3;
-        let t20 = L2 * t15;
-        let t21 = t0 + L2 * t13;
-        let t22 = L2 * t14 - t1;
+        let t20 = k_L2 * t15;
+        let t21 = t0 + k_L2 * t13;
+        let t22 = k_L2 * t14 - t1;
         let t25 = c3 * t21 - s3 * t20;
         let a3_y = c3 * t20 + s3 * t21;
         let t31 = c3 * t2 - s3 * dq2;
@@ -118,9 +118,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t61, t65, t68, t71, w4_y, t81, t89, t91,
         t92, t93, t94, t95, t96,
     ] = {
-        let t60 = t25 + A * t51;
-        let t61 = a3_y - A * t53;
-        let t62 = t22 + A * t55;
+        let t60 = t25 + k_A * t51;
+        let t61 = a3_y - k_A * t53;
+        let t62 = t22 + k_A * t55;
         let t65 = c4 * t60 + s4 * t62;
         let t68 = c4 * t62 - s4 * t60;
         let t71 = c4 * t31 - s4 * w3_z;
@@ -149,9 +149,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t107, a5_x, t114, t117, t120, w5_z, t135, t136,
         t137, t138,
     ] = {
-        let t106 = t65 - (A * t91 - L3 * t92);
-        let t107 = t68 + (L3 * t94 - A * t93);
-        let t108 = t61 + (A * t95 + L3 * t96);
+        let t106 = t65 - (k_A * t91 - k_L3 * t92);
+        let t107 = t68 + (k_L3 * t94 - k_A * t93);
+        let t108 = t61 + (k_A * t95 + k_L3 * t96);
         let a5_x = s5 * t108 - c5 * t106;
         let t114 = c5 * t108 + s5 * t106;
         let t117 = c5 * t71 - s5 * t81;
@@ -256,7 +256,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t227 = s5 * z1_4_x - c5 * z1_3_y;
         let z2_5_x = c5 * z2_4_x + c3 * s5;
         let t233 = s5 * z2_4_x - c3 * c5;
-        let t234 = c4 * A;
+        let t234 = c4 * k_A;
         let z3_5_x = s4 * c5;
         let z3_6_z = s4 * s5;
         [z1_5_x, t227, z2_5_x, t233, t234, z3_5_x, z3_6_z]
@@ -273,12 +273,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t252 = c6 * t244;
         let t255 = c5 * t247 + s5 * t242;
         let t258 = c5 * t242 - s5 * t247;
-        let t269 = A * t258;
-        let t270 = c5 * t251 + s5 * t243 + L3 * t258;
-        let t271 = L3 * t255 + A * t250 - (c5 * t243 - s5 * t251);
+        let t269 = k_A * t258;
+        let t270 = c5 * t251 + s5 * t243 + k_L3 * t258;
+        let t271 = k_L3 * t255 + k_A * t250 - (c5 * t243 - s5 * t251);
         let t272 = t269 - t252;
-        let t274 = t234 + L2 * s4;
-        let t277 = s4 * A - L2 * c4;
+        let t274 = t234 + k_L2 * s4;
+        let t277 = s4 * k_A - k_L2 * c4;
         let t283 = t258 * t277 - t270;
         let t284 = t272 - t258 * t274;
         let t285 = t250 * t274 + t255 * t277 - t271;
@@ -310,9 +310,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t324 = s6 * t307 - c6 * t312;
         let t327 = s5 * t306 - c5 * t315;
         let t330 = s5 * t315 + c5 * t306;
-        let t341 = A * t330;
-        let t342 = c5 * t321 + s5 * t311 + L3 * t330;
-        let t343 = c5 * t311 - s5 * t321 + (A * t318 - L3 * t327);
+        let t341 = k_A * t330;
+        let t342 = c5 * t321 + s5 * t311 + k_L3 * t330;
+        let t343 = c5 * t311 - s5 * t321 + (k_A * t318 - k_L3 * t327);
         let t344 = t324 + t341;
         let t350 = t342 - t277 * t330;
         let t351 = t344 - t274 * t330;
@@ -342,9 +342,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t388 = s6 * t308 + c6 * t376;
         let t391 = s5 * t372 - c5 * t379;
         let t394 = s5 * t379 + c5 * t372;
-        let t405 = A * t394;
-        let t406 = L3 * t394 - (s5 * t375 - c5 * t385);
-        let t407 = s5 * t385 + c5 * t375 + (L3 * t391 + A * t382);
+        let t405 = k_A * t394;
+        let t406 = k_L3 * t394 - (s5 * t375 - c5 * t385);
+        let t407 = s5 * t385 + c5 * t375 + (k_L3 * t391 + k_A * t382);
         let t408 = t405 - t388;
         let t414 = t406 - t277 * t394;
         let t415 = t408 - t274 * t394;
@@ -372,9 +372,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t451 = s6 * t242 + c6 * t438;
         let t454 = c5 * t442 + s5 * t436;
         let t457 = c5 * t436 - s5 * t442;
-        let t468 = A * t457;
-        let t469 = L3 * t457 - (s5 * t439 - c5 * t448);
-        let t470 = s5 * t448 + c5 * t439 + (L3 * t454 - A * t445);
+        let t468 = k_A * t457;
+        let t469 = k_L3 * t457 - (s5 * t439 - c5 * t448);
+        let t470 = s5 * t448 + c5 * t439 + (k_L3 * t454 - k_A * t445);
         let t471 = t468 - t451;
         let t477 = t277 * t457 - t469;
         let t478 = t471 - t274 * t457;

@@ -5,7 +5,7 @@
 //! 39 multiplications, 19 additions; 91, 32 of 91 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 32;
@@ -64,16 +64,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [q1, q2, q3, q4, q5, q6, q7] = trig.q;
     let [_, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
-    let A = S::constant(0.0825);
-    let L1 = S::constant(0.333);
-    let L2 = S::constant(0.316);
-    let L3 = S::constant(0.384);
     let k4 = S::constant(0.088);
     let k5 = S::constant(9.81);
     let k6 = S::constant(3.2667300000000004);
+    let k_A = S::constant(constants::A);
+    let k_L1 = S::constant(constants::L1);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // frame 3
     let [t1, t2, t3] = {
-        let t1 = L1 + c2 * L2;
+        let t1 = k_L1 + c2 * k_L2;
         let t2 = s2 * c3;
         let t3 = s2 * s3;
         put(0, k6);
@@ -90,14 +90,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // frame 4
     let [t5, t8, t11] = {
-        let t5 = t1 - A * t2;
+        let t5 = t1 - k_A * t2;
         let t8 = c2 * s4 - c4 * t2;
         let t11 = c2 * c4 + s4 * t2;
         [t5, t8, t11]
     };
     // frame 5
     let [t15, t18, t21] = {
-        let t15 = t5 + (L3 * t11 - A * t8);
+        let t15 = t5 + (k_L3 * t11 - k_A * t8);
         let t18 = c5 * t8 + s5 * t3;
         let t21 = s5 * t8 - c5 * t3;
         [t15, t18, t21]

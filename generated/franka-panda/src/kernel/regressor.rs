@@ -5,7 +5,7 @@
 //! 813 multiplications, 634 additions; 7 x 91, 276 of 637 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 276;
@@ -116,12 +116,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6, ddq7] = *ddq;
-    let A = S::constant(0.0825);
-    let L2 = S::constant(0.316);
-    let L3 = S::constant(0.384);
     let k1 = S::constant(9.81);
     let k4 = S::constant(0.088);
     let k5 = S::constant(1.0);
+    let k_A = S::constant(constants::A);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -145,11 +145,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // joint axes in frame 3
     let [v1_3_x, v1_3_y, v2_3_x, v2_4_z] = {
-        let t1 = s2 * L2;
+        let t1 = s2 * k_L2;
         let v1_3_x = s3 * t1;
         let v1_3_y = c3 * t1;
-        let v2_3_x = c3 * L2;
-        let v2_4_z = s3 * L2;
+        let v2_3_x = c3 * k_L2;
+        let v2_4_z = s3 * k_L2;
         [v1_3_x, v1_3_y, v2_3_x, v2_4_z]
     };
     // link 2: motion
@@ -241,9 +241,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     ] = {
         let t51 = s2 * c3;
         let z1_3_y = s2 * s3;
-        let t55 = L2 * t25;
-        let t56 = t6 - L2 * t21;
-        let t57 = L2 * t23 - t7;
+        let t55 = k_L2 * t25;
+        let t56 = t6 - k_L2 * t21;
+        let t57 = k_L2 * t23 - t7;
         let t60 = c3 * t56 - s3 * t55;
         let a3_y = c3 * t55 + s3 * t56;
         let t66 = c3 * t8 - s3 * dq2;
@@ -285,13 +285,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t93, t95, z1_4_x, z1_4_y, t104, t107, t108, z2_4_x,
         t110, t113, t116,
     ] = {
-        let t93 = A * z1_3_y;
-        let t95 = v1_3_y + c2 * A;
+        let t93 = k_A * z1_3_y;
+        let t95 = v1_3_y + c2 * k_A;
         let z1_4_x = c2 * s4 - c4 * t51;
         let z1_4_y = c2 * c4 + s4 * t51;
         let t104 = s4 * t93 - c4 * v1_3_x;
         let t107 = c4 * t93 + s4 * v1_3_x;
-        let t108 = c3 * A;
+        let t108 = c3 * k_A;
         let z2_4_x = s3 * c4;
         let t110 = s3 * s4;
         let t113 = s4 * t108 - c4 * v2_3_x;
@@ -303,8 +303,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // M3: column
     {
-        let t117 = L2 * a3_y;
-        let t118 = L2 * t60;
+        let t117 = k_L2 * a3_y;
+        let t118 = k_L2 * t60;
         let t121 = t51 * t117 - z1_3_y * t118;
         let t125 = -(s3 * t117 + c3 * t118);
         put(8, t121); // row 1, M3
@@ -312,8 +312,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // MSX3: column
     {
-        let t126 = L2 * t88;
-        let t128 = t57 - L2 * t86;
+        let t126 = k_L2 * t88;
+        let t128 = t57 - k_L2 * t86;
         let t133 = c2 * a3_y + (z1_3_y * t128 - t51 * t126);
         let t136 = s3 * t126 + c3 * t128;
         put(9, t133); // row 1, MSX3
@@ -321,8 +321,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // MSY3: column
     {
-        let t138 = L2 * t87;
-        let t139 = L2 * t89 - t57;
+        let t138 = k_L2 * t87;
+        let t139 = k_L2 * t89 - t57;
         let t144 = c2 * t60 - (t51 * t139 + z1_3_y * t138);
         let t147 = s3 * t139 - c3 * t138;
         put(10, t144); // row 1, MSY3
@@ -330,8 +330,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // MSZ3: column
     {
-        let t150 = L2 * t75 - a3_y;
-        let t151 = L2 * t72 - t60;
+        let t150 = k_L2 * t75 - a3_y;
+        let t151 = k_L2 * t72 - t60;
         let t154 = z1_3_y * t151 - t51 * t150;
         let t157 = s3 * t150 + c3 * t151;
         put(11, t154); // row 1, MSZ3
@@ -395,9 +395,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         dw4_z, t231, t232, t233, dw4_x, t235, t236, t237,
         t238, t239, t240, t241, t242,
     ] = {
-        let t206 = t60 + A * t86;
-        let t207 = a3_y - A * t88;
-        let t208 = t57 + A * t90;
+        let t206 = t60 + k_A * t86;
+        let t207 = a3_y - k_A * t88;
+        let t208 = t57 + k_A * t90;
         let t211 = c4 * t206 + s4 * t208;
         let a4_y = s4 * t206 - c4 * t208;
         let t217 = c4 * t66 - s4 * w3_z;
@@ -438,7 +438,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     {
         let t248 = t207 * t95 + (t211 * t104 - a4_y * t107);
         let t253 = t211 * t113 - a4_y * t116 - t207 * v2_4_z;
-        let t254 = A * t207;
+        let t254 = k_A * t207;
         put(18, t248); // row 1, M4
         put(79, t253); // row 2, M4
         put(130, t254); // row 3, M4
@@ -449,7 +449,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t263 = t238 * t104 + t240 * t107 - t242 * t95 - t257;
         let t266 = t207 * z2_4_x + c3 * t211;
         let t272 = t242 * v2_4_z + (t238 * t113 + t240 * t116) - t266;
-        let t276 = -(s4 * t207 + A * t242);
+        let t276 = -(s4 * t207 + k_A * t242);
         put(20, t263); // row 1, MSY4
         put(81, t272); // row 2, MSY4
         put(132, t276); // row 3, MSY4
@@ -460,7 +460,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t285 = t89 * t95 - (t223 * t104 - t226 * t107) - t279;
         let t293 = t89 * v2_4_z - (t226 * t116 - t223 * t113);
         let t294 = t211 * t110 - a4_y * z2_4_x - t293;
-        let t299 = A * t89 - (s4 * a4_y + c4 * t211);
+        let t299 = k_A * t89 - (s4 * a4_y + c4 * t211);
         put(21, t285); // row 1, MSZ4
         put(82, t294); // row 2, MSZ4
         put(133, t299); // row 3, MSZ4
@@ -537,27 +537,27 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t378, z1_5_x, t384, t387, v1_5_y, t397, z2_5_x, t403,
         t406, v2_5_y, z3_5_x, z3_6_z, v3_5_x, v3_5_y, t418, v4_5_y,
     ] = {
-        let t376 = t104 - L3 * z1_3_y;
-        let t377 = A * z1_4_y + L3 * z1_4_x - t95;
+        let t376 = t104 - k_L3 * z1_3_y;
+        let t377 = k_A * z1_4_y + k_L3 * z1_4_x - t95;
         let t378 = t107 - t93;
         let z1_5_x = c5 * z1_4_x + s5 * z1_3_y;
         let t384 = s5 * z1_4_x - c5 * z1_3_y;
         let t387 = c5 * t376 + s5 * t377;
         let v1_5_y = s5 * t376 - c5 * t377;
-        let t395 = t113 - c3 * L3;
-        let t396 = v2_4_z + (L3 * z2_4_x - A * t110);
+        let t395 = t113 - c3 * k_L3;
+        let t396 = v2_4_z + (k_L3 * z2_4_x - k_A * t110);
         let t397 = t116 - t108;
         let z2_5_x = c5 * z2_4_x + c3 * s5;
         let t403 = s5 * z2_4_x - c3 * c5;
         let t406 = c5 * t395 + s5 * t396;
         let v2_5_y = s5 * t395 - c5 * t396;
-        let t413 = A - (c4 * A + s4 * L3);
+        let t413 = k_A - (c4 * k_A + s4 * k_L3);
         let z3_5_x = s4 * c5;
         let z3_6_z = s4 * s5;
         let v3_5_x = s5 * t413;
         let v3_5_y = c5 * t413;
-        let t418 = c5 * L3;
-        let v4_5_y = s5 * L3;
+        let t418 = c5 * k_L3;
+        let v4_5_y = s5 * k_L3;
         [
         t378, z1_5_x, t384, t387, v1_5_y, t397, z2_5_x, t403,
         t406, v2_5_y, z3_5_x, z3_6_z, v3_5_x, v3_5_y, t418, v4_5_y,
@@ -569,10 +569,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         w5_z, dw5_z, t454, t455, t456, t457, t458, t459,
         t460, t461, t462, t463, t464, t465,
     ] = {
-        let t422 = A * t241;
-        let t429 = t211 + (L3 * t238 - A * t237);
-        let a5_z = a4_y - (A * t239 + L3 * t240);
-        let t431 = t422 + L3 * t242 - t207;
+        let t422 = k_A * t241;
+        let t429 = t211 + (k_L3 * t238 - k_A * t237);
+        let a5_z = a4_y - (k_A * t239 + k_L3 * t240);
+        let t431 = t422 + k_L3 * t242 - t207;
         let t434 = c5 * t429 + s5 * t431;
         let a5_y = s5 * t429 - c5 * t431;
         let t440 = c5 * t217 + s5 * w4_z;
@@ -630,7 +630,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t499 = a5_y * v3_5_y;
         let t500 = t499 - t434 * v3_5_x;
         let t502 = a5_y * v4_5_y;
-        let t505 = t434 * t418 + t502 - A * a5_z;
+        let t505 = t434 * t418 + t502 - k_A * a5_z;
         put(28, t492); // row 1, M5
         put(89, t497); // row 2, M5
         put(140, t500); // row 3, M5
@@ -644,7 +644,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t522 = t464 * t397 + (t460 * t406 + t462 * v2_5_y);
         let t523 = a5_z * t403 - a5_y * t110 + t522;
         let t530 = a5_z * z3_6_z + c4 * a5_y - (t460 * v3_5_x - t462 * v3_5_y);
-        let t537 = c5 * a5_z + (A * t464 + (t460 * t418 + t462 * v4_5_y));
+        let t537 = c5 * a5_z + (k_A * t464 + (t460 * t418 + t462 * v4_5_y));
         put(29, t514); // row 1, MSX5
         put(90, t523); // row 2, MSX5
         put(141, t530); // row 3, MSX5
@@ -659,7 +659,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t560 = t463 * v3_5_y;
         let t562 = a5_z * z3_5_x + c4 * t434 - (t461 * v3_5_x + t560);
         let t565 = t463 * v4_5_y;
-        let t569 = A * t465 + (t461 * t418 - t565) - s5 * a5_z;
+        let t569 = k_A * t465 + (t461 * t418 - t565) - s5 * a5_z;
         put(30, t546); // row 1, MSY5
         put(91, t555); // row 2, MSY5
         put(142, t562); // row 3, MSY5
@@ -673,7 +673,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t586 = t240 * t397 + (t446 * t406 - t449 * v2_5_y);
         let t587 = t434 * t403 - a5_y * z2_5_x + t586;
         let t594 = t434 * z3_6_z - a5_y * z3_5_x - (t446 * v3_5_x + t449 * v3_5_y);
-        let t602 = A * t240 + (t446 * t418 - t449 * v4_5_y);
+        let t602 = k_A * t240 + (t446 * t418 - t449 * v4_5_y);
         let t603 = s5 * a5_y + c5 * t434 + t602;
         put(31, t578); // row 1, MSZ5
         put(92, t587); // row 2, MSZ5
@@ -781,8 +781,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t736 = s6 * v3_5_x;
         let t737 = s5 * c6;
         let z4_6_y = s5 * s6;
-        let t741 = c6 * t418 + A * s6;
-        let v4_6_y = s6 * t418 - A * c6;
+        let t741 = c6 * t418 + k_A * s6;
+        let v4_6_y = s6 * t418 - k_A * c6;
         [
         z1_6_x, z1_6_y, t713, v1_6_y, t719, z2_7_z, t725, t728,
         z3_6_x, z3_6_y, v3_6_x, t736, t737, z4_6_y, t741, v4_6_y,

@@ -5,7 +5,7 @@
 //! 77 multiplications, 41 additions; 3 x 4, 12 of 12 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// The tool frame in the base frame: every entry of `out` is written.
 #[inline]
@@ -20,11 +20,11 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 4]; 3]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [s1, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [c1, c2, c3, c4, c5, c6, c7] = trig.cos;
-    let A = S::constant(0.0825);
-    let L1 = S::constant(0.333);
-    let L2 = S::constant(0.316);
-    let L3 = S::constant(0.384);
     let k4 = S::constant(0.088);
+    let k_A = S::constant(constants::A);
+    let k_L1 = S::constant(constants::L1);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // frame 2
     let [t0, t1, t2, t3] = {
         let t0 = c1 * c2;
@@ -38,9 +38,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t4, t5, t7, t10, t13, t16, t19, t20,
         t21,
     ] = {
-        let t4 = L2 * t1;
-        let t5 = L2 * t3;
-        let t7 = L1 + c2 * L2;
+        let t4 = k_L2 * t1;
+        let t5 = k_L2 * t3;
+        let t7 = k_L1 + c2 * k_L2;
         let t10 = s1 * s3 - c3 * t0;
         let t13 = s1 * c3 + s3 * t0;
         let t16 = c3 * t2 + c1 * s3;
@@ -57,9 +57,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t25, t26, t27, t30, t33, t36, t39, t42,
         t45,
     ] = {
-        let t25 = A * t10 - t4;
-        let t26 = t5 + A * t16;
-        let t27 = t7 - A * t20;
+        let t25 = k_A * t10 - t4;
+        let t26 = t5 + k_A * t16;
+        let t27 = t7 - k_A * t20;
         let t30 = s4 * t1 - c4 * t10;
         let t33 = c4 * t1 + s4 * t10;
         let t36 = c4 * t16 + s4 * t3;
@@ -76,9 +76,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t55, t56, t57, t60, t63, t66, t69, t72,
         t75,
     ] = {
-        let t55 = t25 + (A * t30 - L3 * t33);
-        let t56 = t26 - (A * t36 + L3 * t39);
-        let t57 = t27 + (L3 * t45 - A * t42);
+        let t55 = t25 + (k_A * t30 - k_L3 * t33);
+        let t56 = t26 - (k_A * t36 + k_L3 * t39);
+        let t57 = t27 + (k_L3 * t45 - k_A * t42);
         let t60 = c5 * t30 - s5 * t13;
         let t63 = c5 * t13 + s5 * t30;
         let t66 = c5 * t36 + s5 * t19;

@@ -5,7 +5,7 @@
 //! 597 multiplications, 426 additions; 7 x 57, 202 of 399 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 202;
@@ -94,9 +94,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6, ddq7] = *ddq;
-    let L2 = S::constant(0.4);
-    let L3 = S::constant(0.39);
     let k0 = S::constant(9.81);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -185,9 +185,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     ] = {
         let z1_3_x = s2 * c3;
         let t40 = s2 * s3;
-        let t43 = L2 * t20;
-        let t44 = L2 * t16 - a2_x;
-        let a3_z = a2_y - L2 * t18;
+        let t43 = k_L2 * t20;
+        let t44 = k_L2 * t16 - a2_x;
+        let a3_z = a2_y - k_L2 * t18;
         let t48 = c3 * t44 + s3 * t43;
         let a3_y = s3 * t44 - c3 * t43;
         let w3_x = c3 * w2_x - s3 * dq2;
@@ -243,8 +243,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // MSX3: column
     {
-        let t103 = L2 * t76;
-        let t105 = a3_z - L2 * t74;
+        let t103 = k_L2 * t76;
+        let t105 = a3_z - k_L2 * t74;
         let t110 = c2 * a3_y + (z1_3_x * t103 + t40 * t105);
         let t113 = c3 * t105 - s3 * t103;
         put(6, t110); // row 1, MSX3
@@ -252,8 +252,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // MSY3: column
     {
-        let t115 = L2 * t75;
-        let t116 = a3_z + L2 * t77;
+        let t115 = k_L2 * t75;
+        let t116 = a3_z + k_L2 * t77;
         let t121 = c2 * t48 + (z1_3_x * t116 + t40 * t115);
         let t124 = c3 * t115 - s3 * t116;
         put(7, t121); // row 1, MSY3R
@@ -346,8 +346,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t202 = s4 * t196;
         let t204 = s4 * a3_y;
         let t205 = c4 * a3_y;
-        let t208 = L2 * t198 - t204;
-        let t209 = a4_y + L2 * (c4 * t194 - t202);
+        let t208 = k_L2 * t198 - t204;
+        let t209 = a4_y + k_L2 * (c4 * t194 - t202);
         let t214 = c2 * t205 - (z1_3_x * t208 + t40 * t209);
         let t217 = s3 * t208 - c3 * t209;
         let t218 = -t204;
@@ -360,8 +360,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSY4: column
     let t219 = {
         let t219 = c4 * t195;
-        let t224 = t205 + L2 * t199;
-        let t225 = L2 * (t219 - s4 * t197) - t168;
+        let t224 = t205 + k_L2 * t199;
+        let t225 = k_L2 * (t219 - s4 * t197) - t168;
         let t230 = z1_3_x * t224 + t40 * t225 - c2 * t204;
         let t233 = c3 * t225 - s3 * t224;
         put(14, t230); // row 1, MSY4R
@@ -426,9 +426,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         dw5_z, t324, t325, t326, t327, dw5_y, t329, t330,
         t331, t332, t333, t334, t335,
     ] = {
-        let t299 = t168 - L3 * t195;
-        let t300 = a4_y + L3 * t197;
-        let t301 = a3_y + L3 * t199;
+        let t299 = t168 - k_L3 * t195;
+        let t300 = a4_y + k_L3 * t197;
+        let t301 = a3_y + k_L3 * t199;
         let t304 = c5 * t299 - s5 * t301;
         let a5_y = c5 * t301 + s5 * t299;
         let w5_x = c5 * w4_x + s5 * w4_z;
@@ -470,11 +470,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t341 = s5 * t330 + c5 * t332;
         let t342 = s5 * t300;
         let t343 = c5 * t300;
-        let t346 = t342 + L3 * t341;
-        let t347 = t343 + L3 * t338;
+        let t346 = t342 + k_L3 * t341;
+        let t347 = t343 + k_L3 * t338;
         let t356 = s4 * t346 + c4 * a5_y;
-        let t359 = c4 * t346 - s4 * a5_y + L2 * t341;
-        let t360 = L2 * (s4 * t334 - c4 * t338) - t347;
+        let t359 = c4 * t346 - s4 * a5_y + k_L2 * t341;
+        let t360 = k_L2 * (s4 * t334 - c4 * t338) - t347;
         let t365 = c2 * t356 + (t40 * t360 - z1_3_x * t359);
         let t368 = s3 * t359 + c3 * t360;
         put(20, t365); // row 1, MSX5
@@ -488,11 +488,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t369 = c5 * t331;
         let t371 = s5 * t333 - t369;
         let t374 = s5 * t331 + c5 * t333;
-        let t377 = t343 - L3 * t374;
-        let t378 = L3 * t371 - t342;
+        let t377 = t343 - k_L3 * t374;
+        let t378 = k_L3 * t371 - t342;
         let t387 = s4 * t377 + c4 * t304;
-        let t390 = c4 * t377 - s4 * t304 - L2 * t374;
-        let t391 = t378 - L2 * (s4 * t335 - c4 * t371);
+        let t390 = c4 * t377 - s4 * t304 - k_L2 * t374;
+        let t391 = t378 - k_L2 * (s4 * t335 - c4 * t371);
         let t396 = c2 * t387 - (z1_3_x * t390 + t40 * t391);
         let t399 = s3 * t390 - c3 * t391;
         put(21, t396); // row 1, MSY5R
@@ -614,11 +614,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t529 = c6 * a5_y;
         let t532 = c5 * t524 - s5 * t519;
         let t535 = s5 * t524 + c5 * t519;
-        let t544 = L3 * t535 - (s5 * a6_y - c5 * t528);
-        let t545 = L3 * t532 - (s5 * t528 + c5 * a6_y);
+        let t544 = k_L3 * t535 - (s5 * a6_y - c5 * t528);
+        let t545 = k_L3 * t532 - (s5 * t528 + c5 * a6_y);
         let t554 = s4 * t544 + c4 * t529;
-        let t557 = c4 * t544 - s4 * t529 + L2 * t535;
-        let t558 = t545 + L2 * (c4 * t532 + s4 * (s6 * t515 + t526));
+        let t557 = c4 * t544 - s4 * t529 + k_L2 * t535;
+        let t558 = t545 + k_L2 * (c4 * t532 + s4 * (s6 * t515 + t526));
         let t563 = c2 * t554 - (z1_3_x * t557 + t40 * t558);
         let t566 = s3 * t557 - c3 * t558;
         let t567 = -t528;
@@ -637,11 +637,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t571 = s6 * t516;
         let t576 = c5 * t570 + s5 * t520;
         let t579 = c5 * t520 - s5 * t570;
-        let t588 = c5 * t529 - s5 * t489 - L3 * t579;
-        let t589 = L3 * t576 - (s5 * t529 + c5 * t489);
+        let t588 = c5 * t529 - s5 * t489 - k_L3 * t579;
+        let t589 = k_L3 * t576 - (s5 * t529 + c5 * t489);
         let t598 = s4 * t588 - c4 * t528;
-        let t601 = L2 * t579 - (c4 * t588 + s4 * t528);
-        let t602 = L2 * (s4 * (c6 * t518 - t571) - c4 * t576) - t589;
+        let t601 = k_L2 * t579 - (c4 * t588 + s4 * t528);
+        let t602 = k_L2 * (s4 * (c6 * t518 - t571) - c4 * t576) - t589;
         let t607 = c2 * t598 + (z1_3_x * t601 + t40 * t602);
         let t610 = c3 * t602 - s3 * t601;
         put(28, t607); // row 1, MSY6R
@@ -776,11 +776,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t780 = s6 * t767 + c6 * a7_y;
         let t783 = c5 * t771 + s5 * t766;
         let t786 = c5 * t766 - s5 * t771;
-        let t795 = L3 * t786 - (c5 * t777 + s5 * t768);
-        let t796 = s5 * t777 - c5 * t768 - L3 * t783;
+        let t795 = k_L3 * t786 - (c5 * t777 + s5 * t768);
+        let t796 = s5 * t777 - c5 * t768 - k_L3 * t783;
         let t805 = s4 * t795 + c4 * t780;
-        let t808 = L2 * t786 - (s4 * t780 - c4 * t795);
-        let t809 = L2 * (c4 * t783 + s4 * (s6 * t763 - c6 * t714)) - t796;
+        let t808 = k_L2 * t786 - (s4 * t780 - c4 * t795);
+        let t809 = k_L2 * (c4 * t783 + s4 * (s6 * t763 - c6 * t714)) - t796;
         let t814 = c2 * t805 + (t40 * t809 - z1_3_x * t808);
         let t817 = s3 * t808 + c3 * t809;
         let t818 = -t767;
@@ -804,11 +804,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t836 = s6 * t768 + c6 * t684;
         let t839 = c5 * t827 + s5 * t824;
         let t842 = s5 * t827 - c5 * t824;
-        let t851 = s5 * t767 - c5 * t833 + L3 * t842;
-        let t852 = s5 * t833 + c5 * t767 + L3 * t839;
+        let t851 = s5 * t767 - c5 * t833 + k_L3 * t842;
+        let t852 = s5 * t833 + c5 * t767 + k_L3 * t839;
         let t861 = s4 * t851 + c4 * t836;
-        let t864 = L2 * t842 - (s4 * t836 - c4 * t851);
-        let t865 = t852 + L2 * (c4 * t839 - s4 * (s6 * t821 + c6 * t715));
+        let t864 = k_L2 * t842 - (s4 * t836 - c4 * t851);
+        let t865 = t852 + k_L2 * (c4 * t839 - s4 * (s6 * t821 + c6 * t715));
         let t870 = c2 * t861 - (z1_3_x * t864 + t40 * t865);
         let t873 = s3 * t864 - c3 * t865;
         put(35, t870); // row 1, MSY7

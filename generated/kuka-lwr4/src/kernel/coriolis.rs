@@ -5,7 +5,7 @@
 //! 270 multiplications, 244 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, BASE, Trig};
+use super::super::{DOF, BASE, Trig, constants};
 
 /// Coriolis and centrifugal torques `C dq`: every entry of `out` is written.
 #[inline]
@@ -27,8 +27,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6R, XX6R, ZZ6R, XY6, XZ6, YZ6,
         MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
         ..] = *beta;
-    let L2 = S::constant(0.4);
-    let L3 = S::constant(0.39);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -52,9 +52,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         t34, t35, t36, dw3_x, dw3_y, t39, t40, t41,
         t42, t43, t44, t45,
     ] = {
-        let t10 = L2 * t5;
-        let t11 = L2 * t8;
-        let t12 = L2 * t9;
+        let t10 = k_L2 * t5;
+        let t11 = k_L2 * t8;
+        let t12 = k_L2 * t9;
         let t15 = s3 * t12 - c3 * t10;
         let t18 = c3 * t12 + s3 * t10;
         let t21 = s3 * dq2 - c3 * w2_x;
@@ -121,9 +121,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         t106, t107, t108, dw5_x, t110, t111, t112, t113,
         t114, t115, t116, t117,
     ] = {
-        let t82 = a4_x + L3 * t74;
-        let t83 = a4_y + L3 * t76;
-        let t84 = L3 * t78 - t18;
+        let t82 = a4_x + k_L3 * t74;
+        let t83 = a4_y + k_L3 * t76;
+        let t84 = k_L3 * t78 - t18;
         let a5_x = c5 * t82 + s5 * t84;
         let a6_z = s5 * t82 - c5 * t84;
         let w5_x = s5 * w4_z - c5 * t54;
@@ -267,8 +267,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let n5_z = t324 + YZ5 * t99 - (MSX5 * a6_z + MSY5R * a5_x) - t303;
         let t357 = c5 * f5_x + s5 * t350;
         let t360 = c5 * t350 - s5 * f5_x;
-        let t369 = s5 * t353 - c5 * t352 + L3 * t360;
-        let t370 = L3 * t357 - (s5 * t352 + c5 * t353);
+        let t369 = s5 * t353 - c5 * t352 + k_L3 * t360;
+        let t370 = k_L3 * t357 - (s5 * t352 + c5 * t353);
         put(4, n5_z);
         [f5_z, n5_z, t357, t360, t369, t370]
     };
@@ -299,8 +299,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let n3_x = t427 + (t456 - MSY3R * t11);
         let n3_y = n4_z + (MSX3 * t11 - t457);
         let n3_z = t451 + YZ3 * t27 - (MSX3 * t18 - MSY3R * t15) - t430;
-        let n2_x = L2 * (s3 * t473 + c3 * t474) - (s3 * n3_y - c3 * n3_x);
-        let t493 = L2 * (c3 * t473 - s3 * t474) - (s3 * n3_x + c3 * n3_y);
+        let n2_x = k_L2 * (s3 * t473 + c3 * t474) - (s3 * n3_y - c3 * n3_x);
+        let t493 = k_L2 * (c3 * t473 - s3 * t474) - (s3 * n3_x + c3 * n3_y);
         put(2, n3_z);
         [n3_z, n2_x, t493]
     };

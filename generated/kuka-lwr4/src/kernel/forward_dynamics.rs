@@ -5,7 +5,7 @@
 //! 654 multiplications, 520 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, BASE, Trig};
+use super::super::{DOF, BASE, Trig, constants};
 
 /// Accelerations that torques cause: every entry of `out` is written.
 #[inline]
@@ -29,10 +29,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7, FV1, FV2, FV3, FV4, FV5,
         FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7,
         ..] = *beta;
-    let L2 = S::constant(0.4);
-    let L3 = S::constant(0.39);
     let k2 = S::constant(9.81);
     let k3 = S::constant(1.0);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // composite body 7
     let [
         t2, t5, t8, t11, t15, t18, t19, t35,
@@ -49,13 +49,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t19 = s6 * t8 + t18;
         let t22 = c5 * t12 + s5 * t5;
         let t25 = c5 * t5 - s5 * t12;
-        let t34 = c5 * t16 - s5 * t11 - L3 * t25;
-        let t35 = s5 * t16 + c5 * t11 - L3 * t22;
+        let t34 = c5 * t16 - s5 * t11 - k_L3 * t25;
+        let t35 = s5 * t16 + c5 * t11 - k_L3 * t22;
         let t38 = c4 * t22 + s4 * (s6 * t2);
         let t41 = c4 * t34 + s4 * t19;
         let t44 = s4 * t34 - c4 * t19;
-        let t59 = c3 * t41 - s3 * t35 - L2 * (c3 * t25 - s3 * t38);
-        let t60 = s3 * t41 + c3 * t35 - L2 * (c3 * t38 + s3 * t25);
+        let t59 = c3 * t41 - s3 * t35 - k_L2 * (c3 * t25 - s3 * t38);
+        let t60 = s3 * t41 + c3 * t35 - k_L2 * (c3 * t38 + s3 * t25);
         let t63 = s2 * t59 - c2 * t44;
         let t65 = s7 * XY7;
         let t68 = c7 * XY7;
@@ -87,13 +87,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t98 = s5 * t87;
         let t100 = s5 * t81;
         let t103 = c5 * t81;
-        let t107 = c5 * t93 + t100 + L3 * t98;
-        let t108 = s5 * t93 - t103 - L3 * t97;
+        let t107 = c5 * t93 + t100 + k_L3 * t98;
+        let t108 = s5 * t93 - t103 - k_L3 * t97;
         let t111 = s4 * t90 - c4 * t97;
         let t114 = c4 * t107 + s4 * t96;
         let t117 = s4 * t107 - c4 * t96;
-        let t132 = c3 * t114 - s3 * t108 - L2 * (s3 * t111 - c3 * t98);
-        let t133 = s3 * t114 + c3 * t108 + L2 * (c3 * t111 + s3 * t98);
+        let t132 = c3 * t114 - s3 * t108 - k_L2 * (s3 * t111 - c3 * t98);
+        let t133 = s3 * t114 + c3 * t108 + k_L2 * (c3 * t111 + s3 * t98);
         let t136 = s2 * t132 - c2 * t117;
         let t138 = s6 * t82;
         let t141 = c6 * t82;
@@ -122,23 +122,23 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t161 = YZ5 - t96;
         let t164 = c5 * t156 + s5 * t155;
         let t167 = c5 * t155 - s5 * t156;
-        let t176 = c5 * t160 - s5 * t161 - L3 * t167;
-        let t177 = s5 * t160 + c5 * t161 - L3 * t164;
+        let t176 = c5 * t160 - s5 * t161 - k_L3 * t167;
+        let t177 = s5 * t160 + c5 * t161 - k_L3 * t164;
         let t178 = c4 * t164;
         let t181 = c4 * t176 + s4 * t158;
         let t184 = s4 * t176 - c4 * t158;
-        let t199 = c3 * t181 - s3 * t177 - L2 * (c3 * t167 - s3 * t178);
-        let t200 = s3 * t181 + c3 * t177 - L2 * (c3 * t178 + s3 * t167);
+        let t199 = c3 * t181 - s3 * t177 - k_L2 * (c3 * t167 - s3 * t178);
+        let t200 = s3 * t181 + c3 * t177 - k_L2 * (c3 * t178 + s3 * t167);
         let t203 = s2 * t199 - c2 * t184;
         let t205 = s5 * t159;
         let t208 = c5 * t159;
         let t209 = s5 * t157 + t208;
         let t211 = t103 + t205;
         let t217 = c5 * t209 - s5 * t211;
-        let t221 = L3 * t154;
+        let t221 = k_L3 * t154;
         let t222 = c5 * (c5 * t157 - t205) - s5 * (t208 - t100) + t221;
         let t223 = s5 * t209 + c5 * t211 + t221;
-        let t225 = L3 * t87;
+        let t225 = k_L3 * t87;
         let t227 = t158 + t221 - (t225 + t225);
         [
         t158, t164, t167, t176, t177, t184, t200, t203,
@@ -163,8 +163,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t246 = s4 * t233 + c4 * t234;
         let t250 = s3 * t231;
         let t253 = c3 * t231;
-        let t258 = s3 * t243 + t253 - L2 * (c3 * t237);
-        let t261 = s2 * (c3 * t243 - t250 + L2 * (s3 * t237)) - c2 * t246;
+        let t258 = s3 * t243 + t253 - k_L2 * (c3 * t237);
+        let t261 = s2 * (c3 * t243 - t250 + k_L2 * (s3 * t237)) - c2 * t246;
         let t263 = s4 * t232;
         let t266 = c4 * t232;
         let t267 = s4 * t230 + t266;
@@ -187,18 +187,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t286 = XY3 + t243;
         let t287 = XZ3 - t277;
         let t288 = YZ3 - t246;
-        let t303 = c3 * t287 - s3 * t288 - L2 * (c3 * t282 - s3 * t283);
-        let t304 = s3 * t287 + c3 * t288 - L2 * (c3 * t283 + s3 * t282);
+        let t303 = c3 * t287 - s3 * t288 - k_L2 * (c3 * t282 - s3 * t283);
+        let t304 = s3 * t287 + c3 * t288 - k_L2 * (c3 * t283 + s3 * t282);
         let t307 = s2 * t303 + c2 * t285;
         let t309 = s3 * t286;
         let t312 = c3 * t286;
         let t313 = s3 * t284 + t312;
         let t315 = t253 + t309;
         let t321 = c3 * t313 - s3 * t315;
-        let t325 = L2 * t281;
+        let t325 = k_L2 * t281;
         let t326 = c3 * (c3 * t284 - t309) - s3 * (t312 - t250) - t325;
         let t327 = s3 * t313 + c3 * t315 - t325;
-        let t329 = L2 * t237;
+        let t329 = k_L2 * t237;
         let t331 = t285 - t325 + (t329 + t329);
         [t285, t303, t304, t307, t321, t326, t327, t331]
     };
@@ -247,9 +247,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         t388, t389, t390, dw3_x, dw3_y, t393, t394, t395,
         t396, t397, t398, t399,
     ] = {
-        let t364 = L2 * t361;
-        let t365 = a2_x + L2 * t357;
-        let a3_z = a2_y - L2 * t360;
+        let t364 = k_L2 * t361;
+        let t365 = a2_x + k_L2 * t357;
+        let a3_z = a2_y - k_L2 * t360;
         let a3_x = c3 * t365 - s3 * t364;
         let t372 = c3 * t364 + s3 * t365;
         let w3_x = c3 * w2_x - s3 * dq2;
@@ -316,9 +316,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         t460, t461, t462, dw5_x, dw5_y, t465, t466, t467,
         t468, t469, t470, t471,
     ] = {
-        let t436 = a4_x + L3 * t428;
-        let t437 = L3 * t430 - t405;
-        let t438 = t372 + L3 * t432;
+        let t436 = a4_x + k_L3 * t428;
+        let t437 = k_L3 * t430 - t405;
+        let t438 = t372 + k_L3 * t432;
         let a5_x = c5 * t436 - s5 * t438;
         let a6_z = c5 * t438 + s5 * t436;
         let w5_x = c5 * w4_x + s5 * w4_z;
@@ -460,8 +460,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let n5_z = t657 + (t678 + YZ5 * t453 - (MSX5 * a6_z + MSY5R * a5_x));
         let t711 = c5 * f5_x - s5 * f5_y;
         let t714 = s5 * f5_x + c5 * f5_y;
-        let t723 = c5 * n5_x - s5 * n5_y - L3 * t714;
-        let t724 = s5 * n5_x + c5 * n5_y + L3 * t711;
+        let t723 = c5 * n5_x - s5 * n5_y - k_L3 * t714;
+        let t724 = s5 * n5_x + c5 * n5_y + k_L3 * t711;
         [f5_z, n5_z, t711, t714, t723, t724]
     };
     // link 4: force and moment
@@ -492,8 +492,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let n3_x = t781 + (t810 + MSY3R * a3_z);
         let n3_y = n4_z + (t811 - MSX3 * a3_z);
         let n3_z = t805 + YZ3 * t381 - (MSX3 * t372 + MSY3R * a3_x) - t784;
-        let n2_x = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
-        let t847 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
+        let n2_x = c3 * n3_x - s3 * n3_y - k_L2 * (s3 * f3_x + c3 * f3_y);
+        let t847 = s3 * n3_x + c3 * n3_y + k_L2 * (c3 * f3_x - s3 * f3_y);
         [n3_z, n2_x, t847]
     };
     // link 2: force and moment

@@ -5,7 +5,7 @@
 //! 68 multiplications, 33 additions; 3 x 4, 12 of 12 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// The last DH frame in the base frame: every entry of `out` is written.
 #[inline]
@@ -20,9 +20,9 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 4]; 3]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [s1, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [c1, c2, c3, c4, c5, c6, c7] = trig.cos;
-    let L1 = S::constant(0.3105);
-    let L2 = S::constant(0.4);
-    let L3 = S::constant(0.39);
+    let k_L1 = S::constant(constants::L1);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // frame 2
     let [t0, t1, t2, t3] = {
         let t0 = c1 * c2;
@@ -36,9 +36,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t4, t5, t7, t10, t13, t16, t19, t20,
         t21,
     ] = {
-        let t4 = L2 * t1;
-        let t5 = L2 * t3;
-        let t7 = L1 + c2 * L2;
+        let t4 = k_L2 * t1;
+        let t5 = k_L2 * t3;
+        let t7 = k_L1 + c2 * k_L2;
         let t10 = s1 * s3 - c3 * t0;
         let t13 = s1 * c3 + s3 * t0;
         let t16 = c3 * t2 + c1 * s3;
@@ -62,9 +62,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // frame 5
     let [t43, t48, t51, t54, t57, t60, t63] = {
-        let t43 = t4 + L3 * t27;
-        let t44 = L3 * t33 - t5;
-        let t45 = t7 + L3 * t39;
+        let t43 = t4 + k_L3 * t27;
+        let t44 = k_L3 * t33 - t5;
+        let t45 = t7 + k_L3 * t39;
         let t48 = c5 * t24 + s5 * t13;
         let t51 = s5 * t24 - c5 * t13;
         let t54 = c5 * t30 + s5 * t19;

@@ -5,7 +5,7 @@
 //! 68 multiplications, 48 additions; 7 x 3 x 4, 75 of 84 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 75;
@@ -64,10 +64,10 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [s1, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [c1, c2, c3, c4, c5, c6, c7] = trig.cos;
-    let L1 = S::constant(0.3105);
-    let L2 = S::constant(0.4);
-    let L3 = S::constant(0.39);
     let k3 = S::constant(1.0);
+    let k_L1 = S::constant(constants::L1);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // frame 2
     let [t0, t1, t2, t3] = {
         let t0 = c1 * c2;
@@ -80,7 +80,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(2, s1); // [0][1][0]
         put(3, c1); // [0][1][1]
         put(4, k3); // [0][2][2]
-        put(5, L1); // [0][2][3]
+        put(5, k_L1); // [0][2][3]
         put(6, t0); // [1][0][0]
         put(7, t4); // [1][0][1]
         put(8, s1); // [1][0][2]
@@ -88,7 +88,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(10, t5); // [1][1][1]
         put(12, s2); // [1][2][0]
         put(13, c2); // [1][2][1]
-        put(14, L1); // [1][2][3]
+        put(14, k_L1); // [1][2][3]
         put(17, t4); // [2][0][2]
         put(21, t5); // [2][1][2]
         put(25, c2); // [2][2][2]
@@ -99,9 +99,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t6, t7, t9, t12, t15, t18, t21, t22,
         t23,
     ] = {
-        let t6 = L2 * t1;
-        let t7 = L2 * t3;
-        let t9 = L1 + c2 * L2;
+        let t6 = k_L2 * t1;
+        let t7 = k_L2 * t3;
+        let t9 = k_L1 + c2 * k_L2;
         let t12 = c3 * t0 - s1 * s3;
         let t15 = s1 * c3 + s3 * t0;
         let t18 = c3 * t2 + c1 * s3;
@@ -156,9 +156,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // frame 5
     let [t57, t60, t63, t66, t69, t72] = {
-        let t52 = L3 * t33 - t6;
-        let t53 = L3 * t39 - t7;
-        let t54 = t9 + L3 * t45;
+        let t52 = k_L3 * t33 - t6;
+        let t53 = k_L3 * t39 - t7;
+        let t54 = t9 + k_L3 * t45;
         let t57 = c5 * t30 - s5 * t15;
         let t60 = c5 * t15 + s5 * t30;
         let t63 = c5 * t36 + s5 * t21;

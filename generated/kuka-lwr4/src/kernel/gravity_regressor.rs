@@ -5,7 +5,7 @@
 //! 237 multiplications, 135 additions; 7 x 70, 89 of 490 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 89;
@@ -88,9 +88,9 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [_, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
-    let L2 = S::constant(0.4);
-    let L3 = S::constant(0.39);
     let k0 = S::constant(9.81);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // link 2: motion
     let [a2_x, a2_y] = {
         let a2_x = s2 * k0;
@@ -155,8 +155,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     }
     // M3: column
     let [t42, t45] = {
-        let t40 = L2 * t6;
-        let t41 = L2 * a3_x;
+        let t40 = k_L2 * t6;
+        let t41 = k_L2 * a3_x;
         let t42 = z1_3_x * t40;
         let t44 = t42 - t4 * t41;
         let t45 = s3 * t40;
@@ -191,7 +191,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t66 = s4 * a5_z;
         let t67 = c4 * t11 - t66;
         let t70 = s4 * t11 + c4 * a5_z;
-        let t71 = L2 * t67;
+        let t71 = k_L2 * t67;
         let t73 = t42 + t4 * t71;
         let t75 = c3 * t71 - t45;
         put(5, t73); // row 1, M4
@@ -232,11 +232,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t102 = c5 * t18 + t101;
         let t104 = c5 * a5_y;
         let t105 = t104 - s5 * t18;
-        let t106 = L3 * t105;
-        let t107 = L3 * t102;
+        let t106 = k_L3 * t105;
+        let t107 = k_L3 * t102;
         let t111 = s4 * t106;
-        let t114 = c4 * t106 + L2 * t105;
-        let t115 = t107 + L2 * (c4 * t102 - t66);
+        let t114 = c4 * t106 + k_L2 * t105;
+        let t115 = t107 + k_L2 * (c4 * t102 - t66);
         let t120 = c2 * t111 + (t4 * t115 - z1_3_x * t114);
         let t123 = s3 * t114 + c3 * t115;
         let t124 = -t107;
@@ -292,11 +292,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t173 = s6 * a6_x + t172;
         let t175 = c5 * t170 - t101;
         let t177 = t104 + s5 * t170;
-        let t178 = L3 * t177;
-        let t179 = L3 * t175;
+        let t178 = k_L3 * t177;
+        let t179 = k_L3 * t175;
         let t184 = s4 * t178;
-        let t187 = c4 * t178 + L2 * t177;
-        let t188 = t179 + L2 * (c4 * t175 + s4 * t173);
+        let t187 = c4 * t178 + k_L2 * t177;
+        let t188 = t179 + k_L2 * (c4 * t175 + s4 * t173);
         let t193 = c2 * t184 - (z1_3_x * t187 + t4 * t188);
         let t196 = s3 * t187 - c3 * t188;
         put(13, t193); // row 1, M6
@@ -360,11 +360,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t265 = c6 * t260 - t169;
         let t270 = c5 * t265 + s5 * t263;
         let t273 = s5 * t265 - c5 * t263;
-        let t274 = L3 * t273;
-        let t275 = L3 * t270;
+        let t274 = k_L3 * t273;
+        let t275 = k_L3 * t270;
         let t280 = s4 * t274;
-        let t283 = c4 * t274 + L2 * t273;
-        let t284 = t275 + L2 * (c4 * t270 + s4 * (t172 + s6 * t260));
+        let t283 = c4 * t274 + k_L2 * t273;
+        let t284 = t275 + k_L2 * (c4 * t270 + s4 * (t172 + s6 * t260));
         let t289 = c2 * t280 - (z1_3_x * t283 + t4 * t284);
         let t292 = s3 * t283 - c3 * t284;
         let t293 = -t260;

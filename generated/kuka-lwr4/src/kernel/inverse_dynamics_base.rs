@@ -5,7 +5,7 @@
 //! 297 multiplications, 276 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, BASE, Trig};
+use super::super::{DOF, BASE, Trig, constants};
 
 /// Torques from the base parameters: every entry of `out` is written.
 #[inline]
@@ -29,9 +29,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7, FV1, FV2, FV3, FV4, FV5,
         FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7,
         ..] = *beta;
-    let L2 = S::constant(0.4);
-    let L3 = S::constant(0.39);
     let k0 = S::constant(9.81);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -65,9 +65,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         dw3_z, t44, t45, t46, dw3_x, dw3_y, t49, t50,
         t51, t52, t53, t54, t55,
     ] = {
-        let t19 = L2 * t16;
-        let t20 = a2_x + L2 * t14;
-        let a3_z = a2_y - L2 * t15;
+        let t19 = k_L2 * t16;
+        let t20 = a2_x + k_L2 * t14;
+        let a3_z = a2_y - k_L2 * t15;
         let a3_x = c3 * t20 - s3 * t19;
         let t27 = c3 * t19 + s3 * t20;
         let w3_x = c3 * w2_x - s3 * dq2;
@@ -136,9 +136,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         dw5_z, t118, t119, t120, dw5_x, dw5_y, t123, t124,
         t125, t126, t127, t128, t129,
     ] = {
-        let t93 = a4_x + L3 * t85;
-        let t94 = L3 * t87 - t61;
-        let t95 = L3 * t89 - t27;
+        let t93 = a4_x + k_L3 * t85;
+        let t94 = k_L3 * t87 - t61;
+        let t95 = k_L3 * t89 - t27;
         let a5_x = c5 * t93 + s5 * t95;
         let a5_y = c5 * t95 - s5 * t93;
         let w5_x = c5 * w4_x + s5 * w4_z;
@@ -283,8 +283,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let n5_z = t317 + (t338 + YZ5 * t110 + (MSX5 * a5_y - MSY5R * a5_x));
         let t371 = c5 * f5_x - s5 * f5_y;
         let t374 = s5 * f5_x + c5 * f5_y;
-        let t383 = c5 * n5_x - s5 * n5_y - L3 * t374;
-        let t384 = s5 * n5_x + c5 * n5_y + L3 * t371;
+        let t383 = c5 * n5_x - s5 * n5_y - k_L3 * t374;
+        let t384 = s5 * n5_x + c5 * n5_y + k_L3 * t371;
         [f5_z, n5_z, t371, t374, t383, t384]
     };
     // link 4: force and moment
@@ -315,8 +315,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let n3_x = t441 + (t470 + MSY3R * a3_z);
         let n3_y = n4_z + (t471 - MSX3 * a3_z);
         let n3_z = t465 + YZ3 * t36 - (MSX3 * t27 + MSY3R * a3_x) - t444;
-        let n2_x = c3 * n3_x - s3 * n3_y - L2 * (s3 * f3_x + c3 * f3_y);
-        let t507 = s3 * n3_x + c3 * n3_y + L2 * (c3 * f3_x - s3 * f3_y);
+        let n2_x = c3 * n3_x - s3 * n3_y - k_L2 * (s3 * f3_x + c3 * f3_y);
+        let t507 = s3 * n3_x + c3 * n3_y + k_L2 * (c3 * f3_x - s3 * f3_y);
         [n3_z, n2_x, t507]
     };
     // link 2: force and moment

@@ -5,7 +5,7 @@
 //! 66 multiplications, 38 additions; 6 x 7, 29 of 42 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 29;
@@ -59,10 +59,10 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [s1, s2, s3, s4, s5, s6, ..] = trig.sin;
     let [c1, c2, c3, c4, c5, c6, ..] = trig.cos;
-    let L1 = S::constant(0.3105);
-    let L2 = S::constant(0.4);
-    let L3 = S::constant(0.39);
     let k3 = S::constant(1.0);
+    let k_L1 = S::constant(constants::L1);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // frame 2
     let [t0, t1, t2, t3] = {
         let t0 = c1 * c2;
@@ -83,9 +83,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t6, t7, t9, t12, t15, t18, t21, t22,
         t23,
     ] = {
-        let t6 = L2 * t1;
-        let t7 = L2 * t3;
-        let t9 = L1 + c2 * L2;
+        let t6 = k_L2 * t1;
+        let t7 = k_L2 * t3;
+        let t9 = k_L1 + c2 * k_L2;
         let t12 = c3 * t0 - s1 * s3;
         let t15 = s1 * c3 + s3 * t0;
         let t18 = c3 * t2 + c1 * s3;
@@ -121,9 +121,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t45, t46, t47, t48, t49, t50, t53, t59,
         t60, t61, t64,
     ] = {
-        let t45 = L3 * t31;
-        let t46 = L3 * t37;
-        let t47 = L3 * t43;
+        let t45 = k_L3 * t31;
+        let t46 = k_L3 * t37;
+        let t47 = k_L3 * t43;
         let t48 = t45 - t6;
         let t49 = t7 + t46;
         let t50 = t9 + t47;
@@ -156,7 +156,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     }
     // columns
     {
-        let t79 = L1 - t50;
+        let t79 = k_L1 - t50;
         let t80 = c1 * t79;
         let t81 = s1 * t79;
         let t84 = c1 * t48 - s1 * t49;

@@ -5,7 +5,7 @@
 //! 169 multiplications, 99 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`: every entry of `out` is written.
 #[inline]
@@ -21,8 +21,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     let [s1, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [c1, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
-    let L2 = S::constant(0.4);
-    let L3 = S::constant(0.39);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // link 2: motion
     let [w2_x, w2_y, t4, t5, t7, t8] = {
         let w2_x = s2 * dq1;
@@ -41,9 +41,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     ] = {
         let t9 = s2 * c3;
         let t10 = s2 * s3;
-        let t11 = L2 * t4;
-        let t12 = L2 * t7;
-        let t13 = L2 * t8;
+        let t11 = k_L2 * t4;
+        let t12 = k_L2 * t7;
+        let t13 = k_L2 * t8;
         let a3_x = c3 * t11 - s3 * t13;
         let t19 = c3 * t13 + s3 * t11;
         let w3_x = c3 * w2_x - s3 * dq2;
@@ -85,9 +85,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         t73, a5_x, a6_z, w5_x, w5_y, w5_z, dw5_y, t99,
         t100,
     ] = {
-        let t72 = a4_x + L3 * t66;
-        let t73 = a4_y + L3 * t67;
-        let t74 = t19 + L3 * t68;
+        let t72 = a4_x + k_L3 * t66;
+        let t73 = a4_y + k_L3 * t67;
+        let t74 = t19 + k_L3 * t68;
         let a5_x = c5 * t72 - s5 * t74;
         let a6_z = c5 * t74 + s5 * t72;
         let w5_x = c5 * w4_x + s5 * w4_z;

@@ -5,7 +5,7 @@
 //! 143 multiplications, 53 additions; 84, 57 of 84 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 57;
@@ -61,9 +61,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     let [_, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
-    let L2 = S::constant(0.4);
-    let L3 = S::constant(0.39);
     let k2 = S::constant(0.5);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // link 2: velocity
     let [t0, t1] = {
         let t0 = s2 * dq1;
@@ -72,8 +72,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     };
     // link 3: velocity
     let [t6, t9, t12, t15, t16] = {
-        let t2 = L2 * dq2;
-        let t3 = L2 * t0;
+        let t2 = k_L2 * dq2;
+        let t3 = k_L2 * t0;
         let t6 = c3 * t0 - s3 * dq2;
         let t9 = c3 * dq2 + s3 * t0;
         let t12 = c3 * t2 + s3 * t3;
@@ -92,8 +92,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     };
     // link 5: velocity
     let [t32, t35, t38, t41, t42] = {
-        let t28 = L3 * t25 - t23;
-        let t29 = L3 * t19 - t15;
+        let t28 = k_L3 * t25 - t23;
+        let t29 = k_L3 * t19 - t15;
         let t32 = c5 * t19 + s5 * t25;
         let t35 = c5 * t25 - s5 * t19;
         let t38 = s5 * t29 - c5 * t28;

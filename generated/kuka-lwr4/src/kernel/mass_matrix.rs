@@ -5,7 +5,7 @@
 //! 197 multiplications, 154 additions; 7 x 7, 49 of 49 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, Trig};
+use super::super::{BASE, Trig, constants};
 
 /// Mass matrix `M`, symmetric, kg m^2: every entry of `out` is written.
 #[inline]
@@ -26,8 +26,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6R, XX6R, ZZ6R, XY6, XZ6, YZ6,
         MSX7, MSY7, XX7R, ZZ7, XY7, XZ7, YZ7,
         ..] = *beta;
-    let L2 = S::constant(0.4);
-    let L3 = S::constant(0.39);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // composite body 7
     let [
         t2, t5, t8, t11, t15, t18, t72, t75,
@@ -44,13 +44,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t19 = s6 * t8 + t18;
         let t22 = c5 * t12 - s5 * t5;
         let t25 = s5 * t12 + c5 * t5;
-        let t34 = c5 * t16 + s5 * t11 - L3 * t25;
-        let t35 = c5 * t11 - s5 * t16 - L3 * t22;
+        let t34 = c5 * t16 + s5 * t11 - k_L3 * t25;
+        let t35 = c5 * t11 - s5 * t16 - k_L3 * t22;
         let t38 = c4 * t22 + s4 * (s6 * t2);
         let t41 = c4 * t34 - s4 * t19;
         let t44 = s4 * t34 + c4 * t19;
-        let t59 = L2 * (s3 * t38 + c3 * t25) - (c3 * t41 + s3 * t35);
-        let t60 = L2 * (c3 * t38 - s3 * t25) - (c3 * t35 - s3 * t41);
+        let t59 = k_L2 * (s3 * t38 + c3 * t25) - (c3 * t41 + s3 * t35);
+        let t60 = k_L2 * (c3 * t38 - s3 * t25) - (c3 * t35 - s3 * t41);
         let t63 = s2 * t59 + c2 * t44;
         let t65 = s7 * XY7;
         let t68 = c7 * XY7;
@@ -93,13 +93,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t98 = s5 * t87;
         let t100 = s5 * t81;
         let t103 = c5 * t81;
-        let t107 = c5 * t93 + t100 + L3 * t98;
-        let t108 = s5 * t93 - t103 - L3 * t97;
+        let t107 = c5 * t93 + t100 + k_L3 * t98;
+        let t108 = s5 * t93 - t103 - k_L3 * t97;
         let t111 = c4 * t97 + s4 * t90;
         let t114 = c4 * t107 + s4 * t96;
         let t117 = c4 * t96 - s4 * t107;
-        let t132 = c3 * t114 - s3 * t108 + L2 * (s3 * t111 + c3 * t98);
-        let t133 = L2 * (c3 * t111 - s3 * t98) - (s3 * t114 + c3 * t108);
+        let t132 = c3 * t114 - s3 * t108 + k_L2 * (s3 * t111 + c3 * t98);
+        let t133 = k_L2 * (c3 * t111 - s3 * t98) - (s3 * t114 + c3 * t108);
         let t136 = s2 * t132 + c2 * t117;
         let t138 = s6 * t82;
         let t141 = c6 * t82;
@@ -136,23 +136,23 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t161 = YZ5 - t96;
         let t164 = c5 * t156 + s5 * t155;
         let t167 = s5 * t156 - c5 * t155;
-        let t176 = c5 * t160 + s5 * t161 - L3 * t167;
-        let t177 = c5 * t161 - s5 * t160 - L3 * t164;
+        let t176 = c5 * t160 + s5 * t161 - k_L3 * t167;
+        let t177 = c5 * t161 - s5 * t160 - k_L3 * t164;
         let t178 = c4 * t164;
         let t181 = s4 * t158 - c4 * t176;
         let t184 = s4 * t176 + c4 * t158;
-        let t199 = s3 * t177 - c3 * t181 - L2 * (s3 * t178 + c3 * t167);
-        let t200 = L2 * (c3 * t178 - s3 * t167) - (s3 * t181 + c3 * t177);
+        let t199 = s3 * t177 - c3 * t181 - k_L2 * (s3 * t178 + c3 * t167);
+        let t200 = k_L2 * (c3 * t178 - s3 * t167) - (s3 * t181 + c3 * t177);
         let t203 = c2 * t184 - s2 * t199;
         let t205 = s5 * t159;
         let t208 = c5 * t159;
         let t209 = t208 - s5 * t157;
         let t211 = t103 - t205;
         let t217 = c5 * t209 + s5 * t211;
-        let t221 = L3 * t154;
+        let t221 = k_L3 * t154;
         let t222 = c5 * (c5 * t157 + t205) + s5 * (t100 + t208) + t221;
         let t223 = s5 * t209 - c5 * t211 - t221;
-        let t225 = L3 * t87;
+        let t225 = k_L3 * t87;
         let t227 = t158 + t221 - (t225 + t225);
         put(4, t203); // [0][4]
         put(11, t200); // [1][4]
@@ -183,8 +183,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t246 = s4 * t233 - c4 * t234;
         let t250 = s3 * t231;
         let t253 = c3 * t231;
-        let t258 = s3 * t243 - t253 + L2 * (c3 * t237);
-        let t261 = c2 * t246 - s2 * (c3 * t243 + t250 - L2 * (s3 * t237));
+        let t258 = s3 * t243 - t253 + k_L2 * (c3 * t237);
+        let t261 = c2 * t246 - s2 * (c3 * t243 + t250 - k_L2 * (s3 * t237));
         let t263 = s4 * t232;
         let t266 = c4 * t232;
         let t267 = s4 * t230 + t266;
@@ -214,18 +214,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t286 = t243 - XY3;
         let t287 = XZ3 + t277;
         let t288 = YZ3 + t246;
-        let t303 = s3 * t288 - c3 * t287 - L2 * (s3 * t283 - c3 * t282);
-        let t304 = L2 * (c3 * t283 + s3 * t282) - (s3 * t287 + c3 * t288);
+        let t303 = s3 * t288 - c3 * t287 - k_L2 * (s3 * t283 - c3 * t282);
+        let t304 = k_L2 * (c3 * t283 + s3 * t282) - (s3 * t287 + c3 * t288);
         let t307 = c2 * t285 - s2 * t303;
         let t309 = s3 * t286;
         let t312 = c3 * t286;
         let t313 = s3 * t284 + t312;
         let t315 = t309 - t253;
         let t321 = s3 * t315 - c3 * t313;
-        let t325 = L2 * t281;
+        let t325 = k_L2 * t281;
         let t326 = t325 - (c3 * (t309 - c3 * t284) + s3 * (t250 + t312));
         let t327 = s3 * t313 + c3 * t315 + t325;
-        let t329 = L2 * t237;
+        let t329 = k_L2 * t237;
         let t331 = t329 + t329 - (t325 - t285);
         put(2, t307); // [0][2]
         put(9, t304); // [1][2]

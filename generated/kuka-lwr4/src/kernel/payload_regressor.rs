@@ -5,7 +5,7 @@
 //! 350 multiplications, 225 additions; 7 x 10, 66 of 70 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 66;
@@ -64,9 +64,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6, ddq7] = *ddq;
-    let L2 = S::constant(0.4);
-    let L3 = S::constant(0.39);
     let k0 = S::constant(9.81);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // link 2: motion
     let [a2_x, a2_y, w2_x, w2_y, t12, t13, t14, t15] = {
         let a2_x = s2 * k0;
@@ -88,9 +88,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     ] = {
         let z1_3_x = s2 * c3;
         let t17 = s2 * s3;
-        let t20 = L2 * t15;
-        let t21 = a2_x + L2 * t13;
-        let t22 = L2 * t14 - a2_y;
+        let t20 = k_L2 * t15;
+        let t21 = a2_x + k_L2 * t13;
+        let t22 = k_L2 * t14 - a2_y;
         let t25 = s3 * t20 - c3 * t21;
         let t28 = c3 * t20 + s3 * t21;
         let t31 = s3 * dq2 - c3 * w2_x;
@@ -132,9 +132,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t84, t88, a5_y, t94, t97, w5_z, dw5_y, t111,
         t112,
     ] = {
-        let t83 = t52 + L3 * t77;
-        let t84 = t55 + L3 * t78;
-        let t85 = L3 * t79 - t28;
+        let t83 = t52 + k_L3 * t77;
+        let t84 = t55 + k_L3 * t78;
+        let t85 = k_L3 * t79 - t28;
         let t88 = c5 * t83 - s5 * t85;
         let a5_y = c5 * t85 + s5 * t83;
         let t94 = c5 * t58 + s5 * t68;
@@ -239,11 +239,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t208 = s6 * t118 - c6 * t202;
         let t214 = c5 * t208 + s5 * t205;
         let t217 = s5 * t208 - c5 * t205;
-        let t218 = L3 * t217;
-        let t219 = L3 * t214;
+        let t218 = k_L3 * t217;
+        let t219 = k_L3 * t214;
         let t224 = s4 * t218;
-        let t227 = c4 * t218 + L2 * t217;
-        let t228 = t219 + L2 * (c4 * t214 - s4 * (s6 * t202 + c6 * t118));
+        let t227 = c4 * t218 + k_L2 * t217;
+        let t228 = t219 + k_L2 * (c4 * t214 - s4 * (s6 * t202 + c6 * t118));
         let t233 = c2 * t224 - (z1_3_x * t227 + t17 * t228);
         let t236 = s3 * t227 - c3 * t228;
         put(0, t233); // row 1, M
@@ -266,11 +266,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t256 = c6 * a7_y - s6 * t243;
         let t259 = c5 * t247 + s5 * t242;
         let t262 = s5 * t247 - c5 * t242;
-        let t271 = c5 * t253 + s5 * t244 + L3 * t262;
-        let t272 = L3 * t259 - (s5 * t253 - c5 * t244);
+        let t271 = c5 * t253 + s5 * t244 + k_L3 * t262;
+        let t272 = k_L3 * t259 - (s5 * t253 - c5 * t244);
         let t281 = s4 * t271 + c4 * t256;
-        let t284 = c4 * t271 - s4 * t256 + L2 * t262;
-        let t285 = t272 + L2 * (c4 * t259 + s4 * (s6 * t239 + c6 * t197));
+        let t284 = c4 * t271 - s4 * t256 + k_L2 * t262;
+        let t285 = t272 + k_L2 * (c4 * t259 + s4 * (s6 * t239 + c6 * t197));
         let t290 = c2 * t281 - (z1_3_x * t284 + t17 * t285);
         let t293 = s3 * t284 - c3 * t285;
         let t294 = -t244;
@@ -294,11 +294,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t312 = c6 * t167 - s6 * t244;
         let t315 = c5 * t303 + s5 * t300;
         let t318 = s5 * t303 - c5 * t300;
-        let t327 = c5 * t309 - s5 * t243 + L3 * t318;
-        let t328 = L3 * t315 - (s5 * t309 + c5 * t243);
+        let t327 = c5 * t309 - s5 * t243 + k_L3 * t318;
+        let t328 = k_L3 * t315 - (s5 * t309 + c5 * t243);
         let t337 = s4 * t327 + c4 * t312;
-        let t340 = c4 * t327 - s4 * t312 + L2 * t318;
-        let t341 = L2 * (s4 * (c6 * t198 - s6 * t297) - c4 * t315) - t328;
+        let t340 = c4 * t327 - s4 * t312 + k_L2 * t318;
+        let t341 = k_L2 * (s4 * (c6 * t198 - s6 * t297) - c4 * t315) - t328;
         let t346 = c2 * t337 + (t17 * t341 - z1_3_x * t340);
         let t349 = s3 * t340 + c3 * t341;
         put(2, t346); // row 1, MSY
@@ -317,11 +317,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t363 = s6 * t205;
         let t366 = c5 * t358 - s5 * t355;
         let t369 = s5 * t358 + c5 * t355;
-        let t378 = L3 * t369 - (c5 * t362 + s5 * t202);
-        let t379 = L3 * t366 - (c5 * t202 - s5 * t362);
+        let t378 = k_L3 * t369 - (c5 * t362 + s5 * t202);
+        let t379 = k_L3 * t366 - (c5 * t202 - s5 * t362);
         let t388 = s4 * t378 + c4 * t363;
-        let t391 = c4 * t378 - s4 * t363 + L2 * t369;
-        let t392 = t379 + L2 * (c4 * t366 - s4 * (c6 * t141 - s6 * t352));
+        let t391 = c4 * t378 - s4 * t363 + k_L2 * t369;
+        let t392 = t379 + k_L2 * (c4 * t366 - s4 * (c6 * t141 - s6 * t352));
         let t397 = c2 * t388 - (z1_3_x * t391 + t17 * t392);
         let t400 = s3 * t391 - c3 * t392;
         put(3, t397); // row 1, MSZ

@@ -5,7 +5,7 @@
 //! 34 multiplications, 14 additions; 84, 25 of 84 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 25;
@@ -62,14 +62,14 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [_, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
-    let L1 = S::constant(0.3105);
-    let L2 = S::constant(0.4);
-    let L3 = S::constant(0.39);
     let k3 = S::constant(9.81);
     let k4 = S::constant(3.046005);
+    let k_L1 = S::constant(constants::L1);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // frame 3
     let [t1, t2, t3] = {
-        let t1 = L1 + c2 * L2;
+        let t1 = k_L1 + c2 * k_L2;
         let t2 = s2 * c3;
         let t3 = s2 * s3;
         put(0, k4);
@@ -85,7 +85,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // frame 5
     let [t11, t14, t17] = {
-        let t11 = t1 + L3 * t9;
+        let t11 = t1 + k_L3 * t9;
         let t14 = c5 * t6 - s5 * t3;
         let t17 = c5 * t3 + s5 * t6;
         [t11, t14, t17]

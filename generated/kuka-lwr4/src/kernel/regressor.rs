@@ -5,7 +5,7 @@
 //! 757 multiplications, 578 additions; 7 x 84, 266 of 588 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 266;
@@ -111,9 +111,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6, ddq7] = *ddq;
-    let L2 = S::constant(0.4);
-    let L3 = S::constant(0.39);
     let k1 = S::constant(9.81);
+    let k_L2 = S::constant(constants::L2);
+    let k_L3 = S::constant(constants::L3);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -130,11 +130,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // joint axes in frame 3
     let [t2, t3, t4, v2_3_y] = {
-        let t1 = s2 * L2;
+        let t1 = s2 * k_L2;
         let t2 = s3 * t1;
         let t3 = c3 * t1;
-        let t4 = c3 * L2;
-        let v2_3_y = s3 * L2;
+        let t4 = c3 * k_L2;
+        let v2_3_y = s3 * k_L2;
         [t2, t3, t4, v2_3_y]
     };
     // link 2: motion
@@ -224,9 +224,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     ] = {
         let z1_3_x = s2 * c3;
         let t50 = s2 * s3;
-        let t53 = L2 * t25;
-        let t54 = L2 * t21 - a2_x;
-        let a3_z = a2_y - L2 * t23;
+        let t53 = k_L2 * t25;
+        let t54 = k_L2 * t21 - a2_x;
+        let a3_z = a2_y - k_L2 * t23;
         let t58 = c3 * t54 + s3 * t53;
         let a3_y = s3 * t54 - c3 * t53;
         let w3_x = c3 * w2_x - s3 * dq2;
@@ -278,8 +278,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // M3: column
     let [t106, t109] = {
-        let t104 = L2 * a3_y;
-        let t105 = L2 * t58;
+        let t104 = k_L2 * a3_y;
+        let t105 = k_L2 * t58;
         let t106 = z1_3_x * t104;
         let t108 = t50 * t105 - t106;
         let t109 = s3 * t104;
@@ -290,8 +290,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // MSX3: column
     {
-        let t112 = L2 * t86;
-        let t114 = L2 * t84 - a3_z;
+        let t112 = k_L2 * t86;
+        let t114 = k_L2 * t84 - a3_z;
         let t119 = c2 * a3_y - (z1_3_x * t112 + t50 * t114);
         let t122 = s3 * t112 - c3 * t114;
         put(9, t119); // row 1, MSX3
@@ -299,8 +299,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     }
     // MSY3: column
     let t123 = {
-        let t123 = L2 * t87;
-        let t124 = L2 * t85;
+        let t123 = k_L2 * t87;
+        let t124 = k_L2 * t85;
         let t125 = a3_z + t123;
         let t130 = c2 * t58 + (z1_3_x * t125 + t50 * t124);
         let t133 = c3 * t124 - s3 * t125;
@@ -310,8 +310,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // MSZ3: column
     {
-        let t136 = L2 * t73 - a3_y;
-        let t137 = t58 + L2 * t70;
+        let t136 = k_L2 * t73 - a3_y;
+        let t137 = t58 + k_L2 * t70;
         let t140 = z1_3_x * t136 + t50 * t137;
         let t143 = c3 * t137 - s3 * t136;
         put(11, t140); // row 1, MSZ3
@@ -374,25 +374,25 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t196, z1_6_z, t202, v1_5_y, t212, t215, v2_5_x, v2_5_y,
         t223, z3_5_y, v3_5_x, v3_5_y, v4_5_x, v4_6_z,
     ] = {
-        let t192 = t98 + L3 * t50;
-        let t193 = L3 * t94 - t3;
+        let t192 = t98 + k_L3 * t50;
+        let t193 = k_L3 * t94 - t3;
         let t196 = c5 * t94 + s5 * t50;
         let z1_6_z = c5 * t50 - s5 * t94;
         let t202 = s5 * t193 - c5 * t192;
         let v1_5_y = c5 * t193 + s5 * t192;
-        let t208 = t102 + c3 * L3;
-        let t209 = v2_3_y + L3 * t100;
+        let t208 = t102 + c3 * k_L3;
+        let t209 = v2_3_y + k_L3 * t100;
         let t212 = c5 * t100 + c3 * s5;
         let t215 = c3 * c5 - s5 * t100;
         let v2_5_x = s5 * t209 - c5 * t208;
         let v2_5_y = c5 * t209 + s5 * t208;
-        let t222 = s4 * L3;
+        let t222 = s4 * k_L3;
         let t223 = s4 * c5;
         let z3_5_y = s4 * s5;
         let v3_5_x = s5 * t222;
         let v3_5_y = c5 * t222;
-        let v4_5_x = c5 * L3;
-        let v4_6_z = s5 * L3;
+        let v4_5_x = c5 * k_L3;
+        let v4_6_z = s5 * k_L3;
         [
         t196, z1_6_z, t202, v1_5_y, t212, t215, v2_5_x, v2_5_y,
         t223, z3_5_y, v3_5_x, v3_5_y, v4_5_x, v4_6_z,
@@ -477,7 +477,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [t313, t316] = {
         let t313 = c4 * t277 + s4 * a4_y;
         let t316 = s4 * t277 - c4 * a4_y;
-        let t317 = L2 * t313;
+        let t317 = k_L2 * t313;
         let t319 = t50 * t317 - t106;
         let t321 = t109 + c3 * t317;
         put(18, t319); // row 1, M4
@@ -490,8 +490,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t323 = s4 * t305;
         let t325 = s4 * a3_y;
         let t326 = c4 * a3_y;
-        let t329 = L2 * t307 - t325;
-        let t330 = a4_y + L2 * (c4 * t303 + t323);
+        let t329 = k_L2 * t307 - t325;
+        let t330 = a4_y + k_L2 * (c4 * t303 + t323);
         let t335 = c2 * t326 - (z1_3_x * t329 + t50 * t330);
         let t338 = s3 * t329 - c3 * t330;
         let t339 = -t325;
@@ -504,8 +504,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     // MSY4: column
     let t340 = {
         let t340 = c4 * t304;
-        let t345 = t326 + L2 * t308;
-        let t346 = L2 * (t340 - s4 * t306) - t277;
+        let t345 = t326 + k_L2 * t308;
+        let t346 = k_L2 * (t340 - s4 * t306) - t277;
         let t351 = z1_3_x * t345 + t50 * t346 - c2 * t325;
         let t354 = c3 * t346 - s3 * t345;
         put(20, t351); // row 1, MSY4
@@ -514,7 +514,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // MSZ4: column
     {
-        let t358 = L2 * (s4 * t292 - c4 * t289);
+        let t358 = k_L2 * (s4 * t292 - c4 * t289);
         let t359 = t123 + t316;
         let t364 = c2 * t313 + (z1_3_x * t359 + t50 * t358);
         let t367 = c3 * t358 - s3 * t359;
@@ -594,9 +594,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         dw5_z, t466, t467, t468, dw5_x, dw5_y, t471, t472,
         t473, t474, t475, t476, t477,
     ] = {
-        let t441 = L3 * t304 - t277;
-        let t442 = a4_y + L3 * t306;
-        let t443 = a3_y + L3 * t308;
+        let t441 = k_L3 * t304 - t277;
+        let t442 = a4_y + k_L3 * t306;
+        let t443 = a3_y + k_L3 * t308;
         let a5_x = c5 * t441 + s5 * t443;
         let a5_y = c5 * t443 - s5 * t441;
         let w5_x = c5 * w4_x + s5 * w4_z;

@@ -5,7 +5,7 @@
 //! 16 multiplications, 11 additions; 2 x 10, 13 of 20 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 13;
@@ -59,8 +59,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [c1, c2] = trig.cos;
     let [dq1, dq2] = *dq;
     let [ddq1, ddq2] = *ddq;
-    let L1 = S::constant(0.5);
     let k0 = S::constant(9.81);
+    let k_L1 = S::constant(constants::L1);
     // link 1: motion
     let [a1_x, a1_y, t2] = {
         let a1_x = s1 * k0;
@@ -78,8 +78,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [dw2_z, t12, a2_y, t16] = {
         let w2_z = dq1 + dq2;
         let dw2_z = ddq1 + ddq2;
-        let t8 = L1 * t2 - a1_x;
-        let t9 = a1_y + L1 * ddq1;
+        let t8 = k_L1 * t2 - a1_x;
+        let t9 = a1_y + k_L1 * ddq1;
         let t12 = c2 * t8 - s2 * t9;
         let a2_y = c2 * t9 + s2 * t8;
         let t16 = w2_z * w2_z;
@@ -91,8 +91,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // joint axes in frame 2
     let [v1_2_x, v1_2_y] = {
-        let v1_2_x = s2 * L1;
-        let v1_2_y = c2 * L1;
+        let v1_2_x = s2 * k_L1;
+        let v1_2_y = c2 * k_L1;
         [v1_2_x, v1_2_y]
     };
     // MSX2: column

@@ -5,7 +5,7 @@
 //! 35 multiplications, 23 additions; 2, 2 of 2 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, BASE, Trig};
+use super::super::{DOF, BASE, Trig, constants};
 
 /// Accelerations that torques cause: every entry of `out` is written.
 #[inline]
@@ -23,14 +23,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     let [dq1, dq2] = *dq;
     let [tau1, tau2] = *tau;
     let [MSX1R, MSY1, ZZ1R, MSX2, MSY2, ZZ2, FV1, FV2, FC1, FC2, ..] = *beta;
-    let L1 = S::constant(0.5);
     let k1 = S::constant(9.81);
     let k2 = S::constant(1.0);
+    let k_L1 = S::constant(constants::L1);
     // composite body 2
     let [t4, t7] = {
         let t2 = c2 * MSX2 - s2 * MSY2;
-        let t4 = ZZ2 + L1 * t2;
-        let t7 = ZZ2 + L1 * (t2 + t2);
+        let t4 = ZZ2 + k_L1 * t2;
+        let t7 = ZZ2 + k_L1 * (t2 + t2);
         [t4, t7]
     };
     // composite body 1
@@ -48,7 +48,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     // link 2: motion
     let [a2_x, a2_y, t21] = {
         let w2_z = dq1 + dq2;
-        let t14 = a1_x - L1 * t11;
+        let t14 = a1_x - k_L1 * t11;
         let a2_x = c2 * t14 + s2 * a1_y;
         let a2_y = c2 * a1_y - s2 * t14;
         let t21 = w2_z * w2_z;
@@ -57,7 +57,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     // link 2: force and moment
     let [n2_z, t31] = {
         let n2_z = MSX2 * a2_y - MSY2 * a2_x;
-        let t31 = n2_z - L1 * (s2 * (MSX2 * t21) + c2 * (MSY2 * t21));
+        let t31 = n2_z - k_L1 * (s2 * (MSX2 * t21) + c2 * (MSY2 * t21));
         [n2_z, t31]
     };
     // link 1: force and moment

@@ -5,7 +5,7 @@
 //! 6 multiplications, 4 additions; 2 x 3 x 4, 12 of 24 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 12;
@@ -60,11 +60,11 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [s1, s2] = trig.sin;
     let [c1, c2] = trig.cos;
-    let L1 = S::constant(0.5);
     let k1 = S::constant(1.0);
+    let k_L1 = S::constant(constants::L1);
     // frame 2
-    let t0 = c1 * L1;
-    let t1 = s1 * L1;
+    let t0 = c1 * k_L1;
+    let t1 = s1 * k_L1;
     let t4 = c1 * c2 - s1 * s2;
     let t7 = s1 * c2 + c1 * s2;
     let t8 = -s1;

@@ -5,7 +5,7 @@
 //! 10 multiplications, 5 additions; 2 x 20, 7 of 40 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 7;
@@ -56,8 +56,8 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [s1, s2] = trig.sin;
     let [c1, c2] = trig.cos;
-    let L1 = S::constant(0.5);
     let k0 = S::constant(9.81);
+    let k_L1 = S::constant(constants::L1);
     // link 1: motion
     let [a1_x, a1_y] = {
         let a1_x = s1 * k0;
@@ -80,8 +80,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // joint axes in frame 2
     let [v1_2_x, v1_2_y] = {
-        let v1_2_x = s2 * L1;
-        let v1_2_y = c2 * L1;
+        let v1_2_x = s2 * k_L1;
+        let v1_2_y = c2 * k_L1;
         [v1_2_x, v1_2_y]
     };
     // M2: column

@@ -5,7 +5,7 @@
 //! 29 multiplications, 21 additions; 2, 2 of 2 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, STANDARD, Trig};
+use super::super::{DOF, STANDARD, Trig, constants};
 
 /// Torques from the standard parameters: every entry of `out` is written.
 #[inline]
@@ -26,8 +26,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         _, MSX1, MSY1, _, _, _, ZZ1, _, _, _, M2, MSX2,
         MSY2, _, _, _, ZZ2, _, _, _, FV1, FV2, FC1, FC2,
         ..] = *phi;
-    let L1 = S::constant(0.5);
     let k0 = S::constant(9.81);
+    let k_L1 = S::constant(constants::L1);
     // link 1: motion
     let [a1_x, a1_y, t2] = {
         let a1_x = s1 * k0;
@@ -39,8 +39,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
     let [dw2_z, a2_x, a2_y, t15] = {
         let w2_z = dq1 + dq2;
         let dw2_z = ddq1 + ddq2;
-        let t7 = a1_x - L1 * t2;
-        let t8 = a1_y + L1 * ddq1;
+        let t7 = a1_x - k_L1 * t2;
+        let t8 = a1_y + k_L1 * ddq1;
         let a2_x = c2 * t7 + s2 * t8;
         let a2_y = c2 * t8 - s2 * t7;
         let t15 = w2_z * w2_z;
@@ -51,7 +51,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let f2_x = M2 * a2_x - (MSX2 * t15 + MSY2 * dw2_z);
         let f2_y = M2 * a2_y + (MSX2 * dw2_z - MSY2 * t15);
         let n2_z = ZZ2 * dw2_z + (MSX2 * a2_y - MSY2 * a2_x);
-        let t35 = n2_z + L1 * (s2 * f2_x + c2 * f2_y);
+        let t35 = n2_z + k_L1 * (s2 * f2_x + c2 * f2_y);
         [n2_z, t35]
     };
     // link 1: force and moment

@@ -5,7 +5,7 @@
 //! 2 multiplications, 1 additions; 6 x 2, 4 of 12 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 4;
@@ -54,11 +54,11 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [s1, ..] = trig.sin;
     let [c1, ..] = trig.cos;
-    let L1 = S::constant(0.5);
     let k1 = S::constant(1.0);
+    let k_L1 = S::constant(constants::L1);
     // frame 2
-    let t0 = c1 * L1;
-    let t2 = -(s1 * L1);
+    let t0 = c1 * k_L1;
+    let t2 = -(s1 * k_L1);
     put(0, t2); // [0][0]
     put(1, t0); // [1][0]
     put(2, k1); // [5][0]

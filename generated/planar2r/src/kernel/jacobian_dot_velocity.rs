@@ -5,7 +5,7 @@
 //! 12 multiplications, 5 additions; 6, 2 of 6 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 2;
@@ -54,7 +54,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     let [s1, s2] = trig.sin;
     let [c1, c2] = trig.cos;
     let [dq1, ..] = *dq;
-    let L1 = S::constant(0.5);
+    let k_L1 = S::constant(constants::L1);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -62,7 +62,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     };
     // link 2: motion
     let [t2, a2_y] = {
-        let t1 = L1 * t0;
+        let t1 = k_L1 * t0;
         let t2 = c2 * t1;
         let a2_y = s2 * t1;
         [t2, a2_y]

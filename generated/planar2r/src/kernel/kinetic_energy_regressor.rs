@@ -5,7 +5,7 @@
 //! 12 multiplications, 3 additions; 24, 5 of 24 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 5;
@@ -57,10 +57,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     let [_, s2] = trig.sin;
     let [_, c2] = trig.cos;
     let [dq1, dq2] = *dq;
-    let L1 = S::constant(0.5);
+    let k_L1 = S::constant(constants::L1);
     // link 2: velocity
     let [t1, t2, t3] = {
-        let t0 = L1 * dq1;
+        let t0 = k_L1 * dq1;
         let t1 = s2 * t0;
         let t2 = c2 * t0;
         let t3 = dq1 + dq2;
@@ -68,10 +68,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     };
     // kinetic energy
     {
-        let t5 = L1 * (dq1 * dq1);
+        let t5 = k_L1 * (dq1 * dq1);
         let t6 = t2 * t3;
-        let t11 = L1 * (t1 * t1 + t2 * t2);
-        let t13 = L1 * (t3 * t3);
+        let t11 = k_L1 * (t1 * t1 + t2 * t2);
+        let t13 = k_L1 * (t3 * t3);
         let t14 = -(t1 * t3);
         put(0, t5);
         put(1, t11);

@@ -5,7 +5,7 @@
 //! 21 multiplications, 15 additions; 2 x 10, 8 of 20 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 8;
@@ -58,9 +58,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [c1, c2] = trig.cos;
     let [dq1, dq2] = *dq;
     let [ddq1, ddq2] = *ddq;
-    let L1 = S::constant(0.5);
-    let L2 = S::constant(0.4);
     let k0 = S::constant(9.81);
+    let k_L1 = S::constant(constants::L1);
+    let k_L2 = S::constant(constants::L2);
     // link 1: motion
     let [a1_x, a1_y, t2] = {
         let a1_x = s1 * k0;
@@ -72,8 +72,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [dw2_z, t11, a2_y, t15] = {
         let w2_z = dq1 + dq2;
         let dw2_z = ddq1 + ddq2;
-        let t7 = L1 * t2 - a1_x;
-        let t8 = a1_y + L1 * ddq1;
+        let t7 = k_L1 * t2 - a1_x;
+        let t8 = a1_y + k_L1 * ddq1;
         let t11 = c2 * t7 - s2 * t8;
         let a2_y = c2 * t8 + s2 * t7;
         let t15 = w2_z * w2_z;
@@ -84,12 +84,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // joint axes in frame 2
     let [v1_2_x, v1_2_y, t19, t20, t21, t22] = {
-        let v1_2_x = s2 * L1;
-        let v1_2_y = c2 * L1;
-        let t19 = dw2_z * L2;
-        let t20 = t11 + t15 * L2;
+        let v1_2_x = s2 * k_L1;
+        let v1_2_y = c2 * k_L1;
+        let t19 = dw2_z * k_L2;
+        let t20 = t11 + t15 * k_L2;
         let t21 = a2_y + t19;
-        let t22 = L2 * t21;
+        let t22 = k_L2 * t21;
         put(4, t22); // row 2, M
         [v1_2_x, v1_2_y, t19, t20, t21, t22]
     };

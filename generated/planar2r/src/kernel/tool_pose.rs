@@ -5,7 +5,7 @@
 //! 8 multiplications, 5 additions; 3 x 4, 7 of 12 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 7;
@@ -56,13 +56,13 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [s1, s2] = trig.sin;
     let [c1, c2] = trig.cos;
-    let L1 = S::constant(0.5);
-    let L2 = S::constant(0.4);
     let k2 = S::constant(1.0);
+    let k_L1 = S::constant(constants::L1);
+    let k_L2 = S::constant(constants::L2);
     // frame 2
     let [t0, t1, t4, t7] = {
-        let t0 = c1 * L1;
-        let t1 = s1 * L1;
+        let t0 = c1 * k_L1;
+        let t1 = s1 * k_L1;
         let t4 = c1 * c2 - s1 * s2;
         let t7 = s1 * c2 + c1 * s2;
         let t8 = -t7;
@@ -75,8 +75,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // tool
     {
-        let t11 = t0 + t4 * L2;
-        let t12 = t1 + t7 * L2;
+        let t11 = t0 + t4 * k_L2;
+        let t12 = t1 + t7 * k_L2;
         put(2, t11); // [0][3]
         put(5, t12); // [1][3]
     }

@@ -113,9 +113,9 @@ impl<const N: usize> Solution<N> {
 /// What became of a pose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
-    /// All postures are returned.
+    /// Postures are returned: all, unless [`Solutions::lost`] or [`Solutions::uncertain`] says that one may be missing.
     Ok,
-    /// No posture reaches the pose: see [`Solutions::distance`].
+    /// No posture was found: see [`Solutions::distance`]. Where [`Solutions::uncertain`] is true that is no proof that there is none.
     Unreachable,
     /// Some solution is a member of a family: see [`Solution::free`].
     Singular,
@@ -124,7 +124,7 @@ pub enum Status {
 /// At most so many solutions are kept.
 pub const CAPACITY: usize = 16;
 
-/// All postures of one pose.
+/// The postures of one pose.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Solutions<const N: usize> {
     /// In the order of their branches.
@@ -133,11 +133,12 @@ pub struct Solutions<const N: usize> {
     pub status: Status,
     /// Of an unreachable pose: how far off the nearest posture that was found is, m and rad. Zero otherwise.
     pub distance: [f64; 2],
-    /// Of an arm that is only nearly of its family: how many branches fewer were found than the nominal arm has, and at least one where
-    /// their number is odd. The real arm may have fewer.
+    /// How many branches are missing at least. Of an arm that is only nearly of its family: how many fewer were found than the nominal
+    /// arm has (the real arm may have fewer), and one where their number is odd. Of a numerical search: one where six joints have an odd
+    /// number of postures.
     pub lost: u32,
-    /// Of an arm that is only nearly of its family: some posture lies beside a singularity, where the real arm may have other branches
-    /// than the nominal one; they were looked for, but `lost` may miss one.
+    /// Whether postures may be missing that `lost` does not count. Of a numerical search: always. Of an arm that is only nearly of its
+    /// family: where some posture lies beside a singularity, since the real arm may have other branches there than the nominal one.
     pub uncertain: bool,
     /// The redundancy that was used: swivel angle or the locked joint's position; zero for other arms.
     pub redundancy: f64,

@@ -5,7 +5,7 @@
 //! 337 multiplications, 252 additions; 6 x 37, 121 of 222 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 121;
@@ -78,10 +78,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [_, c2, _, c4, c5, c6] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6] = *ddq;
-    let D2 = S::constant(0.154);
-    let D6 = S::constant(0.263);
     let k1 = S::constant(9.81);
     let k2 = S::constant(2.0);
+    let k_D2 = S::constant(constants::D2);
+    let k_D6 = S::constant(constants::D6);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -95,8 +95,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // joint axes in frame 2
     let [t1, v1_2_y] = {
-        let t1 = c2 * D2;
-        let v1_2_y = s2 * D2;
+        let t1 = c2 * k_D2;
+        let v1_2_y = s2 * k_D2;
         [t1, v1_2_y]
     };
     // joint axes in frame 4
@@ -111,8 +111,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t18, t20, t21, t23, t24, t25, t26, t27,
         t28,
     ] = {
-        let t7 = D2 * ddq1;
-        let t8 = D2 * t0;
+        let t7 = k_D2 * ddq1;
+        let t8 = k_D2 * t0;
         let t10 = s2 * k1 + c2 * t7;
         let a2_y = s2 * t7 - c2 * k1;
         let t13 = s2 * dq1;
@@ -477,9 +477,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t387, dw6_x, t390, t391, t392, t393, t394, t395,
         t396,
     ] = {
-        let t360 = D6 * t245 - a5_x;
-        let t361 = a5_y + D6 * t247;
-        let t362 = a4_y - D6 * t249;
+        let t360 = k_D6 * t245 - a5_x;
+        let t361 = a5_y + k_D6 * t247;
+        let t362 = a4_y - k_D6 * t249;
         let t365 = c6 * t360 - s6 * t362;
         let a6_y = c6 * t362 + s6 * t360;
         let t371 = c6 * t226 - s6 * w5_z;
@@ -533,8 +533,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t416 = s6 * t391 + t415;
         let t417 = s6 * t361;
         let t418 = c6 * t361;
-        let t421 = t417 + D6 * t416;
-        let t422 = t418 - D6 * t413;
+        let t421 = t417 + k_D6 * t416;
+        let t422 = t418 - k_D6 * t413;
         let t425 = c5 * t413 - s5 * t395;
         let t428 = s5 * t413 + c5 * t395;
         let t434 = s5 * t421 + c5 * a6_y;
@@ -556,8 +556,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t455 = s6 * t394 - t453;
         let t456 = s6 * t392;
         let t458 = t456 + c6 * t394;
-        let t461 = t418 - D6 * t458;
-        let t462 = D6 * t455 - t417;
+        let t461 = t418 - k_D6 * t458;
+        let t462 = k_D6 * t455 - t417;
         let t465 = c5 * t455 + s5 * t396;
         let t468 = c5 * t396 - s5 * t455;
         let t474 = s5 * t461 + c5 * t365;

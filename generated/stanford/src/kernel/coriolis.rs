@@ -5,7 +5,7 @@
 //! 206 multiplications, 189 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, BASE, Trig};
+use super::super::{DOF, BASE, Trig, constants};
 
 /// Coriolis and centrifugal torques `C dq`: every entry of `out` is written.
 #[inline]
@@ -27,9 +27,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         MSX4, MSZ4R, YY4R, ZZ4R, XY4, XZ4, YZ4, MSX5, MSZ5R, YY5R, ZZ5R, XY5,
         XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6,
         ..] = *beta;
-    let D2 = S::constant(0.154);
-    let D6 = S::constant(0.263);
     let k1 = S::constant(2.0);
+    let k_D2 = S::constant(constants::D2);
+    let k_D6 = S::constant(constants::D6);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -40,7 +40,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         t1, t2, w3_z, t4, t5, t6, dw2_y, t8,
         t9, t10, t11,
     ] = {
-        let t1 = D2 * t0;
+        let t1 = k_D2 * t0;
         let t2 = s2 * dq1;
         let w3_z = c2 * dq1;
         let t4 = t2 * t2;
@@ -159,8 +159,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
     };
     // link 6: force and moment
     let [f6_z, n6_z, t170, t173, t176, t179] = {
-        let t120 = D6 * MSX6 - XZ6;
-        let t122 = D6 * MSY6 - YZ6;
+        let t120 = k_D6 * MSX6 - XZ6;
+        let t122 = k_D6 * MSY6 - YZ6;
         let t143 = t103 * t120 - (XX6R * t107 + ZZ6 * dw5_y + XY6 * (t113 - t116));
         let t145 = t122 * (t83 - t116);
         let t148 = XY6 * t117 - (ZZ6 * t109 + XX6R * dw6_x) - t115 * t120 + t145;
@@ -245,7 +245,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let n2_z = t352 + (ZZ2R * t6 - XZ2R * t316);
         let t387 = c2 * (t344 + (MSX2 * t23 + MSZ2 * t6));
         let f1_x = s2 * (f3_z - (MSX2 * t6 + MSZ2 * t9)) - t387;
-        let n1_z = s2 * (t370 - MSZ2 * t1 - t351) - c2 * n2_y - D2 * f1_x;
+        let n1_z = s2 * (t370 - MSZ2 * t1 - t351) - c2 * n2_y - k_D2 * f1_x;
         put(0, n1_z);
         put(1, n2_z);
     }

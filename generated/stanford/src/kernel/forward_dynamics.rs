@@ -5,7 +5,7 @@
 //! 447 multiplications, 362 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, BASE, Trig};
+use super::super::{DOF, BASE, Trig, constants};
 
 /// Accelerations that torques cause: every entry of `out` is written.
 #[inline]
@@ -29,11 +29,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6, IA3, IA4, IA5,
         IA6,
         ..] = *beta;
-    let D2 = S::constant(0.154);
-    let D6 = S::constant(0.263);
     let k2 = S::constant(9.81);
     let k3 = S::constant(2.0);
     let k4 = S::constant(1.0);
+    let k_D2 = S::constant(constants::D2);
+    let k_D6 = S::constant(constants::D6);
     // composite body 6
     let [
         t0, t3, t6, t15, t16, t18, t24, t40,
@@ -42,8 +42,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t0 = ZZ6 + IA6;
         let t3 = c6 * MSY6 + s6 * MSX6;
         let t6 = c6 * MSX6 - s6 * MSY6;
-        let t15 = c6 * XZ6 - s6 * YZ6 - D6 * t6;
-        let t16 = s6 * XZ6 + c6 * YZ6 - D6 * t3;
+        let t15 = c6 * XZ6 - s6 * YZ6 - k_D6 * t6;
+        let t16 = s6 * XZ6 + c6 * YZ6 - k_D6 * t3;
         let t17 = c5 * t3;
         let t18 = s5 * t3;
         let t21 = c5 * t15 + s5 * ZZ6;
@@ -51,7 +51,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t30 = c4 * t6 - s4 * t17;
         let t39 = s4 * t21 + c4 * t16 - q3 * (c4 * t17 + s4 * t6);
         let t40 = q3 * t30 - (c4 * t21 - s4 * t16);
-        let t48 = s2 * t39 + c2 * t24 + D2 * (c2 * t30 + s2 * t18);
+        let t48 = s2 * t39 + c2 * t24 + k_D2 * (c2 * t30 + s2 * t18);
         let t50 = s6 * XY6;
         let t53 = c6 * XY6;
         let t54 = s6 * XX6R + t53;
@@ -83,7 +83,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t94 = q3 * t84 - (c4 * t79 - s4 * t66);
         let t99 = c2 * t82;
         let t100 = s2 * (s4 * t79 + c4 * t66 + q3 * (c4 * t73)) + t99;
-        let t102 = t100 + D2 * (c2 * t84 - s2 * t76);
+        let t102 = t100 + k_D2 * (c2 * t84 - s2 * t76);
         let t104 = s5 * t67;
         let t107 = c5 * t67;
         let t108 = s5 * t57 - t107;
@@ -114,7 +114,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t138 = s4 * t128 - c4 * t127;
         let t141 = s4 * t127 + c4 * t128;
         let t145 = q3 * t135 - t138;
-        let t151 = D2 * (c2 * t135) - (s2 * (t141 + q3 * t132) + c2 * t125);
+        let t151 = k_D2 * (c2 * t135) - (s2 * (t141 + q3 * t132) + c2 * t125);
         let t153 = s4 * t126;
         let t156 = c4 * t126;
         let t157 = s4 * t115 + t156;
@@ -136,7 +136,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t172 = MSY3 + t132;
         let t173 = MSZ3R + t73;
         let t174 = M3R + IA3;
-        let t178 = D2 * (s2 * M3R) - s2 * t171;
+        let t178 = k_D2 * (s2 * M3R) - s2 * t171;
         let t180 = t173 + q3 * M3R;
         let t182 = q3 * (t173 + t180);
         let t183 = t170 + t182;
@@ -152,10 +152,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     let [t192, t203, t217] = {
         let t192 = YY2R + t186;
         let t193 = t185 - XZ2R;
-        let t202 = D2 * (c2 * (MSZ2 + t180) - s2 * (MSX2 + t172));
+        let t202 = k_D2 * (c2 * (MSZ2 + t180) - s2 * (MSX2 + t172));
         let t203 = s2 * (XY2R - t167) - c2 * (YZ2R + t188) + t202;
         let t211 = c2 * (s2 * t193 + c2 * (ZZ2R + t125));
-        let t216 = D2 * (D2 * M3R - t171 - t171);
+        let t216 = k_D2 * (k_D2 * M3R - t171 - t171);
         let t217 = s2 * (s2 * t183 + c2 * t193) + t211 + t216;
         [t192, t203, t217]
     };
@@ -176,7 +176,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     ] = {
         let t220 = s2 * k2;
         let t221 = c2 * k2;
-        let t222 = D2 * t219;
+        let t222 = k_D2 * t219;
         let t223 = s2 * dq1;
         let w3_z = c2 * dq1;
         let t225 = t223 * t223;
@@ -298,8 +298,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     };
     // link 6: force and moment
     let [f6_z, n6_z, t393, t396, t399, t402] = {
-        let t343 = XZ6 - D6 * MSX6;
-        let t345 = YZ6 - D6 * MSY6;
+        let t343 = XZ6 - k_D6 * MSX6;
+        let t345 = YZ6 - k_D6 * MSY6;
         let t366 = XY6 * (t336 + t339) - (XX6R * t330 + ZZ6 * dw5_y) + t326 * t343;
         let t368 = t345 * (t306 - t339);
         let t371 = ZZ6 * t332 + XX6R * dw6_x - XY6 * t340 + t338 * t343 + t368;
@@ -385,7 +385,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let n2_y = t594 + MSX2 * t222 - n3_z;
         let n2_z = t575 + (ZZ2R * t227 - XZ2R * t539 - (MSZ2 * t220 + MSX2 * t221));
         let f1_x = c2 * f2_x - s2 * f2_y;
-        let t621 = s2 * n2_x + c2 * n2_y + D2 * f1_x;
+        let t621 = s2 * n2_x + c2 * n2_y + k_D2 * f1_x;
         [n2_z, t621]
     };
     // drives

@@ -5,7 +5,7 @@
 //! 46 multiplications, 23 additions; 3 x 4, 12 of 12 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// The last DH frame in the base frame: every entry of `out` is written.
 #[inline]
@@ -21,13 +21,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [_, _, q3, ..] = trig.q;
     let [s1, s2, _, s4, s5, s6] = trig.sin;
     let [c1, c2, _, c4, c5, c6] = trig.cos;
-    let D1 = S::constant(0.412);
-    let D2 = S::constant(0.154);
-    let D6 = S::constant(0.263);
+    let k_D1 = S::constant(constants::D1);
+    let k_D2 = S::constant(constants::D2);
+    let k_D6 = S::constant(constants::D6);
     // frame 2
     let [t0, t1, t2, t3, t4, t5] = {
-        let t0 = s1 * D2;
-        let t1 = c1 * D2;
+        let t0 = s1 * k_D2;
+        let t1 = c1 * k_D2;
         let t2 = c1 * c2;
         let t3 = c1 * s2;
         let t4 = s1 * c2;
@@ -38,7 +38,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [t9, t10, t11] = {
         let t9 = t0 - q3 * t3;
         let t10 = t1 + q3 * t5;
-        let t11 = D1 + c2 * q3;
+        let t11 = k_D1 + c2 * q3;
         [t9, t10, t11]
     };
     // frame 4
@@ -66,9 +66,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // frame 6
     {
-        let t47 = D6 * t31 - t9;
-        let t48 = t10 + D6 * t37;
-        let t49 = t11 + D6 * t43;
+        let t47 = k_D6 * t31 - t9;
+        let t48 = t10 + k_D6 * t37;
+        let t49 = t11 + k_D6 * t43;
         let t52 = s6 * t17 - c6 * t28;
         let t55 = c6 * t17 + s6 * t28;
         let t58 = c6 * t34 + s6 * t23;

@@ -5,7 +5,7 @@
 //! 46 multiplications, 33 additions; 6 x 3 x 4, 64 of 72 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 64;
@@ -66,14 +66,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [_, _, q3, ..] = trig.q;
     let [s1, s2, _, s4, s5, s6] = trig.sin;
     let [c1, c2, _, c4, c5, c6] = trig.cos;
-    let D1 = S::constant(0.412);
-    let D2 = S::constant(0.154);
-    let D6 = S::constant(0.263);
     let k3 = S::constant(-1.0);
+    let k_D1 = S::constant(constants::D1);
+    let k_D2 = S::constant(constants::D2);
+    let k_D6 = S::constant(constants::D6);
     // frame 2
     let [t0, t1, t2, t3, t4, t5] = {
-        let t0 = s1 * D2;
-        let t1 = c1 * D2;
+        let t0 = s1 * k_D2;
+        let t1 = c1 * k_D2;
         let t2 = c1 * c2;
         let t3 = c1 * s2;
         let t4 = s1 * c2;
@@ -85,7 +85,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(2, s1); // [0][1][0]
         put(3, c1); // [0][1][2]
         put(4, k3); // [0][2][1]
-        put(5, D1); // [0][2][3]
+        put(5, k_D1); // [0][2][3]
         put(6, t2); // [1][0][0]
         put(8, t3); // [1][0][2]
         put(9, t6); // [1][0][3]
@@ -94,7 +94,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(12, t5); // [1][1][2]
         put(13, t1); // [1][1][3]
         put(15, c2); // [1][2][2]
-        put(16, D1); // [1][2][3]
+        put(16, k_D1); // [1][2][3]
         put(17, s1); // [2][0][0]
         put(18, t2); // [2][0][1]
         put(19, t3); // [2][0][2]
@@ -109,7 +109,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [t12, t13, t14] = {
         let t12 = q3 * t3 - t0;
         let t13 = t1 + q3 * t5;
-        let t14 = D1 + c2 * q3;
+        let t14 = k_D1 + c2 * q3;
         put(20, t12); // [2][0][3]
         put(24, t13); // [2][1][3]
         put(27, t14); // [2][2][3]
@@ -164,9 +164,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // frame 6
     {
-        let t53 = t12 + D6 * t36;
-        let t54 = t13 + D6 * t42;
-        let t55 = t14 + D6 * t48;
+        let t53 = t12 + k_D6 * t36;
+        let t54 = t13 + k_D6 * t42;
+        let t55 = t14 + k_D6 * t48;
         let t58 = c6 * t33 + s6 * t20;
         let t61 = c6 * t20 - s6 * t33;
         let t64 = c6 * t39 + s6 * t26;

@@ -5,7 +5,7 @@
 //! 50 multiplications, 29 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, Trig};
+use super::super::{BASE, Trig, constants};
 
 /// Gravity torques `g`: every entry of `out` is written.
 #[inline]
@@ -26,8 +26,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         MSX4, MSZ4R, _, _, _, _, _, MSX5, MSZ5R, _, _, _,
         _, _, MSX6, MSY6,
         ..] = *beta;
-    let D2 = S::constant(0.154);
     let k0 = S::constant(9.81);
+    let k_D2 = S::constant(constants::D2);
     // link 2: motion
     let [t0, a3_z] = {
         let t0 = s2 * k0;
@@ -95,7 +95,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
     // link 2: force and moment
     {
         let n2_z = t66 - (MSZ2 * t0 + MSX2 * a3_z);
-        let n1_z = s2 * t63 + c2 * t64 + D2 * (c2 * t55 - s2 * f3_z);
+        let n1_z = s2 * t63 + c2 * t64 + k_D2 * (c2 * t55 - s2 * f3_z);
         put(0, n1_z);
         put(1, n2_z);
     }

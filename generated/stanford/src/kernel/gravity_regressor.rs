@@ -5,7 +5,7 @@
 //! 113 multiplications, 68 additions; 6 x 60, 54 of 360 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 54;
@@ -84,9 +84,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [_, _, q3, ..] = trig.q;
     let [_, s2, _, s4, s5, s6] = trig.sin;
     let [_, c2, _, c4, c5, c6] = trig.cos;
-    let D2 = S::constant(0.154);
-    let D6 = S::constant(0.263);
     let k0 = S::constant(9.81);
+    let k_D2 = S::constant(constants::D2);
+    let k_D6 = S::constant(constants::D6);
     // link 2: motion
     let [t0, a3_z] = {
         let t0 = s2 * k0;
@@ -131,8 +131,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // joint axes in frame 2
     let [t22, v1_2_y] = {
-        let t22 = c2 * D2;
-        let v1_2_y = s2 * D2;
+        let t22 = c2 * k_D2;
+        let v1_2_y = s2 * k_D2;
         [t22, v1_2_y]
     };
     // joint axes in frame 4
@@ -244,8 +244,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [t108, t111] = {
         let t108 = c6 * t18 + s6 * a6_y;
         let t111 = c6 * a6_y - s6 * t18;
-        let t112 = D6 * t111;
-        let t113 = D6 * t108;
+        let t112 = k_D6 * t111;
+        let t113 = k_D6 * t108;
         let t115 = t60 + c5 * t108;
         let t117 = s5 * t108 - t63;
         let t119 = s5 * t112;

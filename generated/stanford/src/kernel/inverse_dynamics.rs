@@ -5,7 +5,7 @@
 //! 280 multiplications, 278 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, STANDARD, Trig};
+use super::super::{DOF, STANDARD, Trig, constants};
 
 /// Torques from the standard parameters: every entry of `out` is written.
 #[inline]
@@ -31,10 +31,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         XZ5, YZ5, M6, MSX6, MSY6, MSZ6, XX6, YY6, ZZ6, XY6, XZ6, YZ6,
         IA1, IA2, IA3, IA4, IA5, IA6,
         ..] = *phi;
-    let D2 = S::constant(0.154);
-    let D6 = S::constant(0.263);
     let k0 = S::constant(9.81);
     let k2 = S::constant(2.0);
+    let k_D2 = S::constant(constants::D2);
+    let k_D6 = S::constant(constants::D6);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -46,8 +46,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         t14, t15, t16, t17, t18, dw2_y, t20, t21,
         t22, t23, t24,
     ] = {
-        let t3 = D2 * ddq1;
-        let t4 = D2 * t0;
+        let t3 = k_D2 * ddq1;
+        let t4 = k_D2 * t0;
         let t6 = s2 * k0 + c2 * t3;
         let a2_y = s2 * t3 - c2 * k0;
         let t9 = s2 * dq1;
@@ -153,9 +153,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         t134, dw6_x, dw6_y, t137, t138, t139, t140, t141,
         t142, t143,
     ] = {
-        let t107 = a5_x + D6 * t99;
-        let t108 = D6 * t101 - t77;
-        let t109 = a4_y - D6 * t103;
+        let t107 = a5_x + k_D6 * t99;
+        let t108 = k_D6 * t101 - t77;
+        let t109 = a4_y - k_D6 * t103;
         let a6_x = c6 * t107 + s6 * t109;
         let a6_y = c6 * t109 - s6 * t107;
         let w6_x = s6 * w5_z - c6 * t80;
@@ -198,8 +198,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let n6_z = t168 + YZ6 * t124 + (MSX6 * a6_y - MSY6 * a6_x);
         let t211 = c6 * f6_x - s6 * f6_y;
         let t214 = s6 * f6_x + c6 * f6_y;
-        let t223 = c6 * n6_x - s6 * n6_y - D6 * t214;
-        let t224 = s6 * n6_x + c6 * n6_y + D6 * t211;
+        let t223 = c6 * n6_x - s6 * n6_y - k_D6 * t214;
+        let t224 = s6 * n6_x + c6 * n6_y + k_D6 * t211;
         [f6_z, n6_z, t211, t214, t223, t224]
     };
     // link 5: force and moment
@@ -275,7 +275,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let n2_x = t473 + (t496 - YZ2 * t418 + (MSZ2 * t4 - MSY2 * a2_y));
         let n2_z = t474 + (t497 + YZ2 * t12 + (MSX2 * a2_y - MSZ2 * t6));
         let t540 = c2 * (n3_z + (MSY2 * t6 - MSX2 * t4 - (t498 + YZ2 * t20)));
-        let t543 = s2 * n2_x - t540 + D2 * (c2 * f2_x - s2 * f2_y);
+        let t543 = s2 * n2_x - t540 + k_D2 * (c2 * f2_x - s2 * f2_y);
         [n2_z, t543]
     };
     // link 1: force and moment

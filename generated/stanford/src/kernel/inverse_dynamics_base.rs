@@ -5,7 +5,7 @@
 //! 226 multiplications, 213 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, BASE, Trig};
+use super::super::{DOF, BASE, Trig, constants};
 
 /// Torques from the base parameters: every entry of `out` is written.
 #[inline]
@@ -29,10 +29,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6, IA3, IA4, IA5,
         IA6,
         ..] = *beta;
-    let D2 = S::constant(0.154);
-    let D6 = S::constant(0.263);
     let k0 = S::constant(9.81);
     let k2 = S::constant(2.0);
+    let k_D2 = S::constant(constants::D2);
+    let k_D6 = S::constant(constants::D6);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -44,8 +44,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         t14, t15, t16, t17, dw2_y, t20, t21, t22,
         t23, t24,
     ] = {
-        let t3 = D2 * ddq1;
-        let t4 = D2 * t0;
+        let t3 = k_D2 * ddq1;
+        let t4 = k_D2 * t0;
         let t6 = s2 * k0 + c2 * t3;
         let a2_y = s2 * t3 - c2 * k0;
         let t9 = s2 * dq1;
@@ -178,8 +178,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
     };
     // link 6: force and moment
     let [f6_z, n6_z, t189, t192, t195, t198] = {
-        let t139 = XZ6 - D6 * MSX6;
-        let t141 = YZ6 - D6 * MSY6;
+        let t139 = XZ6 - k_D6 * MSX6;
+        let t141 = YZ6 - k_D6 * MSY6;
         let t162 = ZZ6 * dw6_z - XX6R * t126 + XY6 * (t132 + t135) + t121 * t139;
         let t164 = t141 * (t101 - t135);
         let t167 = ZZ6 * t128 + XX6R * dw6_x - XY6 * t136 + t134 * t139 + t164;
@@ -268,7 +268,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let n2_y = t401 + MSX2 * t4 - n3_z;
         let n2_z = t375 + (t400 + (MSX2 * a2_y - MSZ2 * t6));
         let f1_x = c2 * f2_x - s2 * f2_y;
-        let t428 = s2 * n2_x + c2 * n2_y + D2 * f1_x;
+        let t428 = s2 * n2_x + c2 * n2_y + k_D2 * f1_x;
         put(1, n2_z);
         t428
     };

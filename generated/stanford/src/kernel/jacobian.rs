@@ -5,7 +5,7 @@
 //! 44 multiplications, 27 additions; 6 x 6, 26 of 36 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 26;
@@ -62,14 +62,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [_, _, q3, ..] = trig.q;
     let [s1, s2, _, s4, s5, ..] = trig.sin;
     let [c1, c2, _, c4, c5, ..] = trig.cos;
-    let D1 = S::constant(0.412);
-    let D2 = S::constant(0.154);
-    let D6 = S::constant(0.263);
     let k3 = S::constant(1.0);
+    let k_D1 = S::constant(constants::D1);
+    let k_D2 = S::constant(constants::D2);
+    let k_D6 = S::constant(constants::D6);
     // frame 2
     let [t0, t1, t2, t3, t4, t5] = {
-        let t0 = s1 * D2;
-        let t1 = c1 * D2;
+        let t0 = s1 * k_D2;
+        let t1 = c1 * k_D2;
         let t2 = c1 * c2;
         let t3 = c1 * s2;
         let t4 = s1 * c2;
@@ -88,7 +88,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [t9, t10, t11] = {
         let t9 = q3 * t3 - t0;
         let t10 = t1 + q3 * t5;
-        let t11 = D1 + c2 * q3;
+        let t11 = k_D1 + c2 * q3;
         [t9, t10, t11]
     };
     // frame 4
@@ -117,9 +117,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // frame 6
     let [t36, t37, t38, t39, t40, t41] = {
-        let t36 = D6 * t29;
-        let t37 = D6 * t32;
-        let t38 = D6 * t35;
+        let t36 = k_D6 * t29;
+        let t37 = k_D6 * t32;
+        let t38 = k_D6 * t35;
         let t39 = t9 + t36;
         let t40 = t10 + t37;
         let t41 = t11 + t38;
@@ -130,7 +130,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // columns
     {
-        let t43 = t41 - D1;
+        let t43 = t41 - k_D1;
         let t46 = c1 * t43;
         let t47 = s1 * t43;
         let t50 = s1 * (t1 - t40) - c1 * (t0 + t39);

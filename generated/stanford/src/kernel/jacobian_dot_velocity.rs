@@ -5,7 +5,7 @@
 //! 120 multiplications, 68 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`: every entry of `out` is written.
 #[inline]
@@ -22,9 +22,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     let [s1, s2, _, s4, s5, s6] = trig.sin;
     let [c1, c2, _, c4, c5, c6] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
-    let D2 = S::constant(0.154);
-    let D6 = S::constant(0.263);
     let k1 = S::constant(2.0);
+    let k_D2 = S::constant(constants::D2);
+    let k_D6 = S::constant(constants::D6);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -32,7 +32,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     };
     // link 2: motion
     let [t1, t2, w3_z, t6, dw2_y, t9, t10] = {
-        let t1 = D2 * t0;
+        let t1 = k_D2 * t0;
         let t2 = s2 * dq1;
         let w3_z = c2 * dq1;
         let t6 = t2 * w3_z;
@@ -95,9 +95,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     };
     // link 6: motion
     let [t81, a6_x, a6_y, dw6_x, dw6_y] = {
-        let t80 = a5_x + D6 * t74;
-        let t81 = a5_y + D6 * t75;
-        let t82 = a4_y - D6 * t76;
+        let t80 = a5_x + k_D6 * t74;
+        let t81 = a5_y + k_D6 * t75;
+        let t82 = a4_y - k_D6 * t76;
         let a6_x = c6 * t80 + s6 * t82;
         let a6_y = c6 * t82 - s6 * t80;
         let w6_x = s6 * w5_z - c6 * t56;

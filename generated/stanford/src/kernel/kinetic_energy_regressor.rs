@@ -5,7 +5,7 @@
 //! 123 multiplications, 45 additions; 66, 57 of 66 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 57;
@@ -61,12 +61,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     let [_, s2, _, s4, s5, s6] = trig.sin;
     let [_, c2, _, c4, c5, c6] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
-    let D2 = S::constant(0.154);
-    let D6 = S::constant(0.263);
     let k2 = S::constant(0.5);
+    let k_D2 = S::constant(constants::D2);
+    let k_D6 = S::constant(constants::D6);
     // link 2: velocity
     let [t1, t2, t3, t4] = {
-        let t0 = D2 * dq1;
+        let t0 = k_D2 * dq1;
         let t1 = s2 * dq1;
         let t2 = c2 * dq1;
         let t3 = c2 * t0;
@@ -100,8 +100,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     };
     // link 6: velocity
     let [t41, t44, t47, t50, t51] = {
-        let t37 = D6 * t34 - t30;
-        let t38 = t20 + D6 * t24;
+        let t37 = k_D6 * t34 - t30;
+        let t38 = t20 + k_D6 * t24;
         let t41 = c6 * t24 + s6 * t34;
         let t44 = c6 * t34 - s6 * t24;
         let t47 = s6 * t38 - c6 * t37;

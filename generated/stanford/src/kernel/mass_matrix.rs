@@ -5,7 +5,7 @@
 //! 120 multiplications, 99 additions; 6 x 6, 34 of 36 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart};
-use super::super::{BASE, Trig};
+use super::super::{BASE, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 34;
@@ -64,15 +64,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6, IA3, IA4, IA5,
         IA6,
         ..] = *beta;
-    let D2 = S::constant(0.154);
-    let D6 = S::constant(0.263);
+    let k_D2 = S::constant(constants::D2);
+    let k_D6 = S::constant(constants::D6);
     // composite body 6
     let [t3, t6, t15, t16, t57, t60, t63] = {
         let t0 = ZZ6 + IA6;
         let t3 = c6 * MSY6 + s6 * MSX6;
         let t6 = s6 * MSY6 - c6 * MSX6;
-        let t15 = D6 * t6 - (s6 * YZ6 - c6 * XZ6);
-        let t16 = s6 * XZ6 + c6 * YZ6 - D6 * t3;
+        let t15 = k_D6 * t6 - (s6 * YZ6 - c6 * XZ6);
+        let t16 = s6 * XZ6 + c6 * YZ6 - k_D6 * t3;
         let t17 = c5 * t3;
         let t18 = s5 * t3;
         let t21 = c5 * t15 + s5 * ZZ6;
@@ -80,7 +80,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t30 = s4 * t17 + c4 * t6;
         let t39 = s4 * t21 + c4 * t16 - q3 * (c4 * t17 - s4 * t6);
         let t40 = s4 * t16 - c4 * t21 - q3 * t30;
-        let t48 = c2 * t24 - s2 * t39 + D2 * (c2 * t30 - s2 * t18);
+        let t48 = c2 * t24 - s2 * t39 + k_D2 * (c2 * t30 - s2 * t18);
         let t50 = s6 * XY6;
         let t53 = c6 * XY6;
         let t54 = s6 * XX6R + t53;
@@ -116,7 +116,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t84 = s4 * t73;
         let t94 = s4 * t66 - c4 * t79 + q3 * t84;
         let t98 = s2 * (s4 * t79 + c4 * t66 + q3 * (c4 * t73));
-        let t102 = c2 * t82 - t98 - D2 * (c2 * t84 + s2 * t76);
+        let t102 = c2 * t82 - t98 - k_D2 * (c2 * t84 + s2 * t76);
         let t104 = s5 * t67;
         let t107 = c5 * t67;
         let t108 = t107 - s5 * t57;
@@ -150,7 +150,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t138 = c4 * t127 + s4 * t128;
         let t141 = c4 * t128 - s4 * t127;
         let t145 = t138 - q3 * t135;
-        let t151 = c2 * t125 - s2 * (t141 + q3 * t132) + D2 * (c2 * t135);
+        let t151 = c2 * t125 - s2 * (t141 + q3 * t132) + k_D2 * (c2 * t135);
         let t153 = s4 * t126;
         let t156 = c4 * t126;
         let t157 = s4 * t115 + t156;
@@ -171,7 +171,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t172 = t132 - MSY3;
         let t173 = MSZ3R + t73;
         let t174 = M3R + IA3;
-        let t178 = s2 * t171 - D2 * (s2 * M3R);
+        let t178 = s2 * t171 - k_D2 * (s2 * M3R);
         let t180 = t173 + q3 * M3R;
         let t182 = q3 * (t173 + t180);
         let t183 = t170 + t182;
@@ -189,10 +189,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
     let t217 = {
         let t192 = YY2R + t186;
         let t193 = XZ2R + t185;
-        let t202 = D2 * (c2 * (MSZ2 + t180) - s2 * (MSX2 - t172));
+        let t202 = k_D2 * (c2 * (MSZ2 + t180) - s2 * (MSX2 - t172));
         let t203 = s2 * (t167 - XY2R) + c2 * (YZ2R + t188) - t202;
         let t211 = c2 * (c2 * (ZZ2R + t125) - s2 * t193);
-        let t216 = D2 * (t171 - (D2 * M3R - t171));
+        let t216 = k_D2 * (t171 - (k_D2 * M3R - t171));
         let t217 = s2 * (c2 * t193 - s2 * t183) - t211 + t216;
         put(1, t203); // [0][1]
         put(6, t203); // [1][0]

@@ -5,7 +5,7 @@
 //! 242 multiplications, 163 additions; 6 x 10, 52 of 60 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 52;
@@ -63,10 +63,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [_, c2, _, c4, c5, c6] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6] = *ddq;
-    let D2 = S::constant(0.154);
-    let D6 = S::constant(0.263);
     let k0 = S::constant(9.81);
     let k2 = S::constant(2.0);
+    let k_D2 = S::constant(constants::D2);
+    let k_D6 = S::constant(constants::D6);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -77,8 +77,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t4, t6, a2_y, t9, w3_z, dw2_y, t20, t21,
         t22,
     ] = {
-        let t3 = D2 * ddq1;
-        let t4 = D2 * t0;
+        let t3 = k_D2 * ddq1;
+        let t4 = k_D2 * t0;
         let t6 = s2 * k0 + c2 * t3;
         let a2_y = s2 * t3 - c2 * k0;
         let t9 = s2 * dq1;
@@ -148,8 +148,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // joint axes in frame 2
     let [t94, v1_2_y] = {
-        let t94 = c2 * D2;
-        let v1_2_y = s2 * D2;
+        let t94 = c2 * k_D2;
+        let v1_2_y = s2 * k_D2;
         [t94, v1_2_y]
     };
     // joint axes in frame 4
@@ -164,9 +164,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t128, dw6_x, dw6_y, t131, t132, t133, t134, t135,
         t136, t137,
     ] = {
-        let t101 = t66 - D6 * t91;
-        let t102 = D6 * t92 - t69;
-        let t103 = a4_y - D6 * t93;
+        let t101 = t66 - k_D6 * t91;
+        let t102 = k_D6 * t92 - t69;
+        let t103 = a4_y - k_D6 * t93;
         let t106 = c6 * t101 - s6 * t103;
         let a6_y = c6 * t103 + s6 * t101;
         let w6_x = s6 * w5_z - c6 * t72;
@@ -207,8 +207,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [t141, t144] = {
         let t141 = c6 * t106 + s6 * a6_y;
         let t144 = c6 * a6_y - s6 * t106;
-        let t145 = D6 * t144;
-        let t146 = D6 * t141;
+        let t145 = k_D6 * t144;
+        let t146 = k_D6 * t141;
         let t149 = c5 * t141 + s5 * t102;
         let t152 = s5 * t141 - c5 * t102;
         let t154 = s5 * t145;
@@ -233,8 +233,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t179 = t178 - s6 * t132;
         let t180 = s6 * t102;
         let t181 = c6 * t102;
-        let t184 = t180 + D6 * t179;
-        let t185 = t181 - D6 * t176;
+        let t184 = t180 + k_D6 * t179;
+        let t185 = t181 - k_D6 * t176;
         let t188 = c5 * t176 + s5 * t136;
         let t191 = s5 * t176 - c5 * t136;
         let t197 = s5 * t184 + c5 * a6_y;
@@ -256,8 +256,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t218 = t216 + s6 * t135;
         let t219 = s6 * t133;
         let t221 = t219 - c6 * t135;
-        let t224 = t181 + D6 * t221;
-        let t225 = D6 * t218 - t180;
+        let t224 = t181 + k_D6 * t221;
+        let t225 = k_D6 * t218 - t180;
         let t228 = c5 * t218 + s5 * t137;
         let t231 = c5 * t137 - s5 * t218;
         let t237 = s5 * t224 + c5 * t106;
@@ -277,8 +277,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     {
         let t258 = c6 * t118 + s6 * t121;
         let t261 = s6 * t118 - c6 * t121;
-        let t264 = t144 + D6 * t261;
-        let t265 = D6 * t258 - t141;
+        let t264 = t144 + k_D6 * t261;
+        let t265 = k_D6 * t258 - t141;
         let t268 = c5 * t258 - s5 * t92;
         let t271 = s5 * t258 + c5 * t92;
         let t273 = s5 * t264;

@@ -5,7 +5,7 @@
 //! 22 multiplications, 12 additions; 66, 20 of 66 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 20;
@@ -63,14 +63,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [_, _, q3, ..] = trig.q;
     let [_, s2, _, s4, s5, s6] = trig.sin;
     let [_, c2, _, c4, c5, c6] = trig.cos;
-    let D1 = S::constant(0.412);
-    let D6 = S::constant(0.263);
     let k2 = S::constant(9.81);
     let k3 = S::constant(4.04172);
     let k4 = S::constant(-9.81);
+    let k_D1 = S::constant(constants::D1);
+    let k_D6 = S::constant(constants::D6);
     // frame 3
     let t1 = {
-        let t1 = D1 + c2 * q3;
+        let t1 = k_D1 + c2 * q3;
         put(0, k3);
         put(1, k4);
         put(2, k3);
@@ -90,7 +90,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // frame 6
     let [t11, t14, t17] = {
-        let t11 = t1 + D6 * t9;
+        let t11 = t1 + k_D6 * t9;
         let t14 = c6 * t6 + s6 * t3;
         let t17 = s6 * t6 - c6 * t3;
         [t11, t14, t17]

@@ -5,7 +5,7 @@
 //! 420 multiplications, 330 additions; 6 x 66, 174 of 396 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 174;
@@ -92,10 +92,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [_, c2, _, c4, c5, c6] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6] = *ddq;
-    let D2 = S::constant(0.154);
-    let D6 = S::constant(0.263);
     let k1 = S::constant(9.81);
     let k2 = S::constant(2.0);
+    let k_D2 = S::constant(constants::D2);
+    let k_D6 = S::constant(constants::D6);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -112,8 +112,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // joint axes in frame 2
     let [t1, v1_2_y] = {
-        let t1 = c2 * D2;
-        let v1_2_y = s2 * D2;
+        let t1 = c2 * k_D2;
+        let v1_2_y = s2 * k_D2;
         [t1, v1_2_y]
     };
     // joint axes in frame 3
@@ -135,8 +135,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t25, t27, t28, t29, t30, t31, t32, t33,
         t34, t35,
     ] = {
-        let t14 = D2 * ddq1;
-        let t15 = D2 * t0;
+        let t14 = k_D2 * ddq1;
+        let t15 = k_D2 * t0;
         let t17 = s2 * k1 + c2 * t14;
         let a2_y = s2 * t14 - c2 * k1;
         let t20 = s2 * dq1;
@@ -613,9 +613,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t495, dw6_x, dw6_y, t498, t499, t500, t501, t502,
         t503, t504,
     ] = {
-        let t468 = t277 - D6 * t302;
-        let t469 = a5_y + D6 * t304;
-        let t470 = a4_y + D6 * t306;
+        let t468 = t277 - k_D6 * t302;
+        let t469 = a5_y + k_D6 * t304;
+        let t470 = a4_y + k_D6 * t306;
         let t473 = c6 * t468 - s6 * t470;
         let a6_y = c6 * t470 + s6 * t468;
         let w6_x = s6 * w5_z - c6 * t283;
@@ -656,8 +656,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [t508, t511] = {
         let t508 = c6 * t473 + s6 * a6_y;
         let t511 = c6 * a6_y - s6 * t473;
-        let t512 = D6 * t511;
-        let t513 = D6 * t508;
+        let t512 = k_D6 * t511;
+        let t513 = k_D6 * t508;
         let t521 = t167 * t508 + t469 * v1_5_y - t9 * t511;
         let t522 = t161 * t512 + t125 * t513 + t521;
         let t530 = v2_4_y * t511 - (v2_5_x * t508 + t469 * v2_6_z);
@@ -680,8 +680,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t542 = s6 * t499 - t541;
         let t543 = s6 * t469;
         let t544 = c6 * t469;
-        let t547 = t543 - D6 * t542;
-        let t548 = t544 - D6 * t539;
+        let t547 = t543 - k_D6 * t542;
+        let t548 = t544 - k_D6 * t539;
         let t558 = t9 * t542 + (t167 * t539 + t503 * v1_5_y);
         let t559 = t161 * t547 + a6_y * t164 - t125 * t548 + t558;
         let t569 = v2_4_y * t542 + (v2_5_x * t539 + t503 * v2_6_z);
@@ -701,8 +701,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t579 = s6 * t502 - t577;
         let t580 = s6 * t500;
         let t582 = t580 + c6 * t502;
-        let t585 = D6 * t582 - t544;
-        let t586 = D6 * t579 - t543;
+        let t585 = k_D6 * t582 - t544;
+        let t586 = k_D6 * t579 - t543;
         let t596 = t9 * t582 - (t167 * t579 + t504 * v1_5_y);
         let t597 = t473 * t164 - t161 * t585 - t125 * t586 + t596;
         let t607 = v2_4_y * t582 - (v2_5_x * t579 + t504 * v2_6_z);
@@ -720,8 +720,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     {
         let t617 = c6 * t485 + s6 * t488;
         let t620 = c6 * t488 - s6 * t485;
-        let t623 = t511 - D6 * t620;
-        let t624 = D6 * t617 - t508;
+        let t623 = t511 - k_D6 * t620;
+        let t624 = k_D6 * t617 - t508;
         let t632 = t161 * t623 - t125 * t624 + (t9 * t620 + (t373 - t167 * t617));
         let t640 = t171 * t623 + s4 * t624 - (v2_4_y * t620 + (t382 - v2_5_x * t617));
         let t643 = s5 * t623;

@@ -5,7 +5,7 @@
 //! 308 multiplications, 243 additions; 6 x 58, 161 of 348 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 161;
@@ -97,14 +97,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [_, c2, c3, c4, c5, c6] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6] = *ddq;
-    let A3 = S::constant(-0.57155);
-    let D4 = S::constant(0.17415);
-    let D5 = S::constant(0.11985);
-    let D6 = S::constant(0.11655);
     let k0 = S::constant(0.6127);
     let k1 = S::constant(9.81);
     let k3 = S::constant(0.57155);
     let k7 = S::constant(1.0);
+    let k_A3 = S::constant(constants::A3);
+    let k_D4 = S::constant(constants::D4);
+    let k_D5 = S::constant(constants::D5);
+    let k_D6 = S::constant(constants::D6);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -252,12 +252,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // joint axes in frame 4
     let [v1_4_z, v1_4_x, v1_5_z, t93, t96, t97, v3_5_z] = {
-        let t80 = D4 * z1_3_y;
-        let t81 = D4 * z1_3_x;
+        let t80 = k_D4 * z1_3_y;
+        let t81 = k_D4 * z1_3_x;
         let v1_4_z = v1_3_z + z1_3_y * k3;
         let v1_4_x = c4 * t80 - s4 * t81;
         let v1_5_z = c4 * t81 + s4 * t80;
-        let t90 = t3 - A3;
+        let t90 = t3 - k_A3;
         let t93 = c4 * t2 + s4 * t90;
         let t96 = c4 * t90 - s4 * t2;
         let t97 = s4 * k3;
@@ -318,9 +318,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t134 = s4 * z1_3_x - c4 * z1_3_y;
         let w4_z = w3_z + dq4;
         let dw4_z = dw3_z + ddq4;
-        let t146 = t57 - (t73 * k3 + D4 * t61);
-        let t147 = t75 * k3 + D4 * t62 - a3_y;
-        let t148 = t52 - (t77 * k3 + D4 * t0);
+        let t146 = t57 - (t73 * k3 + k_D4 * t61);
+        let t147 = t75 * k3 + k_D4 * t62 - a3_y;
+        let t148 = t52 - (t77 * k3 + k_D4 * t0);
         let t151 = c4 * t146 + s4 * t147;
         let a4_y = s4 * t146 - c4 * t147;
         let t155 = ddq1 * t134;
@@ -419,9 +419,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     ] = {
         let z1_5_x = c5 * z1_4_x;
         let t221 = s5 * z1_4_x;
-        let t225 = t151 - D5 * t168;
-        let t226 = a4_y + D5 * t170;
-        let t227 = t148 + D5 * t172;
+        let t225 = t151 - k_D5 * t168;
+        let t226 = a4_y + k_D5 * t170;
+        let t227 = t148 + k_D5 * t172;
         let t230 = c5 * t225 - s5 * t227;
         let a5_y = c5 * t227 + s5 * t225;
         let w5_x = c5 * w4_x + s5 * w4_z;
@@ -464,8 +464,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t268 = s5 * t256 + c5 * t258;
         let t269 = s5 * t226;
         let t270 = c5 * t226;
-        let t274 = t270 + D5 * t265;
-        let t277 = z1_4_x * (t269 + D5 * t268) - t134 * a5_y;
+        let t274 = t270 + k_D5 * t265;
+        let t277 = z1_4_x * (t269 + k_D5 * t268) - t134 * a5_y;
         let t283 = v1_4_z * t268 + (v1_4_x * t265 + t260 * v1_5_z) - t277;
         let t287 = t274 + (t260 * t96 - t93 * t265);
         let t291 = t274 + (t260 * v3_5_z - t97 * t265);
@@ -480,9 +480,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t292 = c5 * t257;
         let t294 = t292 + s5 * t259;
         let t297 = s5 * t257 - c5 * t259;
-        let t301 = D5 * t294 - t269;
+        let t301 = k_D5 * t294 - t269;
         let t309 = v1_4_z * t297 + (v1_4_x * t294 + t261 * v1_5_z);
-        let t310 = t134 * t230 - z1_4_x * (t270 + D5 * t297) + t309;
+        let t310 = t134 * t230 - z1_4_x * (t270 + k_D5 * t297) + t309;
         let t314 = t301 - (t93 * t294 - t261 * t96);
         let t318 = t301 + (t261 * v3_5_z - t97 * t294);
         put(21, t310); // row 1, MSY5R
@@ -548,9 +548,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t387, t388, t390, t391, t392, t393, t394, t395,
         t396,
     ] = {
-        let t360 = t230 - D6 * t257;
-        let t361 = a5_y - D6 * t259;
-        let t362 = D6 * t261 - t226;
+        let t360 = t230 - k_D6 * t257;
+        let t361 = a5_y - k_D6 * t259;
+        let t362 = k_D6 * t261 - t226;
         let t365 = c6 * t360 + s6 * t362;
         let a6_y = s6 * t360 - c6 * t362;
         let w6_x = c6 * w5_x - s6 * w5_z;
@@ -592,12 +592,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t402 = s6 * t391 + t401;
         let t403 = s6 * t361;
         let t404 = c6 * t361;
-        let t407 = t403 + D6 * t402;
-        let t408 = t404 + D6 * t399;
+        let t407 = t403 + k_D6 * t402;
+        let t408 = t404 + k_D6 * t399;
         let t411 = c5 * t399 + s5 * t395;
         let t414 = s5 * t399 - c5 * t395;
-        let t424 = s5 * t407 + c5 * a6_y - D5 * t411;
-        let t427 = z1_4_x * (c5 * t407 - s5 * a6_y + D5 * t414) + t134 * t408;
+        let t424 = s5 * t407 + c5 * a6_y - k_D5 * t411;
+        let t427 = z1_4_x * (c5 * t407 - s5 * a6_y + k_D5 * t414) + t134 * t408;
         let t433 = t427 - (v1_4_z * t414 + (v1_4_x * t411 - v1_5_z * t402));
         let t437 = t424 + (t93 * t411 + t96 * t402);
         let t441 = t424 + (t97 * t411 + v3_5_z * t402);
@@ -614,12 +614,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t444 = t442 - s6 * t394;
         let t445 = s6 * t392;
         let t447 = t445 + c6 * t394;
-        let t450 = t404 + D6 * t447;
-        let t451 = D6 * t444 - t403;
+        let t450 = t404 + k_D6 * t447;
+        let t451 = k_D6 * t444 - t403;
         let t454 = c5 * t444 - s5 * t396;
         let t457 = s5 * t444 + c5 * t396;
-        let t467 = s5 * t450 + c5 * t365 - D5 * t454;
-        let t470 = z1_4_x * (c5 * t450 - s5 * t365 + D5 * t457) + t134 * t451;
+        let t467 = s5 * t450 + c5 * t365 - k_D5 * t454;
+        let t470 = z1_4_x * (c5 * t450 - s5 * t365 + k_D5 * t457) + t134 * t451;
         let t476 = t470 - (v1_4_z * t457 - (v1_5_z * t447 - v1_4_x * t454));
         let t480 = t467 + (t93 * t454 + t96 * t447);
         let t484 = t467 + (t97 * t454 + v3_5_z * t447);

@@ -5,7 +5,7 @@
 //! 218 multiplications, 180 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, BASE, Trig};
+use super::super::{DOF, BASE, Trig, constants};
 
 /// Coriolis and centrifugal torques `C dq`: every entry of `out` is written.
 #[inline]
@@ -26,11 +26,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         XY3, XZ3R, YZ3, MSX4, MSY4R, XX4R, _, XY4, XZ4, YZ4, MSX5, MSY5R,
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6,
         ..] = *beta;
-    let D4 = S::constant(0.17415);
-    let D5 = S::constant(0.11985);
-    let D6 = S::constant(0.11655);
     let k0 = S::constant(0.6127);
     let k1 = S::constant(0.57155);
+    let k_D4 = S::constant(constants::D4);
+    let k_D5 = S::constant(constants::D5);
+    let k_D6 = S::constant(constants::D6);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -88,7 +88,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let t49 = a3_y - t30 * k1;
         let a4_x = s4 * t49 - c4 * t48;
         let a4_y = c4 * t49 + s4 * t48;
-        let t58 = t19 + (t36 * k1 + D4 * t0);
+        let t58 = t19 + (t36 * k1 + k_D4 * t0);
         let w4_x = dq1 * t40;
         let w4_y = dq1 * t43;
         let t61 = w4_x * w4_x;
@@ -111,9 +111,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         t98, t99, t100, dw5_x, t102, t103, t104, t105,
         t106, t107, t108, t109,
     ] = {
-        let t74 = a4_x - D5 * t63;
-        let t75 = a4_y + D5 * t68;
-        let t76 = t58 + D5 * t70;
+        let t74 = a4_x - k_D5 * t63;
+        let t75 = a4_y + k_D5 * t68;
+        let t76 = t58 + k_D5 * t70;
         let a5_x = c5 * t74 - s5 * t76;
         let t82 = c5 * t76 + s5 * t74;
         let w5_x = c5 * w4_x + s5 * w4_z;
@@ -174,8 +174,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
     };
     // link 6: force and moment
     let [f6_z, n6_z, t194, t197, t200, t203] = {
-        let t144 = XZ6 - D6 * MSX6;
-        let t146 = YZ6 - D6 * MSY6;
+        let t144 = XZ6 - k_D6 * MSX6;
+        let t146 = YZ6 - k_D6 * MSY6;
         let t167 = XX6R * t131 - ZZ6 * t102 + XY6 * (t137 + t140) + t127 * t144;
         let t169 = t146 * (t107 - t140);
         let t172 = XX6R * dw6_x - ZZ6 * t133 - XY6 * t141 - t139 * t144 + t169;
@@ -207,8 +207,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let n5_z = t224 - YZ5 * t91 - (MSX5 * t82 + MSY5R * a5_x) - t203;
         let t257 = c5 * f5_x - s5 * f5_y;
         let t260 = s5 * f5_x + c5 * f5_y;
-        let t269 = c5 * n5_x - s5 * n5_y - D5 * t260;
-        let t270 = s5 * n5_x + c5 * n5_y + D5 * t257;
+        let t269 = c5 * n5_x - s5 * n5_y - k_D5 * t260;
+        let t270 = s5 * n5_x + c5 * n5_y + k_D5 * t257;
         put(4, n5_z);
         [f5_z, n5_z, t257, t260, t269, t270]
     };
@@ -224,8 +224,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         let n4_z = t270 + (MSX4 * a4_y - MSY4R * a4_x) - t0 * t276;
         let t309 = c4 * f4_x - s4 * f4_y;
         let t312 = s4 * f4_x + c4 * f4_y;
-        let t324 = c4 * n4_x - s4 * n4_y - D4 * t312;
-        let t325 = s4 * n4_x + c4 * n4_y + (D4 * t309 + k1 * f4_z);
+        let t324 = c4 * n4_x - s4 * n4_y - k_D4 * t312;
+        let t325 = s4 * n4_x + c4 * n4_y + (k_D4 * t309 + k1 * f4_z);
         let t326 = n4_z - k1 * t312;
         put(3, n4_z);
         [t284, f4_z, t309, t312, t324, t325, t326]

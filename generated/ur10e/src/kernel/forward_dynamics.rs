@@ -5,7 +5,7 @@
 //! 514 multiplications, 420 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, BASE, Trig};
+use super::super::{DOF, BASE, Trig, constants};
 
 /// Accelerations that torques cause: every entry of `out` is written.
 #[inline]
@@ -29,13 +29,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         IA3, IA4, IA5, IA6, FV1, FV2, FV3, FV4, FV5, FV6, FC1, FC2,
         FC3, FC4, FC5, FC6, FO1, FO2, FO3, FO4, FO5, FO6,
         ..] = *beta;
-    let D4 = S::constant(0.17415);
-    let D5 = S::constant(0.11985);
-    let D6 = S::constant(0.11655);
     let k3 = S::constant(0.57155);
     let k4 = S::constant(0.6127);
     let k5 = S::constant(9.81);
     let k6 = S::constant(1.0);
+    let k_D4 = S::constant(constants::D4);
+    let k_D5 = S::constant(constants::D5);
+    let k_D6 = S::constant(constants::D6);
     // composite body 6
     let [
         t0, t3, t6, t15, t16, t20, t23, t28,
@@ -44,18 +44,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t0 = ZZ6 + IA6;
         let t3 = c6 * MSY6 + s6 * MSX6;
         let t6 = c6 * MSX6 - s6 * MSY6;
-        let t15 = c6 * XZ6 - s6 * YZ6 - D6 * t6;
-        let t16 = s6 * XZ6 + c6 * YZ6 - D6 * t3;
+        let t15 = c6 * XZ6 - s6 * YZ6 - k_D6 * t6;
+        let t16 = s6 * XZ6 + c6 * YZ6 - k_D6 * t3;
         let t17 = c5 * t3;
         let t18 = s5 * t3;
         let t20 = s5 * ZZ6;
         let t23 = c5 * ZZ6;
-        let t27 = c5 * t15 - t20 + D5 * t18;
-        let t28 = s5 * t15 + t23 - D5 * t17;
+        let t27 = c5 * t15 - t20 + k_D5 * t18;
+        let t28 = s5 * t15 + t23 - k_D5 * t17;
         let t31 = c4 * t17 + s4 * t6;
         let t34 = c4 * t6 - s4 * t17;
-        let t46 = c4 * t27 - s4 * t16 - D4 * t34;
-        let t47 = s4 * t27 + c4 * t16 - (D4 * t31 + t18 * k3);
+        let t46 = c4 * t27 - s4 * t16 - k_D4 * t34;
+        let t47 = s4 * t27 + c4 * t16 - (k_D4 * t31 + t18 * k3);
         let t48 = t28 - t34 * k3;
         let t61 = t48 - (c3 * t34 - s3 * t31) * k4;
         let t63 = c2 * (s3 * t46 + c3 * t47 - t18 * k4);
@@ -86,12 +86,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t87 = IA5 + t83;
         let t90 = c5 * MSY5R + s5 * t81;
         let t93 = c5 * t81 - s5 * MSY5R;
-        let t102 = c5 * t85 - s5 * t86 - D5 * t93;
-        let t103 = s5 * t85 + c5 * t86 - D5 * t90;
+        let t102 = c5 * t85 - s5 * t86 - k_D5 * t93;
+        let t103 = s5 * t85 + c5 * t86 - k_D5 * t90;
         let t104 = c4 * t90;
         let t105 = s4 * t90;
-        let t117 = c4 * t102 + s4 * t83 + D4 * t105;
-        let t118 = s4 * t102 - c4 * t83 + (k3 * t93 - D4 * t104);
+        let t117 = c4 * t102 + s4 * t83 + k_D4 * t105;
+        let t118 = s4 * t102 - c4 * t83 + (k3 * t93 - k_D4 * t104);
         let t119 = t103 + k3 * t105;
         let t132 = t119 + k4 * (s3 * t104 + c3 * t105);
         let t134 = c2 * (s3 * t117 + c3 * t118 + k4 * t93);
@@ -102,10 +102,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t143 = t23 + t137;
         let t149 = c5 * t141 - s5 * t143;
         let t153 = t90 + t90;
-        let t154 = D5 * t80;
+        let t154 = k_D5 * t80;
         let t155 = c5 * (c5 * t82 - t137) - s5 * (t140 - t20) - t154;
         let t156 = s5 * t141 + c5 * t143 - t154;
-        let t158 = D5 * t3;
+        let t158 = k_D5 * t3;
         let t160 = t83 - t154 + (t158 + t158);
         [
         t87, t90, t93, t102, t103, t119, t132, t135,
@@ -128,10 +128,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t171 = c4 * t162 + s4 * t161;
         let t174 = c4 * t161 - s4 * t162;
         let t177 = c4 * t166 - s4 * t167;
-        let t181 = D4 * t174;
+        let t181 = k_D4 * t174;
         let t183 = k3 * t174;
         let t184 = t177 - t181;
-        let t185 = s4 * t166 + c4 * t167 - D4 * t171;
+        let t185 = s4 * t166 + c4 * t167 - k_D4 * t171;
         let t186 = t164 - t183;
         let t197 = t186 - k4 * (c3 * t174 - s3 * t171);
         let t199 = c2 * (s3 * t184 + c3 * t185);
@@ -140,13 +140,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t205 = c4 * t165;
         let t206 = s4 * t163 + t205;
         let t210 = t202 + c4 * t160;
-        let t223 = D4 * t153 - k3 * (t174 + t174);
+        let t223 = k_D4 * t153 - k3 * (t174 + t174);
         let t224 = c4 * (c4 * t163 - t202) - s4 * (t205 - s4 * t160) + t223;
         let t226 = t224 + (t183 + t183);
         let t228 = c4 * t206 - s4 * t210 + k3 * t171;
         let t231 = t177 - (t181 - k3 * t90);
         let t232 = s4 * t206 + c4 * t210 + t223;
-        let t234 = D4 * t90;
+        let t234 = k_D4 * t90;
         let t236 = t164 + t223 - (t234 + t234);
         [
         t168, t171, t174, t185, t186, t197, t200, t226,
@@ -261,7 +261,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let t363 = a3_y - k3 * t344;
         let a4_x = c4 * t362 + s4 * t363;
         let a4_y = c4 * t363 - s4 * t362;
-        let t372 = t331 + (k3 * t350 + D4 * t310);
+        let t372 = t331 + (k3 * t350 + k_D4 * t310);
         let w4_x = dq1 * t354;
         let w4_y = dq1 * t357;
         let t375 = w4_x * w4_x;
@@ -284,9 +284,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         t412, t413, t414, dw5_x, t416, t417, t418, t419,
         t420, t421, t422, t423,
     ] = {
-        let t388 = a4_x - D5 * t377;
-        let t389 = a4_y + D5 * t382;
-        let t390 = t372 + D5 * t384;
+        let t388 = a4_x - k_D5 * t377;
+        let t389 = a4_y + k_D5 * t382;
+        let t390 = t372 + k_D5 * t384;
         let a5_x = c5 * t388 - s5 * t390;
         let t396 = c5 * t390 + s5 * t388;
         let w5_x = c5 * w4_x + s5 * w4_z;
@@ -347,8 +347,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
     };
     // link 6: force and moment
     let [f6_z, n6_z, t508, t511, t514, t517] = {
-        let t458 = XZ6 - D6 * MSX6;
-        let t460 = YZ6 - D6 * MSY6;
+        let t458 = XZ6 - k_D6 * MSX6;
+        let t460 = YZ6 - k_D6 * MSY6;
         let t481 = XX6R * t445 - ZZ6 * t416 + XY6 * (t451 + t454) + t441 * t458;
         let t483 = t460 * (t421 - t454);
         let t486 = XX6R * dw6_x - ZZ6 * t447 - XY6 * t455 - t453 * t458 + t483;
@@ -379,8 +379,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let n5_z = t538 - YZ5 * t405 - (MSX5 * t396 + MSY5R * a5_x) - t517;
         let t571 = c5 * f5_x - s5 * f5_y;
         let t574 = s5 * f5_x + c5 * f5_y;
-        let t583 = c5 * n5_x - s5 * n5_y - D5 * t574;
-        let t584 = s5 * n5_x + c5 * n5_y + D5 * t571;
+        let t583 = c5 * n5_x - s5 * n5_y - k_D5 * t574;
+        let t584 = s5 * n5_x + c5 * n5_y + k_D5 * t571;
         [f5_z, n5_z, t571, t574, t583, t584]
     };
     // link 4: force and moment
@@ -395,8 +395,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], tau: &[S; DOF], beta: &[S; 
         let n4_z = t584 + (MSX4 * a4_y - MSY4R * a4_x) - t310 * t590;
         let t623 = c4 * f4_x - s4 * f4_y;
         let t626 = s4 * f4_x + c4 * f4_y;
-        let t638 = c4 * n4_x - s4 * n4_y - D4 * t626;
-        let t639 = s4 * n4_x + c4 * n4_y + (D4 * t623 + k3 * f4_z);
+        let t638 = c4 * n4_x - s4 * n4_y - k_D4 * t626;
+        let t639 = s4 * n4_x + c4 * n4_y + (k_D4 * t623 + k3 * f4_z);
         let t640 = n4_z - k3 * t626;
         [t598, f4_z, n4_z, t623, t626, t638, t639, t640]
     };

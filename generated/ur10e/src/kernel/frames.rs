@@ -5,7 +5,7 @@
 //! 64 multiplications, 50 additions; 6 x 3 x 4, 61 of 72 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 61;
@@ -65,13 +65,13 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [s1, s2, s3, s4, s5, s6] = trig.sin;
     let [c1, c2, c3, c4, c5, c6] = trig.cos;
-    let D1 = S::constant(0.1807);
-    let D4 = S::constant(0.17415);
-    let D5 = S::constant(0.11985);
-    let D6 = S::constant(0.11655);
     let k0 = S::constant(0.6127);
     let k2 = S::constant(0.57155);
     let k6 = S::constant(1.0);
+    let k_D1 = S::constant(constants::D1);
+    let k_D4 = S::constant(constants::D4);
+    let k_D5 = S::constant(constants::D5);
+    let k_D6 = S::constant(constants::D6);
     // frame 2
     let [t0, t1, t2, t3] = {
         let t0 = c1 * c2;
@@ -84,7 +84,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(2, s1); // [0][1][0]
         put(3, c1); // [0][1][1]
         put(4, k6); // [0][2][2]
-        put(5, D1); // [0][2][3]
+        put(5, k_D1); // [0][2][3]
         put(6, t0); // [1][0][0]
         put(7, t4); // [1][0][1]
         put(8, s1); // [1][0][2]
@@ -92,7 +92,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         put(10, t5); // [1][1][1]
         put(12, s2); // [1][2][0]
         put(13, c2); // [1][2][1]
-        put(14, D1); // [1][2][3]
+        put(14, k_D1); // [1][2][3]
         put(17, s1); // [2][0][2]
         put(28, s1); // [3][0][2]
         [t0, t1, t2, t3]
@@ -104,7 +104,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     ] = {
         let t6 = t0 * k0;
         let t7 = t2 * k0;
-        let t9 = D1 - s2 * k0;
+        let t9 = k_D1 - s2 * k0;
         let t12 = c3 * t0 - s3 * t1;
         let t15 = c3 * t1 + s3 * t0;
         let t18 = c3 * t2 - s3 * t3;
@@ -134,8 +134,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t39, t40, t41, t44, t47, t50, t53, t56,
         t59,
     ] = {
-        let t39 = s1 * D4 - t12 * k2 - t6;
-        let t40 = t7 + (t18 * k2 + c1 * D4);
+        let t39 = s1 * k_D4 - t12 * k2 - t6;
+        let t40 = t7 + (t18 * k2 + c1 * k_D4);
         let t41 = t9 - t24 * k2;
         let t44 = c4 * t12 - s4 * t15;
         let t47 = c4 * t15 + s4 * t12;
@@ -169,9 +169,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t67, t68, t69, t72, t75, t78, t81, t82,
         t83,
     ] = {
-        let t67 = t39 + D5 * t47;
-        let t68 = D5 * t53 - t40;
-        let t69 = t41 - D5 * t59;
+        let t67 = t39 + k_D5 * t47;
+        let t68 = k_D5 * t53 - t40;
+        let t69 = t41 - k_D5 * t59;
         let t72 = c5 * t44 + s1 * s5;
         let t75 = s1 * c5 - s5 * t44;
         let t78 = c5 * t50 - c1 * s5;
@@ -199,9 +199,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // frame 6
     {
-        let t89 = t67 + D6 * t75;
-        let t90 = t68 - D6 * t81;
-        let t91 = t69 - D6 * t83;
+        let t89 = t67 + k_D6 * t75;
+        let t90 = t68 - k_D6 * t81;
+        let t91 = t69 - k_D6 * t83;
         let t94 = c6 * t72 - s6 * t47;
         let t100 = c6 * t78 - s6 * t53;
         let t106 = c6 * t82 + s6 * t59;

@@ -5,7 +5,7 @@
 //! 111 multiplications, 63 additions; 6 x 60, 59 of 360 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 59;
@@ -79,13 +79,13 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [_, s2, s3, s4, s5, s6] = trig.sin;
     let [_, c2, c3, c4, c5, c6] = trig.cos;
-    let A3 = S::constant(-0.57155);
-    let D4 = S::constant(0.17415);
-    let D5 = S::constant(0.11985);
-    let D6 = S::constant(0.11655);
     let k0 = S::constant(9.81);
     let k1 = S::constant(0.6127);
     let k3 = S::constant(0.57155);
+    let k_A3 = S::constant(constants::A3);
+    let k_D4 = S::constant(constants::D4);
+    let k_D5 = S::constant(constants::D5);
+    let k_D6 = S::constant(constants::D6);
     // link 2: motion
     let [a2_x, a2_y] = {
         let a2_x = s2 * k0;
@@ -149,12 +149,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // joint axes in frame 4
     let [v1_4_z, t47, v1_5_z, t54, t57, t58, v3_5_z] = {
-        let t41 = D4 * z1_3_y;
-        let t42 = D4 * z1_3_x;
+        let t41 = k_D4 * z1_3_y;
+        let t42 = k_D4 * z1_3_x;
         let v1_4_z = v1_3_z + z1_3_y * k3;
         let t47 = s4 * t42 - c4 * t41;
         let v1_5_z = c4 * t42 + s4 * t41;
-        let t51 = t40 - A3;
+        let t51 = t40 - k_A3;
         let t54 = c4 * t39 + s4 * t51;
         let t57 = c4 * t51 - s4 * t39;
         let t58 = s4 * k3;
@@ -200,8 +200,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         let t83 = c5 * t30 + t82;
         let t85 = c5 * a5_y;
         let t86 = s5 * t30 - t85;
-        let t88 = D5 * t83;
-        let t94 = z1_4_x * (D5 * t86) + (t70 + t47 * t83 - v1_4_z * t86);
+        let t88 = k_D5 * t83;
+        let t94 = z1_4_x * (k_D5 * t86) + (t70 + t47 * t83 - v1_4_z * t86);
         let t97 = t73 + t54 * t83 - t88;
         let t100 = t76 + t58 * t83 - t88;
         let t101 = -t83;
@@ -244,13 +244,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [t115, t118] = {
         let t115 = c6 * t34 + s6 * a6_y;
         let t118 = s6 * t34 - c6 * a6_y;
-        let t119 = D6 * t118;
-        let t120 = D6 * t115;
+        let t119 = k_D6 * t118;
+        let t120 = k_D6 * t115;
         let t122 = t82 + c5 * t115;
         let t124 = s5 * t115 - t85;
-        let t130 = s5 * t119 - D5 * t122;
+        let t130 = s5 * t119 - k_D5 * t122;
         let t138 = v1_4_z * t124 - (t47 * t122 + v1_5_z * t118);
-        let t139 = z1_4_x * (c5 * t119 + D5 * t124) + t22 * t120 - t138;
+        let t139 = z1_4_x * (c5 * t119 + k_D5 * t124) + t22 * t120 - t138;
         let t143 = t130 + (t54 * t122 + t57 * t118);
         let t147 = t130 + (t58 * t122 + v3_5_z * t118);
         put(8, t139); // row 1, M6

@@ -5,7 +5,7 @@
 //! 309 multiplications, 289 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, STANDARD, Trig};
+use super::super::{DOF, STANDARD, Trig, constants};
 
 /// Torques from the standard parameters: every entry of `out` is written.
 #[inline]
@@ -31,12 +31,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         IA1, IA2, IA3, IA4, IA5, IA6, FV1, FV2, FV3, FV4, FV5, FV6,
         FC1, FC2, FC3, FC4, FC5, FC6, FO1, FO2, FO3, FO4, FO5, FO6,
         ..] = *phi;
-    let D4 = S::constant(0.17415);
-    let D5 = S::constant(0.11985);
-    let D6 = S::constant(0.11655);
     let k0 = S::constant(9.81);
     let k1 = S::constant(0.6127);
     let k2 = S::constant(0.57155);
+    let k_D4 = S::constant(constants::D4);
+    let k_D5 = S::constant(constants::D5);
+    let k_D6 = S::constant(constants::D6);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -103,9 +103,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let t58 = c4 * t21 - s4 * t18;
         let w4_z = w3_z + dq4;
         let dw4_z = dw3_z + ddq4;
-        let t70 = a3_x + (D4 * t35 - t47 * k2);
-        let t71 = a3_y - (t49 * k2 + D4 * t36);
-        let t72 = t26 + (t51 * k2 + D4 * t0);
+        let t70 = a3_x + (k_D4 * t35 - t47 * k2);
+        let t71 = a3_y - (t49 * k2 + k_D4 * t36);
+        let t72 = t26 + (t51 * k2 + k_D4 * t0);
         let a4_x = c4 * t70 + s4 * t71;
         let a4_y = c4 * t71 - s4 * t70;
         let t79 = ddq1 * t58;
@@ -137,9 +137,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         dw5_z, t125, t126, t127, dw5_x, t129, t130, t131,
         t132, t133, t134, t135, t136,
     ] = {
-        let t100 = a4_x - D5 * t92;
-        let t101 = a4_y + D5 * t94;
-        let t102 = t72 + D5 * t96;
+        let t100 = a4_x - k_D5 * t92;
+        let t101 = a4_y + k_D5 * t94;
+        let t102 = t72 + k_D5 * t96;
         let a5_x = c5 * t100 - s5 * t102;
         let t108 = c5 * t102 + s5 * t100;
         let w5_x = c5 * w4_x + s5 * w4_z;
@@ -174,9 +174,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         t167, dw6_x, dw6_y, t170, t171, t172, t173, t174,
         t175, t176,
     ] = {
-        let t140 = a5_x + D6 * t132;
-        let t141 = t108 + D6 * t134;
-        let t142 = D6 * t136 - t101;
+        let t140 = a5_x + k_D6 * t132;
+        let t141 = t108 + k_D6 * t134;
+        let t142 = k_D6 * t136 - t101;
         let a6_x = c6 * t140 - s6 * t142;
         let t148 = c6 * t142 + s6 * t140;
         let w6_x = c6 * w5_x - s6 * w5_z;
@@ -219,8 +219,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let n6_z = t201 + YZ6 * t157 - (MSX6 * t148 + MSY6 * a6_x);
         let t244 = c6 * f6_x - s6 * f6_y;
         let t247 = s6 * f6_x + c6 * f6_y;
-        let t256 = c6 * n6_x - s6 * n6_y - D6 * t247;
-        let t257 = s6 * n6_x + c6 * n6_y + D6 * t244;
+        let t256 = c6 * n6_x - s6 * n6_y - k_D6 * t247;
+        let t257 = s6 * n6_x + c6 * n6_y + k_D6 * t244;
         [f6_z, n6_z, t244, t247, t256, t257]
     };
     // link 5: force and moment
@@ -237,8 +237,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let n5_z = t282 - YZ5 * t117 - (MSX5 * t108 + MSY5 * a5_x) - t257;
         let t331 = c5 * f5_x - s5 * f5_y;
         let t334 = s5 * f5_x + c5 * f5_y;
-        let t343 = c5 * n5_x - s5 * n5_y - D5 * t334;
-        let t344 = s5 * n5_x + c5 * n5_y + D5 * t331;
+        let t343 = c5 * n5_x - s5 * n5_y - k_D5 * t334;
+        let t344 = s5 * n5_x + c5 * n5_y + k_D5 * t331;
         [f5_z, n5_z, t331, t334, t343, t344]
     };
     // link 4: force and moment
@@ -257,8 +257,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         let n4_z = ZZ4 * dw4_z + ddq1 * t354 - t0 * t351 + t409;
         let t413 = c4 * f4_x - s4 * f4_y;
         let t416 = s4 * f4_x + c4 * f4_y;
-        let t428 = c4 * n4_x - s4 * n4_y - D4 * t416;
-        let t429 = s4 * n4_x + c4 * n4_y + (D4 * t413 + k2 * f4_z);
+        let t428 = c4 * n4_x - s4 * n4_y - k_D4 * t416;
+        let t429 = s4 * n4_x + c4 * n4_y + (k_D4 * t413 + k2 * f4_z);
         let t430 = n4_z - k2 * t416;
         [t368, f4_z, n4_z, t413, t416, t428, t429, t430]
     };

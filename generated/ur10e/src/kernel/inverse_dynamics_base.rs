@@ -5,7 +5,7 @@
 //! 265 multiplications, 238 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, BASE, Trig};
+use super::super::{DOF, BASE, Trig, constants};
 
 /// Torques from the base parameters: every entry of `out` is written.
 #[inline]
@@ -29,12 +29,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         IA3, IA4, IA5, IA6, FV1, FV2, FV3, FV4, FV5, FV6, FC1, FC2,
         FC3, FC4, FC5, FC6, FO1, FO2, FO3, FO4, FO5, FO6,
         ..] = *beta;
-    let D4 = S::constant(0.17415);
-    let D5 = S::constant(0.11985);
-    let D6 = S::constant(0.11655);
     let k0 = S::constant(9.81);
     let k1 = S::constant(0.6127);
     let k2 = S::constant(0.57155);
+    let k_D4 = S::constant(constants::D4);
+    let k_D5 = S::constant(constants::D5);
+    let k_D6 = S::constant(constants::D6);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -101,9 +101,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let t58 = c4 * t21 - s4 * t18;
         let w4_z = w3_z + dq4;
         let dw4_z = dw3_z + ddq4;
-        let t70 = a3_x + (D4 * t35 - t47 * k2);
-        let t71 = a3_y - (t49 * k2 + D4 * t36);
-        let t72 = t26 + (t51 * k2 + D4 * t0);
+        let t70 = a3_x + (k_D4 * t35 - t47 * k2);
+        let t71 = a3_y - (t49 * k2 + k_D4 * t36);
+        let t72 = t26 + (t51 * k2 + k_D4 * t0);
         let a4_x = c4 * t70 + s4 * t71;
         let a4_y = c4 * t71 - s4 * t70;
         let t80 = ddq1 * t55;
@@ -134,9 +134,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         dw5_z, t125, t126, t127, dw5_x, t129, t130, t131,
         t132, t133, t134, t135, t136,
     ] = {
-        let t100 = a4_x - D5 * t92;
-        let t101 = a4_y + D5 * t94;
-        let t102 = t72 + D5 * t96;
+        let t100 = a4_x - k_D5 * t92;
+        let t101 = a4_y + k_D5 * t94;
+        let t102 = t72 + k_D5 * t96;
         let a5_x = c5 * t100 - s5 * t102;
         let t108 = c5 * t102 + s5 * t100;
         let w5_x = c5 * w4_x + s5 * w4_z;
@@ -199,8 +199,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
     };
     // link 6: force and moment
     let [f6_z, n6_z, t222, t225, t228, t231] = {
-        let t172 = XZ6 - D6 * MSX6;
-        let t174 = YZ6 - D6 * MSY6;
+        let t172 = XZ6 - k_D6 * MSX6;
+        let t174 = YZ6 - k_D6 * MSY6;
         let t195 = XX6R * t159 + ZZ6 * dw6_z + XY6 * (t165 + t168) + t154 * t172;
         let t197 = t174 * (t134 - t168);
         let t200 = XX6R * dw6_x - ZZ6 * t161 - XY6 * t169 + t167 * t172 + t197;
@@ -231,8 +231,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let n5_z = t252 - YZ5 * t117 - (MSX5 * t108 + MSY5R * a5_x) - t231;
         let t285 = c5 * f5_x - s5 * f5_y;
         let t288 = s5 * f5_x + c5 * f5_y;
-        let t297 = c5 * n5_x - s5 * n5_y - D5 * t288;
-        let t298 = s5 * n5_x + c5 * n5_y + D5 * t285;
+        let t297 = c5 * n5_x - s5 * n5_y - k_D5 * t288;
+        let t298 = s5 * n5_x + c5 * n5_y + k_D5 * t285;
         [f5_z, n5_z, t285, t288, t297, t298]
     };
     // link 4: force and moment
@@ -251,8 +251,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         let n4_z = ZZ4R * dw4_z + ddq1 * t307 - t0 * t304 + t344;
         let t348 = c4 * f4_x - s4 * f4_y;
         let t351 = s4 * f4_x + c4 * f4_y;
-        let t363 = c4 * n4_x - s4 * n4_y - D4 * t351;
-        let t364 = s4 * n4_x + c4 * n4_y + (D4 * t348 + k2 * f4_z);
+        let t363 = c4 * n4_x - s4 * n4_y - k_D4 * t351;
+        let t364 = s4 * n4_x + c4 * n4_y + (k_D4 * t348 + k2 * f4_z);
         let t365 = n4_z - k2 * t351;
         [t319, f4_z, n4_z, t348, t351, t363, t364, t365]
     };

@@ -5,7 +5,7 @@
 //! 65 multiplications, 40 additions; 6 x 6, 27 of 36 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 27;
@@ -59,13 +59,13 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [s1, s2, s3, s4, s5, ..] = trig.sin;
     let [c1, c2, c3, c4, c5, ..] = trig.cos;
-    let D1 = S::constant(0.1807);
-    let D4 = S::constant(0.17415);
-    let D5 = S::constant(0.11985);
-    let D6 = S::constant(0.11655);
     let k0 = S::constant(0.6127);
     let k2 = S::constant(0.57155);
     let k6 = S::constant(1.0);
+    let k_D1 = S::constant(constants::D1);
+    let k_D4 = S::constant(constants::D4);
+    let k_D5 = S::constant(constants::D5);
+    let k_D6 = S::constant(constants::D6);
     // frame 2
     let [t0, t1, t2, t3] = {
         let t0 = c1 * c2;
@@ -85,7 +85,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     ] = {
         let t4 = t0 * k0;
         let t5 = t2 * k0;
-        let t7 = D1 - s2 * k0;
+        let t7 = k_D1 - s2 * k0;
         let t10 = s3 * t1 - c3 * t0;
         let t13 = c3 * t1 + s3 * t0;
         let t16 = c3 * t2 - s3 * t3;
@@ -102,8 +102,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t33, t34, t35, t38, t41, t44, t47, t50,
         t53,
     ] = {
-        let t33 = t10 * k2 + s1 * D4 - t4;
-        let t34 = t5 + (t16 * k2 + c1 * D4);
+        let t33 = t10 * k2 + s1 * k_D4 - t4;
+        let t34 = t5 + (t16 * k2 + c1 * k_D4);
         let t35 = t22 * k2 - t7;
         let t38 = c4 * t10 + s4 * t13;
         let t41 = c4 * t13 - s4 * t10;
@@ -121,9 +121,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // frame 5
     let [t57, t58, t59, t62, t65, t66] = {
-        let t57 = t33 + D5 * t41;
-        let t58 = t34 - D5 * t47;
-        let t59 = t35 - D5 * t53;
+        let t57 = t33 + k_D5 * t41;
+        let t58 = t34 - k_D5 * t47;
+        let t59 = t35 - k_D5 * t53;
         let t62 = s1 * c5 + s5 * t38;
         let t65 = s5 * t44 - c1 * c5;
         let t66 = s5 * t50;
@@ -134,9 +134,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // frame 6
     let [t67, t68, t69, t70, t71, t72] = {
-        let t67 = D6 * t62;
-        let t68 = D6 * t65;
-        let t69 = D6 * t66;
+        let t67 = k_D6 * t62;
+        let t68 = k_D6 * t65;
+        let t69 = k_D6 * t66;
         let t70 = t57 + t67;
         let t71 = t58 - t68;
         let t72 = t59 - t69;
@@ -146,7 +146,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // columns
     {
-        let t73 = D1 + t72;
+        let t73 = k_D1 + t72;
         let t74 = c1 * t73;
         let t75 = s1 * t73;
         let t78 = c1 * t70 - s1 * t71;

@@ -5,7 +5,7 @@
 //! 140 multiplications, 79 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`: every entry of `out` is written.
 #[inline]
@@ -21,11 +21,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     let [s1, s2, s3, s4, s5, s6] = trig.sin;
     let [c1, c2, c3, c4, c5, c6] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
-    let D4 = S::constant(0.17415);
-    let D5 = S::constant(0.11985);
-    let D6 = S::constant(0.11655);
     let k0 = S::constant(0.6127);
     let k1 = S::constant(0.57155);
+    let k_D4 = S::constant(constants::D4);
+    let k_D5 = S::constant(constants::D5);
+    let k_D6 = S::constant(constants::D6);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -77,7 +77,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         let t46 = a3_y - t30 * k1;
         let a4_x = s4 * t46 - c4 * t45;
         let a4_y = c4 * t46 + s4 * t45;
-        let t55 = t19 + (t34 * k1 + D4 * t0);
+        let t55 = t19 + (t34 * k1 + k_D4 * t0);
         let w4_x = dq1 * t37;
         let w4_y = dq1 * t40;
         let t60 = w4_x * w4_y;
@@ -97,9 +97,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     ] = {
         let t65 = c5 * t37;
         let t66 = s5 * t37;
-        let t70 = a4_x - D5 * t60;
-        let t71 = a4_y + D5 * t63;
-        let t72 = t55 + D5 * t64;
+        let t70 = a4_x - k_D5 * t60;
+        let t71 = a4_y + k_D5 * t63;
+        let t72 = t55 + k_D5 * t64;
         let a5_x = c5 * t70 - s5 * t72;
         let t78 = c5 * t72 + s5 * t70;
         let w5_x = c5 * w4_x + s5 * w4_z;
@@ -118,9 +118,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     };
     // link 6: motion
     let [t106, a6_x, t113, dw6_x, dw6_y] = {
-        let t105 = a5_x + D6 * t99;
-        let t106 = t78 + D6 * t100;
-        let t107 = D6 * t101 - t71;
+        let t105 = a5_x + k_D6 * t99;
+        let t106 = t78 + k_D6 * t100;
+        let t107 = k_D6 * t101 - t71;
         let a6_x = c6 * t105 - s6 * t107;
         let t113 = c6 * t107 + s6 * t105;
         let w6_x = c6 * w5_x - s6 * w5_z;

@@ -5,7 +5,7 @@
 //! 135 multiplications, 50 additions; 84, 53 of 84 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 53;
@@ -61,12 +61,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     let [_, s2, s3, s4, s5, s6] = trig.sin;
     let [_, c2, c3, c4, c5, c6] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
-    let D4 = S::constant(0.17415);
-    let D5 = S::constant(0.11985);
-    let D6 = S::constant(0.11655);
     let k0 = S::constant(0.6127);
     let k2 = S::constant(0.57155);
     let k5 = S::constant(0.5);
+    let k_D4 = S::constant(constants::D4);
+    let k_D5 = S::constant(constants::D5);
+    let k_D6 = S::constant(constants::D6);
     // link 2: velocity
     let [t0, t1] = {
         let t0 = s2 * dq1;
@@ -86,8 +86,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     };
     // link 4: velocity
     let [t20, t23, t26, t29, t32, t33] = {
-        let t18 = D4 * t9 - t10;
-        let t19 = t11 + (t12 * k2 + D4 * t6);
+        let t18 = k_D4 * t9 - t10;
+        let t19 = t11 + (t12 * k2 + k_D4 * t6);
         let t20 = t3 + t9 * k2;
         let t23 = c4 * t6 + s4 * t9;
         let t26 = c4 * t9 - s4 * t6;
@@ -98,8 +98,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     };
     // link 5: velocity
     let [t40, t43, t46, t49, t50] = {
-        let t36 = t29 + D5 * t33;
-        let t37 = t20 - D5 * t23;
+        let t36 = t29 + k_D5 * t33;
+        let t37 = t20 - k_D5 * t23;
         let t40 = c5 * t23 + s5 * t33;
         let t43 = c5 * t33 - s5 * t23;
         let t46 = c5 * t36 + s5 * t37;
@@ -109,8 +109,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     };
     // link 6: velocity
     let [t57, t60, t63, t66, t67] = {
-        let t53 = t46 - D6 * t50;
-        let t54 = t32 + D6 * t40;
+        let t53 = t46 - k_D6 * t50;
+        let t54 = t32 + k_D6 * t40;
         let t57 = c6 * t40 - s6 * t50;
         let t60 = c6 * t50 + s6 * t40;
         let t63 = c6 * t53 - s6 * t54;

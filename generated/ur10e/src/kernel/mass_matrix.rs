@@ -5,7 +5,7 @@
 //! 163 multiplications, 147 additions; 6 x 6, 36 of 36 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, Trig};
+use super::super::{BASE, Trig, constants};
 
 /// Mass matrix `M`, symmetric, kg m^2: every entry of `out` is written.
 #[inline]
@@ -26,11 +26,11 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6,
         IA3, IA4, IA5, IA6,
         ..] = *beta;
-    let D4 = S::constant(0.17415);
-    let D5 = S::constant(0.11985);
-    let D6 = S::constant(0.11655);
     let k3 = S::constant(0.57155);
     let k4 = S::constant(0.6127);
+    let k_D4 = S::constant(constants::D4);
+    let k_D5 = S::constant(constants::D5);
+    let k_D6 = S::constant(constants::D6);
     // composite body 6
     let [
         t3, t6, t15, t16, t20, t23, t73, t76,
@@ -39,18 +39,18 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t0 = ZZ6 + IA6;
         let t3 = c6 * MSY6 + s6 * MSX6;
         let t6 = c6 * MSX6 - s6 * MSY6;
-        let t15 = c6 * XZ6 - s6 * YZ6 - D6 * t6;
-        let t16 = D6 * t3 - (s6 * XZ6 + c6 * YZ6);
+        let t15 = c6 * XZ6 - s6 * YZ6 - k_D6 * t6;
+        let t16 = k_D6 * t3 - (s6 * XZ6 + c6 * YZ6);
         let t17 = c5 * t3;
         let t18 = s5 * t3;
         let t20 = s5 * ZZ6;
         let t23 = c5 * ZZ6;
-        let t27 = c5 * t15 - t20 + D5 * t18;
-        let t28 = s5 * t15 + t23 - D5 * t17;
+        let t27 = c5 * t15 - t20 + k_D5 * t18;
+        let t28 = s5 * t15 + t23 - k_D5 * t17;
         let t31 = c4 * t17 + s4 * t6;
         let t34 = s4 * t17 - c4 * t6;
-        let t46 = c4 * t27 + s4 * t16 + D4 * t34;
-        let t47 = D4 * t31 + t18 * k3 - (s4 * t27 - c4 * t16);
+        let t46 = c4 * t27 + s4 * t16 + k_D4 * t34;
+        let t47 = k_D4 * t31 + t18 * k3 - (s4 * t27 - c4 * t16);
         let t48 = t28 + t34 * k3;
         let t61 = t48 + (s3 * t31 + c3 * t34) * k4;
         let t63 = c2 * (s3 * t46 - c3 * t47 - t18 * k4);
@@ -92,12 +92,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t87 = IA5 + t83;
         let t90 = c5 * MSY5R + s5 * t81;
         let t93 = c5 * t81 - s5 * MSY5R;
-        let t102 = s5 * t86 - c5 * t85 + D5 * t93;
-        let t103 = s5 * t85 + c5 * t86 - D5 * t90;
+        let t102 = s5 * t86 - c5 * t85 + k_D5 * t93;
+        let t103 = s5 * t85 + c5 * t86 - k_D5 * t90;
         let t104 = c4 * t90;
         let t105 = s4 * t90;
-        let t117 = c4 * t102 - s4 * t83 - D4 * t105;
-        let t118 = s4 * t102 + c4 * t83 + (D4 * t104 - k3 * t93);
+        let t117 = c4 * t102 - s4 * t83 - k_D4 * t105;
+        let t118 = s4 * t102 + c4 * t83 + (k_D4 * t104 - k3 * t93);
         let t119 = t103 + k3 * t105;
         let t132 = t119 + k4 * (s3 * t104 + c3 * t105);
         let t134 = c2 * (s3 * t117 + c3 * t118 - k4 * t93);
@@ -108,10 +108,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t143 = t23 + t137;
         let t149 = c5 * t141 - s5 * t143;
         let t153 = t90 + t90;
-        let t154 = D5 * t80;
+        let t154 = k_D5 * t80;
         let t155 = t154 - (c5 * (c5 * t82 - t137) - s5 * (t140 - t20));
         let t156 = t154 - (s5 * t141 + c5 * t143);
-        let t158 = D5 * t3;
+        let t158 = k_D5 * t3;
         let t160 = t158 + t158 - (t154 - t83);
         put(4, t135); // [0][4]
         put(10, t132); // [1][4]
@@ -140,10 +140,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t171 = c4 * t162 + s4 * t161;
         let t174 = s4 * t162 - c4 * t161;
         let t177 = c4 * t166 + s4 * t167;
-        let t181 = D4 * t174;
+        let t181 = k_D4 * t174;
         let t183 = k3 * t174;
         let t184 = t177 + t181;
-        let t185 = D4 * t171 - (s4 * t166 - c4 * t167);
+        let t185 = k_D4 * t171 - (s4 * t166 - c4 * t167);
         let t186 = t183 - t164;
         let t197 = t186 + k4 * (s3 * t171 + c3 * t174);
         let t199 = c2 * (c3 * t185 - s3 * t184);
@@ -152,13 +152,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         let t205 = c4 * t165;
         let t206 = s4 * t163 + t205;
         let t210 = t202 + c4 * t160;
-        let t223 = k3 * (t174 + t174) + D4 * t153;
+        let t223 = k3 * (t174 + t174) + k_D4 * t153;
         let t224 = c4 * (c4 * t163 - t202) + s4 * (s4 * t160 - t205) + t223;
         let t226 = t224 - (t183 + t183);
         let t228 = k3 * t171 - (s4 * t210 - c4 * t206);
         let t231 = t177 + (t181 + k3 * t90);
         let t232 = s4 * t206 + c4 * t210 + t223;
-        let t234 = D4 * t90;
+        let t234 = k_D4 * t90;
         let t236 = t223 - t164 - (t234 + t234);
         put(3, t200); // [0][3]
         put(9, t197); // [1][3]

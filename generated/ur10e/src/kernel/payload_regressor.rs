@@ -5,7 +5,7 @@
 //! 252 multiplications, 176 additions; 6 x 10, 58 of 60 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 58;
@@ -61,13 +61,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [_, c2, c3, c4, c5, c6] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6] = *ddq;
-    let A3 = S::constant(-0.57155);
-    let D4 = S::constant(0.17415);
-    let D5 = S::constant(0.11985);
-    let D6 = S::constant(0.11655);
     let k0 = S::constant(9.81);
     let k1 = S::constant(0.6127);
     let k2 = S::constant(0.57155);
+    let k_A3 = S::constant(constants::A3);
+    let k_D4 = S::constant(constants::D4);
+    let k_D5 = S::constant(constants::D5);
+    let k_D6 = S::constant(constants::D6);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -121,9 +121,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t52 = c4 * t20 + s4 * z1_3_x;
         let w4_z = w3_z + dq4;
         let dw4_z = dw3_z + ddq4;
-        let t64 = t30 - (t44 * k2 - D4 * t34);
-        let t65 = t33 + (t45 * k2 + D4 * t35);
-        let t66 = t46 * k2 + D4 * t0 - t25;
+        let t64 = t30 - (t44 * k2 - k_D4 * t34);
+        let t65 = t33 + (t45 * k2 + k_D4 * t35);
+        let t66 = t46 * k2 + k_D4 * t0 - t25;
         let t69 = c4 * t64 + s4 * t65;
         let t72 = c4 * t65 - s4 * t64;
         let t75 = dq1 * t49;
@@ -145,9 +145,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     ] = {
         let t87 = c5 * t49;
         let t88 = s5 * t49;
-        let t92 = t69 + D5 * t84;
-        let t93 = t72 - D5 * t85;
-        let t94 = t66 - D5 * t86;
+        let t92 = t69 + k_D5 * t84;
+        let t93 = t72 - k_D5 * t85;
+        let t94 = t66 - k_D5 * t86;
         let t97 = c5 * t92 + s5 * t94;
         let t100 = c5 * t94 - s5 * t92;
         let w5_x = s5 * w4_z - c5 * t75;
@@ -173,12 +173,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // joint axes in frame 4
     let [v1_4_z, t134, v1_5_z, t141, t144, t145, v3_5_z] = {
-        let t128 = D4 * t20;
-        let t129 = D4 * z1_3_x;
+        let t128 = k_D4 * t20;
+        let t129 = k_D4 * z1_3_x;
         let v1_4_z = v1_3_z - t20 * k2;
         let t134 = c4 * t128 + s4 * t129;
         let v1_5_z = c4 * t129 - s4 * t128;
-        let t138 = t127 - A3;
+        let t138 = t127 - k_A3;
         let t141 = c4 * t126 + s4 * t138;
         let t144 = c4 * t138 - s4 * t126;
         let t145 = s4 * k2;
@@ -191,9 +191,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t177, t178, t179, t180, t181, t182, t183, t184,
         t185, t186,
     ] = {
-        let t150 = t97 - D6 * t122;
-        let t151 = t100 + D6 * t123;
-        let t152 = D6 * t124 - t93;
+        let t150 = t97 - k_D6 * t122;
+        let t151 = t100 + k_D6 * t123;
+        let t152 = k_D6 * t124 - t93;
         let t155 = c6 * t150 - s6 * t152;
         let a6_y = c6 * t152 + s6 * t150;
         let w6_x = c6 * w5_x - s6 * w5_z;
@@ -234,13 +234,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [t190, t193] = {
         let t190 = c6 * t155 + s6 * a6_y;
         let t193 = s6 * t155 - c6 * a6_y;
-        let t194 = D6 * t193;
-        let t195 = D6 * t190;
+        let t194 = k_D6 * t193;
+        let t195 = k_D6 * t190;
         let t198 = s5 * t151 - c5 * t190;
         let t201 = s5 * t190 + c5 * t151;
-        let t207 = s5 * t194 + D5 * t198;
+        let t207 = s5 * t194 + k_D5 * t198;
         let t215 = v1_5_z * t193 - t134 * t198 - v1_4_z * t201;
-        let t216 = t52 * t195 - t49 * (c5 * t194 + D5 * t201) + t215;
+        let t216 = t52 * t195 - t49 * (c5 * t194 + k_D5 * t201) + t215;
         let t220 = t207 + (t144 * t193 - t141 * t198);
         let t224 = t207 + (v3_5_z * t193 - t145 * t198);
         put(0, t216); // row 1, M
@@ -258,12 +258,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t230 = t229 - s6 * t181;
         let t231 = s6 * t151;
         let t232 = c6 * t151;
-        let t235 = t231 + D6 * t230;
-        let t236 = D6 * t227 - t232;
+        let t235 = t231 + k_D6 * t230;
+        let t236 = k_D6 * t227 - t232;
         let t239 = c5 * t227 + s5 * t185;
         let t242 = s5 * t227 - c5 * t185;
-        let t252 = c5 * a6_y - s5 * t235 - D5 * t239;
-        let t255 = t52 * t236 - t49 * (D5 * t242 - (c5 * t235 + s5 * a6_y));
+        let t252 = c5 * a6_y - s5 * t235 - k_D5 * t239;
+        let t255 = t52 * t236 - t49 * (k_D5 * t242 - (c5 * t235 + s5 * a6_y));
         let t261 = t255 - (v1_4_z * t242 + (v1_5_z * t230 - t134 * t239));
         let t265 = t252 - (t144 * t230 - t141 * t239);
         let t269 = t252 + (t145 * t239 - v3_5_z * t230);
@@ -280,12 +280,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t272 = t270 - s6 * t184;
         let t273 = s6 * t182;
         let t275 = t273 + c6 * t184;
-        let t278 = D6 * t275 - t232;
-        let t279 = t231 + D6 * t272;
+        let t278 = k_D6 * t275 - t232;
+        let t279 = t231 + k_D6 * t272;
         let t282 = c5 * t272 - s5 * t186;
         let t285 = s5 * t272 + c5 * t186;
-        let t295 = s5 * t278 + c5 * t155 - D5 * t282;
-        let t298 = t49 * (s5 * t155 - c5 * t278 - D5 * t285) + t52 * t279;
+        let t295 = s5 * t278 + c5 * t155 - k_D5 * t282;
+        let t298 = t49 * (s5 * t155 - c5 * t278 - k_D5 * t285) + t52 * t279;
         let t304 = t298 + (t134 * t282 + v1_5_z * t275 - v1_4_z * t285);
         let t308 = t295 + (t141 * t282 + t144 * t275);
         let t312 = t295 + (t145 * t282 + v3_5_z * t275);
@@ -300,13 +300,13 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     {
         let t315 = c6 * t167 + s6 * t170;
         let t318 = c6 * t170 - s6 * t167;
-        let t321 = t193 + D6 * t318;
-        let t322 = t190 - D6 * t315;
+        let t321 = t193 + k_D6 * t318;
+        let t322 = t190 - k_D6 * t315;
         let t325 = c5 * t315 + s5 * t123;
         let t328 = s5 * t315 - c5 * t123;
-        let t334 = s5 * t321 + D5 * t325;
+        let t334 = s5 * t321 + k_D5 * t325;
         let t342 = v1_4_z * t328 + (v1_5_z * t318 - t134 * t325);
-        let t343 = t52 * t322 - t49 * (c5 * t321 - D5 * t328) + t342;
+        let t343 = t52 * t322 - t49 * (c5 * t321 - k_D5 * t328) + t342;
         let t347 = t334 - (t141 * t325 - t144 * t318);
         let t351 = t334 + (v3_5_z * t318 - t145 * t325);
         put(3, t343); // row 1, MSZ

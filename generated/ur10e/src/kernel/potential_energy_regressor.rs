@@ -5,7 +5,7 @@
 //! 32 multiplications, 12 additions; 84, 25 of 84 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 25;
@@ -62,16 +62,16 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [q1, q2, q3, q4, q5, q6] = trig.q;
     let [_, s2, s3, s4, s5, s6] = trig.sin;
     let [_, c2, c3, c4, c5, c6] = trig.cos;
-    let D1 = S::constant(0.1807);
-    let D5 = S::constant(0.11985);
-    let D6 = S::constant(0.11655);
     let k0 = S::constant(0.6127);
     let k2 = S::constant(0.57155);
     let k5 = S::constant(9.81);
     let k6 = S::constant(1.772667);
+    let k_D1 = S::constant(constants::D1);
+    let k_D5 = S::constant(constants::D5);
+    let k_D6 = S::constant(constants::D6);
     // frame 3
     let [t1, t4, t7] = {
-        let t1 = D1 - s2 * k0;
+        let t1 = k_D1 - s2 * k0;
         let t4 = s2 * c3 + c2 * s3;
         let t7 = c2 * c3 - s2 * s3;
         put(0, k6);
@@ -94,14 +94,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // frame 5
     let [t17, t18, t19] = {
-        let t17 = t9 - D5 * t15;
+        let t17 = t9 - k_D5 * t15;
         let t18 = c5 * t12;
         let t19 = s5 * t12;
         [t17, t18, t19]
     };
     // frame 6
     let [t21, t24, t27] = {
-        let t21 = t17 - D6 * t19;
+        let t21 = t17 - k_D6 * t19;
         let t24 = c6 * t18 + s6 * t15;
         let t27 = c6 * t15 - s6 * t18;
         [t21, t24, t27]

@@ -5,7 +5,7 @@
 //! 406 multiplications, 322 additions; 6 x 84, 212 of 504 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig};
+use super::super::{DOF, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 212;
@@ -110,14 +110,14 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [_, c2, c3, c4, c5, c6] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6] = *ddq;
-    let A3 = S::constant(-0.57155);
-    let D4 = S::constant(0.17415);
-    let D5 = S::constant(0.11985);
-    let D6 = S::constant(0.11655);
     let k0 = S::constant(0.6127);
     let k1 = S::constant(9.81);
     let k3 = S::constant(0.57155);
     let k7 = S::constant(1.0);
+    let k_A3 = S::constant(constants::A3);
+    let k_D4 = S::constant(constants::D4);
+    let k_D5 = S::constant(constants::D5);
+    let k_D6 = S::constant(constants::D6);
     // link 1: motion
     let t0 = {
         let t0 = dq1 * dq1;
@@ -284,12 +284,12 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // joint axes in frame 4
     let [t89, t92, t95, t99, t102, t103, v3_5_z] = {
-        let t86 = D4 * t52;
-        let t87 = D4 * z1_3_x;
+        let t86 = k_D4 * t52;
+        let t87 = k_D4 * z1_3_x;
         let t89 = t52 * k3 - v1_3_z;
         let t92 = c4 * t86 + s4 * t87;
         let t95 = s4 * t86 - c4 * t87;
-        let t96 = t3 - A3;
+        let t96 = t3 - k_A3;
         let t99 = c4 * t2 + s4 * t96;
         let t102 = c4 * t96 - s4 * t2;
         let t103 = s4 * k3;
@@ -371,9 +371,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t154 = c4 * t52 + s4 * z1_3_x;
         let w4_z = w3_z + dq4;
         let dw4_z = dw3_z + ddq4;
-        let t166 = t62 + (t78 * k3 + D4 * t66);
-        let t167 = a3_y - (t80 * k3 + D4 * t67);
-        let t168 = t82 * k3 + D4 * t0 - t57;
+        let t166 = t62 + (t78 * k3 + k_D4 * t66);
+        let t167 = a3_y - (t80 * k3 + k_D4 * t67);
+        let t168 = t82 * k3 + k_D4 * t0 - t57;
         let t171 = c4 * t166 - s4 * t167;
         let a4_y = c4 * t167 + s4 * t166;
         let t175 = ddq1 * t154;
@@ -421,9 +421,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     };
     // joint axes in frame 5
     let [t196, t197, t198] = {
-        let t196 = t89 + D5 * z1_4_x;
-        let t197 = D5 - t99;
-        let t198 = D5 - t103;
+        let t196 = t89 + k_D5 * z1_4_x;
+        let t197 = k_D5 - t99;
+        let t198 = k_D5 - t103;
         [t196, t197, t198]
     };
     // M4: column
@@ -513,9 +513,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     ] = {
         let z1_5_x = c5 * z1_4_x;
         let t274 = s5 * z1_4_x;
-        let t278 = t171 - D5 * t188;
-        let t279 = a4_y + D5 * t190;
-        let t280 = t168 - D5 * t192;
+        let t278 = t171 - k_D5 * t188;
+        let t279 = a4_y + k_D5 * t190;
+        let t280 = t168 - k_D5 * t192;
         let t283 = c5 * t278 + s5 * t280;
         let t286 = c5 * t280 - s5 * t278;
         let w5_x = c5 * w4_x + s5 * w4_z;
@@ -557,8 +557,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [t319, t322] = {
         let t319 = s5 * t286 - c5 * t283;
         let t322 = s5 * t283 + c5 * t286;
-        let t324 = D5 * t319;
-        let t331 = z1_4_x * (D5 * t322) + (t89 * t322 + (t279 * t95 - t92 * t319));
+        let t324 = k_D5 * t319;
+        let t331 = z1_4_x * (k_D5 * t322) + (t89 * t322 + (t279 * t95 - t92 * t319));
         let t335 = t324 - (t99 * t319 + t279 * t102);
         let t339 = t324 - (t103 * t319 + t279 * v3_5_z);
         put(28, t331); // row 1, M5
@@ -574,8 +574,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t345 = s5 * t309 - c5 * t311;
         let t346 = s5 * t279;
         let t347 = c5 * t279;
-        let t351 = t347 - D5 * t342;
-        let t354 = t154 * t286 - z1_4_x * (D5 * t345 - t346);
+        let t351 = t347 - k_D5 * t342;
+        let t354 = t154 * t286 - z1_4_x * (k_D5 * t345 - t346);
         let t360 = t89 * t345 + (t92 * t342 + t313 * t95) - t354;
         let t364 = t351 - (t313 * t102 - t99 * t342);
         let t368 = t351 + (t103 * t342 - t313 * v3_5_z);
@@ -592,9 +592,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t371 = t369 + t370;
         let t373 = c5 * t312;
         let t374 = t373 - s5 * t310;
-        let t378 = D5 * t371 - t346;
+        let t378 = k_D5 * t371 - t346;
         let t386 = t89 * t374 - (t92 * t371 + t314 * t95);
-        let t387 = z1_4_x * (D5 * t374 - t347) + t154 * t283 + t386;
+        let t387 = z1_4_x * (k_D5 * t374 - t347) + t154 * t283 + t386;
         let t391 = t378 + (t314 * t102 - t99 * t371);
         let t395 = t378 + (t314 * v3_5_z - t103 * t371);
         put(30, t387); // row 1, MSY5
@@ -607,8 +607,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     {
         let t398 = c5 * t295 + s5 * t298;
         let t401 = c5 * t298 - s5 * t295;
-        let t405 = t319 + D5 * t398;
-        let t411 = z1_4_x * (t322 + D5 * t401) + (t89 * t401 + (t227 - t92 * t398));
+        let t405 = t319 + k_D5 * t398;
+        let t411 = z1_4_x * (t322 + k_D5 * t401) + (t89 * t401 + (t227 - t92 * t398));
         let t414 = t405 - (t233 + t99 * t398);
         let t417 = t405 - (t237 + t103 * t398);
         put(31, t411); // row 1, MSZ5
@@ -686,9 +686,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         t491, t492, t493, t494, t495, t496, t497, t498,
         t499, t500,
     ] = {
-        let t464 = t283 - D6 * t310;
-        let t465 = t286 + D6 * t312;
-        let t466 = t279 - D6 * t314;
+        let t464 = t283 - k_D6 * t310;
+        let t465 = t286 + k_D6 * t312;
+        let t466 = t279 - k_D6 * t314;
         let t469 = c6 * t464 - s6 * t466;
         let a6_y = c6 * t466 + s6 * t464;
         let w6_x = c6 * w5_x - s6 * w5_z;
@@ -729,15 +729,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [t504, t507] = {
         let t504 = c6 * t469 + s6 * a6_y;
         let t507 = s6 * t469 - c6 * a6_y;
-        let t508 = D6 * t507;
-        let t509 = D6 * t504;
+        let t508 = k_D6 * t507;
+        let t509 = k_D6 * t504;
         let t512 = s5 * t465 - c5 * t504;
         let t520 = t196 * (s5 * t504 + c5 * t465) - (t92 * t512 + t95 * t507);
         let t524 = t520 + (z1_5_x * t508 + t154 * t509);
         let t528 = s5 * t508;
         let t529 = t197 * t512 + t102 * t507 + t528;
         let t533 = t528 + (t198 * t512 + v3_5_z * t507);
-        let t535 = t528 + D5 * t512;
+        let t535 = t528 + k_D5 * t512;
         put(38, t524); // row 1, M6
         put(90, t529); // row 2, M6
         put(132, t533); // row 3, M6
@@ -753,15 +753,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t541 = s6 * t495 - t540;
         let t542 = s6 * t465;
         let t543 = c6 * t465;
-        let t546 = D6 * t541 - t542;
-        let t547 = D6 * t538 - t543;
+        let t546 = k_D6 * t541 - t542;
+        let t547 = k_D6 * t538 - t543;
         let t550 = c5 * t538 + s5 * t499;
         let t558 = t196 * (c5 * t499 - s5 * t538) - (t92 * t550 - t95 * t541);
         let t564 = t154 * t547 + (z1_5_x * t546 - t274 * a6_y) - t558;
         let t570 = s5 * t546 + c5 * a6_y;
         let t571 = t102 * t541 - t197 * t550 + t570;
         let t575 = t570 + (v3_5_z * t541 - t198 * t550);
-        let t577 = t570 - D5 * t550;
+        let t577 = t570 - k_D5 * t550;
         put(39, t564); // row 1, MSX6
         put(91, t571); // row 2, MSX6
         put(133, t575); // row 3, MSX6
@@ -775,15 +775,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
         let t580 = t578 - s6 * t498;
         let t581 = s6 * t496;
         let t583 = t581 + c6 * t498;
-        let t586 = t543 - D6 * t583;
-        let t587 = t542 + D6 * t580;
+        let t586 = t543 - k_D6 * t583;
+        let t587 = t542 + k_D6 * t580;
         let t590 = s5 * t500 - c5 * t580;
         let t598 = t196 * (s5 * t580 + c5 * t500) - (t92 * t590 + t95 * t583);
         let t604 = t598 + (t154 * t587 - (z1_5_x * t586 + t274 * t469));
         let t610 = c5 * t469 - s5 * t586;
         let t611 = t197 * t590 + t102 * t583 + t610;
         let t615 = t610 + (t198 * t590 + v3_5_z * t583);
-        let t617 = t610 + D5 * t590;
+        let t617 = t610 + k_D5 * t590;
         put(40, t604); // row 1, MSY6
         put(92, t611); // row 2, MSY6
         put(134, t615); // row 3, MSY6
@@ -795,15 +795,15 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     {
         let t620 = c6 * t481 + s6 * t484;
         let t623 = s6 * t481 - c6 * t484;
-        let t626 = t507 - D6 * t623;
-        let t627 = t504 - D6 * t620;
+        let t626 = t507 - k_D6 * t623;
+        let t627 = t504 - k_D6 * t620;
         let t629 = t370 + c5 * t620;
         let t636 = t92 * t629 - t95 * t623 - t196 * (t373 - s5 * t620);
         let t640 = z1_5_x * t626 + t154 * t627 - t636;
         let t644 = s5 * t626;
         let t645 = t197 * t629 - t102 * t623 + t644;
         let t649 = t644 + (t198 * t629 - v3_5_z * t623);
-        let t651 = t644 + D5 * t629;
+        let t651 = t644 + k_D5 * t629;
         put(41, t640); // row 1, MSZ6
         put(93, t645); // row 2, MSZ6
         put(135, t649); // row 3, MSZ6

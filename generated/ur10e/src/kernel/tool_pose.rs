@@ -5,7 +5,7 @@
 //! 64 multiplications, 35 additions; 3 x 4, 12 of 12 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{Trig};
+use super::super::{Trig, constants};
 
 /// The tool frame in the base frame: every entry of `out` is written.
 #[inline]
@@ -20,12 +20,12 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 4]; 3]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [s1, s2, s3, s4, s5, s6] = trig.sin;
     let [c1, c2, c3, c4, c5, c6] = trig.cos;
-    let D1 = S::constant(0.1807);
-    let D4 = S::constant(0.17415);
-    let D5 = S::constant(0.11985);
-    let D6 = S::constant(0.11655);
     let k0 = S::constant(0.6127);
     let k2 = S::constant(0.57155);
+    let k_D1 = S::constant(constants::D1);
+    let k_D4 = S::constant(constants::D4);
+    let k_D5 = S::constant(constants::D5);
+    let k_D6 = S::constant(constants::D6);
     // frame 2
     let [t0, t1, t2, t3] = {
         let t0 = c1 * c2;
@@ -41,7 +41,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     ] = {
         let t4 = t0 * k0;
         let t5 = t2 * k0;
-        let t7 = s2 * k0 - D1;
+        let t7 = s2 * k0 - k_D1;
         let t10 = s3 * t1 - c3 * t0;
         let t13 = c3 * t1 + s3 * t0;
         let t16 = s3 * t3 - c3 * t2;
@@ -58,8 +58,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t33, t34, t35, t38, t41, t44, t47, t50,
         t53,
     ] = {
-        let t33 = t10 * k2 + s1 * D4 - t4;
-        let t34 = t16 * k2 - c1 * D4 - t5;
+        let t33 = t10 * k2 + s1 * k_D4 - t4;
+        let t34 = t16 * k2 - c1 * k_D4 - t5;
         let t35 = t7 + t22 * k2;
         let t38 = c4 * t10 + s4 * t13;
         let t41 = s4 * t10 - c4 * t13;
@@ -77,9 +77,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
         t57, t58, t59, t62, t65, t68, t71, t72,
         t73,
     ] = {
-        let t57 = t33 - D5 * t41;
-        let t58 = t34 - D5 * t47;
-        let t59 = t35 - D5 * t53;
+        let t57 = t33 - k_D5 * t41;
+        let t58 = t34 - k_D5 * t47;
+        let t59 = t35 - k_D5 * t53;
         let t62 = s1 * s5 - c5 * t38;
         let t65 = s1 * c5 + s5 * t38;
         let t68 = c5 * t44 + c1 * s5;
@@ -96,9 +96,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     };
     // frame 6
     {
-        let t77 = t57 + D6 * t65;
-        let t78 = t58 + D6 * t71;
-        let t79 = D6 * t73 - t59;
+        let t77 = t57 + k_D6 * t65;
+        let t78 = t58 + k_D6 * t71;
+        let t79 = k_D6 * t73 - t59;
         let t82 = c6 * t62 + s6 * t41;
         let t85 = c6 * t41 - s6 * t62;
         let t88 = s6 * t47 - c6 * t68;

@@ -1,0 +1,43 @@
+//! Names of robots, which are names of crates too.
+
+/// Words that can't name a crate.
+const RESERVED: &[&str] = &[
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "core", "crate", "do", "dyn",
+    "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro",
+    "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static", "std", "struct",
+    "super", "test", "trait", "true", "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while",
+    "yield",
+];
+/// Longest name of a crate, characters.
+pub(super) const LONGEST: usize = 64;
+
+fn is_good(c: char) -> bool {
+    c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-' || c == '_'
+}
+
+/// A word of Rust or Cargo that no crate may be called.
+pub(super) fn is_reserved(name: &str) -> bool {
+    RESERVED.contains(&name)
+}
+
+/// Lower case, digits and dashes, a letter first.
+pub(super) fn is_well_formed(name: &str) -> bool {
+    name.starts_with(|c: char| c.is_ascii_lowercase()) && name.chars().all(is_good)
+}
+
+/// The nearest name that a crate may have; a good name stays as it is.
+pub fn crate_name(name: &str) -> String {
+    if is_reserved(name) {
+        return format!("{name}-robot");
+    }
+    let mut slug = name.to_string();
+    if !is_well_formed(name) {
+        slug = name.to_lowercase().chars().map(|c| if is_good(c) { c } else { '-' }).collect();
+        slug = slug.trim_matches('-').to_string();
+        if !slug.starts_with(|c: char| c.is_ascii_lowercase()) {
+            slug = format!("robot-{slug}").trim_end_matches('-').to_string();
+        }
+    }
+    slug.truncate(LONGEST);
+    slug
+}
