@@ -2,12 +2,18 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 use clap::Args;
 use dh_codegen::arm::Function;
 
 use super::provenance::Provenance;
 use super::{Failure, files};
+
+const MANIFEST: &str = "Cargo.toml";
+const ROOT: &str = "src/lib.rs";
+/// Root of a crate that is being rewritten.
+const UNFINISHED: &str = "compile_error!(\"`denavit generate` was interrupted here; run it again\");\n";
 
 /// Write the drop-in crate with the robot's closed-form functions.
 ///
@@ -19,7 +25,7 @@ use super::{Failure, files};
 pub(super) struct Generate {
     /// Robot file.
     robot: PathBuf,
-    /// Folder of the crate; made if it is not there. Only files of the crate are written.
+    /// Folder of the crate: one that is not there yet, is empty, or holds a crate of this command. Only files of the crate are written.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Derivatives too: of the regressors, the torques and the frames, as products with the transposed Jacobian (`base_regressor_adjoint` and so on).
@@ -28,6 +34,9 @@ pub(super) struct Generate {
     /// Write nothing; exit with 1 where the crate in DIR is not what would be written.
     #[arg(long)]
     check: bool,
+    /// Write into a folder that holds something else, too; files of the same names are replaced.
+    #[arg(long)]
+    force: bool,
     /// Write the list of files and what became of them as JSON; `-` for standard output.
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -39,6 +48,10 @@ impl Generate {
         files::check_outputs(&[("--json", &self.json)], &file.read)?;
         let further: &[Function] = if self.adjoints { &Function::ADJOINTS } else { &[] };
         let crate_files = dh_codegen::krate_with(&file.robot, &file.text, further);
+        let state = state(&self.out)?;
+        if state == Folder::Foreign && !self.force {
+            return Err(foreign(&self.out));
+        }
         let stale = differing(&self.out, &crate_files);
         if self.check && !stale.is_empty() {
             let adjoints = if self.adjoints { " --adjoints" } else { "" };
@@ -49,10 +62,10 @@ impl Generate {
                 stale.join(", ")
             )));
         }
-        if !self.check {
-            for path in &stale {
-                files::create_folder(&self.out, Path::new(path))?;
-                files::write(&self.out.join(path), crate_files[*path].as_bytes())?;
+        if !self.check && !stale.is_empty() {
+            match state {
+                Folder::Absent => create(&self.out, &crate_files)?,
+                _ => update(&self.out, &crate_files, &stale)?,
             }
         }
         if let Some(target) = &self.json {
@@ -69,6 +82,74 @@ impl Generate {
         }
         Ok(())
     }
+}
+
+/// What stands where the crate is to go.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Folder {
+    Absent,
+    Empty,
+    /// Its `Cargo.toml` carries the generator's mark.
+    Generated,
+    Foreign,
+}
+
+fn state(out: &Path) -> Result<Folder, Failure> {
+    let failed = |e: io::Error| Failure::input(format!("{} can't be used: {e}; name a folder", out.display()));
+    let mut entries = match fs::read_dir(out) {
+        Ok(entries) => entries,
+        Err(e) if e.kind() == io::ErrorKind::NotFound && fs::symlink_metadata(out).is_err() => {
+            return Ok(Folder::Absent);
+        }
+        Err(e) => return Err(failed(e)),
+    };
+    if entries.next().is_none() {
+        return Ok(Folder::Empty);
+    }
+    let manifest = fs::read(out.join(MANIFEST)).unwrap_or_default();
+    Ok(if manifest.starts_with(dh_codegen::MARK.as_bytes()) { Folder::Generated } else { Folder::Foreign })
+}
+
+fn foreign(out: &Path) -> Failure {
+    let manifest = match out.join(MANIFEST).exists() {
+        true => "its Cargo.toml was not written by `denavit generate`",
+        false => "it has no Cargo.toml",
+    };
+    Failure::input(format!(
+        "{} is not empty, and {manifest}; nothing was written. Name a new folder, or add --force to replace files of the same names",
+        out.display()
+    ))
+}
+
+/// Writes a new crate beside its place and moves it there, so that it is whole or absent.
+fn create(out: &Path, crate_files: &BTreeMap<String, String>) -> Result<(), Failure> {
+    let failed = |e: io::Error| Failure::other(format!("{} can't be written: {e}", out.display()));
+    let mut name = out.file_name().unwrap_or_default().to_os_string();
+    name.push(format!(".{}.partial", std::process::id()));
+    let beside = out.with_file_name(name);
+    let written = crate_files.iter().try_for_each(|(path, text)| write(&beside, path, text));
+    written.and_then(|()| fs::rename(&beside, out).map_err(failed)).inspect_err(|_| {
+        let _ = fs::remove_dir_all(&beside);
+    })
+}
+
+/// Replaces what is stale. Until all is written the root of the crate is an error that says so: files of two robots are never compiled
+/// together.
+fn update(out: &Path, crate_files: &BTreeMap<String, String>, stale: &[&str]) -> Result<(), Failure> {
+    let whole = |path: &str| write(out, path, &crate_files[path]);
+    if stale.contains(&MANIFEST) {
+        whole(MANIFEST)?;
+    }
+    if stale.iter().any(|path| ![MANIFEST, ROOT].contains(path)) {
+        write(out, ROOT, UNFINISHED)?;
+        stale.iter().filter(|path| ![MANIFEST, ROOT].contains(path)).try_for_each(|path| whole(path))?;
+    }
+    whole(ROOT)
+}
+
+fn write(folder: &Path, path: &str, text: &str) -> Result<(), Failure> {
+    files::create_folder(folder, Path::new(path))?;
+    files::write(&folder.join(path), text.as_bytes())
 }
 
 /// Files that are not on disk as they would be written.

@@ -45,3 +45,85 @@ fn adjoints_are_written_when_asked_for() {
     let plain = denavit(&[&verb[..], &["--check"]].concat());
     assert!(plain.status == Some(1) && plain.err.contains("src/lib.rs"), "another crate: {}", plain.err);
 }
+
+/// Every file below a folder, with its bytes.
+fn contents(folder: &std::path::Path) -> Vec<(std::path::PathBuf, Vec<u8>)> {
+    let mut all = Vec::new();
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        match path.is_dir() {
+            true => all.extend(contents(&path)),
+            false => all.push((path.clone(), std::fs::read(&path).unwrap())),
+        }
+    }
+    all.sort();
+    all
+}
+
+#[test]
+fn a_folder_with_something_else_is_refused_and_left_alone() {
+    let own = folder("generate_foreign");
+    std::fs::create_dir_all(own.join("src")).unwrap();
+    file(&own, "Cargo.toml", "[package]\nname = \"mine\"\n");
+    file(&own.join("src"), "lib.rs", "// mine\n");
+    let before = contents(&own);
+    let out = own.display().to_string();
+    let verb = ["generate", "robots/planar2r.yaml", "--out", &out];
+    for arguments in [verb.to_vec(), [&verb[..], &["--check"]].concat()] {
+        let run = denavit(&arguments);
+        assert_eq!(run.status, Some(2), "{}", run.err);
+        assert!(run.err.contains("Cargo.toml") && run.err.contains("--force"), "{}", run.err);
+        assert_eq!(contents(&own), before);
+    }
+    std::fs::remove_file(own.join("Cargo.toml")).unwrap();
+    assert_eq!(denavit(&verb).status, Some(2), "a folder without a manifest is somebody's too");
+
+    assert_eq!(denavit(&[&verb[..], &["--force"]].concat()).status, Some(0));
+    assert_eq!(denavit(&[&verb[..], &["--check"]].concat()).status, Some(0));
+    assert_eq!(denavit(&verb).status, Some(0), "now it is the generator's own");
+}
+
+#[test]
+fn empty_and_generated_folders_are_written_to() {
+    let own = folder("generate_empty");
+    let out = own.display().to_string();
+    assert_eq!(denavit(&["generate", "robots/planar2r.yaml", "--out", &out]).status, Some(0));
+    file(&own, "notes.txt", "mine");
+    let other = denavit(&["generate", "robots/scara.yaml", "--out", &out]);
+    assert_eq!(other.status, Some(0), "{}", other.err);
+    assert!(std::fs::read_to_string(own.join("Cargo.toml")).unwrap().contains("name = \"scara\""));
+    assert_eq!(std::fs::read_to_string(own.join("notes.txt")).unwrap(), "mine");
+}
+
+/// A file that can't be written stops the update in its middle.
+#[test]
+fn an_interrupted_update_does_not_compile_and_is_finished_by_the_next() {
+    let own = folder("generate_interrupted");
+    let out = own.display().to_string();
+    let verb = |robot: &'static str| ["generate", robot, "--out", &out].map(String::from);
+    let run = |robot: &'static str| denavit(&verb(robot).iter().map(String::as_str).collect::<Vec<_>>());
+    assert_eq!(run("robots/planar2r.yaml").status, Some(0));
+    let kernel = own.join("src/kernel/regressor.rs");
+    std::fs::remove_file(&kernel).unwrap();
+    std::fs::create_dir(&kernel).unwrap();
+    assert_eq!(run("robots/scara.yaml").status, Some(1));
+    assert!(std::fs::read_to_string(own.join("src/lib.rs")).unwrap().contains("compile_error!"));
+    std::fs::remove_dir(&kernel).unwrap();
+    assert_eq!(run("robots/scara.yaml").status, Some(0));
+    assert!(!std::fs::read_to_string(own.join("src/lib.rs")).unwrap().contains("compile_error!"));
+}
+
+#[test]
+fn a_new_crate_is_whole_or_absent() {
+    let own = folder("generate_whole");
+    let crate_folder = own.join("planar2r");
+    assert_eq!(
+        denavit(&["generate", "robots/planar2r.yaml", "--out", &crate_folder.display().to_string()]).status,
+        Some(0)
+    );
+    let beside: Vec<_> = std::fs::read_dir(&own).unwrap().collect();
+    assert_eq!(beside.len(), 1, "{beside:?}");
+    let at_a_file = file(&own, "file", "");
+    let run = denavit(&["generate", "robots/planar2r.yaml", "--out", &at_a_file]);
+    assert!(run.status == Some(2) && run.err.contains("name a folder"), "{}", run.err);
+}
