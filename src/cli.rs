@@ -14,6 +14,7 @@ mod ik;
 mod interrupt;
 mod logbook;
 mod motion;
+mod motors;
 mod output;
 mod paint;
 mod prepare;

@@ -8,7 +8,7 @@ use indicatif::ProgressBar;
 use super::logbook::{Logbook, Purpose};
 use super::prepare::{Torque, keep, warned};
 use super::provenance::Provenance;
-use super::{Failure, files};
+use super::{Failure, files, motors};
 use crate::arm::Arm;
 use crate::diagnose::{self, Cause, Diagnosis, Recording, Separation, Settings};
 use crate::log::Keep;
@@ -82,6 +82,7 @@ impl Diagnose {
         }
         let keep = keep(&self.keep)?;
         let file = files::robot(&self.robot)?;
+        motors::on_every_joint(&self.robot, &file.robot, "a diagnosis takes the torque of every joint from the log")?;
         files::check_outputs(
             &[("--out", &self.out), ("--next", &self.next_path()), ("--json", &self.json), ("--report", &self.report)],
             file.read.iter().chain(&self.logs).chain(&self.validate),

@@ -9,7 +9,7 @@ use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::provenance::Provenance;
-use super::{Failure, files, interrupt, terminal};
+use super::{Failure, files, interrupt, motors, terminal};
 use crate::arm::{Arm, States};
 use crate::differentiated::Differentiated;
 use crate::excite::check::check;
@@ -144,6 +144,7 @@ impl Excite {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         self.validate()?;
         let file = files::robot(&self.robot)?;
+        motors::on_every_joint(&self.robot, &file.robot, "an exciting motion drives every joint")?;
         files::check_outputs(
             &[
                 ("--out", &self.out),

@@ -9,7 +9,7 @@ use dh_codegen::arm::param;
 use super::logbook::{Logbook, Purpose};
 use super::prepare::{Preparation, pass, warned};
 use super::provenance::Provenance;
-use super::{Failure, files};
+use super::{Failure, files, motors};
 use crate::arm::Arm;
 use crate::force::{
     self, Bias, BiasPass, COMPONENTS, Effected, Known, Linear, MOST_JOINTS, Method, NoisePass, NoiseSource, Run,
@@ -114,6 +114,7 @@ impl Force {
             return Err(Failure::input(format!("--gain {}: 1/s, above 0 and below 10000", self.gain)));
         }
         let file = files::robot(&self.robot)?;
+        motors::on_every_joint(&self.robot, &file.robot, "the estimate takes the torque of every joint from the log")?;
         files::check_outputs(
             &[("--out", &self.out), ("--json", &self.json), ("--report", &self.report)],
             file.read.iter().chain(&self.logs).chain(&self.identified),

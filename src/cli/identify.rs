@@ -9,7 +9,7 @@ use dh_codegen::robot::Robot;
 use super::logbook::{Logbook, Purpose};
 use super::prepare::{Preparation, against_limits, pass, warned};
 use super::provenance::Provenance;
-use super::{Failure, files, terminal};
+use super::{Failure, files, motors, terminal};
 use crate::arm::{Arm, Reach};
 use crate::coupled::Coupled;
 use crate::identify::{
@@ -123,6 +123,11 @@ enum PriorFrom {
 impl Identify {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         let file = files::robot(&self.robot)?;
+        motors::on_every_joint(
+            &self.robot,
+            &file.robot,
+            "an identification takes the torque of every joint from the log",
+        )?;
         files::check_outputs(
             &[("--out", &self.out), ("--json", &self.json), ("--report", &self.report)],
             file.read.iter().chain(&self.logs).chain(&self.validate).chain(&self.bounds),

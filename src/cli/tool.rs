@@ -10,7 +10,7 @@ use dh_codegen::robot::Tool;
 use super::logbook::{Logbook, Purpose};
 use super::prepare::{Preparation, against_limits, pass, warned};
 use super::provenance::Provenance;
-use super::{Failure, files, terminal};
+use super::{Failure, files, motors, terminal};
 use crate::arm::Arm;
 use crate::identify::{Factors, Stack, Trace, Tracer};
 use crate::interpreted::Interpreted;
@@ -79,6 +79,7 @@ impl ToolVerb {
         let (tolerance, recognising) = self.looking_up()?;
         let prepare = self.preparation.prepare()?;
         let file = files::robot(&self.robot)?;
+        motors::on_every_joint(&self.robot, &file.robot, "the tool is identified from the torques of every joint")?;
         files::check_outputs(
             &[("--json", &self.json), ("--report", &self.report)],
             file.read.iter().chain(&self.unloaded).chain(&self.loaded),

@@ -36,6 +36,7 @@ pub fn value(robot: &Robot, model: &Model) -> Value {
         "name": robot.name,
         "dof": model.dof(),
         "joints": class.joints,
+        "unactuated": robot.unactuated().map(|row| row + 1).collect::<Vec<_>>(),
         "ik": { "class": class.class, "exact": class.exact, "reason": class.reason },
         "standard_parameters": standard,
         "base_parameters": base,

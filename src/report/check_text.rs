@@ -32,6 +32,14 @@ pub fn text(robot: &Robot, model: &Model) -> String {
             joint.r.text
         );
     }
+    let passive: Vec<String> = robot.unactuated().map(|row| robot.joints[row].name.clone()).collect();
+    if !passive.is_empty() {
+        let list = passive.join(", ");
+        let _ = writeln!(
+            t,
+            "  without a motor: {list} (inverse dynamics gives the torque that something else must apply there)"
+        );
+    }
     if !robot.constants.is_empty() {
         let list: Vec<String> = robot.constants.iter().map(|(n, v)| format!("{n} = {v}")).collect();
         let _ = writeln!(t, "  {}", list.join(", "));

@@ -100,3 +100,36 @@ fn of_logs() {
     run("nan.csv", &cell, &["line 201", "q2", "--keep"]);
     fails(2, &["identify", "robots/ur10e.yaml", &file(&folder, "two.csv", csv(&header, &log(500)))], &["two.csv", "6"]);
 }
+
+/// Verbs that read or drive every joint refuse one without a motor; the others take it.
+#[test]
+fn a_joint_without_a_motor_is_refused_where_it_counts() {
+    let folder = folder("motors");
+    let text = std::fs::read_to_string("robots/planar2r.yaml").unwrap();
+    let robot = read_robot("robots/planar2r.yaml");
+    let mut passive = robot.clone();
+    passive.joints[1].actuated = false;
+    passive.joints[1].drive = Default::default();
+    assert!(!text.contains("actuated"));
+    let robot = file(&folder, "passive.yaml", passive.to_yaml());
+    let out = folder.join("out").display().to_string();
+    let refused: [&[&str]; 7] = [
+        &["excite", &robot, "--duration", "2", "--criterion", "cond", "--out", &out],
+        &["identify", &robot, "log.csv", "--out", &out],
+        &["diagnose", &robot, "log.csv"],
+        &["tool", &robot, "--unloaded", "a.csv", "--loaded", "b.csv", "--tools", "robots/tools"],
+        &["force", &robot, "log.csv"],
+        &["paint", "plan", &robot, "--out", &out],
+        &["paint", "run", &robot, "--plan", "plan.json"],
+    ];
+    for arguments in refused {
+        let run = denavit(arguments);
+        assert_eq!(run.status, Some(2), "{arguments:?}: {}", run.err);
+        let told = run.err.contains("joint 2 (elbow) has no motor") && run.err.contains("type: fixed");
+        assert!(told, "{arguments:?}: {}", run.err);
+    }
+    let check = denavit(&["check", &robot]);
+    assert!(check.status == Some(0) && check.out.contains("without a motor: elbow"), "{}", check.out);
+    assert_eq!(json(&["check", &robot, "--json", "-"])["unactuated"], serde_json::json!([2]));
+    assert_eq!(denavit(&["generate", &robot, "--out", &out]).status, Some(0));
+}

@@ -9,7 +9,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::arm::Placed;
 use crate::cli::provenance::Provenance;
-use crate::cli::{Failure, files, terminal};
+use crate::cli::{Failure, files, motors, terminal};
 use crate::interpreted::Interpreted;
 use crate::inverse::{Kinematics, MOST};
 use crate::paint::{Cover, Pattern, Roller, Strokes, Surface, Swivel, Task, Weights, plan};
@@ -163,6 +163,7 @@ impl Where {
     /// Reads and checks all of it.
     pub(super) fn site(&self, path: &Path) -> Result<Site, Failure> {
         let file = files::robot(path)?;
+        motors::on_every_joint(path, &file.robot, "painting drives every joint")?;
         let mut robot = file.robot.clone();
         if let Some(path) = &self.tool {
             robot.tool = Some(tool(path)?);

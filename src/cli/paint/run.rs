@@ -10,7 +10,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::cli::provenance::Provenance;
 use crate::cli::simulate::{apply, effects};
-use crate::cli::{Failure, files};
+use crate::cli::{Failure, files, motors};
 use crate::control::robot::contact_point;
 use crate::interpreted::Interpreted;
 use crate::paint::Plan;
@@ -110,6 +110,7 @@ impl Run {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         self.validate()?;
         let mut file = files::robot(&self.robot)?;
+        motors::on_every_joint(&self.robot, &file.robot, "painting drives every joint")?;
         files::check_outputs(
             &[("--out", &self.out), ("--json", &self.json), ("--report", &self.report)],
             file.read.iter().chain([&self.plan]).chain(&self.tool).chain(&self.effects),
