@@ -98,18 +98,18 @@ pub enum SimulateError {
         expected: usize,
     },
     /// A law with an impossible parameter.
-    #[error("{effect} of joint {joint}: {key} is {value}; it must {must}")]
+    #[error("{effect}{}: {key} is {value}; it must {must}", joint.map_or(String::new(), |joint| format!(" of joint {joint}")))]
     Effect {
         /// Name of the effect.
         effect: String,
-        /// Number of the joint.
-        joint: usize,
+        /// Number of the joint; `None`: of the whole robot.
+        joint: Option<usize>,
         /// Its key.
-        key: &'static str,
+        key: String,
         /// What was given.
         value: f64,
         /// What it must be.
-        must: &'static str,
+        must: String,
     },
     /// An effect of a link that is not there.
     #[error("link_inertia_error: {}; write the number of a link, 1 to {last}", number.map_or("no `link` is named".to_string(), |n| format!("there is no link {n}")))]

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use dh_codegen::arm::param::{self, Parameter};
+use dh_codegen::robot::effect::Law;
 use dh_codegen::robot::{Effect, Effects, NoLink, Robot};
 
 use super::SimulateError;
@@ -18,9 +19,6 @@ use crate::interpreted::Interpreted;
 
 /// Rotor of a soft joint whose file gives none, kg m^2 per N m of torque limit: see `rotor_inertia` in the table of effects.
 const ROTOR: f64 = 0.003;
-
-/// A torque sample that is older (or younger) than this belongs to no motion that is played, s; as the sensors' latency.
-const LONGEST_DELAY: f64 = 10.0;
 
 /// The robot as it is, and as its file says.
 pub(super) struct Built {
@@ -54,6 +52,7 @@ impl Built {
         })?;
         let own = robot.all_effects();
         let everywhere = own.robot.iter().chain(&more.robot);
+        everywhere.clone().try_for_each(|effect| in_range(effect, None))?;
         for contact in everywhere.clone().filter(|e| e.name == "external_contact") {
             let given = Given::new(contact, None);
             if let (Some(start), Some(end)) = (given.stated("start"), given.stated("end"))
@@ -128,31 +127,16 @@ impl Built {
         let joint = &robot.joints[row];
         let given = Given::new(effect, joint.limits.torque);
         let drive = &mut self.drives[dof];
-        let positive = |key: &'static str, value: f64| {
-            if value > 0.0 {
-                Ok(value)
-            } else {
-                Err(SimulateError::Effect {
-                    effect: effect.name.clone(),
-                    joint: row + 1,
-                    key,
-                    value,
-                    must: "be greater than 0",
-                })
-            }
+        in_range(effect, Some(row))?;
+        let wrong = |key: &str, value: f64, must: &str| SimulateError::Effect {
+            effect: effect.name.clone(),
+            joint: Some(row + 1),
+            key: key.to_string(),
+            value,
+            must: must.to_string(),
         };
-        let not_negative = |key: &'static str, value: f64| {
-            if value >= 0.0 {
-                Ok(value)
-            } else {
-                Err(SimulateError::Effect {
-                    effect: effect.name.clone(),
-                    joint: row + 1,
-                    key,
-                    value,
-                    must: "not be negative",
-                })
-            }
+        let not_negative = |key: &str, value: f64| {
+            if value >= 0.0 { Ok(value) } else { Err(wrong(key, value, "not be negative")) }
         };
         match effect.name.as_str() {
             // They add to the file's: what must not be negative is the sum, lest friction drives the arm.
@@ -168,89 +152,32 @@ impl Built {
             "asymmetric_friction" => drive.asymmetric = Some(AsymmetricFriction::read(&given)),
             "stribeck_friction" => {
                 let law = StribeckFriction::read(&given, drive.plain.level);
-                positive("VS", law.velocity)?;
-                positive("DS", law.exponent)?;
                 not_negative("FS", law.breakaway)?;
                 drive.stribeck = Some(law);
             }
-            "nonlinear_viscous_friction" => {
-                let law = NonlinearViscousFriction::read(&given);
-                not_negative("EN", law.exponent)?;
-                not_negative("FN", law.level)?;
-                drive.nonlinear = Some(law);
-            }
-            "load_dependent_friction" => {
-                let law = LoadDependentFriction::read(&given);
-                if !(0.0..1.0).contains(&law.factor) {
-                    let (effect, value) = (effect.name.clone(), law.factor);
-                    return Err(SimulateError::Effect {
-                        effect,
-                        joint: row + 1,
-                        key: "FL",
-                        value,
-                        must: "be from 0 to less than 1: beyond, the gear locks",
-                    });
-                }
-                drive.load = Some(law);
-            }
-            "presliding_hysteresis" => {
-                let law = PreslidingHysteresis::read(&given);
-                positive("HX", law.travel)?;
-                not_negative("HC", law.level)?;
-                drive.hysteresis = Some(law);
-            }
-            "friction_drift" => {
-                let law = FrictionDrift::read(&given);
-                positive("DT", law.time)?;
-                drive.drift = Some(law);
-            }
+            "nonlinear_viscous_friction" => drive.nonlinear = Some(NonlinearViscousFriction::read(&given)),
+            "load_dependent_friction" => drive.load = Some(LoadDependentFriction::read(&given)),
+            "presliding_hysteresis" => drive.hysteresis = Some(PreslidingHysteresis::read(&given)),
+            "friction_drift" => drive.drift = Some(FrictionDrift::read(&given)),
             "position_dependent_friction" => drive.position = Some(PositionDependentFriction::read(&given)),
             "torque_ripple" => drive.ripple.push(TorqueRipple::read(&given, joint.drive.gear_ratio)),
-            "joint_elasticity" => {
-                let law = JointElasticity::read(&given);
-                positive("KE", law.stiffness)?;
-                not_negative("DE", law.damping)?;
-                drive.elasticity = Some(law);
-            }
-            "backlash" => {
-                let law = Backlash::read(&given);
-                not_negative("BL", law.width)?;
-                drive.backlash = Some(law);
-            }
+            "joint_elasticity" => drive.elasticity = Some(JointElasticity::read(&given)),
+            "backlash" => drive.backlash = Some(Backlash::read(&given)),
             "gear_coupling" => {
                 let number = given.stated("joint").unwrap_or(0.0);
                 let other = (number as usize).checked_sub(1).and_then(dof_of).filter(|&k| k != dof);
-                let other = other.ok_or(SimulateError::Effect {
-                    effect: effect.name.clone(),
-                    joint: row + 1,
-                    key: "joint",
-                    value: number,
-                    must: "be the number of another joint that moves",
-                })?;
+                let other = other.ok_or_else(|| wrong("joint", number, "be the number of another joint that moves"))?;
                 self.couplings.push((dof, other, effect.clone()));
             }
             "torque_gain_error" => drive.gain *= given.get("GT"),
             "torque_offset" => drive.offset += given.get("TO"),
             "torque_saturation" => match given.stated("TM") {
-                Some(limit) => drive.limit = Some(positive("TM", limit)?),
+                Some(limit) => drive.limit = Some(limit),
                 None => self.saturates.push(dof),
             },
             "encoder_offset" => drive.encoder_offset += given.get("QO"),
             "joint_spring" => drive.spring = Some(JointSpring::read(&given)),
-            "time_delay" => {
-                let delay = given.get("TD");
-                if delay.abs() > LONGEST_DELAY {
-                    let (effect, joint) = (effect.name.clone(), row + 1);
-                    return Err(SimulateError::Effect {
-                        effect,
-                        joint,
-                        key: "TD",
-                        value: delay,
-                        must: "be from -10 to 10 s",
-                    });
-                }
-                drive.delay += delay;
-            }
+            "time_delay" => drive.delay += given.get("TD"),
             _ => {} // of the bodies: see `as_it_is`
         }
         Ok(())
@@ -313,6 +240,18 @@ impl Built {
         }
         if least.is_finite() { least } else { 0.0 }
     }
+}
+
+/// Values in the ranges of the table of effects. (Of a file they were checked where it was read.)
+fn in_range(effect: &Effect, row: Option<usize>) -> Result<(), SimulateError> {
+    let Some(law) = Law::of(&effect.name) else { return Ok(()) };
+    for (key, value) in &effect.parameters {
+        if let Some(must) = law.must(key, *value) {
+            let (effect, key) = (effect.name.clone(), key.clone());
+            return Err(SimulateError::Effect { effect, joint: row.map(|row| row + 1), key, value: *value, must });
+        }
+    }
+    Ok(())
 }
 
 /// Laws that add to what stands in the drive already.

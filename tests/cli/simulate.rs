@@ -117,7 +117,7 @@ fn mistakes_are_told_and_mended() {
         (ROBOT, &back, None, "does not ascend at row 3: 1 s, then 0.5 s"),
         (ROBOT, &text, None, "line 3, column q1: `one` is not a finite number"),
         (ROBOT, &motion, Some(&key), "the keys of backlash are BL (rad)"),
-        (ROBOT, &motion, Some(&law), "stribeck_friction of joint 1: VS is 0; it must be greater than 0"),
+        (ROBOT, &motion, Some(&law), "VS of stribeck_friction is 0; help: it must be greater than 0"),
         (
             ROBOT,
             &motion,
@@ -150,9 +150,22 @@ fn mistakes_are_told_and_mended() {
         ("sensors: { rate: 0.1 }", "raise sensors.rate, or give a longer motion"),
         ("joints: { 1: { coulomb_friction: -5 } }", "coulomb_friction of joint 1: FC, the file's included, is -4.8"),
         ("joints: { 1: { viscous_friction: -5 } }", "viscous_friction of joint 1: FV, the file's included, is -4.9"),
-        ("joints: { 1: { nonlinear_viscous_friction: { FN: -1 } } }", "FN is -1; it must not be negative"),
-        ("joints: { 1: { presliding_hysteresis: { HC: -1 } } }", "HC is -1; it must not be negative"),
-        ("effects: { time_delay: { TD: 1e6 } }", "TD is 1000000; it must be from -10 to 10 s"),
+        (
+            "joints: { 1: { nonlinear_viscous_friction: { FN: -1 } } }",
+            "FN of nonlinear_viscous_friction is -1; help: it must not be negative",
+        ),
+        (
+            "joints: { 1: { presliding_hysteresis: { HC: -1 } } }",
+            "HC of presliding_hysteresis is -1; help: it must not be negative",
+        ),
+        ("effects: { time_delay: { TD: 1e6 } }", "TD of time_delay is 1000000; help: it must be from -10 to 10 s"),
+        ("effects: { base_tilt: { roll: 400 } }", "one.yaml:1:31: effects.base_tilt.roll: roll of base_tilt is 400"),
+        ("joints: { 1: { encoder_offset: 400 } }", "QO of encoder_offset is 400; help: it must be from -6.28"),
+        ("joints: { 1: { backlash: {} }, shoulder: {} }", "joint 1 stands at line 1, column 11 already (joints.1)"),
+        (
+            "joints: [ { joint: 1, backlash: {} }, { joint: 1 } ]",
+            "joint 1 stands at line 1, column 20 already (joints[1])",
+        ),
         (
             "effects: { external_contact: { start: 5, end: 1 } }",
             "external_contact.end is 1; it must be later than start",

@@ -221,6 +221,48 @@ proptest! {
     }
 }
 
+/// An expression in any form that the reader knows: literals, constants, units, signs with blanks, brackets.
+fn expression() -> impl Strategy<Value = String> {
+    let literals =
+        ["0", "1", "5", "0.3", ".5", "5.", "1e-3", "2.5E+1", "1.5708", "3.14159", "90deg", "22.5 deg", "0.1rad"];
+    let words = ["pi", "L1", "L2", "A", "B", "1/3", "- 5/3", "-5/3", "pi/7", "-  2*pi/3", "L1*L1", "1.5708 + 0"];
+    let leaf = prop::sample::select([&literals[..], &words[..]].concat()).prop_map(String::from);
+    leaf.prop_recursive(3, 12, 2, |inner| {
+        prop_oneof![
+            (inner.clone(), prop::sample::select(&[" + ", "-", "*", " / ", "/"][..]), inner.clone())
+                .prop_map(|(a, operator, b)| format!("{a}{operator}{b}")),
+            (prop::sample::select(&["-", "- ", "+", "--", " "][..]), inner.clone())
+                .prop_map(|(sign, a)| format!("{sign}{a}")),
+            inner.clone().prop_map(|a| format!("({a})")),
+            inner.prop_map(|a| format!("({a})deg")),
+        ]
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: ProptestConfig::default().cases.max(2000), failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Read, written and read again, every number is the same: fractions of pi, polynomials in the constants, bits.
+    #[test]
+    fn numbers_of_every_form_survive(
+        b in prop::sample::select(&["- 5/3", "pi/7", "22.5deg", "0.1deg", "1.5708", "-1.5708", "1.5708 + 0", "2/7", "1e-3", "0.3"][..]),
+        texts in vec(expression(), 7),
+    ) {
+        let [alpha, d, theta, r, x, y, roll] = &texts[..] else { unreachable!() };
+        let text = format!(
+            "name: a\nconvention: modified\nconstants: {{ L1: 0.31, L2: 2/3, A: 1/3, B: \"{b}\" }}\ngravity: [0, 0, \"{y}\"]\n\
+             joints: [ {{ type: revolute, alpha: \"{alpha}\", d: \"{d}\", theta: \"{theta}\", r: \"{r}\", position: [-300, \"{x}\"] }} ]\n\
+             tool: {{ pose: {{ xyz: [\"{x}\", 0, 0], rpy: [\"{roll}\", 0, 0] }} }}\n"
+        );
+        // A division by zero, or a constant of itself.
+        let Ok(first) = Robot::from_yaml(&text, &|_| Err(String::new())) else { return Ok(()) };
+        let written = first.robot.to_yaml();
+        let again = Robot::from_yaml(&written, &|_| Err(String::new()))
+            .map_err(|problems| TestCaseError::fail(format!("{problems}\n{text}\n{written}")))?;
+        prop_assert_eq!(without_texts(again.robot), without_texts(first.robot), "{}\n{}", text, written);
+    }
+}
+
 #[test]
 fn the_robots_have_windows_line_ends_too() {
     let text = std::fs::read_to_string(robots().join("kuka-lwr4.yaml")).unwrap().replace('\n', "\r\n");

@@ -28,6 +28,41 @@ pub enum Magnitude {
     Needed,
 }
 
+/// Values that a key may have: beyond them a law has no value, a gear locks, or a unit was mistaken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// Least value.
+    pub least: f64,
+    /// Whether the least value itself is one too.
+    pub with_least: bool,
+    /// Largest value.
+    pub most: f64,
+    /// An identified value may lie below `least`, down to here: data that hardly show a size may make it negative.
+    pub identified: f64,
+}
+
+impl Range {
+    const ANY: Self =
+        Self { least: f64::NEG_INFINITY, with_least: true, most: f64::INFINITY, identified: f64::NEG_INFINITY };
+
+    /// Whether a value lies in it.
+    #[must_use]
+    pub fn holds(&self, value: f64) -> bool {
+        (value > self.least || (self.with_least && value == self.least)) && value <= self.most
+    }
+
+    /// What a value must be, in words.
+    fn words(&self, unit: &str) -> String {
+        let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+        match (self.least == 0.0, self.with_least, self.most.is_finite()) {
+            (true, true, false) => "not be negative".to_string(),
+            (true, false, false) => "be greater than 0".to_string(),
+            (_, true, _) => format!("be from {} to {}{unit}", self.least, self.most),
+            (_, false, _) => format!("be greater than {}, and at most {}{unit}", self.least, self.most),
+        }
+    }
+}
+
 /// A key of an effect.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EffectKey {
@@ -41,6 +76,8 @@ pub struct EffectKey {
     pub omitted: Magnitude,
     /// A whole number, from 1.
     pub count: bool,
+    /// The values it may have.
+    pub range: Range,
     /// In words.
     pub doc: &'static str,
 }
@@ -64,17 +101,36 @@ pub struct Law {
 
 /// A key that makes the effect large or small: 0 where other keys are written.
 const fn size(name: &'static str, unit: &'static str, default: Magnitude, doc: &'static str) -> EffectKey {
-    EffectKey { name, unit, default, omitted: Magnitude::Is(0.0), count: false, doc }
+    EffectKey { name, unit, default, omitted: Magnitude::Is(0.0), count: false, range: Range::ANY, doc }
 }
 
 /// A key that shapes it: its default holds wherever it is not written.
 const fn shape(name: &'static str, unit: &'static str, default: Magnitude, doc: &'static str) -> EffectKey {
-    EffectKey { name, unit, default, omitted: default, count: false, doc }
+    EffectKey { name, unit, default, omitted: default, count: false, range: Range::ANY, doc }
 }
 
 /// A number of a joint or link.
 const fn number(name: &'static str, default: Magnitude, doc: &'static str) -> EffectKey {
-    EffectKey { name, unit: "", default, omitted: default, count: true, doc }
+    EffectKey { name, unit: "", default, omitted: default, count: true, range: Range::ANY, doc }
+}
+
+impl EffectKey {
+    const fn within(mut self, least: f64, most: f64) -> Self {
+        (self.range.least, self.range.most, self.range.identified) = (least, most, least);
+        self
+    }
+
+    const fn above(mut self, least: f64, most: f64) -> Self {
+        self.range.with_least = false;
+        self.within(least, most)
+    }
+
+    /// A size that an identification may have made negative.
+    const fn sized(self, most: f64, identified: f64) -> Self {
+        let mut key = self.within(0.0, most);
+        key.range.identified = identified;
+        key
+    }
 }
 
 const fn law(
@@ -88,6 +144,13 @@ const fn law(
 }
 
 use Magnitude::{Derived, Is, Needed, OfTorque};
+
+/// Half a turn, rad: what an angle's error may be.
+const HALF_TURN: f64 = core::f64::consts::PI;
+/// A turn, rad.
+const TURN: f64 = 2.0 * HALF_TURN;
+/// The largest number below one: a gear that loses as much as it transmits is locked.
+const BEFORE_ONE: f64 = 1.0 - f64::EPSILON / 2.0;
 
 /// Ten inertial parameters without defaults of their own.
 const BODY: [EffectKey; 10] = [
@@ -130,9 +193,10 @@ pub static LAWS: [Law; 25] = [
         "stribeck_friction",
         Place::Joint,
         &[
-            shape("FS", "N m", Derived, "breakaway level; default: the Coulomb level and 1 % of the torque limit"),
-            shape("VS", "rad/s", Is(0.05), "Stribeck velocity"),
-            shape("DS", "", Is(2.0), "exponent"),
+            shape("FS", "N m", Derived, "breakaway level; default: the Coulomb level and 1 % of the torque limit")
+                .sized(f64::INFINITY, f64::NEG_INFINITY),
+            shape("VS", "rad/s", Is(0.05), "Stribeck velocity").above(0.0, f64::INFINITY),
+            shape("DS", "", Is(2.0), "exponent").above(0.0, 20.0),
         ],
         "(FS - FC) exp(-|v / VS|^DS) sign(v), FC the joint's Coulomb level",
         "the law: Armstrong-Helouvry, Dupont and Canudas de Wit, Automatica 30 (1994). Size and velocity: order of magnitude, our choice",
@@ -140,14 +204,17 @@ pub static LAWS: [Law; 25] = [
     law(
         "nonlinear_viscous_friction",
         Place::Joint,
-        &[shape("FN", "N m (s/rad)^EN", OfTorque(0.015), "torque at 1 rad/s"), shape("EN", "", Is(0.5), "exponent")],
+        &[
+            shape("FN", "N m (s/rad)^EN", OfTorque(0.015), "torque at 1 rad/s").sized(f64::INFINITY, f64::NEG_INFINITY),
+            shape("EN", "", Is(0.5), "exponent").within(0.0, 20.0),
+        ],
         "FN |v|^EN sign(v)",
         "size as viscous_friction, our choice. A column sign(v) sqrt|v| and one of v^3 take 21 % off the residual of the Staubli TX40's joints 1 and 2 (our fit of figaroh's log)",
     ),
     law(
         "load_dependent_friction",
         Place::Joint,
-        &[shape("FL", "", Is(0.08), "friction per transmitted torque")],
+        &[shape("FL", "", Is(0.08), "friction per transmitted torque").sized(BEFORE_ONE, -BEFORE_ONE)],
         "FL |tau_load| sign(v), tau_load the torque of the bodies that the gear transmits",
         "the law: Hamon, Gautier and Garrec, IROS 2010. Size: order of magnitude, our choice (a gear of 92 % efficiency)",
     ),
@@ -155,8 +222,8 @@ pub static LAWS: [Law; 25] = [
         "presliding_hysteresis",
         Place::Joint,
         &[
-            shape("HC", "N m", OfTorque(0.01), "level"),
-            shape("HX", "rad", Is(2e-3), "travel in which it builds up to 1 - 1/e"),
+            shape("HC", "N m", OfTorque(0.01), "level").sized(f64::INFINITY, f64::NEG_INFINITY),
+            shape("HX", "rad", Is(2e-3), "travel in which it builds up to 1 - 1/e").above(0.0, f64::INFINITY),
         ],
         "HC z, dz/dt = (v / HX)(1 - z sign(v)); in the simulator LuGre's bristle, with its damping",
         "the law: Canudas de Wit et al., IEEE TAC 40 (1995). Level as coulomb_friction, travel: our choice; at rest a KUKA iiwa 14 shows 0.05 to 0.13 % of its torque limits (Drake's static poses, our fit)",
@@ -165,10 +232,11 @@ pub static LAWS: [Law; 25] = [
         "friction_drift",
         Place::Either,
         &[
-            size("DA", "", Is(0.5), "what cold friction has more than warm friction, as a part of the latter"),
-            shape("DT", "s", Is(30.0), "time constant of the warming"),
+            size("DA", "", Is(0.5), "what cold friction has more than warm friction, as a part of the latter")
+                .within(-1.0, 1e3),
+            shape("DT", "s", Is(30.0), "time constant of the warming").above(0.0, f64::INFINITY),
             size("DK", "1/K", Is(0.0), "change per kelvin of the `temp` column"),
-            shape("T0", "degC", Is(25.0), "temperature at which DK does nothing"),
+            shape("T0", "degC", Is(25.0), "temperature at which DK does nothing").within(-273.15, 1e3),
         ],
         "the joint's friction times 1 + DA exp(-t / DT) + DK (temp - T0)",
         "order of magnitude, our choice. Gears take tens of minutes to warm; the default is shorter so that a log of half a minute shows it",
@@ -179,7 +247,7 @@ pub static LAWS: [Law; 25] = [
         &[
             size("PC", "N m", OfTorque(0.004), "amplitude of the cosine"),
             size("PS", "N m", OfTorque(0.003), "amplitude of the sine"),
-            shape("PN", "", Is(1.0), "periods per turn of the joint"),
+            shape("PN", "", Is(1.0), "periods per turn of the joint").within(0.0, 1e5),
         ],
         "sign(v) (PC cos(PN q) + PS sin(PN q))",
         "the law: Armstrong-Helouvry, Control of Machines with Friction (1991), on a PUMA. Size: half of the default Coulomb level, our choice",
@@ -195,7 +263,8 @@ pub static LAWS: [Law; 25] = [
         name: "torque_ripple",
         place: Place::Joint,
         keys: &[
-            shape("RN", "", Derived, "periods per turn of the joint; default: the gear ratio, 32 where there is none"),
+            shape("RN", "", Derived, "periods per turn of the joint; default: the gear ratio, 32 where there is none")
+                .within(0.0, 1e6),
             size("RC", "N m", OfTorque(0.006), "amplitude of the cosine"),
             size("RS", "N m", OfTorque(0.003), "amplitude of the sine"),
         ],
@@ -206,14 +275,17 @@ pub static LAWS: [Law; 25] = [
     law(
         "joint_elasticity",
         Place::Joint,
-        &[shape("KE", "N m/rad", OfTorque(60.0), "stiffness"), shape("DE", "N m s/rad", Is(0.0), "damping")],
+        &[
+            shape("KE", "N m/rad", OfTorque(60.0), "stiffness").above(0.0, f64::INFINITY),
+            shape("DE", "N m s/rad", Is(0.0), "damping").within(0.0, f64::INFINITY),
+        ],
         "the angle that is measured is the motor's; the link's is less by tau_link / KE",
         "order of magnitude, our choice: 10 kN m/rad at 170 N m, as in the large joints of light-weight arms with harmonic drives",
     ),
     law(
         "backlash",
         Place::Joint,
-        &[shape("BL", "rad", Is(1e-3), "whole width")],
+        &[shape("BL", "rad", Is(1e-3), "whole width").within(0.0, 1.0)],
         "a dead zone between motor and link",
         "order of magnitude, our choice: 3.4 arc minutes, as a planetary gear has",
     ),
@@ -222,7 +294,7 @@ pub static LAWS: [Law; 25] = [
         Place::Joint,
         &[
             number("joint", Needed, "the other joint, k; m is the one that this stands at"),
-            shape("KC", "", Is(1.0), "turns of the motor, on the joint's side, per turn of joint k"),
+            shape("KC", "", Is(1.0), "turns of the motor, on the joint's side, per turn of joint k").within(-1e3, 1e3),
             size(
                 "IAM",
                 "kg m^2",
@@ -238,7 +310,7 @@ pub static LAWS: [Law; 25] = [
     law(
         "torque_gain_error",
         Place::Either,
-        &[shape("GT", "", Is(0.9), "measured torque per true torque")],
+        &[shape("GT", "", Is(0.9), "measured torque per true torque").above(0.0, 1e3)],
         "measured = GT true",
         "our choice, rather large: ten percent",
     ),
@@ -252,14 +324,15 @@ pub static LAWS: [Law; 25] = [
     law(
         "torque_saturation",
         Place::Joint,
-        &[shape("TM", "N m", Derived, "limit; default: 0.8 of the largest torque that the motion asks for")],
+        &[shape("TM", "N m", Derived, "limit; default: 0.8 of the largest torque that the motion asks for")
+            .above(0.0, f64::INFINITY)],
         "the torque that is applied is clipped to +-TM",
         "a drive's current limit",
     ),
     law(
         "encoder_offset",
         Place::Either,
-        &[shape("QO", "rad", Is(0.02), "offset")],
+        &[shape("QO", "rad", Is(0.02), "offset").within(-TURN, TURN)],
         "true angle = measured + QO",
         "our choice: a degree, as after a homing by eye",
     ),
@@ -267,10 +340,10 @@ pub static LAWS: [Law; 25] = [
         "geometric_error",
         Place::Either,
         &[
-            size("DALPHA", "rad", Is(0.02), "of alpha"),
-            size("DD", "m", Is(0.01), "of d"),
-            size("DTHETA", "rad", Is(0.0), "of theta"),
-            size("DR", "m", Is(0.0), "of r"),
+            size("DALPHA", "rad", Is(0.02), "of alpha").within(-HALF_TURN, HALF_TURN),
+            size("DD", "m", Is(0.01), "of d").within(-10.0, 10.0),
+            size("DTHETA", "rad", Is(0.0), "of theta").within(-HALF_TURN, HALF_TURN),
+            size("DR", "m", Is(0.0), "of r").within(-10.0, 10.0),
         ],
         "true row of the DH table = given row + these",
         "our choice: a mistaken drawing; what calibration finds in built arms is smaller",
@@ -315,14 +388,20 @@ pub static LAWS: [Law; 25] = [
     law(
         "base_tilt",
         Place::Robot,
-        &[size("roll", "rad", Is(0.02), "about x"), size("pitch", "rad", Is(0.02), "about y")],
+        &[
+            size("roll", "rad", Is(0.02), "about x").within(-HALF_TURN, HALF_TURN),
+            size("pitch", "rad", Is(0.02), "about y").within(-HALF_TURN, HALF_TURN),
+        ],
         "true base = given base turned by RotY(pitch) RotX(roll)",
         "our choice: a degree, as on a cart or an uneven floor",
     ),
     law(
         "joint_spring",
         Place::Joint,
-        &[shape("KS", "N m/rad", OfTorque(0.05), "stiffness"), shape("QS", "rad", Is(0.0), "angle without torque")],
+        &[
+            shape("KS", "N m/rad", OfTorque(0.05), "stiffness"),
+            shape("QS", "rad", Is(0.0), "angle without torque").within(-1e3, 1e3),
+        ],
         "KS (q - QS)",
         "our choice: cables and hoses, some N m over the travel of an industrial wrist",
     ),
@@ -345,7 +424,7 @@ pub static LAWS: [Law; 25] = [
     law(
         "time_delay",
         Place::Either,
-        &[shape("TD", "s", Is(0.005), "how late the torque is")],
+        &[shape("TD", "s", Is(0.005), "how late the torque is").within(-10.0, 10.0)],
         "the torque sample at t belongs to the motion at t - TD",
         "our choice: some cycles of a field bus. The torques of the iiwa 14 in Drake's logs are 40 ms late",
     ),
@@ -357,24 +436,19 @@ impl Law {
         LAWS.iter().find(|law| law.name == name)
     }
 
-    /// What a key's value must be where this one is impossible: a law would have no value, or a gear would lock.
-    pub fn must(&self, key: &str, value: f64) -> Option<&'static str> {
-        let good = match (self.name, key) {
-            ("stribeck_friction", "VS" | "DS")
-            | ("presliding_hysteresis", "HX")
-            | ("friction_drift", "DT")
-            | ("joint_elasticity", "KE")
-            | ("torque_gain_error", "GT")
-            | ("torque_saturation", "TM") => (value > 0.0, "be greater than 0"),
-            ("nonlinear_viscous_friction", "EN") | ("joint_elasticity", "DE") | ("backlash", "BL") => {
-                (value >= 0.0, "not be negative")
-            }
-            ("load_dependent_friction", "FL") => {
-                (value > -1.0 && value < 1.0, "be between -1 and 1: beyond, the gear locks")
-            }
-            _ => (true, ""),
+    /// What a key's value must be where it is not: the same for robot files, files of effects and the simulator.
+    pub fn must(&self, key: &str, value: f64) -> Option<String> {
+        let key = self.key(key)?;
+        let words = || match key.name {
+            "FL" => "be from 0 to less than 1: beyond, the gear locks".to_string(),
+            _ => key.range.words(key.unit),
         };
-        (!good.0).then_some(good.1)
+        (!key.range.holds(value)).then(words)
+    }
+
+    /// Whether an identification may have made a value beyond its range.
+    pub fn may_be_identified(&self, key: &str, value: f64) -> bool {
+        self.key(key).is_some_and(|key| value >= key.range.identified && value <= key.range.most)
     }
 
     /// The key of this name; of `RN2` the key `RN` where keys repeat.

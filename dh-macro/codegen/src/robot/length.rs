@@ -93,6 +93,15 @@ impl Polynomial {
 
     /// Closed form, `2*L2^2 - 0.5*L1`; a sum of several terms is *not* in brackets.
     pub fn text(&self, constants: &[(String, f64)]) -> String {
+        self.written(constants, number)
+    }
+
+    /// The same with every digit of the coefficients.
+    pub(super) fn exact_text(&self, constants: &[(String, f64)]) -> String {
+        self.written(constants, |value| format!("{value:?}"))
+    }
+
+    fn written(&self, constants: &[(String, f64)], number: impl Fn(f64) -> String) -> String {
         let mut out = String::new();
         for (monomial, &c) in &self.terms {
             let sign = if c < 0.0 { "-" } else { "+" };

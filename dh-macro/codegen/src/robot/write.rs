@@ -1,5 +1,6 @@
 //! A robot back to the text of its file.
 
+use super::effect::Law;
 use super::expression::Scope;
 use super::yaml::{self, Kind};
 use super::{Angle, Collision, Convention, Drive, Effect, Inertia, Joint, JointKind, Length, Limits, Robot, Tool};
@@ -161,7 +162,11 @@ pub(super) fn drive_fields(drive: &Drive) -> Vec<Field> {
         fields.push(field("friction", braces(&friction)));
     }
     let signed = [drive.rotor_inertia, drive.viscous_friction, drive.coulomb_friction];
-    if signed.into_iter().flatten().any(|value| value < 0.0) {
+    let beyond = |e: &Effect| {
+        let law = Law::of(&e.name);
+        e.parameters.iter().any(|(key, value)| law.is_some_and(|law| law.must(key, *value).is_some()))
+    };
+    if signed.into_iter().flatten().any(|value| value < 0.0) || drive.effects.iter().any(beyond) {
         fields.push(field("identified", "true")); // else the file could not be read again
     }
     fields.extend(drive.effects.iter().map(effect_field));
@@ -270,15 +275,30 @@ fn degrees(value: f64) -> String {
     if same && value != 0.0 { text } else { number(value) }
 }
 
-/// `pi/8` where that has the same bits, so that an angle made of the constant stays exact; else the number.
+/// `pi/8` or `-5/3` where that has the same bits, so that what is made of the constant stays exact; else the number.
 fn constant(value: f64) -> String {
-    for q in 1..=360i64 {
-        let p = (value * q as f64 / core::f64::consts::PI).round();
-        if p != 0.0 && p.abs() <= 720.0 && Angle::pi_fraction(p as i64, q).value.to_bits() == value.to_bits() {
-            return Angle::pi_fraction(p as i64, q).text;
+    let fraction = |unit: f64, q: i64, most: f64| {
+        let p = (value * q as f64 / unit).round();
+        (p != 0.0 && p.abs() <= most).then_some(p as i64)
+    };
+    for q in 1..=3600i64 {
+        let Some(p) = fraction(core::f64::consts::PI, q, 7200.0) else { continue };
+        let angle = Angle::pi_fraction(p, q);
+        if angle.value.to_bits() == value.to_bits() {
+            return angle.text;
         }
     }
-    number(value)
+    let decimal = number(value);
+    // Fewer digits are a decimal that somebody wrote, and exact as it is.
+    if decimal.chars().filter(char::is_ascii_digit).count() >= 16 {
+        for q in 2..=1000i64 {
+            let Some(p) = fraction(1.0, q, 1e6) else { continue };
+            if (p as f64 / q as f64).to_bits() == value.to_bits() {
+                return format!("{p}/{q}");
+            }
+        }
+    }
+    decimal
 }
 
 /// The angle's own words if they still mean it.
@@ -288,21 +308,23 @@ fn angle(angle: &Angle, scope: &Scope) -> String {
     // Behind `+ 0` a decimal is an expression, which is never read as a rounded pi/2.
     let candidates = [Some(own(&angle.text)), exact, Some(plain.clone()), Some(format!("{plain} + 0"))];
     let means = |text: &String| {
-        let read = safe(text).then(|| scope.evaluate(text).ok()).flatten().map(|value| value.angle(text).0);
+        let read = is_expression(text).then(|| scope.evaluate(text).ok()).flatten().map(|value| value.angle(text).0);
         read.is_some_and(|read| read.value == angle.value && read.pi_multiple == angle.pi_multiple)
     };
-    candidates.into_iter().flatten().find(means).unwrap_or(plain)
+    scalar(candidates.into_iter().flatten().find(means).unwrap_or(plain))
 }
 
 /// The length's own words if they still mean it.
 fn length(length: &Length, scope: &Scope) -> String {
     let plain = number(length.value);
-    let candidates = [own(&length.text), products(&length.closed_form.text(&scope.constants())), plain.clone()];
+    let constants = scope.constants();
+    let shown = products(&length.closed_form.text(&constants));
+    let candidates = [own(&length.text), shown, products(&length.closed_form.exact_text(&constants)), plain.clone()];
     let means = |text: &String| {
-        let read = safe(text).then(|| scope.evaluate(text).ok()).flatten().map(|value| value.length(text));
+        let read = is_expression(text).then(|| scope.evaluate(text).ok()).flatten().map(|value| value.length(text));
         read.is_some_and(|read| read.value == length.value && read.closed_form == length.closed_form)
     };
-    candidates.into_iter().find(means).unwrap_or(plain)
+    scalar(candidates.into_iter().find(means).unwrap_or(plain))
 }
 
 fn own(text: &str) -> String {
@@ -319,9 +341,15 @@ fn products(text: &str) -> String {
     text.split(' ').map(term).collect::<Vec<_>>().join(" ")
 }
 
-/// May an expression stand in a flow mapping without quotes?
-fn safe(text: &str) -> bool {
-    !text.starts_with("- ") && text.chars().all(|c| c.is_ascii_alphanumeric() || "+-*/()._ ".contains(c))
+/// Nothing but what expressions are made of: no sign of YAML among it.
+fn is_expression(text: &str) -> bool {
+    text.chars().all(|c| c.is_ascii_alphanumeric() || "+-*/()._ ".contains(c))
+}
+
+/// An expression in a flow mapping: in quotes where YAML would take it for something else.
+fn scalar(text: String) -> String {
+    // `- 5/3` is an item of a list.
+    if text.starts_with("- ") { format!("\"{text}\"") } else { text }
 }
 
 /// Text in quotes, whatever it looks like.

@@ -6,6 +6,17 @@ use super::super::reader::{Fields, Findings, join};
 use super::super::yaml::{Kind, Node, Word, shortened};
 use super::super::{Drive, EFFECT_NAMES, Effect};
 
+/// Where an effect is written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Origin {
+    /// A robot file.
+    Robot,
+    /// A robot file, in a drive whose values were identified.
+    Identified,
+    /// A file of effects for the simulator.
+    Simulation,
+}
+
 /// Effects that are parameters of [`Drive`] themselves.
 const OWN_PLACE: [&str; 3] = ["rotor_inertia", "viscous_friction", "coulomb_friction"];
 
@@ -32,10 +43,10 @@ pub(super) fn drive(fields: &Fields<'_>, to: &mut Findings) -> Drive {
         drive.offset = friction.number("offset", to);
         not_negative(&friction, "viscous_friction", drive.viscous_friction, identified, to);
         not_negative(&friction, "coulomb_friction", drive.coulomb_friction, identified, to);
-        laws(&friction, &mut drive, to);
+        laws(&friction, &mut drive, identified, to);
     }
     not_negative(fields, "rotor_inertia", drive.rotor_inertia, identified, to);
-    laws(fields, &mut drive, to);
+    laws(fields, &mut drive, identified, to);
     drive
 }
 
@@ -52,7 +63,7 @@ fn not_negative(fields: &Fields<'_>, name: &str, value: Option<f64>, identified:
 }
 
 /// Laws that stand under their own names, in `drive` or in `drive.friction`.
-fn laws(fields: &Fields<'_>, drive: &mut Drive, to: &mut Findings) {
+fn laws(fields: &Fields<'_>, drive: &mut Drive, identified: bool, to: &mut Findings) {
     let in_friction = fields.path.ends_with(".friction");
     for (word, node) in fields.fields {
         let name = word.text.as_str();
@@ -85,7 +96,10 @@ fn laws(fields: &Fields<'_>, drive: &mut Drive, to: &mut Findings) {
                     "keep one of the two",
                 );
             }
-            _ => drive.effects.push(effect(word, node, &path, false, to)),
+            _ => {
+                let origin = if identified { Origin::Identified } else { Origin::Robot };
+                drive.effects.push(effect(word, node, &path, origin, to));
+            }
         }
     }
 }
@@ -104,7 +118,7 @@ fn plain_law(slot: &mut Option<f64>, node: &Node, path: &str, name: &str, to: &m
 }
 
 /// `effects:` at the top of the file.
-pub(super) fn effects(node: &Node, path: &str, bare: bool, to: &mut Findings) -> Vec<Effect> {
+pub(super) fn effects(node: &Node, path: &str, origin: Origin, to: &mut Findings) -> Vec<Effect> {
     let Kind::Map(fields) = &node.kind else {
         let mend = "write a mapping of effects to numbers: base_tilt: { roll: 1deg }";
         to.problem(node.mark, path, format!("{} stands here", node.kind.describe()), mend);
@@ -115,7 +129,7 @@ pub(super) fn effects(node: &Node, path: &str, bare: bool, to: &mut Findings) ->
         let name = word.text.as_str();
         let path = join(path, &shortened(name));
         match place(name) {
-            Some(Place::Robot | Place::Either) => effects.push(effect(word, node, &path, bare, to)),
+            Some(Place::Robot | Place::Either) => effects.push(effect(word, node, &path, origin, to)),
             Some(Place::Joint) => {
                 let place = if OWN_PLACE.contains(&name) {
                     "`drive` of that joint"
@@ -141,7 +155,7 @@ pub(super) fn effects_of_joint(fields: &[(Word, Node)], path: &str, to: &mut Fin
     for (word, node) in fields {
         let path = join(path, &shortened(&word.text));
         match place(&word.text) {
-            Some(Place::Joint | Place::Either) => effects.push(effect(word, node, &path, true, to)),
+            Some(Place::Joint | Place::Either) => effects.push(effect(word, node, &path, Origin::Simulation, to)),
             Some(Place::Robot) => {
                 let mend = "write it under `effects`";
                 to.problem(word.mark, &path, format!("{} concerns the whole robot, not a joint", word.text), mend);
@@ -164,8 +178,8 @@ fn place(name: &str) -> Option<Place> {
     Law::of(name).map(|law| law.place)
 }
 
-/// A bare number, or a mapping of the keys of the effect's law. Where `bare` is true, nothing at all will do too.
-pub(super) fn effect(word: &Word, node: &Node, path: &str, bare: bool, to: &mut Findings) -> Effect {
+/// A bare number, or a mapping of the keys of the effect's law. In a file of effects nothing at all will do too.
+fn effect(word: &Word, node: &Node, path: &str, origin: Origin, to: &mut Findings) -> Effect {
     let name = word.text.clone();
     let Some(law) = Law::of(&name) else { return Effect { name, parameters: Vec::new() } };
     let first = law.keys[0].name;
@@ -189,7 +203,7 @@ pub(super) fn effect(word: &Word, node: &Node, path: &str, bare: bool, to: &mut 
                 }
             }
         }
-        Kind::Null if bare => {}
+        Kind::Null if origin == Origin::Simulation => {}
         Kind::Null => {
             to.problem(
                 node.mark,
@@ -200,17 +214,7 @@ pub(super) fn effect(word: &Word, node: &Node, path: &str, bare: bool, to: &mut 
         }
         _ => parameters.extend(to.number(node, path, &expected).map(|value| (first.to_string(), value))),
     }
-    for (key, value) in &parameters {
-        let is_count = law.key(key).is_some_and(|key| key.count);
-        if is_count && !(value.fract() == 0.0 && (1.0..=1e6).contains(value)) {
-            let mend = "joints and links are numbered from 1";
-            to.problem(node.mark, &join(path, key), format!("{value} is not the number of a joint"), mend);
-        }
-        if let Some(must) = law.must(key, *value).filter(|_| !bare) {
-            let mend = format!("it must {must}");
-            to.problem(node.mark, &join(path, key), format!("{key} of {name} is {value}"), mend);
-        }
-    }
+    ranges(law, node, path, &parameters, origin, to);
     for key in law.keys.iter().filter(|key| key.omitted == Magnitude::Needed) {
         let there = match &node.kind {
             Kind::Map(fields) => fields.iter().any(|(word, _)| word.text == key.name),
@@ -221,6 +225,28 @@ pub(super) fn effect(word: &Word, node: &Node, path: &str, bare: bool, to: &mut 
         }
     }
     Effect { name, parameters }
+}
+
+/// Values must lie in the range of their key. An identified size may be negative, as those of plain friction.
+fn ranges(law: &Law, node: &Node, path: &str, values: &[(String, f64)], origin: Origin, to: &mut Findings) {
+    let mark_of = |key: &str| match &node.kind {
+        Kind::Map(fields) => fields.iter().find(|(word, _)| word.text == key).map_or(node.mark, |(_, n)| n.mark),
+        _ => node.mark,
+    };
+    for (key, value) in values {
+        let (mark, path) = (mark_of(key), join(path, key));
+        let is_count = law.key(key).is_some_and(|key| key.count);
+        if is_count && !(value.fract() == 0.0 && (1.0..=1e6).contains(value)) {
+            let mend = "joints and links are numbered from 1";
+            to.problem(mark, &path, format!("{value} is not the number of a joint"), mend);
+        }
+        let Some(must) = law.must(key, *value) else { continue };
+        if origin == Origin::Identified && law.may_be_identified(key, *value) {
+            to.note(mark, &path, format!("the identified {key} is negative ({value}): the data hardly show it"));
+        } else {
+            to.problem(mark, &path, format!("{key} of {} is {value}", law.name), format!("it must {must}"));
+        }
+    }
 }
 
 /// `FS (N m), VS (rad/s), DS`

@@ -95,7 +95,9 @@ impl SimulationFile {
                     let path = shortened(&word.text);
                     match word.text.as_str() {
                         "joints" => joints(node, &path, robot, &mut file.effects.joints, &mut found),
-                        "effects" => file.effects.robot = drive::effects(node, &path, true, &mut found),
+                        "effects" => {
+                            file.effects.robot = drive::effects(node, &path, drive::Origin::Simulation, &mut found)
+                        }
                         "sensors" | "control" | "solver" => section(word, node, &mut file, &mut found),
                         other => {
                             let mend = match closest(other, SECTIONS) {
@@ -129,12 +131,13 @@ impl SimulationFile {
 
 /// A mapping of joints to effects, or a list of mappings with `joint` in each.
 fn joints(node: &Node, path: &str, robot: &Robot, out: &mut Vec<(usize, Effect)>, to: &mut Findings) {
+    let mut seen = Vec::new();
     match &node.kind {
         Kind::Null => {}
         Kind::Map(fields) => {
             for (word, node) in fields {
                 let path = format!("{path}.{}", shortened(&word.text));
-                let row = row(&word.text, word.mark, &path, robot, to);
+                let row = once(row(&word.text, word.mark, &path, robot, to), word.mark, &path, &mut seen, to);
                 match &node.kind {
                     Kind::Map(fields) => {
                         let effects = drive::effects_of_joint(fields, &path, to);
@@ -158,7 +161,9 @@ fn joints(node: &Node, path: &str, robot: &Robot, out: &mut Vec<(usize, Effect)>
                 let (named, effects): (Vec<_>, Vec<_>) =
                     fields.iter().cloned().partition(|(word, _): &(Word, Node)| word.text == "joint");
                 let row = match named.first() {
-                    Some((_, Node { kind: Kind::Scalar { text, .. }, mark, .. })) => row(text, *mark, &path, robot, to),
+                    Some((_, Node { kind: Kind::Scalar { text, .. }, mark, .. })) => {
+                        once(row(text, *mark, &path, robot, to), *mark, &path, &mut seen, to)
+                    }
                     _ => {
                         to.problem(
                             item.mark,
@@ -178,6 +183,25 @@ fn joints(node: &Node, path: &str, robot: &Robot, out: &mut Vec<(usize, Effect)>
             to.problem(node.mark, path, format!("{} stands here", other.describe()), mend);
         }
     }
+}
+
+/// A joint stands in one place of the file: by number or by name.
+fn once(
+    row: Option<usize>,
+    mark: Mark,
+    path: &str,
+    seen: &mut Vec<(usize, Mark, String)>,
+    to: &mut Findings,
+) -> Option<usize> {
+    let row = row?;
+    if let Some((_, first, before)) = seen.iter().find(|(other, ..)| *other == row) {
+        let what =
+            format!("joint {} stands at line {}, column {} already ({before})", row + 1, first.line, first.column);
+        to.problem(mark, path, what, "write all effects of a joint in one place");
+        return None;
+    }
+    seen.push((row, mark, path.to_string()));
+    Some(row)
 }
 
 /// The row of a joint that is named by number, from 1, or by name.
