@@ -1,14 +1,17 @@
-//! `generated/` is what the generator would write today. A stale file is rewritten, and the test fails once.
+//! `generated/` is what the generator would write today. With `DENAVIT_REGENERATE=1` in the environment stale files are rewritten.
 
 use std::path::Path;
 
 use dh_codegen::robot::Robot;
 
+/// Set to rewrite what is stale.
+const SWITCH: &str = "DENAVIT_REGENERATE";
 const CRATES: [&str; 6] = ["planar2r", "kuka-lwr4", "franka-panda", "ur10e", "kinova-gen3", "stanford"];
 
 #[test]
 fn generated_crates_are_fresh() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let rewrite = std::env::var_os(SWITCH).is_some_and(|value| value == "1");
     let mut stale = Vec::new();
     for name in CRATES {
         let text = std::fs::read_to_string(root.join(format!("robots/{name}.yaml"))).unwrap();
@@ -17,13 +20,16 @@ fn generated_crates_are_fresh() {
         for (path, expected) in dh_codegen::krate(&robot, &text) {
             let file = root.join("generated").join(name).join(&path);
             if std::fs::read(&file).ok().as_deref() != Some(expected.as_bytes()) {
-                std::fs::create_dir_all(file.parent().unwrap()).unwrap();
-                std::fs::write(&file, expected).unwrap();
+                if rewrite {
+                    std::fs::create_dir_all(file.parent().unwrap()).unwrap();
+                    std::fs::write(&file, expected).unwrap();
+                }
                 stale.push(format!("{name}/{path}"));
             }
         }
     }
-    assert!(stale.is_empty(), "these were stale and have been rewritten; look at the diff: {stale:#?}");
+    let hint = if rewrite { "(rewritten; look at the diff)" } else { "(rewrite them with DENAVIT_REGENERATE=1)" };
+    assert!(stale.is_empty(), "stale files {hint}: {stale:#?}");
 }
 
 #[test]
