@@ -19,12 +19,14 @@
 //!     let settings = IdentifySettings { prior: Some(prior.clone()), essential: Some(Essential::default()), ..Default::default() };
 //!     let found = solve(arm, &[fit_factors], &[validate_factors], &settings)?;
 //!     let _for_the_robot_file = recover_standard(arm, &found.values(), Some(&prior))?;
-//!     let _json = report::identify_json(&found, &[a.clone(), b.clone()], &[]).to_string();
+//!     let logs = [a, b];
+//!     let warnings = report::identify_warnings(&found, &logs, None, None);
+//!     let _json = report::identify_json(&found, &logs, &warnings, &[]).to_string();
 //!     // For the page's curves a log is read once more.
 //!     let mut tracer = Tracer::new("validate.csv", true, arm, &found.values());
 //!     each_motion(log::open("validate.csv", validate)?.as_mut(), arm.dof(), &prepare, |motion| tracer.absorb(motion))?;
-//!     let _page = report::identify_html(&found, &[a.clone(), b.clone()], &[tracer.finish()], None, &[]);
-//!     Ok(report::identify_text(&found, &[a, b]))
+//!     let _page = report::identify_html(&found, &logs, &warnings, &[tracer.finish()], None, &[]);
+//!     Ok(report::identify_text(&found, &logs, &warnings))
 //! }
 //! ```
 //!
@@ -38,6 +40,7 @@ mod disagree;
 mod essential;
 mod known;
 mod left_out;
+mod nonnegative;
 mod preference;
 mod recover;
 mod result;
@@ -66,9 +69,10 @@ pub use consistent::{
 pub use essential::{Dropped, Essential};
 pub use known::Known;
 pub use left_out::{LeftOutError, left_out};
+pub use nonnegative::{Nonnegative, nonnegative_drives};
 pub use preference::{Better, Preference, preference};
 pub use recover::{RecoverError, implausible_links, recover_standard};
-pub use result::{Condition, Confused, Estimate, Identification, LogSummary, Standing};
+pub use result::{Condition, Confused, Estimate, Identification, LogSummary, Standing, Underdetermined};
 pub use solve::{IdentifyError, IdentifySettings, solve};
 pub use stack::{DeadZone, Factors, JointFactor, Stack, StackSettings};
 pub use statistics::Noise;

@@ -24,7 +24,7 @@ pub use error::LogError;
 pub use finding::{Clock, Finding, Kind, Severity};
 pub use fingerprint::{Common, Fingerprint, Fingerprinted};
 pub use keep::Keep;
-pub use limits::{Limits, beyond};
+pub use limits::{Limits, beyond, torque_unit};
 pub use open::{Format, open};
 pub use replay::Replay;
 pub use whole::Log;

@@ -41,9 +41,10 @@ mod tool_html;
 mod tool_json;
 mod tool_text;
 mod visible;
+mod warnings;
 
 pub use bodies_html::Links;
-pub use consistent::{Possible, carry_over_json, carry_over_text, consistent_json, consistent_text};
+pub use consistent::{Possible, carry_over_json, consistent_json, consistent_text, held_text, identify_warnings};
 pub use diagnose_html::diagnose_html;
 pub use diagnose_json::diagnose_json;
 pub use diagnose_text::{diagnose_text, diagnose_verdict};
@@ -68,8 +69,9 @@ pub use simulate_json::simulate_json;
 pub use simulate_text::simulate_text;
 pub use tool_html::tool_html;
 pub use tool_json::tool_json;
-pub use tool_text::{tool_text, tool_verdict};
+pub use tool_text::{tool_text, tool_verdict, tool_warnings};
 pub use visible::{is_control, visible};
+pub use warnings::Warnings;
 
 #[cfg(test)]
 mod tests;

@@ -6,10 +6,9 @@ use clap::Args;
 use indicatif::ProgressBar;
 
 use super::logbook::{Logbook, Purpose};
-use super::prepare::{Torque, keep, warned};
+use super::prepare::{Torque, keep, torque_constants, warned};
 use super::provenance::Provenance;
 use super::{Failure, files, motors};
-use crate::arm::Arm;
 use crate::diagnose::{self, Cause, Diagnosis, Recording, Separation, Settings};
 use crate::log::Keep;
 use crate::plant::RobotPlant;
@@ -53,7 +52,8 @@ pub(super) struct Diagnose {
     /// Windows per second over which torques are averaged to tell causes apart.
     #[arg(long, default_value_t = 100.0)]
     rate: f64,
-    /// Which torque: `tau`, or `taum` (motor side).
+    /// Which torque: `tau` (of a log that has currents alone: `current`), `taum` (motor side), or `current` (motor current times the robot file's
+    /// `torque_constant`).
     #[arg(long, value_enum, default_value_t = Torque::Tau)]
     torque: Torque,
     /// Keep what is normally refused, as `identify` does.
@@ -88,9 +88,10 @@ impl Diagnose {
             file.read.iter().chain(&self.logs).chain(&self.validate),
         )?;
         let plant = RobotPlant::new(&file.robot);
+        let constants = torque_constants(&file.robot);
         let mut reading = Reading { provenance: provenance.robot(&self.robot, &file), ..Reading::default() };
         let mut read = |purpose: Purpose, paths: &[PathBuf]| -> Result<Vec<Recording>, Failure> {
-            paths.iter().map(|path| self.record(purpose, path, plant.dof(), keep, &mut reading)).collect()
+            paths.iter().map(|path| self.record(purpose, path, &constants, keep, &mut reading)).collect()
         };
         let (fit, validate) = (read(Purpose::Fit, &self.logs)?, read(Purpose::Validate, &self.validate)?);
         let Reading { prepared, logbook, provenance } = reading;
@@ -157,7 +158,7 @@ impl Diagnose {
         &self,
         purpose: Purpose,
         path: &Path,
-        dof: usize,
+        constants: &[Option<f64>],
         keep: Keep,
         reading: &mut Reading,
     ) -> Result<Recording, Failure> {
@@ -169,11 +170,15 @@ impl Diagnose {
                 raw_torque: true,
                 temperature: true,
                 torque: self.torque.quantity(),
+                torque_constants: constants.to_vec(),
                 keep,
                 ..Prepare::default()
             };
             let mut recording = Recording::new(&path.display().to_string());
-            match reading.logbook.try_pass(purpose, path, dof, &prepare, |motion| recording.absorb(motion))? {
+            match reading
+                .logbook
+                .try_pass(purpose, path, constants.len(), &prepare, |motion| recording.absorb(motion))?
+            {
                 Ok(found) => {
                     reading.prepared.push(warned(path, found));
                     if cutoff < self.cutoff {

@@ -141,8 +141,8 @@ impl Force {
             .map_err(|e| Failure::input(format!("{}: {e}", self.robot.display())))?;
         let effected = predictor.as_ref().map(|p| Effected(p));
         let torques: &dyn Torques = effected.as_ref().map_or(&linear, |e| e);
-        let prepare =
-            Prepare { raw_torque: true, margins: true, wrench: true, temperature: true, ..self.preparation.prepare()? };
+        let prepare = self.preparation.prepare(&file.robot)?;
+        let prepare = Prepare { raw_torque: true, margins: true, wrench: true, temperature: true, ..prepare };
         let mut settings = force::Settings { filter: prepare.filter, gain: self.gain, ..force::Settings::default() };
         settings.method = match self.estimator {
             Estimator::Residual => Method::Residual,
@@ -245,7 +245,7 @@ impl Force {
             files::write(path, report::force_html(outcome, prepared, &provenance.rows()).as_bytes())?;
         }
         if let Some(target) = &self.json {
-            files::json(target, report::force_json(outcome, &provenance.rows()), provenance)?;
+            files::json(target, report::force_json(outcome, prepared, &provenance.rows()), provenance)?;
         }
         if !files::is_stdout(self.json.iter().chain(&self.out)) {
             files::print(&report::force_text(outcome, prepared))?;

@@ -9,13 +9,13 @@ use dh_codegen::robot::Robot;
 use super::logbook::{Logbook, Purpose};
 use super::prepare::{Preparation, against_limits, pass, warned};
 use super::provenance::Provenance;
-use super::{Failure, files, motors, terminal};
+use super::{Failure, files, motors};
 use crate::arm::{Arm, Reach};
 use crate::coupled::Coupled;
 use crate::identify::{
-    Better, Bounds, Consistent, ConsistentError, ConsistentSettings, Essential, Factors, Identification,
+    Better, Bounds, Consistent, ConsistentError, ConsistentSettings, Essential, Factors, Identification, IdentifyError,
     IdentifySettings, LeftOutError, Preference, PriorBody, Stack, Trace, Tracer, carry_over, consistent,
-    geometric_bodies, left_out, possible_bodies, prior_bodies, recover_standard, solve,
+    geometric_bodies, left_out, nonnegative_drives, possible_bodies, prior_bodies, recover_standard, solve,
 };
 use crate::interpreted::Interpreted;
 use crate::signal::{Derivatives, Prepare};
@@ -104,11 +104,11 @@ enum Source {
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Consistency {
-    /// Possible bodies where the data allow them; otherwise the plain values, and a warning.
+    /// Possible bodies; where the data do not allow them the plain values are shown, and no robot file is written.
     Auto,
     /// Possible bodies, or an error.
     Require,
-    /// The plain values.
+    /// The plain values, for torques alone; rotor inertias and friction levels are not below zero.
     Never,
 }
 
@@ -132,7 +132,7 @@ impl Identify {
             &[("--out", &self.out), ("--json", &self.json), ("--report", &self.report)],
             file.read.iter().chain(&self.logs).chain(&self.validate).chain(&self.bounds),
         )?;
-        let mut prepare = self.prepare()?;
+        let mut prepare = self.prepare(&file.robot)?;
         let bodies = Interpreted::new(&file.robot, &[]);
         let couplings = extend::couplings(&file.robot);
         prepare.sums = couplings.iter().map(|(coupling, _)| coupling.velocity()).collect();
@@ -152,7 +152,7 @@ impl Identify {
         let validate: Vec<Factors> =
             self.validate.iter().map(|path| factor(Purpose::Validate, path)).collect::<Result<_, _>>()?;
 
-        against_limits(&mut prepared, &file.robot);
+        against_limits(&mut prepared, &file.robot, prepare.keep)?;
 
         let solving = IdentifySettings {
             weighted: !self.ordinary,
@@ -160,7 +160,8 @@ impl Identify {
             prior: prior.clone(),
             ..IdentifySettings::default()
         };
-        let found = solve(&arm, &fit, &validate, &solving).map_err(Failure::input)?;
+        let found = solve(&arm, &fit, &validate, &solving).map_err(unsolved)?;
+        let underdetermined = found.underdetermined().is_some();
         let provenance =
             provenance.robot(&self.robot, &file).logs(&logbook).with("low-pass", self.preparation.low_pass());
         let carry = carry_over(&arm, &bodies, &found);
@@ -173,7 +174,7 @@ impl Identify {
         }
         // Where the plain solution is possible itself, the file has bodies with exactly its base parameters.
         let exact = match (self.consistent, &possible) {
-            (Consistency::Auto, Some(Ok(_))) if self.prior_weight == 1.0 => {
+            (Consistency::Auto, Some(Ok(_))) if self.prior_weight == 1.0 && !underdetermined => {
                 let (prior, settings) = (self.prior_of(&file.robot, &bodies), self.settings(&file.robot)?);
                 let same = possible_bodies(&arm, &found.values(), &prior, &drives(&file.robot), &settings);
                 same.ok().filter(|same| same.exact).map(|same| same.standard)
@@ -181,19 +182,38 @@ impl Identify {
             _ => None,
         };
         let left_out = match &possible {
-            Some(Ok(c)) => self.left_out(&file.robot, &arm, &bodies, &fit, &found, c, prior.as_deref())?,
+            Some(Ok(c)) if !underdetermined => {
+                self.left_out(&file.robot, &arm, &bodies, &fit, &found, c, prior.as_deref())?
+            }
             _ => None,
         };
+        // Where the data determine nothing, bodies near the file's own are all that can be written.
+        let complete =
+            file.robot.links.len() == file.robot.joints.len() && file.robot.links.iter().all(Option::is_some);
+        let near = self.prior == PriorFrom::Cad && complete && matches!(possible, Some(Ok(_)));
+        // Impossible bodies are written where the user asks for torques alone, and where these predict the torque of some joint.
+        let refused = matches!(possible, Some(Err(_)));
+        let nothing = refused || (possible.is_none() && !underdetermined && carry.says_nothing(&found));
+        let out = self.out.as_ref().filter(|_| !nothing && (!underdetermined || near));
         let possible = possible.as_ref().map(|result| report::Possible {
             result: result.as_ref(),
-            written: self.out.as_ref().map(|_| result.is_ok()),
+            written: out.map(|_| result.is_ok()),
             plain: exact.is_some(),
             left_out: left_out.as_ref(),
         });
-
+        let mut warnings = report::identify_warnings(&found, &prepared, Some(&carry), possible.as_ref());
+        if let Some(text) = not_used(&file.robot) {
+            warnings.push(text);
+        }
         let standard = match possible.as_ref().map(|p| p.result) {
             Some(Ok(bodies)) => exact.clone().unwrap_or_else(|| bodies.standard.clone()),
-            _ => recover_standard(&arm, &found.values(), prior.as_deref()).map_err(Failure::other)?,
+            _ => {
+                let bounded = nonnegative_drives(&arm, &fit, &found, &solving).map_err(unsolved)?;
+                if out.is_some() && !bounded.held.is_empty() {
+                    warnings.push(report::held_text(&bounded, &fit, &validate));
+                }
+                recover_standard(&arm, &bounded.base, prior.as_deref()).map_err(Failure::other)?
+            }
         };
         if let Some(path) = &self.report {
             let traces = self.traces(&arm, &found, &prepare)?;
@@ -202,22 +222,16 @@ impl Identify {
                 file: links(&file.robot, prior.as_deref()),
                 possible: possible.as_ref(),
             };
-            let page = report::identify_html(&found, &prepared, &traces, Some(&links), &provenance.rows());
+            let page = report::identify_html(&found, &prepared, &warnings, &traces, Some(&links), &provenance.rows());
             files::write(path, page.as_bytes())?;
         }
-        if let Some(path) = &self.out {
-            if let Some(Err(error)) = possible.as_ref().map(|p| p.result) {
-                terminal::say(&format!(
-                    "{}: warning: no possible bodies, the plain values were written: {error}",
-                    path.display()
-                ));
-            }
+        if let Some(path) = out {
             let (own, coupled) = standard.split_at(bodies.standard_names().len());
             let robot = extend::with_couplings(extend::with_values(file.robot.clone(), own), coupled);
             files::write(path, file.rewritten(&robot, path, &provenance.run(Vec::new())).as_bytes())?;
         }
         if let Some(target) = &self.json {
-            let mut json = report::identify_json(&found, &prepared, &provenance.rows());
+            let mut json = report::identify_json(&found, &prepared, &warnings, &provenance.rows());
             json["carry_over"] = report::carry_over_json(&carry);
             if let Some(possible) = &possible {
                 json["consistent"] = report::consistent_json(possible);
@@ -225,16 +239,32 @@ impl Identify {
             files::json(target, json, &provenance)?;
         }
         if !files::is_stdout(&self.json) {
-            files::print(&report::identify_text(&found, &prepared))?;
-            files::print(&report::carry_over_text(&found, &carry))?;
-            if let Some(possible) = &possible {
+            files::print(&report::identify_text(&found, &prepared, &warnings))?;
+            if let Some(possible) = possible.as_ref().filter(|_| !underdetermined) {
                 files::print(&report::consistent_text(&found, possible))?;
             }
-            for path in self.out.iter().chain(&self.report) {
+            for path in out.into_iter().chain(&self.report) {
                 files::print(&format!("wrote {}\n", path.display()))?;
             }
         }
-        Ok(())
+        match (underdetermined, out) {
+            (false, None) if refused && self.out.is_some() => Err(Failure::other(
+                "no robot file was written, as no possible bodies explain the logs (see the warning); `--consistent=never` writes the plain values, which give \
+                 torques alone",
+            )),
+            (false, None) if self.out.is_some() => Err(Failure::other(
+                "no robot file was written, as the plain values predict no joint's torque in other motions; record a richer motion",
+            )),
+            (false, _) => Ok(()),
+            (true, Some(path)) => Err(Failure::other(format!(
+                "the logs do not determine the parameters; {} has possible bodies near the links of {}, and no measurement",
+                path.display(),
+                self.robot.display()
+            ))),
+            (true, None) => Err(Failure::other(
+                "the logs do not determine the parameters, so no robot file was written; record a longer motion of all joints",
+            )),
+        }
     }
 
     /// The fit with possible bodies; bad options are a failure, data without such bodies a result.
@@ -322,13 +352,13 @@ impl Identify {
         Ok(bounds)
     }
 
-    fn prepare(&self) -> Result<Prepare, Failure> {
+    fn prepare(&self, robot: &Robot) -> Result<Prepare, Failure> {
         let derivatives = match self.derivatives {
             Source::Position => Derivatives::FromPosition,
             Source::Recorded => Derivatives::Recorded,
             Source::Rest => Derivatives::AtRest,
         };
-        Ok(Prepare { derivatives, ..self.preparation.prepare()? })
+        Ok(Prepare { derivatives, ..self.preparation.prepare(robot)? })
     }
 
     /// The torques over time, for drawing: a second pass, now that the parameters are known.
@@ -342,6 +372,31 @@ impl Identify {
         })
         .collect()
     }
+}
+
+/// Too few samples are a verdict on the data; other problems are those of the input.
+fn unsolved(error: IdentifyError) -> Failure {
+    match error {
+        IdentifyError::TooFew { .. } => Failure::other(format!("underdetermined: {error}")),
+        _ => Failure::input(error),
+    }
+}
+
+/// Effects of the robot file that the fit and the figures of the untouched file leave out; those of `gear_coupling` are fitted.
+fn not_used(robot: &Robot) -> Option<String> {
+    let own = (1..).zip(&robot.joints).flat_map(|(row, joint)| joint.drive.effects.iter().map(move |e| (Some(row), e)));
+    let all = own.chain(robot.effects.iter().map(|e| (None, e)));
+    let names: Vec<String> = all
+        .filter(|(_, effect)| effect.name != "gear_coupling")
+        .map(|(row, effect)| row.map_or(effect.name.clone(), |row| format!("{} of joint {row}", effect.name)))
+        .collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "effects of the robot file are not used: {}. The fit, and the error of the file as it was, are those of the rigid arm with plain friction; \
+             `denavit diagnose` takes effects into account",
+            names.join(", ")
+        )
+    })
 }
 
 /// The bodies of the robot file, or guesses from the geometry for those that it does not have.

@@ -13,7 +13,9 @@ use sha2::{Digest, Sha256};
 use super::provenance::hexadecimal;
 use super::{Failure, files, terminal};
 use crate::identify::{DeadZone, StackSettings};
-use crate::log::{Finding, Fingerprint, Fingerprinted, Keep, Kind, Limits, Quantity, beyond, open};
+use crate::log::{
+    Finding, Fingerprint, Fingerprinted, Keep, Kind, Limits, LogError, Quantity, beyond, open, torque_unit,
+};
 use crate::signal::{Filter, Motion, Prepare, PrepareError, Prepared, each_motion};
 
 /// Low-pass, clock, torque column, and what to keep.
@@ -34,14 +36,15 @@ pub(super) struct Preparation {
     /// Use every n-th sample, after the low-pass.
     #[arg(long, default_value_t = 1, value_name = "N")]
     stride: usize,
-    /// Which torque: `tau`, or `taum` (motor side).
+    /// Which torque: `tau` (of a log that has currents alone: `current`), `taum` (motor side), or `current` (motor current times the robot file's
+    /// `torque_constant`).
     #[arg(long, value_enum, default_value_t = Torque::Tau)]
     torque: Torque,
     /// Speed below which a joint's rows are not used, rad/s; default from the noise.
     #[arg(long, value_name = "SPEED", allow_negative_numbers = true)]
     dead_zone: Option<f64>,
     /// Keep what is normally refused: bad-rows, gaps, restarts, duplicates, irregular-clock, stuck, clipped, dead-torque,
-    /// large-angles, or all.
+    /// large-angles, torque-unit, or all.
     #[arg(long, value_delimiter = ',', value_name = "WHAT")]
     keep: Vec<String>,
 }
@@ -51,6 +54,7 @@ pub(super) struct Preparation {
 pub(super) enum Torque {
     Tau,
     Taum,
+    Current,
 }
 
 impl Torque {
@@ -58,6 +62,7 @@ impl Torque {
         match self {
             Self::Tau => Quantity::Tau,
             Self::Taum => Quantity::Taum,
+            Self::Current => Quantity::Current,
         }
     }
 }
@@ -77,7 +82,7 @@ pub(super) fn keep(names: &[String]) -> Result<Keep, Failure> {
 
 impl Preparation {
     /// Checked.
-    pub(super) fn prepare(&self) -> Result<Prepare, Failure> {
+    pub(super) fn prepare(&self, robot: &Robot) -> Result<Prepare, Failure> {
         let keep = keep(&self.keep)?;
         let bad = |what: String| Err(Failure::input(what));
         if !(self.cutoff >= 0.0 && self.cutoff.is_finite()) {
@@ -104,6 +109,7 @@ impl Preparation {
             torque_delay: self.delay,
             stride: self.stride,
             torque: self.torque.quantity(),
+            torque_constants: torque_constants(robot),
             keep,
             ..Prepare::default()
         })
@@ -129,8 +135,17 @@ impl Preparation {
     }
 }
 
+/// Torque constants of the joints that move.
+pub(super) fn torque_constants(robot: &Robot) -> Vec<Option<f64>> {
+    let moving = robot.joints.iter().filter(|joint| joint.kind != JointKind::Fixed);
+    moving.map(|joint| joint.drive.torque_constant).collect()
+}
+
 /// What the logs say against the limits of the robot file, added to what was found in them.
-pub(super) fn against_limits(prepared: &mut [Prepared], robot: &Robot) {
+///
+/// # Errors
+/// Where torques are in another unit, and that is not allowed.
+pub(super) fn against_limits(prepared: &mut [Prepared], robot: &Robot, keep: Keep) -> Result<(), Failure> {
     let limits: Vec<Limits> = robot
         .joints
         .iter()
@@ -142,8 +157,14 @@ pub(super) fn against_limits(prepared: &mut [Prepared], robot: &Robot) {
         })
         .collect();
     for log in prepared {
+        let unit = torque_unit(&log.reached, &limits, keep.torque_unit);
+        if let Some(finding) = unit.filter(Finding::is_fatal) {
+            return Err(Failure::input(LogError::Rejected { file: log.file.clone(), findings: vec![finding] }));
+        }
+        log.findings.extend(torque_unit(&log.reached, &limits, keep.torque_unit));
         log.findings.extend(beyond(&log.reached, &limits));
     }
+    Ok(())
 }
 
 /// A log as it was read, after one line of warning where it has columns that nobody knows, whatever else is printed where.

@@ -12,11 +12,13 @@ use super::prepare::{Preparation, against_limits, pass, warned};
 use super::provenance::Provenance;
 use super::{Failure, files, motors, terminal};
 use crate::arm::Arm;
-use crate::identify::{Factors, Stack, Trace, Tracer};
+use crate::identify::{Factors, IdentifyError, Stack, Trace, Tracer, Underdetermined};
 use crate::interpreted::Interpreted;
 use crate::report;
 use crate::signal::Prepare;
-use crate::tool::{Carrying, Entry, Found, RecogniseSettings, Tolerance, ToolSettings, identify_tool, look_up};
+use crate::tool::{
+    Carrying, Entry, Found, RecogniseSettings, Tolerance, ToolError, ToolSettings, identify_tool, look_up,
+};
 
 /// Identify what the arm carries, from logs with an empty hand and with the tool, and look it up among known tools.
 ///
@@ -77,13 +79,13 @@ pub(super) struct ToolVerb {
 impl ToolVerb {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         let (tolerance, recognising) = self.looking_up()?;
-        let prepare = self.preparation.prepare()?;
         let file = files::robot(&self.robot)?;
         motors::on_every_joint(&self.robot, &file.robot, "the tool is identified from the torques of every joint")?;
         files::check_outputs(
             &[("--json", &self.json), ("--report", &self.report)],
             file.read.iter().chain(&self.unloaded).chain(&self.loaded),
         )?;
+        let prepare = self.preparation.prepare(&file.robot)?;
         let mut bare = file.robot.clone();
         let own = bare.tool.take();
         let table = self.table(&tolerance)?;
@@ -112,26 +114,35 @@ impl ToolVerb {
             paths.iter().map(&mut factor).collect()
         };
         let (unloaded, loaded) = (factors(&self.unloaded, Purpose::Unloaded)?, factors(&self.loaded, Purpose::Loaded)?);
-        against_limits(&mut prepared, &file.robot);
-        let carried = identify_tool(&arm, &unloaded, &loaded, &settings).map_err(Failure::input)?;
+        against_limits(&mut prepared, &file.robot, prepare.keep)?;
+        let carried = identify_tool(&arm, &unloaded, &loaded, &settings).map_err(unsolved)?;
         let found = look_up(carried, own.as_ref(), table, &tolerance, &recognising);
         let provenance =
             provenance.robot(&self.robot, &file).logs(&logbook).with("low-pass", self.preparation.low_pass());
+        let warnings = report::tool_warnings(&found, &prepared);
 
         if let Some(path) = &self.report {
             let traces = self.traces(&arm, &found, &prepare)?;
-            files::write(path, report::tool_html(&found, &prepared, &traces, &provenance.rows()).as_bytes())?;
+            files::write(
+                path,
+                report::tool_html(&found, &prepared, &warnings, &traces, &provenance.rows()).as_bytes(),
+            )?;
         }
         if let Some(target) = &self.json {
-            files::json(target, report::tool_json(&found, &prepared, &provenance.rows()), &provenance)?;
+            files::json(target, report::tool_json(&found, &prepared, &warnings, &provenance.rows()), &provenance)?;
         }
         if !files::is_stdout(&self.json) {
-            files::print(&report::tool_text(&found, &prepared))?;
+            files::print(&report::tool_text(&found, &prepared, &warnings))?;
             if let Some(path) = &self.report {
                 files::print(&format!("wrote {}\n", path.display()))?;
             }
         }
-        Ok(())
+        match found.carried.solved.underdetermined() {
+            Some(Underdetermined::Equations { .. }) => {
+                Err(Failure::other("the logs do not determine what the arm carries; record a longer motion"))
+            }
+            _ => Ok(()),
+        }
     }
 
     fn looking_up(&self) -> Result<(Tolerance, RecogniseSettings), Failure> {
@@ -211,5 +222,13 @@ impl ToolVerb {
             Ok(tracer.finish())
         })
         .collect()
+    }
+}
+
+/// Too few samples are a verdict on the data; other problems are those of the input.
+fn unsolved(error: ToolError) -> Failure {
+    match error {
+        ToolError::Identify(IdentifyError::TooFew { .. }) => Failure::other(format!("underdetermined: {error}")),
+        _ => Failure::input(error),
     }
 }

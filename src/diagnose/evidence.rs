@@ -60,7 +60,12 @@ pub(super) fn sentence(shown: &Shown<'_>) -> String {
         })
         .collect();
     let attainable = before[main].powi(2) - noise[main].powi(2);
-    let share = if attainable > 0.0 { 100.0 * (before[main].powi(2) - after[main].powi(2)) / attainable } else { 0.0 };
+    let gain = before[main].powi(2) - after[main].powi(2);
+    let gained = match gain > 0.0 && attainable > 0.0 {
+        true => format!(", {:.0} % of the variance above its noise", (100.0 * gain / attainable).min(100.0)),
+        false => String::new(),
+    };
+    let moves = if gain < 0.0 { "grows" } else { "falls" };
     let confirmed = confirmed.map_or(String::new(), |share| {
         if cause.local() {
             String::new()
@@ -69,14 +74,13 @@ pub(super) fn sentence(shown: &Shown<'_>) -> String {
         }
     });
     format!(
-        "{where_}: {} ({}); the error of joint {} falls from {} to {} N m on the {} logs, {:.0} % of the variance above its noise{confirmed}",
+        "{where_}: {} ({}); the error of joint {} {moves} from {} to {} N m on the {} logs{gained}{confirmed}",
         cause.says(),
         numbers.join(", "),
         main + 1,
         short(before[main]),
         short(after[main]),
         if on == "fit" { "fitted" } else { "validating" },
-        share.clamp(-999.0, 100.0),
     )
 }
 

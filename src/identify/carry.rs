@@ -14,6 +14,16 @@ pub struct CarryOver {
 }
 
 impl CarryOver {
+    /// Whether the fit says nothing of any motion that was not recorded: the torque of every joint is uncertain there by more than the torque that was
+    /// measured, root mean square.
+    pub fn says_nothing(&self, found: &Identification) -> bool {
+        let torque = &found.fit.torque_rms;
+        self.torque_std
+            .iter()
+            .zip(torque)
+            .all(|(std, torque)| std.partial_cmp(torque) != Some(std::cmp::Ordering::Less))
+    }
+
     /// Joints (from 1) whose torque elsewhere is uncertain by more than the fit's own residual, worst first.
     pub fn doubtful(&self) -> Vec<usize> {
         let mut joints: Vec<usize> = (0..self.ratio.len()).filter(|&j| self.ratio[j] > 1.0).collect();

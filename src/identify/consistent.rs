@@ -47,7 +47,7 @@ use super::{
     accuracy::Accuracy,
     preference::{Preference, preference},
     recover::base_of,
-    result::Identification,
+    result::{Identification, Underdetermined},
     stack::Factors,
     wls::{JointSystem, stacked},
 };
@@ -215,7 +215,7 @@ pub fn consistent(
 ) -> Result<Consistent, ConsistentError> {
     let (data, floor) = data(arm, fit, found)?;
     let parameters = arm.base_parameters().len() as f64;
-    let freedom = found.noise.effective_samples.iter().sum::<f64>() - parameters;
+    let freedom = found.independent - parameters;
     let setup = Setup::new(arm, &data, prior, drives, settings)?;
     let shares = setup.problem.links.iter().map(|l| l.share).fold(1.0, f64::min);
     let vanishing = Weights { w: VANISHING / shares, mu: VANISHING };
@@ -303,7 +303,10 @@ fn data(arm: &dyn Arm, fit: &[Factors], found: &Identification) -> Result<(Data,
     length("base parameters", found.parameters.len(), parameters)?;
     // An exact fit would weigh without bounds: torques are not known to more than five digits.
     let floored = |(joint, sigma): (&JointSystem, &f64)| sigma.max(1e-5 * joint.torque_rms).max(1e-12);
-    let sigmas: Vec<f64> = joints.iter().zip(&found.noise.sigma).map(floored).collect();
+    // A fit with fewer equations than unknowns shows no noise: what the file leaves is the most that it can be.
+    let follows = matches!(found.underdetermined(), Some(Underdetermined::Equations { .. }));
+    let noise = found.fit_before.as_ref().filter(|_| follows).map_or(&found.noise.sigma, |before| &before.rms);
+    let sigmas: Vec<f64> = joints.iter().zip(noise).map(floored).collect();
     let weights: Vec<f64> = if found.weighted {
         sigmas.iter().map(|s| s.recip()).collect()
     } else {

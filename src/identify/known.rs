@@ -66,6 +66,7 @@ impl<'a> Known<'a> {
             columns: unknown.iter().map(|&i| place[whole.columns[i]]).collect(),
             triangle,
             samples: whole.samples,
+            independent: whole.independent,
             range: whole.range,
             reach: whole.reach,
             batches,

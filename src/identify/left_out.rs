@@ -94,6 +94,7 @@ fn without(log: &Factors, out: &std::ops::Range<usize>) -> Factors {
         JointFactor {
             triangle: factor(&sum, n),
             samples: (joint.samples as f64 * share).round() as usize,
+            independent: joint.independent * share,
             batches,
             columns: joint.columns.clone(),
             range: joint.range,

@@ -113,11 +113,44 @@ pub struct Identification {
     pub findings: Vec<Finding>,
     /// Samples used in the fit, over all joints.
     pub samples: usize,
+    /// Independent ones among them: at most as many as the band of the torque has room for, and as the residual shows.
+    pub independent: f64,
+    /// Unknowns that were solved for: parameters, less the combinations that are open.
+    pub unknowns: usize,
+}
+
+/// Why data do not determine the parameters, as a whole.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Underdetermined {
+    /// Fewer independent equations than unknowns: the fit follows the noise, and no standard deviation shows it.
+    Equations {
+        /// Samples, over all joints.
+        samples: usize,
+        /// Independent ones among them.
+        independent: f64,
+        /// Unknowns.
+        unknowns: usize,
+    },
+    /// Every parameter has a standard deviation larger than itself.
+    Spread {
+        /// Unknowns.
+        unknowns: usize,
+    },
 }
 
 impl Identification {
     /// The base parameters' values.
     pub fn values(&self) -> Vec<f64> {
         self.parameters.iter().map(|p| p.value).collect()
+    }
+
+    /// Whether the data determine nothing; some open parameters beside others that are known are no such case.
+    pub fn underdetermined(&self) -> Option<Underdetermined> {
+        let (samples, independent, unknowns) = (self.samples, self.independent, self.unknowns);
+        if independent <= unknowns as f64 {
+            return Some(Underdetermined::Equations { samples, independent, unknowns });
+        }
+        let known = |p: &Estimate| p.standing == Standing::Identified && p.relative_std_percent() < 100.0;
+        (!self.parameters.iter().any(known)).then_some(Underdetermined::Spread { unknowns })
     }
 }

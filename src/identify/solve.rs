@@ -174,6 +174,9 @@ pub fn solve(
         findings = unexplained(&fitted);
     }
     findings.extend(disagree(fit, &solution.weights, parameters.len()));
+    let pairs = joints.iter().zip(&noise.effective_samples);
+    let independent = pairs.map(|(joint, effective)| joint.independent.min(*effective)).sum();
+    let unknowns = solution.active.len() - solution.null.ncols();
     let [weighted, scaled] = solution.small.conditions();
     let plain =
         Small::new(&stacked(&joints, &vec![1.0; joints.len()], &solution.active, parameters.len())).conditions()[0];
@@ -223,6 +226,8 @@ pub fn solve(
         weighted: settings.weighted,
         findings,
         samples,
+        independent,
+        unknowns,
     })
 }
 

@@ -51,6 +51,8 @@ pub struct JointFactor {
     pub triangle: Triangle,
     /// Samples used.
     pub samples: usize,
+    /// Independent samples among them, at most: a signal without content above `f` has `2 f` values per second (Shannon).
+    pub independent: f64,
     /// Least and largest torque, N m.
     pub range: [f64; 2],
     /// Least and largest position, rad or m.
@@ -123,6 +125,7 @@ impl<'a> Stack<'a> {
                 triangle: Triangle::new(columns.len() + 1),
                 columns,
                 samples: 0,
+                independent: 0.0,
                 range: [f64::INFINITY, f64::NEG_INFINITY],
                 reach: [f64::INFINITY, f64::NEG_INFINITY],
                 batches: Batches::new(),
@@ -147,6 +150,15 @@ impl<'a> Stack<'a> {
         let step = motion.period * motion.stride.max(1) as f64;
         let full = ((self.settings.batch / step).ceil() as usize).max(8);
         self.factors.seconds += motion.picks().len() as f64 * step;
+        let before: Vec<usize> = self.factors.joints.iter().map(|factor| factor.samples).collect();
+        self.absorb_rows(motion, &dead, full);
+        let share = independent_share(motion, step);
+        for (factor, before) in self.factors.joints.iter_mut().zip(before) {
+            factor.independent += share * (factor.samples - before) as f64;
+        }
+    }
+
+    fn absorb_rows(&mut self, motion: &Motion, dead: &[(f64, bool)], full: usize) {
         for (factor, q) in self.factors.joints.iter_mut().zip(motion.states.q.chunks_exact(motion.states.len.max(1))) {
             for s in motion.picks() {
                 factor.reach = [factor.reach[0].min(q[s]), factor.reach[1].max(q[s])];
@@ -155,7 +167,7 @@ impl<'a> Stack<'a> {
         if let Some((order, cutoff)) = self.settings.parallel
             && let Ok(sos) = low_pass(order, cutoff, motion.period.recip())
         {
-            self.absorb_filtered(motion, &sos, &dead, full);
+            self.absorb_filtered(motion, &sos, dead, full);
             return;
         }
         let (mut block, mut regressor) = (std::mem::take(&mut self.block), std::mem::take(&mut self.regressor));
@@ -168,7 +180,7 @@ impl<'a> Stack<'a> {
             }
             from += count;
             self.rows.evaluate(self.arm, &block.states, &block.sign, &mut regressor);
-            self.take_block(&block.states.dq, &regressor, &block.tau, count, &dead);
+            self.take_block(&block.states.dq, &regressor, &block.tau, count, dead);
             self.end_batch(full);
         }
         (self.block, self.regressor) = (block, regressor);
@@ -298,4 +310,10 @@ impl<'a> Stack<'a> {
         self.factors.joints.iter_mut().for_each(|j| j.batches.close());
         self.factors
     }
+}
+
+/// Independent samples of a stretch of low-passed torque, `2 f T + 1` (Shannon), per sample that is used.
+fn independent_share(motion: &Motion, step: f64) -> f64 {
+    let samples = motion.picks().len() as f64;
+    motion.bandwidth.map_or(1.0, |f| ((2.0 * f * samples * step + 1.0) / samples).min(1.0))
 }

@@ -80,5 +80,8 @@ fn inflation(
         white += product.trace() - product.dot(&product.transpose());
     }
     let lambda = shown / (white * w2 * sigma * sigma);
-    if white > 1e-6 && lambda.is_finite() { lambda.clamp(1.0, joint.samples.max(1) as f64) } else { 1.0 }
+    let samples = joint.samples.max(1) as f64;
+    // Too few batches to show anything: what the band has room for.
+    let most = if joint.independent > 0.0 { samples / joint.independent } else { 1.0 };
+    if white > 1e-6 && lambda.is_finite() { lambda.clamp(1.0, samples) } else { most }
 }

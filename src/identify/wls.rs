@@ -19,6 +19,8 @@ pub(super) struct JointSystem {
     /// `R_j' R_j`, column-major, `(n + 1)^2`.
     pub(super) gram: Vec<f64>,
     pub(super) samples: usize,
+    /// [`JointFactor::independent`].
+    pub(super) independent: f64,
     pub(super) torque_rms: f64,
     /// Farthest that it moved in any log, rad or m.
     pub(super) travel: f64,
@@ -35,22 +37,24 @@ impl JointSystem {
             .map(|joint| {
                 let columns = logs[0].joints[joint].columns.clone();
                 let mut triangle = Triangle::new(columns.len() + 1);
-                let (mut samples, mut travel, mut batches) = (0, 0.0_f64, Vec::new());
+                let (mut samples, mut independent, mut travel, mut batches) = (0, 0.0, 0.0_f64, Vec::new());
                 for factor in logs.iter().map(|log| &log.joints[joint]).filter(|f| f.is_live()) {
                     triangle.merge(&factor.triangle);
                     samples += factor.samples;
+                    independent += factor.independent;
                     travel = travel.max(factor.reach[1] - factor.reach[0]);
                     batches.extend(factor.batches.grams.iter().cloned());
                 }
                 let (range, reach) = ([f64::NAN; 2], [f64::NAN; 2]);
                 let batch = super::batches::Batches::new();
-                let whole = JointFactor { columns, triangle, samples, range, reach, batches: batch };
+                let whole = JointFactor { columns, triangle, samples, independent, range, reach, batches: batch };
                 Self {
                     gram: whole.triangle.gram(),
                     torque_rms: whole.torque_rms(),
                     columns: whole.columns,
                     triangle: whole.triangle,
                     samples,
+                    independent,
                     travel,
                     batches,
                 }

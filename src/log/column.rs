@@ -160,15 +160,27 @@ impl Layout {
     pub fn require(&self, role: Role) -> Result<usize, LogError> {
         self.find(role).ok_or_else(|| {
             let column = role.name();
-            let lookalike = self.ignored.iter().find(|name| resembles(name, &column)).cloned();
-            let known = match self.roles.as_slice() {
-                [] => {
-                    format!("none (the line begins `{}`)", self.ignored.join(",").chars().take(40).collect::<String>())
-                }
-                roles => roles.iter().map(|r| r.name()).collect::<Vec<_>>().join(", "),
-            };
-            LogError::MissingColumn { file: self.file.clone(), column, known, lookalike }
+            let lookalike = self.lookalike(&column);
+            LogError::MissingColumn { file: self.file.clone(), column, known: self.known(), lookalike }
         })
+    }
+
+    /// The error of a log that has neither torques nor currents.
+    pub(crate) fn without_torque(&self) -> LogError {
+        let lookalike = self.lookalike("tau1");
+        LogError::NoTorque { file: self.file.clone(), dof: self.dof, known: self.known(), lookalike }
+    }
+
+    fn lookalike(&self, column: &str) -> Option<String> {
+        self.ignored.iter().find(|name| resembles(name, column)).cloned()
+    }
+
+    /// The columns that are understood, for messages.
+    fn known(&self) -> String {
+        match self.roles.as_slice() {
+            [] => format!("none (the line begins `{}`)", self.ignored.join(",").chars().take(40).collect::<String>()),
+            roles => roles.iter().map(|r| r.name()).collect::<Vec<_>>().join(", "),
+        }
     }
 
     /// Errors unless the file has this quantity for `dof` joints. Returns the indices into a block's columns.

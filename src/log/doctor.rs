@@ -84,7 +84,10 @@ impl Doctor {
                 .iter()
                 .enumerate()
                 .filter_map(|(column, role)| match *role {
-                    Role::Joint(q, _) if q == Quantity::Q || q == torque => Some(Channel::new(column, q == torque)),
+                    Role::Joint(q, joint) if q == Quantity::Q || q == torque => {
+                        let position = layout.find(Role::Joint(Quantity::Q, joint)).filter(|_| q == torque);
+                        Some(Channel::new(column, position))
+                    }
                     _ => None,
                 })
                 .collect(),
@@ -142,7 +145,9 @@ impl Doctor {
                 self.samples += 1;
                 let time = block.columns[self.time][row];
                 for channel in &mut self.channels {
-                    channel.look(block.columns[channel.column][row], time, line, verdict == Verdict::Start);
+                    let value = block.columns[channel.column][row];
+                    let position = channel.position.map_or(0.0, |column| block.columns[column][row]);
+                    channel.look(value, position, time, line, verdict == Verdict::Start);
                 }
             }
             verdicts.push(verdict);
@@ -269,11 +274,16 @@ fn median_step(time: &[f64]) -> Option<f64> {
     Some(*steps.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
-/// What is remembered of a `q` or torque column.
+/// A joint that stays within this, rad or m, rests: its torque may stand still.
+const REST: f64 = 1e-3;
+
+/// Running figures of a `q` or torque column.
 #[derive(Debug, Clone)]
 struct Channel {
     column: usize,
     torque: bool,
+    /// Of a torque: the column of the joint's position.
+    position: Option<usize>,
     largest: f64,
     /// Sum and number of the changes that are not zero.
     moved: f64,
@@ -294,6 +304,9 @@ struct Stay {
     since: f64,
     line: u64,
     until: f64,
+    /// Position of the joint at its begin, and how far it went from there, rad or m.
+    from: f64,
+    travel: f64,
 }
 
 /// How often, and how long at a stretch, a channel stood at its extreme value.
@@ -330,10 +343,11 @@ impl Plateau {
 }
 
 impl Channel {
-    fn new(column: usize, torque: bool) -> Self {
+    fn new(column: usize, position: Option<usize>) -> Self {
         Self {
             column,
-            torque,
+            torque: position.is_some(),
+            position,
             largest: 0.0,
             moved: 0.0,
             moves: 0,
@@ -346,7 +360,7 @@ impl Channel {
         }
     }
 
-    fn look(&mut self, value: f64, time: f64, line: u64, start: bool) {
+    fn look(&mut self, value: f64, position: f64, time: f64, line: u64, start: bool) {
         self.largest = self.largest.max(value.abs());
         self.top.look(value, line);
         self.bottom.look(-value, line);
@@ -355,14 +369,17 @@ impl Channel {
         } else if value == self.last {
             self.stay.samples += 1;
             self.stay.until = time;
+            self.stay.travel = self.stay.travel.max((position - self.stay.from).abs());
             return;
         } else {
             let change = value - self.last;
-            // Frozen: it was moving, stood for 10 samples or more, and made up for it with one jump in the same direction.
+            // Frozen: it was moving, stood for 10 samples or more, and made up for it with one jump in the same direction. A torque is frozen only
+            // while its joint moves: that of a joint at rest may be one number, and changes with the first motion.
             let usual = self.moved / self.moves.max(1) as f64;
             let jumps = change.abs() > 5.0 * self.before_stay.abs().max(usual);
             let moving = self.before_stay.abs() > 0.2 * usual && change * self.before_stay > 0.0;
-            if self.stay.samples >= 10 && jumps && (moving || self.torque) && self.moves > 20 {
+            let frozen = if self.torque { self.stay.travel > REST } else { moving };
+            if self.stay.samples >= 10 && jumps && frozen && self.moves > 20 {
                 let seconds = self.stay.until - self.stay.since;
                 let entry = self.stuck.get_or_insert((self.last, seconds, self.stay.line, 0));
                 entry.3 += 1;
@@ -375,7 +392,7 @@ impl Channel {
             self.moves += 1;
         }
         self.last = value;
-        self.stay = Stay { samples: 1, since: time, line, until: time };
+        self.stay = Stay { samples: 1, since: time, line, until: time, from: position, travel: 0.0 };
     }
 
     fn findings(&self, period: f64, samples: usize) -> Vec<(Kind, u64, usize)> {

@@ -42,6 +42,34 @@ pub enum LogError {
         /// A column that may be it under another name.
         lookalike: Option<String>,
     },
+    /// Neither torques nor currents.
+    #[error(
+        "{file}, line 1: the column `tau1` is missing{}; give torques (tau1..tau{dof}, N m), or motor currents (i1..i{dof}, A) together with \
+         `torque_constant` (N m of the joint per A) in the `drive` of every joint of the robot file; columns understood: {known}",
+        rename(.lookalike)
+    )]
+    NoTorque {
+        /// File.
+        file: String,
+        /// Joints.
+        dof: usize,
+        /// Columns that are there and understood.
+        known: String,
+        /// A column that may be it under another name.
+        lookalike: Option<String>,
+    },
+    /// Currents without gains.
+    #[error(
+        "{file}: torques would be motor currents times gains, and the robot file has no `torque_constant` (N m of the joint per A) for joint {}; write it into \
+         the `drive` of that joint, or give torques (tau1, ..) in the log",
+        .joints.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")
+    )]
+    NoTorqueConstant {
+        /// File.
+        file: String,
+        /// Joints without one, from 1.
+        joints: Vec<usize>,
+    },
     /// Two columns have one name.
     #[error("{file}, line 1: the column `{column}` stands there twice; rename or remove one")]
     DoubleColumn {

@@ -125,6 +125,13 @@ pub enum Kind {
         /// Unit of both.
         unit: &'static str,
     },
+    /// Torques far beyond the limits of most joints.
+    TorqueUnit {
+        /// Largest torque, in limits of its joint.
+        times: f64,
+        /// Whether all are within the limits once divided by a thousand.
+        thousandth: bool,
+    },
     /// A joint whose torque the fitted model leaves a large part of.
     Unexplained {
         /// Of the joint's torque (root mean square), percent.
@@ -136,6 +143,11 @@ pub enum Kind {
         times: f64,
         /// The log that is most at odds with the others, where that can be told.
         worst: Option<String>,
+    },
+    /// Torques that are motor currents times gains.
+    FromCurrents {
+        /// Of each joint, N m per A.
+        gains: Vec<f64>,
     },
     /// No joint moves beyond the noise of its encoder.
     Standstill,
@@ -184,6 +196,7 @@ impl Finding {
             Kind::Clipped { .. } => "clipped",
             Kind::DeadTorque => "dead-torque",
             Kind::Degrees { .. } => "large-angles",
+            Kind::TorqueUnit { .. } => "torque-unit",
             _ => return None,
         })
     }
@@ -229,6 +242,16 @@ impl Finding {
             Kind::BeyondLimit { reaches, limit, unit } => {
                 format!("reaches {reaches:.4} {unit}, where the robot file's limit is {limit:.4} {unit}")
             }
+            Kind::TorqueUnit { times, thousandth } => {
+                let unit = if *thousandth {
+                    "; a thousandth of them would be within the limits, so they are probably in N mm, or currents in mA"
+                } else {
+                    ""
+                };
+                format!(
+                    "torques reach {times:.0} times the limits of the robot file: they are not in N m at its joints{unit}"
+                )
+            }
             Kind::Unexplained { percent } => {
                 format!("the fitted model leaves {percent:.0} % of the torque unexplained")
             }
@@ -238,6 +261,10 @@ impl Finding {
                 format!(
                     "the logs contradict each other: fitted together they leave {times:.1} times the error of each fitted alone{worst}"
                 )
+            }
+            Kind::FromCurrents { gains } => {
+                let gains: Vec<String> = gains.iter().map(f64::to_string).collect();
+                format!("torques are the motor currents times {} N m/A, joint by joint", gains.join(", "))
             }
             Kind::Standstill => "no joint moves: nothing but gravity in this posture can be told".into(),
             Kind::TooFew { samples } => format!("only {samples} samples"),
@@ -265,6 +292,7 @@ impl Finding {
                 "look whether the columns are in the robot's order, in rad or m, and of this robot"
             }
             Kind::BeyondLimit { .. } => "look whether torques are in N m on the joint side, and of this robot",
+            Kind::TorqueUnit { .. } => "write N m of the joint side of the gear",
             Kind::Unexplained { .. } => {
                 "look for columns that were swapped, a wrong sign or unit, another robot's log; `denavit diagnose` looks for what the model lacks"
             }
@@ -275,7 +303,7 @@ impl Finding {
             Kind::ShortSegments { .. } => "",
             Kind::TooFew { .. } => "record some seconds with all joints moving",
             Kind::VeryLong { .. } => "decimate if it takes too long",
-            Kind::Jitter { .. } | Kind::Evened { .. } => "",
+            Kind::Jitter { .. } | Kind::Evened { .. } | Kind::FromCurrents { .. } => "",
         };
         match self.allowed_by() {
             Some(name) if self.is_fatal() => format!("{mend}, or allow it: --keep {name}"),

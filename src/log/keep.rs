@@ -22,11 +22,13 @@ pub struct Keep {
     pub dead_torque: bool,
     /// Positions beyond two turns, which look like degrees: used as they are.
     pub large_angles: bool,
+    /// Torques far beyond the limits of most joints, as those in another unit are: used as they are.
+    pub torque_unit: bool,
 }
 
 impl Keep {
     /// The names of the settings, for a command line.
-    pub const NAMES: [&'static str; 9] = [
+    pub const NAMES: [&'static str; 10] = [
         "bad-rows",
         "gaps",
         "restarts",
@@ -36,6 +38,7 @@ impl Keep {
         "clipped",
         "dead-torque",
         "large-angles",
+        "torque-unit",
     ];
 
     /// Everything.
@@ -59,6 +62,7 @@ impl Keep {
             "clipped" => &mut self.clipped,
             "dead-torque" => &mut self.dead_torque,
             "large-angles" => &mut self.large_angles,
+            "torque-unit" => &mut self.torque_unit,
             _ => return false,
         };
         *flag = true;

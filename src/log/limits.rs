@@ -18,6 +18,25 @@ const POSITION: f64 = 0.1;
 /// A torque is beyond its limit by this factor: short peaks are allowed twice what lasts.
 const TORQUE: f64 = 2.0;
 
+/// Torques beyond the limits by this factor, of half of the joints or more, are in another unit.
+const UNIT: f64 = 20.0;
+
+/// Whether torques are in another unit than that of the limits; fatal unless it is `allowed`.
+pub fn torque_unit(reached: &[Reached], joints: &[Limits], allowed: bool) -> Option<Finding> {
+    let size = |r: &Reached| r.range[0].abs().max(r.range[1].abs());
+    let of = |number: usize| {
+        let columns = ["tau", "taum", "i"].map(|name| format!("{name}{number}"));
+        reached.iter().find(|r| columns.contains(&r.column))
+    };
+    let limited = (1..).zip(joints).filter(|(_, limits)| limits.torque.is_finite() && limits.torque > 0.0);
+    let shares: Vec<f64> = limited.filter_map(|(number, limits)| Some(size(of(number)?) / limits.torque)).collect();
+    let beyond = shares.iter().filter(|share| **share > UNIT).count();
+    let times = shares.iter().fold(0.0_f64, |most, share| most.max(*share));
+    let kind = Kind::TorqueUnit { times, thousandth: times < 1000.0 * TORQUE };
+    let severity = if allowed { Severity::Warning } else { Severity::Fatal };
+    (beyond > 0 && 2 * beyond >= shares.len()).then_some(Finding { kind, severity, line: None, column: None, count: 1 })
+}
+
 /// A joint that stays within this, rad or m, does not move.
 const STILL: f64 = 2e-3;
 
@@ -45,7 +64,7 @@ pub fn beyond(reached: &[Reached], joints: &[Limits]) -> Vec<Finding> {
                 note(column, *least, low, unit);
             }
         }
-        for name in ["tau", "taum"] {
+        for name in ["tau", "taum", "i"] {
             let Some(Reached { column, range }) = of(name) else { continue };
             let size = range[0].abs().max(range[1].abs());
             if size > TORQUE * limits.torque {
@@ -69,6 +88,10 @@ mod tests {
         };
         assert!(beyond(&log([-2.1, 2.3], [-150.0, 20.0]), &[joint]).is_empty());
         assert!(beyond(&log([-90.0, 2.0], [-1e5, 20.0]), &[free]).is_empty());
+        let millinewtons = torque_unit(&log([-0.5, 0.5], [-8e4, 20.0]), &[joint], false).unwrap();
+        assert!(millinewtons.is_fatal() && millinewtons.to_string().contains("N mm"), "{millinewtons}");
+        assert!(torque_unit(&log([-0.5, 0.5], [-150.0, 20.0]), &[joint], false).is_none());
+        assert!(torque_unit(&log([-0.5, 0.5], [-8e4, 20.0]), &[free], false).is_none());
         let found = beyond(&log([-9.0, 2.0], [-1e5, 20.0]), &[joint]);
         let said: Vec<String> = found.iter().map(ToString::to_string).collect();
         assert_eq!(beyond(&log([0.5, 0.5001], [0.0, 1.0]), &[joint])[0].kind, Kind::Standstill);

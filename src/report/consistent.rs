@@ -4,11 +4,13 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
+use super::Warnings;
 use super::number::{figure, pad, percent};
 use crate::identify::{
-    Accuracy, Better, CarryOver, Consistent, ConsistentError, Identification, LeftOutError, Preference, Source,
-    Standing,
+    Accuracy, Better, CarryOver, Consistent, ConsistentError, Factors, Identification, LeftOutError, Nonnegative,
+    Preference, Source, Standing, Underdetermined, accuracy,
 };
+use crate::signal::Prepared;
 
 /// What came of the search for possible bodies.
 #[derive(Debug, Clone)]
@@ -28,6 +30,7 @@ fn source(source: Source) -> &'static str {
         Source::File => "file",
         Source::Thickened => "file, thickened",
         Source::Geometric => "geometric",
+        Source::Impossible => "geometric, the file's is impossible",
     }
 }
 
@@ -164,9 +167,6 @@ pub fn consistent_text(found: &Identification, possible: &Possible<'_>) -> Strin
         Ok(c) => c,
         Err(error) => {
             let _ = writeln!(out, "  none: {error}.");
-            if possible.written == Some(false) {
-                out.push_str("  The robot file has the plain values; links that can't be bodies are marked `identified: true` there.\n");
-            }
             return out;
         }
     };
@@ -179,14 +179,22 @@ pub fn consistent_text(found: &Identification, possible: &Possible<'_>) -> Strin
             links.join(", ")
         );
     }
-    let guessed: Vec<String> =
-        (1..).zip(&c.sources).filter(|(_, s)| **s == Source::Geometric).map(|(i, _)| i.to_string()).collect();
-    if !guessed.is_empty() {
-        let _ = writeln!(
-            out,
-            "  The robot file has no body for link {}: where torques don't show it, a cylinder of the density of water stands in.",
-            guessed.join(", ")
-        );
+    if let Some(text) = at_zero(found) {
+        let _ = writeln!(out, "  {text}");
+    }
+    for (source, what) in [
+        (Source::Geometric, "The robot file has no body for link"),
+        (Source::Impossible, "The robot file has what no body can be for link"),
+    ] {
+        let guessed: Vec<String> =
+            (1..).zip(&c.sources).filter(|(_, s)| **s == source).map(|(i, _)| i.to_string()).collect();
+        if !guessed.is_empty() {
+            let _ = writeln!(
+                out,
+                "  {what} {}: where torques don't show it, a cylinder of the density of water stands in.",
+                guessed.join(", ")
+            );
+        }
     }
     let cell = |text: String| pad(&text, 10, true);
     let _ = write!(out, "  RMS, N m   {}{}", cell("fit plain".into()), cell("bodies".into()));
@@ -225,11 +233,74 @@ pub fn carry_over_json(carry: &CarryOver) -> Value {
     json!({ "torque_std": carry.torque_std, "ratio": carry.ratio, "doubtful_joints": carry.doubtful() })
 }
 
-/// What to expect of the plain fit elsewhere; empty where it will do.
-pub fn carry_over_text(found: &Identification, carry: &CarryOver) -> String {
+/// Everything that a reader of an identification must know first.
+pub fn identify_warnings(
+    found: &Identification,
+    logs: &[Prepared],
+    carry: Option<&CarryOver>,
+    possible: Option<&Possible<'_>>,
+) -> Warnings {
+    let mut warnings = Warnings::default();
+    let underdetermined = underdetermined_text(found);
+    // What a fit is worth elsewhere needs standard deviations, which too few equations do not give.
+    let fitted = underdetermined.is_none();
+    if let Some(text) = underdetermined {
+        warnings.push(text);
+    }
+    warnings.findings(&found.findings);
+    if let Some(Possible { result: Err(error), .. }) = possible {
+        warnings.push(format!("no possible bodies: {error}"));
+    }
+    if let Some(text) = carry.filter(|_| fitted).and_then(|carry| carry_over_text(found, carry)) {
+        warnings.push(text);
+    }
+    warnings.logs(logs);
+    warnings
+}
+
+/// What holding drives at zero does to the plain values that are written.
+pub fn held_text(bounded: &Nonnegative, fit: &[Factors], validate: &[Factors]) -> String {
+    let error = |logs: &[Factors]| {
+        let all: Vec<&Factors> = logs.iter().collect();
+        percent(accuracy(&all, &bounded.base).relative_error_percent())
+    };
+    let elsewhere = if validate.is_empty() { String::new() } else { format!(", validation {} %", error(validate)) };
+    format!(
+        "{} came out negative, which no drive has: held at 0 in the robot file, the other parameters fitted again (error on the fitted logs {} %{elsewhere})",
+        bounded.held.join(", "),
+        error(fit)
+    )
+}
+
+/// Rotor inertias and friction levels that possible bodies hold at their bound of zero, as the plain fit has them below.
+fn at_zero(found: &Identification) -> Option<String> {
+    let level = |name: &str| ["IA", "FV", "FC"].iter().any(|kind| name.starts_with(kind));
+    let one = |p: &crate::identify::Estimate| format!("{} (plain: {} ± {})", p.name, figure(p.value), figure(p.std));
+    let names: Vec<String> = found.parameters.iter().filter(|p| level(&p.name) && p.value < 0.0).map(one).collect();
+    (!names.is_empty()).then(|| format!("At their bound of 0: {}.", names.join(", ")))
+}
+
+/// The verdict on data that determine nothing, and what to do.
+fn underdetermined_text(found: &Identification) -> Option<String> {
+    let why = match found.underdetermined()? {
+        Underdetermined::Equations { samples, independent, unknowns } => format!(
+            "{samples} samples (over all joints) hold about {independent:.0} independent equations for {unknowns} unknowns, so the fit follows the noise"
+        ),
+        Underdetermined::Spread { unknowns } => {
+            format!("each of the {unknowns} unknowns has a standard deviation larger than itself")
+        }
+    };
+    Some(format!(
+        "underdetermined: {why}. No value here is a measurement. Record a longer motion of all joints (`denavit excite` designs one), or give a robot file \
+         with the links of the CAD model: possible bodies near these can be written"
+    ))
+}
+
+/// What to expect of the plain fit elsewhere; nothing where it will do.
+fn carry_over_text(found: &Identification, carry: &CarryOver) -> Option<String> {
     let doubtful = carry.doubtful();
     if doubtful.is_empty() {
-        return String::new();
+        return None;
     }
     let list: Vec<String> = doubtful
         .iter()
@@ -251,15 +322,15 @@ pub fn carry_over_text(found: &Identification, carry: &CarryOver) -> String {
     // On measured logs: beyond three residuals two joints of three are wrong elsewhere by more than twice the fit's residual, below three
     // two of five (docs/consistency.md).
     let surely = doubtful.iter().any(|&j| carry.ratio[j - 1] > 3.0);
-    format!(
-        "\nwarning: this fit {} carry over to other motions. All over the arm's range its torques are uncertain by more than its residual: {}. \
+    Some(format!(
+        "this fit {} carry over to other motions. All over the arm's range its torques are uncertain by more than its residual: {}. \
          {} of {} parameters are not known to 50 %: {}. Condition number {} with columns of unit norm. Record a richer motion, or use the possible \
-         bodies with a prior from CAD (`--prior cad --prior-weight 100` believes its bodies to 10 %).\n",
+         bodies with a prior from CAD (`--prior cad --prior-weight 100` believes its bodies to 10 %).",
         if surely { "will not" } else { "may not" },
         list.join(", "),
         unknown.len(),
         found.parameters.len(),
         unknown.join(" "),
         figure(found.condition.scaled)
-    )
+    ))
 }

@@ -7,12 +7,11 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use super::identify_html::findings_list;
+use super::identify_html::notes;
 use super::number::{digits, figure, percent};
 use super::page::{Page, escape};
-use super::{Provenance, diagnose_verdict};
+use super::{Provenance, Warnings, diagnose_verdict};
 use crate::diagnose::{Cause, Diagnosis, Evidence};
-use crate::log::Finding;
 use crate::signal::Prepared;
 
 /// The page.
@@ -25,8 +24,7 @@ pub fn diagnose_html(found: &Diagnosis, logs: &[Prepared], provenance: &Provenan
         found.verdict.word().replace('_', " "),
         escape(&diagnose_verdict(found))
     );
-    let findings: Vec<(&str, &Finding)> =
-        logs.iter().flat_map(|log| log.findings.iter().map(|f| (log.file.as_str(), f))).collect();
+    body.push_str(&Warnings::of_logs(logs).html());
     gain_table(&mut body, found);
     if !found.offer.why.is_empty() {
         let why: String = found.offer.why.iter().map(|w| format!("<li>{}", escape(w))).collect();
@@ -55,7 +53,7 @@ pub fn diagnose_html(found: &Diagnosis, logs: &[Prepared], provenance: &Provenan
     }
     body.push_str("<section><h2>Torque and error, validation</h2><p class=note><span class='key measured'></span>measured torque (upper panel); error <span class='key before'></span>of the file as it is, <span class='key after'></span>of the extended model (lower panel). N m over s, one log after the other.</p><div class=grid2 id=curves></div></section>\n");
     body.push_str("<section><h2>Maps of the error</h2><p class=note>Mean error in bins, N m, <span class='key before'></span>of the file as it is, <span class='key after'></span>of the extended model, on the validating data. A flat line at zero is a model that has nothing to learn from this quantity. With an axis of their own: amplitude of the error over frequency and over periods per turn of the joint, root mean square of what goes with each other joint's motion, and root mean square that is left when the model is shifted in time (least at zero where nothing is late).</p><div id=maps></div></section>\n");
-    findings_list(&mut body, &findings);
+    notes(&mut body, logs);
     body.push_str("<section><h2>How this was made</h2><dl>\n");
     let validation = if found.own_validation {
         "logs of their own"
@@ -117,13 +115,21 @@ fn gain_table(body: &mut String, found: &Diagnosis) {
         let attainable = before - noise * noise;
         // Where the file errs by little more than its noise, the share says nothing.
         let gained = if attainable > 0.2 * noise * noise && before > 0.0 {
-            format!("{:.0} %", (100.0 * (before - after) / attainable).clamp(-999.0, 100.0))
+            gained(before, after, attainable)
         } else {
             "–".into()
         };
         let _ = writeln!(body, "<td>{}<td>{gained}</tr>", digits(noise, 3));
     }
     body.push_str("</tbody></table></div><p class=note>RMS of measured less predicted torque on the validating data, and in percent of the measured torque's own RMS. Refitted: base parameters and plain friction anew, no further cause. Gained: part of the squared error above the noise that the extended model takes.</p></section>\n");
+}
+
+/// What part of the attainable gain was reached, percent; of a loss how many times the error grew.
+fn gained(before: f64, after: f64, attainable: f64) -> String {
+    match after > before {
+        true => format!("worse, {} times", digits((after / before).sqrt(), 2)),
+        false => format!("{:.0} %", (100.0 * (before - after) / attainable).min(100.0)),
+    }
 }
 
 fn cause(body: &mut String, number: usize, c: &Cause) {

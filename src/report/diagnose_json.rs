@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::Provenance;
+use super::{Provenance, Warnings};
 use crate::diagnose::{Cause, Diagnosis, Errors};
 use crate::signal::Prepared;
 
@@ -35,6 +35,7 @@ pub fn diagnose_json(found: &Diagnosis, logs: &[Prepared], provenance: &Provenan
             "joints": next.joints,
             "motion": next.motion,
         })),
+        "warnings": Warnings::of_logs(logs).json(),
         "findings": findings,
         "provenance": provenance.iter().map(|(k, v)| (k.clone(), Value::from(v.as_str()))).collect::<Map<_, _>>(),
     })

@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
+use super::Warnings;
 use super::number::{digits, pad};
 use crate::diagnose::{Cause, Diagnosis, Verdict};
-use crate::log::Severity;
 use crate::signal::Prepared;
 
 /// The diagnosis in two or three sentences.
@@ -61,12 +61,7 @@ fn place(c: &Cause) -> String {
 
 /// The result for a terminal.
 pub fn diagnose_text(found: &Diagnosis, logs: &[Prepared]) -> String {
-    let mut text = String::new();
-    for log in logs {
-        for finding in log.findings.iter().filter(|f| f.severity != Severity::Note) {
-            let _ = writeln!(text, "{}: {finding}", log.file);
-        }
-    }
+    let mut text = Warnings::of_logs(logs).text();
     let _ = writeln!(text, "{}: {}", found.robot, found.verdict.word().replace('_', " "));
     let _ = writeln!(text, "{}\n", diagnose_verdict(found));
     let heads = ["joint", "torque", "file", "refitted", "extended", "noise", "of torque"];

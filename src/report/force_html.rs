@@ -5,8 +5,9 @@ use std::fmt::Write;
 use serde_json::json;
 
 use super::Provenance;
+use super::Warnings;
 use super::force_text::{Forces, HEAD, cells, sentences, tables, verdict};
-use super::identify_html::findings_list;
+use super::identify_html::notes;
 use super::number::digits;
 use super::page::{Page, escape};
 use crate::force::{COMPONENTS, Series};
@@ -25,8 +26,8 @@ pub fn force_html(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Prov
         escape(outcome.robot),
         escape(&verdict)
     );
-    let all: Vec<_> = prepared.iter().flat_map(|log| log.findings.iter().map(|f| (log.file.as_str(), f))).collect();
-    findings_list(&mut body, &all);
+    body.push_str(&Warnings::of_logs(prepared).html());
+    notes(&mut body, prepared);
     for series in outcome.found {
         let _ = writeln!(
             body,

@@ -2,13 +2,14 @@
 
 use serde_json::{Value, json};
 
-use super::Provenance;
 use super::force_text::{Forces, verdict};
+use super::{Provenance, Warnings};
 use crate::arm::BaseParameter;
 use crate::force::{COMPONENTS, Comparison, Consistency, NoiseSource, Uncertainty, Verdict, covariance};
+use crate::signal::Prepared;
 
 /// The result as one JSON object; wrenches sample by sample stand in the CSV.
-pub fn force_json(outcome: &Forces<'_>, provenance: &Provenance) -> Value {
+pub fn force_json(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Provenance) -> Value {
     let compared = |all: &[Comparison; 6]| -> Value {
         let one = |(i, c): (usize, &Comparison)| {
             let told = |x: f64| (c.samples > 0).then_some(x);
@@ -54,6 +55,7 @@ pub fn force_json(outcome: &Forces<'_>, provenance: &Provenance) -> Value {
     let provenance: serde_json::Map<String, Value> = provenance.iter().map(|(k, v)| (k.clone(), json!(v))).collect();
     json!({
         "robot": outcome.robot,
+        "warnings": Warnings::of_logs(prepared).json(),
         "components": COMPONENTS,
         "units": { "fx": "N", "fy": "N", "fz": "N", "mx": "N m", "my": "N m", "mz": "N m", "noise": "N m", "bias": "N m" },
         "meaning": meaning(),

@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
+use super::Warnings;
 use super::number::{digits, pad};
 use crate::force::{COMPONENTS, Comparison, Consistency, NoiseSource, Series, Uncertainty, Verdict};
-use crate::log::Severity;
 use crate::signal::Prepared;
 
 /// What was estimated, and what is known of its errors.
@@ -42,11 +42,7 @@ pub fn force_text(outcome: &Forces<'_>, prepared: &[Prepared]) -> String {
             outcome.uncertainty.open.join(", ")
         );
     }
-    for log in prepared {
-        for finding in log.findings.iter().filter(|f| f.severity != Severity::Note) {
-            let _ = writeln!(text, "{}: {finding}", log.file);
-        }
-    }
+    text.push_str(&Warnings::of_logs(prepared).text());
     for series in outcome.found {
         let _ = writeln!(
             text,

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use super::page::{Page, escape};
 use super::{
-    Provenance,
+    Provenance, Warnings,
     bodies_html::{Links, bodies_section},
     identify_verdict,
     number::{figure, percent},
@@ -25,6 +25,7 @@ use crate::{
 pub fn identify_html(
     found: &Identification,
     logs: &[Prepared],
+    warnings: &Warnings,
     traces: &[Trace],
     links: Option<&Links<'_>>,
     provenance: &Provenance,
@@ -36,7 +37,8 @@ pub fn identify_html(
         escape(&found.robot),
         escape(&identify_verdict(found))
     );
-    findings(&mut body, found, logs);
+    body.push_str(&warnings.html());
+    notes(&mut body, logs);
     body.push_str("<section><h2>Torque error per joint</h2>\n");
     torque_table(&mut body, found);
     body.push_str("<p class=note>RMS of measured less estimated torque, and percent of the measured torque's own RMS. NRMS: RMS divided by the range of the measured torque.</p></section>\n");
@@ -76,26 +78,19 @@ pub fn identify_html(
     page.html()
 }
 
-fn findings(body: &mut String, found: &Identification, logs: &[Prepared]) {
-    let all: Vec<(&str, &Finding)> = found
-        .findings
+/// What is worth knowing of the logs; warnings stand at the top.
+pub(super) fn notes(body: &mut String, logs: &[Prepared]) {
+    let notes: Vec<(&str, &Finding)> = logs
         .iter()
-        .map(|f| ("", f))
-        .chain(logs.iter().flat_map(|log| log.findings.iter().map(|f| (log.file.as_str(), f))))
+        .flat_map(|log| log.findings.iter().map(|f| (log.file.as_str(), f)))
+        .filter(|(_, f)| f.severity == Severity::Note)
         .collect();
-    findings_list(body, &all);
-}
-
-/// Each with the file that it is about, if any.
-pub(super) fn findings_list(body: &mut String, all: &[(&str, &Finding)]) {
-    if all.is_empty() {
+    if notes.is_empty() {
         return;
     }
-    body.push_str("<section><h2>Findings</h2><ul class=findings>\n");
-    for (file, finding) in all {
-        let class = if finding.severity == Severity::Note { "note" } else { "warning" };
-        let file = if file.is_empty() { String::new() } else { format!("<code>{}</code> ", escape(file)) };
-        let _ = writeln!(body, "<li class={class}>{file}{}</li>", escape(&finding.to_string()));
+    body.push_str("<section><h2>Notes</h2><ul class=findings>\n");
+    for (file, note) in notes {
+        let _ = writeln!(body, "<li class=note><code>{}</code> {}</li>", escape(file), escape(&note.to_string()));
     }
     body.push_str("</ul></section>\n");
 }

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::Provenance;
+use super::{Provenance, Warnings};
 use crate::{
     identify::{Accuracy, Identification, Standing},
     log::{Finding, Severity},
@@ -10,7 +10,7 @@ use crate::{
 };
 
 /// The result as one JSON object.
-pub fn identify_json(found: &Identification, logs: &[Prepared], provenance: &Provenance) -> Value {
+pub fn identify_json(found: &Identification, logs: &[Prepared], warnings: &Warnings, provenance: &Provenance) -> Value {
     let parameters: Vec<Value> = found
         .parameters
         .iter()
@@ -63,6 +63,8 @@ pub fn identify_json(found: &Identification, logs: &[Prepared], provenance: &Pro
     let provenance: Map<String, Value> = provenance.iter().map(|(k, v)| (k.clone(), json!(v))).collect();
     json!({
         "robot": found.robot,
+        "verdict": if found.underdetermined().is_some() { "underdetermined" } else { "determined" },
+        "warnings": warnings.json(),
         "parameters": parameters,
         "rms": each(|a| json!(a.rms)),
         "nrms": each(|a| json!(a.nrms)),
@@ -75,6 +77,8 @@ pub fn identify_json(found: &Identification, logs: &[Prepared], provenance: &Pro
             "scaled": found.condition.scaled,
         },
         "samples": found.samples,
+        "independent_samples": found.independent,
+        "unknowns": found.unknowns,
         "noise": {
             "sigma": found.noise.sigma,
             "inflation": found.noise.inflation,

@@ -6,11 +6,15 @@ use super::number::{digits, figure, pad, percent};
 use crate::{
     identify::{Accuracy, Identification, Standing},
     log::Severity,
+    report::Warnings,
     signal::Prepared,
 };
 
 /// The result in two or three sentences.
 pub fn identify_verdict(found: &Identification) -> String {
+    if found.underdetermined().is_some() {
+        return "Underdetermined: these logs do not determine the parameters.".into();
+    }
     let (accuracy, on) = match &found.validation {
         Some(validation) => (validation, "validation"),
         None => (&found.fit, "the data it was fitted to (no validation log was given)"),
@@ -54,12 +58,12 @@ pub fn identify_verdict(found: &Identification) -> String {
     }
     text.push('.');
     if found.findings.iter().any(|f| f.severity == Severity::Warning) {
-        text.push_str(" Look at the findings first.");
+        text.push_str(" Look at the warnings first.");
     }
     text
 }
 
-/// Each log, and what was found in it.
+/// Each log, and what is worth knowing of it; warnings stand elsewhere.
 pub(super) fn logs_text(logs: &[Prepared]) -> String {
     let mut out = String::new();
     for log in logs {
@@ -71,19 +75,19 @@ pub(super) fn logs_text(logs: &[Prepared]) -> String {
             log.segments,
             figure(log.rate)
         );
-        for finding in &log.findings {
-            let _ = writeln!(out, "  {finding}");
+        for note in log.findings.iter().filter(|f| f.severity == Severity::Note) {
+            let _ = writeln!(out, "  {note}");
         }
     }
     out
 }
 
 /// The whole result.
-pub fn identify_text(found: &Identification, logs: &[Prepared]) -> String {
-    let mut out = format!("{}\n\n{}\n", found.robot, identify_verdict(found));
+pub fn identify_text(found: &Identification, logs: &[Prepared], warnings: &Warnings) -> String {
+    let mut out = format!("{}\n\n{}\n{}", found.robot, identify_verdict(found), warnings.text());
     out.push_str(&logs_text(logs));
-    for finding in &found.findings {
-        let _ = writeln!(out, "\nwarning: {finding}");
+    if found.underdetermined().is_some() {
+        return out;
     }
     out.push_str("\nTorque error, RMS, N m (percent of the torque's RMS)\n");
     out.push_str(&torque_table(found));

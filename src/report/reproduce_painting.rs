@@ -18,16 +18,18 @@ pub(super) fn verdict(found: &Painting) -> String {
     );
     let mut parts = Vec::new();
     for (roller, paper) in crate::reproduce::painting::PAPER {
-        let of = |case| {
-            found.row(roller, case, Law::FED, Feedback::Estimated).map_or("–".into(), |r| digits(r.ours()[0], 2))
-        };
-        parts.push(format!(
-            " {roller}: {} N with unmodelled effects (the paper: {} N), {} N once the diagnosis has extended the model, {} N with a model that is right up to noise",
-            of(Case::Unmodelled),
-            paper[0],
-            of(Case::Extended),
-            of(Case::NoiseOnly),
-        ));
+        let of = |case| found.row(roller, case, Law::FED, Feedback::Estimated).map(|r| digits(r.ours()[0], 2));
+        let cases: Vec<String> = [
+            (of(Case::Unmodelled), format!("with unmodelled effects (the paper: {} N)", paper[0])),
+            (of(Case::Extended), "once the diagnosis has extended the model".into()),
+            (of(Case::NoiseOnly), "with a model that is right up to noise".into()),
+        ]
+        .into_iter()
+        .filter_map(|(newtons, when)| Some(format!("{} N {when}", newtons?)))
+        .collect();
+        if !cases.is_empty() {
+            parts.push(format!(" {roller}: {}", cases.join(", ")));
+        }
     }
     let _ = write!(text, "{}.", parts.join(";"));
     let mut parts = Vec::new();

@@ -40,5 +40,35 @@ pub fn simulate_text(robot: &str, recording: &Recording, request: &Request, seco
         };
         out += &format!("{:<34}{}\n", "largest following error (mrad)", of(&off));
     }
-    out + &format!("{seconds:.2} s: {:.0} times faster than real time\n", span / seconds.max(1e-9))
+    out + &format!("{seconds:.2} s: {}\n", pace(span / seconds.max(1e-9)))
+}
+
+/// Seconds of motion per second of computing, in words.
+fn pace(ratio: f64) -> String {
+    match ratio {
+        r if r >= 9.5 => format!("{r:.0} times faster than real time"),
+        r if r >= 1.15 => format!("{r:.1} times faster than real time"),
+        r if r > 0.87 => "about real time".into(),
+        r => format!("{:.1} times slower than real time", r.recip()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::pace;
+
+    #[test]
+    fn what_is_not_faster_is_not_called_faster() {
+        let said = [120.0, 2.0, 1.04, 0.25].map(pace);
+        let faster = "times faster than real time";
+        assert_eq!(
+            said,
+            [
+                format!("120 {faster}"),
+                format!("2.0 {faster}"),
+                "about real time".into(),
+                "4.0 times slower than real time".into()
+            ]
+        );
+    }
 }

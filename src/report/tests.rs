@@ -53,12 +53,14 @@ fn found() -> Identification {
         weighted: true,
         findings: vec![],
         samples: 100,
+        independent: 33.0,
+        unknowns: 1,
     }
 }
 
 #[test]
 fn json_of_the_contract() {
-    let value = identify_json(&found(), &[], &[("version".into(), "1".into())]);
+    let value = identify_json(&found(), &[], &Warnings::default(), &[("version".into(), "1".into())]);
     let text = value.to_string();
     let back: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(back["parameters"][0]["name"], "ZZ1R");
@@ -73,7 +75,7 @@ fn json_of_the_contract() {
 
 #[test]
 fn text_names_what_is_open() {
-    let text = identify_text(&found(), &[]);
+    let text = identify_text(&found(), &[], &Warnings::default());
     assert!(text.contains("ZZ1R  1.250  0.01250"), "{text}");
     assert!(text.contains("MSX2 does not act in this data."), "{text}");
     assert!(text.contains("5.0 %"), "{text}");
@@ -97,7 +99,14 @@ fn page_stands_alone() {
         ghost[4] = -1.0;
         let body = |ten: &[f64; 10]| crate::tool::Body::new(ten, &[0.0; 100]);
         let links = Links { now: vec![body(&ball), body(&ghost), None], file: vec![body(&ball), None], possible: None };
-        identify_html(&found(), &[], &[trace], Some(&links), &[("robot file".into(), "a & b".into())])
+        identify_html(
+            &found(),
+            &[],
+            &Warnings::default(),
+            &[trace],
+            Some(&links),
+            &[("robot file".into(), "a & b".into())],
+        )
     };
     // A ball of 2 kg, radius 0.1 m, 0.3 m out and 0.1 m up.
     assert!(page.contains("<td class=words>300.0, 0.0, 100.0"), "{page}");

@@ -6,10 +6,10 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use super::identify_html::{curves, findings_list};
+use super::identify_html::{curves, notes};
 use super::number::{digits, figure, percent};
 use super::page::{Page, escape};
-use super::{Provenance, tool_verdict};
+use super::{Provenance, Warnings, tool_verdict};
 use crate::identify::{Standing, Trace};
 use crate::signal::Prepared;
 use crate::tool::{Found, Recognition, Relative, names};
@@ -18,7 +18,13 @@ use crate::tool::{Found, Recognition, Relative, names};
 const SHOWN: usize = 12;
 
 /// The page.
-pub fn tool_html(found: &Found, logs: &[Prepared], traces: &[Trace], provenance: &Provenance) -> String {
+pub fn tool_html(
+    found: &Found,
+    logs: &[Prepared],
+    warnings: &Warnings,
+    traces: &[Trace],
+    provenance: &Provenance,
+) -> String {
     let carried = &found.carried;
     let mut body = String::new();
     let title = match &found.recognition {
@@ -33,8 +39,8 @@ pub fn tool_html(found: &Found, logs: &[Prepared], traces: &[Trace], provenance:
         escape(&title),
         escape(&tool_verdict(found))
     );
-    let all = logs.iter().flat_map(|log| log.findings.iter().map(|f| (log.file.as_str(), f)));
-    findings_list(&mut body, &carried.solved.findings.iter().map(|f| ("", f)).chain(all).collect::<Vec<_>>());
+    body.push_str(&warnings.html());
+    notes(&mut body, logs);
     parameters(&mut body, found);
     workshop(&mut body, found);
     if let Some(recognition) = &found.recognition {

@@ -2,13 +2,13 @@
 
 use serde_json::{Map, Value, json};
 
-use super::Provenance;
+use super::{Provenance, Warnings};
 use crate::identify::Standing;
 use crate::signal::Prepared;
 use crate::tool::{Found, InToolFrame, Interval, names};
 
 /// The result as one JSON object.
-pub fn tool_json(found: &Found, logs: &[Prepared], provenance: &Provenance) -> Value {
+pub fn tool_json(found: &Found, logs: &[Prepared], warnings: &Warnings, provenance: &Provenance) -> Value {
     let carried = &found.carried;
     let recognition = found.recognition.as_ref();
     let body = carried.body.as_ref().map(|b| {
@@ -93,6 +93,7 @@ pub fn tool_json(found: &Found, logs: &[Prepared], provenance: &Provenance) -> V
     let covariance: Vec<&[f64]> = carried.covariance.chunks(10).collect();
     json!({
         "robot": carried.robot,
+        "warnings": warnings.json(),
         "frame": "last",
         "parameter_names": names(),
         "M": carried.values[0],

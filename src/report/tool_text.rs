@@ -2,9 +2,10 @@
 
 use std::fmt::Write;
 
+use super::Warnings;
 use super::identify_text::logs_text;
 use super::number::{digits, figure, pad, percent};
-use crate::identify::Standing;
+use crate::identify::{Standing, Underdetermined};
 use crate::signal::Prepared;
 use crate::tool::{Found, Relative, names};
 
@@ -144,14 +145,26 @@ fn weak_logs(found: &Found) -> String {
     }
 }
 
-/// The whole result.
-pub fn tool_text(found: &Found, logs: &[Prepared]) -> String {
-    let carried = &found.carried;
-    let mut out = format!("{}\n\n{}\n", carried.robot, tool_verdict(found));
-    out.push_str(&logs_text(logs));
-    for finding in &carried.solved.findings {
-        let _ = writeln!(out, "\nwarning: {finding}");
+/// Everything that a reader must know before the body.
+pub fn tool_warnings(found: &Found, logs: &[Prepared]) -> Warnings {
+    let mut warnings = Warnings::default();
+    let solved = &found.carried.solved;
+    if let Some(Underdetermined::Equations { samples, independent, unknowns }) = solved.underdetermined() {
+        warnings.push(format!(
+            "underdetermined: {samples} samples (over all joints) hold about {independent:.0} independent equations for {unknowns} unknowns, so the fit follows the \
+             noise. No value here is a measurement. Record a longer motion"
+        ));
     }
+    warnings.findings(&solved.findings);
+    warnings.logs(logs);
+    warnings
+}
+
+/// The whole result.
+pub fn tool_text(found: &Found, logs: &[Prepared], warnings: &Warnings) -> String {
+    let carried = &found.carried;
+    let mut out = format!("{}\n\n{}\n{}", carried.robot, tool_verdict(found), warnings.text());
+    out.push_str(&logs_text(logs));
     let table = found.recognition.as_ref().map(|r| &found.table[r.nearest().entry]);
     out.push_str("\nIn the last frame, about its origin\n");
     let mut head = vec!["", "value", "±", "%"];

@@ -32,6 +32,8 @@ pub struct Motion {
     pub velocity_noise: Vec<f64>,
     /// Whether each joint sticks (it does not move beyond the noise of its encoder), joint-major; empty where velocities do not come from filtered positions.
     pub stuck: Vec<bool>,
+    /// Highest frequency that the low-pass left in the torque, Hz; `None` where the torque was not filtered.
+    pub bandwidth: Option<f64>,
     /// What the low-pass made of the positions, for all samples.
     pub band: Band,
     /// Temperatures as recorded, joint-major, deg C; empty where they were not asked for or not recorded.

@@ -73,6 +73,9 @@ pub struct Prepare {
     pub torque: Quantity,
     /// What each joint's torque column is multiplied by: N m per A where the columns are currents. Default empty: 1 for all.
     pub torque_gains: Vec<f64>,
+    /// Torque constant of each joint, N m at the joint per A of the motor, where it is known. Currents are used where `torque` asks for them and
+    /// [`Prepare::torque_gains`] is empty, or where it asks for `tau` and the log has currents alone. Default empty: none is known.
+    pub torque_constants: Vec<Option<f64>>,
     /// What the user allows.
     pub keep: Keep,
     /// Samples that are filtered at once. Default 65,536; bounds the memory; a chunk also is
@@ -101,6 +104,7 @@ impl Default for Prepare {
             stride: 1,
             torque: Quantity::Tau,
             torque_gains: Vec::new(),
+            torque_constants: Vec::new(),
             keep: Keep::default(),
             chunk: 1 << 16,
             margins: false,
@@ -109,6 +113,41 @@ impl Default for Prepare {
             temperature: false,
             wrench: false,
         }
+    }
+}
+
+impl Prepare {
+    /// With the torque columns that a log of this layout has, and the gains of currents.
+    fn for_layout(&self, layout: &Layout) -> Result<Self, LogError> {
+        let currents = match self.torque {
+            Quantity::Current => self.torque_gains.is_empty(),
+            Quantity::Tau if layout.has(Quantity::Tau) => false,
+            Quantity::Tau if layout.has(Quantity::Current) => true,
+            Quantity::Tau => return Err(layout.without_torque()),
+            _ => false,
+        };
+        if !currents {
+            return Ok(self.clone());
+        }
+        let constant = |joint: usize| self.torque_constants.get(joint).copied().flatten();
+        let joints: Vec<usize> = (0..layout.dof).filter(|&j| constant(j).is_none()).map(|j| j + 1).collect();
+        if !joints.is_empty() {
+            return Err(LogError::NoTorqueConstant { file: layout.file.clone(), joints });
+        }
+        let torque_gains = (0..layout.dof).filter_map(constant).collect();
+        Ok(Self { torque: Quantity::Current, torque_gains, ..self.clone() })
+    }
+
+    /// Ranges of current columns as torques, N m.
+    fn in_torque(&self, mut reached: Vec<Reached>) -> Vec<Reached> {
+        let prefix = self.torque.prefix();
+        for (gain, joint) in self.torque_gains.iter().zip(1..) {
+            for column in reached.iter_mut().filter(|r| r.column == format!("{prefix}{joint}")) {
+                let ends = column.range.map(|end| end * gain);
+                column.range = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+            }
+        }
+        reached
     }
 }
 
@@ -184,6 +223,10 @@ pub fn each_motion(
     mut sink: impl FnMut(&Motion),
 ) -> Result<Prepared, PrepareError> {
     let layout = source.layout().clone();
+    if layout.dof != dof {
+        return Err(LogError::Joints { file: layout.file, found: layout.dof, expected: dof }.into());
+    }
+    let prepare = &prepare.for_layout(&layout)?;
     let mut preparer = Preparer::new(&layout, dof, prepare)?;
     let mut doctor = Doctor::new(&layout, prepare.torque, prepare.keep);
     let (mut block, mut verdicts) = (Block::default(), Vec::new());
@@ -225,9 +268,13 @@ pub fn each_motion(
         hand_on(preparer.advance().map_err(|e| explained(e, &doctor, &layout.file))?);
     }
     hand_on(preparer.end_segment().map_err(|e| explained(e, &doctor, &layout.file))?);
-    let reached = doctor.reached();
+    let reached = prepare.in_torque(doctor.reached());
     let mut findings = doctor.finish();
     findings.append(&mut preparer.findings);
+    if prepare.torque == Quantity::Current {
+        let kind = Kind::FromCurrents { gains: prepare.torque_gains.clone() };
+        findings.push(Finding { kind, severity: Severity::Note, line: None, column: None, count: 1 });
+    }
     if findings.iter().any(Finding::is_fatal) {
         return Err(LogError::Rejected { file: layout.file, findings }.into());
     }
@@ -558,6 +605,7 @@ impl Preparer {
             tau: Vec::with_capacity(dof * (to - from)),
             velocity_noise: Vec::with_capacity(dof),
             stuck: Vec::new(),
+            bandwidth: self.settings.filter.filter(|_| !self.settings.raw_torque).map(|filter| filter.cutoff),
             band: self.band(),
             sign: Vec::new(),
             temperature: Vec::new(),

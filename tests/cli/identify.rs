@@ -244,3 +244,141 @@ fn without_json_the_result_is_told_in_words() {
     assert_eq!(told.status, Some(0), "{}", told.err);
     assert!(told.out.contains("ZZ1R") && told.out.contains("FC7"), "{}", told.out);
 }
+
+/// The first rows of a log.
+fn head(log: &str, rows: usize) -> String {
+    log.lines().take(rows + 1).map(|line| format!("{line}\n")).collect()
+}
+
+/// The robot file without its `links`.
+fn without_links() -> String {
+    let text = std::fs::read_to_string(ROBOT).unwrap();
+    let (before, after) = text.split_once("\nlinks:").unwrap();
+    let rest = after.lines().skip_while(|line| line.is_empty() || line.starts_with([' ', '#']));
+    format!("{before}\n{}\n", rest.collect::<Vec<_>>().join("\n"))
+}
+
+#[test]
+fn fewer_independent_equations_than_unknowns_are_underdetermined_and_write_nothing_without_a_prior() {
+    let folder = folder("identify-underdetermined");
+    let log = file(&folder, "short.csv", head(&record(30, 1), 125));
+    let bare = file(&folder, "bare.yaml", without_links());
+    let [out, page, said] = ["out.yaml", "page.html", "said.json"].map(|f| folder.join(f).display().to_string());
+    let run = denavit(&["identify", &bare, &log, "--out", &out, "--report", &page, "--json", &said]);
+    assert_eq!(run.status, Some(1), "{}", run.err);
+    assert!(run.out.contains("Underdetermined") && run.out.contains("independent equations"), "{}", run.out);
+    assert!(!run.out.contains("misses"), "{}", run.out);
+    assert!(!std::path::Path::new(&out).exists());
+    let said: Value = serde_json::from_str(&std::fs::read_to_string(&said).unwrap()).unwrap();
+    assert_eq!(said["verdict"], "underdetermined");
+    assert!(std::fs::read_to_string(&page).unwrap().contains("independent equations"));
+    // Bodies near those of the file may be written.
+    let run = denavit(&["identify", ROBOT, &log, "--out", &out]);
+    assert_eq!(run.status, Some(1), "{}", run.err);
+    assert!(run.err.contains("near the links"), "{}", run.err);
+    let (file, prior) = (read_robot(&out), read_robot(ROBOT));
+    for (link, prior) in file.links.iter().flatten().zip(prior.links.iter().flatten()) {
+        let [link, prior] = [link.to_array(), prior.to_array()];
+        assert!((link[0] - prior[0]).abs() < 2.0 * prior[0] + 0.1, "{link:?} {prior:?}");
+    }
+    // Long ones are not.
+    assert_eq!(identified().said["verdict"], "determined");
+}
+
+#[test]
+fn currents_with_torque_constants_are_torques() {
+    let folder = folder("identify-currents");
+    let constants = [9.0, 8.0, 7.0, 6.0, 5.0, 4.0, 3.0];
+    let run = identified();
+    let text = std::fs::read_to_string(&run.fit).unwrap();
+    let mut lines = text.lines();
+    let header = lines.next().unwrap().replace("tau", "i");
+    let rows: Vec<Vec<f64>> = lines
+        .map(|line| {
+            let cells = line.split(',').map(|cell| cell.parse::<f64>().unwrap());
+            cells.enumerate().map(|(k, x)| if k > 7 { x / constants[k - 8] } else { x }).collect()
+        })
+        .collect();
+    let log = file(&folder, "currents.csv", csv(&header.split(',').map(String::from).collect::<Vec<_>>(), &rows));
+    let without = denavit(&["identify", ROBOT, &log]);
+    assert_eq!(without.status, Some(2), "{}", without.err);
+    assert!(without.err.contains("`torque_constant`") && without.err.contains("tau1"), "{}", without.err);
+    let mut robot = read_robot(ROBOT);
+    robot.joints.iter_mut().zip(constants).for_each(|(joint, k)| joint.drive.torque_constant = Some(k));
+    let robot = file(&folder, "robot.yaml", robot.to_yaml());
+    let plain = json(&["identify", ROBOT, &run.fit, "--consistent=never", "--json", "-"]);
+    let currents = json(&["identify", &robot, &log, "--consistent=never", "--json", "-"]);
+    for (a, b) in numbers(&plain["rms"]["fit"]).iter().zip(numbers(&currents["rms"]["fit"])) {
+        assert!((a - b).abs() < 1e-6, "{a} {b}");
+    }
+    // Every verb that reads logs has them.
+    let forced = denavit(&["force", &robot, &log, "--json", "-"]);
+    assert_eq!(forced.status, Some(0), "{}", forced.err);
+    let tool = denavit(&["tool", &robot, "--loaded", &log, "--json", "-"]);
+    assert_eq!(tool.status, Some(0), "{}", tool.err);
+    // Neither torques nor currents: both ways are named.
+    let neither = file(&folder, "neither.csv", text.replace("tau", "x"));
+    let neither = denavit(&["identify", ROBOT, &neither]);
+    assert_eq!(neither.status, Some(2));
+    for word in ["`tau1` is missing", "i1..i7", "`torque_constant`"] {
+        assert!(neither.err.contains(word), "{}", neither.err);
+    }
+}
+
+/// Every warning of the terminal stands on the page and in the JSON.
+#[test]
+fn the_page_and_the_json_have_every_warning_of_the_terminal() {
+    let folder = folder("identify-warnings");
+    let log = file(&folder, "short.csv", head(&record(30, 1), 400));
+    let [page, said] = ["page.html", "said.json"].map(|f| folder.join(f).display().to_string());
+    let run = denavit(&["identify", ROBOT, &log, "--report", &page, "--json", &said]);
+    let warnings: Vec<&str> = run.out.lines().filter_map(|line| line.strip_prefix("warning: ")).collect();
+    assert!(warnings.iter().any(|w| w.contains("carry over to other motions")), "{}", run.out);
+    let said: Value = serde_json::from_str(&std::fs::read_to_string(&said).unwrap()).unwrap();
+    assert_eq!(strings(&said["warnings"]), warnings);
+    let page = std::fs::read_to_string(&page).unwrap();
+    let section = page.split("<h2>Warnings</h2>").nth(1).unwrap().split("</section>").next().unwrap();
+    assert_eq!(section.matches("<li class=warning>").count(), warnings.len());
+    assert!(section.contains("carry over to other motions"));
+    assert!(page.find("<h2>Warnings</h2>") < page.find("<h2>Torque error per joint</h2>"));
+}
+
+/// Friction of the other sign is no drive's.
+#[test]
+fn impossible_drives_and_bodies_are_not_written() {
+    let folder = folder("identify-impossible");
+    let log = record_with(20, 21, |dq, _, tau| tau[2] -= 6.0 * dq[2].signum() + 4.0 * dq[2]);
+    let log = file(&folder, "log.csv", log);
+    let out = folder.join("out.yaml").display().to_string();
+    let run = denavit(&["identify", ROBOT, &log, "--out", &out]);
+    if run.status == Some(1) {
+        assert!(run.err.contains("no robot file was written"), "{}", run.err);
+        assert!(!std::path::Path::new(&out).exists());
+    } else {
+        assert!(run.out.contains("At their bound of 0"), "{}", run.out);
+    }
+    let run = denavit(&["identify", ROBOT, &log, "--consistent=never", "--out", &out]);
+    assert_eq!(run.status, Some(0), "{}", run.err);
+    assert!(run.out.contains("came out negative") && run.out.contains("FC3"), "{}", run.out);
+    for joint in read_robot(&out).joints {
+        let drive = joint.drive;
+        for level in [drive.rotor_inertia, drive.viscous_friction, drive.coulomb_friction].into_iter().flatten() {
+            assert!(level >= 0.0, "{}: {level}", joint.name);
+        }
+    }
+}
+
+/// What the fit leaves out of the robot file is said.
+#[test]
+fn effects_that_are_not_used_are_named() {
+    let folder = folder("identify-effects");
+    let mut robot = read_robot(ROBOT);
+    robot.joints[1].drive.effects.push(dh_codegen::robot::Effect {
+        name: "joint_spring".into(),
+        parameters: vec![("KS".into(), 12.0), ("QS".into(), 0.0)],
+    });
+    let robot = file(&folder, "robot.yaml", robot.to_yaml());
+    let run = denavit(&["identify", &robot, &identified().fit]);
+    assert!(run.out.contains("not used: joint_spring of joint 2"), "{}", run.out);
+    assert!(!denavit(&["identify", ROBOT, &identified().fit]).out.contains("not used"));
+}

@@ -9,8 +9,17 @@ pub enum Source {
     File,
     /// The robot file's body is flat or a line; a thousandth of the geometric one was added to it.
     Thickened,
-    /// None stands in the robot file, or what stands there is no possible body: a guess from the geometry.
+    /// None stands in the robot file: a guess from the geometry.
     Geometric,
+    /// What stands in the robot file is no possible body: a guess from the geometry in its place.
+    Impossible,
+}
+
+impl Source {
+    /// Whether the body is a guess.
+    pub fn is_guess(self) -> bool {
+        matches!(self, Self::Geometric | Self::Impossible)
+    }
 }
 
 /// A link's prior.
@@ -59,7 +68,8 @@ pub fn prior_bodies(file: &[Option<[f64; 10]>], guesses: &[[f64; 10]]) -> Vec<Pr
         .iter()
         .enumerate()
         .map(|(link, guess)| {
-            let known = file.get(link).copied().flatten().filter(|b| b[0] > 0.0);
+            let stated = file.get(link).copied().flatten().filter(|b| b.iter().any(|x| *x != 0.0));
+            let known = stated.filter(|b| b[0] > 0.0);
             let smallest =
                 |body: &[f64; 10]| Yardstick::new(guess).map_or(0.0, |y| y.measure(body).symmetric_eigenvalues().min());
             match known {
@@ -69,9 +79,10 @@ pub fn prior_bodies(file: &[Option<[f64; 10]>], guesses: &[[f64; 10]]) -> Vec<Pr
                     let thick = std::array::from_fn(|k| body[k] + share * guess[k]);
                     match is_body(&thick) {
                         true => PriorBody { body: thick, source: Source::Thickened },
-                        false => PriorBody { body: *guess, source: Source::Geometric },
+                        false => PriorBody { body: *guess, source: Source::Impossible },
                     }
                 }
+                _ if stated.is_some() => PriorBody { body: *guess, source: Source::Impossible },
                 _ => PriorBody { body: *guess, source: Source::Geometric },
             }
         })
@@ -99,7 +110,7 @@ mod tests {
         let ghost = [2.0, 1.0, 0.0, 0.0, 0.01, 0.01, 0.01, 0.0, 0.0, 0.0];
         let prior = prior_bodies(&[Some(rod), Some(ghost), None, Some(guesses[0])], &guesses);
         let sources: Vec<Source> = prior.iter().map(|p| p.source).collect();
-        assert_eq!(sources, [Source::Thickened, Source::Geometric, Source::Geometric, Source::File]);
+        assert_eq!(sources, [Source::Thickened, Source::Impossible, Source::Geometric, Source::File]);
         assert!(prior.iter().all(|p| is_body(&p.body)));
         assert!((prior[0].body[0] - 2.002).abs() < 1e-12);
     }

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::newton::{Link, Problem, Scalar, Wall};
-use super::prior::{PriorBody, Source};
+use super::prior::PriorBody;
 use super::pseudo::Yardstick;
 use super::{ConsistentError, ConsistentSettings};
 use crate::arm::Arm;
@@ -115,7 +115,7 @@ impl Setup {
             let columns = standard.select_columns(places);
             j.columns_mut(10 * link, 10).copy_from(&(columns * yardstick.to_body));
             start[10 * link..10 * link + 4].fill(1.0);
-            let share = if prior[link].source == Source::Geometric { settings.geometric_share } else { 1.0 };
+            let share = if prior[link].source.is_guess() { settings.geometric_share } else { 1.0 };
             links.push(Link { start: 10 * link, share });
             yardsticks.push(yardstick);
         }

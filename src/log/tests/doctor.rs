@@ -142,6 +142,20 @@ fn a_joint_at_rest_is_not_stuck() {
     assert!(read(&rows, Keep::default()).unwrap().findings.is_empty());
 }
 
+/// A torque stands still with its joint and steps with it; one that stands still while the joint moves is stuck.
+#[test]
+fn the_torque_of_a_joint_at_rest_is_not_stuck() {
+    let mut rows = good();
+    rows[51..90].iter_mut().for_each(|row| row[3] = "0".into());
+    rows[90][3] = "1000".into();
+    let (finding, _) = only(&rows);
+    assert!(matches!(finding.kind, Kind::Stuck { .. }) && finding.column.as_deref() == Some("tau1"), "{finding:?}");
+    let rest = rows[51][1].clone();
+    rows[51..90].iter_mut().for_each(|row| row[1] = rest.clone());
+    rows[90..].iter_mut().for_each(|row| row[1] = rest.clone());
+    assert!(read(&rows, Keep::default()).unwrap().findings.is_empty());
+}
+
 #[test]
 fn clipped_torque() {
     let mut rows = good();
