@@ -1,5 +1,7 @@
 //! What the rooms that work on data see of a robot: a trait, never a file.
 
+use crate::identify::PriorBody;
+
 /// Joint motion of a block of samples, joint-major: sample `s` of joint `j` stands at `j * len + s`.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct States {
@@ -198,6 +200,11 @@ pub trait Plant: Arm {
         vec![0.0; self.dof()]
     }
 
+    /// What the links' bodies are looked for near; `None` where nothing is known of their size.
+    fn bodies(&self) -> Option<LikelyBodies> {
+        None
+    }
+
     /// The same arm whose file does not know some of its [`Plant::effects`].
     fn without(&self, _effects: &[(String, Option<usize>)]) -> Option<Box<dyn Plant>> {
         None
@@ -210,6 +217,15 @@ pub trait Plant: Arm {
     /// `J'`: the torque on joint `j` of a unit of component `c` (`fx fy fz mx my mz`, at the origin of the last frame, in its axes or in the
     /// base's) of a wrench on it at sample `s` goes to `out[(c * n + j) * len + s]`.
     fn wrench_columns(&self, states: &States, base: bool, out: &mut [f64]);
+}
+
+/// Bodies that an arm's links are likely to have.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LikelyBodies {
+    /// One per link, without what is fixed to it.
+    pub prior: Vec<PriorBody>,
+    /// Known bodies that are fixed to links (from 0), in the link's frame: a tool. The standard parameters contain them.
+    pub carried: Vec<(usize, [f64; 10])>,
 }
 
 /// The tool frame of an arm at one position.

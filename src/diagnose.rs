@@ -22,6 +22,7 @@ mod next;
 mod noise;
 mod offer;
 mod plain;
+mod possible;
 mod record;
 mod result;
 mod run;
@@ -34,6 +35,7 @@ mod swap;
 mod uncertainty;
 mod unite;
 mod weigh;
+mod written;
 
 #[cfg(test)]
 mod tests;
@@ -48,3 +50,4 @@ pub use record::{Recording, Stretch};
 pub use result::{Cause, Curve, Diagnosis, ErrorMap, Errors, Evidence, NextExperiment, Offer, Offered, Verdict};
 pub use run::{DiagnoseError, Settings, diagnose, misses};
 pub use search::SearchSettings;
+pub use written::written_errors;

@@ -4,8 +4,10 @@ use dh_codegen::arm::param::{self, DriveTerm, Parameter};
 use dh_codegen::robot::effect::Law;
 use dh_codegen::robot::{Effect, Inertia, Robot};
 
+use crate::arm::Reach;
 use crate::coupled::{self, Coupling};
 use crate::diagnose::{Cause, Diagnosis};
+use crate::identify::{PriorBody, geometric_bodies, prior_bodies};
 
 /// The robot with these standard parameters; what the tool contributes to the last link is taken out again.
 pub fn with_values(mut robot: Robot, standard: &[f64]) -> Robot {
@@ -63,6 +65,19 @@ pub fn with_couplings(mut robot: Robot, values: &[f64]) -> Robot {
         }
     }
     robot
+}
+
+/// The bodies of the robot file, or guesses from the geometry for those that it does not have.
+pub fn prior(robot: &Robot, arm: &dyn Reach) -> Vec<PriorBody> {
+    let known: Vec<Option<[f64; 10]>> = robot.links.iter().map(|l| l.as_ref().map(|l| l.to_array())).collect();
+    prior_bodies(&known, &geometric_bodies(&arm.ends()))
+}
+
+/// The tool, in the last link's frame: link (from 0) and the ten parameters.
+pub fn carried(robot: &Robot) -> Vec<(usize, [f64; 10])> {
+    let tool = robot.tool.as_ref().and_then(|tool| Some((tool, tool.inertia.as_ref()?)));
+    let moved = tool.map(|(tool, inertia)| inertia.moved(&tool.rotation(), &tool.xyz).to_array());
+    moved.map(|body| (robot.joints.len().saturating_sub(1), body)).into_iter().collect()
 }
 
 const BODY: [&str; 10] = ["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"];

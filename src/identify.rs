@@ -63,8 +63,8 @@ mod tests;
 pub use accuracy::{Accuracy, accuracy};
 pub use carry::{CarryOver, carry_over};
 pub use consistent::{
-    Bounds, Consistent, ConsistentError, ConsistentSettings, Cost, PriorBody, Reproduced, Source, Stalled, body_of,
-    consistent, geometric_bodies, possible_bodies, prior_bodies, pseudo_inertia,
+    BoundedLeastSquares, Bounds, Consistent, ConsistentError, ConsistentSettings, Cost, Feasible, PriorBody,
+    Reproduced, Source, Stalled, body_of, consistent, geometric_bodies, possible_bodies, prior_bodies, pseudo_inertia,
 };
 pub use essential::{Dropped, Essential};
 pub use known::Known;

@@ -4,7 +4,7 @@ use dh_codegen::arm::param::{self, Parameter};
 use dh_codegen::robot::{Angle, Effect, Inertia, Length, Robot};
 use nalgebra::Matrix3;
 
-use crate::arm::{Arm, Change, Description, Plant, Predicted, States};
+use crate::arm::{Arm, Change, Description, LikelyBodies, Plant, Predicted, States};
 use crate::extend;
 use crate::interpreted::Interpreted;
 use crate::numeric::Numeric;
@@ -140,6 +140,10 @@ impl Plant for RobotPlant {
 
     fn settling(&self) -> Vec<f64> {
         self.file.laws().iter().map(|l| l.hysteresis.map_or(0.0, |[_, travel]| 4.0 * travel.abs())).collect()
+    }
+
+    fn bodies(&self) -> Option<LikelyBodies> {
+        Some(LikelyBodies { prior: extend::prior(&self.robot, &self.arm), carried: extend::carried(&self.robot) })
     }
 
     fn without(&self, effects: &[(String, Option<usize>)]) -> Option<Box<dyn Plant>> {

@@ -42,6 +42,7 @@ mod tool_json;
 mod tool_text;
 mod visible;
 mod warnings;
+mod written;
 
 pub use bodies_html::Links;
 pub use consistent::{Possible, carry_over_json, consistent_json, consistent_text, held_text, identify_warnings};
@@ -72,6 +73,7 @@ pub use tool_json::tool_json;
 pub use tool_text::{tool_text, tool_verdict, tool_warnings};
 pub use visible::{is_control, visible};
 pub use warnings::Warnings;
+pub use written::{WrittenCheck, written_json, written_text};
 
 #[cfg(test)]
 mod tests;

@@ -1,17 +1,23 @@
 //! What a diagnosis promises, the extended file keeps: its inverse dynamics leaves the errors on the validating log that were reported.
 
 use denavit::arm::Predicted;
-use denavit::diagnose::{Diagnosis, Recording, Settings, Verdict, diagnose, separate};
+use denavit::diagnose::{Diagnosis, Offered, Recording, Settings, Verdict, diagnose, separate, written_errors};
 use denavit::extend::extended;
+use denavit::identify::implausible_links;
 use denavit::log::open;
 use denavit::plant::RobotPlant;
 use denavit::predicted::Predictor;
 use denavit::signal::{Filter, Prepare, each_motion};
 use denavit::simulate::{Control, Effects, Mode, Request, Sensors, Simulator, Trajectory};
-use dh_codegen::robot::{Effect, Robot};
+use dh_codegen::arm::param;
+use dh_codegen::robot::{Drive, Effect, Robot};
 
 fn robot() -> Robot {
-    let path = format!("{}/robots/kuka-lwr4.yaml", env!("CARGO_MANIFEST_DIR"));
+    robot_file("kuka-lwr4")
+}
+
+fn robot_file(name: &str) -> Robot {
+    let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
     Robot::from_yaml(&std::fs::read_to_string(path).unwrap(), &|f| Err(f.to_string())).unwrap().robot
 }
 
@@ -139,6 +145,51 @@ fn nothing_more(hidden: &Effects, extended: &Robot) {
     let said: Vec<(&str, &str)> = found.causes.iter().map(|c| (c.cause, c.evidence.as_str())).collect();
     println!("again: {:?}\n {:.4?}\n {:.4?}", found.baseline.validate, found.extended.validate, found.offer.why);
     assert_eq!(found.verdict, Verdict::NothingWrong, "{said:?}");
+}
+
+/// A robot file of which only the table is known.
+fn bare(mut robot: Robot) -> Robot {
+    robot.links.clear();
+    robot.joints.iter_mut().for_each(|joint| joint.drive = Drive::default());
+    robot
+}
+
+/// Bodies, rotor inertias and friction levels that can exist.
+fn assert_possible(robot: &Robot) {
+    let names: Vec<String> = param::standard(robot).iter().map(param::Parameter::name).collect();
+    let values = param::standard_values(robot).unwrap();
+    assert_eq!(implausible_links(&names, &values), Vec::<usize>::new());
+    let level = |name: &str| ["IA", "FV", "FC"].iter().any(|kind| name.starts_with(kind));
+    for (name, value) in names.iter().zip(values).filter(|(name, _)| level(name)) {
+        assert!(value >= 0.0, "{name} = {value}");
+    }
+}
+
+/// Where the file has neither links nor friction all of it is fitted: what is written can exist, and it is the model that was measured and compared.
+#[test]
+fn what_is_fitted_from_a_bare_file_is_possible_and_is_what_was_measured() {
+    let rms = |x: &[f64]| (x.iter().map(|x| x * x).sum::<f64>() / x.len() as f64).sqrt();
+    let late = whole("time_delay", &[("TD", -0.002)]);
+    for (truth, hidden) in [(robot_file("franka-panda"), Effects::default()), (robot(), late)] {
+        let simulator = Simulator::new(&truth, &hidden).unwrap();
+        let (fit, validate) = (record(&simulator, "fit", 10.0, 11), [record(&simulator, "validate", 6.0, 12)]);
+        let file = bare(truth);
+        let found = diagnose(&RobotPlant::new(&file), &[fit], &validate, &Settings::default(), &|_| {}).unwrap();
+        let text = extended(file, &found).to_yaml();
+        let back = Robot::from_yaml(&text, &|f| Err(f.to_string())).unwrap_or_else(|e| panic!("{e}\n{text}")).robot;
+        let [_, refitted, offered] = found.offer.left_out;
+        println!("{:?} {:?}", found.offer, found.causes.iter().map(|c| (c.cause, &c.joints[..])).collect::<Vec<_>>());
+        assert_possible(&back);
+        if found.offer.offered == Offered::Refitted {
+            assert!((refitted - offered).abs() < 1e-3 * refitted, "{refitted} compared, {offered} offered");
+            assert_eq!(found.refitted.validate.len(), found.extended.validate.len());
+        }
+        let is = written_errors(&Predictor::new(&back).unwrap(), &validate, true);
+        let promised = rms(&found.extended.validate);
+        assert!((rms(&is) - promised).abs() < 0.01 * promised, "{is:?} {:?}", found.extended.validate);
+        // The same samples as by the route of this file.
+        assert!(is.iter().zip(errors(&back, &validate[0])).all(|(a, b)| (a - b).abs() < 1e-6 + 0.01 * b));
+    }
 }
 
 /// A log in which one joint moves tells little of the arm; what it does not tell stays with the file, and the model that comes out is no worse than the file on motion of

@@ -3,6 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use dh_codegen::arm::param::{self, Parameter};
+use dh_codegen::robot::Robot;
 use indicatif::ProgressBar;
 
 use super::logbook::{Logbook, Purpose};
@@ -10,8 +12,11 @@ use super::prepare::{Torque, keep, torque_constants, warned};
 use super::provenance::Provenance;
 use super::{Failure, files, motors};
 use crate::diagnose::{self, Cause, Diagnosis, Recording, Separation, Settings};
+use crate::identify::implausible_links;
 use crate::log::Keep;
 use crate::plant::RobotPlant;
+use crate::predicted::Predictor;
+use crate::report::WrittenCheck;
 use crate::signal::{Filter, Prepare, PrepareError, Prepared};
 use crate::{extend, report};
 
@@ -61,6 +66,21 @@ pub(super) struct Diagnose {
     keep: Vec<String>,
 }
 
+/// A robot file to be written, and what it misses.
+struct Extended {
+    text: String,
+    check: WrittenCheck,
+    /// Why it is not the offered model, where it is not.
+    differs: Option<String>,
+}
+
+/// Links (from 1) that no body can have, with what the effects of the file add to them.
+fn impossible(robot: &Robot) -> Vec<usize> {
+    let bare = Robot { tool: None, ..robot.as_it_is() };
+    let names: Vec<String> = param::standard(&bare).iter().map(Parameter::name).collect();
+    param::standard_values(&bare).map_or(Vec::new(), |values| implausible_links(&names, &values))
+}
+
 /// Rows per second of the motion that is written.
 const NEXT_RATE: f64 = 100.0;
 
@@ -106,7 +126,44 @@ impl Diagnose {
             Some((next, path))
         });
         bar.finish_and_clear();
-        self.deliver(&found, next.as_ref(), &prepared, file, &provenance)
+        let measured = if self.validate.is_empty() { &fit } else { &validate };
+        let written = self.out.as_ref().map(|path| self.extended_file(path, &found, &file, measured, &provenance));
+        self.deliver(&found, written, next.as_ref(), &prepared, &provenance)
+    }
+
+    /// The robot file with what was found in it, read back and measured by its own inverse dynamics.
+    fn extended_file(
+        &self,
+        path: &Path,
+        found: &Diagnosis,
+        file: &files::RobotFile,
+        measured: &[Recording],
+        provenance: &Provenance,
+    ) -> Result<Extended, Failure> {
+        let refused = |why: String| Failure::other(format!("{} is not written: {why}", path.display()));
+        let (shown, before) = (path.display().to_string(), impossible(&file.robot));
+        let robot = extend::extended(file.robot.clone(), found);
+        let sentence = |c: &Cause| format!("{} (probability {:.2}): {}", c.cause, c.probability, c.evidence);
+        let causes: Vec<String> = found.causes.iter().filter(|c| c.cause != "unknown").map(sentence).collect();
+        let text = file.rewritten(&robot, path, &provenance.run(causes.clone()));
+        let beside = |name: &str| files::text(&path.with_file_name(name)).map_err(|_| format!("{name} can't be read"));
+        let back = Robot::from_yaml(&text, &beside)
+            .map_err(|problems| refused(format!("it could not be read back: {problems}")))?
+            .robot;
+        if let Some(link) = impossible(&back).into_iter().find(|l| !before.contains(l)) {
+            return Err(refused(format!(
+                "with what was found link {link} would be no possible body; give longer logs with more motion of it, or a file with links"
+            )));
+        }
+        let model = Predictor::new(&back).ok();
+        let rms = model.map(|model| diagnose::written_errors(&model, measured, found.own_validation));
+        let check = WrittenCheck { rms, offered: found.extended.validate.clone() };
+        let differs = check.refusal(&shown);
+        let text = match &differs {
+            Some(words) => file.rewritten(&robot, path, &provenance.run([vec![words.clone()], causes].concat())),
+            None => text,
+        };
+        Ok(Extended { text, check, differs })
     }
 
     fn next_path(&self) -> Option<PathBuf> {
@@ -116,17 +173,13 @@ impl Diagnose {
     fn deliver(
         &self,
         found: &Diagnosis,
+        written: Option<Result<Extended, Failure>>,
         next: Option<&(Separation, PathBuf)>,
         prepared: &[Prepared],
-        file: files::RobotFile,
         provenance: &Provenance,
     ) -> Result<(), Failure> {
-        if let Some(path) = &self.out {
-            let sentence = |c: &&Cause| format!("{} (probability {:.2}): {}", c.cause, c.probability, c.evidence);
-            let causes = found.causes.iter().filter(|c| c.cause != "unknown");
-            let run = provenance.run(causes.map(|c| sentence(&c)).collect());
-            let text = file.rewritten(&extend::extended(file.robot.clone(), found), path, &run);
-            files::write(path, text.as_bytes())?;
+        if let (Some(path), Some(Ok(file))) = (&self.out, &written) {
+            files::write(path, file.text.as_bytes())?;
         }
         if let Some((next, path)) = next {
             files::write(path, report::motion_csv(&next.motion, NEXT_RATE).as_bytes())?;
@@ -135,6 +188,9 @@ impl Diagnose {
             let mut value = report::diagnose_json(found, prepared, &provenance.rows());
             if let Some((next, path)) = next {
                 value["next_experiment"] = report::next_experiment_json(next, &path.display().to_string());
+            }
+            if let Some(Ok(file)) = &written {
+                value["written"] = report::written_json(&file.check);
             }
             files::json(target, value, provenance)?;
         }
@@ -146,11 +202,18 @@ impl Diagnose {
             if let Some((next, path)) = next {
                 files::print(&report::next_experiment_text(next, &path.display().to_string()))?;
             }
-            for path in self.out.iter().chain(&self.report) {
+            if let (Some(path), Some(Ok(file @ Extended { differs: None, .. }))) = (&self.out, &written) {
+                files::print(&report::written_text(&file.check, &path.display().to_string()))?;
+            }
+            if let Some(path) = &self.report {
                 files::print(&format!("wrote {}\n", path.display()))?;
             }
         }
-        Ok(())
+        match written {
+            Some(Err(failure)) => Err(failure),
+            Some(Ok(Extended { differs: Some(words), .. })) => Err(Failure::other(words)),
+            _ => Ok(()),
+        }
     }
 
     /// A log, whole; slow ones with as much of the band as they have.

@@ -313,7 +313,7 @@ impl Identify {
         Ok(ConsistentSettings {
             prior_weight: self.prior_weight,
             bounds: self.bounds(robot)?,
-            carried: carried(robot),
+            carried: extend::carried(robot),
             most_cost_percent: self.most_cost,
             ..ConsistentSettings::default()
         })
@@ -321,7 +321,7 @@ impl Identify {
 
     fn prior_of(&self, robot: &Robot, arm: &dyn Reach) -> Vec<PriorBody> {
         match self.prior {
-            PriorFrom::Cad => prior(robot, arm),
+            PriorFrom::Cad => extend::prior(robot, arm),
             PriorFrom::None => prior_bodies(&[], &geometric_bodies(&arm.ends())),
         }
     }
@@ -399,22 +399,9 @@ fn not_used(robot: &Robot) -> Option<String> {
     })
 }
 
-/// The bodies of the robot file, or guesses from the geometry for those that it does not have.
-fn prior(robot: &Robot, arm: &dyn Reach) -> Vec<PriorBody> {
-    let known: Vec<Option<[f64; 10]>> = robot.links.iter().map(|l| l.as_ref().map(|l| l.to_array())).collect();
-    prior_bodies(&known, &geometric_bodies(&arm.ends()))
-}
-
-/// The tool, in the last link's frame.
-fn carried(robot: &Robot) -> Vec<(usize, [f64; 10])> {
-    let tool = robot.tool.as_ref().and_then(|tool| Some((tool, tool.inertia.as_ref()?)));
-    let moved = tool.map(|(tool, inertia)| inertia.moved(&tool.rotation(), &tool.xyz).to_array());
-    moved.map(|body| (robot.joints.len().saturating_sub(1), body)).into_iter().collect()
-}
-
 /// Standard parameters as bodies, without the tool.
 fn links(robot: &Robot, standard: Option<&[f64]>) -> Vec<Option<Body>> {
-    let tool = carried(robot);
+    let tool = extend::carried(robot);
     let body = |link: usize| {
         let mut ten: [f64; 10] = standard?.get(10 * link..10 * link + 10)?.try_into().ok()?;
         for (_, carried) in tool.iter().filter(|(at, _)| *at == link) {

@@ -96,7 +96,8 @@ pub(super) fn leave_out<'a>(
     elsewhere: bool,
 ) -> Measured {
     if item.hypothesis.moves_time() {
-        let (reduced, others, fitted) = reduced(plant, fit, bench, chosen, item);
+        let (mut reduced, mut others, fitted) = reduced(plant, fit, bench, chosen, item);
+        let fitted = reduced.possible(&mut others, &fitted).unwrap_or(fitted);
         return Meter::new(plant, meter.fine.recordings, &reduced).of(&reduced, &fitted, &others, elsewhere);
     }
     let frozen = bench.frozen.clone();
@@ -104,6 +105,7 @@ pub(super) fn leave_out<'a>(
     let mut others: Vec<Chosen> =
         chosen.iter().enumerate().filter(|(i, _)| item.accepted != Some(*i)).map(|(_, c)| c.clone()).collect();
     let fitted = bench.fit(&mut others);
+    let fitted = bench.possible(&mut others, &fitted).unwrap_or(fitted);
     let measured = match bench.scene.delays == meter.fine.scene.delays {
         true => meter.of(bench, &fitted, &others, elsewhere),
         // Without this the delay is another.

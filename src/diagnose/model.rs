@@ -64,7 +64,7 @@ pub fn given_friction(plant: &dyn Plant) -> Vec<[Option<f64>; 3]> {
 }
 
 /// Base parameters that belong to the rigid arm: all but friction.
-fn inertial(plant: &dyn Plant) -> Vec<usize> {
+pub(super) fn inertial(plant: &dyn Plant) -> Vec<usize> {
     let base = plant.base_parameters();
     (0..base.len()).filter(|&b| friction_of(&base[b].name).is_none()).collect()
 }
@@ -83,6 +83,7 @@ fn given_base(plant: &dyn Plant) -> Vec<f64> {
 }
 
 /// A fitted model.
+#[derive(Clone)]
 pub struct Fitted {
     /// The least-squares problem.
     pub moments: Moments,
@@ -98,6 +99,8 @@ pub struct Fitted {
     pub first: Vec<usize>,
     /// Their terms.
     pub terms: Vec<Arc<Vec<Term>>>,
+    /// Standard parameters of possible bodies with these base parameters, friction left out; `None`: not looked for.
+    pub standard: Option<Vec<f64>>,
 }
 
 impl Fitted {
@@ -393,7 +396,7 @@ impl<'a> Bench<'a> {
         let solution = moments.solve(weights);
         let residual = moments.residual(&solution.x);
         let memory = residual.iter().zip(&self.scene.live).map(|(e, l)| memory(e, l)).collect();
-        Fitted { moments, solution, residual, memory, friction, first, terms }
+        Fitted { moments, solution, residual, memory, friction, first, terms, standard: None }
     }
 
     /// Equations in the rigid arm's unknowns, friction's and those of the chosen causes, in pieces or in stretches; where the causes' begin; their terms.
@@ -485,18 +488,16 @@ impl<'a> Bench<'a> {
     }
 
     /// The rigid model, and the torque with friction, as causes see them.
-    fn update_model(&mut self, fitted: &Fitted) {
+    pub(super) fn update_model(&mut self, fitted: &Fitted) {
         if self.mode == Mode::Refitted {
             let mut beta = vec![0.0; self.plant.base_parameters().len()];
             for (at, b) in inertial(self.plant).into_iter().enumerate() {
                 beta[b] = fitted.solution.x[at];
             }
-            let standard = recover_standard(
-                self.plant,
-                &beta,
-                self.plant.given().map(|s| without_friction(self.plant, s)).as_deref(),
-            );
-            self.scene.set_model(beta, standard.ok());
+            let file = || self.plant.given().map(|s| without_friction(self.plant, s));
+            let nearest = || recover_standard(self.plant, &beta, file().as_deref()).ok();
+            let standard = fitted.standard.clone().or_else(nearest);
+            self.scene.set_model(beta, standard);
         }
         let given = given_friction(self.plant);
         for j in 0..self.scene.dof() {
@@ -550,7 +551,7 @@ impl<'a> Bench<'a> {
     }
 }
 
-fn without_friction(plant: &dyn Plant, standard: &[f64]) -> Vec<f64> {
+pub(super) fn without_friction(plant: &dyn Plant, standard: &[f64]) -> Vec<f64> {
     plant
         .standard_names()
         .iter()

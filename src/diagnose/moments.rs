@@ -273,6 +273,21 @@ impl Moments {
         }
     }
 
+    /// Normal matrix and right-hand side of the whole data with these weights, the hold included.
+    pub fn normal(&self, weights: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
+        self.assemble(&self.whole, weights)
+    }
+
+    /// Root mean square of each joint's torque, N m.
+    pub fn torque(&self) -> Vec<f64> {
+        self.whole.iter().map(|s| (s.yy / s.count.max(1.0)).sqrt()).collect()
+    }
+
+    /// The solution with other values of the unknowns.
+    pub fn at(&self, solution: &Solution, x: DVector<f64>) -> Solution {
+        Solution { rss: self.residuals(&self.whole, &x), x, ..solution.clone() }
+    }
+
     /// Sums of squared residuals per joint and part, each part predicted from all others (weights as in `whole`).
     pub fn cross_validated(&self, whole: &Solution) -> Vec<Vec<f64>> {
         self.cross_validated_without(whole, &[], &[])
@@ -280,10 +295,32 @@ impl Moments {
 
     /// The same where some unknowns are 0 (`out`), and others (`fixed`) are those of the whole, since no other part can tell them.
     pub fn cross_validated_without(&self, whole: &Solution, out: &[usize], fixed: &[usize]) -> Vec<Vec<f64>> {
+        let held = self.held();
+        let plain = |matrix: &DMatrix<f64>, rhs: &DVector<f64>| {
+            Ok::<_, std::convert::Infallible>(pseudo_inverse(matrix) * (rhs - matrix * &held) + &held)
+        };
+        match self.cross_validated_by(whole, &whole.weights, out, fixed, plain) {
+            Ok(sums) => sums,
+            Err(never) => match never {},
+        }
+    }
+
+    /// The same by any solver of the normal equations, with these weights.
+    ///
+    /// # Errors
+    /// Those of the solver.
+    pub fn cross_validated_by<E>(
+        &self,
+        whole: &Solution,
+        weights: &[f64],
+        out: &[usize],
+        fixed: &[usize],
+        solve: impl Fn(&DMatrix<f64>, &DVector<f64>) -> Result<DVector<f64>, E>,
+    ) -> Result<Vec<Vec<f64>>, E> {
         (0..self.parts())
             .map(|part| {
                 let sums = self.sums(|b| b != part);
-                let (mut matrix, mut rhs) = self.assemble(&sums, &whole.weights);
+                let (mut matrix, mut rhs) = self.assemble(&sums, weights);
                 for &k in fixed {
                     rhs.axpy(-whole.x[k], &matrix.column(k), 1.0);
                 }
@@ -292,10 +329,9 @@ impl Moments {
                     matrix.column_mut(k).fill(0.0);
                     rhs[k] = 0.0;
                 }
-                let held = self.held();
-                let mut x = pseudo_inverse(&matrix) * (rhs - &matrix * &held) + held;
+                let mut x = solve(&matrix, &rhs)?;
                 fixed.iter().for_each(|&k| x[k] = whole.x[k]);
-                self.residuals(&self.sums(|b| b == part), &x)
+                Ok(self.residuals(&self.sums(|b| b == part), &x))
             })
             .collect()
     }

@@ -11,6 +11,7 @@ use super::settle::{Case, Settled};
 use super::structure::structure;
 use super::weigh::{curve, taken, unknown, values_last};
 use crate::arm::Plant;
+use crate::identify::ConsistentError;
 
 /// How to diagnose.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,6 +40,9 @@ pub enum DiagnoseError {
     /// Torques that are zero throughout.
     #[error("the torques of all joints are zero throughout; take logs in which they were measured")]
     NoTorque,
+    /// No model inside what is physically possible.
+    #[error("no model of possible bodies was found: {0}")]
+    Impossible(#[from] ConsistentError),
     /// Infinite numbers.
     #[error("the equations contain infinite numbers; look for absurd values in the logs or the robot file")]
     NotFinite,
@@ -89,6 +93,9 @@ pub fn diagnose(
     Ok(found)
 }
 
+/// Share of each stretch that is fitted where there is no validating log.
+pub(super) const KEPT: f64 = 0.7;
+
 /// Effects of which what is found can be written into the file beside what it has: totals, differences of bodies, further orders.
 const ADDS_UP: [&str; 3] = ["time_delay", "link_inertia_error", "torque_ripple"];
 
@@ -102,7 +109,7 @@ fn once(
 ) -> Result<Diagnosis, DiagnoseError> {
     let own_validation = !validate.is_empty();
     let halves = |recordings: &[Recording]| -> [Vec<Recording>; 2] {
-        let parts: Vec<[Recording; 2]> = recordings.iter().map(|r| r.split(0.7)).collect();
+        let parts: Vec<[Recording; 2]> = recordings.iter().map(|r| r.split(KEPT)).collect();
         [0, 1].map(|which| parts.iter().map(|p| p[which].clone()).collect())
     };
     let recorded = [fit, validate].concat();
@@ -142,6 +149,17 @@ fn once(
     // The same after refitting: what remains is structure.
     let mut refit = Bench::new(plant, fit, settings.rate, Mode::Refitted, &zeros, false);
     let plain = refit.fit(&mut []);
+    let (plain, refit_out) = match refit.possible(&mut [], &plain) {
+        Ok(possible) => {
+            let out = refit.possible_left_out(&[], &possible)?;
+            (possible, out)
+        }
+        // A refit that no arm can have is a yardstick; it is not offered.
+        Err(_) => {
+            let out = refit.left_out(&[], &plain);
+            (plain, out)
+        }
+    };
     let after_refit = Meter::new(plant, validate, &refit).of(&refit, &plain, &[], true);
     let refitted = Errors {
         fit: Meter::new(plant, fit, &refit).of(&refit, &plain, &[], false).rms,
@@ -149,7 +167,7 @@ fn once(
         moving: after_refit.steady,
     };
     let ground: Vec<f64> = noise.iter().zip(&torque_rms).map(|(s, t)| s.max(0.004 * t)).collect();
-    let (file_out, refit_out) = (start.file_left_out(), refit.left_out(&[], &plain));
+    let file_out = start.file_left_out();
     drop(refit);
 
     let has_links = plant.given().is_some_and(|g| g.iter().any(|v| *v != 0.0));
@@ -157,17 +175,21 @@ fn once(
     let scale: Vec<f64> = noise.iter().zip(&torque_rms).map(|(s, t)| (s * s + (0.02 * t).powi(2)).sqrt()).collect();
     let case = Case { plant, fit, validate, noise: &noise, ground: &ground, scale: &scale, settings, progress };
     let structure_of = |s: &Settled<'_>| structure(&s.bench.scene, &s.fitted.residual, &noise, &torque_rms);
-    let mut models: Vec<Settled<'_>> = Vec::new();
+    let (mut models, mut impossible): (Vec<Settled<'_>>, Vec<String>) = (Vec::new(), Vec::new());
     if has_links {
         progress("the file's links as they are");
-        models.push(case.searched(Mode::Trusted));
+        models.push(case.searched(Mode::Trusted)?);
     }
     let enough = |s: &Settled<'_>| structure_of(s).is_empty() && !refit_out.less(&s.left_out, &ground).pays();
     if !models.iter().any(enough) {
         progress("all base parameters anew");
-        models.push(case.searched(Mode::Refitted));
+        match case.searched(Mode::Refitted) {
+            Ok(model) => models.push(model),
+            Err(error) => impossible.push(format!("Refitted parameters are not offered: {error}.")),
+        }
     }
-    let (offered, why, settled) = case.choose(models, &file_out, &refit_out);
+    let (offered, mut why, settled) = case.choose(models, &file_out, &refit_out)?;
+    why.extend(impossible);
     let left = structure_of(&settled);
     let mut causes = settled.causes.clone();
     if settled.bench.mode == Mode::Refitted && has_links {

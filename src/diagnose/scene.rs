@@ -14,7 +14,7 @@ use super::noise::floor;
 use super::record::Recording;
 
 /// What is cut off both ends of every stretch, s, so that a delayed state exists for each sample.
-const EDGE: f64 = 0.15;
+pub(super) const EDGE: f64 = 0.15;
 
 /// The largest delay that is looked for, s.
 pub const MOST_DELAY: f64 = 0.14;
@@ -504,7 +504,7 @@ fn rotors(plant: &dyn Plant) -> Vec<f64> {
 }
 
 /// Speed below which each joint's sign is noise, rad/s, and whether it stands (is inside for most of the time).
-fn dead_zones(recordings: &[Recording], dof: usize) -> Vec<(f64, bool)> {
+pub(super) fn dead_zones(recordings: &[Recording], dof: usize) -> Vec<(f64, bool)> {
     let stretches = || recordings.iter().flat_map(|r| &r.stretches);
     (0..dof)
         .map(|j| {

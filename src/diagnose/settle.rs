@@ -2,8 +2,7 @@
 
 use super::evidence;
 use super::item::items;
-use super::judge::Accepted;
-use super::judge::chosen_of;
+use super::judge::{Accepted, adopt, chosen_of};
 use super::measure::{Measured, Meter, bootstrap, here, leave_out, matters, taken_of};
 use super::model::{Bench, Fitted, Mode};
 use super::offer::LeftOut;
@@ -16,6 +15,7 @@ use super::stay::{freeze, prune, release, withdraw, without};
 use super::uncertainty::Uncertainty;
 use super::weigh::Weighing;
 use crate::arm::Plant;
+use crate::identify::ConsistentError;
 
 /// Data of a diagnosis and what is measured by.
 #[derive(Clone, Copy)]
@@ -31,6 +31,14 @@ pub(super) struct Case<'a> {
     pub(super) scale: &'a [f64],
     pub(super) settings: &'a Settings,
     pub(super) progress: &'a dyn Fn(&str),
+}
+
+/// The fit inside what is possible; the accepted causes have its values.
+fn inside(bench: &mut Bench<'_>, accepted: &mut [Accepted], fitted: &Fitted) -> Result<Fitted, ConsistentError> {
+    let mut chosen = chosen_of(accepted);
+    let fitted = bench.possible(&mut chosen, fitted)?;
+    adopt(accepted, &chosen);
+    Ok(fitted)
 }
 
 /// A model of which everything holds.
@@ -55,14 +63,14 @@ impl<'a> Case<'a> {
     }
 
     /// The model with all causes that hold.
-    pub(super) fn searched(&self, mode: Mode) -> Settled<'a> {
+    pub(super) fn searched(&self, mode: Mode) -> Result<Settled<'a>, ConsistentError> {
         let mut bench = self.bench(mode);
         let accepted = search(&mut bench, self.noise, &self.settings.search, self.progress);
         self.settle(bench, accepted)
     }
 
     /// All parameters refitted, and no further cause.
-    fn plain(&self) -> Settled<'a> {
+    fn plain(&self) -> Result<Settled<'a>, ConsistentError> {
         let mut bench = self.bench(Mode::Refitted);
         let fitted = freeze(&mut bench, &mut [], self.noise);
         let fitted = release(&mut bench, &mut [], fitted);
@@ -70,14 +78,14 @@ impl<'a> Case<'a> {
     }
 
     /// The file as it is.
-    fn file(&self) -> Settled<'a> {
+    fn file(&self) -> Result<Settled<'a>, ConsistentError> {
         let mut bench = self.bench(Mode::Trusted);
         bench.frozen.iter_mut().for_each(|f| *f = true);
         let fitted = bench.fit(&mut []);
         self.hold(bench, Vec::new(), fitted, &[], Vec::new())
     }
 
-    fn settle(&self, mut bench: Bench<'a>, mut accepted: Vec<Accepted>) -> Settled<'a> {
+    fn settle(&self, mut bench: Bench<'a>, mut accepted: Vec<Accepted>) -> Result<Settled<'a>, ConsistentError> {
         if accepted.iter().any(|a| a.chosen.cause.unit()) {
             let mut chosen = chosen_of(&accepted);
             bench.polish(&mut chosen);
@@ -94,7 +102,7 @@ impl<'a> Case<'a> {
         self.hold(bench, accepted, fitted, &rivals, why)
     }
 
-    /// Takes out what does not hold on data that were not used, and measures.
+    /// Takes out what does not hold on data that were not used, and measures; all of it of the model inside what is possible.
     fn hold(
         &self,
         mut bench: Bench<'a>,
@@ -102,9 +110,10 @@ impl<'a> Case<'a> {
         mut fitted: Fitted,
         rivals: &[Plain],
         why: Vec<String>,
-    ) -> Settled<'a> {
+    ) -> Result<Settled<'a>, ConsistentError> {
         for round in 0.. {
             (self.progress)("measuring on data that was not used");
+            fitted = inside(&mut bench, &mut accepted, &fitted)?;
             let chosen = chosen_of(&accepted);
             let items = items(&bench, &accepted, &fitted);
             let [mut far, mut near] = [self.validate, self.fit].map(|data| Meter::new(self.plant, data, &bench));
@@ -122,6 +131,7 @@ impl<'a> Case<'a> {
                 .collect();
             // The bench as it was, with everything in it.
             fitted = without(&mut bench, &mut accepted, &[]);
+            fitted = inside(&mut bench, &mut accepted, &fitted)?;
             let uncertainty = Uncertainty::of(&bench, &fitted, &chosen_of(&accepted));
             let weighing = Weighing {
                 bench: &bench,
@@ -149,8 +159,8 @@ impl<'a> Case<'a> {
             let failed: Vec<usize> =
                 (0..causes.len()).filter(|&i| if causes[i].on == "fit" { !stands(i) } else { !holds(i) }).collect();
             if failed.is_empty() || round >= 3 {
-                let left_out = bench.left_out(&chosen_of(&accepted), &fitted);
-                return Settled { bench, accepted, fitted, after, after_fit, causes, left_out, why };
+                let left_out = bench.possible_left_out(&chosen_of(&accepted), &fitted)?;
+                return Ok(Settled { bench, accepted, fitted, after, after_fit, causes, left_out, why });
             }
             for &k in failed.iter().flat_map(|&i| &items[i].friction) {
                 let which = if bench.mode == Mode::Refitted { &mut bench.quiet } else { &mut bench.frozen };
@@ -169,7 +179,7 @@ impl<'a> Case<'a> {
         models: Vec<Settled<'a>>,
         file: &LeftOut,
         refit: &LeftOut,
-    ) -> (Offered, Vec<String>, Settled<'a>) {
+    ) -> Result<(Offered, Vec<String>, Settled<'a>), ConsistentError> {
         let [mut believing, mut free] = [None, None];
         for model in models {
             match model.bench.mode {
@@ -185,7 +195,7 @@ impl<'a> Case<'a> {
                 refit,
                 &all.left_out,
             ));
-            free = Some(self.plain());
+            free = Some(self.plain()?);
         }
         let mut model = match (believing, free) {
             (Some(few), Some(all)) if all.left_out.less(&few.left_out, self.ground).pays() => {
@@ -198,7 +208,7 @@ impl<'a> Case<'a> {
             }
             (Some(few), _) => few,
             (None, Some(all)) => all,
-            (None, None) => self.file(),
+            (None, None) => self.file()?,
         };
         let refitted = model.bench.mode == Mode::Refitted;
         let changed = refitted || !model.accepted.is_empty() || model.bench.frozen.iter().any(|f| !f);
@@ -212,7 +222,7 @@ impl<'a> Case<'a> {
         if changed && !local && !model.left_out.less(file, self.ground).sure() {
             said.push(self.says("nothing predicts surely better than the file as it is", &model.left_out, file));
             let why = std::mem::take(&mut model.why);
-            (offered, model) = (Offered::File, Settled { why, ..self.file() });
+            (offered, model) = (Offered::File, Settled { why, ..self.file()? });
         } else if changed {
             let what = match offered {
                 Offered::Extended => "the extended model predicts better than the file",
@@ -222,7 +232,7 @@ impl<'a> Case<'a> {
         }
         let mut why = std::mem::take(&mut model.why);
         why.extend(said);
-        (offered, why, model)
+        Ok((offered, why, model))
     }
 
     fn says(&self, what: &str, a: &LeftOut, b: &LeftOut) -> String {

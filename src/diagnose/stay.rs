@@ -131,8 +131,9 @@ pub(super) fn freeze(bench: &mut Bench<'_>, accepted: &mut [Accepted], noise: &[
                 let weight = fitted.solution.weights[j] * fitted.solution.counts[j];
                 let effect = if own > 0.0 && weight > 0.0 { value.abs() / (own * weight).sqrt() } else { 0.0 };
                 let small = value.abs() < 0.04 * given[j][which].unwrap_or(0.0).abs();
-                // Friction that drives the joint is none.
-                let drives = which < 2 && given[j][which].unwrap_or(0.0) + value < 0.0;
+                // Friction that drives the joint is none. Where the file has some, the fit inside the limits ends at zero.
+                let file = given[j][which].unwrap_or(0.0);
+                let drives = which < 2 && file <= 0.0 && file + value < 0.0;
                 let sure = if std > 0.0 { value.abs() / std } else { 0.0 };
                 if (sure < SURE || effect < 0.2 * noise[j] || small || drives) && least.is_none_or(|(_, s)| sure < s) {
                     least = Some((k, sure));
@@ -153,7 +154,7 @@ pub(super) fn freeze(bench: &mut Bench<'_>, accepted: &mut [Accepted], noise: &[
 }
 
 /// Where all base parameters are unknown so is friction: what went back to the file's values because it is too little or too unsure to be named is part of the model
-/// again, so that this is never less than a plain refit. Friction that would drive a joint stays out.
+/// again, so that this is never less than a plain refit. Friction that would drive a joint ends at zero in the fit inside the limits.
 pub(super) fn release(bench: &mut Bench<'_>, accepted: &mut [Accepted], fitted: Fitted) -> Fitted {
     if bench.mode != Mode::Refitted {
         return fitted;
@@ -162,22 +163,7 @@ pub(super) fn release(bench: &mut Bench<'_>, accepted: &mut [Accepted], fitted: 
     let mut chosen = chosen_of(accepted);
     bench.quiet.clone_from(&frozen);
     bench.frozen.iter_mut().for_each(|f| *f = false);
-    let given = given_friction(bench.plant);
-    let mut fitted = bench.fit(&mut chosen);
-    for _ in 0..3 {
-        let drives = |k: &usize| {
-            let (j, which) = (k / 3, k % 3);
-            which < 2
-                && !bench.frozen[*k]
-                && given[j][which].unwrap_or(0.0) + fitted.solution.x[fitted.friction + k] < 0.0
-        };
-        let out: Vec<usize> = (0..frozen.len()).filter(drives).collect();
-        if out.is_empty() {
-            break;
-        }
-        out.iter().for_each(|&k| (bench.frozen[k], bench.quiet[k]) = (true, false));
-        fitted = bench.fit(&mut chosen);
-    }
+    let fitted = bench.fit(&mut chosen);
     adopt(accepted, &chosen);
     fitted
 }

@@ -22,6 +22,7 @@
 mod bounds;
 #[cfg(test)]
 mod cuts;
+mod least_squares;
 mod newton;
 mod path;
 mod prior;
@@ -32,6 +33,7 @@ mod setup;
 mod tests;
 
 pub use bounds::Bounds;
+pub use least_squares::{BoundedLeastSquares, Feasible};
 pub use newton::Stalled;
 pub use prior::{PriorBody, Source, geometric_bodies, prior_bodies};
 pub use pseudo::{body_of, pseudo_inertia};
@@ -216,7 +218,7 @@ pub fn consistent(
     let (data, floor) = data(arm, fit, found)?;
     let parameters = arm.base_parameters().len() as f64;
     let freedom = found.independent - parameters;
-    let setup = Setup::new(arm, &data, prior, drives, settings)?;
+    let setup = Setup::new(arm.description(), &data, prior, drives, settings)?;
     let shares = setup.problem.links.iter().map(|l| l.share).fold(1.0, f64::min);
     let vanishing = Weights { w: VANISHING / shares, mu: VANISHING };
     let wanted = Weights { w: settings.prior_weight, mu: VANISHING };

@@ -99,6 +99,13 @@ fn a_hidden_ripple_comes_back_in_the_robot_file() {
     let gain = &first["gain"];
     assert!(gain["rms_after"][3].as_f64().unwrap() < 0.3 * gain["rms_before"][3].as_f64().unwrap());
     assert!(fs::read_to_string(&out).unwrap().contains("torque_ripple"));
+    // Read back, the file is the model that is offered.
+    let written = &found["written"];
+    assert_eq!(written["is_the_offered_model"], true, "{written}");
+    for j in 0..7 {
+        let [is, offered] = ["rms", "offered_rms"].map(|key| written[key]["validate"][j].as_f64().unwrap());
+        assert!((is - offered).abs() < 0.02 * offered, "joint {}: {is} {offered}", j + 1);
+    }
     let check = denavit(&["check", &out]);
     assert_eq!(check.status, Some(0), "{}", check.err);
 }

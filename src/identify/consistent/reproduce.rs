@@ -57,7 +57,7 @@ pub fn possible_bodies(
     let sharp = 1e2;
     let r = DMatrix::from_fn(b, b, |i, k| if i == k { sharp / sizes[i] } else { 0.0 });
     let z = DVector::from_fn(b, |i, _| sharp * base[i] / sizes[i]);
-    let setup = Setup::new(arm, &Data { r, z }, prior, drives, settings)?;
+    let setup = Setup::new(arm.description(), &Data { r, z }, prior, drives, settings)?;
     let weights = Weights { w: 1e-3, mu: 1e-6 };
     // As in the fit: where nothing comes near, a rough answer has all the digits that there are.
     let rough = (1e-6 * setup.problem.misfit(&setup.start)).max(weights.w);

@@ -6,7 +6,7 @@ use super::newton::{Link, Problem, Scalar, Wall};
 use super::prior::PriorBody;
 use super::pseudo::Yardstick;
 use super::{ConsistentError, ConsistentSettings};
-use crate::arm::Arm;
+use crate::arm::Description;
 
 /// Where the parameters of the links and drives stand among the standard ones.
 #[derive(Debug, Clone)]
@@ -60,9 +60,9 @@ pub(super) struct Setup {
 }
 
 /// `K`: base parameters from standard ones.
-pub(super) fn grouping(arm: &dyn Arm) -> DMatrix<f64> {
-    let mut k = DMatrix::zeros(arm.base_parameters().len(), arm.standard_names().len());
-    for (row, base) in arm.base_parameters().iter().enumerate() {
+pub(super) fn grouping(arm: &Description) -> DMatrix<f64> {
+    let mut k = DMatrix::zeros(arm.base.len(), arm.standard.len());
+    for (row, base) in arm.base.iter().enumerate() {
         base.coefficients.iter().for_each(|&(column, c)| k[(row, column)] += c);
     }
     k
@@ -71,13 +71,13 @@ pub(super) fn grouping(arm: &dyn Arm) -> DMatrix<f64> {
 impl Setup {
     /// `drives`: standard parameters of which those of the drives count.
     pub(super) fn new(
-        arm: &dyn Arm,
+        arm: &Description,
         data: &Data,
         prior: &[PriorBody],
         drives: &[f64],
         settings: &ConsistentSettings,
     ) -> Result<Self, ConsistentError> {
-        let names = arm.standard_names();
+        let names = &arm.standard;
         let layout = Layout::new(names)?;
         let length = |what, found: usize, expected: usize| match found == expected {
             true => Ok(()),
@@ -85,7 +85,7 @@ impl Setup {
         };
         length("prior bodies", prior.len(), layout.links.len())?;
         length("standard parameters", drives.len(), names.len())?;
-        length("base parameters", data.r.ncols(), arm.base_parameters().len())?;
+        length("base parameters", data.r.ncols(), arm.base.len())?;
         let unit = |x: f64| x > 0.0 && x < 1.0;
         if !(unit(settings.margin) && settings.prior_weight > 0.0 && settings.geometric_share > 0.0) {
             return Err(ConsistentError::Settings);

@@ -54,7 +54,7 @@ fn equations(arm: &Interpreted, truth: &[f64], states: usize, noise: f64, seed: 
             w[(row * states + s, column)] += entries[k * states + s];
         }
     }
-    let beta = grouping(arm) * DVector::from_column_slice(truth);
+    let beta = grouping(arm.description()) * DVector::from_column_slice(truth);
     let tau = &w * beta
         + DVector::from_fn(n * states, |_, _| noise * (random.even(1.0) + random.even(1.0) + random.even(1.0)));
     // Of the equations their triangular factor, and one row for what no parameters remove.
@@ -85,7 +85,7 @@ fn two_routes_agree() {
             ..Bounds::default()
         };
         let settings = ConsistentSettings { bounds, ..ConsistentSettings::default() };
-        let mut setup = Setup::new(&arm, &data, &prior, &truth, &settings).unwrap();
+        let mut setup = Setup::new(arm.description(), &data, &prior, &truth, &settings).unwrap();
         for link in &setup.problem.links {
             let trace = (0..4).map(|k| (link.start + k, -1.0)).collect();
             setup.problem.walls.push(super::newton::Wall { a: trace, b: -50.0 });

@@ -1,0 +1,155 @@
+//! Least squares over possible bodies beside further unknowns, of which some have a lower bound: what a diagnosis fits.
+
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+
+use super::newton::Weights;
+use super::setup::{Data, Setup};
+use super::{ConsistentError, ConsistentSettings, PriorBody, VANISHING};
+use crate::arm::{BaseParameter, Description};
+
+/// Eigenvalues of the scaled normal matrix below this share of the largest say nothing.
+const RANK: f64 = 1e-13;
+/// Size of an unknown of which nothing is known, in its own unit.
+const SIZE: f64 = 0.1;
+
+/// The constraints of a least-squares problem in base parameters and, behind them, further unknowns.
+#[derive(Debug, Clone, Copy)]
+pub struct BoundedLeastSquares<'a> {
+    /// Names of the standard parameters, those of links and rotors among them.
+    pub standard: &'a [String],
+    /// The first unknowns as combinations of them; empty where no link is unknown.
+    pub base: &'a [BaseParameter],
+    /// Least value of each further unknown; `None`: of any sign.
+    pub least: &'a [Option<f64>],
+    /// One body per link ([`prior_bodies`](super::prior_bodies)), without what is fixed to it.
+    pub prior: &'a [PriorBody],
+    /// Standard parameters of the robot file, of which those of the rotors are used (kg m^2).
+    pub drives: &'a [f64],
+    /// Margin, prior's weight and what is fixed to links.
+    pub settings: &'a ConsistentSettings,
+}
+
+/// The least-squares solution inside the constraints.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Feasible {
+    /// Standard parameters; empty where no link is unknown.
+    pub standard: Vec<f64>,
+    /// The unknowns: base parameters, then the others.
+    pub x: DVector<f64>,
+}
+
+impl BoundedLeastSquares<'_> {
+    /// Minimises `1/2 x'Ax - b'x`: `normal` (`A`, positive semidefinite) and `rhs` (`b`) in units of the noise of independent
+    /// samples. Further unknowns whose row of `A` is zero are 0, or at their bound where that is above.
+    ///
+    /// # Errors
+    /// Where numbers are infinite, or the solver comes to a halt ([`ConsistentError::Stalled`]).
+    pub fn solve(&self, normal: &DMatrix<f64>, rhs: &DVector<f64>) -> Result<Feasible, ConsistentError> {
+        if normal.iter().chain(rhs.iter()).any(|v| !v.is_finite()) {
+            return Err(ConsistentError::NotFinite);
+        }
+        let n = rhs.len();
+        // Unknowns with a bound are counted from it.
+        let first = self.base.len();
+        let bound = DVector::from_fn(n, |i, _| i.checked_sub(first).and_then(|k| *self.least.get(k)?).unwrap_or(0.0));
+        let rhs = rhs - normal * &bound;
+        let description = self.description();
+        let links = if first > 0 { self.standard.len() } else { 0 };
+        let mut drives = vec![0.0; description.standard.len()];
+        drives[..links].copy_from_slice(&self.drives[..links]);
+        let settings = ConsistentSettings {
+            carried: if first > 0 { self.settings.carried.clone() } else { Vec::new() },
+            ..self.settings.clone()
+        };
+        // A bounded unknown is measured by what the data make of it alone.
+        for (k, slot) in drives[links..].iter_mut().enumerate().filter(|(k, _)| self.least[*k].is_some()) {
+            let own = normal[(first + k, first + k)];
+            let alone = if own > 0.0 { (rhs[first + k] / own).abs() } else { 0.0 };
+            *slot = if alone > 0.0 && alone.is_finite() { alone } else { SIZE };
+        }
+        let prior = if first > 0 { self.prior } else { &[] };
+        let setup = Setup::new(&description, &root(normal, &rhs), prior, &drives, &settings)?;
+        let weights = Weights { w: self.settings.prior_weight, mu: VANISHING };
+        let (v, _) = setup.problem.follow(&setup.start, weights)?;
+        let all = setup.standard(&v);
+        if all.iter().any(|x| !x.is_finite()) {
+            return Err(ConsistentError::NotFinite);
+        }
+        let grouped = |i: usize| description.base[i].coefficients.iter().map(|&(at, c)| c * all[at]).sum::<f64>();
+        let silent = |i: usize| normal[(i, i)] == 0.0;
+        let x = DVector::from_fn(n, |i, _| match i >= first && silent(i) {
+            true => bound[i].max(0.0),
+            false => grouped(i) + bound[i],
+        });
+        Ok(Feasible { standard: all[..links].to_vec(), x })
+    }
+
+    /// The unknowns as parameters of an arm: links and rotors, then one of its own for each further unknown, `FC` where it is bounded.
+    fn description(&self) -> Description {
+        let mut standard = if self.base.is_empty() { Vec::new() } else { self.standard.to_vec() };
+        let mut base = self.base.to_vec();
+        for (k, least) in self.least.iter().enumerate() {
+            let name = format!("{}_unknown{k}", if least.is_some() { "FC" } else { "FO" });
+            base.push(BaseParameter {
+                name: name.clone(),
+                grouping: String::new(),
+                coefficients: vec![(standard.len(), 1.0)],
+                unit: String::new(),
+            });
+            standard.push(name);
+        }
+        Description { standard, base, ..Description::default() }
+    }
+}
+
+/// `R` and `z` with `R'R = A` and `R'z = b`, by the eigenvalues of the matrix with a unit diagonal.
+fn root(normal: &DMatrix<f64>, rhs: &DVector<f64>) -> Data {
+    let n = rhs.len();
+    let size: Vec<f64> = (0..n).map(|i| if normal[(i, i)] > 0.0 { normal[(i, i)].sqrt() } else { 1.0 }).collect();
+    let scaled = DMatrix::from_fn(n, n, |i, k| 0.5 * (normal[(i, k)] + normal[(k, i)]) / (size[i] * size[k]));
+    let eigen = SymmetricEigen::new(scaled);
+    let most = eigen.eigenvalues.iter().fold(0.0_f64, |m, x| m.max(*x));
+    let (mut r, mut z) = (DMatrix::zeros(n, n), DVector::zeros(n));
+    for (k, (&value, axis)) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()).enumerate() {
+        if value <= RANK * most {
+            continue;
+        }
+        let along: f64 = (0..n).map(|i| axis[i] * rhs[i] / size[i]).sum();
+        z[k] = along / value.sqrt();
+        (0..n).for_each(|i| r[(k, i)] = value.sqrt() * axis[i] * size[i]);
+    }
+    Data { r, z }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn solve(least: &[Option<f64>], normal: &DMatrix<f64>, rhs: &DVector<f64>) -> DVector<f64> {
+        let settings = ConsistentSettings::default();
+        let problem =
+            BoundedLeastSquares { standard: &[], base: &[], least, prior: &[], drives: &[], settings: &settings };
+        problem.solve(normal, rhs).unwrap().x
+    }
+
+    #[test]
+    fn bounds_that_hold_change_nothing_and_others_are_met() {
+        let a = DMatrix::from_row_slice(3, 3, &[4e6, 1e6, 0.0, 1e6, 9e6, 2e6, 0.0, 2e6, 5e6]);
+        let truth = DVector::from_column_slice(&[0.5, -0.2, 1.0]);
+        let b = &a * &truth;
+        let x = solve(&[Some(0.0), Some(-0.3), None], &a, &b);
+        assert!((&x - &truth).amax() < 1e-5, "{x}");
+        // The second at its bound, the others fitted beside it.
+        let x = solve(&[Some(0.0), Some(0.0), None], &a, &b);
+        let rest = DMatrix::from_row_slice(2, 2, &[4e6, 0.0, 0.0, 5e6]).try_inverse().unwrap()
+            * DVector::from_column_slice(&[b[0], b[2]]);
+        assert!(x[1].abs() < 1e-5 && (x[0] - rest[0]).abs() < 1e-4 && (x[2] - rest[1]).abs() < 1e-4, "{x}");
+    }
+
+    #[test]
+    fn unknowns_without_equations_stay_where_they_are() {
+        let a = DMatrix::from_row_slice(2, 2, &[1e6, 0.0, 0.0, 0.0]);
+        let x = solve(&[Some(-2.0), Some(-2.0)], &a, &DVector::from_column_slice(&[1e6, 0.0]));
+        assert!((x[0] - 1.0).abs() < 1e-5 && x[1] == 0.0, "{x}");
+    }
+}
