@@ -137,6 +137,11 @@ pub trait Predicted: Sync {
     /// What each joint's sensor makes of its true torque: gain, and offset (N m) that is added. True torques, as a controller has to command
     /// them, are `(measured - offset) / gain`.
     fn sensors(&self) -> Vec<[f64; 2]>;
+
+    /// Breakaway level of each joint's static friction, N m, where a law of its drive gives one.
+    fn breakaways(&self) -> Vec<Option<f64>> {
+        vec![None; self.dof()]
+    }
 }
 
 /// A change of an arm that none of its parameters can express.

@@ -26,6 +26,7 @@ mod run;
 mod sample;
 mod series;
 mod small;
+mod stiction;
 mod torques;
 mod uncertainty;
 mod verdict;

@@ -74,7 +74,7 @@ pub use preference::{Better, Preference, preference};
 pub use recover::{RecoverError, implausible_links, recover_standard};
 pub use result::{Condition, Confused, Estimate, Identification, LogSummary, Standing, Underdetermined};
 pub use solve::{IdentifyError, IdentifySettings, solve};
-pub use stack::{DeadZone, Factors, JointFactor, Stack, StackSettings};
+pub use stack::{Factors, JointFactor, Stack, StackSettings};
 pub use statistics::Noise;
 pub use trace::{Trace, TraceJoint, Tracer};
 pub use triangle::Triangle;

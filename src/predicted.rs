@@ -136,6 +136,10 @@ impl Predicted for Predictor {
         self.laws.iter().map(|l| l.delay).collect()
     }
 
+    fn breakaways(&self) -> Vec<Option<f64>> {
+        self.laws.iter().map(|l| l.stribeck.as_ref().and_then(|s| s.breakaway)).collect()
+    }
+
     fn sensors(&self) -> Vec<[f64; 2]> {
         self.laws.iter().map(|l| [l.gain, l.offset]).collect()
     }

@@ -10,6 +10,7 @@ mod difference;
 mod even;
 mod motion;
 mod prepare;
+mod rest;
 mod sos;
 mod stick;
 
@@ -19,4 +20,5 @@ pub use difference::{central, central_second};
 pub use even::even;
 pub use motion::{Motion, MotionBlock};
 pub use prepare::{Derivatives, Filter, Prepare, PrepareError, Prepared, Preparer, each_motion};
+pub use rest::{DeadZone, white_noise};
 pub use sos::{Biquad, Sos};

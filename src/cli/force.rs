@@ -28,7 +28,7 @@ use crate::signal::Prepare;
 /// touches; without that, from the torque's own noise, and then the model's errors are in no band.
 #[derive(Args)]
 #[command(
-    after_help = "Example:\n  denavit identify robot.yaml fit.csv --out identified.yaml --json identified.json\n  denavit force identified.yaml push.csv --identified identified.json --free 0:2 --bias \\\n      --out wrench.csv --report wrench.html\n  denavit force identified.yaml free.csv --identified identified.json --against nothing\n\nOut:\n  the text and the JSON have figures for each log and component (root mean squares, mean half-width of the band, comparison, phantom force,\n  consistency with the uncertainty); the wrench itself, sample by sample, is in the CSV of --out: t (s), fx fy fz (N), mx my mz (N m),\n  fx_half .. mz_half (half-widths of the 95 % bands; empty: the joints don't tell the component), touching (0 or 1), surprise (a normal deviate:\n  under 3 it is nothing, else something touches or the model is wrong), dexterity (m/rad: near 0 at a singularity), seg. `meaning` in the JSON says what its names mean."
+    after_help = "Example:\n  denavit identify robot.yaml fit.csv --out identified.yaml --json identified.json\n  denavit force identified.yaml push.csv --identified identified.json --free 0:2 --bias \\\n      --out wrench.csv --report wrench.html\n  denavit force identified.yaml free.csv --identified identified.json --against nothing\n\nOut:\n  the text and the JSON have figures for each log and component (root mean squares, mean half-width of the band, comparison, phantom force,\n  consistency with the uncertainty); the wrench itself, sample by sample, is in the CSV of --out: t (s), fx fy fz (N), mx my mz (N m),\n  fx_half .. mz_half (half-widths of the 95 % bands; empty: the joints don't tell the component), touching (0 or 1), surprise (a normal deviate:\n  under 3 it is nothing, else something touches or the model is wrong), dexterity (m/rad: near 0 at a singularity), seg, undecided (1: static friction or\n  contact can't be told apart). `meaning` in the JSON says what its names mean."
 )]
 pub(super) struct Force {
     /// Robot file with its links: identified, or extended by `denavit diagnose`.
@@ -51,9 +51,9 @@ pub(super) struct Force {
     /// Take off the mean of what the model leaves in the `--free` stretches.
     #[arg(long, requires = "free")]
     bias: bool,
-    /// Gain of the momentum observer, 1/s: one over the time constant of its low-pass.
-    #[arg(long, default_value_t = force::Settings::default().gain, value_name = "GAIN")]
-    gain: f64,
+    /// Gain of the momentum observer, 1/s: one over the time constant of its low-pass. Default: 62.8.
+    #[arg(long, value_name = "GAIN")]
+    gain: Option<f64>,
     /// Standard deviations by which force and moment wander in a second at most, N,N m: the largest pace of the Kalman filter. Default: 20,2.
     #[arg(long, value_name = "N,NM", value_parser = pair)]
     wander: Option<[f64; 2]>,
@@ -110,8 +110,17 @@ impl Force {
         if self.out.is_some() && self.logs.len() > 1 {
             return Err(Failure::input("--out writes the wrench of one log; run the command once for each log"));
         }
-        if !(self.gain > 0.0 && self.gain < 1e4) {
-            return Err(Failure::input(format!("--gain {}: 1/s, above 0 and below 10000", self.gain)));
+        if let Some(gain) = self.gain.filter(|gain| !(*gain > 0.0 && *gain < 1e4)) {
+            return Err(Failure::input(format!("--gain {gain}: 1/s, above 0 and below 10000")));
+        }
+        let belongs = [
+            (self.gain.is_some(), "--gain", matches!(self.estimator, Estimator::Momentum), "momentum"),
+            (self.wander.is_some(), "--wander", matches!(self.estimator, Estimator::Kalman), "kalman"),
+        ];
+        if let Some((_, option, _, estimator)) = belongs.iter().find(|(given, _, its, _)| *given && !its) {
+            return Err(Failure::input(format!(
+                "{option} has no effect on this estimator; leave it out, or add --estimator {estimator}"
+            )));
         }
         let file = files::robot(&self.robot)?;
         motors::on_every_joint(&self.robot, &file.robot, "the estimate takes the torque of every joint from the log")?;
@@ -143,7 +152,8 @@ impl Force {
         let torques: &dyn Torques = effected.as_ref().map_or(&linear, |e| e);
         let prepare = self.preparation.prepare(&file.robot)?;
         let prepare = Prepare { raw_torque: true, margins: true, wrench: true, temperature: true, ..prepare };
-        let mut settings = force::Settings { filter: prepare.filter, gain: self.gain, ..force::Settings::default() };
+        let mut settings = force::Settings { filter: prepare.filter, ..force::Settings::default() };
+        settings.gain = self.gain.unwrap_or(settings.gain);
         settings.method = match self.estimator {
             Estimator::Residual => Method::Residual,
             Estimator::Plain => Method::Plain,
@@ -158,9 +168,12 @@ impl Force {
         settings.bias = self.bias_of(&arm, torques, &prepare)?;
         let (uncertainty, known_from) = self.uncertainty(&arm, torques, &prepare)?;
 
+        let joints = file.robot.moving().into_iter().map(|row| &file.robot.joints[row]);
+        let limits: Vec<f64> = joints.map(|j| j.limits.torque.unwrap_or(f64::INFINITY)).collect();
         let (mut found, mut prepared, mut logbook) = (Vec::new(), Vec::new(), Logbook::default());
         for path in &self.logs {
-            let known = Known { arm: &arm, standard: &standard, torques, uncertainty: &uncertainty };
+            let known =
+                Known { arm: &arm, standard: &standard, torques, uncertainty: &uncertainty, torque_limits: &limits };
             let mut tool = arm.bodies(&standard);
             let shown = path.display().to_string();
             let mut run = Run::new(&shown, known, &mut tool, settings.clone()).map_err(Failure::input)?;
@@ -262,7 +275,7 @@ fn write_csv(path: &Path, series: &Series) -> Result<(), Failure> {
     let mut header = vec!["t".to_string()];
     header.extend(COMPONENTS.iter().map(|c| (*c).to_string()));
     header.extend(COMPONENTS.iter().map(|c| format!("{c}_half")));
-    header.extend(["touching".to_string(), "surprise".into(), "dexterity".into(), "seg".into()]);
+    header.extend(["touching".to_string(), "surprise".into(), "dexterity".into(), "seg".into(), "undecided".into()]);
     files::stream(path, |out| {
         writeln!(out, "{}", header.join(","))?;
         for s in 0..series.time.len() {
@@ -276,6 +289,7 @@ fn write_csv(path: &Path, series: &Series) -> Result<(), Failure> {
             row.push(format!("{:.3}", series.deviate[s]));
             row.push(format!("{:.5}", series.dexterity[s]));
             row.push(series.segment[s].to_string());
+            row.push(u8::from(series.undecided[s]).to_string());
             writeln!(out, "{}", row.join(","))?;
         }
         Ok(())

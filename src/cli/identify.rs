@@ -14,7 +14,7 @@ use crate::arm::{Arm, Reach};
 use crate::coupled::Coupled;
 use crate::identify::{
     Better, Bounds, Consistent, ConsistentError, ConsistentSettings, Essential, Factors, Identification, IdentifyError,
-    IdentifySettings, LeftOutError, Preference, PriorBody, Stack, Trace, Tracer, carry_over, consistent,
+    IdentifySettings, LeftOutError, Preference, PriorBody, Stack, StackSettings, Trace, Tracer, carry_over, consistent,
     geometric_bodies, left_out, nonnegative_drives, possible_bodies, prior_bodies, recover_standard, solve,
 };
 use crate::interpreted::Interpreted;
@@ -140,7 +140,7 @@ impl Identify {
         let arm = Coupled::new(&bodies, couplings.into_iter().map(|(coupling, _)| coupling).collect());
         let prior = param::standard_values(&file.robot).map(|values| [values, given].concat());
 
-        let settings = self.preparation.stack();
+        let settings = StackSettings::default();
         let (mut prepared, mut logbook) = (Vec::new(), Logbook::default());
         let mut factor = |purpose: Purpose, path: &PathBuf| -> Result<Factors, Failure> {
             let mut stack = Stack::new(&path.display().to_string(), &arm, settings);

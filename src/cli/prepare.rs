@@ -12,11 +12,10 @@ use sha2::{Digest, Sha256};
 
 use super::provenance::hexadecimal;
 use super::{Failure, files, terminal};
-use crate::identify::{DeadZone, StackSettings};
 use crate::log::{
     Finding, Fingerprint, Fingerprinted, Keep, Kind, Limits, LogError, Quantity, beyond, open, torque_unit,
 };
-use crate::signal::{Filter, Motion, Prepare, PrepareError, Prepared, each_motion};
+use crate::signal::{DeadZone, Filter, Motion, Prepare, PrepareError, Prepared, each_motion};
 
 /// Low-pass, clock, torque column, and what to keep.
 #[derive(Args, Clone)]
@@ -40,7 +39,8 @@ pub(super) struct Preparation {
     /// `torque_constant`).
     #[arg(long, value_enum, default_value_t = Torque::Tau)]
     torque: Torque,
-    /// Speed below which a joint's rows are not used, rad/s; default from the noise.
+    /// Speed up to which a joint is at rest, rad/s: its dry friction is then anything within its breakaway level, and rows do not tell its
+    /// Coulomb level. Default: three standard deviations of the speed's noise in the log; 0: never at rest.
     #[arg(long, value_name = "SPEED", allow_negative_numbers = true)]
     dead_zone: Option<f64>,
     /// Keep what is normally refused: bad-rows, gaps, restarts, duplicates, irregular-clock, stuck, clipped, dead-torque,
@@ -105,6 +105,7 @@ impl Preparation {
         }
         Ok(Prepare {
             filter: (self.cutoff > 0.0).then_some(Filter { order: self.order, cutoff: self.cutoff }),
+            dead_zone: self.dead_zone(),
             trim: self.trim,
             torque_delay: self.delay,
             stride: self.stride,
@@ -115,14 +116,13 @@ impl Preparation {
         })
     }
 
-    /// What is done near standstill.
-    pub(super) fn stack(&self) -> StackSettings {
-        let dead_zone = match self.dead_zone {
+    /// What counts as rest.
+    fn dead_zone(&self) -> DeadZone {
+        match self.dead_zone {
             Some(speed) if speed > 0.0 => DeadZone::Fixed(speed),
             Some(_) => DeadZone::Off,
             None => DeadZone::FromNoise,
-        };
-        StackSettings { dead_zone, ..StackSettings::default() }
+        }
     }
 
     /// For the foot of a report.

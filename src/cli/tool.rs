@@ -12,7 +12,7 @@ use super::prepare::{Preparation, against_limits, pass, warned};
 use super::provenance::Provenance;
 use super::{Failure, files, motors, terminal};
 use crate::arm::Arm;
-use crate::identify::{Factors, IdentifyError, Stack, Trace, Tracer, Underdetermined};
+use crate::identify::{Factors, IdentifyError, Stack, StackSettings, Trace, Tracer, Underdetermined};
 use crate::interpreted::Interpreted;
 use crate::report;
 use crate::signal::Prepare;
@@ -106,7 +106,7 @@ impl ToolVerb {
         let mut factors = |paths: &[PathBuf], purpose: Purpose| -> Result<Vec<Factors>, Failure> {
             let carrying = Carrying::new(&arm, purpose == Purpose::Loaded);
             let mut factor = |path: &PathBuf| -> Result<Factors, Failure> {
-                let mut stack = Stack::new(&path.display().to_string(), &carrying, self.preparation.stack());
+                let mut stack = Stack::new(&path.display().to_string(), &carrying, StackSettings::default());
                 let log = logbook.pass(purpose, path, carrying.dof(), &prepare, |motion| stack.absorb(motion))?;
                 prepared.push(warned(path, log));
                 Ok(stack.finish())

@@ -1,27 +1,13 @@
 //! How noisy the torques are, and how long their errors remember themselves.
 
 use super::record::Recording;
+use crate::signal::white_noise;
 
 /// Standard deviation of each joint's torque noise, N m, without a model: from fourth differences of the raw samples, in which motion
 /// below a tenth of the sampling rate leaves nothing. Noise that was low-passed before it was recorded is not seen.
 pub fn floor(recordings: &[Recording], dof: usize) -> Vec<f64> {
-    (0..dof)
-        .map(|j| {
-            let mut squares: Vec<f64> = Vec::new();
-            for stretch in recordings.iter().flat_map(|r| &r.stretches) {
-                // The variance of a fourth difference of white noise is 70 times its own (1 + 16 + 36 + 16 + 1).
-                squares.extend(stretch.of(&stretch.tau, j).windows(5).map(|w| {
-                    let d = w[0] - 4.0 * w[1] + 6.0 * w[2] - 4.0 * w[3] + w[4];
-                    d * d / 70.0
-                }));
-            }
-            // Steps of friction are rare and large: the largest hundredth is left out, and what Gauss would have there is put back.
-            squares.sort_by(f64::total_cmp);
-            let kept = squares.len() - squares.len() / 100;
-            let mean = squares[..kept].iter().sum::<f64>() / kept.max(1) as f64;
-            (mean / 0.9245).sqrt()
-        })
-        .collect()
+    let of = |j: usize| white_noise(recordings.iter().flat_map(|r| &r.stretches).map(move |s| s.of(&s.tau, j)));
+    (0..dof).map(of).collect()
 }
 
 /// Over how many windows a residual remembers itself: `1 + 2 sum rho_k` up to the first negative pair (Geyer 1992), at least 1.

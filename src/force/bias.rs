@@ -39,7 +39,7 @@ impl<'a> BiasPass<'a> {
     pub fn new(arm: &'a dyn Arm, torques: &'a dyn Torques, filter: Option<Filter>, free: &[[f64; 2]]) -> Self {
         let regressor = DMatrix::zeros(arm.dof(), arm.base_parameters().len());
         let sum = Bias { torque: vec![0.0; arm.dof()], regressor, seconds: 0.0 };
-        Self { rows: Rows::new(arm), arm, torques, filter, free: free.to_vec(), sum, count: 0 }
+        Self { rows: Rows::new(arm), arm, torques, filter, free: within(free, filter), sum, count: 0 }
     }
 
     /// Takes in a stretch of motion.
@@ -68,6 +68,17 @@ impl<'a> BiasPass<'a> {
         self.sum.regressor /= n;
         Some(self.sum)
     }
+}
+
+/// The stretches without what a low-pass smears into them from outside, s: a step leaves less than a thousandth after four periods of the cutoff. Of a short stretch
+/// half is left.
+pub(super) fn within(stretches: &[[f64; 2]], filter: Option<Filter>) -> Vec<[f64; 2]> {
+    let margin = filter.map_or(0.0, |f| 4.0 / f.cutoff);
+    let inner = |&[from, to]: &[f64; 2]| {
+        let margin = margin.min(0.25 * (to - from));
+        [from + margin, to - margin]
+    };
+    stretches.iter().map(inner).collect()
 }
 
 /// Whether a time lies in a stretch.

@@ -13,12 +13,13 @@ pub struct ContactDetector {
     /// For how long the surprise must stay beyond, s. Default 0.
     pub hold: f64,
     touching: bool,
+    undecided: bool,
     since: f64,
 }
 
 impl Default for ContactDetector {
     fn default() -> Self {
-        Self { on: 5.0, off: 3.0, hold: 0.0, touching: false, since: 0.0 }
+        Self { on: 5.0, off: 3.0, hold: 0.0, touching: false, undecided: false, since: 0.0 }
     }
 }
 
@@ -27,6 +28,8 @@ impl Default for ContactDetector {
 pub struct Contact {
     /// Whether something touches.
     pub touching: bool,
+    /// Whether static friction or contact can't be told apart: a joint is at rest, and friction within its breakaway level explains what the model leaves.
+    pub undecided: bool,
     /// The surprise as a normal deviate: below about 3 it is nothing.
     pub deviate: f64,
 }
@@ -35,20 +38,22 @@ impl ContactDetector {
     /// Takes in an estimate, `dt` s after the one before. One that is not fresh changes nothing.
     pub fn step(&mut self, estimate: &Estimate, dt: f64) -> Contact {
         if !estimate.fresh {
-            return Contact { touching: self.touching, deviate: 0.0 };
+            return Contact { touching: self.touching, undecided: self.undecided && !self.touching, deviate: 0.0 };
         }
-        let deviate = deviate(estimate.surprise, estimate.freedom);
+        let [deviate, without] = [estimate.surprise, estimate.without_friction].map(|x| deviate(x, estimate.freedom));
         let beyond = if self.touching { deviate < self.off } else { deviate > self.on };
         self.since = if beyond { self.since + dt.max(0.0) } else { 0.0 };
         if beyond && self.since >= self.hold {
             (self.touching, self.since) = (!self.touching, 0.0);
         }
-        Contact { touching: self.touching, deviate }
+        let beyond = estimate.without_friction > estimate.surprise;
+        self.undecided = beyond && without > if self.undecided { self.off } else { self.on };
+        Contact { touching: self.touching, undecided: self.undecided && !self.touching, deviate }
     }
 
     /// Forgets.
     pub fn reset(&mut self) {
-        (self.touching, self.since) = (false, 0.0);
+        (self.touching, self.undecided, self.since) = (false, false, 0.0);
     }
 }
 

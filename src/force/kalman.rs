@@ -8,6 +8,7 @@
 use super::pace::Pace;
 use super::sample::{Estimate, ForceEstimator, Sample, Scale};
 use super::small::{self, cholesky, dot, finite, forward, inverse, sandwich, times, transposed_times};
+use super::stiction::least;
 use super::wrench::told;
 
 /// The filter.
@@ -39,10 +40,12 @@ struct State<const N: usize> {
     ff: [[f64; 6]; 6],
     /// How fast each component wanders.
     paces: [Pace; 6],
+    /// Breakaway levels of joints at rest, fading after they broke away.
+    held: [f64; N],
 }
 
 /// In a steady state: see [`Kalman::steady`].
-struct Steady {
+struct Steady<const N: usize> {
     /// The filter's covariance and that of the parameters.
     covariance: [[f64; 6]; 6],
     /// Of each component's noise.
@@ -50,6 +53,8 @@ struct Steady {
     /// By how long each component is late for the rate of each, s or by units: the error of a filter of covariance `P` on torques of information `I` (per s) goes as
     /// `e' = v - P I e`, so that rates `v` leave it `(P I)^-1 v` behind. What is late is late for the others' rates, too.
     late: [[f64; 6]; 6],
+    /// From torques to the wrench.
+    map: [[f64; N]; 6],
 }
 
 impl<const N: usize> Kalman<N> {
@@ -82,6 +87,7 @@ impl<const N: usize> Kalman<N> {
             pf: [[0.0; 6]; N],
             ff: Estimate::unknown(&self.scale).covariance,
             paces: self.wander.each().map(Pace::new),
+            held: sample.breakaway,
         }
     }
 
@@ -153,27 +159,30 @@ impl<const N: usize> Kalman<N> {
         if !(finite(&momentum) && finite(&wrench)) {
             return None;
         }
-        let Steady { mut covariance, density, late } = self.steady(now, &ff)?;
+        let Steady { mut covariance, density, late, map } = self.steady(now, &ff)?;
         let mut found = state.paces;
         (0..6).for_each(|i| found[i].see(wrench[i], density[i], dt));
         for i in 0..6 {
             let of_others: f64 = (0..6).filter(|&j| j != i).map(|j| late[i][j] * late[i][j] * found[j].rate()).sum();
             covariance[i][i] += found[i].missing(ff[i][i], density[i]) + of_others;
         }
-        let surprise = {
-            let root = cholesky(&covariance)?;
-            let mut white = wrench;
-            forward(&root, &mut white);
-            dot(&white, &white)
-        };
+        let mut held = state.held;
+        (0..N).for_each(|j| held[j] = now.breakaway[j].max(libm::exp(-20.0 * dt) * held[j]));
+        let column = |j: usize| core::array::from_fn(|i| map[i][j]);
+        let [surprise, without_friction] = least(&cholesky(&covariance)?, &wrench, column, &held);
+        let friction: [[f64; 6]; 6] = core::array::from_fn(|i| {
+            core::array::from_fn(|k| (0..N).map(|j| map[i][j] * map[k][j] * now.static_friction[j].powi(2)).sum())
+        });
+        (0..6).for_each(|i| (0..6).for_each(|k| covariance[i][k] += friction[i][k]));
         let (told, misfit) = (told(&covariance, &self.scale), dot(&white, &white));
-        let estimate = Estimate { wrench, covariance, surprise, freedom: N.min(6), misfit, told, fresh: true };
-        Some((State { before: *now, momentum, wrench, pp, pf, ff, paces: found }, estimate))
+        let estimate =
+            Estimate { wrench, covariance, surprise, without_friction, freedom: N.min(6), misfit, told, fresh: true };
+        Some((State { before: *now, momentum, wrench, pp, pf, ff, paces: found, held }, estimate))
     }
 
     /// What the filter is where all stays as it is. The model's parameters stay the same from sample to sample and so are no noise: their covariance is `A W C W' A'`,
     /// `A` the filter's steady map from torque to wrench, least squares weighted by the torques' densities.
-    fn steady(&self, now: &Sample<N>, noise: &[[f64; 6]; 6]) -> Option<Steady> {
+    fn steady(&self, now: &Sample<N>, noise: &[[f64; 6]; 6]) -> Option<Steady<N>> {
         let variance: [f64; N] = core::array::from_fn(|j| self.density[j] + 1e-12);
         let sizes = self.scale.each();
         let information: [[f64; 6]; 6] = core::array::from_fn(|i| {
@@ -195,6 +204,7 @@ impl<const N: usize> Kalman<N> {
             covariance: core::array::from_fn(|i| core::array::from_fn(|j| noise[i][j] + model[i][j])),
             density: core::array::from_fn(|i| inverse[i][i]),
             late,
+            map,
         })
     }
 }

@@ -57,6 +57,8 @@ pub(super) struct Row {
     pub mass: Vec<f64>,
     pub jacobian: Vec<f64>,
     pub covariance: Vec<f64>,
+    pub static_friction: Vec<f64>,
+    pub breakaway: Vec<f64>,
 }
 
 pub(super) trait Steps {
@@ -80,6 +82,8 @@ impl<const N: usize, E: ForceEstimator<N>> Steps for Fixed<N, E> {
             mass: std::array::from_fn(|i| vector(row.mass.get(i * N..).unwrap_or(&[]))),
             jacobian: std::array::from_fn(|i| vector(row.jacobian.get(i * N..).unwrap_or(&[]))),
             covariance: std::array::from_fn(|i| vector(row.covariance.get(i * N..).unwrap_or(&[]))),
+            static_friction: vector(&row.static_friction),
+            breakaway: vector(&row.breakaway),
         })
     }
 }

@@ -8,7 +8,8 @@
 //! is left of the lag (the same difference once more) is in the band.
 
 use super::sample::{Estimate, ForceEstimator, Sample, Scale};
-use super::small::{finite, times};
+use super::small::{cholesky, finite, times};
+use super::stiction::{least, unit};
 use super::wrench::{Weights, total, wrench};
 
 /// The observer, then `(J')^+` as in [`Residual`](super::Residual).
@@ -28,6 +29,8 @@ pub struct Momentum<const N: usize> {
     again: [f64; N],
     /// What the first is late by, through the same low-pass: what is between the two is what is left of the lag.
     lag: [f64; N],
+    /// Breakaway levels of joints at rest, and of those that broke away as far as the low-pass still has it.
+    held: [f64; N],
     /// Share of the observer's start that is still in it.
     start: f64,
     last: Estimate,
@@ -46,6 +49,7 @@ impl<const N: usize> Momentum<N> {
             observed: [0.0; N],
             again: [0.0; N],
             lag: [0.0; N],
+            held: [0.0; N],
             start: 1.0,
             last,
         }
@@ -83,18 +87,22 @@ impl<const N: usize> Momentum<N> {
         self.start *= keep;
         // Of white torque noise, and of the velocities' noise, which comes as its differences.
         let [white, steps, rest] = gains(keep, lead);
-        let moved: [f64; N] = core::array::from_fn(|j| {
-            (0..N).map(|k| now.mass[j][k] * now.mass[j][k] * self.velocity_noise[k] * self.velocity_noise[k]).sum()
+        // An error of one velocity is in the torques of all joints that it couples, at once.
+        let inertial: [[f64; N]; N] = core::array::from_fn(|j| {
+            core::array::from_fn(|i| {
+                let of = |k: usize| now.mass[j][k] * now.mass[i][k] * self.velocity_noise[k] * self.velocity_noise[k];
+                (0..N).map(of).sum::<f64>() / (now.dt * now.dt)
+            })
         });
         let noise: [f64; N] = core::array::from_fn(|j| self.density[j] / now.dt);
-        let variance: [f64; N] = core::array::from_fn(|j| white * noise[j] + steps * moved[j] / (now.dt * now.dt));
-        let mut covariance = total(&variance, &now.covariance);
+        let mut covariance = total(&noise.map(|n| white * n), &now.covariance);
+        (0..N).for_each(|j| (0..N).for_each(|i| covariance[j][i] += steps * inertial[j][i]));
         // What is left of the lag, where noise is no explanation for it. A short pulse (friction that turns round before the model's does) leaves
         // `k^2 / (1 + k)` of itself there.
         let first = keep * keep / (1.0 + keep);
         for j in 0..N {
             let seen = left[j] * left[j];
-            let usual = rest * noise[j] + first * first * steps * moved[j] / (now.dt * now.dt);
+            let usual = rest * noise[j] + first * first * steps * inertial[j][j];
             if seen > 9.0 * usual {
                 covariance[j][j] += PULSE * PULSE * seen;
             }
@@ -110,10 +118,12 @@ impl<const N: usize> Momentum<N> {
                 covariance[j][j] += begun;
             }
         }
+        (0..N).for_each(|j| self.held[j] = now.breakaway[j].max(keep * self.held[j]));
+        let [surprise, without_friction] = least(&cholesky(&covariance)?, &ahead, unit::<N>, &self.held);
+        let covariance = total(&now.static_friction.map(|s| s * s), &covariance);
         let s = wrench(&now.jacobian, &ahead, &covariance, &self.scale, Weights::Uncertainty)?;
-        let (surprise, misfit) = (s.surprise, s.misfit);
-        let (wrench, covariance, told) = (s.wrench, s.covariance, s.told);
-        Some(Estimate { wrench, covariance, surprise, freedom: N, misfit, told, fresh: true })
+        let (wrench, covariance, told, misfit) = (s.wrench, s.covariance, s.told, s.misfit);
+        Some(Estimate { wrench, covariance, surprise, without_friction, freedom: N, misfit, told, fresh: true })
     }
 }
 
@@ -125,6 +135,25 @@ const PULSE: f64 = 2.5;
 fn lead(k: f64) -> [f64; 2] {
     let exact = 0.5 * (1.0 + k) / k.max(1e-3);
     [exact.min(2.0), (exact - 2.0).max(0.0)]
+}
+
+/// Standard deviation of white velocity noise that leaves as much in the estimate as velocities whose response to an error of 1 in one recorded position is `speed`
+/// (sample by sample, `dt` s apart): velocities behind a low-pass are wrong by nearly the same at neighbours, and their differences hardly at all.
+pub(super) fn white_speed(gain: f64, dt: f64, speed: &[f64]) -> f64 {
+    let keep = libm::exp(-gain * dt);
+    let [lead, _] = lead(keep);
+    let (mut once, mut twice, mut before, mut energy) = (0.0, 0.0, 0.0, 0.0);
+    // Behind its end the observer forgets.
+    let settle = (20.0 / (1.0 - keep).max(1e-6)) as usize;
+    for v in speed.iter().copied().chain(core::iter::repeat_n(0.0, settle)) {
+        once += (1.0 - keep) * ((v - before) / dt - once);
+        twice += (1.0 - keep) * (once - twice);
+        before = v;
+        let ahead = once + lead * (once - twice);
+        energy += ahead * ahead;
+    }
+    let [_, steps, _] = gains(keep, lead);
+    dt * libm::sqrt(energy / steps.max(1e-300))
 }
 
 /// What is left of white noise of variance 1 in each sample, with `H = (1 - k) / (1 - k / z)`, in what follows a ramp, `G = H (1 + l (1 - H))`, `l` the [`lead`]: of noise that

@@ -1,11 +1,11 @@
 //! The torque noise where no identification tells it: from the log itself.
 
-use super::bias::inside;
+use super::bias::{inside, within};
 use super::picked::pick;
 use super::torques::Torques;
 use crate::arm::Arm;
 use crate::identify::rows::Rows;
-use crate::signal::{Filter, Motion};
+use crate::signal::{Filter, Motion, white_noise};
 
 /// Sums over logs, per joint: a first pass.
 pub struct NoisePass<'a> {
@@ -18,9 +18,9 @@ pub struct NoisePass<'a> {
     /// Count, sum and sum of squares of what the model leaves where nothing touches.
     left: [Vec<f64>; 2],
     count: usize,
-    /// Mean square of the differences of what the model leaves from sample to sample, raw.
-    steps: Vec<f64>,
-    stepped: usize,
+    /// Variance of the white noise of what the model leaves, raw, times samples.
+    squares: Vec<f64>,
+    seen: usize,
     gain: f64,
 }
 
@@ -37,14 +37,14 @@ impl<'a> NoisePass<'a> {
         Self {
             rows: Rows::new(arm),
             left: [zero(), zero()],
-            steps: zero(),
+            squares: zero(),
             arm,
             torques,
             filter,
-            free: free.to_vec(),
+            free: within(free, filter),
             nothing_touches,
             count: 0,
-            stepped: 0,
+            seen: 0,
             gain: 1.0,
         }
     }
@@ -64,10 +64,10 @@ impl<'a> NoisePass<'a> {
                 }
             }
         }
-        self.stepped += len.saturating_sub(1);
-        for (j, sum) in self.steps.iter_mut().enumerate() {
-            let at = |s: usize| picked.model[j * len + s] - picked.tau[j * len + s];
-            *sum += (1..len).map(|s| (at(s) - at(s - 1)).powi(2)).sum::<f64>();
+        self.seen += len;
+        for (j, sum) in self.squares.iter_mut().enumerate() {
+            let left: Vec<f64> = (j * len..(j + 1) * len).map(|k| picked.model[k] - picked.tau[k]).collect();
+            *sum += len as f64 * white_noise([&left[..]].into_iter()).powi(2);
         }
     }
 
@@ -79,12 +79,12 @@ impl<'a> NoisePass<'a> {
             let mean = if about_mean { self.left[0][j] / n } else { 0.0 };
             (self.left[1][j] / n - mean * mean).max(0.0).sqrt().max(1e-9)
         };
-        (self.count > 0).then(|| (0..self.steps.len()).map(rms).collect())
+        (self.count > 0).then(|| (0..self.squares.len()).map(rms).collect())
     }
 
     /// What the low-pass leaves of the noise from sample to sample, N m: white noise alone, and nothing of the model's errors.
     pub fn white(&self) -> Vec<f64> {
-        let n = self.stepped.max(1) as f64;
-        self.steps.iter().map(|s| self.gain * (0.5 * s / n).sqrt().max(1e-9)).collect()
+        let n = self.seen.max(1) as f64;
+        self.squares.iter().map(|s| self.gain * (s / n).sqrt().max(1e-9)).collect()
     }
 }

@@ -1,7 +1,7 @@
 //! What the torques of a stretch of motion leave unexplained, at the samples that are used.
 
 use super::torques::Torques;
-use crate::arm::Arm;
+use crate::arm::{Arm, States};
 use crate::identify::rows::Rows;
 use crate::signal::{Filter, Motion, MotionBlock, low_pass};
 
@@ -20,6 +20,10 @@ pub(super) struct Picked {
     pub entries: Vec<f64>,
     /// Whether a joint stands, so that its Coulomb friction may be anything between its levels.
     pub still: Vec<bool>,
+    /// Whether it stands within what the low-pass smears.
+    pub near_rest: Vec<bool>,
+    /// Accelerations that are in `model`, at all samples of the motion: zero where a joint stands, rad/s^2.
+    pub ddq: Vec<f64>,
     /// Model torque and measured torque at *all* samples of the motion, joint-major, N m: as they are, a sensor's gain taken out of both.
     pub model: Vec<f64>,
     /// See `model`.
@@ -41,8 +45,12 @@ pub(super) fn pick(
     let time: Vec<f64> = (0..len).map(|s| motion.time(s)).collect();
     let mut picked = Picked { samples: motion.picks().collect(), model: vec![0.0; n * len], ..Picked::default() };
     picked.time = picked.samples.iter().map(|&s| time[s]).collect();
-    let sign = told_sign(motion, n);
-    torques.along(&time, &motion.states, &sign, &motion.temperature, &mut picked.model);
+    let still = still(motion, n);
+    let mut states = motion.states.clone();
+    let mut sign = motion.sign.clone();
+    at_rest(&still, motion.period, &mut states, &mut sign);
+    torques.along(&time, &states, &sign, &motion.temperature, &mut picked.model);
+    picked.ddq = states.ddq;
     picked.tau.clone_from(&motion.tau);
     for j in 0..n {
         let gain = torques.gain(j);
@@ -81,7 +89,9 @@ pub(super) fn pick(
     let count = picked.samples.len();
     let entries = arm.base_pattern().len();
     picked.entries = vec![0.0; entries * count];
-    picked.still = vec![false; n * count];
+    picked.still = still.chunks_exact(len.max(1)).flat_map(|row| picked.samples.iter().map(|&s| row[s])).collect();
+    picked.near_rest =
+        near(&still, len, filter.map_or(0, |f| (SMEAR / (f.cutoff * motion.period)).ceil() as usize), &picked.samples);
     let (mut block, mut regressor, mut from) = (MotionBlock::default(), Vec::new(), 0);
     loop {
         let got = motion.gather(from, 256, &mut block);
@@ -94,26 +104,52 @@ pub(super) fn pick(
         for (k, entry) in regressor.chunks_exact(got).enumerate() {
             picked.entries[k * count + from..k * count + from + got].copy_from_slice(entry);
         }
-        for (j, coulomb) in rows.coulomb.iter().enumerate().filter_map(|(j, c)| c.map(|c| (j, rows.offsets[j] + c))) {
-            for s in 0..got {
-                picked.still[j * count + from + s] = regressor[coulomb * got + s] == 0.0;
-            }
-        }
         from += got;
     }
     picked
 }
 
-/// The sign of each velocity, zero below half a percent of the joint's largest speed in the motion: there the ringing of the low-pass after a stop has
-/// signs of its own, and friction is what it was.
-fn told_sign(motion: &Motion, n: usize) -> Vec<f64> {
+/// What the low-pass smears to each side, as a share of the period of its cutoff.
+const SMEAR: f64 = 0.25;
+/// A joint that is within its dead zone for longer stands: it does not accelerate either, s.
+const STANDS: f64 = 0.3;
+
+/// Whether each joint's friction may be anything between its levels, joint-major: at rest, sticking where it turns round, and below half a percent of its largest speed in the
+/// motion, where the ringing of the low-pass after a stop has signs of its own.
+fn still(motion: &Motion, n: usize) -> Vec<bool> {
     let len = motion.states.len;
-    let mut sign = motion.sign.clone();
-    if sign.len() == n * len && len > 0 {
-        for (sign, speed) in sign.chunks_exact_mut(len).zip(motion.states.dq.chunks_exact(len)) {
-            let slow = 0.005 * speed.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-            sign.iter_mut().zip(speed).filter(|(_, v)| v.abs() < slow).for_each(|(s, _)| *s = 0.0);
+    let mut still = motion.resting.get(..n * len).map_or_else(|| vec![false; n * len], <[bool]>::to_vec);
+    if motion.stuck.len() == n * len {
+        still.iter_mut().zip(&motion.stuck).for_each(|(s, stuck)| *s |= stuck);
+    }
+    for (still, speed) in still.chunks_exact_mut(len.max(1)).zip(motion.states.dq.chunks_exact(len.max(1))) {
+        let slow = 0.005 * speed.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        still.iter_mut().zip(speed).for_each(|(s, v)| *s |= v.abs() < slow);
+    }
+    still
+}
+
+/// Takes the velocity of joints that are still as zero in the model's friction, and the acceleration of those that stand.
+fn at_rest(still: &[bool], period: f64, states: &mut States, sign: &mut [f64]) {
+    let len = states.len.max(1);
+    states.dq.iter_mut().zip(still).filter(|(_, still)| **still).for_each(|(v, _)| *v = 0.0);
+    sign.iter_mut().zip(still).filter(|(_, still)| **still).for_each(|(s, _)| *s = 0.0);
+    for (row, ddq) in still.chunks_exact(len).zip(states.ddq.chunks_exact_mut(len)) {
+        let mut from = 0;
+        for run in row.chunk_by(|a, b| a == b) {
+            if run[0] && run.len() as f64 * period > STANDS {
+                ddq[from..from + run.len()].fill(0.0);
+            }
+            from += run.len();
         }
     }
-    sign
+}
+
+/// Whether a joint is still within so many samples of each used one, joint-major over the picks.
+fn near(still: &[bool], len: usize, within: usize, picks: &[usize]) -> Vec<bool> {
+    let of = |row: &[bool]| -> Vec<bool> {
+        let reach = |s: usize| s.saturating_sub(within)..(s + within + 1).min(row.len());
+        picks.iter().map(|&s| row[reach(s)].contains(&true)).collect()
+    };
+    still.chunks_exact(len.max(1)).flat_map(of).collect()
 }

@@ -1,7 +1,8 @@
 //! The paper's equation (14): what the identified inverse dynamics leaves of the measured torque, through `(J')^+`.
 
 use super::sample::{Estimate, ForceEstimator, Sample, Scale};
-use super::small::finite;
+use super::small::{cholesky, finite};
+use super::stiction::{least, unit};
 use super::wrench::{Weights, total, wrench};
 
 /// `J' F = M ddq + c + g + friction - tau`, each sample for itself. Needs the acceleration.
@@ -30,13 +31,17 @@ impl<const N: usize> ForceEstimator<N> for Residual<N> {
     fn step(&mut self, sample: &Sample<N>) -> Estimate {
         let external: [f64; N] = core::array::from_fn(|j| sample.model[j] - sample.tau[j]);
         let variance: [f64; N] = core::array::from_fn(|j| self.noise[j] * self.noise[j]);
-        let covariance = total(&variance, &sample.covariance);
+        let moving = total(&variance, &sample.covariance);
+        let covariance = total(&sample.static_friction.map(|s| s * s), &moving);
         let solved = wrench(&sample.jacobian, &external, &covariance, &self.scale, self.weights);
-        self.last = match solved.filter(|s| finite(&s.wrench) && s.surprise.is_finite()) {
-            Some(s) => Estimate {
+        let surprise = cholesky(&moving).map(|root| least(&root, &external, unit::<N>, &sample.breakaway));
+        let found = solved.zip(surprise).filter(|(s, surprise)| finite(&s.wrench) && finite(surprise));
+        self.last = match found {
+            Some((s, [surprise, without_friction])) => Estimate {
                 wrench: s.wrench,
                 covariance: s.covariance,
-                surprise: s.surprise,
+                surprise,
+                without_friction,
                 freedom: N,
                 misfit: s.misfit,
                 told: s.told,

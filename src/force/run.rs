@@ -2,10 +2,11 @@
 
 use nalgebra::DMatrix;
 
-use super::bias::{Bias, inside};
+use super::bias::{Bias, inside, within};
 use super::consistency::Checker;
 use super::contact::ContactDetector;
 use super::method::{MOST_JOINTS, Method, Row, Steps, Tuning, steps};
+use super::momentum::white_speed;
 use super::picked::{Picked, pick};
 use super::sample::Scale;
 use super::series::Series;
@@ -62,6 +63,25 @@ pub struct Known<'a> {
     pub torques: &'a dyn Torques,
     /// How wrong that may be.
     pub uncertainty: &'a Uncertainty,
+    /// Torque limit of each joint, N m; infinite, or no entry, where none is known. Where the model has no dry friction it says how large static friction may be.
+    pub torque_limits: &'a [f64],
+}
+
+/// Breakaway above the Coulomb level, by the torque limit: the default of `stribeck_friction` in the table of effects.
+const BREAKAWAY: f64 = 0.01;
+/// Static friction of a drive of which the model has none, at most, by the torque limit: a UR10e at rest shows up to 0.04.
+const UNKNOWN: f64 = 0.05;
+
+impl Known<'_> {
+    /// Largest static friction of a joint with this Coulomb level, N m.
+    fn breakaway(&self, joint: usize, coulomb: f64) -> f64 {
+        let limit = self.torque_limits.get(joint).copied().filter(|l| l.is_finite()).unwrap_or(0.0);
+        match self.torques.breakaway(joint) {
+            Some(level) => level.max(coulomb),
+            None if coulomb > 0.0 => coulomb + BREAKAWAY * limit,
+            None => UNKNOWN * limit,
+        }
+    }
 }
 
 /// An arm that is too large, or none.
@@ -80,8 +100,12 @@ pub struct Run<'a> {
     mean: DMatrix<f64>,
     /// Squared Coulomb level of each joint.
     coulomb: Vec<f64>,
+    /// Largest static friction of each joint, N m.
+    breakaway: Vec<f64>,
     estimator: Option<Box<dyn Steps>>,
     detector: ContactDetector,
+    /// The stretches of `Settings::free` without what the low-pass smears into them.
+    judged: Vec<[f64; 2]>,
     free: Checker,
     anywhere: Checker,
     series: Series,
@@ -110,25 +134,31 @@ impl<'a> Run<'a> {
             let level: f64 = coefficients.iter().map(|&(i, k)| k * known.standard[i]).sum();
             Some(level * level)
         };
-        let coulomb = (0..n).map(|j| level(j).unwrap_or(0.0)).collect();
+        let coulomb: Vec<f64> = (0..n).map(|j| level(j).unwrap_or(0.0)).collect();
+        let breakaway: Vec<f64> = (0..n).map(|j| known.breakaway(j, coulomb[j].sqrt())).collect();
+        let no_friction = |j: &usize| coulomb[*j] == 0.0 && breakaway[*j] > 0.0;
+        let assumed = (0..n).filter(no_friction).map(|j| (j + 1, breakaway[j])).collect();
         // Far apart against the filter, which remembers for about one over its cut-off.
         let spacing = settings.filter.map_or(0.1, |f| 2.0 / f.cutoff);
         let series = Series {
             name: name.into(),
             method: settings.method,
             bias: settings.bias.as_ref().map_or_else(Vec::new, |b| b.torque.clone()),
+            assumed_friction: assumed,
             ..Series::default()
         };
         Ok(Self {
             known,
             tool,
-            settings,
             rows,
             root,
             mean,
             coulomb,
+            breakaway,
             estimator: None,
             detector: ContactDetector::default(),
+            judged: within(&settings.free, settings.filter),
+            settings,
             free: Checker::new(spacing),
             anywhere: Checker::new(spacing),
             series,
@@ -162,10 +192,16 @@ impl<'a> Run<'a> {
         for s in 0..count {
             let (model, variance) = self.errors(&picked, s);
             let covariance = &model * model.transpose();
-            let standing: Vec<f64> = (0..n).map(|j| variance[j] - self.known.uncertainty.noise[j].powi(2)).collect();
+            let still = |j: usize| picked.still[j * count + s];
+            row.static_friction = (0..n).map(|j| if still(j) { self.coulomb[j].sqrt() } else { 0.0 }).collect();
+            row.breakaway =
+                (0..n).map(|j| if picked.near_rest[j * count + s] { self.breakaway[j] } else { 0.0 }).collect();
+            // Of noise the estimator knows the usual size.
+            let more =
+                |j: usize| variance[j] - self.known.uncertainty.noise[j].powi(2) - row.static_friction[j].powi(2);
             for i in 0..n {
                 for j in 0..n {
-                    row.covariance[i * n + j] = covariance[(i, j)] + if i == j { standing[i].max(0.0) } else { 0.0 };
+                    row.covariance[i * n + j] = covariance[(i, j)] + if i == j { more(i).max(0.0) } else { 0.0 };
                 }
             }
             let external: Vec<f64> = (0..n).map(|j| picked.external[j * count + s] - taken[j]).collect();
@@ -177,8 +213,7 @@ impl<'a> Run<'a> {
                     self.place(&now(&motion.states.q));
                     (row.tau, row.dq, row.jacobian) = (now(&picked.tau), now(&motion.states.dq), self.jacobian());
                     row.mass = (0..n * n).map(|k| mass[k * len + sample]).collect();
-                    let accelerating =
-                        |j: usize| (0..n).map(|k| row.mass[j * n + k] * at(&motion.states.ddq, k)).sum::<f64>();
+                    let accelerating = |j: usize| (0..n).map(|k| row.mass[j * n + k] * at(&picked.ddq, k)).sum::<f64>();
                     row.bias = (0..n).map(|j| at(&picked.model, j) - accelerating(j) - taken[j]).collect();
                     row.dt = motion.period;
                     estimate = Some(estimator.step(&row));
@@ -204,6 +239,7 @@ impl<'a> Run<'a> {
             series.told.push(estimate.told);
             series.deviate.push(contact.deviate);
             series.touching.push(contact.touching);
+            series.undecided.push(contact.undecided);
             series.free.push(free);
             series.dexterity.push(dexterity(&row.jacobian, n));
             if picked.measured.is_empty() {
@@ -211,7 +247,8 @@ impl<'a> Run<'a> {
             } else {
                 series.measured.push(std::array::from_fn(|i| picked.measured[i * count + s]));
             }
-            if free && self.free.wants(motion.segment, time) {
+            let judged = self.settings.nothing_touches || inside(&self.judged, time);
+            if judged && self.free.wants(motion.segment, time) {
                 self.free.add(&external, &model, &variance, None);
             }
             if n > 6 && self.anywhere.wants(motion.segment, time) {
@@ -229,8 +266,17 @@ impl<'a> Run<'a> {
         let noise = &self.known.uncertainty.noise;
         let left = filter.map_or(1.0, |f| f.noise_gain(motion.period.recip()));
         let density: Vec<f64> = noise.iter().map(|s| (s / left).powi(2) * motion.period).collect();
-        // At least the rounding of an encoder, or the filter trusts velocities that are not that good.
-        let velocity: Vec<f64> = motion.velocity_noise.iter().map(|v| v.max(1e-5)).collect();
+        let velocity: Vec<f64> = match (method, filter) {
+            (Method::Momentum, Some(filter)) => {
+                let unit = filter.velocity_noise(1.0, motion.period.recip());
+                let white = white_speed(gain, motion.period, &filter.velocity_response(motion.period));
+                let position = |j: usize| motion.position_noise.get(j).copied().unwrap_or(f64::INFINITY);
+                // What the low-pass took out of the positions is motion, too, where the arm starts and stops.
+                motion.velocity_noise.iter().enumerate().map(|(j, v)| position(j).min(v / unit) * white).collect()
+            }
+            // At least the rounding of an encoder, or the filter trusts velocities that are not that good.
+            _ => motion.velocity_noise.iter().map(|v| v.max(1e-5)).collect(),
+        };
         let tuning = Tuning { noise, density: &density, velocity: &velocity, gain, scale, wander };
         steps(self.known.arm.dof(), method, &tuning)
     }

@@ -23,6 +23,10 @@ pub struct Sample<const N: usize> {
     pub jacobian: [[f64; N]; 6],
     /// Covariance of the model's torque as its parameters are uncertain, `W C W'`, (N m)^2; zero where nothing is known of it.
     pub covariance: [[f64; N]; N],
+    /// Standard deviation of each joint's static friction, N m: its level where the joint is at rest, else 0. In the band.
+    pub static_friction: [f64; N],
+    /// Breakaway level of each joint that is at rest, N m, else 0: what static friction may hold is not called a contact.
+    pub breakaway: [f64; N],
 }
 
 impl<const N: usize> Default for Sample<N> {
@@ -36,6 +40,8 @@ impl<const N: usize> Default for Sample<N> {
             mass: [[0.0; N]; N],
             jacobian: [[0.0; N]; 6],
             covariance: [[0.0; N]; N],
+            static_friction: [0.0; N],
+            breakaway: [0.0; N],
         }
     }
 }
@@ -48,8 +54,10 @@ pub struct Estimate {
     pub wrench: [f64; 6],
     /// Its covariance; in a direction that the joints don't tell it is that of [`Scale`].
     pub covariance: [[f64; 6]; 6],
-    /// How improbable the sample is where nothing touches: chi-square with `freedom` degrees of freedom.
+    /// How improbable the sample is where nothing touches: chi-square with `freedom` degrees of freedom, for the static friction that explains most of it.
     pub surprise: f64,
+    /// The same if static friction held nothing. What lies between the two may be friction or contact.
+    pub without_friction: f64,
     /// Degrees of freedom of the surprise.
     pub freedom: usize,
     /// What no wrench on the tool explains: chi-square with `N - 6` degrees of freedom, touch or no touch. Zero for six joints and fewer.
@@ -67,7 +75,16 @@ impl Estimate {
     pub fn unknown(scale: &Scale) -> Self {
         let s = scale.each();
         let covariance = core::array::from_fn(|i| core::array::from_fn(|j| if i == j { s[i] * s[i] } else { 0.0 }));
-        Self { wrench: [0.0; 6], covariance, surprise: 0.0, freedom: 0, misfit: 0.0, told: [false; 6], fresh: false }
+        Self {
+            wrench: [0.0; 6],
+            covariance,
+            surprise: 0.0,
+            without_friction: 0.0,
+            freedom: 0,
+            misfit: 0.0,
+            told: [false; 6],
+            fresh: false,
+        }
     }
 
     /// Standard deviation of a component.

@@ -28,6 +28,8 @@ pub struct Series {
     pub deviate: Vec<f64>,
     /// Whether something touches.
     pub touching: Vec<bool>,
+    /// Whether static friction or contact can't be told apart, see [`Contact`](super::Contact).
+    pub undecided: Vec<bool>,
     /// Whether it is known that nothing does.
     pub free: Vec<bool>,
     /// Smallest singular value of the tool's Jacobian, angular rows times half a metre, m/rad: near zero at a singularity.
@@ -42,6 +44,8 @@ pub struct Series {
     pub verdict: Verdict,
     /// Torque that was taken off as a bias, N m; empty if none was.
     pub bias: Vec<f64>,
+    /// Joints, from 1, of which the model has no dry friction, with what static friction is taken to hold at most, N m. It is in no band.
+    pub assumed_friction: Vec<(usize, f64)>,
     /// Samples that the estimator could not use.
     pub stale: usize,
 }

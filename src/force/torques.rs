@@ -9,6 +9,11 @@ pub trait Torques: Sync {
     /// is given, is that of each velocity, zero inside its noise; `temperature`, deg C, may be empty.
     fn along(&self, time: &[f64], states: &States, sign: &[f64], temperature: &[f64], out: &mut [f64]);
 
+    /// Breakaway level of a joint's static friction by its laws, N m; `None` where they say nothing of it.
+    fn breakaway(&self, _joint: usize) -> Option<f64> {
+        None
+    }
+
     /// Torque that a joint's sensor says, per true torque.
     fn gain(&self, _joint: usize) -> f64 {
         1.0
@@ -21,6 +26,10 @@ pub struct Effected<'a>(pub &'a dyn Predicted);
 impl Torques for Effected<'_> {
     fn along(&self, time: &[f64], states: &States, _: &[f64], temperature: &[f64], out: &mut [f64]) {
         self.0.torques_along(time, states, temperature, out);
+    }
+
+    fn breakaway(&self, joint: usize) -> Option<f64> {
+        self.0.breakaways().get(joint).copied().flatten()
     }
 
     fn gain(&self, joint: usize) -> f64 {

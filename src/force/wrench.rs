@@ -24,7 +24,6 @@ pub enum Weights {
 pub(super) struct Solved {
     pub wrench: [f64; 6],
     pub covariance: [[f64; 6]; 6],
-    pub surprise: f64,
     pub misfit: f64,
     /// Whether the joints tell each component: see [`Estimate::told`](super::Estimate::told).
     pub told: [bool; 6],
@@ -56,8 +55,7 @@ pub(super) fn wrench<const N: usize>(
     let factor = cholesky(&information)?;
     let mut right = times(&whitened, &white);
     forward(&factor, &mut right);
-    let surprise = dot(&white, &white);
-    let misfit = if N > 6 { (surprise - dot(&right, &right)).max(0.0) } else { 0.0 };
+    let misfit = if N > 6 { (dot(&white, &white) - dot(&right, &right)).max(0.0) } else { 0.0 };
     backward(&factor, &mut right);
     let (likely, spread) = (right, inverse(&factor));
     let told = told(&spread, scale);
@@ -81,7 +79,7 @@ pub(super) fn wrench<const N: usize>(
             (times(&map, torque), all)
         }
     };
-    Some(Solved { wrench, covariance, surprise, misfit, told })
+    Some(Solved { wrench, covariance, misfit, told })
 }
 
 /// Where a standard deviation is above a tenth of how large wrenches are at all, it is that guess which makes it, and not the joints.

@@ -150,6 +150,7 @@ pub(crate) fn motion(arm: &Planar, seconds: f64, rate: f64, phase: f64) -> Motio
         core: 0..len,
         stride: 1,
         velocity_noise: vec![0.0; 2],
+        position_noise: Vec::new(),
         temperature: Vec::new(),
         ..Motion::default()
     }

@@ -6,28 +6,9 @@ use crate::{
     signal::{Motion, MotionBlock, low_pass},
 };
 
-/// What is done with samples of a joint near standstill, where the sign of its velocity is noise.
-///
-/// There a joint's Coulomb column and its true friction disagree by up to twice the friction, so the joint's own row is left out.
-/// A joint that is inside its dead zone for more than half of a stretch is taken to stand on purpose: its rows stay, with zero in
-/// the Coulomb column. (Filtered motions bring the filtered sign along, see [`Motion::sign`]; then the zero is that of the noise.)
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum DeadZone {
-    /// Three standard deviations of the velocity error that the noise of `q` leaves (see [`Motion::velocity_noise`]), at most
-    /// 2 % of the joint's largest speed in the stretch.
-    #[default]
-    FromNoise,
-    /// This speed, rad/s.
-    Fixed(f64),
-    /// All samples are used.
-    Off,
-}
-
 /// How the stack is built.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StackSettings {
-    /// Samples near standstill.
-    pub dead_zone: DeadZone,
     /// Least length of a batch, s, for the standard deviations: several times the correlation time of filtered noise. Default 0.5,
     /// five periods of the default cutoff.
     pub batch: f64,
@@ -38,7 +19,7 @@ pub struct StackSettings {
 
 impl Default for StackSettings {
     fn default() -> Self {
-        Self { dead_zone: DeadZone::FromNoise, batch: 0.5, parallel: None }
+        Self { batch: 0.5, parallel: None }
     }
 }
 
@@ -97,6 +78,9 @@ pub struct Factors {
 }
 
 /// Builds [`Factors`] from motions.
+///
+/// Where a joint is at rest ([`Motion::resting`]) its Coulomb column and its true friction disagree by up to twice the friction, so the joint's own row is left out.
+/// A joint that rests for more than half of a stretch is taken to stand on purpose: its rows stay, with zero in the Coulomb column.
 pub struct Stack<'a> {
     arm: &'a dyn Arm,
     settings: StackSettings,
@@ -146,19 +130,19 @@ impl<'a> Stack<'a> {
 
     /// Takes in a stretch of motion.
     pub fn absorb(&mut self, motion: &Motion) {
-        let dead = self.dead_zones(motion);
+        let stands = self.stands(motion);
         let step = motion.period * motion.stride.max(1) as f64;
         let full = ((self.settings.batch / step).ceil() as usize).max(8);
         self.factors.seconds += motion.picks().len() as f64 * step;
         let before: Vec<usize> = self.factors.joints.iter().map(|factor| factor.samples).collect();
-        self.absorb_rows(motion, &dead, full);
+        self.absorb_rows(motion, &stands, full);
         let share = independent_share(motion, step);
         for (factor, before) in self.factors.joints.iter_mut().zip(before) {
             factor.independent += share * (factor.samples - before) as f64;
         }
     }
 
-    fn absorb_rows(&mut self, motion: &Motion, dead: &[(f64, bool)], full: usize) {
+    fn absorb_rows(&mut self, motion: &Motion, stands: &[bool], full: usize) {
         for (factor, q) in self.factors.joints.iter_mut().zip(motion.states.q.chunks_exact(motion.states.len.max(1))) {
             for s in motion.picks() {
                 factor.reach = [factor.reach[0].min(q[s]), factor.reach[1].max(q[s])];
@@ -167,7 +151,7 @@ impl<'a> Stack<'a> {
         if let Some((order, cutoff)) = self.settings.parallel
             && let Ok(sos) = low_pass(order, cutoff, motion.period.recip())
         {
-            self.absorb_filtered(motion, &sos, dead, full);
+            self.absorb_filtered(motion, &sos, stands, full);
             return;
         }
         let (mut block, mut regressor) = (std::mem::take(&mut self.block), std::mem::take(&mut self.regressor));
@@ -180,14 +164,14 @@ impl<'a> Stack<'a> {
             }
             from += count;
             self.rows.evaluate(self.arm, &block.states, &block.sign, &mut regressor);
-            self.take_block(&block.states.dq, &regressor, &block.tau, count, dead);
+            self.take_block(&block.resting, &regressor, &block.tau, count, stands);
             self.end_batch(full);
         }
         (self.block, self.regressor) = (block, regressor);
     }
 
     /// Runs each column and the torque through the same low-pass, then uses the picked samples.
-    fn absorb_filtered(&mut self, motion: &Motion, sos: &crate::signal::Sos, dead: &[(f64, bool)], full: usize) {
+    fn absorb_filtered(&mut self, motion: &Motion, sos: &crate::signal::Sos, stands: &[bool], full: usize) {
         let len = motion.states.len;
         let mut regressor = Vec::new();
         self.rows.evaluate(self.arm, &motion.states, &motion.sign, &mut regressor);
@@ -204,10 +188,8 @@ impl<'a> Stack<'a> {
         };
         thin(&mut regressor);
         thin(&mut tau);
-        let mut dq = Vec::new();
-        for joint in 0..self.arm.dof() {
-            dq.extend(picks.iter().map(|&s| motion.states.dq[joint * len + s]));
-        }
+        let resting: Vec<bool> =
+            motion.resting.chunks_exact(len.max(1)).flat_map(|row| picks.iter().map(|&s| row[s])).collect();
         let count = picks.len();
         let part = |x: &[f64], rows: std::ops::Range<usize>| -> Vec<f64> {
             x.chunks_exact(count.max(1)).flat_map(|c| c[rows.clone()].to_vec()).collect()
@@ -216,57 +198,42 @@ impl<'a> Stack<'a> {
         while from < count {
             let rows = from..(from + BLOCK.min(full - self.in_batch)).min(count);
             from = rows.end;
-            let (dq, w, t) = (part(&dq, rows.clone()), part(&regressor, rows.clone()), part(&tau, rows.clone()));
-            self.take_block(&dq, &w, &t, rows.len(), dead);
+            let (w, t) = (part(&regressor, rows.clone()), part(&tau, rows.clone()));
+            let rests: Vec<bool> =
+                resting.chunks_exact(count.max(1)).flat_map(|row| row[rows.clone()].to_vec()).collect();
+            self.take_block(&rests, &w, &t, rows.len(), stands);
             self.end_batch(full);
         }
     }
 
-    /// Speed of each joint, then of each summed velocity, below which the rows that its sign enters are left out, and whether it stands.
-    fn dead_zones(&self, motion: &Motion) -> Vec<(f64, bool)> {
+    /// Whether each joint, then each summed velocity, rests for more than half of the stretch.
+    fn stands(&self, motion: &Motion) -> Vec<bool> {
         let len = motion.states.len;
-        let of = |joint: usize| motion.states.dq.get(joint * len..(joint + 1) * len);
-        let zone = |dq: &[f64], noise: f64| {
-            let largest = dq.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-            let zone = match self.settings.dead_zone {
-                DeadZone::Off => return (-1.0, false),
-                DeadZone::Fixed(speed) => speed,
-                DeadZone::FromNoise => (3.0 * noise).min(0.02 * largest),
-            };
-            let inside = dq.iter().filter(|v| v.abs() <= zone).count();
-            (zone, 2 * inside > len)
-        };
-        let joints = (0..self.arm.dof()).map(|joint| match (self.rows.coulomb[joint], of(joint)) {
-            (Some(_), Some(dq)) => zone(dq, motion.velocity_noise[joint]),
-            _ => (-1.0, false),
-        });
-        let sums = self.rows.sums.iter().map(|signs| {
-            let [a, b] = signs.sum.joints.map(|j| motion.velocity_noise.get(j).copied().unwrap_or(0.0));
-            zone(&signs.sum.at(of), a.hypot(signs.sum.ratio * b))
-        });
-        joints.chain(sums).collect()
+        let rows = self.arm.dof() + self.rows.sums.len();
+        let row = |k: usize| motion.resting.get(k * len..(k + 1) * len).unwrap_or(&[]);
+        (0..rows).map(|k| 2 * row(k).iter().filter(|r| **r).count() > len).collect()
     }
 
-    /// `regressor` by entry of the pattern, `count` rows each; `dq` and `tau` joint-major.
-    fn take_block(&mut self, dq: &[f64], regressor: &[f64], tau: &[f64], count: usize, dead: &[(f64, bool)]) {
-        let of = |joint: usize| dq.get(joint * count..(joint + 1) * count);
-        let sums: Vec<Vec<f64>> = self.rows.sums.iter().map(|signs| signs.sum.at(of)).collect();
+    /// `regressor` by entry of the pattern, `count` rows each; `resting` and `tau` joint-major.
+    fn take_block(&mut self, resting: &[bool], regressor: &[f64], tau: &[f64], count: usize, stands: &[bool]) {
+        let row = |k: usize| resting.get(k * count..(k + 1) * count).unwrap_or(&[]);
+        let rests = |k: usize, s: usize| row(k).get(s).copied().unwrap_or(false);
         for (joint, factor) in self.factors.joints.iter_mut().enumerate() {
             let n = factor.columns.len();
             let entries = self.rows.offsets[joint]..self.rows.offsets[joint + 1];
             let w = &regressor[entries.start * count..entries.end * count];
-            let (own, tau) = (&dq[joint * count..(joint + 1) * count], &tau[joint * count..(joint + 1) * count]);
-            // Each velocity whose sign is in these rows, with its dead zone and the columns of the sign.
-            let coulomb = self.rows.coulomb[joint].into_iter().collect::<Vec<_>>();
-            let mut signs = vec![(own, dead[joint], coulomb)];
-            for ((summed, v), zone) in self.rows.sums.iter().zip(&sums).zip(&dead[self.arm.dof()..]) {
+            let tau = &tau[joint * count..(joint + 1) * count];
+            // Each velocity whose sign is in these rows, with the columns of the sign.
+            let own = self.rows.coulomb[joint].map(|k| (joint, vec![k]));
+            let mut signs: Vec<(usize, Vec<usize>)> = own.into_iter().collect();
+            for (k, summed) in self.rows.sums.iter().enumerate() {
                 let here = summed.entries.iter().filter(|(entry, _)| entries.contains(entry));
                 let columns: Vec<usize> = here.map(|(entry, _)| entry - entries.start).collect();
                 if !columns.is_empty() {
-                    signs.push((v, *zone, columns));
+                    signs.push((self.arm.dof() + k, columns));
                 }
             }
-            let moves = |s: &usize| signs.iter().all(|(v, (zone, stands), _)| *stands || v[*s].abs() > *zone);
+            let moves = |s: &usize| signs.iter().all(|&(k, _)| stands[k] || !rests(k, *s));
             let kept: Vec<usize> = (0..count).filter(moves).collect();
             let used = kept.len();
             self.work.clear();
@@ -276,10 +243,10 @@ impl<'a> Stack<'a> {
                     false => self.work.extend(kept.iter().map(|&s| column[s])),
                 }
             }
-            for (v, (zone, _), columns) in signs.iter().filter(|(_, (_, stands), _)| *stands) {
-                for &k in columns {
-                    let column = self.work[k * used..(k + 1) * used].iter_mut();
-                    column.zip(&kept).filter(|(_, s)| v[**s].abs() <= *zone).for_each(|(c, _)| *c = 0.0);
+            for (k, columns) in signs.iter().filter(|(k, _)| stands[*k]) {
+                for &c in columns {
+                    let column = self.work[c * used..(c + 1) * used].iter_mut();
+                    column.zip(&kept).filter(|(_, s)| rests(*k, **s)).for_each(|(w, _)| *w = 0.0);
                 }
             }
             for &value in &self.work[n * used..] {

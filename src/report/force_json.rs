@@ -42,6 +42,8 @@ pub fn force_json(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Prov
                 "against_measured": s.against_measured().as_ref().map(compared),
                 "phantom": s.phantom().as_ref().map(compared),
                 "touching": s.touching.iter().filter(|t| **t).count(),
+                "undecided": s.undecided.iter().filter(|t| **t).count(),
+                "assumed_static_friction": s.assumed_friction.iter().map(|(j, level)| json!({ "joint": j, "at_most": level })).collect::<Vec<_>>(),
                 "false_contact": s.free.iter().any(|f| *f).then(|| s.touch_share(true)),
                 "verdict": judged(&s.verdict),
                 "consistency": {
@@ -95,6 +97,8 @@ fn meaning() -> Value {
         "against_measured": "estimate less the log's fx..mz, low-passed alike, where it is told: rms, mean and largest error, mean half-width, share of samples inside their band; null where the log has none",
         "phantom": "the same against zero, in the stretches in which nothing touches (--free, --against nothing); null where none is known",
         "touching": "samples in which something is said to touch",
+        "undecided": "samples in which static friction or contact can't be told apart: a joint is at rest, and friction within its breakaway level explains what the model leaves",
+        "assumed_static_friction": "joints of which the robot file has no dry friction, and what static friction is taken to hold there at most, N m: in the question of contact, in no band",
         "false_contact": "share of the samples in which nothing touches that are said to touch; null where none is known",
         "consistency": "whether torque errors are as large as their predicted covariance: `free` where nothing touches, `unexplained` those that no wrench explains (more than six joints). ratio: squared errors by prediction; probability: of a larger ratio if the model is right; holds: not less than one in a thousand; widen: factor by which bands would have to be wider; joints: root mean square of each joint's error by its prediction; instants: how many were judged",
         "verdict": "whether the bands can be relied upon, of all checks together. bands: `hold`, `too_narrow` (the model is too wrong for them), `not_judged` (nothing to judge with, or the noise was taken from the samples that would judge it); widen: factor by which they would have to be wider; probability: the least of the checks; joint: whose errors exceed their prediction most, from 1; sentence: the same in words. At the top: of the log that fares worst",

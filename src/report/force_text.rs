@@ -160,6 +160,21 @@ pub(super) fn sentences(series: &Series, circular: bool) -> Vec<String> {
     if series.free.iter().any(|f| !*f) {
         all.push(format!("Contact is said in {:.1} % of all samples.", 100.0 * touching));
     }
+    let undecided = series.undecided.iter().filter(|t| **t).count();
+    if undecided > 0 {
+        all.push(format!(
+            "In {:.1} % of the samples static friction or contact can't be told apart: joints are at rest, and friction within its breakaway level explains their torques.",
+            100.0 * undecided as f64 / series.undecided.len().max(1) as f64
+        ));
+    }
+    if undecided > 0 && !series.assumed_friction.is_empty() {
+        let joints: Vec<String> =
+            series.assumed_friction.iter().map(|(j, level)| format!("{j} ({} N m)", digits(*level, 2))).collect();
+        all.push(format!(
+            "The robot file has no dry friction for joints {}: there static friction may hold as much as 5 % of the torque limit before a contact is said. It is in no band; identify the friction.",
+            joints.join(", ")
+        ));
+    }
     let blind = series.told.iter().filter(|told| told.contains(&false)).count();
     if blind > 0 {
         all.push(format!(

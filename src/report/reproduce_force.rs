@@ -61,7 +61,8 @@ pub(super) fn tables(found: &Force) -> Vec<Table> {
     let mut all = vec![accuracy];
     if !found.coverage.is_empty() {
         let rows = found.coverage.iter().map(|c| {
-            let mut row = vec![c.method.name().to_string(), format!("{}, {} runs", c.case.words(), c.runs)];
+            let mut row =
+                vec![c.method.name().to_string(), format!("{}, {}, {} runs", c.robot, c.case.words(), c.runs)];
             row.extend(cells(&|i| format!("{:.1}", 100.0 * c.components[i])));
             row.push(format!("{:.1}", 100.0 * c.whole));
             row.push(format!("{:.0}–{:.0}", 100.0 * c.of_runs[0], 100.0 * c.of_runs[1]));
@@ -73,7 +74,7 @@ pub(super) fn tables(found: &Force) -> Vec<Table> {
         head.extend(["all", "single runs", "bands believed %"]);
         all.push(Table {
             title: "How often the 95 % band holds the true value, %".into(),
-            note: "Over samples and runs, each with parameters identified anew. Last column: runs in which what no wrench explains (the arm's spare joint) is as small as predicted, so that the report lets the bands be believed.".into(),
+            note: "Over samples and runs, each with parameters identified anew, or with those of a right file and the noise of the log. Last column: runs in which the report does not call the model too wrong for the bands, as the arm's spare joint tells where it has one.".into(),
             head,
             rows: rows.collect(),
         });
@@ -92,7 +93,7 @@ pub(super) fn to_json(found: &Force) -> Value {
             "told": r.components.map(|c| c.told),
         })).collect::<Vec<_>>(),
         "coverage": found.coverage.iter().map(|c| json!({
-            "estimator": c.method.name(), "model": c.case.words(), "runs": c.runs, "samples": c.samples, "components": c.components,
+            "estimator": c.method.name(), "robot": c.robot, "model": c.case.words(), "runs": c.runs, "samples": c.samples, "components": c.components,
             "all": c.whole, "single_runs": c.of_runs, "half_width": c.half, "rms": c.rms, "believed": c.found_right,
         })).collect::<Vec<_>>(),
     })

@@ -3,10 +3,15 @@
 //! A run: identify from a log with noise, estimate from another one with a known wrench of all six components. Parameters are identified
 //! anew in each run, so that their error, the same at all samples of a run, is drawn anew as well: a band's coverage is over runs and samples.
 
+use dh_codegen::robot::Robot;
+
 use super::lwr::{Lwr, Unmodelled};
 use super::many::many;
 use super::{ReproduceError, Watch};
-use crate::force::{Comparison, Known, Linear, Method, Run, Series, Settings as Estimation, Uncertainty};
+use crate::arm::Arm;
+use crate::force::{
+    Comparison, Known, Linear, Method, NoisePass, NoiseSource, Run, Series, Settings as Estimation, Uncertainty,
+};
 use crate::identify::{Identification, IdentifySettings, Stack, StackSettings, recover_standard, solve};
 use crate::interpreted::Interpreted;
 use crate::log::{Log, Replay};
@@ -51,6 +56,8 @@ pub enum Case {
     SeenInFit,
     /// The arm got these effects after the identification.
     New,
+    /// The file is right, nothing else is known: the noise is that of the log itself.
+    FileAlone,
 }
 
 impl Case {
@@ -60,6 +67,7 @@ impl Case {
             Self::Right => "right up to noise",
             Self::SeenInFit => "effects in both logs",
             Self::New => "effects since the identification",
+            Self::FileAlone => "file is right, noise from the log",
         }
     }
 }
@@ -67,6 +75,8 @@ impl Case {
 /// Coverage over many runs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coverage {
+    /// Name of the robot.
+    pub robot: String,
     /// Which estimator.
     pub method: Method,
     /// What the model is.
@@ -85,7 +95,7 @@ pub struct Coverage {
     pub half: [f64; 6],
     /// Root mean square error, per component, N and N m.
     pub rms: [f64; 6],
-    /// Share of runs in which the arm's spare joint found the model right enough for the band to hold.
+    /// Share of runs whose verdict does not call the model too wrong for the band to hold: an arm with a spare joint can tell.
     pub found_right: f64,
 }
 
@@ -166,10 +176,22 @@ impl Stage {
         moves: [f64; 2],
         which: [&[Unmodelled]; 2],
     ) -> Result<Self, ReproduceError> {
-        let lwr = Lwr::new()?;
+        let sensors = Sensors { rate, wrench: true, ..Lwr::sensors() };
+        Self::of(Lwr::new()?, sensors, seed, fit, test, moves, which)
+    }
+
+    /// The same on another robot with other sensors.
+    pub fn of(
+        lwr: Lwr,
+        sensors: Sensors,
+        seed: u64,
+        fit: usize,
+        test: usize,
+        moves: [f64; 2],
+        which: [&[Unmodelled]; 2],
+    ) -> Result<Self, ReproduceError> {
         let arm = Interpreted::new(&lwr.robot, &Interpreted::BODIES);
         let mut random = Random::new(seed ^ 0xF0CE);
-        let sensors = Sensors { rate, wrench: true, ..Lwr::sensors() };
         let played = |which: &[Unmodelled]| -> Result<_, ReproduceError> {
             Ok(Simulator::new(&lwr.robot, &lwr.effects(which)?)?)
         };
@@ -203,7 +225,7 @@ impl Stage {
     pub fn identify(&self, seed: u64) -> Result<Identification, ReproduceError> {
         let log = self.fit.seen_by(&self.sensors, seed);
         let mut stack = Stack::new("fit", &self.arm, StackSettings::default());
-        each_motion(&mut Replay::new(&log), 7, &Prepare::default(), |motion| stack.absorb(motion))?;
+        each_motion(&mut Replay::new(&log), self.arm.dof(), &Prepare::default(), |motion| stack.absorb(motion))?;
         Ok(solve(&self.arm, &[stack.finish()], &[], &IdentifySettings::default())?)
     }
 
@@ -215,18 +237,39 @@ impl Stage {
         stride: usize,
         estimation: &Estimation,
     ) -> Result<Series, ReproduceError> {
-        let log: Log = self.test.seen_by(&self.sensors, seed);
         let beta = found.values();
         let standard = recover_standard(&self.arm, &beta, Some(&self.lwr.standard));
         let standard = standard.map_err(|e| ReproduceError::Robot(e.to_string()))?;
-        let uncertainty = Uncertainty::of(found);
-        let torques = Linear::new(&self.arm, &beta);
-        let known = Known { arm: &self.arm, standard: &standard, torques: &torques, uncertainty: &uncertainty };
-        let mut tool = self.arm.bodies(&standard);
+        self.estimate_with(&beta, &standard, Some(Uncertainty::of(found)), seed, stride, estimation)
+    }
+
+    /// The same with these parameters; with no uncertainty given, the noise is that of the log.
+    fn estimate_with(
+        &self,
+        beta: &[f64],
+        standard: &[f64],
+        uncertainty: Option<Uncertainty>,
+        seed: u64,
+        stride: usize,
+        estimation: &Estimation,
+    ) -> Result<Series, ReproduceError> {
+        let (log, n): (Log, usize) = (self.test.seen_by(&self.sensors, seed), self.arm.dof());
+        let torques = Linear::new(&self.arm, beta);
+        let prepare = Prepare { raw_torque: true, margins: true, wrench: true, stride, ..Prepare::default() };
+        let uncertainty = match uncertainty {
+            Some(known) => known,
+            None => {
+                let mut pass = NoisePass::new(&self.arm, &torques, prepare.filter, &[], false);
+                each_motion(&mut Replay::new(&log), n, &prepare, |motion| pass.absorb(motion))?;
+                Uncertainty::noise(pass.white(), NoiseSource::Log, beta.len())
+            }
+        };
+        let known =
+            Known { arm: &self.arm, standard, torques: &torques, uncertainty: &uncertainty, torque_limits: &[] };
+        let mut tool = self.arm.bodies(standard);
         let mut run =
             Run::new("test", known, &mut tool, estimation.clone()).map_err(|e| ReproduceError::Robot(e.to_string()))?;
-        let prepare = Prepare { raw_torque: true, margins: true, wrench: true, stride, ..Prepare::default() };
-        each_motion(&mut Replay::new(&log), 7, &prepare, |motion| run.absorb(motion))?;
+        each_motion(&mut Replay::new(&log), n, &prepare, |motion| run.absorb(motion))?;
         Ok(run.finish())
     }
 }
@@ -248,11 +291,14 @@ pub fn coverage(
 ) -> Result<Vec<Coverage>, ReproduceError> {
     let one = |run: usize| -> Result<Vec<Series>, ReproduceError> {
         let seed = seed.wrapping_add(2 * run as u64);
+        let how = |method| Estimation { method, ..Estimation::default() };
+        if case == Case::FileAlone {
+            let Lwr { truth, standard, .. } = &stage.lwr;
+            let alone = |&method| stage.estimate_with(truth, standard, None, seed + 1, 4, &how(method));
+            return methods.iter().map(alone).collect();
+        }
         let found = stage.identify(seed)?;
-        methods
-            .iter()
-            .map(|&method| stage.estimate(&found, seed + 1, 4, &Estimation { method, ..Estimation::default() }))
-            .collect()
+        methods.iter().map(|&method| stage.estimate(&found, seed + 1, 4, &how(method))).collect()
     };
     let all = many(runs, &one, watch)?;
     Ok(methods
@@ -269,8 +315,9 @@ pub fn coverage(
             let components: [Comparison; 6] = std::array::from_fn(of);
             let single = |run: &Vec<Series>| run[m].against_measured().map_or(0.0, |c| share(&c));
             let shares: Vec<f64> = all.iter().map(single).collect();
-            let right = all.iter().filter(|run| run[m].unexplained.as_ref().is_some_and(|u| u.holds())).count();
+            let right = all.iter().filter(|run| !run[m].verdict.is_too_wrong()).count();
             Coverage {
+                robot: stage.lwr.robot.name.clone(),
                 method,
                 case,
                 runs,
@@ -317,6 +364,24 @@ pub fn accuracy(postures: usize, seed: u64, watch: Watch<'_>) -> Result<Vec<Accu
 /// The estimators whose bands are tried.
 const BANDS: [Method; 3] = [Method::Residual, Method::Momentum, Method::Kalman];
 
+/// Arms with the bodies of these files and quieter torque sensors, N m: heavy links make the encoders' noise count.
+const ALONE: [(&str, &str, f64); 2] = [
+    ("ur10e.yaml", include_str!("../../robots/ur10e.yaml"), 0.05),
+    ("franka-panda.yaml", include_str!("../../robots/franka-panda.yaml"), 0.1),
+];
+
+/// Stages for [`Case::FileAlone`].
+pub fn alone(seed: u64) -> Result<Vec<Stage>, ReproduceError> {
+    let stage = |(name, text, noise): (&str, &str, f64)| {
+        let read = Robot::from_yaml(text, &|name| Err(format!("no file {name}")));
+        let mut robot = read.map_err(|p| ReproduceError::Robot(p.in_file(name).to_string()))?.robot;
+        robot.tool = None;
+        let sensors = Sensors { rate: 100.0, wrench: true, torque_noise: vec![noise], ..Sensors::default() };
+        Stage::of(Lwr::of(robot)?, sensors, seed, 4, 12, [0.7, 0.0], [&[]; 2])
+    };
+    ALONE.into_iter().map(stage).collect()
+}
+
 /// Runs it: a minute or so; `watch` is told how far it is.
 pub fn force(settings: &ForceSettings, watch: Watch<'_>) -> Result<Force, ReproduceError> {
     let ForceSettings { runs, postures, seed } = *settings;
@@ -335,6 +400,12 @@ pub fn force(settings: &ForceSettings, watch: Watch<'_>) -> Result<Force, Reprod
             all.extend(coverage(&wrong, &BANDS[..1], case, few, seed.wrapping_mul(1_000_003), &|what, share| {
                 watch(what, from + 0.1 * share);
             })?);
+        }
+    }
+    if runs > 0 {
+        let few = runs.div_ceil(5);
+        for stage in alone(seed)? {
+            all.extend(coverage(&stage, &BANDS[..2], Case::FileAlone, few, seed.wrapping_mul(1_000_003), &|_, _| {})?);
         }
     }
     Ok(Force { settings: *settings, accuracy, coverage: all })

@@ -92,7 +92,8 @@ impl Lwr {
         Self::of(robot)
     }
 
-    fn of(robot: Robot) -> Result<Self, ReproduceError> {
+    /// Of another robot file.
+    pub fn of(robot: Robot) -> Result<Self, ReproduceError> {
         let standard = param::standard_values(&robot);
         let standard = standard.ok_or_else(|| ReproduceError::Robot("its links are not all known".into()))?;
         let arm = Interpreted::new(&robot, &[Function::PayloadRegressor]);

@@ -20,8 +20,8 @@ pub struct Motion {
     pub states: States,
     /// Torques, joint-major, `dof * len`, N m.
     pub tau: Vec<f64>,
-    /// Sign of each velocity (zero inside its noise), through the same low-pass as the torque, joint-major; empty where nothing was
-    /// filtered. The low-pass rounds the steps of the Coulomb torque, and this is what it makes of them. Behind the joints stand the signs
+    /// Sign of each velocity (zero at rest), through the same low-pass as the torque, joint-major; empty where velocities
+    /// are set to zero. The low-pass rounds the steps of the Coulomb torque, and this is what it makes of them. Behind the joints stand the signs
     /// of [`crate::signal::Prepare::sums`].
     pub sign: Vec<f64>,
     /// Samples to be used.
@@ -30,6 +30,12 @@ pub struct Motion {
     pub stride: usize,
     /// Standard deviation of the velocity error that the noise of `q` leaves after the filter, rad/s, per joint.
     pub velocity_noise: Vec<f64>,
+    /// Standard deviation of the white noise of the recorded positions, rad, per joint ([`white_noise`](crate::signal::white_noise)): unlike `velocity_noise` free
+    /// of motion beyond the cutoff. Empty where velocities do not come from positions.
+    pub position_noise: Vec<f64>,
+    /// Whether each joint is at rest ([`Prepare::dead_zone`](crate::signal::Prepare::dead_zone)): dry friction is then anything within its breakaway level, and `sign` is
+    /// 0. Joint-major, those of the sums behind; empty where velocities are set to zero.
+    pub resting: Vec<bool>,
     /// Whether each joint sticks (it does not move beyond the noise of its encoder), joint-major; empty where velocities do not come from filtered positions.
     pub stuck: Vec<bool>,
     /// Highest frequency that the low-pass left in the torque, Hz; `None` where the torque was not filtered.
@@ -52,6 +58,8 @@ pub struct MotionBlock {
     pub tau: Vec<f64>,
     /// [`Motion::sign`].
     pub sign: Vec<f64>,
+    /// [`Motion::resting`].
+    pub resting: Vec<bool>,
 }
 
 impl Motion {
@@ -72,7 +80,7 @@ impl Motion {
 
     /// Copies samples `picks[from..]`, at most `rows`, into `block`. Returns how many.
     pub fn gather(&self, from: usize, rows: usize, block: &mut MotionBlock) -> usize {
-        let MotionBlock { states, tau, sign } = block;
+        let MotionBlock { states, tau, sign, resting } = block;
         let stride = self.stride.max(1);
         let first = self.core.start + from * stride;
         let count = if first >= self.core.end { 0 } else { (self.core.end - first).div_ceil(stride).min(rows) };
@@ -96,6 +104,10 @@ impl Motion {
             sign.clear();
             if self.sign.len() >= self.dof() * len {
                 pick(&self.sign, sign);
+            }
+            resting.clear();
+            for row in self.resting.chunks_exact(len) {
+                resting.extend((0..count).map(|i| row[first + i * stride]));
             }
         }
         count

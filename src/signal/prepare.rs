@@ -3,7 +3,10 @@
 //! A segment that is longer than a chunk is filtered in overlapping chunks. The overlap is as long as the filter remembers (to 1e-12),
 //! so the result is that of filtering the segment at once.
 
-use super::{Band, Motion, burst::Derived, central, even, even::smoother_evenly, low_pass, sos::Sos, stick::sticks};
+use super::{
+    Band, Motion, burst::Derived, central, even, even::smoother_evenly, low_pass, rest, rest::DeadZone, sos::Sos,
+    stick::sticks, white_noise,
+};
 use crate::{
     arm::{States, VelocitySum},
     log::{
@@ -40,6 +43,26 @@ impl Filter {
     }
 }
 
+impl Filter {
+    /// Response of the velocity, 1/s, to an error of 1 in one recorded position, sample by sample.
+    pub fn velocity_response(self, period: f64) -> Vec<f64> {
+        let sos = low_pass(self.order, self.cutoff, period.recip()).ok();
+        let half = sos.as_ref().map_or(4, |sos| 2 * sos.settling());
+        let mut impulse = vec![0.0; 2 * half + 1];
+        impulse[half] = 1.0;
+        if let Some(sos) = sos {
+            sos.forward_backward(&mut impulse, 0);
+        }
+        central(&impulse, period)
+    }
+
+    /// Standard deviation of a velocity, 1/s, whose positions have white noise of standard deviation `position`: of density `s^2 / (rate / 2)` per Hz, differentiated up to
+    /// the cutoff, `s_v = 2 pi s sqrt(2 fc^3 / (3 rate))`.
+    pub fn velocity_noise(self, position: f64, rate: f64) -> f64 {
+        std::f64::consts::TAU * position * (2.0 * self.cutoff.powi(3) / (3.0 * rate)).sqrt()
+    }
+}
+
 /// Where velocities and accelerations come from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Derivatives {
@@ -62,6 +85,8 @@ pub struct Prepare {
     pub bursts: Option<f64>,
     /// Source of velocities and accelerations.
     pub derivatives: Derivatives,
+    /// What counts as rest. Default: what the noise of the log makes it.
+    pub dead_zone: DeadZone,
     /// What is cut off at both ends of each segment, s: where filter and differences know only one side. Default two periods of
     /// the default cutoff.
     pub trim: f64,
@@ -99,6 +124,7 @@ impl Default for Prepare {
             filter: Some(Filter::default()),
             bursts: None,
             derivatives: Derivatives::FromPosition,
+            dead_zone: DeadZone::FromNoise,
             trim: 0.2,
             torque_delay: 0.0,
             stride: 1,
@@ -604,6 +630,8 @@ impl Preparer {
             states: States { len: to - from, ..States::default() },
             tau: Vec::with_capacity(dof * (to - from)),
             velocity_noise: Vec::with_capacity(dof),
+            position_noise: Vec::new(),
+            resting: Vec::new(),
             stuck: Vec::new(),
             bandwidth: self.settings.filter.filter(|_| !self.settings.raw_torque).map(|filter| filter.cutoff),
             band: self.band(),
@@ -646,7 +674,7 @@ impl Preparer {
                     motion
                         .stuck
                         .extend_from_slice(&sticks(&self.evened[joint], &q, filter.cutoff, clock.period)[from..to]);
-                    velocity_noise(&self.evened[joint], &q, filter.cutoff, rate)
+                    velocity_noise(&self.evened[joint], &q, filter, rate)
                 }
                 _ => 0.0,
             });
@@ -655,20 +683,30 @@ impl Preparer {
             motion.states.ddq.extend_from_slice(&ddq[from..to]);
             speeds.push(dq);
         }
-        if self.filter.is_some() && self.settings.derivatives != Derivatives::AtRest {
+        if self.settings.derivatives != Derivatives::AtRest {
+            let noise: Vec<rest::Noise> =
+                (0..dof).map(|j| self.noise(j, motion.velocity_noise[j], clock.period)).collect();
+            if self.settings.derivatives == Derivatives::FromPosition {
+                motion.position_noise = noise.iter().map(|n| n.position).collect();
+            }
             let sums = self.settings.sums.iter().map(|sum| {
-                let noise = sum.joints.map(|j| motion.velocity_noise.get(j).copied().unwrap_or(0.0));
-                (sum.at(|j| speeds.get(j).map(Vec::as_slice)), noise[0].hypot(sum.ratio * noise[1]))
+                let of = |part: fn(&rest::Noise) -> f64| {
+                    let of = sum.joints.map(|j| noise.get(j).map_or(0.0, part));
+                    of[0].hypot(sum.ratio * of[1])
+                };
+                let noise =
+                    rest::Noise { speed: of(|n| n.speed), white: of(|n| n.white), position: of(|n| n.position) };
+                (sum.at(|j| speeds.get(j).map(Vec::as_slice)), noise)
             });
-            let sums: Vec<(Vec<f64>, f64)> = sums.collect();
-            let own = speeds.iter().zip(&motion.velocity_noise).map(|(dq, &noise)| (dq, noise));
-            for (dq, noise) in own.chain(sums.iter().map(|(dq, noise)| (dq, *noise))) {
-                let largest = dq.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-                let noise = (3.0 * noise).min(0.02 * largest);
-                let sign = |v: &f64| if v.abs() > noise { v.signum() } else { 0.0 };
-                let signs: Vec<f64> = dq.iter().map(sign).collect();
+            let sums: Vec<(Vec<f64>, rest::Noise)> = sums.collect();
+            let own = speeds.iter().zip(&noise);
+            for (dq, noise) in own.chain(sums.iter().map(|(dq, noise)| (dq, noise))) {
+                let resting = rest::rests(dq, *noise, clock.period, self.settings.dead_zone);
+                let sign = |(v, rests): (&f64, &bool)| if *rests || *v == 0.0 { 0.0 } else { v.signum() };
+                let signs: Vec<f64> = dq.iter().zip(&resting).map(sign).collect();
                 let signs = if self.settings.raw_torque { signs } else { smooth(&signs) };
                 motion.sign.extend_from_slice(&signs[from..to]);
+                motion.resting.extend_from_slice(&resting[from..to]);
             }
         }
         for joint in 0..dof {
@@ -689,6 +727,25 @@ impl Preparer {
         }
         motion
     }
+
+    /// How noisy a joint's filtered velocity is, whose error is `speed` by what the low-pass took out of its positions.
+    fn noise(&self, joint: usize, speed: f64, period: f64) -> rest::Noise {
+        let rate = period.recip();
+        if self.settings.derivatives == Derivatives::Recorded {
+            let recorded = white_noise([&self.evened[2 * self.dof + joint][..]].into_iter());
+            let white = recorded * self.settings.filter.map_or(1.0, |f| f.noise_gain(rate));
+            return rest::Noise { speed: white, white, position: 0.0 };
+        }
+        let position = white_noise([&self.evened[joint][..]].into_iter());
+        match self.settings.filter {
+            Some(filter) => rest::Noise { speed, white: filter.velocity_noise(position, rate), position },
+            // A central difference has the difference of two errors over two periods.
+            None => {
+                let white = position * rate * 0.5_f64.sqrt();
+                rest::Noise { speed: white, white, position }
+            }
+        }
+    }
 }
 
 /// The signal `by` samples later, on the line between samples (it is smooth by now); the ends are held.
@@ -702,10 +759,8 @@ fn later(x: Vec<f64>, by: f64) -> Vec<f64> {
     (0..x.len()).map(|k| at(k) + (by - whole) * (at(k + 1) - at(k))).collect()
 }
 
-/// Standard deviation of the velocity error, from what the filter took out of the position: white noise of density
-/// `s^2 / (rate / 2)` per Hz, differentiated up to the cutoff, `s_v = 2 pi s sqrt(2 fc^3 / (3 rate))`.
-fn velocity_noise(raw: &[f64], smooth: &[f64], cutoff: f64, rate: f64) -> f64 {
+/// Standard deviation of the velocity error, from what the filter took out of the position.
+fn velocity_noise(raw: &[f64], smooth: &[f64], filter: Filter, rate: f64) -> f64 {
     let squares: f64 = raw.iter().zip(smooth).map(|(a, b)| (a - b) * (a - b)).sum();
-    let s = (squares / raw.len().max(1) as f64).sqrt();
-    std::f64::consts::TAU * s * (2.0 * cutoff.powi(3) / (3.0 * rate)).sqrt()
+    filter.velocity_noise((squares / raw.len().max(1) as f64).sqrt(), rate)
 }

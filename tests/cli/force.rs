@@ -1,5 +1,6 @@
 //! A push on the hand of an arm that was just identified.
 
+use std::path::Path;
 use std::sync::OnceLock;
 
 use denavit::numeric::Numeric;
@@ -209,11 +210,111 @@ fn one_verdict_wherever_it_is_printed() {
     }
 }
 
+/// A robot file with these Coulomb levels.
+fn with_friction(folder: &Path, robot: &str, levels: &[f64]) -> String {
+    let mut text = std::fs::read_to_string(robot).unwrap();
+    let mut from = 0;
+    for level in levels {
+        let at = from + text[from..].find("coulomb_friction: ").unwrap() + "coulomb_friction: ".len();
+        let end = at + text[at..].find([',', ' ', '}']).unwrap();
+        text.replace_range(at..end, &level.to_string());
+        from = at;
+    }
+    file(folder, &format!("friction-{}", Path::new(robot).file_name().unwrap().to_str().unwrap()), text)
+}
+
+/// 16 s at 100 Hz of an arm that stands: encoders with noise, friction that holds `share` of its level; from 6 to 9 s a push on the tool, and after it friction that
+/// holds another share.
+fn standing(robot: &str, q: &[f64], push: [f64; 6], encoder: f64, noise: f64, seed: u64) -> String {
+    let read = read_robot(robot);
+    let (arm, phi, mut random) = (Numeric::new(&read), param::standard_values(&read).unwrap(), Random::new(seed));
+    let n = q.len();
+    let level: Vec<f64> = read.moving().iter().map(|&r| read.joints[r].drive.coulomb_friction.unwrap_or(0.0)).collect();
+    let zero = vec![0.0; n];
+    let weight = arm.inverse_dynamics(q, &zero, &zero, &phi);
+    let (last, tool, jacobian) = (arm.frames(q).pop().unwrap(), arm.tool(q), arm.jacobian(q));
+    let turn: Matrix3<f64> = tool.fixed_view::<3, 3>(0, 0).into();
+    let lever: Vector3<f64> = tool.fixed_view::<3, 1>(0, 3) - last.fixed_view::<3, 1>(0, 3);
+    let (force, moment) =
+        (turn * Vector3::new(push[0], push[1], push[2]), turn * Vector3::new(push[3], push[4], push[5]));
+    let pushed = |j: usize| {
+        let (v, w) = (jacobian.fixed_view::<3, 1>(0, j), Vector3::from(jacobian.fixed_view::<3, 1>(3, j)));
+        (v + w.cross(&lever)).dot(&force) + w.dot(&moment)
+    };
+    let mut held =
+        || -> Vec<f64> { (0..n).map(|_| random.uniform(-1.0, 1.0).signum() * random.uniform(0.4, 0.8)).collect() };
+    let (before, after) = (held(), held());
+    let rows: Vec<Vec<f64>> = (0..1600)
+        .map(|k| {
+            let t = f64::from(k) / 100.0;
+            let on = f64::from(u8::from((6.0..9.0).contains(&t)));
+            let hold = if t < 9.0 { &before } else { &after };
+            let angles: Vec<f64> = q.iter().map(|q| q + random.even(encoder)).collect();
+            let torques: Vec<f64> =
+                (0..n).map(|j| weight[j] + hold[j] * level[j] - on * pushed(j) + random.even(noise)).collect();
+            [vec![t], angles, torques].concat()
+        })
+        .collect();
+    csv(&[vec!["t".to_string()], columns(&["q", "tau"], n)].concat(), &rows)
+}
+
+/// Contact and undecided, shares of the samples in a stretch, of a written wrench.
+fn shares(path: &str, from: f64, to: f64) -> [f64; 2] {
+    let text = std::fs::read_to_string(path).unwrap();
+    let head: Vec<&str> = text.lines().next().unwrap().split(',').collect();
+    let column = |name: &str| head.iter().position(|h| *h == name).unwrap();
+    let rows: Vec<Vec<f64>> = text
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect())
+        .collect();
+    let within: Vec<&Vec<f64>> = rows.iter().filter(|r| (from..to).contains(&r[0])).collect();
+    ["touching", "undecided"].map(|c| within.iter().map(|r| r[column(c)]).sum::<f64>() / within.len() as f64)
+}
+
+#[test]
+fn at_rest_friction_is_an_interval() {
+    let folder = folder("standing");
+    let ur = with_friction(&folder, "robots/ur10e.yaml", &[9.0, 11.0, 7.0, 2.5, 2.0, 1.5]);
+    let cases = [
+        (ur.as_str(), vec![0.03, -1.1, 2.33, -1.25, -1.05, -0.5], [60.0, -70.0, 50.0, 4.0, 0.0, 3.0], 3e-5, 0.7),
+        (ur.as_str(), vec![0.5, -1.4, 1.8, -0.9, 1.2, 0.4], [-70.0, 50.0, 60.0, 0.0, -5.0, 2.0], 4e-4, 0.2),
+        (ROBOT, vec![0.3, 0.6, -0.2, 1.3, 0.4, 0.9, 0.1], [20.0, -15.0, 20.0, 1.0, -1.0, 1.0], 2e-5, 0.08),
+    ];
+    for (seed, (robot, q, push, encoder, noise)) in cases.into_iter().enumerate() {
+        let log = file(&folder, "standing.csv", standing(robot, &q, push, encoder, noise, 40 + seed as u64));
+        let out = folder.join("wrench.csv").display().to_string();
+        for estimator in ["residual", "momentum", "kalman"] {
+            let run = denavit(&["force", robot, &log, "--estimator", estimator, "--out", &out]);
+            assert_eq!(run.status, Some(0), "{}", run.err);
+            let [before, _] = shares(&out, 0.5, 5.5);
+            let [during, _] = shares(&out, 6.5, 8.5);
+            let [after, undecided] = shares(&out, 10.0, 15.5);
+            assert_eq!([before, after], [0.0, 0.0], "{robot} {estimator}");
+            assert!(during > 0.98, "{robot} {estimator} {during}");
+            assert!(undecided > 0.8 && run.out.contains("can't be told apart"), "{estimator} {undecided} {}", run.out);
+        }
+        // The dead zone decides what counts as rest: with none the sign of the noise is friction.
+        let run = denavit(&["force", robot, &log, "--dead-zone", "0", "--out", &out]);
+        assert_eq!(run.status, Some(0), "{}", run.err);
+        assert!(shares(&out, 0.5, 5.5)[0] > 0.5, "{robot}");
+    }
+    // A file without dry friction says so.
+    let log =
+        file(&folder, "standing.csv", standing(&ur, &[0.03, -1.1, 2.33, -1.25, -1.05, -0.5], [0.0; 6], 3e-5, 0.5, 7));
+    let found = json(&["force", "robots/ur10e.yaml", &log, "--json", "-"]);
+    assert_eq!(found["logs"][0]["touching"], 0, "{found}");
+    assert!(found["logs"][0]["undecided"].as_f64().unwrap() > 1000.0, "{found}");
+    assert_eq!(found["logs"][0]["assumed_static_friction"][1]["at_most"], 16.5, "{found}");
+}
+
 #[test]
 fn wrong_use_is_explained() {
     let logs = logs();
     let bad = file(&logs.folder, "bad.json", "{\"parameters\": []}");
-    let cases: [(&[&str], &str); 6] = [
+    let cases: [(&[&str], &str); 8] = [
+        (&[&logs.identified, &logs.push, "--gain", "30"], "--estimator momentum"),
+        (&[&logs.identified, &logs.push, "--wander", "5,1"], "--estimator kalman"),
         (&[&logs.identified, &logs.push, "--identified", &bad], "correlation"),
         (&["robots/planar2r.yaml", &logs.push], "joints"),
         (&[&logs.identified, &logs.push, "--free", "3:1"], "0:2.5"),

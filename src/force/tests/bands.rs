@@ -1,7 +1,7 @@
 //! Bands against known wrenches, with the model identified anew in every run.
 
 use crate::force::{Method, Settings};
-use crate::reproduce::force::{Case, Stage, coverage};
+use crate::reproduce::force::{Case, Stage, alone, coverage};
 use crate::reproduce::lwr::Unmodelled;
 
 #[test]
@@ -37,6 +37,18 @@ fn all_six_components_moving_and_standing() {
         // Against amplitudes of 30 N and 4 N m; a workspace has its singularities.
         for (i, c) in all.iter().enumerate() {
             assert!(c.inside > 0.8, "{name} {i}: {c:?}");
+        }
+    }
+}
+
+/// Without an identification, on arms with heavy links and light ones: neither too narrow nor too wide, on a log whose contacts begin and end in steps too.
+#[test]
+fn bands_of_a_right_file_alone_hold_95_in_100() {
+    for stage in alone(21).unwrap() {
+        for c in coverage(&stage, &[Method::Residual, Method::Momentum], Case::FileAlone, 20, 700, &|_, _| {}).unwrap()
+        {
+            assert!((0.92..0.98).contains(&c.whole), "{c:?}");
+            assert!(c.components.iter().all(|share| *share > 0.9), "{c:?}");
         }
     }
 }

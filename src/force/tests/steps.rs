@@ -58,7 +58,7 @@ impl Oracle {
             bias,
             mass: std::array::from_fn(|i| std::array::from_fn(|j| mass[(i, j)])),
             jacobian,
-            covariance: [[0.0; 7]; 7],
+            ..Sample::default()
         }
     }
 

@@ -131,6 +131,7 @@ fn motion(arm: &Interpreted, truth: &[f64], seconds: f64, noise: f64, seed: u64)
         core: 0..len,
         stride: 1,
         velocity_noise: vec![0.0; n],
+        position_noise: Vec::new(),
         ..Motion::default()
     }
 }

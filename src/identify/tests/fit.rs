@@ -3,7 +3,7 @@
 use super::*;
 use crate::arm::Arm;
 use crate::identify::{
-    Accuracy, DeadZone, Essential, Standing, Tracer, accuracy,
+    Accuracy, Essential, Standing, Tracer, accuracy,
     planar::{STANDARD, motion, torque},
     recover_standard,
 };
@@ -104,7 +104,7 @@ fn validation_is_that_of_a_direct_prediction() {
     let (mut a, mut b) = (motion(&arm, 10.0, 100.0, 0.0), motion(&arm, 7.0, 100.0, 1.0));
     add_noise(&mut a, [0.3, 0.1], true, 4);
     add_noise(&mut b, [0.3, 0.1], true, 5);
-    let mut stack = Stack::new("b", &arm, StackSettings { dead_zone: DeadZone::Off, ..Default::default() });
+    let mut stack = Stack::new("b", &arm, StackSettings::default());
     stack.absorb(&b);
     let b_factors = stack.finish();
     let found =

@@ -4,7 +4,7 @@ use super::*;
 use crate::{
     identify::planar::{log, motion},
     log::{LogError, Quantity, csv, open},
-    signal::{Filter, Prepare, PrepareError, each_motion},
+    signal::{DeadZone, Filter, Prepare, PrepareError, each_motion},
 };
 
 fn bytes(motion: &Motion) -> Vec<u8> {
@@ -38,9 +38,8 @@ fn positions_and_torques_suffice() {
     let found = from_bytes(&arm, &bytes(&m), &prepare, StackSettings::default()).unwrap();
     // The low-pass rounds the steps of the Coulomb torque; the parallel filter rounds the column alike.
     assert!(worst(&arm, &found) < 0.06, "{}", worst(&arm, &found));
-    let parallel =
-        StackSettings { parallel: Some((5, 10.0)), dead_zone: super::super::DeadZone::Off, ..Default::default() };
-    let unfiltered = Prepare { margins: true, filter: None, ..prepare.clone() };
+    let parallel = StackSettings { parallel: Some((5, 10.0)), ..Default::default() };
+    let unfiltered = Prepare { margins: true, filter: None, dead_zone: DeadZone::Off, ..prepare.clone() };
     let better = from_bytes(&arm, &bytes(&m), &unfiltered, parallel).unwrap();
     assert!(worst(&arm, &better) < 0.003, "{}", worst(&arm, &better));
 }
@@ -54,11 +53,10 @@ fn chunks_do_not_show() {
     let whole = from_bytes(&arm, &csv, &Prepare::default(), StackSettings::default()).unwrap();
     for chunk in [100, 777] {
         for stride in [1, 5] {
-            let once = Prepare { stride, ..Prepare::default() };
+            let once = Prepare { stride, dead_zone: DeadZone::Fixed(0.01), ..Prepare::default() };
             let pieces = Prepare { chunk, ..once.clone() };
-            let fixed = StackSettings { dead_zone: super::super::DeadZone::Fixed(0.01), ..Default::default() };
-            let a = from_bytes(&arm, &csv, &once, fixed).unwrap();
-            let b = from_bytes(&arm, &csv, &pieces, fixed).unwrap();
+            let a = from_bytes(&arm, &csv, &once, StackSettings::default()).unwrap();
+            let b = from_bytes(&arm, &csv, &pieces, StackSettings::default()).unwrap();
             assert_eq!(a.samples, b.samples);
             for ((a, b), w) in a.parameters.iter().zip(&b.parameters).zip(&whole.parameters) {
                 // Only the velocity noise, found chunk by chunk, differs.
@@ -142,7 +140,7 @@ fn currents_become_torques() {
     let mut csv = Vec::new();
     csv::write(&log, &mut csv).unwrap();
     let without = from_bytes(&arm, &csv, &Prepare::default(), StackSettings::default()).unwrap_err().to_string();
-    assert!(without.contains("`tau1`"), "{without}");
+    assert!(without.contains("`torque_constant`"), "{without}");
     let prepare = Prepare { torque: Quantity::Current, torque_gains: vec![8.0, -2.0], ..Prepare::default() };
     assert!(worst(&arm, &from_bytes(&arm, &csv, &prepare, StackSettings::default()).unwrap()) < 0.06);
 }

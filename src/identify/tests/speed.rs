@@ -79,6 +79,7 @@ fn ten_thousand_samples() {
         core: 0..len,
         stride: 1,
         velocity_noise: vec![0.0; 7],
+        position_noise: Vec::new(),
         temperature: Vec::new(),
         ..Default::default()
     };
