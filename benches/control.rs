@@ -1,13 +1,18 @@
-//! A step of the controller with force estimate on the generated KUKA LWR: equations (13), (14), (15), gravity, closed-form inverse kinematics.
+//! A step of the controller with force estimate on the generated KUKA LWR: equations (13), (14),
+//! (15), gravity, closed-form inverse kinematics.
 //!
-//! `cargo bench --bench control` prints the distribution over a million steps along a painting stroke, and over a tenth as many of what could cost more (a wall
-//! out of reach, an outstretched arm, a wrist in line, samples that are missing): median, 99th, 99.99th percentile, worst, by three
-//! clocks:
+//! `cargo bench --bench control` prints the distribution over a million steps along a painting
+//! stroke, and over a tenth as many of what could cost more (a wall out of reach, an outstretched
+//! arm, a wrist in line, samples that are missing): median, 99th, 99.99th percentile, worst, by
+//! three clocks:
 //!
-//! - wall: with whatever else the machine did meanwhile; worth something on an idle machine, or on a core of its own;
-//! - thread: processor time of the thread alone, so that being preempted does not count (interrupts, and caches that others have used, do). The
-//!   clock is a system call: what two calls of it cost is measured and said, not taken off;
-//! - best of three: the same step from the same state three times, the fastest by the wall clock: what the law itself asks for, caches warm.
+//! - wall: with whatever else the machine did meanwhile; worth something on an idle machine, or on
+//!   a core of its own;
+//! - thread: processor time of the thread alone, so that being preempted does not count
+//!   (interrupts, and caches that others have used, do). The clock is a system call: what two calls
+//!   of it cost is measured and said, not taken off;
+//! - best of three: the same step from the same state three times, the fastest by the wall clock:
+//!   what the law itself asks for, caches warm.
 
 use std::time::{Duration, Instant};
 
@@ -96,13 +101,15 @@ struct Scene {
     base: [f64; N],
     /// Size of the motion, rad.
     swing: f64,
-    /// Does the force follow the displacement (a wall), or stay below what is wanted, so that the displacement runs to where nothing reaches?
+    /// Does the force follow the displacement (a wall), or stay below what is wanted, so that the
+    /// displacement runs to where nothing reaches?
     wall: bool,
     /// Each so many samples one is missing, and one in ten times as many is a leap.
     missing: Option<usize>,
 }
 
-/// A stroke as it should be; and what could cost more: out of reach, an outstretched arm, a wrist in line, samples that are missing.
+/// A stroke as it should be; and what could cost more: out of reach, an outstretched arm, a wrist
+/// in line, samples that are missing.
 const SCENES: [Scene; 5] = {
     let bent = [0.3, 0.9, 0.2, 1.3, 0.1, -0.9, 0.4];
     let stroke = Scene { name: "along a stroke", base: bent, swing: 0.2, wall: true, missing: None };

@@ -1,13 +1,14 @@
-//! Each function of two arms: generated for one state, generated for packs of eight, interpreted in batches, numeric in nalgebra.
-//! Sines and cosines are included everywhere. `cargo bench` prints medians per call; a call of `pack` is eight states and one of
-//! `batch` is 1000. The regressors are written into an array of the caller, every entry of it. A sample is many calls: reading the clock
-//! takes 20 ns, and a first call after it another 100.
+//! Each function of two arms: generated for one state, generated for packs of eight, interpreted in
+//! batches, numeric in nalgebra. Sines and cosines are included everywhere. `cargo bench` prints
+//! medians per call; a call of `pack` is eight states and one of `batch` is 1000. The regressors
+//! are written into an array of the caller, every entry of it. A sample is many calls: reading the
+//! clock takes 20 ns, and a first call after it another 100.
 //!
 //! For the figures of the README: `RUSTFLAGS="-C target-cpu=native" cargo bench --bench kernels`.
 
-use denavit::arm::States;
-use denavit::interpreted::Interpreted;
-use denavit::numeric::Numeric;
+use denavit::model::States;
+use denavit::model::interpreted::Interpreted;
+use denavit::model::rigid_body::Numeric;
 use dh_codegen::arm::{Function, param};
 use dh_codegen::robot::Robot;
 use divan::{Bencher, black_box};

@@ -1,4 +1,5 @@
-//! Draws the signature of every effect at its default size, on joint 4 of the KUKA LWR: `docs/effects/*.svg`.
+//! Draws the signature of every effect at its default size, on joint 4 of the KUKA LWR:
+//! `docs/effects/*.svg`.
 //!
 //! `cargo run --release --example effects`
 
@@ -82,12 +83,13 @@ fn picture(
     if name == "joint_elasticity" || name == "backlash" {
         return soft(robot, &effects, name);
     }
-    // A joint's sensors lie about a motion that is what it is; the file's own friction would only blur the rest.
+    // A joint's sensors lie about a motion that is what it is; the file's own friction would only
+    // blur the rest.
     let seen = Simulator::new(robot, &effects)?.run(motion, &exact(), &mut |_| {})?;
     let (len, truth) = (seen.truth.t.len(), &seen.truth);
     let of = |values: &[f64], k: usize| values[J * len + k];
     let tau = |recording: &Recording, k: usize| {
-        recording.log.joint(denavit::log::Quantity::Tau, J).map_or(0.0, |column| column[k])
+        recording.log.joint(denavit::data::log::Quantity::Tau, J).map_or(0.0, |column| column[k])
     };
     let added = |k: usize| tau(&seen, k) - tau(plain, k);
     let pairs = |x: &dyn Fn(usize) -> f64, y: &dyn Fn(usize) -> f64| (0..len).map(|k| [x(k), y(k)]).collect::<Vec<_>>();
@@ -190,7 +192,8 @@ fn presliding(robot: &Robot, effects: &Effects) -> Result<Picture, Problem> {
     Ok(Picture { x: "angle (mrad)", y: "added torque (N m)", reference: vec![], curve: curve.collect() })
 }
 
-/// A joint that is pushed and let go: it rings; and what lies between motor and link, over the load.
+/// A joint that is pushed and let go: it rings; and what lies between motor and link, over the
+/// load.
 fn soft(robot: &Robot, effects: &Effects, name: &str) -> Result<Picture, Problem> {
     let mut robot = robot.clone();
     let n = robot.dof();

@@ -1,4 +1,5 @@
-//! A generated crate by itself: torques that hold the LWR up, and how far its Jacobian is from singular.
+//! A generated crate by itself: torques that hold the LWR up, and how far its Jacobian is from
+//! singular.
 //!
 //! `cargo run --example generated_arm`
 

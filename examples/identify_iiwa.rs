@@ -5,11 +5,11 @@
 use std::error::Error;
 use std::fs::{File, read_to_string};
 
-use denavit::arm::Arm;
-use denavit::identify::{Factors, IdentifySettings, Stack, StackSettings, solve};
-use denavit::interpreted::Interpreted;
-use denavit::log;
-use denavit::signal::{Prepare, each_motion};
+use denavit::data::log;
+use denavit::data::signal::{Prepare, each_motion};
+use denavit::identify::{AccumulatorSettings, Factors, IdentifySettings, QrAccumulator, solve};
+use denavit::model::Arm;
+use denavit::model::interpreted::Interpreted;
 use dh_codegen::robot::Robot;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // Order 5, 10 Hz, forward and backward; the torque of these recordings is 40 ms late.
     let prepare = Prepare { torque_delay: 0.04, ..Prepare::default() };
     let factors = |name: &str| -> Result<Factors, Box<dyn Error>> {
-        let mut stack = Stack::new(name, &arm, StackSettings::default());
+        let mut stack = QrAccumulator::new(name, &arm, AccumulatorSettings::default());
         let mut source = log::open(name, File::open(format!("{root}/data/kuka-iiwa14/{name}"))?)?;
         each_motion(source.as_mut(), arm.dof(), &prepare, |motion| stack.absorb(motion))?;
         Ok(stack.finish())

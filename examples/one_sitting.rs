@@ -1,4 +1,5 @@
-//! The whole sitting as a library: design a motion, play it on a simulated arm with a hidden effect, identify, and ask what the model lacks.
+//! The whole sitting as a library: design a motion, play it on a simulated arm with a hidden
+//! effect, identify, and ask what the model lacks.
 //!
 //! `cargo run --release --example one_sitting`
 
@@ -6,15 +7,15 @@ use std::error::Error;
 use std::fs::read_to_string;
 use std::sync::atomic::AtomicBool;
 
-use denavit::arm::Arm;
+use denavit::data::log::Replay;
+use denavit::data::signal::{Prepare, each_motion};
 use denavit::diagnose::{self, Recording, diagnose};
-use denavit::differentiated::Differentiated;
 use denavit::excite::{Effort, Task, Watch, design};
-use denavit::identify::{IdentifySettings, Stack, StackSettings, solve};
-use denavit::interpreted::Interpreted;
-use denavit::log::Replay;
-use denavit::plant::RobotPlant;
-use denavit::signal::{Prepare, each_motion};
+use denavit::identify::{AccumulatorSettings, IdentifySettings, QrAccumulator, solve};
+use denavit::model::Arm;
+use denavit::model::differentiated::Differentiated;
+use denavit::model::interpreted::Interpreted;
+use denavit::model::perturbable_robot::PerturbableRobot;
 use denavit::simulate::{Request, Sensors, Simulator, Trajectory};
 use dh_codegen::robot::{Robot, SimulationFile};
 
@@ -43,7 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let arm = Interpreted::new(&robot, &[]);
     let mut factors = Vec::new();
     for log in &logs {
-        let mut stack = Stack::new("simulated", &arm, StackSettings::default());
+        let mut stack = QrAccumulator::new("simulated", &arm, AccumulatorSettings::default());
         each_motion(&mut Replay::new(log), arm.dof(), &Prepare::default(), |motion| stack.absorb(motion))?;
         factors.push(stack.finish());
     }
@@ -52,7 +53,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("held-out error of the identified model, N m: {held_out:.3?}");
 
     // And why.
-    let plant = RobotPlant::new(&robot);
+    let plant = PerturbableRobot::new(&robot);
     let mut recordings = Vec::new();
     for log in &logs {
         let mut recording = Recording::new("simulated");

@@ -45,7 +45,8 @@ enum Command {
     Check(check::Check),
     /// Write the drop-in crate with the robot's closed-form functions.
     Generate(generate::Generate),
-    /// Find what a simulation of the robot file gets wrong, name the causes, extend the model, measure the gain.
+    /// Find what a simulation of the robot file gets wrong, name the causes, extend the model,
+    /// measure the gain.
     Diagnose(diagnose::Diagnose),
     /// Evaluate a quantity of the robot at given states.
     Eval(eval::Eval),
@@ -83,7 +84,8 @@ impl Cli {
     /// Does what was asked.
     ///
     /// # Errors
-    /// A paragraph for standard error and an exit status: 2 for wrong use or bad input, 1 otherwise.
+    /// A paragraph for standard error and an exit status: 2 for wrong use or bad input, 1
+    /// otherwise.
     pub fn run(self) -> Result<(), Failure> {
         let provenance = self.provenance;
         match self.command {

@@ -1,14 +1,19 @@
-//! Exciting motions: the most information about the parameters in the fewest seconds, inside every limit (the paper, section III).
+//! Exciting motions: the most information about the parameters in the fewest seconds, inside every
+//! limit (the paper, section III).
 //!
-//! `robot -> Task -> Program (criterion, constraints, their gradients) -> sqp -> Design`, many starts at once; `check` judges a
-//! written motion and shares no code with any of that.
+//! `robot -> Task -> Program (criterion, constraints, their gradients) -> sqp -> Design`, many
+//! starts at once; `check` judges a written motion and shares no code with any of that.
 //!
-//! - `curve`: splines and Fourier series as linear functions of the search variables; bounds that hold between samples.
-//! - `columns`, `extra`: which columns of the regressor count. `information`, `criterion`: what they tell.
-//! - `bodies`, `constraints`: torque, ground, spheres, boxes. `program`: all of it as one nonlinear program.
-//! - `sqp`, `subproblem`: the solver. `start`: where it begins. `design`: several starts, grids from coarse to fine.
-//! - `precision`: what standard deviation the parameters will have. `shortest`: the shortest motion that reaches a target.
-//!   `durations`: what longer motions gain.
+//! - `curve`: splines and Fourier series as linear functions of the search variables; bounds that
+//!   hold between samples.
+//! - `columns`, `extra`: which columns of the regressor count. `information`, `criterion`: what
+//!   they tell.
+//! - `bodies`, `constraints`: torque, ground, spheres, boxes. `program`: all of it as one nonlinear
+//!   program.
+//! - `sqp`, `subproblem`: the solver. `start`: where it begins. `design`: several starts, grids
+//!   from coarse to fine.
+//! - `precision`: what standard deviation the parameters will have. `shortest`: the shortest motion
+//!   that reaches a target. `durations`: what longer motions gain.
 
 mod bodies;
 pub mod check;
@@ -23,7 +28,6 @@ mod information;
 mod limits;
 mod precision;
 mod program;
-mod random;
 mod shortest;
 mod sqp;
 mod start;

@@ -3,8 +3,8 @@
 //! `YAML -> robot -> tapes -> Arm`, and `log -> signal -> identify -> report`:
 //!
 //! ```
-//! use denavit::arm::{Arm, States};
-//! use denavit::interpreted::Interpreted;
+//! use denavit::model::{Arm, States};
+//! use denavit::model::interpreted::Interpreted;
 //! use dh_codegen::robot::Robot;
 //!
 //! let text = "
@@ -27,27 +27,15 @@
 //! # Ok::<(), dh_codegen::robot::Problems>(())
 //! ```
 
-pub mod arm;
+pub mod apps;
+#[cfg(feature = "cli")]
 pub mod cli;
 pub mod control;
-pub mod coupled;
+pub mod data;
 pub mod diagnose;
-pub mod differentiated;
 pub mod excite;
-pub mod extend;
-pub mod force;
 pub mod identify;
-pub mod interpreted;
-pub mod inverse;
-pub mod log;
-pub mod numeric;
-pub mod paint;
-pub mod plant;
-pub mod predicted;
+pub mod model;
+pub mod numerics;
 pub mod report;
-pub mod reproduce;
-pub mod signal;
 pub mod simulate;
-pub mod tool;
-pub mod trajectory;
-pub mod wound;

@@ -1,10 +1,13 @@
-//! The robot as it might be: bodies, drives with all their effects, a controller, sensors; and the log that it leaves.
+//! The robot as it might be: bodies, drives with all their effects, a controller, sensors; and the
+//! log that it leaves.
 //!
-//! `Robot + Effects -> Simulator` (bodies as they truly are, a [`Drive`] for each joint) `-> Plant` (an ordinary differential equation)
-//! `-> Rosenbrock or Dormand-Prince -> Truth -> Sensors -> Log`.
+//! `Robot + Effects -> Simulator` (bodies as they truly are, a [`Drive`] for each joint) `-> Plant`
+//! (an ordinary differential equation) `-> Rosenbrock or Dormand-Prince -> Truth -> Sensors ->
+//! Log`.
 //!
-//! The log's `tau` is the torque of the motor at the joint's side of the gear, so `tau = M ddq + c + g + rotor + friction + ...`; with
-//! [`Side::Link`] it is what the gear transmits, and `taum` is the motor's.
+//! The log's `tau` is the torque of the motor at the joint's side of the gear, so `tau = M ddq +
+//! c + g + rotor + friction + ...`; with [`Side::Link`] it is what the gear transmits, and `taum`
+//! is the motor's.
 //!
 //! ```
 //! use denavit::simulate::{Control, Effects, Mode, Request, Sensors, Simulator, Trajectory};
@@ -30,17 +33,16 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Never says file; prints nothing. Angles in rad, torques in N m (m and N for a prismatic joint), time in s.
+//! Never says file; prints nothing. Angles in rad, torques in N m (m and N for a prismatic joint),
+//! time in s.
 
 mod bristle;
-mod cholesky;
 mod contact;
 mod control;
-mod doubt;
 mod drive;
 pub mod effects;
-mod exact;
-mod integrate;
+mod inverse_simulation;
+mod motion_warnings;
 mod noise;
 mod plant;
 mod robot;
@@ -51,26 +53,26 @@ mod trajectory;
 #[cfg(test)]
 mod tests;
 
+pub use crate::numerics::integrators::{Breakdown, Method, Solver};
 pub use contact::{External, Wall, Wrench};
 pub use control::{Control, Mode};
 pub use dh_codegen::robot::{Effect, Effects};
-pub use doubt::doubts;
 pub use drive::Drive;
-pub use integrate::{Breakdown, Method, Solver};
+pub use motion_warnings::motion_warnings;
 pub use sampled::{Instant, Sampled, Seen};
 pub use sensors::{Sensors, Side, Truth};
 pub use trajectory::{Point, Trajectory, TrajectoryError};
 
 use dh_codegen::robot::Robot;
 
-use crate::arm::{Arm, Dynamics, States};
-use crate::log::Log;
+use crate::data::log::Log;
+use crate::model::{Arm, Dynamics, States};
+use crate::numerics::integrators::Pace;
+use crate::numerics::integrators::dormand_prince::DormandPrince;
+use crate::numerics::integrators::rosenbrock::Rosenbrock;
 use control::Table;
-use integrate::Pace;
-use integrate::dormand_prince::DormandPrince;
-use integrate::rosenbrock::Rosenbrock;
 use plant::{Parts, Plant};
-use robot::{Built, Settled, without_coulomb};
+use robot::{Settled, SimulatedRobot, without_coulomb};
 
 /// Why nothing could be simulated.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -182,8 +184,8 @@ pub struct Recording {
 }
 
 impl Recording {
-    /// The log that other sensors, or the same ones with other noise, would have left of the same run. Rate, jitter and sides stay those of the run's
-    /// instants.
+    /// The log that other sensors, or the same ones with other noise, would have left of the same
+    /// run. Rate, jitter and sides stay those of the run's instants.
     pub fn seen_by(&self, sensors: &Sensors, seed: u64) -> Log {
         sensors::record(&self.truth, &self.drives, sensors, seed)
     }
@@ -202,14 +204,15 @@ pub struct Integration {
 
 /// A robot made ready; runs as often as wanted.
 pub struct Simulator {
-    built: Built,
+    built: SimulatedRobot,
 }
 
 impl Simulator {
-    /// The robot with the effects of its file and these; a law of the latter takes the place of the file's law of the same name, plain
-    /// friction, inertias and offsets add up. The slow part: run it more than once.
+    /// The robot with the effects of its file and these; a law of the latter takes the place of the
+    /// file's law of the same name, plain friction, inertias and offsets add up. The slow part: run
+    /// it more than once.
     pub fn new(robot: &Robot, effects: &Effects) -> Result<Self, SimulateError> {
-        Ok(Self { built: Built::new(robot, effects)? })
+        Ok(Self { built: SimulatedRobot::new(robot, effects)? })
     }
 
     /// Degrees of freedom.
@@ -217,7 +220,8 @@ impl Simulator {
         self.built.drives.len()
     }
 
-    /// The drives with everything that the files say of them; what depends on a motion is not settled.
+    /// The drives with everything that the files say of them; what depends on a motion is not
+    /// settled.
     pub fn drives(&self) -> &[Drive] {
         &self.built.drives
     }
@@ -263,7 +267,7 @@ impl Simulator {
         });
         let instants = request.sensors.instants(span.start, span.end, request.seed);
         let (truth, integration) = if request.control.mode == Mode::Exact {
-            (exact::follow(&self.built, &settled, &plant, trajectory, external, instants), None)
+            (inverse_simulation::follow(&self.built, &settled, &plant, trajectory, external, instants), None)
         } else {
             let (truth, integration) = integrate(&mut plant, request.solver, instants, progress)?;
             (truth, Some(integration))
@@ -289,7 +293,8 @@ impl Simulator {
         let Sensors { rate, latency, jitter, colour_corner, .. } = request.sensors;
         setting("sensors.rate", rate, rate > 0.0 && rate <= 1e5, "be greater than 0, and at most 100000 Hz")?;
         setting("sensors.latency", latency, (0.0..10.0).contains(&latency), "be from 0 to 10 s")?;
-        // A standard deviation; no sample overtakes its neighbour (sensors.rs), and more than this would hardly be what was asked for.
+        // A standard deviation; no sample overtakes its neighbour (sensors.rs), and more than this
+        // would hardly be what was asked for.
         let share = jitter * rate;
         setting("sensors.jitter", jitter, (0.0..=0.45).contains(&share), "be from 0 s to 0.45 sampling periods")?;
         setting("sensors.torque_noise_color.corner", colour_corner, colour_corner > 0.0, "be greater than 0")?;

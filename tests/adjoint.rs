@@ -1,4 +1,5 @@
-//! Adjoints as functions: against differences of what they differentiate, against the one that the designer runs, and printed against run.
+//! Adjoints as functions: against differences of what they differentiate, against the one that the
+//! designer runs, and printed against run.
 
 use std::path::Path;
 use std::process::Command;
@@ -35,7 +36,8 @@ fn entries(run: &Interpreter, function: Function, x: &[Vec<f64>; 3], parameters:
 
 #[test]
 fn adjoints_meet_differences_and_are_those_that_the_designer_runs() {
-    // Both conventions, sliding joints, angles that are no quarter turns (the tool), with and without a tool.
+    // Both conventions, sliding joints, angles that are no quarter turns (the tool), with and
+    // without a tool.
     for name in ["planar2r", "kuka-lwr4", "franka-panda", "ur10e", "stanford", "scara"] {
         let model = Model::new(&robot(name).0);
         let functions: Vec<Function> =
@@ -87,7 +89,8 @@ fn adjoints_meet_differences_and_are_those_that_the_designer_runs() {
     }
 }
 
-/// The crate with its adjoints, compiled by itself: its own tests, and the interpreter's numbers to the last bit.
+/// The crate with its adjoints, compiled by itself: its own tests, and the interpreter's numbers to
+/// the last bit.
 #[test]
 fn printed_adjoints_say_the_same_bits() {
     let (robot, text) = robot("stanford");

@@ -1,4 +1,5 @@
-//! The control law: what it answers to anything that may arrive, and that it needs nothing but `core`.
+//! The control law: what it answers to anything that may arrive, and that it needs nothing but
+//! `core`.
 
 use denavit::control::law::{
     Body, Command, Controller, Estimator, EstimatorSettings, Fault, ForceSettings, JointLoop, Model, Sample, Settings,
@@ -8,7 +9,8 @@ use proptest::prelude::*;
 
 const T: f64 = 1e-3;
 
-/// Three sliding joints along the axes and three that turn about them, of unit mass: everything is known by heart.
+/// Three sliding joints along the axes and three that turn about them, of unit mass: everything is
+/// known by heart.
 #[derive(Clone, Default)]
 struct Gantry {
     lost: bool,
@@ -77,7 +79,8 @@ fn settings() -> Settings<6> {
     }
 }
 
-/// The gantry of unit masses before a wall at x = 0 of 5 kN/m, integrated in 20 small steps a period.
+/// The gantry of unit masses before a wall at x = 0 of 5 kN/m, integrated in 20 small steps a
+/// period.
 struct World {
     q: [f64; 6],
     v: [f64; 6],
@@ -177,7 +180,8 @@ fn a_drag_aside_is_carried_by_its_estimate() {
 #[test]
 fn drag_is_learned_and_then_known_before_the_estimate_shows_it() {
     const FRICTION: f64 = 0.4;
-    // To and fro along y, the push aside known as late as a low-pass of 10 Hz makes it; how far the tool is off in the last of seven turns.
+    // To and fro along y, the push aside known as late as a low-pass of 10 Hz makes it; how far the
+    // tool is off in the last of seven turns.
     let run = |drag: f64| {
         let settings = Settings { carry: 1.0, feed: 1.0, aside: 0.5, aside_pole: 4.0, drag, ..settings() };
         let mut controller = Controller::new(Gantry::default(), settings).unwrap();
@@ -214,7 +218,8 @@ fn drag_is_learned_and_then_known_before_the_estimate_shows_it() {
 
 #[test]
 fn the_planned_motion_is_fed_forward() {
-    // A unit mass without friction follows a planned wave as if there were no loop, but for the half period by which torques are held.
+    // A unit mass without friction follows a planned wave as if there were no loop, but for the
+    // half period by which torques are held.
     let worst = |feed: f64| {
         let mut controller = Controller::new(Gantry::default(), Settings { feed, ..settings() }).unwrap();
         let mut world = World { wall: false, ..World::new() };
@@ -447,7 +452,8 @@ fn what_may_be_friction_is_no_force() {
         assert!((0.0..0.25).contains(&off), "{found:?} {wanted} {to}");
     };
     let is = |found: Option<f64>, wanted: f64| assert!((found.unwrap() - wanted).abs() < 1e-3, "{found:?} {wanted}");
-    // Friction that is 0.4 N less than the model says is a force that is up to 0.4 N more than was told, and no less.
+    // Friction that is 0.4 N less than the model says is a force that is up to 0.4 N more than was
+    // told, and no less.
     near(told(-0.4, 1.0, 4.7), 5.0, 4.7);
     near(told(-0.4, 1.0, 4.0), 4.4, 4.0);
     is(told(-0.4, 1.0, 5.3), 5.3);

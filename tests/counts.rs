@@ -1,6 +1,7 @@
-//! What the closed form costs and how many base parameters it finds: figures that must not get worse unnoticed.
+//! What the closed form costs and how many base parameters it finds: figures that must not get
+//! worse unnoticed.
 
-use denavit::numeric::base::{Torques, rank, rank_of};
+use denavit::model::rigid_body::base::{Torques, rank, rank_of};
 use dh_codegen::arm::param::{DriveTerm, Parameter};
 use dh_codegen::arm::{BaseParameters, Function, Model};
 use dh_codegen::robot::{Drive, Robot};
@@ -24,8 +25,9 @@ fn count(model: &Model, function: Function) -> [usize; 2] {
     [operations.mul, operations.add]
 }
 
-/// Counts of inverse dynamics (from base parameters), base regressor, regressor, mass matrix; with the peers' figures for the first
-/// two. Ours take fewer multiplications, fewer additions, and at least a tenth fewer operations in all.
+/// Counts of inverse dynamics (from base parameters), base regressor, regressor, mass matrix; with
+/// the peers' figures for the first two. Ours take fewer multiplications, fewer additions, and at
+/// least a tenth fewer operations in all.
 fn costs(name: &str, expected: [[usize; 2]; 4], peers: [[usize; 2]; 2]) {
     use Function::{BaseRegressor, InverseDynamicsBase, MassMatrix, Regressor};
     let model = Model::new(&bare(name));
@@ -66,7 +68,8 @@ fn franka_panda_costs() {
     costs("franka-panda", [[300, 278], [625, 466], [813, 634], [223, 190]], [[361, 288], [788, 496]]);
 }
 
-/// Base parameters of the bare robot; with a rotor on every joint; that act at rest; on a tilted base.
+/// Base parameters of the bare robot; with a rotor on every joint; that act at rest; on a tilted
+/// base.
 fn base_counts(name: &str) -> [usize; 4] {
     let robot = bare(name);
     let mut rotors = robot.clone();
@@ -102,7 +105,8 @@ fn small_arms() {
     assert_eq!(BaseParameters::new(&bare("scara")).len(), 8);
 }
 
-/// With the drives that its file has, every robot has as many base parameters as its regressor has rank.
+/// With the drives that its file has, every robot has as many base parameters as its regressor has
+/// rank.
 #[test]
 fn every_robot_has_as_many_as_the_rank() {
     for entry in std::fs::read_dir(format!("{}/robots", env!("CARGO_MANIFEST_DIR"))).unwrap() {

@@ -59,8 +59,8 @@ fn nothing_is_allocated() {
     assert!(ALLOCATIONS.with(Cell::get) > after, "the counter counts");
 }
 
-/// The kernels go into a static library without `std` whose panic handler calls a function that does not exist. If any path led
-/// there, the program could not be linked.
+/// The kernels go into a static library without `std` whose panic handler calls a function that
+/// does not exist. If any path led there, the program could not be linked.
 #[test]
 fn no_panic_can_be_reached() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -1,18 +1,19 @@
-//! Effects of a robot file in its inverse dynamics: against formulas written out by hand, against the simulator's physics, and against the
-//! code that is generated.
+//! Effects of a robot file in its inverse dynamics: against formulas written out by hand, against
+//! the simulator's physics, and against the code that is generated.
 
 use std::path::Path;
 use std::process::Command;
 
-use denavit::arm::{Arm, Predicted, States};
-use denavit::interpreted::Interpreted;
-use denavit::predicted::Predictor;
+use denavit::model::file_torque_model::FileTorqueModel;
+use denavit::model::interpreted::Interpreted;
+use denavit::model::{Arm, States, TorqueModel};
 use denavit::simulate::{Control, Effects, Mode, Request, Sensors, Simulator, Trajectory};
 use dh_codegen::arm::{Function, param};
 use dh_codegen::interpret::{Interpreter, State};
 use dh_codegen::robot::Robot;
 
-/// The planar arm of `robots/` with these effects: of the shoulder's drive, of the elbow's, and of the whole robot.
+/// The planar arm of `robots/` with these effects: of the shoulder's drive, of the elbow's, and of
+/// the whole robot.
 fn planar(shoulder: &str, elbow: &str, whole: &str) -> Robot {
     read(&planar_text(shoulder, elbow, whole))
 }
@@ -68,7 +69,7 @@ fn sign(x: f64) -> f64 {
 fn predicted(robot: &Robot, state: &[[f64; 2]; 3]) -> [f64; 2] {
     let states = States { len: 1, q: state[0].to_vec(), dq: state[1].to_vec(), ddq: state[2].to_vec() };
     let mut out = [0.0; 2];
-    Predictor::new(robot).unwrap().torques(&states, &mut out);
+    FileTorqueModel::new(robot).unwrap().torques(&states, &mut out);
     out
 }
 
@@ -158,7 +159,8 @@ fn geometry_and_bodies() {
         tau[1] += 0.2 * (5.0 * (q[1] + 0.1)).sin();
         tau
     });
-    // About z of a base in whose plane gravity lies, pitch and roll foreshorten it and turn it out of the plane.
+    // About z of a base in whose plane gravity lies, pitch and roll foreshorten it and turn it out
+    // of the plane.
     check(&planar("", "", "effects: { base_tilt: { roll: 0.2 } }"), "base_tilt", |q, v, a| {
         let (up, still) = (rods(q, v, a), rods(q, v, a));
         let weight = |j: usize| rods(q, [0.0; 2], [0.0; 2])[j];
@@ -205,7 +207,8 @@ const MANY: [&str; 3] = [
     "effects: { base_tilt: { roll: 0.05, pitch: 0.02 }, payload: { M: 0.2, MSX: 0.05 } }",
 ];
 
-/// The crate of a robot with many effects, compiled by itself: its own tests, and the interpreter's numbers to the last bit.
+/// The crate of a robot with many effects, compiled by itself: its own tests, and the interpreter's
+/// numbers to the last bit.
 #[test]
 fn the_generated_crate_says_the_same_bits() {
     let text = planar_text(MANY[0], MANY[1], MANY[2]);
@@ -216,7 +219,7 @@ fn the_generated_crate_says_the_same_bits() {
         std::fs::create_dir_all(path.parent().unwrap()).unwrap();
         std::fs::write(path, text).unwrap();
     }
-    let predictor = Predictor::new(&robot).unwrap();
+    let predictor = FileTorqueModel::new(&robot).unwrap();
     let phi = param::standard_values(&robot.as_it_is()).unwrap();
     let arm = Interpreted::with_effects(&robot, &[Function::DriveTorques]);
     let mut rows = String::new();
@@ -240,7 +243,7 @@ fn the_generated_crate_says_the_same_bits() {
     let mut undelayed = robot.clone();
     undelayed.joints[1].drive.effects.retain(|e| e.name != "time_delay");
     let mut along = vec![0.0; 100];
-    Predictor::new(&undelayed).unwrap().torques_along(&time, &states, &[], &mut along);
+    FileTorqueModel::new(&undelayed).unwrap().torques_along(&time, &states, &[], &mut along);
     let steps: String = (0..50)
         .map(|k| {
             let s: [[f64; 2]; 3] = [0, 1, 2].map(|which| [swing(k, 0)[which], swing(k, 1)[which]]);
@@ -303,7 +306,8 @@ fn a_drive_steps_like_the_evaluator() {{
     assert!(!said.contains("warning"), "{said}");
 }
 
-/// The simulator writes the torques of its own physics: without a loop, on smooth motion, they are the predicted ones.
+/// The simulator writes the torques of its own physics: without a loop, on smooth motion, they are
+/// the predicted ones.
 #[test]
 fn a_simulated_log_is_what_was_predicted() {
     let without = |text: &str, law: &str| text.replace(law, "");
@@ -354,7 +358,7 @@ fn a_simulated_log_is_what_was_predicted() {
             .collect();
         let states = States { len: n, q, dq: run.truth.motor_dq.clone(), ddq };
         let mut predicted = vec![0.0; 2 * n];
-        Predictor::new(&robot).unwrap().torques_along(&run.truth.t, &states, &[], &mut predicted);
+        FileTorqueModel::new(&robot).unwrap().torques_along(&run.truth.t, &states, &[], &mut predicted);
         let tau: Vec<&Vec<f64>> = (0..2).map(|j| &run.log.columns[run.log.layout.roles.len() - 4 + j]).collect();
         for j in 0..2 {
             let scale = tau[j].iter().fold(0.0_f64, |m, t| m.max(t.abs()));
@@ -366,7 +370,8 @@ fn a_simulated_log_is_what_was_predicted() {
     }
 }
 
-/// Links that swing on the springs of both joints: the simulator integrates two inertias to a joint, the file's law follows the motors' recorded motion.
+/// Links that swing on the springs of both joints: the simulator integrates two inertias to a
+/// joint, the file's law follows the motors' recorded motion.
 #[test]
 fn links_swing_on_their_springs() {
     let text = planar_text(", joint_elasticity: { KE: 40, DE: 0.5 }", ", joint_elasticity: { KE: 12, DE: 0.06 }", "")
@@ -384,9 +389,9 @@ fn links_swing_on_their_springs() {
         Simulator::new(&robot, &Effects::default()).unwrap().run(&trajectory, &request, &mut |_| {}).unwrap().truth;
     let n = truth.t.len();
     let ddq: Vec<f64> =
-        (0..2).flat_map(|j| denavit::signal::central(&truth.motor_dq[j * n..(j + 1) * n], 1e-3)).collect();
+        (0..2).flat_map(|j| denavit::data::signal::central(&truth.motor_dq[j * n..(j + 1) * n], 1e-3)).collect();
     let states = States { len: n, q: truth.motor_q.clone(), dq: truth.motor_dq.clone(), ddq };
-    let predictor = Predictor::new(&robot).unwrap();
+    let predictor = FileTorqueModel::new(&robot).unwrap();
     let (mut still, mut swings) = (vec![0.0; 2 * n], vec![0.0; 2 * n]);
     predictor.torques(&states, &mut still);
     predictor.torques_along(&truth.t, &states, &[], &mut swings);

@@ -1,4 +1,5 @@
-//! `generated/` is what the generator would write today. With `DENAVIT_REGENERATE=1` in the environment stale files are rewritten.
+//! `generated/` is what the generator would write today. With `DENAVIT_REGENERATE=1` in the
+//! environment stale files are rewritten.
 
 use std::path::Path;
 

@@ -1,13 +1,14 @@
-//! Inverse kinematics against the numeric recursion: every solution reaches its pose, and the posture that made the pose is found.
+//! Inverse kinematics against the numeric recursion: every solution reaches its pose, and the
+//! posture that made the pose is found.
 //!
-//! `DENAVIT_IK_POSTURES` sets how many random postures each arm gets (1,000 here, a million before a release), `DENAVIT_IK_ROBOT` takes
-//! one arm alone.
+//! `DENAVIT_IK_POSTURES` sets how many random postures each arm gets (1,000 here, a million before
+//! a release), `DENAVIT_IK_ROBOT` takes one arm alone.
 
 use core::f64::consts::{PI, TAU};
 
-use denavit::inverse::{Ask, Kinematics, Postures};
-use denavit::numeric::Numeric;
-use denavit::numeric::random::Random;
+use denavit::model::inverse_kinematics::{Ask, Kinematics, Postures};
+use denavit::model::rigid_body::Numeric;
+use denavit::numerics::prng::Random;
 use dh_codegen::arm::Model;
 use dh_codegen::ik::{Arm, Branch, Query, Reference, Status};
 use dh_codegen::robot::{JointKind, Robot};
@@ -75,7 +76,8 @@ impl Bench {
         (error, nearest, found)
     }
 
-    /// Is no direction hard to reach, by differences of poses? Of a swivel arm, whose swivel angle is kept: is no sine small?
+    /// Is no direction hard to reach, by differences of poses? Of a swivel arm, whose swivel angle
+    /// is kept: is no sine small?
     fn away_from_singularities(&self, q: &[f64]) -> bool {
         if self.ik.inverse().class == "srs" {
             return [1, 3, 5].into_iter().all(|j| q[j].sin().abs() > 0.1);
@@ -164,7 +166,8 @@ fn random_postures() {
         eprintln!(
             "{name}: {count} postures, missed {missed}, singular {loose}, uncertain {uncertain}, worst pose {worst:.1e}, farthest {far:.1e}, outside {outside}"
         );
-        // Away from singularities an arm that is nearly of its family has the branches of the nominal one, and it knows where that is.
+        // Away from singularities an arm that is nearly of its family has the branches of the
+        // nominal one, and it knows where that is.
         assert_eq!(unflagged, 0, "{name}");
         if bench.ik.inverse().exact {
             assert_eq!(uncertain, 0, "{name}");
@@ -189,7 +192,8 @@ struct Special {
 }
 
 impl Special {
-    /// A posture, once named as near, where it is found though its pose leaves joints free, and once not.
+    /// A posture, once named as near, where it is found though its pose leaves joints free, and
+    /// once not.
     fn look(&mut self, bench: &Bench, name: &str, q: &[f64]) {
         self.count += 1;
         let (error, nearest, _) = bench.check(q, true);
@@ -223,7 +227,8 @@ impl Special {
     }
 }
 
-/// Multiples of 15, 30, 45 and 90 degrees, joints at their limits, and postures at and beside right angles.
+/// Multiples of 15, 30, 45 and 90 degrees, joints at their limits, and postures at and beside right
+/// angles.
 #[test]
 fn nice_angles_limits_and_singularities() {
     for (name, _) in ROBOTS.into_iter().filter(|(name, _)| *name != "kinova-gen3" && asked_for(name)) {
@@ -254,8 +259,8 @@ fn nice_angles_limits_and_singularities() {
 /// How far beside a singularity, rad.
 const BESIDE: [f64; 6] = [0.0, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 
-/// Postures singular once, twice or three times: zeros of the Jacobian's determinant along random lines, by bisection; of half of
-/// them the wrist is straight, too.
+/// Postures singular once, twice or three times: zeros of the Jacobian's determinant along random
+/// lines, by bisection; of half of them the wrist is straight, too.
 #[test]
 fn zeros_of_the_determinant() {
     for name in ["puma560", "staubli-tx40", "ur10e", "stanford"].into_iter().filter(|name| asked_for(name)) {
@@ -349,7 +354,8 @@ fn swivel_velocity_is_the_derivative() {
     }
 }
 
-/// A path whose wrist goes straight through is followed without a jump, and back to the posture it was made from.
+/// A path whose wrist goes straight through is followed without a jump, and back to the posture it
+/// was made from.
 #[test]
 fn a_path_through_the_wrist_singularity_is_followed() {
     for name in ["puma560", "staubli-tx40"] {
@@ -371,7 +377,8 @@ fn a_path_through_the_wrist_singularity_is_followed() {
     }
 }
 
-/// A calibrated UR10e, its axes parallel to 6e-3: the nominal branches are refined, each kept or reported as lost.
+/// A calibrated UR10e, its axes parallel to 6e-3: the nominal branches are refined, each kept or
+/// reported as lost.
 #[test]
 fn a_calibrated_arm_keeps_its_branches() {
     let mut random = Random::new(5);
@@ -431,8 +438,9 @@ fn poses_out_of_reach_and_poses_that_are_none() {
     }
 }
 
-/// Whatever is finite gives postures of the pose or none, no NaN; what is not finite gives an error. A near posture far away, of which
-/// no digit is left of a turn, is no reason for a posture that does not reach the pose.
+/// Whatever is finite gives postures of the pose or none, no NaN; what is not finite gives an
+/// error. A near posture far away, of which no digit is left of a turn, is no reason for a posture
+/// that does not reach the pose.
 #[test]
 fn absurd_input_gives_no_wrong_answer() {
     const ODD: [f64; 14] =
@@ -483,7 +491,8 @@ fn absurd_input_gives_no_wrong_answer() {
     }
 }
 
-/// Along a path each posture keeps its label: of the next pose's postures, the one that clearly follows has the same.
+/// Along a path each posture keeps its label: of the next pose's postures, the one that clearly
+/// follows has the same.
 #[test]
 fn labels_stay_with_their_branch() {
     for name in ["kuka-lwr4", "puma560", "staubli-tx40", "ur10e", "stanford"] {
@@ -512,7 +521,8 @@ fn labels_stay_with_their_branch() {
     }
 }
 
-/// The swivel angle is the paper's: the elbow stands at `c + R (cos phi u + sin phi v)` (equation 1).
+/// The swivel angle is the paper's: the elbow stands at `c + R (cos phi u + sin phi v)` (equation
+/// 1).
 #[test]
 fn the_swivel_angle_is_the_papers() {
     let bench = Bench::new(robot("kuka-lwr4"));

@@ -46,7 +46,8 @@ macro_rules! agrees {
                     let interpreted = run.one(f, &state);
                     assert_eq!(interpreted.len(), generated.len());
                     for (i, (a, b)) in interpreted.iter().zip(generated).enumerate() {
-                        // A structural zero of the dense form is +0 whatever the sign a product would give it.
+                        // A structural zero of the dense form is +0 whatever the sign a product
+                        // would give it.
                         assert!(
                             a.to_bits() == b.to_bits() || (*a == 0.0 && *b == 0.0),
                             "{} entry {i}: {a} {b}",

@@ -1,8 +1,10 @@
-//! The tapes against the numeric recursion, which shares no code with them, on hundreds of random chains.
+//! The tapes against the numeric recursion, which shares no code with them, on hundreds of random
+//! chains.
 
-use denavit::numeric::Numeric;
-use denavit::numeric::base::rank;
-use denavit::numeric::random::{Family, Random, State as RandomState};
+use denavit::model::rigid_body::Numeric;
+use denavit::model::rigid_body::base::rank;
+use denavit::model::rigid_body::random::{Family, State as RandomState};
+use denavit::numerics::prng::Random;
 use dh_codegen::arm::param::standard_values;
 use dh_codegen::arm::{BaseParameters, Function, Model};
 use dh_codegen::interpret::{Interpreter, State};
@@ -62,7 +64,8 @@ fn every_function_agrees_on_random_chains() {
             check(Function::InverseDynamicsBase, &beta, tau.as_slice());
             check(Function::MassMatrix, &beta, &row_major(&oracle.mass_matrix(&q, &phi)));
             check(Function::Coriolis, &beta, oracle.coriolis(&q, &dq, &phi).as_slice());
-            // An offset that can't be told from a prismatic joint's weight is in the gravity torque (see `BaseParameters`).
+            // An offset that can't be told from a prismatic joint's weight is in the gravity torque
+            // (see `BaseParameters`).
             let mut gravity = oracle.gravity(&q, &phi);
             for (k, offset) in model.offsets_in_gravity(&phi) {
                 gravity[k] += offset;

@@ -1,13 +1,16 @@
-//! What a diagnosis promises, the extended file keeps: its inverse dynamics leaves the errors on the validating log that were reported.
+//! What a diagnosis promises, the extended file keeps: its inverse dynamics leaves the errors on
+//! the validating log that were reported.
 
-use denavit::arm::Predicted;
-use denavit::diagnose::{Diagnosis, Offered, Recording, Settings, Verdict, diagnose, separate, written_errors};
-use denavit::extend::extended;
+use denavit::data::log::open;
+use denavit::data::signal::{Filter, Prepare, each_motion};
+use denavit::diagnose::extended;
+use denavit::diagnose::{
+    Diagnosis, Offered, Recording, Settings, Verdict, diagnose, discriminating_motion, written_errors,
+};
 use denavit::identify::implausible_links;
-use denavit::log::open;
-use denavit::plant::RobotPlant;
-use denavit::predicted::Predictor;
-use denavit::signal::{Filter, Prepare, each_motion};
+use denavit::model::TorqueModel;
+use denavit::model::file_torque_model::FileTorqueModel;
+use denavit::model::perturbable_robot::PerturbableRobot;
 use denavit::simulate::{Control, Effects, Mode, Request, Sensors, Simulator, Trajectory};
 use dh_codegen::arm::param;
 use dh_codegen::robot::{Drive, Effect, Robot};
@@ -84,9 +87,10 @@ fn effect(name: &str, parameters: &[(&str, f64)]) -> Effect {
     Effect { name: name.into(), parameters: parameters.iter().map(|(k, v)| ((*k).to_string(), *v)).collect() }
 }
 
-/// Root mean square errors of the file's inverse dynamics on a recording, ends cut off as the diagnosis does.
+/// Root mean square errors of the file's inverse dynamics on a recording, ends cut off as the
+/// diagnosis does.
 fn errors(robot: &Robot, recording: &Recording) -> Vec<f64> {
-    let predictor = Predictor::new(robot).unwrap();
+    let predictor = FileTorqueModel::new(robot).unwrap();
     let n = predictor.dof();
     let (mut sums, mut count) = (vec![0.0; n], 0.0);
     for stretch in &recording.stretches {
@@ -108,7 +112,7 @@ fn kept(hidden: &Effects) -> (Diagnosis, Robot) {
     let robot = robot();
     let simulator = Simulator::new(&robot, hidden).unwrap();
     let (fit, validate) = (record(&simulator, "fit", 10.0, 1), record(&simulator, "validate", 6.0, 2));
-    let plant = RobotPlant::new(&robot);
+    let plant = PerturbableRobot::new(&robot);
     let given = errors(&robot, &validate);
     let found =
         diagnose(&plant, std::slice::from_ref(&fit), std::slice::from_ref(&validate), &Settings::default(), &|_| {})
@@ -121,7 +125,8 @@ fn kept(hidden: &Effects) -> (Diagnosis, Robot) {
     let causes: Vec<(&str, &[usize], &str)> =
         found.causes.iter().map(|c| (c.cause, &c.joints[..], &c.evidence[..])).collect();
     println!("{causes:?}\n {:?}\n before {before:.4?}\n promised {promised:.4?}\n kept {is:.4?}", found.offer.why);
-    // What was promised is what the file's own laws give. Elastic joints and gear couplings are differenced anew along the log's own samples there.
+    // What was promised is what the file's own laws give. Elastic joints and gear couplings are
+    // differenced anew along the log's own samples there.
     for j in 0..is.len() {
         let holds = (is[j] - promised[j]).abs() < 0.12 * promised[j] + 0.03 * before[j].min(0.1);
         assert!(
@@ -137,11 +142,12 @@ fn kept(hidden: &Effects) -> (Diagnosis, Robot) {
     (found, back)
 }
 
-/// The extended file knows what was hidden: on other motion of the same robot nothing is wrong with it.
+/// The extended file knows what was hidden: on other motion of the same robot nothing is wrong with
+/// it.
 fn nothing_more(hidden: &Effects, extended: &Robot) {
     let simulator = Simulator::new(&robot(), hidden).unwrap();
     let (fit, validate) = (record(&simulator, "fit", 10.0, 5), record(&simulator, "validate", 6.0, 6));
-    let found = diagnose(&RobotPlant::new(extended), &[fit], &[validate], &Settings::default(), &|_| {}).unwrap();
+    let found = diagnose(&PerturbableRobot::new(extended), &[fit], &[validate], &Settings::default(), &|_| {}).unwrap();
     let said: Vec<(&str, &str)> = found.causes.iter().map(|c| (c.cause, c.evidence.as_str())).collect();
     println!("again: {:?}\n {:.4?}\n {:.4?}", found.baseline.validate, found.extended.validate, found.offer.why);
     assert_eq!(found.verdict, Verdict::NothingWrong, "{said:?}");
@@ -165,7 +171,8 @@ fn assert_possible(robot: &Robot) {
     }
 }
 
-/// Where the file has neither links nor friction all of it is fitted: what is written can exist, and it is the model that was measured and compared.
+/// Where the file has neither links nor friction all of it is fitted: what is written can exist,
+/// and it is the model that was measured and compared.
 #[test]
 fn what_is_fitted_from_a_bare_file_is_possible_and_is_what_was_measured() {
     let rms = |x: &[f64]| (x.iter().map(|x| x * x).sum::<f64>() / x.len() as f64).sqrt();
@@ -174,7 +181,7 @@ fn what_is_fitted_from_a_bare_file_is_possible_and_is_what_was_measured() {
         let simulator = Simulator::new(&truth, &hidden).unwrap();
         let (fit, validate) = (record(&simulator, "fit", 10.0, 11), [record(&simulator, "validate", 6.0, 12)]);
         let file = bare(truth);
-        let found = diagnose(&RobotPlant::new(&file), &[fit], &validate, &Settings::default(), &|_| {}).unwrap();
+        let found = diagnose(&PerturbableRobot::new(&file), &[fit], &validate, &Settings::default(), &|_| {}).unwrap();
         let text = extended(file, &found).to_yaml();
         let back = Robot::from_yaml(&text, &|f| Err(f.to_string())).unwrap_or_else(|e| panic!("{e}\n{text}")).robot;
         let [_, refitted, offered] = found.offer.left_out;
@@ -184,7 +191,7 @@ fn what_is_fitted_from_a_bare_file_is_possible_and_is_what_was_measured() {
             assert!((refitted - offered).abs() < 1e-3 * refitted, "{refitted} compared, {offered} offered");
             assert_eq!(found.refitted.validate.len(), found.extended.validate.len());
         }
-        let is = written_errors(&Predictor::new(&back).unwrap(), &validate, true);
+        let is = written_errors(&FileTorqueModel::new(&back).unwrap(), &validate, true);
         let promised = rms(&found.extended.validate);
         assert!((rms(&is) - promised).abs() < 0.01 * promised, "{is:?} {:?}", found.extended.validate);
         // The same samples as by the route of this file.
@@ -192,12 +199,13 @@ fn what_is_fitted_from_a_bare_file_is_possible_and_is_what_was_measured() {
     }
 }
 
-/// A log in which one joint moves tells little of the arm; what it does not tell stays with the file, and the model that comes out is no worse than the file on motion of
-/// all joints.
+/// A log in which one joint moves tells little of the arm; what it does not tell stays with the
+/// file, and the model that comes out is no worse than the file on motion of all joints.
 #[test]
 fn a_poor_log_ruins_nothing() {
     let mut file = robot();
-    // A file that is wrong throughout: links by a tenth or two to either side, friction of two joints.
+    // A file that is wrong throughout: links by a tenth or two to either side, friction of two
+    // joints.
     for (k, link) in file.links.iter_mut().flatten().enumerate() {
         let by = 1.0 + 0.1 * [1.0, -1.5, 2.0, -1.0, 1.5, -2.0, 1.0][k % 7];
         *link = dh_codegen::robot::Inertia::from_array(link.to_array().map(|x| by * x));
@@ -206,7 +214,7 @@ fn a_poor_log_ruins_nothing() {
         let drive = &mut file.joints[row].drive;
         drive.coulomb_friction = drive.coulomb_friction.map(|f| by * f);
     }
-    let plant = RobotPlant::new(&file);
+    let plant = PerturbableRobot::new(&file);
     let simulator = Simulator::new(&robot(), &Effects { joints: Vec::new(), robot: Vec::new() }).unwrap();
     let validate = record(&simulator, "validate", 6.0, 2);
     for moving in [1, 3] {
@@ -298,7 +306,8 @@ promises! {
     rotor: on(4, &[effect("rotor_inertia", &[("IA", 0.5)])]);
 }
 
-/// A link that swings behind its motor in a position loop, and a gap: both by name, on their joint, of their size.
+/// A link that swings behind its motor in a position loop, and a gap: both by name, on their joint,
+/// of their size.
 #[test]
 fn springs_and_gaps_have_names() {
     let rotor = || effect("rotor_inertia", &[("IA", 0.01)]);
@@ -313,7 +322,8 @@ fn springs_and_gaps_have_names() {
             played(&simulator, name, &trajectory(7, seconds, seed as f64), seed, mode)
         };
         let (fit, validate) = (run("fit", 10.0, 1), run("validate", 6.0, 2));
-        let found = diagnose(&RobotPlant::new(&robot()), &[fit], &[validate], &Settings::default(), &|_| {}).unwrap();
+        let found =
+            diagnose(&PerturbableRobot::new(&robot()), &[fit], &[validate], &Settings::default(), &|_| {}).unwrap();
         let said: Vec<(&str, &[usize], &str)> =
             found.causes.iter().map(|c| (c.cause, &c.joints[..], c.evidence.as_str())).collect();
         println!("{said:?}");
@@ -339,11 +349,12 @@ fn one_sine(phase: f64, seconds: f64) -> Trajectory {
     Trajectory::new(7, t.clone(), q, Some(dq), Some(ddq)).unwrap()
 }
 
-/// On one sine a rotor is a spring pulled the wrong way round; the motion that is designed tells them apart.
+/// On one sine a rotor is a spring pulled the wrong way round; the motion that is designed tells
+/// them apart.
 #[test]
 fn the_next_experiment_resolves_what_was_open() {
     let robot = robot();
-    let plant = RobotPlant::new(&robot);
+    let plant = PerturbableRobot::new(&robot);
     let run = |fit: &[Recording], validate: &[Recording]| {
         diagnose(&plant, fit, validate, &Settings::default(), &|_| {}).unwrap()
     };
@@ -358,7 +369,7 @@ fn the_next_experiment_resolves_what_was_open() {
         let open = run(std::slice::from_ref(&fit), std::slice::from_ref(&validate));
         println!("{name} open {:?}", said(&open));
         let begun = std::time::Instant::now();
-        let Some(next) = separate(&robot, &open, &|_| {}) else {
+        let Some(next) = discriminating_motion(&robot, &open, &|_| {}) else {
             panic!("no motion: {:?}", said(&open));
         };
         println!(

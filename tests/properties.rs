@@ -1,9 +1,11 @@
-//! Laws that hold for every arm, on random chains. They need no oracle: mechanics itself says what must come out.
+//! Laws that hold for every arm, on random chains. They need no oracle: mechanics itself says what
+//! must come out.
 //!
-//! Few cases each: a chain of eight rows takes a good part of a second to make ready at this profile's optimisation, and
-//! `tests/oracle.rs` runs over hundreds of chains anyway.
+//! Few cases each: a chain of eight rows takes a good part of a second to make ready at this
+//! profile's optimisation, and `tests/oracle.rs` runs over hundreds of chains anyway.
 
-use denavit::numeric::random::{Family, Random};
+use denavit::model::rigid_body::random::Family;
+use denavit::numerics::prng::Random;
 use dh_codegen::arm::param::{DriveTerm, Parameter, standard_values};
 use dh_codegen::arm::{Function, Model};
 use dh_codegen::interpret::{Interpreter, State};
@@ -50,7 +52,8 @@ fn moved(q: &[f64], h: f64, dq: &[f64]) -> Vec<f64> {
     q.iter().zip(dq).map(|(q, dq)| q + h * dq).collect()
 }
 
-/// Derivative at zero, by central differences of fourth order: with arms that turn at tens of rad/s the error is near 1e-8.
+/// Derivative at zero, by central differences of fourth order: with arms that turn at tens of rad/s
+/// the error is near 1e-8.
 fn slope(f: impl Fn(f64) -> Vec<f64>) -> DVector<f64> {
     let h = 3e-4;
     let difference = |h: f64| DVector::from_vec(f(h)) - DVector::from_vec(f(-h));
@@ -95,7 +98,8 @@ proptest! {
         prop_assert!(apart(&torque(&mixed), &(torque(&one) * a + torque(&two) * b)) < 1e-11);
     }
 
-    /// `d(T + U)/dt = tau' dq - friction power`. An offset acts as a potential of its own, so it is in `U`.
+    /// `d(T + U)/dt = tau' dq - friction power`. An offset acts as a potential of its own, so it is
+    /// in `U`.
     #[test]
     fn power_in_is_energy_gained_and_friction((robot, mut random) in chain()) {
         use Function::{InverseDynamics, KineticEnergyRegressor, PotentialEnergyRegressor};
@@ -122,7 +126,8 @@ proptest! {
         prop_assert!((gained - given).abs() < 1e-6 * (1.0 + given.abs() + power.abs()), "{gained} {given}");
     }
 
-    /// Every link of these chains is a real body, so nothing moves for free. And `T = dq' M dq / 2`.
+    /// Every link of these chains is a real body, so nothing moves for free. And `T = dq' M dq /
+    /// 2`.
     #[test]
     fn mass_matrix_is_symmetric_positive_definite((robot, mut random) in chain()) {
         let arm = Arm::new(&robot, &[Function::MassMatrix, Function::KineticEnergyRegressor]);
@@ -157,7 +162,8 @@ proptest! {
         prop_assert!((v.dot(&rate) - 2.0 * v.dot(&coriolis)).abs() < 1e-6 * (1.0 + v.dot(&rate).abs()));
     }
 
-    /// The Jacobian is the velocity of the last frame, and its rate the acceleration that is left at constant `dq`.
+    /// The Jacobian is the velocity of the last frame, and its rate the acceleration that is left
+    /// at constant `dq`.
     #[test]
     fn jacobian_is_the_derivative_of_the_frame((robot, mut random) in chain()) {
         use Function::{ForwardKinematics, Jacobian, JacobianDotVelocity};
@@ -181,7 +187,8 @@ proptest! {
 proptest! {
     #![proptest_config(few(12))] // two arms of up to eight joints in each
 
-    /// The same arm in both conventions: the same motion, the same torques, as many base parameters.
+    /// The same arm in both conventions: the same motion, the same torques, as many base
+    /// parameters.
     #[test]
     fn both_conventions_describe_one_arm((mut robot, mut random) in chain()) {
         use Function::{ForwardKinematics, InverseDynamics, Jacobian};
@@ -199,8 +206,8 @@ proptest! {
     }
 }
 
-/// A standard row is `RotZ TransZ` and then `TransX RotX`; in the modified convention the second half opens the next row. What the
-/// last row leaves over is a fixed row without a body of its own.
+/// A standard row is `RotZ TransZ` and then `TransX RotX`; in the modified convention the second
+/// half opens the next row. What the last row leaves over is a fixed row without a body of its own.
 fn to_modified(robot: &Robot) -> Robot {
     let mut modified = Robot { convention: Convention::Modified, ..robot.clone() };
     let mut last = robot.joints[0].clone();

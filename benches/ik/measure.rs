@@ -17,8 +17,8 @@ pub type Pose = [[f64; 4]; 3];
 /// The branch whose swivel intervals are asked for.
 const FIRST: Branch = Branch { shoulder: 1, elbow: 1, wrist: 1, root: 0, numerical: false };
 
-/// Nanoseconds of a clock cycle: of a chain of operations that wait for each other, two cycles a link. Measured beside the calls,
-/// it makes figures of different clocks comparable.
+/// Nanoseconds of a clock cycle: of a chain of operations that wait for each other, two cycles a
+/// link. Measured beside the calls, it makes figures of different clocks comparable.
 pub fn cycle() -> f64 {
     const LINKS: u32 = 200_000;
     (0..ROUNDS)
@@ -34,7 +34,8 @@ pub fn cycle() -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Clock cycles per call: the best of rounds over all poses, so that what else runs on the machine does not count.
+/// Clock cycles per call: the best of rounds over all poses, so that what else runs on the machine
+/// does not count.
 pub fn cycles<T>(poses: &[T], mut call: impl FnMut(&T)) -> f64 {
     let mut best = f64::INFINITY;
     let mut clock = cycle();

@@ -1,4 +1,5 @@
-//! `#[derive(DhRobot)]`: closed-form kinematics and dynamics of a robot from its DH table, at compile time.
+//! `#[derive(DhRobot)]`: closed-form kinematics and dynamics of a robot from its DH table, at
+//! compile time.
 //!
 //! ```ignore
 //! use dh_macro::DhRobot;
@@ -10,8 +11,9 @@
 //! let w = kuka_lwr4::base_regressor(&q, &dq, &ddq);
 //! ```
 //!
-//! Beside the struct stands a module with its name in snake case: the text that `denavit generate` writes as a crate. The path
-//! is relative to the crate's `Cargo.toml`; the crate is rebuilt when the file changes.
+//! Beside the struct stands a module with its name in snake case: the text that `denavit generate`
+//! writes as a crate. The path is relative to the crate's `Cargo.toml`; the crate is rebuilt when
+//! the file changes.
 
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};

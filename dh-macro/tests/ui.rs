@@ -4,7 +4,8 @@ use std::path::Path;
 
 #[test]
 fn mistakes_are_told_at_the_path() {
-    // trybuild compiles in a crate of its own under the target folder, where the macro then looks for robot files.
+    // trybuild compiles in a crate of its own under the target folder, where the macro then looks
+    // for robot files.
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent().unwrap();
     let robots = target.join("tests/trybuild/dh-macro/robots");
     std::fs::create_dir_all(&robots).unwrap();

@@ -4,12 +4,14 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::Failure;
+use super::files;
 use super::provenance::Provenance;
-use super::{Failure, files};
-use crate::interpreted::Interpreted;
-use crate::report::{check_json, check_text};
+use crate::model::interpreted::Interpreted;
+use crate::report;
 
-/// Read a robot file, validate it, and say what it describes: table, kinematic class, base parameters, operation counts.
+/// Read a robot file, validate it, and say what it describes: table, kinematic class, base
+/// parameters, operation counts.
 #[derive(Args)]
 #[command(
     after_help = "Example:\n  denavit check robots/kuka-lwr4.yaml\n  denavit check robots/kuka-lwr4.yaml --json -"
@@ -29,10 +31,10 @@ impl Check {
         let arm = Interpreted::with_effects(&file.robot, &[]);
         if let Some(target) = &self.json {
             let provenance = provenance.robot(&self.robot, &file);
-            files::json(target, check_json::value(&file.robot, arm.model()), &provenance)?;
+            files::json(target, report::check_json(&file.robot, arm.model()), &provenance)?;
         }
         if !files::is_stdout(&self.json) {
-            files::print(&check_text::text(&file.robot, arm.model()))?;
+            files::print(&report::check_text(&file.robot, arm.model()))?;
         }
         Ok(())
     }

@@ -7,24 +7,28 @@ use dh_codegen::arm::param::{self, Parameter};
 use dh_codegen::robot::Robot;
 use indicatif::ProgressBar;
 
+use super::Failure;
+use super::files;
 use super::logbook::{Logbook, Purpose};
+use super::motors;
 use super::prepare::{Torque, keep, torque_constants, warned};
 use super::provenance::Provenance;
-use super::{Failure, files, motors};
+use crate::data::log::Acceptance;
+use crate::data::signal::{Filter, Prepare, PrepareError, Prepared};
 use crate::diagnose::{self, Cause, Diagnosis, Recording, Separation, Settings};
 use crate::identify::implausible_links;
-use crate::log::Keep;
-use crate::plant::RobotPlant;
-use crate::predicted::Predictor;
+use crate::model::file_torque_model::FileTorqueModel;
+use crate::model::perturbable_robot::PerturbableRobot;
+use crate::report;
 use crate::report::WrittenCheck;
-use crate::signal::{Filter, Prepare, PrepareError, Prepared};
-use crate::{extend, report};
 
-/// Find what a simulation of the robot file gets wrong, name the causes, extend the model, and measure the gain on logs that were not used.
+/// Find what a simulation of the robot file gets wrong, name the causes, extend the model, and
+/// measure the gain on logs that were not used.
 ///
-/// Every effect of the vocabulary (see the robots' README) is tried on every joint against every other, all other parameters refitted with
-/// it; what is accepted must be confirmed by parts of the data that did not fit it. Torques are used as they were recorded; only
-/// positions are low-passed. Without --validate the last three tenths of each stretch are kept for the measure.
+/// Every effect of the vocabulary (see the robots' README) is tried on every joint against every
+/// other, all other parameters refitted with it; what is accepted must be confirmed by parts of the
+/// data that did not fit it. Torques are used as they were recorded; only positions are low-passed.
+/// Without --validate the last three tenths of each stretch are kept for the measure.
 #[derive(Args)]
 #[command(
     after_help = "Example:\n  denavit diagnose robots/kuka-lwr4.yaml run1.csv --validate run2.csv \\\n      --out extended.yaml --report diagnosis.html"
@@ -35,14 +39,17 @@ pub(super) struct Diagnose {
     /// Logs to look for causes in.
     #[arg(required = true, value_name = "LOG")]
     logs: Vec<PathBuf>,
-    /// Logs to measure the gain on; they are not used otherwise. One that holds samples of another log is refused.
+    /// Logs to measure the gain on; they are not used otherwise. One that holds samples of another
+    /// log is refused.
     #[arg(long, num_args = 1.., value_name = "LOG")]
     validate: Vec<PathBuf>,
-    /// Robot file to write: the one that was read, with the effects in it and what made them under `provenance`.
+    /// Robot file to write: the one that was read, with the effects in it and what made them under
+    /// `provenance`.
     #[arg(long, value_name = "ROBOT2")]
     out: Option<PathBuf>,
-    /// Where the next experiment goes: where two causes can't be told apart, the motion (CSV, as `excite` writes it) on which they would differ
-    /// most. Default: beside --out, with the ending `.next.csv`.
+    /// Where the next experiment goes: where two causes can't be told apart, the motion (CSV, as
+    /// `excite` writes it) on which they would differ most. Default: beside --out, with the ending
+    /// `.next.csv`.
     #[arg(long, value_name = "CSV")]
     next: Option<PathBuf>,
     /// Write the result as JSON; `-` for standard output.
@@ -57,11 +64,11 @@ pub(super) struct Diagnose {
     /// Windows per second over which torques are averaged to tell causes apart.
     #[arg(long, default_value_t = 100.0)]
     rate: f64,
-    /// Which torque: `tau` (of a log that has currents alone: `current`), `taum` (motor side), or `current` (motor current times the robot file's
-    /// `torque_constant`).
+    /// Which torque: `tau` (of a log that has currents alone: `current`), `taum` (motor side), or
+    /// `current` (motor current times the robot file's `torque_constant`).
     #[arg(long, value_enum, default_value_t = Torque::Tau)]
     torque: Torque,
-    /// Keep what is normally refused, as `identify` does.
+    /// Acceptance what is normally refused, as `identify` does.
     #[arg(long, value_delimiter = ',', value_name = "WHAT")]
     keep: Vec<String>,
 }
@@ -107,7 +114,7 @@ impl Diagnose {
             &[("--out", &self.out), ("--next", &self.next_path()), ("--json", &self.json), ("--report", &self.report)],
             file.read.iter().chain(&self.logs).chain(&self.validate),
         )?;
-        let plant = RobotPlant::new(&file.robot);
+        let plant = PerturbableRobot::new(&file.robot);
         let constants = torque_constants(&file.robot);
         let mut reading = Reading { provenance: provenance.robot(&self.robot, &file), ..Reading::default() };
         let mut read = |purpose: Purpose, paths: &[PathBuf]| -> Result<Vec<Recording>, Failure> {
@@ -122,7 +129,7 @@ impl Diagnose {
         let found = diagnose::diagnose(&plant, &fit, &validate, &settings, &|what| bar.set_message(what.to_string()))
             .map_err(Failure::input)?;
         let next = self.next_path().and_then(|path| {
-            let next = diagnose::separate(&file.robot, &found, &|what| bar.set_message(what.to_string()))?;
+            let next = diagnose::discriminating_motion(&file.robot, &found, &|what| bar.set_message(what.to_string()))?;
             Some((next, path))
         });
         bar.finish_and_clear();
@@ -131,7 +138,8 @@ impl Diagnose {
         self.deliver(&found, written, next.as_ref(), &prepared, &provenance)
     }
 
-    /// The robot file with what was found in it, read back and measured by its own inverse dynamics.
+    /// The robot file with what was found in it, read back and measured by its own inverse
+    /// dynamics.
     fn extended_file(
         &self,
         path: &Path,
@@ -142,7 +150,7 @@ impl Diagnose {
     ) -> Result<Extended, Failure> {
         let refused = |why: String| Failure::other(format!("{} is not written: {why}", path.display()));
         let (shown, before) = (path.display().to_string(), impossible(&file.robot));
-        let robot = extend::extended(file.robot.clone(), found);
+        let robot = diagnose::extended(file.robot.clone(), found);
         let sentence = |c: &Cause| format!("{} (probability {:.2}): {}", c.cause, c.probability, c.evidence);
         let causes: Vec<String> = found.causes.iter().filter(|c| c.cause != "unknown").map(sentence).collect();
         let text = file.rewritten(&robot, path, &provenance.run(causes.clone()));
@@ -155,7 +163,7 @@ impl Diagnose {
                 "with what was found link {link} would be no possible body; give longer logs with more motion of it, or a file with links"
             )));
         }
-        let model = Predictor::new(&back).ok();
+        let model = FileTorqueModel::new(&back).ok();
         let rms = model.map(|model| diagnose::written_errors(&model, measured, found.own_validation));
         let check = WrittenCheck { rms, offered: found.extended.validate.clone() };
         let differs = check.refusal(&shown);
@@ -222,7 +230,7 @@ impl Diagnose {
         purpose: Purpose,
         path: &Path,
         constants: &[Option<f64>],
-        keep: Keep,
+        keep: Acceptance,
         reading: &mut Reading,
     ) -> Result<Recording, Failure> {
         let mut cutoff = self.cutoff;

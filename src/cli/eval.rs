@@ -6,23 +6,27 @@ use clap::{Args, ValueEnum};
 use dh_codegen::arm::{Argument, Function, param};
 use dh_codegen::robot::Robot;
 
+use super::Failure;
+use super::files;
 use super::provenance::Provenance;
 use super::table::Table;
-use super::{Failure, files};
-use crate::arm::{Arm, Predicted, States};
-use crate::interpreted::Interpreted;
-use crate::predicted::Predictor;
-use crate::report::eval_json;
+use crate::model::file_torque_model::FileTorqueModel;
+use crate::model::interpreted::Interpreted;
+use crate::model::{Arm, States, TorqueModel};
+use crate::report;
 
 /// Evaluate a quantity of the robot at each row of a CSV file.
 ///
-/// The states have columns `q1.., dq1.., ddq1..` (and `tau1..` for forward_dynamics); those that the quantity does not need may be
-/// left out. Joints count from 1 and leave out fixed rows. Torques include the friction and the tool of the robot file.
+/// The states have columns `q1.., dq1.., ddq1..` (and `tau1..` for forward_dynamics); those that
+/// the quantity does not need may be left out. Joints count from 1 and leave out fixed rows.
+/// Torques include the friction and the tool of the robot file.
 ///
-/// Effects of the file (`drive`, `effects`) are in everything: the arm's geometry and bodies are the true ones, and inverse_dynamics is what
-/// the torque sensors say, bit for bit like the generated code. Without a column `t` each row stands for itself: friction with memory has
-/// slipped, gears are warm, nothing is late. With a column `t` (s) the rows are a recording: bristles bend, gears warm (`temp1..` is read
-/// where it is there), and torques are late by time_delay.
+/// Effects of the file (`drive`, `effects`) are in everything: the arm's geometry and bodies are
+/// the true ones, and inverse_dynamics is what the torque sensors say, bit for bit like the
+/// generated code. Without a column `t` each row stands for itself: friction with memory has
+/// slipped, gears are warm, nothing is late. With a column `t` (s) the rows are a recording:
+/// bristles bend, gears warm (`temp1..` is read where it is there), and torques are late by
+/// time_delay.
 #[derive(Args)]
 #[command(
     after_help = "Example:\n  denavit eval robots/kuka-lwr4.yaml --quantity jacobian --states states.csv --json -"
@@ -117,14 +121,14 @@ impl Eval {
             arm.evaluate(function, &states, &tau, &standard)
         };
         let shape = arm.shape(function);
-        let value = eval_json::value(function.name(), &arm, &shape, values);
+        let value = report::eval_json(function.name(), &arm, &shape, values);
         files::json(&self.json, value, &provenance.robot(&self.robot, &file))
     }
 }
 
 /// Torques at the sensors along the motion of a log: drives remember and torques are late.
 fn along(robot: &Robot, table: &Table, states: &States) -> Result<Vec<Vec<f64>>, Failure> {
-    let predictor = Predictor::new(robot).map_err(Failure::input)?;
+    let predictor = FileTorqueModel::new(robot).map_err(Failure::input)?;
     let (n, len) = (predictor.dof(), states.len);
     let temperature = if table.count("temp") >= n { table.joints("temp", n)? } else { Vec::new() };
     let mut out = vec![0.0; n * len];

@@ -1,4 +1,5 @@
-//! `denavit excite`: a motion that tells the most about the parameters, inside every limit; or a check of one.
+//! `denavit excite`: a motion that tells the most about the parameters, inside every limit; or a
+//! check of one.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -8,23 +9,29 @@ use std::time::{Duration, Instant};
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::Failure;
+use super::files;
+use super::interrupt;
+use super::motors;
 use super::provenance::Provenance;
-use super::{Failure, files, interrupt, motors, terminal};
-use crate::arm::{Arm, States};
-use crate::differentiated::Differentiated;
+use super::terminal;
 use crate::excite::check::check;
 use crate::excite::{
     Criterion, Curve, Design, Effort, Expected, FrictionCoverage, Progress, Task, Watch, design, expected, known_from,
     known_values, nominal, shortest,
 };
+use crate::model::differentiated::Differentiated;
+use crate::model::{Arm, States};
 use crate::report;
 use dh_codegen::robot::Robot;
 
-/// Design the motion from which the parameters are identified best, inside every limit of the robot file.
+/// Design the motion from which the parameters are identified best, inside every limit of the robot
+/// file.
 ///
-/// Joints move along clamped quintic splines with a way point every second, from rest to rest. Limits of position, velocity and
-/// acceleration hold between the samples too; torque (from the file's links), ground, spheres and boxes (`collision`) are checked at 500 Hz.
-/// The same robot, options and seed give the same motion.
+/// Joints move along clamped quintic splines with a way point every second, from rest to rest.
+/// Limits of position, velocity and acceleration hold between the samples too; torque (from the
+/// file's links), ground, spheres and boxes (`collision`) are checked at 500 Hz. The same robot,
+/// options and seed give the same motion.
 #[derive(Args)]
 #[command(
     after_help = "Example:\n  denavit excite robots/kuka-lwr4.yaml --duration 10 --criterion logdet --out motion.csv --report motion.html\n\nCtrl-C stops early and writes the best feasible motion so far."
@@ -32,13 +39,15 @@ use dh_codegen::robot::Robot;
 pub(super) struct Excite {
     /// Robot file.
     robot: PathBuf,
-    /// Check this motion instead of designing one: CSV with t, q.. and, if there, dq.., ddq... Exit status 1 where a limit is broken.
+    /// Check this motion instead of designing one: CSV with t, q.. and, if there, dq.., ddq... Exit
+    /// status 1 where a limit is broken.
     #[arg(long, value_name = "CSV", conflicts_with_all = ["out", "criterion", "duration", "report", "coefficients", "ros"])]
     check: Option<PathBuf>,
     /// Length of the motion, s (of one period with --fourier).
     #[arg(long, default_value_t = 10.0, value_name = "SECONDS", allow_negative_numbers = true)]
     duration: f64,
-    /// What is minimised: condition number, -log det, Hadamard's bound (the paper's equation 9), sum of variances, largest variance.
+    /// What is minimised: condition number, -log det, Hadamard's bound (the paper's equation 9),
+    /// sum of variances, largest variance.
     #[arg(long, value_enum, default_value_t = Which::Logdet)]
     criterion: Which,
     /// Motion to write: CSV with t, q.., dq.., ddq...
@@ -92,14 +101,16 @@ pub(super) struct Excite {
     /// Tell richer friction laws too: low and high speeds in both directions.
     #[arg(long)]
     friction: bool,
-    /// Standard deviation of the torque noise per joint, N m, that the low-pass leaves (`identify` tells it); one number for all, or one per
-    /// joint. Weighs the joints; default: all the same, and for what is expected half a percent of the torque limit.
+    /// Standard deviation of the torque noise per joint, N m, that the low-pass leaves (`identify`
+    /// tells it); one number for all, or one per joint. Weighs the joints; default: all the same,
+    /// and for what is expected half a percent of the torque limit.
     #[arg(long, value_delimiter = ',', value_name = "NM")]
     noise: Vec<f64>,
     /// The given --noise is that of the sensors, white, in logs of so many samples per second.
     #[arg(long, value_name = "HZ", requires = "noise")]
     log_rate: Option<f64>,
-    /// Cut-off of the low-pass that logs will go through, Hz: noise has at most two independent values per period of it.
+    /// Cut-off of the low-pass that logs will go through, Hz: noise has at most two independent
+    /// values per period of it.
     #[arg(long, default_value_t = 10.0, value_name = "HZ")]
     cutoff: f64,
     /// Motions that were played before (CSV): this one complements them.
@@ -108,7 +119,8 @@ pub(super) struct Excite {
     /// The file's parameters are known to this share of themselves, percent.
     #[arg(long, value_name = "PERCENT")]
     known_std: Option<f64>,
-    /// Find the shortest motion, of at most --duration, after which every essential parameter is known to this share of itself, percent.
+    /// Find the shortest motion, of at most --duration, after which every essential parameter is
+    /// known to this share of itself, percent.
     #[arg(long, value_name = "PERCENT", conflicts_with = "fourier")]
     target_std: Option<f64>,
     /// Time in which a joint without `acceleration` limit may reach its speed, s.
@@ -333,8 +345,9 @@ impl Excite {
         Ok(())
     }
 
-    /// Independent noise of the criterion's samples that tells as much. Noise of successive samples is alike after a low-pass: as if it were
-    /// larger and independent. Of white noise, more samples per second leave less.
+    /// Independent noise of the criterion's samples that tells as much. Noise of successive samples
+    /// is alike after a low-pass: as if it were larger and independent. Of white noise, more
+    /// samples per second leave less.
     fn per_sample(&self, noise: Vec<f64>) -> Vec<f64> {
         let independent = self.log_rate.unwrap_or((2.0 * self.cutoff).min(CRITERION_RATE));
         noise.into_iter().map(|s| s * (CRITERION_RATE / independent).sqrt()).collect()

@@ -9,10 +9,11 @@ use dh_codegen::robot::{Robot, Run};
 use serde::Serialize;
 use serde_json::Value;
 
+use super::Failure;
 use super::output::{self, Output, unwritable};
 use super::provenance::Provenance;
+use super::terminal;
 use super::terminal::is_control;
-use super::{Failure, terminal};
 
 pub(super) use super::output::check_outputs;
 pub(super) use super::terminal::print;
@@ -96,7 +97,8 @@ pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     stream(path, |output| output.write_all(bytes))
 }
 
-/// Makes `root`, and the folders in it that the file `inside` needs; what `root` stands in must be there.
+/// Makes `root`, and the folders in it that the file `inside` needs; what `root` stands in must be
+/// there.
 pub(super) fn create_folder(root: &Path, inside: &Path) -> Result<(), Failure> {
     let folders = inside.parent().into_iter().flat_map(Path::ancestors).filter(|f| !f.as_os_str().is_empty());
     let mut all: Vec<PathBuf> = folders.map(|folder| root.join(folder)).collect();
@@ -141,7 +143,8 @@ pub(super) fn json(target: &Path, mut value: Value, provenance: &Provenance) -> 
     fill(&mut out).and_then(|()| out.flush()).map_err(|e| unwritable("standard output", &e))
 }
 
-/// JSON without control characters, as it may end on a terminal: JSON itself lets those above U+007E stand.
+/// JSON without control characters, as it may end on a terminal: JSON itself lets those above
+/// U+007E stand.
 struct Visible;
 
 impl serde_json::ser::Formatter for Visible {

@@ -6,26 +6,31 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use dh_codegen::arm::param;
 
+use super::Failure;
+use super::files;
 use super::logbook::{Logbook, Purpose};
+use super::motors;
 use super::prepare::{Preparation, pass, warned};
 use super::provenance::Provenance;
-use super::{Failure, files, motors};
-use crate::arm::Arm;
-use crate::force::{
+use crate::control::estimate::{
     self, Bias, BiasPass, COMPONENTS, Effected, Known, Linear, MOST_JOINTS, Method, NoisePass, NoiseSource, Run,
     Series, Torques, Uncertainty,
 };
-use crate::interpreted::Interpreted;
-use crate::predicted::Predictor;
+use crate::data::signal::Prepare;
+use crate::model::Arm;
+use crate::model::file_torque_model::FileTorqueModel;
+use crate::model::interpreted::Interpreted;
 use crate::report;
-use crate::signal::Prepare;
 
-/// Estimate the wrench on the tool from a log's torques and the identified model, with a 95 % band for each component at each instant.
+/// Estimate the wrench on the tool from a log's torques and the identified model, with a 95 % band
+/// for each component at each instant.
 ///
-/// The wrench is that of the surroundings on the tool, about the origin of the tool's frame, in its axes (as a log's columns fx fy fz mx my mz, with
-/// which it is compared where they are there). Effects of the robot file are in the model. The band needs what is known of the model's errors:
-/// `--identified` takes the JSON of `denavit identify` (use the same low-pass); without it the noise comes from what the model leaves where nothing
-/// touches; without that, from the torque's own noise, and then the model's errors are in no band.
+/// The wrench is that of the surroundings on the tool, about the origin of the tool's frame, in its
+/// axes (as a log's columns fx fy fz mx my mz, with which it is compared where they are there).
+/// Effects of the robot file are in the model. The band needs what is known of the model's errors:
+/// `--identified` takes the JSON of `denavit identify` (use the same low-pass); without it the
+/// noise comes from what the model leaves where nothing touches; without that, from the torque's
+/// own noise, and then the model's errors are in no band.
 #[derive(Args)]
 #[command(
     after_help = "Example:\n  denavit identify robot.yaml fit.csv --out identified.yaml --json identified.json\n  denavit force identified.yaml push.csv --identified identified.json --free 0:2 --bias \\\n      --out wrench.csv --report wrench.html\n  denavit force identified.yaml free.csv --identified identified.json --against nothing\n\nOut:\n  the text and the JSON have figures for each log and component (root mean squares, mean half-width of the band, comparison, phantom force,\n  consistency with the uncertainty); the wrench itself, sample by sample, is in the CSV of --out: t (s), fx fy fz (N), mx my mz (N m),\n  fx_half .. mz_half (half-widths of the 95 % bands; empty: the joints don't tell the component), touching (0 or 1), surprise (a normal deviate:\n  under 3 it is nothing, else something touches or the model is wrong), dexterity (m/rad: near 0 at a singularity), seg, undecided (1: static friction or\n  contact can't be told apart). `meaning` in the JSON says what its names mean."
@@ -42,7 +47,8 @@ pub(super) struct Force {
     /// How to estimate.
     #[arg(long, value_enum, default_value_t = Estimator::Residual)]
     estimator: Estimator,
-    /// What `denavit identify --json` wrote for this robot: standard deviations and correlations of the parameters, noise of the torques.
+    /// What `denavit identify --json` wrote for this robot: standard deviations and correlations of
+    /// the parameters, noise of the torques.
     #[arg(long, value_name = "JSON")]
     identified: Option<PathBuf>,
     /// Nothing touches from one time to the other, s, in every log; may stand more than once.
@@ -51,13 +57,16 @@ pub(super) struct Force {
     /// Take off the mean of what the model leaves in the `--free` stretches.
     #[arg(long, requires = "free")]
     bias: bool,
-    /// Gain of the momentum observer, 1/s: one over the time constant of its low-pass. Default: 62.8.
+    /// Gain of the momentum observer, 1/s: one over the time constant of its low-pass. Default:
+    /// 62.8.
     #[arg(long, value_name = "GAIN")]
     gain: Option<f64>,
-    /// Standard deviations by which force and moment wander in a second at most, N,N m: the largest pace of the Kalman filter. Default: 20,2.
+    /// Standard deviations by which force and moment wander in a second at most, N,N m: the largest
+    /// pace of the Kalman filter. Default: 20,2.
     #[arg(long, value_name = "N,NM", value_parser = pair)]
     wander: Option<[f64; 2]>,
-    /// Write t, the wrench, the half-widths of its 95 % band (empty where the joints don't tell a component), and whether something touches.
+    /// Write t, the wrench, the half-widths of its 95 % band (empty where the joints don't tell a
+    /// component), and whether something touches.
     #[arg(long, value_name = "CSV")]
     out: Option<PathBuf>,
     /// Write the result as JSON; `-` for standard output.
@@ -80,7 +89,8 @@ enum Against {
 
 #[derive(Clone, Copy, ValueEnum)]
 enum Estimator {
-    /// Inverse dynamics and the weighted pseudo-inverse of J' (the paper's equation 14, weighted by each instant's uncertainty).
+    /// Inverse dynamics and the weighted pseudo-inverse of J' (the paper's equation 14, weighted by
+    /// each instant's uncertainty).
     Residual,
     /// The same with all joints alike, as in the paper.
     Plain,
@@ -137,7 +147,7 @@ impl Force {
         })?;
         let arm = Interpreted::new(&real, &Interpreted::BODIES);
         if arm.dof() == 0 || arm.dof() > MOST_JOINTS {
-            return Err(Failure::input(format!("{}: {}", self.robot.display(), force::TooManyJoints(arm.dof()))));
+            return Err(Failure::input(format!("{}: {}", self.robot.display(), estimate::TooManyJoints(arm.dof()))));
         }
         let beta: Vec<f64> =
             arm.base_parameters().iter().map(|b| b.coefficients.iter().map(|&(i, k)| k * standard[i]).sum()).collect();
@@ -145,14 +155,14 @@ impl Force {
         let predictor = file
             .robot
             .has_effects()
-            .then(|| Predictor::new(&file.robot))
+            .then(|| FileTorqueModel::new(&file.robot))
             .transpose()
             .map_err(|e| Failure::input(format!("{}: {e}", self.robot.display())))?;
         let effected = predictor.as_ref().map(|p| Effected(p));
         let torques: &dyn Torques = effected.as_ref().map_or(&linear, |e| e);
         let prepare = self.preparation.prepare(&file.robot)?;
         let prepare = Prepare { raw_torque: true, margins: true, wrench: true, temperature: true, ..prepare };
-        let mut settings = force::Settings { filter: prepare.filter, ..force::Settings::default() };
+        let mut settings = estimate::Settings { filter: prepare.filter, ..estimate::Settings::default() };
         settings.gain = self.gain.unwrap_or(settings.gain);
         settings.method = match self.estimator {
             Estimator::Residual => Method::Residual,
@@ -161,7 +171,7 @@ impl Force {
             Estimator::Kalman => Method::Kalman,
         };
         if let Some([force, moment]) = self.wander {
-            settings.wander = force::Scale { force, moment };
+            settings.wander = estimate::Scale { force, moment };
         }
         settings.free.clone_from(&self.free);
         settings.nothing_touches = self.against == Some(Against::Nothing);
@@ -248,7 +258,7 @@ impl Force {
     fn deliver(
         &self,
         outcome: &report::Forces<'_>,
-        prepared: &[crate::signal::Prepared],
+        prepared: &[crate::data::signal::Prepared],
         provenance: &Provenance,
     ) -> Result<(), Failure> {
         if let (Some(path), [series]) = (&self.out, outcome.found) {

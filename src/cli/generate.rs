@@ -7,8 +7,9 @@ use std::{fs, io};
 use clap::Args;
 use dh_codegen::arm::Function;
 
+use super::Failure;
+use super::files;
 use super::provenance::Provenance;
-use super::{Failure, files};
 
 const MANIFEST: &str = "Cargo.toml";
 const ROOT: &str = "src/lib.rs";
@@ -17,7 +18,8 @@ const UNFINISHED: &str = "compile_error!(\"`denavit generate` was interrupted he
 
 /// Write the drop-in crate with the robot's closed-form functions.
 ///
-/// The crate is a folder of its own: no_std, no allocation, no dependency. The same file always gives the same bytes.
+/// The crate is a folder of its own: no_std, no allocation, no dependency. The same file always
+/// gives the same bytes.
 #[derive(Args)]
 #[command(
     after_help = "Example:\n  denavit generate robots/kuka-lwr4.yaml --out generated/kuka-lwr4\n  denavit generate robots/kuka-lwr4.yaml --out generated/kuka-lwr4 --check\n  denavit generate robots/ur10e.yaml --out ur10e --adjoints"
@@ -25,10 +27,12 @@ const UNFINISHED: &str = "compile_error!(\"`denavit generate` was interrupted he
 pub(super) struct Generate {
     /// Robot file.
     robot: PathBuf,
-    /// Folder of the crate: one that is not there yet, is empty, or holds a crate of this command. Only files of the crate are written.
+    /// Folder of the crate: one that is not there yet, is empty, or holds a crate of this command.
+    /// Only files of the crate are written.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
-    /// Derivatives too: of the regressors, the torques and the frames, as products with the transposed Jacobian (`base_regressor_adjoint` and so on).
+    /// Derivatives too: of the regressors, the torques and the frames, as products with the
+    /// transposed Jacobian (`base_regressor_adjoint` and so on).
     #[arg(long)]
     adjoints: bool,
     /// Write nothing; exit with 1 where the crate in DIR is not what would be written.
@@ -133,8 +137,8 @@ fn create(out: &Path, crate_files: &BTreeMap<String, String>) -> Result<(), Fail
     })
 }
 
-/// Replaces what is stale. Until all is written the root of the crate is an error that says so: files of two robots are never compiled
-/// together.
+/// Replaces what is stale. Until all is written the root of the crate is an error that says so:
+/// files of two robots are never compiled together.
 fn update(out: &Path, crate_files: &BTreeMap<String, String>, stale: &[&str]) -> Result<(), Failure> {
     let whole = |path: &str| write(out, path, &crate_files[path]);
     if stale.contains(&MANIFEST) {

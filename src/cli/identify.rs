@@ -6,31 +6,38 @@ use clap::{Args, ValueEnum};
 use dh_codegen::arm::param::{self, Parameter};
 use dh_codegen::robot::Robot;
 
+use super::Failure;
+use super::files;
 use super::logbook::{Logbook, Purpose};
+use super::motors;
 use super::prepare::{Preparation, against_limits, pass, warned};
 use super::provenance::Provenance;
-use super::{Failure, files, motors};
-use crate::arm::{Arm, Reach};
-use crate::coupled::Coupled;
+use crate::data::signal::{Derivatives, Prepare};
+use crate::identify::tool::Body;
 use crate::identify::{
-    Better, Bounds, Consistent, ConsistentError, ConsistentSettings, Essential, Factors, Identification, IdentifyError,
-    IdentifySettings, LeftOutError, Preference, PriorBody, Stack, StackSettings, Trace, Tracer, carry_over, consistent,
-    geometric_bodies, left_out, nonnegative_drives, possible_bodies, prior_bodies, recover_standard, solve,
+    AccumulatorSettings, Better, Bounds, Consistent, ConsistentError, ConsistentSettings, Essential, Factors,
+    Identification, IdentifyError, IdentifySettings, LeftOutError, Preference, PriorBody, QrAccumulator, Trace, Tracer,
+    carry_over, consistent, geometric_bodies, left_out, nonnegative_drives, possible_bodies, prior_bodies,
+    recover_standard, solve,
 };
-use crate::interpreted::Interpreted;
-use crate::signal::{Derivatives, Prepare};
-use crate::tool::Body;
-use crate::{extend, report};
+use crate::model::coupled::Coupled;
+use crate::model::interpreted::Interpreted;
+use crate::model::robot_edit;
+use crate::model::{Arm, LinkExtents};
+use crate::report;
 
-/// Identify the base parameters from logs, validate them on others, and write the robot file with the values in place.
+/// Identify the base parameters from logs, validate them on others, and write the robot file with
+/// the values in place.
 ///
-/// Logs are CSV, .csv.gz or Parquet with columns `t, q1.., tau1..` (and more, see the robot's README). They are low-passed forward
-/// and backward, positions are differentiated by central differences, and the base regressor is fitted by least squares with each
-/// joint weighted by its own noise. Drive parameters are identified where the robot file's `drive` has them (a value of 0 will do);
-/// a `gear_coupling` there brings its `IAM`, `FVM` and `FCM` along.
+/// Logs are CSV, .csv.gz or Parquet with columns `t, q1.., tau1..` (and more, see the robot's
+/// README). They are low-passed forward and backward, positions are differentiated by central
+/// differences, and the base regressor is fitted by least squares with each joint weighted by its
+/// own noise. Drive parameters are identified where the robot file's `drive` has them (a value of 0
+/// will do); a `gear_coupling` there brings its `IAM`, `FVM` and `FCM` along.
 ///
-/// The robot file that is written has links that could be built (positive mass, possible tensor) and nearly the same torques; what that costs
-/// is printed. What torques don't show comes from the links of the robot file (`--prior cad`) or from the arm's geometry.
+/// The robot file that is written has links that could be built (positive mass, possible tensor)
+/// and nearly the same torques; what that costs is printed. What torques don't show comes from the
+/// links of the robot file (`--prior cad`) or from the arm's geometry.
 #[derive(Args)]
 #[command(
     after_help = "Example:\n  denavit identify robots/kuka-iiwa14.yaml run1.csv run2.csv --validate run3.csv \\\n      --out identified.yaml --report identified.html"
@@ -41,10 +48,12 @@ pub(super) struct Identify {
     /// Logs to fit.
     #[arg(required = true, value_name = "LOG")]
     logs: Vec<PathBuf>,
-    /// Logs to validate on; they are not used to fit. One that holds samples of another log is refused.
+    /// Logs to validate on; they are not used to fit. One that holds samples of another log is
+    /// refused.
     #[arg(long, num_args = 1.., value_name = "LOG")]
     validate: Vec<PathBuf>,
-    /// Robot file to write: the one that was read, with the identified values in place and what made them under `provenance`.
+    /// Robot file to write: the one that was read, with the identified values in place and what
+    /// made them under `provenance`.
     #[arg(long, value_name = "ROBOT2")]
     out: Option<PathBuf>,
     /// Write the result as JSON; `-` for standard output.
@@ -81,11 +90,12 @@ pub(super) struct Identify {
     /// Mass of all links together, without the tool, kg.
     #[arg(long, value_name = "KG")]
     mass_total: Option<f64>,
-    /// CSV with columns `link,what,low,high`: bounds on the mass (`M`, kg) or the centre of mass (`X`, `Y`, `Z`, m, in the link's frame)
-    /// of a link.
+    /// CSV with columns `link,what,low,high`: bounds on the mass (`M`, kg) or the centre of mass
+    /// (`X`, `Y`, `Z`, m, in the link's frame) of a link.
     #[arg(long, value_name = "CSV")]
     bounds: Option<PathBuf>,
-    /// By how much possible bodies may raise the weighted residual, beyond noise, before the data contradict physics, percent.
+    /// By how much possible bodies may raise the weighted residual, beyond noise, before the data
+    /// contradict physics, percent.
     #[arg(long, default_value_t = 25.0, value_name = "PERCENT")]
     most_cost: f64,
     #[command(flatten)]
@@ -104,7 +114,8 @@ enum Source {
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Consistency {
-    /// Possible bodies; where the data do not allow them the plain values are shown, and no robot file is written.
+    /// Possible bodies; where the data do not allow them the plain values are shown, and no robot
+    /// file is written.
     Auto,
     /// Possible bodies, or an error.
     Require,
@@ -134,16 +145,16 @@ impl Identify {
         )?;
         let mut prepare = self.prepare(&file.robot)?;
         let bodies = Interpreted::new(&file.robot, &[]);
-        let couplings = extend::couplings(&file.robot);
+        let couplings = robot_edit::couplings(&file.robot);
         prepare.sums = couplings.iter().map(|(coupling, _)| coupling.velocity()).collect();
         let given: Vec<f64> = couplings.iter().flat_map(|(_, values)| *values).collect();
         let arm = Coupled::new(&bodies, couplings.into_iter().map(|(coupling, _)| coupling).collect());
         let prior = param::standard_values(&file.robot).map(|values| [values, given].concat());
 
-        let settings = StackSettings::default();
+        let settings = AccumulatorSettings::default();
         let (mut prepared, mut logbook) = (Vec::new(), Logbook::default());
         let mut factor = |purpose: Purpose, path: &PathBuf| -> Result<Factors, Failure> {
-            let mut stack = Stack::new(&path.display().to_string(), &arm, settings);
+            let mut stack = QrAccumulator::new(&path.display().to_string(), &arm, settings);
             let log = logbook.pass(purpose, path, arm.dof(), &prepare, |motion| stack.absorb(motion))?;
             prepared.push(warned(path, log));
             Ok(stack.finish())
@@ -172,7 +183,8 @@ impl Identify {
         if let (Consistency::Require, Some(Err(error))) = (self.consistent, &possible) {
             return Err(Failure::other(format!("no possible bodies: {error}")));
         }
-        // Where the plain solution is possible itself, the file has bodies with exactly its base parameters.
+        // Where the plain solution is possible itself, the file has bodies with exactly its base
+        // parameters.
         let exact = match (self.consistent, &possible) {
             (Consistency::Auto, Some(Ok(_))) if self.prior_weight == 1.0 && !underdetermined => {
                 let (prior, settings) = (self.prior_of(&file.robot, &bodies), self.settings(&file.robot)?);
@@ -191,7 +203,8 @@ impl Identify {
         let complete =
             file.robot.links.len() == file.robot.joints.len() && file.robot.links.iter().all(Option::is_some);
         let near = self.prior == PriorFrom::Cad && complete && matches!(possible, Some(Ok(_)));
-        // Impossible bodies are written where the user asks for torques alone, and where these predict the torque of some joint.
+        // Impossible bodies are written where the user asks for torques alone, and where these
+        // predict the torque of some joint.
         let refused = matches!(possible, Some(Err(_)));
         let nothing = refused || (possible.is_none() && !underdetermined && carry.says_nothing(&found));
         let out = self.out.as_ref().filter(|_| !nothing && (!underdetermined || near));
@@ -227,7 +240,7 @@ impl Identify {
         }
         if let Some(path) = out {
             let (own, coupled) = standard.split_at(bodies.standard_names().len());
-            let robot = extend::with_couplings(extend::with_values(file.robot.clone(), own), coupled);
+            let robot = robot_edit::with_couplings(robot_edit::with_values(file.robot.clone(), own), coupled);
             files::write(path, file.rewritten(&robot, path, &provenance.run(Vec::new())).as_bytes())?;
         }
         if let Some(target) = &self.json {
@@ -272,7 +285,7 @@ impl Identify {
         &self,
         robot: &Robot,
         arm: &Coupled<'_>,
-        reach: &dyn Reach,
+        reach: &dyn LinkExtents,
         fit: &[Factors],
         validate: &[Factors],
         found: &Identification,
@@ -290,13 +303,14 @@ impl Identify {
         }
     }
 
-    /// Where the validating logs prefer the plain solution: what the fitted logs say to that, a part of them left out at a time.
+    /// Where the validating logs prefer the plain solution: what the fitted logs say to that, a
+    /// part of them left out at a time.
     #[allow(clippy::too_many_arguments)]
     fn left_out(
         &self,
         robot: &Robot,
         arm: &Coupled<'_>,
-        reach: &dyn Reach,
+        reach: &dyn LinkExtents,
         fit: &[Factors],
         found: &Identification,
         bodies: &Consistent,
@@ -313,15 +327,15 @@ impl Identify {
         Ok(ConsistentSettings {
             prior_weight: self.prior_weight,
             bounds: self.bounds(robot)?,
-            carried: extend::carried(robot),
+            carried: robot_edit::carried(robot),
             most_cost_percent: self.most_cost,
             ..ConsistentSettings::default()
         })
     }
 
-    fn prior_of(&self, robot: &Robot, arm: &dyn Reach) -> Vec<PriorBody> {
+    fn prior_of(&self, robot: &Robot, arm: &dyn LinkExtents) -> Vec<PriorBody> {
         match self.prior {
-            PriorFrom::Cad => extend::prior(robot, arm),
+            PriorFrom::Cad => robot_edit::prior(robot, arm),
             PriorFrom::None => prior_bodies(&[], &geometric_bodies(&arm.ends())),
         }
     }
@@ -382,7 +396,8 @@ fn unsolved(error: IdentifyError) -> Failure {
     }
 }
 
-/// Effects of the robot file that the fit and the figures of the untouched file leave out; those of `gear_coupling` are fitted.
+/// Effects of the robot file that the fit and the figures of the untouched file leave out; those of
+/// `gear_coupling` are fitted.
 fn not_used(robot: &Robot) -> Option<String> {
     let own = (1..).zip(&robot.joints).flat_map(|(row, joint)| joint.drive.effects.iter().map(move |e| (Some(row), e)));
     let all = own.chain(robot.effects.iter().map(|e| (None, e)));
@@ -401,7 +416,7 @@ fn not_used(robot: &Robot) -> Option<String> {
 
 /// Standard parameters as bodies, without the tool.
 fn links(robot: &Robot, standard: Option<&[f64]>) -> Vec<Option<Body>> {
-    let tool = extend::carried(robot);
+    let tool = robot_edit::carried(robot);
     let body = |link: usize| {
         let mut ten: [f64; 10] = standard?.get(10 * link..10 * link + 10)?.try_into().ok()?;
         for (_, carried) in tool.iter().filter(|(at, _)| *at == link) {
@@ -418,6 +433,6 @@ fn drives(robot: &Robot) -> Vec<f64> {
         Parameter::Drive(row, term) => param::drive_value(robot, row, term).unwrap_or(0.0),
         Parameter::Link(..) => 0.0,
     };
-    let coupled = extend::couplings(robot).into_iter().flat_map(|(_, values)| values);
+    let coupled = robot_edit::couplings(robot).into_iter().flat_map(|(_, values)| values);
     param::standard(robot).iter().map(value).chain(coupled).collect()
 }

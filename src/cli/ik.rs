@@ -8,31 +8,36 @@ use dh_codegen::ik::{Displacement, Family, Reference};
 use dh_codegen::robot::Robot;
 use indicatif::ProgressBar;
 
+use super::Failure;
+use super::files;
 use super::provenance::Provenance;
 use super::table::Table;
-use super::{Failure, files};
-use crate::inverse::{Answer, Ask, Kinematics, MOST, PoseError, SwivelRange};
-use crate::report::{ik_json, ik_text};
+use crate::model::inverse_kinematics::{Answer, Ask, Kinematics, MOST, PoseError, SwivelRange};
+use crate::report;
 
 const ENTRIES: [&str; 12] = ["r11", "r12", "r13", "px", "r21", "r22", "r23", "py", "r31", "r32", "r33", "pz"];
 
-/// Find the postures that bring the arm to given poses: all of them in closed form where the arm has one.
+/// Find the postures that bring the arm to given poses: all of them in closed form where the arm
+/// has one.
 ///
-/// An arm without one (class `none`) is searched numerically, and an arm that nearly has one is refined from a nominal arm: both say
-/// `exact: false`, and for each pose whether postures may be missing.
+/// An arm without one (class `none`) is searched numerically, and an arm that nearly has one is
+/// refined from a nominal arm: both say `exact: false`, and for each pose whether postures may be
+/// missing.
 ///
-/// A pose is that of the last DH frame in the base frame, as `denavit eval --quantity forward_kinematics` prints it: columns
-/// `r11 r12 r13 px r21 r22 r23 py r31 r32 r33 pz`, m. The tool of the robot file does not count, unless `--tool` is given: then
-/// poses are those of its tool frame.
+/// A pose is that of the last DH frame in the base frame, as `denavit eval --quantity
+/// forward_kinematics` prints it: columns `r11 r12 r13 px r21 r22 r23 py r31 r32 r33 pz`, m. The
+/// tool of the robot file does not count, unless `--tool` is given: then poses are those of its
+/// tool frame.
 ///
-/// A redundant arm wants a column `swivel`, rad: the angle of the elbow about the line from shoulder to wrist, from the plane of the
-/// reference vector (`--reference`), or the position of the joint that is locked (`denavit check` tells which). Without it: that of the
-/// posture `q1..qn` where there is one, else that at which some posture stays farthest from its limits (zero where none respects
-/// them). The result says which it was. Of an arm with a swivel angle it also says in which intervals of it each branch respects the
-/// limits, and where it stays farthest from them.
+/// A redundant arm wants a column `swivel`, rad: the angle of the elbow about the line from
+/// shoulder to wrist, from the plane of the reference vector (`--reference`), or the position of
+/// the joint that is locked (`denavit check` tells which). Without it: that of the posture `q1..qn`
+/// where there is one, else that at which some posture stays farthest from its limits (zero where
+/// none respects them). The result says which it was. Of an arm with a swivel angle it also says in
+/// which intervals of it each branch respects the limits, and where it stays farthest from them.
 ///
-/// Columns `q1..qn`, if there are any, are a posture near which to choose: its solutions stand first, and where the arm is singular
-/// the free joints stay as they are there.
+/// Columns `q1..qn`, if there are any, are a posture near which to choose: its solutions stand
+/// first, and where the arm is singular the free joints stay as they are there.
 #[derive(Args)]
 #[command(after_help = "Example:\n  denavit ik robots/ur10e.yaml --poses poses.csv --json -")]
 pub(super) struct Ik {
@@ -44,7 +49,8 @@ pub(super) struct Ik {
     /// Poses are those of the tool frame.
     #[arg(long)]
     tool: bool,
-    /// The vector `b` of the swivel angle, in base axes: at zero the elbow lies on its side of the line from shoulder to wrist.
+    /// The vector `b` of the swivel angle, in base axes: at zero the elbow lies on its side of the
+    /// line from shoulder to wrist.
     #[arg(
         long,
         value_name = "X,Y,Z",
@@ -64,7 +70,8 @@ pub(super) struct Ik {
         default_value = "1,0,0"
     )]
     second_reference: Vec<f64>,
-    /// What may be left to a pose, m and rad. An arm with fewer than six joints reaches rounded poses only nearly: give more.
+    /// What may be left to a pose, m and rad. An arm with fewer than six joints reaches rounded
+    /// poses only nearly: give more.
     #[arg(long, value_name = "SIZE", default_value_t = 1e-12, allow_hyphen_values = true)]
     tolerance: f64,
     /// Write the result as JSON; `-` for standard output.
@@ -76,7 +83,8 @@ impl Ik {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         let file = files::robot(&self.robot)?;
         files::check_outputs(&[("--json", &self.json)], file.read.iter().chain([&self.poses]))?;
-        // Effects of geometry (zeros, lengths) are where the arm is; its generated code has them too.
+        // Effects of geometry (zeros, lengths) are where the arm is; its generated code has them
+        // too.
         let robot = &file.robot.as_it_is();
         let reference = Reference {
             b: vector("--reference", &self.reference)?,
@@ -98,10 +106,10 @@ impl Ik {
         let poses = self.solve(robot.dof(), &kinematics, reference, tool)?;
         if let Some(target) = &self.json {
             let made = provenance.robot(&self.robot, &file);
-            files::json(target, ik_json::value(&robot.name, kinematics.inverse(), redundant, &poses), &made)?;
+            files::json(target, report::ik_json(&robot.name, kinematics.inverse(), redundant, &poses), &made)?;
         }
         if !files::is_stdout(&self.json) {
-            files::print(&ik_text::text(&robot.name, kinematics.inverse(), &poses))?;
+            files::print(&report::ik_text(&robot.name, kinematics.inverse(), &poses))?;
         }
         Ok(())
     }

@@ -1,4 +1,5 @@
-//! Ctrl-C: one handler for the process. It stops a search that can stop early, or ends the program and leaves no temporary file.
+//! Ctrl-C: one handler for the process. It stops a search that can stop early, or ends the program
+//! and leaves no temporary file.
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -14,7 +15,8 @@ pub(super) fn stop_on_interrupt(stop: &Arc<AtomicBool>) {
     install();
 }
 
-/// Removes this file when Ctrl-C ends the program. Where it has been renamed by then, there is nothing to remove.
+/// Removes this file when Ctrl-C ends the program. Where it has been renamed by then, there is
+/// nothing to remove.
 pub(super) fn remove_on_interrupt(path: &Path) {
     TEMPORARIES.lock().unwrap_or_else(PoisonError::into_inner).push(path.to_path_buf());
     install();

@@ -1,11 +1,12 @@
-//! The logs of a command: what each is for, its digest, and by what it is recognised. No sample counts twice.
+//! The logs of a command: what each is for, its digest, and by what it is recognised. No sample
+//! counts twice.
 
 use std::path::{Path, PathBuf};
 
 use super::Failure;
 use super::prepare::{Recognised, recognised_pass};
-use crate::log::{Common, Fingerprint};
-use crate::signal::{Motion, Prepare, PrepareError, Prepared};
+use crate::data::log::{Common, Fingerprint};
+use crate::data::signal::{Motion, Prepare, PrepareError, Prepared};
 
 /// What a log is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

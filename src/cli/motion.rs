@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use super::{Failure, files};
+use super::Failure;
+use super::files;
 use crate::excite::check::Written;
 
 /// Reads `t`, `q1..qn` and, where they are there, `dq..` and `ddq..`; other columns are ignored.

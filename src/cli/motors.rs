@@ -6,7 +6,8 @@ use dh_codegen::robot::Robot;
 
 use super::Failure;
 
-/// Refuses a robot with joints that move and have no motor (`actuated: false`). `needs` says what the verb takes from each joint.
+/// Refuses a robot with joints that move and have no motor (`actuated: false`). `needs` says what
+/// the verb takes from each joint.
 pub(super) fn on_every_joint(path: &Path, robot: &Robot, needs: &str) -> Result<(), Failure> {
     let without: Vec<String> =
         robot.unactuated().map(|row| format!("{} ({})", row + 1, robot.joints[row].name)).collect();

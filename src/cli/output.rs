@@ -1,7 +1,8 @@
 //! Outputs of all verbs: a file is whole or absent, whatever ends the process.
 //!
-//! A file is written without a name in the folder where it will stand, synced, then linked to its name. Where the file system
-//! has no files without names, a temporary with a unique name takes their place.
+//! A file is written without a name in the folder where it will stand, synced, then linked to its
+//! name. Where the file system has no files without names, a temporary with a unique name takes
+//! their place.
 
 use std::fs::{self, File, Metadata};
 use std::io::{self, BufWriter, ErrorKind, Write};
@@ -9,7 +10,8 @@ use std::path::{Component, Path, PathBuf};
 
 use tempfile::TempPath;
 
-use super::{Failure, interrupt};
+use super::Failure;
+use super::interrupt;
 
 /// Longest chain of symbolic links, as Linux has it.
 const MOST_LINKS: usize = 40;
@@ -42,7 +44,8 @@ enum Place {
 }
 
 impl Output {
-    /// Opens the place that `path` leads to. A plain file that stands there stays untouched until [`Output::finish`].
+    /// Opens the place that `path` leads to. A plain file that stands there stays untouched until
+    /// [`Output::finish`].
     pub(super) fn create(path: &Path) -> Result<Self, Failure> {
         let shown = path.display().to_string();
         let (file, place) = Self::open(path).map_err(|e| unwritable(&shown, &e))?;
@@ -53,7 +56,8 @@ impl Output {
         let (folder, path, present) = match resolve(path)? {
             Target::Stdout => return Ok((stdout()?, Place::Direct)),
             Target::Stream(path) => {
-                // A plain file behind a descriptor belongs to whoever opened it: what it has is kept.
+                // A plain file behind a descriptor belongs to whoever opened it: what it has is
+                // kept.
                 let append = fs::metadata(&path)?.is_file();
                 let mut options = File::options();
                 return Ok((options.write(!append).append(append).open(&path)?, Place::Direct));
@@ -71,7 +75,8 @@ impl Output {
         Ok((file, Place::Named { beside, folder, path, present }))
     }
 
-    /// Puts the file in place of what stood there, with its mode, and its owner where that is allowed.
+    /// Puts the file in place of what stood there, with its mode, and its owner where that is
+    /// allowed.
     pub(super) fn finish(self) -> Result<(), Failure> {
         let shown = self.shown;
         Self::commit(self.writer, self.place).map_err(|e| unwritable(&shown, &e))
@@ -118,7 +123,8 @@ impl Write for Output {
     }
 }
 
-/// Unique names beside a target; readable as `umask` says where the target is new, private until the mode is copied otherwise.
+/// Unique names beside a target; readable as `umask` says where the target is new, private until
+/// the mode is copied otherwise.
 fn temporary_names(path: &Path, new: bool) -> tempfile::Builder<'static, 'static> {
     let mut builder = tempfile::Builder::new();
     #[cfg(unix)]
@@ -299,8 +305,8 @@ impl Identity {
     }
 }
 
-/// Can all of these be written? Before work begins: every output has its folder and may be written, no two are the same file,
-/// and none is an input. Outputs come with the option that named them.
+/// Can all of these be written? Before work begins: every output has its folder and may be written,
+/// no two are the same file, and none is an input. Outputs come with the option that named them.
 pub(super) fn check_outputs<'a>(
     outputs: &[(&str, &Option<PathBuf>)],
     inputs: impl IntoIterator<Item = &'a PathBuf>,

@@ -10,12 +10,14 @@ use dh_codegen::robot::{JointKind, Robot};
 use indicatif::{ProgressBar, ProgressStyle};
 use sha2::{Digest, Sha256};
 
+use super::Failure;
+use super::files;
 use super::provenance::hexadecimal;
-use super::{Failure, files, terminal};
-use crate::log::{
-    Finding, Fingerprint, Fingerprinted, Keep, Kind, Limits, LogError, Quantity, beyond, open, torque_unit,
+use super::terminal;
+use crate::data::log::{
+    Acceptance, Finding, Fingerprint, Fingerprinted, Kind, Limits, LogError, Quantity, beyond, open, torque_unit,
 };
-use crate::signal::{DeadZone, Filter, Motion, Prepare, PrepareError, Prepared, each_motion};
+use crate::data::signal::{DeadZone, Filter, Motion, Prepare, PrepareError, Prepared, each_motion};
 
 /// Low-pass, clock, torque column, and what to keep.
 #[derive(Args, Clone)]
@@ -35,16 +37,17 @@ pub(super) struct Preparation {
     /// Use every n-th sample, after the low-pass.
     #[arg(long, default_value_t = 1, value_name = "N")]
     stride: usize,
-    /// Which torque: `tau` (of a log that has currents alone: `current`), `taum` (motor side), or `current` (motor current times the robot file's
-    /// `torque_constant`).
+    /// Which torque: `tau` (of a log that has currents alone: `current`), `taum` (motor side), or
+    /// `current` (motor current times the robot file's `torque_constant`).
     #[arg(long, value_enum, default_value_t = Torque::Tau)]
     torque: Torque,
-    /// Speed up to which a joint is at rest, rad/s: its dry friction is then anything within its breakaway level, and rows do not tell its
-    /// Coulomb level. Default: three standard deviations of the speed's noise in the log; 0: never at rest.
+    /// Speed up to which a joint is at rest, rad/s: its dry friction is then anything within its
+    /// breakaway level, and rows do not tell its Coulomb level. Default: three standard deviations
+    /// of the speed's noise in the log; 0: never at rest.
     #[arg(long, value_name = "SPEED", allow_negative_numbers = true)]
     dead_zone: Option<f64>,
-    /// Keep what is normally refused: bad-rows, gaps, restarts, duplicates, irregular-clock, stuck, clipped, dead-torque,
-    /// large-angles, torque-unit, or all.
+    /// Acceptance what is normally refused: bad-rows, gaps, restarts, duplicates, irregular-clock,
+    /// stuck, clipped, dead-torque, large-angles, torque-unit, or all.
     #[arg(long, value_delimiter = ',', value_name = "WHAT")]
     keep: Vec<String>,
 }
@@ -68,13 +71,13 @@ impl Torque {
 }
 
 /// `--keep`.
-pub(super) fn keep(names: &[String]) -> Result<Keep, Failure> {
-    let mut keep = Keep::default();
+pub(super) fn keep(names: &[String]) -> Result<Acceptance, Failure> {
+    let mut keep = Acceptance::default();
     for name in names {
         if name == "all" {
-            keep = Keep::all();
+            keep = Acceptance::all();
         } else if !keep.set(name) {
-            return Err(Failure::input(format!("--keep {name}: choose among {}, all", Keep::NAMES.join(", "))));
+            return Err(Failure::input(format!("--keep {name}: choose among {}, all", Acceptance::NAMES.join(", "))));
         }
     }
     Ok(keep)
@@ -145,7 +148,7 @@ pub(super) fn torque_constants(robot: &Robot) -> Vec<Option<f64>> {
 ///
 /// # Errors
 /// Where torques are in another unit, and that is not allowed.
-pub(super) fn against_limits(prepared: &mut [Prepared], robot: &Robot, keep: Keep) -> Result<(), Failure> {
+pub(super) fn against_limits(prepared: &mut [Prepared], robot: &Robot, keep: Acceptance) -> Result<(), Failure> {
     let limits: Vec<Limits> = robot
         .joints
         .iter()
@@ -167,7 +170,8 @@ pub(super) fn against_limits(prepared: &mut [Prepared], robot: &Robot, keep: Kee
     Ok(())
 }
 
-/// A log as it was read, after one line of warning where it has columns that nobody knows, whatever else is printed where.
+/// A log as it was read, after one line of warning where it has columns that nobody knows, whatever
+/// else is printed where.
 pub(super) fn warned(path: &Path, log: Prepared) -> Prepared {
     let unknown = |finding: &&Finding| matches!(finding.kind, Kind::UnknownColumns { .. });
     if let Some(finding) = log.findings.iter().find(unknown) {
@@ -181,7 +185,8 @@ pub(super) fn pass(path: &Path, dof: usize, prepare: &Prepare, sink: impl FnMut(
     try_pass(path, dof, prepare, sink)?.map_err(Failure::input)
 }
 
-/// The same; what preparing refuses comes back as it is, for a caller that can do something about it.
+/// The same; what preparing refuses comes back as it is, for a caller that can do something about
+/// it.
 pub(super) fn try_pass(
     path: &Path,
     dof: usize,

@@ -1,4 +1,5 @@
-//! What made a result: program, command, every option with its value, the files that were read. Enough to repeat the run.
+//! What made a result: program, command, every option with its value, the files that were read.
+//! Enough to repeat the run.
 
 use std::path::Path;
 
@@ -59,7 +60,8 @@ impl Provenance {
         Self { command: words.join(" "), options, ..Self::default() }
     }
 
-    /// For a robot file that this run writes. Where it is written to is no part of it: the same run gives the same bytes.
+    /// For a robot file that this run writes. Where it is written to is no part of it: the same run
+    /// gives the same bytes.
     pub(super) fn run(&self, found: Vec<String>) -> Run {
         let option = |(name, value): &(String, String)| format!("{name}: {value}");
         Run {

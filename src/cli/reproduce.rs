@@ -1,20 +1,24 @@
-//! `denavit reproduce`: the paper's experiments, each table and figure beside the paper's own values.
+//! `denavit reproduce`: the paper's experiments, each table and figure beside the paper's own
+//! values.
 
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::Failure;
+use super::files;
 use super::provenance::Provenance;
-use super::{Failure, files};
+use crate::apps::paper::diagnosis::Settings as DiagnosisSettings;
+use crate::apps::paper::{self, ExcitationSettings, ForceSettings, PaintingSettings, ReproduceError, Settings};
 use crate::report::{self, Parts};
-use crate::reproduce::diagnosis::Settings as DiagnosisSettings;
-use crate::reproduce::{self, ExcitationSettings, ForceSettings, PaintingSettings, ReproduceError, Settings};
 
-/// Run the paper's experiments on the simulated robot and print each table and figure beside the paper's own values, with a verdict per row.
+/// Run the paper's experiments on the simulated robot and print each table and figure beside the
+/// paper's own values, with a verdict per row.
 ///
-/// Needs no file: the KUKA LWR and its tools are built in, motions are designed and played on the spot. A verdict compares what should be
-/// small: better (by more than 5 %), within (5 %), or short by so many percent.
+/// Needs no file: the KUKA LWR and its tools are built in, motions are designed and played on the
+/// spot. A verdict compares what should be small: better (by more than 5 %), within (5 %), or short
+/// by so many percent.
 #[derive(Args)]
 #[command(
     after_help = "Example:\n  denavit reproduce identification --report reproduce.html\nParts:\n  excitation       section III: Fig. 5, and the same task on other arms (some minutes)\n  identification   sections II.D, II.E, III.E, VI.A: Fig. 6, tables II and III, Fig. 10, and whether standard deviations are honest\n  force            section V.B: accuracy of the estimated wrench, coverage of its bands\n  painting         sections V, VI.B: Table IV, Figs. 12 and 13, and what the diagnosis makes of them (some minutes)\n  diagnosis        effects that a seed hides in the simulator, and what `denavit diagnose` makes of the logs (4 s a case)\nWithout a part: all of them."
@@ -41,7 +45,8 @@ pub(super) struct Reproduce {
     /// Hide nothing in the cases of the diagnosis: all that is named is a false alarm.
     #[arg(long)]
     clean: bool,
-    /// Painting in a quarter of a minute instead of some: a hand's breadth of wall, one roller, no diagnosis; to see that it runs.
+    /// Painting in a quarter of a minute instead of some: a hand's breadth of wall, one roller, no
+    /// diagnosis; to see that it runs.
     #[arg(long)]
     quick: bool,
     /// Of motions and noise: the same seed gives the same figures.
@@ -96,20 +101,19 @@ impl Reproduce {
         if asked(Part::Excitation) {
             let settings =
                 ExcitationSettings { seed: self.seed, longest: self.longest, ..ExcitationSettings::default() };
-            parts.excitation = Some(watched("excitation", |watch| reproduce::excitation(&settings, watch))?);
+            parts.excitation = Some(watched("excitation", |watch| paper::excitation(&settings, watch))?);
         }
         if asked(Part::Identification) {
             let settings = Settings { runs: self.runs, seed: self.seed };
-            parts.identification =
-                Some(watched("identification", |watch| reproduce::identification(&settings, watch))?);
+            parts.identification = Some(watched("identification", |watch| paper::identification(&settings, watch))?);
         }
         if asked(Part::Painting) {
             let settings = PaintingSettings { seed: self.seed, quick: self.quick };
-            parts.painting = Some(watched("painting", |watch| reproduce::painting(&settings, watch))?);
+            parts.painting = Some(watched("painting", |watch| paper::painting(&settings, watch))?);
         }
         if asked(Part::Force) {
             let settings = ForceSettings { runs: self.runs, seed: self.seed, ..ForceSettings::default() };
-            parts.force = Some(watched("force", |watch| reproduce::force(&settings, watch))?);
+            parts.force = Some(watched("force", |watch| paper::force(&settings, watch))?);
         }
         if asked(Part::Diagnosis) {
             let settings = DiagnosisSettings {
@@ -119,7 +123,7 @@ impl Reproduce {
                 clean: self.clean,
                 ..DiagnosisSettings::default()
             };
-            parts.diagnosis = Some(watched("diagnosis", |watch| reproduce::diagnosis::battery(&settings, watch))?);
+            parts.diagnosis = Some(watched("diagnosis", |watch| paper::diagnosis::battery(&settings, watch))?);
         }
         if let Some(path) = &self.report {
             files::write(path, report::reproduce_html(&parts, &provenance.rows()).as_bytes())?;
@@ -138,7 +142,7 @@ impl Reproduce {
 }
 
 /// Runs a part behind a bar.
-fn watched<T>(part: &str, run: impl FnOnce(reproduce::Watch<'_>) -> Result<T, ReproduceError>) -> Result<T, Failure> {
+fn watched<T>(part: &str, run: impl FnOnce(paper::Watch<'_>) -> Result<T, ReproduceError>) -> Result<T, Failure> {
     let bar = ProgressBar::new(1000);
     if let Ok(style) = ProgressStyle::with_template(&format!("{part} [{{bar:30}}] {{percent}}% {{msg}}")) {
         bar.set_style(style);

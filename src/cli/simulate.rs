@@ -10,19 +10,24 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::Failure;
+use super::files;
 use super::provenance::Provenance;
 use super::table::Table;
-use super::{Failure, files, terminal};
-use crate::log::csv;
+use super::terminal;
+use crate::data::log::csv;
+use crate::data::trajectory::Trajectory as Motion;
+use crate::report;
+use crate::simulate;
 use crate::simulate::{Method, Mode, Recording, Request, Side, SimulateError, Simulator, Trajectory};
-use crate::trajectory::Trajectory as Motion;
-use crate::{report, simulate};
 
 /// Play a motion on the simulated robot and record a log.
 ///
-/// The trajectory has columns `t, q1..` and, where they are known, `dq1..` and `ddq1..` (quintics between the rows; what is missing comes
-/// from splines), or is a file of coefficients. The bodies are those of the robot file, the drives those of the file and of `--effects`; a loop makes the arm follow, and
-/// sensors of 1 kHz record `t, q1.., tau1.., qd1..`. docs/simulate.md shows every effect.
+/// The trajectory has columns `t, q1..` and, where they are known, `dq1..` and `ddq1..` (quintics
+/// between the rows; what is missing comes from splines), or is a file of coefficients. The bodies
+/// are those of the robot file, the drives those of the file and of `--effects`; a loop makes the
+/// arm follow, and sensors of 1 kHz record `t, q1.., tau1.., qd1..`. docs/simulate.md shows every
+/// effect.
 #[derive(Args)]
 #[command(
     after_help = "Example:\n  denavit simulate robots/kuka-lwr4.yaml --trajectory motion.csv --out log.csv \\\n      --effects effects.yaml --seed 1\nwhere effects.yaml may hold\n  joints:\n    3: { stribeck_friction: { FS: 4.1, VS: 0.08 }, backlash: {} }\n  effects: { base_tilt: { roll: 0.5deg } }\n  sensors: { rate: 1000, torque_noise: 0.05 }"
@@ -30,7 +35,8 @@ use crate::{report, simulate};
 pub(super) struct Simulate {
     /// Robot file; every link's inertial parameters must be in it.
     robot: PathBuf,
-    /// The motion: CSV with a header, or the coefficients (.json) that `excite --coefficients` writes.
+    /// The motion: CSV with a header, or the coefficients (.json) that `excite --coefficients`
+    /// writes.
     #[arg(long, value_name = "FILE", required_unless_present = "free")]
     trajectory: Option<PathBuf>,
     /// Where the log goes: .csv or .csv.gz.
@@ -45,7 +51,8 @@ pub(super) struct Simulate {
     /// What drives the arm; the effects file may say it too.
     #[arg(long, value_enum)]
     control: Option<ControlMode>,
-    /// No torque: a swing of so many seconds from rest, from the trajectory's first row or from --start.
+    /// No torque: a swing of so many seconds from rest, from the trajectory's first row or from
+    /// --start.
     #[arg(long, value_name = "SECONDS", conflicts_with = "control", allow_negative_numbers = true)]
     free: Option<f64>,
     /// Where a free swing starts: q1,q2,.. in rad.
@@ -98,7 +105,7 @@ impl Simulate {
             request.control.mode = Mode::Free;
         }
         let trajectory = self.trajectory(file.robot.dof(), request.control.mode)?;
-        for doubt in simulate::doubts(&trajectory, &file.robot) {
+        for doubt in simulate::motion_warnings(&trajectory, &file.robot) {
             terminal::say(&format!("denavit: note: {doubt}"));
         }
         let simulator = Simulator::new(&file.robot, &given.effects).map_err(|e| self.failed(e))?;

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use super::{Failure, files};
+use super::Failure;
+use super::files;
 
 /// Numbers with a header. What is not a number matters only in a column that is asked for.
 pub(super) struct Table {

@@ -1,11 +1,12 @@
-//! Text on its way to a terminal. Names of columns, joints and files come from elsewhere and may hold escape sequences: control
-//! characters are written out here, and nowhere else.
+//! Text on its way to a terminal. Names of columns, joints and files come from elsewhere and may
+//! hold escape sequences: control characters are written out here, and nowhere else.
 
 use std::io::{self, Write};
 
 pub(super) use crate::report::{is_control, visible};
 
-use super::{Failure, output};
+use super::Failure;
+use super::output;
 
 /// To standard output.
 pub(super) fn print(text: &str) -> Result<(), Failure> {

@@ -7,26 +7,32 @@ use clap::Args;
 use dh_codegen::arm::{Function, param};
 use dh_codegen::robot::Tool;
 
+use super::Failure;
+use super::files;
 use super::logbook::{Logbook, Purpose};
+use super::motors;
 use super::prepare::{Preparation, against_limits, pass, warned};
 use super::provenance::Provenance;
-use super::{Failure, files, motors, terminal};
-use crate::arm::Arm;
-use crate::identify::{Factors, IdentifyError, Stack, StackSettings, Trace, Tracer, Underdetermined};
-use crate::interpreted::Interpreted;
-use crate::report;
-use crate::signal::Prepare;
-use crate::tool::{
+use super::terminal;
+use crate::data::signal::Prepare;
+use crate::identify::tool::{
     Carrying, Entry, Found, RecogniseSettings, Tolerance, ToolError, ToolSettings, identify_tool, look_up,
 };
+use crate::identify::{AccumulatorSettings, Factors, IdentifyError, QrAccumulator, Trace, Tracer, Underdetermined};
+use crate::model::Arm;
+use crate::model::interpreted::Interpreted;
+use crate::report;
 
-/// Identify what the arm carries, from logs with an empty hand and with the tool, and look it up among known tools.
+/// Identify what the arm carries, from logs with an empty hand and with the tool, and look it up
+/// among known tools.
 ///
-/// The ten parameters M, MS and I (XX YY ZZ XY XZ YZ), printed and in the JSON, are those of everything that the loaded log has beyond the
-/// unloaded one, in the robot's last DH frame and about its origin, as in the paper's table III. Where a tool frame is known (the
-/// robot file's tool, else the recognised tool's pose) they are shown in that too. Without an unloaded log the robot file's own
-/// parameters are taken as known. A tool's size is interpolated within a family of the table: tools with a size whose names differ in
-/// words with digits alone, such as roller-300x150 and roller-400x180.
+/// The ten parameters M, MS and I (XX YY ZZ XY XZ YZ), printed and in the JSON, are those of
+/// everything that the loaded log has beyond the unloaded one, in the robot's last DH frame and
+/// about its origin, as in the paper's table III. Where a tool frame is known (the robot file's
+/// tool, else the recognised tool's pose) they are shown in that too. Without an unloaded log the
+/// robot file's own parameters are taken as known. A tool's size is interpolated within a family of
+/// the table: tools with a size whose names differ in words with digits alone, such as
+/// roller-300x150 and roller-400x180.
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  denavit tool robots/kuka-lwr4.yaml --unloaded empty.csv --loaded roller.csv \\\n      --tools robots/tools --report tool.html\n  denavit tool identified.yaml --loaded roller.csv --tools robots/tools --known-mass 0.2 --json -"
@@ -46,24 +52,28 @@ pub(super) struct ToolVerb {
     /// Mass from a scale, kg; the other nine are then known better.
     #[arg(long, value_name = "KG", allow_negative_numbers = true)]
     known_mass: Option<f64>,
-    /// Standard deviation of --known-mass, kg (a scale that shows grams: 0.0003). Zero takes it as exact: an error of a gram then moves the centre of a
-    /// 200 g tool by half a percent of its distance.
+    /// Standard deviation of --known-mass, kg (a scale that shows grams: 0.0003). Zero takes it as
+    /// exact: an error of a gram then moves the centre of a 200 g tool by half a percent of its
+    /// distance.
     #[arg(long, default_value_t = 0.0, value_name = "KG", allow_negative_numbers = true, requires = "known_mass")]
     mass_std: f64,
-    /// Without --unloaded: take only links and rotors from the robot file, and estimate friction and offsets from the loaded log.
+    /// Without --unloaded: take only links and rotors from the robot file, and estimate friction
+    /// and offsets from the loaded log.
     #[arg(long, conflicts_with = "unloaded")]
     refresh_friction: bool,
-    /// Without --unloaded: the robot file's own tool stays on the arm, and what is carried comes on top. Else it counts as taken off.
+    /// Without --unloaded: the robot file's own tool stays on the arm, and what is carried comes on
+    /// top. Else it counts as taken off.
     #[arg(long, conflicts_with = "unloaded")]
     on_top: bool,
-    /// Where the tools' frames sit in the robot's last DH frame, m, in place of the `xyz` of their files.
+    /// Where the tools' frames sit in the robot's last DH frame, m, in place of the `xyz` of their
+    /// files.
     #[arg(long, value_delimiter = ',', num_args = 1, value_name = "X,Y,Z", allow_negative_numbers = true)]
     mount: Option<Vec<f64>>,
     /// With what probability a tool of the table is rejected.
     #[arg(long, default_value_t = 0.01, value_name = "P", allow_negative_numbers = true)]
     level: f64,
-    /// How well the tool files know the tools and how exactly these are mounted: standard deviations of mass (relative), place (m)
-    /// and direction (rad).
+    /// How well the tool files know the tools and how exactly these are mounted: standard
+    /// deviations of mass (relative), place (m) and direction (rad).
     #[arg(long, value_delimiter = ',', num_args = 1, value_name = "M,P,A", allow_negative_numbers = true)]
     tolerance: Option<Vec<f64>>,
     /// Write the result as JSON; `-` for standard output.
@@ -106,7 +116,8 @@ impl ToolVerb {
         let mut factors = |paths: &[PathBuf], purpose: Purpose| -> Result<Vec<Factors>, Failure> {
             let carrying = Carrying::new(&arm, purpose == Purpose::Loaded);
             let mut factor = |path: &PathBuf| -> Result<Factors, Failure> {
-                let mut stack = Stack::new(&path.display().to_string(), &carrying, StackSettings::default());
+                let mut stack =
+                    QrAccumulator::new(&path.display().to_string(), &carrying, AccumulatorSettings::default());
                 let log = logbook.pass(purpose, path, carrying.dof(), &prepare, |motion| stack.absorb(motion))?;
                 prepared.push(warned(path, log));
                 Ok(stack.finish())

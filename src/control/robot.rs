@@ -1,15 +1,16 @@
-//! Lends the law a robot: bodies by the interpreter, closed-form inverse kinematics, friction and effects by the laws of a robot file.
+//! Lends the law a robot: bodies by the interpreter, closed-form inverse kinematics, friction and
+//! effects by the laws of a robot file.
 
 use dh_codegen::ik::Reference;
 use dh_codegen::robot::{Robot, Tool as RobotTool};
 
 use super::law::{Body, Model, Tool, moved};
-use crate::arm::{Dynamics, ToolState};
-use crate::inverse::{Ask, Kinematics};
+use crate::model::inverse_kinematics::{Ask, Kinematics};
+use crate::model::{Dynamics, ToolState};
 use crate::simulate::Drive;
 
 /// A robot with its tool, at the point where the tool touches.
-pub struct Lent<'a> {
+pub struct RobotModel<'a> {
     bodies: Box<dyn Dynamics + 'a>,
     kinematics: Option<&'a Kinematics>,
     /// Rotation (rows) and origin of the tool in the last frame.
@@ -17,7 +18,8 @@ pub struct Lent<'a> {
     /// The point of contact in the tool frame, m.
     point: [f64; 3],
     drives: Vec<Drive>,
-    /// Of the bristles that stand for signs, of the hysteresis, and of friction that turns round as slowly as it may.
+    /// Of the bristles that stand for signs, of the hysteresis, and of friction that turns round as
+    /// slowly as it may.
     memory: Vec<[f64; 3]>,
     turning: Vec<f64>,
     before: Vec<f64>,
@@ -31,11 +33,13 @@ pub struct Lent<'a> {
     clock: f64,
 }
 
-/// Travel of the bristle that stands for a sign, rad: some steps of an encoder, so that noise does not turn it.
+/// Travel of the bristle that stands for a sign, rad: some steps of an encoder, so that noise does
+/// not turn it.
 const TRAVEL: f64 = 5e-5;
 
-/// Travel in which friction has turned round at the latest, to `1 - 2/e`, rad: gears do within some milliradians (`presliding_hysteresis` has 2 by default), and a file that has Coulomb friction alone does not
-/// know where.
+/// Travel in which friction has turned round at the latest, to `1 - 2/e`, rad: gears do within some
+/// milliradians (`presliding_hysteresis` has 2 by default), and a file that has Coulomb friction
+/// alone does not know where.
 const TURNED: f64 = 3e-3;
 
 /// Planned speed, rad/s, at which friction that is fed forward has 70 % of its level.
@@ -46,8 +50,9 @@ pub fn contact_point(tool: Option<&RobotTool>) -> [f64; 3] {
     [0.0, 0.0, tool.and_then(|t| t.geometry).map_or(0.0, |g| g.length)]
 }
 
-impl<'a> Lent<'a> {
-    /// `bodies` with the inertial parameters that are known, tool included; `drives` with what is known of friction and effects.
+impl<'a> RobotModel<'a> {
+    /// `bodies` with the inertial parameters that are known, tool included; `drives` with what is
+    /// known of friction and effects.
     pub fn new(
         robot: &Robot,
         bodies: Box<dyn Dynamics + 'a>,
@@ -130,7 +135,7 @@ impl<'a> Lent<'a> {
     }
 }
 
-impl<const N: usize> Model<N> for Lent<'_> {
+impl<const N: usize> Model<N> for RobotModel<'_> {
     fn gravity(&mut self, q: &[f64; N]) -> [f64; N] {
         let still = self.resting(q);
         std::array::from_fn(|j| still[j] + self.drives[j].plain.offset)
@@ -143,7 +148,8 @@ impl<const N: usize> Model<N> for Lent<'_> {
         std::array::from_fn(|j| {
             let drive = &self.drives[j];
             let inertial: f64 = (0..N).map(|k| self.mass[j * N + k] * ddq[k]).sum::<f64>() + drive.rotor * ddq[j];
-            // The sign of what is planned, rounded off: a step of torque where a leg begins would only shake the arm.
+            // The sign of what is planned, rounded off: a step of torque where a leg begins would
+            // only shake the arm.
             let sign = dq[j] / libm::sqrt(dq[j] * dq[j] + SLOW * SLOW);
             let mut friction = drive.friction(q[j], dq[j], sign, sign);
             if let Some(load) = drive.load {
@@ -171,7 +177,8 @@ impl<const N: usize> Model<N> for Lent<'_> {
                 redundancy: kinematics.redundancy(q, &reference),
                 reference,
                 near: Some(near.to_vec()),
-                // No Newton's steps on each of the branches: a controller has no time for them, and where they were needed `moved` takes its own.
+                // No Newton's steps on each of the branches: a controller has no time for them, and
+                // where they were needed `moved` takes its own.
                 steps: 0,
                 tolerance: 1e-9,
             };
@@ -185,7 +192,7 @@ impl<const N: usize> Model<N> for Lent<'_> {
     }
 }
 
-impl<const N: usize> Body<N> for Lent<'_> {
+impl<const N: usize> Body<N> for RobotModel<'_> {
     fn torques(&mut self, q: &[f64; N], dq: &[f64; N], ddq: &[f64; N], dt: f64) -> [f64; N] {
         if self.before.is_empty() {
             self.before = q.to_vec();

@@ -1,8 +1,9 @@
-//! How sure a cause is: a logistic map of its evidence, fitted to what `denavit reproduce diagnosis` hid (docs/diagnose.md says on which seeds, and how
-//! it does on others).
+//! How sure a cause is: a logistic map of its evidence, fitted to what `denavit reproduce
+//! diagnosis` hid (docs/diagnose.md says on which seeds, and how it does on others).
 //!
-//! `p = 1 / (1 + exp(-(a + b ln(1 + support) / 5 + c ln(1 + margin) / 5 + d share)))`, `b`, `c`, `d` not negative: more support, more distance from the next
-//! best cause, more of the error never make a cause less likely.
+//! `p = 1 / (1 + exp(-(a + b ln(1 + support) / 5 + c ln(1 + margin) / 5 + d share)))`, `b`, `c`,
+//! `d` not negative: more support, more distance from the next best cause, more of the error never
+//! make a cause less likely.
 
 /// `[a, b, c, d]` of causes that add columns.
 const CAUSE: [f64; 4] = [-3.5, 1.6, 2.0, 2.6];

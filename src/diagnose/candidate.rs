@@ -1,11 +1,12 @@
-//! Candidates: every cause in every place with its best shape, by what it gains with everything else refitted.
+//! Candidates: every cause in every place with its best shape, by what it gains with everything
+//! else refitted.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use super::causes::{CAUSES, Cause, Sign, UNIT};
 use super::judge::SURE;
-use super::model::{Bench, Chosen, Fitted};
+use super::model::{Chosen, Fitted, ModelUnderTest};
 use super::moments::Gain;
+use crate::diagnose::hypotheses::{CAUSES, Cause, Sign, UNIT};
 
 /// A cause in a place with its best shape.
 #[derive(Clone)]
@@ -18,7 +19,8 @@ pub struct Candidate {
     pub shape: Vec<f64>,
     /// What it gives.
     pub gain: Gain,
-    /// Sum over joints of windows times the logarithm of the ratio of residuals, less what its unknowns cost.
+    /// Sum over joints of windows times the logarithm of the ratio of residuals, less what its
+    /// unknowns cost.
     pub score: f64,
 }
 
@@ -35,7 +37,7 @@ pub(super) fn unknowns(cause: &dyn Cause, shape: &[f64], terms: usize) -> f64 {
 
 /// Evaluates one shape.
 pub(super) fn evaluate(
-    bench: &Bench<'_>,
+    bench: &ModelUnderTest<'_>,
     fitted: &Fitted,
     cause: &'static dyn Cause,
     place: &[usize],
@@ -70,7 +72,7 @@ pub(super) fn logs<'a>(before: &'a [f64], after: &'a [f64]) -> impl Iterator<Ite
 
 /// The best shape of every cause in every place, best first.
 pub fn candidates(
-    bench: &Bench<'_>,
+    bench: &ModelUnderTest<'_>,
     fitted: &Fitted,
     wanted: &(dyn Fn(&'static dyn Cause, &[usize]) -> bool + Sync),
 ) -> Vec<Candidate> {
@@ -110,16 +112,19 @@ pub fn candidates(
     all
 }
 
-/// Beyond this many times a residual's memory, or this share of itself, a difference of scores tells two candidates apart.
+/// Beyond this many times a residual's memory, or this share of itself, a difference of scores
+/// tells two candidates apart.
 fn tolerance(best: &Candidate, memory: f64) -> f64 {
     (10.0 * memory).max(0.015 * best.score)
 }
 
-/// Two links are the same to the data within this share of what they gain: both have ten columns, so that nothing else decides.
+/// Two links are the same to the data within this share of what they gain: both have ten columns,
+/// so that nothing else decides.
 const SAME: f64 = 0.002;
 
-/// Of wrong links that gain nearly the same (a neighbour's mass on the common axis is the link's own) the one with the least change goes first.
-fn least_change_first(all: &mut [Candidate], bench: &Bench<'_>) {
+/// Of wrong links that gain nearly the same (a neighbour's mass on the common axis is the link's
+/// own) the one with the least change goes first.
+fn least_change_first(all: &mut [Candidate], bench: &ModelUnderTest<'_>) {
     let change = |c: &Candidate| {
         let terms = bench.family(c.cause, &c.place, &c.shape);
         let std = c.cause.beliefs(&bench.scene, &c.place, &terms)?;
@@ -138,9 +143,15 @@ fn least_change_first(all: &mut [Candidate], bench: &Bench<'_>) {
     all[..=at].rotate_right(1);
 }
 
-/// Of candidates on one joint that gain nearly the same, the one beside which fewest terms of plain friction are needed goes first. Whether models were fitted for
-/// that, so that the bench is left with another.
-pub(super) fn sparest_first(all: &mut [Candidate], bench: &mut Bench<'_>, others: &[Chosen], fitted: &Fitted) -> bool {
+/// Of candidates on one joint that gain nearly the same, the one beside which fewest terms of plain
+/// friction are needed goes first. Whether models were fitted for that, so that the bench is left
+/// with another.
+pub(super) fn sparest_first(
+    all: &mut [Candidate],
+    bench: &mut ModelUnderTest<'_>,
+    others: &[Chosen],
+    fitted: &Fitted,
+) -> bool {
     let Some(best) = all.first() else { return false };
     let [joint] = best.place[..] else { return false };
     let eligible = |c: &Candidate| c.place == [joint] && !c.cause.moves_time() && !c.cause.local();
@@ -172,11 +183,13 @@ fn mean(x: &[f64]) -> f64 {
     x.iter().sum::<f64>() / x.len().max(1) as f64
 }
 
-/// What a candidate with more unknowns gains, in the logarithm, must be more than this share of it beyond one with fewer: errors that are not noise
-/// (of derivatives, of a law's shape) give many unknowns something to fit that is not theirs.
+/// What a candidate with more unknowns gains, in the logarithm, must be more than this share of it
+/// beyond one with fewer: errors that are not noise (of derivatives, of a law's shape) give many
+/// unknowns something to fit that is not theirs.
 const WORTH_UNKNOWNS: f64 = 0.03;
 
-/// Puts a candidate with several unknowns fewer before the best one where it gains nearly as much in the same place or on the whole robot.
+/// Puts a candidate with several unknowns fewer before the best one where it gains nearly as much
+/// in the same place or on the whole robot.
 fn simplest_first(all: &mut [Candidate], fitted: &Fitted) {
     let Some(best) = all.first() else { return };
     let total: f64 = fitted.solution.counts.iter().sum();
@@ -191,9 +204,9 @@ fn simplest_first(all: &mut [Candidate], fitted: &Fitted) {
 }
 
 /// Walks each number of the shape up and down with shrinking steps.
-pub(super) fn refine(bench: &Bench<'_>, fitted: &Fitted, candidate: &mut Candidate) {
+pub(super) fn refine(bench: &ModelUnderTest<'_>, fitted: &Fitted, candidate: &mut Candidate) {
     let shape = candidate.cause.shape();
-    if candidate.cause.secant() && shape.first().is_some_and(|s| s.step.is_none()) {
+    if candidate.cause.finite_difference() && shape.first().is_some_and(|s| s.step.is_none()) {
         // The step follows the coefficient.
         for _ in 0..6 {
             let x = candidate.gain.x[0];
@@ -247,7 +260,8 @@ pub(super) fn refine(bench: &Bench<'_>, fitted: &Fitted, candidate: &mut Candida
     }
 }
 
-/// The last link's parameters and a payload are one thing; the vocabulary's table says so, the rivals need not.
+/// The last link's parameters and a payload are one thing; the vocabulary's table says so, the
+/// rivals need not.
 fn same_body(a: &Candidate, b: &Candidate) -> bool {
     let body = |c: &Candidate| c.cause.within_links();
     body(a) && body(b) && (a.score - b.score).abs() < 1e-6 * a.score.abs().max(1.0)

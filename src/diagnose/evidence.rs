@@ -1,8 +1,8 @@
 //! Sentences and curves that show a cause.
 
-use super::causes::{Cause, Named, Over};
-use super::model::{Bench, Chosen, Fitted};
+use super::model::{Chosen, Fitted, ModelUnderTest};
 use super::result::Evidence;
+use crate::diagnose::hypotheses::{Cause, Named, Over};
 
 /// Four figures at most.
 pub(super) fn short(value: f64) -> String {
@@ -85,7 +85,7 @@ pub(super) fn sentence(shown: &Shown<'_>) -> String {
 }
 
 /// The error without a cause against what the cause says, averaged over what shows it best.
-pub(super) fn curve(bench: &Bench<'_>, fitted: &Fitted, index: usize, chosen: &Chosen) -> Option<Evidence> {
+pub(super) fn curve(bench: &ModelUnderTest<'_>, fitted: &Fitted, index: usize, chosen: &Chosen) -> Option<Evidence> {
     let scene = &bench.scene;
     let terms = &fitted.terms[index];
     let joint = match chosen.place.first() {
@@ -111,7 +111,7 @@ pub(super) fn curve(bench: &Bench<'_>, fitted: &Fitted, index: usize, chosen: &C
             says.iter_mut().zip(series).for_each(|(a, s)| *a += x * s);
         }
     }
-    let coarse = |f: &dyn Fn(&super::scene::Own, usize) -> f64| -> Vec<f64> {
+    let coarse = |f: &dyn Fn(&crate::diagnose::windowed_data::JointSeries, usize) -> f64| -> Vec<f64> {
         scene.own[joint].iter().flat_map(|own| scene.average_of(own, |k| f(own, k))).collect()
     };
     let (over, x): (&str, Vec<f64>) = match chosen.cause.over() {
@@ -144,7 +144,11 @@ pub(super) fn curve(bench: &Bench<'_>, fitted: &Fitted, index: usize, chosen: &C
 }
 
 /// Joints whose own base parameters are more than five standard deviations from the file's.
-pub(super) fn changed_links(bench: &Bench<'_>, fitted: &Fitted, covariance: &nalgebra::DMatrix<f64>) -> Vec<usize> {
+pub(super) fn changed_links(
+    bench: &ModelUnderTest<'_>,
+    fitted: &Fitted,
+    covariance: &nalgebra::DMatrix<f64>,
+) -> Vec<usize> {
     let base = bench.plant.base_parameters();
     let Some(given) = bench.plant.given() else { return Vec::new() };
     let mut joints = Vec::new();

@@ -1,11 +1,12 @@
-//! Whether a candidate is accepted: if its gain pays for its unknowns and for how many candidates were tried, if parts of the data that were not used to fit it
-//! confirm it, and if it is large enough to matter beside the noise.
+//! Whether a candidate is accepted: if its gain pays for its unknowns and for how many candidates
+//! were tried, if parts of the data that were not used to fit it confirm it, and if it is large
+//! enough to matter beside the noise.
 
 use super::candidate::{logs, unknowns};
-use super::causes::Sign;
-use super::model::{Bench, Chosen, Fitted};
+use super::model::{Chosen, Fitted, ModelUnderTest};
 use super::moments::Solution;
 use super::search::SearchSettings;
+use crate::diagnose::hypotheses::Sign;
 
 /// An accepted cause with the evidence.
 #[derive(Clone)]
@@ -32,17 +33,19 @@ pub(super) fn adopt(accepted: &mut [Accepted], chosen: &[Chosen]) {
     accepted.iter_mut().zip(chosen).for_each(|(a, c)| a.chosen = c.clone());
 }
 
-/// Standard deviations from 0 at which a term of plain friction is needed: what chance gives once in some 150,000 times, for there are many to choose from.
+/// Standard deviations from 0 at which a term of plain friction is needed: what chance gives once
+/// in some 150,000 times, for there are many to choose from.
 pub(super) const SURE: f64 = 4.5;
 
 /// Less than this share of a joint's squared error is left by what takes nearly all of it.
 const NEARLY: f64 = 0.1;
-/// Support of a cause that holds in every stretch, where windows that remember each other can't say so.
+/// Support of a cause that holds in every stretch, where windows that remember each other can't say
+/// so.
 const THROUGHOUT: f64 = 1.0;
 
 /// By what a cause is judged.
 pub(super) struct Judge<'a> {
-    pub(super) bench: &'a Bench<'a>,
+    pub(super) bench: &'a ModelUnderTest<'a>,
     pub(super) noise: &'a [f64],
     pub(super) settings: &'a SearchSettings,
     /// Accepted before.
@@ -58,8 +61,9 @@ impl Judge<'_> {
         rss.iter().zip(counts).zip(self.noise).any(|((rss, count), noise)| *rss > count * noise * noise)
     }
 
-    /// Whether the last of `trial` takes nearly all of a joint's error in every stretch of the logs that is left out. What it leaves may then remember itself for so long that hardly a window is
-    /// independent: a slow rest is no reason to doubt what predicts all but that.
+    /// Whether the last of `trial` takes nearly all of a joint's error in every stretch of the logs
+    /// that is left out. What it leaves may then remember itself for so long that hardly a window
+    /// is independent: a slow rest is no reason to doubt what predicts all but that.
     fn throughout(&self, before: &Fitted, after: &Fitted, trial: &[Chosen]) -> bool {
         let Some((last, others)) = trial.split_last() else { return false };
         let nearly = |j: usize| after.solution.rss[j] < NEARLY * before.solution.rss[j];
@@ -146,8 +150,9 @@ impl Judge<'_> {
     }
 }
 
-/// Whether a joint stands most of the time: what the file has wrong of it the motion does not show, and a cause of the whole robot can make it seem larger.
-pub(super) fn stands(bench: &Bench<'_>, j: usize) -> bool {
+/// Whether a joint stands most of the time: what the file has wrong of it the motion does not show,
+/// and a cause of the whole robot can make it seem larger.
+pub(super) fn stands(bench: &ModelUnderTest<'_>, j: usize) -> bool {
     let (mut moving, mut all) = (0, 0);
     for sign in bench.scene.own[j].iter().flat_map(|own| &own.sign) {
         moving += usize::from(*sign != 0.0);
@@ -156,15 +161,17 @@ pub(super) fn stands(bench: &Bench<'_>, j: usize) -> bool {
     2 * moving < all
 }
 
-/// By what share another joint's error may grow: what takes most of one joint's error is not refuted by what earlier causes, found beside that error, still have
-/// to give way. A tenth up to six tenths of the error, a half from nine tenths on.
+/// By what share another joint's error may grow: what takes most of one joint's error is not
+/// refuted by what earlier causes, found beside that error, still have to give way. A tenth up to
+/// six tenths of the error, a half from nine tenths on.
 fn bearable(predicted: f64) -> f64 {
     0.1 + 0.4 * ((predicted - 0.6) / 0.3).clamp(0.0, 1.0)
 }
 
 /// What parts of the data say that were left out of the fit in turn.
 struct Confirmation {
-    /// Share of the parts that the larger model predicts better, parts weighted by what they gain or lose.
+    /// Share of the parts that the larger model predicts better, parts weighted by what they gain
+    /// or lose.
     confirmed: f64,
     /// The largest share of a joint's error that it takes.
     predicted: f64,

@@ -1,15 +1,17 @@
 //! Links that are not the file's: a cause where all base parameters were taken anew.
 
+use super::calibration;
+use super::evidence;
 use super::judge::chosen_of;
 use super::measure::{Meter, bootstrap, matters, root_mean_square, share, taken_of};
-use super::model::{Bench, Mode};
+use super::model::{Mode, ModelUnderTest};
 use super::result::Cause;
-use super::settle::{Case, Settled};
-use super::weigh::MOST_MARGIN;
-use super::{calibration, evidence};
+use crate::diagnose::attribution::MOST_MARGIN;
+use crate::diagnose::refine_and_select::{Case, Settled};
 
 impl Case<'_> {
-    /// The cause, where base parameters differ from the file's, and the file's beside everything else that was found are worse.
+    /// The cause, where base parameters differ from the file's, and the file's beside everything
+    /// else that was found are worse.
     pub(super) fn links(&self, model: &Settled<'_>) -> Option<Cause> {
         let joints = evidence::changed_links(&model.bench, &model.fitted, &model.fitted.covariance());
         if joints.is_empty() {
@@ -17,7 +19,7 @@ impl Case<'_> {
         }
         // What the file's links would leave beside all other causes.
         let delays = &model.bench.scene.delays;
-        let mut believed = Bench::new(self.plant, self.fit, self.settings.rate, Mode::Trusted, delays, false);
+        let mut believed = ModelUnderTest::new(self.plant, self.fit, self.settings.rate, Mode::Trusted, delays, false);
         believed.frozen = model.bench.frozen.clone();
         let mut others = chosen_of(&model.accepted);
         let trusting = believed.fit(&mut others);
@@ -26,7 +28,7 @@ impl Case<'_> {
         let told = model.left_out.less(&believed.left_out(&others, &trusting), self.ground);
         // It has to pay like any other.
         let gains = taken_of(&without.steady, &after.steady, self.scale) > 0.0;
-        if !(told.pays() && gains && matters(&without.steady, &after.steady, self.noise)) {
+        if !(told.worth_refit() && gains && matters(&without.steady, &after.steady, self.noise)) {
             return None;
         }
         Some(Cause {

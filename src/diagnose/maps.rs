@@ -1,11 +1,12 @@
-//! Maps of an error: against velocity, position, acceleration, load, time, temperature, travel since a reversal; its spectra over frequency and
-//! over periods per turn; what goes with another joint's motion; and what a shift of the model in time would leave.
+//! Maps of an error: against velocity, position, acceleration, load, time, temperature, travel
+//! since a reversal; its spectra over frequency and over periods per turn; what goes with another
+//! joint's motion; and what a shift of the model in time would leave.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::moments::pseudo_inverse;
 use super::result::ErrorMap;
-use super::scene::Scene;
+use crate::diagnose::windowed_data::WindowedData;
 
 /// Bins of a map.
 const BINS: usize = 48;
@@ -42,7 +43,7 @@ const SHIFT: f64 = 0.08;
 
 impl View {
     /// Of a scene whose windows are single samples.
-    pub fn of(scene: &Scene<'_>) -> Self {
+    pub fn of(scene: &WindowedData<'_>) -> Self {
         let over = (0..scene.dof())
             .map(|j| {
                 let states = &scene.states[scene.seen[j]];
@@ -103,7 +104,8 @@ impl View {
         (0..len).step_by(len.div_ceil(SAMPLES).max(1))
     }
 
-    /// Amplitude over periods per turn of the joint; up to twice the motor's turn where the gear is known.
+    /// Amplitude over periods per turn of the joint; up to twice the motor's turn where the gear is
+    /// known.
     fn orders(&self, j: usize, before: &[f64], after: &[f64]) -> Option<ErrorMap> {
         let q = &self.over[j][0];
         let (low, high) = (least(q), most(q));
@@ -156,7 +158,8 @@ impl View {
         binned("travel since a reversal, rad", &travel, &along[0], &along[1])
     }
 
-    /// Root mean square of what goes with another joint's position, velocity, acceleration and direction, joint by joint.
+    /// Root mean square of what goes with another joint's position, velocity, acceleration and
+    /// direction, joint by joint.
     fn pairs(&self, j: usize, before: &[f64], after: &[f64]) -> Option<ErrorMap> {
         const COLUMNS: usize = 6;
         let picks = self.thinned();
@@ -185,7 +188,8 @@ impl View {
         })
     }
 
-    /// Root mean square error that is left when the model's torque is shifted in time: least at zero where nothing is late.
+    /// Root mean square error that is left when the model's torque is shifted in time: least at
+    /// zero where nothing is late.
     fn shifts(&self, j: usize, before: &[f64], after: &[f64]) -> Option<ErrorMap> {
         let longest = self.runs.iter().max_by_key(|r| r.len())?;
         let period = (self.time[longest.end - 1] - self.time[longest.start]) / (longest.len().max(2) - 1) as f64;
@@ -219,7 +223,8 @@ impl View {
         })
     }
 
-    /// Amplitude over frequency: mean power of overlapping Hann windows (Welch 1967), as the amplitude of a sine with that power.
+    /// Amplitude over frequency: mean power of overlapping Hann windows (Welch 1967), as the
+    /// amplitude of a sine with that power.
     fn spectrum(&self, before: &[f64], after: &[f64]) -> Option<ErrorMap> {
         let longest = self.runs.iter().max_by_key(|r| r.len())?;
         let period = (self.time[longest.end - 1] - self.time[longest.start]) / (longest.len().max(2) - 1) as f64;
@@ -271,7 +276,8 @@ fn most(x: &[f64]) -> f64 {
     x.iter().copied().fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Means over equal bins of `x`; `None` where it does not vary. Bins with fewer samples than a tenth of their share are left out.
+/// Means over equal bins of `x`; `None` where it does not vary. Bins with fewer samples than a
+/// tenth of their share are left out.
 fn binned(over: &'static str, x: &[f64], before: &[f64], after: &[f64]) -> Option<ErrorMap> {
     let (low, high) = (least(x), most(x));
     if !(high - low > 1e-9 && (high - low).is_finite()) {

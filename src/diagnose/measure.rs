@@ -1,16 +1,16 @@
 //! Errors of models on recordings, every sample counted, and what a cause takes of them.
 
-use super::item::Item;
 use super::maps::View;
-use super::model::{Bench, Chosen, Fitted};
-use super::record::Recording;
-use crate::arm::Plant;
+use super::model::{Chosen, Fitted, ModelUnderTest};
+use crate::diagnose::recording::Recording;
+use crate::diagnose::reported_cause::Item;
+use crate::model::PerturbableArm;
 
 /// Errors per joint and sample at the logs' own rate.
 pub(super) struct Measured {
     pub(super) rms: Vec<f64>,
-    /// The same where the joint moves: at reversals the sign of a velocity inside its noise, or of a joint that sticks, errs by twice the Coulomb level,
-    /// whatever the cause.
+    /// The same where the joint moves: at reversals the sign of a velocity inside its noise, or of
+    /// a joint that sticks, errs by twice the Coulomb level, whatever the cause.
     pub(super) steady: Vec<f64>,
     pub(super) error: Vec<Vec<f64>>,
     pub(super) time: Vec<f64>,
@@ -23,13 +23,13 @@ pub(super) const RAW: f64 = 1e9;
 
 /// Measures models on recordings, every sample counted.
 pub(super) struct Meter<'a> {
-    pub(super) fine: Bench<'a>,
+    pub(super) fine: ModelUnderTest<'a>,
 }
 
 impl<'a> Meter<'a> {
     /// For models with the mode and the delays of `bench`.
-    pub(super) fn new(plant: &'a dyn Plant, recordings: &'a [Recording], bench: &Bench<'_>) -> Self {
-        Self { fine: Bench::new(plant, recordings, RAW, bench.mode, &bench.scene.delays, true) }
+    pub(super) fn new(plant: &'a dyn PerturbableArm, recordings: &'a [Recording], bench: &ModelUnderTest<'_>) -> Self {
+        Self { fine: ModelUnderTest::new(plant, recordings, RAW, bench.mode, &bench.scene.delays, true) }
     }
 
     /// Errors of the file as it is.
@@ -38,8 +38,15 @@ impl<'a> Meter<'a> {
         self.errors(error)
     }
 
-    /// Errors of a fitted model. `elsewhere`: not on the recordings that it was fitted to, so that what acted in a part of them does not act here.
-    pub(super) fn of(&mut self, bench: &Bench<'_>, fitted: &Fitted, chosen: &[Chosen], elsewhere: bool) -> Measured {
+    /// Errors of a fitted model. `elsewhere`: not on the recordings that it was fitted to, so that
+    /// what acted in a part of them does not act here.
+    pub(super) fn of(
+        &mut self,
+        bench: &ModelUnderTest<'_>,
+        fitted: &Fitted,
+        chosen: &[Chosen],
+        elsewhere: bool,
+    ) -> Measured {
         self.fine.adopt(bench, fitted);
         let mut x = fitted.solution.x.clone();
         for (c, first) in chosen.iter().zip(&fitted.first).filter(|(c, _)| elsewhere && c.cause.local()) {
@@ -80,17 +87,18 @@ pub(super) fn root_mean_square(x: &[f64]) -> f64 {
     (x.iter().map(|x| x * x).sum::<f64>() / x.len().max(1) as f64).sqrt()
 }
 
-/// Whether a cause is measured on the fitted logs: it acts in a part of one of them, or the validating ones can't show it, and so can't refute it.
+/// Whether a cause is measured on the fitted logs: it acts in a part of one of them, or the
+/// validating ones can't show it, and so can't refute it.
 pub(super) fn here(item: &Item, after: &Measured) -> bool {
     item.hypothesis.local() || item.accepted.is_some_and(|index| !after.shown[index])
 }
 
 /// Errors of the model that is fitted without one of its causes; the bench is left with that.
 pub(super) fn leave_out<'a>(
-    plant: &'a dyn Plant,
+    plant: &'a dyn PerturbableArm,
     fit: &'a [Recording],
     meter: &mut Meter<'a>,
-    bench: &mut Bench<'_>,
+    bench: &mut ModelUnderTest<'_>,
     chosen: &[Chosen],
     item: &Item,
     elsewhere: bool,
@@ -117,12 +125,12 @@ pub(super) fn leave_out<'a>(
 
 /// The model that is fitted without one of its causes.
 pub(super) fn reduced<'a>(
-    plant: &'a dyn Plant,
+    plant: &'a dyn PerturbableArm,
     fit: &'a [Recording],
-    bench: &Bench<'_>,
+    bench: &ModelUnderTest<'_>,
     chosen: &[Chosen],
     item: &Item,
-) -> (Bench<'a>, Vec<Chosen>, Fitted) {
+) -> (ModelUnderTest<'a>, Vec<Chosen>, Fitted) {
     let mut delays = bench.scene.delays.clone();
     if item.hypothesis.moves_time() {
         // The delay's own part of the shift goes.
@@ -130,7 +138,7 @@ pub(super) fn reduced<'a>(
         let given = plant.delays();
         own.iter().for_each(|&j| delays[j] = given[j]);
     }
-    let mut reduced = Bench::new(plant, fit, bench.rate, bench.mode, &delays, false);
+    let mut reduced = ModelUnderTest::new(plant, fit, bench.rate, bench.mode, &delays, false);
     (reduced.frozen, reduced.quiet, reduced.hold) = (bench.frozen.clone(), bench.quiet.clone(), bench.hold.clone());
     item.friction.iter().for_each(|&k| reduced.frozen[k] = true);
     let mut others: Vec<Chosen> =
@@ -151,7 +159,8 @@ pub(super) fn taken_of(before: &[f64], after: &[f64], noise: &[f64]) -> f64 {
     joints.map(|((a, b), s)| 0.5 * ((a * a + s * s).max(1e-24) / (b * b + s * s).max(1e-24)).ln()).sum()
 }
 
-/// 90 % interval of the share of the squared error on the main joint that the cause takes: moving blocks of half a second (Kuensch 1989).
+/// 90 % interval of the share of the squared error on the main joint that the cause takes: moving
+/// blocks of half a second (Kuensch 1989).
 pub(super) fn bootstrap(without: &Measured, with: &Measured, place: &[usize]) -> [f64; 2] {
     let main = place.first().copied().unwrap_or_else(|| {
         let gain = |j: &usize| without.rms[*j].powi(2) - with.rms[*j].powi(2);
@@ -170,7 +179,7 @@ pub(super) fn bootstrap(without: &Measured, with: &Measured, place: &[usize]) ->
     if sums.len() < 4 {
         return [f64::NAN; 2];
     }
-    let mut random = crate::numeric::random::Random::new(1);
+    let mut random = crate::numerics::prng::Random::new(1);
     let mut shares: Vec<f64> = (0..400)
         .map(|_| {
             let (mut before, mut after) = (0.0, 0.0);
@@ -186,7 +195,8 @@ pub(super) fn bootstrap(without: &Measured, with: &Measured, place: &[usize]) ->
     [shares[20], shares[379]]
 }
 
-/// Part of the squared error above the noise that goes: of the main joint, or of the one with the most to gain.
+/// Part of the squared error above the noise that goes: of the main joint, or of the one with the
+/// most to gain.
 pub(super) fn share(before: &[f64], after: &[f64], noise: &[f64], place: &[usize]) -> f64 {
     let gain = |j: usize| before[j].powi(2) - after[j].powi(2);
     let joint = (0..before.len())

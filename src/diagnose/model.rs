@@ -1,23 +1,25 @@
-//! A model under test: the rigid arm, its friction, and the causes that were accepted so far; fitted to a [`Scene`].
+//! A model under test: the rigid arm, its friction, and the causes that were accepted so far;
+//! fitted to a [`WindowedData`].
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use nalgebra::DMatrix;
 
-use crate::arm::Plant;
 use crate::identify::recover_standard;
+use crate::model::PerturbableArm;
 
-use super::causes::{COULOMB, Cause, OFFSET, Term, UNIT, VISCOUS};
-use super::hold::{FIRM, Hold, belief};
 use super::moments::{Moments, Solution};
-use super::noise::memory;
-use super::offer::LeftOut;
-use super::record::Recording;
-use super::scene::{BLOCKS, Column, Scene};
 use super::uncertainty::derivative;
+use crate::diagnose::hypotheses::{COULOMB, Cause, OFFSET, Term, UNIT, VISCOUS};
+use crate::diagnose::model_choice::LeftOut;
+use crate::diagnose::recording::Recording;
+use crate::diagnose::regulariser::{Regulariser, STRENGTHS, prior};
+use crate::diagnose::torque_noise::autocorrelation_time;
+use crate::diagnose::windowed_data::{BLOCKS, Column, WindowedData};
 
-/// A delay that is taken as in proportion to its column, s: to move the data by it would change nothing.
+/// A delay that is taken as in proportion to its column, s: to move the data by it would change
+/// nothing.
 const LINEAR: f64 = 2e-4;
 
 /// Which parameters of the rigid arm are unknown.
@@ -51,7 +53,7 @@ fn friction_of(name: &str) -> Option<(usize, usize)> {
 }
 
 /// Friction of the file, per joint: `[FV, FC, FO]`; `None` where its model lacks the term.
-pub fn given_friction(plant: &dyn Plant) -> Vec<[Option<f64>; 3]> {
+pub fn given_friction(plant: &dyn PerturbableArm) -> Vec<[Option<f64>; 3]> {
     let mut out = vec![[None; 3]; plant.dof()];
     for (i, name) in plant.standard_names().iter().enumerate() {
         if let Some((which, row)) = friction_of(name)
@@ -64,13 +66,13 @@ pub fn given_friction(plant: &dyn Plant) -> Vec<[Option<f64>; 3]> {
 }
 
 /// Base parameters that belong to the rigid arm: all but friction.
-pub(super) fn inertial(plant: &dyn Plant) -> Vec<usize> {
+pub(super) fn inertial(plant: &dyn PerturbableArm) -> Vec<usize> {
     let base = plant.base_parameters();
     (0..base.len()).filter(|&b| friction_of(&base[b].name).is_none()).collect()
 }
 
 /// Values of the base parameters in the file, friction left out.
-fn given_base(plant: &dyn Plant) -> Vec<f64> {
+fn given_base(plant: &dyn PerturbableArm) -> Vec<f64> {
     let Some(standard) = plant.given() else { return vec![0.0; plant.base_parameters().len()] };
     plant
         .base_parameters()
@@ -99,7 +101,8 @@ pub struct Fitted {
     pub first: Vec<usize>,
     /// Their terms.
     pub terms: Vec<Arc<Vec<Term>>>,
-    /// Standard parameters of possible bodies with these base parameters, friction left out; `None`: not looked for.
+    /// Standard parameters of possible bodies with these base parameters, friction left out;
+    /// `None`: not looked for.
     pub standard: Option<Vec<f64>>,
 }
 
@@ -120,9 +123,9 @@ pub fn local(chosen: &[Chosen], fitted: &Fitted) -> Vec<usize> {
 type Key = (&'static str, Vec<usize>, Vec<u64>);
 
 /// Data with what is known about them.
-pub struct Bench<'a> {
+pub struct ModelUnderTest<'a> {
     /// The arm.
-    pub plant: &'a dyn Plant,
+    pub plant: &'a dyn PerturbableArm,
     /// The logs.
     pub recordings: &'a [Recording],
     /// Windows per second.
@@ -130,35 +133,36 @@ pub struct Bench<'a> {
     /// Unknowns of the rigid arm.
     pub mode: Mode,
     /// The data as causes see them.
-    pub scene: Scene<'a>,
+    pub scene: WindowedData<'a>,
     /// Friction parameters (three per joint) that stay as the file has them.
     pub frozen: Vec<bool>,
     /// Friction parameters that are fitted but no news: too little or too unsure to be named.
     pub quiet: Vec<bool>,
     /// What the motion does not show stays with the file; made at the first fit.
-    pub hold: Option<Hold>,
+    pub hold: Option<Regulariser>,
     /// Whether every window counts.
     all: bool,
     /// Terms of families that depend on the motion alone, by cause, place and shape.
     known: Mutex<HashMap<Key, Arc<Vec<Term>>>>,
-    /// Equations in the rigid arm's unknowns and friction's alone, in pieces from everywhere and in stretches.
+    /// Equations in the rigid arm's unknowns and friction's alone, in pieces from everywhere and in
+    /// stretches.
     ground: [OnceLock<Moments>; 2],
     base: Vec<Column>,
     friction: Vec<Column>,
     y: Vec<Vec<f64>>,
 }
 
-impl<'a> Bench<'a> {
+impl<'a> ModelUnderTest<'a> {
     /// Sets up. `all`: every sample counts, for the final measure.
     pub fn new(
-        plant: &'a dyn Plant,
+        plant: &'a dyn PerturbableArm,
         recordings: &'a [Recording],
         rate: f64,
         mode: Mode,
         delays: &[f64],
         all: bool,
     ) -> Self {
-        let scene = Scene::new(plant, recordings, rate, delays, all);
+        let scene = WindowedData::new(plant, recordings, rate, delays, all);
         let (frozen, quiet) = (vec![false; 3 * plant.dof()], vec![false; 3 * plant.dof()]);
         let (base, friction, y) = Default::default();
         let mut bench = Self {
@@ -258,7 +262,7 @@ impl<'a> Bench<'a> {
             delays[j] += by;
         }
         let (beta, standard) = (self.scene.beta.clone(), self.scene.standard.clone());
-        self.scene = Scene::new(self.plant, self.recordings, self.rate, &delays, self.all);
+        self.scene = WindowedData::new(self.plant, self.recordings, self.rate, &delays, self.all);
         self.scene.set_model(beta, standard);
         self.known = Mutex::default();
         self.prepare();
@@ -278,8 +282,8 @@ impl<'a> Bench<'a> {
 
     /// Terms of a cause; made once where they depend on the motion alone.
     pub fn family(&self, cause: &'static dyn Cause, place: &[usize], shape: &[f64]) -> Arc<Vec<Term>> {
-        let rests =
-            cause.rests_on_model() && (self.mode == Mode::Refitted || cause.rests_on_friction() || cause.secant());
+        let rests = cause.rests_on_model()
+            && (self.mode == Mode::Refitted || cause.rests_on_friction() || cause.finite_difference());
         if rests || self.all {
             return Arc::new(cause.terms(&self.scene, place, shape));
         }
@@ -293,8 +297,9 @@ impl<'a> Bench<'a> {
         made
     }
 
-    /// Fits rigid arm (where unknown), friction and the chosen causes together. Families that are difference quotients are
-    /// made anew about what was found until that settles; so is what rests on the rigid model.
+    /// Fits rigid arm (where unknown), friction and the chosen causes together. Families that are
+    /// difference quotients are made anew about what was found until that settles; so is what rests
+    /// on the rigid model.
     pub fn fit(&mut self, chosen: &mut [Chosen]) -> Fitted {
         if self.hold.is_none() {
             self.hold = Some(self.held());
@@ -307,7 +312,7 @@ impl<'a> Bench<'a> {
             for (i, c) in chosen.iter_mut().enumerate() {
                 let before = c.x.clone();
                 c.x = (0..fitted.terms[i].len()).map(|t| fitted.solution.x[fitted.first[i] + t]).collect();
-                if c.cause.secant() && !c.x.is_empty() {
+                if c.cause.finite_difference() && !c.x.is_empty() {
                     let x = c.x[0];
                     if c.cause.moves_time() {
                         // What is less is taken on lines.
@@ -336,7 +341,8 @@ impl<'a> Bench<'a> {
         unreachable!("the loop returns")
     }
 
-    /// Sizes that stand in the shape of a law ([`Cause::unit`]), by Gauss's and Newton's steps with everything else refitted.
+    /// Sizes that stand in the shape of a law ([`Cause::unit`]), by Gauss's and Newton's steps with
+    /// everything else refitted.
     pub fn polish(&mut self, chosen: &mut [Chosen]) -> Fitted {
         let mut fitted = self.fit(chosen);
         for index in (0..chosen.len()).filter(|&i| chosen[i].cause.unit()).collect::<Vec<usize>>() {
@@ -372,7 +378,8 @@ impl<'a> Bench<'a> {
         fitted
     }
 
-    /// The step of the numbers of one law's shape to where the misfit is least on lines, its coefficient known to be 1 to [`UNIT`].
+    /// The step of the numbers of one law's shape to where the misfit is least on lines, its
+    /// coefficient known to be 1 to [`UNIT`].
     fn newton(&self, fitted: &Fitted, chosen: &[Chosen], index: usize) -> Option<Vec<f64>> {
         let (c, own) = (&chosen[index], fitted.first[index]);
         let columns: Option<Vec<Column>> = (0..c.shape.len())
@@ -395,11 +402,12 @@ impl<'a> Bench<'a> {
         let friction = self.base.len();
         let solution = moments.solve(weights);
         let residual = moments.residual(&solution.x);
-        let memory = residual.iter().zip(&self.scene.live).map(|(e, l)| memory(e, l)).collect();
+        let memory = residual.iter().zip(&self.scene.live).map(|(e, l)| autocorrelation_time(e, l)).collect();
         Fitted { moments, solution, residual, memory, friction, first, terms, standard: None }
     }
 
-    /// Equations in the rigid arm's unknowns, friction's and those of the chosen causes, in pieces or in stretches; where the causes' begin; their terms.
+    /// Equations in the rigid arm's unknowns, friction's and those of the chosen causes, in pieces
+    /// or in stretches; where the causes' begin; their terms.
     fn equations(&self, chosen: &[Chosen], stretches: bool) -> (Moments, Vec<usize>, Vec<Arc<Vec<Term>>>) {
         let ground = self.ground[usize::from(stretches)].get_or_init(|| {
             let columns: Vec<Column> = self.base.iter().chain(&self.friction).cloned().collect();
@@ -420,21 +428,21 @@ impl<'a> Bench<'a> {
     }
 
     /// What is held while some friction is frozen.
-    fn holding(&self) -> Hold {
+    fn holding(&self) -> Regulariser {
         let frozen = |k: usize| k.checked_sub(self.base.len()).is_some_and(|k| self.frozen.get(k) == Some(&true));
-        self.hold.as_ref().map_or_else(Hold::none, |hold| hold.without(frozen))
+        self.hold.as_ref().map_or_else(Regulariser::none, |hold| hold.without(frozen))
     }
 
-    /// Holds nothing of these joints' friction. Beside a slow error the data seem to tell little of it, and it is held; beside the cause of that error it need
-    /// not be.
-    pub fn let_go(&mut self, joints: &[usize]) {
+    /// Holds nothing of these joints' friction. Beside a slow error the data seem to tell little of
+    /// it, and it is held; beside the cause of that error it need not be.
+    pub fn release_joints(&mut self, joints: &[usize]) {
         let base = self.base.len();
         let own = |k: usize| k.checked_sub(base).is_some_and(|k| joints.contains(&(k / 3)));
         self.hold = self.hold.take().map(|hold| hold.without(own));
     }
 
     /// What the motion shows of base parameters and friction, and what of them stays with the file.
-    fn held(&self) -> Hold {
+    fn held(&self) -> Regulariser {
         let wanted = if self.mode == Mode::Refitted { inertial(self.plant) } else { Vec::new() };
         let torque: Vec<f64> = self
             .scene
@@ -442,7 +450,7 @@ impl<'a> Bench<'a> {
             .iter()
             .map(|y| (y.iter().map(|y| y * y).sum::<f64>() / y.len().max(1) as f64).sqrt())
             .collect();
-        let Some(belief) = belief(self.plant, &wanted, &torque) else { return Hold::none() };
+        let Some(belief) = prior(self.plant, &wanted, &torque) else { return Regulariser::none() };
         let free = self.fit_once(&[], None);
         let weights = &free.solution.weights;
         let thinned: Vec<f64> = weights.iter().zip(&free.memory).map(|(w, m)| w / m).collect();
@@ -450,15 +458,15 @@ impl<'a> Bench<'a> {
         let mut stretches = self.stretches(&[]);
         let counts = stretches.counts();
         let ground: Vec<f64> = torque.iter().map(|t| 0.004 * t).collect();
-        let mut best: Option<(Hold, LeftOut)> = None;
-        for hold in FIRM.iter().filter_map(|firm| Hold::new(&belief, &full, &thinned, *firm)) {
+        let mut best: Option<(Regulariser, LeftOut)> = None;
+        for hold in STRENGTHS.iter().filter_map(|firm| Regulariser::new(&belief, &full, &thinned, *firm)) {
             stretches.held_by(hold.clone());
             let left = LeftOut::new(&stretches.cross_validated(&free.solution), &counts);
             if best.as_ref().is_none_or(|(_, known)| left.less(known, &ground).gain > 0.0) {
                 best = Some((hold, left));
             }
         }
-        best.map_or_else(Hold::none, |b| b.0)
+        best.map_or_else(Regulariser::none, |b| b.0)
     }
 
     /// The equations in stretches that can be left out: eighths of the data, each in one piece.
@@ -517,7 +525,7 @@ impl<'a> Bench<'a> {
     }
 
     /// Takes over the rigid model and the friction that another bench found.
-    pub fn adopt(&mut self, other: &Bench<'_>, fitted: &Fitted) {
+    pub fn adopt(&mut self, other: &ModelUnderTest<'_>, fitted: &Fitted) {
         self.scene.set_model(other.scene.beta.clone(), other.scene.standard.clone());
         let keep = self.mode;
         self.mode = Mode::Trusted;
@@ -525,8 +533,8 @@ impl<'a> Bench<'a> {
         self.mode = keep;
     }
 
-    /// Torques that the model predicts with unknowns `x` (in the order of the fit), beside what the file explains, per joint: the target less
-    /// this is the error.
+    /// Torques that the model predicts with unknowns `x` (in the order of the fit), beside what the
+    /// file explains, per joint: the target less this is the error.
     pub fn predict(&self, x: &nalgebra::DVector<f64>, chosen: &[Chosen]) -> Vec<Vec<f64>> {
         let mut rows = vec![vec![0.0; self.scene.len]; self.scene.dof()];
         let terms: Vec<Arc<Vec<Term>>> = chosen.iter().map(|c| self.terms(c)).collect();
@@ -551,7 +559,7 @@ impl<'a> Bench<'a> {
     }
 }
 
-pub(super) fn without_friction(plant: &dyn Plant, standard: &[f64]) -> Vec<f64> {
+pub(super) fn without_friction(plant: &dyn PerturbableArm, standard: &[f64]) -> Vec<f64> {
     plant
         .standard_names()
         .iter()

@@ -1,12 +1,13 @@
-//! Second moments of columns, joint by joint and part by part: all that least squares, its alternatives and its cross-validation need.
+//! Second moments of columns, joint by joint and part by part: all that least squares, its
+//! alternatives and its cross-validation need.
 
 use std::ops::Range;
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-use super::hold::Hold;
-use super::scene::{BLOCKS, Column, Scene};
+use crate::diagnose::regulariser::Regulariser;
+use crate::diagnose::windowed_data::{BLOCKS, Column, WindowedData};
 use crate::identify::dot;
 
 /// Products of a joint's columns with each other and with the torque, over one part of the data.
@@ -43,7 +44,7 @@ pub struct Moments {
     /// Of the whole data.
     whole: Vec<Part>,
     /// What holds the first unknowns.
-    hold: Hold,
+    hold: Regulariser,
 }
 
 /// A least-squares solution.
@@ -64,7 +65,8 @@ pub struct Solution {
 /// Columns that are tried beside those of a [`Moments`].
 pub struct Trial {
     terms: usize,
-    /// Per joint it acts on: the joint, the terms that act there, their products with the joint's columns, with each other and with y, whole data.
+    /// Per joint it acts on: the joint, the terms that act there, their products with the joint's
+    /// columns, with each other and with y, whole data.
     joints: Vec<TrialJoint>,
 }
 
@@ -86,8 +88,9 @@ pub struct Gain {
 }
 
 impl Moments {
-    /// Of these columns and the torque `y` (per joint, masked), in the parts `block` (one number below [`BLOCKS`] a window).
-    pub fn new(scene: &Scene<'_>, block: &[usize], y: &[Vec<f64>], columns: &[Column]) -> Self {
+    /// Of these columns and the torque `y` (per joint, masked), in the parts `block` (one number
+    /// below [`BLOCKS`] a window).
+    pub fn new(scene: &WindowedData<'_>, block: &[usize], y: &[Vec<f64>], columns: &[Column]) -> Self {
         let mut pieces: Vec<(Range<usize>, usize)> = Vec::new();
         for (w, &part) in block.iter().enumerate() {
             match pieces.last_mut() {
@@ -115,7 +118,7 @@ impl Moments {
             y: Arc::new(y.to_vec()),
             pieces: Arc::new(pieces),
             whole: Vec::new(),
-            hold: Hold::none(),
+            hold: Regulariser::none(),
         };
         bare.with(columns)
     }
@@ -288,12 +291,14 @@ impl Moments {
         Solution { rss: self.residuals(&self.whole, &x), x, ..solution.clone() }
     }
 
-    /// Sums of squared residuals per joint and part, each part predicted from all others (weights as in `whole`).
+    /// Sums of squared residuals per joint and part, each part predicted from all others (weights
+    /// as in `whole`).
     pub fn cross_validated(&self, whole: &Solution) -> Vec<Vec<f64>> {
         self.cross_validated_without(whole, &[], &[])
     }
 
-    /// The same where some unknowns are 0 (`out`), and others (`fixed`) are those of the whole, since no other part can tell them.
+    /// The same where some unknowns are 0 (`out`), and others (`fixed`) are those of the whole,
+    /// since no other part can tell them.
     pub fn cross_validated_without(&self, whole: &Solution, out: &[usize], fixed: &[usize]) -> Vec<Vec<f64>> {
         let held = self.held();
         let plain = |matrix: &DMatrix<f64>, rhs: &DVector<f64>| {
@@ -352,7 +357,7 @@ impl Moments {
     }
 
     /// The same equations with another hold.
-    pub fn held_by(&mut self, hold: Hold) {
+    pub fn held_by(&mut self, hold: Regulariser) {
         self.hold = hold;
     }
 
@@ -389,7 +394,8 @@ impl Moments {
         Trial { terms: terms.len(), joints }
     }
 
-    /// What the trial's columns gain beside the others, which are refitted; `None` where the others already say the same.
+    /// What the trial's columns gain beside the others, which are refitted; `None` where the others
+    /// already say the same.
     pub fn gain(&self, at: &Solution, trial: &Trial) -> Option<Gain> {
         let (n, k) = (self.unknowns, trial.terms);
         let (mut cross, mut gram, mut rhs) = (DMatrix::zeros(n, k), DMatrix::zeros(k, k), DVector::zeros(k));
@@ -477,10 +483,12 @@ pub fn pseudo_inverse(matrix: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 impl Moments {
-    /// Covariance of the unknowns where the residuals of joint `j` are alike over `inflation[j]` windows,
-    /// `A^-1 (sum_j w_j lambda_j A_j' A_j) A^-1`, each unknown's standard deviation at least what the parts of the data say that pull it to and fro:
-    /// `A^-1 (sum_p g_p g_p') A^-1 P / (P - 1)`, `g_p` the gradient of part `p` (P. J. Huber 1967; K.-Y. Liang and S. L. Zeger, Biometrika 73, 1986).
-    /// The second sees a law that is not the one that acts: what is left then goes with what moves, and not as noise does.
+    /// Covariance of the unknowns where the residuals of joint `j` are alike over `inflation[j]`
+    /// windows, `A^-1 (sum_j w_j lambda_j A_j' A_j) A^-1`, each unknown's standard deviation at
+    /// least what the parts of the data say that pull it to and fro: `A^-1 (sum_p g_p g_p') A^-1 P
+    /// / (P - 1)`, `g_p` the gradient of part `p` (P. J. Huber 1967; K.-Y. Liang and S. L. Zeger,
+    /// Biometrika 73, 1986). The second sees a law that is not the one that acts: what is left then
+    /// goes with what moves, and not as noise does.
     pub fn covariance(&self, at: &Solution, inflation: &[f64]) -> DMatrix<f64> {
         let weights: Vec<f64> = at.weights.iter().zip(inflation).map(|(w, l)| w * l).collect();
         let mut middle = self.told(&weights);
@@ -504,7 +512,8 @@ impl Moments {
         covariance
     }
 
-    /// Variance of each unknown by how the parts of the data pull at it, each about the mean of all.
+    /// Variance of each unknown by how the parts of the data pull at it, each about the mean of
+    /// all.
     fn pulled_to_and_fro(&self, at: &Solution) -> DVector<f64> {
         let mut pulls = Vec::new();
         for part in 0..self.parts() {
@@ -533,7 +542,8 @@ impl Moments {
         spread
     }
 
-    /// The same equations and solution with further columns, of unknowns that are at their best value already: zero.
+    /// The same equations and solution with further columns, of unknowns that are at their best
+    /// value already: zero.
     pub fn beside(&self, at: &Solution, more: &[Column]) -> (Self, Solution) {
         let moments = self.with(more);
         let (matrix, _) = moments.assemble(&moments.whole, &at.weights);

@@ -1,13 +1,14 @@
-//! The least-squares model inside what is physically possible: bodies that can exist, rotor inertias, friction levels and sizes of laws that are
-//! not negative. This is the model that is measured, offered and written.
+//! The least-squares model inside what is physically possible: bodies that can exist, rotor
+//! inertias, friction levels and sizes of laws that are not negative. This is the model that is
+//! measured, offered and written.
 
 use nalgebra::{DMatrix, DVector};
 
-use super::causes::Sign;
-use super::model::{Bench, Chosen, Fitted, Mode, given_friction, inertial, local, without_friction};
-use super::offer::LeftOut;
-use crate::arm::{BaseParameter, LikelyBodies};
+use super::model::{Chosen, Fitted, Mode, ModelUnderTest, given_friction, inertial, local, without_friction};
+use crate::diagnose::hypotheses::Sign;
+use crate::diagnose::model_choice::LeftOut;
 use crate::identify::{BoundedLeastSquares, ConsistentError, ConsistentSettings};
+use crate::model::{BaseParameter, LikelyBodies};
 
 /// Torques are not known better than to this share of themselves, whatever little a fit leaves.
 const DIGITS: f64 = 1e-5;
@@ -38,9 +39,9 @@ impl Limits {
     }
 }
 
-impl Bench<'_> {
-    /// A fit of this bench moved to the least-squares solution inside the limits; as it is where nothing of it lies outside and no link
-    /// is unknown. The scene has its model afterwards.
+impl ModelUnderTest<'_> {
+    /// A fit of this bench moved to the least-squares solution inside the limits; as it is where
+    /// nothing of it lies outside and no link is unknown. The scene has its model afterwards.
     ///
     /// # Errors
     /// Where the solver finds no solution.
@@ -63,7 +64,8 @@ impl Bench<'_> {
         Ok(moved)
     }
 
-    /// [`Bench::left_out`] of the model inside the limits: each stretch is predicted by the possible model that fits the others best.
+    /// [`ModelUnderTest::left_out`] of the model inside the limits: each stretch is predicted by
+    /// the possible model that fits the others best.
     ///
     /// # Errors
     /// Where the solver finds no solution.

@@ -1,6 +1,6 @@
 //! What a diagnosis says: plain data.
 
-use super::causes::Named;
+use crate::diagnose::hypotheses::Named;
 
 /// The whole in a word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,11 +34,13 @@ pub struct Errors {
     pub fit: Vec<f64>,
     /// On those that were not.
     pub validate: Vec<f64>,
-    /// The same where the joint moves. Where one sticks at a reversal, friction is what balances the other torques, and no law of the velocity tells it.
+    /// The same where the joint moves. Where one sticks at a reversal, friction is what balances
+    /// the other torques, and no law of the velocity tells it.
     pub moving: Vec<f64>,
 }
 
-/// A curve of the evidence: what the cause has to explain against what it says, over the quantity that shows it best.
+/// A curve of the evidence: what the cause has to explain against what it says, over the quantity
+/// that shows it best.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Evidence {
     /// Name of the abscissa, with its unit.
@@ -64,7 +66,8 @@ pub struct Cause {
     pub parameters: Vec<Named>,
     /// The same without the joint's number, for the robot file.
     pub keys: Vec<Named>,
-    /// Twice the gain in log-likelihood over independent windows, less what its unknowns and the number of candidates cost.
+    /// Twice the gain in log-likelihood over independent windows, less what its unknowns and the
+    /// number of candidates cost.
     pub support: f64,
     /// By how much less the next best cause in its place has of that.
     pub margin: f64,
@@ -115,7 +118,8 @@ pub struct Curve {
 /// Error against a quantity, before and after: of one joint, on the validating data.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ErrorMap {
-    /// Name of the abscissa, with its unit; against `frequency, Hz` the ordinates are amplitudes, otherwise means of bins.
+    /// Name of the abscissa, with its unit; against `frequency, Hz` the ordinates are amplitudes,
+    /// otherwise means of bins.
     pub over: &'static str,
     /// Abscissa.
     pub x: Vec<f64>,
@@ -152,7 +156,8 @@ impl Offered {
 pub struct Offer {
     /// Which one.
     pub offered: Offered,
-    /// Root mean square over joints of the file's, the refitted and the extended model's errors there, N m.
+    /// Root mean square over joints of the file's, the refitted and the extended model's errors
+    /// there, N m.
     pub left_out: [f64; 3],
     /// Why, and what left the model: sentences.
     pub why: Vec<String>,
@@ -187,7 +192,8 @@ pub struct Diagnosis {
     pub causes: Vec<Cause>,
     /// Plain friction that the extended model has refitted but that is no news: for the file alone.
     pub friction: Vec<Cause>,
-    /// Effects of the file that the data contradict: taken out, and looked for anew. Identifier and joint (from 0), `None`: the whole robot.
+    /// Effects of the file that the data contradict: taken out, and looked for anew. Identifier and
+    /// joint (from 0), `None`: the whole robot.
     pub forgotten: Vec<(String, Option<usize>)>,
     /// What to do next.
     pub next_experiment: Option<NextExperiment>,

@@ -1,17 +1,17 @@
 //! The diagnosis from end to end: recordings in, [`Diagnosis`] out.
 
-use super::item::quiet;
 use super::measure::{Meter, root_mean_square};
-use super::model::{Bench, Mode};
-use super::noise::floor;
-use super::record::{Recording, unexplained};
+use super::model::{Mode, ModelUnderTest};
 use super::result::{Cause, Diagnosis, Errors, NextExperiment, Offer, Verdict};
 use super::search::SearchSettings;
-use super::settle::{Case, Settled};
 use super::structure::structure;
-use super::weigh::{curve, taken, unknown, values_last};
-use crate::arm::Plant;
+use crate::diagnose::attribution::{curve, taken, unknown, values_last};
+use crate::diagnose::recording::{Recording, unexplained};
+use crate::diagnose::refine_and_select::{Case, Settled};
+use crate::diagnose::reported_cause::quiet;
+use crate::diagnose::torque_noise::torque_noise;
 use crate::identify::ConsistentError;
+use crate::model::PerturbableArm;
 
 /// How to diagnose.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,25 +48,27 @@ pub enum DiagnoseError {
     NotFinite,
 }
 
-/// What a simulation of the robot file as it is misses of logs, per joint: root mean square, N m, of all samples and of those where the joint moves.
-pub fn misses(plant: &dyn Plant, recordings: &[Recording], settings: &Settings) -> [Vec<f64>; 2] {
+/// What a simulation of the robot file as it is misses of logs, per joint: root mean square, N m,
+/// of all samples and of those where the joint moves.
+pub fn misses(plant: &dyn PerturbableArm, recordings: &[Recording], settings: &Settings) -> [Vec<f64>; 2] {
     let recordings = &unexplained(plant, recordings)[..];
-    let bench = Bench::new(plant, recordings, settings.rate, Mode::Trusted, &plant.delays(), false);
+    let bench = ModelUnderTest::new(plant, recordings, settings.rate, Mode::Trusted, &plant.delays(), false);
     let measured = Meter::new(plant, recordings, &bench).of_the_file();
     [measured.rms, measured.steady]
 }
 
-/// Diagnoses `fit`, and measures on `validate`; where that is empty, on the last three tenths of each stretch of `fit`.
+/// Diagnoses `fit`, and measures on `validate`; where that is empty, on the last three tenths of
+/// each stretch of `fit`.
 pub fn diagnose(
-    plant: &dyn Plant,
+    plant: &dyn PerturbableArm,
     fit: &[Recording],
     validate: &[Recording],
     settings: &Settings,
     progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, DiagnoseError> {
     let mut found = once(plant, fit, validate, settings, progress)?;
-    // Where an effect is found that the file has already, the data contradict the file's; two of a kind are not written beside each other. So that one is taken
-    // out and looked for anew.
+    // Where an effect is found that the file has already, the data contradict the file's; two of a
+    // kind are not written beside each other. So that one is taken out and looked for anew.
     let mut forgotten: Vec<(String, Option<usize>)> = Vec::new();
     let baseline = found.baseline.clone();
     for _ in 0..2 {
@@ -96,12 +98,13 @@ pub fn diagnose(
 /// Share of each stretch that is fitted where there is no validating log.
 pub(super) const KEPT: f64 = 0.7;
 
-/// Effects of which what is found can be written into the file beside what it has: totals, differences of bodies, further orders.
+/// Effects of which what is found can be written into the file beside what it has: totals,
+/// differences of bodies, further orders.
 const ADDS_UP: [&str; 3] = ["time_delay", "link_inertia_error", "torque_ripple"];
 
 /// [`diagnose`] with the effects of the file as they are.
 fn once(
-    plant: &dyn Plant,
+    plant: &dyn PerturbableArm,
     fit: &[Recording],
     validate: &[Recording],
     settings: &Settings,
@@ -120,8 +123,8 @@ fn once(
     let seconds: f64 = fit.iter().map(Recording::seconds).sum();
     let dof = plant.dof();
     let zeros = plant.delays();
-    let noise = floor(&recorded, dof);
-    let start = Bench::new(plant, fit, settings.rate, Mode::Trusted, &zeros, false);
+    let noise = torque_noise(&recorded, dof);
+    let start = ModelUnderTest::new(plant, fit, settings.rate, Mode::Trusted, &zeros, false);
     if seconds < 2.0 || start.scene.len < 100 {
         return Err(DiagnoseError::TooShort { seconds });
     }
@@ -147,7 +150,7 @@ fn once(
         .collect();
 
     // The same after refitting: what remains is structure.
-    let mut refit = Bench::new(plant, fit, settings.rate, Mode::Refitted, &zeros, false);
+    let mut refit = ModelUnderTest::new(plant, fit, settings.rate, Mode::Refitted, &zeros, false);
     let plain = refit.fit(&mut []);
     let (plain, refit_out) = match refit.possible(&mut [], &plain) {
         Ok(possible) => {
@@ -180,7 +183,7 @@ fn once(
         progress("the file's links as they are");
         models.push(case.searched(Mode::Trusted)?);
     }
-    let enough = |s: &Settled<'_>| structure_of(s).is_empty() && !refit_out.less(&s.left_out, &ground).pays();
+    let enough = |s: &Settled<'_>| structure_of(s).is_empty() && !refit_out.less(&s.left_out, &ground).worth_refit();
     if !models.iter().any(enough) {
         progress("all base parameters anew");
         match case.searched(Mode::Refitted) {

@@ -1,16 +1,17 @@
 //! Which causes: one after the other, each against all others, until nothing more is supported.
 //!
-//! A candidate is a cause in a place. Its gain is the logarithm of the ratio of the joints' residual sums of squares without and with it, all
-//! other unknowns refitted; windows count by how long residuals remember themselves. A candidate is accepted if the gain pays for its
-//! unknowns and for how many candidates were tried, if parts of the data that were not used to fit it confirm it, and if it is large
-//! enough to matter beside the noise.
+//! A candidate is a cause in a place. Its gain is the logarithm of the ratio of the joints'
+//! residual sums of squares without and with it, all other unknowns refitted; windows count by how
+//! long residuals remember themselves. A candidate is accepted if the gain pays for its unknowns
+//! and for how many candidates were tried, if parts of the data that were not used to fit it
+//! confirm it, and if it is large enough to matter beside the noise.
 
 use super::candidate::{Candidate, candidates, rivals, sparest_first};
-use super::causes::Cause;
 use super::judge::{Accepted, Judge, adopt};
-use super::model::{Bench, Chosen, Fitted, Mode};
-use super::swap::swap;
-use super::unite::unite;
+use super::model::{Chosen, Fitted, Mode, ModelUnderTest};
+use crate::diagnose::hypotheses::Cause;
+use crate::diagnose::merge_common_delay::merge_common_delay;
+use crate::diagnose::stepwise_exchange::stepwise_exchange;
 
 /// How strict the search is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,10 +20,11 @@ pub struct SearchSettings {
     pub most: usize,
     /// Least effect, as a share of the joint's raw torque noise.
     pub least_effect: f64,
-    /// Least share of a joint's residual variance that a cause takes, in fit and in cross-validation.
+    /// Least share of a joint's residual variance that a cause takes, in fit and in
+    /// cross-validation.
     pub least_gain: f64,
-    /// Least share of the variance that an earlier cause of the same kind on the same joint took: less is what that cause's law
-    /// does not fit.
+    /// Least share of the variance that an earlier cause of the same kind on the same joint took:
+    /// less is what that cause's law does not fit.
     pub least_share: f64,
 }
 
@@ -32,7 +34,8 @@ impl Default for SearchSettings {
     }
 }
 
-/// Windows that an error remembers itself for, from which on it counts as slow: a tenth of a second.
+/// Windows that an error remembers itself for, from which on it counts as slow: a tenth of a
+/// second.
 const SLOW: f64 = 10.0;
 
 /// Whether what is left of one of these joints is slow.
@@ -42,7 +45,7 @@ fn slow(fitted: &Fitted, joints: &[usize]) -> bool {
 
 /// Searches until nothing more is supported.
 pub fn search(
-    bench: &mut Bench<'_>,
+    bench: &mut ModelUnderTest<'_>,
     noise: &[f64],
     settings: &SearchSettings,
     progress: &dyn Fn(&str),
@@ -69,7 +72,7 @@ pub fn search(
             let mut judged = Judge { bench, noise, settings, accepted: &accepted, tried }.judge(&fitted, &next, &trial);
             if judged.is_none() && slow(&fitted, &candidate.place) {
                 let held = bench.hold.clone();
-                bench.let_go(&candidate.place);
+                bench.release_joints(&candidate.place);
                 next = bench.fit(&mut trial);
                 let judge = Judge { bench, noise, settings, accepted: &accepted, tried };
                 judged = judge.judge(&fitted, &next, &trial).filter(|_| !slow(&next, &candidate.place));
@@ -120,15 +123,15 @@ pub fn search(
         adopt(&mut accepted, &chosen);
     }
     progress("weighing the causes against each other");
-    swap(bench, &mut accepted, &mut fitted, noise, settings);
-    unite(bench, &mut accepted, &mut fitted);
+    stepwise_exchange(bench, &mut accepted, &mut fitted, noise, settings);
+    merge_common_delay(bench, &mut accepted, &mut fitted);
     accepted
 }
 
-/// Two causes on one joint, neither of which is supported alone: what the other leaves remembers itself for so long that the windows count for few. Each must
-/// be worth having beside the other.
+/// Two causes on one joint, neither of which is supported alone: what the other leaves remembers
+/// itself for so long that the windows count for few. Each must be worth having beside the other.
 fn together(
-    bench: &mut Bench<'_>,
+    bench: &mut ModelUnderTest<'_>,
     chosen: &[Chosen],
     fitted: &Fitted,
     ranked: &[Candidate],
@@ -143,7 +146,7 @@ fn together(
         let was_slow = slow(fitted, &first.place);
         bench.hold.clone_from(&held);
         if was_slow {
-            bench.let_go(&first.place);
+            bench.release_joints(&first.place);
         }
         let mut alone = with(chosen, &first.chosen());
         let one = bench.fit(&mut alone);
@@ -182,12 +185,12 @@ fn together(
 }
 
 /// The same columns as a cause of the whole robot, where they rather are one.
-fn rather(bench: &Bench<'_>, chosen: &Chosen, terms: &[super::causes::Term]) -> Option<Chosen> {
+fn rather(bench: &ModelUnderTest<'_>, chosen: &Chosen, terms: &[crate::diagnose::hypotheses::Term]) -> Option<Chosen> {
     let cause = chosen.cause.rather(&bench.scene, &chosen.place, terms, &chosen.x)?;
     Some(Chosen { cause, place: Vec::new(), ..chosen.clone() })
 }
 
 /// Wrong links can't be seen where all base parameters are unknown.
-pub(super) fn makes_sense(bench: &Bench<'_>, cause: &dyn Cause) -> bool {
+pub(super) fn makes_sense(bench: &ModelUnderTest<'_>, cause: &dyn Cause) -> bool {
     bench.mode == Mode::Trusted || !cause.within_links()
 }

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::moments::pseudo_inverse;
-use super::scene::{BLOCKS, Scene};
+use crate::diagnose::windowed_data::{BLOCKS, WindowedData};
 
 /// What is left of one joint's residual that is not noise.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,9 +16,9 @@ pub struct Structure {
     pub description: String,
 }
 
-/// Looks for structure in residuals (zero where a window is not used). `noise`: standard deviation of the raw torque; `torque`: its root mean
-/// square.
-pub fn structure(scene: &Scene<'_>, residual: &[Vec<f64>], noise: &[f64], torque: &[f64]) -> Vec<Structure> {
+/// Looks for structure in residuals (zero where a window is not used). `noise`: standard deviation
+/// of the raw torque; `torque`: its root mean square.
+pub fn structure(scene: &WindowedData<'_>, residual: &[Vec<f64>], noise: &[f64], torque: &[f64]) -> Vec<Structure> {
     (0..scene.dof())
         .filter_map(|j| {
             let live: Vec<usize> = (0..scene.len).filter(|&w| scene.live[j][w]).collect();
@@ -56,8 +56,9 @@ pub fn structure(scene: &Scene<'_>, residual: &[Vec<f64>], noise: &[f64], torque
         .collect()
 }
 
-/// Root mean square of the part that averaging over a tenth of a second leaves, beyond what it leaves of white noise.
-fn slow_part(scene: &Scene<'_>, j: usize, e: &[f64]) -> f64 {
+/// Root mean square of the part that averaging over a tenth of a second leaves, beyond what it
+/// leaves of white noise.
+fn slow_part(scene: &WindowedData<'_>, j: usize, e: &[f64]) -> f64 {
     let m = ((0.1 / scene.step).round() as usize).max(3);
     let (mut squares, mut groups, mut rough, mut pairs) = (0.0, 0.0, 0.0, 0.0);
     for run in &scene.runs {
@@ -83,7 +84,7 @@ fn slow_part(scene: &Scene<'_>, j: usize, e: &[f64]) -> f64 {
 }
 
 /// Frequency of the largest line of the residual below 5 Hz, in the longest run.
-fn loudest(scene: &Scene<'_>, j: usize, e: &[f64]) -> f64 {
+fn loudest(scene: &WindowedData<'_>, j: usize, e: &[f64]) -> f64 {
     let Some(run) = scene.runs.iter().max_by_key(|r| r.len()) else { return 0.0 };
     let e: Vec<f64> = run.clone().map(|w| if scene.live[j][w] { e[w] } else { 0.0 }).collect();
     let seconds = e.len() as f64 * scene.step;
@@ -103,11 +104,11 @@ fn loudest(scene: &Scene<'_>, j: usize, e: &[f64]) -> f64 {
 }
 
 /// General families of functions of what is measured.
-fn maps(scene: &Scene<'_>, j: usize) -> Vec<(&'static str, Vec<Vec<f64>>)> {
-    let series = |f: &dyn Fn(&super::scene::Own, usize) -> f64| {
+fn maps(scene: &WindowedData<'_>, j: usize) -> Vec<(&'static str, Vec<Vec<f64>>)> {
+    let series = |f: &dyn Fn(&crate::diagnose::windowed_data::JointSeries, usize) -> f64| {
         scene.pointwise(j, f).rows.pop().map(|r| r.1).unwrap_or_default()
     };
-    let fastest = super::causes::fastest(scene, j).max(1e-9);
+    let fastest = crate::diagnose::hypotheses::fastest(scene, j).max(1e-9);
     let load = scene.rigid[j].iter().fold(1e-9_f64, |m, t| m.max(t.abs()));
     let long = scene.time.iter().fold(1.0_f64, |m, t| m.max(*t));
     let mut maps = vec![(
@@ -155,7 +156,8 @@ fn maps(scene: &Scene<'_>, j: usize) -> Vec<(&'static str, Vec<Vec<f64>>)> {
     let mut others = vec![own_acceleration];
     for k in (0..scene.dof()).filter(|k| *k != j) {
         for f in [
-            (|o: &super::scene::Own, s: usize| o.sign[s]) as fn(&super::scene::Own, usize) -> f64,
+            (|o: &crate::diagnose::windowed_data::JointSeries, s: usize| o.sign[s])
+                as fn(&crate::diagnose::windowed_data::JointSeries, usize) -> f64,
             |o, s| o.v[s],
             |o, s| o.a[s],
         ] {
@@ -172,7 +174,7 @@ fn maps(scene: &Scene<'_>, j: usize) -> Vec<(&'static str, Vec<Vec<f64>>)> {
 }
 
 /// Share of the variance that a family predicts in parts of the data from the other parts.
-fn predicted_share(scene: &Scene<'_>, live: &[usize], e: &[f64], columns: &[Vec<f64>]) -> f64 {
+fn predicted_share(scene: &WindowedData<'_>, live: &[usize], e: &[f64], columns: &[Vec<f64>]) -> f64 {
     let n = columns.len();
     let mut grams = vec![(DMatrix::<f64>::zeros(n, n), DVector::<f64>::zeros(n), 0.0); BLOCKS];
     let mut row = vec![0.0; n];

@@ -1,11 +1,12 @@
-//! How well a fit knows what it says: standard deviations with the shapes' own, and what the data leave open.
+//! How well a fit knows what it says: standard deviations with the shapes' own, and what the data
+//! leave open.
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-use super::causes::{Estimate, Named, UNIT};
-use super::model::{Bench, Chosen, Fitted, given_friction};
+use super::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use super::moments::pseudo_inverse;
-use super::scene::Column;
+use crate::diagnose::hypotheses::{Estimate, Named, UNIT};
+use crate::diagnose::windowed_data::Column;
 
 /// Covariance of everything that was estimated.
 pub struct Uncertainty {
@@ -18,8 +19,9 @@ pub struct Uncertainty {
 }
 
 impl Uncertainty {
-    /// Of a fit. A number of a shape is an unknown too, and its column is the derivative of what its cause says.
-    pub fn of(bench: &Bench<'_>, fitted: &Fitted, chosen: &[Chosen]) -> Self {
+    /// Of a fit. A number of a shape is an unknown too, and its column is the derivative of what
+    /// its cause says.
+    pub fn of(bench: &ModelUnderTest<'_>, fitted: &Fitted, chosen: &[Chosen]) -> Self {
         let (mut shapes, mut more, mut habits) = (Vec::new(), Vec::new(), Vec::new());
         for (index, c) in chosen.iter().enumerate() {
             let places = c.cause.shape().iter().enumerate().map(|(k, number)| {
@@ -50,10 +52,11 @@ impl Uncertainty {
 }
 
 impl Uncertainty {
-    /// By how much a cause's coefficients stand out of their uncertainty, in Wald's statistic; below zero it may be none. With the shape that was found they
-    /// must be what chance gives once in some 150,000 times (a normal number beyond 4.5), for that shape was the best of many; with the shape unknown
-    /// once in a hundred (beyond 2.5).
-    pub fn stands_out(&self, bench: &Bench<'_>, fitted: &Fitted, index: usize, chosen: &Chosen) -> f64 {
+    /// By how much a cause's coefficients stand out of their uncertainty, in Wald's statistic;
+    /// below zero it may be none. With the shape that was found they must be what chance gives once
+    /// in some 150,000 times (a normal number beyond 4.5), for that shape was the best of many;
+    /// with the shape unknown once in a hundred (beyond 2.5).
+    pub fn stands_out(&self, bench: &ModelUnderTest<'_>, fitted: &Fitted, index: usize, chosen: &Chosen) -> f64 {
         let first = fitted.first[index];
         if chosen.x.is_empty() {
             // Its columns are gone: of what is known now it is nothing.
@@ -84,7 +87,7 @@ fn measure(covariance: &mut DMatrix<f64>, at: usize, std: f64) {
 
 /// Difference quotient of what a cause adds, by a number of its shape.
 pub(super) fn derivative(
-    bench: &Bench<'_>,
+    bench: &ModelUnderTest<'_>,
     fitted: &Fitted,
     index: usize,
     chosen: &Chosen,
@@ -117,7 +120,7 @@ pub(super) fn derivative(
 
 /// Values of a chosen cause's parameters with standard deviations, under the names of a robot file.
 pub fn parameters(
-    bench: &Bench<'_>,
+    bench: &ModelUnderTest<'_>,
     fitted: &Fitted,
     uncertainty: &Uncertainty,
     index: usize,
@@ -154,8 +157,10 @@ pub fn parameters(
     })
 }
 
-/// Directions, one a column, of unknowns counted in what they may be off (`std`), of which the data (`told`, their normal matrix) say less than that belief: of a mass on the axis and
-/// a first moment along it, for one, often only a sum is told. There the least change is as good as any other, and as uncertain as the belief.
+/// Directions, one a column, of unknowns counted in what they may be off (`std`), of which the data
+/// (`told`, their normal matrix) say less than that belief: of a mass on the axis and a first
+/// moment along it, for one, often only a sum is told. There the least change is as good as any
+/// other, and as uncertain as the belief.
 fn untold(told: &DMatrix<f64>, std: &[f64]) -> DMatrix<f64> {
     let n = std.len();
     let white = DMatrix::from_fn(n, n, |i, k| told[(i, k)] * std[i] * std[k]);

@@ -1,17 +1,19 @@
-//! What a robot file with the offered model in it misses of logs, by the file's ordinary inverse dynamics: a route that shares neither columns nor
-//! windows with the diagnosis.
+//! What a robot file with the offered model in it misses of logs, by the file's ordinary inverse
+//! dynamics: a route that shares neither columns nor windows with the diagnosis.
 
 use super::measure::root_mean_square;
-use super::record::{Recording, Stretch};
 use super::run::KEPT;
-use super::scene::{EDGE, dead_zones};
-use crate::arm::{Predicted, States};
+use crate::diagnose::recording::{Recording, Stretch};
+use crate::diagnose::windowed_data::{EDGE, dead_zones};
+use crate::model::{States, TorqueModel};
 
-/// Root mean square error of each joint's torque, N m, over the samples on which a diagnosis measures: both ends of each stretch are left out,
-/// and where the validating part is `own_validation == false` all but the last three tenths of each stretch.
+/// Root mean square error of each joint's torque, N m, over the samples on which a diagnosis
+/// measures: both ends of each stretch are left out, and where the validating part is
+/// `own_validation == false` all but the last three tenths of each stretch.
 ///
-/// The sign of a velocity inside its noise is 0 where the joint rests throughout, as in the diagnosis. A joint whose sensor was off misses nothing.
-pub fn written_errors(model: &dyn Predicted, recordings: &[Recording], own_validation: bool) -> Vec<f64> {
+/// The sign of a velocity inside its noise is 0 where the joint rests throughout, as in the
+/// diagnosis. A joint whose sensor was off misses nothing.
+pub fn written_errors(model: &dyn TorqueModel, recordings: &[Recording], own_validation: bool) -> Vec<f64> {
     let dof = model.dof();
     let share = if own_validation { 0.0 } else { KEPT };
     let parts: Vec<Recording> = recordings.iter().map(|r| r.split(share)[1].clone()).collect();
@@ -44,7 +46,7 @@ fn counted(stretch: &Stretch, share: f64) -> std::ops::Range<usize> {
 }
 
 /// Torques along all stretches of a recording, so that drives warm on; joint-major.
-fn along(model: &dyn Predicted, recording: &Recording, zones: &[(f64, bool)]) -> Vec<f64> {
+fn along(model: &dyn TorqueModel, recording: &Recording, zones: &[(f64, bool)]) -> Vec<f64> {
     let (dof, stretches) = (model.dof(), &recording.stretches);
     let time: Vec<f64> =
         stretches.iter().flat_map(|s| (0..s.states.len).map(move |k| s.start + k as f64 * s.period)).collect();

@@ -14,7 +14,8 @@ pub struct Ball {
 }
 
 impl Ball {
-    /// Its centre in the base frame, m, at sample `s` of `len`; `frames` as [`crate::arm::Placed::frames`] writes them.
+    /// Its centre in the base frame, m, at sample `s` of `len`; `frames` as
+    /// [`crate::model::FrameKinematics::frames`] writes them.
     pub fn placed(&self, frames: &[f64], len: usize, s: usize) -> [f64; 3] {
         let Some(f) = self.frame else { return self.center };
         std::array::from_fn(|i| {
@@ -54,8 +55,10 @@ pub struct Bodies {
 }
 
 impl Bodies {
-    /// From a robot's spheres, ground and boxes. Pairs: all spheres whose links have at least one link that moves between them (neighbours touch by
-    /// construction), except those that no posture can bring together or apart. Ground: the origins of the frames that move away from the base axis, and the tool.
+    /// From a robot's spheres, ground and boxes. Pairs: all spheres whose links have at least one
+    /// link that moves between them (neighbours touch by construction), except those that no
+    /// posture can bring together or apart. Ground: the origins of the frames that move away from
+    /// the base axis, and the tool.
     pub fn new(robot: &Robot) -> Self {
         let balls: Vec<Ball> = robot
             .collision

@@ -1,11 +1,12 @@
-//! Judges a written motion, whoever made it. Shares no code with the designer: torques and frames come from the numeric recursion
-//! (`src/numeric`), the motion between rows from quintic Hermite pieces, pairs of spheres from the file's table.
+//! Judges a written motion, whoever made it. Shares no code with the designer: torques and frames
+//! come from the numeric recursion (`src/numeric`), the motion between rows from quintic Hermite
+//! pieces, pairs of spheres from the file's table.
 
 use dh_codegen::arm::param;
 use dh_codegen::robot::{JointKind, Robot};
 use nalgebra::{Matrix4, Point3};
 
-use crate::numeric::Numeric;
+use crate::model::rigid_body::Numeric;
 
 /// A motion as it stands in a file: one row per time.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -23,7 +24,8 @@ pub struct Written {
 /// How close one condition comes to its limit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
-    /// `position`, `velocity`, `acceleration`, `jerk`, `torque`, `ground`, `self_collision`, `box`, `rest`, `consistency`.
+    /// `position`, `velocity`, `acceleration`, `jerk`, `torque`, `ground`, `self_collision`, `box`,
+    /// `rest`, `consistency`.
     pub kind: &'static str,
     /// Joint, frame or pair, in words.
     pub who: String,
@@ -85,11 +87,12 @@ impl Tightest {
     }
 }
 
-/// Checks a motion against a robot file. `acceleration_time`: where the file has no acceleration limit, full speed may be reached in
-/// this time; `None`: acceleration is not checked there.
+/// Checks a motion against a robot file. `acceleration_time`: where the file has no acceleration
+/// limit, full speed may be reached in this time; `None`: acceleration is not checked there.
 ///
 /// # Errors
-/// Where the rows are no motion of this robot: too few, of the wrong width, times that do not ascend.
+/// Where the rows are no motion of this robot: too few, of the wrong width, times that do not
+/// ascend.
 pub fn check(robot: &Robot, motion: &Written, acceleration_time: Option<f64>) -> Result<Verdict, String> {
     let n = robot.dof();
     let rows = motion.t.len();
@@ -177,7 +180,8 @@ pub fn check(robot: &Robot, motion: &Written, acceleration_time: Option<f64>) ->
         for j in 0..n {
             let (q0, q1, v0, v1) = (motion.q[k][j], motion.q[k + 1][j], dq[k][j], dq[k + 1][j]);
             let (a0, a1) = (ddq[k][j], ddq[k + 1][j]);
-            // Euler-Maclaurin: what the velocities say about the positions, and the accelerations about the velocities.
+            // Euler-Maclaurin: what the velocities say about the positions, and the accelerations
+            // about the velocities.
             let by_speed = (q1 - q0) - h * (v0 + v1) / 2.0 - h * h * (a0 - a1) / 12.0;
             let by_acceleration = (v1 - v0) - h * (a0 + a1) / 2.0;
             let scale = 1e-6 + h * (v0.abs().max(v1.abs()) + h * a0.abs().max(a1.abs()) + 0.02);
@@ -346,7 +350,8 @@ fn differences(t: &[f64], rows: &[Vec<f64>]) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// The quintic through position, velocity and acceleration at both ends of a step `h`, at share `s`: position, velocity, acceleration.
+/// The quintic through position, velocity and acceleration at both ends of a step `h`, at share
+/// `s`: position, velocity, acceleration.
 fn hermite([q0, v0, a0, q1, v1, a1]: [f64; 6], h: f64, s: f64) -> [f64; 3] {
     let (v0, v1, a0, a1) = (v0 * h, v1 * h, a0 * h * h, a1 * h * h);
     let d = q1 - q0;

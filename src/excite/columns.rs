@@ -1,6 +1,7 @@
-//! The columns that a motion is to tell apart: those of the base regressor that count, a body in the tool frame, a caller's own.
+//! The columns that a motion is to tell apart: those of the base regressor that count, a body in
+//! the tool frame, a caller's own.
 
-use crate::arm::{Differentiable, Gradient, States};
+use crate::model::{Differentiable, Gradient, States};
 
 use super::extra::Extra;
 
@@ -25,7 +26,8 @@ pub struct Columns<'a> {
 }
 
 impl<'a> Columns<'a> {
-    /// The columns of the base parameters at these indices, then the ten of a payload if asked for, then the caller's.
+    /// The columns of the base parameters at these indices, then the ten of a payload if asked for,
+    /// then the caller's.
     pub fn new(arm: &'a dyn Differentiable, base: &[usize], payload: bool, extra: Option<&'a dyn Extra>) -> Self {
         let mut names: Vec<String> = base.iter().map(|&b| arm.base_parameters()[b].name.clone()).collect();
         let mut entries = Vec::new();
@@ -62,8 +64,8 @@ impl<'a> Columns<'a> {
         Self { arm, extra, parts, entries, names, turn: Vec::new() }
     }
 
-    /// The same with the sign in Coulomb columns replaced by `tanh(v / turn)`: it can be differentiated, and the instant at which a
-    /// joint turns round then counts.
+    /// The same with the sign in Coulomb columns replaced by `tanh(v / turn)`: it can be
+    /// differentiated, and the instant at which a joint turns round then counts.
     pub(super) fn smooth(mut self, turn: Vec<f64>) -> Self {
         self.turn = turn;
         self

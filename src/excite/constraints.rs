@@ -1,6 +1,6 @@
 //! What must hold at every sample beside the bounds of the joints: torque, ground, spheres, boxes.
 
-use crate::arm::{Differentiable, Gradient, States};
+use crate::model::{Differentiable, Gradient, States};
 
 use super::bodies::{Bodies, distance};
 use super::limits::JointLimits;
@@ -55,7 +55,8 @@ impl Constraints<'_> {
         torques.chain(ground).chain(pairs).chain((0..self.bodies.blocked.len()).map(Constraint::Box)).collect()
     }
 
-    /// Value of each constraint at each sample, at most zero where it holds: `[constraint * len + s]`.
+    /// Value of each constraint at each sample, at most zero where it holds: `[constraint * len +
+    /// s]`.
     pub(super) fn values(&self, list: &[Constraint], states: &States) -> Vec<f64> {
         let len = states.len;
         let mut out = vec![0.0; list.len() * len];
@@ -99,7 +100,8 @@ impl Constraints<'_> {
         out
     }
 
-    /// Gradients of constraints, one per sample of `states` (already gathered), each times its weight.
+    /// Gradients of constraints, one per sample of `states` (already gathered), each times its
+    /// weight.
     pub(super) fn gradients(&self, which: &[Constraint], weights: &[f64], states: &States) -> Gradient {
         let (len, n) = (states.len, self.limits.len());
         let mut to = Gradient { q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };

@@ -1,8 +1,10 @@
-//! What is minimised: functions of `G = W' P W` (Pukelsheim, *Optimal Design of Experiments*, chapter 6; Sun and Tsoi for Hadamard).
+//! What is minimised: functions of `G = W' P W` (Pukelsheim, *Optimal Design of Experiments*,
+//! chapter 6; Sun and Tsoi for Hadamard).
 //!
-//! The condition number is not differentiable where its largest or smallest singular value is multiple, which is where a minimum wants to
-//! be. Power means replace both: `log l_max <= log(sum l^p) / p` and the same for `1 / l_min`. The bound is smooth, it is tight
-//! up to `log(B) / p`, and `p` grows while the solver runs.
+//! The condition number is not differentiable where its largest or smallest singular value is
+//! multiple, which is where a minimum wants to be. Power means replace both: `log l_max <= log(sum
+//! l^p) / p` and the same for `1 / l_min`. The bound is smooth, it is tight up to `log(B) / p`, and
+//! `p` grows while the solver runs.
 
 use nalgebra::DMatrix;
 
@@ -19,7 +21,8 @@ pub enum Criterion {
     Trace,
     /// `1 / l_min(W' W)` (E-optimal: largest variance of any combination).
     Smallest,
-    /// Two groups of columns told apart: `-log det` of what of each group can't be explained by the columns outside it. The other columns are of both.
+    /// Two groups of columns told apart: `-log det` of what of each group can't be explained by the
+    /// columns outside it. The other columns are of both.
     Separation(Vec<usize>, Vec<usize>),
 }
 
@@ -100,7 +103,8 @@ impl Criterion {
         }
     }
 
-    /// From the singular values and right singular vectors of `W diag(scale)`, with this power in the smooth form.
+    /// From the singular values and right singular vectors of `W diag(scale)`, with this power in
+    /// the smooth form.
     pub(super) fn of_spectrum(
         &self,
         sigma: &[f64],

@@ -1,23 +1,26 @@
-//! Motions that are linear in their search variables, the same family for every joint, at rest at both ends.
+//! Motions that are linear in their search variables, the same family for every joint, at rest at
+//! both ends.
 
 use std::f64::consts::PI;
 
-use crate::trajectory::{Fourier, Spline, Trajectory, basis, clamped_knots, harmonic};
+use crate::data::trajectory::{Fourier, Spline, Trajectory, basis, clamped_knots, harmonic};
 
 const DEGREE: usize = 5;
 
-/// A family of motions. Each joint has [`Curve::count`] variables `x`, and its position is `sum of row(t)[k] x[k]`.
+/// A family of motions. Each joint has [`Curve::count`] variables `x`, and its position is `sum of
+/// row(t)[k] x[k]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Curve {
-    /// Clamped quintic B-spline; speed and acceleration are zero at both ends because the first three control points are one
-    /// variable, and so are the last three.
+    /// Clamped quintic B-spline; speed and acceleration are zero at both ends because the first
+    /// three control points are one variable, and so are the last three.
     Spline {
         /// s
         duration: f64,
         /// Between way points.
         intervals: usize,
     },
-    /// Fourier series whose speed and acceleration are zero where a period begins, so that it can be played from rest.
+    /// Fourier series whose speed and acceleration are zero where a period begins, so that it can
+    /// be played from rest.
     Fourier {
         /// Of one period, s.
         period: f64,
@@ -28,8 +31,8 @@ pub enum Curve {
     },
 }
 
-/// Rows that bound a derivative everywhere, between the samples too: if every `row x - middle` is at most `share * half` in size, the
-/// derivative stays within `middle -+ half`.
+/// Rows that bound a derivative everywhere, between the samples too: if every `row x - middle` is
+/// at most `share * half` in size, the derivative stays within `middle -+ half`.
 pub(super) struct Bound {
     pub(super) rows: Vec<Vec<f64>>,
     pub(super) share: f64,
@@ -67,8 +70,9 @@ impl Curve {
                 let (s1, c1) = harmonic(period, 1, t, order);
                 for l in 2..=harmonics {
                     let (s, c) = harmonic(period, l, t, order);
-                    // Amplitudes of speed for the sines and of acceleration for the cosines would be l and l^2 times these; the
-                    // first harmonic takes up what they have at t = 0.
+                    // Amplitudes of speed for the sines and of acceleration for the cosines
+                    // would be l and l^2 times these; the first harmonic takes up what they have
+                    // at t = 0.
                     let l = l as f64;
                     row[2 * (l as usize) - 3] = s / l - s1;
                     row[2 * (l as usize) - 2] = c / (l * l) - c1;
@@ -78,9 +82,11 @@ impl Curve {
         row
     }
 
-    /// Bounds of the derivative of this order. A spline lies in the convex hull of its control points; knots are inserted so that each
-    /// interval has `refine` of them, which brings the hull close to the curve. A trigonometric polynomial of degree `N` is at most
-    /// `1 / cos(pi N / M)` times its largest value at `M` equal steps (Ehlich and Zeller, Mathematische Zeitschrift 86, 1964).
+    /// Bounds of the derivative of this order. A spline lies in the convex hull of its control
+    /// points; knots are inserted so that each interval has `refine` of them, which brings the hull
+    /// close to the curve. A trigonometric polynomial of degree `N` is at most `1 / cos(pi N / M)`
+    /// times its largest value at `M` equal steps (Ehlich and Zeller, Mathematische Zeitschrift 86,
+    /// 1964).
     pub(super) fn bound(&self, order: usize, refine: usize) -> Bound {
         match *self {
             Self::Spline { duration, intervals } => {
@@ -146,7 +152,8 @@ fn variable(control: usize, intervals: usize) -> usize {
     control.saturating_sub(2).min(intervals)
 }
 
-/// Control points of the derivative of this order after knot insertion, as rows over the control points of the spline.
+/// Control points of the derivative of this order after knot insertion, as rows over the control
+/// points of the spline.
 fn hull(duration: f64, intervals: usize, order: usize, refine: usize) -> Vec<Vec<f64>> {
     let mut knots = clamped_knots(DEGREE, duration, intervals);
     let count = intervals + DEGREE;
@@ -154,7 +161,8 @@ fn hull(duration: f64, intervals: usize, order: usize, refine: usize) -> Vec<Vec
         (0..count).map(|i| (0..count).map(|k| f64::from(u8::from(i == k))).collect()).collect();
     let mut degree = DEGREE;
     for _ in 0..order {
-        // Q_i = p (P_{i+1} - P_i) / (u_{i+p+1} - u_{i+1}); the outer knots go (The NURBS Book, equation 3.8).
+        // Q_i = p (P_{i+1} - P_i) / (u_{i+p+1} - u_{i+1}); the outer knots go (The NURBS Book,
+        // equation 3.8).
         rows = (0..rows.len() - 1)
             .map(|i| {
                 let factor = degree as f64 / (knots[i + degree + 1] - knots[i + 1]);
@@ -198,7 +206,7 @@ mod tests {
     ];
 
     fn variables(curve: &Curve, seed: u64) -> Vec<f64> {
-        let mut random = super::super::random::Random::new(seed, 0);
+        let mut random = crate::numerics::prng::Random::stream(seed, 0);
         (0..curve.count()).map(|_| random.uniform(-1.0, 1.0)).collect()
     }
 

@@ -1,20 +1,23 @@
-//! From a task to a motion: several starts at once, a few steps of each on a rough grid; the better third goes on on a coarse one, the best of those
-//! on a fine one, checked between its samples. What a run has learnt of the criterion's curvature goes along.
+//! From a task to a motion: several starts at once, a few steps of each on a rough grid; the better
+//! third goes on on a coarse one, the best of those on a fine one, checked between its samples.
+//! What a run has learnt of the criterion's curvature goes along.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use crate::trajectory::Trajectory;
+use crate::data::trajectory::Trajectory;
 
+use super::Criterion;
 use super::constraints::{Constraint, Worst};
 use super::extra::Extra;
 use super::information::{Conditions, Information};
 use super::program::{Grid, Program};
 use super::sqp::{Point, Search, Settings, better, minimise};
+use super::start;
 use super::task::Task;
-use super::{Criterion, start};
 
-/// How much work is put in. The result depends on this and on the task, never on the time that it took.
+/// How much work is put in. The result depends on this and on the task, never on the time that it
+/// took.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Effort {
     /// Motions to begin with.
@@ -124,7 +127,8 @@ const FINEST: f64 = 500.0;
 /// Designs a motion.
 ///
 /// # Errors
-/// Where no posture is clear of everything, or no motion was found inside the limits: says which constraint and where.
+/// Where no posture is clear of everything, or no motion was found inside the limits: says which
+/// constraint and where.
 pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Design, String> {
     let home = start::home(task).map_err(|worst| {
         format!(
@@ -326,7 +330,8 @@ fn assess(
     })
 }
 
-/// Why the criterion has no value: columns that no motion of this arm tells apart, or that this one does not.
+/// Why the criterion has no value: columns that no motion of this arm tells apart, or that this one
+/// does not.
 fn untold(task: &Task<'_>, information: &Information) -> String {
     let columns = task.columns();
     let names = |untold: &[usize]| untold.iter().map(|&k| columns.names()[k].as_str()).collect::<Vec<_>>().join(", ");
@@ -370,9 +375,10 @@ fn parallel<T: Send>(threads: usize, count: usize, work: impl Fn(usize) -> T + S
     done.into_iter().map(|d| d.1).collect()
 }
 
-/// The motion that best tells two hypotheses apart: `first` and `second` give the columns that each adds to the base regressor. Maximised is what
-/// of either can't be explained by the base parameters and the other. Everything else is as in the task, whose criterion and
-/// extra columns are replaced.
+/// The motion that best tells two hypotheses apart: `first` and `second` give the columns that each
+/// adds to the base regressor. Maximised is what of either can't be explained by the base
+/// parameters and the other. Everything else is as in the task, whose criterion and extra columns
+/// are replaced.
 ///
 /// # Errors
 /// Like [`design`].

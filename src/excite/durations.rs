@@ -1,4 +1,5 @@
-//! The criterion against the duration (the paper's figure 5): when does a longer motion stop paying?
+//! The criterion against the duration (the paper's figure 5): when does a longer motion stop
+//! paying?
 
 use std::sync::atomic::AtomicBool;
 
@@ -22,8 +23,8 @@ pub struct AtDuration {
     pub change: Option<f64>,
 }
 
-/// Designs a motion for every criterion and duration (ascending), with way points as far apart as in the task. `tell` hears which design of all
-/// of them is running, from 0, and how far it is.
+/// Designs a motion for every criterion and duration (ascending), with way points as far apart as
+/// in the task. `tell` hears which design of all of them is running, from 0, and how far it is.
 pub fn by_duration(
     task: &Task<'_>,
     criteria: &[Criterion],

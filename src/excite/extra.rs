@@ -1,6 +1,7 @@
-//! Further columns of the regressor, given by a caller: friction laws to be covered, hypotheses to be told apart.
+//! Further columns of the regressor, given by a caller: friction laws to be covered, hypotheses to
+//! be told apart.
 
-use crate::arm::{Gradient, States};
+use crate::model::{Gradient, States};
 
 /// Columns that stand beside the base regressor's.
 pub trait Extra: Sync {
@@ -10,10 +11,12 @@ pub trait Extra: Sync {
     /// Row (joint) and column of each entry that is not zero.
     fn pattern(&self) -> &[(usize, usize)];
 
-    /// Entry `k` of the pattern at sample `s` goes to `out[k * len + s]`. A sample's entries depend on that sample's state only.
+    /// Entry `k` of the pattern at sample `s` goes to `out[k * len + s]`. A sample's entries depend
+    /// on that sample's state only.
     fn evaluate(&self, states: &States, out: &mut [f64]);
 
-    /// Adds the derivative of `sum of seeds * entries`. By default by central differences, six evaluations per joint.
+    /// Adds the derivative of `sum of seeds * entries`. By default by central differences, six
+    /// evaluations per joint.
     fn vjp(&self, states: &States, seeds: &[f64], to: &mut Gradient) {
         let (len, n) = (states.len, states.q.len() / states.len.max(1));
         let mut out = vec![0.0; self.pattern().len() * len];
@@ -43,9 +46,10 @@ fn part_of(parts: [&mut Vec<f64>; 3], part: usize) -> &mut Vec<f64> {
     }
 }
 
-/// Columns of a richer friction law, so that a motion which tells them all visits low and high speeds in both directions: per joint
-/// `|v|` (viscous friction that differs with direction), `exp(-(v/vs)^2) sign v` (Stribeck) and, where the model has no offset, 1
-/// (Coulomb friction that differs with direction).
+/// Columns of a richer friction law, so that a motion which tells them all visits low and high
+/// speeds in both directions: per joint `|v|` (viscous friction that differs with direction),
+/// `exp(-(v/vs)^2) sign v` (Stribeck) and, where the model has no offset, 1 (Coulomb friction that
+/// differs with direction).
 pub struct FrictionCoverage {
     /// Below which a speed is low, per joint.
     slow: Vec<f64>,
@@ -56,7 +60,8 @@ pub struct FrictionCoverage {
 }
 
 impl FrictionCoverage {
-    /// For joints with these largest speeds; a tenth of them is low. `offset`: with the column of ones.
+    /// For joints with these largest speeds; a tenth of them is low. `offset`: with the column of
+    /// ones.
     pub fn new(speeds: &[f64], offset: bool) -> Self {
         let each = 2 + usize::from(offset);
         Self {

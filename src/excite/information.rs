@@ -1,12 +1,13 @@
 //! What a motion tells about the columns: `G = sum of W' P W`, and functions of its spectrum.
 //!
-//! `G`'s products lose what lies below 1e-8 of the largest singular value of `W`, so where pivots say that digits are at
-//! stake the factor `R` of `W = Q R` is taken instead, which sees singular values themselves.
+//! `G`'s products lose what lies below 1e-8 of the largest singular value of `W`, so where pivots
+//! say that digits are at stake the factor `R` of `W = Q R` is taken instead, which sees singular
+//! values themselves.
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-use crate::arm::{Gradient, States};
-use crate::identify::Triangle;
+use crate::identify::RFactor;
+use crate::model::{Gradient, States};
 
 use super::columns::{Columns, Entry};
 use super::criterion::{Criterion, Slope};
@@ -35,7 +36,8 @@ pub struct Information {
     factor: Option<DMatrix<f64>>,
 }
 
-/// Condition numbers (ratio of the largest to the smallest singular value) and the two determinants of the paper's equation (9).
+/// Condition numbers (ratio of the largest to the smallest singular value) and the two determinants
+/// of the paper's equation (9).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Conditions {
     /// Of the observation matrix.
@@ -71,8 +73,8 @@ impl Information {
         Self { values, len, gram, factor }
     }
 
-    /// Takes the factor where eigenvalues of the products would lose more than some ten digits: `tr G tr G^-1` is at least the square of the
-    /// condition number.
+    /// Takes the factor where eigenvalues of the products would lose more than some ten digits: `tr
+    /// G tr G^-1` is at least the square of the condition number.
     pub(super) fn sharpen(&mut self, columns: &Columns<'_>, scaling: &Scaling) {
         if self.factor.is_some() {
             return;
@@ -123,7 +125,8 @@ impl Information {
         }
     }
 
-    /// Columns that can't be told, each by itself or from one another: those with a part in the null space.
+    /// Columns that can't be told, each by itself or from one another: those with a part in the
+    /// null space.
     pub(super) fn untold(&self) -> Vec<usize> {
         let (sigma, v, _) = self.singular(true);
         let most = sigma.iter().fold(0.0_f64, |m, s| m.max(*s));
@@ -131,8 +134,8 @@ impl Information {
         (0..v.nrows()).filter(|&i| null.iter().any(|&k| v[(i, k)].abs() > 1e-4)).collect()
     }
 
-    /// Of each column, per unit of its parameter: RMS over the motion of its share in a joint's torque, in standard deviations of that torque's
-    /// noise; of the joint where it is largest.
+    /// Of each column, per unit of its parameter: RMS over the motion of its share in a joint's
+    /// torque, in standard deviations of that torque's noise; of the joint where it is largest.
     pub(super) fn torque_shares(&self, columns: &Columns<'_>, scaling: &Scaling) -> Vec<f64> {
         let mut shares = vec![0.0_f64; columns.count()];
         for e in columns.entries() {
@@ -155,7 +158,8 @@ impl Information {
         })
     }
 
-    /// Value of a criterion with this power of its smooth form, and its derivative by `G` in the form that keeps its digits.
+    /// Value of a criterion with this power of its smooth form, and its derivative by `G` in the
+    /// form that keeps its digits.
     pub(super) fn judge(&self, criterion: &Criterion, power: f64) -> Option<(f64, Slope)> {
         if criterion.by_gram() && self.factor.is_none() {
             return criterion.of_gram(&self.gram);
@@ -212,8 +216,9 @@ impl Information {
     }
 }
 
-/// Are the products too coarse? Judged by the pivots, of columns scaled to unit norm and as they are: the ratio of the latter is at most the square of the
-/// condition number, by which eigenvalues of products lose digits.
+/// Are the products too coarse? Judged by the pivots, of columns scaled to unit norm and as they
+/// are: the ratio of the latter is at most the square of the condition number, by which eigenvalues
+/// of products lose digits.
 fn poor(gram: &DMatrix<f64>) -> bool {
     let plain = gram.clone().cholesky().map(|factor| {
         let pivots = factor.l_dirty().diagonal();
@@ -233,7 +238,7 @@ fn poor(gram: &DMatrix<f64>) -> bool {
 /// The triangular factor of the weighted rows, the prior's included.
 fn factor(columns: &Columns<'_>, values: &[f64], len: usize, scaling: &Scaling) -> DMatrix<f64> {
     let count = columns.count();
-    let mut triangle = Triangle::new(count);
+    let mut triangle = RFactor::new(count);
     for row in columns.entries().chunk_by(|a, b| a.row == b.row) {
         let mut block = vec![0.0; len * count];
         for e in row {
@@ -254,8 +259,8 @@ fn factor(columns: &Columns<'_>, values: &[f64], len: usize, scaling: &Scaling) 
 /// Samples that are worked on together: columns of a block stay in the nearest cache.
 const BLOCK: usize = 128;
 
-/// Inner products of the entries of a row, `[i * row.len() + k]` for `k >= i`: four columns at a time, each by four sums, which vectorises and keeps
-/// the order of the sums fixed.
+/// Inner products of the entries of a row, `[i * row.len() + k]` for `k >= i`: four columns at a
+/// time, each by four sums, which vectorises and keeps the order of the sums fixed.
 fn products(row: &[Entry], values: &[f64], len: usize) -> Vec<f64> {
     let count = row.len();
     let mut sums = vec![0.0; count * count];

@@ -33,8 +33,9 @@ pub struct Missing {
 }
 
 impl JointLimits {
-    /// From a file's limits. The speed must be there, and the travel of a prismatic joint. A revolute joint without travel turns without end and is kept within one turn
-    /// either way; without acceleration limit it may reach its speed in half a second (`acceleration_time`).
+    /// From a file's limits. The speed must be there, and the travel of a prismatic joint. A
+    /// revolute joint without travel turns without end and is kept within one turn either way;
+    /// without acceleration limit it may reach its speed in half a second (`acceleration_time`).
     ///
     /// # Errors
     /// Names the key that is missing.

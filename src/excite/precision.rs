@@ -1,8 +1,9 @@
-//! How well the parameters will be known after a motion, from the information alone: `cov = (W' P W + prior)^-1`.
+//! How well the parameters will be known after a motion, from the information alone: `cov = (W' P
+//! W + prior)^-1`.
 
 use nalgebra::DMatrix;
 
-use crate::arm::States;
+use crate::model::States;
 
 use super::information::Information;
 use super::task::Task;
@@ -16,7 +17,8 @@ pub struct Expected {
     pub value: Option<f64>,
     /// Standard deviation of its estimate, in the parameter's unit.
     pub std: f64,
-    /// Does its share in some joint's torque exceed that torque's noise (RMS over the motion)? `None` without a nominal value.
+    /// Does its share in some joint's torque exceed that torque's noise (RMS over the motion)?
+    /// `None` without a nominal value.
     pub essential: Option<bool>,
 }
 
@@ -27,7 +29,8 @@ impl Expected {
     }
 }
 
-/// Nominal values of the base parameters whose columns count, then of the body in the tool frame where that counts and the file has it.
+/// Nominal values of the base parameters whose columns count, then of the body in the tool frame
+/// where that counts and the file has it.
 pub fn nominal(task: &Task<'_>) -> Option<Vec<f64>> {
     let base = task.arm.base_parameters();
     let standard = task.standard.as_deref();
@@ -37,8 +40,8 @@ pub fn nominal(task: &Task<'_>) -> Option<Vec<f64>> {
     Some(values)
 }
 
-/// What to expect after these states at the task's rate, with the task's noise (standard deviation per sample, as if noise of
-/// successive samples were independent) and prior.
+/// What to expect after these states at the task's rate, with the task's noise (standard deviation
+/// per sample, as if noise of successive samples were independent) and prior.
 pub fn expected(task: &Task<'_>, states: &States) -> Vec<Expected> {
     let columns = task.columns();
     let plain = Task { scale: Vec::new(), ..task.clone() };
@@ -69,7 +72,8 @@ pub fn known_from(task: &Task<'_>, played: &[States]) -> DMatrix<f64> {
     sum
 }
 
-/// Information of nominal values that are known to this share of themselves. Those that are zero, or have no value, are not known.
+/// Information of nominal values that are known to this share of themselves. Those that are zero,
+/// or have no value, are not known.
 pub fn known_values(task: &Task<'_>, share: f64) -> Option<DMatrix<f64>> {
     let values = nominal(task).filter(|values| !values.is_empty())?;
     let count = task.columns().count();

@@ -1,6 +1,7 @@
-//! The task as a nonlinear program over the variables of all joints: value, gradient, bounds, constraints.
+//! The task as a nonlinear program over the variables of all joints: value, gradient, bounds,
+//! constraints.
 
-use crate::arm::{Gradient, States};
+use crate::model::{Gradient, States};
 
 use super::columns::Columns;
 use super::constraints::{Constraint, Constraints};
@@ -9,16 +10,18 @@ use super::information::{Information, Scaling, dot};
 use super::subproblem::Row;
 use super::task::Task;
 
-/// Times at which something is evaluated, with what leads from variables to states. A variable moves a joint during a part of the time only.
+/// Times at which something is evaluated, with what leads from variables to states. A variable
+/// moves a joint during a part of the time only.
 pub(super) struct Grid {
     pub(super) times: Vec<f64>,
-    /// Per derivative and variable: the first time at which it counts, and its weights from there on.
+    /// Per derivative and variable: the first time at which it counts, and its weights from there
+    /// on.
     weights: [Vec<(usize, Vec<f64>)>; 3],
 }
 
 impl Grid {
     pub(super) fn new(curve: &Curve, rate: f64) -> Self {
-        let times = crate::trajectory::times(curve.design_duration(), rate);
+        let times = crate::data::trajectory::times(curve.design_duration(), rate);
         let weights = [0, 1, 2].map(|order| {
             let rows: Vec<Vec<f64>> = times.iter().map(|&t| curve.row(t, order)).collect();
             let of = |k: usize| {
@@ -62,7 +65,8 @@ impl Grid {
         to
     }
 
-    /// Adds what a derivative by the state of one joint at time `s` is by the variables of that joint.
+    /// Adds what a derivative by the state of one joint at time `s` is by the variables of that
+    /// joint.
     fn back(&self, s: usize, by: [f64; 3], to: &mut [f64]) {
         for (weights, by) in self.weights.iter().zip(by).filter(|(_, by)| *by != 0.0) {
             for (to, (first, weights)) in to.iter_mut().zip(weights) {
@@ -152,7 +156,8 @@ pub(super) struct Program<'a> {
 }
 
 impl<'a> Program<'a> {
-    /// `measure`: samples per second of the criterion; `guard`: of the constraints; `refine`: hull pieces per interval.
+    /// `measure`: samples per second of the criterion; `guard`: of the constraints; `refine`: hull
+    /// pieces per interval.
     pub(super) fn new(task: &'a Task<'a>, measure: f64, guard: f64, refine: usize) -> Self {
         let columns = task.smooth_columns(measure);
         let constraints = task.constraints();
@@ -188,7 +193,8 @@ impl<'a> Program<'a> {
         self.count * self.task.dof()
     }
 
-    /// The criterion per column and its gradient; `None` where it is not defined (information without full rank).
+    /// The criterion per column and its gradient; `None` where it is not defined (information
+    /// without full rank).
     pub(super) fn objective(&self, x: &[f64], power: f64) -> Option<(f64, Vec<f64>)> {
         let states = self.measure.states(x);
         let mut information = Information::new(&self.columns, &states, &self.scaling);
@@ -258,7 +264,8 @@ impl<'a> Program<'a> {
         sum
     }
 
-    /// Calls with first variable, row, lower and upper bound of every bound of position and its derivatives.
+    /// Calls with first variable, row, lower and upper bound of every bound of position and its
+    /// derivatives.
     fn each_bound<'p>(&'p self, mut visit: impl FnMut(usize, &'p Weights, f64, f64)) {
         for Bounds { order, rows, share } in &self.bounds {
             for (j, limits) in self.task.limits.iter().enumerate() {

@@ -1,6 +1,7 @@
-//! How short can it be? The shortest motion after which every essential parameter is known well enough.
+//! How short can it be? The shortest motion after which every essential parameter is known well
+//! enough.
 
-use crate::trajectory::Trajectory;
+use crate::data::trajectory::Trajectory;
 
 use super::Curve;
 use super::design::{Design, Effort, Watch, design};
@@ -14,20 +15,20 @@ pub struct Shortest {
     pub design: Design,
     /// What to expect of it.
     pub expected: Vec<Expected>,
-    /// Durations that were tried, s, with the largest relative standard deviation of an essential parameter, percent (`None`: no
-    /// feasible motion).
+    /// Durations that were tried, s, with the largest relative standard deviation of an essential
+    /// parameter, percent (`None`: no feasible motion).
     pub tried: Vec<(f64, Option<f64>)>,
 }
 
 /// A motion, what to expect of it, and the essential parameter that is known worst, percent.
 type Attempt = (Design, Vec<Expected>, Option<(String, f64)>);
 
-/// Tries durations in steps of half a second up to that of the task, by bisection: longer motions tell more. Essential are the
-/// parameters that are so in the longest motion.
+/// Tries durations in steps of half a second up to that of the task, by bisection: longer motions
+/// tell more. Essential are the parameters that are so in the longest motion.
 ///
 /// # Errors
-/// Where not even the longest motion reaches the target (says by how much, and which parameter), no nominal values are known, or no
-/// motion is feasible.
+/// Where not even the longest motion reaches the target (says by how much, and which parameter), no
+/// nominal values are known, or no motion is feasible.
 pub fn shortest(task: &Task<'_>, percent: f64, effort: &Effort, watch: &Watch<'_>) -> Result<Shortest, String> {
     let Curve::Spline { duration, intervals } = task.curve else {
         return Err("a target needs splines".into());
@@ -88,6 +89,6 @@ fn no_share_of_itself(task: &Task<'_>, values: &[Expected]) -> String {
 }
 
 /// The states of a motion at a rate.
-pub(super) fn played(motion: &Trajectory, rate: f64) -> crate::arm::States {
+pub(super) fn played(motion: &Trajectory, rate: f64) -> crate::model::States {
     motion.sampled(rate).1
 }

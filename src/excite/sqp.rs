@@ -1,8 +1,9 @@
-//! Sequential quadratic programming with an exact penalty and a trust region (Fletcher's S-l-infinity-QP; Nocedal and Wright,
-//! *Numerical Optimization*, section 18.5).
+//! Sequential quadratic programming with an exact penalty and a trust region (Fletcher's
+//! S-l-infinity-QP; Nocedal and Wright, *Numerical Optimization*, section 18.5).
 //!
-//! The bounds of position, velocity, acceleration and jerk are linear and hold at every iterate. The other constraints may be broken on the way:
-//! the merit is `f + penalty * max(0, c)`. The Hessian of the Lagrangian is a BFGS matrix with Powell's damping.
+//! The bounds of position, velocity, acceleration and jerk are linear and hold at every iterate.
+//! The other constraints may be broken on the way: the merit is `f + penalty * max(0, c)`. The
+//! Hessian of the Lagrangian is a BFGS matrix with Powell's damping.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -169,8 +170,9 @@ pub(super) fn minimise(
     *search = Search { point, hessian, radius: radius.clamp(0.02, 0.3), penalty };
 }
 
-/// The step of the subproblem. Of the bounds it is given those that a fraction of the radius could break, then those that it
-/// broke: that takes fewer rows than all within reach, and one round more now and then.
+/// The step of the subproblem. Of the bounds it is given those that a fraction of the radius could
+/// break, then those that it broke: that takes fewer rows than all within reach, and one round more
+/// now and then.
 fn bounded(
     program: &Program<'_>,
     x: &[f64],
@@ -203,7 +205,8 @@ pub(super) fn better(a: &Point, b: &Point) -> bool {
     }
 }
 
-/// Constraints near their limit, and those that the last step broke: only the highest of neighbours in time, and whatever is broken.
+/// Constraints near their limit, and those that the last step broke: only the highest of neighbours
+/// in time, and whatever is broken.
 fn watch(program: &Program<'_>, guarded: &[f64], also: &[Watched], radius: f64) -> Vec<Watched> {
     let len = program.guard.times.len();
     let mut watched: Vec<Watched> = Vec::new();
@@ -230,8 +233,9 @@ fn norm(x: &[f64]) -> f64 {
     x.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// BFGS with Powell's damping (Nocedal and Wright, procedure 18.2). The criteria bend downwards along most steps, and a matrix that is
-/// positive definite bends too much; so all of it shrinks first, as far as the step says (Oren and Luenberger, Management Science 20, 1974).
+/// BFGS with Powell's damping (Nocedal and Wright, procedure 18.2). The criteria bend downwards
+/// along most steps, and a matrix that is positive definite bends too much; so all of it shrinks
+/// first, as far as the step says (Oren and Luenberger, Management Science 20, 1974).
 fn update(hessian: &mut DMatrix<f64>, s: &DVector<f64>, y: &DVector<f64>, fresh: &mut bool) {
     let sy = s.dot(y);
     if *fresh && sy > 0.0 {

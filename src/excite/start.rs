@@ -1,16 +1,16 @@
 //! Where a run begins: a posture in the clear, and a random motion about it that keeps the bounds.
 
-use crate::arm::States;
+use crate::model::States;
 
 use super::constraints::Worst;
 use super::program::Program;
-use super::random::Random;
 use super::task::Task;
+use crate::numerics::prng::Random;
 
 /// The posture that keeps most clear of everything, of some thousand.
 pub(super) fn home(task: &Task<'_>) -> Result<Vec<f64>, Worst> {
     let (n, len) = (task.dof(), 4096);
-    let mut random = Random::new(7, 0);
+    let mut random = Random::stream(7, 0);
     let mut states = States { len, q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };
     for j in 0..n {
         let [low, high] = task.limits[j].position;
@@ -48,7 +48,7 @@ pub(super) fn home(task: &Task<'_>) -> Result<Vec<f64>, Worst> {
 /// Random states inside the limits, rest left out: what they do not tell, no motion does.
 pub(super) fn anywhere(task: &Task<'_>) -> States {
     let (n, len) = (task.dof(), 500);
-    let mut random = Random::new(11, 0);
+    let mut random = Random::stream(11, 0);
     let mut draw = |order: usize| -> Vec<f64> {
         let range = |j: usize| task.limits[j].range(order).unwrap_or([-1.0, 1.0]);
         (0..n * len).map(|k| random.uniform(range(k / len)[0], range(k / len)[1])).collect()
@@ -58,7 +58,7 @@ pub(super) fn anywhere(task: &Task<'_>) -> States {
 
 /// A random motion about a posture.
 pub(super) fn random_motion(task: &Task<'_>, program: &Program<'_>, home: &[f64], seed: u64, stream: u64) -> Vec<f64> {
-    let mut random = Random::new(seed, stream.wrapping_add(100));
+    let mut random = Random::stream(seed, stream.wrapping_add(100));
     let rest: Vec<f64> = home.iter().flat_map(|&q| task.curve.rest(q)).collect();
     let mut step = vec![0.0; rest.len()];
     let count = task.curve.count();

@@ -1,4 +1,5 @@
-//! The convex subproblem of one step, by clarabel: `min g d + d B d / 2 + mu s` within bounds, `c + C d <= s`, `0 <= s`, `|d| <= delta`.
+//! The convex subproblem of one step, by clarabel: `min g d + d B d / 2 + mu s` within bounds, `c +
+//! C d <= s`, `0 <= s`, `|d| <= delta`.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettingsBuilder, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus};

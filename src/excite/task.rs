@@ -4,8 +4,8 @@ use dh_codegen::arm::param;
 use dh_codegen::robot::Robot;
 use nalgebra::DMatrix;
 
-use crate::arm::{Arm, Differentiable, States};
-use crate::differentiated::Differentiated;
+use crate::model::differentiated::Differentiated;
+use crate::model::{Arm, Differentiable, States};
 
 use super::bodies::Bodies;
 use super::columns::Columns;
@@ -15,7 +15,7 @@ use super::curve::Curve;
 use super::extra::Extra;
 use super::information::Scaling;
 use super::limits::{JointLimits, Missing};
-use super::random::Random;
+use crate::numerics::prng::Random;
 
 /// A task for the designer. Fields may be changed between [`Task::new`] and [`super::design`].
 #[derive(Clone)]
@@ -46,7 +46,8 @@ pub struct Task<'a> {
     pub noise: Vec<f64>,
     /// Factor of each column; empty: 1.
     pub scale: Vec<f64>,
-    /// Information that is there already, in unscaled columns and the noise's units: `W' P W` of earlier motions, or one over variances.
+    /// Information that is there already, in unscaled columns and the noise's units: `W' P W` of
+    /// earlier motions, or one over variances.
     pub prior: Option<DMatrix<f64>>,
     /// Samples per second that the criterion counts.
     pub rate: f64,
@@ -59,7 +60,8 @@ pub struct Task<'a> {
 }
 
 impl<'a> Task<'a> {
-    /// The paper's task for a robot: all base parameters, log det, splines with a way point every second.
+    /// The paper's task for a robot: all base parameters, log det, splines with a way point every
+    /// second.
     ///
     /// # Errors
     /// Where limits are missing that a motion can't be planned without.
@@ -142,7 +144,7 @@ impl<'a> Task<'a> {
 
     /// Leaves out what no posture changes: frames on the base axis, spheres that turn about it.
     fn forget_constant(&mut self) {
-        let mut random = Random::new(1, 1);
+        let mut random = Random::stream(1, 1);
         let (n, len) = (self.dof(), 200);
         let mut states = States { len, q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };
         for j in 0..n {
@@ -185,8 +187,9 @@ impl<'a> Task<'a> {
         Columns::new(self.arm, &self.base, self.payload, self.extra)
     }
 
-    /// The columns with Coulomb's sign made smooth: over two percent of the largest speed, and over what a speed can change in half the time
-    /// between two samples, so that no turning round falls between them.
+    /// The columns with Coulomb's sign made smooth: over two percent of the largest speed, and over
+    /// what a speed can change in half the time between two samples, so that no turning round falls
+    /// between them.
     pub(super) fn smooth_columns(&self, rate: f64) -> Columns<'a> {
         let turn = |l: &JointLimits| (0.02 * l.velocity).max(0.5 * l.acceleration / rate);
         self.columns().smooth(self.limits.iter().map(turn).collect())

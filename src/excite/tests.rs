@@ -7,10 +7,10 @@ use nalgebra::DMatrix;
 
 use super::check::{Written, check};
 use super::program::Program;
-use super::random::Random;
 use super::*;
-use crate::arm::{Arm, States};
-use crate::differentiated::Differentiated;
+use crate::model::differentiated::Differentiated;
+use crate::model::{Arm, States};
+use crate::numerics::prng::Random;
 
 fn robot(name: &str) -> Robot {
     let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
@@ -29,7 +29,7 @@ fn quiet() -> (AtomicBool, fn(&Progress)) {
 }
 
 fn motion(task: &Task<'_>, seed: u64) -> Vec<f64> {
-    let mut random = Random::new(seed, 3);
+    let mut random = Random::stream(seed, 3);
     let home: Vec<f64> = task.limits.iter().map(|l| 0.5 * (l.position[0] + l.position[1])).collect();
     home.iter().flat_map(|&q| task.curve.rest(q)).map(|x| x + random.uniform(-0.5, 0.5)).collect()
 }
@@ -52,7 +52,7 @@ fn gradients_of_criteria_meet_differences() {
             let program = Program::new(&task, 25.0, 10.0, 4);
             let x = motion(&task, k as u64);
             let (_, gradient) = program.objective(&x, power).unwrap();
-            let mut random = Random::new(9, k as u64);
+            let mut random = Random::stream(9, k as u64);
             for _ in 0..2 {
                 let d: Vec<f64> = x.iter().map(|_| random.uniform(-1.0, 1.0)).collect();
                 let slope: f64 = d.iter().zip(&gradient).map(|(d, g)| d * g).sum();
@@ -78,7 +78,7 @@ fn gradients_of_constraints_meet_differences() {
         let program = Program::new(&task, 10.0, 7.0, 4);
         assert!(task.bodies.pairs.len() >= 12, "{name} has {} pairs", task.bodies.pairs.len());
         let x = motion(&task, 4);
-        let mut random = Random::new(2, 2);
+        let mut random = Random::stream(2, 2);
         let len = program.guard.times.len();
         let watched: Vec<(usize, usize)> = (0..program.list.len()).map(|c| (c, (3 * c + 1) % len)).collect();
         let slopes = program.gradients(&x, &watched);
@@ -177,10 +177,12 @@ fn the_checker_sees_what_is_broken() {
     assert!(check(&robot, &Written::default(), None).is_err());
 }
 
-/// Columns that nearly repeat each other: `log det` from products loses everything, from the factor it does not.
+/// Columns that nearly repeat each other: `log det` from products loses everything, from the factor
+/// it does not.
 #[test]
 fn log_det_is_meaningful_at_condition_numbers_of_1e8() {
-    /// `1e-8 x` beside what the base regressor has: a column that differs from `sin q1` by next to nothing.
+    /// `1e-8 x` beside what the base regressor has: a column that differs from `sin q1` by next to
+    /// nothing.
     struct Nearly {
         share: f64,
         pattern: [(usize, usize); 2],
@@ -249,7 +251,7 @@ fn expected_precision_is_that_of_least_squares() {
     let robot = robot("planar2r");
     let arm = Differentiated::new(&robot);
     let len = 50;
-    let mut random = Random::new(5, 5);
+    let mut random = Random::stream(5, 5);
     let mut draw = || (0..2 * len).map(|_| random.uniform(-1.0, 1.0)).collect::<Vec<f64>>();
     let states = States { len, q: draw(), dq: draw(), ddq: draw() };
     let mut limited = robot.clone();
@@ -283,7 +285,8 @@ fn expected_precision_is_that_of_least_squares() {
     assert!((conditions.hadamard - hadamard).abs() < 1e-9);
 }
 
-/// A spring in q1 and a friction cubic in dq1 are told apart better by the motion that is made for it.
+/// A spring in q1 and a friction cubic in dq1 are told apart better by the motion that is made for
+/// it.
 #[test]
 fn a_discriminating_motion_separates_hypotheses() {
     struct Own(fn(f64, f64) -> f64);
@@ -324,8 +327,9 @@ fn what_cannot_be_is_said() {
     assert!(error.contains("A3") && error.contains("velocity"), "{error}");
 }
 
-/// The problem of `benches/excite_slsqp.py`: of five starts each, SLSQP with finite differences ends at 11.25 (condition number, 41 s of processor) and
-/// -499.6 (log det, 26 s) in the middle, past the limits between its times.
+/// The problem of `benches/excite_slsqp.py`: of five starts each, SLSQP with finite differences
+/// ends at 11.25 (condition number, 41 s of processor) and -499.6 (log det, 26 s) in the middle,
+/// past the limits between its times.
 #[test]
 fn a_few_steps_reach_what_a_general_solver_does() {
     let mut robot = robot("kuka-lwr4");

@@ -1,23 +1,29 @@
 //! Standard parameters of possible bodies that explain the data as well as possible bodies can.
 //!
-//! Least squares gives base parameters; nothing in it asks for links that could exist. Here the unknowns are the standard parameters `x`
-//! themselves, the data enter as the same weighted factor as in the plain solution, and every link's pseudo-inertia `P_i(x)` keeps to
-//! its cone:
+//! Least squares gives base parameters; nothing in it asks for links that could exist. Here the
+//! unknowns are the standard parameters `x` themselves, the data enter as the same weighted factor
+//! as in the plain solution, and every link's pseudo-inertia `P_i(x)` keeps to its cone:
 //!
 //! ```text
 //! min  1/(2 lambda) |R K x - z|^2 + w sum_i D(P_i(x), P0_i)    with  P_i(x) >= eps P0_i,  IA, FV, FC >= 0,  bounds
 //! ```
 //!
-//! - `R, z`: triangular factor of all joints' equations, each weighted by its noise; `beta = K x` the base parameters.
-//! - `lambda`: samples per independent sample, over all joints; the first term is then minus the logarithm of the likelihood.
-//! - `D(P, P0) = tr(P P0^-1) - log det(P P0^-1) - 4`: the entropic (Bregman log-det) distance of P. Wensing and J.-J. Slotine / T. Lee, P. Wensing
-//!   and F. Park, *Geometric robot dynamic identification: a convex programming approach*, IEEE Transactions on Robotics 36(2), 2020; twice the
-//!   Kullback-Leibler divergence of the normal distributions with these second moments. It does not depend on units or frames. For small
-//!   differences it is half the sum of squared relative differences, so that `w = 1/s^2` says that the prior is good to a relative `s`.
-//! - `eps` (`margin`): in every direction a link has at least this share of its prior's body. The distance is taken from there (of
-//!   `P - eps P0`), which makes it the barrier of the constraint, and the problem smooth, strictly convex: one solution ([`newton`]).
+//! - `R, z`: triangular factor of all joints' equations, each weighted by its noise; `beta = K x`
+//!   the base parameters.
+//! - `lambda`: samples per independent sample, over all joints; the first term is then minus the
+//!   logarithm of the likelihood.
+//! - `D(P, P0) = tr(P P0^-1) - log det(P P0^-1) - 4`: the entropic (Bregman log-det) distance of P.
+//!   Wensing and J.-J. Slotine / T. Lee, P. Wensing and F. Park, *Geometric robot dynamic
+//!   identification: a convex programming approach*, IEEE Transactions on Robotics 36(2), 2020;
+//!   twice the Kullback-Leibler divergence of the normal distributions with these second moments.
+//!   It does not depend on units or frames. For small differences it is half the sum of squared
+//!   relative differences, so that `w = 1/s^2` says that the prior is good to a relative `s`.
+//! - `eps` (`margin`): in every direction a link has at least this share of its prior's body. The
+//!   distance is taken from there (of `P - eps P0`), which makes it the barrier of the constraint,
+//!   and the problem smooth, strictly convex: one solution ([`newton`]).
 //!
-//! What torques don't show goes to the prior; what they show beyond doubt stays (`w = 1` against thousands of samples).
+//! What torques don't show goes to the prior; what they show beyond doubt stays (`w = 1` against
+//! thousands of samples).
 
 mod bounds;
 #[cfg(test)]
@@ -25,18 +31,16 @@ mod cuts;
 mod least_squares;
 mod newton;
 mod path;
-mod prior;
-mod pseudo;
 mod reproduce;
 mod setup;
 #[cfg(test)]
 mod tests;
 
+pub use crate::model::likely_bodies::{PriorBody, Source, geometric_bodies, prior_bodies};
+pub use crate::model::pseudo_inertia::{body_of, pseudo_inertia};
 pub use bounds::Bounds;
 pub use least_squares::{BoundedLeastSquares, Feasible};
 pub use newton::Stalled;
-pub use prior::{PriorBody, Source, geometric_bodies, prior_bodies};
-pub use pseudo::{body_of, pseudo_inertia};
 pub use reproduce::{Reproduced, possible_bodies};
 
 use newton::Weights;
@@ -44,19 +48,18 @@ use setup::{Data, Setup};
 
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
-use super::{
-    accuracy,
-    accuracy::Accuracy,
-    preference::{Preference, preference},
-    recover::base_of,
-    result::{Identification, Underdetermined},
-    stack::Factors,
-    wls::{JointSystem, stacked},
-};
-use crate::arm::Arm;
+use super::accuracy;
+use super::result::{Identification, Underdetermined};
+use crate::identify::regression::accumulator::Factors;
+use crate::identify::regression::recover::base_of;
+use crate::identify::regression::wls::{JointSystem, stacked};
+use crate::identify::validation::accuracy::Accuracy;
+use crate::identify::validation::preference::Preference;
+use crate::identify::validation::preference::preference;
+use crate::model::Arm;
 
-/// Weight at which prior and barriers do not show any more: what they cost is at most this per link eigenvalue, in units of the
-/// logarithm of the likelihood.
+/// Weight at which prior and barriers do not show any more: what they cost is at most this per link
+/// eigenvalue, in units of the logarithm of the likelihood.
 const VANISHING: f64 = 1e-6;
 
 /// How to fit possible bodies.
@@ -64,18 +67,20 @@ const VANISHING: f64 = 1e-6;
 pub struct ConsistentSettings {
     /// `w`: 1 believes the prior's bodies to about 100 %, 100 to 10 %. Default 1.
     pub prior_weight: f64,
-    /// Weight of a guessed body ([`Source::Geometric`]) relative to one from the robot file. Default 1e-3.
+    /// Weight of a guessed body ([`Source::Geometric`]) relative to one from the robot file.
+    /// Default 1e-3.
     pub geometric_share: f64,
     /// `eps`, above 0 and below 1. Default 1e-3.
     pub margin: f64,
     /// What is known of masses and centres.
     pub bounds: Bounds,
-    /// Bodies that are fixed to links (from 0) and known: a tool. The standard parameters contain them, the bodies that are
-    /// looked for do not.
+    /// Bodies that are fixed to links (from 0) and known: a tool. The standard parameters contain
+    /// them, the bodies that are looked for do not.
     pub carried: Vec<(usize, [f64; 10])>,
-    /// By how much possible bodies may raise the weighted residual of the fit, percent, before the data are said to contradict physics;
-    /// and it must be more than noise explains (an F test at 0.1 % over the independent samples: a short log's plain fit follows the noise, and
-    /// is better than the truth). Default 25.
+    /// By how much possible bodies may raise the weighted residual of the fit, percent, before the
+    /// data are said to contradict physics; and it must be more than noise explains (an F test at
+    /// 0.1 % over the independent samples: a short log's plain fit follows the noise, and is better
+    /// than the truth). Default 25.
     pub most_cost_percent: f64,
 }
 
@@ -179,10 +184,11 @@ pub struct Consistent {
     pub cost: Cost,
     /// What possibility alone costs (the prior's weight vanishing).
     pub possible: Cost,
-    /// How [`Consistent::standard`] does on the validating logs beside the plain solution, with an interval.
+    /// How [`Consistent::standard`] does on the validating logs beside the plain solution, with an
+    /// interval.
     pub against_plain: Option<Preference>,
-    /// Whether what possibility alone costs is more than noise explains: some of the residual is not noise, and the plain solution
-    /// follows it into the impossible.
+    /// Whether what possibility alone costs is more than noise explains: some of the residual is
+    /// not noise, and the plain solution follows it into the impossible.
     pub significant: bool,
     /// Where each link's prior came from.
     pub sources: Vec<Source>,
@@ -190,7 +196,8 @@ pub struct Consistent {
     pub distances: Vec<f64>,
     /// Smallest eigenvalue of each link's body in units of its prior: at least the margin.
     pub margins: Vec<f64>,
-    /// Links (from 1) that the data push to the edge of possibility (prior's weight vanishing): below twice the margin.
+    /// Links (from 1) that the data push to the edge of possibility (prior's weight vanishing):
+    /// below twice the margin.
     pub at_the_edge: Vec<usize>,
     /// Weight of the prior.
     pub prior_weight: f64,
@@ -202,10 +209,12 @@ pub struct Consistent {
     pub steps: usize,
 }
 
-/// Fits possible bodies to the factors that [`solve`](super::solve) was given; `found` is what it gave.
+/// Fits possible bodies to the factors that [`solve`](super::solve) was given; `found` is what it
+/// gave.
 ///
-/// `prior`: one body per link, without what is fixed to it ([`prior_bodies`]). `drives`: standard parameters of the robot file, of
-/// which those of the drives are used (zeros where nothing is known).
+/// `prior`: one body per link, without what is fixed to it ([`prior_bodies`]). `drives`: standard
+/// parameters of the robot file, of which those of the drives are used (zeros where nothing is
+/// known).
 pub fn consistent(
     arm: &dyn Arm,
     fit: &[Factors],
@@ -252,7 +261,8 @@ pub fn consistent(
             possible: cost.fit.rms[joint],
         })
     };
-    // Where bodies are out of the question a rough answer tells, and all digits of the sharp one would go into the size of the misfit.
+    // Where bodies are out of the question a rough answer tells, and all digits of the sharp one
+    // would go into the size of the misfit.
     let rough = 1e-6 * setup.problem.misfit(&setup.start);
     if rough > vanishing.w {
         let (v, _) = setup.problem.follow(&setup.start, Weights { w: rough, mu: rough })?;
@@ -305,7 +315,8 @@ fn data(arm: &dyn Arm, fit: &[Factors], found: &Identification) -> Result<(Data,
     length("base parameters", found.parameters.len(), parameters)?;
     // An exact fit would weigh without bounds: torques are not known to more than five digits.
     let floored = |(joint, sigma): (&JointSystem, &f64)| sigma.max(1e-5 * joint.torque_rms).max(1e-12);
-    // A fit with fewer equations than unknowns shows no noise: what the file leaves is the most that it can be.
+    // A fit with fewer equations than unknowns shows no noise: what the file leaves is the most
+    // that it can be.
     let follows = matches!(found.underdetermined(), Some(Underdetermined::Equations { .. }));
     let noise = found.fit_before.as_ref().filter(|_| follows).map_or(&found.noise.sigma, |before| &before.rms);
     let sigmas: Vec<f64> = joints.iter().zip(noise).map(floored).collect();

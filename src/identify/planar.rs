@@ -1,15 +1,15 @@
-//! A planar arm of two links for the tests of this room, written out by hand; and motions and noise for it.
+//! A planar arm of two links for the tests of this room, written out by hand; and motions and noise
+//! for it.
 
-use crate::{
-    arm::{Arm, BaseParameter, Description, States},
-    log::{Layout, Log},
-    signal::Motion,
-};
+use crate::data::log::{Layout, Log};
+use crate::data::signal::Motion;
+use crate::model::{Arm, BaseParameter, Description, States};
 
 const L: f64 = 0.4;
 const G: f64 = 9.81;
 
-/// Two links in a vertical plane, modified DH, `d2 = 0.4 m`, gravity along `-y`, with rotors and friction.
+/// Two links in a vertical plane, modified DH, `d2 = 0.4 m`, gravity along `-y`, with rotors and
+/// friction.
 pub(crate) struct Planar(Description);
 
 /// Standard parameters of a plausible arm, in the order of [`Planar::new`].
@@ -59,7 +59,7 @@ impl Planar {
     }
 
     pub(crate) fn beta(&self) -> Vec<f64> {
-        super::recover::base_of(self, &STANDARD)
+        crate::identify::regression::recover::base_of(self, &STANDARD)
     }
 }
 
@@ -109,7 +109,7 @@ impl Arm for Planar {
         }
     }
     fn inverse_dynamics(&self, states: &States, standard: &[f64], out: &mut [f64]) {
-        torque(self, states, &super::recover::base_of(self, standard), out);
+        torque(self, states, &crate::identify::regression::recover::base_of(self, standard), out);
     }
 }
 
@@ -126,7 +126,8 @@ pub(crate) fn torque(arm: &Planar, states: &States, beta: &[f64], out: &mut [f64
     }
 }
 
-/// A motion of some sines, `seconds` long at `rate` Hz, exact derivatives, with its exact torque. `phase` makes another of it.
+/// A motion of some sines, `seconds` long at `rate` Hz, exact derivatives, with its exact torque.
+/// `phase` makes another of it.
 pub(crate) fn motion(arm: &Planar, seconds: f64, rate: f64, phase: f64) -> Motion {
     let len = (seconds * rate).round() as usize;
     let mut states = States { len, ..States::default() };
@@ -167,7 +168,8 @@ pub(crate) fn log(motion: &Motion) -> Log {
     Log { layout, columns, starts: vec![0], findings: Vec::new() }
 }
 
-/// Normal numbers by Box and Muller from a linear congruential generator: the same on every machine.
+/// Normal numbers by Box and Muller from a linear congruential generator: the same on every
+/// machine.
 pub(crate) struct Normal(u64);
 
 impl Normal {

@@ -1,7 +1,9 @@
 //! What identification found: plain data.
 
-use super::{Accuracy, Dropped, Noise};
-use crate::log::Finding;
+use super::Accuracy;
+use super::Dropped;
+use super::Noise;
+use crate::data::log::Finding;
 
 /// What became of a parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,8 +29,9 @@ pub struct Estimate {
     pub value: f64,
     /// Standard deviation; infinite where the data do not tell the parameter.
     pub std: f64,
-    /// What the textbook's formula gives, `sigma^2 (W' W)^-1` with the residual of each sample independent of its neighbours': too small after a low-pass.
-    /// For comparison with published figures.
+    /// What the textbook's formula gives, `sigma^2 (W' W)^-1` with the residual of each sample
+    /// independent of its neighbours': too small after a low-pass. For comparison with published
+    /// figures.
     pub white_std: f64,
     /// What became of it.
     pub standing: Standing,
@@ -48,7 +51,8 @@ impl Estimate {
 pub struct Confused {
     /// Names.
     pub parameters: Vec<String>,
-    /// How many combinations of them are open. As many as parameters: none of them acts in this data.
+    /// How many combinations of them are open. As many as parameters: none of them acts in this
+    /// data.
     pub open: usize,
 }
 
@@ -85,7 +89,8 @@ pub struct Identification {
     pub robot: String,
     /// One per base parameter, in the order of the regressor's columns.
     pub parameters: Vec<Estimate>,
-    /// Correlation of the estimates, row-major, `B * B`; NaN where a parameter has no standard deviation.
+    /// Correlation of the estimates, row-major, `B * B`; NaN where a parameter has no standard
+    /// deviation.
     pub correlation: Vec<f64>,
     /// Noise of the joints and how independent its samples are.
     pub noise: Noise,
@@ -113,7 +118,8 @@ pub struct Identification {
     pub findings: Vec<Finding>,
     /// Samples used in the fit, over all joints.
     pub samples: usize,
-    /// Independent ones among them: at most as many as the band of the torque has room for, and as the residual shows.
+    /// Independent ones among them: at most as many as the band of the torque has room for, and as
+    /// the residual shows.
     pub independent: f64,
     /// Unknowns that were solved for: parameters, less the combinations that are open.
     pub unknowns: usize,
@@ -122,7 +128,8 @@ pub struct Identification {
 /// Why data do not determine the parameters, as a whole.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Underdetermined {
-    /// Fewer independent equations than unknowns: the fit follows the noise, and no standard deviation shows it.
+    /// Fewer independent equations than unknowns: the fit follows the noise, and no standard
+    /// deviation shows it.
     Equations {
         /// Samples, over all joints.
         samples: usize,
@@ -144,7 +151,8 @@ impl Identification {
         self.parameters.iter().map(|p| p.value).collect()
     }
 
-    /// Whether the data determine nothing; some open parameters beside others that are known are no such case.
+    /// Whether the data determine nothing; some open parameters beside others that are known are no
+    /// such case.
     pub fn underdetermined(&self) -> Option<Underdetermined> {
         let (samples, independent, unknowns) = (self.samples, self.independent, self.unknowns);
         if independent <= unknowns as f64 {

@@ -1,20 +1,18 @@
 //! Factors of logs -> [`Identification`].
 
-use super::{
-    accuracy,
-    disagree::disagree,
-    essential,
-    essential::Essential,
-    recover::base_of,
-    result::{Condition, Confused, Estimate, Identification, LogSummary, Standing},
-    sign,
-    spectrum::{Small, coupled},
-    stack::Factors,
-    statistics::covariance,
-    unexplained::unexplained,
-    wls::{JointSystem, Problem, stacked},
-};
-use crate::arm::Arm;
+use super::accuracy;
+use super::result::{Condition, Confused, Estimate, Identification, LogSummary, Standing};
+use crate::identify::regression::accumulator::Factors;
+use crate::identify::regression::essential;
+use crate::identify::regression::essential::Essential;
+use crate::identify::regression::recover::base_of;
+use crate::identify::regression::spectrum::{Small, coupled};
+use crate::identify::regression::statistics::covariance;
+use crate::identify::regression::wls::{JointSystem, Problem, stacked};
+use crate::identify::validation::log_consistency::disagree;
+use crate::identify::validation::torque_sign;
+use crate::identify::validation::unexplained::unexplained;
+use crate::model::Arm;
 
 /// How to solve.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,10 +21,11 @@ pub struct IdentifySettings {
     pub weighted: bool,
     /// Whether to leave out parameters that are not essential. Default no.
     pub essential: Option<Essential>,
-    /// Standard parameters of the robot file: what to compare with, and what stands where the data say nothing.
+    /// Standard parameters of the robot file: what to compare with, and what stands where the data
+    /// say nothing.
     pub prior: Option<Vec<f64>>,
-    /// Combinations whose singular value (columns of unit norm) is below this times the largest are not told by the data.
-    /// Default 1e-10: above rounding, below any noise.
+    /// Combinations whose singular value (columns of unit norm) is below this times the largest are
+    /// not told by the data. Default 1e-10: above rounding, below any noise.
     pub tolerance: f64,
     /// Most rounds of weighting. Default 20.
     pub most_iterations: usize,
@@ -152,14 +151,14 @@ pub fn solve(
         }
     }
     let mut findings = match &before {
-        Some(beta) if beta.iter().any(|v| *v != 0.0) => sign::Model { beta, covariance: None }.opposed(&joints),
+        Some(beta) if beta.iter().any(|v| *v != 0.0) => torque_sign::Model { beta, covariance: None }.opposed(&joints),
         _ => Vec::new(),
     };
     if findings.is_empty() {
-        findings = sign::against_fit(arm, &problem, &solution, &std);
+        findings = torque_sign::against_fit(arm, &problem, &solution, &std);
     }
     let known = Some((&covariance, solution.active.as_slice()));
-    let model = sign::Model { beta: &solution.beta, covariance: known };
+    let model = torque_sign::Model { beta: &solution.beta, covariance: known };
     for log in validate {
         for suspicion in model.opposed_by(log) {
             if findings.iter().all(|f| f.column != suspicion.column) {

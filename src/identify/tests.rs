@@ -1,4 +1,5 @@
-//! The whole room on the planar arm: exact without noise, honest with it, frank where the data say nothing.
+//! The whole room on the planar arm: exact without noise, honest with it, frank where the data say
+//! nothing.
 
 mod fit;
 mod honesty;
@@ -7,15 +8,17 @@ mod speed;
 mod unexcited;
 mod wrong;
 
-use super::{
-    Factors, Identification, IdentifySettings, Stack, StackSettings,
-    planar::{Normal, Planar},
-    solve,
-};
-use crate::signal::{Motion, low_pass};
+use super::AccumulatorSettings;
+use super::Factors;
+use super::Identification;
+use super::IdentifySettings;
+use super::QrAccumulator;
+use super::planar::{Normal, Planar};
+use super::solve;
+use crate::data::signal::{Motion, low_pass};
 
 fn factors(arm: &Planar, motions: &[Motion]) -> Factors {
-    let mut stack = Stack::new("test", arm, StackSettings::default());
+    let mut stack = QrAccumulator::new("test", arm, AccumulatorSettings::default());
     motions.iter().for_each(|m| stack.absorb(m));
     stack.finish()
 }
@@ -24,7 +27,8 @@ fn identify(arm: &Planar, motions: &[Motion]) -> Identification {
     solve(arm, &[factors(arm, motions)], &[], &IdentifySettings::default()).unwrap()
 }
 
-/// Adds noise to the torques, N m per joint: white, or white through the zero-phase low-pass of the default filter.
+/// Adds noise to the torques, N m per joint: white, or white through the zero-phase low-pass of the
+/// default filter.
 fn add_noise(motion: &mut Motion, sigma: [f64; 2], filtered: bool, seed: u64) {
     let len = motion.states.len;
     let mut normal = Normal::new(seed);

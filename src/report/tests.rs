@@ -97,7 +97,7 @@ fn page_stands_alone() {
         let ball = [2.0, 0.6, 0.0, 0.2, 0.028, 0.208, 0.188, 0.0, -0.06, 0.0];
         let mut ghost = ball;
         ghost[4] = -1.0;
-        let body = |ten: &[f64; 10]| crate::tool::Body::new(ten, &[0.0; 100]);
+        let body = |ten: &[f64; 10]| crate::identify::tool::Body::new(ten, &[0.0; 100]);
         let links = Links { now: vec![body(&ball), body(&ghost), None], file: vec![body(&ball), None], possible: None };
         identify_html(
             &found(),

@@ -1,8 +1,10 @@
-//! The sign of a velocity, as a bristle: a state that remembers a little travel, so that joints stick, creep nowhere, and break away.
+//! The sign of a velocity, as a bristle: a state that remembers a little travel, so that joints
+//! stick, creep nowhere, and break away.
 //!
-//! `dz/dt = (v - |v| z) / X` (P. R. Dahl, 1968; Canudas de Wit et al. 1995); friction is a level times
-//! `z + b dz/dt exp(-(v / v_d)^2)`, the damping fading with speed so that friction always takes energy (H. Olsson, K. J. Astrom et al.,
-//! *Friction models and friction compensation*, Eur. J. Control 4, 1998). After a travel of some `X` in one direction `z` is `sign(v)`.
+//! `dz/dt = (v - |v| z) / X` (P. R. Dahl, 1968; Canudas de Wit et al. 1995); friction is a level
+//! times `z + b dz/dt exp(-(v / v_d)^2)`, the damping fading with speed so that friction always
+//! takes energy (H. Olsson, K. J. Astrom et al., *Friction models and friction compensation*, Eur.
+//! J. Control 4, 1998). After a travel of some `X` in one direction `z` is `sign(v)`.
 
 /// What a bristle's force is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

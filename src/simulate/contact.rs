@@ -7,17 +7,18 @@ use super::effects::ExternalContact;
 pub struct Wrench {
     /// Force (N) and moment (N m) on the tool, about the origin of its frame, base axes.
     pub wrench: [f64; 6],
-    /// Minus the derivative of the force by the position of the origin, N/m; for the implicit integrator: may be rough, or zero for what
-    /// is soft.
+    /// Minus the derivative of the force by the position of the origin, N/m; for the implicit
+    /// integrator: may be rough, or zero for what is soft.
     pub stiffness: [[f64; 3]; 3],
     /// Minus the derivative of the force by the velocity of the origin, N s/m.
     pub damping: [[f64; 3]; 3],
 }
 
-/// Something that pushes on the tool: a wall, a hand, a spring. Any closure of the same form is one.
+/// Something that pushes on the tool: a wall, a hand, a spring. Any closure of the same form is
+/// one.
 pub trait External: Sync {
-    /// The wrench at time `t` (s) on a tool with this frame (top three rows of its homogeneous matrix, base axes) and twist (velocity of
-    /// its origin and angular velocity, base axes).
+    /// The wrench at time `t` (s) on a tool with this frame (top three rows of its homogeneous
+    /// matrix, base axes) and twist (velocity of its origin and angular velocity, base axes).
     fn wrench(&self, t: f64, pose: &[f64; 12], twist: &[f64; 6]) -> Wrench;
 }
 
@@ -27,9 +28,10 @@ impl<F: Fn(f64, &[f64; 12], &[f64; 6]) -> Wrench + Sync> External for F {
     }
 }
 
-/// A compliant plane with the damping of Hunt and Crossley (J. Applied Mechanics 42, 1975): `k d (1 + c d')` along the normal while the
-/// tool's origin is `d` deep in it, so that the force begins and ends at zero; never pulls. Sliding is resisted by Coulomb friction,
-/// rounded off below `creep`.
+/// A compliant plane with the damping of Hunt and Crossley (J. Applied Mechanics 42, 1975): `k d
+/// (1 + c d')` along the normal while the tool's origin is `d` deep in it, so that the force
+/// begins and ends at zero; never pulls. Sliding is resisted by Coulomb friction, rounded off
+/// below `creep`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wall {
     /// A point of the plane, base axes, m.

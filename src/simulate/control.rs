@@ -3,8 +3,9 @@
 /// What drives the arm.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Mode {
-    /// Feedforward of the given model along the motion, and proportional-derivative feedback. The drive itself is ideal, and the loop is
-    /// continuous: sampling would shift torque against motion by half a period.
+    /// Feedforward of the given model along the motion, and proportional-derivative feedback. The
+    /// drive itself is ideal, and the loop is continuous: sampling would shift torque against
+    /// motion by half a period.
     #[default]
     Position,
     /// Proportional-derivative feedback and the given model's gravity at the desired position.
@@ -13,7 +14,8 @@ pub enum Mode {
     Torque,
     /// No torque: a free swing from the motion's first point.
     Free,
-    /// No loop: the links follow the motion exactly, and torques follow from the laws. Fast, and free of transients.
+    /// No loop: the links follow the motion exactly, and torques follow from the laws. Fast, and
+    /// free of transients.
     Exact,
 }
 
@@ -37,7 +39,8 @@ pub struct Control {
     pub bandwidth: f64,
     /// Damping ratio that default gains are made for.
     pub damping: f64,
-    /// N m/rad, one for each joint; default: bandwidth squared times the joint's inertia, and that of a rotor as large as the drive.
+    /// N m/rad, one for each joint; default: bandwidth squared times the joint's inertia, and that
+    /// of a rotor as large as the drive.
     pub kp: Option<Vec<f64>>,
     /// N m s/rad, one for each joint.
     pub kd: Option<Vec<f64>>,

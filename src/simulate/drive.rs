@@ -9,7 +9,8 @@ use super::effects::{
 /// Temperature of a joint that does not warm, degrees C.
 const ROOM: f64 = 25.0;
 
-/// The drive of one joint with everything that was asked for. Torques in N m at the joint, angles in rad.
+/// The drive of one joint with everything that was asked for. Torques in N m at the joint, angles
+/// in rad.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drive {
     /// Whether a motor drives it.
@@ -111,7 +112,8 @@ impl Drive {
         coulomb + self.stribeck.map_or(0.0, |s| s.excess(v, coulomb)) + self.position.map_or(0.0, |p| p.excess(q))
     }
 
-    /// Friction at the motor without warmth, load and offset; `s` and `h` stand for the sign of `v`: see `bristle.rs`.
+    /// Friction at the motor without warmth, load and offset; `s` and `h` stand for the sign of
+    /// `v`: see `bristle.rs`.
     pub fn friction(&self, q: f64, v: f64, s: f64, h: f64) -> f64 {
         let mut torque = self.plain.viscous * v;
         if self.has_sign() {
@@ -147,7 +149,8 @@ impl Drive {
         self.elasticity.unwrap_or_else(|| JointElasticity::of_teeth(self.rated, self.rotor))
     }
 
-    /// Torque of a soft joint on its link, and its slopes, for the motor's angle and velocity before the link's.
+    /// Torque of a soft joint on its link, and its slopes, for the motor's angle and velocity
+    /// before the link's.
     pub fn transmitted(&self, angle: f64, velocity: f64) -> [f64; 3] {
         let spring = self.transmission();
         match self.backlash {

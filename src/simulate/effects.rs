@@ -1,6 +1,7 @@
 //! The effects beyond the rigid body, one file each: what is read of it, and its law.
 //!
-//! Names, keys and defaults stand in [`dh_codegen::robot::effect`]; what changes geometry or bodies in [`dh_codegen::robot::Robot::change`].
+//! Names, keys and defaults stand in [`dh_codegen::robot::effect`]; what changes geometry or bodies
+//! in [`dh_codegen::robot::Robot::change`].
 
 mod asymmetric_friction;
 mod backlash;

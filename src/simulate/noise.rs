@@ -1,6 +1,6 @@
 //! Random numbers of sensors: the same for the same seed on every machine.
 
-use crate::numeric::random::Random;
+use crate::numerics::prng::Random;
 
 /// A stream of normal deviates.
 #[derive(Debug, Clone)]
@@ -34,7 +34,8 @@ impl Noise {
     }
 }
 
-/// Coloured noise: white noise through a first-order low-pass (a Gauss-Markov process), of standard deviation 1.
+/// Coloured noise: white noise through a first-order low-pass (a Gauss-Markov process), of standard
+/// deviation 1.
 #[derive(Debug, Clone)]
 pub(super) struct Coloured {
     keep: f64,

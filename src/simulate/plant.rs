@@ -1,17 +1,17 @@
 //! The robot as an ordinary differential equation: links, the motors of soft joints, and bristles.
 //!
-//! Coordinates: the `n` links, then one motor for each soft joint; a stiff joint's motor is its link. State: coordinates, their
-//! velocities, bristles.
+//! Coordinates: the `n` links, then one motor for each soft joint; a stiff joint's motor is its
+//! link. State: coordinates, their velocities, bristles.
 
 use super::bristle::{Bristle, Part};
-use super::cholesky;
 use super::contact::{self, External};
 use super::control::{Control, Mode, Table};
 use super::drive::Drive;
 use super::effects::{ExternalContact, GearCoupling};
-use super::integrate::{Breakdown, Linear, LinearBristle, System};
 use super::trajectory::{Point, Trajectory};
-use crate::arm::{Dynamics, ToolState};
+use crate::model::{Dynamics, ToolState};
+use crate::numerics::cholesky;
+use crate::numerics::integrators::{Breakdown, Linear, LinearBristle, System};
 
 /// Torques of the couplings and loads are repeated until they agree to this, relatively.
 const LOAD_AGREES: f64 = 1e-10;
@@ -171,7 +171,8 @@ impl<'a> Plant<'a> {
         }
     }
 
-    /// Whether an explicit method would crawl: gains made for a drive are high for the light link behind it.
+    /// Whether an explicit method would crawl: gains made for a drive are high for the light link
+    /// behind it.
     pub fn is_stiff(&self) -> bool {
         matches!(self.control.mode, Mode::Position | Mode::Pd)
             || !self.bristles.is_empty()
@@ -264,7 +265,8 @@ impl<'a> Plant<'a> {
         }
         work.factor.clone_from(&work.mass);
         cholesky::factor(total, &mut work.factor).map_err(|joint| Breakdown::Mass { joint: joint + 1, time: t })?;
-        // Friction that depends on the transmitted torque, which depends on the acceleration: a contraction, as FL < 1.
+        // Friction that depends on the transmitted torque, which depends on the acceleration: a
+        // contraction, as FL < 1.
         let loaded = self.drives.iter().any(|d| d.load.is_some());
         for _ in 0..60 {
             work.right.clone_from(&work.force);

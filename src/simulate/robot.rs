@@ -1,4 +1,5 @@
-//! From a robot and its effects to what is simulated: bodies as they truly are, and a drive for each joint.
+//! From a robot and its effects to what is simulated: bodies as they truly are, and a drive for
+//! each joint.
 
 use std::ops::Range;
 
@@ -7,21 +8,22 @@ use dh_codegen::robot::effect::Law;
 use dh_codegen::robot::{Effect, Effects, NoLink, Robot};
 
 use super::SimulateError;
-use super::cholesky;
 use super::drive::Drive;
 use super::effects::{
     AsymmetricFriction, Backlash, ExternalContact, FrictionDrift, GearCoupling, Given, JointElasticity, JointSpring,
     LoadDependentFriction, NonlinearViscousFriction, PositionDependentFriction, PreslidingHysteresis, StribeckFriction,
     TorqueRipple,
 };
-use crate::arm::{Arm, Dynamics};
-use crate::interpreted::Interpreted;
+use crate::model::interpreted::Interpreted;
+use crate::model::{Arm, Dynamics};
+use crate::numerics::cholesky;
 
-/// Rotor of a soft joint whose file gives none, kg m^2 per N m of torque limit: see `rotor_inertia` in the table of effects.
+/// Rotor of a soft joint whose file gives none, kg m^2 per N m of torque limit: see `rotor_inertia`
+/// in the table of effects.
 const ROTOR: f64 = 0.003;
 
 /// The robot as it is, and as its file says.
-pub(super) struct Built {
+pub(super) struct SimulatedRobot {
     /// As the file says: what the controller knows.
     pub given: Interpreted,
     pub given_standard: Vec<f64>,
@@ -44,7 +46,7 @@ pub(super) struct Settled {
     pub contacts: Vec<ExternalContact>,
 }
 
-impl Built {
+impl SimulatedRobot {
     pub fn new(robot: &Robot, more: &Effects) -> Result<Self, SimulateError> {
         let given_standard = param::standard_values(robot).ok_or(SimulateError::NoLinks {
             robot: robot.name.clone(),
@@ -139,7 +141,8 @@ impl Built {
             if value >= 0.0 { Ok(value) } else { Err(wrong(key, value, "not be negative")) }
         };
         match effect.name.as_str() {
-            // They add to the file's: what must not be negative is the sum, lest friction drives the arm.
+            // They add to the file's: what must not be negative is the sum, lest friction drives
+            // the arm.
             "viscous_friction" => {
                 drive.plain.viscous += given.get("FV");
                 not_negative("FV, the file's included,", drive.plain.viscous)?;
@@ -183,7 +186,8 @@ impl Built {
         Ok(())
     }
 
-    /// Defaults that depend on the motion: its time, the torques that the file's model asks for, the inertia along it (`places`).
+    /// Defaults that depend on the motion: its time, the torques that the file's model asks for,
+    /// the inertia along it (`places`).
     pub fn settle(&self, span: &Range<f64>, peak: &[f64], places: &[Vec<f64>]) -> Settled {
         let mut drives = self.drives.clone();
         for &j in &self.saturates {
@@ -211,8 +215,9 @@ impl Built {
         Settled { couplings: couplings.collect(), contacts, drives }
     }
 
-    /// Half of what an inertia between two joints may be at most: with a larger one the mass matrix need not be positive definite. Along
-    /// the motion, the least of `1 / (4 sqrt(p q))`, `p` and `q` the joints' entries of its inverse.
+    /// Half of what an inertia between two joints may be at most: with a larger one the mass matrix
+    /// need not be positive definite. Along the motion, the least of `1 / (4 sqrt(p q))`, `p` and
+    /// `q` the joints' entries of its inverse.
     fn bearable_rotor(&self, m: usize, k: usize, drives: &[Drive], places: &[Vec<f64>]) -> f64 {
         let n = drives.len();
         let mut mass = vec![0.0; n * n];

@@ -1,14 +1,19 @@
-//! The arm under a controller of its own: called once a period with what the sensors see, and its torques held until the next.
+//! The arm under a controller of its own: called once a period with what the sensors see, and its
+//! torques held until the next.
 
+use super::Method;
+use super::SimulateError;
+use super::Simulator;
+use super::Solver;
+use super::Trajectory;
 use super::contact::External;
 use super::control::{Control, Mode, Table};
 use super::drive::Drive;
-use super::integrate::{Pace, dormand_prince::DormandPrince, rosenbrock::Rosenbrock};
 use super::noise::{Coloured, Noise};
 use super::plant::{Parts, Plant};
 use super::robot::Settled;
 use super::sensors::{Sensors, Side};
-use super::{Method, SimulateError, Simulator, Solver, Trajectory};
+use crate::numerics::integrators::{Pace, dormand_prince::DormandPrince, rosenbrock::Rosenbrock};
 
 /// How a controller is run.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,7 +30,8 @@ pub struct Sampled {
     pub seed: u64,
 }
 
-/// What the sensors see at an instant; nothing is younger than it, and torques are those that were held until then.
+/// What the sensors see at an instant; nothing is younger than it, and torques are those that were
+/// held until then.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Seen {
     /// s
@@ -104,8 +110,9 @@ impl<'a> Gauges<'a> {
 }
 
 impl Simulator {
-    /// Runs a controller: each `1 / sensors.rate` s it is given what is seen and, to record, what is, and writes the torques (N m) of the period to come.
-    /// It says when to stop early by `false`.
+    /// Runs a controller: each `1 / sensors.rate` s it is given what is seen and, to record, what
+    /// is, and writes the torques (N m) of the period to come. It says when to stop early by
+    /// `false`.
     pub fn run_sampled(
         &self,
         run: &Sampled,
@@ -174,7 +181,8 @@ impl Simulator {
             if !controller(&seen, &instant, &mut plant.held) || k == samples {
                 break;
             }
-            // New torques, new beginning: the step that came last says little about the first that comes.
+            // New torques, new beginning: the step that came last says little about the first that
+            // comes.
             pace.next = pace.next.min(0.5 / rate);
             let end = (k + 1) as f64 / rate;
             match stiff {

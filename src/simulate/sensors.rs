@@ -3,7 +3,7 @@
 use super::drive::Drive;
 use super::noise::{Coloured, Noise};
 use super::trajectory::Point;
-use crate::log::{Layout, Log};
+use crate::data::log::{Layout, Log};
 
 /// On which side of the gear a sensor sits.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -53,8 +53,9 @@ pub struct Sensors {
 }
 
 impl Default for Sensors {
-    /// 1 kHz as in the paper; 1e-5 rad, an absolute encoder of 19 bits or a motor's of 13 bits behind a gear of 100; 0.05 N m white, the
-    /// order of what the joint torque sensors of light-weight arms resolve.
+    /// 1 kHz as in the paper; 1e-5 rad, an absolute encoder of 19 bits or a motor's of 13 bits
+    /// behind a gear of 100; 0.05 N m white, the order of what the joint torque sensors of
+    /// light-weight arms resolve.
     fn default() -> Self {
         Self {
             rate: 1000.0,
@@ -220,13 +221,14 @@ pub(super) fn record(truth: &Truth, drives: &[Drive], sensors: &Sensors, seed: u
             columns.push(truth.wrench[i * len..(i + 1) * len].to_vec());
         }
     }
-    let roles = names.iter().filter_map(|name| crate::log::Role::of(name)).collect();
+    let roles = names.iter().filter_map(|name| crate::data::log::Role::of(name)).collect();
     let positions = (0..names.len()).collect();
     let layout = Layout { file: "simulated".into(), dof: n, roles, positions, ignored: Vec::new(), width: names.len() };
     Log { layout, columns, starts: vec![0], findings: Vec::new() }
 }
 
-/// The values that were there `age` s before each instant, by the cubic with finite-difference slopes; the first value before the start.
+/// The values that were there `age` s before each instant, by the cubic with finite-difference
+/// slopes; the first value before the start.
 fn shifted(t: &[f64], values: &[f64], age: f64) -> Vec<f64> {
     let last = t.len() - 1;
     if last == 0 {

@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-/// Desired motion. Between knots each joint follows the quintic that has the position, velocity and acceleration of both.
+/// Desired motion. Between knots each joint follows the quintic that has the position, velocity and
+/// acceleration of both.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trajectory {
     dof: usize,
@@ -56,8 +57,9 @@ const LONGEST: f64 = 1e4;
 pub type Point = [f64; 3];
 
 impl Trajectory {
-    /// From knots, joint-major. Velocities that are missing come from the cubic spline through the positions (its end slopes those
-    /// of the cubic through the four outermost knots), accelerations from the spline through the velocities.
+    /// From knots, joint-major. Velocities that are missing come from the cubic spline through the
+    /// positions (its end slopes those of the cubic through the four outermost knots),
+    /// accelerations from the spline through the velocities.
     pub fn new(
         dof: usize,
         t: Vec<f64>,
@@ -91,13 +93,14 @@ impl Trajectory {
         Ok(Self { dof, t, q, dq, ddq, tau: Vec::new() })
     }
 
-    /// The same motion as a spline or a Fourier series: exactly, where pieces of a spline are of fifth degree or less and their second derivative is
-    /// continuous; else through its values at 1 kHz.
+    /// The same motion as a spline or a Fourier series: exactly, where pieces of a spline are of
+    /// fifth degree or less and their second derivative is continuous; else through its values at 1
+    /// kHz.
     ///
     /// # Errors
     /// Where it has no duration, or more than 10000 s.
-    pub fn of_motion(motion: &crate::trajectory::Trajectory) -> Result<Self, TrajectoryError> {
-        use crate::trajectory::{Trajectory as Motion, times};
+    pub fn of_motion(motion: &crate::data::trajectory::Trajectory) -> Result<Self, TrajectoryError> {
+        use crate::data::trajectory::{Trajectory as Motion, times};
         if motion.duration() > LONGEST || motion.duration().is_nan() {
             return Err(TrajectoryError::TooLong(motion.duration()));
         }
@@ -105,7 +108,8 @@ impl Trajectory {
             Motion::Spline(spline) if spline.degree <= 5 => {
                 let mut knots = spline.knots.clone();
                 knots.dedup();
-                // A quintic's parts are the same quintic; rows as near as in a CSV let the same doubts be looked for.
+                // A quintic's parts are the same quintic; rows as near as in a CSV let the same
+                // motion_warnings be looked for.
                 let parts = |w: &[f64]| ((w[1] - w[0]) * 1000.0 + 1e-6).floor().clamp(1.0, 1e6) as usize;
                 let inner = knots.windows(2).flat_map(|w| {
                     let n = parts(w);
@@ -171,7 +175,8 @@ impl Trajectory {
         speeds.fold([0.0, self.t[0]], |most, one| if one[0] > most[0] { one } else { most })
     }
 
-    /// How far a joint's velocities are from the slope of its positions: root mean square of the difference by that of the slope; zero where nothing moves.
+    /// How far a joint's velocities are from the slope of its positions: root mean square of the
+    /// difference by that of the slope; zero where nothing moves.
     pub fn off_slope(&self, joint: usize) -> f64 {
         let knots = joint * self.t.len()..(joint + 1) * self.t.len();
         let (q, dq) = (&self.q[knots.clone()], &self.dq[knots]);
@@ -235,7 +240,8 @@ impl Trajectory {
     }
 }
 
-/// The quintic on `[0, 1]` with these values and derivatives at its ends; value and derivatives at `s`.
+/// The quintic on `[0, 1]` with these values and derivatives at its ends; value and derivatives at
+/// `s`.
 fn quintic(a: Point, b: Point, s: f64) -> Point {
     let d = b[0] - a[0] - a[1] - 0.5 * a[2];
     let e = b[1] - a[1] - a[2];
@@ -250,7 +256,8 @@ fn quintic(a: Point, b: Point, s: f64) -> Point {
     ]
 }
 
-/// Slopes at the knots of the cubic spline through `(t, y)` with given end slopes (de Boor, *A Practical Guide to Splines*, chapter IV).
+/// Slopes at the knots of the cubic spline through `(t, y)` with given end slopes (de Boor, *A
+/// Practical Guide to Splines*, chapter IV).
 fn spline_slopes(t: &[f64], y: &[f64]) -> Vec<f64> {
     let n = t.len();
     let rise = |k: usize| (y[k + 1] - y[k]) / (t[k + 1] - t[k]);

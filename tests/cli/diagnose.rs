@@ -81,7 +81,8 @@ fn nothing_hidden_is_nothing_wrong() {
     for j in 0..7 {
         let (noise, error) =
             (found["noise_floor"][j].as_f64().unwrap(), found["extended"]["rms"]["validate"][j].as_f64().unwrap());
-        // Every sample counts, reversals too, where the file's law takes the sign of a velocity within its noise.
+        // Every sample counts, reversals too, where the file's law takes the sign of a velocity
+        // within its noise.
         assert!((0.8..1.2).contains(&(noise / 0.05)) && error < 1.5 * noise, "joint {}: {noise} {error}", j + 1);
     }
 }

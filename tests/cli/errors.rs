@@ -2,7 +2,8 @@
 
 use super::*;
 
-/// The command must end with `status`, print nothing on standard output, and say all of `parts` in one paragraph.
+/// The command must end with `status`, print nothing on standard output, and say all of `parts` in
+/// one paragraph.
 fn fails(status: i32, arguments: &[&str], parts: &[&str]) {
     let run = denavit(arguments);
     assert_eq!(run.status, Some(status), "{arguments:?}: {}", run.err);

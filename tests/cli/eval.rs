@@ -1,7 +1,7 @@
 //! All nine quantities against the numeric recursion, which shares no code with what is run here.
 
-use denavit::numeric::Numeric;
-use denavit::numeric::random::Random;
+use denavit::model::rigid_body::Numeric;
+use denavit::numerics::prng::Random;
 use dh_codegen::arm::param;
 use nalgebra::{DMatrix, DVector};
 
@@ -94,7 +94,8 @@ fn all_quantities(name: &str) {
         .map(|base| standard.iter().position(|s| *s == base.strip_suffix('R').unwrap_or(base)).unwrap())
         .collect();
     bench.agrees("base_regressor", |[q, dq, ddq, _]| arm.regressor(q, dq, ddq).select_columns(&leaders));
-    // Forward dynamics takes the torques of inverse dynamics back to the accelerations, as far as the mass matrix's condition lets it.
+    // Forward dynamics takes the torques of inverse dynamics back to the accelerations, as far as
+    // the mass matrix's condition lets it.
     for (found, [.., ddq, _]) in bench.values("forward_dynamics", [arm.dof(), 1]).iter().zip(&bench.rows) {
         for (a, b) in found.iter().zip(ddq) {
             assert!((a - b).abs() < 1e-8, "{name}: {a} is not {b}");

@@ -1,7 +1,8 @@
-//! Motions as files: what the contract fixes, what the numeric oracle says about them, how wrong uses end.
+//! Motions as files: what the contract fixes, what the numeric oracle says about them, how wrong
+//! uses end.
 
-use denavit::numeric::Numeric;
-use denavit::trajectory::Trajectory;
+use denavit::data::trajectory::Trajectory;
+use denavit::model::rigid_body::Numeric;
 use dh_codegen::arm::param;
 use nalgebra::DMatrix;
 
@@ -33,7 +34,8 @@ fn the_written_motion_is_what_the_json_says() {
     assert_eq!(header, [vec!["t".into()], names("q"), names("dq"), names("ddq")].concat());
     assert_eq!(rows.len(), 401);
 
-    // The condition number of equation (9) by the oracle: leaders' own columns of the numeric regressor.
+    // The condition number of equation (9) by the oracle: leaders' own columns of the numeric
+    // regressor.
     let robot = read_robot(ROBOT);
     let numeric = Numeric::new(&robot);
     let standard: Vec<String> = param::standard(&robot).iter().map(|p| p.name()).collect();
@@ -144,7 +146,8 @@ fn what_the_file_does_not_say_is_said_once() {
     assert!(verdict["unchecked"].as_array().unwrap().len() >= 2, "{verdict}");
 }
 
-/// `--target-std` is kept: errors of what is identified from the motion, played with that noise, are as large as was promised.
+/// `--target-std` is kept: errors of what is identified from the motion, played with that noise,
+/// are as large as was promised.
 #[test]
 fn what_is_promised_is_found_again() {
     let folder = folder("excite_promise");

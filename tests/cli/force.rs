@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::sync::OnceLock;
 
-use denavit::numeric::Numeric;
-use denavit::numeric::random::Random;
-use denavit::tool::rerun::Waves;
+use denavit::apps::paper::tool::Waves;
+use denavit::model::rigid_body::Numeric;
+use denavit::numerics::prng::Random;
 use dh_codegen::arm::param;
 use nalgebra::{Matrix3, Vector3};
 
@@ -14,7 +14,8 @@ use super::*;
 const ROBOT: &str = "robots/kuka-lwr4.yaml";
 const NOISE: f64 = 0.2; // N m, half the width of an even distribution, white at 250 Hz
 
-/// 12 s at 250 Hz; from the fourth to the ninth second this wrench is on the tool, rising and falling as a sine.
+/// 12 s at 250 Hz; from the fourth to the ninth second this wrench is on the tool, rising and
+/// falling as a sine.
 fn record(wrench: [f64; 6], seed: u64) -> String {
     let robot = read_robot(ROBOT);
     let (arm, phi, mut random) = (Numeric::new(&robot), param::standard_values(&robot).unwrap(), Random::new(seed));
@@ -26,7 +27,8 @@ fn record(wrench: [f64; 6], seed: u64) -> String {
             let tau = arm.inverse_dynamics(&q, &dq, &ddq, &phi);
             let share = if (4.0..9.0).contains(&t) { (std::f64::consts::PI * (t - 4.0) / 5.0).sin() } else { 0.0 };
             let f = wrench.map(|f| f * share);
-            // The power of the wrench, joint by joint: its force on the tool's origin and its moment, in the tool's axes.
+            // The power of the wrench, joint by joint: its force on the tool's origin and its
+            // moment, in the tool's axes.
             let (last, tool, jacobian) = (arm.frames(&q).pop().unwrap(), arm.tool(&q), arm.jacobian(&q));
             let turn: Matrix3<f64> = tool.fixed_view::<3, 3>(0, 0).into();
             let lever: Vector3<f64> = tool.fixed_view::<3, 1>(0, 3) - last.fixed_view::<3, 1>(0, 3);
@@ -171,7 +173,8 @@ fn where_nothing_touches_the_force_is_a_phantom() {
     assert!(run.status == Some(0) && run.out.contains("in no band"), "{} {}", run.out, run.err);
 }
 
-/// A model that holds where nothing touches and is contradicted by the spare joint elsewhere: one verdict in text, JSON and page.
+/// A model that holds where nothing touches and is contradicted by the spare joint elsewhere: one
+/// verdict in text, JSON and page.
 #[test]
 fn one_verdict_wherever_it_is_printed() {
     let logs = logs();
@@ -223,8 +226,8 @@ fn with_friction(folder: &Path, robot: &str, levels: &[f64]) -> String {
     file(folder, &format!("friction-{}", Path::new(robot).file_name().unwrap().to_str().unwrap()), text)
 }
 
-/// 16 s at 100 Hz of an arm that stands: encoders with noise, friction that holds `share` of its level; from 6 to 9 s a push on the tool, and after it friction that
-/// holds another share.
+/// 16 s at 100 Hz of an arm that stands: encoders with noise, friction that holds `share` of its
+/// level; from 6 to 9 s a push on the tool, and after it friction that holds another share.
 fn standing(robot: &str, q: &[f64], push: [f64; 6], encoder: f64, noise: f64, seed: u64) -> String {
     let read = read_robot(robot);
     let (arm, phi, mut random) = (Numeric::new(&read), param::standard_values(&read).unwrap(), Random::new(seed));

@@ -3,8 +3,8 @@
 use std::io::Write;
 use std::sync::OnceLock;
 
-use denavit::numeric::Numeric;
-use denavit::numeric::random::Random;
+use denavit::model::rigid_body::Numeric;
+use denavit::numerics::prng::Random;
 use dh_codegen::arm::{BaseParameters, param};
 use serde_json::Value;
 
@@ -13,7 +13,8 @@ use super::*;
 const ROBOT: &str = "robots/kuka-lwr4.yaml";
 const NOISE: f64 = 0.005; // N m, standard deviation of the torque signal
 
-/// Records the robot in a periodic motion (five harmonics of 0.1 Hz per joint, within a rad or so), 250 samples per second.
+/// Records the robot in a periodic motion (five harmonics of 0.1 Hz per joint, within a rad or so),
+/// 250 samples per second.
 fn record(seconds: usize, seed: u64) -> String {
     record_with(seconds, seed, |_, _, _| {})
 }
@@ -107,19 +108,21 @@ fn the_parameters_of_the_robot_are_found() {
         assert_eq!(parameter["name"], base.name);
         let [value, std] = ["value", "std"].map(|key| parameter[key].as_f64().unwrap());
         let error = (value - truth).abs();
-        // A bias of the filter and the differences is allowed for beside the scatter: half a per cent, or 2e-4 of a parameter
-        // that is next to nothing.
+        // A bias of the filter and the differences is allowed for beside the scatter: half a per
+        // cent, or 2e-4 of a parameter that is next to nothing.
         assert!(error < 5.0 * std + 0.005 * truth.abs() + 2e-4, "{}: {value} +- {std}, is {truth}", base.name);
         if std < 0.003 * value.abs() {
             assert!(error < 0.01 * truth.abs(), "{}: {value} +- {std}, is {truth}", base.name);
             sharp += 1;
         }
     }
-    // The others are next to nothing in this arm: products of inertia of symmetric links, and the hand's.
+    // The others are next to nothing in this arm: products of inertia of symmetric links, and the
+    // hand's.
     assert!(sharp >= 22, "only {sharp} are sharp");
 }
 
-/// The motor of joint 7 turns with joint 6: its own three parameters are found, and written where the file names the coupling.
+/// The motor of joint 7 turns with joint 6: its own three parameters are found, and written where
+/// the file names the coupling.
 #[test]
 fn a_coupled_motor_is_identified() {
     let folder = folder("identify-coupled");
@@ -140,7 +143,8 @@ fn a_coupled_motor_is_identified() {
     for (name, truth) in [("IAM7", iam), ("FVM7", fvm), ("FCM7", fcm)] {
         let parameter = found.iter().find(|p| p["name"] == name).unwrap();
         let [value, std] = ["value", "std"].map(|key| parameter[key].as_f64().unwrap());
-        // The sign of the motor's speed goes through the low-pass of the torques, as a joint's own does: else a fifth would be missing.
+        // The sign of the motor's speed goes through the low-pass of the torques, as a joint's own
+        // does: else a fifth would be missing.
         assert!((value - truth).abs() < 3.0 * std + 0.02 * truth, "{name}: {value} +- {std}, is {truth}");
         assert!(std < 0.1 * truth, "{name}: {value} +- {std}");
     }
@@ -171,7 +175,8 @@ fn the_json_has_what_the_contract_lists() {
     assert!(low <= percent && percent <= high && against["stretches"].as_u64().unwrap() > 3, "{against}");
     assert!(said["condition_number"].as_f64().unwrap() > 1.0);
     assert!(said["samples"].as_u64().unwrap() > 7000);
-    // The low-pass takes most of the noise; its own error and that of the differences grow with the torque.
+    // The low-pass takes most of the noise; its own error and that of the differences grow with the
+    // torque.
     for set in ["fit", "validate"] {
         for (rms, torque) in numbers(&said["rms"][set]).iter().zip(numbers(&said["torque_rms"][set])) {
             assert!(*rms < NOISE + 0.0005 * torque, "{set}: {rms} of {torque}");
@@ -179,7 +184,8 @@ fn the_json_has_what_the_contract_lists() {
     }
 }
 
-/// Base parameters of what was written: the plain ones where they are possible, else those of the possible bodies.
+/// Base parameters of what was written: the plain ones where they are possible, else those of the
+/// possible bodies.
 fn written(said: &Value) -> Vec<f64> {
     assert_eq!(said["consistent"]["written"], true);
     if said["consistent"]["written_is_plain"] == true { values(said) } else { values(&said["consistent"]) }

@@ -1,7 +1,7 @@
 //! `denavit ik` as the contract has it.
 
-use denavit::numeric::Numeric;
-use denavit::numeric::random::Random;
+use denavit::model::rigid_body::Numeric;
+use denavit::numerics::prng::Random;
 
 use super::*;
 
@@ -67,7 +67,8 @@ fn a_redundant_arm_takes_its_swivel_from_the_file() {
     }
 }
 
-/// Without a column `swivel` the angle is chosen: by the limits, or after the posture that is named.
+/// Without a column `swivel` the angle is chosen: by the limits, or after the posture that is
+/// named.
 #[test]
 fn a_swivel_angle_is_chosen() {
     for (name, q) in [
@@ -104,7 +105,8 @@ fn a_swivel_angle_is_chosen() {
     }
 }
 
-/// Inside its interval a branch respects the limits, just outside it doesn't; the best angle keeps the margin it says.
+/// Inside its interval a branch respects the limits, just outside it doesn't; the best angle keeps
+/// the margin it says.
 #[test]
 fn swivel_intervals_are_printed() {
     let path = "robots/kuka-iiwa14.yaml";

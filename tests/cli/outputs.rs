@@ -130,9 +130,10 @@ mod unix {
             let said = String::from_utf8(out.stderr).unwrap();
             assert_eq!(out.status.code(), Some(1), "{arguments:?}: {said}");
             assert!(said.contains("standard output can't be written"), "{said}");
-            let mut child = command(arguments).stdout(Stdio::piped()).spawn().unwrap();
-            drop(child.stdout.take());
-            let out = child.wait_with_output().unwrap();
+            // The reader is gone before the command starts, so that nothing fits into the pipe.
+            let (reader, writer) = std::io::pipe().unwrap();
+            drop(reader);
+            let out = command(arguments).stdout(writer).output().unwrap();
             let said = String::from_utf8(out.stderr).unwrap();
             assert_eq!(out.status.code(), Some(1), "{arguments:?}: {said}");
             assert!(said.contains("standard output can't be written"), "{said}");

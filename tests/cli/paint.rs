@@ -1,7 +1,7 @@
 //! `denavit paint plan` and `denavit paint run`: files, figures, wrong uses.
 
-use denavit::numeric::Numeric;
-use denavit::paint::Plan;
+use denavit::apps::painting::Plan;
+use denavit::model::rigid_body::Numeric;
 
 use super::*;
 

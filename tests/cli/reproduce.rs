@@ -1,6 +1,9 @@
 //! `denavit reproduce`: wrong uses here; the whole runs in release, on request.
 
-use super::{denavit, folder, json, numbers};
+use super::denavit;
+use super::folder;
+use super::json;
+use super::numbers;
 
 #[test]
 fn what_is_asked_wrongly_is_one_paragraph() {

@@ -1,6 +1,6 @@
 //! Samples that were fitted do not validate, and none counts twice, whatever their file looks like.
 
-use denavit::numeric::random::Random;
+use denavit::numerics::prng::Random;
 
 use super::*;
 
@@ -68,7 +68,8 @@ fn equal_samples_are_refused() {
     assert!(run.err.contains("the same samples") && !run.out.contains("not used"), "{}", run.err);
 }
 
-/// The same motion again, with other noise; rest at the same posture; coarse sensors: none of it is a copy.
+/// The same motion again, with other noise; rest at the same posture; coarse sensors: none of it is
+/// a copy.
 #[test]
 fn motions_that_resemble_each_other_are_apart() {
     let folder = folder("resembling-samples");

@@ -1,4 +1,5 @@
-//! `denavit simulate`: logs that `identify` takes, the same for the same seed, and mistakes that are explained.
+//! `denavit simulate`: logs that `identify` takes, the same for the same seed, and mistakes that
+//! are explained.
 
 use super::*;
 

@@ -2,10 +2,10 @@
 
 use std::sync::OnceLock;
 
-use denavit::numeric::Numeric;
-use denavit::numeric::random::Random;
-use denavit::tool::rerun::Waves;
-use denavit::tool::{MINI_ROLLERS, catalogue};
+use denavit::apps::paper::tool::Waves;
+use denavit::identify::tool::{MINI_ROLLERS, catalogue};
+use denavit::model::rigid_body::Numeric;
+use denavit::numerics::prng::Random;
 use dh_codegen::arm::param;
 use dh_codegen::robot::Tool;
 use serde_json::Value;
@@ -129,7 +129,8 @@ fn a_known_robot_and_a_scale_say_more() {
         assert_eq!(said["recognised"]["name"], "large-roller");
         assert_eq!(said["robot_identified"], false);
     }
-    // A scale that is good to so much is weighed against the logs: between the two, and surer than either.
+    // A scale that is good to so much is weighed against the logs: between the two, and surer than
+    // either.
     let [mass, std] =
         [0, 1].map(|k| if k == 0 { free["M"].as_f64().unwrap() } else { free["std"][0].as_f64().unwrap() });
     let reads = mass + 2.0 * std;
@@ -137,7 +138,8 @@ fn a_known_robot_and_a_scale_say_more() {
     assert!((rough["M"].as_f64().unwrap() - (mass + std)).abs() < 1e-3 * std, "{rough}");
     assert!((rough["std"][0].as_f64().unwrap() / std - 0.5f64.sqrt()).abs() < 1e-6);
     assert!((rough["mass_of_logs"]["M"].as_f64().unwrap() - mass).abs() < 1e-12);
-    // Grams in place of kilograms contradict the logs, and the result says so; so does a hand that was loaded in the other log.
+    // Grams in place of kilograms contradict the logs, and the result says so; so does a hand that
+    // was loaded in the other log.
     let said = |arguments: &[&str]| denavit(&[&["tool", ROBOT], arguments].concat()).out;
     assert!(said(&["--loaded", &logs.large, "--known-mass", "200"]).contains("contradict the logs"));
     assert!(said(&["--unloaded", &logs.large, "--loaded", &logs.empty]).contains("exchanged"));
@@ -188,7 +190,8 @@ fn a_tool_in_a_turned_frame() {
     for (k, (inside, file)) in numbers(&said["tool_frame"]["MS"]).iter().zip([0.04, 0.0, 0.08]).enumerate() {
         assert!((inside - file).abs() < 0.004, "{k}: {inside} {file}");
     }
-    // The same arm with the probe in its file: it counts as taken off, so it is found again; on top of it there is nothing.
+    // The same arm with the probe in its file: it counts as taken off, so it is found again; on top
+    // of it there is nothing.
     let robot = std::fs::read_to_string(ROBOT).unwrap() + &format!("tool: {}\n", "probe.yaml");
     let robot = file(&mine, "robot.txt", robot);
     assert!(std::path::Path::new(&probe).exists());

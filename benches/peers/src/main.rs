@@ -1,8 +1,9 @@
 //! Inverse kinematics beside other crates, in one run: median time per pose for all branches.
 //!
-//! `RUSTFLAGS="-C target-cpu=native" cargo run --release` in this folder. It needs cmake and a C compiler, for nlopt (ik-geo).
-//! ik-geo gets the same lines and poses as we do. rs-opw-kinematics gets an arm of the same lengths, and poses of its own forward
-//! kinematics, because its zero posture is another one.
+//! `RUSTFLAGS="-C target-cpu=native" cargo run --release` in this folder. It needs cmake and a C
+//! compiler, for nlopt (ik-geo). ik-geo gets the same lines and poses as we do. rs-opw-kinematics
+//! gets an arm of the same lengths, and poses of its own forward kinematics, because its zero
+//! posture is another one.
 
 #[path = "../../ik/measure.rs"]
 mod measure;

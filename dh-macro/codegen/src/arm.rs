@@ -1,6 +1,7 @@
 //! Mechanics of serial arms, written over expressions.
 //!
-//! `Robot -> Chain (one form for both DH conventions) -> sweeps -> Kernel (a tape with a signature)`.
+//! `Robot -> Chain (one form for both DH conventions) -> sweeps -> Kernel (a tape with a
+//! signature)`.
 
 pub(crate) mod adjoint;
 pub mod base;

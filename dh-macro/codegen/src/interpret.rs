@@ -7,7 +7,8 @@ use crate::arm::{Argument, Function, Kernel, Model};
 use crate::runtime::Scalar;
 use crate::sym::Evaluator;
 
-/// States and parameters of a batch, joint-major: sample `s` of joint `j` at `j * len + s`. Unused parts may be empty.
+/// States and parameters of a batch, joint-major: sample `s` of joint `j` at `j * len + s`. Unused
+/// parts may be empty.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Batch<'a> {
     /// Number of states.
@@ -91,7 +92,8 @@ impl Interpreter {
     /// Every output of every state: output `o` of state `s` goes to `out[o * len + s]`.
     ///
     /// # Panics
-    /// If the function is not among those that were made ready, or a part of the batch is too short.
+    /// If the function is not among those that were made ready, or a part of the batch is too
+    /// short.
     pub fn run(&self, function: Function, batch: &Batch<'_>, out: &mut [f64]) {
         let ready = &self.ready[&function];
         self.run_on(&ready.kernel, &ready.evaluator, batch, out);
@@ -116,7 +118,8 @@ impl Interpreter {
         evaluator.run(batch.len, |i| columns.input(i), out);
     }
 
-    /// One state, without allocation once `room` has grown: the row-major result goes to `out`. The same bits as [`Interpreter::run`].
+    /// One state, without allocation once `room` has grown: the row-major result goes to `out`. The
+    /// same bits as [`Interpreter::run`].
     ///
     /// # Panics
     /// Like [`Interpreter::run`].

@@ -30,8 +30,8 @@ pub struct Gradient {
 }
 
 impl Pullback {
-    /// Of these outputs of a kernel (indices into its row-major result), for a robot whose angles have these offsets
-    /// ([`crate::arm::chain::Chain::angle_offsets`]).
+    /// Of these outputs of a kernel (indices into its row-major result), for a robot whose angles
+    /// have these offsets ([`crate::arm::chain::Chain::angle_offsets`]).
     pub fn new(kernel: &Kernel, wanted: &[usize], offsets: &[f64]) -> Self {
         let first_seed = 1 + highest_input(&kernel.tape).max(kernel.inputs.index(Group::Parameter, 0));
         let graph = Graph::new();
@@ -48,7 +48,8 @@ impl Pullback {
         }
     }
 
-    /// The program, for counting or printing: outputs in the order `q`, `dq`, `ddq`, those that are not zero.
+    /// The program, for counting or printing: outputs in the order `q`, `dq`, `ddq`, those that are
+    /// not zero.
     pub fn tape(&self) -> &Tape {
         &self.tape
     }
@@ -79,7 +80,8 @@ fn highest_input(tape: &Tape) -> usize {
     read.map(|operand| if let Operand::Input(i) = operand { i as usize } else { 0 }).max().unwrap_or(0)
 }
 
-/// Outputs that are the sign of one velocity, by itself: output and joint. These are the columns of Coulomb friction.
+/// Outputs that are the sign of one velocity, by itself: output and joint. These are the columns of
+/// Coulomb friction.
 pub fn velocity_signs(kernel: &Kernel) -> Vec<(usize, usize)> {
     let sign_of = |output: Operand| match output {
         Operand::Temp(t) => {

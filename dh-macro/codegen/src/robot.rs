@@ -1,7 +1,7 @@
 //! A validated serial robot: SI units, exact angles; and its file.
 //!
-//! `text -> yaml (tree with places) -> check (by the tables in keys, numbers by expression) -> Robot | Problems`,
-//! and back by `write`. What stands in this file knows no file format.
+//! `text -> yaml (tree with places) -> check (by the tables in keys, numbers by expression) ->
+//! Robot | Problems`, and back by `write`. What stands in this file knows no file format.
 
 mod angle;
 mod check;
@@ -77,7 +77,8 @@ pub struct Limits {
 pub struct Effect {
     /// One of [`EFFECT_NAMES`].
     pub name: String,
-    /// Keys of the effect's [`effect::Law`] and values, in the file's order; a bare number stands under the first key.
+    /// Keys of the effect's [`effect::Law`] and values, in the file's order; a bare number stands
+    /// under the first key.
     pub parameters: Vec<(String, f64)>,
 }
 
@@ -177,9 +178,11 @@ pub struct Tool {
     pub name: String,
     /// Origin of the tool frame in the last DH frame, m.
     pub xyz: [f64; 3],
-    /// Fixed-axis roll, pitch, yaw: `R = RotZ(yaw) RotY(pitch) RotX(roll)`, exact where a quarter turn.
+    /// Fixed-axis roll, pitch, yaw: `R = RotZ(yaw) RotY(pitch) RotX(roll)`, exact where a quarter
+    /// turn.
     pub rpy: [Angle; 3],
-    /// Inertial parameters in the tool frame, about its origin; `None` when the file gives only a pose.
+    /// Inertial parameters in the tool frame, about its origin; `None` when the file gives only a
+    /// pose.
     pub inertia: Option<Inertia>,
     /// Length and width of the tool, m, for recognition and painting.
     pub geometry: Option<ToolGeometry>,
@@ -275,7 +278,8 @@ impl Robot {
         }
     }
 
-    /// Inertial parameters of every link with the tool folded into the last one, or `None` where a link's are unknown.
+    /// Inertial parameters of every link with the tool folded into the last one, or `None` where a
+    /// link's are unknown.
     pub fn inertias(&self) -> Option<Vec<Inertia>> {
         let mut all: Vec<Inertia> = self.links.iter().cloned().collect::<Option<_>>()?;
         if all.len() != self.joints.len() {

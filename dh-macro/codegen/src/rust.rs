@@ -1,4 +1,5 @@
-//! Tapes as Rust text, with comments: kernels, the shell around them, whole crates. Knows no mechanics.
+//! Tapes as Rust text, with comments: kernels, the shell around them, whole crates. Knows no
+//! mechanics.
 
 mod drive;
 mod inverse;
@@ -7,7 +8,6 @@ pub mod krate;
 pub mod module;
 mod names;
 mod print;
-pub mod runtime_files;
 mod shell;
 mod tests_file;
 mod words;

@@ -221,7 +221,8 @@ proptest! {
     }
 }
 
-/// An expression in any form that the reader knows: literals, constants, units, signs with blanks, brackets.
+/// An expression in any form that the reader knows: literals, constants, units, signs with blanks,
+/// brackets.
 fn expression() -> impl Strategy<Value = String> {
     let literals =
         ["0", "1", "5", "0.3", ".5", "5.", "1e-3", "2.5E+1", "1.5708", "3.14159", "90deg", "22.5 deg", "0.1rad"];
@@ -242,7 +243,8 @@ fn expression() -> impl Strategy<Value = String> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: ProptestConfig::default().cases.max(2000), failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Read, written and read again, every number is the same: fractions of pi, polynomials in the constants, bits.
+    /// Read, written and read again, every number is the same: fractions of pi, polynomials in the
+    /// constants, bits.
     #[test]
     fn numbers_of_every_form_survive(
         b in prop::sample::select(&["- 5/3", "pi/7", "22.5deg", "0.1deg", "1.5708", "-1.5708", "1.5708 + 0", "2/7", "1e-3", "0.3"][..]),

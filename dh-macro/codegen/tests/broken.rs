@@ -43,8 +43,8 @@ fn all_mistakes_of_a_file_are_reported_together() {
     assert_eq!(paths.len(), 14, "{problems}");
 }
 
-/// Mass and tensor could each be a body's; with these first moments they can't. Published tables have such links, so it is said,
-/// with figures, but the file is read.
+/// Mass and tensor could each be a body's; with these first moments they can't. Published tables
+/// have such links, so it is said, with figures, but the file is read.
 #[test]
 fn a_tensor_that_does_not_go_with_the_first_moments_is_noted() {
     let text = "name: noted\nconvention: modified\ngravity: [0, 0, -9.81]\njoints:\n  - { type: revolute }\n\

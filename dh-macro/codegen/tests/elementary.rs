@@ -1,5 +1,5 @@
-//! Exponentials, logarithms and the like of the shipped text against the platform's library, special values, and lane against scalar; and
-//! what the expression graph makes of them.
+//! Exponentials, logarithms and the like of the shipped text against the platform's library,
+//! special values, and lane against scalar; and what the expression graph makes of them.
 
 use dh_codegen::elementary::Real;
 use dh_codegen::runtime::{Pack, Scalar};

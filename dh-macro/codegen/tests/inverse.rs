@@ -1,5 +1,5 @@
-//! Inverse kinematics of random members of each family: the posture that made a pose is among its solutions, at random, at nice
-//! angles, and at and beside singularities.
+//! Inverse kinematics of random members of each family: the posture that made a pose is among its
+//! solutions, at random, at nice angles, and at and beside singularities.
 
 use core::f64::consts::{PI, TAU};
 

@@ -1,7 +1,8 @@
 //! No word of a robot file can change what is printed: robots with hostile names, compiled and run.
 //!
-//! The words are those of the printed code itself, found by reading it, beside keywords and words that are no identifiers. Each is
-//! the name of a constant that the kernels use. Crate, macro and interpreter must agree bit for bit.
+//! The words are those of the printed code itself, found by reading it, beside keywords and words
+//! that are no identifiers. Each is the name of a constant that the kernels use. Crate, macro and
+//! interpreter must agree bit for bit.
 
 mod common;
 
@@ -51,7 +52,8 @@ fn words_of(text: &str, words: &mut BTreeSet<String>) {
     }
 }
 
-/// Two joints; `values` stand in the table, the tool, gravity and, where the robot has effects, in its drives.
+/// Two joints; `values` stand in the table, the tool, gravity and, where the robot has effects, in
+/// its drives.
 const PLACES: usize = 10;
 
 fn robot(which: usize, constants: Vec<(String, f64)>) -> Robot {

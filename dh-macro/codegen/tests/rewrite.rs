@@ -1,4 +1,5 @@
-//! A robot that was changed goes back into the text of its file: what did not change stays as it was written.
+//! A robot that was changed goes back into the text of its file: what did not change stays as it
+//! was written.
 
 use dh_codegen::robot::{Effect, Inertia, Robot, Run};
 

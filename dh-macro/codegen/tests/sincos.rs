@@ -1,5 +1,5 @@
-//! Sines and cosines of the runtime against 40-digit values (the program that made them stands beside the table), against the
-//! platform's library, and lane against scalar.
+//! Sines and cosines of the runtime against 40-digit values (the program that made them stands
+//! beside the table), against the platform's library, and lane against scalar.
 
 use dh_codegen::runtime::{Pack, Scalar};
 

@@ -7,18 +7,19 @@ use clap::{Args, ValueEnum};
 use dh_codegen::robot::{Robot, Tool};
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::arm::Placed;
+use crate::apps::painting::{Cover, Pattern, Roller, Strokes, Surface, Swivel, Task, Weights, plan};
 use crate::cli::provenance::Provenance;
 use crate::cli::{Failure, files, motors, terminal};
-use crate::interpreted::Interpreted;
-use crate::inverse::{Kinematics, MOST};
-use crate::paint::{Cover, Pattern, Roller, Strokes, Surface, Swivel, Task, Weights, plan};
+use crate::model::FrameKinematics;
+use crate::model::interpreted::Interpreted;
+use crate::model::inverse_kinematics::{Kinematics, MOST};
 use crate::report;
 
 /// Plan the motion that paints a wall with a roller, inside every limit (the paper's section IV).
 ///
-/// The roller's axis lies along x of the tool frame and what touches the wall is the tool's `length` along z; it is held perpendicular to the
-/// wall, and strokes run across its axis. The defaults are the paper's wall.
+/// The roller's axis lies along x of the tool frame and what touches the wall is the tool's
+/// `length` along z; it is held perpendicular to the wall, and strokes run across its axis. The
+/// defaults are the paper's wall.
 #[derive(Args)]
 #[command(
     after_help = "Example:\n  denavit paint plan robots/kuka-lwr4.yaml --tool robots/tools/large-roller.yaml --out motion.csv --report paint.html"
@@ -28,7 +29,8 @@ pub(super) struct Plan {
     robot: PathBuf,
     #[command(flatten)]
     task: Where,
-    /// All of the wall must be painted. Without it the area stands in the cost, as in equation (12), and the limits decide.
+    /// All of the wall must be painted. Without it the area stands in the cost, as in equation
+    /// (12), and the limits decide.
     #[arg(long)]
     whole: bool,
     /// Time in contact, s (T_C of equation (12)); default: what costs least.
@@ -68,7 +70,8 @@ pub(super) struct Plan {
     /// Joint motion to write: CSV with t, q.., dq.., ddq...
     #[arg(long, value_name = "CSV")]
     out: Option<PathBuf>,
-    /// Path of the roller to write: CSV with t, x y z of its face, wall coordinates, velocity, tool pose, swivel, phase.
+    /// Path of the roller to write: CSV with t, x y z of its face, wall coordinates, velocity, tool
+    /// pose, swivel, phase.
     #[arg(long, value_name = "CSV")]
     path: Option<PathBuf>,
     /// Samples per second of both.
@@ -91,7 +94,8 @@ pub(super) struct Where {
     /// Tool file with `geometry`, in place of the robot file's tool.
     #[arg(long, value_name = "FILE")]
     tool: Option<PathBuf>,
-    /// Where the tool's frame sits in the robot's last DH frame, m, in place of the `xyz` of the tool's file.
+    /// Where the tool's frame sits in the robot's last DH frame, m, in place of the `xyz` of the
+    /// tool's file.
     #[arg(long, value_delimiter = ',', num_args = 1, value_name = "X,Y,Z", allow_hyphen_values = true)]
     mount: Option<Vec<f64>>,
     /// Middle of the wall, m, base axes.

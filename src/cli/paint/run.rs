@@ -8,21 +8,22 @@ use dh_codegen::arm::param;
 use dh_codegen::robot::{Effects, SimulationFile, Tool};
 use indicatif::{ProgressBar, ProgressStyle};
 
+use crate::apps::painting::Plan;
+use crate::apps::painting::run::{Feedback, Known, Law, RunError, SETTLE, Task, in_contact, roller_moment, run};
+use crate::apps::painting::wall::RollerWall;
 use crate::cli::provenance::Provenance;
 use crate::cli::simulate::{apply, effects};
 use crate::cli::{Failure, files, motors};
 use crate::control::robot::contact_point;
-use crate::interpreted::Interpreted;
-use crate::paint::Plan;
-use crate::paint::run::{Feedback, Known, Law, RunError, SETTLE, Task, in_contact, roller_moment, run};
-use crate::paint::wall::RollerWall;
+use crate::model::interpreted::Interpreted;
 use crate::report;
 use crate::simulate::{Request, Simulator};
 
 /// Run a plan against the simulated wall: position and force control of the paper's section V.
 ///
-/// The controller knows the robot file; the robot that is simulated has the file's effects and those of --effects. Gains are proposed from a
-/// linear model of arm, wall, filter and sampling (docs/control.md). The force comes from the joint torques, or from a sensor in the wall.
+/// The controller knows the robot file; the robot that is simulated has the file's effects and
+/// those of --effects. Gains are proposed from a linear model of arm, wall, filter and sampling
+/// (docs/control.md). The force comes from the joint torques, or from a sensor in the wall.
 #[derive(Args)]
 #[command(
     after_help = "Example:\n  denavit paint plan robots/kuka-lwr4.yaml --tool robots/tools/large-roller.yaml --plan plan.json\n  denavit paint run robots/kuka-lwr4.yaml --tool robots/tools/large-roller.yaml --plan plan.json --out force.csv --report run.html"
@@ -45,31 +46,37 @@ pub(super) struct Run {
     /// Force to press with, N.
     #[arg(long, default_value_t = 30.0, value_name = "N")]
     force: f64,
-    /// Share of the desired force that is fed forward as joint torques; 0: equation (13) as it stands.
+    /// Share of the desired force that is fed forward as joint torques; 0: equation (13) as it
+    /// stands.
     #[arg(long, default_value_t = 1.0, value_name = "0..1")]
     carry: f64,
-    /// Share of the planned motion's torques (inertia, friction, known effects) that is fed forward.
+    /// Share of the planned motion's torques (inertia, friction, known effects) that is fed
+    /// forward.
     #[arg(long, default_value_t = 1.0, value_name = "0..1")]
     feed: f64,
     /// Share of the estimated force aside of the wall's normal that is fed forward.
     #[arg(long, default_value_t = 0.5, value_name = "0..1")]
     aside: f64,
-    /// Share of the drag that is predicted from where the plan slides, with friction as learned so far. It is learned in a wipe of 4 cm along the roller's
-    /// axis, at the end of the settling time (where that is 3 s or longer).
+    /// Share of the drag that is predicted from where the plan slides, with friction as learned so
+    /// far. It is learned in a wipe of 4 cm along the roller's axis, at the end of the settling
+    /// time (where that is 3 s or longer).
     #[arg(long, default_value_t = 1.0, value_name = "0..1")]
     drag: f64,
-    /// How many coats: each but the first is fed the displacement along the normal that the force's error on the coats before asks for (docs/control.md). Shown is the last one.
+    /// How many coats: each but the first is fed the displacement along the normal that the force's
+    /// error on the coats before asks for (docs/control.md). Shown is the last one.
     #[arg(long, default_value_t = 1, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=20))]
     coats: u32,
     /// The paper's law: nothing is fed forward but gravity.
     #[arg(long, conflicts_with_all = ["carry", "feed", "aside", "drag"])]
     paper: bool,
-    /// How large a moment the contact may carry, N m (standard deviation); `inf`: any. Default: force times the roller's width over the root of 12, as the pressure's middle may be anywhere along it;
-    /// any with `--paper`.
+    /// How large a moment the contact may carry, N m (standard deviation); `inf`: any. Default:
+    /// force times the roller's width over the root of 12, as the pressure's middle may be anywhere
+    /// along it; any with `--paper`.
     #[arg(long, value_name = "N M", conflicts_with = "no_moment")]
     moment: Option<f64>,
-    /// By how much a joint's friction may be off at most just after it has turned round, N m: what may be friction is not taken for force. `inf`, the default: by as much as there is;
-    /// 0, the default with `--paper`: the model is right.
+    /// By how much a joint's friction may be off at most just after it has turned round, N m: what
+    /// may be friction is not taken for force. `inf`, the default: by as much as there is; 0, the
+    /// default with `--paper`: the model is right.
     #[arg(long, value_name = "N M")]
     doubt: Option<f64>,
     /// The contact carries no moment: three components of the force are estimated instead of six.

@@ -11,14 +11,16 @@ pub struct ArmPlant {
     pub period: f64,
     /// Mass matrix of the links, `n x n`, kg m^2, with the rotors of rigid joints.
     pub mass: DMatrix<f64>,
-    /// Rotors of soft joints, kg m^2, their springs, N m/rad (infinite: rigid, the rotor counts as a part of the link), and their damping, N m s/rad.
+    /// Rotors of soft joints, kg m^2, their springs, N m/rad (infinite: rigid, the rotor counts as
+    /// a part of the link), and their damping, N m s/rad.
     pub drives: Vec<[f64; 3]>,
     /// Viscous friction, N m s/rad.
     pub viscous: Vec<f64>,
 }
 
 impl ArmPlant {
-    /// Largest eigenvalue of the closed loop with these gains (`kp`, `kd` of each joint), `delay` periods until a torque acts.
+    /// Largest eigenvalue of the closed loop with these gains (`kp`, `kd` of each joint), `delay`
+    /// periods until a torque acts.
     pub fn radius(&self, gains: &[[f64; 2]], delay: usize) -> f64 {
         let n = self.mass.nrows();
         let soft: Vec<usize> = (0..n).filter(|&j| self.drives[j][1].is_finite()).collect();
@@ -72,14 +74,16 @@ impl ArmPlant {
         radius(&whole)
     }
 
-    /// How far it is from keeping its margins: below 1, it is stable with all gains doubled, and with a period more of delay.
+    /// How far it is from keeping its margins: below 1, it is stable with all gains doubled, and
+    /// with a period more of delay.
     pub fn strain(&self, gains: &[[f64; 2]]) -> f64 {
         let doubled: Vec<[f64; 2]> = gains.iter().map(|g| g.map(|g| 2.0 * g)).collect();
         self.radius(&doubled, 0).max(self.radius(gains, 1))
     }
 }
 
-/// Lowers gains until all joints together keep their margins in these postures, each time those of the joint whose lowering helps most.
+/// Lowers gains until all joints together keep their margins in these postures, each time those of
+/// the joint whose lowering helps most.
 pub fn lowered(plants: &[ArmPlant], mut gains: Vec<[f64; 2]>) -> Option<Vec<[f64; 2]>> {
     /// Of a step: damping; stiffness goes with its square, so that the damping ratio stays.
     const STEP: f64 = 0.8;

@@ -1,4 +1,5 @@
-//! The loop around: force error to displacement to joints to force, in one posture, all joints at once.
+//! The loop around: force error to displacement to joints to force, in one posture, all joints at
+//! once.
 
 use nalgebra::{Complex, DMatrix, DVector};
 
@@ -12,7 +13,8 @@ pub struct ForcePlant {
     pub period: f64,
     /// Mass matrix, `n x n`, kg m^2, with the rotors of rigid joints.
     pub mass: DMatrix<f64>,
-    /// Rotors of soft joints, kg m^2, their springs, N m/rad (infinite: rigid, the rotor counts as a part of `mass`), and their damping, N m s/rad.
+    /// Rotors of soft joints, kg m^2, their springs, N m/rad (infinite: rigid, the rotor counts as
+    /// a part of `mass`), and their damping, N m s/rad.
     pub drives: Vec<[f64; 3]>,
     /// Viscous friction of the joints, N m s/rad.
     pub viscous: DVector<f64>,
@@ -69,8 +71,9 @@ struct Inner {
 }
 
 impl ForcePlant {
-    /// States `x, dx, motors before, displacement before, filter`; `x` the links and then the motors of soft joints. What is seen at an instant is that instant's; the
-    /// displacement acts until the next.
+    /// States `x, dx, motors before, displacement before, filter`; `x` the links and then the
+    /// motors of soft joints. What is seen at an instant is that instant's; the displacement acts
+    /// until the next.
     fn inner(&self) -> Option<Inner> {
         let n = self.mass.nrows();
         let mut motor: Vec<usize> = (0..n).collect();
@@ -135,7 +138,8 @@ impl ForcePlant {
         }
         let mut c = force.clone();
         if filter {
-            // x1 += s (f - x1), x2 += s (x1 - x2), x3 += s (x2 - x3), each with what is new; rows of what they are after the sample.
+            // x1 += s (f - x1), x2 += s (x1 - x2), x3 += s (x2 - x3), each with what is new; rows
+            // of what they are after the sample.
             let turn = std::f64::consts::TAU * self.corner * self.period;
             let s = turn / (1.0 + turn);
             let mut from = force.clone();
@@ -150,7 +154,8 @@ impl ForcePlant {
         Some(Inner { a: whole, b: input, c, force, motor })
     }
 
-    /// The inner loop closed by proportional and integral gains: `s = kp e + i`, `i` summing `ki T e`.
+    /// The inner loop closed by proportional and integral gains: `s = kp e + i`, `i` summing `ki T
+    /// e`.
     fn closed(&self, inner: &Inner, kp: f64, ki: f64) -> (DMatrix<f64>, DVector<f64>) {
         let n = inner.a.nrows();
         let gain = kp + ki * self.period;
@@ -175,12 +180,15 @@ impl ForcePlant {
         }))
     }
 
-    /// What becomes of a displacement that is added to the force loop's own, at these frequencies, rad/s: filtered force per displacement, N/m, with the loop closed
-    /// by these gains on the force that is estimated from the motors: links that swing behind them have inertial forces of their own, which the estimate takes for the
-    /// motors'. `None` where the mass matrix is none.
+    /// What becomes of a displacement that is added to the force loop's own, at these frequencies,
+    /// rad/s: filtered force per displacement, N/m, with the loop closed by these gains on the
+    /// force that is estimated from the motors: links that swing behind them have inertial forces
+    /// of their own, which the estimate takes for the motors'. `None` where the mass matrix is
+    /// none.
     pub fn response_to_displacement(&self, kp: f64, ki: f64, frequencies: &[f64]) -> Option<Vec<Complex<f64>>> {
         let inner = self.inner()?;
-        // Torques to the force along the normal: `n J^+'`, all joints alike, as far as that direction goes.
+        // Torques to the force along the normal: `n J^+'`, all joints alike, as far as that
+        // direction goes.
         let per_torque = &self.along / self.along.norm_squared().max(1e-12);
         let lever = &self.mass * per_torque;
         let of = |w: &f64| {
@@ -214,8 +222,8 @@ impl ForcePlant {
     }
 }
 
-/// The fastest gains that keep the margins in all postures: for several ratios of proportional to integral gain the largest integral gain, and of
-/// these the one whose step settles first.
+/// The fastest gains that keep the margins in all postures: for several ratios of proportional to
+/// integral gain the largest integral gain, and of these the one whose step settles first.
 pub fn propose_force(postures: &[ForcePlant]) -> Option<ForceProposal> {
     let worst = |kp: f64, ki: f64| {
         let mut all = postures.iter().map(|p| p.margins(kp, ki));

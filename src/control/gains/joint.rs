@@ -1,4 +1,5 @@
-//! The loop of one joint: proportional-derivative with a backward difference, torques held over a period.
+//! The loop of one joint: proportional-derivative with a backward difference, torques held over a
+//! period.
 
 use nalgebra::{Complex, DMatrix, DVector};
 
@@ -13,7 +14,8 @@ pub struct JointPlant {
     pub delay: u32,
     /// Least and largest inertia at the joint, rotor included, kg m^2.
     pub inertia: [f64; 2],
-    /// Rotor by itself, kg m^2: what a soft joint's loop moves at high frequencies. Infinite: the joint is rigid.
+    /// Rotor by itself, kg m^2: what a soft joint's loop moves at high frequencies. Infinite: the
+    /// joint is rigid.
     pub rotor: f64,
     /// Spring between rotor and link, N m/rad.
     pub stiffness: f64,
@@ -42,7 +44,8 @@ impl JointPlant {
         let mut worst: Option<Margins> = None;
         for inertia in self.inertia {
             for soft in [false, true] {
-                // A light link on a spring is faster than any sampling: all joints together are judged in `arm`.
+                // A light link on a spring is faster than any sampling: all joints together are
+                // judged in `arm`.
                 if soft && !(inertia == self.inertia[1] && self.rotor < inertia && self.stiffness.is_finite()) {
                     continue;
                 }
@@ -122,17 +125,19 @@ impl JointPlant {
     }
 }
 
-/// What a joint's loop must keep: 30 degrees, a factor of two (6 dB), and a sensitivity of at most 2.2. Less than [`wanted`](super::wanted), as stiffness is
-/// what the joints are there for.
+/// What a joint's loop must keep: 30 degrees, a factor of two (6 dB), and a sensitivity of at most
+/// 2.2. Less than [`wanted`](super::wanted), as stiffness is what the joints are there for.
 pub fn wanted_joint(m: &Margins) -> bool {
     m.radius < 1.0 && m.phase >= 30.0 && m.gain >= 6.0 && m.modulus >= 0.45
 }
 
-/// Damping ratios for the largest inertia, well damped ones first. Where a light rotor limits the derivative gain, a lower one allows for more stiffness
-/// (as its square); 0.35 is a phase margin of 38 degrees for a rigid joint.
+/// Damping ratios for the largest inertia, well damped ones first. Where a light rotor limits the
+/// derivative gain, a lower one allows for more stiffness (as its square); 0.35 is a phase margin
+/// of 38 degrees for a rigid joint.
 const DAMPING: [f64; 3] = [0.7, 0.5, 0.35];
 
-/// The stiffest gains that keep the margins: of several damping ratios the one that gives the most stiffness, a lower one only for half as much again.
+/// The stiffest gains that keep the margins: of several damping ratios the one that gives the most
+/// stiffness, a lower one only for half as much again.
 pub fn propose_joint(plant: &JointPlant) -> Option<JointProposal> {
     let heavy = plant.inertia[1];
     let mut best: Option<JointProposal> = None;

@@ -36,7 +36,8 @@ impl Margins {
         }
     }
 
-    /// Of a loop `L` at `z`, closed by negative feedback, sampled each `period` s; `radius` that of the closed loop.
+    /// Of a loop `L` at `z`, closed by negative feedback, sampled each `period` s; `radius` that of
+    /// the closed loop.
     pub fn of(period: f64, radius: f64, transfer: impl Fn(Complex<f64>) -> Complex<f64>) -> Self {
         const POINTS: usize = 400;
         let (low, high) = (0.2_f64, PI / period);
@@ -62,7 +63,8 @@ impl Margins {
     }
 }
 
-/// `x' = A x + B u` held over a period: `(A_d, B_d)`, by the exponential of `[A B; 0 0] T` (squaring a Taylor series).
+/// `x' = A x + B u` held over a period: `(A_d, B_d)`, by the exponential of `[A B; 0 0] T`
+/// (squaring a Taylor series).
 pub fn held(a: &DMatrix<f64>, b: &DMatrix<f64>, period: f64) -> (DMatrix<f64>, DMatrix<f64>) {
     let (n, m) = (a.nrows(), b.ncols());
     let mut block = DMatrix::zeros(n + m, n + m);

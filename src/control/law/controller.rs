@@ -29,7 +29,8 @@ pub struct Settings<const N: usize> {
     pub force: ForceSettings,
     /// Torque limits, N m, both ways.
     pub torque: [f64; N],
-    /// Speed limits, rad/s: desired positions move no faster, and measured ones that move three times as fast are not believed.
+    /// Speed limits, rad/s: desired positions move no faster, and measured ones that move three
+    /// times as fast are not believed.
     pub velocity: [f64; N],
     /// Samples in a row that may fail.
     pub patience: u32,
@@ -43,18 +44,23 @@ pub struct Settings<const N: usize> {
     pub give_up: f64,
     /// Force above which the tool leaves the wall, N.
     pub most: f64,
-    /// Share of the desired force that is fed forward as torques while the tool presses: 0, equation (13) as it stands, where the springs of the
-    /// joint loop carry the force and give way aside too; 1, where they carry none of it.
+    /// Share of the desired force that is fed forward as torques while the tool presses: 0,
+    /// equation (13) as it stands, where the springs of the joint loop carry the force and give way
+    /// aside too; 1, where they carry none of it.
     pub carry: f64,
-    /// Share of the planned motion's torques ([`Model::moving`]) that is fed forward: 0, equation (13) as it stands.
+    /// Share of the planned motion's torques ([`Model::moving`]) that is fed forward: 0, equation
+    /// (13) as it stands.
     pub feed: f64,
-    /// Share of the estimated force aside of the normal (a roller that is dragged) that is fed forward while the tool presses, so that the springs
-    /// of the joint loop need not give way to it: 0, equation (13) as it stands; below 1, or friction is overcome for good and the tool creeps.
+    /// Share of the estimated force aside of the normal (a roller that is dragged) that is fed
+    /// forward while the tool presses, so that the springs of the joint loop need not give way to
+    /// it: 0, equation (13) as it stands; below 1, or friction is overcome for good and the tool
+    /// creeps.
     pub aside: f64,
     /// Pole of the low-pass of that force, rad/s.
     pub aside_pole: f64,
-    /// Share of the drag that is fed forward before the estimate shows it: friction along the tool's axes as learned so far ([`Drag`]), where and when the plan slides.
-    /// 0: all that is known of it comes late, from the estimate.
+    /// Share of the drag that is fed forward before the estimate shows it: friction along the
+    /// tool's axes as learned so far ([`Drag`]), where and when the plan slides. 0: all that is
+    /// known of it comes late, from the estimate.
     pub drag: f64,
     /// Corner of the low-pass of the estimate (three equal poles), Hz: how late it is.
     pub corner: f64,
@@ -108,8 +114,9 @@ pub struct Target<const N: usize> {
     pub normal: [f64; 3],
     /// Force to press with, N, not negative; `None` away from the wall.
     pub force: Option<f64>,
-    /// Displacement along the normal that is known to be needed here, m, added to what the force loop asks for: learned on the coat before, or 0. The limits of
-    /// the displacement hold for the sum, and away from the wall it is not used.
+    /// Displacement along the normal that is known to be needed here, m, added to what the force
+    /// loop asks for: learned on the coat before, or 0. The limits of the displacement hold for the
+    /// sum, and away from the wall it is not used.
     pub ahead: f64,
 }
 
@@ -375,7 +382,8 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         status == Status::Pressing && self.touched && self.away == 0.0
     }
 
-    /// The push that drag will take (N, base axes): where the plan slides now, and as late as the estimate shows it. Learns from the estimate.
+    /// The push that drag will take (N, base axes): where the plan slides now, and as late as the
+    /// estimate shows it. Learns from the estimate.
     fn slide(&mut self, q: &[f64; N], target: &Target<N>, push: &[f64; 3], status: Status, dt: f64) -> [[f64; 3]; 2] {
         let Settings { drag, corner, contact, period, .. } = self.settings;
         let (true, Some(most), true) = (drag > 0.0, target.force, self.presses(status)) else { return [[0.0; 3]; 2] };
@@ -390,9 +398,11 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         self.drag.predicted().map(|by| by.map(|x| drag * most * x))
     }
 
-    /// What the estimate says aside of the normal, low-passed, at most as large as the force that is wanted along it. Friction goes with the normal
-    /// force: its ratio to the force along the normal is taken, times the force that is wanted, or each swing of the one would come back by the other.
-    /// What of it was fed forward already (`known`, as late as the estimate) is taken off.
+    /// What the estimate says aside of the normal, low-passed, at most as large as the force that
+    /// is wanted along it. Friction goes with the normal force: its ratio to the force along the
+    /// normal is taken, times the force that is wanted, or each swing of the one would come back by
+    /// the other. What of it was fed forward already (`known`, as late as the estimate) is taken
+    /// off.
     fn yield_aside(&mut self, target: &Target<N>, push: &[f64; 3], known: &[f64; 3], status: Status, dt: f64) {
         let (n, most) = (target.normal, target.force.unwrap_or(0.0));
         let presses = self.presses(status);

@@ -1,23 +1,29 @@
-//! Drag on what touches: friction aside of the normal, learned from the estimate, and known before the estimate shows it.
+//! Drag on what touches: friction aside of the normal, learned from the estimate, and known before
+//! the estimate shows it.
 //!
-//! A roller that is dragged along its axis holds back with half of what presses it, within a tenth of a second; the estimate tells it one low-pass later, and the
-//! springs of the joint loop have given way by then, aside and along the normal. But when it slides, and which way, is planned: with `v_k` the planned velocity along each
-//! axis of the tool, drag is `-mu_k s(v_k) F`, and the three `mu_k` are learned from the estimate in the motion so far (a gradient step each period, on what the
-//! prediction, as late as the estimate, leaves of it).
+//! A roller that is dragged along its axis holds back with half of what presses it, within a tenth
+//! of a second; the estimate tells it one low-pass later, and the springs of the joint loop have
+//! given way by then, aside and along the normal. But when it slides, and which way, is planned:
+//! with `v_k` the planned velocity along each axis of the tool, drag is `-mu_k s(v_k) F`, and the
+//! three `mu_k` are learned from the estimate in the motion so far (a gradient step each period, on
+//! what the prediction, as late as the estimate, leaves of it).
 
 use super::model::Tool;
 
-/// Coefficients of friction along the tool's axes, and the prediction as the estimate's low-pass shows it.
+/// Coefficients of friction along the tool's axes, and the prediction as the estimate's low-pass
+/// shows it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Drag {
     coefficients: [f64; 3],
-    /// Direction of sliding along each axis, -1 to 1, and the same through the three poles of the estimate.
+    /// Direction of sliding along each axis, -1 to 1, and the same through the three poles of the
+    /// estimate.
     sign: [f64; 3],
     late: [[f64; 3]; 3],
     axes: [[f64; 3]; 3],
 }
 
-/// Planned speed at which friction has two thirds of its level, m/s: some multiples of what a joint's smallest step moves the tool by in a period.
+/// Planned speed at which friction has two thirds of its level, m/s: some multiples of what a
+/// joint's smallest step moves the tool by in a period.
 const CREEP: f64 = 5e-3;
 /// How fast is learned, 1/s: a wipe of half a second tells most.
 const PACE: f64 = 5.0;
@@ -35,7 +41,8 @@ impl Drag {
         &self.coefficients
     }
 
-    /// Where the plan slides, with `share` the part of its way that each pole of the estimate's low-pass goes in a period.
+    /// Where the plan slides, with `share` the part of its way that each pole of the estimate's
+    /// low-pass goes in a period.
     pub(super) fn slide<const N: usize>(&mut self, tool: &Tool<N>, dq: &[f64; N], normal: &[f64; 3], share: f64) {
         let velocity: [f64; 3] = core::array::from_fn(|i| (0..N).map(|j| tool.jacobian[i][j] * dq[j]).sum());
         for k in 0..3 {
@@ -69,7 +76,8 @@ impl Drag {
         }
     }
 
-    /// Push of the tool aside of the normal, by the push along it: now, and as the estimate shows it.
+    /// Push of the tool aside of the normal, by the push along it: now, and as the estimate shows
+    /// it.
     pub(super) fn predicted(&self) -> [[f64; 3]; 2] {
         [self.sign, self.late[2]].map(|sign| {
             core::array::from_fn(|i| (0..3).map(|k| self.coefficients[k] * sign[k] * self.axes[k][i]).sum())

@@ -1,7 +1,7 @@
 //! The force without a sensor, equation (14): `F = (J')^+ (Gamma - Gamma_dyn)`, sample by sample.
 //!
-//! Positions and torques pass the same low-pass before anything else, so that model and measurement stay in step; velocity and acceleration
-//! are backward differences of what comes out.
+//! Positions and torques pass the same low-pass before anything else, so that model and measurement
+//! stay in step; velocity and acceleration are backward differences of what comes out.
 
 use super::least::{factor, substitute};
 use super::model::{Body, Tool};
@@ -15,19 +15,26 @@ pub struct EstimatorSettings<const N: usize> {
     pub corner: f64,
     /// Weight of each joint's torque: one over the variance of its error.
     pub weights: [f64; N],
-    /// Part of the mean eigenvalue of `J W J'` that is added to all: bounds the estimate near singular postures.
+    /// Part of the mean eigenvalue of `J W J'` that is added to all: bounds the estimate near
+    /// singular postures.
     pub damping: f64,
-    /// How large a moment the contact may carry, N m, as a standard deviation. Infinite: any at all, equation (14) as it stands; 0: none, and three components are found in place of six. What is
-    /// known of the moment makes the force better known: seven torques tell six components hardly better than they are themselves.
+    /// How large a moment the contact may carry, N m, as a standard deviation. Infinite: any at
+    /// all, equation (14) as it stands; 0: none, and three components are found in place of six.
+    /// What is known of the moment makes the force better known: seven torques tell six components
+    /// hardly better than they are themselves.
     pub moment: f64,
-    /// By how much the friction of each joint may be off at most where it has just turned round ([`Body::turning`] says where and by how much it could be), N m. There the wrench is only known to lie
-    /// in an interval, and of that the value next to the last one is taken, so that what may be friction does not count as force. Where no joint has just turned round nearly nothing is changed, and nothing
-    /// comes later. What stands in doubt is not believed for ever: it goes over into what the torques tell within half a second. 0: equation (14) as it stands.
+    /// By how much the friction of each joint may be off at most where it has just turned round
+    /// ([`Body::turning`] says where and by how much it could be), N m. There the wrench is only
+    /// known to lie in an interval, and of that the value next to the last one is taken, so that
+    /// what may be friction does not count as force. Where no joint has just turned round nearly
+    /// nothing is changed, and nothing comes later. What stands in doubt is not believed for ever:
+    /// it goes over into what the torques tell within half a second. 0: equation (14) as it stands.
     pub turning: [f64; N],
 }
 
-/// Time in which what is held in doubt goes over into what the torques tell, s: some times as long as friction takes to turn round in a motion (0.1 s), so that a contact that is lost meanwhile, or a
-/// glitch, is not held by a joint that stops there.
+/// Time in which what is held in doubt goes over into what the torques tell, s: some times as long
+/// as friction takes to turn round in a motion (0.1 s), so that a contact that is lost meanwhile,
+/// or a glitch, is not held by a joint that stops there.
 const HELD: f64 = 0.5;
 
 /// What runs along with the arm.
@@ -76,8 +83,8 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         self.wrench = None;
     }
 
-    /// Torques of the environment at the joints, `Gamma - Gamma_dyn`, of a sample; `None` until the differences are there, and for a sample
-    /// that is no number.
+    /// Torques of the environment at the joints, `Gamma - Gamma_dyn`, of a sample; `None` until the
+    /// differences are there, and for a sample that is no number.
     pub fn external(&mut self, q: &[f64; N], tau: &[f64; N]) -> Option<[f64; N]> {
         if q.iter().chain(tau).any(|x| !x.is_finite()) {
             self.wrench = None;
@@ -105,7 +112,8 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         (self.seen > 3).then(|| core::array::from_fn(|j| torque[j] - model[j] - self.bias[j]))
     }
 
-    /// Wrench of the tool on what it touches, base axes, about the point of contact: force (N) and moment (N m).
+    /// Wrench of the tool on what it touches, base axes, about the point of contact: force (N) and
+    /// moment (N m).
     pub fn step(&mut self, q: &[f64; N], tau: &[f64; N]) -> Option<[f64; 6]> {
         let external = self.external(q, tau)?;
         let tool = self.body.tool(&self.before);
@@ -135,7 +143,8 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         Some(wrench)
     }
 
-    /// The first `M` components: as the torques tell them, and by how much they may be less (not above 0) and more, where friction is in doubt.
+    /// The first `M` components: as the torques tell them, and by how much they may be less (not
+    /// above 0) and more, where friction is in doubt.
     fn told<const M: usize>(&self, tool: &Tool<N>, external: &[f64; N], turning: &[f64; N]) -> Option<[[f64; M]; 3]> {
         let EstimatorSettings { weights, damping, moment, .. } = &self.settings;
         let mut a = [[0.0; M]; M];

@@ -1,5 +1,5 @@
-//! The outer loop, equation (15): `dP = Kp (F_d - F) + Ki integral (F_d - F)`, along the normal, with limits of place and speed. What is known to be needed anyway
-//! is added to it.
+//! The outer loop, equation (15): `dP = Kp (F_d - F) + Ki integral (F_d - F)`, along the normal,
+//! with limits of place and speed. What is known to be needed anyway is added to it.
 
 /// Gains and limits of the force loop.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,9 +38,10 @@ impl ForceLoop {
         (self.integral, self.displacement) = (0.0, 0.0);
     }
 
-    /// Presses: error of the force (desired less actual, N), time since the step before (s), a limit of the displacement besides its range, and what is
-    /// added to the loop's own displacement (m; all limits hold for the sum). The integral stands still while the displacement is held by a limit and the
-    /// error pushes against it.
+    /// Presses: error of the force (desired less actual, N), time since the step before (s), a
+    /// limit of the displacement besides its range, and what is added to the loop's own
+    /// displacement (m; all limits hold for the sum). The integral stands still while the
+    /// displacement is held by a limit and the error pushes against it.
     pub fn press(&mut self, error: f64, dt: f64, ceiling: f64, ahead: f64) -> f64 {
         let ForceSettings { kp, ki, range, rate } = self.settings;
         // So large that it is a limit anyway, and small enough never to overflow.
@@ -58,7 +59,8 @@ impl ForceLoop {
         self.displacement
     }
 
-    /// Goes to a displacement at the largest speed, without looking at the force; the integral goes along, so that pressing begins without a jump.
+    /// Goes to a displacement at the largest speed, without looking at the force; the integral goes
+    /// along, so that pressing begins without a jump.
     pub fn go(&mut self, to: f64, dt: f64) -> f64 {
         let ForceSettings { range, rate, .. } = self.settings;
         let step = rate * dt;

@@ -1,4 +1,5 @@
-//! The inner loop, equation (13): `Gamma_d = Kp (q_d - q) + Kd (dq_d - dq) + G(q)`, velocities by first-order backward differences.
+//! The inner loop, equation (13): `Gamma_d = Kp (q_d - q) + Kd (dq_d - dq) + G(q)`, velocities by
+//! first-order backward differences.
 
 /// Proportional-derivative control of the joints.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,9 +1,10 @@
 //! A small damped least-squares problem, without square roots.
 
-/// Solves `(J W J' + d tr(J W J') / 6) y = r` for `W` diagonal, by `L D L'`; `None` where it is singular or not finite.
+/// Solves `(J W J' + d tr(J W J') / 6) y = r` for `W` diagonal, by `L D L'`; `None` where it is
+/// singular or not finite.
 ///
-/// `J' y` is the least joint motion for a twist `r` (`W = 1`); with `r = J W tau`, `y` is the wrench whose torques `J' y` come closest to
-/// `tau` in the metric `W`: `(J')^+ tau`.
+/// `J' y` is the least joint motion for a twist `r` (`W = 1`); with `r = J W tau`, `y` is the
+/// wrench whose torques `J' y` come closest to `tau` in the metric `W`: `(J')^+ tau`.
 pub fn damped<const N: usize>(
     jacobian: &[[f64; N]; 6],
     weights: &[f64; N],

@@ -18,8 +18,9 @@ pub trait Model<const N: usize> {
     /// Torques that hold the arm still, N m: the identified `G(q)`, the tool included.
     fn gravity(&mut self, q: &[f64; N]) -> [f64; N];
 
-    /// Torques of a planned motion beyond gravity, N m: inertia, Coriolis, friction and what else is known of the drives, where the arm is and
-    /// with the velocity and acceleration that are planned. None by default: equation (13) as it stands.
+    /// Torques of a planned motion beyond gravity, N m: inertia, Coriolis, friction and what else
+    /// is known of the drives, where the arm is and with the velocity and acceleration that are
+    /// planned. None by default: equation (13) as it stands.
     fn moving(&mut self, _q: &[f64; N], _dq: &[f64; N], _ddq: &[f64; N]) -> [f64; N] {
         [0.0; N]
     }
@@ -27,23 +28,27 @@ pub trait Model<const N: usize> {
     /// Torques with which the tool presses by a force (base axes, N): `J'` times it.
     fn pressing(&mut self, q: &[f64; N], along: &[f64; 3]) -> [f64; N];
 
-    /// Frame and Jacobian of the point that touches; read where [`Settings::drag`](super::Settings::drag) is not 0. None by default: drag is not predicted.
+    /// Frame and Jacobian of the point that touches; read where
+    /// [`Settings::drag`](super::Settings::drag) is not 0. None by default: drag is not predicted.
     fn touch(&mut self, _q: &[f64; N]) -> Option<Tool<N>> {
         None
     }
 
-    /// A posture whose tool stands as that of `q` does, but moved by `by` (m, base axes), with the arm's redundancy as it is in `q`; `near`
-    /// is where the arm was sent last. `None` where there is none.
+    /// A posture whose tool stands as that of `q` does, but moved by `by` (m, base axes), with the
+    /// arm's redundancy as it is in `q`; `near` is where the arm was sent last. `None` where there
+    /// is none.
     fn displaced(&mut self, q: &[f64; N], by: &[f64; 3], near: &[f64; N]) -> Option<[f64; N]>;
 }
 
 /// What the force estimate needs of it.
 pub trait Body<const N: usize> {
-    /// Torques of the motion without contact, N m: bodies, tool and friction; `dt` (s) since the call before, for friction with memory.
+    /// Torques of the motion without contact, N m: bodies, tool and friction; `dt` (s) since the
+    /// call before, for friction with memory.
     fn torques(&mut self, q: &[f64; N], dq: &[f64; N], ddq: &[f64; N], dt: f64) -> [f64; N];
 
-    /// By how much more the friction of each joint may be than the last [`Body::torques`] had it, N m, or less where negative: friction takes some way to turn round with its joint, and how far is not
-    /// known. None by default.
+    /// By how much more the friction of each joint may be than the last [`Body::torques`] had it, N
+    /// m, or less where negative: friction takes some way to turn round with its joint, and how far
+    /// is not known. None by default.
     fn turning(&self) -> [f64; N] {
         [0.0; N]
     }
@@ -52,8 +57,8 @@ pub trait Body<const N: usize> {
     fn tool(&mut self, q: &[f64; N]) -> Tool<N>;
 }
 
-/// [`Model::displaced`] by the Jacobian: Newton's steps with the least joint motion, from `q`. For arms without a closed form, and where the
-/// closed form finds nothing.
+/// [`Model::displaced`] by the Jacobian: Newton's steps with the least joint motion, from `q`. For
+/// arms without a closed form, and where the closed form finds nothing.
 pub fn moved<const N: usize>(
     q: &[f64; N],
     by: &[f64; 3],

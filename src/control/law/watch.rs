@@ -7,10 +7,12 @@ pub struct Sample<const N: usize> {
     pub t: f64,
     /// Measured positions, rad or m; not a number where one is missing.
     pub q: [f64; N],
-    /// Force of the tool on what it presses, along the target's normal, N: estimated or measured; not a number where it is missing.
+    /// Force of the tool on what it presses, along the target's normal, N: estimated or measured;
+    /// not a number where it is missing.
     pub force: f64,
-    /// Force of the tool on what it touches, base axes, N: estimated. Its part aside of the normal is read where [`Settings::aside`](super::Settings::aside)
-    /// is not 0; not a number where it is missing.
+    /// Force of the tool on what it touches, base axes, N: estimated. Its part aside of the normal
+    /// is read where [`Settings::aside`](super::Settings::aside) is not 0; not a number where it is
+    /// missing.
     pub push: [f64; 3],
 }
 
@@ -37,7 +39,8 @@ pub struct Watch<const N: usize> {
 }
 
 impl<const N: usize> Watch<N> {
-    /// For samples each `period` (s), of which `patience` in a row may fail, of joints that can't be faster than this.
+    /// For samples each `period` (s), of which `patience` in a row may fail, of joints that can't
+    /// be faster than this.
     pub fn new(period: f64, patience: u32, fastest: [f64; N]) -> Self {
         Self { period, fastest, patience, last: None, missed: 0 }
     }

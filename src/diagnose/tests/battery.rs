@@ -4,8 +4,8 @@ use dh_codegen::robot::Robot;
 
 use super::world::{Hidden, World, record};
 use crate::diagnose::{Diagnosis, Settings, diagnose};
-use crate::numeric::random::Random;
-use crate::plant::RobotPlant;
+use crate::model::perturbable_robot::PerturbableRobot;
+use crate::numerics::prng::Random;
 
 fn robot(name: &str) -> Robot {
     let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
@@ -71,7 +71,7 @@ fn case(seed: u64, which: Option<usize>, size: f64) -> (Hidden, usize, Diagnosis
     };
     let (a, b) = (world.log(12.0, &mut random), world.log(8.0, &mut random));
     let (fit, validate) = (record("fit", &a, dof), record("validate", &b, dof));
-    let plant = RobotPlant::new(&robot);
+    let plant = PerturbableRobot::new(&robot);
     let found = diagnose(&plant, &[fit], &[validate], &Settings::default(), &|_| {}).unwrap();
     (hidden, j, found, name.into())
 }

@@ -1,16 +1,18 @@
-//! A robot whose torques come from the numeric recursion and whose effects are written from the literature, apart from the laws
-//! that look for them: a stiff spring-like bristle with a Stribeck curve of its own, springs solved for the link's angle, and so on.
+//! A robot whose torques come from the numeric recursion and whose effects are written from the
+//! literature, apart from the laws that look for them: a stiff spring-like bristle with a Stribeck
+//! curve of its own, springs solved for the link's angle, and so on.
 
 use std::cell::RefCell;
 
 use dh_codegen::arm::param;
 use dh_codegen::robot::Robot;
 
-use crate::arm::States;
+use crate::data::log::open;
+use crate::data::signal::{Filter, Prepare, each_motion};
 use crate::diagnose::{Recording, Stretch};
-use crate::log::open;
-use crate::numeric::{Numeric, random::Random};
-use crate::signal::{Filter, Prepare, each_motion};
+use crate::model::States;
+use crate::model::rigid_body::Numeric;
+use crate::numerics::prng::Random;
 
 /// What is hidden.
 #[derive(Debug, Clone, PartialEq)]
@@ -181,7 +183,8 @@ impl World<'_> {
         size
     }
 
-    /// What an effect adds, at unit size or at a physical one, before it is scaled to the wanted root mean square.
+    /// What an effect adds, at unit size or at a physical one, before it is scaled to the wanted
+    /// root mean square.
     fn effect(
         &self,
         number: usize,

@@ -1,14 +1,16 @@
 //! What the user knows of the bodies, and priors that respect it.
 
 use super::ConsistentError;
-use super::pseudo::is_body;
+use crate::model::pseudo_inertia::is_body;
 
-/// Bounds on links (numbered from 0, in the order of the parameters). They concern the link's own body, without what is fixed to it.
+/// Bounds on links (numbered from 0, in the order of the parameters). They concern the link's own
+/// body, without what is fixed to it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Bounds {
     /// Least and largest mass, kg.
     pub mass: Vec<(usize, [f64; 2])>,
-    /// Box in the link's frame that the centre of mass lies in: link, axis (0 x, 1 y, 2 z), least and largest, m.
+    /// Box in the link's frame that the centre of mass lies in: link, axis (0 x, 1 y, 2 z), least
+    /// and largest, m.
     pub center: Vec<(usize, usize, [f64; 2])>,
     /// Mass of all links together, kg.
     pub total_mass: Option<f64>,
@@ -49,8 +51,9 @@ impl Bounds {
         }
     }
 
-    /// Moves bodies inside: masses between their bounds, centres into their boxes, and masses scaled alike to the total. A body keeps
-    /// its shape about its centre of mass (its tensor there grows with the mass).
+    /// Moves bodies inside: masses between their bounds, centres into their boxes, and masses
+    /// scaled alike to the total. A body keeps its shape about its centre of mass (its tensor there
+    /// grows with the mass).
     pub(super) fn enforce(&self, bodies: &mut [[f64; 10]]) -> Result<(), ConsistentError> {
         self.check(bodies.len())?;
         let inside = |x: f64, [low, high]: [f64; 2]| {
@@ -105,7 +108,7 @@ impl Bounds {
 
 /// The same shape with another mass and centre.
 fn placed(body: &[f64; 10], mass: f64, center: [f64; 3]) -> [f64; 10] {
-    let p = super::pseudo::pseudo_inertia(body);
+    let p = crate::model::pseudo_inertia::pseudo_inertia(body);
     let mut out = nalgebra::Matrix4::zeros();
     for i in 0..3 {
         for j in 0..3 {
@@ -116,7 +119,7 @@ fn placed(body: &[f64; 10], mass: f64, center: [f64; 3]) -> [f64; 10] {
         out[(3, i)] = mass * center[i];
     }
     out[(3, 3)] = mass;
-    super::pseudo::body_of(&out)
+    crate::model::pseudo_inertia::body_of(&out)
 }
 
 #[cfg(test)]

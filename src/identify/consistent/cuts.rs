@@ -1,8 +1,11 @@
-//! The constrained least squares by another route, for the tests: clarabel on cones that close in on the true one from outside.
+//! The constrained least squares by another route, for the tests: clarabel on cones that close in
+//! on the true one from outside.
 //!
-//! `Z` is positive semidefinite if `V' Z V` is for every `V` of two columns, and a 2 x 2 matrix is exactly if `(a + c, a - c, 2 b)` lies in the
-//! second-order cone. Start with the six pairs of axes, solve, add the pair of eigenvectors of the smallest eigenvalues where
-//! one is negative, again. Each round's optimum is below the true one; the last violates nothing by more than the tolerance.
+//! `Z` is positive semidefinite if `V' Z V` is for every `V` of two columns, and a 2 x 2 matrix is
+//! exactly if `(a + c, a - c, 2 b)` lies in the second-order cone. Start with the six pairs of
+//! axes, solve, add the pair of eigenvectors of the smallest eigenvalues where one is negative,
+//! again. Each round's optimum is below the true one; the last violates nothing by more than the
+//! tolerance.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::SupportedConeT::{NonnegativeConeT, SecondOrderConeT, ZeroConeT};
@@ -10,7 +13,7 @@ use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus};
 use nalgebra::Vector4;
 
 use super::newton::Problem;
-use super::pseudo::basis;
+use crate::model::pseudo_inertia::basis;
 
 /// Coordinates at the optimum of `1/2 |J v - z|^2` under the constraints, and rounds.
 pub(super) fn by_cuts(problem: &Problem, tolerance: f64, rounds: usize) -> Result<(Vec<f64>, usize), String> {

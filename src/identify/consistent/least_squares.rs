@@ -1,18 +1,23 @@
-//! Least squares over possible bodies beside further unknowns, of which some have a lower bound: what a diagnosis fits.
+//! Least squares over possible bodies beside further unknowns, of which some have a lower bound:
+//! what a diagnosis fits.
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
+use super::ConsistentError;
+use super::ConsistentSettings;
+use super::PriorBody;
+use super::VANISHING;
 use super::newton::Weights;
 use super::setup::{Data, Setup};
-use super::{ConsistentError, ConsistentSettings, PriorBody, VANISHING};
-use crate::arm::{BaseParameter, Description};
+use crate::model::{BaseParameter, Description};
 
 /// Eigenvalues of the scaled normal matrix below this share of the largest say nothing.
 const RANK: f64 = 1e-13;
 /// Size of an unknown of which nothing is known, in its own unit.
 const SIZE: f64 = 0.1;
 
-/// The constraints of a least-squares problem in base parameters and, behind them, further unknowns.
+/// The constraints of a least-squares problem in base parameters and, behind them, further
+/// unknowns.
 #[derive(Debug, Clone, Copy)]
 pub struct BoundedLeastSquares<'a> {
     /// Names of the standard parameters, those of links and rotors among them.
@@ -39,8 +44,9 @@ pub struct Feasible {
 }
 
 impl BoundedLeastSquares<'_> {
-    /// Minimises `1/2 x'Ax - b'x`: `normal` (`A`, positive semidefinite) and `rhs` (`b`) in units of the noise of independent
-    /// samples. Further unknowns whose row of `A` is zero are 0, or at their bound where that is above.
+    /// Minimises `1/2 x'Ax - b'x`: `normal` (`A`, positive semidefinite) and `rhs` (`b`) in units
+    /// of the noise of independent samples. Further unknowns whose row of `A` is zero are 0, or at
+    /// their bound where that is above.
     ///
     /// # Errors
     /// Where numbers are infinite, or the solver comes to a halt ([`ConsistentError::Stalled`]).
@@ -84,7 +90,8 @@ impl BoundedLeastSquares<'_> {
         Ok(Feasible { standard: all[..links].to_vec(), x })
     }
 
-    /// The unknowns as parameters of an arm: links and rotors, then one of its own for each further unknown, `FC` where it is bounded.
+    /// The unknowns as parameters of an arm: links and rotors, then one of its own for each further
+    /// unknown, `FC` where it is bounded.
     fn description(&self) -> Description {
         let mut standard = if self.base.is_empty() { Vec::new() } else { self.standard.to_vec() };
         let mut base = self.base.to_vec();

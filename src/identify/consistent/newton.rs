@@ -5,20 +5,24 @@
 //!        + sum_scalars w or mu [v - log v] + mu/2 sum_free (v - v0)^2 - mu sum_walls log(a'v - b),   subject to e'v = s
 //! ```
 //!
-//! The entropic distance to the prior is at the same time the barrier of the cone, so that `F` is smooth and strictly convex inside;
-//! divided by `w` it is self-concordant, and from a neighbourhood of its one minimum Newton's steps converge quadratically to all digits (Boyd and
-//! Vandenberghe, *Convex Optimization*, section 9.6). That neighbourhood is reached by [`path`](super::path). With `w -> 0` the minimum goes to the
-//! constrained least squares solution of least distance to the prior; what it still misses is about `w` per eigenvalue (section 11.2.2).
+//! The entropic distance to the prior is at the same time the barrier of the cone, so that `F` is
+//! smooth and strictly convex inside; divided by `w` it is self-concordant, and from a
+//! neighbourhood of its one minimum Newton's steps converge quadratically to all digits (Boyd and
+//! Vandenberghe, *Convex Optimization*, section 9.6). That neighbourhood is reached by
+//! [`path`](super::path). With `w -> 0` the minimum goes to the constrained least squares solution
+//! of least distance to the prior; what it still misses is about `w` per eigenvalue (section
+//! 11.2.2).
 
 use nalgebra::{DMatrix, DVector, Matrix4};
 
-use super::pseudo::{basis, coordinates, symmetric};
+use crate::model::pseudo_inertia::{basis, coordinates, symmetric};
 
 /// A variable that must be positive; 1 at the prior.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Scalar {
     pub(super) index: usize,
-    /// Whether its prior counts like a body's (weight `w`), or is there only to keep it positive (`mu`).
+    /// Whether its prior counts like a body's (weight `w`), or is there only to keep it positive
+    /// (`mu`).
     pub(super) known: bool,
 }
 
@@ -126,8 +130,9 @@ impl Problem {
         value.is_finite().then_some(value)
     }
 
-    /// The quadratic model at `v` as a least squares problem, `1/2 |A d - b|^2` plus a constant: its normal matrix is the Hessian, `-A'b` the
-    /// gradient. Solved by an orthogonal transformation, half of the digits are lost that the normal equations would lose, which
+    /// The quadratic model at `v` as a least squares problem, `1/2 |A d - b|^2` plus a constant:
+    /// its normal matrix is the Hessian, `-A'b` the gradient. Solved by an orthogonal
+    /// transformation, half of the digits are lost that the normal equations would lose, which
     /// matters where `w` is small.
     fn model(&self, v: &DVector<f64>, weights: Weights) -> Option<(DMatrix<f64>, DVector<f64>)> {
         let Weights { w, mu } = weights;

@@ -1,15 +1,16 @@
 //! To the neighbourhood of the minimum: primal and dual bodies together, along the central path.
 //!
-//! A body `Z` and the force `S` that its cone exerts satisfy `S Z = t 1`; `t` falls until it is what the distance to the prior asks for.
-//! Steps are Newton's in the scaling of Nesterov and Todd, in which body and force look alike (Y. Nesterov, M. Todd, *Self-scaled barriers*, 1997;
-//! M. Todd, K. Toh, R. Tutuncu, SIAM J. Optimization 8(3), 1998): some tens of them, where steps of the body alone need
-//! hundreds in long valleys. With `G' S G = G^-1 Z G^-T = diag(lambda)` a step changes the scaled body by `D` and the scaled force by
-//! `t / lambda - lambda - D`.
+//! A body `Z` and the force `S` that its cone exerts satisfy `S Z = t 1`; `t` falls until it is
+//! what the distance to the prior asks for. Steps are Newton's in the scaling of Nesterov and Todd,
+//! in which body and force look alike (Y. Nesterov, M. Todd, *Self-scaled barriers*, 1997; M. Todd,
+//! K. Toh, R. Tutuncu, SIAM J. Optimization 8(3), 1998): some tens of them, where steps of the body
+//! alone need hundreds in long valleys. With `G' S G = G^-1 Z G^-T = diag(lambda)` a step changes
+//! the scaled body by `D` and the scaled force by `t / lambda - lambda - D`.
 
 use nalgebra::{DMatrix, DVector, Matrix4, SymmetricEigen, Vector4};
 
 use super::newton::{Problem, Stalled, Wall, Weights};
-use super::pseudo::{basis, coordinates, symmetric};
+use crate::model::pseudo_inertia::{basis, coordinates, symmetric};
 
 /// A cone in its scaling.
 struct Scaled {
@@ -30,7 +31,8 @@ impl Scaled {
         g.iter().chain(inverse.iter()).all(|x| x.is_finite()).then_some(Self { g, inverse, lambda })
     }
 
-    /// Largest step, up to 1, that keeps nine tenths of the way to the edge for `diag(lambda) + step D`.
+    /// Largest step, up to 1, that keeps nine tenths of the way to the edge for `diag(lambda) +
+    /// step D`.
     fn longest(&self, d: &Matrix4<f64>) -> f64 {
         let root = Matrix4::from_diagonal(&self.lambda.map(|x| x.sqrt().recip()));
         let least = SymmetricEigen::new(root * d * root).eigenvalues.min();
@@ -94,7 +96,8 @@ pub(super) fn near(problem: &Problem, start: &[f64], weights: Weights) -> Result
             let body = problem.inside(v.as_slice(), link.start);
             let cone = match Scaled::new(&body, force) {
                 Some(cone) => cone,
-                // Rounding took the force out of its cone: one that balances the body takes its place.
+                // Rounding took the force out of its cone: one that balances the body takes its
+                // place.
                 None => {
                     resets += 1;
                     *force = body.cholesky().filter(|_| resets < 20).ok_or_else(halt)?.inverse() * t;
@@ -105,7 +108,8 @@ pub(super) fn near(problem: &Problem, start: &[f64], weights: Weights) -> Result
             scaled.push(cone);
         }
         sum += singles.iter().map(|s| s.force * slack(s, &v)).sum::<f64>();
-        // After a long step the target may fall fast; after a short one bodies and forces first go back to the middle.
+        // After a long step the target may fall fast; after a short one bodies and forces first go
+        // back to the middle.
         t = (sum / degree)
             * if last > 0.9 {
                 0.1

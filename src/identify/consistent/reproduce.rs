@@ -2,11 +2,13 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::ConsistentError;
+use super::ConsistentSettings;
+use super::PriorBody;
 use super::newton::Weights;
 use super::setup::{Data, Setup};
-use super::{ConsistentError, ConsistentSettings, PriorBody};
-use crate::arm::Arm;
-use crate::identify::recover::base_of;
+use crate::identify::regression::recover::base_of;
+use crate::model::Arm;
 
 /// Bodies that have these base parameters, or come nearest.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,9 +25,9 @@ pub struct Reproduced {
     pub exact: bool,
 }
 
-/// Of all possible bodies that have exactly these base parameters, those nearest to the prior; where there are none, bodies whose base parameters
-/// come nearest, each measured by what is
-/// usual in a robot: 1 kg, 0.2 kg m, 0.04 kg m^2, and 1 in the drives' units.
+/// Of all possible bodies that have exactly these base parameters, those nearest to the prior;
+/// where there are none, bodies whose base parameters come nearest, each measured by what is usual
+/// in a robot: 1 kg, 0.2 kg m, 0.04 kg m^2, and 1 in the drives' units.
 ///
 /// Uses `margin`, `bounds` and `carried` of the settings.
 pub fn possible_bodies(
@@ -53,7 +55,8 @@ pub fn possible_bodies(
             _ => 1.0,
         })
         .collect();
-    // Known to two digits, the prior's weight beside it a thousandth: near enough for the last digits to be had by one projection.
+    // Known to two digits, the prior's weight beside it a thousandth: near enough for the last
+    // digits to be had by one projection.
     let sharp = 1e2;
     let r = DMatrix::from_fn(b, b, |i, k| if i == k { sharp / sizes[i] } else { 0.0 });
     let z = DVector::from_fn(b, |i, _| sharp * base[i] / sizes[i]);
@@ -65,7 +68,8 @@ pub fn possible_bodies(
     if setup.problem.misfit(&v) < 1e4 * rough {
         (v, _) = setup.problem.follow(&setup.start, weights)?;
     }
-    // The last digits, by the shortest way in units of the prior; kept only if everything stays inside.
+    // The last digits, by the shortest way in units of the prior; kept only if everything stays
+    // inside.
     let (mut next, j) = (DVector::from_column_slice(&v), &setup.problem.j);
     if let Some(root) = (j * j.transpose()).cholesky() {
         for _ in 0..3 {

@@ -2,11 +2,12 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::ConsistentError;
+use super::ConsistentSettings;
 use super::newton::{Link, Problem, Scalar, Wall};
-use super::prior::PriorBody;
-use super::pseudo::Yardstick;
-use super::{ConsistentError, ConsistentSettings};
-use crate::arm::Description;
+use crate::model::Description;
+use crate::model::likely_bodies::PriorBody;
+use crate::model::pseudo_inertia::Yardstick;
 
 /// Where the parameters of the links and drives stand among the standard ones.
 #[derive(Debug, Clone)]
@@ -135,7 +136,8 @@ impl Setup {
             let given = drives[i] > 0.0;
             scales[i] = if given { drives[i] } else { 0.1 };
             problem.j.set_column(index, &(standard.column(i) * scales[i]));
-            // Friction changes with temperature and age: only rotors are held to what the file says.
+            // Friction changes with temperature and age: only rotors are held to what the file
+            // says.
             problem.scalars.push(Scalar { index, known: given && names[i].starts_with("IA") });
             start[index] = 1.0;
         }
@@ -195,7 +197,8 @@ impl Setup {
 
     /// Smallest eigenvalue of each link's body in units of its prior.
     pub(super) fn margins(&self, v: &[f64]) -> Vec<f64> {
-        let smallest = |l: &Link| super::pseudo::symmetric(&v[l.start..l.start + 10]).symmetric_eigenvalues().min();
+        let smallest =
+            |l: &Link| crate::model::pseudo_inertia::symmetric(&v[l.start..l.start + 10]).symmetric_eigenvalues().min();
         self.problem.links.iter().map(smallest).collect()
     }
 }

@@ -9,11 +9,12 @@ use nalgebra::{DMatrix, DVector};
 use super::newton::Weights;
 use super::setup::{Data, Setup, grouping};
 use super::*;
-use crate::arm::{Reach, States};
-use crate::identify::{IdentifySettings, Stack, StackSettings, solve};
-use crate::interpreted::Interpreted;
-use crate::numeric::random::{Family, Random};
-use crate::signal::Motion;
+use crate::data::signal::Motion;
+use crate::identify::{AccumulatorSettings, IdentifySettings, QrAccumulator, solve};
+use crate::model::interpreted::Interpreted;
+use crate::model::rigid_body::random::Family;
+use crate::model::{LinkExtents, States};
+use crate::numerics::prng::Random;
 
 /// A random robot with possible bodies, and its standard parameters.
 fn robot(seed: u64, rows: [usize; 2]) -> (Robot, Interpreted, Vec<f64>) {
@@ -79,7 +80,8 @@ fn two_routes_agree() {
         // So much noise that the plain solution is no body.
         let data = equations(&arm, &truth, 60, 30.0, seed);
         let prior = prior_bodies(&bodies(&truth, robot.joints.len()), &geometric_bodies(&arm.ends()));
-        // Without bounds, what no torque shows could grow without end, and the sum of squares have no least value.
+        // Without bounds, what no torque shows could grow without end, and the sum of squares have
+        // no least value.
         let bounds = Bounds {
             mass: (0..prior.len()).map(|l| (l, [0.3 * prior[l].body[0], 3.0 * prior[l].body[0]])).collect(),
             ..Bounds::default()
@@ -137,7 +139,7 @@ fn motion(arm: &Interpreted, truth: &[f64], seconds: f64, noise: f64, seed: u64)
 }
 
 fn factors(arm: &Interpreted, motion: &Motion) -> Factors {
-    let mut stack = Stack::new("test", arm, StackSettings::default());
+    let mut stack = QrAccumulator::new("test", arm, AccumulatorSettings::default());
     stack.absorb(motion);
     stack.finish()
 }
@@ -156,14 +158,15 @@ fn random_arms_get_possible_bodies_and_the_plain_ones_where_these_are_possible()
             let result = consistent(&arm, &logs, &[], &found, &prior, &drives, &ConsistentSettings::default()).unwrap();
             for link in 0..robot.joints.len() {
                 let body: [f64; 10] = result.standard[10 * link..10 * link + 10].try_into().unwrap();
-                assert!(pseudo::is_body(&body), "seed {seed}: {body:?}");
+                assert!(crate::model::pseudo_inertia::is_body(&body), "seed {seed}: {body:?}");
                 assert!(result.margins[link] > result.margin);
             }
             for (name, value) in arm.standard_names().iter().zip(&result.standard) {
                 let signed = ["IA", "FV", "FC"].iter().any(|kind| name.starts_with(kind));
                 assert!(!signed || *value > 0.0, "{name} {value}");
             }
-            // Where possibility costs nothing, the parameters are the plain ones, but for what noise and prior share.
+            // Where possibility costs nothing, the parameters are the plain ones, but for what
+            // noise and prior share.
             if result.possible.growth_percent < 1e-3 {
                 inside += 1;
                 for (p, q) in found.parameters.iter().zip(&result.base) {
@@ -257,14 +260,15 @@ fn file(name: &str) -> (Robot, Interpreted) {
     (robot, arm)
 }
 
-/// The LWR's links are bodies, and so are the published base parameters: others reproduce them from a mere guess.
+/// The LWR's links are bodies, and so are the published base parameters: others reproduce them from
+/// a mere guess.
 #[test]
 fn the_published_lwr_is_possible() {
     let (robot, arm) = file("kuka-lwr4");
     let standard = param::standard_values(&robot).unwrap();
     let known = bodies(&standard, 7);
     for body in known.iter().flatten() {
-        assert!(pseudo::is_body(body), "{body:?}");
+        assert!(crate::model::pseudo_inertia::is_body(body), "{body:?}");
     }
     let base = base_of(&arm, &standard);
     for prior in
@@ -276,8 +280,8 @@ fn the_published_lwr_is_possible() {
     }
 }
 
-/// What is said beforehand of the torques elsewhere is what comes: over runs with other noise, the errors over states all over the range
-/// are as large as the standard deviation that was announced.
+/// What is said beforehand of the torques elsewhere is what comes: over runs with other noise, the
+/// errors over states all over the range are as large as the standard deviation that was announced.
 #[test]
 fn the_announced_uncertainty_elsewhere_is_honest() {
     let (robot, arm) = file("kuka-lwr4");
@@ -328,7 +332,8 @@ fn the_announced_uncertainty_elsewhere_is_honest() {
     }
 }
 
-/// Of a model that is right, the plain fit can be no better where it was not fitted, but for luck; a true and a wrong one are told apart.
+/// Of a model that is right, the plain fit can be no better where it was not fitted, but for luck;
+/// a true and a wrong one are told apart.
 #[test]
 fn left_out_parts_tell_which_predicts_better() {
     let (robot, arm) = file("kuka-lwr4");

@@ -1,12 +1,12 @@
 //! Values, weights, essential parameters, prior.
 
 use super::*;
-use crate::arm::Arm;
 use crate::identify::{
     Accuracy, Essential, Standing, Tracer, accuracy,
     planar::{STANDARD, motion, torque},
     recover_standard,
 };
+use crate::model::Arm;
 
 #[test]
 fn exact_without_noise() {
@@ -56,7 +56,8 @@ fn agrees_with_a_dense_solution() {
     let inverse = (w.transpose() * &w).try_inverse().unwrap();
     for (i, p) in found.parameters.iter().enumerate() {
         assert!((p.value - dense[i]).abs() < 1e-8);
-        // White noise: the deviation is that of the textbook but for the inflation, which is 1 within its own scatter.
+        // White noise: the deviation is that of the textbook but for the inflation, which is 1
+        // within its own scatter.
         let ratio = p.std / (inverse[(i, i)] * variance).sqrt();
         assert!((0.95..1.4).contains(&ratio), "{}: {ratio}", p.name);
     }
@@ -104,7 +105,7 @@ fn validation_is_that_of_a_direct_prediction() {
     let (mut a, mut b) = (motion(&arm, 10.0, 100.0, 0.0), motion(&arm, 7.0, 100.0, 1.0));
     add_noise(&mut a, [0.3, 0.1], true, 4);
     add_noise(&mut b, [0.3, 0.1], true, 5);
-    let mut stack = Stack::new("b", &arm, StackSettings::default());
+    let mut stack = QrAccumulator::new("b", &arm, AccumulatorSettings::default());
     stack.absorb(&b);
     let b_factors = stack.finish();
     let found =
@@ -147,7 +148,7 @@ fn essential_parameters() {
     (standard[2], standard[6], standard[15]) = (0.0, 0.0, 0.0); // MSY1, MSY2, FO2
     let arm = Planar::new();
     let mut m = motion(&arm, 10.0, 100.0, 0.0);
-    let beta = crate::identify::recover::base_of(&arm, &standard);
+    let beta = crate::identify::regression::recover::base_of(&arm, &standard);
     let (states, tau) = (m.states.clone(), &mut m.tau);
     torque(&arm, &states, &beta, tau);
     add_noise(&mut m, [0.1, 0.05], true, 8);
@@ -179,7 +180,7 @@ fn standard_parameters_predict_what_was_identified() {
     let beta: Vec<f64> = arm.beta().iter().enumerate().map(|(i, b)| b + 0.01 * i as f64).collect();
     for prior in [None, Some(&STANDARD[..])] {
         let standard = recover_standard(&arm, &beta, prior).unwrap();
-        let back = crate::identify::recover::base_of(&arm, &standard);
+        let back = crate::identify::regression::recover::base_of(&arm, &standard);
         assert!(back.iter().zip(&beta).all(|(a, b)| (a - b).abs() < 1e-13));
     }
     // What is right already stays.

@@ -1,9 +1,11 @@
-//! Monte Carlo: the truth lies within two stated standard deviations in about 95 % of the runs, whatever the noise's colour.
+//! Monte Carlo: the truth lies within two stated standard deviations in about 95 % of the runs,
+//! whatever the noise's colour.
 
 use super::*;
 use crate::identify::planar::motion;
 
-/// Share of (run, parameter) pairs within two standard deviations, and the root mean square of error / deviation.
+/// Share of (run, parameter) pairs within two standard deviations, and the root mean square of
+/// error / deviation.
 fn coverage(runs: u64, rate: f64, seconds: f64, filtered: bool) -> (f64, f64) {
     let arm = Planar::new();
     let truth = arm.beta();
@@ -40,7 +42,8 @@ fn short_record() {
     assert!((0.92..0.985).contains(&within) && (0.85..1.15).contains(&spread), "{within} {spread}");
 }
 
-/// What the white-noise formula would claim of the same data: its deviations are too small by the root of the inflation.
+/// What the white-noise formula would claim of the same data: its deviations are too small by the
+/// root of the inflation.
 #[test]
 fn filtered_noise_is_told_from_white() {
     let arm = Planar::new();

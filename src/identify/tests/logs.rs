@@ -1,11 +1,9 @@
 //! From a file's bytes to parameters.
 
 use super::*;
-use crate::{
-    identify::planar::{log, motion},
-    log::{LogError, Quantity, csv, open},
-    signal::{DeadZone, Filter, Prepare, PrepareError, each_motion},
-};
+use crate::data::log::{LogError, Quantity, csv, open};
+use crate::data::signal::{DeadZone, Filter, Prepare, PrepareError, each_motion};
+use crate::identify::planar::{log, motion};
 
 fn bytes(motion: &Motion) -> Vec<u8> {
     let mut out = Vec::new();
@@ -17,10 +15,10 @@ fn from_bytes(
     arm: &Planar,
     csv: &[u8],
     prepare: &Prepare,
-    settings: StackSettings,
+    settings: AccumulatorSettings,
 ) -> Result<Identification, PrepareError> {
     let mut source = open("planar.csv", csv)?;
-    let mut stack = Stack::new("planar.csv", arm, settings);
+    let mut stack = QrAccumulator::new("planar.csv", arm, settings);
     each_motion(source.as_mut(), 2, prepare, |m| stack.absorb(m))?;
     Ok(solve(arm, &[stack.finish()], &[], &IdentifySettings::default()).unwrap())
 }
@@ -35,10 +33,11 @@ fn positions_and_torques_suffice() {
     let arm = Planar::new();
     let m = motion(&arm, 20.0, 1000.0, 0.0);
     let prepare = Prepare::default();
-    let found = from_bytes(&arm, &bytes(&m), &prepare, StackSettings::default()).unwrap();
-    // The low-pass rounds the steps of the Coulomb torque; the parallel filter rounds the column alike.
+    let found = from_bytes(&arm, &bytes(&m), &prepare, AccumulatorSettings::default()).unwrap();
+    // The low-pass rounds the steps of the Coulomb torque; the parallel filter rounds the column
+    // alike.
     assert!(worst(&arm, &found) < 0.06, "{}", worst(&arm, &found));
-    let parallel = StackSettings { parallel: Some((5, 10.0)), ..Default::default() };
+    let parallel = AccumulatorSettings { parallel: Some((5, 10.0)), ..Default::default() };
     let unfiltered = Prepare { margins: true, filter: None, dead_zone: DeadZone::Off, ..prepare.clone() };
     let better = from_bytes(&arm, &bytes(&m), &unfiltered, parallel).unwrap();
     assert!(worst(&arm, &better) < 0.003, "{}", worst(&arm, &better));
@@ -50,13 +49,13 @@ fn chunks_do_not_show() {
     let mut m = motion(&arm, 20.0, 200.0, 0.0);
     add_noise(&mut m, [0.3, 0.1], false, 5);
     let csv = bytes(&m);
-    let whole = from_bytes(&arm, &csv, &Prepare::default(), StackSettings::default()).unwrap();
+    let whole = from_bytes(&arm, &csv, &Prepare::default(), AccumulatorSettings::default()).unwrap();
     for chunk in [100, 777] {
         for stride in [1, 5] {
             let once = Prepare { stride, dead_zone: DeadZone::Fixed(0.01), ..Prepare::default() };
             let pieces = Prepare { chunk, ..once.clone() };
-            let a = from_bytes(&arm, &csv, &once, StackSettings::default()).unwrap();
-            let b = from_bytes(&arm, &csv, &pieces, StackSettings::default()).unwrap();
+            let a = from_bytes(&arm, &csv, &once, AccumulatorSettings::default()).unwrap();
+            let b = from_bytes(&arm, &csv, &pieces, AccumulatorSettings::default()).unwrap();
             assert_eq!(a.samples, b.samples);
             for ((a, b), w) in a.parameters.iter().zip(&b.parameters).zip(&whole.parameters) {
                 // Only the velocity noise, found chunk by chunk, differs.
@@ -77,7 +76,7 @@ fn chunks_are_filtered_as_the_whole_is() {
         let (mut q, mut ddq, mut tau, mut times) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let prepare = Prepare { chunk, stride: 3, ..Prepare::default() };
         each_motion(open("x", &csv[..]).unwrap().as_mut(), 2, &prepare, |m| {
-            let mut block = crate::signal::MotionBlock::default();
+            let mut block = crate::data::signal::MotionBlock::default();
             let n = m.gather(0, usize::MAX, &mut block);
             q.extend_from_slice(&block.states.q[n..]);
             ddq.extend_from_slice(&block.states.ddq[n..]);
@@ -96,7 +95,8 @@ fn chunks_are_filtered_as_the_whole_is() {
     }
 }
 
-/// White noise on the recorded torque, the whole way from the file: the truth is where the deviations say.
+/// White noise on the recorded torque, the whole way from the file: the truth is where the
+/// deviations say.
 #[test]
 fn honest_from_the_file_on() {
     let arm = Planar::new();
@@ -105,7 +105,7 @@ fn honest_from_the_file_on() {
     for seed in 0..30 {
         let mut m = clean.clone();
         add_noise(&mut m, [6.0, 2.0], false, 700 + seed);
-        let found = from_bytes(&arm, &bytes(&m), &Prepare::default(), StackSettings::default()).unwrap();
+        let found = from_bytes(&arm, &bytes(&m), &Prepare::default(), AccumulatorSettings::default()).unwrap();
         within += found.parameters.iter().zip(arm.beta()).filter(|(p, t)| (p.value - t).abs() < 2.0 * p.std).count();
         all += found.parameters.len();
     }
@@ -123,9 +123,9 @@ fn a_late_torque_is_moved_back() {
         row.copy_within(..len - late, late);
     }
     let csv = bytes(&m);
-    let as_is = from_bytes(&arm, &csv, &Prepare::default(), StackSettings::default()).unwrap();
+    let as_is = from_bytes(&arm, &csv, &Prepare::default(), AccumulatorSettings::default()).unwrap();
     let moved = Prepare { torque_delay: 0.034, chunk: 3000, ..Prepare::default() };
-    let mended = from_bytes(&arm, &csv, &moved, StackSettings::default()).unwrap();
+    let mended = from_bytes(&arm, &csv, &moved, AccumulatorSettings::default()).unwrap();
     assert!(worst(&arm, &as_is) > 0.5 && worst(&arm, &mended) < 0.06, "{}", worst(&arm, &mended));
 }
 
@@ -134,15 +134,15 @@ fn currents_become_torques() {
     let arm = Planar::new();
     let m = motion(&arm, 20.0, 500.0, 0.0);
     let mut log = log(&m);
-    log.layout = crate::log::Layout::new("currents.csv", &["t", "q1", "q2", "i1", "i2"]).unwrap();
+    log.layout = crate::data::log::Layout::new("currents.csv", &["t", "q1", "q2", "i1", "i2"]).unwrap();
     log.columns[3].iter_mut().for_each(|tau| *tau /= 8.0);
     log.columns[4].iter_mut().for_each(|tau| *tau /= -2.0);
     let mut csv = Vec::new();
     csv::write(&log, &mut csv).unwrap();
-    let without = from_bytes(&arm, &csv, &Prepare::default(), StackSettings::default()).unwrap_err().to_string();
+    let without = from_bytes(&arm, &csv, &Prepare::default(), AccumulatorSettings::default()).unwrap_err().to_string();
     assert!(without.contains("`torque_constant`"), "{without}");
     let prepare = Prepare { torque: Quantity::Current, torque_gains: vec![8.0, -2.0], ..Prepare::default() };
-    assert!(worst(&arm, &from_bytes(&arm, &csv, &prepare, StackSettings::default()).unwrap()) < 0.06);
+    assert!(worst(&arm, &from_bytes(&arm, &csv, &prepare, AccumulatorSettings::default()).unwrap()) < 0.06);
 }
 
 #[test]
@@ -152,7 +152,7 @@ fn noise_in_torque_and_position() {
     add_noise(&mut m, [1.0, 0.5], false, 6);
     let mut normal = Normal::new(12);
     m.states.q.iter_mut().for_each(|q| *q += 2e-5 * normal.next());
-    let found = from_bytes(&arm, &bytes(&m), &Prepare::default(), StackSettings::default()).unwrap();
+    let found = from_bytes(&arm, &bytes(&m), &Prepare::default(), AccumulatorSettings::default()).unwrap();
     assert!(worst(&arm, &found) < 0.1, "{}", worst(&arm, &found));
 }
 
@@ -160,13 +160,13 @@ fn noise_in_torque_and_position() {
 fn a_cutoff_beyond_the_rate_says_so() {
     let arm = Planar::new();
     let csv = bytes(&motion(&arm, 10.0, 15.0, 0.0));
-    let error = from_bytes(&arm, &csv, &Prepare::default(), StackSettings::default()).unwrap_err();
+    let error = from_bytes(&arm, &csv, &Prepare::default(), AccumulatorSettings::default()).unwrap_err();
     assert!(error.to_string().contains("10 Hz"), "{error}");
     let low = Prepare { filter: Some(Filter { order: 5, cutoff: 4.0 }), ..Prepare::default() };
-    assert!(from_bytes(&arm, &csv, &low, StackSettings::default()).is_ok());
+    assert!(from_bytes(&arm, &csv, &low, AccumulatorSettings::default()).is_ok());
     let coarse = Prepare { stride: 3, ..low.clone() };
     assert!(matches!(
-        from_bytes(&arm, &csv, &coarse, StackSettings::default()),
+        from_bytes(&arm, &csv, &coarse, AccumulatorSettings::default()),
         Err(PrepareError::Stride { most: 1, .. })
     ));
 }

@@ -1,11 +1,13 @@
-//! `cargo test --release identify::tests::speed -- --ignored --nocapture`: how long 10,000 samples of seven joints take.
+//! `cargo test --release identify::tests::speed -- --ignored --nocapture`: how long 10,000 samples
+//! of seven joints take.
 
 use std::time::Instant;
 
 use super::*;
-use crate::arm::{Arm, BaseParameter, Description, States};
+use crate::model::{Arm, BaseParameter, Description, States};
 
-/// Seven joints, 57 columns with the structure of a serial arm: joint `j` sees the inertial parameters of the links from `j` on.
+/// Seven joints, 57 columns with the structure of a serial arm: joint `j` sees the inertial
+/// parameters of the links from `j` on.
 struct Wide(Description);
 
 impl Wide {
@@ -87,7 +89,7 @@ fn ten_thousand_samples() {
     for _ in 0..5 {
         let start = Instant::now();
         let mut out = vec![0.0; arm.base_pattern().len() * 256];
-        let mut block = crate::signal::MotionBlock::default();
+        let mut block = crate::data::signal::MotionBlock::default();
         let mut from = 0;
         loop {
             let count = m.gather(from, 256, &mut block);
@@ -99,7 +101,7 @@ fn ten_thousand_samples() {
         }
         let model = start.elapsed();
         let start = Instant::now();
-        let mut stack = Stack::new("speed", &arm, StackSettings::default());
+        let mut stack = QrAccumulator::new("speed", &arm, AccumulatorSettings::default());
         stack.absorb(&m);
         let f = [stack.finish()];
         let factor = start.elapsed() - model;
@@ -157,9 +159,10 @@ fn an_hour_in_bounded_memory() {
     let header = "t,q1,q2,q3,q4,q5,q6,q7,tau1,tau2,tau3,tau4,tau5,tau6,tau7\n";
     let hour = Hour { piece: piece.collect(), row: 0, rest: header.into() };
     let start = Instant::now();
-    let mut stack = Stack::new("hour", &arm, StackSettings::default());
-    let mut source = crate::log::open("hour.csv", hour).unwrap();
-    let prepared = crate::signal::each_motion(source.as_mut(), 7, &Default::default(), |m| stack.absorb(m)).unwrap();
+    let mut stack = QrAccumulator::new("hour", &arm, AccumulatorSettings::default());
+    let mut source = crate::data::log::open("hour.csv", hour).unwrap();
+    let prepared =
+        crate::data::signal::each_motion(source.as_mut(), 7, &Default::default(), |m| stack.absorb(m)).unwrap();
     let read = start.elapsed();
     let found = solve(&arm, &[stack.finish()], &[], &IdentifySettings::default()).unwrap();
     let memory = std::fs::read_to_string("/proc/self/status").unwrap_or_default();

@@ -23,7 +23,8 @@ fn a_joint_at_rest() {
     let found = identify(&arm, &[m]);
     let mut groups: Vec<(Vec<String>, usize)> = found.confused.iter().map(|c| (c.parameters.clone(), c.open)).collect();
     groups.sort();
-    // Without effect: ZZ1R, MSY1, FV1, FC1. Only as a sum: MSX1R (gravity at q1 = 0) with the offset FO1.
+    // Without effect: ZZ1R, MSY1, FV1, FC1. Only as a sum: MSX1R (gravity at q1 = 0) with the
+    // offset FO1.
     let expected: Vec<(Vec<String>, usize)> =
         [(vec!["FC1"], 1), (vec!["FV1"], 1), (vec!["MSX1R", "FO1"], 1), (vec!["MSY1"], 1), (vec!["ZZ1R"], 1)]
             .map(|(g, n)| (g.into_iter().map(String::from).collect(), n))

@@ -1,8 +1,8 @@
 //! Logs that are not what they are taken for.
 
 use super::*;
+use crate::data::log::{Finding, Kind};
 use crate::identify::planar::motion;
-use crate::log::{Finding, Kind};
 
 fn log(arm: &Planar, seed: u64, change: impl Fn(&mut Motion)) -> Factors {
     let mut motion = motion(arm, 10.0, 200.0, 0.7 * seed as f64);
@@ -72,7 +72,8 @@ fn standing(arm: &Planar, seconds: f64, phase: f64, tremble: f64, change: impl F
 fn a_joint_that_stands_tells_no_sign_by_its_offset() {
     let arm = Planar::new();
     let fit = log(&arm, 6, |_| {});
-    // Gravity of joint 2 is carried by something else, and a small torque of the other sign is left.
+    // Gravity of joint 2 is carried by something else, and a small torque of the other sign is
+    // left.
     let other = standing(&arm, 8.0, 0.0, 0.0, |tau| tau.iter_mut().for_each(|t| *t *= -0.1));
     let said = |m: Motion| {
         let log = Factors { name: "other.csv".into(), ..factors(&arm, &[m]) };

@@ -1,7 +1,9 @@
-//! `backlash`: a dead zone between motor and link (M. Nordin and P. O. Gutman, *Controlling mechanical systems with backlash: a survey*,
-//! Automatica 38, 2002). The teeth push and never pull.
+//! `backlash`: a dead zone between motor and link (M. Nordin and P. O. Gutman, *Controlling
+//! mechanical systems with backlash: a survey*, Automatica 38, 2002). The teeth push and never
+//! pull.
 
-use super::{Given, JointElasticity};
+use super::Given;
+use super::JointElasticity;
 
 /// A dead zone, and the spring of the teeth on both sides of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,7 +17,8 @@ impl Backlash {
         Self { width: given.get("BL") }
     }
 
-    /// Torque on the link, and how it changes with the angle and the velocity of the motor before the link's.
+    /// Torque on the link, and how it changes with the angle and the velocity of the motor before
+    /// the link's.
     pub fn torque(&self, spring: &JointElasticity, angle: f64, velocity: f64) -> [f64; 3] {
         let half = 0.5 * self.width;
         if angle.abs() <= half {

@@ -1,4 +1,5 @@
-//! `coulomb_friction`: `FC sign(v)`; also the plain viscous term and the offset that stand beside it in a drive.
+//! `coulomb_friction`: `FC sign(v)`; also the plain viscous term and the offset that stand beside
+//! it in a drive.
 
 /// Friction that every drive may have.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

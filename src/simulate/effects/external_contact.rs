@@ -24,7 +24,8 @@ impl ExternalContact {
         }
     }
 
-    /// How much of it acts at this time: it rises and falls in raised cosines of 20 ms, as no push is a step.
+    /// How much of it acts at this time: it rises and falls in raised cosines of 20 ms, as no push
+    /// is a step.
     pub fn share(&self, t: f64) -> f64 {
         const RISE: f64 = 0.02;
         let rise = RISE.min(0.5 * (self.end - self.start));

@@ -1,4 +1,5 @@
-//! `friction_drift`: friction times `1 + DA exp(-t / DT) + DK (temp - T0)`; the gear warms with the same time constant.
+//! `friction_drift`: friction times `1 + DA exp(-t / DT) + DK (temp - T0)`; the gear warms with the
+//! same time constant.
 
 use super::Given;
 

@@ -1,5 +1,6 @@
-//! `joint_elasticity`: motor and link are two inertias with a spring between them (M. W. Spong, *Modeling and control of elastic joint
-//! robots*, J. Dyn. Sys. Meas. Control 109, 1987). Friction, rotor and ripple act on the motor.
+//! `joint_elasticity`: motor and link are two inertias with a spring between them (M. W. Spong,
+//! *Modeling and control of elastic joint robots*, J. Dyn. Sys. Meas. Control 109, 1987). Friction,
+//! rotor and ripple act on the motor.
 
 use super::Given;
 
@@ -17,8 +18,9 @@ impl JointElasticity {
         Self { stiffness: given.get("KE"), damping: given.get("DE") }
     }
 
-    /// What the teeth of a gear with backlash meet with where the file gives no elasticity: ten times as stiff as a joint by default, and
-    /// a tenth of critically damped against a rotor of `inertia` kg m^2.
+    /// What the teeth of a gear with backlash meet with where the file gives no elasticity: ten
+    /// times as stiff as a joint by default, and a tenth of critically damped against a rotor of
+    /// `inertia` kg m^2.
     pub(crate) fn of_teeth(rated: f64, inertia: f64) -> Self {
         let stiffness = 600.0 * rated;
         Self { stiffness, damping: 0.2 * (stiffness * inertia).sqrt() }

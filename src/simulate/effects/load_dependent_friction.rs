@@ -1,4 +1,5 @@
-//! `load_dependent_friction`: `FL |tau_load| sign(v)`, `tau_load` the torque of the bodies that the gear transmits.
+//! `load_dependent_friction`: `FL |tau_load| sign(v)`, `tau_load` the torque of the bodies that the
+//! gear transmits.
 
 use super::Given;
 

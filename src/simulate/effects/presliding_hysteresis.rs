@@ -1,5 +1,6 @@
-//! `presliding_hysteresis`: the bristle of LuGre (C. Canudas de Wit, H. Olsson, K. J. Astrom and P. Lischinsky, *A new model for control
-//! of systems with friction*, IEEE Trans. Automatic Control 40, 1995), whose undamped form is Dahl's.
+//! `presliding_hysteresis`: the bristle of LuGre (C. Canudas de Wit, H. Olsson, K. J. Astrom and P.
+//! Lischinsky, *A new model for control of systems with friction*, IEEE Trans. Automatic Control
+//! 40, 1995), whose undamped form is Dahl's.
 
 use super::Given;
 

@@ -1,4 +1,5 @@
-//! `torque_ripple`: `RC cos(RN q) + RS sin(RN q)`, and more of the kind with 2, 3, ... behind the keys.
+//! `torque_ripple`: `RC cos(RN q) + RS sin(RN q)`, and more of the kind with 2, 3, ... behind the
+//! keys.
 
 use super::Given;
 

@@ -11,7 +11,8 @@ fn joint(values: &[f64], recording: &Recording, j: usize) -> Vec<f64> {
     values[j * len..(j + 1) * len].to_vec()
 }
 
-/// What the effect adds to the torque of joint `j` when the motion is followed exactly; with the motion.
+/// What the effect adds to the torque of joint `j` when the motion is followed exactly; with the
+/// motion.
 struct Added {
     t: Vec<f64>,
     q: Vec<f64>,
@@ -105,13 +106,14 @@ fn friction_fades_as_the_gear_warms() {
     }
     let warm =
         run(&robot, &at_joint(0, "friction_drift", &[("DK", -0.01), ("DT", 3.0)]), &motion(2, 1.2, 8.0), &exact(100.0));
-    let temperature = warm.log.joint(crate::log::Quantity::Temperature, 0).unwrap();
+    let temperature = warm.log.joint(crate::data::log::Quantity::Temperature, 0).unwrap();
     assert!(temperature[0] == 25.0 && (38.0..40.0).contains(&temperature[temperature.len() - 1]));
 }
 
 #[test]
 fn presliding_is_a_loop_whose_area_is_the_energy_lost() {
-    // Back and forth within and beyond the presliding travel; slowly, so that the damping of the bristle is a percent.
+    // Back and forth within and beyond the presliding travel; slowly, so that the damping of the
+    // bristle is a percent.
     let robot = frictionless("planar2r");
     let loop_area = |size: f64| {
         let t: Vec<f64> = (0..=4000).map(|k| f64::from(k) * 0.1).collect();
@@ -126,7 +128,8 @@ fn presliding_is_a_loop_whose_area_is_the_energy_lost() {
             .sum::<f64>()
             / 2.0
     };
-    // Dahl's loop between -a and a: half its height is tanh(a / X), so its area is 4 HC (a - X tanh(a / X)).
+    // Dahl's loop between -a and a: half its height is tanh(a / X), so its area is 4 HC (a - X
+    // tanh(a / X)).
     for size in [1e-3, 4e-3, 2e-2] {
         let expected = 4.0 * 2.0 * (size - 2e-3 * (size / 2e-3f64).tanh());
         let found = loop_area(size);
@@ -136,7 +139,8 @@ fn presliding_is_a_loop_whose_area_is_the_energy_lost() {
 
 #[test]
 fn an_elastic_joint_rings_at_its_resonance() {
-    // The elbow's link against its locked motor would ring at sqrt(K / J); with a free rotor at sqrt(K (1 / J + 1 / I)).
+    // The elbow's link against its locked motor would ring at sqrt(K / J); with a free rotor at
+    // sqrt(K (1 / J + 1 / I)).
     let mut robot = frictionless("planar2r");
     robot.gravity = [0.0; 3];
     let (stiffness, rotor) = (80.0, 0.02);
@@ -241,7 +245,7 @@ fn sensors_that_lie() {
     let with = |name: &str, parameters: &[(&str, f64)]| {
         run(&robot, &at_joint(0, name, parameters), &trajectory, &exact(1000.0)).log
     };
-    let tau = |log: &Log| log.joint(crate::log::Quantity::Tau, 0).unwrap().to_vec();
+    let tau = |log: &Log| log.joint(crate::data::log::Quantity::Tau, 0).unwrap().to_vec();
     let (true_torque, gained) = (tau(&plain), tau(&with("torque_gain_error", &[("GT", 1.1)])));
     let (offset, late) = (tau(&with("torque_offset", &[("TO", 0.4)])), tau(&with("time_delay", &[("TD", 0.0105)])));
     let clipped = tau(&with("torque_saturation", &[("TM", 3.0)]));
@@ -258,7 +262,7 @@ fn sensors_that_lie() {
     let shifted = run(&robot, &at_joint(0, "encoder_offset", &[("QO", 0.05)]), &trajectory, &exact(100.0));
     let followed = run(&robot, &at_joint(0, "encoder_offset", &[("QO", 0.05)]), &trajectory, &loop_at(100.0));
     for (seen, bound) in [(&shifted, 1e-12), (&followed, 2e-2)] {
-        let q = seen.log.joint(crate::log::Quantity::Q, 0).unwrap();
+        let q = seen.log.joint(crate::data::log::Quantity::Q, 0).unwrap();
         for k in 0..q.len() {
             assert!((q[k] - seen.truth.desired[k][0]).abs() < bound);
             assert!((seen.truth.link_q[k] - q[k] - 0.05).abs() < 1e-12);
@@ -268,7 +272,7 @@ fn sensors_that_lie() {
 
 /// Torques of the oracle along the same motion, with other bodies.
 fn by_oracle(robot: &Robot, recording: &Recording, k: usize) -> Vec<f64> {
-    let numeric = crate::numeric::Numeric::new(robot);
+    let numeric = crate::model::rigid_body::Numeric::new(robot);
     let phi = dh_codegen::arm::param::standard_values(robot).unwrap();
     let (n, len) = (robot.dof(), recording.truth.t.len());
     let of = |i: usize| (0..n).map(|j| recording.truth.desired[j * len + k][i]).collect::<Vec<f64>>();
@@ -350,7 +354,7 @@ fn a_push_on_the_tool_is_felt_through_the_jacobian() {
             let seen = with.truth.motor_torque[j * len + k] - without.truth.motor_torque[j * len + k];
             assert!((seen + inside * expected).abs() < 1e-10, "{seen} {expected}");
         }
-        let measured = with.log.column(crate::log::Role::Wrench(1)).unwrap()[k];
+        let measured = with.log.column(crate::data::log::Role::Wrench(1)).unwrap()[k];
         assert!((measured + 4.0 * inside).abs() < 1e-12);
     }
 }
@@ -358,7 +362,8 @@ fn a_push_on_the_tool_is_felt_through_the_jacobian() {
 #[test]
 fn a_wall_stops_the_tool() {
     let robot = robot("planar2r");
-    // The arm hangs and swings towards a wall at x = 0.3; with the arm straight the tip is 0.9 m out.
+    // The arm hangs and swings towards a wall at x = 0.3; with the arm straight the tip is 0.9 m
+    // out.
     let q = [-0.9, 0.2];
     let simulator = Simulator::new(&robot, &Effects::default()).unwrap();
     let t: Vec<f64> = (0..=300).map(|k| f64::from(k) * 0.01).collect();
@@ -398,7 +403,8 @@ fn a_saturated_drive_falls_behind() {
 
 #[test]
 fn stick_and_slip_needs_stribeck() {
-    // A slow ramp through a soft loop: with a breakaway level above Coulomb's the joint jerks, without it creeps evenly.
+    // A slow ramp through a soft loop: with a breakaway level above Coulomb's the joint jerks,
+    // without it creeps evenly.
     let mut robot = frictionless("planar2r");
     robot.gravity = [0.0; 3];
     let t: Vec<f64> = (0..=200).map(|k| f64::from(k) * 0.02).collect();

@@ -1,8 +1,8 @@
 //! Both methods have the order that their papers say, the Rosenbrock method with any Jacobian.
 
-use super::super::integrate::dormand_prince::DormandPrince;
-use super::super::integrate::rosenbrock::Rosenbrock;
-use super::super::integrate::{Breakdown, Linear, LinearBristle, Method, Pace, Solver, System};
+use crate::numerics::integrators::dormand_prince::DormandPrince;
+use crate::numerics::integrators::rosenbrock::Rosenbrock;
+use crate::numerics::integrators::{Breakdown, Linear, LinearBristle, Method, Pace, Solver, System};
 
 /// A pendulum that is pushed and damped, with a bristle; how much of its Jacobian is told.
 struct Pendulum {

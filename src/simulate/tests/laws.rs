@@ -1,7 +1,7 @@
 //! Laws of mechanics.
 
 use super::*;
-use crate::numeric::Numeric;
+use crate::model::rigid_body::Numeric;
 use dh_codegen::arm::param;
 
 fn energy(numeric: &Numeric, phi: &[f64], truth: &Truth, k: usize) -> f64 {
@@ -20,7 +20,8 @@ fn free(rate: f64, tolerance: f64) -> Request {
     }
 }
 
-/// A spring about 0.6 on joint 3, N/m: it keeps the Stanford arm's sliding joint from falling out of its bearing.
+/// A spring about 0.6 on joint 3, N/m: it keeps the Stanford arm's sliding joint from falling out
+/// of its bearing.
 const SPRING: [f64; 2] = [200.0, 0.6];
 
 fn spring(name: &str) -> Effects {
@@ -131,7 +132,8 @@ fn friction_holds_an_arm_that_is_not_heavy_enough() {
         run(&robot, &Effects::default(), &Trajectory::rest(&[0.0, 0.1], 5.0).unwrap(), &free(100.0, 1e-6)).truth;
     let len = truth.t.len();
     for j in 0..2 {
-        // The bristle gives way a little at first; then nothing moves but by the tolerance of the integration, 1e-5 rad/s.
+        // The bristle gives way a little at first; then nothing moves but by the tolerance of the
+        // integration, 1e-5 rad/s.
         let [start, soon, end] = [0, 100, len - 1].map(|k| truth.link_q[j * len + k]);
         assert!((soon - start).abs() < 1e-4, "joint {} gave way by {}", j + 1, soon - start);
         assert!((end - soon).abs() < 4e-5, "joint {} crept by {}", j + 1, end - soon);
@@ -175,7 +177,7 @@ fn the_same_seed_gives_the_same_log_and_another_seed_another() {
         let request = Request { seed, ..Request::default() };
         let mut bytes = Vec::new();
         let log = run(&robot, &at_joint(0, "joint_elasticity", &[]), &trajectory, &request).log;
-        crate::log::csv::write(&log, &mut bytes).unwrap();
+        crate::data::log::csv::write(&log, &mut bytes).unwrap();
         bytes
     };
     assert!(with(5) == with(5));

@@ -1,8 +1,8 @@
 //! A joint that slides, and motors of it: the SCARA arm.
 
 use super::*;
-use crate::log::Quantity;
-use crate::tool::shape::{Assembly, Axis};
+use crate::data::log::Quantity;
+use crate::identify::tool::shape::{Assembly, Axis};
 
 /// The links of the file are the solids that it names.
 #[test]
@@ -33,8 +33,9 @@ fn scara_links_are_the_solids_of_its_comment() {
     }
 }
 
-/// The stroke carries carriage and quill, 2 kg, whatever the arm does: F = M (a - g), its z pointing down. And what the sensors recorded is what
-/// the motion needs: a static arm holds them with -19.62 N.
+/// The stroke carries carriage and quill, 2 kg, whatever the arm does: F = M (a - g), its z
+/// pointing down. And what the sensors recorded is what the motion needs: a static arm holds them
+/// with -19.62 N.
 #[test]
 fn a_stroke_carries_its_weight() {
     let scara = robot("scara");

@@ -1,4 +1,5 @@
-//! Adjoints of kernels: `seed' d(outputs)/d(q, dq, ddq)`, from the derivatives by sines and cosines to those by angles.
+//! Adjoints of kernels: `seed' d(outputs)/d(q, dq, ddq)`, from the derivatives by sines and cosines
+//! to those by angles.
 
 use std::collections::BTreeMap;
 
@@ -6,8 +7,9 @@ use super::chain::Group;
 use super::kernel::{Function, Kernel};
 use crate::sym::{Ex, Graph, adjoint};
 
-/// Derivatives of the weighted sum of some outputs (indices into the row-major result), those that are not zero: by `q` (0), `dq` (1) or `ddq` (2), of
-/// which joint. The weights are the inputs from `first_seed` on.
+/// Derivatives of the weighted sum of some outputs (indices into the row-major result), those that
+/// are not zero: by `q` (0), `dq` (1) or `ddq` (2), of which joint. The weights are the inputs from
+/// `first_seed` on.
 pub(crate) fn by_states<'g>(
     graph: &'g Graph,
     kernel: &Kernel,
@@ -33,7 +35,8 @@ pub(crate) fn by_states<'g>(
     sums
 }
 
-/// The adjoint of a kernel as a kernel, `3 x n`: its seeds follow the `parameters` that the kernel reads.
+/// The adjoint of a kernel as a kernel, `3 x n`: its seeds follow the `parameters` that the kernel
+/// reads.
 pub(super) fn kernel(primal: &Kernel, function: Function, parameters: usize) -> Kernel {
     let graph = Graph::new();
     let first_seed = primal.inputs.index(Group::Parameter, parameters);

@@ -1,11 +1,13 @@
-//! Base parameters in closed form: which standard parameters have an effect of their own, and how the others group.
+//! Base parameters in closed form: which standard parameters have an effect of their own, and how
+//! the others group.
 //!
-//! Gautier and Khalil's regrouping (Khalil and Dombre, 9.4) in the form that covers every geometry. The energies are linear
-//! in the parameters: link `j` contributes `delta . e_j(q, dq)`. A change `delta` of link `j`'s parameters goes unseen by its
-//! own joint exactly if `delta . e_j` does not depend on `q_j` and `dq_j`; it is then the same as the change that the moved
-//! body makes on link `j - 1`. The condition is linear: it holds against the span of all motions that the joints before can
-//! give. So the span is carried outwards (subspaces of dimension at most ten), each link's null space is found, and the
-//! regrouping goes inwards with the lengths as named constants.
+//! Gautier and Khalil's regrouping (Khalil and Dombre, 9.4) in the form that covers every geometry.
+//! The energies are linear in the parameters: link `j` contributes `delta . e_j(q, dq)`. A change
+//! `delta` of link `j`'s parameters goes unseen by its own joint exactly if `delta . e_j` does not
+//! depend on `q_j` and `dq_j`; it is then the same as the change that the moved body makes on link
+//! `j - 1`. The condition is linear: it holds against the span of all motions that the joints
+//! before can give. So the span is carried outwards (subspaces of dimension at most ten), each
+//! link's null space is found, and the regrouping goes inwards with the lengths as named constants.
 
 use std::collections::BTreeMap;
 
@@ -85,8 +87,9 @@ const YZ: usize = Inertial::YZ as usize;
 const IA: usize = 10;
 const FO: usize = 11;
 
-/// The body seen from a frame whose origin lies `s` behind, along the axis with first moment `along`; `i`, `j` are the
-/// diagonal entries across, `p`, `q` the products with the other two first moments.
+/// The body seen from a frame whose origin lies `s` behind, along the axis with first moment
+/// `along`; `i`, `j` are the diagonal entries across, `p`, `q` the products with the other two
+/// first moments.
 fn translated<T: Ring>(v: &Ten<T>, s: &T, along: usize, [i, j]: [usize; 2], products: [(usize, usize); 2]) -> Ten<T> {
     let mut out = v.clone();
     let across = v[along].by(s).times(2.0).plus(&v[M].by(s).by(s));
@@ -139,8 +142,8 @@ fn rot_z<T: Ring>(v: &Ten<T>, (s, c): (f64, f64)) -> Ten<T> {
 /// A linear map of parameters.
 type Order = fn(&Ten<f64>) -> Ten<f64>;
 
-/// What a joint's motion does to a body's parameters, order by order: the constant part, then the coefficients of
-/// `cos q, sin q, cos 2q, sin 2q` (revolute) or `q, q^2` (prismatic).
+/// What a joint's motion does to a body's parameters, order by order: the constant part, then the
+/// coefficients of `cos q, sin q, cos 2q, sin 2q` (revolute) or `q, q^2` (prismatic).
 fn harmonics(kind: JointKind) -> Vec<Order> {
     match kind {
         JointKind::Revolute => vec![
@@ -180,7 +183,8 @@ fn pick(v: &Ten<f64>, entries: &[(usize, f64, usize)]) -> Ten<f64> {
     out
 }
 
-/// One row of the DH table, as it moves parameters from its body's frame to the frame before: `before . joint . after`.
+/// One row of the DH table, as it moves parameters from its body's frame to the frame before:
+/// `before . joint . after`.
 struct Step {
     kind: JointKind,
     convention: Convention,
@@ -245,7 +249,8 @@ impl Step {
         }
     }
 
-    /// Velocity at the joint's axes, seen in the body's frame, the joint standing at `q` (a quarter turn or a length).
+    /// Velocity at the joint's axes, seen in the body's frame, the joint standing at `q` (a quarter
+    /// turn or a length).
     fn leaving(&self, x: &[f64; 6], q: f64) -> [f64; 6] {
         let (turn, slide) = match self.kind {
             JointKind::Revolute => ([(0.0, 1.0), (1.0, 0.0), (0.0, -1.0)][q as usize], 0.0),
@@ -279,7 +284,8 @@ fn pulled_back(row: &[f64], f: impl Fn(&Ten<f64>) -> Ten<f64>) -> Ten<f64> {
     })
 }
 
-/// Momentum along or about the joint's axis that a unit of each parameter has when its frame moves with `(w, v)`.
+/// Momentum along or about the joint's axis that a unit of each parameter has when its frame moves
+/// with `(w, v)`.
 fn momentum(kind: JointKind, x: &[f64; 6]) -> Ten<f64> {
     let mut row = [0.0; 10];
     match kind {
@@ -310,8 +316,8 @@ impl Reach {
         Self { velocities: Subspace::default(), kinetic: Subspace::default(), potential }
     }
 
-    /// Conditions on the parameters of the link behind `step` (ten, `IA`, `FO`) under which its own joint can't see them; and the
-    /// reach of that link.
+    /// Conditions on the parameters of the link behind `step` (ten, `IA`, `FO`) under which its own
+    /// joint can't see them; and the reach of that link.
     fn through(&self, step: &Step) -> (Subspace, Self) {
         let (d, r) = (step.d.0, step.r.0);
         let mut hidden = Subspace::default();
@@ -383,11 +389,13 @@ impl Reach {
     }
 }
 
-/// Which parameter of a link is kept if there is a choice, the first ones most: the custom of the literature. (Keeping `YY`
-/// for `XX` changes the base regressors of the arms in `robots/` by less than half a per cent, either way.)
+/// Which parameter of a link is kept if there is a choice, the first ones most: the custom of the
+/// literature. (Keeping `YY` for `XX` changes the base regressors of the arms in `robots/` by less
+/// than half a per cent, either way.)
 ///
-/// `FO` goes first: where a prismatic joint's weight, rotor and offset can't be told apart, mass matrix and torques are right, and
-/// only the gravity torque from base parameters has the offset in it.
+/// `FO` goes first: where a prismatic joint's weight, rotor and offset can't be told apart, mass
+/// matrix and torques are right, and only the gravity torque from base parameters has the offset in
+/// it.
 const PREFERENCE: [usize; 12] = [ZZ, MSY, MSX, YZ, XZ, XY, XX, YY, MSZ, M, IA, FO];
 
 impl BaseParameters {

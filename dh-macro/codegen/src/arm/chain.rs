@@ -1,13 +1,15 @@
 //! One form for both DH conventions: a chain of *joint frames* whose z axes are the joint axes.
 //!
-//! Modified rows are that chain already: `RotX(alpha) TransX(d) RotZ(theta) TransZ(r)`, and the body's frame is the joint
-//! frame. In a standard row `RotZ(theta) TransZ(r) TransX(d) RotX(alpha)` the last two factors commute, so they are the
-//! first two of the next joint frame; the body's frame is the joint frame followed by them.
+//! Modified rows are that chain already: `RotX(alpha) TransX(d) RotZ(theta) TransZ(r)`, and the
+//! body's frame is the joint frame. In a standard row `RotZ(theta) TransZ(r) TransX(d) RotX(alpha)`
+//! the last two factors commute, so they are the first two of the next joint frame; the body's
+//! frame is the joint frame followed by them.
 
 use crate::robot::{Convention, JointKind, Robot};
 use crate::sym::{Ex, Graph, Mat3, Vec3};
 
-/// Where the inputs of every kernel stand: `q, sin, cos, dq, ddq, tau` of each degree of freedom, then the parameters.
+/// Where the inputs of every kernel stand: `q, sin, cos, dq, ddq, tau` of each degree of freedom,
+/// then the parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Inputs {
     /// Degrees of freedom.
@@ -66,11 +68,13 @@ pub struct Row {
     pub d: f64,
     /// Quarter turns that are added to the angle exactly.
     pub quarter_turns: i64,
-    /// What else is added to it, rad. Of a revolute joint it goes into the sine and cosine that are given to the kernel.
+    /// What else is added to it, rad. Of a revolute joint it goes into the sine and cosine that are
+    /// given to the kernel.
     pub angle: f64,
     /// Constant shift along z, m.
     pub r: f64,
-    /// From the joint frame to the body's frame: `TransX(d) RotX(alpha)`, sine and cosine of the latter. `None`: the same frame.
+    /// From the joint frame to the body's frame: `TransX(d) RotX(alpha)`, sine and cosine of the
+    /// latter. `None`: the same frame.
     pub body: Option<(f64, (f64, f64))>,
 }
 
@@ -140,7 +144,8 @@ impl Chain {
         self.behind(graph, &[])
     }
 
-    /// The same where the links stand `wound[k]` behind `q` (rad or m, small; of degree of freedom `k`; `None`: nothing).
+    /// The same where the links stand `wound[k]` behind `q` (rad or m, small; of degree of freedom
+    /// `k`; `None`: nothing).
     pub(super) fn behind<'g>(&self, graph: &'g Graph, wound: &[Option<Ex<'g>>]) -> Links<'g> {
         let inputs = Inputs { dof: self.dof() };
         let of = |row: &Row| row.dof.and_then(|k| wound.get(k).copied().flatten());
@@ -210,7 +215,8 @@ pub struct Link<'g> {
     body: Option<(Ex<'g>, (Ex<'g>, Ex<'g>))>,
 }
 
-/// Sine and cosine of an angle less a small one, by the latter's series: to 1e-11 at a tenth of a radian.
+/// Sine and cosine of an angle less a small one, by the latter's series: to 1e-11 at a tenth of a
+/// radian.
 fn turned_back<'g>((s, c): (Ex<'g>, Ex<'g>), by: Ex<'g>) -> (Ex<'g>, Ex<'g>) {
     let square = by * by;
     let sine = by * ((square * (1.0 / 120.0) - 1.0 / 6.0) * square + 1.0);
@@ -300,7 +306,8 @@ impl<'g> Link<'g> {
         about_x(self.twist, v)
     }
 
-    /// This joint frame's origin from the previous one's, in the axes between `RotX` and `RotZ`; `shifted`: before `TransZ(r)`.
+    /// This joint frame's origin from the previous one's, in the axes between `RotX` and `RotZ`;
+    /// `shifted`: before `TransZ(r)`.
     pub fn step(&self, shifted: bool) -> Vec3<'g> {
         let zero = self.d.graph().constant(0.0);
         Vec3([self.d, zero, if shifted { zero } else { self.r }])

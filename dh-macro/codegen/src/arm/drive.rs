@@ -1,10 +1,11 @@
-//! Torques at the sensors of an arm whose drives have more to them than rotor and plain friction: the laws of
-//! [`crate::robot::effect::LAWS`] as expressions.
+//! Torques at the sensors of an arm whose drives have more to them than rotor and plain friction:
+//! the laws of [`crate::robot::effect::LAWS`] as expressions.
 //!
-//! `tau = GT clip(load + IA ddq + warmth friction + FO + ripple + couplings, TM) + TO`, `load` the torque of the bodies and of the joint's
-//! spring, where the links of soft joints stand behind their motors by `load / KE` and by half of the backlash, on the side to which the
-//! load pushes. These are first-order, quasi-static corrections: load and bending do not act back on each other, and the link moves at
-//! its motor's speed.
+//! `tau = GT clip(load + IA ddq + warmth friction + FO + ripple + couplings, TM) + TO`, `load` the
+//! torque of the bodies and of the joint's spring, where the links of soft joints stand behind
+//! their motors by `load / KE` and by half of the backlash, on the side to which the load pushes.
+//! These are first-order, quasi-static corrections: load and bending do not act back on each other,
+//! and the link moves at its motor's speed.
 
 use super::chain::{Chain, Group, Links};
 use super::dynamics::{self, Values};

@@ -1,4 +1,5 @@
-//! Inverse dynamics (Newton-Euler), mass matrix (composite bodies) and forward dynamics, for given parameters.
+//! Inverse dynamics (Newton-Euler), mass matrix (composite bodies) and forward dynamics, for given
+//! parameters.
 
 use core::array::from_fn;
 
@@ -40,8 +41,9 @@ impl<'g> Values<'g> {
     }
 }
 
-/// Torques by an outward and an inward sweep (Khalil and Dombre, 9.5.2); friction and rotors where `drives` says so. `slide`: the last
-/// link's parameters and motion are taken about the origin before `TransZ(r)`: the same torques, by other operations.
+/// Torques by an outward and an inward sweep (Khalil and Dombre, 9.5.2); friction and rotors where
+/// `drives` says so. `slide`: the last link's parameters and motion are taken about the origin
+/// before `TransZ(r)`: the same torques, by other operations.
 pub(super) fn torques<'g>(
     links: &Links<'g>,
     values: &Values<'g>,
@@ -53,7 +55,8 @@ pub(super) fn torques<'g>(
     let sweep = Sweep::new(links, include);
     let mut tau = vec![links.number(0.0); links.inputs.dof];
     let mut wrench = Wrench { f: Vec3::zero(g), n: Vec3::zero(g) };
-    // Moments that are known along a joint's axis, where nothing further out than this joint needs them.
+    // Moments that are known along a joint's axis, where nothing further out than this joint needs
+    // them.
     let mut along = vec![links.number(0.0); links.links.len()];
     for (row, link) in links.links.iter().enumerate().rev() {
         g.section(format!("link {}: force and moment", row + 1));
@@ -137,7 +140,8 @@ fn carried<'g>(links: &Links<'g>, row: usize, p: [Ex<'g>; 10]) -> [Ex<'g>; 10] {
     together(m, l, turned(t, |v| link.twisted(v)))
 }
 
-/// Upper triangle of the mass matrix, `m[i][j]` for `i <= j`, by composite bodies (Featherstone, 6.2; the rotors on the diagonal).
+/// Upper triangle of the mass matrix, `m[i][j]` for `i <= j`, by composite bodies (Featherstone,
+/// 6.2; the rotors on the diagonal).
 pub(super) fn mass_matrix<'g>(links: &Links<'g>, values: &Values<'g>) -> Vec<Vec<Ex<'g>>> {
     let g = links.graph;
     let n = links.inputs.dof;

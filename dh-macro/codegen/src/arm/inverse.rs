@@ -1,7 +1,9 @@
-//! Which inverse an arm has, from the lines of its joints: exact where they meet or are parallel, else that of a nominal arm nearby.
+//! Which inverse an arm has, from the lines of its joints: exact where they meet or are parallel,
+//! else that of a nominal arm nearby.
 //!
-//! Lines and not table entries, because two tables of one arm differ: calibrated parallel axes have their common normal hundreds of
-//! metres away, and a fixed row in between hides that two axes meet.
+//! Lines and not table entries, because two tables of one arm differ: calibrated parallel axes have
+//! their common normal hundreds of metres away, and a fixed row in between hides that two axes
+//! meet.
 
 use super::chain::Chain;
 use crate::ik::{Arm, Axis, Displacement, Family, Method, Plane, Query, Reference, Regional, Six, Swivel};
@@ -25,7 +27,8 @@ pub struct Inverse {
     pub axes: Vec<Axis>,
     /// The last DH frame at `q = 0`.
     pub home: Displacement,
-    /// Whether a closed form is the arm's own. Otherwise it is that of a nominal arm nearby, or there is none ([`Family::Numerical`]).
+    /// Whether a closed form is the arm's own. Otherwise it is that of a nominal arm nearby, or
+    /// there is none ([`Family::Numerical`]).
     pub exact: bool,
     /// The solver.
     pub family: Family,
@@ -94,7 +97,8 @@ impl Inverse {
         Some(Arm { axes, home: self.home, limits, exact: self.exact, family: self.family })
     }
 
-    /// Does it find the postures it is shown? A proof by trial that no case of the geometry was overlooked.
+    /// Does it find the postures it is shown? A proof by trial that no case of the geometry was
+    /// overlooked.
     fn works(&self) -> bool {
         match self.axes.len() {
             1 => self.tried::<1>(),

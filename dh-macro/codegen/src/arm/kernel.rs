@@ -44,7 +44,8 @@ pub enum Function {
     RigidDynamics,
     /// What [`Function::InverseDynamics`] is for given states of the drives: bristles and warmth.
     DriveTorques,
-    /// Product with the transposed derivative of [`Function::BaseRegressor`] by `q`, `dq` and `ddq`, `3 x n`.
+    /// Product with the transposed derivative of [`Function::BaseRegressor`] by `q`, `dq` and
+    /// `ddq`, `3 x n`.
     BaseRegressorAdjoint,
     /// Of [`Function::PayloadRegressor`].
     PayloadRegressorAdjoint,
@@ -57,7 +58,8 @@ pub enum Function {
 }
 
 impl Function {
-    /// All, in the order of the generated crate; further ones that only a file with effects has: see [`Function::WITH_EFFECTS`].
+    /// All, in the order of the generated crate; further ones that only a file with effects has:
+    /// see [`Function::WITH_EFFECTS`].
     pub const ALL: [Self; 17] = [
         Self::Frames,
         Self::ForwardKinematics,
@@ -185,8 +187,8 @@ pub enum Argument {
     Bristles,
     /// `warmth`: factor of each joint's friction. They follow the bristles.
     Warmth,
-    /// `seed`: a weight for each entry of the function that is differentiated, those only that are not structurally zero. They follow the
-    /// standard parameters among the inputs.
+    /// `seed`: a weight for each entry of the function that is differentiated, those only that are
+    /// not structurally zero. They follow the standard parameters among the inputs.
     Seeds,
 }
 

@@ -67,7 +67,8 @@ pub(super) fn tool<'g>(links: &Links<'g>) -> Option<Pose<'g>> {
     })
 }
 
-/// Jacobian of the last DH frame's origin in base axes: six rows (linear, angular) by `n`, row-major.
+/// Jacobian of the last DH frame's origin in base axes: six rows (linear, angular) by `n`,
+/// row-major.
 pub(super) fn jacobian<'g>(links: &Links<'g>) -> Vec<Ex<'g>> {
     let n = links.inputs.dof;
     let joints = joint_frames(links);
@@ -88,7 +89,8 @@ pub(super) fn jacobian<'g>(links: &Links<'g>) -> Vec<Ex<'g>> {
     entries
 }
 
-/// `dJ/dt dq`: acceleration of the last DH frame that is left when `ddq` is zero, linear part first, base axes.
+/// `dJ/dt dq`: acceleration of the last DH frame that is left when `ddq` is zero, linear part
+/// first, base axes.
 pub(super) fn jacobian_dot_velocity<'g>(links: &Links<'g>) -> Vec<Ex<'g>> {
     let Some(last) = links.links.len().checked_sub(1) else { return Vec::new() };
     let body = Sweep::new(links, Include::VELOCITY).body(links, last, false);

@@ -1,4 +1,5 @@
-//! A robot made ready: base parameters, the plan with the fewest operations, and any kernel on demand.
+//! A robot made ready: base parameters, the plan with the fewest operations, and any kernel on
+//! demand.
 
 use super::base::BaseParameters;
 use super::chain::{Chain, Links};
@@ -22,13 +23,15 @@ pub struct Model {
 }
 
 impl Model {
-    /// The arm as its file's rows, links and plain drives say; effects are left out. Groups the parameters and searches the plan.
+    /// The arm as its file's rows, links and plain drives say; effects are left out. Groups the
+    /// parameters and searches the plan.
     pub fn new(robot: &Robot) -> Self {
         Self::of(robot, Vec::new())
     }
 
-    /// The arm with all effects of its file: zeros, rows and base are the true ones, and [`Function::InverseDynamics`] has the laws of the
-    /// drives in it. Without effects the same as [`Model::new`].
+    /// The arm with all effects of its file: zeros, rows and base are the true ones, and
+    /// [`Function::InverseDynamics`] has the laws of the drives in it. Without effects the same as
+    /// [`Model::new`].
     pub fn with_effects(robot: &Robot) -> Self {
         if robot.has_effects() { Self::of(&robot.as_it_is(), robot.laws()) } else { Self::new(robot) }
     }
@@ -71,8 +74,9 @@ impl Model {
         &self.laws
     }
 
-    /// Offsets that the gravity torque from base parameters has in it: degree of freedom, and torque, N m. A prismatic joint's
-    /// weight, rotor and offset can't be told apart, so there `FO` is grouped (see [`BaseParameters`]).
+    /// Offsets that the gravity torque from base parameters has in it: degree of freedom, and
+    /// torque, N m. A prismatic joint's weight, rotor and offset can't be told apart, so there `FO`
+    /// is grouped (see [`BaseParameters`]).
     pub fn offsets_in_gravity(&self, standard: &[f64]) -> Vec<(usize, f64)> {
         let grouped = |p: &Parameter| self.base.0.iter().all(|b| b.leader != *p);
         let offset = |(p, &value): (&Parameter, &f64)| match *p {
@@ -82,7 +86,8 @@ impl Model {
         self.standard.iter().zip(standard).filter_map(offset).collect()
     }
 
-    /// Torques from these parameters, the last link seen from the origin that takes fewer operations.
+    /// Torques from these parameters, the last link seen from the origin that takes fewer
+    /// operations.
     fn torques<'g>(&self, links: &Links<'g>, from: &[Parameter], include: Include, drives: bool) -> Vec<Ex<'g>> {
         let cost = |slide: bool| {
             let graph = Graph::new();

@@ -1,4 +1,5 @@
-//! Outward sweep: angular velocity, angular acceleration and acceleration of every link (Khalil and Dombre, 9.5.2).
+//! Outward sweep: angular velocity, angular acceleration and acceleration of every link (Khalil and
+//! Dombre, 9.5.2).
 
 use super::chain::{Links, Row};
 use super::turning::Turning;
@@ -42,8 +43,9 @@ impl<'g> Motion<'g> {
         Self { w, dw, a, u: Mat3(u) }
     }
 
-    /// Where points on z move as they do for the frame before, whatever the joint does: `third` is that frame's `U z`, in these
-    /// axes. The rest of `U` follows from it, `w` and `dw_z` with fewer operations than from `w` and `dw`.
+    /// Where points on z move as they do for the frame before, whatever the joint does: `third` is
+    /// that frame's `U z`, in these axes. The rest of `U` follows from it, `w` and `dw_z` with
+    /// fewer operations than from `w` and `dw`.
     fn about_z(w: Vec3<'g>, dz: Ex<'g>, a: Vec3<'g>, third: Vec3<'g>) -> Self {
         let ([x, y, z], [u02, u12, u22]) = (w.0, third.0);
         let (xx, zz, xy, xz, yz) = (x * x, z * z, x * y, x * z, y * z);
@@ -58,8 +60,8 @@ impl<'g> Motion<'g> {
     }
 }
 
-/// Motion of the base and of every joint frame: `links.len() + 1` entries, the base first. `shifted[row]` is the same motion
-/// at the joint frame's origin before `TransZ(r)`.
+/// Motion of the base and of every joint frame: `links.len() + 1` entries, the base first.
+/// `shifted[row]` is the same motion at the joint frame's origin before `TransZ(r)`.
 pub(super) struct Sweep<'g> {
     pub joints: Vec<Motion<'g>>,
     pub shifted: Vec<Motion<'g>>,
@@ -114,7 +116,8 @@ impl<'g> Sweep<'g> {
         sweep
     }
 
-    /// Motion of the body's frame of a row; `shifted`: at the origin before `TransZ(r)` (only where body and joint frame are one).
+    /// Motion of the body's frame of a row; `shifted`: at the origin before `TransZ(r)` (only where
+    /// body and joint frame are one).
     pub fn body(&self, links: &Links<'g>, row: usize, shifted: bool) -> Motion<'g> {
         let link = &links.links[row];
         let motion = if shifted { self.shifted[row] } else { self.joints[row + 1] };
@@ -126,12 +129,14 @@ impl<'g> Sweep<'g> {
     }
 }
 
-/// May a row's columns be computed about the origin before `TransZ(r)`? (Only if that is another point, and a fixed one.)
+/// May a row's columns be computed about the origin before `TransZ(r)`? (Only if that is another
+/// point, and a fixed one.)
 pub(super) fn can_shift(row: &Row) -> bool {
     row.body.is_none() && row.kind != JointKind::Prismatic && row.r != 0.0
 }
 
-/// What a joint feels of a wrench in its own frame: moment about z, force along z, nothing where it is fixed.
+/// What a joint feels of a wrench in its own frame: moment about z, force along z, nothing where it
+/// is fixed.
 pub(super) fn along_axis<'g>(kind: JointKind, f: Vec3<'g>, n: Vec3<'g>) -> Option<Ex<'g>> {
     match kind {
         JointKind::Revolute => Some(n.0[2]),

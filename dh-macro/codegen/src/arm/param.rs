@@ -86,8 +86,8 @@ impl Parameter {
     }
 }
 
-/// Every standard parameter of the robot in the order of the regressor's columns: all links, then all `IA`, `FV`, `FC`, `FO`
-/// that the file's drives have.
+/// Every standard parameter of the robot in the order of the regressor's columns: all links, then
+/// all `IA`, `FV`, `FC`, `FO` that the file's drives have.
 pub fn standard(robot: &Robot) -> Vec<Parameter> {
     let links = (0..robot.joints.len()).flat_map(|row| Inertial::ALL.map(|p| Parameter::Link(row, p)));
     let drives = DriveTerm::ALL.into_iter().flat_map(|term| {
@@ -109,7 +109,8 @@ pub fn drive_value(robot: &Robot, row: usize, term: DriveTerm) -> Option<f64> {
     }
 }
 
-/// Values of [`standard`] from the file, tool folded into the last link; `None` where a link's are unknown.
+/// Values of [`standard`] from the file, tool folded into the last link; `None` where a link's are
+/// unknown.
 pub fn standard_values(robot: &Robot) -> Option<Vec<f64>> {
     let inertias = robot.inertias()?;
     Some(

@@ -5,11 +5,13 @@ use std::collections::BTreeSet;
 /// How the wrench of one column becomes torques.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ColumnPlan {
-    /// The wrench is carried inward to this frame (row), and its moment projected there on the axes of the joints before.
+    /// The wrench is carried inward to this frame (row), and its moment projected there on the axes
+    /// of the joints before.
     pub moment: usize,
     /// The force is turned further inward, to this frame's axes, before it is projected.
     pub force: usize,
-    /// For joints up to this row the moment is first taken about this frame's origin: axes that meet there then see no force.
+    /// For joints up to this row the moment is first taken about this frame's origin: axes that
+    /// meet there then see no force.
     pub about: usize,
 }
 
@@ -42,15 +44,17 @@ pub fn plain(rows: usize) -> Plan {
     (0..rows).map(|row| RowPlan { shifted: false, columns: [ColumnPlan::at(row); 10] }).collect()
 }
 
-/// Descent from `start`: one move at a time, kept where it makes `cost` smaller, until none does. A move sets the frames of
-/// one kind of column for a run of neighbouring rows (links with a common wrist gain only together).
+/// Descent from `start`: one move at a time, kept where it makes `cost` smaller, until none does. A
+/// move sets the frames of one kind of column for a run of neighbouring rows (links with a common
+/// wrist gain only together).
 ///
 /// At most `rounds` rounds of all moves; the first finds nearly everything.
 pub fn search(start: Plan, rounds: usize, can_shift: impl Fn(usize) -> bool, cost: impl Fn(&Plan) -> usize) -> Plan {
     let rows = start.len();
     let mut best = start;
     let mut best_cost = cost(&best);
-    // What was tried once was not better than the best of then, so it is not better than that of now.
+    // What was tried once was not better than the best of then, so it is not better than that of
+    // now.
     let mut tried = BTreeSet::from([best.clone()]);
     let mut try_plan = |best: &mut Plan, trial: Plan| {
         if tried.insert(trial.clone()) {

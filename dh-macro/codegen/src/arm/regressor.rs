@@ -50,7 +50,8 @@ impl<'a, 'g> Columns<'a, 'g> {
         if !self.plan[row].shifted {
             return self.about_origin(row, which, false);
         }
-        // With z' = z + r: M' = M, MSZ' = MSZ + r M, XX' = XX + 2 r MSZ + r^2 M, YY' alike, XZ' = XZ - r MSX, YZ' = YZ - r MSY.
+        // With z' = z + r: M' = M, MSZ' = MSZ + r M, XX' = XX + 2 r MSZ + r^2 M, YY' alike, XZ' =
+        // XZ - r MSX, YZ' = YZ - r MSY.
         let r = self.links.links[row].r_constant;
         let at = |p| self.about_origin(row, p, true);
         let combine = |a: Vec<Ex<'g>>, f: f64, b: Vec<Ex<'g>>| -> Vec<Ex<'g>> {
@@ -73,8 +74,8 @@ impl<'a, 'g> Columns<'a, 'g> {
         self.torques(row, wrench, self.plan[row].columns[which as usize], shifted)
     }
 
-    /// Torques of all joints against a wrench in the joint frame of `row`: carried inward to frame `plan.moment`, projected there (see
-    /// [`ColumnPlan`] for where its force goes).
+    /// Torques of all joints against a wrench in the joint frame of `row`: carried inward to frame
+    /// `plan.moment`, projected there (see [`ColumnPlan`] for where its force goes).
     pub fn torques(&self, row: usize, wrench: Wrench<'g>, plan: ColumnPlan, shifted: bool) -> Vec<Ex<'g>> {
         let links = self.links;
         let mut tau = vec![links.number(0.0); links.inputs.dof];

@@ -5,7 +5,8 @@ use super::wrench::Wrench;
 use crate::robot::JointKind;
 use crate::sym::{Ex, Vec3};
 
-/// Velocity that a unit joint velocity gives to a frame, in its axes: angular, and linear of its origin.
+/// Velocity that a unit joint velocity gives to a frame, in its axes: angular, and linear of its
+/// origin.
 #[derive(Clone, Copy)]
 pub(super) struct Screw<'g> {
     pub w: Vec3<'g>,

@@ -1,12 +1,13 @@
 //! Small linear subspaces in echelon form: which vectors are new, which are combinations.
 
-/// What counts as nothing, relative to the vector that came in. Calibrated arms differ from nominal ones by 1e-4 and its
-/// square; rounding stays below 1e-14.
+/// What counts as nothing, relative to the vector that came in. Calibrated arms differ from nominal
+/// ones by 1e-4 and its square; rounding stays below 1e-14.
 const NOTHING: f64 = 1e-10;
 /// What elimination leaves of an exact zero.
 const ROUNDING: f64 = 1e-14;
-/// How large a column must be in its row to be bound by it, relative to the row's largest entry: first clearly, then at all. A twist
-/// of 1.5716 is nearly a right angle, and binding the column that nearly vanishes would give groupings with factors of 1e6.
+/// How large a column must be in its row to be bound by it, relative to the row's largest entry:
+/// first clearly, then at all. A twist of 1.5716 is nearly a right angle, and binding the column
+/// that nearly vanishes would give groupings with factors of 1e6.
 const THRESHOLDS: [f64; 3] = [0.05, 1e-3, 0.0];
 
 /// A subspace spanned by rows in reduced echelon form.
@@ -47,8 +48,9 @@ impl Subspace {
         self.pivots.push(pivot);
     }
 
-    /// Null space of these rows as constraints: columns are tried as bound ones in the order `keep`, what can't be bound is free.
-    /// For each free column: its index, and the vector with one there and zero in all other free columns.
+    /// Null space of these rows as constraints: columns are tried as bound ones in the order
+    /// `keep`, what can't be bound is free. For each free column: its index, and the vector with
+    /// one there and zero in all other free columns.
     pub fn null_space(&self, keep: &[usize]) -> Vec<(usize, Vec<f64>)> {
         let mut rows = self.rows.clone();
         let mut bound: Vec<(usize, usize)> = Vec::new(); // (column, row)

@@ -1,8 +1,10 @@
-//! How a link turns as long as at most two directions of axes have a part in it: then less is enough than for any motion.
+//! How a link turns as long as at most two directions of axes have a part in it: then less is
+//! enough than for any motion.
 //!
-//! With one direction only the rate counts. With two perpendicular ones, `e` (of the inner joints) and the link's own `z`, the angular
-//! velocity is `r e + s z` and `e` turns with the link's angle alone; so moments matter only along `e` and `z`, and Lagrange's equations of
-//! these two angles say them with fewer operations than Euler's of the body.
+//! With one direction only the rate counts. With two perpendicular ones, `e` (of the inner joints)
+//! and the link's own `z`, the angular velocity is `r e + s z` and `e` turns with the link's angle
+//! alone; so moments matter only along `e` and `z`, and Lagrange's equations of these two angles
+//! say them with fewer operations than Euler's of the body.
 
 use super::chain::Link;
 use crate::robot::JointKind;
@@ -39,7 +41,8 @@ fn along_z(v: Vec3<'_>) -> Option<f64> {
 }
 
 impl<'g> Turning<'g> {
-    /// Of the next link outwards: its row, and what it takes into account of its velocity and acceleration.
+    /// Of the next link outwards: its row, and what it takes into account of its velocity and
+    /// acceleration.
     pub fn next(self, link: &Link<'g>, row: usize, dq: Ex<'g>, ddq: Ex<'g>) -> Self {
         let seen = |s: Spin<'g>| Spin { axis: link.inward(s.axis), ..s };
         let carried = match self {
@@ -80,8 +83,9 @@ impl<'g> Turning<'g> {
     }
 }
 
-/// Moments along `first` and `own` (the link's z) that a body's tensor about the origin takes, in N m: Lagrange's equations of
-/// `T = (e.I e) r^2 / 2 + (e.I z) r s + (z.I z) s^2 / 2` with `de/ds = e x z`.
+/// Moments along `first` and `own` (the link's z) that a body's tensor about the origin takes, in N
+/// m: Lagrange's equations of `T = (e.I e) r^2 / 2 + (e.I z) r s + (z.I z) s^2 / 2` with `de/ds = e
+/// x z`.
 pub(super) fn moments<'g>(first: &Spin<'g>, own: &Spin<'g>, params: &[Ex<'g>; 10]) -> (Ex<'g>, Ex<'g>) {
     let [_, _, _, _, xx, yy, zz, xy, xz, yz] = *params;
     let [x, y, _] = first.axis.0;

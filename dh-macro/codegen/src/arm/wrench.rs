@@ -36,7 +36,8 @@ impl<'g> Wrench<'g> {
         }
     }
 
-    /// The same for given values of all ten, `params[Inertial as usize]`, with the diagonal entries drawn together.
+    /// The same for given values of all ten, `params[Inertial as usize]`, with the diagonal entries
+    /// drawn together.
     pub fn of_body(m: &Motion<'g>, params: &[Ex<'g>; 10]) -> Self {
         let [.., xx, yy, zz, xy, xz, yz] = *params;
         let ([x, y, z], [dx, dy, dz]) = (m.w.0, m.dw.0);
@@ -68,7 +69,8 @@ impl<'g> Wrench<'g> {
         Self { f, n: n + link.body_origin().cross(f) }
     }
 
-    /// From the joint frame of a row to the previous joint frame; `shifted`: it is given about the origin before `TransZ(r)`.
+    /// From the joint frame of a row to the previous joint frame; `shifted`: it is given about the
+    /// origin before `TransZ(r)`.
     pub fn inward(self, links: &Links<'g>, row: usize, shifted: bool) -> Self {
         let link = &links.links[row];
         let (f, n) = (link.turned(self.f), link.turned(self.n));

@@ -76,7 +76,8 @@ impl Angle {
     }
 }
 
-/// Sine and cosine by the runtime's polynomials: the library's differ between machines, and so would generated code.
+/// Sine and cosine by the runtime's polynomials: the library's differ between machines, and so
+/// would generated code.
 fn everywhere_alike(angle: f64) -> (f64, f64) {
     let ([sin], [cos]) = f64::sin_cos_all(&[angle]);
     (sin, cos)

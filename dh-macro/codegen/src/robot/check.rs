@@ -31,7 +31,8 @@ pub struct Reading {
 const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 
 impl Robot {
-    /// Reads a robot file. `files` gives the text of a tool file by the name that stands behind `tool:`.
+    /// Reads a robot file. `files` gives the text of a tool file by the name that stands behind
+    /// `tool:`.
     ///
     /// All mistakes are reported together, each with its line and column.
     pub fn from_yaml(text: &str, files: &dyn Fn(&str) -> Result<String, String>) -> Result<Reading, Problems> {
@@ -69,7 +70,8 @@ impl Robot {
 }
 
 impl Tool {
-    /// Reads a tool file (the keys of a robot file's `tool`). `name` is what it is called where the file does not say.
+    /// Reads a tool file (the keys of a robot file's `tool`). `name` is what it is called where the
+    /// file does not say.
     pub fn from_yaml(text: &str, name: &str) -> Result<(Self, Vec<Note>), Problems> {
         let mut found = Findings::default();
         let tool = body::tool_text(text, name, &mut found);
@@ -139,8 +141,8 @@ fn numbers_in_effects(top: &Fields<'_>, joints: &[Joint], whole: &[Effect], to: 
     }
 }
 
-/// Where a key of an effect stands: in the drive of a row (or in its friction), or among the effects at the top. The effect itself where it
-/// is a bare number or does not have the key.
+/// Where a key of an effect stands: in the drive of a row (or in its friction), or among the
+/// effects at the top. The effect itself where it is a bare number or does not have the key.
 fn written(top: &Fields<'_>, row: Option<usize>, effect: &str, key: &str) -> Option<(Mark, String)> {
     fn child<'n>((node, path): (&'n yaml::Node, String), name: &str) -> Option<(&'n yaml::Node, String)> {
         let Kind::Map(fields) = &node.kind else { return None };

@@ -1,8 +1,9 @@
-//! The effects beyond the rigid body: names, keys, units, defaults. The robot file's checker, the simulator and the diagnosis all read
-//! this table.
+//! The effects beyond the rigid body: names, keys, units, defaults. The robot file's checker, the
+//! simulator and the diagnosis all read this table.
 //!
-//! Throughout, `v` is the joint's velocity, and a law is what is *added* to the torque of the rigid model, `tau` being the torque of the
-//! actuator on the link. For a prismatic joint read N for N m, and m for rad.
+//! Throughout, `v` is the joint's velocity, and a law is what is *added* to the torque of the rigid
+//! model, `tau` being the torque of the actuator on the link. For a prismatic joint read N for N m,
+//! and m for rad.
 
 /// Where an effect may stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,7 +29,8 @@ pub enum Magnitude {
     Needed,
 }
 
-/// Values that a key may have: beyond them a law has no value, a gear locks, or a unit was mistaken.
+/// Values that a key may have: beyond them a law has no value, a gear locks, or a unit was
+/// mistaken.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
     /// Least value.
@@ -37,7 +39,8 @@ pub struct Range {
     pub with_least: bool,
     /// Largest value.
     pub most: f64,
-    /// An identified value may lie below `least`, down to here: data that hardly show a size may make it negative.
+    /// An identified value may lie below `least`, down to here: data that hardly show a size may
+    /// make it negative.
     pub identified: f64,
 }
 
@@ -436,7 +439,8 @@ impl Law {
         LAWS.iter().find(|law| law.name == name)
     }
 
-    /// What a key's value must be where it is not: the same for robot files, files of effects and the simulator.
+    /// What a key's value must be where it is not: the same for robot files, files of effects and
+    /// the simulator.
     pub fn must(&self, key: &str, value: f64) -> Option<String> {
         let key = self.key(key)?;
         let words = || match key.name {

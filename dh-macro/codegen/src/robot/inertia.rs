@@ -1,6 +1,7 @@
 //! The ten inertial parameters of a rigid body.
 
-/// Mass, first moments and inertia tensor of a body, about the origin of the frame that it is given in.
+/// Mass, first moments and inertia tensor of a body, about the origin of the frame that it is given
+/// in.
 ///
 /// The tensor's products are the tensor's own entries: `XY = -integral of x y dm`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -37,9 +38,11 @@ impl Inertia {
         [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
     }
 
-    /// The same body in another frame: `rotation` (row-major) and `origin` (m) are those of the present frame in the new one.
+    /// The same body in another frame: `rotation` (row-major) and `origin` (m) are those of the
+    /// present frame in the new one.
     ///
-    /// `MS' = R MS + m p`; `I' = R I R' + (2 (p . R MS) + m p . p) E - (p (R MS)' + (R MS) p') - m p p'`.
+    /// `MS' = R MS + m p`; `I' = R I R' + (2 (p . R MS) + m p . p) E - (p (R MS)' + (R MS) p') - m
+    /// p p'`.
     pub fn moved(&self, rotation: &[[f64; 3]; 3], origin: &[f64; 3]) -> Self {
         let (r, p, t) = (rotation, origin, self.tensor());
         let l: [f64; 3] = core::array::from_fn(|i| (0..3).map(|k| r[i][k] * self.ms[k]).sum());

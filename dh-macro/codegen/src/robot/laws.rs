@@ -1,5 +1,5 @@
-//! What the file says of each joint's drive beyond the rigid body, as numbers with their defaults resolved; keys and laws are those of
-//! [`super::effect::LAWS`].
+//! What the file says of each joint's drive beyond the rigid body, as numbers with their defaults
+//! resolved; keys and laws are those of [`super::effect::LAWS`].
 
 use super::{Effect, Given, JointKind, NoLink, Robot};
 
@@ -14,7 +14,8 @@ pub struct Stribeck {
     pub exponent: f64,
 }
 
-/// Friction that changes with time and temperature: a factor `1 + DA exp(-t / DT) + DK (temp - T0)`, not less than 0.
+/// Friction that changes with time and temperature: a factor `1 + DA exp(-t / DT) + DK (temp -
+/// T0)`, not less than 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Drift {
     /// `DA`.
@@ -167,7 +168,8 @@ fn ripple(given: &Given<'_>, gear_ratio: Option<f64>) -> Vec<[f64; 3]> {
     core::iter::once(first).chain(further).collect()
 }
 
-/// `None` where the other joint is none. Sizes that depend on a motion (`IAM` where nothing is written) are 0.
+/// `None` where the other joint is none. Sizes that depend on a motion (`IAM` where nothing is
+/// written) are 0.
 fn coupling(robot: &Robot, row: usize, given: &Given<'_>) -> Option<Coupling> {
     let moving = robot.moving();
     let other = (given.stated("joint")? as usize).checked_sub(1).filter(|&k| k != row)?;
@@ -215,14 +217,16 @@ impl Robot {
         self.joints.iter().flat_map(|j| &j.drive.effects).chain(&self.effects).any(|e| counts(&e.name))
     }
 
-    /// The arm as its effects of geometry and bodies say that it is: zeros of joints, rows of the table, base, links. Drives stay.
+    /// The arm as its effects of geometry and bodies say that it is: zeros of joints, rows of the
+    /// table, base, links. Drives stay.
     #[must_use]
     pub fn as_it_is(&self) -> Self {
         super::real::as_it_is(self)
     }
 
-    /// Makes row, link or base the true one, as one effect of geometry or bodies says that it is: `geometric_error`, `link_inertia_error` (at the joint of
-    /// `row`, or of the whole robot), `base_tilt`, `payload`. Any other effect changes nothing.
+    /// Makes row, link or base the true one, as one effect of geometry or bodies says that it is:
+    /// `geometric_error`, `link_inertia_error` (at the joint of `row`, or of the whole robot),
+    /// `base_tilt`, `payload`. Any other effect changes nothing.
     ///
     /// # Errors
     /// Where the effect means a link that is not there, or whose parameters are not known.

@@ -43,8 +43,9 @@ pub enum NotPhysical {
 }
 
 impl Inertia {
-    /// Whether some distribution of mass has these parameters: mass not negative, tensor at the centre of mass
-    /// positive semidefinite, its principal moments `J1 <= J2 <= J3` with `J3 <= J1 + J2`. All zeros: no body, fine.
+    /// Whether some distribution of mass has these parameters: mass not negative, tensor at the
+    /// centre of mass positive semidefinite, its principal moments `J1 <= J2 <= J3` with `J3 <=
+    /// J1 + J2`. All zeros: no body, fine.
     pub fn physical(&self) -> Result<(), NotPhysical> {
         if self.m < 0.0 {
             return Err(NotPhysical::NegativeMass { mass: self.m });

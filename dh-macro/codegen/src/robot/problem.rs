@@ -5,7 +5,8 @@ use core::fmt;
 /// One mistake in a robot or tool file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Problem {
-    /// File that holds it, when known: [`Problems::in_file`] names the robot file, a tool file is named from the start.
+    /// File that holds it, when known: [`Problems::in_file`] names the robot file, a tool file is
+    /// named from the start.
     pub file: Option<String>,
     /// Key path, `joints[3].alpha`; rows count from 1 as in the DH table. Empty: the whole file.
     pub path: String,
@@ -90,7 +91,8 @@ impl fmt::Display for Problems {
 
 impl core::error::Error for Problems {}
 
-/// The candidate that `word` most likely means: at most two slips, and at most a third of its letters.
+/// The candidate that `word` most likely means: at most two slips, and at most a third of its
+/// letters.
 pub(super) fn closest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = word.chars().count();
     if length > 40 {

@@ -127,7 +127,8 @@ pub(super) fn join(path: &str, name: &str) -> String {
     if path.is_empty() { name.to_string() } else { format!("{path}.{name}") }
 }
 
-/// A mapping whose keys were checked. A getter gives `None` where the key is absent or was found wrong.
+/// A mapping whose keys were checked. A getter gives `None` where the key is absent or was found
+/// wrong.
 pub(super) struct Fields<'a> {
     pub(super) fields: &'a [(Word, Node)],
     pub(super) mark: Mark,

@@ -4,7 +4,8 @@ use super::laws::shift_zero;
 use super::{Angle, Effect, Given, Inertia, Joint, JointKind, Length, NoLink, Robot};
 use crate::runtime::Scalar;
 
-/// True zeros, rows, base and links. A change of a link that the file does not know changes nothing.
+/// True zeros, rows, base and links. A change of a link that the file does not know changes
+/// nothing.
 pub(super) fn as_it_is(robot: &Robot) -> Robot {
     let mut real = robot.clone();
     for (row, effect) in robot.effects_by_row() {
@@ -20,7 +21,8 @@ pub(super) fn as_it_is(robot: &Robot) -> Robot {
     real
 }
 
-/// One effect of geometry or bodies, at a joint's row or of the whole robot; any other changes nothing.
+/// One effect of geometry or bodies, at a joint's row or of the whole robot; any other changes
+/// nothing.
 pub(super) fn change(real: &mut Robot, row: Option<usize>, effect: &Effect) -> Result<(), NoLink> {
     let given = Given::new(effect, None);
     match (effect.name.as_str(), row) {
@@ -79,7 +81,8 @@ fn payload(given: &Given<'_>) -> Inertia {
     body
 }
 
-/// Gravity in the axes of a base that is turned by `RotY(pitch) RotX(roll)`: `RotX(-roll) RotY(-pitch) g`.
+/// Gravity in the axes of a base that is turned by `RotY(pitch) RotX(roll)`: `RotX(-roll)
+/// RotY(-pitch) g`.
 fn tilted([x, y, z]: [f64; 3], roll: f64, pitch: f64) -> [f64; 3] {
     let ([sr, sp], [cr, cp]) = f64::sin_cos_all(&[roll, pitch]);
     let (x, z) = (cp * x - sp * z, sp * x + cp * z);

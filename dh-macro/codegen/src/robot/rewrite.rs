@@ -1,4 +1,5 @@
-//! A changed robot into the text of its file: what did not change stays as it was written, comments, order and format too.
+//! A changed robot into the text of its file: what did not change stays as it was written,
+//! comments, order and format too.
 
 use core::ops::Range;
 
@@ -13,7 +14,8 @@ pub type Files<'a> = dyn Fn(&str) -> Result<String, String> + 'a;
 /// Widest line that an entry is appended to.
 const WIDTH: usize = 140;
 
-/// A run of a command that changed a robot file; [`Robot::rewritten`] adds it to the file's `provenance`.
+/// A run of a command that changed a robot file; [`Robot::rewritten`] adds it to the file's
+/// `provenance`.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Run {
     /// The command, as it can be repeated.
@@ -29,12 +31,13 @@ pub struct Run {
 }
 
 impl Robot {
-    /// The text of a file that reads as this robot, made from `text`, the file that the robot came from before it was changed.
-    /// `files` gives the text of the files that it names, as for [`Robot::from_yaml`]; `there` does so where the result will stand.
+    /// The text of a file that reads as this robot, made from `text`, the file that the robot came
+    /// from before it was changed. `files` gives the text of the files that it names, as for
+    /// [`Robot::from_yaml`]; `there` does so where the result will stand.
     ///
-    /// Values that changed are replaced where they stand, keys that are new follow their neighbours, and `run` is added to
-    /// `provenance`. A file in which that is not possible (all of it in one line, say) is written in this crate's own form, with
-    /// its `source`.
+    /// Values that changed are replaced where they stand, keys that are new follow their
+    /// neighbours, and `run` is added to `provenance`. A file in which that is not possible (all of
+    /// it in one line, say) is written in this crate's own form, with its `source`.
     pub fn rewritten(&self, text: &str, files: &Files<'_>, there: &Files<'_>, run: &Run) -> String {
         let edited = self.edited(text, files, there).map(|text| with_run(&text, run));
         // Whatever an edit may have missed: the text must say what the robot is.

@@ -1,4 +1,5 @@
-//! What a number of the file is known to be: a fraction, a fraction of pi, a polynomial in the constants.
+//! What a number of the file is known to be: a fraction, a fraction of pi, a polynomial in the
+//! constants.
 
 use core::f64::consts::PI;
 

@@ -9,13 +9,15 @@ use super::{Angle, Collision, Convention, Drive, Effect, Inertia, Joint, JointKi
 const WIDTH: usize = 110;
 
 impl Robot {
-    /// The robot as a file that [`Robot::from_yaml`] reads back to the same robot: numbers bit by bit, angles and
-    /// lengths in their own words. Comments, `source` and the words of constants are not part of a robot.
+    /// The robot as a file that [`Robot::from_yaml`] reads back to the same robot: numbers bit by
+    /// bit, angles and lengths in their own words. Comments, `source` and the words of constants
+    /// are not part of a robot.
     pub fn to_yaml(&self) -> String {
         self.to_yaml_with_source(None)
     }
 
-    /// [`Robot::to_yaml`] with the key `source`: where the numbers come from, as [`super::Reading::source`] or better.
+    /// [`Robot::to_yaml`] with the key `source`: where the numbers come from, as
+    /// [`super::Reading::source`] or better.
     pub fn to_yaml_with_source(&self, source: Option<&str>) -> String {
         let scope = self.scope();
         let constants: Vec<Field> =
@@ -210,7 +212,8 @@ pub(super) fn tool_fields(tool: &Tool, scope: &Scope) -> Vec<Field> {
 }
 
 impl Tool {
-    /// The tool as a file of its own, which [`Tool::from_yaml`] reads back bit by bit; `source` says where the numbers come from.
+    /// The tool as a file of its own, which [`Tool::from_yaml`] reads back bit by bit; `source`
+    /// says where the numbers come from.
     pub fn to_yaml(&self, source: Option<&str>) -> String {
         let mut fields = tool_fields(self, &Scope::default());
         if let Some(source) = source {
@@ -275,7 +278,8 @@ fn degrees(value: f64) -> String {
     if same && value != 0.0 { text } else { number(value) }
 }
 
-/// `pi/8` or `-5/3` where that has the same bits, so that what is made of the constant stays exact; else the number.
+/// `pi/8` or `-5/3` where that has the same bits, so that what is made of the constant stays exact;
+/// else the number.
 fn constant(value: f64) -> String {
     let fraction = |unit: f64, q: i64, most: f64| {
         let p = (value * q as f64 / unit).round();

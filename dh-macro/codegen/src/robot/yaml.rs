@@ -1,4 +1,5 @@
-//! Text to a tree in which every node knows its line and column. The only file that knows the YAML library.
+//! Text to a tree in which every node knows its line and column. The only file that knows the YAML
+//! library.
 
 use core::ops::Range;
 
@@ -26,7 +27,8 @@ pub(super) struct Mark {
 #[derive(Debug, Clone)]
 pub(super) struct Node {
     pub(super) mark: Mark,
-    /// First character and the one after the last, from the start of the text (a byte order mark not counted).
+    /// First character and the one after the last, from the start of the text (a byte order mark
+    /// not counted).
     pub(super) span: Range<usize>,
     pub(super) kind: Kind,
 }

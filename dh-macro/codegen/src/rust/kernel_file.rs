@@ -298,8 +298,9 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
         "/// {title}: every entry of `out` is written.\n#[inline]\npub fn dense<S: {bound}>({arguments}, out: &mut {out}) {{"
     );
     if packed {
-        // Each entry is written once: clearing the whole array first would take a call of `memset`, and every store twice. The
-        // stretches of zeros go among the other stores: all of them at once would have the rest wait.
+        // Each entry is written once: clearing the whole array first would take a call of `memset`,
+        // and every store twice. The stretches of zeros go among the other stores: all of them at
+        // once would have the rest wait.
         let flat = ".as_flattened_mut()".repeat(kernel.shape.len() - 1);
         let _ = writeln!(text, "    let flat = &mut out{flat}[..];");
         let clear = |run: &core::ops::Range<usize>| match run.len() {

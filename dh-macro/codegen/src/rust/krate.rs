@@ -1,15 +1,17 @@
-//! A whole crate as a sorted map from relative path to text. Pure: reading and writing happen in the doors.
+//! A whole crate as a sorted map from relative path to text. Pure: reading and writing happen in
+//! the doors.
 
 use core::fmt::Write;
 use std::collections::BTreeMap;
 
 use super::kernel_file::{self, Context};
-use super::{runtime_files, shell, tests_file, words};
+use super::{shell, tests_file, words};
 use crate::arm::{Function, Kernel, Model};
 use crate::interpret::Interpreter;
 use crate::robot::{Robot, crate_name};
 
-/// First words of the `Cargo.toml` of every generated crate: by them a folder is known to be the generator's own.
+/// First words of the `Cargo.toml` of every generated crate: by them a folder is known to be the
+/// generator's own.
 pub const MARK: &str = "# Written by `denavit generate`.";
 
 /// The parts that crate and macro share: body of the root, and the files below it.
@@ -50,8 +52,8 @@ pub(super) fn parts(robot: &Robot, source: &str, further: &[Function]) -> Parts 
     for kernel in &kernels {
         files.insert(format!("kernel/{}.rs", kernel.function.name()), kernel_file::print(kernel, &context));
     }
-    let laws: &[(&str, &str)] = if robot.has_effects() { runtime_files::WITH_EFFECTS } else { &[] };
-    for (path, text) in runtime_files::FILES.iter().chain(laws) {
+    let laws: &[(&str, &str)] = if robot.has_effects() { denavit_runtime::sources::WITH_EFFECTS } else { &[] };
+    for (path, text) in denavit_runtime::sources::FILES.iter().chain(laws) {
         files.insert((*path).to_string(), (*text).to_string());
     }
     files.insert("tests.rs".to_string(), tests_file::print(&model, &Interpreter::from_kernels(&model, &kernels)));

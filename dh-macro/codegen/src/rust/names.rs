@@ -17,7 +17,8 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// `named` are the file's constants: where a number of the tape is one of them, it gets that name.
+    /// `named` are the file's constants: where a number of the tape is one of them, it gets that
+    /// name.
     pub(super) fn new(tape: &Tape, inputs: Inputs, parameters: &[String], named: &[Constant]) -> Self {
         let mut constants = BTreeMap::new();
         let mut add = |operand: &Operand| {
@@ -76,7 +77,8 @@ impl Names {
         self.parameters.len()
     }
 
-    /// Name of an input: joints count from one. Behind the parameters stand bristles and warmth, or seeds.
+    /// Name of an input: joints count from one. Behind the parameters stand bristles and warmth, or
+    /// seeds.
     pub(super) fn input(&self, group: Group, at: usize) -> String {
         let letter = match group {
             Group::Position => "q",

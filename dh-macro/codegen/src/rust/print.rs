@@ -1,7 +1,8 @@
 //! A tape as straight-line Rust in blocks that close their scope.
 //!
-//! rustc's debug information recurses over the `let`s of one scope and dies near three thousand; a block costs nothing at run
-//! time. Each block hands on only what lives longer: `let [a, b] = { ...; [a, b] };`.
+//! rustc's debug information recurses over the `let`s of one scope and dies near three thousand; a
+//! block costs nothing at run time. Each block hands on only what lives longer: `let [a, b] = {
+//! ...; [a, b] };`.
 
 use core::fmt::Write;
 
@@ -94,7 +95,8 @@ fn statement_of(at: usize, inlined: &[bool], last_use: &[usize]) -> usize {
     at
 }
 
-/// Stretches of at most [`BLOCK`] steps, cut at headings where possible; neighbouring short sections keep their own blocks.
+/// Stretches of at most [`BLOCK`] steps, cut at headings where possible; neighbouring short
+/// sections keep their own blocks.
 fn blocks(tape: &Tape) -> Vec<(usize, usize, String)> {
     let mut blocks: Vec<(usize, usize, String)> = Vec::new();
     for (k, section) in tape.sections.iter().enumerate() {
@@ -116,7 +118,8 @@ fn blocks(tape: &Tape) -> Vec<(usize, usize, String)> {
     blocks
 }
 
-/// Which steps are printed inside the only expression that reads them: unnamed, used once, in the same block, not too long.
+/// Which steps are printed inside the only expression that reads them: unnamed, used once, in the
+/// same block, not too long.
 fn inlined(tape: &Tape) -> Vec<bool> {
     let n = tape.code.len();
     let mut uses = vec![0u32; n];

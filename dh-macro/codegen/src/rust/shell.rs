@@ -1,4 +1,5 @@
-//! What stands around the kernels: sizes, names, values, sines and cosines, the forms that take `q`.
+//! What stands around the kernels: sizes, names, values, sines and cosines, the forms that take
+//! `q`.
 
 use core::fmt::Write;
 

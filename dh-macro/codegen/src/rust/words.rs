@@ -1,7 +1,8 @@
 //! Words of a robot file on their way into Rust: identifiers, comments, the manifest.
 //!
-//! A file's word is never an identifier beside the printer's own. Its constants are items of the module `constants`, which holds
-//! nothing else, and kernels call them `k_<word>`: no name of a kernel starts so.
+//! A file's word is never an identifier beside the printer's own. Its constants are items of the
+//! module `constants`, which holds nothing else, and kernels call them `k_<word>`: no name of a
+//! kernel starts so.
 
 use core::fmt::Write;
 use std::collections::BTreeSet;
@@ -69,7 +70,8 @@ fn identifier(word: &str) -> String {
     name
 }
 
-/// A word as code within a comment: on one line, without characters that turn the direction of the text.
+/// A word as code within a comment: on one line, without characters that turn the direction of the
+/// text.
 pub(super) fn code(word: &str) -> String {
     let plain: String = word.chars().map(visible).collect();
     if plain.contains('`') { format!("`` {plain} ``") } else { format!("`{plain}`") }

@@ -1,8 +1,11 @@
-//! Reverse-mode differentiation: from a tape to the expressions of `seed' J`, one product with the transposed Jacobian.
+//! Reverse-mode differentiation: from a tape to the expressions of `seed' J`, one product with the
+//! transposed Jacobian.
 //!
-//! The tape is replayed into a graph, then walked backwards: each step hands its adjoint on to its operands (Griewank and Walther,
-//! *Evaluating Derivatives*, section 3.2). The result is again a graph, so the rules simplify it, equal parts are computed once, and
-//! it is printed or run like any other. It takes at most some four times the operations of the tape, however many outputs there are.
+//! The tape is replayed into a graph, then walked backwards: each step hands its adjoint on to its
+//! operands (Griewank and Walther, *Evaluating Derivatives*, section 3.2). The result is again a
+//! graph, so the rules simplify it, equal parts are computed once, and it is printed or run like
+//! any other. It takes at most some four times the operations of the tape, however many outputs
+//! there are.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +13,8 @@ use super::call::Call;
 use super::graph::{Ex, Graph};
 use super::tape::{Kind, Operand, Tape};
 
-/// Derivative of `sum of seeds[k] * output(wanted[k])` by every input that it depends on: input index to expression.
+/// Derivative of `sum of seeds[k] * output(wanted[k])` by every input that it depends on: input
+/// index to expression.
 ///
 /// A sign has derivative zero, as it has almost everywhere.
 ///

@@ -23,7 +23,8 @@ pub struct Evaluator {
     steps: Vec<Step>,
     constants: Vec<(u32, f64)>,
     inputs: Vec<(u32, usize)>,
-    /// For each output: the slot it is in, and after which step it can be read (it may be overwritten later).
+    /// For each output: the slot it is in, and after which step it can be read (it may be
+    /// overwritten later).
     outputs: Vec<(usize, u32, usize)>,
     slots: usize,
     output_count: usize,
@@ -36,8 +37,8 @@ impl Evaluator {
         Self::of(tape, &all)
     }
 
-    /// Some outputs of a tape, in this order. Of two orders of the steps it takes the one that needs fewer slots: what fits into the
-    /// nearest cache runs faster.
+    /// Some outputs of a tape, in this order. Of two orders of the steps it takes the one that
+    /// needs fewer slots: what fits into the nearest cache runs faster.
     pub fn of(tape: &Tape, wanted: &[usize]) -> Self {
         let late = Self::in_order(tape, wanted, &just_in_time(tape, wanted));
         let as_it_is = Self::in_order(tape, wanted, &(0..tape.code.len()).collect::<Vec<_>>());
@@ -71,11 +72,13 @@ impl Evaluator {
                 }),
             }
         };
-        // These are loaded once, before the first step: they get their slots before any temporary does.
+        // These are loaded once, before the first step: they get their slots before any temporary
+        // does.
         for operand in order.iter().flat_map(|&at| [tape.code[at].a, tape.code[at].b]).chain(roots.iter().copied()) {
             pinned(operand, &mut slots);
         }
-        // Last reader of each temporary (by its place in the order), so that its slot can be used again.
+        // Last reader of each temporary (by its place in the order), so that its slot can be used
+        // again.
         let mut last = vec![0usize; tape.code.len()];
         for (place, &at) in order.iter().enumerate() {
             for operand in [tape.code[at].a, tape.code[at].b] {
@@ -130,7 +133,8 @@ impl Evaluator {
         self.output_count
     }
 
-    /// Runs `len` states. Input `i` of state `s` is `inputs(i)[s]`; output `o` of state `s` goes to `out[o * len + s]`.
+    /// Runs `len` states. Input `i` of state `s` is `inputs(i)[s]`; output `o` of state `s` goes to
+    /// `out[o * len + s]`.
     ///
     /// # Panics
     /// If `out` is shorter than `outputs() * len` or an input column than `len`.
@@ -157,7 +161,8 @@ impl Evaluator {
                 if step.kind.is_elementary() {
                     elementary(&mut slots, step, width);
                 } else {
-                    // Whole lanes, which stay in registers: no arm may read one by an index that is not known beforehand.
+                    // Whole lanes, which stay in registers: no arm may read one by an index that is
+                    // not known beforehand.
                     let (a, b) = (slots[step.a as usize], slots[step.b as usize]);
                     let result = &mut slots[step.out as usize];
                     match step.kind {
@@ -178,8 +183,9 @@ impl Evaluator {
 }
 
 impl Evaluator {
-    /// Runs one state: `inputs[i]` is input `i`, output `o` goes to `out[o]`. `room` is working memory that calls may share;
-    /// what stands in it does not matter. The same bits as [`Evaluator::run`].
+    /// Runs one state: `inputs[i]` is input `i`, output `o` goes to `out[o]`. `room` is working
+    /// memory that calls may share; what stands in it does not matter. The same bits as
+    /// [`Evaluator::run`].
     ///
     /// # Panics
     /// If `out` is shorter than `outputs()` or `inputs` than the highest input that is read.
@@ -216,7 +222,8 @@ impl Evaluator {
     }
 }
 
-/// Functions and choices of `width` states. Apart from the loop over plain operations, which it would slow down.
+/// Functions and choices of `width` states. Apart from the loop over plain operations, which it
+/// would slow down.
 #[inline(never)]
 fn elementary(slots: &mut [Lane], step: &Step, width: usize) {
     let (a, b) = (slots[step.a as usize], slots[step.b as usize]);
@@ -231,7 +238,8 @@ fn elementary(slots: &mut [Lane], step: &Step, width: usize) {
     }
 }
 
-/// The meaning of `Sign`: what the generated crates' `Scalar::sign` does. By selection, which vectorises, not by branches.
+/// The meaning of `Sign`: what the generated crates' `Scalar::sign` does. By selection, which
+/// vectorises, not by branches.
 fn sign(x: f64) -> f64 {
     let positive = if x > 0.0 { 1.0 } else { 0.0 };
     let negative = if x < 0.0 { 1.0 } else { 0.0 };

@@ -1,7 +1,8 @@
 //! After birth: draw a common factor out of a sum, turn a sign round where that is free.
 //!
-//! `a b + a c -> a (b + c)` saves a multiplication where both products are used nowhere else. `-(a - b) -> b - a` saves a
-//! change of sign where the difference is used nowhere else. Repeated until nothing more is found.
+//! `a b + a c -> a (b + c)` saves a multiplication where both products are used nowhere else.
+//! `-(a - b) -> b - a` saves a change of sign where the difference is used nowhere else. Repeated
+//! until nothing more is found.
 
 use super::graph::{Graph, Node, Op};
 
@@ -73,7 +74,8 @@ fn rebuild(graph: &Graph, roots: &[Node]) -> (Graph, Vec<Node>, usize) {
             Op::Neg(a) => match graph.op(a) {
                 Op::Sub(x, y) if single(a) => {
                     rewritten += 1;
-                    // Straight into the arena: the rules would find `x - y`, which nothing else needs any more.
+                    // Straight into the arena: the rules would find `x - y`, which nothing else
+                    // needs any more.
                     fresh.wrap(fresh.insert(Op::Sub(map[y.index()], map[x.index()])))
                 }
                 _ => -ex(a),

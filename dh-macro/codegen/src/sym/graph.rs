@@ -72,7 +72,8 @@ struct Arena {
 #[derive(Default)]
 pub struct Graph(RefCell<Arena>);
 
-/// An expression: a handle that can be added and multiplied. The rules of `sym/rules.rs` apply at every birth.
+/// An expression: a handle that can be added and multiplied. The rules of `sym/rules.rs` apply at
+/// every birth.
 #[derive(Clone, Copy)]
 pub struct Ex<'g> {
     graph: &'g Graph,

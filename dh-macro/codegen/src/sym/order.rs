@@ -1,8 +1,10 @@
-//! The order in which a tape's steps are run. Steps that do not read each other may change places: no value depends on it.
+//! The order in which a tape's steps are run. Steps that do not read each other may change places:
+//! no value depends on it.
 
 use super::tape::{Instruction, Operand, Section, Tape};
 
-/// The steps that these outputs need, each of them just before the first one that reads it: few values wait at any time.
+/// The steps that these outputs need, each of them just before the first one that reads it: few
+/// values wait at any time.
 pub(super) fn just_in_time(tape: &Tape, wanted: &[usize]) -> Vec<usize> {
     let reads = |at: usize| {
         let step = &tape.code[at];
@@ -48,9 +50,10 @@ pub(super) fn just_in_time(tape: &Tape, wanted: &[usize]) -> Vec<usize> {
 /// Values that a section may leave waiting and still come early.
 const FEW: isize = 8;
 
-/// The same tape with its sections in another order: next comes the first that is ready and after which but [`FEW`] more values wait, else
-/// the one that leaves the fewest. So what is made of one motion stands before the next motion. Steps keep their order within a section;
-/// a change of sign goes to the section of its operand.
+/// The same tape with its sections in another order: next comes the first that is ready and after
+/// which but [`FEW`] more values wait, else the one that leaves the fewest. So what is made of one
+/// motion stands before the next motion. Steps keep their order within a section; a change of sign
+/// goes to the section of its operand.
 pub(super) fn few_waiting(tape: &Tape) -> Tape {
     let count = tape.sections.len();
     let mut steps: Vec<Vec<usize>> = vec![Vec::new(); count];
@@ -65,7 +68,8 @@ pub(super) fn few_waiting(tape: &Tape) -> Tape {
             steps[section_of[at]].push(at);
         }
     }
-    // By section: what it reads of others, each once. By step: how many other sections are still to read it.
+    // By section: what it reads of others, each once. By step: how many other sections are still to
+    // read it.
     let mut reads: Vec<Vec<usize>> = vec![Vec::new(); count];
     let mut waiting = vec![0usize; tape.code.len()];
     for (s, reads) in reads.iter_mut().enumerate() {
@@ -117,8 +121,8 @@ fn moved(operand: Operand, place: &[u32]) -> Operand {
 mod tests {
     use super::super::{Graph, Kind, Operand, Tape};
 
-    /// Two motions of ten values each, then a column of either: the first column comes before the second motion, and every step reads the
-    /// same values as before.
+    /// Two motions of ten values each, then a column of either: the first column comes before the
+    /// second motion, and every step reads the same values as before.
     #[test]
     fn a_column_stands_right_after_its_motion() {
         let g = Graph::new();

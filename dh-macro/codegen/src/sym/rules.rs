@@ -1,4 +1,5 @@
-//! Simplification at birth: local rules, no global rewriting. Signs float outwards, where sums absorb them.
+//! Simplification at birth: local rules, no global rewriting. Signs float outwards, where sums
+//! absorb them.
 
 use super::call::Call;
 use super::graph::{Graph, Node, Op};
@@ -36,7 +37,8 @@ pub(super) fn add(g: &Graph, a: Node, b: Node) -> Node {
     }
 }
 
-/// `x - 0`, `0 - x`, `x - x`, numbers, `a - (-b) = a + b`, `(a + b) - a = b`; `b - a` is minus an existing `a - b`.
+/// `x - 0`, `0 - x`, `x - x`, numbers, `a - (-b) = a + b`, `(a + b) - a = b`; `b - a` is minus an
+/// existing `a - b`.
 pub(super) fn sub(g: &Graph, a: Node, b: Node) -> Node {
     match (number(g, a), number(g, b)) {
         (Some(x), Some(y)) => return constant(g, x - y),

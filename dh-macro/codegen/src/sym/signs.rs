@@ -1,7 +1,9 @@
-//! After factoring: which way round each difference is taken, so that as few signs as possible are left to change.
+//! After factoring: which way round each difference is taken, so that as few signs as possible are
+//! left to change.
 //!
-//! A product's sign is that of its factors, a sum of two negatives is negative: these are forced. A difference may be taken
-//! either way for nothing. What then is still negative at a root costs an operation.
+//! A product's sign is that of its factors, a sum of two negatives is negative: these are forced. A
+//! difference may be taken either way for nothing. What then is still negative at a root costs an
+//! operation.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -20,7 +22,8 @@ pub(super) fn settled(graph: &Graph, roots: &[Node]) -> (Graph, Vec<Node>) {
     let mut signs = Signs::new(&ops, &counted);
     let mut best = signs.cost;
     let differences: Vec<usize> = (0..ops.len()).filter(|&i| matches!(ops[i], Op::Add(..) | Op::Sub(..))).collect();
-    // Alone, and together with a sum that it is made of: moves that change nothing are taken too, they open the way to others.
+    // Alone, and together with a sum that it is made of: moves that change nothing are taken too,
+    // they open the way to others.
     let mut moves: Vec<Vec<usize>> = differences.iter().map(|&i| vec![i]).collect();
     for &i in &differences {
         let below = ops[i].operands().flat_map(|n| sums_below(&ops, n.index()));
@@ -130,7 +133,8 @@ impl<'a> Signs<'a> {
         }
     }
 
-    /// Takes these differences the other way. Operands stand before what they are operands of, so going up through what changes looks at each node once.
+    /// Takes these differences the other way. Operands stand before what they are operands of, so
+    /// going up through what changes looks at each node once.
     fn turn(&mut self, which: &[usize]) {
         self.changed.clear();
         which.iter().for_each(|&i| self.turned[i] = !self.turned[i]);
@@ -165,7 +169,8 @@ fn needs_own_sign(op: &Op) -> bool {
     }
 }
 
-/// Nearly `exp(-x)` for `x > 0`. The library's own differs between machines, and what is generated must not.
+/// Nearly `exp(-x)` for `x > 0`. The library's own differs between machines, and what is generated
+/// must not.
 fn falling(x: f64) -> f64 {
     1.0 / (1.0 + x * (1.0 + x * (0.5 + x * (1.0 / 6.0 + x / 24.0))))
 }

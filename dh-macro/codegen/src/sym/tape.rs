@@ -1,4 +1,5 @@
-//! Roots of a graph, in order, as a straight-line program. Text is printed from it, and it can be run.
+//! Roots of a graph, in order, as a straight-line program. Text is printed from it, and it can be
+//! run.
 
 use super::call::Call;
 use super::factor::factored;
@@ -71,8 +72,8 @@ pub struct Section {
     pub title: String,
 }
 
-/// Numbers of operations of a tape; a change of sign counts as an addition, a division as a multiplication, functions and choices not at
-/// all.
+/// Numbers of operations of a tape; a change of sign counts as an addition, a division as a
+/// multiplication, functions and choices not at all.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct OperationCount {
     /// Multiplications and divisions.
@@ -102,7 +103,8 @@ pub struct Tape {
 }
 
 impl Tape {
-    /// Lowers the roots: what they do not need is left out, products with a common factor are drawn together.
+    /// Lowers the roots: what they do not need is left out, products with a common factor are drawn
+    /// together.
     pub fn new(graph: &Graph, roots: &[Ex<'_>]) -> Self {
         let roots: Vec<_> = roots.iter().map(|r| r.node()).collect();
         let (graph, roots) = factored(graph, &roots);
@@ -110,7 +112,8 @@ impl Tape {
         Self::lower(&graph, &roots)
     }
 
-    /// Operations that the roots will take, changes of sign left out: a quick estimate for searches.
+    /// Operations that the roots will take, changes of sign left out: a quick estimate for
+    /// searches.
     pub fn estimate(graph: &Graph, roots: &[Ex<'_>]) -> usize {
         let roots: Vec<_> = roots.iter().map(|r| r.node()).collect();
         let (graph, roots) = factored(graph, &roots);

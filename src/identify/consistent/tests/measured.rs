@@ -3,21 +3,21 @@
 use std::ops::Range;
 
 use super::*;
-use crate::log::{self, Keep, Log, Quantity, Replay};
-use crate::signal::{Prepare, each_motion};
+use crate::data::log::{self, Acceptance, Log, Quantity, Replay};
+use crate::data::signal::{Prepare, each_motion};
 
 const DATA: &str = "../shared/data";
 
 fn read(path: &str) -> Option<Log> {
     let file = std::fs::File::open(format!("{DATA}/{path}")).ok()?;
     let mut source = log::open(path, std::io::BufReader::new(file)).unwrap();
-    Some(Log::read(&mut *source, Quantity::Tau, Keep::all()).unwrap())
+    Some(Log::read(&mut *source, Quantity::Tau, Acceptance::all()).unwrap())
 }
 
 /// Rows of these times, each stretch by itself.
 fn part(arm: &Interpreted, log: &Log, stretches: &[Range<f64>]) -> Factors {
-    let prepare = Prepare { keep: Keep::all(), ..Prepare::default() };
-    let mut stack = Stack::new("part", arm, StackSettings::default());
+    let prepare = Prepare { keep: Acceptance::all(), ..Prepare::default() };
+    let mut stack = QrAccumulator::new("part", arm, AccumulatorSettings::default());
     for stretch in stretches {
         let rows: Vec<usize> = (0..log.len()).filter(|&k| stretch.contains(&log.columns[0][k])).collect();
         if rows.len() < 200 {
@@ -52,7 +52,8 @@ fn fits((robot, arm): &(Robot, Interpreted), fit: Factors, validate: Factors) ->
     }
 }
 
-/// A short, badly exciting log: the plain fit is worthless elsewhere and is announced as such; possible bodies with the vendor's prior carry over.
+/// A short, badly exciting log: the plain fit is worthless elsewhere and is announced as such;
+/// possible bodies with the vendor's prior carry over.
 #[test]
 fn a_poor_log_carries_over_with_a_prior() {
     let (Some(fit), Some(other)) = (read("kinova-gen3/optitraj1.csv"), read("kinova-gen3/sync7_run.csv")) else {
@@ -72,8 +73,9 @@ fn a_poor_log_carries_over_with_a_prior() {
     }
 }
 
-/// The LWR's log is one motion of 4 pi seconds, played twice. Fifths of the period, each left out of both: possible bodies predict
-/// motion that was not seen better than the plain fit does, on the average and each time.
+/// The LWR's log is one motion of 4 pi seconds, played twice. Fifths of the period, each left out
+/// of both: possible bodies predict motion that was not seen better than the plain fit does, on the
+/// average and each time.
 #[test]
 fn possible_bodies_predict_motion_that_was_not_seen() {
     let Some(log) = read("kuka-lwr4plus/traj1.csv") else { return };

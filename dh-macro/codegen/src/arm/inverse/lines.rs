@@ -63,7 +63,8 @@ impl Lines {
         Self { axes: axes.to_vec(), angle: 1e-11, length: 1e-11, size: size(axes, [0.0; 3]), exact: true }
     }
 
-    /// 1.2 degrees and three hundredths of the arm's size count as zero: what assembly and small offsets of built arms come to.
+    /// 1.2 degrees and three hundredths of the arm's size count as zero: what assembly and small
+    /// offsets of built arms come to.
     pub fn loose(axes: &[Axis], tip: Vector) -> Self {
         // Points of the lines near the arm: a calibrated table may have them far away.
         let middle = scale(0.5, tip);

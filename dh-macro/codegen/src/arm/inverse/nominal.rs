@@ -1,4 +1,5 @@
-//! Lines put where the family has them, and joints that complete an arm to six. Of an exact arm nothing is moved.
+//! Lines put where the family has them, and joints that complete an arm to six. Of an exact arm
+//! nothing is moved.
 
 use super::lines::{Lines, Vector, add, beside, cross, dot, norm, scale, sub, unit};
 use crate::ik::{Axis, Method, Regional};
@@ -36,7 +37,8 @@ pub(super) fn swivel(a: [Axis; 7], shoulder: Vector, elbow: Vector, wrist: Vecto
     ]
 }
 
-/// A direction that makes another angle with `h` than `other` does, so that an added joint is never in line with a real one.
+/// A direction that makes another angle with `h` than `other` does, so that an added joint is never
+/// in line with a real one.
 fn oblique(h: Vector, other: Vector) -> Vector {
     let (x, _) = beside(h);
     let c = dot(h, other).abs();

@@ -50,7 +50,8 @@ pub(super) fn drive(fields: &Fields<'_>, to: &mut Findings) -> Drive {
     drive
 }
 
-/// A drive takes energy: less than none is a problem, and a note where the value was identified from data that hardly show it.
+/// A drive takes energy: less than none is a problem, and a note where the value was identified
+/// from data that hardly show it.
 fn not_negative(fields: &Fields<'_>, name: &str, value: Option<f64>, identified: bool, to: &mut Findings) {
     if let (Some(value), Some((node, path))) = (value.filter(|&v| v < 0.0), fields.node(name)) {
         if identified {
@@ -178,7 +179,8 @@ fn place(name: &str) -> Option<Place> {
     Law::of(name).map(|law| law.place)
 }
 
-/// A bare number, or a mapping of the keys of the effect's law. In a file of effects nothing at all will do too.
+/// A bare number, or a mapping of the keys of the effect's law. In a file of effects nothing at all
+/// will do too.
 fn effect(word: &Word, node: &Node, path: &str, origin: Origin, to: &mut Findings) -> Effect {
     let name = word.text.clone();
     let Some(law) = Law::of(&name) else { return Effect { name, parameters: Vec::new() } };
@@ -227,7 +229,8 @@ fn effect(word: &Word, node: &Node, path: &str, origin: Origin, to: &mut Finding
     Effect { name, parameters }
 }
 
-/// Values must lie in the range of their key. An identified size may be negative, as those of plain friction.
+/// Values must lie in the range of their key. An identified size may be negative, as those of plain
+/// friction.
 fn ranges(law: &Law, node: &Node, path: &str, values: &[(String, f64)], origin: Origin, to: &mut Findings) {
     let mark_of = |key: &str| match &node.kind {
         Kind::Map(fields) => fields.iter().find(|(word, _)| word.text == key).map_or(node.mark, |(_, n)| n.mark),

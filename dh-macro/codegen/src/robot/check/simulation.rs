@@ -11,7 +11,8 @@ use super::drive;
 pub struct SimulationFile {
     /// Effects beyond those of the robot file.
     pub effects: Effects,
-    /// Of `sensors`, `control`, `solver`: section, key (`torque_noise_color.std` of a mapping) and value.
+    /// Of `sensors`, `control`, `solver`: section, key (`torque_noise_color.std` of a mapping) and
+    /// value.
     pub settings: Vec<(&'static str, &'static str, Setting)>,
     /// What the reader did or saw.
     pub notes: Vec<Note>,
@@ -80,7 +81,8 @@ static KNOWN: [Known; 24] = [
 ];
 
 impl SimulationFile {
-    /// Reads the file for a robot; joints stand there by number or name. All mistakes are reported together.
+    /// Reads the file for a robot; joints stand there by number or name. All mistakes are reported
+    /// together.
     pub fn from_yaml(text: &str, robot: &Robot) -> Result<Self, Problems> {
         let says_something = |line: &str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
         if !text.lines().any(says_something) {

@@ -1,0 +1,204 @@
+//! The joint motion as a piecewise quintic: position, velocity and acceleration at knots, and
+//! nothing else to remember.
+
+use nalgebra::DMatrix;
+
+use crate::data::trajectory::Instant;
+
+use super::strokes::rest_to_rest;
+use super::task::Task;
+use super::track::Line;
+use crate::apps::painting::cost::Scored;
+use crate::numerics::chebyshev::Chebyshev;
+
+/// A quintic spline with continuous acceleration: between two knots the one polynomial of fifth
+/// order through position, velocity and acceleration at both (a B-spline whose inner knots count
+/// three times).
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Motion {
+    /// Knots, s, ascending from 0.
+    pub times: Vec<f64>,
+    /// Positions at the knots, rad or m: one row per knot.
+    pub q: Vec<Vec<f64>>,
+    /// Velocities there.
+    pub dq: Vec<Vec<f64>>,
+    /// Accelerations there.
+    pub ddq: Vec<Vec<f64>>,
+}
+
+impl Motion {
+    /// Number of joints.
+    pub fn dof(&self) -> usize {
+        self.q.first().map_or(0, Vec::len)
+    }
+
+    /// Length, s.
+    pub fn duration(&self) -> f64 {
+        self.times.last().copied().unwrap_or(0.0)
+    }
+
+    /// At a time; before the start and after the end it rests there.
+    pub fn at(&self, t: f64) -> Instant {
+        let n = self.dof();
+        let mut instant = Instant { q: vec![0.0; n], dq: vec![0.0; n], ddq: vec![0.0; n], dddq: vec![0.0; n] };
+        let rest = |row: Option<&Vec<f64>>, mut instant: Instant| {
+            if let Some(row) = row {
+                instant.q.clone_from(row);
+            }
+            instant
+        };
+        if t.is_nan() || t <= 0.0 {
+            return rest(self.q.first(), instant);
+        }
+        if t >= self.duration() {
+            return rest(self.q.last(), instant);
+        }
+        let k = self.times.partition_point(|x| *x <= t).clamp(1, self.times.len() - 1) - 1;
+        let h = self.times[k + 1] - self.times[k];
+        let u = (t - self.times[k]) / h;
+        for j in 0..n {
+            let at = |k: usize| [self.q[k][j], self.dq[k][j] * h, self.ddq[k][j] * h * h];
+            let [x, v, a, b] = hermite(at(k), at(k + 1), u);
+            (instant.q[j], instant.dq[j]) = (x, v / h);
+            (instant.ddq[j], instant.dddq[j]) = (a / (h * h), b / (h * h * h));
+        }
+        instant
+    }
+
+    /// From a candidate on its branch: legs in the order of their times.
+    ///
+    /// # Errors
+    /// Where the branch is not smooth enough to be written down.
+    pub(super) fn new(task: &Task<'_>, scored: &Scored) -> Result<Self, String> {
+        let n = task.dof();
+        let mut motion = Self::default();
+        let mut begin = 0.0;
+        let mut here = scored.start.clone();
+        for (leg, (time, _)) in scored.legs.iter().zip(&scored.times) {
+            let smooth = Smooth::new(task, scored, &leg.line, &here)?;
+            let knots = smooth.knots();
+            let shares: Vec<f64> = (0..=knots).map(|k| k as f64 / knots as f64).collect();
+            let samples = smooth.at(&shares);
+            let first = usize::from(!motion.times.is_empty());
+            for (k, [x, v, a]) in samples.iter().enumerate().skip(first) {
+                motion.times.push(begin + time * shares[k]);
+                motion.q.push(x.clone());
+                motion.dq.push(v.iter().map(|v| v / time).collect());
+                motion.ddq.push(a.iter().map(|a| a / (time * time)).collect());
+            }
+            begin += time;
+            here = samples.last().map_or_else(|| vec![0.0; n], |s| s[0].clone());
+        }
+        Ok(motion)
+    }
+}
+
+/// Value and three derivatives by the share `u` of the step, from value and two derivatives (by the
+/// same) at both ends.
+fn hermite([q0, v0, a0]: [f64; 3], [q1, v1, a1]: [f64; 3], u: f64) -> [f64; 4] {
+    let d = q1 - q0;
+    let c = [
+        q0,
+        v0,
+        0.5 * a0,
+        10.0 * d - 6.0 * v0 - 4.0 * v1 - 1.5 * a0 + 0.5 * a1,
+        -15.0 * d + 8.0 * v0 + 7.0 * v1 + 1.5 * a0 - a1,
+        6.0 * d - 3.0 * (v0 + v1) - 0.5 * (a0 - a1),
+    ];
+    [
+        c[0] + u * (c[1] + u * (c[2] + u * (c[3] + u * (c[4] + u * c[5])))),
+        c[1] + u * (2.0 * c[2] + u * (3.0 * c[3] + u * (4.0 * c[4] + u * 5.0 * c[5]))),
+        2.0 * c[2] + u * (6.0 * c[3] + u * (12.0 * c[4] + u * 20.0 * c[5])),
+        6.0 * c[3] + u * (24.0 * c[4] + u * 60.0 * c[5]),
+    ]
+}
+
+/// A leg's branch as Chebyshev polynomials on equal panels, to rounding.
+struct Smooth {
+    chebyshev: Chebyshev,
+    panels: Vec<DMatrix<f64>>,
+}
+
+/// Order of a panel.
+const ORDER: usize = 20;
+/// What a panel may leave out, rad or m.
+const TAIL: f64 = 2e-12;
+/// What the quintic between knots may leave out, rad or m.
+const BETWEEN: f64 = 1e-11;
+
+impl Smooth {
+    fn new(task: &Task<'_>, scored: &Scored, line: &Line, start: &[f64]) -> Result<Self, String> {
+        let chebyshev = Chebyshev::new(ORDER);
+        let mut count = 1;
+        loop {
+            let mut panels = Vec::with_capacity(count);
+            let mut here = start.to_vec();
+            let mut tail: f64 = 0.0;
+            for p in 0..count {
+                let points: Vec<f64> = chebyshev.points.iter().map(|s| (p as f64 + s) / count as f64).collect();
+                let all = task.postures(&scored.roller, line, &points);
+                let q = task
+                    .follow(&all, &here)
+                    .map_err(|k| format!("the posture is lost at {:?} of the wall", line.place(points[k])))?;
+                here = q.row(ORDER).iter().copied().collect();
+                for j in 0..q.ncols() {
+                    tail = tail.max(chebyshev.tail(|k| q[(k, j)]));
+                }
+                panels.push(q);
+            }
+            if tail <= TAIL || count >= 64 {
+                if tail > 1e3 * TAIL {
+                    return Err(format!(
+                        "a joint's path is not smooth: {tail:.1e} rad are left out at order {ORDER} on {count} pieces"
+                    ));
+                }
+                return Ok(Self { chebyshev, panels });
+            }
+            count *= 2;
+        }
+    }
+
+    /// Position and its first two derivatives by the share of time, at shares of time.
+    fn at(&self, shares: &[f64]) -> Vec<[Vec<f64>; 3]> {
+        let count = self.panels.len() as f64;
+        shares
+            .iter()
+            .map(|&u| {
+                let [s0, s1, s2, _] = rest_to_rest(u);
+                let place = s0.clamp(0.0, 1.0) * count;
+                let p = (place.floor().max(0.0) as usize).min(self.panels.len() - 1);
+                let rows = self.chebyshev.rows(&[place - p as f64]);
+                let [x, x1, x2] = [0, 1, 2].map(|d| &rows[d] * &self.panels[p]);
+                let n = x.ncols();
+                let by = |d: usize, j: usize| [x1[(0, j)] * count, x2[(0, j)] * count * count][d];
+                [
+                    (0..n).map(|j| x[(0, j)]).collect(),
+                    (0..n).map(|j| by(0, j) * s1).collect(),
+                    (0..n).map(|j| by(1, j) * s1 * s1 + by(0, j) * s2).collect(),
+                ]
+            })
+            .collect()
+    }
+
+    /// Number of pieces at which the quintics between knots are as good as the branch itself.
+    fn knots(&self) -> usize {
+        let mut knots = 16;
+        while knots < 1024 {
+            let shares: Vec<f64> = (0..=2 * knots).map(|k| k as f64 / (2 * knots) as f64).collect();
+            let samples = self.at(&shares);
+            let h = 1.0 / knots as f64;
+            let off = (0..knots).flat_map(|k| {
+                let [a, middle, b] = [&samples[2 * k], &samples[2 * k + 1], &samples[2 * k + 2]];
+                (0..a[0].len()).map(move |j| {
+                    let end = |s: &[Vec<f64>; 3]| [s[0][j], s[1][j] * h, s[2][j] * h * h];
+                    (hermite(end(a), end(b), 0.5)[0] - middle[0][j]).abs()
+                })
+            });
+            if off.fold(0.0, f64::max) <= BETWEEN {
+                break;
+            }
+            knots *= 2;
+        }
+        knots
+    }
+}

@@ -1,0 +1,463 @@
+//! The plan: the motion that was found, and everything that is asked of it later.
+
+use serde_json::{Value, json};
+
+use crate::data::trajectory::times;
+
+use super::motion::Motion;
+use super::search::{Progress, Search};
+use super::strokes::{Pattern, Phase, Strokes, rest_to_rest};
+use super::surface::{Roller, Surface};
+use super::task::{Cover, Task};
+use crate::apps::painting::cost::{From, Scored};
+use crate::apps::painting::coverage::Coverage;
+use crate::apps::painting::leg_timing::{Bound, Broken};
+
+/// A leg of a plan.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Span {
+    /// What it does.
+    pub phase: Phase,
+    /// Where it begins: wall coordinates and distance from the wall, m, and swivel angle, rad (or
+    /// position of the joint that is given).
+    pub from: [f64; 4],
+    /// Where it ends.
+    pub to: [f64; 4],
+    /// From when to when, s.
+    pub time: [f64; 2],
+    /// What keeps it from being shorter, in words.
+    pub bound: String,
+}
+
+/// A side of the wall that was not reached.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Side {
+    /// `upper`, `lower`, `left` (least y), `right`.
+    pub side: &'static str,
+    /// What is left unpainted there, m.
+    pub gap: f64,
+    /// What is broken when the lanes are widened by a centimetre to this side, in words.
+    pub bound: String,
+}
+
+/// A painting motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// The robot's name.
+    pub robot: String,
+    /// The wall.
+    pub surface: Surface,
+    /// The roller, and which way it is held.
+    pub roller: Roller,
+    /// The lanes.
+    pub strokes: Strokes,
+    /// The legs, in order.
+    pub spans: Vec<Span>,
+    /// The joints.
+    pub motion: Motion,
+    /// `T_C`: time in contact, s.
+    pub contact: f64,
+    /// Integral of the squared joint jerks over it, rad^2/s^5.
+    pub jerk: f64,
+    /// Equation (12), s.
+    pub cost: f64,
+    /// Equation (12) with the best single swivel angle, where the plan has a spline, s.
+    pub cost_constant: Option<f64>,
+    /// Sides of the wall that are not painted to their end.
+    pub sides: Vec<Side>,
+}
+
+/// Everything at an instant.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Moment {
+    /// Positions, rad or m.
+    pub q: Vec<f64>,
+    /// Velocities.
+    pub dq: Vec<f64>,
+    /// Accelerations.
+    pub ddq: Vec<f64>,
+    /// Top three rows of the tool frame's homogeneous matrix in base axes, row-major, m.
+    pub pose: [f64; 12],
+    /// Middle of the roller's face, base axes, m.
+    pub point: [f64; 3],
+    /// Its velocity, m/s, and acceleration, m/s^2.
+    pub velocity: [f64; 3],
+    /// m/s^2
+    pub acceleration: [f64; 3],
+    /// The same point on the wall: coordinates and distance, m.
+    pub place: [f64; 3],
+    /// Out of the wall, base axes.
+    pub normal: [f64; 3],
+    /// Swivel angle, rad, or position of the joint that is given.
+    pub swivel: f64,
+    /// What the roller does.
+    pub phase: Phase,
+    /// Which leg it is.
+    pub span: usize,
+}
+
+/// Why there is no plan.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Infeasible {
+    /// What binds and by how much, in words; worst first.
+    pub reasons: Vec<String>,
+}
+
+impl std::fmt::Display for Infeasible {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}", self.reasons.join("; "))
+    }
+}
+
+/// Solves equation (12).
+///
+/// # Errors
+/// Says which limit binds, by how much and where, for the candidate that breaks the least.
+pub fn plan(task: &Task<'_>, progress: Progress<'_>) -> Result<Plan, Infeasible> {
+    let widest = task.widest();
+    if task.cover == Cover::Whole {
+        let [a, b, ..] = widest.painted(task.roller.width);
+        let short = task.surface.width - (b - a);
+        if short > 1e-9 {
+            let reason = format!(
+                "{} of {} m {} {short:.4} m of the wall's width of {} m unpainted; {} lanes are needed",
+                if task.lanes == 1 { "1 lane".into() } else { format!("{} lanes", task.lanes) },
+                task.roller.width,
+                if task.lanes == 1 { "leaves" } else { "leave" },
+                task.surface.width,
+                Strokes::fewest(&task.surface, task.roller.width)
+            );
+            return Err(Infeasible { reasons: vec![reason] });
+        }
+    }
+    let search = Search::new(task, progress);
+    let (best, plain) = search.run();
+    if !best.feasible() {
+        let mut broken = best.broken.clone();
+        broken.sort_by(|a, b| b.weight.total_cmp(&a.weight));
+        let mut reasons: Vec<String> = Vec::new();
+        for b in &broken {
+            let text = search.describe(b);
+            if reasons.len() < 4 && !reasons.contains(&text) {
+                reasons.push(text);
+            }
+        }
+        return Err(Infeasible { reasons });
+    }
+    progress("knots", 0.0);
+    let motion = Motion::new(task, &best).map_err(|e| Infeasible { reasons: vec![e] })?;
+    let mut begin = 0.0;
+    let spans = best
+        .legs
+        .iter()
+        .zip(&best.times)
+        .map(|(leg, (time, bound))| {
+            let (from, to) = (begin, begin + time);
+            begin = to;
+            let bound = search.name(*bound);
+            Span { phase: leg.line.phase, from: leg.line.from, to: leg.line.to, time: [from, to], bound }
+        })
+        .collect();
+    Ok(Plan {
+        robot: task.arm.name().to_string(),
+        surface: task.surface,
+        roller: best.roller,
+        strokes: best.strokes,
+        spans,
+        motion,
+        contact: best.contact,
+        jerk: best.jerk,
+        cost: best.cost,
+        cost_constant: plain.filter(Scored::feasible).map(|p| p.cost),
+        sides: search.sides(&best),
+    })
+}
+
+impl Search<'_> {
+    /// A limit in words.
+    fn name(&self, bound: Bound) -> String {
+        let joint = |j: usize| self.judge.task.limits[j].name.clone();
+        match bound {
+            Bound::LinkExtents => "reach".into(),
+            Bound::Direction => "direction of the roller".into(),
+            Bound::Singular => "singularity".into(),
+            Bound::Position(j) => format!("travel of {}", joint(j)),
+            Bound::Velocity(j) => format!("speed of {}", joint(j)),
+            Bound::Acceleration(j) => format!("acceleration of {}", joint(j)),
+            Bound::Jerk(j) => format!("jerk of {}", joint(j)),
+            Bound::Torque(j) => format!("torque of {}", joint(j)),
+            Bound::Clearance(which) => format!("distance: {}", self.judge.around.describe(which)),
+            Bound::Duration => "duration".into(),
+            Bound::Weight => "weight of the jerk".into(),
+            Bound::Shared => "duration that was given".into(),
+        }
+    }
+
+    /// A broken limit in words, with figures.
+    fn describe(&self, broken: &Broken) -> String {
+        let [y, z, off] = broken.at;
+        let place = if off > 1e-9 {
+            format!("at y {y:.3}, z {z:.3}, {off:.3} m before the wall")
+        } else {
+            format!("at y {y:.3}, z {z:.3} m on the wall")
+        };
+        let task = self.judge.task;
+        let unit = |j: usize| if task.slides[j] { "m" } else { "rad" };
+        let amount = broken.amount;
+        match broken.bound {
+            Bound::LinkExtents => format!("out of reach by {amount:.4} m {place}"),
+            Bound::Direction => format!("the arm can't point the roller there: {amount:.4} rad off {place}"),
+            Bound::Singular => format!("the posture can't be followed (singularity, or its branch ends) {place}"),
+            Bound::Position(j) => {
+                let [low, high] = task.limits[j].position;
+                format!(
+                    "joint {} goes {amount:.4} {} beyond its travel of {low:.4} to {high:.4} {place}",
+                    task.limits[j].name,
+                    unit(j)
+                )
+            }
+            Bound::Torque(j) => format!(
+                "joint {} needs {amount:.3} N m more than its {} N m even at rest {place}",
+                task.limits[j].name,
+                task.limits[j].torque.unwrap_or(0.0)
+            ),
+            Bound::Clearance(which) => format!(
+                "{}: {amount:.4} m short of the {} m that are kept, {place}",
+                self.judge.around.describe(which),
+                task.distance_margin
+            ),
+            Bound::Duration => format!(
+                "the strokes need {amount:.3} s more than the {} s that were given",
+                task.duration.unwrap_or(0.0)
+            ),
+            other => format!("{} is broken by {amount:.4} {place}", self.name(other)),
+        }
+    }
+
+    /// What the wall's sides lack, and why.
+    fn sides(&self, best: &Scored) -> Vec<Side> {
+        let task = self.judge.task;
+        let ([left, right], [low, high]) = (task.surface.sides(), task.surface.ends());
+        let [a, b, lower, upper] = best.strokes.painted(task.roller.width);
+        let gaps = [("upper", high - upper), ("lower", lower - low), ("left", a - left), ("right", right - b)];
+        let wider = |side: &str| {
+            let (mut s, more) = (best.strokes, 0.01);
+            let lanes = s.lanes.saturating_sub(1).max(1) as f64;
+            match side {
+                "upper" => s.upper += more,
+                "lower" => s.lower -= more,
+                "left" => (s.first, s.step) = (s.first - more, s.step + if s.lanes > 1 { more / lanes } else { 0.0 }),
+                _ if s.lanes > 1 => s.step += more / lanes,
+                _ => s.first += more,
+            }
+            s
+        };
+        gaps.into_iter()
+            .filter(|(_, gap)| *gap > 1e-3)
+            .map(|(side, gap)| {
+                let strokes = wider(side);
+                let from = From::Near(&best.start);
+                let found = self.judge.score(&self.coarse, &strokes, &best.angles, &best.roller, from);
+                let bound = match found.first().and_then(Scored::worst) {
+                    Some(worst) => format!("a centimetre more: {}", self.describe(&worst)),
+                    None if strokes.lanes > 1 && strokes.step.abs() > task.roller.width + 1e-9 => {
+                        format!("the lanes lie a roller's width ({} m) apart already", task.roller.width)
+                    }
+                    None => "no limit: the cost of equation (12) is larger with more".into(),
+                };
+                Side { side, gap, bound }
+            })
+            .collect()
+    }
+}
+
+impl Plan {
+    /// Length with approach and retreat, s.
+    pub fn duration(&self) -> f64 {
+        self.motion.duration()
+    }
+
+    /// When the roller meets the wall, and when it leaves it, s.
+    pub fn contact_span(&self) -> [f64; 2] {
+        let mut touching = self.spans.iter().filter(|s| s.phase.contact());
+        let start = touching.next().map_or(0.0, |s| s.time[0]);
+        let end = touching.next_back().map_or(self.duration(), |s| s.time[1]);
+        [start, end]
+    }
+
+    /// Everything at a time; before the start and after the end the arm rests there.
+    pub fn at(&self, t: f64) -> Moment {
+        let joints = self.motion.at(t);
+        let time = if t.is_finite() { t.clamp(0.0, self.duration()) } else { 0.0 };
+        let span = self.spans.partition_point(|s| s.time[1] <= time).min(self.spans.len().saturating_sub(1));
+        let (mut place, mut rate, mut second, mut swivel, mut phase) =
+            ([0.0; 3], [0.0; 3], [0.0; 3], 0.0, Phase::Approach);
+        if let Some(s) = self.spans.get(span) {
+            let length = (s.time[1] - s.time[0]).max(1e-12);
+            let [x, v, a, _] = rest_to_rest(((time - s.time[0]) / length).clamp(0.0, 1.0));
+            let way: [f64; 4] = std::array::from_fn(|i| s.from[i] + x * (s.to[i] - s.from[i]));
+            place = [way[0], way[1], way[2]];
+            swivel = way[3];
+            rate = std::array::from_fn(|i| v / length * (s.to[i] - s.from[i]));
+            second = std::array::from_fn(|i| a / (length * length) * (s.to[i] - s.from[i]));
+            phase = s.phase;
+        }
+        let rows = self.roller.pose(&self.surface, place);
+        Moment {
+            q: joints.q,
+            dq: joints.dq,
+            ddq: joints.ddq,
+            pose: std::array::from_fn(|k| rows[k / 4][k % 4]),
+            point: self.surface.point(place),
+            velocity: self.surface.direction(rate),
+            acceleration: self.surface.direction(second),
+            place,
+            normal: self.surface.normal,
+            swivel,
+            phase,
+            span,
+        }
+    }
+
+    /// Times and moments, `rate` per second, the end included.
+    pub fn sampled(&self, rate: f64) -> Vec<(f64, Moment)> {
+        times(self.duration(), rate).into_iter().map(|t| (t, self.at(t))).collect()
+    }
+
+    /// What it paints.
+    pub fn coverage(&self) -> Coverage {
+        Coverage::new(&self.surface, &self.strokes, self.roller.width)
+    }
+
+    /// Everything that it takes to have the same plan again.
+    pub fn to_json(&self) -> Value {
+        let (s, r, l) = (&self.surface, &self.roller, &self.strokes);
+        json!({
+            "kind": "paint_plan",
+            "robot": self.robot,
+            "wall": {"center": s.center, "normal": s.normal, "up": s.up, "width": s.width, "height": s.height},
+            "roller": {"length": r.length, "width": r.width, "turned": r.turned},
+            "strokes": {
+                "upper": l.upper, "lower": l.lower, "first": l.first, "step": l.step, "lanes": l.lanes,
+                "pattern": if l.pattern == Pattern::Cycle { "cycle" } else { "snake" },
+            },
+            "contact_seconds": self.contact, "jerk": self.jerk, "cost": self.cost, "cost_constant_swivel": self.cost_constant,
+            "spans": self.spans.iter().map(|s| json!({
+                "phase": s.phase.name(), "from": s.from, "to": s.to, "time": s.time, "bound": s.bound,
+            })).collect::<Vec<_>>(),
+            "motion": {"times": self.motion.times, "q": self.motion.q, "dq": self.motion.dq, "ddq": self.motion.ddq},
+        })
+    }
+
+    /// Reads what [`Plan::to_json`] wrote. The sides that were not reached are not in it.
+    ///
+    /// # Errors
+    /// Says which key is missing or has the wrong shape.
+    pub fn from_json(value: &Value) -> Result<Self, String> {
+        let value = value.get("plan").unwrap_or(value);
+        if value.get("kind").and_then(Value::as_str) != Some("paint_plan") {
+            return Err("`kind` is not `paint_plan`; this is not what `denavit paint plan --plan` writes".into());
+        }
+        let wall = key(value, "wall")?;
+        let surface = Surface::new(
+            numbers(wall, "center")?,
+            numbers(wall, "normal")?,
+            numbers(wall, "up")?,
+            number(wall, "width")?,
+            number(wall, "height")?,
+        )?;
+        let held = key(value, "roller")?;
+        let turned = held.get("turned").and_then(Value::as_bool).ok_or("`roller.turned` must be true or false")?;
+        let roller = Roller { length: number(held, "length")?, width: number(held, "width")?, turned };
+        let lanes = key(value, "strokes")?;
+        let strokes = Strokes {
+            upper: number(lanes, "upper")?,
+            lower: number(lanes, "lower")?,
+            first: number(lanes, "first")?,
+            step: number(lanes, "step")?,
+            lanes: lanes
+                .get("lanes")
+                .and_then(Value::as_u64)
+                .filter(|n| (1..=1000).contains(n))
+                .ok_or("`strokes.lanes` must be a whole number from 1 to 1000")? as usize,
+            pattern: match lanes.get("pattern").and_then(Value::as_str) {
+                Some("cycle") => Pattern::Cycle,
+                Some("snake") => Pattern::Snake,
+                _ => return Err("`strokes.pattern` must be cycle or snake".into()),
+            },
+        };
+        let text = |v: &Value, name: &str| -> Result<String, String> {
+            v.get(name).and_then(Value::as_str).map(String::from).ok_or_else(|| format!("`{name}` must be a word"))
+        };
+        let list = key(value, "spans")?.as_array().ok_or("`spans` must be a list")?;
+        let spans: Vec<Span> = list
+            .iter()
+            .map(|s| {
+                let phase = text(s, "phase")?;
+                Ok(Span {
+                    phase: Phase::named(&phase).ok_or_else(|| format!("`{phase}` is no phase"))?,
+                    from: numbers(s, "from")?,
+                    to: numbers(s, "to")?,
+                    time: numbers(s, "time")?,
+                    bound: text(s, "bound")?,
+                })
+            })
+            .collect::<Result<_, String>>()?;
+        if spans.is_empty() || spans.windows(2).any(|w| (w[0].time[1] - w[1].time[0]).abs() > 1e-9) {
+            return Err("`spans` must follow each other in time".into());
+        }
+        let curve = key(value, "motion")?;
+        let times = floats(key(curve, "times")?).ok_or("`motion.times` must be a list of numbers")?;
+        let rows = |name: &str| -> Result<Vec<Vec<f64>>, String> {
+            let rows = key(curve, name)?.as_array().and_then(|r| r.iter().map(floats).collect::<Option<Vec<_>>>());
+            rows.ok_or_else(|| format!("`motion.{name}` must be a list of lists of numbers"))
+        };
+        let motion = Motion { q: rows("q")?, dq: rows("dq")?, ddq: rows("ddq")?, times };
+        let n = motion.dof();
+        let whole = [&motion.q, &motion.dq, &motion.ddq]
+            .iter()
+            .all(|rows| rows.len() == motion.times.len() && rows.iter().all(|r| r.len() == n));
+        if !whole || n == 0 || motion.times.len() < 2 || motion.times[0] != 0.0 {
+            return Err(
+                "`motion` needs as many rows of q, dq and ddq as it has times, from 0, all of one length".into()
+            );
+        }
+        if motion.times.windows(2).any(|w| w[1] <= w[0]) {
+            return Err("`motion.times` must ascend".into());
+        }
+        Ok(Self {
+            robot: text(value, "robot")?,
+            surface,
+            roller,
+            strokes,
+            spans,
+            motion,
+            contact: number(value, "contact_seconds")?,
+            jerk: number(value, "jerk")?,
+            cost: number(value, "cost")?,
+            cost_constant: value.get("cost_constant_swivel").and_then(Value::as_f64),
+            sides: Vec::new(),
+        })
+    }
+}
+
+fn key<'v>(value: &'v Value, name: &str) -> Result<&'v Value, String> {
+    value.get(name).ok_or_else(|| format!("`{name}` is missing"))
+}
+
+fn number(value: &Value, name: &str) -> Result<f64, String> {
+    value
+        .get(name)
+        .and_then(Value::as_f64)
+        .filter(|x| x.is_finite())
+        .ok_or_else(|| format!("`{name}` must be a number"))
+}
+
+fn floats(value: &Value) -> Option<Vec<f64>> {
+    value.as_array()?.iter().map(|x| x.as_f64().filter(|x| x.is_finite())).collect()
+}
+
+fn numbers<const N: usize>(value: &Value, name: &str) -> Result<[f64; N], String> {
+    let found = value.get(name).and_then(floats).and_then(|v| v.try_into().ok());
+    found.ok_or_else(|| format!("`{name}` must be {N} numbers"))
+}

@@ -1,0 +1,137 @@
+//! The painting motion on the wall: lanes (the paper's Fig. 7) and the legs between its way points.
+
+use super::surface::Surface;
+
+/// In what order the way points are visited.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pattern {
+    /// The paper's cycle: down and up again on each lane, then across to the next at the top.
+    Cycle,
+    /// Down one lane, across, up the next: half as long.
+    Snake,
+}
+
+/// What the roller does on a leg.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Phase {
+    /// From the place before the wall to the wall.
+    Approach,
+    /// Along a lane, in contact.
+    Stroke,
+    /// Across to the next lane, in contact.
+    Shift,
+    /// Off the wall.
+    Retreat,
+}
+
+impl Phase {
+    /// As it is written in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Approach => "approach",
+            Self::Stroke => "stroke",
+            Self::Shift => "shift",
+            Self::Retreat => "retreat",
+        }
+    }
+
+    /// The phase of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        [Self::Approach, Self::Stroke, Self::Shift, Self::Retreat].into_iter().find(|p| p.name() == name)
+    }
+
+    /// Does the roller touch the wall?
+    pub fn contact(self) -> bool {
+        matches!(self, Self::Stroke | Self::Shift)
+    }
+}
+
+/// The lanes: four of the six variables of equation (12). Coordinates of the wall, m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Strokes {
+    /// `Z_u`: upper end of the strokes.
+    pub upper: f64,
+    /// `Z_l`: lower end.
+    pub lower: f64,
+    /// `Y_0`: middle of the first lane.
+    pub first: f64,
+    /// `dY`: from one lane to the next; negative: the other way.
+    pub step: f64,
+    /// Number of lanes: `N_r + 1` with the paper's cycle, which returns to `Z_u` before each step.
+    pub lanes: usize,
+    /// In what order.
+    pub pattern: Pattern,
+}
+
+/// A straight piece of the motion, from rest to rest: wall coordinates and distance from the wall,
+/// m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Leg {
+    /// What it does.
+    pub phase: Phase,
+    /// Where it begins: `[y, z, distance]`.
+    pub from: [f64; 3],
+    /// Where it ends.
+    pub to: [f64; 3],
+}
+
+impl Strokes {
+    /// The fewest lanes that cover a wall with a roller of this width.
+    pub fn fewest(surface: &Surface, width: f64) -> usize {
+        (surface.width / width - 1e-9).ceil().max(1.0) as usize
+    }
+
+    /// Middle of a lane, m.
+    pub fn lane(&self, k: usize) -> f64 {
+        self.first + self.step * k as f64
+    }
+
+    /// What is painted, `[least y, largest y, least z, largest z]`, by a roller of this width, m;
+    /// whole where `|dY|` is at most the width.
+    pub fn painted(&self, width: f64) -> [f64; 4] {
+        let (a, b) = (self.lane(0), self.lane(self.lanes.saturating_sub(1)));
+        [a.min(b) - 0.5 * width, a.max(b) + 0.5 * width, self.lower, self.upper]
+    }
+
+    /// All legs, from `standoff` before the wall and back.
+    pub fn legs(&self, standoff: f64) -> Vec<Leg> {
+        let mut legs = Vec::new();
+        let mut here = [self.first, self.upper, standoff];
+        let mut go = |phase: Phase, to: [f64; 3]| {
+            if here != to {
+                legs.push(Leg { phase, from: here, to });
+            }
+            here = to;
+        };
+        go(Phase::Approach, [self.first, self.upper, 0.0]);
+        let mut high = true;
+        for k in 0..self.lanes {
+            let y = self.lane(k);
+            if k > 0 {
+                go(Phase::Shift, [y, if high { self.upper } else { self.lower }, 0.0]);
+            }
+            high = !high;
+            go(Phase::Stroke, [y, if high { self.upper } else { self.lower }, 0.0]);
+            if self.pattern == Pattern::Cycle {
+                high = true;
+                go(Phase::Stroke, [y, self.upper, 0.0]);
+            }
+        }
+        let last = self.lane(self.lanes.saturating_sub(1));
+        go(Phase::Retreat, [last, if high { self.upper } else { self.lower }, standoff]);
+        legs
+    }
+}
+
+/// Place, speed, acceleration and jerk, as shares of a leg, at a share `u` of its time: the quintic
+/// from rest to rest, which has the least jerk (Flash and Hogan, J. Neuroscience 5, 1985), and as a
+/// B-spline of fifth order one interval with control points `0 0 0 1 1 1`.
+pub(super) fn rest_to_rest(u: f64) -> [f64; 4] {
+    let (u2, v) = (u * u, 1.0 - u);
+    [
+        u2 * u * (10.0 - 15.0 * u + 6.0 * u2),
+        30.0 * u2 * v * v,
+        60.0 * u * v * (1.0 - 2.0 * u),
+        60.0 * (1.0 - 6.0 * u * v),
+    ]
+}

@@ -1,0 +1,81 @@
+//! The paper's experiments, rerun (Katsumata et al., *Optimal exciting motion for fast robot
+//! identification*): each function gives rows with ours, the paper's value, and a verdict.
+//!
+//! `robot file + effects -> simulate -> signal -> identify`, and each table or figure of the paper
+//! in a file of its own. The "real" robot is the simulated one; what is known of it stands in
+//! [`lwr`]. Prints nothing; touches no file: the robot is built in.
+
+pub mod chain;
+pub mod diagnosis;
+pub mod excitation;
+pub mod fig10;
+pub mod fig6;
+pub mod force;
+pub mod honesty;
+pub mod identification;
+mod loaded;
+pub mod lwr;
+mod many;
+pub mod motions;
+pub mod painting;
+mod share;
+pub mod table2;
+pub mod table3;
+pub mod tool;
+mod verdict;
+
+#[cfg(test)]
+mod tests;
+
+pub use excitation::{Excitation, ExcitationSettings, excitation};
+pub use force::{Force, ForceSettings, force};
+pub use identification::{Experiment, Settings, identification};
+pub use painting::{Painting, PaintingSettings, painting};
+pub use share::Share;
+pub use verdict::Verdict;
+
+use crate::apps::painting::run::RunError;
+use crate::data::signal::PrepareError;
+use crate::diagnose::DiagnoseError;
+use crate::identify::IdentifyError;
+use crate::identify::tool::ToolError;
+use crate::simulate::SimulateError;
+
+/// Why an experiment could not be run.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReproduceError {
+    /// The built-in robot or its effects.
+    #[error("the built-in robot can't be used: {0}")]
+    Robot(String),
+    /// The exciting motion.
+    #[error("{what}: {why}")]
+    Design {
+        /// Which motion.
+        what: String,
+        /// What is in the way.
+        why: String,
+    },
+    /// The simulation.
+    #[error(transparent)]
+    Simulate(#[from] SimulateError),
+    /// The log.
+    #[error(transparent)]
+    Prepare(#[from] PrepareError),
+    /// The fit.
+    #[error(transparent)]
+    Identify(#[from] IdentifyError),
+    /// The diagnosis.
+    #[error(transparent)]
+    Diagnose(#[from] DiagnoseError),
+    /// The fit of what is carried.
+    #[error(transparent)]
+    Tool(#[from] ToolError),
+    /// The run against the wall.
+    #[error(transparent)]
+    Paint(#[from] RunError),
+}
+
+/// Told now and then, from any thread: what is being done, and the share that is done of all, 0
+/// to 1.
+pub type Watch<'a> = &'a (dyn Fn(&str, f64) + Sync);

@@ -1,0 +1,464 @@
+//! One case: a seed draws arm, what is hidden, motion and noise; the simulator writes logs; the
+//! diagnosis sees files.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use dh_codegen::arm::param;
+use dh_codegen::robot::Robot;
+
+use super::super::ReproduceError;
+use super::Settings;
+use super::hidden::{About, Draft, FRICTION, Hidden, Outside, SAME_JOINT, SINGLE, effects, single};
+use crate::data::log::{Log, Quantity, csv, open};
+use crate::data::signal::{Filter, Prepare, central, central_second, each_motion};
+use crate::diagnose::{self, Diagnosis, Recording};
+use crate::model::perturbable_robot::PerturbableRobot;
+use crate::model::{Arm, States};
+use crate::numerics::prng::Random;
+use crate::simulate::{Control, Mode, Request, Sensors, Simulator, Trajectory};
+
+/// The arms, with links; and torque limits of those whose files have none (Armstrong, Khatib and
+/// Burdick 1986).
+const ARMS: [(&str, &str); 6] = [
+    ("kuka-lwr4", include_str!("../../../../robots/kuka-lwr4.yaml")),
+    ("franka-panda", include_str!("../../../../robots/franka-panda.yaml")),
+    ("ur10e", include_str!("../../../../robots/ur10e.yaml")),
+    ("puma560", include_str!("../../../../robots/puma560.yaml")),
+    ("kuka-iiwa14", include_str!("../../../../robots/kuka-iiwa14.yaml")),
+    ("kinova-gen3", include_str!("../../../../robots/kinova-gen3.yaml")),
+];
+const PUMA: [f64; 6] = [97.6, 186.4, 89.4, 24.2, 20.1, 21.3];
+
+/// Noise of a joint's torque by its limit.
+const NOISE: f64 = 1e-3;
+
+/// What kind of case.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Task {
+    /// Nothing is hidden.
+    Nothing,
+    /// One effect of the vocabulary.
+    One(&'static str),
+    /// One effect, and a robot file without link parameters.
+    NoLinks(&'static str),
+    /// Two on one joint.
+    OneJoint([&'static str; 2]),
+    /// Two on two joints.
+    TwoJoints([&'static str; 2]),
+    /// A friction law, and a link that is not what the file says.
+    WrongLinks(&'static str),
+    /// Nothing that the vocabulary has.
+    Outside(usize),
+}
+
+/// How many cases of a round hide two effects on one joint, two on two joints, a law and a wrong
+/// link, a law in a file without links, and what no vocabulary has.
+const SEVERAL: [usize; 5] = [3, 3, 2, 2, 3];
+
+/// Cases go round in this many kinds: nothing, every single effect, and the rest.
+pub(super) const KINDS: usize = 1 + SINGLE + SEVERAL[0] + SEVERAL[1] + SEVERAL[2] + SEVERAL[3] + SEVERAL[4];
+
+impl Task {
+    /// The kind of a seed.
+    pub(super) fn of(seed: u64, random: &mut Random) -> Self {
+        let kind = (seed % KINDS as u64) as usize;
+        let friction = |random: &mut Random| FRICTION[random.below(FRICTION.len())];
+        let Some(number) = kind.checked_sub(1) else { return Self::Nothing };
+        if number < SINGLE {
+            return Self::One(single(number));
+        }
+        let mut left = number - SINGLE;
+        let group = SEVERAL.iter().position(|&cases| {
+            let here = left < cases;
+            left -= if here { 0 } else { cases };
+            here
+        });
+        match group {
+            Some(0) => Self::OneJoint(SAME_JOINT[random.below(SAME_JOINT.len())]),
+            Some(1) => {
+                let first = random.below(FRICTION.len());
+                let second = (first + 1 + random.below(FRICTION.len() - 1)) % FRICTION.len();
+                Self::TwoJoints([FRICTION[first], FRICTION[second]])
+            }
+            Some(2) => Self::WrongLinks(friction(random)),
+            Some(3) => Self::NoLinks(friction(random)),
+            _ => Self::Outside(left),
+        }
+    }
+}
+
+/// A case that was diagnosed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// Its seed.
+    pub seed: u64,
+    /// The arm.
+    pub robot: &'static str,
+    /// What kind of case.
+    pub task: Task,
+    /// What was hidden.
+    pub hidden: Vec<Hidden>,
+    /// Standard deviation of each joint's torque noise with the step of the sensor, N m.
+    pub noise: Vec<f64>,
+    /// What the file misses of the validating motion where nothing is hidden, N m: what is
+    /// attainable; of all samples and where the joint moves.
+    pub attainable: [Vec<f64>; 2],
+    /// What was found.
+    pub found: Diagnosis,
+}
+
+/// Plants and simulators are costly to make, and the same file makes the same ones.
+#[derive(Default)]
+pub(super) struct Plants {
+    plants: Mutex<HashMap<String, Arc<PerturbableRobot>>>,
+    /// Of arms in which nothing is hidden.
+    simulators: Mutex<HashMap<String, Arc<Simulator>>>,
+}
+
+impl Plants {
+    fn of(&self, robot: &Robot) -> Result<(Robot, Arc<PerturbableRobot>), ReproduceError> {
+        let text = robot.to_yaml();
+        let read = Robot::from_yaml(&text, &|name| Err(format!("no file {name}")));
+        let robot = read.map_err(|p| ReproduceError::Robot(p.in_file("written robot").to_string()))?.robot;
+        let lock = || self.plants.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = lock().get(&text) {
+            return Ok((robot, known.clone()));
+        }
+        let made = Arc::new(PerturbableRobot::new(&robot));
+        lock().insert(text, made.clone());
+        Ok((robot, made))
+    }
+
+    /// The simulator of an arm as its file is.
+    fn plain(&self, robot: &Robot) -> Result<Arc<Simulator>, ReproduceError> {
+        let text = robot.to_yaml();
+        let lock = || self.simulators.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = lock().get(&text) {
+            return Ok(known.clone());
+        }
+        let made = Arc::new(Simulator::new(robot, &effects(robot, &[]))?);
+        lock().insert(text, made.clone());
+        Ok(made)
+    }
+}
+
+/// The file of an arm, with friction on every joint.
+fn arm(number: usize) -> Result<(&'static str, Robot), ReproduceError> {
+    let (name, text) = ARMS[number];
+    let read = Robot::from_yaml(text, &|name| Err(format!("no file {name}")));
+    let mut robot = read.map_err(|p| ReproduceError::Robot(p.in_file(name).to_string()))?.robot;
+    robot.tool = None;
+    for (j, row) in robot.moving().into_iter().enumerate() {
+        let joint = &mut robot.joints[row];
+        if name == "puma560" {
+            joint.limits.torque = Some(PUMA[j]);
+        }
+        let limit = joint.limits.torque.unwrap_or(50.0);
+        let drive = &mut joint.drive;
+        let some = |value: Option<f64>, share: f64| Some(value.filter(|v| *v > 0.0).unwrap_or(share * limit));
+        drive.viscous_friction = some(drive.viscous_friction, 0.02);
+        drive.coulomb_friction = some(drive.coulomb_friction, 0.015);
+    }
+    Ok((name, robot))
+}
+
+/// Five sines a joint from a tenth of a hertz up, inside the limits.
+fn motion(robot: &Robot, seconds: f64, random: &mut Random) -> Result<Trajectory, ReproduceError> {
+    let knots = (seconds * 50.0).ceil() as usize + 1;
+    let t: Vec<f64> = (0..knots).map(|k| k as f64 / 50.0).collect();
+    let rows = robot.moving();
+    let [mut q, mut dq, mut ddq] = std::array::from_fn(|_| Vec::with_capacity(rows.len() * knots));
+    for &row in &rows {
+        let limits = &robot.joints[row].limits;
+        let [low, high] = limits.position.unwrap_or([-2.0, 2.0]);
+        let (low, high) = (low.max(-2.6), high.min(2.6));
+        let fastest = limits.velocity.unwrap_or(2.0).min(2.5);
+        let waves: [[f64; 3]; 5] = std::array::from_fn(|k| {
+            let w = std::f64::consts::TAU * (0.1 * (k + 1) as f64 + random.uniform(0.0, 0.05));
+            [random.uniform(0.3, 1.0) / (k + 1) as f64, w, random.uniform(0.0, std::f64::consts::TAU)]
+        });
+        let at = |t: f64| {
+            let mut s = [0.0; 3];
+            for [a, w, p] in waves {
+                let (sin, cos) = (w * t + p).sin_cos();
+                s = [s[0] + a * sin, s[1] + a * w * cos, s[2] - a * w * w * sin];
+            }
+            s
+        };
+        let most = |k: usize| t.iter().map(|&t| at(t)[k].abs()).fold(1e-9, f64::max);
+        let scale = (0.45 * (high - low) / most(0)).min(0.7 * fastest / most(1));
+        for &t in &t {
+            let s = at(t);
+            q.push(0.5 * (low + high) + scale * s[0]);
+            dq.push(scale * s[1]);
+            ddq.push(scale * s[2]);
+        }
+    }
+    Trajectory::new(rows.len(), t, q, Some(dq), Some(ddq)).map_err(|e| ReproduceError::Simulate(e.into()))
+}
+
+fn rms(x: &[f64]) -> f64 {
+    (x.iter().map(|x| x * x).sum::<f64>() / x.len().max(1) as f64).sqrt()
+}
+
+/// What a simulation of the given file misses of a log without noise, per joint.
+fn missed(log: &Log, plant: &PerturbableRobot, standard: &[f64], rate: f64) -> Vec<Vec<f64>> {
+    let (dof, len) = (plant.dof(), log.len());
+    let row = |quantity: Quantity, j: usize| log.joint(quantity, j).map(<[f64]>::to_vec).unwrap_or_default();
+    let mut states = States { len, q: Vec::new(), dq: Vec::new(), ddq: Vec::new() };
+    for j in 0..dof {
+        let q = row(Quantity::Q, j);
+        states.dq.extend(central(&q, 1.0 / rate));
+        states.ddq.extend(central_second(&q, 1.0 / rate));
+        states.q.extend(q);
+    }
+    let mut model = vec![0.0; dof * len];
+    plant.inverse_dynamics(&states, standard, &mut model);
+    // The ends, where differences are one-sided, are left out.
+    let cut = 8.min(len / 4);
+    (0..dof)
+        .map(|j| {
+            let tau = row(Quantity::Tau, j);
+            (cut..len - cut).map(|k| tau[k] - model[j * len + k]).collect()
+        })
+        .collect()
+}
+
+/// The wanted size of an effect.
+struct Sizer<'a> {
+    robot: &'a Robot,
+    plant: &'a PerturbableRobot,
+    standard: Vec<f64>,
+    motion: &'a Trajectory,
+    noise: &'a [f64],
+    plain: Vec<Vec<f64>>,
+}
+
+/// Samples per second on which sizes are worked out.
+const COARSE: f64 = 100.0;
+
+impl<'a> Sizer<'a> {
+    fn new(
+        robot: &'a Robot,
+        plant: &'a PerturbableRobot,
+        motion: &'a Trajectory,
+        noise: &'a [f64],
+        simulator: &Simulator,
+    ) -> Result<(Self, Vec<f64>), ReproduceError> {
+        let standard = param::standard_values(robot).unwrap_or_default();
+        let mut sizer = Self { robot, plant, standard, motion, noise, plain: Vec::new() };
+        let log = sizer.exact(simulator)?;
+        let dof = plant.dof();
+        let peaks = (0..dof)
+            .map(|j| log.joint(Quantity::Tau, j).unwrap_or(&[]).iter().fold(0.0_f64, |m, t| m.max(t.abs())))
+            .collect();
+        sizer.plain = missed(&log, plant, &sizer.standard, COARSE);
+        Ok((sizer, peaks))
+    }
+
+    fn exact(&self, simulator: &Simulator) -> Result<Log, ReproduceError> {
+        let request = Request {
+            control: Control { mode: Mode::Exact, ..Control::default() },
+            sensors: Sensors { desired: false, ..Sensors::perfect(COARSE) },
+            ..Request::default()
+        };
+        Ok(simulator.run(self.motion, &request, &mut |_| {})?.log)
+    }
+
+    /// Root mean square of what an effect does to the error of a simulation of the file, by the
+    /// noise, on the joint that counts.
+    fn ratio(&self, draft: &Draft, x: f64) -> Result<f64, ReproduceError> {
+        let simulator = Simulator::new(self.robot, &effects(self.robot, &[(draft.clone(), x)]))?;
+        let with = missed(&self.exact(&simulator)?, self.plant, &self.standard, COARSE);
+        let of = |j: usize| {
+            let change: Vec<f64> = with[j].iter().zip(&self.plain[j]).map(|(a, b)| a - b).collect();
+            rms(&change) / self.noise[j]
+        };
+        Ok(match draft.joint {
+            Some(j) if draft.own => of(j),
+            _ => (0..with.len()).map(of).fold(0.0, f64::max),
+        })
+    }
+
+    /// `x` at which the effect has the wanted size, and that size; `None` where it would be no
+    /// effect of its kind.
+    fn size(&self, draft: &Draft, wanted: f64) -> Result<Option<(f64, f64)>, ReproduceError> {
+        let mut x = draft.start.min(draft.most);
+        for _ in 0..6 {
+            let now = self.ratio(draft, x)?;
+            if !(now.is_finite() && now > 1e-3) {
+                return Ok(None);
+            }
+            let by = wanted / now;
+            if draft.linear() && x * by <= draft.most {
+                return Ok(Some((x * by, wanted)));
+            }
+            if (by - 1.0).abs() < 0.05 {
+                return Ok(Some((x, now)));
+            }
+            if x >= draft.most && by > 1.0 {
+                return Ok(None);
+            }
+            // A clipped torque grows faster than the bound falls.
+            let power = if draft.cause == "torque_saturation" { 0.6 } else { 1.0 };
+            x = (x * by.powf(power).clamp(0.02, 50.0)).min(draft.most);
+        }
+        let now = self.ratio(draft, x)?;
+        Ok(((0.7..1.4).contains(&(now / wanted))).then_some((x, now)))
+    }
+}
+
+/// Reads a log as the command does.
+fn record(name: &str, bytes: &[u8], dof: usize) -> Result<Recording, ReproduceError> {
+    let prepare = Prepare {
+        filter: Some(Filter { order: 4, cutoff: 15.0 }),
+        bursts: Some(diagnose::BURSTS * 15.0),
+        raw_torque: true,
+        temperature: true,
+        ..Prepare::default()
+    };
+    let mut recording = Recording::new(name);
+    let mut source = open(name, bytes).map_err(crate::data::signal::PrepareError::from)?;
+    each_motion(source.as_mut(), dof, &prepare, |motion| recording.absorb(motion))?;
+    Ok(recording)
+}
+
+/// Draws, hides, records, diagnoses.
+pub(super) fn case(settings: &Settings, seed: u64, plants: &Plants) -> Result<Outcome, ReproduceError> {
+    let mut random = Random::new(seed.wrapping_mul(0x9E37_79B9).wrapping_add(77));
+    let task = if settings.clean { Task::Nothing } else { Task::of(seed, &mut random) };
+    for _ in 0..20 {
+        let number = random.below(settings.arms.min(ARMS.len()));
+        if let Some(found) = attempt(settings, seed, task, number, plants, &mut random)? {
+            return Ok(found);
+        }
+    }
+    Err(ReproduceError::Robot(format!("no arm can show what seed {seed} hides")))
+}
+
+fn attempt(
+    settings: &Settings,
+    seed: u64,
+    task: Task,
+    number: usize,
+    plants: &Plants,
+    random: &mut Random,
+) -> Result<Option<Outcome>, ReproduceError> {
+    let (name, robot) = arm(number)?;
+    let (robot, plant) = plants.of(&robot)?;
+    let (dof, rows) = (robot.dof(), robot.moving());
+    let limit = |j: usize| robot.joints[rows[j]].limits.torque.unwrap_or(50.0);
+    let white: Vec<f64> = (0..dof).map(|j| NOISE * limit(j)).collect();
+    let step: Vec<f64> = white.iter().map(|s| 0.5 * s).collect();
+    let noise: Vec<f64> = white.iter().zip(&step).map(|(s, d)| (s * s + d * d / 12.0).sqrt()).collect();
+    let first = motion(&robot, settings.seconds[0], random)?;
+    let second = motion(&robot, settings.seconds[1], random)?;
+    let plain = plants.plain(&robot)?;
+    let (sizer, peaks) = Sizer::new(&robot, &plant, &first, &noise, &plain)?;
+    let about: Vec<About> = (0..dof)
+        .map(|j| {
+            let drive = &robot.joints[rows[j]].drive;
+            About {
+                limit: limit(j),
+                peak: peaks[j].max(1e-6),
+                viscous: drive.viscous_friction.unwrap_or(0.0),
+                coulomb: drive.coulomb_friction.unwrap_or(0.0),
+                rotor: drive.rotor_inertia.unwrap_or(0.0),
+            }
+        })
+        .collect();
+    let joint = random.below(dof);
+    let apart = (joint + 1 + random.below(dof - 1)) % dof;
+    // The last link with another body on it is the same as a payload: no case of its own.
+    let link = random.below(dof - 1);
+    let wanted: Vec<(&'static str, usize)> = match task {
+        Task::Nothing | Task::Outside(_) => Vec::new(),
+        Task::One("link_inertia_error") => vec![("link_inertia_error", link)],
+        Task::One(name) | Task::NoLinks(name) => vec![(name, joint)],
+        Task::OneJoint([a, b]) => vec![(a, joint), (b, joint)],
+        Task::TwoJoints([a, b]) => vec![(a, joint), (b, apart)],
+        Task::WrongLinks(name) => vec![(name, joint), ("link_inertia_error", link)],
+    };
+    let (mut sized, mut hidden) = (Vec::new(), Vec::new());
+    for (name, joint) in wanted {
+        let draft = Draft::draw(name, joint, &robot, &about, random);
+        let Some((x, size)) = sizer.size(&draft, settings.size)? else { return Ok(None) };
+        hidden.push(draft.hidden(x, &about, size));
+        sized.push((draft, x));
+    }
+    let outside = match task {
+        Task::Outside(which) => {
+            hidden.push(Hidden { cause: "unknown", joints: vec![joint + 1], truth: Vec::new(), size: settings.size });
+            Some(Outside::draw(which, joint, dof, random))
+        }
+        _ => None,
+    };
+
+    let simulator = Simulator::new(&robot, &effects(&robot, &sized))?;
+    // A push in the one log is none in the other.
+    let lasting: Vec<(Draft, f64)> = sized.iter().filter(|s| s.0.cause != "external_contact").cloned().collect();
+    let later =
+        if lasting.len() < sized.len() { Some(Simulator::new(&robot, &effects(&robot, &lasting))?) } else { None };
+    let encoder = [1e-5, 2e-5, 4e-5][random.below(3)];
+    let jitter = random.uniform(0.0, 0.03) / settings.rate;
+    let sensors = Sensors {
+        rate: settings.rate,
+        encoder: vec![encoder],
+        torque_noise: white,
+        torque_step: step,
+        jitter,
+        desired: false,
+        ..Sensors::default()
+    };
+    // A torque that is clipped, or lost in a gap, in a loop is a motion that is not the wanted one,
+    // and the recorded torque is right for it: to be an error of the torque, the motion must come
+    // from elsewhere.
+    let open = sized.iter().any(|(d, _)| matches!(d.cause, "torque_saturation" | "backlash"));
+    let control = Control { mode: if open { Mode::Exact } else { settings.control }, ..Control::default() };
+    let mut scale = None;
+    let mut log =
+        |name: &str, simulator: &Simulator, motion: &Trajectory, seed: u64| -> Result<Recording, ReproduceError> {
+            let request = Request { control: control.clone(), sensors: sensors.clone(), seed, ..Request::default() };
+            let mut log = simulator.run(motion, &request, &mut |_| {})?.log;
+            if let Some(outside) = outside {
+                let tau = |j: usize| log.joint(Quantity::Tau, j).map(<[f64]>::to_vec).unwrap_or_default();
+                let series = outside.series(&log.columns[0], tau);
+                // The second log has the physics of the first.
+                let by = *scale.get_or_insert_with(|| settings.size * noise[joint] / rms(&series).max(1e-12));
+                if let Some(at) = log.layout.find(crate::data::log::Role::Joint(Quantity::Tau, joint)) {
+                    log.columns[at].iter_mut().zip(&series).for_each(|(tau, s)| *tau += by * s);
+                }
+            }
+            let mut bytes = Vec::new();
+            csv::write(&log, &mut bytes).map_err(|e| ReproduceError::Robot(e.to_string()))?;
+            record(name, &bytes, dof)
+        };
+    let fit = log("fit", &simulator, &first, seed.wrapping_mul(2))?;
+    let validate =
+        log("validate", later.as_ref().unwrap_or(&simulator), &second, seed.wrapping_mul(2).wrapping_add(1))?;
+
+    let clean = plain.run(
+        &second,
+        &Request {
+            control: control.clone(),
+            sensors: sensors.clone(),
+            seed: seed.wrapping_mul(2).wrapping_add(1),
+            ..Request::default()
+        },
+        &mut |_| {},
+    )?;
+    let mut bytes = Vec::new();
+    csv::write(&clean.log, &mut bytes).map_err(|e| ReproduceError::Robot(e.to_string()))?;
+    let attainable = diagnose::misses(&*plant, &[record("clean", &bytes, dof)?], &diagnose::Settings::default());
+
+    let (_, seen) = if let Task::NoLinks(_) = task {
+        let mut bare = robot.clone();
+        bare.links.clear();
+        plants.of(&bare)?
+    } else {
+        (robot, plant)
+    };
+    let found = diagnose::diagnose(&*seen, &[fit], &[validate], &diagnose::Settings::default(), &|_| {})?;
+    Ok(Some(Outcome { seed, robot: name, task, hidden, noise, attainable, found }))
+}

@@ -1,0 +1,248 @@
+//! Figures of a battery.
+
+use super::case::{Outcome, Task};
+use super::hidden::Hidden;
+use crate::diagnose::{Cause, Verdict};
+
+/// So many of so many.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Share {
+    /// That hold.
+    pub good: usize,
+    /// Of these.
+    pub all: usize,
+}
+
+impl Share {
+    fn count(&mut self, good: bool) {
+        self.good += usize::from(good);
+        self.all += 1;
+    }
+
+    /// 0 to 1; `None` of nothing.
+    pub fn value(&self) -> Option<f64> {
+        (self.all > 0).then(|| self.good as f64 / self.all as f64)
+    }
+}
+
+/// A cause that a diagnosis named, and whether it was hidden there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Claim {
+    /// Its probability, as the diagnosis says.
+    pub probability: f64,
+    /// Whether it is one of those that were hidden, in its place.
+    pub right: bool,
+}
+
+/// The figures.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Scores {
+    /// One effect: the right cause first.
+    pub first: Share,
+    /// The same, where what was hidden may also stand beside the first as not told apart from it,
+    /// provided that the extended model leaves nothing but noise.
+    pub first_or_named: Share,
+    /// Of those with the right cause first: in the right place.
+    pub place: Share,
+    /// Two effects: both among the causes, in their places.
+    pub both: Share,
+    /// Nothing hidden: something named.
+    pub false_alarms: Share,
+    /// Nothing that the vocabulary has: `unknown` first, or no cause at all while the verdict says
+    /// that structure is left.
+    pub outside: Share,
+    /// Wrong causes beside the right ones, per case with something of the vocabulary hidden.
+    pub beside: f64,
+    /// Share of what could be gained on the validating log, mean over cases with something of the
+    /// vocabulary hidden: RMS that went by RMS above what the file misses where nothing is hidden,
+    /// on the joint with the largest error, where it moves.
+    pub gain: f64,
+    /// The same of all samples.
+    pub gain_of_all: f64,
+    /// Cases that reach nine tenths of it where the joint moves.
+    pub gained: Share,
+    /// Parameters of causes that were rightly named within three of their standard deviations.
+    pub within_three: Share,
+    /// By what was hidden: how often each answer came first, most frequent first.
+    pub confusion: Vec<(String, Vec<(&'static str, usize)>)>,
+    /// Every cause that was named, for the reliability of probabilities.
+    pub claims: Vec<Claim>,
+}
+
+/// The answer of a diagnosis in a word.
+pub fn answer(outcome: &Outcome) -> &'static str {
+    match outcome.found.causes.first() {
+        Some(cause) => cause.cause,
+        None if outcome.found.verdict == Verdict::Unexplained => "unknown",
+        None => "nothing_wrong",
+    }
+}
+
+fn same_place(cause: &Cause, hidden: &Hidden) -> bool {
+    let mut found = cause.joints.clone();
+    let mut asked = hidden.joints.clone();
+    found.sort_unstable();
+    asked.sort_unstable();
+    found == asked
+}
+
+fn same(cause: &Cause, hidden: &Hidden) -> bool {
+    cause.cause == hidden.cause && same_place(cause, hidden)
+}
+
+/// Whether the extended model leaves nothing but noise on the validating log.
+fn only_noise(outcome: &Outcome) -> bool {
+    outcome.found.extended.moving.iter().zip(&outcome.attainable[1]).all(|(e, s)| *e < 1.1 * s)
+}
+
+/// Share of what could be gained on the joint with the largest error, if anything could.
+fn gained(before: &[f64], after: &[f64], attainable: &[f64]) -> Option<f64> {
+    let above = |j: &usize| before[*j] / attainable[*j].max(1e-12);
+    let j = (0..before.len()).max_by(|a, b| above(a).total_cmp(&above(b)))?;
+    (above(&j) > 1.2).then(|| (before[j] - after[j]) / (before[j] - attainable[j]))
+}
+
+impl Outcome {
+    /// What was hidden, in a word.
+    pub fn label(&self) -> String {
+        match self.task {
+            Task::Nothing => "nothing_wrong".into(),
+            Task::One(name) => name.into(),
+            Task::NoLinks(name) => format!("{name}, no links in the file"),
+            Task::OneJoint(_) => "two effects, one joint".into(),
+            Task::TwoJoints(_) => "two effects, two joints".into(),
+            Task::WrongLinks(_) => "friction law and wrong link".into(),
+            Task::Outside(0) => "outside: a tone".into(),
+            Task::Outside(1) => "outside: cross talk".into(),
+            Task::Outside(_) => "outside: zero wanders".into(),
+        }
+    }
+
+    /// Whether the first cause is the one that was hidden.
+    pub fn right(&self) -> bool {
+        match (self.task, self.hidden.first()) {
+            (Task::Nothing, _) => answer(self) == "nothing_wrong",
+            (_, Some(hidden)) => answer(self) == hidden.cause,
+            _ => false,
+        }
+    }
+
+    /// The same where what was hidden stands beside the first as not told apart, and nothing but
+    /// noise is left.
+    pub fn right_or_named(&self) -> bool {
+        let (Some(first), Some(hidden)) = (self.found.causes.first(), self.hidden.first()) else { return self.right() };
+        self.right() || first.not_distinguished_from.contains(&hidden.cause) && only_noise(self)
+    }
+
+    /// Whether all that was hidden is named, in its place.
+    pub fn complete(&self) -> bool {
+        self.hidden.iter().all(|h| self.found.causes.iter().any(|c| same(c, h)))
+    }
+
+    /// What the case asks for: the right cause first, of several all of them.
+    pub fn good(&self) -> bool {
+        if self.hidden.len() > 1 { self.complete() } else { self.right() && self.complete() }
+    }
+
+    /// Whether a named cause was hidden.
+    pub fn holds(&self, cause: &Cause) -> bool {
+        self.hidden.iter().any(|h| if h.cause == "unknown" { cause.cause == "unknown" } else { same(cause, h) })
+    }
+
+    /// Share of what could be gained where the joint moves, if anything could.
+    pub fn gain(&self) -> Option<f64> {
+        gained(&self.found.baseline.moving, &self.found.extended.moving, &self.attainable[1])
+    }
+
+    /// The same of all samples: what friction does while a joint sticks counts too, and what is
+    /// hidden may have made it stick longer.
+    pub fn gain_of_all(&self) -> Option<f64> {
+        gained(&self.found.baseline.validate, &self.found.extended.validate, &self.attainable[0])
+    }
+
+    /// Parameters of rightly named causes: symbol, truth, value, standard deviation.
+    pub fn parameters(&self) -> Vec<(String, f64, f64, f64)> {
+        let mut all = Vec::new();
+        for hidden in &self.hidden {
+            let Some(cause) = self.found.causes.iter().find(|c| same(c, hidden)) else { continue };
+            for (symbol, truth) in &hidden.truth {
+                let Some(p) = cause.parameters.iter().find(|p| p.symbol == *symbol) else { continue };
+                if let Some(std) = p.std.filter(|s| s.is_finite() && *s > 0.0) {
+                    all.push((symbol.clone(), *truth, p.value, std));
+                }
+            }
+        }
+        all
+    }
+}
+
+impl Scores {
+    pub(super) fn of(outcomes: &[Outcome]) -> Self {
+        let mut scores = Self::default();
+        let (mut gains, mut of_all, mut beside, mut with) = (Vec::new(), Vec::new(), 0, 0);
+        for o in outcomes {
+            match o.task {
+                Task::Nothing => scores.false_alarms.count(!o.right()),
+                Task::Outside(_) => scores.outside.count(answer(o) == "unknown"),
+                Task::One(_) | Task::NoLinks(_) => {
+                    scores.first.count(o.right());
+                    scores.first_or_named.count(o.right_or_named());
+                    if let (true, Some(c), Some(h)) = (o.right(), o.found.causes.first(), o.hidden.first()) {
+                        scores.place.count(same_place(c, h));
+                    }
+                }
+                Task::OneJoint(_) | Task::TwoJoints(_) | Task::WrongLinks(_) => scores.both.count(o.complete()),
+            }
+            if !matches!(o.task, Task::Nothing | Task::Outside(_)) {
+                with += 1;
+                beside += o.found.causes.iter().filter(|c| !o.holds(c)).count();
+                of_all.extend(o.gain_of_all());
+                if let Some(gain) = o.gain() {
+                    gains.push(gain);
+                    scores.gained.count(gain >= 0.9);
+                }
+            }
+            for (_, truth, value, std) in o.parameters() {
+                scores.within_three.count((value - truth).abs() <= 3.0 * std);
+            }
+            let label = o.label();
+            let row = match scores.confusion.iter_mut().position(|(l, _)| *l == label) {
+                Some(at) => &mut scores.confusion[at].1,
+                None => {
+                    scores.confusion.push((label, Vec::new()));
+                    let last = scores.confusion.len() - 1;
+                    &mut scores.confusion[last].1
+                }
+            };
+            match row.iter_mut().find(|(word, _)| *word == answer(o)) {
+                Some(cell) => cell.1 += 1,
+                None => row.push((answer(o), 1)),
+            }
+            scores
+                .claims
+                .extend(o.found.causes.iter().map(|c| Claim { probability: c.probability, right: o.holds(c) }));
+        }
+        for (_, row) in &mut scores.confusion {
+            row.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(b.0)));
+        }
+        let mean = |x: &[f64]| x.iter().sum::<f64>() / x.len().max(1) as f64;
+        (scores.gain, scores.gain_of_all) = (mean(&gains), mean(&of_all));
+        scores.beside = f64::from(beside as u32) / f64::from((with as u32).max(1));
+        scores
+    }
+
+    /// Claims by probability: from, to, mean probability, how many were right.
+    pub fn reliability(&self) -> Vec<(f64, f64, f64, Share)> {
+        const EDGES: [f64; 7] = [0.0, 0.5, 0.7, 0.85, 0.93, 0.98, 1.0];
+        EDGES
+            .windows(2)
+            .filter_map(|edge| {
+                let here = |c: &&Claim| c.probability >= edge[0] && (c.probability < edge[1] || edge[1] == 1.0);
+                let claims: Vec<&Claim> = self.claims.iter().filter(here).collect();
+                let good = claims.iter().filter(|c| c.right).count();
+                let mean = claims.iter().map(|c| c.probability).sum::<f64>() / claims.len().max(1) as f64;
+                (!claims.is_empty()).then(|| (edge[0], edge[1], mean, Share { good, all: claims.len() }))
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,129 @@
+//! The robot that stands for the paper's KUKA LWR: bodies and friction of `robots/kuka-lwr4.yaml`
+//! (sources there), sensors, and what no rigid-body model has.
+
+use dh_codegen::arm::{Function, param};
+use dh_codegen::robot::{Effects, Robot, SimulationFile};
+
+use super::ReproduceError;
+use crate::apps::paper::tool::PAPER_TORQUE_NOISE;
+use crate::model::Arm;
+use crate::model::interpreted::Interpreted;
+use crate::simulate::Sensors;
+
+/// The robot file as it is in the repository.
+const FILE: &str = include_str!("../../../robots/kuka-lwr4.yaml");
+
+/// Level of the hysteresis by the torque limit: a quarter of the simulator's default, 0.1 to 0.4 N
+/// m, as large as the LWR's Coulomb friction (Table II).
+const HYSTERESIS: f64 = 0.0025;
+/// Amplitudes of the ripple by the torque limit: the simulator's defaults, which a Staubli TX40
+/// shows (see its table of effects).
+const RIPPLE: [f64; 2] = [0.006, 0.003];
+/// Damping of the joints' springs by their torque limit, s/rad: 2 to 4 % of critical at the
+/// frequencies of the loaded arm, 8 to 15 Hz. Stiffness is the simulator's default, 60 times the
+/// torque limit (10.6 kN m/rad at 176 N m).
+const DAMPING: f64 = 0.05;
+/// Rotor on a spring by the torque limit, kg m^2 per N m: a tenth of the simulator's default. The
+/// LWR's torque sensors sit behind the gear, so that the torque that turns the rotor is hardly in
+/// them, and the paper's model has no rotor.
+const ROTOR: f64 = 0.0003;
+
+/// What no rigid-body model has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unmodelled {
+    /// `presliding_hysteresis`.
+    Hysteresis,
+    /// `torque_ripple`.
+    Ripple,
+    /// `joint_elasticity`.
+    Elasticity,
+}
+
+impl Unmodelled {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Hysteresis, Self::Ripple, Self::Elasticity];
+
+    /// Its name in the vocabulary of effects.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Hysteresis => "presliding_hysteresis",
+            Self::Ripple => "torque_ripple",
+            Self::Elasticity => "joint_elasticity",
+        }
+    }
+
+    /// At a joint with this torque limit, N m.
+    fn yaml(self, limit: f64) -> String {
+        let of = |share: f64| share * limit;
+        match self {
+            Self::Hysteresis => format!("presliding_hysteresis: {{ HC: {:.5} }}", of(HYSTERESIS)),
+            Self::Ripple => format!("torque_ripple: {{ RC: {:.5}, RS: {:.5} }}", of(RIPPLE[0]), of(RIPPLE[1])),
+            Self::Elasticity => {
+                format!("joint_elasticity: {{ DE: {:.5} }}, rotor_inertia: {{ IA: {:.5} }}", of(DAMPING), of(ROTOR))
+            }
+        }
+    }
+}
+
+/// The simulated robot, and the truth about it.
+pub struct Lwr {
+    /// As in the file, without a tool.
+    pub robot: Robot,
+    /// Its regressors.
+    pub arm: Interpreted,
+    /// Standard parameters.
+    pub standard: Vec<f64>,
+    /// Base parameters.
+    pub truth: Vec<f64>,
+}
+
+impl Lwr {
+    /// Reads the built-in file.
+    pub fn new() -> Result<Self, ReproduceError> {
+        let read = Robot::from_yaml(FILE, &|name| Err(format!("no file {name}")));
+        let mut robot = read.map_err(|p| ReproduceError::Robot(p.in_file("kuka-lwr4.yaml").to_string()))?.robot;
+        robot.tool = None;
+        Self::of(robot)
+    }
+
+    /// The same with the light rotors of [`Unmodelled::Elasticity`] on rigid joints, known to the
+    /// model: what a loop that is sampled can hold.
+    pub fn with_rotors() -> Result<Self, ReproduceError> {
+        let mut robot = Self::new()?.robot;
+        for joint in &mut robot.joints {
+            joint.drive.rotor_inertia = joint.limits.torque.map(|limit| ROTOR * limit);
+        }
+        Self::of(robot)
+    }
+
+    /// Of another robot file.
+    pub fn of(robot: Robot) -> Result<Self, ReproduceError> {
+        let standard = param::standard_values(&robot);
+        let standard = standard.ok_or_else(|| ReproduceError::Robot("its links are not all known".into()))?;
+        let arm = Interpreted::new(&robot, &[Function::PayloadRegressor]);
+        let truth =
+            arm.base_parameters().iter().map(|b| b.coefficients.iter().map(|&(i, k)| k * standard[i]).sum()).collect();
+        Ok(Self { robot, arm, standard, truth })
+    }
+
+    /// These effects at every joint.
+    pub fn effects(&self, which: &[Unmodelled]) -> Result<Effects, ReproduceError> {
+        if which.is_empty() {
+            return Ok(Effects::default());
+        }
+        let mut text = String::from("joints:\n");
+        for (joint, row) in self.robot.moving().into_iter().enumerate() {
+            let limit = self.robot.joints[row].limits.torque.unwrap_or(0.0);
+            let laws: Vec<String> = which.iter().map(|w| w.yaml(limit)).collect();
+            text += &format!("  {}: {{ {} }}\n", joint + 1, laws.join(", "));
+        }
+        let file = SimulationFile::from_yaml(&text, &self.robot);
+        Ok(file.map_err(|p| ReproduceError::Robot(p.in_file("effects").to_string()))?.effects)
+    }
+
+    /// Encoders as in [`Sensors`]; torques with the white noise that gives base parameters the
+    /// paper's standard deviations.
+    pub fn sensors() -> Sensors {
+        Sensors { torque_noise: PAPER_TORQUE_NOISE.to_vec(), desired: false, ..Sensors::default() }
+    }
+}

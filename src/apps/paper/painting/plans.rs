@@ -1,0 +1,95 @@
+//! The motion on the wall by equation (12), and the same in the air.
+
+use dh_codegen::robot::Robot;
+
+use super::super::ReproduceError;
+use super::super::Watch;
+use super::super::motions::ACCELERATION_TIME;
+use super::rig::{CENTER, NORMAL};
+use crate::apps::painting::run::SETTLE;
+use crate::apps::painting::{Cover, Plan, Roller, Surface, Swivel, Task, plan};
+use crate::control::law::Model;
+use crate::control::robot::RobotModel;
+use crate::model::interpreted::Interpreted;
+use crate::model::inverse_kinematics::Kinematics;
+use crate::simulate::{SimulateError, Trajectory};
+
+/// How much is to be painted.
+#[derive(Debug, Clone, Copy)]
+pub struct Extent {
+    /// Width and height of the wall, m.
+    size: [f64; 2],
+    /// For each roller, s; as many rollers are used.
+    pub seconds: &'static [f64],
+    /// With one swivel angle, and all of the wall.
+    plain: bool,
+    /// How long it presses before it paints, s.
+    pub settle: f64,
+}
+
+impl Extent {
+    /// The paper's wall and durations.
+    pub const PAPER: Self = Self { size: [0.6, 0.8], seconds: &super::PAPER_SECONDS, plain: false, settle: SETTLE };
+    /// A hand's breadth.
+    pub const QUICK: Self = Self { size: [0.2, 0.15], seconds: &[2.0], plain: true, settle: 3.0 };
+}
+
+/// Joints of the arm.
+const N: usize = 7;
+/// How much deeper than the wall the plan is made, m: room for the force loop to push, and a
+/// distance from where the arm is stretched out.
+pub const ROOM: f64 = 0.04;
+
+/// Plans for the tool in the robot's hand, in the paper's time.
+pub fn planned(
+    robot: &Robot,
+    standard: &[f64],
+    force: f64,
+    extent: &Extent,
+    seconds: f64,
+    tell: Watch<'_>,
+) -> Result<Plan, ReproduceError> {
+    let failed = |why: String| ReproduceError::Design { what: "the plan".into(), why };
+    let geometry = robot.tool.as_ref().and_then(|t| t.geometry).ok_or_else(|| failed("the tool has no size".into()))?;
+    let arm = Interpreted::new(robot, &Interpreted::PLACED);
+    let inverse = Kinematics::new(robot, arm.model()).ok_or_else(|| failed("too many joints".into()))?;
+    let center = [0, 1, 2].map(|k| CENTER[k] - ROOM * NORMAL[k]);
+    let surface = Surface::new(center, NORMAL, [0.0, 0.0, 1.0], extent.size[0], extent.size[1]).map_err(failed)?;
+    let roller = Roller { length: geometry.length, width: geometry.width, turned: false };
+    let mut task = Task::new(&arm, &inverse, robot, surface, roller, ACCELERATION_TIME).map_err(failed)?;
+    task.standard = Some(standard.to_vec());
+    task.duration = Some(seconds);
+    if extent.plain {
+        (task.cover, task.swivel) = (Cover::Whole, Swivel::Constant);
+    }
+    task.force = force;
+    plan(&task, &|what, share| tell(what, share)).map_err(|why| failed(why.to_string()))
+}
+
+/// A motion `off` (m) before the wall.
+pub fn in_the_air(lent: &mut RobotModel<'_>, motion: &Trajectory, off: f64) -> Result<Trajectory, ReproduceError> {
+    let span = motion.span();
+    let count = ((span.end - span.start) * 50.0).ceil() as usize;
+    let by = NORMAL.map(|n| off * n);
+    let (mut t, mut rows, mut hint, mut points) = (Vec::new(), Vec::new(), 0, vec![[0.0; 3]; N]);
+    let mut near: Option<[f64; N]> = None;
+    for k in 0..=count {
+        let at = span.start + (span.end - span.start) * k as f64 / count as f64;
+        motion.at(at, &mut hint, &mut points);
+        let q: [f64; N] = std::array::from_fn(|j| points[j][0]);
+        let moved = lent.displaced(&q, &by, &near.unwrap_or(q)).ok_or_else(|| ReproduceError::Design {
+            what: "the dry run".into(),
+            why: "a place before the wall is out of reach".into(),
+        })?;
+        near = Some(moved);
+        t.push(at);
+        rows.push(moved.to_vec());
+    }
+    let q = joint_major(&rows, |row: &Vec<f64>| row);
+    Ok(Trajectory::new(N, t, q, None, None).map_err(SimulateError::from)?)
+}
+
+fn joint_major<R>(rows: &[R], of: impl Fn(&R) -> &Vec<f64>) -> Vec<f64> {
+    let dof = rows.first().map_or(0, |r| of(r).len());
+    (0..dof).flat_map(|j| rows.iter().map(move |r| (r, j))).map(|(r, j)| of(r)[j]).collect()
+}

@@ -1,0 +1,356 @@
+//! A robot, what is known of it, and its rollers.
+
+use dh_codegen::arm::param;
+use dh_codegen::robot::{Effects, Robot, Tool};
+
+use super::super::ReproduceError;
+use super::super::Watch;
+use super::super::chain::{factors, fit};
+use super::super::fig6;
+use super::super::lwr::{Lwr, Unmodelled};
+use super::super::many::many;
+use super::super::motions::Motion;
+use super::plans::{Extent, ROOM, in_the_air, planned};
+use crate::apps::painting::Plan;
+use crate::apps::painting::run::{Feedback, Known, Law, Run, Task, in_contact, roller_moment, run};
+use crate::apps::painting::wall::RollerWall;
+use crate::control::iterative_learning::Learned;
+use crate::control::robot::{RobotModel, contact_point};
+use crate::data::log::{Log, Replay};
+use crate::data::signal::{Filter, Prepare, each_motion};
+use crate::diagnose::{self, Diagnosis};
+use crate::identify::tool::{Carrying, ToolSettings, catalogue, identify_tool};
+use crate::identify::{
+    Accuracy, ConsistentSettings, Factors, consistent, geometric_bodies, possible_bodies, prior_bodies,
+};
+use crate::model::interpreted::Interpreted;
+use crate::model::inverse_kinematics::Kinematics;
+use crate::model::perturbable_robot::PerturbableRobot;
+use crate::model::robot_edit;
+use crate::model::{Arm, LinkExtents};
+use crate::simulate::{Drive, Request, SimulateError, Simulator, Trajectory};
+
+/// The paper's desired force, N.
+pub const FORCE: f64 = 30.0;
+/// Middle of the paper's wall, m, and the normal out of it: the robot stands at x = 0 and pushes
+/// along -x.
+pub const CENTER: [f64; 3] = [-0.8, 0.3, 0.4];
+pub const NORMAL: [f64; 3] = [1.0, 0.0, 0.0];
+/// Corner of the low-pass of the forces: the paper filters at 10 Hz.
+const CORNER: f64 = 10.0;
+/// Samples to one of the diagnosis.
+const THIN: usize = 4;
+/// Torque errors by what noise leaves, up to which noise explains them: the root mean square of 20
+/// s below 10 Hz scatters by a thirtieth.
+const EXPLAINED: f64 = 1.25;
+/// How far before the wall a dry run passes, m.
+const DRY: f64 = 0.05;
+
+/// The arm with a roller, as it is and as it is known.
+pub struct Roller {
+    /// With the tool's frame; its inertia is a part of `standard`.
+    robot: Robot,
+    arm: Interpreted,
+    standard: Vec<f64>,
+    drives: Vec<Drive>,
+    spread: Vec<f64>,
+    doubt: Vec<f64>,
+    real: Simulator,
+    motion: Trajectory,
+    settle: f64,
+    /// The motion's plan.
+    pub plan: Plan,
+}
+
+impl Roller {
+    /// Length of the plan, s.
+    pub fn seconds(&self) -> f64 {
+        let span = self.motion.span();
+        span.end - span.start
+    }
+
+    /// Paints.
+    pub fn paint(
+        &self,
+        law: Law,
+        feedback: Feedback,
+        learned: Option<&Learned>,
+        seed: u64,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Run, ReproduceError> {
+        // Equation (14) as it stands; what is known of a roller's contact and what is not of
+        // friction is ours.
+        let paper = law == Law::PAPER;
+        let known = Known {
+            robot: &self.robot,
+            arm: &self.arm,
+            standard: &self.standard,
+            drives: self.drives.clone(),
+            spread: self.spread.clone(),
+            doubt: if paper { vec![0.0; self.doubt.len()] } else { self.doubt.clone() },
+        };
+        let task = Task {
+            motion: &self.motion,
+            wall: RollerWall::new(CENTER, NORMAL, contact_point(self.robot.tool.as_ref())),
+            force: FORCE,
+            feedback,
+            moment: if paper { f64::INFINITY } else { roller_moment(self.robot.tool.as_ref(), FORCE) },
+            law,
+            corner: CORNER,
+            settle: self.settle,
+            learned,
+            sensors: Lwr::sensors(),
+            seed,
+        };
+        Ok(run(&known, &self.real, &task, progress)?)
+    }
+}
+
+/// A robot and everything that was recorded and found of it.
+pub struct Stand {
+    /// Held-out torque error, mean over the joints, N m.
+    pub torque: f64,
+    /// One for each of the paper's rollers.
+    pub rollers: Vec<Roller>,
+    settle: f64,
+    /// Of the friction of each joint where it has just turned round, N m: see [`Known::doubt`].
+    doubt: Vec<f64>,
+    effects: Effects,
+    tools: Vec<(Tool, [f64; 10])>,
+    /// The identified arm with an empty hand.
+    identified: Robot,
+    logs: Vec<(&'static str, Log)>,
+    validate: Log,
+}
+
+/// Means of so many samples each, as a logger at a lower rate would write them: a diagnosis of
+/// motion below 40 Hz needs no kilohertz.
+fn thinned(log: &Log, by: usize) -> Log {
+    let ends = log.starts.iter().skip(1).copied().chain([log.columns.first().map_or(0, Vec::len)]);
+    let segments: Vec<_> = log.starts.iter().copied().zip(ends).collect();
+    let mut thin = Log { columns: vec![Vec::new(); log.columns.len()], starts: Vec::new(), ..log.clone() };
+    for (start, end) in segments {
+        thin.starts.push(thin.columns.first().map_or(0, Vec::len));
+        for (column, thin) in log.columns.iter().zip(&mut thin.columns) {
+            let means = column[start..end].chunks_exact(by).map(|part| part.iter().sum::<f64>() / by as f64);
+            thin.extend(means);
+        }
+    }
+    thin
+}
+
+fn tools() -> Result<Vec<Tool>, ReproduceError> {
+    super::PAPER
+        .iter()
+        .map(|(name, _)| {
+            let found = catalogue().into_iter().find(|t| t.name == *name);
+            found.ok_or_else(|| ReproduceError::Robot(format!("there is no tool `{name}`")))
+        })
+        .collect()
+}
+
+impl Stand {
+    /// Records and identifies: the arm with the first motion, the rollers with the second, judged
+    /// on the third; and a dry run before the wall.
+    pub fn new(
+        lwr: &Lwr,
+        [exciting, carrying, validating]: [&Motion; 3],
+        which: &[Unmodelled],
+        extent: &Extent,
+        seed: u64,
+        plans: Option<&[Plan]>,
+        tell: Watch<'_>,
+    ) -> Result<Self, ReproduceError> {
+        let effects = lwr.effects(which)?;
+        let record = |robot: &Robot, motion: &Trajectory, seed: u64| -> Result<Log, ReproduceError> {
+            let simulator = Simulator::new(robot, &effects)?;
+            let request = Request { sensors: Lwr::sensors(), seed, ..Request::default() };
+            Ok(simulator.run(motion, &request, &mut |_| {})?.log)
+        };
+        let tools: Vec<Tool> = tools()?.into_iter().take(extent.seconds.len()).collect();
+        let one = |k: usize| -> Result<Log, ReproduceError> {
+            let seed = seed.wrapping_add(k as u64);
+            match k.checked_sub(2).and_then(|k| tools.get(k)) {
+                None => record(&lwr.robot, if k == 0 { &exciting.played } else { &validating.played }, seed),
+                Some(tool) => {
+                    let mut robot = lwr.robot.clone();
+                    robot.tool = Some(tool.clone());
+                    record(&robot, &carrying.played, seed)
+                }
+            }
+        };
+        let mut recorded =
+            many(2 + tools.len(), &one, &|what, share| tell(&format!("recording: {what}"), 0.4 * share))?;
+        let carried = recorded.split_off(2);
+        let [excited, validate] =
+            <[Log; 2]>::try_from(recorded).map_err(|_| ReproduceError::Robot("no logs".into()))?;
+        tell("identifying", 0.4);
+        let (standard, rms) =
+            bodies(lwr, factors("logdet", &lwr.arm, &excited, 1)?, factors("validate", &lwr.arm, &validate, 1)?)?;
+        let identified = robot_edit::with_values(lwr.robot.clone(), &standard);
+
+        let mut weighed = Vec::new();
+        let unloaded = factors("unloaded", &Carrying::new(&lwr.arm, false), &excited, 1)?;
+        tell("weighing the rollers", 0.6);
+        for (tool, loaded) in tools.into_iter().zip(carried) {
+            let loaded = factors("loaded", &Carrying::new(&lwr.arm, true), &loaded, 1)?;
+            let found = identify_tool(&lwr.arm, std::slice::from_ref(&unloaded), &[loaded], &ToolSettings::default())?;
+            weighed.push((tool, found.values));
+        }
+        let torque = fig6::mean(&rms);
+        let plans = match plans {
+            Some(plans) => plans.to_vec(),
+            None => plan_all(&identified, &weighed, extent, tell)?,
+        };
+        // Where torque errors are more than noise the model lacks something, and friction that
+        // takes its way to turn round may be it.
+        let gain = Filter::default().noise_gain(Lwr::sensors().rate);
+        let noise = |j: usize| gain * Lwr::sensors().torque_noise.get(j).copied().unwrap_or(0.0);
+        let doubtful = |(j, rms): (usize, &f64)| if *rms > EXPLAINED * noise(j) { f64::INFINITY } else { 0.0 };
+        let doubt: Vec<f64> = rms.iter().enumerate().map(doubtful).collect();
+        let rollers = rollers(&identified, &weighed, &plans, lwr, &effects, [&rms, &doubt], extent.settle)?;
+        tell("dry run", 0.9);
+        let before = {
+            let first = &rollers[0];
+            let bodies = Box::new(first.arm.bodies(&first.standard));
+            let kinematics = Kinematics::new(&first.robot, first.arm.model());
+            let mut lent = RobotModel::new(&first.robot, bodies, kinematics.as_ref(), first.drives.clone());
+            in_the_air(&mut lent, &first.motion, DRY)?
+        };
+        let dry = record(&lwr.robot, &before, seed.wrapping_add(9))?;
+        let logs = vec![("exciting", excited), ("dry run", dry)];
+        Ok(Self { torque, rollers, settle: extent.settle, doubt, effects, tools: weighed, identified, logs, validate })
+    }
+
+    /// The same robot with the model that the diagnosis extends.
+    pub fn extended(&self, lwr: &Lwr, progress: &dyn Fn(&str)) -> Result<(Self, Diagnosis), ReproduceError> {
+        let plant = PerturbableRobot::new(&self.identified);
+        let recording = |name: &str, log: &Log| -> Result<diagnose::Recording, ReproduceError> {
+            let prepare = Prepare {
+                filter: Some(Filter { order: 4, cutoff: 15.0 }),
+                bursts: Some(diagnose::BURSTS * 15.0),
+                raw_torque: true,
+                temperature: true,
+                ..Prepare::default()
+            };
+            let mut recording = diagnose::Recording::new(name);
+            each_motion(&mut Replay::new(&thinned(log, THIN)), lwr.robot.dof(), &prepare, |motion| {
+                recording.absorb(motion)
+            })?;
+            Ok(recording)
+        };
+        let logs = self.logs.iter().map(|(name, log)| recording(name, log)).collect::<Result<Vec<_>, _>>()?;
+        let validate = [recording("validate", &self.validate)?];
+        let found = diagnose::diagnose(&plant, &logs, &validate, &diagnose::Settings::default(), progress)
+            .map_err(|why| ReproduceError::Robot(why.to_string()))?;
+        let robot = diagnose::extended(self.identified.clone(), &found);
+        let rms = &found.extended.validate;
+        let plans: Vec<Plan> = self.rollers.iter().map(|r| r.plan.clone()).collect();
+        // A diagnosis tells the size of friction rather than where it turns round: what was in
+        // doubt stays so.
+        let rollers = rollers(&robot, &self.tools, &plans, lwr, &self.effects, [rms, &self.doubt], self.settle)?;
+        let extended = Self {
+            torque: fig6::mean(rms),
+            rollers,
+            settle: self.settle,
+            doubt: self.doubt.clone(),
+            effects: self.effects.clone(),
+            tools: self.tools.clone(),
+            identified: robot,
+            logs: Vec::new(),
+            validate: self.validate.clone(),
+        };
+        Ok((extended, found))
+    }
+}
+
+/// Standard parameters of bodies that could exist, and their torque errors where nothing was
+/// fitted. Least squares alone may give an arm whose mass matrix is none: it has no gains. Where
+/// possible bodies have the very base parameters of the fit it is these, else those that explain
+/// the log best. Nothing is known beforehand but the geometry.
+fn bodies(lwr: &Lwr, fitted: Factors, held_out: Factors) -> Result<(Vec<f64>, Vec<f64>), ReproduceError> {
+    let failed = |why: &dyn std::fmt::Display| ReproduceError::Robot(why.to_string());
+    let found = fit(lwr, &fitted, &held_out)?;
+    let prior = prior_bodies(&[], &geometric_bodies(&lwr.arm.ends()));
+    let drives = vec![0.0; lwr.arm.standard_names().len()];
+    // What possibility costs is in the table, as torque errors.
+    let settings = ConsistentSettings { most_cost_percent: f64::INFINITY, ..ConsistentSettings::default() };
+    let rms = |of: &Option<Accuracy>| of.as_ref().map_or_else(Vec::new, |v| v.rms.clone());
+    if let Ok(same) = possible_bodies(&lwr.arm, &found.values(), &prior, &drives, &settings)
+        && same.exact
+    {
+        return Ok((same.standard, rms(&found.validation)));
+    }
+    let possible = consistent(&lwr.arm, &[fitted], &[held_out], &found, &prior, &drives, &settings);
+    let possible = possible.map_err(|why| failed(&why))?;
+    let errors = rms(&possible.cost.validation);
+    Ok((possible.standard, errors))
+}
+
+/// The robot with a tool's frame, and its parameters with the tool as it was weighed.
+fn holding(known: &Robot, tool: &Tool, weighed: &[f64; 10]) -> Result<(Robot, Vec<f64>), ReproduceError> {
+    let mut robot = known.clone();
+    robot.tool = None;
+    let standard = param::standard_values(&robot);
+    let mut standard = standard.ok_or_else(|| ReproduceError::Robot("its links are not all known".into()))?;
+    // The ten of the last link stand ten by ten, links first.
+    let last = 10 * (robot.joints.len() - 1);
+    weighed.iter().enumerate().for_each(|(k, w)| standard[last + k] += w);
+    robot.tool = Some(Tool { inertia: None, ..tool.clone() });
+    Ok((robot, standard))
+}
+
+fn plan_all(
+    known: &Robot,
+    tools: &[(Tool, [f64; 10])],
+    extent: &Extent,
+    tell: Watch<'_>,
+) -> Result<Vec<Plan>, ReproduceError> {
+    let jobs: Vec<_> = tools.iter().zip(extent.seconds).collect();
+    let one = |k: usize| {
+        let ((tool, weighed), seconds) = jobs[k];
+        let (robot, standard) = holding(known, tool, weighed)?;
+        let tell = |what: &str, share: f64| tell(&format!("planning: {what}"), 0.7 + 0.2 * share);
+        planned(&robot, &standard, FORCE, extent, *seconds, &tell)
+    };
+    many(jobs.len(), &one, &|_, _| {})
+}
+
+/// The arm as it is known, with each roller as it was weighed.
+fn rollers(
+    known: &Robot,
+    tools: &[(Tool, [f64; 10])],
+    plans: &[Plan],
+    lwr: &Lwr,
+    effects: &Effects,
+    [spread, doubt]: [&[f64]; 2],
+    settle: f64,
+) -> Result<Vec<Roller>, ReproduceError> {
+    let mut all = Vec::new();
+    for ((tool, weighed), plan) in tools.iter().zip(plans) {
+        let (robot, standard) = holding(known, tool, weighed)?;
+        let drives = Simulator::new(&robot, &Effects::default())?.drives().to_vec();
+        let mut as_it_is = lwr.robot.clone();
+        as_it_is.tool = Some(tool.clone());
+        let arm = Interpreted::new(&robot, &Interpreted::BODIES);
+        let motion = {
+            let kinematics = Kinematics::new(&robot, arm.model());
+            let mut lent =
+                RobotModel::new(&robot, Box::new(arm.bodies(&standard)), kinematics.as_ref(), drives.clone());
+            in_the_air(&mut lent, &in_contact(plan).map_err(SimulateError::from)?, ROOM)?
+        };
+        all.push(Roller {
+            arm,
+            motion,
+            settle,
+            plan: plan.clone(),
+            real: Simulator::new(&as_it_is, effects)?,
+            robot,
+            standard,
+            drives,
+            spread: spread.to_vec(),
+            doubt: doubt.to_vec(),
+        });
+    }
+    Ok(all)
+}

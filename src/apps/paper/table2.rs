@@ -1,0 +1,124 @@
+//! Table II: base parameters, true, identified, and as the paper and Jubien et al. identified them.
+
+use super::lwr::Lwr;
+use super::verdict::Verdict;
+use crate::identify::Identification;
+use crate::model::Arm;
+
+/// A row as printed: name, CAD, identified, its %sigma, Jubien's, its %sigma.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Printed {
+    /// `XX2R`.
+    pub name: &'static str,
+    /// From CAD, where there is one.
+    pub cad: Option<f64>,
+    /// Identified by the paper, and its relative standard deviation, percent.
+    pub paper: [f64; 2],
+    /// Identified by Jubien, Gautier and Janot, and its relative standard deviation, percent.
+    pub jubien: [f64; 2],
+}
+
+/// Samples of 10 s at 1 kHz.
+const SAMPLES: f64 = 10_000.0;
+
+impl Printed {
+    /// For a Coulomb level, whose column is a sign: the largest residual, N m, with which the
+    /// printed standard deviation could have been had from 10 s, by the textbook's formula (others
+    /// that must be told from it only make it worse).
+    pub fn residual(&self) -> f64 {
+        0.01 * self.paper[1] * self.paper[0].abs() * SAMPLES.sqrt()
+    }
+}
+
+const fn row(name: &'static str, cad: Option<f64>, paper: [f64; 2], jubien: [f64; 2]) -> Printed {
+    Printed { name, cad, paper, jubien }
+}
+
+/// Table II as printed.
+pub const TABLE_TWO: [Printed; 15] = [
+    row("XX2R", Some(1.32), [1.35, 0.30], [1.30, 1.5]),
+    row("ZZ2R", Some(1.32), [1.36, 0.34], [1.28, 1.6]),
+    row("MSY2R", Some(3.60), [3.43, 0.05], [3.45, 0.18]),
+    row("XX4R", Some(0.46), [0.44, 0.18], [0.44, 0.91]),
+    row("ZZ4R", Some(0.47), [0.43, 0.20], [0.44, 1.0]),
+    row("MSY4R", Some(-1.45), [-1.34, 0.05], [-1.35, 0.18]),
+    row("MSY5R", Some(0.036), [0.047, 0.86], [0.040, 3.6]),
+    row("MSY6R", Some(0.0104), [0.034, 0.50], [0.035, 6.4]),
+    row("MSY7", Some(0.0), [0.001, 13.3], [0.006, 14.0]),
+    row("FC1", None, [0.28, 4.8], [0.39, 6.1]),
+    row("FC2", None, [0.43, 4.1], [0.52, 5.5]),
+    row("FC3", None, [0.05, 1.6], [0.45, 2.8]),
+    row("FC4", None, [0.16, 5.8], [0.32, 3.7]),
+    row("FC5", None, [0.34, 1.2], [0.86, 3.0]),
+    row("FC7", None, [0.20, 1.2], [0.08, 6.0]),
+];
+
+/// A row of ours.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// The paper's.
+    pub printed: Printed,
+    /// Of the simulated robot.
+    pub truth: f64,
+    /// Identified with noise alone, and its standard deviation.
+    pub noise_only: [f64; 2],
+    /// Identified with effects that the model has not, and its standard deviation.
+    pub unmodelled: [f64; 2],
+    /// Standard deviation of the latter by the textbook's formula, which takes each of the 10,000
+    /// residuals after the low-pass as independent.
+    pub textbook: f64,
+}
+
+impl Row {
+    /// Relative standard deviation with noise alone, percent.
+    pub fn percent(&self) -> f64 {
+        100.0 * self.noise_only[1] / self.noise_only[0].abs()
+    }
+
+    /// From the truth, in own standard deviations.
+    pub fn off(&self) -> f64 {
+        (self.noise_only[0] - self.truth) / self.noise_only[1]
+    }
+
+    /// The textbook's standard deviation where the residual is as large as the paper's, percent of
+    /// the true value (friction takes up the hysteresis: not of what was found).
+    pub fn textbook_percent(&self) -> f64 {
+        100.0 * self.textbook / self.truth.abs()
+    }
+
+    /// The same formula at the same residual, against the paper's.
+    pub fn like_for_like(&self) -> Verdict {
+        Verdict::less(self.textbook_percent(), self.printed.paper[1])
+    }
+
+    /// %sigma against the paper's.
+    pub fn verdict(&self) -> Verdict {
+        Verdict::less(self.percent(), self.printed.paper[1])
+    }
+}
+
+/// By how much standard deviations that know how alike neighbouring samples are exceed the
+/// textbook's where there are effects that the model has not: median over the rows.
+pub fn too_small(rows: &[Row]) -> f64 {
+    let mut ratios: Vec<f64> = rows.iter().map(|r| r.unmodelled[1] / r.textbook).collect();
+    ratios.sort_by(f64::total_cmp);
+    ratios.get(ratios.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+/// Rows of the parameters that the paper prints and the robot has.
+pub fn rows(lwr: &Lwr, noise_only: &Identification, unmodelled: &Identification) -> Vec<Row> {
+    let estimate = |found: &Identification, c: usize| [found.parameters[c].value, found.parameters[c].std];
+    TABLE_TWO
+        .iter()
+        .filter_map(|printed| {
+            let c = lwr.arm.base_parameters().iter().position(|b| b.name == printed.name)?;
+            Some(Row {
+                printed: *printed,
+                truth: lwr.truth[c],
+                noise_only: estimate(noise_only, c),
+                unmodelled: estimate(unmodelled, c),
+                textbook: unmodelled.parameters[c].white_std,
+            })
+        })
+        .collect()
+}

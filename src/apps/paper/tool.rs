@@ -1,0 +1,17 @@
+//! The paper's experiments with the end-effector, on a robot whose truth is known: Table III, and
+//! how often tools are recognised.
+
+mod bench;
+mod recording;
+mod table_three;
+mod trials;
+mod waves;
+
+pub use bench::{Bench, BenchError, PAPER_TORQUE_NOISE, POSITION_NOISE};
+pub use recording::{Recording, SensorNoise};
+pub use table_three::{Column, PaperRoller, Row, TABLE_THREE, table_three};
+pub use trials::{OTHER_SIZE, SizeTrial, TrialSettings, Trials, trials};
+pub use waves::Waves;
+
+#[cfg(test)]
+mod tests;

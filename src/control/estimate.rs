@@ -1,0 +1,57 @@
+//! The force on the tool without a force sensor: from joint torques, the identified model and what
+//! is known of its errors.
+//!
+//! A [`ForceEstimator`] takes a [`Sample`] (measured torques; what the identified model says of
+//! them: torque, mass matrix, Jacobian, covariance) and gives an [`Estimate`]: the wrench that the
+//! surroundings exert on the tool, in the tool's axes about its origin, with its covariance. Three
+//! ways: [`Residual`] (the paper's equation 14), [`Momentum`] (De Luca's observer, no
+//! acceleration), [`Kalman`]. [`ContactDetector`] says whether something touches,
+//! [`StateVariableFilter`] makes velocities and accelerations on line. All of these are plain
+//! arrays with the number of joints as a constant; they use `core` and `libm` alone.
+//!
+//! On logs: [`Motion`](crate::data::signal::Motion)s -> [`Run`] -> [`Series`], with an
+//! [`Uncertainty`] from an identification, and a [`Consistency`] that says whether the band can be
+//! believed. docs/force.md tells what the band means and what it was measured to be.
+//!
+//! Sees a robot only through traits; prints nothing.
+
+mod bias;
+mod consistency;
+mod contact;
+mod kalman;
+mod method;
+mod momentum;
+mod noise;
+mod random_walk_rate;
+mod residual;
+mod residual_torque;
+mod run;
+mod sample;
+mod series;
+mod small_matrix;
+mod state_variable_filter;
+mod stiction;
+mod torques;
+mod uncertainty;
+mod verdict;
+mod wrench;
+
+#[cfg(test)]
+mod tests;
+
+pub use bias::{Bias, BiasPass};
+pub use consistency::Consistency;
+pub use contact::{Contact, ContactDetector, deviate};
+pub use kalman::Kalman;
+pub use method::{MOST_JOINTS, Method};
+pub use momentum::Momentum;
+pub use noise::NoisePass;
+pub use residual::Residual;
+pub use run::{Known, Run, Settings, TooManyJoints};
+pub use sample::{Estimate, ForceEstimator, NINETY_FIVE, Sample, Scale};
+pub use series::{COMPONENTS, Comparison, Series};
+pub use state_variable_filter::StateVariableFilter;
+pub use torques::{Effected, Linear, Torques};
+pub use uncertainty::{NoiseSource, Uncertainty, covariance};
+pub use verdict::Verdict;
+pub use wrench::Weights;

@@ -1,0 +1,92 @@
+//! The torque noise where no identification tells it: from the log itself.
+
+use super::bias::{inside, within};
+use super::torques::Torques;
+use crate::control::estimate::residual_torque::pick;
+use crate::data::signal::{Filter, Motion, white_noise};
+use crate::identify::regression::rows::Rows;
+use crate::model::Arm;
+
+/// Sums over logs, per joint: a first pass.
+pub struct NoisePass<'a> {
+    arm: &'a dyn Arm,
+    torques: &'a dyn Torques,
+    filter: Option<Filter>,
+    free: Vec<[f64; 2]>,
+    nothing_touches: bool,
+    rows: Rows,
+    /// Count, sum and sum of squares of what the model leaves where nothing touches.
+    left: [Vec<f64>; 2],
+    count: usize,
+    /// Variance of the white noise of what the model leaves, raw, times samples.
+    squares: Vec<f64>,
+    seen: usize,
+    gain: f64,
+}
+
+impl<'a> NoisePass<'a> {
+    /// Nothing touches in these stretches, s, or nowhere.
+    pub fn new(
+        arm: &'a dyn Arm,
+        torques: &'a dyn Torques,
+        filter: Option<Filter>,
+        free: &[[f64; 2]],
+        nothing_touches: bool,
+    ) -> Self {
+        let zero = || vec![0.0; arm.dof()];
+        Self {
+            rows: Rows::new(arm),
+            left: [zero(), zero()],
+            squares: zero(),
+            arm,
+            torques,
+            filter,
+            free: within(free, filter),
+            nothing_touches,
+            count: 0,
+            seen: 0,
+            gain: 1.0,
+        }
+    }
+
+    /// Takes in a stretch of motion.
+    pub fn absorb(&mut self, motion: &Motion) {
+        let picked = pick(self.arm, &self.rows, self.torques, motion, self.filter);
+        let (count, len) = (picked.time.len(), motion.states.len);
+        self.gain = self.filter.map_or(1.0, |f| f.noise_gain(motion.period.recip()));
+        for s in 0..count {
+            if self.nothing_touches || inside(&self.free, picked.time[s]) {
+                self.count += 1;
+                for j in 0..self.arm.dof() {
+                    let e = picked.external[j * count + s];
+                    self.left[0][j] += e;
+                    self.left[1][j] += e * e;
+                }
+            }
+        }
+        self.seen += len;
+        for (j, sum) in self.squares.iter_mut().enumerate() {
+            let left: Vec<f64> = (j * len..(j + 1) * len).map(|k| picked.model[k] - picked.tau[k]).collect();
+            *sum += len as f64 * white_noise([&left[..]].into_iter()).powi(2);
+        }
+    }
+
+    /// Root mean square of what the model leaves where nothing touches, about its mean if that is
+    /// taken off as a bias, N m: the model's errors are counted as noise. `None` where that is
+    /// nowhere known.
+    pub fn left(&self, about_mean: bool) -> Option<Vec<f64>> {
+        let n = self.count as f64;
+        let rms = |j: usize| {
+            let mean = if about_mean { self.left[0][j] / n } else { 0.0 };
+            (self.left[1][j] / n - mean * mean).max(0.0).sqrt().max(1e-9)
+        };
+        (self.count > 0).then(|| (0..self.squares.len()).map(rms).collect())
+    }
+
+    /// What the low-pass leaves of the noise from sample to sample, N m: white noise alone, and
+    /// nothing of the model's errors.
+    pub fn white(&self) -> Vec<f64> {
+        let n = self.seen.max(1) as f64;
+        self.squares.iter().map(|s| self.gain * (s / n).sqrt().max(1e-9)).collect()
+    }
+}

@@ -1,0 +1,60 @@
+//! The paper's equation (14): what the identified inverse dynamics leaves of the measured torque,
+//! through `(J')^+`.
+
+use super::sample::{Estimate, ForceEstimator, Sample, Scale};
+use super::stiction::{least, unit};
+use super::wrench::{Weights, total, wrench};
+use crate::control::estimate::small_matrix::{cholesky, finite};
+
+/// `J' F = M ddq + c + g + friction - tau`, each sample for itself. Needs the acceleration.
+///
+/// The paper writes `tau = .. + tau_ext` with the wrench of the tool on its surroundings; here, as
+/// in a log's `fx .. mz`, it is that of the surroundings on the tool, and the sign is the other.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Residual<const N: usize> {
+    /// Standard deviation of each joint's torque noise, N m, as it is in the samples: after their
+    /// filter.
+    pub noise: [f64; N],
+    /// How large wrenches are.
+    pub scale: Scale,
+    /// How joints are weighted.
+    pub weights: Weights,
+    last: Estimate,
+}
+
+impl<const N: usize> Residual<N> {
+    /// Weighted by the uncertainty.
+    pub fn new(noise: [f64; N], scale: Scale) -> Self {
+        Self { noise, scale, weights: Weights::Uncertainty, last: Estimate::unknown(&scale) }
+    }
+}
+
+impl<const N: usize> ForceEstimator<N> for Residual<N> {
+    fn step(&mut self, sample: &Sample<N>) -> Estimate {
+        let external: [f64; N] = core::array::from_fn(|j| sample.model[j] - sample.tau[j]);
+        let variance: [f64; N] = core::array::from_fn(|j| self.noise[j] * self.noise[j]);
+        let moving = total(&variance, &sample.covariance);
+        let covariance = total(&sample.static_friction.map(|s| s * s), &moving);
+        let solved = wrench(&sample.jacobian, &external, &covariance, &self.scale, self.weights);
+        let surprise = cholesky(&moving).map(|root| least(&root, &external, unit::<N>, &sample.breakaway));
+        let found = solved.zip(surprise).filter(|(s, surprise)| finite(&s.wrench) && finite(surprise));
+        self.last = match found {
+            Some((s, [surprise, without_friction])) => Estimate {
+                wrench: s.wrench,
+                covariance: s.covariance,
+                surprise,
+                without_friction,
+                freedom: N,
+                misfit: s.misfit,
+                told: s.told,
+                fresh: true,
+            },
+            None => Estimate { fresh: false, ..self.last },
+        };
+        self.last
+    }
+
+    fn reset(&mut self) {
+        self.last = Estimate::unknown(&self.scale);
+    }
+}

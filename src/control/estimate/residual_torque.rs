@@ -1,0 +1,161 @@
+//! What the torques of a stretch of motion leave unexplained, at the samples that are used.
+
+use super::torques::Torques;
+use crate::data::signal::{Filter, Motion, MotionBlock, low_pass};
+use crate::identify::regression::rows::Rows;
+use crate::model::{Arm, States};
+
+/// Joint-major over the picks where not said otherwise.
+#[derive(Debug, Default)]
+pub(super) struct ResidualTorque {
+    /// Samples of the motion that are used.
+    pub samples: Vec<usize>,
+    /// Their times, s.
+    pub time: Vec<f64>,
+    /// Model less measured torque, low-passed, N m.
+    pub external: Vec<f64>,
+    /// What the low-pass smears of that, N m: what it takes off when it is applied once more is
+    /// about what it took off before.
+    pub smear: Vec<f64>,
+    /// The regressor's entries, entry-major.
+    pub entries: Vec<f64>,
+    /// Whether a joint stands, so that its Coulomb friction may be anything between its levels.
+    pub still: Vec<bool>,
+    /// Whether it stands within what the low-pass smears.
+    pub near_rest: Vec<bool>,
+    /// Accelerations that are in `model`, at all samples of the motion: zero where a joint stands,
+    /// rad/s^2.
+    pub ddq: Vec<f64>,
+    /// Model torque and measured torque at *all* samples of the motion, joint-major, N m: as they
+    /// are, a sensor's gain taken out of both.
+    pub model: Vec<f64>,
+    /// See `model`.
+    pub tau: Vec<f64>,
+    /// Measured wrench, low-passed, component-major; empty where the log has none.
+    pub measured: Vec<f64>,
+}
+
+/// Evaluates the model along the whole motion and low-passes what it leaves, so that steps of
+/// friction which the model has never meet the filter. The motion's torques are raw, with margins.
+pub(super) fn pick(
+    arm: &dyn Arm,
+    rows: &Rows,
+    torques: &dyn Torques,
+    motion: &Motion,
+    filter: Option<Filter>,
+) -> ResidualTorque {
+    let (n, len) = (arm.dof(), motion.states.len);
+    let time: Vec<f64> = (0..len).map(|s| motion.time(s)).collect();
+    let mut picked =
+        ResidualTorque { samples: motion.picks().collect(), model: vec![0.0; n * len], ..ResidualTorque::default() };
+    picked.time = picked.samples.iter().map(|&s| time[s]).collect();
+    let still = still(motion, n);
+    let mut states = motion.states.clone();
+    let mut sign = motion.sign.clone();
+    at_rest(&still, motion.period, &mut states, &mut sign);
+    torques.along(&time, &states, &sign, &motion.temperature, &mut picked.model);
+    picked.ddq = states.ddq;
+    picked.tau.clone_from(&motion.tau);
+    for j in 0..n {
+        let gain = torques.gain(j);
+        for values in [&mut picked.model, &mut picked.tau] {
+            values[j * len..(j + 1) * len].iter_mut().for_each(|t| *t /= gain);
+        }
+    }
+    let rate = motion.period.recip();
+    let sos = filter.and_then(|f| low_pass(f.order, f.cutoff, rate).ok().map(|sos| (sos, f.cutoff)));
+    let smooth = |values: &mut [f64], out: &mut Vec<f64>| {
+        if let Some((sos, cutoff)) = &sos {
+            sos.forward_backward(values, sos.scipy_padding().max((rate / cutoff).ceil() as usize));
+        }
+        out.extend(picked.samples.iter().map(|&s| values[s]));
+    };
+    let (mut external, mut measured, mut smear) = (Vec::new(), Vec::new(), Vec::new());
+    for j in 0..n {
+        let range = j * len..(j + 1) * len;
+        let mut left: Vec<f64> =
+            picked.model[range.clone()].iter().zip(&picked.tau[range]).map(|(m, t)| m - t).collect();
+        smooth(&mut left, &mut external);
+        if sos.is_some() {
+            smooth(&mut left, &mut smear);
+        } else {
+            smear.extend(picked.samples.iter().map(|&s| left[s]));
+        }
+    }
+    smear.iter_mut().zip(&external).for_each(|(twice, once)| *twice -= once);
+    // A sensor with a hole in its column measured nothing.
+    if motion.wrench.len() == 6 * len && motion.wrench.iter().all(|f| f.is_finite()) {
+        for column in motion.wrench.chunks_exact(len.max(1)) {
+            smooth(&mut column.to_vec(), &mut measured);
+        }
+    }
+    (picked.external, picked.measured, picked.smear) = (external, measured, smear);
+    let count = picked.samples.len();
+    let entries = arm.base_pattern().len();
+    picked.entries = vec![0.0; entries * count];
+    picked.still = still.chunks_exact(len.max(1)).flat_map(|row| picked.samples.iter().map(|&s| row[s])).collect();
+    picked.near_rest =
+        near(&still, len, filter.map_or(0, |f| (SMEAR / (f.cutoff * motion.period)).ceil() as usize), &picked.samples);
+    let (mut block, mut regressor, mut from) = (MotionBlock::default(), Vec::new(), 0);
+    loop {
+        let got = motion.gather(from, 256, &mut block);
+        if got == 0 {
+            break;
+        }
+        let told = |j: usize, s: usize| if sign.is_empty() { 0.0 } else { sign[j * len + picked.samples[from + s]] };
+        block.sign = (0..if sign.is_empty() { 0 } else { n * got }).map(|k| told(k / got, k % got)).collect();
+        rows.evaluate(arm, &block.states, &block.sign, &mut regressor);
+        for (k, entry) in regressor.chunks_exact(got).enumerate() {
+            picked.entries[k * count + from..k * count + from + got].copy_from_slice(entry);
+        }
+        from += got;
+    }
+    picked
+}
+
+/// What the low-pass smears to each side, as a share of the period of its cutoff.
+const SMEAR: f64 = 0.25;
+/// A joint that is within its dead zone for longer stands: it does not accelerate either, s.
+const STANDS: f64 = 0.3;
+
+/// Whether each joint's friction may be anything between its levels, joint-major: at rest, sticking
+/// where it turns round, and below half a percent of its largest speed in the motion, where the
+/// ringing of the low-pass after a stop has signs of its own.
+fn still(motion: &Motion, n: usize) -> Vec<bool> {
+    let len = motion.states.len;
+    let mut still = motion.resting.get(..n * len).map_or_else(|| vec![false; n * len], <[bool]>::to_vec);
+    if motion.stuck.len() == n * len {
+        still.iter_mut().zip(&motion.stuck).for_each(|(s, stuck)| *s |= stuck);
+    }
+    for (still, speed) in still.chunks_exact_mut(len.max(1)).zip(motion.states.dq.chunks_exact(len.max(1))) {
+        let slow = 0.005 * speed.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        still.iter_mut().zip(speed).for_each(|(s, v)| *s |= v.abs() < slow);
+    }
+    still
+}
+
+/// Takes the velocity of joints that are still as zero in the model's friction, and the
+/// acceleration of those that stand.
+fn at_rest(still: &[bool], period: f64, states: &mut States, sign: &mut [f64]) {
+    let len = states.len.max(1);
+    states.dq.iter_mut().zip(still).filter(|(_, still)| **still).for_each(|(v, _)| *v = 0.0);
+    sign.iter_mut().zip(still).filter(|(_, still)| **still).for_each(|(s, _)| *s = 0.0);
+    for (row, ddq) in still.chunks_exact(len).zip(states.ddq.chunks_exact_mut(len)) {
+        let mut from = 0;
+        for run in row.chunk_by(|a, b| a == b) {
+            if run[0] && run.len() as f64 * period > STANDS {
+                ddq[from..from + run.len()].fill(0.0);
+            }
+            from += run.len();
+        }
+    }
+}
+
+/// Whether a joint is still within so many samples of each used one, joint-major over the picks.
+fn near(still: &[bool], len: usize, within: usize, picks: &[usize]) -> Vec<bool> {
+    let of = |row: &[bool]| -> Vec<bool> {
+        let reach = |s: usize| s.saturating_sub(within)..(s + within + 1).min(row.len());
+        picks.iter().map(|&s| row[reach(s)].contains(&true)).collect()
+    };
+    still.chunks_exact(len.max(1)).flat_map(of).collect()
+}

@@ -1,0 +1,69 @@
+//! What the model says that the torque sensors say.
+
+use crate::identify::regression::rows::Rows;
+use crate::model::{Arm, States, TorqueModel};
+
+/// Predicts torques along recorded motion.
+pub trait Torques: Sync {
+    /// Torques at the sensors, N m, joint-major like the states, where nothing touches. `time` s,
+    /// one per sample, evenly spaced; `sign`, where it is given, is that of each velocity, zero
+    /// inside its noise; `temperature`, deg C, may be empty.
+    fn along(&self, time: &[f64], states: &States, sign: &[f64], temperature: &[f64], out: &mut [f64]);
+
+    /// Breakaway level of a joint's static friction by its laws, N m; `None` where they say nothing
+    /// of it.
+    fn breakaway(&self, _joint: usize) -> Option<f64> {
+        None
+    }
+
+    /// Torque that a joint's sensor says, per true torque.
+    fn gain(&self, _joint: usize) -> f64 {
+        1.0
+    }
+}
+
+/// A model with effects: drives that remember, sensors that err, torques that are late. What
+/// touches is then estimated as late as the torques are.
+pub struct Effected<'a>(pub &'a dyn TorqueModel);
+
+impl Torques for Effected<'_> {
+    fn along(&self, time: &[f64], states: &States, _: &[f64], temperature: &[f64], out: &mut [f64]) {
+        self.0.torques_along(time, states, temperature, out);
+    }
+
+    fn breakaway(&self, joint: usize) -> Option<f64> {
+        self.0.breakaways().get(joint).copied().flatten()
+    }
+
+    fn gain(&self, joint: usize) -> f64 {
+        self.0.sensors().get(joint).map_or(1.0, |s| s[0]).clamp(0.01, 100.0)
+    }
+}
+
+/// A model that is linear in its base parameters: the rigid arm with viscous and Coulomb friction,
+/// rotors, offsets.
+pub struct Linear<'a> {
+    arm: &'a dyn Arm,
+    rows: Rows,
+    beta: Vec<f64>,
+}
+
+impl<'a> Linear<'a> {
+    /// With these base parameters.
+    pub fn new(arm: &'a dyn Arm, beta: &[f64]) -> Self {
+        Self { arm, rows: Rows::new(arm), beta: beta.to_vec() }
+    }
+}
+
+impl Torques for Linear<'_> {
+    fn along(&self, _: &[f64], states: &States, sign: &[f64], _: &[f64], out: &mut [f64]) {
+        let len = states.len;
+        let mut entries = Vec::new();
+        self.rows.evaluate(self.arm, states, sign, &mut entries);
+        out.fill(0.0);
+        for (entry, &(row, column)) in entries.chunks_exact(len.max(1)).zip(self.arm.base_pattern()) {
+            let out = &mut out[row * len..(row + 1) * len];
+            out.iter_mut().zip(entry).for_each(|(t, w)| *t += w * self.beta[column]);
+        }
+    }
+}

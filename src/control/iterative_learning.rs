@@ -1,0 +1,150 @@
+//! What one coat teaches the next (iterative learning control; S. Arimoto, S. Kawamura and F.
+//! Miyazaki, J. Robotic Systems 1, 1984; with the model inverted where it holds: D. Bristow, M.
+//! Tharayil and A. Alleyne, IEEE Control Systems 26, 2006).
+//!
+//! What a force loop can't follow for its low-pass and the arm's mass on the wall comes again at
+//! the same place of the same motion: ripple of the gears, friction that turns round, drag. With
+//! `T(w)` the linear model's answer of the force to a displacement that is added while the loop is
+//! closed, the error `e` of a coat (desired less the force of the feedback) asks for `L e` more on
+//! the next, `L = g Q T* / (|T|^2 + r^2)`: forwards and backwards in time, as a coat is over when
+//! it is learned from. Of an error as the model has it, `1 - g Q |T|^2 / (|T|^2 + r^2)` is left;
+//! with `g` of 0.6 the error still shrinks where the arm answers up to three times as much as its
+//! model, or 60 degrees off in phase. `Q` ends where the model of rigid joints does.
+//!
+//! Nothing of it is in the loop: gains and margins stay what they are. Along a motion `T` changes;
+//! it is that of the neighbouring postures, blended.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::Complex;
+
+use super::gains::ForcePlant;
+
+/// Displacement along the normal that a coat has learned, over the time since painting began.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Learned {
+    /// Time between values, s.
+    pub period: f64,
+    /// m
+    pub displacement: Vec<f64>,
+}
+
+/// Time between values, s, at least: ten in a period of the fastest that is learned.
+const PERIOD: f64 = 0.01;
+/// Up to where all is learned, and from where on nothing, Hz.
+const BAND: [f64; 2] = [3.0, 6.0];
+/// Speed of the fastest joint below which the arm hardly moves, and above which it moves, rad/s:
+/// what is learned moves joints by some 0.02 rad/s, and where the plan is not much faster, friction
+/// turns round, sticks and breaks away. No linear model answers for that, and nothing is learned
+/// there.
+const PACE: [f64; 2] = [0.05, 0.15];
+/// Share of what the model asks for that a coat is given: an arm that answers three times as much
+/// as its model is learned from safely.
+const SHARE: f64 = 0.6;
+/// `r`, by the largest answer.
+const FLOOR: f64 = 0.05;
+/// A displacement farther than this is no error of a model, m.
+const MOST: f64 = 5e-3;
+/// How far an error reaches to either side, s, and how long the learned rises at its beginning and
+/// falls at its end.
+const REACH: f64 = 4.0;
+const EDGE: f64 = 0.2;
+
+impl Learned {
+    /// At a time, m; zero before and after.
+    pub fn at(&self, t: f64) -> f64 {
+        let x = t / self.period;
+        if !(0.0..self.displacement.len() as f64).contains(&x) {
+            return 0.0;
+        }
+        let k = x as usize;
+        let value = |k: usize| self.displacement.get(k).copied().unwrap_or(0.0);
+        value(k) + (x - k as f64) * (value(k + 1) - value(k))
+    }
+}
+
+/// What the next coat is given: what this one was (`before`), and what its errors (N, one per
+/// `period` s; what is no number counts as none) ask for beyond it. `pace` is the planned speed of
+/// the fastest joint at the same instants, rad/s. `plants` stand along the motion from its
+/// beginning to its end at even times, under the force loop's gains `kp`, `ki`. `None` without a
+/// model, or where no displacement changes the force.
+pub fn learned(
+    plants: &[ForcePlant],
+    [kp, ki]: [f64; 2],
+    error: &[f64],
+    pace: &[f64],
+    period: f64,
+    before: Option<&Learned>,
+) -> Option<Learned> {
+    let block = ((PERIOD / period).round() as usize).max(1);
+    let step = block as f64 * period;
+    let reach = (REACH / step) as i64;
+    let kernels: Option<Vec<Vec<f64>>> = plants.iter().map(|plant| kernel(plant, [kp, ki], step, reach)).collect();
+    let kernels = kernels.filter(|k| !k.is_empty())?;
+    // A mean stands for the middle of its block: the value at `k` is that of the two halves around
+    // it.
+    let half = block / 2;
+    let mean = |k: usize| {
+        let part =
+            &error[(k * block).saturating_sub(half).min(error.len())..(k * block + block - half).min(error.len())];
+        let sum: f64 = part.iter().filter(|e| e.is_finite()).sum();
+        sum / part.len().max(1) as f64
+    };
+    let count = error.len().div_ceil(block);
+    let means: Vec<f64> = (0..count)
+        .map(|k| {
+            let now = pace.get(k * block).copied().unwrap_or(0.0);
+            rise((now - PACE[0]) / (PACE[1] - PACE[0])) * mean(k)
+        })
+        .collect();
+    let displacement = (0..count).map(|k| {
+        let along = (kernels.len() - 1) as f64 * k as f64 / count as f64;
+        let (first, share) = (along as usize, along.fract());
+        let of = |kernel: &Vec<f64>| -> f64 {
+            (-reach..=reach)
+                .filter_map(|m| {
+                    let from = usize::try_from(k as i64 - m).ok()?;
+                    Some(kernel[(m + reach) as usize] * means.get(from)?)
+                })
+                .sum()
+        };
+        let more = (1.0 - share) * of(&kernels[first]) + share * kernels.get(first + 1).map_or(0.0, of);
+        let t = k as f64 * step;
+        let edge = rise(t.min((count - 1) as f64 * step - t) / EDGE);
+        (before.map_or(0.0, |b| b.at(t)) + edge * more).clamp(-MOST, MOST)
+    });
+    Some(Learned { period: step, displacement: displacement.collect() })
+}
+
+/// From 0 at 0 to 1 at 1, level at both.
+fn rise(x: f64) -> f64 {
+    let x = x.clamp(0.0, 1.0);
+    x * x * (3.0 - 2.0 * x)
+}
+
+/// `L` in time: weights of the errors from `reach` steps later (first) to as many before.
+fn kernel(plant: &ForcePlant, [kp, ki]: [f64; 2], step: f64, reach: i64) -> Option<Vec<f64>> {
+    // Frequencies so near each other that the kernel's end does not meet its beginning.
+    let apart = PI / (reach as f64 * step);
+    let frequencies: Vec<f64> = (1..).map(|k| f64::from(k) * apart).take_while(|w| *w < TAU * BAND[1]).collect();
+    let answers = plant.response_to_displacement(kp, ki, &frequencies)?;
+    let most = answers.iter().map(|t| t.norm()).fold(0.0, f64::max);
+    if !(most > 0.0 && most.is_finite()) {
+        return None;
+    }
+    let inverse: Vec<Complex<f64>> = frequencies
+        .iter()
+        .zip(&answers)
+        .map(|(w, t)| {
+            let within = rise((BAND[1] - w / TAU) / (BAND[1] - BAND[0]));
+            t.conj() * (SHARE * within / (t.norm_sqr() + (FLOOR * most).powi(2)))
+        })
+        .collect();
+    let at = |m: i64| {
+        let t = m as f64 * step;
+        let window = 0.5 * (1.0 + (PI * m as f64 / reach as f64).cos());
+        let sum: f64 = frequencies.iter().zip(&inverse).map(|(w, l)| l.re * (w * t).cos() - l.im * (w * t).sin()).sum();
+        window * sum * apart * step / PI
+    };
+    Some((-reach..=reach).map(at).collect())
+}

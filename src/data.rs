@@ -1,0 +1,5 @@
+//! Measured data: logs, filtered motion, trajectories.
+
+pub mod log;
+pub mod signal;
+pub mod trajectory;

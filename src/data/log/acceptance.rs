@@ -1,0 +1,74 @@
+//! What may be kept of a log that is not in order: only what the user names.
+
+/// What the user allows. By default nothing: each finding of that kind then stops the reading, and
+/// says so.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Acceptance {
+    /// Rows with an empty cell, NaN, infinity or text, or with too few or too many cells: the row
+    /// is left out, and the log is split into segments there.
+    pub bad_rows: bool,
+    /// A step of time longer than 2.5 periods: the log is split there.
+    pub gaps: bool,
+    /// A time that runs back without a change of `seg`: the log is split there.
+    pub restarts: bool,
+    /// Rows with the time of the row before: left out.
+    pub duplicates: bool,
+    /// A clock with more than 5 % of its steps off by more than half a period: evened by cubic
+    /// interpolation to the median rate.
+    pub irregular_clock: bool,
+    /// A channel that stands still while it should move: used as it is.
+    pub stuck: bool,
+    /// A torque that is cut off at a level: used as it is.
+    pub clipped: bool,
+    /// A torque that is zero throughout: the joint then takes no part in the fit.
+    pub dead_torque: bool,
+    /// Positions beyond two turns, which look like degrees: used as they are.
+    pub large_angles: bool,
+    /// Torques far beyond the limits of most joints, as those in another unit are: used as they
+    /// are.
+    pub torque_unit: bool,
+}
+
+impl Acceptance {
+    /// The names of the settings, for a command line.
+    pub const NAMES: [&'static str; 10] = [
+        "bad-rows",
+        "gaps",
+        "restarts",
+        "duplicates",
+        "irregular-clock",
+        "stuck",
+        "clipped",
+        "dead-torque",
+        "large-angles",
+        "torque-unit",
+    ];
+
+    /// Everything.
+    pub fn all() -> Self {
+        let mut keep = Self::default();
+        for name in Self::NAMES {
+            keep.set(name);
+        }
+        keep
+    }
+
+    /// Allows what has this name; whether there is one.
+    pub fn set(&mut self, name: &str) -> bool {
+        let flag = match name {
+            "bad-rows" => &mut self.bad_rows,
+            "gaps" => &mut self.gaps,
+            "restarts" => &mut self.restarts,
+            "duplicates" => &mut self.duplicates,
+            "irregular-clock" => &mut self.irregular_clock,
+            "stuck" => &mut self.stuck,
+            "clipped" => &mut self.clipped,
+            "dead-torque" => &mut self.dead_torque,
+            "large-angles" => &mut self.large_angles,
+            "torque-unit" => &mut self.torque_unit,
+            _ => return false,
+        };
+        *flag = true;
+        true
+    }
+}

@@ -1,0 +1,335 @@
+//! What the doctor found in a log: a value with figures, which can say what to do about it.
+
+use std::fmt;
+
+/// How much a finding weighs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Worth knowing.
+    Note,
+    /// Something was mended as the user allowed, or may be wrong.
+    Warning,
+    /// The log is not used until the user allows it.
+    Fatal,
+}
+
+/// What was done with times that are not evenly spaced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Clock {
+    /// Samples were taken as evenly spaced: the stamps jitter, the sampling does not.
+    Even,
+    /// Samples were interpolated (cubic, 4 points) from their stamps to an even clock.
+    Resampled,
+}
+
+/// What was found. Times in s, levels in the column's unit.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Kind {
+    /// Columns whose names the contract does not know.
+    UnknownColumns {
+        /// Their names.
+        names: Vec<String>,
+    },
+    /// An empty cell, NaN or infinity.
+    NotFinite,
+    /// Text where a number should be.
+    NotANumber {
+        /// The text.
+        text: String,
+    },
+    /// A row with another number of cells than the header.
+    RowLength {
+        /// Number of cells.
+        text: String,
+    },
+    /// Time that is less than the row before.
+    TimeRunsBack {
+        /// Time before.
+        from: f64,
+        /// Time after.
+        to: f64,
+    },
+    /// Time that is that of the row before.
+    DuplicateTime {
+        /// The time.
+        at: f64,
+    },
+    /// Rows are missing.
+    Gap {
+        /// Longest step.
+        longest: f64,
+        /// The usual step.
+        period: f64,
+    },
+    /// Many steps are far from the usual one.
+    IrregularClock {
+        /// Median step.
+        period: f64,
+        /// Share of steps off by more than half a period.
+        share: f64,
+    },
+    /// Steps vary a little, as those of an ordinary recorder do.
+    Jitter {
+        /// Median step.
+        period: f64,
+        /// Rms deviation from it.
+        rms: f64,
+        /// Shortest step.
+        shortest: f64,
+        /// Longest step.
+        longest: f64,
+    },
+    /// How an uneven clock was dealt with.
+    Evened {
+        /// What was done.
+        clock: Clock,
+    },
+    /// A value that stood still and then jumped.
+    Stuck {
+        /// The value.
+        value: f64,
+        /// Longest stay, s.
+        seconds: f64,
+    },
+    /// A value that is cut off.
+    Clipped {
+        /// The level.
+        level: f64,
+        /// Samples at it.
+        samples: usize,
+    },
+    /// A torque that is zero throughout.
+    DeadTorque,
+    /// Positions that look like degrees.
+    Degrees {
+        /// Largest magnitude.
+        largest: f64,
+    },
+    /// The joint's torque fits the model better with the other sign.
+    Sign {
+        /// Correlation of measured and predicted torque, or of the fit as recorded.
+        correlation: f64,
+    },
+    /// A segment shorter than what the filter needs; left out.
+    ShortSegments {
+        /// Samples that were left out.
+        samples: usize,
+    },
+    /// A position or torque far beyond what the robot file says the joint can reach or do.
+    BeyondLimit {
+        /// Largest of the log.
+        reaches: f64,
+        /// Of the robot file.
+        limit: f64,
+        /// Unit of both.
+        unit: &'static str,
+    },
+    /// Torques far beyond the limits of most joints.
+    TorqueUnit {
+        /// Largest torque, in limits of its joint.
+        times: f64,
+        /// Whether all are within the limits once divided by a thousand.
+        thousandth: bool,
+    },
+    /// A joint whose torque the fitted model leaves a large part of.
+    Unexplained {
+        /// Of the joint's torque (root mean square), percent.
+        percent: f64,
+    },
+    /// Logs that contradict each other.
+    Disagree {
+        /// What they leave when fitted together, in what they leave when each is fitted alone (root
+        /// mean square).
+        times: f64,
+        /// The log that is most at odds with the others, where that can be told.
+        worst: Option<String>,
+    },
+    /// Torques that are motor currents times gains.
+    FromCurrents {
+        /// Of each joint, N m per A.
+        gains: Vec<f64>,
+    },
+    /// No joint moves beyond the noise of its encoder.
+    Standstill,
+    /// Hardly any data.
+    TooFew {
+        /// Samples.
+        samples: usize,
+    },
+    /// Very many samples.
+    VeryLong {
+        /// Samples.
+        samples: usize,
+    },
+}
+
+/// Something about a log, with its place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finding {
+    /// What.
+    pub kind: Kind,
+    /// How much it weighs, given what the user allowed.
+    pub severity: Severity,
+    /// Line of the first occurrence.
+    pub line: Option<u64>,
+    /// Name of the column.
+    pub column: Option<String>,
+    /// How often.
+    pub count: usize,
+}
+
+impl Finding {
+    /// Whether the log is not used because of it.
+    pub fn is_fatal(&self) -> bool {
+        self.severity == Severity::Fatal
+    }
+
+    /// The name in [`super::Acceptance`] that allows it, where there is one.
+    pub fn allowed_by(&self) -> Option<&'static str> {
+        Some(match self.kind {
+            Kind::NotFinite | Kind::NotANumber { .. } | Kind::RowLength { .. } => "bad-rows",
+            Kind::TimeRunsBack { .. } => "restarts",
+            Kind::DuplicateTime { .. } => "duplicates",
+            Kind::Gap { .. } => "gaps",
+            Kind::IrregularClock { .. } => "irregular-clock",
+            Kind::Stuck { .. } => "stuck",
+            Kind::Clipped { .. } => "clipped",
+            Kind::DeadTorque => "dead-torque",
+            Kind::Degrees { .. } => "large-angles",
+            Kind::TorqueUnit { .. } => "torque-unit",
+            _ => return None,
+        })
+    }
+
+    /// What was found, without the place.
+    pub fn what(&self) -> String {
+        let times = if self.count > 1 { format!(", {} times", self.count) } else { String::new() };
+        match &self.kind {
+            Kind::UnknownColumns { names } => format!("columns that are not used: {}", names.join(", ")),
+            Kind::NotFinite => format!("an empty cell, NaN or infinity{times}"),
+            Kind::NotANumber { text } => format!("`{text}` is not a number{times}"),
+            Kind::RowLength { text } => format!("the row has {text}{times}"),
+            Kind::TimeRunsBack { from, to } => format!("time runs back from {from} to {to} s{times}"),
+            Kind::DuplicateTime { at } => format!("the time {at} s stands there again{times}"),
+            Kind::Gap { longest, period } => {
+                format!("a gap of {longest:.4} s in a clock of {period:.4} s{times}")
+            }
+            Kind::IrregularClock { period, share } => format!(
+                "the clock is irregular: {:.1} % of the steps are off the median of {period:.5} s by more than half",
+                100.0 * share
+            ),
+            Kind::Jitter { period, rms, shortest, longest } => format!(
+                "steps of {:.3} to {:.3} ms, median {:.3} ms, rms deviation {:.2} %",
+                1e3 * shortest,
+                1e3 * longest,
+                1e3 * period,
+                100.0 * rms / period
+            ),
+            Kind::Evened { clock: Clock::Even } => "samples taken as evenly spaced (smoother so)".into(),
+            Kind::Evened { clock: Clock::Resampled } => "samples interpolated to an even clock (cubic)".into(),
+            Kind::Stuck { value, seconds } => {
+                format!("stands still at {} for up to {seconds:.3} s{times}", plain(*value))
+            }
+            Kind::Clipped { level, samples } => format!("is cut off at {} ({samples} samples)", plain(*level)),
+            Kind::DeadTorque => "is zero throughout: the sensor was off".into(),
+            Kind::Degrees { largest } => format!("reaches {largest:.1}, which looks like degrees"),
+            Kind::Sign { correlation } => {
+                format!("has probably the wrong sign (correlation with the model {correlation:.2})")
+            }
+            Kind::ShortSegments { samples } => {
+                format!("segments too short to be filtered were left out: {samples} samples{times}")
+            }
+            Kind::BeyondLimit { reaches, limit, unit } => {
+                format!("reaches {reaches:.4} {unit}, where the robot file's limit is {limit:.4} {unit}")
+            }
+            Kind::TorqueUnit { times, thousandth } => {
+                let unit = if *thousandth {
+                    "; a thousandth of them would be within the limits, so they are probably in N mm, or currents in mA"
+                } else {
+                    ""
+                };
+                format!(
+                    "torques reach {times:.0} times the limits of the robot file: they are not in N m at its joints{unit}"
+                )
+            }
+            Kind::Unexplained { percent } => {
+                format!("the fitted model leaves {percent:.0} % of the torque unexplained")
+            }
+            Kind::Disagree { times, worst } => {
+                let worst =
+                    worst.as_ref().map_or(String::new(), |log| format!("; most at odds with the others is {log}"));
+                format!(
+                    "the logs contradict each other: fitted together they leave {times:.1} times the error of each fitted alone{worst}"
+                )
+            }
+            Kind::FromCurrents { gains } => {
+                let gains: Vec<String> = gains.iter().map(f64::to_string).collect();
+                format!("torques are the motor currents times {} N m/A, joint by joint", gains.join(", "))
+            }
+            Kind::Standstill => "no joint moves: nothing but gravity in this posture can be told".into(),
+            Kind::TooFew { samples } => format!("only {samples} samples"),
+            Kind::VeryLong { samples } => format!("{samples} samples"),
+        }
+    }
+
+    /// What to do about it; empty where nothing is to be done.
+    pub fn advice(&self) -> String {
+        let mend = match &self.kind {
+            Kind::UnknownColumns { .. } => "rename them if they are meant",
+            Kind::NotFinite | Kind::NotANumber { .. } | Kind::RowLength { .. } => "mend the cell or leave the row out",
+            Kind::TimeRunsBack { .. } => "number the recordings in a column `seg`",
+            Kind::DuplicateTime { .. } => "record time with more digits, or leave the rows out",
+            Kind::Gap { .. } => "number the parts in a column `seg`, or let the log be split there",
+            Kind::IrregularClock { .. } => "record at a fixed rate, or let the log be resampled",
+            Kind::Stuck { .. } => "look at the sensor or the recorder; cut the stretch out",
+            Kind::Clipped { .. } => "play a gentler motion, or cut those stretches out",
+            Kind::DeadTorque => "take another torque column (`taum`) or another log",
+            Kind::Degrees { .. } => "write radians",
+            Kind::Sign { .. } => {
+                "compare the joint's positive direction with the robot file; negate the column if it is so"
+            }
+            Kind::BeyondLimit { unit: "rad" | "m", .. } => {
+                "look whether the columns are in the robot's order, in rad or m, and of this robot"
+            }
+            Kind::BeyondLimit { .. } => "look whether torques are in N m on the joint side, and of this robot",
+            Kind::TorqueUnit { .. } => "write N m of the joint side of the gear",
+            Kind::Unexplained { .. } => {
+                "look for columns that were swapped, a wrong sign or unit, another robot's log; `denavit diagnose` looks for what the model lacks"
+            }
+            Kind::Disagree { .. } => {
+                "look whether all are of this robot, with the same tool, and with columns and units alike; identify them apart to see which is wrong"
+            }
+            Kind::Standstill => "record a motion of all joints: `denavit excite` designs one",
+            Kind::ShortSegments { .. } => "",
+            Kind::TooFew { .. } => "record some seconds with all joints moving",
+            Kind::VeryLong { .. } => "decimate if it takes too long",
+            Kind::Jitter { .. } | Kind::Evened { .. } | Kind::FromCurrents { .. } => "",
+        };
+        match self.allowed_by() {
+            Some(name) if self.is_fatal() => format!("{mend}, or allow it: --keep {name}"),
+            _ => mend.into(),
+        }
+    }
+}
+
+/// A number in as few characters as it takes.
+fn plain(x: f64) -> String {
+    if x == 0.0 || (1e-4..1e6).contains(&x.abs()) { format!("{x}") } else { format!("{x:e}") }
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(line) = self.line {
+            write!(f, "line {line}: ")?;
+        }
+        if let Some(column) = &self.column {
+            write!(f, "column `{column}`: ")?;
+        }
+        write!(f, "{}", self.what())?;
+        match self.advice() {
+            advice if advice.is_empty() => Ok(()),
+            advice => write!(f, " ({advice})"),
+        }
+    }
+}

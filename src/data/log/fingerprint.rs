@@ -1,0 +1,206 @@
+//! Recognises the samples of a log in another one, whatever the files look like.
+//!
+//! A row is hashed as it was measured: positions and torques, not time. Of each log the rows with
+//! the smallest hashes are kept (Broder 1997, min-wise sampling), so that two logs choose the same
+//! rows wherever they share some, and memory is bounded. Order of columns, format, compression,
+//! shifted time stamps and rows left out between make no difference.
+
+use std::collections::HashMap;
+use std::collections::hash_map::DefaultHasher;
+use std::hash::{Hash, Hasher};
+
+use super::Block;
+use super::Layout;
+use super::LogError;
+use super::Quantity;
+use super::Role;
+use super::Source;
+
+/// Most rows that are kept of a log: all of two minutes at 1 kHz, every 28th of an hour; 3 MB.
+const MOST_ROWS: usize = 1 << 17;
+
+/// Rows kept one after the other that must all be found again, in the same order. Coarse sensors
+/// and motions that are played twice repeat single rows, never so many.
+const SHORTEST_RUN: usize = 20;
+
+/// Share of the shorter log below which common samples are no concern.
+const LEAST_SHARE: f64 = 0.01;
+
+/// A row that was kept.
+#[derive(Debug, Clone, Copy)]
+struct Row {
+    hash: u64,
+    index: u64,
+    /// Time, s.
+    time: f64,
+}
+
+/// By what a log is recognised.
+#[derive(Debug, Clone)]
+pub struct Fingerprint {
+    /// Of all rows, in order.
+    digest: u64,
+    rows: u64,
+    /// First and last time, s.
+    span: [f64; 2],
+    /// Hashes up to this one were kept.
+    limit: u64,
+    /// By hash; of equal rows the first.
+    kept: Vec<Row>,
+}
+
+/// What two logs have in common.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Common {
+    /// The same samples, all of them, in the same order.
+    All,
+    /// Stretches of one are in the other; their duration, s.
+    Stretch(f64),
+}
+
+impl Fingerprint {
+    /// Duration of the log, s.
+    pub fn duration(&self) -> f64 {
+        (self.span[1] - self.span[0]).max(0.0)
+    }
+
+    /// What this log and another one have in common; `None` where nothing is, or nothing worth a
+    /// word.
+    ///
+    /// A stretch counts where at least 20 kept rows, one after the other, stand in the other log in
+    /// the same order. Rows at rest that are equal count as one: an arm that stands still resembles
+    /// itself on any day.
+    pub fn common(&self, other: &Self) -> Option<Common> {
+        if self.rows == other.rows && self.digest == other.digest && self.rows > 0 {
+            return Some(Common::All);
+        }
+        // A log without every second row is found in the whole one, not the other way round.
+        let seconds = self.found_in(other).max(other.found_in(self));
+        let shorter = self.duration().min(other.duration());
+        (seconds > 0.0 && seconds >= LEAST_SHARE * shorter).then_some(Common::Stretch(seconds))
+    }
+
+    /// Seconds of this log that stand in the other one.
+    fn found_in(&self, other: &Self) -> f64 {
+        let limit = self.limit.min(other.limit);
+        let within = |log: &Self| log.kept.partition_point(|row| row.hash <= limit);
+        let there: HashMap<u64, u64> = other.kept[..within(other)].iter().map(|row| (row.hash, row.index)).collect();
+        let mut rows = self.kept[..within(self)].to_vec();
+        rows.sort_unstable_by_key(|row| row.index);
+        let mut seconds = 0.0;
+        // Start of the run, its length, and where its last row stands in the other log.
+        let mut run: Option<(f64, usize, u64)> = None;
+        let mut last = 0.0;
+        let mut close = |run: Option<(f64, usize, u64)>, end: f64| {
+            if let Some((start, length, _)) = run
+                && length >= SHORTEST_RUN
+            {
+                seconds += (end - start).max(0.0);
+            }
+        };
+        for row in &rows {
+            run = match (there.get(&row.hash), run) {
+                (Some(&at), Some((start, length, before))) if at > before => Some((start, length + 1, at)),
+                (found, open) => {
+                    close(open, last);
+                    found.map(|&at| (row.time, 1, at))
+                }
+            };
+            last = row.time;
+        }
+        close(run, last);
+        seconds
+    }
+}
+
+/// A log that is read, and its fingerprint on the way.
+pub struct Fingerprinted<'a> {
+    source: &'a mut (dyn Source + 'a),
+    /// Columns whose values are hashed: positions, then torques, by joint.
+    columns: Vec<usize>,
+    time: Option<usize>,
+    print: Fingerprint,
+    all: DefaultHasher,
+}
+
+impl<'a> Fingerprinted<'a> {
+    /// Reads `source` from its start.
+    pub fn new(source: &'a mut (dyn Source + 'a)) -> Self {
+        let layout = source.layout().clone();
+        let column = |role: Role| layout.roles.iter().position(|r| *r == role);
+        let first_of = |quantities: &[Quantity]| -> Vec<usize> {
+            let of = |quantity: Quantity| -> Vec<usize> {
+                (0..layout.dof).filter_map(|joint| column(Role::Joint(quantity, joint))).collect()
+            };
+            quantities.iter().map(|q| of(*q)).find(|columns| !columns.is_empty()).unwrap_or_default()
+        };
+        let positions = first_of(&[Quantity::Q, Quantity::Qm]);
+        let torques = first_of(&[Quantity::Tau, Quantity::Taum, Quantity::Current]);
+        let (columns, time) = ([positions, torques].concat(), column(Role::Time));
+        let print = Fingerprint { digest: 0, rows: 0, span: [0.0; 2], limit: u64::MAX, kept: Vec::new() };
+        Self { source, columns, time, print, all: DefaultHasher::new() }
+    }
+
+    /// Of all that was read.
+    pub fn finish(mut self) -> Fingerprint {
+        self.print.digest = self.all.finish();
+        self.print.thin();
+        self.print
+    }
+}
+
+impl Fingerprint {
+    /// Keeps the rows with the smallest hashes, each once.
+    fn thin(&mut self) {
+        self.kept.sort_unstable_by_key(|row| (row.hash, row.index));
+        self.kept.dedup_by_key(|row| row.hash);
+        if self.kept.len() > MOST_ROWS {
+            self.kept.truncate(MOST_ROWS);
+            self.limit = self.kept[MOST_ROWS - 1].hash;
+        }
+    }
+}
+
+impl Source for Fingerprinted<'_> {
+    fn layout(&self) -> &Layout {
+        self.source.layout()
+    }
+
+    fn next_block(&mut self, rows: usize, block: &mut Block) -> Result<(), LogError> {
+        self.source.next_block(rows, block)?;
+        for row in 0..block.len() {
+            let mut hasher = DefaultHasher::new();
+            for &column in &self.columns {
+                single(block.columns[column][row]).hash(&mut hasher);
+            }
+            let hash = hasher.finish();
+            hash.hash(&mut self.all);
+            let print = &mut self.print;
+            let time = self.time.map_or(print.rows as f64, |column| block.columns[column][row]);
+            if print.rows == 0 {
+                print.span[0] = time;
+            }
+            print.span[1] = time;
+            if hash <= print.limit {
+                print.kept.push(Row { hash, index: print.rows, time });
+                if print.kept.len() >= 2 * MOST_ROWS {
+                    print.thin();
+                }
+            }
+            print.rows += 1;
+        }
+        Ok(())
+    }
+}
+
+/// Bits in single precision, as some files store it; both zeros alike, and all that is no number.
+fn single(value: f64) -> u32 {
+    let value = value as f32;
+    if value.is_nan() {
+        u32::MAX
+    } else if value == 0.0 {
+        0
+    } else {
+        value.to_bits()
+    }
+}

@@ -1,0 +1,98 @@
+//! CSV, gzipped CSV and Parquet say the same; garbage is an error, never a panic.
+
+use std::io::Write;
+
+use proptest::prelude::*;
+
+use super::*;
+
+fn packed(bytes: &[u8]) -> Vec<u8> {
+    let mut out = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+    out.write_all(bytes).unwrap();
+    out.finish().unwrap()
+}
+
+fn all_of(bytes: &[u8]) -> Result<Log, LogError> {
+    Log::read(open("log", bytes)?.as_mut(), Quantity::Tau, Acceptance::default())
+}
+
+#[test]
+fn three_formats_agree() {
+    let plain = text(&good());
+    let log = all_of(plain.as_bytes()).unwrap();
+    assert_eq!(all_of(&packed(plain.as_bytes())).unwrap(), log);
+    let mut parquet = Vec::new();
+    super::super::parquet::write(&log, &mut parquet).unwrap();
+    assert_eq!(Format::of(&parquet), Format::Parquet);
+    assert_eq!(all_of(&parquet).unwrap().columns, log.columns);
+    let mut again = Vec::new();
+    super::super::csv::write(&log, &mut again).unwrap();
+    assert_eq!(all_of(&again).unwrap(), log);
+}
+
+#[test]
+fn blocks_of_any_size_give_the_same_rows() {
+    let plain = text(&good());
+    for rows in [1, 7, 1000] {
+        let mut source = open("log", plain.as_bytes()).unwrap();
+        let (mut block, mut lines, mut sum) = (Block::default(), 0, 0.0);
+        loop {
+            source.next_block(rows, &mut block).unwrap();
+            if block.is_empty() {
+                break;
+            }
+            assert!(block.len() <= rows);
+            lines += block.len();
+            sum += block.columns[1].iter().sum::<f64>();
+        }
+        assert_eq!(lines, 400);
+        assert!((sum - all_of(plain.as_bytes()).unwrap().columns[1].iter().sum::<f64>()).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn spaces_quotes_and_windows_lines() {
+    let plain = text(&good()).replace(',', " , ").replace('\n', "\r\n").replacen("tau1", "\"tau1\"", 1);
+    assert_eq!(all_of(plain.as_bytes()).unwrap().columns, all_of(text(&good()).as_bytes()).unwrap().columns);
+    let marked = format!("\u{feff}{}", text(&good()));
+    assert_eq!(all_of(marked.as_bytes()).unwrap().len(), 400);
+}
+
+#[test]
+fn empty_and_truncated() {
+    assert!(matches!(all_of(b""), Err(LogError::Empty { .. })));
+    assert!(all_of(b"t,q1,tau1\n").is_err());
+    let gz = packed(text(&good()).as_bytes());
+    assert!(matches!(all_of(&gz[..gz.len() / 2]), Err(LogError::Read { .. })));
+    assert!(matches!(all_of(b"PAR1rubbish"), Err(LogError::Parquet { .. })));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn no_bytes_make_it_panic(bytes in proptest::collection::vec(any::<u8>(), 0..300), kind in 0usize..4) {
+        let head: &[u8] = [&b""[..], b"t,q1,tau1\n", b"\x1f\x8b\x08\0", b"PAR1"][kind];
+        let _ = all_of(&[head, &bytes[..]].concat());
+    }
+
+    #[test]
+    fn no_cells_make_it_panic(cells in proptest::collection::vec("(|-?[0-9]{1,3}(\\.[0-9])?|nan|inf|1e308|x|,|\n)", 0..120)) {
+        let body = cells.chunks(3).map(|row| row.join(",") + "\n").collect::<String>();
+        let bytes = format!("t,q1,tau1\n{body}");
+        let _ = all_of(bytes.as_bytes());
+        let mut source = open("log", bytes.as_bytes()).unwrap();
+        let prepare = crate::data::signal::Prepare { keep: Acceptance::all(), filter: None, trim: 0.0, ..Default::default() };
+        let _ = crate::data::signal::each_motion(source.as_mut(), 1, &prepare, |m| assert_eq!(m.tau.len(), m.states.len));
+    }
+
+    #[test]
+    fn no_damage_to_a_parquet_makes_it_panic(at in 0usize..10_000, value in any::<u8>()) {
+        let log = all_of(text(&good()).as_bytes()).unwrap();
+        let mut bytes = Vec::new();
+        super::super::parquet::write(&log, &mut bytes).unwrap();
+        let at = at % bytes.len();
+        bytes[at] = value;
+        let _ = all_of(&bytes);
+    }
+}

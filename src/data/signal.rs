@@ -1,0 +1,23 @@
+//! From measured samples to filtered joint motion: even clock, zero-phase low-pass, central
+//! differences.
+//!
+//! Rows of a log -> even clock -> low-pass, forward and backward -> derivatives -> [`Motion`]. A
+//! log of any length streams through in bounded memory. Knows no robot.
+
+mod band;
+mod breakaway_band;
+mod difference;
+mod motion;
+mod prepare;
+mod resample;
+mod rest;
+mod stiction;
+
+pub use crate::numerics::butterworth::{CutoffError, low_pass};
+pub use crate::numerics::sos::{Biquad, Sos};
+pub use band::Band;
+pub use difference::{central, central_second};
+pub use motion::{Motion, MotionBlock};
+pub use prepare::{Derivatives, Filter, Prepare, PrepareError, Prepared, Preparer, each_motion};
+pub use resample::resample;
+pub use rest::{DeadZone, white_noise};

@@ -1,0 +1,77 @@
+//! What a low-pass, and the bursts that it let through, made of recorded positions: for treating
+//! what is computed in the same way.
+
+use super::Filter;
+use super::low_pass;
+use crate::data::signal::breakaway_band::Derived;
+
+/// How recorded positions became those of a motion.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Band {
+    /// The low-pass; `None`: there was none.
+    pub narrow: Option<Filter>,
+    /// The wider one of which bursts have a share.
+    pub wide: Option<Filter>,
+    /// The share of each sample, joint-major; empty: none anywhere.
+    pub share: Vec<f64>,
+}
+
+impl Band {
+    /// Part of it: these of `len` samples.
+    pub fn cut(&self, len: usize, range: std::ops::Range<usize>) -> Self {
+        let share = self.share.chunks_exact(len.max(1)).flat_map(|row| row[range.clone()].to_vec()).collect();
+        Self { share, ..self.clone() }
+    }
+
+    /// What it makes of a series of joint `joint` at even samples: the series, its derivative (1/s)
+    /// and its second (1/s^2).
+    pub fn seen(&self, joint: usize, x: &[f64], period: f64) -> [Vec<f64>; 3] {
+        let through = |filter: Filter| {
+            let mut y = x.to_vec();
+            // A series that is shorter than the filter remembers is as well left alone.
+            if let Ok(sos) = low_pass(filter.order, filter.cutoff, period.recip()) {
+                let pad = (1.0 / (period * filter.cutoff)).ceil() as usize;
+                sos.forward_backward(&mut y, pad.max(sos.scipy_padding()));
+            }
+            Derived::of(y, period)
+        };
+        let mut seen = match self.narrow {
+            Some(filter) => through(filter),
+            None => Derived::of(x.to_vec(), period),
+        };
+        let share = self.share.get(joint * x.len()..(joint + 1) * x.len()).unwrap_or(&[]);
+        if let Some(filter) = self.wide.filter(|_| share.iter().any(|s| *s != 0.0)) {
+            seen.share_of(&through(filter), share);
+        }
+        [seen.q, seen.dq, seen.ddq]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A step is rounded by the low-pass and stays sharper where the wider one has a share; at a
+    /// share of one it is the wider one's.
+    #[test]
+    fn a_share_of_the_wider_band() {
+        let x: Vec<f64> = (0..400).map(|k| f64::from(u8::from(k >= 200))).collect();
+        let of = |cutoff: f64| Filter { order: 4, cutoff };
+        let (narrow, wide) = (Some(of(15.0)), Some(of(40.0)));
+        let plain = Band { narrow, ..Band::default() }.seen(0, &x, 2e-3);
+        let sharp = Band { narrow: wide, ..Band::default() }.seen(0, &x, 2e-3);
+        let band = |share: f64| Band { narrow, wide, share: vec![share; 400] };
+        assert_eq!(band(0.0).seen(0, &x, 2e-3), plain);
+        let most = |x: &[f64]| x.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        for which in 0..3 {
+            let (all, half) = (band(1.0).seen(0, &x, 2e-3), band(0.5).seen(0, &x, 2e-3));
+            for k in 0..400 {
+                assert!((all[which][k] - sharp[which][k]).abs() < 1e-9 * most(&sharp[which]).max(1.0));
+                assert!((2.0 * half[which][k] - plain[which][k] - sharp[which][k]).abs() < 1e-6 * most(&sharp[which]));
+            }
+        }
+        assert!(most(&sharp[1]) > 2.0 * most(&plain[1]));
+        let cut = Band { share: (0..6).map(f64::from).collect(), ..Band::default() }.cut(3, 1..3);
+        assert_eq!(cut.share, [1.0, 2.0, 4.0, 5.0]);
+    }
+}

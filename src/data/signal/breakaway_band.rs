@@ -1,0 +1,206 @@
+//! Short, fast motion between two cutoffs, let through where it stands out of the noise.
+//!
+//! A joint that stops at a reversal and breaks away moves, for some hundredths of a second, far
+//! above the band of the motion that was asked for. A low-pass takes that out of the acceleration
+//! while the torque keeps it, and the difference is nobody's error. All of the higher band all the
+//! time would be mostly noise. So a burst is what noise would do once in twenty logs: the power of
+//! the acceleration in the band between, averaged over its neighbours, is then like chi-squared in
+//! twice as many degrees of freedom as bandwidth times averaging time (R. B. Blackman and J. W.
+//! Tukey 1958), about a median that bursts do not move. Around such a peak, as far as it rises out
+//! of the noise, each sample takes of the band the share `1 - N / P` (J. S. Lee, *Digital image
+//! enhancement and noise filtering by use of local statistics*, IEEE PAMI 2, 1980).
+
+use super::central;
+use super::central_second;
+
+/// Half the width of the average, s: as long as a burst lasts.
+const NEAR: f64 = 0.05;
+/// How often noise alone may pass for a burst, per joint and chunk.
+const MISTAKEN: f64 = 0.05;
+/// How many times its median the power of noise is taken to be around a burst.
+const ABOVE: f64 = 3.0;
+/// Share of the largest speed below which a joint stands, and its encoder's noise is not to be
+/// seen.
+const STANDS: f64 = 0.01;
+
+/// Positions with their derivatives, rad, rad/s, rad/s^2.
+pub(super) struct Derived {
+    pub q: Vec<f64>,
+    pub dq: Vec<f64>,
+    pub ddq: Vec<f64>,
+}
+
+impl Derived {
+    pub fn of(q: Vec<f64>, period: f64) -> Self {
+        let (dq, ddq) = (central(&q, period), central_second(&q, period));
+        Self { q, dq, ddq }
+    }
+
+    /// Takes what `wide`, the same signal with a higher cutoff, has beyond the noise. `cutoffs`: of
+    /// both, Hz. Returns the share of it that each sample takes; nothing where none takes any.
+    pub fn let_through(&mut self, wide: &Self, cutoffs: [f64; 2], period: f64) -> Vec<f64> {
+        let band: Vec<f64> = wide.ddq.iter().zip(&self.ddq).map(|(a, b)| (a - b) * (a - b)).collect();
+        let half = ((NEAR / period).round() as usize).max(1);
+        let power = averaged(&band, half);
+        let fastest = self.dq.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let moving = power.iter().zip(&self.dq).filter(|(_, v)| v.abs() > STANDS * fastest).map(|(p, _)| *p);
+        let mut sorted: Vec<f64> = moving.collect();
+        if sorted.is_empty() {
+            return Vec::new();
+        }
+        let mut shares: Vec<f64> = Vec::new();
+        let middle = sorted.len() / 2;
+        let median = *sorted.select_nth_unstable_by(middle, f64::total_cmp).1;
+        // Raised cosine: what it averages over counts as 4/3 of its half width.
+        let time = 4.0 / 3.0 * half as f64 * period;
+        let freedom = 2.0 * bandwidth(cutoffs) * time;
+        let looks = (power.len() as f64 * period / time).max(1.0);
+        let peak = median * (chi_squared(freedom, MISTAKEN / looks) / chi_squared(freedom, 0.5)).max(ABOVE);
+        let noise = ABOVE * median;
+        let mut k = 0;
+        while k < power.len() {
+            if power[k] <= noise {
+                k += 1;
+                continue;
+            }
+            let end = (k..power.len()).find(|&i| power[i] <= noise).unwrap_or(power.len());
+            if power[k..end].iter().any(|p| *p > peak) {
+                shares.resize(power.len(), 0.0);
+                for (share, power) in shares[k..end].iter_mut().zip(&power[k..end]) {
+                    *share = 1.0 - noise / power;
+                }
+            }
+            k = end;
+        }
+        self.share_of(wide, &shares);
+        shares
+    }
+
+    /// Takes a share of each sample of `wide`.
+    pub fn share_of(&mut self, wide: &Self, shares: &[f64]) {
+        for (own, other) in [(&mut self.q, &wide.q), (&mut self.dq, &wide.dq), (&mut self.ddq, &wide.ddq)] {
+            for ((own, other), share) in own.iter_mut().zip(other).zip(shares) {
+                *own += share * (other - *own);
+            }
+        }
+    }
+}
+
+/// Bandwidth of the acceleration of white noise between two cutoffs, Hz: `(int S)^2 / int S^2` of
+/// `S = f^4`.
+fn bandwidth([low, high]: [f64; 2]) -> f64 {
+    let whole = (high.powi(5) - low.powi(5)) / 5.0;
+    whole * whole / ((high.powi(9) - low.powi(9)) / 9.0)
+}
+
+/// What chi-squared in `freedom` degrees exceeds with this probability (at most a half): by the
+/// normal distribution (E. B. Wilson and M. M. Hilferty 1931), whose own quantile is that of
+/// Abramowitz and Stegun, 26.2.23.
+fn chi_squared(freedom: f64, probability: f64) -> f64 {
+    let t = (-2.0 * probability.clamp(1e-300, 0.5).ln()).sqrt();
+    let z =
+        t - (2.515_517 + t * (0.802_853 + t * 0.010_328)) / (1.0 + t * (1.432_788 + t * (0.189_269 + t * 0.001_308)));
+    let a = 2.0 / (9.0 * freedom.max(0.1));
+    freedom * (1.0 - a + z * a.sqrt()).max(0.0).powi(3)
+}
+
+/// Averages with weights that fall on a raised cosine to zero beyond `half` samples to each side;
+/// at the ends of those that there are.
+fn averaged(x: &[f64], half: usize) -> Vec<f64> {
+    let weights: Vec<f64> =
+        (0..=half).map(|i| 0.5 + 0.5 * (std::f64::consts::PI * i as f64 / (half + 1) as f64).cos()).collect();
+    (0..x.len())
+        .map(|k| {
+            let span = k.saturating_sub(half)..(k + half + 1).min(x.len());
+            let (mut sum, mut whole) = (0.0, 0.0);
+            for i in span {
+                let w = weights[i.abs_diff(k)];
+                sum += w * x[i];
+                whole += w;
+            }
+            sum / whole
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::low_pass;
+    use super::*;
+    use crate::numerics::prng::Random;
+
+    /// A joint that swings slowly, stands still for 40 ms and catches up: its acceleration comes
+    /// back where it breaks away, and the noise elsewhere stays as low as the lower cutoff leaves
+    /// it.
+    #[test]
+    fn a_break_away_is_seen_and_noise_is_not() {
+        let (rate, n) = (500.0, 6000);
+        let truth = |t: f64| {
+            // Catching up: a step of acceleration through a damped oscillator of 10 Hz.
+            let since = (t % 2.0) - 1.0;
+            let burst = if since > 0.0 { (-60.0 * since).exp() * (60.0 * since).sin() } else { 0.0 };
+            (3.0 * t).sin() + 2e-3 * burst
+        };
+        let mut random = Random::new(3);
+        let raw: Vec<f64> =
+            (0..n).map(|k| ((truth(k as f64 / rate) + random.uniform(-1e-5, 1e-5)) / 2e-5).round() * 2e-5).collect();
+        let exact: Vec<f64> = {
+            let h = 1e-4;
+            let at = |t: f64| (truth(t + h) - 2.0 * truth(t) + truth(t - h)) / (h * h);
+            (0..n).map(|k| at(k as f64 / rate)).collect()
+        };
+        let filtered = |cutoff: f64| {
+            let mut q = raw.clone();
+            low_pass(4, cutoff, rate).unwrap().forward_backward(&mut q, 50);
+            Derived::of(q, 1.0 / rate)
+        };
+        let (plain, wide) = (filtered(15.0), filtered(40.0));
+        let mut both = filtered(15.0);
+        both.let_through(&wide, [15.0, 40.0], 1.0 / rate);
+        let error = |d: &Derived, near: bool| {
+            let at = (200..n - 200).filter(|k| {
+                let since = (*k as f64 / rate) % 2.0 - 1.0;
+                // Not the jump itself.
+                if near { (0.012..0.1).contains(&since) } else { !(-0.15..0.3).contains(&since) }
+            });
+            let squares: Vec<f64> = at.map(|k| (d.ddq[k] - exact[k]).powi(2)).collect();
+            (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
+        };
+        assert!(error(&both, true) < 0.65 * error(&plain, true), "{} {}", error(&both, true), error(&plain, true));
+        assert!(error(&both, false) < 1.2 * error(&plain, false), "{} {}", error(&both, false), error(&plain, false));
+        assert!(error(&both, false) < 0.4 * error(&wide, false), "{} {}", error(&both, false), error(&wide, false));
+    }
+
+    /// Noise of a tenth of a milliradian, and of the clock, is no burst.
+    #[test]
+    fn noise_is_let_through_in_few_logs() {
+        let (rate, n) = (500.0, 6000_usize);
+        let mut touched = 0;
+        for seed in 0..20 {
+            let mut random = Random::new(seed);
+            let gauss = |random: &mut Random| (0..12).map(|_| random.uniform(0.0, 1.0)).sum::<f64>() - 6.0;
+            let raw: Vec<f64> = (0..n).map(|k| (0.006 * k as f64).sin() + 1e-4 * gauss(&mut random)).collect();
+            let filtered = |cutoff: f64| {
+                let mut q = raw.clone();
+                low_pass(4, cutoff, rate).unwrap().forward_backward(&mut q, 50);
+                Derived::of(q, 1.0 / rate)
+            };
+            let (plain, mut both) = (filtered(15.0), filtered(15.0));
+            both.let_through(&filtered(40.0), [15.0, 40.0], 1.0 / rate);
+            // Ends, which a filter knows from one side, are cut off later.
+            touched += usize::from(plain.ddq[100..n - 100] != both.ddq[100..n - 100]);
+        }
+        assert!(touched <= 4, "{touched} of 20");
+    }
+
+    /// Tables: 5 % and 0.1 % of two and of ten degrees of freedom.
+    #[test]
+    fn chi_squared_of_the_tables() {
+        for (freedom, probability, value) in
+            [(2.0, 0.05, 5.991), (2.0, 0.001, 13.816), (10.0, 0.05, 18.307), (10.0, 0.001, 29.588)]
+        {
+            let found = chi_squared(freedom, probability);
+            assert!((found / value - 1.0).abs() < 0.03, "{found} {value}");
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! A stretch of motion, ready for the model.
+
+use std::ops::Range;
+
+use super::Band;
+use crate::model::States;
+
+/// Filtered motion and torque of consecutive, evenly spaced samples of one segment.
+///
+/// `core` is what is to be used; the samples around it are there so that what is computed from the
+/// motion can itself be filtered.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Motion {
+    /// Number of the segment within the log, from 0.
+    pub segment: usize,
+    /// Time of the first sample, s.
+    pub start: f64,
+    /// Spacing, s.
+    pub period: f64,
+    /// Positions, velocities, accelerations, joint-major.
+    pub states: States,
+    /// Torques, joint-major, `dof * len`, N m.
+    pub tau: Vec<f64>,
+    /// Sign of each velocity (zero at rest), through the same low-pass as the torque, joint-major;
+    /// empty where velocities are set to zero. The low-pass rounds the steps of the Coulomb torque,
+    /// and this is what it makes of them. Behind the joints stand the signs of
+    /// [`crate::data::signal::Prepare::sums`].
+    pub sign: Vec<f64>,
+    /// Samples to be used.
+    pub core: Range<usize>,
+    /// Every how many samples one is used.
+    pub stride: usize,
+    /// Standard deviation of the velocity error that the noise of `q` leaves after the filter,
+    /// rad/s, per joint.
+    pub velocity_noise: Vec<f64>,
+    /// Standard deviation of the white noise of the recorded positions, rad, per joint
+    /// ([`white_noise`](crate::data::signal::white_noise)): unlike `velocity_noise` free of motion
+    /// beyond the cutoff. Empty where velocities do not come from positions.
+    pub position_noise: Vec<f64>,
+    /// Whether each joint is at rest
+    /// ([`Prepare::dead_zone`](crate::data::signal::Prepare::dead_zone)): dry friction is then
+    /// anything within its breakaway level, and `sign` is
+    /// 0. Joint-major, those of the sums behind; empty where velocities are set to zero.
+    pub resting: Vec<bool>,
+    /// Whether each joint sticks (it does not move beyond the noise of its encoder), joint-major;
+    /// empty where velocities do not come from filtered positions.
+    pub stuck: Vec<bool>,
+    /// Highest frequency that the low-pass left in the torque, Hz; `None` where the torque was not
+    /// filtered.
+    pub bandwidth: Option<f64>,
+    /// What the low-pass made of the positions, for all samples.
+    pub band: Band,
+    /// Temperatures as recorded, joint-major, deg C; empty where they were not asked for or not
+    /// recorded.
+    pub temperature: Vec<f64>,
+    /// External wrench as recorded, `fx .. mz` one after the other, `6 * len`, treated like the
+    /// torque; empty where it was not asked for or not recorded.
+    pub wrench: Vec<f64>,
+}
+
+/// Some used samples of a motion, joint-major.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct MotionBlock {
+    /// Positions, velocities, accelerations.
+    pub states: States,
+    /// Torques, N m.
+    pub tau: Vec<f64>,
+    /// [`Motion::sign`].
+    pub sign: Vec<f64>,
+    /// [`Motion::resting`].
+    pub resting: Vec<bool>,
+}
+
+impl Motion {
+    /// Indices of the samples to be used.
+    pub fn picks(&self) -> impl ExactSizeIterator<Item = usize> + use<> {
+        self.core.clone().step_by(self.stride.max(1))
+    }
+
+    /// Number of joints.
+    pub fn dof(&self) -> usize {
+        self.velocity_noise.len()
+    }
+
+    /// Time of a sample, s.
+    pub fn time(&self, sample: usize) -> f64 {
+        self.start + sample as f64 * self.period
+    }
+
+    /// Copies samples `picks[from..]`, at most `rows`, into `block`. Returns how many.
+    pub fn gather(&self, from: usize, rows: usize, block: &mut MotionBlock) -> usize {
+        let MotionBlock { states, tau, sign, resting } = block;
+        let stride = self.stride.max(1);
+        let first = self.core.start + from * stride;
+        let count = if first >= self.core.end { 0 } else { (self.core.end - first).div_ceil(stride).min(rows) };
+        let len = self.states.len;
+        let pick = |source: &[f64], out: &mut Vec<f64>| {
+            out.clear();
+            for row in source.chunks_exact(len) {
+                if stride == 1 {
+                    out.extend_from_slice(&row[first..first + count]);
+                } else {
+                    out.extend((0..count).map(|i| row[first + i * stride]));
+                }
+            }
+        };
+        if count > 0 {
+            states.len = count;
+            pick(&self.states.q, &mut states.q);
+            pick(&self.states.dq, &mut states.dq);
+            pick(&self.states.ddq, &mut states.ddq);
+            pick(&self.tau, tau);
+            sign.clear();
+            if self.sign.len() >= self.dof() * len {
+                pick(&self.sign, sign);
+            }
+            resting.clear();
+            for row in self.resting.chunks_exact(len) {
+                resting.extend((0..count).map(|i| row[first + i * stride]));
+            }
+        }
+        count
+    }
+}

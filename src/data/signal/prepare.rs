@@ -1,0 +1,787 @@
+//! Rows of a log -> even clock -> zero-phase low-pass -> derivatives -> [`Motion`]s, in bounded
+//! memory.
+//!
+//! A segment that is longer than a chunk is filtered in overlapping chunks. The overlap is as long
+//! as the filter remembers (to 1e-12), so the result is that of filtering the segment at once.
+
+use super::Band;
+use super::Motion;
+use super::central;
+use super::low_pass;
+use super::resample;
+use super::rest;
+use super::rest::DeadZone;
+use super::white_noise;
+use crate::data::log::{
+    Acceptance, Block, Clock, Finding, Kind, Layout, LogError, QualityCheck, Quantity, Reached, Role, Severity, Source,
+    Verdict,
+};
+use crate::data::signal::breakaway_band::Derived;
+use crate::data::signal::resample::smoother_evenly;
+use crate::data::signal::stiction::stiction;
+use crate::model::{States, VelocitySum};
+use crate::numerics::sos::Sos;
+
+/// A zero-phase Butterworth low-pass.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Filter {
+    /// Order of one pass; forward and backward double it.
+    pub order: usize,
+    /// Frequency at which one pass is at -3 dB, Hz.
+    pub cutoff: f64,
+}
+
+impl Default for Filter {
+    /// The paper's: order 5, 10 Hz (section III.E).
+    fn default() -> Self {
+        Self { order: 5, cutoff: 10.0 }
+    }
+}
+
+impl Filter {
+    /// What it leaves, forward and backward, of white noise at `rate`, Hz: the root of the energy
+    /// of its impulse response, as a share. 1 where the cutoff is beyond half the rate, and nothing
+    /// is filtered.
+    pub fn noise_gain(self, rate: f64) -> f64 {
+        let Ok(sos) = low_pass(self.order, self.cutoff, rate) else { return 1.0 };
+        let half = 2 * sos.settling();
+        let mut impulse = vec![0.0; 2 * half + 1];
+        impulse[half] = 1.0;
+        sos.forward_backward(&mut impulse, 0);
+        impulse.iter().map(|x| x * x).sum::<f64>().sqrt()
+    }
+}
+
+impl Filter {
+    /// Response of the velocity, 1/s, to an error of 1 in one recorded position, sample by sample.
+    pub fn velocity_response(self, period: f64) -> Vec<f64> {
+        let sos = low_pass(self.order, self.cutoff, period.recip()).ok();
+        let half = sos.as_ref().map_or(4, |sos| 2 * sos.settling());
+        let mut impulse = vec![0.0; 2 * half + 1];
+        impulse[half] = 1.0;
+        if let Some(sos) = sos {
+            sos.forward_backward(&mut impulse, 0);
+        }
+        central(&impulse, period)
+    }
+
+    /// Standard deviation of a velocity, 1/s, whose positions have white noise of standard
+    /// deviation `position`: of density `s^2 / (rate / 2)` per Hz, differentiated up to the cutoff,
+    /// `s_v = 2 pi s sqrt(2 fc^3 / (3 rate))`.
+    pub fn velocity_noise(self, position: f64, rate: f64) -> f64 {
+        std::f64::consts::TAU * position * (2.0 * self.cutoff.powi(3) / (3.0 * rate)).sqrt()
+    }
+}
+
+/// Where velocities and accelerations come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Derivatives {
+    /// Central differences of the filtered positions. Recorded velocities are often filtered, and
+    /// late.
+    #[default]
+    FromPosition,
+    /// The log's `dq`, filtered, and its `ddq` or the central difference of `dq`.
+    Recorded,
+    /// Zero: a log of static poses.
+    AtRest,
+}
+
+/// How samples become motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Prepare {
+    /// Low-pass for positions and torques alike; `None`: none.
+    pub filter: Option<Filter>,
+    /// A second, higher cutoff, Hz: what positions have between the two is let through where it is
+    /// more than noise, as where a joint breaks away after a reversal. Not used where the log is
+    /// too slow for it. Default `None`: never.
+    pub bursts: Option<f64>,
+    /// Source of velocities and accelerations.
+    pub derivatives: Derivatives,
+    /// What counts as rest. Default: what the noise of the log makes it.
+    pub dead_zone: DeadZone,
+    /// What is cut off at both ends of each segment, s: where filter and differences know only one
+    /// side. Default two periods of the default cutoff.
+    pub trim: f64,
+    /// By how much the torque was recorded later than the motion, s: it is moved back by this.
+    /// Default 0.
+    pub torque_delay: f64,
+    /// Every how many samples one is used, after the low-pass. Default 1.
+    pub stride: usize,
+    /// The torque columns. Default `tau`.
+    pub torque: Quantity,
+    /// What each joint's torque column is multiplied by: N m per A where the columns are currents.
+    /// Default empty: 1 for all.
+    pub torque_gains: Vec<f64>,
+    /// Torque constant of each joint, N m at the joint per A of the motor, where it is known.
+    /// Currents are used where `torque` asks for them and [`Prepare::torque_gains`] is empty, or
+    /// where it asks for `tau` and the log has currents alone. Default empty: none is known.
+    pub torque_constants: Vec<Option<f64>>,
+    /// What the user allows.
+    pub keep: Acceptance,
+    /// Samples that are filtered at once. Default 65,536; bounds the memory; a chunk also is
+    /// the stretch over which the noise of `q` is found.
+    pub chunk: usize,
+    /// Whether motions carry samples around their core, for filtering what is computed from them.
+    pub margins: bool,
+    /// Whether the torque is handed on as it was recorded, without the low-pass; [`Motion::sign`]
+    /// is then not low-passed either.
+    pub raw_torque: bool,
+    /// Sums of velocities whose signs motions carry behind those of the joints.
+    pub sums: Vec<VelocitySum>,
+    /// Whether motions carry the temperatures, `temp1..`, where the log has them.
+    pub temperature: bool,
+    /// Whether motions carry the external wrench, `fx .. mz`, where the log has it.
+    pub wrench: bool,
+}
+
+impl Default for Prepare {
+    fn default() -> Self {
+        Self {
+            filter: Some(Filter::default()),
+            bursts: None,
+            derivatives: Derivatives::FromPosition,
+            dead_zone: DeadZone::FromNoise,
+            trim: 0.2,
+            torque_delay: 0.0,
+            stride: 1,
+            torque: Quantity::Tau,
+            torque_gains: Vec::new(),
+            torque_constants: Vec::new(),
+            keep: Acceptance::default(),
+            chunk: 1 << 16,
+            margins: false,
+            raw_torque: false,
+            sums: Vec::new(),
+            temperature: false,
+            wrench: false,
+        }
+    }
+}
+
+impl Prepare {
+    /// With the torque columns that a log of this layout has, and the gains of currents.
+    fn for_layout(&self, layout: &Layout) -> Result<Self, LogError> {
+        let currents = match self.torque {
+            Quantity::Current => self.torque_gains.is_empty(),
+            Quantity::Tau if layout.has(Quantity::Tau) => false,
+            Quantity::Tau if layout.has(Quantity::Current) => true,
+            Quantity::Tau => return Err(layout.without_torque()),
+            _ => false,
+        };
+        if !currents {
+            return Ok(self.clone());
+        }
+        let constant = |joint: usize| self.torque_constants.get(joint).copied().flatten();
+        let joints: Vec<usize> = (0..layout.dof).filter(|&j| constant(j).is_none()).map(|j| j + 1).collect();
+        if !joints.is_empty() {
+            return Err(LogError::NoTorqueConstant { file: layout.file.clone(), joints });
+        }
+        let torque_gains = (0..layout.dof).filter_map(constant).collect();
+        Ok(Self { torque: Quantity::Current, torque_gains, ..self.clone() })
+    }
+
+    /// Ranges of current columns as torques, N m.
+    fn in_torque(&self, mut reached: Vec<Reached>) -> Vec<Reached> {
+        let prefix = self.torque.prefix();
+        for (gain, joint) in self.torque_gains.iter().zip(1..) {
+            for column in reached.iter_mut().filter(|r| r.column == format!("{prefix}{joint}")) {
+                let ends = column.range.map(|end| end * gain);
+                column.range = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+            }
+        }
+        reached
+    }
+}
+
+/// Why a log can't be prepared.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum PrepareError {
+    /// The log itself.
+    #[error(transparent)]
+    Log(#[from] LogError),
+    /// The filter does not go with the sampling rate.
+    #[error("{file}: {source}")]
+    Cutoff {
+        /// File.
+        file: String,
+        /// What does not fit.
+        source: super::CutoffError,
+    },
+    /// Decimation would fold frequencies that the low-pass lets through.
+    #[error(
+        "{file}: every {stride}th sample of {rate:.1} Hz is too few for a low-pass of {cutoff} Hz; at most every {most}th"
+    )]
+    Stride {
+        /// File.
+        file: String,
+        /// Asked for.
+        stride: usize,
+        /// Sampling rate, Hz.
+        rate: f64,
+        /// Cutoff, Hz.
+        cutoff: f64,
+        /// Largest stride that keeps the rate above 2.5 times the cutoff.
+        most: usize,
+    },
+    /// Nothing is left to work with.
+    #[error(
+        "{file}: nothing is left of {samples} samples after filtering and cutting {trim} s off both ends of each segment; record longer stretches or lower the trim"
+    )]
+    NothingLeft {
+        /// File.
+        file: String,
+        /// Samples that the log has.
+        samples: usize,
+        /// Cut at each end, s.
+        trim: f64,
+    },
+}
+
+/// What preparing a log showed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Prepared {
+    /// File.
+    pub file: String,
+    /// Findings of the doctor and of the clock.
+    pub findings: Vec<Finding>,
+    /// Rows of the log that were usable.
+    pub rows: usize,
+    /// Samples handed on.
+    pub samples: usize,
+    /// Segments.
+    pub segments: usize,
+    /// Usual sampling rate, Hz.
+    pub rate: f64,
+    /// How far positions and torques went.
+    pub reached: Vec<Reached>,
+}
+
+/// Reads a log to its end and hands each [`Motion`] to `sink`.
+pub fn each_motion(
+    source: &mut dyn Source,
+    dof: usize,
+    prepare: &Prepare,
+    mut sink: impl FnMut(&Motion),
+) -> Result<Prepared, PrepareError> {
+    let layout = source.layout().clone();
+    if layout.dof != dof {
+        return Err(LogError::Joints { file: layout.file, found: layout.dof, expected: dof }.into());
+    }
+    let prepare = &prepare.for_layout(&layout)?;
+    let mut preparer = Preparer::new(&layout, dof, prepare)?;
+    let mut doctor = QualityCheck::new(&layout, prepare.torque, prepare.keep);
+    let (mut block, mut verdicts) = (Block::default(), Vec::new());
+    let mut row_values = Vec::new();
+    let (mut rows, mut samples) = (0, 0);
+    let mut hand_on = |motions: Vec<Motion>| {
+        for motion in motions {
+            samples += motion.picks().len();
+            sink(&motion);
+        }
+    };
+    // Time that runs back or stands still makes a rate that no filter goes with: what the doctor
+    // says of the clock comes first.
+    let explained = |error: PrepareError, doctor: &QualityCheck, file: &str| -> PrepareError {
+        let findings = doctor.clone().finish();
+        let clock = |f: &Finding| f.is_fatal() && f.column.as_deref() == Some("t");
+        match findings.iter().any(clock) {
+            true => {
+                LogError::Rejected { file: file.into(), findings: findings.into_iter().filter(clock).collect() }.into()
+            }
+            false => error,
+        }
+    };
+    loop {
+        source.next_block(8192, &mut block)?;
+        if block.is_empty() {
+            break;
+        }
+        doctor.admit(&block, &mut verdicts);
+        preparer.nominal = doctor.period();
+        for (row, verdict) in verdicts.iter().enumerate().filter(|(_, v)| **v != Verdict::Drop) {
+            if *verdict == Verdict::Start {
+                hand_on(preparer.end_segment().map_err(|e| explained(e, &doctor, &layout.file))?);
+            }
+            row_values.clear();
+            row_values.extend(preparer.sources.iter().map(|&column| block.columns[column][row]));
+            preparer.push(block.columns[preparer.time][row], &row_values);
+            rows += 1;
+        }
+        hand_on(preparer.advance().map_err(|e| explained(e, &doctor, &layout.file))?);
+    }
+    hand_on(preparer.end_segment().map_err(|e| explained(e, &doctor, &layout.file))?);
+    let reached = prepare.in_torque(doctor.reached());
+    let mut findings = doctor.finish();
+    findings.append(&mut preparer.findings);
+    if prepare.torque == Quantity::Current {
+        let kind = Kind::FromCurrents { gains: prepare.torque_gains.clone() };
+        findings.push(Finding { kind, severity: Severity::Note, line: None, column: None, count: 1 });
+    }
+    if findings.iter().any(Finding::is_fatal) {
+        return Err(LogError::Rejected { file: layout.file, findings }.into());
+    }
+    if samples == 0 {
+        return Err(PrepareError::NothingLeft { file: layout.file, samples: rows, trim: prepare.trim });
+    }
+    let rate = preparer.nominal.map_or(0.0, f64::recip);
+    Ok(Prepared { file: layout.file, findings, rows, samples, segments: preparer.segment, rate, reached })
+}
+
+/// The running state between rows and motions.
+pub struct Preparer {
+    settings: Prepare,
+    file: String,
+    dof: usize,
+    /// Index of `t` among a block's columns.
+    time: usize,
+    /// Indices of the channels among a block's columns: `q`, `tau`, then `dq`, `ddq`, `temp` if
+    /// they are used.
+    sources: Vec<usize>,
+    /// Where the temperatures stand among the channels.
+    temperature: Option<usize>,
+    /// Where the external wrench stands among the channels.
+    wrench: Option<usize>,
+    /// Whether accelerations are among the channels.
+    recorded_ddq: bool,
+    /// The log's usual step, s.
+    nominal: Option<f64>,
+    segment: usize,
+    findings: Vec<Finding>,
+    /// Rows that are not evened yet.
+    raw_time: Vec<f64>,
+    raw: Vec<Vec<f64>>,
+    clock: Option<SegmentClock>,
+    /// Evened samples that are still needed, and the number of the first of them in the segment.
+    evened: Vec<Vec<f64>>,
+    first: usize,
+    /// Samples of the segment that were handed on.
+    done: usize,
+    filter: Option<Sos>,
+    /// The low-pass of [`Prepare::bursts`].
+    wide: Option<Sos>,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct SegmentClock {
+    start: f64,
+    period: f64,
+    resample: bool,
+    /// Samples produced.
+    produced: usize,
+    last: f64,
+}
+
+/// Rows by which the clock of a segment is judged.
+const JUDGE: usize = 1024;
+
+impl Preparer {
+    /// For logs with this layout.
+    pub fn new(layout: &Layout, dof: usize, prepare: &Prepare) -> Result<Self, LogError> {
+        if layout.dof != dof {
+            return Err(LogError::Joints { file: layout.file.clone(), found: layout.dof, expected: dof });
+        }
+        let mut sources = layout.require_all(Quantity::Q, dof)?;
+        sources.extend(layout.require_all(prepare.torque, dof)?);
+        if prepare.derivatives == Derivatives::Recorded {
+            sources.extend(layout.require_all(Quantity::Dq, dof)?);
+            if layout.has(Quantity::Ddq) {
+                sources.extend(layout.require_all(Quantity::Ddq, dof)?);
+            }
+        }
+        let recorded_ddq = prepare.derivatives == Derivatives::Recorded && layout.has(Quantity::Ddq);
+        let mut temperature = None;
+        if prepare.temperature && layout.has(Quantity::Temperature) {
+            temperature = Some(sources.len());
+            sources.extend(layout.require_all(Quantity::Temperature, dof)?);
+        }
+        let mut wrench = None;
+        let components: Option<Vec<usize>> = (0..6).map(|i| layout.find(Role::Wrench(i))).collect();
+        if let Some(components) = components.filter(|_| prepare.wrench) {
+            wrench = Some(sources.len());
+            sources.extend(components);
+        }
+        Ok(Self {
+            settings: prepare.clone(),
+            file: layout.file.clone(),
+            dof,
+            temperature,
+            wrench,
+            recorded_ddq,
+            time: layout.require(Role::Time)?,
+            raw: vec![Vec::new(); sources.len()],
+            evened: vec![Vec::new(); sources.len()],
+            sources,
+            nominal: None,
+            segment: 0,
+            findings: Vec::new(),
+            raw_time: Vec::new(),
+            clock: None,
+            first: 0,
+            done: 0,
+            filter: None,
+            wide: None,
+        })
+    }
+
+    fn push(&mut self, time: f64, values: &[f64]) {
+        self.raw_time.push(time);
+        for (to, value) in self.raw.iter_mut().zip(values) {
+            to.push(*value);
+        }
+    }
+
+    /// Motions that can be made now.
+    fn advance(&mut self) -> Result<Vec<Motion>, PrepareError> {
+        if self.raw_time.len() < JUDGE {
+            return Ok(Vec::new());
+        }
+        self.even_out(false)?;
+        self.motions(false)
+    }
+
+    /// Motions of what is left of the segment; the next row begins another.
+    fn end_segment(&mut self) -> Result<Vec<Motion>, PrepareError> {
+        let mut motions = Vec::new();
+        if !self.raw_time.is_empty() || self.clock.is_some() {
+            self.even_out(true)?;
+            motions = self.motions(true)?;
+            self.segment += 1;
+        }
+        self.raw_time.clear();
+        self.raw.iter_mut().for_each(Vec::clear);
+        self.evened.iter_mut().for_each(Vec::clear);
+        (self.clock, self.first, self.done) = (None, 0, 0);
+        Ok(motions)
+    }
+
+    /// Decides how the segment's clock is evened: from its first rows.
+    fn judge_clock(&mut self) -> Result<SegmentClock, PrepareError> {
+        let t = &self.raw_time;
+        let nominal = self.nominal.unwrap_or(1.0);
+        let usual: Vec<f64> = t.windows(2).map(|w| w[1] - w[0]).filter(|d| *d < 1.5 * nominal).collect();
+        let far = t.windows(2).filter(|w| (w[1] - w[0] - nominal).abs() > 0.5 * nominal).count();
+        let mean = if usual.is_empty() { nominal } else { usual.iter().sum::<f64>() / usual.len() as f64 };
+        let rms = (usual.iter().map(|d| (d - mean) * (d - mean)).sum::<f64>() / usual.len().max(1) as f64).sqrt();
+        let mut resample = 20 * far > t.len().max(20);
+        if !resample && rms > 0.01 * mean {
+            let channels: Vec<&[f64]> = self.raw[..self.dof].iter().map(Vec::as_slice).collect();
+            resample = !smoother_evenly(t, &channels, mean);
+        }
+        if resample || rms > 0.01 * mean {
+            let kind = Kind::Evened { clock: if resample { Clock::Resampled } else { Clock::Even } };
+            match self.findings.iter_mut().find(|f| f.kind == kind) {
+                Some(known) => known.count += 1,
+                None => {
+                    let column = Some("t".to_string());
+                    self.findings.push(Finding { kind, severity: Severity::Note, line: None, column, count: 1 });
+                }
+            }
+        }
+        let period = if resample { nominal } else { mean };
+        // A single row has no rate; that it is too few is said elsewhere.
+        if let Some(filter) = self.settings.filter.filter(|_| t.len() > 1) {
+            let rate = period.recip();
+            let sos = low_pass(filter.order, filter.cutoff, rate)
+                .map_err(|source| PrepareError::Cutoff { file: self.file.clone(), source })?;
+            let most = ((rate / (2.5 * filter.cutoff)) as usize).max(1);
+            if self.settings.stride > most {
+                let (file, stride) = (self.file.clone(), self.settings.stride);
+                return Err(PrepareError::Stride { file, stride, rate, cutoff: filter.cutoff, most });
+            }
+            self.filter = Some(sos);
+            self.wide = self
+                .settings
+                .bursts
+                .filter(|cutoff| *cutoff > filter.cutoff)
+                .and_then(|cutoff| low_pass(filter.order, cutoff, rate).ok());
+        }
+        Ok(SegmentClock { start: t[0], period, resample, produced: 0, last: t[0] })
+    }
+
+    fn even_out(&mut self, end: bool) -> Result<(), PrepareError> {
+        if self.raw_time.is_empty() {
+            return Ok(());
+        }
+        let mut clock = match self.clock {
+            Some(clock) => clock,
+            None => self.judge_clock()?,
+        };
+        if clock.resample {
+            let n = self.raw_time.len();
+            let limit = if end { n } else { n.saturating_sub(2) };
+            let mut used = 0;
+            loop {
+                let at = clock.start + clock.produced as f64 * clock.period;
+                // A few ulps past the last stamp still belong to it.
+                if limit == 0 || at > self.raw_time[limit - 1] + 1e-9 * clock.period {
+                    break;
+                }
+                while used + 1 < n && self.raw_time[used + 1] < at {
+                    used += 1;
+                }
+                let window = used.saturating_sub(2)..(used + 4).min(n);
+                for (to, from) in self.evened.iter_mut().zip(&self.raw) {
+                    to.push(resample(&self.raw_time[window.clone()], &from[window.clone()], at));
+                }
+                clock.produced += 1;
+            }
+            let keep_from = used.saturating_sub(3);
+            self.raw_time.drain(..keep_from);
+            self.raw.iter_mut().for_each(|x| drop(x.drain(..keep_from)));
+        } else {
+            for row in 0..self.raw_time.len() {
+                let step = self.raw_time[row] - clock.last;
+                // A sample that the recorder missed is put in on the line between its neighbours.
+                if clock.produced > 0 && step > 1.5 * clock.period {
+                    for (to, from) in self.evened.iter_mut().zip(&self.raw) {
+                        let before = to.last().copied().unwrap_or(from[row]);
+                        to.push(0.5 * (before + from[row]));
+                    }
+                    clock.produced += 1;
+                }
+                for (to, from) in self.evened.iter_mut().zip(&self.raw) {
+                    to.push(from[row]);
+                }
+                clock.produced += 1;
+                clock.last = self.raw_time[row];
+            }
+            self.raw_time.clear();
+            self.raw.iter_mut().for_each(Vec::clear);
+        }
+        self.clock = Some(clock);
+        Ok(())
+    }
+
+    fn motions(&mut self, end: bool) -> Result<Vec<Motion>, PrepareError> {
+        let Some(clock) = self.clock else { return Ok(Vec::new()) };
+        let late = (self.settings.torque_delay.abs() / clock.period).ceil() as usize;
+        let settle = self.filter.as_ref().map_or(4, |f| f.settling() + 4) + late;
+        let margin = if self.settings.margins { settle } else { 0 };
+        let trim = match self.settings.derivatives {
+            Derivatives::AtRest => 0,
+            _ => {
+                let differences = 3;
+                let filtered = if self.filter.is_some() { self.settings.trim } else { 0.0 };
+                let seconds = filtered.max(self.settings.torque_delay.abs());
+                ((seconds / clock.period).ceil() as usize).max(differences)
+            }
+        };
+        let stride = self.settings.stride.max(1);
+        let chunk = self.settings.chunk.max(stride).next_multiple_of(stride);
+        let produced = self.first + self.evened[0].len();
+        let mut motions = Vec::new();
+        if self.done == 0 {
+            self.done = trim;
+        }
+        loop {
+            let whole = self.done + chunk + settle + margin;
+            let core_end = if produced >= whole {
+                self.done + chunk
+            } else if end {
+                produced.saturating_sub(trim)
+            } else {
+                break;
+            };
+            if core_end <= self.done {
+                if motions.is_empty() && self.done == trim {
+                    self.note_short(produced);
+                }
+                break;
+            }
+            motions.push(self.motion(clock, self.done..core_end, margin));
+            self.done = core_end;
+            // What the next chunk does not need any more.
+            let obsolete = self.done.saturating_sub(settle + margin).saturating_sub(self.first);
+            self.evened.iter_mut().for_each(|x| drop(x.drain(..obsolete.min(x.len()))));
+            self.first += obsolete;
+        }
+        Ok(motions)
+    }
+
+    /// What positions go through; no sample has a share of the wider band yet.
+    fn band(&self) -> Band {
+        let from_position = self.settings.derivatives == Derivatives::FromPosition;
+        let narrow = self.settings.filter.filter(|_| from_position);
+        let wide = self.settings.bursts.zip(narrow).map(|(cutoff, narrow)| Filter { cutoff, ..narrow });
+        Band { narrow, wide: wide.filter(|_| self.wide.is_some()), share: Vec::new() }
+    }
+
+    /// Both cutoffs, Hz.
+    fn bands(&self) -> [f64; 2] {
+        let low = self.settings.filter.map_or(0.0, |f| f.cutoff);
+        [low, self.settings.bursts.unwrap_or(low)]
+    }
+
+    fn note_short(&mut self, rows: usize) {
+        match self.findings.iter_mut().find(|f| matches!(f.kind, Kind::ShortSegments { .. })) {
+            Some(Finding { kind: Kind::ShortSegments { samples }, count, .. }) => {
+                *samples += rows;
+                *count += 1;
+            }
+            _ => {
+                let kind = Kind::ShortSegments { samples: rows };
+                self.findings.push(Finding { kind, severity: Severity::Warning, line: None, column: None, count: 1 });
+            }
+        }
+    }
+
+    /// Filters what there is and cuts the core (sample numbers of the segment) with its margin out
+    /// of it.
+    fn motion(&self, clock: SegmentClock, core: std::ops::Range<usize>, margin: usize) -> Motion {
+        let (n, dof, rate) = (self.evened[0].len(), self.dof, clock.period.recip());
+        let pad = self.settings.filter.map_or(0, |f| (rate / f.cutoff).ceil() as usize);
+        let smooth = |x: &[f64]| {
+            let mut y = x.to_vec();
+            if let Some(sos) = &self.filter {
+                sos.forward_backward(&mut y, pad.max(sos.scipy_padding()));
+            }
+            y
+        };
+        let from = core.start.saturating_sub(margin).max(self.first) - self.first;
+        let to = (core.end + margin - self.first).min(n);
+        let mut motion = Motion {
+            segment: self.segment,
+            start: clock.start + (self.first + from) as f64 * clock.period,
+            period: clock.period,
+            core: core.start - self.first - from..core.end - self.first - from,
+            stride: self.settings.stride.max(1),
+            states: States { len: to - from, ..States::default() },
+            tau: Vec::with_capacity(dof * (to - from)),
+            velocity_noise: Vec::with_capacity(dof),
+            position_noise: Vec::new(),
+            resting: Vec::new(),
+            stuck: Vec::new(),
+            bandwidth: self.settings.filter.filter(|_| !self.settings.raw_torque).map(|filter| filter.cutoff),
+            band: self.band(),
+            sign: Vec::new(),
+            temperature: Vec::new(),
+            wrench: Vec::new(),
+        };
+        let mut speeds = Vec::with_capacity(dof);
+        for joint in 0..dof {
+            let mut q = smooth(&self.evened[joint]);
+            let (dq, ddq) = match self.settings.derivatives {
+                Derivatives::FromPosition => {
+                    let mut narrow = Derived::of(q.clone(), clock.period);
+                    if let Some(sos) = &self.wide {
+                        let mut wide = self.evened[joint].clone();
+                        sos.forward_backward(&mut wide, pad.max(sos.scipy_padding()));
+                        let wide = Derived::of(wide, clock.period);
+                        let share = narrow.let_through(&wide, self.bands(), clock.period);
+                        if !share.is_empty() {
+                            motion.band.share.resize(dof * (to - from), 0.0);
+                            let own = joint * (to - from)..(joint + 1) * (to - from);
+                            motion.band.share[own].copy_from_slice(&share[from..to]);
+                        }
+                    }
+                    q = narrow.q;
+                    (narrow.dq, narrow.ddq)
+                }
+                Derivatives::AtRest => (vec![0.0; n], vec![0.0; n]),
+                Derivatives::Recorded => {
+                    let dq = smooth(&self.evened[2 * dof + joint]);
+                    let ddq = match self.evened.get(3 * dof + joint).filter(|_| self.recorded_ddq) {
+                        Some(ddq) => smooth(ddq),
+                        None => central(&dq, clock.period),
+                    };
+                    (dq, ddq)
+                }
+            };
+            motion.velocity_noise.push(match (self.settings.filter, self.settings.derivatives) {
+                (Some(filter), Derivatives::FromPosition) => {
+                    motion
+                        .stuck
+                        .extend_from_slice(&stiction(&self.evened[joint], &q, filter.cutoff, clock.period)[from..to]);
+                    velocity_noise(&self.evened[joint], &q, filter, rate)
+                }
+                _ => 0.0,
+            });
+            motion.states.q.extend_from_slice(&q[from..to]);
+            motion.states.dq.extend_from_slice(&dq[from..to]);
+            motion.states.ddq.extend_from_slice(&ddq[from..to]);
+            speeds.push(dq);
+        }
+        if self.settings.derivatives != Derivatives::AtRest {
+            let noise: Vec<rest::Noise> =
+                (0..dof).map(|j| self.noise(j, motion.velocity_noise[j], clock.period)).collect();
+            if self.settings.derivatives == Derivatives::FromPosition {
+                motion.position_noise = noise.iter().map(|n| n.position).collect();
+            }
+            let sums = self.settings.sums.iter().map(|sum| {
+                let of = |part: fn(&rest::Noise) -> f64| {
+                    let of = sum.joints.map(|j| noise.get(j).map_or(0.0, part));
+                    of[0].hypot(sum.ratio * of[1])
+                };
+                let noise =
+                    rest::Noise { speed: of(|n| n.speed), white: of(|n| n.white), position: of(|n| n.position) };
+                (sum.at(|j| speeds.get(j).map(Vec::as_slice)), noise)
+            });
+            let sums: Vec<(Vec<f64>, rest::Noise)> = sums.collect();
+            let own = speeds.iter().zip(&noise);
+            for (dq, noise) in own.chain(sums.iter().map(|(dq, noise)| (dq, noise))) {
+                let resting = rest::rests(dq, *noise, clock.period, self.settings.dead_zone);
+                let sign = |(v, rests): (&f64, &bool)| if *rests || *v == 0.0 { 0.0 } else { v.signum() };
+                let signs: Vec<f64> = dq.iter().zip(&resting).map(sign).collect();
+                let signs = if self.settings.raw_torque { signs } else { smooth(&signs) };
+                motion.sign.extend_from_slice(&signs[from..to]);
+                motion.resting.extend_from_slice(&resting[from..to]);
+            }
+        }
+        for joint in 0..dof {
+            let recorded = &self.evened[dof + joint];
+            let mut tau = if self.settings.raw_torque { recorded.clone() } else { smooth(recorded) };
+            if let Some(gain) = self.settings.torque_gains.get(joint) {
+                tau.iter_mut().for_each(|t| *t *= gain);
+            }
+            let tau = later(tau, self.settings.torque_delay / clock.period);
+            motion.tau.extend_from_slice(&tau[from..to]);
+            if let Some(first) = self.temperature {
+                motion.temperature.extend_from_slice(&self.evened[first + joint][from..to]);
+            }
+        }
+        for recorded in self.wrench.iter().flat_map(|&first| &self.evened[first..first + 6]) {
+            let treated = if self.settings.raw_torque { recorded.clone() } else { smooth(recorded) };
+            motion.wrench.extend_from_slice(&treated[from..to]);
+        }
+        motion
+    }
+
+    /// How noisy a joint's filtered velocity is, whose error is `speed` by what the low-pass took
+    /// out of its positions.
+    fn noise(&self, joint: usize, speed: f64, period: f64) -> rest::Noise {
+        let rate = period.recip();
+        if self.settings.derivatives == Derivatives::Recorded {
+            let recorded = white_noise([&self.evened[2 * self.dof + joint][..]].into_iter());
+            let white = recorded * self.settings.filter.map_or(1.0, |f| f.noise_gain(rate));
+            return rest::Noise { speed: white, white, position: 0.0 };
+        }
+        let position = white_noise([&self.evened[joint][..]].into_iter());
+        match self.settings.filter {
+            Some(filter) => rest::Noise { speed, white: filter.velocity_noise(position, rate), position },
+            // A central difference has the difference of two errors over two periods.
+            None => {
+                let white = position * rate * 0.5_f64.sqrt();
+                rest::Noise { speed: white, white, position }
+            }
+        }
+    }
+}
+
+/// The signal `by` samples later, on the line between samples (it is smooth by now); the ends are
+/// held.
+fn later(x: Vec<f64>, by: f64) -> Vec<f64> {
+    if by == 0.0 || !by.is_finite() {
+        return x;
+    }
+    let last = x.len().saturating_sub(1);
+    let whole = by.floor();
+    let at = |k: usize| x[(k as f64 + whole).clamp(0.0, last as f64) as usize];
+    (0..x.len()).map(|k| at(k) + (by - whole) * (at(k + 1) - at(k))).collect()
+}
+
+/// Standard deviation of the velocity error, from what the filter took out of the position.
+fn velocity_noise(raw: &[f64], smooth: &[f64], filter: Filter, rate: f64) -> f64 {
+    let squares: f64 = raw.iter().zip(smooth).map(|(a, b)| (a - b) * (a - b)).sum();
+    filter.velocity_noise((squares / raw.len().max(1) as f64).sqrt(), rate)
+}

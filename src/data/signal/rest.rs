@@ -1,0 +1,149 @@
+//! Stiction: at which samples the sign of a joint's velocity says nothing about its dry friction.
+//!
+//! A joint at rest is held by friction of any value within its breakaway level, and the sign of its
+//! recorded velocity is the encoder's noise. What counts as rest follows from the log: a speed
+//! within three standard deviations of the noise that the low-pass leaves on it, and any faster
+//! stretch that does not carry the joint beyond the noise of its position.
+
+/// What counts as rest.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum DeadZone {
+    /// Three standard deviations of the speed's noise. Where that is much of the joint's motion it
+    /// is taken from differences of neighbouring samples, which motion does not reach.
+    #[default]
+    FromNoise,
+    /// This speed, rad/s or m/s.
+    Fixed(f64),
+    /// No sample is at rest.
+    Off,
+}
+
+/// Standard deviations of noise that count as rest.
+const DEVIATIONS: f64 = 3.0;
+/// Share of a joint's largest speed below which a speed may be noise, where the low-pass takes more
+/// than noise out of the positions.
+const SHARE: f64 = 0.02;
+/// Standard deviations of the position's noise that a stretch has to go beyond to be motion.
+const TRAVEL: f64 = 4.0;
+/// Rounding of the low-pass, as a speed, rad/s or m/s: a motion as slow takes a year to a turn.
+const ROUNDING: f64 = 1e-8;
+
+/// Noise of one joint, standard deviations.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Noise {
+    /// Of the filtered speed, from what the low-pass took out of the positions: noise, and motion
+    /// beyond the cutoff, rad/s.
+    pub speed: f64,
+    /// Of the filtered speed, from differences of neighbouring samples, rad/s.
+    pub white: f64,
+    /// Of the recorded positions, rad; 0 where speeds do not come from them.
+    pub position: f64,
+}
+
+/// Whether the joint is at rest, at each sample.
+pub(super) fn rests(dq: &[f64], noise: Noise, period: f64, zone: DeadZone) -> Vec<bool> {
+    let zone = match zone {
+        DeadZone::Off => return vec![false; dq.len()],
+        DeadZone::Fixed(speed) => return dq.iter().map(|v| v.abs() <= speed).collect(),
+        DeadZone::FromNoise => {
+            let largest = dq.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+            let least = (SHARE * largest).max(DEVIATIONS * noise.white);
+            (DEVIATIONS * noise.speed).min(least).max(ROUNDING)
+        }
+    };
+    let mut rest: Vec<bool> = dq.iter().map(|v| v.abs() <= zone).collect();
+    let mut k = 0;
+    while k < dq.len() {
+        let end = (k..dq.len()).find(|&i| rest[i] != rest[k]).unwrap_or(dq.len());
+        let inner = k > 0 && end < dq.len();
+        if !rest[k] && inner && (dq[k..end].iter().sum::<f64>() * period).abs() < TRAVEL * noise.position {
+            rest[k..end].fill(true);
+        }
+        k = end;
+    }
+    rest
+}
+
+/// Standard deviation of the white noise of series, without a model: from fourth differences, in
+/// which motion below a tenth of the sampling rate leaves nothing. Noise that was low-passed before
+/// it was recorded is not seen. 0 for series of fewer than five samples.
+pub fn white_noise<'a>(series: impl Iterator<Item = &'a [f64]>) -> f64 {
+    // The variance of a fourth difference of white noise is 70 times its own (1 + 16 + 36 + 16 +
+    // 1).
+    let square = |w: &[f64]| (w[0] - 4.0 * w[1] + 6.0 * w[2] - 4.0 * w[3] + w[4]).powi(2) / 70.0;
+    let mut squares: Vec<f64> = series.flat_map(|x| x.windows(5).map(square)).collect();
+    // Steps (of friction, of a contact) are rare and large: the largest hundredth is left out, and
+    // what Gauss would have there is put back.
+    squares.sort_by(f64::total_cmp);
+    let kept = squares.len() - squares.len() / 100;
+    let mean = squares[..kept].iter().sum::<f64>() / kept.max(1) as f64;
+    (mean / 0.9245).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::prng::Random;
+
+    const PERIOD: f64 = 0.01;
+
+    /// Speed and its noise of positions behind the default low-pass.
+    fn seen(q: &[f64]) -> (Vec<f64>, Noise) {
+        let mut y = q.to_vec();
+        super::super::low_pass(5, 10.0, PERIOD.recip()).unwrap().forward_backward(&mut y, 100);
+        let white = white_noise([q].into_iter());
+        let of = |s: f64| std::f64::consts::TAU * s * (2.0 * 1e3 * PERIOD / 3.0).sqrt();
+        let out = (q.iter().zip(&y).map(|(a, b)| (a - b).powi(2)).sum::<f64>() / q.len() as f64).sqrt();
+        (super::super::central(&y, PERIOD), Noise { speed: of(out), white: of(white), position: white })
+    }
+
+    /// A joint that stands, moves and stands again: whatever the noise, it rests where it stands,
+    /// and nowhere else but where it turns round.
+    #[test]
+    fn noise_is_no_motion() {
+        for (seed, std) in [(1, 1e-5), (2, 2e-5), (3, 3e-4)] {
+            let mut random = Random::new(seed);
+            let q: Vec<f64> = (0..3000)
+                .map(|k| {
+                    let t = f64::from(k) * PERIOD;
+                    0.3 * (1.0 - (t.clamp(10.0, 20.0) * std::f64::consts::PI / 2.5).cos())
+                        + std * random.even(3.0_f64.sqrt())
+                })
+                .collect();
+            let (dq, noise) = seen(&q);
+            let rest = rests(&dq, noise, PERIOD, DeadZone::FromNoise);
+            let stands = |k: usize| !(950..2050).contains(&k);
+            let wrong = (0..3000).filter(|&k| stands(k) && !rest[k]).count();
+            assert!(wrong < 10, "{std}: {wrong} of 1900 samples at rest are said to move");
+            let moving = (1050..1950).filter(|&k| dq[k].abs() > 0.05 && rest[k]).count();
+            assert_eq!(moving, 0, "{std}");
+            // Nothing but noise: rest throughout.
+            let still: Vec<f64> = (0..1000).map(|_| 0.7 + std * random.even(3.0_f64.sqrt())).collect();
+            let (dq, noise) = seen(&still);
+            let rest = rests(&dq, noise, PERIOD, DeadZone::FromNoise);
+            assert!(rest[20..980].iter().filter(|r| !**r).count() < 8, "{std}");
+        }
+    }
+
+    /// An encoder that shows no noise at all: the rounding of the low-pass has a sign, but is no
+    /// motion.
+    #[test]
+    fn rounding_is_no_motion() {
+        let (dq, noise) = seen(&[1.234_567; 500]);
+        assert!(rests(&dq, noise, PERIOD, DeadZone::FromNoise).iter().all(|r| *r));
+        assert!(rests(&dq, noise, PERIOD, DeadZone::Off).iter().all(|r| !*r));
+    }
+
+    #[test]
+    fn steps_and_motion_are_no_noise() {
+        let mut random = Random::new(5);
+        let x: Vec<f64> = (0..2000)
+            .map(|k| {
+                let step = f64::from(u8::from((700..1400).contains(&k)));
+                20.0 * step + 5.0 * (0.05 * f64::from(k)).sin() + 0.1 * random.even(3.0_f64.sqrt())
+            })
+            .collect();
+        assert!((white_noise([&x[..]].into_iter()) - 0.1).abs() < 0.01);
+        assert_eq!(white_noise([&x[..3]].into_iter()), 0.0);
+    }
+}

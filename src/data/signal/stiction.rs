@@ -1,0 +1,118 @@
+//! Where a joint sticks as it turns about: it does not move beyond the noise of its encoder, though
+//! the low-pass lets it creep.
+//!
+//! At a reversal dry friction holds a joint for some hundredths of a second. The low-pass spreads
+//! the motion before and after over that time, so that the velocity has a sign where the joint has
+//! none, while the friction torque is whatever balances the others: it passes from one level to the
+//! other. A law of the velocity says nothing there.
+
+/// Half of the time over which a displacement is looked at, s.
+const NEAR: f64 = 0.01;
+/// A displacement of fewer standard deviations of the position's noise is none.
+const NOTHING: f64 = 4.0;
+/// What the low-pass smears to each side of a stick, as a share of the period of its cutoff.
+const SMEAR: f64 = 0.25;
+/// A joint that sticks for longer rests, or creeps more slowly than its encoder shows in [`NEAR`],
+/// s.
+const LONGEST: f64 = 0.3;
+
+/// Whether the joint sticks where it turns about, at each sample. `raw`, `smooth`: position as it
+/// was recorded and behind a low-pass of `cutoff` Hz; `period`: spacing, s.
+pub(super) fn stiction(raw: &[f64], smooth: &[f64], cutoff: f64, period: f64) -> Vec<bool> {
+    let n = raw.len();
+    let mut stuck = vec![false; n];
+    let near = ((NEAR / period).round() as usize).max(1);
+    if n <= 2 * near {
+        return stuck;
+    }
+    let least = NOTHING * noise(raw, smooth);
+    let still = |k: usize| (raw[k + near] - raw[k - near]).abs() <= least;
+    let wide = near + (SMEAR / (cutoff * period)).ceil() as usize;
+    let mut k = near;
+    while k < n - near {
+        if !still(k) {
+            k += 1;
+            continue;
+        }
+        let end = (k..n - near).find(|&i| !still(i)).unwrap_or(n - near);
+        // A parabola is still for an instant at its top.
+        let long = near.div_ceil(2) + 1..=(LONGEST / period) as usize;
+        let span = k.saturating_sub(wide)..(end + wide).min(n);
+        if long.contains(&(end - k)) && turns(&smooth[span.clone()]) {
+            stuck[span].fill(true);
+        }
+        k = end;
+    }
+    stuck
+}
+
+/// Whether it comes back to the side from which it came.
+fn turns(smooth: &[f64]) -> bool {
+    match smooth {
+        [first, second, .., before, last] => (second - first) * (last - before) < 0.0,
+        _ => false,
+    }
+}
+
+/// Standard deviation of a position's noise: the median, which sticks and reversals do not move, of
+/// what the low-pass takes out.
+fn noise(raw: &[f64], smooth: &[f64]) -> f64 {
+    let mut out: Vec<f64> = raw.iter().zip(smooth).map(|(a, b)| (a - b).abs()).collect();
+    let middle = out.len() / 2;
+    *out.select_nth_unstable_by(middle, f64::total_cmp).1 / 0.6745
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::low_pass;
+    use super::*;
+
+    const PERIOD: f64 = 2e-3;
+
+    fn through(q: &[f64]) -> Vec<f64> {
+        let mut y = q.to_vec();
+        low_pass(4, 15.0, PERIOD.recip()).unwrap().forward_backward(&mut y, 100);
+        y
+    }
+
+    /// A sine that is held for 50 ms at each of its tops, read by an encoder.
+    #[test]
+    fn a_held_joint_sticks_and_a_turning_one_does_not() {
+        let read = |q: f64| (q / 2e-5).round() * 2e-5;
+        let (turn, hold) = (1.0, 0.05);
+        let held: Vec<f64> = (0..4000)
+            .map(|k| {
+                let t = k as f64 * PERIOD;
+                let (half, within) = ((t / turn).floor(), t % turn);
+                let angle = std::f64::consts::PI * (half + (within / (turn - hold)).min(1.0));
+                read(0.5 * angle.cos())
+            })
+            .collect();
+        let stuck = stiction(&held, &through(&held), 15.0, PERIOD);
+        for k in 200..3800 {
+            let within = (k as f64 * PERIOD) % turn;
+            if within > turn - hold {
+                assert!(stuck[k], "sample {k}");
+            } else if within > 0.08 && within < turn - hold - 0.08 {
+                assert!(!stuck[k], "sample {k}");
+            }
+        }
+        let free: Vec<f64> = (0..4000).map(|k| read(0.5 * (4.0 * k as f64 * PERIOD).cos())).collect();
+        assert!(stiction(&free, &through(&free), 15.0, PERIOD)[100..3900].iter().all(|s| !s));
+    }
+    /// Nor does one that creeps onwards, or rests.
+    #[test]
+    fn creeping_and_resting_are_not_sticking() {
+        let read = |q: f64| (q / 1e-4).round() * 1e-4;
+        let creeping: Vec<f64> = (0..4000).map(|k| read(5e-3 * k as f64 * PERIOD)).collect();
+        let resting: Vec<f64> = (0..4000)
+            .map(|k| {
+                let t = k as f64 * PERIOD;
+                read(if t < 3.0 { (3.0 - t).powi(2) } else { (t - 5.0).max(0.0).powi(2) })
+            })
+            .collect();
+        for q in [creeping, resting] {
+            assert!(stiction(&q, &through(&q), 15.0, PERIOD)[100..3900].iter().all(|s| !s));
+        }
+    }
+}

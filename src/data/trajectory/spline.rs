@@ -1,0 +1,137 @@
+//! Clamped B-splines (Piegl and Tiller, *The NURBS Book*, chapters 2 and 3).
+
+/// One B-spline per joint over common knots.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spline {
+    /// Polynomial degree; 5: the jerk is continuous and so is its derivative.
+    pub degree: usize,
+    /// Knots, s, ascending; the first and last `degree + 1` are equal.
+    pub knots: Vec<f64>,
+    /// Control points, rad or m, one row per joint.
+    pub coefficients: Vec<Vec<f64>>,
+}
+
+impl Spline {
+    /// Checks what it is given.
+    ///
+    /// # Errors
+    /// Where numbers of knots and coefficients do not fit, or knots do not ascend from 0 with
+    /// clamped ends.
+    pub fn new(degree: usize, knots: Vec<f64>, coefficients: Vec<Vec<f64>>) -> Result<Self, String> {
+        let count = knots.len().saturating_sub(degree + 1);
+        if !(1..=15).contains(&degree) || count < degree + 1 {
+            return Err(format!("a spline of degree {degree} needs at least {} knots", 2 * (degree + 1)));
+        }
+        let clamped = |at: usize| (at..=at + degree).all(|k| knots[k] == knots[at]);
+        if knots[0] != 0.0 || !clamped(0) || !clamped(count) || knots.windows(2).any(|w| w[1] < w[0]) {
+            return Err(format!(
+                "`knots` must ascend from 0, with the first and the last {} of them equal",
+                degree + 1
+            ));
+        }
+        if knots[degree..=count].windows(2).any(|w| w[1] <= w[0]) {
+            return Err("inner `knots` must be different from each other".into());
+        }
+        match coefficients.iter().position(|row| row.len() != count) {
+            Some(j) => {
+                Err(format!("joint {} has {} `coefficients`; these knots need {count}", j + 1, coefficients[j].len()))
+            }
+            None => Ok(Self { degree, knots, coefficients }),
+        }
+    }
+
+    /// With equal intervals between the way points.
+    ///
+    /// # Errors
+    /// Like [`Spline::new`].
+    pub fn clamped(
+        degree: usize,
+        duration: f64,
+        intervals: usize,
+        coefficients: Vec<Vec<f64>>,
+    ) -> Result<Self, String> {
+        Self::new(degree, clamped_knots(degree, duration, intervals), coefficients)
+    }
+
+    /// Length, s.
+    pub fn duration(&self) -> f64 {
+        self.knots[self.knots.len() - 1]
+    }
+
+    /// The derivative of this order of every joint at `t` in `[0, duration]`.
+    pub fn derivative(&self, t: f64, order: usize) -> Vec<f64> {
+        let (first, values) = basis(&self.knots, self.degree, t, order);
+        self.coefficients.iter().map(|c| values.iter().zip(&c[first..]).map(|(b, c)| b * c).sum()).collect()
+    }
+}
+
+/// `intervals` equal ones over `[0, duration]`, the ends repeated `degree + 1` times.
+pub fn clamped_knots(degree: usize, duration: f64, intervals: usize) -> Vec<f64> {
+    let inner = (0..=intervals).map(|k| duration * k as f64 / intervals as f64);
+    let mut knots = vec![0.0; degree];
+    knots.extend(inner);
+    knots.extend(vec![duration; degree]);
+    knots
+}
+
+/// The `degree + 1` basis functions that are not zero at `t`, differentiated `order` times, and the
+/// index of the first.
+pub fn basis(knots: &[f64], degree: usize, t: f64, order: usize) -> (usize, Vec<f64>) {
+    let count = knots.len() - degree - 1;
+    // The span: the last one that is not empty holds the end.
+    let span = (degree + 1..count).take_while(|&k| knots[k] <= t).last().unwrap_or(degree);
+    if order > degree {
+        return (span - degree, vec![0.0; degree + 1]);
+    }
+    // Values of degree - order, then one derivative per degree: N' = p (N_i / (u_{i+p} - u_i) -
+    // N_{i+1} / (u_{i+p+1} - u_{i+1})).
+    let mut values = vec![1.0];
+    for p in 1..=degree {
+        let first = span - p;
+        let ratio = |i: usize| {
+            let width = knots[i + p] - knots[i];
+            if width > 0.0 { 1.0 / width } else { 0.0 }
+        };
+        // `values[k]` is N of degree p - 1 with index first + 1 + k.
+        let lower = |i: usize| if i > first { values.get(i - first - 1).copied().unwrap_or(0.0) } else { 0.0 };
+        let next = (first..=span).map(|i| {
+            let (left, right) = (lower(i) * ratio(i), lower(i + 1) * ratio(i + 1));
+            if p + order > degree {
+                p as f64 * (left - right)
+            } else {
+                (t - knots[i]) * left + (knots[i + p + 1] - t) * right
+            }
+        });
+        values = next.collect();
+    }
+    (span - degree, values)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn derivatives_meet_differences_and_values_sum_to_one() {
+        let knots = clamped_knots(5, 7.0, 6);
+        let row = |t: f64, order: usize| {
+            let (first, values) = basis(&knots, 5, t, order);
+            let mut row = [0.0; 11];
+            row[first..first + 6].copy_from_slice(&values);
+            row
+        };
+        for k in 0..=70 {
+            let t = 0.1 * k as f64;
+            assert!((row(t, 0).iter().sum::<f64>() - 1.0).abs() < 1e-13);
+            let h = 1e-5;
+            let inside = t.clamp(h, 7.0 - h);
+            for order in 0..4 {
+                let (up, down, exact) = (row(inside + h, order), row(inside - h, order), row(inside, order + 1));
+                for i in 0..11 {
+                    let scale = 1.0 + exact[i].abs();
+                    assert!(((up[i] - down[i]) / (2.0 * h) - exact[i]).abs() < 1e-4 * scale, "{t} {order} {i}");
+                }
+            }
+        }
+    }
+}

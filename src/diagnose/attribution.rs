@@ -1,0 +1,224 @@
+//! From what was found and measured to the entries of the result, in order, with what can't be told
+//! from them.
+
+use super::calibration;
+use super::evidence;
+use super::evidence::Shown;
+use super::judge::Accepted;
+use super::measure::{Measured, share, taken_of};
+use super::model::{Fitted, ModelUnderTest};
+use super::result::{Cause, Curve};
+use super::structure::Structure;
+use super::uncertainty::{Uncertainty, parameters};
+use crate::diagnose::baseline_friction::Plain;
+use crate::diagnose::hypotheses::{COULOMB, Cause as _, Named, OFFSET, VISCOUS};
+use crate::diagnose::reported_cause::{Item, friction_values, place_of};
+
+/// A model whose causes are weighed.
+pub(super) struct Attribution<'a> {
+    pub(super) bench: &'a ModelUnderTest<'a>,
+    pub(super) fitted: &'a Fitted,
+    pub(super) uncertainty: &'a Uncertainty,
+    pub(super) accepted: &'a [Accepted],
+    /// What plain friction might be instead.
+    pub(super) rivals: &'a [Plain],
+    pub(super) noise: &'a [f64],
+}
+
+impl Attribution<'_> {
+    /// An item as a cause of the result: errors without it and with it, on the fitted logs (`here`)
+    /// or the validating ones.
+    pub(super) fn weigh(
+        &self,
+        item: &Item,
+        without: &Measured,
+        with: &Measured,
+        interval: [f64; 2],
+        here: bool,
+    ) -> Cause {
+        let Self { bench, fitted, uncertainty, accepted: all, rivals: plain_rivals, noise } = *self;
+        let mut keys = match item.accepted {
+            Some(index) => parameters(bench, fitted, uncertainty, index, &all[index].chosen),
+            None => friction_values(bench, fitted, &uncertainty.covariance, item),
+        };
+        if item.accepted.is_some() {
+            for named in friction_values(bench, fitted, &uncertainty.covariance, item) {
+                if keys.iter().all(|k| k.symbol != named.symbol) {
+                    keys.push(named);
+                }
+            }
+        }
+        let suffix = item.place.first().map(|j| (j + 1).to_string()).unwrap_or_default();
+        let parameters: Vec<Named> =
+            keys.iter().map(|k| Named { symbol: format!("{}{suffix}", k.symbol), ..k.clone() }).collect();
+        let accepted = item.accepted.map(|a| &all[a]);
+        let margin = near(item, accepted, plain_rivals).iter().map(|r| r.2.max(0.0)).fold(MOST_MARGIN, f64::min);
+        let part = share(&without.steady, &with.steady, noise, &item.place);
+        let support = accepted.map_or_else(|| plain_support(fitted, &uncertainty.covariance, item), |a| a.support);
+        // The same in another place says nearly as much.
+        let elsewhere: Vec<&[usize]> = near(item, accepted, plain_rivals)
+            .iter()
+            .filter(|r| r.0 == item.hypothesis.name())
+            .map(|r| r.1.as_slice())
+            .collect();
+        let elsewhere = elsewhere.iter().map(|p| format!("; the same {} would explain nearly as much", place_of(p)));
+        Cause {
+            cause: item.hypothesis.name(),
+            joints: item.place.iter().map(|j| j + 1).collect(),
+            probability: calibration::probability(item.accepted.is_none(), support, margin, part),
+            support,
+            margin,
+            share: part,
+            evidence: evidence::sentence(&Shown {
+                cause: item.hypothesis,
+                place: &item.place,
+                parameters: &parameters,
+                before: &without.rms,
+                after: &with.rms,
+                noise,
+                on: if here { "fit" } else { "validate" },
+                confirmed: accepted.map(|a| a.confirmed),
+            }) + &elsewhere.collect::<String>(),
+            curve: item.accepted.and_then(|index| evidence::curve(bench, fitted, index, &all[index].chosen)),
+            parameters,
+            keys,
+            interval,
+            rms_before: without.rms.clone(),
+            rms_after: with.rms.clone(),
+            on: if here { "fit" } else { "validate" },
+            not_distinguished_from: confusable(bench, item, accepted, plain_rivals),
+            shown_by: item.hypothesis.shown_by(),
+        }
+    }
+}
+
+/// How much error a cause takes: the logarithm of the ratio of root mean squares without and with
+/// it, noise added to both, summed over joints; so no joint counts for more than another by the
+/// size of its torques.
+pub(super) fn taken(cause: &Cause, noise: &[f64]) -> f64 {
+    taken_of(&cause.rms_before, &cause.rms_after, noise)
+}
+
+/// A margin beyond which more of it says nothing.
+pub(super) const MOST_MARGIN: f64 = 1e4;
+
+/// What no value of a link's parameter explains is named before those values, where it takes half
+/// of the squared error of a joint beside them, or a quarter of that of all: what is wrong with a
+/// recording or an arm as a whole, whatever stands in the file; and every cause where all
+/// parameters were refitted as a matter of course.
+pub(super) fn values_last(causes: &mut Vec<Cause>, noise: &[f64]) {
+    let Some(at) = causes.iter().position(|c| c.cause == "link_inertia_error") else { return };
+    let refitted = causes[at].keys.is_empty();
+    let structure = |c: &Cause| {
+        let joints = c.rms_before.iter().zip(&c.rms_after).zip(noise);
+        let shares: Vec<f64> = joints.map(|((b, a), s)| (b * b - a * a) / (b * b + s * s).max(1e-24)).collect();
+        let most = shares.iter().copied().fold(0.0, f64::max);
+        most > 0.5 || shares.iter().sum::<f64>() > 0.25 * shares.len() as f64
+    };
+    let value = |c: &Cause| ["link_inertia_error", "payload", "unknown"].contains(&c.cause);
+    let tail = causes.split_off(at);
+    let (first, rest): (Vec<Cause>, Vec<Cause>) =
+        tail.into_iter().partition(|c| !value(c) && (refitted || c.joints.is_empty()) && structure(c));
+    causes.extend(first);
+    causes.extend(rest);
+}
+
+/// Of a plain term of friction: the square of its value by its standard deviation, of the surest
+/// one.
+pub(super) fn plain_support(fitted: &Fitted, covariance: &nalgebra::DMatrix<f64>, item: &Item) -> f64 {
+    let squares = item.friction.iter().map(|k| {
+        let at = fitted.friction + k;
+        let variance = covariance[(at, at)];
+        if variance > 0.0 { fitted.solution.x[at].powi(2) / variance } else { 0.0 }
+    });
+    squares.fold(0.0, f64::max)
+}
+
+/// What says nearly the same as an item: cause, place, difference of support.
+pub(super) fn near<'a>(
+    item: &Item,
+    accepted: Option<&'a Accepted>,
+    plain: &'a [Plain],
+) -> &'a [(&'static str, Vec<usize>, f64)] {
+    match accepted {
+        Some(accepted) => accepted.rivals.as_slice(),
+        None => plain.iter().find(|p| item.place == [p.joint]).map(|p| p.rivals.as_slice()).unwrap_or_default(),
+    }
+}
+
+/// What this data, or any data, can't tell from a cause.
+pub(super) fn confusable(
+    bench: &ModelUnderTest<'_>,
+    item: &Item,
+    accepted: Option<&Accepted>,
+    plain: &[Plain],
+) -> Vec<&'static str> {
+    let mut names: Vec<&'static str> = near(item, accepted, plain).iter().map(|r| r.0).collect();
+    names.extend(item.hypothesis.twins(&bench.scene, &item.place));
+    // One cause in the place of several plain ones.
+    if item.accepted.is_none() && item.friction.len() > 1 {
+        names.extend(item.friction.iter().map(|k| [&VISCOUS, &COULOMB, &OFFSET][k % 3].name()));
+    }
+    names.sort_unstable();
+    names.dedup();
+    names.retain(|n| *n != item.hypothesis.name());
+    names
+}
+
+/// What is left without a name.
+pub(super) fn unknown(causes: &mut Vec<Cause>, left: &[Structure], [baseline, rms]: [&[f64]; 2], noise: &[f64]) {
+    if left.is_empty() {
+        return;
+    }
+    let mut left = left.to_vec();
+    left.sort_by(|a, b| (b.rms / noise[b.joint].max(1e-12)).total_cmp(&(a.rms / noise[a.joint].max(1e-12))));
+    let mut joints: Vec<usize> = Vec::new();
+    left.iter().map(|s| s.joint + 1).for_each(|j| {
+        if !joints.contains(&j) {
+            joints.push(j)
+        }
+    });
+    let sentences: Vec<&str> = left.iter().map(|s| s.description.as_str()).collect();
+    let mut after = rms.to_vec();
+    for s in &left {
+        after[s.joint] = (rms[s.joint].powi(2) - s.rms.powi(2)).max(0.0).sqrt();
+    }
+    let mut entry = Cause {
+        cause: "unknown",
+        support: MOST_MARGIN,
+        margin: MOST_MARGIN,
+        share: share(rms, &after, noise, &[]),
+        joints,
+        probability: calibration::UNKNOWN_FIRST,
+        parameters: Vec::new(),
+        keys: Vec::new(),
+        evidence: format!("structure is left that no listed cause explains: {}", sentences.join("; ")),
+        rms_before: rms.to_vec(),
+        rms_after: after,
+        interval: [f64::NAN; 2],
+        on: "fit",
+        not_distinguished_from: Vec::new(),
+        shown_by: "a longer recording with slow and fast motion of the named joints",
+        curve: None,
+    };
+    // First, where more is left than the causes explain; else last: it gains nothing.
+    if taken(&entry, noise) > taken_of(baseline, rms, noise) {
+        causes.insert(0, entry);
+    } else {
+        entry.probability = calibration::UNKNOWN_BESIDE;
+        causes.push(entry);
+    }
+}
+
+/// Torque and errors over time, at most 2,000 points.
+pub(super) fn curve(j: usize, after: &Measured, before: &[Vec<f64>]) -> Curve {
+    let n = after.error[j].len().min(before[j].len());
+    let every = n.div_ceil(2000).max(1);
+    let fine = |x: &[f64]| -> Vec<f64> { x[..n].iter().step_by(every).copied().collect() };
+    Curve {
+        t: fine(&after.view.clock()),
+        measured: fine(&after.view.torque[j]),
+        before: fine(&before[j]),
+        after: fine(&after.error[j]),
+    }
+}

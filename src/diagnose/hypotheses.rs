@@ -1,0 +1,412 @@
+//! The hypotheses: one cause of the vocabulary, one file.
+//!
+//! A cause names places (joints, or the whole robot) where it may act, and for each place a family
+//! of columns: linear in its coefficients, with a few further numbers (`shape`: a speed, an order,
+//! a time) that are searched on a grid and then refined.
+
+use nalgebra::DMatrix;
+
+use crate::diagnose::windowed_data::{Column, WindowedData};
+
+mod asymmetric_friction;
+mod backlash;
+mod base_tilt;
+mod encoder_offset;
+mod external_contact;
+mod friction_drift;
+mod gear_coupling;
+mod geometric_error;
+mod joint_elasticity;
+mod joint_spring;
+mod link_inertia_error;
+mod load_dependent_friction;
+mod nonlinear_viscous_friction;
+mod payload;
+mod plain;
+mod position_dependent_friction;
+mod presliding_hysteresis;
+mod rotor_inertia;
+mod stribeck_friction;
+mod time_delay;
+mod torque_gain_error;
+mod torque_ripple;
+mod torque_saturation;
+
+pub use asymmetric_friction::AsymmetricFriction;
+pub use plain::{COULOMB, OFFSET, VISCOUS};
+
+/// What kind of thing a cause is: causes of one kind on one joint look alike.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Torque against the motion.
+    Friction,
+    /// Between motor and link.
+    Transmission,
+    /// How signals are measured.
+    Measurement,
+    /// Masses and geometry.
+    Body,
+    /// From outside.
+    Outside,
+}
+
+/// On what a cause acts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scope {
+    /// One joint.
+    Joint,
+    /// A joint and its neighbour.
+    Pair,
+    /// The whole robot.
+    Robot,
+    /// Either.
+    JointOrRobot,
+}
+
+/// Where a coefficient must lie for the cause to be what its name says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Sign {
+    /// Anywhere.
+    Any,
+    /// Above zero.
+    Positive,
+}
+
+/// A linear coefficient with its column.
+#[derive(Debug, Clone)]
+pub struct Term {
+    /// Symbol, as in a robot file: `FL`.
+    pub symbol: String,
+    /// What one unit of it adds to the torques.
+    pub column: Column,
+    /// Where it must lie.
+    pub sign: Sign,
+}
+
+impl Term {
+    /// A term.
+    pub fn new(symbol: impl Into<String>, column: Column, sign: Sign) -> Self {
+        Self { symbol: symbol.into(), column, sign }
+    }
+}
+
+/// A number of the family in which it is not linear.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shape {
+    /// Symbol: `VS`.
+    pub symbol: &'static str,
+    /// Unit.
+    pub unit: &'static str,
+    /// Smallest and largest sensible value.
+    pub range: [f64; 2],
+    /// How finely it is refined: `None` not at all, else the first step, as a share of the value
+    /// (positive) or as it is (negative).
+    pub step: Option<f64>,
+}
+
+impl Shape {
+    /// Whether it is a parameter of the robot file and not one of the search.
+    pub fn named(&self) -> bool {
+        self.symbol.chars().all(char::is_uppercase)
+    }
+}
+
+/// A number with its name for the robot file, the report, the JSON.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Named {
+    /// Symbol, without the joint.
+    pub symbol: String,
+    /// Value.
+    pub value: f64,
+    /// Standard deviation; `None` where it was not estimated.
+    pub std: Option<f64>,
+}
+
+impl Named {
+    fn new(symbol: &str, value: f64, std: Option<f64>) -> Self {
+        Self { symbol: symbol.into(), value, std }
+    }
+}
+
+/// What was estimated of a cause in its place.
+pub struct Estimate<'a> {
+    /// The data.
+    pub scene: &'a WindowedData<'a>,
+    /// Where.
+    pub place: &'a [usize],
+    /// The numbers in which it is not linear.
+    pub shape: &'a [f64],
+    /// Their standard deviations, where they were estimated.
+    pub shape_std: Vec<Option<f64>>,
+    /// Its terms.
+    pub terms: &'a [Term],
+    /// Their coefficients.
+    pub x: &'a [f64],
+    /// `FV`, `FC`, `FO` of its joint, the file's and what was found.
+    pub levels: [f64; 3],
+    /// Covariance of the coefficients and, behind them, of the levels.
+    pub covariance: DMatrix<f64>,
+}
+
+impl Estimate<'_> {
+    /// Standard deviation of a coefficient.
+    pub fn std(&self, k: usize) -> f64 {
+        self.covariance[(k, k)].max(0.0).sqrt()
+    }
+
+    /// Of the sum of a coefficient and a level.
+    pub fn std_with(&self, k: usize, level: usize) -> f64 {
+        let at = self.x.len() + level;
+        let c = &self.covariance;
+        (c[(k, k)] + c[(at, at)] + 2.0 * c[(k, at)]).max(0.0).sqrt()
+    }
+
+    /// A coefficient under its own symbol.
+    pub fn term(&self, k: usize) -> Named {
+        Named::new(&self.terms[k].symbol, self.x[k], Some(self.std(k)))
+    }
+
+    /// All coefficients.
+    pub fn all_terms(&self) -> impl Iterator<Item = Named> + '_ {
+        (0..self.terms.len().min(self.x.len())).map(|k| self.term(k))
+    }
+}
+
+/// Over what a cause shows best.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Over {
+    /// The joint's position.
+    Position,
+    /// Its velocity.
+    Velocity,
+    /// Its acceleration.
+    Acceleration,
+    /// The torque of the model.
+    Torque,
+    /// Time.
+    Time,
+}
+
+/// A hypothesis of the vocabulary.
+pub trait Cause: Sync {
+    /// Identifier of the contract's section 5.
+    fn name(&self) -> &'static str;
+
+    /// What kind of thing it is.
+    fn kind(&self) -> Kind;
+
+    /// On what it acts.
+    fn scope(&self) -> Scope {
+        Scope::Joint
+    }
+
+    /// Joints (from 0) of each place where it may act; empty for the whole robot.
+    fn places(&self, scene: &WindowedData<'_>) -> Vec<Vec<usize>> {
+        let dof = scene.dof();
+        let joints = (0..dof).map(|j| vec![j]);
+        match self.scope() {
+            Scope::Joint => joints.collect(),
+            Scope::Pair => (1..dof).flat_map(|m| [vec![m, m - 1], vec![m - 1, m]]).collect(),
+            Scope::Robot => vec![Vec::new()],
+            Scope::JointOrRobot => std::iter::once(Vec::new()).chain(joints).collect(),
+        }
+    }
+
+    /// The numbers in which the family is not linear.
+    fn shape(&self) -> &'static [Shape] {
+        &[]
+    }
+
+    /// Values of the shape to try.
+    fn grid(&self, _scene: &WindowedData<'_>, _place: &[usize], _residual: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        vec![Vec::new()]
+    }
+
+    /// Whether this data can show it. A model that has it says what it says on any data.
+    fn shows(&self, _scene: &WindowedData<'_>, _place: &[usize], _shape: &[f64]) -> bool {
+        true
+    }
+
+    /// Which number of the shape is a natural number, by its nature (periods a turn) or by habit:
+    /// as such it is no unknown.
+    fn natural(&self) -> Option<usize> {
+        None
+    }
+
+    /// Where that number is natural by habit only: by how much it may be off, one standard
+    /// deviation.
+    fn habit(&self) -> Option<f64> {
+        None
+    }
+
+    /// How many numbers of this shape are unknown.
+    fn free(&self, shape: &[f64]) -> usize {
+        let numbers = self.shape().iter().enumerate().filter(|(_, s)| s.step.is_some());
+        numbers.filter(|(k, _)| self.natural() != Some(*k) || shape.get(*k).is_none_or(|v| v.fract() != 0.0)).count()
+    }
+
+    /// The family's columns; none where they do not exist.
+    fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term>;
+
+    /// Whether the columns are difference quotients about zero: the shape's first number is their
+    /// step, which follows the coefficient.
+    fn finite_difference(&self) -> bool {
+        false
+    }
+
+    /// Whether its size is in its shape, and its one coefficient is 1 where its law holds: known to
+    /// [`UNIT`].
+    fn unit(&self) -> bool {
+        false
+    }
+
+    /// Whether it may act in one part of the data only, so that the other parts can't vouch for it.
+    fn local(&self) -> bool {
+        false
+    }
+
+    /// Whether more than one instance may act in one place (ripple of several orders).
+    fn repeats(&self) -> bool {
+        false
+    }
+
+    /// Whether it is taken out by moving the torques in time: then its coefficient goes into the
+    /// delays of the scene.
+    fn moves_time(&self) -> bool {
+        false
+    }
+
+    /// Whether it only says that link parameters are others: not to be seen where all base
+    /// parameters are unknown.
+    fn within_links(&self) -> bool {
+        false
+    }
+
+    /// Whether a constant torque on its joint belongs to it.
+    fn has_constant(&self) -> bool {
+        false
+    }
+
+    /// Causes that no motion tells from it.
+    fn same_on_paper(&self) -> &'static [&'static str] {
+        &[]
+    }
+
+    /// Causes that are the same here, on paper or in what this data can show.
+    fn twins(&self, _scene: &WindowedData<'_>, _place: &[usize]) -> &'static [&'static str] {
+        self.same_on_paper()
+    }
+
+    /// Whether the columns depend on the rigid model and so must be made anew when that changes.
+    fn rests_on_model(&self) -> bool {
+        false
+    }
+
+    /// Whether they also depend on the friction found so far.
+    fn rests_on_friction(&self) -> bool {
+        false
+    }
+
+    /// Whether estimated coefficients make sense beyond the sign of each.
+    fn plausible(&self, _scene: &WindowedData<'_>, _place: &[usize], _shape: &[f64], _x: &[f64]) -> bool {
+        true
+    }
+
+    /// What of its coefficients is beyond what can't be known at all.
+    fn beyond(&self, _scene: &WindowedData<'_>, _place: &[usize], x: &[f64]) -> Vec<f64> {
+        x.to_vec()
+    }
+
+    /// Its parameters under the names of a robot file.
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        let shapes = self.shape().iter().enumerate().filter(|(_, number)| number.named());
+        let shapes = shapes.map(|(k, number)| Named::new(number.symbol, found.shape[k], found.shape_std[k]));
+        found.all_terms().chain(shapes).collect()
+    }
+
+    /// Over what it shows best.
+    fn over(&self) -> Over {
+        if self.kind() == Kind::Friction { Over::Velocity } else { Over::Position }
+    }
+
+    /// A cause of the whole robot that the same columns with these coefficients rather are.
+    fn rather(
+        &self,
+        _scene: &WindowedData<'_>,
+        _place: &[usize],
+        _terms: &[Term],
+        _x: &[f64],
+    ) -> Option<&'static dyn Cause> {
+        None
+    }
+
+    /// By how much the values of the file that its coefficients change may be off, one each;
+    /// `None`: it changes none.
+    fn beliefs(&self, _scene: &WindowedData<'_>, _place: &[usize], _terms: &[Term]) -> Option<Vec<f64>> {
+        None
+    }
+
+    /// What it does, for the sentence of the evidence.
+    fn says(&self) -> &'static str;
+
+    /// What would tell it from others, or show it better.
+    fn shown_by(&self) -> &'static str;
+}
+
+/// All hypotheses that add columns, in the order of the contract.
+pub static CAUSES: [&dyn Cause; 22] = [
+    &asymmetric_friction::AsymmetricFriction,
+    &stribeck_friction::StribeckFriction,
+    &nonlinear_viscous_friction::NonlinearViscousFriction,
+    &load_dependent_friction::LoadDependentFriction,
+    &presliding_hysteresis::PreslidingHysteresis,
+    &friction_drift::FrictionDrift,
+    &position_dependent_friction::PositionDependentFriction,
+    &rotor_inertia::RotorInertia,
+    &torque_ripple::TorqueRipple,
+    &joint_elasticity::JointElasticity,
+    &backlash::Backlash,
+    &gear_coupling::GearCoupling,
+    &torque_gain_error::TorqueGainError,
+    &torque_saturation::TorqueSaturation,
+    &encoder_offset::EncoderOffset,
+    &geometric_error::GeometricError,
+    &link_inertia_error::LinkInertiaError,
+    &payload::Payload,
+    &base_tilt::BaseTilt,
+    &joint_spring::JointSpring,
+    &external_contact::ExternalContact,
+    &time_delay::TimeDelay,
+];
+
+/// The hypothesis of this name.
+pub fn by_name(name: &str) -> Option<&'static dyn Cause> {
+    CAUSES.iter().copied().chain(plain::ALL).find(|c| c.name() == name)
+}
+
+/// To what the coefficient of a [`Cause::unit`] is known to be 1: filters and windows leave so much
+/// of a law open.
+pub(super) const UNIT: f64 = 0.05;
+
+/// Values from `first` to `last`, `count` of them, evenly spaced in their logarithms.
+fn geometric(first: f64, last: f64, count: usize) -> Vec<f64> {
+    let steps = count.saturating_sub(1).max(1) as f64;
+    (0..count).map(|i| first * (last / first).powf(i as f64 / steps)).collect()
+}
+
+/// Largest speed of joint `j`, rad/s.
+pub(super) fn fastest(scene: &WindowedData<'_>, j: usize) -> f64 {
+    scene.own[j].iter().flat_map(|o| &o.v).fold(0.0, |m, v| m.max(v.abs()))
+}
+
+/// Smallest and largest position of joint `j`, rad.
+fn travel(scene: &WindowedData<'_>, j: usize) -> [f64; 2] {
+    let all = || scene.own[j].iter().flat_map(|o| o.q.iter().copied());
+    [all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)]
+}
+
+/// Whether joint `j` moves at all: beyond what its noise looks like.
+fn moves(scene: &WindowedData<'_>, j: usize) -> bool {
+    let [low, high] = travel(scene, j);
+    high - low > 0.02 && fastest(scene, j) > 3.0 * scene.dead[j]
+}

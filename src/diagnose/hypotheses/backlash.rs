@@ -1,0 +1,124 @@
+//! `backlash`: a dead zone in the transmission: the link stands half the gap to the side to which
+//! its torque pushes it.
+//!
+//! The motor passes the gap in hundredths of a second. What a log shows of that is what its
+//! low-pass left: a hump in the acceleration that the link never had. So the passage goes through
+//! the same low-pass before it is taken off the motion; and sides are decided by the slow part of
+//! the load, worked out anew along the link's motion, for along the motor's the model's load has
+//! the hump in it.
+
+use super::Cause;
+use super::Estimate;
+use super::Kind;
+use super::Named;
+use super::Over;
+use super::Shape;
+use super::Sign;
+use super::Term;
+use crate::data::signal::low_pass;
+use crate::diagnose::windowed_data::WindowedData;
+
+/// Link angle `q - (BL / 2) load / sqrt(load^2 + (TB rms)^2)`.
+pub struct Backlash;
+
+/// Step with which the search begins, rad.
+const FIRST: f64 = 1e-4;
+/// How often the load is worked out: along the motor's motion, then along that of the link that the
+/// load before says.
+const ROUNDS: usize = 3;
+
+/// Whether the joint carries load to both sides, so that it passes through a gap.
+pub(super) fn both_ways(scene: &WindowedData<'_>, j: usize) -> bool {
+    let torque = &scene.rigid[j];
+    let rms = (torque.iter().map(|t| t * t).sum::<f64>() / scene.len.max(1) as f64).sqrt();
+    rms > 0.0 && torque.iter().any(|t| *t > 0.05 * rms) && torque.iter().any(|t| *t < -0.05 * rms)
+}
+
+/// What the gear of joint `j` transmits if its link moves as its motor, over the windows, N m.
+fn transmitted(scene: &WindowedData<'_>, j: usize) -> Vec<f64> {
+    let states = &scene.states[scene.seen[j]];
+    let acceleration = &states.ddq[j * scene.len..(j + 1) * scene.len];
+    scene.rigid[j].iter().zip(acceleration).map(|(t, a)| t - scene.rotors[j] * a).collect()
+}
+
+/// The part below `cutoff`, Hz.
+fn slow(scene: &WindowedData<'_>, load: &[f64], cutoff: f64) -> Vec<f64> {
+    let mut load = load.to_vec();
+    if let Ok(filter) = low_pass(2, cutoff, 1.0 / scene.step) {
+        for run in &scene.runs {
+            filter.forward_backward(&mut load[run.clone()], (1.0 / (cutoff * scene.step)) as usize);
+        }
+    }
+    load
+}
+
+impl Cause for Backlash {
+    fn name(&self) -> &'static str {
+        "backlash"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Transmission
+    }
+
+    fn shape(&self) -> &'static [Shape] {
+        &[
+            Shape { symbol: "step", unit: "rad", range: [1e-7, 1.0], step: None },
+            Shape { symbol: "TB", unit: "", range: [1e-3, 0.4], step: Some(0.4) },
+            Shape { symbol: "slow", unit: "Hz", range: [0.1, 100.0], step: None },
+        ]
+    }
+
+    fn grid(&self, _: &WindowedData<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        [1.5, 3.0, 5.0].iter().flat_map(|below| [0.02, 0.1].map(|share| vec![FIRST, share, *below])).collect()
+    }
+
+    fn shows(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> bool {
+        both_ways(scene, place[0])
+    }
+
+    fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
+        let (j, scale) = (place[0], shape[0]);
+        let whole = transmitted(scene, j);
+        let mut load = slow(scene, &whole, shape[2]);
+        let mut round = 1;
+        loop {
+            let rms = (load.iter().map(|t| t * t).sum::<f64>() / scene.len.max(1) as f64).sqrt();
+            let small = (shape[1] * rms).max(1e-12);
+            let behind = scene.seen_through(j, &load, |t| -0.5 * t / (t * t + small * small).sqrt());
+            let mut rows = scene.moved(j, &behind, scale);
+            // The rotor moves as it is seen to.
+            rows[j].iter_mut().zip(&behind[2]).for_each(|(t, a)| *t -= scene.rotors[j] * a);
+            if round == ROUNDS || scale == FIRST {
+                return vec![Term::new("BL", scene.column(rows), Sign::Positive)];
+            }
+            let link: Vec<f64> = whole.iter().zip(&rows[j]).map(|(t, more)| t + scale * more).collect();
+            load = slow(scene, &link, shape[2]);
+            round += 1;
+        }
+    }
+
+    fn finite_difference(&self) -> bool {
+        true
+    }
+
+    fn rests_on_model(&self) -> bool {
+        true
+    }
+
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        vec![found.term(0)]
+    }
+
+    fn over(&self) -> Over {
+        Over::Torque
+    }
+
+    fn says(&self) -> &'static str {
+        "the link jumps across a gap when the torque changes its direction"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "motions in which the joint's torque changes its sign often, with and without a preload"
+    }
+}

@@ -1,0 +1,60 @@
+//! `encoder_offset`: a joint's zero is wrong.
+
+use super::Cause;
+use super::Kind;
+use super::Shape;
+use super::Sign;
+use super::Term;
+use super::backlash::both_ways;
+use crate::diagnose::windowed_data::WindowedData;
+
+/// True angle `q + QO`.
+pub struct EncoderOffset;
+
+impl Cause for EncoderOffset {
+    fn name(&self) -> &'static str {
+        "encoder_offset"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Measurement
+    }
+
+    fn shape(&self) -> &'static [Shape] {
+        &[Shape { symbol: "step", unit: "rad", range: [-1.0, 1.0], step: None }]
+    }
+
+    fn grid(&self, _: &WindowedData<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        [1e-3, 0.1, -0.1, 0.5, -0.5].iter().map(|step| vec![*step]).collect()
+    }
+
+    fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
+        let j = place[0];
+        let column = scene.column(scene.shifted(j, &vec![1.0; scene.len], shape[0]));
+        if column.rows.is_empty() {
+            return Vec::new();
+        }
+        vec![Term::new("QO", column, Sign::Any)]
+    }
+
+    fn finite_difference(&self) -> bool {
+        true
+    }
+
+    fn rests_on_model(&self) -> bool {
+        true
+    }
+
+    fn twins(&self, scene: &WindowedData<'_>, place: &[usize]) -> &'static [&'static str] {
+        // A gap that always lies to the same side.
+        if both_ways(scene, place[0]) { &[] } else { &["backlash"] }
+    }
+
+    fn says(&self) -> &'static str {
+        "the joint's zero is not where the file says"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "static poses over the whole travel, or a calibration of the kinematics"
+    }
+}

@@ -1,0 +1,131 @@
+//! `external_contact`: an external wrench acts during part of the log, constant in the axes of the
+//! last frame or of the base.
+
+use super::Cause;
+use super::Estimate;
+use super::Kind;
+use super::Named;
+use super::Over;
+use super::Scope;
+use super::Shape;
+use super::Sign;
+use super::Term;
+use crate::diagnose::windowed_data::{Column, WindowedData};
+
+/// A constant wrench on the last frame between `start` and `end` (seconds of used data, over all
+/// logs), in the last frame's axes or, with `base` 1, in those of the base.
+pub struct ExternalContact;
+
+const SYMBOLS: [&str; 6] = ["fx", "fy", "fz", "mx", "my", "mz"];
+
+impl Cause for ExternalContact {
+    fn name(&self) -> &'static str {
+        "external_contact"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Outside
+    }
+
+    fn scope(&self) -> Scope {
+        Scope::Robot
+    }
+
+    fn shape(&self) -> &'static [Shape] {
+        &[
+            Shape { symbol: "start", unit: "s", range: [0.0, 1e9], step: Some(-0.12) },
+            Shape { symbol: "end", unit: "s", range: [0.0, 1e9], step: Some(-0.12) },
+            Shape { symbol: "base", unit: "", range: [0.0, 1.0], step: None },
+        ]
+    }
+
+    /// The windows in which the residual, scaled by its own noise, is largest against the rest.
+    fn grid(&self, scene: &WindowedData<'_>, _: &[usize], residual: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let n = scene.len;
+        let mut power = vec![0.0; n + 1];
+        for row in residual {
+            let mut sizes: Vec<f64> = row.iter().map(|e| e * e).filter(|e| *e > 0.0).collect();
+            sizes.sort_by(f64::total_cmp);
+            // A quiet joint's noise: the median of the squares, which a short contact does not
+            // move.
+            let Some(&median) = sizes.get(sizes.len() / 2) else { continue };
+            for (p, e) in power[1..].iter_mut().zip(row) {
+                *p += e * e / median;
+            }
+        }
+        for w in 0..n {
+            power[w + 1] += power[w];
+        }
+        let mean = power[n] / n.max(1) as f64;
+        let mut found: Vec<(f64, usize, usize)> = Vec::new();
+        let mut length = (0.15 / scene.step).ceil().max(4.0) as usize;
+        while length <= n / 2 {
+            let mut best = (0.0, 0, 0);
+            for start in (0..n.saturating_sub(length)).step_by((length / 8).max(1)) {
+                let excess = power[start + length] - power[start] - mean * length as f64;
+                if excess / (length as f64).sqrt() > best.0 {
+                    best = (excess / (length as f64).sqrt(), start, start + length);
+                }
+            }
+            found.push(best);
+            length = (length * 4 / 3).max(length + 1);
+        }
+        found.sort_by(|a, b| b.0.total_cmp(&a.0));
+        found.truncate(4);
+        let windows = found.iter().filter(|f| f.2 > f.1);
+        windows
+            .flat_map(|f| [0.0, 1.0].map(|base| vec![f.1 as f64 * scene.step, f.2 as f64 * scene.step, base]))
+            .collect()
+    }
+
+    fn terms(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> Vec<Term> {
+        let window = |t: f64| ((t / scene.step).round() as usize).min(scene.len);
+        let (start, end) = (window(shape[0]), window(shape[1]));
+        if start + 4 > end {
+            return Vec::new();
+        }
+        let unit = scene.wrenches(start..end, shape[2] == 1.0);
+        let len = end - start;
+        let dof = scene.dof();
+        SYMBOLS
+            .iter()
+            .enumerate()
+            .filter_map(|(c, symbol)| {
+                let rows = (0..dof)
+                    .map(|j| {
+                        let mut row = vec![0.0; scene.len];
+                        for w in start..end {
+                            row[w] = -unit[(c * dof + j) * len + w - start];
+                        }
+                        row
+                    })
+                    .collect();
+                let column: Column = scene.column(rows);
+                (!column.rows.is_empty()).then(|| Term::new(*symbol, column, Sign::Any))
+            })
+            .collect()
+    }
+
+    fn local(&self) -> bool {
+        true
+    }
+
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        let time = &found.scene.time;
+        let at = |t: f64| time.get((t / found.scene.step).round() as usize).or(time.last()).copied().unwrap_or(0.0);
+        let ends = [Named::new("start", at(found.shape[0]), None), Named::new("end", at(found.shape[1]), None)];
+        ends.into_iter().chain(found.all_terms()).collect()
+    }
+
+    fn over(&self) -> Over {
+        Over::Time
+    }
+
+    fn says(&self) -> &'static str {
+        "a force acts on the arm during part of the recording"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "the same motion in free space"
+    }
+}

@@ -1,0 +1,107 @@
+//! `friction_drift`: friction that changes over time, as grease warms up, or with the temperature
+//! where that was recorded.
+
+use super::Cause;
+use super::Estimate;
+use super::Kind;
+use super::Named;
+use super::Over;
+use super::Shape;
+use super::Sign;
+use super::Term;
+use super::geometric;
+use super::moves;
+use crate::diagnose::windowed_data::WindowedData;
+
+/// `(DC sign(v) + DV v) exp(-t / DT)`; with a temperature column the exponential gives way to
+/// `temp - 25`.
+pub struct FrictionDrift;
+
+/// Temperature at which friction is taken to be the plain terms', deg C: the default of the file's
+/// `T0`.
+const REFERENCE: f64 = 25.0;
+
+impl FrictionDrift {
+    /// Whether a temperature was recorded throughout.
+    fn recorded(scene: &WindowedData<'_>, j: usize) -> bool {
+        scene.own[j].iter().all(|o| o.temperature.len() == o.v.len()) && !scene.own[j].is_empty()
+    }
+
+    /// Whether it changed.
+    fn warms(scene: &WindowedData<'_>, j: usize) -> bool {
+        let all = || scene.own[j].iter().flat_map(|o| o.temperature.iter().copied());
+        let (low, high) = (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
+        Self::recorded(scene, j) && high - low > 1.0
+    }
+}
+
+impl Cause for FrictionDrift {
+    fn name(&self) -> &'static str {
+        "friction_drift"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Friction
+    }
+
+    fn shape(&self) -> &'static [Shape] {
+        &[Shape { symbol: "DT", unit: "s", range: [0.05, 1e5], step: Some(0.3) }]
+    }
+
+    fn grid(&self, scene: &WindowedData<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let long = scene.time.iter().fold(0.0_f64, |m, t| m.max(*t)).max(1.0);
+        let mut grid: Vec<Vec<f64>> = geometric(0.08 * long, 2.0 * long, 6).into_iter().map(|t| vec![t]).collect();
+        if Self::warms(scene, place[0]) {
+            grid.push(vec![0.0]);
+        }
+        grid
+    }
+
+    fn shows(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> bool {
+        moves(scene, place[0])
+    }
+
+    fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
+        let j = place[0];
+        if shape[0] == 0.0 {
+            if !Self::recorded(scene, j) {
+                return Vec::new();
+            }
+            let warm = |k: usize, o: &crate::diagnose::windowed_data::JointSeries| o.temperature[k] - REFERENCE;
+            return vec![
+                Term::new("DCK", scene.pointwise(j, |o, k| o.sign[k] * warm(k, o)), Sign::Any),
+                Term::new("DVK", scene.pointwise(j, |o, k| o.v[k] * warm(k, o)), Sign::Any),
+            ];
+        }
+        let fade = |t: f64| (-t / shape[0]).exp();
+        vec![
+            Term::new("DC", scene.pointwise(j, |o, k| o.sign[k] * fade(o.t[k])), Sign::Any),
+            Term::new("DV", scene.pointwise(j, |o, k| o.v[k] * fade(o.t[k])), Sign::Any),
+        ]
+    }
+
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        // The file's law scales all friction; of the two parts the larger one says by how much.
+        let [slope, level, _] = found.levels;
+        let share = if level.abs() > 0.2 * slope.abs() { found.x[0] / level } else { found.x[1] / slope };
+        let mut all = match found.shape[0] {
+            0.0 => vec![Named::new("DK", share, None)],
+            time => vec![Named::new("DA", share, None), Named::new("DT", time, found.shape_std[0])],
+        };
+        all.extend(found.all_terms());
+        all.retain(|n| n.value.is_finite());
+        all
+    }
+
+    fn over(&self) -> Over {
+        Over::Time
+    }
+
+    fn says(&self) -> &'static str {
+        "friction changes over the recording, as it does while grease warms up"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "the same motion repeated from cold until it no longer changes, with the temperature recorded"
+    }
+}

@@ -1,0 +1,64 @@
+//! `geometric_error`: a length or twist of the DH table is wrong.
+
+use crate::model::Change;
+
+use super::Cause;
+use super::Kind;
+use super::Shape;
+use super::Sign;
+use super::Term;
+use crate::diagnose::windowed_data::WindowedData;
+
+/// One of `DALPHA`, `DD`, `DR` of the joint's row. (`DTHETA` is `encoder_offset`.)
+pub struct GeometricError;
+
+const WHICH: [(&str, &str, f64); 3] = [("DALPHA", "rad", 1e-4), ("DD", "m", 1e-4), ("DR", "m", 1e-4)];
+
+impl Cause for GeometricError {
+    fn name(&self) -> &'static str {
+        "geometric_error"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Body
+    }
+
+    fn shape(&self) -> &'static [Shape] {
+        &[
+            Shape { symbol: "step", unit: "", range: [-1.0, 1.0], step: None },
+            Shape { symbol: "which", unit: "", range: [0.0, 2.0], step: None },
+        ]
+    }
+
+    fn grid(&self, _: &WindowedData<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        (0..3).map(|k| vec![WHICH[k].2, k as f64]).collect()
+    }
+
+    fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
+        let Some(standard) = &scene.standard else { return Vec::new() };
+        let which = shape[1] as usize;
+        let by = |k: usize| if k == which { shape[0] } else { 0.0 };
+        let change = Change::Row { row: scene.plant.rows()[place[0]], alpha: by(0), d: by(1), theta: 0.0, r: by(2) };
+        let column = scene.column(scene.changed(&change, standard, shape[0]));
+        if column.rows.is_empty() {
+            return Vec::new();
+        }
+        vec![Term::new(WHICH[which].0, column, Sign::Any)]
+    }
+
+    fn finite_difference(&self) -> bool {
+        true
+    }
+
+    fn rests_on_model(&self) -> bool {
+        true
+    }
+
+    fn says(&self) -> &'static str {
+        "a length or twist of the DH table is not what the file says"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "a calibration of the kinematics; torques tell lengths only through gravity and inertia"
+    }
+}

@@ -1,0 +1,286 @@
+//! `joint_elasticity`: the measured angle is the motor's, and a spring lies between it and the
+//! link.
+//!
+//! The link swings on that spring, kicked by whatever the motor does fast (it sticks and breaks
+//! away at each reversal), and it is this that tells a spring from anything else: so its column is
+//! the swing, from the link's own equation along the recorded motion
+//! (`src/numerics/elastic_joint.rs`), and not the static winding.
+
+use super::Cause;
+use super::Estimate;
+use super::Kind;
+use super::Named;
+use super::Over;
+use super::Shape;
+use super::Sign;
+use super::Term;
+use super::geometric;
+use crate::diagnose::windowed_data::{Slopes, WindowedData};
+use crate::numerics::elastic_joint::{Deflection, LinkLoad, Spring};
+
+/// `KE d + DE d'` is what the link at `q - d` takes.
+pub struct JointElasticity;
+
+/// What the diagnosis says of a link behind a spring, in the windows of a scene.
+struct Link<'s, 'a> {
+    scene: &'s WindowedData<'a>,
+    joint: usize,
+    slopes: std::sync::Arc<Slopes>,
+    /// Torque on the link where it stands as its motor, N m.
+    load: Vec<f64>,
+    /// What the load is less where the link stands as its motor, for the arm is not linear in the
+    /// winding, N m.
+    bent: Vec<f64>,
+    /// Its inertia, kg m^2.
+    inertia: Vec<f64>,
+    /// Of the inertia, the usual.
+    usual: f64,
+}
+
+impl<'s, 'a> Link<'s, 'a> {
+    fn new(scene: &'s WindowedData<'a>, joint: usize) -> Option<Self> {
+        if scene.rigid[joint].iter().all(|t| *t == 0.0) {
+            return None;
+        }
+        let (slopes, rotor) = (scene.slopes(joint), scene.rotors[joint]);
+        let mut inertia: Vec<f64> = slopes.acceleration[joint].iter().map(|m| m - rotor).collect();
+        let mut sorted = inertia.clone();
+        let middle = sorted.len() / 2;
+        let usual = *sorted.select_nth_unstable_by(middle, f64::total_cmp).1;
+        if usual.is_nan() || usual <= 0.0 {
+            return None;
+        }
+        // Of a model that is only estimated the inertia may be anything.
+        inertia.iter_mut().for_each(|m| *m = m.max(0.05 * usual));
+        let states = &scene.states[scene.seen[joint]];
+        let acceleration = &states.ddq[joint * scene.len..(joint + 1) * scene.len];
+        let load = scene.rigid[joint].iter().zip(acceleration).map(|(t, a)| t - rotor * a).collect();
+        Some(Self { scene, joint, slopes, load, bent: vec![0.0; scene.len], inertia, usual })
+    }
+
+    /// The highest resonance that the motion can show, Hz.
+    fn highest(&self) -> f64 {
+        let filters = self.scene.own[self.joint].iter().filter_map(|own| own.band.narrow);
+        filters.map(|filter| SEEN * filter.cutoff).fold(HIGHEST, f64::min)
+    }
+
+    fn asked(&self, run: std::ops::Range<usize>) -> LinkLoad<'_> {
+        LinkLoad {
+            load: &self.load[run.clone()],
+            inertia: &self.inertia[run.clone()],
+            damping: &self.slopes.velocity[self.joint][run.clone()],
+            stiffness: &self.slopes.position[self.joint][run],
+            step: self.scene.step,
+        }
+    }
+
+    /// What a winding adds to the torque of joint `of`.
+    fn adds(&self, of: usize, [d, v, a]: &Deflection, run: std::ops::Range<usize>) -> Vec<f64> {
+        let Slopes { position, velocity, acceleration } = &*self.slopes;
+        let inertia = if of == self.joint { &self.inertia } else { &acceleration[of] };
+        run.zip(d.iter().zip(v).zip(a))
+            .map(|(w, ((d, v), a))| -(position[of][w] * d + velocity[of][w] * v + inertia[w] * a))
+            .collect()
+    }
+
+    /// The winding in each run, from rest in the spring; where a model is fitted, from the state
+    /// that says most about the torque: a log begins somewhere, and the link may swing then.
+    fn wound(&self, spring: Spring) -> Vec<Deflection> {
+        let begins = |run: &std::ops::Range<usize>| {
+            let asked = self.asked(run.clone());
+            let start = spring.quasi_static(&asked);
+            let wound = spring.integrate(&asked, start);
+            if self.scene.all { wound } else { self.after_a_start(spring, run.clone(), start, wound) }
+        };
+        self.scene.runs.iter().map(begins).collect()
+    }
+
+    fn after_a_start(
+        &self,
+        spring: Spring,
+        run: std::ops::Range<usize>,
+        start: [f64; 2],
+        wound: Deflection,
+    ) -> Deflection {
+        let (j, scene, asked) = (self.joint, self.scene, self.asked(run.clone()));
+        let nothing = vec![0.0; run.len()];
+        let free = LinkLoad { load: &nothing, ..asked };
+        // An angle of `start`'s size and a rate that swings as far.
+        let rate = (spring.stiffness / self.usual).sqrt();
+        let ways = [[1.0, 0.0], [0.0, rate]].map(|way| self.adds(j, &spring.integrate(&free, way), run.clone()));
+        let adds = self.adds(j, &wound, run.clone());
+        let (mut n, mut r) = ([[0.0; 2]; 2], [0.0; 2]);
+        for (k, w) in run.clone().enumerate().filter(|(_, w)| scene.live[j][*w]) {
+            let left = scene.y[j][w] - scene.whole[j][w] - self.bent[w] - adds[k];
+            for (a, way) in ways.iter().enumerate() {
+                r[a] += way[k] * left;
+                (0..2).for_each(|b| n[a][b] += way[k] * ways[b][k]);
+            }
+        }
+        let determinant = n[0][0] * n[1][1] - n[0][1] * n[1][0];
+        if determinant <= 1e-6 * n[0][0] * n[1][1] {
+            return wound;
+        }
+        let x = (r[0] * n[1][1] - r[1] * n[0][1]) / determinant;
+        let y = (r[1] * n[0][0] - r[0] * n[1][0]) / determinant;
+        spring.integrate(&asked, [start[0] + x, start[1] + y * rate])
+    }
+
+    /// How much a spring takes of the residual of its own joint, N^2 m^2 times windows, without its
+    /// first second.
+    fn takes(&self, spring: Spring, residual: &[f64]) -> f64 {
+        let skip = (1.0 / self.scene.step) as usize;
+        let mut gain = 0.0;
+        for run in &self.scene.runs {
+            let asked = self.asked(run.clone());
+            let adds = self.adds(self.joint, &spring.integrate(&asked, spring.quasi_static(&asked)), run.clone());
+            for (w, c) in run.clone().zip(&adds).skip(skip.min(run.len() / 3)) {
+                if self.scene.live[self.joint][w] {
+                    gain += (2.0 * residual[w] - c) * c;
+                }
+            }
+        }
+        gain
+    }
+}
+
+impl Cause for JointElasticity {
+    fn name(&self) -> &'static str {
+        "joint_elasticity"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Transmission
+    }
+
+    fn shape(&self) -> &'static [Shape] {
+        &[
+            Shape { symbol: "KE", unit: "N m/rad", range: [1e-3, 1e9], step: Some(0.05) },
+            Shape { symbol: "DE", unit: "N m s/rad", range: [1e-9, 1e6], step: Some(0.4) },
+        ]
+    }
+
+    fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
+        let resonance = |link: Link<'_, '_>| (shape[0] / link.usual).sqrt() / std::f64::consts::TAU <= link.highest();
+        Link::new(scene, place[0]).is_some_and(resonance)
+    }
+
+    /// Where the spring takes most of what the joint's torque has left: resonances from 0.4 Hz to
+    /// the highest that can be seen, then finer about the best of them.
+    fn grid(&self, scene: &WindowedData<'_>, place: &[usize], residual: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let Some(link) = Link::new(scene, place[0]) else { return Vec::new() };
+        let residual = &residual[place[0]];
+        let spring = |frequency: f64, ratio: f64| {
+            let w = std::f64::consts::TAU * frequency;
+            Spring { stiffness: w * w * link.usual, damping: 2.0 * ratio * w * link.usual }
+        };
+        let mut all: Vec<(f64, [f64; 2])> = Vec::new();
+        for frequency in geometric(0.4, link.highest().max(0.5), 30) {
+            let best =
+                [0.02, 0.08, 0.3].map(|ratio| (link.takes(spring(frequency, ratio), residual), [frequency, ratio]));
+            all.extend(best.into_iter().max_by(|a, b| a.0.total_cmp(&b.0)));
+        }
+        // The two highest peaks.
+        let peak = |i: &usize| {
+            let at = |k: usize| all.get(k).map_or(f64::NEG_INFINITY, |a| a.0);
+            all[*i].0 > 0.0 && all[*i].0 >= at(i + 1) && (*i == 0 || all[*i].0 >= at(i - 1))
+        };
+        let mut peaks: Vec<usize> = (0..all.len()).filter(peak).collect();
+        peaks.sort_by(|a, b| all[*b].0.total_cmp(&all[*a].0));
+        let finer = |&i: &usize| {
+            let mut best = all[i];
+            let mut step = [0.07, 0.5];
+            for _ in 0..5 {
+                for (k, up) in [(0, true), (0, false), (1, true), (1, false)] {
+                    let mut next = best.1;
+                    next[k] *= if up { 1.0 + step[k] } else { 1.0 / (1.0 + step[k]) };
+                    let gain = link.takes(spring(next[0], next[1].max(LEAST)), residual);
+                    if gain > best.0 {
+                        best = (gain, next);
+                    }
+                }
+                step = step.map(|s| 0.6 * s);
+            }
+            let Spring { stiffness, damping } = spring(best.1[0], best.1[1].max(LEAST));
+            vec![stiffness, damping]
+        };
+        peaks.iter().take(2).map(finer).collect()
+    }
+
+    /// The swing with which a log begins is two more.
+    fn free(&self, _: &[f64]) -> usize {
+        3
+    }
+
+    fn unit(&self) -> bool {
+        true
+    }
+
+    fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
+        let j = place[0];
+        let Some(mut link) = Link::new(scene, j) else { return Vec::new() };
+        let least = 2.0 * LEAST * (shape[0] * link.usual).sqrt();
+        let spring = Spring { stiffness: shape[0], damping: shape[1].max(least) };
+        let linear = |link: &Link<'_, '_>, wound: &[Deflection]| -> Vec<Vec<f64>> {
+            let row = |of: usize| {
+                let runs = scene.runs.iter().zip(wound);
+                runs.flat_map(|(run, wound)| link.adds(of, wound, run.clone())).collect()
+            };
+            (0..scene.dof()).map(row).collect()
+        };
+        let mut wound = link.wound(spring);
+        let mut rows = linear(&link, &wound);
+        if wound.iter().flat_map(|w| &w[0]).any(|d| d.abs() > SMALL) {
+            // Once more with what the linear arm lacks.
+            let behind: [Vec<f64>; 3] = std::array::from_fn(|k| wound.iter().flat_map(|w| &w[k]).map(|x| -x).collect());
+            let mut lacks = scene.moved(j, &behind, 1.0);
+            lacks[j].iter_mut().zip(&behind[2]).for_each(|(t, a)| *t -= scene.rotors[j] * a);
+            for (lacks, row) in lacks.iter_mut().zip(&rows) {
+                lacks.iter_mut().zip(row).for_each(|(a, b)| *a -= b);
+            }
+            link.load.iter_mut().zip(&lacks[j]).for_each(|(load, more)| *load += more);
+            link.bent.clone_from(&lacks[j]);
+            wound = link.wound(spring);
+            rows = linear(&link, &wound);
+            for (row, lacks) in rows.iter_mut().zip(&lacks) {
+                row.iter_mut().zip(lacks).for_each(|(a, b)| *a += b);
+            }
+        }
+        vec![Term::new("swing", scene.column(rows), Sign::Positive)]
+    }
+
+    fn rests_on_model(&self) -> bool {
+        true
+    }
+
+    fn rests_on_friction(&self) -> bool {
+        true
+    }
+
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        let both = self.shape().iter().zip(found.shape).zip(&found.shape_std);
+        both.map(|((number, value), std)| Named::new(number.symbol, *value, *std)).collect()
+    }
+
+    fn over(&self) -> Over {
+        Over::Torque
+    }
+
+    fn says(&self) -> &'static str {
+        "the link swings behind the measured angle as behind a spring"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "high accelerations with a payload, or the joint's resonance in a chirp"
+    }
+}
+
+/// Least damping ratio, as in the law of the file.
+const LEAST: f64 = dh_codegen::drive::LEAST_DAMPING;
+/// Share of the low-pass's cutoff above which a resonance is not looked for: what swings there is
+/// kicked by motion that the low-pass took away, and what the low-pass took away looks like it.
+const SEEN: f64 = 0.7;
+/// The highest resonance that is looked for where there is no low-pass, Hz.
+const HIGHEST: f64 = 45.0;
+/// A winding beyond which the arm is not taken as linear in it, rad.
+const SMALL: f64 = 3e-3;

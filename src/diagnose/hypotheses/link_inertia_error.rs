@@ -1,0 +1,67 @@
+//! `link_inertia_error`: the given inertial parameters of a link are wrong.
+
+use super::Cause;
+use super::Kind;
+use super::Term;
+use super::payload::{Payload, body_terms};
+use crate::diagnose::regulariser::deviations;
+use crate::diagnose::windowed_data::WindowedData;
+
+/// The ten parameters of the joint's link.
+pub struct LinkInertiaError;
+
+impl Cause for LinkInertiaError {
+    fn name(&self) -> &'static str {
+        "link_inertia_error"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Body
+    }
+
+    fn terms(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> Vec<Term> {
+        body_terms(scene, scene.plant.rows()[place[0]])
+    }
+
+    fn within_links(&self) -> bool {
+        true
+    }
+
+    fn same_on_paper(&self) -> &'static [&'static str] {
+        &["payload", "rotor_inertia"]
+    }
+
+    fn twins(&self, scene: &WindowedData<'_>, place: &[usize]) -> &'static [&'static str] {
+        let last = place.first().is_some_and(|j| j + 1 == scene.dof());
+        if last { &["payload"] } else { &[] }
+    }
+
+    /// A last link that is heavier by something that can be a body has a payload on it: the columns
+    /// are the same.
+    fn rather(
+        &self,
+        scene: &WindowedData<'_>,
+        place: &[usize],
+        terms: &[Term],
+        x: &[f64],
+    ) -> Option<&'static dyn Cause> {
+        let last = place.first().is_some_and(|j| j + 1 == scene.dof());
+        let mass = terms.iter().zip(x).find(|(t, _)| t.symbol == "M").map_or(0.0, |(_, x)| *x);
+        (last && mass > 0.0).then_some(&Payload as &dyn Cause)
+    }
+
+    fn beliefs(&self, scene: &WindowedData<'_>, place: &[usize], terms: &[Term]) -> Option<Vec<f64>> {
+        let (names, row) = (scene.plant.standard_names(), scene.plant.rows()[place[0]] + 1);
+        let std = deviations(names, scene.plant.given()?)?;
+        let of = |symbol: &str| names.iter().position(|n| *n == format!("{symbol}{row}")).map(|i| std[i]);
+        terms.iter().map(|t| of(&t.symbol)).collect()
+    }
+
+    fn says(&self) -> &'static str {
+        "the link's mass, centre of mass or inertia are not what the file says"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "an exciting motion for the base parameters of this link"
+    }
+}

@@ -1,0 +1,79 @@
+//! `payload`: an unmodelled body is fixed to the flange.
+
+use super::Cause;
+use super::Kind;
+use super::Scope;
+use super::Sign;
+use super::Term;
+use crate::diagnose::windowed_data::{Column, WindowedData};
+
+/// The ten parameters of a body in the last frame.
+pub struct Payload;
+
+const SYMBOLS: [&str; 10] = ["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"];
+
+/// Columns of the ten parameters of a row's body, through the base parameters that they belong to.
+pub(super) fn body_terms(scene: &WindowedData<'_>, row: usize) -> Vec<Term> {
+    let base = scene.plant.base_parameters();
+    let rows = scene.base_rows();
+    SYMBOLS
+        .iter()
+        .enumerate()
+        .filter_map(|(k, symbol)| {
+            let standard = 10 * row + k;
+            let factor: Vec<f64> = base
+                .iter()
+                .map(|b| b.coefficients.iter().filter(|c| c.0 == standard).map(|c| c.1).sum::<f64>())
+                .collect();
+            let torques: Vec<Vec<f64>> = rows
+                .iter()
+                .map(|entries| {
+                    let mut out = vec![0.0; scene.len];
+                    for (b, series) in entries.iter().filter(|(b, _)| factor[*b] != 0.0) {
+                        out.iter_mut().zip(series).for_each(|(o, s)| *o += factor[*b] * s);
+                    }
+                    out
+                })
+                .collect();
+            let column: Column = scene.column(torques);
+            (!column.rows.is_empty()).then(|| Term::new(*symbol, column, Sign::Any))
+        })
+        .collect()
+}
+
+impl Cause for Payload {
+    fn name(&self) -> &'static str {
+        "payload"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Body
+    }
+
+    fn scope(&self) -> Scope {
+        Scope::Robot
+    }
+
+    fn terms(&self, scene: &WindowedData<'_>, _: &[usize], _: &[f64]) -> Vec<Term> {
+        match scene.plant.rows().last() {
+            Some(&row) => body_terms(scene, row),
+            None => Vec::new(),
+        }
+    }
+
+    fn within_links(&self) -> bool {
+        true
+    }
+
+    fn same_on_paper(&self) -> &'static [&'static str] {
+        &["link_inertia_error"]
+    }
+
+    fn says(&self) -> &'static str {
+        "a body that the file does not know is fixed to the flange"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "the same motion without what is mounted on the flange"
+    }
+}

@@ -1,0 +1,71 @@
+//! `presliding_hysteresis`: friction with memory near reversals (Dahl 1968).
+
+use super::Cause;
+use super::Kind;
+use super::Shape;
+use super::Sign;
+use super::Term;
+use super::geometric;
+use super::moves;
+use super::travel;
+use crate::diagnose::windowed_data::{JointSeries, WindowedData};
+
+/// `HC z`, `dz/dt = (v / HX) (1 - z sign v)`, in place of as much Coulomb friction as the data
+/// want.
+pub struct PreslidingHysteresis;
+
+/// Dahl's state, integrated in closed form over each sample: `z -> s + (z - s) exp(-|dq| / HX)`.
+pub fn bristle(own: &JointSeries, distance: f64) -> Vec<f64> {
+    // Begins sheared by the motion that the stretch begins with.
+    let mut z = own.sign.iter().copied().find(|s| *s != 0.0).unwrap_or(0.0);
+    let mut last = own.q.first().copied().unwrap_or(0.0);
+    own.q
+        .iter()
+        .map(|&q| {
+            let moved = q - last;
+            last = q;
+            if moved != 0.0 {
+                let s = moved.signum();
+                z = s + (z - s) * (-moved.abs() / distance).exp();
+            }
+            z
+        })
+        .collect()
+}
+
+impl Cause for PreslidingHysteresis {
+    fn name(&self) -> &'static str {
+        "presliding_hysteresis"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Friction
+    }
+
+    fn shape(&self) -> &'static [Shape] {
+        &[Shape { symbol: "HX", unit: "rad", range: [1e-5, 10.0], step: Some(0.3) }]
+    }
+
+    fn grid(&self, scene: &WindowedData<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let [low, high] = travel(scene, place[0]);
+        geometric(3e-4 * (high - low), 0.12 * (high - low), 9).into_iter().map(|x| vec![x]).collect()
+    }
+
+    fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
+        let [low, high] = travel(scene, place[0]);
+        moves(scene, place[0]) && shape[0] <= 0.2 * (high - low)
+    }
+
+    fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
+        let j = place[0];
+        vec![Term::new("HC", scene.own_column(j, |own| bristle(own, shape[0])), Sign::Positive)]
+    }
+
+    fn says(&self) -> &'static str {
+        "friction remembers the path: after a reversal it builds up over a distance"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "small oscillations about several positions, with amplitudes of the presliding distance"
+    }
+}

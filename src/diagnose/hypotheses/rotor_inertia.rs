@@ -1,0 +1,49 @@
+//! `rotor_inertia`: reflected inertia of the drive.
+
+use super::Cause;
+use super::Estimate;
+use super::Kind;
+use super::Named;
+use super::Over;
+use super::Sign;
+use super::Term;
+use super::moves;
+use crate::diagnose::windowed_data::WindowedData;
+
+/// `IA ddq`.
+pub struct RotorInertia;
+
+impl Cause for RotorInertia {
+    fn name(&self) -> &'static str {
+        "rotor_inertia"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Body
+    }
+
+    fn shows(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> bool {
+        moves(scene, place[0])
+    }
+
+    fn terms(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> Vec<Term> {
+        let j = place[0];
+        vec![Term::new("IA", scene.pointwise(j, |o, k| o.a[k]), Sign::Any)]
+    }
+
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        vec![Named::new("IA", found.scene.rotors[found.place[0]] + found.x[0], Some(found.std(0)))]
+    }
+
+    fn over(&self) -> Over {
+        Over::Acceleration
+    }
+
+    fn says(&self) -> &'static str {
+        "the torque has a part in proportion to the joint's own acceleration that the given model lacks or has wrong"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "high accelerations of this joint alone"
+    }
+}

@@ -1,0 +1,78 @@
+//! `stribeck_friction`: friction falls from the breakaway to the Coulomb level as speed rises
+//! (Armstrong-Helouvry, Dupont and Canudas de Wit 1994).
+
+use super::Cause;
+use super::Estimate;
+use super::Kind;
+use super::Named;
+use super::Shape;
+use super::Sign;
+use super::Term;
+use super::fastest;
+use super::geometric;
+use super::moves;
+use crate::diagnose::windowed_data::WindowedData;
+
+/// `(FS - FC) exp(-|v / VS|^DS) sign(v)`.
+pub struct StribeckFriction;
+
+impl Cause for StribeckFriction {
+    fn name(&self) -> &'static str {
+        "stribeck_friction"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Friction
+    }
+
+    fn shape(&self) -> &'static [Shape] {
+        &[
+            Shape { symbol: "VS", unit: "rad/s", range: [1e-4, 1e3], step: Some(0.3) },
+            Shape { symbol: "DS", unit: "", range: [0.5, 4.0], step: Some(0.3) },
+        ]
+    }
+
+    fn grid(&self, scene: &WindowedData<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let (slow, fast) = (2.0 * scene.dead[place[0]], 0.35 * fastest(scene, place[0]));
+        let speeds = geometric(slow.min(0.5 * fast), fast, 8);
+        speeds.iter().flat_map(|&v| [vec![v, 2.0], vec![v, 1.0]]).collect()
+    }
+
+    fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
+        moves(scene, place[0]) && shape[0] <= 0.5 * fastest(scene, place[0])
+    }
+
+    fn natural(&self) -> Option<usize> {
+        Some(1) // 1 (Tustin) or 2 (Gauss), unless the data know better
+    }
+
+    fn habit(&self) -> Option<f64> {
+        Some(0.5) // what was measured lies between 0.5 and 2 (Armstrong-Helouvry, Dupont and Canudas de Wit 1994)
+    }
+
+    fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
+        let j = place[0];
+        let (speed, power) = (shape[0], shape[1]);
+        let column = scene.pointwise(j, |o, k| o.sign[k] * (-(o.v[k].abs() / speed).powf(power)).exp());
+        vec![Term::new("FS", column, Sign::Positive)]
+    }
+
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        // The breakaway level: the sum of the Coulomb level and the part that falls.
+        let [_, coulomb, _] = found.levels;
+        vec![
+            Named::new("FS", coulomb + found.x[0], Some(found.std_with(0, 1))),
+            Named::new("VS", found.shape[0], found.shape_std[0]),
+            Named::new("DS", found.shape[1], found.shape_std[1]),
+            Named::new("FC", coulomb, None),
+        ]
+    }
+
+    fn says(&self) -> &'static str {
+        "friction falls from its breakaway level to the Coulomb level as speed rises"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "slow constant speeds, from a hundredth to a tenth of the largest, in both directions"
+    }
+}

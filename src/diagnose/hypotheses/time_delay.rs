@@ -1,0 +1,105 @@
+//! `time_delay`: torque and motion are not sampled at the same time.
+
+use super::Cause;
+use super::Estimate;
+use super::Kind;
+use super::Named;
+use super::Over;
+use super::Scope;
+use super::Shape;
+use super::Sign;
+use super::Term;
+use crate::diagnose::windowed_data::{MOST_DELAY, WindowedData};
+
+/// `tau(t)` belongs to the motion at `t - TD`: of one joint, or of all.
+pub struct TimeDelay;
+
+impl Cause for TimeDelay {
+    fn name(&self) -> &'static str {
+        "time_delay"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Measurement
+    }
+
+    fn scope(&self) -> Scope {
+        Scope::JointOrRobot
+    }
+
+    fn shape(&self) -> &'static [Shape] {
+        &[Shape { symbol: "step", unit: "s", range: [-MOST_DELAY, MOST_DELAY], step: None }]
+    }
+
+    fn grid(&self, _: &WindowedData<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        [0.002, 0.01, 0.03, 0.06, -0.01, -0.03].iter().map(|d| vec![*d]).collect()
+    }
+
+    fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
+        let rows = (0..scene.dof())
+            .map(|j| {
+                if !place.is_empty() && place[0] != j {
+                    return vec![0.0; scene.len];
+                }
+                // By less than a window no step of friction comes into a window that is used.
+                let torque = if shape[0].abs() < scene.step { &scene.smooth[j] } else { &scene.whole[j] };
+                let late = scene.later(torque, shape[0]);
+                late.iter().zip(torque).map(|(a, b)| (a - b) / shape[0]).collect()
+            })
+            .collect();
+        let column = scene.column(rows);
+        if column.rows.is_empty() {
+            return Vec::new();
+        }
+        vec![Term::new("TD", column, Sign::Any)]
+    }
+
+    fn finite_difference(&self) -> bool {
+        true
+    }
+
+    fn rests_on_model(&self) -> bool {
+        true
+    }
+
+    fn rests_on_friction(&self) -> bool {
+        true
+    }
+
+    fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
+        let own: Vec<usize> = if place.is_empty() { (0..scene.dof()).collect() } else { place.to_vec() };
+        own.iter().all(|&j| (scene.delays[j] + x[0]).abs() <= MOST_DELAY) && self.beyond(scene, place, x)[0] > 0.0
+    }
+
+    /// Beyond half a sample, below which nobody can say when a sample was taken. Of one joint: from
+    /// the others.
+    fn beyond(&self, scene: &WindowedData<'_>, place: &[usize], x: &[f64]) -> Vec<f64> {
+        let own: Vec<usize> = if place.is_empty() { (0..scene.dof()).collect() } else { place.to_vec() };
+        let mut others: Vec<f64> = (0..scene.dof()).filter(|j| !own.contains(j)).map(|j| scene.delays[j]).collect();
+        others.sort_by(f64::total_cmp);
+        let usual = others.get(others.len() / 2).copied().unwrap_or(0.0);
+        let late = own.iter().map(|&j| (scene.delays[j] + x[0] - usual).abs()).fold(0.0, f64::max);
+        vec![(late - 0.5 * scene.period).max(0.0)]
+    }
+
+    fn moves_time(&self) -> bool {
+        true
+    }
+
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        let joint = found.place.first().copied().unwrap_or(0);
+        vec![Named::new("TD", found.scene.delays[joint] + found.x[0], Some(found.std(0)))]
+    }
+
+    fn over(&self) -> Over {
+        Over::Velocity
+    }
+
+    fn says(&self) -> &'static str {
+        "the torque is late against the motion"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "the same motion at half and at double the speed"
+    }
+}

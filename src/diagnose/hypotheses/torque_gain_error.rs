@@ -1,0 +1,62 @@
+//! `torque_gain_error`: a joint's torque is scaled.
+
+use super::Cause;
+use super::Estimate;
+use super::Kind;
+use super::Named;
+use super::Over;
+use super::Sign;
+use super::Term;
+use crate::diagnose::windowed_data::{Column, WindowedData};
+
+/// `(GT - 1) tau`.
+pub struct TorqueGainError;
+
+impl Cause for TorqueGainError {
+    fn name(&self) -> &'static str {
+        "torque_gain_error"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Measurement
+    }
+
+    fn terms(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> Vec<Term> {
+        let j = place[0];
+        let mut series = scene.whole[j].clone();
+        scene.masked(j, &mut series);
+        if series.iter().all(|t| *t == 0.0) {
+            return Vec::new();
+        }
+        vec![Term::new("GT", Column::on(j, series), Sign::Any)]
+    }
+
+    fn rests_on_model(&self) -> bool {
+        true
+    }
+
+    fn rests_on_friction(&self) -> bool {
+        true
+    }
+
+    /// A torque that hardly goes with the arm's own any more is not a scaled one.
+    fn plausible(&self, _: &WindowedData<'_>, _: &[usize], _: &[f64], x: &[f64]) -> bool {
+        x.first().is_none_or(|x| (-0.7..2.0).contains(x))
+    }
+
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        vec![Named::new("GT", 1.0 + found.x[0], Some(found.std(0)))]
+    }
+
+    fn over(&self) -> Over {
+        Over::Torque
+    }
+
+    fn says(&self) -> &'static str {
+        "the measured torque is the true one times a factor"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "a known weight held at several lever arms"
+    }
+}

@@ -1,0 +1,138 @@
+//! `torque_ripple`: torque periodic in the joint or motor angle.
+
+use super::Cause;
+use super::Kind;
+use super::Shape;
+use super::Sign;
+use super::Term;
+use super::moves;
+use super::travel;
+use crate::diagnose::windowed_data::WindowedData;
+
+/// `RC cos(RN q) + RS sin(RN q)`.
+pub struct TorqueRipple;
+
+/// Orders whose periodogram of the residual over the angle stands out, highest first.
+fn peaks(scene: &WindowedData<'_>, j: usize, residual: &[f64]) -> Vec<f64> {
+    let [low, high] = travel(scene, j);
+    let range = (high - low).max(0.05);
+    let q: Vec<f64> = scene.own_column(j, |o| o.q.clone()).rows.pop().map(|r| r.1).unwrap_or_default();
+    let v: Vec<f64> = scene.own_column(j, |o| o.v.clone()).rows.pop().map(|r| r.1).unwrap_or_default();
+    let used: Vec<usize> = (0..scene.len).filter(|&w| scene.live[j][w]).collect();
+    // Beyond this an order goes round within a window for most of the data.
+    let mut speeds: Vec<f64> = used.iter().map(|&w| v[w].abs()).collect();
+    speeds.sort_by(f64::total_cmp);
+    let typical = speeds.get(speeds.len() / 3).copied().unwrap_or(0.0).max(1e-3);
+    let most = (2.0 / (typical * scene.step)).min(1200.0);
+    let step = 0.7 / range;
+    let first = (9.5 / range).max(1.0);
+    let count = (((most - first) / step).max(0.0) as usize).min(6000);
+    // From order to order each window's angle turns on by the same: two multiplications of complex
+    // numbers instead of sines.
+    struct Window {
+        residual: f64,
+        /// Cosine and sine of the angle times the order, and of what an order more adds.
+        at: [f64; 2],
+        by: [f64; 2],
+        /// The same of half of what the window covers.
+        half: [f64; 2],
+        half_by: [f64; 2],
+        /// Half of what it covers per order.
+        covers: f64,
+    }
+    let turned = |[c, s]: [f64; 2], [dc, ds]: [f64; 2]| [c * dc - s * ds, s * dc + c * ds];
+    let circle = |angle: f64| [angle.cos(), angle.sin()];
+    let mut windows: Vec<Window> = used
+        .iter()
+        .map(|&w| {
+            let covers = 0.5 * v[w] * scene.step;
+            Window {
+                residual: residual[w],
+                at: circle(first * q[w]),
+                by: circle(step * q[w]),
+                half: circle(first * covers),
+                half_by: circle(step * covers),
+                covers,
+            }
+        })
+        .collect();
+    let power: Vec<f64> = (0..count)
+        .map(|i| {
+            let n = first + i as f64 * step;
+            let (mut c, mut s, mut norm) = (0.0, 0.0, 0.0);
+            for w in &mut windows {
+                // A window averages over the angle that it covers.
+                let half = n * w.covers;
+                let damp = if half.abs() < 1e-6 { 1.0 } else { w.half[1] / half };
+                let weighed = w.residual * damp;
+                (c, s, norm) = (c + weighed * w.at[0], s + weighed * w.at[1], norm + damp * damp);
+                (w.at, w.half) = (turned(w.at, w.by), turned(w.half, w.half_by));
+            }
+            (c * c + s * s) / norm.max(1.0)
+        })
+        .collect();
+    let mut order: Vec<usize> = (0..count)
+        .filter(|&i| (i == 0 || power[i] >= power[i - 1]) && (i + 1 == count || power[i] > power[i + 1]))
+        .collect();
+    order.sort_by(|a, b| power[*b].total_cmp(&power[*a]));
+    order.into_iter().take(4).map(|i| first + i as f64 * step).collect()
+}
+
+impl Cause for TorqueRipple {
+    fn name(&self) -> &'static str {
+        "torque_ripple"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Transmission
+    }
+
+    fn shape(&self) -> &'static [Shape] {
+        &[Shape { symbol: "RN", unit: "1/turn", range: [0.5, 5000.0], step: Some(-0.15) }]
+    }
+
+    fn grid(&self, scene: &WindowedData<'_>, place: &[usize], residual: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let j = place[0];
+        if !moves(scene, j) {
+            return Vec::new();
+        }
+        let mut orders = peaks(scene, j, &residual[j]);
+        let [low, high] = travel(scene, j);
+        let least = 9.5 / (high - low).max(0.05);
+        orders.extend([2.0, 3.0, 4.0, 6.0, 8.0].into_iter().filter(|n| *n >= least));
+        if let Some(gear) = scene.plant.gear_ratios()[j] {
+            orders.extend([1.0, 2.0, 3.0, 4.0, 6.0].map(|k| k * gear.abs()).into_iter().filter(|n| *n >= least));
+        }
+        orders.into_iter().map(|n| vec![n]).collect()
+    }
+
+    fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
+        // Less than a period and a half in the travel is no ripple.
+        let [low, high] = travel(scene, place[0]);
+        moves(scene, place[0]) && shape[0] * (high - low) >= 9.4
+    }
+
+    fn natural(&self) -> Option<usize> {
+        Some(0)
+    }
+
+    fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
+        let (j, n) = (place[0], shape[0]);
+        vec![
+            Term::new("RC", scene.pointwise(j, |o, k| (n * o.q[k]).cos()), Sign::Any),
+            Term::new("RS", scene.pointwise(j, |o, k| (n * o.q[k]).sin()), Sign::Any),
+        ]
+    }
+
+    fn repeats(&self) -> bool {
+        true
+    }
+
+    fn says(&self) -> &'static str {
+        "torque that is periodic in the joint's angle"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        "slow constant speed over several periods, in both directions"
+    }
+}

@@ -1,0 +1,143 @@
+//! Which of the nested models is offered: the file as it is, all parameters refitted, or the
+//! extended model; and which causes stay in that.
+//!
+//! Judged on the fitted logs alone, on stretches that are left out in turn (an eighth of the data
+//! each, in one piece, so that other motion than the rest's is in it): errors of two models are
+//! compared stretch by stretch, and the simpler one stays unless the other is better by more than
+//! the standard error of that (the rule of one standard error, Breiman et al. 1984, 3.4.3).
+
+/// Least gain for which the file's links are given up.
+const LEAST: f64 = 0.05;
+
+/// Errors on stretches that were left out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LeftOut {
+    /// Mean squares per stretch and joint, (N m)^2.
+    squares: Vec<Vec<f64>>,
+    /// Windows of each.
+    counts: Vec<Vec<f64>>,
+}
+
+/// By how much less one model errs than another.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Paired {
+    /// Difference of squares by their sum, mean over joints: from -1 to 1.
+    pub gain: f64,
+    /// Standard error of that, from how stretches differ.
+    pub error: f64,
+    /// Whether its error over all joints and stretches, in N m, is the smaller one too: no number
+    /// of weak joints outvotes a heavy one.
+    pub whole: bool,
+}
+
+impl Paired {
+    /// Whether it is more than chance.
+    pub fn sure(&self) -> bool {
+        self.gain > self.error
+    }
+
+    /// Whether it is worth giving up the file's links: a twentieth at least, and one and a half
+    /// standard errors, and less error as a whole. A refit has many unknowns, which find something
+    /// in errors that remember themselves.
+    pub fn worth_refit(&self) -> bool {
+        self.whole && self.gain > LEAST && self.gain > 1.5 * self.error
+    }
+}
+
+impl LeftOut {
+    /// From sums of squares and numbers of windows, per stretch and joint.
+    pub fn new(sums: &[Vec<f64>], counts: &[Vec<f64>]) -> Self {
+        let mean = |(s, n): (&f64, &f64)| if *n > 0.0 { s / n } else { 0.0 };
+        let squares = sums.iter().zip(counts).map(|(s, n)| s.iter().zip(n).map(mean).collect()).collect();
+        Self { squares, counts: counts.to_vec() }
+    }
+
+    /// By how much less this errs than `other`; what is below `floor` (N m, per joint) does not
+    /// count.
+    pub fn less(&self, other: &Self, floor: &[f64]) -> Paired {
+        let (stretches, joints) = (self.squares.len(), floor.len());
+        let weight = |s: usize, j: usize| self.counts[s][j].min(other.counts[s][j]);
+        let whole: Vec<f64> = (0..joints)
+            .map(|j| {
+                (0..stretches)
+                    .map(|s| weight(s, j) * (self.squares[s][j] + other.squares[s][j] + 2.0 * floor[j].powi(2)))
+                    .sum::<f64>()
+            })
+            .collect();
+        let live = whole.iter().filter(|w| **w > 0.0).count().max(1) as f64;
+        let gains: Vec<f64> = (0..stretches)
+            .map(|s| {
+                let of = |j: usize| match whole[j] > 0.0 {
+                    true => weight(s, j) * (other.squares[s][j] - self.squares[s][j]) / whole[j],
+                    false => 0.0,
+                };
+                (0..joints).map(of).sum::<f64>() / live
+            })
+            .collect();
+        let n = stretches.max(1) as f64;
+        let gain: f64 = gains.iter().sum();
+        let variance = gains.iter().map(|g| (g - gain / n).powi(2)).sum::<f64>() / (n - 1.0).max(1.0);
+        Paired { gain, error: (n * variance).sqrt(), whole: self.rms() < other.rms() }
+    }
+
+    /// Whether less than a share of the squared error of `other` is left on a joint, and less than
+    /// half of it in every stretch.
+    pub fn nearly_all(&self, other: &Self, joint: usize, share: f64) -> bool {
+        let (mut sums, mut every) = ([0.0; 2], true);
+        for (s, counts) in self.counts.iter().enumerate() {
+            let [a, b] = [other, self].map(|x| x.squares[s][joint] * counts[joint]);
+            every &= b <= 0.5 * a;
+            sums = [sums[0] + a, sums[1] + b];
+        }
+        every && sums[1] < share * sums[0]
+    }
+
+    /// Root mean square over all stretches and joints, N m.
+    pub fn rms(&self) -> f64 {
+        let joints = self.squares.first().map_or(0, Vec::len);
+        let of = |j: usize| {
+            let sum: f64 = self.squares.iter().zip(&self.counts).map(|(s, n)| s[j] * n[j]).sum();
+            let count: f64 = self.counts.iter().map(|n| n[j]).sum();
+            if count > 0.0 { sum / count } else { 0.0 }
+        };
+        ((0..joints).map(of).sum::<f64>() / joints.max(1) as f64).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::prng::Random;
+
+    fn noisy(random: &mut Random, size: f64) -> LeftOut {
+        let sums: Vec<Vec<f64>> =
+            (0..8).map(|_| (0..2).map(|_| size * random.uniform(80.0, 120.0)).collect()).collect();
+        LeftOut::new(&sums, &vec![vec![100.0; 2]; 8])
+    }
+
+    #[test]
+    fn a_better_model_is_surely_better_and_the_same_is_not() {
+        let mut random = Random::new(3);
+        let (one, worse) = (noisy(&mut random, 1.0), noisy(&mut random, 2.0));
+        let paired = one.less(&worse, &[0.0; 2]);
+        assert!(paired.sure() && (paired.gain - 1.0 / 3.0).abs() < 0.05, "{paired:?}");
+        assert!(!worse.less(&one, &[0.0; 2]).sure());
+        assert!(!one.less(&one, &[0.0; 2]).sure());
+        assert!(paired.worth_refit() && one.nearly_all(&noisy(&mut random, 20.0), 1, 0.1));
+        assert!(!one.nearly_all(&worse, 1, 0.1));
+        // Far below what matters nothing is better.
+        assert!(one.less(&worse, &[100.0; 2]).gain < 1e-3);
+        assert!((one.rms() - 1.0).abs() < 0.1);
+    }
+
+    #[test]
+    fn weak_joints_do_not_outvote_a_heavy_one() {
+        let model = |light: f64, heavy: f64| {
+            let sums = vec![vec![light, light, light, heavy]; 8];
+            LeftOut::new(&sums, &vec![vec![1.0; 4]; 8])
+        };
+        // Three joints err half as much, a hundred times as heavy a one somewhat more.
+        let paired = model(0.25, 120.0).less(&model(1.0, 100.0), &[0.0; 4]);
+        assert!(paired.sure() && paired.gain > 0.3 && !paired.worth_refit(), "{paired:?}");
+    }
+}

@@ -1,0 +1,512 @@
+//! The next experiment: the motion, inside the limits, on which two causes that this data could not
+//! tell apart would differ most.
+//!
+//! Each cause is the columns by which it acts on the torques at the state of each sample;
+//! [`discriminate`] maximises what of either is left beside the other and beside friction (and the
+//! base parameters, where the diagnosis took them anew). Causes that are the same on paper, or that
+//! act through their past, have no such motion.
+
+use std::sync::atomic::AtomicBool;
+
+use dh_codegen::robot::Robot;
+use nalgebra::{DMatrix, DVector};
+
+use crate::data::trajectory::Trajectory;
+use crate::excite::{Effort, Extra, Task, Watch, discriminate};
+use crate::model::differentiated::Differentiated;
+use crate::model::perturbable_robot::PerturbableRobot;
+use crate::model::{Arm, Change, PerturbableArm, States};
+
+use super::Cause;
+use super::Diagnosis;
+use super::moments::pseudo_inverse;
+use crate::diagnose::hypotheses::{Scope, by_name};
+
+/// A motion that tells two causes apart.
+#[derive(Debug, Clone)]
+pub struct Separation {
+    /// The causes: what was found, and what looks like it.
+    pub between: [&'static str; 2],
+    /// Joints of each, from 1; empty for the whole robot.
+    pub joints: [Vec<usize>; 2],
+    /// The motion.
+    pub motion: Trajectory,
+    /// What the first would leave of itself, of the size that was found, where the second is fitted
+    /// to it together with all that is unknown: root mean square on each joint, N m.
+    pub left: Vec<f64>,
+    /// The same as a part of the whole of it, from 0 (nothing: they stay alike) to 1.
+    pub share: f64,
+    /// The same on the joint that shows it best, in standard deviations of that joint's torque
+    /// noise.
+    pub in_noise: f64,
+}
+
+/// Length of the motion, s.
+const DURATION: f64 = 10.0;
+/// Samples per second that are counted.
+const RATE: f64 = 50.0;
+/// Share of what a cause does that must be left for a motion to be worth playing.
+const WORTH: f64 = 0.1;
+
+/// Designs the motion for the first cause that has a rival it can be told from; `None` where there
+/// is none, or limits are missing.
+pub fn discriminating_motion(robot: &Robot, found: &Diagnosis, progress: &dyn Fn(&str)) -> Option<Separation> {
+    let plant = PerturbableRobot::new(robot);
+    let open = found.causes.iter().filter(|c| !c.not_distinguished_from.is_empty() && c.cause != "unknown");
+    let pairs = open.flat_map(|c| c.not_distinguished_from.iter().map(move |rival| (c, *rival)));
+    let standard = bodies(&plant, found)?;
+    let arm = Differentiated::new(robot);
+    let mut task = Task::new(&arm, robot, DURATION, 0.5).ok()?;
+    task.rate = RATE;
+    task.share = 0.8;
+    task.noise = found.noise_floor.iter().map(|s| s.max(1e-3)).collect();
+    let turn: Vec<f64> = task.limits.iter().map(|l| 0.01 * l.velocity).collect();
+    for (cause, rival) in pairs.take(4) {
+        if on_paper(cause.cause, rival) {
+            continue;
+        }
+        let place: Vec<usize> = cause.joints.iter().map(|j| j - 1).collect();
+        let own = columns(&plant, cause.cause, &place, &|key| key_of(cause, key));
+        let there = rival_place(rival, cause);
+        let other = columns(&plant, rival, &there, &|_| None);
+        let (Some(own), Some(other)) = (own, other) else { continue };
+        progress(&format!("a motion that tells {} from {rival}", cause.cause));
+        let family = |columns: &[Column]| Family::new(&plant, &standard, &turn, columns.to_vec());
+        let (first, second) = (family(&own), family(&other));
+        // A friction term that is a hypothesis is none of the unknowns beside it.
+        let ours: Vec<String> = own.iter().chain(&other).filter_map(|c| c.base_name(&plant)).collect();
+        let base = plant.base_parameters();
+        let friction = |name: &str| ["FV", "FC", "FO"].iter().any(|p| name.starts_with(p));
+        task.base = (0..base.len())
+            .filter(|&b| found.links_refitted || friction(&base[b].name))
+            .filter(|&b| !ours.iter().any(|o| base[b].name.trim_end_matches('R') == o))
+            .collect();
+        let effort = Effort { starts: 3, iterations: 12, finalists: 1, ..Effort::default() };
+        let (stop, quiet) = (AtomicBool::new(false), |_: &crate::excite::Progress| {});
+        let watch = Watch { stop: &stop, progress: &quiet };
+        let Ok(design) = discriminate(&task, &first, &second, &effort, &watch) else { continue };
+        if !design.feasible {
+            continue;
+        }
+        let size: Vec<f64> = own.iter().map(|c| c.found(&plant, cause).unwrap_or(1.0)).collect();
+        let states = design.trajectory.sampled(RATE).1;
+        let (left, share) = remains(&task, &states, &first, &second, &size)?;
+        if share.is_nan() || share <= WORTH {
+            continue;
+        }
+        let in_noise = left.iter().zip(&task.noise).map(|(l, s)| l / s).fold(0.0, f64::max);
+        return Some(Separation {
+            between: [cause.cause, rival],
+            joints: [cause.joints.clone(), there.iter().map(|j| j + 1).collect()],
+            motion: design.trajectory,
+            left,
+            share,
+            in_noise,
+        });
+    }
+    None
+}
+
+/// Standard parameters of the diagnosed arm without friction.
+fn bodies(plant: &PerturbableRobot, found: &Diagnosis) -> Option<Vec<f64>> {
+    let standard = found.standard.as_deref().or(plant.given())?;
+    let friction = |name: &str| ["FV", "FC", "FO"].iter().any(|p| name.starts_with(p));
+    Some(plant.standard_names().iter().zip(standard).map(|(n, v)| if friction(n) { 0.0 } else { *v }).collect())
+}
+
+/// Pairs that no motion tells apart.
+fn on_paper(a: &str, b: &str) -> bool {
+    let says = |a: &str, b: &str| by_name(a).is_some_and(|cause| cause.same_on_paper().contains(&b));
+    says(a, b) || says(b, a)
+}
+
+/// Causes of the whole robot have no joints; one of a joint, where the whole robot's was found, is
+/// looked for where that acts most.
+fn rival_place(rival: &str, cause: &Cause) -> Vec<usize> {
+    let gain = |j: &usize| cause.rms_before[*j].powi(2) - cause.rms_after[*j].powi(2);
+    let most = || (0..cause.rms_before.len()).max_by(|a, b| gain(a).total_cmp(&gain(b)));
+    let own = cause.joints.first().map(|j| j - 1);
+    match by_name(rival).map_or(Scope::Joint, |r| r.scope()) {
+        Scope::Robot => Vec::new(),
+        Scope::JointOrRobot => own.into_iter().collect(),
+        Scope::Joint => own.or_else(most).into_iter().collect(),
+        Scope::Pair => {
+            let Some(joint) = own.or_else(most) else { return Vec::new() };
+            let other = cause.joints.get(1).map_or(if joint > 0 { joint - 1 } else { joint + 1 }, |k| k - 1);
+            vec![joint, other]
+        }
+    }
+}
+
+fn key_of(cause: &Cause, key: &str) -> Option<f64> {
+    cause.keys.iter().find(|named| named.symbol == key).map(|named| named.value)
+}
+
+/// How one unknown of a cause acts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Column {
+    /// On joint `.0` alone, by its key.
+    JointSeries(usize, Law, &'static str),
+    /// Joint `.0` turns by this much more than was measured: `QO`.
+    Zero(usize),
+    /// Joint `.0` winds: `1 / KE`.
+    Deflection(usize),
+    /// The torque of this joint, or of all, is late: `TD`.
+    Late(Option<usize>),
+    /// A change of the arm's geometry, divided by this.
+    Changed(Change, f64, &'static str),
+    /// A motor that turns with another joint: motor, other, ratio, `IAM FVM FCM`.
+    Coupled(usize, usize, f64, usize),
+}
+
+/// Laws of one joint; `s` is the sign of its velocity, made smooth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Law {
+    /// v
+    Viscous,
+    /// s
+    Coulomb,
+    /// 1
+    Offset,
+    /// |v|
+    Directional,
+    /// exp(-|v / VS|^DS) s
+    Stribeck(f64, f64),
+    /// |v|^EN s
+    Power(f64),
+    /// |load| s
+    Load,
+    /// load
+    Gain,
+    /// ddq
+    Rotor,
+    /// q
+    Spring,
+    /// cos(n q), times s
+    Cosine(f64, bool),
+    /// sin(n q), times s
+    Sine(f64, bool),
+}
+
+/// The unknowns of a cause at this place; `None` where it is none of a state alone.
+fn columns(
+    plant: &dyn PerturbableArm,
+    cause: &str,
+    place: &[usize],
+    key: &dyn Fn(&str) -> Option<f64>,
+) -> Option<Vec<Column>> {
+    let or = |name: &str, value: f64| key(name).unwrap_or(value);
+    let j = place.first().copied().filter(|j| *j < plant.dof());
+    let own = |law: Law, name: &'static str| j.map(|j| Column::JointSeries(j, law, name));
+    let row = |at: f64, which: usize, name: &'static str| {
+        let by = |k: usize| if k == which { at } else { 0.0 };
+        let change = Change::Row { row: *plant.rows().get(j?)?, alpha: by(0), d: by(1), theta: by(2), r: by(3) };
+        Some(Column::Changed(change, at, name))
+    };
+    let all: Vec<Option<Column>> = match cause {
+        "viscous_friction" => vec![own(Law::Viscous, "FV")],
+        "coulomb_friction" => vec![own(Law::Coulomb, "FC")],
+        "torque_offset" => vec![own(Law::Offset, "TO")],
+        "asymmetric_friction" => vec![own(Law::Directional, "FVA")],
+        "stribeck_friction" => vec![own(Law::Stribeck(or("VS", 0.1), or("DS", 2.0)), "FS")],
+        "nonlinear_viscous_friction" => vec![own(Law::Power(or("EN", 0.5)), "FN")],
+        "load_dependent_friction" => vec![own(Law::Load, "FL")],
+        "torque_gain_error" => vec![own(Law::Gain, "GT")],
+        "rotor_inertia" => vec![own(Law::Rotor, "IA")],
+        "joint_spring" => vec![own(Law::Spring, "KS")],
+        "position_dependent_friction" => {
+            let n = or("PN", 1.0);
+            vec![own(Law::Cosine(n, true), "PC"), own(Law::Sine(n, true), "PS")]
+        }
+        "torque_ripple" => {
+            let n = key("RN").or(plant.gear_ratios().get(j?).copied().flatten().map(f64::abs)).unwrap_or(32.0);
+            vec![own(Law::Cosine(n, false), "RC"), own(Law::Sine(n, false), "RS")]
+        }
+        "encoder_offset" => vec![j.map(Column::Zero)],
+        "joint_elasticity" => vec![j.map(Column::Deflection)],
+        "time_delay" => vec![Some(Column::Late(j))],
+        "base_tilt" => vec![
+            Some(Column::Changed(Change::Base { roll: 1e-3, pitch: 0.0 }, 1e-3, "roll")),
+            Some(Column::Changed(Change::Base { roll: 0.0, pitch: 1e-3 }, 1e-3, "pitch")),
+        ],
+        "geometric_error" => {
+            let known = ["DALPHA", "DD", "DTHETA", "DR"].iter().position(|name| key(name).is_some());
+            match known.unwrap_or(1) {
+                0 => vec![row(1e-3, 0, "DALPHA")],
+                2 => vec![row(1e-3, 2, "DTHETA")],
+                3 => vec![row(1e-3, 3, "DR")],
+                _ => vec![row(1e-3, 1, "DD")],
+            }
+        }
+        "gear_coupling" => {
+            let (m, k) = (j?, place.get(1).copied().filter(|k| *k < plant.dof())?);
+            (0..3).map(|which| Some(Column::Coupled(m, k, or("KC", 1.0), which))).collect()
+        }
+        _ => return None, // it remembers, it clips, or it acts in one log: not a matter of the state
+    };
+    all.into_iter().collect()
+}
+
+impl Column {
+    /// The base parameter that is the same column.
+    fn base_name(self, plant: &dyn PerturbableArm) -> Option<String> {
+        let Self::JointSeries(j, law, _) = self else { return None };
+        let name = match law {
+            Law::Viscous => "FV",
+            Law::Coulomb => "FC",
+            Law::Offset => "FO",
+            _ => return None,
+        };
+        Some(format!("{name}{}", plant.rows().get(j)? + 1))
+    }
+
+    /// How much of it the diagnosis found beyond the file.
+    fn found(self, plant: &dyn PerturbableArm, cause: &Cause) -> Option<f64> {
+        let given = |name: &str, j: usize| {
+            let name = format!("{name}{}", plant.rows().get(j).map_or(0, |row| row + 1));
+            plant.standard_names().iter().position(|n| *n == name).map_or(0.0, |at| plant.given_drive(at))
+        };
+        let value = match self {
+            Self::JointSeries(_, Law::Stribeck(..), _) => key_of(cause, "FS")? - key_of(cause, "FC").unwrap_or(0.0),
+            Self::JointSeries(_, Law::Gain, _) => key_of(cause, "GT")? - 1.0,
+            Self::JointSeries(j, Law::Viscous | Law::Coulomb | Law::Rotor, name) => {
+                key_of(cause, name)? - given(name, j)
+            }
+            Self::JointSeries(_, _, name) | Self::Changed(_, _, name) => key_of(cause, name)?,
+            Self::Zero(_) => key_of(cause, "QO")?,
+            Self::Deflection(_) => 1.0 / key_of(cause, "KE")?,
+            Self::Late(_) => key_of(cause, "TD")?,
+            Self::Coupled(.., which) => key_of(cause, ["IAM", "FVM", "FCM"][which])?,
+        };
+        Some(value)
+    }
+}
+
+/// The columns of a cause at given states.
+struct Family<'a> {
+    plant: &'a PerturbableRobot,
+    standard: &'a [f64],
+    /// Speed over which a sign turns over, per joint, rad/s.
+    turn: &'a [f64],
+    columns: Vec<Column>,
+    pattern: Vec<(usize, usize)>,
+}
+
+impl<'a> Family<'a> {
+    fn new(plant: &'a PerturbableRobot, standard: &'a [f64], turn: &'a [f64], columns: Vec<Column>) -> Self {
+        let pattern = (0..columns.len()).flat_map(|c| (0..plant.dof()).map(move |j| (j, c))).collect();
+        Self { plant, standard, turn, columns, pattern }
+    }
+
+    fn load(&self, states: &States) -> Vec<f64> {
+        let mut tau = vec![0.0; self.plant.dof() * states.len];
+        self.plant.inverse_dynamics(states, self.standard, &mut tau);
+        tau
+    }
+
+    /// Difference quotient of the load: the motion moved by `by` times the step.
+    fn moved(&self, states: &States, load: &[f64], step: f64, by: impl Fn(&mut States), out: &mut [f64]) {
+        let mut moved = states.clone();
+        by(&mut moved);
+        let other = self.load(&moved);
+        out.iter_mut().zip(other.iter().zip(load)).for_each(|(o, (a, b))| *o = (a - b) / step);
+    }
+
+    fn one(&self, column: Column, states: &States, load: &[f64], out: &mut [f64]) {
+        let len = states.len;
+        out.fill(0.0);
+        let smooth = |v: f64, j: usize| (v / self.turn[j].max(1e-6)).tanh();
+        match column {
+            Column::JointSeries(j, law, _) => {
+                for s in 0..len {
+                    let at = j * len + s;
+                    let (q, v) = (states.q[at], states.dq[at]);
+                    let sign = smooth(v, j);
+                    let of = |by_sign: bool| if by_sign { sign } else { 1.0 };
+                    out[at] = match law {
+                        Law::Viscous => v,
+                        Law::Coulomb => sign,
+                        Law::Offset => 1.0,
+                        Law::Directional => v * sign,
+                        Law::Stribeck(speed, power) => (-(v.abs() / speed).powf(power)).exp() * sign,
+                        Law::Power(power) => v.abs().powf(power) * sign,
+                        Law::Load => load[at].abs() * sign,
+                        Law::Gain => load[at],
+                        Law::Rotor => states.ddq[at],
+                        Law::Spring => q,
+                        Law::Cosine(n, by_sign) => (n * q).cos() * of(by_sign),
+                        Law::Sine(n, by_sign) => (n * q).sin() * of(by_sign),
+                    };
+                }
+            }
+            Column::Zero(j) => {
+                self.moved(states, load, 1e-5, |m| m.q[j * len..(j + 1) * len].iter_mut().for_each(|q| *q += 1e-5), out)
+            }
+            Column::Deflection(j) => self.moved(
+                states,
+                load,
+                1e-6,
+                |m| (j * len..(j + 1) * len).for_each(|at| m.q[at] -= 1e-6 * load[at]),
+                out,
+            ),
+            // Earlier by a step at constant acceleration; the jerk is not part of a state.
+            Column::Late(which) => {
+                self.moved(
+                    states,
+                    load,
+                    1e-4,
+                    |m| {
+                        for at in 0..m.q.len() {
+                            m.q[at] -= 1e-4 * states.dq[at];
+                            m.dq[at] -= 1e-4 * states.ddq[at];
+                        }
+                    },
+                    out,
+                );
+                if let Some(j) = which {
+                    out.iter_mut().enumerate().filter(|(at, _)| at / len != j).for_each(|(_, o)| *o = 0.0);
+                }
+            }
+            Column::Changed(change, step, _) => {
+                let mut other = vec![0.0; out.len()];
+                self.plant.changed_dynamics(&change, states, self.standard, out);
+                let nothing = Change::Base { roll: 0.0, pitch: 0.0 };
+                self.plant.changed_dynamics(&nothing, states, self.standard, &mut other);
+                out.iter_mut().zip(&other).for_each(|(o, b)| *o = (*o - b) / step);
+            }
+            Column::Coupled(m, k, ratio, which) => {
+                for s in 0..len {
+                    let (a, b) = (m * len + s, k * len + s);
+                    let along = states.dq[a] + ratio * states.dq[b];
+                    let (on_m, on_k) = match which {
+                        0 => (ratio * states.ddq[b], ratio * states.ddq[a]),
+                        1 => (ratio * states.dq[b], ratio * states.dq[a]),
+                        _ => (smooth(along, m), ratio * smooth(along, m)),
+                    };
+                    (out[a], out[b]) = (on_m, on_k);
+                }
+            }
+        }
+    }
+}
+
+impl Extra for Family<'_> {
+    fn columns(&self) -> usize {
+        self.columns.len()
+    }
+
+    fn pattern(&self) -> &[(usize, usize)] {
+        &self.pattern
+    }
+
+    fn evaluate(&self, states: &States, out: &mut [f64]) {
+        let each = self.plant.dof() * states.len;
+        if each == 0 {
+            return;
+        }
+        let load = self.load(states);
+        for (column, out) in self.columns.iter().zip(out.chunks_exact_mut(each)) {
+            self.one(*column, states, &load, out);
+        }
+    }
+}
+
+/// What of the first family's signal the unknowns beside it and the second family can't explain:
+/// per joint, and as a share of the whole.
+fn remains(
+    task: &Task<'_>,
+    states: &States,
+    first: &Family<'_>,
+    second: &Family<'_>,
+    size: &[f64],
+) -> Option<(Vec<f64>, f64)> {
+    let (n, len) = (task.dof(), states.len);
+    let evaluated = |family: &Family<'_>| {
+        let mut out = vec![0.0; family.pattern.len() * len];
+        family.evaluate(states, &mut out);
+        out
+    };
+    let (own, other) = (evaluated(first), evaluated(second));
+    let weight = |at: usize| 1.0 / task.noise[at / len];
+    let mut signal = DVector::zeros(n * len);
+    for (column, x) in own.chunks_exact(n * len).zip(size) {
+        column.iter().enumerate().for_each(|(at, v)| signal[at] += x * v * weight(at));
+    }
+    let count = task.base.len() + second.columns.len();
+    let mut beside = DMatrix::zeros(n * len, count);
+    let pattern = task.arm.base_pattern();
+    let mut entries = vec![0.0; pattern.len() * len];
+    task.arm.base_regressor(states, &mut entries);
+    for (values, &(row, column)) in entries.chunks_exact(len).zip(pattern) {
+        if let Some(c) = task.base.iter().position(|b| *b == column) {
+            values.iter().enumerate().for_each(|(s, v)| beside[(row * len + s, c)] = v * weight(row * len + s));
+        }
+    }
+    for (c, column) in other.chunks_exact(n * len).enumerate() {
+        column.iter().enumerate().for_each(|(at, v)| beside[(at, task.base.len() + c)] = v * weight(at));
+    }
+    let fitted = pseudo_inverse(&(beside.transpose() * &beside)) * (beside.transpose() * &signal);
+    let rest = &signal - &beside * fitted;
+    let whole = signal.norm();
+    let left: Vec<f64> =
+        (0..n).map(|j| (rest.rows(j * len, len).norm_squared() / len as f64).sqrt() * task.noise[j]).collect();
+    (whole > 0.0 && rest.iter().all(|r| r.is_finite())).then(|| (left, rest.norm() / whole))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Columns of laws are what the file's laws add, apart from the smooth sign.
+    #[test]
+    fn columns_are_derivatives_of_the_predicted_torques() {
+        use crate::model::TorqueModel;
+        use crate::model::file_torque_model::FileTorqueModel;
+        use dh_codegen::robot::Effect;
+        let text = include_str!("../../robots/planar2r.yaml");
+        let robot = Robot::from_yaml(text, &|_| Err("none".into())).unwrap().robot;
+        let plant = PerturbableRobot::new(&robot);
+        let wave = |k: f64| (0..8).map(|i| k * (0.7 * f64::from(i) + 0.3 * k).sin()).collect::<Vec<f64>>();
+        let states = States { len: 4, q: wave(1.0), dq: wave(0.6), ddq: wave(2.0) };
+        let torques = |robot: &Robot| {
+            let mut out = vec![0.0; 8];
+            FileTorqueModel::new(robot).unwrap().torques(&states, &mut out);
+            out
+        };
+        let plain = torques(&robot);
+        let bodies: Vec<f64> = plant
+            .standard_names()
+            .iter()
+            .zip(plant.given().unwrap())
+            .map(|(n, v)| if n.starts_with('F') { 0.0 } else { *v })
+            .collect();
+        let turn = [1e-9; 2];
+        type Case<'a> = (&'a str, &'a [(&'a str, f64)], usize, f64);
+        let cases: [Case<'_>; 8] = [
+            ("torque_ripple", &[("RN", 5.0), ("RC", 1.0)], 0, 1.0),
+            ("position_dependent_friction", &[("PN", 2.0), ("PS", 1.0)], 1, 1.0),
+            ("nonlinear_viscous_friction", &[("FN", 1.0), ("EN", 0.6)], 0, 1.0),
+            ("load_dependent_friction", &[("FL", 0.5)], 0, 0.5),
+            ("joint_elasticity", &[("KE", 1e6)], 0, 1e-6),
+            ("encoder_offset", &[("QO", 1e-5)], 0, 1e-5),
+            ("asymmetric_friction", &[("FVA", 1.0)], 0, 1.0),
+            ("gear_coupling", &[("joint", 1.0), ("KC", -0.5), ("IAM", 0.3)], 0, 0.3),
+        ];
+        for (name, keys, which, size) in cases {
+            let key = |k: &str| keys.iter().find(|(name, _)| *name == k).map(|(_, v)| *v);
+            let columns = columns(&plant, name, &[1, 0], &key).unwrap();
+            let family = Family::new(&plant, &bodies, &turn, columns);
+            let mut out = vec![0.0; family.pattern.len() * 4];
+            family.evaluate(&states, &mut out);
+            let mut changed = robot.clone();
+            let parameters = keys.iter().map(|(k, v)| ((*k).to_string(), *v)).collect();
+            changed.joints[1].drive.effects.push(Effect { name: name.into(), parameters });
+            for (at, (a, b)) in torques(&changed).iter().zip(&plain).enumerate() {
+                let expected = (a - b) / size;
+                let value = out[which * 8 + at];
+                assert!((value - expected).abs() < 2e-4 * (1.0 + expected.abs()), "{name} {at}: {value} {expected}");
+            }
+        }
+        assert!(columns(&plant, "presliding_hysteresis", &[1], &|_| None).is_none());
+    }
+}

@@ -1,0 +1,193 @@
+//! What was recorded, whole in memory: filtered motion, and the torque as it was measured.
+
+use std::borrow::Cow;
+
+use crate::data::signal::{Band, Motion};
+use crate::model::{PerturbableArm, States};
+
+/// An uninterrupted, evenly sampled stretch of a log.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stretch {
+    /// Time of the first sample, s.
+    pub start: f64,
+    /// Spacing, s.
+    pub period: f64,
+    /// Motion, joint-major.
+    pub states: States,
+    /// Measured torque, joint-major, N m.
+    pub tau: Vec<f64>,
+    /// Temperature, joint-major, deg C; empty where there is none.
+    pub temperature: Vec<f64>,
+    /// Standard deviation of the velocity error that the noise of the positions leaves, rad/s, per
+    /// joint.
+    pub velocity_noise: Vec<f64>,
+    /// Whether each joint sticks, joint-major; empty where that is not known.
+    pub stuck: Vec<bool>,
+    /// What the low-pass made of the positions.
+    pub band: Band,
+}
+
+/// A log.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Recording {
+    /// Its name.
+    pub name: String,
+    /// Its stretches, in time.
+    pub stretches: Vec<Stretch>,
+}
+
+impl Recording {
+    /// Without a sample yet.
+    pub fn new(name: &str) -> Self {
+        Self { name: name.into(), stretches: Vec::new() }
+    }
+
+    /// Takes in a stretch of motion. Long stretches come in parts; a part that continues the one
+    /// before is joined to it.
+    pub fn absorb(&mut self, motion: &Motion) {
+        let (dof, len) = (motion.dof(), motion.states.len);
+        let core = motion.core.clone();
+        let cut = |x: &[f64]| part(x, dof, len, core.clone());
+        let states = States {
+            len: core.len(),
+            q: cut(&motion.states.q),
+            dq: cut(&motion.states.dq),
+            ddq: cut(&motion.states.ddq),
+        };
+        self.stretches.push(Stretch {
+            start: motion.time(core.start),
+            period: motion.period,
+            states,
+            tau: cut(&motion.tau),
+            temperature: cut(&motion.temperature),
+            velocity_noise: motion.velocity_noise.clone(),
+            stuck: part(&motion.stuck, dof, len, core.clone()),
+            band: motion.band.cut(len, core.clone()),
+        });
+    }
+
+    /// Seconds of motion.
+    pub fn seconds(&self) -> f64 {
+        self.stretches.iter().map(|s| s.states.len as f64 * s.period).sum()
+    }
+
+    /// The first `share` of each stretch, and the rest.
+    pub fn split(&self, share: f64) -> [Self; 2] {
+        let part = |which: usize| {
+            let cut = |s: &Stretch| {
+                let len = s.states.len;
+                let at = (share * len as f64).round() as usize;
+                s.cut(if which == 0 { 0..at } else { at..len })
+            };
+            Self { name: self.name.clone(), stretches: self.stretches.iter().map(cut).collect() }
+        };
+        [part(0), part(1)]
+    }
+}
+
+/// Recordings whose torques are those of the plain arm and of what the file does not know: without
+/// what its effects add.
+pub fn unexplained<'a>(plant: &dyn PerturbableArm, recordings: &'a [Recording]) -> Cow<'a, [Recording]> {
+    let mut all = Vec::with_capacity(recordings.len());
+    for recording in recordings {
+        let mut recording = recording.clone();
+        // Through all its stretches, so that drives warm on.
+        let dof = plant.dof();
+        let len: usize = recording.stretches.iter().map(|s| s.states.len).sum();
+        let time: Vec<f64> = recording
+            .stretches
+            .iter()
+            .flat_map(|s| (0..s.states.len).map(move |k| s.start + k as f64 * s.period))
+            .collect();
+        let joined = |of: fn(&Stretch) -> &[f64]| -> Vec<f64> {
+            if recording.stretches.iter().any(|s| of(s).len() != dof * s.states.len) {
+                return Vec::new();
+            }
+            (0..dof)
+                .flat_map(|j| recording.stretches.iter().flat_map(move |s| s.of(of(s), j).iter().copied()))
+                .collect()
+        };
+        let states =
+            States { len, q: joined(|s| &s.states.q), dq: joined(|s| &s.states.dq), ddq: joined(|s| &s.states.ddq) };
+        let mut known = vec![0.0; dof * len];
+        if !plant.known(&time, &states, &joined(|s| &s.temperature), &mut known) {
+            return Cow::Borrowed(recordings);
+        }
+        let mut first = 0;
+        for stretch in &mut recording.stretches {
+            let n = stretch.states.len;
+            for j in 0..dof {
+                let tau = &mut stretch.tau[j * n..(j + 1) * n];
+                // A sensor that was off says nothing.
+                if tau.iter().any(|t| *t != 0.0) {
+                    let known = &known[j * len + first..j * len + first + n];
+                    tau.iter_mut().zip(known).for_each(|(tau, known)| *tau -= known);
+                }
+            }
+            first += n;
+        }
+        settle(&mut recording, &plant.settling());
+        all.push(recording);
+    }
+    Cow::Owned(all)
+}
+
+/// At most this part of a stretch is given up to its beginning.
+const BEGINNING: f64 = 0.3;
+
+/// Leaves out the beginning of each stretch, until each joint has travelled so far.
+fn settle(recording: &mut Recording, travel: &[f64]) {
+    for stretch in &mut recording.stretches {
+        let len = stretch.states.len;
+        let settled = |(j, travel): (usize, &f64)| {
+            let q = stretch.of(&stretch.states.q, j);
+            let mut gone = 0.0;
+            let mut steps = q.windows(2).map(|w| (w[1] - w[0]).abs());
+            steps.position(|step| {
+                gone += step;
+                gone >= *travel
+            })
+        };
+        let all = travel.iter().enumerate().filter(|(_, t)| **t > 0.0).map(|j| settled(j).unwrap_or(len));
+        let first = all.max().unwrap_or(0).min((BEGINNING * len as f64) as usize);
+        if first > 0 {
+            *stretch = stretch.cut(first..len);
+        }
+    }
+}
+
+/// These samples of each joint of a joint-major series; nothing of one that has not as many.
+fn part<T: Clone>(x: &[T], dof: usize, len: usize, range: std::ops::Range<usize>) -> Vec<T> {
+    if x.len() != dof * len || len == 0 {
+        return Vec::new();
+    }
+    x.chunks_exact(len).flat_map(|row| row[range.clone()].to_vec()).collect()
+}
+
+impl Stretch {
+    /// Part of it.
+    fn cut(&self, range: std::ops::Range<usize>) -> Self {
+        let (dof, len) = (self.velocity_noise.len(), self.states.len);
+        let take = |x: &[f64]| part(x, dof, len, range.clone());
+        Self {
+            start: self.start + range.start as f64 * self.period,
+            period: self.period,
+            states: States {
+                len: range.len(),
+                q: take(&self.states.q),
+                dq: take(&self.states.dq),
+                ddq: take(&self.states.ddq),
+            },
+            tau: take(&self.tau),
+            temperature: take(&self.temperature),
+            velocity_noise: self.velocity_noise.clone(),
+            stuck: part(&self.stuck, dof, len, range.clone()),
+            band: self.band.cut(len, range.clone()),
+        }
+    }
+
+    /// Joint `j`'s part of a joint-major series.
+    pub fn of<'a, T>(&self, series: &'a [T], j: usize) -> &'a [T] {
+        &series[j * self.states.len..(j + 1) * self.states.len]
+    }
+}

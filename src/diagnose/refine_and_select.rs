@@ -1,0 +1,260 @@
+//! From what a search found to a model that holds on data which were not used; and which of several
+//! such models is offered.
+
+use super::evidence;
+use super::judge::{Accepted, adopt, chosen_of};
+use super::measure::{Measured, Meter, bootstrap, here, leave_out, matters, taken_of};
+use super::model::{Fitted, Mode, ModelUnderTest};
+use super::result::{Cause, Offered};
+use super::run::Settings;
+use super::search::search;
+use super::uncertainty::Uncertainty;
+use crate::diagnose::attribution::Attribution;
+use crate::diagnose::baseline_friction::{Plain, reconsider};
+use crate::diagnose::model_choice::LeftOut;
+use crate::diagnose::recording::Recording;
+use crate::diagnose::reduction::{backward_eliminate, drop_insignificant, fix_friction, free_friction, without};
+use crate::diagnose::reported_cause::items;
+use crate::identify::ConsistentError;
+use crate::model::PerturbableArm;
+
+/// Data of a diagnosis and what is measured by.
+#[derive(Clone, Copy)]
+pub(super) struct Case<'a> {
+    pub(super) plant: &'a dyn PerturbableArm,
+    pub(super) fit: &'a [Recording],
+    pub(super) validate: &'a [Recording],
+    /// Of the torques, per joint, N m.
+    pub(super) noise: &'a [f64],
+    /// What a model need not predict better, per joint, N m.
+    pub(super) ground: &'a [f64],
+    /// What a gain is measured by, per joint, N m.
+    pub(super) scale: &'a [f64],
+    pub(super) settings: &'a Settings,
+    pub(super) progress: &'a dyn Fn(&str),
+}
+
+/// The fit inside what is possible; the accepted causes have its values.
+fn inside(
+    bench: &mut ModelUnderTest<'_>,
+    accepted: &mut [Accepted],
+    fitted: &Fitted,
+) -> Result<Fitted, ConsistentError> {
+    let mut chosen = chosen_of(accepted);
+    let fitted = bench.possible(&mut chosen, fitted)?;
+    adopt(accepted, &chosen);
+    Ok(fitted)
+}
+
+/// A model of which everything holds.
+pub(super) struct Settled<'a> {
+    pub(super) bench: ModelUnderTest<'a>,
+    pub(super) accepted: Vec<Accepted>,
+    pub(super) fitted: Fitted,
+    /// Errors on the validating data.
+    pub(super) after: Measured,
+    /// The same on the fitted.
+    pub(super) after_fit: Measured,
+    pub(super) causes: Vec<Cause>,
+    /// Errors on stretches of the fitted data that are left out in turn.
+    pub(super) left_out: LeftOut,
+    /// What left the model, and why: sentences.
+    pub(super) why: Vec<String>,
+}
+
+impl<'a> Case<'a> {
+    fn bench(&self, mode: Mode) -> ModelUnderTest<'a> {
+        ModelUnderTest::new(self.plant, self.fit, self.settings.rate, mode, &self.plant.delays(), false)
+    }
+
+    /// The model with all causes that hold.
+    pub(super) fn searched(&self, mode: Mode) -> Result<Settled<'a>, ConsistentError> {
+        let mut bench = self.bench(mode);
+        let accepted = search(&mut bench, self.noise, &self.settings.search, self.progress);
+        self.settle(bench, accepted)
+    }
+
+    /// All parameters refitted, and no further cause.
+    fn plain(&self) -> Result<Settled<'a>, ConsistentError> {
+        let mut bench = self.bench(Mode::Refitted);
+        let fitted = fix_friction(&mut bench, &mut [], self.noise);
+        let fitted = free_friction(&mut bench, &mut [], fitted);
+        self.hold(bench, Vec::new(), fitted, &[], Vec::new())
+    }
+
+    /// The file as it is.
+    fn file(&self) -> Result<Settled<'a>, ConsistentError> {
+        let mut bench = self.bench(Mode::Trusted);
+        bench.frozen.iter_mut().for_each(|f| *f = true);
+        let fitted = bench.fit(&mut []);
+        self.hold(bench, Vec::new(), fitted, &[], Vec::new())
+    }
+
+    fn settle(
+        &self,
+        mut bench: ModelUnderTest<'a>,
+        mut accepted: Vec<Accepted>,
+    ) -> Result<Settled<'a>, ConsistentError> {
+        if accepted.iter().any(|a| a.chosen.cause.unit()) {
+            let mut chosen = chosen_of(&accepted);
+            bench.polish(&mut chosen);
+            accepted.iter_mut().zip(chosen).for_each(|(a, c)| a.chosen = c);
+        }
+        let fitted = fix_friction(&mut bench, &mut accepted, self.noise);
+        (self.progress)("what else plain friction might be");
+        let (fitted, rivals) = reconsider(&mut bench, &mut accepted, fitted, self.noise, &self.settings.search);
+        let fitted = drop_insignificant(&mut bench, &mut accepted, fitted, self.noise);
+        let fitted = free_friction(&mut bench, &mut accepted, fitted);
+        (self.progress)("what holds on stretches that were left out");
+        let mut why = Vec::new();
+        let fitted = backward_eliminate(self.plant, self.fit, &mut bench, &mut accepted, fitted, self.ground, &mut why);
+        self.hold(bench, accepted, fitted, &rivals, why)
+    }
+
+    /// Takes out what does not hold on data that were not used, and measures; all of it of the
+    /// model inside what is possible.
+    fn hold(
+        &self,
+        mut bench: ModelUnderTest<'a>,
+        mut accepted: Vec<Accepted>,
+        mut fitted: Fitted,
+        rivals: &[Plain],
+        why: Vec<String>,
+    ) -> Result<Settled<'a>, ConsistentError> {
+        for round in 0.. {
+            (self.progress)("measuring on data that was not used");
+            fitted = inside(&mut bench, &mut accepted, &fitted)?;
+            let chosen = chosen_of(&accepted);
+            let items = items(&bench, &accepted, &fitted);
+            let [mut far, mut near] = [self.validate, self.fit].map(|data| Meter::new(self.plant, data, &bench));
+            let after = far.of(&bench, &fitted, &chosen, true);
+            let after_fit = near.of(&bench, &fitted, &chosen, false);
+            let others: Vec<(Measured, [f64; 2])> = items
+                .iter()
+                .map(|item| {
+                    let here = here(item, &after);
+                    let (meter, with) = if here { (&mut near, &after_fit) } else { (&mut far, &after) };
+                    let without = leave_out(self.plant, self.fit, meter, &mut bench, &chosen, item, !here);
+                    let interval = bootstrap(&without, with, &item.place);
+                    (without, interval)
+                })
+                .collect();
+            // The bench as it was, with everything in it.
+            fitted = without(&mut bench, &mut accepted, &[]);
+            fitted = inside(&mut bench, &mut accepted, &fitted)?;
+            let uncertainty = Uncertainty::of(&bench, &fitted, &chosen_of(&accepted));
+            let weighing = Attribution {
+                bench: &bench,
+                fitted: &fitted,
+                uncertainty: &uncertainty,
+                accepted: &accepted,
+                rivals,
+                noise: self.noise,
+            };
+            let causes: Vec<Cause> = items
+                .iter()
+                .zip(&others)
+                .map(|(item, (without, interval))| {
+                    let here = here(item, &after);
+                    weighing.weigh(item, without, if here { &after_fit } else { &after }, *interval, here)
+                })
+                .collect();
+            // A cause that loses on data that was not used is no cause, and not in the model.
+            let holds = |i: usize| {
+                let without = &others[i].0.steady;
+                taken_of(without, &after.steady, self.scale) > 0.0 && matters(without, &after.steady, self.noise)
+            };
+            // What acts in a part of a log must still stand out beside everything else.
+            let stands = |i: usize| !items[i].hypothesis.local() || causes[i].share >= self.settings.search.least_gain;
+            let failed: Vec<usize> =
+                (0..causes.len()).filter(|&i| if causes[i].on == "fit" { !stands(i) } else { !holds(i) }).collect();
+            if failed.is_empty() || round >= 3 {
+                let left_out = bench.possible_left_out(&chosen_of(&accepted), &fitted)?;
+                return Ok(Settled { bench, accepted, fitted, after, after_fit, causes, left_out, why });
+            }
+            for &k in failed.iter().flat_map(|&i| &items[i].friction) {
+                let which = if bench.mode == Mode::Refitted { &mut bench.quiet } else { &mut bench.frozen };
+                which[k] = true;
+            }
+            let out: Vec<usize> = failed.iter().filter_map(|&i| items[i].accepted).collect();
+            fitted = without(&mut bench, &mut accepted, &out);
+        }
+        unreachable!("the loop returns")
+    }
+
+    /// Which of the models is offered, by what they predict of stretches of the fitted logs that
+    /// are left out in turn; and why. `models`: with the file's links, with all base parameters
+    /// anew, either or both; `file`, `refit`: errors of the file as it is and of a plain refit.
+    pub(super) fn choose(
+        &self,
+        models: Vec<Settled<'a>>,
+        file: &LeftOut,
+        refit: &LeftOut,
+    ) -> Result<(Offered, Vec<String>, Settled<'a>), ConsistentError> {
+        let [mut believing, mut free] = [None, None];
+        for model in models {
+            match model.bench.mode {
+                Mode::Trusted => believing = Some(model),
+                Mode::Refitted => free = Some(model),
+            }
+        }
+        let mut said = Vec::new();
+        // Of two models that are as good the one with fewer unknowns.
+        if let Some(all) = free.take_if(|f| !f.accepted.is_empty() && !f.left_out.less(refit, self.ground).sure()) {
+            said.push(self.says(
+                "a plain refit predicts as well as one with further causes, or better",
+                refit,
+                &all.left_out,
+            ));
+            free = Some(self.plain()?);
+        }
+        let mut model = match (believing, free) {
+            (Some(few), Some(all)) if all.left_out.less(&few.left_out, self.ground).worth_refit() => {
+                said.push(self.says(
+                    "all base parameters anew predict better than the file's links with further causes",
+                    &all.left_out,
+                    &few.left_out,
+                ));
+                all
+            }
+            (Some(few), _) => few,
+            (None, Some(all)) => all,
+            (None, None) => self.file()?,
+        };
+        let refitted = model.bench.mode == Mode::Refitted;
+        let changed = refitted || !model.accepted.is_empty() || model.bench.frozen.iter().any(|f| !f);
+        let mut offered = match (changed, refitted && model.accepted.is_empty()) {
+            (false, _) => Offered::File,
+            (_, true) => Offered::Refitted,
+            _ => Offered::Extended,
+        };
+        // What acts in a part of a log no other part can predict; that it stands out there is all
+        // it has to do.
+        let local = model.accepted.iter().any(|a| a.chosen.cause.local());
+        if changed && !local && !model.left_out.less(file, self.ground).sure() {
+            said.push(self.says("nothing predicts surely better than the file as it is", &model.left_out, file));
+            let why = std::mem::take(&mut model.why);
+            (offered, model) = (Offered::File, Settled { why, ..self.file()? });
+        } else if changed {
+            let what = match offered {
+                Offered::Extended => "the extended model predicts better than the file",
+                _ => "the refitted file predicts better than the file as it is",
+            };
+            said.push(self.says(what, &model.left_out, file));
+        }
+        let mut why = std::mem::take(&mut model.why);
+        why.extend(said);
+        Ok((offered, why, model))
+    }
+
+    fn says(&self, what: &str, a: &LeftOut, b: &LeftOut) -> String {
+        let paired = a.less(b, self.ground);
+        format!(
+            "On stretches of the fitted logs that were left out in turn {what}: {} N m against {} N m ({:.0} +- {:.0} % less squared error, mean over joints).",
+            evidence::short(a.rms()),
+            evidence::short(b.rms()),
+            200.0 * paired.gain / (1.0 + paired.gain),
+            200.0 * paired.error / (1.0 + paired.gain),
+        )
+    }
+}

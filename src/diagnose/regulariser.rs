@@ -1,0 +1,191 @@
+//! What a motion does not show of base parameters and friction stays as the file has it.
+//!
+//! Where data don't tell a combination of parameters, least squares gives it whatever suits the
+//! errors of the rest, and on another motion that is worse than any drawing. What is believed
+//! before any data is normal about the file's values and as wide as links may be off: mass by 100
+//! %, first moments by the mass times the link's size, inertia by the mass times its square, rotors
+//! by 100 %, friction by half of the torque that was seen. In the axes in which that is white, the
+//! data tell each direction so much (Hansen 1998, generalised singular values: `mu`, by how much
+//! their variance is less than that of the belief, windows counted by how long residuals remember
+//! themselves). Directions that are told well are left to the data alone; those that are not stay
+//! with the file: what least squares says is taken by `mu^4 / (mu^4 + firm^4)`. So nothing that the
+//! data do tell is drawn to the file, as a plain normal prior would. How firm is left to the data
+//! as well: what predicts stretches of the logs best that are left out in turn.
+
+use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
+
+use crate::model::PerturbableArm;
+
+/// How many times less than that of the belief the data's variance has to be for a direction to be
+/// taken by half: what is tried.
+pub const STRENGTHS: [f64; 3] = [30.0, 10.0, 3.0];
+
+/// The firmest hold, as a multiple of the belief's own weight.
+const FIRMEST: f64 = 1e3;
+
+/// What holds the first unknowns of a fit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Regulariser {
+    /// Added to the normal equations.
+    pub precision: DMatrix<f64>,
+    /// Values at which it pulls.
+    pub mean: DVector<f64>,
+    /// Variance of what the hold adds to the right-hand side if the belief is true.
+    pub spread: DMatrix<f64>,
+}
+
+impl Regulariser {
+    /// Nothing is held.
+    pub fn none() -> Self {
+        Self { precision: DMatrix::zeros(0, 0), mean: DVector::zeros(0), spread: DMatrix::zeros(0, 0) }
+    }
+
+    /// From the belief and what data say: the normal matrix of the first unknowns with all windows
+    /// counted (`full`), and with windows counted as far as they are independent (`thinned`);
+    /// `firm`: see [`STRENGTHS`].
+    pub fn new(belief: &Prior, full: &DMatrix<f64>, thinned: &DMatrix<f64>, firm: f64) -> Option<Self> {
+        let n = belief.mean.len();
+        let root = &belief.root;
+        let white = |matrix: &DMatrix<f64>| root.transpose() * matrix.view((0, 0), (n, n)) * root;
+        let told = white(thinned);
+        let told = 0.5 * (&told + told.transpose());
+        if !told.iter().all(|x| x.is_finite()) {
+            return None;
+        }
+        let eigen = SymmetricEigen::new(told);
+        let all = white(full);
+        let inverse = root.clone().try_inverse()?;
+        let (mut precision, mut spread) = (DMatrix::zeros(n, n), DMatrix::zeros(n, n));
+        for (mu, v) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
+            let mu = mu.max(1e-12);
+            // The solver counts every window.
+            let dependence = (v.dot(&(&all * v)) / mu).clamp(1.0, 1e4);
+            let weight = (firm.powi(4) / mu.powi(3)).min(FIRMEST) * dependence;
+            let axis = inverse.transpose() * v;
+            precision.ger(weight, &axis, &axis, 1.0);
+            spread.ger((TYPICAL * weight).powi(2), &axis, &axis, 1.0);
+        }
+        Some(Self { precision, mean: belief.mean.clone(), spread })
+    }
+
+    /// Without the unknowns that are out of the question, which then have the value 0.
+    pub fn without(&self, out: impl Fn(usize) -> bool) -> Self {
+        let mut held = self.clone();
+        for k in (0..held.mean.len()).filter(|k| out(*k)) {
+            held.precision.row_mut(k).fill(0.0);
+            held.precision.column_mut(k).fill(0.0);
+            held.spread.row_mut(k).fill(0.0);
+            held.spread.column_mut(k).fill(0.0);
+            held.mean[k] = 0.0;
+        }
+        held
+    }
+}
+
+/// What is believed of the first unknowns before any data.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Prior {
+    /// The file's values.
+    mean: DVector<f64>,
+    /// A root of the covariance, `C = root root'`.
+    root: DMatrix<f64>,
+}
+
+/// The belief is as wide as errors may be; as a share of it, what they typically are: of this size
+/// is the error that a hold leaves.
+const TYPICAL: f64 = 0.2;
+
+/// Least size of a body, m.
+const SMALLEST: f64 = 0.05;
+/// A link that the file gives no mass is believed to have up to this share of the mean link's.
+const FORGOTTEN: f64 = 0.3;
+/// Friction, as a share of the torque that the joint was seen to need: Coulomb level, viscous part
+/// at 1 rad/s.
+const FRICTION: f64 = 0.5;
+/// Offset of a torque sensor, as such a share.
+const OFFSET: f64 = 0.2;
+
+/// Of these base parameters (none where the links are believed) and three friction parameters a
+/// joint behind them, which are counted from the file's. `None` where the file has no links but
+/// base parameters are unknown. `torque`: root mean square of each joint's, N m.
+pub fn prior(plant: &dyn PerturbableArm, wanted: &[usize], torque: &[f64]) -> Option<Prior> {
+    let (b, n) = (wanted.len(), wanted.len() + 3 * torque.len());
+    let (mut mean, mut root) = (DVector::zeros(n), DMatrix::zeros(n, n));
+    if b > 0 {
+        let given = plant.given()?;
+        let std = deviations(plant.standard_names(), given)?;
+        let base = plant.base_parameters();
+        let mut factor = DMatrix::zeros(b, given.len());
+        for (row, &index) in wanted.iter().enumerate() {
+            for &(p, k) in &base[index].coefficients {
+                factor[(row, p)] = k * std[p];
+            }
+            mean[row] = base[index].coefficients.iter().map(|&(p, k)| k * given[p]).sum();
+        }
+        let mut covariance = &factor * factor.transpose();
+        // A hair more, so that it can be inverted where two leaders share their columns but for
+        // rounding.
+        (0..b).for_each(|i| covariance[(i, i)] *= 1.0 + 1e-9);
+        root.view_mut((0, 0), (b, b)).copy_from(&Cholesky::new(covariance)?.l());
+    }
+    let mean_torque = torque.iter().sum::<f64>() / torque.len().max(1) as f64;
+    for (j, torque) in torque.iter().enumerate() {
+        let torque = torque.max(1e-3 * mean_torque).max(1e-9);
+        for (which, share) in [FRICTION, FRICTION, OFFSET].into_iter().enumerate() {
+            let k = b + 3 * j + which;
+            root[(k, k)] = share * torque;
+        }
+    }
+    Some(Prior { mean, root })
+}
+
+/// How far each standard parameter may be from the file's, one standard deviation; `None`: no link
+/// has a mass.
+pub fn deviations(names: &[String], given: &[f64]) -> Option<Vec<f64>> {
+    const TEN: [&str; 10] = ["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"];
+    let kind = |name: &str| name.trim_end_matches(|c: char| c.is_ascii_digit()).to_string();
+    let links: Vec<usize> = (0..names.len()).filter(|&i| kind(&names[i]) == "M").collect();
+    let heavy: Vec<f64> = links.iter().map(|&i| given[i]).filter(|m| *m > 0.0).collect();
+    if heavy.is_empty() {
+        return None;
+    }
+    let mean = heavy.iter().sum::<f64>() / heavy.len() as f64;
+    let mut std = vec![0.0; names.len()];
+    for &first in &links {
+        let mass = given[first].max(FORGOTTEN * mean);
+        let body = given.get(first..first + TEN.len())?;
+        let moment = body[1..4].iter().map(|m| m * m).sum::<f64>().sqrt() / mass;
+        let radius = (body[4..7].iter().fold(0.0_f64, |a, i| a.max(i.abs())) / mass).sqrt();
+        let size = moment.max(radius).max(SMALLEST);
+        for (k, std) in std[first..first + TEN.len()].iter_mut().enumerate() {
+            *std = mass * size.powi([0, 1, 2][usize::from(k > 0) + usize::from(k > 3)]);
+        }
+    }
+    // Rotors: as heavy as the file says, or as the arm's lighter links.
+    let inertia = mean * SMALLEST * SMALLEST;
+    for (i, name) in names.iter().enumerate().filter(|(i, _)| !TEN.contains(&kind(&names[*i]).as_str())) {
+        std[i] = if kind(name) == "IA" { given[i].abs().max(10.0 * inertia) } else { 1.0 };
+    }
+    Some(std)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_told_is_left_alone_and_what_is_not_stays() {
+        let belief = Prior { mean: DVector::from_vec(vec![1.0, 2.0]), root: DMatrix::from_diagonal_element(2, 2, 0.5) };
+        // The data say (3, 7): the first ten thousand times as sharply as the belief, the second a
+        // hundredth of that.
+        let told = DMatrix::from_diagonal(&DVector::from_vec(vec![1e4 / 0.25, 1e-2 / 0.25]));
+        let hold = Regulariser::new(&belief, &told, &told, 10.0).unwrap();
+        let right = &told * DVector::from_vec(vec![3.0, 7.0]) + &hold.precision * &hold.mean;
+        let x = (&told + &hold.precision).lu().solve(&right).unwrap();
+        assert!((x[0] - 3.0).abs() < 1e-4, "{x}");
+        assert!((x[1] - 2.0).abs() < 1e-3, "{x}");
+        // One that is out of the question does not pull at the others.
+        let without = hold.without(|k| k == 1);
+        assert_eq!((without.precision[(1, 1)], without.precision[(0, 1)], without.mean[1]), (0.0, 0.0, 0.0));
+    }
+}

@@ -1,0 +1,191 @@
+//! Writes the findings of a diagnosis into a robot file.
+
+use super::{Cause, Diagnosis};
+use crate::model::robot_edit::{with_values, without};
+use dh_codegen::arm::param::{self, DriveTerm, Parameter};
+use dh_codegen::robot::effect::Law;
+use dh_codegen::robot::{Effect, Inertia, Robot};
+
+const BODY: [&str; 10] = ["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"];
+
+/// The robot with everything in it that a diagnosis found.
+///
+/// A diagnosis adds what it finds to the rigid torque at the sensor, against the measured angle;
+/// the file's laws act on the true torque and the true angle. So where a joint's gain or zero was
+/// found wrong too, its laws are written as what they are before the sensor.
+pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
+    let robot = without(robot, &found.forgotten);
+    let mut robot = match &found.standard {
+        Some(standard) if found.links_refitted => {
+            // The diagnosis keeps friction apart; the file's own stays unless a cause changes it.
+            let names = param::standard(&robot);
+            let values: Vec<f64> = names
+                .iter()
+                .zip(standard)
+                .map(|(p, v)| match *p {
+                    Parameter::Drive(row, term) if term != DriveTerm::IA => {
+                        param::drive_value(&robot, row, term).unwrap_or(0.0)
+                    }
+                    _ => *v,
+                })
+                .collect();
+            // They are those of the bodies as they are.
+            let mut robot = with_values(robot, &values);
+            let body = |e: &Effect| e.name == "payload" || e.name == "link_inertia_error";
+            robot.effects.retain(|e| !body(e));
+            robot.joints.iter_mut().for_each(|joint| joint.drive.effects.retain(|e| !body(e)));
+            robot
+        }
+        _ => robot,
+    };
+    let moving = robot.moving();
+    let of = |cause: &str, row: usize| {
+        let here = |c: &&Cause| c.cause == cause && c.joints.first().and_then(|j| moving.get(j - 1)) == Some(&row);
+        found.causes.iter().find(here).and_then(|c| c.keys.first()).map(|named| named.value)
+    };
+    for cause in found.friction.iter().chain(&found.causes) {
+        let row = cause.joints.first().and_then(|j| moving.get(j - 1)).copied();
+        let sensor = Sensor {
+            gain: row.and_then(|row| of("torque_gain_error", row)).filter(|g| *g != 0.0).unwrap_or(1.0),
+            zero: row.and_then(|row| of("encoder_offset", row)).unwrap_or(0.0),
+        };
+        write_cause(&mut robot, row, &moving, cause, sensor);
+    }
+    robot
+}
+
+/// What lies between a joint's laws and what was recorded of them.
+#[derive(Clone, Copy)]
+struct Sensor {
+    /// `GT`.
+    gain: f64,
+    /// `QO`, rad.
+    zero: f64,
+}
+
+/// Keys that are torques per something: those of a law are in proportion to the sensor's gain.
+const SIZES: [&str; 15] =
+    ["FCA", "FVA", "FN", "FL", "HC", "PC", "PS", "RC", "RS", "KS", "IAM", "FVM", "FCM", "TO", "FS"];
+
+impl Sensor {
+    /// A law's keys before the sensor. `coulomb`: the joint's level, which `FS` includes.
+    fn before(self, cause: &str, keys: &mut [(String, f64)], coulomb: f64) {
+        let Self { gain, zero } = self;
+        for (key, value) in keys.iter_mut().filter(|(key, _)| SIZES.contains(&key.as_str())) {
+            *value = match (cause, key.as_str()) {
+                ("torque_offset", _) => *value, // behind the gain, as it was found
+                (_, "FS") => coulomb + (*value - coulomb) / gain,
+                _ => *value / gain,
+            };
+        }
+        if zero == 0.0 {
+            return;
+        }
+        match cause {
+            "torque_ripple" => turn(keys, ["RN", "RC", "RS"], zero),
+            "position_dependent_friction" => turn(keys, ["PN", "PC", "PS"], zero),
+            "joint_spring" => keys.iter_mut().filter(|(key, _)| key == "QS").for_each(|(_, rest)| *rest += zero),
+            _ => {}
+        }
+    }
+}
+
+/// `c cos(n q) + s sin(n q)` over an angle that is larger by `zero`.
+fn turn(keys: &mut [(String, f64)], [order, cosine, sine]: [&str; 3], zero: f64) {
+    let of = |keys: &[(String, f64)], name: &str| keys.iter().find(|(key, _)| key == name).map(|(_, value)| *value);
+    let (n, c, s) = (of(keys, order).unwrap_or(1.0), of(keys, cosine).unwrap_or(0.0), of(keys, sine).unwrap_or(0.0));
+    let (sin, cos) = (n * zero).sin_cos();
+    for (key, value) in keys.iter_mut() {
+        if key == cosine {
+            *value = c * cos - s * sin;
+        } else if key == sine {
+            *value = c * sin + s * cos;
+        }
+    }
+}
+
+fn write_cause(robot: &mut Robot, row: Option<usize>, moving: &[usize], cause: &Cause, sensor: Sensor) {
+    let mut left: Vec<(String, f64)> = Vec::new();
+    for named in &cause.keys {
+        let drive = row.map(|row| &mut robot.joints[row].drive);
+        match (named.symbol.as_str(), drive) {
+            ("FV", Some(drive)) => drive.viscous_friction = Some(named.value),
+            ("FC", Some(drive)) => drive.coulomb_friction = Some(named.value),
+            ("IA", Some(drive)) if cause.cause == "rotor_inertia" => drive.rotor_inertia = Some(named.value),
+            _ => left.push((named.symbol.clone(), named.value)),
+        }
+    }
+    if cause.cause == "link_inertia_error" {
+        if let Some(row) = row {
+            let mut values = robot.links.get(row).copied().flatten().map_or([0.0; 10], Inertia::to_array);
+            for (symbol, by) in &left {
+                if let Some(at) = BODY.iter().position(|b| b == symbol) {
+                    values[at] += by;
+                }
+            }
+            if !left.is_empty() && row < robot.links.len() {
+                robot.links[row] = Some(Inertia::from_array(values));
+            }
+        }
+        return;
+    }
+    if left.is_empty() || cause.cause == "unknown" {
+        return;
+    }
+    let drive = row.map(|row| &robot.joints[row].drive);
+    match cause.cause {
+        "gear_coupling" => {
+            if let Some(other) = cause.joints.get(1).and_then(|j| moving.get(j - 1)) {
+                left.insert(0, ("joint".into(), (other + 1) as f64));
+            }
+        }
+        // While the joint moves, half a difference of the Coulomb levels is an offset.
+        "asymmetric_friction" => {
+            left.iter_mut().filter(|(key, _)| key == "TO").for_each(|(key, _)| *key = "FCA".into())
+        }
+        // The spring's rest takes the place of the whole offset; the file's own part of it stays
+        // where it is.
+        "joint_spring" => {
+            let own = drive.and_then(|d| d.offset).unwrap_or(0.0);
+            let stiffness = left.iter().find(|(key, _)| key == "KS").map_or(0.0, |(_, k)| *k);
+            if stiffness != 0.0 {
+                left.iter_mut().filter(|(key, _)| key == "QS").for_each(|(_, rest)| *rest += own / stiffness);
+            }
+        }
+        // Of a mass without a tensor the file would think as of a point.
+        "payload" if !left.iter().any(|(key, _)| BODY[4..].contains(&key.as_str())) => left.push(("XX".into(), 0.0)),
+        // A delay of one joint is counted from nothing, and the file adds it to that of all; that
+        // of all is counted on the first joint.
+        "time_delay" => {
+            let stated = |e: &Effect| e.parameters.iter().find(|(key, _)| key == "TD").map(|(_, value)| *value);
+            let first = moving.first().map(|row| robot.joints[*row].drive.effects.iter());
+            let other = match row {
+                Some(_) => robot.effects.iter().find(|e| e.name == "time_delay").and_then(stated),
+                None => first.and_then(|mut effects| effects.find(|e| e.name == "time_delay")).and_then(stated),
+            };
+            left.iter_mut().filter(|(key, _)| key == "TD").for_each(|(_, late)| *late -= other.unwrap_or(0.0));
+        }
+        _ => {}
+    }
+    sensor.before(cause.cause, &mut left, drive.and_then(|d| d.coulomb_friction).unwrap_or(0.0));
+    // The file knows the keys of its own table; what else was found stands in the comments and the
+    // JSON.
+    let Some(law) = Law::of(cause.cause) else { return };
+    left.retain(|(key, _)| law.key(key).is_some());
+    if left.is_empty() {
+        return;
+    }
+    let effects = match row {
+        Some(row) => &mut robot.joints[row].drive.effects,
+        None => &mut robot.effects,
+    };
+    match effects.iter_mut().find(|e| e.name == cause.cause) {
+        // A second ripple of the same joint: its keys are numbered.
+        Some(known) if law.repeats => {
+            let number = 1 + known.parameters.iter().filter(|(k, _)| k.starts_with(left[0].0.as_str())).count();
+            known.parameters.extend(left.into_iter().map(|(k, v)| (format!("{k}{number}"), v)));
+        }
+        Some(known) => known.parameters = left,
+        None => effects.push(Effect { name: cause.cause.to_string(), parameters: left }),
+    }
+}

@@ -1,0 +1,293 @@
+//! Motions -> one triangular factor per joint, over only that joint's columns.
+
+use crate::data::signal::{Motion, MotionBlock, low_pass};
+use crate::identify::regression::batches::Batches;
+use crate::identify::regression::r_factor::RFactor;
+use crate::identify::regression::rows::Rows;
+use crate::model::Arm;
+
+/// How the stack is built.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AccumulatorSettings {
+    /// Least length of a batch, s, for the standard deviations: several times the correlation time
+    /// of filtered noise. Default 0.5, five periods of the default cutoff.
+    pub batch: f64,
+    /// Low-pass (order, Hz) through which the columns of the regressor and the torque are run alike
+    /// before every `stride`th sample is used: Gautier's parallel filter (Khalil and Dombre,
+    /// section 12.5.3). Needs motions with margins. Default none.
+    pub parallel: Option<(usize, f64)>,
+}
+
+impl Default for AccumulatorSettings {
+    fn default() -> Self {
+        Self { batch: 0.5, parallel: None }
+    }
+}
+
+/// What is known of one joint's equations: `R_j' R_j = [W_j tau_j]' [W_j tau_j]`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JointFactor {
+    /// Base parameters that the joint's torque can depend on; the factor's columns, before the
+    /// torque.
+    pub columns: Vec<usize>,
+    /// The factor, `columns.len() + 1` square.
+    pub triangle: RFactor,
+    /// Samples used.
+    pub samples: usize,
+    /// Independent samples among them, at most: a signal without content above `f` has `2 f` values
+    /// per second (Shannon).
+    pub independent: f64,
+    /// Least and largest torque, N m.
+    pub range: [f64; 2],
+    /// Least and largest position, rad or m.
+    pub reach: [f64; 2],
+    pub(in crate::identify) batches: Batches,
+}
+
+impl JointFactor {
+    /// Whether there is a torque to explain.
+    pub fn is_live(&self) -> bool {
+        let n = self.columns.len();
+        self.samples > 0 && self.triangle.column(n).iter().any(|v| *v != 0.0)
+    }
+
+    /// Root mean square of the torque, N m.
+    pub fn torque_rms(&self) -> f64 {
+        let n = self.columns.len();
+        let mut last = vec![0.0; n + 1];
+        last[n] = 1.0;
+        self.triangle.norm_of(&last) / (self.samples.max(1) as f64).sqrt()
+    }
+
+    /// Root of the sum of squares of `tau - W beta`, N m, for all base parameters.
+    pub fn residual_norm(&self, beta: &[f64]) -> f64 {
+        let mut x: Vec<f64> = self.columns.iter().map(|&c| -beta[c]).collect();
+        x.push(1.0);
+        self.triangle.norm_of(&x)
+    }
+}
+
+/// What is known of a log, whatever its length.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Factors {
+    /// Name of the log.
+    pub name: String,
+    /// One per joint.
+    pub joints: Vec<JointFactor>,
+    /// Seconds of motion.
+    pub seconds: f64,
+    /// Number of base parameters.
+    pub parameters: usize,
+}
+
+/// Builds [`Factors`] from motions.
+///
+/// Where a joint is at rest ([`Motion::resting`]) its Coulomb column and its true friction disagree
+/// by up to twice the friction, so the joint's own row is left out. A joint that rests for more
+/// than half of a stretch is taken to stand on purpose: its rows stay, with zero in the Coulomb
+/// column.
+pub struct QrAccumulator<'a> {
+    arm: &'a dyn Arm,
+    settings: AccumulatorSettings,
+    factors: Factors,
+    rows: Rows,
+    open: Vec<RFactor>,
+    in_batch: usize,
+    block: MotionBlock,
+    regressor: Vec<f64>,
+    work: Vec<f64>,
+}
+
+/// Samples that are evaluated and annihilated at once: a joint's block then stays in the
+/// second-level cache.
+const BLOCK: usize = 256;
+
+impl<'a> QrAccumulator<'a> {
+    /// For a log of this name, of this arm.
+    pub fn new(name: &str, arm: &'a dyn Arm, settings: AccumulatorSettings) -> Self {
+        let parameters = arm.base_parameters().len();
+        let rows = Rows::new(arm);
+        let joints: Vec<JointFactor> = rows
+            .columns
+            .iter()
+            .cloned()
+            .map(|columns| JointFactor {
+                triangle: RFactor::new(columns.len() + 1),
+                columns,
+                samples: 0,
+                independent: 0.0,
+                range: [f64::INFINITY, f64::NEG_INFINITY],
+                reach: [f64::INFINITY, f64::NEG_INFINITY],
+                batches: Batches::new(),
+            })
+            .collect();
+        Self {
+            open: joints.iter().map(|j| RFactor::new(j.columns.len() + 1)).collect(),
+            factors: Factors { name: name.into(), joints, seconds: 0.0, parameters },
+            arm,
+            settings,
+            rows,
+            in_batch: 0,
+            block: MotionBlock::default(),
+            regressor: Vec::new(),
+            work: Vec::new(),
+        }
+    }
+
+    /// Takes in a stretch of motion.
+    pub fn absorb(&mut self, motion: &Motion) {
+        let stands = self.stands(motion);
+        let step = motion.period * motion.stride.max(1) as f64;
+        let full = ((self.settings.batch / step).ceil() as usize).max(8);
+        self.factors.seconds += motion.picks().len() as f64 * step;
+        let before: Vec<usize> = self.factors.joints.iter().map(|factor| factor.samples).collect();
+        self.absorb_rows(motion, &stands, full);
+        let share = independent_share(motion, step);
+        for (factor, before) in self.factors.joints.iter_mut().zip(before) {
+            factor.independent += share * (factor.samples - before) as f64;
+        }
+    }
+
+    fn absorb_rows(&mut self, motion: &Motion, stands: &[bool], full: usize) {
+        for (factor, q) in self.factors.joints.iter_mut().zip(motion.states.q.chunks_exact(motion.states.len.max(1))) {
+            for s in motion.picks() {
+                factor.reach = [factor.reach[0].min(q[s]), factor.reach[1].max(q[s])];
+            }
+        }
+        if let Some((order, cutoff)) = self.settings.parallel
+            && let Ok(sos) = low_pass(order, cutoff, motion.period.recip())
+        {
+            self.absorb_filtered(motion, &sos, stands, full);
+            return;
+        }
+        let (mut block, mut regressor) = (std::mem::take(&mut self.block), std::mem::take(&mut self.regressor));
+        let mut from = 0;
+        loop {
+            let rows = BLOCK.min(full - self.in_batch);
+            let count = motion.gather(from, rows, &mut block);
+            if count == 0 {
+                break;
+            }
+            from += count;
+            self.rows.evaluate(self.arm, &block.states, &block.sign, &mut regressor);
+            self.take_block(&block.resting, &regressor, &block.tau, count, stands);
+            self.end_batch(full);
+        }
+        (self.block, self.regressor) = (block, regressor);
+    }
+
+    /// Runs each column and the torque through the same low-pass, then uses the picked samples.
+    fn absorb_filtered(&mut self, motion: &Motion, sos: &crate::data::signal::Sos, stands: &[bool], full: usize) {
+        let len = motion.states.len;
+        let mut regressor = Vec::new();
+        self.rows.evaluate(self.arm, &motion.states, &motion.sign, &mut regressor);
+        let mut tau = motion.tau.clone();
+        let pad = sos.settling();
+        let picks: Vec<usize> = motion.picks().collect();
+        let thin = |x: &mut Vec<f64>| {
+            let mut out = Vec::with_capacity(x.len() / len.max(1) * picks.len());
+            for column in x.chunks_exact_mut(len.max(1)) {
+                sos.forward_backward(column, pad);
+                out.extend(picks.iter().map(|&s| column[s]));
+            }
+            *x = out;
+        };
+        thin(&mut regressor);
+        thin(&mut tau);
+        let resting: Vec<bool> =
+            motion.resting.chunks_exact(len.max(1)).flat_map(|row| picks.iter().map(|&s| row[s])).collect();
+        let count = picks.len();
+        let part = |x: &[f64], rows: std::ops::Range<usize>| -> Vec<f64> {
+            x.chunks_exact(count.max(1)).flat_map(|c| c[rows.clone()].to_vec()).collect()
+        };
+        let mut from = 0;
+        while from < count {
+            let rows = from..(from + BLOCK.min(full - self.in_batch)).min(count);
+            from = rows.end;
+            let (w, t) = (part(&regressor, rows.clone()), part(&tau, rows.clone()));
+            let rests: Vec<bool> =
+                resting.chunks_exact(count.max(1)).flat_map(|row| row[rows.clone()].to_vec()).collect();
+            self.take_block(&rests, &w, &t, rows.len(), stands);
+            self.end_batch(full);
+        }
+    }
+
+    /// Whether each joint, then each summed velocity, rests for more than half of the stretch.
+    fn stands(&self, motion: &Motion) -> Vec<bool> {
+        let len = motion.states.len;
+        let rows = self.arm.dof() + self.rows.sums.len();
+        let row = |k: usize| motion.resting.get(k * len..(k + 1) * len).unwrap_or(&[]);
+        (0..rows).map(|k| 2 * row(k).iter().filter(|r| **r).count() > len).collect()
+    }
+
+    /// `regressor` by entry of the pattern, `count` rows each; `resting` and `tau` joint-major.
+    fn take_block(&mut self, resting: &[bool], regressor: &[f64], tau: &[f64], count: usize, stands: &[bool]) {
+        let row = |k: usize| resting.get(k * count..(k + 1) * count).unwrap_or(&[]);
+        let rests = |k: usize, s: usize| row(k).get(s).copied().unwrap_or(false);
+        for (joint, factor) in self.factors.joints.iter_mut().enumerate() {
+            let n = factor.columns.len();
+            let entries = self.rows.offsets[joint]..self.rows.offsets[joint + 1];
+            let w = &regressor[entries.start * count..entries.end * count];
+            let tau = &tau[joint * count..(joint + 1) * count];
+            // Each velocity whose sign is in these rows, with the columns of the sign.
+            let own = self.rows.coulomb[joint].map(|k| (joint, vec![k]));
+            let mut signs: Vec<(usize, Vec<usize>)> = own.into_iter().collect();
+            for (k, summed) in self.rows.sums.iter().enumerate() {
+                let here = summed.entries.iter().filter(|(entry, _)| entries.contains(entry));
+                let columns: Vec<usize> = here.map(|(entry, _)| entry - entries.start).collect();
+                if !columns.is_empty() {
+                    signs.push((self.arm.dof() + k, columns));
+                }
+            }
+            let moves = |s: &usize| signs.iter().all(|&(k, _)| stands[k] || !rests(k, *s));
+            let kept: Vec<usize> = (0..count).filter(moves).collect();
+            let used = kept.len();
+            self.work.clear();
+            for column in w.chunks_exact(count.max(1)).chain([tau]) {
+                match used == count {
+                    true => self.work.extend_from_slice(column),
+                    false => self.work.extend(kept.iter().map(|&s| column[s])),
+                }
+            }
+            for (k, columns) in signs.iter().filter(|(k, _)| stands[*k]) {
+                for &c in columns {
+                    let column = self.work[c * used..(c + 1) * used].iter_mut();
+                    column.zip(&kept).filter(|(_, s)| rests(*k, **s)).for_each(|(w, _)| *w = 0.0);
+                }
+            }
+            for &value in &self.work[n * used..] {
+                factor.range = [factor.range[0].min(value), factor.range[1].max(value)];
+            }
+            factor.samples += used;
+            self.open[joint].absorb(&mut self.work, used);
+        }
+        self.in_batch += count;
+    }
+
+    fn end_batch(&mut self, full: usize) {
+        if self.in_batch >= full {
+            self.in_batch = 0;
+            for (factor, open) in self.factors.joints.iter_mut().zip(&mut self.open) {
+                factor.batches.push(open);
+                factor.triangle.merge(open);
+                *open = RFactor::new(open.columns());
+            }
+        }
+    }
+
+    /// The factors of all that was taken in.
+    pub fn finish(mut self) -> Factors {
+        if self.in_batch > 0 {
+            self.end_batch(self.in_batch);
+        }
+        self.factors.joints.iter_mut().for_each(|j| j.batches.close());
+        self.factors
+    }
+}
+
+/// Independent samples of a stretch of low-passed torque, `2 f T + 1` (Shannon), per sample that is
+/// used.
+fn independent_share(motion: &Motion, step: f64) -> f64 {
+    let samples = motion.picks().len() as f64;
+    motion.bandwidth.map_or(1.0, |f| ((2.0 * f * samples * step + 1.0) / samples).min(1.0))
+}

@@ -1,0 +1,79 @@
+//! The plain solution without negative rotor inertias and friction levels, which no drive has.
+
+use crate::identify::Factors;
+use crate::identify::Identification;
+use crate::identify::IdentifyError;
+use crate::identify::IdentifySettings;
+use crate::identify::Known;
+use crate::identify::solve;
+use crate::model::Arm;
+
+/// Base parameters of a fit in which no drive is impossible.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Nonnegative {
+    /// Base parameters, in the arm's order.
+    pub base: Vec<f64>,
+    /// Names of those that are held at zero, in the order of the parameters.
+    pub held: Vec<String>,
+}
+
+/// Whether a base parameter is a rotor inertia or a friction level.
+fn is_level(name: &str) -> bool {
+    ["IA", "FV", "FC"].iter().any(|kind| name.starts_with(kind))
+}
+
+/// Holds rotor inertias and friction levels that came out negative at zero and fits the others
+/// again, until none is negative: the active-set method of non-negative least squares (Lawson and
+/// Hanson 1974), without release.
+pub fn nonnegative_drives(
+    arm: &dyn Arm,
+    fit: &[Factors],
+    found: &Identification,
+    settings: &IdentifySettings,
+) -> Result<Nonnegative, IdentifyError> {
+    let names: Vec<&str> = found.parameters.iter().map(|p| p.name.as_str()).collect();
+    let mut known: Vec<Option<f64>> = vec![None; names.len()];
+    let mut base = found.values();
+    loop {
+        let negative: Vec<usize> = (0..names.len()).filter(|&c| is_level(names[c]) && base[c] < 0.0).collect();
+        if negative.is_empty() {
+            let held = names.iter().zip(&known).filter(|(_, k)| k.is_some()).map(|(n, _)| n.to_string()).collect();
+            return Ok(Nonnegative { base, held });
+        }
+        negative.iter().for_each(|&c| known[c] = Some(0.0));
+        let rest = Known::new(arm, &known);
+        let factors: Vec<Factors> = fit.iter().map(|log| rest.factors(log)).collect();
+        let settings = IdentifySettings { essential: None, ..settings.clone() };
+        base = rest.whole(&solve(&rest, &factors, &[], &settings)?.values());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::identify::planar::{Planar, motion};
+    use crate::identify::{AccumulatorSettings, QrAccumulator};
+
+    #[test]
+    fn a_negative_friction_level_is_held_at_zero_and_the_rest_fitted_again() {
+        let arm = Planar::new();
+        let mut m = motion(&arm, 10.0, 100.0, 0.3);
+        let len = m.states.len;
+        // Friction of joint 2 of the other sign.
+        let level = 5.0;
+        (len..2 * len).for_each(|k| m.tau[k] -= level * (m.states.dq[k].signum() + m.states.dq[k]));
+        let mut stack = QrAccumulator::new("log", &arm, AccumulatorSettings::default());
+        stack.absorb(&m);
+        let fit = [stack.finish()];
+        let settings = IdentifySettings::default();
+        let found = solve(&arm, &fit, &[], &settings).unwrap();
+        let lowest = found.parameters.iter().filter(|p| is_level(&p.name)).map(|p| p.value).fold(0.0, f64::min);
+        assert!(lowest < -1.0, "{lowest}");
+        let bounded = nonnegative_drives(&arm, &fit, &found, &settings).unwrap();
+        assert!(!bounded.held.is_empty());
+        for (p, value) in found.parameters.iter().zip(&bounded.base) {
+            assert!(!is_level(&p.name) || *value >= 0.0, "{}: {value}", p.name);
+            assert!(!bounded.held.contains(&p.name) || *value == 0.0, "{}: {value}", p.name);
+        }
+    }
+}

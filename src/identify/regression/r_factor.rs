@@ -1,0 +1,196 @@
+//! A triangular factor that grows by blocks of rows.
+
+/// The factor `R` of `A = Q R`, of which `A`'s rows come in blocks and `Q` is never kept: `R' R =
+/// A' A`.
+///
+/// A block stands under the triangle and is annihilated column by column with Householder
+/// reflections that touch one row of the triangle each (Golub and Van Loan, Matrix Computations,
+/// sections 5.2 and 6.5.3).
+#[derive(Debug, Clone, PartialEq)]
+pub struct RFactor {
+    n: usize,
+    /// Column-major, `n * n`, zero below the diagonal.
+    r: Vec<f64>,
+}
+
+impl RFactor {
+    /// Of no rows, with `n` columns.
+    pub fn new(n: usize) -> Self {
+        Self { n, r: vec![0.0; n * n] }
+    }
+
+    /// Number of columns.
+    pub fn columns(&self) -> usize {
+        self.n
+    }
+
+    /// Entry of row `i`, column `k`.
+    pub fn get(&self, i: usize, k: usize) -> f64 {
+        self.r[i + k * self.n]
+    }
+
+    /// Column `k`, rows `0..=k`.
+    pub fn column(&self, k: usize) -> &[f64] {
+        &self.r[k * self.n..=k * self.n + k]
+    }
+
+    /// Takes in `rows` rows: column-major, `rows * n`. The block is used as working memory.
+    pub fn absorb(&mut self, block: &mut [f64], rows: usize) {
+        self.annihilate(block, rows, |_| rows);
+    }
+
+    /// Takes in the rows that another factor stands for.
+    pub fn merge(&mut self, other: &Self) {
+        let n = self.n;
+        let mut block = other.r.clone();
+        self.annihilate(&mut block, n, |k| (k + 1).min(n));
+    }
+
+    /// Column `k` of the block has its nonzeros in the first `filled(k)` rows; this does not shrink
+    /// with `k`.
+    fn annihilate(&mut self, block: &mut [f64], rows: usize, filled: impl Fn(usize) -> usize) {
+        let n = self.n;
+        if rows == 0 {
+            return;
+        }
+        for k in 0..n {
+            let (left, right) = block.split_at_mut((k + 1) * rows);
+            let v = &left[k * rows..][..filled(k)];
+            let squares = dot(v, v);
+            let diagonal = self.r[k + k * n];
+            // What a filter leaves of a constant can be so small that its square is no proper
+            // number any more.
+            if squares == 0.0 || diagonal * diagonal + squares < 1e-280 {
+                continue;
+            }
+            let norm = (diagonal * diagonal + squares).sqrt();
+            let beta = if diagonal > 0.0 { -norm } else { norm };
+            let top = diagonal - beta;
+            let scale = 2.0 / (top * top + squares);
+            self.r[k + k * n] = beta;
+            for (j, column) in right.chunks_exact_mut(rows).enumerate() {
+                let b = &mut column[..v.len()];
+                let entry = &mut self.r[k + (k + 1 + j) * n];
+                let w = scale * (top * *entry + dot(v, b));
+                *entry -= w * top;
+                subtract(b, w, v);
+            }
+        }
+    }
+
+    /// Turns the sign of the last column of `A` about.
+    pub(in crate::identify) fn negate_last(&mut self) {
+        let from = self.n * self.n.saturating_sub(1);
+        self.r[from..].iter_mut().for_each(|v| *v = -*v);
+    }
+
+    /// Norm of `A x`.
+    pub fn norm_of(&self, x: &[f64]) -> f64 {
+        self.apply(x).iter().map(|y| y * y).sum::<f64>().sqrt()
+    }
+
+    /// `R x`.
+    pub fn apply(&self, x: &[f64]) -> Vec<f64> {
+        let mut y = vec![0.0; self.n];
+        for (k, &value) in x.iter().enumerate().take(self.n) {
+            for (out, r) in y.iter_mut().zip(self.column(k)) {
+                *out += r * value;
+            }
+        }
+        y
+    }
+
+    /// `R' R = A' A`, column-major.
+    pub fn gram(&self) -> Vec<f64> {
+        let n = self.n;
+        let mut gram = vec![0.0; n * n];
+        for k in 0..n {
+            for i in 0..=k {
+                let value = dot(&self.column(i)[..=i], &self.column(k)[..=i]);
+                gram[i + k * n] = value;
+                gram[k + i * n] = value;
+            }
+        }
+        gram
+    }
+}
+
+/// Inner product with eight running sums, which the compiler can keep in vector registers.
+#[inline]
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; 8];
+    let (a8, b8) = (a.chunks_exact(8), b.chunks_exact(8));
+    let rest: f64 = a8.remainder().iter().zip(b8.remainder()).map(|(x, y)| x * y).sum();
+    for (x, y) in a8.zip(b8) {
+        for i in 0..8 {
+            sums[i] += x[i] * y[i];
+        }
+    }
+    rest + ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]))
+}
+
+/// `b -= w v`.
+#[inline]
+fn subtract(b: &mut [f64], w: f64, v: &[f64]) {
+    for (x, y) in b.iter_mut().zip(v) {
+        *x -= w * y;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn noise(n: usize, seed: u64) -> Vec<f64> {
+        let mut state = seed;
+        (0..n)
+            .map(|_| {
+                state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+                (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+            })
+            .collect()
+    }
+
+    #[test]
+    fn blocks_equal_one_shot_and_a_dense_qr() {
+        let (m, n) = (137, 9);
+        let a = noise(m * n, 3);
+        let mut whole = RFactor::new(n);
+        whole.absorb(&mut a.clone(), m);
+        let mut parts = [RFactor::new(n), RFactor::new(n)];
+        let mut row = 0;
+        for (i, rows) in [1, 30, 6, 50, 50].into_iter().enumerate() {
+            let mut block: Vec<f64> = (0..n).flat_map(|k| a[k * m + row..k * m + row + rows].to_vec()).collect();
+            parts[i % 2].absorb(&mut block, rows);
+            row += rows;
+        }
+        let [mut one, two] = parts;
+        one.merge(&two);
+        let dense = nalgebra::DMatrix::from_column_slice(m, n, &a).qr().unpack_r();
+        for k in 0..n {
+            for i in 0..=k {
+                assert!((whole.get(i, k).abs() - dense[(i, k)].abs()).abs() < 1e-12);
+                assert!((whole.get(i, k).abs() - one.get(i, k).abs()).abs() < 1e-12);
+            }
+        }
+        let x = noise(n, 8);
+        let direct = (nalgebra::DMatrix::from_column_slice(m, n, &a) * nalgebra::DVector::from_vec(x.clone())).norm();
+        assert!((whole.norm_of(&x) - direct).abs() < 1e-12);
+    }
+
+    #[test]
+    fn numbers_whose_squares_vanish() {
+        let mut t = RFactor::new(2);
+        t.absorb(&mut [1e-160, 3e-161, 0.0, 1e-162, 1.0, 2.0, 2.0, 0.0], 4);
+        assert!((t.norm_of(&[0.0, 1.0]) - 3.0).abs() < 1e-12 && t.norm_of(&[1.0, 0.0]).is_finite());
+    }
+
+    #[test]
+    fn empty_and_zero() {
+        let mut t = RFactor::new(3);
+        t.absorb(&mut [], 0);
+        t.absorb(&mut [0.0; 12], 4);
+        assert_eq!(t, RFactor::new(3));
+        RFactor::new(0).absorb(&mut [], 5);
+    }
+}

@@ -1,0 +1,137 @@
+//! From identified base parameters back to standard parameters, for the robot file.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::model::Arm;
+
+/// Numbers that do not go with the arm.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum RecoverError {
+    /// A vector of the wrong length.
+    #[error("{what}: {found} numbers where the arm has {expected}")]
+    Length {
+        /// Which.
+        what: &'static str,
+        /// Given.
+        found: usize,
+        /// Needed.
+        expected: usize,
+    },
+    /// Base parameters that are not independent combinations of standard ones.
+    #[error("the base parameters are not independent combinations of the standard ones")]
+    Dependent,
+}
+
+/// `beta = K phi` for standard parameters `phi`.
+pub(in crate::identify) fn base_of(arm: &dyn Arm, standard: &[f64]) -> Vec<f64> {
+    arm.base_parameters().iter().map(|b| b.coefficients.iter().map(|&(i, k)| k * standard[i]).sum()).collect()
+}
+
+/// Standard parameters that give exactly these base parameters and differ least from `prior` (zeros
+/// if there is none): `phi = phi0 + D K' (K D K')^-1 (beta - K phi0)`, the least change in the
+/// metric `D^-1`.
+///
+/// `D` holds the squares of the sizes that changes may have, so that kilograms and kilogram square
+/// metres can be compared: for a link of mass `m` and a length `l = 0.2 m`: `m`, `m l` and `m l^2`;
+/// for the drive, the parameter's own size. `m` is the prior mass, at least 1 kg.
+pub fn recover_standard(arm: &dyn Arm, beta: &[f64], prior: Option<&[f64]>) -> Result<Vec<f64>, RecoverError> {
+    let (names, base) = (arm.standard_names(), arm.base_parameters());
+    let length = |what, found, expected| match found == expected {
+        true => Ok(()),
+        false => Err(RecoverError::Length { what, found, expected }),
+    };
+    length("base parameters", beta.len(), base.len())?;
+    let zeros = vec![0.0; names.len()];
+    let prior = prior.unwrap_or(&zeros);
+    length("standard parameters", prior.len(), names.len())?;
+    let sizes: Vec<f64> = (0..names.len()).map(|i| size(names, prior, i).powi(2)).collect();
+    let k = DMatrix::from_fn(base.len(), names.len(), |row, column| {
+        base[row].coefficients.iter().filter(|(i, _)| *i == column).map(|(_, k)| k).sum::<f64>()
+    });
+    let kd = DMatrix::from_fn(base.len(), names.len(), |row, column| k[(row, column)] * sizes[column]);
+    let phi0 = DVector::from_column_slice(prior);
+    let mut phi = phi0.clone();
+    let root = (&kd * k.transpose()).cholesky().ok_or(RecoverError::Dependent)?;
+    // Once more for what rounding left.
+    for _ in 0..2 {
+        let missing = DVector::from_column_slice(beta) - &k * &phi;
+        phi += kd.transpose() * root.solve(&missing);
+    }
+    Ok(phi.iter().copied().collect())
+}
+
+/// Links (numbered as in the names, from 1) whose standard parameters no body can have: the
+/// pseudo-inertia `[[tr(I)/2 1 - I, MS], [MS', M]]` is not positive definite (Wensing, Kim and
+/// Slotine 2018). Least squares does not ask for it.
+pub fn implausible_links(names: &[String], standard: &[f64]) -> Vec<usize> {
+    let value = |kind: &str, link: usize| {
+        let name = format!("{kind}{link}");
+        names.iter().position(|n| *n == name).and_then(|i| standard.get(i)).copied()
+    };
+    let links = names.iter().filter_map(|n| n.strip_prefix('M')?.parse::<usize>().ok());
+    links
+        .filter(|&link| {
+            let [m, x, y, z] = ["M", "MSX", "MSY", "MSZ"].map(|k| value(k, link).unwrap_or(0.0));
+            let [xx, yy, zz, xy, xz, yz] = ["XX", "YY", "ZZ", "XY", "XZ", "YZ"].map(|k| value(k, link).unwrap_or(0.0));
+            let half = (xx + yy + zz) / 2.0;
+            #[rustfmt::skip]
+            let pseudo = nalgebra::Matrix4::new(
+                half - xx, -xy, -xz, x,
+                -xy, half - yy, -yz, y,
+                -xz, -yz, half - zz, z,
+                x, y, z, m,
+            );
+            pseudo.cholesky().is_none()
+        })
+        .collect()
+}
+
+/// How large a change of this parameter may be.
+fn size(names: &[String], prior: &[f64], index: usize) -> f64 {
+    const LENGTH: f64 = 0.2;
+    let name = &names[index];
+    let digits = name.find(|c: char| c.is_ascii_digit()).unwrap_or(name.len());
+    let (kind, link) = name.split_at(digits);
+    let mass = || {
+        let known = names.iter().position(|n| n.strip_prefix('M') == Some(link)).map_or(0.0, |i| prior[i]);
+        known.abs().max(1.0)
+    };
+    match kind {
+        "M" => mass(),
+        "MSX" | "MSY" | "MSZ" => mass() * LENGTH,
+        "XX" | "YY" | "ZZ" | "XY" | "XZ" | "YZ" => mass() * LENGTH * LENGTH,
+        _ => prior[index].abs().max(0.1),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_body_and_what_is_none() {
+        let names: Vec<String> =
+            ["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"].map(|k| format!("{k}2")).to_vec();
+        // A ball of 2 kg, radius 0.1 m, at (0.3, 0, 0.1) m.
+        let (m, x, z, ball) = (2.0, 0.3, 0.1, 0.4 * 2.0 * 0.01);
+        let body = [
+            m,
+            m * x,
+            0.0,
+            m * z,
+            ball + m * z * z,
+            ball + m * (x * x + z * z),
+            ball + m * x * x,
+            0.0,
+            -m * x * z,
+            0.0,
+        ];
+        assert!(implausible_links(&names, &body).is_empty());
+        let mut none = body;
+        none[0] = -1.0;
+        assert_eq!(implausible_links(&names, &none), [2]);
+        let mut thin = body;
+        thin[6] = 0.01; // less than M x^2
+        assert_eq!(implausible_links(&names, &thin), [2]);
+    }
+}

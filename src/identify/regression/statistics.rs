@@ -1,0 +1,95 @@
+//! Standard deviations of the parameters when the noise is filtered, so not white.
+//!
+//! With `A = sum_j w_j^2 W_j' W_j` the estimate's covariance is `A^-1 B A^-1`, `B` that of the
+//! score `sum_j w_j^2 W_j' e_j`. For white noise `B = A`. A low-pass makes neighbouring samples
+//! alike, so that 10,000 of them tell as much as some hundreds: `B` is larger. As in the method of
+//! batch means (Chen and Seila 1987; Flegal and Jones 2010) and in cluster-robust regression (Liang
+//! and Zeger 1986) the scores of batches that are long against the correlation time are nearly
+//! independent, so their squares show how much larger. The score of batch `b` of joint `j`, `s_jb =
+//! w_j^2 W_jb' (tau_jb - W_jb beta)`, needs only that batch's Gram matrix: no second pass.
+//!
+//! From some tens of batches a `57 * 57` matrix can't be had with any precision, but one number per
+//! joint can: `lambda_j = sum_b s_jb' A^-1 s_jb / sum_b tr(A^-1 (A_jb - A_jb A^-1 A_jb))`, the
+//! ratio of what the batches show to what white noise would show; the second term is what the fit
+//! itself takes away (Bell and McCaffrey 2002 correct for the same). Then `B = sum_j lambda_j w_j^2
+//! W_j' W_j`, and joint `j` has `N_j / lambda_j` effective samples. Because the scores carry the
+//! regressor's own spectrum, `lambda` is that of the frequencies at which the motion excites.
+
+use nalgebra::DMatrix;
+
+use crate::identify::regression::wls::{JointSystem, Solution, positions};
+
+/// Noise of the joints' torques, as the residual shows it.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Noise {
+    /// Standard deviation of each joint's residual, N m.
+    pub sigma: Vec<f64>,
+    /// How many samples tell as much as one independent sample would, per joint, at least 1.
+    pub inflation: Vec<f64>,
+    /// Samples divided by that.
+    pub effective_samples: Vec<f64>,
+    /// Batches of which the inflation was found, per joint.
+    pub batches: Vec<usize>,
+}
+
+/// `lambda_j` for each joint, and the covariance of the active parameters.
+pub(in crate::identify) fn covariance(
+    joints: &[JointSystem],
+    solution: &Solution,
+    parameters: usize,
+) -> (Noise, DMatrix<f64>) {
+    let p = solution.active.len();
+    let position = positions(&solution.active, parameters);
+    let inverse = &solution.inverse_information;
+    let mut covariance = DMatrix::zeros(p, p);
+    let mut noise = Noise { sigma: solution.sigma.clone(), ..Noise::default() };
+    for ((joint, &weight), &sigma) in joints.iter().zip(&solution.weights).zip(&solution.sigma) {
+        let pairs = joint.active(&position);
+        let local = DMatrix::from_fn(pairs.len(), pairs.len(), |i, k| inverse[(pairs[i].1, pairs[k].1)]);
+        let lambda = inflation(joint, &pairs, &local, [weight, sigma], &solution.beta);
+        noise.inflation.push(lambda);
+        noise.effective_samples.push(joint.samples as f64 / lambda);
+        noise.batches.push(joint.batches.len());
+        if joint.samples > 0 {
+            // A^-1 w_j R_j' sqrt(lambda_j) w_j sigma_j, then its square; w_j sigma_j is 1 unless
+            // weights were not wanted.
+            let r = DMatrix::from_fn(joint.columns.len(), pairs.len(), |i, k| {
+                if i <= pairs[k].0 { joint.triangle.get(i, pairs[k].0) } else { 0.0 }
+            });
+            let rows = DMatrix::from_fn(p, pairs.len(), |i, k| inverse[(i, pairs[k].1)]);
+            let part = rows * r.transpose() * (weight * lambda.sqrt() * weight * sigma);
+            covariance.gemm(1.0, &part, &part.transpose(), 1.0);
+        }
+    }
+    (noise, covariance)
+}
+
+/// `lambda_j`, given the block of `A^-1` that belongs to the joint's parameters.
+fn inflation(
+    joint: &JointSystem,
+    pairs: &[(usize, usize)],
+    inverse: &DMatrix<f64>,
+    [weight, sigma]: [f64; 2],
+    beta: &[f64],
+) -> f64 {
+    let w2 = weight * weight;
+    let n = joint.columns.len() + 1;
+    let (mut shown, mut white) = (0.0, 0.0);
+    for gram in &joint.batches {
+        let a = DMatrix::from_fn(pairs.len(), pairs.len(), |i, k| w2 * gram[pairs[i].0 + pairs[k].0 * n]);
+        let mut score = nalgebra::DVector::from_fn(pairs.len(), |i, _| w2 * gram[pairs[i].0 + (n - 1) * n]);
+        for (i, score) in score.iter_mut().enumerate() {
+            for (k, &column) in joint.columns.iter().enumerate() {
+                *score -= w2 * gram[pairs[i].0 + k * n] * beta[column];
+            }
+        }
+        shown += score.dot(&(inverse * &score));
+        let product = &a * inverse;
+        white += product.trace() - product.dot(&product.transpose());
+    }
+    let lambda = shown / (white * w2 * sigma * sigma);
+    let samples = joint.samples.max(1) as f64;
+    // Too few batches to show anything: what the band has room for.
+    let most = if joint.independent > 0.0 { samples / joint.independent } else { 1.0 };
+    if white > 1e-6 && lambda.is_finite() { lambda.clamp(1.0, samples) } else { most }
+}

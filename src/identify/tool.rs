@@ -1,0 +1,26 @@
+//! What is in the arm's hand: its ten inertial parameters from logs, and which tool that is (the
+//! paper's section II.E).
+//!
+//! Unloaded and loaded logs -> [`Carrying`] arms -> factors -> [`identify_tool`] -> [`Carried`].
+
+mod body;
+mod carrying;
+mod catalogue;
+mod found;
+mod identify;
+mod interpolate;
+mod pca;
+mod recognise;
+pub(crate) mod shape;
+mod table;
+
+pub use body::{Body, moving};
+pub use carrying::{Carrying, names};
+pub use catalogue::{FLANGE, MINI_ROLLERS, RollerSeries, SOURCE, WALL_ROLLERS, catalogue};
+pub use found::{Found, InToolFrame, look_up};
+pub use identify::{Carried, LogError, ToolError, ToolSettings, identify_tool};
+pub use interpolate::{Interval, Relative, interpolate};
+pub use pca::Pca;
+pub use recognise::{Candidate, RecogniseSettings, Recognition, recognise};
+pub use shape::{Assembly, Axis};
+pub use table::{Entry, Tolerance};

@@ -1,0 +1,83 @@
+//! An arm with a body in its hand: the paper's equation (7) as one regressor.
+
+use crate::model::{Arm, BaseParameter, Description, Payload, States};
+use dh_codegen::arm::param::Inertial;
+
+/// Units of the ten parameters.
+pub(super) const UNITS: [&str; 10] =
+    ["kg", "kg m", "kg m", "kg m", "kg m^2", "kg m^2", "kg m^2", "kg m^2", "kg m^2", "kg m^2"];
+
+/// Names of the ten parameters: `M MSX MSY MSZ XX YY ZZ XY XZ YZ`.
+pub fn names() -> [String; 10] {
+    Inertial::ALL.map(|p| format!("{p:?}"))
+}
+
+/// An arm whose base parameters are followed by the ten of a body that it carries (`ML MSXL ...`),
+/// in the frame of [`Payload`]: `[W_b W_L]` in a loaded log, `[W_b 0]` in an unloaded one.
+pub struct Carrying<'a> {
+    arm: &'a dyn Payload,
+    loaded: bool,
+    description: Description,
+    /// Where each entry of the pattern comes from: the arm's own entries, then the body's.
+    sources: Vec<usize>,
+}
+
+impl<'a> Carrying<'a> {
+    /// The arm with the body, or (not `loaded`) the same unknowns while the hand is empty.
+    pub fn new(arm: &'a dyn Payload, loaded: bool) -> Self {
+        let own = arm.base_parameters().len();
+        let names = names().map(|name| format!("{name}L"));
+        let at = arm.standard_names().len();
+        let body = names.clone().into_iter().enumerate().map(|(k, name)| BaseParameter {
+            grouping: name.clone(),
+            name,
+            coefficients: vec![(at + k, 1.0)],
+            unit: UNITS[k].into(),
+        });
+        let body_entries = arm.payload_pattern().iter().map(|&(row, column)| (row, own + column));
+        let mut entries: Vec<((usize, usize), usize)> =
+            arm.base_pattern().iter().copied().chain(body_entries).enumerate().map(|(k, at)| (at, k)).collect();
+        entries.sort_unstable();
+        let (pattern, sources) = entries.into_iter().unzip();
+        let mut description = Description { pattern, ..arm.description().clone() };
+        description.base.extend(body);
+        description.standard.extend(names);
+        Self { description, sources, loaded, arm }
+    }
+
+    /// The first of the body's ten columns.
+    pub fn first(&self) -> usize {
+        self.description.base.len() - 10
+    }
+}
+
+impl Arm for Carrying<'_> {
+    fn description(&self) -> &Description {
+        &self.description
+    }
+    fn base_regressor(&self, states: &States, out: &mut [f64]) {
+        let len = states.len;
+        let own = self.arm.base_pattern().len() * len;
+        let mut both = vec![0.0; own + self.arm.payload_pattern().len() * len];
+        let (arm, body) = both.split_at_mut(own);
+        self.arm.base_regressor(states, arm);
+        if self.loaded {
+            self.arm.payload_regressor(states, body);
+        }
+        for (to, &from) in out.chunks_exact_mut(len.max(1)).zip(&self.sources) {
+            to.copy_from_slice(&both[from * len..(from + 1) * len]);
+        }
+    }
+    fn inverse_dynamics(&self, states: &States, standard: &[f64], out: &mut [f64]) {
+        let (arm, body) = standard.split_at(standard.len().min(self.arm.standard_names().len()));
+        self.arm.inverse_dynamics(states, arm, out);
+        if self.loaded {
+            let mut regressor = vec![0.0; self.arm.payload_pattern().len() * states.len];
+            self.arm.payload_regressor(states, &mut regressor);
+            for (entry, &(row, column)) in regressor.chunks(states.len.max(1)).zip(self.arm.payload_pattern()) {
+                let tau = &mut out[row * states.len..(row + 1) * states.len];
+                tau.iter_mut().zip(entry).for_each(|(t, w)| *t += w * body.get(column).copied().unwrap_or(0.0));
+            }
+        }
+    }
+}

@@ -1,0 +1,300 @@
+//! The ten parameters of what the arm carries: the paper's equation (7), solved from the factors of
+//! the logs.
+//!
+//! `[tau_u; tau_l] = [W_b 0; W_b W_L] [Phi_b; Phi_L]`, each joint weighted by its own noise, as in
+//! [`crate::identify`]. With the robot identified before, `Phi_b` is known and `tau_l - W_b Phi_b =
+//! W_L Phi_L` is solved from the loaded logs alone.
+
+use super::body::{Body, moving};
+use super::carrying::Carrying;
+use crate::identify::{
+    Accuracy, Factors, Identification, IdentifyError, IdentifySettings, Known, Noise, Standing, accuracy, solve,
+};
+use crate::model::Payload;
+
+/// How to solve.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ToolSettings {
+    /// Standard parameters of the robot without the tool (`P`): what is known where there is no
+    /// unloaded log; else only what stands where the logs say nothing.
+    pub robot: Option<Vec<f64>>,
+    /// Mass from a scale, kg.
+    pub known_mass: Option<f64>,
+    /// Standard deviation of that, kg; zero: it is exact.
+    pub mass_std: f64,
+    /// Without an unloaded log: whether friction and offsets (`FV FC FO`) are estimated from the
+    /// loaded log, as they change from day to day, and only the links and rotors are taken as
+    /// known.
+    pub refresh_friction: bool,
+}
+
+/// Why there is no tool.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ToolError {
+    /// The logs.
+    #[error(transparent)]
+    Identify(#[from] IdentifyError),
+    /// Neither an unloaded log nor a robot.
+    #[error(
+        "without an unloaded log the robot's own parameters must be known, and its file does not have them; record the same motion \
+         with an empty hand and give it as --unloaded, or identify the robot first"
+    )]
+    UnknownRobot,
+    /// No loaded log.
+    #[error("there is no loaded log")]
+    NoLoad,
+    /// A mass that is none.
+    #[error("the known mass is {0} kg; give a positive number")]
+    Mass(f64),
+    /// A deviation that is none.
+    #[error("the standard deviation of the known mass is {0} kg; give zero or more, and --known-mass with it")]
+    MassStd(f64),
+    /// A scale that is not exact can only be weighed against a mass that the logs tell.
+    #[error(
+        "the logs don't tell the mass, so that of the scale can't be weighed against theirs; leave --mass-std out to take it as it is"
+    )]
+    MassNotTold,
+    /// The data say nothing of the tool.
+    #[error(
+        "the loaded log says nothing about what the arm carries: none of its ten parameters can be told; record a motion that moves the wrist"
+    )]
+    NothingTold,
+}
+
+/// Torque errors of one log.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LogError {
+    /// Name.
+    pub name: String,
+    /// Whether the tool was carried.
+    pub loaded: bool,
+    /// Seconds of motion.
+    pub seconds: f64,
+    /// Errors of robot and tool.
+    pub with_tool: Accuracy,
+    /// Errors of the robot alone (same as `with_tool` in an unloaded log).
+    pub robot_alone: Accuracy,
+}
+
+/// What the arm carries, in the arm's last DH frame about its origin (in the tool frame where `arm`
+/// has a tool).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Carried {
+    /// The robot's name.
+    pub robot: String,
+    /// `M MSX MSY MSZ XX YY ZZ XY XZ YZ`, kg, kg m, kg m^2.
+    pub values: [f64; 10],
+    /// Their standard deviations; infinite where the data do not tell; zero for a known mass.
+    pub std: [f64; 10],
+    /// Their covariance, row-major `10 * 10`; zero in rows and columns that the data do not tell.
+    pub covariance: Vec<f64>,
+    /// What became of each.
+    pub standing: [Standing; 10],
+    /// The mass that was given, and its standard deviation.
+    pub known_mass: Option<f64>,
+    /// Zero: it was taken as exact.
+    pub mass_std: f64,
+    /// What the logs alone say of the mass where one was given, and its standard deviation, kg;
+    /// `None` where they don't tell it.
+    pub mass_of_logs: Option<[f64; 2]>,
+    /// Whether the robot's own parameters were identified along.
+    pub robot_identified: bool,
+    /// Mass, centre, principal axes; `None` where the data do not tell the mass or the first
+    /// moments.
+    pub body: Option<Body>,
+    /// Independent samples over all joints, less the number of unknowns: degrees of freedom of the
+    /// noise.
+    pub freedom: f64,
+    /// Each log.
+    pub logs: Vec<LogError>,
+    /// Noise of the joints.
+    pub noise: Noise,
+    /// Base parameters of [`Carrying`], all of them: the robot's and the ten.
+    pub beta: Vec<f64>,
+    /// Everything that was solved for.
+    pub solved: Identification,
+}
+
+impl Carried {
+    /// `100 std / |value|` of each.
+    pub fn relative_std_percent(&self) -> [f64; 10] {
+        std::array::from_fn(|k| match (self.std[k], self.values[k]) {
+            (0.0, _) => 0.0,
+            (std, value) => 100.0 * std / value.abs(),
+        })
+    }
+
+    /// Which of the ten the data tell (a known mass is told).
+    pub fn told(&self) -> [bool; 10] {
+        self.standing.map(|s| s == Standing::Identified)
+    }
+
+    /// The same body in another frame: `rotation` (row-major) and `origin` of the last frame in
+    /// that one. `None` where a parameter is not told.
+    pub fn moved(&self, rotation: &[[f64; 3]; 3], origin: &[f64; 3]) -> Option<([f64; 10], [f64; 10])> {
+        if !self.told().iter().all(|t| *t) {
+            return None;
+        }
+        let turn = moving(rotation, origin);
+        let values = turn * nalgebra::SVector::from(self.values);
+        let covariance = turn * nalgebra::SMatrix::<f64, 10, 10>::from_row_slice(&self.covariance) * turn.transpose();
+        Some((values.into(), std::array::from_fn(|k| covariance[(k, k)].max(0.0).sqrt())))
+    }
+}
+
+/// Identifies what the arm carries. `unloaded` and `loaded` are factors of [`Carrying`] arms
+/// (loaded or not) over `arm`.
+pub fn identify_tool(
+    arm: &dyn Payload,
+    unloaded: &[Factors],
+    loaded: &[Factors],
+    settings: &ToolSettings,
+) -> Result<Carried, ToolError> {
+    if loaded.is_empty() {
+        return Err(ToolError::NoLoad);
+    }
+    if let Some(mass) = settings.known_mass.filter(|m| !(m.is_finite() && *m > 0.0)) {
+        return Err(ToolError::Mass(mass));
+    }
+    if !(settings.mass_std.is_finite() && settings.mass_std >= 0.0)
+        || (settings.mass_std > 0.0 && settings.known_mass.is_none())
+    {
+        return Err(ToolError::MassStd(settings.mass_std));
+    }
+    // A mass that is exact is no unknown; one that a scale tells to so many grams is weighed
+    // against the logs' below.
+    let exact = settings.known_mass.filter(|_| settings.mass_std == 0.0);
+    let whole = Carrying::new(arm, true);
+    let first = whole.first();
+    let standard = match &settings.robot {
+        Some(robot) if robot.len() != arm.standard_names().len() => {
+            let (what, expected) = ("standard parameters given".to_string(), arm.standard_names().len());
+            return Err(IdentifyError::Mismatch { what, found: robot.len(), expected }.into());
+        }
+        robot => robot.as_ref(),
+    };
+    let mut known: Vec<Option<f64>> = vec![None; first + 10];
+    known[first] = exact;
+    if unloaded.is_empty() {
+        let robot = standard.ok_or(ToolError::UnknownRobot)?;
+        for (slot, base) in known.iter_mut().zip(arm.base_parameters()) {
+            let drive = ["FV", "FC", "FO"].iter().any(|kind| base.name.starts_with(kind));
+            if !(settings.refresh_friction && drive) {
+                *slot = Some(base.coefficients.iter().map(|&(i, k)| k * robot[i]).sum());
+            }
+        }
+    }
+    let unknown = Known::new(&whole, &known);
+    let factors: Vec<Factors> = unloaded.iter().chain(loaded).map(|log| unknown.factors(log)).collect();
+    let solving = IdentifySettings {
+        prior: standard.map(|robot| robot.iter().copied().chain([0.0; 10]).collect()),
+        ..IdentifySettings::default()
+    };
+    let mut solved = solve(&unknown, &factors, &[], &solving)?;
+    let mass_of_logs = match (settings.known_mass, exact) {
+        (None, _) => None,
+        (Some(_), None) => mass_of(&solved),
+        // Without what the scale says.
+        (Some(_), Some(_)) => {
+            known[first] = None;
+            let free = Known::new(&whole, &known);
+            let factors: Vec<Factors> = unloaded.iter().chain(loaded).map(|log| free.factors(log)).collect();
+            solve(&free, &factors, &[], &solving).ok().and_then(|solved| mass_of(&solved))
+        }
+    };
+    if let (Some(mass), None) = (settings.known_mass, exact) {
+        weigh(&mut solved, mass, settings.mass_std)?;
+    }
+    let beta = unknown.whole(&solved.values());
+
+    // The ten among what was solved for, in order; a known mass is not there.
+    let count = solved.parameters.len();
+    let ten: Vec<Option<usize>> = match exact {
+        Some(_) => std::iter::once(None).chain((count - 9..count).map(Some)).collect(),
+        None => (count - 10..count).map(Some).collect(),
+    };
+    let values: [f64; 10] = std::array::from_fn(|k| beta[first + k]);
+    let standing: [Standing; 10] =
+        std::array::from_fn(|k| ten[k].map_or(Standing::Identified, |i| solved.parameters[i].standing));
+    let std: [f64; 10] = std::array::from_fn(|k| ten[k].map_or(0.0, |i| solved.parameters[i].std));
+    let told = standing.map(|s| s == Standing::Identified);
+    if !told.iter().zip(&ten).any(|(told, place)| *told && place.is_some()) {
+        return Err(ToolError::NothingTold);
+    }
+    let mut covariance = vec![0.0; 100];
+    for i in 0..10 {
+        for k in 0..10 {
+            if let (Some(a), Some(b), true, true) = (ten[i], ten[k], told[i], told[k]) {
+                covariance[10 * i + k] = solved.correlation[a * count + b] * std[i] * std[k];
+            }
+        }
+    }
+    let body = if told[..4].iter().all(|t| *t) { Body::new(&values, &covariance) } else { None };
+    let mut alone = beta.clone();
+    alone[first..].fill(0.0);
+    let error = |log: &Factors, loaded: bool| LogError {
+        name: log.name.clone(),
+        loaded,
+        seconds: log.seconds,
+        with_tool: accuracy(&[log], &beta),
+        robot_alone: accuracy(&[log], &alone),
+    };
+    let logs = unloaded.iter().map(|l| error(l, false)).chain(loaded.iter().map(|l| error(l, true))).collect();
+    Ok(Carried {
+        robot: arm.name().into(),
+        values,
+        std,
+        covariance,
+        standing,
+        known_mass: settings.known_mass,
+        mass_std: settings.mass_std,
+        mass_of_logs,
+        robot_identified: !unloaded.is_empty(),
+        body: body.filter(|_| told.iter().all(|t| *t)),
+        freedom: (solved.noise.effective_samples.iter().sum::<f64>() - count as f64).max(1.0),
+        logs,
+        noise: solved.noise.clone(),
+        beta,
+        solved,
+    })
+}
+
+/// The mass among all that was solved for, and its standard deviation; `None` where it is not told.
+fn mass_of(solved: &Identification) -> Option<[f64; 2]> {
+    let mass = solved.parameters.len().checked_sub(10).map(|at| &solved.parameters[at])?;
+    (mass.standing == Standing::Identified).then_some([mass.value, mass.std])
+}
+
+/// Takes in what a scale says of the mass, the first of the last ten parameters: the conditional
+/// mean and covariance of a normal distribution.
+fn weigh(solved: &mut Identification, mass: f64, std: f64) -> Result<(), ToolError> {
+    let count = solved.parameters.len();
+    let at = count - 10;
+    if solved.parameters[at].standing != Standing::Identified {
+        return Err(ToolError::MassNotTold);
+    }
+    let told: Vec<bool> = solved.parameters.iter().map(|p| p.standing == Standing::Identified).collect();
+    let stds: Vec<f64> = solved.parameters.iter().map(|p| p.std).collect();
+    let covariance = |i: usize, k: usize| match told[i] && told[k] {
+        true => solved.correlation[i * count + k] * stds[i] * stds[k],
+        false => 0.0,
+    };
+    let variance = covariance(at, at) + std * std;
+    let column: Vec<f64> = (0..count).map(|i| covariance(i, at)).collect();
+    let after: Vec<f64> = (0..count * count)
+        .map(|e| covariance(e / count, e % count) - column[e / count] * column[e % count] / variance)
+        .collect();
+    let off = mass - solved.parameters[at].value;
+    for i in (0..count).filter(|&i| told[i]) {
+        solved.parameters[i].value += column[i] / variance * off;
+        solved.parameters[i].std = after[i * count + i].max(0.0).sqrt();
+    }
+    for i in (0..count).filter(|&i| told[i]) {
+        for k in (0..count).filter(|&k| told[k] && k != i) {
+            let scale = solved.parameters[i].std * solved.parameters[k].std;
+            solved.correlation[i * count + k] = if scale > 0.0 { after[i * count + k] / scale } else { 0.0 };
+        }
+    }
+    Ok(())
+}

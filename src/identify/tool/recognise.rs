@@ -1,0 +1,178 @@
+//! Which tool of the table it is, or none.
+//!
+//! Two distances beside each other. The paper's: the norm of the difference in the space of
+//! [`Pca`], where a kilogram counts as much as a kilogram square metre. And that of Mahalanobis,
+//! `d^2 = (a - b)' (C + C_j)^-1 (a - b)`, with the covariance `C` of the identification and `C_j`
+//! of the table: each difference counts as many times as it exceeds what is not known of it. The
+//! second decides, over all parameters that are told, because it has a law: for the right tool `d^2
+//! / k` is distributed as `F(k, nu)` (Hotelling 1931, for a covariance whose scale was estimated),
+//! so that a limit rejects the right tool with a probability that one can choose.
+
+use nalgebra::{DMatrix, DVector};
+use statrs::distribution::{ContinuousCDF, FisherSnedecor};
+
+use super::identify::Carried;
+use super::pca::Pca;
+use super::table::Entry;
+
+/// How to recognise.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RecogniseSettings {
+    /// Share of the table's sum of squares that the components of the paper's space hold. Default
+    /// 0.99999.
+    pub share: f64,
+    /// With what probability a tool of the table is rejected. Default 0.01.
+    pub level: f64,
+}
+
+impl Default for RecogniseSettings {
+    fn default() -> Self {
+        Self { share: 0.99999, level: 0.01 }
+    }
+}
+
+/// A tool of the table, seen from what was identified.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Candidate {
+    /// Name.
+    pub name: String,
+    /// Its place in the table.
+    pub entry: usize,
+    /// Mahalanobis distance over all parameters that are told.
+    pub distance: f64,
+    /// The same in the reduced space.
+    pub distance_in_space: f64,
+    /// The paper's: plain norm in the reduced space.
+    pub plain_distance: f64,
+    /// Probability, if it is one of the table's tools and each was as likely before.
+    pub probability: f64,
+    /// Difference of each parameter (identified less table) in its own standard deviations; NaN
+    /// where it is not told.
+    pub deviations: [f64; 10],
+}
+
+/// The answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recognition {
+    /// All tools, nearest first.
+    pub candidates: Vec<Candidate>,
+    /// The distance beyond which it is none of them.
+    pub limit: f64,
+    /// Whether it is none of them.
+    pub rejected: bool,
+    /// Others that fit nearly as well: probability above 0.05 and within the limit.
+    pub not_distinguished_from: Vec<String>,
+    /// What the paper's distance says; it can't reject.
+    pub by_plain_distance: String,
+    /// How many parameters are told, `k`.
+    pub told: usize,
+    /// Degrees of freedom of the covariance's scale, `nu`.
+    pub freedom: f64,
+    /// The level that the limit was chosen for.
+    pub level: f64,
+    /// The reduced space.
+    pub pca: Pca,
+    /// What was identified, there.
+    pub scores: DVector<f64>,
+    /// Its covariance there.
+    pub score_covariance: DMatrix<f64>,
+    /// Each tool there, in the order of the table.
+    pub table_scores: Vec<DVector<f64>>,
+}
+
+impl Recognition {
+    /// The nearest tool.
+    pub fn nearest(&self) -> &Candidate {
+        &self.candidates[0]
+    }
+}
+
+/// Looks the tool up; `None` for an empty table or where nothing is told.
+pub fn recognise(carried: &Carried, table: &[Entry], settings: &RecogniseSettings) -> Option<Recognition> {
+    let told: Vec<usize> = (0..10).filter(|&k| carried.told()[k]).collect();
+    if table.is_empty() || told.is_empty() {
+        return None;
+    }
+    let visible =
+        |values: &[f64; 10]| -> [f64; 10] { std::array::from_fn(|k| if told.contains(&k) { values[k] } else { 0.0 }) };
+    let rows: Vec<[f64; 10]> = table.iter().map(|e| visible(&e.values)).collect();
+    let (pca, here) = (Pca::new(&rows, settings.share), visible(&carried.values));
+    let freedom = scale_freedom(carried);
+    let limit = limit(told.len(), freedom, settings.level);
+    let mut candidates: Vec<Candidate> = Vec::new();
+    let mut densities = Vec::new();
+    for (entry, tool) in table.iter().enumerate() {
+        let sum = |i: usize, k: usize| carried.covariance[10 * i + k] + tool.covariance[(i, k)];
+        let difference: [f64; 10] = std::array::from_fn(|k| here[k] - rows[entry][k]);
+        let n = told.len();
+        let covariance = DMatrix::from_fn(n, n, |i, k| sum(told[i], told[k]));
+        let delta = DVector::from_fn(n, |i, _| difference[told[i]]);
+        let Some((squared, log_det)) = mahalanobis(&delta, &covariance) else { continue };
+        let whole =
+            DMatrix::from_fn(10, 10, |i, k| if told.contains(&i) && told.contains(&k) { sum(i, k) } else { 0.0 });
+        let in_space = pca.basis.transpose() * whole * &pca.basis;
+        let scores = pca.basis.transpose() * DVector::from_column_slice(&difference);
+        densities.push(-0.5 * (squared + log_det));
+        candidates.push(Candidate {
+            name: tool.name.clone(),
+            entry,
+            distance: squared.sqrt(),
+            distance_in_space: mahalanobis(&scores, &in_space).map_or(f64::NAN, |(d, _)| d.sqrt()),
+            plain_distance: scores.norm(),
+            probability: 0.0,
+            deviations: std::array::from_fn(|k| {
+                if told.contains(&k) { difference[k] / sum(k, k).sqrt() } else { f64::NAN }
+            }),
+        });
+    }
+    let most = densities.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let total: f64 = densities.iter().map(|d| (d - most).exp()).sum();
+    candidates.iter_mut().zip(&densities).for_each(|(c, d)| c.probability = (d - most).exp() / total);
+    let by_plain_distance =
+        candidates.iter().min_by(|a, b| a.plain_distance.total_cmp(&b.plain_distance))?.name.clone();
+    candidates.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    let rejected = candidates.first()?.distance > limit;
+    let others = candidates[1..].iter().filter(|c| c.distance <= limit && c.probability > 0.05);
+    let not_distinguished_from = if rejected { Vec::new() } else { others.map(|c| c.name.clone()).collect() };
+    let own = DMatrix::from_fn(10, 10, |i, k| carried.covariance[10 * i + k]);
+    Some(Recognition {
+        limit,
+        rejected,
+        not_distinguished_from,
+        by_plain_distance,
+        told: told.len(),
+        freedom,
+        level: settings.level,
+        scores: pca.scores(&here),
+        score_covariance: pca.basis.transpose() * own * &pca.basis,
+        table_scores: rows.iter().map(|row| pca.scores(row)).collect(),
+        candidates,
+        pca,
+    })
+}
+
+/// How well the scale of the covariance is known: it comes from the batches of the joints (see
+/// `identify::statistics`), each of which gives about one number that is independent of the others.
+pub(super) fn scale_freedom(carried: &Carried) -> f64 {
+    (carried.noise.batches.iter().sum::<usize>() as f64).clamp(1.0, carried.freedom.max(1.0))
+}
+
+/// The distance that the right tool exceeds with this probability.
+pub(super) fn limit(told: usize, freedom: f64, level: f64) -> f64 {
+    let k = told as f64;
+    FisherSnedecor::new(k, freedom).map_or(f64::INFINITY, |law| (k * law.inverse_cdf(1.0 - level)).sqrt())
+}
+
+/// `x' C^-1 x` and `log det C`; `None` where `C` is not positive definite.
+pub(super) fn mahalanobis(x: &DVector<f64>, covariance: &DMatrix<f64>) -> Option<(f64, f64)> {
+    let n = x.len();
+    // In standard deviations, where all numbers are of one size.
+    let scale = DVector::from_fn(n, |i, _| covariance[(i, i)].max(f64::MIN_POSITIVE).sqrt());
+    let correlation =
+        DMatrix::from_fn(n, n, |i, k| covariance[(i, k)] / (scale[i] * scale[k]) + if i == k { 1e-10 } else { 0.0 });
+    let root = correlation.cholesky()?;
+    let y = root.l().solve_lower_triangular(&x.component_div(&scale))?;
+    let log_det = 2.0 * (0..n).map(|i| root.l()[(i, i)].ln() + scale[i].ln()).sum::<f64>();
+    let squared = y.norm_squared();
+    (squared.is_finite() && log_det.is_finite()).then_some((squared, log_det))
+}

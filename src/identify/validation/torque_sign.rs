@@ -1,0 +1,137 @@
+//! Whether a joint's torque was recorded with the other sign.
+
+use nalgebra::DMatrix;
+
+use crate::data::log::{Finding, Kind, Severity};
+use crate::identify::regression::accumulator::Factors;
+use crate::identify::regression::rows::is_drive;
+use crate::identify::regression::wls::{JointSystem, Problem, Solution, positions, stacked};
+use crate::model::Arm;
+
+fn finding(joint: usize, correlation: f64) -> Finding {
+    let column = Some(format!("tau{}", joint + 1));
+    Finding { kind: Kind::Sign { correlation }, severity: Severity::Warning, line: None, column, count: 1 }
+}
+
+/// Fewer batches than these tell nothing of a sign.
+const BATCHES: usize = 3;
+
+/// Whether the joint's regressor keeps its direction, as that of an arm that stands does: next to
+/// rank one.
+fn stands(joint: &JointSystem) -> bool {
+    let n = joint.columns.len() + 1;
+    let entry = |i: usize, k: usize| joint.gram[i + k * n];
+    let trace: f64 = (0..n - 1).map(|k| entry(k, k)).sum();
+    let squares: f64 = (0..n - 1).flat_map(|i| (0..n - 1).map(move |k| (i, k))).map(|(i, k)| entry(i, k).powi(2)).sum();
+    squares.sqrt() > 0.99 * trace
+}
+
+/// What stands is held by friction anywhere between its levels, and torque sensors have offsets: of
+/// real arms up to some percent of the torques they are made for (a Staubli TX40: 7 %). As a share
+/// of the largest torque of the arm.
+const STICTION: f64 = 0.02;
+/// How many times its own standard deviation, and of a joint that stands how many times friction,
+/// the prediction must be.
+const SURE: f64 = 3.0;
+/// A joint that has not moved farther than this, rad (m), may have been sliding nowhere: what a
+/// gear does within its teeth is a spring with memory, and its friction has no sign.
+const TRAVEL: f64 = 0.05;
+
+/// Values of the base parameters that torques are held against, and what is known of them.
+pub(in crate::identify) struct Model<'a> {
+    /// The model's base parameters.
+    pub(in crate::identify) beta: &'a [f64],
+    /// Covariance of the active ones among them, and these; none where the model is given.
+    pub(in crate::identify) covariance: Option<(&'a DMatrix<f64>, &'a [usize])>,
+}
+
+impl Model<'_> {
+    /// Variance of the predicted torque, mean over the samples, N^2 m^2.
+    fn variance(&self, joint: &JointSystem) -> f64 {
+        let Some((covariance, active)) = self.covariance else { return 0.0 };
+        let (pairs, n) = (joint.active(&positions(active, self.beta.len())), joint.columns.len() + 1);
+        let sum: f64 = pairs
+            .iter()
+            .flat_map(|&(i, p)| pairs.iter().map(move |&(k, q)| (i, p, k, q)))
+            .map(|(i, p, k, q)| covariance[(p, q)] * joint.gram[i + k * n])
+            .sum();
+        sum.max(0.0) / joint.samples.max(1) as f64
+    }
+
+    /// Joints whose torque runs against what the model predicts (correlation below -0.5), where the
+    /// prediction is more than its own deviation and, turned about, nearer to the torque than
+    /// nothing is. Of a joint in one posture, where an offset or a payload may say the same, the
+    /// correlation must be below -0.95 and the prediction a torque that counts.
+    pub(in crate::identify) fn opposed(&self, joints: &[JointSystem]) -> Vec<Finding> {
+        let mut findings = Vec::new();
+        let largest = joints.iter().map(|j| j.torque_rms).fold(0.0, f64::max);
+        for (index, joint) in joints.iter().enumerate().filter(|(_, j)| j.samples > 0) {
+            let n = joint.columns.len();
+            let mut x: Vec<f64> = joint.columns.iter().map(|&c| self.beta[c]).collect();
+            x.push(0.0);
+            let predicted = joint.triangle.apply(&x);
+            let measured = joint.triangle.column(n);
+            let inner: f64 = predicted.iter().zip(measured).map(|(a, b)| a * b).sum();
+            let norm = |v: &[f64]| v.iter().map(|a| a * a).sum::<f64>().sqrt();
+            let (of_model, of_log) = (norm(&predicted), norm(measured));
+            let correlation = inner / (of_model * of_log);
+            let size = of_model / (joint.samples as f64).sqrt();
+            let (most, least) = if stands(joint) { (-0.95, SURE * STICTION * largest) } else { (-0.5, 0.0) };
+            // |tau + W beta| < |tau|
+            let explains = of_model < -2.0 * correlation * of_log;
+            let counts = size > least && size > SURE * self.variance(joint).sqrt();
+            if correlation < most && explains && counts && joint.batches.len() >= BATCHES {
+                findings.push(finding(index, correlation));
+            }
+        }
+        findings
+    }
+
+    /// The same for a single log.
+    pub(in crate::identify) fn opposed_by(&self, log: &Factors) -> Vec<Finding> {
+        self.opposed(&JointSystem::all(std::slice::from_ref(log), log.parameters))
+    }
+}
+
+/// Without a model: joints whose torque, turned about, agrees far better with the equations of the
+/// others; and joints whose friction and rotor inertia all come out negative beyond doubt.
+pub(in crate::identify) fn against_fit(
+    arm: &dyn Arm,
+    problem: &Problem<'_>,
+    solution: &Solution,
+    std: &[f64],
+) -> Vec<Finding> {
+    let parameters = arm.base_parameters();
+    let mut findings = Vec::new();
+    let scale: Vec<f64> = problem.joints.iter().map(|j| j.torque_rms.max(f64::MIN_POSITIVE).recip()).collect();
+    let residual = |weights: &[f64], turned: Option<usize>| -> f64 {
+        let mut joints = problem.joints.to_vec();
+        if let Some(joint) = turned {
+            joints[joint].turn();
+        }
+        let p = solution.active.len();
+        let triangle = stacked(&joints, weights, &solution.active, problem.parameters);
+        triangle.get(p, p).abs()
+    };
+    let as_is = residual(&scale, None);
+    for (index, joint) in problem.joints.iter().enumerate().filter(|(_, j)| j.samples > 0) {
+        let of = |kind: &str, c: &usize| is_drive(&parameters[*c].name, kind);
+        let drive: Vec<usize> =
+            ["IA", "FV", "FC"].iter().filter_map(|kind| joint.columns.iter().copied().find(|c| of(kind, c))).collect();
+        let turned = residual(&scale, Some(index));
+        let slid = joint.travel > TRAVEL;
+        let negative = slid && drive.len() >= 2 && drive.iter().all(|&c| solution.beta[c] < -3.0 * std[c]);
+        // Of two joints that contradict each other, the one whose friction came out negative is the
+        // one to turn about.
+        let friction = drive.iter().filter(|&&c| !parameters[c].name.starts_with("IA"));
+        let brakes = friction.clone().count() > 0 && friction.clone().all(|&c| solution.beta[c] > 0.0);
+        // Torque that is next to nothing says nothing about its sign.
+        let better = turned < 0.5 * as_is;
+        if joint.torque_rms > 0.0 && (negative || (better && !brakes)) {
+            let explained =
+                1.0 - (joint.residual_norm(&solution.beta) / joint.torque_rms).powi(2) / joint.samples as f64;
+            findings.push(finding(index, if negative { -1.0 } else { explained.max(0.0).sqrt() }));
+        }
+    }
+    findings
+}

@@ -1,0 +1,26 @@
+//! Joints whose torque the fitted model can't explain: something is wrong with the log or the robot
+//! file that no parameter mends.
+
+use crate::data::log::{Finding, Kind, Severity};
+use crate::identify::validation::accuracy::Accuracy;
+
+/// More than this share of a joint's torque.
+const SHARE: f64 = 0.3;
+/// Of joints that carry at least this share of the largest joint's torque: the last ones carry
+/// little but friction and the sensors' errors.
+const LOADED: f64 = 0.2;
+
+/// One finding for each such joint.
+pub(in crate::identify) fn unexplained(fit: &Accuracy) -> Vec<Finding> {
+    let largest = fit.torque_rms.iter().copied().filter(|t| t.is_finite()).fold(0.0, f64::max);
+    let joints = fit.rms.iter().zip(&fit.torque_rms).enumerate();
+    let bad = joints.filter(|(_, (rms, torque))| **torque >= LOADED * largest && **rms > SHARE * **torque);
+    bad.map(|(joint, (rms, torque))| Finding {
+        kind: Kind::Unexplained { percent: 100.0 * rms / torque },
+        severity: Severity::Warning,
+        line: None,
+        column: Some(format!("tau{}", joint + 1)),
+        count: 1,
+    })
+    .collect()
+}

@@ -1,0 +1,119 @@
+//! What methods that work on data see of a robot: its regressor and its torques.
+
+/// Joint motion of a block of samples, joint-major: sample `s` of joint `j` stands at `j * len +
+/// s`.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct States {
+    /// Number of samples.
+    pub len: usize,
+    /// Positions, rad or m, `dof * len`.
+    pub q: Vec<f64>,
+    /// Velocities, rad/s or m/s, `dof * len`.
+    pub dq: Vec<f64>,
+    /// Accelerations, rad/s^2 or m/s^2, `dof * len`.
+    pub ddq: Vec<f64>,
+}
+
+/// A sum of two velocities: that of a motor that turns with two joints.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VelocitySum {
+    /// Degrees of freedom.
+    pub joints: [usize; 2],
+    /// What the second one's velocity is multiplied by.
+    pub ratio: f64,
+}
+
+impl VelocitySum {
+    /// Of velocities by joint, rad/s; zero where there is no such joint.
+    pub fn at<'a>(&self, dq: impl Fn(usize) -> Option<&'a [f64]>) -> Vec<f64> {
+        let [a, b] = self.joints.map(dq);
+        let len = a.or(b).map_or(0, <[f64]>::len);
+        let of = |x: Option<&[f64]>, s: usize| x.map_or(0.0, |x| x[s]);
+        (0..len).map(|s| of(a, s) + self.ratio * of(b, s)).collect()
+    }
+}
+
+/// Entries of a regressor that are multiples of the sign of a sum of velocities.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SummedSign {
+    /// The sum.
+    pub sum: VelocitySum,
+    /// Index into [`Arm::base_pattern`], and factor.
+    pub entries: Vec<(usize, f64)>,
+}
+
+/// A base parameter: an identifiable combination of standard parameters.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BaseParameter {
+    /// Name of its leader, with `R` where it groups others: `ZZ1R`, `MSY7`, `FC3`.
+    pub name: String,
+    /// `ZZ1R = ZZ1 + YY2 + ...`, in the constants of the robot file.
+    pub grouping: String,
+    /// Index into the standard parameters, and factor.
+    pub coefficients: Vec<(usize, f64)>,
+    /// Unit.
+    pub unit: String,
+}
+
+/// What an arm's numbers stand for.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Description {
+    /// The robot's name.
+    pub name: String,
+    /// Degrees of freedom, `n`.
+    pub dof: usize,
+    /// Names of the standard parameters, `P`, in the order of contract section 2.
+    pub standard: Vec<String>,
+    /// The base parameters, `B`, in the order of the base regressor's columns.
+    pub base: Vec<BaseParameter>,
+    /// Rows and columns of the base regressor's structural nonzeros, sorted by row, then column.
+    pub pattern: Vec<(usize, usize)>,
+}
+
+/// An arm with `n` degrees of freedom, `P` standard and `B` base parameters.
+///
+/// Torques are those of the actuators on the links, N m (N for a prismatic joint), positive in the
+/// direction in which `q` grows.
+pub trait Arm: Sync {
+    /// Sizes, names and zeros.
+    fn description(&self) -> &Description;
+
+    /// The robot's name.
+    fn name(&self) -> &str {
+        &self.description().name
+    }
+
+    /// Degrees of freedom, `n`.
+    fn dof(&self) -> usize {
+        self.description().dof
+    }
+
+    /// Names of the standard parameters, `P`, in the order of contract section 2.
+    fn standard_names(&self) -> &[String] {
+        &self.description().standard
+    }
+
+    /// The base parameters, `B`, in the order of the base regressor's columns.
+    fn base_parameters(&self) -> &[BaseParameter] {
+        &self.description().base
+    }
+
+    /// Rows and columns of the base regressor's structural nonzeros, sorted by row, then column.
+    fn base_pattern(&self) -> &[(usize, usize)] {
+        &self.description().pattern
+    }
+
+    /// The base regressor at every sample: entry `k` of [`Arm::base_pattern`] at sample `s` goes to
+    /// `out[k * len + s]`. `tau = W_b beta` (Khalil and Dombre, equation 12.21).
+    fn base_regressor(&self, states: &States, out: &mut [f64]);
+
+    /// Entries that have the sign of a sum of velocities in them, as the Coulomb columns have that
+    /// of one velocity. Who filters a recording filters these signs too (see
+    /// [`crate::data::signal::Prepare::sums`]).
+    fn summed_signs(&self) -> Vec<SummedSign> {
+        Vec::new()
+    }
+
+    /// Torques from standard parameters (`P`), joint-major like the states.
+    fn inverse_dynamics(&self, states: &States, standard: &[f64], out: &mut [f64]);
+}

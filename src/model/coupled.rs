@@ -1,0 +1,207 @@
+//! An arm with a motor that turns with another joint: what `gear_coupling` in the robot file adds
+//! to the regressor.
+//!
+//! Motor m turns with `w = dq_m + KC dq_k`. Beside the drive of joint m itself, three parameters
+//! act on both joints:
+//!
+//! | | on joint k | on joint m |
+//! |---|---|---|
+//! | `IAM`, kg m^2 | `KC ddq_m` | `KC ddq_k` |
+//! | `FVM`, N m s/rad | `KC dq_m` | `KC dq_k` |
+//! | `FCM`, N m | `KC sign(w)` | `sign(w)` |
+//!
+//! They stand behind the arm's own parameters, named after the row of the motor: `IAM6`, `FVM6`,
+//! `FCM6`. Rigid bodies give none of these columns, so each is a base parameter of its own; whether
+//! a motion tells it from the rest, the fit says.
+
+use crate::model::{Arm, BaseParameter, Description, States, SummedSign, VelocitySum};
+
+/// A motor that turns with another joint.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Coupling {
+    /// Row of the motor's joint, from 0: its name.
+    pub row: usize,
+    /// Degree of freedom of the motor's joint, m.
+    pub motor: usize,
+    /// Degree of freedom of the other joint, k.
+    pub other: usize,
+    /// `KC`: turns of the motor, on the joint's side, per turn of joint k.
+    pub ratio: f64,
+}
+
+/// `IAM`, `FVM`, `FCM` and their units.
+pub const TERMS: [(&str, &str); 3] = [("IAM", "kg m^2"), ("FVM", "N m s/rad"), ("FCM", "N m")];
+
+impl Coupling {
+    /// The velocity of its motor, on the joint's side of the gear.
+    pub fn velocity(&self) -> VelocitySum {
+        VelocitySum { joints: [self.motor, self.other], ratio: self.ratio }
+    }
+
+    /// Names of its parameters, in the order of [`TERMS`].
+    pub fn names(&self) -> [String; 3] {
+        TERMS.map(|(kind, _)| format!("{kind}{}", self.row + 1))
+    }
+
+    /// What one unit of a parameter costs on joint k or m, at every sample.
+    fn column(&self, term: usize, on_motor: bool, states: &States, out: &mut [f64]) {
+        let of = |all: &'_ [f64], joint: usize, s: usize| all[joint * states.len + s];
+        let far = if on_motor { self.other } else { self.motor };
+        for (s, out) in out.iter_mut().enumerate() {
+            *out = match term {
+                0 => self.ratio * of(&states.ddq, far, s),
+                1 => self.ratio * of(&states.dq, far, s),
+                _ => {
+                    let w = of(&states.dq, self.motor, s) + self.ratio * of(&states.dq, self.other, s);
+                    let sign = if w == 0.0 { 0.0 } else { w.signum() };
+                    if on_motor { sign } else { self.ratio * sign }
+                }
+            };
+        }
+    }
+}
+
+/// Where an entry of the pattern comes from.
+#[derive(Clone, Copy)]
+enum Entry {
+    /// That of the arm with this index.
+    Arm(usize),
+    /// Coupling, term, and whether it is the motor's joint.
+    Coupling(usize, usize, bool),
+}
+
+/// An arm and its couplings; an arm without couplings is itself.
+pub struct Coupled<'a> {
+    arm: &'a dyn Arm,
+    couplings: Vec<Coupling>,
+    description: Description,
+    entries: Vec<Entry>,
+}
+
+impl<'a> Coupled<'a> {
+    /// Puts the couplings' parameters behind those of the arm.
+    pub fn new(arm: &'a dyn Arm, couplings: Vec<Coupling>) -> Self {
+        let mut description = arm.description().clone();
+        let Description { standard, base, .. } = &mut description;
+        let own = arm.base_pattern().iter().enumerate().map(|(entry, &place)| (place, Entry::Arm(entry)));
+        let mut all: Vec<((usize, usize), Entry)> = own.collect();
+        for (index, coupling) in couplings.iter().enumerate() {
+            for (term, (name, (_, unit))) in coupling.names().into_iter().zip(TERMS).enumerate() {
+                for (joint, on_motor) in [(coupling.other, false), (coupling.motor, true)] {
+                    all.push(((joint, base.len()), Entry::Coupling(index, term, on_motor)));
+                }
+                base.push(BaseParameter {
+                    grouping: format!("{name} = {name}"),
+                    coefficients: vec![(standard.len(), 1.0)],
+                    unit: unit.to_string(),
+                    name: name.clone(),
+                });
+                standard.push(name);
+            }
+        }
+        all.sort_by_key(|(place, _)| *place);
+        let entries;
+        (description.pattern, entries) = all.into_iter().unzip();
+        Self { arm, couplings, description, entries }
+    }
+}
+
+impl Arm for Coupled<'_> {
+    fn description(&self) -> &Description {
+        &self.description
+    }
+
+    fn base_regressor(&self, states: &States, out: &mut [f64]) {
+        if self.couplings.is_empty() {
+            return self.arm.base_regressor(states, out);
+        }
+        let len = states.len;
+        let mut own = vec![0.0; self.arm.base_pattern().len() * len];
+        self.arm.base_regressor(states, &mut own);
+        for (out, entry) in out.chunks_exact_mut(len.max(1)).zip(&self.entries) {
+            match *entry {
+                Entry::Arm(entry) => out.copy_from_slice(&own[entry * len..(entry + 1) * len]),
+                Entry::Coupling(index, term, on_motor) => {
+                    self.couplings[index].column(term, on_motor, states, out);
+                }
+            }
+        }
+    }
+
+    fn summed_signs(&self) -> Vec<SummedSign> {
+        let place = |own: usize| self.entries.iter().position(|e| matches!(e, Entry::Arm(k) if *k == own));
+        let mut all = self.arm.summed_signs();
+        for signs in &mut all {
+            signs.entries = signs.entries.iter().filter_map(|&(own, f)| Some((place(own)?, f))).collect();
+        }
+        all.extend(self.couplings.iter().enumerate().map(|(index, coupling)| {
+            let entry = |(at, entry): (usize, &Entry)| match *entry {
+                Entry::Coupling(of, 2, on_motor) if of == index => {
+                    Some((at, if on_motor { 1.0 } else { coupling.ratio }))
+                }
+                _ => None,
+            };
+            SummedSign {
+                sum: coupling.velocity(),
+                entries: self.entries.iter().enumerate().filter_map(entry).collect(),
+            }
+        }));
+        all
+    }
+
+    fn inverse_dynamics(&self, states: &States, standard: &[f64], out: &mut [f64]) {
+        let own = self.arm.standard_names().len();
+        self.arm.inverse_dynamics(states, &standard[..own], out);
+        let mut column = vec![0.0; states.len];
+        for (index, coupling) in self.couplings.iter().enumerate() {
+            for term in 0..TERMS.len() {
+                let value = standard[own + TERMS.len() * index + term];
+                for (joint, on_motor) in [(coupling.other, false), (coupling.motor, true)] {
+                    coupling.column(term, on_motor, states, &mut column);
+                    let torque = &mut out[joint * states.len..(joint + 1) * states.len];
+                    torque.iter_mut().zip(&column).for_each(|(tau, w)| *tau += value * w);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::identify::planar::Planar;
+
+    /// The power that goes into a coupled rotor alone is the change of `IAM/2 (w^2 - dq_m^2 - KC^2
+    /// dq_k^2)`, and what friction at the motor takes is `FCM |w|`; the regressor says the same as
+    /// the torques.
+    #[test]
+    fn energy_and_columns_agree() {
+        let planar = Planar::new();
+        let coupling = Coupling { row: 1, motor: 1, other: 0, ratio: -1.5 };
+        let arm = Coupled::new(&planar, vec![coupling]);
+        let own = planar.standard_names().len();
+        assert_eq!(arm.standard_names()[own..], ["IAM2", "FVM2", "FCM2"]);
+        let (v, a) = ([0.7, 0.4], [0.2, -1.1]); // joints k, m
+        let states = States { len: 1, q: vec![0.3, 0.9], dq: v.to_vec(), ddq: a.to_vec() };
+        for (term, power) in
+            [(0, coupling.ratio * (a[0] * v[1] + v[0] * a[1])), (1, 2.0 * coupling.ratio * v[0] * v[1])]
+                .into_iter()
+                .chain([(2, (v[1] + coupling.ratio * v[0]).abs())])
+        {
+            let mut standard = vec![0.0; arm.standard_names().len()];
+            standard[own + term] = 1.0;
+            let mut tau = [0.0; 2];
+            arm.inverse_dynamics(&states, &standard, &mut tau);
+            assert!((tau[0] * v[0] + tau[1] * v[1] - power).abs() < 1e-12, "term {term}");
+            let mut entries = vec![0.0; arm.base_pattern().len()];
+            arm.base_regressor(&states, &mut entries);
+            let base = arm.base_parameters().len() - TERMS.len() + term;
+            for (&(joint, column), entry) in arm.base_pattern().iter().zip(&entries) {
+                if column == base {
+                    assert_eq!(*entry, tau[joint], "term {term}, joint {joint}");
+                }
+            }
+        }
+        assert!(arm.base_pattern().is_sorted());
+    }
+}

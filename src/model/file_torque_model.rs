@@ -1,0 +1,185 @@
+//! [`TorqueModel`] by the tapes of a robot file with its effects: the numbers that its generated
+//! code gives.
+
+use dh_codegen::arm::param::Parameter;
+use dh_codegen::arm::{Function, param};
+use dh_codegen::drive::{self, Behind, Memory, Spring};
+use dh_codegen::interpret::{Room, State};
+use dh_codegen::robot::{Laws, Robot};
+use dh_codegen::runtime::Scalar;
+
+use crate::model::interpreted::Interpreted;
+use crate::model::{Arm, States, TorqueModel};
+
+/// A robot that has no inertial parameters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "the inertial parameters of every link are needed; add a `links:` list with one entry per joint, or identify them (`denavit identify`)"
+)]
+pub struct NoLinks;
+
+/// A robot with everything that its file knows of it.
+pub struct FileTorqueModel {
+    arm: Interpreted,
+    standard: Vec<f64>,
+    laws: Vec<Laws>,
+    /// `standard` without what belongs to drives.
+    bodies: Vec<f64>,
+}
+
+impl FileTorqueModel {
+    /// Of this robot.
+    pub fn new(robot: &Robot) -> Result<Self, NoLinks> {
+        let standard = param::standard_values(&robot.as_it_is()).ok_or(NoLinks)?;
+        Ok(Self {
+            arm: Interpreted::with_effects(robot, &[Function::DriveTorques, Function::RigidDynamics]),
+            bodies: param::standard(&robot.as_it_is())
+                .iter()
+                .zip(&standard)
+                .map(|(p, &v)| if matches!(p, Parameter::Link(..)) { v } else { 0.0 })
+                .collect(),
+            standard,
+            laws: robot.laws(),
+        })
+    }
+
+    /// Torques of the bodies, rotors and plain friction alone.
+    pub fn rigid(&self, states: &States, out: &mut [f64]) {
+        self.arm.run(Function::RigidDynamics, states, &[], &self.standard, out);
+    }
+
+    /// The effects of each drive.
+    pub fn laws(&self) -> &[Laws] {
+        &self.laws
+    }
+
+    /// Along recorded motion without any delay; `late` moves the clock of the drives.
+    fn remembered(&self, time: &[f64], late: f64, states: &States, temperature: &[f64], out: &mut [f64]) {
+        let (n, len, p) = (self.dof(), states.len, self.standard.len());
+        let memory: Vec<Memory> = self.laws.iter().map(Laws::memory).collect();
+        // Parameters, then bristles, then warmth: see `Function::DriveTorques`.
+        let mut parameters = self.standard.clone();
+        parameters.resize(p + 2 * n, 0.0);
+        let (mut q, mut dq, mut ddq, mut tau) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; n]);
+        let (mut room, mut start) = (Room::default(), 0);
+        let springs: Vec<Spring> = self.laws.iter().map(Laws::gear).collect();
+        let swings = springs.iter().any(|s| s.stiffness > 0.0);
+        let (mut behind, mut still): (Vec<Behind<f64>>, Vec<Behind<f64>>) = (vec![[0.0; 3]; n], vec![[0.0; 3]; n]);
+        let (mut work, mut kernel) = (vec![0.0; n * (n + 2)], Room::default());
+        for s in 0..len {
+            let fresh = s == 0 || time[s] <= time[s - 1];
+            if fresh {
+                start = s;
+            }
+            for k in 0..n {
+                let at = k * len + s;
+                let z = &mut parameters[p + k];
+                *z = if fresh { states.dq[at].sign() } else { memory[k].bent(*z, states.q[at] - q[k]) };
+                let since = (time[s] - time[start] - late).max(0.0);
+                let degrees = temperature.get(at).copied().unwrap_or(memory[k].reference);
+                parameters[p + n + k] = memory[k].warmth(since, degrees);
+                (q[k], dq[k], ddq[k]) = (states.q[at], states.dq[at], states.ddq[at]);
+            }
+            let state = State { q: &q, dq: &dq, ddq: &ddq, tau: &[], parameters: &parameters };
+            self.arm.run_one(Function::DriveTorques, &state, &mut room, &mut tau);
+            if swings && !fresh {
+                let mut bodies = |behind: &[Behind<f64>], out: &mut [f64]| {
+                    let less = |x: &[f64], which: usize| -> Vec<f64> {
+                        x.iter().zip(behind).map(|(x, b)| x - b[which]).collect()
+                    };
+                    let (q, dq, ddq) = (less(&q, 0), less(&dq, 1), less(&ddq, 2));
+                    let state = State { q: &q, dq: &dq, ddq: &ddq, tau: &[], parameters: &self.bodies };
+                    self.arm.run_one(Function::RigidDynamics, &state, &mut kernel, out);
+                };
+                // At the first step the links hang at ease; from the second on they swing.
+                let dt = time[s] - time[s - 1];
+                match s - start {
+                    1 => drive::at_ease(&springs, &mut behind, &mut work[..n], &mut bodies),
+                    2 => drive::let_go(&springs, dt, &mut behind, &mut work[..2 * n], &mut bodies),
+                    _ => drive::swing(&springs, dt, &mut behind, &mut work, &mut bodies),
+                }
+                drive::swung(&springs, &behind, &mut still, &mut work[..2 * n], &mut tau, &mut bodies);
+            }
+            (0..n).for_each(|k| out[k * len + s] = tau[k]);
+        }
+    }
+}
+
+impl TorqueModel for FileTorqueModel {
+    fn dof(&self) -> usize {
+        self.arm.dof()
+    }
+
+    fn torques(&self, states: &States, out: &mut [f64]) {
+        self.arm.run(Function::InverseDynamics, states, &[], &self.standard, out);
+    }
+
+    fn torques_along(&self, time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]) {
+        let (n, len) = (self.dof(), states.len);
+        let delays = self.delays();
+        let mut distinct: Vec<f64> = delays.clone();
+        distinct.sort_by(f64::total_cmp);
+        distinct.dedup();
+        let mut all = vec![0.0; n * len];
+        for late in distinct {
+            if late == 0.0 {
+                self.remembered(time, late, states, temperature, &mut all);
+            } else {
+                self.remembered(time, late, &earlier(time, states, late, n), temperature, &mut all);
+            }
+            for (k, _) in delays.iter().enumerate().filter(|(_, d)| **d == late) {
+                out[k * len..(k + 1) * len].copy_from_slice(&all[k * len..(k + 1) * len]);
+            }
+        }
+    }
+
+    fn delays(&self) -> Vec<f64> {
+        self.laws.iter().map(|l| l.delay).collect()
+    }
+
+    fn breakaways(&self) -> Vec<Option<f64>> {
+        self.laws.iter().map(|l| l.stribeck.as_ref().and_then(|s| s.breakaway)).collect()
+    }
+
+    fn sensors(&self) -> Vec<[f64; 2]> {
+        self.laws.iter().map(|l| [l.gain, l.offset]).collect()
+    }
+}
+
+/// The motion `late` seconds before each sample: cubics through positions and velocities, and
+/// through velocities and accelerations; lines between accelerations. Before the first sample of a
+/// recording (or after its last, where torques are early) the motion is that sample's.
+fn earlier(time: &[f64], states: &States, late: f64, n: usize) -> States {
+    let len = states.len;
+    let mut out = states.clone();
+    let mut start = 0;
+    while start < len {
+        let end = (start + 1..len).find(|&s| time[s] <= time[s - 1]).unwrap_or(len);
+        let mut i = start;
+        for s in start..end {
+            let t = (time[s] - late).clamp(time[start], time[end - 1]);
+            while i > start && time[i] > t {
+                i -= 1;
+            }
+            while i + 2 < end && time[i + 1] < t {
+                i += 1;
+            }
+            let next = (i + 1).min(end - 1);
+            let h = time[next] - time[i];
+            let f = if h > 0.0 { (t - time[i]) / h } else { 0.0 };
+            for k in 0..n {
+                let (a, b) = (k * len + i, k * len + next);
+                let cubic = |x: &[f64], v: &[f64]| {
+                    let (rise, left, right) = (x[b] - x[a], v[a] * h, v[b] * h);
+                    x[a] + f * (left + f * (3.0 * rise - 2.0 * left - right + f * (left + right - 2.0 * rise)))
+                };
+                let at = k * len + s;
+                out.q[at] = cubic(&states.q, &states.dq);
+                out.dq[at] = cubic(&states.dq, &states.ddq);
+                out.ddq[at] = states.ddq[a] + f * (states.ddq[b] - states.ddq[a]);
+            }
+        }
+        start = end;
+    }
+    out
+}

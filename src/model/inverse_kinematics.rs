@@ -1,0 +1,258 @@
+//! Inverse kinematics of any robot file, without compiling: the text that generated crates carry,
+//! run by the interpreter.
+
+use core::f64::consts::PI;
+
+use dh_codegen::arm::{Inverse, Model};
+use dh_codegen::ik::{Arm, Branch, Family, Query, Reference, Status};
+use dh_codegen::robot::Robot;
+
+pub use dh_codegen::ik::PoseError;
+
+/// One posture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Posture {
+    /// Positions, rad or m, `dof` entries.
+    pub q: Vec<f64>,
+    /// Which posture it is.
+    pub branch: Branch,
+    /// Distance of the last frame's origin from the pose's, m.
+    pub position_error: f64,
+    /// Angle between the last frame and the pose, rad.
+    pub rotation_error: f64,
+    /// Does it respect the limits?
+    pub within_limits: bool,
+    /// Distance to the nearest limit, rad or m; infinite where no joint has one.
+    pub margin: f64,
+    /// Joints, from 0, that can move together and leave the pose as it is.
+    pub free: Vec<usize>,
+}
+
+/// All postures of one pose.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Postures {
+    /// What became of the pose.
+    pub status: Status,
+    /// In the order of their branches, or by distance from the near posture.
+    pub list: Vec<Posture>,
+    /// Of an unreachable pose: how far off the nearest posture that was found is, m and rad.
+    pub distance: [f64; 2],
+    /// How many branches fewer were found than the nominal arm has, and at least one where their
+    /// number is odd.
+    pub lost: u32,
+    /// May one be missing beside those? Some posture of an arm that is only nearly of its family
+    /// lies beside a singularity.
+    pub uncertain: bool,
+    /// The swivel angle, rad, or position of the locked joint that was used.
+    pub redundancy: f64,
+    /// Was the second reference plane used?
+    pub second_plane: bool,
+}
+
+/// Where the swivel angle of one branch may lie.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SwivelRange {
+    /// Which of the eight.
+    pub branch: Branch,
+    /// From and to, rad, ascending within `[-pi, pi]`; one that goes on beyond pi is given in two
+    /// parts.
+    pub intervals: Vec<[f64; 2]>,
+    /// The angle at which the branch stays farthest from its limits, and that distance, rad.
+    pub best: Option<(f64, f64)>,
+}
+
+/// What is asked beside the pose.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ask {
+    /// Of a redundant arm: swivel angle, rad, or position of the locked joint, rad or m.
+    pub redundancy: f64,
+    /// From where the swivel angle is counted.
+    pub reference: Reference,
+    /// A posture: free joints and whole turns are taken near it, and nearest solutions stand first.
+    pub near: Option<Vec<f64>>,
+    /// What may be left to the pose, m and rad.
+    pub tolerance: f64,
+    /// Newton's steps at most on a branch that is not exact as it stands: see [`Query::steps`].
+    pub steps: usize,
+}
+
+impl Default for Ask {
+    fn default() -> Self {
+        let Query { redundancy, reference, tolerance, steps, .. } = Query::<1>::default();
+        Self { redundancy, reference, near: None, tolerance, steps }
+    }
+}
+
+/// Postures of a pose, and where its swivel angle may be, for an arm that has one.
+pub type Answer = (Postures, Option<Vec<SwivelRange>>);
+
+/// Arms of each size behind one door.
+trait Solver: Send + Sync {
+    fn solve(&self, pose: &[[f64; 4]; 3], ask: &Ask) -> Result<Postures, PoseError>;
+    fn redundancy(&self, q: &[f64], reference: &Reference) -> f64;
+    fn best_redundancy(&self, pose: &[[f64; 4]; 3], reference: &Reference) -> Result<Option<f64>, PoseError>;
+    fn swivel_ranges(&self, pose: &[[f64; 4]; 3], reference: &Reference)
+    -> Result<Option<Vec<SwivelRange>>, PoseError>;
+}
+
+/// At how many positions of a joint that is locked the margins are compared.
+const POSITIONS: usize = 48;
+
+impl<const N: usize> Solver for Arm<N> {
+    fn solve(&self, pose: &[[f64; 4]; 3], ask: &Ask) -> Result<Postures, PoseError> {
+        let near: Option<[f64; N]> = ask.near.as_ref().and_then(|q| q.as_slice().try_into().ok());
+        let query = Query {
+            redundancy: ask.redundancy,
+            reference: ask.reference,
+            near: near.as_ref(),
+            tolerance: ask.tolerance,
+            steps: ask.steps,
+        };
+        let found = Arm::solve(self, pose, &query)?;
+        let list = found.as_slice().iter().map(|s| Posture {
+            q: s.q.to_vec(),
+            branch: s.branch,
+            position_error: s.position_error,
+            rotation_error: s.rotation_error,
+            within_limits: s.within_limits,
+            margin: s.margin,
+            free: (0..N).filter(|j| s.free >> j & 1 == 1).collect(),
+        });
+        Ok(Postures {
+            status: found.status,
+            list: list.collect(),
+            distance: found.distance,
+            lost: found.lost,
+            uncertain: found.uncertain,
+            redundancy: found.redundancy,
+            second_plane: found.second_plane,
+        })
+    }
+
+    fn redundancy(&self, q: &[f64], reference: &Reference) -> f64 {
+        q.try_into().map_or(0.0, |q| Arm::redundancy(self, q, reference))
+    }
+
+    fn best_redundancy(&self, pose: &[[f64; 4]; 3], reference: &Reference) -> Result<Option<f64>, PoseError> {
+        let mut best: Option<(f64, f64)> = None;
+        let mut offer = |at: f64, margin: f64| {
+            if best.is_none_or(|(_, most)| margin > most) {
+                best = Some((at, margin));
+            }
+        };
+        match &self.family {
+            Family::Swivel(_) => {
+                for range in Solver::swivel_ranges(self, pose, reference)?.unwrap_or_default() {
+                    if let Some((at, margin)) = range.best {
+                        offer(at, margin);
+                    }
+                }
+            }
+            Family::Locked { joint, .. } => {
+                let [low, high] = self.limits[usize::from(*joint)].unwrap_or([-PI, PI]);
+                for k in 0..POSITIONS {
+                    let at = low + (high - low) * (k as f64 + 0.5) / POSITIONS as f64;
+                    let query = Query { redundancy: at, reference: *reference, ..Query::default() };
+                    if let Some(s) = Arm::solve(self, pose, &query)?.safest() {
+                        offer(at, s.margin);
+                    }
+                }
+            }
+            _ => {}
+        }
+        Ok(best.map(|(at, _)| at))
+    }
+
+    fn swivel_ranges(
+        &self,
+        pose: &[[f64; 4]; 3],
+        reference: &Reference,
+    ) -> Result<Option<Vec<SwivelRange>>, PoseError> {
+        let mut ranges = Vec::with_capacity(8);
+        // In the order of the solutions.
+        for k in 0..8 {
+            let sign = |bit: usize| if k >> bit & 1 == 0 { 1 } else { -1 };
+            let (shoulder, elbow, wrist) = (sign(1), sign(2), sign(0));
+            let branch = Branch { shoulder, elbow, wrist, root: 0, numerical: false };
+            let Some(intervals) = self.swivel_intervals(pose, branch, reference)? else { return Ok(None) };
+            let intervals = intervals.iter().map(|i| [i.from, i.to]).collect();
+            ranges.push(SwivelRange { branch, intervals, best: self.best_swivel(pose, branch, reference)? });
+        }
+        Ok(Some(ranges))
+    }
+}
+
+/// The inverse of one robot.
+pub struct Kinematics {
+    inverse: Inverse,
+    solver: Box<dyn Solver>,
+}
+
+/// The most joints that are solved for.
+pub const MOST: usize = 8;
+
+impl Kinematics {
+    /// Of a robot; `None` where it has more than [`MOST`] joints.
+    pub fn new(robot: &Robot, model: &Model) -> Option<Self> {
+        let inverse = Inverse::new(model.chain());
+        let limits: Vec<_> = robot.moving().iter().map(|&i| robot.joints[i].limits.position).collect();
+        fn boxed<const N: usize>(inverse: &Inverse, limits: &[Option<[f64; 2]>]) -> Option<Box<dyn Solver>> {
+            Some(Box::new(inverse.arm::<N>(limits)?))
+        }
+        let solver = match limits.len() {
+            1 => boxed::<1>(&inverse, &limits),
+            2 => boxed::<2>(&inverse, &limits),
+            3 => boxed::<3>(&inverse, &limits),
+            4 => boxed::<4>(&inverse, &limits),
+            5 => boxed::<5>(&inverse, &limits),
+            6 => boxed::<6>(&inverse, &limits),
+            7 => boxed::<7>(&inverse, &limits),
+            8 => boxed::<MOST>(&inverse, &limits),
+            _ => None,
+        }?;
+        Some(Self { inverse, solver })
+    }
+
+    /// Class and reason.
+    pub fn inverse(&self) -> &Inverse {
+        &self.inverse
+    }
+
+    /// All postures that bring the last DH frame to a pose: the top three rows of its homogeneous
+    /// matrix, m.
+    ///
+    /// # Errors
+    /// If an entry is not finite or the rotation is none.
+    pub fn solve(&self, pose: &[[f64; 4]; 3], ask: &Ask) -> Result<Postures, PoseError> {
+        self.solver.solve(pose, ask)
+    }
+
+    /// Swivel angle or locked joint of a posture; zero for an arm that is not redundant.
+    pub fn redundancy(&self, q: &[f64], reference: &Reference) -> f64 {
+        self.solver.redundancy(q, reference)
+    }
+
+    /// The swivel angle, or one of 48 positions of the locked joint, at which some posture of a
+    /// pose stays farthest from its limits; `None` where no swivel angle respects them, the pose is
+    /// out of reach, or the arm is not redundant.
+    ///
+    /// # Errors
+    /// Like [`Kinematics::solve`].
+    pub fn best_redundancy(&self, pose: &[[f64; 4]; 3], reference: &Reference) -> Result<Option<f64>, PoseError> {
+        self.solver.best_redundancy(pose, reference)
+    }
+
+    /// Where the swivel angle of each of the eight branches may lie under the joint limits, and
+    /// where it is best; `None` for an arm without one. Of an arm that is only nearly of the
+    /// family: those of the nominal arm.
+    ///
+    /// # Errors
+    /// Like [`Kinematics::solve`].
+    pub fn swivel_ranges(
+        &self,
+        pose: &[[f64; 4]; 3],
+        reference: &Reference,
+    ) -> Result<Option<Vec<SwivelRange>>, PoseError> {
+        self.solver.swivel_ranges(pose, reference)
+    }
+}

@@ -1,0 +1,16 @@
+//! The regressor of a body in the hand.
+
+use super::arm::{Arm, States};
+
+/// An arm that can tell what a body in its hand adds to the torques.
+pub trait Payload: Arm {
+    /// Rows and columns of the structural nonzeros of the payload regressor, sorted by row, then
+    /// column. Columns are the body's ten parameters `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool
+    /// frame, about its origin; in the last DH frame where the robot has no tool.
+    fn payload_pattern(&self) -> &[(usize, usize)];
+
+    /// The payload regressor at every sample: entry `k` of [`Payload::payload_pattern`] at sample
+    /// `s` goes to `out[k * len + s]`. A body adds `W_L Phi_L` to the torques (the paper's equation
+    /// 7).
+    fn payload_regressor(&self, states: &States, out: &mut [f64]);
+}

@@ -1,0 +1,250 @@
+//! A [`PerturbableArm`] made of a robot: the generated tapes for the arm as it is, the numeric
+//! recursion for the arm as it might be.
+
+use dh_codegen::arm::param::{self, Parameter};
+use dh_codegen::robot::{Angle, Effect, Inertia, Length, Robot};
+use nalgebra::Matrix3;
+
+use crate::model::file_torque_model::FileTorqueModel;
+use crate::model::interpreted::Interpreted;
+use crate::model::rigid_body::Numeric;
+use crate::model::robot_edit;
+use crate::model::{Arm, Change, Description, LikelyBodies, PerturbableArm, States, TorqueModel};
+
+/// A robot whose geometry can be questioned; zeros, lengths, base and bodies as the effects of its
+/// file say that they are.
+pub struct PerturbableRobot {
+    /// As its file has it.
+    file: Robot,
+    /// As it is.
+    robot: Robot,
+    /// All that the file knows, and what it knows but for the laws of its drives; where it knows
+    /// such.
+    known: Option<(FileTorqueModel, FileTorqueModel)>,
+    delays: Vec<f64>,
+    arm: Interpreted,
+    numeric: Numeric,
+    rows: Vec<usize>,
+    gears: Vec<Option<f64>>,
+    given: Option<Vec<f64>>,
+}
+
+impl PerturbableRobot {
+    /// Of this robot.
+    pub fn new(robot: &Robot) -> Self {
+        let rows = robot.moving();
+        let file = robot.clone();
+        let robot = if file.has_effects() { file.as_it_is() } else { file.clone() };
+        Self {
+            arm: Interpreted::new(&robot, &[]),
+            numeric: Numeric::new(&robot),
+            gears: rows.iter().map(|&row| robot.joints[row].drive.gear_ratio).collect(),
+            given: param::standard_values(&robot),
+            known: if file.has_effects() { laws(&file, &robot) } else { None },
+            delays: file.laws().iter().map(|l| l.delay).collect(),
+            robot,
+            file,
+            rows,
+        }
+    }
+}
+
+/// Predictors of a file and of the arm as it is without its drives' laws, both as late.
+fn laws(file: &Robot, real: &Robot) -> Option<(FileTorqueModel, FileTorqueModel)> {
+    let late = |e: &Effect| e.name == "time_delay";
+    let mut plain = real.clone();
+    plain.effects.retain(late);
+    plain.joints.iter_mut().for_each(|joint| joint.drive.effects.retain(late));
+    let mut file = file.clone();
+    if real.links.is_empty() {
+        // Without links the laws act on drives that carry nothing.
+        for robot in [&mut file, &mut plain] {
+            robot.links = vec![Some(Inertia::from_array([0.0; 10])); robot.joints.len()];
+        }
+    }
+    Some((FileTorqueModel::new(&file).ok()?, FileTorqueModel::new(&plain).ok()?))
+}
+
+/// The robot with a change in it.
+fn changed(robot: &Robot, change: &Change) -> Robot {
+    let mut robot = robot.clone();
+    match *change {
+        Change::Base { roll, pitch } => {
+            // Gravity in the axes of the turned base: (RotY(pitch) RotX(roll))' g.
+            let [x, y, z] = robot.gravity;
+            let ((sp, cp), (sr, cr)) = (pitch.sin_cos(), roll.sin_cos());
+            let [x, z] = [cp * x - sp * z, sp * x + cp * z];
+            robot.gravity = [x, cr * y + sr * z, cr * z - sr * y];
+        }
+        Change::Row { row, alpha, d, theta, r } => {
+            let joint = &mut robot.joints[row];
+            let turned =
+                |angle: &Angle, by: f64| if by == 0.0 { angle.clone() } else { Angle::radians(angle.value + by) };
+            let longer = |length: &Length, by: f64| Length::meters(length.value + by);
+            (joint.alpha, joint.theta) = (turned(&joint.alpha, alpha), turned(&joint.theta, theta));
+            (joint.d, joint.r) = (longer(&joint.d, d), longer(&joint.r, r));
+        }
+    }
+    robot
+}
+
+/// Calls `f` with each sample of `states`, its number first.
+fn each(states: &States, dof: usize, mut f: impl FnMut(usize, &[f64], &[f64], &[f64])) {
+    let (mut q, mut dq, mut ddq) = (vec![0.0; dof], vec![0.0; dof], vec![0.0; dof]);
+    for s in 0..states.len {
+        for j in 0..dof {
+            let at = j * states.len + s;
+            (q[j], dq[j], ddq[j]) = (states.q[at], states.dq[at], states.ddq[at]);
+        }
+        f(s, &q, &dq, &ddq);
+    }
+}
+
+impl PerturbableArm for PerturbableRobot {
+    fn rows(&self) -> &[usize] {
+        &self.rows
+    }
+
+    fn gear_ratios(&self) -> &[Option<f64>] {
+        &self.gears
+    }
+
+    fn given(&self) -> Option<&[f64]> {
+        self.given.as_deref()
+    }
+
+    fn given_drive(&self, index: usize) -> f64 {
+        match param::standard(&self.robot).get(index) {
+            Some(Parameter::Drive(row, term)) => param::drive_value(&self.robot, *row, *term).unwrap_or(0.0),
+            _ => 0.0,
+        }
+    }
+
+    fn effects(&self) -> Vec<(String, Option<usize>)> {
+        let dof = |row: usize| self.rows.iter().position(|r| *r == row);
+        let own = self.file.joints.iter().enumerate().flat_map(|(row, joint)| {
+            joint.drive.effects.iter().filter_map(move |e| Some((e.name.clone(), Some(dof(row)?))))
+        });
+        own.chain(self.file.effects.iter().map(|e| (e.name.clone(), None))).collect()
+    }
+
+    fn delays(&self) -> Vec<f64> {
+        self.delays.clone()
+    }
+
+    fn known(&self, time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]) -> bool {
+        let Some((whole, plain)) = &self.known else { return false };
+        let mut rest = vec![0.0; out.len()];
+        whole.torques_along(time, states, temperature, out);
+        plain.torques_along(time, states, temperature, &mut rest);
+        out.iter_mut().zip(&rest).for_each(|(out, rest)| *out -= rest);
+        true
+    }
+
+    fn settling(&self) -> Vec<f64> {
+        self.file.laws().iter().map(|l| l.hysteresis.map_or(0.0, |[_, travel]| 4.0 * travel.abs())).collect()
+    }
+
+    fn bodies(&self) -> Option<LikelyBodies> {
+        Some(LikelyBodies {
+            prior: robot_edit::prior(&self.robot, &self.arm),
+            carried: robot_edit::carried(&self.robot),
+        })
+    }
+
+    fn without(&self, effects: &[(String, Option<usize>)]) -> Option<Box<dyn PerturbableArm>> {
+        Some(Box::new(Self::new(&robot_edit::without(self.file.clone(), effects))))
+    }
+
+    fn changed_dynamics(&self, change: &Change, states: &States, standard: &[f64], out: &mut [f64]) {
+        let numeric = Numeric::new(&changed(&self.robot, change));
+        let (mut work, mut tau) = (numeric.workspace(), vec![0.0; self.dof()]);
+        each(states, self.dof(), |s, q, dq, ddq| {
+            numeric.inverse_dynamics_into(&mut work, q, dq, ddq, standard, &mut tau);
+            tau.iter().enumerate().for_each(|(j, t)| out[j * states.len + s] = *t);
+        });
+    }
+
+    fn wrench_columns(&self, states: &States, base: bool, out: &mut [f64]) {
+        let dof = self.dof();
+        each(states, dof, |s, q, _, _| {
+            let jacobian = self.numeric.jacobian(q);
+            let Some(frame) = self.numeric.frames(q).pop() else { return };
+            let turn = if base { Matrix3::identity() } else { frame.fixed_view::<3, 3>(0, 0).transpose() };
+            for j in 0..dof {
+                let force = turn * jacobian.fixed_view::<3, 1>(0, j);
+                let moment = turn * jacobian.fixed_view::<3, 1>(3, j);
+                for c in 0..3 {
+                    out[(c * dof + j) * states.len + s] = force[c];
+                    out[((c + 3) * dof + j) * states.len + s] = moment[c];
+                }
+            }
+        });
+    }
+}
+
+impl Arm for PerturbableRobot {
+    fn description(&self) -> &Description {
+        self.arm.description()
+    }
+
+    fn base_regressor(&self, states: &States, out: &mut [f64]) {
+        self.arm.base_regressor(states, out);
+    }
+
+    fn inverse_dynamics(&self, states: &States, standard: &[f64], out: &mut [f64]) {
+        self.arm.inverse_dynamics(states, standard, out);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn swinging() -> (PerturbableRobot, States, Vec<f64>) {
+        let robot =
+            Robot::from_yaml(include_str!("../../robots/kuka-lwr4.yaml"), &|_| Err("none".into())).unwrap().robot;
+        let plant = PerturbableRobot::new(&robot);
+        let wave = |k: f64| (0..21).map(|i| k * (0.7 * f64::from(i) + 0.3 * k).sin()).collect::<Vec<f64>>();
+        let states = States { len: 3, q: wave(1.0), dq: wave(0.6), ddq: wave(2.0) };
+        let given = plant.given().unwrap().to_vec();
+        (plant, states, given)
+    }
+
+    #[test]
+    fn no_change_is_the_arm_itself() {
+        let (plant, states, given) = swinging();
+        let (mut plain, mut changed) = (vec![0.0; 21], vec![0.0; 21]);
+        plant.inverse_dynamics(&states, &given, &mut plain);
+        let nothing = Change::Row { row: 2, alpha: 0.0, d: 0.0, theta: 0.0, r: 0.0 };
+        for change in [nothing, Change::Base { roll: 0.0, pitch: 0.0 }] {
+            plant.changed_dynamics(&change, &states, &given, &mut changed);
+            assert!(plain.iter().zip(&changed).all(|(a, b)| (a - b).abs() < 1e-10));
+        }
+    }
+
+    #[test]
+    fn a_turned_row_is_a_shifted_joint() {
+        let (plant, states, given) = swinging();
+        let (mut one, mut other) = (vec![0.0; 21], vec![0.0; 21]);
+        plant.changed_dynamics(
+            &Change::Row { row: 3, alpha: 0.0, d: 0.0, theta: 0.2, r: 0.0 },
+            &states,
+            &given,
+            &mut one,
+        );
+        let mut shifted = states.clone();
+        shifted.q[9..12].iter_mut().for_each(|q| *q += 0.2);
+        plant.inverse_dynamics(&shifted, &given, &mut other);
+        assert!(one.iter().zip(&other).all(|(a, b)| (a - b).abs() < 1e-10));
+    }
+
+    #[test]
+    fn the_power_of_a_wrench() {
+        let (plant, states, _) = swinging();
+        let mut columns = vec![0.0; 6 * 21];
+        plant.wrench_columns(&states, false, &mut columns);
+        // Of a moment about the last axis the last joint carries all.
+        assert!((0..3).all(|s| (columns[(5 * 7 + 6) * 3 + s] - 1.0).abs() < 1e-12));
+    }
+}

@@ -1,0 +1,93 @@
+//! Edits of a robot file: identified values, couplings, effects taken out.
+
+use crate::model::LinkExtents;
+use crate::model::coupled::{self, Coupling};
+use crate::model::likely_bodies::{PriorBody, geometric_bodies, prior_bodies};
+use dh_codegen::arm::param::{self, DriveTerm, Parameter};
+use dh_codegen::robot::{Effect, Inertia, Robot};
+
+/// The robot with these standard parameters; what the tool contributes to the last link is taken
+/// out again.
+pub fn with_values(mut robot: Robot, standard: &[f64]) -> Robot {
+    let parameters = param::standard(&robot);
+    let mut links = vec![[0.0; 10]; robot.joints.len()];
+    for (parameter, &value) in parameters.iter().zip(standard) {
+        match *parameter {
+            Parameter::Link(row, which) => links[row][which as usize] = value,
+            Parameter::Drive(row, term) => {
+                let drive = &mut robot.joints[row].drive;
+                *match term {
+                    DriveTerm::IA => &mut drive.rotor_inertia,
+                    DriveTerm::FV => &mut drive.viscous_friction,
+                    DriveTerm::FC => &mut drive.coulomb_friction,
+                    DriveTerm::FO => &mut drive.offset,
+                } = Some(value);
+            }
+        }
+    }
+    if let (Some(tool), Some(last)) = (&robot.tool, links.last_mut())
+        && let Some(inertia) = &tool.inertia
+    {
+        let carried = inertia.moved(&tool.rotation(), &tool.xyz).to_array();
+        last.iter_mut().zip(carried).for_each(|(l, c)| *l -= c);
+    }
+    robot.links = links.into_iter().map(|l| Some(Inertia::from_array(l))).collect();
+    robot
+}
+
+/// The couplings that the robot's drives name, with what the file says of their [`coupled::TERMS`]
+/// (zero: not known yet). (The reader of robot files refuses one whose `joint` is no other moving
+/// joint.)
+pub fn couplings(robot: &Robot) -> Vec<(Coupling, [f64; 3])> {
+    let moving = robot.moving();
+    let dof_of = |row: usize| moving.iter().position(|&r| r == row);
+    let read = |(row, effect): &(usize, Effect)| {
+        let value = |key: &str| effect.parameters.iter().find(|(k, _)| k == key).map(|(_, v)| *v);
+        let other = (value("joint")? as usize).checked_sub(1).and_then(dof_of)?;
+        let motor = dof_of(*row).filter(|&motor| motor != other)?;
+        let coupling = Coupling { row: *row, motor, other, ratio: value("KC").unwrap_or(1.0) };
+        Some((coupling, coupled::TERMS.map(|(key, _)| value(key).unwrap_or(0.0))))
+    };
+    robot.all_effects().joints.iter().filter(|(_, effect)| effect.name == "gear_coupling").filter_map(read).collect()
+}
+
+/// The robot with these values of its [`couplings`], in their order, three each.
+pub fn with_couplings(mut robot: Robot, values: &[f64]) -> Robot {
+    for ((coupling, _), values) in couplings(&robot).into_iter().zip(values.chunks_exact(coupled::TERMS.len())) {
+        let effects = &mut robot.joints[coupling.row].drive.effects;
+        let Some(effect) = effects.iter_mut().find(|e| e.name == "gear_coupling") else { continue };
+        for ((key, _), &value) in coupled::TERMS.iter().zip(values) {
+            match effect.parameters.iter_mut().find(|(k, _)| k == key) {
+                Some((_, old)) => *old = value,
+                None => effect.parameters.push((key.to_string(), value)),
+            }
+        }
+    }
+    robot
+}
+
+/// The bodies of the robot file, or guesses from the geometry for those that it does not have.
+pub fn prior(robot: &Robot, arm: &dyn LinkExtents) -> Vec<PriorBody> {
+    let known: Vec<Option<[f64; 10]>> = robot.links.iter().map(|l| l.as_ref().map(|l| l.to_array())).collect();
+    prior_bodies(&known, &geometric_bodies(&arm.ends()))
+}
+
+/// The tool, in the last link's frame: link (from 0) and the ten parameters.
+pub fn carried(robot: &Robot) -> Vec<(usize, [f64; 10])> {
+    let tool = robot.tool.as_ref().and_then(|tool| Some((tool, tool.inertia.as_ref()?)));
+    let moved = tool.map(|(tool, inertia)| inertia.moved(&tool.rotation(), &tool.xyz).to_array());
+    moved.map(|body| (robot.joints.len().saturating_sub(1), body)).into_iter().collect()
+}
+
+/// The robot without some of its effects: identifier, and joint (degree of freedom, from 0) or
+/// `None` for one of the whole robot.
+pub fn without(mut robot: Robot, effects: &[(String, Option<usize>)]) -> Robot {
+    let moving = robot.moving();
+    for (name, joint) in effects {
+        match joint.and_then(|j| moving.get(j)) {
+            Some(&row) => robot.joints[row].drive.effects.retain(|e| e.name != *name),
+            None => robot.effects.retain(|e| e.name != *name),
+        }
+    }
+    robot
+}

@@ -1,0 +1,33 @@
+//! Torques with every known effect of a robot file.
+
+use super::arm::States;
+
+/// An arm whose torque sensors can be foretold: bodies, drives, and every effect that is known of
+/// them.
+///
+/// Torques are what the sensors say, N m, joint-major like the states, `dof * len`.
+pub trait TorqueModel: Sync {
+    /// Degrees of freedom, `n`.
+    fn dof(&self) -> usize;
+
+    /// From the present state alone: friction with memory has slipped (`sign(dq)`), gears are warm,
+    /// nothing is late.
+    fn torques(&self, states: &States, out: &mut [f64]);
+
+    /// Along recorded motion: `time` (s, one per sample; where it does not rise another recording
+    /// begins) lets bristles bend, gears warm and torques be late; `temperature` (deg C,
+    /// joint-major) may be empty.
+    fn torques_along(&self, time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]);
+
+    /// How late each joint's torque is, s.
+    fn delays(&self) -> Vec<f64>;
+
+    /// What each joint's sensor makes of its true torque: gain, and offset (N m) that is added.
+    /// True torques, as a controller has to command them, are `(measured - offset) / gain`.
+    fn sensors(&self) -> Vec<[f64; 2]>;
+
+    /// Breakaway level of each joint's static friction, N m, where a law of its drive gives one.
+    fn breakaways(&self) -> Vec<Option<f64>> {
+        vec![None; self.dof()]
+    }
+}

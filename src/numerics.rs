@@ -1,0 +1,10 @@
+//! Numerical methods that know no robot: filters, splines, integrators, direct search.
+
+pub(crate) mod butterworth;
+pub(crate) mod chebyshev;
+pub(crate) mod cholesky;
+pub mod elastic_joint;
+pub(crate) mod integrators;
+pub(crate) mod pattern_search;
+pub mod prng;
+pub(crate) mod sos;

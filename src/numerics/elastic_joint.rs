@@ -1,0 +1,136 @@
+//! A spring between a motor and its link, along a motion of the motor.
+//!
+//! With `d` the angle of the motor before the link, the link's own equation (M. W. Spong, *Modeling
+//! and control of elastic joint robots*, J. Dyn. Sys. Meas. Control 109, 1987) to first order in
+//! `d` is `m d'' + (D + c) d' + (K + g) d = f`: `f` the torque of the arm as if its link stood
+//! where the motor is, `m`, `c`, `g` how that changes with the link's acceleration, velocity and
+//! position, `K` and `D` spring and damper. Motions of other joints act through `f`. Solved by the
+//! trapezoidal rule, which neither damps nor grows.
+
+/// What the link asks for, at evenly spaced instants.
+#[derive(Debug, Clone, Copy)]
+pub struct LinkLoad<'a> {
+    /// `f`, N m.
+    pub load: &'a [f64],
+    /// `m`, kg m^2.
+    pub inertia: &'a [f64],
+    /// `c`, N m s/rad.
+    pub damping: &'a [f64],
+    /// `g`, N m/rad.
+    pub stiffness: &'a [f64],
+    /// Spacing, s.
+    pub step: f64,
+}
+
+/// Spring and damper of a joint.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spring {
+    /// `K`, N m/rad.
+    pub stiffness: f64,
+    /// `D`, N m s/rad.
+    pub damping: f64,
+}
+
+/// Angle of the motor before the link, rad, with its first and second derivatives.
+pub type Deflection = [Vec<f64>; 3];
+
+/// Share of a radian of the oscillation that one step of the rule may take.
+const FINE: f64 = 0.1;
+/// The most steps from instant to instant: what oscillates faster follows its load.
+const MOST: f64 = 40.0;
+
+impl Spring {
+    /// Where the load winds the spring if nothing swings: angle and rate at the first instant.
+    pub fn quasi_static(self, asked: &LinkLoad<'_>) -> [f64; 2] {
+        let stiffness = |k: usize| self.stiffness + asked.stiffness[k];
+        match asked.load {
+            [] => [0.0; 2],
+            [only] => [only / stiffness(0), 0.0],
+            [first, second, ..] => {
+                let (here, next) = (first / stiffness(0), second / stiffness(1));
+                [here, (next - here) / asked.step]
+            }
+        }
+    }
+
+    /// From angle and rate at the first instant on.
+    pub fn integrate(self, asked: &LinkLoad<'_>, start: [f64; 2]) -> Deflection {
+        let len = asked.load.len();
+        let [mut angle, mut rate, mut second] = std::array::from_fn(|_| Vec::with_capacity(len));
+        let [mut x, mut v] = start;
+        let last = len.saturating_sub(1);
+        for k in 0..len {
+            let [m, d, s] = self.at(asked, k);
+            angle.push(x);
+            rate.push(v);
+            second.push((asked.load[k] - d * v - s * x) / m);
+            if k == last {
+                break;
+            }
+            let [m1, d1, s1] = self.at(asked, k + 1);
+            let parts = (asked.step * (s.max(s1).max(0.0) / m.min(m1)).sqrt() / FINE).ceil().clamp(1.0, MOST);
+            let h = asked.step / parts;
+            let near =
+                [asked.load[k.saturating_sub(1)], asked.load[k], asked.load[k + 1], asked.load[(k + 2).min(last)]];
+            for part in 0..parts as usize {
+                let f = (part as f64 + 0.5) / parts;
+                let between = |a: f64, b: f64| a + f * (b - a);
+                let (m, d, s) = (between(m, m1), between(d, d1), between(s, s1));
+                // The middle of the step holds for all of it.
+                let a = (cubic(near, f) - d * v - s * (x + 0.5 * h * v)) / (m + 0.5 * h * d + 0.25 * h * h * s);
+                x += h * (v + 0.5 * h * a);
+                v += h * a;
+            }
+        }
+        [angle, rate, second]
+    }
+
+    fn at(self, asked: &LinkLoad<'_>, k: usize) -> [f64; 3] {
+        [asked.inertia[k], self.damping + asked.damping[k], self.stiffness + asked.stiffness[k]]
+    }
+}
+
+/// Catmull and Rom's cubic between the second and the third of four even values.
+fn cubic([a, b, c, d]: [f64; 4], s: f64) -> f64 {
+    let (rise, left, right) = (c - b, 0.5 * (c - a), 0.5 * (d - b));
+    b + s * (left + s * (3.0 * rise - 2.0 * left - right + s * (left + right - 2.0 * rise)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A load that begins at once, and one that swings: against the closed solutions of the damped
+    /// oscillator.
+    #[test]
+    fn it_is_the_damped_oscillator() {
+        let (m, c, k) = (2.0, 4.0, 1800.0);
+        let spring = Spring { stiffness: k, damping: c };
+        let len = 400;
+        let (inertia, none) = (vec![m; len], vec![0.0; len]);
+        let asked = |load, step| LinkLoad { load, inertia: &inertia, damping: &none, stiffness: &none, step };
+        let w0 = f64::sqrt(k / m);
+        let z = c / (2.0 * f64::sqrt(k * m));
+        let wd = w0 * f64::sqrt(1.0 - z * z);
+        let step = 0.01;
+        let load = vec![9.0; len];
+        let [x, v, a] = spring.integrate(&asked(&load, step), [0.0; 2]);
+        for i in 0..len {
+            let t = i as f64 * step;
+            let ring = f64::exp(-z * w0 * t) * ((wd * t).cos() + z * w0 / wd * (wd * t).sin());
+            assert!((x[i] - 9.0 / k * (1.0 - ring)).abs() < 0.02 * 9.0 / k, "{i}: {}", x[i]);
+            assert!((m * a[i] + c * v[i] + k * x[i] - 9.0).abs() < 1e-9, "{i}");
+        }
+        let w = 9.0;
+        let load: Vec<f64> = (0..len).map(|i| (w * i as f64 * step).sin()).collect();
+        let [x, v, _] = spring.integrate(&asked(&load, step), [0.0; 2]);
+        let (re, im) = (k - m * w * w, c * w);
+        let size = 1.0 / f64::hypot(re, im);
+        for i in 350..len {
+            let p = w * i as f64 * step - f64::atan2(im, re);
+            assert!((x[i] - size * p.sin()).abs() < 0.02 * size && (v[i] - w * size * p.cos()).abs() < 0.03 * w * size);
+        }
+        let [angle, _] = spring.quasi_static(&asked(&[9.0], step));
+        assert!((angle - 9.0 / k).abs() < 1e-15);
+    }
+}

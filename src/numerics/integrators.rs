@@ -1,0 +1,167 @@
+//! Integration with error control. [`rosenbrock`] for what is stiff, [`dormand_prince`] for what is
+//! not.
+
+pub(crate) mod dormand_prince;
+pub(crate) mod rosenbrock;
+
+/// How the integrator works.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Solver {
+    /// Which method.
+    pub method: Method,
+    /// Relative error of a step; absolute errors are a hundredth of it in rad, all of it in rad/s.
+    pub tolerance: f64,
+    /// Longest step, s.
+    pub longest: f64,
+}
+
+/// A method of the literature.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// The first where there is a loop, friction, elasticity, backlash or contact, else the second.
+    Auto,
+    /// ROS34PW2, order 3 with an error estimate of order 2, L-stable.
+    Rosenbrock,
+    /// Dormand and Prince's pair of orders 5 and 4.
+    DormandPrince,
+}
+
+impl Default for Solver {
+    fn default() -> Self {
+        Self { method: Method::Auto, tolerance: 1e-7, longest: 0.01 }
+    }
+}
+
+/// Why the integration stopped.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum Breakdown {
+    /// No bodies have such a mass matrix.
+    #[error(
+        "at {time:.4} s the mass matrix is not positive definite at joint {joint}: the inertial parameters are not those of possible bodies; give the robot file consistent links, or the joint a rotor inertia"
+    )]
+    Mass {
+        /// Number of the coordinate, from 1.
+        joint: usize,
+        /// s
+        time: f64,
+    },
+    /// Steps became too short.
+    #[error(
+        "at {time:.4} s the integration gets stuck at steps of {step:.1e} s: the motion is unstable, or something in it far too stiff or too fast; look at the gains and the sizes of the effects"
+    )]
+    Step {
+        /// s
+        time: f64,
+        /// s
+        step: f64,
+    },
+}
+
+/// `x'' = a(t, x, x', z)`, `z' = r(t, x, x', z)`; `y = [x, x', z]`.
+pub(crate) trait System {
+    /// Number of `x`.
+    fn coordinates(&self) -> usize;
+    /// `dy = [x', a, r]`.
+    fn rate(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Breakdown>;
+    /// Mass matrix and stiff parts at a state, and its rate.
+    fn linearise(&mut self, t: f64, y: &[f64], linear: &mut Linear, dy: &mut [f64]) -> Result<(), Breakdown>;
+}
+
+/// Where a system is stiff: `M a = -K x - D x' - sum_b along_b c_b z_b + (what is not)`, `z_b' =
+/// a_b v_b + b_b z_b + ..`, `v_b = along_b . x'`.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Linear {
+    /// `N x N`, row-major.
+    pub mass: Vec<f64>,
+    pub stiffness: Vec<f64>,
+    pub damping: Vec<f64>,
+    pub bristles: Vec<LinearBristle>,
+}
+
+/// A bristle among the stiff parts.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LinearBristle {
+    /// Coordinates and factors of its direction.
+    pub along: [(usize, f64); 2],
+    pub c: f64,
+    pub a: f64,
+    pub b: f64,
+}
+
+/// The step that comes next.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Pace {
+    pub next: f64,
+    pub solver: Solver,
+    pub steps: usize,
+    pub rejected: usize,
+    /// Time of the first step.
+    begun: Option<f64>,
+}
+
+/// Steps that average less than a microsecond, after so many at the start, are as good as no end.
+const MOST: usize = 200_000;
+const SHORTEST: f64 = 1e-12;
+
+impl Pace {
+    pub fn new(solver: Solver) -> Self {
+        Self { next: 1e-4_f64.min(solver.longest), solver, steps: 0, rejected: 0, begun: None }
+    }
+
+    /// Length of the step from `t` so that `end` is met, and whether it meets it.
+    pub fn step(&self, t: f64, end: f64) -> (f64, bool) {
+        let h = self.next.min(self.solver.longest);
+        let left = end - t;
+        if h >= left * (1.0 - 1e-9) {
+            (left, true)
+        } else if 2.0 * h > left {
+            (0.5 * left, false)
+        } else {
+            (h, false)
+        }
+    }
+
+    /// Judges a step of length `h` with this error (1: as large as allowed) of a method whose
+    /// estimate has this order.
+    pub fn judge(&mut self, t: f64, h: f64, error: f64, order: f64) -> Result<bool, Breakdown> {
+        let good = error <= 1.0;
+        let begun = *self.begun.get_or_insert(t);
+        if (self.steps + self.rejected) as f64 > MOST as f64 + 1e6 * (t - begun) {
+            return Err(Breakdown::Step { time: t, step: h });
+        }
+        let factor =
+            if error.is_nan() { 0.2 } else { (0.9 * libm::pow(error.max(1e-8), -1.0 / (order + 1.0))).clamp(0.2, 4.0) };
+        if good {
+            self.steps += 1;
+            // A step that was cut short to meet a sample says nothing against the longer one that
+            // was planned.
+            self.next = (h * factor).max(if h < self.next && factor >= 1.0 { self.next } else { 0.0 });
+        } else {
+            self.rejected += 1;
+            self.next = h * factor.min(0.9);
+            if self.next < SHORTEST {
+                return Err(Breakdown::Step { time: t, step: self.next });
+            }
+        }
+        self.next = self.next.min(self.solver.longest);
+        Ok(good)
+    }
+}
+
+/// Root mean square of the error, each entry by what is allowed.
+pub(crate) fn norm(system: &dyn System, tolerance: f64, y: &[f64], new: &[f64], error: impl Fn(usize) -> f64) -> f64 {
+    let n = system.coordinates();
+    let sum: f64 = (0..y.len())
+        .map(|i| {
+            let absolute = match i / n.max(1) {
+                0 => 1e-2 * tolerance,
+                1 => tolerance,
+                _ => 1e3 * tolerance, // a bristle: a thousandth of the friction
+            };
+            let allowed = absolute + tolerance * y[i].abs().max(new[i].abs());
+            let ratio = error(i) / allowed;
+            ratio * ratio
+        })
+        .sum();
+    (sum / y.len().max(1) as f64).sqrt()
+}

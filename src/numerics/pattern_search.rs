@@ -1,0 +1,111 @@
+//! Direct search: steps along given directions and along turned frames, halved when none helps
+//! (Kolda, Lewis and Torczon, SIAM Review 45, 2003; the turned frames of Abramson, Audet, Dennis
+//! and Le Digabel, SIAM J. Optimization 20, 2009, without which a search stops where two limits
+//! meet at a slant).
+//!
+//! A handful of variables, a cost whose gradient jumps where another joint begins to bind or a
+//! branch of the inverse ends, and a yes or no for the reach: a search that asks only which of two
+//! candidates is better needs no more than that, gives the same answer on every machine, and stops
+//! where no step of the smallest size helps. The quadratic programs of `excite` (hundreds of smooth
+//! variables) would need derivatives of the inverse that are infinite at the edge of the reach,
+//! which is where the widest lanes end.
+
+/// How a search goes about it.
+pub(crate) struct Effort {
+    /// The first step, in units of the scale.
+    pub first: f64,
+    /// How often the steps are halved.
+    pub halvings: usize,
+    /// Candidates that are looked at, at most.
+    pub budget: usize,
+    /// Turned frames that are tried before the steps are halved.
+    pub frames: usize,
+}
+
+/// Improves `x` and what belongs to it. `scale` is the first step of each variable, `directions`
+/// further ones in its units; `make` gives a candidate for a point (which it may bring back to
+/// where it means something), `beats` compares, and is told the size of the step so that it can ask
+/// for more than a hair.
+pub(crate) fn pattern_search<T>(
+    x: &mut Vec<f64>,
+    best: &mut T,
+    scale: &[f64],
+    directions: &[Vec<f64>],
+    effort: &Effort,
+    make: &mut dyn FnMut(&mut Vec<f64>, &T) -> Option<T>,
+    beats: &dyn Fn(&T, &T, f64) -> bool,
+) {
+    let n = x.len();
+    let axes = (0..n).map(|k| unit(n, k));
+    let given: Vec<Vec<f64>> = axes.chain(directions.iter().cloned()).collect();
+    let mut left = effort.budget;
+    let mut size = effort.first;
+    let mut again: Option<Vec<f64>> = None;
+    let mut turn = 0;
+    for _ in 0..=effort.halvings {
+        let mut frame = 0;
+        while frame <= effort.frames {
+            let turned = if frame == 0 { given.clone() } else { mirror(n, turn) };
+            turn += usize::from(frame > 0);
+            // What helped last is tried first.
+            let both = turned.iter().flat_map(|d| [d.clone(), d.iter().map(|e| -e).collect()]);
+            let order: Vec<Vec<f64>> = again.take().into_iter().chain(both).collect();
+            let mut moved = false;
+            for d in order {
+                if left == 0 {
+                    return;
+                }
+                left -= 1;
+                let mut there: Vec<f64> = (0..n).map(|k| x[k] + size * scale[k] * d[k]).collect();
+                if let Some(found) = make(&mut there, best)
+                    && beats(&found, best, size)
+                {
+                    *x = there;
+                    *best = found;
+                    again = Some(d);
+                    moved = true;
+                }
+            }
+            frame = if moved { 0 } else { frame + 1 };
+            if n < 2 {
+                break;
+            }
+        }
+        size *= 0.5;
+    }
+}
+
+fn unit(n: usize, k: usize) -> Vec<f64> {
+    (0..n).map(|i| f64::from(u8::from(i == k))).collect()
+}
+
+/// An orthogonal frame, another for each `turn`: `1 - 2 v v'` for a unit vector that wanders over
+/// the sphere (irrational steps).
+fn mirror(n: usize, turn: usize) -> Vec<Vec<f64>> {
+    let root = |k: usize| (2.0 + k as f64).sqrt();
+    let v: Vec<f64> = (0..n).map(|k| (1.0 + (1.0 + turn as f64) * root(k * k) * 1.618).sin()).collect();
+    let size = v.iter().map(|v| v * v).sum::<f64>().max(1e-12);
+    (0..n).map(|i| (0..n).map(|k| f64::from(u8::from(i == k)) - 2.0 * v[i] * v[k] / size).collect()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limits_that_meet_at_a_slant() {
+        // Most of 1.4 x + y under a slanted roof, broken limits first: axes alone stop at its edge.
+        let judge = |x: &[f64]| {
+            let broken = (x[0] + 3.0 * x[1] - 2.0).max(0.0) + (3.0 * x[0] + x[1] - 2.0).max(0.0);
+            (broken, -1.4 * x[0] - x[1])
+        };
+        let mut x = vec![-3.0, -2.0];
+        let mut best = judge(&x);
+        let effort = Effort { first: 1.0, halvings: 20, budget: 100_000, frames: 3 };
+        pattern_search(&mut x, &mut best, &[1.0, 1.0], &[], &effort, &mut |x, _| Some(judge(x)), &|a, b, _| {
+            a.0 < b.0 || (a.0 == b.0 && a.1 < b.1)
+        });
+        // The corner (0.5, 0.5).
+        assert!((x[0] - 0.5).abs() < 1e-3 && (x[1] - 0.5).abs() < 1e-3, "{x:?} {best:?}");
+    }
+}

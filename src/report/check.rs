@@ -1,0 +1,4 @@
+//! The `check` verb's results.
+
+pub mod json;
+pub mod text;

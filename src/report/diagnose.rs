@@ -1,0 +1,7 @@
+//! The `diagnose` verb's results.
+
+pub(crate) mod json;
+pub(crate) mod next_experiment;
+pub(crate) mod page;
+pub(crate) mod text;
+pub(crate) mod written;

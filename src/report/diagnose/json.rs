@@ -1,0 +1,65 @@
+//! `diagnose --json`: contract section 6, and more. A number that does not exist is `null`.
+
+use serde_json::{Map, Value, json};
+
+use crate::data::signal::Prepared;
+use crate::diagnose::{Cause, Diagnosis, Errors};
+use crate::report::Provenance;
+use crate::report::Warnings;
+
+/// The result as one JSON object.
+pub fn diagnose_json(found: &Diagnosis, logs: &[Prepared], provenance: &Provenance) -> Value {
+    let rms = |e: &Errors| json!({ "rms": { "fit": e.fit, "validate": e.validate, "validate_moving": e.moving } });
+    let findings: Vec<Value> = logs
+        .iter()
+        .flat_map(|log| log.findings.iter().map(|f| json!({ "log": log.file, "finding": f.to_string() })))
+        .collect();
+    json!({
+        "robot": found.robot,
+        "verdict": found.verdict.word(),
+        "noise_floor": found.noise_floor,
+        "torque_rms": found.torque_rms,
+        "baseline": rms(&found.baseline),
+        "refitted": rms(&found.refitted),
+        "causes": found.causes.iter().map(cause).collect::<Vec<_>>(),
+        "extended": rms(&found.extended),
+        "offer": {
+            "model": found.offer.offered.word(),
+            "left_out": { "file": found.offer.left_out[0], "refitted": found.offer.left_out[1], "extended": found.offer.left_out[2] },
+            "why": found.offer.why,
+        },
+        "links_refitted": found.links_refitted,
+        "own_validation": found.own_validation,
+        "seconds": { "fit": found.seconds[0], "validate": found.seconds[1] },
+        "next_experiment": found.next_experiment.as_ref().map(|next| json!({
+            "between": next.between,
+            "joints": next.joints,
+            "motion": next.motion,
+        })),
+        "warnings": Warnings::of_logs(logs).json(),
+        "findings": findings,
+        "provenance": provenance.iter().map(|(k, v)| (k.clone(), Value::from(v.as_str()))).collect::<Map<_, _>>(),
+    })
+}
+
+fn cause(c: &Cause) -> Value {
+    let values: Map<String, Value> = c.parameters.iter().map(|p| (p.symbol.clone(), json!(p.value))).collect();
+    let stds: Map<String, Value> =
+        c.parameters.iter().filter_map(|p| p.std.map(|s| (p.symbol.clone(), json!(s)))).collect();
+    json!({
+        "cause": c.cause,
+        "joints": c.joints,
+        "probability": c.probability,
+        "parameters": values,
+        "parameters_std": stds,
+        "evidence": c.evidence,
+        "gain": {
+            "rms_before": c.rms_before,
+            "rms_after": c.rms_after,
+            "on": c.on,
+            "share_interval": c.interval.map(|x| if x.is_finite() { json!(x) } else { Value::Null }),
+        },
+        "not_distinguished_from": c.not_distinguished_from,
+        "shown_by": c.shown_by,
+    })
+}

@@ -1,0 +1,3 @@
+//! The `eval` verb's results.
+
+pub mod json;

@@ -1,0 +1,5 @@
+//! The `excite` verb's results.
+
+pub(crate) mod motion_check;
+pub(crate) mod page;
+pub(crate) mod text;

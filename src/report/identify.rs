@@ -1,0 +1,6 @@
+//! The `identify` verb's results.
+
+pub(crate) mod consistent;
+pub(crate) mod json;
+pub(crate) mod page;
+pub(crate) mod text;

@@ -1,0 +1,4 @@
+//! The `ik` verb's results.
+
+pub mod json;
+pub mod text;

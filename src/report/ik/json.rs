@@ -1,0 +1,86 @@
+//! `ik --json`.
+
+use dh_codegen::arm::Inverse;
+use dh_codegen::ik::{Family, Status};
+use serde_json::{Value, json};
+
+use crate::model::inverse_kinematics::{Answer, SwivelRange};
+
+/// The status as the contract writes it.
+pub(in crate::report) fn status(status: Status) -> &'static str {
+    match status {
+        Status::Ok => "ok",
+        Status::Unreachable => "unreachable",
+        Status::Singular => "singular",
+    }
+}
+
+fn range(r: &SwivelRange) -> Value {
+    let best = r.best.map(|(swivel, margin)| {
+        // Without limits there is no margin.
+        json!({ "swivel": swivel, "limit_margin": if margin.is_finite() { json!(margin) } else { Value::Null } })
+    });
+    json!({ "branch": r.branch.to_string(), "intervals": r.intervals, "best": best })
+}
+
+/// How postures are found.
+fn method(inverse: &Inverse) -> &'static str {
+    match (&inverse.family, inverse.exact) {
+        (Family::Numerical, _) => "numerical search",
+        (_, true) => "closed form",
+        (_, false) => "closed form of a nominal arm, refined",
+    }
+}
+
+/// `{"class", "poses": [{"status", "solutions": [..]}]}`.
+pub fn ik_json(name: &str, inverse: &Inverse, redundant: bool, poses: &[Answer]) -> Value {
+    let pose = |(p, ranges): &Answer| {
+        let solutions: Vec<Value> = p
+            .list
+            .iter()
+            .map(|s| {
+                let mut v = json!({
+                    "q": s.q,
+                    "branch": s.branch.to_string(),
+                    "position_error": s.position_error,
+                    "rotation_error": s.rotation_error,
+                    "within_limits": s.within_limits,
+                    // Without limits there is no margin: null, and not an infinity that JSON does
+                    // not have.
+                    "limit_margin": if s.margin.is_finite() { json!(s.margin) } else { Value::Null },
+                });
+                if !s.free.is_empty() {
+                    v["free_joints"] = json!(s.free.iter().map(|j| j + 1).collect::<Vec<_>>());
+                }
+                v
+            })
+            .collect();
+        let mut v = json!({ "status": status(p.status), "solutions": solutions });
+        if p.status == Status::Unreachable {
+            v["distance"] = json!({ "position": p.distance[0], "rotation": p.distance[1] });
+            // Only a closed form of the arm itself proves that there is none.
+            v["not_found"] = json!(!inverse.exact);
+        }
+        if redundant {
+            v["swivel"] = json!(p.redundancy);
+        }
+        if p.second_plane {
+            v["reference_plane"] = json!("second");
+        }
+        if let (Some(ranges), true) = (ranges, p.status != Status::Unreachable) {
+            v["swivel_intervals"] = ranges.iter().map(range).collect();
+        }
+        if !inverse.exact {
+            v["branches_lost"] = json!(p.lost);
+            v["branches_uncertain"] = json!(p.uncertain);
+        }
+        v
+    };
+    json!({
+        "name": name,
+        "class": inverse.class,
+        "exact": inverse.exact,
+        "method": method(inverse),
+        "poses": poses.iter().map(pose).collect::<Vec<_>>(),
+    })
+}

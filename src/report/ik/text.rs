@@ -1,0 +1,74 @@
+//! `ik` for people.
+
+use core::fmt::Write;
+
+use dh_codegen::arm::Inverse;
+use dh_codegen::ik::{Family, Status};
+
+use crate::model::inverse_kinematics::{Answer, SwivelRange};
+
+/// A table of postures for each pose.
+pub fn ik_text(name: &str, inverse: &Inverse, poses: &[Answer]) -> String {
+    let mut t = format!("{name}: {} ({})\n", inverse.class, inverse.reason);
+    let searched = matches!(inverse.family, Family::Numerical);
+    for (k, (pose, ranges)) in poses.iter().enumerate() {
+        let _ = match pose.status {
+            Status::Unreachable => {
+                let [p, r] = pose.distance;
+                let word = if inverse.exact { "unreachable" } else { "not found" };
+                // Rounded in its file, and the arm has too few joints to follow.
+                let mend = if p.max(r) < 1e-4 { "; a larger --tolerance would take it" } else { "" };
+                writeln!(t, "\npose {}: {word}, by {p:.3e} m and {r:.3e} rad at the nearest posture found{mend}", k + 1)
+            }
+            status => {
+                let word = crate::report::ik::json::status(status);
+                let at = match &inverse.family {
+                    Family::Swivel(_) => format!(", swivel angle {:.5} rad", pose.redundancy),
+                    Family::Locked { joint, .. } => format!(", q{} at {:.5}", joint + 1, pose.redundancy),
+                    _ => String::new(),
+                };
+                let lost = match pose.lost {
+                    _ if inverse.exact => String::new(),
+                    0 if searched => String::from(", found by search: there may be more"),
+                    n if searched => format!(", found by search: at least {n} is missing, their number being even"),
+                    0 if pose.uncertain => String::from(", beside a singularity: one may be missing"),
+                    0 => String::new(),
+                    n => format!(", {n} branches of the nominal arm not found"),
+                };
+                writeln!(t, "\npose {}: {word}, {} solutions{at}{lost}", k + 1, pose.list.len())
+            }
+        };
+        for s in &pose.list {
+            let q: Vec<String> = s.q.iter().map(|x| format!("{x:>9.5}")).collect();
+            let limits = if s.within_limits { "" } else { "  beyond limits" };
+            let free: Vec<String> = s.free.iter().map(|j| format!("q{}", j + 1)).collect();
+            let free = if free.is_empty() { String::new() } else { format!("  free: {}", free.join(" ")) };
+            let _ = writeln!(t, "  {}  {}{limits}{free}", q.join(" "), s.branch);
+        }
+        if let (Some(ranges), true) = (ranges, pose.status != Status::Unreachable) {
+            swivel(&mut t, inverse, ranges);
+        }
+    }
+    t
+}
+
+/// Where the swivel angle may lie.
+fn swivel(t: &mut String, inverse: &Inverse, ranges: &[SwivelRange]) {
+    let whose = if inverse.exact { "" } else { " of the nominal arm" };
+    if ranges.iter().all(|r| r.intervals.is_empty()) {
+        let _ = writeln!(t, "  at no swivel angle a branch{whose} respects the limits");
+        return;
+    }
+    let _ = writeln!(
+        t,
+        "  swivel angles, rad, at which a branch{whose} respects the limits; the best, and its distance from them:"
+    );
+    for range in ranges.iter().filter(|r| !r.intervals.is_empty()) {
+        let all: Vec<String> = range.intervals.iter().map(|[a, b]| format!("[{a:.5}, {b:.5}]")).collect();
+        let best = match range.best {
+            Some((at, margin)) if margin.is_finite() => format!("; best {at:.5}, {margin:.5}"),
+            _ => String::new(),
+        };
+        let _ = writeln!(t, "    {}  {}{best}", range.branch, all.join(" "));
+    }
+}

@@ -1,0 +1,7 @@
+//! The `paint` verb's results.
+
+pub(crate) mod page;
+pub(crate) mod run;
+pub(crate) mod run_page;
+pub(crate) mod text;
+pub(crate) mod trace;

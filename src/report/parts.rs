@@ -1,0 +1,8 @@
+//! Parts that several pages share: frame, style sheets, numbers, drawings.
+
+pub(crate) mod bodies;
+pub(crate) mod number;
+pub(crate) mod page;
+pub(crate) mod stick_figure;
+pub(crate) mod visible;
+pub(crate) mod warnings;

@@ -1,0 +1,9 @@
+//! The `reproduce` verb's results.
+
+pub(crate) mod diagnosis;
+pub(crate) mod excitation;
+pub(crate) mod force;
+pub(crate) mod json;
+pub(crate) mod page;
+pub(crate) mod painting;
+pub(crate) mod text;

@@ -1,0 +1,4 @@
+//! The `simulate` verb's results.
+
+pub(crate) mod json;
+pub(crate) mod text;

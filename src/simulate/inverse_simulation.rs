@@ -1,0 +1,208 @@
+//! No loop and no integration: the links follow the motion exactly, and torques follow from inverse
+//! dynamics and the laws.
+//!
+//! A soft joint's motor is where its spring must be to carry the link; its velocity and
+//! acceleration are differences over 1 ms. The damping of the spring is left out, and a gear with
+//! backlash changes sides within a small torque instead of a small time.
+
+use super::bristle::{Part, sign};
+use super::contact::External;
+use super::drive::Drive;
+use super::plant::Plant;
+use super::robot::{Settled, SimulatedRobot};
+use super::sensors::Truth;
+use super::trajectory::{Point, Trajectory};
+use crate::model::{Arm, Dynamics, States, ToolState};
+
+/// Half the spacing of differences, s.
+const STEP: f64 = 1e-3;
+/// Torque within which a gear with backlash changes sides, as a part of the torque limit.
+const CHANGES_SIDE: f64 = 2e-3;
+
+pub(super) fn follow(
+    built: &SimulatedRobot,
+    settled: &Settled,
+    plant: &Plant<'_>,
+    trajectory: &Trajectory,
+    external: &[&dyn External],
+    instants: Vec<f64>,
+) -> Truth {
+    let n = settled.drives.len();
+    let len = instants.len();
+    let span = trajectory.span();
+    let mut truth = Truth::sized(n, instants);
+    let soft = settled.drives.iter().any(Drive::is_soft);
+    let shifts: &[f64] = if soft { &[0.0, -2.0, -1.0, 1.0, 2.0] } else { &[0.0] };
+    // Times of the differences; near the ends they look inwards.
+    let times: Vec<f64> = shifts
+        .iter()
+        .flat_map(|&shift| {
+            let inside = (span.start + 2.0 * STEP)..(span.end - 2.0 * STEP);
+            truth.t.iter().map(
+                move |&t| {
+                    if shift == 0.0 { t } else { t.max(inside.start).min(inside.end) + shift * STEP }
+                },
+            )
+        })
+        .collect();
+    let many = times.len();
+    let (states, desired) = links(trajectory, &settled.drives, &times);
+    truth.desired = (0..n).flat_map(|j| desired[j * many..j * many + len].to_vec()).collect();
+    let mut load = vec![0.0; n * many];
+    built.real().inverse_dynamics(&states, &built.bodies_standard, &mut load);
+    for (j, drive) in settled.drives.iter().enumerate() {
+        if let Some(spring) = drive.spring {
+            (0..many).for_each(|s| load[j * many + s] += spring.torque(states.q[j * many + s]));
+        }
+    }
+    push(built, settled, external, &times, &states, &mut load, &mut truth);
+
+    let mut ddq = vec![0.0; n * len];
+    for (j, drive) in settled.drives.iter().enumerate() {
+        let row = |s: usize| j * many + s;
+        let bend = |s: usize| {
+            if !drive.is_soft() {
+                return 0.0;
+            }
+            let torque = load[row(s)];
+            let slack = drive.backlash.map_or(0.0, |b| {
+                let small = CHANGES_SIDE * drive.rated;
+                0.5 * b.width * torque / (torque * torque + small * small).sqrt()
+            });
+            torque / drive.transmission().stiffness + slack
+        };
+        for k in 0..len {
+            let at = j * len + k;
+            truth.link_q[at] = states.q[row(k)];
+            truth.link_dq[at] = states.dq[row(k)];
+            truth.link_torque[at] = load[row(k)];
+            truth.motor_q[at] = states.q[row(k)] + bend(k);
+            truth.motor_dq[at] = states.dq[row(k)];
+            ddq[at] = states.ddq[row(k)];
+            if drive.is_soft() {
+                let [a, b, c, d] = [1, 2, 3, 4].map(|shift| bend(shift * len + k));
+                truth.motor_dq[at] += (a - 8.0 * b + 8.0 * c - d) / (12.0 * STEP);
+                // Second derivative about the same instant, without the middle: exact for cubics.
+                ddq[at] += (a - b - c + d) / (3.0 * STEP * STEP);
+            }
+        }
+    }
+    torques(settled, plant, &ddq, span.start, &mut truth);
+    truth
+}
+
+/// True motion of the links.
+fn links(trajectory: &Trajectory, drives: &[Drive], times: &[f64]) -> (States, Vec<Point>) {
+    let (n, len) = (drives.len(), times.len());
+    let mut states = States { len, q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };
+    let mut desired = vec![[0.0; 3]; n * len];
+    let (mut hint, mut points) = (0, vec![[0.0; 3]; n]);
+    for (s, &t) in times.iter().enumerate() {
+        trajectory.at(t, &mut hint, &mut points);
+        for (j, point) in points.iter().enumerate() {
+            let at = j * len + s;
+            desired[at] = *point;
+            states.q[at] = point[0] + drives[j].encoder_offset;
+            states.dq[at] = point[1];
+            states.ddq[at] = point[2];
+        }
+    }
+    (states, desired)
+}
+
+/// What pushes from outside is not for the drives to give.
+fn push(
+    built: &SimulatedRobot,
+    settled: &Settled,
+    external: &[&dyn External],
+    times: &[f64],
+    states: &States,
+    load: &mut [f64],
+    truth: &mut Truth,
+) {
+    let (n, many, len) = (settled.drives.len(), times.len(), truth.t.len());
+    if settled.contacts.is_empty() && external.is_empty() {
+        return;
+    }
+    let mut bodies = built.real().bodies(&built.bodies_standard);
+    let mut tool = ToolState::default();
+    for (s, &t) in times.iter().enumerate() {
+        if external.is_empty() && !settled.contacts.iter().any(|c| c.acts(t)) {
+            continue;
+        }
+        let of = |values: &[f64]| (0..n).map(|j| values[j * many + s]).collect::<Vec<f64>>();
+        let (q, dq) = (of(&states.q), of(&states.dq));
+        bodies.tool(&q, &mut tool);
+        let ToolState { pose, jacobian } = &tool;
+        let twist: [f64; 6] = std::array::from_fn(|i| (0..n).map(|k| jacobian[i * n + k] * dq[k]).sum());
+        let total = super::contact::total(&settled.contacts, external, t, pose, &twist).wrench;
+        for j in 0..n {
+            load[j * many + s] -= (0..6).map(|i| jacobian[i * n + j] * total[i]).sum::<f64>();
+        }
+        if s < len {
+            let local = super::contact::in_tool(pose, &total);
+            (0..6).for_each(|i| truth.wrench[i * len + s] = local[i]);
+        }
+    }
+}
+
+/// Friction, rotor and ripple on top of the load.
+fn torques(settled: &Settled, plant: &Plant<'_>, ddq: &[f64], start: f64, truth: &mut Truth) {
+    let (n, len) = (settled.drives.len(), truth.t.len());
+    let motors: Vec<usize> = (0..n).collect();
+    // In the plant a bristle's directions are coordinates; here motors stand in the order of
+    // joints.
+    let joint_of = |coordinate: usize| plant.motor.iter().position(|&m| m == coordinate).unwrap_or(coordinate);
+    let mut z: Vec<Option<f64>> = vec![None; plant.bristles.len()];
+    let (mut signs, mut hysteresis, mut coupled) = (vec![0.0; n], vec![0.0; n], vec![0.0; settled.couplings.len()]);
+    for k in 0..len {
+        for (b, bristle) in plant.bristles.iter().enumerate() {
+            let sum = |values: &[f64], k: usize| -> f64 {
+                bristle.along.iter().map(|&(c, factor)| factor * values[joint_of(c) * len + k]).sum()
+            };
+            let v = sum(&truth.motor_dq, k);
+            let after = match z[b] {
+                None => sign(v),
+                Some(z) => {
+                    let before = sum(&truth.motor_dq, k - 1);
+                    if before * v < 0.0 {
+                        // It turned on the way, at a constant acceleration.
+                        let dt = truth.t[k] - truth.t[k - 1];
+                        let part = before / (before - v);
+                        bristle.after(0.5 * v * (1.0 - part) * dt, bristle.after(0.5 * before * part * dt, z))
+                    } else {
+                        bristle.after(sum(&truth.motor_q, k) - sum(&truth.motor_q, k - 1), z)
+                    }
+                }
+            };
+            z[b] = Some(after);
+            let s = bristle.sign(v, after);
+            match bristle.part {
+                Part::Sign => signs[bristle.joint] = s,
+                Part::Hysteresis => hysteresis[bristle.joint] = s,
+                Part::Coupling(c) => coupled[c] = s,
+            }
+        }
+        let since = truth.t[k] - start;
+        for &j in &motors {
+            let (drive, at) = (&settled.drives[j], j * len + k);
+            let (q, v, load) = (truth.motor_q[at], truth.motor_dq[at], truth.link_torque[at]);
+            let loaded = drive.load.map_or(0.0, |l| l.level(load)) * signs[j];
+            let friction = drive.warmth(since) * (drive.friction(q, v, signs[j], hysteresis[j]) + loaded);
+            truth.motor_torque[at] = load + drive.rotor * ddq[at] + friction + drive.plain.offset + drive.ripple(q);
+            truth.temperature[at] = drive.temperature(since);
+        }
+        for (c, &s) in settled.couplings.iter().zip(&coupled) {
+            let (m, o) = (c.motor * len + k, c.other * len + k);
+            let [on_k, on_m] = c.torques([truth.motor_dq[m], truth.motor_dq[o]], [ddq[m], ddq[o]]);
+            truth.motor_torque[o] += on_k + c.ratio * c.coulomb * s;
+            truth.motor_torque[m] += on_m + c.coulomb * s;
+        }
+        for &j in &motors {
+            let at = j * len + k;
+            if let Some(limit) = settled.drives[j].limit {
+                truth.motor_torque[at] = truth.motor_torque[at].clamp(-limit, limit);
+            }
+        }
+    }
+}

@@ -1,0 +1,338 @@
+//! Holds the structure that ARCHITECTURE.md describes: order of domains, who serialises, length of
+//! functions, unique names, paths in documents.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens;
+use syn::spanned::Spanned;
+use syn::visit::{self, Visit};
+
+/// Domains of `src`, each of which may use those before it.
+const DOMAINS: [&str; 11] =
+    ["numerics", "model", "data", "identify", "simulate", "excite", "control", "diagnose", "apps", "report", "cli"];
+
+/// Modules of `dh-macro/codegen/src`, each of which may use those before it.
+const CODEGEN: [&str; 10] =
+    ["runtime", "elementary", "drive", "ik", "robot", "sym", "arm", "interpret", "pullback", "rust"];
+// The first four are `denavit-runtime`, under the names by which `dh-codegen` passes them on.
+
+/// Longest function, lines.
+const LONGEST: usize = 60;
+
+/// Functions that are longer than [`LONGEST`]: file, name, lines. Shorten one, and its line has to
+/// shrink or go.
+const LONG_FUNCTIONS: &str = include_str!("architecture/long_functions.txt");
+
+/// Public types of one domain that share a name: domain and name. Only to be shortened.
+const SHARED_NAMES: &str = include_str!("architecture/shared_names.txt");
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Files below a folder with this ending, sorted, relative to the root.
+fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
+    fn walk(folder: &Path, ending: &str, into: &mut Vec<PathBuf>) {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                if !path.ends_with("target") && !path.ends_with(".git") {
+                    walk(&path, ending, into);
+                }
+            } else if path.extension().is_some_and(|e| e == ending) {
+                into.push(path.strip_prefix(root()).unwrap().to_path_buf());
+            }
+        }
+    }
+    let mut found = Vec::new();
+    walk(&root().join(folder), ending, &mut found);
+    found.sort();
+    found
+}
+
+/// Is this an item of tests only?
+fn for_tests(attributes: &[syn::Attribute]) -> bool {
+    attributes.iter().any(|a| {
+        a.path().is_ident("test") || a.path().is_ident("cfg") && a.to_token_stream().to_string().contains("test")
+    })
+}
+
+fn attributes(item: &syn::Item) -> &[syn::Attribute] {
+    match item {
+        syn::Item::Fn(x) => &x.attrs,
+        syn::Item::Mod(x) => &x.attrs,
+        syn::Item::Use(x) => &x.attrs,
+        syn::Item::Impl(x) => &x.attrs,
+        syn::Item::Struct(x) => &x.attrs,
+        syn::Item::Enum(x) => &x.attrs,
+        syn::Item::Const(x) => &x.attrs,
+        syn::Item::Static(x) => &x.attrs,
+        syn::Item::Trait(x) => &x.attrs,
+        syn::Item::Type(x) => &x.attrs,
+        _ => &[],
+    }
+}
+
+/// Source files of a folder without what only tests compile.
+fn sources(folder: &str) -> Vec<(PathBuf, syn::File)> {
+    let test_file = |p: &Path| {
+        p.components().any(|c| c.as_os_str() == "tests") || {
+            let stem = p.file_stem().unwrap().to_string_lossy();
+            stem == "tests" || stem.ends_with("_tests")
+        }
+    };
+    let parse = |path: PathBuf| {
+        let text = fs::read_to_string(root().join(&path)).unwrap();
+        let mut file = syn::parse_file(&text).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+        file.items.retain(|item| !for_tests(attributes(item)));
+        (path, file)
+    };
+    let only_tests: BTreeSet<PathBuf> = files(folder, "rs").iter().flat_map(|p| test_modules(p)).collect();
+    files(folder, "rs").into_iter().filter(|p| !test_file(p) && !only_tests.contains(p)).map(parse).collect()
+}
+
+/// Files of the modules that a file declares for tests only.
+fn test_modules(path: &Path) -> Vec<PathBuf> {
+    let file = syn::parse_file(&fs::read_to_string(root().join(path)).unwrap()).unwrap();
+    let declared = file.items.iter().filter(|item| for_tests(attributes(item))).filter_map(|item| match item {
+        syn::Item::Mod(module) if module.content.is_none() => Some(module.ident.to_string()),
+        _ => None,
+    });
+    declared.map(|name| path.with_extension("").join(name).with_extension("rs")).collect()
+}
+
+/// First segments of all paths `crate::x`, also in groups and in macros' arguments.
+fn crate_paths(tokens: TokenStream, into: &mut BTreeSet<String>) {
+    let trees: Vec<TokenTree> = tokens.into_iter().collect();
+    let is = |k: usize, c: char| matches!(trees.get(k), Some(TokenTree::Punct(p)) if p.as_char() == c);
+    for (k, tree) in trees.iter().enumerate() {
+        match tree {
+            TokenTree::Group(group) => crate_paths(group.stream(), into),
+            TokenTree::Ident(word) if *word == "crate" && is(k + 1, ':') && is(k + 2, ':') => match trees.get(k + 3) {
+                Some(TokenTree::Ident(first)) => drop(into.insert(first.to_string())),
+                Some(TokenTree::Group(group)) => {
+                    let mut start = true;
+                    for tree in group.stream() {
+                        match tree {
+                            TokenTree::Ident(first) if start => drop(into.insert(first.to_string())),
+                            TokenTree::Punct(p) if p.as_char() == ',' => start = true,
+                            _ => start = false,
+                        }
+                    }
+                }
+                _ => {}
+            },
+            _ => {}
+        }
+    }
+}
+
+/// The first folder or file below `folder` that a path stands in.
+fn domain(path: &Path, folder: &str) -> String {
+    let below = path.strip_prefix(folder).unwrap();
+    let first = below.components().next().unwrap().as_os_str().to_string_lossy().into_owned();
+    first.trim_end_matches(".rs").to_string()
+}
+
+fn order_holds(folder: &str, order: &[&str]) {
+    let mut wrong = Vec::new();
+    for (path, file) in sources(folder) {
+        let own = domain(&path, folder);
+        if own == "lib" || own == "main" {
+            continue;
+        }
+        let place = order.iter().position(|d| *d == own);
+        let place = place.unwrap_or_else(|| panic!("{}: {own} is no domain of {folder}", path.display()));
+        let mut used = BTreeSet::new();
+        crate_paths(file.into_token_stream(), &mut used);
+        for other in used {
+            if order.iter().position(|d| *d == other).is_some_and(|at| at > place) {
+                wrong.push(format!("{}: {own} uses {other}", path.display()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "a domain uses one that comes later:\n{}", wrong.join("\n"));
+}
+
+#[test]
+fn domains_use_only_those_before_them() {
+    order_holds("src", &DOMAINS);
+}
+
+#[test]
+fn codegen_modules_use_only_those_before_them() {
+    order_holds("dh-macro/codegen/src", &CODEGEN);
+}
+
+/// Words, identifier by identifier, also in macros.
+fn identifiers(tokens: TokenStream, into: &mut BTreeSet<String>) {
+    for tree in tokens {
+        match tree {
+            TokenTree::Ident(word) => drop(into.insert(word.to_string())),
+            TokenTree::Group(group) => identifiers(group.stream(), into),
+            _ => {}
+        }
+    }
+}
+
+/// Identifiers outside which domains must not use.
+#[test]
+fn only_report_serialises_and_only_cli_touches_disk_and_terminal() {
+    // Readers of two small formats, to be moved.
+    let readers = ["src/apps/painting/plan.rs", "src/data/trajectory.rs"];
+    let rules: [(&[&str], &[&str]); 2] = [
+        (&["serde_json"], &["report", "cli"]),
+        (&["println", "eprintln", "print", "eprint", "fs", "stdout", "stderr", "clap", "indicatif"], &["cli", "main"]),
+    ];
+    let mut wrong = Vec::new();
+    for (path, file) in sources("src") {
+        let own = domain(&path, "src");
+        let mut words = BTreeSet::new();
+        let macros = |name: &str| ["println", "eprintln", "print", "eprint"].contains(&name);
+        let text = file.to_token_stream();
+        identifiers(text.clone(), &mut words);
+        let text = text.to_string();
+        for (forbidden, allowed) in rules {
+            for word in forbidden.iter().filter(|w| words.contains(**w) && !allowed.contains(&own.as_str())) {
+                let known = *word == "serde_json" && readers.iter().any(|r| path == Path::new(r));
+                if !known && (!macros(word) || text.contains(&format!("{word} !"))) {
+                    wrong.push(format!("{}: {word}", path.display()));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "in the wrong domain:\n{}", wrong.join("\n"));
+}
+
+/// Functions with their lines, closures inside counted in.
+struct Functions<'a> {
+    file: &'a str,
+    found: Vec<(String, usize)>,
+}
+
+impl Functions<'_> {
+    fn add(&mut self, name: &syn::Ident, block: &syn::Block) {
+        let lines = block.span().end().line - name.span().start().line + 1;
+        self.found.push((format!("{} {name}", self.file), lines));
+    }
+}
+
+impl<'ast> Visit<'ast> for Functions<'_> {
+    fn visit_item_fn(&mut self, item: &'ast syn::ItemFn) {
+        self.add(&item.sig.ident, &item.block);
+        visit::visit_item_fn(self, item);
+    }
+    fn visit_impl_item_fn(&mut self, item: &'ast syn::ImplItemFn) {
+        self.add(&item.sig.ident, &item.block);
+        visit::visit_impl_item_fn(self, item);
+    }
+    fn visit_trait_item_fn(&mut self, item: &'ast syn::TraitItemFn) {
+        if let Some(block) = &item.default {
+            self.add(&item.sig.ident, block);
+        }
+    }
+    fn visit_item_mod(&mut self, item: &'ast syn::ItemMod) {
+        if !for_tests(&item.attrs) {
+            visit::visit_item_mod(self, item);
+        }
+    }
+}
+
+/// A list that may only shrink: entries that are no longer true have to go.
+fn only_shrinks(list: &str, listed: &BTreeMap<String, usize>, found: &BTreeMap<String, usize>) {
+    let more: Vec<String> = found
+        .iter()
+        .filter(|(what, size)| listed.get(*what).is_none_or(|allowed| *size > allowed))
+        .map(|(what, size)| format!("{what} {size}"))
+        .collect();
+    assert!(more.is_empty(), "not in {list}, or larger than there; take them apart:\n{}", more.join("\n"));
+    let gone: Vec<String> = listed
+        .iter()
+        .filter(|(what, allowed)| found.get(*what).is_none_or(|size| size < allowed))
+        .map(|(what, allowed)| format!("{what} {allowed} -> {:?}", found.get(what)))
+        .collect();
+    assert!(gone.is_empty(), "better than {list} says; shorten the list:\n{}", gone.join("\n"));
+}
+
+fn table(text: &str) -> BTreeMap<String, usize> {
+    let row = |line: &str| {
+        let (what, size) = line.rsplit_once(' ')?;
+        Some((what.to_string(), size.parse().ok()?))
+    };
+    text.lines().filter_map(row).collect()
+}
+
+#[test]
+fn functions_are_short() {
+    let mut found = BTreeMap::new();
+    for folder in ["src", "dh-macro/runtime/src", "dh-macro/codegen/src", "dh-macro/src"] {
+        for (path, file) in sources(folder) {
+            let mut functions = Functions { file: &path.display().to_string(), found: Vec::new() };
+            functions.visit_file(&file);
+            for (name, lines) in functions.found.into_iter().filter(|(_, lines)| *lines > LONGEST) {
+                let longest: &mut usize = found.entry(name).or_insert(0);
+                *longest = lines.max(*longest);
+            }
+        }
+    }
+    only_shrinks("tests/architecture/long_functions.txt", &table(LONG_FUNCTIONS), &found);
+}
+
+#[test]
+fn public_types_of_a_domain_have_names_of_their_own() {
+    let mut count: BTreeMap<String, usize> = BTreeMap::new();
+    for (path, file) in sources("src") {
+        let own = domain(&path, "src");
+        for item in &file.items {
+            let (visibility, name) = match item {
+                syn::Item::Struct(x) => (&x.vis, &x.ident),
+                syn::Item::Enum(x) => (&x.vis, &x.ident),
+                syn::Item::Trait(x) => (&x.vis, &x.ident),
+                _ => continue,
+            };
+            if matches!(visibility, syn::Visibility::Public(_)) {
+                *count.entry(format!("{own} {name}")).or_default() += 1;
+            }
+        }
+    }
+    count.retain(|_, n| *n > 1);
+    only_shrinks("tests/architecture/shared_names.txt", &table(SHARED_NAMES), &count);
+}
+
+/// Words in backticks and targets of links that look like files of the repository.
+fn named_paths(text: &str) -> BTreeSet<String> {
+    let endings = [".rs", ".md", ".yaml", ".py", ".sh", ".png", ".json", ".csv.gz", ".toml"];
+    let ticks = text.split('`').skip(1).step_by(2);
+    let links = text.split("](").skip(1).filter_map(|rest| rest.split(')').next());
+    ticks
+        .filter(|w| !w.contains(|c: char| c.is_whitespace() || "*<>{}$()|,".contains(c)))
+        .filter(|w| w.contains('/') && (endings.iter().any(|e| w.ends_with(e)) || w.ends_with('/')))
+        .chain(links.filter(|w| !w.contains("://") && !w.starts_with('#')))
+        .map(|w| w.split('#').next().unwrap().to_string())
+        .collect()
+}
+
+#[test]
+fn paths_in_documents_exist() {
+    let documents = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "robots/README.md", "data/README.md"];
+    let documents = documents.iter().map(PathBuf::from).chain(files("docs", "md"));
+    let mut missing = Vec::new();
+    for document in documents {
+        let text = fs::read_to_string(root().join(&document)).unwrap();
+        let beside = document.parent().unwrap();
+        for path in named_paths(&text) {
+            let folders = ["", "src", "dh-macro", "dh-macro/codegen/src", "dh-macro/runtime/src"];
+            let mut places = folders.map(|f| Path::new(f).join(&path)).to_vec();
+            places.push(beside.join(&path));
+            let known = places.iter().any(|p| root().join(p).exists());
+            // What others keep beside a checkout, and what a command of the text writes.
+            if !known && !path.starts_with("..") && !path.starts_with('/') {
+                missing.push(format!("{}: {path}", document.display()));
+            }
+        }
+    }
+    assert!(missing.is_empty(), "documents name paths that are not there:\n{}", missing.join("\n"));
+}
