@@ -392,8 +392,15 @@ fn the_estimate_is_the_wrench() {
     assert!(found.iter().zip(wrench).all(|(a, b)| (a - b).abs() < 1e-9), "{found:?}");
 
     for moment in [f64::INFINITY, 10.0, 0.0] {
-        let settings =
-            EstimatorSettings { period: T, corner: 20.0, weights: [1.0; 6], damping: 1e-9, moment, turning: [1.0; 6] };
+        let settings = EstimatorSettings {
+            period: T,
+            corner: 20.0,
+            weights: [1.0; 6],
+            damping: 1e-9,
+            moment,
+            turning: [1.0; 6],
+            rest: [1e-4; 6],
+        };
         let mut estimator = Estimator::new(Gantry::default(), settings);
         let mut last = None;
         for k in 0..2000 {
@@ -434,6 +441,7 @@ fn what_may_be_friction_is_no_force() {
             damping: 1e-9,
             moment: 10.0,
             turning: [most; 6],
+            rest: [0.0; 6],
         };
         let mut estimator = Estimator::new(Doubtful(0.0), settings);
         let mut last = None;
@@ -469,6 +477,167 @@ fn what_may_be_friction_is_no_force() {
     assert!(lost.abs() < 0.05, "{lost}");
 }
 
+/// A gantry whose first joint holds up to 1 N by static friction.
+struct Sticky;
+
+impl Body<6> for Sticky {
+    fn torques(&mut self, _: &[f64; 6], _: &[f64; 6], _: &[f64; 6], _: f64) -> [f64; 6] {
+        [0.0; 6]
+    }
+
+    fn static_friction(&self) -> [[f64; 2]; 6] {
+        let mut all = [[0.0; 2]; 6];
+        all[0] = [-1.0, 1.0];
+        all
+    }
+
+    fn tool(&mut self, q: &[f64; 6]) -> Tool<6> {
+        Gantry::tool(q)
+    }
+}
+
+#[test]
+fn at_rest_friction_is_no_force() {
+    let settings = |rest: f64| EstimatorSettings {
+        period: T,
+        corner: 20.0,
+        weights: [1e4; 6],
+        damping: 1e-9,
+        moment: 10.0,
+        turning: [0.0; 6],
+        rest: [rest; 6],
+    };
+    // The wrench at the end of each stretch of 2 s: static friction, a push of 5 N, what friction
+    // keeps of it, and a push aside, where nothing sticks.
+    let told = |rest: f64| {
+        let mut estimator = Estimator::new(Sticky, settings(rest));
+        let mut noise = 1.0;
+        [[0.8, 0.0], [5.0, 0.0], [-0.6, 0.0], [0.3, 2.0]].map(|[x, y]| {
+            let mut last = [0.0; 6];
+            for _ in 0..2000 {
+                noise = -noise;
+                let q = [1e-5 * noise, 0.0, 1e-5 * noise, 0.0, 0.0, 0.0];
+                last = estimator.step(&q, &[x + 0.01 * noise, y, 0.0, 0.0, 0.0, 0.0]).unwrap_or(last);
+            }
+            ([last[0], last[1]], estimator.friction_alone())
+        })
+    };
+    let near = |([x, y], friction): ([f64; 2], bool), wanted: [f64; 2], alone: bool| {
+        assert!((x - wanted[0]).abs() < 0.05 && (y - wanted[1]).abs() < 0.05, "{x} {y} {wanted:?}");
+        assert_eq!(friction, alone, "{wanted:?}");
+    };
+    let [friction, push, kept, aside] = told(1e-4);
+    near(friction, [0.0, 0.0], true);
+    near(push, [5.0, 0.0], false);
+    near(kept, [0.0, 0.0], true);
+    near(aside, [0.3, 2.0], false);
+    // Joints that never stand: every torque is a force.
+    near(told(0.0)[2], [-0.6, 0.0], false);
+}
+
+/// What the estimator of the loop says along a log: times and wrenches (N, N m), and whether
+/// friction alone explains the torques. `held`: each row is a pose that is held for a second.
+type Along<const N: usize> = Vec<(f64, [f64; 6], bool)>;
+
+/// A robot file of the repository, and a recording where it is at hand (`shared/data`); `scale`
+/// turns the columns `torque` into N m.
+fn along<const N: usize>(robot: &str, log: &str, torque: &str, scale: [f64; N], held: usize) -> Option<Along<N>> {
+    use denavit::control::robot::{RobotModel, STANDING};
+    use denavit::model::interpreted::Interpreted;
+    use dh_codegen::robot::{Effects, Robot};
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/");
+    let csv = std::fs::read_to_string(format!("{root}../shared/data/{log}")).ok()?;
+    let text = std::fs::read_to_string(format!("{root}robots/{robot}.yaml")).unwrap();
+    let robot = Robot::from_yaml(&text, &|_| Err("none".into())).unwrap().robot;
+    let arm = Interpreted::new(&robot, &Interpreted::BODIES);
+    let standard = dh_codegen::arm::param::standard_values(&robot).unwrap();
+    let drives = denavit::simulate::Simulator::new(&robot, &Effects::default()).unwrap().drives().to_vec();
+    let body = RobotModel::new(&robot, Box::new(arm.bodies(&standard)), None, drives);
+    let mut rows = csv.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let head = rows.next().unwrap();
+    let column = |name: String| head.iter().position(|h| *h == name).unwrap();
+    let places: [[usize; 2]; N] =
+        std::array::from_fn(|j| [column(format!("q{}", j + 1)), column(format!("{torque}{}", j + 1))]);
+    let samples: Vec<(f64, [f64; N], [f64; N])> = rows
+        .map(|row| {
+            let number = |at: usize| row[at].parse::<f64>().unwrap();
+            let of = |k: usize| std::array::from_fn::<f64, N, _>(|j| number(places[j][k]));
+            (number(0), of(0), std::array::from_fn(|j| scale[j] * of(1)[j]))
+        })
+        .collect();
+    let period = if held > 1 { 1.0 / held as f64 } else { samples[samples.len() - 1].0 / (samples.len() - 1) as f64 };
+    let settings = EstimatorSettings {
+        period,
+        corner: 5.0_f64.min(0.2 / period),
+        weights: robot
+            .moving()
+            .iter()
+            .map(|&r| (0.005 * robot.joints[r].limits.torque.unwrap()).powi(-2))
+            .collect::<Vec<f64>>()
+            .try_into()
+            .unwrap(),
+        damping: 1e-4,
+        moment: 10.0,
+        turning: [f64::INFINITY; N],
+        rest: [STANDING; N],
+    };
+    let mut estimator = Estimator::new(body, settings);
+    let mut found = Vec::new();
+    for (t, q, tau) in &samples {
+        for k in 0..held {
+            if let Some(wrench) = estimator.step(q, tau) {
+                found.push((*t + k as f64 * period, wrench, estimator.friction_alone()));
+            }
+        }
+    }
+    Some(found)
+}
+
+/// A UR10e that stands and is pushed by hand four times: nothing before, each push, and nothing
+/// half a minute after it either, though friction keeps a part of the currents.
+#[test]
+fn pushes_on_a_standing_arm() {
+    let gains = [10.0, 10.6956, 8.4566, 9.0029, 9.48, 10.1232];
+    let Some(found) = along::<6>("ur10e", "ur10e-pushed/static_hand_push.csv", "i", gains, 1) else { return };
+    let size = |w: &[f64; 6]| w[..3].iter().map(|x| x * x).sum::<f64>().sqrt();
+    let between = |from: f64, to: f64| found.iter().filter(move |(t, ..)| (from..to).contains(t));
+    for (from, to) in [(1.5, 2.6), (8.0, 11.0), (18.0, 25.0), (33.0, 37.9), (44.5, 45.2)] {
+        let most = between(from, to).map(|(_, w, _)| size(w)).fold(0.0, f64::max);
+        assert!(most < 3.0 && between(from, to).all(|(.., friction)| *friction), "{from} {to}: {most} N");
+    }
+    for (from, to) in [(3.7, 5.3), (12.0, 15.5), (25.8, 30.8), (39.0, 42.5)] {
+        let least = between(from, to).map(|(_, w, _)| size(w)).fold(f64::INFINITY, f64::min);
+        assert!(least > 15.0, "{from} {to}: {least} N");
+    }
+}
+
+#[test]
+#[ignore = "prints what the estimator says along recordings in which nothing touches"]
+fn recordings_without_contact() {
+    let print = |name: &str, found: &[(f64, [f64; 6], bool)]| {
+        let quiet = found.iter().filter(|f| f.2).count() as f64 / found.len() as f64;
+        let rms: [f64; 6] =
+            std::array::from_fn(|i| (found.iter().map(|f| f.1[i] * f.1[i]).sum::<f64>() / found.len() as f64).sqrt());
+        eprintln!("{name}: {} samples, friction alone in {:.1} %, rms {rms:.2?}", found.len(), 100.0 * quiet);
+    };
+    for (log, held) in
+        [("static_j5toj7_50poses", 100), ("static_j2toj4_896poses", 100), ("friction_j2_v0.30", 1), ("motion_j3j4", 1)]
+    {
+        if let Some(found) = along::<7>("kuka-iiwa14", &format!("kuka-iiwa14/{log}.csv"), "tau", [1.0; 7], held) {
+            print(log, &found);
+        }
+    }
+    if let Some(found) = along::<7>("franka-panda", "franka-panda/exciting.csv", "tau", [1.0; 7], 1) {
+        print("panda", &found);
+    }
+    let gains = [10.0, 10.6956, 8.4566, 9.0029, 9.48, 10.1232];
+    if let Some(found) = along::<6>("ur10e", "ur10e-pushed/static_hand_push.csv", "i", gains, 1) {
+        for f in found.iter().step_by(50) {
+            eprintln!("{:.2} {:.1?} {}", f.0, f.1, f.2);
+        }
+    }
+}
+
 /// Anything at all, and often something sensible.
 fn number(size: f64) -> impl Strategy<Value = f64> {
     prop_oneof![
@@ -494,7 +663,7 @@ proptest! {
         let mut controller = Controller::new(Gantry::default(), settings).unwrap();
         let mut estimator = Estimator::new(
             Gantry::default(),
-            EstimatorSettings { period: T, corner: 20.0, weights: [1.0; 6], damping: 1e-6, moment: 1.0, turning: [1.0; 6] },
+            EstimatorSettings { period: T, corner: 20.0, weights: [1.0; 6], damping: 1e-6, moment: 1.0, turning: [1.0; 6], rest: [1e-4; 6] },
         );
         let mut t = 0.0;
         for (dt, q, force, wanted, press, [dumb, lost, reset]) in steps {

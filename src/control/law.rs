@@ -17,6 +17,7 @@ mod force;
 mod joint;
 mod least;
 mod model;
+mod rest;
 mod watch;
 
 pub use controller::{Command, Controller, Fault, Settings, Status, Target};

@@ -4,6 +4,7 @@
 use dh_codegen::ik::Reference;
 use dh_codegen::robot::{Robot, Tool as RobotTool};
 
+use super::estimate::stiction::breakaway;
 use super::law::{Body, Model, Tool, moved};
 use crate::model::inverse_kinematics::{Ask, Kinematics};
 use crate::model::{Dynamics, ToolState};
@@ -22,6 +23,10 @@ pub struct RobotModel<'a> {
     /// slowly as it may.
     memory: Vec<[f64; 3]>,
     turning: Vec<f64>,
+    /// By how much less and more friction may be where a joint stands, N m.
+    at_rest: Vec<[f64; 2]>,
+    /// Torque limits, N m; infinite where none is known.
+    limits: Vec<f64>,
     before: Vec<f64>,
     state: ToolState,
     /// Where the tool's state, and the torques at rest, are those of.
@@ -41,6 +46,9 @@ const TRAVEL: f64 = 5e-5;
 /// milliradians (`presliding_hysteresis` has 2 by default), and a file that has Coulomb friction
 /// alone does not know where.
 const TURNED: f64 = 3e-3;
+
+/// Travel within which a joint stands, rad: twice that of the bristle.
+pub const STANDING: f64 = 1e-4;
 
 /// Planned speed, rad/s, at which friction that is fed forward has 70 % of its level.
 const SLOW: f64 = 0.01;
@@ -69,6 +77,12 @@ impl<'a> RobotModel<'a> {
             point: contact_point(robot.tool.as_ref()),
             memory: vec![[0.0; 3]; n],
             turning: vec![0.0; n],
+            at_rest: vec![[0.0; 2]; n],
+            limits: robot
+                .moving()
+                .iter()
+                .map(|&row| robot.joints[row].limits.torque.unwrap_or(f64::INFINITY))
+                .collect(),
             before: Vec::new(),
             state: ToolState::default(),
             placed: Vec::new(),
@@ -223,6 +237,9 @@ impl<const N: usize> Body<N> for RobotModel<'_> {
                 later += level * *slow;
             }
             self.turning[j] = drive.warmth(self.clock) * (later - friction);
+            let level = static_level(drive, self.limits[j], q[j], bodies);
+            let dry = friction - drive.friction(q[j], dq[j], 0.0, 0.0);
+            self.at_rest[j] = [-level - dry, level - dry].map(|by| drive.warmth(self.clock) * by);
             bodies
                 + drive.rotor * ddq[j]
                 + drive.warmth(self.clock) * friction
@@ -236,7 +253,21 @@ impl<const N: usize> Body<N> for RobotModel<'_> {
         std::array::from_fn(|j| self.turning[j])
     }
 
+    fn static_friction(&self) -> [[f64; 2]; N] {
+        std::array::from_fn(|j| self.at_rest[j])
+    }
+
     fn tool(&mut self, q: &[f64; N]) -> Tool<N> {
         self.contact(q)
     }
+}
+
+/// Largest static friction of a drive with this torque limit (N m), at this angle, while its gear
+/// transmits `load`, N m.
+fn static_level(drive: &Drive, limit: f64, q: f64, load: f64) -> f64 {
+    let hysteresis = drive.hysteresis.map_or(0.0, |h| h.level);
+    let loaded = drive.load.map_or(0.0, |l| l.level(load));
+    let other = hysteresis + loaded + drive.position.map_or(0.0, |p| p.excess(q));
+    let coulomb = drive.plain.level + drive.asymmetric.map_or(0.0, |a| a.level.abs()) + other;
+    breakaway(coulomb, drive.stribeck.map(|s| s.breakaway + other), limit)
 }

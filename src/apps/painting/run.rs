@@ -14,7 +14,7 @@ use crate::control::iterative_learning::{Learned, learned};
 use crate::control::law::{
     Controller, Estimator, EstimatorSettings, ForceSettings, JointLoop, Model, Sample, Settings, Status, Target,
 };
-use crate::control::robot::RobotModel;
+use crate::control::robot::{RobotModel, STANDING};
 use crate::model::Dynamics;
 use crate::model::interpreted::Interpreted;
 use crate::model::inverse_kinematics::{Kinematics, MOST};
@@ -304,12 +304,12 @@ fn run_n<const N: usize>(
         damping: 1e-4,
         moment: task.moment,
         turning: std::array::from_fn(|j| known.doubt[j]),
+        rest: [STANDING; N],
     };
     let mut estimator = Estimator::new(lend(), estimator);
-    let mut sensor = WallSensor::new(task.seed);
+    let (mut sensor, mut low) = (WallSensor::new(task.seed), [0.0; 3]);
     let turn = std::f64::consts::TAU * task.corner * period;
     let share = turn / (1.0 + turn);
-    let mut low = [0.0; 3];
     let (mut trace, mut pace) = (Trace::default(), Vec::new());
     let (mut status, mut idle, mut wiping) = (Status::Free, 0.0, 0);
     let paints = REST + COME + task.settle.max(0.0);

@@ -9,6 +9,7 @@ use super::method::{MOST_JOINTS, Method, Row, Steps, Tuning, steps};
 use super::momentum::white_speed;
 use super::sample::Scale;
 use super::series::Series;
+use super::stiction::breakaway;
 use super::torques::Torques;
 use super::uncertainty::Uncertainty;
 use super::verdict::Verdict;
@@ -69,22 +70,11 @@ pub struct Known<'a> {
     pub torque_limits: &'a [f64],
 }
 
-/// Breakaway above the Coulomb level, by the torque limit: the default of `stribeck_friction` in
-/// the table of effects.
-const BREAKAWAY: f64 = 0.01;
-/// Static friction of a drive of which the model has none, at most, by the torque limit: a UR10e at
-/// rest shows up to 0.04.
-const UNKNOWN: f64 = 0.05;
-
 impl Known<'_> {
     /// Largest static friction of a joint with this Coulomb level, N m.
     fn breakaway(&self, joint: usize, coulomb: f64) -> f64 {
-        let limit = self.torque_limits.get(joint).copied().filter(|l| l.is_finite()).unwrap_or(0.0);
-        match self.torques.breakaway(joint) {
-            Some(level) => level.max(coulomb),
-            None if coulomb > 0.0 => coulomb + BREAKAWAY * limit,
-            None => UNKNOWN * limit,
-        }
+        let limit = self.torque_limits.get(joint).copied().unwrap_or(f64::INFINITY);
+        breakaway(coulomb, self.torques.breakaway(joint), limit)
     }
 }
 

@@ -7,6 +7,24 @@
 
 use crate::control::estimate::small_matrix::{dot, forward};
 
+/// Breakaway above the Coulomb level, by the torque limit: the default of `stribeck_friction` in
+/// the table of effects.
+const BREAKAWAY: f64 = 0.01;
+/// Static friction of a drive of which the model has none, at most, by the torque limit: a UR10e at
+/// rest shows up to 0.04.
+const UNKNOWN: f64 = 0.05;
+
+/// Largest static friction of a joint, N m, by its Coulomb level, the breakaway level where one is
+/// stated, and its torque limit (infinite: none is known), N m.
+pub(in crate::control) fn breakaway(coulomb: f64, stated: Option<f64>, limit: f64) -> f64 {
+    let limit = if limit.is_finite() { limit } else { 0.0 };
+    match stated {
+        Some(level) => level.max(coulomb),
+        None if coulomb > 0.0 => coulomb + BREAKAWAY * limit,
+        None => UNKNOWN * limit,
+    }
+}
+
 /// Sweeps over the joints: a few are enough where columns are nearly orthogonal, as whitened
 /// torques of single joints are.
 const SWEEPS: usize = 60;

@@ -2,9 +2,15 @@
 //!
 //! Positions and torques pass the same low-pass before anything else, so that model and measurement
 //! stay in step; velocity and acceleration are backward differences of what comes out.
+//!
+//! A joint at rest is held by friction of any value within its breakaway level
+//! ([`Body::static_friction`]). While such friction explains all that the torques of the arm leave,
+//! there is no force: the estimate decays to zero. Torques that it does not explain are a force,
+//! with friction as the model has it.
 
 use super::least::{factor, substitute};
 use super::model::{Body, Tool};
+use super::rest::Rest;
 
 /// How the force is estimated.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,12 +36,19 @@ pub struct EstimatorSettings<const N: usize> {
     /// nothing is changed, and nothing comes later. What stands in doubt is not believed for ever:
     /// it goes over into what the torques tell within half a second. 0: equation (14) as it stands.
     pub turning: [f64; N],
+    /// Travel within which a joint stands, rad or m: more than the noise of its position behind the
+    /// low-pass. 0: it never does.
+    pub rest: [f64; N],
 }
 
 /// Time in which what is held in doubt goes over into what the torques tell, s: some times as long
 /// as friction takes to turn round in a motion (0.1 s), so that a contact that is lost meanwhile,
 /// or a glitch, is not held by a joint that stops there.
 const HELD: f64 = 0.5;
+
+/// Squared standard deviations of a joint's torque ([`EstimatorSettings::weights`]) within which
+/// friction explains it: to begin with, and as long as it did.
+const EXPLAINED: [f64; 2] = [9.0, 25.0];
 
 /// What runs along with the arm.
 #[derive(Debug, Clone)]
@@ -51,6 +64,8 @@ pub struct Estimator<B, const N: usize> {
     bias: [f64; N],
     wrench: Option<[f64; 6]>,
     seen: u32,
+    rest: Rest<N>,
+    friction_alone: bool,
 }
 
 impl<B: Body<N>, const N: usize> Estimator<B, N> {
@@ -69,7 +84,15 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
             bias: [0.0; N],
             wrench: None,
             seen: 0,
+            rest: Rest::new(settings.rest),
+            friction_alone: false,
         }
+    }
+
+    /// Whether joints stand and static friction explains what the torques of the last sample left:
+    /// the wrench is then taken as zero, and goes there within half a second.
+    pub fn friction_alone(&self) -> bool {
+        self.friction_alone
     }
 
     /// The model, to look at or to change.
@@ -116,12 +139,20 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
     /// moment (N m).
     pub fn step(&mut self, q: &[f64; N], tau: &[f64; N]) -> Option<[f64; 6]> {
         let external = self.external(q, tau)?;
+        let stands = self.rest.step(&self.before, self.settings.period);
         let tool = self.body.tool(&self.before);
         let turning = self.body.turning();
         let turning = core::array::from_fn(|j| {
             let most = self.settings.turning[j];
             if most > 0.0 { turning[j].clamp(-most, most) } else { 0.0 }
         });
+        self.friction_alone = self.explained(&external, &stands, &turning);
+        if self.friction_alone {
+            let left = 1.0 - (self.settings.period / HELD).min(1.0);
+            let wrench = self.wrench.unwrap_or([0.0; 6]).map(|x| left * x);
+            self.wrench = Some(wrench);
+            return self.wrench;
+        }
         let found = if self.settings.moment > 0.0 {
             self.told::<6>(&tool, &external, &turning)?
         } else {
@@ -141,6 +172,19 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         }
         self.wrench = Some(wrench);
         Some(wrench)
+    }
+
+    /// Whether friction explains all torques: of joints that stand within the breakaway level, of
+    /// others as far as they have just turned round. Not where every joint moves.
+    fn explained(&self, external: &[f64; N], stands: &[bool; N], turning: &[f64; N]) -> bool {
+        let at_rest = self.body.static_friction();
+        let limit = EXPLAINED[usize::from(self.friction_alone)];
+        let within = |j: usize| {
+            let [less, more] = if stands[j] { at_rest[j] } else { [turning[j].min(0.0), turning[j].max(0.0)] };
+            let beyond = external[j] - external[j].min(more).max(less);
+            self.settings.weights[j] * beyond * beyond <= limit
+        };
+        stands.contains(&true) && (0..N).all(within)
     }
 
     /// The first `M` components: as the torques tell them, and by how much they may be less (not

@@ -53,6 +53,13 @@ pub trait Body<const N: usize> {
         [0.0; N]
     }
 
+    /// By how much less and by how much more the friction of each joint may be than the last
+    /// [`Body::torques`] had it, N m, if the joint stands: static friction is anything within its
+    /// breakaway level. None by default.
+    fn static_friction(&self) -> [[f64; 2]; N] {
+        [[0.0; 2]; N]
+    }
+
     /// Frame and Jacobian of the point where contact is.
     fn tool(&mut self, q: &[f64; N]) -> Tool<N>;
 }
