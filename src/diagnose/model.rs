@@ -119,6 +119,12 @@ pub fn local(chosen: &[Chosen], fitted: &Fitted) -> Vec<usize> {
     of.flat_map(|((_, first), terms)| *first..first + terms.len()).collect()
 }
 
+/// Unknowns of causes whose size is in their shape ([`Cause::unit`]).
+pub(super) fn units(chosen: &[Chosen], fitted: &Fitted) -> Vec<usize> {
+    let of = chosen.iter().zip(&fitted.first).zip(&fitted.terms).filter(|((c, _), _)| c.cause.unit());
+    of.flat_map(|((_, first), terms)| *first..first + terms.len()).collect()
+}
+
 /// What tells one set of terms from another.
 type Key = (&'static str, Vec<usize>, Vec<u64>);
 

@@ -4,7 +4,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::model::{Chosen, Fitted, Mode, ModelUnderTest, given_friction, inertial, local, without_friction};
+use super::model::{Chosen, Fitted, Mode, ModelUnderTest, given_friction, inertial, local, units, without_friction};
 use crate::diagnose::hypotheses::Sign;
 use crate::diagnose::model_choice::LeftOut;
 use crate::identify::{BoundedLeastSquares, ConsistentError, ConsistentSettings};
@@ -26,6 +26,26 @@ struct Limits {
 }
 
 impl Limits {
+    /// With these unknowns fixed at 1.
+    fn solve_at_one(
+        &self,
+        mut normal: DMatrix<f64>,
+        mut rhs: DVector<f64>,
+        ones: &[usize],
+    ) -> Result<(DVector<f64>, Vec<f64>), ConsistentError> {
+        for &k in ones {
+            rhs -= normal.column(k);
+        }
+        for &k in ones {
+            normal.row_mut(k).fill(0.0);
+            normal.column_mut(k).fill(0.0);
+            rhs[k] = 0.0;
+        }
+        let (mut x, standard) = self.solve(&normal, &rhs)?;
+        ones.iter().for_each(|&k| x[k] = 1.0);
+        Ok((x, standard))
+    }
+
     fn solve(&self, normal: &DMatrix<f64>, rhs: &DVector<f64>) -> Result<(DVector<f64>, Vec<f64>), ConsistentError> {
         let problem = BoundedLeastSquares {
             standard: &self.standard,
@@ -43,17 +63,22 @@ impl ModelUnderTest<'_> {
     /// A fit of this bench moved to the least-squares solution inside the limits; as it is where
     /// nothing of it lies outside and no link is unknown. The scene has its model afterwards.
     ///
+    /// A law whose size is in its shape has the coefficient 1, as in a robot file: a fit that is
+    /// free to scale its column is another model than the one that is written.
+    ///
     /// # Errors
     /// Where the solver finds no solution.
     pub(super) fn possible(&mut self, chosen: &mut [Chosen], fitted: &Fitted) -> Result<Fitted, ConsistentError> {
-        let limits = self.limits(chosen, fitted);
+        let mut limits = self.limits(chosen, fitted);
+        let ones = units(chosen, fitted);
         let inside = |(least, x): (&Option<f64>, &f64)| least.is_none_or(|l| *x >= l);
         let first = limits.base.len();
-        if first == 0 && limits.least.iter().zip(fitted.solution.x.iter()).all(inside) {
+        if first == 0 && ones.is_empty() && limits.least.iter().zip(fitted.solution.x.iter()).all(inside) {
             return Ok(fitted.clone());
         }
         let (normal, rhs) = fitted.moments.normal(&limits.weights);
-        let (x, standard) = limits.solve(&normal, &rhs)?;
+        ones.iter().for_each(|&k| limits.least[k - first] = None);
+        let (x, standard) = limits.solve_at_one(normal, rhs, &ones)?;
         let solution = fitted.moments.at(&fitted.solution, x);
         let standard = (first > 0).then(|| without_friction(self.plant, &standard));
         let moved = Fitted { residual: fitted.moments.residual(&solution.x), solution, standard, ..fitted.clone() };
@@ -71,7 +96,8 @@ impl ModelUnderTest<'_> {
     /// Where the solver finds no solution.
     pub(super) fn possible_left_out(&self, chosen: &[Chosen], fitted: &Fitted) -> Result<LeftOut, ConsistentError> {
         let mut limits = self.limits(chosen, fitted);
-        let (stretches, fixed) = (self.stretches(chosen), local(chosen, fitted));
+        let (stretches, mut fixed) = (self.stretches(chosen), local(chosen, fitted));
+        fixed.extend(units(chosen, fitted));
         let first = limits.base.len();
         let weights = limits.weights.clone();
         // What is fixed is no unknown of the others.

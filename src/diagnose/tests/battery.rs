@@ -3,7 +3,10 @@
 use dh_codegen::robot::Robot;
 
 use super::world::{Hidden, World, record};
+use crate::diagnose::hypotheses::CAUSES;
+use crate::diagnose::model::{Chosen, Mode, ModelUnderTest};
 use crate::diagnose::{Diagnosis, Settings, diagnose};
+use crate::model::PerturbableArm;
 use crate::model::perturbable_robot::PerturbableRobot;
 use crate::numerics::prng::Random;
 
@@ -74,6 +77,33 @@ fn case(seed: u64, which: Option<usize>, size: f64) -> (Hidden, usize, Diagnosis
     let plant = PerturbableRobot::new(&robot);
     let found = diagnose(&plant, &[fit], &[validate], &Settings::default(), &|_| {}).unwrap();
     (hidden, j, found, name.into())
+}
+
+/// A robot file has no place for a coefficient of a spring's swing: what is measured and offered is
+/// the law with its stiffness and damping alone, whatever a free fit would multiply it with.
+#[test]
+fn a_law_whose_size_is_in_its_shape_is_not_scaled() {
+    let robot = robot("ur10e");
+    let noise = vec![0.05; robot.dof()];
+    let world = World {
+        robot: &robot,
+        hidden: vec![(Hidden::Elastic, 1, 20.0)],
+        noise: &noise,
+        rate: 500.0,
+        sizes: Default::default(),
+    };
+    let log = [record("fit", &world.log(6.0, &mut Random::new(5)), robot.dof())];
+    let plant = PerturbableRobot::new(&robot);
+    let delays = plant.delays();
+    let mut bench = ModelUnderTest::new(&plant, &log, 100.0, Mode::Refitted, &delays, false);
+    // A spring that is twice as stiff as one at 3 Hz would be: the free fit scales its swing.
+    let cause = CAUSES.iter().copied().find(|c| c.unit()).unwrap();
+    let mut chosen = vec![Chosen { cause, place: vec![1], shape: vec![8e3, 40.0], x: Vec::new() }];
+    let free = bench.fit(&mut chosen);
+    assert!((free.solution.x[free.first[0]] - 1.0).abs() > 0.05, "{}", free.solution.x[free.first[0]]);
+    let fitted = bench.possible(&mut chosen, &free).unwrap();
+    assert_eq!(fitted.solution.x[fitted.first[0]], 1.0);
+    assert_eq!(chosen[0].x, [1.0]);
 }
 
 #[test]
