@@ -5,7 +5,7 @@ pub use check::{json::check_json, text::check_text};
 pub use diagnose::json::diagnose_json;
 pub use diagnose::next_experiment::{next_experiment_json, next_experiment_text};
 pub use diagnose::page::diagnose_html;
-pub use diagnose::text::{diagnose_text, diagnose_verdict};
+pub use diagnose::text::{diagnose_text, diagnose_verdict, diagnose_warnings};
 pub use diagnose::written::{WrittenCheck, written_json, written_text};
 pub use eval::json::eval_json;
 pub use excite::motion_check::{motion_check_json, motion_check_text};

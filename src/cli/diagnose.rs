@@ -186,6 +186,21 @@ impl Diagnose {
         prepared: &[Prepared],
         provenance: &Provenance,
     ) -> Result<(), Failure> {
+        let mut warnings = report::diagnose_warnings(found, prepared);
+        let failed = match &written {
+            Some(Err(failure)) => Some(&failure.message),
+            Some(Ok(file)) => file.differs.as_ref(),
+            None => None,
+        };
+        if let Some(words) = failed {
+            warnings.push_shown(words);
+        }
+        if let (Some(path), None) = (&self.next, next) {
+            warnings.push(format!(
+                "{} is not written: no two causes are left that a motion would tell apart.",
+                path.display()
+            ));
+        }
         if let (Some(path), Some(Ok(file))) = (&self.out, &written) {
             files::write(path, file.text.as_bytes())?;
         }
@@ -193,7 +208,7 @@ impl Diagnose {
             files::write(path, report::motion_csv(&next.motion, NEXT_RATE).as_bytes())?;
         }
         if let Some(target) = &self.json {
-            let mut value = report::diagnose_json(found, prepared, &provenance.rows());
+            let mut value = report::diagnose_json(found, prepared, &warnings, &provenance.rows());
             if let Some((next, path)) = next {
                 value["next_experiment"] = report::next_experiment_json(next, &path.display().to_string());
             }
@@ -203,10 +218,10 @@ impl Diagnose {
             files::json(target, value, provenance)?;
         }
         if let Some(path) = &self.report {
-            files::write(path, report::diagnose_html(found, prepared, &provenance.rows()).as_bytes())?;
+            files::write(path, report::diagnose_html(found, prepared, &warnings, &provenance.rows()).as_bytes())?;
         }
         if !files::is_stdout(&self.json) {
-            files::print(&report::diagnose_text(found, prepared))?;
+            files::print(&report::diagnose_text(found, &warnings))?;
             if let Some((next, path)) = next {
                 files::print(&report::next_experiment_text(next, &path.display().to_string()))?;
             }

@@ -41,7 +41,7 @@ pub(super) struct Excite {
     robot: PathBuf,
     /// Check this motion instead of designing one: CSV with t, q.. and, if there, dq.., ddq... Exit
     /// status 1 where a limit is broken.
-    #[arg(long, value_name = "CSV", conflicts_with_all = ["out", "criterion", "duration", "report", "coefficients", "ros"])]
+    #[arg(long, value_name = "CSV")]
     check: Option<PathBuf>,
     /// Length of the motion, s (of one period with --fourier).
     #[arg(long, default_value_t = 10.0, value_name = "SECONDS", allow_negative_numbers = true)]
@@ -155,6 +155,7 @@ impl Which {
 impl Excite {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         self.validate()?;
+        self.refuse_idle(&provenance)?;
         let file = files::robot(&self.robot)?;
         motors::on_every_joint(&self.robot, &file.robot, "an exciting motion drives every joint")?;
         files::check_outputs(
@@ -193,10 +194,10 @@ impl Excite {
             task.extra = Some(&coverage);
         }
         self.know(&mut task)?;
+        let mut warnings = report::Warnings::default();
         for line in report::missing_text(&task.missing) {
-            terminal::say(&format!("{}: note: {line}", self.robot.display()));
+            terminal::warn(&mut warnings, &self.robot.display().to_string(), &line);
         }
-
         let (found, expected, tried) = self.search(&task)?;
         let seconds = begun.elapsed().as_secs_f64();
         if !found.feasible {
@@ -217,25 +218,37 @@ impl Excite {
                 broken.join("; ")
             )));
         }
+        let outcome = report::Outcome {
+            task: &task,
+            found: &found,
+            expected: &expected,
+            tried: &tried,
+            seconds,
+            warnings: &warnings,
+        };
+        self.deliver(&outcome, &provenance)
+    }
+
+    fn deliver(&self, outcome: &report::Outcome<'_>, provenance: &Provenance) -> Result<(), Failure> {
+        let motion = &outcome.found.trajectory;
         if let Some(path) = &self.out {
-            files::write(path, report::motion_csv(&found.trajectory, self.rate).as_bytes())?;
+            files::write(path, report::motion_csv(motion, self.rate).as_bytes())?;
         }
         if let Some(path) = &self.coefficients {
-            files::write(path, format!("{:#}\n", found.trajectory.to_json()).as_bytes())?;
+            files::write(path, format!("{:#}\n", motion.to_json()).as_bytes())?;
         }
         if let Some(path) = &self.ros {
-            let names: Vec<String> = task.limits.iter().map(|l| l.name.clone()).collect();
-            files::write(path, report::joint_trajectory(&found.trajectory, &names, self.rate).as_bytes())?;
+            let names: Vec<String> = outcome.task.limits.iter().map(|l| l.name.clone()).collect();
+            files::write(path, report::joint_trajectory(motion, &names, self.rate).as_bytes())?;
         }
-        let outcome = report::Outcome { task: &task, found: &found, expected: &expected, tried: &tried, seconds };
         if let Some(path) = &self.report {
-            files::write(path, report::excite_html(&outcome, &provenance.rows()).as_bytes())?;
+            files::write(path, report::excite_html(outcome, &provenance.rows()).as_bytes())?;
         }
         if let Some(target) = &self.json {
-            files::json(target, report::excite_json(&outcome), &provenance)?;
+            files::json(target, report::excite_json(outcome), provenance)?;
         }
         if !files::is_stdout(self.json.iter().chain(&self.out).chain(&self.coefficients).chain(&self.ros)) {
-            files::print(&report::excite_text(&outcome))?;
+            files::print(&report::excite_text(outcome))?;
             for path in self.out.iter().chain(&self.coefficients).chain(&self.ros).chain(&self.report) {
                 files::print(&format!("wrote {}\n", path.display()))?;
             }
@@ -265,6 +278,49 @@ impl Excite {
             return Ok(());
         }
         Err(Failure::other(format!("{} breaks {} limits: {}", path.display(), broken.len(), broken.join("; "))))
+    }
+
+    /// Refuses options that change nothing beside the others.
+    fn refuse_idle(&self, provenance: &Provenance) -> Result<(), Failure> {
+        const DESIGN: [&str; 24] = [
+            "--duration",
+            "--criterion",
+            "--out",
+            "--rate",
+            "--coefficients",
+            "--ros",
+            "--report",
+            "--spacing",
+            "--fourier",
+            "--periods",
+            "--starts",
+            "--seed",
+            "--iterations",
+            "--threads",
+            "--time-limit",
+            "--links-only",
+            "--tool",
+            "--friction",
+            "--noise",
+            "--cutoff",
+            "--known",
+            "--known-std",
+            "--target-std",
+            "--speed",
+        ];
+        let designs = self.check.is_none();
+        provenance.refuse_idle(&DESIGN.map(|option| (option, designs, "--check judges a motion and designs none")))?;
+        provenance.refuse_idle(&[
+            ("--rate", self.out.is_some() || self.ros.is_some(), "it is that of --out and --ros"),
+            ("--periods", self.fourier.is_some(), "it is that of a Fourier series (--fourier)"),
+            ("--spacing", self.fourier.is_none(), "a Fourier series has no way points"),
+            (
+                "--cutoff",
+                self.log_rate.is_none(),
+                "with --log-rate the noise is white, and the number of samples counts",
+            ),
+            ("--links-only", !self.tool, "--tool leaves the columns of drives out already"),
+        ])
     }
 
     fn validate(&self) -> Result<(), Failure> {

@@ -24,6 +24,8 @@ pub(super) struct RobotFile {
     pub text: String,
     /// Files that were read for it: its own and those that it names.
     pub read: Vec<PathBuf>,
+    /// What was noted in it.
+    pub notes: Vec<String>,
 }
 
 impl RobotFile {
@@ -51,10 +53,11 @@ pub(super) fn robot(path: &Path) -> Result<RobotFile, Failure> {
     };
     match Robot::from_yaml(&text, &load) {
         Ok(reading) => {
-            for note in &reading.notes {
+            let notes: Vec<String> = reading.notes.iter().map(ToString::to_string).collect();
+            for note in &notes {
                 terminal::say(&format!("{shown}: note: {note}"));
             }
-            Ok(RobotFile { robot: reading.robot, text, read: read.into_inner() })
+            Ok(RobotFile { robot: reading.robot, text, read: read.into_inner(), notes })
         }
         Err(problems) => Err(Failure::input(format!("{shown} can't be used:\n{}", problems.in_file(&shown)))),
     }

@@ -103,6 +103,9 @@ impl Ik {
             ))
         })?;
         let redundant = matches!(kinematics.inverse().family, Family::Swivel(_) | Family::Locked { .. });
+        let swivels = matches!(kinematics.inverse().family, Family::Swivel(_));
+        let why = "the arm has no swivel angle";
+        provenance.refuse_idle(&[("--reference", swivels, why), ("--second-reference", swivels, why)])?;
         let poses = self.solve(robot.dof(), &kinematics, reference, tool)?;
         if let Some(target) = &self.json {
             let made = provenance.robot(&self.robot, &file);

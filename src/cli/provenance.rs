@@ -8,6 +8,7 @@ use clap::{Arg, ArgAction, ArgMatches, Command};
 use dh_codegen::robot::Run;
 use sha2::{Digest, Sha256};
 
+use super::Failure;
 use super::files::RobotFile;
 use super::logbook::Logbook;
 
@@ -25,6 +26,10 @@ pub(super) struct Provenance {
     further: Vec<(String, String)>,
     /// Files with their SHA-256: what for, path, digest.
     files: Vec<(String, String, String)>,
+    /// What was noted in the files that were read.
+    notes: Vec<String>,
+    /// Options that stand on the command line.
+    given: Vec<String>,
 }
 
 impl Provenance {
@@ -40,7 +45,7 @@ impl Provenance {
         }
         let arguments = command.get_arguments().filter(|a| !matches!(a.get_id().as_str(), "help" | "version"));
         let (places, named): (Vec<&Arg>, Vec<&Arg>) = arguments.partition(|a| a.is_positional());
-        let mut options = Vec::new();
+        let (mut options, mut typed) = (Vec::new(), Vec::new());
         for argument in places.into_iter().chain(named) {
             let id = argument.get_id().as_str();
             let values: Vec<String> = matches
@@ -49,6 +54,9 @@ impl Provenance {
                 .unwrap_or_default();
             let given = matches.value_source(id) == Some(ValueSource::CommandLine);
             // `paint plan` writes a plan, `paint run` reads it.
+            if given {
+                typed.push(format!("--{}", name(argument)));
+            }
             let output = OUTPUTS.contains(&id) || (id == "plan" && command.get_name() == "plan");
             if given && !output {
                 words.extend(as_typed(argument, &values));
@@ -57,7 +65,16 @@ impl Provenance {
                 options.push((format!("--{}", name(argument)), shown(argument, &values, given)));
             }
         }
-        Self { command: words.join(" "), options, ..Self::default() }
+        Self { command: words.join(" "), options, given: typed, ..Self::default() }
+    }
+
+    /// Refuses options of the command line that change nothing in this run: option, whether it has
+    /// an effect, and why not.
+    pub(super) fn refuse_idle(&self, rules: &[(&str, bool, &str)]) -> Result<(), Failure> {
+        let idle = rules.iter().find(|(option, acts, _)| !acts && self.given.iter().any(|given| given == option));
+        idle.map_or(Ok(()), |(option, _, why)| {
+            Err(Failure::input(format!("{option} has no effect here: {why}; leave it out")))
+        })
     }
 
     /// For a robot file that this run writes. Where it is written to is no part of it: the same run
@@ -76,6 +93,7 @@ impl Provenance {
     /// With the robot file.
     pub(super) fn robot(mut self, path: &Path, file: &RobotFile) -> Self {
         self.files.push(("robot file".into(), path.display().to_string(), sha256(file.text.as_bytes())));
+        self.notes.extend(file.notes.iter().map(|note| format!("{}: {note}", path.display())));
         self
     }
 
@@ -104,6 +122,9 @@ impl Provenance {
             let list: Vec<String> = of.map(|(_, path, digest)| format!("{path} (SHA-256 {digest})")).collect();
             let plural = if purpose.ends_with("log") { "s" } else { "" };
             rows.push((format!("{purpose}{plural}"), list.join(", ")));
+        }
+        if !self.notes.is_empty() {
+            rows.push(row("notes", &self.notes.join("; ")));
         }
         rows.extend(self.further.iter().cloned());
         rows.extend(self.options.iter().cloned());

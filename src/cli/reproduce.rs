@@ -94,6 +94,17 @@ impl Reproduce {
         if self.runs > MOST_RUNS {
             return Err(Failure::input(format!("--runs {}: at most {MOST_RUNS}", self.runs)));
         }
+        let runs = |parts: &[Part]| self.part.is_none_or(|part| parts.contains(&part));
+        provenance.refuse_idle(&[
+            ("--runs", runs(&[Part::Identification, Part::Force]), "it belongs to `identification` and `force`"),
+            ("--longest", runs(&[Part::Excitation]), "it belongs to `excitation`"),
+            ("--cases", runs(&[Part::Diagnosis]), "it belongs to `diagnosis`"),
+            ("--from", runs(&[Part::Diagnosis]), "it belongs to `diagnosis`"),
+            ("--size", runs(&[Part::Diagnosis]), "it belongs to `diagnosis`"),
+            ("--clean", runs(&[Part::Diagnosis]), "it belongs to `diagnosis`"),
+            ("--quick", runs(&[Part::Painting]), "it belongs to `painting`"),
+            ("--seed", self.part != Some(Part::Diagnosis), "the seeds of `diagnosis` begin with --from"),
+        ])?;
         files::check_outputs(&[("--json", &self.json), ("--report", &self.report)], [])?;
         let provenance = provenance.with("robot", "robots/kuka-lwr4.yaml, built in");
         let asked = |part: Part| self.part.is_none_or(|p| p == part);

@@ -87,8 +87,10 @@ impl Simulate {
         let file = files::robot(&self.robot)?;
         let inputs = file.read.iter().chain(&self.trajectory).chain(&self.effects);
         files::check_outputs(&[("--out", &Some(self.out.clone())), ("--json", &self.json)], inputs)?;
+        provenance.refuse_idle(&[("--trajectory", self.start.is_none(), "--start says where the swing begins")])?;
+        let mut warnings = report::Warnings::default();
         let given = match &self.effects {
-            Some(path) => effects(path, &file.robot)?,
+            Some(path) => effects(path, &file.robot, &mut warnings)?,
             None => SimulationFile::default(),
         };
         let mut request = Request { seed: self.seed, ..Request::default() };
@@ -105,16 +107,14 @@ impl Simulate {
             request.control.mode = Mode::Free;
         }
         let trajectory = self.trajectory(file.robot.dof(), request.control.mode)?;
+        let motion = self.trajectory.as_ref().map_or("denavit".to_string(), |path| path.display().to_string());
         for doubt in simulate::motion_warnings(&trajectory, &file.robot) {
-            terminal::say(&format!("denavit: note: {doubt}"));
+            terminal::warn(&mut warnings, &motion, &doubt);
         }
         let simulator = Simulator::new(&file.robot, &given.effects).map_err(|e| self.failed(e))?;
 
         let span = trajectory.span();
-        let bar = if std::io::stderr().is_terminal() { ProgressBar::new(1000) } else { ProgressBar::hidden() };
-        if let Ok(style) = ProgressStyle::with_template("simulating [{bar:30}] {msg} {eta}") {
-            bar.set_style(style);
-        }
+        let bar = bar();
         let begin = Instant::now();
         let recording = simulator
             .run(&trajectory, &request, &mut |t| {
@@ -128,10 +128,10 @@ impl Simulate {
         self.write(&recording)?;
         if let Some(target) = &self.json {
             let provenance = provenance.robot(&self.robot, &file);
-            files::json(target, report::simulate_json(&file.robot.name, &recording, &request), &provenance)?;
+            files::json(target, report::simulate_json(&file.robot.name, &recording, &request, &warnings), &provenance)?;
         }
         if !files::is_stdout(&self.json) {
-            files::print(&report::simulate_text(&file.robot.name, &recording, &request, seconds))?;
+            files::print(&report::simulate_text(&file.robot.name, &recording, &request, seconds, &warnings))?;
             files::print(&format!("wrote {}\n", self.out.display()))?;
         }
         Ok(())
@@ -229,13 +229,25 @@ impl Simulate {
     }
 }
 
-pub(in crate::cli) fn effects(path: &Path, robot: &Robot) -> Result<SimulationFile, Failure> {
+/// On a terminal.
+fn bar() -> ProgressBar {
+    let bar = if std::io::stderr().is_terminal() { ProgressBar::new(1000) } else { ProgressBar::hidden() };
+    if let Ok(style) = ProgressStyle::with_template("simulating [{bar:30}] {msg} {eta}") {
+        bar.set_style(style);
+    }
+    bar
+}
+
+/// An effects file; what was noted in it is a warning.
+pub(in crate::cli) fn effects(
+    path: &Path,
+    robot: &Robot,
+    warnings: &mut report::Warnings,
+) -> Result<SimulationFile, Failure> {
     let shown = path.display().to_string();
     let file = SimulationFile::from_yaml(&files::text(path)?, robot)
         .map_err(|problems| Failure::input(format!("{shown} can't be used:\n{}", problems.in_file(&shown))))?;
-    for note in &file.notes {
-        terminal::say(&format!("{shown}: note: {note}"));
-    }
+    file.notes.iter().for_each(|note| terminal::warn(warnings, &shown, &note.to_string()));
     Ok(file)
 }
 

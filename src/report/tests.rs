@@ -179,7 +179,7 @@ fn diagnosis_page_stands_alone() {
         }],
         maps: vec![vec![ErrorMap { over: "velocity, rad/s", x: vec![0.0], before: vec![1.0], after: vec![0.1] }]],
     };
-    let page = diagnose_html(&found, &[], &[("robot file".into(), "a & b".into())]);
+    let page = diagnose_html(&found, &[], &Warnings::default(), &[("robot file".into(), "a & b".into())]);
     for outside in ["http://", "https://", "src=", "href=", "@import", "url("] {
         let used = page.replace("http://www.w3.org/2000/svg", "").contains(outside);
         assert!(!used, "{outside}");
@@ -198,5 +198,5 @@ fn diagnosis_page_stands_alone() {
     // A delay has no curve of its own.
     let mut late = found;
     late.causes[0].cause = "time_delay";
-    assert!(diagnose_html(&late, &[], &[]).contains("\"curve\":null"));
+    assert!(diagnose_html(&late, &[], &Warnings::default(), &[]).contains("\"curve\":null"));
 }

@@ -137,6 +137,12 @@ fn what_the_file_does_not_say_is_said_once() {
         "{}",
         run.err
     );
+    // The same in JSON and page.
+    let page = folder.join("m.html").display().to_string();
+    let found = json(&[&["excite", ROBOT, "--report", &page, "--json", "-"], &quick[..]].concat());
+    let warnings = strings(&found["warnings"]);
+    assert!(matches!(warnings[..], [one] if one.contains("A1 3.840, A2 3.840")), "{warnings:?}");
+    assert!(std::fs::read_to_string(&page).unwrap().contains("A1 3.840, A2 3.840"));
     let run = denavit(&[&["excite", "robots/planar2r.yaml", "--out", &path], &quick[..]].concat());
     assert_eq!(run.status, Some(0), "{}", run.err);
     assert!(run.err.contains("self-collision are not checked"), "{}", run.err);
@@ -144,6 +150,24 @@ fn what_the_file_does_not_say_is_said_once() {
     assert!(run.out.contains("not checked: self-collision"), "{}", run.out);
     let verdict = json(&["excite", "robots/planar2r.yaml", "--check", &path, "--json", "-"]);
     assert!(verdict["unchecked"].as_array().unwrap().len() >= 2, "{verdict}");
+    assert!(strings(&verdict["warnings"]).iter().any(|w| w.contains("self-collision")), "{verdict}");
+}
+
+#[test]
+fn options_without_effect_are_refused() {
+    for (arguments, option) in [
+        (&["--periods", "5"][..], "--periods"),
+        (&["--fourier", "3", "--spacing", "0.5"], "--spacing"),
+        (&["--noise", "1", "--log-rate", "500", "--cutoff", "5"], "--cutoff"),
+        (&["--tool", "--links-only"], "--links-only"),
+        (&["--rate", "50"], "--rate"),
+        (&["--check", "m.csv", "--seed", "3"], "--seed"),
+        (&["--check", "m.csv", "--out", "n.csv"], "--out"),
+    ] {
+        let run = denavit(&[&["excite", ROBOT], arguments].concat());
+        assert_eq!(run.status, Some(2), "{arguments:?}: {}", run.err);
+        assert!(run.err.contains(&format!("{option} has no effect here")), "{arguments:?}: {}", run.err);
+    }
 }
 
 /// `--target-std` is kept: errors of what is identified from the motion, played with that noise,

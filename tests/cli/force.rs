@@ -309,6 +309,16 @@ fn at_rest_friction_is_an_interval() {
     assert_eq!(found["logs"][0]["touching"], 0, "{found}");
     assert!(found["logs"][0]["undecided"].as_f64().unwrap() > 1000.0, "{found}");
     assert_eq!(found["logs"][0]["assumed_static_friction"][1]["at_most"], 16.5, "{found}");
+    // One list of warnings in text, JSON and page.
+    let page = folder.join("standing.html").display().to_string();
+    let run = denavit(&["force", "robots/ur10e.yaml", &log, "--report", &page]);
+    let page = std::fs::read_to_string(page).unwrap();
+    let warnings = strings(&found["warnings"]);
+    assert!(warnings.iter().any(|w| w.contains("has no dry friction for joints 1 (16 N m)")), "{warnings:?}");
+    for warning in warnings {
+        assert!(run.out.contains(&format!("warning: {warning}")), "{warning}\n{}", run.out);
+        assert!(page.contains(&warning.replace('\'', "&#39;")) || page.contains(warning), "{warning}");
+    }
 }
 
 #[test]

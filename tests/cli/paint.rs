@@ -101,6 +101,7 @@ fn wrong_uses() {
     fails(2, &[&[ROBOT], &tool[..], &["--width", "0"]].concat(), &["width is 0 m"]);
     fails(2, &[&[ROBOT], &tool[..], &["--lanes", "0"]].concat(), &["lanes"]);
     fails(2, &[&[ROBOT], &tool[..], &["--rate", "0"]].concat(), &["--rate 0"]);
+    fails(2, &[&[ROBOT], &tool[..], &["--rate", "50"]].concat(), &["--rate has no effect here", "--out"]);
     fails(1, &[&[ROBOT], &tool[..], &["--center", "-3,0,0.4", "--constant-swivel"]].concat(), &["out of reach by"]);
     let short = [&QUICK[..], &["--duration", "0.5"]].concat();
     fails(1, &[&[ROBOT], &short[..]].concat(), &["s more than the 0.5 s", "--duration"]);

@@ -10,9 +10,14 @@ fn what_is_asked_wrongly_is_one_paragraph() {
     let help = denavit(&["reproduce", "--help"]);
     assert_eq!(help.status, Some(0));
     assert!(help.out.contains("Example:") && help.out.contains("identification"), "{}", help.out);
-    for wrong in
-        [&["reproduce", "identifcation"][..], &["reproduce", "--runs", "1000000"], &["reproduce", "--runs", "-1"]]
-    {
+    for wrong in [
+        &["reproduce", "identifcation"][..],
+        &["reproduce", "--runs", "1000000"],
+        &["reproduce", "--runs", "-1"],
+        &["reproduce", "force", "--quick"],
+        &["reproduce", "diagnosis", "--seed", "2"],
+        &["reproduce", "painting", "--runs", "5"],
+    ] {
         let run = denavit(wrong);
         assert_eq!((run.status, run.out.as_str()), (Some(2), ""), "{wrong:?}");
         assert_eq!(run.err.trim_end().lines().count(), 1, "{}", run.err);

@@ -72,6 +72,28 @@ fn a_free_swing_needs_no_trajectory() {
     let run = denavit(&["simulate", ROBOT, "--free", "1", "--start", "-0.3,0.4", "--out", &log]);
     assert_eq!(run.status, Some(0), "{}", run.err);
     assert_eq!(std::fs::read_to_string(&log).unwrap().lines().count(), 1002);
+    let both = ["--free", "1", "--start", "-0.3,0.4", "--trajectory", "motion.csv", "--out", &log];
+    let run = denavit(&[&["simulate", ROBOT], &both[..]].concat());
+    assert_eq!(run.status, Some(2), "{}", run.err);
+    assert!(run.err.contains("--trajectory has no effect here"), "{}", run.err);
+}
+
+/// What is said of a motion stands in the JSON, too.
+#[test]
+fn doubts_are_in_the_json() {
+    let folder = folder("simulate-doubts");
+    let fast = "t,q1,q2\n0,0,0\n0.1,3,0\n0.2,0,0\n0.3,3,0\n";
+    let (motion, log) = (file(&folder, "fast.csv", fast), folder.join("log.csv").display().to_string());
+    let run = denavit(&["simulate", ROBOT, "--trajectory", &motion, "--control", "exact", "--out", &log]);
+    assert_eq!(run.status, Some(0), "{}", run.err);
+    let arguments = ["simulate", ROBOT, "--trajectory", &motion, "--control", "exact", "--out", &log, "--json", "-"];
+    let found = json(&arguments);
+    let warnings = strings(&found["warnings"]);
+    assert!(!warnings.is_empty(), "{}", run.err);
+    for warning in warnings {
+        let said = warning.split_once(": ").unwrap().1;
+        assert!(run.err.contains(said), "{warning}: {}", run.err);
+    }
 }
 
 /// A joint that slides: the SCARA arm's own links, from a file to a log and back.

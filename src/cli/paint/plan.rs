@@ -14,6 +14,7 @@ use crate::model::FrameKinematics;
 use crate::model::interpreted::Interpreted;
 use crate::model::inverse_kinematics::{Kinematics, MOST};
 use crate::report;
+use crate::report::Warnings;
 
 /// Plan the motion that paints a wall with a roller, inside every limit (the paper's section IV).
 ///
@@ -161,6 +162,8 @@ pub(super) struct Site {
     pub standoff: f64,
     /// The robot's file.
     pub file: files::RobotFile,
+    /// What was noted in the tool's file.
+    pub warnings: Warnings,
 }
 
 impl Where {
@@ -168,9 +171,9 @@ impl Where {
     pub(super) fn site(&self, path: &Path) -> Result<Site, Failure> {
         let file = files::robot(path)?;
         motors::on_every_joint(path, &file.robot, "painting drives every joint")?;
-        let mut robot = file.robot.clone();
+        let (mut robot, mut warnings) = (file.robot.clone(), Warnings::default());
         if let Some(path) = &self.tool {
-            robot.tool = Some(tool(path)?);
+            robot.tool = Some(tool(path, &mut warnings)?);
         }
         let Some(tool) = &mut robot.tool else {
             return Err(Failure::input(format!(
@@ -217,16 +220,18 @@ impl Where {
             standoff: self.standoff,
             file,
             robot,
+            warnings,
         })
     }
 }
 
-fn tool(path: &Path) -> Result<Tool, Failure> {
+/// A tool file; what was noted in it is a warning.
+pub(super) fn tool(path: &Path, warnings: &mut Warnings) -> Result<Tool, Failure> {
     let shown = path.display().to_string();
     let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
     let (tool, notes) = Tool::from_yaml(&files::text(path)?, &stem)
         .map_err(|problems| Failure::input(format!("{shown} can't be used:\n{}", problems.in_file(&shown))))?;
-    notes.iter().for_each(|note| terminal::say(&format!("{shown}: note: {note}")));
+    notes.iter().for_each(|note| terminal::warn(warnings, &shown, &note.to_string()));
     Ok(tool)
 }
 
@@ -240,6 +245,11 @@ fn vector(option: &str, numbers: &[f64]) -> Result<[f64; 3], Failure> {
 impl Plan {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         self.validate()?;
+        provenance.refuse_idle(&[(
+            "--rate",
+            self.out.is_some() || self.path.is_some(),
+            "it is that of --out and --path",
+        )])?;
         let site = self.task.site(&self.robot)?;
         files::check_outputs(
             &[
@@ -266,6 +276,9 @@ impl Plan {
         (task.pattern, task.lanes, task.standoff) = (site.pattern, site.lanes, site.standoff);
         task.cover = if self.whole { Cover::Whole } else { Cover::Most };
         task.swivel = if self.constant_swivel { Swivel::Constant } else { Swivel::Spline };
+        let why = "the arm has no redundancy that a swivel angle would settle";
+        let redundant = task.redundancy().is_some();
+        provenance.refuse_idle(&[("--reference", redundant, why), ("--constant-swivel", redundant, why)])?;
         task.reference.b = vector("--reference", &self.reference)?;
         if task.reference.b.iter().all(|x| x.abs() < 1e-9) {
             return Err(Failure::input("--reference takes three numbers, not all zero: 0,0,1"));
@@ -279,8 +292,9 @@ impl Plan {
             (Some(z), none) => *none = Some((z, (0..arm.frame_count()).collect())),
             _ => {}
         }
+        let mut warnings = site.warnings;
         for line in report::missing_text(&task.missing) {
-            terminal::say(&format!("{shown}: note: {line}"));
+            terminal::warn(&mut warnings, &shown.to_string(), &line);
         }
         let bar = ProgressBar::new(1000);
         if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {bar:30} {msg}") {
@@ -294,24 +308,29 @@ impl Plan {
         let found = found.map_err(|e| {
             Failure::other(format!("{shown}: no plan keeps every limit; closest to one: {e}. {}", self.advice()))
         })?;
-        let planned = report::Planned { task: &task, plan: &found, seconds: begun.elapsed().as_secs_f64() };
+        let planned =
+            report::Planned { task: &task, plan: &found, seconds: begun.elapsed().as_secs_f64(), warnings: &warnings };
+        self.deliver(&planned, &provenance)
+    }
+
+    fn deliver(&self, planned: &report::Planned<'_>, provenance: &Provenance) -> Result<(), Failure> {
         if let Some(path) = &self.out {
-            files::write(path, report::paint_csv(&found, self.rate).as_bytes())?;
+            files::write(path, report::paint_csv(planned.plan, self.rate).as_bytes())?;
         }
         if let Some(path) = &self.path {
-            files::write(path, report::paint_path_csv(&found, self.rate).as_bytes())?;
+            files::write(path, report::paint_path_csv(planned.plan, self.rate).as_bytes())?;
         }
         if let Some(path) = &self.plan {
-            files::write(path, format!("{}\n", found.to_json()).as_bytes())?;
+            files::write(path, format!("{}\n", planned.plan.to_json()).as_bytes())?;
         }
         if let Some(path) = &self.report {
-            files::write(path, report::paint_html(&planned, &provenance.rows()).as_bytes())?;
+            files::write(path, report::paint_html(planned, &provenance.rows()).as_bytes())?;
         }
         if let Some(target) = &self.json {
-            files::json(target, report::paint_json(&planned), &provenance)?;
+            files::json(target, report::paint_json(planned), provenance)?;
         }
         if !files::is_stdout(self.json.iter().chain(&self.out).chain(&self.path).chain(&self.plan)) {
-            files::print(&report::paint_text(&planned))?;
+            files::print(&report::paint_text(planned))?;
             for path in self.out.iter().chain(&self.path).chain(&self.plan).chain(&self.report) {
                 files::print(&format!("wrote {}\n", path.display()))?;
             }

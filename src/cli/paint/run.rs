@@ -5,12 +5,13 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use dh_codegen::arm::param;
-use dh_codegen::robot::{Effects, SimulationFile, Tool};
+use dh_codegen::robot::{Effects, Robot, SimulationFile};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::apps::painting::Plan;
 use crate::apps::painting::run::{Feedback, Known, Law, RunError, SETTLE, Task, in_contact, roller_moment, run};
 use crate::apps::painting::wall::RollerWall;
+use crate::cli::paint::plan::tool;
 use crate::cli::provenance::Provenance;
 use crate::cli::simulate::{apply, effects};
 use crate::cli::{Failure, files, motors};
@@ -113,6 +114,19 @@ enum Which {
     Measured,
 }
 
+/// An effects file whose sections all act here: the painting brings its own control, and the
+/// tolerance of its solver.
+fn played(path: &Path, robot: &Robot, warnings: &mut report::Warnings) -> Result<SimulationFile, Failure> {
+    let file = effects(path, robot, warnings)?;
+    match file.settings.iter().find(|(section, ..)| *section != "sensors") {
+        None => Ok(file),
+        Some((section, key, _)) => Err(Failure::input(format!(
+            "{}: `{section}: {key}` has no effect on `paint run`, which has a control and a solver of its own; leave it out",
+            path.display()
+        ))),
+    }
+}
+
 impl Run {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         self.validate()?;
@@ -126,16 +140,9 @@ impl Run {
             .robot(&self.robot, &file)
             .with("low-pass of the forces", format!("three poles, {} Hz", self.corner));
         let shown = self.robot.display();
+        let mut warnings = report::Warnings::default();
         if let Some(path) = &self.tool {
-            let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
-            let (tool, _) = Tool::from_yaml(&files::text(path)?, &stem).map_err(|problems| {
-                Failure::input(format!(
-                    "{} can't be used:\n{}",
-                    path.display(),
-                    problems.in_file(&path.display().to_string())
-                ))
-            })?;
-            file.robot.tool = Some(tool);
+            file.robot.tool = Some(tool(path, &mut warnings)?);
         }
         let robot = file.robot;
         let plan = self.plan(&self.plan)?;
@@ -148,7 +155,7 @@ impl Run {
             )));
         }
         let given = match &self.effects {
-            Some(path) => effects(path, &robot)?,
+            Some(path) => played(path, &robot, &mut warnings)?,
             None => SimulationFile::default(),
         };
         let mut request = Request::default();
@@ -202,8 +209,7 @@ impl Run {
         if let Ok(style) = ProgressStyle::with_template("painting [{bar:30}] {percent}% {eta}") {
             bar.set_style(style);
         }
-        let of = f64::from(self.coats);
-        let mut coats = Vec::new();
+        let (of, mut coats) = (f64::from(self.coats), Vec::new());
         let mut found = run(&known, &real, &task, &mut |share| bar.set_position((1000.0 * share / of) as u64));
         for coat in 1..self.coats {
             let Ok(before) = &found else { break };
@@ -221,7 +227,15 @@ impl Run {
             _ => Failure::input(format!("{shown}: {e}")),
         })?;
         coats.push(found.accuracy);
-        let painted = report::Painted { run: &found, plan: &plan, force: self.force, feedback, law, coats: &coats };
+        let painted = report::Painted {
+            run: &found,
+            plan: &plan,
+            force: self.force,
+            feedback,
+            law,
+            coats: &coats,
+            warnings: &warnings,
+        };
         self.deliver(&painted, &provenance.with("moment", format!("{moment} N m")))
     }
 

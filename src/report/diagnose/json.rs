@@ -8,7 +8,7 @@ use crate::report::Provenance;
 use crate::report::Warnings;
 
 /// The result as one JSON object.
-pub fn diagnose_json(found: &Diagnosis, logs: &[Prepared], provenance: &Provenance) -> Value {
+pub fn diagnose_json(found: &Diagnosis, logs: &[Prepared], warnings: &Warnings, provenance: &Provenance) -> Value {
     let rms = |e: &Errors| json!({ "rms": { "fit": e.fit, "validate": e.validate, "validate_moving": e.moving } });
     let findings: Vec<Value> = logs
         .iter()
@@ -36,7 +36,7 @@ pub fn diagnose_json(found: &Diagnosis, logs: &[Prepared], provenance: &Provenan
             "joints": next.joints,
             "motion": next.motion,
         })),
-        "warnings": Warnings::of_logs(logs).json(),
+        "warnings": warnings.json(),
         "findings": findings,
         "provenance": provenance.iter().map(|(k, v)| (k.clone(), Value::from(v.as_str()))).collect::<Map<_, _>>(),
     })

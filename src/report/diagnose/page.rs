@@ -18,7 +18,7 @@ use crate::report::parts::number::{digits, figure, percent};
 use crate::report::parts::page::{Page, escape};
 
 /// The page.
-pub fn diagnose_html(found: &Diagnosis, logs: &[Prepared], provenance: &Provenance) -> String {
+pub fn diagnose_html(found: &Diagnosis, logs: &[Prepared], warnings: &Warnings, provenance: &Provenance) -> String {
     let name = escape(&found.robot);
     let mut body = String::new();
     let _ = writeln!(
@@ -27,7 +27,7 @@ pub fn diagnose_html(found: &Diagnosis, logs: &[Prepared], provenance: &Provenan
         found.verdict.word().replace('_', " "),
         escape(&diagnose_verdict(found))
     );
-    body.push_str(&Warnings::of_logs(logs).html());
+    body.push_str(&warnings.html());
     gain_table(&mut body, found);
     if !found.offer.why.is_empty() {
         let why: String = found.offer.why.iter().map(|w| format!("<li>{}", escape(w))).collect();

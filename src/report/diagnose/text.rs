@@ -7,7 +7,29 @@ use crate::diagnose::{Cause, Diagnosis, Verdict};
 use crate::report::Warnings;
 use crate::report::parts::number::{digits, pad};
 
-/// The diagnosis in two or three sentences.
+/// What to know before the figures, the same in text, JSON and page.
+pub fn diagnose_warnings(found: &Diagnosis, logs: &[Prepared]) -> Warnings {
+    let mut warnings = Warnings::default();
+    let joints: Vec<String> = (0..found.noise_floor.len())
+        .filter(|&j| found.extended.validate[j] > 1.05 * found.baseline.validate[j])
+        .map(|j| (j + 1).to_string())
+        .collect();
+    if !joints.is_empty() {
+        warnings.push(format!(
+            "On joint{} {} the extended model is worse than the file: the fitted logs do not show {} well.",
+            if joints.len() > 1 { "s" } else { "" },
+            joints.join(", "),
+            if joints.len() > 1 { "them" } else { "it" }
+        ));
+    }
+    if !found.own_validation {
+        warnings.push("No validating log was given: the last three tenths of each stretch were kept out of the fit and measured on.");
+    }
+    warnings.logs(logs);
+    warnings
+}
+
+/// The diagnosis in two sentences.
 pub fn diagnose_verdict(found: &Diagnosis) -> String {
     let named: Vec<&Cause> = found.causes.iter().filter(|c| c.cause != "unknown").collect();
     let mean = |x: &[f64]| (x.iter().map(|x| x * x).sum::<f64>() / x.len().max(1) as f64).sqrt();
@@ -29,26 +51,15 @@ pub fn diagnose_verdict(found: &Diagnosis) -> String {
         _ => "There is structure in the error that none of the known causes explains.".to_string(),
     };
     let (before, after) = (mean(&found.baseline.validate), mean(&found.extended.validate));
-    let joints: Vec<String> = (0..found.noise_floor.len())
-        .filter(|&j| found.extended.validate[j] > 1.05 * found.baseline.validate[j])
-        .map(|j| (j + 1).to_string())
-        .collect();
-    let worse = match joints.is_empty() {
-        true => String::new(),
-        false => format!(
-            " On joint {} the extended model is worse than the file: the fitted logs do not show it well.",
-            joints.join(", ")
-        ),
-    };
     let data =
-        if found.own_validation { "logs that were not used" } else { "the last part of the logs, which was not used" };
+        if found.own_validation { "logs that were not used" } else { "the last part of the logs, which was not used," };
     format!(
         "{first} On {data} the simulation of the file misses the torque by {} N m (RMS over joints) as it is, by {} N m with its parameters refitted, the extended model by {} N m; the noise is {} N m.",
         digits(before, 3),
         digits(mean(&found.refitted.validate), 3),
         digits(after, 3),
         digits(mean(&found.noise_floor), 3)
-    ) + &worse
+    )
 }
 
 fn place(c: &Cause) -> String {
@@ -60,8 +71,8 @@ fn place(c: &Cause) -> String {
 }
 
 /// The result for a terminal.
-pub fn diagnose_text(found: &Diagnosis, logs: &[Prepared]) -> String {
-    let mut text = Warnings::of_logs(logs).text();
+pub fn diagnose_text(found: &Diagnosis, warnings: &Warnings) -> String {
+    let mut text = warnings.text();
     let _ = writeln!(text, "{}: {}", found.robot, found.verdict.word().replace('_', " "));
     let _ = writeln!(text, "{}\n", diagnose_verdict(found));
     let heads = ["joint", "torque", "file", "refitted", "extended", "noise", "of torque"];
@@ -93,9 +104,6 @@ pub fn diagnose_text(found: &Diagnosis, logs: &[Prepared]) -> String {
                 c.shown_by
             );
         }
-    }
-    if !found.own_validation {
-        text.push_str("\nNo validating log was given: the last three tenths of each stretch were kept out of the fit and measured on.\n");
     }
     text
 }

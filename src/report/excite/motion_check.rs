@@ -5,7 +5,21 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use crate::excite::check::Verdict;
+use crate::report::Warnings;
 use crate::report::parts::number::figure;
+
+/// What was not checked, or against a limit that is not in the file.
+fn warnings(verdict: &Verdict) -> Warnings {
+    let mut warnings = Warnings::default();
+    verdict.unchecked.iter().for_each(|line| warnings.push(format!("not checked: {line}")));
+    if !verdict.assumed.is_empty() {
+        warnings.push(format!(
+            "assumed, where the file has no limit: accelerations {} (--acceleration-time)",
+            verdict.assumed.join(", ")
+        ));
+    }
+    warnings
+}
 
 /// As JSON.
 pub fn motion_check_json(verdict: &Verdict) -> Value {
@@ -14,6 +28,7 @@ pub fn motion_check_json(verdict: &Verdict) -> Value {
         "instants": verdict.instants,
         "violations": verdict.findings.iter().filter(|f| f.broken).map(finding).collect::<Vec<_>>(),
         "closest": verdict.findings.iter().map(finding).collect::<Vec<_>>(),
+        "warnings": warnings(verdict).json(),
         "unchecked": verdict.unchecked,
         "assumed": verdict.assumed,
     })
@@ -26,16 +41,6 @@ fn finding(f: &crate::excite::check::Finding) -> Value {
 /// For people.
 pub fn motion_check_text(verdict: &Verdict) -> String {
     let mut out = String::new();
-    for line in &verdict.unchecked {
-        let _ = writeln!(out, "not checked: {line}");
-    }
-    if !verdict.assumed.is_empty() {
-        let _ = writeln!(
-            out,
-            "assumed, where the file has no limit: accelerations {} (--acceleration-time)",
-            verdict.assumed.join(", ")
-        );
-    }
     let broken = verdict.findings.iter().filter(|f| f.broken).count();
     for kind in [
         "position",
@@ -74,5 +79,5 @@ pub fn motion_check_text(verdict: &Verdict) -> String {
         0 => writeln!(out, "feasible: {} instants looked at", verdict.instants),
         _ => writeln!(out, "not feasible: {broken} conditions broken"),
     };
-    out
+    out + &warnings(verdict).text()
 }

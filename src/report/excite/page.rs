@@ -6,14 +6,14 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use crate::report::Provenance;
-use crate::report::excite::text::{Outcome, missing_text};
+use crate::report::excite::text::Outcome;
 use crate::report::parts::number::{figure, percent, short};
 use crate::report::parts::page::{Page, escape};
 use crate::report::parts::stick_figure::StickFigures;
 
 /// The page.
 pub fn excite_html(outcome: &Outcome<'_>, provenance: &Provenance) -> String {
-    let Outcome { task, found, expected, tried, seconds } = *outcome;
+    let Outcome { task, found, expected, tried, seconds, warnings } = *outcome;
     let name = escape(task.arm.name());
     let mut body = String::new();
     let _ = writeln!(
@@ -26,15 +26,13 @@ pub fn excite_html(outcome: &Outcome<'_>, provenance: &Provenance) -> String {
         if found.feasible { "; every limit is kept" } else { "; <b>not every limit is kept</b>" },
         if found.stopped { "Stopped early." } else { "" }
     );
+    body.push_str(&warnings.html());
     body.push_str("<section><h2>The arm</h2><p class=note>Drag to turn. Spheres are those of the robot file, the grid is its ground.</p><div id=arm></div></section>\n");
-    body.push_str("<section><h2>What is closest to its limit</h2><div class=scroll><table><thead><tr><th>condition<th>at<br>s</tr></thead><tbody>\n");
+    body.push_str("<section><h2>Torque, ground, spheres: what is closest</h2><p class=note>Positions, speeds and accelerations stand against their limits below.</p><div class=scroll><table><thead><tr><th>condition<th>at<br>s</tr></thead><tbody>\n");
     for worst in &found.closest {
         let _ = writeln!(body, "<tr><th>{}<td>{:.2}</tr>", escape(&worst.what), worst.time);
     }
     body.push_str("</tbody></table></div>\n");
-    for line in missing_text(&task.missing) {
-        let _ = writeln!(body, "<p class=note>{}</p>", escape(&line));
-    }
     body.push_str("</section>\n<section><h2>Joints against their limits</h2><p class=note><span class='key q'></span>position <span class='key dq'></span>speed <span class='key ddq'></span>acceleration <span class='key tau'></span>torque of the nominal model, each in percent of its limit (positions from the middle of the range). Move over a plot for values.</p><div class=plots id=joints></div></section>\n");
     let _ = writeln!(
         body,

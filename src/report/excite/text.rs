@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 
 use crate::data::trajectory::Trajectory;
 use crate::excite::{Design, Expected, Missing, Task};
+use crate::report::Warnings;
 use crate::report::parts::number::{figure, percent};
 
 /// `t, q1.., dq1.., ddq1..`, `rate` rows per second.
@@ -44,6 +45,8 @@ pub struct Outcome<'a> {
     pub tried: &'a [(f64, Option<f64>)],
     /// Run time, s.
     pub seconds: f64,
+    /// What to know before the figures.
+    pub warnings: &'a Warnings,
 }
 
 /// `trajectory_msgs/JointTrajectory` as YAML, `rate` points per second.
@@ -76,7 +79,7 @@ pub fn joint_trajectory(motion: &Trajectory, names: &[String], rate: f64) -> Str
 
 /// Contract section 4, and more.
 pub fn excite_json(outcome: &Outcome<'_>) -> Value {
-    let Outcome { task, found, expected, tried, seconds } = *outcome;
+    let Outcome { task, found, expected, tried, seconds, warnings } = *outcome;
     json!({
         "robot": task.arm.name(),
         "criterion": found.criterion,
@@ -91,6 +94,7 @@ pub fn excite_json(outcome: &Outcome<'_>) -> Value {
         "columns": task.columns().names(),
         "rate": task.rate,
         "closest": found.closest.iter().map(|w| json!({"what": w.what, "time": w.time, "excess": w.excess})).collect::<Vec<_>>(),
+        "warnings": warnings.json(),
         "assumed": task.missing.iter().map(|m| json!({"joint": m.joint, "limit": m.limit, "taken": m.taken, "value": m.value})).collect::<Vec<_>>(),
         "starts": found.starts,
         "stopped": found.stopped,
@@ -126,7 +130,7 @@ pub fn missing_text(missing: &[Missing]) -> Vec<String> {
 
 /// A summary.
 pub fn excite_text(outcome: &Outcome<'_>) -> String {
-    let Outcome { task, found, expected, tried, seconds } = *outcome;
+    let Outcome { task, found, expected, tried, seconds, warnings } = *outcome;
     let mut out = String::new();
     let _ = writeln!(
         out,
@@ -175,5 +179,5 @@ pub fn excite_text(outcome: &Outcome<'_>) -> String {
     for worst in &found.closest {
         let _ = writeln!(out, "closest: {} at {:.2} s", worst.what, worst.time);
     }
-    out
+    out + &warnings.text()
 }

@@ -6,8 +6,7 @@ use crate::control::estimate::{COMPONENTS, Comparison, Consistency, NoiseSource,
 use crate::data::signal::Prepared;
 use crate::model::BaseParameter;
 use crate::report::Provenance;
-use crate::report::Warnings;
-use crate::report::force::text::{Forces, verdict};
+use crate::report::force::text::{Forces, verdict, warnings};
 
 /// The result as one JSON object; wrenches sample by sample stand in the CSV.
 pub fn force_json(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Provenance) -> Value {
@@ -58,7 +57,7 @@ pub fn force_json(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Prov
     let provenance: serde_json::Map<String, Value> = provenance.iter().map(|(k, v)| (k.clone(), json!(v))).collect();
     json!({
         "robot": outcome.robot,
-        "warnings": Warnings::of_logs(prepared).json(),
+        "warnings": warnings(outcome, prepared).json(),
         "components": COMPONENTS,
         "units": { "fx": "N", "fy": "N", "fz": "N", "mx": "N m", "my": "N m", "mz": "N m", "noise": "N m", "bias": "N m" },
         "meaning": meaning(),

@@ -7,8 +7,7 @@ use serde_json::json;
 use crate::control::estimate::{COMPONENTS, Series};
 use crate::data::signal::Prepared;
 use crate::report::Provenance;
-use crate::report::Warnings;
-use crate::report::force::text::{Forces, HEAD, cells, sentences, tables, verdict};
+use crate::report::force::text::{Forces, HEAD, cells, sentences, tables, verdict, warnings};
 use crate::report::identify::page::notes;
 use crate::report::parts::number::digits;
 use crate::report::parts::page::{Page, escape};
@@ -26,7 +25,7 @@ pub fn force_html(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Prov
         escape(outcome.robot),
         escape(&verdict)
     );
-    body.push_str(&Warnings::of_logs(prepared).html());
+    body.push_str(&warnings(outcome, prepared).html());
     notes(&mut body, prepared);
     for series in outcome.found {
         let _ = writeln!(
@@ -60,16 +59,22 @@ pub fn force_html(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Prov
         body.push_str("</section>\n");
     }
     body.push_str("<section><h2>How this was made</h2><p class=note>The band holds the true value in 95 of 100 samples, counted over samples and over identifications: the parameters' error is the same throughout a run, so a single run may lie above or below. It knows the noise and the parameters' uncertainty, not what the model lacks.</p><dl>\n");
-    let mut rows: Vec<(String, String)> = provenance.to_vec();
-    if !outcome.uncertainty.open.is_empty() {
-        rows.push(("in no band".into(), outcome.uncertainty.open.join(", ")));
-    }
-    for (what, value) in &rows {
+    for (what, value) in provenance {
         let _ = writeln!(body, "<dt>{}<dd>{}", escape(what), escape(value));
     }
     body.push_str("</dl></section>\n");
     let title = format!("{} – force", outcome.robot);
     Page { title, style: include_str!("page.css"), body: &body, data: json!({}), script: "" }.html()
+}
+
+/// Half the height of a panel for values of these ascending sizes, and words where it cuts some: a
+/// short peak of more than twice the rest would flatten it.
+fn scale(sizes: &[f64]) -> (f64, String) {
+    let (usual, largest) = (sizes[(sizes.len() - 1) * 98 / 100], sizes[sizes.len() - 1]);
+    if largest > 2.0 * usual.max(1e-6) {
+        return (1.08 * usual.max(1e-6), format!(" (cut; up to {})", digits(largest, 2)));
+    }
+    ((1.08 * largest).max(1e-6), String::new())
 }
 
 /// One component over time: band, measured, estimated. Thinned to the outermost values of each
@@ -89,7 +94,7 @@ fn component(body: &mut String, series: &Series, i: usize) {
         clock[s] = clock[s - 1] + if series.segment[s] == series.segment[s - 1] { step } else { 0.0 };
     }
     let end = clock[len - 1].max(1e-9);
-    // Where the component is not told there is no band; the scale is that of 98 of 100 samples.
+    // Where the component is not told there is no band.
     let half = |s: usize| if series.told[s][i] { series.half[s][i] } else { 0.0 };
     let mut sizes: Vec<f64> = (0..len)
         .map(|s| {
@@ -98,14 +103,14 @@ fn component(body: &mut String, series: &Series, i: usize) {
         })
         .collect();
     sizes.sort_by(f64::total_cmp);
-    let reach = (1.08 * sizes[(len - 1) * 98 / 100]).max(1e-6);
+    let (reach, cut) = scale(&sizes);
     let x = |s: usize| left + clock[s] / end * (W - left - right);
     let y = |v: f64| top + (0.5 - 0.5 * (v / reach).clamp(-1.0, 1.0)) * (H - top - bottom);
     let unit = if i < 3 { "N" } else { "N m" };
     let _ = write!(
         body,
-        "<svg class=wrench viewBox='0 0 {W} {H}' role=img aria-label='{0}'><text class=title x={left} y=13>{0}, {unit}</text>",
-        COMPONENTS[i]
+        "<svg class=wrench viewBox='0 0 {W} {H}' role=img aria-label='{0}'><text class=title x={left} y=13>{0}, {unit}{1}</text>",
+        COMPONENTS[i], cut
     );
     for v in [-reach / 1.08, 0.0, reach / 1.08] {
         let class = if v == 0.0 { "zero" } else { "grid" };

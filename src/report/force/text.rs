@@ -31,18 +31,41 @@ impl Forces<'_> {
     }
 }
 
+/// What to know before the figures, the same in text, JSON and page.
+pub(in crate::report) fn warnings(outcome: &Forces<'_>, prepared: &[Prepared]) -> Warnings {
+    let mut warnings = Warnings::default();
+    for series in outcome.found.iter().filter(|s| s.verdict.is_too_wrong()) {
+        warnings.push(format!("{}: {}", series.name, verdict(&series.verdict)));
+    }
+    if outcome.uncertainty.source == NoiseSource::Log {
+        warnings.push("The bands are of the torque's own noise alone; the model's errors are in no band. Give --identified, or --free stretches.");
+    }
+    if !outcome.uncertainty.open.is_empty() {
+        warnings.push(format!(
+            "The errors of {} are in no band, as the identification does not tell them.",
+            outcome.uncertainty.open.join(", ")
+        ));
+    }
+    let assumed = |s: &&Series| s.undecided.contains(&true) && !s.assumed_friction.is_empty();
+    for series in outcome.found.iter().filter(assumed) {
+        let joints: Vec<String> =
+            series.assumed_friction.iter().map(|(j, level)| format!("{j} ({} N m)", digits(*level, 2))).collect();
+        warnings.push(format!(
+            "{}: the robot file has no dry friction for joint{} {}. There static friction may hold as much as 5 % of the torque limit before a contact is said; it is in no band. Identify the friction.",
+            series.name,
+            if joints.len() > 1 { "s" } else { "" },
+            joints.join(", ")
+        ));
+    }
+    warnings.logs(prepared);
+    warnings
+}
+
 /// A table per log.
 pub fn force_text(outcome: &Forces<'_>, prepared: &[Prepared]) -> String {
     let mut text = format!("{}: wrench of the surroundings on the tool, in its frame\n", outcome.robot);
     let _ = writeln!(text, "bands from {}", outcome.known_from);
-    if !outcome.uncertainty.open.is_empty() {
-        let _ = writeln!(
-            text,
-            "not in the bands (the identification does not tell them): {}",
-            outcome.uncertainty.open.join(", ")
-        );
-    }
-    text.push_str(&Warnings::of_logs(prepared).text());
+    text.push_str(&warnings(outcome, prepared).text());
     for series in outcome.found {
         let _ = writeln!(
             text,
@@ -165,14 +188,6 @@ pub(in crate::report) fn sentences(series: &Series, circular: bool) -> Vec<Strin
         all.push(format!(
             "In {:.1} % of the samples static friction or contact can't be told apart: joints are at rest, and friction within its breakaway level explains their torques.",
             100.0 * undecided as f64 / series.undecided.len().max(1) as f64
-        ));
-    }
-    if undecided > 0 && !series.assumed_friction.is_empty() {
-        let joints: Vec<String> =
-            series.assumed_friction.iter().map(|(j, level)| format!("{j} ({} N m)", digits(*level, 2))).collect();
-        all.push(format!(
-            "The robot file has no dry friction for joints {}: there static friction may hold as much as 5 % of the torque limit before a contact is said. It is in no band; identify the friction.",
-            joints.join(", ")
         ));
     }
     let blind = series.told.iter().filter(|told| told.contains(&false)).count();

@@ -9,7 +9,7 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use crate::data::log::{Finding, Severity};
+use crate::data::log::{Finding, Kind, Severity};
 use crate::data::signal::Prepared;
 use crate::identify::{Accuracy, Identification, Standing, Trace};
 use crate::report::Provenance;
@@ -81,7 +81,7 @@ pub(in crate::report) fn notes(body: &mut String, logs: &[Prepared]) {
     let notes: Vec<(&str, &Finding)> = logs
         .iter()
         .flat_map(|log| log.findings.iter().map(|f| (log.file.as_str(), f)))
-        .filter(|(_, f)| f.severity == Severity::Note)
+        .filter(|(_, f)| f.severity == Severity::Note && !matches!(f.kind, Kind::UnknownColumns { .. }))
         .collect();
     if notes.is_empty() {
         return;

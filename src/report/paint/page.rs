@@ -9,7 +9,6 @@ use crate::apps::painting::{Coverage, Moment, Pattern};
 use crate::data::trajectory::times;
 use crate::model::States;
 use crate::report::Provenance;
-use crate::report::excite::text::missing_text;
 use crate::report::paint::text::{Planned, uses};
 use crate::report::parts::number::{figure, short};
 use crate::report::parts::page::{Page, escape};
@@ -17,7 +16,7 @@ use crate::report::parts::stick_figure::StickFigures;
 
 /// The page.
 pub fn paint_html(planned: &Planned<'_>, provenance: &Provenance) -> String {
-    let Planned { task, plan, seconds } = *planned;
+    let Planned { task, plan, seconds, warnings } = *planned;
     let (s, cover) = (&plan.strokes, plan.coverage());
     let mut body = String::new();
     let _ = writeln!(
@@ -28,6 +27,7 @@ pub fn paint_html(planned: &Planned<'_>, provenance: &Provenance) -> String {
         plan.contact,
         s.lanes
     );
+    body.push_str(&warnings.html());
     body.push_str("<section><h2>The wall</h2><p class=note><span class='key stroke'></span>strokes <span class='key shift'></span>steps to the next lane <span class='key roller'></span>roller at the start <span class='key once'></span>painted <span class='key twice'></span>on two lanes <span class='key bare'></span>not painted. As the robot sees it.</p><div id=wall></div>\n");
     let _ = writeln!(
         body,
@@ -73,9 +73,6 @@ pub fn paint_html(planned: &Planned<'_>, provenance: &Provenance) -> String {
         );
     }
     body.push_str("</tbody></table></div>\n");
-    for line in missing_text(&task.missing) {
-        let _ = writeln!(body, "<p class=note>{}</p>", escape(&line));
-    }
     body.push_str("</section>\n<section><h2>Legs</h2><div class=scroll><table><thead><tr><th>leg<th>from<br>s<th>to<br>s<th>y<br>m<th>z<br>m<th>swivel<br>rad<th>would be shorter but for</tr></thead><tbody>\n");
     for span in &plan.spans {
         let _ = writeln!(

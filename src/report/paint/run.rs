@@ -32,7 +32,7 @@ pub(in crate::report) fn differences(run: &Run) -> [(&'static str, f64); 3] {
 
 /// Some lines.
 pub fn paint_run_text(painted: &Painted<'_>) -> String {
-    let Painted { run, force, coats, .. } = *painted;
+    let Painted { run, force, coats, warnings, .. } = *painted;
     let mut text = format!("{}; {} s without pressing\n\n", status(run), digits(run.off, 3));
     for (name, value) in differences(run) {
         let _ = writeln!(text, "  {name:<24} {:>7} N  {:>6} %", digits(value, 3), digits(100.0 * value / force, 3));
@@ -55,17 +55,18 @@ pub fn paint_run_text(painted: &Painted<'_>) -> String {
     for (j, p) in run.tuning.joints.iter().enumerate() {
         let _ = writeln!(text, "  joint {}: Kp {} N m/rad, Kd {} N m s/rad", j + 1, digits(p.kp, 3), digits(p.kd, 3));
     }
-    text
+    text + &warnings.text()
 }
 
 /// The same.
 pub fn paint_run_json(painted: &Painted<'_>) -> Value {
-    let Painted { run, force, coats, .. } = *painted;
+    let Painted { run, force, coats, warnings, .. } = *painted;
     let a = &run.accuracy;
     let f = &run.tuning.force;
     let finite = |x: f64| x.is_finite().then_some(x);
     json!({
         "status": status(run),
+        "warnings": warnings.json(),
         "force": force,
         "rms": {
             "estimated_measured": finite(a.estimated_measured), "estimated_desired": finite(a.estimated_desired),

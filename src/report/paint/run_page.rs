@@ -7,6 +7,7 @@ use serde_json::json;
 use crate::apps::painting::Plan;
 use crate::apps::painting::run::{Accuracy, Feedback, Law, Run};
 use crate::report::Provenance;
+use crate::report::Warnings;
 use crate::report::paint::run::{differences, status};
 use crate::report::paint::trace;
 use crate::report::parts::number::digits;
@@ -26,11 +27,13 @@ pub struct Painted<'a> {
     pub law: Law,
     /// Accuracy of each coat, that of `run` last.
     pub coats: &'a [Accuracy],
+    /// What to know before the figures.
+    pub warnings: &'a Warnings,
 }
 
 /// The page.
 pub fn paint_run_html(painted: &Painted<'_>, provenance: &Provenance) -> String {
-    let Painted { run, plan, force, feedback, law, coats } = painted;
+    let Painted { run, plan, force, feedback, law, coats, warnings } = painted;
     let mut body = String::new();
     let fed = match feedback {
         Feedback::Estimated => "the force estimated from the joint torques",
@@ -48,7 +51,7 @@ pub fn paint_run_html(painted: &Painted<'_>, provenance: &Provenance) -> String 
         digits(run.off, 3)
     );
     let axes = [plan.surface.across(), plan.surface.up];
-    body.push_str("<section><h2>The force</h2>");
+    body.push_str(&(warnings.html() + "<section><h2>The force</h2>"));
     trace::force(&mut body, &run.trace, *force, "Force along the wall's normal");
     body.push_str("<div class=scroll><table><thead><tr><th>difference, root mean square<th>N<th>% of the desired</tr></thead><tbody>");
     for (name, value) in differences(run) {

@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 
 use crate::apps::painting::{Plan, Swivel, Task};
 use crate::model::States;
+use crate::report::Warnings;
 use crate::report::parts::number::figure;
 
 /// A plan, with what belongs to it.
@@ -16,6 +17,8 @@ pub struct Planned<'a> {
     pub plan: &'a Plan,
     /// Run time, s.
     pub seconds: f64,
+    /// What to know before the figures.
+    pub warnings: &'a Warnings,
 }
 
 /// What a joint uses of its limits, at worst.
@@ -90,7 +93,7 @@ pub fn paint_path_csv(plan: &Plan, rate: f64) -> String {
 
 /// Everything, with the plan under `plan`.
 pub fn paint_json(planned: &Planned<'_>) -> Value {
-    let Planned { task, plan, seconds } = *planned;
+    let Planned { task, plan, seconds, warnings } = *planned;
     let s = &plan.strokes;
     let cover = plan.coverage();
     let joints: Vec<Value> = uses(task, plan)
@@ -107,6 +110,7 @@ pub fn paint_json(planned: &Planned<'_>) -> Value {
         .collect();
     json!({
         "robot": plan.robot,
+        "warnings": warnings.json(),
         "feasible": true,
         "seconds": seconds,
         "contact_seconds": plan.contact,
@@ -131,7 +135,7 @@ pub fn paint_json(planned: &Planned<'_>) -> Value {
 
 /// A summary.
 pub fn paint_text(planned: &Planned<'_>) -> String {
-    let Planned { task, plan, seconds } = *planned;
+    let Planned { task, plan, seconds, warnings } = *planned;
     let (s, cover) = (&plan.strokes, plan.coverage());
     let mut out = String::new();
     let _ = writeln!(
@@ -203,5 +207,5 @@ pub fn paint_text(planned: &Planned<'_>) -> String {
             figure(l.acceleration)
         );
     }
-    out
+    out + &warnings.text()
 }

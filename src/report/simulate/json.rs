@@ -3,11 +3,12 @@
 use serde_json::{Value, json};
 
 use crate::data::log::Quantity;
+use crate::report::Warnings;
 use crate::simulate::{Method, Mode, Recording, Request};
 
 /// `{"robot", "control", "seed", "seconds_simulated", "samples", "columns", "integration",
-/// "torque_rms"}`.
-pub fn simulate_json(robot: &str, recording: &Recording, request: &Request) -> Value {
+/// "torque_rms", "warnings"}`.
+pub fn simulate_json(robot: &str, recording: &Recording, request: &Request, warnings: &Warnings) -> Value {
     let Recording { log, truth, .. } = recording;
     let len = log.len();
     let mode = Mode::ALL.iter().find(|(_, mode)| *mode == request.control.mode).map_or("", |(name, _)| name);
@@ -19,6 +20,7 @@ pub fn simulate_json(robot: &str, recording: &Recording, request: &Request) -> V
     let torques: Vec<f64> = (0..log.layout.dof).map(|j| rms(log.joint(Quantity::Tau, j).unwrap_or_default())).collect();
     json!({
         "robot": robot,
+        "warnings": warnings.json(),
         "control": mode,
         "seed": request.seed,
         "seconds_simulated": truth.t[len - 1] - truth.t[0],

@@ -1,11 +1,18 @@
 //! A simulation in a few lines.
 
 use crate::data::log::Quantity;
+use crate::report::Warnings;
 use crate::simulate::{Method, Mode, Recording, Request};
 
 /// What was simulated, how well the motion was followed, and how fast it went; `seconds` is the run
 /// time.
-pub fn simulate_text(robot: &str, recording: &Recording, request: &Request, seconds: f64) -> String {
+pub fn simulate_text(
+    robot: &str,
+    recording: &Recording,
+    request: &Request,
+    seconds: f64,
+    warnings: &Warnings,
+) -> String {
     let Recording { log, truth, .. } = recording;
     let (n, len) = (log.layout.dof, log.len());
     let span = truth.t[len - 1] - truth.t[0];
@@ -41,7 +48,7 @@ pub fn simulate_text(robot: &str, recording: &Recording, request: &Request, seco
         };
         out += &format!("{:<34}{}\n", "largest following error (mrad)", of(&off));
     }
-    out + &format!("{seconds:.2} s: {}\n", pace(span / seconds.max(1e-9)))
+    out + &format!("{seconds:.2} s: {}\n", pace(span / seconds.max(1e-9))) + &warnings.text()
 }
 
 /// Seconds of motion per second of computing, in words.
