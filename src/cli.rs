@@ -12,6 +12,7 @@ mod generate;
 mod identify;
 mod ik;
 mod interrupt;
+mod known_effects;
 mod logbook;
 mod motion;
 mod motors;

@@ -38,6 +38,7 @@
 //! Sees a robot only as an [`Arm`](crate::model::Arm); prints nothing.
 
 mod consistent;
+mod known_effects;
 pub(crate) mod regression;
 mod result;
 mod solve;
@@ -53,6 +54,7 @@ pub use consistent::{
     BoundedLeastSquares, Bounds, Consistent, ConsistentError, ConsistentSettings, Cost, Feasible, PriorBody,
     Reproduced, Source, Stalled, body_of, consistent, geometric_bodies, possible_bodies, prior_bodies, pseudo_inertia,
 };
+pub use known_effects::KnownEffects;
 pub use regression::accumulator::{AccumulatorSettings, Factors, JointFactor, QrAccumulator};
 pub use regression::essential::{Dropped, Essential};
 pub use regression::known_parameters::Known;
@@ -67,4 +69,5 @@ pub use validation::accuracy::{Accuracy, accuracy};
 pub use validation::extrapolation::{CarryOver, carry_over};
 pub use validation::left_out::{LeftOutError, left_out};
 pub use validation::preference::{Better, Preference, preference};
+pub use validation::torque_columns::{Reference, TorqueColumns};
 pub use validation::trace::{Trace, TraceJoint, Tracer};

@@ -116,7 +116,8 @@ impl Diagnose {
         )?;
         let plant = PerturbableRobot::new(&file.robot);
         let constants = torque_constants(&file.robot);
-        let mut reading = Reading { provenance: provenance.robot(&self.robot, &file), ..Reading::default() };
+        let (provenance, logbook) = (provenance.robot(&self.robot, &file), Logbook::of(&file.text));
+        let mut reading = Reading { provenance, logbook, ..Reading::default() };
         let mut read = |purpose: Purpose, paths: &[PathBuf]| -> Result<Vec<Recording>, Failure> {
             paths.iter().map(|path| self.record(purpose, path, &constants, keep, &mut reading)).collect()
         };

@@ -4,21 +4,22 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use dh_codegen::arm::param::{self, Parameter};
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{JointKind, Laws, Robot};
 
 use super::Failure;
 use super::files;
+use super::known_effects::{FileEffects, without};
 use super::logbook::{Logbook, Purpose};
 use super::motors;
-use super::prepare::{Preparation, against_limits, pass, warned};
+use super::prepare::{Preparation, against_limits, moving, pass, warned};
 use super::provenance::Provenance;
-use crate::data::signal::{Derivatives, Prepare};
+use crate::data::signal::{Derivatives, Motion, Prepare, Prepared};
 use crate::identify::tool::Body;
 use crate::identify::{
     AccumulatorSettings, Better, Bounds, Consistent, ConsistentError, ConsistentSettings, Essential, Factors,
-    Identification, IdentifyError, IdentifySettings, LeftOutError, Preference, PriorBody, QrAccumulator, Trace, Tracer,
-    carry_over, consistent, geometric_bodies, left_out, nonnegative_drives, possible_bodies, prior_bodies,
-    recover_standard, solve,
+    Identification, IdentifyError, IdentifySettings, KnownEffects, LeftOutError, Preference, PriorBody, QrAccumulator,
+    Reference, TorqueColumns, Trace, Tracer, carry_over, consistent, geometric_bodies, left_out, nonnegative_drives,
+    possible_bodies, prior_bodies, recover_standard, solve,
 };
 use crate::model::coupled::Coupled;
 use crate::model::interpreted::Interpreted;
@@ -133,6 +134,7 @@ enum PriorFrom {
 
 impl Identify {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
+        self.check_options()?;
         let file = files::robot(&self.robot)?;
         motors::on_every_joint(
             &self.robot,
@@ -151,18 +153,11 @@ impl Identify {
         let arm = Coupled::new(&bodies, couplings.into_iter().map(|(coupling, _)| coupling).collect());
         let prior = param::standard_values(&file.robot).map(|values| [values, given].concat());
 
-        let settings = AccumulatorSettings::default();
-        let (mut prepared, mut logbook) = (Vec::new(), Logbook::default());
-        let mut factor = |purpose: Purpose, path: &PathBuf| -> Result<Factors, Failure> {
-            let mut stack = QrAccumulator::new(&path.display().to_string(), &arm, settings);
-            let log = logbook.pass(purpose, path, arm.dof(), &prepare, |motion| stack.absorb(motion))?;
-            prepared.push(warned(path, log));
-            Ok(stack.finish())
-        };
-        let fit: Vec<Factors> = self.logs.iter().map(|path| factor(Purpose::Fit, path)).collect::<Result<_, _>>()?;
-        let validate: Vec<Factors> =
-            self.validate.iter().map(|path| factor(Purpose::Validate, path)).collect::<Result<_, _>>()?;
-
+        let effects = FileEffects::of(&file.robot, &["gear_coupling"]);
+        effects.iter().for_each(|effects| effects.prepare(&mut prepare));
+        let known = effects.as_ref().and_then(|effects| effects.known(&arm, prior.as_deref(), &prepare));
+        let Read { fit, validate, mut prepared, logbook } =
+            self.read(&arm, &prepare, known.as_ref(), Logbook::of(&file.text))?;
         against_limits(&mut prepared, &file.robot, prepare.keep)?;
 
         let solving = IdentifySettings {
@@ -171,7 +166,8 @@ impl Identify {
             prior: prior.clone(),
             ..IdentifySettings::default()
         };
-        let found = solve(&arm, &fit, &validate, &solving).map_err(unsolved)?;
+        let mut found = solve(&arm, &fit, &validate, &solving).map_err(unsolved)?;
+        self.explain(&mut found, &file.robot, &arm, &prepare, known.as_ref())?;
         let underdetermined = found.underdetermined().is_some();
         let provenance =
             provenance.robot(&self.robot, &file).logs(&logbook).with("low-pass", self.preparation.low_pass());
@@ -187,7 +183,7 @@ impl Identify {
         // parameters.
         let exact = match (self.consistent, &possible) {
             (Consistency::Auto, Some(Ok(_))) if self.prior_weight == 1.0 && !underdetermined => {
-                let (prior, settings) = (self.prior_of(&file.robot, &bodies), self.settings(&file.robot)?);
+                let (prior, settings) = (self.prior_of(&file.robot, &bodies), self.settings(&file.robot, &arm)?);
                 let same = possible_bodies(&arm, &found.values(), &prior, &drives(&file.robot), &settings);
                 same.ok().filter(|same| same.exact).map(|same| same.standard)
             }
@@ -215,21 +211,15 @@ impl Identify {
             left_out: left_out.as_ref(),
         });
         let mut warnings = report::identify_warnings(&found, &prepared, Some(&carry), possible.as_ref());
-        if let Some(text) = not_used(&file.robot) {
-            warnings.push(text);
-        }
-        let standard = match possible.as_ref().map(|p| p.result) {
-            Some(Ok(bodies)) => exact.clone().unwrap_or_else(|| bodies.standard.clone()),
-            _ => {
-                let bounded = nonnegative_drives(&arm, &fit, &found, &solving).map_err(unsolved)?;
-                if out.is_some() && !bounded.held.is_empty() {
-                    warnings.push(report::held_text(&bounded, &fit, &validate));
-                }
-                recover_standard(&arm, &bounded.base, prior.as_deref()).map_err(Failure::other)?
-            }
+        effects.iter().for_each(|effects| warnings.push(effects.sentence(known.is_some())));
+        let floors = floors(&file.robot, &arm);
+        let Written { standard, at_bound, warning } = match possible.as_ref().map(|p| p.result) {
+            Some(Ok(bodies)) => Written::bodies(exact.as_ref().unwrap_or(&bodies.standard), &arm, &found, &floors),
+            _ => Written::plain(&arm, &fit, &validate, &found, &solving, &floors)?,
         };
+        warning.into_iter().filter(|_| out.is_some()).for_each(|text| warnings.push(text));
         if let Some(path) = &self.report {
-            let traces = self.traces(&arm, &found, &prepare)?;
+            let traces = self.traces(&arm, &found, &prepare, known.as_ref())?;
             let links = report::Links {
                 now: links(&file.robot, Some(&standard)),
                 file: links(&file.robot, prior.as_deref()),
@@ -246,6 +236,7 @@ impl Identify {
         if let Some(target) = &self.json {
             let mut json = report::identify_json(&found, &prepared, &warnings, &provenance.rows());
             json["carry_over"] = report::carry_over_json(&carry);
+            json["at_bound"] = at_bound.into();
             if let Some(possible) = &possible {
                 json["consistent"] = report::consistent_json(possible);
             }
@@ -296,7 +287,7 @@ impl Identify {
         if self.most_cost.is_nan() || self.most_cost <= 0.0 {
             return Err(Failure::input(format!("--most-cost {}: percent, above 0", self.most_cost)));
         }
-        let (settings, prior) = (self.settings(robot)?, self.prior_of(robot, reach));
+        let (settings, prior) = (self.settings(robot, arm)?, self.prior_of(robot, reach));
         match consistent(arm, fit, validate, found, &prior, &drives(robot), &settings) {
             Err(error @ ConsistentError::Bounds { .. }) => Err(Failure::input(error)),
             result => Ok(result),
@@ -319,15 +310,16 @@ impl Identify {
         if bodies.against_plain.as_ref().is_none_or(|p| p.better() != Better::First) {
             return Ok(None);
         }
-        let (settings, prior) = (self.settings(robot)?, self.prior_of(robot, reach));
+        let (settings, prior) = (self.settings(robot, arm)?, self.prior_of(robot, reach));
         Ok(Some(left_out(arm, fit, found, &prior, &drives(robot), &settings, file)))
     }
 
-    fn settings(&self, robot: &Robot) -> Result<ConsistentSettings, Failure> {
+    fn settings(&self, robot: &Robot, arm: &dyn Arm) -> Result<ConsistentSettings, Failure> {
         Ok(ConsistentSettings {
             prior_weight: self.prior_weight,
             bounds: self.bounds(robot)?,
             carried: robot_edit::carried(robot),
+            floors: floors(robot, arm),
             most_cost_percent: self.most_cost,
             ..ConsistentSettings::default()
         })
@@ -375,17 +367,154 @@ impl Identify {
         Ok(Prepare { derivatives, ..self.preparation.prepare(robot)? })
     }
 
+    /// Refuses options that would change nothing beside the others.
+    fn check_options(&self) -> Result<(), Failure> {
+        let plain = self.consistent == Consistency::Never;
+        let defaults = [
+            ("--prior", self.prior != PriorFrom::Cad),
+            ("--prior-weight", self.prior_weight != 1.0),
+            ("--mass-total", self.mass_total.is_some()),
+            ("--bounds", self.bounds.is_some()),
+            ("--most-cost", self.most_cost != 25.0),
+        ];
+        if let Some((option, _)) = defaults.iter().find(|(_, given)| plain && *given) {
+            return Err(Failure::input(format!(
+                "{option} is of possible bodies, and --consistent=never asks for none; leave one of the two out"
+            )));
+        }
+        let rest = matches!(self.derivatives, Source::Rest);
+        self.preparation.check_options(rest.then_some("--derivatives rest takes every joint as standing"))
+    }
+
+    /// The first pass over all logs. Known effects are taken out of the torques.
+    fn read(
+        &self,
+        arm: &Coupled<'_>,
+        prepare: &Prepare,
+        known: Option<&KnownEffects<'_>>,
+        logbook: Logbook,
+    ) -> Result<Read, Failure> {
+        let mut read = Read { logbook, ..Read::default() };
+        let logs = self.logs.iter().map(|path| (Purpose::Fit, path));
+        for (purpose, path) in logs.chain(self.validate.iter().map(|path| (Purpose::Validate, path))) {
+            let mut stack = QrAccumulator::new(&path.display().to_string(), arm, AccumulatorSettings::default());
+            let sink = |motion: &Motion| stack.absorb(&without(known, motion));
+            let log = read.logbook.pass(purpose, path, arm.dof(), prepare, sink)?;
+            read.prepared.push(warned(path, log));
+            let factors = if purpose == Purpose::Fit { &mut read.fit } else { &mut read.validate };
+            factors.push(stack.finish());
+        }
+        Ok(read)
+    }
+
+    /// Where something is wrong with the torques: a second pass that tries other readings of their
+    /// columns. One that explains far more takes the place of a suspicion against a sign.
+    fn explain(
+        &self,
+        found: &mut Identification,
+        robot: &Robot,
+        arm: &dyn Arm,
+        prepare: &Prepare,
+        known: Option<&KnownEffects<'_>>,
+    ) -> Result<(), Failure> {
+        if !found.is_suspicious() {
+            return Ok(());
+        }
+        let gears: Vec<Option<f64>> = moving(robot).map(|joint| joint.drive.gear_ratio).collect();
+        let file: Option<Vec<f64>> = found.parameters.iter().map(|p| p.prior).collect();
+        let file = file.filter(|values| values.iter().any(|v| *v != 0.0));
+        let mut explained = Vec::new();
+        for path in self.logs.iter().chain(&self.validate) {
+            let mut columns = TorqueColumns::new(arm);
+            pass(path, arm.dof(), prepare, |motion| columns.absorb(&without(known, motion)))?;
+            let model = file.as_ref().map(|beta| Reference::Model(beta));
+            let mut references = std::iter::once(Reference::Fit).chain(model);
+            explained.extend(references.find_map(|r| columns.explained(r, &gears)).map(|finding| (path, finding)));
+        }
+        found.take_explanations(explained.iter().map(|(path, f)| (path.display().to_string(), f.clone())).collect());
+        Ok(())
+    }
+
     /// The torques over time, for drawing: a second pass, now that the parameters are known.
-    fn traces(&self, arm: &dyn Arm, found: &Identification, prepare: &Prepare) -> Result<Vec<Trace>, Failure> {
+    fn traces(
+        &self,
+        arm: &dyn Arm,
+        found: &Identification,
+        prepare: &Prepare,
+        known: Option<&KnownEffects<'_>>,
+    ) -> Result<Vec<Trace>, Failure> {
         let beta = found.values();
         let logs = self.logs.iter().map(|p| (p, false)).chain(self.validate.iter().map(|p| (p, true)));
         logs.map(|(path, validates)| {
             let mut tracer = Tracer::new(&path.display().to_string(), validates, arm, &beta);
-            pass(path, arm.dof(), prepare, |motion| tracer.absorb(motion))?;
+            pass(path, arm.dof(), prepare, |motion| tracer.absorb(&without(known, motion)))?;
             Ok(tracer.finish())
         })
         .collect()
     }
+}
+
+/// What the first pass over the logs gave.
+#[derive(Default)]
+struct Read {
+    fit: Vec<Factors>,
+    validate: Vec<Factors>,
+    prepared: Vec<Prepared>,
+    logbook: Logbook,
+}
+
+/// Standard parameters for the robot file.
+struct Written {
+    standard: Vec<f64>,
+    /// Rotor inertias and friction levels that stand at the least value that they can have.
+    at_bound: Vec<String>,
+    warning: Option<String>,
+}
+
+impl Written {
+    /// Of possible bodies.
+    fn bodies(standard: &[f64], arm: &dyn Arm, found: &Identification, floors: &[(usize, f64)]) -> Self {
+        let least = |name: &str| {
+            let at = arm.standard_names().iter().position(|n| n == name.trim_end_matches('R'));
+            floors.iter().find(|(i, _)| Some(*i) == at).map_or(0.0, |(_, least)| *least)
+        };
+        let level = |name: &str| ["IA", "FV", "FC"].iter().any(|kind| name.starts_with(kind));
+        let below = found.parameters.iter().filter(|p| level(&p.name) && p.value < least(&p.name));
+        Self { standard: standard.to_vec(), at_bound: below.map(|p| p.name.clone()).collect(), warning: None }
+    }
+
+    /// The plain values, without impossible drives.
+    fn plain(
+        arm: &dyn Arm,
+        fit: &[Factors],
+        validate: &[Factors],
+        found: &Identification,
+        solving: &IdentifySettings,
+        floors: &[(usize, f64)],
+    ) -> Result<Self, Failure> {
+        let bounded = nonnegative_drives(arm, fit, found, solving, floors).map_err(unsolved)?;
+        let standard = recover_standard(arm, &bounded.base, solving.prior.as_deref()).map_err(Failure::other)?;
+        let warning = (!bounded.held.is_empty()).then(|| report::held_text(&bounded, fit, validate));
+        let mut at_bound = bounded.held;
+        // What shares a base parameter with others.
+        let zero = arm.standard_names().iter().zip(&standard).filter(|(name, v)| name.starts_with("IA") && **v == 0.0);
+        for (name, _) in zero.filter(|(name, _)| !arm.base_parameters().iter().any(|b| b.name == **name)) {
+            at_bound.push(name.clone());
+        }
+        Ok(Self { standard, at_bound, warning })
+    }
+}
+
+/// Least values of friction levels that differ with direction, by standard parameter: in the weaker
+/// direction friction still brakes.
+fn floors(robot: &Robot, arm: &dyn Arm) -> Vec<(usize, f64)> {
+    let rows = (1..).zip(&robot.joints).filter(|(_, joint)| joint.kind != JointKind::Fixed).map(|(row, _)| row);
+    let of = |(row, laws): (usize, Laws)| {
+        let [level, viscous] = laws.asymmetric;
+        [(format!("FC{row}"), level.abs()), (format!("FV{row}"), viscous.abs())]
+    };
+    let place = |(name, least): (String, f64)| Some((arm.standard_names().iter().position(|n| *n == name)?, least));
+    rows.zip(robot.laws()).flat_map(of).filter(|(_, least)| *least > 0.0).filter_map(place).collect()
 }
 
 /// Too few samples are a verdict on the data; other problems are those of the input.
@@ -394,24 +523,6 @@ fn unsolved(error: IdentifyError) -> Failure {
         IdentifyError::TooFew { .. } => Failure::other(format!("underdetermined: {error}")),
         _ => Failure::input(error),
     }
-}
-
-/// Effects of the robot file that the fit and the figures of the untouched file leave out; those of
-/// `gear_coupling` are fitted.
-fn not_used(robot: &Robot) -> Option<String> {
-    let own = (1..).zip(&robot.joints).flat_map(|(row, joint)| joint.drive.effects.iter().map(move |e| (Some(row), e)));
-    let all = own.chain(robot.effects.iter().map(|e| (None, e)));
-    let names: Vec<String> = all
-        .filter(|(_, effect)| effect.name != "gear_coupling")
-        .map(|(row, effect)| row.map_or(effect.name.clone(), |row| format!("{} of joint {row}", effect.name)))
-        .collect();
-    (!names.is_empty()).then(|| {
-        format!(
-            "effects of the robot file are not used: {}. The fit, and the error of the file as it was, are those of the rigid arm with plain friction; \
-             `denavit diagnose` takes effects into account",
-            names.join(", ")
-        )
-    })
 }
 
 /// Standard parameters as bodies, without the tool.

@@ -3,9 +3,11 @@
 
 use std::path::{Path, PathBuf};
 
+use dh_codegen::robot::files_of_runs;
+
 use super::Failure;
 use super::prepare::{Recognised, recognised_pass};
-use crate::data::log::{Common, Fingerprint};
+use crate::data::log::{Common, Finding, Fingerprint, Kind, Severity};
 use crate::data::signal::{Motion, Prepare, PrepareError, Prepared};
 
 /// What a log is for.
@@ -42,9 +44,17 @@ struct Entry {
 #[derive(Default)]
 pub(super) struct Logbook {
     entries: Vec<Entry>,
+    /// Logs that were fitted when the robot file was made: path and SHA-256.
+    fitted_before: Vec<[String; 2]>,
 }
 
 impl Logbook {
+    /// Of a command on the robot file with this text.
+    pub(super) fn of(robot_file: &str) -> Self {
+        let fitted = files_of_runs(robot_file).into_iter().filter(|[purpose, ..]| *purpose == "fitted log");
+        Self { fitted_before: fitted.map(|[_, path, sha256]| [path, sha256]).collect(), ..Self::default() }
+    }
+
     /// The first pass over a log. A log that shares samples with one before is refused.
     pub(super) fn pass(
         &mut self,
@@ -66,13 +76,23 @@ impl Logbook {
         prepare: &Prepare,
         sink: impl FnMut(&Motion),
     ) -> Result<Result<Prepared, PrepareError>, Failure> {
-        let Recognised { prepared, sha256, fingerprint } = recognised_pass(path, dof, prepare, sink)?;
-        if prepared.is_ok() {
+        let Recognised { mut prepared, sha256, fingerprint } = recognised_pass(path, dof, prepare, sink)?;
+        if let Ok(prepared) = &mut prepared {
+            if purpose == Purpose::Validate {
+                prepared.findings.extend(self.fitted_before(&sha256));
+            }
             let entry = Entry { purpose, path: path.to_path_buf(), sha256, fingerprint };
             self.entries.iter().try_for_each(|other| apart(&entry, other))?;
             self.entries.push(entry);
         }
         Ok(prepared)
+    }
+
+    /// What is to be said of a validating log that was fitted before.
+    fn fitted_before(&self, sha256: &str) -> Option<Finding> {
+        let [path, _] = self.fitted_before.iter().find(|[_, digest]| digest == sha256)?;
+        let kind = Kind::FittedBefore { path: path.clone() };
+        Some(Finding { kind, severity: Severity::Warning, line: None, column: None, count: 1 })
     }
 
     /// Purpose, path and SHA-256 of each file, for a provenance.
@@ -90,6 +110,10 @@ fn apart(log: &Entry, other: &Entry) -> Result<(), Failure> {
         Common::All => format!("{shown} ({here}) holds the same samples as {before} ({there})"),
         Common::Stretch(seconds) => format!(
             "{shown} ({here}) shares {seconds:.1} of its {:.1} s with {before} ({there}): the samples are equal, bit for bit",
+            log.fingerprint.duration()
+        ),
+        Common::Rounded(seconds) => format!(
+            "{shown} ({here}) shares {seconds:.1} of its {:.1} s with {before} ({there}): the samples are equal where both are written with as many digits",
             log.fingerprint.duration()
         ),
     };

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::rc::Rc;
 
 use clap::{Args, ValueEnum};
-use dh_codegen::robot::{JointKind, Robot};
+use dh_codegen::robot::{Joint, JointKind, Robot};
 use indicatif::{ProgressBar, ProgressStyle};
 use sha2::{Digest, Sha256};
 
@@ -84,6 +84,18 @@ pub(super) fn keep(names: &[String]) -> Result<Acceptance, Failure> {
 }
 
 impl Preparation {
+    /// Refuses options that would change nothing beside the others. `standing`: why every joint
+    /// counts as standing, where it does.
+    pub(super) fn check_options(&self, standing: Option<&str>) -> Result<(), Failure> {
+        if self.cutoff == 0.0 && self.order != 5 {
+            return Err(Failure::input("--order is of the low-pass, and --cutoff 0 asks for none"));
+        }
+        match standing.filter(|_| self.dead_zone.is_some()) {
+            Some(why) => Err(Failure::input(format!("--dead-zone changes nothing: {why}"))),
+            None => Ok(()),
+        }
+    }
+
     /// Checked.
     pub(super) fn prepare(&self, robot: &Robot) -> Result<Prepare, Failure> {
         let keep = keep(&self.keep)?;
@@ -138,10 +150,14 @@ impl Preparation {
     }
 }
 
+/// The joints that move.
+pub(super) fn moving(robot: &Robot) -> impl Iterator<Item = &Joint> {
+    robot.joints.iter().filter(|joint| joint.kind != JointKind::Fixed)
+}
+
 /// Torque constants of the joints that move.
 pub(super) fn torque_constants(robot: &Robot) -> Vec<Option<f64>> {
-    let moving = robot.joints.iter().filter(|joint| joint.kind != JointKind::Fixed);
-    moving.map(|joint| joint.drive.torque_constant).collect()
+    moving(robot).map(|joint| joint.drive.torque_constant).collect()
 }
 
 /// What the logs say against the limits of the robot file, added to what was found in them.
@@ -149,10 +165,7 @@ pub(super) fn torque_constants(robot: &Robot) -> Vec<Option<f64>> {
 /// # Errors
 /// Where torques are in another unit, and that is not allowed.
 pub(super) fn against_limits(prepared: &mut [Prepared], robot: &Robot, keep: Acceptance) -> Result<(), Failure> {
-    let limits: Vec<Limits> = robot
-        .joints
-        .iter()
-        .filter(|joint| joint.kind != JointKind::Fixed)
+    let limits: Vec<Limits> = moving(robot)
         .map(|joint| Limits {
             position: joint.limits.position.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]),
             torque: joint.limits.torque.unwrap_or(f64::INFINITY),

@@ -9,16 +9,20 @@ use dh_codegen::robot::Tool;
 
 use super::Failure;
 use super::files;
+use super::known_effects::{FileEffects, without};
 use super::logbook::{Logbook, Purpose};
 use super::motors;
 use super::prepare::{Preparation, against_limits, pass, warned};
 use super::provenance::Provenance;
 use super::terminal;
-use crate::data::signal::Prepare;
+use crate::control::estimate::Uncertainty;
+use crate::data::signal::{Motion, Prepare, Prepared};
 use crate::identify::tool::{
     Carrying, Entry, Found, RecogniseSettings, Tolerance, ToolError, ToolSettings, identify_tool, look_up,
 };
-use crate::identify::{AccumulatorSettings, Factors, IdentifyError, QrAccumulator, Trace, Tracer, Underdetermined};
+use crate::identify::{
+    AccumulatorSettings, Factors, IdentifyError, KnownEffects, QrAccumulator, Trace, Tracer, Underdetermined,
+};
 use crate::model::Arm;
 use crate::model::interpreted::Interpreted;
 use crate::report;
@@ -61,20 +65,38 @@ pub(super) struct ToolVerb {
     /// and offsets from the loaded log.
     #[arg(long, conflicts_with = "unloaded")]
     refresh_friction: bool,
+    /// Without --unloaded: the JSON that `denavit identify` wrote of this robot. The standard
+    /// deviations then hold the robot's own errors, too; else its parameters are taken as exact.
+    #[arg(long, conflicts_with = "unloaded", value_name = "JSON")]
+    identified: Option<PathBuf>,
     /// Without --unloaded: the robot file's own tool stays on the arm, and what is carried comes on
     /// top. Else it counts as taken off.
     #[arg(long, conflicts_with = "unloaded")]
     on_top: bool,
     /// Where the tools' frames sit in the robot's last DH frame, m, in place of the `xyz` of their
     /// files.
-    #[arg(long, value_delimiter = ',', num_args = 1, value_name = "X,Y,Z", allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_delimiter = ',',
+        num_args = 1,
+        value_name = "X,Y,Z",
+        allow_negative_numbers = true,
+        requires = "tools"
+    )]
     mount: Option<Vec<f64>>,
     /// With what probability a tool of the table is rejected.
-    #[arg(long, default_value_t = 0.01, value_name = "P", allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 0.01, value_name = "P", allow_negative_numbers = true, requires = "tools")]
     level: f64,
     /// How well the tool files know the tools and how exactly these are mounted: standard
     /// deviations of mass (relative), place (m) and direction (rad).
-    #[arg(long, value_delimiter = ',', num_args = 1, value_name = "M,P,A", allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_delimiter = ',',
+        num_args = 1,
+        value_name = "M,P,A",
+        allow_negative_numbers = true,
+        requires = "tools"
+    )]
     tolerance: Option<Vec<f64>>,
     /// Write the result as JSON; `-` for standard output.
     #[arg(long, value_name = "FILE")]
@@ -89,51 +111,48 @@ pub(super) struct ToolVerb {
 impl ToolVerb {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         let (tolerance, recognising) = self.looking_up()?;
+        self.preparation.check_options(None)?;
         let file = files::robot(&self.robot)?;
         motors::on_every_joint(&self.robot, &file.robot, "the tool is identified from the torques of every joint")?;
         files::check_outputs(
             &[("--json", &self.json), ("--report", &self.report)],
-            file.read.iter().chain(&self.unloaded).chain(&self.loaded),
+            file.read.iter().chain(&self.unloaded).chain(&self.loaded).chain(&self.identified),
         )?;
-        let prepare = self.preparation.prepare(&file.robot)?;
+        let mut prepare = self.preparation.prepare(&file.robot)?;
         let mut bare = file.robot.clone();
         let own = bare.tool.take();
+        if self.on_top && own.is_none() {
+            return Err(Failure::input(format!(
+                "--on-top: {} has no tool that could stay on the arm; leave the option out",
+                self.robot.display()
+            )));
+        }
         let table = self.table(&tolerance)?;
         let arm = Interpreted::new(&bare, &[Function::PayloadRegressor]);
+        let errors = self.known_errors(&arm)?;
         let settings = ToolSettings {
             robot: param::standard_values(if self.on_top { &file.robot } else { &bare }),
             known_mass: self.known_mass,
             mass_std: self.mass_std,
             refresh_friction: self.refresh_friction,
+            robot_covariance: errors.as_ref().map(|errors| errors.covariance.clone()),
         };
-        if let Some(twice) = self.unloaded.iter().find(|log| self.loaded.contains(log)) {
-            return Err(Failure::input(format!(
-                "{}: the same log stands under --unloaded and --loaded; give one with an empty hand and one with the tool",
-                twice.display()
-            )));
-        }
-        let (mut prepared, mut logbook) = (Vec::new(), Logbook::default());
-        let mut factors = |paths: &[PathBuf], purpose: Purpose| -> Result<Vec<Factors>, Failure> {
-            let carrying = Carrying::new(&arm, purpose == Purpose::Loaded);
-            let mut factor = |path: &PathBuf| -> Result<Factors, Failure> {
-                let mut stack =
-                    QrAccumulator::new(&path.display().to_string(), &carrying, AccumulatorSettings::default());
-                let log = logbook.pass(purpose, path, carrying.dof(), &prepare, |motion| stack.absorb(motion))?;
-                prepared.push(warned(path, log));
-                Ok(stack.finish())
-            };
-            paths.iter().map(&mut factor).collect()
-        };
-        let (unloaded, loaded) = (factors(&self.unloaded, Purpose::Unloaded)?, factors(&self.loaded, Purpose::Loaded)?);
+        let effects = FileEffects::of(&bare, &[]);
+        effects.iter().for_each(|effects| effects.prepare(&mut prepare));
+        let file_values = param::standard_values(&bare);
+        let known = effects.as_ref().and_then(|effects| effects.known(&arm, file_values.as_deref(), &prepare));
+        let Read { unloaded, loaded, mut prepared, logbook } = self.read(&arm, &prepare, known.as_ref())?;
         against_limits(&mut prepared, &file.robot, prepare.keep)?;
         let carried = identify_tool(&arm, &unloaded, &loaded, &settings).map_err(unsolved)?;
         let found = look_up(carried, own.as_ref(), table, &tolerance, &recognising);
         let provenance =
             provenance.robot(&self.robot, &file).logs(&logbook).with("low-pass", self.preparation.low_pass());
-        let warnings = report::tool_warnings(&found, &prepared);
+        let mut warnings = report::tool_warnings(&found, &prepared);
+        errors.iter().flat_map(taken_as_exact).for_each(|text| warnings.push(text));
+        effects.iter().for_each(|effects| warnings.push(effects.sentence(known.is_some())));
 
         if let Some(path) = &self.report {
-            let traces = self.traces(&arm, &found, &prepare)?;
+            let traces = self.traces(&arm, &found, &prepare, known.as_ref())?;
             files::write(
                 path,
                 report::tool_html(&found, &prepared, &warnings, &traces, &provenance.rows()).as_bytes(),
@@ -154,6 +173,36 @@ impl ToolVerb {
             }
             _ => Ok(()),
         }
+    }
+
+    /// The first pass over all logs. Known effects are taken out of the torques.
+    fn read(&self, arm: &Interpreted, prepare: &Prepare, known: Option<&KnownEffects<'_>>) -> Result<Read, Failure> {
+        if let Some(twice) = self.unloaded.iter().find(|log| self.loaded.contains(log)) {
+            return Err(Failure::input(format!(
+                "{}: the same log stands under --unloaded and --loaded; give one with an empty hand and one with the tool",
+                twice.display()
+            )));
+        }
+        let mut read = Read::default();
+        let unloaded = self.unloaded.iter().map(|path| (Purpose::Unloaded, path));
+        for (purpose, path) in unloaded.chain(self.loaded.iter().map(|path| (Purpose::Loaded, path))) {
+            let carrying = Carrying::new(arm, purpose == Purpose::Loaded);
+            let mut stack = QrAccumulator::new(&path.display().to_string(), &carrying, AccumulatorSettings::default());
+            let sink = |motion: &Motion| stack.absorb(&without(known, motion));
+            let log = read.logbook.pass(purpose, path, carrying.dof(), prepare, sink)?;
+            read.prepared.push(warned(path, log));
+            let factors = if purpose == Purpose::Loaded { &mut read.loaded } else { &mut read.unloaded };
+            factors.push(stack.finish());
+        }
+        Ok(read)
+    }
+
+    /// What is known of the errors of the robot file's parameters.
+    fn known_errors(&self, arm: &Interpreted) -> Result<Option<Uncertainty>, Failure> {
+        let Some(path) = &self.identified else { return Ok(None) };
+        let bad = |what: String| Failure::input(format!("{}: {what}", path.display()));
+        let json = serde_json::from_str(&files::text(path)?).map_err(|e| bad(format!("not JSON: {e}")))?;
+        report::uncertainty_of_json(&json, arm.base_parameters(), arm.dof()).map(Some).map_err(bad)
     }
 
     fn looking_up(&self) -> Result<(Tolerance, RecogniseSettings), Failure> {
@@ -224,16 +273,37 @@ impl ToolVerb {
     }
 
     /// The torques over time, for drawing: a second pass.
-    fn traces(&self, arm: &Interpreted, found: &Found, prepare: &Prepare) -> Result<Vec<Trace>, Failure> {
+    fn traces(
+        &self,
+        arm: &Interpreted,
+        found: &Found,
+        prepare: &Prepare,
+        known: Option<&KnownEffects<'_>>,
+    ) -> Result<Vec<Trace>, Failure> {
         let logs = self.loaded.iter().map(|p| (p, true)).chain(self.unloaded.iter().map(|p| (p, false)));
         logs.map(|(path, loaded)| {
             let carrying = Carrying::new(arm, loaded);
             let mut tracer = Tracer::new(&path.display().to_string(), false, &carrying, &found.carried.beta);
-            pass(path, arm.dof(), prepare, |motion| tracer.absorb(motion))?;
+            pass(path, arm.dof(), prepare, |motion| tracer.absorb(&without(known, motion)))?;
             Ok(tracer.finish())
         })
         .collect()
     }
+}
+
+/// What the first pass over the logs gave.
+#[derive(Default)]
+struct Read {
+    unloaded: Vec<Factors>,
+    loaded: Vec<Factors>,
+    prepared: Vec<Prepared>,
+    logbook: Logbook,
+}
+
+/// Parameters of the robot whose errors the identification did not tell.
+fn taken_as_exact(errors: &Uncertainty) -> Option<String> {
+    let open = errors.open.join(", ");
+    (!open.is_empty()).then(|| format!("--identified has no standard deviation of {open}: taken as exact"))
 }
 
 /// Too few samples are a verdict on the data; other problems are those of the input.

@@ -16,13 +16,14 @@ mod open;
 pub mod parquet;
 mod quality_check;
 mod replay;
+mod rounded;
 mod whole;
 
 pub use acceptance::Acceptance;
 pub use block::{BadCell, Block, Source};
 pub use column::{Layout, Quantity, Role};
 pub use error::LogError;
-pub use finding::{Clock, Finding, Kind, Severity};
+pub use finding::{Clock, Explanation, Finding, Kind, Severity};
 pub use fingerprint::{Common, Fingerprint, Fingerprinted};
 pub use limits::{Limits, beyond, torque_unit};
 pub use open::{Format, open};

@@ -77,6 +77,9 @@ pub struct ConsistentSettings {
     /// Bodies that are fixed to links (from 0) and known: a tool. The standard parameters contain
     /// them, the bodies that are looked for do not.
     pub carried: Vec<(usize, [f64; 10])>,
+    /// Standard parameters of drives with a least value above zero, as
+    /// [`nonnegative_drives`](super::nonnegative_drives) has them.
+    pub floors: Vec<(usize, f64)>,
     /// By how much possible bodies may raise the weighted residual of the fit, percent, before the
     /// data are said to contradict physics; and it must be more than noise explains (an F test at
     /// 0.1 % over the independent samples: a short log's plain fit follows the noise, and is better
@@ -92,6 +95,7 @@ impl Default for ConsistentSettings {
             margin: 1e-3,
             bounds: Bounds::default(),
             carried: Vec::new(),
+            floors: Vec::new(),
             most_cost_percent: 25.0,
         }
     }
@@ -201,6 +205,8 @@ pub struct Consistent {
     pub at_the_edge: Vec<usize>,
     /// Weight of the prior.
     pub prior_weight: f64,
+    /// By how much possibility may raise the residual, percent.
+    pub most_cost_percent: f64,
     /// The margin that was kept.
     pub margin: f64,
     /// Mass of all links, without what is fixed to them, kg.
@@ -280,7 +286,6 @@ pub fn consistent(
         return Err(ConsistentError::NotFinite);
     }
     let mass = |x: &[f64]| -> f64 { setup.layout.links.iter().map(|l| x[l[0]]).sum() };
-    let carried: f64 = settings.carried.iter().map(|(_, b)| b[0]).sum();
     let edge = |(link, margin): (usize, &f64)| (*margin < 2.0 * settings.margin).then_some(link + 1);
     let distance = |l: &newton::Link| setup.problem.distance(&v, l.start).unwrap_or(f64::INFINITY);
     let base = base_of(arm, &standard);
@@ -296,8 +301,9 @@ pub fn consistent(
         margins: setup.margins(&v),
         at_the_edge: setup.margins(&v_possible).iter().enumerate().filter_map(edge).collect(),
         prior_weight: settings.prior_weight,
+        most_cost_percent: settings.most_cost_percent,
         margin: settings.margin,
-        total_mass: mass(&standard) - carried,
+        total_mass: mass(&standard) - settings.carried.iter().map(|(_, b)| b[0]).sum::<f64>(),
         steps: first + second,
         standard,
     })

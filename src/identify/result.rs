@@ -3,7 +3,7 @@
 use super::Accuracy;
 use super::Dropped;
 use super::Noise;
-use crate::data::log::Finding;
+use crate::data::log::{Finding, Kind};
 
 /// What became of a parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -82,6 +82,10 @@ pub struct LogSummary {
     pub accuracy: Accuracy,
 }
 
+/// Error of the file, as a share of the torques, from which on another reading of the log is tried,
+/// percent.
+const MISSES: f64 = 70.0;
+
 /// All that was found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Identification {
@@ -149,6 +153,28 @@ impl Identification {
     /// The base parameters' values.
     pub fn values(&self) -> Vec<f64> {
         self.parameters.iter().map(|p| p.value).collect()
+    }
+
+    /// Whether torques, as the log has them, may be something else: a sign that does not go with the
+    /// model, much that no parameters explain, or a file that misses nearly all.
+    pub fn is_suspicious(&self) -> bool {
+        let kind = |f: &Finding| matches!(f.kind, Kind::Sign { .. } | Kind::Unexplained { .. } | Kind::Disagree { .. });
+        let misses = |a: &Accuracy| a.relative_error_percent() > MISSES;
+        self.findings.iter().any(kind) || self.fit_before.iter().chain(&self.validation_before).any(misses)
+    }
+
+    /// Puts explanations, each of a log, in the place of the suspicions that they account for.
+    pub fn take_explanations(&mut self, explained: Vec<(String, Finding)>) {
+        if explained.is_empty() {
+            return;
+        }
+        self.findings.retain(|f| !matches!(f.kind, Kind::Sign { .. } | Kind::Unexplained { .. }));
+        for (log, mut finding) in explained {
+            if let Kind::Misread { log: of, .. } = &mut finding.kind {
+                *of = Some(log);
+            }
+            self.findings.insert(0, finding);
+        }
     }
 
     /// Whether the data determine nothing; some open parameters beside others that are known are no

@@ -11,6 +11,7 @@ mod identify;
 mod interpolate;
 mod pca;
 mod recognise;
+mod robot_errors;
 pub(crate) mod shape;
 mod table;
 
@@ -18,7 +19,7 @@ pub use body::{Body, moving};
 pub use carrying::{Carrying, names};
 pub use catalogue::{FLANGE, MINI_ROLLERS, RollerSeries, SOURCE, WALL_ROLLERS, catalogue};
 pub use found::{Found, InToolFrame, look_up};
-pub use identify::{Carried, LogError, ToolError, ToolSettings, identify_tool};
+pub use identify::{Carried, LogError, RobotErrors, ToolError, ToolSettings, identify_tool};
 pub use interpolate::{Interval, Relative, interpolate};
 pub use pca::Pca;
 pub use recognise::{Candidate, RecogniseSettings, Recognition, recognise};

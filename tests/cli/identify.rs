@@ -363,6 +363,9 @@ fn impossible_drives_and_bodies_are_not_written() {
     } else {
         assert!(run.out.contains("At their bound of 0"), "{}", run.out);
     }
+    let said = denavit(&["identify", ROBOT, &log, "--consistent=never", "--json", "-"]);
+    let said: Value = serde_json::from_str(&said.out).unwrap();
+    assert!(strings(&said["at_bound"]).contains(&"FC3"), "{}", said["at_bound"]);
     let run = denavit(&["identify", ROBOT, &log, "--consistent=never", "--out", &out]);
     assert_eq!(run.status, Some(0), "{}", run.err);
     assert!(run.out.contains("came out negative") && run.out.contains("FC3"), "{}", run.out);
@@ -374,9 +377,9 @@ fn impossible_drives_and_bodies_are_not_written() {
     }
 }
 
-/// What the fit leaves out of the robot file is said.
+/// A spring on joint 2 that the file knows: the fit is beside it, and it stays in the file.
 #[test]
-fn effects_that_are_not_used_are_named() {
+fn effects_of_the_file_are_taken_as_known() {
     let folder = folder("identify-effects");
     let mut robot = read_robot(ROBOT);
     robot.joints[1].drive.effects.push(dh_codegen::robot::Effect {
@@ -384,7 +387,84 @@ fn effects_that_are_not_used_are_named() {
         parameters: vec![("KS".into(), 12.0), ("QS".into(), 0.0)],
     });
     let robot = file(&folder, "robot.yaml", robot.to_yaml());
-    let run = denavit(&["identify", &robot, &identified().fit]);
-    assert!(run.out.contains("not used: joint_spring of joint 2"), "{}", run.out);
-    assert!(!denavit(&["identify", ROBOT, &identified().fit]).out.contains("not used"));
+    let log = file(&folder, "log.csv", sprung(record(12, 31), 12.0));
+    let out = folder.join("out.yaml").display().to_string();
+    let said = json(&["identify", &robot, &log, "--out", &out, "--json", "-"]);
+    assert!(said["warnings"].to_string().contains("taken as known: joint_spring of joint 2"), "{}", said["warnings"]);
+    // The file is right as it is, and the fit is no worse than that of the same arm without.
+    let [before, after] = ["fit_before", "fit"].map(|which| numbers(&said["rms"][which]));
+    let plain = json(&["identify", ROBOT, &file(&folder, "plain.csv", record(12, 31)), "--json", "-"]);
+    let plain = numbers(&plain["rms"]["fit"]);
+    for joint in 0..7 {
+        assert!(
+            before[joint] < 1.5 * plain[joint] + 1e-3 && after[joint] < 1.1 * plain[joint] + 1e-4,
+            "{before:?} {after:?} {plain:?}"
+        );
+    }
+    let kept = read_robot(&out);
+    assert_eq!(kept.joints[1].drive.effects[0].name, "joint_spring");
+    let not_used = file(
+        &folder,
+        "bare.yaml",
+        without_links().replace("name: kuka-lwr4", "name: bare\neffects: { base_tilt: { roll: 0.5deg } }"),
+    );
+    let run = denavit(&["identify", &not_used, &log]);
+    assert!(run.out.contains("not used: base_tilt"), "{}{}", run.out, run.err);
+}
+
+/// A log with the torque of a spring on joint 2 in it.
+fn sprung(log: String, stiffness: f64) -> String {
+    let mut lines = log.lines();
+    let header = lines.next().unwrap();
+    let names: Vec<&str> = header.split(',').collect();
+    let [q, tau] = ["q2", "tau2"].map(|name| names.iter().position(|n| *n == name).unwrap());
+    let rows = lines.map(|line| {
+        let mut cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
+        cells[tau] += stiffness * cells[q];
+        cells.iter().map(f64::to_string).collect::<Vec<_>>().join(",")
+    });
+    std::iter::once(header.to_string()).chain(rows).collect::<Vec<_>>().join("\n") + "\n"
+}
+
+/// Torques of joints 2 and 4 exchanged: no sign is to be turned about.
+#[test]
+fn exchanged_torque_columns_are_named_and_no_negation_is_advised() {
+    let folder = folder("identify-exchanged");
+    let log = record(12, 41);
+    let (header, rows) = log.split_once('\n').unwrap();
+    let header = header.replace("tau2", "other").replace("tau4", "tau2").replace("other", "tau4");
+    let log = file(&folder, "log.csv", format!("{header}\n{rows}"));
+    let run = denavit(&["identify", ROBOT, &log]);
+    let words = "the torque of joint 2 stands in `tau4`, the torque of joint 4 stands in `tau2`";
+    assert!(run.out.contains(words), "{}{}", run.out, run.err);
+    assert!(!run.out.contains("negate"), "{}", run.out);
+}
+
+#[test]
+fn options_that_would_change_nothing_are_refused() {
+    let log = &identified().fit;
+    for (arguments, word) in [
+        (&["--consistent=never", "--most-cost", "1"][..], "--most-cost"),
+        (&["--consistent=never", "--prior", "none"], "--prior"),
+        (&["--consistent=never", "--mass-total", "15"], "--mass-total"),
+        (&["--cutoff", "0", "--order", "3"], "--order"),
+        (&["--derivatives", "rest", "--dead-zone", "0.1"], "--dead-zone"),
+    ] {
+        let run = denavit(&[&["identify", ROBOT, log], arguments].concat());
+        assert_eq!(run.status, Some(2), "{arguments:?}");
+        assert!(run.err.contains(word), "{arguments:?}: {}", run.err);
+    }
+}
+
+/// A validating log that was fitted when the file was made is no validation.
+#[test]
+fn a_log_that_was_fitted_before_is_called_so() {
+    let folder = folder("identify-before");
+    let [a, b] = [51, 52].map(|seed| file(&folder, &format!("{seed}.csv"), record(8, seed)));
+    let out = folder.join("out.yaml").display().to_string();
+    assert_eq!(denavit(&["identify", ROBOT, &a, "--out", &out]).status, Some(0));
+    let said = json(&["identify", &out, &b, "--validate", &a, "--json", "-"]);
+    assert!(said["warnings"].to_string().contains("was fitted when the robot file was made"), "{}", said["warnings"]);
+    let said = json(&["identify", ROBOT, &b, "--validate", &a, "--json", "-"]);
+    assert!(!said["warnings"].to_string().contains("was fitted"), "{}", said["warnings"]);
 }

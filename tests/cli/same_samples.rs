@@ -45,6 +45,13 @@ fn equal_samples_are_refused() {
     // A stretch, later, with every second row left out.
     let part: Vec<Vec<f64>> = one[1000..2200].iter().step_by(2).map(|r| [&[r[0] + 1e4], &r[1..]].concat()).collect();
     let part = file(&folder, "part.csv", csv(&header(), &part));
+    // Fewer digits.
+    let fewer = |print: fn(f64) -> String| {
+        let line = |r: &Vec<f64>| r.iter().map(|x| print(*x)).collect::<Vec<_>>().join(",");
+        format!("{}\n{}\n", header().join(","), one.iter().map(line).collect::<Vec<_>>().join("\n"))
+    };
+    let places = file(&folder, "places.csv", fewer(|x| format!("{x:.5}")));
+    let digits = file(&folder, "digits.csv", fewer(|x| format!("{x:.4e}")));
     // Half new, half old.
     let mut half = rows(15, 3);
     half.extend(one[2000..].iter().map(|r| [&[r[0]], &r[1..]].concat()));
@@ -52,9 +59,14 @@ fn equal_samples_are_refused() {
     let half = file(&folder, "half.csv", csv(&header(), &half));
 
     assert_eq!(identify(&[&log, "--validate", &other]).status, Some(0));
-    for (copy, words) in
-        [(&log, "the same samples"), (&mixed, "the same samples"), (&part, " s with"), (&half, " s with")]
-    {
+    for (copy, words) in [
+        (&log, "the same samples"),
+        (&mixed, "the same samples"),
+        (&part, " s with"),
+        (&half, " s with"),
+        (&places, "as many digits"),
+        (&digits, "as many digits"),
+    ] {
         for arguments in [vec![log.as_str(), "--validate", copy], vec![&log, copy], vec![copy, "--validate", &log]] {
             let run = identify(&arguments);
             assert_eq!(run.status, Some(2), "{arguments:?}: {}{}", run.out, run.err);

@@ -117,6 +117,26 @@ fn the_large_roller_is_found_from_both_logs() {
 }
 
 #[test]
+fn the_errors_of_an_identified_robot_are_counted() {
+    let logs = logs();
+    let [robot, identified] = ["robot.yaml", "robot.json"].map(|name| logs.folder.join(name).display().to_string());
+    let run = denavit(&["identify", ROBOT, &logs.empty, "--out", &robot, "--json", &identified]);
+    assert_eq!(run.status, Some(0), "{}", run.err);
+    let exact = json(&["tool", &robot, "--loaded", &logs.large, "--json", "-"]);
+    let counted = json(&["tool", &robot, "--loaded", &logs.large, "--identified", &identified, "--json", "-"]);
+    assert_eq!((&exact["robot_errors"], &counted["robot_errors"]), (&"not_counted".into(), &"counted".into()));
+    assert!(exact["warnings"].to_string().contains("taken as exact"), "{}", exact["warnings"]);
+    assert!(!counted["warnings"].to_string().contains("taken as exact"), "{}", counted["warnings"]);
+    agrees(&counted, &truth(&tool("large-roller")));
+    let [narrow, wide] = [&exact, &counted].map(|said| numbers(&said["std"]));
+    assert!(narrow.iter().zip(&wide).all(|(a, b)| a <= b) && wide[0] > 1.05 * narrow[0], "{narrow:?} {wide:?}");
+    let run = denavit(&["tool", &robot, "--loaded", &logs.large, "--mount", "0,0,0.1"]);
+    assert_eq!(run.status, Some(2), "{}", run.out);
+    let run = denavit(&["tool", &robot, "--loaded", &logs.large, "--on-top"]);
+    assert!(run.status == Some(2) && run.err.contains("has no tool"), "{}", run.err);
+}
+
+#[test]
 fn a_known_robot_and_a_scale_say_more() {
     let logs = logs();
     let alone = |more: &[&str]| {

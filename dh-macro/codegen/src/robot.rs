@@ -34,7 +34,7 @@ pub use length::{Length, Polynomial};
 pub use name::crate_name;
 pub use physical::NotPhysical;
 pub use problem::{Note, Problem, Problems};
-pub use rewrite::{Files, Run};
+pub use rewrite::{Files, Run, files_of_runs};
 pub use schema::schema;
 
 /// Which Denavit-Hartenberg convention the rows are written in.

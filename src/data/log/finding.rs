@@ -22,6 +22,92 @@ pub enum Clock {
     Resampled,
 }
 
+/// How a log reads that explains its torques.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Explanation {
+    /// Torque columns in another order.
+    Order {
+        /// Of each joint, the number of the column that holds its torque, from 1.
+        columns: Vec<usize>,
+        /// Whether it does so with the other sign.
+        negated: Vec<bool>,
+    },
+    /// Positions in degrees.
+    Degrees,
+    /// Torques of the motors, before the gears.
+    MotorSide,
+    /// Torques in another unit.
+    Unit {
+        /// How many times larger the numbers are than in N m.
+        times: f64,
+    },
+}
+
+impl Explanation {
+    /// What is the matter, as a sentence without its end.
+    fn what(&self) -> String {
+        match self {
+            Self::Order { columns, negated } => {
+                let of = |(joint, column): (usize, &usize)| {
+                    let sign = if negated[joint] { ", with the other sign" } else { "" };
+                    let moved = *column != joint + 1 || negated[joint];
+                    moved.then(|| format!("the torque of joint {} stands in `tau{column}`{sign}", joint + 1))
+                };
+                let places: Vec<String> = columns.iter().enumerate().filter_map(of).collect();
+                let mut names: Vec<usize> = (1..=columns.len()).collect();
+                names.sort_by_key(usize::to_string);
+                let sorted = columns.iter().enumerate().all(|(joint, column)| names[column - 1] == joint + 1);
+                let why = if sorted { " (the order of names that are sorted as text: 1, 10, 11, 2)" } else { "" };
+                format!("torque columns stand in another order{why}: {}", places.join(", "))
+            }
+            Self::Degrees => "positions are in degrees".into(),
+            Self::MotorSide => "torques are those of the motors, before the gears".into(),
+            Self::Unit { times } => {
+                let near = |of: f64| (0.4..2.5).contains(&(times / of));
+                let unit = match () {
+                    () if near(1e3) => ": N mm, or a thousandth of another unit (mA)",
+                    () if near(1e-3) => ": kN m",
+                    () if near(57.3) || near(1.0 / 57.3) => ": a factor of 180/pi too many or too few",
+                    () => ": currents, percent, or motor-side torques",
+                };
+                format!("torques are not in N m at the joint: they are {} times the model's{unit}", short(*times))
+            }
+        }
+    }
+
+    /// With the evidence for it.
+    fn sentence(&self, log: Option<&str>, [recorded, read]: [f64; 2]) -> String {
+        let log = log.map_or(String::new(), |log| format!("{log}: "));
+        format!(
+            "{log}{}. So read the model leaves {read:.0} % of the torques, as recorded {recorded:.0} %",
+            self.what()
+        )
+    }
+
+    /// How to mend it.
+    fn advice(&self) -> &'static str {
+        match self {
+            Self::Order { .. } => "rename the columns",
+            Self::Degrees => "write radians",
+            Self::MotorSide => {
+                "multiply each by its gear ratio, or call the columns `taum` if they are on the joint side"
+            }
+            Self::Unit { .. } => {
+                "write N m of the joint side of the gear; for currents name the columns `i1..` and give the joints a `torque_constant`"
+            }
+        }
+    }
+}
+
+/// A number with three digits.
+fn short(x: f64) -> String {
+    if (0.01..1e4).contains(&x.abs()) {
+        format!("{:.*}", usize::from(x.abs() < 10.0) * 2, x)
+    } else {
+        format!("{x:.1e}")
+    }
+}
+
 /// What was found. Times in s, levels in the column's unit.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -111,6 +197,16 @@ pub enum Kind {
         /// Correlation of measured and predicted torque, or of the fit as recorded.
         correlation: f64,
     },
+    /// The log explains itself far better when it is read in another way.
+    Misread {
+        /// How.
+        explanation: Explanation,
+        /// The log, where several were read.
+        log: Option<String>,
+        /// What the model leaves of the torques (root mean square, joints weighing alike) as
+        /// recorded and so read, percent.
+        percent: [f64; 2],
+    },
     /// A segment shorter than what the filter needs; left out.
     ShortSegments {
         /// Samples that were left out.
@@ -149,6 +245,11 @@ pub enum Kind {
     FromCurrents {
         /// Of each joint, N m per A.
         gains: Vec<f64>,
+    },
+    /// A validating log that an earlier command fitted.
+    FittedBefore {
+        /// The log's name there.
+        path: String,
     },
     /// No joint moves beyond the noise of its encoder.
     Standstill,
@@ -237,36 +338,25 @@ impl Finding {
             Kind::Sign { correlation } => {
                 format!("has probably the wrong sign (correlation with the model {correlation:.2})")
             }
+            Kind::Misread { explanation, log, percent } => explanation.sentence(log.as_deref(), *percent),
             Kind::ShortSegments { samples } => {
                 format!("segments too short to be filtered were left out: {samples} samples{times}")
             }
             Kind::BeyondLimit { reaches, limit, unit } => {
                 format!("reaches {reaches:.4} {unit}, where the robot file's limit is {limit:.4} {unit}")
             }
-            Kind::TorqueUnit { times, thousandth } => {
-                let unit = if *thousandth {
-                    "; a thousandth of them would be within the limits, so they are probably in N mm, or currents in mA"
-                } else {
-                    ""
-                };
-                format!(
-                    "torques reach {times:.0} times the limits of the robot file: they are not in N m at its joints{unit}"
-                )
-            }
+            Kind::TorqueUnit { times, thousandth } => torque_unit(*times, *thousandth),
             Kind::Unexplained { percent } => {
                 format!("the fitted model leaves {percent:.0} % of the torque unexplained")
             }
-            Kind::Disagree { times, worst } => {
-                let worst =
-                    worst.as_ref().map_or(String::new(), |log| format!("; most at odds with the others is {log}"));
-                format!(
-                    "the logs contradict each other: fitted together they leave {times:.1} times the error of each fitted alone{worst}"
-                )
-            }
+            Kind::Disagree { times, worst } => disagree(*times, worst.as_deref()),
             Kind::FromCurrents { gains } => {
                 let gains: Vec<String> = gains.iter().map(f64::to_string).collect();
                 format!("torques are the motor currents times {} N m/A, joint by joint", gains.join(", "))
             }
+            Kind::FittedBefore { path } => format!(
+                "this log was fitted when the robot file was made (as {path}): the file's figures on it are no validation"
+            ),
             Kind::Standstill => "no joint moves: nothing but gravity in this posture can be told".into(),
             Kind::TooFew { samples } => format!("only {samples} samples"),
             Kind::VeryLong { samples } => format!("{samples} samples"),
@@ -289,6 +379,7 @@ impl Finding {
             Kind::Sign { .. } => {
                 "compare the joint's positive direction with the robot file; negate the column if it is so"
             }
+            Kind::Misread { explanation, .. } => explanation.advice(),
             Kind::BeyondLimit { unit: "rad" | "m", .. } => {
                 "look whether the columns are in the robot's order, in rad or m, and of this robot"
             }
@@ -300,6 +391,7 @@ impl Finding {
             Kind::Disagree { .. } => {
                 "look whether all are of this robot, with the same tool, and with columns and units alike; identify them apart to see which is wrong"
             }
+            Kind::FittedBefore { .. } => "validate on a separate recording",
             Kind::Standstill => "record a motion of all joints: `denavit excite` designs one",
             Kind::ShortSegments { .. } => "",
             Kind::TooFew { .. } => "record some seconds with all joints moving",
@@ -311,6 +403,21 @@ impl Finding {
             _ => mend.into(),
         }
     }
+}
+
+fn torque_unit(times: f64, thousandth: bool) -> String {
+    let unit = match thousandth {
+        true => "; a thousandth of them would be within the limits, so they are probably in N mm, or currents in mA",
+        false => "",
+    };
+    format!("torques reach {times:.0} times the limits of the robot file: they are not in N m at its joints{unit}")
+}
+
+fn disagree(times: f64, worst: Option<&str>) -> String {
+    let worst = worst.map_or(String::new(), |log| format!("; most at odds with the others is {log}"));
+    format!(
+        "the logs contradict each other: fitted together they leave {times:.1} times the error of each fitted alone{worst}"
+    )
 }
 
 /// A number in as few characters as it takes.

@@ -3,7 +3,8 @@
 //! A row is hashed as it was measured: positions and torques, not time. Of each log the rows with
 //! the smallest hashes are kept (Broder 1997, min-wise sampling), so that two logs choose the same
 //! rows wherever they share some, and memory is bounded. Order of columns, format, compression,
-//! shifted time stamps and rows left out between make no difference.
+//! shifted time stamps and rows left out between make no difference. A copy with fewer digits is
+//! recognised by [`super::rounded`].
 
 use std::collections::HashMap;
 use std::collections::hash_map::DefaultHasher;
@@ -15,6 +16,7 @@ use super::LogError;
 use super::Quantity;
 use super::Role;
 use super::Source;
+use super::rounded::Rounded;
 
 /// Most rows that are kept of a log: all of two minutes at 1 kHz, every 28th of an hour; 3 MB.
 const MOST_ROWS: usize = 1 << 17;
@@ -47,6 +49,8 @@ pub struct Fingerprint {
     limit: u64,
     /// By hash; of equal rows the first.
     kept: Vec<Row>,
+    /// The rows with fewer digits.
+    rounded: Rounded,
 }
 
 /// What two logs have in common.
@@ -56,6 +60,9 @@ pub enum Common {
     All,
     /// Stretches of one are in the other; their duration, s.
     Stretch(f64),
+    /// Stretches of one are in the other once both have as few digits as the coarser one; their
+    /// duration, s.
+    Rounded(f64),
 }
 
 impl Fingerprint {
@@ -77,7 +84,12 @@ impl Fingerprint {
         // A log without every second row is found in the whole one, not the other way round.
         let seconds = self.found_in(other).max(other.found_in(self));
         let shorter = self.duration().min(other.duration());
-        (seconds > 0.0 && seconds >= LEAST_SHARE * shorter).then_some(Common::Stretch(seconds))
+        let counts = |seconds: f64| seconds > 0.0 && seconds >= LEAST_SHARE * shorter;
+        if counts(seconds) {
+            return Some(Common::Stretch(seconds));
+        }
+        let seconds = self.rounded.shared(&other.rounded);
+        counts(seconds).then_some(Common::Rounded(seconds))
     }
 
     /// Seconds of this log that stand in the other one.
@@ -117,7 +129,7 @@ impl Fingerprint {
 pub struct Fingerprinted<'a> {
     source: &'a mut (dyn Source + 'a),
     /// Columns whose values are hashed: positions, then torques, by joint.
-    columns: Vec<usize>,
+    columns: [Vec<usize>; 2],
     time: Option<usize>,
     print: Fingerprint,
     all: DefaultHasher,
@@ -136,8 +148,15 @@ impl<'a> Fingerprinted<'a> {
         };
         let positions = first_of(&[Quantity::Q, Quantity::Qm]);
         let torques = first_of(&[Quantity::Tau, Quantity::Taum, Quantity::Current]);
-        let (columns, time) = ([positions, torques].concat(), column(Role::Time));
-        let print = Fingerprint { digest: 0, rows: 0, span: [0.0; 2], limit: u64::MAX, kept: Vec::new() };
+        let (columns, time) = ([positions, torques], column(Role::Time));
+        let print = Fingerprint {
+            digest: 0,
+            rows: 0,
+            span: [0.0; 2],
+            limit: u64::MAX,
+            kept: Vec::new(),
+            rounded: Rounded::new(),
+        };
         Self { source, columns, time, print, all: DefaultHasher::new() }
     }
 
@@ -145,6 +164,7 @@ impl<'a> Fingerprinted<'a> {
     pub fn finish(mut self) -> Fingerprint {
         self.print.digest = self.all.finish();
         self.print.thin();
+        self.print.rounded.finish();
         self.print
     }
 }
@@ -170,8 +190,10 @@ impl Source for Fingerprinted<'_> {
         self.source.next_block(rows, block)?;
         for row in 0..block.len() {
             let mut hasher = DefaultHasher::new();
-            for &column in &self.columns {
-                single(block.columns[column][row]).hash(&mut hasher);
+            let values = |k: usize| -> Vec<f64> { self.columns[k].iter().map(|&c| block.columns[c][row]).collect() };
+            let (positions, torques) = (values(0), values(1));
+            for &value in positions.iter().chain(&torques) {
+                single(value).hash(&mut hasher);
             }
             let hash = hasher.finish();
             hash.hash(&mut self.all);
@@ -187,6 +209,7 @@ impl Source for Fingerprinted<'_> {
                     print.thin();
                 }
             }
+            print.rounded.push(print.rows, time, &positions, &torques);
             print.rows += 1;
         }
         Ok(())

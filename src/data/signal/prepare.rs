@@ -649,14 +649,9 @@ impl Preparer {
             states: States { len: to - from, ..States::default() },
             tau: Vec::with_capacity(dof * (to - from)),
             velocity_noise: Vec::with_capacity(dof),
-            position_noise: Vec::new(),
-            resting: Vec::new(),
-            stuck: Vec::new(),
             bandwidth: self.settings.filter.filter(|_| !self.settings.raw_torque).map(|filter| filter.cutoff),
             band: self.band(),
-            sign: Vec::new(),
-            temperature: Vec::new(),
-            wrench: Vec::new(),
+            ..Motion::default()
         };
         let mut speeds = Vec::with_capacity(dof);
         for joint in 0..dof {

@@ -41,6 +41,24 @@ impl Layout {
         };
         Ok(Self { positive: rest(true), free: rest(false), links })
     }
+
+    /// Standard parameters of what is fixed to links, and the least values of drives: what the
+    /// unknowns come on top of.
+    fn known(&self, settings: &ConsistentSettings) -> Result<Vec<f64>, ConsistentError> {
+        let mut known = vec![0.0; 10 * self.links.len() + self.positive.len() + self.free.len()];
+        for (link, body) in &settings.carried {
+            let places = self.links.get(*link).ok_or(ConsistentError::Length {
+                what: "links with a body fixed to them",
+                found: link + 1,
+                expected: self.links.len(),
+            })?;
+            places.iter().zip(body).for_each(|(&i, b)| known[i] += b);
+        }
+        for &(i, least) in settings.floors.iter().filter(|(i, _)| self.positive.contains(i)) {
+            known[i] += least;
+        }
+        Ok(known)
+    }
 }
 
 /// What the data say: `1/2 |r beta - z|^2`, in units of the noise.
@@ -94,16 +112,7 @@ impl Setup {
 
         let mut bodies: Vec<[f64; 10]> = prior.iter().map(|p| p.body).collect();
         settings.bounds.enforce(&mut bodies)?;
-        let mut offset = vec![0.0; names.len()];
-        for (link, body) in &settings.carried {
-            let places = layout.links.get(*link).ok_or(ConsistentError::Length {
-                what: "links with a body fixed to them",
-                found: link + 1,
-                expected: layout.links.len(),
-            })?;
-            places.iter().zip(body).for_each(|(&i, b)| offset[i] += b);
-        }
-
+        let offset = layout.known(settings)?;
         let standard = &data.r * grouping(arm);
         let z = &data.z - &standard * DVector::from_column_slice(&offset);
         let (positive, free) = (layout.positive.len(), layout.free.len());
@@ -133,8 +142,9 @@ impl Setup {
         };
         for (k, &i) in layout.positive.iter().enumerate() {
             let index = 10 * bodies.len() + k;
-            let given = drives[i] > 0.0;
-            scales[i] = if given { drives[i] } else { 0.1 };
+            let above = drives[i] - offset[i];
+            let given = above > 0.0;
+            scales[i] = if given { above } else { 0.1 };
             problem.j.set_column(index, &(standard.column(i) * scales[i]));
             // Friction changes with temperature and age: only rotors are held to what the file
             // says.

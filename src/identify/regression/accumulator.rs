@@ -82,10 +82,11 @@ pub struct Factors {
 
 /// Builds [`Factors`] from motions.
 ///
-/// Where a joint is at rest ([`Motion::resting`]) its Coulomb column and its true friction disagree
-/// by up to twice the friction, so the joint's own row is left out. A joint that rests for more
-/// than half of a stretch is taken to stand on purpose: its rows stay, with zero in the Coulomb
-/// column.
+/// Where a joint is at rest ([`Motion::resting`]), or sticks as it turns round ([`Motion::stuck`]),
+/// its Coulomb column and its true friction disagree by up to twice the friction, so the joint's own
+/// row is left out. What the low-pass carries of that to later rows stays in: on short recordings of
+/// real arms those rows are worth more than they err. A joint that rests for more than half of a
+/// stretch is taken to stand on purpose: its rows stay, with zero in the Coulomb column.
 pub struct QrAccumulator<'a> {
     arm: &'a dyn Arm,
     settings: AccumulatorSettings,
@@ -96,6 +97,29 @@ pub struct QrAccumulator<'a> {
     block: MotionBlock,
     regressor: Vec<f64>,
     work: Vec<f64>,
+}
+
+/// Where velocities have no sign.
+#[derive(Clone, Copy)]
+struct Still<'a> {
+    /// Of each joint, those of the sums behind, at each picked sample of a motion.
+    marks: &'a [bool],
+    /// Number of picked samples.
+    picks: usize,
+    /// The first that is meant.
+    from: usize,
+    /// Of each joint, then each sum: whether it stands for most of the stretch.
+    stands: &'a [bool],
+}
+
+impl Still<'_> {
+    fn at(self, from: usize) -> Self {
+        Self { from, ..self }
+    }
+
+    fn marked(&self, row: usize, sample: usize) -> bool {
+        self.marks.get(row * self.picks + self.from + sample).copied().unwrap_or(false)
+    }
 }
 
 /// Samples that are evaluated and annihilated at once: a joint's block then stays in the
@@ -137,18 +161,20 @@ impl<'a> QrAccumulator<'a> {
     /// Takes in a stretch of motion.
     pub fn absorb(&mut self, motion: &Motion) {
         let stands = self.stands(motion);
+        let (marks, picks) = (self.still(motion), motion.picks().len());
+        let still = Still { marks: &marks, picks, from: 0, stands: &stands };
         let step = motion.period * motion.stride.max(1) as f64;
         let full = ((self.settings.batch / step).ceil() as usize).max(8);
         self.factors.seconds += motion.picks().len() as f64 * step;
         let before: Vec<usize> = self.factors.joints.iter().map(|factor| factor.samples).collect();
-        self.absorb_rows(motion, &stands, full);
+        self.absorb_rows(motion, still, full);
         let share = independent_share(motion, step);
         for (factor, before) in self.factors.joints.iter_mut().zip(before) {
             factor.independent += share * (factor.samples - before) as f64;
         }
     }
 
-    fn absorb_rows(&mut self, motion: &Motion, stands: &[bool], full: usize) {
+    fn absorb_rows(&mut self, motion: &Motion, still: Still<'_>, full: usize) {
         for (factor, q) in self.factors.joints.iter_mut().zip(motion.states.q.chunks_exact(motion.states.len.max(1))) {
             for s in motion.picks() {
                 factor.reach = [factor.reach[0].min(q[s]), factor.reach[1].max(q[s])];
@@ -157,7 +183,7 @@ impl<'a> QrAccumulator<'a> {
         if let Some((order, cutoff)) = self.settings.parallel
             && let Ok(sos) = low_pass(order, cutoff, motion.period.recip())
         {
-            self.absorb_filtered(motion, &sos, stands, full);
+            self.absorb_filtered(motion, &sos, still, full);
             return;
         }
         let (mut block, mut regressor) = (std::mem::take(&mut self.block), std::mem::take(&mut self.regressor));
@@ -170,14 +196,14 @@ impl<'a> QrAccumulator<'a> {
             }
             from += count;
             self.rows.evaluate(self.arm, &block.states, &block.sign, &mut regressor);
-            self.take_block(&block.resting, &regressor, &block.tau, count, stands);
+            self.take_block(still.at(from - count), &regressor, &block.tau, count);
             self.end_batch(full);
         }
         (self.block, self.regressor) = (block, regressor);
     }
 
     /// Runs each column and the torque through the same low-pass, then uses the picked samples.
-    fn absorb_filtered(&mut self, motion: &Motion, sos: &crate::data::signal::Sos, stands: &[bool], full: usize) {
+    fn absorb_filtered(&mut self, motion: &Motion, sos: &crate::data::signal::Sos, still: Still<'_>, full: usize) {
         let len = motion.states.len;
         let mut regressor = Vec::new();
         self.rows.evaluate(self.arm, &motion.states, &motion.sign, &mut regressor);
@@ -194,8 +220,6 @@ impl<'a> QrAccumulator<'a> {
         };
         thin(&mut regressor);
         thin(&mut tau);
-        let resting: Vec<bool> =
-            motion.resting.chunks_exact(len.max(1)).flat_map(|row| picks.iter().map(|&s| row[s])).collect();
         let count = picks.len();
         let part = |x: &[f64], rows: std::ops::Range<usize>| -> Vec<f64> {
             x.chunks_exact(count.max(1)).flat_map(|c| c[rows.clone()].to_vec()).collect()
@@ -205,9 +229,7 @@ impl<'a> QrAccumulator<'a> {
             let rows = from..(from + BLOCK.min(full - self.in_batch)).min(count);
             from = rows.end;
             let (w, t) = (part(&regressor, rows.clone()), part(&tau, rows.clone()));
-            let rests: Vec<bool> =
-                resting.chunks_exact(count.max(1)).flat_map(|row| row[rows.clone()].to_vec()).collect();
-            self.take_block(&rests, &w, &t, rows.len(), stands);
+            self.take_block(still.at(rows.start), &w, &t, rows.len());
             self.end_batch(full);
         }
     }
@@ -220,10 +242,25 @@ impl<'a> QrAccumulator<'a> {
         (0..rows).map(|k| 2 * row(k).iter().filter(|r| **r).count() > len).collect()
     }
 
-    /// `regressor` by entry of the pattern, `count` rows each; `resting` and `tau` joint-major.
-    fn take_block(&mut self, resting: &[bool], regressor: &[f64], tau: &[f64], count: usize, stands: &[bool]) {
-        let row = |k: usize| resting.get(k * count..(k + 1) * count).unwrap_or(&[]);
-        let rests = |k: usize, s: usize| row(k).get(s).copied().unwrap_or(false);
+    /// Where the rows of each joint, then each sum, have no sign of velocity, at the picked samples.
+    fn still(&self, motion: &Motion) -> Vec<bool> {
+        let (len, dof) = (motion.states.len, self.arm.dof());
+        let mut out = Vec::new();
+        for k in 0..dof + self.rows.sums.len() {
+            let mut marks = vec![false; len];
+            for source in [&motion.resting, &motion.stuck].into_iter().take(if k < dof { 2 } else { 1 }) {
+                let row = source.get(k * len..(k + 1) * len).unwrap_or(&[]);
+                marks.iter_mut().zip(row).for_each(|(mark, still)| *mark |= still);
+            }
+            out.extend(motion.picks().map(|s| marks[s]));
+        }
+        out
+    }
+
+    /// `regressor` by entry of the pattern, `count` rows each; `tau` joint-major.
+    fn take_block(&mut self, still: Still<'_>, regressor: &[f64], tau: &[f64], count: usize) {
+        let (dof, stands) = (self.arm.dof(), still.stands);
+        let rests = |k: usize, s: usize| still.marked(k, s);
         for (joint, factor) in self.factors.joints.iter_mut().enumerate() {
             let n = factor.columns.len();
             let entries = self.rows.offsets[joint]..self.rows.offsets[joint + 1];
@@ -236,7 +273,7 @@ impl<'a> QrAccumulator<'a> {
                 let here = summed.entries.iter().filter(|(entry, _)| entries.contains(entry));
                 let columns: Vec<usize> = here.map(|(entry, _)| entry - entries.start).collect();
                 if !columns.is_empty() {
-                    signs.push((self.arm.dof() + k, columns));
+                    signs.push((dof + k, columns));
                 }
             }
             let moves = |s: &usize| signs.iter().all(|&(k, _)| stands[k] || !rests(k, *s));

@@ -13,34 +13,42 @@ use crate::model::Arm;
 pub struct Nonnegative {
     /// Base parameters, in the arm's order.
     pub base: Vec<f64>,
-    /// Names of those that are held at zero, in the order of the parameters.
+    /// Names of those that are held at their bound, in the order of the parameters.
     pub held: Vec<String>,
 }
 
 /// Whether a base parameter is a rotor inertia or a friction level.
-fn is_level(name: &str) -> bool {
+pub(crate) fn is_level(name: &str) -> bool {
     ["IA", "FV", "FC"].iter().any(|kind| name.starts_with(kind))
 }
 
-/// Holds rotor inertias and friction levels that came out negative at zero and fits the others
-/// again, until none is negative: the active-set method of non-negative least squares (Lawson and
-/// Hanson 1974), without release.
+/// Holds rotor inertias and friction levels that came out below zero, or below their floor, there and
+/// fits the others again, until none is below: the active-set method of non-negative least squares
+/// (Lawson and Hanson 1974), without release.
+///
+/// `floors`: standard parameters with a least value above zero. Friction that differs with direction
+/// by `FCA` has a level of `FC - |FCA|` in one of them.
 pub fn nonnegative_drives(
     arm: &dyn Arm,
     fit: &[Factors],
     found: &Identification,
     settings: &IdentifySettings,
+    floors: &[(usize, f64)],
 ) -> Result<Nonnegative, IdentifyError> {
+    let floor = |c: usize| -> f64 {
+        let has = |i: &usize| arm.base_parameters()[c].coefficients.iter().any(|(k, _)| k == i);
+        floors.iter().filter(|(i, _)| has(i)).map(|(_, least)| *least).sum()
+    };
     let names: Vec<&str> = found.parameters.iter().map(|p| p.name.as_str()).collect();
     let mut known: Vec<Option<f64>> = vec![None; names.len()];
     let mut base = found.values();
     loop {
-        let negative: Vec<usize> = (0..names.len()).filter(|&c| is_level(names[c]) && base[c] < 0.0).collect();
+        let negative: Vec<usize> = (0..names.len()).filter(|&c| is_level(names[c]) && base[c] < floor(c)).collect();
         if negative.is_empty() {
             let held = names.iter().zip(&known).filter(|(_, k)| k.is_some()).map(|(n, _)| n.to_string()).collect();
             return Ok(Nonnegative { base, held });
         }
-        negative.iter().for_each(|&c| known[c] = Some(0.0));
+        negative.iter().for_each(|&c| known[c] = Some(floor(c)));
         let rest = Known::new(arm, &known);
         let factors: Vec<Factors> = fit.iter().map(|log| rest.factors(log)).collect();
         let settings = IdentifySettings { essential: None, ..settings.clone() };
@@ -69,8 +77,13 @@ mod tests {
         let found = solve(&arm, &fit, &[], &settings).unwrap();
         let lowest = found.parameters.iter().filter(|p| is_level(&p.name)).map(|p| p.value).fold(0.0, f64::min);
         assert!(lowest < -1.0, "{lowest}");
-        let bounded = nonnegative_drives(&arm, &fit, &found, &settings).unwrap();
+        let bounded = nonnegative_drives(&arm, &fit, &found, &settings, &[]).unwrap();
         assert!(!bounded.held.is_empty());
+        // Directions that differ by more than the level of joint 1.
+        let fc1 = arm.standard_names().iter().position(|name| name == "FC1").unwrap();
+        let floored = nonnegative_drives(&arm, &fit, &found, &settings, &[(fc1, 2.0)]).unwrap();
+        let at = floored.held.iter().position(|name| name == "FC1");
+        assert!(at.is_some() && (floored.base[9] - 2.0).abs() < 1e-12, "{floored:?}");
         for (p, value) in found.parameters.iter().zip(&bounded.base) {
             assert!(!is_level(&p.name) || *value >= 0.0, "{}: {value}", p.name);
             assert!(!bounded.held.contains(&p.name) || *value == 0.0, "{}: {value}", p.name);

@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::identify::regression::nonnegative::is_level;
 use crate::model::Arm;
 
 /// Numbers that do not go with the arm.
@@ -33,7 +34,8 @@ pub(in crate::identify) fn base_of(arm: &dyn Arm, standard: &[f64]) -> Vec<f64> 
 ///
 /// `D` holds the squares of the sizes that changes may have, so that kilograms and kilogram square
 /// metres can be compared: for a link of mass `m` and a length `l = 0.2 m`: `m`, `m l` and `m l^2`;
-/// for the drive, the parameter's own size. `m` is the prior mass, at least 1 kg.
+/// for the drive, the parameter's own size. `m` is the prior mass, at least 1 kg. Rotor inertias and
+/// friction levels that share a base parameter with others (`IA3` in `ZZ3R`) are not negative.
 pub fn recover_standard(arm: &dyn Arm, beta: &[f64], prior: Option<&[f64]>) -> Result<Vec<f64>, RecoverError> {
     let (names, base) = (arm.standard_names(), arm.base_parameters());
     let length = |what, found, expected| match found == expected {
@@ -44,20 +46,39 @@ pub fn recover_standard(arm: &dyn Arm, beta: &[f64], prior: Option<&[f64]>) -> R
     let zeros = vec![0.0; names.len()];
     let prior = prior.unwrap_or(&zeros);
     length("standard parameters", prior.len(), names.len())?;
-    let sizes: Vec<f64> = (0..names.len()).map(|i| size(names, prior, i).powi(2)).collect();
+    let mut sizes: Vec<f64> = (0..names.len()).map(|i| size(names, prior, i).powi(2)).collect();
     let k = DMatrix::from_fn(base.len(), names.len(), |row, column| {
         base[row].coefficients.iter().filter(|(i, _)| *i == column).map(|(_, k)| k).sum::<f64>()
     });
-    let kd = DMatrix::from_fn(base.len(), names.len(), |row, column| k[(row, column)] * sizes[column]);
-    let phi0 = DVector::from_column_slice(prior);
-    let mut phi = phi0.clone();
+    let shared = |i: usize| base.iter().any(|b| b.coefficients.len() > 1 && b.coefficients.iter().any(|c| c.0 == i));
+    let mut phi0 = DVector::from_column_slice(prior);
+    loop {
+        let phi = least_change(&k, &sizes, &phi0, beta)?;
+        let negative: Vec<usize> =
+            (0..names.len()).filter(|&i| phi[i] < 0.0 && sizes[i] > 0.0 && is_level(&names[i]) && shared(i)).collect();
+        if negative.is_empty() {
+            return Ok(phi.iter().copied().collect());
+        }
+        negative.iter().for_each(|&i| (sizes[i], phi0[i]) = (0.0, 0.0));
+    }
+}
+
+/// `phi0 + D K' (K D K')^-1 (beta - K phi0)`; `sizes`: the diagonal of `D`.
+fn least_change(
+    k: &DMatrix<f64>,
+    sizes: &[f64],
+    phi0: &DVector<f64>,
+    beta: &[f64],
+) -> Result<DVector<f64>, RecoverError> {
+    let kd = DMatrix::from_fn(k.nrows(), k.ncols(), |row, column| k[(row, column)] * sizes[column]);
     let root = (&kd * k.transpose()).cholesky().ok_or(RecoverError::Dependent)?;
+    let mut phi = phi0.clone();
     // Once more for what rounding left.
     for _ in 0..2 {
-        let missing = DVector::from_column_slice(beta) - &k * &phi;
+        let missing = DVector::from_column_slice(beta) - k * &phi;
         phi += kd.transpose() * root.solve(&missing);
     }
-    Ok(phi.iter().copied().collect())
+    Ok(phi)
 }
 
 /// Links (numbered as in the names, from 1) whose standard parameters no body can have: the
@@ -107,6 +128,19 @@ fn size(names: &[String], prior: &[f64], index: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::identify::planar::{Planar, STANDARD};
+
+    /// `IA1` stands in `ZZ1R` alone; a small `ZZ1R` would make it negative.
+    #[test]
+    fn a_rotor_that_shares_a_base_parameter_is_not_negative() {
+        let arm = Planar::new();
+        let mut beta = arm.beta();
+        beta[0] = 0.3;
+        let standard = recover_standard(&arm, &beta, Some(&STANDARD)).unwrap();
+        assert!((8..14).all(|i| standard[i] >= 0.0), "{standard:?}");
+        let back = base_of(&arm, &standard);
+        assert!(back.iter().zip(&beta).all(|(a, b)| (a - b).abs() < 1e-12), "{back:?}");
+    }
 
     #[test]
     fn a_body_and_what_is_none() {

@@ -56,3 +56,151 @@ fn filtered_noise_is_told_from_white() {
         assert!((110.0..350.0).contains(&n), "{n}");
     }
 }
+
+/// Runs of a test: few in a hurry, `DENAVIT_HONESTY=200` for figures.
+fn runs(few: u64) -> u64 {
+    std::env::var("DENAVIT_HONESTY").ok().and_then(|n| n.parse().ok()).unwrap_or(few)
+}
+
+/// Scores (error by deviation) of many runs: share within three, and root mean square.
+fn within_three(scores: &[f64]) -> (f64, f64) {
+    let within = scores.iter().filter(|z| z.abs() < 3.0).count() as f64 / scores.len() as f64;
+    (within, (scores.iter().map(|z| z * z).sum::<f64>() / scores.len() as f64).sqrt())
+}
+
+/// A log of joints that dry friction holds at every reversal: speeds below a tenth of a radian per
+/// second are none, and meanwhile friction passes from one level to the other. Encoders of 1e-5 rad.
+fn sticking(arm: &Planar, rate: f64, noise: f64, seed: u64) -> crate::data::log::Log {
+    let mut m = motion(arm, 12.0, rate, 0.37 * seed as f64);
+    let (len, dead) = (m.states.len, 0.1);
+    let mut friction = vec![0.0; 2 * len];
+    for joint in 0..2 {
+        let own = joint * len..(joint + 1) * len;
+        let asked = m.states.dq[own.clone()].to_vec();
+        for (k, v) in asked.iter().enumerate() {
+            friction[own.start + k] = (v / dead).clamp(-1.0, 1.0);
+            m.states.dq[own.start + k] = v - v.clamp(-dead, dead);
+            if v.abs() < dead {
+                m.states.ddq[own.start + k] = 0.0;
+            }
+        }
+        for k in 1..len {
+            let mean = 0.5 * (m.states.dq[own.start + k] + m.states.dq[own.start + k - 1]);
+            m.states.q[own.start + k] = m.states.q[own.start + k - 1] + mean * m.period;
+        }
+    }
+    let beta = arm.beta();
+    crate::identify::planar::torque(arm, &m.states.clone(), &beta, &mut m.tau);
+    for (joint, level) in [(0, beta[9]), (1, beta[10])] {
+        for k in joint * len..(joint + 1) * len {
+            let sign = if m.states.dq[k] == 0.0 { 0.0 } else { m.states.dq[k].signum() };
+            m.tau[k] += level * (friction[k] - sign);
+        }
+    }
+    add_noise(&mut m, [noise; 2], false, 500 + seed);
+    m.states.q.iter_mut().for_each(|q| *q = (*q / 1e-5).round() * 1e-5);
+    crate::identify::planar::log(&m)
+}
+
+/// Rows of a joint that sticks are no part of its equation: dry friction is nearly all of the
+/// residual there, and its sign is not known.
+#[test]
+fn rows_of_joints_that_stick_are_left_out() {
+    use crate::data::log::Replay;
+    use crate::data::signal::{Prepare, each_motion};
+    let arm = Planar::new();
+    let truth = arm.beta();
+    let (mut scores, mut squares) = (Vec::new(), [0.0; 2]);
+    for seed in 0..runs(6) {
+        let log = sticking(&arm, 500.0, 0.05, seed);
+        for (square, blind) in squares.iter_mut().zip([false, true]) {
+            let mut stack = QrAccumulator::new("log", &arm, AccumulatorSettings::default());
+            let sink = |motion: &Motion| match blind {
+                false => stack.absorb(motion),
+                true => stack.absorb(&Motion { stuck: Vec::new(), resting: Vec::new(), ..motion.clone() }),
+            };
+            each_motion(&mut Replay::new(&log), 2, &Prepare::default(), sink).unwrap();
+            let found = solve(&arm, &[stack.finish()], &[], &IdentifySettings::default()).unwrap();
+            let errors = found.parameters.iter().zip(&truth).map(|(p, truth)| p.value - truth);
+            *square += errors.clone().map(|e| e * e).sum::<f64>();
+            if !blind {
+                scores.extend(found.parameters.iter().zip(errors).map(|(p, e)| e / p.std));
+            }
+        }
+    }
+    let (within, spread) = within_three(&scores);
+    println!("{} runs: {within} within three deviations, spread {spread}; squares {squares:?}", runs(6));
+    assert!(within >= 0.99 && spread < 1.3, "{within} {spread}");
+    assert!(squares[0] < squares[1], "{squares:?}");
+}
+
+/// Ten seconds of two sines per joint.
+fn waves(n: usize, rate: f64) -> crate::model::States {
+    let len = (10.0 * rate) as usize;
+    let wave = |joint: usize, s: usize, derivative: i32| -> f64 {
+        let [size, lead] =
+            [0.1 + 0.4 * f64::from(u8::from(joint != 2)), f64::from(derivative) * std::f64::consts::FRAC_PI_2];
+        let of = |w: f64| size * w.powi(derivative) * (w * s as f64 / rate + joint as f64 + lead).sin();
+        of(1.3 + 0.4 * joint as f64) + 0.5 * of(3.1 - 0.3 * joint as f64)
+    };
+    let all = |d: i32| (0..n).flat_map(|j| (0..len).map(move |s| (j, s))).map(|(j, s)| wave(j, s, d)).collect();
+    crate::model::States { len, q: all(0), dq: all(1), ddq: all(2) }
+}
+
+/// Without an unloaded log: the robot's parameters are as wrong as their covariance says.
+#[test]
+fn a_tool_on_a_robot_that_is_known_to_so_much() {
+    use crate::identify::recover_standard;
+    use crate::identify::tool::{Carrying, ToolSettings, identify_tool};
+    use crate::model::Arm;
+    use crate::model::interpreted::Interpreted;
+    use dh_codegen::arm::{Function, param};
+    let text = include_str!("../../../robots/scara.yaml");
+    let robot = dh_codegen::robot::Robot::from_yaml(text, &|_| Err(String::new())).unwrap().robot;
+    let arm = Interpreted::new(&robot, &[Function::PayloadRegressor]);
+    let carrying = Carrying::new(&arm, true);
+    let standard = param::standard_values(&robot).unwrap();
+    let base = crate::identify::regression::recover::base_of(&arm, &standard);
+    let tool = [1.5, 0.03, -0.02, 0.12, 0.02, 0.03, 0.01, 0.001, -0.002, 0.003];
+    let (n, rate) = (arm.dof(), 100.0);
+    let states = waves(n, rate);
+    let len = states.len;
+    let mut tau = vec![0.0; n * len];
+    carrying.inverse_dynamics(&states, &[&standard[..], &tool].concat(), &mut tau);
+    let std: Vec<f64> = base.iter().map(|b| 0.01 * b.abs() + 1e-3).collect();
+    let covariance: Vec<f64> = (0..std.len().pow(2))
+        .map(|e| if e / std.len() == e % std.len() { std[e % std.len()].powi(2) } else { 0.0 })
+        .collect();
+    let (mut counted, mut exact) = (Vec::new(), Vec::new());
+    for seed in 0..runs(15) {
+        let mut normal = Normal::new(900 + seed);
+        let noisy: Vec<f64> = tau.iter().map(|t| t + 0.02 * normal.next()).collect();
+        let wrong: Vec<f64> = base.iter().zip(&std).map(|(b, s)| b + s * normal.next()).collect();
+        let mut stack = QrAccumulator::new("loaded", &carrying, AccumulatorSettings::default());
+        let period = 1.0 / rate;
+        let velocity_noise = vec![0.0; n];
+        let motion = Motion {
+            period,
+            states: states.clone(),
+            tau: noisy,
+            core: 0..len,
+            stride: 1,
+            velocity_noise,
+            ..Motion::default()
+        };
+        stack.absorb(&motion);
+        let loaded = [stack.finish()];
+        let robot = recover_standard(&arm, &wrong, Some(&standard)).ok();
+        for (covariance, scores) in [(Some(covariance.clone()), &mut counted), (None, &mut exact)] {
+            let settings =
+                ToolSettings { robot: robot.clone(), robot_covariance: covariance, ..ToolSettings::default() };
+            let found = identify_tool(&arm, &[], &loaded, &settings).unwrap();
+            let told = found.told();
+            scores.extend((0..10).filter(|&k| told[k]).map(|k| (found.values[k] - tool[k]) / found.std[k]));
+        }
+    }
+    let ((within, spread), (_, without)) = (within_three(&counted), within_three(&exact));
+    println!("{} runs: {within} within three deviations, spread {spread}; robot taken as exact: {without}", runs(15));
+    assert!(within >= 0.985 && (0.6..1.3).contains(&spread), "{within} {spread}");
+    assert!(without > 2.0, "{without}");
+}

@@ -7,6 +7,7 @@
 
 use super::body::{Body, moving};
 use super::carrying::Carrying;
+use super::robot_errors;
 use crate::identify::{
     Accuracy, Factors, Identification, IdentifyError, IdentifySettings, Known, Noise, Standing, accuracy, solve,
 };
@@ -26,6 +27,41 @@ pub struct ToolSettings {
     /// loaded log, as they change from day to day, and only the links and rotors are taken as
     /// known.
     pub refresh_friction: bool,
+    /// Covariance of the robot's base parameters, row-major `B * B`, as identified; zero where one
+    /// is exact. Without an unloaded log it is carried on to the ten. `None`: all are taken as
+    /// exact.
+    pub robot_covariance: Option<Vec<f64>>,
+}
+
+impl ToolSettings {
+    fn check(&self, arm: &dyn Payload) -> Result<(), ToolError> {
+        if let Some(mass) = self.known_mass.filter(|m| !(m.is_finite() && *m > 0.0)) {
+            return Err(ToolError::Mass(mass));
+        }
+        let std = self.mass_std;
+        if !(std.is_finite() && std >= 0.0) || (std > 0.0 && self.known_mass.is_none()) {
+            return Err(ToolError::MassStd(std));
+        }
+        let base = arm.base_parameters().len();
+        let robot = self.robot.as_ref().map(|v| ("standard parameters given", v.len(), arm.standard_names().len()));
+        let covariance = self.robot_covariance.as_ref();
+        let covariance = covariance.map(|v| ("entries of the robot's covariance", v.len(), base * base));
+        match robot.into_iter().chain(covariance).find(|(_, found, expected)| found != expected) {
+            Some((what, found, expected)) => Err(IdentifyError::Mismatch { what: what.into(), found, expected }.into()),
+            None => Ok(()),
+        }
+    }
+}
+
+/// What the standard deviations hold of the robot's own errors.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RobotErrors {
+    /// All: the robot was identified along.
+    Identified,
+    /// Those of the identification that is named: their covariance was carried on.
+    Counted,
+    /// None: the robot's parameters were taken as exact.
+    NotCounted,
 }
 
 /// Why there is no tool.
@@ -98,8 +134,8 @@ pub struct Carried {
     /// What the logs alone say of the mass where one was given, and its standard deviation, kg;
     /// `None` where they don't tell it.
     pub mass_of_logs: Option<[f64; 2]>,
-    /// Whether the robot's own parameters were identified along.
-    pub robot_identified: bool,
+    /// What the standard deviations hold of the robot's own errors.
+    pub robot_errors: RobotErrors,
     /// Mass, centre, principal axes; `None` where the data do not tell the mass or the first
     /// moments.
     pub body: Option<Body>,
@@ -154,25 +190,18 @@ pub fn identify_tool(
     if loaded.is_empty() {
         return Err(ToolError::NoLoad);
     }
-    if let Some(mass) = settings.known_mass.filter(|m| !(m.is_finite() && *m > 0.0)) {
-        return Err(ToolError::Mass(mass));
-    }
-    if !(settings.mass_std.is_finite() && settings.mass_std >= 0.0)
-        || (settings.mass_std > 0.0 && settings.known_mass.is_none())
-    {
-        return Err(ToolError::MassStd(settings.mass_std));
-    }
+    settings.check(arm)?;
     // A mass that is exact is no unknown; one that a scale tells to so many grams is weighed
     // against the logs' below.
     let exact = settings.known_mass.filter(|_| settings.mass_std == 0.0);
     let whole = Carrying::new(arm, true);
     let first = whole.first();
-    let standard = match &settings.robot {
-        Some(robot) if robot.len() != arm.standard_names().len() => {
-            let (what, expected) = ("standard parameters given".to_string(), arm.standard_names().len());
-            return Err(IdentifyError::Mismatch { what, found: robot.len(), expected }.into());
-        }
-        robot => robot.as_ref(),
+    let standard = settings.robot.as_ref();
+    let covariance = settings.robot_covariance.as_ref().filter(|_| unloaded.is_empty());
+    let robot_errors = match (unloaded.is_empty(), covariance) {
+        (false, _) => RobotErrors::Identified,
+        (true, Some(_)) => RobotErrors::Counted,
+        (true, None) => RobotErrors::NotCounted,
     };
     let mut known: Vec<Option<f64>> = vec![None; first + 10];
     known[first] = exact;
@@ -191,7 +220,12 @@ pub fn identify_tool(
         prior: standard.map(|robot| robot.iter().copied().chain([0.0; 10]).collect()),
         ..IdentifySettings::default()
     };
+    let widened = |solved: &mut Identification, known: &[Option<f64>]| {
+        let unknown: Vec<bool> = known.iter().map(Option::is_none).collect();
+        covariance.iter().for_each(|c| robot_errors::add(solved, loaded, &unknown, c));
+    };
     let mut solved = solve(&unknown, &factors, &[], &solving)?;
+    widened(&mut solved, &known);
     let mass_of_logs = match (settings.known_mass, exact) {
         (None, _) => None,
         (Some(_), None) => mass_of(&solved),
@@ -200,7 +234,10 @@ pub fn identify_tool(
             known[first] = None;
             let free = Known::new(&whole, &known);
             let factors: Vec<Factors> = unloaded.iter().chain(loaded).map(|log| free.factors(log)).collect();
-            solve(&free, &factors, &[], &solving).ok().and_then(|solved| mass_of(&solved))
+            solve(&free, &factors, &[], &solving).ok().and_then(|mut solved| {
+                widened(&mut solved, &known);
+                mass_of(&solved)
+            })
         }
     };
     if let (Some(mass), None) = (settings.known_mass, exact) {
@@ -231,8 +268,7 @@ pub fn identify_tool(
         }
     }
     let body = if told[..4].iter().all(|t| *t) { Body::new(&values, &covariance) } else { None };
-    let mut alone = beta.clone();
-    alone[first..].fill(0.0);
+    let alone = [&beta[..first], &[0.0; 10]].concat();
     let error = |log: &Factors, loaded: bool| LogError {
         name: log.name.clone(),
         loaded,
@@ -250,7 +286,7 @@ pub fn identify_tool(
         known_mass: settings.known_mass,
         mass_std: settings.mass_std,
         mass_of_logs,
-        robot_identified: !unloaded.is_empty(),
+        robot_errors,
         body: body.filter(|_| told.iter().all(|t| *t)),
         freedom: (solved.noise.effective_samples.iter().sum::<f64>() - count as f64).max(1.0),
         logs,

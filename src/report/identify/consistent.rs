@@ -72,7 +72,7 @@ pub fn consistent_json(possible: &Possible<'_>) -> Value {
         "standard": c.standard,
         "rms": each(|a| &a.rms),
         "nrms": each(|a| &a.nrms),
-        "growth_percent": { "possible": c.possible.growth_percent, "with_prior": c.cost.growth_percent, "significant": c.significant },
+        "growth_percent": { "possible": c.possible.growth_percent, "with_prior": c.cost.growth_percent, "significant": c.significant, "allowed": c.most_cost_percent },
         "prior": {
             "weight": c.prior_weight,
             "sources": c.sources.iter().map(|s| source(*s)).collect::<Vec<_>>(),
@@ -269,7 +269,8 @@ pub fn held_text(bounded: &Nonnegative, fit: &[Factors], validate: &[Factors]) -
     };
     let elsewhere = if validate.is_empty() { String::new() } else { format!(", validation {} %", error(validate)) };
     format!(
-        "{} came out negative, which no drive has: held at 0 in the robot file, the other parameters fitted again (error on the fitted logs {} %{elsewhere})",
+        "{} came out negative, or below what friction in its weaker direction asks for, which no drive has: held at that bound in the robot file, the \
+         other parameters fitted again (error on the fitted logs {} %{elsewhere})",
         bounded.held.join(", "),
         error(fit)
     )

@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use crate::data::signal::Prepared;
 use crate::identify::Standing;
-use crate::identify::tool::{Found, InToolFrame, Interval, names};
+use crate::identify::tool::{Found, InToolFrame, Interval, RobotErrors, names};
 use crate::report::Provenance;
 use crate::report::Warnings;
 
@@ -111,7 +111,7 @@ pub fn tool_json(found: &Found, logs: &[Prepared], warnings: &Warnings, provenan
         "known_mass": carried.known_mass,
         "mass_std": carried.known_mass.map(|_| carried.mass_std),
         "mass_of_logs": carried.mass_of_logs.map(|[mass, std]| serde_json::json!({ "M": mass, "std": std })),
-        "robot_identified": carried.robot_identified,
+        "robot_identified": carried.robot_errors == RobotErrors::Identified, "robot_errors": robot_errors(carried.robot_errors),
         "body": body,
         "recognised": recognised,
         "candidates": candidates,
@@ -125,6 +125,14 @@ pub fn tool_json(found: &Found, logs: &[Prepared], warnings: &Warnings, provenan
         "findings": findings,
         "provenance": provenance,
     })
+}
+
+fn robot_errors(errors: RobotErrors) -> &'static str {
+    match errors {
+        RobotErrors::Identified => "identified",
+        RobotErrors::Counted => "counted",
+        RobotErrors::NotCounted => "not_counted",
+    }
 }
 
 fn interval(i: &Interval) -> Value {

@@ -7,7 +7,7 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use crate::data::signal::Prepared;
-use crate::identify::tool::{Found, Recognition, Relative, names};
+use crate::identify::tool::{Found, Recognition, Relative, RobotErrors, names};
 use crate::identify::{Standing, Trace};
 use crate::report::Provenance;
 use crate::report::Warnings;
@@ -347,9 +347,12 @@ fn torque_table(body: &mut String, found: &Found) {
 
 fn foot(body: &mut String, found: &Found, provenance: &Provenance) {
     let carried = &found.carried;
-    let robot = match carried.robot_identified {
-        true => "its base parameters were identified along, from both kinds of log (equation 7)",
-        false => "its parameters were taken from the robot file as they are",
+    let robot = match carried.robot_errors {
+        RobotErrors::Identified => "its base parameters were identified along, from both kinds of log (equation 7)",
+        RobotErrors::Counted => {
+            "its parameters were taken from the robot file; their covariance, as identified, is in σ"
+        }
+        RobotErrors::NotCounted => "its parameters were taken from the robot file as exact; their errors are not in σ",
     };
     let mut rows = vec![
         ("robot".to_string(), robot.to_string()),

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::data::signal::Prepared;
-use crate::identify::tool::{Found, Relative, names};
+use crate::identify::tool::{Found, Relative, RobotErrors, names};
 use crate::identify::{Standing, Underdetermined};
 use crate::report::Warnings;
 use crate::report::identify::text::logs_text;
@@ -154,6 +154,12 @@ pub fn tool_warnings(found: &Found, logs: &[Prepared]) -> Warnings {
             "underdetermined: {samples} samples (over all joints) hold about {independent:.0} independent equations for {unknowns} unknowns, so the fit follows the \
              noise. No value here is a measurement. Record a longer motion"
         ));
+    }
+    if found.carried.robot_errors == RobotErrors::NotCounted {
+        warnings.push(
+            "the robot file's parameters are taken as exact: the standard deviations do not hold their errors, so that single parameters can be off by several \
+             deviations. Give the JSON that `denavit identify` wrote of this robot (--identified), or a log with an empty hand (--unloaded)",
+        );
     }
     warnings.findings(&solved.findings);
     warnings.logs(logs);

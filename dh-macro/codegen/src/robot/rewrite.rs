@@ -305,6 +305,23 @@ impl Parts {
     }
 }
 
+/// Files that the runs in the `provenance` of a robot file's text read: what for, path, SHA-256.
+pub fn files_of_runs(text: &str) -> Vec<[String; 3]> {
+    let word = |file: &Node, key: &str| -> Option<String> {
+        match &child(file.fields()?, key)?.kind {
+            Kind::Scalar { text, .. } => Some(text.clone()),
+            _ => None,
+        }
+    };
+    let of_run = |run: &Node| -> Option<Vec<[String; 3]>> {
+        let files = child(run.fields()?, "files")?.items()?.iter();
+        Some(files.filter_map(|file| Some([word(file, "for")?, word(file, "path")?, word(file, "sha256")?])).collect())
+    };
+    let root = yaml::parse(text).ok();
+    let runs = root.as_ref().and_then(Node::fields).and_then(|top| child(top, "provenance")).and_then(Node::items);
+    runs.unwrap_or_default().iter().filter_map(of_run).flatten().collect()
+}
+
 /// The text with one more run in its `provenance`.
 fn with_run(text: &str, run: &Run) -> String {
     if *run == Run::default() {

@@ -68,3 +68,59 @@ fn a_minute_of_an_hour_is_found() {
     assert_eq!(hour.common(&fingerprint(Endless::new(2, 0..200_000, 1))), None);
     assert_eq!(hour.common(&fingerprint(Endless::new(1, 1_000_000..1_100_000, 1))), None);
 }
+
+/// Rows with fewer digits, as a file is written with.
+struct Printed {
+    inner: Endless,
+    print: fn(f64) -> String,
+}
+
+impl Source for Printed {
+    fn layout(&self) -> &Layout {
+        &self.inner.layout
+    }
+
+    fn next_block(&mut self, rows: usize, block: &mut Block) -> Result<(), LogError> {
+        self.inner.next_block(rows, block)?;
+        for column in &mut block.columns[1..] {
+            column.iter_mut().for_each(|x| *x = (self.print)(*x).parse().unwrap());
+        }
+        Ok(())
+    }
+}
+
+fn fingerprint_of(source: &mut dyn Source) -> Fingerprint {
+    let mut reading = Fingerprinted::new(source);
+    let mut block = Block::default();
+    loop {
+        reading.next_block(8192, &mut block).unwrap();
+        if block.is_empty() {
+            return reading.finish();
+        }
+    }
+}
+
+#[test]
+fn a_copy_with_fewer_digits_is_found() {
+    let prints: [fn(f64) -> String; 5] = [
+        |x| format!("{x:.6}"),
+        |x| format!("{x:.4}"),
+        |x| format!("{x:.4e}"),
+        |x| format!("{x:.5e}"),
+        |x| ((x * 1e5).round() / 1e5).to_string(),
+    ];
+    let whole = fingerprint(Endless::new(1, 0..30_000, 1));
+    for (k, print) in prints.into_iter().enumerate() {
+        let copy = |seed, rows| fingerprint_of(&mut Printed { inner: Endless::new(seed, rows, 1), print });
+        let stretch = copy(1, 10_000..20_000);
+        let Some(Common::Rounded(seconds)) = whole.common(&stretch) else { panic!("{k}") };
+        assert!((seconds - 10.0).abs() < 0.5, "{k}: {seconds}");
+        assert!(matches!(stretch.common(&whole), Some(Common::Rounded(_))), "{k}");
+        assert_eq!(whole.common(&copy(2, 0..30_000)), None, "{k}");
+        assert_eq!(copy(1, 0..10_000).common(&copy(3, 0..10_000)), None, "{k}");
+    }
+    // A copy of a copy.
+    let [fine, coarse] = [prints[0], prints[1]]
+        .map(|print| fingerprint_of(&mut Printed { inner: Endless::new(1, 0..30_000, 1), print }));
+    assert!(matches!(fine.common(&coarse), Some(Common::Rounded(_))));
+}

@@ -1,0 +1,68 @@
+//! Effects of a robot file, as what identifications take as known.
+
+use dh_codegen::robot::Robot;
+
+use crate::data::signal::{Motion, Prepare};
+use crate::identify::KnownEffects;
+use crate::model::Arm;
+use crate::model::file_torque_model::FileTorqueModel;
+
+/// Effects of a robot file that are not fitted.
+pub(super) struct FileEffects {
+    names: Vec<String>,
+    /// `None` where the file has no links: effects can't be told from the rest then.
+    model: Option<FileTorqueModel>,
+}
+
+impl FileEffects {
+    /// Those of `robot` but for the `fitted` ones; `None` where there are none.
+    pub(super) fn of(robot: &Robot, fitted: &[&str]) -> Option<Self> {
+        let joints = (1..).zip(&robot.joints);
+        let own = joints.flat_map(|(row, joint)| joint.drive.effects.iter().map(move |e| (Some(row), e)));
+        let names: Vec<String> = own
+            .chain(robot.effects.iter().map(|e| (None, e)))
+            .filter(|(_, effect)| !fitted.contains(&effect.name.as_str()))
+            .map(|(row, effect)| row.map_or(effect.name.clone(), |row| format!("{} of joint {row}", effect.name)))
+            .collect();
+        (!names.is_empty()).then(|| Self { names, model: FileTorqueModel::new(robot).ok() })
+    }
+
+    /// Lets motions carry what the effects need: margins for the low-pass, and temperatures.
+    pub(super) fn prepare(&self, prepare: &mut Prepare) {
+        if self.model.is_some() {
+            (prepare.margins, prepare.temperature) = (true, true);
+        }
+    }
+
+    /// What takes them out of a log's torque, given the file's parameters in the arm's order.
+    pub(super) fn known<'a>(
+        &'a self,
+        arm: &'a dyn Arm,
+        standard: Option<&[f64]>,
+        prepare: &Prepare,
+    ) -> Option<KnownEffects<'a>> {
+        KnownEffects::new(self.model.as_ref()?, arm, standard?, prepare.filter)
+    }
+
+    /// What becomes of them, in a line.
+    pub(super) fn sentence(&self, known: bool) -> String {
+        let names = self.names.join(", ");
+        match known {
+            true => format!(
+                "effects of the robot file are taken as known: {names}. Their torque is taken out of the measured one; links and plain friction are fitted beside \
+                 them, and --delay comes on top of a time_delay"
+            ),
+            false => format!(
+                "effects of the robot file are not used: {names}. Without links in the file their torque can't be computed; the fit is that of the rigid arm"
+            ),
+        }
+    }
+}
+
+/// The motion without the effects that are known.
+pub(super) fn without<'a>(known: Option<&KnownEffects<'_>>, motion: &'a Motion) -> std::borrow::Cow<'a, Motion> {
+    match known {
+        Some(known) => std::borrow::Cow::Owned(known.taken_out(motion)),
+        None => std::borrow::Cow::Borrowed(motion),
+    }
+}

@@ -1,0 +1,245 @@
+//! Recognises a copy of a log that was written with fewer digits.
+//!
+//! A copy rounded to so many digits is what the original gives when it is rounded to as many. Rows
+//! are therefore hashed at every precision that files are written with, and two logs are compared
+//! at the coarser of their own precisions. Of each precision the rows with the smallest hashes are
+//! kept, as in [`super::Fingerprint`].
+
+use std::collections::HashMap;
+use std::collections::hash_map::DefaultHasher;
+use std::hash::{Hash, Hasher};
+
+/// Decimal places that are tried, for positions and for torques each.
+const PLACES: [usize; 7] = [1, 2, 3, 4, 5, 6, 7];
+/// Places of positions that choose the rows that are looked at.
+const CELL: usize = 2;
+/// Significant digits that are tried.
+const DIGITS: [usize; 6] = [3, 4, 5, 6, 7, 8];
+/// Most rows that are kept at each precision: 3 MB in all.
+const MOST_ROWS: usize = 1 << 12;
+/// Rows of one log that must be found in the other, in order, with at most [`MISSES`] between.
+const SHORTEST_RUN: usize = 20;
+/// Ties are rounded this way by one program and that way by another.
+const MISSES: usize = 5;
+/// Fewer different rows make no comparison: an arm that stands still resembles itself.
+const LEAST_ROWS: usize = 2 * SHORTEST_RUN;
+
+/// A row that was kept.
+#[derive(Debug, Clone, Copy)]
+struct Row {
+    hash: u64,
+    index: u64,
+    time: f64,
+}
+
+/// The rows at one precision.
+#[derive(Debug, Clone)]
+struct Rows {
+    limit: u64,
+    kept: Vec<Row>,
+}
+
+impl Default for Rows {
+    fn default() -> Self {
+        Self { limit: u64::MAX, kept: Vec::new() }
+    }
+}
+
+impl Rows {
+    fn push(&mut self, row: Row) {
+        if row.hash <= self.limit {
+            self.kept.push(row);
+            if self.kept.len() >= 2 * MOST_ROWS {
+                self.thin();
+            }
+        }
+    }
+
+    fn thin(&mut self) {
+        self.kept.sort_unstable_by_key(|row| (row.hash, row.index));
+        self.kept.dedup_by_key(|row| row.hash);
+        if self.kept.len() > MOST_ROWS {
+            self.kept.truncate(MOST_ROWS);
+            self.limit = self.kept[MOST_ROWS - 1].hash;
+        }
+    }
+
+    /// Seconds of this log that stand in the other one.
+    fn found_in(&self, other: &Self) -> f64 {
+        let limit = self.limit.min(other.limit);
+        let there: HashMap<u64, u64> =
+            other.kept.iter().filter(|row| row.hash <= limit).map(|row| (row.hash, row.index)).collect();
+        let mut rows: Vec<Row> = self.kept.iter().copied().filter(|row| row.hash <= limit).collect();
+        if rows.len() < LEAST_ROWS {
+            return 0.0;
+        }
+        rows.sort_unstable_by_key(|row| row.index);
+        let (mut seconds, mut run) = (0.0, Run::default());
+        for row in &rows {
+            match there.get(&row.hash) {
+                Some(&at) if run.matches > 0 && at > run.at => run.extend(at, row.time),
+                Some(&at) => {
+                    seconds += run.seconds();
+                    run = Run { start: row.time, end: row.time, matches: 1, at, missed: 0 };
+                }
+                None => {
+                    run.missed += 1;
+                    if run.missed > MISSES {
+                        seconds += run.seconds();
+                        run = Run::default();
+                    }
+                }
+            }
+        }
+        seconds + run.seconds()
+    }
+}
+
+/// Rows found again in order.
+#[derive(Debug, Clone, Copy, Default)]
+struct Run {
+    start: f64,
+    end: f64,
+    matches: usize,
+    at: u64,
+    missed: usize,
+}
+
+impl Run {
+    fn extend(&mut self, at: u64, time: f64) {
+        (self.at, self.end, self.missed) = (at, time, 0);
+        self.matches += 1;
+    }
+
+    fn seconds(&self) -> f64 {
+        if self.matches >= SHORTEST_RUN { (self.end - self.start).max(0.0) } else { 0.0 }
+    }
+}
+
+/// By what a log is recognised in a copy with fewer digits.
+#[derive(Debug, Clone)]
+pub(super) struct Rounded {
+    /// By places of positions, then of torques.
+    places: Vec<Rows>,
+    /// By significant digits of both.
+    digits: Vec<Rows>,
+    /// Indices of the least places (positions, torques) and digits that change no value.
+    own: [usize; 3],
+}
+
+impl Rounded {
+    pub(super) fn new() -> Self {
+        let places = vec![Rows::default(); PLACES.len() * PLACES.len()];
+        Self { places, digits: vec![Rows::default(); DIGITS.len()], own: [0; 3] }
+    }
+
+    /// The next row, number `index`, at `time`, s.
+    pub(super) fn push(&mut self, index: u64, time: f64, positions: &[f64], torques: &[f64]) {
+        // One cell of the joint space in eight is enough, and as many times as fast.
+        if hashed(positions, |x| to_places(x, CELL)) & 7 != 0 {
+            return;
+        }
+        let mut hashes = [[0; PLACES.len()]; 2];
+        for (k, values) in [positions, torques].into_iter().enumerate() {
+            for (hash, places) in hashes[k].iter_mut().zip(PLACES) {
+                *hash = hashed(values, |x| to_places(x, places));
+            }
+            let exact = |&at: &usize| values.iter().all(|&x| is_rounded(x, |x| to_places(x, PLACES[at])));
+            self.own[k] = (self.own[k]..PLACES.len()).find(exact).unwrap_or(PLACES.len());
+        }
+        for (a, position) in hashes[0].iter().enumerate() {
+            for (b, torque) in hashes[1].iter().enumerate() {
+                let mut both = DefaultHasher::new();
+                (position, torque).hash(&mut both);
+                self.places[a * PLACES.len() + b].push(Row { hash: both.finish(), index, time });
+            }
+        }
+        let all = || positions.iter().chain(torques).copied();
+        for (rows, digits) in self.digits.iter_mut().zip(DIGITS) {
+            let hash = hashed(&all().collect::<Vec<f64>>(), |x| to_digits(x, digits));
+            rows.push(Row { hash, index, time });
+        }
+        let exact = |&at: &usize| all().all(|x| is_rounded(x, |x| to_digits(x, DIGITS[at])));
+        self.own[2] = (self.own[2]..DIGITS.len()).find(exact).unwrap_or(DIGITS.len());
+    }
+
+    pub(super) fn finish(&mut self) {
+        self.places.iter_mut().chain(&mut self.digits).for_each(Rows::thin);
+    }
+
+    /// Seconds that both logs share where the one with more digits is rounded as the other is.
+    pub(super) fn shared(&self, other: &Self) -> f64 {
+        let own: [usize; 3] = std::array::from_fn(|k| self.own[k].min(other.own[k]));
+        let both = |a: &Rows, b: &Rows| a.found_in(b).max(b.found_in(a));
+        let mut seconds = 0.0_f64;
+        if own[0] < PLACES.len() && own[1] < PLACES.len() {
+            let at = own[0] * PLACES.len() + own[1];
+            seconds = both(&self.places[at], &other.places[at]);
+        }
+        if own[2] < DIGITS.len() {
+            seconds = seconds.max(both(&self.digits[own[2]], &other.digits[own[2]]));
+        }
+        seconds
+    }
+}
+
+fn hashed(values: &[f64], round: impl Fn(f64) -> f64) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    // Both zeros alike.
+    values.iter().for_each(|&x| (round(x) + 0.0).to_bits().hash(&mut hasher));
+    hasher.finish()
+}
+
+/// Whether rounding leaves the value as it is, up to single precision.
+fn is_rounded(x: f64, round: impl Fn(f64) -> f64) -> bool {
+    x.is_nan() || (round(x) as f32) == (x as f32)
+}
+
+/// To this many decimal places, ties as they are printed.
+fn to_places(x: f64, places: usize) -> f64 {
+    let scale = 10f64.powi(places as i32);
+    let scaled = x * scale;
+    if !scaled.is_finite() || scaled.abs() > 1e15 {
+        return x;
+    }
+    // Beside a tie only the exact decimals of the number tell.
+    let tie = ((scaled.abs().fract()) - 0.5).abs() < 1e-6;
+    let rounded = match tie.then(|| format!("{x:.places$}").parse::<f64>()) {
+        Some(Ok(printed)) => (printed * scale).round(),
+        _ => scaled.round(),
+    };
+    rounded / scale
+}
+
+/// To this many significant digits.
+fn to_digits(x: f64, digits: usize) -> f64 {
+    if x == 0.0 || !x.is_finite() {
+        return x;
+    }
+    let lead = x.abs().log10().floor() as i32;
+    let places = digits as i32 - 1 - lead;
+    if places >= 0 {
+        return to_places(x, places.min(20) as usize);
+    }
+    let scale = 10f64.powi(-places);
+    (x / scale).round() * scale
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ties_are_rounded_as_they_are_printed() {
+        for x in [0.12345, 2.5, -0.000_05, 1.005, 123.456_789, 0.0, 1e-9] {
+            for places in PLACES {
+                let printed: f64 = format!("{x:.places$}").parse().unwrap();
+                assert_eq!(to_places(x, places), printed, "{x} {places}");
+            }
+            for digits in DIGITS {
+                let printed: f64 = format!("{x:.*e}", digits - 1).parse().unwrap();
+                assert!((to_digits(x, digits) - printed).abs() <= 1e-15 * printed.abs(), "{x} {digits}");
+            }
+        }
+    }
+}

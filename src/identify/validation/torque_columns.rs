@@ -1,0 +1,492 @@
+//! Whether the torque columns of a log stand in another order, with other signs or in another unit.
+//!
+//! Factors hold each joint's regressor beside its own torque alone. Here it stands beside all
+//! torques, `[W_j tau_1 .. tau_n]`, so that every pairing of equations and columns can be tried
+//! without another look at the log.
+
+use crate::data::log::{Explanation, Finding, Kind, Severity};
+use crate::data::signal::{Motion, MotionBlock};
+use crate::identify::regression::r_factor::RFactor;
+use crate::identify::regression::rows::Rows;
+use crate::identify::regression::wls::{JointSystem, stacked};
+use crate::model::{Arm, States};
+
+/// Samples that are evaluated at once.
+const BLOCK: usize = 256;
+/// An explanation has to leave less than this share of what the log leaves as recorded (root mean
+/// square), and of what the best one with other signs alone leaves.
+const FAR_BETTER: f64 = 0.5;
+/// And less than this share of the torques.
+const EXPLAINED: f64 = 0.35;
+/// A correlation with the given model from which on sizes can be compared.
+const ALIKE: f64 = 0.8;
+/// Sizes that differ by less than this factor are within what a rough model errs.
+const ROUGH: f64 = 2.5;
+/// Sizes of the joints' torques agree on a unit within this factor.
+const AGREE: f64 = 2.0;
+/// Most joints whose pairings are searched one and all.
+const MOST_JOINTS: usize = 14;
+
+/// What torques are held against.
+#[derive(Debug, Clone, Copy)]
+pub enum Reference<'a> {
+    /// The arm's best parameters for this log.
+    Fit,
+    /// These base parameters.
+    Model(&'a [f64]),
+}
+
+/// Second moments of a log's torque columns beside every joint's regressor.
+pub struct TorqueColumns<'a> {
+    arm: &'a dyn Arm,
+    rows: Rows,
+    /// `[W_j tau_1 .. tau_n]` of each joint.
+    factors: Vec<RFactor>,
+    /// The same with positions taken as degrees.
+    degrees: Vec<RFactor>,
+    samples: usize,
+    seconds: f64,
+}
+
+/// Which column each joint's torque is read from, and with which sign.
+#[derive(Debug, Clone, PartialEq)]
+struct Reading {
+    column: Vec<usize>,
+    negated: Vec<bool>,
+}
+
+impl Reading {
+    fn as_recorded(joints: usize) -> Self {
+        Self { column: (0..joints).collect(), negated: vec![false; joints] }
+    }
+
+    fn is_permuted(&self) -> bool {
+        self.column.iter().enumerate().any(|(joint, column)| joint != *column)
+    }
+
+    /// With two columns exchanged, or one negated: all readings one step away.
+    fn neighbours(&self) -> impl Iterator<Item = Self> + '_ {
+        let n = self.column.len();
+        let exchanged = (0..n).flat_map(move |a| (0..a).map(move |b| (a, b))).map(|(a, b)| {
+            let mut next = self.clone();
+            next.column.swap(a, b);
+            next.negated.swap(a, b);
+            next
+        });
+        let negated = (0..n).map(|a| {
+            let mut next = self.clone();
+            next.negated[a] = !next.negated[a];
+            next
+        });
+        exchanged.chain(negated)
+    }
+}
+
+impl<'a> TorqueColumns<'a> {
+    /// Of a log of this arm.
+    pub fn new(arm: &'a dyn Arm) -> Self {
+        let rows = Rows::new(arm);
+        let empty = || rows.columns.iter().map(|c| RFactor::new(c.len() + arm.dof())).collect();
+        Self { arm, factors: empty(), degrees: empty(), samples: 0, seconds: 0.0, rows }
+    }
+
+    /// Takes in a stretch of motion.
+    pub fn absorb(&mut self, motion: &Motion) {
+        let (mut block, mut from) = (MotionBlock::default(), 0);
+        loop {
+            let count = motion.gather(from, BLOCK, &mut block);
+            if count == 0 {
+                break;
+            }
+            from += count;
+            absorb(&mut self.factors, self.arm, &self.rows, &block, &block.states);
+            let turn = |x: &[f64]| x.iter().map(|x| x.to_radians()).collect();
+            let States { len, q, dq, ddq } = &block.states;
+            let radians = States { len: *len, q: turn(q), dq: turn(dq), ddq: turn(ddq) };
+            absorb(&mut self.degrees, self.arm, &self.rows, &block, &radians);
+            self.samples += count;
+            self.seconds += count as f64 * motion.period * motion.stride.max(1) as f64;
+        }
+    }
+
+    /// What explains the torques far better than the log as it was recorded, with its evidence.
+    /// `gears`: ratio of each joint, where it is known.
+    pub fn explained(&self, reference: Reference<'_>, gears: &[Option<f64>]) -> Option<Finding> {
+        let n = self.arm.dof();
+        // Too little to tell a fit from a coincidence: 20 independent values per second and joint.
+        let few = self.seconds * 20.0 * n as f64 <= 3.0 * self.arm.base_parameters().len() as f64;
+        if self.samples == 0 || (few && matches!(reference, Reference::Fit)) {
+            return None;
+        }
+        let as_recorded = Reading::as_recorded(n);
+        let recorded = self.unexplained(&self.factors, &as_recorded, reference);
+        let signs = self.best_signs(&as_recorded, reference);
+        let (best, left) = self.simplest(self.search(reference), reference);
+        if best.is_permuted() && left < EXPLAINED && left < FAR_BETTER * recorded && left < FAR_BETTER * signs {
+            let columns = best.column.iter().map(|c| c + 1).collect();
+            let explanation = Explanation::Order { columns, negated: best.negated };
+            return Some(finding(explanation, recorded, left));
+        }
+        let degrees = self.unexplained(&self.degrees, &as_recorded, reference);
+        if degrees < EXPLAINED && degrees < FAR_BETTER * recorded && degrees < FAR_BETTER * signs {
+            return Some(finding(Explanation::Degrees, recorded, degrees));
+        }
+        match reference {
+            Reference::Model(beta) => self.in_unit(beta, gears, recorded),
+            Reference::Fit => None,
+        }
+    }
+
+    /// Share of the torques (root mean square, joints weighing alike) that is left.
+    fn unexplained(&self, factors: &[RFactor], reading: &Reading, reference: Reference<'_>) -> f64 {
+        match reference {
+            Reference::Fit => self.left_by_fit(factors, reading),
+            Reference::Model(beta) => {
+                let squares = (0..self.arm.dof())
+                    .map(|j| self.left_by_model(factors, beta, j, reading.column[j], reading.negated[j]));
+                (squares.sum::<f64>() / self.arm.dof() as f64).sqrt()
+            }
+        }
+    }
+
+    fn left_by_fit(&self, factors: &[RFactor], reading: &Reading) -> f64 {
+        let systems: Vec<JointSystem> =
+            (0..self.arm.dof()).map(|j| self.system(&factors[j], j, reading.column[j], reading.negated[j])).collect();
+        let scale: Vec<f64> =
+            systems.iter().map(|s| if s.torque_rms > 0.0 { s.torque_rms.recip() } else { 0.0 }).collect();
+        let parameters = self.arm.base_parameters().len();
+        let active: Vec<usize> = (0..parameters).collect();
+        let triangle = stacked(&systems, &scale, &active, parameters);
+        let live = scale.iter().filter(|s| **s > 0.0).count().max(1);
+        triangle.get(parameters, parameters).abs() / ((live * self.samples) as f64).sqrt()
+    }
+
+    /// Square of the share of a column's torque that the model of a joint leaves.
+    fn left_by_model(&self, factors: &[RFactor], beta: &[f64], joint: usize, column: usize, negated: bool) -> f64 {
+        let [torque, model, product] = self.moments(&factors[joint], beta, joint, column);
+        let product = if negated { -product } else { product };
+        if torque > 0.0 { ((torque - 2.0 * product + model) / torque).max(0.0) } else { 1.0 }
+    }
+
+    /// Sums of squares of a column's torque and of a joint's model, and of their product.
+    fn moments(&self, factor: &RFactor, beta: &[f64], joint: usize, column: usize) -> [f64; 3] {
+        let m = self.rows.columns[joint].len();
+        let size = factor.columns();
+        let mut of_torque = vec![0.0; size];
+        of_torque[m + column] = 1.0;
+        let mut of_model = vec![0.0; size];
+        self.rows.columns[joint].iter().enumerate().for_each(|(i, &c)| of_model[i] = beta[c]);
+        let (torque, model) = (factor.apply(&of_torque), factor.apply(&of_model));
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        [dot(&torque, &torque), dot(&model, &model), dot(&torque, &model)]
+    }
+
+    /// A joint's equations with the torque of one column.
+    fn system(&self, factor: &RFactor, joint: usize, column: usize, negated: bool) -> JointSystem {
+        let m = self.rows.columns[joint].len();
+        let size = factor.columns();
+        let mut block = Vec::with_capacity(size * (m + 1));
+        for k in (0..m).chain([m + column]) {
+            block.extend((0..size).map(|row| if row <= k { factor.get(row, k) } else { 0.0 }));
+        }
+        let mut triangle = RFactor::new(m + 1);
+        triangle.absorb(&mut block, size);
+        if negated {
+            triangle.negate_last();
+        }
+        let mut last = vec![0.0; m + 1];
+        last[m] = 1.0;
+        JointSystem {
+            columns: self.rows.columns[joint].clone(),
+            torque_rms: triangle.norm_of(&last) / (self.samples.max(1) as f64).sqrt(),
+            triangle,
+            gram: Vec::new(),
+            samples: self.samples,
+            independent: 0.0,
+            travel: 0.0,
+            batches: Vec::new(),
+        }
+    }
+
+    /// What the best choice of signs leaves, the columns staying where they are.
+    fn best_signs(&self, from: &Reading, reference: Reference<'_>) -> f64 {
+        let mut reading = from.clone();
+        let mut left = self.unexplained(&self.factors, &reading, reference);
+        for joint in 0..reading.column.len() {
+            reading.negated[joint] = true;
+            match self.unexplained(&self.factors, &reading, reference) {
+                better if better < left => left = better,
+                _ => reading.negated[joint] = false,
+            }
+        }
+        left
+    }
+
+    /// The best reading that steps from the recorded order, or from the best pairing of rows, find.
+    fn search(&self, reference: Reference<'_>) -> (Reading, f64) {
+        let n = self.arm.dof();
+        let paired = (n <= MOST_JOINTS).then(|| self.best_pairing(reference));
+        let starts = std::iter::once(Reading::as_recorded(n)).chain(paired);
+        let climbed = starts.map(|start| {
+            let mut left = self.unexplained(&self.factors, &start, reference);
+            let mut reading = start;
+            loop {
+                let next = reading.neighbours().map(|next| (self.unexplained(&self.factors, &next, reference), next));
+                match next.min_by(|a, b| a.0.total_cmp(&b.0)) {
+                    // A step that gains nothing to speak of is none.
+                    Some((better, next)) if better < 0.9 * left => (left, reading) = (better, next),
+                    _ => return (reading, left),
+                }
+            }
+        });
+        climbed.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((Reading::as_recorded(n), f64::INFINITY))
+    }
+
+    /// The reading nearest to the log as it was recorded that leaves hardly more.
+    fn simplest(&self, (mut reading, left): (Reading, f64), reference: Reference<'_>) -> (Reading, f64) {
+        let n = reading.column.len();
+        let mut last = left;
+        loop {
+            let fits = |next: Reading| {
+                let now = self.unexplained(&self.factors, &next, reference);
+                (now < 1.1 * left).then_some((now, next))
+            };
+            let mut tried = Vec::new();
+            if reading.negated.contains(&true) {
+                tried.push(Reading { negated: vec![false; n], ..reading.clone() });
+            }
+            for joint in 0..n {
+                let mut next = reading.clone();
+                if let Some(other) = next.column.iter().position(|&c| c == joint).filter(|&other| other != joint) {
+                    next.column.swap(joint, other);
+                    tried.push(next);
+                } else if next.negated[joint] {
+                    next.negated[joint] = false;
+                    tried.push(next);
+                }
+            }
+            match tried.into_iter().find_map(fits) {
+                Some((now, next)) => (last, reading) = (now, next),
+                None => return (reading, last),
+            }
+        }
+    }
+
+    /// The pairing of equations and columns in which rows, each by itself, leave least: dynamic
+    /// programming over sets of columns (Held and Karp 1962).
+    fn best_pairing(&self, reference: Reference<'_>) -> Reading {
+        let n = self.arm.dof();
+        let cost: Vec<Vec<(f64, bool)>> =
+            (0..n).map(|j| (0..n).map(|k| self.row_cost(j, k, reference)).collect()).collect();
+        let mut best: Vec<(f64, usize)> = vec![(f64::INFINITY, 0); 1 << n];
+        best[0] = (0.0, 0);
+        for set in 0..1usize << n {
+            let joint = set.count_ones() as usize;
+            for column in (0..n).filter(|c| joint < n && set >> c & 1 == 0) {
+                let sum = best[set].0 + cost[joint][column].0;
+                let next = &mut best[set | 1 << column];
+                if sum < next.0 {
+                    *next = (sum, column);
+                }
+            }
+        }
+        let mut reading = Reading::as_recorded(n);
+        let mut set = (1usize << n) - 1;
+        for joint in (0..n).rev() {
+            let column = best[set].1;
+            (reading.column[joint], reading.negated[joint]) = (column, cost[joint][column].1);
+            set &= !(1 << column);
+        }
+        reading
+    }
+
+    /// Logarithm of the share that a row leaves of a column, and whether with the other sign.
+    fn row_cost(&self, joint: usize, column: usize, reference: Reference<'_>) -> (f64, bool) {
+        let (share, negated) = match reference {
+            Reference::Fit => {
+                let system = self.system(&self.factors[joint], joint, column, false);
+                let m = system.columns.len();
+                let left = system.triangle.get(m, m).abs() / (self.samples as f64).sqrt();
+                (if system.torque_rms > 0.0 { left / system.torque_rms } else { 1.0 }, false)
+            }
+            Reference::Model(beta) => {
+                let of = |negated| self.left_by_model(&self.factors, beta, joint, column, negated).sqrt();
+                let (plain, negated) = (of(false), of(true));
+                (plain.min(negated), negated < plain)
+            }
+        };
+        (share.max(1e-3).ln(), negated)
+    }
+
+    /// Torques that go with the model but for their size.
+    fn in_unit(&self, beta: &[f64], gears: &[Option<f64>], recorded: f64) -> Option<Finding> {
+        let n = self.arm.dof();
+        let moments: Vec<[f64; 3]> = (0..n).map(|j| self.moments(&self.factors[j], beta, j, j)).collect();
+        // Of joints whose torque goes with the model: how many times the model it is.
+        let alike = |[torque, model, product]: &[f64; 3]| {
+            let correlation = product.abs() / (torque * model).sqrt();
+            (correlation > ALIKE).then(|| (torque / model).sqrt())
+        };
+        let sizes: Vec<Option<f64>> = moments.iter().map(alike).collect();
+        let count = sizes.iter().flatten().count();
+        if count == 0 || 2 * count < n {
+            return None;
+        }
+        let left = (moments.iter().map(|[t, m, p]| 1.0 - (p * p / (t * m)).min(1.0)).sum::<f64>() / n as f64).sqrt();
+        let common = |times: &dyn Fn(usize) -> Option<f64>| -> Option<f64> {
+            let logs: Vec<f64> =
+                (0..n).filter_map(|j| Some((sizes[j]? * times(j)?).ln())).filter(|x| x.is_finite()).collect();
+            let mean = logs.iter().sum::<f64>() / logs.len().max(1) as f64;
+            let spread = logs.iter().map(|x| (x - mean).abs()).fold(0.0, f64::max);
+            (2 * logs.len() >= n && spread < AGREE.ln()).then(|| mean.exp())
+        };
+        let off = |size: f64| !(ROUGH.recip()..ROUGH).contains(&size);
+        let plain = common(&|_| Some(1.0));
+        let geared = common(&|j| gears.get(j).copied().flatten().map(f64::abs));
+        let explanation = match (plain, geared) {
+            (Some(size), _) if !off(size) => return None,
+            (_, Some(size)) if !off(size) => Explanation::MotorSide,
+            (Some(size), _) => Explanation::Unit { times: size },
+            _ => return None,
+        };
+        Some(finding(explanation, recorded, left))
+    }
+}
+
+fn absorb(factors: &mut [RFactor], arm: &dyn Arm, rows: &Rows, block: &MotionBlock, states: &States) {
+    let (len, mut regressor) = (states.len, Vec::new());
+    rows.evaluate(arm, states, &block.sign, &mut regressor);
+    for (joint, factor) in factors.iter_mut().enumerate() {
+        let entries = rows.offsets[joint] * len..rows.offsets[joint + 1] * len;
+        let mut work = [&regressor[entries], &block.tau[..]].concat();
+        factor.absorb(&mut work, len);
+    }
+}
+
+fn finding(explanation: Explanation, recorded: f64, left: f64) -> Finding {
+    let percent = [recorded, left].map(|share| 100.0 * share);
+    let kind = Kind::Misread { explanation, log: None, percent };
+    Finding { kind, severity: Severity::Warning, line: None, column: None, count: 1 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::identify::planar::Normal;
+    use crate::model::interpreted::Interpreted;
+    use dh_codegen::arm::param;
+
+    /// A robot of the repository with its file's values, moving; torques with noise.
+    fn recorded(text: &str, seed: u64) -> (Interpreted, Vec<f64>, Motion) {
+        let robot = dh_codegen::robot::Robot::from_yaml(text, &|_| Err(String::new())).unwrap().robot;
+        let arm = Interpreted::new(&robot, &[]);
+        let standard = param::standard_values(&robot).unwrap();
+        let (n, len, rate) = (arm.dof(), 600, 50.0);
+        let wave = |joint: usize, s: usize, derivative: i32| -> f64 {
+            let lead = f64::from(derivative) * std::f64::consts::FRAC_PI_2;
+            let of =
+                |w: f64| 0.5 * w.powi(derivative) * (w * s as f64 / rate + (joint as u64 + seed) as f64 + lead).sin();
+            of(0.9 + 0.31 * joint as f64) + 0.5 * of(2.3 - 0.17 * joint as f64)
+        };
+        let all = |d: i32| (0..n).flat_map(|j| (0..len).map(move |s| (j, s))).map(|(j, s)| wave(j, s, d)).collect();
+        let states = States { len, q: all(0), dq: all(1), ddq: all(2) };
+        let mut tau = vec![0.0; n * len];
+        arm.inverse_dynamics(&states, &standard, &mut tau);
+        let mut normal = Normal::new(seed);
+        tau.iter_mut().for_each(|t| *t += 0.05 * normal.next());
+        let velocity_noise = vec![0.0; n];
+        let motion =
+            Motion { period: 1.0 / rate, states, tau, core: 0..len, stride: 1, velocity_noise, ..Motion::default() };
+        let beta = crate::identify::regression::recover::base_of(&arm, &standard);
+        (arm, beta, motion)
+    }
+
+    fn read(
+        arm: &Interpreted,
+        motion: &Motion,
+        reference: Reference<'_>,
+        gears: &[Option<f64>],
+    ) -> Option<Explanation> {
+        let mut columns = TorqueColumns::new(arm);
+        columns.absorb(motion);
+        match columns.explained(reference, gears)?.kind {
+            Kind::Misread { explanation, percent, .. } => {
+                assert!(percent[1] < 0.5 * percent[0], "{percent:?}");
+                Some(explanation)
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+
+    /// The motion with the torque of each joint in the column of this number (from 0).
+    fn in_columns(motion: &Motion, columns: &[usize]) -> Motion {
+        let (len, mut out) = (motion.states.len, motion.clone());
+        for (joint, &column) in columns.iter().enumerate() {
+            out.tau[column * len..(column + 1) * len].copy_from_slice(&motion.tau[joint * len..(joint + 1) * len]);
+        }
+        out
+    }
+
+    const PUMA: &str = include_str!("../../../robots/puma560.yaml");
+
+    #[test]
+    fn exchanged_columns_are_named_whatever_their_order() {
+        let (arm, beta, motion) = recorded(PUMA, 3);
+        for columns in [[0, 3, 2, 1, 4, 5], [2, 1, 0, 3, 5, 4]] {
+            let log = in_columns(&motion, &columns);
+            let named: Vec<usize> = columns.iter().map(|c| c + 1).collect();
+            for reference in [Reference::Fit, Reference::Model(&beta)] {
+                match read(&arm, &log, reference, &[]) {
+                    Some(Explanation::Order { columns, negated }) => {
+                        assert_eq!(columns[..3], named[..3], "{reference:?}");
+                        assert!(negated.iter().all(|n| !n), "{reference:?} {negated:?}");
+                    }
+                    other => panic!("{reference:?}: {other:?}"),
+                }
+            }
+        }
+        for reference in [Reference::Fit, Reference::Model(&beta)] {
+            assert_eq!(read(&arm, &motion, reference, &[]), None);
+        }
+    }
+
+    #[test]
+    fn a_negated_column_is_no_other_order() {
+        let (arm, beta, mut motion) = recorded(PUMA, 5);
+        let len = motion.states.len;
+        motion.tau[len..2 * len].iter_mut().for_each(|t| *t = -*t);
+        for reference in [Reference::Fit, Reference::Model(&beta)] {
+            assert_eq!(read(&arm, &motion, reference, &[]), None);
+        }
+    }
+
+    #[test]
+    fn units_are_named_by_the_model() {
+        let (arm, beta, motion) = recorded(PUMA, 7);
+        let model = Reference::Model(&beta);
+        let scaled = |by: &dyn Fn(usize) -> f64| {
+            let (len, mut out) = (motion.states.len, motion.clone());
+            out.tau.iter_mut().enumerate().for_each(|(k, t)| *t *= by(k / len));
+            out
+        };
+        match read(&arm, &scaled(&|_| 1000.0), model, &[]) {
+            Some(Explanation::Unit { times }) => assert!((times / 1000.0 - 1.0).abs() < 0.2, "{times}"),
+            other => panic!("{other:?}"),
+        }
+        let gears = [62.6, 107.8, 53.7, 76.0, 71.9, 76.7];
+        let known = gears.map(Some);
+        assert_eq!(read(&arm, &scaled(&|j| 1.0 / gears[j]), model, &known), Some(Explanation::MotorSide));
+        let mut degrees = motion.clone();
+        for x in [&mut degrees.states.q, &mut degrees.states.dq, &mut degrees.states.ddq] {
+            x.iter_mut().for_each(|x| *x = x.to_degrees());
+        }
+        assert_eq!(read(&arm, &degrees, Reference::Fit, &[]), Some(Explanation::Degrees));
+    }
+
+    #[test]
+    fn an_alphabetical_order_is_called_so() {
+        let columns: Vec<usize> = vec![1, 4, 5, 6, 7, 8, 9, 10, 11, 2, 3];
+        let finding = finding(Explanation::Order { columns, negated: vec![false; 11] }, 0.8, 0.02);
+        assert!(finding.to_string().contains("sorted as text"), "{finding}");
+    }
+}
