@@ -413,6 +413,28 @@ fn a_calibrated_arm_keeps_its_branches() {
 
 /// What the solver says of poses that no posture reaches, and of those that are none.
 #[test]
+fn a_turned_and_shifted_base_moves_the_poses_with_it() {
+    let text = "base: { xyz: [0.3, -0.2, 0.7], rpy: [pi, 0.4, -pi/3] }\n";
+    for name in ["kuka-lwr4", "puma560", "ur10e", "scara"] {
+        let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
+        let yaml = std::fs::read_to_string(path).unwrap() + text;
+        let moved = Robot::from_yaml(&yaml, &|f| Err(f.to_string())).unwrap().robot;
+        let (moved, plain) = (Bench::new(moved), Bench::new(robot(name)));
+        let mut random = Random::new(3);
+        for _ in 0..20 {
+            let q = plain.random(&mut random);
+            let [seen, own] = [moved.pose(&q), plain.pose(&q)];
+            let base = moved.robot.base.as_ref().unwrap();
+            let origin = base.point([own[0][3], own[1][3], own[2][3]]);
+            assert!((0..3).all(|i| (origin[i] - seen[i][3]).abs() < 1e-14), "{name}: {origin:?} {seen:?}");
+            let (error, nearest, _) = moved.check(&q, false);
+            assert!(error < 1e-9, "{name}: {error}");
+            assert!(nearest < 1e-6 || !plain.away_from_singularities(&q), "{name}: {nearest}");
+        }
+    }
+}
+
+#[test]
 fn poses_out_of_reach_and_poses_that_are_none() {
     // The Stanford arm's file does not limit its slide.
     for (name, _) in ROBOTS.into_iter().filter(|(name, _)| *name != "stanford") {

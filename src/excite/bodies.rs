@@ -1,13 +1,13 @@
 //! Spheres on the arm, the ground, boxes around it.
 
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{Robot, Sphere};
 
 /// A sphere fixed to a frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ball {
     /// Frame (row of the table from 0); `None`: the base.
     pub frame: Option<usize>,
-    /// Centre in that frame, m.
+    /// Centre in that frame, m; of one on the base in the world frame.
     pub center: [f64; 3],
     /// m
     pub radius: f64,
@@ -60,12 +60,12 @@ impl Bodies {
     /// posture can bring together or apart. Ground: the origins of the frames that move away from
     /// the base axis, and the tool.
     pub fn new(robot: &Robot) -> Self {
-        let balls: Vec<Ball> = robot
-            .collision
-            .spheres
-            .iter()
-            .map(|s| Ball { frame: s.link.checked_sub(1), center: s.center, radius: s.radius })
-            .collect();
+        let ball = |s: &Sphere| {
+            let frame = s.link.checked_sub(1);
+            let at_base = robot.base.as_ref().filter(|_| frame.is_none());
+            Ball { frame, center: at_base.map_or(s.center, |base| base.point(s.center)), radius: s.radius }
+        };
+        let balls: Vec<Ball> = robot.collision.spheres.iter().map(ball).collect();
         let moving: Vec<bool> = robot.joints.iter().map(|j| j.kind != dh_codegen::robot::JointKind::Fixed).collect();
         let between = |a: Option<usize>, b: Option<usize>| {
             let (low, high) = (a.map_or(0, |a| a + 1), b.map_or(0, |b| b + 1));

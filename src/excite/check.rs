@@ -329,12 +329,12 @@ fn all_frames(robot: &Robot, numeric: &Numeric, q: &[f64]) -> Vec<Matrix4<f64>> 
     frames
 }
 
-/// Centre of a sphere in the base frame.
+/// Centre of a sphere in the world frame.
 fn place(robot: &Robot, frames: &[Matrix4<f64>], sphere: usize) -> Point3<f64> {
     let sphere = &robot.collision.spheres[sphere];
     let center = Point3::from(sphere.center);
     match sphere.link {
-        0 => center,
+        0 => robot.base.as_ref().map_or(center, |base| Point3::from(base.point(sphere.center))),
         link => frames[link - 1].transform_point(&center),
     }
 }

@@ -59,8 +59,10 @@ struct DriveColumn {
 pub struct Numeric {
     rows: Vec<Row>,
     dof: usize,
-    /// In the base frame, m/s^2.
+    /// In the world frame, m/s^2.
     gravity: Vector3<f64>,
+    /// From the world frame to frame 0.
+    base: Plucker,
     /// From the last DH frame to the tool frame; the identity without a tool.
     tool: Plucker,
     drives: Vec<DriveColumn>,
@@ -95,14 +97,17 @@ impl Numeric {
             Parameter::Drive(row, term) => Some(DriveColumn { column, row, joint: moving[row], term }),
             Parameter::Link(..) => None,
         });
-        let tool = robot.tool.as_ref().map_or_else(Plucker::identity, |tool| Plucker {
-            rotation: Matrix3::from(tool.rotation()).transpose(), // `from` reads columns
-            origin: Vector3::from(tool.xyz),
-        });
+        let pose = |rotation: [[f64; 3]; 3], origin: [f64; 3]| Plucker {
+            rotation: Matrix3::from(rotation).transpose(), // `from` reads columns
+            origin: Vector3::from(origin),
+        };
+        let tool = robot.tool.as_ref().map_or_else(Plucker::identity, |tool| pose(tool.rotation(), tool.xyz));
+        let base = robot.base.as_ref().map_or_else(Plucker::identity, |base| pose(base.rotation(), base.xyz));
         Self {
             rows,
             dof: robot.dof(),
             gravity: Vector3::from(robot.gravity),
+            base,
             tool,
             drives: drives.collect(),
             parameters: standard.len(),
@@ -135,9 +140,9 @@ impl Numeric {
     }
 
     /// Spatial acceleration of the base that stands for gravity (RBDA, section 5.3): upwards, as
-    /// the free fall is not felt.
+    /// the free fall is not felt; in frame 0.
     fn base_acceleration(&self) -> Motion {
-        Motion { w: Vector3::zeros(), v: -self.gravity }
+        Motion { w: Vector3::zeros(), v: -self.base.rotation.tr_mul(&self.gravity) }
     }
 
     fn check(&self, name: &str, length: usize) {

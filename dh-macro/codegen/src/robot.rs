@@ -148,6 +148,17 @@ pub struct Drive {
     pub effects: Vec<Effect>,
 }
 
+/// A joint in another file or in logs: `q = sign q_source + offset`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JointSource {
+    /// Its name there; `None`: the same.
+    pub name: Option<String>,
+    /// 1 or -1: whether it turns the same way there.
+    pub sign: f64,
+    /// Position here where the position there is 0, rad or m.
+    pub offset: f64,
+}
+
 /// One row of the DH table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Joint {
@@ -165,10 +176,22 @@ pub struct Joint {
     pub theta: Angle,
     /// Constant part of the shift along z, m.
     pub r: Length,
+    /// The joint in the file that it was imported from.
+    pub source: Option<JointSource>,
     /// Limits.
     pub limits: Limits,
     /// Rotor, gear and friction.
     pub drive: Drive,
+}
+
+/// A constant pose.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pose {
+    /// Origin, m.
+    pub xyz: [f64; 3],
+    /// Fixed-axis roll, pitch, yaw: `R = RotZ(yaw) RotY(pitch) RotX(roll)`, exact where a quarter
+    /// turn.
+    pub rpy: [Angle; 3],
 }
 
 /// A body fixed to the last frame.
@@ -239,8 +262,10 @@ pub struct Robot {
     pub convention: Convention,
     /// Named constants, in the file's order.
     pub constants: Vec<(String, f64)>,
-    /// Gravity in the base frame, m/s^2.
+    /// Gravity in the world frame, m/s^2.
     pub gravity: [f64; 3],
+    /// Pose of frame 0, from which row 1 starts, in the world frame; `None` where the two coincide.
+    pub base: Option<Pose>,
     /// Rows of the DH table.
     pub joints: Vec<Joint>,
     /// Inertial parameters of each row's link in its DH frame, where known. Empty or one per row.
@@ -278,6 +303,13 @@ impl Robot {
         }
     }
 
+    /// Gravity in frame 0, m/s^2.
+    pub fn base_gravity(&self) -> [f64; 3] {
+        let Some(base) = &self.base else { return self.gravity };
+        let r = base.rotation();
+        core::array::from_fn(|i| (0..3).map(|k| r[k][i] * self.gravity[k]).sum())
+    }
+
     /// Inertial parameters of every link with the tool folded into the last one, or `None` where a
     /// link's are unknown.
     pub fn inertias(&self) -> Option<Vec<Inertia>> {
@@ -297,11 +329,35 @@ impl Robot {
 impl Tool {
     /// Rotation from the tool frame to the last DH frame, row-major.
     pub fn rotation(&self) -> [[f64; 3]; 3] {
-        let [(sr, cr), (sp, cp), (sy, cy)] = [0, 1, 2].map(|i| self.rpy[i].sin_cos());
-        [
-            [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
-            [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
-            [-sp, cp * sr, cp * cr],
-        ]
+        rotation(&self.rpy)
     }
+}
+
+impl Default for Pose {
+    fn default() -> Self {
+        Self { xyz: [0.0; 3], rpy: [Angle::zero(), Angle::zero(), Angle::zero()] }
+    }
+}
+
+impl Pose {
+    /// A point given in this frame, m, in the frame that this one stands in.
+    pub fn point(&self, at: [f64; 3]) -> [f64; 3] {
+        let r = self.rotation();
+        core::array::from_fn(|i| self.xyz[i] + (0..3).map(|k| r[i][k] * at[k]).sum::<f64>())
+    }
+
+    /// Rotation from this frame to the one that it stands in, row-major.
+    pub fn rotation(&self) -> [[f64; 3]; 3] {
+        rotation(&self.rpy)
+    }
+}
+
+/// `RotZ(yaw) RotY(pitch) RotX(roll)`, row-major.
+fn rotation(rpy: &[Angle; 3]) -> [[f64; 3]; 3] {
+    let [(sr, cr), (sp, cp), (sy, cy)] = [0, 1, 2].map(|i| rpy[i].sin_cos());
+    [
+        [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
+        [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
+        [-sp, cp * sr, cp * cr],
+    ]
 }

@@ -5,8 +5,8 @@ mod common;
 use common::{files, robots};
 use dh_codegen::robot::effect::Law;
 use dh_codegen::robot::{
-    Angle, Collision, Convention, Cuboid, Drive, Effect, Inertia, Joint, JointKind, Length, Limits, Polynomial, Robot,
-    Sphere, Tool, ToolGeometry,
+    Angle, Collision, Convention, Cuboid, Drive, Effect, Inertia, Joint, JointKind, JointSource, Length, Limits,
+    Polynomial, Pose, Robot, Sphere, Tool, ToolGeometry,
 };
 use proptest::collection::vec;
 use proptest::option;
@@ -97,6 +97,11 @@ fn joint(constants: Vec<(String, f64)>) -> impl Strategy<Value = Joint> {
         |(kind, actuated, name, (alpha, d, theta, r), limits, drive)| {
             let (fixed, actuated) = (kind == JointKind::Fixed, actuated && kind != JointKind::Fixed);
             Joint {
+                source: (!fixed).then(|| JointSource {
+                    name: actuated.then(|| format!("j {name}").trim().to_string()),
+                    sign: if actuated { -1.0 } else { 1.0 },
+                    offset: theta.value,
+                }),
                 name: name.trim().to_string(),
                 kind,
                 actuated,
@@ -147,6 +152,7 @@ fn robot() -> impl Strategy<Value = Robot> {
                 convention: if standard { Convention::Standard } else { Convention::Modified },
                 constants,
                 gravity,
+                base: tool.as_ref().map(|tool| Pose { xyz: tool.xyz, rpy: tool.rpy.clone() }),
                 joints,
                 links,
                 tool,
@@ -167,7 +173,8 @@ fn without_texts(mut robot: Robot) -> Robot {
             length.text.clear();
         }
     }
-    for angle in robot.tool.iter_mut().flat_map(|tool| &mut tool.rpy) {
+    let base = robot.base.iter_mut().flat_map(|base| &mut base.rpy);
+    for angle in robot.tool.iter_mut().flat_map(|tool| &mut tool.rpy).chain(base) {
         angle.text.clear();
     }
     robot

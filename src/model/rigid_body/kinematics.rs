@@ -7,19 +7,19 @@ use super::rnea::Sweep;
 use super::spatial::{Motion, Plucker};
 
 impl Numeric {
-    /// `T(0, i)` of every DH frame `i = 1..` in the base frame, one per row, base to tip; lengths
+    /// `T(0, i)` of every DH frame `i = 1..` in the world frame, one per row, base to tip; lengths
     /// in m.
     pub fn frames(&self, q: &[f64]) -> Vec<Matrix4<f64>> {
         self.poses(q).iter().map(homogeneous).collect()
     }
 
-    /// Pose of the tool frame in the base frame; of the last DH frame where the robot has no tool.
+    /// Pose of the tool frame in the world frame; of the last DH frame where the robot has no tool.
     pub fn tool(&self, q: &[f64]) -> Matrix4<f64> {
         homogeneous(&self.last_pose(q).then(&self.tool))
     }
 
     /// `6 x n`: `[v; w] = J dq`, linear velocity (m/s) of the last DH frame's origin first, then
-    /// the angular (rad/s), in base axes.
+    /// the angular (rad/s), in world axes.
     pub fn jacobian(&self, q: &[f64]) -> Matrix6xX<f64> {
         let poses = self.poses(q);
         let mut jacobian = Matrix6xX::zeros(self.dof);
@@ -48,10 +48,10 @@ impl Numeric {
         Vector6::new(linear.x, linear.y, linear.z, angular.x, angular.y, angular.z)
     }
 
-    /// All frames in the base frame.
+    /// All frames in the world frame.
     pub(super) fn poses(&self, q: &[f64]) -> Vec<Plucker> {
         self.check("q", q.len());
-        let mut pose = Plucker::identity();
+        let mut pose = self.base;
         let next = |row: &super::Row| {
             pose = pose.then(&row.transform(row.of(q)));
             pose
@@ -60,7 +60,7 @@ impl Numeric {
     }
 
     fn last_pose(&self, q: &[f64]) -> Plucker {
-        self.poses(q).last().copied().unwrap_or_else(Plucker::identity)
+        self.poses(q).last().copied().unwrap_or(self.base)
     }
 }
 

@@ -4,7 +4,7 @@ use crate::numerics::prng::Random;
 use dh_codegen::arm::param;
 
 use dh_codegen::robot::{
-    Angle, Collision, Convention, Drive, Inertia, Joint, JointKind, Length, Limits, Polynomial, Robot, Tool,
+    Angle, Collision, Convention, Drive, Inertia, Joint, JointKind, Length, Limits, Polynomial, Pose, Robot, Tool,
 };
 
 /// What random robots are drawn from. Probabilities are per robot or per row, as stated.
@@ -27,6 +27,8 @@ pub struct Family {
     pub drives: f64,
     /// That a robot has a tool, with or without an inertia.
     pub tool: f64,
+    /// That frame 0 does not stand in the world frame.
+    pub base: f64,
 }
 
 impl Default for Family {
@@ -40,6 +42,7 @@ impl Default for Family {
             upright: 0.5,
             drives: 0.5,
             tool: 0.4,
+            base: 0.0,
         }
     }
 }
@@ -114,6 +117,7 @@ impl Random {
                     d: self.length(exact, named, &mut constants),
                     theta: if self.chance(0.5) { Angle::zero() } else { self.angle(exact) },
                     r: self.length(exact, named, &mut constants),
+                    source: None,
                     limits: Limits::default(),
                     drive: Drive::default(),
                 }
@@ -126,17 +130,24 @@ impl Random {
             joint.drive = self.drive();
         }
         let convention = if self.chance(family.standard) { Convention::Standard } else { Convention::Modified };
-        Robot {
+        let robot = Robot {
             name: "random".to_string(),
             convention,
             constants,
             gravity: self.gravity(family),
+            base: None,
             links: joints.iter().map(|_| Some(self.inertia())).collect(),
             joints,
             tool: if self.chance(family.tool) { Some(self.tool(exact)) } else { None },
             collision: Collision::default(),
             effects: Vec::new(),
-        }
+        };
+        // Drawn last, and only on demand: the robots of other families stay what they are.
+        let base = (family.base > 0.0 && self.chance(family.base)).then(|| Pose {
+            xyz: core::array::from_fn(|_| self.uniform(-1.0, 1.0)),
+            rpy: core::array::from_fn(|_| self.angle(exact)),
+        });
+        Robot { base, ..robot }
     }
 
     fn angle(&mut self, exact: bool) -> Angle {

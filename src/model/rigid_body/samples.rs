@@ -20,6 +20,7 @@ fn robot(name: &str, convention: Convention, rows: &[(JointKind, i64, f64, f64)]
         d: Length::meters(d),
         theta: Angle::zero(),
         r: Length::meters(r),
+        source: None,
         limits: Limits::default(),
         drive: Drive::default(),
     });
@@ -28,6 +29,7 @@ fn robot(name: &str, convention: Convention, rows: &[(JointKind, i64, f64, f64)]
         convention,
         constants: Vec::new(),
         gravity: [0.0, 0.0, -9.81],
+        base: None,
         joints: joints.collect(),
         links: Vec::new(),
         tool: None,

@@ -409,7 +409,7 @@ impl BaseParameters {
             k => Parameter::Link(row, Inertial::ALL[k]),
         };
         let steps = Step::all(robot);
-        let mut reach = Reach::base(robot.gravity);
+        let mut reach = Reach::base(robot.base_gravity());
         let mut hidden = Vec::with_capacity(steps.len());
         for step in &steps {
             let (conditions, next) = reach.through(step);

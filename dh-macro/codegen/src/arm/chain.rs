@@ -83,8 +83,12 @@ pub struct Row {
 pub struct Chain {
     /// One for each row of the DH table.
     pub rows: Vec<Row>,
-    /// Minus gravity: the acceleration of the base that stands for it, m/s^2.
+    /// Minus gravity in frame 0: the acceleration of the base that stands for it, m/s^2.
     pub lift: [f64; 3],
+    /// Minus gravity in the world frame, m/s^2.
+    pub world_lift: [f64; 3],
+    /// Rotation and origin of frame 0 in the world; `None`: they coincide.
+    pub base: Option<([[f64; 3]; 3], [f64; 3])>,
     /// Rotation and origin of the tool frame in the last DH frame.
     pub tool: Option<([[f64; 3]; 3], [f64; 3])>,
 }
@@ -122,7 +126,13 @@ impl Chain {
             });
             dof += usize::from(moves);
         }
-        Self { rows, lift: robot.gravity.map(|g| -g), tool: robot.tool.as_ref().map(|t| (t.rotation(), t.xyz)) }
+        Self {
+            rows,
+            lift: robot.base_gravity().map(|g| -g),
+            world_lift: robot.gravity.map(|g| -g),
+            base: robot.base.as_ref().map(|b| (b.rotation(), b.xyz)),
+            tool: robot.tool.as_ref().map(|t| (t.rotation(), t.xyz)),
+        }
     }
 
     /// Degrees of freedom.
@@ -150,7 +160,15 @@ impl Chain {
         let inputs = Inputs { dof: self.dof() };
         let of = |row: &Row| row.dof.and_then(|k| wound.get(k).copied().flatten());
         let links = self.rows.iter().map(|row| Link::new(graph, row, inputs, of(row))).collect();
-        Links { graph, inputs, links, lift: Vec3::numbers(graph, self.lift), tool: self.tool }
+        Links {
+            graph,
+            inputs,
+            links,
+            lift: Vec3::numbers(graph, self.lift),
+            world_lift: Vec3::numbers(graph, self.world_lift),
+            base: self.base,
+            tool: self.tool,
+        }
     }
 }
 
@@ -162,8 +180,12 @@ pub struct Links<'g> {
     pub inputs: Inputs,
     /// Base to tip.
     pub links: Vec<Link<'g>>,
-    /// Minus gravity.
+    /// Minus gravity in frame 0.
     pub lift: Vec3<'g>,
+    /// Minus gravity in the world frame.
+    pub world_lift: Vec3<'g>,
+    /// Pose of frame 0 in the world.
+    pub base: Option<([[f64; 3]; 3], [f64; 3])>,
     /// Pose of the tool frame in the last DH frame.
     pub tool: Option<([[f64; 3]; 3], [f64; 3])>,
 }

@@ -52,7 +52,7 @@ pub(super) fn kinetic<'g>(links: &Links<'g>, parameters: &[Parameter]) -> Vec<Ex
         .collect()
 }
 
-/// `U = h phi`, zero at the base frame's origin; an offset torque is the potential `FO q`.
+/// `U = h phi`, zero at the world frame's origin; an offset torque is the potential `FO q`.
 pub(super) fn potential<'g>(links: &Links<'g>, parameters: &[Parameter]) -> Vec<Ex<'g>> {
     let poses = frames(links);
     links.graph.section("potential energy");
@@ -62,10 +62,10 @@ pub(super) fn potential<'g>(links: &Links<'g>, parameters: &[Parameter]) -> Vec<
             Parameter::Link(row, which) => {
                 let Pose { r, p } = poses[row];
                 match which {
-                    Inertial::M => links.lift.dot(p),
-                    Inertial::MSX => links.lift.dot(r.column(0)),
-                    Inertial::MSY => links.lift.dot(r.column(1)),
-                    Inertial::MSZ => links.lift.dot(r.column(2)),
+                    Inertial::M => links.world_lift.dot(p),
+                    Inertial::MSX => links.world_lift.dot(r.column(0)),
+                    Inertial::MSY => links.world_lift.dot(r.column(1)),
+                    Inertial::MSZ => links.world_lift.dot(r.column(2)),
                     _ => links.number(0.0),
                 }
             }

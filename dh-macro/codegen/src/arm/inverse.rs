@@ -148,7 +148,8 @@ fn at_zero(chain: &Chain) -> (Vec<Axis>, Displacement) {
         rotation: [[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]],
         shift: [d, 0.0, 0.0],
     };
-    let mut here = Displacement::NONE;
+    let at_world = Displacement::NONE;
+    let mut here = chain.base.map_or(at_world, |(rotation, shift)| Displacement { rotation, shift });
     let mut axes = Vec::new();
     for row in &chain.rows {
         let (s, c) = row.angle.sin_cos();

@@ -5,7 +5,7 @@ use super::motion::{Include, Sweep};
 use crate::robot::JointKind;
 use crate::sym::{Ex, Mat3, Vec3};
 
-/// A frame in the base frame: axes as columns of `r`, origin `p` in m.
+/// A frame in the world frame: axes as columns of `r`, origin `p` in m.
 #[derive(Clone, Copy)]
 pub struct Pose<'g> {
     /// Rotation.
@@ -21,11 +21,13 @@ impl<'g> Pose<'g> {
     }
 }
 
-/// Joint frames in the base frame.
+/// Joint frames in the world frame.
 fn joint_frames<'g>(links: &Links<'g>) -> Vec<Pose<'g>> {
     let g = links.graph;
-    let mut r = Mat3::numbers(g, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
-    let mut p = Vec3::zero(g);
+    let at_world = ([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.0; 3]);
+    let (rotation, origin) = links.base.unwrap_or(at_world);
+    let mut r = Mat3::numbers(g, rotation);
+    let mut p = Vec3::numbers(g, origin);
     let mut poses = Vec::with_capacity(links.links.len());
     for (row, link) in links.links.iter().enumerate() {
         g.section(format!("frame {}", row + 1));
@@ -37,7 +39,7 @@ fn joint_frames<'g>(links: &Links<'g>) -> Vec<Pose<'g>> {
     poses
 }
 
-/// DH frames of all rows in the base frame.
+/// DH frames of all rows in the world frame.
 pub(super) fn frames<'g>(links: &Links<'g>) -> Vec<Pose<'g>> {
     let joints = joint_frames(links);
     links
@@ -54,7 +56,7 @@ pub(super) fn frames<'g>(links: &Links<'g>) -> Vec<Pose<'g>> {
         .collect()
 }
 
-/// The tool frame in the base frame; the last DH frame where there is no tool.
+/// The tool frame in the world frame; the last DH frame where there is no tool.
 pub(super) fn tool<'g>(links: &Links<'g>) -> Option<Pose<'g>> {
     let last = *frames(links).last()?;
     links.graph.section("tool");
@@ -67,7 +69,7 @@ pub(super) fn tool<'g>(links: &Links<'g>) -> Option<Pose<'g>> {
     })
 }
 
-/// Jacobian of the last DH frame's origin in base axes: six rows (linear, angular) by `n`,
+/// Jacobian of the last DH frame's origin in world axes: six rows (linear, angular) by `n`,
 /// row-major.
 pub(super) fn jacobian<'g>(links: &Links<'g>) -> Vec<Ex<'g>> {
     let n = links.inputs.dof;
@@ -90,7 +92,7 @@ pub(super) fn jacobian<'g>(links: &Links<'g>) -> Vec<Ex<'g>> {
 }
 
 /// `dJ/dt dq`: acceleration of the last DH frame that is left when `ddq` is zero, linear part
-/// first, base axes.
+/// first, world axes.
 pub(super) fn jacobian_dot_velocity<'g>(links: &Links<'g>) -> Vec<Ex<'g>> {
     let Some(last) = links.links.len().checked_sub(1) else { return Vec::new() };
     let body = Sweep::new(links, Include::VELOCITY).body(links, last, false);

@@ -14,7 +14,7 @@ use super::name;
 use super::problem::{Note, Problem, Problems};
 use super::reader::{Fields, Findings, join};
 use super::yaml::{self, Kind, Mark, shortened};
-use super::{Collision, Convention, Cuboid, Effect, Joint, JointKind, Robot, Sphere, Tool};
+use super::{Collision, Convention, Cuboid, Effect, Joint, JointKind, Pose, Robot, Sphere, Tool};
 
 /// A robot as its file gives it, and what the reader did or saw on the way.
 #[derive(Debug, Clone)]
@@ -93,6 +93,7 @@ fn robot(top: &Fields<'_>, files: &dyn Fn(&str) -> Result<String, String>, to: &
         _ => Convention::Modified,
     };
     let gravity = gravity(top, to);
+    let base = top.map("base", to).map(|fields| pose(&fields, to));
     provenance::check(top, to);
     let joints = joint::joints(top, to);
     let links = body::links(top, joints.len(), to);
@@ -104,7 +105,7 @@ fn robot(top: &Fields<'_>, files: &dyn Fn(&str) -> Result<String, String>, to: &
         .unwrap_or_default();
     numbers_in_effects(top, &joints, &effects, to);
     let constants = to.scope.constants();
-    Robot { name, convention, constants, gravity, joints, links, tool, collision, effects }
+    Robot { name, convention, constants, gravity, base, joints, links, tool, collision, effects }
 }
 
 /// Joints and links that effects name must be there.
@@ -217,9 +218,15 @@ fn gravity(top: &Fields<'_>, to: &mut Findings) -> [f64; 3] {
     } else if !(1.0..=30.0).contains(&length) {
         to.note(node.mark, &path, format!("gravity has the length {length} m/s^2; on Earth it is 9.81"));
     } else if gravity[2] > 0.9 * length {
-        to.note(node.mark, &path, "gravity points along +z of the base frame: is the robot hung from the ceiling?");
+        to.note(node.mark, &path, "gravity points along +z of the world frame: is the robot hung from the ceiling?");
     }
     gravity
+}
+
+/// `xyz` and `rpy`, zero where they are left out.
+fn pose(fields: &Fields<'_>, to: &mut Findings) -> Pose {
+    let unset = Pose::default();
+    Pose { xyz: fields.vector("xyz", to).unwrap_or(unset.xyz), rpy: fields.angles("rpy", to).unwrap_or(unset.rpy) }
 }
 
 fn collision(top: &Fields<'_>, rows: usize, to: &mut Findings) -> Collision {

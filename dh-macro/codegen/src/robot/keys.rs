@@ -105,7 +105,8 @@ pub(super) static ROBOT: Table = Table {
         required("convention", Choice(&["modified", "standard"]), "", "Denavit-Hartenberg convention of the rows."),
         key("provenance", Rows(&RUN), "", "Commands that wrote this file, the last one last."),
         key("constants", Constants, "m, rad", "Named constants; may be used in every number below."),
-        key("gravity", Vector(3), "m/s^2", "Gravity in the base frame; default [0, 0, -9.81]."),
+        key("gravity", Vector(3), "m/s^2", "Gravity in the world frame; default [0, 0, -9.81]."),
+        key("base", Map(&BASE), "", "Frame 0, from which row 1 starts, in the world; default: they coincide."),
         required("joints", Rows(&JOINT), "", "Rows of the DH table, base to tip."),
         key("links", RowsOrNull(&LINK), "", "Inertial parameters, one entry per joint; null where unknown."),
         key("tool", MapOrFile(&TOOL), "", "Body fixed to the last frame."),
@@ -231,6 +232,15 @@ pub(super) static POSE: Table = Table {
     ],
 };
 
+pub(super) static BASE: Table = Table {
+    what: "base",
+    effects: false,
+    keys: &[
+        key("xyz", Vector(3), "m", "Origin of frame 0 in the world; default 0."),
+        key("rpy", Angles(3), "rad", "Fixed-axis roll, pitch, yaw: RotZ(yaw) RotY(pitch) RotX(roll); default 0."),
+    ],
+};
+
 pub(super) static GEOMETRY: Table = Table {
     what: "geometry",
     effects: false,
@@ -244,9 +254,9 @@ pub(super) static COLLISION: Table = Table {
     what: "collision",
     effects: false,
     keys: &[
-        key("ground", Number, "m", "Lowest z that elbow, wrist and tool may reach, in the base frame."),
+        key("ground", Number, "m", "Lowest z that elbow, wrist and tool may reach, in the world frame."),
         key("spheres", Rows(&SPHERE), "", "Spheres that stand for links in distance checks."),
-        key("boxes", Rows(&BOX), "", "Boxes of the surroundings, along the base axes."),
+        key("boxes", Rows(&BOX), "", "Boxes of the surroundings, along the world axes."),
     ],
 };
 
@@ -265,7 +275,7 @@ pub(super) static BOX: Table = Table {
     effects: false,
     keys: &[
         key("name", Text, "", "Name of the box; default box1, box2, ..."),
-        required("min", Vector(3), "m", "Lowest corner in the base frame."),
-        required("max", Vector(3), "m", "Highest corner in the base frame."),
+        required("min", Vector(3), "m", "Lowest corner in the world frame."),
+        required("max", Vector(3), "m", "Highest corner in the world frame."),
     ],
 };

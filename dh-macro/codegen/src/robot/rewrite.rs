@@ -57,6 +57,8 @@ impl Robot {
         let top = root.fields()?;
         let scope = before.scope();
         editor.mapping(&root, &write::head_fields(&before), &write::head_fields(self));
+        let base = |robot: &Self| robot.base.as_ref().map(|base| write::pose_fields(&base.xyz, &base.rpy, &scope));
+        editor.section(&root, "base", base(&before), base(self));
         let rows = child(top, "joints")?.items()?;
         if before.joints.len() != self.joints.len() || rows.len() != self.joints.len() {
             return None;
@@ -227,7 +229,9 @@ impl Editor {
     }
 
     fn joint(&mut self, node: &Node, old: &Joint, new: &Joint, scope: &Scope) {
-        let fields = |joint: &Joint| [write::row_fields(joint, scope), write::limit_fields(joint)].concat();
+        let fields = |joint: &Joint| {
+            [write::row_fields(joint, scope), write::limit_fields(joint), write::source_field(joint)].concat()
+        };
         self.mapping(node, &fields(old), &fields(new));
         let Some(drive) = node.fields().and_then(|fields| child(fields, "drive")).filter(|d| d.fields().is_some())
         else {

@@ -32,9 +32,13 @@ impl Robot {
         if !constants.is_empty() {
             out += &format!("constants: {}\n", flow(&constants, 0));
         }
-        out += &format!("gravity: {}\n\njoints:\n", list(&self.gravity));
+        out += &format!("gravity: {}\n", list(&self.gravity));
+        if let Some(base) = &self.base {
+            out += &format!("base: {}\n", braces(&pose_fields(&base.xyz, &base.rpy, &scope)));
+        }
+        out += "\njoints:\n";
         for joint in &self.joints {
-            let groups = [row_fields(joint, &scope), limit_fields(joint), drive_field(joint)];
+            let groups = [row_fields(joint, &scope), limit_fields(joint), drive_field(joint), source_field(joint)];
             out += &format!("  - {}\n", flow_groups(&groups, 4));
         }
         if !self.links.is_empty() {
@@ -50,34 +54,7 @@ impl Robot {
                 out += &format!("  {key}: {value}\n");
             }
         }
-        if self.collision != Collision::default() {
-            out += "\ncollision:\n";
-            if let Some(ground) = self.collision.ground {
-                out += &format!("  ground: {}\n", number(ground));
-            }
-            if !self.collision.spheres.is_empty() {
-                out += "  spheres:\n";
-            }
-            for sphere in &self.collision.spheres {
-                let fields = [
-                    ("link".to_string(), sphere.link.to_string()),
-                    ("center".to_string(), list(&sphere.center)),
-                    ("radius".to_string(), number(sphere.radius)),
-                ];
-                out += &format!("    - {}\n", flow(&fields, 6));
-            }
-            if !self.collision.boxes.is_empty() {
-                out += "  boxes:\n";
-            }
-            for cuboid in &self.collision.boxes {
-                let fields = [
-                    ("name".to_string(), word(&cuboid.name)),
-                    ("min".to_string(), list(&cuboid.min)),
-                    ("max".to_string(), list(&cuboid.max)),
-                ];
-                out += &format!("    - {}\n", flow(&fields, 6));
-            }
-        }
+        out += &collision_lines(&self.collision);
         if !self.effects.is_empty() {
             out += "\neffects:\n";
             for effect in &self.effects {
@@ -87,6 +64,41 @@ impl Robot {
         }
         out
     }
+}
+
+/// The section `collision`; nothing where there is nothing in it.
+fn collision_lines(collision: &Collision) -> String {
+    if *collision == Collision::default() {
+        return String::new();
+    }
+    let mut out = String::new();
+    out += "\ncollision:\n";
+    if let Some(ground) = collision.ground {
+        out += &format!("  ground: {}\n", number(ground));
+    }
+    if !collision.spheres.is_empty() {
+        out += "  spheres:\n";
+    }
+    for sphere in &collision.spheres {
+        let fields = [
+            ("link".to_string(), sphere.link.to_string()),
+            ("center".to_string(), list(&sphere.center)),
+            ("radius".to_string(), number(sphere.radius)),
+        ];
+        out += &format!("    - {}\n", flow(&fields, 6));
+    }
+    if !collision.boxes.is_empty() {
+        out += "  boxes:\n";
+    }
+    for cuboid in &collision.boxes {
+        let fields = [
+            ("name".to_string(), word(&cuboid.name)),
+            ("min".to_string(), list(&cuboid.min)),
+            ("max".to_string(), list(&cuboid.max)),
+        ];
+        out += &format!("    - {}\n", flow(&fields, 6));
+    }
+    out
 }
 
 /// A key and the text of its value.
@@ -148,6 +160,20 @@ pub(super) fn limit_fields(joint: &Joint) -> Vec<Field> {
     fields
 }
 
+/// The joint elsewhere.
+pub(super) fn source_field(joint: &Joint) -> Vec<Field> {
+    let Some(source) = &joint.source else { return Vec::new() };
+    let mut fields: Vec<Field> = source.name.iter().map(|name| field("name", word(name))).collect();
+    fields.extend([field("sign", number(source.sign)), field("offset", number(source.offset))]);
+    vec![field("source", braces(&fields))]
+}
+
+/// `xyz` and `rpy`.
+pub(super) fn pose_fields(xyz: &[f64; 3], rpy: &[Angle; 3], scope: &Scope) -> Vec<Field> {
+    let rpy: Vec<String> = rpy.iter().map(|a| angle(a, scope)).collect();
+    vec![field("xyz", list(xyz)), field("rpy", format!("[{}]", rpy.join(", ")))]
+}
+
 pub(super) fn drive_field(joint: &Joint) -> Vec<Field> {
     let drive = drive_fields(&joint.drive);
     if drive.is_empty() { Vec::new() } else { vec![field("drive", flow(&drive, 13))] }
@@ -200,8 +226,7 @@ pub(super) fn inertia_fields(inertia: &Inertia) -> Vec<Field> {
 
 pub(super) fn tool_fields(tool: &Tool, scope: &Scope) -> Vec<Field> {
     let mut fields = vec![field("name", word(&tool.name))];
-    let rpy: Vec<String> = tool.rpy.iter().map(|a| angle(a, scope)).collect();
-    fields.push(field("pose", format!("{{ xyz: {}, rpy: [{}] }}", list(&tool.xyz), rpy.join(", "))));
+    fields.push(field("pose", braces(&pose_fields(&tool.xyz, &tool.rpy, scope))));
     if let Some(inertia) = &tool.inertia {
         fields.extend(inertia_fields(inertia));
     }
@@ -374,7 +399,8 @@ pub(super) fn text(text: &str) -> String {
 pub(super) fn word(text: &str) -> String {
     let plain = text.starts_with(|c: char| c.is_ascii_alphabetic())
         && text.chars().all(|c| c.is_ascii_alphanumeric() || "-_. ".contains(c))
-        && !text.ends_with(' ');
+        // In a flow mapping a comma may follow.
+        && !text.ends_with([' ', '-']);
     let same = |node: yaml::Node| matches!(node.kind, Kind::Scalar { text: read, .. } if read == text);
     if plain && yaml::parse(text).is_ok_and(same) {
         return text.to_string();

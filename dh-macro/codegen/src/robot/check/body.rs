@@ -4,7 +4,7 @@ use super::super::keys;
 use super::super::problem::Problem;
 use super::super::reader::{Fields, Findings};
 use super::super::yaml::{self, Kind, Mark, shortened};
-use super::super::{Angle, Inertia, Tool, ToolGeometry};
+use super::super::{Inertia, Pose, Tool, ToolGeometry};
 use super::place;
 
 /// Inertial parameters per row of the DH table.
@@ -120,8 +120,7 @@ fn tool_fields(fields: &Fields<'_>, name: &str, to: &mut Findings) -> Option<Too
     let name = fields.text("name", to).unwrap_or_else(|| name.to_string());
     fields.text("source", to);
     let pose = fields.map("pose", to);
-    let pose = pose.map(|pose| (pose.vector("xyz", to), pose.angles("rpy", to)));
-    let (xyz, rpy) = pose.unwrap_or_default();
+    let pose = pose.map(|fields| super::pose(&fields, to));
     let inertial = ["M", "MS", "I"];
     let (here, absent): (Vec<&str>, Vec<&str>) = inertial.iter().partition(|name| fields.has(name));
     if !here.is_empty() && !absent.is_empty() {
@@ -135,6 +134,6 @@ fn tool_fields(fields: &Fields<'_>, name: &str, to: &mut Findings) -> Option<Too
         let (length, width) = (geometry.number("length", to), geometry.number("width", to));
         Some(ToolGeometry { length: length?, width: width? })
     });
-    let rpy = rpy.unwrap_or_else(|| [Angle::zero(), Angle::zero(), Angle::zero()]);
-    Some(Tool { name, xyz: xyz.unwrap_or_default(), rpy, inertia, geometry })
+    let Pose { xyz, rpy } = pose.unwrap_or_default();
+    Some(Tool { name, xyz, rpy, inertia, geometry })
 }

@@ -48,6 +48,7 @@ fn placeholder(row: usize) -> Joint {
         d: Length::zero(),
         theta: Angle::zero(),
         r: Length::zero(),
+        source: None,
         limits: Limits::default(),
         drive: Drive::default(),
     }
@@ -60,7 +61,6 @@ fn joint(row: usize, fields: &Fields<'_>, to: &mut Findings) -> Joint {
         _ => JointKind::Revolute,
     };
     antecedent(row, fields, to);
-    provenance::of_joint(fields, to);
     Joint {
         name: fields.text("name", to).unwrap_or_else(|| format!("joint{}", row + 1)),
         kind,
@@ -69,6 +69,7 @@ fn joint(row: usize, fields: &Fields<'_>, to: &mut Findings) -> Joint {
         d: fields.length("d", to).unwrap_or_else(Length::zero),
         theta: fields.angle("theta", to).unwrap_or_else(Angle::zero),
         r: fields.length("r", to).unwrap_or_else(Length::zero),
+        source: provenance::of_joint(fields, to),
         limits: limits(kind, fields, to),
         drive: drive(kind, fields, to),
     }

@@ -1,5 +1,6 @@
 //! Where a file and its joints come from: read by people, checked for its form.
 
+use super::super::JointSource;
 use super::super::reader::{Fields, Findings};
 
 /// `provenance:` at the top.
@@ -16,13 +17,14 @@ pub(super) fn check(top: &Fields<'_>, to: &mut Findings) {
 }
 
 /// `source:` of a joint.
-pub(super) fn of_joint(joint: &Fields<'_>, to: &mut Findings) {
-    let Some(source) = joint.map("source", to) else { return };
-    source.text("name", to);
-    source.number("offset", to);
-    if let (Some(sign), Some((node, path))) = (source.number("sign", to), source.node("sign"))
+pub(super) fn of_joint(joint: &Fields<'_>, to: &mut Findings) -> Option<JointSource> {
+    let source = joint.map("source", to)?;
+    let sign = source.number("sign", to);
+    if let (Some(sign), Some((node, path))) = (sign, source.node("sign"))
         && sign.abs() != 1.0
     {
         to.problem(node.mark, &path, format!("the sign is {sign}"), "write 1 or -1");
     }
+    let offset = source.number("offset", to).unwrap_or(0.0);
+    Some(JointSource { name: source.text("name", to), sign: sign.unwrap_or(1.0), offset })
 }
