@@ -6,11 +6,13 @@ mod check;
 mod diagnose;
 mod eval;
 mod excite;
+mod export;
 mod files;
 mod force;
 mod generate;
 mod identify;
 mod ik;
+mod import;
 mod interrupt;
 mod known_effects;
 mod logbook;
@@ -53,8 +55,12 @@ enum Command {
     Eval(eval::Eval),
     /// Design the motion that tells the most about the parameters, inside every limit.
     Excite(excite::Excite),
+    /// Write a robot file as URDF or MJCF, for simulators that read those.
+    Export(export::Export),
     /// Estimate the wrench on the tool from joint torques, with 95 % bands.
     Force(Box<force::Force>),
+    /// Make a robot file of a URDF or MJCF model.
+    Import(import::Import),
     /// Find every posture that brings the arm to given poses.
     Ik(ik::Ik),
     /// Identify the base parameters from logs, and write the robot file with the values in place.
@@ -95,8 +101,10 @@ impl Cli {
             Command::Diagnose(verb) => verb.run(provenance),
             Command::Eval(verb) => verb.run(provenance),
             Command::Excite(verb) => verb.run(provenance),
+            Command::Export(verb) => verb.run(provenance),
             Command::Force(verb) => verb.run(provenance),
             Command::Ik(verb) => verb.run(provenance),
+            Command::Import(verb) => verb.run(provenance),
             Command::Identify(verb) => verb.run(provenance),
             Command::Paint(verb) => verb.run(provenance),
             Command::Reproduce(verb) => verb.run(provenance),

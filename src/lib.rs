@@ -33,6 +33,7 @@ pub mod cli;
 pub mod control;
 pub mod data;
 pub mod diagnose;
+pub mod exchange;
 pub mod excite;
 pub mod identify;
 pub mod model;

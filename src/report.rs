@@ -11,6 +11,7 @@ pub use eval::json::eval_json;
 pub use excite::motion_check::{motion_check_json, motion_check_text};
 pub use excite::page::excite_html;
 pub use excite::text::{Outcome, excite_json, excite_text, joint_trajectory, missing_text, motion_csv};
+pub use export::{export_json, export_text};
 pub use force::json::{force_json, uncertainty_of_json};
 pub use force::page::force_html;
 pub use force::text::{Forces, force_text};
@@ -21,6 +22,10 @@ pub use identify::json::identify_json;
 pub use identify::page::identify_html;
 pub use identify::text::{identify_text, identify_verdict};
 pub use ik::{json::ik_json, text::ik_text};
+pub use import::{
+    json::import_json,
+    text::{import_reason, import_text},
+};
 pub use paint::page::paint_html;
 pub use paint::run::{paint_run_csv, paint_run_json, paint_run_text};
 pub use paint::run_page::{Painted, paint_run_html};
@@ -41,9 +46,11 @@ pub(crate) mod check;
 pub(crate) mod diagnose;
 pub(crate) mod eval;
 pub(crate) mod excite;
+pub(crate) mod export;
 pub(crate) mod force;
 pub(crate) mod identify;
 pub(crate) mod ik;
+pub(crate) mod import;
 pub(crate) mod paint;
 pub(crate) mod parts;
 pub(crate) mod reproduce;

@@ -11,8 +11,10 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
 /// Domains of `src`, each of which may use those before it.
-const DOMAINS: [&str; 11] =
-    ["numerics", "model", "data", "identify", "simulate", "excite", "control", "diagnose", "apps", "report", "cli"];
+const DOMAINS: [&str; 12] = [
+    "numerics", "model", "exchange", "data", "identify", "simulate", "excite", "control", "diagnose", "apps", "report",
+    "cli",
+];
 
 /// Modules of `dh-macro/codegen/src`, each of which may use those before it.
 const CODEGEN: [&str; 10] =

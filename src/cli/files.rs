@@ -44,6 +44,7 @@ impl RobotFile {
 pub(super) fn robot(path: &Path) -> Result<RobotFile, Failure> {
     let shown = path.display().to_string();
     let text = text(path)?;
+    refuse_xml(&shown, &text)?;
     let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
     let read = RefCell::new(vec![path.to_path_buf()]);
     let load = |name: &str| {
@@ -61,6 +62,18 @@ pub(super) fn robot(path: &Path) -> Result<RobotFile, Failure> {
         }
         Err(problems) => Err(Failure::input(format!("{shown} can't be used:\n{}", problems.in_file(&shown)))),
     }
+}
+
+/// A model in XML is no robot file, and can be made one.
+fn refuse_xml(shown: &str, text: &str) -> Result<(), Failure> {
+    if !text.trim_start_matches('\u{feff}').trim_start().starts_with('<') {
+        return Ok(());
+    }
+    let made = Path::new(shown).with_extension("yaml");
+    Err(Failure::input(format!(
+        "{shown} is XML, no robot file; make one of a URDF or MJCF model with `denavit import {shown} --out {}`",
+        made.display()
+    )))
 }
 
 /// Reads a text file.

@@ -97,6 +97,12 @@ impl Provenance {
         self
     }
 
+    /// With the model that was imported.
+    pub(super) fn model(mut self, shown: &str, text: &str) -> Self {
+        self.files.push(("model".into(), shown.into(), sha256(text.as_bytes())));
+        self
+    }
+
     /// With the logs that were read.
     pub(super) fn logs(mut self, logbook: &Logbook) -> Self {
         let entry =

@@ -9,6 +9,7 @@ mod force;
 mod generate;
 mod identify;
 mod ik;
+mod import;
 mod outputs;
 mod paint;
 mod provenance;

@@ -1,0 +1,90 @@
+//! Robots as others write them: URDF and MJCF in, a robot file out, and back.
+//!
+//! `text -> xml -> urdf | mjcf -> Tree -> chain (base to tip) -> to_dh (lines, common normals) ->
+//! Robot`, each step a function from values to values. The tree is evaluated by itself
+//! ([`Tree::poses`]), so that source and result can be compared.
+
+mod chain;
+mod displacement;
+mod exact;
+mod export;
+pub mod import;
+pub mod mjcf;
+mod onto;
+mod to_dh;
+pub mod tree;
+pub mod urdf;
+mod xml;
+
+pub use exact::Snap;
+pub use export::{Exported, export};
+pub use import::{ForwardKinematicsError, ImportOptions, Imported, import};
+pub use onto::onto;
+pub use to_dh::Neighbours;
+pub use tree::Tree;
+
+use dh_codegen::robot::{Problem, Problems};
+
+/// A format of models.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ModelFormat {
+    /// The Unified Robot Description Format.
+    Urdf,
+    /// MuJoCo's format.
+    Mjcf,
+}
+
+impl ModelFormat {
+    /// The format by the first element of a text.
+    pub fn of(text: &str) -> Self {
+        let root = xml::parse(text).ok().map(|d| d.root_element().tag_name().name().to_string());
+        if root.is_some_and(|name| name.starts_with("mujoco")) { Self::Mjcf } else { Self::Urdf }
+    }
+
+    /// The tree of a text in this format.
+    ///
+    /// # Errors
+    /// Like [`urdf::tree`] and [`mjcf::tree`].
+    pub fn tree(self, text: &str, snap: &mut Snap) -> Result<Tree, ImportError> {
+        match self {
+            Self::Urdf => urdf::tree(text, snap),
+            Self::Mjcf => mjcf::tree(text, snap),
+        }
+    }
+}
+
+/// Why a file can't be imported.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ImportError {
+    /// Mistakes in the file, each with line and column.
+    #[error("{0}")]
+    File(Problems),
+    /// What the file holds, or what was asked, does not make a serial arm.
+    #[error("{what}{}{mend}", if mend.is_empty() { "" } else { "; " })]
+    Arm {
+        /// What stands in the way, by name.
+        what: String,
+        /// How to go on; may be empty.
+        mend: String,
+    },
+}
+
+impl ImportError {
+    fn arm(what: impl Into<String>, mend: impl Into<String>) -> Self {
+        Self::Arm { what: what.into(), mend: mend.into() }
+    }
+
+    /// The message with the name of the file in it.
+    pub fn in_file(&self, file: &str) -> String {
+        match self {
+            Self::File(problems) => problems.clone().in_file(file).to_string(),
+            Self::Arm { .. } => format!("{file}: {self}"),
+        }
+    }
+}
+
+impl From<Vec<Problem>> for ImportError {
+    fn from(problems: Vec<Problem>) -> Self {
+        Self::File(Problems(problems))
+    }
+}

@@ -1,0 +1,146 @@
+//! XML with places: elements, attributes, numbers, and every mistake with line and column.
+//!
+//! On `roxmltree`, because it knows where each attribute stands; a deserialiser (`urdf-rs`) stops
+//! at the first mistake, names no place, and fills in what is missing.
+
+use dh_codegen::robot::Problem;
+use roxmltree::{Attribute, Document, Node, ParsingOptions, TextPos};
+
+/// An element.
+pub(super) type Element<'a> = Node<'a, 'a>;
+
+/// Parses a text.
+pub(super) fn parse(text: &str) -> Result<Document<'_>, Vec<Problem>> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    if text.trim_start().is_empty() {
+        return Err(vec![problem(TextPos::new(1, 1), "", "the file is empty", "write a URDF or an MJCF model")]);
+    }
+    let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
+    Document::parse_with_options(text, options).map_err(|error| {
+        let mut what = error.to_string();
+        // The place stands in front already.
+        if let Some(at) = what.rfind(" at ") {
+            what.truncate(at);
+        }
+        vec![problem(error.pos(), "", format!("this is no well-formed XML: {what}"), "mend the XML at this place")]
+    })
+}
+
+pub(super) fn problem(at: TextPos, path: &str, what: impl Into<String>, mend: impl Into<String>) -> Problem {
+    Problem {
+        file: None,
+        path: path.to_string(),
+        line: at.row as usize,
+        column: at.col as usize,
+        what: what.into(),
+        mend: mend.into(),
+    }
+}
+
+/// Collects the mistakes of a file.
+#[derive(Debug, Default)]
+pub(super) struct Mistakes(pub(super) Vec<Problem>);
+
+impl Mistakes {
+    /// A mistake of a whole element.
+    pub(super) fn element(&mut self, at: Element<'_>, what: impl Into<String>, mend: impl Into<String>) {
+        let place = at.document().text_pos_at(at.range().start);
+        self.0.push(problem(place, &path(at), what, mend));
+    }
+
+    /// A mistake in an attribute.
+    pub(super) fn attribute(
+        &mut self,
+        at: Element<'_>,
+        attribute: &Attribute<'_, '_>,
+        what: impl Into<String>,
+        mend: impl Into<String>,
+    ) {
+        let place = at.document().text_pos_at(attribute.range_value().start);
+        self.0.push(problem(place, &format!("{}.{}", path(at), attribute.name()), what, mend));
+    }
+
+    /// The text of an attribute that must be there.
+    pub(super) fn required<'a>(&mut self, at: Element<'a>, name: &str) -> Option<&'a str> {
+        let value = at.attribute(name);
+        if value.is_none() {
+            self.element(at, format!("the attribute `{name}` is missing"), format!("write {name}=\"..\""));
+        }
+        value
+    }
+
+    /// So many numbers; `None` where the attribute is absent or wrong.
+    pub(super) fn numbers<const N: usize>(&mut self, at: Element<'_>, name: &str) -> Option<[f64; N]> {
+        let list = self.list(at, name)?;
+        let count = list.len();
+        let array: Option<[f64; N]> = list.try_into().ok();
+        if array.is_none() {
+            self.count(at, name, count, &N.to_string());
+        }
+        array
+    }
+
+    /// A mistake in the count of numbers.
+    pub(super) fn count(&mut self, at: Element<'_>, name: &str, count: usize, expected: &str) {
+        let Some(attribute) = find(at, name) else { return };
+        let mend = format!("write {expected} number(s), with blanks between them");
+        self.attribute(at, &attribute, format!("{count} number(s) stand here"), mend);
+    }
+
+    /// All numbers of an attribute; `None` where the attribute is absent or wrong.
+    pub(super) fn list(&mut self, at: Element<'_>, name: &str) -> Option<Vec<f64>> {
+        let attribute = find(at, name)?;
+        let mut numbers = Vec::new();
+        for word in attribute.value().split_whitespace() {
+            match word.parse::<f64>() {
+                Ok(number) if number.is_finite() => numbers.push(number),
+                _ => {
+                    let shown: String = word.chars().take(40).collect();
+                    let mend = match word.contains("${") || word.contains("$(") {
+                        true => "this is xacro: expand the file with `xacro FILE > robot.urdf` first",
+                        false => "write a decimal number",
+                    };
+                    self.attribute(at, &attribute, format!("`{shown}` is no finite number"), mend);
+                    return None;
+                }
+            }
+        }
+        Some(numbers)
+    }
+
+    /// One number.
+    pub(super) fn number(&mut self, at: Element<'_>, name: &str) -> Option<f64> {
+        self.numbers::<1>(at, name).map(|[number]| number)
+    }
+}
+
+fn find<'a>(at: Element<'a>, name: &str) -> Option<Attribute<'a, 'a>> {
+    at.attributes().find(|a| a.name() == name && a.namespace().is_none())
+}
+
+/// `joint "elbow" limit`: the element, from the nearest one that has a name.
+pub(super) fn path(at: Element<'_>) -> String {
+    let mut words = Vec::new();
+    for node in at.ancestors().filter(|n| n.is_element()) {
+        let name = node.attribute("name");
+        words.push(match name {
+            Some(name) => format!("{} \"{name}\"", node.tag_name().name()),
+            None => node.tag_name().name().to_string(),
+        });
+        if name.is_some() {
+            break;
+        }
+    }
+    words.reverse();
+    words.join(" ")
+}
+
+/// Child elements with this name.
+pub(super) fn children<'a>(at: Element<'a>, name: &'static str) -> impl Iterator<Item = Element<'a>> {
+    at.children().filter(move |n| n.is_element() && n.tag_name().name() == name)
+}
+
+/// The first child element with this name.
+pub(super) fn child<'a>(at: Element<'a>, name: &'static str) -> Option<Element<'a>> {
+    children(at, name).next()
+}

@@ -1,0 +1,24 @@
+//! What `denavit export` reports: what the format could not say.
+
+use core::fmt::Write;
+
+use serde_json::{Value, json};
+
+use crate::exchange::Exported;
+
+/// For people.
+pub fn export_text(name: &str, made: &Exported) -> String {
+    let mut t = format!("{name}: written\n");
+    if !made.left_out.is_empty() {
+        t += "  not in the file:\n";
+    }
+    for sentence in &made.left_out {
+        let _ = writeln!(t, "    {sentence}");
+    }
+    t
+}
+
+/// For programs.
+pub fn export_json(name: &str, made: &Exported) -> Value {
+    json!({ "name": name, "left_out": made.left_out })
+}

@@ -1,0 +1,4 @@
+//! What `denavit import` reports.
+
+pub mod json;
+pub mod text;
