@@ -194,6 +194,7 @@ fn measure(scene: &Scene, lwr: Lwr, settings: Settings<N>, steps: usize) -> Opti
         damping: 1e-4,
         moment: 0.87,
         turning: [0.5; N],
+        rest: [1e-4; N],
     };
     let mut controller = Controller::new(lwr.clone(), settings).ok()?;
     let mut estimator = Estimator::new(lwr, estimator);
