@@ -7,8 +7,8 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use denavit::simulate::{Control, Effect, Effects, Mode, Recording, Request, Sensors, Simulator, Trajectory};
-use dh_codegen::robot::effect::{LAWS, Place};
-use dh_codegen::robot::{JointKind, Robot};
+use dh_codegen::robot::effects::ExternalContact;
+use dh_codegen::robot::{EffectKind, JointKind, Robot};
 
 type Problem = Box<dyn std::error::Error>;
 
@@ -23,9 +23,9 @@ fn main() -> Result<(), Problem> {
     std::fs::create_dir_all(&folder)?;
     let motion = motion(robot.dof(), 1.0, 12.0)?;
     let plain = Simulator::new(&robot, &Effects::default())?.run(&motion, &exact(), &mut |_| {})?;
-    for law in &LAWS {
-        let picture = picture(&robot, law.name, law.place, &motion, &plain)?;
-        std::fs::write(folder.join(format!("{}.svg", law.name)), picture.svg(law.name))?;
+    for &kind in EffectKind::ALL {
+        let picture = picture(&robot, kind, &motion, &plain)?;
+        std::fs::write(folder.join(format!("{kind}.svg")), picture.svg(kind.name()))?;
     }
     Ok(())
 }
@@ -62,20 +62,14 @@ struct Picture {
     curve: Vec<[f64; 2]>,
 }
 
-fn picture(
-    robot: &Robot,
-    name: &str,
-    place: Place,
-    motion: &Trajectory,
-    plain: &Recording,
-) -> Result<Picture, Problem> {
-    let keys = if name == "gear_coupling" { vec![("joint".to_string(), 6.0)] } else { Vec::new() };
-    let effect = Effect { name: name.into(), parameters: keys };
+fn picture(robot: &Robot, kind: EffectKind, motion: &Trajectory, plain: &Recording) -> Result<Picture, Problem> {
+    let keys: &[(&str, f64)] = if kind == EffectKind::GearCoupling { &[("joint", 6.0)] } else { &[] };
+    let (name, effect) = (kind.name(), Effect::of_kind(kind, keys)?);
     let mut effects = Effects::default();
-    if place == Place::Robot {
-        effects.robot.push(effect);
-    } else {
+    if kind.description().scope.at_joint() {
         effects.joints.push((J, effect));
+    } else {
+        effects.robot.push(effect);
     }
     if name == "presliding_hysteresis" {
         return presliding(robot, &effects);
@@ -209,9 +203,9 @@ fn soft(robot: &Robot, effects: &Effects, name: &str) -> Result<Picture, Problem
     };
     let mut effects = effects.clone();
     if ringing {
-        let parameters = [("start", 0.05), ("end", 0.25), ("fx", 40.0), ("fy", 0.0), ("fz", 0.0)];
-        let parameters = parameters.map(|(key, value)| (key.to_string(), value)).to_vec();
-        effects.robot.push(Effect { name: "external_contact".into(), parameters });
+        let (start, end) = (Some(0.05), Some(0.25));
+        let push = ExternalContact { start, end, fx: Some(40.0), ..ExternalContact::default() };
+        effects.robot.push(push.into());
     }
     let mut request = Request { sensors: Sensors::perfect(if ringing { 500.0 } else { 100.0 }), ..Request::default() };
     if ringing {

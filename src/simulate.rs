@@ -56,7 +56,7 @@ mod tests;
 pub use crate::numerics::integrators::{Breakdown, Method, Solver};
 pub use contact::{External, Wall, Wrench};
 pub use control::{Control, Mode};
-pub use dh_codegen::robot::{Effect, Effects};
+pub use dh_codegen::robot::{Effect, EffectKind, Effects};
 pub use drive::Drive;
 pub use motion_warnings::motion_warnings;
 pub use sampled::{Instant, Sampled, Seen};
@@ -102,8 +102,8 @@ pub enum SimulateError {
     /// A law with an impossible parameter.
     #[error("{effect}{}: {key} is {value}; it must {must}", joint.map_or(String::new(), |joint| format!(" of joint {joint}")))]
     Effect {
-        /// Name of the effect.
-        effect: String,
+        /// Which effect.
+        effect: EffectKind,
         /// Number of the joint; `None`: of the whole robot.
         joint: Option<usize>,
         /// Its key.
@@ -113,11 +113,17 @@ pub enum SimulateError {
         /// What it must be.
         must: String,
     },
+    /// A contact that ends before it begins.
+    #[error("{}.end is {end}; it must be later than start", EffectKind::ExternalContact)]
+    Contact {
+        /// s
+        end: f64,
+    },
     /// An effect of a link that is not there.
-    #[error("link_inertia_error: {}; write the number of a link, 1 to {last}", number.map_or("no `link` is named".to_string(), |n| format!("there is no link {n}")))]
+    #[error("{}: {}; write the number of a link, 1 to {last}", EffectKind::LinkInertiaError, number.map_or("no `link` is named".to_string(), |n| format!("there is no link {n}")))]
     Link {
         /// What was given.
-        number: Option<f64>,
+        number: Option<usize>,
         /// Number of links.
         last: usize,
     },

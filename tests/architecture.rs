@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use dh_codegen::robot::EffectKind;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::spanned::Spanned;
@@ -207,6 +208,57 @@ fn only_report_serialises_and_only_cli_touches_disk_and_terminal() {
         }
     }
     assert!(wrong.is_empty(), "in the wrong domain:\n{}", wrong.join("\n"));
+}
+
+/// Text literals, also in macros' arguments, without documentation.
+fn literals(tokens: TokenStream, into: &mut Vec<String>) {
+    let trees: Vec<TokenTree> = tokens.into_iter().collect();
+    for (k, tree) in trees.iter().enumerate() {
+        match tree {
+            TokenTree::Group(group) => {
+                let attribute =
+                    k > 0 && matches!(&trees[k - 1], TokenTree::Punct(p) if p.as_char() == '#' || p.as_char() == '!');
+                let mut inner = group.stream().into_iter();
+                let documents = matches!(inner.next(), Some(TokenTree::Ident(word)) if word == "doc");
+                if !(attribute && documents) {
+                    literals(group.stream(), into);
+                }
+            }
+            TokenTree::Literal(literal) => {
+                into.extend(syn::parse_str::<syn::LitStr>(&literal.to_string()).map(|text| text.value()));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// An effect is a type: its name is written in its own file, and elsewhere only in examples for the
+/// reader.
+#[test]
+fn an_effect_is_named_in_its_own_file_alone() {
+    let examples = ["src/cli/simulate.rs", "src/report/reproduce/painting.rs"];
+    let mut wrong = Vec::new();
+    for (path, file) in ["src", "dh-macro/codegen/src"].iter().flat_map(|folder| sources(folder)) {
+        let mut texts = Vec::new();
+        literals(file.into_token_stream(), &mut texts);
+        for name in EffectKind::ALL.iter().map(|kind| kind.name()) {
+            let own = path == Path::new("dh-macro/codegen/src/robot/effects").join(name).with_extension("rs");
+            // `payload` and `backlash` are words of English too.
+            let words = |text: &str| {
+                name.contains('_') && text.split(|c: char| !(c.is_alphanumeric() || c == '_')).any(|w| w == name)
+            };
+            let prose =
+                path.starts_with("dh-macro/codegen/src/robot/effects") || examples.iter().any(|e| path == Path::new(e));
+            if !own && texts.iter().any(|text| text == name || (!prose && words(text))) {
+                wrong.push(format!("{}: {name}", path.display()));
+            }
+        }
+    }
+    assert!(
+        wrong.is_empty(),
+        "write the type (`EffectKind::..`, `..::NAME`) in place of the name:\n{}",
+        wrong.join("\n")
+    );
 }
 
 /// Functions with their lines, closures inside counted in.

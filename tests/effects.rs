@@ -241,7 +241,7 @@ fn the_generated_crate_says_the_same_bits() {
         |which: usize| (0..2).flat_map(|j| (0..50).map(move |k| (k, j))).map(|(k, j)| swing(k, j)[which]).collect();
     let states = States { len: 50, q: of(0), dq: of(1), ddq: of(2) };
     let mut undelayed = robot.clone();
-    undelayed.joints[1].drive.effects.retain(|e| e.name != "time_delay");
+    undelayed.joints[1].drive.effects.retain(|e| e.name() != "time_delay");
     let mut along = vec![0.0; 100];
     FileTorqueModel::new(&undelayed).unwrap().torques_along(&time, &states, &[], &mut along);
     let steps: String = (0..50)

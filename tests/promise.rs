@@ -84,7 +84,7 @@ fn played(simulator: &Simulator, name: &str, motion: &Trajectory, seed: u64, mod
 }
 
 fn effect(name: &str, parameters: &[(&str, f64)]) -> Effect {
-    Effect { name: name.into(), parameters: parameters.iter().map(|(k, v)| ((*k).to_string(), *v)).collect() }
+    Effect::from_keys(name, parameters).unwrap()
 }
 
 /// Root mean square errors of the file's inverse dynamics on a recording, ends cut off as the
@@ -246,7 +246,7 @@ macro_rules! promises {
             let (found, extended) = kept(&hidden);
             assert!(!found.causes.is_empty());
             // A spring whose arm swings is more than its law in the file; what that lacks is found.
-            if hidden.joints.iter().all(|(_, e)| e.name != "joint_elasticity") {
+            if hidden.joints.iter().all(|(_, e)| e.name() != "joint_elasticity") {
                 nothing_more(&hidden, &extended);
             }
         })*
@@ -316,7 +316,7 @@ fn springs_and_gaps_have_names() {
         (effect("backlash", &[("BL", 2e-3)]), 2, Mode::Exact, "BL", 0.15),
     ];
     for (hidden, joint, mode, key, tolerance) in cases {
-        let truth = hidden.parameters[0].1;
+        let truth = hidden.stated()[0].1;
         let simulator = Simulator::new(&robot(), &on(joint, &[hidden.clone(), rotor()])).unwrap();
         let run = |name: &str, seconds: f64, seed: u64| {
             played(&simulator, name, &trajectory(7, seconds, seed as f64), seed, mode)
@@ -328,7 +328,7 @@ fn springs_and_gaps_have_names() {
             found.causes.iter().map(|c| (c.cause, &c.joints[..], c.evidence.as_str())).collect();
         println!("{said:?}");
         let first = &found.causes[0];
-        assert_eq!((first.cause, &first.joints[..]), (hidden.name.as_str(), &[joint][..]), "{said:?}");
+        assert_eq!((first.cause, &first.joints[..]), (hidden.name(), &[joint][..]), "{said:?}");
         let value = first.parameters.iter().find(|p| p.symbol.starts_with(key)).unwrap().value;
         assert!((value / truth - 1.0).abs() < tolerance, "{key} {value}, hidden {truth}");
     }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use dh_codegen::arm::param::{self, Parameter};
-use dh_codegen::robot::{JointKind, Laws, Robot};
+use dh_codegen::robot::{EffectKind, JointKind, Laws, Robot};
 
 use super::Failure;
 use super::files;
@@ -153,7 +153,7 @@ impl Identify {
         let arm = Coupled::new(&bodies, couplings.into_iter().map(|(coupling, _)| coupling).collect());
         let prior = param::standard_values(&file.robot).map(|values| [values, given].concat());
 
-        let effects = FileEffects::of(&file.robot, &["gear_coupling"]);
+        let effects = FileEffects::of(&file.robot, &[EffectKind::GearCoupling]);
         effects.iter().for_each(|effects| effects.prepare(&mut prepare));
         let known = effects.as_ref().and_then(|effects| effects.known(&arm, prior.as_deref(), &prepare));
         let Read { fit, validate, mut prepared, logbook } =
@@ -510,7 +510,7 @@ impl Written {
 fn floors(robot: &Robot, arm: &dyn Arm) -> Vec<(usize, f64)> {
     let rows = (1..).zip(&robot.joints).filter(|(_, joint)| joint.kind != JointKind::Fixed).map(|(row, _)| row);
     let of = |(row, laws): (usize, Laws)| {
-        let [level, viscous] = laws.asymmetric;
+        let [level, viscous] = [laws.asymmetric.level(laws.rated), laws.asymmetric.viscous(laws.rated)];
         [(format!("FC{row}"), level.abs()), (format!("FV{row}"), viscous.abs())]
     };
     let place = |(name, least): (String, f64)| Some((arm.standard_names().iter().position(|n| *n == name)?, least));

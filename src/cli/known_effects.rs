@@ -1,6 +1,6 @@
 //! Effects of a robot file, as what identifications take as known.
 
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{EffectKind, Robot};
 
 use crate::data::signal::{Motion, Prepare};
 use crate::identify::KnownEffects;
@@ -16,13 +16,15 @@ pub(super) struct FileEffects {
 
 impl FileEffects {
     /// Those of `robot` but for the `fitted` ones; `None` where there are none.
-    pub(super) fn of(robot: &Robot, fitted: &[&str]) -> Option<Self> {
+    pub(super) fn of(robot: &Robot, fitted: &[EffectKind]) -> Option<Self> {
         let joints = (1..).zip(&robot.joints);
         let own = joints.flat_map(|(row, joint)| joint.drive.effects.iter().map(move |e| (Some(row), e)));
         let names: Vec<String> = own
             .chain(robot.effects.iter().map(|e| (None, e)))
-            .filter(|(_, effect)| !fitted.contains(&effect.name.as_str()))
-            .map(|(row, effect)| row.map_or(effect.name.clone(), |row| format!("{} of joint {row}", effect.name)))
+            .filter(|(_, effect)| !fitted.contains(&effect.kind()))
+            .map(|(row, effect)| {
+                row.map_or(effect.name().to_string(), |row| format!("{} of joint {row}", effect.name()))
+            })
             .collect();
         (!names.is_empty()).then(|| Self { names, model: FileTorqueModel::new(robot).ok() })
     }

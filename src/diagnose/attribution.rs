@@ -13,6 +13,7 @@ use super::uncertainty::{Uncertainty, parameters};
 use crate::diagnose::baseline_friction::Plain;
 use crate::diagnose::hypotheses::{COULOMB, Cause as _, Named, OFFSET, VISCOUS};
 use crate::diagnose::reported_cause::{Item, friction_values, place_of};
+use dh_codegen::robot::effects;
 
 /// A model whose causes are weighed.
 pub(super) struct Attribution<'a> {
@@ -107,7 +108,7 @@ pub(super) const MOST_MARGIN: f64 = 1e4;
 /// recording or an arm as a whole, whatever stands in the file; and every cause where all
 /// parameters were refitted as a matter of course.
 pub(super) fn values_last(causes: &mut Vec<Cause>, noise: &[f64]) {
-    let Some(at) = causes.iter().position(|c| c.cause == "link_inertia_error") else { return };
+    let Some(at) = causes.iter().position(|c| c.cause == effects::LinkInertiaError::NAME) else { return };
     let refitted = causes[at].keys.is_empty();
     let structure = |c: &Cause| {
         let joints = c.rms_before.iter().zip(&c.rms_after).zip(noise);
@@ -115,7 +116,7 @@ pub(super) fn values_last(causes: &mut Vec<Cause>, noise: &[f64]) {
         let most = shares.iter().copied().fold(0.0, f64::max);
         most > 0.5 || shares.iter().sum::<f64>() > 0.25 * shares.len() as f64
     };
-    let value = |c: &Cause| ["link_inertia_error", "payload", "unknown"].contains(&c.cause);
+    let value = |c: &Cause| [effects::LinkInertiaError::NAME, effects::Payload::NAME, "unknown"].contains(&c.cause);
     let tail = causes.split_off(at);
     let (first, rest): (Vec<Cause>, Vec<Cause>) =
         tail.into_iter().partition(|c| !value(c) && (refitted || c.joints.is_empty()) && structure(c));

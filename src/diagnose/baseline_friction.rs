@@ -5,6 +5,7 @@ use super::judge::{Accepted, Judge, adopt, chosen_of};
 use super::model::{Fitted, ModelUnderTest};
 use super::search::{SearchSettings, makes_sense};
 use crate::diagnose::hypotheses::Cause;
+use dh_codegen::robot::effects;
 
 /// What else the plain friction of a joint might be.
 pub struct Plain {
@@ -55,7 +56,11 @@ pub fn reconsider(
             let judge = Judge { bench, noise, settings, accepted: accepted.as_slice(), tried: ranked.len() };
             if let Some(mut judged) = judge.judge(&reduced, &next, &trial) {
                 judged.rivals = rivals(&ranked, 0, &next);
-                let names = [("viscous_friction", 0), ("coulomb_friction", 1), ("torque_offset", 2)];
+                let names = [
+                    (effects::ViscousFriction::NAME, 0),
+                    (effects::CoulombFriction::NAME, 1),
+                    (effects::TorqueOffset::NAME, 2),
+                ];
                 let margin = (best.score - plain) / memory;
                 let near = best.score - plain < (10.0 * memory).max(0.015 * best.score);
                 let plain = names.iter().filter(|(_, which)| near && free.contains(&(3 * j + which)));

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use super::judge::SURE;
 use super::model::{Chosen, Fitted, ModelUnderTest};
 use super::moments::Gain;
-use crate::diagnose::hypotheses::{CAUSES, Cause, Sign, UNIT};
+use crate::diagnose::hypotheses::{Cause, Sign, UNIT, causes};
 
 /// A cause in a place with its best shape.
 #[derive(Clone)]
@@ -77,7 +77,7 @@ pub fn candidates(
     wanted: &(dyn Fn(&'static dyn Cause, &[usize]) -> bool + Sync),
 ) -> Vec<Candidate> {
     let mut tasks: Vec<(&'static dyn Cause, Vec<usize>)> = Vec::new();
-    for cause in CAUSES {
+    for cause in causes() {
         tasks.extend(cause.places(&bench.scene).into_iter().filter(|p| wanted(cause, p)).map(|p| (cause, p)));
     }
     let next = AtomicUsize::new(0);

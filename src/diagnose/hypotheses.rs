@@ -4,6 +4,7 @@
 //! of columns: linear in its coefficients, with a few further numbers (`shape`: a speed, an order,
 //! a time) that are searched on a grid and then refined.
 
+use dh_codegen::robot::EffectKind;
 use nalgebra::DMatrix;
 
 use crate::diagnose::windowed_data::{Column, WindowedData};
@@ -189,8 +190,13 @@ pub enum Over {
 
 /// A hypothesis of the vocabulary.
 pub trait Cause: Sync {
-    /// Identifier of the contract's section 5.
-    fn name(&self) -> &'static str;
+    /// The effect that it looks for.
+    fn effect(&self) -> EffectKind;
+
+    /// Its name in files and reports.
+    fn name(&self) -> &'static str {
+        self.effect().name()
+    }
 
     /// What kind of thing it is.
     fn kind(&self) -> Kind;
@@ -353,35 +359,47 @@ pub trait Cause: Sync {
     fn shown_by(&self) -> &'static str;
 }
 
-/// All hypotheses that add columns, in the order of the contract.
-pub static CAUSES: [&dyn Cause; 22] = [
-    &asymmetric_friction::AsymmetricFriction,
-    &stribeck_friction::StribeckFriction,
-    &nonlinear_viscous_friction::NonlinearViscousFriction,
-    &load_dependent_friction::LoadDependentFriction,
-    &presliding_hysteresis::PreslidingHysteresis,
-    &friction_drift::FrictionDrift,
-    &position_dependent_friction::PositionDependentFriction,
-    &rotor_inertia::RotorInertia,
-    &torque_ripple::TorqueRipple,
-    &joint_elasticity::JointElasticity,
-    &backlash::Backlash,
-    &gear_coupling::GearCoupling,
-    &torque_gain_error::TorqueGainError,
-    &torque_saturation::TorqueSaturation,
-    &encoder_offset::EncoderOffset,
-    &geometric_error::GeometricError,
-    &link_inertia_error::LinkInertiaError,
-    &payload::Payload,
-    &base_tilt::BaseTilt,
-    &joint_spring::JointSpring,
-    &external_contact::ExternalContact,
-    &time_delay::TimeDelay,
-];
+/// The hypothesis that looks for an effect.
+pub fn hypothesis(effect: EffectKind) -> &'static dyn Cause {
+    match effect {
+        EffectKind::ViscousFriction => &VISCOUS,
+        EffectKind::CoulombFriction => &COULOMB,
+        EffectKind::AsymmetricFriction => &asymmetric_friction::AsymmetricFriction,
+        EffectKind::StribeckFriction => &stribeck_friction::StribeckFriction,
+        EffectKind::NonlinearViscousFriction => &nonlinear_viscous_friction::NonlinearViscousFriction,
+        EffectKind::LoadDependentFriction => &load_dependent_friction::LoadDependentFriction,
+        EffectKind::PreslidingHysteresis => &presliding_hysteresis::PreslidingHysteresis,
+        EffectKind::FrictionDrift => &friction_drift::FrictionDrift,
+        EffectKind::PositionDependentFriction => &position_dependent_friction::PositionDependentFriction,
+        EffectKind::RotorInertia => &rotor_inertia::RotorInertia,
+        EffectKind::TorqueRipple => &torque_ripple::TorqueRipple,
+        EffectKind::JointElasticity => &joint_elasticity::JointElasticity,
+        EffectKind::Backlash => &backlash::Backlash,
+        EffectKind::GearCoupling => &gear_coupling::GearCoupling,
+        EffectKind::TorqueGainError => &torque_gain_error::TorqueGainError,
+        EffectKind::TorqueOffset => &OFFSET,
+        EffectKind::TorqueSaturation => &torque_saturation::TorqueSaturation,
+        EffectKind::EncoderOffset => &encoder_offset::EncoderOffset,
+        EffectKind::GeometricError => &geometric_error::GeometricError,
+        EffectKind::LinkInertiaError => &link_inertia_error::LinkInertiaError,
+        EffectKind::Payload => &payload::Payload,
+        EffectKind::BaseTilt => &base_tilt::BaseTilt,
+        EffectKind::JointSpring => &joint_spring::JointSpring,
+        EffectKind::ExternalContact => &external_contact::ExternalContact,
+        EffectKind::TimeDelay => &time_delay::TimeDelay,
+    }
+}
+
+/// All hypotheses that add columns, in the order of the vocabulary: those of the baseline friction
+/// have theirs already.
+pub fn causes() -> impl Iterator<Item = &'static dyn Cause> {
+    let plain = [EffectKind::ViscousFriction, EffectKind::CoulombFriction, EffectKind::TorqueOffset];
+    EffectKind::ALL.iter().filter(move |effect| !plain.contains(effect)).map(|&effect| hypothesis(effect))
+}
 
 /// The hypothesis of this name.
 pub fn by_name(name: &str) -> Option<&'static dyn Cause> {
-    CAUSES.iter().copied().chain(plain::ALL).find(|c| c.name() == name)
+    EffectKind::of(name).map(hypothesis)
 }
 
 /// To what the coefficient of a [`Cause::unit`] is known to be 1: filters and windows leave so much

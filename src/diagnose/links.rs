@@ -8,6 +8,7 @@ use super::model::{Mode, ModelUnderTest};
 use super::result::Cause;
 use crate::diagnose::attribution::MOST_MARGIN;
 use crate::diagnose::refine_and_select::{Case, Settled};
+use dh_codegen::robot::effects;
 
 impl Case<'_> {
     /// The cause, where base parameters differ from the file's, and the file's beside everything
@@ -32,7 +33,7 @@ impl Case<'_> {
             return None;
         }
         Some(Cause {
-            cause: "link_inertia_error",
+            cause: effects::LinkInertiaError::NAME,
             evidence: format!(
                 "the base parameters of joint(s) {joints:?} differ from the file's by more than five of their standard deviations; with the file's own and everything else that was found {} N m are missed on the validating logs (RMS over joints), with these {} N m",
                 evidence::short(root_mean_square(&without.rms)),

@@ -6,6 +6,7 @@
 //! base parameters, where the diagnosis took them anew). Causes that are the same on paper, or that
 //! act through their past, have no such motion.
 
+use dh_codegen::robot::EffectKind;
 use std::sync::atomic::AtomicBool;
 
 use dh_codegen::robot::Robot;
@@ -203,46 +204,49 @@ fn columns(
         let change = Change::Row { row: *plant.rows().get(j?)?, alpha: by(0), d: by(1), theta: by(2), r: by(3) };
         Some(Column::Changed(change, at, name))
     };
-    let all: Vec<Option<Column>> = match cause {
-        "viscous_friction" => vec![own(Law::Viscous, "FV")],
-        "coulomb_friction" => vec![own(Law::Coulomb, "FC")],
-        "torque_offset" => vec![own(Law::Offset, "TO")],
-        "asymmetric_friction" => vec![own(Law::Directional, "FVA")],
-        "stribeck_friction" => vec![own(Law::Stribeck(or("VS", 0.1), or("DS", 2.0)), "FS")],
-        "nonlinear_viscous_friction" => vec![own(Law::Power(or("EN", 0.5)), "FN")],
-        "load_dependent_friction" => vec![own(Law::Load, "FL")],
-        "torque_gain_error" => vec![own(Law::Gain, "GT")],
-        "rotor_inertia" => vec![own(Law::Rotor, "IA")],
-        "joint_spring" => vec![own(Law::Spring, "KS")],
-        "position_dependent_friction" => {
+    let all: Vec<Option<Column>> = match EffectKind::of(cause)? {
+        EffectKind::ViscousFriction => vec![own(Law::Viscous, "FV")],
+        EffectKind::CoulombFriction => vec![own(Law::Coulomb, "FC")],
+        EffectKind::TorqueOffset => vec![own(Law::Offset, "TO")],
+        EffectKind::AsymmetricFriction => vec![own(Law::Directional, "FVA")],
+        EffectKind::StribeckFriction => vec![own(Law::Stribeck(or("VS", 0.1), or("DS", 2.0)), "FS")],
+        EffectKind::NonlinearViscousFriction => vec![own(Law::Power(or("EN", 0.5)), "FN")],
+        EffectKind::LoadDependentFriction => vec![own(Law::Load, "FL")],
+        EffectKind::TorqueGainError => vec![own(Law::Gain, "GT")],
+        EffectKind::RotorInertia => vec![own(Law::Rotor, "IA")],
+        EffectKind::JointSpring => vec![own(Law::Spring, "KS")],
+        EffectKind::PositionDependentFriction => {
             let n = or("PN", 1.0);
             vec![own(Law::Cosine(n, true), "PC"), own(Law::Sine(n, true), "PS")]
         }
-        "torque_ripple" => {
+        EffectKind::TorqueRipple => {
             let n = key("RN").or(plant.gear_ratios().get(j?).copied().flatten().map(f64::abs)).unwrap_or(32.0);
             vec![own(Law::Cosine(n, false), "RC"), own(Law::Sine(n, false), "RS")]
         }
-        "encoder_offset" => vec![j.map(Column::Zero)],
-        "joint_elasticity" => vec![j.map(Column::Deflection)],
-        "time_delay" => vec![Some(Column::Late(j))],
-        "base_tilt" => vec![
+        EffectKind::EncoderOffset => vec![j.map(Column::Zero)],
+        EffectKind::JointElasticity => vec![j.map(Column::Deflection)],
+        EffectKind::TimeDelay => vec![Some(Column::Late(j))],
+        EffectKind::BaseTilt => vec![
             Some(Column::Changed(Change::Base { roll: 1e-3, pitch: 0.0 }, 1e-3, "roll")),
             Some(Column::Changed(Change::Base { roll: 0.0, pitch: 1e-3 }, 1e-3, "pitch")),
         ],
-        "geometric_error" => {
-            let known = ["DALPHA", "DD", "DTHETA", "DR"].iter().position(|name| key(name).is_some());
-            match known.unwrap_or(1) {
-                0 => vec![row(1e-3, 0, "DALPHA")],
-                2 => vec![row(1e-3, 2, "DTHETA")],
-                3 => vec![row(1e-3, 3, "DR")],
-                _ => vec![row(1e-3, 1, "DD")],
-            }
+        EffectKind::GeometricError => {
+            const KEYS: [&str; 4] = ["DALPHA", "DD", "DTHETA", "DR"];
+            let which = KEYS.iter().position(|name| key(name).is_some()).unwrap_or(1);
+            vec![row(1e-3, which, KEYS[which])]
         }
-        "gear_coupling" => {
+        EffectKind::GearCoupling => {
             let (m, k) = (j?, place.get(1).copied().filter(|k| *k < plant.dof())?);
             (0..3).map(|which| Some(Column::Coupled(m, k, or("KC", 1.0), which))).collect()
         }
-        _ => return None, // it remembers, it clips, or it acts in one log: not a matter of the state
+        // With memory, with a limit, of some time or of one log: not functions of the state alone.
+        EffectKind::PreslidingHysteresis
+        | EffectKind::FrictionDrift
+        | EffectKind::Backlash
+        | EffectKind::TorqueSaturation
+        | EffectKind::LinkInertiaError
+        | EffectKind::Payload
+        | EffectKind::ExternalContact => return None,
     };
     all.into_iter().collect()
 }
@@ -499,8 +503,7 @@ mod tests {
             let mut out = vec![0.0; family.pattern.len() * 4];
             family.evaluate(&states, &mut out);
             let mut changed = robot.clone();
-            let parameters = keys.iter().map(|(k, v)| ((*k).to_string(), *v)).collect();
-            changed.joints[1].drive.effects.push(Effect { name: name.into(), parameters });
+            changed.joints[1].drive.effects.push(Effect::from_keys(name, keys).unwrap());
             for (at, (a, b)) in torques(&changed).iter().zip(&plain).enumerate() {
                 let expected = (a - b) / size;
                 let value = out[which * 8 + at];

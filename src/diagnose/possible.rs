@@ -2,6 +2,7 @@
 //! inertias, friction levels and sizes of laws that are not negative. This is the model that is
 //! measured, offered and written.
 
+use dh_codegen::robot::EffectKind;
 use nalgebra::{DMatrix, DVector};
 
 use super::model::{Chosen, Fitted, Mode, ModelUnderTest, given_friction, inertial, local, units, without_friction};
@@ -123,7 +124,7 @@ impl ModelUnderTest<'_> {
             least.push(bounded.then(|| -file.unwrap_or(0.0).max(0.0)));
         }
         for (c, terms) in chosen.iter().zip(&fitted.terms) {
-            let rotor = c.cause.name() == "rotor_inertia";
+            let rotor = c.cause.effect() == EffectKind::RotorInertia;
             let own = |sign: Sign| match sign {
                 Sign::Positive => Some(0.0),
                 Sign::Any if rotor => Some(-self.scene.rotors[c.place[0]].max(0.0)),

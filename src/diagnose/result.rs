@@ -1,5 +1,7 @@
 //! What a diagnosis says: plain data.
 
+use dh_codegen::robot::EffectKind;
+
 use crate::diagnose::hypotheses::Named;
 
 /// The whole in a word.
@@ -56,7 +58,7 @@ pub struct Evidence {
 /// A cause that was found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cause {
-    /// Identifier of the contract's section 5.
+    /// Name of the effect, or `unknown`.
     pub cause: &'static str,
     /// Joints, from 1; empty for the whole robot.
     pub joints: Vec<usize>,
@@ -194,7 +196,7 @@ pub struct Diagnosis {
     pub friction: Vec<Cause>,
     /// Effects of the file that the data contradict: taken out, and looked for anew. Identifier and
     /// joint (from 0), `None`: the whole robot.
-    pub forgotten: Vec<(String, Option<usize>)>,
+    pub forgotten: Vec<(EffectKind, Option<usize>)>,
     /// What to do next.
     pub next_experiment: Option<NextExperiment>,
     /// Whether the validating data are logs of their own, or the ends of the fitted ones.

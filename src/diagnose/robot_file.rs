@@ -3,8 +3,7 @@
 use super::{Cause, Diagnosis};
 use crate::model::robot_edit::{with_values, without};
 use dh_codegen::arm::param::{self, DriveTerm, Parameter};
-use dh_codegen::robot::effect::Law;
-use dh_codegen::robot::{Effect, Inertia, Robot};
+use dh_codegen::robot::{Effect, EffectKind, Inertia, Robot};
 
 const BODY: [&str; 10] = ["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"];
 
@@ -31,7 +30,7 @@ pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
                 .collect();
             // They are those of the bodies as they are.
             let mut robot = with_values(robot, &values);
-            let body = |e: &Effect| e.name == "payload" || e.name == "link_inertia_error";
+            let body = |e: &Effect| matches!(e, Effect::Payload(_) | Effect::LinkInertiaError(_));
             robot.effects.retain(|e| !body(e));
             robot.joints.iter_mut().for_each(|joint| joint.drive.effects.retain(|e| !body(e)));
             robot
@@ -39,15 +38,16 @@ pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
         _ => robot,
     };
     let moving = robot.moving();
-    let of = |cause: &str, row: usize| {
-        let here = |c: &&Cause| c.cause == cause && c.joints.first().and_then(|j| moving.get(j - 1)) == Some(&row);
+    let of = |effect: EffectKind, row: usize| {
+        let here =
+            |c: &&Cause| c.cause == effect.name() && c.joints.first().and_then(|j| moving.get(j - 1)) == Some(&row);
         found.causes.iter().find(here).and_then(|c| c.keys.first()).map(|named| named.value)
     };
     for cause in found.friction.iter().chain(&found.causes) {
         let row = cause.joints.first().and_then(|j| moving.get(j - 1)).copied();
         let sensor = Sensor {
-            gain: row.and_then(|row| of("torque_gain_error", row)).filter(|g| *g != 0.0).unwrap_or(1.0),
-            zero: row.and_then(|row| of("encoder_offset", row)).unwrap_or(0.0),
+            gain: row.and_then(|row| of(EffectKind::TorqueGainError, row)).filter(|g| *g != 0.0).unwrap_or(1.0),
+            zero: row.and_then(|row| of(EffectKind::EncoderOffset, row)).unwrap_or(0.0),
         };
         write_cause(&mut robot, row, &moving, cause, sensor);
     }
@@ -69,11 +69,11 @@ const SIZES: [&str; 15] =
 
 impl Sensor {
     /// A law's keys before the sensor. `coulomb`: the joint's level, which `FS` includes.
-    fn before(self, cause: &str, keys: &mut [(String, f64)], coulomb: f64) {
+    fn before(self, effect: EffectKind, keys: &mut [(String, f64)], coulomb: f64) {
         let Self { gain, zero } = self;
         for (key, value) in keys.iter_mut().filter(|(key, _)| SIZES.contains(&key.as_str())) {
-            *value = match (cause, key.as_str()) {
-                ("torque_offset", _) => *value, // behind the gain, as it was found
+            *value = match (effect, key.as_str()) {
+                (EffectKind::TorqueOffset, _) => *value, // behind the gain, as it was found
                 (_, "FS") => coulomb + (*value - coulomb) / gain,
                 _ => *value / gain,
             };
@@ -81,10 +81,12 @@ impl Sensor {
         if zero == 0.0 {
             return;
         }
-        match cause {
-            "torque_ripple" => turn(keys, ["RN", "RC", "RS"], zero),
-            "position_dependent_friction" => turn(keys, ["PN", "PC", "PS"], zero),
-            "joint_spring" => keys.iter_mut().filter(|(key, _)| key == "QS").for_each(|(_, rest)| *rest += zero),
+        match effect {
+            EffectKind::TorqueRipple => turn(keys, ["RN", "RC", "RS"], zero),
+            EffectKind::PositionDependentFriction => turn(keys, ["PN", "PC", "PS"], zero),
+            EffectKind::JointSpring => {
+                keys.iter_mut().filter(|(key, _)| key == "QS").for_each(|(_, rest)| *rest += zero)
+            }
             _ => {}
         }
     }
@@ -104,18 +106,68 @@ fn turn(keys: &mut [(String, f64)], [order, cosine, sine]: [&str; 3], zero: f64)
     }
 }
 
+/// What was found of an effect, in the keys by which a file states it.
+fn in_terms_of_the_file(
+    robot: &Robot,
+    row: Option<usize>,
+    moving: &[usize],
+    cause: &Cause,
+    kind: EffectKind,
+    keys: &mut Vec<(String, f64)>,
+) {
+    let drive = row.map(|row| &robot.joints[row].drive);
+    match kind {
+        EffectKind::GearCoupling => {
+            if let Some(other) = cause.joints.get(1).and_then(|j| moving.get(j - 1)) {
+                keys.insert(0, ("joint".into(), (other + 1) as f64));
+            }
+        }
+        // While the joint moves, half a difference of the Coulomb levels is an offset.
+        EffectKind::AsymmetricFriction => {
+            keys.iter_mut().filter(|(key, _)| key == "TO").for_each(|(key, _)| *key = "FCA".into())
+        }
+        // The spring's rest takes the place of the whole offset; the file's own part of it stays
+        // where it is.
+        EffectKind::JointSpring => {
+            let own = drive.and_then(|d| d.offset).unwrap_or(0.0);
+            let stiffness = keys.iter().find(|(key, _)| key == "KS").map_or(0.0, |(_, k)| *k);
+            if stiffness != 0.0 {
+                keys.iter_mut().filter(|(key, _)| key == "QS").for_each(|(_, rest)| *rest += own / stiffness);
+            }
+        }
+        // Of a mass without a tensor the file would think as of a point.
+        EffectKind::Payload if !keys.iter().any(|(key, _)| BODY[4..].contains(&key.as_str())) => {
+            keys.push(("XX".into(), 0.0))
+        }
+        // A delay of one joint is counted from nothing, and the file adds it to that of all; that
+        // of all is counted on the first joint.
+        EffectKind::TimeDelay => {
+            let delay = |e: &Effect| if let Effect::TimeDelay(e) = e { e.delay } else { None };
+            let first = moving.first().map(|row| robot.joints[*row].drive.effects.iter());
+            let other = match row {
+                Some(_) => robot.effects.iter().find_map(delay),
+                None => first.and_then(|mut effects| effects.find_map(delay)),
+            };
+            keys.iter_mut().filter(|(key, _)| key == "TD").for_each(|(_, late)| *late -= other.unwrap_or(0.0));
+        }
+        _ => {}
+    }
+}
+
 fn write_cause(robot: &mut Robot, row: Option<usize>, moving: &[usize], cause: &Cause, sensor: Sensor) {
+    // A structure that no effect explains can not be written.
+    let Some(kind) = EffectKind::of(cause.cause) else { return };
     let mut left: Vec<(String, f64)> = Vec::new();
     for named in &cause.keys {
         let drive = row.map(|row| &mut robot.joints[row].drive);
         match (named.symbol.as_str(), drive) {
             ("FV", Some(drive)) => drive.viscous_friction = Some(named.value),
             ("FC", Some(drive)) => drive.coulomb_friction = Some(named.value),
-            ("IA", Some(drive)) if cause.cause == "rotor_inertia" => drive.rotor_inertia = Some(named.value),
+            ("IA", Some(drive)) if kind == EffectKind::RotorInertia => drive.rotor_inertia = Some(named.value),
             _ => left.push((named.symbol.clone(), named.value)),
         }
     }
-    if cause.cause == "link_inertia_error" {
+    if kind == EffectKind::LinkInertiaError {
         if let Some(row) = row {
             let mut values = robot.links.get(row).copied().flatten().map_or([0.0; 10], Inertia::to_array);
             for (symbol, by) in &left {
@@ -129,63 +181,28 @@ fn write_cause(robot: &mut Robot, row: Option<usize>, moving: &[usize], cause: &
         }
         return;
     }
-    if left.is_empty() || cause.cause == "unknown" {
-        return;
-    }
-    let drive = row.map(|row| &robot.joints[row].drive);
-    match cause.cause {
-        "gear_coupling" => {
-            if let Some(other) = cause.joints.get(1).and_then(|j| moving.get(j - 1)) {
-                left.insert(0, ("joint".into(), (other + 1) as f64));
-            }
-        }
-        // While the joint moves, half a difference of the Coulomb levels is an offset.
-        "asymmetric_friction" => {
-            left.iter_mut().filter(|(key, _)| key == "TO").for_each(|(key, _)| *key = "FCA".into())
-        }
-        // The spring's rest takes the place of the whole offset; the file's own part of it stays
-        // where it is.
-        "joint_spring" => {
-            let own = drive.and_then(|d| d.offset).unwrap_or(0.0);
-            let stiffness = left.iter().find(|(key, _)| key == "KS").map_or(0.0, |(_, k)| *k);
-            if stiffness != 0.0 {
-                left.iter_mut().filter(|(key, _)| key == "QS").for_each(|(_, rest)| *rest += own / stiffness);
-            }
-        }
-        // Of a mass without a tensor the file would think as of a point.
-        "payload" if !left.iter().any(|(key, _)| BODY[4..].contains(&key.as_str())) => left.push(("XX".into(), 0.0)),
-        // A delay of one joint is counted from nothing, and the file adds it to that of all; that
-        // of all is counted on the first joint.
-        "time_delay" => {
-            let stated = |e: &Effect| e.parameters.iter().find(|(key, _)| key == "TD").map(|(_, value)| *value);
-            let first = moving.first().map(|row| robot.joints[*row].drive.effects.iter());
-            let other = match row {
-                Some(_) => robot.effects.iter().find(|e| e.name == "time_delay").and_then(stated),
-                None => first.and_then(|mut effects| effects.find(|e| e.name == "time_delay")).and_then(stated),
-            };
-            left.iter_mut().filter(|(key, _)| key == "TD").for_each(|(_, late)| *late -= other.unwrap_or(0.0));
-        }
-        _ => {}
-    }
-    sensor.before(cause.cause, &mut left, drive.and_then(|d| d.coulomb_friction).unwrap_or(0.0));
-    // The file knows the keys of its own table; what else was found stands in the comments and the
-    // JSON.
-    let Some(law) = Law::of(cause.cause) else { return };
-    left.retain(|(key, _)| law.key(key).is_some());
     if left.is_empty() {
         return;
     }
+    in_terms_of_the_file(robot, row, moving, cause, kind, &mut left);
+    let drive = row.map(|row| &robot.joints[row].drive);
+    sensor.before(kind, &mut left, drive.and_then(|d| d.coulomb_friction).unwrap_or(0.0));
+    // The file knows the keys of its own table; what else was found stands in the comments and the
+    // JSON.
+    left.retain(|(key, _)| kind.description().key(key).is_some());
+    if left.is_empty() {
+        return;
+    }
+    // A coupling without its other joint can not be written.
+    let Ok(effect) = Effect::of_kind(kind, &left) else { return };
     let effects = match row {
         Some(row) => &mut robot.joints[row].drive.effects,
         None => &mut robot.effects,
     };
-    match effects.iter_mut().find(|e| e.name == cause.cause) {
+    match (effects.iter_mut().find(|e| e.kind() == kind), effect) {
         // A second ripple of the same joint: its keys are numbered.
-        Some(known) if law.repeats => {
-            let number = 1 + known.parameters.iter().filter(|(k, _)| k.starts_with(left[0].0.as_str())).count();
-            known.parameters.extend(left.into_iter().map(|(k, v)| (format!("{k}{number}"), v)));
-        }
-        Some(known) => known.parameters = left,
-        None => effects.push(Effect { name: cause.cause.to_string(), parameters: left }),
+        (Some(Effect::TorqueRipple(known)), Effect::TorqueRipple(more)) => known.extend(more),
+        (Some(known), effect) => *known = effect,
+        (None, effect) => effects.push(effect),
     }
 }

@@ -12,6 +12,7 @@ use crate::diagnose::reported_cause::quiet;
 use crate::diagnose::torque_noise::torque_noise;
 use crate::identify::ConsistentError;
 use crate::model::PerturbableArm;
+use dh_codegen::robot::EffectKind;
 
 /// How to diagnose.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,18 +70,18 @@ pub fn diagnose(
     let mut found = once(plant, fit, validate, settings, progress)?;
     // Where an effect is found that the file has already, the data contradict the file's; two of a
     // kind are not written beside each other. So that one is taken out and looked for anew.
-    let mut forgotten: Vec<(String, Option<usize>)> = Vec::new();
+    let mut forgotten: Vec<(EffectKind, Option<usize>)> = Vec::new();
     let baseline = found.baseline.clone();
     for _ in 0..2 {
         let known = plant.effects();
-        let again = |name: &str, joint: Option<usize>| {
-            let same = |c: &&Cause| c.cause == name && c.joints.first().map(|j| j - 1) == joint;
-            !ADDS_UP.contains(&name) && found.causes.iter().any(|c| same(&c))
+        let again = |effect: EffectKind, joint: Option<usize>| {
+            let same = |c: &&Cause| c.cause == effect.name() && c.joints.first().map(|j| j - 1) == joint;
+            !ADDS_UP.contains(&effect) && found.causes.iter().any(|c| same(&c))
         };
         let before = forgotten.len();
-        for (name, joint) in known {
-            if again(&name, joint) && !forgotten.contains(&(name.clone(), joint)) {
-                forgotten.push((name, joint));
+        for (effect, joint) in known {
+            if again(effect, joint) && !forgotten.contains(&(effect, joint)) {
+                forgotten.push((effect, joint));
             }
         }
         if forgotten.len() == before {
@@ -100,7 +101,7 @@ pub(super) const KEPT: f64 = 0.7;
 
 /// Effects of which what is found can be written into the file beside what it has: totals,
 /// differences of bodies, further orders.
-const ADDS_UP: [&str; 3] = ["time_delay", "link_inertia_error", "torque_ripple"];
+const ADDS_UP: [EffectKind; 3] = [EffectKind::TimeDelay, EffectKind::LinkInertiaError, EffectKind::TorqueRipple];
 
 /// [`diagnose`] with the effects of the file as they are.
 fn once(

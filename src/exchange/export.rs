@@ -2,7 +2,7 @@
 
 use core::fmt::Write;
 
-use dh_codegen::robot::{Convention, Inertia, Joint, JointKind, Robot};
+use dh_codegen::robot::{Convention, Effect, EffectKind, Inertia, Joint, JointKind, Robot};
 use nalgebra::{Matrix3, Vector3};
 
 use super::ModelFormat;
@@ -281,9 +281,11 @@ fn mjcf_joint(t: &mut String, joint: &Joint, indent: &str, left_out: &mut Vec<St
 
 /// Stiffness and position without torque of a joint's spring.
 pub(super) fn spring(joint: &Joint) -> Option<[f64; 2]> {
-    let effect = joint.drive.effects.iter().find(|e| e.name == "joint_spring")?;
-    let value = |key: &str| effect.parameters.iter().find(|(k, _)| k == key).map(|(_, v)| *v);
-    Some([value("KS")?, value("QS").unwrap_or(0.0)])
+    let spring = joint.drive.effects.iter().find_map(|effect| match effect {
+        Effect::JointSpring(spring) => Some(*spring),
+        _ => None,
+    })?;
+    Some([spring.stiffness?, spring.rest()])
 }
 
 /// What no model of the format has.
@@ -298,10 +300,10 @@ fn effects(robot: &Robot, format: ModelFormat, left_out: &mut Vec<String>) {
             left_out.push(format!("the constant torque of `{}`", joint.name));
         }
         for effect in &drive.effects {
-            if !(effect.name == "joint_spring" && format == ModelFormat::Mjcf) {
-                left_out.push(format!("{} of `{}`", effect.name, joint.name));
+            if !(effect.kind() == EffectKind::JointSpring && format == ModelFormat::Mjcf) {
+                left_out.push(format!("{} of `{}`", effect.name(), joint.name));
             }
         }
     }
-    left_out.extend(robot.effects.iter().map(|effect| format!("{} of the robot", effect.name)));
+    left_out.extend(robot.effects.iter().map(|effect| format!("{} of the robot", effect.name())));
 }

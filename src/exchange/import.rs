@@ -1,8 +1,7 @@
 //! A tree to a robot file, and how well it met.
 
-use dh_codegen::robot::{
-    Collision, Convention, Drive, Effect, Inertia, Joint, JointKind, Limits, Robot, Tool, crate_name,
-};
+use dh_codegen::robot::effects::JointSpring;
+use dh_codegen::robot::{Collision, Convention, Drive, Inertia, Joint, JointKind, Limits, Robot, Tool, crate_name};
 use nalgebra::Vector3;
 
 use super::chain::Chain;
@@ -344,8 +343,7 @@ fn drive(read: &TreeJoint, found: &mut Found) -> Drive {
         ..Drive::default()
     };
     if let Some([stiffness, position]) = read.spring.filter(|[stiffness, _]| *stiffness != 0.0) {
-        let parameters = vec![("KS".to_string(), stiffness), ("QS".to_string(), position)];
-        drive.effects.push(Effect { name: "joint_spring".to_string(), parameters });
+        drive.effects.push(JointSpring { stiffness: Some(stiffness), rest: Some(position) }.into());
     }
     drive
 }

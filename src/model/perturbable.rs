@@ -1,5 +1,7 @@
 //! An arm whose geometry can be changed: the requirements of a diagnosis.
 
+use dh_codegen::robot::EffectKind;
+
 use super::arm::{Arm, States};
 use super::likely_bodies::PriorBody;
 
@@ -53,10 +55,9 @@ pub trait PerturbableArm: Arm {
     /// it has links.
     fn given_drive(&self, index: usize) -> f64;
 
-    /// Effects that the file knows beyond rotors, `FV`, `FC` and `FO`: identifier of contract
-    /// section 5 and joint (from 0; `None`: the whole robot). Those of geometry and bodies are in
+    /// Effects that the file knows beyond rotors, `FV`, `FC` and `FO`: its name and joint (from 0; `None`: the whole robot). Those of geometry and bodies are in
     /// the arm itself, delays in [`PerturbableArm::delays`], the rest in [`PerturbableArm::known`].
-    fn effects(&self) -> Vec<(String, Option<usize>)> {
+    fn effects(&self) -> Vec<(EffectKind, Option<usize>)> {
         Vec::new()
     }
 
@@ -85,7 +86,7 @@ pub trait PerturbableArm: Arm {
     }
 
     /// The same arm whose file does not know some of its [`PerturbableArm::effects`].
-    fn without(&self, _effects: &[(String, Option<usize>)]) -> Option<Box<dyn PerturbableArm>> {
+    fn without(&self, _effects: &[(EffectKind, Option<usize>)]) -> Option<Box<dyn PerturbableArm>> {
         None
     }
 

@@ -2,7 +2,7 @@
 //! recursion for the arm as it might be.
 
 use dh_codegen::arm::param::{self, Parameter};
-use dh_codegen::robot::{Angle, Effect, Inertia, Length, Robot};
+use dh_codegen::robot::{Angle, Effect, EffectKind, Inertia, Length, Robot};
 use nalgebra::Matrix3;
 
 use crate::model::file_torque_model::FileTorqueModel;
@@ -51,7 +51,7 @@ impl PerturbableRobot {
 
 /// Predictors of a file and of the arm as it is without its drives' laws, both as late.
 fn laws(file: &Robot, real: &Robot) -> Option<(FileTorqueModel, FileTorqueModel)> {
-    let late = |e: &Effect| e.name == "time_delay";
+    let late = |e: &Effect| e.kind() == EffectKind::TimeDelay;
     let mut plain = real.clone();
     plain.effects.retain(late);
     plain.joints.iter_mut().for_each(|joint| joint.drive.effects.retain(late));
@@ -120,12 +120,13 @@ impl PerturbableArm for PerturbableRobot {
         }
     }
 
-    fn effects(&self) -> Vec<(String, Option<usize>)> {
+    fn effects(&self) -> Vec<(EffectKind, Option<usize>)> {
         let dof = |row: usize| self.rows.iter().position(|r| *r == row);
-        let own = self.file.joints.iter().enumerate().flat_map(|(row, joint)| {
-            joint.drive.effects.iter().filter_map(move |e| Some((e.name.clone(), Some(dof(row)?))))
-        });
-        own.chain(self.file.effects.iter().map(|e| (e.name.clone(), None))).collect()
+        let own =
+            self.file.joints.iter().enumerate().flat_map(|(row, joint)| {
+                joint.drive.effects.iter().filter_map(move |e| Some((e.kind(), Some(dof(row)?))))
+            });
+        own.chain(self.file.effects.iter().map(|e| (e.kind(), None))).collect()
     }
 
     fn delays(&self) -> Vec<f64> {
@@ -142,7 +143,7 @@ impl PerturbableArm for PerturbableRobot {
     }
 
     fn settling(&self) -> Vec<f64> {
-        self.file.laws().iter().map(|l| l.hysteresis.map_or(0.0, |[_, travel]| 4.0 * travel.abs())).collect()
+        self.file.laws().iter().map(|l| l.hysteresis.map_or(0.0, |law| 4.0 * law.travel().abs())).collect()
     }
 
     fn bodies(&self) -> Option<LikelyBodies> {
@@ -152,7 +153,7 @@ impl PerturbableArm for PerturbableRobot {
         })
     }
 
-    fn without(&self, effects: &[(String, Option<usize>)]) -> Option<Box<dyn PerturbableArm>> {
+    fn without(&self, effects: &[(EffectKind, Option<usize>)]) -> Option<Box<dyn PerturbableArm>> {
         Some(Box::new(Self::new(&robot_edit::without(self.file.clone(), effects))))
     }
 

@@ -4,7 +4,7 @@ use crate::model::LinkExtents;
 use crate::model::coupled::{self, Coupling};
 use crate::model::likely_bodies::{PriorBody, geometric_bodies, prior_bodies};
 use dh_codegen::arm::param::{self, DriveTerm, Parameter};
-use dh_codegen::robot::{Effect, Inertia, Robot};
+use dh_codegen::robot::{Effect, EffectKind, Inertia, Robot};
 
 /// The robot with these standard parameters; what the tool contributes to the last link is taken
 /// out again.
@@ -42,25 +42,25 @@ pub fn couplings(robot: &Robot) -> Vec<(Coupling, [f64; 3])> {
     let moving = robot.moving();
     let dof_of = |row: usize| moving.iter().position(|&r| r == row);
     let read = |(row, effect): &(usize, Effect)| {
-        let value = |key: &str| effect.parameters.iter().find(|(k, _)| k == key).map(|(_, v)| *v);
-        let other = (value("joint")? as usize).checked_sub(1).and_then(dof_of)?;
+        let Effect::GearCoupling(stated) = effect else { return None };
+        let other = stated.joint.checked_sub(1).and_then(dof_of)?;
         let motor = dof_of(*row).filter(|&motor| motor != other)?;
-        let coupling = Coupling { row: *row, motor, other, ratio: value("KC").unwrap_or(1.0) };
-        Some((coupling, coupled::TERMS.map(|(key, _)| value(key).unwrap_or(0.0))))
+        let coupling = Coupling { row: *row, motor, other, ratio: stated.ratio() };
+        Some((coupling, [stated.rotor, stated.viscous, stated.coulomb].map(|term| term.unwrap_or(0.0))))
     };
-    robot.all_effects().joints.iter().filter(|(_, effect)| effect.name == "gear_coupling").filter_map(read).collect()
+    robot.all_effects().joints.iter().filter_map(read).collect()
 }
 
 /// The robot with these values of its [`couplings`], in their order, three each.
 pub fn with_couplings(mut robot: Robot, values: &[f64]) -> Robot {
     for ((coupling, _), values) in couplings(&robot).into_iter().zip(values.chunks_exact(coupled::TERMS.len())) {
         let effects = &mut robot.joints[coupling.row].drive.effects;
-        let Some(effect) = effects.iter_mut().find(|e| e.name == "gear_coupling") else { continue };
-        for ((key, _), &value) in coupled::TERMS.iter().zip(values) {
-            match effect.parameters.iter_mut().find(|(k, _)| k == key) {
-                Some((_, old)) => *old = value,
-                None => effect.parameters.push((key.to_string(), value)),
-            }
+        let stated = effects.iter_mut().find_map(|effect| match effect {
+            Effect::GearCoupling(stated) => Some(stated),
+            _ => None,
+        });
+        if let (Some(stated), &[rotor, viscous, coulomb]) = (stated, values) {
+            (stated.rotor, stated.viscous, stated.coulomb) = (Some(rotor), Some(viscous), Some(coulomb));
         }
     }
     robot
@@ -79,14 +79,14 @@ pub fn carried(robot: &Robot) -> Vec<(usize, [f64; 10])> {
     moved.map(|body| (robot.joints.len().saturating_sub(1), body)).into_iter().collect()
 }
 
-/// The robot without some of its effects: identifier, and joint (degree of freedom, from 0) or
+/// The robot without some of its effects: kind, and joint (degree of freedom, from 0) or
 /// `None` for one of the whole robot.
-pub fn without(mut robot: Robot, effects: &[(String, Option<usize>)]) -> Robot {
+pub fn without(mut robot: Robot, effects: &[(EffectKind, Option<usize>)]) -> Robot {
     let moving = robot.moving();
-    for (name, joint) in effects {
+    for (kind, joint) in effects {
         match joint.and_then(|j| moving.get(j)) {
-            Some(&row) => robot.joints[row].drive.effects.retain(|e| e.name != *name),
-            None => robot.effects.retain(|e| e.name != *name),
+            Some(&row) => robot.joints[row].drive.effects.retain(|e| e.kind() != *kind),
+            None => robot.effects.retain(|e| e.kind() != *kind),
         }
     }
     robot

@@ -1,6 +1,7 @@
-//! The effects beyond the rigid body, one file each: what is read of it, and its law.
+//! The effects beyond the rigid body, one file each: what it does in the
+//! simulated robot.
 //!
-//! Names, keys and defaults stand in [`dh_codegen::robot::effect`]; what changes geometry or bodies
+//! Names, keys and defaults stand in [`dh_codegen::robot::effects`]; what changes geometry or bodies
 //! in [`dh_codegen::robot::Robot::change`].
 
 mod asymmetric_friction;
@@ -19,16 +20,12 @@ mod torque_ripple;
 
 pub(super) mod external_contact;
 
-mod given;
-pub(super) use given::RATED;
-
 pub use asymmetric_friction::AsymmetricFriction;
 pub use backlash::Backlash;
 pub use coulomb_friction::CoulombFriction;
 pub use external_contact::ExternalContact;
 pub use friction_drift::FrictionDrift;
 pub use gear_coupling::GearCoupling;
-pub use given::Given;
 pub use joint_elasticity::JointElasticity;
 pub use joint_spring::JointSpring;
 pub use load_dependent_friction::LoadDependentFriction;

@@ -4,23 +4,19 @@
 use std::ops::Range;
 
 use dh_codegen::arm::param::{self, Parameter};
-use dh_codegen::robot::effect::Law;
-use dh_codegen::robot::{Effect, Effects, NoLink, Robot};
+use dh_codegen::robot::effects::{self, RotorInertia, Scope};
+use dh_codegen::robot::{Effect, Effects, NoLink, RATED, Robot};
 
 use super::SimulateError;
 use super::drive::Drive;
 use super::effects::{
-    AsymmetricFriction, Backlash, ExternalContact, FrictionDrift, GearCoupling, Given, JointElasticity, JointSpring,
+    AsymmetricFriction, Backlash, ExternalContact, FrictionDrift, GearCoupling, JointElasticity, JointSpring,
     LoadDependentFriction, NonlinearViscousFriction, PositionDependentFriction, PreslidingHysteresis, StribeckFriction,
     TorqueRipple,
 };
 use crate::model::interpreted::Interpreted;
 use crate::model::{Arm, Dynamics};
 use crate::numerics::cholesky;
-
-/// Rotor of a soft joint whose file gives none, kg m^2 per N m of torque limit: see `rotor_inertia`
-/// in the table of effects.
-const ROTOR: f64 = 0.003;
 
 /// The robot as it is, and as its file says.
 pub(super) struct SimulatedRobot {
@@ -33,8 +29,8 @@ pub(super) struct SimulatedRobot {
     pub bodies_standard: Vec<f64>,
     /// One for each degree of freedom.
     pub drives: Vec<Drive>,
-    couplings: Vec<(usize, usize, Effect)>,
-    contacts: Vec<Effect>,
+    couplings: Vec<(usize, usize, effects::GearCoupling)>,
+    contacts: Vec<effects::ExternalContact>,
     /// Drives whose saturation is a part of the peak torque.
     saturates: Vec<usize>,
 }
@@ -55,15 +51,8 @@ impl SimulatedRobot {
         let own = robot.all_effects();
         let everywhere = own.robot.iter().chain(&more.robot);
         everywhere.clone().try_for_each(|effect| in_range(effect, None))?;
-        for contact in everywhere.clone().filter(|e| e.name == "external_contact") {
-            let given = Given::new(contact, None);
-            if let (Some(start), Some(end)) = (given.stated("start"), given.stated("end"))
-                && end <= start
-            {
-                let (what, must) = ("external_contact.end", "be later than start");
-                return Err(SimulateError::Setting { what, value: end, must });
-            }
-        }
+        let contacts: Vec<effects::ExternalContact> = everywhere.clone().filter_map(contact).collect();
+        contacts.iter().try_for_each(in_order)?;
         let of_joints: Vec<(usize, &Effect)> = own
             .joints
             .iter()
@@ -72,13 +61,13 @@ impl SimulatedRobot {
             .chain(
                 everywhere
                     .clone()
-                    .filter(|e| is_for_every_joint(e))
+                    .filter(|e| e.kind().description().scope == Scope::EveryJoint)
                     .flat_map(|e| (0..robot.joints.len()).map(move |row| (row, e))),
             )
             .chain(more.joints.iter().map(|(row, e)| (*row, e)))
             .collect();
 
-        let real_robot = as_it_is(robot, &of_joints, everywhere.clone())?;
+        let real_robot = as_it_is(robot, &of_joints, everywhere)?;
         let differs = real_robot.gravity != robot.gravity || real_robot.joints != robot.joints;
         let given = Interpreted::new(robot, &Interpreted::BODIES);
         let real = differs.then(|| Interpreted::new(&real_robot, &Interpreted::BODIES));
@@ -94,20 +83,20 @@ impl SimulatedRobot {
             bodies_standard,
             drives: moving.iter().map(|&row| plain_drive(robot, row)).collect(),
             couplings: Vec::new(),
-            contacts: everywhere.filter(|e| e.name == "external_contact").cloned().collect(),
+            contacts,
             saturates: Vec::new(),
         };
         // Plain friction first: a Stribeck law is told the Coulomb level.
         for plain in [true, false] {
             for &(row, effect) in &of_joints {
                 let Some(dof) = dof_of(row) else { continue };
-                if PLAIN.contains(&effect.name.as_str()) == plain {
-                    built.take(robot, row, dof, effect, &dof_of)?;
+                if effect.kind().is_plain() == plain {
+                    built.apply(robot, row, dof, effect, &dof_of)?;
                 }
             }
         }
         for drive in built.drives.iter_mut().filter(|d| d.is_soft() && d.rotor == 0.0) {
-            drive.rotor = ROTOR * drive.rated;
+            drive.rotor = RotorInertia::default().inertia(drive.rated);
         }
         Ok(built)
     }
@@ -117,8 +106,9 @@ impl SimulatedRobot {
         self.real.as_ref().unwrap_or(&self.given)
     }
 
-    /// One effect of one joint.
-    fn take(
+    /// One effect of one joint. Bodies and geometry: see [`as_it_is`]; contacts: see
+    /// [`SimulatedRobot::settle`].
+    fn apply(
         &mut self,
         robot: &Robot,
         row: usize,
@@ -126,62 +116,51 @@ impl SimulatedRobot {
         effect: &Effect,
         dof_of: &dyn Fn(usize) -> Option<usize>,
     ) -> Result<(), SimulateError> {
-        let joint = &robot.joints[row];
-        let given = Given::new(effect, joint.limits.torque);
-        let drive = &mut self.drives[dof];
         in_range(effect, Some(row))?;
-        let wrong = |key: &str, value: f64, must: &str| SimulateError::Effect {
-            effect: effect.name.clone(),
-            joint: Some(row + 1),
-            key: key.to_string(),
-            value,
-            must: must.to_string(),
-        };
-        let not_negative = |key: &str, value: f64| {
-            if value >= 0.0 { Ok(value) } else { Err(wrong(key, value, "not be negative")) }
-        };
-        match effect.name.as_str() {
-            // They add to the file's: what must not be negative is the sum, lest friction drives
-            // the arm.
-            "viscous_friction" => {
-                drive.plain.viscous += given.get("FV");
-                not_negative("FV, the file's included,", drive.plain.viscous)?;
+        let drive = &mut self.drives[dof];
+        let rated = drive.rated;
+        match effect {
+            Effect::ViscousFriction(e) => {
+                drive.plain.viscous = total(effect, row, drive.plain.viscous, e.viscous(rated))?
             }
-            "coulomb_friction" => {
-                drive.plain.level += given.get("FC");
-                not_negative("FC, the file's included,", drive.plain.level)?;
-            }
-            "rotor_inertia" => drive.rotor += not_negative("IA", given.get("IA"))?,
-            "asymmetric_friction" => drive.asymmetric = Some(AsymmetricFriction::read(&given)),
-            "stribeck_friction" => {
-                let law = StribeckFriction::read(&given, drive.plain.level);
-                not_negative("FS", law.breakaway)?;
+            Effect::CoulombFriction(e) => drive.plain.level = total(effect, row, drive.plain.level, e.level(rated))?,
+            Effect::RotorInertia(e) => drive.rotor = total(effect, row, drive.rotor, e.inertia(rated))?,
+            Effect::AsymmetricFriction(e) => drive.asymmetric = Some(AsymmetricFriction::new(e, rated)),
+            Effect::StribeckFriction(e) => {
+                let law = StribeckFriction::new(e, rated, drive.plain.level);
+                // Its default lies above the Coulomb level, which an identification may have made
+                // negative.
+                let breakaway = effects::StribeckFriction { breakaway: Some(law.breakaway), ..*e };
+                in_range(&breakaway.into(), Some(row))?;
                 drive.stribeck = Some(law);
             }
-            "nonlinear_viscous_friction" => drive.nonlinear = Some(NonlinearViscousFriction::read(&given)),
-            "load_dependent_friction" => drive.load = Some(LoadDependentFriction::read(&given)),
-            "presliding_hysteresis" => drive.hysteresis = Some(PreslidingHysteresis::read(&given)),
-            "friction_drift" => drive.drift = Some(FrictionDrift::read(&given)),
-            "position_dependent_friction" => drive.position = Some(PositionDependentFriction::read(&given)),
-            "torque_ripple" => drive.ripple.push(TorqueRipple::read(&given, joint.drive.gear_ratio)),
-            "joint_elasticity" => drive.elasticity = Some(JointElasticity::read(&given)),
-            "backlash" => drive.backlash = Some(Backlash::read(&given)),
-            "gear_coupling" => {
-                let number = given.stated("joint").unwrap_or(0.0);
-                let other = (number as usize).checked_sub(1).and_then(dof_of).filter(|&k| k != dof);
-                let other = other.ok_or_else(|| wrong("joint", number, "be the number of another joint that moves"))?;
-                self.couplings.push((dof, other, effect.clone()));
+            Effect::NonlinearViscousFriction(e) => drive.nonlinear = Some(NonlinearViscousFriction::new(e, rated)),
+            Effect::LoadDependentFriction(e) => drive.load = Some(LoadDependentFriction::new(e)),
+            Effect::PreslidingHysteresis(e) => drive.hysteresis = Some(PreslidingHysteresis::new(e, rated)),
+            Effect::FrictionDrift(e) => drive.drift = Some(FrictionDrift::new(e)),
+            Effect::PositionDependentFriction(e) => drive.position = Some(PositionDependentFriction::new(e, rated)),
+            Effect::TorqueRipple(e) => {
+                drive.ripple.push(TorqueRipple::new(e, rated, robot.joints[row].drive.gear_ratio));
             }
-            "torque_gain_error" => drive.gain *= given.get("GT"),
-            "torque_offset" => drive.offset += given.get("TO"),
-            "torque_saturation" => match given.stated("TM") {
+            Effect::JointElasticity(e) => drive.elasticity = Some(JointElasticity::new(e, rated)),
+            Effect::Backlash(e) => drive.backlash = Some(Backlash::new(e)),
+            Effect::GearCoupling(e) => {
+                let other = e.joint.checked_sub(1).and_then(dof_of).filter(|&k| k != dof);
+                let must = "be the number of another joint that moves";
+                let other = other.ok_or_else(|| wrong(effect, Some(row), "joint", e.joint as f64, must))?;
+                self.couplings.push((dof, other, *e));
+            }
+            Effect::TorqueGainError(e) => drive.gain *= e.gain(),
+            Effect::TorqueOffset(e) => drive.offset += e.offset(rated),
+            Effect::TorqueSaturation(e) => match e.limit {
                 Some(limit) => drive.limit = Some(limit),
                 None => self.saturates.push(dof),
             },
-            "encoder_offset" => drive.encoder_offset += given.get("QO"),
-            "joint_spring" => drive.spring = Some(JointSpring::read(&given)),
-            "time_delay" => drive.delay += given.get("TD"),
-            _ => {} // of the bodies: see `as_it_is`
+            Effect::EncoderOffset(e) => drive.encoder_offset += e.offset(),
+            Effect::JointSpring(e) => drive.spring = Some(JointSpring::new(e, rated)),
+            Effect::TimeDelay(e) => drive.delay += e.delay(),
+            Effect::GeometricError(_) | Effect::LinkInertiaError(_) | Effect::Payload(_) | Effect::BaseTilt(_) => {}
+            Effect::ExternalContact(_) => {}
         }
         Ok(())
     }
@@ -193,26 +172,20 @@ impl SimulatedRobot {
         for &j in &self.saturates {
             drives[j].limit = Some((0.8 * peak[j]).max(1e-3));
         }
-        let couplings = self.couplings.iter().map(|(motor, other, effect)| {
-            let given = Given::new(effect, Some(drives[*motor].rated));
-            let (m, k) = (*motor, *other);
-            let derived = |key: &str, value: &dyn Fn() -> f64| match given.stated(key) {
-                Some(stated) => stated,
-                None if only_joint(effect) => value(),
-                None => 0.0,
-            };
-            let ratio = given.get("KC");
+        let couplings = self.couplings.iter().map(|&(m, k, stated)| {
+            let ratio = stated.ratio();
+            let bearable = || self.bearable_rotor(m, k, &drives, places) / ratio.abs().max(1.0);
             GearCoupling {
                 motor: m,
                 other: k,
                 ratio,
-                rotor: derived("IAM", &|| self.bearable_rotor(m, k, &drives, places) / ratio.abs().max(1.0)),
-                viscous: derived("FVM", &|| 0.5 * (drives[m].plain.viscous * drives[k].plain.viscous).max(0.0).sqrt()),
-                coulomb: derived("FCM", &|| 0.01 * drives[m].rated),
+                rotor: stated.rotor.unwrap_or_else(|| if stated.has_sizes() { 0.0 } else { bearable() }),
+                viscous: stated.viscous([m, k].map(|j| drives[j].plain.viscous)),
+                coulomb: stated.coulomb(drives[m].rated),
             }
         });
-        let contacts = self.contacts.iter().map(|e| ExternalContact::read(&Given::new(e, None), span)).collect();
-        Settled { couplings: couplings.collect(), contacts, drives }
+        let contacts = self.contacts.iter().map(|stated| ExternalContact::new(stated, span));
+        Settled { couplings: couplings.collect(), contacts: contacts.collect(), drives }
     }
 
     /// Half of what an inertia between two joints may be at most: with a larger one the mass matrix
@@ -247,34 +220,45 @@ impl SimulatedRobot {
     }
 }
 
-/// Values in the ranges of the table of effects. (Of a file they were checked where it was read.)
+fn wrong(effect: &Effect, row: Option<usize>, key: &str, value: f64, must: &str) -> SimulateError {
+    let (key, must) = (key.to_string(), must.to_string());
+    SimulateError::Effect { effect: effect.kind(), joint: row.map(|row| row + 1), key, value, must }
+}
+
+/// Values in the ranges of their keys. (Of a file they were checked where it was read.)
 fn in_range(effect: &Effect, row: Option<usize>) -> Result<(), SimulateError> {
-    let Some(law) = Law::of(&effect.name) else { return Ok(()) };
-    for (key, value) in &effect.parameters {
-        if let Some(must) = law.must(key, *value) {
-            let (effect, key) = (effect.name.clone(), key.clone());
-            return Err(SimulateError::Effect { effect, joint: row.map(|row| row + 1), key, value: *value, must });
-        }
+    match effect.out_of_range().filter(|_| !effect.kind().is_plain()) {
+        Some(out) => Err(wrong(effect, row, &out.key, out.value, &out.must)),
+        None => Ok(()),
     }
-    Ok(())
 }
 
-/// Laws that add to what stands in the drive already.
-const PLAIN: [&str; 3] = ["viscous_friction", "coulomb_friction", "rotor_inertia"];
-
-/// Whether nothing but the other joint's number (and the ratio) was written.
-fn only_joint(effect: &Effect) -> bool {
-    effect.parameters.iter().all(|(key, _)| key == "joint" || key == "KC")
+/// Plain friction or a rotor, which add to the file's: what has to be in the range of the key is
+/// the sum, lest the drive gives energy.
+fn total(effect: &Effect, row: usize, file: f64, more: f64) -> Result<f64, SimulateError> {
+    let (key, sum) = (effect.kind().description().keys[0], file + more);
+    if key.range.holds(sum) {
+        return Ok(sum);
+    }
+    let name = format!("{}, the file's included,", key.name);
+    Err(wrong(effect, Some(row), &name, sum, &key.range.words(key.unit)))
 }
 
-fn is_for_every_joint(effect: &Effect) -> bool {
-    ["friction_drift", "torque_gain_error", "encoder_offset", "geometric_error", "time_delay"]
-        .contains(&effect.name.as_str())
+fn contact(effect: &Effect) -> Option<effects::ExternalContact> {
+    if let Effect::ExternalContact(contact) = effect { Some(*contact) } else { None }
+}
+
+/// A contact ends after it began.
+fn in_order(contact: &effects::ExternalContact) -> Result<(), SimulateError> {
+    match (contact.start, contact.end) {
+        (Some(start), Some(end)) if end <= start => Err(SimulateError::Contact { end }),
+        _ => Ok(()),
+    }
 }
 
 fn plain_drive(robot: &Robot, row: usize) -> Drive {
     let joint = &robot.joints[row];
-    let mut drive = Drive::ideal(joint.limits.torque.unwrap_or(super::effects::RATED));
+    let mut drive = Drive::ideal(joint.limits.torque.unwrap_or(RATED));
     drive.actuated = joint.actuated;
     drive.rotor = joint.drive.rotor_inertia.unwrap_or(0.0);
     drive.plain.viscous = joint.drive.viscous_friction.unwrap_or(0.0);

@@ -24,7 +24,7 @@ pub(super) fn frictionless(name: &str) -> Robot {
 }
 
 pub(super) fn effect(name: &str, parameters: &[(&str, f64)]) -> Effect {
-    Effect { name: name.into(), parameters: parameters.iter().map(|(k, v)| ((*k).to_string(), *v)).collect() }
+    Effect::from_keys(name, parameters).unwrap()
 }
 
 /// One effect of one joint, from 0.

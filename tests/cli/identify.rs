@@ -150,9 +150,9 @@ fn a_coupled_motor_is_identified() {
     }
     let written = read_robot(&out);
     let effect = &written.joints[6].drive.effects[0];
-    assert_eq!(effect.name, "gear_coupling");
+    assert_eq!(effect.name(), "gear_coupling");
     for (key, truth) in [("joint", 6.0), ("KC", ratio), ("IAM", iam), ("FVM", fvm), ("FCM", fcm)] {
-        let value = effect.parameters.iter().find(|(k, _)| k == key).unwrap().1;
+        let value = effect.get(key).unwrap();
         assert!((value - truth).abs() < 0.05 * truth.abs(), "{key}: {value}, is {truth}");
     }
 }
@@ -382,10 +382,8 @@ fn impossible_drives_and_bodies_are_not_written() {
 fn effects_of_the_file_are_taken_as_known() {
     let folder = folder("identify-effects");
     let mut robot = read_robot(ROBOT);
-    robot.joints[1].drive.effects.push(dh_codegen::robot::Effect {
-        name: "joint_spring".into(),
-        parameters: vec![("KS".into(), 12.0), ("QS".into(), 0.0)],
-    });
+    let spring = dh_codegen::robot::effects::JointSpring { stiffness: Some(12.0), rest: Some(0.0) };
+    robot.joints[1].drive.effects.push(spring.into());
     let robot = file(&folder, "robot.yaml", robot.to_yaml());
     let log = file(&folder, "log.csv", sprung(record(12, 31), 12.0));
     let out = folder.join("out.yaml").display().to_string();

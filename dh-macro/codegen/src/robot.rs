@@ -6,9 +6,8 @@
 mod angle;
 mod check;
 mod decimal;
-pub mod effect;
+pub mod effects;
 mod expression;
-mod given;
 mod inertia;
 mod keys;
 mod laws;
@@ -27,9 +26,9 @@ mod yaml;
 
 pub use angle::Angle;
 pub use check::{Reading, Setting, SimulationFile};
-pub use given::{Given, RATED};
+pub use effects::{Effect, EffectKind, RATED};
 pub use inertia::Inertia;
-pub use laws::{Coupling, Drift, Laws, Stribeck};
+pub use laws::{Coupling, Laws};
 pub use length::{Length, Polynomial};
 pub use name::crate_name;
 pub use physical::NotPhysical;
@@ -72,21 +71,11 @@ pub struct Limits {
     pub torque: Option<f64>,
 }
 
-/// A named effect of the contract's section 5 with its parameters, as the file gives it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Effect {
-    /// One of [`EFFECT_NAMES`].
-    pub name: String,
-    /// Keys of the effect's [`effect::Law`] and values, in the file's order; a bare number stands
-    /// under the first key.
-    pub parameters: Vec<(String, f64)>,
-}
-
 /// An effect means a link that is not there, or whose parameters the file does not have.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NoLink {
     /// The number that was given, from 1.
-    pub number: Option<f64>,
+    pub number: Option<usize>,
     /// Number of links.
     pub last: usize,
 }
@@ -99,35 +88,6 @@ pub struct Effects {
     /// Of the whole robot.
     pub robot: Vec<Effect>,
 }
-
-/// The vocabulary of effects beyond the rigid body (contract, section 5), in its order.
-pub const EFFECT_NAMES: [&str; 25] = [
-    "viscous_friction",
-    "coulomb_friction",
-    "asymmetric_friction",
-    "stribeck_friction",
-    "nonlinear_viscous_friction",
-    "load_dependent_friction",
-    "presliding_hysteresis",
-    "friction_drift",
-    "position_dependent_friction",
-    "rotor_inertia",
-    "torque_ripple",
-    "joint_elasticity",
-    "backlash",
-    "gear_coupling",
-    "torque_gain_error",
-    "torque_offset",
-    "torque_saturation",
-    "encoder_offset",
-    "geometric_error",
-    "link_inertia_error",
-    "payload",
-    "base_tilt",
-    "joint_spring",
-    "external_contact",
-    "time_delay",
-];
 
 /// The drive of a joint. A `Some` says that the model *has* the parameter (zero: not known yet).
 #[derive(Debug, Clone, Default, PartialEq)]

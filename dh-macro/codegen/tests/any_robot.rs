@@ -3,10 +3,10 @@
 mod common;
 
 use common::{files, robots};
-use dh_codegen::robot::effect::Law;
+use dh_codegen::robot::effects::Magnitude;
 use dh_codegen::robot::{
-    Angle, Collision, Convention, Cuboid, Drive, Effect, Inertia, Joint, JointKind, JointSource, Length, Limits,
-    Polynomial, Pose, Robot, Sphere, Tool, ToolGeometry,
+    Angle, Collision, Convention, Cuboid, Drive, Effect, EffectKind, Inertia, Joint, JointKind, JointSource, Length,
+    Limits, Polynomial, Pose, Robot, Sphere, Tool, ToolGeometry,
 };
 use proptest::collection::vec;
 use proptest::option;
@@ -63,15 +63,17 @@ fn limits() -> impl Strategy<Value = Limits> {
 /// Any of these effects, with none, one or all of the keys of its law.
 fn effect(names: &'static [&'static str]) -> impl Strategy<Value = Effect> {
     (prop::sample::select(names), 0..3usize, number()).prop_map(|(name, keys, value)| {
-        let law = Law::of(name).expect("a name of the vocabulary");
-        let most = [0, 1, law.keys.len()][keys];
+        let known = EffectKind::of(name).expect("a name of the vocabulary").description().keys;
+        // The first key is the only one that may have to be there.
+        let least = usize::from(known[0].omitted == Magnitude::Needed);
+        let most = [least, 1, known.len()][keys];
         let value_of = |k: usize| match value + k as f64 {
-            _ if law.keys[k].count => 1.0,
-            impossible if law.must(law.keys[k].name, impossible).is_some() => 0.5,
-            value => value,
+            _ if known[k].count => 1.0,
+            value if known[k].range.holds(value) => value,
+            _ => 0.5,
         };
-        let parameters = (0..most).map(|k| (law.keys[k].name.to_string(), value_of(k))).collect();
-        Effect { name: name.to_string(), parameters }
+        let values: Vec<_> = (0..most).map(|k| (known[k].name, value_of(k))).collect();
+        Effect::from_keys(name, &values).expect("keys of the effect")
     })
 }
 

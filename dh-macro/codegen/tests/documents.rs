@@ -3,8 +3,8 @@
 mod common;
 
 use common::robots;
-use dh_codegen::robot::effect::LAWS;
-use dh_codegen::robot::{Robot, Setting, SimulationFile};
+use dh_codegen::robot::effects::{Description, EffectKey, Magnitude, Range, Scope};
+use dh_codegen::robot::{EffectKind, Robot, Setting, SimulationFile};
 
 fn no_files(name: &str) -> Result<String, String> {
     Err(format!("{name} was not found"))
@@ -19,18 +19,101 @@ fn the_example_of_the_readme_is_good() {
     let robot = reading.robot;
     assert_eq!(robot.tool.as_ref().map(|tool| tool.rpy[2].quarter_turns()), Some(Some(1)));
     assert_eq!(robot.joints[1].r.closed_form.text(&robot.constants), "-0.1 + 2*L2");
-    assert_eq!(robot.joints[0].drive.effects[0].parameters[1], ("RC".to_string(), 0.3));
-    for law in &LAWS {
-        let row = readme.lines().find(|line| line.starts_with(&format!("| `{}` |", law.name))).expect(law.name);
-        for key in law.keys {
-            assert!(
-                row.split(|c: char| !c.is_ascii_alphanumeric()).any(|word| word == key.name),
-                "{}: {}",
-                law.name,
-                key.name
-            );
-        }
+    assert_eq!(robot.joints[0].drive.effects[0].get("RC"), Some(0.3));
+}
+
+/// A bound of a range, as a reader writes it.
+fn bound(value: f64) -> String {
+    let turns = value / core::f64::consts::PI;
+    match turns {
+        -2.0 | -1.0 | 1.0 | 2.0 => format!("{turns} pi").replace("1 pi", "pi"),
+        _ => value.to_string(),
     }
+}
+
+/// A key with its unit and its range.
+fn key(key: &EffectKey) -> String {
+    let Range { least, with_least, most, with_most, .. } = key.range;
+    let range = match (least.is_finite(), most.is_finite()) {
+        (false, _) => String::new(),
+        (true, false) => format!(" ({} {})", if with_least { ">=" } else { ">" }, bound(least)),
+        (true, true) if with_least && with_most => format!(" ({} to {})", bound(least), bound(most)),
+        (true, true) => {
+            let (above, below) = (if with_least { ">=" } else { ">" }, if with_most { "<=" } else { "<" });
+            format!(" ({above} {}, {below} {})", bound(least), bound(most))
+        }
+    };
+    let unit = if key.unit.is_empty() { String::new() } else { format!(" {}", key.unit) };
+    format!("`{}`{unit}{range}", key.name)
+}
+
+/// The table of effects, from their types.
+fn table_of_effects() -> String {
+    let mut table = "| effect | what it is | stands | keys (a bare number is the first), range | adds to the torque, or means |\n|---|---|---|---|---|\n".to_string();
+    for Description { name, sentence, scope, keys, law, .. } in EffectKind::ALL.iter().map(|kind| kind.description()) {
+        let stands = match scope {
+            Scope::Joint => "joint",
+            Scope::EveryJoint => "joint; top: every joint",
+            Scope::Link => "joint; top: with `link`",
+            Scope::Robot => "top",
+        };
+        let keys = keys.iter().map(key).collect::<Vec<_>>().join(", ");
+        let (sentence, law) = (sentence.trim().trim_end_matches('.'), law.replace('|', "&#124;"));
+        table += &format!("| `{name}` | {sentence} | {stands} | {keys} | {law} |\n");
+    }
+    table
+}
+
+/// Default of a key, T being the torque limit.
+fn default(key: &EffectKey) -> String {
+    let unit = if key.unit.is_empty() { String::new() } else { format!(" {}", key.unit) };
+    let per_torque = if key.unit == "N m" { String::new() } else { format!(" ({})", key.unit) };
+    let text = match key.default {
+        Magnitude::Is(value) => format!("{value:?}{unit}"),
+        Magnitude::OfTorque(part) if part < 1.0 => format!("{} % of T{per_torque}", (1e4 * part).round() / 100.0),
+        Magnitude::OfTorque(part) => format!("{part} T{per_torque}"),
+        Magnitude::Derived => key.doc.split("default: ").nth(1).unwrap().to_string(),
+        Magnitude::Needed => "must be written".to_string(),
+    };
+    format!("`{}` {text}", key.name)
+}
+
+/// The pictures of the effects with their defaults and where these come from.
+fn table_of_defaults() -> String {
+    let mut table = "| | |\n|---|---|\n".to_string();
+    for Description { name, keys, law, source, .. } in EffectKind::ALL.iter().map(|kind| kind.description()) {
+        let [law, source] = [law, source].map(|text| text.replace('|', "&#124;"));
+        let keys = keys.iter().map(default).collect::<Vec<_>>().join(", ");
+        table += &format!(
+            "| <img src=\"effects/{name}.svg\" width=\"240\" alt=\"{name}\"> | **`{name}`**<br>{law}<br>default: {keys}<br><sub>{source}</sub> |\n"
+        );
+    }
+    table
+}
+
+/// Compares the table that begins with `head` with the given one. `DENAVIT_REGENERATE=1` writes it
+/// (and fails that once).
+fn stands_in(document: &str, head: &str, table: &str) {
+    let path = robots().join("..").join(document);
+    let text = std::fs::read_to_string(&path).unwrap();
+    let start = text.find(head).unwrap();
+    let end = text[start..].find("\n\n").map_or(text.len(), |length| start + length + 1);
+    if &text[start..end] != table {
+        if std::env::var_os("DENAVIT_REGENERATE").is_some() {
+            std::fs::write(&path, [&text[..start], table, &text[end..]].concat()).unwrap();
+        }
+        panic!("{document}: the table of effects is not that of their types; DENAVIT_REGENERATE=1 writes it");
+    }
+}
+
+#[test]
+fn the_table_of_effects_is_that_of_their_types() {
+    stands_in("robots/README.md", "| effect |", &table_of_effects());
+}
+
+#[test]
+fn the_table_of_defaults_is_that_of_the_types() {
+    stands_in("docs/simulate.md", "| | |\n", &table_of_defaults());
 }
 
 const ROBOT: &str = "name: a\nconvention: modified\njoints: [ { type: revolute, alpha: 1.5708, theta: A } ]\n";
@@ -73,6 +156,29 @@ fn identified_links_need_not_be_bodies() {
 }
 
 #[test]
+fn an_identified_size_may_be_negative_wherever_it_stands() {
+    let with = |drive: &str| {
+        let joint = format!("{{ type: revolute, drive: {{ {drive} }} }}");
+        Robot::from_yaml(&format!("name: a\nconvention: modified\njoints: [ {joint} ]\n"), &no_files)
+    };
+    for size in [
+        "rotor_inertia: -0.1",
+        "viscous_friction: -0.1",
+        "friction: { viscous_friction: -0.1 }",
+        "stribeck_friction: { FS: -0.1 }",
+        "load_dependent_friction: -0.1",
+    ] {
+        let notes = with(&format!("identified: true, {size}")).unwrap_or_else(|e| panic!("{size}: {e}")).notes;
+        assert!(notes[0].what.ends_with("is negative (-0.1): the data hardly show it"), "{}", notes[0]);
+        assert!(with(size).is_err(), "{size}");
+    }
+    // A shape without which the law has no value, and a gear that gives energy without end.
+    for impossible in ["stribeck_friction: { VS: 0 }", "stribeck_friction: { DS: 0 }", "load_dependent_friction: -1"] {
+        assert!(with(&format!("identified: true, {impossible}")).is_err(), "{impossible}");
+    }
+}
+
+#[test]
 fn values_in_another_unit_are_noticed() {
     let joint = "{ type: revolute, alpha: 90, d: 310, position: [-170, 170], velocity: 110 }";
     let text = format!("name: a\nconvention: modified\ngravity: [0, 0, -981]\njoints: [ {joint} ]\n");
@@ -98,10 +204,10 @@ fn two_joints() -> Robot {
 #[test]
 fn a_file_of_effects_is_read() {
     let file = SimulationFile::from_yaml(EFFECTS, &two_joints()).unwrap_or_else(|problems| panic!("{problems}"));
-    let named: Vec<(usize, &str)> = file.effects.joints.iter().map(|(row, e)| (*row, e.name.as_str())).collect();
+    let named: Vec<(usize, &str)> = file.effects.joints.iter().map(|(row, e)| (*row, e.name())).collect();
     assert_eq!(named, [(1, "stribeck_friction"), (1, "backlash"), (0, "joint_elasticity")]);
-    assert_eq!(file.effects.joints[2].1.parameters, [("KE".to_string(), 3000.0)]);
-    assert!((file.effects.robot[0].parameters[0].1 - core::f64::consts::FRAC_PI_2).abs() < 1e-15);
+    assert_eq!(file.effects.joints[2].1.stated(), [("KE".to_string(), 3000.0)]);
+    assert!((file.effects.robot[0].get("roll").unwrap() - core::f64::consts::FRAC_PI_2).abs() < 1e-15);
     assert_eq!(file.settings.len(), 6);
     assert!(file.settings.contains(&("sensors", "torque_noise_color.corner", Setting::Numbers(vec![5.0]))));
     assert!(file.settings.contains(&("control", "mode", Setting::Word("exact"))));

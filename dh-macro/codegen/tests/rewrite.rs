@@ -1,6 +1,7 @@
 //! A robot that was changed goes back into the text of its file: what did not change stays as it
 //! was written.
 
+use dh_codegen::robot::effects::{TimeDelay, TorqueOffset};
 use dh_codegen::robot::{Effect, Inertia, Robot, Run};
 
 fn files() -> Vec<(String, String)> {
@@ -40,9 +41,9 @@ fn changed(mut robot: Robot) -> Robot {
     for (k, joint) in robot.joints.iter_mut().enumerate() {
         joint.drive.viscous_friction = Some(0.25 + k as f64 / 3.0);
         joint.drive.rotor_inertia = Some(0.125 + k as f64 / 3.0);
-        joint.drive.effects.push(Effect { name: "torque_offset".into(), parameters: vec![("TO".into(), 0.1)] });
+        joint.drive.effects.push(TorqueOffset { offset: Some(0.1) }.into());
     }
-    robot.effects.push(Effect { name: "time_delay".into(), parameters: vec![("TD".into(), 0.004)] });
+    robot.effects.push(TimeDelay { delay: Some(0.004) }.into());
     robot
 }
 
@@ -61,7 +62,7 @@ fn nothing_changes_nothing() {
 fn changes_stand_where_the_values_stood() {
     for (path, text) in files() {
         let robot = read(&text);
-        if robot.joints.iter().any(|j| j.drive.effects.iter().any(|e| e.name == "torque_offset")) {
+        if robot.joints.iter().any(|j| j.drive.effects.iter().any(|e| matches!(e, Effect::TorqueOffset(_)))) {
             continue;
         }
         let robot = changed(robot);

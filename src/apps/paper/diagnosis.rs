@@ -17,7 +17,7 @@ use crate::simulate::Mode;
 use case::{Plants, case};
 
 pub use case::{Outcome, Task};
-pub use hidden::Hidden;
+pub use hidden::{Hidden, Wanted};
 pub use score::{Claim, Scores, Share};
 
 /// Which cases.

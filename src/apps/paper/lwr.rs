@@ -2,6 +2,7 @@
 //! (sources there), sensors, and what no rigid-body model has.
 
 use dh_codegen::arm::{Function, param};
+use dh_codegen::robot::effects::{JointElasticity, PreslidingHysteresis, RotorInertia, TorqueRipple};
 use dh_codegen::robot::{Effects, Robot, SimulationFile};
 
 use super::ReproduceError;
@@ -46,20 +47,21 @@ impl Unmodelled {
     /// Its name in the vocabulary of effects.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Hysteresis => "presliding_hysteresis",
-            Self::Ripple => "torque_ripple",
-            Self::Elasticity => "joint_elasticity",
+            Self::Hysteresis => PreslidingHysteresis::NAME,
+            Self::Ripple => TorqueRipple::NAME,
+            Self::Elasticity => JointElasticity::NAME,
         }
     }
 
     /// At a joint with this torque limit, N m.
     fn yaml(self, limit: f64) -> String {
-        let of = |share: f64| share * limit;
+        let (name, of) = (self.name(), |share: f64| share * limit);
         match self {
-            Self::Hysteresis => format!("presliding_hysteresis: {{ HC: {:.5} }}", of(HYSTERESIS)),
-            Self::Ripple => format!("torque_ripple: {{ RC: {:.5}, RS: {:.5} }}", of(RIPPLE[0]), of(RIPPLE[1])),
+            Self::Hysteresis => format!("{name}: {{ HC: {:.5} }}", of(HYSTERESIS)),
+            Self::Ripple => format!("{name}: {{ RC: {:.5}, RS: {:.5} }}", of(RIPPLE[0]), of(RIPPLE[1])),
             Self::Elasticity => {
-                format!("joint_elasticity: {{ DE: {:.5} }}, rotor_inertia: {{ IA: {:.5} }}", of(DAMPING), of(ROTOR))
+                let rotor = RotorInertia::NAME;
+                format!("{name}: {{ DE: {:.5} }}, {rotor}: {{ IA: {:.5} }}", of(DAMPING), of(ROTOR))
             }
         }
     }

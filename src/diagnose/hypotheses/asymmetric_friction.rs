@@ -1,6 +1,8 @@
 //! `asymmetric_friction`: viscous levels that differ with direction. A difference of the Coulomb
 //! levels alone is a torque offset while the joint moves; see `torque_offset`.
 
+use dh_codegen::robot::EffectKind;
+
 use super::Cause;
 use super::Kind;
 use super::Sign;
@@ -12,8 +14,8 @@ use crate::diagnose::windowed_data::WindowedData;
 pub struct AsymmetricFriction;
 
 impl Cause for AsymmetricFriction {
-    fn name(&self) -> &'static str {
-        "asymmetric_friction"
+    fn effect(&self) -> EffectKind {
+        EffectKind::AsymmetricFriction
     }
 
     fn kind(&self) -> Kind {

@@ -7,6 +7,8 @@
 //! the load, worked out anew along the link's motion, for along the motor's the model's load has
 //! the hump in it.
 
+use dh_codegen::robot::EffectKind;
+
 use super::Cause;
 use super::Estimate;
 use super::Kind;
@@ -53,8 +55,8 @@ fn slow(scene: &WindowedData<'_>, load: &[f64], cutoff: f64) -> Vec<f64> {
 }
 
 impl Cause for Backlash {
-    fn name(&self) -> &'static str {
-        "backlash"
+    fn effect(&self) -> EffectKind {
+        EffectKind::Backlash
     }
 
     fn kind(&self) -> Kind {

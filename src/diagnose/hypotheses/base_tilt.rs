@@ -1,5 +1,7 @@
 //! `base_tilt`: the base is not where gravity says it is.
 
+use dh_codegen::robot::EffectKind;
+
 use crate::model::Change;
 
 use super::Cause;
@@ -13,8 +15,8 @@ use crate::diagnose::windowed_data::WindowedData;
 pub struct BaseTilt;
 
 impl Cause for BaseTilt {
-    fn name(&self) -> &'static str {
-        "base_tilt"
+    fn effect(&self) -> EffectKind {
+        EffectKind::BaseTilt
     }
 
     fn kind(&self) -> Kind {

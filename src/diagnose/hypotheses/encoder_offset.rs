@@ -1,5 +1,8 @@
 //! `encoder_offset`: a joint's zero is wrong.
 
+use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
+
 use super::Cause;
 use super::Kind;
 use super::Shape;
@@ -12,8 +15,8 @@ use crate::diagnose::windowed_data::WindowedData;
 pub struct EncoderOffset;
 
 impl Cause for EncoderOffset {
-    fn name(&self) -> &'static str {
-        "encoder_offset"
+    fn effect(&self) -> EffectKind {
+        EffectKind::EncoderOffset
     }
 
     fn kind(&self) -> Kind {
@@ -47,7 +50,7 @@ impl Cause for EncoderOffset {
 
     fn twins(&self, scene: &WindowedData<'_>, place: &[usize]) -> &'static [&'static str] {
         // A gap that always lies to the same side.
-        if both_ways(scene, place[0]) { &[] } else { &["backlash"] }
+        if both_ways(scene, place[0]) { &[] } else { &[effects::Backlash::NAME] }
     }
 
     fn says(&self) -> &'static str {

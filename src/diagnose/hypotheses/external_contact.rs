@@ -1,6 +1,8 @@
 //! `external_contact`: an external wrench acts during part of the log, constant in the axes of the
 //! last frame or of the base.
 
+use dh_codegen::robot::EffectKind;
+
 use super::Cause;
 use super::Estimate;
 use super::Kind;
@@ -19,8 +21,8 @@ pub struct ExternalContact;
 const SYMBOLS: [&str; 6] = ["fx", "fy", "fz", "mx", "my", "mz"];
 
 impl Cause for ExternalContact {
-    fn name(&self) -> &'static str {
-        "external_contact"
+    fn effect(&self) -> EffectKind {
+        EffectKind::ExternalContact
     }
 
     fn kind(&self) -> Kind {

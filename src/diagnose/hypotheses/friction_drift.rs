@@ -1,6 +1,8 @@
 //! `friction_drift`: friction that changes over time, as grease warms up, or with the temperature
 //! where that was recorded.
 
+use dh_codegen::robot::EffectKind;
+
 use super::Cause;
 use super::Estimate;
 use super::Kind;
@@ -36,8 +38,8 @@ impl FrictionDrift {
 }
 
 impl Cause for FrictionDrift {
-    fn name(&self) -> &'static str {
-        "friction_drift"
+    fn effect(&self) -> EffectKind {
+        EffectKind::FrictionDrift
     }
 
     fn kind(&self) -> Kind {

@@ -1,6 +1,8 @@
 //! `gear_coupling`: one motor moves another joint's axis, as in wrists whose drives pass through
 //! each other.
 
+use dh_codegen::robot::EffectKind;
+
 use super::Cause;
 use super::Kind;
 use super::Scope;
@@ -14,8 +16,8 @@ use crate::diagnose::windowed_data::{Column, WindowedData};
 pub struct GearCoupling;
 
 impl Cause for GearCoupling {
-    fn name(&self) -> &'static str {
-        "gear_coupling"
+    fn effect(&self) -> EffectKind {
+        EffectKind::GearCoupling
     }
 
     fn kind(&self) -> Kind {

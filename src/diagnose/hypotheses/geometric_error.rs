@@ -1,5 +1,7 @@
 //! `geometric_error`: a length or twist of the DH table is wrong.
 
+use dh_codegen::robot::EffectKind;
+
 use crate::model::Change;
 
 use super::Cause;
@@ -15,8 +17,8 @@ pub struct GeometricError;
 const WHICH: [(&str, &str, f64); 3] = [("DALPHA", "rad", 1e-4), ("DD", "m", 1e-4), ("DR", "m", 1e-4)];
 
 impl Cause for GeometricError {
-    fn name(&self) -> &'static str {
-        "geometric_error"
+    fn effect(&self) -> EffectKind {
+        EffectKind::GeometricError
     }
 
     fn kind(&self) -> Kind {

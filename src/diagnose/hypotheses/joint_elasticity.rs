@@ -6,6 +6,8 @@
 //! the swing, from the link's own equation along the recorded motion
 //! (`src/numerics/elastic_joint.rs`), and not the static winding.
 
+use dh_codegen::robot::EffectKind;
+
 use super::Cause;
 use super::Estimate;
 use super::Kind;
@@ -145,8 +147,8 @@ impl<'s, 'a> Link<'s, 'a> {
 }
 
 impl Cause for JointElasticity {
-    fn name(&self) -> &'static str {
-        "joint_elasticity"
+    fn effect(&self) -> EffectKind {
+        EffectKind::JointElasticity
     }
 
     fn kind(&self) -> Kind {

@@ -1,5 +1,7 @@
 //! `joint_spring`: an elastic torque in the joint's angle (gravity spring, cable, hose).
 
+use dh_codegen::robot::EffectKind;
+
 use super::Cause;
 use super::Estimate;
 use super::Kind;
@@ -13,8 +15,8 @@ use crate::diagnose::windowed_data::WindowedData;
 pub struct JointSpring;
 
 impl Cause for JointSpring {
-    fn name(&self) -> &'static str {
-        "joint_spring"
+    fn effect(&self) -> EffectKind {
+        EffectKind::JointSpring
     }
 
     fn kind(&self) -> Kind {

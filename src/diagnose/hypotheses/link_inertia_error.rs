@@ -1,5 +1,8 @@
 //! `link_inertia_error`: the given inertial parameters of a link are wrong.
 
+use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
+
 use super::Cause;
 use super::Kind;
 use super::Term;
@@ -11,8 +14,8 @@ use crate::diagnose::windowed_data::WindowedData;
 pub struct LinkInertiaError;
 
 impl Cause for LinkInertiaError {
-    fn name(&self) -> &'static str {
-        "link_inertia_error"
+    fn effect(&self) -> EffectKind {
+        EffectKind::LinkInertiaError
     }
 
     fn kind(&self) -> Kind {
@@ -28,12 +31,12 @@ impl Cause for LinkInertiaError {
     }
 
     fn same_on_paper(&self) -> &'static [&'static str] {
-        &["payload", "rotor_inertia"]
+        &[effects::Payload::NAME, effects::RotorInertia::NAME]
     }
 
     fn twins(&self, scene: &WindowedData<'_>, place: &[usize]) -> &'static [&'static str] {
         let last = place.first().is_some_and(|j| j + 1 == scene.dof());
-        if last { &["payload"] } else { &[] }
+        if last { &[effects::Payload::NAME] } else { &[] }
     }
 
     /// A last link that is heavier by something that can be a body has a payload on it: the columns

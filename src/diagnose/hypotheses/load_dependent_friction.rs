@@ -1,5 +1,7 @@
 //! `load_dependent_friction`: friction grows with the torque that the gear transmits.
 
+use dh_codegen::robot::EffectKind;
+
 use super::Cause;
 use super::Kind;
 use super::Over;
@@ -12,8 +14,8 @@ use crate::diagnose::windowed_data::WindowedData;
 pub struct LoadDependentFriction;
 
 impl Cause for LoadDependentFriction {
-    fn name(&self) -> &'static str {
-        "load_dependent_friction"
+    fn effect(&self) -> EffectKind {
+        EffectKind::LoadDependentFriction
     }
 
     fn kind(&self) -> Kind {

@@ -1,5 +1,7 @@
 //! `nonlinear_viscous_friction`: the viscous part is not proportional to speed.
 
+use dh_codegen::robot::EffectKind;
+
 use super::Cause;
 use super::Kind;
 use super::Shape;
@@ -12,8 +14,8 @@ use crate::diagnose::windowed_data::WindowedData;
 pub struct NonlinearViscousFriction;
 
 impl Cause for NonlinearViscousFriction {
-    fn name(&self) -> &'static str {
-        "nonlinear_viscous_friction"
+    fn effect(&self) -> EffectKind {
+        EffectKind::NonlinearViscousFriction
     }
 
     fn kind(&self) -> Kind {

@@ -1,5 +1,8 @@
 //! `payload`: an unmodelled body is fixed to the flange.
 
+use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
+
 use super::Cause;
 use super::Kind;
 use super::Scope;
@@ -42,8 +45,8 @@ pub(super) fn body_terms(scene: &WindowedData<'_>, row: usize) -> Vec<Term> {
 }
 
 impl Cause for Payload {
-    fn name(&self) -> &'static str {
-        "payload"
+    fn effect(&self) -> EffectKind {
+        EffectKind::Payload
     }
 
     fn kind(&self) -> Kind {
@@ -66,7 +69,7 @@ impl Cause for Payload {
     }
 
     fn same_on_paper(&self) -> &'static [&'static str] {
-        &["link_inertia_error"]
+        &[effects::LinkInertiaError::NAME]
     }
 
     fn says(&self) -> &'static str {

@@ -1,6 +1,9 @@
 //! `viscous_friction`, `coulomb_friction`, `torque_offset`: always among the unknowns, so that no
 //! other cause has to stand in for them.
 
+use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
+
 use super::Cause;
 use super::Kind;
 use super::Sign;
@@ -9,7 +12,7 @@ use crate::diagnose::windowed_data::WindowedData;
 
 /// One of the three.
 pub struct Plain {
-    name: &'static str,
+    effect: EffectKind,
     symbol: &'static str,
     says: &'static str,
     shown_by: &'static str,
@@ -17,7 +20,7 @@ pub struct Plain {
 
 /// `FV v`.
 pub static VISCOUS: Plain = Plain {
-    name: "viscous_friction",
+    effect: EffectKind::ViscousFriction,
     symbol: "FV",
     says: "friction in proportion to speed that the given model lacks or has wrong",
     shown_by: "constant speeds of several sizes in both directions",
@@ -25,7 +28,7 @@ pub static VISCOUS: Plain = Plain {
 
 /// `FC sign(v)`.
 pub static COULOMB: Plain = Plain {
-    name: "coulomb_friction",
+    effect: EffectKind::CoulombFriction,
     symbol: "FC",
     says: "friction of constant size against the motion that the given model lacks or has wrong",
     shown_by: "slow motion in both directions through the same positions",
@@ -33,18 +36,15 @@ pub static COULOMB: Plain = Plain {
 
 /// `TO`.
 pub static OFFSET: Plain = Plain {
-    name: "torque_offset",
+    effect: EffectKind::TorqueOffset,
     symbol: "TO",
     says: "a constant shift of the torque",
     shown_by: "the joint at rest in positions where gravity does not load it",
 };
 
-/// All three.
-pub(super) static ALL: [&dyn Cause; 3] = [&VISCOUS, &COULOMB, &OFFSET];
-
 impl Cause for Plain {
-    fn name(&self) -> &'static str {
-        self.name
+    fn effect(&self) -> EffectKind {
+        self.effect
     }
 
     fn kind(&self) -> Kind {
@@ -63,7 +63,7 @@ impl Cause for Plain {
 
     fn same_on_paper(&self) -> &'static [&'static str] {
         // While the joint moves, a difference of Coulomb levels is a constant.
-        if self.symbol == "TO" { &["asymmetric_friction"] } else { &[] }
+        if self.symbol == "TO" { &[effects::AsymmetricFriction::NAME] } else { &[] }
     }
 
     fn says(&self) -> &'static str {

@@ -1,5 +1,7 @@
 //! `position_dependent_friction`: friction that varies along the joint's travel.
 
+use dh_codegen::robot::EffectKind;
+
 use super::Cause;
 use super::Kind;
 use super::Over;
@@ -14,8 +16,8 @@ use crate::diagnose::windowed_data::WindowedData;
 pub struct PositionDependentFriction;
 
 impl Cause for PositionDependentFriction {
-    fn name(&self) -> &'static str {
-        "position_dependent_friction"
+    fn effect(&self) -> EffectKind {
+        EffectKind::PositionDependentFriction
     }
 
     fn kind(&self) -> Kind {

@@ -1,5 +1,7 @@
 //! `presliding_hysteresis`: friction with memory near reversals (Dahl 1968).
 
+use dh_codegen::robot::EffectKind;
+
 use super::Cause;
 use super::Kind;
 use super::Shape;
@@ -34,8 +36,8 @@ pub fn bristle(own: &JointSeries, distance: f64) -> Vec<f64> {
 }
 
 impl Cause for PreslidingHysteresis {
-    fn name(&self) -> &'static str {
-        "presliding_hysteresis"
+    fn effect(&self) -> EffectKind {
+        EffectKind::PreslidingHysteresis
     }
 
     fn kind(&self) -> Kind {

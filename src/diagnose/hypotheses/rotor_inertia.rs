@@ -1,5 +1,7 @@
 //! `rotor_inertia`: reflected inertia of the drive.
 
+use dh_codegen::robot::EffectKind;
+
 use super::Cause;
 use super::Estimate;
 use super::Kind;
@@ -14,8 +16,8 @@ use crate::diagnose::windowed_data::WindowedData;
 pub struct RotorInertia;
 
 impl Cause for RotorInertia {
-    fn name(&self) -> &'static str {
-        "rotor_inertia"
+    fn effect(&self) -> EffectKind {
+        EffectKind::RotorInertia
     }
 
     fn kind(&self) -> Kind {

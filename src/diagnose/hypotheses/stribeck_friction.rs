@@ -1,6 +1,8 @@
 //! `stribeck_friction`: friction falls from the breakaway to the Coulomb level as speed rises
 //! (Armstrong-Helouvry, Dupont and Canudas de Wit 1994).
 
+use dh_codegen::robot::EffectKind;
+
 use super::Cause;
 use super::Estimate;
 use super::Kind;
@@ -17,8 +19,8 @@ use crate::diagnose::windowed_data::WindowedData;
 pub struct StribeckFriction;
 
 impl Cause for StribeckFriction {
-    fn name(&self) -> &'static str {
-        "stribeck_friction"
+    fn effect(&self) -> EffectKind {
+        EffectKind::StribeckFriction
     }
 
     fn kind(&self) -> Kind {

@@ -1,5 +1,7 @@
 //! `time_delay`: torque and motion are not sampled at the same time.
 
+use dh_codegen::robot::EffectKind;
+
 use super::Cause;
 use super::Estimate;
 use super::Kind;
@@ -15,8 +17,8 @@ use crate::diagnose::windowed_data::{MOST_DELAY, WindowedData};
 pub struct TimeDelay;
 
 impl Cause for TimeDelay {
-    fn name(&self) -> &'static str {
-        "time_delay"
+    fn effect(&self) -> EffectKind {
+        EffectKind::TimeDelay
     }
 
     fn kind(&self) -> Kind {

@@ -1,5 +1,7 @@
 //! `torque_gain_error`: a joint's torque is scaled.
 
+use dh_codegen::robot::EffectKind;
+
 use super::Cause;
 use super::Estimate;
 use super::Kind;
@@ -13,8 +15,8 @@ use crate::diagnose::windowed_data::{Column, WindowedData};
 pub struct TorqueGainError;
 
 impl Cause for TorqueGainError {
-    fn name(&self) -> &'static str {
-        "torque_gain_error"
+    fn effect(&self) -> EffectKind {
+        EffectKind::TorqueGainError
     }
 
     fn kind(&self) -> Kind {

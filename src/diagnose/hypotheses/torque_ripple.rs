@@ -1,5 +1,7 @@
 //! `torque_ripple`: torque periodic in the joint or motor angle.
 
+use dh_codegen::robot::EffectKind;
+
 use super::Cause;
 use super::Kind;
 use super::Shape;
@@ -79,8 +81,8 @@ fn peaks(scene: &WindowedData<'_>, j: usize, residual: &[f64]) -> Vec<f64> {
 }
 
 impl Cause for TorqueRipple {
-    fn name(&self) -> &'static str {
-        "torque_ripple"
+    fn effect(&self) -> EffectKind {
+        EffectKind::TorqueRipple
     }
 
     fn kind(&self) -> Kind {

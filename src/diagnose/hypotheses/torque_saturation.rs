@@ -1,5 +1,7 @@
 //! `torque_saturation`: the torque is clipped.
 
+use dh_codegen::robot::EffectKind;
+
 use super::Cause;
 use super::Estimate;
 use super::Kind;
@@ -14,8 +16,8 @@ use crate::diagnose::windowed_data::{Column, WindowedData};
 pub struct TorqueSaturation;
 
 impl Cause for TorqueSaturation {
-    fn name(&self) -> &'static str {
-        "torque_saturation"
+    fn effect(&self) -> EffectKind {
+        EffectKind::TorqueSaturation
     }
 
     fn kind(&self) -> Kind {

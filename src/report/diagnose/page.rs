@@ -4,6 +4,7 @@
 //! The plots are drawn by `diagnose.js` as SVG from numbers in the page; before is orange and
 //! dashed, after blue and solid, so that a print without colour can be read too.
 
+use dh_codegen::robot::effects;
 use std::fmt::Write;
 
 use serde_json::{Value, json};
@@ -177,7 +178,7 @@ fn cause(body: &mut String, number: usize, c: &Cause) {
             escape(c.shown_by)
         );
     }
-    if c.cause == "time_delay" {
+    if c.cause == effects::TimeDelay::NAME {
         body.push_str("<p class=note>It acts by shifting the torques in time, so it adds no curve of its own to draw against the error; the bars show what the shift gains.</p>\n");
     }
     let _ = writeln!(body, "<div class=grid2 data-cause={number}></div></article>");
@@ -186,7 +187,7 @@ fn cause(body: &mut String, number: usize, c: &Cause) {
 /// The curve, where it shows its cause: a delay is taken out by shifting time, adds no torque of
 /// its own, and would be a misleading line at zero.
 fn drawn(c: &Cause) -> Option<&Evidence> {
-    c.curve.as_ref().filter(|e| c.cause != "time_delay" && !e.x.is_empty())
+    c.curve.as_ref().filter(|e| c.cause != effects::TimeDelay::NAME && !e.x.is_empty())
 }
 
 /// Numbers for the script, with the digits that a plot shows.

@@ -1,7 +1,7 @@
 //! `asymmetric_friction`: `FCA |sign(v)| + FVA |v|`: forward the levels are `FC + FCA`, backward
 //! `FC - FCA`.
 
-use super::Given;
+use dh_codegen::robot::effects;
 
 /// Friction that differs with direction.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -13,8 +13,8 @@ pub struct AsymmetricFriction {
 }
 
 impl AsymmetricFriction {
-    pub(crate) fn read(given: &Given<'_>) -> Self {
-        Self { level: given.get("FCA"), viscous: given.get("FVA") }
+    pub(crate) fn new(stated: &effects::AsymmetricFriction, rated: f64) -> Self {
+        Self { level: stated.level(rated), viscous: stated.viscous(rated) }
     }
 
     /// Torque at velocity `v`; `s` stands for its sign, in `[-1, 1]`.

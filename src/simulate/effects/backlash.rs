@@ -2,7 +2,8 @@
 //! mechanical systems with backlash: a survey*, Automatica 38, 2002). The teeth push and never
 //! pull.
 
-use super::Given;
+use dh_codegen::robot::effects;
+
 use super::JointElasticity;
 
 /// A dead zone, and the spring of the teeth on both sides of it.
@@ -13,8 +14,8 @@ pub struct Backlash {
 }
 
 impl Backlash {
-    pub(crate) fn read(given: &Given<'_>) -> Self {
-        Self { width: given.get("BL") }
+    pub(crate) fn new(stated: &effects::Backlash) -> Self {
+        Self { width: stated.width() }
     }
 
     /// Torque on the link, and how it changes with the angle and the velocity of the motor before

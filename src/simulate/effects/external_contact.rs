@@ -1,6 +1,6 @@
 //! `external_contact`: a wrench on the tool, in its frame, during a window of time.
 
-use super::Given;
+use dh_codegen::robot::effects;
 
 /// A push.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,12 +15,12 @@ pub struct ExternalContact {
 
 impl ExternalContact {
     /// `span`: begin and end of the motion, s.
-    pub(crate) fn read(given: &Given<'_>, span: &std::ops::Range<f64>) -> Self {
+    pub(crate) fn new(stated: &effects::ExternalContact, span: &std::ops::Range<f64>) -> Self {
         let third = (span.end - span.start) / 3.0;
         Self {
-            start: given.stated("start").unwrap_or(span.start + third),
-            end: given.stated("end").unwrap_or(span.end - third),
-            wrench: ["fx", "fy", "fz", "mx", "my", "mz"].map(|key| given.get(key)),
+            start: stated.start.unwrap_or(span.start + third),
+            end: stated.end.unwrap_or(span.end - third),
+            wrench: stated.wrench(),
         }
     }
 

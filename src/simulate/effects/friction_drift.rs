@@ -1,7 +1,7 @@
 //! `friction_drift`: friction times `1 + DA exp(-t / DT) + DK (temp - T0)`; the gear warms with the
 //! same time constant.
 
-use super::Given;
+use dh_codegen::robot::effects;
 
 /// What a gear warms up by at work, K.
 const WARMING: f64 = 15.0;
@@ -20,8 +20,13 @@ pub struct FrictionDrift {
 }
 
 impl FrictionDrift {
-    pub(crate) fn read(given: &Given<'_>) -> Self {
-        Self { cold: given.get("DA"), time: given.get("DT"), per_kelvin: given.get("DK"), reference: given.get("T0") }
+    pub(crate) fn new(stated: &effects::FrictionDrift) -> Self {
+        Self {
+            cold: stated.cold(),
+            time: stated.time(),
+            per_kelvin: stated.per_kelvin(),
+            reference: stated.reference(),
+        }
     }
 
     /// Factor of the joint's friction, `t` s after the start.

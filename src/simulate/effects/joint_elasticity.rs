@@ -2,7 +2,7 @@
 //! *Modeling and control of elastic joint robots*, J. Dyn. Sys. Meas. Control 109, 1987). Friction,
 //! rotor and ripple act on the motor.
 
-use super::Given;
+use dh_codegen::robot::effects;
 
 /// The spring between motor and link.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,8 +14,8 @@ pub struct JointElasticity {
 }
 
 impl JointElasticity {
-    pub(crate) fn read(given: &Given<'_>) -> Self {
-        Self { stiffness: given.get("KE"), damping: given.get("DE") }
+    pub(crate) fn new(stated: &effects::JointElasticity, rated: f64) -> Self {
+        Self { stiffness: stated.stiffness(rated), damping: stated.damping() }
     }
 
     /// What the teeth of a gear with backlash meet with where the file gives no elasticity: ten

@@ -1,6 +1,6 @@
 //! `joint_spring`: `KS (q - QS)`, on the link.
 
-use super::Given;
+use dh_codegen::robot::effects;
 
 /// A spring between a link and the one before.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,8 +12,8 @@ pub struct JointSpring {
 }
 
 impl JointSpring {
-    pub(crate) fn read(given: &Given<'_>) -> Self {
-        Self { stiffness: given.get("KS"), rest: given.get("QS") }
+    pub(crate) fn new(stated: &effects::JointSpring, rated: f64) -> Self {
+        Self { stiffness: stated.stiffness(rated), rest: stated.rest() }
     }
 
     /// Torque that holds it at this angle.

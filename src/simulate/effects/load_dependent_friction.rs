@@ -1,7 +1,7 @@
 //! `load_dependent_friction`: `FL |tau_load| sign(v)`, `tau_load` the torque of the bodies that the
 //! gear transmits.
 
-use super::Given;
+use dh_codegen::robot::effects;
 
 /// Friction in proportion to the transmitted torque.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11,8 +11,8 @@ pub struct LoadDependentFriction {
 }
 
 impl LoadDependentFriction {
-    pub(crate) fn read(given: &Given<'_>) -> Self {
-        Self { factor: given.get("FL") }
+    pub(crate) fn new(stated: &effects::LoadDependentFriction) -> Self {
+        Self { factor: stated.factor() }
     }
 
     /// The level at this load, N m.

@@ -1,6 +1,6 @@
 //! `nonlinear_viscous_friction`: `FN |v|^EN sign(v)`.
 
-use super::Given;
+use dh_codegen::robot::effects;
 
 /// Below this speed, rad/s, a power less than 1 is rounded off, so that its slope stays finite.
 const ROUNDED: f64 = 1e-3;
@@ -15,8 +15,8 @@ pub struct NonlinearViscousFriction {
 }
 
 impl NonlinearViscousFriction {
-    pub(crate) fn read(given: &Given<'_>) -> Self {
-        Self { level: given.get("FN"), exponent: given.get("EN") }
+    pub(crate) fn new(stated: &effects::NonlinearViscousFriction, rated: f64) -> Self {
+        Self { level: stated.level(rated), exponent: stated.exponent() }
     }
 
     /// Torque per velocity: the law is this times `v`.

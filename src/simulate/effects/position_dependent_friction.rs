@@ -1,6 +1,6 @@
 //! `position_dependent_friction`: `sign(v) (PC cos(PN q) + PS sin(PN q))`.
 
-use super::Given;
+use dh_codegen::robot::effects;
 
 /// Friction that varies along the joint's travel.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,8 +12,8 @@ pub struct PositionDependentFriction {
 }
 
 impl PositionDependentFriction {
-    pub(crate) fn read(given: &Given<'_>) -> Self {
-        Self { amplitude: [given.get("PC"), given.get("PS")], periods: given.get("PN") }
+    pub(crate) fn new(stated: &effects::PositionDependentFriction, rated: f64) -> Self {
+        Self { amplitude: [stated.cosine(rated), stated.sine(rated)], periods: stated.periods() }
     }
 
     /// What the level is higher at this angle, N m.

@@ -2,7 +2,7 @@
 //! Lischinsky, *A new model for control of systems with friction*, IEEE Trans. Automatic Control
 //! 40, 1995), whose undamped form is Dahl's.
 
-use super::Given;
+use dh_codegen::robot::effects;
 
 /// Friction with memory near reversals.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,7 +14,7 @@ pub struct PreslidingHysteresis {
 }
 
 impl PreslidingHysteresis {
-    pub(crate) fn read(given: &Given<'_>) -> Self {
-        Self { level: given.get("HC"), travel: given.get("HX") }
+    pub(crate) fn new(stated: &effects::PreslidingHysteresis, rated: f64) -> Self {
+        Self { level: stated.level(rated), travel: stated.travel() }
     }
 }

@@ -1,6 +1,6 @@
 //! `stribeck_friction`: `(FS - FC) exp(-|v / VS|^DS) sign(v)`.
 
-use super::Given;
+use dh_codegen::robot::effects;
 
 /// Friction that falls from breakaway to Coulomb level.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,12 +14,12 @@ pub struct StribeckFriction {
 }
 
 impl StribeckFriction {
-    /// `coulomb`: the joint's `FC`.
-    pub(crate) fn read(given: &Given<'_>, coulomb: f64) -> Self {
+    /// `rated`: the joint's torque limit, N m; `coulomb`: its `FC`, N m.
+    pub(crate) fn new(stated: &effects::StribeckFriction, rated: f64, coulomb: f64) -> Self {
         Self {
-            breakaway: given.stated("FS").unwrap_or(coulomb + 0.01 * given.rated),
-            velocity: given.get("VS"),
-            exponent: given.get("DS"),
+            breakaway: stated.breakaway.unwrap_or(coulomb + effects::StribeckFriction::EXCESS * rated),
+            velocity: stated.velocity(),
+            exponent: stated.exponent(),
         }
     }
 

@@ -431,9 +431,9 @@ fn stick_and_slip_needs_stribeck() {
 fn every_effect_runs_at_its_default_in_both_ways() {
     let robot = robot("planar2r");
     let trajectory = motion(2, 0.8, 1.0);
-    for law in &dh_codegen::robot::effect::LAWS {
+    for law in EffectKind::ALL.iter().map(|kind| kind.description()) {
         let joint = if law.name == "gear_coupling" { vec![("joint", 1.0)] } else { Vec::new() };
-        let effects = if law.place == dh_codegen::robot::effect::Place::Robot {
+        let effects = if !law.scope.at_joint() {
             Effects { joints: Vec::new(), robot: vec![effect(law.name, &joint)] }
         } else {
             at_joint(1, law.name, &joint)
@@ -451,9 +451,25 @@ fn every_effect_runs_at_its_default_in_both_ways() {
 fn every_effect_has_its_picture_and_its_row() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(root.join("docs/simulate.md")).unwrap();
-    for law in &dh_codegen::robot::effect::LAWS {
+    for law in EffectKind::ALL {
+        let law = law.description();
         let picture = format!("effects/{}.svg", law.name);
         assert!(text.contains(&picture), "{picture}");
         assert!(root.join("docs").join(&picture).exists(), "{picture}");
+    }
+}
+
+#[test]
+fn what_adds_to_the_file_is_judged_by_the_sum() {
+    let mut robot = robot("planar2r");
+    let drive = &mut robot.joints[0].drive;
+    (drive.rotor_inertia, drive.viscous_friction, drive.coulomb_friction) = (Some(0.02), Some(0.02), Some(0.02));
+    for (name, key) in [("rotor_inertia", "IA"), ("viscous_friction", "FV"), ("coulomb_friction", "FC")] {
+        let simulator = |by: f64| Simulator::new(&robot, &at_joint(0, name, &[(key, by)]));
+        let drive = simulator(-0.005).unwrap_or_else(|error| panic!("{error}")).drives()[0].clone();
+        let values = [drive.rotor, drive.plain.viscous, drive.plain.level];
+        assert_eq!(values.iter().filter(|value| (*value - 0.015).abs() < 1e-15).count(), 1, "{name}: {values:?}");
+        let error = simulator(-0.05).err().unwrap().to_string();
+        assert!(error.starts_with(&format!("{name} of joint 1: {key}, the file's included, is -0.03")), "{error}");
     }
 }

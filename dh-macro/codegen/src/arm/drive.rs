@@ -1,5 +1,5 @@
 //! Torques at the sensors of an arm whose drives have more to them than rotor and plain friction:
-//! the laws of [`crate::robot::effect::LAWS`] as expressions.
+//! the laws of [`crate::robot::effects`] as expressions.
 //!
 //! `tau = GT clip(load + IA ddq + warmth friction + FO + ripple + couplings, TM) + TO`, `load` the
 //! torque of the bodies and of the joint's spring, where the links of soft joints stand behind
@@ -11,7 +11,8 @@ use super::chain::{Chain, Group, Links};
 use super::dynamics::{self, Values};
 use super::motion::Include;
 use super::param::{DriveTerm, Parameter};
-use crate::robot::{Laws, Stribeck};
+use crate::robot::Laws;
+use crate::robot::effects::StribeckFriction;
 use crate::sym::{Call, Ex, Graph};
 
 /// Where the states of bristles and the warmth of the gears come from.
@@ -88,12 +89,12 @@ pub(super) fn torques<'g>(
 fn loads<'g>(links: &Links<'g>, values: &Values<'g>, laws: &[Laws], wound: &[Option<Ex<'g>>]) -> Vec<Ex<'g>> {
     let mut load = dynamics::torques(links, values, Include::ALL, false, false);
     for (k, law) in laws.iter().enumerate() {
-        if let Some([stiffness, rest]) = law.spring {
-            let mut q = links.input(Group::Position, k) + (law.encoder_offset - rest);
+        if let Some(spring) = law.spring {
+            let mut q = links.input(Group::Position, k) + (law.encoder_offset - spring.rest());
             if let Some(by) = wound.get(k).copied().flatten() {
                 q = q - by;
             }
-            load[k] = load[k] + q * stiffness;
+            load[k] = load[k] + q * spring.stiffness(law.rated);
         }
     }
     load
@@ -103,9 +104,9 @@ fn loads<'g>(links: &Links<'g>, values: &Values<'g>, laws: &[Laws], wound: &[Opt
 fn wound<'g>(law: &Laws, load: Ex<'g>) -> Option<Ex<'g>> {
     let small = CHANGES_SIDE * law.rated;
     let zero = load.graph().constant(0.0);
-    let side = if law.backlash == 0.0 { zero } else { load / (load * load + small * small).call(Call::Sqrt) };
-    let spring = law.stiffness.map_or(zero, |stiffness| load * (1.0 / stiffness));
-    law.is_soft().then(|| spring + side * (0.5 * law.backlash))
+    let side = if law.backlash() == 0.0 { zero } else { load / (load * load + small * small).call(Call::Sqrt) };
+    let spring = law.stiffness().map_or(zero, |stiffness| load * (1.0 / stiffness));
+    law.is_soft().then(|| spring + side * (0.5 * law.backlash()))
 }
 
 /// What the laws of one joint read.
@@ -137,36 +138,36 @@ impl<'g> Drive<'g> {
         if let Some(stribeck) = law.stribeck {
             level = level + self.stribeck(law, stribeck);
         }
-        if let Some([cosine, sine, periods]) = law.position {
-            level = level + wave(self.q, periods, cosine, sine);
+        if let Some(e) = law.position {
+            level = level + wave(self.q, e.periods(), e.cosine(law.rated), e.sine(law.rated));
         }
-        if let Some([size, exponent]) = law.nonlinear {
-            level = level + power(self.speed(), exponent) * size;
+        if let Some(e) = law.nonlinear {
+            level = level + power(self.speed(), e.exponent()) * e.level(law.rated);
         }
-        if law.load != 0.0 {
-            level = level + self.load.call(Call::Abs) * law.load;
+        if let Some(factor) = law.load.map(|e| e.factor()).filter(|factor| *factor != 0.0) {
+            level = level + self.load.call(Call::Abs) * factor;
         }
         let mut friction = level * self.sign;
-        let [constant, slope] = law.asymmetric;
+        let [constant, slope] = [law.asymmetric.level(law.rated), law.asymmetric.viscous(law.rated)];
         if constant != 0.0 {
             friction = friction + self.sign.call(Call::Abs) * constant;
         }
         if slope != 0.0 {
             friction = friction + self.speed() * slope;
         }
-        if let Some([size, _]) = law.hysteresis {
-            friction = friction + self.bristle * size;
+        if let Some(e) = law.hysteresis {
+            friction = friction + self.bristle * e.level(law.rated);
         }
         friction
     }
 
     /// `(FS - FC) exp(-|v / VS|^DS)`.
-    fn stribeck(&self, law: &Laws, Stribeck { breakaway, velocity, exponent }: Stribeck) -> Ex<'g> {
-        let above = match breakaway {
+    fn stribeck(&self, law: &Laws, e: StribeckFriction) -> Ex<'g> {
+        let above = match e.breakaway {
             Some(level) => self.number(level) - self.coulomb,
-            None => self.number(0.01 * law.rated),
+            None => self.number(StribeckFriction::EXCESS * law.rated),
         };
-        above * (-power(self.speed() * (1.0 / velocity), exponent)).call(Call::Exp)
+        above * (-power(self.speed() * (1.0 / e.velocity()), e.exponent())).call(Call::Exp)
     }
 }
 

@@ -110,21 +110,14 @@ fn robot(top: &Fields<'_>, files: &dyn Fn(&str) -> Result<String, String>, to: &
 
 /// Joints and links that effects name must be there.
 fn numbers_in_effects(top: &Fields<'_>, joints: &[Joint], whole: &[Effect], to: &mut Findings) {
-    let stated = |e: &Effect, key: &str| e.parameters.iter().find(|(k, _)| k == key).map(|(_, value)| *value);
     let of_joints = joints.iter().enumerate().flat_map(|(row, j)| j.drive.effects.iter().map(move |e| (Some(row), e)));
     for (row, effect) in of_joints.chain(whole.iter().map(|e| (None, e))) {
-        let key = match (effect.name.as_str(), row) {
-            ("gear_coupling", Some(_)) => "joint",
-            ("link_inertia_error", _) => "link",
+        let (key, number) = match (effect, row) {
+            (Effect::GearCoupling(e), Some(_)) => ("joint", Some(e.joint)),
+            (Effect::LinkInertiaError(e), _) => ("link", e.link),
             _ => continue,
         };
-        let number = stated(effect, key);
-        // Not a whole number, or none where one is needed: a problem already.
-        if number.is_some_and(|n| n.fract() != 0.0 || !(1.0..=1e6).contains(&n)) || (number.is_none() && key == "joint")
-        {
-            continue;
-        }
-        let named = number.map(|n| n as usize - 1);
+        let named = number.map(|n| n - 1);
         let what = match (key, named) {
             ("joint", Some(k)) if Some(k) == row => format!("joint {} is the motor's own", k + 1),
             (_, Some(k)) if k >= joints.len() => format!("there is no {key} {}", k + 1),
@@ -136,7 +129,7 @@ fn numbers_in_effects(top: &Fields<'_>, joints: &[Joint], whole: &[Effect], to: 
             _ => continue,
         };
         let which = if key == "joint" { "another joint that moves" } else { "a link" };
-        if let Some((mark, path)) = written(top, row, &effect.name, key) {
+        if let Some((mark, path)) = written(top, row, effect.name(), key) {
             to.problem(mark, &path, what, format!("write the number of {which}, 1 to {}", joints.len()));
         }
     }

@@ -1,5 +1,7 @@
 //! Every key of a robot file, once: the checker and the editor's schema both read these tables.
 
+use super::effects::{CoulombFriction, RotorInertia, ViscousFriction};
+
 /// A mapping of the file.
 #[derive(Debug)]
 pub(super) struct Table {
@@ -174,7 +176,7 @@ pub(super) static DRIVE: Table = Table {
     what: "drive",
     effects: true,
     keys: &[
-        key("rotor_inertia", Number, "kg m^2 or kg", "IA: rotor inertia on the link side of the gear."),
+        key(RotorInertia::NAME, Number, "kg m^2 or kg", "IA: rotor inertia on the link side of the gear."),
         key("gear_ratio", Number, "", "Motor turns per joint turn; negative where the gear reverses."),
         key("torque_constant", Positive, "N m/A", "Joint-side torque per motor current."),
         key("friction", Map(&FRICTION), "", "Friction laws."),
@@ -186,8 +188,8 @@ pub(super) static FRICTION: Table = Table {
     what: "friction mapping",
     effects: true,
     keys: &[
-        key("viscous_friction", Number, "N m s/rad or N s/m", "FV: torque per speed."),
-        key("coulomb_friction", Number, "N m or N", "FC: torque against the direction of motion."),
+        key(ViscousFriction::NAME, Number, "N m s/rad or N s/m", "FV: torque per speed."),
+        key(CoulombFriction::NAME, Number, "N m or N", "FC: torque against the direction of motion."),
         key("offset", Number, "N m or N", "FO: constant torque."),
     ],
 };

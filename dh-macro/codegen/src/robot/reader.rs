@@ -5,7 +5,7 @@ use super::keys::{Key, Shape, Table};
 use super::problem::{Note, Problem, closest};
 use super::value::Value;
 use super::yaml::{Kind, Mark, Node, Word, shortened};
-use super::{Angle, EFFECT_NAMES, Length};
+use super::{Angle, EffectKind, Length};
 
 /// What was found so far.
 #[derive(Debug, Default)]
@@ -42,7 +42,7 @@ impl Findings {
             return None;
         };
         for (word, _) in fields {
-            if table.key(&word.text).is_none() && !(table.effects && EFFECT_NAMES.contains(&word.text.as_str())) {
+            if table.key(&word.text).is_none() && !(table.effects && EffectKind::of(&word.text).is_some()) {
                 self.unknown_key(word, path, table);
             }
         }
@@ -56,8 +56,8 @@ impl Findings {
     }
 
     fn unknown_key(&mut self, word: &Word, path: &str, table: &Table) {
-        let effects = if table.effects { &EFFECT_NAMES[..] } else { &[] };
-        let candidates = table.names().into_iter().chain(effects.iter().copied());
+        let effects = if table.effects { EffectKind::ALL } else { &[] };
+        let candidates = table.names().into_iter().chain(effects.iter().map(|kind| kind.name()));
         let mend = match closest(&word.text, candidates) {
             Some(close) => format!("did you mean `{close}`?"),
             None if table.effects => {

@@ -1,7 +1,8 @@
 //! The arm as its effects of geometry and bodies say that it is.
 
+use super::effects::{Effect, GeometricError, LinkInertiaError, Payload};
 use super::laws::shift_zero;
-use super::{Angle, Effect, Given, Inertia, Joint, JointKind, Length, NoLink, Robot};
+use super::{Angle, Inertia, Joint, JointKind, Length, NoLink, Robot};
 use crate::runtime::Scalar;
 
 /// True zeros, rows, base and links. A change of a link that the file does not know changes
@@ -9,9 +10,11 @@ use crate::runtime::Scalar;
 pub(super) fn as_it_is(robot: &Robot) -> Robot {
     let mut real = robot.clone();
     for (row, effect) in robot.effects_by_row() {
-        let given = Given::new(effect, None);
-        if effect.name == "encoder_offset" && robot.joints[row].kind != JointKind::Fixed && given.get("QO") != 0.0 {
-            shift_zero(&mut real.joints[row], given.get("QO"));
+        if let Effect::EncoderOffset(e) = effect
+            && robot.joints[row].kind != JointKind::Fixed
+            && e.offset() != 0.0
+        {
+            shift_zero(&mut real.joints[row], e.offset());
         }
         let _unknown = change(&mut real, Some(row), effect);
     }
@@ -21,33 +24,58 @@ pub(super) fn as_it_is(robot: &Robot) -> Robot {
     real
 }
 
-/// One effect of geometry or bodies, at a joint's row or of the whole robot; any other changes
-/// nothing.
+/// One effect of geometry or bodies, at a joint's row or of the whole robot; a law of drives or
+/// sensors changes nothing.
 pub(super) fn change(real: &mut Robot, row: Option<usize>, effect: &Effect) -> Result<(), NoLink> {
-    let given = Given::new(effect, None);
-    match (effect.name.as_str(), row) {
-        ("geometric_error", Some(row)) => change_row(&mut real.joints[row], &given),
-        ("link_inertia_error", _) => {
-            let number = given.stated("link");
-            let row = number.map_or(row, |number| (number as usize).checked_sub(1));
+    match (effect, row) {
+        (Effect::GeometricError(e), Some(row)) => change_row(&mut real.joints[row], e),
+        (Effect::LinkInertiaError(e), _) => {
+            let row = e.link.map_or(row, |number| number.checked_sub(1));
             let link = row.and_then(|row| real.links.get_mut(row)).and_then(Option::as_mut);
-            let link = link.ok_or(NoLink { number, last: real.joints.len() })?;
-            *link = link.plus(&link_error(link, &given));
+            let link = link.ok_or(NoLink { number: e.link, last: real.joints.len() })?;
+            *link = link.plus(&link_error(link, e));
         }
-        ("base_tilt", None) => real.gravity = tilted(real.gravity, given.get("roll"), given.get("pitch")),
-        ("payload", None) => {
+        (Effect::BaseTilt(e), None) => real.gravity = tilted(real.gravity, e.roll(), e.pitch()),
+        (Effect::Payload(e), None) => {
             let last = real.joints.len();
             let link = real.links.last_mut().and_then(Option::as_mut);
-            let link = link.ok_or(NoLink { number: Some(last as f64), last })?;
-            *link = link.plus(&payload(&given));
+            let link = link.ok_or(NoLink { number: Some(last), last })?;
+            *link = link.plus(&payload(e));
         }
-        _ => {}
+        // At the top it stands for every row, and comes with each of them.
+        (Effect::GeometricError(_), None) => {}
+        // Of the whole robot, and not of a joint.
+        (Effect::BaseTilt(_) | Effect::Payload(_), Some(_)) => {}
+        (
+            Effect::ViscousFriction(_)
+            | Effect::CoulombFriction(_)
+            | Effect::AsymmetricFriction(_)
+            | Effect::StribeckFriction(_)
+            | Effect::NonlinearViscousFriction(_)
+            | Effect::LoadDependentFriction(_)
+            | Effect::PreslidingHysteresis(_)
+            | Effect::FrictionDrift(_)
+            | Effect::PositionDependentFriction(_)
+            | Effect::RotorInertia(_)
+            | Effect::TorqueRipple(_)
+            | Effect::JointElasticity(_)
+            | Effect::Backlash(_)
+            | Effect::GearCoupling(_)
+            | Effect::TorqueGainError(_)
+            | Effect::TorqueOffset(_)
+            | Effect::TorqueSaturation(_)
+            | Effect::EncoderOffset(_)
+            | Effect::JointSpring(_)
+            | Effect::ExternalContact(_)
+            | Effect::TimeDelay(_),
+            _,
+        ) => {}
     }
     Ok(())
 }
 
 /// What is not in error stays exact.
-fn change_row(joint: &mut Joint, given: &Given<'_>) {
+fn change_row(joint: &mut Joint, error: &GeometricError) {
     let angle = |slot: &mut Angle, error: f64| {
         if error != 0.0 {
             *slot = Angle::radians(slot.value + error);
@@ -58,23 +86,22 @@ fn change_row(joint: &mut Joint, given: &Given<'_>) {
             *slot = Length::meters(slot.value + error);
         }
     };
-    angle(&mut joint.alpha, given.get("DALPHA"));
-    angle(&mut joint.theta, given.get("DTHETA"));
-    length(&mut joint.d, given.get("DD"));
-    length(&mut joint.r, given.get("DR"));
+    angle(&mut joint.alpha, error.alpha());
+    angle(&mut joint.theta, error.theta());
+    length(&mut joint.d, error.d());
+    length(&mut joint.r, error.r());
 }
 
 /// What the true link has more than the given one; where no size is written, a fifth of it.
-fn link_error(link: &Inertia, given: &Given<'_>) -> Inertia {
-    let stated = !given.is_bare() && given.body().iter().any(|p| *p != 0.0);
-    Inertia::from_array(if stated { given.body() } else { link.to_array().map(|p| 0.2 * p) })
+fn link_error(link: &Inertia, error: &LinkInertiaError) -> Inertia {
+    let stated = error.body().iter().any(|p| *p != 0.0);
+    Inertia::from_array(if stated { error.body() } else { link.to_array().map(|p| 0.2 * p) })
 }
 
 /// A point mass where nothing is said of its tensor.
-fn payload(given: &Given<'_>) -> Inertia {
-    let mut body = Inertia::from_array(given.body());
-    let said = ["XX", "YY", "ZZ", "XY", "XZ", "YZ"].iter().any(|key| given.stated(key).is_some());
-    if !given.is_bare() && !said && body.m > 0.0 {
+fn payload(payload: &Payload) -> Inertia {
+    let mut body = Inertia::from_array(payload.body());
+    if payload.is_point() && body.m > 0.0 {
         let [x, y, z] = body.ms;
         body.i = [y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z].map(|p| p / body.m);
     }

@@ -1,6 +1,6 @@
 //! The JSON Schema of robot files for editors, from the tables that the checker uses.
 
-use super::effect::{LAWS, Law, Place};
+use super::effects::{Description, EffectKey, EffectKind};
 use super::keys::{JOINT, Key, ROBOT, Shape, Table};
 
 /// Text of `robots/robot.schema.json`. Editors find it by the first line of each robot file.
@@ -67,8 +67,8 @@ fn number() -> Vec<(&'static str, Json)> {
 fn table(table: &'static Table) -> Vec<(&'static str, Json)> {
     let mut properties: Vec<(&'static str, Json)> = table.keys.iter().map(|key| (key.name, property(key))).collect();
     if table.effects {
-        let named = |law: &&Law| table.key(law.name).is_none() && law.place != Place::Robot;
-        properties.extend(LAWS.iter().filter(named).map(|law| (law.name, effect(law))));
+        let named = |known: &&Description| table.key(known.name).is_none() && known.scope.at_joint();
+        properties.extend(descriptions().filter(named).map(|known| (known.name, effect(known))));
     }
     let needed: Vec<&str> = table.keys.iter().filter(|key| key.required).map(|key| key.name).collect();
     vec![
@@ -79,24 +79,28 @@ fn table(table: &'static Table) -> Vec<(&'static str, Json)> {
     ]
 }
 
-/// A number, or a mapping of the law's keys.
-fn effect(law: &'static Law) -> Json {
+fn descriptions() -> impl Iterator<Item = &'static Description> {
+    EffectKind::ALL.iter().map(|kind| kind.description())
+}
+
+/// A number, or a mapping of the effect's keys.
+fn effect(known: &'static Description) -> Json {
     let described = |text: String| {
         let mut fields = vec![("description", Json::Text(text))];
         fields.extend(number());
         Json::Map(fields)
     };
-    let words = |key: &super::effect::EffectKey| match key.unit {
+    let words = |key: &EffectKey| match key.unit {
         "" => key.doc.to_string(),
         unit => format!("{} [{unit}]", key.doc),
     };
-    let properties = law.keys.iter().map(|key| (key.name, described(words(key)))).collect();
+    let properties = known.keys.iter().map(|key| (key.name, described(words(key)))).collect();
     let mut map = vec![kind("object"), ("properties", Json::Map(properties))];
-    if !law.repeats {
+    if known.repeats == 1 {
         map.push(("additionalProperties", Json::Flag(false)));
     }
     let either = Json::List(vec![Json::Map(number()), Json::Map(map)]);
-    Json::Map(vec![("description", Json::Text(format!("{}.", law.law))), ("anyOf", either)])
+    Json::Map(vec![("description", Json::Text(format!("{}.", known.law))), ("anyOf", either)])
 }
 
 fn property(key: &'static Key) -> Json {
@@ -137,8 +141,8 @@ fn shape(shape: &Shape) -> Vec<(&'static str, Json)> {
             vec![("type", Json::words(&["array", "null"])), ("items", Json::Map(vec![("anyOf", row)]))]
         }
         Shape::Effects => {
-            let whole = LAWS.iter().filter(|law| law.place != Place::Joint);
-            let properties = whole.map(|law| (law.name, effect(law))).collect();
+            let whole = descriptions().filter(|known| known.scope.at_top());
+            let properties = whole.map(|known| (known.name, effect(known))).collect();
             vec![kind("object"), ("additionalProperties", Json::Flag(false)), ("properties", Json::Map(properties))]
         }
     }

@@ -1,6 +1,6 @@
 //! A robot back to the text of its file.
 
-use super::effect::Law;
+use super::effects::{CoulombFriction, RotorInertia, ViscousFriction};
 use super::expression::Scope;
 use super::yaml::{self, Kind};
 use super::{Angle, Collision, Convention, Drive, Effect, Inertia, Joint, JointKind, Length, Limits, Robot, Tool};
@@ -182,7 +182,7 @@ pub(super) fn drive_field(joint: &Joint) -> Vec<Field> {
 pub(super) fn drive_fields(drive: &Drive) -> Vec<Field> {
     let some = |key: &str, value: Option<f64>| value.map(|value| field(key, number(value)));
     let mut fields: Vec<Field> = Vec::new();
-    fields.extend(some("rotor_inertia", drive.rotor_inertia));
+    fields.extend(some(RotorInertia::NAME, drive.rotor_inertia));
     fields.extend(some("gear_ratio", drive.gear_ratio));
     fields.extend(some("torque_constant", drive.torque_constant));
     let friction = friction_fields(drive);
@@ -190,11 +190,8 @@ pub(super) fn drive_fields(drive: &Drive) -> Vec<Field> {
         fields.push(field("friction", braces(&friction)));
     }
     let signed = [drive.rotor_inertia, drive.viscous_friction, drive.coulomb_friction];
-    let beyond = |e: &Effect| {
-        let law = Law::of(&e.name);
-        e.parameters.iter().any(|(key, value)| law.is_some_and(|law| law.must(key, *value).is_some()))
-    };
-    if signed.into_iter().flatten().any(|value| value < 0.0) || drive.effects.iter().any(beyond) {
+    let beyond = drive.effects.iter().any(|effect| effect.out_of_range().is_some());
+    if signed.into_iter().flatten().any(|value| value < 0.0) || beyond {
         fields.push(field("identified", "true")); // else the file could not be read again
     }
     fields.extend(drive.effects.iter().map(effect_field));
@@ -204,16 +201,16 @@ pub(super) fn drive_fields(drive: &Drive) -> Vec<Field> {
 /// Plain friction, as it stands under `friction`.
 pub(super) fn friction_fields(drive: &Drive) -> Vec<Field> {
     let laws = [
-        ("viscous_friction", drive.viscous_friction),
-        ("coulomb_friction", drive.coulomb_friction),
+        (ViscousFriction::NAME, drive.viscous_friction),
+        (CoulombFriction::NAME, drive.coulomb_friction),
         ("offset", drive.offset),
     ];
     laws.into_iter().filter_map(|(key, value)| Some(field(key, number(value?)))).collect()
 }
 
 pub(super) fn effect_field(effect: &Effect) -> Field {
-    let parameters: Vec<Field> = effect.parameters.iter().map(|(key, value)| (word(key), number(*value))).collect();
-    (effect.name.clone(), braces(&parameters))
+    let keys: Vec<Field> = effect.stated().iter().map(|(key, value)| (word(key), number(*value))).collect();
+    (effect.name().to_string(), braces(&keys))
 }
 
 pub(super) fn inertia_fields(inertia: &Inertia) -> Vec<Field> {

@@ -8,15 +8,16 @@ use crate::arm::param::Parameter;
 impl crate::robot::Laws {
     /// What its drive remembers by.
     pub fn memory(&self) -> crate::drive::Memory {
-        let travel = self.hysteresis.map_or(0.0, |[_, travel]| travel);
+        let travel = self.hysteresis.map_or(0.0, |law| law.travel());
         let [cold, time, per_kelvin, reference] =
-            self.drift.map_or([0.0; 4], |d| [d.cold, d.time, d.per_kelvin, d.reference]);
+            self.drift.map_or([0.0; 4], |d| [d.cold(), d.time(), d.per_kelvin(), d.reference()]);
         crate::drive::Memory { travel, cold, time, per_kelvin, reference }
     }
 
     /// The spring of its gear.
     pub fn gear(&self) -> crate::drive::Spring {
-        crate::drive::Spring { stiffness: self.stiffness.unwrap_or(0.0), damping: self.damping, gain: self.gain }
+        let damping = self.elasticity.map_or(0.0, |spring| spring.damping());
+        crate::drive::Spring { stiffness: self.stiffness().unwrap_or(0.0), damping, gain: self.gain }
     }
 }
 
@@ -44,7 +45,7 @@ pub(super) fn print(model: &Model) -> String {
         t,
         "/// What each joint's drive remembers by; zeros: nothing.\npub const DRIVE_MEMORY: [drive::Memory; DOF] = [\n{memory}];\n"
     );
-    let swings = model.laws().iter().any(|l| l.stiffness.is_some());
+    let swings = model.laws().iter().any(|l| l.elasticity.is_some());
     if swings {
         springs(model, &mut t);
     }

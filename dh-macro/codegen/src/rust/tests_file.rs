@@ -108,7 +108,7 @@ fn at_rest_there_is_only_gravity() {
     }
     t += &body.replace("inverse_dynamics(&Q", "rigid_dynamics(&Q");
     // Springs as the static law has them.
-    let stiff = if model.laws().iter().any(|l| l.stiffness.is_some()) { "    drive.behind = None;\n" } else { "" };
+    let stiff = if model.laws().iter().any(|l| l.elasticity.is_some()) { "    drive.behind = None;\n" } else { "" };
     let steady = r#"
 #[test]
 fn effects_come_out_bit_for_bit() {

@@ -5,11 +5,11 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use dh_codegen::arm::param;
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{EffectKind, Robot};
 
 use super::super::ReproduceError;
 use super::Settings;
-use super::hidden::{About, Draft, FRICTION, Hidden, Outside, SAME_JOINT, SINGLE, effects, single};
+use super::hidden::{About, Draft, FRICTION, Hidden, Outside, SAME_JOINT, Wanted, effects};
 use crate::data::log::{Log, Quantity, csv, open};
 use crate::data::signal::{Filter, Prepare, central, central_second, each_motion};
 use crate::diagnose::{self, Diagnosis, Recording};
@@ -39,15 +39,15 @@ pub enum Task {
     /// Nothing is hidden.
     Nothing,
     /// One effect of the vocabulary.
-    One(&'static str),
+    One(Wanted),
     /// One effect, and a robot file without link parameters.
-    NoLinks(&'static str),
+    NoLinks(EffectKind),
     /// Two on one joint.
-    OneJoint([&'static str; 2]),
+    OneJoint([EffectKind; 2]),
     /// Two on two joints.
-    TwoJoints([&'static str; 2]),
+    TwoJoints([EffectKind; 2]),
     /// A friction law, and a link that is not what the file says.
-    WrongLinks(&'static str),
+    WrongLinks(EffectKind),
     /// Nothing that the vocabulary has.
     Outside(usize),
 }
@@ -57,7 +57,7 @@ pub enum Task {
 const SEVERAL: [usize; 5] = [3, 3, 2, 2, 3];
 
 /// Cases go round in this many kinds: nothing, every single effect, and the rest.
-pub(super) const KINDS: usize = 1 + SINGLE + SEVERAL[0] + SEVERAL[1] + SEVERAL[2] + SEVERAL[3] + SEVERAL[4];
+pub(super) const KINDS: usize = 1 + Wanted::ALONE + SEVERAL[0] + SEVERAL[1] + SEVERAL[2] + SEVERAL[3] + SEVERAL[4];
 
 impl Task {
     /// The kind of a seed.
@@ -65,10 +65,10 @@ impl Task {
         let kind = (seed % KINDS as u64) as usize;
         let friction = |random: &mut Random| FRICTION[random.below(FRICTION.len())];
         let Some(number) = kind.checked_sub(1) else { return Self::Nothing };
-        if number < SINGLE {
-            return Self::One(single(number));
+        if number < Wanted::ALONE {
+            return Self::One(Wanted::alone(number));
         }
-        let mut left = number - SINGLE;
+        let mut left = number - Wanted::ALONE;
         let group = SEVERAL.iter().position(|&cases| {
             let here = left < cases;
             left -= if here { 0 } else { cases };
@@ -84,6 +84,21 @@ impl Task {
             Some(2) => Self::WrongLinks(friction(random)),
             Some(3) => Self::NoLinks(friction(random)),
             _ => Self::Outside(left),
+        }
+    }
+
+    /// What is hidden on which joint, from 0: a first one, another, and that of a wrong link.
+    fn effects(self, joint: usize, apart: usize, link: usize) -> Vec<(Wanted, usize)> {
+        match self {
+            Self::Nothing | Self::Outside(_) => Vec::new(),
+            Self::One(wrong_link @ Wanted::Effect(EffectKind::LinkInertiaError)) => vec![(wrong_link, link)],
+            Self::One(wanted) => vec![(wanted, joint)],
+            Self::NoLinks(law) => vec![(Wanted::Effect(law), joint)],
+            Self::OneJoint([a, b]) => vec![(Wanted::Effect(a), joint), (Wanted::Effect(b), joint)],
+            Self::TwoJoints([a, b]) => vec![(Wanted::Effect(a), joint), (Wanted::Effect(b), apart)],
+            Self::WrongLinks(law) => {
+                vec![(Wanted::Effect(law), joint), (Wanted::Effect(EffectKind::LinkInertiaError), link)]
+            }
         }
     }
 }
@@ -301,7 +316,7 @@ impl<'a> Sizer<'a> {
                 return Ok(None);
             }
             // A clipped torque grows faster than the bound falls.
-            let power = if draft.cause == "torque_saturation" { 0.6 } else { 1.0 };
+            let power = if draft.cause == EffectKind::TorqueSaturation { 0.6 } else { 1.0 };
             x = (x * by.powf(power).clamp(0.02, 50.0)).min(draft.most);
         }
         let now = self.ratio(draft, x)?;
@@ -372,17 +387,10 @@ fn attempt(
     let apart = (joint + 1 + random.below(dof - 1)) % dof;
     // The last link with another body on it is the same as a payload: no case of its own.
     let link = random.below(dof - 1);
-    let wanted: Vec<(&'static str, usize)> = match task {
-        Task::Nothing | Task::Outside(_) => Vec::new(),
-        Task::One("link_inertia_error") => vec![("link_inertia_error", link)],
-        Task::One(name) | Task::NoLinks(name) => vec![(name, joint)],
-        Task::OneJoint([a, b]) => vec![(a, joint), (b, joint)],
-        Task::TwoJoints([a, b]) => vec![(a, joint), (b, apart)],
-        Task::WrongLinks(name) => vec![(name, joint), ("link_inertia_error", link)],
-    };
+    let wanted = task.effects(joint, apart, link);
     let (mut sized, mut hidden) = (Vec::new(), Vec::new());
-    for (name, joint) in wanted {
-        let draft = Draft::draw(name, joint, &robot, &about, random);
+    for (effect, joint) in wanted {
+        let draft = Draft::draw(effect, joint, &robot, &about, random);
         let Some((x, size)) = sizer.size(&draft, settings.size)? else { return Ok(None) };
         hidden.push(draft.hidden(x, &about, size));
         sized.push((draft, x));
@@ -397,7 +405,8 @@ fn attempt(
 
     let simulator = Simulator::new(&robot, &effects(&robot, &sized))?;
     // A push in the one log is none in the other.
-    let lasting: Vec<(Draft, f64)> = sized.iter().filter(|s| s.0.cause != "external_contact").cloned().collect();
+    let lasting: Vec<(Draft, f64)> =
+        sized.iter().filter(|s| s.0.cause != EffectKind::ExternalContact).cloned().collect();
     let later =
         if lasting.len() < sized.len() { Some(Simulator::new(&robot, &effects(&robot, &lasting))?) } else { None };
     let encoder = [1e-5, 2e-5, 4e-5][random.below(3)];
@@ -414,7 +423,7 @@ fn attempt(
     // A torque that is clipped, or lost in a gap, in a loop is a motion that is not the wanted one,
     // and the recorded torque is right for it: to be an error of the torque, the motion must come
     // from elsewhere.
-    let open = sized.iter().any(|(d, _)| matches!(d.cause, "torque_saturation" | "backlash"));
+    let open = sized.iter().any(|(d, _)| matches!(d.cause, EffectKind::TorqueSaturation | EffectKind::Backlash));
     let control = Control { mode: if open { Mode::Exact } else { settings.control }, ..Control::default() };
     let mut scale = None;
     let mut log =

@@ -1,14 +1,15 @@
 //! What a case hides: effects of the vocabulary with drawn shapes, before they have their size; and
 //! what no vocabulary has.
 
-use dh_codegen::robot::{EFFECT_NAMES, Effect, Effects, Robot};
+use dh_codegen::robot::effects::RotorInertia;
+use dh_codegen::robot::{Effect, EffectKind, Effects, Robot};
 
 use crate::numerics::prng::Random;
 
 /// An effect in a place, its size still open: a key is `fixed + x * grows`.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Draft {
-    pub cause: &'static str,
+    pub cause: EffectKind,
     /// Joint, from 0; `None`: the whole robot.
     pub joint: Option<usize>,
     /// The other joint of a coupling, from 0.
@@ -38,37 +39,61 @@ pub struct Hidden {
     pub size: f64,
 }
 
-/// A delay of one joint alone; under its own name it is one of the whole robot.
-pub(super) const ONE_JOINT_LATE: &str = "time_delay of one joint";
+/// An effect that a case hides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Wanted {
+    /// Of the vocabulary; a delay: of the whole robot.
+    Effect(EffectKind),
+    /// A delay of one joint alone.
+    OneJointLate,
+}
 
-/// Effects that are hidden alone: the vocabulary, and [`ONE_JOINT_LATE`].
-pub(super) const SINGLE: usize = EFFECT_NAMES.len() + 1;
+impl Wanted {
+    /// Effects that are hidden alone.
+    pub(super) const ALONE: usize = EffectKind::ALL.len() + 1;
 
-/// The effect of this number, below [`SINGLE`].
-pub(super) fn single(number: usize) -> &'static str {
-    EFFECT_NAMES.get(number).copied().unwrap_or(ONE_JOINT_LATE)
+    /// The effect of this number, below [`Wanted::ALONE`].
+    pub(super) fn alone(number: usize) -> Self {
+        EffectKind::ALL.get(number).map_or(Self::OneJointLate, |kind| Self::Effect(*kind))
+    }
+
+    fn kind(self) -> EffectKind {
+        match self {
+            Self::Effect(kind) => kind,
+            Self::OneJointLate => EffectKind::TimeDelay,
+        }
+    }
+}
+
+impl std::fmt::Display for Wanted {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Effect(kind) => kind.fmt(f),
+            Self::OneJointLate => write!(f, "{} of one joint", self.kind()),
+        }
+    }
 }
 
 /// Two of these on one joint are two different things.
-pub(super) const SAME_JOINT: [[&str; 2]; 6] = [
-    ["stribeck_friction", "torque_ripple"],
-    ["load_dependent_friction", "joint_spring"],
-    ["position_dependent_friction", "torque_gain_error"],
-    ["presliding_hysteresis", "torque_offset"],
-    ["friction_drift", "torque_ripple"],
-    ["viscous_friction", "rotor_inertia"],
+pub(super) const SAME_JOINT: [[EffectKind; 2]; 6] = [
+    [EffectKind::StribeckFriction, EffectKind::TorqueRipple],
+    [EffectKind::LoadDependentFriction, EffectKind::JointSpring],
+    [EffectKind::PositionDependentFriction, EffectKind::TorqueGainError],
+    [EffectKind::PreslidingHysteresis, EffectKind::TorqueOffset],
+    [EffectKind::FrictionDrift, EffectKind::TorqueRipple],
+    [EffectKind::ViscousFriction, EffectKind::RotorInertia],
 ];
 
 /// Laws that hide behind other things: on another joint, beside wrong links, in a file without
 /// links.
-pub(super) const FRICTION: [&str; 7] = [
-    "stribeck_friction",
-    "nonlinear_viscous_friction",
-    "load_dependent_friction",
-    "presliding_hysteresis",
-    "friction_drift",
-    "position_dependent_friction",
-    "torque_ripple",
+pub(super) const FRICTION: [EffectKind; 7] = [
+    EffectKind::StribeckFriction,
+    EffectKind::NonlinearViscousFriction,
+    EffectKind::LoadDependentFriction,
+    EffectKind::PreslidingHysteresis,
+    EffectKind::FrictionDrift,
+    EffectKind::PositionDependentFriction,
+    EffectKind::TorqueRipple,
 ];
 
 /// What the given model says of a joint, for sizes that are shares of it.
@@ -86,39 +111,43 @@ pub(super) struct About {
 
 impl Draft {
     /// Draws the shape of an effect. `about`: one entry per joint.
-    pub fn draw(name: &'static str, joint: usize, robot: &Robot, about: &[About], random: &mut Random) -> Self {
-        let About { limit, peak, viscous, coulomb, rotor } = about[joint];
+    pub fn draw(wanted: Wanted, joint: usize, robot: &Robot, about: &[About], random: &mut Random) -> Self {
+        let About { limit, peak, coulomb, .. } = about[joint];
         let sign = if random.chance(0.5) { 1.0 } else { -1.0 };
         let mut other = None;
-        let mut whole = false;
-        let mut cause = name;
+        let cause = wanted.kind();
+        let whole = wanted == Wanted::Effect(EffectKind::TimeDelay) || !cause.description().scope.at_joint();
         type Keys = Vec<(&'static str, f64, f64)>;
-        let (keys, start, most, own): (Keys, f64, f64, bool) = match name {
-            "viscous_friction" => (vec![("FV", 0.0, 1.0)], 0.01 * limit, f64::MAX, true),
-            "coulomb_friction" => (vec![("FC", 0.0, 1.0)], 0.01 * limit, f64::MAX, true),
-            "asymmetric_friction" => (vec![("FCA", 0.0, 0.3 * sign), ("FVA", 0.0, sign)], 0.01 * limit, f64::MAX, true),
-            "stribeck_friction" => {
+        let (keys, start, most, own): (Keys, f64, f64, bool) = match cause {
+            EffectKind::ViscousFriction => (vec![("FV", 0.0, 1.0)], 0.01 * limit, f64::MAX, true),
+            EffectKind::CoulombFriction => (vec![("FC", 0.0, 1.0)], 0.01 * limit, f64::MAX, true),
+            EffectKind::AsymmetricFriction => {
+                (vec![("FCA", 0.0, 0.3 * sign), ("FVA", 0.0, sign)], 0.01 * limit, f64::MAX, true)
+            }
+            EffectKind::StribeckFriction => {
                 let (speed, power) = (random.uniform(0.03, 0.15), random.uniform(1.2, 2.2));
                 (vec![("FS", coulomb, 1.0), ("VS", speed, 0.0), ("DS", power, 0.0)], 0.01 * limit, f64::MAX, true)
             }
-            "nonlinear_viscous_friction" => {
+            EffectKind::NonlinearViscousFriction => {
                 let power = if random.chance(0.5) { random.uniform(0.35, 0.65) } else { random.uniform(1.7, 2.3) };
                 (vec![("FN", 0.0, 1.0), ("EN", power, 0.0)], 0.015 * limit, f64::MAX, true)
             }
-            "load_dependent_friction" => (vec![("FL", 0.0, 1.0)], 0.08, 0.8, true),
-            "presliding_hysteresis" => {
+            EffectKind::LoadDependentFriction => (vec![("FL", 0.0, 1.0)], 0.08, 0.8, true),
+            EffectKind::PreslidingHysteresis => {
                 let travel = 4e-3 * 10_f64.powf(random.uniform(0.0, 1.0));
                 (vec![("HC", 0.0, 1.0), ("HX", travel, 0.0)], 0.01 * limit, f64::MAX, true)
             }
-            "friction_drift" => (vec![("DA", 0.0, 1.0), ("DT", random.uniform(3.0, 10.0), 0.0)], 0.5, 8.0, true),
-            "position_dependent_friction" => {
+            EffectKind::FrictionDrift => {
+                (vec![("DA", 0.0, 1.0), ("DT", random.uniform(3.0, 10.0), 0.0)], 0.5, 8.0, true)
+            }
+            EffectKind::PositionDependentFriction => {
                 let periods = random.uniform(1.0, 3.5).round();
                 let phase = random.uniform(0.0, std::f64::consts::TAU);
                 let keys = vec![("PC", 0.0, phase.cos()), ("PS", 0.0, phase.sin()), ("PN", periods, 0.0)];
                 (keys, 0.005 * limit, f64::MAX, true)
             }
-            "rotor_inertia" => (vec![("IA", 0.0, 1.0)], 0.003 * limit, f64::MAX, true),
-            "torque_ripple" => {
+            EffectKind::RotorInertia => (vec![("IA", 0.0, 1.0)], 0.003 * limit, f64::MAX, true),
+            EffectKind::TorqueRipple => {
                 let order = random.uniform(12.0, 60.0).round();
                 let phase = random.uniform(0.0, std::f64::consts::TAU);
                 // A second harmonic of a seventh.
@@ -131,11 +160,11 @@ impl Draft {
                 ];
                 (keys, 0.006 * limit, f64::MAX, true)
             }
-            "joint_elasticity" => {
+            EffectKind::JointElasticity => {
                 (vec![("KE", 0.0, 1.0), ("DE", 0.1 * limit, 0.0)], 1.0 / (60.0 * limit), 0.08 / peak, false)
             }
-            "backlash" => (vec![("BL", 0.0, 1.0)], 1e-3, 0.05, false),
-            "gear_coupling" => {
+            EffectKind::Backlash => (vec![("BL", 0.0, 1.0)], 1e-3, 0.05, false),
+            EffectKind::GearCoupling => {
                 let k = if joint == 0 { 1 } else { joint - 1 };
                 other = Some(k);
                 let row = (robot.moving()[k] + 1) as f64;
@@ -146,15 +175,15 @@ impl Draft {
                     true,
                 )
             }
-            "torque_gain_error" => (vec![("GT", 1.0, sign)], 0.05, 0.6, true),
-            "torque_offset" => (vec![("TO", 0.0, sign)], 0.01 * limit, f64::MAX, true),
-            "torque_saturation" => (vec![("TM", peak, -peak)], 0.1, 0.6, true),
-            "encoder_offset" => (vec![("QO", 0.0, sign)], 0.01, 0.3, false),
-            "geometric_error" => {
+            EffectKind::TorqueGainError => (vec![("GT", 1.0, sign)], 0.05, 0.6, true),
+            EffectKind::TorqueOffset => (vec![("TO", 0.0, sign)], 0.01 * limit, f64::MAX, true),
+            EffectKind::TorqueSaturation => (vec![("TM", peak, -peak)], 0.1, 0.6, true),
+            EffectKind::EncoderOffset => (vec![("QO", 0.0, sign)], 0.01, 0.3, false),
+            EffectKind::GeometricError => {
                 let key = ["DALPHA", "DD", "DR"][random.below(3)];
                 (vec![(key, 0.0, sign)], 0.01, 0.25, false)
             }
-            "link_inertia_error" => {
+            EffectKind::LinkInertiaError => {
                 let row = robot.moving()[joint];
                 let link = robot.inertias().and_then(|l| l.get(row).copied());
                 let values = link.map_or([0.0; 10], |l| l.to_array());
@@ -162,8 +191,7 @@ impl Draft {
                 let keys = names.into_iter().zip(values).map(|(n, v)| (n, 0.0, sign * v)).collect();
                 (keys, 0.1, 0.9, false)
             }
-            "payload" => {
-                whole = true;
+            EffectKind::Payload => {
                 let (x, z) = (random.uniform(-0.05, 0.05), random.uniform(0.05, 0.15));
                 let tensor = [z * z + 1e-3, x * x + z * z + 1e-3, x * x + 1e-3];
                 let keys = vec![
@@ -177,16 +205,14 @@ impl Draft {
                 ];
                 (keys, 0.2, 30.0, false)
             }
-            "base_tilt" => {
-                whole = true;
+            EffectKind::BaseTilt => {
                 let turn = random.uniform(0.0, std::f64::consts::TAU);
                 (vec![("roll", 0.0, turn.cos()), ("pitch", 0.0, turn.sin())], 0.01, 0.4, false)
             }
-            "joint_spring" => {
+            EffectKind::JointSpring => {
                 (vec![("KS", 0.0, 1.0), ("QS", random.uniform(-0.5, 0.5), 0.0)], 0.02 * limit, f64::MAX, true)
             }
-            "external_contact" => {
-                whole = true;
+            EffectKind::ExternalContact => {
                 let begin = random.uniform(2.0, 5.0);
                 let end = begin + random.uniform(0.8, 2.0);
                 let keys = vec![
@@ -198,30 +224,31 @@ impl Draft {
                 ];
                 (keys, 5.0, 500.0, false)
             }
-            _ => {
-                cause = "time_delay";
-                whole = name != ONE_JOINT_LATE;
-                (vec![("TD", 0.0, 1.0)], 5e-3, 0.08, true)
-            }
+            EffectKind::TimeDelay => (vec![("TD", 0.0, 1.0)], 5e-3, 0.08, true),
         };
-        let _ = (viscous, rotor);
         let keys = keys.into_iter().map(|(k, fixed, grows)| (k.to_string(), fixed, grows)).collect();
         Self { cause, joint: (!whole).then_some(joint), other, keys, start, most, own }
     }
 
     /// Whether its torque on a given motion is in proportion to the size.
     pub fn linear(&self) -> bool {
-        self.own && !matches!(self.cause, "torque_saturation" | "time_delay")
+        self.own && !matches!(self.cause, EffectKind::TorqueSaturation | EffectKind::TimeDelay)
     }
 
-    /// The effect at this size.
-    pub fn effect(&self, x: f64) -> Effect {
+    /// Its keys at this size.
+    fn values(&self, x: f64) -> Vec<(String, f64)> {
         let value = |(key, fixed, grows): &(String, f64, f64)| match key.as_str() {
             // A stiffness: the effect grows with what it gives way.
             "KE" => (key.clone(), 1.0 / x),
             _ => (key.clone(), fixed + x * grows),
         };
-        Effect { name: self.cause.into(), parameters: self.keys.iter().map(value).collect() }
+        self.keys.iter().map(value).collect()
+    }
+
+    /// The effect at this size.
+    pub fn effect(&self, x: f64) -> Effect {
+        let effect = Effect::of_kind(self.cause, &self.values(x));
+        effect.unwrap_or_else(|error| unreachable!("a draft has the keys of its effect: {error}"))
     }
 
     /// What a diagnosis should find.
@@ -242,10 +269,10 @@ impl Draft {
             "RN", "RC", "RS", "RN2", "RC2", "PC", "PS", "PN", "FN", "EN", "VS", "DS", "DA", "DT", "joint", "KC", "QS",
             "start", "end", "HX",
         ];
-        let truth = self.effect(x).parameters.into_iter().filter(|(k, _)| !skip.contains(&k.as_str()));
+        let truth = self.values(x).into_iter().filter(|(k, _)| !skip.contains(&k.as_str()));
         let truth = truth.map(|(k, v)| (format!("{k}{suffix}"), v + given(&k))).collect();
         Hidden {
-            cause: self.cause,
+            cause: self.cause.name(),
             joints: self.joint.into_iter().chain(self.other).map(|j| j + 1).collect(),
             truth,
             size,
@@ -263,10 +290,9 @@ pub(super) fn effects(robot: &Robot, sized: &[(Draft, f64)]) -> Effects {
                 effects.joints.push((rows[j], draft.effect(*x)));
                 // A motor behind a spring needs a rotor; one that is hardly felt, lest it be a
                 // second effect.
-                if matches!(draft.cause, "joint_elasticity" | "backlash") {
+                if matches!(draft.cause, EffectKind::JointElasticity | EffectKind::Backlash) {
                     let inertia = 1e-4 * robot.joints[rows[j]].limits.torque.unwrap_or(50.0);
-                    let parameters = vec![("IA".to_string(), inertia)];
-                    effects.joints.push((rows[j], Effect { name: "rotor_inertia".into(), parameters }));
+                    effects.joints.push((rows[j], RotorInertia { inertia: Some(inertia) }.into()));
                 }
             }
             None => effects.robot.push(draft.effect(*x)),

@@ -107,7 +107,7 @@ impl Outcome {
     pub fn label(&self) -> String {
         match self.task {
             Task::Nothing => "nothing_wrong".into(),
-            Task::One(name) => name.into(),
+            Task::One(wanted) => wanted.to_string(),
             Task::NoLinks(name) => format!("{name}, no links in the file"),
             Task::OneJoint(_) => "two effects, one joint".into(),
             Task::TwoJoints(_) => "two effects, two joints".into(),

@@ -3,7 +3,7 @@
 use super::super::problem::{Problems, closest};
 use super::super::reader::{Findings, join};
 use super::super::yaml::{self, Kind, Mark, Node, Word, shortened};
-use super::super::{Effect, Effects, JointKind, Note, Robot};
+use super::super::{Effect, EffectKind, Effects, JointKind, Note, Robot};
 use super::drive;
 
 /// What such a file says. Every part may be left out.
@@ -146,7 +146,8 @@ fn joints(node: &Node, path: &str, robot: &Robot, out: &mut Vec<(usize, Effect)>
                         out.extend(row.iter().flat_map(|&row| effects.iter().map(move |e| (row, e.clone()))));
                     }
                     other => {
-                        let mend = "write a mapping of effects: { backlash: {}, torque_offset: { TO: 0.5 } }";
+                        let [gap, offset] = [EffectKind::Backlash, EffectKind::TorqueOffset];
+                        let mend = format!("write a mapping of effects: {{ {gap}: {{}}, {offset}: {{ TO: 0.5 }} }}");
                         to.problem(node.mark, &path, format!("{} stands here", other.describe()), mend);
                     }
                 }

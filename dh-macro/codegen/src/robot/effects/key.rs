@@ -1,0 +1,375 @@
+//! What an effect's type says of itself: its keys with units, defaults and ranges.
+
+/// Where an effect may stand in a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scope {
+    /// In `drive` (or `drive.friction`) of one joint.
+    Joint,
+    /// In `drive` of one joint, or under `effects` at the top of the file: then at every joint.
+    EveryJoint,
+    /// In `drive` of one joint, meaning its link, or under `effects` at the top of the file with the
+    /// number of the link.
+    Link,
+    /// Under `effects` at the top of the file.
+    Robot,
+}
+
+impl Scope {
+    /// Whether it may stand at a joint.
+    #[must_use]
+    pub fn at_joint(self) -> bool {
+        self != Self::Robot
+    }
+
+    /// Whether it may stand at the top of the file.
+    #[must_use]
+    pub fn at_top(self) -> bool {
+        self != Self::Joint
+    }
+}
+
+/// The value of a key that is not written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Magnitude {
+    /// This number.
+    Is(f64),
+    /// This part of the joint's torque limit (of [`RATED`](crate::robot::RATED) where the file
+    /// gives none).
+    OfTorque(f64),
+    /// As the key's words say; it depends on the robot or the motion.
+    Derived,
+    /// It must be written.
+    Needed,
+}
+
+/// Values that a key may have: beyond them a law has no value, a gear locks, or a unit was
+/// mistaken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// Least value.
+    pub least: f64,
+    /// Whether the least value belongs to the range.
+    pub with_least: bool,
+    /// Largest value.
+    pub most: f64,
+    /// Whether the largest value belongs to the range.
+    pub with_most: bool,
+    /// An identified value may lie below `least`, but above this: data that hardly show a size may
+    /// make it negative.
+    pub identified: f64,
+    /// What happens outside, for messages; empty where that is plain.
+    pub beyond: &'static str,
+}
+
+impl Range {
+    /// Any finite number.
+    pub const ANY: Self = Self::within(f64::NEG_INFINITY, f64::INFINITY);
+    /// A size: an identification may have made it negative.
+    pub const SIZE: Self = Self { identified: f64::NEG_INFINITY, ..Self::within(0.0, f64::INFINITY) };
+    /// From 0.
+    pub const NOT_NEGATIVE: Self = Self::within(0.0, f64::INFINITY);
+    /// Above 0.
+    pub const POSITIVE: Self = Self::above(0.0, f64::INFINITY);
+    /// An angle's error, rad: half a turn at most.
+    pub const HALF_TURN: Self = Self::within(-core::f64::consts::PI, core::f64::consts::PI);
+
+    /// From `least` to `most`, both included.
+    #[must_use]
+    pub const fn within(least: f64, most: f64) -> Self {
+        Self { least, with_least: true, most, with_most: true, identified: least, beyond: "" }
+    }
+
+    /// Above `least`, up to `most`.
+    #[must_use]
+    pub const fn above(least: f64, most: f64) -> Self {
+        Self { with_least: false, ..Self::within(least, most) }
+    }
+
+    /// Whether a value lies in it.
+    #[must_use]
+    pub fn holds(&self, value: f64) -> bool {
+        let above = value > self.least || (self.with_least && value == self.least);
+        above && (value < self.most || (self.with_most && value == self.most)) && value.is_finite()
+    }
+
+    /// Whether an identification may give this value.
+    #[must_use]
+    pub fn may_be_identified(&self, value: f64) -> bool {
+        self.holds(value) || (value > self.identified && value < self.least)
+    }
+
+    /// What a value must be, in words.
+    #[must_use]
+    pub fn words(&self, unit: &str) -> String {
+        let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+        let beyond = if self.beyond.is_empty() { String::new() } else { format!(": {}", self.beyond) };
+        let words = match (self.least, self.with_least, self.most, self.with_most) {
+            (f64::NEG_INFINITY, _, f64::INFINITY, _) => "be a finite number".to_string(),
+            (0.0, true, f64::INFINITY, _) => "not be negative".to_string(),
+            (0.0, false, f64::INFINITY, _) => "be greater than 0".to_string(),
+            (least, true, most, true) => format!("be from {least} to {most}{unit}"),
+            (least, true, most, false) => format!("be from {least} to less than {most}{unit}"),
+            (least, false, most, true) => format!("be greater than {least}, and at most {most}{unit}"),
+            (least, false, most, false) => format!("be greater than {least}, and less than {most}{unit}"),
+        };
+        words + &beyond
+    }
+}
+
+/// A key of an effect.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EffectKey {
+    /// Its symbol; a diagnosis adds the joint's number: `FS3`.
+    pub name: &'static str,
+    /// Unit, empty for a plain number. For a prismatic joint read N for N m, and m for rad.
+    pub unit: &'static str,
+    /// The value where nothing is written about the effect but its name, `{}`.
+    pub default: Magnitude,
+    /// The value where other keys of the effect are written.
+    pub omitted: Magnitude,
+    /// The number of a joint or link, from 1.
+    pub count: bool,
+    /// The values it may have.
+    pub range: Range,
+    /// In words.
+    pub doc: &'static str,
+}
+
+/// An effect's type in data, for whatever reads, checks or documents all of them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Description {
+    /// Its name in files and diagnoses.
+    pub name: &'static str,
+    /// What it is, in a sentence.
+    pub sentence: &'static str,
+    /// Where it may stand.
+    pub scope: Scope,
+    /// Its keys; a bare number is the first.
+    pub keys: &'static [EffectKey],
+    /// How often the keys may stand: again with 2, 3, ... behind them.
+    pub repeats: usize,
+    /// What is added to the torque of the rigid model, the actuator's on the link; `v` is the
+    /// joint's velocity.
+    pub law: &'static str,
+    /// Where the default magnitudes come from.
+    pub source: &'static str,
+}
+
+impl Description {
+    /// The key of this name; of `RN2` the key `RN` where keys repeat.
+    #[must_use]
+    pub fn key(&self, name: &str) -> Option<&'static EffectKey> {
+        self.place(name).map(|(key, _)| &self.keys[key])
+    }
+
+    /// Index of a key, and its number: 2 of `RN2`, 1 of `RN`.
+    pub(super) fn place(&self, name: &str) -> Option<(usize, usize)> {
+        let index = |name: &str| self.keys.iter().position(|key| key.name == name);
+        if let Some(key) = index(name) {
+            return Some((key, 1));
+        }
+        let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
+        let digits = &name[stem.len()..];
+        let number: usize = digits.parse().ok().filter(|_| !digits.starts_with('0'))?;
+        let key = index(stem)?;
+        (2..=self.repeats).contains(&number).then_some((key, number))
+    }
+
+    /// `FS (N m), VS (rad/s), DS`
+    pub(crate) fn keys_in_words(&self) -> String {
+        let with_unit = |key: &EffectKey| match key.unit {
+            "" => key.name.to_string(),
+            unit => format!("{} ({unit})", key.name),
+        };
+        self.keys.iter().map(with_unit).collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// An effect's type: its description, and its fields by the keys of that.
+pub(super) trait Keys: Default {
+    /// What the type says of itself.
+    const DESCRIPTION: Description;
+
+    /// The value that is stated for a key (index into the description's), of the keys of this
+    /// number, from 1.
+    fn stated(&self, key: usize, number: usize) -> Option<f64>;
+
+    /// States a value. `false`: the field can not hold it.
+    fn state(&mut self, key: usize, number: usize, value: f64) -> bool;
+
+    /// How often the keys stand.
+    fn numbers(&self) -> usize {
+        1
+    }
+}
+
+/// A field of an effect.
+pub(super) trait Field {
+    fn stated(&self) -> Option<f64>;
+    fn state(&mut self, value: f64) -> bool;
+}
+
+impl Field for Option<f64> {
+    fn stated(&self) -> Option<f64> {
+        *self
+    }
+
+    fn state(&mut self, value: f64) -> bool {
+        *self = Some(value);
+        true
+    }
+}
+
+/// The number of a joint or link, from 1.
+fn number(value: f64) -> Option<usize> {
+    (value.fract() == 0.0 && (1.0..=1e6).contains(&value)).then_some(value as usize)
+}
+
+impl Field for Option<usize> {
+    fn stated(&self) -> Option<f64> {
+        self.map(|number| number as f64)
+    }
+
+    fn state(&mut self, value: f64) -> bool {
+        *self = number(value);
+        self.is_some()
+    }
+}
+
+/// A number that has to be stated; 0 until it is.
+impl Field for usize {
+    fn stated(&self) -> Option<f64> {
+        (*self > 0).then_some(*self as f64)
+    }
+
+    fn state(&mut self, value: f64) -> bool {
+        *self = number(value).unwrap_or(0);
+        *self > 0
+    }
+}
+
+/// Defines an effect's type and its table of keys at once.
+///
+/// Each row is a field: `field = "KEY" ["unit"] default, range, "words";`, with `[]` for a plain
+/// number. The default is
+///
+/// - `always 0.05`: wherever the key is not written,
+/// - `alone 0.05`: where nothing but the effect's name is written; else 0,
+/// - either of them `* torque`: times the joint's torque limit,
+/// - `by_hand 0.05`: as `alone`, by a method that stands beside the table,
+/// - `derived`: from the robot or the motion, by whoever uses it; `derived_alone`: else 0,
+/// - `link`, `joint`: the number of a link, which may be left out, or of a joint, which may not.
+///
+/// A field holds what the file states. A method of its name gives that or the default.
+macro_rules! effect {
+    (
+        #[doc = $sentence:literal]
+        $Type:ident = $name:literal, $scope:expr;
+        law: $law:literal;
+        source: $source:expr;
+        $($field:ident = $key:literal [$($unit:literal)?] $when:ident $($value:literal $(* $torque:ident)?)?,
+            $range:expr, $doc:literal;)+
+    ) => {
+        #[doc = $sentence]
+        #[derive(Debug, Clone, Copy, Default, PartialEq)]
+        pub struct $Type {
+            $(
+                #[doc = concat!("`", $key, "`" $(, ", ", $unit)?, ": ", $doc, ".")]
+                pub $field: effect!(@type $when),
+            )+
+        }
+
+        impl $Type {
+            /// Its name in files and diagnoses.
+            pub const NAME: &'static str = $name;
+
+            /// Whether nothing but the name is written.
+            #[must_use]
+            pub fn is_bare(&self) -> bool {
+                [$($crate::robot::effects::key::Field::stated(&self.$field)),+].iter().all(Option::is_none)
+            }
+
+            $(effect!(@value $field $key $when $($value $(* $torque)?)?);)+
+        }
+
+        impl $crate::robot::effects::key::Keys for $Type {
+            const DESCRIPTION: $crate::robot::effects::Description = $crate::robot::effects::Description {
+                name: $name,
+                sentence: $sentence,
+                scope: $scope,
+                keys: &[$($crate::robot::effects::EffectKey {
+                    name: $key,
+                    unit: concat!($($unit)?),
+                    default: effect!(@default $when $($value $(* $torque)?)?),
+                    omitted: effect!(@omitted $when $($value $(* $torque)?)?),
+                    count: effect!(@count $when),
+                    range: $range,
+                    doc: $doc,
+                }),+],
+                repeats: 1,
+                law: $law,
+                source: $source,
+            };
+
+            fn stated(&self, key: usize, _number: usize) -> Option<f64> {
+                let fields = [$($crate::robot::effects::key::Field::stated(&self.$field)),+];
+                fields.get(key).copied().flatten()
+            }
+
+            fn state(&mut self, key: usize, _number: usize, value: f64) -> bool {
+                let mut fields = [$(&mut self.$field as &mut dyn $crate::robot::effects::key::Field),+];
+                fields.get_mut(key).is_some_and(|field| field.state(value))
+            }
+        }
+    };
+
+    (@type joint) => { usize };
+    (@type link) => { Option<usize> };
+    (@type $when:ident) => { Option<f64> };
+
+    (@count joint) => { true };
+    (@count link) => { true };
+    (@count $when:ident) => { false };
+
+    (@default joint) => { $crate::robot::effects::Magnitude::Needed };
+    (@default $when:ident $value:literal * torque) => { $crate::robot::effects::Magnitude::OfTorque($value) };
+    (@default $when:ident $value:literal) => { $crate::robot::effects::Magnitude::Is($value) };
+    (@default $when:ident) => { $crate::robot::effects::Magnitude::Derived };
+
+    (@omitted alone $($rest:tt)*) => { $crate::robot::effects::Magnitude::Is(0.0) };
+    (@omitted by_hand $($rest:tt)*) => { $crate::robot::effects::Magnitude::Is(0.0) };
+    (@omitted derived_alone) => { $crate::robot::effects::Magnitude::Is(0.0) };
+    (@omitted $($rest:tt)*) => { effect!(@default $($rest)*) };
+
+    (@value $field:ident $key:literal always $value:literal) => {
+        #[doc = concat!("`", $key, "`, or its default.")]
+        #[must_use]
+        pub fn $field(&self) -> f64 {
+            self.$field.unwrap_or($value)
+        }
+    };
+    (@value $field:ident $key:literal always $value:literal * torque) => {
+        #[doc = concat!("`", $key, "`, or its default at a joint with this torque limit, N m.")]
+        #[must_use]
+        pub fn $field(&self, rated: f64) -> f64 {
+            self.$field.unwrap_or($value * rated)
+        }
+    };
+    (@value $field:ident $key:literal alone $value:literal) => {
+        #[doc = concat!("`", $key, "`, or its default.")]
+        #[must_use]
+        pub fn $field(&self) -> f64 {
+            self.$field.unwrap_or(if self.is_bare() { $value } else { 0.0 })
+        }
+    };
+    (@value $field:ident $key:literal alone $value:literal * torque) => {
+        #[doc = concat!("`", $key, "`, or its default at a joint with this torque limit, N m.")]
+        #[must_use]
+        pub fn $field(&self, rated: f64) -> f64 {
+            self.$field.unwrap_or(if self.is_bare() { $value * rated } else { 0.0 })
+        }
+    };
+    (@value $($rest:tt)*) => {};
+}
+
+pub(super) use effect;

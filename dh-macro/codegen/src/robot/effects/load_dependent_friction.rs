@@ -1,0 +1,16 @@
+//! `load_dependent_friction`: `FL |tau_load| sign(v)`.
+
+use super::key::{Range, Scope, effect};
+
+effect! {
+    /// Friction that grows with the transmitted torque.
+    LoadDependentFriction = "load_dependent_friction", Scope::Joint;
+    law: "FL |tau_load| sign(v), tau_load the torque of the bodies that the gear transmits";
+    source: "the law: Hamon, Gautier and Garrec, IROS 2010. Size: order of magnitude, our choice (a gear of 92 % efficiency)";
+    factor = "FL" [] always 0.08, EFFICIENCY, "friction per transmitted torque";
+}
+
+/// A gear takes energy, and locks where it loses as much as it transmits. From data that hardly show
+/// it an identification may give a small factor of the other sign.
+const EFFICIENCY: Range =
+    Range { with_most: false, identified: -1.0, beyond: "beyond, the gear locks", ..Range::within(0.0, 1.0) };
