@@ -293,7 +293,7 @@ fn mjcf_means_what_mujoco_means() {
     assert_eq!(made.held.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), ["left", "right"]);
     assert_eq!(made.robot.joints[0].limits.torque, Some(100.0));
     assert_eq!(made.robot.joints[4].limits.torque, Some(12.0));
-    assert_eq!(made.robot.joints[4].drive.effects[0].name, "joint_spring");
+    assert_eq!(made.robot.joints[4].drive.effects[0].name(), "joint_spring");
     let (numeric, phi) = (Numeric::new(&made.robot), standard_values(&made.robot).unwrap());
     type Known = ([f64; 5], [f64; 5], [f64; 5], [f64; 5], [f64; 3]);
     let states: [Known; 2] = [

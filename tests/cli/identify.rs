@@ -400,7 +400,7 @@ fn effects_of_the_file_are_taken_as_known() {
         );
     }
     let kept = read_robot(&out);
-    assert_eq!(kept.joints[1].drive.effects[0].name, "joint_spring");
+    assert_eq!(kept.joints[1].drive.effects[0].name(), "joint_spring");
     let not_used = file(
         &folder,
         "bare.yaml",

@@ -3,7 +3,7 @@
 use dh_codegen::robot::Robot;
 
 use super::world::{Hidden, World, record};
-use crate::diagnose::hypotheses::CAUSES;
+use crate::diagnose::hypotheses::causes;
 use crate::diagnose::model::{Chosen, Mode, ModelUnderTest};
 use crate::diagnose::{Diagnosis, Settings, diagnose};
 use crate::model::PerturbableArm;
@@ -97,7 +97,7 @@ fn a_law_whose_size_is_in_its_shape_is_not_scaled() {
     let delays = plant.delays();
     let mut bench = ModelUnderTest::new(&plant, &log, 100.0, Mode::Refitted, &delays, false);
     // A spring that is twice as stiff as one at 3 Hz would be: the free fit scales its swing.
-    let cause = CAUSES.iter().copied().find(|c| c.unit()).unwrap();
+    let cause = causes().find(|c| c.unit()).unwrap();
     let mut chosen = vec![Chosen { cause, place: vec![1], shape: vec![8e3, 40.0], x: Vec::new() }];
     let free = bench.fit(&mut chosen);
     assert!((free.solution.x[free.first[0]] - 1.0).abs() > 0.05, "{}", free.solution.x[free.first[0]]);
