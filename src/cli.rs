@@ -15,7 +15,9 @@ mod ik;
 mod import;
 mod interrupt;
 mod known_effects;
+mod log;
 mod logbook;
+mod mapping;
 mod motion;
 mod motors;
 mod output;
@@ -63,6 +65,8 @@ enum Command {
     Import(import::Import),
     /// Find every posture that brings the arm to given poses.
     Ik(ik::Ik),
+    /// Look into recordings (CSV, Parquet, MCAP, npz, mat), and convert them.
+    Log(log::LogVerb),
     /// Identify the base parameters from logs, and write the robot file with the values in place.
     Identify(Box<identify::Identify>),
     /// Plan a motion that paints a wall with a roller.
@@ -106,6 +110,7 @@ impl Cli {
             Command::Ik(verb) => verb.run(provenance),
             Command::Import(verb) => verb.run(provenance),
             Command::Identify(verb) => verb.run(provenance),
+            Command::Log(verb) => verb.run(provenance),
             Command::Paint(verb) => verb.run(provenance),
             Command::Reproduce(verb) => verb.run(provenance),
             Command::Simulate(verb) => verb.run(provenance),

@@ -26,6 +26,8 @@ pub use import::{
     json::import_json,
     text::{import_reason, import_text},
 };
+pub use log::json::inspect_json;
+pub use log::text::{converted_text, inspect_text, mapping_yaml};
 pub use paint::page::paint_html;
 pub use paint::run::{paint_run_csv, paint_run_json, paint_run_text};
 pub use paint::run_page::{Painted, paint_run_html};
@@ -51,6 +53,7 @@ pub(crate) mod force;
 pub(crate) mod identify;
 pub(crate) mod ik;
 pub(crate) mod import;
+pub(crate) mod log;
 pub(crate) mod paint;
 pub(crate) mod parts;
 pub(crate) mod reproduce;

@@ -10,6 +10,7 @@ use indicatif::ProgressBar;
 use super::Failure;
 use super::files;
 use super::logbook::{Logbook, Purpose};
+use super::mapping::MapOption;
 use super::motors;
 use super::prepare::{Torque, keep, torque_constants, warned};
 use super::provenance::Provenance;
@@ -71,6 +72,8 @@ pub(super) struct Diagnose {
     /// Acceptance what is normally refused, as `identify` does.
     #[arg(long, value_delimiter = ',', value_name = "WHAT")]
     keep: Vec<String>,
+    #[command(flatten)]
+    map: MapOption,
 }
 
 /// A robot file to be written, and what it misses.
@@ -97,6 +100,8 @@ struct Reading {
     prepared: Vec<Prepared>,
     logbook: Logbook,
     provenance: Provenance,
+    /// How the columns are read.
+    columns: crate::data::log::Reading,
 }
 
 impl Diagnose {
@@ -116,13 +121,17 @@ impl Diagnose {
         )?;
         let plant = PerturbableRobot::new(&file.robot);
         let constants = torque_constants(&file.robot);
-        let (provenance, logbook) = (provenance.robot(&self.robot, &file), Logbook::of(&file.text));
-        let mut reading = Reading { provenance, logbook, ..Reading::default() };
+        let mut reading = Reading {
+            provenance: provenance.robot(&self.robot, &file),
+            logbook: Logbook::of(&file.text),
+            columns: self.map.reading(Some(&file.robot))?,
+            ..Reading::default()
+        };
         let mut read = |purpose: Purpose, paths: &[PathBuf]| -> Result<Vec<Recording>, Failure> {
             paths.iter().map(|path| self.record(purpose, path, &constants, keep, &mut reading)).collect()
         };
         let (fit, validate) = (read(Purpose::Fit, &self.logs)?, read(Purpose::Validate, &self.validate)?);
-        let Reading { prepared, logbook, provenance } = reading;
+        let Reading { prepared, logbook, provenance, .. } = reading;
         let provenance = provenance.logs(&logbook);
         let bar = ProgressBar::new_spinner();
         bar.enable_steady_tick(std::time::Duration::from_millis(120));
@@ -258,6 +267,7 @@ impl Diagnose {
                 temperature: true,
                 torque: self.torque.quantity(),
                 torque_constants: constants.to_vec(),
+                reading: reading.columns.clone(),
                 keep,
                 ..Prepare::default()
             };

@@ -52,7 +52,7 @@ impl FileEffects {
         match known {
             true => format!(
                 "effects of the robot file are taken as known: {names}. Their torque is taken out of the measured one; links and plain friction are fitted beside \
-                 them, and --delay comes on top of a time_delay"
+                 them, and --delay comes on top of a delay in the file"
             ),
             false => format!(
                 "effects of the robot file are not used: {names}. Without links in the file their torque can't be computed; the fit is that of the rigid arm"

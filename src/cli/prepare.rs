@@ -12,10 +12,11 @@ use sha2::{Digest, Sha256};
 
 use super::Failure;
 use super::files;
+use super::mapping::MapOption;
 use super::provenance::hexadecimal;
 use super::terminal;
 use crate::data::log::{
-    Acceptance, Finding, Fingerprint, Fingerprinted, Kind, Limits, LogError, Quantity, beyond, open, torque_unit,
+    Acceptance, Finding, Fingerprint, Fingerprinted, Kind, Limits, LogError, Quantity, beyond, open_with, torque_unit,
 };
 use crate::data::signal::{DeadZone, Filter, Motion, Prepare, PrepareError, Prepared, each_motion};
 
@@ -50,6 +51,8 @@ pub(super) struct Preparation {
     /// stuck, clipped, dead-torque, large-angles, torque-unit, or all.
     #[arg(long, value_delimiter = ',', value_name = "WHAT")]
     keep: Vec<String>,
+    #[command(flatten)]
+    map: MapOption,
 }
 
 /// Which column of a log is the torque.
@@ -126,6 +129,7 @@ impl Preparation {
             stride: self.stride,
             torque: self.torque.quantity(),
             torque_constants: torque_constants(robot),
+            reading: self.map.reading(Some(robot))?,
             keep,
             ..Prepare::default()
         })
@@ -207,7 +211,7 @@ pub(super) fn try_pass(
     sink: impl FnMut(&Motion),
 ) -> Result<Result<Prepared, PrepareError>, Failure> {
     let (bar, reader) = reader(path)?;
-    let mut source = open(&path.display().to_string(), reader).map_err(Failure::input)?;
+    let mut source = open_with(&path.display().to_string(), reader, &prepare.reading).map_err(Failure::input)?;
     let prepared = each_motion(&mut *source, dof, prepare, sink);
     bar.finish_and_clear();
     Ok(prepared)
@@ -231,7 +235,7 @@ pub(super) fn recognised_pass(
     let (bar, reader) = reader(path)?;
     let digest = Rc::new(RefCell::new(Sha256::new()));
     let hashed = Hashed { inner: reader, digest: Rc::clone(&digest) };
-    let mut source = open(&path.display().to_string(), hashed).map_err(Failure::input)?;
+    let mut source = open_with(&path.display().to_string(), hashed, &prepare.reading).map_err(Failure::input)?;
     let mut fingerprinted = Fingerprinted::new(&mut *source);
     let prepared = each_motion(&mut fingerprinted, dof, prepare, sink);
     let fingerprint = fingerprinted.finish();

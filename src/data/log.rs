@@ -1,22 +1,31 @@
 //! Measured data: files become blocks of rows, the doctor looks at each row, and what passes goes
 //! on.
 //!
-//! `Source` (CSV, Parquet) -> [`Block`] -> [`QualityCheck`] -> rows in segments. Nothing here opens
-//! a file: the caller hands in bytes. Knows the columns of contract section 3; knows no robot.
+//! [`Table`] (CSV, Parquet, MCAP, npz, mat) -> [`Reading`] (names to roles, units to SI) ->
+//! [`Source`] of [`Block`]s -> [`QualityCheck`] -> rows in segments. Nothing here opens a file: the
+//! caller hands in bytes. Knows the columns of a log and joints by name; knows no robot.
 
 mod acceptance;
+mod arrays;
 mod block;
 mod column;
 pub mod csv;
 mod error;
 mod finding;
 mod fingerprint;
+mod inspect;
 mod limits;
+mod mapping;
+mod matlab;
+mod npz;
 mod open;
 pub mod parquet;
 mod quality_check;
 mod replay;
+pub mod ros;
 mod rounded;
+mod table;
+mod unit;
 mod whole;
 
 pub use acceptance::Acceptance;
@@ -25,10 +34,13 @@ pub use column::{Layout, Quantity, Role};
 pub use error::LogError;
 pub use finding::{Clock, Explanation, Finding, Kind, Severity};
 pub use fingerprint::{Common, Fingerprint, Fingerprinted};
+pub use inspect::{ChannelSummary, Proposal, propose};
 pub use limits::{Limits, beyond, torque_unit};
-pub use open::{Format, open};
+pub use mapping::{Channel, Mapping, Reading, SourceJoint};
+pub use open::{Format, open, open_table, open_with};
 pub use quality_check::{QualityCheck, Reached, Verdict};
 pub use replay::Replay;
+pub use table::Table;
 pub use whole::Log;
 
 #[cfg(test)]

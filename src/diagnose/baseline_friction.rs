@@ -7,6 +7,10 @@ use super::search::{SearchSettings, makes_sense};
 use crate::diagnose::hypotheses::Cause;
 use dh_codegen::robot::effects;
 
+/// Causes of plain friction, and which of a joint's three columns each has.
+const PLAIN: [(&str, usize); 3] =
+    [(effects::ViscousFriction::NAME, 0), (effects::CoulombFriction::NAME, 1), (effects::TorqueOffset::NAME, 2)];
+
 /// What else the plain friction of a joint might be.
 pub struct Plain {
     /// Joint, from 0.
@@ -56,14 +60,9 @@ pub fn reconsider(
             let judge = Judge { bench, noise, settings, accepted: accepted.as_slice(), tried: ranked.len() };
             if let Some(mut judged) = judge.judge(&reduced, &next, &trial) {
                 judged.rivals = rivals(&ranked, 0, &next);
-                let names = [
-                    (effects::ViscousFriction::NAME, 0),
-                    (effects::CoulombFriction::NAME, 1),
-                    (effects::TorqueOffset::NAME, 2),
-                ];
                 let margin = (best.score - plain) / memory;
                 let near = best.score - plain < (10.0 * memory).max(0.015 * best.score);
-                let plain = names.iter().filter(|(_, which)| near && free.contains(&(3 * j + which)));
+                let plain = PLAIN.iter().filter(|(_, which)| near && free.contains(&(3 * j + which)));
                 judged.rivals.extend(plain.map(|(name, _)| (*name, vec![j], margin)));
                 accepted.push(judged);
                 adopt(accepted, &trial);

@@ -1,71 +1,207 @@
-//! CSV with a header, plain or gzipped; and the way back.
+//! CSV with a header, plain or gzipped, in the dialect that its first lines show; and the way back.
 
-use std::io::{Read, Write};
+use std::io::{Cursor, Read, Write};
 
 use super::BadCell;
 use super::Block;
-use super::Layout;
 use super::Log;
 use super::LogError;
-use super::Source;
+use super::Role;
+use super::Table;
+use super::unit;
 
-/// A CSV that is read row by row.
-pub struct CsvSource<R> {
-    layout: Layout,
-    reader: ::csv::Reader<R>,
-    record: ::csv::ByteRecord,
+/// Bytes in which the dialect shows.
+const PREVIEW: u64 = 1 << 16;
+
+/// How the cells of a file are separated and written.
+#[derive(Debug, Clone, PartialEq)]
+struct Dialect {
+    /// Between cells; a space stands for any run of blanks.
+    separator: u8,
+    /// Whether numbers have a comma for the point.
+    decimal_comma: bool,
+    /// What lines of comment begin with.
+    comment: Option<u8>,
+    /// The header, where it stands in a comment: `# t q1 tau1`.
+    header: Option<Vec<String>>,
 }
 
-impl<R: Read> CsvSource<R> {
-    /// Reads the header.
-    pub fn new(file: &str, input: R) -> Result<Self, LogError> {
+impl Dialect {
+    /// From the first lines.
+    fn of(text: &str) -> Self {
+        let is_comment = |line: &&str| line.starts_with(['#', '%']);
+        let lines: Vec<&str> = text.lines().map(|l| l.trim_start_matches('\u{feff}').trim()).collect();
+        let comment = lines.iter().find(|l| !l.is_empty()).filter(|l| is_comment(l)).map(|l| l.as_bytes()[0]);
+        let plain: Vec<&str> = lines.iter().filter(|l| !l.is_empty() && !is_comment(l)).copied().collect();
+        let remark = lines.iter().take_while(|l| l.is_empty() || is_comment(l)).filter(|l| !l.is_empty()).last();
+        let first = plain.first().copied().unwrap_or("");
+        // Without a line of names, the last comment may be one.
+        let numbers = !first.is_empty() && first.split([',', ';', '\t', ' ', '|']).all(|c| number(c, true).is_some());
+        let in_comment = remark.filter(|_| numbers).map(|line| line.trim_start_matches(['#', '%']).trim());
+        let names = in_comment.unwrap_or(first);
+        let separator = separator(names);
+        let cells = |line: &str| line.split(separator as char).any(|c| c.contains(',') && number(c, true).is_some());
+        let decimal_comma = separator != b',' && plain.iter().skip(usize::from(in_comment.is_none())).any(|l| cells(l));
+        let header = in_comment.map(|line| split(line, separator));
+        Self { separator, decimal_comma, comment, header }
+    }
+}
+
+/// A number, with a point, or with a comma where `comma`.
+fn number(cell: &str, comma: bool) -> Option<f64> {
+    let cell = cell.trim().trim_matches('"');
+    if comma && cell.contains(',') { cell.replacen(',', ".", 1).parse().ok() } else { cell.parse().ok() }
+}
+
+fn split(line: &str, separator: u8) -> Vec<String> {
+    let cells: Vec<&str> =
+        if separator == b' ' { line.split_whitespace().collect() } else { line.split(separator as char).collect() };
+    cells.iter().map(|c| c.trim().trim_matches('"').to_string()).collect()
+}
+
+/// The separator with which most cells of the header are names of columns; with none, the one that
+/// separates most.
+fn separator(header: &str) -> u8 {
+    let known = |s: u8| split(header, s).iter().filter(|c| Role::of(unit::split(c).0).is_some()).count();
+    let count = |s: u8| split(header, s).len();
+    // The last of equals wins: the comma.
+    let candidates = [b' ', b'|', b'\t', b';', b','];
+    let best = candidates.into_iter().max_by_key(|&s| known(s)).filter(|&s| known(s) > 0);
+    // Blanks are part of names like `q1 [deg]` where anything else separates.
+    let other = [b'|', b'\t', b';', b','].into_iter().max_by_key(|&s| count(s)).filter(|&s| count(s) > 1);
+    match (best, other) {
+        (Some(b' '), Some(other)) => other,
+        (Some(best), _) => best,
+        (None, Some(other)) => other,
+        (None, None) if count(b' ') > 1 => b' ',
+        _ => b',',
+    }
+}
+
+/// Runs of blanks as one comma each, so that a CSV reader takes them apart.
+struct Blanks<R> {
+    inner: R,
+    line_start: bool,
+    pending: bool,
+}
+
+impl<R: Read> Read for Blanks<R> {
+    fn read(&mut self, out: &mut [u8]) -> std::io::Result<usize> {
+        if out.len() < 2 {
+            return Ok(0);
+        }
+        let mut raw = vec![0; out.len() / 2];
+        loop {
+            let n = self.inner.read(&mut raw)?;
+            let mut written = 0;
+            for &byte in &raw[..n] {
+                match byte {
+                    b' ' | b'\t' => self.pending = !self.line_start,
+                    _ => {
+                        let ends = matches!(byte, b'\n' | b'\r');
+                        if std::mem::take(&mut self.pending) && !ends {
+                            out[written] = b',';
+                            written += 1;
+                        }
+                        self.line_start = ends;
+                        out[written] = byte;
+                        written += 1;
+                    }
+                }
+            }
+            if written > 0 || n == 0 {
+                return Ok(written);
+            }
+        }
+    }
+}
+
+/// A CSV that is read row by row.
+pub struct CsvTable<'a> {
+    file: String,
+    names: Vec<String>,
+    positions: Vec<usize>,
+    reader: ::csv::Reader<Box<dyn Read + 'a>>,
+    record: ::csv::ByteRecord,
+    decimal_comma: bool,
+}
+
+impl<'a> CsvTable<'a> {
+    /// Reads the header. Separator (comma, semicolon, tab, bar, blanks), decimal comma and lines of
+    /// comment (`#`, `%`) are found from the first lines.
+    ///
+    /// # Errors
+    /// Where there is no header, or the bytes can't be read.
+    pub fn new<R: Read + 'a>(file: &str, mut input: R) -> Result<Self, LogError> {
+        let mut start = Vec::new();
+        let failed = |source| LogError::Read { file: file.into(), line: 1, source };
+        input.by_ref().take(PREVIEW).read_to_end(&mut start).map_err(failed)?;
+        let dialect = Dialect::of(&String::from_utf8_lossy(&start));
+        let whole = Cursor::new(start).chain(input);
+        let blanks = dialect.separator == b' ';
+        let whole: Box<dyn Read + 'a> =
+            if blanks { Box::new(Blanks { inner: whole, line_start: true, pending: false }) } else { Box::new(whole) };
         let mut reader = ::csv::ReaderBuilder::new()
             .flexible(true)
             .trim(::csv::Trim::All)
+            .comment(dialect.comment)
+            .delimiter(if blanks { b',' } else { dialect.separator })
+            .has_headers(dialect.header.is_none())
             .buffer_capacity(1 << 17)
-            .from_reader(input);
-        let header = reader.byte_headers().map_err(|e| read_error(file, 1, e))?;
-        if header.is_empty() {
+            .from_reader(whole);
+        let names = match dialect.header {
+            Some(names) => names,
+            None => {
+                let header = reader.byte_headers().map_err(|e| read_error(file, 1, e))?;
+                header.iter().map(|n| String::from_utf8_lossy(n).trim_start_matches('\u{feff}').trim().into()).collect()
+            }
+        };
+        if names.is_empty() {
             return Err(LogError::Empty { file: file.into() });
         }
-        let names: Vec<String> = header.iter().map(|n| String::from_utf8_lossy(n).into_owned()).collect();
-        Ok(Self { layout: Layout::new(file, &names)?, reader, record: ::csv::ByteRecord::new() })
+        let decimal_comma = dialect.decimal_comma;
+        let record = ::csv::ByteRecord::new();
+        Ok(Self { file: file.into(), names, positions: Vec::new(), reader, record, decimal_comma })
     }
 }
 
-impl<R: Read> Source for CsvSource<R> {
-    fn layout(&self) -> &Layout {
-        &self.layout
+impl Table for CsvTable<'_> {
+    fn names(&self) -> &[String] {
+        &self.names
     }
 
-    fn next_block(&mut self, rows: usize, block: &mut Block) -> Result<(), LogError> {
-        block.clear(self.layout.roles.len());
+    fn select(&mut self, positions: &[usize], _clock: usize) -> Result<(), LogError> {
+        self.positions = positions.to_vec();
+        Ok(())
+    }
+
+    fn next_rows(&mut self, rows: usize, block: &mut Block) -> Result<(), LogError> {
         while block.len() < rows {
             let line = self.reader.position().line();
             match self.reader.read_byte_record(&mut self.record) {
                 Ok(true) => {}
                 Ok(false) => break,
-                Err(e) => return Err(read_error(&self.layout.file, line, e)),
+                Err(e) => return Err(read_error(&self.file, line, e)),
             }
             let row = block.len();
             block.lines.push(self.record.position().map_or(line, |p| p.line()));
-            if self.record.len() != self.layout.width {
-                let text = format!("{} cells where the header has {}", self.record.len(), self.layout.width);
+            if self.record.len() != self.names.len() {
+                let text = format!("{} cells where the header has {}", self.record.len(), self.names.len());
                 block.bad.push(BadCell { row, column: None, text });
             }
-            for (column, &position) in self.layout.positions.iter().enumerate() {
+            for (column, &position) in self.positions.iter().enumerate() {
                 let cell = self.record.get(position).unwrap_or(b"");
-                let value = match std::str::from_utf8(cell).ok().map(str::parse::<f64>) {
-                    Some(Ok(value)) => value,
-                    _ => {
-                        if !cell.is_empty() {
-                            let text = String::from_utf8_lossy(cell).chars().take(40).collect();
-                            block.bad.push(BadCell { row, column: Some(column), text });
-                        }
-                        f64::NAN
-                    }
+                let text = std::str::from_utf8(cell).ok();
+                let value = if self.decimal_comma {
+                    text.and_then(|t| number(t, true))
+                } else {
+                    text.and_then(|t| t.parse::<f64>().ok())
                 };
-                block.columns[column].push(value);
+                if value.is_none() && !cell.is_empty() {
+                    let text = String::from_utf8_lossy(cell).chars().take(40).collect();
+                    block.bad.push(BadCell { row, column: Some(column), text });
+                }
+                block.columns[column].push(value.unwrap_or(f64::NAN));
             }
         }
         Ok(())
@@ -95,4 +231,54 @@ pub fn write<W: Write>(log: &Log, out: W) -> std::io::Result<()> {
         out.write_all(b"\n")?;
     }
     out.flush()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> (Vec<String>, Vec<Vec<f64>>, Vec<u64>) {
+        let mut table = CsvTable::new("log.csv", text.as_bytes()).unwrap();
+        let all: Vec<usize> = (0..table.names().len()).collect();
+        table.select(&all, 0).unwrap();
+        let mut block = Block::default();
+        block.clear(all.len());
+        table.next_rows(100, &mut block).unwrap();
+        assert!(block.bad.is_empty(), "{:?}", block.bad);
+        (table.names().to_vec(), block.columns, block.lines)
+    }
+
+    #[test]
+    fn dialects_give_the_same_numbers() {
+        let same = [
+            "t,q1,tau1\n0,1.5,-2\n0.1,2.5,-3e1\n",
+            "\u{feff}t;q1;tau1\r\n0;1,5;-2\r\n0,1;2,5;-3e1\r\n",
+            "t\tq1\ttau1\n0\t1.5\t-2\n0.1\t2.5\t-3e1\n",
+            "t   q1 tau1\n 0  1.5   -2 \n0.1 2.5 -3e1\n",
+            "t|q1|tau1\n0|1.5|-2\n0.1|2.5|-3e1\n",
+            "# recorded by somebody\n# t q1 tau1\n0 1.5 -2\n0.1 2.5 -3e1\n",
+            "% t,q1,tau1\n0,1.5,-2\n0.1,2.5,-3e1\n",
+            "# a comment, with commas\nt,q1,tau1\n0,1.5,-2\n# in between\n0.1,2.5,-3e1\n",
+            "\"t\";\"q1\";\"tau1\"\n\"0\";\"1,5\";\"-2\"\n\"0,1\";\"2,5\";\"-3e1\"\n",
+        ];
+        for text in same {
+            let (names, columns, _) = read(text);
+            assert_eq!(names, ["t", "q1", "tau1"], "{text}");
+            assert_eq!(columns, [vec![0.0, 0.1], vec![1.5, 2.5], vec![-2.0, -30.0]], "{text}");
+        }
+    }
+
+    #[test]
+    fn lines_are_those_of_the_file() {
+        let (_, _, lines) = read("# one\n# two\nt;q1\n0;1\n1;2\n");
+        assert_eq!(lines, [4, 5]);
+    }
+
+    #[test]
+    fn blanks_in_names_do_not_separate() {
+        let (names, ..) = read("Joint Position 1;Joint Position 2\n1;2\n");
+        assert_eq!(names, ["Joint Position 1", "Joint Position 2"]);
+        let (names, ..) = read("t [s],q1 [deg]\n1,2\n");
+        assert_eq!(names, ["t [s]", "q1 [deg]"]);
+    }
 }

@@ -70,6 +70,42 @@ pub enum LogError {
         /// Joints without one, from 1.
         joints: Vec<usize>,
     },
+    /// A column's unit does not fit what it holds.
+    #[error("{file}, line 1, column `{column}`: {what}")]
+    Unit {
+        /// File.
+        file: String,
+        /// The column.
+        column: String,
+        /// The unit, and which ones there are.
+        what: String,
+    },
+    /// The channels of a file can't be given the roles of columns.
+    #[error("{file}: {what}")]
+    Mapping {
+        /// File.
+        file: String,
+        /// What is missing or ambiguous.
+        what: String,
+    },
+    /// A format that is known and not read.
+    #[error("{file}: {what}")]
+    Foreign {
+        /// File.
+        file: String,
+        /// What it is, and what to do about it.
+        what: String,
+    },
+    /// A file of another kind can't be read.
+    #[error("{file}: the {format} file can't be read: {what}")]
+    Format {
+        /// File.
+        file: String,
+        /// Kind of file.
+        format: &'static str,
+        /// What is wrong with it.
+        what: String,
+    },
     /// Two columns have one name.
     #[error("{file}, line 1: the column `{column}` stands there twice; rename or remove one")]
     DoubleColumn {

@@ -3,9 +3,15 @@
 use std::io::{Cursor, Read};
 
 use super::LogError;
+use super::Reading;
 use super::Source;
-use super::csv::CsvSource;
-use super::parquet::ParquetSource;
+use super::Table;
+use super::csv::CsvTable;
+use super::matlab::MatTable;
+use super::npz::NpzTable;
+use super::parquet::ParquetTable;
+use super::ros::{McapMessages, Recording};
+use super::table::MappedTable;
 
 /// Format of a log's bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,34 +22,91 @@ pub enum Format {
     CsvGz,
     /// Parquet.
     Parquet,
+    /// Recording of ROS 2 messages.
+    Mcap,
+    /// Arrays of NumPy, `np.savez`.
+    Npz,
+    /// Variables of MATLAB, version 5 to 7.
+    Mat,
+    /// Something that is known and not read, with what to do about it.
+    Foreign(&'static str),
 }
 
 impl Format {
-    /// From the first four bytes.
+    /// From the first bytes, sixteen where there are as many.
     pub fn of(magic: &[u8]) -> Self {
         match magic {
             [0x1f, 0x8b, ..] => Self::CsvGz,
             [b'P', b'A', b'R', b'1', ..] => Self::Parquet,
+            [0x89, b'M', b'C', b'A', b'P', ..] => Self::Mcap,
+            [b'P', b'K', 3, 4, ..] => Self::Npz,
+            _ if magic.starts_with(b"MATLAB 5.0 MAT-") => Self::Mat,
+            _ if magic.starts_with(b"MATLAB 7.3 MAT-") || magic.starts_with(b"\x89HDF\r\n") => Self::Foreign(
+                "this is HDF5 (MATLAB 7.3 writes it), which is not read; save it with `save('x.mat', '-v7')`, or as CSV",
+            ),
+            _ if magic.starts_with(b"\x93NUMPY") => Self::Foreign(
+                "this is one NumPy array without names; save the columns by name with `np.savez('x.npz', t=t, q=q, tau=tau)`",
+            ),
+            _ if magic.starts_with(b"SQLite format 3") => Self::Foreign(
+                "this is an SQLite recording of ROS 2, which is not read; turn it into MCAP with `ros2 bag convert`",
+            ),
+            _ if magic.starts_with(b"#ROSBAG") => Self::Foreign(
+                "this is a recording of ROS 1, which is not read; turn it into MCAP with `rosbags-convert`",
+            ),
+            _ if magic.starts_with(b"ULog") => {
+                Self::Foreign("this is a ULog, which is not read; turn it into CSV with `ulog2csv`")
+            }
             _ => Self::Csv,
         }
     }
 }
 
-/// A reader for a log in any of the formats. `file` is its name for messages. CSV is read as a
-/// stream; a Parquet file, which is read from its end, is taken into memory as it is (compressed).
-pub fn open<'a, R: Read + 'a>(file: &str, mut input: R) -> Result<Box<dyn Source + 'a>, LogError> {
+/// A log as a table: its columns by the names that the file gives them. `file` is its name for
+/// messages. CSV and MCAP are read as streams; the others are taken into memory compressed.
+///
+/// # Errors
+/// Where the bytes can't be read, or are of a format that is not read.
+pub fn open_table<'a, R: Read + 'a>(
+    file: &str,
+    mut input: R,
+    reading: &Reading,
+) -> Result<Box<dyn Table + 'a>, LogError> {
     let failed = |source| LogError::Read { file: file.into(), line: 1, source };
-    let mut magic = Vec::with_capacity(4);
-    input.by_ref().take(4).read_to_end(&mut magic).map_err(failed)?;
+    let mut magic = Vec::with_capacity(16);
+    input.by_ref().take(16).read_to_end(&mut magic).map_err(failed)?;
     let format = Format::of(&magic);
     let mut whole = Cursor::new(magic).chain(input);
+    let mut bytes = || {
+        let mut bytes = Vec::new();
+        whole.read_to_end(&mut bytes).map_err(failed).map(|_| bytes)
+    };
     Ok(match format {
-        Format::Csv => Box::new(CsvSource::new(file, whole)?),
-        Format::CsvGz => Box::new(CsvSource::new(file, flate2::read::MultiGzDecoder::new(whole))?),
-        Format::Parquet => {
-            let mut bytes = Vec::new();
-            whole.read_to_end(&mut bytes).map_err(failed)?;
-            Box::new(ParquetSource::new(file, bytes.into())?)
+        Format::Parquet => Box::new(ParquetTable::new(file, bytes()?.into())?),
+        Format::Npz => Box::new(NpzTable::new(file, bytes()?)?),
+        Format::Mat => Box::new(MatTable::new(file, &bytes()?)?),
+        Format::Foreign(what) => return Err(LogError::Foreign { file: file.into(), what: what.into() }),
+        Format::Csv => Box::new(CsvTable::new(file, whole)?),
+        Format::CsvGz => Box::new(CsvTable::new(file, flate2::read::MultiGzDecoder::new(whole))?),
+        Format::Mcap => {
+            let arrival = reading.mapping.as_ref().is_some_and(|m| m.arrival);
+            Box::new(Recording::new(file, "MCAP", McapMessages::new(whole), arrival)?)
         }
     })
+}
+
+/// A reader for a log in any of the formats, whose columns have the contract's names.
+///
+/// # Errors
+/// As [`open_with`].
+pub fn open<'a, R: Read + 'a>(file: &str, input: R) -> Result<Box<dyn Source + 'a>, LogError> {
+    open_with(file, input, &Reading::default())
+}
+
+/// A reader for a log in any of the formats; joints' names and mapping say what its columns are.
+///
+/// # Errors
+/// Where the bytes can't be read, or a column that must be there is not.
+pub fn open_with<'a, R: Read + 'a>(file: &str, input: R, reading: &Reading) -> Result<Box<dyn Source + 'a>, LogError> {
+    let table = open_table(file, input, reading)?;
+    Ok(Box::new(MappedTable::new(file, table, reading)?))
 }

@@ -1,4 +1,4 @@
-//! Parquet files: flat, numeric columns of the same names as in a CSV.
+//! Parquet files: columns of numbers, and of lists of numbers.
 
 use std::sync::Arc;
 
@@ -17,38 +17,94 @@ use bytes::Bytes;
 
 use super::BadCell;
 use super::Block;
-use super::Layout;
 use super::Log;
 use super::LogError;
-use super::Source;
+use super::Table;
 
-/// A Parquet file that is read row group by row group, a block of rows at a time.
-pub struct ParquetSource {
-    layout: Layout,
+/// A column of the file: numbers, or lists of numbers that are as long in every row.
+struct Leaf {
+    name: String,
+    /// Levels of repetition and definition: `(0, 0 or 1)` of a number, `(1, n)` of a list.
+    levels: (i16, i16),
+    /// Elements of the first list; 1 for a number.
+    width: usize,
+}
+
+/// A Parquet file that is read row group by row group, a block of rows at a time. A column of lists
+/// is as many columns as its first list is long: `state[0]`, `state[1]`, ..
+pub struct ParquetTable {
+    file: String,
     reader: SerializedFileReader<Bytes>,
+    leaves: Vec<Leaf>,
+    names: Vec<String>,
+    /// Leaf and element of each name.
+    owner: Vec<(usize, usize)>,
+    /// Leaves that are read, and for each selected column its place among them and its element.
+    wanted: Vec<usize>,
+    selected: Vec<(usize, usize)>,
     group: usize,
     left: usize,
     columns: Vec<ColumnReader>,
     row: u64,
 }
 
-impl ParquetSource {
+impl ParquetTable {
     /// Reads the schema.
+    ///
+    /// # Errors
+    /// Where it is no Parquet file, or has no columns.
     pub fn new(file: &str, bytes: Bytes) -> Result<Self, LogError> {
         let reader = SerializedFileReader::new(bytes).map_err(|e| failed(file, e))?;
-        let schema = reader.metadata().file_metadata().schema_descr();
-        let names: Vec<String> = schema.columns().iter().map(|c| c.path().string()).collect();
-        if names.is_empty() {
+        let schema = reader.metadata().file_metadata().schema_descr_ptr();
+        let mut table = Self {
+            file: file.into(),
+            reader,
+            leaves: Vec::new(),
+            names: Vec::new(),
+            owner: Vec::new(),
+            wanted: Vec::new(),
+            selected: Vec::new(),
+            group: 0,
+            left: 0,
+            columns: Vec::new(),
+            row: 1,
+        };
+        for (index, column) in schema.columns().iter().enumerate() {
+            let levels = (column.max_rep_level(), column.max_def_level());
+            let parts = column.path().parts();
+            // `state.list.element`, `state.bag.array_element`: the list's own name is before these.
+            let name = if levels.0 == 1 {
+                parts[..parts.len().saturating_sub(2).max(1)].join(".")
+            } else {
+                column.path().string()
+            };
+            let width =
+                if levels.0 == 1 { table.first_length(index, levels).map_err(|e| failed(file, e))? } else { 1 };
+            for element in 0..width {
+                table.owner.push((index, element));
+                table.names.push(if levels.0 == 1 { format!("{name}[{element}]") } else { name.clone() });
+            }
+            table.leaves.push(Leaf { name, levels, width });
+        }
+        if table.names.is_empty() {
             return Err(LogError::Empty { file: file.into() });
         }
-        let layout = Layout::new(file, &names)?;
-        for (&position, role) in layout.positions.iter().zip(&layout.roles) {
-            if schema.column(position).max_rep_level() > 0 || schema.column(position).max_def_level() > 1 {
-                let what = format!("the column `{}` is nested; write plain numbers", role.name());
-                return Err(LogError::Parquet { file: file.into(), what });
+        Ok(table)
+    }
+
+    /// Number of elements of the first list of a column; 0 where they are no numbers, or too many.
+    fn first_length(&self, index: usize, levels: (i16, i16)) -> Result<usize, ParquetError> {
+        for group in 0..self.reader.num_row_groups() {
+            let mut reader = self.reader.get_row_group(group)?.get_column_reader(index)?;
+            let mut list = Lists::new(levels, usize::MAX);
+            if list.read(&mut reader, 1)?.is_none() {
+                return Ok(0);
+            }
+            if let Some(first) = list.rows.first() {
+                return Ok(if first.len() <= LONGEST_LIST { first.len() } else { 0 });
             }
         }
-        Ok(Self { layout, reader, group: 0, left: 0, columns: Vec::new(), row: 1 })
+        Ok(0)
     }
 
     /// Opens the next row group that has rows; false at the end.
@@ -59,47 +115,168 @@ impl ParquetSource {
             }
             let group = self.reader.get_row_group(self.group)?;
             self.left = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
-            self.columns =
-                self.layout.positions.iter().map(|&i| group.get_column_reader(i)).collect::<Result<_, _>>()?;
+            self.columns = self.wanted.iter().map(|&i| group.get_column_reader(i)).collect::<Result<_, _>>()?;
             self.group += 1;
         }
         Ok(true)
     }
+
+    /// Appends `take` rows of the leaf `k` of those that are wanted.
+    fn pull(&mut self, k: usize, take: usize, block: &mut Block) -> Result<(), LogError> {
+        let leaf = &self.leaves[self.wanted[k]];
+        let file = self.file.as_str();
+        let no_numbers =
+            || LogError::Parquet { file: file.into(), what: format!("the column `{}` holds no numbers", leaf.name) };
+        // A directory that promises more rows than there are would be read for ever.
+        let short = |n: usize| {
+            let what = format!("the column `{}` ends {} rows before its row group", leaf.name, take - n);
+            LogError::Parquet { file: file.into(), what }
+        };
+        let targets = || self.selected.iter().enumerate().filter(|(_, (place, _))| *place == k);
+        let start = block.lines.len();
+        if leaf.levels.0 == 0 {
+            let Some((column, _)) = targets().next() else { return Ok(()) };
+            let out = &mut block.columns[column];
+            match numbers(&mut self.columns[k], take, out).map_err(|e| failed(file, e))? {
+                Some(n) if n == take => Ok(()),
+                Some(n) => Err(short(n)),
+                None => Err(no_numbers()),
+            }
+        } else {
+            let mut lists = Lists::new(leaf.levels, leaf.width);
+            let n = lists.read(&mut self.columns[k], take).map_err(|e| failed(file, e))?.ok_or_else(no_numbers)?;
+            if n != take {
+                return Err(short(n));
+            }
+            for (row, list) in lists.rows.iter().enumerate() {
+                if list.len() != leaf.width {
+                    let text =
+                        format!("{} elements in `{}` where the first row has {}", list.len(), leaf.name, leaf.width);
+                    block.bad.push(BadCell { row: start + row, column: None, text });
+                }
+                for (column, (_, element)) in targets() {
+                    block.columns[column].push(list.get(*element).copied().unwrap_or(f64::NAN));
+                }
+            }
+            Ok(())
+        }
+    }
 }
 
-impl Source for ParquetSource {
-    fn layout(&self) -> &Layout {
-        &self.layout
+impl Table for ParquetTable {
+    fn names(&self) -> &[String] {
+        &self.names
     }
 
-    fn next_block(&mut self, rows: usize, block: &mut Block) -> Result<(), LogError> {
-        block.clear(self.layout.roles.len());
-        let file = self.layout.file.clone();
-        while block.len() < rows && self.open_group().map_err(|e| failed(&file, e))? {
+    fn is_numeric(&self, position: usize) -> bool {
+        let column = self.reader.metadata().file_metadata().schema_descr().column(self.owner[position].0);
+        use ::parquet::basic::Type;
+        matches!(column.physical_type(), Type::DOUBLE | Type::FLOAT | Type::INT32 | Type::INT64)
+            && (column.max_rep_level() == 1 || column.max_def_level() <= 1)
+    }
+
+    fn select(&mut self, positions: &[usize], _clock: usize) -> Result<(), LogError> {
+        self.wanted.clear();
+        self.selected.clear();
+        for &position in positions {
+            let (leaf, element) = self.owner[position];
+            if self.leaves[leaf].levels.0 == 0 && self.leaves[leaf].levels.1 > 1 {
+                let what = format!("the column `{}` is nested; write plain numbers", self.leaves[leaf].name);
+                return Err(LogError::Parquet { file: self.file.clone(), what });
+            }
+            let place = self.wanted.iter().position(|w| *w == leaf).unwrap_or_else(|| {
+                self.wanted.push(leaf);
+                self.wanted.len() - 1
+            });
+            self.selected.push((place, element));
+        }
+        Ok(())
+    }
+
+    fn next_rows(&mut self, rows: usize, block: &mut Block) -> Result<(), LogError> {
+        while block.len() < rows && self.open_group().map_err(|e| failed(&self.file, e))? {
             let take = self.left.min(rows - block.len());
-            let start = block.len();
-            for ((column, reader), role) in self.columns.iter_mut().enumerate().zip(&self.layout.roles) {
-                let out = &mut block.columns[column];
-                let read = match reader {
-                    ColumnReader::DoubleColumnReader(r) => pull::<DoubleType>(r, take, out, |v| v),
-                    ColumnReader::FloatColumnReader(r) => pull::<FloatType>(r, take, out, f64::from),
-                    ColumnReader::Int32ColumnReader(r) => pull::<Int32Type>(r, take, out, f64::from),
-                    ColumnReader::Int64ColumnReader(r) => pull::<Int64Type>(r, take, out, |v| v as f64),
-                    _ => {
-                        let what = format!("the column `{}` holds no numbers", role.name());
-                        return Err(LogError::Parquet { file, what });
-                    }
-                };
-                read.map_err(|e| failed(&file, e))?;
-                if out.len() != start + take {
-                    let text = "a column that ends early".to_string();
-                    block.bad.push(BadCell { row: out.len().max(1) - 1, column: Some(column), text });
-                    out.resize(start + take, f64::NAN);
-                }
+            for k in 0..self.wanted.len() {
+                self.pull(k, take, block)?;
             }
             block.lines.extend((0..take as u64).map(|i| self.row + i + 1));
             self.row += take as u64;
             self.left -= take;
+        }
+        Ok(())
+    }
+}
+
+/// Longest list whose elements are columns.
+const LONGEST_LIST: usize = 128;
+
+/// Appends `take` rows of a column of numbers; how many there were. `None`: no numbers.
+fn numbers(reader: &mut ColumnReader, take: usize, out: &mut Vec<f64>) -> Result<Option<usize>, ParquetError> {
+    let before = out.len();
+    match reader {
+        ColumnReader::DoubleColumnReader(r) => pull::<DoubleType>(r, take, out, |v| v)?,
+        ColumnReader::FloatColumnReader(r) => pull::<FloatType>(r, take, out, f64::from)?,
+        ColumnReader::Int32ColumnReader(r) => pull::<Int32Type>(r, take, out, f64::from)?,
+        ColumnReader::Int64ColumnReader(r) => pull::<Int64Type>(r, take, out, |v| v as f64)?,
+        _ => return Ok(None),
+    }
+    Ok(Some(out.len() - before))
+}
+
+/// Rows of a column of lists.
+struct Lists {
+    levels: (i16, i16),
+    /// Elements that are kept of each list.
+    width: usize,
+    rows: Vec<Vec<f64>>,
+}
+
+impl Lists {
+    fn new(levels: (i16, i16), width: usize) -> Self {
+        Self { levels, width, rows: Vec::new() }
+    }
+
+    /// Reads `take` lists; how many there were. `None`: no numbers.
+    fn read(&mut self, reader: &mut ColumnReader, take: usize) -> Result<Option<usize>, ParquetError> {
+        match reader {
+            ColumnReader::DoubleColumnReader(r) => self.pull::<DoubleType>(r, take, |v| v)?,
+            ColumnReader::FloatColumnReader(r) => self.pull::<FloatType>(r, take, f64::from)?,
+            ColumnReader::Int32ColumnReader(r) => self.pull::<Int32Type>(r, take, f64::from)?,
+            ColumnReader::Int64ColumnReader(r) => self.pull::<Int64Type>(r, take, |v| v as f64)?,
+            _ => return Ok(None),
+        }
+        Ok(Some(self.rows.len()))
+    }
+
+    fn pull<T: DataType>(
+        &mut self,
+        reader: &mut ColumnReaderImpl<T>,
+        take: usize,
+        convert: impl Fn(T::T) -> f64,
+    ) -> Result<(), ParquetError>
+    where
+        T::T: Clone,
+    {
+        while self.rows.len() < take {
+            let (mut values, mut defined, mut repeated) = (Vec::new(), Vec::new(), Vec::new());
+            let wanted = take - self.rows.len();
+            let (records, ..) = reader.read_records(wanted, Some(&mut defined), Some(&mut repeated), &mut values)?;
+            if records == 0 {
+                break;
+            }
+            let mut next = values.into_iter();
+            for (d, r) in defined.iter().zip(&repeated) {
+                if *r == 0 {
+                    self.rows.push(Vec::new());
+                }
+                let Some(row) = self.rows.last_mut() else { continue };
+                let full = *d == self.levels.1;
+                let value = if full { next.next().map_or(f64::NAN, &convert) } else { f64::NAN };
+                // A level below that of an element is an empty list.
+                if (full || *d + 1 == self.levels.1) && row.len() <= self.width {
+                    row.push(value);
+                }
+            }
         }
         Ok(())
     }

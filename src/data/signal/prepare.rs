@@ -13,8 +13,8 @@ use super::rest;
 use super::rest::DeadZone;
 use super::white_noise;
 use crate::data::log::{
-    Acceptance, Block, Clock, Finding, Kind, Layout, LogError, QualityCheck, Quantity, Reached, Role, Severity, Source,
-    Verdict,
+    Acceptance, Block, Clock, Finding, Kind, Layout, LogError, QualityCheck, Quantity, Reached, Reading, Role,
+    Severity, Source, Verdict,
 };
 use crate::data::signal::breakaway_band::Derived;
 use crate::data::signal::resample::smoother_evenly;
@@ -116,6 +116,8 @@ pub struct Prepare {
     /// Currents are used where `torque` asks for them and [`Prepare::torque_gains`] is empty, or
     /// where it asks for `tau` and the log has currents alone. Default empty: none is known.
     pub torque_constants: Vec<Option<f64>>,
+    /// How the columns of the log are read.
+    pub reading: Reading,
     /// What the user allows.
     pub keep: Acceptance,
     /// Samples that are filtered at once. Default 65,536; bounds the memory; a chunk also is
@@ -147,6 +149,7 @@ impl Default for Prepare {
             torque: Quantity::Tau,
             torque_gains: Vec::new(),
             torque_constants: Vec::new(),
+            reading: Reading::default(),
             keep: Acceptance::default(),
             chunk: 1 << 16,
             margins: false,

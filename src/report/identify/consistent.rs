@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use dh_codegen::robot::effects::{GearCoupling, RotorInertia};
 use serde_json::{Value, json};
 
 use crate::data::signal::Prepared;
@@ -11,6 +12,9 @@ use crate::identify::{
 };
 use crate::report::Warnings;
 use crate::report::parts::number::{figure, pad, percent};
+
+const ROTOR: &str = RotorInertia::NAME;
+const COUPLING: &str = GearCoupling::NAME;
 
 /// What came of the search for possible bodies.
 #[derive(Debug, Clone)]
@@ -144,7 +148,7 @@ pub(in crate::report) fn preferred(found: &Identification, c: &Consistent, possi
             let elsewhere = match possible.left_out {
                 Some(Ok(p)) if p.better() == Better::First => format!(
                     " On parts of the fitted logs that were left out in turn it is {} too: the model lacks something. `denavit diagnose` looks for it; a drive of which the \
-                     torque is the motor's needs `rotor_inertia: 0` in the robot file, a wrist with coupled gears `gear_coupling`. For torques alone `--consistent=never` keeps the plain values.",
+                     torque is the motor's needs `{ROTOR}: 0` in the robot file, a wrist with coupled gears `{COUPLING}`. For torques alone `--consistent=never` keeps the plain values.",
                     beside(p)
                 ),
                 Some(Ok(p)) if p.better() == Better::Second => format!(

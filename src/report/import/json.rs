@@ -1,5 +1,6 @@
 //! `import --json`.
 
+use dh_codegen::robot::effects::{CoulombFriction, ViscousFriction};
 use serde_json::{Map, Value, json};
 
 use crate::exchange::{Imported, Neighbours};
@@ -13,8 +14,8 @@ pub fn import_json(made: &Imported) -> Value {
         .map(|j| {
             json!({
                 "name": j.name, "type": format!("{:?}", j.kind).to_lowercase(), "alpha": j.alpha.value, "d": j.d.value,
-                "theta": j.theta.value, "r": j.r.value, "viscous_friction": j.drive.viscous_friction,
-                "coulomb_friction": j.drive.coulomb_friction,
+                "theta": j.theta.value, "r": j.r.value, ViscousFriction::NAME: j.drive.viscous_friction,
+                CoulombFriction::NAME: j.drive.coulomb_friction,
             })
         })
         .collect();

@@ -1,0 +1,140 @@
+//! `denavit log`: what a recording holds, and the way to the columns of the other verbs.
+
+use std::io::BufReader;
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand};
+
+use super::Failure;
+use super::files;
+use super::mapping::{MapOption, joints};
+use super::prepare::keep;
+use super::provenance::Provenance;
+use super::terminal;
+use crate::data::log::{self, Log, Quantity, csv, open_table, open_with, parquet, propose};
+use crate::report;
+
+/// Look into recordings, and convert them.
+#[derive(Args)]
+pub(super) struct LogVerb {
+    #[command(subcommand)]
+    verb: Verb,
+}
+
+#[derive(Subcommand)]
+enum Verb {
+    /// List the channels of a recording with rates, ranges and gaps, and propose a mapping.
+    Inspect(Inspect),
+    /// Write a recording as CSV or Parquet with the columns t, q1.., tau1.., in SI units.
+    Convert(Convert),
+}
+
+/// List the channels of a recording with rates, ranges and gaps, and propose a mapping of channels
+/// to columns. The proposal is a guess from names and ranges: check it, then give it to `--map`.
+#[derive(Args)]
+#[command(
+    after_help = "Example:\n  denavit log inspect run.mcap --robot robot.yaml --out map.yaml\n  denavit identify robot.yaml run.mcap --map map.yaml\n\nReads CSV (any separator, decimal comma, comments, units in the header), CSV gzipped, Parquet (also lists), MCAP of ROS 2, npz, MATLAB 5 to 7.\nFormats, names and mappings: docs/logs.md"
+)]
+struct Inspect {
+    /// Recording; `-` for standard input.
+    log: PathBuf,
+    /// Robot file: the names of its joints are looked for.
+    #[arg(long, value_name = "ROBOT")]
+    robot: Option<PathBuf>,
+    /// Write the proposed mapping.
+    #[arg(long, value_name = "YAML")]
+    out: Option<PathBuf>,
+    /// Write channels and mapping as JSON; `-` for standard output.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+/// Write a recording as CSV or Parquet with the columns t, q1.., tau1.. in SI units, as every verb
+/// reads them.
+#[derive(Args)]
+#[command(
+    after_help = "Example:\n  denavit log convert run.mcap --robot robot.yaml --out run.parquet\n  denavit log convert export.csv --map map.yaml --out run.csv"
+)]
+struct Convert {
+    /// Recording; `-` for standard input.
+    log: PathBuf,
+    /// Robot file: joints are found by its names.
+    #[arg(long, value_name = "ROBOT")]
+    robot: Option<PathBuf>,
+    #[command(flatten)]
+    map: MapOption,
+    /// CSV, or Parquet where the name ends in .parquet.
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+    /// Accept what is normally refused: bad-rows, gaps, restarts, duplicates, irregular-clock,
+    /// stuck, clipped, dead-torque, large-angles, torque-unit, or all.
+    #[arg(long, value_delimiter = ',', value_name = "WHAT")]
+    keep: Vec<String>,
+}
+
+impl LogVerb {
+    pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
+        match self.verb {
+            Verb::Inspect(verb) => verb.run(provenance),
+            Verb::Convert(verb) => verb.run(),
+        }
+    }
+}
+
+/// The bytes of a recording, and its name.
+fn input(path: &std::path::Path) -> Result<(String, Box<dyn std::io::Read>), Failure> {
+    if path == std::path::Path::new("-") {
+        return Ok(("standard input".into(), Box::new(std::io::stdin().lock())));
+    }
+    Ok((path.display().to_string(), Box::new(BufReader::new(files::open(path)?))))
+}
+
+impl Inspect {
+    fn run(self, provenance: Provenance) -> Result<(), Failure> {
+        let robot = self.robot.as_deref().map(files::robot).transpose()?;
+        files::check_outputs(&[("--json", &self.json), ("--out", &self.out)], std::slice::from_ref(&self.log))?;
+        let (name, bytes) = input(&self.log)?;
+        let mut table = open_table(&name, bytes, &log::Reading::default()).map_err(Failure::input)?;
+        let channels = table.summarise().map_err(Failure::input)?;
+        let joints = robot.as_ref().map(|r| joints(&r.robot)).unwrap_or_default();
+        let proposal = propose(&channels, &joints);
+        if let Some(path) = &self.out {
+            files::write(path, report::mapping_yaml(&proposal, &name).as_bytes())?;
+        }
+        if let Some(target) = &self.json {
+            files::json(target, report::inspect_json(&channels, &proposal), &provenance)?;
+        }
+        if !files::is_stdout(self.json.iter().chain(&self.out)) {
+            files::print(&report::inspect_text(&name, &channels, &proposal))?;
+        }
+        Ok(())
+    }
+}
+
+impl Convert {
+    fn run(self) -> Result<(), Failure> {
+        let robot = self.robot.as_deref().map(files::robot).transpose()?;
+        let out = Some(self.out.clone());
+        files::check_outputs(&[("--out", &out)], std::slice::from_ref(&self.log))?;
+        let reading = self.map.reading(robot.as_ref().map(|r| &r.robot))?;
+        let (name, bytes) = input(&self.log)?;
+        let mut source = open_with(&name, bytes, &reading).map_err(Failure::input)?;
+        let has = |quantity| source.layout().has(quantity);
+        let torque = [Quantity::Tau, Quantity::Taum].into_iter().find(|q| has(*q)).unwrap_or(Quantity::Current);
+        let log = Log::read(&mut *source, torque, keep(&self.keep)?).map_err(Failure::input)?;
+        for finding in &log.findings {
+            terminal::say(&format!("{name}: warning: {finding}"));
+        }
+        if self.out.extension().is_some_and(|e| e.eq_ignore_ascii_case("parquet")) {
+            let mut bytes = Vec::new();
+            parquet::write(&log, &mut bytes).map_err(Failure::other)?;
+            files::write(&self.out, &bytes)?;
+        } else {
+            files::stream(&self.out, |output| csv::write(&log, output))?;
+        }
+        if !files::is_stdout(&out) {
+            files::print(&report::converted_text(&name, &log, &self.out.display().to_string()))?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,74 @@
+//! Named arrays in memory as a table: what NumPy and MATLAB save.
+
+use super::{Block, LogError, Table};
+
+/// Numbers that are taken into memory at most: 200 MB.
+pub(super) const MOST_NUMBERS: usize = 25_000_000;
+
+/// An array of one or two dimensions.
+pub(super) struct Array {
+    pub(super) name: String,
+    /// Rows and columns; one column for a vector.
+    pub(super) shape: [usize; 2],
+    /// Row by row.
+    pub(super) values: Vec<f64>,
+}
+
+/// Columns of equal length. An array of one dimension is a column, one of two is as many columns as
+/// it has: `q[0]`, `q[1]`, ..
+pub(super) struct ArrayTable {
+    names: Vec<String>,
+    columns: Vec<Vec<f64>>,
+    selected: Vec<usize>,
+    row: usize,
+}
+
+impl ArrayTable {
+    /// The arrays whose longer side is as long as the time `t` (or, without it, as the longest of
+    /// all).
+    pub(super) fn new(file: &str, format: &'static str, arrays: Vec<Array>) -> Result<Self, LogError> {
+        let time = arrays.iter().find(|a| matches!(a.name.as_str(), "t" | "time" | "timestamp"));
+        let longest = |a: &Array| a.shape[0].max(a.shape[1]);
+        let rows = time.map_or_else(|| arrays.iter().map(longest).max().unwrap_or(0), longest);
+        let (mut names, mut columns) = (Vec::new(), Vec::new());
+        for array in arrays {
+            let [r, c] = array.shape;
+            let by_rows = r == rows;
+            if !(by_rows || c == rows) || rows == 0 {
+                continue;
+            }
+            let width = if by_rows { c } else { r };
+            for k in 0..width {
+                names.push(if width == 1 { array.name.clone() } else { format!("{}[{k}]", array.name) });
+                let at = |i: usize| if by_rows { i * c + k } else { k * c + i };
+                columns.push((0..rows).map(|i| array.values[at(i)]).collect());
+            }
+        }
+        if names.is_empty() {
+            let what = "it has no array of numbers".into();
+            return Err(LogError::Format { file: file.into(), format, what });
+        }
+        Ok(Self { names, columns, selected: Vec::new(), row: 0 })
+    }
+}
+
+impl Table for ArrayTable {
+    fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    fn select(&mut self, positions: &[usize], _clock: usize) -> Result<(), LogError> {
+        self.selected = positions.to_vec();
+        Ok(())
+    }
+
+    fn next_rows(&mut self, rows: usize, block: &mut Block) -> Result<(), LogError> {
+        let end = (self.row + rows).min(self.columns.first().map_or(0, Vec::len));
+        for (out, &column) in block.columns.iter_mut().zip(&self.selected) {
+            out.extend(&self.columns[column][self.row..end]);
+        }
+        block.lines.extend((self.row..end).map(|row| row as u64 + 2));
+        self.row = end;
+        Ok(())
+    }
+}

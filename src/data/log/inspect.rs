@@ -1,0 +1,356 @@
+//! What a file holds, channel by channel, and which mapping that suggests.
+
+use super::{Block, Channel, LogError, Mapping, Quantity, Role, SourceJoint, Table, unit};
+
+/// A channel of a file, looked at from front to back.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ChannelSummary {
+    /// Name in the file.
+    pub name: String,
+    /// Samples that are numbers.
+    pub samples: u64,
+    /// Samples that are not.
+    pub missing: u64,
+    /// Smallest and largest; infinite, turned about, where there is none.
+    pub range: [f64; 2],
+    /// Largest step between neighbours.
+    pub largest_step: f64,
+    /// First and last stamp, and the longest time between two samples, in the unit of the clock.
+    pub clock: Option<[f64; 3]>,
+}
+
+/// Sums over a channel.
+#[derive(Debug, Clone)]
+pub(super) struct Summing {
+    summary: ChannelSummary,
+    last: Option<f64>,
+}
+
+impl Summing {
+    pub(super) fn new(name: &str) -> Self {
+        let summary = ChannelSummary {
+            name: name.into(),
+            samples: 0,
+            missing: 0,
+            range: [f64::INFINITY, f64::NEG_INFINITY],
+            largest_step: 0.0,
+            clock: None,
+        };
+        Self { summary, last: None }
+    }
+
+    /// A sample, with its stamp where there is a clock.
+    pub(super) fn add(&mut self, time: Option<f64>, value: f64) {
+        let s = &mut self.summary;
+        if !value.is_finite() {
+            s.missing += 1;
+            return;
+        }
+        s.samples += 1;
+        s.range = [s.range[0].min(value), s.range[1].max(value)];
+        if let Some(last) = self.last.replace(value) {
+            s.largest_step = s.largest_step.max((value - last).abs());
+        }
+        if let Some(t) = time {
+            let [first, last, gap] = s.clock.unwrap_or([t, t, 0.0]);
+            s.clock = Some([first, t, gap.max(t - last)]);
+        }
+    }
+
+    pub(super) fn finish(self) -> ChannelSummary {
+        self.summary
+    }
+}
+
+impl ChannelSummary {
+    /// Mean rate in samples per unit of the clock.
+    pub fn rate(&self) -> Option<f64> {
+        let [first, last, _] = self.clock?;
+        (last > first && self.samples > 1).then(|| (self.samples - 1) as f64 / (last - first))
+    }
+}
+
+/// Looks at all columns of a table whose rows share a clock.
+pub(super) fn summarise_rows<T: Table + ?Sized>(table: &mut T) -> Result<Vec<ChannelSummary>, LogError> {
+    let names = table.names().to_vec();
+    let columns: Vec<usize> = (0..names.len()).filter(|&i| table.is_numeric(i)).collect();
+    let Some(&first) = columns.first() else { return Ok(Vec::new()) };
+    let clock = columns.iter().position(|&i| is_time(&names[i]));
+    table.select(&columns, clock.map_or(first, |c| columns[c]))?;
+    let mut sums: Vec<Summing> = columns.iter().map(|&i| Summing::new(&names[i])).collect();
+    let mut block = Block::default();
+    loop {
+        block.clear(columns.len());
+        table.next_rows(8192, &mut block)?;
+        if block.is_empty() {
+            break;
+        }
+        for (sum, column) in sums.iter_mut().zip(&block.columns) {
+            for (row, value) in column.iter().enumerate() {
+                sum.add(clock.map(|c| block.columns[c][row]).filter(|t| t.is_finite()), *value);
+            }
+        }
+    }
+    Ok(sums.into_iter().map(Summing::finish).collect())
+}
+
+fn is_time(name: &str) -> bool {
+    let words = words(unit::split(name).0);
+    words.iter().any(|w| matches!(w.as_str(), "t" | "time" | "timestamp" | "stamp" | "secs" | "seconds"))
+        && !words.iter().any(|w| w == "temp" || w == "delta")
+}
+
+/// Words of a name in small letters: cut where letters and digits meet, at signs, and before a
+/// capital that follows a small letter.
+fn words(name: &str) -> Vec<String> {
+    let mut words = vec![String::new()];
+    let mut before = ' ';
+    for c in name.chars() {
+        let cut = !c.is_alphanumeric()
+            || c.is_ascii_digit() != before.is_ascii_digit()
+            || (c.is_uppercase() && before.is_lowercase());
+        if cut && words.last().is_some_and(|w| !w.is_empty()) {
+            words.push(String::new());
+        }
+        if c.is_alphanumeric()
+            && let Some(word) = words.last_mut()
+        {
+            word.extend(c.to_lowercase());
+        }
+        before = c;
+    }
+    words.retain(|w| !w.is_empty());
+    words
+}
+
+/// What the words of a channel's name say that it is.
+fn quantity(words: &[String]) -> Option<Quantity> {
+    let has = |list: &[&str]| words.iter().any(|w| list.contains(&w.as_str()));
+    if has(&["temp", "temperature"]) {
+        return Some(Quantity::Temperature);
+    }
+    let wanted = has(&["desired", "target", "ref", "reference", "command", "cmd", "commanded", "setpoint", "des"]);
+    let motor = has(&["motor", "rotor"]);
+    let speed = has(&["velocity", "velocities", "vel", "speed", "dq", "qd", "qdot"]);
+    let acceleration = has(&["acceleration", "accelerations", "acc", "ddq", "qdd"]);
+    let position = has(&["position", "positions", "pos", "angle", "angles", "q"]);
+    let found = if has(&["current", "currents", "curr", "amps", "i"]) {
+        Quantity::Current
+    } else if has(&["torque", "torques", "tau", "effort", "efforts", "trq", "moment"]) {
+        if motor { Quantity::Taum } else { Quantity::Tau }
+    } else if acceleration {
+        Quantity::Ddq
+    } else if speed {
+        Quantity::Dq
+    } else if position {
+        if motor { Quantity::Qm } else { Quantity::Q }
+    } else {
+        return None;
+    };
+    match (wanted, found) {
+        (false, found) => Some(found),
+        (true, Quantity::Q) => Some(Quantity::Qd),
+        (true, _) => None,
+    }
+}
+
+/// Channels that differ in the joint alone, in the order of the joints.
+struct Group {
+    pattern: String,
+    quantity: Quantity,
+    /// Joint, from 0, and channel.
+    members: Vec<(usize, usize)>,
+    /// Whether another channel says that it is a measurement, or this one does.
+    measured: bool,
+}
+
+/// A mapping that the names and ranges of channels suggest; nothing is certain in it.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Proposal {
+    /// The mapping.
+    pub mapping: Mapping,
+    /// For each of its columns, why, and what else it may be.
+    pub reasons: Vec<String>,
+    /// What was not found.
+    pub missing: Vec<String>,
+}
+
+/// Suggests a mapping. `joints`: names of the robot's moving joints, where they are known.
+pub fn propose(channels: &[ChannelSummary], joints: &[SourceJoint]) -> Proposal {
+    let mut proposal = Proposal::default();
+    match channels.iter().find(|c| is_time(&c.name)) {
+        Some(time) => propose_time(time, &mut proposal),
+        None => proposal.missing.push("t (time)".into()),
+    }
+    let groups = groups(channels, joints);
+    let dof = if joints.is_empty() {
+        let largest = |of: &dyn Fn(&Group) -> bool| groups.iter().filter(|g| of(g)).map(|g| g.members.len()).max();
+        largest(&|g| g.quantity == Quantity::Q).or_else(|| largest(&|_| true)).unwrap_or(0)
+    } else {
+        joints.len()
+    };
+    for (quantity, prefix) in Quantity::ALL {
+        let mut fitting: Vec<&Group> =
+            groups.iter().filter(|g| g.quantity == quantity && g.members.len() == dof).collect();
+        // Names that say that they are measured go first; the sort keeps the file's order.
+        fitting.sort_by_key(|g| !g.measured);
+        let Some(group) = fitting.first() else {
+            if matches!(quantity, Quantity::Q) {
+                proposal.missing.push("q1.. (positions of all joints)".into());
+            }
+            continue;
+        };
+        let members: Vec<&ChannelSummary> = group.members.iter().map(|&(_, i)| &channels[i]).collect();
+        let (unit, mut reason) = guess_unit(quantity, &members);
+        if fitting.len() > 1 {
+            let others: Vec<&str> = fitting[1..].iter().map(|g| g.pattern.as_str()).collect();
+            reason += &format!("; it may also be {}", others.join(", "));
+        }
+        let channel = Channel { name: group.pattern.clone(), unit, gain: Vec::new(), offset: Vec::new() };
+        proposal.mapping.columns.push((format!("{prefix}*"), channel));
+        proposal.reasons.push(reason);
+    }
+    let has = |prefix: &str| proposal.mapping.columns.iter().any(|(c, _)| c == prefix);
+    if !["tau*", "taum*", "i*"].into_iter().any(has) {
+        proposal.missing.push("tau1.. (torques), or i1.. (motor currents)".into());
+    }
+    proposal
+}
+
+fn propose_time(time: &ChannelSummary, proposal: &mut Proposal) {
+    let given = unit::split(&time.name).1.filter(|u| unit::scale(u, Role::Time).is_ok());
+    let rate = time.rate().unwrap_or(f64::NAN);
+    // Robots are logged at 5 Hz to 20 kHz.
+    let fits = |per_second: f64| (5.0..=2e4).contains(&(rate * per_second));
+    let (unit, reason) = match given {
+        Some(unit) => (Some(unit.to_string()), "the unit stands in its name".to_string()),
+        None => match [("s", 1.0), ("ms", 1e3), ("us", 1e6), ("ns", 1e9)].into_iter().find(|(_, f)| fits(*f)) {
+            Some((unit, f)) => {
+                ((unit != "s").then(|| unit.to_string()), format!("{:.5} Hz if it is in {unit}", rate * f))
+            }
+            None => (None, "its unit is not clear from its steps".into()),
+        },
+    };
+    let channel = Channel { name: time.name.clone(), unit, gain: Vec::new(), offset: Vec::new() };
+    proposal.mapping.columns.push(("t".into(), channel));
+    proposal.reasons.push(reason);
+}
+
+/// The unit that a name gives, or the range suggests; `None`: SI.
+fn guess_unit(quantity: Quantity, members: &[&ChannelSummary]) -> (Option<String>, String) {
+    let role = Role::Joint(quantity, 0);
+    if let Some(given) = unit::split(&members[0].name).1.filter(|u| unit::scale(u, role).is_ok()) {
+        return (Some(given.into()), "the unit stands in the name".into());
+    }
+    let largest = members.iter().flat_map(|m| m.range).map(f64::abs).filter(|v| v.is_finite()).fold(0.0, f64::max);
+    let shown = format!("up to {largest:.4}");
+    match quantity {
+        Quantity::Q | Quantity::Qm | Quantity::Qd if largest > 3.0 * std::f64::consts::PI => {
+            (Some("deg".into()), format!("{shown}: too large for rad"))
+        }
+        Quantity::Dq if largest > 30.0 => (Some("deg/s".into()), format!("{shown}: too large for rad/s")),
+        Quantity::Current if largest > 200.0 => (Some("mA".into()), format!("{shown}: too large for A")),
+        Quantity::Tau | Quantity::Taum if largest > 5000.0 => {
+            (Some("N mm".into()), format!("{shown}: too large for N m"))
+        }
+        _ => (None, shown),
+    }
+}
+
+fn groups(channels: &[ChannelSummary], joints: &[SourceJoint]) -> Vec<Group> {
+    let mut groups: Vec<Group> = Vec::new();
+    for (i, channel) in channels.iter().enumerate() {
+        let Some(found) = quantity(&words(unit::split(&channel.name).0)) else { continue };
+        if is_time(&channel.name) {
+            continue;
+        }
+        for (pattern, joint) in patterns(&channel.name, joints) {
+            let group = match groups.iter_mut().find(|g| g.pattern == pattern && g.quantity == found) {
+                Some(group) => group,
+                None => {
+                    let measured = words(&pattern).iter().any(|w| {
+                        matches!(
+                            w.as_str(),
+                            "actual" | "measured" | "meas" | "feedback" | "sensed" | "state" | "states"
+                        )
+                    });
+                    groups.push(Group { pattern, quantity: found, members: Vec::new(), measured });
+                    groups.last_mut().expect("just pushed")
+                }
+            };
+            group.members.push((joint, i));
+        }
+    }
+    for group in &mut groups {
+        group.members.sort_unstable();
+    }
+    // Each joint once, none left out.
+    groups.retain(|g| g.members.iter().enumerate().all(|(place, (joint, _))| place == *joint));
+    groups
+}
+
+/// Names with the joint replaced by a placeholder, and the joint's number from 0.
+fn patterns(name: &str, joints: &[SourceJoint]) -> Vec<(String, usize)> {
+    let named = joints.iter().enumerate().filter(|(_, j)| !j.name.is_empty() && name.contains(&j.name));
+    // The longest name: `joint1` is a part of `joint10`.
+    if let Some((joint, source)) = named.max_by_key(|(_, j)| j.name.len()) {
+        return vec![(name.replacen(&source.name, "{joint}", 1), joint)];
+    }
+    let digits = |c: char| c.is_ascii_digit();
+    let Some(end) = name.rfind(digits).map(|i| i + 1) else { return Vec::new() };
+    let start = name[..end].rfind(|c: char| !c.is_ascii_digit()).map_or(0, |i| i + 1);
+    let Ok(number) = name[start..end].parse::<usize>() else { return Vec::new() };
+    let with = |mark: &str| format!("{}{mark}{}", &name[..start], &name[end..]);
+    let from_one = number.checked_sub(1).map(|joint| (with("{number}"), joint));
+    std::iter::once((with("{index}"), number)).chain(from_one).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn channel(name: &str, range: [f64; 2]) -> ChannelSummary {
+        let clock = Some([0.0, 10.0, 0.02]);
+        ChannelSummary { name: name.into(), samples: 1001, missing: 0, range, largest_step: 0.1, clock }
+    }
+
+    fn named(proposal: &Proposal, column: &str) -> Option<(String, Option<String>)> {
+        proposal.mapping.columns.iter().find(|(c, _)| c == column).map(|(_, c)| (c.name.clone(), c.unit.clone()))
+    }
+
+    #[test]
+    fn a_ur_log_is_mapped() {
+        let mut channels = vec![channel("timestamp", [0.0, 10.0])];
+        for i in 0..6 {
+            for part in ["target_q", "actual_q", "actual_qd", "actual_current", "joint_temperatures"] {
+                channels.push(channel(&format!("{part}_{i}"), [-2.0, 2.0]));
+            }
+        }
+        let found = propose(&channels, &[]);
+        assert_eq!(named(&found, "q*"), Some(("actual_q_{index}".into(), None)));
+        assert_eq!(named(&found, "qd*"), Some(("target_q_{index}".into(), None)));
+        assert_eq!(named(&found, "dq*"), Some(("actual_qd_{index}".into(), None)));
+        assert_eq!(named(&found, "i*"), Some(("actual_current_{index}".into(), None)));
+        assert!(found.missing.is_empty(), "{:?}", found.missing);
+    }
+
+    #[test]
+    fn degrees_milliseconds_and_milliamperes_are_seen() {
+        let mut time = channel("Time", [0.0, 10_000.0]);
+        time.clock = Some([0.0, 10_000.0, 10.0]);
+        let channels = [time, channel("Axis 1 Pos", [-170.0, 100.0]), channel("Axis 1 Current", [-900.0, 900.0])];
+        let found = propose(&channels, &[]);
+        assert_eq!(named(&found, "t"), Some(("Time".into(), Some("ms".into()))));
+        assert_eq!(named(&found, "q*"), Some(("Axis {number} Pos".into(), Some("deg".into()))));
+        assert_eq!(named(&found, "i*").unwrap().1.as_deref(), Some("mA"));
+    }
+
+    #[test]
+    fn joints_by_name_in_any_order() {
+        let joints: Vec<SourceJoint> =
+            ["a", "bee"].map(|n| SourceJoint { name: n.into(), sign: 1.0, offset: 0.0 }).to_vec();
+        let channels = [channel("bee position", [0.0, 1.0]), channel("x position", [0.0, 1.0])];
+        assert!(named(&propose(&channels, &joints), "q*").is_none());
+        assert!(propose(&channels, &joints).missing.iter().any(|m| m.contains("q1")));
+    }
+}

@@ -1,0 +1,232 @@
+//! Which channel of a file is which column of the contract, and in what unit.
+
+use super::{Layout, LogError, Role, unit};
+
+/// A joint as the file that a robot came from has it: `q = sign * q_source + offset`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SourceJoint {
+    /// Name of the joint there.
+    pub name: String,
+    /// 1 or -1.
+    pub sign: f64,
+    /// Rad or m.
+    pub offset: f64,
+}
+
+/// A channel: its name in the file, and its way to SI: `value * scale + offset`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Channel {
+    /// Name in the file. `{joint}`, `{number}` and `{index}` stand for the joint's name, its number
+    /// from 1 and its number from 0.
+    pub name: String,
+    /// Unit of the file; `None`: SI.
+    pub unit: Option<String>,
+    /// Factor after the unit: one number, or one for each joint. Empty: 1.
+    pub gain: Vec<f64>,
+    /// Offset after the factor, in SI. Empty: 0.
+    pub offset: Vec<f64>,
+}
+
+/// A mapping of channels to columns of the contract.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Mapping {
+    /// Column (`t`, `q1`, or `q*` for all joints), and its channel.
+    pub columns: Vec<(String, Channel)>,
+    /// Rows are stamped with the time at which a recorder received them, not with the stamp that
+    /// a message carries.
+    pub arrival: bool,
+}
+
+/// How the columns of a log are read.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Reading {
+    /// Channels to columns; `None`: columns have the contract's names, or the joints'.
+    pub mapping: Option<Mapping>,
+    /// The moving joints of the robot, base to tip; empty: not known.
+    pub joints: Vec<SourceJoint>,
+}
+
+/// A column of a file that is used.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Used {
+    role: Role,
+    position: usize,
+    conversion: [f64; 2],
+}
+
+impl Reading {
+    /// Roles of the columns, and scale and offset of each.
+    ///
+    /// # Errors
+    /// Where a column that must be there is missing, or a mapping names a channel that is not.
+    pub fn layout<S: AsRef<str>>(&self, file: &str, header: &[S]) -> Result<(Layout, Vec<[f64; 2]>), LogError> {
+        let names: Vec<&str> = header
+            .iter()
+            .map(|n| n.as_ref().trim_matches(|c: char| c.is_whitespace() || c == '"' || c == '\u{feff}'))
+            .collect();
+        let mut used = match &self.mapping {
+            Some(mapping) => {
+                self.mapped(mapping, &names).map_err(|what| LogError::Mapping { file: file.into(), what })?
+            }
+            None => self.named(file, &names)?,
+        };
+        used.sort_by_key(|u| u.position);
+        let columns = used.iter().map(|u| (u.role, u.position)).collect();
+        let layout = Layout::of_columns(file, &names, columns)?;
+        // Columns that the layout leaves out (more joints than any arm has) have no conversion.
+        let of = |role: &Role| used.iter().find(|u| u.role == *role).map_or([1.0, 0.0], |u| u.conversion);
+        let conversions = layout.roles.iter().map(of).collect();
+        Ok((layout, conversions))
+    }
+
+    /// Columns by the contract's names, with a unit in brackets or without; by the joints' names
+    /// (`q_elbow`), and by the channels of a bag (`/joint_states/position/elbow`).
+    fn named(&self, file: &str, names: &[&str]) -> Result<Vec<Used>, LogError> {
+        let mut used = Vec::new();
+        for (position, name) in names.iter().enumerate() {
+            let (plain, given) = unit::split(name);
+            let by_number = element(plain, given).or_else(|| Role::of(plain)).map(|role| (role, [1.0, 0.0]));
+            let Some((role, conversion)) = by_number.or_else(|| self.by_joint(plain)) else { continue };
+            let factor = match given.filter(|_| element(plain, given).is_none()) {
+                Some(text) => unit::scale(text, role).map_err(|what| LogError::Unit {
+                    file: file.into(),
+                    column: (*name).into(),
+                    what,
+                })?,
+                None => 1.0,
+            };
+            used.push(Used { role, position, conversion: [conversion[0] * factor, conversion[1]] });
+        }
+        if !used.iter().any(|u| matches!(u.role, Role::Joint(super::Quantity::Q, _))) {
+            let channels = super::ros::columns(names, &self.joints)
+                .map_err(|what| LogError::Mapping { file: file.into(), what })?;
+            for (role, position) in channels {
+                used.push(Used { role, position, conversion: self.source_conversion(role) });
+            }
+        }
+        Ok(used)
+    }
+
+    /// `q_elbow`, `tau_elbow`: a quantity's prefix and the name of a joint.
+    fn by_joint(&self, name: &str) -> Option<(Role, [f64; 2])> {
+        let (prefix, joint) = name.split_once('_')?;
+        let quantity = super::Quantity::ALL.iter().find(|(_, p)| *p == prefix)?.0;
+        let role = Role::Joint(quantity, self.joints.iter().position(|j| j.name == joint)?);
+        Some((role, self.source_conversion(role)))
+    }
+
+    /// From the coordinates of the file that the robot came from to those of the DH table.
+    fn source_conversion(&self, role: Role) -> [f64; 2] {
+        use super::Quantity as Q;
+        match role {
+            Role::Joint(quantity, joint) => match (quantity, self.joints.get(joint)) {
+                (Q::Temperature, _) | (_, None) => [1.0, 0.0],
+                (Q::Q | Q::Qm | Q::Qd, Some(source)) => [source.sign, source.offset],
+                (_, Some(source)) => [source.sign, 0.0],
+            },
+            _ => [1.0, 0.0],
+        }
+    }
+
+    /// Columns by a mapping. Channels that are named by joint are in the source's coordinates.
+    fn mapped(&self, mapping: &Mapping, names: &[&str]) -> Result<Vec<Used>, String> {
+        let mut used: Vec<Used> = Vec::new();
+        for (column, channel) in &mapping.columns {
+            for (role, joint) in self.roles(column, channel, names)? {
+                let name = self.name_of(channel, joint)?;
+                let position = names.iter().position(|n| *n == name).ok_or_else(|| absent(column, &name, names))?;
+                let conversion = self.conversion(channel, role, joint, column)?;
+                if used.iter().any(|u| u.role == role) {
+                    return Err(format!("the mapping gives `{}` twice", role.name()));
+                }
+                used.push(Used { role, position, conversion });
+            }
+        }
+        if !used.iter().any(|u| u.role == Role::Time)
+            && let Some(position) = names.iter().position(|n| *n == "t")
+        {
+            used.push(Used { role: Role::Time, position, conversion: [1.0, 0.0] });
+        }
+        Ok(used)
+    }
+
+    /// The roles of an entry: one, or one for each joint.
+    fn roles(&self, column: &str, channel: &Channel, names: &[&str]) -> Result<Vec<(Role, usize)>, String> {
+        let Some(prefix) = column.strip_suffix('*') else {
+            let role = Role::of(column).ok_or_else(|| {
+                format!("`{column}` is no column; columns are t, seg, q1.., dq1.., tau1.., i1.., fx .. mz, or q* for all joints")
+            })?;
+            let joint = if let Role::Joint(_, joint) = role { joint } else { 0 };
+            return Ok(vec![(role, joint)]);
+        };
+        let quantity = super::Quantity::ALL
+            .iter()
+            .find(|(_, p)| *p == prefix)
+            .ok_or_else(|| {
+                format!(
+                    "`{column}` is no column of the joints; they are q*, dq*, ddq*, qm*, qd*, tau*, taum*, i*, temp*"
+                )
+            })?
+            .0;
+        let joints = if self.joints.is_empty() {
+            let there = |joint: &usize| self.name_of(channel, *joint).is_ok_and(|name| names.contains(&name.as_str()));
+            (0..64).take_while(there).count().max(1)
+        } else {
+            self.joints.len()
+        };
+        if !["{joint}", "{number}", "{index}"].iter().any(|p| channel.name.contains(p)) && joints > 1 {
+            return Err(format!(
+                "`{column}` is for all joints: its channel needs {{joint}}, {{number}} or {{index}} in its name"
+            ));
+        }
+        Ok((0..joints).map(|joint| (Role::Joint(quantity, joint), joint)).collect())
+    }
+
+    /// The channel's name for a joint.
+    fn name_of(&self, channel: &Channel, joint: usize) -> Result<String, String> {
+        let mut name = channel.name.clone();
+        if name.contains("{joint}") {
+            let source = self.joints.get(joint).ok_or("{joint} needs the robot file: give --robot ROBOT")?;
+            name = name.replace("{joint}", &source.name);
+        }
+        Ok(name.replace("{number}", &(joint + 1).to_string()).replace("{index}", &joint.to_string()))
+    }
+
+    fn conversion(&self, channel: &Channel, role: Role, joint: usize, column: &str) -> Result<[f64; 2], String> {
+        let of = |values: &[f64], default: f64, what: &str| match values {
+            [] => Ok(default),
+            [one] => Ok(*one),
+            many => many.get(joint).copied().ok_or_else(|| {
+                format!("`{column}` has {} values of `{what}`: give one, or one for each joint", many.len())
+            }),
+        };
+        let factor = channel.unit.as_deref().map_or(Ok(1.0), |unit| unit::scale(unit, role))?;
+        let (gain, offset) = (of(&channel.gain, 1.0, "gain")?, of(&channel.offset, 0.0, "offset")?);
+        let [sign, shift] = if channel.name.contains("{joint}") { self.source_conversion(role) } else { [1.0, 0.0] };
+        Ok([sign * gain * factor, sign * offset + shift])
+    }
+}
+
+/// `q[0]`: an element of an array of a joint quantity, from 0.
+fn element(name: &str, index: Option<&str>) -> Option<Role> {
+    let joint = index?.parse().ok()?;
+    let quantity = super::Quantity::ALL.iter().find(|(_, p)| *p == name)?.0;
+    Some(Role::Joint(quantity, joint))
+}
+
+/// A channel that is not there, with the nearest ones that are.
+fn absent(column: &str, name: &str, names: &[&str]) -> String {
+    let near = |n: &&&str| {
+        let (a, b) = (n.to_lowercase(), name.to_lowercase());
+        a.contains(&b) || b.contains(&a)
+    };
+    let mut shown: Vec<&str> = names.iter().filter(near).take(5).copied().collect();
+    if shown.is_empty() {
+        shown = names.iter().take(8).copied().collect();
+    }
+    let more = if shown.len() < names.len() { ", ..." } else { "" };
+    format!(
+        "the mapping takes `{column}` from `{name}`, which the log does not have; it has {}{more}",
+        shown.join(", ")
+    )
+}

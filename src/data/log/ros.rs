@@ -1,0 +1,13 @@
+//! Recordings of ROS 2: messages on topics become channels of numbers, channels become columns.
+
+mod align;
+mod cdr;
+mod definition;
+mod flatten;
+mod mcap;
+mod names;
+mod recording;
+
+pub use mcap::McapMessages;
+pub(crate) use names::columns;
+pub use recording::{Message, Messages, Recording};

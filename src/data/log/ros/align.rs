@@ -1,0 +1,141 @@
+//! Streams with clocks of their own on the stamps of one of them.
+
+use std::collections::VecDeque;
+
+/// Longest gap over which a stream is interpolated, in its own mean periods.
+const LONGEST_GAP: f64 = 5.0;
+/// Rows that wait for a slower stream at most.
+const LONGEST_WAIT: usize = 1 << 16;
+
+/// Samples of a stream, until no row needs them.
+struct Stream {
+    samples: VecDeque<(i64, Vec<f64>)>,
+    width: usize,
+    first: Option<i64>,
+    count: u64,
+    last: i64,
+}
+
+impl Stream {
+    /// Mean period so far, ns.
+    fn period(&self) -> f64 {
+        match self.first {
+            Some(first) if self.count > 1 => (self.last - first) as f64 / (self.count - 1) as f64,
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// Values at a time, linear between the neighbours; NaN outside, and across a gap.
+    fn at(&self, time: i64, out: &mut Vec<f64>) {
+        let after = self.samples.partition_point(|(t, _)| *t < time);
+        let right = self.samples.get(after);
+        if let Some((t, values)) = right
+            && *t == time
+        {
+            out.extend(values);
+            return;
+        }
+        let left = after.checked_sub(1).and_then(|i| self.samples.get(i));
+        match (left, right) {
+            (Some((t0, a)), Some((t1, b))) if (t1 - t0) as f64 <= LONGEST_GAP * self.period() => {
+                let share = (time - t0) as f64 / (t1 - t0) as f64;
+                out.extend(a.iter().zip(b).map(|(a, b)| a + share * (b - a)));
+            }
+            _ => out.extend(std::iter::repeat_n(f64::NAN, self.width)),
+        }
+    }
+}
+
+/// Rows of a base stream with the values of the others interpolated to its stamps, in bounded
+/// memory.
+pub(super) struct Aligner {
+    /// Rows of the base stream that wait for the others.
+    rows: VecDeque<(i64, Vec<f64>)>,
+    others: Vec<Stream>,
+    ended: bool,
+}
+
+impl Aligner {
+    /// For a base stream, and others of so many values each.
+    pub(super) fn new(widths: &[usize]) -> Self {
+        let stream = |&width: &usize| Stream { samples: VecDeque::new(), width, first: None, count: 0, last: i64::MIN };
+        Self { rows: VecDeque::new(), others: widths.iter().map(stream).collect(), ended: false }
+    }
+
+    /// A row of the base stream.
+    pub(super) fn base(&mut self, time: i64, values: Vec<f64>) {
+        self.rows.push_back((time, values));
+    }
+
+    /// A sample of another stream. One that is not later than the one before is left out.
+    pub(super) fn other(&mut self, stream: usize, time: i64, values: Vec<f64>) {
+        let stream = &mut self.others[stream];
+        if time <= stream.last && stream.count > 0 {
+            return;
+        }
+        stream.first.get_or_insert(time);
+        stream.count += 1;
+        stream.last = time;
+        stream.samples.push_back((time, values));
+    }
+
+    /// No more samples come.
+    pub(super) fn end(&mut self) {
+        self.ended = true;
+    }
+
+    /// The next row for which every stream has what it needs: its stamp, the base's values, then
+    /// those of the others.
+    pub(super) fn next(&mut self) -> Option<(i64, Vec<f64>)> {
+        let time = self.rows.front()?.0;
+        let ready = self.ended || self.rows.len() > LONGEST_WAIT || self.others.iter().all(|s| s.last >= time);
+        if !ready {
+            return None;
+        }
+        let (time, mut values) = self.rows.pop_front()?;
+        for stream in &mut self.others {
+            stream.at(time, &mut values);
+            while stream.samples.len() > 1 && stream.samples[1].0 <= time {
+                stream.samples.pop_front();
+            }
+        }
+        Some((time, values))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn another_clock_is_interpolated_and_gaps_are_not() {
+        let mut aligner = Aligner::new(&[1]);
+        // A line of slope 1 per ns, sampled at 0, 10, 20, ... but for a gap from 100 to 400.
+        for t in (0..=100).step_by(10).chain((400..500).step_by(10)) {
+            aligner.other(0, t, vec![t as f64]);
+        }
+        for t in [3, 50, 77, 200, 405] {
+            aligner.base(t, vec![1.0]);
+        }
+        aligner.end();
+        let rows: Vec<(i64, Vec<f64>)> = std::iter::from_fn(|| aligner.next()).collect();
+        assert_eq!(rows.len(), 5);
+        for (t, values) in rows {
+            assert!(if t == 200 { values[1].is_nan() } else { (values[1] - t as f64).abs() < 1e-9 }, "{t}: {values:?}");
+        }
+    }
+
+    #[test]
+    fn a_row_waits_for_the_slower_stream() {
+        let mut aligner = Aligner::new(&[1]);
+        aligner.other(0, 0, vec![0.0]);
+        aligner.base(5, vec![]);
+        assert!(aligner.next().is_none());
+        aligner.other(0, 10, vec![1.0]);
+        assert_eq!(aligner.next(), Some((5, vec![0.5])));
+        // A stream that ends early does not hold rows for ever.
+        aligner.base(50, vec![]);
+        aligner.end();
+        assert!(aligner.next().unwrap().1[0].is_nan());
+    }
+}

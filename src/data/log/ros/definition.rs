@@ -1,0 +1,224 @@
+//! Message definitions of ROS 2 (`.msg`, as a recording carries them) and the types in them.
+
+use std::collections::HashMap;
+
+/// A primitive of a message.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Primitive {
+    Bool,
+    I8,
+    U8,
+    I16,
+    U16,
+    I32,
+    U32,
+    I64,
+    U64,
+    F32,
+    F64,
+}
+
+impl Primitive {
+    fn of(name: &str) -> Option<Self> {
+        Some(match name {
+            "bool" => Self::Bool,
+            "int8" => Self::I8,
+            "uint8" | "byte" | "char" => Self::U8,
+            "int16" => Self::I16,
+            "uint16" => Self::U16,
+            "int32" => Self::I32,
+            "uint32" => Self::U32,
+            "int64" => Self::I64,
+            "uint64" => Self::U64,
+            "float32" => Self::F32,
+            "float64" => Self::F64,
+            _ => return None,
+        })
+    }
+
+    /// Bytes.
+    pub(super) fn size(self) -> usize {
+        match self {
+            Self::Bool | Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::I32 | Self::U32 | Self::F32 => 4,
+            Self::I64 | Self::U64 | Self::F64 => 8,
+        }
+    }
+}
+
+/// A type of a field.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Type {
+    Primitive(Primitive),
+    Text,
+    /// Index into [`Definition::structs`].
+    Struct(usize),
+    /// Elements, and their number where it is fixed.
+    Array(Box<Type>, Option<usize>),
+}
+
+/// A message: its own structure first, then those that it uses.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Definition {
+    /// Fields of each structure.
+    pub(super) structs: Vec<Vec<(String, Type)>>,
+}
+
+/// The messages that are read where a recording has no definition of its own.
+const KNOWN: &[(&str, &str)] = &[
+    ("builtin_interfaces/Time", "int32 sec\nuint32 nanosec"),
+    ("builtin_interfaces/Duration", "int32 sec\nuint32 nanosec"),
+    ("std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id"),
+    ("std_msgs/MultiArrayDimension", "string label\nuint32 size\nuint32 stride"),
+    ("std_msgs/MultiArrayLayout", "MultiArrayDimension[] dim\nuint32 data_offset"),
+    ("std_msgs/Float64MultiArray", "MultiArrayLayout layout\nfloat64[] data"),
+    ("std_msgs/Float32MultiArray", "MultiArrayLayout layout\nfloat32[] data"),
+    (
+        "sensor_msgs/JointState",
+        "std_msgs/Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\nfloat64[] effort",
+    ),
+    ("geometry_msgs/Vector3", "float64 x\nfloat64 y\nfloat64 z"),
+    ("geometry_msgs/Wrench", "Vector3 force\nVector3 torque"),
+    ("geometry_msgs/WrenchStamped", "std_msgs/Header header\nWrench wrench"),
+    ("control_msgs/InterfaceValue", "string[] interface_names\nfloat64[] values"),
+    (
+        "control_msgs/DynamicJointState",
+        "std_msgs/Header header\nstring[] joint_names\nInterfaceValue[] interface_values",
+    ),
+    (
+        "trajectory_msgs/JointTrajectoryPoint",
+        "float64[] positions\nfloat64[] velocities\nfloat64[] accelerations\nfloat64[] effort\nbuiltin_interfaces/Duration time_from_start",
+    ),
+];
+
+/// `sensor_msgs/msg/JointState` and `sensor_msgs/JointState` are one.
+fn short(name: &str) -> String {
+    name.replace("/msg/", "/")
+}
+
+impl Definition {
+    /// From the text that a recording carries (empty where it has none), for a type by its name.
+    ///
+    /// # Errors
+    /// What can't be read in it.
+    pub(super) fn new(type_name: &str, text: &str) -> Result<Self, String> {
+        let mut texts: HashMap<String, &str> = KNOWN.iter().map(|(name, text)| ((*name).into(), *text)).collect();
+        for (i, part) in sections(text).into_iter().enumerate() {
+            match (i, part.0) {
+                (0, _) if !part.1.trim().is_empty() => drop(texts.insert(short(type_name), part.1)),
+                (_, Some(name)) => drop(texts.insert(short(name), part.1)),
+                _ => {}
+            }
+        }
+        let mut reader = Reader { texts, done: HashMap::new(), structs: Vec::new() };
+        reader.read(&short(type_name), 0)?;
+        Ok(Self { structs: reader.structs })
+    }
+}
+
+/// The parts of a definition: the message itself, then each type that it uses with its name.
+fn sections(text: &str) -> Vec<(Option<&str>, &str)> {
+    let mut parts = Vec::new();
+    let (mut start, mut name, mut at) = (0, None, 0);
+    for line in text.split_inclusive('\n') {
+        let bare = line.trim();
+        if bare.len() >= 20 && bare.chars().all(|c| c == '=') {
+            parts.push((name.take(), &text[start..at]));
+            start = at + line.len();
+        } else if let Some(found) = bare.strip_prefix("MSG:") {
+            name = Some(found.trim());
+            start = at + line.len();
+        }
+        at += line.len();
+    }
+    parts.push((name, &text[start.min(text.len())..]));
+    parts
+}
+
+struct Reader<'a> {
+    texts: HashMap<String, &'a str>,
+    done: HashMap<String, usize>,
+    structs: Vec<Vec<(String, Type)>>,
+}
+
+impl Reader<'_> {
+    /// Index of a structure.
+    fn read(&mut self, name: &str, depth: usize) -> Result<usize, String> {
+        if let Some(&index) = self.done.get(name) {
+            return Ok(index);
+        }
+        if depth > 16 {
+            return Err(format!("the type {name} contains itself"));
+        }
+        let text = *self.texts.get(name).ok_or_else(|| format!("the type {name} is not defined"))?;
+        let package = name.split('/').next().unwrap_or("").to_string();
+        let index = self.structs.len();
+        self.structs.push(Vec::new());
+        let mut fields = Vec::new();
+        for line in text.lines() {
+            let line = line.split('#').next().unwrap_or("").trim();
+            let mut words = line.split_whitespace();
+            let (Some(kind), Some(field)) = (words.next(), words.next()) else { continue };
+            // A constant: `uint8 OK=1`, `uint8 OK = 1`.
+            if field.contains('=') || words.next().is_some_and(|w| w.starts_with('=')) {
+                continue;
+            }
+            fields.push((field.to_string(), self.kind(kind, &package, depth)?));
+        }
+        self.structs[index] = fields;
+        self.done.insert(name.into(), index);
+        Ok(index)
+    }
+
+    fn kind(&mut self, text: &str, package: &str, depth: usize) -> Result<Type, String> {
+        if let Some(inner) = text.strip_suffix(']') {
+            let (element, size) = inner.rsplit_once('[').ok_or_else(|| format!("the type `{text}` can't be read"))?;
+            let size = match size {
+                "" => None,
+                bound if bound.starts_with("<=") => None,
+                number => Some(number.parse().map_err(|_| format!("the type `{text}` can't be read"))?),
+            };
+            return Ok(Type::Array(Box::new(self.kind(element, package, depth)?), size));
+        }
+        if text == "string" || text.starts_with("string<=") {
+            return Ok(Type::Text);
+        }
+        if let Some(primitive) = Primitive::of(text) {
+            return Ok(Type::Primitive(primitive));
+        }
+        let full = match text {
+            "Header" => "std_msgs/Header".into(),
+            "time" => "builtin_interfaces/Time".into(),
+            "duration" => "builtin_interfaces/Duration".into(),
+            _ if text.contains('/') => short(text),
+            _ => format!("{package}/{text}"),
+        };
+        Ok(Type::Struct(self.read(&full, depth + 1)?))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_definition_with_its_parts() {
+        let text = "# A comment\nuint8 OK=1\nuint8 BAD = 2\nHeader header\nPart[] parts # more\nfloat64[3] xyz\nstring<=8[] name\n\
+            ================================================================================\nMSG: my_msgs/Part\nfloat32 a 1.5\n";
+        let found = Definition::new("my_msgs/msg/Whole", text).unwrap();
+        let fields: Vec<&str> = found.structs[0].iter().map(|(name, _)| name.as_str()).collect();
+        assert_eq!(fields, ["header", "parts", "xyz", "name"]);
+        assert_eq!(found.structs[0][2].1, Type::Array(Box::new(Type::Primitive(Primitive::F64)), Some(3)));
+        assert_eq!(found.structs[0][3].1, Type::Array(Box::new(Type::Text), None));
+    }
+
+    #[test]
+    fn what_is_not_defined_or_endless_is_an_error() {
+        assert!(Definition::new("a/B", "C c").unwrap_err().contains("a/C"));
+        assert!(Definition::new("a/B", "").unwrap_err().contains("a/B"));
+        assert!(Definition::new("a/B", "B b").unwrap_err().contains("itself"));
+        assert!(Definition::new("a/B", "float64[x] b").is_err());
+        assert!(Definition::new("sensor_msgs/msg/JointState", "").is_ok());
+    }
+}

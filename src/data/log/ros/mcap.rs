@@ -1,0 +1,243 @@
+//! MCAP: the container in which ROS 2 records. Read as a stream, a record at a time.
+//!
+//! Records are an opcode, a length and fields of fixed order (mcap.dev/spec); the few that matter
+//! here are read without the crate `mcap`, whose twenty dependencies (two of them C) do the rest of
+//! the format. Nothing behind the data section is needed, so a file that was cut is read as far as
+//! it goes.
+
+use std::collections::{HashMap, VecDeque};
+use std::io::Read;
+
+use super::recording::{Message, Messages};
+
+/// Longest record (a chunk as it is stored, or a message), bytes.
+const LONGEST_RECORD: u64 = 64 << 20;
+/// Longest chunk once it is unpacked, bytes.
+const LONGEST_CHUNK: u64 = 128 << 20;
+
+const MAGIC: &[u8; 8] = b"\x89MCAP0\r\n";
+const FOOTER: u8 = 0x02;
+const SCHEMA: u8 = 0x03;
+const CHANNEL: u8 = 0x04;
+const MESSAGE: u8 = 0x05;
+const CHUNK: u8 = 0x06;
+const DATA_END: u8 = 0x0f;
+
+/// A topic: its type, and whether its messages can be decoded.
+struct Channel {
+    topic: String,
+    schema: u16,
+    readable: bool,
+}
+
+/// Messages of an MCAP file.
+pub struct McapMessages<R> {
+    input: R,
+    started: bool,
+    schemas: HashMap<u16, (String, String)>,
+    channels: HashMap<u16, Channel>,
+    queue: VecDeque<Message>,
+    passed_over: Vec<String>,
+    done: bool,
+}
+
+/// Fields of a record, front to back.
+struct Fields<'a>(&'a [u8]);
+
+impl<'a> Fields<'a> {
+    fn bytes(&mut self, n: usize) -> Result<&'a [u8], String> {
+        let (part, rest) = self.0.split_at_checked(n).ok_or("a record ends before its last field")?;
+        self.0 = rest;
+        Ok(part)
+    }
+
+    fn number<const N: usize>(&mut self) -> Result<[u8; N], String> {
+        self.bytes(N)?.try_into().map_err(|_| "a record ends before its last field".into())
+    }
+
+    fn u16(&mut self) -> Result<u16, String> {
+        self.number().map(u16::from_le_bytes)
+    }
+
+    fn u32(&mut self) -> Result<u32, String> {
+        self.number().map(u32::from_le_bytes)
+    }
+
+    fn u64(&mut self) -> Result<u64, String> {
+        self.number().map(u64::from_le_bytes)
+    }
+
+    fn prefixed(&mut self) -> Result<&'a [u8], String> {
+        let n = self.u32()? as usize;
+        self.bytes(n)
+    }
+
+    fn text(&mut self) -> Result<String, String> {
+        Ok(String::from_utf8_lossy(self.prefixed()?).into_owned())
+    }
+}
+
+impl<R: Read> McapMessages<R> {
+    /// Reads nothing yet.
+    pub fn new(input: R) -> Self {
+        Self {
+            input,
+            started: false,
+            schemas: HashMap::new(),
+            channels: HashMap::new(),
+            queue: VecDeque::new(),
+            passed_over: Vec::new(),
+            done: false,
+        }
+    }
+
+    /// Reads one record of the file. A file that ends in the middle of one ends before it.
+    fn step(&mut self) -> Result<(), String> {
+        if !std::mem::replace(&mut self.started, true) {
+            let magic = self.take(8)?;
+            if magic.as_deref() != Some(MAGIC) {
+                return Err("it does not begin as an MCAP file of version 0 does".into());
+            }
+        }
+        let Some(head) = self.take(9)? else { return self.cut() };
+        let length = Fields(&head[1..]).u64()?;
+        if length > LONGEST_RECORD {
+            return Err(format!("a record of {length} bytes; {LONGEST_RECORD} are read at most"));
+        }
+        let Some(data) = self.take(length)? else { return self.cut() };
+        match head[0] {
+            DATA_END | FOOTER => self.done = true,
+            CHUNK => self.chunk(&data)?,
+            opcode => self.record(opcode, &data)?,
+        }
+        Ok(())
+    }
+
+    /// So many bytes; `None`: the file ends before.
+    fn take(&mut self, n: u64) -> Result<Option<Vec<u8>>, String> {
+        let mut bytes = Vec::new();
+        self.input.by_ref().take(n).read_to_end(&mut bytes).map_err(|e| e.to_string())?;
+        Ok((bytes.len() as u64 == n).then_some(bytes))
+    }
+
+    fn cut(&mut self) -> Result<(), String> {
+        self.done = true;
+        self.note("the file has no end: what stands before it is read".into());
+        Ok(())
+    }
+
+    /// Unpacks a chunk and takes its records.
+    fn chunk(&mut self, data: &[u8]) -> Result<(), String> {
+        let mut fields = Fields(data);
+        fields.bytes(16)?; // first and last time
+        let size = fields.u64()?;
+        fields.u32()?; // checksum
+        let compression = fields.text()?;
+        let length = usize::try_from(fields.u64()?).map_err(|e| e.to_string())?;
+        if size > LONGEST_CHUNK {
+            return Err(format!("a chunk of {size} bytes; {LONGEST_CHUNK} are read at most"));
+        }
+        let records = unpack(&compression, fields.bytes(length)?, size)?;
+        let mut rest = Fields(&records);
+        while !rest.0.is_empty() {
+            let opcode = rest.bytes(1)?[0];
+            let length = usize::try_from(rest.u64()?).map_err(|e| e.to_string())?;
+            let record = rest.bytes(length)?;
+            self.record(opcode, record)?;
+        }
+        Ok(())
+    }
+
+    fn record(&mut self, opcode: u8, data: &[u8]) -> Result<(), String> {
+        let mut fields = Fields(data);
+        match opcode {
+            SCHEMA => {
+                let (id, name, encoding) = (fields.u16()?, fields.text()?, fields.text()?);
+                // Other languages of definition leave the message to its name.
+                let text = if encoding == "ros2msg" { fields.text()? } else { String::new() };
+                self.schemas.insert(id, (name, text));
+            }
+            CHANNEL => {
+                let (id, schema, topic) = (fields.u16()?, fields.u16()?, fields.text()?);
+                let encoding = fields.text()?;
+                let readable = encoding == "cdr";
+                if !readable && !self.channels.contains_key(&id) {
+                    self.note(format!("the topic {topic} is written as `{encoding}`; `cdr` is read"));
+                }
+                self.channels.insert(id, Channel { topic, schema, readable });
+            }
+            MESSAGE => {
+                let id = fields.u16()?;
+                fields.u32()?; // sequence
+                let arrival = i64::try_from(fields.u64()?).unwrap_or(i64::MAX);
+                fields.u64()?; // time of publication
+                if let Some(channel) = self.channels.get(&id).filter(|c| c.readable) {
+                    let message = Message { topic: channel.topic.clone(), arrival, bytes: fields.0.to_vec() };
+                    self.queue.push_back(message);
+                }
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn note(&mut self, what: String) {
+        if self.passed_over.len() < 20 && !self.passed_over.contains(&what) {
+            self.passed_over.push(what);
+        }
+    }
+}
+
+impl<R: Read> Messages for McapMessages<R> {
+    fn next(&mut self) -> Result<Option<Message>, String> {
+        loop {
+            if let Some(message) = self.queue.pop_front() {
+                return Ok(Some(message));
+            }
+            if self.done {
+                return Ok(None);
+            }
+            self.step()?;
+        }
+    }
+
+    fn definition(&self, topic: &str) -> Option<(&str, &str)> {
+        let channel = self.channels.values().find(|c| c.topic == topic)?;
+        self.schemas.get(&channel.schema).map(|(name, text)| (name.as_str(), text.as_str()))
+    }
+
+    fn passed_over(&self) -> Vec<String> {
+        self.passed_over.clone()
+    }
+}
+
+/// The records of a chunk.
+fn unpack(compression: &str, data: &[u8], size: u64) -> Result<Vec<u8>, String> {
+    let mut out = Vec::new();
+    // One byte more than promised shows a chunk that is longer than it says.
+    let most = size + 1;
+    match compression {
+        "" => out.extend_from_slice(data),
+        "lz4" => {
+            let decoder = lz4_flex::frame::FrameDecoder::new(data);
+            decoder.take(most).read_to_end(&mut out).map_err(|e| format!("a chunk can't be unpacked (lz4): {e}"))?;
+        }
+        "zstd" => {
+            let mut rest = data;
+            while !rest.is_empty() && (out.len() as u64) < most {
+                let decoder = ruzstd::decoding::StreamingDecoder::new(&mut rest)
+                    .map_err(|e| format!("a chunk can't be unpacked (zstd): {e}"))?;
+                let left = most - out.len() as u64;
+                decoder
+                    .take(left)
+                    .read_to_end(&mut out)
+                    .map_err(|e| format!("a chunk can't be unpacked (zstd): {e}"))?;
+            }
+        }
+        other => return Err(format!("a chunk is packed with `{other}`; zstd, lz4 and none are read")),
+    }
+    if out.len() as u64 != size {
+        return Err(format!("a chunk has {} bytes where its header says {size}", out.len()));
+    }
+    Ok(out)
+}

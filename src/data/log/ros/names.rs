@@ -1,0 +1,162 @@
+//! Channels of a recording by the names of the joints: `/joint_states/position/elbow`.
+
+use crate::data::log::{Quantity, Role, SourceJoint};
+
+/// What the last parts of a channel's name stand for.
+fn quantity(part: &str) -> Option<Quantity> {
+    Some(match part {
+        "position" | "positions" => Quantity::Q,
+        "velocity" | "velocities" => Quantity::Dq,
+        "acceleration" | "accelerations" => Quantity::Ddq,
+        "effort" | "efforts" | "torque" => Quantity::Tau,
+        "current" | "motor_current" => Quantity::Current,
+        "temperature" | "motor_temperature" => Quantity::Temperature,
+        _ => return None,
+    })
+}
+
+/// A channel of a joint: its topic (with the part of the message), quantity and joint's name.
+struct JointChannel<'a> {
+    group: &'a str,
+    quantity: Quantity,
+    joint: &'a str,
+    position: usize,
+}
+
+/// Takes `GROUP/position/JOINT` or `GROUP/JOINT/position` apart.
+fn joint_channel(name: &str, position: usize) -> Option<JointChannel<'_>> {
+    let rest = name.strip_prefix('/').map(|_| name)?;
+    let (front, last) = rest.rsplit_once('/')?;
+    let (group, middle) = front.rsplit_once('/')?;
+    let (found, joint) = match (quantity(middle), quantity(last)) {
+        (Some(found), _) => (found, last),
+        (None, Some(found)) => (found, middle),
+        _ => return None,
+    };
+    let part = group.rsplit('/').next().unwrap_or("");
+    let found = match part {
+        "desired" | "reference" if found == Quantity::Q => Quantity::Qd,
+        "desired" | "reference" | "error" | "output" => return None,
+        _ => found,
+    };
+    (!group.is_empty()).then_some(JointChannel { group, quantity: found, joint, position })
+}
+
+/// Roles of a recording's channels. A quantity is used where one group has it for all joints; the
+/// group of the positions is preferred.
+///
+/// # Errors
+/// Where positions are on several topics, or joints are not found.
+pub(crate) fn columns(names: &[&str], joints: &[SourceJoint]) -> Result<Vec<(Role, usize)>, String> {
+    let channels: Vec<JointChannel<'_>> = names.iter().enumerate().filter_map(|(i, n)| joint_channel(n, i)).collect();
+    if channels.is_empty() {
+        return Ok(Vec::new());
+    }
+    if joints.is_empty() {
+        return Err(format!(
+            "the recording names its joints ({}); the robot file says which is which: give --robot ROBOT",
+            found(&channels).join(", ")
+        ));
+    }
+    // Positions of all joints on one topic.
+    let complete = |group: &str, quantity: Quantity| -> Option<Vec<(Role, usize)>> {
+        joints
+            .iter()
+            .enumerate()
+            .map(|(i, joint)| {
+                let fits = |c: &&JointChannel<'_>| c.group == group && c.quantity == quantity && c.joint == joint.name;
+                channels.iter().find(fits).map(|c| (Role::Joint(quantity, i), c.position))
+            })
+            .collect()
+    };
+    let mut groups: Vec<&str> = Vec::new();
+    for channel in &channels {
+        if !groups.contains(&channel.group) {
+            groups.push(channel.group);
+        }
+    }
+    let with = |quantity: Quantity| -> Vec<&str> {
+        groups.iter().filter(|g| complete(g, quantity).is_some()).copied().collect()
+    };
+    let of_positions = match with(Quantity::Q).as_slice() {
+        [] => return Err(unknown_joints(&channels, joints)),
+        [one] => *one,
+        several => {
+            return Err(format!(
+                "positions of all joints are on {}; choose one in a mapping (--map), for example `q*: {{ channel: \"{}/position/{{joint}}\" }}`",
+                several.join(" and "),
+                several[0]
+            ));
+        }
+    };
+    let mut columns = Vec::new();
+    if let Some(position) = names.iter().position(|n| *n == "t") {
+        columns.push((Role::Time, position));
+    }
+    for (quantity, _) in Quantity::ALL {
+        let here = complete(of_positions, quantity).or_else(|| match with(quantity).as_slice() {
+            [one] => complete(one, quantity),
+            _ => None,
+        });
+        columns.extend(here.into_iter().flatten());
+    }
+    Ok(columns)
+}
+
+/// Names of joints, each once.
+fn found(channels: &[JointChannel<'_>]) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for channel in channels {
+        if !names.iter().any(|n| n == channel.joint) && names.len() < 20 {
+            names.push(channel.joint.into());
+        }
+    }
+    names
+}
+
+fn unknown_joints(channels: &[JointChannel<'_>], joints: &[SourceJoint]) -> String {
+    let there = found(channels);
+    let missing: Vec<&str> =
+        joints.iter().map(|j| j.name.as_str()).filter(|name| !there.iter().any(|t| t == name)).collect();
+    format!(
+        "no topic has the positions of all joints: the recording has {}, the robot file {}; {} Give the joints of the robot file these names, or a mapping \
+         (--map; `denavit log inspect` proposes one)",
+        there.join(", "),
+        joints.iter().map(|j| j.name.as_str()).collect::<Vec<_>>().join(", "),
+        if missing.is_empty() { String::new() } else { format!("{} are not in the recording.", missing.join(", ")) },
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn joints(names: &[&str]) -> Vec<SourceJoint> {
+        names.iter().map(|n| SourceJoint { name: (*n).into(), sign: 1.0, offset: 0.0 }).collect()
+    }
+
+    #[test]
+    fn joints_are_matched_by_name_in_any_order() {
+        let names = ["t", "/js/position/b", "/js/position/a", "/js/effort/b", "/js/effort/a", "/io/x"];
+        let found = columns(&names, &joints(&["a", "b"])).unwrap();
+        let q = |j| Role::Joint(Quantity::Q, j);
+        let tau = |j| Role::Joint(Quantity::Tau, j);
+        assert_eq!(found, [(Role::Time, 0), (q(0), 2), (q(1), 1), (tau(0), 4), (tau(1), 3)]);
+    }
+
+    #[test]
+    fn desired_positions_are_no_positions() {
+        let names = ["t", "/c/desired/positions/a", "/c/actual/positions/a", "/c/error/positions/a"];
+        let found = columns(&names, &joints(&["a"])).unwrap();
+        assert!(found.contains(&(Role::Joint(Quantity::Q, 0), 2)));
+        assert!(!found.iter().any(|(_, p)| *p == 3));
+    }
+
+    #[test]
+    fn two_topics_with_positions_are_a_question() {
+        let names = ["/a/position/j", "/b/position/j"];
+        assert!(columns(&names, &joints(&["j"])).unwrap_err().contains("/a and /b"));
+        assert!(columns(&names, &joints(&["k"])).unwrap_err().contains("k are not in the recording"));
+        assert!(columns(&names, &[]).unwrap_err().contains("--robot"));
+    }
+}
