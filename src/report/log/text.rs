@@ -29,6 +29,12 @@ pub fn inspect_text(file: &str, channels: &[ChannelSummary], proposal: &Proposal
     }
     let clock = "Rate and gap are in the clock's own unit (per second and seconds for a recording of messages).";
     let _ = writeln!(t, "\n{clock}\n");
+    let by_joint = channels.iter().any(|c| c.name.starts_with('/') && !c.name.ends_with(']'));
+    if proposal.mapping.columns.is_empty() && by_joint {
+        t += "Joints of a recording are found by their names in the robot file, and its stamps are the time: \
+              a mapping is needed only where names differ.\n";
+        return t;
+    }
     if proposal.mapping.columns.is_empty() {
         let _ = writeln!(t, "No mapping is proposed: no name says what its channel is.");
     } else {
