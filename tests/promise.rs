@@ -126,7 +126,7 @@ fn kept(hidden: &Effects) -> (Diagnosis, Robot) {
         found.causes.iter().map(|c| (c.cause, &c.joints[..], &c.evidence[..])).collect();
     println!("{causes:?}\n {:?}\n before {before:.4?}\n promised {promised:.4?}\n kept {is:.4?}", found.offer.why);
     // What was promised is what the file's own laws give. Elastic joints and gear couplings are
-    // differenced anew along the log's own samples there.
+    // differenced again along the log's own samples there.
     for j in 0..is.len() {
         let holds = (is[j] - promised[j]).abs() < 0.12 * promised[j] + 0.03 * before[j].min(0.1);
         assert!(

@@ -202,7 +202,7 @@ pub(super) fn pass(path: &Path, dof: usize, prepare: &Prepare, sink: impl FnMut(
     try_pass(path, dof, prepare, sink)?.map_err(Failure::input)
 }
 
-/// The same; what preparing refuses comes back as it is, for a caller that can do something about
+/// The same; what preparing refuses is returned unchanged, for a caller that can do something about
 /// it.
 pub(super) fn try_pass(
     path: &Path,

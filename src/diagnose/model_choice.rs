@@ -1,4 +1,4 @@
-//! Which of the nested models is offered: the file as it is, all parameters refitted, or the
+//! Which of the nested models is offered: the file unchanged, all parameters refitted, or the
 //! extended model; and which causes stay in that.
 //!
 //! Judged on the fitted logs alone, on stretches that are left out in turn (an eighth of the data

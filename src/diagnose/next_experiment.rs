@@ -3,7 +3,7 @@
 //!
 //! Each cause is the columns by which it acts on the torques at the state of each sample;
 //! [`discriminate`] maximises what of either is left beside the other and beside friction (and the
-//! base parameters, where the diagnosis took them anew). Causes that are the same on paper, or that
+//! base parameters, where the diagnosis refitted them). Causes that are the same on paper, or that
 //! act through their past, have no such motion.
 
 use dh_codegen::robot::EffectKind;

@@ -184,7 +184,7 @@ impl<'a> Case<'a> {
 
     /// Which of the models is offered, by what they predict of stretches of the fitted logs that
     /// are left out in turn; and why. `models`: with the file's links, with all base parameters
-    /// anew, either or both; `file`, `refit`: errors of the file as it is and of a plain refit.
+    /// anew, either or both; `file`, `refit`: errors of the unchanged file and of a plain refit.
     pub(super) fn choose(
         &self,
         models: Vec<Settled<'a>>,

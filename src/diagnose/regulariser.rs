@@ -7,7 +7,7 @@
 //! by 100 %, friction by half of the torque that was seen. In the axes in which that is white, the
 //! data tell each direction so much (Hansen 1998, generalised singular values: `mu`, by how much
 //! their variance is less than that of the belief, windows counted by how long residuals remember
-//! themselves). Directions that are told well are left to the data alone; those that are not stay
+//! themselves). Well identified directions are left to the data alone; those that are not stay
 //! with the file: what least squares says is taken by `mu^4 / (mu^4 + firm^4)`. So nothing that the
 //! data do tell is drawn to the file, as a plain normal prior would. How firm is left to the data
 //! as well: what predicts stretches of the logs best that are left out in turn.

@@ -69,7 +69,7 @@ pub fn diagnose(
 ) -> Result<Diagnosis, DiagnoseError> {
     let mut found = once(plant, fit, validate, settings, progress)?;
     // Where an effect is found that the file has already, the data contradict the file's; two of a
-    // kind are not written beside each other. So that one is taken out and looked for anew.
+    // kind are not written beside each other. So that one is taken out and searched for again.
     let mut forgotten: Vec<(EffectKind, Option<usize>)> = Vec::new();
     let baseline = found.baseline.clone();
     for _ in 0..2 {

@@ -34,7 +34,7 @@ impl Default for SearchSettings {
     }
 }
 
-/// Windows that an error remembers itself for, from which on it counts as slow: a tenth of a
+/// Autocorrelation time, in windows, above which an error counts as slow: a tenth of a
 /// second.
 const SLOW: f64 = 10.0;
 

@@ -11,7 +11,7 @@ pub fn torque_noise(recordings: &[Recording], dof: usize) -> Vec<f64> {
     (0..dof).map(of).collect()
 }
 
-/// Over how many windows a residual remembers itself: `1 + 2 sum rho_k` up to the first negative
+/// Autocorrelation time of a residual, windows: `1 + 2 sum rho_k` up to the first negative
 /// pair (Geyer 1992), at least 1.
 pub fn autocorrelation_time(residual: &[f64], live: &[bool]) -> f64 {
     let n = residual.len();

@@ -1,4 +1,4 @@
-//! Recordings at the rate at which causes are told apart: torque and motion averaged over short
+//! Recordings at the rate at which causes are distinguished: torque and motion averaged over short
 //! windows.
 //!
 //! Averaging is a linear operation that is done to the measured torque and to every column alike,

@@ -117,7 +117,7 @@ pub fn import(text: &str, options: &ImportOptions) -> Result<Imported, ImportErr
     })
 }
 
-/// What is told beside the robot.
+/// What is reported beside the robot.
 #[derive(Debug, Default)]
 struct Found {
     unknown: Vec<String>,

@@ -211,7 +211,7 @@ impl<'a> Editor<'a> {
         self.document.descendants().find(same)
     }
 
-    /// An attribute of an element; one that has the same numbers stays as it is written.
+    /// An attribute of an element; one that has the same numbers stays as written.
     fn set(&mut self, element: Element<'a>, name: &str, values: &[f64]) {
         match element.attribute_node(name) {
             Some(attribute) => {

@@ -1,4 +1,4 @@
-//! A [`PerturbableArm`] made of a robot: the generated tapes for the arm as it is, the numeric
+//! A [`PerturbableArm`] made of a robot: the generated tapes for the unchanged arm, the numeric
 //! recursion for the arm as it might be.
 
 use dh_codegen::arm::param::{self, Parameter};

@@ -12,7 +12,7 @@
 //! Everywhere: `n` degrees of freedom, `P` standard parameters `phi` in the order of
 //! `param::standard`; `q` in rad or m, one entry per moving row; torques in N m (N for a prismatic
 //! joint), those of the actuators on the links, positive in the direction in which `q` grows.
-//! Parameters are given anew at each call, so one [`Numeric`] serves any estimate. A tool counts
+//! Parameters are given at each call, so one [`Numeric`] serves any estimate. A tool counts
 //! only through its pose here: `param::standard_values` folds its inertia into the last link's.
 //!
 //! Every method panics when an argument has the wrong length (`q`, `dq`, `ddq`, `tau`: `n`; `phi`:

@@ -24,7 +24,7 @@ pub(crate) struct Effort {
 
 /// Improves `x` and what belongs to it. `scale` is the first step of each variable, `directions`
 /// further ones in its units; `make` gives a candidate for a point (which it may bring back to
-/// where it means something), `beats` compares, and is told the size of the step so that it can ask
+/// where it means something), `beats` compares, and gets the size of the step so that it can ask
 /// for more than a hair.
 pub(crate) fn pattern_search<T>(
     x: &mut Vec<f64>,

@@ -2,8 +2,8 @@
 //! the simulated LWR, and whether 95 % bands hold.
 //!
 //! A run: identify from a log with noise, estimate from another one with a known wrench of all six
-//! components. Parameters are identified anew in each run, so that their error, the same at all
-//! samples of a run, is drawn anew as well: a band's coverage is over runs and samples.
+//! components. Parameters are identified again in each run, so that their error, the same at all
+//! samples of a run, is drawn again as well: a band's coverage is over runs and samples.
 
 use dh_codegen::robot::Robot;
 

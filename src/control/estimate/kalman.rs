@@ -190,7 +190,7 @@ impl<const N: usize> Kalman<N> {
         Some((State { before: *now, momentum, wrench, pp, pf, ff, paces: found, held }, estimate))
     }
 
-    /// What the filter is where all stays as it is. The model's parameters stay the same from
+    /// The filter where nothing changes. The model's parameters stay the same from
     /// sample to sample and so are no noise: their covariance is `A W C W' A'`, `A` the filter's
     /// steady map from torque to wrench, least squares weighted by the torques' densities.
     fn steady(&self, now: &Sample<N>, noise: &[[f64; 6]; 6]) -> Option<Steady<N>> {

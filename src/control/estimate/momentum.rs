@@ -194,7 +194,7 @@ impl<const N: usize> ForceEstimator<N> for Momentum<N> {
         if usable && sample.mass.iter().all(|row| finite(row)) {
             self.before = Some(*sample);
         } else {
-            // The step over the hole is not known: the next sample begins anew, the observer keeps
+            // The step over the hole is not known: the next sample begins again, the observer keeps
             // what it has.
             self.before = None;
         }

@@ -101,7 +101,7 @@ impl Estimate {
     }
 
     /// Half of the interval that holds a component with a probability of 95 %: over runs
-    /// (parameters identified anew) and samples.
+    /// (parameters identified again) and samples.
     pub fn half_width(&self, component: usize) -> f64 {
         NINETY_FIVE * self.std(component)
     }

@@ -16,8 +16,8 @@ pub enum NoiseSource {
     Log,
 }
 
-/// Errors of the model's torque come from the parameters (constant over a run, drawn anew by each
-/// identification) and from noise (drawn anew at each sample, alike among neighbours after a
+/// Errors of the model's torque come from the parameters (constant over a run, drawn again by each
+/// identification) and from noise (drawn again at each sample, alike among neighbours after a
 /// low-pass).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Uncertainty {

@@ -4,7 +4,7 @@
 //! The motor passes the gap in hundredths of a second. What a log shows of that is what its
 //! low-pass left: a hump in the acceleration that the link never had. So the passage goes through
 //! the same low-pass before it is taken off the motion; and sides are decided by the slow part of
-//! the load, worked out anew along the link's motion, for along the motor's the model's load has
+//! the load, worked out again along the link's motion, for along the motor's the model's load has
 //! the hump in it.
 
 use dh_codegen::robot::EffectKind;

@@ -333,7 +333,7 @@ fn the_announced_uncertainty_elsewhere_is_honest() {
 }
 
 /// Of a model that is right, the plain fit can be no better where it was not fitted, but for luck;
-/// a true and a wrong one are told apart.
+/// a true and a wrong one are distinguished.
 #[test]
 fn left_out_parts_tell_which_predicts_better() {
     let (robot, arm) = file("kuka-lwr4");

@@ -6,7 +6,7 @@
 //! cube. A polynomial `f(length, width)` is fitted to the family's entries of the table, and turned
 //! about by generalised least squares: `min (Phi - f)' S^-1 (Phi - f)`, `S = C + C_t + C_f` of the
 //! identification, of the table's tolerance, and of what the polynomial misses (from leaving one
-//! out). The minimum has the law of chi square: a tool that is no relative is told.
+//! out). The minimum has the law of chi square: a tool that is no relative is reported.
 
 use nalgebra::{DMatrix, DVector, Matrix2, SMatrix, SVector, Vector2};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor, StudentsT};

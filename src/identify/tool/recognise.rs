@@ -4,7 +4,7 @@
 //! [`Pca`], where a kilogram counts as much as a kilogram square metre. And that of Mahalanobis,
 //! `d^2 = (a - b)' (C + C_j)^-1 (a - b)`, with the covariance `C` of the identification and `C_j`
 //! of the table: each difference counts as many times as it exceeds what is not known of it. The
-//! second decides, over all parameters that are told, because it has a law: for the right tool `d^2
+//! second decides, over all identified parameters, because it has a law: for the right tool `d^2
 //! / k` is distributed as `F(k, nu)` (Hotelling 1931, for a covariance whose scale was estimated),
 //! so that a limit rejects the right tool with a probability that one can choose.
 

@@ -176,7 +176,7 @@ mod tests {
 
     /// Two models over the same torques, the second's error larger by a known factor: the interval
     /// holds it about as often as it says, with errors that remember themselves over several
-    /// stretches, and two models of the same worth are told apart about as rarely as it says.
+    /// stretches, and two models of the same worth are distinguished about as rarely as it says.
     #[test]
     fn intervals_hold_what_they_say() {
         for (memory, least) in [(0.5, 0.91), (0.97, 0.88)] {
