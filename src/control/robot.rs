@@ -263,11 +263,14 @@ impl<const N: usize> Body<N> for RobotModel<'_> {
 }
 
 /// Largest static friction of a drive with this torque limit (N m), at this angle, while its gear
-/// transmits `load`, N m.
+/// transmits `load`, N m. A friction law without a dry part says that there is none: to hold a
+/// contact for friction that is not there lets the force loop push on.
 fn static_level(drive: &Drive, limit: f64, q: f64, load: f64) -> f64 {
     let hysteresis = drive.hysteresis.map_or(0.0, |h| h.level);
     let loaded = drive.load.map_or(0.0, |l| l.level(load));
     let other = hysteresis + loaded + drive.position.map_or(0.0, |p| p.excess(q));
     let coulomb = drive.plain.level + drive.asymmetric.map_or(0.0, |a| a.level.abs()) + other;
-    breakaway(coulomb, drive.stribeck.map(|s| s.breakaway + other), limit)
+    let viscous_alone = coulomb == 0.0 && drive.plain.viscous > 0.0;
+    let stated = drive.stribeck.map(|s| s.breakaway + other);
+    breakaway(coulomb, stated.or(viscous_alone.then_some(0.0)), limit)
 }
