@@ -10,6 +10,7 @@ use super::Failure;
 use super::files;
 use super::provenance::Provenance;
 use crate::apps::paper::diagnosis::Settings as DiagnosisSettings;
+use crate::apps::paper::diagnosis::real::{self, ARMS, ArmData, RealBattery, RealSettings, Recorded};
 use crate::apps::paper::{self, ExcitationSettings, ForceSettings, PaintingSettings, ReproduceError, Settings};
 use crate::report::{self, Parts};
 
@@ -21,7 +22,7 @@ use crate::report::{self, Parts};
 /// by so many percent.
 #[derive(Args)]
 #[command(
-    after_help = "Example:\n  denavit reproduce identification --report reproduce.html\nParts:\n  excitation       section III: Fig. 5, and the same task on other arms (some minutes)\n  identification   sections II.D, II.E, III.E, VI.A: Fig. 6, tables II and III, Fig. 10, and whether standard deviations are honest\n  force            section V.B: accuracy of the estimated wrench, coverage of its bands\n  painting         sections V, VI.B: Table IV, Figs. 12 and 13, and what the diagnosis makes of them (some minutes)\n  diagnosis        effects that a seed hides in the simulator, and what `denavit diagnose` makes of the logs (4 s a case)\nWithout a part: all of them."
+    after_help = "Example:\n  denavit reproduce identification --report reproduce.html\nParts:\n  excitation       section III: Fig. 5, and the same task on other arms (some minutes)\n  identification   sections II.D, II.E, III.E, VI.A: Fig. 6, tables II and III, Fig. 10, and whether standard deviations are honest\n  force            section V.B: accuracy of the estimated wrench, coverage of its bands\n  painting         sections V, VI.B: Table IV, Figs. 12 and 13, and what the diagnosis makes of them (some minutes)\n  diagnosis        effects that a seed hides in the simulator, and what `denavit diagnose` makes of the logs (4 s a case);\n                   with --on-real, known causes added to real recordings\nWithout a part: all of them."
 )]
 pub(super) struct Reproduce {
     /// Which part; default: all.
@@ -33,15 +34,28 @@ pub(super) struct Reproduce {
     /// Longest motion of Fig. 5, s.
     #[arg(long, value_name = "S", default_value_t = ExcitationSettings::default().longest, value_parser = longest)]
     longest: usize,
-    /// Cases of the diagnosis; they go round in 40 kinds.
-    #[arg(long, value_name = "N", default_value_t = DiagnosisSettings::default().cases, value_parser = cases)]
-    cases: usize,
+    /// Cases of the diagnosis [default: 40, which go round in 40 kinds; with --on-real 30, each in
+    /// all --sizes].
+    #[arg(long, value_name = "N", value_parser = cases)]
+    cases: Option<usize>,
     /// First seed of the diagnosis; each case has the next.
     #[arg(long, value_name = "SEED", default_value_t = DiagnosisSettings::default().from)]
     from: u64,
     /// Root mean square of a hidden effect by the noise of its joint.
     #[arg(long, value_name = "TIMES", default_value_t = DiagnosisSettings::default().size, value_parser = size)]
     size: f64,
+    /// Add known causes to real recordings instead of hiding effects in the simulator.
+    #[arg(long)]
+    on_real: bool,
+    /// Folder of the recordings for --on-real, with a folder per arm.
+    #[arg(long, value_name = "DIR", default_value = REAL_DATA, requires = "on_real")]
+    data: PathBuf,
+    /// Folders of --data that are used.
+    #[arg(long, value_name = "FOLDER", value_delimiter = ',', requires = "on_real")]
+    arms: Vec<String>,
+    /// Sizes of what --on-real adds, in root mean squares of the identified model's residual.
+    #[arg(long, value_name = "TIMES", value_delimiter = ',', value_parser = residuals, requires = "on_real", default_values_t = RealSettings::default().sizes)]
+    sizes: Vec<f64>,
     /// Hide nothing in the cases of the diagnosis: all that is named is a false alarm.
     #[arg(long)]
     clean: bool,
@@ -82,9 +96,16 @@ fn size(text: &str) -> Result<f64, String> {
     text.parse().ok().filter(|s| (0.5..=1000.0).contains(s)).ok_or_else(|| "a number from 0.5 to 1000".into())
 }
 
+fn residuals(text: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|s| (0.05..=100.0).contains(s)).ok_or_else(|| "a number from 0.05 to 100".into())
+}
+
 fn longest(text: &str) -> Result<usize, String> {
     text.parse().ok().filter(|s| (2..=60).contains(s)).ok_or_else(|| "whole seconds, from 2 to 60".into())
 }
+
+/// Where the recordings lie beside a checkout.
+const REAL_DATA: &str = "../shared/data";
 
 /// More runs tell nothing more.
 const MOST_RUNS: usize = 100_000;
@@ -94,17 +115,7 @@ impl Reproduce {
         if self.runs > MOST_RUNS {
             return Err(Failure::input(format!("--runs {}: at most {MOST_RUNS}", self.runs)));
         }
-        let runs = |parts: &[Part]| self.part.is_none_or(|part| parts.contains(&part));
-        provenance.refuse_idle(&[
-            ("--runs", runs(&[Part::Identification, Part::Force]), "it belongs to `identification` and `force`"),
-            ("--longest", runs(&[Part::Excitation]), "it belongs to `excitation`"),
-            ("--cases", runs(&[Part::Diagnosis]), "it belongs to `diagnosis`"),
-            ("--from", runs(&[Part::Diagnosis]), "it belongs to `diagnosis`"),
-            ("--size", runs(&[Part::Diagnosis]), "it belongs to `diagnosis`"),
-            ("--clean", runs(&[Part::Diagnosis]), "it belongs to `diagnosis`"),
-            ("--quick", runs(&[Part::Painting]), "it belongs to `painting`"),
-            ("--seed", self.part != Some(Part::Diagnosis), "the seeds of `diagnosis` begin with --from"),
-        ])?;
+        self.refuse_idle(&provenance)?;
         files::check_outputs(&[("--json", &self.json), ("--report", &self.report)], [])?;
         let provenance = provenance.with("robot", "robots/kuka-lwr4.yaml, built in");
         let asked = |part: Part| self.part.is_none_or(|p| p == part);
@@ -126,9 +137,11 @@ impl Reproduce {
             let settings = ForceSettings { runs: self.runs, seed: self.seed, ..ForceSettings::default() };
             parts.force = Some(watched("force", |watch| paper::force(&settings, watch))?);
         }
-        if asked(Part::Diagnosis) {
+        if self.on_real {
+            parts.on_real = Some(self.on_real()?);
+        } else if asked(Part::Diagnosis) {
             let settings = DiagnosisSettings {
-                cases: self.cases,
+                cases: self.cases.unwrap_or(DiagnosisSettings::default().cases),
                 from: self.from,
                 size: self.size,
                 clean: self.clean,
@@ -149,6 +162,76 @@ impl Reproduce {
             }
         }
         Ok(())
+    }
+}
+
+impl Reproduce {
+    /// Options that would have no effect.
+    fn refuse_idle(&self, provenance: &Provenance) -> Result<(), Failure> {
+        if self.on_real && self.part != Some(Part::Diagnosis) {
+            return Err(Failure::input(
+                "--on-real belongs to `denavit reproduce diagnosis`; write `diagnosis` before it",
+            ));
+        }
+        let runs = |parts: &[Part]| self.part.is_none_or(|part| parts.contains(&part));
+        let hides = runs(&[Part::Diagnosis]) && !self.on_real;
+        let seeded = self.on_real || self.part != Some(Part::Diagnosis);
+        provenance.refuse_idle(&[
+            ("--runs", runs(&[Part::Identification, Part::Force]), "it belongs to `identification` and `force`"),
+            ("--longest", runs(&[Part::Excitation]), "it belongs to `excitation`"),
+            ("--cases", runs(&[Part::Diagnosis]), "it belongs to `diagnosis`"),
+            ("--from", hides, "it belongs to `diagnosis` without --on-real"),
+            ("--size", hides, "it belongs to `diagnosis` without --on-real"),
+            ("--clean", hides, "it belongs to `diagnosis` without --on-real"),
+            ("--quick", runs(&[Part::Painting]), "it belongs to `painting`"),
+            ("--seed", seeded, "the seeds of `diagnosis` begin with --from"),
+        ])
+    }
+
+    fn on_real(&self) -> Result<RealBattery, Failure> {
+        let settings = RealSettings {
+            cases: self.cases.unwrap_or(RealSettings::default().cases),
+            seed: self.seed,
+            sizes: self.sizes.clone(),
+            ..RealSettings::default()
+        };
+        let recorded = self.recorded()?;
+        watched("diagnosis", |watch| real::on_real(&settings, &recorded, watch))
+    }
+
+    /// The recordings of --on-real.
+    fn recorded(&self) -> Result<Vec<Recorded>, Failure> {
+        let folders: Vec<&str> = ARMS.iter().map(|a| a.folder).collect();
+        if let Some(unknown) = self.arms.iter().find(|a| !folders.contains(&a.as_str())) {
+            return Err(Failure::input(format!("--arms {unknown}: no such arm; there are {}", folders.join(", "))));
+        }
+        let wanted = |arm: &&ArmData| self.arms.is_empty() || self.arms.iter().any(|a| a == arm.folder);
+        let missing = |path: PathBuf, what: &str| {
+            Failure::input(format!(
+                "{what} {} is missing; --data names the folder of the recordings, which come from public repositories (data/README.md names the sources) with one folder per arm: {}; --arms chooses among them",
+                path.display(),
+                folders.join(", ")
+            ))
+        };
+        if !self.data.is_dir() {
+            return Err(missing(self.data.clone(), "folder"));
+        }
+        ARMS.iter()
+            .filter(wanted)
+            .map(|arm| {
+                let place = self.data.join(arm.folder);
+                if !place.is_dir() {
+                    return Err(missing(place, "folder"));
+                }
+                let read = |names: &[&str]| -> Result<Vec<Vec<u8>>, Failure> {
+                    let bytes = |name: &&str| {
+                        std::fs::read(place.join(name)).map_err(|_| missing(place.join(name), "recording"))
+                    };
+                    names.iter().map(bytes).collect()
+                };
+                Ok(Recorded { arm: *arm, fit: read(arm.fit)?, validate: read(arm.validate)? })
+            })
+            .collect()
     }
 }
 

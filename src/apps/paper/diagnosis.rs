@@ -7,6 +7,7 @@
 
 mod case;
 mod hidden;
+pub mod real;
 mod score;
 
 use std::sync::atomic::{AtomicUsize, Ordering};

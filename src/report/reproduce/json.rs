@@ -6,6 +6,7 @@ use crate::apps::paper::{Experiment, fig6, table3};
 use crate::report::reproduce::diagnosis;
 use crate::report::reproduce::excitation;
 use crate::report::reproduce::force;
+use crate::report::reproduce::on_real;
 use crate::report::reproduce::painting;
 use crate::report::reproduce::text::Parts;
 
@@ -17,6 +18,7 @@ pub fn reproduce_json(parts: &Parts) -> Value {
         "painting": parts.painting.as_ref().map(painting::to_json),
         "force": parts.force.as_ref().map(force::to_json),
         "diagnosis": parts.diagnosis.as_ref().map(diagnosis::to_json),
+        "on_real": parts.on_real.as_ref().map(on_real::to_json),
     })
 }
 

@@ -12,8 +12,26 @@ use crate::report::parts::page::{Page, escape};
 use crate::report::reproduce::diagnosis;
 use crate::report::reproduce::excitation;
 use crate::report::reproduce::force;
+use crate::report::reproduce::on_real;
 use crate::report::reproduce::painting;
 use crate::report::reproduce::text::{Parts, Table, identification_verdict, tables};
+
+/// Sections of hidden effects and of causes added to recordings.
+fn diagnoses(body: &mut String, parts: &Parts) {
+    if let Some(found) = &parts.diagnosis {
+        for table in &diagnosis::tables(found) {
+            let drawing = if table.title.starts_with("Whether probabilities") {
+                diagnosis::drawing(found)
+            } else {
+                String::new()
+            };
+            section(body, table, &drawing, "");
+        }
+    }
+    for table in parts.on_real.iter().flat_map(on_real::tables) {
+        section(body, &table, "", "");
+    }
+}
 
 /// The page.
 pub fn reproduce_html(parts: &Parts, provenance: &Provenance) -> String {
@@ -30,6 +48,7 @@ pub fn reproduce_html(parts: &Parts, provenance: &Provenance) -> String {
     parts.painting.iter().for_each(|found| verdict(painting::verdict(found)));
     parts.force.iter().for_each(|found| verdict(force::verdict(found)));
     parts.diagnosis.iter().for_each(|found| verdict(diagnosis::verdict(found)));
+    parts.on_real.iter().for_each(|found| verdict(on_real::verdict(found)));
     body.push_str("</header>\n");
     if let Some(found) = &parts.excitation {
         for (k, table) in excitation::tables(found).iter().enumerate() {
@@ -54,16 +73,7 @@ pub fn reproduce_html(parts: &Parts, provenance: &Provenance) -> String {
     for table in parts.force.iter().flat_map(force::tables) {
         section(&mut body, &table, "", "");
     }
-    if let Some(found) = &parts.diagnosis {
-        for table in &diagnosis::tables(found) {
-            let drawing = if table.title.starts_with("Whether probabilities") {
-                diagnosis::drawing(found)
-            } else {
-                String::new()
-            };
-            section(&mut body, table, &drawing, "");
-        }
-    }
+    diagnoses(&mut body, parts);
     body.push_str("<section><h2>How this was made</h2><dl>\n");
     for (what, value) in provenance {
         let _ = writeln!(body, "<dt>{}<dd>{}", escape(what), escape(value));

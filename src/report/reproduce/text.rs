@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use crate::apps::paper::diagnosis::Battery;
+use crate::apps::paper::diagnosis::real::RealBattery;
 use crate::apps::paper::fig6::{self, mean};
 use crate::apps::paper::fig10::{PAPER_RMS, PAPER_SEVENTH};
 use crate::apps::paper::honesty::ASKED;
@@ -14,6 +15,7 @@ use crate::report::parts::number::{digits, figure, pad, percent};
 use crate::report::reproduce::diagnosis;
 use crate::report::reproduce::excitation;
 use crate::report::reproduce::force;
+use crate::report::reproduce::on_real;
 use crate::report::reproduce::painting;
 
 /// The parts that were run.
@@ -29,6 +31,8 @@ pub struct Parts {
     pub force: Option<Force>,
     /// The diagnosis of hidden effects.
     pub diagnosis: Option<Battery>,
+    /// The diagnosis of causes that were added to real recordings.
+    pub on_real: Option<RealBattery>,
 }
 
 /// All tables.
@@ -48,6 +52,9 @@ pub fn reproduce_text(parts: &Parts) -> String {
     }
     if let Some(found) = &parts.diagnosis {
         part(&mut text, &diagnosis::verdict(found), &diagnosis::tables(found));
+    }
+    if let Some(found) = &parts.on_real {
+        part(&mut text, &on_real::verdict(found), &on_real::tables(found));
     }
     text
 }

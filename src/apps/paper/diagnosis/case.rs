@@ -10,8 +10,8 @@ use dh_codegen::robot::{EffectKind, Robot};
 use super::super::ReproduceError;
 use super::Settings;
 use super::hidden::{About, Draft, FRICTION, Hidden, Outside, SAME_JOINT, Wanted, effects};
-use crate::data::log::{Log, Quantity, csv, open};
-use crate::data::signal::{Filter, Prepare, central, central_second, each_motion};
+use crate::data::log::{Acceptance, Log, Quantity, csv, open};
+use crate::data::signal::{Filter, Prepare, PrepareError, central, central_second, each_motion};
 use crate::diagnose::{self, Diagnosis, Recording};
 use crate::model::perturbable_robot::PerturbableRobot;
 use crate::model::{Arm, States};
@@ -324,19 +324,36 @@ impl<'a> Sizer<'a> {
     }
 }
 
-/// Reads a log as the command does.
+/// Reads a log of the simulator.
 fn record(name: &str, bytes: &[u8], dof: usize) -> Result<Recording, ReproduceError> {
-    let prepare = Prepare {
-        filter: Some(Filter { order: 4, cutoff: 15.0 }),
-        bursts: Some(diagnose::BURSTS * 15.0),
-        raw_torque: true,
-        temperature: true,
-        ..Prepare::default()
-    };
-    let mut recording = Recording::new(name);
-    let mut source = open(name, bytes).map_err(crate::data::signal::PrepareError::from)?;
-    each_motion(source.as_mut(), dof, &prepare, |motion| recording.absorb(motion))?;
-    Ok(recording)
+    record_keeping(name, bytes, dof, Acceptance::default())
+}
+
+/// Reads a log as the command does, a slow one with as much of the band as it has.
+pub(super) fn record_keeping(
+    name: &str,
+    bytes: &[u8],
+    dof: usize,
+    keep: Acceptance,
+) -> Result<Recording, ReproduceError> {
+    let mut cutoff = 15.0;
+    loop {
+        let prepare = Prepare {
+            filter: Some(Filter { order: 4, cutoff }),
+            bursts: Some(diagnose::BURSTS * cutoff),
+            raw_torque: true,
+            temperature: true,
+            keep,
+            ..Prepare::default()
+        };
+        let mut recording = Recording::new(name);
+        let mut source = open(name, bytes).map_err(PrepareError::from)?;
+        match each_motion(source.as_mut(), dof, &prepare, |motion| recording.absorb(motion)) {
+            Ok(_) => return Ok(recording),
+            Err(PrepareError::Cutoff { .. }) if cutoff > 1.0 => cutoff *= 0.6,
+            Err(error) => return Err(error.into()),
+        }
+    }
 }
 
 /// Draws, hides, records, diagnoses.

@@ -14,7 +14,7 @@ pub struct Share {
 }
 
 impl Share {
-    fn count(&mut self, good: bool) {
+    pub(super) fn count(&mut self, good: bool) {
         self.good += usize::from(good);
         self.all += 1;
     }

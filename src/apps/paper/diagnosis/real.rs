@@ -1,0 +1,190 @@
+//! The diagnosis put to the test on real recordings: known causes are added to measured torques,
+//! and the diagnosis sees the changed logs.
+//!
+//! `recordings of an arm -> identification -> residual -> a drawn cause of 3, 1 or 0.5 times that
+//! residual, added -> bytes of a log -> diagnosis -> figures`, beside the diagnosis of the
+//! untouched logs. Noise, friction and clock are those of the recordings; labels are exact. What is
+//! added is written here, with the numeric recursion, and shares no law with `simulate` or
+//! `diagnose`.
+
+mod addition;
+mod arms;
+mod figures;
+mod identified;
+mod informed;
+mod motion;
+mod session;
+
+#[cfg(test)]
+mod tests;
+
+use super::super::{ReproduceError, Watch};
+use crate::diagnose::Diagnosis;
+use crate::numerics::prng::Random;
+use addition::{Addition, Form};
+use session::Session;
+
+pub use addition::Added;
+pub use arms::{ARMS, ArmData};
+pub use figures::{Figures, Stability, calibration_error, reliability};
+
+/// Which cases.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RealSettings {
+    /// How many causes are drawn; each is added in every size.
+    pub cases: usize,
+    /// Of the draw.
+    pub seed: u64,
+    /// Root mean square of what is added on its main joint, by that of the identified model's
+    /// residual there.
+    pub sizes: Vec<f64>,
+    /// The most that is used of the fitted logs of an arm, and of the validating ones, s.
+    pub seconds: [f64; 2],
+}
+
+impl Default for RealSettings {
+    fn default() -> Self {
+        Self { cases: 30, seed: 1, sizes: vec![3.0, 1.0, 0.5], seconds: [40.0, 15.0] }
+    }
+}
+
+/// Recordings of an arm, as they are in their files.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recorded {
+    /// What is known of the arm and its recordings.
+    pub arm: ArmData,
+    /// Bytes of the fitted logs, in the order of [`ArmData::fit`].
+    pub fit: Vec<Vec<u8>>,
+    /// Bytes of the validating logs, in the order of [`ArmData::validate`].
+    pub validate: Vec<Vec<u8>>,
+}
+
+/// A cause that was added in one size, and the diagnosis of the changed logs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RealCase {
+    /// The arm.
+    pub arm: String,
+    /// Wanted size, in residuals.
+    pub size: f64,
+    /// What was added.
+    pub added: Added,
+    /// Size that a fit finds which knows the form, by the true one.
+    pub informed: f64,
+    /// What was found.
+    pub found: Diagnosis,
+    /// Causes (index into those found) that the untouched logs do not have.
+    pub new: Vec<usize>,
+}
+
+/// The untouched logs of an arm.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Untouched {
+    /// The arm.
+    pub arm: String,
+    /// Root mean square of the identified model's residual on the fitted logs, per joint, N m.
+    pub residual: Vec<f64>,
+    /// Diagnosis of the whole excerpt.
+    pub whole: Diagnosis,
+    /// Diagnoses of its first and second half; `None` where one is too short.
+    pub halves: [Option<Diagnosis>; 2],
+}
+
+/// All cases.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RealBattery {
+    /// Which.
+    pub settings: RealSettings,
+    /// One per arm.
+    pub untouched: Vec<Untouched>,
+    /// One per draw and size.
+    pub cases: Vec<RealCase>,
+    /// Why a draw or an arm has no case: sentences.
+    pub skipped: Vec<String>,
+    /// Figures for each size.
+    pub figures: Vec<Figures>,
+    /// Causes that untouched logs are said to have, and whether other excerpts agree.
+    pub stability: Stability,
+}
+
+/// Identifies each arm, diagnoses its logs, adds causes and diagnoses again.
+///
+/// # Errors
+/// Where a log can't be read. An arm that can't be identified is skipped with a reason.
+pub fn on_real(
+    settings: &RealSettings,
+    recorded: &[Recorded],
+    watch: Watch<'_>,
+) -> Result<RealBattery, ReproduceError> {
+    let arms = recorded.len().max(1);
+    let steps = (recorded.len() * 3 + settings.cases * settings.sizes.len()).max(1) as f64;
+    let mut done = 0.0;
+    let mut tell = |what: &str, by: f64| {
+        done += by;
+        watch(what, (done / steps).min(1.0));
+    };
+    let (mut untouched, mut cases, mut skipped) = (Vec::new(), Vec::new(), Vec::new());
+    for (number, recorded) in recorded.iter().enumerate() {
+        let name = recorded.arm.folder;
+        tell(&format!("{name}: identification"), 0.0);
+        let session = match Session::new(recorded, settings.seconds) {
+            Ok(session) => session,
+            Err(ReproduceError::Prepare(error)) => return Err(error.into()),
+            Err(error) => {
+                skipped.push(format!("{name}: {error}"));
+                continue;
+            }
+        };
+        tell(&format!("{name}: untouched"), 1.0);
+        let plain = session.untouched()?;
+        tell(&format!("{name}: untouched"), 2.0);
+        let mine = settings.cases / arms + usize::from(number < settings.cases % arms);
+        let mut random = Random::stream(settings.seed, number as u64);
+        for form in deck(&mut random).into_iter().cycle().take(mine) {
+            for &size in &settings.sizes {
+                tell(&format!("{name}: {} of {size} residuals", form.cause()), 1.0);
+                match case(&session, &plain.whole, form, size, random.clone())? {
+                    Some(case) => cases.push(case),
+                    None => skipped.push(format!("{name}: {} of {size} residuals can't be drawn", form.cause())),
+                }
+            }
+            random.bits();
+        }
+        untouched.push(plain);
+    }
+    let figures = settings.sizes.iter().map(|&size| Figures::of(size, &cases)).collect();
+    let stability = Stability::of(&untouched);
+    Ok(RealBattery { settings: settings.clone(), untouched, cases, skipped, figures, stability })
+}
+
+/// All forms, shuffled.
+fn deck(random: &mut Random) -> Vec<Form> {
+    let mut deck = Form::ALL.to_vec();
+    for last in (1..deck.len()).rev() {
+        deck.swap(last, random.below(last + 1));
+    }
+    deck
+}
+
+/// Adds one cause in one size; the same `random` draws the same cause for every size.
+fn case(
+    session: &Session,
+    plain: &Diagnosis,
+    form: Form,
+    size: f64,
+    mut random: Random,
+) -> Result<Option<RealCase>, ReproduceError> {
+    let named = |joints: &[usize]| plain.causes.iter().any(|c| c.cause == form.cause() && c.joints == joints);
+    let drawn = (0..20).find_map(|_| {
+        let addition = Addition::draw(form, session, &mut random)?;
+        // What the untouched logs are said to have already could not be seen to be new.
+        (!named(&addition.joints)).then_some(addition)
+    });
+    let Some((addition, x)) = drawn.and_then(|a| Some((a.sized(session, size)?, a)).map(|(x, a)| (a, x))) else {
+        return Ok(None);
+    };
+    let informed = informed::recovered(session, &addition, x);
+    let found = session.diagnose(Some((&addition, x)))?;
+    let new = figures::new_causes(&found, plain);
+    let added = addition.added(session, x);
+    Ok(Some(RealCase { arm: session.name.clone(), size, added, informed, found, new }))
+}

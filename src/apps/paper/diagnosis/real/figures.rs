@@ -1,0 +1,155 @@
+//! Figures of the cases on real recordings.
+
+use super::{RealCase, Untouched};
+use crate::apps::paper::diagnosis::{Claim, Share};
+use crate::diagnose::{Cause, Diagnosis};
+
+/// How far from 1 the size may be that an informed fit finds.
+const RECOVERED: f64 = 0.2;
+
+/// Figures of one size, of the cases that an informed fit recovers.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Figures {
+    /// Size, in residuals.
+    pub size: f64,
+    /// Cases that an informed fit recovers within 20 %.
+    pub recovered: Share,
+    /// Named, in its place.
+    pub named: Share,
+    /// First among the new causes, in its place.
+    pub first: Share,
+    /// Named in its place with a probability above one half.
+    pub sure: Share,
+    /// Its place, where the right cause is named at all.
+    pub place: Share,
+    /// Parameters within three standard deviations, where named in its place.
+    pub within_three: Share,
+    /// New causes that were not added, per case.
+    pub false_new: f64,
+    /// All new causes.
+    pub claims: Vec<Claim>,
+}
+
+/// Causes that untouched logs are said to have, and what other excerpts say.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Stability {
+    /// Causes above 0.8 that both halves have, too.
+    pub sure: Share,
+    /// Of each cause: arm, cause, joints, probability, and in how many of how many halves it is.
+    pub causes: Vec<(String, &'static str, Vec<usize>, f64, Share)>,
+}
+
+/// Whether two causes are one in one place.
+fn same(a: &Cause, b: &Cause) -> bool {
+    a.cause == b.cause && a.joints == b.joints
+}
+
+/// Causes of `found` that `plain` does not have; `unknown` is none.
+pub(super) fn new_causes(found: &Diagnosis, plain: &Diagnosis) -> Vec<usize> {
+    let new = |c: &Cause| c.cause != "unknown" && !plain.causes.iter().any(|p| same(c, p));
+    (0..found.causes.len()).filter(|&i| new(&found.causes[i])).collect()
+}
+
+impl RealCase {
+    /// Whether an informed fit recovers the size within 20 %.
+    pub fn recovered(&self) -> bool {
+        (self.informed - 1.0).abs() < RECOVERED
+    }
+
+    /// Whether a cause is what was added, in its place.
+    pub fn right(&self, cause: &Cause) -> bool {
+        let here = |name: &str, joints: &[usize]| cause.cause == name && cause.joints == joints;
+        here(self.added.cause, &self.added.joints) || self.added.same.iter().any(|(name, joints)| here(name, joints))
+    }
+
+    /// The causes that the untouched logs do not have, in the order of the diagnosis.
+    pub fn fresh(&self) -> impl Iterator<Item = &Cause> {
+        self.new.iter().map(|&i| &self.found.causes[i])
+    }
+
+    /// Parameters of the rightly named cause: symbol, truth, value, standard deviation.
+    pub fn parameters(&self) -> Vec<(String, f64, f64, f64)> {
+        let Some(cause) = self.fresh().find(|c| c.cause == self.added.cause && c.joints == self.added.joints) else {
+            return Vec::new();
+        };
+        let of = |(symbol, truth): &(String, f64)| {
+            let p = cause.parameters.iter().find(|p| p.symbol == *symbol)?;
+            let std = p.std.filter(|s| s.is_finite() && *s > 0.0)?;
+            Some((symbol.clone(), *truth, p.value, std))
+        };
+        self.added.truth.iter().filter_map(of).collect()
+    }
+}
+
+impl Figures {
+    pub(super) fn of(size: f64, cases: &[RealCase]) -> Self {
+        let mut figures = Self { size, ..Self::default() };
+        let mut wrong = 0;
+        for case in cases.iter().filter(|c| c.size == size) {
+            figures.recovered.count(case.recovered());
+            let right = case.fresh().find(|c| case.right(c));
+            wrong += case.fresh().filter(|c| !case.right(c)).count();
+            figures.claims.extend(case.fresh().map(|c| Claim { probability: c.probability, right: case.right(c) }));
+            if !case.recovered() {
+                continue;
+            }
+            figures.named.count(right.is_some());
+            figures.first.count(case.fresh().next().is_some_and(|c| case.right(c)));
+            figures.sure.count(right.is_some_and(|c| c.probability > 0.5));
+            if case.fresh().any(|c| c.cause == case.added.cause) {
+                figures.place.count(right.is_some());
+            }
+            for (_, truth, value, std) in case.parameters() {
+                figures.within_three.count((value - truth).abs() <= 3.0 * std);
+            }
+        }
+        figures.false_new = wrong as f64 / figures.recovered.all.max(1) as f64;
+        figures
+    }
+}
+
+impl Stability {
+    pub(super) fn of(untouched: &[Untouched]) -> Self {
+        let mut stability = Self::default();
+        for arm in untouched {
+            let halves: Vec<&Diagnosis> = arm.halves.iter().flatten().collect();
+            if halves.is_empty() {
+                continue;
+            }
+            for cause in arm.whole.causes.iter().filter(|c| c.cause != "unknown") {
+                let mut there = Share::default();
+                halves.iter().for_each(|half| there.count(half.causes.iter().any(|c| same(c, cause))));
+                if cause.probability > 0.8 {
+                    stability.sure.count(there.good == there.all);
+                }
+                stability.causes.push((arm.arm.clone(), cause.cause, cause.joints.clone(), cause.probability, there));
+            }
+        }
+        stability
+    }
+}
+
+/// Claims by probability: from, to, mean probability, how many were right.
+pub fn reliability(claims: &[Claim]) -> Vec<(f64, f64, f64, Share)> {
+    const EDGES: [f64; 7] = [0.0, 0.2, 0.4, 0.6, 0.8, 0.9, 1.0];
+    let bin = |edge: &[f64]| {
+        let here = |c: &&Claim| c.probability >= edge[0] && (c.probability < edge[1] || edge[1] == 1.0);
+        let mut share = Share::default();
+        let mut sum = 0.0;
+        for claim in claims.iter().filter(here) {
+            share.count(claim.right);
+            sum += claim.probability;
+        }
+        (share.all > 0).then(|| (edge[0], edge[1], sum / share.all as f64, share))
+    };
+    EDGES.windows(2).filter_map(bin).collect()
+}
+
+/// Expected calibration error: mean distance of stated probability and share true, over the bins of
+/// [`reliability`], weighted by their claims.
+pub fn calibration_error(claims: &[Claim]) -> Option<f64> {
+    let bins = reliability(claims);
+    let all: usize = bins.iter().map(|b| b.3.all).sum();
+    let off = |b: &(f64, f64, f64, Share)| b.3.all as f64 * (b.2 - b.3.value().unwrap_or(0.0)).abs();
+    (all > 0).then(|| bins.iter().map(off).sum::<f64>() / all as f64)
+}
