@@ -9,7 +9,7 @@ fn main() {
     let pose = arm::forward_kinematics(&q);
     let top: [[f64; 4]; 3] = core::array::from_fn(|i| pose[i]);
     let found = arm::inverse_kinematics(&top, &arm::ik::Query::default()).expect("a pose made of finite numbers");
-    for solution in found.list.iter() {
+    for solution in &found {
         println!("{:<24} {:.4?}  off by {:.0e} m", solution.branch.to_string(), solution.q, solution.position_error);
     }
     assert!(found.list.iter().any(|s| s.q.iter().zip(&q).all(|(a, b)| (a - b).abs() < 1e-9)));

@@ -20,7 +20,7 @@ const DOMAINS: [&str; 12] = [
 /// Modules of `dh-macro/codegen/src`, each of which may use those before it.
 const CODEGEN: [&str; 10] =
     ["runtime", "elementary", "drive", "ik", "robot", "sym", "arm", "interpret", "pullback", "rust"];
-// The first four are `denavit-runtime`, under the names by which `dh-codegen` passes them on.
+// The first four are `denavit-runtime-core`, under the names by which `dh-codegen` passes them on.
 
 /// Longest function, lines.
 const LONGEST: usize = 60;
@@ -322,7 +322,7 @@ fn table(text: &str) -> BTreeMap<String, usize> {
 #[test]
 fn functions_are_short() {
     let mut found = BTreeMap::new();
-    for folder in ["src", "dh-macro/runtime/src", "dh-macro/codegen/src", "dh-macro/src"] {
+    for folder in ["src", "dh-macro/runtime-core/src", "dh-macro/codegen/src", "dh-macro/src"] {
         for (path, file) in sources(folder) {
             let mut functions = Functions { file: &path.display().to_string(), found: Vec::new() };
             functions.visit_file(&file);
@@ -378,7 +378,7 @@ fn paths_in_documents_exist() {
         let text = fs::read_to_string(root().join(&document)).unwrap();
         let beside = document.parent().unwrap();
         for path in named_paths(&text) {
-            let folders = ["", "src", "dh-macro", "dh-macro/codegen/src", "dh-macro/runtime/src"];
+            let folders = ["", "src", "dh-macro", "dh-macro/codegen/src", "dh-macro/runtime-core/src"];
             let mut places = folders.map(|f| Path::new(f).join(&path)).to_vec();
             places.push(beside.join(&path));
             let known = places.iter().any(|p| root().join(p).exists());

@@ -37,6 +37,7 @@ fn nothing_is_allocated() {
         arm::tool_pose(&q)[0][0],
         arm::forward_kinematics(&q)[0][0],
         arm::jacobian(&q)[0][0],
+        arm::tool_jacobian(&q)[0][0],
         arm::jacobian_dot_velocity(&q, &q)[0],
         arm::inverse_dynamics(&q, &q, &q, &phi)[0],
         arm::inverse_dynamics_base(&q, &q, &q, &beta)[0],
@@ -76,7 +77,7 @@ fn no_panic_can_be_reached() {
             "#![no_std]\nuse kuka_lwr4::*;\nunsafe extern \"C\" {{ fn a_panic_is_reachable() -> !; }}\n#[panic_handler]\nfn panic(_: &core::panic::PanicInfo) -> ! {{ unsafe {{ a_panic_is_reachable() }} }}\n#[unsafe(no_mangle)]\npub extern \"C\" fn run(q: &[f64; DOF], phi: &[f64; STANDARD], beta: &[f64; BASE], i: usize) -> f64 {{ {body} }}\n"
         )
     };
-    let all = "frames(q)[6][0][0] + tool_pose(q)[0][0] + forward_kinematics(q)[0][0] + jacobian(q)[0][0] + jacobian_dot_velocity(q, q)[0] + inverse_dynamics(q, q, q, phi)[0] + inverse_dynamics_base(q, q, q, beta)[0] + mass_matrix(q, beta)[0][0] + coriolis(q, q, beta)[0] + gravity(q, beta)[0] + forward_dynamics(q, q, q, beta)[0] + regressor(q, q, q)[0][0] + base_regressor(q, q, q)[0][0] + { let mut out = [[0.0; STANDARD]; DOF]; kernel::regressor::dense(&Trig::new(q), q, q, &mut out); out[6][83] } + gravity_regressor(q)[0][0] + kinetic_energy_regressor(q, q)[0] + potential_energy_regressor(q)[0] + payload_regressor(q, q, q)[0][0] + i as f64 + { let pose: [[f64; 4]; 3] = core::array::from_fn(|r| core::array::from_fn(|c| phi[4 * r + c])); let query = ik::Query { redundancy: phi[12], near: Some(q), ..Default::default() }; let found = inverse_kinematics(&pose, &query).map_or(0.0, |s| s.nearest(q).map_or(0.0, |s| s.q[0])); let plain = inverse_kinematics(&pose, &Default::default()).map_or(0.0, |s| s.safest().map_or(0.0, |s| s.q[1])); found + plain }";
+    let all = "frames(q)[6][0][0] + tool_pose(q)[0][0] + forward_kinematics(q)[0][0] + jacobian(q)[0][0] + tool_jacobian(q)[0][0] + jacobian_dot_velocity(q, q)[0] + inverse_dynamics(q, q, q, phi)[0] + inverse_dynamics_base(q, q, q, beta)[0] + mass_matrix(q, beta)[0][0] + coriolis(q, q, beta)[0] + gravity(q, beta)[0] + forward_dynamics(q, q, q, beta)[0] + regressor(q, q, q)[0][0] + base_regressor(q, q, q)[0][0] + { let mut out = [[0.0; STANDARD]; DOF]; kernel::regressor::dense(&Trig::new(q), q, q, &mut out); out[6][83] } + gravity_regressor(q)[0][0] + kinetic_energy_regressor(q, q)[0] + potential_energy_regressor(q)[0] + payload_regressor(q, q, q)[0][0] + i as f64 + { let pose: [[f64; 4]; 3] = core::array::from_fn(|r| core::array::from_fn(|c| phi[4 * r + c])); let query = ik::Query { redundancy: phi[12], near: Some(q), ..Default::default() }; let found = inverse_kinematics(&pose, &query).map_or(0.0, |s| s.nearest(q).map_or(0.0, |s| s.q[0])); let plain = inverse_kinematics(&pose, &Default::default()).map_or(0.0, |s| s.safest().map_or(0.0, |s| s.q[1])); found + plain }";
     assert!(links(&folder, &source(all)), "a kernel can panic");
     assert!(!links(&folder, &source("q[i] + phi[0] + beta[0]")), "the check must notice an index out of bounds");
 }

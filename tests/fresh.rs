@@ -1,25 +1,43 @@
 //! `generated/` is what the generator would write today. With `DENAVIT_REGENERATE=1` in the
 //! environment stale files are rewritten.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
+use dh_codegen::Runtime;
 use dh_codegen::robot::Robot;
 
 /// Set to rewrite what is stale.
 const SWITCH: &str = "DENAVIT_REGENERATE";
+/// Crates that depend on nothing.
 const CRATES: [&str; 6] = ["planar2r", "kuka-lwr4", "franka-panda", "ur10e", "kinova-gen3", "stanford"];
+/// Crates on `denavit-runtime`, and its line in their `Cargo.toml`.
+const ON_RUNTIME: [&str; 2] = ["puma560", "scara"];
+const RUNTIME: &str = "{ path = \"../../dh-macro/runtime\" }";
 
 #[test]
 fn generated_crates_are_fresh() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let rewrite = std::env::var_os(SWITCH).is_some_and(|value| value == "1");
     let mut stale = Vec::new();
-    for name in CRATES {
+    for name in CRATES.into_iter().chain(ON_RUNTIME) {
         let text = std::fs::read_to_string(root.join(format!("robots/{name}.yaml"))).unwrap();
         let robot = Robot::from_yaml(&text, &|f| Err(format!("{f}: not expected"))).unwrap().robot;
         assert_eq!(robot.name, name);
-        for (path, expected) in dh_codegen::krate(&robot, &text) {
-            let file = root.join("generated").join(name).join(&path);
+        let runtime = match ON_RUNTIME.contains(&name) {
+            true => Runtime::Crate(RUNTIME.to_string()),
+            false => Runtime::Shipped,
+        };
+        let expected = dh_codegen::krate_on(&robot, &text, &[], &runtime);
+        let folder = root.join("generated").join(name);
+        for path in orphans(&folder, &expected) {
+            if rewrite {
+                std::fs::remove_file(folder.join(&path)).unwrap();
+            }
+            stale.push(format!("{name}/{path} (no longer written)"));
+        }
+        for (path, expected) in expected {
+            let file = folder.join(&path);
             if std::fs::read(&file).ok().as_deref() != Some(expected.as_bytes()) {
                 if rewrite {
                     std::fs::create_dir_all(file.parent().unwrap()).unwrap();
@@ -33,6 +51,24 @@ fn generated_crates_are_fresh() {
     assert!(stale.is_empty(), "stale files {hint}: {stale:#?}");
 }
 
+/// Sources on disk that the generator does not write.
+fn orphans(folder: &Path, expected: &BTreeMap<String, String>) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut folders = vec![folder.join("src")];
+    while let Some(next) = folders.pop() {
+        for entry in std::fs::read_dir(next).into_iter().flatten() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else {
+                found.push(path.strip_prefix(folder).unwrap().to_str().unwrap().to_string());
+            }
+        }
+    }
+    found.retain(|path| !expected.contains_key(path));
+    found
+}
+
 #[test]
 fn every_generated_crate_is_watched() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("generated");
@@ -40,7 +76,10 @@ fn every_generated_crate_is_watched() {
         let entry = entry.unwrap();
         if entry.path().join("Cargo.toml").exists() {
             let name = entry.file_name().into_string().unwrap();
-            assert!(CRATES.contains(&name.as_str()), "{name} is not in the list of tests/fresh.rs");
+            assert!(
+                CRATES.iter().chain(&ON_RUNTIME).any(|c| *c == name),
+                "{name} is not in the list of tests/fresh.rs"
+            );
         }
     }
 }

@@ -59,6 +59,7 @@ macro_rules! agrees {
                 check(Function::ForwardKinematics, &[], arm::forward_kinematics(&aq).as_flattened());
                 check(Function::ToolPose, &[], arm::tool_pose(&aq).as_flattened());
                 check(Function::Jacobian, &[], arm::jacobian(&aq).as_flattened());
+                check(Function::ToolJacobian, &[], arm::tool_jacobian(&aq).as_flattened());
                 check(Function::JacobianDotVelocity, &[], &arm::jacobian_dot_velocity(&aq, &adq));
                 check(Function::InverseDynamics, &phi, &arm::inverse_dynamics(&aq, &adq, &addq, &aphi));
                 check(Function::InverseDynamicsBase, &abeta, &arm::inverse_dynamics_base(&aq, &adq, &addq, &abeta));

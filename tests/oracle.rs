@@ -8,7 +8,7 @@ use denavit::numerics::prng::Random;
 use dh_codegen::arm::param::standard_values;
 use dh_codegen::arm::{BaseParameters, Function, Model};
 use dh_codegen::interpret::{Interpreter, State};
-use nalgebra::{DMatrix, DVector, Matrix4};
+use nalgebra::{DMatrix, DVector, Matrix4, Vector3};
 
 fn close(what: &str, a: f64, b: f64, size: f64) {
     assert!((a - b).abs() <= 1e-11 * (1.0 + size), "{what}: {a} is not {b}");
@@ -30,6 +30,18 @@ fn compare(what: &str, got: &[f64], expected: &[f64]) {
     for (i, (a, b)) in got.iter().zip(expected).enumerate() {
         close(&format!("{what} entry {i}"), *a, *b, size);
     }
+}
+
+/// Jacobian of the tool frame's origin: that of the last frame, and what its turning moves there.
+fn tool_jacobian(oracle: &Numeric, q: &[f64]) -> DMatrix<f64> {
+    let mut jacobian = oracle.jacobian(q);
+    let origin = |m: &Matrix4<f64>| m.fixed_view::<3, 1>(0, 3).into_owned();
+    let arm = oracle.frames(q).last().map_or_else(Vector3::zeros, |last| origin(&oracle.tool(q)) - origin(last));
+    for mut column in jacobian.column_iter_mut() {
+        let moved = column.fixed_rows::<3>(0) + column.fixed_rows::<3>(3).cross(&arm);
+        column.fixed_rows_mut::<3>(0).copy_from(&moved);
+    }
+    DMatrix::from_fn(6, jacobian.ncols(), |i, j| jacobian[(i, j)])
 }
 
 #[test]
@@ -59,6 +71,7 @@ fn every_function_agrees_on_random_chains() {
             check(Function::ForwardKinematics, &[], &rows_of(&oracle.frames(&q)[robot.joints.len() - 1]));
             check(Function::ToolPose, &[], &rows_of(&oracle.tool(&q)));
             check(Function::Jacobian, &[], &row_major(&oracle.jacobian(&q)));
+            check(Function::ToolJacobian, &[], &row_major(&tool_jacobian(&oracle, &q)));
             check(Function::JacobianDotVelocity, &[], oracle.jacobian_dot_dq(&q, &dq).as_slice());
             check(Function::InverseDynamics, &phi, tau.as_slice());
             check(Function::InverseDynamicsBase, &beta, tau.as_slice());
@@ -105,6 +118,47 @@ fn every_function_agrees_on_random_chains() {
                 for (a, b) in found.iter().zip(&ddq) {
                     assert!((a - b).abs() < 1e-12 * condition * 10.0 + 1e-9, "forward dynamics of {seed}: {a} {b}");
                 }
+            }
+        }
+    }
+}
+
+/// Velocity of a frame by differences of its pose: of its origin, and its angular velocity, both in
+/// the axes in which the pose is given.
+fn difference(pose: impl Fn(f64) -> Vec<f64>) -> Vec<f64> {
+    let step = 1e-5;
+    let (here, before, after) = (pose(0.0), pose(-step), pose(step));
+    let rate = |i: usize, j: usize| (after[4 * i + j] - before[4 * i + j]) / (2.0 * step);
+    let skew = |i: usize, j: usize| (0..3).map(|k| rate(i, k) * here[4 * j + k]).sum::<f64>();
+    vec![rate(0, 3), rate(1, 3), rate(2, 3), skew(2, 1), skew(0, 2), skew(1, 0)]
+}
+
+/// Poses and Jacobians are in the same axes, those of the world, where the base is tilted, too.
+#[test]
+fn jacobians_are_the_differences_of_poses_over_a_tilted_base() {
+    for seed in 0..60 {
+        let mut random = Random::new(seed);
+        let robot = random.robot(&Family { base: 1.0, ..Family::default() });
+        let model = Model::new(&robot);
+        let n = model.dof();
+        if n == 0 {
+            continue;
+        }
+        let functions = [Function::ForwardKinematics, Function::ToolPose, Function::Jacobian, Function::ToolJacobian];
+        let run = Interpreter::new(&model, &functions);
+        let RandomState { q, dq, .. } = random.state(&robot);
+        let at = |f: Function, t: f64| {
+            let q: Vec<f64> = q.iter().zip(&dq).map(|(q, dq)| q + t * dq).collect();
+            run.one(f, &State { q: &q, dq: &dq, ddq: &[], tau: &[], parameters: &[] })
+        };
+        for (pose, jacobian) in
+            [(Function::ForwardKinematics, Function::Jacobian), (Function::ToolPose, Function::ToolJacobian)]
+        {
+            let twist = DMatrix::from_row_slice(6, n, &at(jacobian, 0.0)) * DVector::from_column_slice(&dq);
+            let expected = difference(|t| at(pose, t));
+            let size = twist.amax().max(dq.iter().fold(0.0, |s, x| s.max(x.abs())));
+            for (a, b) in twist.iter().zip(&expected) {
+                assert!((a - b).abs() < 1e-7 * (1.0 + size.powi(3)), "{} of {seed}: {a} is not {b}", jacobian.name());
             }
         }
     }

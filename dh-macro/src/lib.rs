@@ -12,26 +12,39 @@
 //! ```
 //!
 //! Beside the struct stands a module with its name in snake case: the text that `denavit generate`
-//! writes as a crate. The path is relative to the crate's `Cargo.toml`; the crate is rebuilt when
-//! the file changes.
+//! writes as a crate. The struct implements the traits of that module's `robot`. The path is
+//! relative to the crate's `Cargo.toml`; the crate is rebuilt when the file changes.
+//!
+//! The derive of this crate brings its runtime along. That of `denavit-runtime` (feature `derive`)
+//! takes the runtime from there, so that all robots share their types and traits.
 
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
+use dh_codegen::Runtime;
 use dh_codegen::robot::Robot;
 use proc_macro::TokenStream;
 use quote::quote;
 use syn::ext::IdentExt;
 use syn::{DeriveInput, Error, Ident, LitStr, parse_macro_input};
 
-/// Writes the module with the robot's functions, and `NAME` and `DOF` of the struct.
+/// Writes the module with the robot's functions, `NAME` and `DOF` of the struct, and its traits.
 #[proc_macro_derive(DhRobot, attributes(dh))]
 pub fn dh_robot(input: TokenStream) -> TokenStream {
     let input = parse_macro_input!(input as DeriveInput);
-    expand(&input).unwrap_or_else(|error| error.to_compile_error()).into()
+    expand(&input, &Runtime::Shipped).unwrap_or_else(|error| error.to_compile_error()).into()
 }
 
-fn expand(input: &DeriveInput) -> syn::Result<proc_macro2::TokenStream> {
+/// The same on the crate `denavit-runtime`, which passes it on as `DhRobot`.
+#[doc(hidden)]
+#[proc_macro_derive(DhRobotOnRuntime, attributes(dh))]
+pub fn dh_robot_on_runtime(input: TokenStream) -> TokenStream {
+    let input = parse_macro_input!(input as DeriveInput);
+    let runtime = Runtime::Crate(String::new());
+    expand(&input, &runtime).unwrap_or_else(|error| error.to_compile_error()).into()
+}
+
+fn expand(input: &DeriveInput, runtime: &Runtime) -> syn::Result<proc_macro2::TokenStream> {
     let file = file_of(input)?;
     let at_path = |message: String| Error::new(file.span(), message);
     let root = std::env::var("CARGO_MANIFEST_DIR").map_err(|e| at_path(format!("CARGO_MANIFEST_DIR: {e}")))?;
@@ -46,16 +59,24 @@ fn expand(input: &DeriveInput) -> syn::Result<proc_macro2::TokenStream> {
         .map_err(|e| at_path(format!("{e}; the path starts at the folder of the crate's Cargo.toml")))?;
     let reading = Robot::from_yaml(&text, &|other| read(path.with_file_name(other), other))
         .map_err(|problems| at_path(problems.in_file(&file.value()).to_string()))?;
-    let code = dh_codegen::module(&reading.robot, &text);
-    let body: proc_macro2::TokenStream = code.parse().map_err(|e| at_path(format!("generated text: {e}")))?;
+    let code = dh_codegen::module_on(&reading.robot, &text, runtime);
+    let tokens = |text: &str| -> syn::Result<proc_macro2::TokenStream> {
+        text.parse().map_err(|e| at_path(format!("generated text: {e}")))
+    };
+    let body = tokens(&code.body)?;
     let (name, visibility, inputs) = (&input.ident, &input.vis, inputs.into_inner());
     let module = snake(&name.unraw().to_string());
     // A struct may be called `Loop`, and its module then needs the raw form.
     let module = syn::parse_str(&module).unwrap_or_else(|_| Ident::new_raw(&module, name.span()));
+    let traits = tokens(&code.implementations(&name.to_string(), "__robot"))?;
     Ok(quote! {
         #[allow(missing_docs, clippy::all)]
         #visibility mod #module { #body }
         const _: () = { #( let _ = include_bytes!(#inputs); )* };
+        const _: () = {
+            use #module as __robot;
+            #traits
+        };
         impl #name {
             /// Name of the robot.
             pub const NAME: &'static str = #module::NAME;

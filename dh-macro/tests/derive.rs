@@ -17,6 +17,15 @@ fn the_struct_knows_its_robot() {
 }
 
 #[test]
+fn the_struct_has_the_traits_of_every_robot() {
+    use crate::kuka_lwr4::robot::{Dynamics, Kinematics};
+    let q = numbers::<7>(3);
+    assert_eq!(KukaLwr4.tool_jacobian(&q), crate::kuka_lwr4::tool_jacobian(&q));
+    let beta = KukaLwr4.base_parameters(&KukaLwr4.standard_values().unwrap());
+    assert_eq!(KukaLwr4.gravity(&q, &beta), crate::kuka_lwr4::gravity(&q, &beta));
+}
+
+#[test]
 fn the_functions_are_those_of_the_generated_crate() {
     use crate::kuka_lwr4 as derived;
     use ::kuka_lwr4 as generated;
@@ -38,6 +47,7 @@ fn the_functions_are_those_of_the_generated_crate() {
             forward_kinematics(&q);
             tool_pose(&q);
             jacobian(&q);
+            tool_jacobian(&q);
             jacobian_dot_velocity(&q, &dq);
             inverse_dynamics(&q, &dq, &ddq, &phi);
             inverse_dynamics_base(&q, &dq, &ddq, &beta);

@@ -50,8 +50,12 @@ pub(super) struct Eval {
 enum Quantity {
     /// 4x4 homogeneous matrix of the last DH frame.
     ForwardKinematics,
-    /// 6xn, linear part first, of the last frame's origin in base axes.
+    /// 6xn, linear part first, of the last frame's origin in world axes.
     Jacobian,
+    /// 4x4 homogeneous matrix of the tool frame.
+    ToolPose,
+    /// 6xn, linear part first, of the tool frame's origin in world axes.
+    ToolJacobian,
     /// Of the standard parameters, n x P.
     Regressor,
     /// Of the base parameters, n x B.
@@ -73,6 +77,8 @@ impl Quantity {
         match self {
             Self::ForwardKinematics => Function::ForwardKinematics,
             Self::Jacobian => Function::Jacobian,
+            Self::ToolPose => Function::ToolPose,
+            Self::ToolJacobian => Function::ToolJacobian,
             Self::Regressor => Function::Regressor,
             Self::BaseRegressor => Function::BaseRegressor,
             Self::InverseDynamics => Function::InverseDynamics,

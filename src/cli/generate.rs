@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
+use dh_codegen::Runtime;
 use dh_codegen::arm::Function;
 
 use super::Failure;
@@ -18,11 +19,12 @@ const UNFINISHED: &str = "compile_error!(\"`denavit generate` was interrupted he
 
 /// Write the drop-in crate with the robot's closed-form functions.
 ///
-/// The crate is a folder of its own: no_std, no allocation, no dependency. The same file always
-/// gives the same bytes.
+/// The crate is a folder of its own: no_std, no allocation, no dependency. With `--runtime crate`
+/// it depends on denavit-runtime instead, so that several robots share their types and traits. The
+/// same file always gives the same bytes.
 #[derive(Args)]
 #[command(
-    after_help = "Example:\n  denavit generate robots/kuka-lwr4.yaml --out generated/kuka-lwr4\n  denavit generate robots/kuka-lwr4.yaml --out generated/kuka-lwr4 --check\n  denavit generate robots/ur10e.yaml --out ur10e --adjoints"
+    after_help = "Example:\n  denavit generate robots/kuka-lwr4.yaml --out generated/kuka-lwr4\n  denavit generate robots/kuka-lwr4.yaml --out generated/kuka-lwr4 --check\n  denavit generate robots/ur10e.yaml --out ur10e --adjoints\n  denavit generate robots/ur10e.yaml --out ur10e --runtime crate --runtime-path ../dh-macro/runtime"
 )]
 pub(super) struct Generate {
     /// Robot file.
@@ -35,6 +37,15 @@ pub(super) struct Generate {
     /// transposed Jacobian (`base_regressor_adjoint` and so on).
     #[arg(long)]
     adjoints: bool,
+    /// Where the crate takes its runtime from: a copy inside it, or the crate denavit-runtime.
+    #[arg(long, value_enum, default_value = "shipped")]
+    runtime: RuntimeSource,
+    /// Folder of denavit-runtime, seen from DIR; without it the version of this command is named.
+    #[arg(long, value_name = "PATH")]
+    runtime_path: Option<String>,
+    /// Version of denavit-runtime, as in a Cargo.toml.
+    #[arg(long, value_name = "VERSION", conflicts_with = "runtime_path")]
+    runtime_version: Option<String>,
     /// Write nothing; exit with 1 where the crate in DIR is not what would be written.
     #[arg(long)]
     check: bool,
@@ -46,20 +57,62 @@ pub(super) struct Generate {
     json: Option<PathBuf>,
 }
 
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum RuntimeSource {
+    /// A copy of what the robot needs.
+    Shipped,
+    /// A dependency on denavit-runtime.
+    Crate,
+}
+
 impl Generate {
+    /// Runtime of the crate, as the generator takes it.
+    fn runtime(&self) -> Result<Runtime, Failure> {
+        let quoted = |text: &str| toml_string(text);
+        let named = self.runtime_path.is_some() || self.runtime_version.is_some();
+        match self.runtime {
+            RuntimeSource::Shipped if named => Err(Failure::input(
+                "--runtime-path and --runtime-version name a dependency; add --runtime crate".to_string(),
+            )),
+            RuntimeSource::Shipped => Ok(Runtime::Shipped),
+            RuntimeSource::Crate => Ok(Runtime::Crate(match (&self.runtime_path, &self.runtime_version) {
+                (Some(path), _) => format!("{{ path = {} }}", quoted(path)),
+                (None, version) => quoted(version.as_deref().unwrap_or(env!("CARGO_PKG_VERSION"))),
+            })),
+        }
+    }
+
+    /// Options that the command takes again to write the same crate.
+    fn options(&self) -> String {
+        let mut t = String::new();
+        if self.adjoints {
+            t += " --adjoints";
+        }
+        if self.runtime == RuntimeSource::Crate {
+            t += " --runtime crate";
+        }
+        if let Some(path) = &self.runtime_path {
+            t += &format!(" --runtime-path {path}");
+        }
+        if let Some(version) = &self.runtime_version {
+            t += &format!(" --runtime-version {version}");
+        }
+        t
+    }
+
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         let file = files::robot(&self.robot)?;
         files::check_outputs(&[("--json", &self.json)], &file.read)?;
         let further: &[Function] = if self.adjoints { &Function::ADJOINTS } else { &[] };
-        let crate_files = dh_codegen::krate_with(&file.robot, &file.text, further);
+        let crate_files = dh_codegen::krate_on(&file.robot, &file.text, further, &self.runtime()?);
         let state = state(&self.out)?;
         if state == Folder::Foreign && !self.force {
             return Err(foreign(&self.out));
         }
         let stale = differing(&self.out, &crate_files);
         if self.check && !stale.is_empty() {
-            let adjoints = if self.adjoints { " --adjoints" } else { "" };
-            let again = format!("denavit generate {} --out {}{adjoints}", self.robot.display(), self.out.display());
+            let options = self.options();
+            let again = format!("denavit generate {} --out {}{options}", self.robot.display(), self.out.display());
             return Err(Failure::other(format!(
                 "stale in {}: {}; run `{again}`",
                 self.out.display(),
@@ -86,6 +139,16 @@ impl Generate {
         }
         Ok(())
     }
+}
+
+/// A string of a TOML file.
+fn toml_string(text: &str) -> String {
+    let escaped = |c: char| match c {
+        '"' | '\\' => format!("\\{c}"),
+        c if c.is_control() => format!("\\u{:04x}", c as u32),
+        c => c.to_string(),
+    };
+    format!("\"{}\"", text.chars().map(escaped).collect::<String>())
 }
 
 /// What stands where the crate is to go.

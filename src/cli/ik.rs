@@ -24,7 +24,7 @@ const ENTRIES: [&str; 12] = ["r11", "r12", "r13", "px", "r21", "r22", "r23", "py
 /// refined from a nominal arm: both say `exact: false`, and for each pose whether postures may be
 /// missing.
 ///
-/// A pose is that of the last DH frame in the base frame, as `denavit eval --quantity
+/// A pose is that of the last DH frame in the world frame, as `denavit eval --quantity
 /// forward_kinematics` prints it: columns `r11 r12 r13 px r21 r22 r23 py r31 r32 r33 pz`, m. The
 /// tool of the robot file does not count, unless `--tool` is given: then poses are those of its
 /// tool frame.
@@ -49,7 +49,7 @@ pub(super) struct Ik {
     /// Poses are those of the tool frame.
     #[arg(long)]
     tool: bool,
-    /// The vector `b` of the swivel angle, in base axes: at zero the elbow lies on its side of the
+    /// The vector `b` of the swivel angle, in world axes: at zero the elbow lies on its side of the
     /// line from shoulder to wrist.
     #[arg(
         long,

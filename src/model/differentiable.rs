@@ -33,7 +33,7 @@ pub trait Differentiable: Arm {
     /// Number of frames: the rows of the DH table and, where there is a tool, its frame.
     fn frame_count(&self) -> usize;
 
-    /// Top three rows of each frame's homogeneous matrix in the base frame, lengths in m: entry
+    /// Top three rows of each frame's homogeneous matrix in the world frame, lengths in m: entry
     /// `(frame, row, column)` at `((frame * 3 + row) * 4 + column) * len + s`.
     fn frames(&self, states: &States, out: &mut [f64]);
 

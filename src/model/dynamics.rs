@@ -3,9 +3,9 @@
 /// The tool frame of an arm at one position.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ToolState {
-    /// Top three rows of its homogeneous matrix in base axes, row-major.
+    /// Top three rows of its homogeneous matrix in world axes, row-major.
     pub pose: [f64; 12],
-    /// Jacobian of its origin in base axes, linear part first, `6 x n`, row-major.
+    /// Jacobian of its origin in world axes, linear part first, `6 x n`, row-major.
     pub jacobian: Vec<f64>,
 }
 

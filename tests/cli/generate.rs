@@ -127,3 +127,43 @@ fn a_new_crate_is_whole_or_absent() {
     let run = denavit(&["generate", "robots/planar2r.yaml", "--out", &at_a_file]);
     assert!(run.status == Some(2) && run.err.contains("name a folder"), "{}", run.err);
 }
+
+/// On `denavit-runtime` a crate ships no runtime of its own; a repeated check knows its options.
+#[test]
+fn a_crate_on_the_runtime_crate_names_it() {
+    let folder = folder("generate_runtime");
+    let out = folder.join("planar").display().to_string();
+    let arguments = ["generate", "robots/planar2r.yaml", "--out", &out, "--runtime", "crate"];
+    let with = |more: &[&str]| denavit(&[&arguments[..], more].concat());
+    assert_eq!(with(&["--runtime-path", "../../dh-macro/runtime"]).status, Some(0));
+    let read = |path: &str| std::fs::read_to_string(folder.join("planar").join(path)).unwrap();
+    assert!(read("Cargo.toml").contains("denavit-runtime = { path = \"../../dh-macro/runtime\" }"));
+    assert!(read("src/lib.rs").contains("pub use ::denavit_runtime::{ik, robot, runtime};"));
+    assert!(!folder.join("planar/src/ik.rs").exists());
+    let checked = with(&["--runtime-version", "0.1", "--check"]);
+    assert!(
+        checked.status == Some(1) && checked.err.contains("--runtime crate --runtime-version 0.1"),
+        "{}",
+        checked.err
+    );
+    let refused = denavit(&["generate", "robots/planar2r.yaml", "--out", &out, "--runtime-version", "0.1"]);
+    assert!(refused.status == Some(2) && refused.err.contains("add --runtime crate"), "{}", refused.err);
+}
+
+/// A drop-in crate has the family of its robot and no other.
+#[test]
+fn a_drop_in_crate_ships_one_family() {
+    let files = |robot: &str| {
+        let text = std::fs::read_to_string(format!("robots/{robot}.yaml")).unwrap();
+        let robot = dh_codegen::robot::Robot::from_yaml(&text, &|f| Err(f.to_string())).unwrap().robot;
+        dh_codegen::krate(&robot, &text)
+    };
+    let planar = files("planar2r");
+    assert!(planar.contains_key("src/ik/plane.rs"));
+    for other in ["quartic", "homotopy", "six", "regional", "swivel", "interval", "numerical", "nearby", "orient"] {
+        assert!(!planar.contains_key(&format!("src/ik/{other}.rs")), "{other}");
+    }
+    assert!(planar.values().all(|text| !text.contains("// [")), "markers are left out");
+    let names = |robot: &str, family: &str| files(robot).contains_key(&format!("src/ik/{family}.rs"));
+    assert!(names("kuka-lwr4", "swivel") && !names("kuka-lwr4", "six"));
+}

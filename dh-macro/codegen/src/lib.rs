@@ -10,6 +10,6 @@ pub mod robot;
 pub mod rust;
 pub mod sym;
 
-pub use denavit_runtime::{drive, elementary, ik, runtime};
-pub use rust::krate::{MARK, krate, krate_with};
-pub use rust::module::module;
+pub use denavit_runtime_core::{drive, elementary, ik, runtime};
+pub use rust::krate::{MARK, Runtime, krate, krate_on, krate_with};
+pub use rust::module::{Module, module, module_on};

@@ -13,6 +13,7 @@ mod keys;
 mod laws;
 mod length;
 mod name;
+mod open;
 mod physical;
 mod problem;
 mod ratio;

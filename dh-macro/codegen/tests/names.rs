@@ -11,16 +11,17 @@ use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
 
+use dh_codegen::Runtime;
 use dh_codegen::arm::{Argument, Function, Model};
 use dh_codegen::interpret::{Interpreter, State};
 use dh_codegen::robot::{Angle, Length, Polynomial, Robot};
-use proc_macro2::{TokenStream, TokenTree};
+use proc_macro2::TokenStream;
 
 /// Of so many robots one is compiled as the macro expands it, too: the same text, through tokens.
 const MACROS: usize = 8;
 
 /// What every crate has in common; it stands once beside the robots.
-const SHARED: [&str; 4] = ["ik", "runtime", "drive", "elementary"];
+const SHARED: [&str; 5] = ["ik", "robot", "runtime", "drive", "elementary"];
 
 const KEYWORDS: &str = "as async await break const continue crate dyn else enum extern false fn for gen if impl in let loop match mod \
     move mut pub ref return self Self static struct super trait true type unsafe use where while abstract become box do final \
@@ -163,57 +164,48 @@ impl Inputs {
     }
 }
 
-/// The crate below `src/<name>`, with what all crates share taken from one place.
+/// The crate below `src/<name>`, on a runtime that stands once beside the robots.
 fn write_crate(folder: &Path, name: &str, files: &BTreeMap<String, String>) {
     for (path, text) in files.iter().filter(|(path, _)| path.starts_with("src/") && !path.ends_with("tests.rs")) {
-        let path = path.trim_start_matches("src/");
-        let shared = SHARED.iter().any(|s| path == format!("{s}.rs") || path.starts_with(&format!("{s}/")));
-        let (target, text) = match path {
-            _ if shared => (format!("shared/{path}"), text.clone()),
+        let (target, text) = match path.trim_start_matches("src/") {
             "lib.rs" => (format!("{name}.rs"), as_module(text)),
-            _ => (format!("{name}/{path}"), text.clone()),
+            path => (format!("{name}/{path}"), text.clone()),
         };
         let target = folder.join(target);
         std::fs::create_dir_all(target.parent().unwrap()).unwrap();
-        // The shared files are the same bytes for every robot.
-        if let Some(before) = std::fs::read_to_string(&target).ok().filter(|_| shared) {
-            assert_eq!(before, text);
-        }
         std::fs::write(target, text).unwrap();
     }
 }
 
+/// The runtime that all of them share.
+fn write_runtime(folder: &Path) {
+    use denavit_runtime_core::sources::{FILES, WITH_EFFECTS};
+    for (path, text, _) in FILES.iter().chain(WITH_EFFECTS) {
+        let target = folder.join("shared").join(path);
+        std::fs::create_dir_all(target.parent().unwrap()).unwrap();
+        std::fs::write(target, text).unwrap();
+    }
+    let modules: String = SHARED.iter().map(|s| format!("pub mod {s};\n")).collect();
+    std::fs::write(folder.join("shared.rs"), format!("#![allow(clippy::all)]\n{modules}")).unwrap();
+}
+
 /// The root of a crate as a module of the scratch crate.
 fn as_module(root: &str) -> String {
-    let mut text = root.replace("#![no_std]\n", "").replace("#[cfg(test)]\nmod tests;\n", "");
-    for shared in SHARED {
-        text = text.replace(&format!("pub mod {shared};\n"), &format!("pub use crate::shared::{shared};\n"));
-    }
-    text
+    let text = root.replace("#![no_std]\n", "").replace("#[cfg(test)]\nmod tests;\n", "");
+    text.replace("::denavit_runtime::", "crate::shared::")
 }
 
 /// What the macro expands to, through tokens as the compiler gets it.
 fn expanded(name: &str, robot: &Robot) -> String {
-    let body: TokenStream = dh_codegen::module(robot, "").parse().expect("tokens");
-    format!("pub mod {name} {{ {} }}\n", lean(body))
+    let module = dh_codegen::module_on(robot, "", &runtime());
+    let body = module.body.replace("::denavit_runtime::", "crate::shared::");
+    let tokens: TokenStream = body.parse().expect("tokens");
+    let traits: TokenStream = module.implementations("Own", "__robot").parse().expect("tokens");
+    format!("pub mod {name} {{ {tokens} }}\nconst _: () = {{ struct Own; use {name} as __robot; {traits} }};\n")
 }
 
-/// The tokens without the modules that all robots share.
-fn lean(tokens: TokenStream) -> TokenStream {
-    let mut out: Vec<TokenTree> = Vec::new();
-    for token in tokens {
-        let before: Vec<String> = out.iter().rev().take(3).map(ToString::to_string).collect();
-        let shared =
-            SHARED.iter().find(|s| matches!(before.as_slice(), [name, word, ..] if name == *s && word == "mod"));
-        match (shared, &token) {
-            (Some(shared), TokenTree::Group(_)) => {
-                out.truncate(out.len() - 2);
-                out.extend(format!("use crate::shared::{shared};").parse::<TokenStream>().unwrap());
-            }
-            _ => out.push(token),
-        }
-    }
-    out.into_iter().collect()
+fn runtime() -> Runtime {
+    Runtime::Crate(String::new())
 }
 
 const MAIN: &str = r#"
@@ -252,7 +244,7 @@ fn agree(folder: &Path, robots: &[Robot]) {
         let model = Model::with_effects(robot);
         let inputs = Inputs::new(&model);
         let interpreter = Interpreter::new(&model, &functions(robot));
-        write_crate(folder, &format!("r{which}"), &dh_codegen::krate(robot, ""));
+        write_crate(folder, &format!("r{which}"), &dh_codegen::krate_on(robot, "", &[], &runtime()));
         let _ = writeln!(main, "pub mod r{which};");
         let expands = which % MACROS == 0;
         if expands {
@@ -270,12 +262,7 @@ fn agree(folder: &Path, robots: &[Robot]) {
     }
     let runs: String = (0..robots.len()).map(|k| format!("run{k}();\n")).collect();
     std::fs::write(folder.join("main.rs"), format!("{main}{MAIN}{calls}fn main() {{\n{runs}}}\n")).unwrap();
-    let shared: String = SHARED
-        .iter()
-        .filter(|s| folder.join(format!("shared/{s}.rs")).exists())
-        .map(|s| format!("pub mod {s};\n"))
-        .collect();
-    std::fs::write(folder.join("shared.rs"), format!("#![allow(clippy::all)]\n{shared}")).unwrap();
+    write_runtime(folder);
     compile(folder, "main.rs", &[]);
     let run = Command::new(folder.join("main")).output().unwrap();
     assert!(run.status.success());

@@ -16,4 +16,5 @@ pub mod mass_matrix;
 pub mod payload_regressor;
 pub mod potential_energy_regressor;
 pub mod regressor;
+pub mod tool_jacobian;
 pub mod tool_pose;

@@ -1,4 +1,5 @@
-//! What generated code needs beside itself: a scalar, sines and cosines, packs of states. Shipped along verbatim.
+//! What generated code needs beside itself: a scalar, sines and cosines, packs of states. Shipped
+//! along verbatim.
 
 // A robot whose postures need no blocks, and a derived one, leave some of it unused.
 #[allow(dead_code)]

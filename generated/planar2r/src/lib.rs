@@ -1,24 +1,53 @@
 //! Closed-form kinematics and dynamics of `planar2r`: 2 degrees of freedom, 10 base parameters.
 //!
-//! Written by denavit 0.1.0 from the robot file with digest acb094e26243e6d8; do not edit, run `denavit generate` again.
+//! Written by denavit 0.1.0 from the robot file with digest acb094e26243e6d8. Do not edit it:
+//! change the file and run `denavit generate` again.
 //!
-//! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Nothing is allocated; nothing but `core` is used.
-//! Kernels ([`kernel`]) take sines and cosines ([`Trig`]); the functions here take `q`.
-//! All are generic over [`runtime::Scalar`]: `f64`, `f32` and packs of states run the same text.
+//! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Poses and
+//! Jacobians are in the world frame: frame 0 of the table where the robot file has no `base`.
+//! Tensors are about the frame's origin. Nothing is allocated; nothing but `core` is used. Kernels
+//! (module `kernel`) take sines and cosines (`Trig`); the functions here take `q`. All are generic
+//! over `runtime::Scalar`: `f64`, `f32` and packs of states run the same text.
+//!
+//! ```
+//! use planar2r as arm;
+//!
+//! // Frames: rows of homogeneous matrices, m. Every posture found reaches the pose.
+//! let q = [0.3, -0.4];
+//! let pose = arm::forward_kinematics(&q);
+//! let query = arm::ik::Query { near: Some(&q), ..Default::default() };
+//! let postures = arm::inverse_kinematics(&pose, &query).expect("a pose");
+//! for posture in postures.as_slice() {
+//!     let reached = arm::forward_kinematics(&posture.q);
+//!     assert!((0..3).all(|row| (reached[row][3] - pose[row][3]).abs() < 1e-9));
+//! }
+//!
+//! // Torques: they are linear in the parameters.
+//! let phi = arm::STANDARD_VALUES.expect("the robot file has the parameters of every link");
+//! let beta = arm::base_parameters(&phi);
+//! let (dq, ddq) = ([0.1; arm::DOF], [0.2; arm::DOF]);
+//! let tau = arm::inverse_dynamics_base(&q, &dq, &ddq, &beta);
+//! let regressor = arm::base_regressor(&q, &dq, &ddq);
+//! for (row, tau) in regressor.iter().zip(tau) {
+//!     let sum: f64 = row.iter().zip(&beta).map(|(w, b)| w * b).sum();
+//!     assert!((sum - tau).abs() < 1e-9 * (1.0 + tau.abs()));
+//! }
+//! ```
 //!
 //! | function | result | multiplications | additions |
 //! |---|---|---|---|
-//! | [`frames`]: DH frames of all rows in the base frame | 2 x 3 x 4 | 6 | 4 |
-//! | [`forward_kinematics`]: The last DH frame in the base frame | 3 x 4 | 6 | 3 |
-//! | [`tool_pose`]: The tool frame in the base frame | 3 x 4 | 8 | 5 |
-//! | [`jacobian`]: Jacobian of the last DH frame's origin, in base axes | 6 x 2 | 2 | 1 |
-//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 12 | 5 |
+//! | [`frames`]: DH frames of all rows in the world frame | 2 x 3 x 4 | 6 | 4 |
+//! | [`forward_kinematics`]: The last DH frame in the world frame | 3 x 4 | 6 | 3 |
+//! | [`tool_pose`]: The tool frame in the world frame | 3 x 4 | 8 | 5 |
+//! | [`jacobian`]: Jacobian of the last DH frame's origin, in world axes | 6 x 2 | 2 | 1 |
+//! | [`tool_jacobian`]: Jacobian of the tool frame's origin, in world axes | 6 x 2 | 8 | 6 |
+//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame at zero `ddq`: `dJ/dt dq` | 6 | 12 | 5 |
 //! | [`inverse_dynamics`]: Torques from the standard parameters | 2 | 29 | 21 |
 //! | [`inverse_dynamics_base`]: Torques from the base parameters | 2 | 27 | 19 |
 //! | [`mass_matrix`]: Mass matrix `M`, symmetric, kg m^2 | 2 x 2 | 4 | 5 |
 //! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 2 | 12 | 4 |
 //! | [`gravity`]: Gravity torques `g` | 2 | 10 | 5 |
-//! | [`forward_dynamics`]: Accelerations that torques cause | 2 | 35 | 23 |
+//! | [`forward_dynamics`]: Accelerations under given torques | 2 | 35 | 23 |
 //! | [`regressor`]: Regressor `W` of the standard parameters | 2 x 24 | 18 | 12 |
 //! | [`base_regressor`]: Regressor `W_b` of the base parameters | 2 x 10 | 16 | 11 |
 //! | [`gravity_regressor`]: Regressor at rest | 2 x 20 | 10 | 5 |
@@ -36,161 +65,18 @@ extern crate std;
 
 pub mod constants;
 pub mod ik;
+mod implementations;
 pub mod kernel;
+mod parameters;
+pub mod robot;
 pub mod runtime;
 #[cfg(test)]
 mod tests;
 
+pub use implementations::Robot;
+pub use parameters::*;
+
 use runtime::Scalar;
-
-/// Name of the robot.
-pub const NAME: &str = "planar2r";
-/// Degrees of freedom.
-pub const DOF: usize = 2;
-/// Rows of the DH table, fixed ones too.
-pub const ROWS: usize = 2;
-/// Standard parameters: ten per row, then the drives'.
-pub const STANDARD: usize = 24;
-/// Base parameters.
-pub const BASE: usize = 10;
-
-/// Joints, in the order of `q`.
-pub const JOINT_NAMES: [&str; DOF] = [
-    "shoulder",
-    "elbow",
-];
-/// Standard parameters, in the order of the regressor's columns (SI; tensors about the frame's origin).
-pub const STANDARD_NAMES: [&str; STANDARD] = [
-    "M1",
-    "MSX1",
-    "MSY1",
-    "MSZ1",
-    "XX1",
-    "YY1",
-    "ZZ1",
-    "XY1",
-    "XZ1",
-    "YZ1",
-    "M2",
-    "MSX2",
-    "MSY2",
-    "MSZ2",
-    "XX2",
-    "YY2",
-    "ZZ2",
-    "XY2",
-    "XZ2",
-    "YZ2",
-    "FV1",
-    "FV2",
-    "FC1",
-    "FC2",
-];
-/// Base parameters, in the order of the base regressor's columns.
-pub const BASE_NAMES: [&str; BASE] = [
-    "MSX1R",
-    "MSY1",
-    "ZZ1R",
-    "MSX2",
-    "MSY2",
-    "ZZ2",
-    "FV1",
-    "FV2",
-    "FC1",
-    "FC2",
-];
-/// What each base parameter groups, in the constants of the robot file.
-pub const BASE_GROUPINGS: [&str; BASE] = [
-    "MSX1R = MSX1 + L1*M2",
-    "MSY1 = MSY1",
-    "ZZ1R = ZZ1 + L1^2*M2",
-    "MSX2 = MSX2",
-    "MSY2 = MSY2",
-    "ZZ2 = ZZ2",
-    "FV1 = FV1",
-    "FV2 = FV2",
-    "FC1 = FC1",
-    "FC2 = FC2",
-];
-/// The same as numbers: index into the standard parameters, and factor.
-pub const BASE_COEFFICIENTS: [&[(usize, f64)]; BASE] = [
-    &[(1, 1.0), (10, 0.5)],
-    &[(2, 1.0)],
-    &[(6, 1.0), (10, 0.25)],
-    &[(11, 1.0)],
-    &[(12, 1.0)],
-    &[(16, 1.0)],
-    &[(20, 1.0)],
-    &[(21, 1.0)],
-    &[(22, 1.0)],
-    &[(23, 1.0)],
-];
-
-/// Lower and upper position of each joint, rad or m.
-pub const POSITION_LIMITS: [Option<[f64; 2]>; DOF] = [Some([-2.9670597283903604, 2.9670597283903604]), Some([-2.6179938779914944, 2.6179938779914944])];
-/// Largest speeds, rad/s or m/s.
-pub const VELOCITY_LIMITS: [Option<f64>; DOF] = [Some(3.141592653589793), Some(3.141592653589793)];
-/// Largest accelerations, rad/s^2 or m/s^2.
-pub const ACCELERATION_LIMITS: [Option<f64>; DOF] = [Some(10.471975511965978), Some(10.471975511965978)];
-/// Largest torques or forces, N m or N.
-pub const TORQUE_LIMITS: [Option<f64>; DOF] = [Some(20.0), Some(8.0)];
-/// The robot file's standard parameters, its tool in the last link.
-pub const STANDARD_VALUES: Option<[f64; STANDARD]> = Some([0.5, 0.125, 0.0, 0.0, 0.0, 0.041666666666666664, 0.041666666666666664, 0.0, 0.0, 0.0, 0.4, 0.08000000000000002, 0.0, 0.0, 0.0, 0.02133333333333334, 0.02133333333333334, 0.0, 0.0, 0.0, 0.1, 0.05, 0.2, 0.1]);
-/// Name, multiplications and additions of each function, sines and cosines apart (`DOF` pairs).
-pub const OPERATIONS: [(&str, usize, usize); 17] = [
-    ("frames", 6, 4),
-    ("forward_kinematics", 6, 3),
-    ("tool_pose", 8, 5),
-    ("jacobian", 2, 1),
-    ("jacobian_dot_velocity", 12, 5),
-    ("inverse_dynamics", 29, 21),
-    ("inverse_dynamics_base", 27, 19),
-    ("mass_matrix", 4, 5),
-    ("coriolis", 12, 4),
-    ("gravity", 10, 5),
-    ("forward_dynamics", 35, 23),
-    ("regressor", 18, 12),
-    ("base_regressor", 16, 11),
-    ("gravity_regressor", 10, 5),
-    ("kinetic_energy_regressor", 12, 3),
-    ("potential_energy_regressor", 9, 2),
-    ("payload_regressor", 21, 15),
-];
-
-/// Which inverse the arm has.
-pub const IK_CLASS: &str = "planar";
-/// What in its geometry makes it so.
-pub const IK_REASON: &str = "all turning axes are parallel, everything moves in one plane";
-/// Lines of the joints at `q = 0` in base axes, m, and how the arm is taken apart.
-pub const IK: ik::Arm<DOF> = ik::Arm {
-    axes: [
-        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 0.0] },
-        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.5, 0.0, 0.0] },
-    ],
-    home: ik::Displacement { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], shift: [0.5, 0.0, 0.0] },
-    limits: POSITION_LIMITS,
-    exact: true,
-    family: ik::Family::Plane(ik::Plane {
-        h: [0.0, 0.0, 1.0],
-        axes: [
-        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 0.0] },
-        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.5, 0.0, 0.0] },
-        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [1.0, 0.5, 0.0] },
-        ],
-        joints: [Some(0), Some(1), None],
-        lift: None,
-    }),
-};
-
-/// All postures that bring the last DH frame to a pose: the top three rows of `T(0, n)`, m.
-///
-/// All turning axes are parallel, everything moves in one plane.
-///
-/// # Errors
-/// If an entry is not finite, or the rotation is none.
-pub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {
-    IK.solve_inlined(pose, query)
-}
 
 /// A configuration with the sines and cosines that all kernels share: make it once per state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -221,9 +107,10 @@ pub fn base_parameters<S: Scalar>(phi: &[S; STANDARD]) -> [S; BASE] {
     })
 }
 
-/// DH frames of all rows in the base frame.
+/// DH frames of all rows in the world frame.
 ///
-/// `out[i]` is the top three rows of the homogeneous matrix `T(0, i+1)`, m and one. Khalil and Dombre, 3.2. Packed form: [`kernel::frames::packed`].
+/// `out[i]` is the top three rows of the homogeneous matrix `T(0, i+1)`, m and one. Khalil and
+/// Dombre, 3.2. Packed form: [`kernel::frames::packed`].
 #[must_use]
 #[inline]
 pub fn frames<S: Scalar>(q: &[S; DOF]) -> [[[S; 4]; 3]; 2] {
@@ -232,9 +119,10 @@ pub fn frames<S: Scalar>(q: &[S; DOF]) -> [[[S; 4]; 3]; 2] {
     out
 }
 
-/// The last DH frame in the base frame.
+/// The last DH frame in the world frame.
 ///
-/// `out` is the top three rows of `T(0, n)`: axes of the frame as columns, then its origin, m. Khalil and Dombre, 3.2. Packed form: [`kernel::forward_kinematics::packed`].
+/// `out` is the top three rows of `T(0, n)`: axes of the frame as columns, then its origin, m.
+/// Khalil and Dombre, 3.2. Packed form: [`kernel::forward_kinematics::packed`].
 #[must_use]
 #[inline]
 pub fn forward_kinematics<S: Scalar>(q: &[S; DOF]) -> [[S; 4]; 3] {
@@ -243,9 +131,10 @@ pub fn forward_kinematics<S: Scalar>(q: &[S; DOF]) -> [[S; 4]; 3] {
     out
 }
 
-/// The tool frame in the base frame.
+/// The tool frame in the world frame.
 ///
-/// Like `forward_kinematics`, followed by the tool's pose (the identity where the robot file has no tool). Packed form: [`kernel::tool_pose::packed`].
+/// Like `forward_kinematics`, followed by the tool's pose (the identity where the robot file has no
+/// tool). Packed form: [`kernel::tool_pose::packed`].
 #[must_use]
 #[inline]
 pub fn tool_pose<S: Scalar>(q: &[S; DOF]) -> [[S; 4]; 3] {
@@ -254,9 +143,10 @@ pub fn tool_pose<S: Scalar>(q: &[S; DOF]) -> [[S; 4]; 3] {
     out
 }
 
-/// Jacobian of the last DH frame's origin, in base axes.
+/// Jacobian of the last DH frame's origin, in world axes.
 ///
-/// `(v, w) = J dq`: rows 0-2 linear, m/s, rows 3-5 angular, rad/s. Khalil and Dombre, 5.2. Packed form: [`kernel::jacobian::packed`].
+/// `(v, w) = J dq`: rows 0-2 linear, m/s, rows 3-5 angular, rad/s. Khalil and Dombre, 5.2. Packed
+/// form: [`kernel::jacobian::packed`].
 #[must_use]
 #[inline]
 pub fn jacobian<S: Scalar>(q: &[S; DOF]) -> [[S; 2]; 6] {
@@ -265,9 +155,22 @@ pub fn jacobian<S: Scalar>(q: &[S; DOF]) -> [[S; 2]; 6] {
     out
 }
 
-/// Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`.
+/// Jacobian of the tool frame's origin, in world axes.
 ///
-/// In base axes; entries 0-2 linear, m/s^2, 3-5 angular, rad/s^2. Khalil and Dombre, 5.10. Packed form: [`kernel::jacobian_dot_velocity::packed`].
+/// `(v, w) = J dq` as in `jacobian`; `tau = J' f` are the torques of a wrench on the tool. Khalil
+/// and Dombre, 5.2. Packed form: [`kernel::tool_jacobian::packed`].
+#[must_use]
+#[inline]
+pub fn tool_jacobian<S: Scalar>(q: &[S; DOF]) -> [[S; 2]; 6] {
+    let mut out = [[S::default(); 2]; 6];
+    kernel::tool_jacobian::nonzeros(&Trig::new(q), &mut out);
+    out
+}
+
+/// Acceleration of the last DH frame at zero `ddq`: `dJ/dt dq`.
+///
+/// In world axes; entries 0-2 linear, m/s^2, 3-5 angular, rad/s^2. Khalil and Dombre, 5.10. Packed
+/// form: [`kernel::jacobian_dot_velocity::packed`].
 #[must_use]
 #[inline]
 pub fn jacobian_dot_velocity<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 6] {
@@ -278,7 +181,8 @@ pub fn jacobian_dot_velocity<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 6] {
 
 /// Torques from the standard parameters.
 ///
-/// `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil and Dombre, 9.5.2.
+/// `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil
+/// and Dombre, 9.5.2.
 #[must_use]
 #[inline]
 pub fn inverse_dynamics<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; STANDARD]) -> [S; 2] {
@@ -289,7 +193,8 @@ pub fn inverse_dynamics<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF], 
 
 /// Torques from the base parameters.
 ///
-/// `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil and Dombre, 9.6.
+/// `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil
+/// and Dombre, 9.6.
 #[must_use]
 #[inline]
 pub fn inverse_dynamics_base<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; BASE]) -> [S; 2] {
@@ -322,7 +227,7 @@ pub fn coriolis<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], beta: &[S; BASE]) -> [S;
 
 /// Gravity torques `g`.
 ///
-/// N m, from the base parameters: what holds the arm up at rest.
+/// N m, from the base parameters: the torques that hold the arm at rest.
 #[must_use]
 #[inline]
 pub fn gravity<S: Scalar>(q: &[S; DOF], beta: &[S; BASE]) -> [S; 2] {
@@ -331,9 +236,10 @@ pub fn gravity<S: Scalar>(q: &[S; DOF], beta: &[S; BASE]) -> [S; 2] {
     out
 }
 
-/// Accelerations that torques cause.
+/// Accelerations under given torques.
 ///
-/// `ddq = M^-1 (tau - C dq - g - friction)`, rad/s^2, from the base parameters; `M = L D L'` written out.
+/// `ddq = M^-1 (tau - C dq - g - friction)`, rad/s^2, from the base parameters; `M = L D L'` in
+/// closed form.
 #[must_use]
 #[inline]
 pub fn forward_dynamics<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], tau: &[S; DOF], beta: &[S; BASE]) -> [S; 2] {
@@ -344,7 +250,8 @@ pub fn forward_dynamics<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], tau: &[S; DOF], 
 
 /// Regressor `W` of the standard parameters.
 ///
-/// `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4. Packed form: [`kernel::regressor::packed`].
+/// `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil
+/// and Dombre, 12.4. Packed form: [`kernel::regressor::packed`].
 #[must_use]
 #[inline]
 pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 24]; 2] {
@@ -355,7 +262,8 @@ pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S;
 
 /// Regressor `W_b` of the base parameters.
 ///
-/// `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4. Packed form: [`kernel::base_regressor::packed`].
+/// `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil
+/// and Dombre, 12.4. Packed form: [`kernel::base_regressor::packed`].
 #[must_use]
 #[inline]
 pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 10]; 2] {
@@ -366,7 +274,8 @@ pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) ->
 
 /// Regressor at rest.
 ///
-/// `g = W_g phi` for the links' parameters only; columns as the first of `STANDARD_NAMES`. Packed form: [`kernel::gravity_regressor::packed`].
+/// `g = W_g phi` of the links' parameters; columns as the first of `STANDARD_NAMES`, without the
+/// drives'. Packed form: [`kernel::gravity_regressor::packed`].
 #[must_use]
 #[inline]
 pub fn gravity_regressor<S: Scalar>(q: &[S; DOF]) -> [[S; 20]; 2] {
@@ -377,7 +286,8 @@ pub fn gravity_regressor<S: Scalar>(q: &[S; DOF]) -> [[S; 20]; 2] {
 
 /// Kinetic energy, one entry per standard parameter.
 ///
-/// `T = h phi`, J per unit. Khalil and Dombre, 9.4. Packed form: [`kernel::kinetic_energy_regressor::packed`].
+/// `T = h phi`, J per unit. Khalil and Dombre, 9.4. Packed form:
+/// [`kernel::kinetic_energy_regressor::packed`].
 #[must_use]
 #[inline]
 pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 24] {
@@ -388,7 +298,8 @@ pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 2
 
 /// Potential energy, one entry per standard parameter.
 ///
-/// `U = h phi`, J per unit, zero at the base frame's origin; an offset torque counts as `FO q`. Packed form: [`kernel::potential_energy_regressor::packed`].
+/// `U = h phi`, J per unit, zero at the world frame's origin; an offset torque counts as `FO q`.
+/// Packed form: [`kernel::potential_energy_regressor::packed`].
 #[must_use]
 #[inline]
 pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 24] {
@@ -399,11 +310,22 @@ pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 24] {
 
 /// Regressor of a body fixed to the tool frame.
 ///
-/// `tau = W_L phi_L`, columns `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool frame, about its origin (the paper's (7)). Packed form: [`kernel::payload_regressor::packed`].
+/// `tau = W_L phi_L`, columns `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool frame, about its
+/// origin. Katsumata et al. 2019, (7). Packed form: [`kernel::payload_regressor::packed`].
 #[must_use]
 #[inline]
 pub fn payload_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 10]; 2] {
     let mut out = [[S::default(); 10]; 2];
     kernel::payload_regressor::nonzeros(&Trig::new(q), dq, ddq, &mut out);
     out
+}
+
+/// All postures that bring the last DH frame to a pose: the top three rows of `T(0, n)`, m.
+///
+/// All turning axes are parallel, everything moves in one plane.
+///
+/// # Errors
+/// If an entry is not finite, or the first three columns are no rotation.
+pub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {
+    IK.solve_inlined(pose, query)
 }

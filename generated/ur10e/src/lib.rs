@@ -1,24 +1,53 @@
 //! Closed-form kinematics and dynamics of `ur10e`: 6 degrees of freedom, 58 base parameters.
 //!
-//! Written by denavit 0.1.0 from the robot file with digest 857c86307a0c5043; do not edit, run `denavit generate` again.
+//! Written by denavit 0.1.0 from the robot file with digest 857c86307a0c5043. Do not edit it:
+//! change the file and run `denavit generate` again.
 //!
-//! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Nothing is allocated; nothing but `core` is used.
-//! Kernels ([`kernel`]) take sines and cosines ([`Trig`]); the functions here take `q`.
-//! All are generic over [`runtime::Scalar`]: `f64`, `f32` and packs of states run the same text.
+//! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Poses and
+//! Jacobians are in the world frame: frame 0 of the table where the robot file has no `base`.
+//! Tensors are about the frame's origin. Nothing is allocated; nothing but `core` is used. Kernels
+//! (module `kernel`) take sines and cosines (`Trig`); the functions here take `q`. All are generic
+//! over `runtime::Scalar`: `f64`, `f32` and packs of states run the same text.
+//!
+//! ```
+//! use ur10e as arm;
+//!
+//! // Frames: rows of homogeneous matrices, m. Every posture found reaches the pose.
+//! let q = [0.3, -0.4, 0.5, -0.6, 0.7, -0.8];
+//! let pose = arm::forward_kinematics(&q);
+//! let query = arm::ik::Query { near: Some(&q), ..Default::default() };
+//! let postures = arm::inverse_kinematics(&pose, &query).expect("a pose");
+//! for posture in postures.as_slice() {
+//!     let reached = arm::forward_kinematics(&posture.q);
+//!     assert!((0..3).all(|row| (reached[row][3] - pose[row][3]).abs() < 1e-9));
+//! }
+//!
+//! // Torques: they are linear in the parameters.
+//! let phi = arm::STANDARD_VALUES.expect("the robot file has the parameters of every link");
+//! let beta = arm::base_parameters(&phi);
+//! let (dq, ddq) = ([0.1; arm::DOF], [0.2; arm::DOF]);
+//! let tau = arm::inverse_dynamics_base(&q, &dq, &ddq, &beta);
+//! let regressor = arm::base_regressor(&q, &dq, &ddq);
+//! for (row, tau) in regressor.iter().zip(tau) {
+//!     let sum: f64 = row.iter().zip(&beta).map(|(w, b)| w * b).sum();
+//!     assert!((sum - tau).abs() < 1e-9 * (1.0 + tau.abs()));
+//! }
+//! ```
 //!
 //! | function | result | multiplications | additions |
 //! |---|---|---|---|
-//! | [`frames`]: DH frames of all rows in the base frame | 6 x 3 x 4 | 64 | 50 |
-//! | [`forward_kinematics`]: The last DH frame in the base frame | 3 x 4 | 64 | 35 |
-//! | [`tool_pose`]: The tool frame in the base frame | 3 x 4 | 64 | 35 |
-//! | [`jacobian`]: Jacobian of the last DH frame's origin, in base axes | 6 x 6 | 65 | 40 |
-//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq` | 6 | 140 | 79 |
+//! | [`frames`]: DH frames of all rows in the world frame | 6 x 3 x 4 | 64 | 50 |
+//! | [`forward_kinematics`]: The last DH frame in the world frame | 3 x 4 | 64 | 35 |
+//! | [`tool_pose`]: The tool frame in the world frame | 3 x 4 | 64 | 35 |
+//! | [`jacobian`]: Jacobian of the last DH frame's origin, in world axes | 6 x 6 | 65 | 40 |
+//! | [`tool_jacobian`]: Jacobian of the tool frame's origin, in world axes | 6 x 6 | 65 | 40 |
+//! | [`jacobian_dot_velocity`]: Acceleration of the last DH frame at zero `ddq`: `dJ/dt dq` | 6 | 140 | 79 |
 //! | [`inverse_dynamics`]: Torques from the standard parameters | 6 | 309 | 289 |
 //! | [`inverse_dynamics_base`]: Torques from the base parameters | 6 | 265 | 238 |
 //! | [`mass_matrix`]: Mass matrix `M`, symmetric, kg m^2 | 6 x 6 | 163 | 147 |
 //! | [`coriolis`]: Coriolis and centrifugal torques `C dq` | 6 | 218 | 180 |
 //! | [`gravity`]: Gravity torques `g` | 6 | 48 | 26 |
-//! | [`forward_dynamics`]: Accelerations that torques cause | 6 | 514 | 420 |
+//! | [`forward_dynamics`]: Accelerations under given torques | 6 | 514 | 420 |
 //! | [`regressor`]: Regressor `W` of the standard parameters | 6 x 84 | 406 | 322 |
 //! | [`base_regressor`]: Regressor `W_b` of the base parameters | 6 x 58 | 308 | 243 |
 //! | [`gravity_regressor`]: Regressor at rest | 6 x 60 | 111 | 63 |
@@ -36,376 +65,18 @@ extern crate std;
 
 pub mod constants;
 pub mod ik;
+mod implementations;
 pub mod kernel;
+mod parameters;
+pub mod robot;
 pub mod runtime;
 #[cfg(test)]
 mod tests;
 
+pub use implementations::Robot;
+pub use parameters::*;
+
 use runtime::Scalar;
-
-/// Name of the robot.
-pub const NAME: &str = "ur10e";
-/// Degrees of freedom.
-pub const DOF: usize = 6;
-/// Rows of the DH table, fixed ones too.
-pub const ROWS: usize = 6;
-/// Standard parameters: ten per row, then the drives'.
-pub const STANDARD: usize = 84;
-/// Base parameters.
-pub const BASE: usize = 58;
-
-/// Joints, in the order of `q`.
-pub const JOINT_NAMES: [&str; DOF] = [
-    "base",
-    "shoulder",
-    "elbow",
-    "wrist1",
-    "wrist2",
-    "wrist3",
-];
-/// Standard parameters, in the order of the regressor's columns (SI; tensors about the frame's origin).
-pub const STANDARD_NAMES: [&str; STANDARD] = [
-    "M1",
-    "MSX1",
-    "MSY1",
-    "MSZ1",
-    "XX1",
-    "YY1",
-    "ZZ1",
-    "XY1",
-    "XZ1",
-    "YZ1",
-    "M2",
-    "MSX2",
-    "MSY2",
-    "MSZ2",
-    "XX2",
-    "YY2",
-    "ZZ2",
-    "XY2",
-    "XZ2",
-    "YZ2",
-    "M3",
-    "MSX3",
-    "MSY3",
-    "MSZ3",
-    "XX3",
-    "YY3",
-    "ZZ3",
-    "XY3",
-    "XZ3",
-    "YZ3",
-    "M4",
-    "MSX4",
-    "MSY4",
-    "MSZ4",
-    "XX4",
-    "YY4",
-    "ZZ4",
-    "XY4",
-    "XZ4",
-    "YZ4",
-    "M5",
-    "MSX5",
-    "MSY5",
-    "MSZ5",
-    "XX5",
-    "YY5",
-    "ZZ5",
-    "XY5",
-    "XZ5",
-    "YZ5",
-    "M6",
-    "MSX6",
-    "MSY6",
-    "MSZ6",
-    "XX6",
-    "YY6",
-    "ZZ6",
-    "XY6",
-    "XZ6",
-    "YZ6",
-    "IA1",
-    "IA2",
-    "IA3",
-    "IA4",
-    "IA5",
-    "IA6",
-    "FV1",
-    "FV2",
-    "FV3",
-    "FV4",
-    "FV5",
-    "FV6",
-    "FC1",
-    "FC2",
-    "FC3",
-    "FC4",
-    "FC5",
-    "FC6",
-    "FO1",
-    "FO2",
-    "FO3",
-    "FO4",
-    "FO5",
-    "FO6",
-];
-/// Base parameters, in the order of the base regressor's columns.
-pub const BASE_NAMES: [&str; BASE] = [
-    "ZZ1R",
-    "MSX2R",
-    "MSY2",
-    "XX2R",
-    "ZZ2R",
-    "XY2",
-    "XZ2R",
-    "YZ2",
-    "MSX3R",
-    "MSY3",
-    "XX3R",
-    "ZZ3R",
-    "XY3",
-    "XZ3R",
-    "YZ3",
-    "MSX4",
-    "MSY4R",
-    "XX4R",
-    "ZZ4R",
-    "XY4",
-    "XZ4",
-    "YZ4",
-    "MSX5",
-    "MSY5R",
-    "XX5R",
-    "ZZ5R",
-    "XY5",
-    "XZ5",
-    "YZ5",
-    "MSX6",
-    "MSY6",
-    "XX6R",
-    "ZZ6",
-    "XY6",
-    "XZ6",
-    "YZ6",
-    "IA3",
-    "IA4",
-    "IA5",
-    "IA6",
-    "FV1",
-    "FV2",
-    "FV3",
-    "FV4",
-    "FV5",
-    "FV6",
-    "FC1",
-    "FC2",
-    "FC3",
-    "FC4",
-    "FC5",
-    "FC6",
-    "FO1",
-    "FO2",
-    "FO3",
-    "FO4",
-    "FO5",
-    "FO6",
-];
-/// What each base parameter groups, in the constants of the robot file.
-pub const BASE_GROUPINGS: [&str; BASE] = [
-    "ZZ1R = ZZ1 + YY2 + YY3 + YY4 + IA1 + A2^2*M3 + (A2^2 + A3^2 + D4^2)*(M4 + M5 + M6) + 2*D4*MSZ4",
-    "MSX2R = MSX2 + A2*(M3 + M4 + M5 + M6)",
-    "MSY2 = MSY2",
-    "XX2R = XX2 - YY2 - A2^2*(M3 + M4 + M5 + M6)",
-    "ZZ2R = ZZ2 + A2^2*(M3 + M4 + M5 + M6) + IA2",
-    "XY2 = XY2",
-    "XZ2R = XZ2 - A2*(MSZ3 + MSZ4) - A2*D4*(M4 + M5 + M6)",
-    "YZ2 = YZ2",
-    "MSX3R = MSX3 + A3*(M4 + M5 + M6)",
-    "MSY3 = MSY3",
-    "XX3R = XX3 - YY3 - A3^2*(M4 + M5 + M6)",
-    "ZZ3R = ZZ3 + A3^2*(M4 + M5 + M6)",
-    "XY3 = XY3",
-    "XZ3R = XZ3 - A3*D4*(M4 + M5 + M6) - A3*MSZ4",
-    "YZ3 = YZ3",
-    "MSX4 = MSX4",
-    "MSY4R = MSY4 - D5*(M5 + M6) - MSZ5",
-    "XX4R = XX4 - YY4 + D5^2*(M5 + M6) + 2*D5*MSZ5 + YY5",
-    "ZZ4R = ZZ4 + D5^2*(M5 + M6) + 2*D5*MSZ5 + YY5",
-    "XY4 = XY4",
-    "XZ4 = XZ4",
-    "YZ4 = YZ4",
-    "MSX5 = MSX5",
-    "MSY5R = MSY5 + D6*M6 + MSZ6",
-    "XX5R = XX5 - YY5 + D6^2*M6 + 2*D6*MSZ6 + YY6",
-    "ZZ5R = ZZ5 + D6^2*M6 + 2*D6*MSZ6 + YY6",
-    "XY5 = XY5",
-    "XZ5 = XZ5",
-    "YZ5 = YZ5",
-    "MSX6 = MSX6",
-    "MSY6 = MSY6",
-    "XX6R = XX6 - YY6",
-    "ZZ6 = ZZ6",
-    "XY6 = XY6",
-    "XZ6 = XZ6",
-    "YZ6 = YZ6",
-    "IA3 = IA3",
-    "IA4 = IA4",
-    "IA5 = IA5",
-    "IA6 = IA6",
-    "FV1 = FV1",
-    "FV2 = FV2",
-    "FV3 = FV3",
-    "FV4 = FV4",
-    "FV5 = FV5",
-    "FV6 = FV6",
-    "FC1 = FC1",
-    "FC2 = FC2",
-    "FC3 = FC3",
-    "FC4 = FC4",
-    "FC5 = FC5",
-    "FC6 = FC6",
-    "FO1 = FO1",
-    "FO2 = FO2",
-    "FO3 = FO3",
-    "FO4 = FO4",
-    "FO5 = FO5",
-    "FO6 = FO6",
-];
-/// The same as numbers: index into the standard parameters, and factor.
-pub const BASE_COEFFICIENTS: [&[(usize, f64)]; BASE] = [
-    &[(6, 1.0), (15, 1.0), (20, 0.37540129000000005), (25, 1.0), (30, 0.732398915), (33, 0.3483), (35, 1.0), (40, 0.732398915), (50, 0.732398915), (60, 1.0)],
-    &[(11, 1.0), (20, -0.6127), (30, -0.6127), (40, -0.6127), (50, -0.6127)],
-    &[(12, 1.0)],
-    &[(14, 1.0), (15, -1.0), (20, -0.37540129000000005), (30, -0.37540129000000005), (40, -0.37540129000000005), (50, -0.37540129000000005)],
-    &[(16, 1.0), (20, 0.37540129000000005), (30, 0.37540129000000005), (40, 0.37540129000000005), (50, 0.37540129000000005), (61, 1.0)],
-    &[(17, 1.0)],
-    &[(18, 1.0), (23, 0.6127), (30, 0.10670170500000001), (33, 0.6127), (40, 0.10670170500000001), (50, 0.10670170500000001)],
-    &[(19, 1.0)],
-    &[(21, 1.0), (30, -0.57155), (40, -0.57155), (50, -0.57155)],
-    &[(22, 1.0)],
-    &[(24, 1.0), (25, -1.0), (30, -0.3266694025), (40, -0.3266694025), (50, -0.3266694025)],
-    &[(26, 1.0), (30, 0.3266694025), (40, 0.3266694025), (50, 0.3266694025)],
-    &[(27, 1.0)],
-    &[(28, 1.0), (30, 0.0995354325), (33, 0.57155), (40, 0.0995354325), (50, 0.0995354325)],
-    &[(29, 1.0)],
-    &[(31, 1.0)],
-    &[(32, 1.0), (40, -0.11985), (43, -1.0), (50, -0.11985)],
-    &[(34, 1.0), (35, -1.0), (40, 0.0143640225), (43, 0.2397), (45, 1.0), (50, 0.0143640225)],
-    &[(36, 1.0), (40, 0.0143640225), (43, 0.2397), (45, 1.0), (50, 0.0143640225)],
-    &[(37, 1.0)],
-    &[(38, 1.0)],
-    &[(39, 1.0)],
-    &[(41, 1.0)],
-    &[(42, 1.0), (50, 0.11655), (53, 1.0)],
-    &[(44, 1.0), (45, -1.0), (50, 0.0135839025), (53, 0.2331), (55, 1.0)],
-    &[(46, 1.0), (50, 0.0135839025), (53, 0.2331), (55, 1.0)],
-    &[(47, 1.0)],
-    &[(48, 1.0)],
-    &[(49, 1.0)],
-    &[(51, 1.0)],
-    &[(52, 1.0)],
-    &[(54, 1.0), (55, -1.0)],
-    &[(56, 1.0)],
-    &[(57, 1.0)],
-    &[(58, 1.0)],
-    &[(59, 1.0)],
-    &[(62, 1.0)],
-    &[(63, 1.0)],
-    &[(64, 1.0)],
-    &[(65, 1.0)],
-    &[(66, 1.0)],
-    &[(67, 1.0)],
-    &[(68, 1.0)],
-    &[(69, 1.0)],
-    &[(70, 1.0)],
-    &[(71, 1.0)],
-    &[(72, 1.0)],
-    &[(73, 1.0)],
-    &[(74, 1.0)],
-    &[(75, 1.0)],
-    &[(76, 1.0)],
-    &[(77, 1.0)],
-    &[(78, 1.0)],
-    &[(79, 1.0)],
-    &[(80, 1.0)],
-    &[(81, 1.0)],
-    &[(82, 1.0)],
-    &[(83, 1.0)],
-];
-
-/// Lower and upper position of each joint, rad or m.
-pub const POSITION_LIMITS: [Option<[f64; 2]>; DOF] = [Some([-6.283185307179586, 6.283185307179586]), Some([-6.283185307179586, 6.283185307179586]), Some([-6.283185307179586, 6.283185307179586]), Some([-6.283185307179586, 6.283185307179586]), Some([-6.283185307179586, 6.283185307179586]), Some([-6.283185307179586, 6.283185307179586])];
-/// Largest speeds, rad/s or m/s.
-pub const VELOCITY_LIMITS: [Option<f64>; DOF] = [Some(2.0943951023931953), Some(2.0943951023931953), Some(3.141592653589793), Some(3.141592653589793), Some(3.141592653589793), Some(3.141592653589793)];
-/// Largest accelerations, rad/s^2 or m/s^2.
-pub const ACCELERATION_LIMITS: [Option<f64>; DOF] = [None, None, None, None, None, None];
-/// Largest torques or forces, N m or N.
-pub const TORQUE_LIMITS: [Option<f64>; DOF] = [Some(330.0), Some(330.0), Some(150.0), Some(56.0), Some(56.0), Some(56.0)];
-/// The robot file's standard parameters, its tool in the last link.
-pub const STANDARD_VALUES: Option<[f64; STANDARD]> = Some([7.369, 0.154749, -0.198963, 0.0, 0.03519126166, 0.03306898966, 0.0293470425, 0.004178223, 0.0, 0.0, 13.051, -3.0369677, 0.0, 2.062058, 0.3625111015, 1.458208158, 1.132402994, 0.0, 0.4798408966, 0.0, 3.989, -1.32255295, 0.0, 0.271252, 0.0296641985, 0.571137406, 0.55269227, 0.0, 0.0899336006, 0.0, 2.1, 0.0, -0.0378, 0.0147, 0.006256422811, 0.005576022811, 0.00658665, 0.0, 0.0, 0.0002646, 1.98, 0.0, 0.03564, -0.01386, 0.005898912936, 0.005257392936, 0.00621027, 0.0, 0.0, 0.00024948, 0.615, 0.0, 0.0, -0.01599, 0.0008552085742, 0.0008552085742, 0.0006226875, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
-/// Name, multiplications and additions of each function, sines and cosines apart (`DOF` pairs).
-pub const OPERATIONS: [(&str, usize, usize); 17] = [
-    ("frames", 64, 50),
-    ("forward_kinematics", 64, 35),
-    ("tool_pose", 64, 35),
-    ("jacobian", 65, 40),
-    ("jacobian_dot_velocity", 140, 79),
-    ("inverse_dynamics", 309, 289),
-    ("inverse_dynamics_base", 265, 238),
-    ("mass_matrix", 163, 147),
-    ("coriolis", 218, 180),
-    ("gravity", 48, 26),
-    ("forward_dynamics", 514, 420),
-    ("regressor", 406, 322),
-    ("base_regressor", 308, 243),
-    ("gravity_regressor", 111, 63),
-    ("kinetic_energy_regressor", 135, 50),
-    ("potential_energy_regressor", 32, 12),
-    ("payload_regressor", 252, 176),
-];
-
-/// Which inverse the arm has.
-pub const IK_CLASS: &str = "6r-three-parallel";
-/// What in its geometry makes it so.
-pub const IK_REASON: &str = "axes 2-4 are parallel, and the two at their end meet";
-/// Lines of the joints at `q = 0` in base axes, m, and how the arm is taken apart.
-pub const IK: ik::Arm<DOF> = ik::Arm {
-    axes: [
-        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 0.1807] },
-        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [0.0, 0.0, 0.1807] },
-        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [-0.6127, 0.0, 0.1807] },
-        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [-1.18425, -0.17415, 0.1807] },
-        ik::Axis { slides: false, h: [0.0, 0.0, -1.0], c: [-1.18425, -0.17415, 0.06085] },
-        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [-1.18425, -0.2907, 0.06085] },
-    ],
-    home: ik::Displacement { rotation: [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]], shift: [-1.18425, -0.2907, 0.06085] },
-    limits: POSITION_LIMITS,
-    exact: true,
-    family: ik::Family::Six(ik::Six {
-        axes: [
-        ik::Axis { slides: false, h: [0.0, 0.0, 1.0], c: [0.0, 0.0, 0.1807] },
-        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [0.0, 0.0, 0.1807] },
-        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [-0.6127, 0.0, 0.1807] },
-        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [-1.18425, -0.17415, 0.1807] },
-        ik::Axis { slides: false, h: [0.0, 0.0, -1.0], c: [-1.18425, -0.17415, 0.06085] },
-        ik::Axis { slides: false, h: [0.0, -1.0, 0.0], c: [-1.18425, -0.2907, 0.06085] },
-        ],
-        joints: [Some(0), Some(1), Some(2), Some(3), Some(4), Some(5)],
-        reversed: false,
-        method: ik::Method::ThreeParallel { meet: Some([-1.18425, -0.17415, 0.06085]) },
-    }),
-};
-
-/// All postures that bring the last DH frame to a pose: the top three rows of `T(0, n)`, m.
-///
-/// Axes 2-4 are parallel, and the two at their end meet.
-///
-/// # Errors
-/// If an entry is not finite, or the rotation is none.
-pub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {
-    IK.solve_inlined(pose, query)
-}
 
 /// A configuration with the sines and cosines that all kernels share: make it once per state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -436,9 +107,10 @@ pub fn base_parameters<S: Scalar>(phi: &[S; STANDARD]) -> [S; BASE] {
     })
 }
 
-/// DH frames of all rows in the base frame.
+/// DH frames of all rows in the world frame.
 ///
-/// `out[i]` is the top three rows of the homogeneous matrix `T(0, i+1)`, m and one. Khalil and Dombre, 3.2. Packed form: [`kernel::frames::packed`].
+/// `out[i]` is the top three rows of the homogeneous matrix `T(0, i+1)`, m and one. Khalil and
+/// Dombre, 3.2. Packed form: [`kernel::frames::packed`].
 #[must_use]
 #[inline]
 pub fn frames<S: Scalar>(q: &[S; DOF]) -> [[[S; 4]; 3]; 6] {
@@ -447,9 +119,10 @@ pub fn frames<S: Scalar>(q: &[S; DOF]) -> [[[S; 4]; 3]; 6] {
     out
 }
 
-/// The last DH frame in the base frame.
+/// The last DH frame in the world frame.
 ///
-/// `out` is the top three rows of `T(0, n)`: axes of the frame as columns, then its origin, m. Khalil and Dombre, 3.2.
+/// `out` is the top three rows of `T(0, n)`: axes of the frame as columns, then its origin, m.
+/// Khalil and Dombre, 3.2.
 #[must_use]
 #[inline]
 pub fn forward_kinematics<S: Scalar>(q: &[S; DOF]) -> [[S; 4]; 3] {
@@ -458,9 +131,10 @@ pub fn forward_kinematics<S: Scalar>(q: &[S; DOF]) -> [[S; 4]; 3] {
     out
 }
 
-/// The tool frame in the base frame.
+/// The tool frame in the world frame.
 ///
-/// Like `forward_kinematics`, followed by the tool's pose (the identity where the robot file has no tool).
+/// Like `forward_kinematics`, followed by the tool's pose (the identity where the robot file has no
+/// tool).
 #[must_use]
 #[inline]
 pub fn tool_pose<S: Scalar>(q: &[S; DOF]) -> [[S; 4]; 3] {
@@ -469,9 +143,10 @@ pub fn tool_pose<S: Scalar>(q: &[S; DOF]) -> [[S; 4]; 3] {
     out
 }
 
-/// Jacobian of the last DH frame's origin, in base axes.
+/// Jacobian of the last DH frame's origin, in world axes.
 ///
-/// `(v, w) = J dq`: rows 0-2 linear, m/s, rows 3-5 angular, rad/s. Khalil and Dombre, 5.2. Packed form: [`kernel::jacobian::packed`].
+/// `(v, w) = J dq`: rows 0-2 linear, m/s, rows 3-5 angular, rad/s. Khalil and Dombre, 5.2. Packed
+/// form: [`kernel::jacobian::packed`].
 #[must_use]
 #[inline]
 pub fn jacobian<S: Scalar>(q: &[S; DOF]) -> [[S; 6]; 6] {
@@ -480,9 +155,21 @@ pub fn jacobian<S: Scalar>(q: &[S; DOF]) -> [[S; 6]; 6] {
     out
 }
 
-/// Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`.
+/// Jacobian of the tool frame's origin, in world axes.
 ///
-/// In base axes; entries 0-2 linear, m/s^2, 3-5 angular, rad/s^2. Khalil and Dombre, 5.10.
+/// `(v, w) = J dq` as in `jacobian`; `tau = J' f` are the torques of a wrench on the tool. Khalil
+/// and Dombre, 5.2. Packed form: [`kernel::tool_jacobian::packed`].
+#[must_use]
+#[inline]
+pub fn tool_jacobian<S: Scalar>(q: &[S; DOF]) -> [[S; 6]; 6] {
+    let mut out = [[S::default(); 6]; 6];
+    kernel::tool_jacobian::nonzeros(&Trig::new(q), &mut out);
+    out
+}
+
+/// Acceleration of the last DH frame at zero `ddq`: `dJ/dt dq`.
+///
+/// In world axes; entries 0-2 linear, m/s^2, 3-5 angular, rad/s^2. Khalil and Dombre, 5.10.
 #[must_use]
 #[inline]
 pub fn jacobian_dot_velocity<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 6] {
@@ -493,7 +180,8 @@ pub fn jacobian_dot_velocity<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 6] {
 
 /// Torques from the standard parameters.
 ///
-/// `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil and Dombre, 9.5.2.
+/// `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil
+/// and Dombre, 9.5.2.
 #[must_use]
 #[inline]
 pub fn inverse_dynamics<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; STANDARD]) -> [S; 6] {
@@ -504,7 +192,8 @@ pub fn inverse_dynamics<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF], 
 
 /// Torques from the base parameters.
 ///
-/// `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil and Dombre, 9.6.
+/// `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil
+/// and Dombre, 9.6.
 #[must_use]
 #[inline]
 pub fn inverse_dynamics_base<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; BASE]) -> [S; 6] {
@@ -537,7 +226,7 @@ pub fn coriolis<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], beta: &[S; BASE]) -> [S;
 
 /// Gravity torques `g`.
 ///
-/// N m, from the base parameters: what holds the arm up at rest.
+/// N m, from the base parameters: the torques that hold the arm at rest.
 #[must_use]
 #[inline]
 pub fn gravity<S: Scalar>(q: &[S; DOF], beta: &[S; BASE]) -> [S; 6] {
@@ -546,9 +235,10 @@ pub fn gravity<S: Scalar>(q: &[S; DOF], beta: &[S; BASE]) -> [S; 6] {
     out
 }
 
-/// Accelerations that torques cause.
+/// Accelerations under given torques.
 ///
-/// `ddq = M^-1 (tau - C dq - g - friction)`, rad/s^2, from the base parameters; `M = L D L'` written out.
+/// `ddq = M^-1 (tau - C dq - g - friction)`, rad/s^2, from the base parameters; `M = L D L'` in
+/// closed form.
 #[must_use]
 #[inline]
 pub fn forward_dynamics<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], tau: &[S; DOF], beta: &[S; BASE]) -> [S; 6] {
@@ -559,7 +249,8 @@ pub fn forward_dynamics<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], tau: &[S; DOF], 
 
 /// Regressor `W` of the standard parameters.
 ///
-/// `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4. Packed form: [`kernel::regressor::packed`].
+/// `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil
+/// and Dombre, 12.4. Packed form: [`kernel::regressor::packed`].
 #[must_use]
 #[inline]
 pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 84]; 6] {
@@ -570,7 +261,8 @@ pub fn regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S;
 
 /// Regressor `W_b` of the base parameters.
 ///
-/// `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4. Packed form: [`kernel::base_regressor::packed`].
+/// `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil
+/// and Dombre, 12.4. Packed form: [`kernel::base_regressor::packed`].
 #[must_use]
 #[inline]
 pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 58]; 6] {
@@ -581,7 +273,8 @@ pub fn base_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) ->
 
 /// Regressor at rest.
 ///
-/// `g = W_g phi` for the links' parameters only; columns as the first of `STANDARD_NAMES`. Packed form: [`kernel::gravity_regressor::packed`].
+/// `g = W_g phi` of the links' parameters; columns as the first of `STANDARD_NAMES`, without the
+/// drives'. Packed form: [`kernel::gravity_regressor::packed`].
 #[must_use]
 #[inline]
 pub fn gravity_regressor<S: Scalar>(q: &[S; DOF]) -> [[S; 60]; 6] {
@@ -592,7 +285,8 @@ pub fn gravity_regressor<S: Scalar>(q: &[S; DOF]) -> [[S; 60]; 6] {
 
 /// Kinetic energy, one entry per standard parameter.
 ///
-/// `T = h phi`, J per unit. Khalil and Dombre, 9.4. Packed form: [`kernel::kinetic_energy_regressor::packed`].
+/// `T = h phi`, J per unit. Khalil and Dombre, 9.4. Packed form:
+/// [`kernel::kinetic_energy_regressor::packed`].
 #[must_use]
 #[inline]
 pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 84] {
@@ -603,7 +297,8 @@ pub fn kinetic_energy_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF]) -> [S; 8
 
 /// Potential energy, one entry per standard parameter.
 ///
-/// `U = h phi`, J per unit, zero at the base frame's origin; an offset torque counts as `FO q`. Packed form: [`kernel::potential_energy_regressor::packed`].
+/// `U = h phi`, J per unit, zero at the world frame's origin; an offset torque counts as `FO q`.
+/// Packed form: [`kernel::potential_energy_regressor::packed`].
 #[must_use]
 #[inline]
 pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 84] {
@@ -614,11 +309,22 @@ pub fn potential_energy_regressor<S: Scalar>(q: &[S; DOF]) -> [S; 84] {
 
 /// Regressor of a body fixed to the tool frame.
 ///
-/// `tau = W_L phi_L`, columns `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool frame, about its origin (the paper's (7)). Packed form: [`kernel::payload_regressor::packed`].
+/// `tau = W_L phi_L`, columns `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool frame, about its
+/// origin. Katsumata et al. 2019, (7). Packed form: [`kernel::payload_regressor::packed`].
 #[must_use]
 #[inline]
 pub fn payload_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF]) -> [[S; 10]; 6] {
     let mut out = [[S::default(); 10]; 6];
     kernel::payload_regressor::nonzeros(&Trig::new(q), dq, ddq, &mut out);
     out
+}
+
+/// All postures that bring the last DH frame to a pose: the top three rows of `T(0, n)`, m.
+///
+/// Axes 2-4 are parallel, and the two at their end meet.
+///
+/// # Errors
+/// If an entry is not finite, or the first three columns are no rotation.
+pub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {
+    IK.solve_inlined(pose, query)
 }

@@ -46,7 +46,7 @@ pub(super) struct Plan {
     /// One swivel angle for the whole motion, as in equation (12), instead of one per way point.
     #[arg(long)]
     constant_swivel: bool,
-    /// The vector `b` of the swivel angle, base axes.
+    /// The vector `b` of the swivel angle, world axes.
     #[arg(
         long,
         value_delimiter = ',',
@@ -99,7 +99,7 @@ pub(super) struct Where {
     /// tool's file.
     #[arg(long, value_delimiter = ',', num_args = 1, value_name = "X,Y,Z", allow_hyphen_values = true)]
     mount: Option<Vec<f64>>,
-    /// Middle of the wall, m, base axes.
+    /// Middle of the wall, m, world axes.
     #[arg(
         long,
         value_delimiter = ',',

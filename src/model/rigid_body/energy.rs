@@ -20,7 +20,7 @@ impl Numeric {
         0.5 * (bodies + self.rotors().map(|(column, j)| phi[column] * dq[j] * dq[j]).sum::<f64>())
     }
 
-    /// Potential energy, J, `-sum (M g . p + g . R MS)`: zero for a mass in the base frame's
+    /// Potential energy, J, `-sum (M g . p + g . R MS)`: zero for a mass in the world frame's
     /// origin.
     pub fn potential_energy(&self, q: &[f64], phi: &[f64]) -> f64 {
         self.check_phi(phi);

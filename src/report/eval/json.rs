@@ -15,8 +15,8 @@ pub fn eval_json(quantity: &str, arm: &dyn Arm, shape: &[usize], mut values: Vec
     let names: Vec<String> = match quantity {
         "regressor" => arm.standard_names().to_vec(),
         "base_regressor" => arm.base_parameters().iter().map(|b| b.name.clone()).collect(),
-        "jacobian" | "mass_matrix" => joints("q"),
-        "forward_kinematics" => {
+        "jacobian" | "tool_jacobian" | "mass_matrix" => joints("q"),
+        "forward_kinematics" | "tool_pose" => {
             rows = 4;
             values.iter_mut().for_each(|v| v.extend([0.0, 0.0, 0.0, 1.0]));
             ["x_axis", "y_axis", "z_axis", "origin"].map(String::from).to_vec()

@@ -26,6 +26,15 @@ pub struct BaseParameter {
     pub grouping: String,
     /// Index into [`standard`] and factor, ascending.
     pub coefficients: Vec<(usize, f64)>,
+    /// The same factors in the constants of the file.
+    pub closed_forms: Vec<Polynomial>,
+}
+
+impl BaseParameter {
+    /// Whether it groups nothing but its leader.
+    pub fn stands_alone(&self) -> bool {
+        self.coefficients.len() == 1 && self.coefficients[0].1 == 1.0
+    }
 }
 
 /// The base parameters of a robot, in the order of the base regressor's columns.
@@ -462,7 +471,7 @@ impl BaseParameters {
             let name = format!("{}{}", leader.name(), if groups { "R" } else { "" });
             let grouping = grouping_text(&name, index[&leader], &form, &parameters, &constants);
             let coefficients = form.iter().map(|(&i, c)| (i, c.value(&robot.constants))).collect();
-            Some(BaseParameter { leader, name, grouping, coefficients })
+            Some(BaseParameter { leader, name, grouping, coefficients, closed_forms: form.into_values().collect() })
         });
         Self(base.collect())
     }

@@ -164,8 +164,8 @@ impl Chain {
             graph,
             inputs,
             links,
-            lift: Vec3::numbers(graph, self.lift),
-            world_lift: Vec3::numbers(graph, self.world_lift),
+            lift: Vec3::given(graph, self.lift),
+            world_lift: Vec3::given(graph, self.world_lift),
             base: self.base,
             tool: self.tool,
         }
@@ -278,10 +278,10 @@ impl<'g> Link<'g> {
         };
         let r = match (row.kind, row.dof) {
             (JointKind::Prismatic, Some(k)) => {
-                let r = g.input(inputs.index(Group::Position, k)) + row.r;
+                let r = g.input(inputs.index(Group::Position, k)) + g.given(row.r);
                 wound.map_or(r, |by| r - by)
             }
-            _ => g.constant(row.r),
+            _ => g.given(row.r),
         };
         let pair = |(s, c): (f64, f64)| (g.constant(s), g.constant(c));
         Self {
@@ -289,10 +289,10 @@ impl<'g> Link<'g> {
             dof: row.dof,
             turn,
             twist: pair(row.alpha),
-            d: g.constant(row.d),
+            d: g.given(row.d),
             r,
             r_constant: row.r,
-            body: row.body.map(|(d, twist)| (g.constant(d), pair(twist))),
+            body: row.body.map(|(d, twist)| (g.given(d), pair(twist))),
         }
     }
 

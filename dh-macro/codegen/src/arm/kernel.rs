@@ -14,6 +14,8 @@ pub enum Function {
     ToolPose,
     /// `6 x n`, linear part first, of the last DH frame's origin, base axes.
     Jacobian,
+    /// `6 x n` of the tool frame's origin.
+    ToolJacobian,
     /// `dJ/dt dq`, `6`.
     JacobianDotVelocity,
     /// `tau` from standard parameters.
@@ -60,11 +62,12 @@ pub enum Function {
 impl Function {
     /// All, in the order of the generated crate; further ones that only a file with effects has:
     /// see [`Function::WITH_EFFECTS`].
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 18] = [
         Self::Frames,
         Self::ForwardKinematics,
         Self::ToolPose,
         Self::Jacobian,
+        Self::ToolJacobian,
         Self::JacobianDotVelocity,
         Self::InverseDynamics,
         Self::InverseDynamicsBase,
@@ -111,6 +114,7 @@ impl Function {
             Self::ForwardKinematics => "forward_kinematics",
             Self::ToolPose => "tool_pose",
             Self::Jacobian => "jacobian",
+            Self::ToolJacobian => "tool_jacobian",
             Self::JacobianDotVelocity => "jacobian_dot_velocity",
             Self::InverseDynamics => "inverse_dynamics",
             Self::InverseDynamicsBase => "inverse_dynamics_base",
@@ -145,6 +149,7 @@ impl Function {
             | Self::ForwardKinematics
             | Self::ToolPose
             | Self::Jacobian
+            | Self::ToolJacobian
             | Self::GravityRegressor
             | Self::PotentialEnergyRegressor => &[Configuration],
             Self::JacobianDotVelocity | Self::KineticEnergyRegressor => &[Configuration, Velocities],
@@ -224,7 +229,7 @@ impl Kernel {
     pub(super) fn new(function: Function, inputs: Inputs, shape: Vec<usize>, roots: &[Ex<'_>]) -> Self {
         let tape = match roots.first() {
             Some(first) => Tape::new(first.graph(), roots),
-            None => Tape { code: Vec::new(), outputs: Vec::new(), labels: Vec::new(), sections: Vec::new() },
+            None => Tape::default(),
         };
         Self { function, shape, inputs, tape }
     }

@@ -62,19 +62,28 @@ pub(super) fn tool<'g>(links: &Links<'g>) -> Option<Pose<'g>> {
     links.graph.section("tool");
     Some(match &links.tool {
         None => last,
-        Some(tool) => Pose {
-            r: last.r * tool_rotation(links.graph, tool),
-            p: last.p + last.r * Vec3::numbers(links.graph, tool.1),
-        },
+        Some(tool) => {
+            Pose { r: last.r * tool_rotation(links.graph, tool), p: last.p + last.r * Vec3::given(links.graph, tool.1) }
+        }
     })
 }
 
 /// Jacobian of the last DH frame's origin in world axes: six rows (linear, angular) by `n`,
 /// row-major.
 pub(super) fn jacobian<'g>(links: &Links<'g>) -> Vec<Ex<'g>> {
+    frames(links).last().map(|last| jacobian_of(links, last.p)).unwrap_or_default()
+}
+
+/// The same of the tool frame's origin.
+pub(super) fn tool_jacobian<'g>(links: &Links<'g>) -> Vec<Ex<'g>> {
+    tool(links).map(|tool| jacobian_of(links, tool.p)).unwrap_or_default()
+}
+
+/// Velocity of a point fixed to the last link, m/s per unit of each joint's, then the link's
+/// angular velocity; world axes.
+fn jacobian_of<'g>(links: &Links<'g>, end: Vec3<'g>) -> Vec<Ex<'g>> {
     let n = links.inputs.dof;
     let joints = joint_frames(links);
-    let Some(end) = frames(links).last().map(|f| f.p) else { return Vec::new() };
     let mut entries = vec![links.number(0.0); 6 * n];
     links.graph.section("columns");
     for (row, k) in links.moving() {
@@ -97,7 +106,7 @@ pub(super) fn jacobian_dot_velocity<'g>(links: &Links<'g>) -> Vec<Ex<'g>> {
     let Some(last) = links.links.len().checked_sub(1) else { return Vec::new() };
     let body = Sweep::new(links, Include::VELOCITY).body(links, last, false);
     let Some(pose) = frames(links).last().copied() else { return Vec::new() };
-    links.graph.section("in base axes");
+    links.graph.section("in world axes");
     let (a, dw) = (pose.r * body.a, pose.r * body.dw);
     a.0.into_iter().chain(dw.0).collect()
 }

@@ -126,6 +126,7 @@ impl Model {
             }
             Function::ToolPose => make(vec![3, 4], kinematics::tool(&links).map(|p| p.entries()).unwrap_or_default()),
             Function::Jacobian => make(vec![6, n], kinematics::jacobian(&links)),
+            Function::ToolJacobian => make(vec![6, n], kinematics::tool_jacobian(&links)),
             Function::JacobianDotVelocity => make(vec![6], kinematics::jacobian_dot_velocity(&links)),
             Function::InverseDynamics if !self.laws.is_empty() => {
                 make(vec![n], drive::torques(&self.chain, &graph, &self.standard, &self.laws, drive::Memory::Steady))
@@ -147,8 +148,7 @@ impl Model {
                 make(vec![n, n], full.map(|(i, j)| upper[i][j]).collect())
             }
             Function::ForwardDynamics => {
-                let values = base_values();
-                let mass = dynamics::mass_matrix(&links, &values);
+                let mass = dynamics::mass_matrix(&links, &base_values());
                 let bias = self.torques(&links, &leaders, Include::BIAS, true);
                 let right: Vec<Ex<'_>> =
                     bias.iter().enumerate().map(|(k, &b)| links.input(super::chain::Group::Torque, k) - b).collect();

@@ -149,7 +149,7 @@ impl<'a, 'g> Columns<'a, 'g> {
                 let wrench = match &links.tool {
                     None => Wrench::unit(&body, which),
                     Some(tool) => {
-                        let (r, p) = (super::chain::tool_rotation(g, tool), crate::sym::Vec3::numbers(g, tool.1));
+                        let (r, p) = (super::chain::tool_rotation(g, tool), crate::sym::Vec3::given(g, tool.1));
                         let back = r.transposed();
                         let motion = Motion::new(back * body.w, back * body.dw, back * body.at(p));
                         let Wrench { f, n } = Wrench::unit(&motion, which);

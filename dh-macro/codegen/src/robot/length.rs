@@ -25,6 +25,11 @@ impl Polynomial {
         Self { terms: BTreeMap::from([(vec![(index, 1)], 1.0)]) }
     }
 
+    /// Monomials, each with its factor.
+    pub fn terms(&self) -> impl Iterator<Item = (&[(usize, u32)], f64)> {
+        self.terms.iter().map(|(monomial, &factor)| (monomial.as_slice(), factor))
+    }
+
     /// Exactly zero?
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()

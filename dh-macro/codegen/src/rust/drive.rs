@@ -21,8 +21,17 @@ impl crate::robot::Laws {
     }
 }
 
+/// The text of `src/joint_drives.rs`.
+pub(super) fn file(model: &Model) -> String {
+    let springs = if model.laws().iter().any(|l| l.elasticity.is_some()) { ", rigid_dynamics" } else { "" };
+    format!(
+        "//! Drives of the joints: constants of their laws, and their state.\n\nuse super::elementary::Real;\nuse super::{{DOF, STANDARD, drive, drive_torques{springs}}};\n\n{}",
+        print(model)
+    )
+}
+
 /// Constants, and `Drive`.
-pub(super) fn print(model: &Model) -> String {
+fn print(model: &Model) -> String {
     let mut t = String::new();
     let delays: Vec<String> = model.laws().iter().map(|l| format!("{:?}", l.delay)).collect();
     let _ = writeln!(

@@ -6,8 +6,8 @@ use crate::arm::{Inverse, Model};
 use crate::ik::{Axis, Family, Method, Six};
 
 /// One per line.
-fn axes(axes: &[Axis]) -> String {
-    axes.iter().map(|a| format!("        ik::{a:?},\n")).collect()
+fn axes(axes: &[Axis], indent: &str) -> String {
+    axes.iter().map(|a| format!("{indent}ik::{a:?},\n")).collect()
 }
 
 /// An option whose value has a name of its own.
@@ -25,7 +25,7 @@ fn six(six: &Six) -> String {
     };
     format!(
         "ik::Six {{\n        axes: [\n{}        ],\n        joints: [{}],\n        reversed: {},\n        method: {method},\n    }}",
-        axes(&six.axes),
+        axes(&six.axes, "            "),
         joints.join(", "),
         six.reversed
     )
@@ -37,7 +37,7 @@ fn family(family: &Family) -> String {
         Family::Locked { joint, six: s } => format!("ik::Family::Locked {{ joint: {joint}, six: {} }}", six(s)),
         Family::Swivel(s) => format!(
             "ik::Family::Swivel(ik::Swivel {{\n        axes: [\n{}        ],\n        shoulder: {:?},\n        elbow: {:?},\n        wrist: {:?},\n    }})",
-            axes(&s.axes),
+            axes(&s.axes, "            "),
             s.shoulder,
             s.elbow,
             s.wrist
@@ -49,7 +49,7 @@ fn family(family: &Family) -> String {
             format!(
                 "ik::Family::Plane(ik::Plane {{\n        h: {:?},\n        axes: [\n{}        ],\n        joints: [{}],\n        lift: {lift},\n    }})",
                 p.h,
-                axes(&p.axes),
+                axes(&p.axes, "            "),
                 joints.join(", ")
             )
         }
@@ -58,20 +58,26 @@ fn family(family: &Family) -> String {
     }
 }
 
-/// Class, reason, constants, function.
-pub(super) fn print(model: &Model) -> String {
+/// Class, reason, lines and family.
+pub(super) fn constants(model: &Model) -> String {
     let inverse = Inverse::new(model.chain());
     let mut t = String::new();
-    let _ = writeln!(t, "/// Which inverse the arm has.\npub const IK_CLASS: &str = {:?};", inverse.class);
-    let _ = writeln!(t, "/// What in its geometry makes it so.\npub const IK_REASON: &str = {:?};", inverse.reason);
+    let _ = writeln!(t, "/// Class of the inverse kinematics.\npub const IK_CLASS: &str = {:?};", inverse.class);
+    let _ = writeln!(t, "/// The geometry that makes it so.\npub const IK_REASON: &str = {:?};", inverse.reason);
     let _ = writeln!(
         t,
-        "/// Lines of the joints at `q = 0` in base axes, m, and how the arm is taken apart.\npub const IK: ik::Arm<DOF> = ik::Arm {{\n    axes: [\n{}    ],\n    home: ik::{:?},\n    limits: POSITION_LIMITS,\n    exact: {},\n    family: {},\n}};\n",
-        axes(&inverse.axes),
+        "/// Lines of the joints at `q = 0` in world axes, m, and the method of the inverse.\npub const IK: ik::Arm<DOF> = ik::Arm {{\n    axes: [\n{}    ],\n    home: ik::{:?},\n    limits: POSITION_LIMITS,\n    exact: {},\n    family: {},\n}};",
+        axes(&inverse.axes, "        "),
         inverse.home,
         inverse.exact,
         family(&inverse.family)
     );
+    t
+}
+
+/// The function.
+pub(super) fn function(model: &Model) -> String {
+    let inverse = Inverse::new(model.chain());
     let redundancy = match &inverse.family {
         Family::Swivel(_) => " `query.redundancy` is the swivel angle, rad.".to_string(),
         Family::Locked { joint, .. } => format!(" `query.redundancy` is the position of joint {}.", joint + 1),
@@ -85,12 +91,10 @@ pub(super) fn print(model: &Model) -> String {
             "Postures ([`ik::Solutions::lost`] and [`ik::Solutions::uncertain`] say where one may be missing)"
         }
     };
-    let _ = writeln!(
-        t,
-        "/// {which} that bring the last DH frame to a pose: the top three rows of `T(0, n)`, m.\n///\n/// {}.{redundancy}\n///\n/// # Errors\n/// If an entry is not finite, or the rotation is none.\npub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {{\n    IK.solve_inlined(pose, query)\n}}\n",
+    format!(
+        "/// {which} that bring the last DH frame to a pose: the top three rows of `T(0, n)`, m.\n///\n/// {}.{redundancy}\n///\n/// # Errors\n/// If an entry is not finite, or the first three columns are no rotation.\npub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {{\n    IK.solve_inlined(pose, query)\n}}\n",
         capital(&inverse.reason)
-    );
-    t
+    )
 }
 
 fn capital(text: &str) -> String {

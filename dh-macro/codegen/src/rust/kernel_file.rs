@@ -2,7 +2,9 @@
 
 use core::fmt::Write;
 
+use super::documentation::doc;
 use super::names::Names;
+use super::numbers::Numbers;
 use super::print::{statements, wrapped};
 use super::words::Constant;
 use crate::arm::chain::Group;
@@ -10,121 +12,29 @@ use crate::arm::{Argument, Function, Kernel};
 use crate::robot::Robot;
 use crate::sym::Operand;
 
-/// What a function means, for people.
-pub(super) fn doc(function: Function) -> (&'static str, &'static str) {
-    match function {
-        Function::Frames => (
-            "DH frames of all rows in the base frame",
-            "`out[i]` is the top three rows of the homogeneous matrix `T(0, i+1)`, m and one. Khalil and Dombre, 3.2.",
-        ),
-        Function::ForwardKinematics => (
-            "The last DH frame in the base frame",
-            "`out` is the top three rows of `T(0, n)`: axes of the frame as columns, then its origin, m. Khalil and Dombre, 3.2.",
-        ),
-        Function::ToolPose => (
-            "The tool frame in the base frame",
-            "Like `forward_kinematics`, followed by the tool's pose (the identity where the robot file has no tool).",
-        ),
-        Function::Jacobian => (
-            "Jacobian of the last DH frame's origin, in base axes",
-            "`(v, w) = J dq`: rows 0-2 linear, m/s, rows 3-5 angular, rad/s. Khalil and Dombre, 5.2.",
-        ),
-        Function::JacobianDotVelocity => (
-            "Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`",
-            "In base axes; entries 0-2 linear, m/s^2, 3-5 angular, rad/s^2. Khalil and Dombre, 5.10.",
-        ),
-        Function::InverseDynamics => (
-            "Torques from the standard parameters",
-            "`tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil and Dombre, 9.5.2.",
-        ),
-        Function::InverseDynamicsBase => (
-            "Torques from the base parameters",
-            "`tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil and Dombre, 9.6.",
-        ),
-        Function::MassMatrix => (
-            "Mass matrix `M`, symmetric, kg m^2",
-            "From the base parameters, rotors on the diagonal, by composite bodies. Featherstone, 6.2.",
-        ),
-        Function::Coriolis => {
-            ("Coriolis and centrifugal torques `C dq`", "N m, from the base parameters; no gravity, no friction.")
-        }
-        Function::Gravity => ("Gravity torques `g`", "N m, from the base parameters: what holds the arm up at rest."),
-        Function::ForwardDynamics => (
-            "Accelerations that torques cause",
-            "`ddq = M^-1 (tau - C dq - g - friction)`, rad/s^2, from the base parameters; `M = L D L'` written out.",
-        ),
-        Function::Regressor => (
-            "Regressor `W` of the standard parameters",
-            "`tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.",
-        ),
-        Function::BaseRegressor => (
-            "Regressor `W_b` of the base parameters",
-            "`tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4.",
-        ),
-        Function::GravityRegressor => (
-            "Regressor at rest",
-            "`g = W_g phi` for the links' parameters only; columns as the first of `STANDARD_NAMES`.",
-        ),
-        Function::KineticEnergyRegressor => {
-            ("Kinetic energy, one entry per standard parameter", "`T = h phi`, J per unit. Khalil and Dombre, 9.4.")
-        }
-        Function::PotentialEnergyRegressor => (
-            "Potential energy, one entry per standard parameter",
-            "`U = h phi`, J per unit, zero at the base frame's origin; an offset torque counts as `FO q`.",
-        ),
-        Function::RigidDynamics => (
-            "Torques of the bodies, rotors and plain friction, without the effects of the file",
-            "`tau = M ddq + C dq + g + friction`, N m, from the standard parameters. Newton-Euler, Khalil and Dombre, 9.5.2.",
-        ),
-        Function::DriveTorques => (
-            "Torques at the sensors for given states of the drives",
-            "Like `inverse_dynamics`, N m; `bristle`: what stands for the sign of the velocity in friction with memory, in [-1, 1]; `warmth`: factor of each joint's friction that drifts. `Drive` keeps both.",
-        ),
-        Function::BaseRegressorAdjoint => (
-            "Derivative of a weighted sum of the base regressor's entries",
-            "`out = sum of seed[k] d(entry k)/d(q, dq, ddq)`, one row each; `entry k` stands at `kernel::base_regressor::PATTERN[k]`. The sign of a velocity has derivative zero. Griewank and Walther, 3.2.",
-        ),
-        Function::PayloadRegressorAdjoint => (
-            "Derivative of a weighted sum of the payload regressor's entries",
-            "`out = sum of seed[k] d(entry k)/d(q, dq, ddq)`, one row each; `entry k` stands at `kernel::payload_regressor::PATTERN[k]`. Griewank and Walther, 3.2.",
-        ),
-        Function::InverseDynamicsAdjoint => (
-            "Derivative of a weighted sum of the torques",
-            "`out = sum of seed[j] d(tau_j)/d(q, dq, ddq)`, one row each. The sign of a velocity has derivative zero. Griewank and Walther, 3.2.",
-        ),
-        Function::FramesAdjoint => (
-            "Derivative of a weighted sum of the frames' entries",
-            "`out = sum of seed[k] d(entry k)/d(q, dq, ddq)`, one row each (only the first is not zero); `entry k` stands at `kernel::frames::PATTERN[k]`. Heights and distances of points on the arm are such sums. Griewank and Walther, 3.2.",
-        ),
-        Function::ToolPoseAdjoint => (
-            "Derivative of a weighted sum of the tool frame's entries",
-            "`out = sum of seed[k] d(entry k)/d(q, dq, ddq)`, one row each (only the first is not zero); entries row-major, those only that are not structurally zero. Griewank and Walther, 3.2.",
-        ),
-        Function::PayloadRegressor => (
-            "Regressor of a body fixed to the tool frame",
-            "`tau = W_L phi_L`, columns `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool frame, about its origin (the paper's (7)).",
-        ),
-    }
-}
-
 /// What the printer has to know of the robot.
 pub(super) struct Context<'a> {
     pub robot: &'a Robot,
     pub constants: &'a [Constant],
+    pub numbers: &'a Numbers,
+    /// Those of kernels with gravity in the world frame.
+    pub world_numbers: &'a Numbers,
     pub standard: &'a [String],
     pub base: &'a [String],
     pub kernels: &'a [Kernel],
 }
 
 impl Context<'_> {
-    /// What a function means for this robot.
+    /// Title and meaning of a function for this robot.
     pub(super) fn doc(&self, function: Function) -> (&'static str, &'static str) {
+        doc(function, self.robot.has_effects())
+    }
+
+    /// The recursions have gravity in frame 0, the potential energy in the world frame.
+    fn numbers(&self, function: Function) -> &Numbers {
         match function {
-            Function::InverseDynamics if self.robot.has_effects() => (
-                "Torques at the sensors from the standard parameters, with the effects of the robot file",
-                "`tau = GT clip(M ddq + C dq + g + drives) + TO`, N m. The laws of the drives are in it as steady curves: friction with memory has slipped, gears are warm; `Drive` has their memory, `TIME_DELAY` says how late the sensors are.",
-            ),
-            _ => doc(function),
+            Function::PotentialEnergyRegressor => self.world_numbers,
+            _ => self.numbers,
         }
     }
 
@@ -216,38 +126,10 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
     let tape = if packed { kernel.tape.with_few_waiting() } else { kernel.tape.clone() };
     let kernel = &Kernel { tape, ..kernel.clone() };
     let function = kernel.function;
-    let (title, meaning) = context.doc(function);
-    let bound = bound(kernel);
-    let names = Names::new(&kernel.tape, kernel.inputs, context.parameters(function), context.constants);
+    let names = Names::new(&kernel.tape, kernel.inputs, context.parameters(function), context.numbers(function));
     let names = if function.primal().is_some() { names.with_seeds() } else { names };
-    let count = kernel.tape.operations();
-    let nonzeros = kernel.nonzeros();
-    let size: usize = kernel.shape.iter().product();
-    let shape = kernel.shape.iter().map(usize::to_string).collect::<Vec<_>>().join(" x ");
-
-    let mut text = String::new();
-    let _ = writeln!(text, "//! {title}.\n//!\n//! {meaning}\n//!");
-    let _ = writeln!(
-        text,
-        "//! {} multiplications, {} additions; {shape}, {} of {size} structurally nonzero.\n",
-        count.mul,
-        count.add,
-        nonzeros.len()
-    );
-    let uses = ["DOF", "STANDARD", "BASE"].into_iter().filter(|c| signature(function, "").contains(c));
-    let of_file = names.constants().any(|(_, value)| value.starts_with("constants::")).then_some("constants");
-    let uses: Vec<&str> = uses.chain(["Trig"]).chain(of_file).collect();
-    let clears = packed && gaps(&nonzeros, size).iter().any(|run| run.len() > 1);
-    let numbers = match (bound, packed) {
-        ("Real", true) if clears => "{elementary::Real, runtime::{apart, clear}}",
-        ("Real", true) => "{elementary::Real, runtime::apart}",
-        ("Real", false) => "elementary::Real",
-        (_, true) if clears => "runtime::{Scalar, apart, clear}",
-        (_, true) => "runtime::{Scalar, apart}",
-        (_, false) => "runtime::Scalar",
-    };
-    let _ = writeln!(text, "use super::super::{numbers};\nuse super::super::{{{}}};\n", uses.join(", "));
-
+    let file = File { kernel, names, nonzeros: kernel.nonzeros(), packed, title: context.doc(function).0 };
+    let mut text = file.heading(context.doc(function).1);
     if let Some(seeds) = context.seeds(function) {
         let _ = writeln!(
             text,
@@ -255,104 +137,174 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
         );
     }
     if packed {
+        text += &file.pattern();
+    }
+    text += &file.dense();
+    if packed {
+        text += &file.sparse();
+    }
+    text + &file.entries(context)
+}
+
+/// One function on its way into a file.
+struct File<'a> {
+    kernel: &'a Kernel,
+    names: Names,
+    /// Outputs that are not structurally zero.
+    nonzeros: Vec<usize>,
+    /// Whether there are forms that leave the zeros out.
+    packed: bool,
+    title: &'static str,
+}
+
+impl File<'_> {
+    /// Entries of the result.
+    fn size(&self) -> usize {
+        self.kernel.shape.iter().product()
+    }
+
+    /// Entries behind the first index.
+    fn row(&self) -> usize {
+        self.kernel.shape.iter().skip(1).product()
+    }
+
+    fn signature(&self) -> String {
+        signature(self.kernel.function, "trig: &Trig<S>")
+    }
+
+    fn call(&self) -> String {
+        call(self.kernel.function, "trig")
+    }
+
+    /// Comment of the file, and what it uses.
+    fn heading(&self, meaning: &str) -> String {
+        let count = self.kernel.tape.operations();
+        let shape = self.kernel.shape.iter().map(usize::to_string).collect::<Vec<_>>().join(" x ");
+        let mut text = format!("//! {}.\n//!\n//! {meaning}\n//!\n", self.title);
         let _ = writeln!(
             text,
-            "/// Entries that are not structurally zero.\npub const NONZEROS: usize = {};\n",
-            nonzeros.len()
+            "//! {} multiplications, {} additions; {shape}, {} of {} structurally nonzero.\n",
+            count.mul,
+            count.add,
+            self.nonzeros.len(),
+            self.size()
         );
-        let rows: Vec<String> = nonzeros
-            .iter()
-            .map(|&o| format!("({}, {})", o / (size / kernel.shape[0]), o % (size / kernel.shape[0])))
-            .collect();
-        let of = if kernel.shape.len() == 2 { "Row and column" } else { "First index, and the rest row-major," };
-        let list: Vec<String> = rows.chunks(10).map(|c| format!("    {},", c.join(", "))).collect();
-        let _ = writeln!(
-            text,
-            "/// {of} of each of them, in the order of [`packed`].\npub const PATTERN: [(usize, usize); NONZEROS] = [\n{}\n];\n",
+        let signature = signature(self.kernel.function, "");
+        let uses = ["DOF", "STANDARD", "BASE"].into_iter().filter(|c| signature.contains(c));
+        let names = |word: &str| self.names.constants().any(|(_, value)| value.contains(word));
+        let of_file = names("constants::").then_some("constants");
+        let gravity = ["GRAVITY", "GRAVITY_IN_BASE"].into_iter().find(|word| names(&format!("{word}[")));
+        let uses: Vec<&str> = uses.chain(gravity).chain(["Trig"]).chain(of_file).collect();
+        let clears = self.packed && gaps(&self.nonzeros, self.size()).iter().any(|run| run.len() > 1);
+        let numbers = match (bound(self.kernel), self.packed) {
+            ("Real", true) if clears => "{elementary::Real, runtime::{apart, clear}}",
+            ("Real", true) => "{elementary::Real, runtime::apart}",
+            ("Real", false) => "elementary::Real",
+            (_, true) if clears => "runtime::{Scalar, apart, clear}",
+            (_, true) => "runtime::{Scalar, apart}",
+            (_, false) => "runtime::Scalar",
+        };
+        let _ = writeln!(text, "use super::super::{numbers};\nuse super::super::{{{}}};\n", uses.join(", "));
+        text
+    }
+
+    /// Where the entries stand that are not structurally zero.
+    fn pattern(&self) -> String {
+        let row = self.row();
+        let places: Vec<String> = self.nonzeros.iter().map(|&o| format!("({}, {})", o / row, o % row)).collect();
+        let of = if self.kernel.shape.len() == 2 { "Row and column" } else { "First index, and the rest row-major," };
+        let list: Vec<String> = places.chunks(10).map(|c| format!("    {},", c.join(", "))).collect();
+        format!(
+            "/// Entries that are not structurally zero.\npub const NONZEROS: usize = {};\n\n/// {of} of each of them, in the order of [`packed`].\npub const PATTERN: [(usize, usize); NONZEROS] = [\n{}\n];\n\n/// Place of entry `k` in the row-major result.\nconst fn place(k: usize) -> usize {{\n    PATTERN[k].0 * {row} + PATTERN[k].1\n}}\n\n",
+            self.nonzeros.len(),
             list.join("\n")
-        );
+        )
     }
-    if packed {
-        let row = size / kernel.shape[0];
-        let _ = writeln!(
-            text,
-            "/// Where entry `k` stands in the row-major result.\nconst fn place(k: usize) -> usize {{\n    PATTERN[k].0 * {row} + PATTERN[k].1\n}}\n"
-        );
-    }
-    let arguments = signature(function, "trig: &Trig<S>");
-    let call = call(function, "trig");
-    let target = match (packed, kernel.shape.len()) {
-        (true, 1) => "out[PATTERN[k].0] = x;".to_string(),
-        (true, 2) => "out[PATTERN[k].0][PATTERN[k].1] = x;".to_string(),
-        (true, _) => format!("out[PATTERN[k].0][PATTERN[k].1 / {0}][PATTERN[k].1 % {0}] = x;", kernel.shape[2]),
-        (false, 1) => "out[k] = x;".to_string(),
-        (false, 2) => format!("out[k / {0}][k % {0}] = x;", kernel.shape[1]),
-        (false, _) => {
-            format!("out[k / {1}][k % {1} / {0}][k % {0}] = x;", kernel.shape[2], kernel.shape[1] * kernel.shape[2])
+
+    /// The statement that stores entry `k`.
+    fn target(&self) -> String {
+        let shape = &self.kernel.shape;
+        match (self.packed, shape.len()) {
+            (true, 1) => "out[PATTERN[k].0] = x;".to_string(),
+            (true, 2) => "out[PATTERN[k].0][PATTERN[k].1] = x;".to_string(),
+            (true, _) => format!("out[PATTERN[k].0][PATTERN[k].1 / {0}][PATTERN[k].1 % {0}] = x;", shape[2]),
+            (false, 1) => "out[k] = x;".to_string(),
+            (false, 2) => format!("out[k / {0}][k % {0}] = x;", shape[1]),
+            (false, _) => {
+                format!("out[k / {1}][k % {1} / {0}][k % {0}] = x;", shape[2], shape[1] * shape[2])
+            }
         }
-    };
-    let out = array(&kernel.shape);
-    let entries = format!("    entries({call}, |k, x| {{\n        {target}\n    }});\n");
-    let _ = writeln!(
-        text,
-        "/// {title}: every entry of `out` is written.\n#[inline]\npub fn dense<S: {bound}>({arguments}, out: &mut {out}) {{"
-    );
-    if packed {
+    }
+
+    /// The form that writes every entry.
+    fn dense(&self) -> String {
+        let (title, bound, call) = (self.title, bound(self.kernel), self.call());
+        let mut text = format!(
+            "/// {title}: every entry of `out` is written.\n#[inline]\npub fn dense<S: {bound}>({}, out: &mut {}) {{\n",
+            self.signature(),
+            array(&self.kernel.shape)
+        );
+        if !self.packed {
+            let _ = writeln!(text, "    entries({call}, |k, x| {{\n        {}\n    }});\n}}\n", self.target());
+            return text;
+        }
         // Each entry is written once: clearing the whole array first would take a call of `memset`,
         // and every store twice. The stretches of zeros go among the other stores: all of them at
         // once would have the rest wait.
-        let flat = ".as_flattened_mut()".repeat(kernel.shape.len() - 1);
+        let flat = ".as_flattened_mut()".repeat(self.kernel.shape.len() - 1);
         let _ = writeln!(text, "    let flat = &mut out{flat}[..];");
         let clear = |run: &core::ops::Range<usize>| match run.len() {
             1 => format!("flat[{}] = S::default()", run.start),
             _ => format!("clear(&mut flat[{}..{}])", run.start, run.end),
         };
-        let runs = gaps(&nonzeros, size);
+        let runs = gaps(&self.nonzeros, self.size());
         if let Some(first) = runs.first().filter(|run| run.start == 0) {
             let _ = writeln!(text, "    {};", clear(first));
         }
         let _ = writeln!(text, "    entries({call}, |k, x| {{\n        flat[place(k)] = x;\n        match k {{");
-        for (k, &entry) in nonzeros.iter().enumerate() {
+        for (k, &entry) in self.nonzeros.iter().enumerate() {
             if let Some(run) = runs.iter().find(|run| run.start == entry + 1) {
                 let _ = writeln!(text, "            {k} => {},", clear(run));
             }
         }
-        text += "            _ => {}\n        }\n        apart();\n    });\n}\n\n";
-        let _ = writeln!(
-            text,
-            "/// The same, where all other entries of `out` are zero already: they are left alone.\n#[inline]\npub fn nonzeros<S: {bound}>({arguments}, out: &mut {out}) {{\n{entries}}}\n"
+        text + "            _ => {}\n        }\n        apart();\n    });\n}\n\n"
+    }
+
+    /// The forms that leave structural zeros out.
+    fn sparse(&self) -> String {
+        let (bound, arguments, call) = (bound(self.kernel), self.signature(), self.call());
+        format!(
+            "/// The same for an `out` that is zero elsewhere already: other entries are not touched.\n#[inline]\npub fn nonzeros<S: {bound}>({arguments}, out: &mut {}) {{\n    entries({call}, |k, x| {{\n        {}\n    }});\n}}\n\n/// The same, only the entries of [`PATTERN`].\n#[inline]\npub fn packed<S: {bound}>({arguments}, out: &mut [S; NONZEROS]) {{\n    entries({call}, |k, x| out[k] = x);\n}}\n\n",
+            array(&self.kernel.shape),
+            self.target()
+        )
+    }
+
+    /// The straight-line program.
+    fn entries(&self, context: &Context<'_>) -> String {
+        let put = if self.nonzeros.is_empty() { "_" } else { "mut put" };
+        let mut text = format!(
+            "#[allow(non_snake_case, clippy::all)]\n#[inline(always)]\nfn entries<S: {}>({}, {put}: impl FnMut(usize, S)) {{\n",
+            bound(self.kernel),
+            self.signature()
         );
-    } else {
-        let _ = writeln!(text, "{entries}}}\n");
+        text += &inputs(self.kernel, &self.names);
+        for (name, value) in self.names.constants() {
+            let _ = writeln!(text, "    let {name} = S::constant({value});");
+        }
+        let shape = &self.kernel.shape;
+        let columns = column_names(self.kernel.function, context);
+        text += &statements(&self.kernel.tape, &self.names, &self.nonzeros, |o, value| {
+            let k = self.nonzeros.iter().position(|&n| n == o).unwrap_or(0);
+            let note = match (&columns, shape.as_slice()) {
+                (Some(columns), [_, width]) => format!(" // row {}, {}", o / width + 1, columns[o % width]),
+                _ if shape.len() > 1 => format!(" // {}", place(shape, o)),
+                _ => String::new(),
+            };
+            format!("put({k}, {value});{note}")
+        });
+        text + "}\n"
     }
-    if packed {
-        let _ = writeln!(
-            text,
-            "/// The same, only the entries of [`PATTERN`].\n#[inline]\npub fn packed<S: {bound}>({arguments}, out: &mut [S; NONZEROS]) {{\n    entries({}, |k, x| out[k] = x);\n}}\n",
-            call
-        );
-    }
-    let put = if nonzeros.is_empty() { "_" } else { "mut put" };
-    let _ = writeln!(
-        text,
-        "#[allow(non_snake_case, clippy::all)]\n#[inline(always)]\nfn entries<S: {bound}>({arguments}, {put}: impl FnMut(usize, S)) {{"
-    );
-    text += &inputs(kernel, &names);
-    for (name, value) in names.constants() {
-        let _ = writeln!(text, "    let {name} = S::constant({value});");
-    }
-    let columns = column_names(function, context);
-    text += &statements(&kernel.tape, &names, &nonzeros, |o, value| {
-        let k = nonzeros.iter().position(|&n| n == o).unwrap_or(0);
-        let note = match (&columns, kernel.shape.as_slice()) {
-            (Some(columns), [_, width]) => format!(" // row {}, {}", o / width + 1, columns[o % width]),
-            _ if kernel.shape.len() > 1 => format!(" // {}", place(&kernel.shape, o)),
-            _ => String::new(),
-        };
-        format!("put({k}, {value});{note}")
-    });
-    text += "}\n";
-    text
 }
 
 fn column_names(function: Function, context: &Context<'_>) -> Option<Vec<String>> {

@@ -4,9 +4,12 @@
 use core::fmt::Write;
 use std::collections::BTreeMap;
 
+use super::comment::wrapped;
+use super::front::Front;
 use super::kernel_file::{self, Context};
-use super::{shell, tests_file, words};
-use crate::arm::{Function, Kernel, Model};
+use super::numbers::{Gravity, Numbers};
+use super::{drive, implementations, parameters, shell, shipped, tests_file, words};
+use crate::arm::{Function, Inverse, Kernel, Model};
 use crate::interpret::Interpreter;
 use crate::robot::{Robot, crate_name};
 
@@ -14,15 +17,37 @@ use crate::robot::{Robot, crate_name};
 /// generator's own.
 pub const MARK: &str = "# Written by `denavit generate`.";
 
+/// The licences under which generated code may be used.
+const LICENCES: [(&str, &str); 2] =
+    [("LICENSE-MIT", include_str!("../../LICENSE-MIT")), ("LICENSE-APACHE", include_str!("../../LICENSE-APACHE"))];
+
 /// The parts that crate and macro share: body of the root, and the files below it.
 pub(super) struct Parts {
-    pub header: String,
+    /// Comment at the top of a module.
+    pub module: String,
+    /// Comment at the top of a crate.
+    pub crate_root: String,
+    pub readme: String,
     pub root: String,
+    /// Bound on the numbers of the dynamics.
+    pub scalar: &'static str,
     pub files: BTreeMap<String, String>,
 }
 
+/// Where generated code takes its runtime from.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub enum Runtime {
+    /// A copy of its modules inside the crate, as far as the robot needs them.
+    #[default]
+    Shipped,
+    /// The crate `denavit-runtime`: the right-hand side of its line in `Cargo.toml`, such as
+    /// `"0.1"` or `{ path = "../runtime" }`. All robots then share one type of pose, query and
+    /// solution.
+    Crate(String),
+}
+
 /// `further`: functions that are generated on demand.
-pub(super) fn parts(robot: &Robot, source: &str, further: &[Function]) -> Parts {
+pub(super) fn parts(robot: &Robot, source: &str, further: &[Function], runtime: &Runtime) -> Parts {
     let model = Model::with_effects(robot);
     // What is generated is the arm as it is, where the file says that it is another than its table.
     let real = if robot.has_effects() { robot.as_it_is() } else { robot.clone() };
@@ -36,11 +61,26 @@ pub(super) fn parts(robot: &Robot, source: &str, further: &[Function]) -> Parts 
     let standard: Vec<String> = model.standard().iter().map(|p| p.name()).collect();
     let base: Vec<String> = model.base().0.iter().map(|b| b.name.clone()).collect();
     let constants = words::constants(&robot.constants);
-    let context = Context { robot, constants: &constants, standard: &standard, base: &base, kernels: &kernels };
+    let [numbers, world_numbers] =
+        [Gravity::base, Gravity::world].map(|gravity| Numbers::new(robot, &gravity(model.chain()), &constants));
+    let context = Context {
+        robot,
+        constants: &constants,
+        numbers: &numbers,
+        world_numbers: &world_numbers,
+        standard: &standard,
+        base: &base,
+        kernels: &kernels,
+    };
     let mut files = BTreeMap::new();
     if !constants.is_empty() {
         files.insert("constants.rs".to_string(), words::module(&constants));
     }
+    files.insert("implementations.rs".to_string(), implementations::file(&kernels));
+    if robot.has_effects() {
+        files.insert("joint_drives.rs".to_string(), drive::file(&model));
+    }
+    files.insert("parameters.rs".to_string(), parameters::print(robot, &model, &kernels, &context));
     let mut index = String::from(
         "//! Kernels: additions and multiplications only, given the sines and cosines. One file per function.\n\n",
     );
@@ -52,49 +92,20 @@ pub(super) fn parts(robot: &Robot, source: &str, further: &[Function]) -> Parts 
     for kernel in &kernels {
         files.insert(format!("kernel/{}.rs", kernel.function.name()), kernel_file::print(kernel, &context));
     }
-    let laws: &[(&str, &str)] = if robot.has_effects() { denavit_runtime::sources::WITH_EFFECTS } else { &[] };
-    for (path, text) in denavit_runtime::sources::FILES.iter().chain(laws) {
-        files.insert((*path).to_string(), (*text).to_string());
-    }
     files.insert("tests.rs".to_string(), tests_file::print(&model, &Interpreter::from_kernels(&model, &kernels)));
+    files.values_mut().for_each(|text| *text = wrapped(text));
+    if *runtime == Runtime::Shipped {
+        files.extend(shipped::files(&Inverse::new(model.chain()), robot.has_effects()));
+    }
+    let front = Front { context: &context, model: &model, kernels: &kernels, source, runtime };
     Parts {
-        header: header(&context, &model, &kernels, source),
-        root: shell::print(robot, &model, &kernels, &context),
+        module: wrapped(&front.module()),
+        crate_root: wrapped(&front.root()),
+        readme: front.readme(),
+        scalar: implementations::scalar(&kernels),
+        root: wrapped(&shell::print(robot, &model, &context, runtime)),
         files,
     }
-}
-
-/// The crate's front page.
-fn header(context: &Context<'_>, model: &Model, kernels: &[Kernel], source: &str) -> String {
-    let (mut t, robot) = (String::new(), context.robot);
-    let _ = writeln!(
-        t,
-        "//! Closed-form kinematics and dynamics of {}: {} degrees of freedom, {} base parameters.",
-        words::code(&robot.name),
-        model.dof(),
-        model.base().len()
-    );
-    let _ = writeln!(
-        t,
-        "//!\n//! Written by denavit {} from the robot file with digest {:016x}; do not edit, run `denavit generate` again.",
-        env!("CARGO_PKG_VERSION"),
-        shell::digest(source)
-    );
-    t += "//!\n//! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Nothing is allocated; nothing but `core` is used.\n//! Kernels ([`kernel`]) take sines and cosines ([`Trig`]); the functions here take `q`.\n//! All are generic over [`runtime::Scalar`]: `f64`, `f32` and packs of states run the same text.\n//!\n//! | function | result | multiplications | additions |\n//! |---|---|---|---|\n";
-    for kernel in kernels {
-        let c = kernel.tape.operations();
-        let shape: Vec<String> = kernel.shape.iter().map(usize::to_string).collect();
-        let _ = writeln!(
-            t,
-            "//! | [`{}`]: {} | {} | {} | {} |",
-            kernel.function.name(),
-            context.doc(kernel.function).0,
-            shape.join(" x "),
-            c.mul,
-            c.add
-        );
-    }
-    t
 }
 
 /// Every file of the drop-in crate.
@@ -104,19 +115,30 @@ pub fn krate(robot: &Robot, source: &str) -> BTreeMap<String, String> {
 
 /// The same with further functions, such as [`Function::ADJOINTS`].
 pub fn krate_with(robot: &Robot, source: &str, further: &[Function]) -> BTreeMap<String, String> {
-    let parts = parts(robot, source, further);
+    krate_on(robot, source, further, &Runtime::Shipped)
+}
+
+/// The same with a choice of the runtime.
+pub fn krate_on(robot: &Robot, source: &str, further: &[Function], runtime: &Runtime) -> BTreeMap<String, String> {
+    let parts = parts(robot, source, further, runtime);
     let mut files: BTreeMap<String, String> =
         parts.files.into_iter().map(|(path, text)| (format!("src/{path}"), text)).collect();
     files.insert(
         "src/lib.rs".into(),
-        format!("{}\n#![no_std]\n#![deny(unsafe_code)]\n#![warn(missing_docs)]\n#![allow(clippy::all)]\n\n#[cfg(test)]\nextern crate std;\n\n{}", parts.header, parts.root),
+        format!("{}\n#![no_std]\n#![deny(unsafe_code)]\n#![warn(missing_docs)]\n#![allow(clippy::all)]\n\n#[cfg(test)]\nextern crate std;\n\n{}", parts.crate_root, parts.root),
     );
+    files.insert("README.md".into(), parts.readme);
+    files.extend(LICENCES.map(|(path, text)| (path.to_string(), text.to_string())));
     let name = crate_name(&robot.name);
     let description = words::toml(&format!("Closed-form kinematics and dynamics of {}", robot.name));
+    let (place, dependencies) = match runtime {
+        Runtime::Shipped => ("A folder of its own: copy it anywhere.", String::new()),
+        Runtime::Crate(line) => ("It runs on denavit-runtime.", format!("denavit-runtime = {line}\n")),
+    };
     files.insert(
         "Cargo.toml".into(),
         format!(
-            "{MARK} A folder of its own: copy it anywhere.\n[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\nlicense = \"MIT OR Apache-2.0\"\ndescription = {description}\npublish = false\n\n[dependencies]\n\n[workspace]\n"
+            "{MARK} {place}\n[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\nlicense = \"MIT OR Apache-2.0\"\ndescription = {description}\nreadme = \"README.md\"\npublish = false\n\n[dependencies]\n{dependencies}\n[workspace]\n"
         ),
     );
     files

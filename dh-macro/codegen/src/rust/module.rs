@@ -1,14 +1,34 @@
 //! The same text as one module: what the macro expands to.
 
-use super::krate::parts;
+use super::implementations;
+use super::krate::{Runtime, parts};
 use crate::robot::Robot;
 
-/// The crate's files folded into nested inline modules (tests left out).
+/// What the macro expands to.
+pub struct Module {
+    /// Body of the module: the crate's files folded into nested inline modules, tests left out.
+    pub body: String,
+    scalar: &'static str,
+}
+
+impl Module {
+    /// The traits of every robot for the type `of`; they call the functions of `module`, a path.
+    pub fn implementations(&self, of: &str, module: &str) -> String {
+        implementations::print(self.scalar, of, &format!("{module}::"))
+    }
+}
+
+/// The robot as the body of a module that brings its runtime along.
 pub fn module(robot: &Robot, source: &str) -> String {
-    let parts = parts(robot, source, &[]);
+    module_on(robot, source, &Runtime::Shipped).body
+}
+
+/// The robot as a module, with a choice of the runtime.
+pub fn module_on(robot: &Robot, source: &str, runtime: &Runtime) -> Module {
+    let parts = parts(robot, source, &[], runtime);
     let root = parts.root.replace("#[cfg(test)]\nmod tests;\n", "");
     let body = inlined(&root, "", &|path| parts.files.get(path).cloned());
-    format!("{}\n{body}", parts.header)
+    Module { body: format!("{}\n{body}", parts.module), scalar: parts.scalar }
 }
 
 /// Replaces each `mod x;` by `mod x { text of x.rs }`.

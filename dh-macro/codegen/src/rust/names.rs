@@ -2,7 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::words::{Constant, LOCAL};
+use super::numbers::Numbers;
+use super::words::LOCAL;
 use crate::arm::chain::{Group, Inputs};
 use crate::sym::{Operand, Tape};
 
@@ -17,17 +18,18 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// `named` are the file's constants: where a number of the tape is one of them, it gets that
-    /// name.
-    pub(super) fn new(tape: &Tape, inputs: Inputs, parameters: &[String], named: &[Constant]) -> Self {
+    /// A number that is a constant of the file has its name; one that follows from named numbers is
+    /// written so.
+    pub(super) fn new(tape: &Tape, inputs: Inputs, parameters: &[String], numbers: &Numbers) -> Self {
         let mut constants = BTreeMap::new();
         let mut add = |operand: &Operand| {
             if let Operand::Constant(value) = operand
                 && !constants.contains_key(&value.to_bits())
             {
-                let own = named.iter().find(|c| c.value.to_bits() == value.to_bits());
-                let own = own.map(|c| (c.local.clone(), format!("constants::{}", c.item)));
-                let name = own.unwrap_or_else(|| (format!("k{}", constants.len()), format!("{value:?}")));
+                let text = tape.formulas.get(&value.to_bits()).and_then(|formula| numbers.text(formula));
+                let local = text.as_deref().and_then(|text| numbers.local(text));
+                let name = local.unwrap_or_else(|| format!("k{}", constants.len()));
+                let name = (name, text.unwrap_or_else(|| format!("{value:?}")));
                 constants.insert(value.to_bits(), name);
             }
         };

@@ -23,7 +23,7 @@ use super::tape::{Kind, Operand, Tape};
 pub fn adjoint<'g>(graph: &'g Graph, tape: &Tape, wanted: &[usize], seeds: &[Ex<'g>]) -> BTreeMap<usize, Ex<'g>> {
     let mut values: Vec<Ex<'g>> = Vec::with_capacity(tape.code.len());
     let value = |operand: Operand, values: &[Ex<'g>]| match operand {
-        Operand::Constant(c) => graph.constant(c),
+        Operand::Constant(c) => graph.replayed(c, tape.formulas.contains_key(&c.to_bits())),
         Operand::Input(i) => graph.input(i as usize),
         Operand::Temp(t) => values[t as usize],
     };

@@ -38,7 +38,7 @@ fn uses(graph: &Graph, roots: &[Node]) -> Vec<u32> {
 /// One pass in arena order. Returns the number of rewritings.
 fn rebuild(graph: &Graph, roots: &[Node]) -> (Graph, Vec<Node>, usize) {
     let uses = uses(graph, roots);
-    let fresh = Graph::new();
+    let fresh = Graph::new().with_origins_of(graph);
     let mut map = vec![Node(0); graph.len()];
     let mut rewritten = 0;
     let headings = graph.sections();
@@ -55,7 +55,7 @@ fn rebuild(graph: &Graph, roots: &[Node]) -> (Graph, Vec<Node>, usize) {
         let ex = |n: Node| fresh.wrap(map[n.index()]);
         let op = graph.op(node);
         let new = match op {
-            Op::Constant(bits) => fresh.constant(f64::from_bits(bits)),
+            Op::Constant(bits) => fresh.number(f64::from_bits(bits)),
             Op::Input(i) => fresh.input(i as usize),
             Op::Add(a, b) | Op::Sub(a, b) => match common_factor(graph, a, b).filter(|_| single(a) && single(b)) {
                 Some((f, x, y)) => {

@@ -3,9 +3,10 @@
 use core::cell::RefCell;
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::call::Call;
+use super::formula::{Fold, Formula};
 use super::rules;
 
 /// Handle of a node in its [`Graph`].
@@ -66,6 +67,10 @@ struct Arena {
     index: FxHashMap<Op, Node>,
     labels: FxHashMap<Node, String>,
     sections: Vec<(usize, String)>,
+    /// Of numbers that were given, or folded from given ones, by their bits.
+    formulas: FxHashMap<u64, Formula>,
+    /// Numbers that mechanics itself brings in, by their bits: halves, ones.
+    own: FxHashSet<u64>,
 }
 
 /// One arena of expressions. All handles of one computation belong to one graph.
@@ -86,9 +91,73 @@ impl Graph {
         Self::default()
     }
 
-    /// The number `value`; `-0.0` is `0.0`.
+    /// The number `value` of a rule or a law; `-0.0` is `0.0`.
     pub fn constant(&self, value: f64) -> Ex<'_> {
+        let bits = (value + 0.0).to_bits();
+        self.0.borrow_mut().own.insert(bits);
+        self.number(value)
+    }
+
+    /// The number `value` of a description: it keeps its origin through folds. Zero has none.
+    pub fn given(&self, value: f64) -> Ex<'_> {
+        if value == 0.0 {
+            return self.constant(value);
+        }
+        self.0.borrow_mut().formulas.entry((value + 0.0).to_bits()).or_insert_with(|| Formula::number(value + 0.0));
+        self.number(value)
+    }
+
+    /// The number of a tape; `given`: of a description.
+    pub(super) fn replayed(&self, value: f64, given: bool) -> Ex<'_> {
+        if given { self.given(value) } else { self.constant(value) }
+    }
+
+    /// The number, whatever its origin.
+    pub(super) fn number(&self, value: f64) -> Ex<'_> {
         self.wrap(self.insert(Op::Constant((value + 0.0).to_bits())))
+    }
+
+    /// `-value`; the origin of `value` is kept. Makes no node.
+    pub(super) fn minus(&self, value: f64) -> f64 {
+        self.note(-value, [value, value], |[a, _]| a.negated());
+        -value
+    }
+
+    /// Two numbers combined; their origins are kept. Makes no node.
+    pub(super) fn fold(&self, fold: Fold, a: f64, b: f64) -> f64 {
+        let value = fold.of(a, b);
+        self.note(value, [a, b], |[a, b]| Formula::folded(fold, a, b, value));
+        value
+    }
+
+    /// Notes the origin of a number that follows from others: given if one of them is, the graph's
+    /// own otherwise.
+    fn note(&self, value: f64, from: [f64; 2], how: impl FnOnce([Formula; 2]) -> Formula) {
+        let (value, from) = ((value + 0.0).to_bits(), from.map(|x| (x + 0.0).to_bits()));
+        let mut arena = self.0.borrow_mut();
+        // Zeros of the structure are nobody's product.
+        if value != 0 && from.iter().any(|x| arena.formulas.contains_key(x)) {
+            let origins = from.map(|x| arena.formulas.get(&x).cloned().unwrap_or(Formula::Number(x)));
+            arena.formulas.entry(value).or_insert_with(|| how(origins));
+        } else {
+            arena.own.insert(value);
+        }
+    }
+
+    /// How a given number came about; `None` of a number that mechanics brings in, too.
+    pub(super) fn formula(&self, bits: u64) -> Option<Formula> {
+        let arena = self.0.borrow();
+        arena.formulas.get(&bits).filter(|_| !arena.own.contains(&bits)).cloned()
+    }
+
+    /// Takes over the origins of another graph's numbers.
+    pub(super) fn with_origins_of(self, other: &Self) -> Self {
+        {
+            let (mut own, other) = (self.0.borrow_mut(), other.0.borrow());
+            own.formulas.clone_from(&other.formulas);
+            own.own.clone_from(&other.own);
+        }
+        self
     }
 
     /// The input with this index.
@@ -204,7 +273,7 @@ impl<'g> Ex<'g> {
     /// `-a` as an operation of its own, whatever `a` is.
     pub(super) fn negated(self) -> Self {
         match self.as_constant() {
-            Some(value) => self.graph.constant(-value),
+            Some(value) => self.graph.number(self.graph.minus(value)),
             None => self.graph.wrap(self.graph.insert(Op::Neg(self.node))),
         }
     }

@@ -84,7 +84,7 @@ pub(super) fn few_waiting(tape: &Tape) -> Tape {
     }
     let mut placed = vec![false; count];
     let mut place = vec![0u32; tape.code.len()];
-    let mut out = Tape { code: Vec::new(), outputs: Vec::new(), labels: Vec::new(), sections: Vec::new() };
+    let mut out = Tape { formulas: tape.formulas.clone(), ..Tape::default() };
     for _ in 0..count {
         let more = |s: usize| {
             let begun = steps[s].iter().filter(|&&t| waiting[t] > 0).count() as isize;

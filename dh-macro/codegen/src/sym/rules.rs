@@ -2,6 +2,7 @@
 //! absorb them.
 
 use super::call::Call;
+use super::formula::Fold;
 use super::graph::{Graph, Node, Op};
 use crate::elementary::Real;
 
@@ -12,6 +13,10 @@ fn number(g: &Graph, n: Node) -> Option<f64> {
     }
 }
 
+fn folded(g: &Graph, fold: Fold, a: f64, b: f64) -> Node {
+    g.number(g.fold(fold, a, b)).node()
+}
+
 fn constant(g: &Graph, value: f64) -> Node {
     g.constant(value).node()
 }
@@ -19,7 +24,7 @@ fn constant(g: &Graph, value: f64) -> Node {
 /// `x + 0`, numbers, `a + (-b) = a - b`, `a + (b - a) = b`, operand order.
 pub(super) fn add(g: &Graph, a: Node, b: Node) -> Node {
     match (number(g, a), number(g, b)) {
-        (Some(x), Some(y)) => return constant(g, x + y),
+        (Some(x), Some(y)) => return folded(g, Fold::Add, x, y),
         (Some(0.0), None) => return b,
         (None, Some(0.0)) => return a,
         _ => {}
@@ -41,7 +46,7 @@ pub(super) fn add(g: &Graph, a: Node, b: Node) -> Node {
 /// existing `a - b`.
 pub(super) fn sub(g: &Graph, a: Node, b: Node) -> Node {
     match (number(g, a), number(g, b)) {
-        (Some(x), Some(y)) => return constant(g, x - y),
+        (Some(x), Some(y)) => return folded(g, Fold::Sub, x, y),
         (Some(0.0), None) => return neg(g, b),
         (None, Some(0.0)) => return a,
         _ => {}
@@ -72,7 +77,7 @@ pub(super) fn sub(g: &Graph, a: Node, b: Node) -> Node {
 /// `x * 0`, `x * 1`, numbers (also across a product), signs to the outside, operand order.
 pub(super) fn mul(g: &Graph, a: Node, b: Node) -> Node {
     match (number(g, a), number(g, b)) {
-        (Some(x), Some(y)) => return constant(g, x * y),
+        (Some(x), Some(y)) => return folded(g, Fold::Mul, x, y),
         (Some(x), None) => return scale(g, x, b),
         (None, Some(y)) => return scale(g, y, a),
         _ => {}
@@ -99,7 +104,7 @@ fn scale(g: &Graph, factor: f64, x: Node) -> Node {
         return x;
     }
     if factor < 0.0 {
-        let positive = scale(g, -factor, x);
+        let positive = scale(g, g.minus(factor), x);
         return neg(g, positive);
     }
     match g.op(x) {
@@ -108,8 +113,8 @@ fn scale(g: &Graph, factor: f64, x: Node) -> Node {
             neg(g, positive)
         }
         Op::Mul(p, q) => match (number(g, p), number(g, q)) {
-            (Some(c), _) => scale(g, factor * c, q),
-            (_, Some(c)) => scale(g, factor * c, p),
+            (Some(c), _) => scale(g, g.fold(Fold::Mul, factor, c), q),
+            (_, Some(c)) => scale(g, g.fold(Fold::Mul, factor, c), p),
             _ => product(g, factor, x),
         },
         _ => product(g, factor, x),
@@ -117,14 +122,14 @@ fn scale(g: &Graph, factor: f64, x: Node) -> Node {
 }
 
 fn product(g: &Graph, factor: f64, x: Node) -> Node {
-    let c = constant(g, factor);
+    let c = g.number(factor).node();
     g.insert(Op::Mul(c.min(x), c.max(x)))
 }
 
 /// `-(-x) = x`, numbers. `-(a - b)` stays: the sum that takes it up turns it round for nothing.
 pub(super) fn neg(g: &Graph, a: Node) -> Node {
     match g.op(a) {
-        Op::Constant(bits) => constant(g, -f64::from_bits(bits)),
+        Op::Constant(bits) => g.number(g.minus(f64::from_bits(bits))).node(),
         Op::Neg(x) => x,
         _ => g.insert(Op::Neg(a)),
     }
@@ -133,7 +138,7 @@ pub(super) fn neg(g: &Graph, a: Node) -> Node {
 /// `0 / x`, `x / 1`, numbers, signs to the outside.
 pub(super) fn div(g: &Graph, a: Node, b: Node) -> Node {
     match (number(g, a), number(g, b)) {
-        (Some(x), Some(y)) => return constant(g, x / y),
+        (Some(x), Some(y)) => return folded(g, Fold::Div, x, y),
         (Some(0.0), None) => return a,
         (None, Some(1.0)) => return a,
         _ => {}

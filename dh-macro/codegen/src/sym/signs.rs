@@ -188,7 +188,7 @@ fn sums_below(ops: &[Op], node: usize) -> Vec<usize> {
 }
 
 fn rebuild(graph: &Graph, ops: &[Op], roots: &[Node], turned: &[bool], negative: &[bool]) -> (Graph, Vec<Node>) {
-    let fresh = Graph::new();
+    let fresh = Graph::new().with_origins_of(graph);
     let headings = graph.sections();
     let mut heading = headings.iter().peekable();
     let mut place: Vec<Node> = Vec::with_capacity(ops.len());

@@ -1,8 +1,11 @@
 //! Roots of a graph, in order, as a straight-line program. Text is printed from it, and it can be
 //! run.
 
+use std::collections::BTreeMap;
+
 use super::call::Call;
 use super::factor::factored;
+use super::formula::Formula;
 use super::graph::{Ex, Graph, Op};
 use super::signs::settled;
 
@@ -90,7 +93,7 @@ impl OperationCount {
 }
 
 /// A straight-line program without branches.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Tape {
     /// Steps; operands point backwards.
     pub code: Vec<Instruction>,
@@ -100,6 +103,8 @@ pub struct Tape {
     pub labels: Vec<Option<String>>,
     /// Headings, ascending, the first at 0.
     pub sections: Vec<Section>,
+    /// How numbers of the description came about, by their bits.
+    pub formulas: BTreeMap<u64, Formula>,
 }
 
 impl Tape {
@@ -132,7 +137,7 @@ impl Tape {
         let headings = graph.sections();
         let mut heading = headings.iter().peekable();
         let mut place: Vec<Option<Operand>> = vec![None; graph.len()];
-        let mut tape = Self { code: Vec::new(), outputs: Vec::new(), labels: Vec::new(), sections: Vec::new() };
+        let mut tape = Self::default();
         for index in (0..graph.len()).filter(|&i| needed[i]) {
             let node = super::Node(index as u32);
             while let Some((_, title)) = heading.next_if(|(start, _)| *start <= index) {
@@ -144,6 +149,7 @@ impl Tape {
             let (kind, a, b) = match graph.op(node) {
                 Op::Constant(bits) => {
                     place[index] = Some(Operand::Constant(f64::from_bits(bits)));
+                    tape.formulas.extend(graph.formula(bits).map(|formula| (bits, formula)));
                     continue;
                 }
                 Op::Input(i) => {

@@ -19,6 +19,11 @@ impl<'g> Vec3<'g> {
         Self(v.map(|x| g.constant(x)))
     }
 
+    /// From numbers of a description.
+    pub fn given(g: &'g Graph, v: [f64; 3]) -> Self {
+        Self(v.map(|x| g.given(x)))
+    }
+
     /// The zero vector.
     pub fn zero(g: &'g Graph) -> Self {
         Self::numbers(g, [0.0; 3])

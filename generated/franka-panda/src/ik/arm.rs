@@ -5,15 +5,13 @@ use super::axis::{Axis, Value};
 use super::candidates::Candidates;
 use super::lanes::measured;
 use super::list::List;
-use super::numerical;
-use super::plane::Plane;
 use super::polish::{self, polish, remainder, sizes};
 use super::pose::Displacement;
 use super::real::{root, whole, wrapped};
+use super::reference::Reference;
 use super::regional::Regional;
 use super::six::{Method, Six};
 use super::solution::{Branch, CAPACITY, PoseError, Solution, Solutions, Status};
-use super::swivel::{Reference, Swivel};
 use super::vector::{IDENTITY, Matrix, dot, product, transposed};
 
 /// How an arm is solved.
@@ -28,27 +26,33 @@ pub enum Family {
         /// The other six.
         six: Six,
     },
-    /// Seven, by the swivel angle.
-    Swivel(Swivel),
-    /// All turning axes parallel.
-    Plane(Plane),
     /// Only joints that slide: linear.
     Slides,
-    /// No closed form is known: damped least squares from many starts. There may be postures that no start leads to.
-    Numerical,
+}
+
+impl Family {
+    /// Whether postures are searched for, in want of a closed form.
+    pub(super) fn is_searched(&self) -> bool {
+        false
+    }
+
+    /// Whether the redundancy is a swivel angle.
+    pub(super) fn is_swivel(&self) -> bool {
+        false
+    }
 }
 
 /// An arm with `N` joints.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arm<const N: usize> {
-    /// Lines of the joints at `q = 0`, in base axes.
+    /// Lines of the joints at `q = 0`, in world axes.
     pub axes: [Axis; N],
     /// The last DH frame at `q = 0`.
     pub home: Displacement,
     /// Lower and upper positions, rad or m.
     pub limits: [Option<[f64; 2]>; N],
-    /// Whether a closed form is the arm's own. Otherwise it is that of a nominal arm nearby, each branch refined, or there is none and
-    /// postures are searched.
+    /// Whether a closed form is the arm's own. Otherwise it is that of a nominal arm nearby, each
+    /// branch refined, or there is none and postures are searched.
     pub exact: bool,
     /// How it is solved.
     pub family: Family,
@@ -61,13 +65,14 @@ pub struct Query<'a, const N: usize> {
     pub redundancy: f64,
     /// From where the swivel angle is counted.
     pub reference: Reference,
-    /// A posture: free joints take their positions from it, whole turns are chosen near it (near zero where it
-    /// is beyond 1000 rad), and nearest solutions stand first.
+    /// A posture: free joints take their positions from it, whole turns are chosen near it (near
+    /// zero where it is beyond 1000 rad), and nearest solutions stand first.
     pub near: Option<&'a [f64; N]>,
     /// What may be left to the pose, m and rad. The default is `1e-12`: rounding.
     pub tolerance: f64,
-    /// Newton's steps at most on a branch whose closed form leaves more than rounding (singular, or out of reach, where they find how far off the pose is).
-    /// The default is 40: at a double root each only halves what is left. Who must answer in time asks for none, with a tolerance that
+    /// Newton's steps at most on a branch whose closed form leaves more than rounding (singular, or
+    /// out of reach, where they find how far off the pose is). The default is 40: at a double root
+    /// each only halves what is left. Who must answer in time asks for none, with a tolerance that
     /// the closed form keeps by itself (1e-9).
     pub steps: usize,
 }
@@ -108,15 +113,18 @@ impl<const N: usize> Arm<N> {
         })
     }
 
-    /// All postures that bring the last DH frame to a pose: the top three rows of its homogeneous matrix, m.
+    /// All postures that bring the last DH frame to a pose: the top three rows of its homogeneous
+    /// matrix, m.
     ///
     /// # Errors
-    /// If an entry is not finite, or the rotation is none (beyond 1e-6; a smaller defect is taken away).
+    /// If an entry is not finite, or the rotation is none (beyond 1e-6; a smaller defect is taken
+    /// away).
     pub fn solve(&self, pose: &[[f64; 4]; 3], query: &Query<'_, N>) -> Result<Solutions<N>, PoseError> {
         self.solve_inlined(pose, query)
     }
 
-    /// The same inlined: of an arm that is a constant, as that of a generated crate, the compiler makes a solver for it alone.
+    /// The same inlined: of an arm that is a constant, as that of a generated crate, the compiler
+    /// makes a solver for it alone.
     ///
     /// # Errors
     /// Like [`Arm::solve`].
@@ -135,7 +143,7 @@ impl<const N: usize> Arm<N> {
         if all.in_doubt() {
             self.settle(&g, query, &near, &mut all);
         }
-        // Of a family of postures, the member nearest to the one that was named; and that one itself where it is there already.
+        // Of a family of postures, the member nearest to the one named, which may be one itself.
         let mut member = None;
         if query.near.is_some() && all.len > 0 {
             let [p, r] = sizes(&remainder(self, &g, &near));
@@ -148,7 +156,6 @@ impl<const N: usize> Arm<N> {
                 member = (0..all.len).reduce(|a, b| if far(b) < far(a) { b } else { a });
             }
         }
-        // Filled where it is returned: it is large to copy.
         let mut result = Ok(Solutions {
             list: List::new(Solution::NONE),
             status: Status::Ok,
@@ -161,7 +168,7 @@ impl<const N: usize> Arm<N> {
         let Ok(solutions) = &mut result else { return result };
         let mut work = Work { marks: [f64::INFINITY; CAPACITY], best: [f64::INFINITY; 2] };
         self.finish(&g, query, &all, member.map(|place| (place, near)), solutions, &mut work);
-        let searched = matches!(self.family, Family::Numerical);
+        let searched = self.family.is_searched();
         if (self.exact || searched)
             && solutions.list.is_empty()
             && query.steps > 0
@@ -173,8 +180,6 @@ impl<const N: usize> Arm<N> {
             solutions.uncertain = true;
             // Real postures of a general arm with six joints come in pairs.
             solutions.lost = u32::from(N == 6 && solutions.as_slice().len() % 2 == 1);
-        } else if !self.exact {
-            self.search_nearby(&g, query, &near, &all, solutions, &mut work);
         }
         conclude(query, &work, solutions);
         result
@@ -217,35 +222,16 @@ impl<const N: usize> Arm<N> {
                 let rest = if lock == 0 { locked.after(g) } else { g.after(&locked) };
                 six.solve(&rest, near, all);
             }
-            Family::Swivel(swivel) => {
-                let ([s], [c]) = f64::sin_cos_all(&[redundancy]);
-                second_plane = swivel.solve(g, &query.reference, (c, s), near, all);
-            }
-            Family::Plane(plane) => {
-                let three = plane.joints.map(|j| pick(near, j));
-                for f in plane.solve(g, &three).iter() {
-                    let mut values = [Value::ZERO; N];
-                    for (j, v) in plane.joints.iter().zip(f.values) {
-                        put(&mut values, *j, v);
-                    }
-                    put(&mut values, plane.lift.map(|(_, j, _)| j), f.lift);
-                    let mut free = super::candidates::in_doubt(f.free);
-                    for (k, j) in plane.joints.iter().enumerate() {
-                        free |= j.map_or(0, |j| u32::from(f.free >> k & 1) << (j & 15));
-                    }
-                    all.push_all(&values, slides, f.branch, free);
-                }
-            }
             Family::Slides => {
                 all.push_all(&[Value::ZERO; N], slides, Branch::NONE, 0);
             }
-            Family::Numerical => numerical::search(self, g, query, near, all),
         }
         second_plane
     }
 
-    /// The next posture along a path: the solution nearest to the last one, through singularities too. `None` where the pose is
-    /// out of reach, or where every posture is farther than `largest_step` (rad or m, any joint): a jump is never made.
+    /// The next posture along a path: the solution nearest to the last one, through singularities
+    /// too. `None` where the pose is out of reach, or where every posture is farther than
+    /// `largest_step` (rad or m, any joint): a jump is never made.
     ///
     /// # Errors
     /// Like [`Arm::solve`].
@@ -265,14 +251,11 @@ impl<const N: usize> Arm<N> {
         self.axes.first().copied().unwrap_or(Axis { slides: true, h: [0.0, 0.0, 1.0], c: [0.0; 3] })
     }
 
-    /// The redundancy parameter of a posture: its swivel angle or the locked joint's position; zero for other arms.
+    /// The redundancy parameter of a posture: its swivel angle or the locked joint's position; zero
+    /// for other arms.
     pub fn redundancy(&self, q: &[f64; N], reference: &Reference) -> f64 {
         let values = polish::values(self, q);
         match &self.family {
-            Family::Swivel(swivel) => {
-                let seven = core::array::from_fn(|i| values.get(i).copied().unwrap_or(Value::ZERO));
-                swivel.angle(&seven, reference).0
-            }
             Family::Locked { joint, .. } => q.get(usize::from(*joint)).copied().unwrap_or(0.0),
             _ => 0.0,
         }
@@ -280,24 +263,23 @@ impl<const N: usize> Arm<N> {
 
     /// Is a branch that is this far off (m or rad) one that the arm has, but for rounding?
     fn nearly(&self, tolerance: f64) -> f64 {
+        if !self.exact || self.family.is_searched() || matches!(self.family, Family::Slides) {
+            return f64::INFINITY;
+        }
         let quartic = match &self.family {
             Family::Six(six) | Family::Locked { six, .. } => matches!(
                 six.method,
                 Method::Wrist { regional: Regional::General { .. } | Regional::TurnSlideTurn, .. }
                     | Method::ThreeParallel { meet: None }
             ),
-            Family::Slides | Family::Numerical => return f64::INFINITY,
             _ => false,
         };
-        if !self.exact {
-            return f64::INFINITY;
-        }
         // A double root of a quartic is known to half the digits.
         (100.0 * tolerance).max(if quartic { 1e-3 } else { 1e-6 })
     }
 
-    /// Measures, refines where rounding shows, and keeps what reaches the pose. `member`: one more posture, of the family of the
-    /// branch in that place.
+    /// Measures, refines where rounding shows, and keeps what reaches the pose. `member`: one more
+    /// posture, of the family of the branch in that place.
     #[inline(always)]
     fn finish(
         &self,
@@ -316,7 +298,7 @@ impl<const N: usize> Arm<N> {
                 break;
             }
             let eight = measured(self, g, query.near, all, first);
-            // Equal branches are rare: where no two of these are, and none is there, they are not compared again.
+            // Equal branches are rare: only where two marks are equal are they compared.
             let mut alike = !out.list.is_empty();
             for (lane, mark) in eight.marks.iter().enumerate() {
                 for other in &eight.marks[..lane] {
@@ -351,7 +333,7 @@ impl<const N: usize> Arm<N> {
                     alike = true;
                     self.refine(g, query, all.values(place, slides), (branch, free), out, work);
                 } else {
-                    // No posture, or one of the joints that were added: looked at only where nothing else is found.
+                    // No posture, or of a joint that was added: tried only in want of others.
                     far_off |= 1 << place;
                 }
             }
@@ -385,7 +367,6 @@ impl<const N: usize> Arm<N> {
         work: &mut Work,
     ) {
         for v in &mut values {
-            // What meets no circle is not always of length one.
             v.turn = super::vector::Turn::along(v.turn.c, v.turn.s).0;
         }
         let start = values;
@@ -459,16 +440,17 @@ impl<const N: usize> Arm<N> {
         self.axes.get(joint).is_some_and(|a| !a.slides) && wrapped(difference).abs() < 1e-10
     }
 
-    /// Does the arm keep a redundancy while it is refined? An exact swivel arm is not led away from its angle.
+    /// Does the arm keep a redundancy while it is refined? An exact swivel arm is not led away from
+    /// its angle.
     pub(super) fn holds(&self) -> bool {
         match self.family {
             Family::Locked { .. } => true,
-            Family::Swivel(_) => !self.exact,
             _ => false,
         }
     }
 
-    /// What is left to the redundancy that is kept, and how fast the joints bring it there; zeros where none is kept.
+    /// What is left to the redundancy that is kept, and how fast the joints bring it there; zeros
+    /// where none is kept.
     pub(super) fn held(&self, query: &Query<'_, N>, v: &[Value; N]) -> (f64, [f64; N]) {
         if self.holds() { self.kept(query, v) } else { (0.0, [0.0; N]) }
     }
@@ -487,25 +469,14 @@ impl<const N: usize> Arm<N> {
                 let at = if slides { here.way } else { super::real::angle(here.turn.s, here.turn.c) };
                 (if slides { query.redundancy - at } else { wrapped(query.redundancy - at) }, row)
             }
-            Family::Swivel(swivel) => {
-                let seven = core::array::from_fn(|i| v.get(i).copied().unwrap_or(Value::ZERO));
-                let (left, rates) = swivel.left(&seven, &query.reference, query.redundancy);
-                for (place, rate) in row.iter_mut().zip(rates) {
-                    *place = rate;
-                }
-                (left, row)
-            }
             _ => (0.0, row),
         }
     }
 
-    /// Is the redundancy the one that was asked for? The equation does not tell half turns of a swivel angle.
+    /// Is the redundancy the one that was asked for? The equation does not tell half turns of a
+    /// swivel angle.
     fn keeps(&self, query: &Query<'_, N>, v: &[Value; N]) -> bool {
-        let Family::Swivel(swivel) = &self.family else { return true };
-        let seven = core::array::from_fn(|i| v.get(i).copied().unwrap_or(Value::ZERO));
-        self.exact
-            || wrapped(swivel.angle(&seven, &query.reference).0 - query.redundancy).abs() < 1e-6
-            || swivel.left(&seven, &query.reference, query.redundancy).0.abs() < 1e-6 && swivel.straight(&seven)
+        true
     }
 }
 
@@ -531,10 +502,12 @@ fn put<const N: usize>(values: &mut [Value; N], joint: Option<u8>, v: Value) {
     }
 }
 
-/// Whole turns are chosen near a position up to here, rad: the digits of one that is farther away would not hold a pose.
+/// Whole turns are chosen near a position up to here, rad: the digits of one that is farther away
+/// would not hold a pose.
 const FAR: f64 = 1e3;
 
-/// The whole turns that respect the limits and lie nearest to `near` (or zero), with the distance to the nearest limit.
+/// The whole turns that respect the limits and lie nearest to `near` (or zero), with the distance
+/// to the nearest limit.
 pub(super) fn fitted(q: f64, slides: bool, limits: Option<[f64; 2]>, near: Option<f64>) -> (f64, f64) {
     use core::f64::consts::TAU;
     let mut x = q;

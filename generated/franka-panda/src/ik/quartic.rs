@@ -1,4 +1,5 @@
-//! Quadratic forms in the sine and cosine of one angle, and quartics: Ferrari's solution, then Newton on the form itself.
+//! Quadratic forms in the sine and cosine of one angle, and quartics: Ferrari's solution, then
+//! Newton on the form itself.
 
 use super::list::List;
 use super::real::root;
@@ -15,7 +16,8 @@ fn slope(k: &Form, t: Turn) -> f64 {
     k[2] * t.c - k[1] * t.s + 2.0 * (k[5] - k[3]) * t.c * t.s + k[4] * (t.c * t.c - t.s * t.s)
 }
 
-/// The zeros of a form: up to four angles. A pair that lies just beside the real ones counts as double.
+/// The zeros of a form: up to four angles. A pair that lies just beside the real ones counts as
+/// double.
 pub(super) fn zeros(k: &Form) -> List<Turn, 4> {
     let mut found = List::new(Turn::NONE);
     let size = k.iter().fold(0.0f64, |s, x| s.max(x.abs()));
@@ -23,7 +25,8 @@ pub(super) fn zeros(k: &Form) -> List<Turn, 4> {
         return found;
     }
     let k = k.map(|x| x / size);
-    // The angle where the form is largest goes to infinity, so that the leading coefficient is not small.
+    // The angle where the form is largest goes to infinity, so that the leading coefficient is not
+    // small.
     const START: [Turn; 6] = [
         Turn { c: 1.0, s: 0.0 },
         Turn { c: 0.5, s: 0.866_025_403_784_438_6 },
@@ -103,8 +106,8 @@ pub(super) fn roots(a: &[f64; 5]) -> List<f64, 4> {
             }
         }
     } else {
-        // y y - sign s y + (p/2 + m + sign half) = 0: half the difference of the constants is q/(2 s), and the constants' product is r,
-        // which tells it where s is small.
+        // y y - sign s y + (p/2 + m + sign half) = 0: half the difference of the constants is q/(2
+        // s), and the constants' product is r, which tells it where s is small.
         let half = if m > 1e-4 * scale {
             q / (2.0 * s)
         } else {
@@ -141,8 +144,8 @@ fn polished(a: &[f64; 5], mut t: f64) -> f64 {
     t
 }
 
-/// The outermost root that Newton's steps find of `k[0] + k[1] t + k[2] t t + t t t` on one side of zero, where there is one: between
-/// bounds, because beside a complex pair they jump far off.
+/// The outermost root that Newton's steps find of `k[0] + k[1] t + k[2] t t + t t t` on one side of
+/// zero, where there is one: between bounds, because beside a complex pair they jump far off.
 fn zero(k: &[f64; 3], side: f64) -> f64 {
     let bound = side * (1.0 + k[0].abs().max(k[1].abs()).max(k[2].abs()));
     // The sign at `outer` is that of `side`, at `inner` the other.
@@ -192,7 +195,8 @@ fn quadratic(a: &[f64; 3], size: f64, found: &mut List<f64, 4>) {
     }
 }
 
-/// Angles of two turns with `a[i] . (c1, s1) + k[i] = b[i] . (c2, s2)`, `i = 0, 1` (subproblem 6 of Elias and Wen, 2022).
+/// Angles of two turns with `a[i] . (c1, s1) + k[i] = b[i] . (c2, s2)`, `i = 0, 1` (subproblem 6 of
+/// Elias and Wen, 2022).
 pub(super) fn two_turns(a: &[[f64; 2]; 2], k: &[f64; 2], b: &[[f64; 2]; 2]) -> List<(Turn, Turn), 4> {
     let mut found = List::new((Turn::NONE, Turn::NONE));
     let det = |m: &[[f64; 2]; 2]| m[0][0] * m[1][1] - m[0][1] * m[1][0];

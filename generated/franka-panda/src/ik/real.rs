@@ -2,7 +2,8 @@
 
 use super::super::runtime::{Block, square_root};
 
-/// `sqrt(x)`; zero for a negative `x` (a rounding error below a double root). NaN stays: an error must not look like none.
+/// `sqrt(x)`; zero for a negative `x` (a rounding error below a double root). NaN stays: an error
+/// must not look like none.
 #[inline(always)]
 pub(super) fn root(x: f64) -> f64 {
     if x <= 0.0 { 0.0 } else { square_root(x) }

@@ -1,7 +1,8 @@
-//! Six joints: a spherical wrist behind three joints of any kind (Pieper 1968), or three parallel axes in the middle.
+//! Six joints: a spherical wrist behind three joints of any kind (Pieper 1968), or three parallel
+//! axes in the middle.
 //!
-//! An arm with fewer joints is completed by joints that stay at zero; one with its sphere at the shoulder is solved from its tip:
-//! `E1 .. E6 = G` is `E6' .. E1' = G'`.
+//! An arm with fewer joints is completed by joints that stay at zero; one with its sphere at the
+//! shoulder is solved from its tip: `E1 .. E6 = G` is `E6' .. E1' = G'`.
 
 use super::axis::{Axis, Value, turns};
 use super::candidates::{Candidates, in_doubt};
@@ -100,8 +101,8 @@ impl<const N: usize> Into<'_, N> {
 }
 
 impl Six {
-    /// All answers of `E1 .. E6 = g` of the arm, the joints that are not among the six at the first values of their columns; where
-    /// there is none, the nearest ones.
+    /// All answers of `E1 .. E6 = g` of the arm, the joints that are not among the six at the first
+    /// values of their columns; where there is none, the nearest ones.
     #[inline(always)]
     pub(super) fn solve<const N: usize>(&self, g: &Displacement, near: &[Value; N], all: &mut Candidates<N>) {
         let near = self.near(near);
@@ -183,7 +184,7 @@ impl Six {
             for (i, &first) in firsts.iter().enumerate() {
                 let at = into.value(0, first);
                 if wrist.is_square() {
-                    // The turn of the three, joint 5 and joint 6 are Euler angles; joints 5 and 6 leave `x` where it is.
+                    // Euler angles: the turn of the three, joints 5 and 6, which leave `x` alone.
                     let carried = |k: usize| one.direction(first.back(), goal[k]);
                     let image = [carried(0), carried(1), carried(2)];
                     let both = wrist.turns(&wrist.first, &image, Turn::NONE);
@@ -271,7 +272,8 @@ impl Six {
         }
     }
 
-    /// Joint 6 and the turn of the three parallel axes from joints 1 and 5, with any angle between the axes.
+    /// Joint 6 and the turn of the three parallel axes from joints 1 and 5, with any angle between
+    /// the axes.
     #[inline(never)]
     fn start(
         &self,
@@ -316,8 +318,9 @@ impl Six {
         Start { at, fifth: v5, sixth: v6, sum, to, signs, free }
     }
 
-    /// Axis 6 is parallel to the three: its turn is free as far as the planar arm still reaches. The near one; else, where that one
-    /// was `seen` in the pose, the nearest, or one in the middle of what it reaches.
+    /// Axis 6 is parallel to the three: its turn is free as far as the planar arm still reaches.
+    /// The near one; else, where that one was `seen` in the pose, the nearest, or one in the middle
+    /// of what it reaches.
     fn last_within_reach(&self, g: &Displacement, v1: Value, v5: Value, near: Value, seen: bool) -> Value {
         let [one, two, three, four, five, six] = &self.axes;
         let h = two.h;
@@ -330,7 +333,8 @@ impl Six {
         if now > least && now < most {
             return near;
         }
-        // Distances from the hand's side: it turns about axis 6 at `radius`, and the axis stands `away` from axis 2.
+        // Distances from the hand's side: it turns about axis 6 at `radius`, and the axis stands
+        // `away` from axis 2.
         let rel = sub(hand, six.c);
         let radius = norm(sub(rel, scale(dot(six.h, rel), six.h)));
         let away = there(six.c);
@@ -345,7 +349,8 @@ impl Six {
         let [a, b] = reach(&six.reversed(), hand, shoulder, goal * goal + lift * lift).both;
         let like = |t: Turn| t.c * near.turn.c + t.s * near.turn.s;
         let mut turn = if seen && like(b) > like(a) { b } else { a };
-        // That was about axis 6; what counts is the distance across the plane, and the two differ by their angle.
+        // That was about axis 6; what counts is the distance across the plane, and the two differ
+        // by their angle.
         let distance = |t: Turn| there(six.point(Value::turn(t.back()), hand));
         let by = |t: Turn, angle: f64| t.then(Turn::along(1.0, angle).0);
         for _ in 0..3 {

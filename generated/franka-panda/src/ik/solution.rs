@@ -3,8 +3,8 @@
 use super::list::List;
 use super::regional::Regional;
 
-/// Which of the arm's postures a solution is. Signs are those of the square roots: they do not change along a path that meets no
-/// singularity.
+/// Which of the arm's postures a solution is. Signs are those of the square roots: they do not
+/// change along a path that meets no singularity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Branch {
     /// `1` or `-1`; 0: the arm has no such choice.
@@ -80,8 +80,8 @@ impl core::fmt::Display for Branch {
 /// One posture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Solution<const N: usize> {
-    /// Positions, rad or m; whole turns are chosen so that the limits hold, if they can, else within half a turn of zero (or of
-    /// the posture that was named as near).
+    /// Positions, rad or m; whole turns are chosen so that the limits hold, if they can, else
+    /// within half a turn of zero (or of the posture that was named as near).
     pub q: [f64; N],
     /// Which posture it is.
     pub branch: Branch,
@@ -93,8 +93,8 @@ pub struct Solution<const N: usize> {
     pub within_limits: bool,
     /// Distance to the nearest limit, rad or m, negative beyond it; infinite where there is none.
     pub margin: f64,
-    /// Bit `j`: joint `j` (from 0) can move, with others, and leave the pose as it is: a singularity. The solution is one member of
-    /// that family.
+    /// Bit `j`: joint `j` (from 0) can move, with others, and leave the pose as it is: a
+    /// singularity. The solution is one member of that family.
     pub free: u32,
 }
 
@@ -113,9 +113,11 @@ impl<const N: usize> Solution<N> {
 /// What became of a pose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
-    /// Postures are returned: all, unless [`Solutions::lost`] or [`Solutions::uncertain`] says that one may be missing.
+    /// Postures are returned: all, unless [`Solutions::lost`] or [`Solutions::uncertain`] says that
+    /// one may be missing.
     Ok,
-    /// No posture was found: see [`Solutions::distance`]. Where [`Solutions::uncertain`] is true that is no proof that there is none.
+    /// No posture was found: see [`Solutions::distance`]. Where [`Solutions::uncertain`] is true
+    /// that is no proof that there is none.
     Unreachable,
     /// Some solution is a member of a family: see [`Solution::free`].
     Singular,
@@ -131,16 +133,20 @@ pub struct Solutions<const N: usize> {
     pub list: List<Solution<N>, CAPACITY>,
     /// What became of the pose.
     pub status: Status,
-    /// Of an unreachable pose: how far off the nearest posture that was found is, m and rad. Zero otherwise.
+    /// Of an unreachable pose: how far off the nearest posture that was found is, m and rad. Zero
+    /// otherwise.
     pub distance: [f64; 2],
-    /// How many branches are missing at least. Of an arm that is only nearly of its family: how many fewer were found than the nominal
-    /// arm has (the real arm may have fewer), and one where their number is odd. Of a numerical search: one where six joints have an odd
-    /// number of postures.
+    /// How many branches are missing at least. Of an arm that is only nearly of its family: how
+    /// many fewer were found than the nominal arm has (the real arm may have fewer), and one where
+    /// their number is odd. Of a numerical search: one where six joints have an odd number of
+    /// postures.
     pub lost: u32,
-    /// Whether postures may be missing that `lost` does not count. Of a numerical search: always. Of an arm that is only nearly of its
-    /// family: where some posture lies beside a singularity, since the real arm may have other branches there than the nominal one.
+    /// Whether postures may be missing that `lost` does not count. Of a numerical search: always.
+    /// Of an arm that is only nearly of its family: where some posture lies beside a singularity,
+    /// since the real arm may have other branches there than the nominal one.
     pub uncertain: bool,
-    /// The redundancy that was used: swivel angle or the locked joint's position; zero for other arms.
+    /// The redundancy that was used: swivel angle or the locked joint's position; zero for other
+    /// arms.
     pub redundancy: f64,
     /// Was the second reference plane used, because the first is singular here?
     pub second_plane: bool,
@@ -169,14 +175,32 @@ impl<const N: usize> Solutions<N> {
     }
 }
 
+impl<const N: usize> IntoIterator for Solutions<N> {
+    type Item = Solution<N>;
+    type IntoIter = <List<Solution<N>, CAPACITY> as IntoIterator>::IntoIter;
+    fn into_iter(self) -> Self::IntoIter {
+        self.list.into_iter()
+    }
+}
+
+impl<'a, const N: usize> IntoIterator for &'a Solutions<N> {
+    type Item = &'a Solution<N>;
+    type IntoIter = core::slice::Iter<'a, Solution<N>>;
+    fn into_iter(self) -> Self::IntoIter {
+        self.as_slice().iter()
+    }
+}
+
 /// Why a pose was not looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PoseError {
-    /// Not a finite number: row and column of the pose, from 0; row 3: the redundancy or the near posture.
+    /// Not a finite number: row and column of the pose, from 0; row 3: the redundancy or the near
+    /// posture.
     NotFinite(usize, usize),
     /// The rotation is none: the largest entry of `R' R - 1`.
     NotARotation(f64),
-    /// The columns are orthogonal and of length one, but turn the wrong way round: their determinant is -1.
+    /// The columns are orthogonal and of length one, but turn the wrong way round: their
+    /// determinant is -1.
     Reflection,
 }
 

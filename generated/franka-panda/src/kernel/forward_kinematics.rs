@@ -1,13 +1,14 @@
-//! The last DH frame in the base frame.
+//! The last DH frame in the world frame.
 //!
-//! `out` is the top three rows of `T(0, n)`: axes of the frame as columns, then its origin, m. Khalil and Dombre, 3.2.
+//! `out` is the top three rows of `T(0, n)`: axes of the frame as columns, then its origin, m.
+//! Khalil and Dombre, 3.2.
 //!
 //! 77 multiplications, 41 additions; 3 x 4, 12 of 12 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{Trig, constants};
 
-/// The last DH frame in the base frame: every entry of `out` is written.
+/// The last DH frame in the world frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 4]; 3]) {
     entries(trig, |k, x| {

@@ -1,11 +1,11 @@
 //! Gravity torques `g`.
 //!
-//! N m, from the base parameters: what holds the arm up at rest.
+//! N m, from the base parameters: the torques that hold the arm at rest.
 //!
 //! 64 multiplications, 38 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, Trig};
+use super::super::{BASE, GRAVITY, Trig};
 
 /// Gravity torques `g`: every entry of `out` is written.
 #[inline]
@@ -26,7 +26,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         _, _, _, _, _, MSX6R, MSY6R, _, _, _, _, _,
         MSX7, MSY7,
         ..] = *beta;
-    let k0 = S::constant(9.81);
+    let k0 = S::constant(-GRAVITY[2]);
     // link 2: motion
     let [t0, a3_z] = {
         let t0 = s2 * k0;

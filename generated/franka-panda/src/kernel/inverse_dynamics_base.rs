@@ -1,11 +1,12 @@
 //! Torques from the base parameters.
 //!
-//! `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil and Dombre, 9.6.
+//! `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil
+//! and Dombre, 9.6.
 //!
 //! 314 multiplications, 299 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, BASE, Trig, constants};
+use super::super::{DOF, BASE, GRAVITY, Trig, constants};
 
 /// Torques from the base parameters: every entry of `out` is written.
 #[inline]
@@ -30,7 +31,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7, FO1, FO2, FO3,
         FO4, FO5, FO6, FO7,
         ..] = *beta;
-    let k0 = S::constant(9.81);
+    let k0 = S::constant(-GRAVITY[2]);
     let k4 = S::constant(0.088);
     let k_A = S::constant(constants::A);
     let k_L2 = S::constant(constants::L2);

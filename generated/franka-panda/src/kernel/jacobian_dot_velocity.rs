@@ -1,13 +1,13 @@
-//! Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`.
+//! Acceleration of the last DH frame at zero `ddq`: `dJ/dt dq`.
 //!
-//! In base axes; entries 0-2 linear, m/s^2, 3-5 angular, rad/s^2. Khalil and Dombre, 5.10.
+//! In world axes; entries 0-2 linear, m/s^2, 3-5 angular, rad/s^2. Khalil and Dombre, 5.10.
 //!
 //! 184 multiplications, 122 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig, constants};
 
-/// Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`: every entry of `out` is written.
+/// Acceleration of the last DH frame at zero `ddq`: `dJ/dt dq`: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 6]) {
     entries(trig, dq, |k, x| {
@@ -219,7 +219,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         let t275 = c7 * t239 + s7 * t254;
         [t260, t263, t266, t269, t272, t275]
     };
-    // in base axes
+    // in world axes
     {
         let t280 = t163 * t245 + (a7_x * t260 + a7_y * t263);
         let t285 = t163 * t251 + (a7_x * t266 - a7_y * t269);

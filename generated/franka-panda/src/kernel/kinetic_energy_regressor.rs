@@ -20,7 +20,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (63, 0), (64, 0), (65, 0), (66, 0), (67, 0), (68, 0), (69, 0),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 1 + PATTERN[k].1
 }
@@ -41,7 +41,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 91]) {
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 91]) {
     entries(trig, dq, |k, x| {

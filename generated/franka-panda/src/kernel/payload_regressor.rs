@@ -1,11 +1,12 @@
 //! Regressor of a body fixed to the tool frame.
 //!
-//! `tau = W_L phi_L`, columns `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool frame, about its origin (the paper's (7)).
+//! `tau = W_L phi_L`, columns `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool frame, about its
+//! origin. Katsumata et al. 2019, (7).
 //!
 //! 389 multiplications, 277 additions; 7 x 10, 68 of 70 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart};
-use super::super::{DOF, Trig, constants};
+use super::super::{DOF, GRAVITY, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 68;
@@ -21,7 +22,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (6, 1), (6, 2), (6, 4), (6, 5), (6, 6), (6, 7), (6, 8), (6, 9),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 10 + PATTERN[k].1
 }
@@ -41,7 +42,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 7]) {
     entries(trig, dq, ddq, |k, x| {
@@ -62,7 +63,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6, ddq7] = *ddq;
-    let k0 = S::constant(9.81);
+    let k0 = S::constant(-GRAVITY[2]);
     let k4 = S::constant(0.088);
     let k_A = S::constant(constants::A);
     let k_L2 = S::constant(constants::L2);

@@ -1,11 +1,11 @@
 //! Potential energy, one entry per standard parameter.
 //!
-//! `U = h phi`, J per unit, zero at the base frame's origin; an offset torque counts as `FO q`.
+//! `U = h phi`, J per unit, zero at the world frame's origin; an offset torque counts as `FO q`.
 //!
 //! 39 multiplications, 19 additions; 91, 32 of 91 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig, constants};
+use super::super::{GRAVITY, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 32;
@@ -18,7 +18,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (89, 0), (90, 0),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 1 + PATTERN[k].1
 }
@@ -44,7 +44,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 91]) {
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [S; 91]) {
     entries(trig, |k, x| {
@@ -65,8 +65,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [_, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let k4 = S::constant(0.088);
-    let k5 = S::constant(9.81);
-    let k6 = S::constant(3.2667300000000004);
+    let k5 = S::constant(-GRAVITY[2]);
+    let k6 = S::constant(-GRAVITY[2] * constants::L1);
     let k_A = S::constant(constants::A);
     let k_L1 = S::constant(constants::L1);
     let k_L2 = S::constant(constants::L2);

@@ -1,11 +1,12 @@
 //! Regressor `W` of the standard parameters.
 //!
-//! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
+//! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil
+//! and Dombre, 12.4.
 //!
 //! 813 multiplications, 634 additions; 7 x 91, 276 of 637 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig, constants};
+use super::super::{DOF, GRAVITY, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 276;
@@ -42,7 +43,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (6, 67), (6, 68), (6, 69), (6, 76), (6, 83), (6, 90),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 91 + PATTERN[k].1
 }
@@ -95,7 +96,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 91]; 7]) {
     entries(trig, dq, ddq, |k, x| {
@@ -116,7 +117,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6, ddq7] = *ddq;
-    let k1 = S::constant(9.81);
+    let k1 = S::constant(-GRAVITY[2]);
     let k4 = S::constant(0.088);
     let k5 = S::constant(1.0);
     let k_A = S::constant(constants::A);

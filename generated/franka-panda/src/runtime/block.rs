@@ -1,5 +1,5 @@
-//! As many numbers side by side as one register of the target holds. A long chain of vectors stays in registers in blocks, where a
-//! [`super::Pack`] of eight would go through memory.
+//! As many numbers side by side as one register of the target holds. A long chain of vectors stays
+//! in registers in blocks, where a [`super::Pack`] of eight would go through memory.
 
 use core::ops::{Add, Div, Mul, Sub};
 
@@ -28,7 +28,8 @@ impl Block {
         Self(lanes::from_fn(lane))
     }
 
-    /// Numbers of a list by their places (of which the last four bits count), those from `first` on.
+    /// Numbers of a list by their places (of which the last four bits count), those from `first`
+    /// on.
     #[inline(always)]
     #[must_use]
     pub fn pick(numbers: &[f64; 16], places: &[u8; 16], first: usize) -> Self {
@@ -111,8 +112,8 @@ mod lanes {
     pub(super) type Lanes = __m512d;
     pub(super) const WIDTH: usize = 8;
 
-    // SAFETY, for all of this module: it is compiled only where AVX-512F is enabled for the whole build, and touches no memory
-    // but a whole array of eight or both halves of one of sixteen.
+    // SAFETY, for all of this module: it is compiled only where AVX-512F is enabled for the whole
+    // build, and touches no memory but a whole array of eight or both halves of one of sixteen.
     macro_rules! two {
         ($($name:ident = $intrinsic:ident;)*) => {
             $(#[inline(always)] pub(super) fn $name(a: Lanes, b: Lanes) -> Lanes { unsafe { $intrinsic(a, b) } })*
@@ -171,8 +172,8 @@ mod lanes {
     pub(super) type Lanes = __m256d;
     pub(super) const WIDTH: usize = 4;
 
-    // SAFETY, for all of this module: it is compiled only where AVX2 is enabled for the whole build, and touches no memory but a
-    // whole array of four.
+    // SAFETY, for all of this module: it is compiled only where AVX2 is enabled for the whole
+    // build, and touches no memory but a whole array of four.
     macro_rules! two {
         ($($name:ident = $intrinsic:ident;)*) => {
             $(#[inline(always)] pub(super) fn $name(a: Lanes, b: Lanes) -> Lanes { unsafe { $intrinsic(a, b) } })*
@@ -224,7 +225,8 @@ mod lanes {
     pub(super) type Lanes = __m128d;
     pub(super) const WIDTH: usize = 2;
 
-    // SAFETY, for all of this module: SSE2 belongs to every x86-64, and no memory is touched but a whole array of two.
+    // SAFETY, for all of this module: SSE2 belongs to every x86-64, and no memory is touched but a
+    // whole array of two.
     macro_rules! two {
         ($($name:ident = $intrinsic:ident;)*) => {
             $(#[inline(always)] pub(super) fn $name(a: Lanes, b: Lanes) -> Lanes { unsafe { $intrinsic(a, b) } })*

@@ -5,14 +5,16 @@ use core::sync::atomic::{Ordering, compiler_fence};
 
 use super::{Pack, sincos};
 
-/// Keeps the stores before it before those after it; no instruction. Else LLVM gathers entries of a row, which are computed far apart,
-/// into vectors, and twice as many values wait for their neighbours in memory (measured on a regressor of seven joints: 3 % more time).
+/// Keeps the stores before it before those after it; no instruction. Else LLVM gathers entries of a
+/// row, which are computed far apart, into vectors, and twice as many values wait for their
+/// neighbours in memory (measured on a regressor of seven joints: 3 % more time).
 #[inline(always)]
 pub fn apart() {
     compiler_fence(Ordering::Release);
 }
 
-/// Sets all to zero. (`fill` of the library is a call where the compiler does not look across its units.)
+/// Sets all to zero. (`fill` of the library is a call where the compiler does not look across its
+/// units.)
 #[inline(always)]
 pub fn clear<S: Scalar>(entries: &mut [S]) {
     for entry in entries {

@@ -1,10 +1,11 @@
-//! A joint as what it does to space: a turn about a line or a slide along it (product of exponentials; Brockett 1984, Lynch and
-//! Park, 4.1). Tool, offsets and the convention of the table are all in the lines.
+//! A joint as what it does to space: a turn about a line or a slide along it (product of
+//! exponentials; Brockett 1984, Lynch and Park, 4.1). Tool, offsets and the convention of the table
+//! are all in the lines.
 
 use super::pose::Displacement;
 use super::vector::{IDENTITY, Turn, Vector, add, scale, sub};
 
-/// The line of a joint when all `q` are zero, in base axes.
+/// The line of a joint when all `q` are zero, in world axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Axis {
     /// Does the joint slide?

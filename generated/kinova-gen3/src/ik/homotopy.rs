@@ -1,6 +1,7 @@
-//! From a posture that misses the pose to those that meet it, past turning points: the curve on which what is left to the pose is a
-//! multiple of what it is at the start (Newton homotopy by arc length; Branin 1972, Allgower and Georg, 2.1). Where Newton's steps
-//! end at one posture of several, or between two, the curve goes on.
+//! From a posture that misses the pose to those that meet it, past turning points: the curve on
+//! which what is left to the pose is a multiple of what it is at the start (Newton homotopy by arc
+//! length; Branin 1972, Allgower and Georg, 2.1). Where Newton's steps end at one posture of
+//! several, or between two, the curve goes on.
 
 use super::arm::{Arm, Query};
 use super::axis::Value;
@@ -20,7 +21,8 @@ const SHORTEST: f64 = 1e-3;
 
 type Row = [f64; ROWS];
 
-/// Solves by elimination with the largest pivots; `None` where it is singular. Rows and columns from `n` on are not looked at.
+/// Solves by elimination with the largest pivots; `None` where it is singular. Rows and columns
+/// from `n` on are not looked at.
 fn solve(a: &mut [Row; ROWS], b: &mut Row, n: usize) -> Option<()> {
     let n = n.min(ROWS);
     for k in 0..n {
@@ -113,8 +115,9 @@ impl<const N: usize> Walk<'_, N> {
     }
 }
 
-/// Where the multiple is zero between two points of the curve that are one step apart, as parts of the step: by the cubic through both
-/// values with both slopes. Also where it only comes near zero, since a pair of postures may lie between.
+/// Where the multiple is zero between two points of the curve that are one step apart, as parts of
+/// the step: by the cubic through both values with both slopes. Also where it only comes near zero,
+/// since a pair of postures may lie between.
 fn crossings(length: f64, (s0, d0): (f64, f64), (s1, d1): (f64, f64)) -> [Option<f64>; 2] {
     let (d0, d1) = (d0 * length, d1 * length);
     let at = |x: f64| {
@@ -166,7 +169,8 @@ struct Bounds {
     closed: bool,
 }
 
-/// Goes on from a point of the curve, and hands over where nothing is left, nearly. True: it came back to its start.
+/// Goes on from a point of the curve, and hands over where nothing is left, nearly. True: it came
+/// back to its start.
 fn go<const N: usize>(
     walk: &Walk<'_, N>,
     (mut v, mut s): ([Value; N], f64),
@@ -215,8 +219,8 @@ fn square<const N: usize>(arm: &Arm<N>) -> bool {
     N == 6 || N == 7 && arm.holds()
 }
 
-/// Walks from a posture, less left (-1), more left (1) or both ways, as far as `far` times what is left there, and hands over where
-/// nothing is left, nearly.
+/// Walks from a posture, less left (-1), more left (1) or both ways, as far as `far` times what is
+/// left there, and hands over where nothing is left, nearly.
 pub(super) fn walk<const N: usize>(
     arm: &Arm<N>,
     g: &Displacement,
@@ -241,8 +245,9 @@ pub(super) fn walk<const N: usize>(
     }
 }
 
-/// Beside a singularity: walks around the curve on which the pose is met but for a multiple of what the joints can hardly do there.
-/// It is what becomes of the family of postures that a singular arm has, and all that the real arm has of it lie on the curve.
+/// Beside a singularity: walks around the curve on which the pose is met but for a multiple of what
+/// the joints can hardly do there. It is what becomes of the family of postures that a singular arm
+/// has, and all that the real arm has of it lie on the curve.
 pub(super) fn around<const N: usize>(
     arm: &Arm<N>,
     g: &Displacement,
@@ -268,7 +273,8 @@ pub(super) fn around<const N: usize>(
     }
 }
 
-/// The direction in which a Jacobian does least (unit vector): its last left singular vector, by inverse iteration.
+/// The direction in which a Jacobian does least (unit vector): its last left singular vector, by
+/// inverse iteration.
 fn hardest<const N: usize>(columns: &[[f64; 7]; N]) -> Option<[f64; 7]> {
     let n = N.min(7);
     let mut gram = [[0.0; ROWS]; ROWS];

@@ -1,8 +1,9 @@
-//! Where the swivel angle may lie under the joint limits (Shimizu, Kakuya, Yoon, Kitagaki and Kosuge 2008).
+//! Where the swivel angle may lie under the joint limits (Shimizu, Kakuya, Yoon, Kitagaki and
+//! Kosuge 2008).
 //!
-//! The upper arm's rotation is `Rot(n, phi) R0`, so that every condition "joint j stands at its limit" reads
-//! `a cos phi + b sin phi = d`: two roots in closed form. Between neighbouring roots nothing changes; one look at the middle of
-//! each gap tells whether it is allowed.
+//! The upper arm's rotation is `Rot(n, phi) R0`, so that every condition "joint j stands at its
+//! limit" reads `a cos phi + b sin phi = d`: two roots in closed form. Between neighbouring roots
+//! nothing changes; one look at the middle of each gap tells whether it is allowed.
 
 use super::super::runtime::Scalar;
 use super::arm::{Arm, Family, checked, fitted};
@@ -12,12 +13,14 @@ use super::orient::Three;
 use super::polish;
 use super::pose::Displacement;
 use super::real::{angle, angles};
+use super::reference::Reference;
 use super::solution::{Branch, PoseError};
 use super::subproblem::circle;
-use super::swivel::{Reference, Swivel};
+use super::swivel::Swivel;
 use super::vector::{Matrix, Turn, Vector, cross, dot, norm, product, scale, sub, times, transposed};
 
-/// Allowed swivel angles from `from` to `to`, rad, within `[-pi, pi]`. One that goes on beyond pi is given in two parts.
+/// Allowed swivel angles from `from` to `to`, rad, within `[-pi, pi]`. One that goes on beyond pi
+/// is given in two parts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interval {
     /// rad.
@@ -26,8 +29,8 @@ pub struct Interval {
     pub to: f64,
 }
 
-/// Allowed intervals of one branch, ascending. Two limits of six joints with two roots each, and eight singular angles, cut the
-/// circle at 32 places at most.
+/// Allowed intervals of one branch, ascending. Two limits of six joints with two roots each, and
+/// eight singular angles, cut the circle at 32 places at most.
 pub type Intervals = List<Interval, 33>;
 
 /// `P + Q cos phi + W sin phi`: what a turn by `phi` makes of products of vectors.
@@ -141,8 +144,8 @@ impl Cuts {
     }
 }
 
-/// A joint's limits as an arc: the direction of its middle, and the cosine of half its width; allowed are directions that are not
-/// farther from the middle.
+/// A joint's limits as an arc: the direction of its middle, and the cosine of half its width;
+/// allowed are directions that are not farther from the middle.
 #[derive(Clone, Copy)]
 struct Arc {
     middle: Turn,
@@ -175,8 +178,9 @@ impl Arc {
 }
 
 impl<const N: usize> Arm<N> {
-    /// All swivel angles at which a branch reaches the pose within the limits; `None` for an arm without a swivel angle. Of an arm
-    /// that is only nearly of the family: those of the nominal arm.
+    /// All swivel angles at which a branch reaches the pose within the limits; `None` for an arm
+    /// without a swivel angle. Of an arm that is only nearly of the family: those of the nominal
+    /// arm.
     ///
     /// # Errors
     /// Like [`Arm::solve`].
@@ -204,7 +208,7 @@ impl<const N: usize> Arm<N> {
         let arcs = Arc::all([0, 1, 2, 4, 5, 6].map(limit));
         let mut cuts = Cuts { c: [0.0; MOST], s: [0.0; MOST], len: 0 };
         for (three, base) in [(&pencil.shoulder, 0usize), (&pencil.wrist, 3)] {
-            // x . R(three) y = d, where R is the upper arm's rotation, or the hand's against the forearm.
+            // x . R(three) y = d; R rotates the upper arm, or the hand against the forearm.
             let mut cut = |x: Vector, y: Vector, d: f64| {
                 if base == 0 {
                     pencil.roots(x, times(&pencil.upper, y), d, &mut cuts);
@@ -270,8 +274,9 @@ impl<const N: usize> Arm<N> {
         found
     }
 
-    /// The swivel angle at which a branch stays farthest from its limits, and that distance, rad; `None` where no angle is allowed
-    /// or the arm has none. Sixteen looks at each interval, then golden sections.
+    /// The swivel angle at which a branch stays farthest from its limits, and that distance, rad;
+    /// `None` where no angle is allowed or the arm has none. Sixteen looks at each interval, then
+    /// golden sections.
     ///
     /// # Errors
     /// Like [`Arm::solve`].
@@ -322,7 +327,8 @@ impl<const N: usize> Arm<N> {
         Ok(best)
     }
 
-    /// How fast the swivel angle turns when the joints do, rad/s; zero for an arm without one. Central differences along `dq`.
+    /// How fast the swivel angle turns when the joints do, rad/s; zero for an arm without one.
+    /// Central differences along `dq`.
     pub fn swivel_velocity(&self, q: &[f64; N], dq: &[f64; N], reference: &Reference) -> f64 {
         let Family::Swivel(swivel) = &self.family else { return 0.0 };
         let size = dq.iter().fold(0.0f64, |m, x| m.max(x.abs()));

@@ -1,8 +1,9 @@
-//! Arms that are only nearly of their family. Each posture of the nominal arm is refined to one of the real arm. Away from
-//! singularities that is all. Near one, two may run into one or end between, and the real arm may have other postures than the
-//! nominal one: there every nominal posture is also followed to the real arm's along a curve that goes past turning points, and around
-//! the curve that is left of the singular arm's family of postures; so is every branch that was found there, and postures at other
-//! swivel angles or at poses beside.
+//! Arms that are only nearly of their family. Each posture of the nominal arm is refined to one of
+//! the real arm. Away from singularities that is all. Near one, two may run into one or end
+//! between, and the real arm may have other postures than the nominal one: there every nominal
+//! posture is also followed to the real arm's along a curve that goes past turning points, and
+//! around the curve that is left of the singular arm's family of postures; so is every branch that
+//! was found there, and postures at other swivel angles or at poses beside.
 
 use super::arm::{Arm, Family, Query, Work};
 use super::axis::{Axis, Value};
@@ -21,10 +22,12 @@ const ELSEWHERE: usize = 15;
 const EVERY: usize = 5;
 /// Below this a Jacobian (of the arm's own size) is near a singularity.
 const REGULAR: f64 = 0.04;
-/// What the nominal arm misses by where it has no posture, parts of its size and rad; beyond it, the real one has none either.
+/// What the nominal arm misses by where it has no posture, parts of its size and rad; beyond it,
+/// the real one has none either.
 const OUT_OF_REACH: f64 = 0.15;
 
-/// How many postures fewer there are than the nominal arm has, and at least one where their number is odd: they come and go in pairs.
+/// How many postures fewer there are than the nominal arm has, and at least one where their number
+/// is odd: they come and go in pairs.
 fn missing<const N: usize>(wanted: usize, out: &Solutions<N>) -> u32 {
     let found = out.list.len();
     let odd = N >= 6 && found % 2 == 1;
@@ -47,8 +50,9 @@ impl<const N: usize> Arm<N> {
         let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
         let size = self.axes.iter().fold(norm(self.home.shift), |m, a| m.max(norm(a.c)));
         let mut opposite: Candidates<N> = Candidates::new();
-        if matches!(self.family, Family::Swivel(_)) {
-            // Where the elbow passes through the line from shoulder to wrist its swivel angle jumps by half a turn.
+        if self.family.is_swivel() {
+            // Where the elbow passes through the line from shoulder to wrist its swivel angle jumps
+            // by half a turn.
             let half = query.redundancy + core::f64::consts::PI;
             self.candidates(g, query, half, near, &mut opposite);
             for place in 0..opposite.len {
@@ -104,8 +108,9 @@ impl<const N: usize> Arm<N> {
     ) {
         let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
         let mut all: Candidates<N> = Candidates::new();
-        if matches!(self.family, Family::Swivel(_)) {
-            // The real arm's own postures at another angle: from there it turns about the line from shoulder to wrist.
+        if self.family.is_swivel() {
+            // The real arm's own postures at another angle: from there it turns about the line from
+            // shoulder to wrist.
             let angle = query.redundancy + core::f64::consts::TAU * k as f64 / (ELSEWHERE + 1) as f64;
             let other = Query { redundancy: angle, ..*query };
             self.candidates(g, &other, angle, near, &mut all);
@@ -146,25 +151,13 @@ impl<const N: usize> Arm<N> {
             }
         };
         match &self.family {
-            Family::Six(six) | Family::Locked { six, .. } => {
-                for (axis, joint) in six.axes.iter().zip(six.joints) {
-                    put(joint, if six.reversed { axis.reversed() } else { *axis });
-                }
-            }
             Family::Swivel(swivel) => {
                 for (axis, joint) in swivel.axes.iter().zip(0..) {
                     put(Some(joint), *axis);
                 }
             }
-            Family::Plane(plane) => {
-                for (axis, joint) in plane.axes.iter().zip(plane.joints) {
-                    put(joint, *axis);
-                }
-                if let Some((axis, joint, _)) = plane.lift {
-                    put(Some(joint), axis);
-                }
-            }
-            Family::Slides | Family::Numerical => {}
+            // No closed form of a nominal arm: slides alone, and search.
+            _ => {}
         }
         ideal
     }

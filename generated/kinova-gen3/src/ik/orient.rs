@@ -14,8 +14,8 @@ pub(super) struct Three {
     square: Option<Turn>,
 }
 
-/// Both answers, the second after the sign of a square root; bit 0: the first joint is free, bit 1: the second;
-/// bit 7: [`super::subproblem::DOUBT`].
+/// Both answers, the second after the sign of a square root; bit 0: the first joint is free, bit 1:
+/// the second; bit 7: [`super::subproblem::DOUBT`].
 pub(super) type Turns = [([Turn; 3], u8); 2];
 
 impl Three {
@@ -36,8 +36,9 @@ impl Three {
         self.square.is_some()
     }
 
-    /// The basis of the first axis as the joints before it carry it, `x`, and the basis of the last one as the goal has it, `y`.
-    /// Where the outer axes become parallel, the first turn is `near`'s.
+    /// The basis of the first axis as the joints before it carry it, `x`, and the basis of the last
+    /// one as the goal has it, `y`. Where the outer axes become parallel, the first turn is
+    /// `near`'s.
     #[inline(always)]
     pub fn turns(&self, x: &[Vector; 3], y: &[Vector; 3], near: Turn) -> Turns {
         let [a, b, c] = *x;

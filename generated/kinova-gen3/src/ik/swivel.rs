@@ -1,5 +1,6 @@
-//! Seven joints with a spherical shoulder, an elbow and a spherical wrist, at a given swivel angle of the elbow about the line from
-//! shoulder to wrist (the paper's equation 1; Tolani, Goswami and Badler 2000).
+//! Seven joints with a spherical shoulder, an elbow and a spherical wrist, at a given swivel angle
+//! of the elbow about the line from shoulder to wrist (the paper's equation 1; Tolani, Goswami and
+//! Badler 2000).
 
 use super::super::runtime::Scalar;
 use super::axis::{Axis, Value};
@@ -7,13 +8,12 @@ use super::candidates::{Candidates, in_doubt};
 use super::orient::Three;
 use super::pose::Displacement;
 use super::real::{angle, root};
+use super::reference::Reference;
 use super::solution::Branch;
 use super::subproblem::{doubt, reach};
-use super::vector::{
-    Matrix, Turn, Vector, add, beside, cross, dot, nearly_unit, norm, scale, sub, times, transposed, unit,
-};
+use super::vector::{Matrix, Turn, Vector, add, cross, dot, nearly_unit, norm, scale, sub, times, transposed, unit};
 
-/// Lines and points of the arm at `q = 0`, in base axes.
+/// Lines and points of the arm at `q = 0`, in world axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Swivel {
     /// Base to tip.
@@ -26,33 +26,6 @@ pub struct Swivel {
     pub wrist: Vector,
 }
 
-/// A plane through shoulder and wrist from which the swivel angle is counted.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Reference {
-    /// The paper's vector b: at swivel angle zero the elbow lies on its side of the line from shoulder to wrist.
-    pub b: Vector,
-    /// What takes its place where b is parallel to that line.
-    pub second: Vector,
-}
-
-impl Reference {
-    /// `b` up, the second forwards.
-    pub const UP: Self = Self { b: [0.0, 0.0, 1.0], second: [1.0, 0.0, 0.0] };
-
-    /// `u` and `v` of the paper for the unit vector `n` from shoulder to wrist; true: by the second vector.
-    pub(super) fn plane(&self, n: Vector) -> (Vector, Vector, bool) {
-        let across = |b: Vector| sub(b, scale(dot(n, b), n));
-        let (first, second) = (across(self.b), across(self.second));
-        let poor = !(norm(first) > 1e-6 * norm(self.b));
-        let u = match (poor, norm(second) > 1e-6 * norm(self.second)) {
-            (false, _) => unit(first),
-            (true, true) => unit(second),
-            (true, false) => beside(n),
-        };
-        (u, cross(n, u), poor)
-    }
-}
-
 /// The columns of a frame.
 type Frame = [Vector; 3];
 
@@ -61,7 +34,8 @@ fn from_to(from: &Frame, to: &Frame) -> Matrix {
     super::vector::product(&transposed(to), from)
 }
 
-/// What the pose alone says: the direction from shoulder to wrist, and for each elbow its angle and the upper arm's frame.
+/// What the pose alone says: the direction from shoulder to wrist, and for each elbow its angle and
+/// the upper arm's frame.
 pub(super) struct Elbows {
     pub n: Vector,
     pub both: [(Value, Frame); 2],
@@ -70,8 +44,9 @@ pub(super) struct Elbows {
 }
 
 impl Swivel {
-    /// In the upper arm's frame at `q = 0`: direction to the wrist, and beside it direction to the elbow, for an angle of joint 4.
-    /// `per`: the reciprocal of the way to the wrist, as far as it is known.
+    /// In the upper arm's frame at `q = 0`: direction to the wrist, and beside it direction to the
+    /// elbow, for an angle of joint 4. `per`: the reciprocal of the way to the wrist, as far as it
+    /// is known.
     fn upper(&self, v4: Value, per: f64, side: f64) -> (Frame, f64) {
         let to = sub(self.axes[3].point(v4, self.wrist), self.shoulder);
         let w = nearly_unit(scale(per, to));
@@ -154,8 +129,9 @@ impl Swivel {
         second
     }
 
-    /// What is left of the swivel angle of a posture to another one, and how fast each joint brings it there: its sine, for which
-    /// half turns do not count, because the angle jumps by one where the arm is stretched.
+    /// What is left of the swivel angle of a posture to another one, and how fast each joint brings
+    /// it there: its sine, for which half turns do not count, because the angle jumps by one where
+    /// the arm is stretched.
     pub(super) fn left(&self, values: &[Value; 7], reference: &Reference, goal: f64) -> (f64, [f64; 7]) {
         let [a1, a2, a3, a4, ..] = &self.axes;
         let [v1, v2, v3, v4, ..] = *values;
@@ -166,7 +142,8 @@ impl Swivel {
         let (u, v, _) = reference.plane(n);
         let phi = angle(dot(e, v), dot(e, u));
         let ([s], [c]) = f64::sin_cos_all(&[goal - phi]);
-        // The plane turns with the line from shoulder to wrist: u stays on the side of b, whichever b that was.
+        // The plane turns with the line from shoulder to wrist: u stays on the side of b, whichever
+        // b that was.
         let b = [reference.b, reference.second].map(|b| (dot(n, b), dot(u, b)));
         let (along, beside) = if dot(reference.b, v).abs() <= 1e-9 * norm(reference.b) { b[0] } else { b[1] };
         let lean = if beside.abs() > 1e-9 { along / beside } else { 0.0 };

@@ -1,6 +1,7 @@
-//! DH frames of all rows in the base frame.
+//! DH frames of all rows in the world frame.
 //!
-//! `out[i]` is the top three rows of the homogeneous matrix `T(0, i+1)`, m and one. Khalil and Dombre, 3.2.
+//! `out[i]` is the top three rows of the homogeneous matrix `T(0, i+1)`, m and one. Khalil and
+//! Dombre, 3.2.
 //!
 //! 79 multiplications, 64 additions; 7 x 3 x 4, 77 of 84 structurally nonzero.
 
@@ -22,12 +23,12 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (6, 5), (6, 6), (6, 7), (6, 8), (6, 9), (6, 10), (6, 11),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 12 + PATTERN[k].1
 }
 
-/// DH frames of all rows in the base frame: every entry of `out` is written.
+/// DH frames of all rows in the world frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[[S; 4]; 3]; 7]) {
     let flat = &mut out.as_flattened_mut().as_flattened_mut()[..];
@@ -43,7 +44,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[[S; 4]; 3]; 7]) {
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [[[S; 4]; 3]; 7]) {
     entries(trig, |k, x| {

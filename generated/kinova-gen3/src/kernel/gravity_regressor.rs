@@ -1,11 +1,12 @@
 //! Regressor at rest.
 //!
-//! `g = W_g phi` for the links' parameters only; columns as the first of `STANDARD_NAMES`.
+//! `g = W_g phi` of the links' parameters; columns as the first of `STANDARD_NAMES`, without the
+//! drives'.
 //!
 //! 283 multiplications, 166 additions; 7 x 70, 94 of 490 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{GRAVITY, Trig};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 94;
@@ -24,7 +25,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (5, 62), (5, 63), (6, 61), (6, 62),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 70 + PATTERN[k].1
 }
@@ -71,7 +72,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 70]; 7]) {
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 70]; 7]) {
     entries(trig, |k, x| {
@@ -90,7 +91,7 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [_, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
-    let k0 = S::constant(9.81);
+    let k0 = S::constant(-GRAVITY[2]);
     let k1 = S::constant(0.01175);
     let k2 = S::constant(0.42076);
     let k3 = S::constant(0.01275);

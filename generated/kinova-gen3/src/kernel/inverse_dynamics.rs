@@ -1,11 +1,12 @@
 //! Torques from the standard parameters.
 //!
-//! `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil and Dombre, 9.5.2.
+//! `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil
+//! and Dombre, 9.5.2.
 //!
 //! 381 multiplications, 378 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, STANDARD, Trig};
+use super::super::{DOF, STANDARD, GRAVITY, Trig};
 
 /// Torques from the standard parameters: every entry of `out` is written.
 #[inline]
@@ -32,7 +33,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         FV3, FV4, FV5, FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7,
         FO1, FO2, FO3, FO4, FO5, FO6, FO7,
         ..] = *phi;
-    let k0 = S::constant(9.81);
+    let k0 = S::constant(-GRAVITY[2]);
     let k1 = S::constant(0.01175);
     let k2 = S::constant(0.42076);
     let k3 = S::constant(0.01275);

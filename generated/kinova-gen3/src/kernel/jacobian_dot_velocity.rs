@@ -1,13 +1,13 @@
-//! Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`.
+//! Acceleration of the last DH frame at zero `ddq`: `dJ/dt dq`.
 //!
-//! In base axes; entries 0-2 linear, m/s^2, 3-5 angular, rad/s^2. Khalil and Dombre, 5.10.
+//! In world axes; entries 0-2 linear, m/s^2, 3-5 angular, rad/s^2. Khalil and Dombre, 5.10.
 //!
 //! 186 multiplications, 112 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig};
 
-/// Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`: every entry of `out` is written.
+/// Acceleration of the last DH frame at zero `ddq`: `dJ/dt dq`: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 6]) {
     entries(trig, dq, |k, x| {
@@ -211,7 +211,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         let t267 = c7 * t231 - s7 * t246;
         [t252, t255, t258, t261, t264, t267]
     };
-    // in base axes
+    // in world axes
     {
         let t272 = a7_x * t252 - a7_y * t255 - a7_z * t237;
         let t277 = a7_z * t243 + (a7_x * t258 + a7_y * t261);

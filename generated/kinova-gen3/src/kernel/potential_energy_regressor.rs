@@ -1,11 +1,11 @@
 //! Potential energy, one entry per standard parameter.
 //!
-//! `U = h phi`, J per unit, zero at the base frame's origin; an offset torque counts as `FO q`.
+//! `U = h phi`, J per unit, zero at the world frame's origin; an offset torque counts as `FO q`.
 //!
 //! 40 multiplications, 19 additions; 91, 32 of 91 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{GRAVITY, Trig};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 32;
@@ -18,7 +18,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (89, 0), (90, 0),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 1 + PATTERN[k].1
 }
@@ -44,7 +44,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 91]) {
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [S; 91]) {
     entries(trig, |k, x| {
@@ -70,9 +70,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let k3 = S::constant(0.31436);
     let k4 = S::constant(0.00035);
     let k5 = S::constant(0.167455);
-    let k6 = S::constant(9.81);
-    let k7 = S::constant(2.7939861);
-    let k8 = S::constant(-9.81);
+    let k6 = S::constant(-GRAVITY[2]);
+    let k7 = S::constant(-GRAVITY[2] * 0.28481);
+    let k8 = S::constant(GRAVITY[2]);
     // frame 3
     let [t1, t2, t3] = {
         let t1 = k1 + c2 * k0;

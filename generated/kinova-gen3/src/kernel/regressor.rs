@@ -1,11 +1,12 @@
 //! Regressor `W` of the standard parameters.
 //!
-//! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
+//! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil
+//! and Dombre, 12.4.
 //!
 //! 859 multiplications, 669 additions; 7 x 91, 280 of 637 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig};
+use super::super::{DOF, GRAVITY, Trig};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 280;
@@ -42,7 +43,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (6, 62), (6, 64), (6, 65), (6, 66), (6, 67), (6, 68), (6, 69), (6, 76), (6, 83), (6, 90),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 91 + PATTERN[k].1
 }
@@ -94,7 +95,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 91]; 7]) {
     entries(trig, dq, ddq, |k, x| {
@@ -117,7 +118,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6, ddq7] = *ddq;
     let k0 = S::constant(0.01175);
     let k1 = S::constant(0.42076);
-    let k2 = S::constant(9.81);
+    let k2 = S::constant(-GRAVITY[2]);
     let k3 = S::constant(0.0001380625);
     let k4 = S::constant(0.0235);
     let k5 = S::constant(0.01275);

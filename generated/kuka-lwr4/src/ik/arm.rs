@@ -5,50 +5,49 @@ use super::axis::{Axis, Value};
 use super::candidates::Candidates;
 use super::lanes::measured;
 use super::list::List;
-use super::numerical;
-use super::plane::Plane;
 use super::polish::{self, polish, remainder, sizes};
 use super::pose::Displacement;
 use super::real::{root, whole, wrapped};
-use super::regional::Regional;
-use super::six::{Method, Six};
+use super::reference::Reference;
 use super::solution::{Branch, CAPACITY, PoseError, Solution, Solutions, Status};
-use super::swivel::{Reference, Swivel};
+use super::swivel::Swivel;
 use super::vector::{IDENTITY, Matrix, dot, product, transposed};
 
 /// How an arm is solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Family {
-    /// Six joints or fewer.
-    Six(Six),
-    /// Seven, the first or the last of which is given.
-    Locked {
-        /// Which one, from 0.
-        joint: u8,
-        /// The other six.
-        six: Six,
-    },
     /// Seven, by the swivel angle.
     Swivel(Swivel),
-    /// All turning axes parallel.
-    Plane(Plane),
     /// Only joints that slide: linear.
     Slides,
-    /// No closed form is known: damped least squares from many starts. There may be postures that no start leads to.
-    Numerical,
+}
+
+impl Family {
+    /// Whether postures are searched for, in want of a closed form.
+    pub(super) fn is_searched(&self) -> bool {
+        false
+    }
+
+    /// Whether the redundancy is a swivel angle.
+    pub(super) fn is_swivel(&self) -> bool {
+        if matches!(self, Self::Swivel(_)) {
+            return true;
+        }
+        false
+    }
 }
 
 /// An arm with `N` joints.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arm<const N: usize> {
-    /// Lines of the joints at `q = 0`, in base axes.
+    /// Lines of the joints at `q = 0`, in world axes.
     pub axes: [Axis; N],
     /// The last DH frame at `q = 0`.
     pub home: Displacement,
     /// Lower and upper positions, rad or m.
     pub limits: [Option<[f64; 2]>; N],
-    /// Whether a closed form is the arm's own. Otherwise it is that of a nominal arm nearby, each branch refined, or there is none and
-    /// postures are searched.
+    /// Whether a closed form is the arm's own. Otherwise it is that of a nominal arm nearby, each
+    /// branch refined, or there is none and postures are searched.
     pub exact: bool,
     /// How it is solved.
     pub family: Family,
@@ -61,13 +60,14 @@ pub struct Query<'a, const N: usize> {
     pub redundancy: f64,
     /// From where the swivel angle is counted.
     pub reference: Reference,
-    /// A posture: free joints take their positions from it, whole turns are chosen near it (near zero where it
-    /// is beyond 1000 rad), and nearest solutions stand first.
+    /// A posture: free joints take their positions from it, whole turns are chosen near it (near
+    /// zero where it is beyond 1000 rad), and nearest solutions stand first.
     pub near: Option<&'a [f64; N]>,
     /// What may be left to the pose, m and rad. The default is `1e-12`: rounding.
     pub tolerance: f64,
-    /// Newton's steps at most on a branch whose closed form leaves more than rounding (singular, or out of reach, where they find how far off the pose is).
-    /// The default is 40: at a double root each only halves what is left. Who must answer in time asks for none, with a tolerance that
+    /// Newton's steps at most on a branch whose closed form leaves more than rounding (singular, or
+    /// out of reach, where they find how far off the pose is). The default is 40: at a double root
+    /// each only halves what is left. Who must answer in time asks for none, with a tolerance that
     /// the closed form keeps by itself (1e-9).
     pub steps: usize,
 }
@@ -108,15 +108,18 @@ impl<const N: usize> Arm<N> {
         })
     }
 
-    /// All postures that bring the last DH frame to a pose: the top three rows of its homogeneous matrix, m.
+    /// All postures that bring the last DH frame to a pose: the top three rows of its homogeneous
+    /// matrix, m.
     ///
     /// # Errors
-    /// If an entry is not finite, or the rotation is none (beyond 1e-6; a smaller defect is taken away).
+    /// If an entry is not finite, or the rotation is none (beyond 1e-6; a smaller defect is taken
+    /// away).
     pub fn solve(&self, pose: &[[f64; 4]; 3], query: &Query<'_, N>) -> Result<Solutions<N>, PoseError> {
         self.solve_inlined(pose, query)
     }
 
-    /// The same inlined: of an arm that is a constant, as that of a generated crate, the compiler makes a solver for it alone.
+    /// The same inlined: of an arm that is a constant, as that of a generated crate, the compiler
+    /// makes a solver for it alone.
     ///
     /// # Errors
     /// Like [`Arm::solve`].
@@ -135,7 +138,7 @@ impl<const N: usize> Arm<N> {
         if all.in_doubt() {
             self.settle(&g, query, &near, &mut all);
         }
-        // Of a family of postures, the member nearest to the one that was named; and that one itself where it is there already.
+        // Of a family of postures, the member nearest to the one named, which may be one itself.
         let mut member = None;
         if query.near.is_some() && all.len > 0 {
             let [p, r] = sizes(&remainder(self, &g, &near));
@@ -148,7 +151,6 @@ impl<const N: usize> Arm<N> {
                 member = (0..all.len).reduce(|a, b| if far(b) < far(a) { b } else { a });
             }
         }
-        // Filled where it is returned: it is large to copy.
         let mut result = Ok(Solutions {
             list: List::new(Solution::NONE),
             status: Status::Ok,
@@ -161,7 +163,7 @@ impl<const N: usize> Arm<N> {
         let Ok(solutions) = &mut result else { return result };
         let mut work = Work { marks: [f64::INFINITY; CAPACITY], best: [f64::INFINITY; 2] };
         self.finish(&g, query, &all, member.map(|place| (place, near)), solutions, &mut work);
-        let searched = matches!(self.family, Family::Numerical);
+        let searched = self.family.is_searched();
         if (self.exact || searched)
             && solutions.list.is_empty()
             && query.steps > 0
@@ -173,8 +175,6 @@ impl<const N: usize> Arm<N> {
             solutions.uncertain = true;
             // Real postures of a general arm with six joints come in pairs.
             solutions.lost = u32::from(N == 6 && solutions.as_slice().len() % 2 == 1);
-        } else if !self.exact {
-            self.search_nearby(&g, query, &near, &all, solutions, &mut work);
         }
         conclude(query, &work, solutions);
         result
@@ -205,47 +205,20 @@ impl<const N: usize> Arm<N> {
         let slides = |j: usize| self.axes.get(j).is_some_and(|a| a.slides);
         let mut second_plane = false;
         match &self.family {
-            Family::Six(six) => six.solve(g, near, all),
-            Family::Locked { joint, six } => {
-                let lock = usize::from(*joint);
-                let axis = self.axes.get(lock).copied().unwrap_or(self.axes_first());
-                let ([s], [c]) = f64::sin_cos_all(&[redundancy]);
-                let turn = super::vector::Turn { c, s };
-                let value = if axis.slides { Value::way(redundancy) } else { Value::turn(turn) };
-                all.value(lock, axis.slides, value);
-                let locked = axis.displacement(value).inverse();
-                let rest = if lock == 0 { locked.after(g) } else { g.after(&locked) };
-                six.solve(&rest, near, all);
-            }
             Family::Swivel(swivel) => {
                 let ([s], [c]) = f64::sin_cos_all(&[redundancy]);
                 second_plane = swivel.solve(g, &query.reference, (c, s), near, all);
             }
-            Family::Plane(plane) => {
-                let three = plane.joints.map(|j| pick(near, j));
-                for f in plane.solve(g, &three).iter() {
-                    let mut values = [Value::ZERO; N];
-                    for (j, v) in plane.joints.iter().zip(f.values) {
-                        put(&mut values, *j, v);
-                    }
-                    put(&mut values, plane.lift.map(|(_, j, _)| j), f.lift);
-                    let mut free = super::candidates::in_doubt(f.free);
-                    for (k, j) in plane.joints.iter().enumerate() {
-                        free |= j.map_or(0, |j| u32::from(f.free >> k & 1) << (j & 15));
-                    }
-                    all.push_all(&values, slides, f.branch, free);
-                }
-            }
             Family::Slides => {
                 all.push_all(&[Value::ZERO; N], slides, Branch::NONE, 0);
             }
-            Family::Numerical => numerical::search(self, g, query, near, all),
         }
         second_plane
     }
 
-    /// The next posture along a path: the solution nearest to the last one, through singularities too. `None` where the pose is
-    /// out of reach, or where every posture is farther than `largest_step` (rad or m, any joint): a jump is never made.
+    /// The next posture along a path: the solution nearest to the last one, through singularities
+    /// too. `None` where the pose is out of reach, or where every posture is farther than
+    /// `largest_step` (rad or m, any joint): a jump is never made.
     ///
     /// # Errors
     /// Like [`Arm::solve`].
@@ -265,7 +238,8 @@ impl<const N: usize> Arm<N> {
         self.axes.first().copied().unwrap_or(Axis { slides: true, h: [0.0, 0.0, 1.0], c: [0.0; 3] })
     }
 
-    /// The redundancy parameter of a posture: its swivel angle or the locked joint's position; zero for other arms.
+    /// The redundancy parameter of a posture: its swivel angle or the locked joint's position; zero
+    /// for other arms.
     pub fn redundancy(&self, q: &[f64; N], reference: &Reference) -> f64 {
         let values = polish::values(self, q);
         match &self.family {
@@ -273,31 +247,24 @@ impl<const N: usize> Arm<N> {
                 let seven = core::array::from_fn(|i| values.get(i).copied().unwrap_or(Value::ZERO));
                 swivel.angle(&seven, reference).0
             }
-            Family::Locked { joint, .. } => q.get(usize::from(*joint)).copied().unwrap_or(0.0),
             _ => 0.0,
         }
     }
 
     /// Is a branch that is this far off (m or rad) one that the arm has, but for rounding?
     fn nearly(&self, tolerance: f64) -> f64 {
-        let quartic = match &self.family {
-            Family::Six(six) | Family::Locked { six, .. } => matches!(
-                six.method,
-                Method::Wrist { regional: Regional::General { .. } | Regional::TurnSlideTurn, .. }
-                    | Method::ThreeParallel { meet: None }
-            ),
-            Family::Slides | Family::Numerical => return f64::INFINITY,
-            _ => false,
-        };
-        if !self.exact {
+        if !self.exact || self.family.is_searched() || matches!(self.family, Family::Slides) {
             return f64::INFINITY;
         }
+        let quartic = match &self.family {
+            _ => false,
+        };
         // A double root of a quartic is known to half the digits.
         (100.0 * tolerance).max(if quartic { 1e-3 } else { 1e-6 })
     }
 
-    /// Measures, refines where rounding shows, and keeps what reaches the pose. `member`: one more posture, of the family of the
-    /// branch in that place.
+    /// Measures, refines where rounding shows, and keeps what reaches the pose. `member`: one more
+    /// posture, of the family of the branch in that place.
     #[inline(always)]
     fn finish(
         &self,
@@ -316,7 +283,7 @@ impl<const N: usize> Arm<N> {
                 break;
             }
             let eight = measured(self, g, query.near, all, first);
-            // Equal branches are rare: where no two of these are, and none is there, they are not compared again.
+            // Equal branches are rare: only where two marks are equal are they compared.
             let mut alike = !out.list.is_empty();
             for (lane, mark) in eight.marks.iter().enumerate() {
                 for other in &eight.marks[..lane] {
@@ -351,7 +318,7 @@ impl<const N: usize> Arm<N> {
                     alike = true;
                     self.refine(g, query, all.values(place, slides), (branch, free), out, work);
                 } else {
-                    // No posture, or one of the joints that were added: looked at only where nothing else is found.
+                    // No posture, or of a joint that was added: tried only in want of others.
                     far_off |= 1 << place;
                 }
             }
@@ -385,7 +352,6 @@ impl<const N: usize> Arm<N> {
         work: &mut Work,
     ) {
         for v in &mut values {
-            // What meets no circle is not always of length one.
             v.turn = super::vector::Turn::along(v.turn.c, v.turn.s).0;
         }
         let start = values;
@@ -393,14 +359,6 @@ impl<const N: usize> Arm<N> {
         let [p, r] = sizes(&e);
         if query.steps > 0 && (p.max(r) > EXACT || !self.exact) {
             e = polish(self, g, query, &mut values, query.steps);
-            if let Family::Locked { joint, .. } = self.family {
-                // Its own value to the last digit.
-                let lock = usize::from(joint);
-                if let (Some(place), Some(kept)) = (values.get_mut(lock), start.get(lock)) {
-                    *place = *kept;
-                }
-                e = remainder(self, g, &values);
-            }
         }
         let [p, r] = sizes(&e);
         if p + r < work.best[0] + work.best[1] {
@@ -459,16 +417,17 @@ impl<const N: usize> Arm<N> {
         self.axes.get(joint).is_some_and(|a| !a.slides) && wrapped(difference).abs() < 1e-10
     }
 
-    /// Does the arm keep a redundancy while it is refined? An exact swivel arm is not led away from its angle.
+    /// Does the arm keep a redundancy while it is refined? An exact swivel arm is not led away from
+    /// its angle.
     pub(super) fn holds(&self) -> bool {
         match self.family {
-            Family::Locked { .. } => true,
             Family::Swivel(_) => !self.exact,
             _ => false,
         }
     }
 
-    /// What is left to the redundancy that is kept, and how fast the joints bring it there; zeros where none is kept.
+    /// What is left to the redundancy that is kept, and how fast the joints bring it there; zeros
+    /// where none is kept.
     pub(super) fn held(&self, query: &Query<'_, N>, v: &[Value; N]) -> (f64, [f64; N]) {
         if self.holds() { self.kept(query, v) } else { (0.0, [0.0; N]) }
     }
@@ -477,16 +436,6 @@ impl<const N: usize> Arm<N> {
     pub(super) fn kept(&self, query: &Query<'_, N>, v: &[Value; N]) -> (f64, [f64; N]) {
         let mut row = [0.0; N];
         match &self.family {
-            Family::Locked { joint, .. } => {
-                let lock = usize::from(*joint);
-                let here = v.get(lock).copied().unwrap_or(Value::ZERO);
-                if let Some(place) = row.get_mut(lock) {
-                    *place = 1.0;
-                }
-                let slides = self.axes.get(lock).is_some_and(|a| a.slides);
-                let at = if slides { here.way } else { super::real::angle(here.turn.s, here.turn.c) };
-                (if slides { query.redundancy - at } else { wrapped(query.redundancy - at) }, row)
-            }
             Family::Swivel(swivel) => {
                 let seven = core::array::from_fn(|i| v.get(i).copied().unwrap_or(Value::ZERO));
                 let (left, rates) = swivel.left(&seven, &query.reference, query.redundancy);
@@ -499,13 +448,16 @@ impl<const N: usize> Arm<N> {
         }
     }
 
-    /// Is the redundancy the one that was asked for? The equation does not tell half turns of a swivel angle.
+    /// Is the redundancy the one that was asked for? The equation does not tell half turns of a
+    /// swivel angle.
     fn keeps(&self, query: &Query<'_, N>, v: &[Value; N]) -> bool {
-        let Family::Swivel(swivel) = &self.family else { return true };
-        let seven = core::array::from_fn(|i| v.get(i).copied().unwrap_or(Value::ZERO));
-        self.exact
-            || wrapped(swivel.angle(&seven, &query.reference).0 - query.redundancy).abs() < 1e-6
-            || swivel.left(&seven, &query.reference, query.redundancy).0.abs() < 1e-6 && swivel.straight(&seven)
+        if let Family::Swivel(swivel) = &self.family {
+            let seven = core::array::from_fn(|i| v.get(i).copied().unwrap_or(Value::ZERO));
+            return self.exact
+                || wrapped(swivel.angle(&seven, &query.reference).0 - query.redundancy).abs() < 1e-6
+                || swivel.left(&seven, &query.reference, query.redundancy).0.abs() < 1e-6 && swivel.straight(&seven);
+        }
+        true
     }
 }
 
@@ -531,10 +483,12 @@ fn put<const N: usize>(values: &mut [Value; N], joint: Option<u8>, v: Value) {
     }
 }
 
-/// Whole turns are chosen near a position up to here, rad: the digits of one that is farther away would not hold a pose.
+/// Whole turns are chosen near a position up to here, rad: the digits of one that is farther away
+/// would not hold a pose.
 const FAR: f64 = 1e3;
 
-/// The whole turns that respect the limits and lie nearest to `near` (or zero), with the distance to the nearest limit.
+/// The whole turns that respect the limits and lie nearest to `near` (or zero), with the distance
+/// to the nearest limit.
 pub(super) fn fitted(q: f64, slides: bool, limits: Option<[f64; 2]>, near: Option<f64>) -> (f64, f64) {
     use core::f64::consts::TAU;
     let mut x = q;

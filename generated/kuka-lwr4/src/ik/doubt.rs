@@ -1,7 +1,8 @@
-//! Singular more than once: each sine is small but counts, and together they leave nothing of a joint's digits. The pose is solved
-//! again with its last digits changed, and what moves is not told by the pose.
+//! Singular more than once: each sine is small but counts, and together they leave nothing of a
+//! joint's digits. The pose is solved again with its last digits changed, and what moves is not
+//! told by the pose.
 
-use super::arm::{Arm, Family, Query, Work};
+use super::arm::{Arm, Query, Work};
 use super::axis::{Axis, Value};
 use super::candidates::{Candidates, IN_DOUBT};
 use super::list::each;
@@ -22,7 +23,8 @@ const TRIES: usize = 6;
 const WAY: f64 = 1e-2;
 
 impl<const N: usize> Arm<N> {
-    /// Adds to each branch in doubt the joints that the pose does not tell, and takes the doubt away.
+    /// Adds to each branch in doubt the joints that the pose does not tell, and takes the doubt
+    /// away.
     #[cold]
     #[inline(never)]
     pub(super) fn settle(&self, g: &Displacement, query: &Query<'_, N>, near: &[Value; N], all: &mut Candidates<N>) {
@@ -70,8 +72,9 @@ impl<const N: usize> Arm<N> {
         other
     }
 
-    /// Where two double roots follow each other, rounding of the first one may take the second out of reach, by its square root, and
-    /// Newton's steps hardly come back. A pose beside has the first root exactly. Called where nothing was found and little is missing.
+    /// Where two double roots follow each other, rounding of the first one may take the second out
+    /// of reach, by its square root, and Newton's steps hardly come back. A pose beside has the
+    /// first root exactly. Called where nothing was found and little is missing.
     #[cold]
     #[inline(never)]
     pub(super) fn retry(
@@ -95,9 +98,10 @@ impl<const N: usize> Arm<N> {
         out.lost = lost.saturating_sub(out.as_slice().len() as u32);
     }
 
-    /// The joints of a posture that can move together and leave the pose as it is: not at a turning point, where they can't go on.
+    /// The joints of a posture that can move together and leave the pose as it is: not at a turning
+    /// point, where they can't go on.
     pub(super) fn freedom(&self, g: &Displacement, query: &Query<'_, N>, v: &[Value; N]) -> u32 {
-        if matches!(self.family, Family::Numerical) {
+        if self.family.is_searched() {
             return 0;
         }
         let size = self.axes.iter().fold(norm(self.home.shift), |m, a| m.max(norm(a.c)));
@@ -110,7 +114,8 @@ impl<const N: usize> Arm<N> {
         if !(slack(&columns, size) < FREE) {
             return 0;
         }
-        // What a motion of all joints does, undone by the least motion: the difference does nothing.
+        // What a motion of all joints does, undone by the least motion: the difference does
+        // nothing.
         let any: [f64; N] = each(0.0, |i| [1.0, -0.7, 0.9, 0.6, -0.8, 1.1, -0.5, 0.75][i & 7]);
         let done: Rows = each(0.0, |k| columns.iter().zip(&any).fold(0.0, |s, (c, x)| s + c[k] * x));
         let undone = step(&columns, &done, 1e-13);

@@ -7,8 +7,8 @@ pub struct List<T, const K: usize> {
     len: usize,
 }
 
-/// An array place by place: in a loop, where the compiler sees that no index is out of bounds (`core::array::from_fn` may leave its
-/// closure a call, and the check in it).
+/// An array place by place: in a loop, where the compiler sees that no index is out of bounds
+/// (`core::array::from_fn` may leave its closure a call, and the check in it).
 #[inline(always)]
 pub(super) fn each<T: Copy, const K: usize>(filler: T, mut f: impl FnMut(usize) -> T) -> [T; K] {
     let mut out = [filler; K];
@@ -46,6 +46,14 @@ impl<T: Copy, const K: usize> List<T, K> {
     #[inline]
     pub(super) fn as_mut_slice(&mut self) -> &mut [T] {
         self.items.get_mut(..self.len).unwrap_or(&mut [])
+    }
+}
+
+impl<T: Copy, const K: usize> IntoIterator for List<T, K> {
+    type Item = T;
+    type IntoIter = core::iter::Take<core::array::IntoIter<T, K>>;
+    fn into_iter(self) -> Self::IntoIter {
+        self.items.into_iter().take(self.len)
     }
 }
 

@@ -1,11 +1,12 @@
 //! Torques from the standard parameters.
 //!
-//! `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil and Dombre, 9.5.2.
+//! `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil
+//! and Dombre, 9.5.2.
 //!
 //! 343 multiplications, 333 additions; 7, 7 of 7 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, STANDARD, Trig, constants};
+use super::super::{DOF, STANDARD, GRAVITY, Trig, constants};
 
 /// Torques from the standard parameters: every entry of `out` is written.
 #[inline]
@@ -31,7 +32,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         M7, MSX7, MSY7, MSZ7, XX7, YY7, ZZ7, XY7, XZ7, YZ7, FV1, FV2,
         FV3, FV4, FV5, FV6, FV7, FC1, FC2, FC3, FC4, FC5, FC6, FC7,
         ..] = *phi;
-    let k0 = S::constant(9.81);
+    let k0 = S::constant(-GRAVITY[2]);
     let k_L2 = S::constant(constants::L2);
     let k_L3 = S::constant(constants::L3);
     // link 1: motion

@@ -1,13 +1,13 @@
-//! Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`.
+//! Acceleration of the last DH frame at zero `ddq`: `dJ/dt dq`.
 //!
-//! In base axes; entries 0-2 linear, m/s^2, 3-5 angular, rad/s^2. Khalil and Dombre, 5.10.
+//! In world axes; entries 0-2 linear, m/s^2, 3-5 angular, rad/s^2. Khalil and Dombre, 5.10.
 //!
 //! 169 multiplications, 99 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig, constants};
 
-/// Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`: every entry of `out` is written.
+/// Acceleration of the last DH frame at zero `ddq`: `dJ/dt dq`: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 6]) {
     entries(trig, dq, |k, x| {
@@ -183,7 +183,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         let t237 = c7 * t201 + s7 * t216;
         [t222, t225, t228, t231, t234, t237]
     };
-    // in base axes
+    // in world axes
     {
         let t242 = t106 * t207 + (a7_x * t222 + t132 * t225);
         let t247 = t106 * t213 + (a7_x * t228 - t132 * t231);

@@ -1,11 +1,11 @@
 //! Potential energy, one entry per standard parameter.
 //!
-//! `U = h phi`, J per unit, zero at the base frame's origin; an offset torque counts as `FO q`.
+//! `U = h phi`, J per unit, zero at the world frame's origin; an offset torque counts as `FO q`.
 //!
 //! 34 multiplications, 14 additions; 84, 25 of 84 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig, constants};
+use super::super::{GRAVITY, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 25;
@@ -17,7 +17,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (53, 0), (60, 0), (61, 0), (62, 0), (63, 0),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 1 + PATTERN[k].1
 }
@@ -43,7 +43,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 84]) {
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [S; 84]) {
     entries(trig, |k, x| {
@@ -62,8 +62,8 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [_, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
-    let k3 = S::constant(9.81);
-    let k4 = S::constant(3.046005);
+    let k3 = S::constant(-GRAVITY[2]);
+    let k4 = S::constant(-GRAVITY[2] * constants::L1);
     let k_L1 = S::constant(constants::L1);
     let k_L2 = S::constant(constants::L2);
     let k_L3 = S::constant(constants::L3);

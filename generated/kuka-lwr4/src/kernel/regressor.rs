@@ -1,11 +1,12 @@
 //! Regressor `W` of the standard parameters.
 //!
-//! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
+//! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil
+//! and Dombre, 12.4.
 //!
 //! 757 multiplications, 578 additions; 7 x 84, 266 of 588 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig, constants};
+use super::super::{DOF, GRAVITY, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 266;
@@ -41,7 +42,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (6, 66), (6, 67), (6, 68), (6, 69), (6, 76), (6, 83),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 84 + PATTERN[k].1
 }
@@ -90,7 +91,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 84]; 7]) {
     entries(trig, dq, ddq, |k, x| {
@@ -111,7 +112,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6, ddq7] = *ddq;
-    let k1 = S::constant(9.81);
+    let k1 = S::constant(-GRAVITY[2]);
     let k_L2 = S::constant(constants::L2);
     let k_L3 = S::constant(constants::L3);
     // link 1: motion

@@ -1,13 +1,14 @@
-//! The tool frame in the base frame.
+//! The tool frame in the world frame.
 //!
-//! Like `forward_kinematics`, followed by the tool's pose (the identity where the robot file has no tool).
+//! Like `forward_kinematics`, followed by the tool's pose (the identity where the robot file has no
+//! tool).
 //!
 //! 68 multiplications, 33 additions; 3 x 4, 12 of 12 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{Trig, constants};
 
-/// The tool frame in the base frame: every entry of `out` is written.
+/// The tool frame in the world frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 4]; 3]) {
     entries(trig, |k, x| {

@@ -17,7 +17,8 @@ pub struct Plane {
     pub axes: [Axis; 3],
     /// Which joint of the arm each is, from 0.
     pub joints: [Option<u8>; 3],
-    /// The one out of the plane: its line, which joint it is, and how many of the three stand before it.
+    /// The one out of the plane: its line, which joint it is, and how many of the three stand
+    /// before it.
     pub lift: Option<(Axis, u8, u8)>,
 }
 

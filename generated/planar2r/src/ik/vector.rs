@@ -1,7 +1,8 @@
 //! Vectors and rotations of three dimensions.
 //!
-//! What a closed form passes through for every pose is written out here and in its neighbours: closures over arrays (`map`,
-//! `from_fn`, zipped iterators) stay calls that pass everything through memory, a third of the time.
+//! What a closed form passes through for every pose is written out here and in its neighbours:
+//! closures over arrays (`map`, `from_fn`, zipped iterators) stay calls that pass everything
+//! through memory, a third of the time.
 
 use super::real::root;
 
@@ -49,8 +50,8 @@ pub(super) fn unit(a: Vector) -> Vector {
     if n > 0.0 { scale(1.0 / n, a) } else { a }
 }
 
-/// The same of a vector whose length is mostly one already, but for rounding: one of Newton's steps, which waits for no root and no
-/// quotient.
+/// The same of a vector whose length is mostly one already, but for rounding: one of Newton's
+/// steps, which waits for no root and no quotient.
 #[inline(always)]
 pub(super) fn nearly_unit(a: Vector) -> Vector {
     let n2 = dot(a, a);

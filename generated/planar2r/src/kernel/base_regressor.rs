@@ -1,11 +1,12 @@
 //! Regressor `W_b` of the base parameters.
 //!
-//! `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4.
+//! `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil
+//! and Dombre, 12.4.
 //!
 //! 16 multiplications, 11 additions; 2 x 10, 13 of 20 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig, constants};
+use super::super::{DOF, GRAVITY, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 13;
@@ -16,7 +17,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (1, 5), (1, 7), (1, 9),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 10 + PATTERN[k].1
 }
@@ -38,7 +39,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 2]) {
     entries(trig, dq, ddq, |k, x| {
@@ -59,7 +60,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [c1, c2] = trig.cos;
     let [dq1, dq2] = *dq;
     let [ddq1, ddq2] = *ddq;
-    let k0 = S::constant(9.81);
+    let k0 = S::constant(-GRAVITY[1]);
     let k_L1 = S::constant(constants::L1);
     // link 1: motion
     let [a1_x, a1_y, t2] = {

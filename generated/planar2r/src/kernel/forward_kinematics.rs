@@ -1,6 +1,7 @@
-//! The last DH frame in the base frame.
+//! The last DH frame in the world frame.
 //!
-//! `out` is the top three rows of `T(0, n)`: axes of the frame as columns, then its origin, m. Khalil and Dombre, 3.2.
+//! `out` is the top three rows of `T(0, n)`: axes of the frame as columns, then its origin, m.
+//! Khalil and Dombre, 3.2.
 //!
 //! 6 multiplications, 3 additions; 3 x 4, 7 of 12 structurally nonzero.
 
@@ -15,12 +16,12 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 0), (0, 1), (0, 3), (1, 0), (1, 1), (1, 3), (2, 2),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 4 + PATTERN[k].1
 }
 
-/// The last DH frame in the base frame: every entry of `out` is written.
+/// The last DH frame in the world frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 4]; 3]) {
     let flat = &mut out.as_flattened_mut()[..];
@@ -37,7 +38,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 4]; 3]) {
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 4]; 3]) {
     entries(trig, |k, x| {

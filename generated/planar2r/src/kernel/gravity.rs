@@ -1,11 +1,11 @@
 //! Gravity torques `g`.
 //!
-//! N m, from the base parameters: what holds the arm up at rest.
+//! N m, from the base parameters: the torques that hold the arm at rest.
 //!
 //! 10 multiplications, 5 additions; 2, 2 of 2 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, Trig};
+use super::super::{BASE, GRAVITY, Trig};
 
 /// Gravity torques `g`: every entry of `out` is written.
 #[inline]
@@ -21,7 +21,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
     let [s1, s2] = trig.sin;
     let [c1, c2] = trig.cos;
     let [MSX1R, MSY1, _, MSX2, MSY2, ..] = *beta;
-    let k0 = S::constant(9.81);
+    let k0 = S::constant(-GRAVITY[1]);
     // link 1: motion
     let [a1_x, a1_y] = {
         let a1_x = s1 * k0;

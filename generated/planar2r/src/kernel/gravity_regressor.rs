@@ -1,11 +1,12 @@
 //! Regressor at rest.
 //!
-//! `g = W_g phi` for the links' parameters only; columns as the first of `STANDARD_NAMES`.
+//! `g = W_g phi` of the links' parameters; columns as the first of `STANDARD_NAMES`, without the
+//! drives'.
 //!
 //! 10 multiplications, 5 additions; 2 x 20, 7 of 40 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig, constants};
+use super::super::{GRAVITY, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 7;
@@ -15,7 +16,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 1), (0, 2), (0, 10), (0, 11), (0, 12), (1, 11), (1, 12),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 20 + PATTERN[k].1
 }
@@ -37,7 +38,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 20]; 2]) {
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 20]; 2]) {
     entries(trig, |k, x| {
@@ -56,7 +57,7 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [s1, s2] = trig.sin;
     let [c1, c2] = trig.cos;
-    let k0 = S::constant(9.81);
+    let k0 = S::constant(-GRAVITY[1]);
     let k_L1 = S::constant(constants::L1);
     // link 1: motion
     let [a1_x, a1_y] = {

@@ -1,11 +1,12 @@
 //! Torques from the standard parameters.
 //!
-//! `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil and Dombre, 9.5.2.
+//! `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil
+//! and Dombre, 9.5.2.
 //!
 //! 29 multiplications, 21 additions; 2, 2 of 2 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, STANDARD, Trig, constants};
+use super::super::{DOF, STANDARD, GRAVITY, Trig, constants};
 
 /// Torques from the standard parameters: every entry of `out` is written.
 #[inline]
@@ -26,7 +27,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         _, MSX1, MSY1, _, _, _, ZZ1, _, _, _, M2, MSX2,
         MSY2, _, _, _, ZZ2, _, _, _, FV1, FV2, FC1, FC2,
         ..] = *phi;
-    let k0 = S::constant(9.81);
+    let k0 = S::constant(-GRAVITY[1]);
     let k_L1 = S::constant(constants::L1);
     // link 1: motion
     let [a1_x, a1_y, t2] = {

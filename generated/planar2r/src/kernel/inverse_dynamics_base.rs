@@ -1,11 +1,12 @@
 //! Torques from the base parameters.
 //!
-//! `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil and Dombre, 9.6.
+//! `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil
+//! and Dombre, 9.6.
 //!
 //! 27 multiplications, 19 additions; 2, 2 of 2 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, BASE, Trig, constants};
+use super::super::{DOF, BASE, GRAVITY, Trig, constants};
 
 /// Torques from the base parameters: every entry of `out` is written.
 #[inline]
@@ -23,7 +24,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
     let [dq1, dq2] = *dq;
     let [ddq1, ddq2] = *ddq;
     let [MSX1R, MSY1, ZZ1R, MSX2, MSY2, ZZ2, FV1, FV2, FC1, FC2, ..] = *beta;
-    let k0 = S::constant(9.81);
+    let k0 = S::constant(-GRAVITY[1]);
     let k_L1 = S::constant(constants::L1);
     // link 1: motion
     let [a1_x, a1_y, t2] = {

@@ -5,7 +5,7 @@
 //! 12 multiplications, 3 additions; 24, 5 of 24 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig, constants};
+use super::super::{DOF, Trig};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 5;
@@ -15,7 +15,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (6, 0), (10, 0), (11, 0), (12, 0), (16, 0),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 1 + PATTERN[k].1
 }
@@ -37,7 +37,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 24]) {
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 24]) {
     entries(trig, dq, |k, x| {
@@ -57,10 +57,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     let [_, s2] = trig.sin;
     let [_, c2] = trig.cos;
     let [dq1, dq2] = *dq;
-    let k_L1 = S::constant(constants::L1);
+    let k0 = S::constant(0.5);
     // link 2: velocity
     let [t1, t2, t3] = {
-        let t0 = k_L1 * dq1;
+        let t0 = k0 * dq1;
         let t1 = s2 * t0;
         let t2 = c2 * t0;
         let t3 = dq1 + dq2;
@@ -68,10 +68,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     };
     // kinetic energy
     {
-        let t5 = k_L1 * (dq1 * dq1);
+        let t5 = k0 * (dq1 * dq1);
         let t6 = t2 * t3;
-        let t11 = k_L1 * (t1 * t1 + t2 * t2);
-        let t13 = k_L1 * (t3 * t3);
+        let t11 = k0 * (t1 * t1 + t2 * t2);
+        let t13 = k0 * (t3 * t3);
         let t14 = -(t1 * t3);
         put(0, t5);
         put(1, t11);

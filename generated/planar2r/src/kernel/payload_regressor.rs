@@ -1,11 +1,12 @@
 //! Regressor of a body fixed to the tool frame.
 //!
-//! `tau = W_L phi_L`, columns `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool frame, about its origin (the paper's (7)).
+//! `tau = W_L phi_L`, columns `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool frame, about its
+//! origin. Katsumata et al. 2019, (7).
 //!
 //! 21 multiplications, 15 additions; 2 x 10, 8 of 20 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig, constants};
+use super::super::{DOF, GRAVITY, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 8;
@@ -15,7 +16,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (0, 0), (0, 1), (0, 2), (0, 6), (1, 0), (1, 1), (1, 2), (1, 6),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 10 + PATTERN[k].1
 }
@@ -37,7 +38,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 2]) {
     entries(trig, dq, ddq, |k, x| {
@@ -58,7 +59,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [c1, c2] = trig.cos;
     let [dq1, dq2] = *dq;
     let [ddq1, ddq2] = *ddq;
-    let k0 = S::constant(9.81);
+    let k0 = S::constant(-GRAVITY[1]);
     let k_L1 = S::constant(constants::L1);
     let k_L2 = S::constant(constants::L2);
     // link 1: motion

@@ -1,11 +1,11 @@
 //! Potential energy, one entry per standard parameter.
 //!
-//! `U = h phi`, J per unit, zero at the base frame's origin; an offset torque counts as `FO q`.
+//! `U = h phi`, J per unit, zero at the world frame's origin; an offset torque counts as `FO q`.
 //!
 //! 9 multiplications, 2 additions; 24, 5 of 24 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig};
+use super::super::{GRAVITY, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 5;
@@ -15,7 +15,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (1, 0), (2, 0), (10, 0), (11, 0), (12, 0),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 1 + PATTERN[k].1
 }
@@ -36,7 +36,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 24]) {
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [S; 24]) {
     entries(trig, |k, x| {
@@ -55,8 +55,8 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [s1, s2] = trig.sin;
     let [c1, c2] = trig.cos;
-    let k0 = S::constant(9.81);
-    let k1 = S::constant(4.905);
+    let k0 = S::constant(-GRAVITY[1]);
+    let k1 = S::constant(-GRAVITY[1] * constants::L1);
     // frame 2
     let [t2, t5] = {
         let t2 = c1 * c2 - s1 * s2;

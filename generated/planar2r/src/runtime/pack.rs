@@ -1,7 +1,8 @@
 //! Eight states side by side, in one or two registers where the target has them.
 //!
-//! LLVM takes an array of eight apart and does not put it together again in a long straight line of code (measured: 150 ns a
-//! state against 17), so the registers are asked for by name. No fused multiply-add: lane and scalar agree bit for bit.
+//! LLVM takes an array of eight apart and does not put it together again in a long straight line of
+//! code (measured: 150 ns a state against 17), so the registers are asked for by name. No fused
+//! multiply-add: lane and scalar agree bit for bit.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -81,7 +82,8 @@ mod root {
         let exponent = ((x.to_bits() >> 52) & 0x7ff) as i64 - 1075; // x = mantissa 2^exponent
         let mantissa = u128::from((x.to_bits() & ((1 << 52) - 1)) | (1 << 52));
         let odd = exponent & 1;
-        // 54 bits of the root: one to round by; the rest, if any, breaks the tie (a root is never half way).
+        // 54 bits of the root: one to round by; the rest, if any, breaks the tie (a root is never
+        // half way).
         let square = mantissa << (54 + odd);
         let root = square.isqrt();
         let sticky = u128::from(root * root != square);
@@ -164,8 +166,8 @@ mod lanes {
 
     pub(super) type Lanes = __m512d;
 
-    // SAFETY, for all of this module: it is compiled only where AVX-512F is enabled for the whole build, and touches no memory
-    // but whole arrays of eight through unaligned loads and stores.
+    // SAFETY, for all of this module: it is compiled only where AVX-512F is enabled for the whole
+    // build, and touches no memory but whole arrays of eight through unaligned loads and stores.
     macro_rules! two {
         ($($name:ident = $intrinsic:ident;)*) => {
             $(#[inline(always)] pub(super) fn $name(a: Lanes, b: Lanes) -> Lanes { unsafe { $intrinsic(a, b) } })*
@@ -224,8 +226,9 @@ mod lanes {
     #[derive(Clone, Copy, Debug)]
     pub(super) struct Lanes(__m256d, __m256d);
 
-    // SAFETY, for all of this module: it is compiled only where AVX2 is enabled for the whole build, and touches no memory but
-    // halves of arrays of eight through unaligned loads and stores.
+    // SAFETY, for all of this module: it is compiled only where AVX2 is enabled for the whole
+    // build, and touches no memory but halves of arrays of eight through unaligned loads and
+    // stores.
     macro_rules! two {
         ($($name:ident = $intrinsic:ident;)*) => {
             $(#[inline(always)] pub(super) fn $name(a: Lanes, b: Lanes) -> Lanes {
@@ -293,8 +296,8 @@ mod lanes {
     #[derive(Clone, Copy, Debug)]
     pub(super) struct Lanes([__m128d; 4]);
 
-    // SAFETY, for all of this module: SSE2 belongs to every x86-64, and no memory is touched but pairs inside arrays of eight
-    // through unaligned loads and stores.
+    // SAFETY, for all of this module: SSE2 belongs to every x86-64, and no memory is touched but
+    // pairs inside arrays of eight through unaligned loads and stores.
     macro_rules! two {
         ($($name:ident = $intrinsic:ident;)*) => {
             $(#[inline(always)] pub(super) fn $name(Lanes(a): Lanes, Lanes(b): Lanes) -> Lanes {

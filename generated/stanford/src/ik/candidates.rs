@@ -1,5 +1,5 @@
-//! What the families hand on: for each joint the values it takes, for each branch which of them. Branches share values (eight
-//! branches of a swivel arm have two angles of joint 4).
+//! What the families hand on: for each joint the values it takes, for each branch which of them.
+//! Branches share values (eight branches of a swivel arm have two angles of joint 4).
 
 use super::super::runtime::Block;
 use super::axis::Value;

@@ -1,4 +1,5 @@
-//! Newton's steps with the arm's own Jacobian (Lynch and Park, 6.2), and how far a posture is from the pose.
+//! Newton's steps with the arm's own Jacobian (Lynch and Park, 6.2), and how far a posture is from
+//! the pose.
 
 use super::super::runtime::Scalar;
 use super::arm::{Arm, Query};
@@ -8,7 +9,7 @@ use super::pose::Displacement;
 use super::real::{angle, root};
 use super::vector::{IDENTITY, Turn, Vector, cross, norm, product, scale, sub, times, transposed};
 
-/// `[v; w]`: the step in m and the turn in rad, base axes, that are left to the pose.
+/// `[v; w]`: the step in m and the turn in rad, world axes, that are left to the pose.
 pub(super) type Twist = [f64; 6];
 
 /// Lengths of the two halves.
@@ -83,7 +84,8 @@ fn jacobian_about<const N: usize>(arm: &Arm<N>, v: &[Value; N], tip: Vector) -> 
     })
 }
 
-/// What is left, and what each joint does to it: six rows of the pose, a seventh for what a redundant arm keeps (zero for others).
+/// What is left, and what each joint does to it: six rows of the pose, a seventh for what a
+/// redundant arm keeps (zero for others).
 pub(super) type Rows = [f64; 7];
 
 /// Columns `[v; w; redundancy]`, one per joint.
@@ -104,8 +106,9 @@ pub(super) fn equations<const N: usize>(
     ([a, b, c, d, e, f, left], all)
 }
 
-/// How near a Jacobian is to a singularity: what is left of the last column when it is made square to the others, the longest first
-/// (Gram and Schmidt with pivots). Lengths count in parts of `size`.
+/// How near a Jacobian is to a singularity: what is left of the last column when it is made square
+/// to the others, the longest first (Gram and Schmidt with pivots). Lengths count in parts of
+/// `size`.
 pub(super) fn slack<const N: usize>(columns: &[Rows; N], size: f64) -> f64 {
     let mut rest = columns.map(|[x, y, z, a, b, c, d]| [x / size, y / size, z / size, a, b, c, d]);
     let dot = |a: &Rows, b: &Rows| a.iter().zip(b).fold(0.0, |s, (x, y)| s + x * y);

@@ -7,7 +7,8 @@ use super::real::root;
 use super::subproblem::{DOUBT, FREE, NARROW, circle, doubt, reach, tilt, towards};
 use super::vector::{Turn, Vector, add, cross, dot, norm, scale, sub, transposed_times, unit};
 
-/// How the three joints are taken apart. A mirrored one is taken from its far end: `E3' E2' E1' p = w`.
+/// How the three joints are taken apart. A mirrored one is taken from its far end: `E3' E2' E1' p =
+/// w`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Regional {
     /// Two turns about axes that meet in `at`, then any joint.
@@ -153,7 +154,8 @@ fn parallel([one, two, three]: &[Axis; 3], w: Vector, p: Vector, near: &[Value; 
     };
     let to = sub(p, one.c);
     let (to2, flat) = (dot(to, to), sub(to, scale(dot(h, to), h)));
-    // Away from the first axis, both ends of the planar arm are as far from it: one division for all answers.
+    // Away from the first axis, both ends of the planar arm are as far from it: one division for
+    // all answers.
     let flat2 = dot(flat, flat);
     let apart = flat2 > 1e-4 * to2.max(1e-16);
     let per = if apart { 1.0 / flat2 } else { 0.0 };
@@ -204,7 +206,7 @@ fn general([one, two, three]: &[Axis; 3], w: Vector, p: Vector, near: &[Value; 3
     let (cosine, sine) = (dot(one.h, two.h), dot(one.h, y));
     let to = sub(p, o1);
     let (to2, height) = (dot(to, to), dot(one.h, to));
-    // r = E3 w - o2 as constant, and parts of the third joint's cosine and sine, or of its way and nothing.
+    // r = E3 w - o2: constant, then parts of the third joint's cosine and sine, or of its way.
     let rel = sub(w, three.c);
     let along = scale(dot(three.h, rel), three.h);
     let (r0, r1, r2) = if three.slides {
@@ -334,7 +336,8 @@ fn turn_slides([one, two, three]: &[Axis; 3], w: Vector, p: Vector, near: &[Valu
 
 fn slide_turn_slide([one, two, three]: &[Axis; 3], w: Vector, p: Vector, near: &[Value; 3]) -> Places {
     let mut places = List::new(NOWHERE);
-    // (p - c2) - R2 (w - c2) lies in the plane of h1 and R2 h3: R2 h3 . (r x h1) = h1 . R2 (h3 x w).
+    // (p - c2) - R2 (w - c2) lies in the plane of h1 and R2 h3: R2 h3 . (r x h1) = h1 . R2 (h3 x
+    // w).
     let (r, w2) = (sub(p, two.c), sub(w, two.c));
     let (m, n) = (cross(r, one.h), cross(three.h, w2));
     let part = |b: Vector, v: Vector| {

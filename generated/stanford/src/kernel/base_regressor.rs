@@ -1,11 +1,12 @@
 //! Regressor `W_b` of the base parameters.
 //!
-//! `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil and Dombre, 12.4.
+//! `tau = W_b beta`, row j in N m per unit of each parameter; columns as in `BASE_NAMES`. Khalil
+//! and Dombre, 12.4.
 //!
 //! 337 multiplications, 252 additions; 6 x 37, 121 of 222 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig, constants};
+use super::super::{DOF, GRAVITY, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 121;
@@ -27,7 +28,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (5, 36),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 37 + PATTERN[k].1
 }
@@ -56,7 +57,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 37]; 6]) {
     entries(trig, dq, ddq, |k, x| {
@@ -78,7 +79,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [_, c2, _, c4, c5, c6] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6] = *ddq;
-    let k1 = S::constant(9.81);
+    let k1 = S::constant(-GRAVITY[2]);
     let k2 = S::constant(2.0);
     let k_D2 = S::constant(constants::D2);
     let k_D6 = S::constant(constants::D6);

@@ -1,6 +1,7 @@
-//! DH frames of all rows in the base frame.
+//! DH frames of all rows in the world frame.
 //!
-//! `out[i]` is the top three rows of the homogeneous matrix `T(0, i+1)`, m and one. Khalil and Dombre, 3.2.
+//! `out[i]` is the top three rows of the homogeneous matrix `T(0, i+1)`, m and one. Khalil and
+//! Dombre, 3.2.
 //!
 //! 46 multiplications, 33 additions; 6 x 3 x 4, 64 of 72 structurally nonzero.
 
@@ -21,12 +22,12 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (5, 8), (5, 9), (5, 10), (5, 11),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 12 + PATTERN[k].1
 }
 
-/// DH frames of all rows in the base frame: every entry of `out` is written.
+/// DH frames of all rows in the world frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[[S; 4]; 3]; 6]) {
     let flat = &mut out.as_flattened_mut().as_flattened_mut()[..];
@@ -46,7 +47,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[[S; 4]; 3]; 6]) {
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [[[S; 4]; 3]; 6]) {
     entries(trig, |k, x| {

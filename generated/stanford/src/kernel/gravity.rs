@@ -1,11 +1,11 @@
 //! Gravity torques `g`.
 //!
-//! N m, from the base parameters: what holds the arm up at rest.
+//! N m, from the base parameters: the torques that hold the arm at rest.
 //!
 //! 50 multiplications, 29 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, Trig, constants};
+use super::super::{BASE, GRAVITY, Trig, constants};
 
 /// Gravity torques `g`: every entry of `out` is written.
 #[inline]
@@ -26,7 +26,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         MSX4, MSZ4R, _, _, _, _, _, MSX5, MSZ5R, _, _, _,
         _, _, MSX6, MSY6,
         ..] = *beta;
-    let k0 = S::constant(9.81);
+    let k0 = S::constant(-GRAVITY[2]);
     let k_D2 = S::constant(constants::D2);
     // link 2: motion
     let [t0, a3_z] = {

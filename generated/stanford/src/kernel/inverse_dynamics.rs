@@ -1,11 +1,12 @@
 //! Torques from the standard parameters.
 //!
-//! `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil and Dombre, 9.5.2.
+//! `tau = M ddq + C dq + g + friction`, N m, of the actuators on the links. Newton-Euler, Khalil
+//! and Dombre, 9.5.2.
 //!
 //! 280 multiplications, 278 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, STANDARD, Trig, constants};
+use super::super::{DOF, STANDARD, GRAVITY, Trig, constants};
 
 /// Torques from the standard parameters: every entry of `out` is written.
 #[inline]
@@ -31,7 +32,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; S
         XZ5, YZ5, M6, MSX6, MSY6, MSZ6, XX6, YY6, ZZ6, XY6, XZ6, YZ6,
         IA1, IA2, IA3, IA4, IA5, IA6,
         ..] = *phi;
-    let k0 = S::constant(9.81);
+    let k0 = S::constant(-GRAVITY[2]);
     let k2 = S::constant(2.0);
     let k_D2 = S::constant(constants::D2);
     let k_D6 = S::constant(constants::D6);

@@ -1,11 +1,12 @@
 //! Torques from the base parameters.
 //!
-//! `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil and Dombre, 9.6.
+//! `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil
+//! and Dombre, 9.6.
 //!
 //! 226 multiplications, 213 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, BASE, Trig, constants};
+use super::super::{DOF, BASE, GRAVITY, Trig, constants};
 
 /// Torques from the base parameters: every entry of `out` is written.
 #[inline]
@@ -29,7 +30,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6, IA3, IA4, IA5,
         IA6,
         ..] = *beta;
-    let k0 = S::constant(9.81);
+    let k0 = S::constant(-GRAVITY[2]);
     let k2 = S::constant(2.0);
     let k_D2 = S::constant(constants::D2);
     let k_D6 = S::constant(constants::D6);

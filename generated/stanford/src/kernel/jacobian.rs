@@ -1,4 +1,4 @@
-//! Jacobian of the last DH frame's origin, in base axes.
+//! Jacobian of the last DH frame's origin, in world axes.
 //!
 //! `(v, w) = J dq`: rows 0-2 linear, m/s, rows 3-5 angular, rad/s. Khalil and Dombre, 5.2.
 //!
@@ -17,12 +17,12 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (4, 4), (4, 5), (5, 0), (5, 3), (5, 4), (5, 5),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 6 + PATTERN[k].1
 }
 
-/// Jacobian of the last DH frame's origin, in base axes: every entry of `out` is written.
+/// Jacobian of the last DH frame's origin, in world axes: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 6]; 6]) {
     let flat = &mut out.as_flattened_mut()[..];
@@ -42,7 +42,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 6]; 6]) {
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 6]; 6]) {
     entries(trig, |k, x| {

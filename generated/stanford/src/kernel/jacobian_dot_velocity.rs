@@ -1,13 +1,13 @@
-//! Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`.
+//! Acceleration of the last DH frame at zero `ddq`: `dJ/dt dq`.
 //!
-//! In base axes; entries 0-2 linear, m/s^2, 3-5 angular, rad/s^2. Khalil and Dombre, 5.10.
+//! In world axes; entries 0-2 linear, m/s^2, 3-5 angular, rad/s^2. Khalil and Dombre, 5.10.
 //!
 //! 120 multiplications, 68 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig, constants};
 
-/// Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`: every entry of `out` is written.
+/// Acceleration of the last DH frame at zero `ddq`: `dJ/dt dq`: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 6]) {
     entries(trig, dq, |k, x| {
@@ -143,7 +143,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         let t157 = s6 * t136 - c6 * t21;
         [t142, t145, t148, t151, t154, t157]
     };
-    // in base axes
+    // in world axes
     {
         let t162 = a6_x * t142 + a6_y * t145 - t81 * t127;
         let t167 = a6_x * t148 + a6_y * t151 - t81 * t133;

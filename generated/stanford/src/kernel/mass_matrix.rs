@@ -18,7 +18,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (5, 2), (5, 3), (5, 4), (5, 5),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 6 + PATTERN[k].1
 }
@@ -38,7 +38,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], out: &mut [[S; 6]; 6])
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], out: &mut [[S; 6]; 6]) {
     entries(trig, beta, |k, x| {

@@ -1,11 +1,11 @@
 //! Potential energy, one entry per standard parameter.
 //!
-//! `U = h phi`, J per unit, zero at the base frame's origin; an offset torque counts as `FO q`.
+//! `U = h phi`, J per unit, zero at the world frame's origin; an offset torque counts as `FO q`.
 //!
 //! 22 multiplications, 12 additions; 66, 20 of 66 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig, constants};
+use super::super::{GRAVITY, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 20;
@@ -16,7 +16,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (32, 0), (33, 0), (40, 0), (41, 0), (42, 0), (43, 0), (50, 0), (51, 0), (52, 0), (53, 0),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 1 + PATTERN[k].1
 }
@@ -43,7 +43,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 66]) {
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [S; 66]) {
     entries(trig, |k, x| {
@@ -63,9 +63,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [_, _, q3, ..] = trig.q;
     let [_, s2, _, s4, s5, s6] = trig.sin;
     let [_, c2, _, c4, c5, c6] = trig.cos;
-    let k2 = S::constant(9.81);
-    let k3 = S::constant(4.04172);
-    let k4 = S::constant(-9.81);
+    let k2 = S::constant(-GRAVITY[2]);
+    let k3 = S::constant(-GRAVITY[2] * constants::D1);
+    let k4 = S::constant(GRAVITY[2]);
     let k_D1 = S::constant(constants::D1);
     let k_D6 = S::constant(constants::D6);
     // frame 3

@@ -57,7 +57,8 @@ fn turned(h: Vector, c: Block, s: Block, [x, y, z]: Vectors) -> Vectors {
     }
 }
 
-/// What cosine and sine of joint `j` count in a branch's mark: any numbers do that are not multiples of each other.
+/// What cosine and sine of joint `j` count in a branch's mark: any numbers do that are not
+/// multiples of each other.
 #[inline(always)]
 pub(super) fn weights(j: usize) -> [f64; 2] {
     [1.0 + 0.37 * j as f64, 0.73 + 0.29 * j as f64]

@@ -1,5 +1,5 @@
-//! Canonical subproblems (Paden 1986, Kahan 1983; Murray, Li and Sastry, 3.3), written so that a double root costs no accuracy
-//! that the data have.
+//! Canonical subproblems (Paden 1986, Kahan 1983; Murray, Li and Sastry, 3.3), written so that a
+//! double root costs no accuracy that the data have.
 
 use super::axis::Axis;
 use super::real::root;
@@ -33,7 +33,8 @@ pub(super) struct Pair {
     pub narrow: bool,
 }
 
-/// The turn about `h` that takes `from` nearest to `to`, and how well it is known (product of their distances from `h`).
+/// The turn about `h` that takes `from` nearest to `to`, and how well it is known (product of their
+/// distances from `h`).
 #[inline(always)]
 pub(super) fn towards(h: Vector, from: Vector, to: Vector) -> (Turn, f64) {
     // Across the axis first: beside it, products of the whole vectors would be all rounding.
@@ -41,7 +42,8 @@ pub(super) fn towards(h: Vector, from: Vector, to: Vector) -> (Turn, f64) {
     Turn::along(dot(f, t), dot(h, cross(f, t)))
 }
 
-/// The same where both stand square to `h` and have length one, but for rounding: no root is needed.
+/// The same where both stand square to `h` and have length one, but for rounding: no root is
+/// needed.
 #[inline(always)]
 pub(super) fn across(h: Vector, from: Vector, to: Vector) -> Turn {
     Turn { c: dot(from, to), s: dot(h, cross(from, to)) }
@@ -75,8 +77,8 @@ impl Circle {
         self.between(d, [self.r + d, self.r - d])
     }
 
-    /// For `d` whose distances from the two ends, `r + d` and `r - d`, are known by themselves: beside an end they have digits that
-    /// `d` has lost.
+    /// For `d` whose distances from the two ends, `r + d` and `r - d`, are known by themselves:
+    /// beside an end they have digits that `d` has lost.
     #[inline(always)]
     fn between(&self, d: f64, [above, below]: [f64; 2]) -> Pair {
         let &Self { middle, r, per, size } = self;
@@ -123,7 +125,8 @@ impl Reach {
         let rel = sub(w, axis.c);
         let along = dot(axis.h, rel);
         let k = sub(add(axis.c, scale(along, axis.h)), x);
-        // Heron: the two distances from the axis and the height between them, so that a stretched arm keeps its digits.
+        // Heron: the two distances from the axis and the height between them, so that a stretched
+        // arm keeps its digits.
         let height = dot(axis.h, k);
         let k_across = sub(k, scale(height, axis.h));
         let across = sub(rel, scale(along, axis.h));
@@ -142,8 +145,9 @@ impl Reach {
     }
 }
 
-/// Turns of `second` for which `R(first) R(second) w` can point along `p`: `first . R(second) w = first . p` for directions
-/// that need not have the same length. By half angles of the spherical triangle, so that the sine of a small answer is exact.
+/// Turns of `second` for which `R(first) R(second) w` can point along `p`: `first . R(second) w =
+/// first . p` for directions that need not have the same length. By half angles of the spherical
+/// triangle, so that the sine of a small answer is exact.
 #[inline(always)]
 pub(super) fn tilt(first: Vector, second: Vector, w: Vector, p: Vector) -> Pair {
     Tilt::new(first, second, w).towards(p)
@@ -196,7 +200,8 @@ impl Tilt {
             return BLIND;
         }
         let (cg, sg) = (dot(self.first, p), norm(cross(self.first, p)));
-        // x = cos(difference) - cos(gamma), y = cos(gamma) - cos(sum); near 0 and pi by products of sines.
+        // x = cos(difference) - cos(gamma), y = cos(gamma) - cos(sum); near 0 and pi by products of
+        // sines.
         let unlike = |[c, s]: [f64; 2]| {
             let sum = c + cg;
             if sum.abs() > 1.0 { (sg * c - cg * s) * (sg * c + cg * s) / sum } else { c - cg }

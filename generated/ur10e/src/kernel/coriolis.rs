@@ -26,8 +26,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], beta: &[S; BASE], mut put: 
         XY3, XZ3R, YZ3, MSX4, MSY4R, XX4R, _, XY4, XZ4, YZ4, MSX5, MSY5R,
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6,
         ..] = *beta;
-    let k0 = S::constant(0.6127);
-    let k1 = S::constant(0.57155);
+    let k0 = S::constant(-constants::A2);
+    let k1 = S::constant(-constants::A3);
     let k_D4 = S::constant(constants::D4);
     let k_D5 = S::constant(constants::D5);
     let k_D6 = S::constant(constants::D6);

@@ -1,6 +1,7 @@
-//! DH frames of all rows in the base frame.
+//! DH frames of all rows in the world frame.
 //!
-//! `out[i]` is the top three rows of the homogeneous matrix `T(0, i+1)`, m and one. Khalil and Dombre, 3.2.
+//! `out[i]` is the top three rows of the homogeneous matrix `T(0, i+1)`, m and one. Khalil and
+//! Dombre, 3.2.
 //!
 //! 64 multiplications, 50 additions; 6 x 3 x 4, 61 of 72 structurally nonzero.
 
@@ -21,12 +22,12 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (5, 11),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 12 + PATTERN[k].1
 }
 
-/// DH frames of all rows in the base frame: every entry of `out` is written.
+/// DH frames of all rows in the world frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[[S; 4]; 3]; 6]) {
     let flat = &mut out.as_flattened_mut().as_flattened_mut()[..];
@@ -46,7 +47,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[[S; 4]; 3]; 6]) {
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [[[S; 4]; 3]; 6]) {
     entries(trig, |k, x| {
@@ -65,8 +66,8 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [s1, s2, s3, s4, s5, s6] = trig.sin;
     let [c1, c2, c3, c4, c5, c6] = trig.cos;
-    let k0 = S::constant(0.6127);
-    let k2 = S::constant(0.57155);
+    let k0 = S::constant(-constants::A2);
+    let k2 = S::constant(-constants::A3);
     let k6 = S::constant(1.0);
     let k_D1 = S::constant(constants::D1);
     let k_D4 = S::constant(constants::D4);

@@ -1,11 +1,11 @@
 //! Gravity torques `g`.
 //!
-//! N m, from the base parameters: what holds the arm up at rest.
+//! N m, from the base parameters: the torques that hold the arm at rest.
 //!
 //! 48 multiplications, 26 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{BASE, Trig};
+use super::super::{BASE, GRAVITY, Trig};
 
 /// Gravity torques `g`: every entry of `out` is written.
 #[inline]
@@ -25,7 +25,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         _, _, _, MSX4, MSY4R, _, _, _, _, _, MSX5, MSY5R,
         _, _, _, _, _, MSX6, MSY6,
         ..] = *beta;
-    let k0 = S::constant(9.81);
+    let k0 = S::constant(-GRAVITY[2]);
     // link 2: motion
     let [a2_x, a2_y] = {
         let a2_x = s2 * k0;

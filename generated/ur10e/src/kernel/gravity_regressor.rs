@@ -1,11 +1,12 @@
 //! Regressor at rest.
 //!
-//! `g = W_g phi` for the links' parameters only; columns as the first of `STANDARD_NAMES`.
+//! `g = W_g phi` of the links' parameters; columns as the first of `STANDARD_NAMES`, without the
+//! drives'.
 //!
 //! 111 multiplications, 63 additions; 6 x 60, 59 of 360 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig, constants};
+use super::super::{GRAVITY, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 59;
@@ -20,7 +21,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (3, 53), (4, 41), (4, 42), (4, 50), (4, 51), (4, 52), (4, 53), (5, 51), (5, 52),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 60 + PATTERN[k].1
 }
@@ -60,7 +61,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 60]; 6]) {
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 60]; 6]) {
     entries(trig, |k, x| {
@@ -79,9 +80,9 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [_, s2, s3, s4, s5, s6] = trig.sin;
     let [_, c2, c3, c4, c5, c6] = trig.cos;
-    let k0 = S::constant(9.81);
-    let k1 = S::constant(0.6127);
-    let k3 = S::constant(0.57155);
+    let k0 = S::constant(-GRAVITY[2]);
+    let k1 = S::constant(-constants::A2);
+    let k3 = S::constant(-constants::A3);
     let k_A3 = S::constant(constants::A3);
     let k_D4 = S::constant(constants::D4);
     let k_D5 = S::constant(constants::D5);

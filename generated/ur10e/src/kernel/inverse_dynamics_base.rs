@@ -1,11 +1,12 @@
 //! Torques from the base parameters.
 //!
-//! `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil and Dombre, 9.6.
+//! `tau = W_b beta`, N m, without forming `W_b`. Newton-Euler with the regrouped parameters, Khalil
+//! and Dombre, 9.6.
 //!
 //! 265 multiplications, 238 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
-use super::super::{DOF, BASE, Trig, constants};
+use super::super::{DOF, BASE, GRAVITY, Trig, constants};
 
 /// Torques from the base parameters: every entry of `out` is written.
 #[inline]
@@ -29,9 +30,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; 
         IA3, IA4, IA5, IA6, FV1, FV2, FV3, FV4, FV5, FV6, FC1, FC2,
         FC3, FC4, FC5, FC6, FO1, FO2, FO3, FO4, FO5, FO6,
         ..] = *beta;
-    let k0 = S::constant(9.81);
-    let k1 = S::constant(0.6127);
-    let k2 = S::constant(0.57155);
+    let k0 = S::constant(-GRAVITY[2]);
+    let k1 = S::constant(-constants::A2);
+    let k2 = S::constant(-constants::A3);
     let k_D4 = S::constant(constants::D4);
     let k_D5 = S::constant(constants::D5);
     let k_D6 = S::constant(constants::D6);

@@ -1,13 +1,13 @@
-//! Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`.
+//! Acceleration of the last DH frame at zero `ddq`: `dJ/dt dq`.
 //!
-//! In base axes; entries 0-2 linear, m/s^2, 3-5 angular, rad/s^2. Khalil and Dombre, 5.10.
+//! In world axes; entries 0-2 linear, m/s^2, 3-5 angular, rad/s^2. Khalil and Dombre, 5.10.
 //!
 //! 140 multiplications, 79 additions; 6, 6 of 6 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{DOF, Trig, constants};
 
-/// Acceleration of the last DH frame that is left when `ddq` is zero: `dJ/dt dq`: every entry of `out` is written.
+/// Acceleration of the last DH frame at zero `ddq`: `dJ/dt dq`: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 6]) {
     entries(trig, dq, |k, x| {
@@ -21,8 +21,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     let [s1, s2, s3, s4, s5, s6] = trig.sin;
     let [c1, c2, c3, c4, c5, c6] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
-    let k0 = S::constant(0.6127);
-    let k1 = S::constant(0.57155);
+    let k0 = S::constant(-constants::A2);
+    let k1 = S::constant(-constants::A3);
     let k_D4 = S::constant(constants::D4);
     let k_D5 = S::constant(constants::D5);
     let k_D6 = S::constant(constants::D6);
@@ -171,7 +171,7 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
         let t188 = c6 * t40 - s6 * t65;
         [t173, t176, t179, t182, t185, t188]
     };
-    // in base axes
+    // in world axes
     {
         let t193 = a6_x * t173 + t113 * t176 - t106 * t164;
         let t198 = t106 * t170 + (a6_x * t179 + t113 * t182);

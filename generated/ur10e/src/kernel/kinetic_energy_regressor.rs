@@ -20,7 +20,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (63, 0), (64, 0), (65, 0),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 1 + PATTERN[k].1
 }
@@ -41,7 +41,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 84]) {
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], out: &mut [S; 84]) {
     entries(trig, dq, |k, x| {
@@ -61,8 +61,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], mut put: impl FnMut(usize, 
     let [_, s2, s3, s4, s5, s6] = trig.sin;
     let [_, c2, c3, c4, c5, c6] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
-    let k0 = S::constant(0.6127);
-    let k2 = S::constant(0.57155);
+    let k0 = S::constant(-constants::A2);
+    let k2 = S::constant(-constants::A3);
     let k5 = S::constant(0.5);
     let k_D4 = S::constant(constants::D4);
     let k_D5 = S::constant(constants::D5);

@@ -26,8 +26,8 @@ fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usiz
         XX5R, ZZ5R, XY5, XZ5, YZ5, MSX6, MSY6, XX6R, ZZ6, XY6, XZ6, YZ6,
         IA3, IA4, IA5, IA6,
         ..] = *beta;
-    let k3 = S::constant(0.57155);
-    let k4 = S::constant(0.6127);
+    let k3 = S::constant(-constants::A3);
+    let k4 = S::constant(-constants::A2);
     let k_D4 = S::constant(constants::D4);
     let k_D5 = S::constant(constants::D5);
     let k_D6 = S::constant(constants::D6);

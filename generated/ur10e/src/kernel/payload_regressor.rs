@@ -1,11 +1,12 @@
 //! Regressor of a body fixed to the tool frame.
 //!
-//! `tau = W_L phi_L`, columns `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool frame, about its origin (the paper's (7)).
+//! `tau = W_L phi_L`, columns `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool frame, about its
+//! origin. Katsumata et al. 2019, (7).
 //!
 //! 252 multiplications, 176 additions; 6 x 10, 58 of 60 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart};
-use super::super::{DOF, Trig, constants};
+use super::super::{DOF, GRAVITY, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 58;
@@ -20,7 +21,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (5, 1), (5, 2), (5, 4), (5, 5), (5, 6), (5, 7), (5, 8), (5, 9),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 10 + PATTERN[k].1
 }
@@ -40,7 +41,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 10]; 6]) {
     entries(trig, dq, ddq, |k, x| {
@@ -61,9 +62,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [_, c2, c3, c4, c5, c6] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6] = *ddq;
-    let k0 = S::constant(9.81);
-    let k1 = S::constant(0.6127);
-    let k2 = S::constant(0.57155);
+    let k0 = S::constant(-GRAVITY[2]);
+    let k1 = S::constant(-constants::A2);
+    let k2 = S::constant(-constants::A3);
     let k_A3 = S::constant(constants::A3);
     let k_D4 = S::constant(constants::D4);
     let k_D5 = S::constant(constants::D5);

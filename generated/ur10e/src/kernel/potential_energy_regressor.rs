@@ -1,11 +1,11 @@
 //! Potential energy, one entry per standard parameter.
 //!
-//! `U = h phi`, J per unit, zero at the base frame's origin; an offset torque counts as `FO q`.
+//! `U = h phi`, J per unit, zero at the world frame's origin; an offset torque counts as `FO q`.
 //!
 //! 32 multiplications, 12 additions; 84, 25 of 84 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{Trig, constants};
+use super::super::{GRAVITY, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 25;
@@ -17,7 +17,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (79, 0), (80, 0), (81, 0), (82, 0), (83, 0),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 1 + PATTERN[k].1
 }
@@ -42,7 +42,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [S; 84]) {
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, out: &mut [S; 84]) {
     entries(trig, |k, x| {
@@ -62,10 +62,10 @@ fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [q1, q2, q3, q4, q5, q6] = trig.q;
     let [_, s2, s3, s4, s5, s6] = trig.sin;
     let [_, c2, c3, c4, c5, c6] = trig.cos;
-    let k0 = S::constant(0.6127);
-    let k2 = S::constant(0.57155);
-    let k5 = S::constant(9.81);
-    let k6 = S::constant(1.772667);
+    let k0 = S::constant(-constants::A2);
+    let k2 = S::constant(-constants::A3);
+    let k5 = S::constant(-GRAVITY[2]);
+    let k6 = S::constant(-GRAVITY[2] * constants::D1);
     let k_D1 = S::constant(constants::D1);
     let k_D5 = S::constant(constants::D5);
     let k_D6 = S::constant(constants::D6);

@@ -1,11 +1,12 @@
 //! Regressor `W` of the standard parameters.
 //!
-//! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil and Dombre, 12.4.
+//! `tau = W phi`, row j in N m per unit of each parameter; columns as in `STANDARD_NAMES`. Khalil
+//! and Dombre, 12.4.
 //!
 //! 406 multiplications, 322 additions; 6 x 84, 212 of 504 structurally nonzero.
 
 use super::super::runtime::{Scalar, apart, clear};
-use super::super::{DOF, Trig, constants};
+use super::super::{DOF, GRAVITY, Trig, constants};
 
 /// Entries that are not structurally zero.
 pub const NONZEROS: usize = 212;
@@ -36,7 +37,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
     (5, 77), (5, 83),
 ];
 
-/// Where entry `k` stands in the row-major result.
+/// Place of entry `k` in the row-major result.
 const fn place(k: usize) -> usize {
     PATTERN[k].0 * 84 + PATTERN[k].1
 }
@@ -89,7 +90,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut
     });
 }
 
-/// The same, where all other entries of `out` are zero already: they are left alone.
+/// The same for an `out` that is zero elsewhere already: other entries are not touched.
 #[inline]
 pub fn nonzeros<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mut [[S; 84]; 6]) {
     entries(trig, dq, ddq, |k, x| {
@@ -110,9 +111,9 @@ fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: im
     let [_, c2, c3, c4, c5, c6] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6] = *dq;
     let [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6] = *ddq;
-    let k0 = S::constant(0.6127);
-    let k1 = S::constant(9.81);
-    let k3 = S::constant(0.57155);
+    let k0 = S::constant(-constants::A2);
+    let k1 = S::constant(-GRAVITY[2]);
+    let k3 = S::constant(-constants::A3);
     let k7 = S::constant(1.0);
     let k_A3 = S::constant(constants::A3);
     let k_D4 = S::constant(constants::D4);

@@ -1,13 +1,14 @@
-//! The tool frame in the base frame.
+//! The tool frame in the world frame.
 //!
-//! Like `forward_kinematics`, followed by the tool's pose (the identity where the robot file has no tool).
+//! Like `forward_kinematics`, followed by the tool's pose (the identity where the robot file has no
+//! tool).
 //!
 //! 64 multiplications, 35 additions; 3 x 4, 12 of 12 structurally nonzero.
 
 use super::super::runtime::Scalar;
 use super::super::{Trig, constants};
 
-/// The tool frame in the base frame: every entry of `out` is written.
+/// The tool frame in the world frame: every entry of `out` is written.
 #[inline]
 pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 4]; 3]) {
     entries(trig, |k, x| {
@@ -20,8 +21,8 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, out: &mut [[S; 4]; 3]) {
 fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [s1, s2, s3, s4, s5, s6] = trig.sin;
     let [c1, c2, c3, c4, c5, c6] = trig.cos;
-    let k0 = S::constant(0.6127);
-    let k2 = S::constant(0.57155);
+    let k0 = S::constant(-constants::A2);
+    let k2 = S::constant(-constants::A3);
     let k_D1 = S::constant(constants::D1);
     let k_D4 = S::constant(constants::D4);
     let k_D5 = S::constant(constants::D5);

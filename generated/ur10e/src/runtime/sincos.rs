@@ -1,16 +1,19 @@
-//! Sine and cosine of many angles together: one polynomial for all, no branch but for angles beyond half a million.
+//! Sine and cosine of many angles together: one polynomial for all, no branch but for angles beyond
+//! half a million.
 //!
-//! Reduction by quarter turns with pi/2 in three pieces (Cody and Waite; the first two have 33 bits, so their products with a
-//! quarter-turn count below 2^20 are exact) and a carried tail; then the polynomials of fdlibm's `k_sin.c` and `k_cos.c`. Beyond
-//! that range: Payne and Hanek, with integers. Only additions and multiplications, each rounded: the same bits on every machine,
-//! for one angle or for eight. Within 1 ulp: 0.63 at
-//! most against 40-digit values (`tests/sincos.rs` of dh-codegen).
+//! Reduction by quarter turns with pi/2 in three pieces (Cody and Waite; the first two have 33
+//! bits, so their products with a quarter-turn count below 2^20 are exact) and a carried tail; then
+//! the polynomials of fdlibm's `k_sin.c` and `k_cos.c`. Beyond that range: Payne and Hanek, with
+//! integers. Only additions and multiplications, each rounded: the same bits on every machine, for
+//! one angle or for eight. Within 1 ulp: 0.63 at most against 40-digit values (`tests/sincos.rs` of
+//! dh-codegen).
 
 use super::{Pack, Scalar};
 
 /// Up to here the pieces of pi/2 are exact enough.
 const LIMIT: f64 = 500_000.0;
-/// Adding and subtracting it rounds to the nearest whole number, which stands in the last bits meanwhile.
+/// Adding and subtracting it rounds to the nearest whole number, which stands in the last bits
+/// meanwhile.
 const ROUND: f64 = 6_755_399_441_055_744.0;
 const PIO2_1: f64 = 1.570_796_326_734_125_6;
 const PIO2_2: f64 = 6.077_100_506_303_966e-11;
@@ -124,7 +127,8 @@ const TWO_OVER_PI: [u64; 21] = [
     0xa9e391615ee61b08,
 ];
 
-/// Any angle: `x = m 2^e`, and only those bits of `m 2/pi` that do not make whole turns (Payne and Hanek).
+/// Any angle: `x = m 2^e`, and only those bits of `m 2/pi` that do not make whole turns (Payne and
+/// Hanek).
 #[cold]
 #[inline(never)]
 fn beyond(x: f64) -> (f64, f64) {
@@ -153,7 +157,8 @@ fn beyond(x: f64) -> (f64, f64) {
         carry = p >> 64;
     }
     product[0] = carry as u64;
-    // The point stands `256 - exponent + first - 1` bits from the right: bring it to bit 256 or so, then cut.
+    // The point stands `256 - exponent + first - 1` bits from the right: bring it to bit 256 or so,
+    // then cut.
     let fraction_bits = (256 - exponent + first - 1) as u32; // 254 to 290
     let bit = |i: u32| (product.iter().rev().nth((i / 64) as usize).copied().unwrap_or(0) >> (i % 64)) & 1;
     let mut turns = bit(fraction_bits) | (bit(fraction_bits + 1) << 1);

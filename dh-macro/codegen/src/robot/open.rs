@@ -1,0 +1,30 @@
+//! A robot file on disk.
+
+use std::path::Path;
+
+use super::{Problem, Problems, Robot};
+
+impl Robot {
+    /// Reads the robot file at `path`, and the tool file that it names, seen from its folder.
+    ///
+    /// ```
+    /// let robot = dh_codegen::robot::Robot::open("../../robots/planar2r.yaml")?;
+    /// assert_eq!(robot.joints.len(), 2);
+    /// # Ok::<(), dh_codegen::robot::Problems>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Every mistake of the file at once, with line and column; or that it can't be read.
+    pub fn open(path: impl AsRef<Path>) -> Result<Self, Problems> {
+        let path = path.as_ref();
+        let name = path.display().to_string();
+        let text = std::fs::read_to_string(path).map_err(|error| {
+            let what = format!("can't be read: {error}");
+            let mend = "name a robot file".to_string();
+            Problems(vec![Problem { file: None, path: String::new(), line: 1, column: 1, what, mend }]).in_file(&name)
+        })?;
+        let beside =
+            |tool: &str| std::fs::read_to_string(path.with_file_name(tool)).map_err(|e| format!("{tool}: {e}"));
+        Self::from_yaml(&text, &beside).map(|reading| reading.robot).map_err(|problems| problems.in_file(&name))
+    }
+}

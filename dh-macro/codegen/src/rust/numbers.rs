@@ -1,0 +1,171 @@
+//! Numbers of the robot file as Rust text: by the names that they have there.
+
+use std::collections::BTreeMap;
+
+use super::words::Constant;
+use crate::arm::chain::Chain;
+use crate::robot::{Polynomial, Robot};
+use crate::sym::Formula;
+
+/// Gravity as a constant of the crate.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Gravity {
+    pub name: &'static str,
+    /// m/s^2, without negative zeros.
+    pub value: [f64; 3],
+}
+
+impl Gravity {
+    /// In the world frame.
+    pub(super) fn world(chain: &Chain) -> Self {
+        Self { name: "GRAVITY", value: turned_back(chain.world_lift) }
+    }
+
+    /// In frame 0, in which the recursions start: a constant of its own where the base is tilted.
+    pub(super) fn base(chain: &Chain) -> Self {
+        let (world, value) = (Self::world(chain), turned_back(chain.lift));
+        if value == world.value { world } else { Self { name: "GRAVITY_IN_BASE", value } }
+    }
+}
+
+/// Gravity of the acceleration that holds against it.
+fn turned_back(lift: [f64; 3]) -> [f64; 3] {
+    lift.map(|x| if x == 0.0 { 0.0 } else { -x })
+}
+
+/// Which text stands for which number, by its bits.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Numbers {
+    named: BTreeMap<u64, String>,
+    /// Variables of kernels that hold a constant of the file, by its path.
+    locals: BTreeMap<String, String>,
+}
+
+impl Numbers {
+    /// Constants of the file, gravity, and lengths of the table in closed form. Each text has the
+    /// bits of its number when it is evaluated; the first one stays. `gravity`: its name and value
+    /// in the axes that the kernel works in.
+    pub(super) fn new(robot: &Robot, gravity: &Gravity, constants: &[Constant]) -> Self {
+        let mut all = Self::default();
+        for c in constants {
+            let path = format!("constants::{}", c.item);
+            all.locals.insert(path.clone(), c.local.clone());
+            all.add(c.value, path);
+        }
+        for c in constants {
+            all.add(-c.value, format!("-constants::{}", c.item));
+        }
+        for (axis, g) in gravity.value.into_iter().enumerate() {
+            all.add(g, format!("{}[{axis}]", gravity.name));
+            all.add(-g, format!("-{}[{axis}]", gravity.name));
+        }
+        let lengths = robot.joints.iter().flat_map(|j| [&j.d, &j.r]);
+        for length in lengths {
+            for sign in [1.0, -1.0] {
+                if let Some(text) =
+                    closed_form(&length.closed_form.scale(sign), sign * length.value, constants, "constants::")
+                {
+                    all.add(sign * length.value, text);
+                }
+            }
+        }
+        all
+    }
+
+    fn add(&mut self, value: f64, text: String) {
+        if ![0.0, 1.0, -1.0].contains(&value) {
+            self.named.entry(value.to_bits()).or_insert(text);
+        }
+    }
+
+    /// The text of a formula; `None` where no number in it has a name.
+    pub(super) fn text(&self, formula: &Formula) -> Option<String> {
+        self.has_name(formula).then(|| self.written(formula))
+    }
+
+    /// The variable that holds this very constant of the file.
+    pub(super) fn local(&self, text: &str) -> Option<String> {
+        self.locals.get(text).cloned()
+    }
+
+    fn has_name(&self, formula: &Formula) -> bool {
+        match formula {
+            Formula::Number(bits) => self.named.contains_key(bits),
+            Formula::Neg(a) => self.has_name(a),
+            Formula::Binary(_, a, b) => self.has_name(a) || self.has_name(b),
+        }
+    }
+
+    fn written(&self, formula: &Formula) -> String {
+        let operand = |f: &Formula| match (f, self.written(f)) {
+            (Formula::Number(_), text) if !text.contains(' ') => text,
+            (_, text) => format!("({text})"),
+        };
+        match formula {
+            Formula::Number(bits) => {
+                self.named.get(bits).cloned().unwrap_or_else(|| format!("{:?}", f64::from_bits(*bits)))
+            }
+            Formula::Neg(a) => format!("-{}", operand(a)),
+            Formula::Binary(fold, a, b) => format!("{} {} {}", operand(a), fold.symbol(), operand(b)),
+        }
+    }
+}
+
+/// A polynomial in the file's constants as a Rust expression; `None` where it has none of them, or
+/// where its evaluation differs from `value` in the last bits.
+pub(super) fn closed_form(form: &Polynomial, value: f64, constants: &[Constant], path: &str) -> Option<String> {
+    if form.as_number().is_some() {
+        return None;
+    }
+    let (mut text, mut sum) = (String::new(), 0.0);
+    for (monomial, factor) in form.terms() {
+        let (words, size) = product(monomial, factor.abs(), constants, path)?;
+        let first = text.is_empty();
+        text += match (first, factor < 0.0) {
+            (true, false) => "",
+            (true, true) => "-",
+            (false, false) => " + ",
+            (false, true) => " - ",
+        };
+        text += &words;
+        let signed = if factor < 0.0 { -size } else { size };
+        sum = if first { signed } else { sum + signed };
+    }
+    (sum.to_bits() == value.to_bits()).then_some(text)
+}
+
+/// `factor * L1 * (L2 * L2)`, rounded in this order, and its value.
+fn product(monomial: &[(usize, u32)], factor: f64, constants: &[Constant], path: &str) -> Option<(String, f64)> {
+    let mut words = Vec::new();
+    let mut value = factor;
+    if factor != 1.0 || monomial.is_empty() {
+        words.push(format!("{factor:?}"));
+    }
+    for &(k, n) in monomial {
+        let constant = constants.get(k)?;
+        let power: Vec<String> = (0..n).map(|_| format!("{path}{}", constant.item)).collect();
+        let power = power.join(" * ");
+        words.push(if n > 1 && !words.is_empty() { format!("({power})") } else { power });
+        value *= (1..n).fold(constant.value, |x, _| x * constant.value);
+    }
+    Some((words.join(" * "), value))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn closed_forms_have_the_bits_of_their_number() {
+        let constant =
+            |word: &str, value| Constant { word: word.into(), item: word.into(), local: String::new(), value };
+        let constants = [constant("L1", 0.31), constant("L2", 0.4)];
+        let (a, b) = (Polynomial::constant(0), Polynomial::constant(1));
+        let text = |form: &Polynomial, value: f64| closed_form(form, value, &constants, "");
+        assert_eq!(text(&b.mul(&b), 0.4 * 0.4), Some("L2 * L2".into()));
+        assert_eq!(text(&b.mul(&b), 0.16), None, "0.4 * 0.4 is not 0.16");
+        assert_eq!(text(&b.mul(&b).scale(3.0), 3.0 * (0.4 * 0.4)), Some("3.0 * (L2 * L2)".into()));
+        assert_eq!(text(&a.add(&b.scale(-2.0)), 0.31 - 2.0 * 0.4), Some("L1 - 2.0 * L2".into()));
+        assert_eq!(text(&Polynomial::number(0.5), 0.5), None);
+    }
+}

@@ -1,0 +1,20 @@
+//! Modules that generated robot code runs on: scalars and register packs ([`runtime`]), drive laws
+//! ([`drive`]), inverse kinematics ([`ik`]), and the traits that every robot implements
+//! ([`robot`]).
+//!
+//! No `std`, no allocation, no dependency. Use them through the crate `denavit-runtime`. They stand
+//! apart because the generator ships their text and the macro, which `denavit-runtime` passes on,
+//! is built with the generator.
+
+#![no_std]
+
+pub mod drive;
+pub mod elementary;
+// A negated comparison is true of NaN too, and is meant to be; a reference to a closure is a type
+// like any other.
+#[allow(clippy::neg_cmp_op_on_partial_ord, clippy::type_complexity)]
+pub mod ik;
+pub mod robot;
+pub mod runtime;
+#[cfg(feature = "sources")]
+pub mod sources;
