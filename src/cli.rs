@@ -20,11 +20,13 @@ mod logbook;
 mod mapping;
 mod motion;
 mod motors;
+mod new;
 mod output;
 mod paint;
 mod prepare;
 mod provenance;
 mod reproduce;
+mod shell;
 mod simulate;
 mod table;
 mod terminal;
@@ -46,6 +48,8 @@ pub struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
+    /// Write a commented robot file for an arm of n joints, to fill in.
+    New(new::New),
     /// Read a robot file, validate it, and say what it describes.
     Check(check::Check),
     /// Write the drop-in crate with the robot's closed-form functions.
@@ -77,6 +81,10 @@ enum Command {
     Simulate(simulate::Simulate),
     /// Identify what the arm carries, and recognise the tool.
     Tool(tool::ToolVerb),
+    /// Write the completions of a shell to standard output.
+    Completions(shell::Completions),
+    /// Write the manual pages.
+    Man(shell::Man),
 }
 
 impl Cli {
@@ -100,6 +108,7 @@ impl Cli {
     pub fn run(self) -> Result<(), Failure> {
         let provenance = self.provenance;
         match self.command {
+            Command::New(verb) => verb.run(provenance),
             Command::Check(verb) => verb.run(provenance),
             Command::Generate(verb) => verb.run(provenance),
             Command::Diagnose(verb) => verb.run(provenance),
@@ -115,6 +124,8 @@ impl Cli {
             Command::Reproduce(verb) => verb.run(provenance),
             Command::Simulate(verb) => verb.run(provenance),
             Command::Tool(verb) => verb.run(provenance),
+            Command::Completions(verb) => verb.run(Self::command()),
+            Command::Man(verb) => verb.run(Self::command()),
         }
     }
 }

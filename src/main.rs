@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use clap::error::ErrorKind;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use denavit::cli::{Cli, Failure, say};
 
 fn main() -> ExitCode {
@@ -10,7 +10,7 @@ fn main() -> ExitCode {
         Ok(cli) => cli.run(),
         // A wrong use is one paragraph like any other error; help and version are clap's to print.
         Err(e) if e.use_stderr() && e.kind() != ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
-            Err(Failure::input(one_paragraph(&e.render().to_string())))
+            Err(Failure::input(one_paragraph(&e.render().to_string()) + &swallowed(&e)))
         }
         Err(e) => return shown_by_clap(&e),
     };
@@ -34,9 +34,23 @@ fn shown_by_clap(message: &clap::Error) -> ExitCode {
     }
 }
 
-/// The blocks of clap's message, one after the other.
+/// clap's lines without the empty ones between its blocks.
 fn one_paragraph(message: &str) -> String {
-    let blocks = message.trim_start_matches("error: ").split("\n\n");
-    let lines = |block: &str| block.split_whitespace().collect::<Vec<_>>().join(" ");
-    blocks.map(lines).filter(|b| !b.is_empty()).collect::<Vec<_>>().join("; ")
+    let lines = message.trim_start_matches("error: ").lines().map(str::trim_end).filter(|line| !line.is_empty());
+    lines.collect::<Vec<_>>().join("\n")
 }
+
+/// Advice where an option that takes many values took the logs that were meant for the command.
+fn swallowed(error: &clap::Error) -> String {
+    let Some(ContextValue::Strings(missing)) = error.get(ContextKind::InvalidArg) else { return String::new() };
+    let log = error.kind() == ErrorKind::MissingRequiredArgument && missing.iter().any(|m| m.starts_with("<LOG"));
+    match std::env::args().find(|a| MANY.contains(&a.as_str())) {
+        Some(option) if log => format!(
+            "\nhint: {option} takes every file up to the next option; put the logs to be fitted before {option}, or write {option}=FILE"
+        ),
+        _ => String::new(),
+    }
+}
+
+/// Options that take any number of files.
+const MANY: [&str; 2] = ["--validate", "--complement"];

@@ -38,6 +38,7 @@ pub use parts::warnings::Warnings;
 pub use reproduce::json::reproduce_json;
 pub use reproduce::page::reproduce_html;
 pub use reproduce::text::{Parts, reproduce_text};
+pub use robot_template::{RobotTemplate, robot_template};
 pub use simulate::json::simulate_json;
 pub use simulate::text::simulate_text;
 pub use tool::json::tool_json;
@@ -57,6 +58,7 @@ pub(crate) mod log;
 pub(crate) mod paint;
 pub(crate) mod parts;
 pub(crate) mod reproduce;
+mod robot_template;
 pub(crate) mod simulate;
 #[cfg(test)]
 mod tests;

@@ -2,8 +2,9 @@
 
 use std::cell::RefCell;
 use std::fs;
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use dh_codegen::robot::{Robot, Run};
 use serde::Serialize;
@@ -78,7 +79,8 @@ fn refuse_xml(shown: &str, text: &str) -> Result<(), Failure> {
 
 /// Reads a text file.
 pub(super) fn text(path: &Path) -> Result<String, Failure> {
-    fs::read(path).map_err(|e| unreadable(path, &e)).and_then(|bytes| {
+    let mut bytes = Vec::new();
+    open(path)?.read_to_end(&mut bytes).map_err(|e| unreadable(path, &e)).and_then(|_| {
         String::from_utf8(bytes).map_err(|e| {
             Failure::input(format!(
                 "{}: byte {} is not UTF-8 text; save the file as UTF-8",
@@ -89,8 +91,31 @@ pub(super) fn text(path: &Path) -> Result<String, Failure> {
     })
 }
 
-/// Opens a file for reading.
+/// Whether a path stands for standard input.
+pub(super) fn is_stdin(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+/// Standard input, once: what was read is gone.
+fn stdin() -> Result<fs::File, Failure> {
+    static TAKEN: AtomicBool = AtomicBool::new(false);
+    if TAKEN.swap(true, Ordering::Relaxed) {
+        return Err(Failure::input(
+            "- (standard input) can be read once, and this command reads it again; write it to a file and name that",
+        ));
+    }
+    #[cfg(unix)]
+    let file = std::os::fd::AsFd::as_fd(&io::stdin()).try_clone_to_owned();
+    #[cfg(windows)]
+    let file = std::os::windows::io::AsHandle::as_handle(&io::stdin()).try_clone_to_owned();
+    file.map(fs::File::from).map_err(|e| unreadable(Path::new("standard input"), &e))
+}
+
+/// Opens a file for reading; `-` is standard input.
 pub(super) fn open(path: &Path) -> Result<fs::File, Failure> {
+    if is_stdin(path) {
+        return stdin();
+    }
     let file = fs::File::open(path).map_err(|e| unreadable(path, &e))?;
     match file.metadata() {
         Ok(meta) if meta.is_dir() => Err(unreadable(path, &ErrorKind::IsADirectory.into())),

@@ -83,10 +83,8 @@ impl LogVerb {
 
 /// The bytes of a recording, and its name.
 fn input(path: &std::path::Path) -> Result<(String, Box<dyn std::io::Read>), Failure> {
-    if path == std::path::Path::new("-") {
-        return Ok(("standard input".into(), Box::new(std::io::stdin().lock())));
-    }
-    Ok((path.display().to_string(), Box::new(BufReader::new(files::open(path)?))))
+    let name = if files::is_stdin(path) { "standard input".into() } else { path.display().to_string() };
+    Ok((name, Box::new(BufReader::new(files::open(path)?))))
 }
 
 impl Inspect {

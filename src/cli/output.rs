@@ -311,8 +311,11 @@ pub(super) fn check_outputs<'a>(
     outputs: &[(&str, &Option<PathBuf>)],
     inputs: impl IntoIterator<Item = &'a PathBuf>,
 ) -> Result<(), Failure> {
-    let read: Vec<(Identity, &Path)> =
-        inputs.into_iter().filter_map(|p| Some((Identity::of_input(p)?, p.as_path()))).collect();
+    let read: Vec<(Identity, &Path)> = inputs
+        .into_iter()
+        .filter(|p| p.as_os_str() != "-")
+        .filter_map(|p| Some((Identity::of_input(p)?, p.as_path())))
+        .collect();
     let mut seen: Vec<(Identity, &str)> = Vec::new();
     for (option, path) in outputs.iter().filter_map(|(option, path)| Some((*option, path.as_ref()?))) {
         let shown = path.display().to_string();

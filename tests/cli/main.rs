@@ -10,11 +10,13 @@ mod generate;
 mod identify;
 mod ik;
 mod import;
+mod new;
 mod outputs;
 mod paint;
 mod provenance;
 mod reproduce;
 mod same_samples;
+mod shell;
 mod simulate;
 mod tool;
 

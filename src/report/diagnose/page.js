@@ -66,6 +66,11 @@ document.querySelectorAll('[data-cause]').forEach(box => {
   make(svg, 'text', { x: LEFT + 147, y: 17 }, 'with it');
   make(svg, 'path', { class: 'noise', d: `M${LEFT + 210} 13h22` });
   make(svg, 'text', { x: LEFT + 238, y: 17 }, 'noise');
+  offer(box, `cause${+box.dataset.cause + 1}-gain`, ['joint', 'without', 'with', 'noise'], () => before.map((v, j) => [j + 1, v, after[j], data.noise[j]]));
+  if (cause.curve) {
+    const { over, x, measured, explained } = cause.curve;
+    offer(box, `cause${+box.dataset.cause + 1}`, [over, 'error', 'explained'], () => x.map((v, i) => [v, measured[i], explained[i]]));
+  }
 });
 
 // Measured torque above, error below, one plot per joint.
@@ -82,6 +87,9 @@ data.curves.forEach((curve, j) => {
   make(svg, 'text', { class: 'title', x: LEFT, y: 13 }, `joint ${j + 1}`);
   make(svg, 'text', { x: RIGHT, y: 13, 'text-anchor': 'end' }, 'torque above, error below; N m over s');
 });
+
+offer(document.getElementById('curves'), 'validation', ['joint', 't', 'torque', 'error_before', 'error_after'],
+  () => data.curves.flatMap((c, j) => c.t.map((t, i) => [j + 1, t, c.measured[i], c.before[i], c.after[i]])));
 
 // Small multiples: one row per joint, the same height of axis for all means of a joint.
 data.maps.forEach((maps, j) => {
@@ -104,3 +112,5 @@ data.maps.forEach((maps, j) => {
     make(svg, 'text', { class: 'axis', x: (LEFT + RIGHT) / 2, y: H - 6, 'text-anchor': 'middle' }, map.over);
   });
 });
+offer(document.getElementById('maps'), 'maps', ['joint', 'over', 'x', 'before', 'after'],
+  () => data.maps.flatMap((maps, j) => maps.flatMap(m => m.x.map((x, i) => [j + 1, m.over, x, m.before[i], m.after[i]]))));

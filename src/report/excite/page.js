@@ -33,6 +33,9 @@ data.joints.forEach((joint, index) => {
   });
 });
 
+offer(document.getElementById('joints'), 'motion', ['t', ...data.joints.flatMap((_, j) => ['q', 'dq', 'ddq', ...(data.joints[j].torque ? ['tau'] : [])].map(n => n + (j + 1)))],
+  () => data.time.map((t, i) => [t, ...data.joints.flatMap(joint => [joint.q[i], joint.dq[i], joint.ddq[i], ...(joint.torque ? [joint.tau[i]] : [])])]));
+
 // History: one line per start.
 (() => {
   const all = data.history.filter(r => isFinite(r[1]));
@@ -92,12 +95,13 @@ let setMoment = () => {};
   };
   const triples = list => { const all = []; for (let i = 0; i < list.length; i += 3) all.push(list.slice(i, i + 3)); return all; };
   const path = triples(data.figures.flatMap(f => f[0].slice(-3)));
+  const tone = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   const draw = () => {
     c.clearRect(0, 0, 880, 660);
     const z = data.ground ?? 0, reach = Math.ceil(size / 2 / 0.2) * 0.2;
     for (let k = -reach; k <= reach + 1e-9; k += 0.2) {
-      stroke([[k, -reach, z], [k, reach, z]], '#e3e6e9', 1);
-      stroke([[-reach, k, z], [reach, k, z]], '#e3e6e9', 1);
+      stroke([[k, -reach, z], [k, reach, z]], tone('--line'), 1);
+      stroke([[-reach, k, z], [reach, k, z]], tone('--line'), 1);
     }
     for (const [a, b] of data.boxes) {
       const corner = k => [k & 1 ? b[0] : a[0], k & 2 ? b[1] : a[1], k & 4 ? b[2] : a[2]];
@@ -114,7 +118,7 @@ let setMoment = () => {};
       c.strokeStyle = '#0072b266'; c.lineWidth = 1; c.stroke();
     }
     const bones = [[0, 0, 0], ...triples(points)];
-    stroke(bones, '#1c2024', 5);
+    stroke(bones, tone('--ink'), 5);
     for (const p of bones) { const [x, y] = project(p); c.beginPath(); c.arc(x, y, 5, 0, 7); c.fillStyle = '#d55e00'; c.fill(); }
     clock.textContent = `${data.moments[at].toFixed(2)} s`;
     slider.value = at;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::control::estimate::{COMPONENTS, Series};
 use crate::data::signal::Prepared;
@@ -63,8 +63,43 @@ pub fn force_html(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Prov
         let _ = writeln!(body, "<dt>{}<dd>{}", escape(what), escape(value));
     }
     body.push_str("</dl></section>\n");
+    let numbers: Vec<Value> = outcome.found.iter().map(numbers).collect();
     let title = format!("{} – force", outcome.robot);
-    Page { title, style: include_str!("page.css"), body: &body, data: json!({}), script: "" }.html()
+    Page {
+        title,
+        style: include_str!("page.css"),
+        body: &body,
+        data: json!({ "series": numbers }),
+        script: include_str!("page.js"),
+    }
+    .html()
+}
+
+/// What the plots of a log show, thinned: mean of each stretch, its largest half-width of the band.
+fn numbers(series: &Series) -> Value {
+    let chunk = series.time.len().div_ceil(POINTS).max(1);
+    let row = |from: usize| {
+        let range = from..(from + chunk).min(series.time.len());
+        let mean = |value: &dyn Fn(usize) -> f64| range.clone().map(value).sum::<f64>() / range.len() as f64;
+        let wrench = (0..6).map(|i| json!(mean(&|s| series.wrench[s][i])));
+        let half = (0..6).map(|i| {
+            let band = range.clone().filter(|&s| series.told[s][i]).map(|s| series.half[s][i]).fold(f64::NAN, f64::max);
+            json!(band)
+        });
+        let measured = (0..6).filter(|_| !series.measured.is_empty()).map(|i| json!(mean(&|s| series.measured[s][i])));
+        let first = [json!(series.time[from]), json!(series.segment[from])];
+        let touching = json!(u8::from(range.clone().any(|s| series.touching[s])));
+        let row: Vec<Value> = first.into_iter().chain(wrench).chain(half).chain(measured).chain([touching]).collect();
+        json!(row)
+    };
+    let of = |prefix: &str| COMPONENTS.map(|c| format!("{prefix}{c}"));
+    let mut header = vec!["t".to_string(), "segment".to_string()];
+    header.extend(of("").into_iter().chain(of("half_")));
+    if !series.measured.is_empty() {
+        header.extend(of("measured_"));
+    }
+    header.push("touching".into());
+    json!({ "header": header, "rows": (0..series.time.len()).step_by(chunk).map(row).collect::<Vec<_>>() })
 }
 
 /// Half the height of a panel for values of these ascending sizes, and words where it cuts some: a

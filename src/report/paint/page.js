@@ -21,9 +21,9 @@
     make(svg, 'path', { class: s.phase, d: `M${x(s.from[0])} ${y(s.from[1])}L${x(s.to[0])} ${y(s.to[1])}` });
   }
   for (const s of spans) if (s.phase === 'stroke' || s.phase === 'shift')
-    make(svg, 'circle', { cx: x(s.to[0]), cy: y(s.to[1]), r: 3.2, fill: '#1c2024' });
+    make(svg, 'circle', { cx: x(s.to[0]), cy: y(s.to[1]), r: 3.2, fill: 'var(--ink)' });
   const start = spans[0].to;
-  make(svg, 'circle', { cx: x(start[0]), cy: y(start[1]), r: 5, fill: 'none', stroke: '#1c2024' });
+  make(svg, 'circle', { cx: x(start[0]), cy: y(start[1]), r: 5, fill: 'none', stroke: 'var(--ink)' });
   make(svg, 'path', { class: 'roller', d: `M${x(start[0] - width / 2)} ${y(start[1])}L${x(start[0] + width / 2)} ${y(start[1])}` });
   const across = ticks(sides[0], sides[1], 5), along = ticks(ends[0], ends[1], 6);
   for (const v of across.all) make(svg, 'text', { x: x(v), y: T + high * zoom + 16, 'text-anchor': 'middle' }, across.text(v));
@@ -53,4 +53,6 @@
   };
   draw([{ name: 'y', values: data.place.y }, { name: 'z', values: data.place.z }], 'm', 'roller on the wall');
   if (data.place.swivel) draw([{ name: 'swivel', values: data.place.swivel }], 'rad', 'swivel');
+  const { y, z, swivel } = data.place;
+  offer(box, 'path', ['t', 'y', 'z', ...(swivel ? ['swivel'] : [])], () => data.time.map((t, i) => [t, y[i], z[i], ...(swivel ? [swivel[i]] : [])]));
 })();

@@ -100,6 +100,9 @@ const drawLog = (box, packed) => {
     plot.svg.addEventListener('pointerleave', () => plots.forEach(p => { p.line.setAttribute('visibility', 'hidden'); p.label.textContent = ''; }));
   });
   redraw();
+  const names = ['measured', 'estimated', 'residual'];
+  offer(box, 'torques', ['t', 'segment', ...plots.flatMap(plot => names.map(name => name + (plot.index + 1)))],
+    () => time.map((t, i) => [t, trace.segment[i], ...plots.flatMap(({ joint }) => names.map(name => middle(joint[name], i, joint.step)))]));
 };
 document.querySelectorAll('.plots').forEach(box => drawLog(box, data.traces[+box.dataset.trace]));
 
@@ -109,6 +112,8 @@ document.querySelectorAll('.plots').forEach(box => drawLog(box, data.traces[+box
   const shown = data.names.map((_, i) => i).filter(i => data.correlation[i * all + i] !== null);
   const names = shown.map(i => data.names[i]), n = names.length;
   if (!n) return box.remove();
+  const at = (i, k) => data.correlation[shown[i] * all + shown[k]] / 100;
+  offer(box, 'correlation', ['', ...names], () => names.map((name, i) => [name, ...names.map((_, k) => at(i, k))]));
   const cell = Math.max(10, Math.min(24, 640 / n)), left = 56, top = 52, size = n * cell;
   const svg = make(box, 'svg', { viewBox: `0 0 ${left + size + 10} ${top + size + 24}`, role: 'img', 'aria-label': 'correlation' });
   box.style.maxWidth = `${left + size + 10}px`;

@@ -17,3 +17,14 @@ const ticks = (low, high, count) => {
   const places = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   return { all, places, text: v => places > 5 || Math.abs(high) >= 1e6 ? v.toExponential(1) : v.toFixed(places) };
 };
+// A link that saves the numbers of a plot as CSV.
+const offer = (box, name, header, rows) => {
+  const link = document.createElement('a');
+  Object.assign(link, { className: 'save', textContent: 'numbers as CSV', href: '#', download: `${name}.csv` });
+  const cell = v => v === null || v === undefined ? '' : typeof v === 'number' ? v : `"${String(v).replaceAll('"', '""')}"`;
+  link.addEventListener('click', () => {
+    const lines = [header, ...rows()].map(row => row.map(cell).join(','));
+    link.href = URL.createObjectURL(new Blob([lines.join('\n') + '\n'], { type: 'text/csv' }));
+  });
+  box.after(link);
+};
