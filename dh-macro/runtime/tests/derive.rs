@@ -1,6 +1,6 @@
 //! With the feature `derive` two robots come from their files and share types and traits.
 
-use denavit_runtime::{DhRobot, Dynamics, InverseKinematics, Query, Solutions};
+use denavit_runtime::{Description, DhRobot, Dynamics, InverseKinematics, Kinematics, Query, Solutions};
 
 #[derive(DhRobot)]
 #[dh(file = "../../robots/planar2r.yaml")]
