@@ -21,6 +21,7 @@ mod merge_common_delay;
 mod model;
 mod model_choice;
 mod moments;
+mod motion_error;
 mod next_experiment;
 mod possible;
 mod recording;
@@ -42,14 +43,9 @@ mod written;
 #[cfg(test)]
 mod tests;
 
-/// Where a recording's second cutoff is, by its first: see
-/// [`Prepare::bursts`](crate::data::signal::Prepare::bursts). A joint that breaks away catches up
-/// with the bandwidth of its loop, some 10 Hz, in steps that are shorter.
-pub const BURSTS: f64 = 8.0 / 3.0;
-
 pub use hypotheses::Named;
 pub use next_experiment::{Separation, discriminating_motion};
-pub use recording::{Recording, Stretch};
+pub use recording::{HIGHEST, Recording, Stretch, fixed_preparation, preparation};
 pub use result::{Cause, Curve, Diagnosis, ErrorMap, Errors, Evidence, NextExperiment, Offer, Offered, Verdict};
 pub use robot_file::extended;
 pub use run::{DiagnoseError, Settings, diagnose, misses};

@@ -37,6 +37,7 @@
 //!
 //! Sees a robot only as an [`Arm`](crate::model::Arm); prints nothing.
 
+mod budget;
 mod consistent;
 mod known_effects;
 pub(crate) mod regression;
@@ -50,6 +51,7 @@ pub(crate) mod planar;
 #[cfg(test)]
 mod tests;
 
+pub use budget::{BudgetCollector, ErrorBudget, thinned, torque_of_errors};
 pub use consistent::{
     BoundedLeastSquares, Bounds, Consistent, ConsistentError, ConsistentSettings, Cost, Feasible, PriorBody,
     Reproduced, Source, Stalled, body_of, consistent, geometric_bodies, possible_bodies, prior_bodies, pseudo_inertia,

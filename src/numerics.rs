@@ -4,6 +4,7 @@ pub(crate) mod butterworth;
 pub(crate) mod chebyshev;
 pub(crate) mod cholesky;
 pub mod elastic_joint;
+pub(crate) mod fft;
 pub(crate) mod integrators;
 pub(crate) mod pattern_search;
 pub mod prng;

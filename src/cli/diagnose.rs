@@ -15,7 +15,7 @@ use super::motors;
 use super::prepare::{Torque, keep, torque_constants, warned};
 use super::provenance::Provenance;
 use crate::data::log::Acceptance;
-use crate::data::signal::{Filter, Prepare, PrepareError, Prepared};
+use crate::data::signal::{Prepare, PrepareError, Prepared};
 use crate::diagnose::{self, Cause, Diagnosis, Recording, Separation, Settings};
 use crate::identify::implausible_links;
 use crate::model::file_torque_model::FileTorqueModel;
@@ -59,9 +59,12 @@ pub(super) struct Diagnose {
     /// Write a page with the evidence.
     #[arg(long, value_name = "FILE.html")]
     report: Option<PathBuf>,
-    /// Cut-off frequency of the low-pass for positions, Hz.
-    #[arg(long, default_value_t = 15.0)]
-    cutoff: f64,
+    /// Cut-off frequency of the low-pass for positions, Hz. Default: for each joint the one at which
+    /// the error expected of its acceleration is least, given the spectrum of its motion and the
+    /// noise of its encoder, at most 15; where a joint breaks away after a reversal more is let
+    /// through.
+    #[arg(long)]
+    cutoff: Option<f64>,
     /// Windows per second over which torques are averaged to tell causes apart.
     #[arg(long, default_value_t = 100.0)]
     rate: f64,
@@ -106,8 +109,8 @@ struct Reading {
 
 impl Diagnose {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
-        if !(self.cutoff > 0.0 && self.cutoff.is_finite()) {
-            return Err(Failure::input(format!("--cutoff {}: a frequency in Hz above 0", self.cutoff)));
+        if let Some(cutoff) = self.cutoff.filter(|cutoff| !(*cutoff > 0.0 && cutoff.is_finite())) {
+            return Err(Failure::input(format!("--cutoff {cutoff}: a frequency in Hz above 0")));
         }
         if !(self.rate >= 10.0 && self.rate <= 1e5) {
             return Err(Failure::input(format!("--rate {}: windows per second, from 10 to 100000", self.rate)));
@@ -249,7 +252,7 @@ impl Diagnose {
         }
     }
 
-    /// A log, whole; slow ones with as much of the band as they have.
+    /// A log, whole; where the log decides about the band, slow ones with as much of it as they have.
     fn record(
         &self,
         purpose: Purpose,
@@ -258,18 +261,15 @@ impl Diagnose {
         keep: Acceptance,
         reading: &mut Reading,
     ) -> Result<Recording, Failure> {
-        let mut cutoff = self.cutoff;
+        let by_the_log = self.cutoff.is_none();
+        let mut cutoff = self.cutoff.unwrap_or(diagnose::HIGHEST);
         loop {
             let prepare = Prepare {
-                filter: Some(Filter { order: 4, cutoff }),
-                bursts: Some(diagnose::BURSTS * cutoff),
-                raw_torque: true,
-                temperature: true,
                 torque: self.torque.quantity(),
                 torque_constants: constants.to_vec(),
                 reading: reading.columns.clone(),
                 keep,
-                ..Prepare::default()
+                ..if by_the_log { diagnose::preparation(cutoff) } else { diagnose::fixed_preparation(cutoff) }
             };
             let mut recording = Recording::new(&path.display().to_string());
             match reading
@@ -278,14 +278,14 @@ impl Diagnose {
             {
                 Ok(found) => {
                     reading.prepared.push(warned(path, found));
-                    if cutoff < self.cutoff {
+                    if by_the_log && cutoff < diagnose::HIGHEST {
                         let what = format!("cut-off for {}, as it is sampled slowly", path.display());
                         reading.provenance =
                             std::mem::take(&mut reading.provenance).with(&what, format!("{cutoff} Hz"));
                     }
                     return Ok(recording);
                 }
-                Err(PrepareError::Cutoff { .. }) if cutoff > 1.0 => cutoff *= 0.6,
+                Err(PrepareError::Cutoff { .. }) if by_the_log && cutoff > 1.0 => cutoff *= 0.6,
                 Err(error) => return Err(Failure::input(error)),
             }
         }

@@ -205,7 +205,7 @@ impl Force {
         let provenance = provenance
             .robot(&self.robot, &file)
             .logs(&logbook)
-            .with("low-pass", self.preparation.low_pass())
+            .with("low-pass", Preparation::low_pass(&prepare))
             .with("errors of the model", &known_from);
         self.deliver(&outcome, &prepared, &provenance)
     }

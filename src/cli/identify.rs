@@ -16,10 +16,10 @@ use super::provenance::Provenance;
 use crate::data::signal::{Derivatives, Motion, Prepare, Prepared};
 use crate::identify::tool::Body;
 use crate::identify::{
-    AccumulatorSettings, Better, Bounds, Consistent, ConsistentError, ConsistentSettings, Essential, Factors,
-    Identification, IdentifyError, IdentifySettings, KnownEffects, LeftOutError, Preference, PriorBody, QrAccumulator,
-    Reference, TorqueColumns, Trace, Tracer, carry_over, consistent, geometric_bodies, left_out, nonnegative_drives,
-    possible_bodies, prior_bodies, recover_standard, solve,
+    AccumulatorSettings, Better, Bounds, BudgetCollector, Consistent, ConsistentError, ConsistentSettings, Essential,
+    Factors, Identification, IdentifyError, IdentifySettings, KnownEffects, LeftOutError, Preference, PriorBody,
+    QrAccumulator, Reference, TorqueColumns, Trace, Tracer, carry_over, consistent, geometric_bodies, left_out,
+    nonnegative_drives, possible_bodies, prior_bodies, recover_standard, solve,
 };
 use crate::model::coupled::Coupled;
 use crate::model::interpreted::Interpreted;
@@ -156,7 +156,7 @@ impl Identify {
         let effects = FileEffects::of(&file.robot, &[EffectKind::GearCoupling]);
         effects.iter().for_each(|effects| effects.prepare(&mut prepare));
         let known = effects.as_ref().and_then(|effects| effects.known(&arm, prior.as_deref(), &prepare));
-        let Read { fit, validate, mut prepared, logbook } =
+        let Read { fit, validate, mut prepared, logbook, parts } =
             self.read(&arm, &prepare, known.as_ref(), Logbook::of(&file.text))?;
         against_limits(&mut prepared, &file.robot, prepare.keep)?;
 
@@ -168,9 +168,10 @@ impl Identify {
         };
         let mut found = solve(&arm, &fit, &validate, &solving).map_err(unsolved)?;
         self.explain(&mut found, &file.robot, &arm, &prepare, known.as_ref())?;
+        found.budget = parts.finish(&arm, &found.values(), &found.fit.rms);
         let underdetermined = found.underdetermined().is_some();
         let provenance =
-            provenance.robot(&self.robot, &file).logs(&logbook).with("low-pass", self.preparation.low_pass());
+            provenance.robot(&self.robot, &file).logs(&logbook).with("low-pass", Preparation::low_pass(&prepare));
         let carry = carry_over(&arm, &bodies, &found);
         let possible = match self.consistent {
             Consistency::Never => None,
@@ -251,6 +252,11 @@ impl Identify {
                 files::print(&format!("wrote {}\n", path.display()))?;
             }
         }
+        self.ended(underdetermined, refused, out)
+    }
+
+    /// What became of the robot file that was asked for.
+    fn ended(&self, underdetermined: bool, refused: bool, out: Option<&PathBuf>) -> Result<(), Failure> {
         match (underdetermined, out) {
             (false, None) if refused && self.out.is_some() => Err(Failure::other(
                 "no robot file was written, as no possible bodies explain the logs (see the warning); `--consistent=never` writes the plain values, which give \
@@ -364,7 +370,7 @@ impl Identify {
             Source::Recorded => Derivatives::Recorded,
             Source::Rest => Derivatives::AtRest,
         };
-        Ok(Prepare { derivatives, ..self.preparation.prepare(robot)? })
+        Ok(Prepare { derivatives, adaptive: self.preparation.by_the_log(), ..self.preparation.prepare(robot)? })
     }
 
     /// Refuses options that would change nothing beside the others.
@@ -398,7 +404,12 @@ impl Identify {
         let logs = self.logs.iter().map(|path| (Purpose::Fit, path));
         for (purpose, path) in logs.chain(self.validate.iter().map(|path| (Purpose::Validate, path))) {
             let mut stack = QrAccumulator::new(&path.display().to_string(), arm, AccumulatorSettings::default());
-            let sink = |motion: &Motion| stack.absorb(&without(known, motion));
+            let parts = &mut read.parts;
+            let sink = |motion: &Motion| {
+                let motion = without(known, motion);
+                stack.absorb(&motion);
+                (purpose == Purpose::Fit).then(|| parts.absorb(&motion));
+            };
             let log = read.logbook.pass(purpose, path, arm.dof(), prepare, sink)?;
             read.prepared.push(warned(path, log));
             let factors = if purpose == Purpose::Fit { &mut read.fit } else { &mut read.validate };
@@ -461,6 +472,7 @@ struct Read {
     validate: Vec<Factors>,
     prepared: Vec<Prepared>,
     logbook: Logbook,
+    parts: BudgetCollector,
 }
 
 /// Standard parameters for the robot file.

@@ -23,9 +23,11 @@ use crate::data::signal::{DeadZone, Filter, Motion, Prepare, PrepareError, Prepa
 /// Low-pass, clock, torque column, and what to keep.
 #[derive(Args, Clone)]
 pub(super) struct Preparation {
-    /// Cut-off frequency of the low-pass, Hz; 0 for none.
-    #[arg(long, default_value_t = 10.0, allow_negative_numbers = true)]
-    cutoff: f64,
+    /// Cut-off frequency of the low-pass, Hz; 0 for none. Default: 10; `identify` takes for each joint
+    /// the one at which the error expected of its acceleration is least, given the spectrum of its
+    /// motion and the noise of its encoder, at most 10.
+    #[arg(long, allow_negative_numbers = true)]
+    cutoff: Option<f64>,
     /// Order of one pass of the Butterworth low-pass.
     #[arg(long, default_value_t = 5)]
     order: usize,
@@ -90,7 +92,7 @@ impl Preparation {
     /// Refuses options that would change nothing beside the others. `standing`: why every joint
     /// counts as standing, where it does.
     pub(super) fn check_options(&self, standing: Option<&str>) -> Result<(), Failure> {
-        if self.cutoff == 0.0 && self.order != 5 {
+        if self.cutoff == Some(0.0) && self.order != 5 {
             return Err(Failure::input("--order is of the low-pass, and --cutoff 0 asks for none"));
         }
         match standing.filter(|_| self.dead_zone.is_some()) {
@@ -103,8 +105,8 @@ impl Preparation {
     pub(super) fn prepare(&self, robot: &Robot) -> Result<Prepare, Failure> {
         let keep = keep(&self.keep)?;
         let bad = |what: String| Err(Failure::input(what));
-        if !(self.cutoff >= 0.0 && self.cutoff.is_finite()) {
-            return bad(format!("--cutoff {}: a frequency in Hz, or 0 for none", self.cutoff));
+        if let Some(cutoff) = self.cutoff.filter(|cutoff| !(*cutoff >= 0.0 && cutoff.is_finite())) {
+            return bad(format!("--cutoff {cutoff}: a frequency in Hz, or 0 for none"));
         }
         if !(1..=12).contains(&self.order) {
             return bad(format!("--order {}: from 1 to 12", self.order));
@@ -122,7 +124,7 @@ impl Preparation {
             return bad("--stride 0: one or more".into());
         }
         Ok(Prepare {
-            filter: (self.cutoff > 0.0).then_some(Filter { order: self.order, cutoff: self.cutoff }),
+            filter: Some(self.highest()).filter(|filter| filter.cutoff > 0.0),
             dead_zone: self.dead_zone(),
             trim: self.trim,
             torque_delay: self.delay,
@@ -144,12 +146,24 @@ impl Preparation {
         }
     }
 
+    /// Whether the log decides about the band.
+    pub(super) fn by_the_log(&self) -> bool {
+        self.cutoff.is_none()
+    }
+
+    /// The low-pass, or where the log decides the widest.
+    fn highest(&self) -> Filter {
+        Filter { order: self.order, cutoff: self.cutoff.unwrap_or(Filter::default().cutoff) }
+    }
+
     /// For the foot of a report.
-    pub(super) fn low_pass(&self) -> String {
-        if self.cutoff > 0.0 {
-            format!("Butterworth order {}, {} Hz, forward and backward", self.order, self.cutoff)
-        } else {
-            "none".into()
+    pub(super) fn low_pass(prepare: &Prepare) -> String {
+        match prepare.filter {
+            Some(Filter { order, cutoff }) => {
+                let by = if prepare.adaptive { "by the log, at most " } else { "" };
+                format!("Butterworth order {order}, {by}{cutoff} Hz, forward and backward")
+            }
+            None => "none".into(),
         }
     }
 }

@@ -146,7 +146,7 @@ impl ToolVerb {
         let carried = identify_tool(&arm, &unloaded, &loaded, &settings).map_err(unsolved)?;
         let found = look_up(carried, own.as_ref(), table, &tolerance, &recognising);
         let provenance =
-            provenance.robot(&self.robot, &file).logs(&logbook).with("low-pass", self.preparation.low_pass());
+            provenance.robot(&self.robot, &file).logs(&logbook).with("low-pass", Preparation::low_pass(&prepare));
         let mut warnings = report::tool_warnings(&found, &prepared);
         errors.iter().flat_map(taken_as_exact).for_each(|text| warnings.push(text));
         effects.iter().for_each(|effects| warnings.push(effects.sentence(known.is_some())));

@@ -6,9 +6,13 @@
 
 mod band;
 mod breakaway_band;
+mod clock;
+mod deserved;
 mod difference;
+mod even;
 mod motion;
 mod prepare;
+mod repeat;
 mod resample;
 mod rest;
 mod stiction;
@@ -19,5 +23,9 @@ pub use band::Band;
 pub use difference::{central, central_second};
 pub use motion::{Motion, MotionBlock};
 pub use prepare::{Derivatives, Filter, Prepare, PrepareError, Prepared, Preparer, each_motion};
+pub use repeat::repeatability;
 pub use resample::resample;
 pub use rest::{DeadZone, white_noise};
+
+#[cfg(test)]
+mod tests;

@@ -61,6 +61,13 @@ impl Judge<'_> {
         rss.iter().zip(counts).zip(self.noise).any(|((rss, count), noise)| *rss > count * noise * noise)
     }
 
+    /// Least that a cause takes of a joint's squared error, (N m)^2: a share of the noise, and more
+    /// than errors of the recorded motion can make.
+    fn least(&self, joint: usize) -> f64 {
+        let motion = self.bench.motion_error.get(joint).copied().unwrap_or(0.0);
+        (self.settings.least_effect * self.noise[joint]).max(motion).powi(2)
+    }
+
     /// Whether the last of `trial` takes nearly all of a joint's error in every stretch of the logs
     /// that is left out. What it leaves may then remember itself for so long that hardly a window
     /// is independent: a slow rest is no reason to doubt what predicts all but that.
@@ -78,7 +85,7 @@ impl Judge<'_> {
 
     /// Whether the last of `trial` is worth having.
     pub(super) fn judge(&self, before: &Fitted, after: &Fitted, trial: &[Chosen]) -> Option<Accepted> {
-        let Self { bench, noise, settings, accepted, tried } = *self;
+        let Self { bench, settings, accepted, tried, .. } = *self;
         let last = trial.last()?;
         let terms = after.terms.last()?;
         if terms.is_empty() || !last.cause.plausible(&bench.scene, &last.place, &last.shape, &last.x) {
@@ -113,9 +120,7 @@ impl Judge<'_> {
             .map(|((a, b), n)| if *n > 0.0 { (a - b) / n } else { 0.0 })
             .collect();
         let size = |j: usize| if counts[j] > 0.0 { before.solution.rss[j] / counts[j] } else { 0.0 };
-        let matters = (0..taken.len())
-            .any(|j| taken[j] > (settings.least_effect * noise[j]).powi(2).max(settings.least_gain * size(j)));
-        if !matters {
+        if !(0..taken.len()).any(|j| taken[j] > self.least(j).max(settings.least_gain * size(j))) {
             return None;
         }
         let variance: f64 = taken.iter().filter(|t| **t > 0.0).sum();

@@ -29,7 +29,7 @@ impl Case<'_> {
         let told = model.left_out.less(&believed.left_out(&others, &trusting), self.ground);
         // It has to pay like any other.
         let gains = taken_of(&without.steady, &after.steady, self.scale) > 0.0;
-        if !(told.worth_refit() && gains && matters(&without.steady, &after.steady, self.noise)) {
+        if !(told.worth_refit() && gains && matters(&without.steady, &after.steady, self.noise, self.motion)) {
             return None;
         }
         Some(Cause {

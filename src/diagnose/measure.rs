@@ -140,6 +140,7 @@ pub(super) fn reduced<'a>(
     }
     let mut reduced = ModelUnderTest::new(plant, fit, bench.rate, bench.mode, &delays, false);
     (reduced.frozen, reduced.quiet, reduced.hold) = (bench.frozen.clone(), bench.quiet.clone(), bench.hold.clone());
+    reduced.motion_error.clone_from(&bench.motion_error);
     item.friction.iter().for_each(|&k| reduced.frozen[k] = true);
     let mut others: Vec<Chosen> =
         chosen.iter().enumerate().filter(|(i, _)| item.accepted != Some(*i)).map(|(_, c)| c.clone()).collect();
@@ -147,10 +148,11 @@ pub(super) fn reduced<'a>(
     (reduced, others, fitted)
 }
 
-/// Whether a cause takes as much on some joint as a torque of half of the noise would.
-pub(super) fn matters(before: &[f64], after: &[f64], noise: &[f64]) -> bool {
-    let joints = before.iter().zip(after).zip(noise);
-    joints.map(|((a, b), s)| a * a - b * b - (0.5 * s).powi(2)).any(|x| x > 0.0)
+/// Whether a cause takes as much on some joint as a torque of half of the noise would, and more
+/// than errors of the recorded motion can make.
+pub(super) fn matters(before: &[f64], after: &[f64], noise: &[f64], motion: &[f64]) -> bool {
+    let joints = before.iter().zip(after).zip(noise.iter().zip(motion));
+    joints.map(|((a, b), (s, m))| a * a - b * b - (0.5 * s).max(*m).powi(2)).any(|x| x > 0.0)
 }
 
 /// The same of errors without and with it.

@@ -146,6 +146,8 @@ pub struct ModelUnderTest<'a> {
     pub quiet: Vec<bool>,
     /// What the motion does not show stays with the file; made at the first fit.
     pub hold: Option<Regulariser>,
+    /// What errors of the recorded motion make of each joint's torque, N m; empty: not known.
+    pub motion_error: Vec<f64>,
     /// Whether every window counts.
     all: bool,
     /// Terms of families that depend on the motion alone, by cause, place and shape.
@@ -180,6 +182,7 @@ impl<'a> ModelUnderTest<'a> {
             frozen,
             quiet,
             hold: None,
+            motion_error: Vec::new(),
             all,
             known: Mutex::default(),
             ground: Default::default(),

@@ -2,8 +2,26 @@
 
 use std::borrow::Cow;
 
-use crate::data::signal::{Band, Motion};
+use crate::data::signal::{Band, Filter, Motion, Prepare};
 use crate::model::{PerturbableArm, States};
+
+/// Highest cutoff of positions, Hz.
+pub const HIGHEST: f64 = 15.0;
+
+/// Second cutoff of positions, by the first: see [`Prepare::bursts`]. A joint that breaks away
+/// catches up with the bandwidth of its loop, some 10 Hz, in steps that are shorter.
+const BURSTS: f64 = 8.0 / 3.0;
+
+/// How samples become a recording: torques stay raw; the log decides about the band of each joint's
+/// positions, below `highest`, Hz.
+pub fn preparation(highest: f64) -> Prepare {
+    Prepare { adaptive: true, bursts: Some(BURSTS * highest), ..fixed_preparation(highest) }
+}
+
+/// The same with one low-pass, of `cutoff`, Hz, for the positions of all joints.
+pub fn fixed_preparation(cutoff: f64) -> Prepare {
+    Prepare { filter: Some(Filter { order: 4, cutoff }), raw_torque: true, temperature: true, ..Prepare::default() }
+}
 
 /// An uninterrupted, evenly sampled stretch of a log.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +39,13 @@ pub struct Stretch {
     /// Standard deviation of the velocity error that the noise of the positions leaves, rad/s, per
     /// joint.
     pub velocity_noise: Vec<f64>,
+    /// Standard deviations of the errors of position, velocity and acceleration, rad, rad/s,
+    /// rad/s^2, per joint; empty where they are not known.
+    pub error: Vec<[f64; 3]>,
+    /// Standard deviation of the torques' noise, N m, per joint; empty where `tau` shows it.
+    pub torque_noise: Vec<f64>,
+    /// Standard deviation of what is not known of the samples' times, s.
+    pub clock_error: f64,
     /// Whether each joint sticks, joint-major; empty where that is not known.
     pub stuck: Vec<bool>,
     /// What the low-pass made of the positions.
@@ -61,6 +86,9 @@ impl Recording {
             tau: cut(&motion.tau),
             temperature: cut(&motion.temperature),
             velocity_noise: motion.velocity_noise.clone(),
+            error: motion.error.clone(),
+            torque_noise: if motion.clock_error > 0.0 { motion.torque_noise.clone() } else { Vec::new() },
+            clock_error: motion.clock_error,
             stuck: part(&motion.stuck, dof, len, core.clone()),
             band: motion.band.cut(len, core.clone()),
         });
@@ -181,6 +209,9 @@ impl Stretch {
             tau: take(&self.tau),
             temperature: take(&self.temperature),
             velocity_noise: self.velocity_noise.clone(),
+            error: self.error.clone(),
+            torque_noise: self.torque_noise.clone(),
+            clock_error: self.clock_error,
             stuck: part(&self.stuck, dof, len, range.clone()),
             band: self.band.cut(len, range.clone()),
         }

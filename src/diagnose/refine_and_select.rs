@@ -26,6 +26,8 @@ pub(super) struct Case<'a> {
     pub(super) validate: &'a [Recording],
     /// Of the torques, per joint, N m.
     pub(super) noise: &'a [f64],
+    /// What errors of the recorded motion make of the torques, per joint, N m.
+    pub(super) motion: &'a [f64],
     /// What a model need not predict better, per joint, N m.
     pub(super) ground: &'a [f64],
     /// What a gain is measured by, per joint, N m.
@@ -64,7 +66,10 @@ pub(super) struct Settled<'a> {
 
 impl<'a> Case<'a> {
     fn bench(&self, mode: Mode) -> ModelUnderTest<'a> {
-        ModelUnderTest::new(self.plant, self.fit, self.settings.rate, mode, &self.plant.delays(), false)
+        let mut bench =
+            ModelUnderTest::new(self.plant, self.fit, self.settings.rate, mode, &self.plant.delays(), false);
+        bench.motion_error = self.motion.to_vec();
+        bench
     }
 
     /// The model with all causes that hold.
@@ -161,8 +166,8 @@ impl<'a> Case<'a> {
                 .collect();
             // A cause that loses on data that was not used is no cause, and not in the model.
             let holds = |i: usize| {
-                let without = &others[i].0.steady;
-                taken_of(without, &after.steady, self.scale) > 0.0 && matters(without, &after.steady, self.noise)
+                let (without, with) = (&others[i].0.steady, &after.steady);
+                taken_of(without, with, self.scale) > 0.0 && matters(without, with, self.noise, self.motion)
             };
             // What acts in a part of a log must still stand out beside everything else.
             let stands = |i: usize| !items[i].hypothesis.local() || causes[i].share >= self.settings.search.least_gain;

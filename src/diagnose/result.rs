@@ -3,6 +3,7 @@
 use dh_codegen::robot::EffectKind;
 
 use crate::diagnose::hypotheses::Named;
+use crate::identify::ErrorBudget;
 
 /// The whole in a word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -172,8 +173,11 @@ pub struct Diagnosis {
     pub robot: String,
     /// The whole in a word.
     pub verdict: Verdict,
-    /// Standard deviation of each joint's torque noise, without a model, N m.
+    /// Standard deviation of what sensors, the recorded motion and its clock make of each joint's
+    /// torque error, N m.
     pub noise_floor: Vec<f64>,
+    /// Where the error of the extended model on the validating logs comes from.
+    pub budget: ErrorBudget,
     /// Root mean square of the measured torque of the validating logs, N m.
     pub torque_rms: Vec<f64>,
     /// Errors of the file as it is.

@@ -1,11 +1,13 @@
 //! The diagnosis from end to end: recordings in, [`Diagnosis`] out.
 
 use super::measure::{Meter, root_mean_square};
-use super::model::{Mode, ModelUnderTest};
+use super::model::{Fitted, Mode, ModelUnderTest};
+use super::model_choice::LeftOut;
 use super::result::{Cause, Diagnosis, Errors, NextExperiment, Offer, Verdict};
 use super::search::SearchSettings;
 use super::structure::structure;
 use crate::diagnose::attribution::{curve, taken, unknown, values_last};
+use crate::diagnose::motion_error::budget;
 use crate::diagnose::recording::{Recording, unexplained};
 use crate::diagnose::refine_and_select::{Case, Settled};
 use crate::diagnose::reported_cause::quiet;
@@ -103,6 +105,30 @@ pub(super) const KEPT: f64 = 0.7;
 /// differences of bodies, further orders.
 const ADDS_UP: [EffectKind; 3] = [EffectKind::TimeDelay, EffectKind::LinkInertiaError, EffectKind::TorqueRipple];
 
+/// Root mean square of each joint's torque, N m.
+fn torque_rms(recordings: &[Recording], dof: usize) -> Vec<f64> {
+    let stretches = || recordings.iter().flat_map(|r| &r.stretches);
+    let all = |j: usize| stretches().flat_map(|s| s.of(&s.tau, j).iter().copied()).collect::<Vec<f64>>();
+    (0..dof).map(|j| root_mean_square(&all(j))).collect()
+}
+
+/// The fit without a cause, inside what is possible where that can be, and its errors on left-out
+/// stretches.
+fn plainly(refit: &mut ModelUnderTest<'_>) -> Result<(Fitted, LeftOut), DiagnoseError> {
+    let plain = refit.fit(&mut []);
+    Ok(match refit.possible(&mut [], &plain) {
+        Ok(possible) => {
+            let out = refit.possible_left_out(&[], &possible)?;
+            (possible, out)
+        }
+        // A refit that no arm can have is a yardstick; it is not offered.
+        Err(_) => {
+            let out = refit.left_out(&[], &plain);
+            (plain, out)
+        }
+    })
+}
+
 /// [`diagnose`] with the effects of the file as they are.
 fn once(
     plant: &dyn PerturbableArm,
@@ -142,42 +168,38 @@ fn once(
         moving: before.steady.clone(),
     };
     let before = before.error;
-    let torque_rms: Vec<f64> = (0..dof)
-        .map(|j| {
-            let all: Vec<f64> =
-                measured.iter().flat_map(|r| &r.stretches).flat_map(|s| s.of(&s.tau, j).to_vec()).collect();
-            root_mean_square(&all)
-        })
-        .collect();
+    let torque_rms = torque_rms(&measured, dof);
 
     // The same after refitting: what remains is structure.
     let mut refit = ModelUnderTest::new(plant, fit, settings.rate, Mode::Refitted, &zeros, false);
-    let plain = refit.fit(&mut []);
-    let (plain, refit_out) = match refit.possible(&mut [], &plain) {
-        Ok(possible) => {
-            let out = refit.possible_left_out(&[], &possible)?;
-            (possible, out)
-        }
-        // A refit that no arm can have is a yardstick; it is not offered.
-        Err(_) => {
-            let out = refit.left_out(&[], &plain);
-            (plain, out)
-        }
-    };
+    let (plain, refit_out) = plainly(&mut refit)?;
     let after_refit = Meter::new(plant, validate, &refit).of(&refit, &plain, &[], true);
     let refitted = Errors {
         fit: Meter::new(plant, fit, &refit).of(&refit, &plain, &[], false).rms,
         validate: after_refit.rms,
         moving: after_refit.steady,
     };
+    let has_links = plant.given().is_some_and(|g| g.iter().any(|v| *v != 0.0));
+    // What sensors, motion and clock make of the error is no evidence.
+    let budget = budget(if has_links { &start.scene } else { &refit.scene }, &recorded, &noise);
+    let (noise, motion) = (budget.floor(), budget.of_motion());
     let ground: Vec<f64> = noise.iter().zip(&torque_rms).map(|(s, t)| s.max(0.004 * t)).collect();
     let file_out = start.file_left_out();
     drop(refit);
 
-    let has_links = plant.given().is_some_and(|g| g.iter().any(|v| *v != 0.0));
     // What a gain is measured by: the noise, or a fiftieth of the torque where the noise is less.
     let scale: Vec<f64> = noise.iter().zip(&torque_rms).map(|(s, t)| (s * s + (0.02 * t).powi(2)).sqrt()).collect();
-    let case = Case { plant, fit, validate, noise: &noise, ground: &ground, scale: &scale, settings, progress };
+    let case = Case {
+        plant,
+        fit,
+        validate,
+        noise: &noise,
+        motion: &motion,
+        ground: &ground,
+        scale: &scale,
+        settings,
+        progress,
+    };
     let structure_of = |s: &Settled<'_>| structure(&s.bench.scene, &s.fitted.residual, &noise, &torque_rms);
     let (mut models, mut impossible): (Vec<Settled<'_>>, Vec<String>) = (Vec::new(), Vec::new());
     if has_links {
@@ -222,6 +244,7 @@ fn once(
         robot: plant.name().to_string(),
         verdict,
         noise_floor: noise.clone(),
+        budget: budget.of_errors(&extended.validate),
         torque_rms: torque_rms.clone(),
         baseline,
         refitted,

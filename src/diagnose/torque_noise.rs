@@ -5,9 +5,23 @@ use crate::diagnose::recording::Recording;
 
 /// Standard deviation of each joint's torque noise, N m, without a model: from fourth differences
 /// of the raw samples, in which motion below a tenth of the sampling rate leaves nothing. Noise
-/// that was low-passed before it was recorded is not seen.
+/// that was low-passed before it was recorded is not seen. Where rows were put on another clock, that
+/// of the rows.
 pub fn torque_noise(recordings: &[Recording], dof: usize) -> Vec<f64> {
-    let of = |j: usize| white_noise(recordings.iter().flat_map(|r| &r.stretches).map(move |s| s.of(&s.tau, j)));
+    let all = || recordings.iter().flat_map(|r| &r.stretches);
+    let of = |j: usize| {
+        let (mut squares, mut samples) = (0.0, 0);
+        for stretch in all().filter(|s| s.torque_noise.len() == dof) {
+            squares += stretch.torque_noise[j].powi(2) * stretch.states.len as f64;
+            samples += stretch.states.len;
+        }
+        let plain = || all().filter(|s| s.torque_noise.len() != dof);
+        let others: usize = plain().map(|s| s.states.len).sum();
+        if others > 0 {
+            squares += white_noise(plain().map(|s| s.of(&s.tau, j))).powi(2) * others as f64;
+        }
+        (squares / (samples + others).max(1) as f64).sqrt()
+    };
     (0..dof).map(of).collect()
 }
 

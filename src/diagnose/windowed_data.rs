@@ -218,10 +218,8 @@ impl<'a> WindowedData<'a> {
                             stretch.of(&stretch.temperature, j)[span.clone()].to_vec()
                         },
                         band: {
-                            let Band { narrow, wide, share } = &stretch.band;
-                            let own = share.chunks_exact(len).nth(j);
-                            let share = own.map_or(Vec::new(), |share| earlier(share, span.clone(), by));
-                            Band { narrow: *narrow, wide: *wide, share }
+                            let own = stretch.band.share.chunks_exact(len).nth(j);
+                            stretch.band.of(j, own.map_or(Vec::new(), |share| earlier(share, span.clone(), by)))
                         },
                         period: stretch.period,
                         v,

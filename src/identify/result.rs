@@ -2,6 +2,7 @@
 
 use super::Accuracy;
 use super::Dropped;
+use super::ErrorBudget;
 use super::Noise;
 use crate::data::log::{Finding, Kind};
 
@@ -118,6 +119,8 @@ pub struct Identification {
     pub iterations: usize,
     /// Whether joints were weighted by their noise.
     pub weighted: bool,
+    /// Where the residual on the fitted logs comes from; `None` where that was not asked.
+    pub budget: Option<ErrorBudget>,
     /// Suspicions that need a model: signs.
     pub findings: Vec<Finding>,
     /// Samples used in the fit, over all joints.

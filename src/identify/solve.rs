@@ -1,5 +1,7 @@
 //! Factors of logs -> [`Identification`].
 
+use nalgebra::DMatrix;
+
 use super::accuracy;
 use super::result::{Condition, Confused, Estimate, Identification, LogSummary, Standing};
 use crate::identify::regression::accumulator::Factors;
@@ -74,6 +76,21 @@ pub enum IdentifyError {
     NotFinite,
 }
 
+/// Correlation of the parameters, of which these are active and these open.
+fn correlations(covariance: &DMatrix<f64>, active: &[usize], std: &[f64], open: &[bool]) -> Vec<f64> {
+    let parameters = std.len();
+    let mut correlation = vec![f64::NAN; parameters * parameters];
+    for (i, &row) in active.iter().enumerate() {
+        for (k, &column) in active.iter().enumerate() {
+            if !open[row] && !open[column] {
+                let value = covariance[(i, k)] / (std[row] * std[column]);
+                correlation[row * parameters + column] = if i == k { 1.0 } else { value };
+            }
+        }
+    }
+    correlation
+}
+
 /// Identifies the base parameters from `fit`, and tries them on `validate`.
 pub fn solve(
     arm: &dyn Arm,
@@ -141,15 +158,7 @@ pub fn solve(
     for (i, &c) in solution.active.iter().enumerate().filter(|(_, c)| !open[**c]) {
         white_std[c] = solution.inverse_information[(i, i)].max(0.0).sqrt();
     }
-    let mut correlation = vec![f64::NAN; parameters.len() * parameters.len()];
-    for (i, &row) in solution.active.iter().enumerate() {
-        for (k, &column) in solution.active.iter().enumerate() {
-            if !open[row] && !open[column] {
-                let value = covariance[(i, k)] / (std[row] * std[column]);
-                correlation[row * parameters.len() + column] = if i == k { 1.0 } else { value };
-            }
-        }
-    }
+    let correlation = correlations(&covariance, &solution.active, &std, &open);
     let mut findings = match &before {
         Some(beta) if beta.iter().any(|v| *v != 0.0) => torque_sign::Model { beta, covariance: None }.opposed(&joints),
         _ => Vec::new(),
@@ -181,6 +190,7 @@ pub fn solve(
         Small::new(&stacked(&joints, &vec![1.0; joints.len()], &solution.active, parameters.len())).conditions()[0];
     let some = !validate.is_empty();
     Ok(Identification {
+        budget: None,
         robot: arm.name().into(),
         parameters: parameters
             .iter()

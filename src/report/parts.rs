@@ -1,6 +1,7 @@
 //! Parts that several pages share: frame, style sheets, numbers, drawings.
 
 pub(crate) mod bodies;
+pub(crate) mod budget;
 pub(crate) mod number;
 pub(crate) mod page;
 pub(crate) mod stick_figure;

@@ -14,12 +14,18 @@ pub enum Severity {
 }
 
 /// What was done with times that are not evenly spaced.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Clock {
     /// Samples were taken as evenly spaced: the stamps jitter, the sampling does not.
     Even,
     /// Samples were interpolated (cubic, 4 points) from their stamps to an even clock.
     Resampled,
+    /// Rows were not sampled at their stamps: their times were found from what the positions of all
+    /// joints show of them.
+    Found {
+        /// Root mean square of what the stamps are wrong by, s.
+        rms: f64,
+    },
 }
 
 /// How a log reads that explains its torques.
@@ -105,6 +111,19 @@ fn short(x: f64) -> String {
         format!("{:.*}", usize::from(x.abs() < 10.0) * 2, x)
     } else {
         format!("{x:.1e}")
+    }
+}
+
+impl Clock {
+    fn what(&self) -> String {
+        match self {
+            Self::Even => "samples taken as evenly spaced (smoother so)".into(),
+            Self::Resampled => "samples interpolated to an even clock (cubic)".into(),
+            Self::Found { rms } => format!(
+                "rows were not sampled at their stamps, which are wrong by {:.2} ms RMS: every joint errs along its own velocity by the same time; the times were found from that",
+                1e3 * rms
+            ),
+        }
     }
 }
 
@@ -327,8 +346,7 @@ impl Finding {
                 1e3 * period,
                 100.0 * rms / period
             ),
-            Kind::Evened { clock: Clock::Even } => "samples taken as evenly spaced (smoother so)".into(),
-            Kind::Evened { clock: Clock::Resampled } => "samples interpolated to an even clock (cubic)".into(),
+            Kind::Evened { clock } => clock.what(),
             Kind::Stuck { value, seconds } => {
                 format!("stands still at {} for up to {seconds:.3} s{times}", plain(*value))
             }

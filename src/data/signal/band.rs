@@ -8,8 +8,8 @@ use crate::data::signal::breakaway_band::Derived;
 /// How recorded positions became those of a motion.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Band {
-    /// The low-pass; `None`: there was none.
-    pub narrow: Option<Filter>,
+    /// The low-pass of each joint; empty: there was none.
+    pub narrow: Vec<Filter>,
     /// The wider one of which bursts have a share.
     pub wide: Option<Filter>,
     /// The share of each sample, joint-major; empty: none anywhere.
@@ -21,6 +21,11 @@ impl Band {
     pub fn cut(&self, len: usize, range: std::ops::Range<usize>) -> Self {
         let share = self.share.chunks_exact(len.max(1)).flat_map(|row| row[range.clone()].to_vec()).collect();
         Self { share, ..self.clone() }
+    }
+
+    /// That of one joint, with the share of its samples.
+    pub fn of(&self, joint: usize, share: Vec<f64>) -> Self {
+        Self { narrow: self.narrow.get(joint).copied().into_iter().collect(), wide: self.wide, share }
     }
 
     /// What it makes of a series of joint `joint` at even samples: the series, its derivative (1/s)
@@ -35,8 +40,8 @@ impl Band {
             }
             Derived::of(y, period)
         };
-        let mut seen = match self.narrow {
-            Some(filter) => through(filter),
+        let mut seen = match self.narrow.get(joint) {
+            Some(filter) => through(*filter),
             None => Derived::of(x.to_vec(), period),
         };
         let share = self.share.get(joint * x.len()..(joint + 1) * x.len()).unwrap_or(&[]);
@@ -57,10 +62,10 @@ mod tests {
     fn a_share_of_the_wider_band() {
         let x: Vec<f64> = (0..400).map(|k| f64::from(u8::from(k >= 200))).collect();
         let of = |cutoff: f64| Filter { order: 4, cutoff };
-        let (narrow, wide) = (Some(of(15.0)), Some(of(40.0)));
-        let plain = Band { narrow, ..Band::default() }.seen(0, &x, 2e-3);
-        let sharp = Band { narrow: wide, ..Band::default() }.seen(0, &x, 2e-3);
-        let band = |share: f64| Band { narrow, wide, share: vec![share; 400] };
+        let (narrow, wide) = (vec![of(15.0)], of(40.0));
+        let plain = Band { narrow: narrow.clone(), ..Band::default() }.seen(0, &x, 2e-3);
+        let sharp = Band { narrow: vec![wide], ..Band::default() }.seen(0, &x, 2e-3);
+        let band = |share: f64| Band { narrow: narrow.clone(), wide: Some(wide), share: vec![share; 400] };
         assert_eq!(band(0.0).seen(0, &x, 2e-3), plain);
         let most = |x: &[f64]| x.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         for which in 0..3 {

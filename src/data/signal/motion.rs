@@ -37,6 +37,16 @@ pub struct Motion {
     /// ([`white_noise`](crate::data::signal::white_noise)): unlike `velocity_noise` free of motion
     /// beyond the cutoff. Empty where velocities do not come from positions.
     pub position_noise: Vec<f64>,
+    /// Standard deviations of the errors of position, velocity and acceleration behind the low-pass,
+    /// rad, rad/s, rad/s^2, per joint: of noise that it lets through and of motion that it takes, up
+    /// to twice its cutoff. Empty where derivatives do not come from positions, or a segment is too
+    /// short to tell.
+    pub error: Vec<[f64; 3]>,
+    /// Standard deviation of the sensors' white noise that is left in `tau`, N m, per joint.
+    pub torque_noise: Vec<f64>,
+    /// Standard deviation of what is not known of the samples' times where they were found from the
+    /// motion, s; 0 where the clock was taken as it is.
+    pub clock_error: f64,
     /// Whether each joint is at rest
     /// ([`Prepare::dead_zone`](crate::data::signal::Prepare::dead_zone)): dry friction is then
     /// anything within its breakaway level, and `sign` is

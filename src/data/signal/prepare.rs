@@ -7,6 +7,9 @@
 use super::Band;
 use super::Motion;
 use super::central;
+use super::clock;
+use super::deserved::{Deserved, deserved};
+use super::even::Evener;
 use super::low_pass;
 use super::resample;
 use super::rest;
@@ -91,9 +94,14 @@ pub enum Derivatives {
 pub struct Prepare {
     /// Low-pass for positions and torques alike; `None`: none.
     pub filter: Option<Filter>,
+    /// Whether the positions of each joint get the cutoff, at most that of [`Prepare::filter`], at
+    /// which the error expected of their acceleration is least; the torques that of the joint with
+    /// the highest. Default false: the filter as it is.
+    pub adaptive: bool,
     /// A second, higher cutoff, Hz: what positions have between the two is let through where it is
     /// more than noise, as where a joint breaks away after a reversal. Not used where the log is
-    /// too slow for it. Default `None`: never.
+    /// too slow for it, nor on a joint whose noise asks for less than the lower cutoff. Default
+    /// `None`: never.
     pub bursts: Option<f64>,
     /// Source of velocities and accelerations.
     pub derivatives: Derivatives,
@@ -140,6 +148,7 @@ impl Default for Prepare {
     fn default() -> Self {
         Self {
             filter: Some(Filter::default()),
+            adaptive: false,
             bursts: None,
             derivatives: Derivatives::FromPosition,
             dead_zone: DeadZone::FromNoise,
@@ -355,14 +364,40 @@ pub struct Preparer {
     raw_time: Vec<f64>,
     raw: Vec<Vec<f64>>,
     clock: Option<SegmentClock>,
+    /// What rows whose times were found say of the noise.
+    rows_noise: Option<RowsNoise>,
     /// Evened samples that are still needed, and the number of the first of them in the segment.
     evened: Vec<Vec<f64>>,
     first: usize,
     /// Samples of the segment that were handed on.
     done: usize,
+    /// The low-pass at the segment's rate.
     filter: Option<Sos>,
     /// The low-pass of [`Prepare::bursts`].
     wide: Option<Sos>,
+    /// What each joint's positions go through; empty until the segment is long enough to choose.
+    narrow: Vec<Narrow>,
+    /// What torques and signs go through.
+    torque_filter: Option<(Filter, Sos)>,
+}
+
+/// The low-pass of one joint's positions.
+struct Narrow {
+    filter: Filter,
+    sos: Sos,
+    /// Standard deviations of the errors behind it; `None` where the segment is too short to tell.
+    error: Option<[f64; 3]>,
+}
+
+/// Noise of the rows of a segment whose times were found.
+#[derive(Debug, Clone)]
+struct RowsNoise {
+    /// Of the positions, rad.
+    position: Vec<f64>,
+    /// Of the torques, in the column's unit.
+    torque: Vec<f64>,
+    /// Of the times that were found, s.
+    time: f64,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -370,6 +405,8 @@ struct SegmentClock {
     start: f64,
     period: f64,
     resample: bool,
+    /// Whether rows were not sampled when their stamps say.
+    errs: bool,
     /// Samples produced.
     produced: usize,
     last: f64,
@@ -377,6 +414,9 @@ struct SegmentClock {
 
 /// Rows by which the clock of a segment is judged.
 const JUDGE: usize = 1024;
+/// Rows whose times are found at once, and those at each end that know one side only.
+const TIMED: usize = 16_384;
+const TIMED_EDGE: usize = 512;
 
 impl Preparer {
     /// For logs with this layout.
@@ -420,10 +460,13 @@ impl Preparer {
             findings: Vec::new(),
             raw_time: Vec::new(),
             clock: None,
+            rows_noise: None,
             first: 0,
             done: 0,
             filter: None,
             wide: None,
+            narrow: Vec::new(),
+            torque_filter: None,
         })
     }
 
@@ -455,6 +498,8 @@ impl Preparer {
         self.raw.iter_mut().for_each(Vec::clear);
         self.evened.iter_mut().for_each(Vec::clear);
         (self.clock, self.first, self.done) = (None, 0, 0);
+        (self.rows_noise, self.torque_filter) = (None, None);
+        self.narrow.clear();
         Ok(motions)
     }
 
@@ -471,19 +516,13 @@ impl Preparer {
             let channels: Vec<&[f64]> = self.raw[..self.dof].iter().map(Vec::as_slice).collect();
             resample = !smoother_evenly(t, &channels, mean);
         }
-        if resample || rms > 0.01 * mean {
-            let kind = Kind::Evened { clock: if resample { Clock::Resampled } else { Clock::Even } };
-            match self.findings.iter_mut().find(|f| f.kind == kind) {
-                Some(known) => known.count += 1,
-                None => {
-                    let column = Some("t".to_string());
-                    self.findings.push(Finding { kind, severity: Severity::Note, line: None, column, count: 1 });
-                }
-            }
-        }
         let period = if resample { nominal } else { mean };
+        let errs = self.found_times(resample, period).is_some();
+        if !errs && (resample || rms > 0.01 * mean) {
+            self.note_clock(if resample { Clock::Resampled } else { Clock::Even });
+        }
         // A single row has no rate; that it is too few is said elsewhere.
-        if let Some(filter) = self.settings.filter.filter(|_| t.len() > 1) {
+        if let Some(filter) = self.settings.filter.filter(|_| self.raw_time.len() > 1) {
             let rate = period.recip();
             let sos = low_pass(filter.order, filter.cutoff, rate)
                 .map_err(|source| PrepareError::Cutoff { file: self.file.clone(), source })?;
@@ -499,7 +538,88 @@ impl Preparer {
                 .filter(|cutoff| *cutoff > filter.cutoff)
                 .and_then(|cutoff| low_pass(filter.order, cutoff, rate).ok());
         }
-        Ok(SegmentClock { start: t[0], period, resample, produced: 0, last: t[0] })
+        let start = self.raw_time[0];
+        Ok(SegmentClock { start, period, resample, errs, produced: 0, last: start })
+    }
+
+    fn note_clock(&mut self, clock: Clock) {
+        let alike = |a: &Clock| std::mem::discriminant(a) == std::mem::discriminant(&clock);
+        let same = |f: &&mut Finding| matches!(&f.kind, Kind::Evened { clock } if alike(clock));
+        match self.findings.iter_mut().find(same) {
+            Some(known) => {
+                if let (Kind::Evened { clock: Clock::Found { rms } }, Clock::Found { rms: now }) =
+                    (&mut known.kind, clock)
+                {
+                    *rms = rms.max(now);
+                }
+                known.count += 1;
+            }
+            None => {
+                let (kind, column) = (Kind::Evened { clock }, Some("t".to_string()));
+                self.findings.push(Finding { kind, severity: Severity::Note, line: None, column, count: 1 });
+            }
+        }
+    }
+
+    /// Times of the rows that are not evened yet, from what all joints share; `None` where the
+    /// clock is right.
+    fn found_times(&self, resample: bool, period: f64) -> Option<clock::Times> {
+        if self.settings.derivatives != Derivatives::FromPosition {
+            return None;
+        }
+        let q: Vec<&[f64]> = self.raw[..self.dof].iter().map(Vec::as_slice).collect();
+        clock::times(&self.stamps(resample, period), &q, period)
+    }
+
+    /// Times of the rows that are not evened yet, as far as stamps or the count of rows say.
+    fn stamps(&self, resample: bool, period: f64) -> Vec<f64> {
+        if resample || self.raw_time.windows(2).any(|w| w[1] - w[0] > 1.5 * period) {
+            return self.raw_time.clone();
+        }
+        let counted = |k: usize| k as f64 * period;
+        let late: f64 = self.raw_time.iter().enumerate().map(|(k, t)| t - counted(k)).sum();
+        let start = late / self.raw_time.len().max(1) as f64;
+        (0..self.raw_time.len()).map(|k| start + counted(k)).collect()
+    }
+
+    /// Evens rows whose stamps err: each at the time that was found for it.
+    fn even_found(&mut self, clock: &mut SegmentClock, end: bool) {
+        let n = self.raw_time.len();
+        if !end && n < TIMED {
+            return;
+        }
+        let found = self.found_times(clock.resample, clock.period);
+        let torque = (0..self.dof).map(|j| white_noise([&self.raw[self.dof + j][..]].into_iter())).collect();
+        let known = self.rows_noise.take();
+        let times = match found {
+            Some(found) => {
+                self.note_clock(Clock::Found { rms: found.rms });
+                self.rows_noise = Some(RowsNoise { position: found.noise, torque, time: found.left });
+                found.at
+            }
+            None => {
+                let (position, time) = known.map_or((vec![0.0; self.dof], 0.0), |n| (n.position, n.time));
+                self.rows_noise = Some(RowsNoise { position, torque, time });
+                self.stamps(clock.resample, clock.period)
+            }
+        };
+        if clock.produced == 0 {
+            clock.start = times[0];
+        }
+        let before = ((times[0] - clock.start) / clock.period).floor().max(0.0) as usize;
+        let count = ((times[n - 1] - clock.start) / clock.period).ceil() as usize + 2 - before;
+        let evener = Evener::new(&times, clock.start + before as f64 * clock.period, clock.period, count.max(4));
+        let known = if end { n - 1 } else { n - TIMED_EDGE };
+        let last = ((times[known] - clock.start) / clock.period) as usize;
+        for (to, from) in self.evened.iter_mut().zip(&self.raw) {
+            let grid = evener.even(from);
+            to.extend_from_slice(&grid[(clock.produced - before).min(grid.len())..(last + 1 - before).min(grid.len())]);
+        }
+        clock.produced = clock.produced.max(last + 1);
+        // Rows that the next ones need beside them keep their stamps.
+        let keep_from = if end { n } else { n - 2 * TIMED_EDGE };
+        self.raw_time.drain(..keep_from);
+        self.raw.iter_mut().for_each(|x| drop(x.drain(..keep_from)));
     }
 
     fn even_out(&mut self, end: bool) -> Result<(), PrepareError> {
@@ -510,7 +630,9 @@ impl Preparer {
             Some(clock) => clock,
             None => self.judge_clock()?,
         };
-        if clock.resample {
+        if clock.errs {
+            self.even_found(&mut clock, end);
+        } else if clock.resample {
             let n = self.raw_time.len();
             let limit = if end { n } else { n.saturating_sub(2) };
             let mut used = 0;
@@ -559,20 +681,19 @@ impl Preparer {
     fn motions(&mut self, end: bool) -> Result<Vec<Motion>, PrepareError> {
         let Some(clock) = self.clock else { return Ok(Vec::new()) };
         let late = (self.settings.torque_delay.abs() / clock.period).ceil() as usize;
-        let settle = self.filter.as_ref().map_or(4, |f| f.settling() + 4) + late;
-        let margin = if self.settings.margins { settle } else { 0 };
-        let trim = match self.settings.derivatives {
-            Derivatives::AtRest => 0,
-            _ => {
-                let differences = 3;
-                let filtered = if self.filter.is_some() { self.settings.trim } else { 0.0 };
-                let seconds = filtered.max(self.settings.torque_delay.abs());
-                ((seconds / clock.period).ceil() as usize).max(differences)
+        let produced = self.first + self.evened[0].len();
+        if self.narrow.is_empty() {
+            if !end && produced < self.settings.chunk {
+                return Ok(Vec::new());
             }
-        };
+            self.choose_bands(clock.period);
+        }
+        let settling = self.narrow.iter().map(|n| n.sos.settling() + 4).max();
+        let settle = settling.unwrap_or(4) + late;
+        let margin = if self.settings.margins { settle } else { 0 };
+        let trim = self.trim(clock.period);
         let stride = self.settings.stride.max(1);
         let chunk = self.settings.chunk.max(stride).next_multiple_of(stride);
-        let produced = self.first + self.evened[0].len();
         let mut motions = Vec::new();
         if self.done == 0 {
             self.done = trim;
@@ -602,12 +723,40 @@ impl Preparer {
         Ok(motions)
     }
 
+    /// Samples that are cut off at both ends of a segment.
+    fn trim(&self, period: f64) -> usize {
+        if self.settings.derivatives == Derivatives::AtRest {
+            return 0;
+        }
+        let differences = 3;
+        let filtered = if self.filter.is_some() { self.settings.trim } else { 0.0 };
+        let seconds = filtered.max(self.settings.torque_delay.abs());
+        ((seconds / period).ceil() as usize).max(differences)
+    }
+
+    /// The low-passes of a segment, from its first chunk: of each joint's positions, and of the
+    /// torques, whose band is not below that of any joint.
+    fn choose_bands(&mut self, period: f64) {
+        let (Some(filter), Some(plain)) = (self.settings.filter, self.filter.clone()) else { return };
+        let from_position = self.settings.derivatives == Derivatives::FromPosition;
+        let free = self.settings.adaptive && from_position;
+        for joint in 0..self.dof {
+            let floor = self.rows_noise.as_ref().map_or(0.0, |noise| noise.position[joint]);
+            let found = deserved(&self.evened[joint], period, filter, floor, free).filter(|_| from_position);
+            let own = Filter { cutoff: found.map_or(filter.cutoff, |d: Deserved| d.cutoff), ..filter };
+            let sos = low_pass(own.order, own.cutoff, period.recip()).unwrap_or_else(|_| plain.clone());
+            self.narrow.push(Narrow { filter: own, sos, error: found.map(|d| d.error) });
+        }
+        let widest = self.narrow.iter().max_by(|a, b| a.filter.cutoff.total_cmp(&b.filter.cutoff));
+        self.torque_filter = widest.map(|n| (n.filter, n.sos.clone()));
+    }
+
     /// What positions go through; no sample has a share of the wider band yet.
     fn band(&self) -> Band {
         let from_position = self.settings.derivatives == Derivatives::FromPosition;
-        let narrow = self.settings.filter.filter(|_| from_position);
-        let wide = self.settings.bursts.zip(narrow).map(|(cutoff, narrow)| Filter { cutoff, ..narrow });
-        Band { narrow, wide: wide.filter(|_| self.wide.is_some()), share: Vec::new() }
+        let narrow: Vec<Filter> = self.narrow.iter().filter(|_| from_position).map(|n| n.filter).collect();
+        let wide = self.settings.filter.and_then(|filter| Some(Filter { cutoff: self.settings.bursts?, ..filter }));
+        Band { narrow, wide: wide.filter(|_| self.wide.is_some() && from_position), share: Vec::new() }
     }
 
     /// Both cutoffs, Hz.
@@ -633,14 +782,7 @@ impl Preparer {
     /// of it.
     fn motion(&self, clock: SegmentClock, core: std::ops::Range<usize>, margin: usize) -> Motion {
         let (n, dof, rate) = (self.evened[0].len(), self.dof, clock.period.recip());
-        let pad = self.settings.filter.map_or(0, |f| (rate / f.cutoff).ceil() as usize);
-        let smooth = |x: &[f64]| {
-            let mut y = x.to_vec();
-            if let Some(sos) = &self.filter {
-                sos.forward_backward(&mut y, pad.max(sos.scipy_padding()));
-            }
-            y
-        };
+        let smooth = |x: &[f64]| self.smooth(x, clock.period);
         let from = core.start.saturating_sub(margin).max(self.first) - self.first;
         let to = (core.end + margin - self.first).min(n);
         let mut motion = Motion {
@@ -652,20 +794,28 @@ impl Preparer {
             states: States { len: to - from, ..States::default() },
             tau: Vec::with_capacity(dof * (to - from)),
             velocity_noise: Vec::with_capacity(dof),
-            bandwidth: self.settings.filter.filter(|_| !self.settings.raw_torque).map(|filter| filter.cutoff),
+            bandwidth: self
+                .torque_filter
+                .as_ref()
+                .filter(|_| !self.settings.raw_torque)
+                .map(|(filter, _)| filter.cutoff),
+            error: self.narrow.iter().filter_map(|n| n.error).collect(),
+            torque_noise: self.torque_noise(rate),
+            clock_error: self.rows_noise.as_ref().map_or(0.0, |noise| noise.time),
             band: self.band(),
             ..Motion::default()
         };
         let mut speeds = Vec::with_capacity(dof);
         for joint in 0..dof {
-            let mut q = smooth(&self.evened[joint]);
+            let own = self.narrow.get(joint);
+            let mut q = through(&self.evened[joint], own.map(|n| (n.filter, &n.sos)), clock.period);
             let (dq, ddq) = match self.settings.derivatives {
                 Derivatives::FromPosition => {
                     let mut narrow = Derived::of(q.clone(), clock.period);
-                    if let Some(sos) = &self.wide {
-                        let mut wide = self.evened[joint].clone();
-                        sos.forward_backward(&mut wide, pad.max(sos.scipy_padding()));
-                        let wide = Derived::of(wide, clock.period);
+                    let whole = own.map(|n| n.filter) == self.settings.filter;
+                    if let (Some(sos), Some(filter)) = (self.wide.as_ref().filter(|_| whole), self.settings.filter) {
+                        let wide =
+                            Derived::of(through(&self.evened[joint], Some((filter, sos)), clock.period), clock.period);
                         let share = narrow.let_through(&wide, self.bands(), clock.period);
                         if !share.is_empty() {
                             motion.band.share.resize(dof * (to - from), 0.0);
@@ -686,7 +836,7 @@ impl Preparer {
                     (dq, ddq)
                 }
             };
-            motion.velocity_noise.push(match (self.settings.filter, self.settings.derivatives) {
+            motion.velocity_noise.push(match (own.map(|n| n.filter), self.settings.derivatives) {
                 (Some(filter), Derivatives::FromPosition) => {
                     motion
                         .stuck
@@ -700,32 +850,7 @@ impl Preparer {
             motion.states.ddq.extend_from_slice(&ddq[from..to]);
             speeds.push(dq);
         }
-        if self.settings.derivatives != Derivatives::AtRest {
-            let noise: Vec<rest::Noise> =
-                (0..dof).map(|j| self.noise(j, motion.velocity_noise[j], clock.period)).collect();
-            if self.settings.derivatives == Derivatives::FromPosition {
-                motion.position_noise = noise.iter().map(|n| n.position).collect();
-            }
-            let sums = self.settings.sums.iter().map(|sum| {
-                let of = |part: fn(&rest::Noise) -> f64| {
-                    let of = sum.joints.map(|j| noise.get(j).map_or(0.0, part));
-                    of[0].hypot(sum.ratio * of[1])
-                };
-                let noise =
-                    rest::Noise { speed: of(|n| n.speed), white: of(|n| n.white), position: of(|n| n.position) };
-                (sum.at(|j| speeds.get(j).map(Vec::as_slice)), noise)
-            });
-            let sums: Vec<(Vec<f64>, rest::Noise)> = sums.collect();
-            let own = speeds.iter().zip(&noise);
-            for (dq, noise) in own.chain(sums.iter().map(|(dq, noise)| (dq, noise))) {
-                let resting = rest::rests(dq, *noise, clock.period, self.settings.dead_zone);
-                let sign = |(v, rests): (&f64, &bool)| if *rests || *v == 0.0 { 0.0 } else { v.signum() };
-                let signs: Vec<f64> = dq.iter().zip(&resting).map(sign).collect();
-                let signs = if self.settings.raw_torque { signs } else { smooth(&signs) };
-                motion.sign.extend_from_slice(&signs[from..to]);
-                motion.resting.extend_from_slice(&resting[from..to]);
-            }
-        }
+        self.rests(&mut motion, &speeds, from..to);
         for joint in 0..dof {
             let recorded = &self.evened[dof + joint];
             let mut tau = if self.settings.raw_torque { recorded.clone() } else { smooth(recorded) };
@@ -745,6 +870,54 @@ impl Preparer {
         motion
     }
 
+    /// Where joints, and the sums of velocities, rest, and the signs of their velocities: of the
+    /// samples `span`.
+    fn rests(&self, motion: &mut Motion, speeds: &[Vec<f64>], span: std::ops::Range<usize>) {
+        if self.settings.derivatives == Derivatives::AtRest {
+            return;
+        }
+        let noise: Vec<rest::Noise> =
+            (0..self.dof).map(|j| self.noise(j, motion.velocity_noise[j], motion.period)).collect();
+        if self.settings.derivatives == Derivatives::FromPosition {
+            motion.position_noise = noise.iter().map(|n| n.position).collect();
+        }
+        let sums = self.settings.sums.iter().map(|sum| {
+            let of = |part: fn(&rest::Noise) -> f64| {
+                let of = sum.joints.map(|j| noise.get(j).map_or(0.0, part));
+                of[0].hypot(sum.ratio * of[1])
+            };
+            let noise = rest::Noise { speed: of(|n| n.speed), white: of(|n| n.white), position: of(|n| n.position) };
+            (sum.at(|j| speeds.get(j).map(Vec::as_slice)), noise)
+        });
+        let sums: Vec<(Vec<f64>, rest::Noise)> = sums.collect();
+        let own = speeds.iter().zip(&noise);
+        for (dq, noise) in own.chain(sums.iter().map(|(dq, noise)| (dq, noise))) {
+            let resting = rest::rests(dq, *noise, motion.period, self.settings.dead_zone);
+            let sign = |(v, rests): (&f64, &bool)| if *rests || *v == 0.0 { 0.0 } else { v.signum() };
+            let signs: Vec<f64> = dq.iter().zip(&resting).map(sign).collect();
+            let signs = if self.settings.raw_torque { signs } else { self.smooth(&signs, motion.period) };
+            motion.sign.extend_from_slice(&signs[span.clone()]);
+            motion.resting.extend_from_slice(&resting[span.clone()]);
+        }
+    }
+
+    /// What torques and signs become behind their low-pass.
+    fn smooth(&self, x: &[f64], period: f64) -> Vec<f64> {
+        through(x, self.torque_filter.as_ref().map(|(filter, sos)| (*filter, sos)), period)
+    }
+
+    /// Standard deviation of the sensors' noise in what becomes of the torques, N m.
+    fn torque_noise(&self, rate: f64) -> Vec<f64> {
+        let low_pass = self.torque_filter.as_ref().filter(|_| !self.settings.raw_torque);
+        let passed = low_pass.map_or(1.0, |(filter, _)| filter.noise_gain(rate));
+        let gain = |j: usize| self.settings.torque_gains.get(j).map_or(1.0, |gain| gain.abs());
+        let recorded = |j: usize| match &self.rows_noise {
+            Some(noise) => noise.torque[j],
+            None => white_noise([&self.evened[self.dof + j][..]].into_iter()),
+        };
+        (0..self.dof).map(|j| recorded(j) * gain(j) * passed).collect()
+    }
+
     /// How noisy a joint's filtered velocity is, whose error is `speed` by what the low-pass took
     /// out of its positions.
     fn noise(&self, joint: usize, speed: f64, period: f64) -> rest::Noise {
@@ -754,8 +927,9 @@ impl Preparer {
             let white = recorded * self.settings.filter.map_or(1.0, |f| f.noise_gain(rate));
             return rest::Noise { speed: white, white, position: 0.0 };
         }
-        let position = white_noise([&self.evened[joint][..]].into_iter());
-        match self.settings.filter {
+        let floor = self.rows_noise.as_ref().map_or(0.0, |noise| noise.position[joint]);
+        let position = white_noise([&self.evened[joint][..]].into_iter()).max(floor);
+        match self.narrow.get(joint).map(|n| n.filter) {
             Some(filter) => rest::Noise { speed, white: filter.velocity_noise(position, rate), position },
             // A central difference has the difference of two errors over two periods.
             None => {
@@ -764,6 +938,16 @@ impl Preparer {
             }
         }
     }
+}
+
+/// Forward and backward through a low-pass, where there is one.
+fn through(x: &[f64], filter: Option<(Filter, &Sos)>, period: f64) -> Vec<f64> {
+    let mut y = x.to_vec();
+    if let Some((filter, sos)) = filter {
+        let pad = (1.0 / (period * filter.cutoff)).ceil() as usize;
+        sos.forward_backward(&mut y, pad.max(sos.scipy_padding()));
+    }
+    y
 }
 
 /// The signal `by` samples later, on the line between samples (it is smooth by now); the ends are

@@ -8,8 +8,8 @@ use dh_codegen::arm::param;
 use dh_codegen::robot::Robot;
 
 use crate::data::log::open;
-use crate::data::signal::{Filter, Prepare, each_motion};
-use crate::diagnose::{Recording, Stretch};
+use crate::data::signal::each_motion;
+use crate::diagnose::{HIGHEST, Recording, Stretch, preparation};
 use crate::model::States;
 use crate::model::rigid_body::Numeric;
 use crate::numerics::prng::Random;
@@ -409,12 +409,7 @@ impl World<'_> {
 
 /// Reads a log as the command does.
 pub(super) fn record(name: &str, bytes: &[u8], dof: usize) -> Recording {
-    let prepare = Prepare {
-        filter: Some(Filter { order: 4, cutoff: 15.0 }),
-        bursts: Some(crate::diagnose::BURSTS * 15.0),
-        raw_torque: true,
-        ..Prepare::default()
-    };
+    let prepare = preparation(HIGHEST);
     let mut recording = Recording::new(name);
     let mut source = open(name, bytes).unwrap();
     each_motion(source.as_mut(), dof, &prepare, |motion| recording.absorb(motion)).unwrap();
@@ -431,6 +426,9 @@ fn recordings_hold_what_was_written() {
         tau: vec![1.0, 2.0],
         temperature: Vec::new(),
         velocity_noise: vec![0.0],
+        error: Vec::new(),
+        torque_noise: Vec::new(),
+        clock_error: 0.0,
         stuck: Vec::new(),
         band: Default::default(),
     };

@@ -6,6 +6,7 @@ use crate::data::signal::Prepared;
 use crate::diagnose::{Cause, Diagnosis, Errors};
 use crate::report::Provenance;
 use crate::report::Warnings;
+use crate::report::parts::budget;
 
 /// The result as one JSON object.
 pub fn diagnose_json(found: &Diagnosis, logs: &[Prepared], warnings: &Warnings, provenance: &Provenance) -> Value {
@@ -18,6 +19,7 @@ pub fn diagnose_json(found: &Diagnosis, logs: &[Prepared], warnings: &Warnings, 
         "robot": found.robot,
         "verdict": found.verdict.word(),
         "noise_floor": found.noise_floor,
+        "error_budget": budget::json(Some(&found.budget)),
         "torque_rms": found.torque_rms,
         "baseline": rms(&found.baseline),
         "refitted": rms(&found.refitted),

@@ -15,6 +15,7 @@ use crate::report::Provenance;
 use crate::report::Warnings;
 use crate::report::diagnose_verdict;
 use crate::report::identify::page::notes;
+use crate::report::parts::budget;
 use crate::report::parts::number::{digits, figure, percent};
 use crate::report::parts::page::{Page, escape};
 
@@ -73,7 +74,7 @@ pub fn diagnose_html(found: &Diagnosis, logs: &[Prepared], warnings: &Warnings, 
         ("data", format!("{} s fitted, {} s validating", figure(found.seconds[0]), figure(found.seconds[1]))),
         ("validation", validation.to_string()),
         ("links", links.to_string()),
-        ("noise", "from fourth differences of the torques as recorded, without a model; noise that was low-passed before it was recorded is not in it".into()),
+        ("noise", "sensors by fourth differences of the torques as recorded, and what is not known of motion and clock; sensors' noise that was low-passed before it was recorded is not in it".into()),
     ];
     rows.extend(provenance.iter().map(|(what, value)| (what.as_str(), value.clone())));
     for (what, value) in rows {
@@ -126,6 +127,7 @@ fn gain_table(body: &mut String, found: &Diagnosis) {
         let _ = writeln!(body, "<td>{}<td>{gained}</tr>", digits(noise, 3));
     }
     body.push_str("</tbody></table></div><p class=note>RMS of measured less predicted torque on the validating data, and in percent of the measured torque's own RMS. Refitted: base parameters and plain friction anew, no further cause. Gained: part of the squared error above the noise that the extended model takes.</p></section>\n");
+    body.push_str(&budget::html(&found.budget, "the error of the extended model"));
 }
 
 /// What part of the attainable gain was reached, percent; of a loss how many times the error grew.

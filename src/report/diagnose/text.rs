@@ -5,6 +5,7 @@ use std::fmt::Write;
 use crate::data::signal::Prepared;
 use crate::diagnose::{Cause, Diagnosis, Verdict};
 use crate::report::Warnings;
+use crate::report::parts::budget;
 use crate::report::parts::number::{digits, pad};
 
 /// What to know before the figures, the same in text, JSON and page.
@@ -90,6 +91,7 @@ pub fn diagnose_text(found: &Diagnosis, warnings: &Warnings) -> String {
         row.iter().for_each(|x| text.push_str(&pad(&digits(*x, 3), 10, true)));
         let _ = writeln!(text, "{}", pad(&format!("{} %", digits(100.0 * row[3] / row[0], 2)), 10, true));
     }
+    text.push_str(&budget::text(&found.budget, "the error of the extended model"));
     if !found.offer.why.is_empty() {
         let _ = writeln!(text, "\n{}", found.offer.why.join("\n"));
     }

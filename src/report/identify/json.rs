@@ -4,9 +4,10 @@ use serde_json::{Map, Value, json};
 
 use crate::data::log::{Finding, Severity};
 use crate::data::signal::Prepared;
-use crate::identify::{Accuracy, Identification, Standing};
+use crate::identify::{Accuracy, Dropped, Identification, Standing};
 use crate::report::Provenance;
 use crate::report::Warnings;
+use crate::report::parts::budget;
 
 /// The result as one JSON object.
 pub fn identify_json(found: &Identification, logs: &[Prepared], warnings: &Warnings, provenance: &Provenance) -> Value {
@@ -84,21 +85,26 @@ pub fn identify_json(found: &Identification, logs: &[Prepared], warnings: &Warni
             "effective_samples": found.noise.effective_samples,
             "batches": found.noise.batches,
         },
+        "error_budget": budget::json(found.budget.as_ref()),
         "weighted": found.weighted,
         "iterations": found.iterations,
         "not_distinguished": found.confused.iter().map(|c| json!({"parameters": c.parameters, "open": c.open})).collect::<Vec<_>>(),
-        "dropped": found.dropped.iter().map(|d| json!({
-            "name": d.name,
-            "value": d.value,
-            "relative_std_percent": d.relative_std_percent,
-            "f": d.f,
-            "limit": d.limit,
-            "residual_growth_percent": d.residual_growth_percent,
-        })).collect::<Vec<_>>(),
+        "dropped": found.dropped.iter().map(dropped).collect::<Vec<_>>(),
         "correlation": correlation,
         "logs": summaries,
         "findings": findings,
         "provenance": provenance,
+    })
+}
+
+fn dropped(d: &Dropped) -> Value {
+    json!({
+        "name": d.name,
+        "value": d.value,
+        "relative_std_percent": d.relative_std_percent,
+        "f": d.f,
+        "limit": d.limit,
+        "residual_growth_percent": d.residual_growth_percent,
     })
 }
 

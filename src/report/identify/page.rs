@@ -16,6 +16,7 @@ use crate::report::Provenance;
 use crate::report::Warnings;
 use crate::report::identify_verdict;
 use crate::report::parts::bodies::{Links, bodies_section};
+use crate::report::parts::budget;
 use crate::report::parts::number::{figure, percent};
 use crate::report::parts::page::{Page, escape};
 
@@ -40,6 +41,9 @@ pub fn identify_html(
     body.push_str("<section><h2>Torque error per joint</h2>\n");
     torque_table(&mut body, found);
     body.push_str("<p class=note>RMS of measured less estimated torque, and percent of the measured torque's own RMS. NRMS: RMS divided by the range of the measured torque.</p></section>\n");
+    if let Some(budget) = &found.budget {
+        body.push_str(&budget::html(budget, "the residual of the fit"));
+    }
     for (index, trace) in traces.iter().enumerate() {
         let role = if trace.validates { "Validation" } else { "Fit" };
         let thinned = match trace.thinning {

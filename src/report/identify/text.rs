@@ -6,6 +6,7 @@ use crate::data::log::Severity;
 use crate::data::signal::Prepared;
 use crate::identify::{Accuracy, Identification, Standing};
 use crate::report::Warnings;
+use crate::report::parts::budget;
 use crate::report::parts::number::{digits, figure, pad, percent};
 
 /// The result in two or three sentences.
@@ -89,6 +90,9 @@ pub fn identify_text(found: &Identification, logs: &[Prepared], warnings: &Warni
     }
     out.push_str("\nTorque error, RMS, N m (percent of the torque's RMS)\n");
     out.push_str(&torque_table(found));
+    if let Some(budget) = &found.budget {
+        out.push_str(&budget::text(budget, "the residual of the fit"));
+    }
     out.push_str("\nParameters\n");
     out.push_str(&parameter_table(found));
     for group in &found.confused {

@@ -11,7 +11,7 @@ use super::super::ReproduceError;
 use super::Settings;
 use super::hidden::{About, Draft, FRICTION, Hidden, Outside, SAME_JOINT, Wanted, effects};
 use crate::data::log::{Acceptance, Log, Quantity, csv, open};
-use crate::data::signal::{Filter, Prepare, PrepareError, central, central_second, each_motion};
+use crate::data::signal::{Prepare, PrepareError, central, central_second, each_motion};
 use crate::diagnose::{self, Diagnosis, Recording};
 use crate::model::perturbable_robot::PerturbableRobot;
 use crate::model::{Arm, States};
@@ -336,16 +336,9 @@ pub(super) fn record_keeping(
     dof: usize,
     keep: Acceptance,
 ) -> Result<Recording, ReproduceError> {
-    let mut cutoff = 15.0;
+    let mut cutoff = diagnose::HIGHEST;
     loop {
-        let prepare = Prepare {
-            filter: Some(Filter { order: 4, cutoff }),
-            bursts: Some(diagnose::BURSTS * cutoff),
-            raw_torque: true,
-            temperature: true,
-            keep,
-            ..Prepare::default()
-        };
+        let prepare = Prepare { keep, ..diagnose::preparation(cutoff) };
         let mut recording = Recording::new(name);
         let mut source = open(name, bytes).map_err(PrepareError::from)?;
         match each_motion(source.as_mut(), dof, &prepare, |motion| recording.absorb(motion)) {

@@ -17,7 +17,7 @@ use crate::apps::painting::wall::RollerWall;
 use crate::control::iterative_learning::Learned;
 use crate::control::robot::{RobotModel, contact_point};
 use crate::data::log::{Log, Replay};
-use crate::data::signal::{Filter, Prepare, each_motion};
+use crate::data::signal::{Filter, each_motion};
 use crate::diagnose::{self, Diagnosis};
 use crate::identify::tool::{Carrying, ToolSettings, catalogue, identify_tool};
 use crate::identify::{
@@ -226,13 +226,7 @@ impl Stand {
     pub fn extended(&self, lwr: &Lwr, progress: &dyn Fn(&str)) -> Result<(Self, Diagnosis), ReproduceError> {
         let plant = PerturbableRobot::new(&self.identified);
         let recording = |name: &str, log: &Log| -> Result<diagnose::Recording, ReproduceError> {
-            let prepare = Prepare {
-                filter: Some(Filter { order: 4, cutoff: 15.0 }),
-                bursts: Some(diagnose::BURSTS * 15.0),
-                raw_torque: true,
-                temperature: true,
-                ..Prepare::default()
-            };
+            let prepare = diagnose::preparation(diagnose::HIGHEST);
             let mut recording = diagnose::Recording::new(name);
             each_motion(&mut Replay::new(&thinned(log, THIN)), lwr.robot.dof(), &prepare, |motion| {
                 recording.absorb(motion)

@@ -31,7 +31,8 @@ pub(super) fn identified(file: &Robot, logs: &[Log]) -> Result<Robot, ReproduceE
         let mut cutoff = 10.0;
         loop {
             let filter = crate::data::signal::Filter { order: 5, cutoff };
-            let prepare = Prepare { filter: Some(filter), keep: Acceptance::all(), ..Prepare::default() };
+            let prepare =
+                Prepare { filter: Some(filter), adaptive: true, keep: Acceptance::all(), ..Prepare::default() };
             let mut stack = QrAccumulator::new("fit", &arm, AccumulatorSettings::default());
             match each_motion(&mut Replay::new(log), robot.dof(), &prepare, |motion| stack.absorb(motion)) {
                 Ok(_) => break factors.push(stack.finish()),

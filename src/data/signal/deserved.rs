@@ -1,0 +1,247 @@
+//! The band that a joint's positions deserve: the cutoff of the low-pass at which the error that is
+//! expected of its acceleration is least.
+//!
+//! What a low-pass of gain `H` makes of a position `x + n` errs by the noise that it lets through
+//! and by the motion that it takes: `e^2 = sum_w w^4 [ (1 - H)^2 S + H^2 N ]`, `S` the spectrum of
+//! the motion, `N` that of the encoder's noise. Only `P = S + N` is seen, and `N`, which is flat,
+//! where there is no motion; so `e^2 = sum_w w^4 [ (1 - H)^2 P + (2 H - 1) N ]` is estimated without
+//! bias (C. L. Mallows, *Some comments on C_p*, Technometrics 15, 1973; it is Wiener's criterion
+//! with the filter kept to Butterworth's). The cutoff is the best of a grid.
+//!
+//! Why each joint may have its own. To first order the torque of joint `i` errs by `sum_j M_ij e_j`,
+//! `e_j` the error of joint `j`'s acceleration, and the encoders err independently: its variance is
+//! `sum_j M_ij^2 E[e_j^2]`. Every term is least for itself, so one choice per joint is the best for
+//! every row at once, whatever the mass matrix. Rows stay comparable if the torque's band is not
+//! below that of any joint: what a joint's own low-pass takes of the motion is then a residual that
+//! is orthogonal to what it leaves (an error of Berkson's kind), which widens deviations and biases
+//! nothing, while noise in a column would bias its parameter towards zero.
+
+use std::f64::consts::{PI, TAU};
+
+use super::Filter;
+use super::low_pass;
+use crate::numerics::fft::power_spectrum;
+
+/// Ratio of neighbouring cutoffs of the grid.
+const STEP: f64 = 0.85;
+/// How many there are: down to a twelfth of the highest.
+const CUTOFFS: usize = 16;
+/// Lowest frequency from which a flat spectrum is looked for, as a share of half the rate.
+const FLAT_FROM: f64 = 0.25;
+/// Most bands among which the flat one is looked for, and the fewest bins of each.
+const FLAT_BANDS: usize = 8;
+const FLAT_BINS: usize = 24;
+/// Powers of bands that differ by less than this factor are alike.
+const FLAT: f64 = 1.5;
+/// Fewest samples of which a spectrum says something.
+const FEWEST: usize = 64;
+/// Motion above this many times the highest cutoff is nobody's.
+const BEYOND: f64 = 1.5;
+/// Standard deviations of a spectrum's chance that are no motion; how much Hann's window adds to its
+/// variance; and the share by which noise may be more than its flat part.
+const DEVIATIONS: f64 = 3.0;
+const LEAKS: f64 = 1.94;
+const FLATNESS: f64 = 0.25;
+/// Errors that differ by less than this share of the noise that is let through are alike; the widest
+/// band of these is taken.
+const ALIKE: f64 = 0.02;
+
+/// What a joint's positions deserve, and what is left of their noise.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Deserved {
+    /// The cutoff, Hz.
+    pub cutoff: f64,
+    /// Standard deviation of the recorded positions' noise, rad.
+    pub noise: f64,
+    /// Standard deviations of the errors of position, velocity and acceleration behind the
+    /// low-pass, rad, rad/s, rad/s^2.
+    pub error: [f64; 3],
+}
+
+/// Power of positions.
+struct Spectrum {
+    /// Frequencies, Hz.
+    frequency: Vec<f64>,
+    /// Power: white noise of standard deviation `s` has `s^2` in each bin.
+    power: Vec<f64>,
+    /// Share of the variance that a bin stands for.
+    bin: f64,
+    period: f64,
+    /// Bins for each that is independent but for the window.
+    dense: f64,
+}
+
+/// The best cutoff at most that of `highest` for these positions (even samples, `period` apart),
+/// whose noise is at least `floor`, rad; that of `highest` itself where it is not `free`. `None`:
+/// too few samples.
+pub(super) fn deserved(q: &[f64], period: f64, highest: Filter, floor: f64, free: bool) -> Option<Deserved> {
+    let spectrum = Spectrum::of(q, period)?;
+    let noise = spectrum.flat().max(floor * floor);
+    let limit = BEYOND * highest.cutoff;
+    let at = |cutoff: f64| spectrum.errors(Filter { cutoff, ..highest }, noise, limit);
+    let tries = if free { CUTOFFS } else { 1 };
+    let cutoffs = std::iter::successors(Some(highest.cutoff), |cutoff| Some(cutoff * STEP)).take(tries);
+    let tried: Vec<(f64, Errors)> = cutoffs.filter_map(|cutoff| Some((cutoff, at(cutoff)?))).collect();
+    let best = tried.iter().min_by(|a, b| a.1.all[2].total_cmp(&b.1.all[2]))?;
+    let most = best.1.all[2] + ALIKE * best.1.noise[2];
+    let (cutoff, errors) = tried.iter().find(|t| t.1.all[2] <= most)?;
+    // What the widest low-pass takes, torque and model are without.
+    let lost = |k: usize| if *cutoff < highest.cutoff { errors.lost[k] } else { 0.0 };
+    let error = std::array::from_fn(|k| (errors.noise[k] + lost(k)).sqrt());
+    Some(Deserved { cutoff: *cutoff, noise: noise.sqrt(), error })
+}
+
+/// Mean squares of the errors of position, velocity and acceleration behind a low-pass.
+struct Errors {
+    /// Without bias, so that it may be below zero.
+    all: [f64; 3],
+    /// What of them is noise that was let through.
+    noise: [f64; 3],
+    /// What is motion that was taken, as far as it is more than the noise may seem to be.
+    lost: [f64; 3],
+}
+
+impl Spectrum {
+    /// From second differences, whose spectrum is level enough that none of it leaks where it does
+    /// not belong, behind Hann's window.
+    fn of(q: &[f64], period: f64) -> Option<Self> {
+        let n = q.len().saturating_sub(2);
+        if n < FEWEST {
+            return None;
+        }
+        let window = |k: usize| 0.5 - 0.5 * (TAU * (k as f64 + 0.5) / n as f64).cos();
+        let x: Vec<f64> = (0..n).map(|k| window(k) * (q[k + 2] - 2.0 * q[k + 1] + q[k])).collect();
+        let (spectrum, padded) = power_spectrum(&x);
+        let whole: f64 = (0..n).map(|k| window(k).powi(2)).sum();
+        let bins = 1..=padded / 2;
+        let frequency: Vec<f64> = bins.clone().map(|k| k as f64 / (padded as f64 * period)).collect();
+        let power =
+            bins.zip(&frequency).map(|(k, f)| spectrum[k] / whole / (2.0 * (PI * f * period).sin()).powi(4)).collect();
+        Some(Self { frequency, power, bin: 2.0 / padded as f64, period, dense: padded as f64 / n as f64 })
+    }
+
+    /// Power of the flat part: the mean of the bands whose powers are least and alike.
+    fn flat(&self) -> f64 {
+        let from = (FLAT_FROM * self.power.len() as f64) as usize;
+        let high = &self.power[from..];
+        let bands = ((high.len() as f64 / self.dense) as usize / FLAT_BINS).clamp(1, FLAT_BANDS);
+        let mean = |x: &[f64]| x.iter().sum::<f64>() / x.len() as f64;
+        let mut powers: Vec<f64> = high.chunks_exact(high.len() / bands).map(mean).collect();
+        powers.sort_by(f64::total_cmp);
+        let (mut sum, mut count) = (0.0, 0.0);
+        for power in powers {
+            if count > 0.0 && power > FLAT * sum / count {
+                break;
+            }
+            (sum, count) = (sum + power, count + 1.0);
+        }
+        sum / count
+    }
+
+    /// Expected errors behind `filter` where the noise has power `noise`, up to `limit` Hz; `None`
+    /// where it does not go with the rate.
+    fn errors(&self, filter: Filter, noise: f64, limit: f64) -> Option<Errors> {
+        let rate = self.period.recip();
+        let sos = low_pass(filter.order, filter.cutoff, rate).ok()?;
+        let mut errors = Errors { all: [0.0; 3], noise: [0.0; 3], lost: [0.0; 3] };
+        let (mut mean, mut square) = ([0.0; 3], [0.0; 3]);
+        for (f, power) in self.frequency.iter().zip(&self.power).take_while(|(f, _)| **f <= limit) {
+            let gain = sos.gain(*f, rate).powi(2);
+            let taken = (1.0 - gain).powi(2);
+            let w = 2.0 * PI * f * self.period;
+            let order = [1.0, (w.sin() * rate).powi(2), (2.0 * (0.5 * w).sin() * rate).powi(4)];
+            for (k, order) in order.into_iter().enumerate() {
+                let of = self.bin * order;
+                errors.all[k] += of * (taken * power + (2.0 * gain - 1.0) * noise);
+                errors.noise[k] += of * gain * gain * noise;
+                errors.lost[k] += of * taken * (power - noise);
+                mean[k] += of * taken * noise;
+                square[k] += (of * taken * noise).powi(2);
+            }
+        }
+        for k in 0..3 {
+            let chance = DEVIATIONS * (self.dense * LEAKS * square[k]).sqrt() + FLATNESS * mean[k];
+            errors.lost[k] = (errors.lost[k] - chance).max(0.0);
+        }
+        Some(errors)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{central_second, low_pass};
+    use super::*;
+    use crate::numerics::prng::Random;
+
+    const HIGHEST: Filter = Filter { order: 4, cutoff: 15.0 };
+
+    /// A joint on a motion of some frequencies, seen by an encoder with steps of `step`.
+    fn motion(rate: f64, step: f64, seed: u64) -> (Vec<f64>, Vec<f64>) {
+        let mut random = Random::new(seed);
+        let parts: Vec<[f64; 3]> = (1..=5)
+            .map(|k| {
+                [0.23 * (f64::from(k) + random.uniform(-0.3, 0.3)), random.uniform(-0.4, 0.4), random.uniform(0.0, TAU)]
+            })
+            .collect();
+        let n = (20.0 * rate) as usize;
+        let sum = |k: usize, of: fn(f64, f64) -> f64| -> f64 {
+            let t = k as f64 / rate;
+            parts.iter().map(|[f, a, phase]| a * of(TAU * f, TAU * f * t + phase)).sum()
+        };
+        let read = |q: f64| if step > 0.0 { (q / step).round() * step } else { q };
+        let q = (0..n).map(|k| read(sum(k, |_, p| p.sin()))).collect();
+        (q, (0..n).map(|k| sum(k, |w, p| -w * w * p.sin())).collect())
+    }
+
+    fn behind(q: &[f64], rate: f64, cutoff: f64) -> Vec<f64> {
+        let mut q = q.to_vec();
+        low_pass(HIGHEST.order, cutoff, rate).unwrap().forward_backward(&mut q, (rate / cutoff) as usize);
+        central_second(&q, rate.recip())
+    }
+
+    /// Whatever the encoder and the rate: the acceleration behind the chosen low-pass is nearly as
+    /// good as behind the best, and the error is what it is said to be.
+    #[test]
+    fn the_band_is_nearly_the_best() {
+        for (rate, step) in [(30.0, 1e-3), (100.0, 1e-3), (100.0, 1e-5), (250.0, 3e-4), (500.0, 1e-3), (1000.0, 2e-5)] {
+            for seed in 1..4 {
+                let (q, truth) = motion(rate, step, seed);
+                let highest = Filter { cutoff: HIGHEST.cutoff.min(0.4 * rate), ..HIGHEST };
+                let found = deserved(&q, rate.recip(), highest, 0.0, true).unwrap();
+                let error = |cutoff: f64| {
+                    let a = behind(&q, rate, cutoff);
+                    let edge = rate as usize;
+                    let squares: f64 = (edge..q.len() - edge).map(|k| (a[k] - truth[k]).powi(2)).sum();
+                    (squares / (q.len() - 2 * edge) as f64).sqrt()
+                };
+                let best =
+                    (0..CUTOFFS).map(|k| error(highest.cutoff * STEP.powi(k as i32))).fold(f64::INFINITY, f64::min);
+                let own = error(found.cutoff);
+                // Where the error is small, its least is hard to find and does not matter.
+                let motion = (truth.iter().map(|a| a * a).sum::<f64>() / truth.len() as f64).sqrt();
+                assert!(own < (1.6 * best).max(0.02 * motion), "{rate} {step}: {own} at {}, {best}", found.cutoff);
+                assert!(
+                    (0.5..2.0).contains(&(found.error[2] / own)),
+                    "{rate} Hz, {step}: {own}, said {}",
+                    found.error[2]
+                );
+                assert!(
+                    (0.6..1.5).contains(&(found.noise / (step / 12.0_f64.sqrt()))),
+                    "{rate} {step} {}",
+                    found.noise
+                );
+            }
+        }
+    }
+
+    /// Motion that fills the band keeps it; what the user asks for is kept as well.
+    #[test]
+    fn the_band_is_not_narrowed_without_need() {
+        let (q, _) = motion(500.0, 0.0, 3);
+        assert_eq!(deserved(&q, 2e-3, HIGHEST, 0.0, true).unwrap().cutoff, 15.0);
+        let (q, _) = motion(100.0, 1e-3, 3);
+        assert!(deserved(&q, 1e-2, HIGHEST, 0.0, true).unwrap().cutoff < 8.0);
+        assert_eq!(deserved(&q, 1e-2, HIGHEST, 0.0, false).unwrap().cutoff, 15.0);
+        assert_eq!(deserved(&q[..40], 1e-2, HIGHEST, 0.0, true), None);
+    }
+}

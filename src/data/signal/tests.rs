@@ -1,0 +1,145 @@
+//! The whole preparation: from the rows of a log to motion.
+
+use std::f64::consts::TAU;
+
+use super::*;
+use crate::data::log::{Acceptance, Clock, Kind, open};
+use crate::numerics::prng::Random;
+
+/// Two joints on motions of some frequencies up to 1.2 Hz.
+struct Joints {
+    waves: Vec<Vec<[f64; 3]>>,
+}
+
+impl Joints {
+    fn new(random: &mut Random) -> Self {
+        let wave = |k: u32, random: &mut Random| {
+            let f = 0.23 * (f64::from(k) + random.uniform(-0.3, 0.3));
+            [TAU * f, random.uniform(0.1, 0.4), random.uniform(0.0, TAU)]
+        };
+        Self { waves: (0..2).map(|_| (1..=5).map(|k| wave(k, random)).collect()).collect() }
+    }
+
+    /// Position, or a derivative of it, of a joint.
+    fn at(&self, joint: usize, t: f64, derivative: i32) -> f64 {
+        let lead = 0.25 * TAU * f64::from(derivative);
+        self.waves[joint].iter().map(|[w, a, p]| a * w.powi(derivative) * (w * t + p + lead).sin()).sum()
+    }
+
+    /// A log: sampled at `times`, stamped at `stamps`, encoders with these steps. Torques are
+    /// accelerations times 1 kg m^2.
+    fn log(&self, times: &[f64], stamps: &[f64], steps: [f64; 2]) -> Vec<u8> {
+        let mut text = String::from("t,q1,q2,tau1,tau2\n");
+        for (t, stamp) in times.iter().zip(stamps) {
+            let read = |j: usize| (self.at(j, *t, 0) / steps[j]).round() * steps[j];
+            let tau = [self.at(0, *t, 2), self.at(1, *t, 2)];
+            text.push_str(&format!("{stamp:.6},{:.9},{:.9},{:.6},{:.6}\n", read(0), read(1), tau[0], tau[1]));
+        }
+        text.into_bytes()
+    }
+}
+
+fn motions(log: &[u8], prepare: &Prepare) -> (Vec<Motion>, Prepared) {
+    let mut motions = Vec::new();
+    let prepared = each_motion(open("log.csv", log).unwrap().as_mut(), 2, prepare, |m| motions.push(m.clone()));
+    (motions, prepared.unwrap())
+}
+
+/// Root mean square of what a series of a joint misses of a derivative of its position.
+fn error(motion: &Motion, joints: &Joints, joint: usize, derivative: i32) -> f64 {
+    let len = motion.states.len;
+    let series = [&motion.states.q, &motion.states.dq, &motion.states.ddq][derivative as usize];
+    let square = |k: usize| (series[joint * len + k] - joints.at(joint, motion.time(k), derivative)).powi(2);
+    // A second at the ends, where the low-pass knows one side alone, is left out.
+    let edge = (1.0 / motion.period) as usize;
+    let inner = motion.core.start + edge..motion.core.end - edge;
+    (inner.clone().map(square).sum::<f64>() / inner.len() as f64).sqrt()
+}
+
+fn even(rate: f64, seconds: f64) -> Vec<f64> {
+    (0..(rate * seconds) as usize).map(|k| k as f64 / rate).collect()
+}
+
+fn adaptive(cutoff: f64) -> Prepare {
+    Prepare { filter: Some(Filter { order: 4, cutoff }), adaptive: true, ..Prepare::default() }
+}
+
+/// Each joint by its own encoder: the coarse one's acceleration gains, the fine one's keeps a wider
+/// band, and errors are what they are said to be.
+#[test]
+fn each_joint_gets_the_band_that_its_encoder_deserves() {
+    for seed in 1..6 {
+        let joints = Joints::new(&mut Random::new(seed));
+        let times = even(100.0, 40.0);
+        let log = joints.log(&times, &times, [1e-3, 1e-6]);
+        let (found, _) = motions(&log, &adaptive(15.0));
+        let (fixed, _) = motions(&log, &Prepare { adaptive: false, ..adaptive(15.0) });
+        let band = &found[0].band;
+        assert!(band.narrow[0].cutoff < 5.0 && band.narrow[1].cutoff > band.narrow[0].cutoff, "{band:?}");
+        assert!(error(&found[0], &joints, 0, 2) < 0.3 * error(&fixed[0], &joints, 0, 2));
+        // Rounding of slow motion is not white: the position's error has low frequencies that no
+        // derivative shows.
+        for derivative in [1, 2] {
+            let ratio = found[0].error[0][derivative as usize] / error(&found[0], &joints, 0, derivative);
+            assert!((0.5..2.0).contains(&ratio), "seed {seed}, derivative {derivative}: {ratio}");
+        }
+        // Torques keep the widest band: nothing of what the fine joint shows is lost.
+        assert_eq!(found[0].bandwidth, Some(band.narrow[1].cutoff));
+    }
+}
+
+/// A cutoff that is given is the only one, wherever the noise stands.
+#[test]
+fn a_given_cutoff_is_obeyed() {
+    let joints = Joints::new(&mut Random::new(3));
+    let times = even(100.0, 20.0);
+    let log = joints.log(&times, &times, [1e-3, 1e-6]);
+    for cutoff in [4.0, 12.0, 30.0] {
+        let prepare = Prepare { adaptive: false, ..adaptive(cutoff) };
+        let (found, _) = motions(&log, &prepare);
+        let motion = &found[0];
+        assert!(motion.band.narrow.iter().all(|filter| *filter == prepare.filter.unwrap()), "{:?}", motion.band);
+        assert!(motion.band.wide.is_none() && motion.bandwidth == Some(cutoff));
+        let read: Vec<f64> = times.iter().map(|t| (joints.at(0, *t, 0) / 1e-3).round() * 1e-3).collect();
+        let mut q = read.clone();
+        let sos = low_pass(4, cutoff, 100.0).unwrap();
+        sos.forward_backward(&mut q, ((100.0 / cutoff).ceil() as usize).max(sos.scipy_padding()));
+        let ddq = central_second(&q, 0.01);
+        let first = ((motion.start - times[0]) / 0.01).round() as usize;
+        // Away from the ends, where the reflection matters.
+        let inner = motion.core.start + 200..motion.core.end - 200;
+        let off = inner.map(|k| (motion.states.ddq[k] - ddq[first + k]).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-6, "{cutoff} Hz: {off}");
+    }
+}
+
+/// Rows that were sampled up to half a period off their stamps come back to their times, with a
+/// note; torques go with them.
+#[test]
+fn rows_are_moved_to_the_times_at_which_they_were_sampled() {
+    for seed in 1..4 {
+        let mut random = Random::new(seed);
+        let joints = Joints::new(&mut random);
+        let stamps = even(50.0, 60.0);
+        let times: Vec<f64> = stamps.iter().map(|t| t + random.uniform(-0.008, 0.008)).collect();
+        let uneven = Prepare { keep: Acceptance::all(), ..adaptive(10.0) };
+        let (right, _) = motions(&joints.log(&times, &times, [1e-5; 2]), &uneven);
+        let (found, prepared) = motions(&joints.log(&times, &stamps, [1e-5; 2]), &adaptive(10.0));
+        let is_found =
+            |kind: &Kind| matches!(kind, Kind::Evened { clock: Clock::Found { rms } } if (0.002..0.008).contains(rms));
+        assert!(prepared.findings.iter().any(|f| is_found(&f.kind)), "{:?}", prepared.findings);
+        // What a clock that errs makes of the acceleration at most, behind the same low-pass.
+        let wrong = {
+            let mut q: Vec<f64> = times.iter().map(|t| joints.at(0, *t, 0)).collect();
+            low_pass(4, 10.0, 50.0).unwrap().forward_backward(&mut q, 20);
+            let ddq = central_second(&q, 0.02);
+            let square = |k: usize| (ddq[k] - joints.at(0, stamps[k], 2)).powi(2);
+            (100..2900).map(square).sum::<f64>() / 2800.0
+        }
+        .sqrt();
+        let own = error(&found[0], &joints, 0, 2);
+        assert!(own < 0.5 * wrong, "{own} of {wrong}");
+        assert!(error(&right[0], &joints, 0, 2) <= own);
+        assert!(found[0].clock_error > 0.0 && found[0].clock_error < 0.004, "{}", found[0].clock_error);
+    }
+}

@@ -1,0 +1,167 @@
+//! What the errors of a recorded motion make of the torques: a part of a residual that is no
+//! model's fault.
+//!
+//! To first order the torque of joint `i` errs by `sum_j (dt_i/dq_j) e_j + (dt_i/ddq_j) f_j + M_ij
+//! g_j`, `e f g` the errors of joint `j`'s position, velocity and acceleration. Encoders err
+//! independently, so the variances add. The derivatives of the torque are difference quotients of
+//! the model along some samples that are spread over the log.
+
+use crate::data::signal::{Motion, repeatability};
+use crate::model::{Arm, States};
+
+/// Samples that are looked at, at most, over all logs.
+const SAMPLES: usize = 256;
+/// Steps of the difference quotients: position, velocity, acceleration.
+const STEPS: [f64; 3] = [1e-4, 1e-3, 1.0];
+
+/// Standard deviation of each joint's torque, N m, that these errors of the motion make: `errors`
+/// are standard deviations of position, velocity and acceleration, per joint. Friction's steps are
+/// left out.
+pub fn torque_of_errors(arm: &dyn Arm, beta: &[f64], states: &States, errors: &[[f64; 3]]) -> Vec<f64> {
+    let (dof, len) = (arm.dof(), states.len);
+    if len == 0 || errors.len() != dof {
+        return vec![0.0; dof];
+    }
+    let torque = |states: &States| {
+        let mut out = vec![0.0; arm.base_pattern().len() * len];
+        arm.base_regressor(states, &mut out);
+        let mut rows = vec![0.0; dof * len];
+        for (entry, &(row, column)) in out.chunks_exact(len).zip(arm.base_pattern()) {
+            let friction = arm.base_parameters()[column].name.starts_with("FC");
+            if beta[column] != 0.0 && !friction {
+                rows[row * len..(row + 1) * len].iter_mut().zip(entry).for_each(|(t, w)| *t += w * beta[column]);
+            }
+        }
+        rows
+    };
+    let plain = torque(states);
+    let mut variance = vec![0.0; dof];
+    for (joint, error) in errors.iter().enumerate() {
+        for (order, (error, step)) in error.iter().zip(STEPS).enumerate().filter(|(_, (error, _))| **error > 0.0) {
+            let mut moved = states.clone();
+            let series = [&mut moved.q, &mut moved.dq, &mut moved.ddq][order].as_mut_slice();
+            series[joint * len..(joint + 1) * len].iter_mut().for_each(|x| *x += step);
+            let there = torque(&moved);
+            for (row, variance) in variance.iter_mut().enumerate() {
+                let span = row * len..(row + 1) * len;
+                let squares: f64 =
+                    there[span.clone()].iter().zip(&plain[span]).map(|(a, b)| ((a - b) / step).powi(2)).sum();
+                *variance += squares / len as f64 * error * error;
+            }
+        }
+    }
+    variance.into_iter().map(f64::sqrt).collect()
+}
+
+/// Samples spread over a series of states, joint-major.
+pub fn thinned(states: &States, dof: usize, most: usize) -> States {
+    let step = states.len.div_ceil(most.max(1)).max(1);
+    let picks: Vec<usize> = (0..states.len).step_by(step).collect();
+    let cut =
+        |x: &[f64]| -> Vec<f64> { (0..dof).flat_map(|j| picks.iter().map(move |k| x[j * states.len + k])).collect() };
+    States { len: picks.len(), q: cut(&states.q), dq: cut(&states.dq), ddq: cut(&states.ddq) }
+}
+
+/// Where a joint's residual comes from, per joint, N m: standard deviations whose squares add up.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ErrorBudget {
+    /// The torque sensor's white noise.
+    pub sensor: Vec<f64>,
+    /// Encoders and derivatives.
+    pub motion: Vec<f64>,
+    /// What is not known of the times of the rows.
+    pub clock: Vec<f64>,
+    /// By how much the torque differs where the log repeats a motion, what sensor, motion and clock
+    /// make of it included; `None` where no motion is repeated. It is no part of the sum.
+    pub repeatability: Option<Vec<f64>>,
+    /// What is left to explain of the model's error.
+    pub left: Vec<f64>,
+}
+
+impl ErrorBudget {
+    /// What sensor, motion and clock make together, per joint, N m.
+    pub fn floor(&self) -> Vec<f64> {
+        let parts = self.sensor.iter().zip(&self.motion).zip(&self.clock);
+        parts.map(|((s, m), c)| (s * s + m * m + c * c).sqrt()).collect()
+    }
+
+    /// What motion and clock make together, per joint, N m.
+    pub fn of_motion(&self) -> Vec<f64> {
+        self.motion.iter().zip(&self.clock).map(|(m, c)| m.hypot(*c)).collect()
+    }
+
+    /// With what is left of a model's error, per joint, N m.
+    pub fn of_errors(mut self, errors: &[f64]) -> Self {
+        self.left = errors.iter().zip(self.floor()).map(|(e, f)| (e * e - f * f).max(0.0).sqrt()).collect();
+        self
+    }
+
+    /// Joints, from 0, whose motion makes more of the error than sensor and model together.
+    pub fn limited_by_motion(&self) -> Vec<usize> {
+        let of = |j: &usize| self.motion[*j].hypot(self.clock[*j]) > self.sensor[*j].hypot(self.left[*j]);
+        (0..self.left.len()).filter(of).collect()
+    }
+}
+
+/// Collects what a budget needs while logs pass.
+#[derive(Debug, Clone, Default)]
+pub struct BudgetCollector {
+    parts: Vec<(States, Vec<[f64; 3]>)>,
+    /// Sums of squares of the torque noise behind the low-pass, and of the rates of the torques.
+    sensor: Vec<f64>,
+    clock: Vec<f64>,
+    samples: f64,
+    /// Sums of squares of what repetitions differ by, and the seconds that they are from.
+    repeats: (Vec<f64>, f64),
+}
+
+impl BudgetCollector {
+    /// Takes in a stretch of motion.
+    pub fn absorb(&mut self, motion: &Motion) {
+        let (dof, len) = (motion.dof(), motion.states.len);
+        if len == 0 || motion.error.len() != dof {
+            return;
+        }
+        self.sensor.resize(dof, 0.0);
+        self.clock.resize(dof, 0.0);
+        let weight = motion.core.len() as f64;
+        for (j, tau) in motion.tau.chunks_exact(len).enumerate() {
+            let noise = motion.torque_noise.get(j).copied().unwrap_or(0.0);
+            self.sensor[j] += weight * noise * noise;
+            let steps: f64 = tau.windows(2).map(|w| (w[1] - w[0]).powi(2)).sum();
+            self.clock[j] += weight * (motion.clock_error / motion.period).powi(2) * steps / len as f64;
+        }
+        if let Some((rms, seconds)) = repeatability(&motion.states.q, &motion.tau, len, motion.period) {
+            self.repeats.0.resize(dof, 0.0);
+            self.repeats.0.iter_mut().zip(rms).for_each(|(sum, rms)| *sum += seconds * rms * rms);
+            self.repeats.1 += seconds;
+        }
+        self.samples += weight;
+        self.parts.push((thinned(&motion.states, dof, SAMPLES), motion.error.clone()));
+    }
+
+    /// The budget of a model with these base parameters whose residual is `errors`, N m, per joint.
+    pub fn finish(&self, arm: &dyn Arm, beta: &[f64], errors: &[f64]) -> Option<ErrorBudget> {
+        let dof = arm.dof();
+        if self.parts.is_empty() || self.sensor.len() != dof {
+            return None;
+        }
+        let most = (SAMPLES / self.parts.len()).max(8);
+        let mut motion = vec![0.0; dof];
+        for (states, error) in &self.parts {
+            let states = thinned(states, dof, most);
+            let one = torque_of_errors(arm, beta, &states, error);
+            motion.iter_mut().zip(one).for_each(|(sum, s)| *sum += s * s / self.parts.len() as f64);
+        }
+        let root = |sum: &f64| (sum / self.samples.max(1.0)).sqrt();
+        let budget = ErrorBudget {
+            sensor: self.sensor.iter().map(root).collect(),
+            clock: self.clock.iter().map(root).collect(),
+            motion: motion.into_iter().map(f64::sqrt).collect(),
+            repeatability: (self.repeats.1 > 0.0)
+                .then(|| self.repeats.0.iter().map(|sum| (sum / self.repeats.1).sqrt()).collect()),
+            left: Vec::new(),
+        };
+        Some(budget.of_errors(errors))
+    }
+}
