@@ -113,6 +113,51 @@ fn an_interrupted_update_does_not_compile_and_is_finished_by_the_next() {
     assert!(!std::fs::read_to_string(own.join("src/lib.rs")).unwrap().contains("compile_error!"));
 }
 
+/// What the crate no longer has goes, whatever else stands there stays.
+#[test]
+fn files_of_an_earlier_run_are_removed() {
+    let own = folder("generate_again");
+    let out = own.display().to_string();
+    let run = |more: &[&str]| denavit(&[&["generate", "robots/planar2r.yaml", "--out", &out], more].concat());
+    assert_eq!(run(&["--adjoints"]).status, Some(0));
+    file(&own.join("src/kernel"), "frames_mine.rs", "// mine");
+    file(&own.join("src/ik"), "mine.rs", "// mine");
+    let adjoint = own.join("src/kernel/frames_adjoint.rs");
+    assert!(adjoint.exists());
+
+    let stale = run(&["--check"]);
+    assert!(stale.status == Some(1) && stale.err.contains("src/kernel/frames_adjoint.rs (no longer written)"));
+    assert!(adjoint.exists(), "a check removes nothing");
+    let again = json(&["generate", "robots/planar2r.yaml", "--out", &out, "--json", "-"]);
+    assert!(strings(&again["removed"]).contains(&"src/kernel/frames_adjoint.rs"), "{again}");
+    assert!(!adjoint.exists());
+    assert_eq!(run(&["--check"]).status, Some(0));
+
+    // On the runtime crate the copy of the runtime goes, but not the file beside it.
+    assert_eq!(run(&["--runtime", "crate"]).status, Some(0));
+    assert!(!own.join("src/runtime").exists() && !own.join("src/ik.rs").exists());
+    for kept in ["src/kernel/frames_mine.rs", "src/ik/mine.rs"] {
+        assert_eq!(std::fs::read_to_string(own.join(kept)).unwrap(), "// mine", "{kept}");
+    }
+}
+
+/// A list that names files outside the folder is not followed there.
+#[test]
+fn nothing_outside_the_folder_is_removed() {
+    let own = folder("generate_outside");
+    let crate_folder = own.join("planar2r");
+    let out = crate_folder.display().to_string();
+    let verb = ["generate", "robots/planar2r.yaml", "--out", &out];
+    assert_eq!(denavit(&verb).status, Some(0));
+    let beside = file(&own, "beside.txt", "mine");
+    let manifest = crate_folder.join("Cargo.toml");
+    let text = std::fs::read_to_string(&manifest).unwrap();
+    let list = format!("files = [\n    \"../beside.txt\",\n    {beside:?},\n");
+    std::fs::write(&manifest, text.replace("files = [\n", &list)).unwrap();
+    assert_eq!(denavit(&verb).status, Some(0));
+    assert_eq!(std::fs::read_to_string(&beside).unwrap(), "mine");
+}
+
 #[test]
 fn a_new_crate_is_whole_or_absent() {
     let own = folder("generate_whole");
@@ -163,7 +208,8 @@ fn a_drop_in_crate_ships_one_family() {
     for other in ["quartic", "homotopy", "six", "regional", "swivel", "interval", "numerical", "nearby", "orient"] {
         assert!(!planar.contains_key(&format!("src/ik/{other}.rs")), "{other}");
     }
-    assert!(planar.values().all(|text| !text.contains("// [")), "markers are left out");
+    let marked = |text: &String| text.lines().any(|line| line.trim_start().starts_with("// ["));
+    assert!(!planar.values().any(marked), "markers are left out");
     let names = |robot: &str, family: &str| files(robot).contains_key(&format!("src/ik/{family}.rs"));
     assert!(names("kuka-lwr4", "swivel") && !names("kuka-lwr4", "six"));
 }

@@ -11,5 +11,6 @@ pub mod rust;
 pub mod sym;
 
 pub use denavit_runtime_core::{drive, elementary, ik, runtime};
-pub use rust::krate::{MARK, Runtime, krate, krate_on, krate_with};
+pub use rust::krate::{Runtime, krate, krate_on, krate_with};
+pub use rust::manifest::{MARK, listed};
 pub use rust::module::{Module, module, module_on};

@@ -9,6 +9,7 @@ mod implementations;
 mod inverse;
 pub mod kernel_file;
 pub mod krate;
+pub mod manifest;
 pub mod module;
 mod names;
 mod numbers;

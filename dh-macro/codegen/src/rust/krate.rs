@@ -8,14 +8,10 @@ use super::comment::wrapped;
 use super::front::Front;
 use super::kernel_file::{self, Context};
 use super::numbers::{Gravity, Numbers};
-use super::{drive, implementations, parameters, shell, shipped, tests_file, words};
+use super::{drive, implementations, manifest, parameters, shell, shipped, tests_file, words};
 use crate::arm::{Function, Inverse, Kernel, Model};
 use crate::interpret::Interpreter;
-use crate::robot::{Robot, crate_name};
-
-/// First words of the `Cargo.toml` of every generated crate: by them a folder is known to be the
-/// generator's own.
-pub const MARK: &str = "# Written by `denavit generate`.";
+use crate::robot::Robot;
 
 /// The licences under which generated code may be used.
 const LICENCES: [(&str, &str); 2] =
@@ -129,17 +125,6 @@ pub fn krate_on(robot: &Robot, source: &str, further: &[Function], runtime: &Run
     );
     files.insert("README.md".into(), parts.readme);
     files.extend(LICENCES.map(|(path, text)| (path.to_string(), text.to_string())));
-    let name = crate_name(&robot.name);
-    let description = words::toml(&format!("Closed-form kinematics and dynamics of {}", robot.name));
-    let (place, dependencies) = match runtime {
-        Runtime::Shipped => ("A folder of its own: copy it anywhere.", String::new()),
-        Runtime::Crate(line) => ("It runs on denavit-runtime.", format!("denavit-runtime = {line}\n")),
-    };
-    files.insert(
-        "Cargo.toml".into(),
-        format!(
-            "{MARK} {place}\n[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\nlicense = \"MIT OR Apache-2.0\"\ndescription = {description}\nreadme = \"README.md\"\npublish = false\n\n[dependencies]\n{dependencies}\n[workspace]\n"
-        ),
-    );
+    files.insert("Cargo.toml".into(), manifest::print(&robot.name, runtime, &files));
     files
 }

@@ -134,6 +134,17 @@ pub(super) fn closed_form(form: &Polynomial, value: f64, constants: &[Constant],
     (sum.to_bits() == value.to_bits()).then_some(text)
 }
 
+/// A product of two lengths that the table gives as numbers, `0.088 * 0.088`, where it has the bits
+/// of `value` and is the shorter text.
+pub(super) fn product_of_lengths(value: f64, robot: &Robot) -> Option<String> {
+    let lengths = robot.joints.iter().flat_map(|j| [&j.d, &j.r]).filter_map(|l| l.closed_form.as_number());
+    let lengths: Vec<f64> = lengths.filter(|l| *l != 0.0).collect();
+    let sign = if value < 0.0 { "-" } else { "" };
+    let all = lengths.iter().flat_map(|a| lengths.iter().map(move |b| (a.abs(), b.abs())));
+    let mut texts = all.filter(|(a, b)| a * b == value.abs()).map(|(a, b)| format!("{sign}{a:?} * {b:?}"));
+    texts.find(|text| text.len() < format!("{value:?}").len())
+}
+
 /// `factor * L1 * (L2 * L2)`, rounded in this order, and its value.
 fn product(monomial: &[(usize, u32)], factor: f64, constants: &[Constant], path: &str) -> Option<(String, f64)> {
     let mut words = Vec::new();
@@ -167,5 +178,14 @@ mod tests {
         assert_eq!(text(&b.mul(&b).scale(3.0), 3.0 * (0.4 * 0.4)), Some("3.0 * (L2 * L2)".into()));
         assert_eq!(text(&a.add(&b.scale(-2.0)), 0.31 - 2.0 * 0.4), Some("L1 - 2.0 * L2".into()));
         assert_eq!(text(&Polynomial::number(0.5), 0.5), None);
+    }
+    #[test]
+    fn a_product_of_two_lengths_is_written_as_one() {
+        let text = include_str!("../../../../robots/franka-panda.yaml");
+        let robot = Robot::from_yaml(text, &|file| Err(file.to_string())).unwrap().robot;
+        let square = 0.088 * 0.088;
+        assert_eq!(product_of_lengths(-square, &robot), Some("-0.088 * 0.088".into()));
+        assert_eq!(product_of_lengths(0.007744, &robot), None, "not the same bits");
+        assert_eq!(product_of_lengths(0.5, &robot), None);
     }
 }

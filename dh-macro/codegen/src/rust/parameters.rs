@@ -2,7 +2,7 @@
 
 use super::inverse;
 use super::kernel_file::Context;
-use super::numbers::{Gravity, closed_form};
+use super::numbers::{Gravity, closed_form, product_of_lengths};
 use super::words;
 use crate::arm::{BaseParameter, Kernel, Model};
 use crate::robot::{JointKind, Limits, Robot};
@@ -89,7 +89,8 @@ fn groupings(model: &Model, context: &Context<'_>) -> String {
             .map(|((i, c), form)| {
                 let closed = closed_form(form, *c, context.constants, "");
                 symbols |= closed.is_some();
-                format!("({i}, {})", closed.unwrap_or_else(|| format!("{c:?}")))
+                let text = closed.or_else(|| product_of_lengths(*c, context.robot));
+                format!("({i}, {})", text.unwrap_or_else(|| format!("{c:?}")))
             })
             .collect();
         format!("&[{}]", entries.join(", "))

@@ -1,0 +1,54 @@
+//! The `Cargo.toml` of a generated crate. It lists the other files, so that the next run removes
+//! those that it no longer writes, and never a file of somebody else.
+
+use std::collections::BTreeMap;
+
+use super::krate::Runtime;
+use super::words;
+use crate::robot::crate_name;
+
+/// First words of the `Cargo.toml` of every generated crate: by them a folder is known to be the
+/// generator's own.
+pub const MARK: &str = "# Written by `denavit generate`.";
+
+/// Line before the list of files, and the line behind it.
+const LIST: [&str; 2] = ["files = [", "]"];
+
+/// The text of `Cargo.toml`; `files`: the others of the crate.
+pub(super) fn print(robot: &str, runtime: &Runtime, files: &BTreeMap<String, String>) -> String {
+    let name = crate_name(robot);
+    let description = words::toml(&format!("Closed-form kinematics and dynamics of {robot}"));
+    let (place, dependencies) = match runtime {
+        Runtime::Shipped => ("A folder of its own: copy it anywhere.", String::new()),
+        Runtime::Crate(line) => ("It runs on denavit-runtime.", format!("denavit-runtime = {line}\n")),
+    };
+    let list: String = files.keys().map(|path| format!("    {},\n", words::toml(path))).collect();
+    format!(
+        "{MARK} {place}\n[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\nlicense = \"MIT OR Apache-2.0\"\ndescription = {description}\nreadme = \"README.md\"\npublish = false\n\n# Files of the generator: the next run removes those that it no longer writes.\n[package.metadata.denavit]\n{}\n{list}{}\n\n[dependencies]\n{dependencies}\n[workspace]\n",
+        LIST[0], LIST[1]
+    )
+}
+
+/// Files that a `Cargo.toml` of the generator lists; none of another text.
+pub fn listed(manifest: &str) -> Vec<&str> {
+    if !manifest.starts_with(MARK) {
+        return Vec::new();
+    }
+    let list = manifest.lines().skip_while(|line| *line != LIST[0]).skip(1).take_while(|line| *line != LIST[1]);
+    list.filter_map(|line| line.trim().strip_prefix('"')?.strip_suffix("\",")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_list_is_read_as_it_was_written() {
+        let files = ["README.md", "src/ik/plane.rs", "src/lib.rs"];
+        let crate_files = files.iter().map(|path| (path.to_string(), String::new())).collect();
+        let text = print("arm", &Runtime::Shipped, &crate_files);
+        assert_eq!(listed(&text), files);
+        assert_eq!(listed(&text.replace(MARK, "# Mine.")), Vec::<&str>::new());
+        assert_eq!(listed(&format!("{MARK}\n[package]\n")), Vec::<&str>::new(), "before there was a list");
+    }
+}
