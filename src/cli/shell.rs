@@ -48,8 +48,11 @@ impl Man {
     }
 }
 
+/// Takes a page, with its name.
+type Writer<'a> = dyn FnMut(&str, &[u8]) -> Result<(), Failure> + 'a;
+
 /// The page of a command and those of its verbs, each with its name.
-fn pages(mut command: Command, write: &mut dyn FnMut(&str, &[u8]) -> Result<(), Failure>) -> Result<(), Failure> {
+fn pages(mut command: Command, write: &mut Writer<'_>) -> Result<(), Failure> {
     command.build();
     let name = command.get_bin_name().unwrap_or_else(|| command.get_name()).replace(' ', "-");
     let verbs: Vec<Command> = command.get_subcommands().filter(|verb| verb.get_name() != "help").cloned().collect();
