@@ -54,7 +54,8 @@ mod tests;
 pub use budget::{BudgetCollector, ErrorBudget, thinned, torque_of_errors};
 pub use consistent::{
     BoundedLeastSquares, Bounds, Consistent, ConsistentError, ConsistentSettings, Cost, Feasible, PriorBody,
-    Reproduced, Source, Stalled, body_of, consistent, geometric_bodies, possible_bodies, prior_bodies, pseudo_inertia,
+    Reproduced, Source, Stalled, body_of, buildable_links, consistent, geometric_bodies, possible_bodies, prior_bodies,
+    pseudo_inertia,
 };
 pub use known_effects::KnownEffects;
 pub use regression::accumulator::{AccumulatorSettings, Factors, JointFactor, QrAccumulator};

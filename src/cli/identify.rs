@@ -18,8 +18,8 @@ use crate::identify::tool::Body;
 use crate::identify::{
     AccumulatorSettings, Better, Bounds, BudgetCollector, Consistent, ConsistentError, ConsistentSettings, Essential,
     Factors, Identification, IdentifyError, IdentifySettings, KnownEffects, LeftOutError, Preference, PriorBody,
-    QrAccumulator, Reference, TorqueColumns, Trace, Tracer, carry_over, consistent, geometric_bodies, left_out,
-    nonnegative_drives, possible_bodies, prior_bodies, recover_standard, solve,
+    QrAccumulator, Reference, TorqueColumns, Trace, Tracer, buildable_links, carry_over, consistent, geometric_bodies,
+    left_out, nonnegative_drives, possible_bodies, prior_bodies, recover_standard, solve,
 };
 use crate::model::coupled::Coupled;
 use crate::model::interpreted::Interpreted;
@@ -120,7 +120,8 @@ enum Consistency {
     Auto,
     /// Possible bodies, or an error.
     Require,
-    /// The plain values, for torques alone; rotor inertias and friction levels are not below zero.
+    /// The plain values; rotor inertias and friction levels are not below zero. The robot file is
+    /// written where links that could be built have these values.
     Never,
 }
 
@@ -155,7 +156,7 @@ impl Identify {
 
         let effects = FileEffects::of(&file.robot, &[EffectKind::GearCoupling]);
         effects.iter().for_each(|effects| effects.prepare(&mut prepare));
-        let known = effects.as_ref().and_then(|effects| effects.known(&arm, prior.as_deref(), &prepare));
+        let known = effects.as_ref().and_then(|effects| effects.known(&arm, prior.as_deref(), prepare.filter));
         let Read { fit, validate, mut prepared, logbook, parts } =
             self.read(&arm, &prepare, known.as_ref(), Logbook::of(&file.text))?;
         against_limits(&mut prepared, &file.robot, prepare.keep)?;
@@ -200,10 +201,23 @@ impl Identify {
         let complete =
             file.robot.links.len() == file.robot.joints.len() && file.robot.links.iter().all(Option::is_some);
         let near = self.prior == PriorFrom::Cad && complete && matches!(possible, Some(Ok(_)));
-        // Impossible bodies are written where the user asks for torques alone, and where these
-        // predict the torque of some joint.
         let refused = matches!(possible, Some(Err(_)));
-        let nothing = refused || (possible.is_none() && !underdetermined && carry.says_nothing(&found));
+        let floors = floors(&file.robot, &arm);
+        let mut written = match &possible {
+            Some(Ok(bodies)) => Written::bodies(exact.as_ref().unwrap_or(&bodies.standard), &arm, &found, &floors),
+            _ => Written::plain(&arm, &fit, &validate, &found, &solving, &floors)?,
+        };
+        // Plain values are written where they predict the torque of some joint, and links that
+        // could be built have them.
+        let idle = possible.is_none() && !underdetermined && carry.says_nothing(&found);
+        let unbuildable = match possible {
+            None if self.out.is_some() => {
+                let (prior, settings) = (self.prior_of(&file.robot, &bodies), self.settings(&file.robot, &arm)?);
+                written.with_buildable_links(&arm, &prior, &settings)
+            }
+            _ => Vec::new(),
+        };
+        let nothing = refused || idle || !unbuildable.is_empty();
         let out = self.out.as_ref().filter(|_| !nothing && (!underdetermined || near));
         let possible = possible.as_ref().map(|result| report::Possible {
             result: result.as_ref(),
@@ -213,11 +227,7 @@ impl Identify {
         });
         let mut warnings = report::identify_warnings(&found, &prepared, Some(&carry), possible.as_ref());
         effects.iter().for_each(|effects| warnings.push(effects.sentence(known.is_some())));
-        let floors = floors(&file.robot, &arm);
-        let Written { standard, at_bound, warning } = match possible.as_ref().map(|p| p.result) {
-            Some(Ok(bodies)) => Written::bodies(exact.as_ref().unwrap_or(&bodies.standard), &arm, &found, &floors),
-            _ => Written::plain(&arm, &fit, &validate, &found, &solving, &floors)?,
-        };
+        let Written { standard, at_bound, warning } = written;
         warning.into_iter().filter(|_| out.is_some()).for_each(|text| warnings.push(text));
         if let Some(path) = &self.report {
             let traces = self.traces(&arm, &found, &prepare, known.as_ref())?;
@@ -252,28 +262,47 @@ impl Identify {
                 files::print(&format!("wrote {}\n", path.display()))?;
             }
         }
-        self.ended(underdetermined, refused, out)
+        self.outcome(underdetermined, out, refused, &unbuildable)
     }
 
-    /// What became of the robot file that was asked for.
-    fn ended(&self, underdetermined: bool, refused: bool, out: Option<&PathBuf>) -> Result<(), Failure> {
-        match (underdetermined, out) {
-            (false, None) if refused && self.out.is_some() => Err(Failure::other(
-                "no robot file was written, as no possible bodies explain the logs (see the warning); `--consistent=never` writes the plain values, which give \
-                 torques alone",
-            )),
-            (false, None) if self.out.is_some() => Err(Failure::other(
-                "no robot file was written, as the plain values predict no joint's torque in other motions; record a richer motion",
-            )),
-            (false, _) => Ok(()),
-            (true, Some(path)) => Err(Failure::other(format!(
+    /// Exit status: whether what was asked for was written, and if not, why.
+    fn outcome(
+        &self,
+        underdetermined: bool,
+        out: Option<&PathBuf>,
+        refused: bool,
+        unbuildable: &[usize],
+    ) -> Result<(), Failure> {
+        let Some(path) = out else {
+            let not_written = match underdetermined {
+                true => {
+                    return Err(Failure::other(
+                        "the logs do not determine the parameters, so no robot file was written; record a longer motion of all joints",
+                    ));
+                }
+                false if self.out.is_none() => return Ok(()),
+                false if refused => {
+                    "no possible bodies explain the logs (see the warning); `--most-cost 1000` takes the nearest ones, and --json has the plain values".to_string()
+                }
+                false if !unbuildable.is_empty() => {
+                    let links: Vec<String> = unbuildable.iter().map(usize::to_string).collect();
+                    format!(
+                        "no links that could be built have the plain values (impossible: link {}); without `--consistent=never` links are fitted that could be \
+                         built, and --json has the plain values",
+                        links.join(", ")
+                    )
+                }
+                false => "the plain values predict no joint's torque in other motions; record a richer motion".to_string(),
+            };
+            return Err(Failure::other(format!("no robot file was written, as {not_written}")));
+        };
+        match underdetermined {
+            false => Ok(()),
+            true => Err(Failure::other(format!(
                 "the logs do not determine the parameters; {} has possible bodies near the links of {}, and no measurement",
                 path.display(),
                 self.robot.display()
             ))),
-            (true, None) => Err(Failure::other(
-                "the logs do not determine the parameters, so no robot file was written; record a longer motion of all joints",
-            )),
         }
     }
 
@@ -287,12 +316,6 @@ impl Identify {
         validate: &[Factors],
         found: &Identification,
     ) -> Result<Result<Consistent, ConsistentError>, Failure> {
-        if !(self.prior_weight > 0.0 && self.prior_weight.is_finite()) {
-            return Err(Failure::input(format!("--prior-weight {}: a number above 0", self.prior_weight)));
-        }
-        if self.most_cost.is_nan() || self.most_cost <= 0.0 {
-            return Err(Failure::input(format!("--most-cost {}: percent, above 0", self.most_cost)));
-        }
         let (settings, prior) = (self.settings(robot, arm)?, self.prior_of(robot, reach));
         match consistent(arm, fit, validate, found, &prior, &drives(robot), &settings) {
             Err(error @ ConsistentError::Bounds { .. }) => Err(Failure::input(error)),
@@ -373,7 +396,7 @@ impl Identify {
         Ok(Prepare { derivatives, adaptive: self.preparation.by_the_log(), ..self.preparation.prepare(robot)? })
     }
 
-    /// Refuses options that would change nothing beside the others.
+    /// Refuses options that are out of range, or would change nothing beside the others.
     fn check_options(&self) -> Result<(), Failure> {
         let plain = self.consistent == Consistency::Never;
         let defaults = [
@@ -387,6 +410,12 @@ impl Identify {
             return Err(Failure::input(format!(
                 "{option} is of possible bodies, and --consistent=never asks for none; leave one of the two out"
             )));
+        }
+        if !(self.prior_weight > 0.0 && self.prior_weight.is_finite()) {
+            return Err(Failure::input(format!("--prior-weight {}: a number above 0", self.prior_weight)));
+        }
+        if self.most_cost.is_nan() || self.most_cost <= 0.0 {
+            return Err(Failure::input(format!("--most-cost {}: percent, above 0", self.most_cost)));
         }
         let rest = matches!(self.derivatives, Source::Rest);
         self.preparation.check_options(rest.then_some("--derivatives rest takes every joint as standing"))
@@ -514,6 +543,21 @@ impl Written {
             at_bound.push(name.clone());
         }
         Ok(Self { standard, at_bound, warning })
+    }
+
+    /// Puts links that could be built in place of others with the same torques; the impossible ones
+    /// (from 1) where there are no such links.
+    fn with_buildable_links(
+        &mut self,
+        arm: &dyn Arm,
+        prior: &[PriorBody],
+        settings: &ConsistentSettings,
+    ) -> Vec<usize> {
+        match buildable_links(arm, &self.standard, prior, settings) {
+            Ok(standard) => self.standard = standard,
+            Err(impossible) => return impossible,
+        }
+        Vec::new()
     }
 }
 

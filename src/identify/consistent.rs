@@ -41,7 +41,7 @@ pub use crate::model::pseudo_inertia::{body_of, pseudo_inertia};
 pub use bounds::Bounds;
 pub use least_squares::{BoundedLeastSquares, Feasible};
 pub use newton::Stalled;
-pub use reproduce::{Reproduced, possible_bodies};
+pub use reproduce::{Reproduced, buildable_links, possible_bodies};
 
 use newton::Weights;
 use setup::{Data, Setup};

@@ -15,7 +15,7 @@ const NOISE: f64 = 0.005; // N m, standard deviation of the torque signal
 
 /// Records the robot in a periodic motion (five harmonics of 0.1 Hz per joint, within a rad or so),
 /// 250 samples per second.
-fn record(seconds: usize, seed: u64) -> String {
+pub(super) fn record(seconds: usize, seed: u64) -> String {
     record_with(seconds, seed, |_, _, _| {})
 }
 
@@ -367,14 +367,48 @@ fn impossible_drives_and_bodies_are_not_written() {
     let said: Value = serde_json::from_str(&said.out).unwrap();
     assert!(strings(&said["at_bound"]).contains(&"FC3"), "{}", said["at_bound"]);
     let run = denavit(&["identify", ROBOT, &log, "--consistent=never", "--out", &out]);
+    if run.status == Some(1) {
+        assert!(run.err.contains("no links that could be built have the plain values"), "{}", run.err);
+        assert!(!std::path::Path::new(&out).exists());
+        return;
+    }
     assert_eq!(run.status, Some(0), "{}", run.err);
     assert!(run.out.contains("came out negative") && run.out.contains("FC3"), "{}", run.out);
+    assert_links_could_be_built(&out);
     for joint in read_robot(&out).joints {
         let drive = joint.drive;
         for level in [drive.rotor_inertia, drive.viscous_friction, drive.coulomb_friction].into_iter().flatten() {
             assert!(level >= 0.0, "{}: {level}", joint.name);
         }
     }
+}
+
+fn assert_links_could_be_built(robot: &str) {
+    for (link, body) in (1..).zip(&read_robot(robot).links) {
+        body.as_ref().unwrap().physical().unwrap_or_else(|why| panic!("link {link}: {why}"));
+    }
+}
+
+/// The plain values of a log: links that could be built and have them are written, and none where
+/// the torques are those of a negative inertia.
+#[test]
+fn plain_values_are_written_with_links_that_could_be_built_or_not_at_all() {
+    let folder = folder("identify-plain");
+    let right = file(&folder, "right.csv", record(20, 31));
+    let [out, none] = ["out.yaml", "none.yaml"].map(|f| folder.join(f).display().to_string());
+    let said = json(&["identify", ROBOT, &right, "--consistent=never", "--out", &out, "--json", "-"]);
+    assert_links_could_be_built(&out);
+    let again = json(&["identify", &out, &right, "--json", "-"]);
+    for (a, b) in numbers(&again["rms"]["fit_before"]).iter().zip(numbers(&said["rms"]["fit"])) {
+        assert!((a - b).abs() < 1e-4, "{a} {b}");
+    }
+    let wrong = record_with(20, 32, |_, ddq, tau| tau[6] -= 0.5 * ddq[6]);
+    let wrong = file(&folder, "wrong.csv", wrong);
+    let run = denavit(&["identify", ROBOT, &wrong, "--consistent=never", "--out", &none]);
+    assert_eq!(run.status, Some(1), "{}{}", run.out, run.err);
+    assert!(run.err.contains("no links that could be built have the plain values"), "{}", run.err);
+    assert!(run.out.contains("ZZ7"), "{}", run.out);
+    assert!(!std::path::Path::new(&none).exists());
 }
 
 /// A spring on joint 2 that the file knows: the fit is beside it, and it stays in the file.

@@ -7,7 +7,8 @@ use super::ConsistentSettings;
 use super::PriorBody;
 use super::newton::Weights;
 use super::setup::{Data, Setup};
-use crate::identify::regression::recover::base_of;
+use crate::identify::regression::nonnegative::is_level;
+use crate::identify::regression::recover::{base_of, implausible_links};
 use crate::model::Arm;
 
 /// Bodies that have these base parameters, or come nearest.
@@ -87,4 +88,49 @@ pub fn possible_bodies(
     let residual: Vec<f64> = base_of(arm, &standard).iter().zip(base).map(|(a, b)| a - b).collect();
     let worst = residual.iter().zip(&sizes).map(|(r, s)| (r / s).abs()).fold(0.0, f64::max);
     Ok(Reproduced { margins: setup.margins(&v), exact: worst < 1e-9, standard, residual, worst })
+}
+
+/// Residual, relative to what such a parameter may be, below which base parameters count as met:
+/// torques of a robot's size agree to some 1e-5 N m.
+const MET: f64 = 1e-6;
+
+/// `standard` with links that can be built, its drives and base parameters kept.
+///
+/// `standard` comes back as it is where its own links, without what is fixed to them, are possible.
+///
+/// # Errors
+/// The links of `standard` (from 1) that no body can have, where no others have its base parameters.
+pub fn buildable_links(
+    arm: &dyn Arm,
+    standard: &[f64],
+    prior: &[PriorBody],
+    settings: &ConsistentSettings,
+) -> Result<Vec<f64>, Vec<usize>> {
+    let names = arm.standard_names();
+    let mut own = standard.to_vec();
+    for (link, body) in &settings.carried {
+        own.iter_mut().skip(10 * link).zip(body).for_each(|(own, carried)| *own -= carried);
+    }
+    let impossible = implausible_links(names, &own);
+    if impossible.is_empty() {
+        return Ok(standard.to_vec());
+    }
+    // Drives with a base parameter of their own are known. The barrier of their bound would keep
+    // them off it, so the bound is put below them.
+    let known = arm.base_parameters().iter().filter_map(|base| match base.coefficients[..] {
+        [(i, _)] if is_level(&names[i]) => Some(i),
+        _ => None,
+    });
+    let known: Vec<usize> = known.collect();
+    let others = settings.floors.iter().filter(|(i, _)| !known.contains(i)).copied();
+    let floors = others.chain(known.iter().map(|&i| (i, standard[i] - 1.0))).collect();
+    let settings = ConsistentSettings { floors, ..settings.clone() };
+    match possible_bodies(arm, &base_of(arm, standard), prior, standard, &settings) {
+        Ok(met) if met.worst < MET => {
+            let mut links = met.standard;
+            known.iter().for_each(|&i| links[i] = standard[i]);
+            Ok(links)
+        }
+        _ => Err(impossible),
+    }
 }

@@ -10,7 +10,9 @@ use super::newton::Weights;
 use super::setup::{Data, Setup, grouping};
 use super::*;
 use crate::data::signal::Motion;
-use crate::identify::{AccumulatorSettings, IdentifySettings, QrAccumulator, solve};
+use crate::identify::{
+    AccumulatorSettings, IdentifySettings, QrAccumulator, implausible_links, recover_standard, solve,
+};
 use crate::model::interpreted::Interpreted;
 use crate::model::rigid_body::random::Family;
 use crate::model::{LinkExtents, States};
@@ -250,6 +252,36 @@ fn base_parameters_of_possible_bodies_are_reproduced() {
             Ok(result) => assert!(!result.exact && result.residual[heaviest] > 0.5, "{:?}", result.residual),
             Err(error) => assert!(matches!(error, ConsistentError::Stalled(_)), "{error}"),
         }
+    }
+}
+
+/// Base parameters leave the links open: those of least change may be impossible where others with
+/// the same torques could be built, a friction level at its bound included.
+#[test]
+fn links_that_could_be_built_have_the_same_base_parameters() {
+    let settings = ConsistentSettings::default();
+    for seed in 0..4 {
+        let (_, arm, mut truth) = robot(700 + seed, [2, 7]);
+        let names = arm.standard_names();
+        let friction = names.iter().position(|n| n.starts_with("FC") || n.starts_with("FV"));
+        friction.iter().for_each(|&i| truth[i] = 0.0);
+        let base = base_of(&arm, &truth);
+        let mut plain = recover_standard(&arm, &base, None).unwrap();
+        assert!(!implausible_links(names, &plain).is_empty(), "seed {seed}");
+        let prior = prior_bodies(&[], &geometric_bodies(&arm.ends()));
+        let built = buildable_links(&arm, &plain, &prior, &settings).unwrap();
+        assert!(implausible_links(names, &built).is_empty(), "seed {seed}");
+        friction.iter().for_each(|&i| assert_eq!(built[i], 0.0));
+        for (a, b) in base_of(&arm, &built).iter().zip(&base) {
+            assert!((a - b).abs() < 1e-5, "seed {seed}: {a} {b}");
+        }
+        assert_eq!(buildable_links(&arm, &built, &prior, &settings).as_ref(), Ok(&built));
+        // A moment of inertia below zero is no arm's.
+        let heaviest = arm.base_parameters().iter().position(|b| b.name.starts_with("ZZ")).unwrap();
+        let mut none = base.clone();
+        none[heaviest] = -1.0;
+        plain = recover_standard(&arm, &none, None).unwrap();
+        assert_eq!(buildable_links(&arm, &plain, &prior, &settings), Err(implausible_links(names, &plain)));
     }
 }
 

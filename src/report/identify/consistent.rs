@@ -148,7 +148,7 @@ pub(in crate::report) fn preferred(found: &Identification, c: &Consistent, possi
             let elsewhere = match possible.left_out {
                 Some(Ok(p)) if p.better() == Better::First => format!(
                     " On parts of the fitted logs that were left out in turn it is {} too: the model lacks something. `denavit diagnose` looks for it; a drive of which the \
-                     torque is the motor's needs `{ROTOR}: 0` in the robot file, a wrist with coupled gears `{COUPLING}`. For torques alone `--consistent=never` keeps the plain values.",
+                     torque is the motor's needs `{ROTOR}: 0` in the robot file, a wrist with coupled gears `{COUPLING}`. `--consistent=never` keeps the plain values where links that could be built have them.",
                     beside(p)
                 ),
                 Some(Ok(p)) if p.better() == Better::Second => format!(
