@@ -3,6 +3,7 @@
 #![deny(clippy::print_stdout, clippy::print_stderr)] // `terminal` writes, and shows control characters
 
 mod check;
+mod column_check;
 mod diagnose;
 mod eval;
 mod excite;
@@ -93,7 +94,7 @@ impl Cli {
     /// # Errors
     /// What clap says: wrong use, or help and version to be printed.
     pub fn of_process() -> Result<Self, clap::Error> {
-        let mut command = Self::command();
+        let mut command = with_negative_numbers(Self::command());
         let matches = command.try_get_matches_from_mut(std::env::args_os())?;
         let mut cli = Self::from_arg_matches(&matches).map_err(|e| e.format(&mut command))?;
         cli.provenance = provenance::Provenance::new(&command, &matches);
@@ -128,6 +129,17 @@ impl Cli {
             Command::Man(verb) => verb.run(Self::command()),
         }
     }
+}
+
+/// Lets every option take a negative number as its value: its own check then says what is wrong
+/// with it, not the parser that there is no option `-5`.
+fn with_negative_numbers(command: clap::Command) -> clap::Command {
+    command
+        .mut_args(|arg| match arg.get_action().takes_values() && !arg.is_positional() {
+            true => arg.allow_negative_numbers(true),
+            false => arg,
+        })
+        .mut_subcommands(with_negative_numbers)
 }
 
 /// Why a command stopped.

@@ -8,16 +8,19 @@ use dh_codegen::robot::Robot;
 use indicatif::ProgressBar;
 
 use super::Failure;
+use super::column_check::ColumnCheck;
 use super::files;
+use super::known_effects::FileEffects;
 use super::logbook::{Logbook, Purpose};
 use super::mapping::MapOption;
 use super::motors;
-use super::prepare::{Torque, keep, torque_constants, warned};
+use super::prepare::{Torque, against_limits, keep, torque_constants, warned};
 use super::provenance::Provenance;
 use crate::data::log::Acceptance;
-use crate::data::signal::{Prepare, PrepareError, Prepared};
+use crate::data::signal::{Motion, Prepare, PrepareError, Prepared};
 use crate::diagnose::{self, Cause, Diagnosis, Recording, Separation, Settings};
 use crate::identify::implausible_links;
+use crate::model::PerturbableArm;
 use crate::model::file_torque_model::FileTorqueModel;
 use crate::model::perturbable_robot::PerturbableRobot;
 use crate::report;
@@ -72,7 +75,7 @@ pub(super) struct Diagnose {
     /// `current` (motor current times the robot file's `torque_constant`).
     #[arg(long, value_enum, default_value_t = Torque::Tau)]
     torque: Torque,
-    /// Acceptance what is normally refused, as `identify` does.
+    /// Accept what is normally refused, as for `identify`.
     #[arg(long, value_delimiter = ',', value_name = "WHAT")]
     keep: Vec<String>,
     #[command(flatten)]
@@ -109,12 +112,7 @@ struct Reading {
 
 impl Diagnose {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
-        if let Some(cutoff) = self.cutoff.filter(|cutoff| !(*cutoff > 0.0 && cutoff.is_finite())) {
-            return Err(Failure::input(format!("--cutoff {cutoff}: a frequency in Hz above 0")));
-        }
-        if !(self.rate >= 10.0 && self.rate <= 1e5) {
-            return Err(Failure::input(format!("--rate {}: windows per second, from 10 to 100000", self.rate)));
-        }
+        self.check_options()?;
         let keep = keep(&self.keep)?;
         let file = files::robot(&self.robot)?;
         motors::on_every_joint(&self.robot, &file.robot, "a diagnosis takes the torque of every joint from the log")?;
@@ -123,7 +121,9 @@ impl Diagnose {
             file.read.iter().chain(&self.logs).chain(&self.validate),
         )?;
         let plant = PerturbableRobot::new(&file.robot);
-        let constants = torque_constants(&file.robot);
+        let effects = FileEffects::of(&file.robot, &[]);
+        let known = effects.as_ref().and_then(|effects| effects.known(&plant, plant.given(), None));
+        let check = ColumnCheck::new(&file.robot, &plant, plant.given(), known, keep);
         let mut reading = Reading {
             provenance: provenance.robot(&self.robot, &file),
             logbook: Logbook::of(&file.text),
@@ -131,7 +131,7 @@ impl Diagnose {
             ..Reading::default()
         };
         let mut read = |purpose: Purpose, paths: &[PathBuf]| -> Result<Vec<Recording>, Failure> {
-            paths.iter().map(|path| self.record(purpose, path, &constants, keep, &mut reading)).collect()
+            paths.iter().map(|path| self.record(purpose, path, &file.robot, &check, keep, &mut reading)).collect()
         };
         let (fit, validate) = (read(Purpose::Fit, &self.logs)?, read(Purpose::Validate, &self.validate)?);
         let Reading { prepared, logbook, provenance, .. } = reading;
@@ -149,6 +149,16 @@ impl Diagnose {
         let measured = if self.validate.is_empty() { &fit } else { &validate };
         let written = self.out.as_ref().map(|path| self.extended_file(path, &found, &file, measured, &provenance));
         self.deliver(&found, written, next.as_ref(), &prepared, &provenance)
+    }
+
+    fn check_options(&self) -> Result<(), Failure> {
+        if let Some(cutoff) = self.cutoff.filter(|cutoff| !(*cutoff > 0.0 && cutoff.is_finite())) {
+            return Err(Failure::input(format!("--cutoff {cutoff}: a frequency in Hz above 0")));
+        }
+        if !(self.rate >= 10.0 && self.rate <= 1e5) {
+            return Err(Failure::input(format!("--rate {}: windows per second, from 10 to 100000", self.rate)));
+        }
+        Ok(())
     }
 
     /// The robot file with what was found in it, read back and measured by its own inverse
@@ -178,7 +188,8 @@ impl Diagnose {
         }
         let model = FileTorqueModel::new(&back).ok();
         let rms = model.map(|model| diagnose::written_errors(&model, measured, found.own_validation));
-        let check = WrittenCheck { rms, offered: found.extended.validate.clone() };
+        let offered = found.extended.validate.clone();
+        let check = WrittenCheck { rms, offered, own_validation: found.own_validation };
         let differs = check.refusal(&shown);
         let text = match &differs {
             Some(words) => file.rewritten(&robot, path, &provenance.run([vec![words.clone()], causes].concat())),
@@ -257,27 +268,34 @@ impl Diagnose {
         &self,
         purpose: Purpose,
         path: &Path,
-        constants: &[Option<f64>],
+        robot: &Robot,
+        check: &ColumnCheck<'_>,
         keep: Acceptance,
         reading: &mut Reading,
     ) -> Result<Recording, Failure> {
         let by_the_log = self.cutoff.is_none();
         let mut cutoff = self.cutoff.unwrap_or(diagnose::HIGHEST);
+        let constants = torque_constants(robot);
         loop {
             let prepare = Prepare {
                 torque: self.torque.quantity(),
-                torque_constants: constants.to_vec(),
+                torque_constants: constants.clone(),
                 reading: reading.columns.clone(),
                 keep,
                 ..if by_the_log { diagnose::preparation(cutoff) } else { diagnose::fixed_preparation(cutoff) }
             };
             let mut recording = Recording::new(&path.display().to_string());
-            match reading
-                .logbook
-                .try_pass(purpose, path, constants.len(), &prepare, |motion| recording.absorb(motion))?
-            {
+            let mut columns = check.columns();
+            let sink = |motion: &Motion| {
+                check.absorb(&mut columns, motion);
+                recording.absorb(motion);
+            };
+            match reading.logbook.try_pass(purpose, path, constants.len(), &prepare, sink)? {
                 Ok(found) => {
-                    reading.prepared.push(warned(path, found));
+                    let mut found = warned(path, found);
+                    against_limits(std::slice::from_mut(&mut found), robot, keep)?;
+                    check.finish(&columns, &mut found)?;
+                    reading.prepared.push(found);
                     if by_the_log && cutoff < diagnose::HIGHEST {
                         let what = format!("cut-off for {}, as it is sampled slowly", path.display());
                         reading.provenance =

@@ -44,7 +44,7 @@ pub(super) struct Excite {
     #[arg(long, value_name = "CSV")]
     check: Option<PathBuf>,
     /// Length of the motion, s (of one period with --fourier).
-    #[arg(long, default_value_t = 10.0, value_name = "SECONDS", allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 10.0, value_name = "SECONDS")]
     duration: f64,
     /// What is minimised: condition number, -log det, Hadamard's bound (the paper's equation 9),
     /// sum of variances, largest variance.

@@ -7,16 +7,18 @@ use clap::{Args, ValueEnum};
 use dh_codegen::arm::param;
 
 use super::Failure;
+use super::column_check::ColumnCheck;
 use super::files;
+use super::known_effects::FileEffects;
 use super::logbook::{Logbook, Purpose};
 use super::motors;
-use super::prepare::{Preparation, pass, warned};
+use super::prepare::{Preparation, against_limits, pass, warned};
 use super::provenance::Provenance;
 use crate::control::estimate::{
     self, Bias, BiasPass, COMPONENTS, Effected, Known, Linear, MOST_JOINTS, Method, NoisePass, NoiseSource, Run,
     Series, Torques, Uncertainty,
 };
-use crate::data::signal::Prepare;
+use crate::data::signal::{Motion, Prepare};
 use crate::model::Arm;
 use crate::model::file_torque_model::FileTorqueModel;
 use crate::model::interpreted::Interpreted;
@@ -117,21 +119,7 @@ fn pair(text: &str) -> Result<[f64; 2], String> {
 
 impl Force {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
-        if self.out.is_some() && self.logs.len() > 1 {
-            return Err(Failure::input("--out writes the wrench of one log; run the command once for each log"));
-        }
-        if let Some(gain) = self.gain.filter(|gain| !(*gain > 0.0 && *gain < 1e4)) {
-            return Err(Failure::input(format!("--gain {gain}: 1/s, above 0 and below 10000")));
-        }
-        let belongs = [
-            (self.gain.is_some(), "--gain", matches!(self.estimator, Estimator::Momentum), "momentum"),
-            (self.wander.is_some(), "--wander", matches!(self.estimator, Estimator::Kalman), "kalman"),
-        ];
-        if let Some((_, option, _, estimator)) = belongs.iter().find(|(given, _, its, _)| *given && !its) {
-            return Err(Failure::input(format!(
-                "{option} has no effect on this estimator; leave it out, or add --estimator {estimator}"
-            )));
-        }
+        self.check_options()?;
         let file = files::robot(&self.robot)?;
         motors::on_every_joint(&self.robot, &file.robot, "the estimate takes the torque of every joint from the log")?;
         files::check_outputs(
@@ -180,6 +168,9 @@ impl Force {
 
         let joints = file.robot.moving().into_iter().map(|row| &file.robot.joints[row]);
         let limits: Vec<f64> = joints.map(|j| j.limits.torque.unwrap_or(f64::INFINITY)).collect();
+        let effects = FileEffects::of(&file.robot, &[]);
+        let effects = effects.as_ref().and_then(|e| e.known(&arm, Some(&standard), None));
+        let check = ColumnCheck::new(&file.robot, &arm, Some(&standard), effects, prepare.keep);
         let (mut found, mut prepared, mut logbook) = (Vec::new(), Vec::new(), Logbook::default());
         for path in &self.logs {
             let known =
@@ -187,8 +178,15 @@ impl Force {
             let mut tool = arm.bodies(&standard);
             let shown = path.display().to_string();
             let mut run = Run::new(&shown, known, &mut tool, settings.clone()).map_err(Failure::input)?;
-            let log = logbook.pass(Purpose::Estimate, path, arm.dof(), &prepare, |motion| run.absorb(motion))?;
-            prepared.push(warned(path, log));
+            let mut columns = check.columns();
+            let sink = |motion: &Motion| {
+                check.absorb(&mut columns, motion);
+                run.absorb(motion);
+            };
+            let mut log = warned(path, logbook.pass(Purpose::Estimate, path, arm.dof(), &prepare, sink)?);
+            against_limits(std::slice::from_mut(&mut log), &file.robot, prepare.keep)?;
+            check.finish(&columns, &mut log)?;
+            prepared.push(log);
             let mut series = run.finish();
             if self.against == Some(Against::Measured) && series.measured.is_empty() {
                 return Err(Failure::input(format!(
@@ -208,6 +206,26 @@ impl Force {
             .with("low-pass", Preparation::low_pass(&prepare))
             .with("errors of the model", &known_from);
         self.deliver(&outcome, &prepared, &provenance)
+    }
+
+    /// Refuses options that are out of range, or would change nothing beside the others.
+    fn check_options(&self) -> Result<(), Failure> {
+        if self.out.is_some() && self.logs.len() > 1 {
+            return Err(Failure::input("--out writes the wrench of one log; run the command once for each log"));
+        }
+        if let Some(gain) = self.gain.filter(|gain| !(*gain > 0.0 && *gain < 1e4)) {
+            return Err(Failure::input(format!("--gain {gain}: 1/s, above 0 and below 10000")));
+        }
+        let belongs = [
+            (self.gain.is_some(), "--gain", matches!(self.estimator, Estimator::Momentum), "momentum"),
+            (self.wander.is_some(), "--wander", matches!(self.estimator, Estimator::Kalman), "kalman"),
+        ];
+        if let Some((_, option, _, estimator)) = belongs.iter().find(|(given, _, its, _)| *given && !its) {
+            return Err(Failure::input(format!(
+                "{option} has no effect on this estimator; leave it out, or add --estimator {estimator}"
+            )));
+        }
+        Ok(())
     }
 
     fn bias_of(&self, arm: &Interpreted, torques: &dyn Torques, prepare: &Prepare) -> Result<Option<Bias>, Failure> {

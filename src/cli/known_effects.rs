@@ -2,7 +2,7 @@
 
 use dh_codegen::robot::{EffectKind, Robot};
 
-use crate::data::signal::{Motion, Prepare};
+use crate::data::signal::{Filter, Motion, Prepare};
 use crate::identify::KnownEffects;
 use crate::model::Arm;
 use crate::model::file_torque_model::FileTorqueModel;
@@ -36,14 +36,15 @@ impl FileEffects {
         }
     }
 
-    /// What takes them out of a log's torque, given the file's parameters in the arm's order.
+    /// What takes them out of a log's torque, which went through `filter`, given the file's
+    /// parameters in the arm's order.
     pub(super) fn known<'a>(
         &'a self,
         arm: &'a dyn Arm,
         standard: Option<&[f64]>,
-        prepare: &Prepare,
+        filter: Option<Filter>,
     ) -> Option<KnownEffects<'a>> {
-        KnownEffects::new(self.model.as_ref()?, arm, standard?, prepare.filter)
+        KnownEffects::new(self.model.as_ref()?, arm, standard?, filter)
     }
 
     /// What becomes of them, in a line.

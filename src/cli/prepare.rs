@@ -26,16 +26,16 @@ pub(super) struct Preparation {
     /// Cut-off frequency of the low-pass, Hz; 0 for none. Default: 10; `identify` takes for each joint
     /// the one at which the error expected of its acceleration is least, given the spectrum of its
     /// motion and the noise of its encoder, at most 10.
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long)]
     cutoff: Option<f64>,
     /// Order of one pass of the Butterworth low-pass.
     #[arg(long, default_value_t = 5)]
     order: usize,
     /// Seconds cut off both ends of each stretch.
-    #[arg(long, default_value_t = 0.2, allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 0.2)]
     trim: f64,
     /// Seconds by which the torque is late against the positions; it is moved back by as much.
-    #[arg(long, default_value_t = 0.0, value_name = "SECONDS", allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 0.0, value_name = "SECONDS")]
     delay: f64,
     /// Use every n-th sample, after the low-pass.
     #[arg(long, default_value_t = 1, value_name = "N")]
@@ -47,10 +47,10 @@ pub(super) struct Preparation {
     /// Speed up to which a joint is at rest, rad/s: its dry friction is then anything within its
     /// breakaway level, and rows do not tell its Coulomb level. Default: three standard deviations
     /// of the speed's noise in the log; 0: never at rest.
-    #[arg(long, value_name = "SPEED", allow_negative_numbers = true)]
+    #[arg(long, value_name = "SPEED")]
     dead_zone: Option<f64>,
-    /// Acceptance what is normally refused: bad-rows, gaps, restarts, duplicates, irregular-clock,
-    /// stuck, clipped, dead-torque, large-angles, torque-unit, or all.
+    /// Accept what is normally refused: bad-rows, gaps, restarts, duplicates, irregular-clock,
+    /// stuck, clipped, dead-torque, large-angles, torque-unit, misread, or all.
     #[arg(long, value_delimiter = ',', value_name = "WHAT")]
     keep: Vec<String>,
     #[command(flatten)]

@@ -53,7 +53,7 @@ pub(super) struct Simulate {
     control: Option<ControlMode>,
     /// No torque: a swing of so many seconds from rest, from the trajectory's first row or from
     /// --start.
-    #[arg(long, value_name = "SECONDS", conflicts_with = "control", allow_negative_numbers = true)]
+    #[arg(long, value_name = "SECONDS", conflicts_with = "control")]
     free: Option<f64>,
     /// Where a free swing starts: q1,q2,.. in rad.
     #[arg(long, value_name = "Q", value_delimiter = ',', allow_hyphen_values = true, requires = "free")]

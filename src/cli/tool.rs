@@ -54,12 +54,12 @@ pub(super) struct ToolVerb {
     #[arg(long, value_name = "DIR")]
     tools: Option<PathBuf>,
     /// Mass from a scale, kg; the other nine are then known better.
-    #[arg(long, value_name = "KG", allow_negative_numbers = true)]
+    #[arg(long, value_name = "KG")]
     known_mass: Option<f64>,
     /// Standard deviation of --known-mass, kg (a scale that shows grams: 0.0003). Zero takes it as
     /// exact: an error of a gram then moves the centre of a 200 g tool by half a percent of its
     /// distance.
-    #[arg(long, default_value_t = 0.0, value_name = "KG", allow_negative_numbers = true, requires = "known_mass")]
+    #[arg(long, default_value_t = 0.0, value_name = "KG", requires = "known_mass")]
     mass_std: f64,
     /// Without --unloaded: take only links and rotors from the robot file, and estimate friction
     /// and offsets from the loaded log.
@@ -75,28 +75,14 @@ pub(super) struct ToolVerb {
     on_top: bool,
     /// Where the tools' frames sit in the robot's last DH frame, m, in place of the `xyz` of their
     /// files.
-    #[arg(
-        long,
-        value_delimiter = ',',
-        num_args = 1,
-        value_name = "X,Y,Z",
-        allow_negative_numbers = true,
-        requires = "tools"
-    )]
+    #[arg(long, value_delimiter = ',', num_args = 1, value_name = "X,Y,Z", requires = "tools")]
     mount: Option<Vec<f64>>,
     /// With what probability a tool of the table is rejected.
-    #[arg(long, default_value_t = 0.01, value_name = "P", allow_negative_numbers = true, requires = "tools")]
+    #[arg(long, default_value_t = 0.01, value_name = "P", requires = "tools")]
     level: f64,
     /// How well the tool files know the tools and how exactly these are mounted: standard
     /// deviations of mass (relative), place (m) and direction (rad).
-    #[arg(
-        long,
-        value_delimiter = ',',
-        num_args = 1,
-        value_name = "M,P,A",
-        allow_negative_numbers = true,
-        requires = "tools"
-    )]
+    #[arg(long, value_delimiter = ',', num_args = 1, value_name = "M,P,A", requires = "tools")]
     tolerance: Option<Vec<f64>>,
     /// Write the result as JSON; `-` for standard output.
     #[arg(long, value_name = "FILE")]
@@ -140,7 +126,7 @@ impl ToolVerb {
         let effects = FileEffects::of(&bare, &[]);
         effects.iter().for_each(|effects| effects.prepare(&mut prepare));
         let file_values = param::standard_values(&bare);
-        let known = effects.as_ref().and_then(|effects| effects.known(&arm, file_values.as_deref(), &prepare));
+        let known = effects.as_ref().and_then(|effects| effects.known(&arm, file_values.as_deref(), prepare.filter));
         let Read { unloaded, loaded, mut prepared, logbook } = self.read(&arm, &prepare, known.as_ref())?;
         against_limits(&mut prepared, &file.robot, prepare.keep)?;
         let carried = identify_tool(&arm, &unloaded, &loaded, &settings).map_err(unsolved)?;

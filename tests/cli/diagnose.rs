@@ -124,6 +124,42 @@ fn a_hidden_payload_is_the_whole_robots() {
     assert!(found["next_experiment"]["file"].is_null() && !Path::new(&out).with_extension("next.csv").exists());
 }
 
+/// Torque columns in another order or unit are named, and nothing else is concluded from them.
+#[test]
+fn misread_torque_columns_are_named_before_any_cause() {
+    let place = folder("misread");
+    let log = super::identify::record(12, 41);
+    let write = |name: &str, text: String| {
+        let path = place.join(name);
+        fs::write(&path, text).unwrap();
+        path.display().to_string()
+    };
+    let header = log.lines().next().unwrap().replace("tau2", "TAU").replace("tau4", "tau2").replace("TAU", "tau4");
+    let swapped = write("swapped.csv", log.replacen(log.lines().next().unwrap(), &header, 1));
+    let scaled = |by: f64| {
+        let rows = log.lines().skip(1).map(|line| {
+            let cells = line.split(',').enumerate();
+            let cells = cells.map(|(k, x)| if k > 7 { (by * x.parse::<f64>().unwrap()).to_string() } else { x.into() });
+            cells.collect::<Vec<String>>().join(",")
+        });
+        std::iter::once(log.lines().next().unwrap().to_string()).chain(rows).collect::<Vec<_>>().join("\n") + "\n"
+    };
+    let (millis, degrees) = (write("millis.csv", scaled(1e3)), write("degrees.csv", scaled(57.29578)));
+    for verb in ["diagnose", "force"] {
+        for (log, words) in [(&swapped, "another order"), (&millis, "N mm"), (&degrees, "180/pi")] {
+            let run = denavit(&[verb, "robots/kuka-lwr4.yaml", log]);
+            assert_eq!(run.status, Some(2), "{verb} {log}: {}", run.out);
+            assert!(run.err.contains(words) && !run.err.contains("negate"), "{verb} {log}: {}", run.err);
+        }
+    }
+    let kept = denavit(&["force", "robots/kuka-lwr4.yaml", &swapped, "--keep", "misread"]);
+    assert_eq!(kept.status, Some(0), "{}", kept.err);
+    assert!(kept.out.contains("warning") && kept.out.contains("another order"), "{}", kept.out);
+    let right = write("right.csv", log);
+    let right = denavit(&["force", "robots/kuka-lwr4.yaml", &right]);
+    assert!(right.status == Some(0) && !right.out.contains("another order"), "{}{}", right.out, right.err);
+}
+
 #[test]
 fn bad_use_is_said_in_one_paragraph() {
     let run = denavit(&["diagnose", "robots/kuka-lwr4.yaml", "no-such.csv"]);

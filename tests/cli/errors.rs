@@ -32,6 +32,20 @@ fn of_the_command_line() {
     fails(2, &["identify", PLANAR, "x.csv", "--order", "0"], &["--order 0", "1 to 12"]);
 }
 
+/// A negative number is a value, whatever the option.
+#[test]
+fn of_negative_numbers() {
+    let paint = ["paint", "run", "robots/kuka-lwr4.yaml", "--plan", "x.json"];
+    for (option, value) in [("--force", "-5"), ("--settle", "-1"), ("--doubt", "-0.5"), ("--stiffness", "-1e3")] {
+        let said = format!("{option} {}: from", value.parse::<f64>().unwrap());
+        fails(2, &[&paint[..], &[option, value]].concat(), &[&said]);
+    }
+    fails(2, &["identify", PLANAR, "x.csv", "--most-cost", "-3"], &["--most-cost -3: percent, above 0"]);
+    fails(2, &["diagnose", PLANAR, "x.csv", "--rate", "-3"], &["--rate -3: windows per second"]);
+    fails(2, &["force", PLANAR, "x.csv", "--estimator", "momentum", "--gain", "-3"], &["--gain -3"]);
+    fails(2, &["force", PLANAR, "x.csv", "--stride", "-3"], &["'-3'", "--stride"]);
+}
+
 #[test]
 fn of_paths() {
     fails(2, &["check", "no/such.yaml"], &["no/such.yaml", "check the path"]);

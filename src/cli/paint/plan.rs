@@ -130,10 +130,10 @@ pub(super) struct Where {
     )]
     up: Vec<f64>,
     /// Extent of the wall across the strokes, m.
-    #[arg(long, default_value_t = 0.6, value_name = "M", allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 0.6, value_name = "M")]
     width: f64,
     /// Extent of the wall along the strokes, m.
-    #[arg(long, default_value_t = 0.8, value_name = "M", allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 0.8, value_name = "M")]
     height: f64,
     /// In what order: down and up on each lane (the paper's), or down one and up the next.
     #[arg(long, value_enum, default_value_t = Order::Cycle)]

@@ -27,11 +27,13 @@ pub struct Acceptance {
     /// Torques far beyond the limits of most joints, as those in another unit are: used as they
     /// are.
     pub torque_unit: bool,
+    /// Torque columns in another order, unit or place than their names say: used as they are.
+    pub misread: bool,
 }
 
 impl Acceptance {
     /// The names of the settings, for a command line.
-    pub const NAMES: [&'static str; 10] = [
+    pub const NAMES: [&'static str; 11] = [
         "bad-rows",
         "gaps",
         "restarts",
@@ -42,6 +44,7 @@ impl Acceptance {
         "dead-torque",
         "large-angles",
         "torque-unit",
+        "misread",
     ];
 
     /// Everything.
@@ -66,6 +69,7 @@ impl Acceptance {
             "dead-torque" => &mut self.dead_torque,
             "large-angles" => &mut self.large_angles,
             "torque-unit" => &mut self.torque_unit,
+            "misread" => &mut self.misread,
             _ => return false,
         };
         *flag = true;

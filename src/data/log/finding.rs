@@ -318,6 +318,7 @@ impl Finding {
             Kind::DeadTorque => "dead-torque",
             Kind::Degrees { .. } => "large-angles",
             Kind::TorqueUnit { .. } => "torque-unit",
+            Kind::Misread { .. } => "misread",
             _ => return None,
         })
     }

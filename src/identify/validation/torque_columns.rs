@@ -22,6 +22,8 @@ const EXPLAINED: f64 = 0.35;
 const ALIKE: f64 = 0.8;
 /// Sizes that differ by less than this factor are within what a rough model errs.
 const ROUGH: f64 = 2.5;
+/// Travel of a joint from which on its torque tells its column, rad or m.
+const TRAVEL: f64 = 0.1;
 /// Sizes of the joints' torques agree on a unit within this factor.
 const AGREE: f64 = 2.0;
 /// Most joints whose pairings are searched one and all.
@@ -44,6 +46,8 @@ pub struct TorqueColumns<'a> {
     factors: Vec<RFactor>,
     /// The same with positions taken as degrees.
     degrees: Vec<RFactor>,
+    /// Lowest and highest position of each joint.
+    range: Vec<[f64; 2]>,
     samples: usize,
     seconds: f64,
 }
@@ -87,7 +91,8 @@ impl<'a> TorqueColumns<'a> {
     pub fn new(arm: &'a dyn Arm) -> Self {
         let rows = Rows::new(arm);
         let empty = || rows.columns.iter().map(|c| RFactor::new(c.len() + arm.dof())).collect();
-        Self { arm, factors: empty(), degrees: empty(), samples: 0, seconds: 0.0, rows }
+        let range = vec![[f64::INFINITY, f64::NEG_INFINITY]; arm.dof()];
+        Self { arm, factors: empty(), degrees: empty(), range, samples: 0, seconds: 0.0, rows }
     }
 
     /// Takes in a stretch of motion.
@@ -102,11 +107,27 @@ impl<'a> TorqueColumns<'a> {
             absorb(&mut self.factors, self.arm, &self.rows, &block, &block.states);
             let turn = |x: &[f64]| x.iter().map(|x| x.to_radians()).collect();
             let States { len, q, dq, ddq } = &block.states;
+            for (range, q) in self.range.iter_mut().zip(q.chunks_exact(*len)) {
+                *range = q.iter().fold(*range, |[low, high], q| [low.min(*q), high.max(*q)]);
+            }
             let radians = States { len: *len, q: turn(q), dq: turn(dq), ddq: turn(ddq) };
             absorb(&mut self.degrees, self.arm, &self.rows, &block, &radians);
             self.samples += count;
             self.seconds += count as f64 * motion.period * motion.stride.max(1) as f64;
         }
+    }
+
+    /// Whether the torques, as recorded, are mostly something else than `reference` says: where they
+    /// are not, nothing is to be explained.
+    pub fn is_suspicious(&self, reference: Reference<'_>) -> bool {
+        self.samples > 0
+            && self.unexplained(&self.factors, &Reading::as_recorded(self.arm.dof()), reference) > EXPLAINED
+    }
+
+    /// Whether half of the joints travel: torques of an arm that stands are a few numbers, which
+    /// another order meets by chance.
+    fn travels(&self) -> bool {
+        2 * self.range.iter().filter(|[low, high]| high - low > TRAVEL).count() >= self.range.len()
     }
 
     /// What explains the torques far better than the log as it was recorded, with its evidence.
@@ -120,6 +141,12 @@ impl<'a> TorqueColumns<'a> {
         }
         let as_recorded = Reading::as_recorded(n);
         let recorded = self.unexplained(&self.factors, &as_recorded, reference);
+        if !self.travels() {
+            return match reference {
+                Reference::Model(beta) => self.in_unit(beta, gears, recorded),
+                Reference::Fit => None,
+            };
+        }
         let signs = self.best_signs(&as_recorded, reference);
         let (best, left) = self.simplest(self.search(reference), reference);
         if best.is_permuted() && left < EXPLAINED && left < FAR_BETTER * recorded && left < FAR_BETTER * signs {
@@ -448,6 +475,25 @@ mod tests {
         for reference in [Reference::Fit, Reference::Model(&beta)] {
             assert_eq!(read(&arm, &motion, reference, &[]), None);
         }
+    }
+
+    /// Of an arm that stands, six numbers are compared with six: an order that fits proves nothing.
+    #[test]
+    fn an_arm_that_stands_tells_no_order() {
+        let (arm, beta, motion) = recorded(PUMA, 3);
+        let model = Reference::Model(&beta);
+        let mut log = in_columns(&motion, &[0, 3, 2, 1, 4, 5]);
+        let mut columns = TorqueColumns::new(&arm);
+        columns.absorb(&log);
+        assert!(columns.is_suspicious(model));
+        let len = log.states.len;
+        for row in [&mut log.states.q, &mut log.states.dq, &mut log.states.ddq, &mut log.tau] {
+            row.chunks_exact_mut(len).for_each(|row| row.fill(row[0]));
+        }
+        assert_eq!(read(&arm, &log, model, &[]), None);
+        let mut columns = TorqueColumns::new(&arm);
+        columns.absorb(&motion);
+        assert!(!columns.is_suspicious(model) && !columns.is_suspicious(Reference::Fit));
     }
 
     #[test]
